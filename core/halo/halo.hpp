@@ -1,0 +1,93 @@
+// What the time step needs of other ranks. Physics includes this and never mpi.h; parallel/ implements it over MPI,
+// tests and single-process tools use the serial implementation beside it.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/neighbours/grid.hpp"
+#include "core/particles/continuum.hpp"
+#include "core/solid/solids.hpp"
+
+namespace thaw {
+
+/// Rows that left this rank in a migration and rows that arrived (appended behind the rows that were owned before).
+struct Migration {
+  std::vector<std::uint32_t> departed;  ///< rows, ascending; still in the table until it is reordered
+  std::vector<int> departedTo;          ///< rank, beside departed
+  std::size_t arrivals = 0;             ///< the last `arrivals` owned rows are new
+};
+
+/// Collective sums, minima and maxima that are exact, so that they do not depend on the number of ranks.
+class Reducer {
+ public:
+  virtual ~Reducer() = default;
+  virtual int rank() const = 0;
+  virtual int size() const = 0;
+  virtual void maximum(std::span<double> values) = 0;        ///< element by element over ranks (minima: of negated values)
+  virtual void sum(std::span<std::int64_t> values) = 0;      ///< element by element over ranks
+};
+
+/// Cells: who owns which, migration of particles, copies of the cells around a rank's own ("ghosts").
+class CellHalo {
+ public:
+  virtual ~CellHalo() = default;
+
+  /// Sends particles whose cell another rank owns to that rank. keys[row]: cell key of each owned row. Collective.
+  /// Guarantees: arrivals appended (particles.owned grows), departed rows listed and still in place.
+  virtual Migration migrate(Table& particles, std::span<const std::uint64_t> keys) = 0;
+
+  /// Copies of all particles in the cells that touch this rank's cells, periodic images included. Needs particles sorted by
+  /// (cell, id) and `cells` of the owned ones. begin starts the exchange of these columns; finish appends the ghost rows and
+  /// merges the ghost cells into `cells`, ascending by key. A periodic image has its cell's key outside of the domain and the
+  /// column named "position" (if sent) shifted by the period. Between the two, owned rows may be read but rows not added.
+  virtual void beginGhosts(Table& particles, const CellTable& cells, std::span<AnyColumn* const> columns) = 0;
+  virtual void finishGhosts(Table& particles, CellTable& cells) = 0;
+
+  /// Sends these columns of the same ghosts again. The column's owned rows must not change between begin and finish.
+  virtual void beginRefresh(Table& particles, std::span<AnyColumn* const> columns) = 0;
+  virtual void finishRefresh(Table& particles) = 0;
+
+  /// New owners for cells, by weighted recursive bisection over the occupied cells: cost[c] of owned cell c in any unit (> 0).
+  /// Does nothing and returns false unless force, or the imbalance is above a threshold and the gain worth it. After true,
+  /// the next migrate moves the particles. Collective.
+  virtual bool rebalance(const CellTable& ownedCells, std::span<const double> cost, bool force) = 0;
+
+  /// True if this rank owns the cell (the same answer on no other rank); every cell of the grid has exactly one owner.
+  virtual bool owns(std::uint64_t key) const = 0;
+  /// True if all 26 cells around an owned cell are owned here and no periodic image touches it: its sums need no ghosts.
+  virtual bool inner(std::uint64_t key) const = 0;
+};
+
+/// A bond to make: from an owned slot to the solid particle with this id, wherever that is.
+struct BondRequest {
+  std::uint32_t slot;
+  std::uint64_t neighbourId;
+  Vec3d reference;   ///< X_ij, m, in this end's frame
+  Vec3d reverse;     ///< X_ji, m, in the other end's frame (-X_ij unless the frames differ)
+  double weight;
+};
+
+/// Bonds: follows solid particles in migration, keeps a copy ("remote row") of every solid particle that an owned one is
+/// bonded to, however far away it is, and sends fields along the bonds.
+class BondHalo {
+ public:
+  virtual ~BondHalo() = default;
+
+  /// After CellHalo::migrate and before particles are reordered: moves the slots (and bonds) of departed particles to where
+  /// they went; sets Continuum::slot of arrivals. Collective; returns at once on every rank when nothing solid moved anywhere.
+  virtual void migrate(Continuum& particles, Solids& solids, Bonds& bonds, const Migration& migration) = 0;
+
+  /// After slots or bonds were added or removed on any rank: removed slots (id == removedSlot) are deleted with all bonds to
+  /// them on every rank, requests become bonds (appended to their slot in the given order; a request whose neighbour is not
+  /// solid any more is dropped), remote rows are renewed, rows renumbered (Continuum::slot and Solids::particle follow).
+  /// Collective; `changedHere` false on all ranks makes it return at once.
+  virtual void relink(Continuum& particles, Solids& solids, Bonds& bonds, std::span<const BondRequest> requests, bool changedHere) = 0;
+
+  /// Sends columns of Solids from owned rows to the remote rows that copy them. The same rules as refresh of ghosts.
+  virtual void begin(Solids& solids, std::span<AnyColumn* const> columns) = 0;
+  virtual void finish(Solids& solids) = 0;
+};
+inline constexpr std::uint64_t removedSlot = ~0ull;
+
+}  // namespace thaw

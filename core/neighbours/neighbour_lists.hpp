@@ -1,0 +1,21 @@
+// Neighbours of every owned particle, in (cell, id) order, interleaved by groups of 8 particles (sliced ELLPACK, speed.md):
+// entry n of lane l of group g is list[first[g] + 8 n + l]. Lists are padded with the dummy row.
+#pragma once
+#include <cstdint>
+
+#include "core/particles/column.hpp"
+
+namespace thaw {
+
+struct NeighbourLists {
+  AlignedVector<std::uint32_t> self;   ///< 8 rows a group; the dummy row pads the last group of each part
+  AlignedVector<std::uint64_t> first;  ///< a group's place in list
+  AlignedVector<std::uint32_t> count;  ///< neighbours of the group's longest list
+  AlignedVector<std::uint32_t> list;   ///< rows of neighbours, without the particle itself; may hold pairs a little beyond the support radius
+  AlignedVector<std::uint16_t> neighbours;  ///< of each owned row, within the support radius
+  std::uint32_t dummy = 0;             ///< row of zero mass behind all rows
+  std::size_t innerGroups = 0;         ///< the first groups need no ghosts
+  std::size_t groups() const { return count.size(); }
+};
+
+}  // namespace thaw

@@ -1,0 +1,108 @@
+// One field of a table of particles: a contiguous array with its name, unit and meaning.
+// Sorting, migration, ghosts, checkpoints and output work on AnyColumn, so that a field is declared once, in its table.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "core/math/mat3.hpp"
+
+namespace thaw {
+
+/// Allocator of cache-line aligned memory that leaves new elements uninitialised (columns zero them explicitly).
+template<class T> struct AlignedAllocator {
+  using value_type = T;
+  AlignedAllocator() = default;
+  template<class U> AlignedAllocator(const AlignedAllocator<U>&) {}
+  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t{64})); }
+  void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t{64}); }
+  template<class U> void construct(U* p) { ::new (static_cast<void*>(p)) U; }
+  template<class U, class... A> void construct(U* p, A&&... a) { ::new (static_cast<void*>(p)) U(std::forward<A>(a)...); }
+  friend bool operator==(const AlignedAllocator&, const AlignedAllocator&) { return true; }
+};
+template<class T> using AlignedVector = std::vector<T, AlignedAllocator<T>>;
+
+enum class Scalar { F64, F32, U64, U32, U16, U8 };
+inline std::size_t bytesOf(Scalar s) {
+  return s == Scalar::F64 || s == Scalar::U64 ? 8 : s == Scalar::F32 || s == Scalar::U32 ? 4 : s == Scalar::U16 ? 2 : 1;
+}
+
+/// What happens to a field between steps.
+enum class Keep {
+  State,     ///< part of the state: sorted, migrated, in every checkpoint, compared bit by bit
+  Local,     ///< sorted with the particles, but valid on this rank only (indices); not migrated, not in a checkpoint
+  Transient  ///< computed anew in each step before it is read; only resized
+};
+
+template<class T> struct FieldType;  // scalar type and number of components of T
+template<> struct FieldType<double> { static constexpr Scalar scalar = Scalar::F64; static constexpr int components = 1; };
+template<> struct FieldType<float> { static constexpr Scalar scalar = Scalar::F32; static constexpr int components = 1; };
+template<> struct FieldType<std::uint64_t> { static constexpr Scalar scalar = Scalar::U64; static constexpr int components = 1; };
+template<> struct FieldType<std::uint32_t> { static constexpr Scalar scalar = Scalar::U32; static constexpr int components = 1; };
+template<> struct FieldType<std::uint16_t> { static constexpr Scalar scalar = Scalar::U16; static constexpr int components = 1; };
+template<> struct FieldType<std::uint8_t> { static constexpr Scalar scalar = Scalar::U8; static constexpr int components = 1; };
+template<class S> struct FieldType<Vec3<S>> { static constexpr Scalar scalar = FieldType<S>::scalar; static constexpr int components = 3; };
+template<class S> struct FieldType<Sym3<S>> { static constexpr Scalar scalar = FieldType<S>::scalar; static constexpr int components = 6; };
+template<class S> struct FieldType<Mat3<S>> { static constexpr Scalar scalar = FieldType<S>::scalar; static constexpr int components = 9; };
+
+struct Table;
+
+/// A field without its C++ type. Inactive columns hold no memory.
+struct AnyColumn {
+  const char* name;
+  const char* unit;
+  const char* about;
+  Keep keep;
+  Scalar scalar;
+  int components;
+  std::size_t elementBytes;
+  bool active = false;
+  AlignedVector<std::byte> bytes;  ///< size() * elementBytes
+
+  AnyColumn(Table& table, const char* name, const char* unit, Keep keep, const char* about, Scalar scalar, int components);
+  AnyColumn(const AnyColumn&) = delete;
+  AnyColumn& operator=(const AnyColumn&) = delete;
+};
+
+template<class T> struct Column : AnyColumn {
+  static_assert(std::is_trivially_copyable_v<T>);
+  Column(Table& table, const char* name, const char* unit, Keep keep, const char* about)
+      : AnyColumn(table, name, unit, keep, about, FieldType<T>::scalar, FieldType<T>::components) {}
+  T* data() { return reinterpret_cast<T*>(bytes.data()); }
+  const T* data() const { return reinterpret_cast<const T*>(bytes.data()); }
+  T& operator[](std::size_t i) { return data()[i]; }
+  const T& operator[](std::size_t i) const { return data()[i]; }
+};
+
+/// Base of every table of fields. Rows [0, owned) belong to this rank, [owned, owned + ghosts) are copies of other ranks' rows
+/// (or periodic images). Columns register themselves here, in the order of their declaration.
+struct Table {
+  const char* kind = "";  ///< "continuum", "solid", ...
+  std::vector<AnyColumn*> columns;
+  std::size_t owned = 0, ghosts = 0;
+
+  explicit Table(const char* kind) : kind(kind) {}
+  Table(const Table&) = delete;
+  Table& operator=(const Table&) = delete;
+
+  std::size_t size() const { return owned + ghosts; }
+  /// Sets the number of rows; rows that are kept keep their values, new rows are zero. Never shrinks capacity.
+  void resize(std::size_t owned, std::size_t ghosts);
+  /// Switches a field on: allocates size() zeroed rows.
+  void activate(AnyColumn& column);
+  /// Row i of every Keep::State and Keep::Local column becomes old row order[i], for i < n = number of kept rows; owned = n, ghosts = 0.
+  void reorder(std::span<const std::uint32_t> order);
+  AnyColumn* find(const char* name);
+  /// Bytes of one row in the active State columns, and its packing; used by migration, ghosts and checkpoints.
+  std::size_t stateBytes() const;
+  void packState(std::size_t row, std::byte* to) const;
+  void unpackState(std::size_t row, const std::byte* from);
+
+ private:
+  AlignedVector<std::byte> spare_;  // target of reorder, swapped with the column
+};
+
+}  // namespace thaw

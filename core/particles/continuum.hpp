@@ -1,0 +1,40 @@
+// The fields of continuum particles (K05): one line a field. A scene activates the fields of the modules that it switches on.
+#pragma once
+#include "core/particles/column.hpp"
+
+namespace thaw {
+
+inline constexpr std::uint32_t noSlot = 0xffffffffu;
+
+enum Phase : std::uint8_t { Solid = 0, Liquid = 1 };
+
+struct Continuum : Table {
+  Continuum() : Table("continuum") {}
+  using u8 = std::uint8_t;
+  // always
+  Column<std::uint64_t> id{*this, "id", "1", Keep::State, "body or emitter number << 40 | number of the sample in it"};
+  Column<Vec3d> position{*this, "position", "m", Keep::State, "centre"};
+  Column<Vec3d> velocity{*this, "velocity", "m/s", Keep::State, "at the same time as the position"};
+  Column<Vec3d> acceleration{*this, "acceleration", "m/s^2", Keep::State, "of the last force evaluation; the next half kick uses it"};
+  Column<double> mass{*this, "mass", "kg", Keep::State, "constant"};
+  Column<std::uint16_t> material{*this, "material", "1", Keep::State, "index into the scene's materials"};
+  Column<std::uint16_t> body{*this, "body", "1", Keep::State, "index into bodies, then emitters"};
+  Column<double> dissipated{*this, "dissipated", "J", Keep::State, "mechanical energy lost at this particle so far"};
+  // fluid
+  Column<float> filling{*this, "filling", "1", Keep::Transient, "delta = sum V0_j W_ij over its lattice value; density = delta * rest density"};
+  Column<float> pressure{*this, "pressure", "Pa", Keep::Transient, "from the equation of state"};
+  // heat and phase
+  Column<double> enthalpy{*this, "enthalpy", "J/kg", Keep::State, "0 at the solidus (at 0 K for materials that do not melt)"};
+  Column<double> temperature{*this, "temperature", "K", Keep::State, "function of the enthalpy (state itself in the paper's heat model)"};
+  Column<float> liquid{*this, "liquid", "1", Keep::State, "liquid fraction; blend parameter of the material"};
+  Column<u8> phase{*this, "phase", "1", Keep::State, "Solid: has or may have bonds; Liquid: has none"};
+  // solid
+  Column<std::uint32_t> slot{*this, "slot", "1", Keep::Local, "row in the table of solids, noSlot for liquids"};
+  // rates of the current step
+  Column<Vec3d> force{*this, "force", "N", Keep::Transient, "sum of all forces"};
+  Column<double> heatFlow{*this, "heatFlow", "W", Keep::Transient, "sum of all heat flows into the particle"};
+  Column<double> dissipation{*this, "dissipation", "W", Keep::Transient, "rate of loss of mechanical energy at this particle"};
+  Column<double> interaction{*this, "interaction", "J", Keep::Transient, "potential energy of pair and wall contacts, this particle's half"};
+};
+
+}  // namespace thaw

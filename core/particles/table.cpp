@@ -1,0 +1,100 @@
+#include <cassert>
+#include <cstring>
+
+#include "core/particles/column.hpp"
+
+namespace thaw {
+
+AnyColumn::AnyColumn(Table& table, const char* name, const char* unit, Keep keep, const char* about, Scalar scalar, int components)
+    : name(name), unit(unit), about(about), keep(keep), scalar(scalar), components(components),
+      elementBytes(bytesOf(scalar) * static_cast<std::size_t>(components)) {
+  table.columns.push_back(this);
+}
+
+namespace {
+
+void resizeColumn(AnyColumn& c, std::size_t rows) {
+  const std::size_t before = c.bytes.size(), after = rows * c.elementBytes;
+  if (after > c.bytes.capacity()) c.bytes.reserve(after + after / 4);  // head room: no allocation in a steady step
+  c.bytes.resize(after);
+  if (after > before) std::memset(c.bytes.data() + before, 0, after - before);
+}
+
+template<class Word> void gather(const std::byte* from, std::byte* to, std::span<const std::uint32_t> order) {
+  const Word* in = reinterpret_cast<const Word*>(from);
+  Word* out = reinterpret_cast<Word*>(to);
+  for (std::size_t i = 0; i < order.size(); i++) out[i] = in[order[i]];
+}
+struct Three { std::uint64_t word[3]; };
+
+}  // namespace
+
+void Table::resize(std::size_t newOwned, std::size_t newGhosts) {
+  assert(newOwned == owned || ghosts == 0);  // ghosts lie behind the owned rows and would be taken for them
+  owned = newOwned;
+  ghosts = newGhosts;
+  for (AnyColumn* c : columns)
+    if (c->active) resizeColumn(*c, size());
+}
+
+void Table::activate(AnyColumn& column) {
+  if (column.active) return;
+  column.active = true;
+  resizeColumn(column, size());
+}
+
+void Table::reorder(std::span<const std::uint32_t> order) {
+  for (AnyColumn* c : columns) {
+    if (!c->active) continue;
+    if (c->keep != Keep::Transient) {
+      const std::size_t need = order.size() * c->elementBytes;
+      if (spare_.capacity() < need) spare_.reserve(need + need / 4);
+      spare_.resize(need);
+      switch (c->elementBytes) {
+        case 24: gather<Three>(c->bytes.data(), spare_.data(), order); break;
+        case 8: gather<std::uint64_t>(c->bytes.data(), spare_.data(), order); break;
+        case 4: gather<std::uint32_t>(c->bytes.data(), spare_.data(), order); break;
+        case 2: gather<std::uint16_t>(c->bytes.data(), spare_.data(), order); break;
+        default:
+          for (std::size_t i = 0; i < order.size(); i++)
+            std::memcpy(spare_.data() + i * c->elementBytes, c->bytes.data() + order[i] * c->elementBytes, c->elementBytes);
+      }
+      c->bytes.swap(spare_);
+    } else {
+      resizeColumn(*c, order.size());
+    }
+  }
+  owned = order.size();
+  ghosts = 0;
+}
+
+AnyColumn* Table::find(const char* name) {
+  for (AnyColumn* c : columns)
+    if (std::strcmp(c->name, name) == 0) return c;
+  return nullptr;
+}
+
+std::size_t Table::stateBytes() const {
+  std::size_t bytes = 0;
+  for (const AnyColumn* c : columns)
+    if (c->active && c->keep == Keep::State) bytes += c->elementBytes;
+  return bytes;
+}
+
+void Table::packState(std::size_t row, std::byte* to) const {
+  for (const AnyColumn* c : columns)
+    if (c->active && c->keep == Keep::State) {
+      std::memcpy(to, c->bytes.data() + row * c->elementBytes, c->elementBytes);
+      to += c->elementBytes;
+    }
+}
+
+void Table::unpackState(std::size_t row, const std::byte* from) {
+  for (AnyColumn* c : columns)
+    if (c->active && c->keep == Keep::State) {
+      std::memcpy(c->bytes.data() + row * c->elementBytes, from, c->elementBytes);
+      from += c->elementBytes;
+    }
+}
+
+}  // namespace thaw

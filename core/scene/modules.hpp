@@ -1,0 +1,29 @@
+// Which parts of the model a scene needs. A module that is off allocates no field, runs no loop and sends no byte.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.hpp"
+
+namespace thaw {
+
+struct Modules {
+  bool fluid = false;      ///< some particle is, or can become, liquid: density, pressure, viscosity
+  bool tension = false;    ///< a liquid with surface tension
+  bool xsph = false, artificialViscosity = false;
+  bool solid = false;      ///< some particle is, or can become, solid: bonds, elastic forces
+  bool plastic = false;    ///< a material yields
+  bool fracture = false;   ///< a material's bonds break
+  bool freezing = false;   ///< liquid can become solid while running: bonds have their own reference on both ends
+  bool contact = false;    ///< unbonded solids can meet: several solid bodies, pieces, freezing
+  bool heat = false;       ///< temperature changes: conduction, hot obstacles, sources
+  bool melting = false;    ///< a material melts: liquid fraction, phase
+  bool surfaceHeat = false;  ///< convection or radiation to the ambient
+  bool neighbours = false; ///< any sum over unbonded neighbours
+  bool emitters = false;
+  std::vector<std::string> why;  ///< a line for each module that is on: "heat: obstacle 'plate' has a temperature"
+};
+
+Modules modulesOf(const Scene& scene);
+
+}  // namespace thaw

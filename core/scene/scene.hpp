@@ -1,0 +1,205 @@
+// What a scene file says, in SI units, as plain structs. io/scene reads them from TOML; the table of keys there gives every
+// member its unit, range, default and documentation. Nothing here depends on MPI or on a file format.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/math/vec3.hpp"
+
+namespace thaw {
+
+inline constexpr double never = std::numeric_limits<double>::infinity();
+
+/// Place in a file, for messages about what was read there.
+struct SourcePlace { std::string file; int line = 0, column = 0; };
+
+/// A material parameter with its solid and its liquid value; linear in between (K05 3.3).
+struct Blend {
+  double solid = 0, liquid = 0;
+  double at(double liquidFraction) const { return solid + (liquid - solid) * liquidFraction; }
+};
+
+enum class ElasticLaw { Green, NeoHookean, Corotated };  // Green strain with Hooke's law is the papers' law
+
+struct Material {
+  std::string name;
+  SourcePlace where;
+  double density = 1000;        // kg/m^3, at rest
+  // liquid
+  Blend viscosity;              // Pa s
+  std::vector<std::pair<double, double>> viscosityTable;  // (K, Pa s), logarithmic in between; replaces viscosity if not empty
+  double surfaceTension = 0;    // N/m, of the liquid
+  double soundSpeed = 0;        // m/s, of the equation of state; 0: ten times the largest speed expected of the scene
+  double xsph = 0;              // 1, velocity smoothing (XSPH)
+  double artificialViscosity = 0;  // 1, Monaghan's alpha
+  // solid
+  Blend young;                  // Pa; solid > 0 makes the material able to be solid
+  Blend poisson{0.3, 0.3};      // 1
+  ElasticLaw law = ElasticLaw::Green;
+  Blend yieldStrain{never, never};  // 1, gamma_yield: norm of the deviator of the elastic strain (OBH02); never: not plastic
+  Blend creepRate{0, 0};        // 1/s, gamma_creep: rate at which plastic strain follows; never: at once
+  double maxPlasticStrain = never;  // 1, gamma_max
+  double volumeStiffness = 0;   // Pa, k_v of the volume force (MKN04)
+  double hourglass = 0.1;       // 1, alpha of the penalty on zero-energy modes (Ganzenmueller 2015)
+  double breakStretch = never;  // 1, a bond longer than this times its reference length breaks
+  double damping = 0;           // 1/s, rate at which velocity differences between bonded particles decay
+  bool weld = false;            // solids of this material that touch after freezing grow together
+  double friction = 0.3;        // 1, Coulomb, between separate solids
+  double restitution = 0.5;     // 1, of contacts between separate solids
+  // heat
+  Blend conductivity{0, 0};     // W/(m K)
+  Blend heatCapacity{1000, 1000};  // J/(kg K)
+  double latentHeat = 0;        // J/kg
+  double solidus = never, liquidus = never;  // K; never: does not melt
+  double hysteresis = 0;        // 1, liquid fraction below (liquid: 0 + this is needed to freeze; solid: 1 - this to melt)
+  double heatSource = 0;        // W/kg
+  double emissivity = 0;        // 1, radiation from free surfaces to the ambient
+  double convection = 0;        // W/(m^2 K), from free surfaces to the ambient
+  double paperDiffusivity = 0;  // m^2/s, k_heat of K05, for heat model "paper"
+  bool liquidAtStart = false;   // only for materials that do not melt: liquid (true) or solid
+  bool melts() const { return solidus < never; }
+  bool canBeSolid() const { return young.solid > 0; }
+};
+
+// ---- shapes -----------------------------------------------------------------------------------------------------------
+enum class ShapeKind { Box, Sphere, Cylinder, Torus, HalfSpace, Glass, Mesh, Union, Difference, Intersection };
+
+/// Shape in its own frame, then scaled, rotated and moved. Signed distance is negative inside.
+struct Shape {
+  ShapeKind kind = ShapeKind::Box;
+  SourcePlace where;
+  Vec3d size{1, 1, 1};       // m, Box: edge lengths, centred on the origin
+  double radius = 0.5;       // m, Sphere, Cylinder, Glass (outer), Torus (of the ring)
+  double radius2 = 0.1;      // m, Torus (of the tube)
+  double height = 1;         // m, Cylinder, Glass; along z, Cylinder centred, Glass standing on z = 0, open at the top
+  double thickness = 0.01;   // m, Glass: wall and floor
+  Vec3d point{}, normal{0, 0, 1};  // HalfSpace: solid on the side against the normal
+  std::string mesh;          // Mesh: absolute path
+  std::vector<Shape> parts;  // Union: all; Difference: first minus the others; Intersection
+  // placement: x = move + R(axis, angle) * (scale * x_shape); rotations about x, then y, then z
+  double scale = 1;
+  Vec3d rotate{};            // rad, about x, y, z
+  Vec3d move{};              // m
+  std::optional<double> fitHeight;   // m: scales so that the rotated shape has this z extent (place.height)
+  std::optional<Vec3d> bottom;       // m: moves so that the centre of the lowest face of the bounding box lies here (place.bottom)
+};
+
+enum class Packing { Lattice, Relaxed };
+
+struct Body {
+  std::string name;
+  SourcePlace where;
+  Shape shape;
+  int material = 0;          // index into Scene::materials
+  Vec3d velocity{};          // m/s
+  Vec3d spin{};              // rad/s, about the body's centre of mass (centre of its bounding box)
+  double temperature = 293.15;         // K
+  Vec3d temperatureGradient{};         // K/m, added to temperature from the centre of the bounding box
+  Packing packing = Packing::Lattice;
+};
+
+struct Emitter {
+  std::string name;
+  SourcePlace where;
+  bool disc = true;          // disc of this radius, or box (rectangle) of this size
+  double radius = 0.05;      // m
+  double width = 0.1, depth = 0.1;  // m
+  Vec3d centre{}, direction{0, 0, -1};
+  double speed = 1;          // m/s
+  double rate = 0;           // kg/s; 0: density * area * speed
+  double temperature = 293.15;  // K
+  int material = 0;
+  double start = 0, end = never;  // s
+};
+
+struct Keyframe { double time = 0; Vec3d move{}; Vec3d rotate{}; };  // s, m, rad; linear in between
+
+struct Obstacle {
+  std::string name;
+  SourcePlace where;
+  Shape shape;
+  std::optional<double> temperature;  // K; without one the obstacle is insulating
+  double conductance = never;         // W/(m^2 K) of the contact; never: the surface has the obstacle's temperature
+  double friction = 0.3;              // 1, Coulomb, for solids
+  double restitution = 0.5;           // 1, of solids that hit it
+  bool slip = false;                  // liquids slip freely instead of sticking
+  std::vector<Keyframe> motion;
+  double until = never;               // s, disappears at this time
+};
+
+enum class Side { Open, Wall, Periodic };
+
+struct Domain {
+  Vec3d min{-1, -1, -1}, max{1, 1, 1};   // m
+  std::array<std::array<Side, 2>, 3> side{};  // [axis][0 low, 1 high]
+  Vec3d gravity{0, 0, -9.81};            // m/s^2
+  double ambient = 293.15;               // K, for convection and radiation
+};
+
+// ---- numerics -----------------------------------------------------------------------------------------------------------
+enum class KernelKind { WendlandC2, Mcg03, CubicSpline };
+enum class Precision { Single, Double };          // of pair sums; the state itself is double
+enum class PairForm { Consistent, Printed };      // Printed: K05's sums as the paper has them
+enum class EquationOfState { Linear, Tait };
+enum class ViscosityForm { Pairwise, Laplacian };
+enum class TensionForm { Pairwise, ColourField };  // ColourField: as printed in MCG03/K05
+enum class HeatModel { Enthalpy, Paper };
+enum class OverlapRule { Error, Keep, RemoveLater, RemoveEarlier };
+
+struct Numerics {
+  double support = 2.0;           // 1, support radius over spacing
+  KernelKind kernel = KernelKind::WendlandC2;
+  Precision precision = Precision::Single;
+  PairForm pressure = PairForm::Consistent;
+  EquationOfState eos = EquationOfState::Linear;
+  double tensileLimit = 0;        // 1: fraction of negative pressure that is kept (0: clamped at 0)
+  ViscosityForm viscosity = ViscosityForm::Pairwise;
+  TensionForm tension = TensionForm::Pairwise;
+  HeatModel heat = HeatModel::Enthalpy;
+  bool selfContact = true;        // pieces of one solid collide with each other
+  double maxDensityError = 0.01;  // 1, compression that the automatic sound speed allows
+  OverlapRule overlap = OverlapRule::Error;
+  // time step factors (accuracy.md B10)
+  double fixedStep = 0;           // s; 0: as large as the limits allow
+  double maxStep = never;         // s
+  double cflSound = 0.4, cflViscous = 0.1, cflHeat = 0.1, cflElastic = 0.3, cflTension = 0.25, cflAcceleration = 0.25;
+  double plasticRereference = 0.5;  // 1, norm of plastic strain above which the reference is pushed forward
+};
+
+struct Camera {
+  bool fitted = true;
+  Vec3d from{1, -1, 1}, at{};     // m
+  double fieldOfView = 0.6;       // rad, vertical
+};
+
+struct Output {
+  double every = 0.04;            // s of simulated time between frames
+  std::vector<std::string> fields{"velocity", "temperature", "liquid"};
+  double checkpoint = 600;        // s of wall-clock time
+  bool piecesByRank = false;
+  Camera camera;
+  std::string colour;             // field of the pictures; empty: temperature if the scene has heat, else speed
+  std::optional<double> colourMin, colourMax;  // SI
+  int width = 1280, height = 960;
+};
+
+struct Scene {
+  std::string title, file, text;  // text: all that was read, for the record in the output
+  double spacing = 0.01;          // m, distance of particles
+  double end = 1;                 // s
+  std::uint64_t seed = 1;
+  Domain domain;
+  Numerics numerics;
+  std::vector<Material> materials;
+  std::vector<Body> bodies;
+  std::vector<Emitter> emitters;
+  std::vector<Obstacle> obstacles;
+  Output output;
+};
+
+}  // namespace thaw

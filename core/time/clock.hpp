@@ -1,0 +1,17 @@
+// Simulated time. Frame times and the end are hit exactly: the step before one is clipped and the time then set to it.
+#pragma once
+#include <cstdint>
+
+namespace thaw {
+
+struct Clock {
+  double time = 0;             ///< s
+  double end = 0;              ///< s
+  double every = 0;            ///< s between frames
+  std::int64_t step = 0;       ///< steps done
+  std::int64_t frame = 0;      ///< frames written; the next is due at frame * every
+  double dt = 0;               ///< s, of the current or last step
+  const char* limitedBy = "";  ///< which limit set dt
+};
+
+}  // namespace thaw

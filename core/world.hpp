@@ -1,0 +1,47 @@
+// All that a run holds in memory on one rank.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/ledger/ledger.hpp"
+#include "core/neighbours/grid.hpp"
+#include "core/neighbours/neighbour_lists.hpp"
+#include "core/particles/continuum.hpp"
+#include "core/scene/modules.hpp"
+#include "core/scene/scene.hpp"
+#include "core/solid/solids.hpp"
+#include "core/time/clock.hpp"
+#include "core/walls/walls.hpp"
+
+namespace thaw {
+
+/// Things that went wrong or were mended, counted; in the progress lines and the summary. Sums over ranks are exact.
+struct Counters {
+  std::int64_t singularNeighbourhoods = 0;  ///< particles whose moment matrix had rank < 3 when it was last computed
+  std::int64_t brokenBonds = 0;
+  std::int64_t inverted = 0;                ///< particles with det F <= 0 seen (particle-steps)
+  std::int64_t coincidentPairs = 0;
+  std::int64_t melted = 0, frozen = 0;      ///< phase changes
+  std::int64_t welds = 0;
+  std::int64_t rereferenced = 0;
+  std::int64_t wallProjections = 0;         ///< particles pushed out of an obstacle by position
+  std::int64_t left = 0, emitted = 0;
+};
+
+struct World {
+  Scene scene;
+  Modules modules;
+  CellGrid grid;
+  Continuum particles;
+  CellTable cells;
+  NeighbourLists neighbours;
+  Solids solids;
+  Bonds bonds;
+  Walls walls;
+  Clock clock;
+  Ledger ledger;
+  Counters counters;
+};
+
+}  // namespace thaw
