@@ -1,0 +1,161 @@
+// Eight particles at once: Lanes<float> is one 256-bit vector, Lanes<double> two. GCC vector extensions, so that the same code
+// compiles for AVX-512, AVX2 and plain SSE2 and gives the same bits in each: only IEEE operations, no contraction, no
+// reciprocal approximations (speed.md). Everything here lives in a namespace of the instruction set, because the file is compiled
+// once for each of them and the linker must not mix the copies.
+#pragma once
+#include <cstdint>
+
+#ifndef THAW_ISA
+#define THAW_ISA isa_base
+#endif
+#define THAW_INLINE inline __attribute__((always_inline))
+
+namespace thaw {
+namespace THAW_ISA {
+
+typedef float Vec8f __attribute__((vector_size(32)));
+typedef std::int32_t Vec8i __attribute__((vector_size(32)));
+typedef std::uint32_t Vec8u __attribute__((vector_size(32)));
+typedef double Vec4d __attribute__((vector_size(32)));
+typedef std::int64_t Vec4l __attribute__((vector_size(32)));
+typedef float Vec4f __attribute__((vector_size(16)));
+typedef std::int32_t Vec4i __attribute__((vector_size(16)));
+
+template<class Real> struct Lanes;
+
+// ---- float ------------------------------------------------------------------------------------------------------------
+struct MaskF { Vec8i bits; };
+template<> struct Lanes<float> {
+  using Mask = MaskF;
+  Vec8f v;
+  Lanes() = default;
+  THAW_INLINE Lanes(float s) : v{s, s, s, s, s, s, s, s} {}
+  THAW_INLINE explicit Lanes(double s) : Lanes(static_cast<float>(s)) {}
+  THAW_INLINE explicit Lanes(int s) : Lanes(static_cast<float>(s)) {}
+  THAW_INLINE explicit Lanes(Vec8f x) : v(x) {}
+  THAW_INLINE float operator[](int lane) const { return v[lane]; }
+};
+using LanesF = Lanes<float>;
+THAW_INLINE LanesF operator+(LanesF a, LanesF b) { return LanesF(a.v + b.v); }
+THAW_INLINE LanesF operator-(LanesF a, LanesF b) { return LanesF(a.v - b.v); }
+THAW_INLINE LanesF operator*(LanesF a, LanesF b) { return LanesF(a.v * b.v); }
+THAW_INLINE LanesF operator/(LanesF a, LanesF b) { return LanesF(a.v / b.v); }
+THAW_INLINE LanesF operator-(LanesF a) { return LanesF(-a.v); }
+THAW_INLINE LanesF& operator+=(LanesF& a, LanesF b) { return a = a + b; }
+THAW_INLINE LanesF& operator-=(LanesF& a, LanesF b) { return a = a - b; }
+THAW_INLINE MaskF operator<(LanesF a, LanesF b) { return {a.v < b.v}; }
+THAW_INLINE MaskF operator>(LanesF a, LanesF b) { return {a.v > b.v}; }
+THAW_INLINE MaskF operator&(MaskF a, MaskF b) { return {a.bits & b.bits}; }
+THAW_INLINE LanesF select(MaskF m, LanesF a, LanesF b) { return LanesF(m.bits ? a.v : b.v); }
+THAW_INLINE LanesF max(LanesF a, LanesF b) { return select(a > b, a, b); }
+THAW_INLINE LanesF min(LanesF a, LanesF b) { return select(a < b, a, b); }
+THAW_INLINE bool laneOf(MaskF m, int lane) { return m.bits[lane] != 0; }
+
+// ---- double -----------------------------------------------------------------------------------------------------------
+struct MaskD { Vec4l lo, hi; };
+template<> struct Lanes<double> {
+  using Mask = MaskD;
+  Vec4d lo, hi;
+  Lanes() = default;
+  THAW_INLINE Lanes(double s) : lo{s, s, s, s}, hi{s, s, s, s} {}
+  THAW_INLINE explicit Lanes(int s) : Lanes(static_cast<double>(s)) {}
+  THAW_INLINE Lanes(Vec4d a, Vec4d b) : lo(a), hi(b) {}
+  THAW_INLINE double operator[](int lane) const { return lane < 4 ? lo[lane] : hi[lane - 4]; }
+};
+using LanesD = Lanes<double>;
+THAW_INLINE LanesD operator+(LanesD a, LanesD b) { return {a.lo + b.lo, a.hi + b.hi}; }
+THAW_INLINE LanesD operator-(LanesD a, LanesD b) { return {a.lo - b.lo, a.hi - b.hi}; }
+THAW_INLINE LanesD operator*(LanesD a, LanesD b) { return {a.lo * b.lo, a.hi * b.hi}; }
+THAW_INLINE LanesD operator/(LanesD a, LanesD b) { return {a.lo / b.lo, a.hi / b.hi}; }
+THAW_INLINE LanesD operator-(LanesD a) { return {-a.lo, -a.hi}; }
+THAW_INLINE LanesD& operator+=(LanesD& a, LanesD b) { return a = a + b; }
+THAW_INLINE LanesD& operator-=(LanesD& a, LanesD b) { return a = a - b; }
+THAW_INLINE MaskD operator<(LanesD a, LanesD b) { return {a.lo < b.lo, a.hi < b.hi}; }
+THAW_INLINE MaskD operator>(LanesD a, LanesD b) { return {a.lo > b.lo, a.hi > b.hi}; }
+THAW_INLINE MaskD operator&(MaskD a, MaskD b) { return {a.lo & b.lo, a.hi & b.hi}; }
+THAW_INLINE LanesD select(MaskD m, LanesD a, LanesD b) { return {m.lo ? a.lo : b.lo, m.hi ? a.hi : b.hi}; }
+THAW_INLINE LanesD max(LanesD a, LanesD b) { return select(a > b, a, b); }
+THAW_INLINE LanesD min(LanesD a, LanesD b) { return select(a < b, a, b); }
+THAW_INLINE bool laneOf(MaskD m, int lane) { return (lane < 4 ? m.lo[lane] : m.hi[lane - 4]) != 0; }
+
+#if defined(__AVX__)
+}  // namespace THAW_ISA
+}  // namespace thaw
+#include <immintrin.h>
+namespace thaw {
+namespace THAW_ISA {
+THAW_INLINE LanesF sqrt(LanesF a) { return LanesF(reinterpret_cast<Vec8f>(_mm256_sqrt_ps(reinterpret_cast<__m256>(a.v)))); }
+THAW_INLINE LanesD sqrt(LanesD a) {
+  return {reinterpret_cast<Vec4d>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(a.lo))), reinterpret_cast<Vec4d>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(a.hi)))};
+}
+THAW_INLINE bool any(MaskF m) { return !_mm256_testz_ps(reinterpret_cast<__m256>(m.bits), reinterpret_cast<__m256>(m.bits)); }
+#else
+THAW_INLINE LanesF sqrt(LanesF a) {
+  LanesF r;
+  for (int l = 0; l < 8; l++) r.v[l] = __builtin_sqrtf(a.v[l]);
+  return r;
+}
+THAW_INLINE LanesD sqrt(LanesD a) {
+  LanesD r;
+  for (int l = 0; l < 4; l++) { r.lo[l] = __builtin_sqrt(a.lo[l]); r.hi[l] = __builtin_sqrt(a.hi[l]); }
+  return r;
+}
+THAW_INLINE bool any(MaskF m) {
+  const Vec4l b = reinterpret_cast<Vec4l>(m.bits);
+  return (b[0] | b[1] | b[2] | b[3]) != 0;
+}
+#endif
+THAW_INLINE bool any(MaskD m) {
+  const Vec4l b = m.lo | m.hi;
+  return (b[0] | b[1] | b[2] | b[3]) != 0;
+}
+
+// ---- four values of eight rows, loaded as records and transposed: no gather instructions (speed.md) --------------------
+/// Record of four values of one particle; a pair sum loads whole records of its neighbours.
+template<class Real> struct alignas(4 * sizeof(Real)) Record { Real a, b, c, d; };
+template<class Real> struct Lanes4 { Lanes<Real> a, b, c, d; };
+
+THAW_INLINE Vec8f load2(const Record<float>* at, std::uint32_t low, std::uint32_t high) {
+  const Vec4f l = *reinterpret_cast<const Vec4f*>(at + low), h = *reinterpret_cast<const Vec4f*>(at + high);
+  return __builtin_shufflevector(l, h, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+THAW_INLINE Lanes4<float> load(const Record<float>* at, const std::uint32_t* rows) {
+  const Vec8f r0 = load2(at, rows[0], rows[4]), r1 = load2(at, rows[1], rows[5]);
+  const Vec8f r2 = load2(at, rows[2], rows[6]), r3 = load2(at, rows[3], rows[7]);
+  const Vec8f ab01 = __builtin_shufflevector(r0, r1, 0, 8, 1, 9, 4, 12, 5, 13), cd01 = __builtin_shufflevector(r0, r1, 2, 10, 3, 11, 6, 14, 7, 15);
+  const Vec8f ab23 = __builtin_shufflevector(r2, r3, 0, 8, 1, 9, 4, 12, 5, 13), cd23 = __builtin_shufflevector(r2, r3, 2, 10, 3, 11, 6, 14, 7, 15);
+  return {LanesF(__builtin_shufflevector(ab01, ab23, 0, 1, 8, 9, 4, 5, 12, 13)), LanesF(__builtin_shufflevector(ab01, ab23, 2, 3, 10, 11, 6, 7, 14, 15)),
+          LanesF(__builtin_shufflevector(cd01, cd23, 0, 1, 8, 9, 4, 5, 12, 13)), LanesF(__builtin_shufflevector(cd01, cd23, 2, 3, 10, 11, 6, 7, 14, 15))};
+}
+THAW_INLINE void transpose4(const Record<double>* at, const std::uint32_t* rows, Vec4d& a, Vec4d& b, Vec4d& c, Vec4d& d) {
+  const Vec4d r0 = *reinterpret_cast<const Vec4d*>(at + rows[0]), r1 = *reinterpret_cast<const Vec4d*>(at + rows[1]);
+  const Vec4d r2 = *reinterpret_cast<const Vec4d*>(at + rows[2]), r3 = *reinterpret_cast<const Vec4d*>(at + rows[3]);
+  const Vec4d ac01 = __builtin_shufflevector(r0, r1, 0, 4, 2, 6), bd01 = __builtin_shufflevector(r0, r1, 1, 5, 3, 7);
+  const Vec4d ac23 = __builtin_shufflevector(r2, r3, 0, 4, 2, 6), bd23 = __builtin_shufflevector(r2, r3, 1, 5, 3, 7);
+  a = __builtin_shufflevector(ac01, ac23, 0, 1, 4, 5);
+  c = __builtin_shufflevector(ac01, ac23, 2, 3, 6, 7);
+  b = __builtin_shufflevector(bd01, bd23, 0, 1, 4, 5);
+  d = __builtin_shufflevector(bd01, bd23, 2, 3, 6, 7);
+}
+THAW_INLINE Lanes4<double> load(const Record<double>* at, const std::uint32_t* rows) {
+  Lanes4<double> r;
+  transpose4(at, rows, r.a.lo, r.b.lo, r.c.lo, r.d.lo);
+  transpose4(at, rows + 4, r.a.hi, r.b.hi, r.c.hi, r.d.hi);
+  return r;
+}
+
+/// Eight consecutive values.
+THAW_INLINE LanesF loadRow(const float* p) { return LanesF(*reinterpret_cast<const Vec8f*>(p)); }
+THAW_INLINE LanesD loadRow(const double* p) { return {*reinterpret_cast<const Vec4d*>(p), *reinterpret_cast<const Vec4d*>(p + 4)}; }
+
+/// Difference own - other of fixed-point positions (their bits stand in float records), in support radii: exact before the
+/// one rounding to float.
+THAW_INLINE LanesF positionDifference(LanesF own, LanesF other) {
+  const Vec8i d = reinterpret_cast<Vec8i>(reinterpret_cast<Vec8u>(own.v) - reinterpret_cast<Vec8u>(other.v));
+  return LanesF(__builtin_convertvector(d, Vec8f) * (1.0f / 16777216.0f));
+}
+/// In double precision the records hold positions in support radii.
+THAW_INLINE LanesD positionDifference(LanesD own, LanesD other) { return own - other; }
+
+}  // namespace THAW_ISA
+}  // namespace thaw
