@@ -12,10 +12,18 @@ struct NeighbourLists {
   AlignedVector<std::uint64_t> first;  ///< a group's place in list
   AlignedVector<std::uint32_t> count;  ///< neighbours of the group's longest list
   AlignedVector<std::uint32_t> list;   ///< rows of neighbours, without the particle itself; may hold pairs a little beyond the support radius
+  AlignedVector<std::uint8_t> wet;     ///< for each group: there are liquid particles in the cells of its neighbours
   AlignedVector<std::uint16_t> neighbours;  ///< of each owned row, within the support radius
   std::uint32_t dummy = 0;             ///< row of zero mass behind all rows
   std::size_t innerGroups = 0;         ///< the first groups need no ghosts
-  std::size_t groups() const { return count.size(); }
+  std::size_t groups = 0;
 };
+
+// Out of line, because code compiled for one instruction set must not leave copies of std::vector's functions to the linker.
+
+/// Room for the groups of `owned` particles in two parts; empties the lists.
+void clearLists(NeighbourLists& lists, std::uint32_t owned, std::uint32_t dummy);
+/// Room for at least n entries in list.
+void growList(NeighbourLists& lists, std::size_t n);
 
 }  // namespace thaw

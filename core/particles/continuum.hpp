@@ -20,6 +20,8 @@ struct Continuum : Table {
   Column<std::uint16_t> material{*this, "material", "1", Keep::State, "index into the scene's materials"};
   Column<std::uint16_t> body{*this, "body", "1", Keep::State, "index into bodies, then emitters"};
   Column<double> dissipated{*this, "dissipated", "J", Keep::State, "mechanical energy lost at this particle so far"};
+  Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort"};
+  Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now"};
   // fluid
   Column<float> filling{*this, "filling", "1", Keep::Transient, "delta = sum V0_j W_ij over its lattice value; density = delta * rest density"};
   Column<float> pressure{*this, "pressure", "Pa", Keep::Transient, "from the equation of state"};

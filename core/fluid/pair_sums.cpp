@@ -1,0 +1,7 @@
+#include "core/fluid/pair_sums.hpp"
+
+namespace thaw {
+
+void ClosePairs::append(ClosePairs& pairs, std::uint32_t own, std::uint32_t other) { pairs.list.push_back({own, other}); }
+
+}  // namespace thaw

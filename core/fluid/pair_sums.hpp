@@ -1,0 +1,52 @@
+// Sums over unbonded neighbours. A sum is a pure function of two particles' records (pair_sums_isa.cpp); one driver loops over
+// groups of eight particles, each lane adding its own neighbours one after another in (cell, id) order.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/math/vec3.hpp"
+#include "core/neighbours/neighbour_lists.hpp"
+#include "core/scene/scene.hpp"
+
+namespace thaw {
+
+struct GroupRange { std::size_t begin, end; };
+
+/// Two solid particles closer than the contact distance; `own` is an owned row.
+struct ClosePair { std::uint32_t own, other; };
+struct ClosePairs {
+  std::vector<ClosePair> list;
+  static void append(ClosePairs& pairs, std::uint32_t own, std::uint32_t other);  ///< out of line, see neighbour_lists.hpp
+};
+
+/// What a sum reads and writes. Records are four values a row, float or double by `precision`; all rows, owned and ghost, and
+/// the dummy row behind them. Lengths in records are in support radii h.
+struct PairSums {
+  const NeighbourLists* lists = nullptr;
+  KernelKind kernel = KernelKind::WendlandC2;
+  Precision precision = Precision::Single;
+  PairForm pressureForm = PairForm::Consistent;
+  ViscosityForm viscosityForm = ViscosityForm::Pairwise;
+  bool printedTension = false;  ///< colour field as in K05 instead of cohesion between pairs
+  bool heat = false;          ///< forces also sum heat conduction
+  double support = 0;         ///< h, m
+  double fillingScale = 0;    ///< h^-3 over the lattice sum: makes filling 1 on the lattice of the scene
+  const void* place = nullptr;   ///< x, y, z (fixed point in single precision), V0 / h^3 (V / h^3 with the printed pressure)
+  const void* motion = nullptr;  ///< velocity (m/s), viscosity (Pa s)
+  const void* state = nullptr;   ///< pressure term (Pa): f p / filling^2, printed: f p; liquid fraction f; temperature (K); conductivity (W/(m K))
+  const void* surface = nullptr; ///< square root of the surface tension of the liquid (N/m)^1/2; 1 if solid, else 0; artificial viscosity (Pa s); XSPH factor
+  double closeDistance = 0;      ///< of closePairs, in support radii
+  double exposureScale = 0;      ///< m, of exposure
+  // results, added to owned rows (float results are overwritten)
+  float* filling = nullptr;
+  Vec3d* force = nullptr;        ///< N
+  double* heatFlow = nullptr;    ///< W
+  double* dissipation = nullptr; ///< W
+  double* interaction = nullptr; ///< J, half of each pair's potential energy
+  float* exposure = nullptr;     ///< 1
+  Vec3d* smoothed = nullptr;     ///< m/s, velocity change by XSPH
+  std::int64_t* coincident = nullptr;  ///< counts particles with another one at the same place
+};
+
+}  // namespace thaw

@@ -1,0 +1,68 @@
+#include "core/neighbours/sort.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace thaw {
+
+void computeCellKeys(const CellGrid& grid, Continuum& p) {
+  for (std::size_t i = 0; i < p.owned; i++) p.nextCell[i] = cellKey(cellOf(grid, p.position[i]));
+}
+
+namespace {
+
+void listCells(const Continuum& p, CellTable& cells) {
+  cells.key.clear();
+  cells.first.clear();
+  cells.count.clear();
+  for (std::size_t i = 0; i < p.owned; i++) {
+    if (cells.key.empty() || cells.key.back() != p.cell[i]) {
+      cells.key.push_back(p.cell[i]);
+      cells.first.push_back(static_cast<std::uint32_t>(i));
+      cells.count.push_back(0);
+    }
+    cells.count.back()++;
+  }
+  cells.ownedCells = cells.key.size();
+}
+
+}  // namespace
+
+void sortByCell(Continuum& p, const Migration& migration, SortBuffers& b, CellTable& cells) {
+  const std::size_t stayed = p.owned - migration.arrivals;
+  const std::uint64_t* next = p.nextCell.data();
+  const std::uint64_t* id = p.id.data();
+  const auto before = [&](std::uint32_t i, std::uint32_t j) { return next[i] != next[j] ? next[i] < next[j] : id[i] < id[j]; };
+
+  b.movers.clear();
+  b.order.clear();
+  b.order.reserve(p.owned + p.owned / 8);
+  std::size_t departed = 0;
+  for (std::size_t i = 0; i < stayed; i++) {
+    const std::uint32_t row = static_cast<std::uint32_t>(i);
+    if (departed < migration.departed.size() && migration.departed[departed] == row) {
+      departed++;
+      continue;
+    }
+    (next[i] == p.cell[i] ? b.order : b.movers).push_back(row);
+  }
+  for (std::size_t i = stayed; i < p.owned; i++) b.movers.push_back(static_cast<std::uint32_t>(i));
+
+  if (!b.movers.empty() || b.order.size() != p.owned) {
+    std::sort(b.movers.begin(), b.movers.end(), before);
+    // merge from behind, in place: the stayers are already in order
+    std::size_t a = b.order.size(), m = b.movers.size();
+    b.order.resize(a + m);
+    for (std::size_t to = a + m; m > 0; to--) {
+      if (a > 0 && before(b.movers[m - 1], b.order[a - 1])) b.order[to - 1] = b.order[--a];
+      else b.order[to - 1] = b.movers[--m];
+    }
+    p.reorder(b.order);
+    std::copy_n(p.nextCell.data(), p.owned, p.cell.data());
+  } else {
+    p.resize(p.owned, 0);
+  }
+  listCells(p, cells);
+}
+
+}  // namespace thaw

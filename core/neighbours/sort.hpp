@@ -1,0 +1,25 @@
+// Keeps particles in (cell, id) order: the order in which every sum over neighbours is taken.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/halo/halo.hpp"
+#include "core/neighbours/grid.hpp"
+#include "core/particles/continuum.hpp"
+
+namespace thaw {
+
+/// Buffers of the sort, reused from step to step.
+struct SortBuffers {
+  std::vector<std::uint32_t> order, movers;
+};
+
+/// The cell key of every owned row, into particles.nextCell.
+void computeCellKeys(const CellGrid& grid, Continuum& particles);
+
+/// Sorts the owned rows by (cell, id) and drops the departed ones. Needs nextCell of all owned rows and, of the rows that were
+/// there at the last sort, cell in ascending order. Only the rows that changed their cell are sorted; the others are merged.
+/// Guarantees: cell == nextCell, ascending, ids ascending within a cell; no ghosts; `cells` lists the occupied cells.
+void sortByCell(Continuum& particles, const Migration& migration, SortBuffers& buffers, CellTable& cells);
+
+}  // namespace thaw

@@ -1,0 +1,26 @@
+// The only loop over neighbours. A sum (Term) says what it loads of a particle, what a pair adds and what is done at the end;
+// lanes are particles, so vectorisation, rank count and cut of the domain do not change the order in which a particle adds.
+#pragma once
+#include "core/fluid/pair_sums.hpp"
+#include "core/simd/lanes.hpp"
+
+namespace thaw {
+namespace THAW_ISA {
+
+/// Term: Data load(const uint32_t rows[8]) const; struct Sum; pair(own, other, sum) const; finish(rows, own, sum, dummy).
+template<class Term> THAW_INLINE void sweep(const NeighbourLists& lists, GroupRange range, Term& term, bool wetOnly) {
+  const std::uint32_t* const list = lists.list.data();
+  const std::uint32_t* const self = lists.self.data();
+  for (std::size_t g = range.begin; g < range.end; g++) {
+    if (wetOnly && lists.wet[g] == 0) continue;
+    const std::uint32_t* rows = self + 8 * g;
+    const typename Term::Data own = term.load(rows);
+    typename Term::Sum sum{};
+    const std::uint32_t* at = list + lists.first[g];
+    for (std::uint32_t n = lists.count[g]; n > 0; n--, at += 8) term.pair(own, term.load(at), at, sum);
+    term.finish(rows, own, sum, lists.dummy);
+  }
+}
+
+}  // namespace THAW_ISA
+}  // namespace thaw

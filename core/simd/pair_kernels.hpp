@@ -1,0 +1,27 @@
+// The loops over neighbours, one set for each instruction set; the best one that the processor has is chosen at start.
+// Every set gives the same bits.
+#pragma once
+#include <cstdint>
+
+#include "core/fluid/pair_sums.hpp"
+#include "core/neighbours/neighbour_lists.hpp"
+#include "core/neighbours/search.hpp"
+
+namespace thaw {
+
+struct PairKernels {
+  const char* name;  ///< "avx512", "avx2", "base"
+  void (*search)(const SearchInput&, Part, SearchBuffers&, NeighbourLists&);
+  void (*density)(const PairSums&, GroupRange);
+  void (*forces)(const PairSums&, GroupRange);
+  void (*tension)(const PairSums&, GroupRange);
+  void (*artificialViscosity)(const PairSums&, GroupRange);
+  void (*smoothing)(const PairSums&, GroupRange);
+  void (*exposure)(const PairSums&, GroupRange);
+  void (*closePairs)(const PairSums&, GroupRange, ClosePairs&);
+};
+
+/// By name, or the best for this processor where the name is empty. Unknown or unsupported names give nullptr.
+const PairKernels* pairKernels(const char* name = "");
+
+}  // namespace thaw
