@@ -22,9 +22,12 @@ struct Continuum : Table {
   Column<double> dissipated{*this, "dissipated", "J", Keep::State, "mechanical energy lost at this particle so far"};
   Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort"};
   Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now"};
+  Column<u8> clamped{*this, "clamped", "1", Keep::State, "1: held where it is"};
   // fluid
   Column<float> filling{*this, "filling", "1", Keep::Transient, "delta = sum V0_j W_ij over its lattice value; density = delta * rest density"};
   Column<float> pressure{*this, "pressure", "Pa", Keep::Transient, "from the equation of state"};
+  Column<Vec3d> smoothing{*this, "smoothing", "m/s", Keep::State, "XSPH: the particle moves with velocity + smoothing"};
+  Column<float> exposure{*this, "exposure", "1", Keep::Transient, "share in the free surface; 1 for a column of particles below a flat surface"};
   // heat and phase
   Column<double> enthalpy{*this, "enthalpy", "J/kg", Keep::State, "0 at the solidus (at 0 K for materials that do not melt)"};
   Column<double> temperature{*this, "temperature", "K", Keep::State, "function of the enthalpy (state itself in the paper's heat model)"};

@@ -193,6 +193,7 @@ struct Scene {
   double spacing = 0.01;          // m, distance of particles
   double end = 1;                 // s
   std::uint64_t seed = 1;
+  double fallHeight = never;      // m, how far things can fall; set from the bodies at set-up, for the automatic sound speed
   Domain domain;
   Numerics numerics;
   std::vector<Material> materials;

@@ -1,0 +1,95 @@
+#include "core/fluid/records.hpp"
+
+#include <cstring>
+
+#include "core/fluid/state_equation.hpp"
+
+namespace thaw {
+namespace {
+
+template<class Real> struct Four { Real a, b, c, d; };
+
+template<class Real> Four<Real>* rows(AlignedVector<std::byte>& bytes) { return reinterpret_cast<Four<Real>*>(bytes.data()); }
+
+void resizeBytes(AlignedVector<std::byte>& v, std::size_t bytes) {
+  if (v.capacity() < bytes) v.reserve(bytes + bytes / 4);
+  v.resize(bytes);
+}
+
+/// Parameters that depend on the liquid fraction and temperature only, with a short cut for materials that do not change.
+struct Local { double viscosity, conductivity; };
+Local localParameters(const Material& m, double f, double T) { return {viscosityAt(m, f, T), m.conductivity.at(f)}; }
+
+template<class Real> void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
+  const double h = x.grid.support, perVolume = 1 / (h * h * h);
+  const bool heat = x.modules.heat, melting = x.modules.melting, surface = r.surface.size() > 0;
+  std::vector<Local> constant;
+  for (const Material& m : x.scene.materials) constant.push_back(localParameters(m, m.canBeSolid() && !m.liquidAtStart ? 0 : 1, 293));
+  Four<float>* fixed = rows<float>(r.fixed);
+  for (std::size_t i = begin; i < end; i++) {
+    const std::uint16_t k = p.material[i];
+    const Material& m = x.scene.materials[k];
+    const Vec3d& at = p.position[i];
+    const double V = p.mass[i] / m.density * perVolume;
+    const std::uint32_t word[3] = {fixedPoint(x.grid, at.x, 0), fixedPoint(x.grid, at.y, 1), fixedPoint(x.grid, at.z, 2)};
+    std::memcpy(&fixed[i], word, sizeof word);
+    fixed[i].d = static_cast<float>(V);
+    if constexpr (sizeof(Real) == 8) rows<double>(r.place)[i] = {(at.x - x.grid.origin.x) / h, (at.y - x.grid.origin.y) / h, (at.z - x.grid.origin.z) / h, V};
+    const double f = melting ? static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? 1 : 0, T = heat ? p.temperature[i] : 0;
+    const Local local = heat && (m.melts() || !m.viscosityTable.empty()) ? localParameters(m, f, T) : constant[k];
+    const Vec3d& v = p.velocity[i];
+    rows<Real>(r.motion)[i] = {static_cast<Real>(v.x), static_cast<Real>(v.y), static_cast<Real>(v.z), static_cast<Real>(local.viscosity)};
+    rows<Real>(r.state)[i] = {Real(0), static_cast<Real>(f), static_cast<Real>(T), static_cast<Real>(local.conductivity)};
+    if (surface)
+      rows<Real>(r.surface)[i] = {static_cast<Real>(x.liquids[k].rootTension * f), Real(p.phase[i] == Solid), static_cast<Real>(x.liquids[k].artificial * f),
+                                  static_cast<Real>(m.xsph * f)};
+  }
+}
+
+template<class Real> void packPressureAs(const RecordContext& x, Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
+  const Numerics& n = x.scene.numerics;
+  Four<Real>* state = rows<Real>(r.state);
+  Four<Real>* place = rows<Real>(sizeof(Real) == 4 ? r.fixed : r.place);
+  for (std::size_t i = begin; i < end; i++) {
+    const double f = static_cast<double>(state[i].b), filling = static_cast<double>(p.filling[i]);
+    if (f == 0 || filling <= 0) {
+      p.pressure[i] = 0;
+      continue;
+    }
+    const double pressure = pressureOf(n.eos, x.liquids[p.material[i]].stiffness, filling, n.tensileLimit);
+    p.pressure[i] = static_cast<float>(f * pressure);
+    if (n.pressure == PairForm::Consistent) {
+      state[i].a = static_cast<Real>(f * pressure / (filling * filling));
+    } else {
+      state[i].a = static_cast<Real>(f * pressure);
+      place[i].d = static_cast<Real>(static_cast<double>(place[i].d) / filling);
+    }
+  }
+}
+
+}  // namespace
+
+void resizeRecords(const RecordContext& x, std::size_t n, PairRecords& r) {
+  const bool real64 = x.scene.numerics.precision == Precision::Double;
+  const std::size_t bytes = (n + 1) * (real64 ? 32 : 16);
+  resizeBytes(r.fixed, (n + 1) * 16);
+  if (real64) resizeBytes(r.place, bytes);
+  resizeBytes(r.motion, bytes);
+  resizeBytes(r.state, bytes);
+  const bool surface = x.modules.tension || x.modules.contact || x.modules.artificialViscosity || x.modules.xsph;
+  if (surface) resizeBytes(r.surface, bytes);
+  for (AlignedVector<std::byte>* v : {&r.fixed, &r.place, &r.motion, &r.state, &r.surface}) {
+    const std::size_t record = v == &r.fixed ? 16 : real64 ? 32 : 16;
+    if (!v->empty()) std::memset(v->data() + n * record, 0, record);
+  }
+}
+
+void packRecords(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
+  x.scene.numerics.precision == Precision::Double ? packAs<double>(x, p, begin, end, r) : packAs<float>(x, p, begin, end, r);
+}
+
+void packPressure(const RecordContext& x, Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
+  x.scene.numerics.precision == Precision::Double ? packPressureAs<double>(x, p, begin, end, r) : packPressureAs<float>(x, p, begin, end, r);
+}
+
+}  // namespace thaw

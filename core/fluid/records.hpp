@@ -1,0 +1,38 @@
+// Packs the fields that pair sums read into records of four values (speed.md: 128-bit loads and a transpose, no gathers).
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/fluid/liquid_materials.hpp"
+#include "core/fluid/pair_sums.hpp"
+#include "core/particles/continuum.hpp"
+#include "core/scene/modules.hpp"
+#include "core/neighbours/grid.hpp"
+
+namespace thaw {
+
+/// Records of all rows and the dummy behind them; bytes, because they are float or double.
+struct PairRecords {
+  AlignedVector<std::byte> fixed;    ///< fixed-point positions and V0 / h^3, float: read by the search, and as place in single precision
+  AlignedVector<std::byte> place, motion, state, surface;
+};
+
+/// What packing needs to know of the run.
+struct RecordContext {
+  const Scene& scene;
+  const Modules& modules;
+  const CellGrid& grid;
+  const std::vector<LiquidMaterial>& liquids;
+};
+
+/// Packs rows [begin, end): positions, volumes, velocities, liquid fraction, temperature and material parameters.
+void packRecords(const RecordContext& context, const Continuum& particles, std::size_t begin, std::size_t end, PairRecords& records);
+
+/// Room for `rows` rows and the dummy, which gets zero volume.
+void resizeRecords(const RecordContext& context, std::size_t rows, PairRecords& records);
+
+/// Pressure of rows [begin, end) from their filling, into Continuum::pressure and the state records (with the printed pressure
+/// form also the volume V0 / filling).
+void packPressure(const RecordContext& context, Continuum& particles, std::size_t begin, std::size_t end, PairRecords& records);
+
+}  // namespace thaw

@@ -1,0 +1,31 @@
+// Equations of state of the liquid, in terms of the filling delta = rho / rho0.
+#pragma once
+#include <cmath>
+
+#include "core/scene/scene.hpp"
+
+namespace thaw {
+
+/// Pressure (Pa). Linear: p = c^2 rho0 (delta - 1) (K05 3.2, DC96: k = c^2). Tait: p = rho0 c^2 / 7 (delta^7 - 1) (Monaghan 1994).
+/// Negative pressure is cut to the fraction tensileLimit of it: summation density is too low at a free surface (accuracy.md B6, B7).
+inline double pressureOf(EquationOfState eos, double stiffness, double filling, double tensileLimit) {
+  double p = 0;
+  if (eos == EquationOfState::Linear) {
+    p = stiffness * (filling - 1);
+  } else {
+    const double f2 = filling * filling, f4 = f2 * f2;
+    p = stiffness / 7 * (f4 * f2 * filling - 1);
+  }
+  return p >= 0 ? p : tensileLimit * p;
+}
+
+/// Energy stored by compression per rest volume (J/m^3): the integral of p / delta^2 over delta from 1.
+inline double compressionEnergy(EquationOfState eos, double stiffness, double filling, double tensileLimit) {
+  const double factor = filling >= 1 ? 1 : tensileLimit;
+  if (factor == 0 || filling <= 0) return 0;
+  if (eos == EquationOfState::Linear) return factor * stiffness * (std::log(filling) + 1 / filling - 1);
+  const double f2 = filling * filling, f6 = f2 * f2 * f2;
+  return factor * stiffness / 7 * ((f6 - 1) / 6 + 1 / filling - 1);
+}
+
+}  // namespace thaw
