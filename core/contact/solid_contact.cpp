@@ -1,0 +1,69 @@
+#include "core/contact/solid_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thaw {
+namespace {
+
+bool bonded(const ContactContext& x, std::uint32_t slot, std::uint64_t other) {
+  if (slot == noSlot) return false;
+  for (int k = 0; k < x.bonds.capacity; k++) {
+    const std::size_t at = x.bonds.at(slot, k);
+    if (x.bonds.weight[at] > 0 && x.solids.id[x.bonds.neighbour[at]] == other) return true;
+  }
+  return false;
+}
+
+/// Exactly antisymmetric difference of two positions: images of periodic sides have theirs shifted already.
+Vec3d between(const CellGrid& g, const Vec3d& a, const Vec3d& b) {
+  Vec3d d;
+  for (int k = 0; k < 3; k++)
+    d[k] = static_cast<double>(static_cast<std::int32_t>(fixedPoint(g, a[k], k) - fixedPoint(g, b[k], k))) * (g.support / fixedUnitsPerSupport);
+  return d;
+}
+
+double dashpotRatio(double restitution) {
+  if (restitution >= 1) return 0;
+  const double l = std::log(std::max(restitution, 1e-3));
+  return -l / std::sqrt(l * l + 9.869604401089358);
+}
+
+struct Elastic { double stiffness, restitution, friction; };
+
+Elastic elasticOf(const Scene& s, const Continuum& p, std::uint32_t row) {
+  const Material& m = s.materials[p.material[row]];
+  const double f = p.liquid.active ? static_cast<double>(p.liquid[row]) : 0;
+  return {std::max(m.young.at(f), 0.01 * m.young.solid) * s.spacing, m.restitution, m.friction};
+}
+
+}  // namespace
+
+void addSolidContacts(const ContactContext& x, const ClosePairs& pairs, Continuum& p) {
+  const double d0 = contactDistance * x.scene.spacing;
+  for (const ClosePair& pair : pairs.list) {
+    const std::uint32_t i = pair.own, j = pair.other;
+    if (bonded(x, p.slot[i], p.id[j])) continue;
+    const Vec3d d = between(x.grid, p.position[i], p.position[j]);
+    const double r = length(d);
+    if (r >= d0 || r == 0) continue;
+    const Vec3d n = d / r, u = p.velocity[i] - p.velocity[j];
+    const Elastic a = elasticOf(x.scene, p, i), b = elasticOf(x.scene, p, j);
+    const double k = 2 * a.stiffness * b.stiffness / (a.stiffness + b.stiffness);
+    const double mass = p.mass[i] * p.mass[j] / (p.mass[i] + p.mass[j]);
+    const double c = 2 * dashpotRatio(std::min(a.restitution, b.restitution)) * std::sqrt(k * mass);
+    const double un = dot(u, n), spring = k * (d0 - r);
+    const double dash = std::max(-c * un, -spring);  // a contact never pulls
+    const Vec3d tangential = u - n * un;
+    const double slip = length(tangential), normalForce = spring + dash;
+    const double cut = std::sqrt(k * mass);  // the same scale as the dashpot: friction stops sliding without reversing it
+    const double rub = slip > 0 ? std::min(std::min(a.friction, b.friction) * normalForce, cut * slip) : 0;
+    Vec3d f = n * normalForce;
+    if (slip > 0) f -= tangential * (rub / slip);
+    p.force[i] += f;
+    p.interaction[i] += 0.25 * k * (d0 - r) * (d0 - r);
+    p.dissipation[i] += 0.5 * (-dash * un + rub * slip);
+  }
+}
+
+}  // namespace thaw

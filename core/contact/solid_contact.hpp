@@ -1,0 +1,31 @@
+// Contact of solids that are not bonded: separate bodies, pieces of one body, frozen lumps.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/fluid/pair_sums.hpp"
+#include "core/neighbours/grid.hpp"
+#include "core/particles/continuum.hpp"
+#include "core/scene/scene.hpp"
+#include "core/solid/solids.hpp"
+
+namespace thaw {
+
+/// Distance (in spacings) below which unbonded solid particles push each other away. Below 1, so that neighbours on a lattice
+/// that were never bonded do not repel each other at rest.
+inline constexpr double contactDistance = 0.9;
+
+struct ContactContext {
+  const Scene& scene;
+  const CellGrid& grid;
+  const Solids& solids;
+  const Bonds& bonds;
+};
+
+/// Adds the contact forces of close pairs to owned rows, in the order of the list. Per pair: a linear spring
+/// k (d0 - r) along the line of centres with k the harmonic mean of the two E * spacing, a dashpot that takes energy away as the
+/// coefficient of restitution says (Cundall & Strack 1979), and Coulomb friction, regularised by the same dashpot.
+/// Pairs that are bonded are left out, so intact solids feel nothing of it. Conserves momentum; both ends compute the same force.
+void addSolidContacts(const ContactContext& context, const ClosePairs& pairs, Continuum& particles);
+
+}  // namespace thaw

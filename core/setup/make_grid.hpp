@@ -1,0 +1,12 @@
+#pragma once
+#include "core/neighbours/grid.hpp"
+#include "core/scene/scene.hpp"
+
+namespace thaw {
+
+/// The grid of a scene: cells of one support radius; along a periodic axis the largest whole fraction of the domain that is not
+/// smaller. Throws std::runtime_error with one clear sentence where the domain is too large for 2^20 cells along an axis, or a
+/// periodic side too short for three cells.
+CellGrid makeGrid(const Scene& scene);
+
+}  // namespace thaw

@@ -1,0 +1,14 @@
+// Leap-frog in its kick-drift-kick form (K05 3.4; Springel 2005 section 4): positions and velocities are known at the same time.
+#pragma once
+#include "core/world.hpp"
+
+namespace thaw {
+
+/// Half a kick with the last acceleration, then the drift over dt. Viscous forces are then evaluated at the half step's velocity.
+void kickAndDrift(World& world, double dt);
+
+/// Accelerations from the summed forces and gravity, and the second half kick. Clamped particles stay. Adds up what was dissipated.
+/// Returns false where a position, velocity or force is not finite: *bad is then the row of the first such particle.
+bool finishKick(World& world, double dt, std::size_t* bad);
+
+}  // namespace thaw

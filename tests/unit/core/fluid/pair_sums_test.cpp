@@ -1,0 +1,151 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "core/kernels/kernels.hpp"
+#include "tests/support/lattice.hpp"
+
+namespace thaw::test {
+namespace {
+
+using Kernel = isa_base::WendlandC2;
+
+struct Reference {
+  std::vector<double> filling, heat;
+  std::vector<Vec3d> force;
+};
+
+/// The same sums by brute force over all pairs, in double.
+Reference bruteForce(const Block& b, double fillingScale) {
+  const Continuum& p = b.particles;
+  const double h = b.grid.support;
+  const std::size_t n = p.owned;
+  Reference r{std::vector<double>(n), std::vector<double>(n), std::vector<Vec3d>(n)};
+  std::vector<double> term(n);
+  const auto V = [&](std::size_t i) { return p.mass[i] / b.scene.materials[0].density; };
+  for (std::size_t i = 0; i < n; i++) {
+    for (std::size_t j = 0; j < n; j++) {
+      const Vec3d d = (p.position[i] - p.position[j]) / h;
+      r.filling[i] += V(j) * Kernel::w(dot(d, d)) * fillingScale;
+    }
+    term[i] = std::max(0.0, b.liquids[0].stiffness * (r.filling[i] - 1)) / (r.filling[i] * r.filling[i]);
+  }
+  for (std::size_t i = 0; i < n; i++)
+    for (std::size_t j = 0; j < n; j++) {
+      if (i == j) continue;
+      const Vec3d d = (p.position[i] - p.position[j]) / h, u = p.velocity[i] - p.velocity[j];
+      const double q2 = dot(d, d), VV = V(i) * V(j), slope = Kernel::slope(q2);
+      r.force[i] += d * (-VV * (term[i] + term[j]) * slope * fillingScale / h + 10 * VV * dot(u, d) / (q2 + 1e-6) * slope / (h * h * h * h * h));
+      r.heat[i] += VV * -2 * slope / (h * h * h * h * h) * (p.temperature[j] - p.temperature[i]);
+    }
+  return r;
+}
+
+}  // namespace
+
+class PairSumsTest : public testing::TestWithParam<Precision> {};
+
+TEST_P(PairSumsTest, AgreeWithBruteForce) {
+  Block b(9, 0.2, 2, GetParam());
+  b.modules.contact = true;
+  b.findNeighbours(*pairKernels());
+  std::int64_t coincident = 0;
+  PairSums s = b.sums(&coincident);
+  const RecordContext x{b.scene, b.modules, b.grid, b.liquids};
+  pairKernels()->density(s, b.groups());
+  packPressure(x, b.particles, 0, b.particles.owned, b.records);
+  pairKernels()->forces(s, b.groups());
+  const Reference r = bruteForce(b, s.fillingScale);
+  const double tolerance = GetParam() == Precision::Single ? 2e-5 : 1e-6;  // filling is kept as float, amplified by the stiffness
+  double scale = 0, heatScale = 0;
+  for (std::size_t i = 0; i < b.particles.owned; i++) scale = std::max(scale, length(r.force[i])), heatScale = std::max(heatScale, std::abs(r.heat[i]));
+  Vec3d total{};
+  double heat = 0;
+  for (std::size_t i = 0; i < b.particles.owned; i++) {
+    EXPECT_NEAR(b.particles.filling[i], r.filling[i], 1e-6);
+    EXPECT_LT(length(b.particles.force[i] - r.force[i]), tolerance * scale) << i;
+    EXPECT_NEAR(b.particles.heatFlow[i], r.heat[i], 1e-5 * heatScale);
+    total += b.particles.force[i];
+    heat += b.particles.heatFlow[i];
+  }
+  EXPECT_LT(length(total), (GetParam() == Precision::Single ? 1e-5 : 1e-13) * scale);  // momentum is conserved to rounding
+  EXPECT_LT(std::abs(heat), (GetParam() == Precision::Single ? 1e-5 : 1e-12) * heatScale);
+  EXPECT_EQ(coincident, 0);
+}
+INSTANTIATE_TEST_SUITE_P(Precisions, PairSumsTest, testing::Values(Precision::Single, Precision::Double));
+
+TEST(PairSums, AreTheSameBitsForEveryInstructionSet) {
+  std::vector<float> filling[3];
+  std::vector<Vec3d> force[3];
+  int n = 0;
+  for (const char* name : {"base", "avx2", "avx512"}) {
+    const PairKernels* k = pairKernels(name);
+    if (k == nullptr) continue;
+    for (Precision precision : {Precision::Single, Precision::Double}) {
+      Block b(9, 0.3, 2, precision);
+      b.modules.contact = b.modules.tension = true;
+      b.liquids[0].rootTension = 0.2;
+      b.findNeighbours(*k);
+      std::int64_t coincident = 0;
+      PairSums s = b.sums(&coincident);
+      k->density(s, b.groups());
+      packPressure({b.scene, b.modules, b.grid, b.liquids}, b.particles, 0, b.particles.owned, b.records);
+      k->forces(s, b.groups());
+      k->tension(s, b.groups());
+      filling[n].insert(filling[n].end(), b.particles.filling.data(), b.particles.filling.data() + b.particles.owned);
+      force[n].insert(force[n].end(), b.particles.force.data(), b.particles.force.data() + b.particles.owned);
+    }
+    if (n > 0) {
+      EXPECT_EQ(std::memcmp(filling[0].data(), filling[n].data(), filling[0].size() * sizeof(float)), 0) << name;
+      EXPECT_EQ(std::memcmp(force[0].data(), force[n].data(), force[0].size() * sizeof(Vec3d)), 0) << name;
+    }
+    n++;
+  }
+}
+
+TEST(PairSums, CoincidentParticlesAreCountedAndMakeNoNaN) {
+  Block b(6, 0.1);
+  b.particles.position[20] = b.particles.position[21];
+  b.findNeighbours(*pairKernels());
+  std::int64_t coincident = 0;
+  PairSums s = b.sums(&coincident);
+  pairKernels()->density(s, b.groups());
+  packPressure({b.scene, b.modules, b.grid, b.liquids}, b.particles, 0, b.particles.owned, b.records);
+  pairKernels()->forces(s, b.groups());
+  EXPECT_EQ(coincident, 2);
+  for (std::size_t i = 0; i < b.particles.owned; i++) EXPECT_TRUE(std::isfinite(length(b.particles.force[i])));
+}
+
+// Cohesion: the force is the derivative of its energy, and the sums keep momentum and angular momentum.
+TEST(PairSums, TensionIsConservative) {
+  Block b(6, 0.2, 2, Precision::Double);
+  b.modules.tension = true;
+  b.liquids[0].rootTension = 0.3;
+  const auto energy = [&] {
+    b.findNeighbours(*pairKernels());
+    for (std::size_t i = 0; i < b.particles.owned; i++) b.particles.interaction[i] = 0, b.particles.force[i] = {};
+    std::int64_t c = 0;
+    pairKernels()->tension(b.sums(&c), b.groups());
+    double e = 0;
+    for (std::size_t i = 0; i < b.particles.owned; i++) e += b.particles.interaction[i];
+    return e;
+  };
+  energy();
+  const std::size_t row = 100;
+  const Vec3d f = b.particles.force[row];
+  Vec3d total{}, torque{};
+  for (std::size_t i = 0; i < b.particles.owned; i++) total += b.particles.force[i], torque += cross(b.particles.position[i], b.particles.force[i]);
+  EXPECT_LT(length(total), 1e-13 * length(f) * 200);
+  EXPECT_LT(length(torque), 1e-13 * length(f) * 200);
+  const double step = 1e-7;
+  for (int a = 0; a < 3; a++) {
+    b.particles.position[row][a] += step;
+    const double up = energy();
+    b.particles.position[row][a] -= 2 * step;
+    const double down = energy();
+    b.particles.position[row][a] += step;
+    EXPECT_NEAR(-(up - down) / (2 * step), f[a], 1e-5 * length(f));
+  }
+}
+
+}  // namespace thaw::test

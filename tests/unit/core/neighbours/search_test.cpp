@@ -1,0 +1,83 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/lattice.hpp"
+
+namespace thaw::test {
+
+TEST(Sort, CellsAscendAndIdsAscendWithinACell) {
+  Block b(12, 0.4);
+  for (std::size_t i = 1; i < b.particles.owned; i++) {
+    ASSERT_LE(b.particles.cell[i - 1], b.particles.cell[i]);
+    if (b.particles.cell[i - 1] == b.particles.cell[i]) {
+      ASSERT_LT(b.particles.id[i - 1], b.particles.id[i]);
+    }
+  }
+}
+
+TEST(Sort, MovedParticlesAreMergedToTheSameOrderAsAFullSort) {
+  Block b(10, 0.4);
+  Continuum& p = b.particles;
+  for (std::size_t i = 0; i < p.owned; i++) p.position[i].x += 0.004 * hashed(p.id[i]);
+  computeCellKeys(b.grid, p);
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> expected;
+  for (std::size_t i = 0; i < p.owned; i++) expected.push_back({p.nextCell[i], p.id[i]});
+  std::sort(expected.begin(), expected.end());
+  Migration m;
+  m.departed = {3, 17};
+  expected.erase(std::find(expected.begin(), expected.end(), std::pair{p.nextCell[3], p.id[3]}));
+  expected.erase(std::find(expected.begin(), expected.end(), std::pair{p.nextCell[17], p.id[17]}));
+  sortByCell(p, m, b.sort, b.cells);
+  ASSERT_EQ(p.owned, expected.size());
+  for (std::size_t i = 0; i < p.owned; i++) EXPECT_EQ(expected[i], std::pair(p.cell[i], p.id[i]));
+  std::size_t total = 0;
+  for (std::uint32_t c : b.cells.count) total += c;
+  EXPECT_EQ(total, p.owned);
+}
+
+class Search : public testing::TestWithParam<const char*> {};
+
+TEST_P(Search, FindsWhatBruteForceFindsInCellAndIdOrder) {
+  const PairKernels* k = pairKernels(GetParam());
+  if (k == nullptr) GTEST_SKIP() << "this processor has no " << GetParam();
+  Block b(11, 0.45, 2.3);
+  b.findNeighbours(*k);
+  const Continuum& p = b.particles;
+  const double h = b.grid.support;
+  for (std::uint32_t i = 0; i < p.owned; i += 13) {
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t j = 0; j < p.owned; j++)
+      if (j != i && length(p.position[i] - p.position[j]) < h) expected.push_back(j);  // rows are in (cell, id) order
+    std::vector<std::uint32_t> found = b.neighboursOf(i);
+    ASSERT_TRUE(std::is_sorted(found.begin(), found.end()));
+    std::erase_if(found, [&](std::uint32_t j) { return length(p.position[i] - p.position[j]) >= h; });
+    ASSERT_EQ(found, expected) << "row " << i;
+  }
+}
+INSTANTIATE_TEST_SUITE_P(InstructionSets, Search, testing::Values("base", "avx2", "avx512"));
+
+TEST(Search, OneParticleAndNone) {
+  Block one(1, 0);
+  one.findNeighbours(*pairKernels());
+  EXPECT_EQ(one.lists.groups, 1u);
+  EXPECT_EQ(one.neighboursOf(0).size(), 0u);
+  Block none(0 + 1, 0);
+  none.particles.resize(0, 0);
+  none.cells = {};
+  none.findNeighbours(*pairKernels());
+  EXPECT_EQ(none.lists.groups, 0u);
+}
+
+TEST(Search, AllInOneCell) {
+  Block b(6, 0.3);
+  for (std::size_t i = 0; i < b.particles.owned; i++) b.particles.position[i] = b.particles.position[i] * 0.1 + Vec3d{0.02, 0.02, 0.02};
+  Migration m;
+  m.arrivals = 0;
+  computeCellKeys(b.grid, b.particles);
+  sortByCell(b.particles, m, b.sort, b.cells);
+  b.findNeighbours(*pairKernels());
+  EXPECT_EQ(b.neighboursOf(5).size(), b.particles.owned - 1);
+}
+
+}  // namespace thaw::test
