@@ -68,11 +68,13 @@ struct Block {
     sortByCell(p, all, sort, cells);
   }
 
-  void findNeighbours(const PairKernels& k) {
+  void findNeighbours(const PairKernels& k, bool pack = true) {
     const RecordContext x{scene, modules, grid, liquids};
     const std::uint32_t n = static_cast<std::uint32_t>(particles.owned);
-    resizeRecords(x, n, records);
-    packRecords(x, particles, 0, n, records);
+    if (pack) {
+      resizeRecords(x, n, records);
+      packRecords(x, particles, 0, n, records);
+    }
     clearLists(lists, n, n);
     const std::vector<std::uint8_t> inner(cells.key.size(), 1);
     SearchInput in;
