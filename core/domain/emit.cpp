@@ -1,0 +1,53 @@
+#include "core/domain/emit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace thaw {
+namespace {
+
+/// Two unit vectors across a direction; a fixed rule, so that every rank and every run makes the same layers.
+void across(const Vec3d& n, Vec3d& u, Vec3d& v) {
+  const Vec3d axis = std::abs(n.x) <= std::abs(n.y) && std::abs(n.x) <= std::abs(n.z) ? Vec3d{1, 0, 0} : std::abs(n.y) <= std::abs(n.z) ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
+  u = normalized(axis - n * dot(axis, n));
+  v = cross(n, u);
+}
+
+/// Lattice points k + 1/2 spacings from the middle (or on it, for odd counts) that fill an extent.
+std::vector<double> centred(double extent, double spacing) {
+  const int n = std::max(1, static_cast<int>(std::floor(extent / spacing + 1e-9)));
+  std::vector<double> x;
+  for (int k = 0; k < n; k++) x.push_back((k - 0.5 * (n - 1)) * spacing);
+  return x;
+}
+
+}  // namespace
+
+std::vector<EmitterPlan> planEmitters(const Scene& s) {
+  std::vector<EmitterPlan> plans;
+  for (const Emitter& e : s.emitters) {
+    EmitterPlan plan;
+    Vec3d u, v;
+    across(normalized(e.direction), u, v);
+    const double dx = s.spacing;
+    for (double a : centred(e.disc ? 2 * e.radius : e.width, dx))
+      for (double b : centred(e.disc ? 2 * e.radius : e.depth, dx))
+        if (!e.disc || a * a + b * b <= e.radius * e.radius) plan.layer.push_back(e.centre + u * a + v * b);
+    plan.particleMass = s.materials[static_cast<std::size_t>(e.material)].density * dx * dx * dx;
+    plan.interval = e.rate > 0 ? static_cast<double>(plan.layer.size()) * plan.particleMass / e.rate : dx / e.speed;
+    if (plan.interval * e.speed < 0.95 * dx)
+      throw std::runtime_error("emitter '" + e.name + "': a rate of " + std::to_string(e.rate) + " kg/s does not fit through its opening at this speed; at most " +
+                               std::to_string(static_cast<double>(plan.layer.size()) * plan.particleMass * e.speed / dx) + " kg/s do");
+    plans.push_back(std::move(plan));
+  }
+  return plans;
+}
+
+std::int64_t layersUntil(const Emitter& e, const EmitterPlan& plan, double time) {
+  const double until = std::min(time, e.end);
+  if (until < e.start) return 0;
+  return static_cast<std::int64_t>(std::floor((until - e.start) / plan.interval)) + 1;
+}
+
+}  // namespace thaw

@@ -1,0 +1,37 @@
+#include "core/domain/sides.hpp"
+
+#include <cmath>
+
+namespace thaw {
+
+void wrapPeriodic(const CellGrid& g, const Domain& d, Continuum& p) {
+  for (int a = 0; a < 3; a++) {
+    if (!g.periodic[a]) continue;
+    for (std::size_t i = 0; i < p.owned; i++) {
+      double& x = p.position[i][a];
+      if (x >= d.min[a] && x < d.max[a]) continue;
+      x -= g.period[a] * std::floor((x - d.min[a]) / g.period[a]);
+      if (x >= d.max[a] || x < d.min[a]) x = d.min[a];  // rounding at the seam
+    }
+  }
+}
+
+void findLeaving(const CellGrid&, const Domain& d, Continuum& p, std::vector<std::uint32_t>& rows) {
+  rows.clear();
+  bool low[3], high[3];
+  for (int a = 0; a < 3; a++) {
+    low[a] = d.side[a][0] == Side::Open;
+    high[a] = d.side[a][1] == Side::Open;
+  }
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const Vec3d& x = p.position[i];
+    bool gone = false;
+    for (int a = 0; a < 3; a++) gone = gone || (low[a] && x[a] < d.min[a]) || (high[a] && x[a] >= d.max[a]);
+    if (gone) {
+      p.nextCell[i] = p.cell[i];
+      rows.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+}
+
+}  // namespace thaw
