@@ -72,7 +72,7 @@ template<class Real> void packPressureAs(const RecordContext& x, Continuum& p, s
 void resizeRecords(const RecordContext& x, std::size_t n, PairRecords& r) {
   const bool real64 = x.scene.numerics.precision == Precision::Double;
   const std::size_t bytes = (n + 1) * (real64 ? 32 : 16);
-  resizeBytes(r.fixed, (n + 1) * 16);
+  resizeBytes(r.fixed, (n + 8) * 16);  // the search reads eight at a time
   if (real64) resizeBytes(r.place, bytes);
   resizeBytes(r.motion, bytes);
   resizeBytes(r.state, bytes);

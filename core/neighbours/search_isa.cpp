@@ -97,17 +97,26 @@ void closeGroup(SearchBuffers& b, NeighbourLists& lists) {
   b.wet = 0;
 }
 
-/// Copies the particles of cells [from, to) of the table behind the candidates.
-THAW_INLINE std::uint32_t addCandidates(const SearchInput& in, std::size_t cell, const std::uint32_t* origin, SearchBuffers& b, std::uint32_t candidates) {
+/// Copies the particles of a cell behind the candidates, as offsets from `origin`. Eight at a time: reads and writes up to seven
+/// records too many, which the next cell or the sentinels overwrite.
+THAW_INLINE std::uint32_t addCandidates(const SearchInput& in, std::size_t cell, const Lanes4<float>& origin, SearchBuffers& b, std::uint32_t candidates) {
   const std::uint32_t first = in.cells->first[cell], count = in.cells->count[cell];
-  if (b.row.size() < candidates + count + 8) growSearch(b, candidates + count + 8);
-  constexpr float unit = 1.0f / 16777216.0f;
-  for (std::uint32_t k = 0; k < count; k++) {
-    const std::uint32_t* p = in.place + 4ull * (first + k);
-    b.x[candidates + k] = static_cast<float>(static_cast<std::int32_t>(p[0] - origin[0])) * unit;
-    b.y[candidates + k] = static_cast<float>(static_cast<std::int32_t>(p[1] - origin[1])) * unit;
-    b.z[candidates + k] = static_cast<float>(static_cast<std::int32_t>(p[2] - origin[2])) * unit;
-    b.row[candidates + k] = first + k;
+  if (b.row.size() < candidates + count + 16) growSearch(b, candidates + count + 16);
+  const Record<float>* place = reinterpret_cast<const Record<float>*>(in.place);
+  float* x = b.x.data() + candidates;
+  float* y = b.y.data() + candidates;
+  float* z = b.z.data() + candidates;
+  std::uint32_t* row = b.row.data() + candidates;
+  for (std::uint32_t k = 0; k < count; k += 8) {
+    Vec8u rows;
+    for (int l = 0; l < 8; l++) rows[l] = first + k + static_cast<std::uint32_t>(l);
+    const std::uint32_t at[8] = {rows[0], rows[1], rows[2], rows[3], rows[4], rows[5], rows[6], rows[7]};
+    const Lanes4<float> p = load(place, at);
+    const Vec8f dx = positionDifference(p.a, origin.a).v, dy = positionDifference(p.b, origin.b).v, dz = positionDifference(p.c, origin.c).v;
+    __builtin_memcpy(x + k, &dx, 32);
+    __builtin_memcpy(y + k, &dy, 32);
+    __builtin_memcpy(z + k, &dz, 32);
+    __builtin_memcpy(row + k, &rows, 32);
   }
   return candidates + count;
 }
@@ -125,7 +134,9 @@ void searchNeighbours(const SearchInput& in, Part part, SearchBuffers& b, Neighb
   for (std::size_t c = 0; c < n; c++) {
     if (cells.first[c] >= in.owned || (in.inner[c] != 0) != (part == Part::Inner)) continue;
     const std::uint64_t key = cells.key[c];
-    const std::uint32_t* origin = in.place + 4ull * cells.first[c];
+    std::uint32_t same[8];
+    for (std::uint32_t& r : same) r = cells.first[c];
+    const Lanes4<float> origin = load(reinterpret_cast<const Record<float>*>(in.place), same);
     std::uint32_t candidates = 0, ownStart = 0;
     std::uint8_t wet = in.liquid == nullptr;
     for (CellRow& r : rows) {
