@@ -35,6 +35,10 @@ struct Continuum : Table {
   Column<u8> phase{*this, "phase", "1", Keep::State, "Solid: has or may have bonds; Liquid: has none"};
   // solid
   Column<std::uint32_t> slot{*this, "slot", "1", Keep::Local, "row in the table of solids, noSlot for liquids"};
+  // to form bonds in a running simulation (solid/bond_forming.hpp); exchanged only in a step in which something froze
+  Column<Mat3d> frame{*this, "frame", "1", Keep::Transient, "F of the particle; the identity if it has just frozen"};
+  Column<u8> justFrozen{*this, "justFrozen", "1", Keep::Transient, "froze in this step"};
+  Column<Vec3d> home{*this, "home", "m", Keep::Transient, "position, not shifted in periodic images; only with periodic sides"};
   // rates of the current step
   Column<Vec3d> force{*this, "force", "N", Keep::Transient, "sum of all forces"};
   Column<double> heatFlow{*this, "heatFlow", "W", Keep::Transient, "sum of all heat flows into the particle"};

@@ -23,10 +23,14 @@ struct Solids : Table {
   // computed from bonds
   Column<Sym3d> momentInverse{*this, "momentInverse", "1/m^2", Keep::Transient, "A^-1, A = sum w X X^T; recomputed when a bond changed"};
   Column<Mat3d> deformation{*this, "deformation", "1", Keep::Transient, "F = I + grad u"};
-  Column<Mat3d> flux{*this, "flux", "N/m", Keep::Transient, "V P A^-1: the force on a bond's other end is -flux w X"};
+  Column<Mat3d> flux{*this, "flux", "N/m", Keep::Transient, "V P A^-1 - k grad u, the factor of w X in the force of a bond (elastic.hpp); boundary groups and remote rows only"};
+  Column<double> hourglass{*this, "hourglass", "N/m", Keep::Transient, "k of the hourglass energy k/2 sum w |x - F X|^2; boundary groups and remote rows only"};
+  Column<double> drag{*this, "drag", "kg/s", Keep::Transient, "of the bonds' damping, per weight; only with bond damping, boundary groups and remote rows only"};
   Column<Sym3d> stress{*this, "stress", "Pa", Keep::Transient, "Cauchy stress, for output"};
   Column<Vec3d> force{*this, "force", "N", Keep::Transient, "elastic force on the particle"};
   Column<double> energy{*this, "energy", "J", Keep::Transient, "stored elastic, volume and hourglass energy"};
+  Column<double> dissipated{*this, "dissipated", "J", Keep::Transient, "lost to plastic flow and bond damping in this step"};
+  Column<std::uint8_t> rereferenced{*this, "rereferenced", "1", Keep::Transient, "took a new reference in this step (rereference.hpp)"};
   Column<std::uint8_t> changed{*this, "changed", "1", Keep::State, "bonds changed since momentInverse was computed"};
 };
 

@@ -1,0 +1,68 @@
+#include "core/solid/bond_forming.hpp"
+
+namespace thaw {
+
+namespace {
+
+bool wanted(const Continuum& p, const BondForming& f, std::size_t i, std::size_t j) {
+  const bool sameBody = p.body[i] == p.body[j];
+  if (f.rule == BondRule::Start) return sameBody;
+  const bool weld = (*f.materials)[p.material[i]].weld && (*f.materials)[p.material[j]].weld;
+  if (p.justFrozen[i] || p.justFrozen[j]) return sameBody || weld;
+  return f.rule == BondRule::Welding && weld && !sameBody;
+}
+
+bool bonded(const Solids& solids, const Bonds& bonds, std::size_t slot, std::uint64_t id) {
+  for (int k = 0; k < bonds.capacity; k++) {
+    const std::size_t b = bonds.at(slot, k);
+    if (bonds.weight[b] > 0 && solids.id[bonds.neighbour[b]] == id) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void prepareBondForming(Continuum& particles, const Solids& solids) {
+  for (std::size_t i = 0; i < particles.owned; i++) {
+    if (particles.home.active) particles.home[i] = particles.position[i];
+    if (!particles.frame.active) continue;
+    const bool old = particles.slot[i] != noSlot && !particles.justFrozen[i];
+    particles.frame[i] = old ? solids.deformation[particles.slot[i]] : identity3<double>();
+  }
+}
+
+std::vector<AnyColumn*> bondFormingColumns(Continuum& particles) {
+  std::vector<AnyColumn*> columns{&particles.id, &particles.material, &particles.body, &particles.phase};
+  if (particles.frame.active) columns.insert(columns.end(), {&particles.frame, &particles.justFrozen});
+  if (particles.home.active) columns.push_back(&particles.home);
+  return columns;
+}
+
+Vec3d referenceIn(const Mat3d& frame, const Vec3d& x) { return determinant(frame) < 0.05 ? x : inverse(frame) * x; }
+
+std::int64_t formBonds(const Continuum& p, const Solids& solids, const Bonds& bonds, const NeighbourLists& lists, const BondForming& forming,
+                       std::vector<BondRequest>& requests) {
+  // a periodic image's shifted position is rounded: only the unshifted ones give both ends the same bits
+  const Column<Vec3d>& place = p.home.active ? p.home : p.position;
+  const bool frames = forming.rule != BondRule::Start;
+  std::int64_t welds = 0;
+  for (std::size_t g = 0; g < lists.groups; g++)
+    for (std::size_t l = 0; l < lanes; l++) {
+      const std::size_t i = lists.self[g * lanes + l];
+      if (i >= p.owned || p.phase[i] != Solid || p.slot[i] == noSlot) continue;
+      for (std::uint32_t n = 0; n < lists.count[g]; n++) {
+        const std::size_t j = lists.list[lists.first[g] + std::size_t(n) * lanes + l];
+        if (j == lists.dummy || p.phase[j] != Solid || p.id[j] == p.id[i] || !wanted(p, forming, i, j)) continue;
+        const Vec3d x = minimumImage(place[j] - place[i], forming.periods);
+        const double weight = bondWeight(x, forming.support);
+        const bool old = frames && !p.justFrozen[i] && !p.justFrozen[j];
+        if (!(weight > 0) || (old && !(dot(x, x) < forming.touch * forming.touch))) continue;
+        if (old && bonded(solids, bonds, p.slot[i], p.id[j])) continue;
+        requests.push_back({p.slot[i], p.id[j], frames ? referenceIn(p.frame[i], x) : x, frames ? referenceIn(p.frame[j], -x) : -x, weight});
+        welds += p.body[i] != p.body[j] && p.id[i] < p.id[j];
+      }
+    }
+  return welds;
+}
+
+}  // namespace thaw

@@ -1,0 +1,42 @@
+// Which particles get bonded, and with what reference: at the start, when liquid freezes, when solids weld.
+#pragma once
+#include <vector>
+
+#include "core/halo/halo.hpp"
+#include "core/neighbours/neighbour_lists.hpp"
+#include "core/scene/scene.hpp"
+#include "core/solid/weight.hpp"
+
+namespace thaw {
+
+enum class BondRule {
+  Start,     ///< all solid particles of the same body, at rest: X = x
+  Freezing,  ///< pairs of which at least one has just frozen (Continuum::justFrozen), of one body or of materials that weld
+  Welding    ///< as Freezing, and pairs of old particles of different bodies of materials that weld, once closer than `touch`
+};
+
+struct BondForming {
+  BondRule rule = BondRule::Start;
+  double support = 0;                 ///< m, bonds are shorter
+  double touch = 0;                   ///< m, for Welding
+  Periods periods;
+  const std::vector<Material>* materials = nullptr;
+};
+
+/// What other ranks need of owned particles before formBonds: Continuum::frame (F of the particle's slot at the last phase 1; the
+/// identity if it has just frozen or has no slot yet) where it is active, and Continuum::home with periodic sides.
+void prepareBondForming(Continuum& particles, const Solids& solids);
+/// The columns of ghosts that formBonds reads, beside position.
+std::vector<AnyColumn*> bondFormingColumns(Continuum& particles);
+
+/// x_ij in the frame of an end with this F: F^-1 x, so that a bond made now does not change F. Where F is nearly singular or
+/// inverted (det F < 0.05), x itself.
+Vec3d referenceIn(const Mat3d& frame, const Vec3d& x);
+
+/// Appends the requests for bonds of owned particles with a slot to solid neighbours (owned or ghosts), in the order of the
+/// neighbour lists; both ends ask for the same bond with the same bits. Pairs that are bonded already are left out.
+/// Returns the number of welds: bonds between different bodies, each counted at its end with the smaller id.
+std::int64_t formBonds(const Continuum& particles, const Solids& solids, const Bonds& bonds, const NeighbourLists& lists, const BondForming& forming,
+                       std::vector<BondRequest>& requests);
+
+}  // namespace thaw

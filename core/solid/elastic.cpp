@@ -1,0 +1,213 @@
+// Packs records for the loops over bonds (elastic_isa.cpp) and what these do one lane at a time.
+#include "core/solid/elastic.hpp"
+
+#include <bit>
+
+#include "core/solid/elastic_kernels.hpp"
+#include "core/solid/laws/response.hpp"
+#include "core/solid/plasticity.hpp"
+#include "core/solid/rereference.hpp"
+#include "core/solid/slot_state.hpp"
+
+namespace thaw {
+
+namespace {
+
+constexpr double fixedUnits = fixedUnitsPerSupport;
+
+// Nearest integer modulo 2^32, |x| < 2^51: the low bits of the mantissa after 1.5 * 2^52 is added.
+float fixedBits(double x) { return std::bit_cast<float>(static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(x + 6755399441055744.0))); }
+
+std::size_t recordRows(const Solids& solids) { return std::max(solids.size(), (solids.owned + lanes - 1) / lanes * lanes); }
+
+template<class Vector> void grow(Vector& v, std::size_t n) {
+  if (v.size() < n) v.resize(n + n / 8, 0);
+}
+
+void packPlaces(ElasticWork& work, const Solids& solids, std::size_t first, std::size_t last) {
+  const std::size_t rows = 4 * recordRows(solids);
+  if (work.precision == Precision::Single) {
+    grow(work.place4, rows);
+    const double scale = fixedUnits / work.support;
+    for (std::size_t s = first; s < last; s++)
+      for (std::size_t a = 0; a < 3; a++) work.place4[4 * s + a] = fixedBits(solids.position[s][static_cast<int>(a)] * scale);
+  } else {
+    grow(work.place4d, rows);
+    for (std::size_t s = first; s < last; s++)
+      for (std::size_t a = 0; a < 3; a++) work.place4d[4 * s + a] = solids.position[s][static_cast<int>(a)];
+  }
+  if (!work.damping) return;
+  grow(work.motion4, work.precision == Precision::Single ? rows : 0);
+  grow(work.motion4d, work.precision == Precision::Double ? rows : 0);
+  for (std::size_t s = first; s < last; s++)
+    for (std::size_t a = 0; a < 3; a++) {
+      const double v = solids.velocity[s][static_cast<int>(a)];
+      if (work.precision == Precision::Single) work.motion4[4 * s + a] = static_cast<float>(v);
+      else work.motion4d[4 * s + a] = v;
+    }
+}
+
+template<class Real> void unpackFlux(AlignedVector<Real>& records, const Solids& solids, bool damping) {
+  for (std::size_t s = solids.owned; s < solids.size(); s++) {
+    Real* out = records.data() + 12 * s;
+    for (std::size_t r = 0; r < 3; r++)
+      for (std::size_t q = 0; q < 3; q++) out[4 * r + q] = static_cast<Real>(solids.flux[s].row[r][static_cast<int>(q)]);
+    out[3] = static_cast<Real>(solids.hourglass[s]);
+    out[7] = damping ? static_cast<Real>(solids.drag[s]) : Real(0);
+    out[11] = 0;
+  }
+}
+
+ElasticArrays arraysOf(ElasticWork& work, Solids& solids, const Bonds& bonds, const ElasticStep& step, SolidPart part) {
+  ElasticArrays a;
+  const bool single = work.precision == Precision::Single;
+  const std::vector<std::uint32_t>& groups = part == SolidPart::Inner ? work.inner : work.boundary;
+  a.precision = work.precision;
+  a.twoFrames = bonds.twoFrames;
+  a.periodic = work.periodic;
+  a.damping = work.damping;
+  a.plastic = work.plastic;
+  a.energy = step.energy;
+  a.remote = part == SolidPart::Boundary;
+  a.owned = solids.owned;
+  a.capacity = static_cast<std::size_t>(bonds.capacity);
+  a.groups = groups.data();
+  a.groupCount = groups.size();
+  a.bondCount = work.bondCount.data();
+  a.singularLanes = work.singularLanes.data();
+  a.neighbour = bonds.neighbour.data();
+  const auto pick = [&](const AlignedVector<float>& f, const AlignedVector<double>& d) { return single ? static_cast<const void*>(f.data()) : d.data(); };
+  a.x = pick(work.x, bonds.x);
+  a.y = pick(work.y, bonds.y);
+  a.z = pick(work.z, bonds.z);
+  a.rx = pick(work.rx, bonds.rx);
+  a.ry = pick(work.ry, bonds.ry);
+  a.rz = pick(work.rz, bonds.rz);
+  a.weight = pick(work.weight, bonds.weight);
+  a.place = pick(work.place4, work.place4d);
+  a.motion = pick(work.motion4, work.motion4d);
+  if (single) grow(work.flux12, 12 * recordRows(solids));
+  else grow(work.flux12d, 12 * recordRows(solids));
+  a.flux = single ? static_cast<void*>(work.flux12.data()) : work.flux12d.data();
+  a.unit = work.support / fixedUnits;
+  for (int k = 0; k < 3; k++) a.period[k] = single ? work.periods.length[k] / a.unit : work.periods.length[k];
+  a.dt = step.dt;
+  if (work.minBreakStretch < never) {
+    // a little early, since lengths are rounded to float there: fracture.cpp decides in double
+    a.breakStretch2 = 0.9999 * work.minBreakStretch * work.minBreakStretch;
+    a.stretched = work.stretched.data();
+  }
+  a.momentInverse = solids.momentInverse.data();
+  a.rank = work.rank.data();
+  a.perTrace = work.perTrace.data();
+  a.perWeight = work.perWeight.data();
+  a.volume = solids.volume.data();
+  a.plasticStrain = work.plastic ? solids.plasticStrain.data() : nullptr;
+  a.deformation = solids.deformation.data();
+  a.fluxColumn = solids.flux.data();
+  a.hourglassColumn = solids.hourglass.data();
+  a.dragColumn = work.damping ? solids.drag.data() : nullptr;
+  a.energyColumn = solids.energy.data();
+  a.dissipated = solids.dissipated.active ? solids.dissipated.data() : nullptr;
+  a.force = solids.force.data();
+  a.work = &work;
+  a.solids = &solids;
+  return a;
+}
+
+const ElasticKernels& kernelsOf(const ElasticWork& work) { return work.kernels ? *work.kernels : *elasticKernels(); }
+
+Mat3d laneMatrix(const double m[9][8], int l) { return {{{m[0][l], m[1][l], m[2][l]}, {m[3][l], m[4][l], m[5][l]}, {m[6][l], m[7][l], m[8][l]}}}; }
+
+}  // namespace
+
+void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneConstants& out) {
+  out.anyVolumeStiffness = out.anyYield = false;
+  out.allGreen = out.allNeoHookean = true;
+  for (int l = 0; l < 8; l++) {
+    if (l >= n) {
+      out.lambda[l] = out.mu[l] = out.volumeStiffness[l] = out.volume[l] = out.hourglass[l] = out.drag[l] = 0;
+      continue;
+    }
+    const std::size_t s = slot0 + static_cast<std::size_t>(l);
+    const ElasticConstants c = slotConstants(*a.work, *a.solids, s);
+    out.constants[l] = c;
+    out.lambda[l] = c.lambda;
+    out.mu[l] = c.mu;
+    out.volumeStiffness[l] = c.volume;
+    out.volume[l] = a.volume[s];
+    out.hourglass[l] = c.hourglass * a.volume[s] * a.perTrace[s];
+    // a bond's damping is the mean of both ends'; three, because a bond acts along its direction only; half of the sum of both ends
+    out.drag[l] = 0.5 * 3 * c.dragDensity * a.volume[s] * a.perWeight[s];
+    out.anyVolumeStiffness = out.anyVolumeStiffness || c.volume > 0;
+    out.anyYield = out.anyYield || c.yield < never;
+    out.allGreen = out.allGreen && c.law == ElasticLaw::Green;
+    out.allNeoHookean = out.allNeoHookean && c.law == ElasticLaw::NeoHookean;
+    if (a.dissipated && !a.keepDissipated) a.dissipated[s] = 0;
+  }
+}
+
+void completeLane(const ElasticArrays& a, std::size_t slot, int lane, double gradU[9][8]) {
+  const Mat3d g = completeGradient(laneMatrix(gradU, lane), a.momentInverse[slot], a.rank[slot]);
+  for (int r = 0; r < 3; r++)
+    for (int c = 0; c < 3; c++) gradU[3 * r + c][lane] = g.row[r][c];
+}
+
+void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const double strain[6][8], int lane, double plastic[6][8]) {
+  Sym3d& p = a.plasticStrain[slot];
+  if (a.flow && c.yield < never) {
+    const Sym3d e{strain[0][lane], strain[1][lane], strain[2][lane], strain[3][lane], strain[4][lane], strain[5][lane]};
+    const Sym3d next = plasticFlow(c, e, p, a.dt);
+    a.dissipated[slot] += a.volume[slot] * plasticLoss(c, e, p, next);
+    p = next;
+  }
+  plastic[0][lane] = p.xx, plastic[1][lane] = p.yy, plastic[2][lane] = p.zz, plastic[3][lane] = p.xy, plastic[4][lane] = p.yz, plastic[5][lane] = p.xz;
+}
+
+double respondLane(const ElasticConstants& c, const double gradU[9][8], const double plastic[6][8], int lane, double stress[9][8]) {
+  const Sym3d p{plastic[0][lane], plastic[1][lane], plastic[2][lane], plastic[3][lane], plastic[4][lane], plastic[5][lane]};
+  const ElasticResponse r = elasticResponse(c, laneMatrix(gradU, lane), p);
+  if (stress)
+    for (int i = 0; i < 3; i++)
+      for (int k = 0; k < 3; k++) stress[3 * i + k][lane] = r.stress.row[i][k];
+  return r.energy;
+}
+
+ElasticResult computeDeformationAndStress(ElasticWork& work, Solids& solids, const Bonds& bonds, const ElasticStep& step, SolidPart part) {
+  if (part == SolidPart::Inner) packPlaces(work, solids, 0, solids.owned);
+  else packPlaces(work, solids, solids.owned, solids.size());
+  ElasticArrays a = arraysOf(work, solids, bonds, step, part);
+  kernelsOf(work).deformation(a);
+  return {a.inverted, a.maxStretch2};
+}
+
+void repeatDeformation(ElasticWork& work, Solids& solids, const Bonds& bonds, const ElasticStep& step, std::span<const std::uint32_t> groups) {
+  ElasticArrays a = arraysOf(work, solids, bonds, step, SolidPart::Boundary);
+  a.groups = groups.data();
+  a.groupCount = groups.size();
+  a.dt = 0;
+  a.keepDissipated = true;
+  a.flow = false;
+  kernelsOf(work).deformation(a);
+}
+
+void computeElasticForces(ElasticWork& work, Solids& solids, Bonds& bonds, const ElasticStep& step, SolidPart part) {
+  if (part == SolidPart::Boundary) followRemoteReferences(work, solids, bonds);
+  const ElasticArrays a = arraysOf(work, solids, bonds, step, part);
+  if (part == SolidPart::Boundary) {
+    if (work.precision == Precision::Single) unpackFlux(work.flux12, solids, work.damping);
+    else unpackFlux(work.flux12d, solids, work.damping);
+  }
+  kernelsOf(work).forces(a);
+}
+
+void computeCauchyStress(const ElasticWork& work, Solids& solids) {
+  solids.activate(solids.stress);
+  for (std::size_t s = 0; s < solids.owned; s++) {
+    const Mat3d gradU = solids.deformation[s] - identity3<double>();
+    const Sym3d plastic = solids.plasticStrain.active ? solids.plasticStrain[s] : Sym3d{};
+    solids.stress[s] = cauchyStress(elasticResponse(slotConstants(work, solids, s), gradU, plastic).stress, gradU);
+  }
+}
+
+}  // namespace thaw

@@ -1,0 +1,109 @@
+// The elastic step: displacement gradient by moving least squares over bonds (MKN04), stress, and forces by gather from both
+// ends of each bond. With u_ij = x_ij - X_ij, A_i = sum_j w_ij X_ij X_ij^T:
+//   grad u_i = (sum_j w_ij u_ij X_ij^T) A_i^-1,  F_i = 1 + grad u_i
+//   energy of i: V_i psi(F_i) + k_i/2 sum_j w_ij |x_ij - F_i X_ij|^2,  k_i = alpha E_i V_i / tr A_i
+// The second term is the hourglass control (Ganzenmueller 2015, "An hourglass control algorithm for Lagrangian smooth particle
+// hydrodynamics") with the whole error vector in place of its length along x_ij. F_i minimises that term, so its derivative
+// through F_i is zero and the forces below are the exact derivative of the energy, which conserves momentum, angular
+// momentum and energy. With flux_i = V_i P_i A_i^-1 - k_i grad u_i the force on i is
+//   sum_j w_ij [ flux_i X_ij - flux_j X_ji + k_i (x_ij - X_ij) + k_j (x_ij + X_ji) ].
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/ledger/ledger.hpp"
+#include "core/particles/continuum.hpp"
+#include "core/scene/modules.hpp"
+#include "core/scene/scene.hpp"
+#include "core/solid/elastic_constants.hpp"
+#include "core/solid/solids.hpp"
+#include "core/solid/weight.hpp"
+
+namespace thaw {
+
+struct ElasticKernels;
+
+/// Inner groups of 8 slots have no bonds to remote rows: their sums need nothing from other ranks.
+enum class SolidPart { Inner, Boundary };
+
+/// What the elastic step keeps between calls beside the tables. Not part of the state: all of it is recomputed from bonds.
+struct ElasticWork {
+  const ElasticKernels* kernels = nullptr;       ///< the loops over bonds; nullptr: the best for this processor
+  // of the scene
+  std::vector<Material> materials;
+  std::vector<ElasticConstants> solidConstants;  ///< by material, liquid fraction 0
+  Precision precision = Precision::Single;
+  double support = 0;                 ///< m, of bonds
+  double rereference = never;         ///< Numerics::plasticRereference
+  Periods periods;
+  double minBreakStretch = never;     ///< the smallest of all materials
+  bool damping = false, plastic = false, periodic = false;
+  // of the bonds, by refreshReference
+  std::vector<std::uint32_t> inner, boundary;    ///< groups of owned slots
+  std::vector<std::uint16_t> bondCount;          ///< by group: bonds of its longest row
+  std::vector<std::uint8_t> rank;                ///< by owned slot: rank of A
+  std::vector<std::uint8_t> singularLanes;       ///< by group: bit l: rank of slot l < 3
+  std::vector<std::uint8_t> stretched;           ///< by group, by phase 1: some bond may be beyond its limit (fracture.hpp)
+  AlignedVector<double> perTrace, perWeight;     ///< by owned slot: 1/tr A (1/m^2) and 1/sum w; 0 without bonds
+  AlignedVector<float> x, y, z, rx, ry, rz, weight;  ///< single precision copies of Bonds
+  // of the step: records of 4 values (12 for flux) by row, float or double by precision
+  AlignedVector<float> place4, flux12, motion4;
+  AlignedVector<double> place4d, flux12d, motion4d;
+};
+
+struct ElasticStep {
+  double dt = 0;        ///< s, for plastic flow and damping; 0: none
+  bool energy = true;   ///< also sum Solids::energy
+};
+
+struct ElasticResult {
+  std::int64_t inverted = 0;   ///< particles with det F <= 0
+  double maxStretch2 = 1;      ///< upper bound of the square of the principal stretches (|F|^2 - 2)
+  ElasticResult& operator+=(const ElasticResult& o) {
+    inverted += o.inverted;
+    if (o.maxStretch2 > maxStretch2) maxStretch2 = o.maxStretch2;
+    return *this;
+  }
+};
+
+/// Switches on the fields of Solids, Bonds and Continuum that the scene's solids need, and fills the constants of `work`.
+/// Once, before the first bond is made.
+void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, ElasticWork& work, const Scene& scene, const Modules& modules, const CellGrid& grid);
+
+/// Columns that remote rows need: after relink (what does not change while bonds stay), before phase 1 (computeDeformationAndStress),
+/// and before phase 2 (computeElasticForces). A step is:
+///   copyToSolids; begin(BeforeDeformation); phase 1 Inner; finish; phase 1 Boundary; breakBonds (fracture.hpp); rereference
+///   (rereference.hpp); begin(BeforeForces); phase 2 Inner; finish; phase 2 Boundary; addSolidForces.
+std::vector<AnyColumn*> remoteColumnsAfterRelink(Solids& solids);
+std::vector<AnyColumn*> remoteColumnsBeforeDeformation(Solids& solids);
+std::vector<AnyColumn*> remoteColumnsBeforeForces(Solids& solids);
+
+/// Copies position (and velocity, liquid fraction where they are active) of the owned slots' particles.
+void copyToSolids(const Continuum& particles, Solids& solids);
+/// Adds the elastic force (and what was dissipated in the step, divided by dt) to the particles of the owned slots.
+void addSolidForces(const Solids& solids, Continuum& particles, double dt);
+
+/// A^-1 of slots with `changed` set (of all slots if all: after a relink, which renumbers rows, and at a restart), and what else
+/// `work` keeps of bonds. The same bits whether a slot is recomputed or not. Clears `changed`. Returns how many owned slots have rank < 3.
+std::int64_t refreshReference(ElasticWork& work, Solids& solids, Bonds& bonds, bool all);
+
+/// Phase 1: F, plastic flow, stress and flux of the groups of this part. Inner needs Solids::position of owned rows and must come
+/// before Boundary, which needs it of remote rows too.
+ElasticResult computeDeformationAndStress(ElasticWork& work, Solids& solids, const Bonds& bonds, const ElasticStep& step, SolidPart part);
+
+/// Phase 1 again for some groups, after their bonds or references changed; no plastic flow, Solids::dissipated stays.
+void repeatDeformation(ElasticWork& work, Solids& solids, const Bonds& bonds, const ElasticStep& step, std::span<const std::uint32_t> groups);
+
+/// Phase 2: Solids::force (overwritten), hourglass energy and damping of the groups of this part. Needs phase 1 of both parts on this
+/// rank; Boundary needs remoteColumnsBeforeForces on remote rows.
+void computeElasticForces(ElasticWork& work, Solids& solids, Bonds& bonds, const ElasticStep& step, SolidPart part);
+
+/// Cauchy stress of all owned slots into Solids::stress (activates it), from F of the last phase 1; for output.
+void computeCauchyStress(const ElasticWork& work, Solids& solids);
+
+/// Largest stable time step (s) of all materials that can be solid: cflElastic * spacing / c_p, with c_p of the stiffest state, hourglass
+/// control, volume force and (Green strain) stiffening by the given square of stretch included; and of bond damping.
+double elasticStepLimit(const Scene& scene, double maxStretch2 = 1);
+
+}  // namespace thaw

@@ -1,0 +1,35 @@
+// What the elastic step needs of a material, at one liquid fraction.
+#pragma once
+#include "core/scene/scene.hpp"
+
+namespace thaw {
+
+struct ElasticConstants {
+  double lambda = 0, mu = 0;      ///< Pa, Lame's constants
+  double volume = 0;              ///< Pa, k_v of the volume force
+  double hourglass = 0;           ///< Pa, alpha E
+  double yield = never;           ///< 1
+  double creep = 0;               ///< 1/s
+  double maxPlastic = never;      ///< 1
+  double dragDensity = 0;         ///< kg/(m^3 s), damping * density
+  ElasticLaw law = ElasticLaw::Green;
+};
+
+/// Constants of a material with this liquid fraction (K05 3.3).
+inline ElasticConstants elasticConstants(const Material& m, double liquidFraction) {
+  ElasticConstants c;
+  const double young = m.young.at(liquidFraction), nu = m.poisson.at(liquidFraction);
+  c.lambda = young * nu / ((1 + nu) * (1 - 2 * nu));
+  c.mu = young / (2 * (1 + nu));
+  c.volume = m.volumeStiffness;
+  c.hourglass = m.hourglass * young;
+  // an infinite solid or liquid value (not plastic) must not turn into a NaN by blending
+  c.yield = m.yieldStrain.solid < never && m.yieldStrain.liquid < never ? m.yieldStrain.at(liquidFraction) : m.yieldStrain.solid;
+  c.creep = m.creepRate.solid < never && m.creepRate.liquid < never ? m.creepRate.at(liquidFraction) : m.creepRate.solid;
+  c.maxPlastic = m.maxPlasticStrain;
+  c.dragDensity = m.damping * m.density;
+  c.law = m.law;
+  return c;
+}
+
+}  // namespace thaw

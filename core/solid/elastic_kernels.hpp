@@ -1,0 +1,76 @@
+// The two loops over bonds, one set for each instruction set (elastic_isa.cpp); every set gives the same bits.
+// Only plain pointers here: code compiled for one instruction set must not leave copies of library functions to the linker.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include "core/math/mat3.hpp"
+#include "core/scene/scene.hpp"
+#include "core/solid/elastic_constants.hpp"
+
+namespace thaw {
+
+struct ElasticWork;
+struct Solids;
+
+/// What the loops read and write. Real: float or double by `precision`. Arrays of bonds are interleaved by 8 slots as in Bonds.
+struct ElasticArrays {
+  Precision precision = Precision::Single;
+  bool twoFrames = false, periodic = false, damping = false, plastic = false, energy = true, remote = false;  ///< remote: also write columns for other ranks
+  std::size_t owned = 0, capacity = 0;
+  const std::uint32_t* groups = nullptr;
+  std::size_t groupCount = 0;
+  const std::uint16_t* bondCount = nullptr;
+  const std::uint8_t* singularLanes = nullptr;
+  const std::uint32_t* neighbour = nullptr;
+  const void *x = nullptr, *y = nullptr, *z = nullptr, *rx = nullptr, *ry = nullptr, *rz = nullptr, *weight = nullptr;  ///< Real
+  const void* place = nullptr;      ///< Real, 4 a row: float: bits of fixed point in units of `unit`; double: m
+  const void* motion = nullptr;     ///< Real, 4 a row: m/s
+  void* flux = nullptr;             ///< Real, 12 a row: flux row x, k; row y, drag; row z, 0
+  double unit = 1;                  ///< m
+  double period[3]{};               ///< in units of place; 0: not periodic
+  double dt = 0;
+  double breakStretch2 = 0;         ///< square of the stretch from which `stretched` is set; 0: no fracture
+  std::uint8_t* stretched = nullptr;
+  bool keepDissipated = false;      ///< add to dissipated
+  bool flow = true;                 ///< plastic strain may change
+  // by slot
+  const Sym3d* momentInverse = nullptr;
+  const std::uint8_t* rank = nullptr;
+  const double *perTrace = nullptr, *perWeight = nullptr, *volume = nullptr;
+  Sym3d* plasticStrain = nullptr;
+  Mat3d *deformation = nullptr, *fluxColumn = nullptr;
+  double *hourglassColumn = nullptr, *dragColumn = nullptr, *energyColumn = nullptr, *dissipated = nullptr;
+  Vec3d* force = nullptr;
+  const ElasticWork* work = nullptr;
+  const Solids* solids = nullptr;
+  // results
+  std::int64_t inverted = 0;
+  double maxStretch2 = 1;
+};
+
+/// What differs between the lanes of a group, by lane.
+struct alignas(64) LaneConstants {
+  double lambda[8], mu[8], volumeStiffness[8], volume[8], hourglass[8], drag[8];  // hourglass: k, N/m; drag: kg/s
+  ElasticConstants constants[8];
+  bool anyVolumeStiffness, anyYield, allGreen, allNeoHookean;
+};
+
+// Out of line, in elastic.cpp.
+void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneConstants& out);
+/// completeGradient in place; gradU by [row][column][lane].
+void completeLane(const ElasticArrays& a, std::size_t slot, int lane, double gradU[9][8]);
+/// Plastic flow of one lane: updates Solids::plasticStrain and books the loss; gives the plastic strain.
+void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const double strain[6][8], int lane, double plastic[6][8]);
+/// Response of one lane by elasticResponse; gives the energy density (Pa) and, if stress is not null, the stress.
+double respondLane(const ElasticConstants& c, const double gradU[9][8], const double plastic[6][8], int lane, double stress[9][8]);
+
+struct ElasticKernels {
+  const char* name;  ///< "avx512", "avx2", "base"
+  void (*deformation)(ElasticArrays&);
+  void (*forces)(const ElasticArrays&);
+};
+/// By name, or the best for this processor where the name is empty. Unknown or unsupported names give nullptr.
+const ElasticKernels* elasticKernels(const char* name = "");
+
+}  // namespace thaw

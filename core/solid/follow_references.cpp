@@ -1,0 +1,35 @@
+// The other end of a slot that took a new reference.
+#include <algorithm>
+
+#include "core/solid/rereference.hpp"
+#include "core/solid/slot_state.hpp"
+
+namespace thaw {
+
+void followReferences(ElasticWork& work, const Solids& solids, Bonds& bonds, std::span<const std::uint32_t> groups, SlotRange flagged) {
+  for (const std::uint32_t g : groups)
+    for (std::size_t s = g * static_cast<std::size_t>(lanes), end = std::min(s + lanes, solids.owned); s < end; s++)
+      for (int k = 0; k < work.bondCount[g]; k++) {
+        const std::size_t b = bonds.at(s, k);
+        const std::size_t other = bonds.neighbour[b];
+        if (!(bonds.weight[b] > 0) || other < flagged.begin || other >= flagged.end || solids.rereferenced[other] == 0) continue;
+        const Vec3d back = -bondVectors(work, solids, bonds, s, k).current;
+        bonds.rx[b] = back.x;
+        bonds.ry[b] = back.y;
+        bonds.rz[b] = back.z;
+        if (work.precision == Precision::Single) {
+          work.rx[b] = static_cast<float>(back.x);
+          work.ry[b] = static_cast<float>(back.y);
+          work.rz[b] = static_cast<float>(back.z);
+        }
+      }
+}
+
+void followRemoteReferences(ElasticWork& work, const Solids& solids, Bonds& bonds) {
+  if (!solids.rereferenced.active) return;
+  bool any = false;
+  for (std::size_t s = solids.owned; s < solids.size(); s++) any = any || solids.rereferenced[s] != 0;
+  if (any) followReferences(work, solids, bonds, work.boundary, {solids.owned, solids.size()});
+}
+
+}  // namespace thaw

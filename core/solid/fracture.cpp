@@ -1,0 +1,50 @@
+#include "core/solid/fracture.hpp"
+
+#include <algorithm>
+
+#include "core/solid/slot_state.hpp"
+
+namespace thaw {
+
+namespace {
+
+bool beyondLimit(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot, int k) {
+  const std::uint32_t other = bonds.neighbour[bonds.at(slot, k)];
+  const double limit = std::min(work.materials[solids.material[slot]].breakStretch, work.materials[solids.material[other]].breakStretch);
+  if (!(limit < never)) return false;
+  const BondVectors v = bondVectors(work, solids, bonds, slot, k);
+  return dot(v.current, v.current) > limit * limit * std::max(dot(v.reference, v.reference), dot(v.reverse, v.reverse));
+}
+
+}  // namespace
+
+std::int64_t breakBonds(ElasticWork& work, Solids& solids, Bonds& bonds, const ElasticStep& step, ExactSum& phaseJump) {
+  std::int64_t count = 0;
+  if (!(work.minBreakStretch < never)) return 0;
+  std::vector<std::uint32_t> broken;
+  std::vector<int> lost;
+  for (std::size_t g = 0; g < work.stretched.size(); g++) {
+    if (work.stretched[g] == 0) continue;
+    bool any = false;
+    for (std::size_t s = g * lanes, end = std::min(s + lanes, solids.owned); s < end; s++) {
+      lost.clear();
+      for (int k = 0; k < work.bondCount[g]; k++)
+        if (bonds.weight[bonds.at(s, k)] > 0 && beyondLimit(work, solids, bonds, s, k)) lost.push_back(k);
+      if (lost.empty()) continue;
+      const double before = slotEnergy(work, solids, bonds, s);
+      for (const int k : lost) {
+        const std::size_t b = bonds.at(s, k);
+        bonds.weight[b] = 0;
+        count += solids.id[s] < solids.id[bonds.neighbour[b]];
+      }
+      refreshSlot(work, solids, bonds, s);
+      phaseJump.add(before - slotEnergy(work, solids, bonds, s));
+      any = true;
+    }
+    if (any) broken.push_back(static_cast<std::uint32_t>(g));
+  }
+  if (!broken.empty()) repeatDeformation(work, solids, bonds, step, broken);
+  return count;
+}
+
+}  // namespace thaw

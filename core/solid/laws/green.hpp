@@ -1,0 +1,38 @@
+// Green strain with Hooke's law (St. Venant-Kirchhoff; MKN04, K05). Exact under rotation; softens in compression below 0.577 of
+// the length and does not feel inversion, against which the volume force helps (accuracy.md B4, B5).
+#pragma once
+#include "core/math/mat3.hpp"
+
+namespace thaw {
+
+/// eps = (F^T F - 1)/2 of F = 1 + grad u, from grad u, so that small strains do not cancel.
+template<class T> Sym3<T> greenStrain(const Mat3<T>& gradU) {
+  const Vec3<T>&a = gradU.row[0], &b = gradU.row[1], &c = gradU.row[2];
+  const T h(0.5);
+  return {a.x + h * (a.x * a.x + b.x * b.x + c.x * c.x),
+          b.y + h * (a.y * a.y + b.y * b.y + c.y * c.y),
+          c.z + h * (a.z * a.z + b.z * b.z + c.z * c.z),
+          h * (a.y + b.x + (a.x * a.y + b.x * b.y + c.x * c.y)),
+          h * (b.z + c.y + (a.y * a.z + b.y * b.z + c.y * c.z)),
+          h * (a.z + c.x + (a.x * a.z + b.x * b.z + c.x * c.z))};
+}
+
+/// Hooke's law: lambda tr(e) 1 + 2 mu e, Pa.
+template<class T> Sym3<T> hooke(const Sym3<T>& e, const T& lambda, const T& mu) {
+  const T p = lambda * trace(e), m = mu + mu;
+  return {p + m * e.xx, p + m * e.yy, p + m * e.zz, m * e.xy, m * e.yz, m * e.xz};
+}
+
+/// a s for a symmetric s.
+template<class T> Mat3<T> times(const Mat3<T>& a, const Sym3<T>& s) { return {{s * a.row[0], s * a.row[1], s * a.row[2]}}; }
+
+/// psi = e : hooke(e) / 2, Pa.
+template<class T> T greenEnergy(const Sym3<T>& strain, const T& lambda, const T& mu) {
+  return T(0.5) * doubleDot(strain, hooke(strain, lambda, mu));
+}
+/// First Piola stress P = F hooke(e), Pa.
+template<class T> Mat3<T> greenStress(const Mat3<T>& f, const Sym3<T>& strain, const T& lambda, const T& mu) {
+  return times(f, hooke(strain, lambda, mu));
+}
+
+}  // namespace thaw

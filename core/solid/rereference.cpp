@@ -1,0 +1,49 @@
+#include "core/solid/rereference.hpp"
+
+#include "core/solid/plasticity.hpp"
+#include "core/solid/slot_state.hpp"
+
+namespace thaw {
+
+namespace {
+
+void takeReference(ElasticWork& work, Solids& solids, Bonds& bonds, std::size_t slot) {
+  const Mat3d gradU = slotGradient(work, solids, bonds, slot);
+  solids.plasticStrain[slot] = pushForward(gradU, solids.plasticStrain[slot]);
+  solids.volume[slot] *= determinant(identity3<double>() + gradU);
+  for (int k = 0; k < bonds.capacity; k++) {
+    const std::size_t b = bonds.at(slot, k);
+    if (!(bonds.weight[b] > 0)) continue;
+    const Vec3d x = bondVectors(work, solids, bonds, slot, k).current;
+    bonds.x[b] = x.x;
+    bonds.y[b] = x.y;
+    bonds.z[b] = x.z;
+  }
+  refreshSlot(work, solids, bonds, slot);
+}
+
+}  // namespace
+
+std::int64_t rereference(ElasticWork& work, Solids& solids, Bonds& bonds, const ElasticStep& step, ExactSum& phaseJump) {
+  if (!solids.rereferenced.active) return 0;
+  std::int64_t count = 0;
+  std::vector<std::uint32_t> groups;
+  for (std::size_t s = 0; s < solids.owned; s++) {
+    const bool now = norm(solids.plasticStrain[s]) > work.rereference && determinant(solids.deformation[s]) > 0 && work.rank[s] > 0;
+    solids.rereferenced[s] = now;
+    if (!now) continue;
+    const double before = slotEnergy(work, solids, bonds, s);
+    takeReference(work, solids, bonds, s);
+    phaseJump.add(before - slotEnergy(work, solids, bonds, s));
+    count++;
+    const auto g = static_cast<std::uint32_t>(s / lanes);
+    if (groups.empty() || groups.back() != g) groups.push_back(g);
+  }
+  if (count == 0) return 0;
+  followReferences(work, solids, bonds, work.inner, {0, solids.owned});
+  followReferences(work, solids, bonds, work.boundary, {0, solids.owned});
+  repeatDeformation(work, solids, bonds, step, groups);
+  return count;
+}
+
+}  // namespace thaw

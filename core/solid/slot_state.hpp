@@ -1,0 +1,24 @@
+// One slot at a time, in double: for the rare events (a bond breaks, a reference is renewed) whose energy jump is booked.
+#pragma once
+#include "core/solid/elastic.hpp"
+#include "core/solid/moment.hpp"
+
+namespace thaw {
+
+/// Current x_ij and reference X_ij, X_ji of bond k of a slot, m.
+struct BondVectors { Vec3d current, reference, reverse; };
+BondVectors bondVectors(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot, int k);
+
+/// Recomputes A^-1, rank and the copies in `work` of one owned slot.
+void refreshSlot(ElasticWork& work, Solids& solids, const Bonds& bonds, std::size_t slot);
+
+/// grad u of one owned slot from the positions in Solids::position, completed where A is singular.
+Mat3d slotGradient(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot);
+
+/// Stored energy (J) of one owned slot at the positions in Solids::position: law, volume and hourglass.
+double slotEnergy(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot);
+
+/// Constants of a slot's material at its liquid fraction.
+ElasticConstants slotConstants(const ElasticWork& work, const Solids& solids, std::size_t slot);
+
+}  // namespace thaw

@@ -1,0 +1,80 @@
+// Which fields the solids of a scene need, and what goes from particles to slots and back.
+#include <algorithm>
+
+#include "core/solid/elastic.hpp"
+
+namespace thaw {
+
+void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, ElasticWork& work, const Scene& scene, const Modules& modules,
+                         const CellGrid& grid) {
+  work.materials = scene.materials;
+  work.precision = scene.numerics.precision;
+  work.support = scene.numerics.support * scene.spacing;
+  work.rereference = scene.numerics.plasticRereference;
+  work.periods = periodsOf(grid);
+  work.periodic = grid.periodic[0] || grid.periodic[1] || grid.periodic[2];
+  work.plastic = modules.plastic;
+  bool rereferences = false;
+  for (const Material& m : scene.materials) {
+    work.solidConstants.push_back(elasticConstants(m, 0));
+    if (!m.canBeSolid()) continue;
+    if (modules.fracture) work.minBreakStretch = std::min(work.minBreakStretch, m.breakStretch);
+    work.damping = work.damping || m.damping > 0;
+    rereferences = rereferences || (modules.plastic && work.solidConstants.back().yield < never && m.maxPlasticStrain > work.rereference);
+  }
+  bonds.twoFrames = modules.freezing || rereferences;
+
+  particles.activate(particles.slot);
+  if (modules.freezing) {
+    particles.activate(particles.frame);
+    particles.activate(particles.justFrozen);
+  }
+  if (work.periodic) particles.activate(particles.home);
+  for (AnyColumn* c : {static_cast<AnyColumn*>(&solids.id), static_cast<AnyColumn*>(&solids.particle), static_cast<AnyColumn*>(&solids.material),
+                       static_cast<AnyColumn*>(&solids.volume), static_cast<AnyColumn*>(&solids.position), static_cast<AnyColumn*>(&solids.momentInverse),
+                       static_cast<AnyColumn*>(&solids.deformation), static_cast<AnyColumn*>(&solids.flux), static_cast<AnyColumn*>(&solids.hourglass),
+                       static_cast<AnyColumn*>(&solids.force), static_cast<AnyColumn*>(&solids.energy), static_cast<AnyColumn*>(&solids.changed)})
+    solids.activate(*c);
+  if (work.plastic) solids.activate(solids.plasticStrain);
+  if (work.plastic || work.damping) solids.activate(solids.dissipated);
+  if (rereferences) solids.activate(solids.rereferenced);
+  if (modules.melting) solids.activate(solids.liquid);
+  if (work.damping) {
+    solids.activate(solids.velocity);
+    solids.activate(solids.drag);
+  }
+}
+
+std::vector<AnyColumn*> remoteColumnsAfterRelink(Solids& solids) { return {&solids.material}; }
+
+std::vector<AnyColumn*> remoteColumnsBeforeDeformation(Solids& solids) {
+  if (solids.velocity.active) return {&solids.position, &solids.velocity};
+  return {&solids.position};
+}
+
+std::vector<AnyColumn*> remoteColumnsBeforeForces(Solids& solids) {
+  std::vector<AnyColumn*> columns{&solids.flux, &solids.hourglass};
+  if (solids.drag.active) columns.push_back(&solids.drag);
+  if (solids.rereferenced.active) columns.push_back(&solids.rereferenced);
+  return columns;
+}
+
+void copyToSolids(const Continuum& particles, Solids& solids) {
+  for (std::size_t s = 0; s < solids.owned; s++) {
+    const std::uint32_t p = solids.particle[s];
+    solids.position[s] = particles.position[p];
+    if (solids.velocity.active) solids.velocity[s] = particles.velocity[p];
+    if (solids.liquid.active) solids.liquid[s] = particles.liquid[p];
+  }
+}
+
+void addSolidForces(const Solids& solids, Continuum& particles, double dt) {
+  const bool losses = solids.dissipated.active && particles.dissipation.active && dt > 0;
+  for (std::size_t s = 0; s < solids.owned; s++) {
+    const std::uint32_t p = solids.particle[s];
+    particles.force[p] += solids.force[s];
+    if (losses) particles.dissipation[p] += solids.dissipated[s] / dt;
+  }
+}
+
+}  // namespace thaw

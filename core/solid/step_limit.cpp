@@ -1,0 +1,24 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/solid/elastic.hpp"
+
+namespace thaw {
+
+double elasticStepLimit(const Scene& scene, double maxStretch2) {
+  double limit = never;
+  for (const Material& m : scene.materials) {
+    if (!m.canBeSolid()) continue;
+    for (const double liquid : {0.0, 0.5, 1.0}) {
+      const ElasticConstants c = elasticConstants(m, liquid);
+      // tangent modulus of Green strain under a stretch: (3 stretch^2 - 1)/2 times that at rest
+      const double stiffening = c.law == ElasticLaw::Green ? std::max(1.0, 1.5 * maxStretch2 - 0.5) : 1.0;
+      const double modulus = (c.lambda + 2 * c.mu) * stiffening + c.volume + 0.5 * c.hourglass;
+      if (modulus > 0) limit = std::min(limit, scene.numerics.cflElastic * scene.spacing * std::sqrt(m.density / modulus));
+      if (m.damping > 0) limit = std::min(limit, 0.25 / m.damping);
+    }
+  }
+  return limit;
+}
+
+}  // namespace thaw
