@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# One node under SLURM; hand in with: sbatch docs/slurm/one_node.sh [SCENE]
+# Five minutes before the time is up SLURM sends USR1; thaw then writes a checkpoint and exits with 75, and the job hands itself in
+# again, to go on from there. Ends for good when the run is done (0) or has failed (any other code).
+#SBATCH --job-name=thaw
+#SBATCH --nodes=1
+#SBATCH --ntasks-per-node=64
+#SBATCH --cpus-per-task=1
+#SBATCH --time=12:00:00
+#SBATCH --signal=USR1@300
+#SBATCH --output=thaw-%j.log
+set -u
+scene=${1:-scenes/melt_large.toml}
+out=${SCRATCH:-$PWD/out}/$(basename "$scene" .toml)
+
+# srun hands the signal to all ranks. Open MPI of Debian is built with PMIx; elsewhere see `srun --mpi=list`.
+code=0
+srun --mpi=pmix --kill-on-bad-exit=1 build/release/thaw run "$scene" --out "$out" --resume || code=$?
+case $code in
+  0) build/release/thaw render "$out" --sheet "$out/pictures/sheet.png" ;;
+  75) sbatch "$0" "$scene" ;;
+esac
+exit "$code"

@@ -1,0 +1,91 @@
+# Shared by scripts/run, scripts/test and scripts/bench: packages, configure, build, mpirun. To be sourced by bash.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=$root/build/release
+
+# All that a bare Debian 12 lacks to build and test thaw. Charts of benchmarks need chart_packages as well.
+packages=(g++ cmake ninja-build openmpi-bin libopenmpi-dev libhdf5-openmpi-dev libeigen3-dev libtomlplusplus-dev libcli11-dev
+  libfmt-dev nlohmann-json3-dev libpng-dev libgtest-dev)
+chart_packages=(python3 python3-matplotlib)
+
+say() { printf '%s\n' "$*" >&2; }
+fail() { say "$(basename "$0"): $*"; exit 1; }
+
+# Prints those of the given packages that are not installed. Asks dpkg only: no network, some milliseconds.
+missingPackages() {
+  local installed
+  installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null | sed -n 's/^installed //p' || true)
+  local package
+  for package in "$@"; do grep -qxF -- "$package" <<<"$installed" || printf '%s\n' "$package"; done
+}
+
+# Installs the given packages where they are missing, as root or through sudo.
+needPackages() {
+  if ! command -v dpkg-query >/dev/null; then
+    [ -n "${THAW_NO_APT_NOTE:-}" ] || say "not a Debian system: nothing is installed; needed are what Debian calls $*"
+    return 0
+  fi
+  local missing
+  mapfile -t missing < <(missingPackages "$@")
+  [ ${#missing[@]} -gt 0 ] || return 0
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || fail "these packages are missing, and there is no sudo; as root: apt-get install ${missing[*]}"
+    as_root=(sudo)
+  fi
+  say "installing ${missing[*]}"
+  local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::Use-Pty=0)
+  local log
+  log=$(mktemp)
+  if ! { "${apt[@]}" update && "${apt[@]}" install -y --no-install-recommends "${missing[@]}"; } >"$log" 2>&1; then
+    tail -n 20 "$log" >&2
+    rm -f "$log"
+    fail "apt-get could not install ${missing[*]}"
+  fi
+  rm -f "$log"
+}
+
+# Cores that this process may use: those it may be scheduled on, and at most a container's quota.
+cores() {
+  local n quota period
+  n=$(nproc)
+  if read -r quota period 2>/dev/null </sys/fs/cgroup/cpu.max && [ "$quota" != max ]; then
+    local allowed=$(((quota + period - 1) / period))
+    [ "$allowed" -ge "$n" ] || n=$allowed
+  fi
+  printf '%s\n' "$((n > 0 ? n : 1))"
+}
+
+# configureAndBuild PRESET [TARGET...]: quiet unless something fails or a terminal looks on.
+configureAndBuild() {
+  local preset=$1 target args=()
+  shift
+  for target in "$@"; do args+=(--target "$target"); done
+  build=$root/build/$preset
+  local log=$root/build/$preset.log
+  mkdir -p "$root/build"
+  (cd "$root" && cmake --preset "$preset" >"$log" 2>&1) || { cat "$log" >&2; fail "configuring failed"; }
+  if [ -t 2 ]; then
+    cmake --build "$build" -j "$(cores)" "${args[@]}" >&2 || fail "the build failed"
+  else
+    say "building ${*:-everything} (log: $log)"
+    cmake --build "$build" -j "$(cores)" "${args[@]}" >>"$log" 2>&1 || { tail -n 60 "$log" >&2; fail "the build failed"; }
+  fi
+}
+
+# Settings with which Open MPI runs as root, in containers, and with more ranks than cores. THAW_RANKS is left to the caller.
+openMpiSettings() {
+  export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+  # Containers forbid reading another process's memory; slots and binding are our business, not a batch system's.
+  export OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
+}
+
+# onRanks N COMMAND...: under mpirun, or by itself for one rank. Returns the command's exit code.
+onRanks() {
+  local n=$1
+  shift
+  [[ $n =~ ^[1-9][0-9]*$ ]] || fail "the number of ranks must be a positive whole number, not '$n'"
+  openMpiSettings
+  if [ "$n" -gt "$(cores)" ]; then export OMPI_MCA_mpi_yield_when_idle=1; fi
+  mpirun -n "$n" "$@"
+}
