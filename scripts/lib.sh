@@ -22,7 +22,7 @@ missingPackages() {
 # Installs the given packages where they are missing, as root or through sudo.
 needPackages() {
   if ! command -v dpkg-query >/dev/null; then
-    [ -n "${THAW_NO_APT_NOTE:-}" ] || say "not a Debian system: nothing is installed; needed are what Debian calls $*"
+    say "not a Debian system: nothing is installed; needed are what Debian calls $*"
     return 0
   fi
   local missing
@@ -73,7 +73,7 @@ configureAndBuild() {
   fi
 }
 
-# Settings with which Open MPI runs as root, in containers, and with more ranks than cores. THAW_RANKS is left to the caller.
+# Settings with which Open MPI runs as root, in containers, and with more ranks than cores.
 openMpiSettings() {
   export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
   # Containers forbid reading another process's memory; slots and binding are our business, not a batch system's.
