@@ -68,26 +68,38 @@ struct BondRequest {
   double weight;
 };
 
+/// What a relink is to do beside what the tables say.
+struct Relink {
+  std::span<const BondRequest> requests;  ///< bonds to make, appended to their slots in this order
+  bool changedHere = false;               ///< a particle's phase changed, or a particle with a slot left the domain, on this rank
+};
+
 /// Bonds: follows solid particles in migration, keeps a copy ("remote row") of every solid particle that an owned one is
 /// bonded to, however far away it is, and sends fields along the bonds.
 class BondHalo {
  public:
   virtual ~BondHalo() = default;
 
-  /// After CellHalo::migrate and before particles are reordered: moves the slots (and bonds) of departed particles to where
-  /// they went; sets Continuum::slot of arrivals. Collective; returns at once on every rank when nothing solid moved anywhere.
+  /// After CellHalo::migrate and before particles are reordered: sends the slots (and bonds) of departed particles to where
+  /// they went. The tables change at the next relink. Collective.
   virtual void migrate(Continuum& particles, Solids& solids, Bonds& bonds, const Migration& migration) = 0;
 
-  /// After slots or bonds were added or removed on any rank: removed slots (id == removedSlot) are deleted with all bonds to
-  /// them on every rank, requests become bonds (appended to their slot in the given order; a request whose neighbour is not
-  /// solid any more is dropped), remote rows are renewed, rows renumbered (Continuum::slot and Solids::particle follow).
-  /// Collective; `changedHere` false on all ranks makes it return at once.
-  virtual void relink(Continuum& particles, Solids& solids, Bonds& bonds, std::span<const BondRequest> requests, bool changedHere) = 0;
+  /// Makes the table of solids agree with the particles: owned particles of phase Solid without a slot get one (with the bonds
+  /// they had where they came from, else none), slots of particles that are liquid now, or gone, are removed with all bonds to
+  /// them on every rank, requests become bonds (one whose neighbour is not solid any more is dropped), remote rows are renewed,
+  /// rows renumbered (Continuum::slot and Solids::particle follow). Remote rows then have their id; other columns are to be sent.
+  /// Needs sorted particles without departed rows. Collective. Returns false, at once, where nothing changed on any rank.
+  virtual bool relink(Continuum& particles, Solids& solids, Bonds& bonds, const Relink& work) = 0;
 
   /// Sends columns of Solids from owned rows to the remote rows that copy them. The same rules as refresh of ghosts.
   virtual void begin(Solids& solids, std::span<AnyColumn* const> columns) = 0;
   virtual void finish(Solids& solids) = 0;
 };
-inline constexpr std::uint64_t removedSlot = ~0ull;
+
+/// Solids::particle of owned slots from Continuum::slot; after every sort.
+inline void linkSlots(const Continuum& particles, Solids& solids) {
+  for (std::size_t i = 0; i < particles.owned; i++)
+    if (particles.slot[i] != noSlot) solids.particle[particles.slot[i]] = static_cast<std::uint32_t>(i);
+}
 
 }  // namespace thaw
