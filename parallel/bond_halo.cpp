@@ -209,7 +209,6 @@ void MpiBondHalo::addSlots(Continuum& p, Solids& s, Bonds& b, std::span<const Bo
   resizeBonds(b, s.owned, most);
   for (std::size_t k = 0; k < rows.size(); k++) {
     const std::uint32_t slot = static_cast<std::uint32_t>(before + k), row = rows[k];
-    s.volume[slot] = p.mass[row] / density[p.material[row]];
     if (const auto r = records.find(p.id[row]); r != records.end()) s.unpackState(slot, r->second.state);
     s.id[slot] = p.id[row];
     s.material[slot] = p.material[row];

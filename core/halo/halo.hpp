@@ -87,7 +87,8 @@ class BondHalo {
   /// Makes the table of solids agree with the particles: owned particles of phase Solid without a slot get one (with the bonds
   /// they had where they came from, else none), slots of particles that are liquid now, or gone, are removed with all bonds to
   /// them on every rank, requests become bonds (one whose neighbour is not solid any more is dropped), remote rows are renewed,
-  /// rows renumbered (Continuum::slot and Solids::particle follow). Remote rows then have their id; other columns are to be sent.
+  /// rows renumbered (Continuum::slot and Solids::particle follow). Slots of particles that have just become solid have volume 0, for the
+  /// caller to fill in. Remote rows then have their id; other columns are to be sent.
   /// Needs sorted particles without departed rows. Collective. Returns false, at once, where nothing changed on any rank.
   virtual bool relink(Continuum& particles, Solids& solids, Bonds& bonds, const Relink& work) = 0;
 
