@@ -122,11 +122,11 @@ Mat3d laneMatrix(const double m[9][8], int l) { return {{{m[0][l], m[1][l], m[2]
 }  // namespace
 
 void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneConstants& out) {
-  out.anyVolumeStiffness = out.anyYield = false;
-  out.allGreen = out.allNeoHookean = true;
+  out.anyVolumeStiffness = out.anyGreen = out.anyNeoHookean = out.anyCorotated = false;
   for (int l = 0; l < 8; l++) {
     if (l >= n) {
-      out.lambda[l] = out.mu[l] = out.volumeStiffness[l] = out.volume[l] = out.hourglass[l] = out.drag[l] = 0;
+      out.lambda[l] = out.mu[l] = out.volumeStiffness[l] = out.volume[l] = out.hourglass[l] = out.drag[l] = out.neoHookean[l] = 0;
+      out.constants[l].law = ElasticLaw::Green;
       continue;
     }
     const std::size_t s = slot0 + static_cast<std::size_t>(l);
@@ -140,9 +140,10 @@ void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneCon
     // a bond's damping is the mean of both ends'; three, because a bond acts along its direction only; half of the sum of both ends
     out.drag[l] = 0.5 * 3 * c.dragDensity * a.volume[s] * a.perWeight[s];
     out.anyVolumeStiffness = out.anyVolumeStiffness || c.volume > 0;
-    out.anyYield = out.anyYield || c.yield < never;
-    out.allGreen = out.allGreen && c.law == ElasticLaw::Green;
-    out.allNeoHookean = out.allNeoHookean && c.law == ElasticLaw::NeoHookean;
+    out.neoHookean[l] = c.law == ElasticLaw::NeoHookean;
+    out.anyGreen = out.anyGreen || c.law == ElasticLaw::Green;
+    out.anyNeoHookean = out.anyNeoHookean || c.law == ElasticLaw::NeoHookean;
+    out.anyCorotated = out.anyCorotated || c.law == ElasticLaw::Corotated;
     if (a.dissipated && !a.keepDissipated) a.dissipated[s] = 0;
   }
 }

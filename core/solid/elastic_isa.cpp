@@ -168,33 +168,34 @@ template<class Real, bool periodic> void deformationOf(ElasticArrays& a) {
         for (int l = 0; l < 8; l++) plastic[q][l] = 0;
     }
 
-    Mat3<T> piola;
-    if (c.allGreen) {
+    // Which formula a lane gets depends on its own material only, never on the slots that share its group.
+    Mat3<T> piola{};
+    if (c.anyGreen) {
       const Sym3<T> elastic = green - plasticStrain;
       piola = greenStress(f, elastic, lambda, mu);
       if (a.energy) toDoubles(widen(greenEnergy(elastic, lambda, mu)), energy);
-    } else if (c.allNeoHookean) {
-      piola = neoHookeanStress(f, lambda, mu);
-      if (a.plastic) piola = piola - times(f, hooke(plasticStrain, lambda, mu));
-    } else {
-      for (int l = 0; l < 8; l++) {
-        if (l < n) energy[l] = respondLane(c.constants[l], gradU, plastic, l, stress);
-        else for (int q = 0; q < 9; q++) stress[q][l] = 0;
-      }
+    }
+    if (c.anyNeoHookean) {
+      Mat3<T> other = neoHookeanStress(f, lambda, mu);
+      if (a.plastic) other = other - times(f, hooke(plasticStrain, lambda, mu));
+      const auto isOther = T(Real(0.5)) < fromDoubles<Real>(c.neoHookean);
+      for (int r = 0; r < 3; r++)
+        piola.row[r] = {select(isOther, other.row[r].x, piola.row[r].x), select(isOther, other.row[r].y, piola.row[r].y), select(isOther, other.row[r].z, piola.row[r].z)};
+    }
+    if (c.anyVolumeStiffness) {
+      const T stiffness = fromDoubles<Real>(c.volumeStiffness);
+      piola = piola + volumeStress(f, stiffness);
+      if (a.energy && c.anyGreen) toDoubles(loadRow(energy) + widen(volumeEnergy(f, stiffness)), energy);
+    }
+    if (c.anyCorotated) {
+      storeMatrix<Real>(piola, stress);
+      for (int l = 0; l < n; l++)
+        if (c.constants[l].law == ElasticLaw::Corotated) energy[l] = respondLane(c.constants[l], gradU, plastic, l, stress);
       piola = loadMatrix<Real>(stress);
     }
-    if (c.allGreen || c.allNeoHookean) {
-      if (c.anyVolumeStiffness) {
-        const T stiffness = fromDoubles<Real>(c.volumeStiffness);
-        piola = piola + volumeStress(f, stiffness);
-        if (a.energy && c.allGreen) {
-          const T more = volumeEnergy(f, stiffness);
-          toDoubles(loadRow(energy) + widen(more), energy);
-        }
-      }
-      if (a.energy && c.allNeoHookean)
-        for (int l = 0; l < n; l++) energy[l] = respondLane(c.constants[l], gradU, plastic, l, nullptr);
-    }
+    if (a.energy && c.anyNeoHookean)  // a logarithm
+      for (int l = 0; l < n; l++)
+        if (c.constants[l].law == ElasticLaw::NeoHookean) energy[l] = respondLane(c.constants[l], gradU, plastic, l, nullptr);
 
     // flux = V P A^-1 - k grad u
     const Mat3<T> flux = volume * times(piola, momentInverse) - fromDoubles<Real>(c.hourglass) * gradient;

@@ -16,7 +16,7 @@ Sym3d plasticFlow(const ElasticConstants& c, const Sym3d& strain, const Sym3d& p
 /// Energy density lost when plastic strain goes from `before` to `after` at this strain, Pa; the same for every law (response.hpp).
 double plasticLoss(const ElasticConstants& c, const Sym3d& strain, const Sym3d& before, const Sym3d& after);
 
-/// Plastic strain in the frame of the deformed state, in which the stress stays as it is and turns with the body:
+/// Plastic strain in the frame of the deformed state, with which the elastic strain stays the same tensor and turns with the body:
 /// -F^-T (strain - plastic) F^-1 (accuracy.md section 0, 6). det F > 0.
 Sym3d pushForward(const Mat3d& gradU, const Sym3d& plastic);
 

@@ -1,0 +1,147 @@
+// Free vibration, waves and stability of whole bodies.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "tests/support/solid_body.hpp"
+
+using namespace thaw;
+using namespace thaw::test;
+
+namespace {
+
+struct Moving {
+  std::unique_ptr<SolidBody> body;
+  std::vector<Vec3d> velocity;
+};
+
+double kinetic(const Moving& m) {
+  double e = 0;
+  for (std::size_t s = 0; s < m.velocity.size(); s++) e += 0.5 * m.body->mass[s] * dot(m.velocity[s], m.velocity[s]);
+  return e;
+}
+/// Velocity Verlet; forces must be current.
+void advance(Moving& m, double dt) {
+  SolidBody& b = *m.body;
+  for (std::size_t s = 0; s < m.velocity.size(); s++) {
+    m.velocity[s] += (0.5 * dt / b.mass[s]) * b.solids.force[s];
+    b.solids.position[s] += dt * m.velocity[s];
+  }
+  b.step.dt = dt;
+  computeForces(b);
+  for (std::size_t s = 0; s < m.velocity.size(); s++) m.velocity[s] += (0.5 * dt / b.mass[s]) * b.solids.force[s];
+}
+
+/// Largest deviation of the total energy over a time, relative to the initial energy of motion.
+double energyError(ElasticLaw law, double dt, Precision precision) {
+  const auto points = lattice({8, 4, 4}, 0.1, 0.1);
+  Material m = elasticMaterial(1e5, 0.3);
+  m.law = law;
+  m.hourglass = 0.5;
+  BodyOptions options;
+  options.precision = precision;
+  Moving b{makeBody(points, {m}, options), {}};
+  for (const Vec3d& x : points) b.velocity.push_back({0.3 * std::sin(3 * x.x), 0.4 * x.x - 0.1, 0.3 * x.y});
+  computeForces(*b.body);
+  const double first = kinetic(b) + totalEnergy(*b.body);
+  double worst = 0;
+  for (int n = 0; n * dt < 0.6; n++) {
+    advance(b, dt);
+    worst = std::max(worst, std::abs(kinetic(b) + totalEnergy(*b.body) - first));
+  }
+  return worst / first;
+}
+
+}  // namespace
+
+TEST(ElasticBody, energyErrorOfFreeVibrationIsOfSecondOrder) {
+  for (const ElasticLaw law : {ElasticLaw::Green, ElasticLaw::NeoHookean, ElasticLaw::Corotated}) {
+    const double coarse = energyError(law, 2e-3, Precision::Double), fine = energyError(law, 1e-3, Precision::Double);
+    EXPECT_LT(coarse, 5e-3) << int(law);
+    EXPECT_LT(fine, 0.3 * coarse) << int(law);
+  }
+  EXPECT_LT(energyError(ElasticLaw::Green, 5e-4, Precision::Single), 5e-4);
+}
+
+TEST(ElasticBody, speedOfPressureWaves) {
+  // standing wave in a periodic block: MLS is slow by 1.6 % at 20 spacings a wavelength, h <= 2 dx (accuracy.md)
+  const int n = 20;
+  const auto points = lattice({n, 4, 4}, 0.1);
+  BodyOptions options;
+  options.period = {0.1 * n, 0.4, 0.4};
+  Moving b{makeBody(points, {elasticMaterial(1e6, 0.3)}, options), {}};
+  const double k = 2 * 3.14159265358979323846 / (0.1 * n), speed = std::sqrt(1e6 * 0.7 / (1000 * 1.3 * 0.4));
+  for (std::size_t s = 0; s < points.size(); s++) b.body->solids.position[s].x += 1e-4 * std::cos(k * points[s].x);
+  b.velocity.resize(points.size());
+  computeForces(*b.body);
+  const double dt = 2e-4;
+  // half a period: when the displacement of particle 0 turns
+  double last = 1, turned = 0;
+  for (int step = 1; turned == 0 && step < 1000; step++) {
+    advance(b, dt);
+    const double v = b.velocity[0].x;
+    if (last < 0 && v >= 0) turned = (step - v / (v - last)) * dt;
+    last = step == 1 ? v : v;
+  }
+  const double measured = 0.1 * n / (2 * turned);
+  std::printf("P wave %.4f of the exact speed\n", measured / speed);
+  EXPECT_NEAR(measured / speed, 0.984, 0.006);
+}
+
+TEST(ElasticBody, checkerboardIsNotFree) {
+  // accuracy.md B2: without hourglass control the checkerboard mode costs nothing inside
+  const auto points = lattice({8, 8, 8}, 0.1);
+  for (const double alpha : {0.0, 0.1}) {
+    Material m = elasticMaterial();
+    m.hourglass = alpha;
+    BodyOptions options;
+    options.period = {0.8, 0.8, 0.8};
+    const auto b = makeBody(points, {m}, options);
+    for (std::size_t s = 0; s < points.size(); s++) b->solids.position[s].x += ((s % 8 + s / 8 % 8 + s / 64) % 2 ? 1 : -1) * 1e-3;
+    computeForces(*b);
+    if (alpha == 0) EXPECT_LT(forceScale(*b), 1e-8);
+    else EXPECT_GT(forceScale(*b), 10);
+  }
+}
+
+TEST(ElasticBody, stepLimitIsStableAndNotWasteful) {
+  const auto points = lattice({6, 6, 6}, 0.1, 0.2);
+  for (const double support : {1.6, 2.0})
+    for (const double factor : {1.0, 6.0}) {
+      Material m = elasticMaterial(1e5, 0.3);
+      m.hourglass = 1;
+      BodyOptions options;
+      options.support = support;
+      Moving b{makeBody(points, {m}, options), {}};
+      for (std::size_t s = 0; s < points.size(); s++) b.velocity.push_back(0.05 * noise3(s, 8));
+      computeForces(*b.body);
+      const double first = kinetic(b), dt = factor * elasticStepLimit(b.body->scene);
+      double last = first;
+      for (int n = 0; n < 400 && last < 10 * first; n++) {
+        advance(b, dt);
+        last = kinetic(b) + totalEnergy(*b.body);
+      }
+      if (factor == 1.0) EXPECT_LT(last, 1.05 * first);
+      else EXPECT_FALSE(last < 2 * first);
+    }
+}
+
+TEST(ElasticBody, dampingTakesWhatItBooks) {
+  const auto points = lattice({5, 4, 4}, 0.1, 0.1);
+  Material m = elasticMaterial(1e5, 0.3);
+  m.damping = 20;
+  Moving b{makeBody(points, {m}), {}};
+  for (std::size_t s = 0; s < points.size(); s++) b.velocity.push_back(0.1 * noise3(s, 8));
+  b.body->step.dt = 1e-4;
+  computeForces(*b.body);
+  const double first = kinetic(b);
+  double lost = 0;
+  for (int n = 0; n < 500; n++) {
+    std::copy(b.velocity.begin(), b.velocity.end(), b.body->solids.velocity.data());
+    advance(b, 1e-4);
+    for (std::size_t s = 0; s < points.size(); s++) lost += b.body->solids.dissipated[s];
+  }
+  const double last = kinetic(b) + totalEnergy(*b.body);
+  EXPECT_LT(last, 0.8 * first);
+  EXPECT_NEAR(lost, first - last, 0.02 * first);
+}
