@@ -64,6 +64,7 @@ ExactSum& ExactSum::operator+=(const ExactSum& other) {
   ExactSum o = other;
   o.carry();
   for (std::size_t k = 0; k < digits; k++) digit[k] += o.digit[k];
+  if (digit[digits - 1] > notFinite * 1024) digit[digits - 1] = notFinite;  // not finite it stays, but never overflows
   if (++pending == (1 << 30)) carry();
   return *this;
 }

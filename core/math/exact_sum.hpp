@@ -7,6 +7,8 @@
 
 namespace thaw {
 
+/// To add sums of many ranks: carry() each, add the digit arrays element by element (any order, up to 2^29 ranks), put them
+/// into one ExactSum and ask for its value(). The same terms give the same bits, however they were spread.
 struct ExactSum {
   static constexpr int digits = 70;          ///< 32 bits each, from 2^-1088 up: every finite double fits
   std::array<std::int64_t, digits> digit{};  ///< signed; digits of several sums may be added element by element
@@ -14,7 +16,7 @@ struct ExactSum {
 
   void add(double x);                        ///< x finite (a non-finite x makes value() NaN)
   void carry();                              ///< brings every digit but the last into [0, 2^32)
-  double value() const;                      ///< the sum, rounded once to nearest
+  double value() const;                      ///< the sum, rounded once to nearest, ties to even; infinite where that overflows
   ExactSum& operator+=(const ExactSum& other);
 };
 
