@@ -1,9 +1,11 @@
 // Obstacles and the domain's walls as the step sees them: signed distances, moving, of a temperature or insulating.
 #pragma once
+#include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "core/geometry/signed_distance.hpp"
+#include "core/math/mat3.hpp"
 #include "core/scene/scene.hpp"
 
 namespace thaw {
@@ -11,13 +13,34 @@ namespace thaw {
 struct Wall {
   std::shared_ptr<const SignedDistance> shape;  ///< at rest pose
   Obstacle properties;                          ///< of the scene; domain sides have a name like "domain z low"
-  Vec3d move{}, rotate{};                       ///< current pose relative to the rest pose, m, rad
-  Vec3d velocity{}, angularVelocity{};          ///< of the pose, m/s, rad/s about the moved origin
+  Bounds bounds;                                ///< of the rest pose
+  Mat3d turn = identity3<double>();             ///< current rotation relative to the rest pose
+  Vec3d move{};                                 ///< m, x = move + turn x_rest
+  Vec3d velocity{}, angularVelocity{};          ///< of the pose: m/s of the moved origin, rad/s about it
   bool present = true;                          ///< false after properties.until
 };
 
 struct Walls {
   std::vector<Wall> list;
 };
+
+/// Adds a half-space for each side of the domain that is a wall: insulating, liquids stick, friction 0.3.
+void addDomainWalls(const Domain& domain, Walls& walls);
+
+/// Poses at a time (s), linear between keyframes; obstacles whose time is over are no longer present.
+void moveWalls(Walls& walls, double time);
+
+/// Velocity (m/s) of the wall at a place.
+Vec3d wallVelocity(const Wall& wall, const Vec3d& x);
+
+/// A particle near a wall.
+struct WallContact {
+  std::uint32_t row, wall;
+  double distance;   ///< m, negative inside the wall
+  Vec3d normal;      ///< out of the wall
+};
+
+/// Contacts of owned particles within `reach` (m), by row and then by wall: the order of sums.
+struct WallContacts { std::vector<WallContact> list; };
 
 }  // namespace thaw

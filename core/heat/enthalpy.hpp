@@ -1,0 +1,45 @@
+// Enthalpy, temperature and liquid fraction of a material. Per mass, zero at the solidus (at 0 K for materials that do not melt):
+//   H < 0            solid    T = solidus + H / c_solid
+//   0 <= H <= L + c  melting  T and the fraction f rise linearly with H, T over [solidus, liquidus], f over [0, 1]
+//   above            liquid   T = liquidus + (H - band) / c_liquid
+// band = latent heat + mean heat capacity times (liquidus - solidus). Enthalpy cannot step over the latent heat, as an apparent
+// heat capacity can (accuracy.md, heat).
+#pragma once
+#include <algorithm>
+
+#include "core/scene/scene.hpp"
+
+namespace thaw {
+
+struct Thermal { double temperature, liquid; };  ///< K, 1
+
+/// J/kg taken up between solidus and liquidus.
+inline double meltingBand(const Material& m) {
+  return m.latentHeat + 0.5 * (m.heatCapacity.solid + m.heatCapacity.liquid) * (m.liquidus - m.solidus);
+}
+
+inline Thermal thermalOf(const Material& m, double H) {
+  if (!m.melts()) return {H / m.heatCapacity.solid, m.canBeSolid() && !m.liquidAtStart ? 0.0 : 1.0};
+  if (H < 0) return {m.solidus + H / m.heatCapacity.solid, 0};
+  const double band = meltingBand(m);
+  if (H <= band && band > 0) return {m.solidus + (m.liquidus - m.solidus) * (H / band), H / band};
+  return {m.liquidus + (H - band) / m.heatCapacity.liquid, 1};
+}
+
+/// Inverse; at a single melting temperature (solidus == liquidus) the fraction decides between 0 and 1.
+inline double enthalpyOf(const Material& m, double T, double fractionAtMelting = 0) {
+  if (!m.melts()) return T * m.heatCapacity.solid;
+  if (T < m.solidus) return (T - m.solidus) * m.heatCapacity.solid;
+  if (T > m.liquidus) return meltingBand(m) + (T - m.liquidus) * m.heatCapacity.liquid;
+  const double width = m.liquidus - m.solidus;
+  return meltingBand(m) * (width > 0 ? (T - m.solidus) / width : std::clamp(fractionAtMelting, 0.0, 1.0));
+}
+
+/// K05's plain model: the temperature is the state, the blend parameter follows it.
+inline double paperFraction(const Material& m, double T) {
+  if (!m.melts()) return m.canBeSolid() && !m.liquidAtStart ? 0 : 1;
+  const double width = m.liquidus - m.solidus;
+  return width > 0 ? std::clamp((T - m.solidus) / width, 0.0, 1.0) : T >= m.solidus ? 1 : 0;
+}
+
+}  // namespace thaw

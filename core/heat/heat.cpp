@@ -1,0 +1,91 @@
+#include "core/heat/heat.hpp"
+
+#include <cmath>
+
+#include "core/heat/enthalpy.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr double stefanBoltzmann = 5.670374419e-8;  // W/(m^2 K^4)
+
+Thermal stateOf(const Scene& s, const Material& m, const Continuum& p, std::size_t i) {
+  if (s.numerics.heat == HeatModel::Paper) return {p.temperature[i], paperFraction(m, p.temperature[i])};
+  return thermalOf(m, p.enthalpy[i]);
+}
+
+}  // namespace
+
+void settlePhase(const Scene& s, const Modules& modules, Continuum& p, std::size_t begin, std::size_t end) {
+  for (std::size_t i = begin; i < end; i++) {
+    const Material& m = s.materials[p.material[i]];
+    double f = m.canBeSolid() && !m.liquidAtStart ? 0 : 1;
+    if (modules.heat) {
+      const Thermal t = stateOf(s, m, p, i);
+      p.temperature[i] = t.temperature;
+      if (m.melts()) f = t.liquid;
+    }
+    if (p.liquid.active) p.liquid[i] = static_cast<float>(f);
+    p.phase[i] = f >= 1 || !m.canBeSolid() ? Liquid : Solid;
+  }
+}
+
+void addOuterHeat(World& w, double dt) {
+  Continuum& p = w.particles;
+  const Scene& s = w.scene;
+  const double area = s.spacing * s.spacing, ambient = s.domain.ambient;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const Material& m = s.materials[p.material[i]];
+    double flow = m.heatSource * p.mass[i];
+    if (w.modules.surfaceHeat && (m.convection > 0 || m.emissivity > 0)) {
+      const double T = p.temperature[i];
+      flow += static_cast<double>(p.exposure[i]) * area *
+              (m.convection * (ambient - T) + m.emissivity * stefanBoltzmann * (ambient * ambient * ambient * ambient - T * T * T * T));
+    }
+    if (flow == 0) continue;
+    p.heatFlow[i] += flow;
+    w.ledger.heatIn.add(flow * dt);
+  }
+}
+
+void updateHeat(World& w, double dt) {
+  Continuum& p = w.particles;
+  const Scene& s = w.scene;
+  const bool paper = s.numerics.heat == HeatModel::Paper;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const Material& m = s.materials[p.material[i]];
+    if (paper) {
+      p.temperature[i] += dt * p.heatFlow[i] / (p.mass[i] * m.heatCapacity.solid);
+      p.enthalpy[i] = m.heatCapacity.solid * p.temperature[i];
+    } else {
+      p.enthalpy[i] += dt * p.heatFlow[i] / p.mass[i];
+    }
+    const Thermal t = stateOf(s, m, p, i);
+    p.temperature[i] = t.temperature;
+    if (p.liquid.active && m.melts()) p.liquid[i] = static_cast<float>(t.liquid);
+  }
+}
+
+PhaseChanges changePhase(World& w) {
+  Continuum& p = w.particles;
+  PhaseChanges changes;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const Material& m = w.scene.materials[p.material[i]];
+    if (p.justFrozen.active) p.justFrozen[i] = 0;
+    if (!m.melts() || !m.canBeSolid()) continue;
+    const double f = static_cast<double>(p.liquid[i]);
+    if (p.phase[i] == Solid && f >= 1 - m.hysteresis) {
+      p.phase[i] = Liquid;
+      w.counters.melted++;
+      changes.melted = true;
+    } else if (p.phase[i] == Liquid && f <= m.hysteresis && f < 1 - m.hysteresis) {
+      p.phase[i] = Solid;
+      p.justFrozen[i] = 1;
+      w.counters.frozen++;
+      changes.frozen = true;
+    }
+  }
+  return changes;
+}
+
+}  // namespace thaw

@@ -1,0 +1,115 @@
+#include "core/ledger/report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/fluid/liquid_materials.hpp"
+#include "core/fluid/state_equation.hpp"
+
+namespace thaw {
+namespace {
+
+void addRow(const World& w, std::size_t i, ExactBalance& b) {
+  const Continuum& p = w.particles;
+  const double m = p.mass[i];
+  const Vec3d &x = p.position[i], &v = p.velocity[i], L = cross(x, v);
+  b.mass.add(m);
+  for (int a = 0; a < 3; a++) {
+    b.momentum[a].add(m * v[a]);
+    b.angularMomentum[a].add(m * L[a]);
+  }
+  b.kinetic.add(0.5 * m * dot(v, v));
+  b.potential.add(-m * dot(w.scene.domain.gravity, x));
+  if (p.interaction.active) b.potential.add(p.interaction[i]);
+  if (p.enthalpy.active) b.internal.add(m * p.enthalpy[i]);
+  if (p.slot.active && p.slot[i] != noSlot && w.solids.energy.active) b.elastic.add(w.solids.energy[p.slot[i]]);
+}
+
+/// Exact sums, packed for one reduction.
+struct Pack {
+  std::vector<ExactSum> sums;
+  void add(const ExactBalance& b) {
+    sums.push_back(b.mass);
+    for (int a = 0; a < 3; a++) sums.push_back(b.momentum[a]);
+    for (int a = 0; a < 3; a++) sums.push_back(b.angularMomentum[a]);
+    for (const ExactSum* s : {&b.kinetic, &b.elastic, &b.potential, &b.internal}) sums.push_back(*s);
+  }
+};
+
+struct Unpack {
+  const std::vector<ExactSum>& sums;
+  std::size_t at = 0;
+  double next() { return sums[at++].value(); }
+  Vec3d next3() { const double x = next(), y = next(), z = next(); return {x, y, z}; }
+  Balance balance() {
+    Balance b;
+    b.mass = next();
+    b.momentum = next3();
+    b.angularMomentum = next3();
+    b.kinetic = next();
+    b.elastic = next();
+    b.potential = next();
+    b.internal = next();
+    return b;
+  }
+};
+
+double mechanical(const Balance& b) { return b.kinetic + b.elastic + b.potential; }
+
+}  // namespace
+
+void addToBalance(const World& w, std::span<const std::uint32_t> rows, ExactBalance& b) {
+  for (std::uint32_t i : rows) addRow(w, i, b);
+}
+
+LedgerReport reportLedger(const World& w, Reducer& all) {
+  const Continuum& p = w.particles;
+  ExactBalance now;
+  ExactSum dissipated = w.ledger.dissipated, liquid;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    addRow(w, i, now);
+    dissipated.add(p.dissipated[i]);
+    liquid.add(p.liquid.active ? p.mass[i] * static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? p.mass[i] : 0.0);
+  }
+  Pack pack;
+  pack.add(now);
+  pack.add(w.ledger.entered);
+  pack.add(w.ledger.left);
+  for (const ExactSum& s : {dissipated, w.ledger.wallWork, w.ledger.heatIn, w.ledger.phaseJump, liquid}) pack.sums.push_back(s);
+  for (const ExactSum& s : w.ledger.wallImpulse) pack.sums.push_back(s);
+  for (const ExactSum& s : w.ledger.gravityImpulse) pack.sums.push_back(s);
+  std::vector<std::int64_t> digits;
+  for (ExactSum& s : pack.sums) {
+    s.carry();
+    digits.insert(digits.end(), s.digit.begin(), s.digit.end());
+  }
+  digits.push_back(static_cast<std::int64_t>(p.owned));
+  all.sum(digits);
+  for (std::size_t k = 0; k < pack.sums.size(); k++) std::copy_n(digits.data() + k * ExactSum::digits, ExactSum::digits, pack.sums[k].digit.data());
+
+  Unpack u{pack.sums};
+  LedgerReport r;
+  r.particles = digits.back();
+  r.now = u.balance();
+  r.entered = u.balance();
+  r.left = u.balance();
+  r.dissipated = u.next();
+  r.wallWork = u.next();
+  r.heatIn = u.next();
+  r.phaseJump = u.next();
+  const double liquidMass = u.next();
+  r.liquidFraction = r.now.mass > 0 ? liquidMass / r.now.mass : 0;
+  r.wallImpulse = u.next3();
+  r.gravityImpulse = u.next3();
+  r.initial = w.ledger.initial;
+  r.massResidual = r.now.mass - (r.initial.mass + r.entered.mass - r.left.mass);
+  r.momentumResidual = r.now.momentum - (r.initial.momentum + r.entered.momentum - r.left.momentum + r.wallImpulse + r.gravityImpulse);
+  const double expected = mechanical(r.initial) + mechanical(r.entered) - mechanical(r.left) + r.wallWork - r.dissipated - r.phaseJump;
+  r.energyResidual = mechanical(r.now) - expected;
+  r.energyScale = std::max({std::abs(r.now.kinetic), std::abs(r.initial.kinetic), std::abs(r.dissipated), std::abs(r.now.potential - r.initial.potential), std::abs(r.now.elastic)});
+  r.heatResidual = r.now.internal - (r.initial.internal + r.entered.internal - r.left.internal + r.heatIn);
+  return r;
+}
+
+}  // namespace thaw

@@ -1,0 +1,34 @@
+// The largest stable time step (accuracy.md B10; Monaghan 1992, Morris 1997), and the clock that lands on frame times.
+#pragma once
+#include <array>
+
+#include "core/fluid/liquid_materials.hpp"
+#include "core/world.hpp"
+
+namespace thaw {
+
+enum class Limit { Sound, Viscous, Heat, Elastic, Tension, Acceleration, Speed, Contact, Scene };
+inline constexpr std::array<const char*, 9> limitNames{"sound", "viscosity", "heat", "elastic waves", "surface tension", "acceleration", "speed", "contact", "scene"};
+
+/// Limits in s; `never` where one does not apply.
+struct StepLimits {
+  std::array<double, limitNames.size()> value;
+  StepLimits() { value.fill(never); }
+  double& operator[](Limit l) { return value[static_cast<std::size_t>(l)]; }
+  Limit smallest() const;
+};
+
+/// Limits of materials alone: sound, tension, elastic waves, contact, the scene's own; and viscosity and heat of materials that do
+/// not change. Without particles, so that it can be printed before a run.
+StepLimits materialLimits(const Scene& scene, const Modules& modules, const std::vector<LiquidMaterial>& liquids);
+
+/// The limits of this rank's particles: acceleration, speed, and viscosity that depends on temperature. To be reduced over ranks.
+StepLimits particleLimits(const World& world);
+
+/// dt for the next step, cut so that a frame time or the end is hit exactly; two steps are made equal rather than the last one tiny.
+double clip(const Clock& clock, double dt);
+
+/// Time after a step of dt: exactly the frame time or the end where clip had cut.
+double timeAfter(const Clock& clock, double dt);
+
+}  // namespace thaw

@@ -1,0 +1,31 @@
+// How walls act on particles: support of liquids (filling, pressure, drag), contact of solids, heat.
+#pragma once
+#include "core/fluid/liquid_materials.hpp"
+#include "core/walls/tables.hpp"
+#include "core/world.hpp"
+
+namespace thaw {
+
+struct WallContext {
+  World& world;
+  const WallTables& tables;
+  const std::vector<LiquidMaterial>& liquids;
+  double dt;  ///< s; drag and heat are integrated over it, so that they cannot overshoot
+};
+
+/// Lists the owned particles within a support radius of a wall. Particles deeper in a wall than half a spacing are moved out to its
+/// surface, without their velocity into it; counted in Counters::wallProjections, their kinetic energy booked as dissipated.
+void findWallContacts(const WallContext& context, WallContacts& contacts);
+
+/// Adds the walls' share to the filling (times 1 / lattice sum, as particles have it). At corners the shares of several walls overlap
+/// like independent ones: 1 - prod(1 - filling_k).
+void addWallFilling(const WallContext& context, double fillingScale, const WallContacts& contacts);
+
+/// Pressure on liquids (mirrored: the wall has the particle's pressure), drag where the wall does not let slip, and for solids a
+/// spring with dashpot and Coulomb friction within half a spacing of the wall. Work and impulse go to the ledger.
+void addWallForces(const WallContext& context, double fillingScale, const WallContacts& contacts);
+
+/// Heat from walls that have a temperature.
+void addWallHeat(const WallContext& context, const WallContacts& contacts);
+
+}  // namespace thaw
