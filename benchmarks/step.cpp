@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "benchmarks/support/elastic.hpp"
 #include "benchmarks/support/yardstick.hpp"
 #include "core/time/integrate.hpp"
 #include "tests/support/lattice.hpp"
@@ -126,6 +127,12 @@ int main(int argc, char** argv) {
     const double rate = N / median(total) / 1e6, yardRate = N / median(yard) / 1e6;
     std::fprintf(out, "fluid,%.0f,%.1f,%s,%s,%.3f,%.3f,%.2f,2.75,%.1f,%.1f,%.1f,%.1f,%.1f,%.0f,%d\n", N, neighbours / N, precision == Precision::Single ? "single" : "double", k.name, rate,
                  yardRate, rate / yardRate, 1e9 * best.sort / N, 1e9 * best.search / N, 1e9 * best.density / N, 1e9 * best.force / N, 1e9 * best.move / N, static_cast<double>(bytes) / N, repeat);
+    // the elastic step beside the same yardstick; ns_density is its phase 1 (deformation and stress), ns_sort the copy to slots
+    const bench::ElasticFigures e = bench::elasticFigures(n, support, precision, repeat);
+    const double elasticRate = e.particles / e.total / 1e6;
+    std::fprintf(out, "elastic,%.0f,%.1f,%s,%s,%.3f,%.3f,%.2f,4.2,%.1f,0,%.1f,%.1f,%.1f,%.0f,%d\n", e.particles, e.neighbours, precision == Precision::Single ? "single" : "double", k.name,
+                 elasticRate, yardRate, elasticRate / yardRate, 1e9 * e.copy / e.particles, 1e9 * e.deformation / e.particles, 1e9 * e.forces / e.particles, 1e9 * e.move / e.particles,
+                 e.bytesPerParticle, repeat);
     std::fflush(out);
   }
   if (csv) std::fclose(out);

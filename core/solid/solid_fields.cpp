@@ -68,6 +68,11 @@ void copyToSolids(const Continuum& particles, Solids& solids) {
   }
 }
 
+void fillNewSlots(const Continuum& particles, Solids& solids, const ElasticWork& work) {
+  for (std::size_t s = 0; s < solids.owned; s++)
+    if (!(solids.volume[s] > 0)) solids.volume[s] = particles.mass[solids.particle[s]] / work.materials[solids.material[s]].density;
+}
+
 void addSolidForces(const Solids& solids, Continuum& particles, double dt) {
   const bool losses = solids.dissipated.active && particles.dissipation.active && dt > 0;
   for (std::size_t s = 0; s < solids.owned; s++) {
