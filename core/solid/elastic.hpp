@@ -101,6 +101,11 @@ void repeatDeformation(ElasticWork& work, Solids& solids, const Bonds& bonds, co
 /// rank; Boundary needs remoteColumnsBeforeForces on remote rows.
 void computeElasticForces(ElasticWork& work, Solids& solids, Bonds& bonds, const ElasticStep& step, SolidPart part);
 
+/// Solids::energy of all owned slots at the current positions of owned and remote rows, without plastic flow; overwrites
+/// deformation and force. Where bonds are made or dropped (freezing, melting) the jump of elastic energy is the exact sum of energy
+/// over owned slots before relink minus that after relink, refreshReference(all), an exchange of positions and this.
+void evaluateElasticEnergy(ElasticWork& work, Solids& solids, const Bonds& bonds);
+
 /// Cauchy stress of all owned slots into Solids::stress (activates it), from F of the last phase 1; for output.
 void computeCauchyStress(const ElasticWork& work, Solids& solids);
 

@@ -140,7 +140,13 @@ TEST(BondForming, freezingJoinsWithoutStressJump) {
   for (const BondRequest& q : requests) EXPECT_FALSE(old(q.slot) && old(q.neighbourId));
   addBonds(*b, requests);
   EXPECT_EQ(b->bonds.capacity > 0, true);
+  evaluateElasticEnergy(b->work, b->solids, b->bonds);
+  const double after = totalEnergy(*b);
   computeForces(*b);
+  EXPECT_EQ(totalEnergy(*b), after);
+  double exact = 0;
+  for (std::size_t s = 0; s < points.size(); s++) exact += slotEnergy(b->work, b->solids, b->bonds, s);
+  EXPECT_NEAR(after, exact, 1e-12 * exact);
   for (std::size_t s = 0; s < points.size(); s++)
     EXPECT_LT(largest(b->solids.deformation[s] - (old(s) ? before[s] : identity3<double>())), 1e-10) << s;
   EXPECT_NEAR(totalEnergy(*b), energy, 0.2 * energy);  // hourglass stiffness of the old end is spread anew
