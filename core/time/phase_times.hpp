@@ -1,30 +1,63 @@
-// Wall-clock time by phase of the step, on this rank.
+// Where the wall-clock time of a run goes, by phase. Nested timers do not count twice: an inner one stops the outer one.
 #pragma once
 #include <array>
 #include <chrono>
+#include <cstddef>
 
 namespace thaw {
 
-enum class StepPhase { Move, Migrate, Sort, Ghosts, Search, Density, Forces, Elastic, Bonds, Contact, Walls, Heat, Reduce, Balance, Output, Count };
-inline constexpr std::array<const char*, static_cast<std::size_t>(StepPhase::Count)> stepPhaseNames{
-    "move", "migrate", "sort", "exchange", "search", "density", "forces", "elastic", "bonds", "contact", "walls", "heat", "reduce", "balance", "output"};
+/// Phases of a step and of a run. None: time that no timer covers.
+enum class StepPhase : std::size_t {
+  Setup, Drift, Domain, Migrate, Sort, Search, Density, Forces, Walls, Contact, Elastic, Bonds, Heat, Phase, Kick,
+  Exchange, Reduce, Balance, Frames, Checkpoint, Other, None
+};
+inline constexpr std::size_t stepPhases = static_cast<std::size_t>(StepPhase::None);
 
+/// Name of a phase in summaries and progress lines.
+inline const char* phaseName(StepPhase phase) {
+  constexpr const char* names[stepPhases + 1] = {"setup", "drift", "domain", "migrate", "sort", "search", "density", "forces", "walls",
+                                                 "contact", "elastic", "bonds", "heat", "phase_change", "kick", "exchange", "reduce",
+                                                 "balance", "frames", "checkpoint", "other", "none"};
+  return names[static_cast<std::size_t>(phase)];
+}
+
+/// Seconds spent in each phase on this rank, and the phase that is being timed now.
 struct PhaseTimes {
-  std::array<double, static_cast<std::size_t>(StepPhase::Count)> seconds{};
-  std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
-  /// What follows is not counted until the next lap.
-  void start() { last = std::chrono::steady_clock::now(); }
-  /// Adds the time since the last call to a phase.
-  void lap(StepPhase phase) {
-    const auto now = std::chrono::steady_clock::now();
-    seconds[static_cast<std::size_t>(phase)] += std::chrono::duration<double>(now - last).count();
-    last = now;
-  }
+  using Clock = std::chrono::steady_clock;
+  std::array<double, stepPhases> seconds{};
+  StepPhase current = StepPhase::None;
+  Clock::time_point since{};
+
+  double& operator[](StepPhase phase) { return seconds[static_cast<std::size_t>(phase)]; }
+  double operator[](StepPhase phase) const { return seconds[static_cast<std::size_t>(phase)]; }
   double total() const {
     double sum = 0;
     for (double s : seconds) sum += s;
     return sum;
   }
+
+  /// Books the time since the last call to the phase that was current, and makes `next` current. Returns the one that was.
+  StepPhase change(StepPhase next) {
+    const Clock::time_point now = Clock::now();
+    const StepPhase before = current;
+    if (before != StepPhase::None) (*this)[before] += std::chrono::duration<double>(now - since).count();
+    since = now;
+    current = next;
+    return before;
+  }
+};
+
+/// Times its own life as `phase`; the phase that was timed before goes on when it ends.
+class PhaseTimer {
+ public:
+  PhaseTimer(PhaseTimes& times, StepPhase phase) : times_(times), before_(times.change(phase)) {}
+  ~PhaseTimer() { times_.change(before_); }
+  PhaseTimer(const PhaseTimer&) = delete;
+  PhaseTimer& operator=(const PhaseTimer&) = delete;
+
+ private:
+  PhaseTimes& times_;
+  StepPhase before_;
 };
 
 }  // namespace thaw
