@@ -2,15 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace thaw {
 
 namespace {
 
 struct Cell { int x, y, z; };
-Cell cellOf(const Vec3f& p, float edge) {
-  return {static_cast<int>(std::floor(p.x / edge)), static_cast<int>(std::floor(p.y / edge)), static_cast<int>(std::floor(p.z / edge))};
+/// Far away all is one cell: the conversion to int has to be defined (not-a-number goes there as well).
+int cellAlong(float x, float edge) {
+  const float c = std::floor(x / edge);
+  return c > -1e9f && c < 1e9f ? static_cast<int>(c) : 1'000'000'000;
 }
+Cell cellOf(const Vec3f& p, float edge) { return {cellAlong(p.x, edge), cellAlong(p.y, edge), cellAlong(p.z, edge)}; }
 
 /// Calls f(j, offset, weight) for all particles j nearer to p than the edge, p itself included; each once.
 template<class F> void forNeighbours(std::span<const Vec3f> positions, const CellBins& bins, const Vec3f& p, F f) {
@@ -58,6 +62,15 @@ CellBins binParticles(std::span<const Vec3f> positions, float edge) {
   std::vector<std::uint32_t> next(bins.first.begin(), bins.first.end() - 1);
   for (std::size_t i = 0; i < positions.size(); i++) bins.members[next[bin[i]]++] = static_cast<std::uint32_t>(i);
   return bins;
+}
+
+float nearestNeighbour(std::span<const Vec3f> positions, const CellBins& bins, const Vec3f& from) {
+  float nearest2 = std::numeric_limits<float>::infinity();
+  forNeighbours(positions, bins, from, [&](std::uint32_t, const Vec3f& d, float) {
+    const float d2 = dot(d, d);
+    if (d2 > 0) nearest2 = std::min(nearest2, d2);
+  });
+  return std::sqrt(nearest2);
 }
 
 std::vector<SurfaceNormal> surfaceNormals(std::span<const Vec3f> positions, std::span<const std::uint32_t> which, const CellBins& bins) {

@@ -23,6 +23,9 @@ struct CellBins {
 
 CellBins binParticles(std::span<const Vec3f> positions, float edge);
 
+/// Distance (m) to the nearest other particle within the bins' edge; infinite if there is none.
+float nearestNeighbour(std::span<const Vec3f> positions, const CellBins& bins, const Vec3f& from);
+
 /// Normal of the surface and how much of a surface there is: 0 inside a body or for a lone particle, 1 at a clear surface.
 struct SurfaceNormal { Vec3f normal; float strength = 0; };
 

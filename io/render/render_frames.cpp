@@ -1,0 +1,176 @@
+#include "io/render/render_frames.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+#include "io/render/annotate.hpp"
+#include "io/render/parallel_for.hpp"
+#include "io/render/surface_normals.hpp"
+
+namespace thaw {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What is common to all pictures, from a first reading of all frames.
+struct Survey {
+  ViewBox box;
+  double min = 1e300, max = -1e300;
+  std::string unit;
+  double lastTime = 0;
+  double spacing = 0;  ///< m, guessed; only where none is given
+};
+
+/// Median distance to the nearest neighbour of some of the particles: for frames that do not say how far apart they are.
+double guessSpacing(const std::vector<Vec3f>& positions, const ViewBox& box) {
+  const Vec3d size = box.max - box.min;
+  const double edge = std::cbrt(std::max(1e-18, size.x * size.y * size.z) / static_cast<double>(positions.size()));
+  const CellBins bins = binParticles(positions, static_cast<float>(1.5 * edge));
+  std::vector<float> nearest;
+  for (std::size_t i = 0; i < positions.size(); i += 1 + positions.size() / 400) {
+    const float d = nearestNeighbour(positions, bins, positions[i]);
+    if (std::isfinite(d)) nearest.push_back(d);
+  }
+  if (nearest.empty()) return edge;
+  std::nth_element(nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2), nearest.end());
+  return nearest[nearest.size() / 2];
+}
+
+Survey survey(const FrameJob& job, const ReadFrame& read) {
+  Survey s;
+  for (const fs::path& file : job.frames) {
+    const FrameView frame = read(file, job.field);
+    const ViewBox box = boxOfMost(frame.positions);
+    if (!box.empty()) s.box.add(box.min), s.box.add(box.max);
+    for (float v : frame.values)
+      if (std::isfinite(v)) s.min = std::min<double>(s.min, v), s.max = std::max<double>(s.max, v);
+    if (s.unit.empty()) s.unit = frame.unit;
+    s.lastTime = std::max(s.lastTime, frame.time);
+    if (s.spacing == 0 && !box.empty()) s.spacing = guessSpacing(frame.positions, box);
+  }
+  return s;
+}
+
+Vec3d moved(const std::vector<Keyframe>& motion, double time) {
+  if (motion.empty()) return {};
+  if (time <= motion.front().time) return motion.front().move;
+  for (std::size_t k = 1; k < motion.size(); k++)
+    if (time < motion[k].time) {
+      const double t = (time - motion[k - 1].time) / (motion[k].time - motion[k - 1].time);
+      return (1 - t) * motion[k - 1].move + t * motion[k].move;
+    }
+  return motion.back().move;
+}
+
+RenderStyle styleAt(const RenderStyle& common, const std::vector<StageObject>& objects, double time) {
+  RenderStyle style = common;
+  for (const StageObject& object : objects) {
+    if (time >= object.until) continue;
+    const Vec3d by = moved(object.motion, time);
+    if (object.floor) style.floors.push_back({object.floor->point + by, object.floor->normal});
+    if (object.glass) style.glasses.push_back({object.glass->shape, object.glass->move + by});
+  }
+  return style;
+}
+
+/// As many digits as tell frames apart.
+std::string timeLabel(double time, double last) {
+  const int digits = last > 0 ? std::clamp(3 - static_cast<int>(std::floor(std::log10(last))), 1, 9) : 3;
+  return fmt::format("{:.{}f} s", time, digits);
+}
+
+/// Frames that are on the sheet: the first, the last, and evenly between.
+std::vector<std::size_t> sheetFrames(std::size_t count, int cells) {
+  std::vector<std::size_t> chosen;
+  const std::size_t n = std::min(count, static_cast<std::size_t>(std::max(1, cells)));
+  for (std::size_t k = 0; k < n; k++) chosen.push_back(n == 1 ? count - 1 : (k * (count - 1) + (n - 1) / 2) / (n - 1));
+  return chosen;
+}
+
+/// The sheet, with the one colour bar of all pictures to the right.
+Image sheetWithBar(std::span<const Image> cells, std::span<const std::string> labels, int columns, const ColourScale* colours) {
+  const Image sheet = contactSheet(cells, columns, labels);
+  if (!colours) return sheet;
+  const Rgb ground = sheet.at(0, 0);
+  const int wide = std::min(std::max(150, cells[0].width / 2), 200), tall = std::min(sheet.height, 760);
+  Image bar(wide, tall, ground), all(sheet.width + wide, sheet.height, ground);
+  drawColourBar(bar, *colours);
+  paste(all, sheet, 0, 0);
+  paste(all, bar, sheet.width, 0);
+  return all;
+}
+
+}  // namespace
+
+ViewBox boxOfMost(const std::vector<Vec3f>& positions) {
+  ViewBox box;
+  std::vector<float> sorted;
+  sorted.reserve(positions.size());
+  for (int axis = 0; axis < 3; axis++) {
+    sorted.clear();
+    for (const Vec3f& p : positions)
+      if (std::isfinite(p[axis])) sorted.push_back(p[axis]);
+    if (sorted.empty()) return {};
+    const std::size_t cut = sorted.size() / 1000;
+    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(cut), sorted.end());
+    box.min[axis] = sorted[cut];
+    std::nth_element(sorted.begin(), sorted.end() - 1 - static_cast<std::ptrdiff_t>(cut), sorted.end());
+    box.max[axis] = sorted[sorted.size() - 1 - cut];
+  }
+  return box;
+}
+
+std::vector<fs::path> renderFrames(const FrameJob& job, const ReadFrame& read) {
+  if (job.frames.empty()) throw std::runtime_error("there are no frames to make pictures of");
+  const Survey common = survey(job, read);
+  RenderStyle style;
+  style.width = job.width;
+  style.height = job.height;
+  style.samples = job.samples;
+  style.stage = common.box;
+  style.camera = job.camera ? *job.camera : fittedCamera(common.box, static_cast<double>(job.width) / job.height);
+  style.spacing = job.spacing > 0 ? job.spacing : static_cast<float>(common.spacing);
+  const bool coloured = common.min <= common.max;
+  style.colours = {job.min.value_or(coloured ? common.min : 0), job.max.value_or(coloured ? common.max : 1), job.map, job.field, common.unit};
+  const float radius = job.radius * style.spacing;
+
+  fs::create_directories(job.out);
+  const int threads = job.threads > 0 ? job.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  const std::vector<std::size_t> chosen = job.sheet.empty() ? std::vector<std::size_t>{} : sheetFrames(job.frames.size(), job.cells);
+  std::vector<fs::path> written(job.frames.size());
+  std::vector<Image> cells(chosen.size());
+  std::vector<std::string> labels(chosen.size());
+  std::mutex reading;
+  parallelFor(job.frames.size(), threads, [&](std::size_t f) {
+    FrameView frame;
+    {
+      const std::lock_guard lock(reading);
+      frame = read(job.frames[f], job.field);
+    }
+    Image picture = render({frame.positions, frame.values, std::span<const float>(&radius, 1)}, styleAt(style, job.objects, frame.time));
+    const std::string label = timeLabel(frame.time, common.lastTime);
+    for (std::size_t k = 0; k < chosen.size(); k++)
+      if (chosen[k] == f) {
+        cells[k] = scaledDown(picture, 480, std::max(1, 480 * job.height / job.width));
+        labels[k] = label;
+      }
+    if (coloured) drawColourBar(picture, style.colours);
+    drawCaption(picture, job.title.empty() ? "t = " + label : job.title + "   t = " + label);
+    written[f] = job.out / job.frames[f].filename().replace_extension(".png");
+    writePng(picture, written[f]);
+  });
+  if (!job.sheet.empty()) {
+    if (job.sheet.has_parent_path()) fs::create_directories(job.sheet.parent_path());
+    writePng(sheetWithBar(cells, labels, job.columns, coloured ? &style.colours : nullptr), job.sheet);
+    written.push_back(job.sheet);
+  }
+  return written;
+}
+
+}  // namespace thaw

@@ -1,0 +1,58 @@
+// Pictures of many frames: the same camera and the same range of colours for all of them, several frames at once, and a contact sheet.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/render/render.hpp"
+
+namespace thaw {
+
+/// What a picture needs of a frame.
+struct FrameView {
+  double time = 0;               ///< s
+  std::int64_t step = 0;
+  std::vector<Vec3f> positions;  ///< m
+  std::vector<float> values;     ///< of the field asked for (length of a vector, Frobenius norm of a tensor); empty if there is none
+  std::string unit;              ///< of the values
+};
+
+/// Reads a frame's positions and one field; an empty name asks for positions alone. Throws std::runtime_error naming the file and the cause.
+/// Only called by one thread at a time: HDF5 is not thread-safe.
+using ReadFrame = std::function<FrameView(const std::filesystem::path& file, const std::string& field)>;
+
+/// Solid and floor that are in the picture until a time, moving along keyframes.
+struct StageObject {
+  std::optional<FloorHint> floor;
+  std::optional<GlassHint> glass;
+  std::vector<Keyframe> motion;
+  double until = never;          ///< s
+};
+
+struct FrameJob {
+  std::vector<std::filesystem::path> frames;  ///< in the order of time
+  std::filesystem::path out;                  ///< folder of the pictures, is made; a frame `a.hdf` gives `a.png`
+  std::filesystem::path sheet;                ///< file of the contact sheet; empty: none
+  int columns = 4, cells = 12;                ///< of the sheet: at most so many pictures, evenly spread over the frames
+  std::string title;                          ///< in each picture before the time
+  std::string field;                          ///< that colours; empty: all grey
+  std::optional<double> min, max;             ///< of the colours; without: the range over all frames
+  ColourMap map = ColourMap::Ember;
+  std::optional<Camera> camera;               ///< without: fitted to the particles of all frames
+  int width = 1280, height = 960, samples = 2;
+  float spacing = 0;                          ///< m
+  float radius = 0.7f;                        ///< of the spheres, in spacings
+  std::vector<StageObject> objects;
+  int threads = 0;                            ///< 0: one a core
+};
+
+/// Pictures written, in the order of the frames, the contact sheet last if there is one.
+std::vector<std::filesystem::path> renderFrames(const FrameJob& job, const ReadFrame& read);
+
+/// A camera range that stays: what is outside of the middle 99.8 % of all particles (drops that flew away) does not move the camera.
+ViewBox boxOfMost(const std::vector<Vec3f>& positions);
+
+}  // namespace thaw
