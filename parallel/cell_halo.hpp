@@ -3,19 +3,28 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/halo/cell_copies.hpp"
 #include "parallel/decomposition.hpp"
+#include "parallel/sparse_exchange.hpp"
 
 namespace thaw {
 
 struct BalanceRule {
   double threshold = 1.1;  ///< largest over mean cost above which a new partition is tried
   double gain = 0.95;      ///< it is taken if its imbalance is below this times the present one
+  int pause = 10;          ///< calls without effect after a new partition was tried (unless forced)
 };
 
-struct HaloTraffic { std::int64_t messages = 0, bytes = 0; };
+/// What this rank has sent so far, and the time it has waited for others (s).
+struct HaloTraffic {
+  std::int64_t messages = 0, bytes = 0;
+  double waited = 0;
+};
 
 class MpiCellHalo : public CellHalo {
  public:
+  /// Boxes of equal size; rebalance as soon as there are particles. Collective. The communicator must outlive this object.
+  /// Throws std::invalid_argument for a periodic axis of fewer than three cells, where images would overlap.
   MpiCellHalo(const Communicator& comm, const CellGrid& grid, const BalanceRule& rule = {});
 
   Migration migrate(Table& particles, std::span<const std::uint64_t> keys) override;
@@ -25,40 +34,44 @@ class MpiCellHalo : public CellHalo {
   void finishRefresh(Table& particles) override;
   bool rebalance(const CellTable& ownedCells, std::span<const double> cost, bool force) override;
   bool owns(std::uint64_t key) const override { return box_.contains(cellOfKey(key)); }
-  bool inner(std::uint64_t key) const override;
+  bool inner(std::uint64_t key) const override { return innerCell(grid_, box_, cellOfKey(key)); }
 
-  const std::vector<CellBox>& boxes() const { return boxes_; }
+  const std::vector<CellBox>& boxes() const { return partition_.boxes(); }
   const HaloTraffic& traffic() const { return traffic_; }
+  /// Largest over mean cost at the last call of rebalance, 1 before. After a change: of the new partition.
+  double imbalance() const { return imbalance_; }
 
  private:
-  /// Part of a neighbour's surroundings that lies in our box: these cells go there, moved by `shift` periods.
-  struct Link { CellBox region; Vec3i shift; };
   /// Everything exchanged with one rank (or, as images, with ourselves).
   struct Neighbour {
     int rank = 0;
-    std::vector<Link> links;
-    std::vector<std::uint64_t> keys;          // of the cells sent, as the receiver sees them
-    std::vector<std::uint32_t> counts, rows;  // particles of each cell; rows of all of them
-    std::vector<std::uint8_t> shift;          // index of the link of each row
-    std::size_t ghostFirst = 0, ghostCount = 0;  // rows received
-    std::vector<std::byte> out, in;
-    std::size_t sendRoom = 1 << 16, receiveRoom = 1 << 16;  // both ends keep the same figures
-    MPI_Request requests[2] = {MPI_REQUEST_NULL, MPI_REQUEST_NULL};
+    CellCopies copies;                           // what it gets from us
+    std::size_t ghostFirst = 0, ghostCount = 0;  // rows we got from it
+    std::vector<std::byte> out, in;              // never shrink
+    std::size_t sendRoom = 0, receiveRoom = 0;   // both ends keep the same figures
+    MPI_Request receive = MPI_REQUEST_NULL, send = MPI_REQUEST_NULL;
   };
-  void findNeighbours();
-  void listCells(const CellTable& cells);
-  void pack(Neighbour& n, std::span<AnyColumn* const> columns, std::byte* to) const;
-  void unpack(const Neighbour& n, const std::byte* from) const;
+  void usePartition(Partition partition);
+  void chooseColumns(std::span<AnyColumn* const> columns);
+  void sendGhosts(Neighbour& n, const CellTable& cells);
+  void receiveGhosts(Neighbour& n);
+  std::size_t appendCells(const Neighbour& n, CellTable& cells) const;
+  void send(Neighbour& n, std::size_t bytes, int tag);
 
   const Communicator& comm_;
   CellGrid grid_;
   BalanceRule rule_;
-  std::vector<CellBox> boxes_;
+  Partition partition_;
   CellBox box_;
   std::vector<Neighbour> neighbours_;
   std::vector<AnyColumn*> columns_;  // of the exchange under way
-  CellTable merged_;
-  std::vector<std::uint32_t> cellOrder_;
+  std::vector<std::uint32_t> boundary_;
+  GhostCellMerge merge_;
+  std::vector<Message> movers_;      // kept for their buffers
+  std::vector<int> messageTo_;       // for each rank the message under way to it, -1: none
+  Inbox inbox_;
+  int pause_ = 0;
+  double imbalance_ = 1;
   HaloTraffic traffic_;
 };
 

@@ -3,17 +3,30 @@
 #include <mpi.h>
 
 #include <cmath>
+#include <exception>
 
 #include "core/halo/halo.hpp"
 
 namespace thaw {
 
-/// MPI_Init and MPI_Finalize. Make one in main, before anything else of parallel/.
-struct MpiSession {
-  MpiSession(int* argc, char*** argv) { MPI_Init(argc, argv); }
-  ~MpiSession() { MPI_Finalize(); }
+/// MPI_Init and MPI_Finalize. Make one in main, before anything else of parallel/. Only the thread that made it may call MPI.
+/// Errors of MPI itself end the run on all ranks with MPI's message (MPI's default handler). An exception that leaves main's
+/// try block through this object ends all ranks too: the others would wait for this one for ever.
+class MpiSession {
+ public:
+  MpiSession(int* argc, char*** argv) : exceptions_(std::uncaught_exceptions()) {
+    int provided = 0;
+    MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &provided);
+  }
+  ~MpiSession() {
+    if (std::uncaught_exceptions() > exceptions_) MPI_Abort(MPI_COMM_WORLD, 1);
+    MPI_Finalize();
+  }
   MpiSession(const MpiSession&) = delete;
   MpiSession& operator=(const MpiSession&) = delete;
+
+ private:
+  int exceptions_;
 };
 
 /// A duplicate of a communicator, so that our messages meet nobody else's.
@@ -47,10 +60,12 @@ class MpiReducer : public Reducer {
   int size() const override { return comm_.size(); }
   void maximum(std::span<double> values) override {
     for (double& v : values)
-      if (v != v) v = HUGE_VAL;
+      if (std::isnan(v)) v = HUGE_VAL;
+    if (comm_.size() == 1) return;
     MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX, comm_.handle());
   }
   void sum(std::span<std::int64_t> values) override {
+    if (comm_.size() == 1) return;
     MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_INT64_T, MPI_SUM, comm_.handle());
   }
 

@@ -1,124 +1,201 @@
 #include "parallel/decomposition.hpp"
 
 #include <algorithm>
-#include <cstring>
-
-#include "parallel/sparse_exchange.hpp"
+#include <utility>
 
 namespace thaw {
 namespace {
 
-/// Ranks [first, first + count) share a box.
-struct Group { int first, count; CellBox box; };
+enum Tag { CellsTag = 10 };
 
-/// The position of the cut along an axis: the plane where the weight below it comes nearest to `target`, found by bisection of the
-/// position with one small reduction a level.
-int cutPosition(MPI_Comm comm, const std::vector<WeightedCell>& cells, int axis, int low, int high, std::int64_t target) {
-  const auto below = [&](int at) {
-    std::int64_t sum = 0;
-    for (const WeightedCell& c : cells)
-      if (c.cell[axis] < at) sum += c.weight;
-    MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_INT64_T, MPI_SUM, comm);
-    return sum;
-  };
-  int a = low, b = high;  // below(a) <= target
-  while (b - a > 1) {
-    const int middle = a + (b - a) / 2;
-    (below(middle) <= target ? a : b) = middle;
+/// Ranks [first, first + count) share a box; rank first + i of the run has number i in comm.
+struct Group { MPI_Comm comm; int first, count, self; CellBox box; };
+
+int leftOf(int count) { return count / 2; }
+
+/// Work that a plane of ghost cells costs, in planes of owned cells: a narrow box has more of them to its share.
+constexpr double ghostWork = 0.3;
+
+struct Cut { int axis, position; };
+
+struct Occupied { Vec3i low, high; std::int64_t total; };
+
+Occupied occupied(const Group& g, const std::vector<WeightedCell>& cells) {
+  Occupied o{};
+  std::int64_t bounds[6];
+  for (std::int64_t& b : bounds) b = INT64_MIN;
+  for (const WeightedCell& c : cells) {
+    o.total += c.weight;
+    for (int a = 0; a < 3; a++) {
+      bounds[a] = std::max<std::int64_t>(bounds[a], -c.cell[a]);
+      bounds[3 + a] = std::max<std::int64_t>(bounds[3 + a], c.cell[a] + 1);
+    }
   }
-  const std::int64_t underA = target - below(a), overB = below(b) - target;
-  return overB < underA ? b : a;
+  MPI_Allreduce(MPI_IN_PLACE, bounds, 6, MPI_INT64_T, MPI_MAX, g.comm);
+  MPI_Allreduce(MPI_IN_PLACE, &o.total, 1, MPI_INT64_T, MPI_SUM, g.comm);
+  for (int a = 0; a < 3 && o.total > 0; a++) {
+    o.low[a] = static_cast<int>(-bounds[a]);
+    o.high[a] = static_cast<int>(bounds[3 + a]);
+  }
+  return o;
+}
+
+/// Weight below a plane across each axis.
+void weightBelow(const Group& g, const std::vector<WeightedCell>& cells, const Vec3i& plane, std::int64_t (&sum)[3]) {
+  for (int a = 0; a < 3; a++) {
+    sum[a] = 0;
+    for (const WeightedCell& c : cells) sum[a] += c.cell[a] < plane[a] ? c.weight : 0;
+  }
+  MPI_Allreduce(MPI_IN_PLACE, sum, 3, MPI_INT64_T, MPI_SUM, g.comm);
+}
+
+// For each axis the plane is found that shares the weight best, by bisection of its position: one small reduction a level for all
+// three, whatever the length of the grid. Then the axis where the larger part, with its ghosts, has least to do.
+Cut findCut(const Group& g, const std::vector<WeightedCell>& cells) {
+  const int left = leftOf(g.count);
+  const Occupied o = occupied(g, cells);
+  if (o.total == 0) {
+    Cut cut{0, 0};
+    for (int a = 1; a < 3; a++)
+      if (g.box.max[a] - g.box.min[a] > g.box.max[cut.axis] - g.box.min[cut.axis]) cut.axis = a;
+    const std::int64_t length = std::max(0, g.box.max[cut.axis] - g.box.min[cut.axis]);
+    cut.position = g.box.min[cut.axis] + static_cast<int>(length * left / g.count);
+    return cut;
+  }
+  const std::int64_t target = static_cast<std::int64_t>(static_cast<double>(o.total) * left / g.count);
+  Vec3i a = o.low, b = o.high;  // weight below a <= target < weight below b
+  std::int64_t belowA[3] = {0, 0, 0}, belowB[3] = {o.total, o.total, o.total}, sum[3];
+  const auto wide = [&] { return b.x - a.x > 1 || b.y - a.y > 1 || b.z - a.z > 1; };
+  while (wide()) {
+    Vec3i middle;
+    for (int k = 0; k < 3; k++) middle[k] = a[k] + (b[k] - a[k]) / 2;
+    weightBelow(g, cells, middle, sum);
+    for (int k = 0; k < 3; k++) {
+      if (sum[k] <= target) a[k] = middle[k], belowA[k] = sum[k];
+      else b[k] = middle[k], belowB[k] = sum[k];
+    }
+  }
+  Cut best{0, 0};
+  double least = 0;
+  for (int k = 0; k < 3; k++) {
+    const bool upper = belowB[k] - target < target - belowA[k];
+    const double below = static_cast<double>(upper ? belowB[k] : belowA[k]), total = static_cast<double>(o.total);
+    const double largest = std::max(below / left, (total - below) / (g.count - left)) * g.count / total;
+    const double work = largest + 2 * ghostWork / (o.high[k] - o.low[k]);
+    if (k == 0 || work < least) {
+      least = work;
+      best = {k, upper ? b[k] : a[k]};
+    }
+  }
+  return best;
+}
+
+void sendCells(const Group& g, const std::vector<WeightedCell>& give, int to, std::vector<MPI_Request>& requests) {
+  requests.emplace_back();
+  MPI_Isend(give.data(), static_cast<int>(give.size()) * static_cast<int>(sizeof(WeightedCell)), MPI_BYTE, to, CellsTag, g.comm, &requests.back());
+}
+
+void receiveCells(const Group& g, int from, std::vector<WeightedCell>& cells) {
+  MPI_Status status;
+  MPI_Probe(from, CellsTag, g.comm, &status);
+  int bytes = 0;
+  MPI_Get_count(&status, MPI_BYTE, &bytes);
+  const std::size_t at = cells.size();
+  cells.resize(at + static_cast<std::size_t>(bytes) / sizeof(WeightedCell));
+  MPI_Recv(cells.data() + at, bytes, MPI_BYTE, from, CellsTag, g.comm, MPI_STATUS_IGNORE);
+}
+
+/// Cells go to the half that will own them. Every rank sends to one partner in the other half, so all know whom to expect.
+void exchangeHalves(const Group& g, const Cut& cut, std::vector<WeightedCell>& cells) {
+  const int left = leftOf(g.count), right = g.count - left;
+  const bool mineIsLeft = g.self < left;
+  std::vector<WeightedCell> keep, give;
+  for (const WeightedCell& c : cells) ((c.cell[cut.axis] < cut.position) == mineIsLeft ? keep : give).push_back(c);
+  const auto partner = [&](int i) { return i < left ? left + i % right : (i - left) % left; };
+  std::vector<MPI_Request> requests;
+  sendCells(g, give, partner(g.self), requests);
+  for (int i = mineIsLeft ? left : 0; i < (mineIsLeft ? g.count : left); i++)
+    if (partner(i) == g.self) receiveCells(g, i, keep);
+  MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+  cells = std::move(keep);
+}
+
+CellBox united(const CellBox& a, const CellBox& b) {
+  if (a.empty()) return b;
+  if (b.empty()) return a;
+  CellBox u;
+  for (int k = 0; k < 3; k++) {
+    u.min[k] = std::min(a.min[k], b.min[k]);
+    u.max[k] = std::max(a.max[k], b.max[k]);
+  }
+  return u;
 }
 
 }  // namespace
 
 std::vector<CellBox> bisect(const Communicator& comm, const CellGrid& grid, std::vector<WeightedCell> cells, std::int64_t* ownWeight) {
-  Group group{0, comm.size(), {{0, 0, 0}, grid.cells}};
-  MPI_Comm level;
-  MPI_Comm_dup(comm.handle(), &level);
-  while (group.count > 1) {
-    std::int64_t bounds[6] = {INT64_MIN, INT64_MIN, INT64_MIN, INT64_MIN, INT64_MIN, INT64_MIN}, total = 0;
-    for (const WeightedCell& c : cells) {
-      total += c.weight;
-      for (int a = 0; a < 3; a++) {
-        bounds[a] = std::max<std::int64_t>(bounds[a], -c.cell[a]);
-        bounds[3 + a] = std::max<std::int64_t>(bounds[3 + a], c.cell[a] + 1);
-      }
-    }
-    MPI_Allreduce(MPI_IN_PLACE, bounds, 6, MPI_INT64_T, MPI_MAX, level);
-    MPI_Allreduce(MPI_IN_PLACE, &total, 1, MPI_INT64_T, MPI_SUM, level);
-    int axis = 0, low = 0, high = 0;
-    for (int a = 0; a < 3; a++) {
-      const bool occupied = total > 0;
-      const int l = occupied ? static_cast<int>(-bounds[a]) : group.box.min[a], h = occupied ? static_cast<int>(bounds[3 + a]) : group.box.max[a];
-      if (a == 0 || h - l > high - low) axis = a, low = l, high = h;
-    }
-    const int left = group.count / 2;
-    int cut = low + static_cast<int>(static_cast<std::int64_t>(high - low) * left / group.count);
-    if (total > 0) cut = cutPosition(level, cells, axis, low, high, static_cast<std::int64_t>(static_cast<double>(total) * left / group.count));
-    // cells go to a rank of the half that owns them, spread evenly
-    const bool mineIsLeft = comm.rank() < group.first + left;
-    std::vector<Message> out;
-    std::vector<WeightedCell> keep, give;
-    for (const WeightedCell& c : cells) ((c.cell[axis] < cut) == mineIsLeft ? keep : give).push_back(c);
-    MPI_Comm_free(&level);
-    if (!give.empty()) {
-      const int first = mineIsLeft ? group.first + left : group.first, count = mineIsLeft ? group.count - left : left;
-      Message m;
-      m.rank = first + (comm.rank() - group.first) % count;
-      m.bytes.resize(give.size() * sizeof(WeightedCell));
-      std::memcpy(m.bytes.data(), give.data(), m.bytes.size());
-      out.push_back(std::move(m));
-    }
-    // every rank of the run is at the same depth or done: ranks that are done take part in the loop below
-    for (const Message& m : sparseExchange(comm, out, 101)) {
-      const std::size_t n = m.bytes.size() / sizeof(WeightedCell), at = keep.size();
-      keep.resize(at + n);
-      std::memcpy(keep.data() + at, m.bytes.data(), m.bytes.size());
-    }
-    cells = std::move(keep);
+  Group g{MPI_COMM_NULL, 0, comm.size(), comm.rank(), {{0, 0, 0}, grid.cells}};
+  MPI_Comm_dup(comm.handle(), &g.comm);
+  while (g.count > 1) {
+    const Cut cut = findCut(g, cells);
+    exchangeHalves(g, cut, cells);
+    const int left = leftOf(g.count);
+    const bool mineIsLeft = g.self < left;
+    MPI_Comm half;
+    MPI_Comm_split(g.comm, mineIsLeft ? 0 : 1, g.self, &half);
+    MPI_Comm_free(&g.comm);
+    g.comm = half;
     if (mineIsLeft) {
-      group.count = left;
-      group.box.max[axis] = cut;
+      g.count = left;
+      g.box.max[cut.axis] = cut.position;
     } else {
-      group.first += left;
-      group.count -= left;
-      group.box.min[axis] = cut;
-    }
-    MPI_Comm_split(comm.handle(), group.first, comm.rank(), &level);
-  }
-  // ranks reach their single box at different depths: keep the others' collective calls company
-  int depth = 0, deepest = 0;
-  for (int n = comm.size(); n > 1; n = n - n / 2) deepest++;
-  {
-    Group g{0, comm.size(), {}};
-    while (g.count > 1) {
-      const int left = g.count / 2;
-      if (comm.rank() < g.first + left) g.count = left;
-      else g.first += left, g.count -= left;
-      depth++;
+      g.first += left;
+      g.self -= left;
+      g.count -= left;
+      g.box.min[cut.axis] = cut.position;
     }
   }
-  for (; depth < deepest; depth++) {
-    MPI_Comm_free(&level);
-    sparseExchange(comm, {}, 101);
-    MPI_Comm_split(comm.handle(), group.first, comm.rank(), &level);
-  }
-  MPI_Comm_free(&level);
+  MPI_Comm_free(&g.comm);
   if (ownWeight != nullptr) {
     *ownWeight = 0;
     for (const WeightedCell& c : cells) *ownWeight += c.weight;
   }
   std::vector<CellBox> boxes(static_cast<std::size_t>(comm.size()));
-  MPI_Allgather(&group.box, sizeof(CellBox), MPI_BYTE, boxes.data(), sizeof(CellBox), MPI_BYTE, comm.handle());
+  MPI_Allgather(&g.box, sizeof(CellBox), MPI_BYTE, boxes.data(), sizeof(CellBox), MPI_BYTE, comm.handle());
   return boxes;
 }
 
-int ownerOf(std::span<const CellBox> boxes, const Vec3i& cell, int guess) {
-  if (boxes[static_cast<std::size_t>(guess)].contains(cell)) return guess;
-  for (std::size_t r = 0; r < boxes.size(); r++)
-    if (boxes[r].contains(cell)) return static_cast<int>(r);
-  return -1;
+Partition::Partition(std::vector<CellBox> boxes) : boxes_(std::move(boxes)) {
+  std::size_t nodes = 1;
+  for (std::size_t n = boxes_.size(); n > 1; n -= n / 2) nodes = 2 * nodes + 1;
+  tree_.resize(nodes);
+  cover(0, 0, static_cast<int>(boxes_.size()));
+}
+
+CellBox Partition::cover(std::size_t node, int first, int count) {
+  const int left = leftOf(count);
+  if (count == 1) return tree_[node] = boxes_[static_cast<std::size_t>(first)];
+  const CellBox low = cover(2 * node + 1, first, left), high = cover(2 * node + 2, first + left, count - left);
+  return tree_[node] = united(low, high);
+}
+
+int Partition::owner(const Vec3i& cell, int guess) const {
+  if (boxes_[static_cast<std::size_t>(guess)].contains(cell)) return guess;
+  if (!tree_[0].contains(cell)) return -1;
+  std::size_t node = 0;
+  int first = 0, count = static_cast<int>(boxes_.size());
+  while (count > 1) {
+    const int left = leftOf(count);
+    if (tree_[2 * node + 1].contains(cell)) {
+      node = 2 * node + 1;
+      count = left;
+    } else {
+      node = 2 * node + 2;
+      first += left;
+      count -= left;
+    }
+  }
+  return first;
 }
 
 }  // namespace thaw

@@ -5,19 +5,35 @@
 
 namespace thaw {
 
-std::vector<Message> sparseExchange(const Communicator& comm, const std::vector<Message>& out, int kind) {
+Message& Inbox::add(int rank, std::size_t n) {
+  if (used_ == pool_.size()) pool_.emplace_back();
+  Message& m = pool_[used_++];
+  m.rank = rank;
+  m.bytes.resize(n);
+  return m;
+}
+
+void Inbox::sort() {  // by insertion: few messages, no buffer
+  for (std::size_t k = 1; k < used_; k++)
+    for (std::size_t j = k; j > 0 && pool_[j].rank < pool_[j - 1].rank; j--) std::swap(pool_[j], pool_[j - 1]);
+}
+
+void sparseExchange(const Communicator& comm, std::span<const Message> out, Inbox& in, int kind) {
+  for (const Message& m : out)
+    if (m.bytes.size() > largestMessage) throw std::length_error("a message of more than 1 GiB between two ranks");
   const int tag = comm.nextTag(kind);
-  std::vector<Message> in;
+  in.clear();
   std::vector<MPI_Request> sends;
   for (const Message& m : out) {
-    if (m.bytes.size() > (1u << 30)) throw std::length_error("a message of more than 1 GiB between two ranks");
+    if (m.bytes.empty()) continue;
     if (m.rank == comm.rank()) {
-      in.push_back(m);
+      std::copy(m.bytes.begin(), m.bytes.end(), in.add(m.rank, m.bytes.size()).bytes.begin());
       continue;
     }
     sends.emplace_back();
     MPI_Issend(m.bytes.data(), static_cast<int>(m.bytes.size()), MPI_BYTE, m.rank, tag, comm.handle(), &sends.back());
   }
+  if (comm.size() == 1) return;
   MPI_Request barrier = MPI_REQUEST_NULL;
   bool waiting = false;
   for (;;) {
@@ -28,8 +44,8 @@ std::vector<Message> sparseExchange(const Communicator& comm, const std::vector<
     if (found) {
       int bytes = 0;
       MPI_Get_count(&status, MPI_BYTE, &bytes);
-      in.push_back({status.MPI_SOURCE, std::vector<std::byte>(static_cast<std::size_t>(bytes))});
-      MPI_Mrecv(in.back().bytes.data(), bytes, MPI_BYTE, &handle, MPI_STATUS_IGNORE);
+      Message& m = in.add(status.MPI_SOURCE, static_cast<std::size_t>(bytes));
+      MPI_Mrecv(m.bytes.data(), bytes, MPI_BYTE, &handle, MPI_STATUS_IGNORE);
     }
     int done = 0;
     if (!waiting) {
@@ -43,8 +59,13 @@ std::vector<Message> sparseExchange(const Communicator& comm, const std::vector<
       if (done) break;
     }
   }
-  std::stable_sort(in.begin(), in.end(), [](const Message& a, const Message& b) { return a.rank < b.rank; });
-  return in;
+  in.sort();
+}
+
+std::vector<Message> sparseExchange(const Communicator& comm, const std::vector<Message>& out, int kind) {
+  Inbox in;
+  sparseExchange(comm, out, in, kind);
+  return {in.messages().begin(), in.messages().end()};
 }
 
 }  // namespace thaw

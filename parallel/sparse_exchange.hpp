@@ -1,6 +1,7 @@
 // Messages of any size to a few ranks, without anybody knowing how many to expect (NBX: Hoefler, Siebert, Lumsdaine 2010).
 #pragma once
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "parallel/communicator.hpp"
@@ -12,8 +13,30 @@ struct Message {
   std::vector<std::byte> bytes;
 };
 
-/// Sends each message; returns what came in, ascending by sender (several from one sender in the order sent). Messages to
-/// oneself are allowed. kind: a number of the purpose. Collective over the communicator. Messages above 1 GiB are not split: throws std::length_error.
+/// Messages that came in. Their buffers are used again at the next exchange.
+class Inbox {
+ public:
+  std::span<const Message> messages() const { return {pool_.data(), used_}; }
+  void clear() { used_ = 0; }
+  /// A message of n bytes behind those that are there.
+  Message& add(int rank, std::size_t n);
+  /// Ascending by sender; messages of one sender stay in their order.
+  void sort();
+
+ private:
+  std::vector<Message> pool_;
+  std::size_t used_ = 0;
+};
+
+/// Largest message. Larger ones are not split but refused; senders begin a new one before.
+inline constexpr std::size_t largestMessage = std::size_t{1} << 30;
+
+/// Sends each message that is not empty; `in` is what came in, ascending by sender (several from one sender in the order sent).
+/// Messages to oneself are allowed. kind: a number of the purpose, the same on all ranks. Collective over the communicator.
+/// Throws std::length_error for a message above largestMessage.
+void sparseExchange(const Communicator& comm, std::span<const Message> out, Inbox& in, int kind);
+
+/// The same with fresh buffers.
 std::vector<Message> sparseExchange(const Communicator& comm, const std::vector<Message>& out, int kind);
 
 }  // namespace thaw

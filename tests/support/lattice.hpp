@@ -8,13 +8,9 @@
 #include "core/neighbours/sort.hpp"
 #include "core/setup/make_grid.hpp"
 #include "core/simd/pair_kernels.hpp"
+#include "tests/support/hashed.hpp"
 
 namespace thaw::test {
-
-inline double hashed(std::uint64_t x) {  // in [0, 1)
-  x ^= x >> 33; x *= 0xff51afd7ed558ccdull; x ^= x >> 33; x *= 0xc4ceb9fe1a85ec53ull; x ^= x >> 33;
-  return static_cast<double>(x >> 11) * 0x1p-53;
-}
 
 /// n^3 liquid particles of one material, spacing s, moved by up to jitter * s along each axis.
 struct Block {

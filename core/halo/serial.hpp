@@ -1,0 +1,41 @@
+// The halos of a single process: nobody to talk to, but periodic images of its own cells. For tests and tools without MPI.
+#pragma once
+#include "core/halo/cell_copies.hpp"
+#include "core/halo/halo.hpp"
+
+namespace thaw {
+
+class SerialReducer : public Reducer {
+ public:
+  int rank() const override { return 0; }
+  int size() const override { return 1; }
+  /// NaN becomes +infinity, as over MPI.
+  void maximum(std::span<double> values) override;
+  void sum(std::span<std::int64_t>) override {}
+};
+
+class SerialCellHalo : public CellHalo {
+ public:
+  /// Throws std::invalid_argument for a periodic axis of fewer than three cells, where images would overlap.
+  explicit SerialCellHalo(const CellGrid& grid);
+
+  Migration migrate(Table&, std::span<const std::uint64_t>) override { return {}; }
+  void beginGhosts(Table& particles, const CellTable& cells, std::span<AnyColumn* const> columns) override;
+  void finishGhosts(Table& particles, CellTable& cells) override;
+  void beginRefresh(Table& particles, std::span<AnyColumn* const> columns) override;
+  void finishRefresh(Table& particles) override;
+  bool rebalance(const CellTable&, std::span<const double>, bool) override { return false; }
+  bool owns(std::uint64_t key) const override { return box_.contains(cellOfKey(key)); }
+  bool inner(std::uint64_t key) const override { return innerCell(grid_, box_, cellOfKey(key)); }
+
+ private:
+  CellGrid grid_;
+  CellBox box_;
+  CellCopies images_;
+  std::vector<std::uint32_t> boundary_;
+  std::vector<AnyColumn*> columns_;  // of the exchange under way
+  std::vector<std::byte> packed_;
+  GhostCellMerge merge_;
+};
+
+}  // namespace thaw

@@ -1,0 +1,63 @@
+#include "parallel/sparse_exchange.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tests/support/hashed.hpp"
+
+using namespace thaw;
+using thaw::test::hashed;
+
+namespace {
+
+/// Number of messages from one rank to another in a round (mostly none), and their sizes; every rank works out all of it.
+int messagesBetween(int from, int to, int round) { return static_cast<int>(hashed(static_cast<std::uint64_t>(round * 10007 + from * 101 + to)) * 5) - 2; }
+std::size_t sizeOf(int from, int to, int round, int k) {
+  const double u = hashed(static_cast<std::uint64_t>(((round * 64 + from) * 64 + to) * 8 + k));
+  return 1 + static_cast<std::size_t>(u < 0.1 ? u * 3e6 : u * 500);
+}
+std::byte content(std::size_t i, int from, int k) { return static_cast<std::byte>((i * 7 + static_cast<std::size_t>(from * 31 + k * 5)) & 255); }
+
+}  // namespace
+
+TEST(SparseExchange, EverythingArrivesInOrderOfSenders) {
+  const Communicator comm;
+  Inbox in;
+  for (int round = 0; round < 60; round++) {
+    std::vector<Message> out;
+    for (int to = comm.size() - 1; to >= 0; to--)
+      for (int k = 0; k < messagesBetween(comm.rank(), to, round); k++) {
+        Message m{to, std::vector<std::byte>(sizeOf(comm.rank(), to, round, k))};
+        for (std::size_t i = 0; i < m.bytes.size(); i++) m.bytes[i] = content(i, comm.rank(), k);
+        out.push_back(std::move(m));
+      }
+    out.push_back({(comm.rank() + 1) % comm.size(), {}});  // empty: not sent
+    sparseExchange(comm, out, in, 1 + round % 3);
+    std::size_t at = 0;
+    for (int from = 0; from < comm.size(); from++)
+      for (int k = 0; k < messagesBetween(from, comm.rank(), round); k++, at++) {
+        ASSERT_LT(at, in.messages().size());
+        const Message& m = in.messages()[at];
+        ASSERT_EQ(m.rank, from);
+        ASSERT_EQ(m.bytes.size(), sizeOf(from, comm.rank(), round, k));
+        for (std::size_t i = 0; i < m.bytes.size(); i++) ASSERT_EQ(m.bytes[i], content(i, from, k));
+      }
+    ASSERT_EQ(at, in.messages().size());
+  }
+}
+
+TEST(MpiReducer, MaximumAndSumOverAllRanks) {
+  const Communicator comm;
+  MpiReducer all(comm);
+  double values[3] = {static_cast<double>(comm.rank()), -static_cast<double>(comm.rank()), 1};
+  if (comm.rank() == comm.size() / 2) values[2] = std::numeric_limits<double>::quiet_NaN();
+  all.maximum(values);
+  EXPECT_EQ(values[0], comm.size() - 1);
+  EXPECT_EQ(values[1], 0);
+  EXPECT_EQ(values[2], std::numeric_limits<double>::infinity());
+  std::int64_t sums[2] = {comm.rank() + 1, std::int64_t{1} << 55};
+  all.sum(sums);
+  EXPECT_EQ(sums[0], comm.size() * (comm.size() + 1) / 2);
+  EXPECT_EQ(sums[1], comm.size() * (std::int64_t{1} << 55));
+}
