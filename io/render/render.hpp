@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/geometry/signed_distance.hpp"
+#include "core/math/mat3.hpp"
 #include "io/render/colour_map.hpp"
 #include "io/render/image.hpp"
 #include "io/render/view.hpp"
@@ -26,7 +27,8 @@ struct FloorHint {
 /// A solid thing drawn as if of clear glass.
 struct GlassHint {
   std::shared_ptr<const SignedDistance> shape;
-  Vec3d move{};                      ///< m, of the shape from where its signed distance has it
+  Mat3d turn = identity3<double>();  ///< pose: x = move + turn x_shape
+  Vec3d move{};                      ///< m
 };
 
 struct RenderStyle {

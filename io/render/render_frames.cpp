@@ -57,26 +57,17 @@ Survey survey(const FrameJob& job, const ReadFrame& read) {
   return s;
 }
 
-Vec3d moved(const std::vector<Keyframe>& motion, double time) {
-  if (motion.empty()) return {};
-  if (time <= motion.front().time) return motion.front().move;
-  for (std::size_t k = 1; k < motion.size(); k++)
-    if (time < motion[k].time) {
-      const double t = (time - motion[k - 1].time) / (motion[k].time - motion[k - 1].time);
-      return (1 - t) * motion[k - 1].move + t * motion[k].move;
-    }
-  return motion.back().move;
-}
-
-RenderStyle styleAt(const RenderStyle& common, const std::vector<StageObject>& objects, double time) {
-  RenderStyle style = common;
-  for (const StageObject& object : objects) {
-    if (time >= object.until) continue;
-    const Vec3d by = moved(object.motion, time);
-    if (object.floor) style.floors.push_back({object.floor->point + by, object.floor->normal});
-    if (object.glass) style.glasses.push_back({object.glass->shape, object.glass->move + by});
+/// The plane that a wall is, if it is one: infinite and everywhere of one normal.
+std::optional<FloorHint> planeOf(const Wall& wall) {
+  const Bounds box = wall.shape->bounds();
+  if (std::isfinite(length(box.max - box.min))) return std::nullopt;
+  Vec3d normal, other;
+  const double away = wall.shape->distance({}, &normal);
+  for (const Vec3d& x : {Vec3d{1e3, 0, 0}, Vec3d{-1e3, 10, 7}, Vec3d{0, -1e3, 1e3}, Vec3d{3, 4, -1e3}}) {
+    wall.shape->distance(x, &other);
+    if (length(other - normal) > 1e-9) return std::nullopt;
   }
-  return style;
+  return FloorHint{wall.move - away * (wall.turn * normal), wall.turn * normal};
 }
 
 /// As many digits as tell frames apart.
@@ -107,6 +98,17 @@ Image sheetWithBar(std::span<const Image> cells, std::span<const std::string> la
 }
 
 }  // namespace
+
+void addWalls(const Walls& walls, double time, RenderStyle& style) {
+  Walls now = walls;
+  moveWalls(now, time);
+  for (const Wall& wall : now.list) {
+    if (!wall.present) continue;
+    if (const auto plane = planeOf(wall); plane && plane->normal.z > 0.34) style.floors.push_back(*plane);
+    const Bounds box = wall.shape->bounds();
+    if (std::isfinite(length(box.max - box.min))) style.glasses.push_back({wall.shape, wall.turn, wall.move});
+  }
+}
 
 ViewBox boxOfMost(const std::vector<Vec3f>& positions) {
   ViewBox box;
@@ -153,7 +155,9 @@ std::vector<fs::path> renderFrames(const FrameJob& job, const ReadFrame& read) {
       const std::lock_guard lock(reading);
       frame = read(job.frames[f], job.field);
     }
-    Image picture = render({frame.positions, frame.values, std::span<const float>(&radius, 1)}, styleAt(style, job.objects, frame.time));
+    RenderStyle now = style;
+    addWalls(job.walls, frame.time, now);
+    Image picture = render({frame.positions, frame.values, std::span<const float>(&radius, 1)}, now);
     const std::string label = timeLabel(frame.time, common.lastTime);
     for (std::size_t k = 0; k < chosen.size(); k++)
       if (chosen[k] == f) {

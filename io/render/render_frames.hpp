@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/walls/walls.hpp"
 #include "io/render/render.hpp"
 
 namespace thaw {
@@ -14,7 +15,6 @@ namespace thaw {
 /// What a picture needs of a frame.
 struct FrameView {
   double time = 0;               ///< s
-  std::int64_t step = 0;
   std::vector<Vec3f> positions;  ///< m
   std::vector<float> values;     ///< of the field asked for (length of a vector, Frobenius norm of a tensor); empty if there is none
   std::string unit;              ///< of the values
@@ -23,14 +23,6 @@ struct FrameView {
 /// Reads a frame's positions and one field; an empty name asks for positions alone. Throws std::runtime_error naming the file and the cause.
 /// Only called by one thread at a time: HDF5 is not thread-safe.
 using ReadFrame = std::function<FrameView(const std::filesystem::path& file, const std::string& field)>;
-
-/// Solid and floor that are in the picture until a time, moving along keyframes.
-struct StageObject {
-  std::optional<FloorHint> floor;
-  std::optional<GlassHint> glass;
-  std::vector<Keyframe> motion;
-  double until = never;          ///< s
-};
 
 struct FrameJob {
   std::vector<std::filesystem::path> frames;  ///< in the order of time
@@ -45,12 +37,15 @@ struct FrameJob {
   int width = 1280, height = 960, samples = 2;
   float spacing = 0;                          ///< m
   float radius = 0.7f;                        ///< of the spheres, in spacings
-  std::vector<StageObject> objects;
+  Walls walls;                                ///< at their rest poses: planes become floors, other things glass
   int threads = 0;                            ///< 0: one a core
 };
 
 /// Pictures written, in the order of the frames, the contact sheet last if there is one.
 std::vector<std::filesystem::path> renderFrames(const FrameJob& job, const ReadFrame& read);
+
+/// Adds what is there of the walls at a time (s). Planes that lean by more than 70 degrees are left out: they would hide the scene.
+void addWalls(const Walls& walls, double time, RenderStyle& style);
 
 /// A camera range that stays: what is outside of the middle 99.8 % of all particles (drops that flew away) does not move the camera.
 ViewBox boxOfMost(const std::vector<Vec3f>& positions);
