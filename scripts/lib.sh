@@ -80,12 +80,14 @@ openMpiSettings() {
   export OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
 }
 
-# onRanks N COMMAND...: under mpirun, or by itself for one rank. Returns the command's exit code.
+# Exits with 2 unless the argument can be a number of ranks.
+checkRanks() { [[ $1 =~ ^[1-9][0-9]{0,6}$ ]] || { say "$(basename "$0"): the number of ranks must be a positive whole number, not '$1'"; exit 2; }; }
+
+# onRanks N COMMAND...: under mpirun. Returns the command's exit code.
 onRanks() {
   local n=$1
   shift
-  [[ $n =~ ^[1-9][0-9]*$ ]] || fail "the number of ranks must be a positive whole number, not '$n'"
   openMpiSettings
   if [ "$n" -gt "$(cores)" ]; then export OMPI_MCA_mpi_yield_when_idle=1; fi
-  mpirun -n "$n" "$@"
+  mpirun -q -n "$n" "$@"
 }
