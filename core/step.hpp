@@ -3,12 +3,16 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/domain/emit.hpp"
 #include "core/fluid/records.hpp"
 #include "core/halo/halo.hpp"
 #include "core/neighbours/search.hpp"
 #include "core/neighbours/sort.hpp"
 #include "core/simd/pair_kernels.hpp"
+#include "core/solid/elastic.hpp"
+#include "core/time/limits.hpp"
 #include "core/time/phase_times.hpp"
+#include "core/walls/wall_forces.hpp"
 #include "core/world.hpp"
 
 namespace thaw {
@@ -20,18 +24,59 @@ struct Halos {
   BondHalo& bonds;
 };
 
-/// What a step works in and with; made once, reused in every step.
+/// What a step works with; made once (makeTools), reused in every step. Nothing of it is part of the state.
 struct StepTools {
   const PairKernels* kernels = nullptr;
   std::vector<LiquidMaterial> liquids;
+  StepLimits fixedLimits;            ///< of materials
+  std::vector<EmitterPlan> emitters;
   WallTables wallTables;
+  double fillingScale = 1;           ///< 1 / (h^3 times the lattice sum): filling is 1 on the scene's lattice
   SortBuffers sort;
   SearchBuffers search;
   PairRecords records;
   std::vector<std::uint8_t> inner, liquidCells;
+  std::size_t ghostRoom = 1024;      ///< rows kept for ghosts between the owned rows and the dummy
   ClosePairs closePairs;
   WallContacts wallContacts;
+  ElasticWork elastic;
+  std::vector<BondRequest> requests;
+  std::vector<std::uint32_t> leaving;
   PhaseTimes times;
+  // from one step to the next; found again after a restart
+  bool bondsAtStart = false;         ///< the next evaluation bonds the solids of the scene
+  bool emitFirst = false;            ///< the next evaluation also emits what leaves at time 0
+  bool phaseChangedHere = false;     ///< on this rank, since the last relink
+  bool frozeAnywhere = false;        ///< some particle of some rank has just frozen
+  double mass = 0;                   ///< kg, of all ranks
+  double maxStretch2 = 1;            ///< square of the largest stretch of this rank
 };
+
+/// What all ranks agree on after a step.
+struct StepOutcome {
+  Limit limitedBy = Limit::Scene;
+  bool stop = false;                 ///< some rank asked to stop
+  bool finite = true;                ///< false: some value is not; on the rank that has it `bad` is its row
+  bool badHere = false;
+  std::size_t bad = 0;
+};
+
+/// Everything that a scene needs, made ready. Throws std::runtime_error (one sentence) for what cannot be simulated.
+StepTools makeTools(const World& world);
+
+/// Forces, heat flows and all else that follows from positions, velocities and temperatures; migrates, sorts and finds neighbours
+/// first. dt (s) is the step that led here, 0 at the start.
+/// Needs: particles in any order, on any rank. Guarantees: each on the rank that owns its cell, sorted by (cell, id).
+void evaluate(World& world, Halos halos, StepTools& tools, double dt);
+
+/// The next step's dt, from all ranks' limits, into the clock. Collective.
+StepOutcome vote(World& world, Halos halos, StepTools& tools, StepOutcome here, bool stopWanted);
+
+/// One leap-frog step of Clock::dt, cut to hit the next frame time. Needs accelerations: evaluate and vote once before the first
+/// step. Collective; the same bits on any number of ranks.
+StepOutcome step(World& world, Halos halos, StepTools& tools, bool stopWanted);
+
+/// kg of all ranks, exact. Collective.
+double totalMass(const World& world, Reducer& all);
 
 }  // namespace thaw

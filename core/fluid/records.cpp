@@ -92,4 +92,15 @@ void packPressure(const RecordContext& x, Continuum& p, std::size_t begin, std::
   x.scene.numerics.precision == Precision::Double ? packPressureAs<double>(x, p, begin, end, r) : packPressureAs<float>(x, p, begin, end, r);
 }
 
+void setUnitPressure(const RecordContext& x, std::size_t n, PairRecords& r) {
+  const auto set = [&](auto real) {
+    using Real = decltype(real);
+    for (std::size_t i = 0; i < n; i++) {
+      rows<Real>(r.state)[i] = {Real(1), Real(1), Real(0), Real(0)};
+      rows<Real>(r.motion)[i].d = Real(0);
+    }
+  };
+  x.scene.numerics.precision == Precision::Double ? set(double{}) : set(float{});
+}
+
 }  // namespace thaw

@@ -35,4 +35,7 @@ void resizeRecords(const RecordContext& context, std::size_t rows, PairRecords& 
 /// form also the volume V0 / filling).
 void packPressure(const RecordContext& context, Continuum& particles, std::size_t begin, std::size_t end, PairRecords& records);
 
+/// Pressure terms of 1 Pa, all liquid, no viscosity: for the packing of bodies.
+void setUnitPressure(const RecordContext& context, std::size_t rows, PairRecords& records);
+
 }  // namespace thaw

@@ -62,7 +62,13 @@ void updateHeat(World& w, double dt) {
     }
     const Thermal t = stateOf(s, m, p, i);
     p.temperature[i] = t.temperature;
-    if (p.liquid.active && m.melts()) p.liquid[i] = static_cast<float>(t.liquid);
+    if (!p.liquid.active || !m.melts()) continue;
+    const float before = p.liquid[i];
+    p.liquid[i] = static_cast<float>(t.liquid);
+    if (before != p.liquid[i] && p.slot.active && p.slot[i] != noSlot) {  // a solid that softens lets go of stored energy, one that stiffens gains some
+      const double was = m.young.at(static_cast<double>(before)), is = m.young.at(static_cast<double>(p.liquid[i]));
+      if (was > 0) w.ledger.phaseJump.add(w.solids.energy[p.slot[i]] * (1 - is / was));
+    }
   }
 }
 

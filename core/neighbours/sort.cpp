@@ -5,8 +5,8 @@
 
 namespace thaw {
 
-void computeCellKeys(const CellGrid& grid, Continuum& p) {
-  for (std::size_t i = 0; i < p.owned; i++) p.nextCell[i] = cellKey(cellOf(grid, p.position[i]));
+void computeCellKeys(const CellGrid& grid, Continuum& p, std::size_t begin, std::size_t end) {
+  for (std::size_t i = begin; i < end; i++) p.nextCell[i] = cellKey(cellOf(grid, p.position[i]));
 }
 
 namespace {

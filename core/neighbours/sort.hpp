@@ -14,8 +14,9 @@ struct SortBuffers {
   std::vector<std::uint32_t> order, movers;
 };
 
-/// The cell key of every owned row, into particles.nextCell.
-void computeCellKeys(const CellGrid& grid, Continuum& particles);
+/// The cell keys of rows [begin, end), into particles.nextCell.
+void computeCellKeys(const CellGrid& grid, Continuum& particles, std::size_t begin, std::size_t end);
+inline void computeCellKeys(const CellGrid& grid, Continuum& particles) { computeCellKeys(grid, particles, 0, particles.owned); }
 
 /// Sorts the owned rows by (cell, id) and drops the departed ones. Needs nextCell of all owned rows and, of the rows that were
 /// there at the last sort, cell in ascending order. Only the rows that changed their cell are sorted; the others are merged.

@@ -101,6 +101,7 @@ struct Body {
   double temperature = 293.15;         // K
   Vec3d temperatureGradient{};         // K/m, added to temperature from the centre of the bounding box
   Packing packing = Packing::Lattice;
+  std::vector<Shape> clamp;  // particles in one of these at the start are held where they are
 };
 
 struct Emitter {

@@ -10,7 +10,8 @@ struct Clock {
   double every = 0;            ///< s between frames
   std::int64_t step = 0;       ///< steps done
   std::int64_t frame = 0;      ///< frames written; the next is due at frame * every
-  double dt = 0;               ///< s, of the current or last step
+  double dt = 0;               ///< s, of the next step, before it is cut to hit a frame time
+  double stepDt = 0;           ///< s, of the last step
   const char* limitedBy = "";  ///< which limit set dt
 };
 

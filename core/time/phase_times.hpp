@@ -36,6 +36,14 @@ struct PhaseTimes {
     return sum;
   }
 
+  /// For code that reads as a sequence: what follows is not counted before the first lap; lap books the time since the last one.
+  void start() { since = Clock::now(); }
+  void lap(StepPhase phase) {
+    const auto now = Clock::now();
+    (*this)[phase] += std::chrono::duration<double>(now - since).count();
+    since = now;
+  }
+
   /// Books the time since the last call to the phase that was current, and makes `next` current. Returns the one that was.
   StepPhase change(StepPhase next) {
     const Clock::time_point now = Clock::now();

@@ -1,0 +1,272 @@
+#include "core/particle_sums.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "core/contact/solid_contact.hpp"
+#include "core/domain/sides.hpp"
+#include "core/fluid/state_equation.hpp"
+#include "core/heat/enthalpy.hpp"
+#include "core/heat/heat.hpp"
+#include "core/ledger/report.hpp"
+#include "core/math/hash_random.hpp"
+
+namespace thaw {
+namespace {
+
+/// Appends the particles of layers that leave in (before, after] whose cell is ours.
+std::size_t emit(World& w, Halos& halos, const StepTools& t, double before, double after, bool first) {
+  Continuum& p = w.particles;
+  const std::size_t had = p.owned;
+  for (std::size_t e = 0; e < w.scene.emitters.size(); e++) {
+    const Emitter& emitter = w.scene.emitters[e];
+    const EmitterPlan& plan = t.emitters[e];
+    const Material& m = w.scene.materials[static_cast<std::size_t>(emitter.material)];
+    const Vec3d direction = normalized(emitter.direction);
+    const std::int64_t begin = first ? 0 : layersUntil(emitter, plan, before), end = layersUntil(emitter, plan, after);
+    for (std::int64_t layer = begin; layer < end; layer++) {
+      const double age = after - (emitter.start + static_cast<double>(layer) * plan.interval);
+      for (std::size_t k = 0; k < plan.layer.size(); k++) {
+        const Vec3d x = plan.layer[k] + direction * (emitter.speed * age);
+        const std::uint64_t cell = cellKey(cellOf(w.grid, x));
+        if (!halos.cells.owns(cell)) continue;
+        const std::size_t i = p.owned;
+        p.resize(i + 1, 0);
+        const std::uint64_t source = w.scene.bodies.size() + e;
+        p.id[i] = source << 40 | (static_cast<std::uint64_t>(layer) * plan.layer.size() + k);
+        p.position[i] = x;
+        p.velocity[i] = direction * emitter.speed;
+        p.mass[i] = plan.particleMass;
+        p.material[i] = static_cast<std::uint16_t>(emitter.material);
+        p.body[i] = static_cast<std::uint16_t>(source);
+        if (p.enthalpy.active) p.enthalpy[i] = enthalpyOf(m, emitter.temperature, 1);
+        if (p.temperature.active) p.temperature[i] = emitter.temperature;
+        p.cell[i] = p.nextCell[i] = cell;
+        if (p.slot.active) p.slot[i] = noSlot;
+        w.counters.emitted++;
+      }
+    }
+  }
+  settlePhase(w.scene, w.modules, p, had, p.owned);
+  return p.owned - had;
+}
+
+}  // namespace
+
+bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
+  Continuum& p = w.particles;
+  if (p.ghosts > 0) p.resize(p.owned, 0);
+  // a step's clock still shows its beginning here
+  const std::size_t emitted = w.modules.emitters ? emit(w, halos, t, w.clock.time, w.clock.time + dt, t.emitFirst) : 0;
+  t.emitFirst = false;
+  std::vector<std::uint32_t> fresh;
+  for (std::size_t i = p.owned - emitted; i < p.owned; i++) fresh.push_back(static_cast<std::uint32_t>(i));
+  addToBalance(w, fresh, w.ledger.entered);
+
+  computeCellKeys(w.grid, p, 0, p.owned);
+  findLeaving(w.grid, w.scene.domain, p, t.leaving);
+  addToBalance(w, t.leaving, w.ledger.left);
+  w.counters.left += static_cast<std::int64_t>(t.leaving.size());
+  bool leftSlots = false;
+  for (std::uint32_t i : t.leaving) {
+    w.ledger.dissipated.add(p.dissipated[i]);
+    leftSlots = leftSlots || (p.slot.active && p.slot[i] != noSlot);
+  }
+  const std::size_t before = p.owned;
+  Migration m = halos.cells.migrate(p, {p.nextCell.data(), p.owned});
+  computeCellKeys(w.grid, p, before, p.owned);
+  if (w.modules.solid) halos.bonds.migrate(p, w.solids, w.bonds, m);
+  t.times.lap(StepPhase::Migrate);
+  if (!t.leaving.empty()) {
+    std::vector<std::uint32_t> gone;
+    std::merge(m.departed.begin(), m.departed.end(), t.leaving.begin(), t.leaving.end(), std::back_inserter(gone));
+    m.departed = std::move(gone);
+  }
+  m.arrivals += emitted;
+  sortByCell(p, m, t.sort, w.cells);
+  t.times.lap(StepPhase::Sort);
+  return leftSlots;
+}
+
+std::vector<AnyColumn*> ghostColumns(World& w) {
+  Continuum& p = w.particles;
+  if (!w.modules.neighbours) return {};
+  std::vector<AnyColumn*> c{&p.position, &p.velocity, &p.mass, &p.material, &p.phase};
+  if (w.modules.solid) c.push_back(&p.id);
+  if (w.modules.solid) c.push_back(&p.body);
+  if (p.liquid.active) c.push_back(&p.liquid);
+  if (p.temperature.active) c.push_back(&p.temperature);
+  return c;
+}
+
+void clearRates(World& w) {
+  Continuum& p = w.particles;
+  std::fill_n(p.force.data(), p.owned, Vec3d{});
+  std::fill_n(p.dissipation.data(), p.owned, 0.0);
+  std::fill_n(p.interaction.data(), p.owned, 0.0);
+  if (p.heatFlow.active) std::fill_n(p.heatFlow.data(), p.owned, 0.0);
+}
+
+namespace {
+
+RecordContext recordsOf(const World& w, const StepTools& t) { return {w.scene, w.modules, w.grid, t.liquids}; }
+
+PairSums sumsOf(World& w, StepTools& t) {
+  Continuum& p = w.particles;
+  const Numerics& n = w.scene.numerics;
+  PairSums s;
+  s.lists = &w.neighbours;
+  s.kernel = n.kernel;
+  s.precision = n.precision;
+  s.pressureForm = n.pressure;
+  s.viscosityForm = n.viscosity;
+  s.printedTension = n.tension == TensionForm::ColourField;
+  s.heat = w.modules.heat;
+  s.support = w.grid.support;
+  s.fillingScale = t.fillingScale;
+  s.place = n.precision == Precision::Single ? t.records.fixed.data() : t.records.place.data();
+  s.motion = t.records.motion.data();
+  s.state = t.records.state.data();
+  s.surface = t.records.surface.data();
+  s.closeDistance = contactDistance * w.scene.spacing / w.grid.support;
+  s.exposureScale = 2 * w.scene.spacing;
+  s.filling = p.filling.data();
+  s.force = p.force.data();
+  s.heatFlow = p.heatFlow.data();
+  s.dissipation = p.dissipation.data();
+  s.interaction = p.interaction.data();
+  s.exposure = p.exposure.data();
+  s.smoothed = p.smoothing.data();
+  s.coincident = &w.counters.coincidentPairs;
+  return s;
+}
+
+void search(World& w, StepTools& t, Part part) {
+  const Continuum& p = w.particles;
+  const std::size_t n = w.cells.key.size();
+  const bool mixed = w.modules.fluid && w.modules.solid;
+  if (mixed) {
+    t.liquidCells.assign(n, 0);
+    for (std::size_t c = 0; c < n; c++)
+      for (std::uint32_t k = 0; k < w.cells.count[c]; k++) {
+        const std::size_t i = w.cells.first[c] + k;
+        if (p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0)) t.liquidCells[c] = 1;
+      }
+  } else if (!w.modules.fluid) {
+    t.liquidCells.assign(n, 0);
+  }
+  SearchInput in;
+  in.place = reinterpret_cast<const std::uint32_t*>(t.records.fixed.data());
+  in.cells = &w.cells;
+  in.inner = t.inner.data();
+  in.liquid = mixed || !w.modules.fluid ? t.liquidCells.data() : nullptr;
+  in.owned = static_cast<std::uint32_t>(p.owned);
+  t.kernels->search(in, part, t.search, w.neighbours);
+}
+
+/// Energy (J) stored in the compression of a liquid particle.
+double compressionOf(const RecordContext& x, const Continuum& p, std::size_t i) {
+  const Material& m = x.scene.materials[p.material[i]];
+  const double f = p.liquid.active ? static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? 1 : 0;
+  if (f == 0) return 0;
+  return f * p.mass[i] / m.density * compressionEnergy(x.scene.numerics.eos, x.liquids[p.material[i]].stiffness, static_cast<double>(p.filling[i]), x.scene.numerics.tensileLimit);
+}
+
+}  // namespace
+
+void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass) {
+  if (!w.modules.neighbours) return;
+  Continuum& p = w.particles;
+  const RecordContext x = recordsOf(w, t);
+  NeighbourLists& lists = w.neighbours;
+  const bool density = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::BoundaryDensity;
+  if (pass == NeighbourPass::InnerDensity) {
+    resizeRecords(x, p.owned + t.ghostRoom, t.records);
+    packRecords(x, p, 0, p.owned, t.records);
+    clearLists(lists, static_cast<std::uint32_t>(p.owned), static_cast<std::uint32_t>(p.owned + t.ghostRoom));
+    search(w, t, Part::Inner);
+    t.times.lap(StepPhase::Search);
+  } else if (pass == NeighbourPass::BoundaryDensity) {
+    if (p.ghosts > t.ghostRoom) {  // more than ever: the padding of the inner lists points where ghosts are now
+      t.ghostRoom = p.ghosts + p.ghosts / 2;
+      sumOverNeighbours(w, t, NeighbourPass::InnerDensity);
+    }
+    packRecords(x, p, p.owned, p.size(), t.records);
+    search(w, t, Part::Boundary);
+    t.times.lap(StepPhase::Search);
+  }
+  const GroupRange inner{0, lists.innerGroups}, boundary{lists.innerGroups, lists.groups};
+  const GroupRange range = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::InnerForces ? inner : boundary;
+  if (density) {
+    if (w.modules.fluid) t.kernels->density(sumsOf(w, t), range);
+    t.times.lap(StepPhase::Density);
+    return;
+  }
+  if (w.modules.fluid)
+    pass == NeighbourPass::InnerForces ? packPressure(x, p, 0, p.owned, t.records) : packPressure(x, p, p.owned, p.size(), t.records);
+  const PairSums s = sumsOf(w, t);
+  if (w.modules.fluid || w.modules.heat) t.kernels->forces(s, range);
+  if (w.modules.tension) t.kernels->tension(s, range);
+  if (w.modules.artificialViscosity) t.kernels->artificialViscosity(s, range);
+  if (w.modules.xsph) t.kernels->smoothing(s, range);
+  if (w.modules.surfaceHeat) t.kernels->exposure(s, range);
+  if (w.modules.contact) {
+    if (pass == NeighbourPass::InnerForces) t.closePairs.list.clear();
+    t.kernels->closePairs(s, range, t.closePairs);
+  }
+  if (pass == NeighbourPass::InnerForces && w.modules.fluid)  // energy of compression
+    for (std::size_t i = 0; i < p.owned; i++) p.interaction[i] += compressionOf(x, p, i);
+  t.times.lap(StepPhase::Forces);
+}
+
+void sumUnitPressure(World& w, StepTools& t) {
+  Continuum& p = w.particles;
+  Modules modules = w.modules;
+  modules.fluid = modules.neighbours = true;
+  modules.heat = modules.melting = false;
+  const RecordContext x{w.scene, modules, w.grid, t.liquids};
+  resizeRecords(x, p.size(), t.records);
+  packRecords(x, p, 0, p.size(), t.records);
+  setUnitPressure(x, p.size(), t.records);
+  clearLists(w.neighbours, static_cast<std::uint32_t>(p.owned), static_cast<std::uint32_t>(p.size()));
+  std::fill(t.inner.begin(), t.inner.end(), std::uint8_t{1});
+  SearchInput in;
+  in.place = reinterpret_cast<const std::uint32_t*>(t.records.fixed.data());
+  in.cells = &w.cells;
+  in.inner = t.inner.data();
+  in.owned = static_cast<std::uint32_t>(p.owned);
+  t.kernels->search(in, Part::Inner, t.search, w.neighbours);
+  PairSums s = sumsOf(w, t);
+  s.heat = false;
+  s.pressureForm = PairForm::Consistent;
+  s.fillingScale = 1 / (w.grid.support * w.grid.support * w.grid.support);
+  t.kernels->forces(s, {0, w.neighbours.groups});
+}
+
+void markInner(const World& w, const CellHalo& halo, StepTools& t) {
+  t.inner.resize(w.cells.key.size());
+  for (std::size_t c = 0; c < t.inner.size(); c++) t.inner[c] = w.cells.first[c] < w.particles.owned && halo.inner(w.cells.key[c]);
+}
+
+void separateCoincident(World& w, const StepTools& t, std::int64_t before) {
+  if (w.counters.coincidentPairs == before) return;
+  Continuum& p = w.particles;
+  const NeighbourLists& lists = w.neighbours;
+  const std::uint32_t* place = reinterpret_cast<const std::uint32_t*>(t.records.fixed.data());
+  for (std::size_t g = 0; g < lists.groups; g++)
+    for (std::size_t l = 0; l < 8; l++) {
+      const std::uint32_t i = lists.self[8 * g + l];
+      if (i == lists.dummy) continue;
+      bool together = false;
+      for (std::uint32_t k = 0; k < lists.count[g] && !together; k++) {
+        const std::uint32_t j = lists.list[lists.first[g] + 8ull * k + l];
+        together = j != lists.dummy && std::memcmp(place + 4ull * i, place + 4ull * j, 12) == 0;
+      }
+      if (!together) continue;
+      Vec3d d;
+      for (int a = 0; a < 3; a++) d[a] = randomUniform(w.scene.seed, Purpose::Separate, p.id[i], static_cast<std::uint64_t>(a)) - 0.5;
+      p.position[i] += d * (1e-5 * w.scene.spacing);
+    }
+}
+
+}  // namespace thaw

@@ -1,0 +1,33 @@
+// The parts of a step that deal with neighbours: who is where, and the sums over pairs.
+#pragma once
+#include <span>
+
+#include "core/step.hpp"
+
+namespace thaw {
+
+/// Emits particles, lets those beyond an open side go (booked in the ledger), sends the others to the rank that owns their
+/// cell and sorts by (cell, id). Returns whether a particle with bonds left the domain.
+bool bringHome(World& world, Halos halos, StepTools& tools, double dt);
+
+/// The columns that sums over neighbours read of ghosts, by the modules that are on.
+std::vector<AnyColumn*> ghostColumns(World& world);
+
+/// Zero for everything that a step adds up.
+void clearRates(World& world);
+
+/// StepTools::inner of the cells known by now: 1 where sums need no ghosts.
+void markInner(const World& world, const CellHalo& halo, StepTools& tools);
+
+/// A tiny push apart, in a direction that only the id decides, for particles that share their place with another (accuracy.md B9).
+/// before: Counters::coincidentPairs before the sums. For the next step: at the end of an evaluation.
+void separateCoincident(World& world, const StepTools& tools, std::int64_t before);
+
+/// Searches and adds to Continuum::force the force of a pressure of 1 Pa everywhere, -2 V_i sum V_j grad W (N). Needs ghosts.
+void sumUnitPressure(World& world, StepTools& tools);
+
+/// Inner passes work on particles whose neighbours are all owned; boundary passes on the others. Density passes search first.
+enum class NeighbourPass { InnerDensity, BoundaryDensity, InnerForces, BoundaryForces };
+void sumOverNeighbours(World& world, StepTools& tools, NeighbourPass pass);
+
+}  // namespace thaw

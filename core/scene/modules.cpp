@@ -1,0 +1,102 @@
+#include "core/scene/modules.hpp"
+
+#include <cmath>
+
+namespace thaw {
+namespace {
+
+std::string quoted(const std::string& name) { return "'" + name + "'"; }
+
+/// Is the material solid at this temperature?
+bool solidAt(const Material& m, double T) { return m.canBeSolid() && (m.melts() ? T < m.liquidus : !m.liquidAtStart); }
+bool liquidAt(const Material& m, double T) { return !m.canBeSolid() || (m.melts() ? T > m.solidus : m.liquidAtStart); }
+
+struct Finder {
+  const Scene& s;
+  Modules m;
+  void on(bool& module, const char* name, const std::string& why) {
+    if (module) return;
+    module = true;
+    m.why.push_back(std::string(name) + ": " + why);
+  }
+};
+
+/// The temperatures differ, or something heats or cools.
+void findHeat(Finder& f) {
+  const Scene& s = f.s;
+  bool conducts = false;
+  for (const Material& m : s.materials) conducts = conducts || m.conductivity.solid > 0 || m.conductivity.liquid > 0 || m.paperDiffusivity > 0;
+  double first = NAN;
+  const auto seen = [&](double T, const std::string& who) {
+    if (std::isnan(first)) first = T;
+    else if (T != first && conducts) f.on(f.m.heat, "heat", who + " has another temperature than what is around it");
+  };
+  for (const Body& b : s.bodies) {
+    seen(b.temperature, "body " + quoted(b.name));
+    if (length(b.temperatureGradient) > 0 && conducts) f.on(f.m.heat, "heat", "body " + quoted(b.name) + " has a temperature gradient");
+  }
+  for (const Emitter& e : s.emitters) seen(e.temperature, "emitter " + quoted(e.name));
+  for (const Obstacle& o : s.obstacles)
+    if (o.temperature && conducts) f.on(f.m.heat, "heat", "obstacle " + quoted(o.name) + " has a temperature");
+  for (const Material& m : s.materials) {
+    if (m.heatSource != 0) f.on(f.m.heat, "heat", "material " + quoted(m.name) + " has a heat source");
+    if (m.convection > 0 || m.emissivity > 0) {
+      f.on(f.m.heat, "heat", "material " + quoted(m.name) + " exchanges heat with the ambient");
+      f.on(f.m.surfaceHeat, "surface heat", "material " + quoted(m.name) + " has convection or emissivity");
+    }
+    if (!m.viscosityTable.empty()) f.on(f.m.heat, "heat", "the viscosity of material " + quoted(m.name) + " depends on the temperature");
+  }
+}
+
+}  // namespace
+
+Modules modulesOf(const Scene& s) {
+  Finder f{s, {}};
+  Modules& m = f.m;
+  findHeat(f);
+  if (!s.emitters.empty()) f.on(m.emitters, "emitters", "emitter " + quoted(s.emitters.front().name));
+
+  std::vector<bool> used(s.materials.size(), false);
+  int solidBodies = 0;
+  const auto source = [&](int material, double T, const std::string& who, bool body) {
+    const Material& x = s.materials[static_cast<std::size_t>(material)];
+    used[static_cast<std::size_t>(material)] = true;
+    if (solidAt(x, T)) {
+      f.on(m.solid, "solid", who + " is solid");
+      solidBodies += body;
+    }
+    if (liquidAt(x, T)) f.on(m.fluid, "fluid", who + " is liquid");
+    if (m.heat && x.melts()) {
+      f.on(m.melting, "melting", who + " is of material " + quoted(x.name) + ", which melts, and the scene has heat");
+      f.on(m.fluid, "fluid", who + " can melt");
+      if (x.canBeSolid()) f.on(m.solid, "solid", who + " can freeze");
+    }
+  };
+  for (const Body& b : s.bodies) source(b.material, b.temperature, "body " + quoted(b.name), true);
+  for (const Emitter& e : s.emitters) source(e.material, e.temperature, "emitter " + quoted(e.name), false);
+
+  for (std::size_t k = 0; k < s.materials.size(); k++) {
+    const Material& x = s.materials[k];
+    if (!used[k]) continue;
+    const std::string who = "material " + quoted(x.name);
+    const bool liquid = m.fluid && (!x.canBeSolid() || x.liquidAtStart || (x.melts() && m.heat));
+    if (liquid && x.surfaceTension > 0) f.on(m.tension, "surface tension", who);
+    if (liquid && x.xsph > 0) f.on(m.xsph, "velocity smoothing (XSPH)", who);
+    if (liquid && x.artificialViscosity > 0) f.on(m.artificialViscosity, "artificial viscosity", who);
+    if (!m.solid || !x.canBeSolid()) continue;
+    if (x.yieldStrain.solid < never || x.yieldStrain.liquid < never) f.on(m.plastic, "plastic flow", who + " yields");
+    if (x.breakStretch < never) f.on(m.fracture, "fracture", "bonds of " + who + " break");
+    if (x.melts() && m.melting) f.on(m.freezing, "freezing", who + " can freeze again");
+  }
+  if (m.solid) {
+    if (solidBodies > 1) f.on(m.contact, "contact of solids", "there are several solid bodies");
+    if (m.freezing) f.on(m.contact, "contact of solids", "frozen pieces can meet");
+    if (m.fracture && s.numerics.selfContact) f.on(m.contact, "contact of solids", "pieces can meet");
+  }
+  if (m.fluid) f.on(m.neighbours, "neighbour search", "there is liquid");
+  if (m.contact) f.on(m.neighbours, "neighbour search", "solids can meet");
+  if (m.heat) f.on(m.neighbours, "neighbour search", "heat is conducted");
+  return f.m;
+}
+
+}  // namespace thaw

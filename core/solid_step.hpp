@@ -1,0 +1,21 @@
+// The parts of a step that deal with bonds.
+#pragma once
+#include "core/step.hpp"
+
+namespace thaw {
+
+/// Brings the table of solids up to date with the particles (BondHalo::relink) and, where anything changed on any rank, what is computed
+/// from bonds alone. Collective.
+void relinkSolids(World& world, Halos halos, StepTools& tools, const Relink& work);
+
+/// Copies places (velocities, liquid fractions) to the slots and sends them along the bonds.
+void beginDeformation(World& world, Halos halos);
+
+/// Deformation, plastic flow, stress; then bonds break, form (at the start and where something froze) and large plastic flow is
+/// taken into the reference. Ends with the stress on its way along the bonds. Collective. Needs neighbour lists where bonds form.
+void deform(World& world, Halos halos, StepTools& tools, double dt);
+
+/// Elastic forces, onto the particles.
+void addElasticForces(World& world, Halos halos, StepTools& tools, double dt);
+
+}  // namespace thaw

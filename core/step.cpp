@@ -1,0 +1,118 @@
+#include "core/step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/contact/solid_contact.hpp"
+#include "core/domain/sides.hpp"
+#include "core/heat/heat.hpp"
+#include "core/ledger/report.hpp"
+#include "core/particle_sums.hpp"
+#include "core/solid_step.hpp"
+#include "core/time/integrate.hpp"
+
+namespace thaw {
+
+StepOutcome step(World& w, Halos halos, StepTools& t, bool stopWanted) {
+  t.times.start();
+  const double dt = clip(w.clock, w.clock.dt), time = timeAfter(w.clock, dt);
+  kickAndDrift(w, dt);                         // v += a dt/2, x += v dt
+  wrapPeriodic(w.grid, w.scene.domain, w.particles);
+  moveWalls(w.walls, time);
+  t.times.lap(StepPhase::Drift);
+
+  evaluate(w, halos, t, dt);                   // forces at the new places
+
+  StepOutcome here;
+  here.finite = finishKick(w, dt, &here.bad);  // v += a dt/2
+  here.badHere = !here.finite;
+  t.times.lap(StepPhase::Drift);
+  if (w.modules.heat) updateHeat(w, dt);       // H += heat dt, T and liquid fraction follow
+  PhaseChanges changes;
+  if (w.modules.melting) changes = changePhase(w);  // solid <-> liquid
+  t.phaseChangedHere = changes.melted || changes.frozen;
+  t.frozeAnywhere = changes.frozen;            // reduced by the vote
+  t.times.lap(StepPhase::Heat);
+
+  if (halos.all.rank() == 0)
+    for (int a = 0; a < 3; a++) w.ledger.gravityImpulse[a].add(t.mass * w.scene.domain.gravity[a] * dt);
+  w.clock.time = time;
+  w.clock.stepDt = dt;
+  w.clock.step++;
+  return vote(w, halos, t, here, stopWanted);
+}
+
+void evaluate(World& w, Halos halos, StepTools& t, double dt) {
+  Continuum& p = w.particles;
+  const bool leftSlots = bringHome(w, halos, t, dt);     // emit, let go, migrate, sort by (cell, id)
+  if (w.modules.solid) relinkSolids(w, halos, t, {{}, t.phaseChangedHere || leftSlots});
+  t.phaseChangedHere = false;
+
+  halos.cells.beginGhosts(p, w.cells, ghostColumns(w));  // copies of the cells around ours are on their way ...
+  if (w.modules.solid) beginDeformation(w, halos);
+  t.times.lap(StepPhase::Exchange);
+  clearRates(w);
+  const std::int64_t coincident = w.counters.coincidentPairs;
+  markInner(w, halos.cells, t);
+  sumOverNeighbours(w, t, NeighbourPass::InnerDensity);  // ... while particles inside find neighbours and density
+  halos.cells.finishGhosts(p, w.cells);
+  t.times.lap(StepPhase::Exchange);
+  markInner(w, halos.cells, t);
+  sumOverNeighbours(w, t, NeighbourPass::BoundaryDensity);
+  findWallContacts({w, t.wallTables, t.liquids, dt}, t.wallContacts);
+  if (w.modules.fluid) addWallFilling({w, t.wallTables, t.liquids, dt}, t.fillingScale, t.wallContacts);
+  t.times.lap(StepPhase::Walls);
+
+  if (w.modules.fluid) halos.cells.beginRefresh(p, std::array<AnyColumn*, 1>{&p.filling});
+  t.times.lap(StepPhase::Exchange);
+  if (w.modules.solid) deform(w, halos, t, dt);          // F, stress; bonds break, form, take new references
+  sumOverNeighbours(w, t, NeighbourPass::InnerForces);   // pressure, viscosity, heat, tension
+  if (w.modules.fluid) halos.cells.finishRefresh(p);
+  t.times.lap(StepPhase::Exchange);
+  sumOverNeighbours(w, t, NeighbourPass::BoundaryForces);
+  if (w.modules.solid) addElasticForces(w, halos, t, dt);
+  if (w.modules.contact) addSolidContacts({w.scene, w.grid, w.solids, w.bonds}, t.closePairs, p);
+  t.times.lap(StepPhase::Contact);
+  addWallForces({w, t.wallTables, t.liquids, dt}, t.fillingScale, t.wallContacts);
+  t.times.lap(StepPhase::Walls);
+  if (w.modules.heat) {
+    addWallHeat({w, t.wallTables, t.liquids, dt}, t.wallContacts);
+    addOuterHeat(w, dt);
+  }
+  separateCoincident(w, t, coincident);
+  t.times.lap(StepPhase::Heat);
+}
+
+StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, bool stopWanted) {
+  StepLimits limits = t.fixedLimits;
+  const StepLimits own = particleLimits(w);
+  constexpr std::size_t n = limitNames.size();
+  double values[n + 3];
+  for (std::size_t k = 0; k < n; k++) values[k] = -std::min(limits.value[k], own.value[k]);
+  values[n] = t.frozeAnywhere;
+  values[n + 1] = here.badHere;
+  values[n + 2] = stopWanted;
+  t.times.lap(StepPhase::Drift);
+  halos.all.maximum(values);
+  t.times.lap(StepPhase::Reduce);
+  for (std::size_t k = 0; k < n; k++) limits.value[k] = -values[k];
+  StepOutcome all = here;
+  all.limitedBy = limits.smallest();
+  t.frozeAnywhere = values[n] > 0;
+  all.finite = !(values[n + 1] > 0);
+  all.stop = values[n + 2] > 0;
+  const double fixed = w.scene.numerics.fixedStep;
+  w.clock.dt = fixed > 0 ? fixed : limits[all.limitedBy];
+  w.clock.limitedBy = fixed > 0 ? "the scene's fixed step" : limitNames[static_cast<std::size_t>(all.limitedBy)];
+  return all;
+}
+
+double totalMass(const World& w, Reducer& all) {
+  ExactSum mass;
+  for (std::size_t i = 0; i < w.particles.owned; i++) mass.add(w.particles.mass[i]);
+  mass.carry();
+  all.sum(mass.digit);
+  return mass.value();
+}
+
+}  // namespace thaw
