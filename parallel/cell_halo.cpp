@@ -72,9 +72,14 @@ Migration MpiCellHalo::migrate(Table& p, std::span<const std::uint64_t> keys) {
   for (Message& x : movers_) x.bytes.clear();
   std::size_t used = 0;
   int to = comm_.rank();
+  std::uint64_t ours = 0;  // a cell that stays: rows come sorted, mostly in the cell of the row before
   for (std::size_t i = 0; i < p.owned; i++) {
+    if (keys[i] == ours) continue;
     const Vec3i cell = cellOfKey(keys[i]);
-    if (box_.contains(cell)) continue;
+    if (box_.contains(cell)) {
+      ours = keys[i];
+      continue;
+    }
     to = partition_.owner(cell, to < 0 ? comm_.rank() : to);
     if (to < 0) throw std::logic_error("migrate: a particle's cell is outside of the grid");
     m.departed.push_back(static_cast<std::uint32_t>(i));
@@ -245,17 +250,21 @@ void MpiCellHalo::finishRefresh(Table&) {
 bool MpiCellHalo::rebalance(const CellTable& cells, std::span<const double> cost, bool force) {
   if (comm_.size() == 1) return false;
   const auto usable = [](double c) { return c > 0 && c < std::numeric_limits<double>::max() ? c : 0.0; };
+  const bool merged = cells.key.size() != cost.size();  // with ghost cells, whose owners bring them
+  std::vector<WeightedCell> weighted;
+  weighted.reserve(cost.size());
+  for (std::uint64_t key : cells.key)
+    if (!merged || owns(key)) weighted.push_back({cellOfKey(key), 0});
+  if (weighted.size() != cost.size()) throw std::logic_error("rebalance: there must be one cost for each owned cell");
   double largest = 0;
   for (double c : cost) largest += usable(c);
   MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, comm_.handle());
   if (!(largest > 0)) return false;
   const double unit = largest / 0x1p40;  // sums over ranks stay below 2^63
-  std::vector<WeightedCell> weighted;
-  weighted.reserve(cost.size());
   std::int64_t here = 0;
   for (std::size_t c = 0; c < cost.size(); c++) {
-    weighted.push_back({cellOfKey(cells.key[c]), std::max<std::int64_t>(1, static_cast<std::int64_t>(usable(cost[c]) / unit))});
-    here += weighted.back().weight;
+    weighted[c].weight = std::max<std::int64_t>(1, static_cast<std::int64_t>(usable(cost[c]) / unit));
+    here += weighted[c].weight;
   }
   const auto imbalance = [&](std::int64_t own) {
     std::int64_t most = own, all = own;

@@ -34,7 +34,8 @@ class CellHalo {
   virtual ~CellHalo() = default;
 
   /// Sends particles whose cell another rank owns to that rank. keys[row]: cell key of each owned row. Collective.
-  /// Guarantees: arrivals appended (particles.owned grows), departed rows listed and still in place.
+  /// Guarantees: arrivals appended (particles.owned grows), departed rows listed and still in place. Arrivals have their State
+  /// columns; Local and Transient ones are zero (slot: noSlot), so their cell keys are to be computed before the sort.
   virtual Migration migrate(Table& particles, std::span<const std::uint64_t> keys) = 0;
 
   /// Copies of all particles in the cells that touch this rank's cells, periodic images included. Needs particles sorted by
@@ -48,7 +49,8 @@ class CellHalo {
   virtual void beginRefresh(Table& particles, std::span<AnyColumn* const> columns) = 0;
   virtual void finishRefresh(Table& particles) = 0;
 
-  /// New owners for cells, by weighted recursive bisection over the occupied cells: cost[c] of owned cell c in any unit (> 0).
+  /// New owners for cells, by weighted recursive bisection over the occupied cells: cost[c] of owned cell c in any unit (> 0);
+  /// in a table that ghost cells were merged into, of the owned ones in their order.
   /// Does nothing and returns false unless force, or the imbalance is above a threshold and the gain worth it. After true,
   /// the next migrate moves the particles. Collective.
   virtual bool rebalance(const CellTable& ownedCells, std::span<const double> cost, bool force) = 0;

@@ -87,7 +87,8 @@ void run(const Cloud& cloud, bool spread) {
   rig.start(spread);
   rig.checkAll();
   for (rig.cloud.time = 1; rig.cloud.time < 5; rig.cloud.time++) {
-    if (halo.rebalance(ownedCells(rig), costs(rig, rig.cloud.time % 2 ? 50 : 1), rig.cloud.time < 4)) checkTiling(cloud.grid, halo, all);
+    const CellTable table = rig.cloud.time % 2 ? rig.cells : ownedCells(rig);  // with and without the ghost cells
+    if (halo.rebalance(table, costs(rig, rig.cloud.time % 2 ? 50 : 1), rig.cloud.time < 4)) checkTiling(cloud.grid, halo, all);
     rig.place();
     rig.checkAll();
   }
@@ -172,7 +173,7 @@ TEST(CellHalo, RebalanceEvensOutStronglyUnevenCosts) {
   EXPECT_LT(after, 1.15);
   EXPECT_NEAR(after, predicted, 1e-6);
   // even now: nothing to gain, nothing is changed
-  for (int call = 0; call < 15; call++) EXPECT_FALSE(halo.rebalance(ownedCells(rig), costs(rig, 40), false));
+  for (int call = 0; call < 15; call++) EXPECT_FALSE(halo.rebalance(rig.cells, costs(rig, 40), false));
   EXPECT_NEAR(halo.imbalance(), after, 1e-6);
 }
 

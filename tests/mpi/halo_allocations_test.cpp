@@ -1,0 +1,59 @@
+// A steady step allocates nothing in the halo: calls of operator new are counted.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "parallel/cell_halo.hpp"
+#include "tests/support/halo_check.hpp"
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+// not inline: the compiler would take malloc and free for a mismatch with new and delete
+[[gnu::noinline]] void* operator new(std::size_t n) {
+  allocations++;
+  if (void* p = std::malloc(n > 0 ? n : 1)) return p;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void* operator new(std::size_t n, std::align_val_t a) {
+  allocations++;
+  const std::size_t align = static_cast<std::size_t>(a);
+  if (void* p = std::aligned_alloc(align, (n + align - 1) / align * align)) return p;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+
+using namespace thaw;
+using namespace thaw::test;
+
+TEST(CellHalo, ASteadyStepAllocatesNothing) {
+  const Communicator comm;
+  MpiReducer all(comm);
+  const Cloud cloud{plainGrid({6, 7, 8}, 5), 8000};
+  MpiCellHalo halo(comm, cloud.grid);
+  HaloRig rig(cloud, halo, all);
+  rig.start(true);
+  Continuum& p = rig.particles;
+  AnyColumn* const columns[] = {&p.id, &p.position, &p.velocity, &p.liquid};
+  AnyColumn* const refreshed[] = {&p.filling};
+  for (int step = 0; step < 4; step++) {
+    if (step < 2) rig.exchange();
+    const long before = allocations;
+    computeCellKeys(cloud.grid, p);
+    const Migration m = halo.migrate(p, {p.nextCell.data(), p.owned});
+    sortByCell(p, m, rig.sort, rig.cells);
+    halo.beginGhosts(p, rig.cells, columns);
+    halo.finishGhosts(p, rig.cells);
+    halo.beginRefresh(p, refreshed);
+    halo.finishRefresh(p);
+    const long made = allocations - before;
+    EXPECT_TRUE(step < 2 || made == 0) << made << " allocations";
+  }
+  EXPECT_GT(allocations, 0);
+}
