@@ -1,0 +1,97 @@
+#include "core/ledger/totals.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr std::size_t balanceSums = 11, ledgerSums = 2 * balanceSums + 10, worldCounts = sizeof(Counters) / sizeof(std::int64_t);
+static_assert(sizeof(ExactBalance) == balanceSums * sizeof(ExactSum), "list the new sum in addBalance, and in valuesOf");
+static_assert(sizeof(Ledger) == ledgerSums * sizeof(ExactSum) + sizeof(Balance), "list the new sum in sumsOf");
+static_assert(worldCounts == 11, "list the new counter in countsOf");
+
+void addBalance(std::vector<NamedSum>& list, ExactBalance& b, const char* const (&names)[balanceSums]) {
+  ExactSum* const sums[balanceSums] = {&b.mass, &b.momentum[0], &b.momentum[1], &b.momentum[2], &b.angularMomentum[0], &b.angularMomentum[1],
+                                       &b.angularMomentum[2], &b.kinetic, &b.elastic, &b.potential, &b.internal};
+  constexpr const char* units[balanceSums] = {"kg", "kg m/s", "kg m/s", "kg m/s", "kg m^2/s", "kg m^2/s", "kg m^2/s", "J", "J", "J", "J"};
+  for (std::size_t k = 0; k < balanceSums; k++) list.push_back({names[k], units[k], sums[k]});
+}
+
+}  // namespace
+
+std::vector<NamedSum> sumsOf(Ledger& l) {
+  std::vector<NamedSum> list;
+  addBalance(list, l.entered,
+             {"entered_mass", "entered_momentum_x", "entered_momentum_y", "entered_momentum_z", "entered_angular_momentum_x",
+              "entered_angular_momentum_y", "entered_angular_momentum_z", "entered_kinetic", "entered_elastic", "entered_potential", "entered_internal"});
+  addBalance(list, l.left,
+             {"left_mass", "left_momentum_x", "left_momentum_y", "left_momentum_z", "left_angular_momentum_x", "left_angular_momentum_y",
+              "left_angular_momentum_z", "left_kinetic", "left_elastic", "left_potential", "left_internal"});
+  const NamedSum others[] = {{"dissipated", "J", &l.dissipated},
+                             {"wall_work", "J", &l.wallWork},
+                             {"wall_impulse_x", "N s", &l.wallImpulse[0]},
+                             {"wall_impulse_y", "N s", &l.wallImpulse[1]},
+                             {"wall_impulse_z", "N s", &l.wallImpulse[2]},
+                             {"gravity_impulse_x", "N s", &l.gravityImpulse[0]},
+                             {"gravity_impulse_y", "N s", &l.gravityImpulse[1]},
+                             {"gravity_impulse_z", "N s", &l.gravityImpulse[2]},
+                             {"heat_in", "J", &l.heatIn},
+                             {"phase_jump", "J", &l.phaseJump}};
+  list.insert(list.end(), std::begin(others), std::end(others));
+  return list;
+}
+
+std::vector<NamedCount> countsOf(Counters& c) {
+  return {{"singular_neighbourhoods", &c.singularNeighbourhoods},
+          {"broken_bonds", &c.brokenBonds},
+          {"inverted", &c.inverted},
+          {"coincident_pairs", &c.coincidentPairs},
+          {"melted", &c.melted},
+          {"frozen", &c.frozen},
+          {"welds", &c.welds},
+          {"rereferenced", &c.rereferenced},
+          {"wall_projections", &c.wallProjections},
+          {"left", &c.left},
+          {"emitted", &c.emitted}};
+}
+
+std::vector<NamedValue> valuesOf(Balance& b) {
+  return {{"mass", "kg", &b.mass},
+          {"momentum_x", "kg m/s", &b.momentum.x},
+          {"momentum_y", "kg m/s", &b.momentum.y},
+          {"momentum_z", "kg m/s", &b.momentum.z},
+          {"angular_momentum_x", "kg m^2/s", &b.angularMomentum.x},
+          {"angular_momentum_y", "kg m^2/s", &b.angularMomentum.y},
+          {"angular_momentum_z", "kg m^2/s", &b.angularMomentum.z},
+          {"kinetic", "J", &b.kinetic},
+          {"elastic", "J", &b.elastic},
+          {"potential", "J", &b.potential},
+          {"internal", "J", &b.internal}};
+}
+
+Ledger globalLedger(const Ledger& mine, Reducer& all) {
+  Ledger sum = mine;
+  const std::vector<NamedSum> list = sumsOf(sum);
+  std::vector<std::int64_t> digits;
+  digits.reserve(list.size() * ExactSum::digits);
+  for (const NamedSum& s : list) {
+    s.sum->carry();  // digits below 2^32 can be added over 2^31 ranks
+    digits.insert(digits.end(), s.sum->digit.begin(), s.sum->digit.end());
+  }
+  all.sum(digits);
+  for (std::size_t k = 0; k < list.size(); k++) {
+    std::copy_n(digits.begin() + static_cast<std::ptrdiff_t>(k * ExactSum::digits), ExactSum::digits, list[k].sum->digit.begin());
+    list[k].sum->carry();
+  }
+  return sum;
+}
+
+Counters globalCounters(const Counters& mine, Reducer& all) {
+  Counters sum = mine;
+  const std::vector<NamedCount> list = countsOf(sum);
+  std::vector<std::int64_t> counts;
+  for (const NamedCount& c : list) counts.push_back(*c.count);
+  all.sum(counts);
+  for (std::size_t k = 0; k < list.size(); k++) *list[k].count = counts[k];
+  return sum;
+}
+
+}  // namespace thaw

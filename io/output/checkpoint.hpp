@@ -1,0 +1,80 @@
+// Checkpoints: the whole state in full precision, in two files that alternate (OUT/checkpoint/a.hdf, b.hdf), so that one that is
+// whole is always there. Written by any number of ranks and read by any other.
+//   /checkpoint  @format @sequence @step @frame @time @end @every @dt ...; counters, ledger_digits, ledger_initial, values
+//   /particles/<field>[N, c]   State columns of Continuum, in the order of (rank, row)
+//   /solids/<field>[M, c]      State columns of Solids, in the order of their particles
+//   /bonds/neighbour[B] reference[B,3] weight[B], and reverse[B,3] where both ends have their own reference; in the order of solids
+//   /order/solid_particle[M] first_bond[M]   row of a solid's particle; row of its first bond
+// Every dataset that is spread over the ranks has a checksum.
+#pragma once
+#include <mpi.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/solid/bond_records.hpp"
+#include "core/world.hpp"
+#include "io/output/frame.hpp"
+
+namespace thaw {
+
+/// Further numbers of a run that are not in a World, by name.
+using CheckpointValues = std::map<std::string, double>;
+
+/// All of a checkpoint but particles, solids and bonds. Counters and ledger are sums over all ranks.
+struct CheckpointHeader {
+  std::string path;
+  std::int64_t sequence = 0;             ///< grows by one with each checkpoint in a folder: the largest is the newest
+  Clock clock;                           ///< without limitedBy
+  std::string limitedBy;
+  std::uint64_t particles = 0, solids = 0, bonds = 0;
+  bool twoFrames = false;                ///< bonds have their own reference at both ends
+  Counters counters;
+  Ledger ledger;
+  CheckpointValues values;
+  std::string code, commit, sceneName, sceneText;
+  std::int64_t ranks = 0;
+};
+
+/// One rank's share: particles [r N/P, (r+1) N/P) with their solids and bonds.
+struct CheckpointSlice {
+  CheckpointHeader header;               ///< the same on all ranks
+  Continuum particles;                   ///< State columns that the file has are active
+  Solids solids;                         ///< the same; rows in the order of their particles
+  std::vector<std::uint32_t> bondCount;  ///< of each solid
+  std::vector<BondRecord> bonds;         ///< one solid's behind another's, in their order
+  std::vector<std::string> warnings;     ///< about newer files that could not be used
+};
+
+/// Writes the owned particles, solids and bonds, the clock, and the sums over ranks of ledger and counters into the older of the two
+/// files; synced to the disk, read back and compared before it takes its name. Returns its path. On failure the same IoError on all
+/// ranks, and the checkpoints that were there are still there. Needs Continuum::slot to be right. Collective.
+std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const World& world, const RunStamp& stamp, const CheckpointValues& values = {});
+
+/// Reads a checkpoint, each rank its share, and compares checksums. IoError (the same on all ranks) if it is damaged. Collective.
+std::unique_ptr<CheckpointSlice> readCheckpoint(const std::string& path, MPI_Comm comm);
+
+/// The newest of OUT/checkpoint that can be read; a newer one that is damaged becomes a warning. nullptr if there is none at all; IoError
+/// if there are some, but none that can be read. Collective.
+std::unique_ptr<CheckpointSlice> readNewestCheckpoint(const std::string& out, MPI_Comm comm);
+
+/// Takes over a checkpoint into a world whose fields are active (modules of the scene): particles (rows in the file's order, unsorted, no
+/// slots), clock (end and every stay those of the scene), counters and ledger (on the first rank; zero on others, so that sums stay right).
+/// Returns records of the solids for MpiBondHalo::adopt. Sort, adopt and relink before particles migrate, so that bonds go with them.
+/// IoError if the file lacks a field that the scene needs. Not collective; fails on all ranks alike.
+std::vector<std::byte> restoreWorld(World& world, const CheckpointSlice& slice, bool firstRank);
+
+/// Of one file, by this process alone.
+CheckpointHeader readCheckpointHeader(const std::string& path);
+
+/// Checkpoints of a run's folder whose header can be read, newest first; damaged ones are described in `problems`.
+std::vector<CheckpointHeader> findCheckpoints(const std::string& out, std::vector<std::string>* problems = nullptr);
+
+/// Removes the checkpoints of an earlier run, before a new one starts in its folder. One process only.
+void clearCheckpoints(const std::string& out);
+
+bool isCheckpoint(const H5File& file);
+
+}  // namespace thaw

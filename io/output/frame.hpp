@@ -1,0 +1,85 @@
+// Frames: one VTKHDF 1.0 UnstructuredGrid file for each, which ParaView, VTK and h5py read. One vertex cell a particle.
+#pragma once
+#include <mpi.h>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "io/hdf5/h5_file.hpp"
+
+namespace thaw {
+
+/// One field of a frame on this rank: `count` rows of `components` scalars. Symmetric tensors: XX YY ZZ XY YZ XZ.
+struct FrameField {
+  std::string name, unit;
+  Scalar scalar = Scalar::F32;
+  int components = 1;
+  const void* data = nullptr;
+};
+
+/// This rank's part of a frame. time, step and the fields' names and types are the same on all ranks.
+struct Frame {
+  double time = 0;                        ///< s
+  std::int64_t step = 0;
+  std::uint64_t count = 0;                ///< particles of this rank
+  FrameField positions;                   ///< m, 3 components, F32 or F64
+  std::vector<FrameField> fields;
+};
+
+/// What the group /run of every file says of its origin.
+struct RunStamp {
+  std::string sceneName;                  ///< stem of the scene's file
+  std::string sceneText;                  ///< TOML
+  bool piecesByRank = false;              ///< frames in one piece for each rank, for parallel ParaView
+};
+
+/// Writes the frame; the file is there, whole, afterwards on all ranks, or nothing changed and the same IoError is thrown on all.
+/// Collective.
+void writeFrame(const std::string& path, MPI_Comm comm, const Frame& frame, const RunStamp& stamp);
+
+/// Group /run: code, commit, ranks, scene_name, scene_toml. Rank 0 only.
+void writeStamp(H5File& file, const RunStamp& stamp, int ranks);
+
+/// One field as it was read. bytes: rows * components elements.
+struct FrameColumn {
+  std::string name, unit;
+  Element element = Element::F32;
+  int components = 1;
+  std::vector<std::byte> bytes;
+  /// Element c of a row as a double.
+  double value(std::size_t row, int c = 0) const;
+};
+
+/// A whole frame in memory of one process: for pictures, export, information.
+struct FrameData {
+  double time = 0;                        ///< s
+  std::int64_t step = 0;
+  std::uint64_t pieces = 1;
+  std::vector<Vec3d> positions;           ///< m
+  std::vector<FrameColumn> columns;       ///< without the positions
+  std::string code, commit, sceneName, sceneText;
+  std::int64_t ranks = 0;
+  const FrameColumn* find(const std::string& name) const;
+};
+
+/// Reads a frame. names: which fields (those that are not there are left out); empty function: all.
+/// IoError for a file that is not a frame, or is truncated or damaged.
+FrameData readFrame(const std::string& path, const std::function<bool(const std::string&)>& wanted = {});
+
+/// Everything of a frame but particles: time, step, sizes. `rows` of the columns are in `count`.
+struct FrameInfo {
+  double time = 0;
+  std::int64_t step = 0, ranks = 0;
+  std::uint64_t count = 0, pieces = 1;
+  struct Field { std::string name, unit; DatasetShape shape; };
+  std::vector<Field> fields;              ///< points first, as "position"
+  std::string code, commit, sceneName;
+};
+FrameInfo readFrameInfo(const std::string& path);
+
+/// True for a file that has the groups of a frame.
+bool isFrame(const H5File& file);
+
+}  // namespace thaw

@@ -1,0 +1,127 @@
+#include "io/output/frame_fields.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+
+namespace thaw {
+namespace {
+
+/// Writes one row of a field.
+template<class T> struct Writer {
+  std::vector<std::byte>& to;
+  std::size_t components;
+  void operator()(std::size_t row, const T* values) const { std::memcpy(to.data() + row * components * sizeof(T), values, components * sizeof(T)); }
+};
+
+/// Adds a field whose row i is fill(i, T out[components]).
+template<class T, class Fill> void add(WorldFrame& f, const char* name, const char* unit, int components, Fill&& fill) {
+  std::vector<std::byte> bytes(f.frame.count * sizeof(T) * static_cast<std::size_t>(components));
+  const Writer<T> write{bytes, static_cast<std::size_t>(components)};
+  T row[9] = {};
+  for (std::size_t i = 0; i < f.frame.count; i++) {
+    fill(i, row);
+    write(i, row);
+  }
+  f.storage.push_back(std::move(bytes));
+  f.frame.fields.push_back({name, unit, FieldType<T>::scalar, components, f.storage.back().data()});
+}
+
+template<class V> void put3(const V& v, float* to) {
+  to[0] = static_cast<float>(v.x), to[1] = static_cast<float>(v.y), to[2] = static_cast<float>(v.z);
+}
+void put6(const Sym3d& s, float* to) {
+  const double v[6] = {s.xx, s.yy, s.zz, s.xy, s.yz, s.xz};
+  for (int k = 0; k < 6; k++) to[k] = static_cast<float>(v[k]);
+}
+
+/// Slot of a row that is there and in the table of solids, or noSlot.
+std::uint32_t slotOf(const World& w, std::size_t row) {
+  if (!w.particles.slot.active) return noSlot;
+  const std::uint32_t slot = w.particles.slot[row];
+  return slot < w.solids.owned ? slot : noSlot;
+}
+
+/// Adds a symmetric tensor of the solids: value(slot), 0 for liquids and where `there` is false.
+template<class Value> void addTensor(WorldFrame& f, const World& w, const char* name, const char* unit, bool there, Value&& value) {
+  add<float>(f, name, unit, 6, [&](std::size_t i, float* to) {
+    const std::uint32_t slot = there ? slotOf(w, i) : noSlot;
+    put6(slot == noSlot ? Sym3d{} : value(slot), to);
+  });
+}
+
+/// Where nothing conducts heat: the temperature that the body or emitter was given.
+double temperatureAtStart(const Scene& s, std::size_t body) {
+  if (body < s.bodies.size()) return s.bodies[body].temperature;
+  return body - s.bodies.size() < s.emitters.size() ? s.emitters[body - s.bodies.size()].temperature : s.domain.ambient;
+}
+
+void addField(WorldFrame& f, const World& w, int rank, const std::string& name) {
+  const Continuum& p = w.particles;
+  const Solids& s = w.solids;
+  const std::vector<Material>& materials = w.scene.materials;
+  if (name == "velocity") {
+    add<float>(f, "velocity", "m/s", 3, [&](std::size_t i, float* to) { put3(p.velocity[i], to); });
+  } else if (name == "temperature") {
+    add<float>(f, "temperature", "K", 1, [&](std::size_t i, float* to) {
+      *to = static_cast<float>(p.temperature.active ? p.temperature[i] : temperatureAtStart(w.scene, p.body[i]));
+    });
+  } else if (name == "liquid") {
+    add<float>(f, "liquid", "1", 1, [&](std::size_t i, float* to) {
+      const Material& m = materials[p.material[i]];
+      *to = p.liquid.active ? p.liquid[i] : p.phase.active ? static_cast<float>(p.phase[i] == Liquid) : static_cast<float>(!m.canBeSolid() || m.liquidAtStart);
+    });
+  } else if (name == "density") {
+    add<float>(f, "density", "kg/m^3", 1, [&](std::size_t i, float* to) {
+      *to = static_cast<float>(materials[p.material[i]].density * (p.filling.active ? static_cast<double>(p.filling[i]) : 1.0));
+    });
+  } else if (name == "pressure") {
+    add<float>(f, "pressure", "Pa", 1, [&](std::size_t i, float* to) { *to = p.pressure.active ? p.pressure[i] : 0; });
+  } else if (name == "stress") {
+    addTensor(f, w, "stress", "Pa", s.stress.active, [&](std::uint32_t slot) { return s.stress[slot]; });
+  } else if (name == "strain") {  // Green's: (F^T F - 1)/2
+    addTensor(f, w, "strain", "1", s.deformation.active, [&](std::uint32_t slot) {
+      const Mat3d& F = s.deformation[slot];
+      return 0.5 * symmetric(transpose(F) * F - identity3<double>());
+    });
+  } else if (name == "plastic_strain") {
+    addTensor(f, w, "plastic_strain", "1", s.plasticStrain.active, [&](std::uint32_t slot) { return s.plasticStrain[slot]; });
+  } else if (name == "material") {
+    add<std::uint16_t>(f, "material", "1", 1, [&](std::size_t i, std::uint16_t* to) { *to = p.material[i]; });
+  } else if (name == "body") {
+    add<std::uint16_t>(f, "body", "1", 1, [&](std::size_t i, std::uint16_t* to) { *to = p.body[i]; });
+  } else if (name == "rank") {
+    add<std::uint32_t>(f, "rank", "1", 1, [&](std::size_t, std::uint32_t* to) { *to = static_cast<std::uint32_t>(rank); });
+  } else if (name == "neighbours") {
+    const bool there = w.neighbours.neighbours.size() >= p.owned;
+    add<std::uint16_t>(f, "neighbours", "1", 1, [&](std::size_t i, std::uint16_t* to) { *to = there ? w.neighbours.neighbours[i] : 0; });
+  } else if (name != "id") {
+    throw std::invalid_argument("unknown field '" + name + "' of frames");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> knownFrameFields() {
+  return {"velocity", "temperature", "liquid", "density", "pressure", "stress", "strain", "plastic_strain", "material", "body", "rank", "id", "neighbours"};
+}
+
+WorldFrame frameOf(const World& w, int rank) {
+  WorldFrame f;
+  f.frame.time = w.clock.time;
+  f.frame.step = w.clock.step;
+  f.frame.count = w.particles.owned;
+  add<float>(f, "position", "m", 3, [&](std::size_t i, float* to) { put3(w.particles.position[i], to); });
+  f.frame.positions = f.frame.fields[0];
+  f.frame.fields.clear();
+  add<std::uint64_t>(f, "id", "1", 1, [&](std::size_t i, std::uint64_t* to) { *to = w.particles.id[i]; });
+  std::vector<std::string> done;
+  for (const std::string& name : w.scene.output.fields) {
+    if (std::find(done.begin(), done.end(), name) != done.end()) continue;  // named twice
+    addField(f, w, rank, name);
+    done.push_back(name);
+  }
+  return f;
+}
+
+}  // namespace thaw

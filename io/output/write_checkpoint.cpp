@@ -1,0 +1,173 @@
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+
+#include "core/ledger/totals.hpp"
+#include "io/hdf5/parallel_file.hpp"
+#include "io/output/checkpoint.hpp"
+#include "parallel/communicator.hpp"
+
+namespace thaw {
+namespace {
+
+/// Where solids and bonds of this rank are, in the order in which they are written.
+struct SolidOrder {
+  std::vector<std::uint32_t> slots;         // of owned particles, ascending by particle
+  std::vector<std::uint64_t> particle;      // its row in the file
+  std::vector<std::uint64_t> firstBond;     // of each solid, on this rank; one more at the end
+};
+
+SolidOrder orderSolids(const World& w, std::uint64_t firstRow) {
+  SolidOrder o;
+  std::uint64_t bonds = 0;
+  for (std::size_t i = 0; w.particles.slot.active && i < w.particles.owned; i++) {
+    const std::uint32_t slot = w.particles.slot[i];
+    if (slot == noSlot) continue;
+    o.slots.push_back(slot);
+    o.particle.push_back(firstRow + i);
+    o.firstBond.push_back(bonds);
+    for (int k = 0; k < w.bonds.capacity; k++) bonds += w.bonds.weight[w.bonds.at(slot, k)] > 0;
+  }
+  o.firstBond.push_back(bonds);
+  return o;
+}
+
+/// Calls use(index of the bond among those asked for, its place in Bonds) for bonds [range.first, + count) of this rank.
+template<class Use> void eachBond(const Bonds& bonds, const SolidOrder& order, const RowRange& range, Use&& use) {
+  std::size_t solid = static_cast<std::size_t>(std::upper_bound(order.firstBond.begin(), order.firstBond.end(), range.first) - order.firstBond.begin()) - 1;
+  for (std::uint64_t at = order.firstBond[solid]; at < range.first + range.count; solid++)
+    for (int k = 0; k < bonds.capacity && at < range.first + range.count; k++) {
+      const std::size_t place = bonds.at(order.slots[solid], k);
+      if (!(bonds.weight[place] > 0)) continue;
+      if (at >= range.first) use(at - range.first, place);
+      at++;
+    }
+}
+
+void addColumns(ParallelFileContent& content, const std::string& group, const Table& table, const Spread& spread, const SolidOrder* order) {
+  content.groups.push_back(group);
+  for (const AnyColumn* c : table.columns) {
+    if (!c->active || c->keep != Keep::State) continue;
+    SpreadDataset d;
+    d.name = group + "/" + c->name;
+    d.shape = {elementOf(c->scalar), spread.all, c->components > 1 ? c->components : 0};
+    d.mine = spread.mine;
+    d.unit = c->unit;
+    const std::size_t bytes = c->elementBytes;
+    if (order == nullptr) d.data = c->bytes.data();
+    else
+      d.fill = [c, order, bytes](const RowRange& local, std::byte* to) {
+        for (std::uint64_t k = 0; k < local.count; k++) std::memcpy(to + k * bytes, c->bytes.data() + order->slots[local.first + k] * bytes, bytes);
+      };
+    content.datasets.push_back(std::move(d));
+  }
+}
+
+void addBonds(ParallelFileContent& content, const World& w, const SolidOrder& order, const Spread& spread) {
+  const Bonds& b = w.bonds;
+  content.groups.push_back("/bonds");
+  const auto add = [&](const std::string& name, const std::string& unit, Element element, int components, auto put) {
+    SpreadDataset d;
+    d.name = "/bonds/" + name;
+    d.shape = {element, spread.all, components};
+    d.mine = spread.mine;
+    d.unit = unit;
+    const std::size_t bytes = d.shape.rowBytes();
+    d.fill = [&b, &order, bytes, put](const RowRange& local, std::byte* to) {
+      eachBond(b, order, local, [&](std::uint64_t k, std::size_t place) { put(place, to + k * bytes); });
+    };
+    content.datasets.push_back(std::move(d));
+  };
+  const auto vector = [](const AlignedVector<double>& x, const AlignedVector<double>& y, const AlignedVector<double>& z) {
+    return [&x, &y, &z](std::size_t place, std::byte* to) {
+      const double v[3] = {x[place], y[place], z[place]};
+      std::memcpy(to, v, sizeof v);
+    };
+  };
+  add("neighbour", "1", Element::U64, 0, [&](std::size_t place, std::byte* to) { std::memcpy(to, &w.solids.id[b.neighbour[place]], 8); });
+  add("reference", "m", Element::F64, 3, vector(b.x, b.y, b.z));
+  if (b.twoFrames) add("reverse", "m", Element::F64, 3, vector(b.rx, b.ry, b.rz));
+  add("weight", "1", Element::F64, 0, [&](std::size_t place, std::byte* to) { std::memcpy(to, &b.weight[place], 8); });
+}
+
+void writeHeader(H5File& file, const CheckpointHeader& h) {
+  const std::string at = "/checkpoint";
+  file.setInteger(at, "format", 1);
+  file.setInteger(at, "sequence", h.sequence);
+  file.setInteger(at, "step", h.clock.step);
+  file.setInteger(at, "frame", h.clock.frame);
+  file.setNumber(at, "time", h.clock.time);
+  file.setNumber(at, "end", h.clock.end);
+  file.setNumber(at, "every", h.clock.every);
+  file.setNumber(at, "dt", h.clock.dt);
+  file.setText(at, "limited_by", h.limitedBy);
+  file.setInteger(at, "two_frames", h.twoFrames);
+  Ledger ledger = h.ledger;
+  Counters counters = h.counters;
+  file.createGroup(at + "/counters");
+  for (const NamedCount& c : countsOf(counters)) file.setInteger(at + "/counters", c.name, *c.count);
+  file.createGroup(at + "/ledger");
+  for (const NamedSum& s : sumsOf(ledger)) {
+    const std::string name = at + "/ledger/" + s.name;
+    file.writeAll(name, {Element::I64, ExactSum::digits, 0}, s.sum->digit.data());  // exact: 32-bit digits from 2^-1088 up
+    file.setText(name, "units", s.unit);
+    file.setNumber(name, "value", s.sum->value());
+  }
+  file.createGroup(at + "/initial");
+  for (const NamedValue& v : valuesOf(ledger.initial)) file.setNumber(at + "/initial", v.name, *v.value);
+  file.createGroup(at + "/values");
+  for (const auto& [name, value] : h.values) file.setNumber(at + "/values", name, value);
+}
+
+}  // namespace
+
+std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const World& w, const RunStamp& stamp, const CheckpointValues& values) {
+  const Communicator ours(comm);
+  MpiReducer all(ours);
+  CheckpointHeader h;
+  h.clock = w.clock;
+  if (w.clock.limitedBy != nullptr) h.limitedBy = std::string(w.clock.limitedBy);
+  h.twoFrames = w.bonds.twoFrames;
+  h.counters = globalCounters(w.counters, all);
+  h.ledger = globalLedger(w.ledger, all);
+  h.values = values;
+  // the older file is replaced, or one that cannot be read
+  int second = 0;
+  onFirstRank(comm, [&] {
+    const std::vector<CheckpointHeader> there = findCheckpoints(out);
+    h.sequence = there.empty() ? 1 : there[0].sequence + 1;
+    second = !there.empty() && there[0].path.ends_with("/a.hdf");
+  });
+  MPI_Bcast(&second, 1, MPI_INT, 0, comm);
+  const std::string path = out + "/checkpoint/" + (second ? "b.hdf" : "a.hdf");
+
+  const Spread particles = spreadRows(comm, w.particles.owned);
+  const SolidOrder order = orderSolids(w, particles.mine.first);
+  const Spread solids = spreadRows(comm, order.slots.size()), bonds = spreadRows(comm, order.firstBond.back());
+  ParallelFileContent content;
+  content.checked = true;
+  content.groups = {"/checkpoint", "/run", "/order"};
+  addColumns(content, "/particles", w.particles, particles, nullptr);
+  addColumns(content, "/solids", w.solids, solids, &order);
+  addBonds(content, w, order, bonds);
+  std::vector<std::uint64_t> firstBond(order.firstBond.begin(), order.firstBond.end() - 1);
+  for (std::uint64_t& f : firstBond) f += bonds.mine.first;
+  content.datasets.push_back({"/order/solid_particle", {Element::U64, solids.all, 0}, solids.mine, order.particle.data(), "1", {}});
+  content.datasets.push_back({"/order/first_bond", {Element::U64, solids.all, 0}, solids.mine, firstBond.data(), "1", {}});
+  content.smallBytes = stamp.sceneText.size();
+  content.small = [&](H5File& file) {
+    writeHeader(file, h);
+    writeStamp(file, stamp, ours.size());
+  };
+  writeParallelFile(path, comm, content);
+  return path;
+}
+
+void clearCheckpoints(const std::string& out) {
+  for (const char* name : {"a.hdf", "b.hdf", "a.hdf.part", "b.hdf.part"}) {
+    std::error_code error;
+    std::filesystem::remove(out + "/checkpoint/" + name, error);
+  }
+}
+
+}  // namespace thaw
