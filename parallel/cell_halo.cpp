@@ -67,6 +67,7 @@ void MpiCellHalo::usePartition(Partition partition) {
 
 Migration MpiCellHalo::migrate(Table& p, std::span<const std::uint64_t> keys) {
   Migration m;
+  p.resize(p.owned, 0);
   if (comm_.size() == 1) return m;
   const std::size_t bytes = p.stateBytes();
   for (Message& x : movers_) x.bytes.clear();

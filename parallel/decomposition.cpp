@@ -90,9 +90,10 @@ Cut findCut(const Group& g, const std::vector<WeightedCell>& cells) {
   return best;
 }
 
-void sendCells(const Group& g, const std::vector<WeightedCell>& give, int to, std::vector<MPI_Request>& requests) {
-  requests.emplace_back();
-  MPI_Isend(give.data(), static_cast<int>(give.size()) * static_cast<int>(sizeof(WeightedCell)), MPI_BYTE, to, CellsTag, g.comm, &requests.back());
+MPI_Request sendCells(const Group& g, const std::vector<WeightedCell>& give, int to) {
+  MPI_Request request;
+  MPI_Isend(give.data(), static_cast<int>(give.size() * sizeof(WeightedCell)), MPI_BYTE, to, CellsTag, g.comm, &request);
+  return request;
 }
 
 void receiveCells(const Group& g, int from, std::vector<WeightedCell>& cells) {
@@ -112,11 +113,10 @@ void exchangeHalves(const Group& g, const Cut& cut, std::vector<WeightedCell>& c
   std::vector<WeightedCell> keep, give;
   for (const WeightedCell& c : cells) ((c.cell[cut.axis] < cut.position) == mineIsLeft ? keep : give).push_back(c);
   const auto partner = [&](int i) { return i < left ? left + i % right : (i - left) % left; };
-  std::vector<MPI_Request> requests;
-  sendCells(g, give, partner(g.self), requests);
+  MPI_Request sent = sendCells(g, give, partner(g.self));
   for (int i = mineIsLeft ? left : 0; i < (mineIsLeft ? g.count : left); i++)
     if (partner(i) == g.self) receiveCells(g, i, keep);
-  MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+  MPI_Wait(&sent, MPI_STATUS_IGNORE);
   cells = std::move(keep);
 }
 

@@ -14,7 +14,8 @@ struct WeightedCell { Vec3i cell; std::int64_t weight; };
 /// Bisects the grid among all ranks so that the weights (> 0) are as even as whole planes of cells allow. Each rank brings the
 /// occupied cells it knows of, in any distribution, each cell once. The cells travel to the half that will own them, level by level.
 /// ownWeight: what this rank will have. Without cells, boxes of about equal size. Returns the boxes of all ranks. Collective.
-std::vector<CellBox> bisect(const Communicator& comm, const CellGrid& grid, std::vector<WeightedCell> cells, std::int64_t* ownWeight = nullptr);
+std::vector<CellBox> bisect(const Communicator& comm, const CellGrid& grid, std::vector<WeightedCell> cells,
+                            std::int64_t* ownWeight = nullptr);
 
 /// The boxes of all ranks, with the tree of cuts for looking up a cell's owner in O(log ranks).
 class Partition {

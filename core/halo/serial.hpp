@@ -19,7 +19,7 @@ class SerialCellHalo : public CellHalo {
   /// Throws std::invalid_argument for a periodic axis of fewer than three cells, where images would overlap.
   explicit SerialCellHalo(const CellGrid& grid);
 
-  Migration migrate(Table&, std::span<const std::uint64_t>) override { return {}; }
+  Migration migrate(Table& particles, std::span<const std::uint64_t> keys) override;
   void beginGhosts(Table& particles, const CellTable& cells, std::span<AnyColumn* const> columns) override;
   void finishGhosts(Table& particles, CellTable& cells) override;
   void beginRefresh(Table& particles, std::span<AnyColumn* const> columns) override;

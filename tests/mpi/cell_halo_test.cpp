@@ -77,8 +77,9 @@ double measuredImbalance(std::span<const double> cost, Reducer& all) {
 }
 
 void run(const Cloud& cloud, bool spread) {
-  SCOPED_TRACE(testing::Message() << "cells " << cloud.grid.cells.x << ' ' << cloud.grid.cells.y << ' ' << cloud.grid.cells.z << ", particles "
-                                  << cloud.number << ", periodic " << cloud.grid.periodic[0] << cloud.grid.periodic[1] << cloud.grid.periodic[2]);
+  const CellGrid& g = cloud.grid;
+  SCOPED_TRACE(testing::Message() << "cells " << g.cells.x << ' ' << g.cells.y << ' ' << g.cells.z << ", particles " << cloud.number
+                                  << ", periodic " << g.periodic[0] << g.periodic[1] << g.periodic[2]);
   const Communicator comm;
   MpiReducer all(comm);
   MpiCellHalo halo(comm, cloud.grid);

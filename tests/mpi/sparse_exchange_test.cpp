@@ -12,12 +12,16 @@ using thaw::test::hashed;
 namespace {
 
 /// Number of messages from one rank to another in a round (mostly none), and their sizes; every rank works out all of it.
-int messagesBetween(int from, int to, int round) { return static_cast<int>(hashed(static_cast<std::uint64_t>(round * 10007 + from * 101 + to)) * 5) - 2; }
+int messagesBetween(int from, int to, int round) {
+  return static_cast<int>(hashed(static_cast<std::uint64_t>(round * 10007 + from * 101 + to)) * 5) - 2;
+}
 std::size_t sizeOf(int from, int to, int round, int k) {
   const double u = hashed(static_cast<std::uint64_t>(((round * 64 + from) * 64 + to) * 8 + k));
   return 1 + static_cast<std::size_t>(u < 0.1 ? u * 3e6 : u * 500);
 }
-std::byte content(std::size_t i, int from, int k) { return static_cast<std::byte>((i * 7 + static_cast<std::size_t>(from * 31 + k * 5)) & 255); }
+std::byte content(std::size_t i, int from, int k) {
+  return static_cast<std::byte>((i * 7 + static_cast<std::size_t>(from * 31 + k * 5)) & 255);
+}
 
 }  // namespace
 

@@ -61,7 +61,8 @@ struct HaloRig {
 
   HaloRig(const Cloud& cloud, CellHalo& halo, Reducer& all) : cloud(cloud), halo(halo), all(all) {
     Continuum& p = particles;
-    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.id, &p.position, &p.velocity, &p.material, &p.clamped, &p.liquid, &p.cell, &p.nextCell, &p.slot, &p.filling})
+    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.id, &p.position, &p.velocity, &p.material, &p.clamped, &p.liquid, &p.cell,
+                                                          &p.nextCell, &p.slot, &p.filling})
       p.activate(*c);
   }
   /// The share that a rank starts with: anything, not what it owns. spread: over all ranks, else all on the last one.
@@ -95,7 +96,11 @@ struct HaloRig {
       ASSERT_NE(m.departedTo[k], all.rank());
       ASSERT_TRUE(k == 0 || m.departed[k - 1] < m.departed[k]);
     }
-    for (std::size_t i = particles.owned - m.arrivals; i < particles.owned; i++) ASSERT_EQ(particles.slot[i], noSlot);
+    for (std::size_t i = particles.owned - m.arrivals; i < particles.owned; i++) {
+      ASSERT_EQ(particles.slot[i], noSlot);
+      ASSERT_EQ(particles.filling[i], 0);
+      ASSERT_EQ(particles.cell[i], 0u);
+    }
     computeCellKeys(cloud.grid, particles);
     sortByCell(particles, m, sort, cells);
     std::vector<AnyColumn*> columns{&particles.id, &particles.position, &particles.clamped, &particles.material};
