@@ -75,7 +75,7 @@ Migration MpiCellHalo::migrate(Table& p, std::span<const std::uint64_t> keys) {
   int to = comm_.rank();
   std::uint64_t ours = 0;  // a cell that stays: rows come sorted, mostly in the cell of the row before
   for (std::size_t i = 0; i < p.owned; i++) {
-    if (keys[i] == ours) continue;
+    if (keys[i] == ours || keys[i] == noCell) continue;
     const Vec3i cell = cellOfKey(keys[i]);
     if (box_.contains(cell)) {
       ours = keys[i];

@@ -12,8 +12,9 @@ namespace thaw {
 struct WeightedCell { Vec3i cell; std::int64_t weight; };
 
 /// Bisects the grid among all ranks so that the weights (> 0) are as even as whole planes of cells allow. Each rank brings the
-/// occupied cells it knows of, in any distribution, each cell once. The cells travel to the half that will own them, level by level.
-/// ownWeight: what this rank will have. Without cells, boxes of about equal size. Returns the boxes of all ranks. Collective.
+/// occupied cells it knows of, in any distribution; the weights of a cell that several ranks bring add up. The cells travel to the
+/// half that will own them, level by level. ownWeight: what this rank will have. Without cells, boxes of about equal size.
+/// Returns the boxes of all ranks. Collective.
 std::vector<CellBox> bisect(const Communicator& comm, const CellGrid& grid, std::vector<WeightedCell> cells,
                             std::int64_t* ownWeight = nullptr);
 

@@ -28,7 +28,7 @@ void findLeaving(const CellGrid&, const Domain& d, Continuum& p, std::vector<std
     bool gone = false;
     for (int a = 0; a < 3; a++) gone = gone || (low[a] && x[a] < d.min[a]) || (high[a] && x[a] >= d.max[a]);
     if (gone) {
-      p.nextCell[i] = p.cell[i];
+      p.nextCell[i] = noCell;  // not its last cell: another rank may own that since the last rebalance
       rows.push_back(static_cast<std::uint32_t>(i));
     }
   }

@@ -12,8 +12,8 @@ namespace thaw {
 /// Brings owned particles that crossed a periodic side back into the domain.
 void wrapPeriodic(const CellGrid& grid, const Domain& domain, Continuum& particles);
 
-/// Owned rows beyond an open side, ascending, into `rows`. Their nextCell is set to the cell they came from, so that migration
-/// leaves them alone; the caller books and drops them.
+/// Owned rows beyond an open side, ascending, into `rows`. Their nextCell is set to noCell, so that migration leaves them alone; the
+/// caller books and drops them.
 void findLeaving(const CellGrid& grid, const Domain& domain, Continuum& particles, std::vector<std::uint32_t>& rows);
 
 }  // namespace thaw

@@ -33,7 +33,7 @@ class CellHalo {
  public:
   virtual ~CellHalo() = default;
 
-  /// Sends particles whose cell another rank owns to that rank. keys[row]: cell key of each owned row. Collective.
+  /// Sends particles whose cell another rank owns to that rank. keys[row]: cell key of each owned row, or noCell. Collective.
   /// Guarantees: ghosts dropped, arrivals appended (particles.owned grows), departed rows listed and still in place. Arrivals have
   /// their State columns; Local and Transient ones are zero (slot: noSlot), so their cell keys are to be computed before the sort.
   virtual Migration migrate(Table& particles, std::span<const std::uint64_t> keys) = 0;

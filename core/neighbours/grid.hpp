@@ -35,6 +35,8 @@ inline Vec3i cellOfKey(std::uint64_t key) {
   const int mask = (1 << 21) - 1;
   return {static_cast<int>(key & mask) - 1, static_cast<int>(key >> 21 & mask) - 1, static_cast<int>(key >> 42) - 1};
 }
+/// No cell's key. In a migration: a row that stays where it is, because it is about to be dropped.
+inline constexpr std::uint64_t noCell = ~std::uint64_t{0};
 
 /// Positions for pairs: 32-bit fixed point, 2^24 units a support radius, modulo 2^32. Differences of neighbours are exact,
 /// antisymmetric and independent of where the pair is (speed.md).

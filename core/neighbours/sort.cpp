@@ -38,15 +38,14 @@ void sortByCell(Continuum& p, const Migration& migration, SortBuffers& b, CellTa
   b.order.clear();
   b.order.reserve(p.owned + p.owned / 8);
   std::size_t departed = 0;
-  for (std::size_t i = 0; i < stayed; i++) {
+  for (std::size_t i = 0; i < p.owned; i++) {
     const std::uint32_t row = static_cast<std::uint32_t>(i);
     if (departed < migration.departed.size() && migration.departed[departed] == row) {
       departed++;
       continue;
     }
-    (next[i] == p.cell[i] ? b.order : b.movers).push_back(row);
+    (i < stayed && next[i] == p.cell[i] ? b.order : b.movers).push_back(row);
   }
-  for (std::size_t i = stayed; i < p.owned; i++) b.movers.push_back(static_cast<std::uint32_t>(i));
 
   if (!b.movers.empty() || b.order.size() != p.owned) {
     std::sort(b.movers.begin(), b.movers.end(), before);

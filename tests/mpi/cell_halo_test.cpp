@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "tests/support/halo_check.hpp"
 
 using namespace thaw;
@@ -212,6 +215,37 @@ TEST(CellHalo, CostsThatAreNotNumbersAreHarmless) {
   rig.checkOwned();
   std::vector<double> none(ownedCells(rig).key.size(), 0);
   EXPECT_FALSE(halo.rebalance(ownedCells(rig), none, true));
+}
+
+TEST(CellHalo, RowsWithoutACellStay) {
+  const Communicator comm;
+  MpiReducer all(comm);
+  MpiCellHalo halo(comm, plainGrid({6, 6, 6}, 0));
+  HaloRig rig({plainGrid({6, 6, 6}, 0), 300}, halo, all);
+  rig.start(true);
+  Continuum& p = rig.particles;
+  computeCellKeys(rig.cloud.grid, p);
+  std::vector<std::uint32_t> leaving;
+  std::int64_t number[1] = {static_cast<std::int64_t>(p.owned)};
+  for (std::size_t i = 0; i < p.owned; i += 4) {
+    p.nextCell[i] = noCell;
+    leaving.push_back(static_cast<std::uint32_t>(i));
+  }
+  number[0] -= static_cast<std::int64_t>(leaving.size());
+  Migration m = halo.migrate(p, {p.nextCell.data(), p.owned});
+  for (const std::uint32_t row : m.departed) EXPECT_NE(row % 4, 0u);
+  // new rows of this step may be among those that leave: all but the departed ones count as arrivals here
+  computeCellKeys(rig.cloud.grid, p);
+  std::vector<std::uint32_t> gone;
+  std::merge(m.departed.begin(), m.departed.end(), leaving.begin(), leaving.end(), std::back_inserter(gone));
+  m.departed = gone;
+  m.arrivals = p.owned;
+  sortByCell(p, m, rig.sort, rig.cells);
+  all.sum(number);
+  std::int64_t now[1] = {static_cast<std::int64_t>(p.owned)};
+  all.sum(now);
+  EXPECT_EQ(now[0], number[0]);
+  for (std::size_t i = 0; i < p.owned; i++) EXPECT_TRUE(halo.owns(p.cell[i]));
 }
 
 TEST(CellHalo, RefusesAShortPeriodicAxis) {
