@@ -1,0 +1,122 @@
+#include "io/commands/render.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <numbers>
+#include <stdexcept>
+
+#include "io/hdf5/io_error.hpp"
+#include "io/render/frame_source.hpp"
+
+namespace thaw {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+Vec3d vectorOf(const std::vector<double>& v) { return {v.at(0), v.at(1), v.at(2)}; }
+
+/// The field asked for, else the scene's if the frames have it, else the best they have.
+std::string fieldFor(const RenderOptions& options, const std::string& ofScene, const std::vector<std::string>& fields) {
+  if (options.field == "none") return {};
+  if (!options.field.empty()) return options.field;
+  const auto has = [&](const std::string& name) { return std::find(fields.begin(), fields.end(), name == "speed" ? "velocity" : name) != fields.end(); };
+  for (const std::string& name : {ofScene, std::string("temperature"), std::string("speed")})
+    if (!name.empty() && has(name)) return name;
+  return {};
+}
+
+/// pictures/ in the run's folder, whether that, its frames/ or a file in there was named.
+fs::path picturesFolder(const fs::path& input) {
+  fs::path folder = fs::is_directory(input) ? input : input.parent_path();
+  if (folder.filename().empty() && folder.has_parent_path()) folder = folder.parent_path();  // "run/"
+  if (folder.filename() == "frames") folder = folder.parent_path();
+  return folder / "pictures";
+}
+
+void setCamera(const RenderOptions& options, FrameJob& job) {
+  if (options.fit) job.camera.reset();
+  if (options.from.empty() != options.at.empty()) throw std::invalid_argument("--from and --at go together");
+  if (!options.from.empty()) {
+    Camera camera = job.camera.value_or(Camera{});
+    camera.fitted = false;
+    camera.from = vectorOf(options.from);
+    camera.at = vectorOf(options.at);
+    job.camera = camera;
+  }
+  if (options.fieldOfView > 0) {
+    if (!job.camera) throw std::invalid_argument("--fov needs a camera: --from and --at, or one in the scene");
+    job.camera->fieldOfView = options.fieldOfView * std::numbers::pi / 180;
+  }
+}
+
+FrameJob jobOf(const RenderOptions& options) {
+  const std::vector<fs::path> frames = findFrames(options.input);
+  FrameJob job;
+  job.frames = frames;
+  job.out = options.out.empty() ? picturesFolder(options.input) : options.out;
+  job.sheet = options.sheet;
+  job.columns = options.columns;
+  job.cells = options.cells;
+  job.field = fieldFor(options, job.field, fieldsOf(frames.back()));
+  if (options.min) job.min = options.min;
+  if (options.max) job.max = options.max;
+  if (job.min && job.max && !(*job.max > *job.min)) throw std::invalid_argument("the colours' range is empty: --max has to be above --min");
+  job.map = colourMapNamed(options.map);
+  if (options.width > 0) job.width = options.width;
+  if (options.height > 0) job.height = options.height;
+  job.radius = static_cast<float>(options.radius);
+  job.threads = options.threads;
+  if (!options.obstacles) job.walls.list.clear();
+  setCamera(options, job);
+  return job;
+}
+
+}  // namespace
+
+void addRenderOptions(CLI::App& command, RenderOptions& o) {
+  command.add_option("path", o.input, "frame (.hdf), series index (.hdf.series), or folder of a run")->required();
+  command.add_option("--out", o.out, "folder of the pictures (default: pictures/ in the run's folder)");
+  command.add_option("--sheet", o.sheet, "write a contact sheet of the run to this file as well");
+  command.add_option("--field", o.field, "field that colours: a name, speed, or none (default: the scene's choice)");
+  command.add_option("--min", o.min, "lowest number of the colours, SI (default: the scene's, or the lowest in all frames)");
+  command.add_option("--max", o.max, "highest number of the colours, SI");
+  command.add_option("--map", o.map, "colour map: ember, sea, grey")->capture_default_str();
+  command.add_option("--from", o.from, "camera's place in m: x y z")->expected(3);
+  command.add_option("--at", o.at, "point in m that the camera looks at: x y z")->expected(3);
+  command.add_option("--fov", o.fieldOfView, "vertical field of view in degrees")->check(CLI::Range(1.0, 170.0));
+  command.add_flag("--fit", o.fit, "fit the camera to the particles, whatever the scene says");
+  command.add_flag("!--no-obstacles", o.obstacles, "do not draw obstacles and floors");
+  command.add_option("--width", o.width, "pixels (default: the scene's)")->check(CLI::Range(16, 16384));
+  command.add_option("--height", o.height, "pixels")->check(CLI::Range(16, 16384));
+  command.add_option("--columns", o.columns, "of the contact sheet")->check(CLI::Range(1, 100))->capture_default_str();
+  command.add_option("--cells", o.cells, "pictures on the contact sheet, at most")->check(CLI::Range(1, 1000))->capture_default_str();
+  command.add_option("--radius", o.radius, "of the spheres, in particle spacings")->check(CLI::Range(0.01, 100.0))->capture_default_str();
+  command.add_option("--threads", o.threads, "frames drawn at once (default: one a core)")->check(CLI::Range(0, 4096));
+}
+
+int renderCommand(const RenderOptions& options) {
+  try {
+    const FrameJob job = jobOf(options);
+    const std::vector<fs::path> written = renderFrames(job, readFrameView);
+    const std::size_t pictures = written.size() - (job.sheet.empty() ? 0 : 1);
+    if (!job.sheet.empty()) fmt::print("{}\n", job.sheet.string());
+    if (pictures == 1) fmt::print("{}\n", written[0].string());
+    else fmt::print("{} to {}: {} pictures\n", written[0].string(), written[pictures - 1].filename().string(), pictures);
+    return 0;
+  } catch (const std::invalid_argument& error) {
+    fmt::print(stderr, "thaw render: {}\n", error.what());
+    return 2;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "thaw render: {}: not enough memory\n", options.input.string());
+    return exitInputOutput;
+  } catch (const std::runtime_error& error) {  // IoError, and the file system's
+    fmt::print(stderr, "thaw render: {}\n", error.what());
+    return exitInputOutput;
+  }
+}
+
+}  // namespace thaw
