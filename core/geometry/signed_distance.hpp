@@ -2,7 +2,9 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "core/geometry/triangle_mesh.hpp"
 #include "core/math/vec3.hpp"
 #include "core/scene/scene.hpp"
 
@@ -13,16 +15,35 @@ struct Bounds { Vec3d min{}, max{}; };
 class SignedDistance {
  public:
   virtual ~SignedDistance() = default;
-  /// Signed distance in m (exact, or for differences and intersections a lower bound of the absolute value) and, where asked
-  /// for, the unit gradient (outward).
+  /// Signed distance in m (exact, or for unions, differences and intersections possibly smaller in magnitude) and, where asked
+  /// for, the unit gradient (outward). The gradient is defined everywhere; where it is not unique one is chosen, always the same.
   virtual double distance(const Vec3d& x, Vec3d* gradient = nullptr) const = 0;
+  /// The same where |distance| < reach (m). Elsewhere any value with the sign of the distance and a magnitude between reach and
+  /// the distance's, and any gradient of length 1 or 0. For a mesh this is many times faster.
+  virtual double distanceWithin(const Vec3d& x, double reach, Vec3d* gradient = nullptr) const {
+    (void)reach;
+    return distance(x, gradient);
+  }
   virtual bool inside(const Vec3d& x) const { return distance(x) < 0; }
   virtual Bounds bounds() const = 0;  ///< HalfSpace: infinite
+  /// Largest dot(direction, x) over the shape (or an upper bound of it); direction of any length. Infinite for most of a HalfSpace.
+  virtual double extent(const Vec3d& direction) const;
+  /// The same over all points outside the shape: infinite but for half-spaces.
+  virtual double outerExtent(const Vec3d& direction) const;
+  /// Can inside() change its answer within |distance| of a point? Only for soups of triangles that are not closed.
+  virtual bool hasGaps() const { return false; }
+  /// Adds a sentence for everything that was mended in the shape's meshes, for the warnings of a run.
+  virtual void addNotes(std::vector<std::string>& notes) const { (void)notes; }
 };
 
-/// Thrown for shapes and meshes that cannot be used; what() says what was expected.
+/// Bounding box from six extents.
+Bounds boundsFromExtents(const SignedDistance& shape);
+
+/// Thrown for shapes and meshes that cannot be used (shape_error.hpp); what() says what was expected.
 struct ShapeError;
 
-std::shared_ptr<const SignedDistance> makeSignedDistance(const Shape& shape);
+/// Placement: with fitHeight, `scale` is set aside; with bottom, `move` is. The path "builtin:bust" names the project's own bust
+/// (bust.hpp); all other meshes come from `load`. Throws ShapeError; what a loader throws becomes one, with its message.
+std::shared_ptr<const SignedDistance> makeSignedDistance(const Shape& shape, const MeshLoader& load = {});
 
 }  // namespace thaw

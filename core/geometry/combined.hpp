@@ -1,0 +1,62 @@
+// Union, difference and intersection, and placement, of shapes that are ready.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "core/geometry/signed_distance.hpp"
+#include "core/math/mat3.hpp"
+
+namespace thaw {
+
+using ShapePart = std::shared_ptr<const SignedDistance>;
+
+/// max over the parts of side * distance, or for unions the min: outside (unions) and inside (the others) exact, elsewhere a lower
+/// bound of the magnitude. Of equal parts the first gives the gradient.
+class CombinedDistance final : public SignedDistance {
+ public:
+  enum class Kind { Union, Difference, Intersection };
+  CombinedDistance(Kind kind, std::vector<ShapePart> parts) : kind_(kind), parts_(std::move(parts)) {}
+  double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override { return distanceWithin(x, never, gradient); }
+  double distanceWithin(const Vec3d& x, double reach, Vec3d* gradient = nullptr) const override;
+  bool inside(const Vec3d& x) const override;
+  Bounds bounds() const override { return boundsFromExtents(*this); }
+  double extent(const Vec3d& direction) const override;
+  bool hasGaps() const override;
+  void addNotes(std::vector<std::string>& notes) const override;
+
+ private:
+  Kind kind_;
+  std::vector<ShapePart> parts_;
+};
+
+/// x = move + rotation * (scale * x_part).
+struct Placement {
+  double scale = 1;
+  Mat3d rotation = identity3<double>();
+  Vec3d move{};
+};
+
+class PlacedDistance final : public SignedDistance {
+ public:
+  PlacedDistance(ShapePart part, const Placement& placement);
+  double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;
+  double distanceWithin(const Vec3d& x, double reach, Vec3d* gradient = nullptr) const override;
+  bool inside(const Vec3d& x) const override { return part_->inside(toPart(x)); }
+  Bounds bounds() const override { return boundsFromExtents(*this); }
+  double extent(const Vec3d& direction) const override;
+  double outerExtent(const Vec3d& direction) const override;
+  bool hasGaps() const override { return part_->hasGaps(); }
+  void addNotes(std::vector<std::string>& notes) const override { part_->addNotes(notes); }
+
+ private:
+  Vec3d toPart(const Vec3d& x) const;
+  ShapePart part_;
+  Placement placement_;
+  Mat3d back_;    ///< inverse of the rotation
+  bool rotated_;  ///< else rotations are left out, so that the bits of unrotated shapes stay as they are
+};
+
+/// Rotation about x, then y, then z by the angles given (rad): R = Rz Ry Rx.
+Mat3d rotationXyz(const Vec3d& angles);
+
+}  // namespace thaw

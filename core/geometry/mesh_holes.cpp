@@ -1,0 +1,80 @@
+#include "core/geometry/mesh_holes.hpp"
+
+#include <algorithm>
+
+#include "core/geometry/mesh_edges.hpp"
+
+namespace thaw {
+namespace {
+
+struct BorderEdge { std::uint32_t from, to; };
+
+/// Edges, in the direction that their triangles lack, that balance the mesh.
+std::vector<BorderEdge> lackingEdges(const TriangleMesh& mesh) {
+  const std::vector<EdgeSide> sides = edgeSides(mesh);
+  std::vector<BorderEdge> border;
+  forEachEdge(sides, [&](std::size_t first, std::size_t last) {
+    int net = 0;
+    for (std::size_t k = first; k < last; k++) net += sides[k].sign;
+    const auto a = static_cast<std::uint32_t>(sides[first].edge >> 32), b = static_cast<std::uint32_t>(sides[first].edge);
+    for (; net > 0; net--) border.push_back({b, a});
+    for (; net < 0; net++) border.push_back({a, b});
+  });
+  std::sort(border.begin(), border.end(), [](BorderEdge p, BorderEdge q) { return p.from != q.from ? p.from < q.from : p.to < q.to; });
+  return border;
+}
+
+void closeLoop(TriangleMesh& mesh, const std::vector<std::uint32_t>& loop) {
+  if (loop.size() == 3) {
+    mesh.triangles.push_back({loop[0], loop[1], loop[2]});
+    return;
+  }
+  Vec3d middle;
+  for (const std::uint32_t v : loop) middle += mesh.vertices[v];
+  const auto m = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.push_back(middle / static_cast<double>(loop.size()));
+  for (std::size_t k = 0; k < loop.size(); k++) mesh.triangles.push_back({loop[k], loop[(k + 1) % loop.size()], m});
+}
+
+}  // namespace
+
+std::int64_t closeHoles(TriangleMesh& mesh) {
+  const std::vector<BorderEdge> border = lackingEdges(mesh);
+  const std::size_t vertices = mesh.vertices.size();
+  std::vector<std::uint32_t> next(vertices + 1, 0);  // first edge from each vertex that was not used yet
+  for (const BorderEdge& e : border) next[e.from + 1]++;
+  for (std::size_t v = 0; v < vertices; v++) next[v + 1] += next[v];
+  const std::vector<std::uint32_t> begin(next);
+  std::vector<std::uint32_t> placeOnPath(vertices, 0);  // 1 + index
+  std::int64_t holes = 0;
+  std::vector<std::uint32_t> path;
+  for (std::uint32_t start = 0; start < vertices; start++) {
+    // As many border edges leave a vertex as come in, so a walk gets stuck only where it began. Whenever it meets itself, the part
+    // between is a hole of its own.
+    while (next[start] < begin[start + 1]) {
+      path.assign(1, start);
+      placeOnPath[start] = 1;
+      while (!path.empty()) {
+        const std::uint32_t v = path.back();
+        if (next[v] == begin[v + 1]) break;
+        const std::uint32_t to = border[next[v]++].to;
+        if (placeOnPath[to] == 0) {
+          path.push_back(to);
+          placeOnPath[to] = static_cast<std::uint32_t>(path.size());
+          continue;
+        }
+        const std::vector<std::uint32_t> loop(path.begin() + placeOnPath[to] - 1, path.end());
+        for (std::size_t k = placeOnPath[to]; k < path.size(); k++) placeOnPath[path[k]] = 0;
+        path.resize(placeOnPath[to]);
+        if (loop.size() > 2) {  // back and forth along one edge encloses nothing
+          closeLoop(mesh, loop);
+          holes++;
+        }
+      }
+      for (const std::uint32_t v : path) placeOnPath[v] = 0;
+    }
+  }
+  return holes;
+}
+
+}  // namespace thaw

@@ -1,0 +1,39 @@
+// Bodies that are placed into each other.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/geometry/signed_distance.hpp"
+#include "core/scene/scene.hpp"
+
+namespace thaw {
+
+/// Samples of body a that lie inside body b, for each pair of bodies that have any. Counts of several ranks are added pair by pair.
+struct OverlapCounts {
+  explicit OverlapCounts(std::size_t bodies) : bodies(bodies), count(bodies * bodies, 0) {}
+  std::size_t bodies;
+  std::vector<std::int64_t> count;  ///< [a * bodies + b]
+  std::int64_t& of(std::size_t a, std::size_t b) { return count[a * bodies + b]; }
+  std::int64_t total() const;
+};
+
+/// Which bodies' bounding boxes meet, so that only those are asked.
+class OverlapTest {
+ public:
+  explicit OverlapTest(std::vector<std::shared_ptr<const SignedDistance>> bodies);
+  /// Counts the bodies that contain a sample of body a at x (m), and returns whether the rule keeps it: Error and Keep keep all,
+  /// RemoveLater takes a sample away if an earlier body contains it, RemoveEarlier if a later one does. With Error the caller
+  /// stops the run if the counts over all ranks are not zero.
+  bool keeps(std::size_t a, const Vec3d& x, OverlapRule rule, OverlapCounts& counts) const;
+
+ private:
+  std::vector<std::shared_ptr<const SignedDistance>> bodies_;
+  std::vector<Bounds> bounds_;
+  std::vector<std::vector<std::size_t>> near_;  ///< other bodies whose boxes meet that of each body
+};
+
+/// "bodies 'a' and 'b' overlap: 12 particles of 'a' lie inside 'b', 10 of 'b' inside 'a'", one sentence a pair. Counts of all ranks.
+std::vector<std::string> describeOverlaps(OverlapCounts counts, const std::vector<Body>& bodies);
+
+}  // namespace thaw

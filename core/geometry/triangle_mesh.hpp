@@ -1,0 +1,22 @@
+// Triangles as a file has them or as code makes them; nothing is promised about them (mesh_repair.hpp makes a solid of them).
+#pragma once
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/math/vec3.hpp"
+
+namespace thaw {
+
+struct TriangleMesh {
+  std::vector<Vec3d> vertices;                          // m
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // indices of vertices, counter-clockwise seen from outside
+};
+
+/// Reads the mesh of a path; throws a std::exception whose what() names file, place and what was expected there.
+/// io/meshes has the one for files, so that core reads none.
+using MeshLoader = std::function<TriangleMesh(const std::string& path)>;
+
+}  // namespace thaw

@@ -1,0 +1,93 @@
+#include "core/geometry/weld_vertices.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <unordered_map>
+
+#include "core/math/hash_random.hpp"
+
+namespace thaw {
+namespace {
+
+using Index = std::uint32_t;
+constexpr Index none = 0xffffffffu;
+
+/// For each vertex the first one equal to it.
+std::vector<Index> firstEqual(const std::vector<Vec3d>& v) {
+  std::vector<Index> order(v.size()), first(v.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+    if (v[a].x != v[b].x) return v[a].x < v[b].x;
+    if (v[a].y != v[b].y) return v[a].y < v[b].y;
+    return v[a].z != v[b].z ? v[a].z < v[b].z : a < b;
+  });
+  for (std::size_t k = 0; k < order.size(); k++) first[order[k]] = k > 0 && v[order[k]] == v[order[k - 1]] ? first[order[k - 1]] : order[k];
+  return first;
+}
+
+/// For each vertex the first one near it, by a hash of cells of twice the tolerance; only looked up, never walked through.
+std::vector<Index> firstNear(const std::vector<Vec3d>& v, double tolerance) {
+  std::unordered_map<std::uint64_t, std::vector<Index>> cells;
+  std::vector<Index> first(v.size());
+  const double scale = 1 / (2 * tolerance);
+  const auto key = [](std::int64_t i, std::int64_t j, std::int64_t k) {
+    return mixBits(mixBits(mixBits(static_cast<std::uint64_t>(i)) + static_cast<std::uint64_t>(j)) + static_cast<std::uint64_t>(k));
+  };
+  for (Index n = 0; n < v.size(); n++) {
+    const Vec3d x = v[n];
+    const auto cell = [&](double c) { return static_cast<std::int64_t>(std::floor(c * scale)); };
+    Index found = none;
+    for (std::int64_t i = cell(x.x - tolerance); i <= cell(x.x + tolerance); i++)
+      for (std::int64_t j = cell(x.y - tolerance); j <= cell(x.y + tolerance); j++)
+        for (std::int64_t k = cell(x.z - tolerance); k <= cell(x.z + tolerance); k++) {
+          const auto at = cells.find(key(i, j, k));
+          if (at == cells.end()) continue;
+          for (const Index m : at->second) {
+            const Vec3d d = v[m] - x;
+            if (std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) <= tolerance) found = std::min(found, m);
+          }
+        }
+    first[n] = found == none ? n : found;
+    if (found == none) cells[key(cell(x.x), cell(x.y), cell(x.z))].push_back(n);
+  }
+  return first;
+}
+
+}  // namespace
+
+TriangleMesh weldVertices(const TriangleMesh& mesh, double tolerance) {
+  const std::vector<Index> first = tolerance > 0 ? firstNear(mesh.vertices, tolerance) : firstEqual(mesh.vertices);
+  std::vector<Index> number(mesh.vertices.size(), none);
+  TriangleMesh out;
+  std::vector<std::array<Index, 3>> sorted;
+  for (const auto& t : mesh.triangles) {
+    const std::array<Index, 3> c{first[t[0]], first[t[1]], first[t[2]]};
+    if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) continue;
+    out.triangles.push_back(c);
+    sorted.push_back(c);
+    std::sort(sorted.back().begin(), sorted.back().end());
+  }
+  std::vector<Index> order(sorted.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return sorted[a] != sorted[b] ? sorted[a] < sorted[b] : a < b; });
+  std::vector<char> twice(sorted.size(), 0);
+  for (std::size_t k = 1; k < order.size(); k++) twice[order[k]] = sorted[order[k]] == sorted[order[k - 1]];
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < out.triangles.size(); t++) {
+    if (twice[t]) continue;
+    std::array<Index, 3> c = out.triangles[t];
+    for (Index& v : c) {
+      if (number[v] == none) {
+        number[v] = static_cast<Index>(out.vertices.size());
+        out.vertices.push_back(mesh.vertices[v]);
+      }
+      v = number[v];
+    }
+    out.triangles[kept++] = c;
+  }
+  out.triangles.resize(kept);
+  return out;
+}
+
+}  // namespace thaw

@@ -1,0 +1,138 @@
+// PLY: x, y, z of the element 'vertex' and the list vertex_indices (or vertex_index) of 'face'; everything else is passed over.
+#include <algorithm>
+#include <vector>
+
+#include "io/meshes/ply_header.hpp"
+
+namespace thaw {
+namespace {
+
+/// Values one after another, of either kind of file.
+class PlyValues {
+ public:
+  PlyValues(std::string_view content, const std::string& file, const TextCursor& behindHeader, PlyFormat format)
+      : text_(behindHeader), bytes_(content, file, behindHeader.offset()), format_(format), size_(content.size()) {}
+
+  double number(ScalarType type) {
+    if (format_ != PlyFormat::Ascii) return bytes_.number(type, format_ == PlyFormat::BigEndian);
+    return text_.number(text_.word(), "a number");
+  }
+  double coordinate(ScalarType type) {
+    return format_ != PlyFormat::Ascii ? bytes_.finite(type, format_ == PlyFormat::BigEndian) : text_.number(text_.word(), "a coordinate");
+  }
+  /// Length of a list, with room for its values in what is left of the file.
+  std::uint64_t length(const PlyProperty& p) {
+    const double n = number(p.countType);
+    if (n < 0 || n != std::floor(n)) fail("expected the length of a list, found " + std::to_string(n));
+    if (n * (format_ == PlyFormat::Ascii ? 2.0 : static_cast<double>(sizeOf(p.type))) > static_cast<double>(left()) + 1)
+      fail("a list of " + std::to_string(static_cast<std::uint64_t>(n)) + " values, for which the rest of the file is too short");
+    return static_cast<std::uint64_t>(n);
+  }
+  void skip(const PlyProperty& p) {
+    for (std::uint64_t n = p.list ? length(p) : 1; n > 0; n--) {
+      if (format_ != PlyFormat::Ascii) bytes_.skip(sizeOf(p.type));
+      else if (text_.word().empty()) text_.fail("the file ends; expected a value of property '" + p.name + "'");
+    }
+  }
+  std::size_t left() const { return format_ != PlyFormat::Ascii ? bytes_.left() : size_ - std::min(size_, text_.offset()); }
+  [[noreturn]] void fail(const std::string& message) const {
+    if (format_ != PlyFormat::Ascii) bytes_.fail(message);
+    text_.fail(message);
+  }
+
+ private:
+  TextCursor text_;
+  ByteCursor bytes_;
+  PlyFormat format_;
+  std::size_t size_;
+};
+
+struct PlyReader {
+  PlyValues values;
+  const TextCursor& header;
+  PlyFormat format;
+  TriangleMesh mesh;
+  std::uint64_t vertices = 0;  // as the header says; faces may come first
+  std::vector<std::uint32_t> polygon;
+
+  /// Reserves what the file can hold, not what the header promises.
+  template<class T> void reserve(std::vector<T>& v, const PlyElement& e) const {
+    std::size_t least = 0;
+    for (const PlyProperty& p : e.properties) least += format == PlyFormat::Ascii ? 2 : p.list ? sizeOf(p.countType) : sizeOf(p.type);
+    if (e.count > values.left() / std::max<std::size_t>(least, 1) + 1)
+      header.failAt(e.line, "the header says " + std::to_string(e.count) + " of element '" + e.name + "', for which the file is too short");
+    v.reserve(static_cast<std::size_t>(e.count));
+  }
+
+  void readVertices(const PlyElement& e) {
+    int axisOf[3] = {-1, -1, -1};
+    for (std::size_t k = 0; k < e.properties.size(); k++)
+      for (int a = 0; a < 3; a++)
+        if (e.properties[k].name == std::string(1, static_cast<char>('x' + a)) && !e.properties[k].list) axisOf[a] = static_cast<int>(k);
+    if (*std::min_element(axisOf, axisOf + 3) < 0) header.failAt(e.line, "the element 'vertex' needs the properties x, y and z");
+    reserve(mesh.vertices, e);
+    for (std::uint64_t n = 0; n < e.count; n++) {
+      Vec3d v;
+      for (std::size_t k = 0; k < e.properties.size(); k++) {
+        const int* axis = std::find(axisOf, axisOf + 3, static_cast<int>(k));
+        if (axis == axisOf + 3) values.skip(e.properties[k]);
+        else v[static_cast<int>(axis - axisOf)] = values.coordinate(e.properties[k].type);
+      }
+      mesh.vertices.push_back(v);
+    }
+  }
+
+  void readPolygon(const PlyProperty& p) {
+    polygon.clear();
+    for (std::uint64_t n = values.length(p); n > 0; n--) {
+      const double index = values.number(p.type);
+      if (!(index >= 0 && index < static_cast<double>(vertices)) || index != std::floor(index))
+        values.fail("expected a vertex index below " + std::to_string(vertices) + ", the number of vertices; found " + std::to_string(index));
+      polygon.push_back(static_cast<std::uint32_t>(index));
+    }
+    if (polygon.size() < 3) values.fail("a face with " + std::to_string(polygon.size()) + " corners; expected at least 3");
+    for (std::size_t k = 2; k < polygon.size(); k++) mesh.triangles.push_back({polygon[0], polygon[k - 1], polygon[k]});
+  }
+
+  void readFaces(const PlyElement& e) {
+    const auto indices = std::find_if(e.properties.begin(), e.properties.end(),
+                                      [](const PlyProperty& p) { return p.list && (p.name == "vertex_indices" || p.name == "vertex_index"); });
+    if (indices == e.properties.end()) header.failAt(e.line, "the element 'face' needs the property list vertex_indices");
+    reserve(mesh.triangles, e);
+    for (std::uint64_t n = 0; n < e.count; n++)
+      for (auto p = e.properties.begin(); p != e.properties.end(); ++p) {
+        if (p == indices) readPolygon(*p);
+        else values.skip(*p);
+      }
+  }
+
+  void skipElement(const PlyElement& e) {
+    if (e.properties.empty()) return;
+    for (std::uint64_t n = 0; n < e.count; n++)  // every turn reads something, so it ends with the file
+      for (const PlyProperty& p : e.properties) values.skip(p);
+  }
+};
+
+}  // namespace
+
+TriangleMesh parsePly(std::string_view content, const std::string& file) {
+  TextCursor text(content, file);
+  const PlyHeader header = readPlyHeader(text);
+  PlyReader reader{PlyValues(content, file, text, header.format), text, header.format, {}, 0, {}};
+  const auto named = [&](const char* name) {
+    const auto e = std::find_if(header.elements.begin(), header.elements.end(), [&](const PlyElement& x) { return x.name == name; });
+    if (e == header.elements.end() || e->count == 0) text.fail("the file has no " + std::string(name) + " elements; expected a mesh of vertices and faces");
+    return &*e;
+  };
+  const PlyElement *vertices = named("vertex"), *faces = named("face");
+  if (vertices->count > 0xfffffff0u) text.failAt(vertices->line, "more vertices than 32 bits can count");
+  reader.vertices = vertices->count;
+  for (const PlyElement& e : header.elements) {
+    if (&e == vertices) reader.readVertices(e);
+    else if (&e == faces) reader.readFaces(e);
+    else reader.skipElement(e);
+  }
+  return std::move(reader.mesh);
+}
+
+}  // namespace thaw

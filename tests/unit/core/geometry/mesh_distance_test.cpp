@@ -1,0 +1,95 @@
+#include "core/geometry/mesh_distance.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/geometry/bust.hpp"
+#include "tests/support/meshes.hpp"
+
+namespace thaw {
+namespace {
+
+TEST(MeshDistance, isThatOfABox) {
+  const MeshDistance d(boxMesh({0, 0, 0}, {1, 2, 3}), "box");
+  Vec3d g;
+  EXPECT_DOUBLE_EQ(d.distance({0.5, 1, 0.2}, &g), -0.2);
+  EXPECT_LT(length(g - Vec3d{0, 0, -1}), 1e-14);
+  EXPECT_DOUBLE_EQ(d.distance({4, 1, 1}, &g), 3);
+  EXPECT_LT(length(g - Vec3d{1, 0, 0}), 1e-14);
+  EXPECT_DOUBLE_EQ(d.distance({-3, 6, 1}, &g), 5);
+  EXPECT_LT(length(g - Vec3d{-0.6, 0.8, 0}), 1e-14);
+  EXPECT_EQ(d.distance({1, 1.1, 1.2}, &g), 0);  // on a face
+  EXPECT_LT(length(g - Vec3d{1, 0, 0}), 1e-14);
+  EXPECT_EQ(d.bounds().max, (Vec3d{1, 2, 3}));
+  EXPECT_DOUBLE_EQ(d.extent({1, 1, 0}), 3);
+}
+
+TEST(MeshDistance, withinKeepsItsPromise) {
+  const MeshDistance d(bustMesh(), "bust");
+  for (std::uint64_t k = 0; k < 4000; k++) {
+    const Vec3d x = randomPoint({{-0.5, -0.5, -0.2}, {0.5, 0.5, 1.2}}, k);
+    const double reach = k % 2 ? 0.02 : 0.15;
+    Vec3d g, h;
+    const double exact = d.distance(x, &g), v = d.distanceWithin(x, reach, &h);
+    ASSERT_EQ(exact < 0, v < 0);
+    ASSERT_EQ(d.inside(x), exact < 0);
+    ASSERT_NEAR(length(g), 1, 1e-12);
+    if (std::abs(exact) < reach) {
+      ASSERT_EQ(v, exact);
+      ASSERT_EQ(g, h);
+    } else {
+      ASSERT_GE(std::abs(v), reach);
+      ASSERT_LE(std::abs(v), std::abs(exact) * (1 + 1e-12));
+    }
+  }
+}
+
+TEST(MeshDistance, agreesWithBruteForce) {
+  const TriangleMesh m = ballMesh({0.2, 0, 0}, 0.5, 0.08);
+  const MeshDistance d(m, "ball");
+  for (std::uint64_t k = 0; k < 1000; k++) {
+    const Vec3d x = randomPoint({{-1, -1, -1}, {1, 1, 1}}, k);
+    ASSERT_NEAR(std::abs(d.distance(x)), bruteDistance(m, x), 1e-13);
+    if (bruteDistance(m, x) > 1e-9) { ASSERT_EQ(d.inside(x), bruteWinding(m, x) > 0.5); }
+  }
+}
+
+TEST(MeshDistance, gradientIsTheSlope) {
+  const MeshDistance d(ballMesh({}, 0.5, 0.08), "ball");
+  int checked = 0;
+  for (std::uint64_t k = 0; k < 300; k++) {
+    const Vec3d x = randomPoint({{-1, -1, -1}, {1, 1, 1}}, k);
+    Vec3d g;
+    d.distance(x, &g);
+    for (int a = 0; a < 3; a++) {
+      Vec3d h;
+      h[a] = 1e-6;
+      const double up = d.distance(x + h), down = d.distance(x - h);
+      if (std::abs(up + down - 2 * d.distance(x)) > 1e-9) continue;  // a kink
+      EXPECT_NEAR((up - down) / 2e-6, g[a], 1e-4);
+      checked++;
+    }
+  }
+  EXPECT_GT(checked, 700);
+}
+
+TEST(Bust, isAClosedSolidOneMetreTall) {
+  const TriangleMesh m = bustMesh();
+  EXPECT_GT(m.triangles.size(), 20000u);
+  EXPECT_LT(m.triangles.size(), 100000u);
+  MeshReport r;
+  const TriangleMesh repaired = repairMesh(m, r);
+  EXPECT_EQ(repaired.triangles.size(), m.triangles.size());
+  EXPECT_EQ(r.shells, 1);
+  EXPECT_EQ(r.holes + r.turnedShells + r.turnedTriangles, 0);
+  EXPECT_GT(r.volume, 0.03);
+  const MeshDistance d(m, "bust");
+  EXPECT_NEAR(d.bounds().min.z, 0, 1e-12);
+  EXPECT_NEAR(d.bounds().max.z, 1, 1e-12);
+  EXPECT_NEAR(d.bounds().min.y, -d.bounds().max.y, 1e-12);
+  EXPECT_NEAR(d.bounds().min.x, -d.bounds().max.x, 1e-3);
+  EXPECT_LT(d.distance({0, 0, 0.5}), -0.03);  // within the head, the neck, the chest
+  EXPECT_EQ(bustMesh().vertices, m.vertices);
+}
+
+}  // namespace
+}  // namespace thaw

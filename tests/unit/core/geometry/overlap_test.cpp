@@ -1,0 +1,44 @@
+#include "core/geometry/overlap.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/geometry/sampling.hpp"
+
+namespace thaw {
+namespace {
+
+TEST(Overlap, rulesAndCounts) {
+  std::vector<std::shared_ptr<const SignedDistance>> shapes;
+  std::vector<Body> bodies(3);
+  for (int k = 0; k < 3; k++) {  // boxes of 10 x 10 x 10 in a row, the first two share 4 layers, the third touches the second
+    Shape s;
+    s.move = {k == 0 ? 0.0 : k == 1 ? 0.6 : 1.6, 0, 0};
+    shapes.push_back(makeSignedDistance(s));
+    bodies[static_cast<std::size_t>(k)].name = std::string(1, static_cast<char>('a' + k));
+  }
+  const OverlapTest test(shapes);
+  const auto kept = [&](OverlapRule rule, OverlapCounts& counts) {
+    std::vector<std::size_t> n(3, 0);
+    for (std::size_t a = 0; a < 3; a++) {
+      const SampleLattice l = sampleLattice(*shapes[a], 0.1);
+      for (const Vec3d& x : sampleShape(*shapes[a], l, {0, l.rows()}).position) n[a] += test.keeps(a, x, rule, counts);
+    }
+    return n;
+  };
+  for (const OverlapRule rule : {OverlapRule::Error, OverlapRule::Keep, OverlapRule::RemoveLater, OverlapRule::RemoveEarlier}) {
+    OverlapCounts counts(3);
+    const auto n = kept(rule, counts);
+    EXPECT_EQ(n[0], rule == OverlapRule::RemoveEarlier ? 600u : 1000u);
+    EXPECT_EQ(n[1], rule == OverlapRule::RemoveLater ? 600u : 1000u);
+    EXPECT_EQ(n[2], 1000u);
+    EXPECT_EQ(counts.of(0, 1), 400);
+    EXPECT_EQ(counts.of(1, 0), 400);
+    EXPECT_EQ(counts.total(), 800);
+    const auto sentences = describeOverlaps(counts, bodies);
+    ASSERT_EQ(sentences.size(), 1u);
+    EXPECT_EQ(sentences[0], "bodies 'a' and 'b' overlap: 400 particles of 'a' lie inside 'b', 400 of 'b' inside 'a'");
+  }
+}
+
+}  // namespace
+}  // namespace thaw
