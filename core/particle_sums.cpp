@@ -90,7 +90,6 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
 
 std::vector<AnyColumn*> ghostColumns(World& w) {
   Continuum& p = w.particles;
-  if (!w.modules.neighbours) return {};
   std::vector<AnyColumn*> c{&p.position, &p.velocity, &p.mass, &p.material, &p.phase};
   if (w.modules.solid) c.push_back(&p.id);
   if (w.modules.solid) c.push_back(&p.body);
@@ -175,7 +174,6 @@ double compressionOf(const RecordContext& x, const Continuum& p, std::size_t i) 
 }  // namespace
 
 void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass) {
-  if (!w.modules.neighbours) return;
   Continuum& p = w.particles;
   const RecordContext x = recordsOf(w, t);
   NeighbourLists& lists = w.neighbours;

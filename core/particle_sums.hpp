@@ -26,6 +26,9 @@ void separateCoincident(World& world, const StepTools& tools, std::int64_t befor
 /// Searches and adds to Continuum::force the force of a pressure of 1 Pa everywhere, -2 V_i sum V_j grad W (N). Needs ghosts.
 void sumUnitPressure(World& world, StepTools& tools);
 
+/// Does this evaluation need neighbour lists? A scene of one solid needs them once, to make its bonds.
+inline bool needsNeighbours(const World& world, const StepTools& tools) { return world.modules.neighbours || tools.bondsAtStart; }
+
 /// Inner passes work on particles whose neighbours are all owned; boundary passes on the others. Density passes search first.
 enum class NeighbourPass { InnerDensity, BoundaryDensity, InnerForces, BoundaryForces };
 void sumOverNeighbours(World& world, StepTools& tools, NeighbourPass pass);

@@ -13,7 +13,7 @@
 
 namespace thaw {
 
-StepOutcome step(World& w, Halos halos, StepTools& t, bool stopWanted) {
+StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   t.times.start();
   const double dt = clip(w.clock, w.clock.dt), time = timeAfter(w.clock, dt);
   kickAndDrift(w, dt);                         // v += a dt/2, x += v dt
@@ -39,59 +39,64 @@ StepOutcome step(World& w, Halos halos, StepTools& t, bool stopWanted) {
   w.clock.time = time;
   w.clock.stepDt = dt;
   w.clock.step++;
-  return vote(w, halos, t, here, stopWanted);
+  return vote(w, halos, t, here, wanted);
 }
 
 void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   Continuum& p = w.particles;
   const bool leftSlots = bringHome(w, halos, t, dt);     // emit, let go, migrate, sort by (cell, id)
-  if (w.modules.solid) relinkSolids(w, halos, t, {{}, t.phaseChangedHere || leftSlots});
+  if (w.modules.solid) relinkSolids(w, halos, t, {{}, t.phaseChangedHere || leftSlots || t.bondsAtStart});
   t.phaseChangedHere = false;
 
-  halos.cells.beginGhosts(p, w.cells, ghostColumns(w));  // copies of the cells around ours are on their way ...
+  const std::int64_t coincident = w.counters.coincidentPairs;
+  const bool neighbours = needsNeighbours(w, t);
+  if (neighbours) halos.cells.beginGhosts(p, w.cells, ghostColumns(w));  // copies of the cells around ours are on their way ...
   if (w.modules.solid) beginDeformation(w, halos);
   t.times.lap(StepPhase::Exchange);
   clearRates(w);
-  const std::int64_t coincident = w.counters.coincidentPairs;
-  markInner(w, halos.cells, t);
-  sumOverNeighbours(w, t, NeighbourPass::InnerDensity);  // ... while particles inside find neighbours and density
-  halos.cells.finishGhosts(p, w.cells);
-  t.times.lap(StepPhase::Exchange);
-  markInner(w, halos.cells, t);
-  sumOverNeighbours(w, t, NeighbourPass::BoundaryDensity);
+  if (neighbours) {
+    markInner(w, halos.cells, t);
+    sumOverNeighbours(w, t, NeighbourPass::InnerDensity);  // ... while particles inside find neighbours and density
+    halos.cells.finishGhosts(p, w.cells);
+    t.times.lap(StepPhase::Exchange);
+    markInner(w, halos.cells, t);
+    sumOverNeighbours(w, t, NeighbourPass::BoundaryDensity);
+  }
   findWallContacts({w, t.wallTables, t.liquids, dt}, t.wallContacts);
-  if (w.modules.fluid) addWallFilling({w, t.wallTables, t.liquids, dt}, t.fillingScale, t.wallContacts);
+  if (w.modules.fluid) addWallFilling({w, t.wallTables, t.liquids, dt}, t.perLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
 
   if (w.modules.fluid) halos.cells.beginRefresh(p, std::array<AnyColumn*, 1>{&p.filling});
   t.times.lap(StepPhase::Exchange);
   if (w.modules.solid) deform(w, halos, t, dt);          // F, stress; bonds break, form, take new references
-  sumOverNeighbours(w, t, NeighbourPass::InnerForces);   // pressure, viscosity, heat, tension
+  if (w.modules.neighbours) sumOverNeighbours(w, t, NeighbourPass::InnerForces);  // pressure, viscosity, heat, tension
   if (w.modules.fluid) halos.cells.finishRefresh(p);
   t.times.lap(StepPhase::Exchange);
-  sumOverNeighbours(w, t, NeighbourPass::BoundaryForces);
+  if (w.modules.neighbours) sumOverNeighbours(w, t, NeighbourPass::BoundaryForces);
   if (w.modules.solid) addElasticForces(w, halos, t, dt);
   if (w.modules.contact) addSolidContacts({w.scene, w.grid, w.solids, w.bonds}, t.closePairs, p);
   t.times.lap(StepPhase::Contact);
-  addWallForces({w, t.wallTables, t.liquids, dt}, t.fillingScale, t.wallContacts);
+  addWallForces({w, t.wallTables, t.liquids, dt}, t.perLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
   if (w.modules.heat) {
     addWallHeat({w, t.wallTables, t.liquids, dt}, t.wallContacts);
     addOuterHeat(w, dt);
   }
-  separateCoincident(w, t, coincident);
+  if (w.modules.neighbours) separateCoincident(w, t, coincident);
   t.times.lap(StepPhase::Heat);
 }
 
-StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, bool stopWanted) {
+StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests wanted) {
   StepLimits limits = t.fixedLimits;
   const StepLimits own = particleLimits(w);
   constexpr std::size_t n = limitNames.size();
-  double values[n + 3];
+  double values[n + 5];
   for (std::size_t k = 0; k < n; k++) values[k] = -std::min(limits.value[k], own.value[k]);
   values[n] = t.frozeAnywhere;
   values[n + 1] = here.badHere;
-  values[n + 2] = stopWanted;
+  values[n + 2] = wanted.stop;
+  values[n + 3] = wanted.report;
+  values[n + 4] = wanted.checkpoint;
   t.times.lap(StepPhase::Drift);
   halos.all.maximum(values);
   t.times.lap(StepPhase::Reduce);
@@ -100,7 +105,7 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, bool sto
   all.limitedBy = limits.smallest();
   t.frozeAnywhere = values[n] > 0;
   all.finite = !(values[n + 1] > 0);
-  all.stop = values[n + 2] > 0;
+  all.wanted = {values[n + 2] > 0, values[n + 3] > 0, values[n + 4] > 0};
   const double fixed = w.scene.numerics.fixedStep;
   w.clock.dt = fixed > 0 ? fixed : limits[all.limitedBy];
   w.clock.limitedBy = fixed > 0 ? "the scene's fixed step" : limitNames[static_cast<std::size_t>(all.limitedBy)];

@@ -31,7 +31,8 @@ struct StepTools {
   StepLimits fixedLimits;            ///< of materials
   std::vector<EmitterPlan> emitters;
   WallTables wallTables;
-  double fillingScale = 1;           ///< 1 / (h^3 times the lattice sum): filling is 1 on the scene's lattice
+  double perLatticeSum = 1;          ///< 1 / sum V W over the scene's lattice: makes filling 1 on it
+  double fillingScale = 1;           ///< the same / h^3
   SortBuffers sort;
   SearchBuffers search;
   PairRecords records;
@@ -52,10 +53,13 @@ struct StepTools {
   double maxStretch2 = 1;            ///< square of the largest stretch of this rank
 };
 
+/// What a rank would like to happen after a step; if one asks, all do it.
+struct Requests { bool stop = false, report = false, checkpoint = false; };
+
 /// What all ranks agree on after a step.
 struct StepOutcome {
   Limit limitedBy = Limit::Scene;
-  bool stop = false;                 ///< some rank asked to stop
+  Requests wanted;                   ///< by some rank
   bool finite = true;                ///< false: some value is not; on the rank that has it `bad` is its row
   bool badHere = false;
   std::size_t bad = 0;
@@ -70,11 +74,11 @@ StepTools makeTools(const World& world);
 void evaluate(World& world, Halos halos, StepTools& tools, double dt);
 
 /// The next step's dt, from all ranks' limits, into the clock. Collective.
-StepOutcome vote(World& world, Halos halos, StepTools& tools, StepOutcome here, bool stopWanted);
+StepOutcome vote(World& world, Halos halos, StepTools& tools, StepOutcome here, Requests wanted);
 
 /// One leap-frog step of Clock::dt, cut to hit the next frame time. Needs accelerations: evaluate and vote once before the first
 /// step. Collective; the same bits on any number of ranks.
-StepOutcome step(World& world, Halos halos, StepTools& tools, bool stopWanted);
+StepOutcome step(World& world, Halos halos, StepTools& tools, Requests wanted);
 
 /// kg of all ranks, exact. Collective.
 double totalMass(const World& world, Reducer& all);

@@ -7,27 +7,36 @@
 namespace thaw {
 namespace {
 
-/// Integrals over the cap beyond distance d. A shell of radius s has the part 2 pi s^2 (1 - d/s) of its area in the cap; the mean of
-/// 1 + z/d there is (s/d)(1 + d/s)/2. Midpoint rule.
-template<class Kernel> WallIntegrals cap(double d, double dragDistance) {
-  constexpr int n = 4000;
-  WallIntegrals sum;
-  const double ds = (1 - d) / n;
+/// Integrals over a plane at distance z: of W, of -dW/dz and of the Laplacian's kernel. Midpoint rule over the radius s = |r|.
+struct Plane { double w = 0, slope = 0, laplace = 0; };
+template<class Kernel> Plane planeAt(double z) {
+  constexpr int n = 1000;
+  Plane p;
+  if (z >= 1) return p;
+  const double ds = (1 - z) / n;
   for (int k = 0; k < n; k++) {
-    const double s = d + (k + 0.5) * ds, w = Kernel::w(s * s);
-    sum.filling += ds * w * 2 * isa_base::pi * s * (s - d);
-    sum.push += ds * w * 2 * isa_base::pi * s;
-    sum.drag += ds * Kernel::laplace(s * s) * isa_base::pi * s * (s * s - d * d) / dragDistance;
+    const double s = z + (k + 0.5) * ds, ring = 2 * isa_base::pi * s * ds;
+    p.w += ring * Kernel::w(s * s);
+    p.laplace += ring * Kernel::laplace(s * s);
   }
-  return sum;
+  p.slope = 2 * isa_base::pi * z * Kernel::w(z * z);
+  return p;
 }
 
 template<class Kernel> WallTables tablesOf(double spacing) {
   WallTables t;
+  t.lowest = -0.5 * spacing;
   t.nearest = 0.25 * spacing;
   for (int k = 0; k <= WallTables::points; k++) {
-    const double d = static_cast<double>(k) / WallTables::points;
-    t.at.push_back(cap<Kernel>(d, std::max(d, t.nearest)));
+    const double d = t.lowest + (1 - t.lowest) * k / WallTables::points;
+    WallIntegrals sum;
+    for (double depth = 0.5 * spacing; d + depth < 1; depth += spacing) {
+      const Plane p = planeAt<Kernel>(d + depth);
+      sum.filling += spacing * p.w;
+      sum.push += spacing * p.slope;
+      sum.drag += spacing * p.laplace * (1 + depth / std::max(d, t.nearest));
+    }
+    t.at.push_back(sum);
   }
   return t;
 }

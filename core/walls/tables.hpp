@@ -1,6 +1,7 @@
-// What a half-space of wall contributes to the sums of a particle at a distance d, in units of the support radius h, as tables
-// over d / h. There are no wall particles: near a smooth wall the missing part of a kernel's support is a spherical cap, and its
-// integrals are known once the kernel is.
+// What a wall contributes to the sums of a particle at a distance d, in units of the support radius h, as tables over d / h. There
+// are no wall particles to keep: a smooth wall is taken as layers of them, half a spacing and whole spacings below its surface, each
+// smeared over its plane. So a particle half a spacing from a wall has the same filling as one inside the lattice, which an
+// integral over the solid half-space would miss by several per cent.
 #pragma once
 #include <vector>
 
@@ -8,19 +9,20 @@
 
 namespace thaw {
 
-/// Values at one distance. filling: int W dV (1); push: -d filling / d(distance) (1/h); drag: int lap W (1 + z/d) dV (1/h^2), the Laplacian
-/// of a field that is linear across the wall's surface (Morris 1997), z the depth in the wall.
+/// Values at one distance. filling: sum V W (1); push: -d filling / d(distance) (1/h); drag: sum V lap W (1 + z/d) (1/h^2), the Laplacian
+/// of a field that is linear across the wall's surface (Morris 1997), z the depth of a layer.
 struct WallIntegrals { double filling = 0, push = 0, drag = 0; };
 
 struct WallTables {
-  static constexpr int points = 512;
-  std::vector<WallIntegrals> at;  ///< at distances k / points, k = 0 ... points
-  double nearest = 0.05;          ///< distances (h) below are taken as this in drag, which grows like 1 / d
+  static constexpr int points = 1024;
+  double lowest = 0;              ///< h, half a spacing below the surface: deeper is taken as this
+  double nearest = 0;             ///< h, distances below are taken as this in drag, which grows like 1 / d
+  std::vector<WallIntegrals> at;  ///< at distances lowest + k / points * (1 - lowest)
 
-  /// distance in units of h; nothing beyond 1, the value at 0 below 0.
+  /// distance in units of h; nothing beyond 1.
   WallIntegrals operator()(double distance) const {
     if (distance >= 1) return {};
-    const double x = (distance > 0 ? distance : 0) * points;
+    const double x = (distance > lowest ? distance - lowest : 0) / (1 - lowest) * points;
     const int k = static_cast<int>(x) < points ? static_cast<int>(x) : points - 1;
     const double t = x - k;
     const WallIntegrals &a = at[static_cast<std::size_t>(k)], &b = at[static_cast<std::size_t>(k) + 1];

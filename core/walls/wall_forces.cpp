@@ -59,18 +59,18 @@ void findWallContacts(const WallContext& x, WallContacts& contacts) {
     }
 }
 
-void addWallFilling(const WallContext& x, double fillingScale, const WallContacts& contacts) {
+void addWallFilling(const WallContext& x, double perLatticeSum, const WallContacts& contacts) {
   Continuum& p = x.world.particles;
   const double h = x.world.grid.support;
   for (std::size_t c = 0; c < contacts.list.size();) {
     const std::uint32_t i = contacts.list[c].row;
     double open = 1;
     for (; c < contacts.list.size() && contacts.list[c].row == i; c++) open *= 1 - x.tables(contacts.list[c].distance / h).filling;
-    p.filling[i] = static_cast<float>(static_cast<double>(p.filling[i]) + fillingScale * (1 - open));
+    p.filling[i] = static_cast<float>(static_cast<double>(p.filling[i]) + perLatticeSum * (1 - open));
   }
 }
 
-void addWallForces(const WallContext& x, double fillingScale, const WallContacts& contacts) {
+void addWallForces(const WallContext& x, double perLatticeSum, const WallContacts& contacts) {
   World& w = x.world;
   Continuum& p = w.particles;
   const Scene& s = w.scene;
@@ -89,7 +89,7 @@ void addWallForces(const WallContext& x, double fillingScale, const WallContacts
     if (f > 0) {
       const WallIntegrals t = x.tables(c.distance / h);
       const double filling = static_cast<double>(p.filling[i]);
-      if (p.pressure[i] != 0) force += c.normal * (2 * V * static_cast<double>(p.pressure[i]) / (filling * filling) * fillingScale * t.push / h);
+      if (p.pressure[i] != 0) force += c.normal * (2 * V * static_cast<double>(p.pressure[i]) / (filling * filling) * perLatticeSum * t.push / h);
       if (!o.slip) {
         const double mu = viscosityAt(m, f, p.temperature.active ? p.temperature[i] : 0);
         const double rate = overStep(f * mu * V * t.drag / (h * h) / p.mass[i], x.dt) * p.mass[i];

@@ -19,11 +19,11 @@ void findWallContacts(const WallContext& context, WallContacts& contacts);
 
 /// Adds the walls' share to the filling (times 1 / lattice sum, as particles have it). At corners the shares of several walls overlap
 /// like independent ones: 1 - prod(1 - filling_k).
-void addWallFilling(const WallContext& context, double fillingScale, const WallContacts& contacts);
+void addWallFilling(const WallContext& context, double perLatticeSum, const WallContacts& contacts);
 
 /// Pressure on liquids (mirrored: the wall has the particle's pressure), drag where the wall does not let slip, and for solids a
 /// spring with dashpot and Coulomb friction within half a spacing of the wall. Work and impulse go to the ledger.
-void addWallForces(const WallContext& context, double fillingScale, const WallContacts& contacts);
+void addWallForces(const WallContext& context, double perLatticeSum, const WallContacts& contacts);
 
 /// Heat from walls that have a temperature.
 void addWallHeat(const WallContext& context, const WallContacts& contacts);

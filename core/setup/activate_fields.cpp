@@ -1,0 +1,26 @@
+#include "core/setup/activate_fields.hpp"
+
+namespace thaw {
+
+void activateFields(World& w, StepTools& t) {
+  Continuum& p = w.particles;
+  const Modules& m = w.modules;
+  const auto on = [&](bool needed, std::initializer_list<AnyColumn*> columns) {
+    if (needed)
+      for (AnyColumn* c : columns) p.activate(*c);
+  };
+  on(true, {&p.id, &p.position, &p.velocity, &p.acceleration, &p.mass, &p.material, &p.body, &p.dissipated, &p.cell, &p.nextCell, &p.phase, &p.force,
+            &p.dissipation, &p.interaction});
+  on(m.fluid, {&p.filling, &p.pressure});
+  on(m.xsph, {&p.smoothing});
+  on(m.surfaceHeat, {&p.exposure});
+  on(m.heat, {&p.enthalpy, &p.temperature, &p.heatFlow});
+  on(m.melting, {&p.liquid});
+  on(m.solid, {&p.slot});
+  bool clamped = false;
+  for (const Body& b : w.scene.bodies) clamped = clamped || !b.clamp.empty();
+  on(clamped, {&p.clamped});
+  if (m.solid) activateSolidFields(p, w.solids, w.bonds, t.elastic, w.scene, m, w.grid);
+}
+
+}  // namespace thaw

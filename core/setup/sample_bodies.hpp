@@ -1,0 +1,26 @@
+// Particles of the scene's bodies at time 0.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/geometry/signed_distance.hpp"
+#include "core/halo/halo.hpp"
+#include "core/world.hpp"
+
+namespace thaw {
+
+/// What was found while sampling, summed over ranks.
+struct SamplingReport {
+  std::vector<std::int64_t> particles;   ///< by body
+  std::int64_t overlapping = 0;          ///< samples that lie in two bodies
+  std::int64_t removed = 0;              ///< of them, left out as the scene says
+  std::int64_t inObstacles = 0, outside = 0;
+  std::string firstOverlap, firstObstacle, firstOutside;  ///< names, for the message
+};
+
+/// Appends this rank's share of all bodies' particles: the rows of each body's lattice are dealt out evenly, so that no rank samples
+/// more than its part. Ids are the body's number and the place in its lattice, the same on any number of ranks.
+/// Overlaps are handled as the scene says; OverlapRule::Error is left to the caller. Collective.
+SamplingReport sampleBodies(World& world, const std::vector<std::shared_ptr<const SignedDistance>>& shapes, Reducer& all);
+
+}  // namespace thaw

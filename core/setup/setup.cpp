@@ -1,0 +1,146 @@
+#include "core/setup/setup.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/kernels/kernels.hpp"
+#include "core/ledger/report.hpp"
+#include "core/particle_sums.hpp"
+#include "core/setup/activate_fields.hpp"
+#include "core/setup/make_grid.hpp"
+#include "core/setup/relax_packing.hpp"
+#include "core/solid_step.hpp"
+
+namespace thaw {
+namespace {
+
+/// Sum of the kernel over a cubic lattice of the scene's spacing, the particle itself included: the filling of a full neighbourhood.
+template<class Kernel> double latticeSum(double support) {
+  const int n = static_cast<int>(support) + 1;
+  double sum = 0;
+  for (int x = -n; x <= n; x++)
+    for (int y = -n; y <= n; y++)
+      for (int z = -n; z <= n; z++) sum += Kernel::w((x * x + y * y + z * z) / (support * support));
+  return sum / (support * support * support);
+}
+
+double latticeSumOf(const Numerics& n) {
+  switch (n.kernel) {
+    case KernelKind::Mcg03: return latticeSum<isa_base::Mcg03>(n.support);
+    case KernelKind::CubicSpline: return latticeSum<isa_base::CubicSpline>(n.support);
+    default: return latticeSum<isa_base::WendlandC2>(n.support);
+  }
+}
+
+/// How far anything can fall: from the highest point of bodies and emitters to the lowest end of the domain.
+double fallHeightOf(const Scene& s, const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {
+  const double g = length(s.domain.gravity);
+  if (g == 0) return 0;
+  const Vec3d up = s.domain.gravity * (-1 / g);
+  double top = -never, low = 0;
+  for (int a = 0; a < 3; a++) low += std::min(up[a] * s.domain.min[a], up[a] * s.domain.max[a]);
+  for (const auto& shape : shapes) {
+    const Bounds b = shape->bounds();
+    double height = 0;
+    for (int a = 0; a < 3; a++) height += std::max(up[a] * b.min[a], up[a] * b.max[a]);
+    top = std::max(top, height);
+  }
+  for (const Emitter& e : s.emitters) top = std::max(top, dot(up, e.centre));
+  return std::max(0.0, top - low);
+}
+
+}  // namespace
+
+void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
+  w.modules = modulesOf(w.scene);
+  w.grid = makeGrid(w.scene);
+  w.clock.end = w.scene.end;
+  w.clock.every = w.scene.output.every;
+  for (const Obstacle& o : w.scene.obstacles) {
+    Wall wall;
+    wall.shape = makeSignedDistance(o.shape, load);
+    wall.bounds = wall.shape->bounds();
+    wall.properties = o;
+    w.walls.list.push_back(std::move(wall));
+  }
+  addDomainWalls(w.scene.domain, w.walls);
+  std::vector<std::shared_ptr<const SignedDistance>> shapes;
+  for (const Body& b : w.scene.bodies) shapes.push_back(makeSignedDistance(b.shape, load));
+  w.scene.fallHeight = fallHeightOf(w.scene, shapes);
+
+  t.kernels = pairKernels();
+  t.liquids = liquidMaterials(w.scene);
+  t.fixedLimits = materialLimits(w.scene, w.modules, t.liquids);
+  t.emitters = planEmitters(w.scene);
+  t.wallTables = makeWallTables(w.scene.numerics.kernel, 1 / w.scene.numerics.support);
+  const double h = w.grid.support;
+  t.perLatticeSum = 1 / latticeSumOf(w.scene.numerics);
+  t.fillingScale = t.perLatticeSum / (h * h * h);
+  activateFields(w, t);
+}
+
+SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader& load) {
+  std::vector<std::shared_ptr<const SignedDistance>> shapes;
+  for (const Body& b : w.scene.bodies) shapes.push_back(makeSignedDistance(b.shape, load));
+  moveWalls(w.walls, 0);
+  SamplingReport report = sampleBodies(w, shapes, halos.all);
+  if (report.overlapping > 0 && w.scene.numerics.overlap == OverlapRule::Error)
+    throw std::runtime_error(std::to_string(report.overlapping) + " samples lie in two bodies (first: " + report.firstOverlap +
+                             "); move them apart, or set numerics.overlap to \"keep\", \"remove later\" or \"remove earlier\"");
+  if (report.outside > 0)
+    throw std::runtime_error(std::to_string(report.outside) + " particles lie outside of the domain (first: body " + report.firstOutside + "); enlarge the domain or move the body");
+  if (report.inObstacles > 0 && w.scene.numerics.overlap != OverlapRule::Keep)
+    throw std::runtime_error(std::to_string(report.inObstacles) + " particles lie inside an obstacle (first: body and obstacle " + report.firstObstacle +
+                             "); move them apart, or set numerics.overlap to \"keep\"");
+  // a first partition by the number of particles; they are still where they were sampled
+  Continuum& p = w.particles;
+  computeCellKeys(w.grid, p);
+  Migration all;
+  all.arrivals = p.owned;
+  sortByCell(p, all, t.sort, w.cells);
+  const std::vector<double> cost(w.cells.count.begin(), w.cells.count.end());
+  halos.cells.rebalance(w.cells, cost, true);
+  relaxPacking(w, halos, t, shapes);
+
+  t.times.start();
+  t.bondsAtStart = w.modules.solid;
+  t.emitFirst = true;
+  t.mass = totalMass(w, halos.all);
+  evaluate(w, halos, t, 0);
+  for (std::size_t i = 0; i < p.owned; i++) p.acceleration[i] = p.force[i] / p.mass[i] + w.scene.domain.gravity;
+  if (p.clamped.active)
+    for (std::size_t i = 0; i < p.owned; i++)
+      if (p.clamped[i]) p.acceleration[i] = {};
+  t.mass = totalMass(w, halos.all);
+  const LedgerReport now = reportLedger(w, halos.all);
+  w.ledger.initial = now.now;
+  // what the emitters let out at time 0 is part of the start
+  w.ledger.entered = {};
+  vote(w, halos, t, {}, {});
+  return report;
+}
+
+void resumeWorld(World& w, Halos halos, StepTools& t) {
+  Continuum& p = w.particles;
+  moveWalls(w.walls, w.clock.time);
+  if (p.slot.active) {
+    for (std::size_t i = 0; i < p.owned; i++) p.slot[i] = noSlot;
+    relinkSolids(w, halos, t, {{}, true});  // slots of the records that were read, where they were read
+  }
+  computeCellKeys(w.grid, p);
+  Migration all;
+  all.arrivals = p.owned;
+  sortByCell(p, all, t.sort, w.cells);
+  const std::vector<double> cost(w.cells.count.begin(), w.cells.count.end());
+  halos.cells.rebalance(w.cells, cost, true);
+  t.mass = totalMass(w, halos.all);
+  double froze = 0;
+  if (p.justFrozen.active)
+    for (std::size_t i = 0; i < p.owned; i++) froze = p.justFrozen[i] ? 1 : froze;
+  halos.all.maximum({&froze, 1});
+  t.frozeAnywhere = froze > 0;
+  t.phaseChangedHere = true;
+}
+
+}  // namespace thaw

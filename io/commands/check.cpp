@@ -1,0 +1,123 @@
+#include "io/commands/check.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+
+#include "core/geometry/shape_error.hpp"
+#include "core/setup/setup.hpp"
+#include "io/commands/scene_for_all.hpp"
+#include "io/hdf5/io_error.hpp"
+#include "io/scene/read_scene.hpp"
+#include "parallel/bond_halo.hpp"
+#include "parallel/cell_halo.hpp"
+
+namespace thaw {
+namespace {
+
+std::string bytesText(double b) { return b > 1e9 ? fmt::format("{:.2f} GB", b / 1e9) : fmt::format("{:.1f} MB", b / 1e6); }
+std::string timeText(double s) { return s > 7200 ? fmt::format("{:.1f} h", s / 3600) : s > 120 ? fmt::format("{:.0f} min", s / 60) : fmt::format("{:.2g} s", s); }
+
+std::size_t bytesOf(const Table& t) {
+  std::size_t n = 0;
+  for (const AnyColumn* c : t.columns)
+    if (c->active) n += c->bytes.capacity();
+  return n;
+}
+
+double memoryOf(const World& w, const StepTools& t) {
+  const Bonds& b = w.bonds;
+  double n = static_cast<double>(bytesOf(w.particles) + bytesOf(w.solids)) + 4.0 * static_cast<double>(w.neighbours.list.capacity());
+  for (const AlignedVector<std::byte>* r : {&t.records.fixed, &t.records.place, &t.records.motion, &t.records.state, &t.records.surface}) n += static_cast<double>(r->capacity());
+  for (const AlignedVector<double>* r : {&b.x, &b.y, &b.z, &b.rx, &b.ry, &b.rz, &b.weight}) n += 8.0 * static_cast<double>(r->capacity());
+  return n + 4.0 * static_cast<double>(b.neighbour.capacity());
+}
+
+/// What the emitters let out until the end of the scene.
+double emittedAtEnd(const Scene& s, const StepTools& t) {
+  double n = 0;
+  for (std::size_t e = 0; e < s.emitters.size(); e++)
+    n += static_cast<double>(layersUntil(s.emitters[e], t.emitters[e], s.end)) * static_cast<double>(t.emitters[e].layer.size());
+  return n;
+}
+
+int checkAll(const CheckOptions& o) {
+  const Communicator comm;
+  MpiReducer all(comm);
+  World w;
+  StepTools t;
+  w.scene = sceneForAll(comm, o.scene, o.overrides);
+  prepareWorld(w, t, meshLoader());
+  MpiCellHalo cells(comm, w.grid);
+  MpiBondHalo bonds(comm);
+  const Halos halos{all, cells, bonds};
+  const SamplingReport sampled = startWorld(w, halos, t, meshLoader());
+  // a few steps, to measure
+  const auto start = std::chrono::steady_clock::now();
+  int steps = 0;
+  const double dt = w.clock.dt;
+  const std::string limitedBy = w.clock.limitedBy;
+  while (steps < 20 && std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < 3 && w.clock.time < w.clock.end) {
+    step(w, halos, t, {});
+    steps++;
+  }
+  const double perStep = steps > 0 ? std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / steps : 0;
+  const LedgerReport l = reportLedger(w, all);
+  double memory = memoryOf(w, t);
+  all.maximum({&memory, 1});
+  if (comm.rank() != 0) return exitDone;
+
+  const Scene& s = w.scene;
+  std::printf("%s: %s\n", o.scene.c_str(), s.title.c_str());
+  std::printf("spacing %g m, support radius %g m, grid %d x %d x %d cells, end %g s, a frame every %g s\n", s.spacing, w.grid.support, w.grid.cells.x, w.grid.cells.y, w.grid.cells.z, s.end, s.output.every);
+  std::printf("\nparticles\n");
+  for (std::size_t b = 0; b < s.bodies.size(); b++)
+    std::printf("  body '%s': %lld of %s\n", s.bodies[b].name.c_str(), static_cast<long long>(sampled.particles[b]), s.materials[static_cast<std::size_t>(s.bodies[b].material)].name.c_str());
+  const double emitted = emittedAtEnd(s, t);
+  for (const Emitter& e : s.emitters) std::printf("  emitter '%s': of %s\n", e.name.c_str(), s.materials[static_cast<std::size_t>(e.material)].name.c_str());
+  if (emitted > 0) std::printf("  emitted until the end: %.0f\n", emitted);
+  if (sampled.overlapping > 0) std::printf("  %lld samples lie in two bodies (first: %s), %lld left out\n", static_cast<long long>(sampled.overlapping), sampled.firstOverlap.c_str(), static_cast<long long>(sampled.removed));
+  std::printf("\nmodules\n");
+  for (const std::string& why : w.modules.why) std::printf("  %s\n", why.c_str());
+  std::printf("\ntime step %.3g s, limited by %s\n", dt, limitedBy.c_str());
+  for (std::size_t k = 0; k < limitNames.size(); k++)
+    if (t.fixedLimits.value[k] < never) std::printf("  %-16s %.3g s\n", limitNames[k], t.fixedLimits.value[k]);
+  const double particles = std::max<double>(1, static_cast<double>(l.particles)), total = particles + std::max(0.0, emitted - static_cast<double>(w.counters.emitted));
+  std::printf("\nmemory a rank: %s with %d ranks (%.0f bytes a particle)\n", bytesText(memory * total / particles * comm.size() / o.ranks).c_str(), o.ranks, memory * comm.size() / particles);
+  const double needed = s.end / dt;
+  std::printf("run time: about %s with %d ranks (%.0f steps at %.3g M particle-steps/s and rank, measured here over %d steps)\n", timeText(needed * perStep * comm.size() / o.ranks * (0.5 + 0.5 * total / particles)).c_str(),
+              o.ranks, needed, perStep > 0 ? particles / perStep / comm.size() / 1e6 : 0, steps);
+  return exitDone;
+}
+
+}  // namespace
+
+void addCheckOptions(CLI::App& c, CheckOptions& o) {
+  c.add_option("scene", o.scene, "scene file (TOML)")->required();
+  c.add_option("--set", o.overrides, "key=value in place of what the scene says; may be given several times")->allow_extra_args(false);
+  c.add_option("--ranks", o.ranks, "ranks that the estimates are for")->check(CLI::PositiveNumber);
+}
+
+int checkCommand(const CheckOptions& o) {
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  const auto failed = [&](const std::string& message, int code) {
+    if (rank == 0) std::fprintf(stderr, "%s\n", message.c_str());
+    return code;
+  };
+  try {
+    return checkAll(o);
+  } catch (const SceneErrors& e) {
+    return failed(e.what(), exitUsage);
+  } catch (const ShapeError& e) {
+    return failed(e.what(), exitUsage);
+  } catch (const IoError& e) {
+    return failed(std::string("error: ") + e.what(), exitInputOutput);
+  } catch (const std::runtime_error& e) {
+    return failed(o.scene + ": error: " + e.what(), exitUsage);
+  }
+}
+
+}  // namespace thaw

@@ -1,0 +1,22 @@
+// thaw check SCENE: what would be simulated.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace CLI { class App; }
+
+namespace thaw {
+
+struct CheckOptions {
+  std::string scene;
+  std::vector<std::string> overrides;
+  int ranks = 1;            ///< for the estimates
+};
+
+void addCheckOptions(CLI::App& command, CheckOptions& options);
+
+/// Prints particles per body, memory, modules and why, the time step and what limits it, an estimate of the run time. Samples the bodies.
+/// Returns the exit code.
+int checkCommand(const CheckOptions& options);
+
+}  // namespace thaw

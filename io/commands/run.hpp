@@ -1,0 +1,25 @@
+// thaw run SCENE: simulate.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace CLI { class App; }
+
+namespace thaw {
+
+struct RunOptions {
+  std::string scene, out;
+  std::vector<std::string> overrides;
+  long long steps = -1;      ///< stop after this many steps in all; < 0: at the scene's end
+  double timeLimit = 0;      ///< s of wall-clock time; 0: none
+  bool restart = false;      ///< continue from the last checkpoint, which must be there
+  bool resume = false;       ///< continue if there is a checkpoint, else begin
+  double reportEvery = 2;    ///< s of wall-clock time between progress lines
+};
+
+void addRunOptions(CLI::App& command, RunOptions& options);
+
+/// All ranks; MPI is initialised. Returns the exit code: 0 done, 2 bad scene, 3 input or output, 4 blew up, 75 stopped with a checkpoint.
+int runCommand(const RunOptions& options);
+
+}  // namespace thaw

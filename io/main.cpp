@@ -1,0 +1,64 @@
+// The command line of thaw.
+#include <cstdio>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "io/commands/check.hpp"
+#include "io/commands/compare_command.hpp"
+#include "io/commands/info_command.hpp"
+#include "io/commands/render.hpp"
+#include "io/commands/run.hpp"
+#include "io/commands/scene_for_all.hpp"
+#include "io/hdf5/parallel_file.hpp"
+#include "io/scene/read_scene.hpp"
+#include "io/version.hpp"
+#include "parallel/communicator.hpp"
+
+namespace {
+
+/// CLI11's own exit codes for wrong usage are all 2 here.
+int parsed(CLI::App& app, int argc, char** argv, int& code) {
+  try {
+    app.parse(argc, argv);
+    return true;
+  } catch (const CLI::ParseError& e) {
+    const int said = app.exit(e);
+    code = said == 0 ? 0 : thaw::exitUsage;
+    return false;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace thaw;
+  CLI::App app("thaw simulates solids and fluids that deform, melt, flow, freeze and break, over MPI.");
+  app.set_version_flag("--version", std::string("thaw ") + versionNumber() + " (" + versionCommit() + ")");
+  app.require_subcommand(1);
+  RunOptions run;
+  CheckOptions check;
+  RenderOptions render;
+  CompareArguments compare;
+  InfoArguments info;
+  CLI::App* runApp = app.add_subcommand("run", "simulate a scene; under mpirun on several ranks");
+  addRunOptions(*runApp, run);
+  CLI::App* checkApp = app.add_subcommand("check", "say what would be simulated");
+  addCheckOptions(*checkApp, check);
+  CLI::App* renderApp = app.add_subcommand("render", "make pictures of a frame or of a run");
+  addRenderOptions(*renderApp, render);
+  CLI::App* compareApp = addCompareCommand(app, compare);
+  CLI::App* infoApp = addInfoCommand(app, info);
+  CLI::App* docsApp = app.add_subcommand("docs", "print the keys of a scene file (docs/scene.md)");
+  int code = 0;
+  if (!parsed(app, argc, argv, code)) return code;
+
+  if (*renderApp) return renderCommand(render);
+  if (*docsApp) return std::fputs(sceneDocumentation().c_str(), stdout) < 0 ? exitInputOutput : 0;
+  useRomio();  // before MPI starts
+  MpiSession mpi(&argc, &argv);
+  if (*compareApp) return compareCommand(compare);
+  if (*infoApp) return infoCommand(info);
+  if (*checkApp) return checkCommand(check);
+  return runCommand(run);
+}

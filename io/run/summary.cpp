@@ -1,0 +1,164 @@
+#include "io/run/summary.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "io/hdf5/io_error.hpp"
+#include "io/version.hpp"
+
+namespace thaw {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json vec(const Vec3d& v) { return {v.x, v.y, v.z}; }
+
+Json balance(const Balance& b) {
+  return {{"mass_kg", b.mass}, {"momentum_kg_m_per_s", vec(b.momentum)}, {"angular_momentum_kg_m2_per_s", vec(b.angularMomentum)},
+          {"kinetic_J", b.kinetic}, {"elastic_J", b.elastic}, {"potential_J", b.potential}, {"internal_J", b.internal}};
+}
+
+Json countersJson(const Counters& c) {
+  return {{"singular_neighbourhoods", c.singularNeighbourhoods}, {"broken_bonds", c.brokenBonds}, {"inverted", c.inverted},
+          {"coincident_pairs", c.coincidentPairs}, {"melted", c.melted}, {"frozen", c.frozen}, {"welds", c.welds},
+          {"rereferenced", c.rereferenced}, {"wall_projections", c.wallProjections}, {"left", c.left}, {"emitted", c.emitted}};
+}
+
+/// Work, not waiting: what the balance can even out.
+bool isWork(StepPhase p) {
+  return p == StepPhase::Search || p == StepPhase::Density || p == StepPhase::Forces || p == StepPhase::Elastic || p == StepPhase::Walls || p == StepPhase::Contact ||
+         p == StepPhase::Heat || p == StepPhase::Drift || p == StepPhase::Sort;
+}
+
+std::string duration(double s) {
+  if (!std::isfinite(s)) return "?";
+  if (s < 100) return fmt::format("{:.0f} s", s);
+  if (s < 6000) return fmt::format("{:.0f} min {:.0f} s", std::floor(s / 60), std::fmod(s, 60));
+  return fmt::format("{:.0f} h {:.0f} min", std::floor(s / 3600), std::floor(std::fmod(s, 3600) / 60));
+}
+
+}  // namespace
+
+double peakMemory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) * 1024;
+}
+
+void gatherSummary(RunSummary& s, const World& w, const PhaseTimes& times, std::int64_t messages, std::int64_t bytes, Reducer& all) {
+  std::vector<double> most, least;
+  std::vector<std::int64_t> sum;
+  double work = 0;
+  for (std::size_t k = 0; k < stepPhases; k++) {
+    most.push_back(times.seconds[k]);
+    least.push_back(-times.seconds[k]);
+    sum.push_back(std::llround(times.seconds[k] * 1e9));
+    if (isWork(static_cast<StepPhase>(k))) work += times.seconds[k];
+  }
+  most.push_back(work);
+  most.push_back(peakMemory());
+  most.push_back(static_cast<double>(w.particles.owned));
+  for (std::int64_t v : {std::llround(work * 1e9), static_cast<long long>(messages), static_cast<long long>(bytes), static_cast<long long>(w.particles.owned)}) sum.push_back(v);
+  const Counters& c = w.counters;
+  for (std::int64_t v : {c.singularNeighbourhoods, c.brokenBonds, c.inverted, c.coincidentPairs, c.melted, c.frozen, c.welds, c.rereferenced, c.wallProjections, c.left, c.emitted})
+    sum.push_back(v);
+  all.maximum(most);
+  all.maximum(least);
+  all.sum(sum);
+  const double n = all.size();
+  for (std::size_t k = 0; k < stepPhases; k++)
+    if (most[k] > 0) s.phases[phaseName(static_cast<StepPhase>(k))] = {-least[k], static_cast<double>(sum[k]) * 1e-9 / n, most[k]};
+  std::size_t at = stepPhases;
+  const double meanWork = static_cast<double>(sum[at]) * 1e-9 / n;
+  s.imbalance = meanWork > 0 ? most[at] / meanWork : 1;
+  s.peakMemory = most[at + 1];
+  s.messagesSent = sum[at + 1];
+  s.bytesSent = sum[at + 2];
+  const double meanParticles = static_cast<double>(sum[at + 3]) / n;
+  s.particleSpread = meanParticles > 0 ? most[at + 2] / meanParticles : 1;
+  const std::int64_t* k = sum.data() + at + 4;
+  s.counters = {k[0], k[1], k[2], k[3], k[4], k[5], k[6], k[7], k[8], k[9], k[10]};
+  s.clock = w.clock;
+  s.ranks = all.size();
+  s.modules = w.modules.why;
+  s.sceneFile = w.scene.file;
+  s.title = w.scene.title;
+}
+
+void writeSummary(const std::string& out, const RunSummary& s) {
+  Json j;
+  j["code"] = "thaw";
+  j["version"] = versionNumber();
+  j["commit"] = versionCommit();
+  j["status"] = s.status;
+  j["message"] = s.message;
+  j["scene"] = s.sceneFile;
+  j["title"] = s.title;
+  j["modules"] = s.modules;
+  j["ranks"] = s.ranks;
+  j["particles"] = s.ledger.particles;
+  j["time_s"] = s.clock.time;
+  j["end_s"] = s.clock.end;
+  j["step"] = s.clock.step;
+  j["frames"] = s.clock.frame;
+  j["dt_s"] = s.clock.dt;
+  j["dt_limited_by"] = s.clock.limitedBy;
+  j["steps_of_this_process"] = s.stepsHere;
+  j["wall_s"] = s.wall;
+  j["particle_steps_per_second"] = s.wall > 0 ? s.particleSteps / s.wall : 0;
+  j["particle_steps_per_second_and_rank"] = s.wall > 0 ? s.particleSteps / s.wall / s.ranks : 0;
+  for (const auto& [name, p] : s.phases) j["phases_s_per_rank"][name] = {{"min", p.least}, {"mean", p.mean}, {"max", p.most}};
+  j["imbalance"] = s.imbalance;
+  j["particles_max_over_mean"] = s.particleSpread;
+  j["messages_sent"] = s.messagesSent;
+  j["bytes_sent"] = s.bytesSent;
+  j["peak_memory_bytes"] = s.peakMemory;
+  const LedgerReport& l = s.ledger;
+  j["ledger"] = {{"initial", balance(l.initial)}, {"now", balance(l.now)}, {"entered", balance(l.entered)}, {"left", balance(l.left)},
+                 {"dissipated_J", l.dissipated}, {"wall_work_J", l.wallWork}, {"heat_in_J", l.heatIn}, {"phase_jump_J", l.phaseJump},
+                 {"wall_impulse_N_s", vec(l.wallImpulse)}, {"gravity_impulse_N_s", vec(l.gravityImpulse)},
+                 {"residual", {{"mass_kg", l.massResidual}, {"momentum_kg_m_per_s", vec(l.momentumResidual)}, {"mechanical_energy_J", l.energyResidual}, {"heat_J", l.heatResidual}}}};
+  j["liquid_fraction"] = l.liquidFraction;
+  j["counters"] = countersJson(s.counters);
+  j["warnings"] = s.warnings;
+  const std::string path = out + "/summary.json";
+  {
+    std::ofstream file(path + ".part");
+    file << j.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+    file.flush();
+    if (!file) throw IoError(path, "cannot be written");
+  }
+  std::error_code code;
+  std::filesystem::rename(path + ".part", path, code);
+  if (code) throw IoError(path, "cannot be put in place: " + code.message());
+}
+
+std::string progressLine(const Clock& c, const LedgerReport& l, double stepsPerSecond, double secondsLeft) {
+  const double scale = l.energyScale > 0 ? l.energyScale : 1, heatScale = std::abs(l.heatIn) > 0 ? std::abs(l.heatIn) : 1;
+  return fmt::format(
+      "t {:.5f} s  step {}  dt {:.2e} s ({})  {:.1f} steps/s  left {}  particles {}  liquid {:.1f} %  mass {:.6g} kg ({:+.1e})  |p| {:.3g} ({:.1e})  |L| {:.3g}  "
+      "kinetic {:.4g} J  elastic {:.4g} J  potential {:.4g} J  internal {:.5g} J  in {:.3g} kg {:.3g} J heat  out {:.3g} kg  dissipated {:.4g} J  residual {:+.2e} J ({:+.1e}) heat {:+.1e}",
+      c.time, c.step, c.dt, c.limitedBy, stepsPerSecond, duration(secondsLeft), l.particles, 100 * l.liquidFraction, l.now.mass, l.massResidual, length(l.now.momentum),
+      length(l.momentumResidual), length(l.now.angularMomentum), l.now.kinetic, l.now.elastic, l.now.potential, l.now.internal, l.entered.mass, l.heatIn, l.left.mass,
+      l.dissipated, l.energyResidual, l.energyResidual / scale, l.heatResidual / heatScale);
+}
+
+std::vector<std::string> warningsOf(const Counters& c) {
+  std::vector<std::string> w;
+  const auto add = [&](std::int64_t n, const char* what) {
+    if (n > 0) w.push_back(fmt::format("{} {}", n, what));
+  };
+  add(c.left, "particles left the domain (their mass, momentum and heat are in the ledger)");
+  add(c.singularNeighbourhoods, "solid particles have a flat, thin or lonely neighbourhood (rank of their moment matrix < 3)");
+  add(c.inverted, "times a solid particle was turned inside out (det F <= 0)");
+  add(c.coincidentPairs, "times a particle shared its place with another and was pushed aside");
+  add(c.wallProjections, "times a particle was pushed out of an obstacle");
+  return w;
+}
+
+}  // namespace thaw

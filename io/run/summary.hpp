@@ -1,0 +1,50 @@
+// What a run leaves behind as summary.json, also when it fails; and its progress lines.
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/halo/halo.hpp"
+#include "core/ledger/report.hpp"
+#include "core/time/phase_times.hpp"
+#include "core/world.hpp"
+
+namespace thaw {
+
+struct RunSummary {
+  std::string status = "running";   ///< "done", "stopped", "failed"
+  std::string message;              ///< why it stopped or failed
+  std::string sceneFile, title;
+  int ranks = 1;
+  LedgerReport ledger;
+  Clock clock;
+  Counters counters;                ///< of all ranks
+  std::int64_t stepsHere = 0;       ///< done by this process, without those before a restart
+  double wall = 0;                  ///< s
+  double particleSteps = 0;         ///< of all ranks, by this process
+  struct Spread { double least = 0, mean = 0, most = 0; };
+  std::map<std::string, Spread> phases;  ///< s a rank
+  double imbalance = 1;             ///< largest over mean time of work, over ranks
+  std::int64_t bytesSent = 0, messagesSent = 0;
+  double peakMemory = 0;            ///< bytes, largest of a rank
+  double particleSpread = 1;        ///< largest over mean number of particles of a rank
+  std::vector<std::string> warnings;
+  std::vector<std::string> modules;
+};
+
+/// Fills in what has to be gathered from all ranks: phases, imbalance, bytes, memory, counters. Collective.
+void gatherSummary(RunSummary& summary, const World& world, const PhaseTimes& times, std::int64_t messages, std::int64_t bytes, Reducer& all);
+
+/// Writes OUT/summary.json by rename; IoError. One process only.
+void writeSummary(const std::string& out, const RunSummary& summary);
+
+/// "t 0.4321 s  step 1234  dt 1.2e-4 s (sound)  812 steps/s  left 1 min 20 s  liquid 12.3 %  mass ...  energy ..."
+std::string progressLine(const Clock& clock, const LedgerReport& ledger, double stepsPerSecond, double secondsLeft);
+
+/// Warnings with counts, in words, of what was mended or looks wrong.
+std::vector<std::string> warningsOf(const Counters& counters);
+
+/// Peak resident memory of this process, in bytes.
+double peakMemory();
+
+}  // namespace thaw
