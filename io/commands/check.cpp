@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "core/geometry/shape_error.hpp"
+#include "core/ledger/report.hpp"
 #include "core/setup/setup.hpp"
 #include "io/commands/scene_for_all.hpp"
 #include "io/hdf5/io_error.hpp"
