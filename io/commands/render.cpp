@@ -10,6 +10,7 @@
 
 #include "io/hdf5/io_error.hpp"
 #include "io/render/frame_source.hpp"
+#include "io/render/scene_job.hpp"
 
 namespace thaw {
 
@@ -53,9 +54,22 @@ void setCamera(const RenderOptions& options, FrameJob& job) {
   }
 }
 
+/// What the scene says, as the run kept it. A scene that cannot be used (a mesh of an obstacle that is no longer there) is no reason
+/// to make no pictures.
+FrameJob jobOfRun(const fs::path& frame) {
+  const KeptScene kept = keptSceneOf(frame);
+  if (kept.text.empty()) return {};
+  try {
+    return jobOfScene(sceneOfText(kept.text, kept.name));
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "thaw render: the scene in {} is not used for the pictures: {}\n", frame.string(), error.what());
+    return {};
+  }
+}
+
 FrameJob jobOf(const RenderOptions& options) {
   const std::vector<fs::path> frames = findFrames(options.input);
-  FrameJob job;
+  FrameJob job = jobOfRun(frames.back());
   job.frames = frames;
   job.out = options.out.empty() ? picturesFolder(options.input) : options.out;
   job.sheet = options.sheet;

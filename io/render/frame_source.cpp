@@ -82,8 +82,9 @@ FrameView readFrameView(const fs::path& frame, const std::string& field) {
   return view;
 }
 
-std::string sceneTextOf(const fs::path& frame) {
-  return readFrame(frame.string(), [](const std::string&) { return false; }).sceneText;
+KeptScene keptSceneOf(const fs::path& frame) {
+  FrameData data = readFrame(frame.string(), [](const std::string&) { return false; });
+  return {std::move(data.sceneName), std::move(data.sceneText)};
 }
 
 }  // namespace thaw

@@ -20,7 +20,8 @@ std::vector<std::string> fieldsOf(const std::filesystem::path& frame);
 /// not HDF5, truncated, not a frame, no such field (with those there are).
 FrameView readFrameView(const std::filesystem::path& frame, const std::string& field);
 
-/// The scene as text that the run kept in the frame; empty if it has none.
-std::string sceneTextOf(const std::filesystem::path& frame);
+/// The scene as text that the run kept in the frame, and its name; empty if it has none.
+struct KeptScene { std::string name, text; };
+KeptScene keptSceneOf(const std::filesystem::path& frame);
 
 }  // namespace thaw

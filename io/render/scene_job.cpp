@@ -1,7 +1,11 @@
 #include "io/render/scene_job.hpp"
 
+#include <filesystem>
+#include <sstream>
+
 #include "core/geometry/signed_distance.hpp"
 #include "core/scene/modules.hpp"
+#include "io/scene/read_scene.hpp"
 
 namespace thaw {
 
@@ -24,6 +28,27 @@ FrameJob jobOfScene(const Scene& scene) {
   }
   addDomainWalls(scene.domain, job.walls);
   return job;
+}
+
+Scene sceneOfText(const std::string& text, const std::string& name) {
+  const std::string fileMark = "# ---- ", overrideMark = "# --set ";
+  SceneFiles files;
+  std::vector<std::string> overrides;
+  std::string path;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(fileMark)) {
+      path = line.substr(fileMark.size());
+      files.texts[path] = "";
+      if (std::filesystem::path(path).stem() == name) files.main = path;
+    } else if (line.starts_with(overrideMark)) {
+      overrides.push_back(line.substr(overrideMark.size()));
+    } else if (!path.empty()) {
+      files.texts[path] += line + "\n";
+    }
+  }
+  if (files.main.empty()) throw SceneErrors({"the text of the scene does not hold a file called '" + name + "'"});
+  return readScene(files, overrides);
 }
 
 }  // namespace thaw
