@@ -1,0 +1,48 @@
+// A frame or checkpoint as comparison sees it: numbers, and tables of columns whose rows have an id. Columns are read one at a time.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/hdf5/h5_file.hpp"
+
+namespace thaw {
+
+/// A number that is not of a particle: time, counters, ledger.
+struct SnapshotNumber {
+  std::string name, unit;
+  bool whole = false;                ///< an integer: `integer` counts
+  double value = 0;
+  std::int64_t integer = 0;
+  std::vector<std::int64_t> digits;  ///< of an exact sum; empty otherwise
+};
+
+struct SnapshotColumn {
+  std::string name, path, unit;
+  DatasetShape shape;
+};
+
+/// Rows with ids. order: rows ascending by id.
+struct SnapshotTable {
+  std::string title;                 ///< "particles", "solids"
+  std::vector<std::uint64_t> ids, order;
+  std::vector<SnapshotColumn> columns;
+  std::vector<std::uint64_t> firstBond;  ///< of each row and one more; empty where the table has no bonds
+  std::vector<SnapshotColumn> bonds;     ///< one row a bond
+};
+
+struct Snapshot {
+  H5File file;
+  std::string kind;                  ///< "frame" or "checkpoint"
+  std::vector<SnapshotNumber> numbers;
+  std::vector<SnapshotTable> tables;
+};
+
+/// Opens a frame, a checkpoint, or the last checkpoint of a run's folder. Fields that depend on the number of ranks ("rank", bookkeeping)
+/// are left out. IoError if there is none, or it is damaged.
+Snapshot openSnapshot(const std::string& path);
+
+/// The file that `path` stands for: itself, or the last checkpoint of a run's folder. IoError if the folder has none that can be read.
+std::string snapshotPath(const std::string& path);
+
+}  // namespace thaw
