@@ -46,7 +46,7 @@ float skyLight(const Lights& lights, const Vec3f& point, const Vec3f& normal) {
     light += facing * visible;
     open += visible;
   }
-  const float bounce = 0.28f * (1 - normal.z) * open / static_cast<float>(lights.sky.size());
+  const float bounce = 0.2f * (1 - normal.z) * (0.5f + open / static_cast<float>(lights.sky.size()));
   return light / full + bounce;
 }
 

@@ -72,7 +72,7 @@ std::optional<FloorHint> planeOf(const Wall& wall) {
 
 /// As many digits as tell frames apart.
 std::string timeLabel(double time, double last) {
-  const int digits = last > 0 ? std::clamp(3 - static_cast<int>(std::floor(std::log10(last))), 1, 9) : 3;
+  const int digits = last > 0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(last))), 1, 9) : 3;
   return fmt::format("{:.{}f} s", time, digits);
 }
 
