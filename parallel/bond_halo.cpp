@@ -47,11 +47,15 @@ const MpiBondHalo::Found* MpiBondHalo::findWaiting(std::uint64_t id) const {
 void MpiBondHalo::migrate(Continuum& p, Solids& s, Bonds& b, const Migration& m) {
   if (!p.slot.active) return;
   if (moved_) throw std::logic_error("solid particles migrate twice without a relink between");
-  for (std::size_t i = p.owned - m.arrivals; i < p.owned; i++) p.slot[i] = noSlot;
+  for (std::size_t i = p.owned - m.arrivals; i < p.owned; i++) {
+    p.slot[i] = noSlot;
+    solidArrived_ = solidArrived_ || p.phase[i] == Solid;  // perhaps frozen before it went, and nobody here would look for it
+  }
   if (comm_.size() == 1) return;
   int any = 0;
   for (std::size_t k = 0; k < m.departed.size(); k++) {
     if (m.departedTo[k] < 0) continue;  // left the domain: relink misses it
+    if (p.phase[m.departed[k]] == Liquid) continue;  // melted before it went: the same
     const std::uint32_t slot = p.slot[m.departed[k]];
     if (slot != noSlot) departures_.push_back({slot, m.departedTo[k]});
     else any = any || !waiting_.empty();
@@ -83,7 +87,7 @@ void MpiBondHalo::applyNews(const std::vector<Message>& in, bool edit) {
     const std::vector<std::uint64_t> w = wordsOf(m);
     for (std::size_t k = 0; k + 1 < w.size(); k += 2) {
       const std::uint64_t id = w[k], owner = w[k + 1];
-      if (directoryRank(id, comm_.size()) == comm_.rank()) directory_.set(id, owner);
+      if (directoryRank(id, comm_.size()) == comm_.rank()) directory_.set(id, owner, m.rank);
       const std::uint32_t row = graph_.rowOf(id);
       if (row == noRow || !graph_.isRemote(row)) continue;
       if (owner == SolidDirectory::nobody) {
@@ -175,14 +179,14 @@ bool MpiBondHalo::relink(Continuum& p, Solids& s, Bonds& b, const Relink& work) 
   fresh_.clear();
   recordOf_.clear();
   askedIds_.clear();
-  bool edit = moved_ || work.changedHere || !work.requests.empty() || !waiting_.empty() || b.broken;
-  const bool begun = edit;
+  const bool particlesChanged = moved_ || work.changedHere || solidArrived_ || !waiting_.empty();
+  const bool edit = particlesChanged || !work.requests.empty() || b.broken;
   int flags = edit ? Changed : 0;
   std::vector<std::uint64_t> unknown;
   if (edit) {
     graph_.begin();
     if (b.broken) graph_.dropBroken(tables);
-    if (moved_ || work.changedHere || !waiting_.empty()) {
+    if (particlesChanged) {
       findUnslotted(p, s, unslotted_);
       listWaiting(s);
       leaveSlots(s, b);
@@ -196,7 +200,7 @@ bool MpiBondHalo::relink(Continuum& p, Solids& s, Bonds& b, const Relink& work) 
   }
   if (!alone) MPI_Allreduce(MPI_IN_PLACE, &flags, 1, MPI_INT, MPI_BOR, comm_.handle());
   if (!(flags & Changed)) return false;
-  if (!begun) graph_.begin();
+  if (!edit) graph_.begin();
   if (!alone) {
     if (flags & Membership) tellChanges(p);
     if (moved_ && (flags & Membership)) checkMoves(s, work);
@@ -209,7 +213,7 @@ bool MpiBondHalo::relink(Continuum& p, Solids& s, Bonds& b, const Relink& work) 
   waiting_.clear();
   found_.clear();
   movedRows_.clear();
-  moved_ = false;
+  moved_ = solidArrived_ = false;
   b.broken = false;
   return true;
 }

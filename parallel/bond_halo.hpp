@@ -72,6 +72,7 @@ class MpiBondHalo : public BondHalo {
   std::vector<std::uint64_t> askedIds_;       // ascending, and who owns them
   std::vector<std::uint64_t> askedOwners_;
   bool moved_ = false;                        // solid particles migrated on some rank since the last relink
+  bool solidArrived_ = false;                 // on this rank
   HaloTraffic traffic_;
 };
 

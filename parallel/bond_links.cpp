@@ -152,9 +152,13 @@ void BondLinks::renew(const Communicator& comm, const BondGraph& graph, HaloTraf
 }
 
 void BondLinks::begin(const Communicator& comm, std::span<AnyColumn* const> columns, HaloTraffic& traffic) {
-  columns_.assign(columns.begin(), columns.end());
+  columns_.clear();
   std::size_t bytes = 0;
-  for (const AnyColumn* c : columns) bytes += c->elementBytes;
+  for (AnyColumn* c : columns) {
+    if (!c->active) continue;
+    columns_.push_back(c);
+    bytes += c->elementBytes;
+  }
   for (Partner& p : partners_) {
     if (p.receives.empty()) continue;
     p.in.resize(p.receives.size() * bytes);
@@ -164,7 +168,7 @@ void BondLinks::begin(const Communicator& comm, std::span<AnyColumn* const> colu
     if (p.sends.empty()) continue;
     p.out.resize(p.sends.size() * bytes);
     std::byte* to = p.out.data();
-    for (const AnyColumn* c : columns) to = gather(*c, p.sends, to);
+    for (const AnyColumn* c : columns_) to = gather(*c, p.sends, to);
     MPI_Isend(p.out.data(), static_cast<int>(p.out.size()), MPI_BYTE, p.rank, BondTag, comm.handle(), &p.requests[1]);
     traffic.messages++;
     traffic.bytes += static_cast<std::int64_t>(p.out.size());

@@ -14,10 +14,11 @@ inline int directoryRank(std::uint64_t id, int ranks) { return static_cast<int>(
 class SolidDirectory {
  public:
   static constexpr std::uint64_t nobody = ~0ull;
-  /// owner: a rank, or nobody: not solid any more.
-  void set(std::uint64_t id, std::uint64_t owner) {
-    if (owner == nobody) table_.erase(id);
-    else table_.insert(id, static_cast<std::uint32_t>(owner));
+  /// owner: a rank, or nobody: not solid any more, which only the owner may say. A particle that melts here and freezes there at once
+  /// must not be struck out by news that come in another order.
+  void set(std::uint64_t id, std::uint64_t owner, int teller) {
+    if (owner != nobody) table_.insert(id, static_cast<std::uint32_t>(owner));
+    else if (find(id) == static_cast<std::uint64_t>(teller)) table_.erase(id);
   }
   std::uint64_t find(std::uint64_t id) const {
     const std::uint32_t owner = table_.find(id);

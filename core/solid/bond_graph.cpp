@@ -383,7 +383,7 @@ void findUnslotted(Continuum& p, Solids& s, std::vector<std::uint32_t>& unslotte
   std::fill_n(s.particle.data(), s.owned, noParticle);
   for (std::size_t i = 0; i < p.owned; i++) {
     const std::uint32_t slot = p.slot[i];
-    const bool liquid = p.phase.active && p.phase[i] == Liquid;
+    const bool liquid = p.phase[i] == Liquid;
     if (slot == noSlot) {
       if (!liquid) unslotted.push_back(static_cast<std::uint32_t>(i));
     } else if (liquid) {

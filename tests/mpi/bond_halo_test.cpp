@@ -285,6 +285,7 @@ void play(std::size_t particles, std::uint64_t seed, int rounds, double oneEnded
     }
     const int target = d.chance(0.15) ? static_cast<int>(d.below(static_cast<std::size_t>(rig.comm.size()))) : -1;
     const bool everything = d.chance(0.1), withChange = d.chance(0.3);
+    if (d.chance(0.3)) rig.meltAndFreeze(0.05, 0.05);  // as at the end of a step
     rig.migrate(everything ? 1 : much, target, d.chance(0.3) ? 0.02 : 0);
     if (withChange) rig.meltAndFreeze(0.05, 0.05);
     rig.relink();
