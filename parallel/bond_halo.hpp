@@ -1,55 +1,78 @@
-// BondHalo over MPI. Who has a solid particle is kept in a directory that is spread over the ranks by a hash of the id, so that a
-// bond's other end is found wherever it is. Works on one rank as well.
+// BondHalo over MPI. A rank that sends a solid particle away tells the ranks that copy it where it went, so that following a body
+// costs as much as moves; who has a solid particle that nobody here has heard of is kept in a directory spread over the ranks.
+// Works on one rank as well, and then sends nothing.
 #pragma once
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
-#include "core/solid/bond_records.hpp"
+#include "core/solid/bond_graph.hpp"
+#include "parallel/bond_links.hpp"
 #include "parallel/cell_halo.hpp"
+#include "parallel/solid_directory.hpp"
 
 namespace thaw {
 
 class MpiBondHalo : public BondHalo {
  public:
-  explicit MpiBondHalo(const Communicator& comm) : comm_(comm) {}
+  explicit MpiBondHalo(const Communicator& comm) : comm_(comm), graph_(comm.rank()) {}
 
+  /// Throws std::logic_error where the slots of the last migration have not been made by a relink yet.
   void migrate(Continuum& particles, Solids& solids, Bonds& bonds, const Migration& migration) override;
   bool relink(Continuum& particles, Solids& solids, Bonds& bonds, const Relink& work) override;
   void begin(Solids& solids, std::span<AnyColumn* const> columns) override;
   void finish(Solids& solids) override;
 
-  /// Records of owned particles that are not solid yet on this rank (read from a checkpoint); the next relink makes slots of them.
+  /// Records (SolidRecords::bytes) of owned particles that have no slot yet, read from a checkpoint, on whatever rank: if the particle
+  /// migrates first, its record goes with it. The next relink makes slots of them; records of other particles are forgotten.
   void adopt(std::vector<std::byte> records);
   const HaloTraffic& traffic() const { return traffic_; }
+  const BondGraph& graph() const { return graph_; }
 
  private:
-  struct Partner {
-    int rank = 0;
-    std::vector<std::uint32_t> slots;  // sent to, or remote rows filled from, this rank
-    std::vector<std::byte> bytes;
-    MPI_Request request = MPI_REQUEST_NULL;
+  /// Solid particles on their way into the table.
+  struct Waiting {
+    std::vector<std::byte> records;
+    std::vector<std::int32_t> owners;  // of the other end of each bond, one record behind the other; none if adopted
+    bool adopted = false;              // from a checkpoint: no rank knows of it yet
   };
-  enum Fate : std::uint8_t { Stays, Departs, Vanishes };
+  struct Found {  // a record in waiting_
+    std::uint64_t id;
+    std::size_t waiting, at, end, owner;
+  };
+  struct Departure { std::uint32_t slot; int to; };
 
-  void removeAndRenumber(Continuum& particles, Solids& solids, Bonds& bonds);
-  void addSlots(Continuum& particles, Solids& solids, Bonds& bonds, std::span<const BondRequest> requests);
-  std::uint32_t remoteRow(std::uint64_t id, std::size_t owned);
-  void updateDirectory();
-  std::vector<int> findOwners();
-  void dropBondsTo(const std::vector<int>& owner, Solids& solids, Bonds& bonds);
-  void subscribe(const std::vector<int>& owner, const Solids& solids);
+  std::vector<Message> exchange(const std::vector<Message>& out, int kind);
+  void listWaiting(const Solids& solids);
+  const Found* findWaiting(std::uint64_t id) const;
+  void tellDepartures();
+  void sendRecords(const Continuum& particles, const Solids& solids, const Bonds& bonds, const Migration& migration);
+  void applyNews(const std::vector<Message>& in, bool edit);
+  void leaveSlots(const Solids& solids, const Bonds& bonds);
+  void makeSlots(const SolidTables& tables, const Relink& work);
+  void matchRecords(const Continuum& particles);
+  void tellChanges(const Continuum& particles);
+  std::vector<std::uint64_t> unknownIds(const Solids& solids, const Relink& work, bool all);
+  void askOwners(const std::vector<std::uint64_t>& ids);
+  void checkMoves(const Solids& solids, const Relink& work);
+  int ownerOf(std::uint64_t id) const;
 
   const Communicator& comm_;
-  std::vector<std::vector<std::byte>> arrived_;                 // records that came in, not yet slots
-  std::vector<std::uint8_t> fate_;                              // of owned slots, until the next relink
-  std::unordered_map<std::uint64_t, std::uint32_t> slotOf_;     // owned slots and remote rows by id
-  std::unordered_map<std::uint64_t, int> directory_;            // this rank's part: who has a solid particle
-  std::vector<std::uint64_t> gone_, come_;                      // ids to strike out of, and write into, the directory
-  std::vector<std::uint64_t> remote_;                           // ids of remote rows
-  std::vector<Partner> sends_, receives_;
-  std::vector<AnyColumn*> columns_;
-  bool dirty_ = false;
+  BondGraph graph_;
+  BondLinks links_;
+  SolidDirectory directory_;
+  std::vector<Waiting> waiting_;
+  std::vector<Found> found_;                  // ascending by id
+  std::vector<Departure> departures_;         // until the next relink
+  std::vector<std::uint32_t> unslotted_;      // rows of particles that get a slot
+  std::vector<std::uint32_t> removed_;        // slots
+  std::vector<std::uint64_t> strangers_;      // ids that came here but are not solid any more
+  std::vector<std::uint32_t> movedRows_;      // remote rows whose particle has migrated since the last relink
+  std::vector<NewSlot> fresh_;
+  std::vector<const Found*> recordOf_;        // of each fresh slot; nullptr: it has just become solid
+  std::vector<std::uint64_t> askedIds_;       // ascending, and who owns them
+  std::vector<std::uint64_t> askedOwners_;
+  bool moved_ = false;                        // solid particles migrated on some rank since the last relink
+  bool solidArrived_ = false;                 // on this rank
   HaloTraffic traffic_;
 };
 

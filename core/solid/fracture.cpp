@@ -35,6 +35,7 @@ std::int64_t breakBonds(ElasticWork& work, Solids& solids, Bonds& bonds, const E
       for (const int k : lost) {
         const std::size_t b = bonds.at(s, k);
         bonds.weight[b] = 0;
+        bonds.broken = true;
         count += solids.id[s] < solids.id[bonds.neighbour[b]];
       }
       refreshSlot(work, solids, bonds, s);

@@ -31,7 +31,7 @@ struct Solids : Table {
   Column<double> energy{*this, "energy", "J", Keep::Transient, "stored elastic, volume and hourglass energy"};
   Column<double> dissipated{*this, "dissipated", "J", Keep::Transient, "lost to plastic flow and bond damping in this step"};
   Column<std::uint8_t> rereferenced{*this, "rereferenced", "1", Keep::Transient, "took a new reference in this step (rereference.hpp)"};
-  Column<std::uint8_t> changed{*this, "changed", "1", Keep::State, "bonds changed since momentInverse was computed"};
+  Column<std::uint8_t> changed{*this, "changed", "1", Keep::Local, "what is derived from its bonds (momentInverse, ElasticWork) is to be computed anew"};
 };
 
 /// Bonds of the owned slots. Bond k of slot s is element at(s, k) of each array. Weight 0 means none (neighbour is then s itself).
@@ -44,6 +44,7 @@ struct Bonds {
   AlignedVector<double> weight;            ///< w_ij, symmetric; 0: no bond or broken
   std::size_t at(std::size_t slot, int k) const { return (slot / lanes * static_cast<std::size_t>(capacity) + static_cast<std::size_t>(k)) * lanes + slot % lanes; }
   bool twoFrames = false;                  ///< rx, ry, rz are kept
+  bool broken = false;                     ///< some weight became 0 on this rank since the last relink, which then drops these bonds
 };
 
 }  // namespace thaw

@@ -1,0 +1,79 @@
+// Ids to numbers: open addressing, one probe in most cases. There is no way to walk through it, so that its order can influence nothing.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+namespace thaw {
+
+/// Spreads the bits of an id (the finaliser of MurmurHash3).
+inline std::uint64_t spreadBits(std::uint64_t x) {
+  x ^= x >> 33;
+  x *= 0xff51afd7ed558ccdull;
+  x ^= x >> 33;
+  x *= 0xc4ceb9fe1a85ec53ull;
+  return x ^ (x >> 33);
+}
+
+/// The id ~0 is not allowed: it marks free places.
+class IdTable {
+ public:
+  static constexpr std::uint32_t none = 0xffffffffu;
+
+  std::size_t size() const { return size_; }
+  /// The number of an id; none if it has no number.
+  std::uint32_t find(std::uint64_t id) const {
+    if (size_ == 0) return none;
+    for (std::size_t at = home(id);; at = (at + 1) & mask_) {
+      if (key_[at] == id) return value_[at];
+      if (key_[at] == free_) return none;
+    }
+  }
+  /// Gives the id this number, whether or not it had one.
+  void insert(std::uint64_t id, std::uint32_t value) {
+    if (2 * (size_ + 1) > key_.size()) grow();
+    std::size_t at = home(id);
+    while (key_[at] != free_ && key_[at] != id) at = (at + 1) & mask_;
+    size_ += key_[at] == free_;
+    key_[at] = id;
+    value_[at] = value;
+  }
+  /// False if it had no number.
+  bool erase(std::uint64_t id) {
+    if (size_ == 0) return false;
+    std::size_t at = home(id);
+    while (key_[at] != id) {
+      if (key_[at] == free_) return false;
+      at = (at + 1) & mask_;
+    }
+    // close the gap: whatever lies behind and would no longer be found moves forward
+    for (std::size_t next = (at + 1) & mask_; key_[next] != free_; next = (next + 1) & mask_) {
+      if (((next - home(key_[next])) & mask_) < ((next - at) & mask_)) continue;
+      key_[at] = key_[next];
+      value_[at] = value_[next];
+      at = next;
+    }
+    key_[at] = free_;
+    size_--;
+    return true;
+  }
+
+ private:
+  static constexpr std::uint64_t free_ = ~0ull;
+  std::size_t home(std::uint64_t id) const { return spreadBits(id) & mask_; }
+  void grow() {
+    std::vector<std::uint64_t> keys(key_.empty() ? 64 : 2 * key_.size(), free_);
+    std::vector<std::uint32_t> values(keys.size());
+    keys.swap(key_);
+    values.swap(value_);
+    mask_ = key_.size() - 1;
+    size_ = 0;
+    for (std::size_t k = 0; k < keys.size(); k++)
+      if (keys[k] != free_) insert(keys[k], values[k]);
+  }
+
+  std::vector<std::uint64_t> key_;
+  std::vector<std::uint32_t> value_;
+  std::size_t mask_ = 0, size_ = 0;
+};
+
+}  // namespace thaw
