@@ -91,7 +91,7 @@ class BondHalo {
   /// them on every rank, requests become bonds (one whose neighbour is not solid any more is dropped), remote rows are renewed,
   /// rows renumbered (Continuum::slot and Solids::particle follow). Slots of particles that have just become solid have volume 0, for the
   /// caller to fill in. Remote rows then have their id; other columns are to be sent.
-  /// Needs sorted particles without departed rows. Collective. Returns false, at once, where nothing changed on any rank.
+  /// Needs sorted particles without departed rows, whose phase has changed once at most since the last relink. Collective. Returns false, at once, where nothing changed on any rank.
   virtual bool relink(Continuum& particles, Solids& solids, Bonds& bonds, const Relink& work) = 0;
 
   /// Sends columns of Solids from owned rows to the remote rows that copy them. The same rules as refresh of ghosts.

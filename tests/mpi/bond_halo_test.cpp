@@ -46,6 +46,7 @@ struct Rig {
   Dice dice;
   std::vector<std::uint64_t> digest;  // of each slot's bonds, renewed where Solids::changed says so
   bool changedHere = false;
+  std::set<std::size_t> turnedBefore;
 
   Rig(std::size_t particles, std::uint64_t seed) : dice{seed} {
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.id, &p.phase, &p.material, &p.slot}) p.activate(*c);
@@ -116,7 +117,7 @@ struct Rig {
   void meltAndFreeze(double melt, double freeze) {
     std::vector<std::uint8_t> turned(model.size(), 0);
     for (std::size_t i = 0; i < model.size(); i++) {
-      if (model[i].gone) continue;
+      if (model[i].gone || turnedBefore.count(i) > 0) continue;  // a phase changes once between two relinks
       if (model[i].solid && dice.chance(melt)) {
         remove(i);
         turned[i] = 1;
@@ -125,6 +126,8 @@ struct Rig {
         turned[i] = 1;
       }
     }
+    for (std::size_t i = 0; i < model.size(); i++)
+      if (turned[i]) turnedBefore.insert(i);
     for (std::size_t i = 0; i < p.owned; i++) {
       const std::size_t k = indexOf(p.id[i]);
       if (!turned[k]) continue;
@@ -175,6 +178,7 @@ struct Rig {
   bool relink(const std::vector<BondRequest>& requests = {}) {
     const bool any = halo->relink(p, s, b, {requests, changedHere});
     changedHere = false;
+    turnedBefore.clear();
     return any;
   }
 
