@@ -51,8 +51,8 @@ void CombinedDistance::addNotes(std::vector<std::string>& notes) const {
 PlacedDistance::PlacedDistance(ShapePart part, const Placement& placement)
     : part_(std::move(part)), placement_(placement), back_(transpose(placement.rotation)) {
   const Mat3d one = identity3<double>();
-  rotated_ = false;
   for (int i = 0; i < 3; i++) rotated_ = rotated_ || !(placement.rotation.row[i] == one.row[i]);
+  bounds_ = boundsFromExtents(*this);
 }
 
 Vec3d PlacedDistance::toPart(const Vec3d& x) const {

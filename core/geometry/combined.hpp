@@ -15,11 +15,11 @@ using ShapePart = std::shared_ptr<const SignedDistance>;
 class CombinedDistance final : public SignedDistance {
  public:
   enum class Kind { Union, Difference, Intersection };
-  CombinedDistance(Kind kind, std::vector<ShapePart> parts) : kind_(kind), parts_(std::move(parts)) {}
+  CombinedDistance(Kind kind, std::vector<ShapePart> parts) : kind_(kind), parts_(std::move(parts)), bounds_(boundsFromExtents(*this)) {}
   double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override { return distanceWithin(x, never, gradient); }
   double distanceWithin(const Vec3d& x, double reach, Vec3d* gradient = nullptr) const override;
   bool inside(const Vec3d& x) const override;
-  Bounds bounds() const override { return boundsFromExtents(*this); }
+  Bounds bounds() const override { return bounds_; }
   double extent(const Vec3d& direction) const override;
   bool hasGaps() const override;
   void addNotes(std::vector<std::string>& notes) const override;
@@ -27,6 +27,7 @@ class CombinedDistance final : public SignedDistance {
  private:
   Kind kind_;
   std::vector<ShapePart> parts_;
+  Bounds bounds_;
 };
 
 /// x = move + rotation * (scale * x_part).
@@ -42,7 +43,7 @@ class PlacedDistance final : public SignedDistance {
   double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;
   double distanceWithin(const Vec3d& x, double reach, Vec3d* gradient = nullptr) const override;
   bool inside(const Vec3d& x) const override { return part_->inside(toPart(x)); }
-  Bounds bounds() const override { return boundsFromExtents(*this); }
+  Bounds bounds() const override { return bounds_; }
   double extent(const Vec3d& direction) const override;
   double outerExtent(const Vec3d& direction) const override;
   bool hasGaps() const override { return part_->hasGaps(); }
@@ -53,7 +54,8 @@ class PlacedDistance final : public SignedDistance {
   ShapePart part_;
   Placement placement_;
   Mat3d back_;    ///< inverse of the rotation
-  bool rotated_;  ///< else rotations are left out, so that the bits of unrotated shapes stay as they are
+  bool rotated_ = false;  ///< else rotations are left out, so that the bits of unrotated shapes stay as they are
+  Bounds bounds_;
 };
 
 /// Rotation about x, then y, then z by the angles given (rad): R = Rz Ry Rx.

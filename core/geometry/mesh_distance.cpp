@@ -14,6 +14,23 @@ double distanceToBox(const Bounds& b, const Vec3d& x) {
   return length(d);
 }
 
+/// The mesh without the triangles that have the solid on both sides, where several shells overlap.
+TriangleMesh withoutBuried(const TriangleMesh& m, const TriangleBvh& surface) {
+  const Bounds b = surface.bounds();
+  const double offset = 1e-6 * length(b.max - b.min);
+  TriangleMesh kept{m.vertices, {}};
+  for (const auto& t : m.triangles) {
+    const Vec3d corners[] = {m.vertices[t[0]], m.vertices[t[1]], m.vertices[t[2]]};
+    const Vec3d middle = (corners[0] + corners[1] + corners[2]) / 3.0, normal = normalized(cross(corners[1] - corners[0], corners[2] - corners[0]));
+    // Its inner side is inside anyway. Corners are looked at from a little within the triangle, off its neighbours.
+    bool buried = true;
+    for (const Vec3d& x : {middle, corners[0] + (middle - corners[0]) * 0.05, corners[1] + (middle - corners[1]) * 0.05, corners[2] + (middle - corners[2]) * 0.05})
+      buried = buried && surface.winding(x + normal * offset) > 0.5 && surface.winding(x - normal * offset) > 0.5;
+    if (!buried) kept.triangles.push_back(t);
+  }
+  return kept;
+}
+
 Vec3d childMiddle(const Vec3d& middle, double half, int child) {
   const double h = 0.5 * half;
   return {middle.x + (child & 1 ? h : -h), middle.y + (child & 2 ? h : -h), middle.z + (child & 4 ? h : -h)};
@@ -21,8 +38,8 @@ Vec3d childMiddle(const Vec3d& middle, double half, int child) {
 
 }  // namespace
 
-DistanceOctree::DistanceOctree(const TriangleBvh& surface) {
-  const Bounds b = surface.bounds();
+DistanceOctree::DistanceOctree(const TriangleBvh& near, const TriangleBvh& all) {
+  const Bounds b = all.bounds();
   middle_ = 0.5 * (b.min + b.max);
   const Vec3d size = b.max - b.min;
   half_ = 0.51 * std::max({size.x, size.y, size.z});
@@ -33,10 +50,10 @@ DistanceOctree::DistanceOctree(const TriangleBvh& surface) {
   while (!tasks.empty()) {
     const Task t = tasks.back();
     tasks.pop_back();
-    const double d = std::sqrt(surface.closest(t.middle, t.bound).distance2);
+    const double d = std::sqrt(near.closest(t.middle, t.bound).distance2);
     Cube& cube = cubes_[static_cast<std::size_t>(t.cube)];
     cube.clear = d > diagonal * t.half;
-    if (cube.clear) cube.distance = surface.winding(t.middle) > 0.5 ? -d : d;
+    if (cube.clear) cube.distance = all.winding(t.middle) > 0.5 ? -d : d;
     if (cube.clear || t.depth == deepestCube) continue;
     const auto children = static_cast<std::int32_t>(cubes_.size());
     cube.children = children;
@@ -67,7 +84,11 @@ MeshDistance::MeshDistance(const TriangleMesh& mesh, std::string name) : name_(s
   const TriangleMesh solid = repairMesh(mesh, report_);
   surface_ = std::make_unique<const TriangleBvh>(solid);
   corners_ = solid.vertices;
-  if (report_.closed) octree_ = DistanceOctree(*surface_);
+  if (report_.closed && report_.shells > 1) {
+    TriangleMesh outside = withoutBuried(solid, *surface_);
+    if (outside.triangles.size() < solid.triangles.size() && !outside.triangles.empty()) visible_ = std::make_unique<const TriangleBvh>(outside);
+  }
+  if (report_.closed) octree_ = DistanceOctree(visible(), *surface_);
 }
 
 double MeshDistance::signedFrom(const ClosestPoint& c, const Vec3d& x, bool inside, Vec3d* gradient) const {
@@ -82,7 +103,7 @@ double MeshDistance::signedFrom(const ClosestPoint& c, const Vec3d& x, bool insi
   return inside ? -d : d;
 }
 
-double MeshDistance::distance(const Vec3d& x, Vec3d* gradient) const { return signedFrom(surface_->closest(x), x, inside(x), gradient); }
+double MeshDistance::distance(const Vec3d& x, Vec3d* gradient) const { return signedFrom(visible().closest(x), x, inside(x), gradient); }
 
 double MeshDistance::distanceWithin(const Vec3d& x, double reach, Vec3d* gradient) const {
   if (gradient) *gradient = {};
@@ -100,7 +121,7 @@ double MeshDistance::distanceWithin(const Vec3d& x, double reach, Vec3d* gradien
       in = surface_->winding(x) > 0.5;
     }
   }
-  const ClosestPoint c = surface_->closest(x, reach);
+  const ClosestPoint c = visible().closest(x, reach);
   if (c.distance2 < never) return signedFrom(c, x, in, gradient);
   return in ? -reach : reach;
 }

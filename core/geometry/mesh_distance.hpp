@@ -15,7 +15,8 @@ class DistanceOctree {
  public:
   struct Leaf { Vec3d middle; double distance = 0; bool clear = false; };  ///< clear: no surface within
   DistanceOctree() = default;
-  explicit DistanceOctree(const TriangleBvh& surface);
+  /// Distances are to `near`, signs from the winding numbers of `all`.
+  DistanceOctree(const TriangleBvh& near, const TriangleBvh& all);
   bool covers(const Vec3d& x) const;
   Leaf leafAt(const Vec3d& x) const;  ///< of a point that is covered
 
@@ -27,7 +28,8 @@ class DistanceOctree {
 };
 
 /// The mesh is repaired first (mesh_repair.hpp). Distances are to the nearest triangle, holes' patches included; the sign is that of
-/// the winding number less 1/2. Where shells overlap, distances inside are to the nearest of their surfaces and so may be too small.
+/// the winding number less 1/2. Where shells overlap, triangles of one that are buried in another do not count; those that are so
+/// only in part do, and distances inside may be too small near them.
 class MeshDistance final : public SignedDistance {
  public:
   MeshDistance(const TriangleMesh& mesh, std::string name);
@@ -39,14 +41,15 @@ class MeshDistance final : public SignedDistance {
   bool hasGaps() const override { return !report_.closed; }
   void addNotes(std::vector<std::string>& notes) const override;
   const MeshReport& report() const { return report_; }
-  const TriangleBvh& surface() const { return *surface_; }
+  const TriangleBvh& surface() const { return *surface_; }  ///< all triangles
+  const TriangleBvh& visible() const { return visible_ ? *visible_ : *surface_; }  ///< without buried ones
 
  private:
   double signedFrom(const ClosestPoint& closest, const Vec3d& x, bool inside, Vec3d* gradient) const;
   std::string name_;
   MeshReport report_;
   std::vector<Vec3d> corners_;  ///< of the mesh, for extents
-  std::unique_ptr<const TriangleBvh> surface_;
+  std::unique_ptr<const TriangleBvh> surface_, visible_;
   DistanceOctree octree_;
 };
 

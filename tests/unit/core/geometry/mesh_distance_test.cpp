@@ -43,6 +43,23 @@ TEST(MeshDistance, withinKeepsItsPromise) {
   }
 }
 
+TEST(MeshDistance, buriedSurfacesDoNotCount) {
+  TriangleMesh m = ballMesh({}, 0.8, 0.1);
+  append(m, ballMesh({0.3, 0, 0}, 0.25, 0.05));  // within the large one
+  append(m, ballMesh({0.9, 0, 0}, 0.3, 0.05));   // half in it
+  const MeshDistance d(m, "balls");
+  EXPECT_LT(d.distance({0.1, 0, 0}), -0.65);  // the small one is 0.05 away
+  EXPECT_LT(d.distance({0.5, 0, 0}), -0.25);
+  EXPECT_LT(d.distance({0.9, 0, 0}), -0.15);  // the large one's surface is 0.1 away, the nearest that is not buried 0.3
+  EXPECT_NEAR(d.distance({1.4, 0, 0}), 0.2, 0.01);
+  for (std::uint64_t k = 0; k < 2000; k++) {
+    const Vec3d x = randomPoint({{-1, -1, -1}, {1.3, 1, 1}}, k);
+    const double exact = d.distance(x), near = d.distanceWithin(x, 0.1);
+    ASSERT_EQ(exact < 0, near < 0);
+    if (std::abs(exact) < 0.1) { ASSERT_EQ(exact, near); }
+  }
+}
+
 TEST(MeshDistance, agreesWithBruteForce) {
   const TriangleMesh m = ballMesh({0.2, 0, 0}, 0.5, 0.08);
   const MeshDistance d(m, "ball");
