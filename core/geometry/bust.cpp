@@ -93,17 +93,29 @@ double head(const Vec3d& x) {
   return blend(d, ball(x, {0, -0.104, 0.782}, 0.023), 0.008);
 }
 
+/// A round plinth of two steps below the middle of mass, wide enough that the sculpture stands.
+double plinth(const Vec3d& x) {
+  const auto disc = [&](double radius, double low, double high) {
+    constexpr double rounding = 0.012;
+    const Vec3d p = x - Vec3d{0, 0.042, 0};
+    const double dr = std::sqrt(p.x * p.x + p.y * p.y) - (radius - rounding), dz = std::max(low - x.z, x.z - high) + rounding;
+    const double u = std::max(dr, 0.0), v = std::max(dz, 0.0);
+    return std::sqrt(u * u + v * v) + std::min(std::max(dr, dz), 0.0) - rounding;
+  };
+  return blend(disc(0.190, -0.075, 0.010), disc(0.232, -0.140, -0.060), 0.010);
+}
+
 double queen(Vec3d x) {
   x.x = std::abs(x.x);
   constexpr double larger = 1.2;  // the head than the shoulders: particles show it better
   const double h = larger * head({x.x / larger, x.y / larger, 0.43 + (x.z - 0.365) / larger});
-  return blend(torso(x), h, 0.030);
+  return blend(blend(torso(x), h, 0.030), plinth(x), 0.012);
 }
 
 }  // namespace
 
 TriangleMesh bustMesh() {
-  TriangleMesh mesh = polygonise(queen, {{-0.2605, -0.2605, -0.0205}, {0.2605, 0.3305, 1.0905}}, 0.0119);
+  TriangleMesh mesh = polygonise(queen, {{-0.2605, -0.2605, -0.1605}, {0.2605, 0.3305, 1.0905}}, 0.0131);
   Vec3d low{never, never, never}, high{-never, -never, -never};
   for (const Vec3d& v : mesh.vertices)
     for (int a = 0; a < 3; a++) low[a] = std::min(low[a], v[a]), high[a] = std::max(high[a], v[a]);
