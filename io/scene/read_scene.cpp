@@ -40,13 +40,20 @@ std::vector<std::string> linesOf(std::vector<SceneError> errors) {
   return lines;
 }
 
+constexpr const char* givenMark = "# given: ";
+
+/// The scene as one file: `# ---- path`, a line for each override that it was ever given, and all keys. No text on several lines, so
+/// that no line but the first can look like a mark.
 std::string resolvedText(const toml::table& scene, const SceneFiles& files, const std::vector<std::string>& overrides) {
   std::ostringstream text;
-  text << oneLine("# " + files.main + ", includes and overrides resolved") << '\n';
-  for (const auto& [path, unused] : files.texts)
-    if (path != files.main) text << oneLine("# include " + path) << '\n';
-  for (const std::string& o : overrides) text << oneLine("# --set " + o) << '\n';
-  text << scene << '\n';
+  text << oneLine("# ---- " + files.main) << '\n';
+  std::istringstream before(files.texts.at(files.main));
+  for (std::string line; std::getline(before, line) && line.rfind('#', 0) == 0;)
+    if (line.rfind(givenMark, 0) == 0) text << line << '\n';
+  for (const std::string& o : overrides) text << oneLine(givenMark + ("--set " + o)) << '\n';
+  toml::format_flags flags = toml::toml_formatter::default_flags;
+  flags &= ~(toml::format_flags::allow_multi_line_strings | toml::format_flags::allow_literal_strings);
+  text << toml::toml_formatter(scene, flags) << '\n';
   return text.str();
 }
 
