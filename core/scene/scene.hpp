@@ -42,7 +42,7 @@ struct Material {
   Blend poisson{0.3, 0.3};      // 1
   ElasticLaw law = ElasticLaw::Green;
   Blend yieldStrain{never, never};  // 1, gamma_yield: norm of the deviator of the elastic strain (OBH02); never: not plastic
-  Blend creepRate{0, 0};        // 1/s, gamma_creep: rate at which plastic strain follows; never: at once
+  Blend creepRate{never, never};    // 1/s, gamma_creep: rate at which plastic strain follows; never: at once
   double maxPlasticStrain = never;  // 1, gamma_max
   double volumeStiffness = 0;   // Pa, k_v of the volume force (MKN04)
   double hourglass = 0.1;       // 1, alpha of the penalty on zero-energy modes (Ganzenmueller 2015)

@@ -1,35 +1,27 @@
-// A scene file as a Scene: TOML with units, includes and overrides; all errors of a file at once.
+// A scene file as a Scene: TOML with units, includes and overrides; all errors at once.
 #pragma once
-#include <functional>
-#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "core/scene/scene.hpp"
-#include "io/scene/table_reader.hpp"
+#include "io/scene/scene_files.hpp"
 
 namespace thaw {
 
-/// What is wrong with a scene: a line each, `file:line:column: error: ...`.
+/// What is wrong with a scene: a line each, `file:line:column: error: ...` or `--set key=value: error: ...`. what() has all lines.
 struct SceneErrors : std::runtime_error {
   std::vector<std::string> lines;
   explicit SceneErrors(std::vector<std::string> all);
 };
 
-/// Texts of the scene file and of what it includes, by path. One rank reads them and the others get them by message.
-struct SceneFiles {
-  std::string main;                          ///< path of the scene file
-  std::map<std::string, std::string> texts;
-  std::map<std::string, std::string> problems;  ///< path -> why it could not be read
-};
-
-/// Reads a scene file and everything that it includes. Never throws for what is in the files.
-SceneFiles loadSceneFiles(const std::string& path);
-
-/// overrides: "key=value" with a dotted key: `spacing=1 mm`, `material.wax.young=1 MPa`, `body.bust.mesh=x.ply`, `body.0.velocity=[0,0,1]`.
+/// The scene of texts that were read before (loadSceneFiles), on any rank; touches no file. overrides: "key=value" with a dotted key
+/// (applyOverride). Scene::text has includes and overrides resolved and meshes as absolute paths: read again, it is the same scene.
 /// Throws SceneErrors.
-Scene readScene(const SceneFiles& files, const std::vector<std::string>& overrides);
+Scene readScene(const SceneFiles& files, const std::vector<std::string>& overrides = {});
+
+/// The scene of a file. Throws SceneErrors, also for a file that cannot be read.
+Scene readScene(const std::string& path, const std::vector<std::string>& overrides = {});
 
 /// docs/scene.md, from the table of keys.
 std::string sceneDocumentation();

@@ -1,21 +1,29 @@
+// The keys of a scene file: one function for each kind of table, used for reading and for describing.
 #pragma once
-#include <map>
-
 #include "io/scene/table_reader.hpp"
 
 namespace thaw {
 
-/// What reading needs beside the scene: names that refer to what is defined elsewhere.
+/// What reading needs beside the scene: names that refer to what is defined elsewhere, resolved by checkScene.
 struct SceneReading {
   Scene* scene = nullptr;
-  std::string folder;  ///< of the file that is read
+  SourcePlace start;                                                          ///< of the file, for what has no place of its own
+  SourcePlace domain, spacing;
   std::vector<std::pair<std::string, SourcePlace>> bodyMaterials, emitterMaterials;  ///< beside Scene::bodies, emitters
 };
 
 /// All keys of a scene file.
 void readSections(TableReader& top, SceneReading& reading);
 
-/// What no single key can tell: references, combinations, duplicates.
+void readDomain(TableReader& reader, Domain& domain);
+void readNumerics(TableReader& reader, Numerics& numerics);
+void readOutput(TableReader& reader, Output& output);
+void readMaterial(TableReader& reader, Material& material);
+void readBody(TableReader& reader, SceneReading& reading);
+void readEmitter(TableReader& reader, SceneReading& reading);
+void readObstacle(TableReader& reader, SceneReading& reading);
+
+/// What no single table can tell: references, duplicates, sizes. Adds to errors.
 void checkScene(SceneReading& reading, std::vector<SceneError>& errors);
 
 }  // namespace thaw

@@ -1,64 +1,50 @@
 #include "io/scene/read_shape.hpp"
 
-#include <filesystem>
+#include <algorithm>
+#include <cctype>
 
 namespace thaw {
 namespace {
 
+constexpr const char* allShapes = "mesh, box, sphere, cylinder, torus, glass, plane, union, difference or intersection";
+constexpr std::size_t deepest = 500;  // of a path in messages: ends nesting long before the stack does
+
 void readPlace(TableReader& r, Shape& s) {
   r.table("place", "where the shape stands: scaled, then turned about x, y and z, then moved", [&](TableReader& p) {
     p.number("scale", s.scale, "", positive(), "factor of size");
+    p.number("height", s.fitHeight, "m", positive(), "scales the turned shape to this extent along z; in place of scale");
     p.number("rotate_x", s.rotate.x, "rad", anyNumber(), "angle about x");
     p.number("rotate_y", s.rotate.y, "rad", anyNumber(), "angle about y, after x");
     p.number("rotate_z", s.rotate.z, "rad", anyNumber(), "angle about z, last");
     p.vector("move", s.move, "m", "where the shape's own origin comes to lie");
-    p.number("height", s.fitHeight, "m", positive(), "scales the turned shape to this height (its extent along z), in place of scale");
-    p.vector("bottom", s.bottom, "m", "puts the middle of the lowest face of the bounding box here, in place of move");
+    p.vector("bottom", s.bottom, "m", "puts the middle of the lowest face of the bounding box here; in place of move");
+    if (p.has("scale") && p.has("height")) p.fail("height", "give scale or height, not both");
+    if (p.has("move") && p.has("bottom")) p.fail("bottom", "give move or bottom, not both");
   });
 }
 
-void readParts(TableReader& r, const char* key, ShapeKind kind, Shape& s, const std::string& folder, const char* about) {
-  if (r.describing()) {
-    r.node(key, "list of shapes", about);
-    return;
+bool meshEnding(std::string path) {
+  std::transform(path.begin(), path.end(), path.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const char* ending : {".obj", ".ply", ".stl"})
+    if (path.size() > 4 && path.compare(path.size() - 4, 4, ending) == 0) return true;
+  return false;
+}
+
+void readMesh(TableReader& r, Shape& s) {
+  r.text("mesh", s.mesh, "closed mesh: OBJ, PLY or STL, relative to the file that names it; or \"builtin:bust\", 1 m tall", "path or \"builtin:bust\"");
+  if (s.mesh.empty()) {
+    if (r.has("mesh")) r.fail("mesh", "expected the path of an OBJ, PLY or STL file, or \"builtin:bust\"");
+  } else if (s.mesh.rfind("builtin:", 0) == 0) {
+    if (s.mesh != "builtin:bust") r.fail("mesh", "there is no built-in mesh '" + s.mesh.substr(8) + "'; there is \"builtin:bust\"");
+  } else if (!meshEnding(s.mesh)) {
+    r.fail("mesh", "expected a file that ends in .obj, .ply or .stl, got \"" + s.mesh + "\"");
   }
-  if (!r.has(key)) return;
-  s.kind = kind;
-  r.tables(key, about, [&](TableReader& part) {
-    s.parts.emplace_back();
-    readShape(part, s.parts.back(), folder, true);
-  });
-  if (s.parts.empty() || (kind == ShapeKind::Difference && s.parts.size() < 2)) r.fail(key, "expected at least " + std::string(kind == ShapeKind::Difference ? "two shapes" : "one shape"));
 }
 
-}  // namespace
-
-void readShape(TableReader& r, Shape& s, const std::string& folder, bool required) {
-  s.where = r.place();
-  int given = 0;
-  const auto one = [&](const char* key, ShapeKind kind) {
-    if (!r.has(key)) return;
-    s.kind = kind;
-    if (++given == 2) r.fail(key, "a second shape; a body has one, unions and differences hold several");
-  };
-  one("mesh", ShapeKind::Mesh);
-  one("box", ShapeKind::Box);
-  one("sphere", ShapeKind::Sphere);
-  one("cylinder", ShapeKind::Cylinder);
-  one("torus", ShapeKind::Torus);
-  one("glass", ShapeKind::Glass);
-  one("plane", ShapeKind::HalfSpace);
-  one("union", ShapeKind::Union);
-  one("difference", ShapeKind::Difference);
-  one("intersection", ShapeKind::Intersection);
-  if (given == 0 && required) r.fail(r.place(), r.path() + ": a shape is missing: one of mesh, box, sphere, cylinder, torus, glass, plane, union, difference, intersection");
-
-  std::string mesh;
-  r.text("mesh", mesh, "closed mesh (OBJ, PLY or STL; relative to this file), or \"builtin:bust\"");
-  if (!mesh.empty()) s.mesh = mesh.rfind("builtin:", 0) == 0 ? mesh : (std::filesystem::path(folder) / mesh).lexically_normal().string();
+void readSolids(TableReader& r, Shape& s) {
   r.table("box", "box around its own origin", [&](TableReader& t) {
-    t.vector("size", s.size, "m", "edge lengths");
-    if (!t.describing() && !(s.size.x > 0 && s.size.y > 0 && s.size.z > 0)) t.fail("size", "edge lengths must be > 0");
+    t.vector("size", s.size, "m", "edge lengths, > 0");
+    if (!t.describing() && !(s.size.x > 0 && s.size.y > 0 && s.size.z > 0)) t.fail("size", "edge lengths must be > 0 m");
   });
   r.table("sphere", "ball around its own origin", [&](TableReader& t) { t.number("radius", s.radius, "m", positive(), "radius"); });
   r.table("cylinder", "cylinder around its own origin, along z", [&](TableReader& t) {
@@ -67,23 +53,72 @@ void readShape(TableReader& r, Shape& s, const std::string& folder, bool require
   });
   r.table("torus", "ring around its own origin, in the plane z = 0", [&](TableReader& t) {
     t.number("radius", s.radius, "m", positive(), "of the ring");
-    t.number("tube", s.radius2, "m", positive(), "of the tube");
-    if (!t.describing() && s.radius2 >= s.radius) t.fail("tube", "must be less than the radius of the ring");
+    t.number("tube", s.radius2, "m", positive(), "of the tube, less than that of the ring");
+    if (s.radius2 >= s.radius) t.fail("tube", "must be less than the radius of the ring");
   });
   r.table("glass", "drinking glass standing on its own z = 0, open at the top", [&](TableReader& t) {
     t.number("radius", s.radius, "m", positive(), "outer radius");
     t.number("height", s.height, "m", positive(), "height");
     t.number("thickness", s.thickness, "m", positive(), "of wall and floor");
-    if (!t.describing() && (s.thickness >= s.radius || s.thickness >= s.height)) t.fail("thickness", "must be less than radius and height");
+    if (s.thickness >= std::min(s.radius, s.height)) t.fail("thickness", "must be less than radius and height");
   });
-  r.table("plane", "half-space; solid on the side that the normal points away from", [&](TableReader& t) {
+  r.table("plane", "half-space: solid on the side that the normal points away from", [&](TableReader& t) {
     t.vector("point", s.point, "m", "a point of the plane");
-    t.vector("normal", s.normal, "", "out of the solid, of any length");
-    if (!t.describing() && length(s.normal) == 0) t.fail("normal", "must not be zero");
+    t.vector("normal", s.normal, "", "out of the solid, of any length but 0");
+    if (length(s.normal) == 0) t.fail("normal", "must not be zero");
   });
-  readParts(r, "union", ShapeKind::Union, s, folder, "shapes joined");
-  readParts(r, "difference", ShapeKind::Difference, s, folder, "the first shape less all the others");
-  readParts(r, "intersection", ShapeKind::Intersection, s, folder, "what all shapes share");
+}
+
+void readParts(TableReader& r, const char* key, ShapeKind kind, Shape& s) {
+  if (!r.has(key)) return;
+  if (r.path().size() > deepest) return r.fail(r.place(), "shapes are nested too deeply");
+  s.parts.clear();
+  r.tables(key, "", [&](TableReader& part) {
+    s.parts.emplace_back();
+    readShape(part, s.parts.back());
+  });
+  const std::size_t least = kind == ShapeKind::Union ? 1 : 2;
+  if (s.parts.size() < least) r.fail(key, least == 1 ? "expected a list of at least one shape" : "expected a list of at least two shapes");
+}
+
+struct Key { const char* key; ShapeKind kind; const char* about; };
+constexpr Key parts[] = {{"union", ShapeKind::Union, "shapes joined"},
+                         {"difference", ShapeKind::Difference, "the first shape less all the others"},
+                         {"intersection", ShapeKind::Intersection, "what all shapes share"}};
+constexpr Key solids[] = {{"mesh", ShapeKind::Mesh, ""},   {"box", ShapeKind::Box, ""},     {"sphere", ShapeKind::Sphere, ""},  {"cylinder", ShapeKind::Cylinder, ""},
+                          {"torus", ShapeKind::Torus, ""}, {"glass", ShapeKind::Glass, ""}, {"plane", ShapeKind::HalfSpace, ""}};
+
+}  // namespace
+
+void readShape(TableReader& r, Shape& s) {
+  if (r.describing()) {
+    r.node("SHAPE", "", allShapes, "what it looks like, one key, and its `place`: see `SHAPE` below");
+    return;
+  }
+  s.where = r.place();
+  int given = 0;
+  const auto one = [&](const Key& k) {
+    if (!r.has(k.key)) return;
+    s.kind = k.kind;
+    if (++given == 2) r.fail(k.key, "a second shape; give one, and join several by a union");
+  };
+  for (const Key& k : solids) one(k);
+  for (const Key& k : parts) one(k);
+  if (given == 0) r.fail(r.place(), r.path() + ": its shape is missing: " + allShapes);
+  readMesh(r, s);
+  readSolids(r, s);
+  for (const Key& k : parts) {
+    r.node(k.key, "", "", k.about);
+    readParts(r, k.key, k.kind, s);
+  }
+  readPlace(r, s);
+}
+
+void describeShape(TableReader& r) {
+  Shape s;
+  readMesh(r, s);
+  readSolids(r, s);
+  for (const Key& k : parts) r.node(k.key, "", "list of tables with a SHAPE each", k.about);
   readPlace(r, s);
 }
 

@@ -3,7 +3,11 @@
 
 namespace thaw {
 
-/// Reads the one shape key of a table (mesh, box, sphere, ..., union) and its `place`. required: an error where there is none.
-void readShape(TableReader& reader, Shape& shape, const std::string& folder, bool required);
+/// Reads the one shape key of a table (mesh, box, sphere, ..., union) and its `place`; none is an error. Describes it by a single line
+/// that points to describeShape. Mesh paths are taken as they stand.
+void readShape(TableReader& reader, Shape& shape);
+
+/// Describes the keys of all shapes.
+void describeShape(TableReader& reader);
 
 }  // namespace thaw

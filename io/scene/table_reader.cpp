@@ -5,77 +5,66 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/scene/nearest_word.hpp"
 #include "io/scene/units.hpp"
 
 namespace thaw {
 namespace {
 
-std::string numberText(double v) { return v == never ? "never" : v == -never ? "-never" : fmt::format("{}", v); }
+std::string numberText(double v) { return v == never ? "\"never\"" : fmt::format("{}", v); }
 
-/// What a quantity of a unit is called in messages.
-std::string kindOf(const std::string& unit) {
-  if (unit.empty() || unit == "1") return "a number";
-  return fmt::format("a quantity in {} such as \"1 {}\"", unit, unit == "K" ? "K" : unit);
+/// A text as it is repeated in a message: on one line, and not too much of it.
+std::string quoted(const std::string& text) {
+  std::string s;
+  for (const char c : text.substr(0, 60)) s += static_cast<unsigned char>(c) < 32 ? ' ' : c;
+  while (text.size() > 60 && !s.empty() && (s.back() & 0x80)) s.pop_back();  // not half a character
+  return "\"" + s + (text.size() > 60 ? "...\"" : "\"");
 }
 
 std::string shown(const toml::node& n) {
-  if (const auto* s = n.as_string()) return "\"" + s->get().substr(0, 60) + "\"";
+  if (const auto* s = n.as_string()) return quoted(s->get());
   if (const auto* i = n.as_integer()) return fmt::format("{}", i->get());
   if (const auto* f = n.as_floating_point()) return fmt::format("{}", f->get());
   if (const auto* b = n.as_boolean()) return b->get() ? "true" : "false";
   return n.is_array() ? "a list" : n.is_table() ? "a table" : "a date or time";
 }
 
-}  // namespace
-
-std::string Range::text() const {
-  if (low == -never && high == never) return "";
-  if (high == never) return fmt::format("{} {}", openLow ? ">" : ">=", numberText(low));
-  if (low == -never) return fmt::format("{} {}", openHigh ? "<" : "<=", numberText(high));
-  return fmt::format("{}{} ... {}{}", openLow ? "> " : "", numberText(low), openHigh ? "< " : "", numberText(high));
+std::string listOf(const std::vector<std::string>& words) {
+  std::string all;
+  for (const std::string& w : words) all += (all.empty() ? "\"" : ", \"") + w + "\"";
+  return all;
 }
+
+std::string withUnit(const std::string& range, const char* unit) {
+  const bool none = unit[0] == 0 || std::string(unit) == "1";
+  return none ? range : range + " " + unit;
+}
+
+}  // namespace
 
 SourcePlace placeOfNode(const toml::node& n) {
   const toml::source_region& s = n.source();
   return {s.path ? *s.path : std::string("--set"), static_cast<int>(s.begin.line), static_cast<int>(s.begin.column)};
 }
 
-std::string nearestWord(const std::string& word, const std::set<std::string>& words) {
-  std::string best;
-  std::size_t least = std::max<std::size_t>(2, word.size() / 3) + 1;
-  for (const std::string& w : words) {  // Levenshtein distance
-    std::vector<std::size_t> row(w.size() + 1);
-    for (std::size_t k = 0; k <= w.size(); k++) row[k] = k;
-    for (std::size_t i = 1; i <= word.size(); i++) {
-      std::size_t corner = row[0];
-      row[0] = i;
-      for (std::size_t k = 1; k <= w.size(); k++) {
-        const std::size_t swap = corner + (word[i - 1] != w[k - 1]);
-        corner = row[k];
-        row[k] = std::min({swap, row[k] + 1, row[k - 1] + 1});
-      }
-    }
-    if (row[w.size()] < least) least = row[w.size()], best = w;
-  }
-  return best;
-}
-
 TableReader::TableReader(const toml::table& table, std::string path, std::vector<SceneError>& errors) : table_(&table), path_(std::move(path)), errors_(&errors) {}
 TableReader::TableReader(std::string path, std::vector<KeyDescription>& descriptions) : path_(std::move(path)), descriptions_(&descriptions) {}
 
 SourcePlace TableReader::place() const { return table_ ? placeOfNode(*table_) : SourcePlace{}; }
-SourcePlace TableReader::placeOf(const char* key) const {
+SourcePlace TableReader::placeOf(const std::string& key) const {
   const toml::node* n = table_ ? table_->get(key) : nullptr;
   return n ? placeOfNode(*n) : place();
+}
+std::string TableReader::textOf(const std::string& key) const {
+  const auto* s = table_ ? table_->get_as<std::string>(key) : nullptr;
+  return s ? s->get() : std::string();
 }
 void TableReader::fail(const SourcePlace& where, const std::string& text) {
   if (errors_) errors_->push_back({where, text});
 }
-void TableReader::fail(const char* key, const std::string& text) {
-  fail(placeOf(key), fmt::format("{}{}{}: {}", path_, path_.empty() ? "" : ".", key, text));
-}
+void TableReader::fail(const std::string& key, const std::string& text) { fail(placeOf(key), named(key) + ": " + text); }
 
-const toml::node* TableReader::get(const char* key) {
+const toml::node* TableReader::get(const std::string& key) {
   known_.insert(key);
   return table_ ? table_->get(key) : nullptr;
 }
@@ -87,34 +76,34 @@ void TableReader::describe(const char* key, const std::string& unit, const std::
 
 bool TableReader::quantity(const toml::node& n, const char* key, const char* unit, const Range& range, double& value) {
   double v = 0;
+  bool good = true;
+  std::string why;
   if (const auto* f = n.as_floating_point()) {
     v = f->get();
   } else if (const auto* i = n.as_integer()) {
     v = static_cast<double>(i->get());
-  } else if (const auto* s = n.as_string(); s && s->get() == "never" && range.high == never) {
-    value = never;
-    return true;
-  } else if (s) {
+  } else if (const auto* s = n.as_string()) {
+    if (range.orNever && s->get() == "never") return value = never, true;
     const Quantity q = parseQuantity(s->get());
-    const Dimension wanted = dimensionOf(unit);
-    if (!q.error.empty() || (q.hasUnit && q.dimension != wanted)) {
-      fail(placeOfNode(n), fmt::format("{}{}{}: expected {}, got {}{}", path_, path_.empty() ? "" : ".", key, kindOf(unit), shown(n), q.error.empty() ? "" : " (" + q.error + ")"));
-      return false;
-    }
     v = q.value;
+    good = q.error.empty() && (!q.hasUnit || q.dimension == dimensionOf(unit));
+    if (!q.error.empty()) why = " (" + q.error + ")";
   } else {
-    fail(placeOfNode(n), fmt::format("{}{}{}: expected {}, got {}", path_, path_.empty() ? "" : ".", key, kindOf(unit), shown(n)));
+    good = false;
+  }
+  if (!good) {
+    fail(placeOfNode(n), fmt::format("{}: expected {}{}, got {}{}", named(key), kindOfUnit(unit), range.orNever ? " or \"never\"" : "", shown(n), why));
     return false;
   }
-  const bool inside = std::isfinite(v) && (range.openLow ? v > range.low : v >= range.low) && (range.openHigh ? v < range.high : v <= range.high);
-  if (!inside) {
-    const std::string allowed = range.text();
-    fail(placeOfNode(n), fmt::format("{}{}{}: must be {}{}, got {}", path_, path_.empty() ? "" : ".", key, allowed.empty() ? "a finite number" : allowed,
-                                     unit[0] && std::string(unit) != "1" && !allowed.empty() ? std::string(" ") + unit : "", shown(n)));
+  if (!std::isfinite(v)) {
+    fail(placeOfNode(n), fmt::format("{}: must be a finite number, got {}", named(key), shown(n)));
     return false;
   }
-  value = v;
-  return true;
+  if (!range.holds(v)) {
+    fail(placeOfNode(n), fmt::format("{}: must be {}, got {}", named(key), withUnit(range.text(), unit), shown(n)));
+    return false;
+  }
+  return value = v, true;
 }
 
 void TableReader::number(const char* key, double& value, const char* unit, const Range& range, const char* about) {
@@ -128,7 +117,7 @@ void TableReader::number(const char* key, std::optional<double>& value, const ch
 }
 
 void TableReader::whole(const char* key, std::int64_t& value, std::int64_t low, std::int64_t high, const char* about) {
-  describe(key, "", fmt::format("{} ... {}", low, high), fmt::format("{}", value), about);
+  describe(key, "", fmt::format("{} ... {}, whole", low, high), fmt::format("{}", value), about);
   const toml::node* n = get(key);
   if (!n) return;
   const auto* i = n->as_integer();
@@ -141,17 +130,14 @@ void TableReader::vector(const char* key, Vec3d& value, const char* unit, const 
   const toml::node* n = get(key);
   if (!n) return;
   const toml::array* a = n->as_array();
-  if (!a || a->size() != 3) return fail(key, fmt::format("expected three quantities such as [0, 0, 0], got {}", shown(*n)));
+  if (!a || a->size() != 3) return fail(key, fmt::format("expected a list of three quantities such as [0, 0, 0], got {}", a ? fmt::format("{}", a->size()) : shown(*n)));
   for (std::size_t k = 0; k < 3; k++) quantity(*a->get(k), key, unit, anyNumber(), value[static_cast<int>(k)]);
 }
 void TableReader::vector(const char* key, std::optional<Vec3d>& value, const char* unit, const char* about) {
-  if (describing() || has(key)) {
-    Vec3d v{};
-    vector(key, v, unit, about);
-    if (descriptions_) descriptions_->back().standard = "none";
-    else value = v;
-  }
-  known_.insert(key);
+  Vec3d v{};
+  vector(key, v, unit, about);
+  if (descriptions_) descriptions_->back().standard = "none";
+  if (has(key)) value = v;
 }
 
 void TableReader::flag(const char* key, bool& value, const char* about) {
@@ -162,126 +148,80 @@ void TableReader::flag(const char* key, bool& value, const char* about) {
   else fail(key, "expected true or false, got " + shown(*n));
 }
 
-void TableReader::text(const char* key, std::string& value, const char* about) {
-  describe(key, "", "text", value.empty() ? "none" : "\"" + value + "\"", about);
+void TableReader::text(const char* key, std::string& value, const char* about, const char* range) {
+  describe(key, "", range, value.empty() ? "none" : "\"" + value + "\"", about);
   const toml::node* n = get(key);
   if (!n) return;
   if (const auto* s = n->as_string()) value = s->get();
   else fail(key, "expected a text in quotes, got " + shown(*n));
 }
 
-void TableReader::texts(const char* key, std::vector<std::string>& value, const char* about) {
-  std::string standard;
-  for (const std::string& v : value) standard += (standard.empty() ? "[\"" : ", \"") + v + "\"";
-  describe(key, "", "list of texts", standard.empty() ? "none" : standard + "]", about);
+void TableReader::words(const char* key, std::vector<std::string>& value, const std::vector<std::string>& allowed, const char* about) {
+  describe(key, "", "list of " + listOf(allowed), "[" + listOf(value) + "]", about);
   const toml::node* n = get(key);
   if (!n) return;
   const toml::array* a = n->as_array();
   if (!a) return fail(key, "expected a list of texts, got " + shown(*n));
   value.clear();
   for (const toml::node& e : *a) {
-    if (const auto* s = e.as_string()) value.push_back(s->get());
-    else fail(placeOfNode(e), fmt::format("{}.{}: expected a text in quotes, got {}", path_, key, shown(e)));
+    const auto* s = e.as_string();
+    if (s && std::find(allowed.begin(), allowed.end(), s->get()) != allowed.end()) value.push_back(s->get());
+    else if (s) fail(placeOfNode(e), fmt::format("{}: there is no {}{}; there are {}", named(key), quoted(s->get()), suggestion(s->get(), {allowed.begin(), allowed.end()}), listOf(allowed)));
+    else fail(placeOfNode(e), fmt::format("{}: expected a text in quotes, got {}", named(key), shown(e)));
   }
 }
 
 void TableReader::choice(const char* key, int& value, const std::vector<std::string>& words, const char* about) {
-  std::string all;
-  for (const std::string& w : words) all += (all.empty() ? "\"" : ", \"") + w + "\"";
-  describe(key, "", all, "\"" + words[static_cast<std::size_t>(value)] + "\"", about);
+  describe(key, "", listOf(words), "\"" + words[static_cast<std::size_t>(value)] + "\"", about);
   const toml::node* n = get(key);
   if (!n) return;
   const auto* s = n->as_string();
   const auto at = s ? std::find(words.begin(), words.end(), s->get()) : words.end();
-  if (at == words.end()) return fail(key, fmt::format("expected one of {}, got {}", all, shown(*n)));
+  if (at == words.end()) return fail(key, fmt::format("expected {}{}, got {}", words.size() == 2 ? "" : "one of ", words.size() == 2 ? "\"" + words[0] + "\" or \"" + words[1] + "\"" : listOf(words), shown(*n)));
   value = static_cast<int>(at - words.begin());
 }
 
-void TableReader::blend(const char* key, Blend& value, const char* unit, const Range& range, bool liquidToo, const char* about) {
+void TableReader::blend(const BlendKey& k, Blend& value) {
   const std::string standard = value.solid == value.liquid ? numberText(value.solid) : fmt::format("{{ solid = {}, liquid = {} }}", numberText(value.solid), numberText(value.liquid));
-  describe(key, unit, range.text(), standard, about);
-  const toml::node* n = get(key);
+  describe(k.key, k.unit, k.range.text(), standard, k.about);
+  const toml::node* n = get(k.key);
   if (!n) return;
-  if (const toml::table* t = n->as_table()) {
-    TableReader r(*t, path_ + "." + key, *errors_);
-    r.number("solid", value.solid, unit, range, "");
-    r.number("liquid", value.liquid, unit, range, "");
-    r.finish();
-  } else if (quantity(*n, key, unit, range, value.solid) && liquidToo) {
+  if (n->is_table()) {
+    readTable(*n, named(k.key), [&](TableReader& r) {
+      r.number("solid", value.solid, k.unit, k.range, "");
+      r.number("liquid", value.liquid, k.unit, k.range, "");
+    });
+  } else if (quantity(*n, k.key, k.unit, k.range, value.solid) && k.liquid == Liquid::Same) {
     value.liquid = value.solid;
   }
 }
 
-void TableReader::pairs(const char* key, std::vector<std::pair<double, double>>& value, const char* unit1, const char* unit2, const Range& range2, const char* about) {
-  describe(key, fmt::format("{}, {}", unit1, unit2), "list of pairs", "none", about);
-  const toml::node* n = get(key);
+void TableReader::pairs(const PairsKey& k, std::vector<std::pair<double, double>>& value) {
+  const toml::node* n = get(k.key);
+  const toml::array* a = n ? n->as_array() : nullptr;
   if (!n) return;
-  const toml::array* a = n->as_array();
-  if (!a || a->empty()) return fail(key, "expected a list of pairs, got " + shown(*n));
+  if (!a || a->size() < 2) return fail(k.key, fmt::format("expected a list of at least two pairs [{}, {}]", k.unit1, k.unit2));
   value.clear();
   for (const toml::node& e : *a) {
     const toml::array* p = e.as_array();
     std::pair<double, double> v;
-    if (!p || p->size() != 2) fail(placeOfNode(e), fmt::format("{}.{}: expected a pair [{}, {}], got {}", path_, key, unit1, unit2, shown(e)));
-    else if (quantity(*p->get(0), key, unit1, anyNumber(), v.first) && quantity(*p->get(1), key, unit2, range2, v.second)) {
-      if (!value.empty() && v.first <= value.back().first) fail(placeOfNode(e), fmt::format("{}.{}: the first numbers of the pairs must ascend", path_, key));
-      value.push_back(v);
+    if (!p || p->size() != 2) {
+      fail(placeOfNode(e), fmt::format("{}: expected a pair [{}, {}], got {}", named(k.key), k.unit1, k.unit2, shown(e)));
+      continue;
     }
+    const bool first = quantity(*p->get(0), k.key, k.unit1, k.range1, v.first), second = quantity(*p->get(1), k.key, k.unit2, k.range2, v.second);
+    if (!first || !second) continue;
+    if (!value.empty() && v.first <= value.back().first) fail(placeOfNode(e), fmt::format("{}: the first quantities of the pairs must ascend", named(k.key)));
+    value.push_back(v);
   }
 }
 
-const toml::node* TableReader::node(const char* key, const char* kind, const char* about) {
-  describe(key, "", kind, "none", about);
+const toml::node* TableReader::node(const char* key, const char* unit, const char* range, const char* about) {
+  describe(key, unit, range, "none", about);
   return get(key);
 }
 
-void TableReader::tables(const char* key, const char* about, const std::function<void(TableReader&)>& read) {
-  const std::string name = path_.empty() ? key : path_ + "." + key;
-  if (descriptions_) {
-    describe(key, "", "list of tables", "none", about);
-    TableReader r(name, *descriptions_);
-    return read(r);
-  }
-  const toml::node* n = get(key);
-  if (!n) return;
-  if (const toml::table* t = n->as_table()) {
-    TableReader r(*t, name, *errors_);
-    read(r);
-    r.finish();
-  } else if (const toml::array* a = n->as_array()) {
-    std::size_t k = 0;
-    for (const toml::node& e : *a) {
-      if (const toml::table* t = e.as_table()) {
-        TableReader r(*t, fmt::format("{}[{}]", name, k), *errors_);
-        read(r);
-        r.finish();
-      } else {
-        fail(placeOfNode(e), name + ": expected a table, got " + shown(e));
-      }
-      k++;
-    }
-  } else {
-    fail(key, "expected a table or a list of tables, got " + shown(*n));
-  }
-}
-
-void TableReader::table(const char* key, const char* about, const std::function<void(TableReader&)>& read) {
-  const std::string name = path_.empty() ? key : path_ + "." + key;
-  if (descriptions_) {
-    describe(key, "", "table", "none", about);
-    TableReader r(name, *descriptions_);
-    return read(r);
-  }
-  const toml::node* n = get(key);
-  if (!n) return;
-  const toml::table* t = n->as_table();
-  if (!t) return fail(key, "expected a table, got " + shown(*n));
-  TableReader r(*t, name, *errors_);
-  read(r);
-  r.finish();
-}
-
-void TableReader::namedTable(const toml::node& n, const std::string& path, const std::function<void(TableReader&)>& read) {
+void TableReader::readTable(const toml::node& n, const std::string& path, const std::function<void(TableReader&)>& read) {
   const toml::table* t = n.as_table();
   if (!t) return fail(placeOfNode(n), path + ": expected a table, got " + shown(n));
   TableReader r(*t, path, *errors_);
@@ -289,15 +229,62 @@ void TableReader::namedTable(const toml::node& n, const std::string& path, const
   r.finish();
 }
 
+void TableReader::tables(const char* key, const char* about, const std::function<void(TableReader&)>& read) {
+  describe(key, "", "list of tables", "none", about);
+  if (descriptions_) {
+    TableReader r(named(key), *descriptions_);
+    return read(r);
+  }
+  const toml::node* n = get(key);
+  if (!n) return;
+  const auto nameOf = [&](const toml::node& e, std::size_t k) {
+    const toml::table* t = e.as_table();
+    const auto* s = t ? t->get_as<std::string>("name") : nullptr;
+    return named(key) + "." + (s && !s->get().empty() ? s->get() : fmt::format("{}", k));
+  };
+  if (n->is_table()) return readTable(*n, nameOf(*n, 0), read);
+  const toml::array* a = n->as_array();
+  if (!a) return fail(key, "expected a table or a list of tables, got " + shown(*n));
+  std::size_t k = 0;
+  for (const toml::node& e : *a) {
+    readTable(e, nameOf(e, k), read);
+    k++;
+  }
+}
+
+void TableReader::table(const char* key, const char* about, const std::function<void(TableReader&)>& read) {
+  describe(key, "", "table", "none", about);
+  if (descriptions_) {
+    TableReader r(named(key), *descriptions_);
+    return read(r);
+  }
+  if (const toml::node* n = get(key)) readTable(*n, named(key), read);
+}
+
+void TableReader::namedTables(const char* key, const char* about, const std::function<void(const std::string&, TableReader&)>& read) {
+  describe(key, "", "tables by name", "none", about);
+  if (descriptions_) {
+    TableReader r(named(key) + ".NAME", *descriptions_);
+    return read("NAME", r);
+  }
+  const toml::node* n = get(key);
+  if (!n) return;
+  const toml::table* t = n->as_table();
+  if (!t) return fail(key, fmt::format("expected tables such as [{}.NAME], got {}", key, shown(*n)));
+  for (const auto& [name, node] : *t) {
+    const std::string word(name.str());
+    readTable(node, named(key) + "." + word, [&](TableReader& r) { read(word, r); });
+  }
+}
+
 void TableReader::finish() {
   if (!table_) return;
   for (const auto& [key, node] : *table_) {
     const std::string name(key.str());
     if (known_.count(name)) continue;
-    const std::string near = nearestWord(name, known_);
     const toml::source_region& s = key.source();
     const SourcePlace where = s.path ? SourcePlace{*s.path, static_cast<int>(s.begin.line), static_cast<int>(s.begin.column)} : placeOfNode(node);
-    fail(where, fmt::format("unknown key '{}'{}{}", name, path_.empty() ? "" : " in " + path_, near.empty() ? "" : "; did you mean '" + near + "'?"));
+    fail(where, fmt::format("unknown key '{}'{}{}", name, path_.empty() ? "" : " in " + path_, suggestion(name, known_)));
   }
 }
 

@@ -1,0 +1,78 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "core/setup/make_grid.hpp"
+#include "io/scene/nearest_word.hpp"
+#include "io/scene/read_sections.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr double mostLatticePoints = 1099511627776.0;  // 2^40, what the ids of a body have room for
+
+/// Largest distance of the shape's points from its own origin (m), for shapes whose size the scene says; 0 for others.
+double reach(const Shape& s) {
+  switch (s.kind) {
+    case ShapeKind::Box: return 0.5 * length(s.size);
+    case ShapeKind::Sphere: return s.radius;
+    case ShapeKind::Cylinder: return std::hypot(s.radius, 0.5 * s.height);
+    case ShapeKind::Torus: return s.radius + s.radius2;
+    case ShapeKind::Glass: return std::hypot(s.radius, s.height);
+    default: return 0;
+  }
+}
+
+void checkSizes(const SceneReading& x, std::vector<SceneError>& errors) {
+  const Scene& s = *x.scene;
+  bool fits = true;
+  for (int a = 0; a < 3; a++) fits = fits && s.domain.max[a] > s.domain.min[a];
+  if (fits) {  // else it is reported
+    try {
+      makeGrid(s);
+    } catch (const std::runtime_error& e) {
+      errors.push_back({x.domain.line > 0 ? x.domain : x.spacing, e.what()});
+    }
+  }
+  for (const Body& b : s.bodies) {
+    const double scale = b.shape.fitHeight ? 1 : b.shape.scale, points = std::pow(2 * scale * reach(b.shape) / s.spacing, 3);
+    if (points > 16 * mostLatticePoints)
+      errors.push_back({b.where, fmt::format("body '{}' would take some {:.0e} particles; make it smaller or the spacing larger", b.name, points)});
+  }
+  if (s.bodies.size() + s.emitters.size() > 65000) errors.push_back({x.start, "more than 65000 bodies and emitters"});
+}
+
+}  // namespace
+
+void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
+  Scene& s = *x.scene;
+  std::set<std::string> names;
+  for (const Material& m : s.materials) names.insert(m.name);
+  const auto resolve = [&](const std::pair<std::string, SourcePlace>& material, const std::string& who, int& index) {
+    for (std::size_t k = 0; k < s.materials.size(); k++)
+      if (s.materials[k].name == material.first) return static_cast<void>(index = static_cast<int>(k));
+    const std::string what = material.first.empty() ? "its material is missing" : "there is no material '" + material.first + "'" + suggestion(material.first, names);
+    errors.push_back({material.second, who + ": " + what});
+  };
+  for (std::size_t b = 0; b < s.bodies.size(); b++) resolve(x.bodyMaterials[b], "body '" + s.bodies[b].name + "'", s.bodies[b].material);
+  for (std::size_t e = 0; e < s.emitters.size(); e++) resolve(x.emitterMaterials[e], "emitter '" + s.emitters[e].name + "'", s.emitters[e].material);
+
+  const auto unique = [&](const auto& list, const char* kind) {
+    std::set<std::string> seen;
+    for (const auto& item : list)
+      if (!seen.insert(item.name).second) errors.push_back({item.where, fmt::format("a second {} is called '{}'", kind, item.name)});
+  };
+  unique(s.bodies, "body");
+  unique(s.emitters, "emitter");
+  unique(s.obstacles, "obstacle");
+  if (s.bodies.empty() && s.emitters.empty())
+    errors.push_back({x.start, "there is nothing to simulate: a scene needs a [[body]] or an [[emitter]] and its [material.NAME]; all else has defaults"});
+  if (s.numerics.heat == HeatModel::Paper)
+    for (const Material& m : s.materials)
+      if (m.paperDiffusivity == 0 && (m.conductivity.solid > 0 || m.conductivity.liquid > 0))
+        errors.push_back({m.where, fmt::format("material.{}: with numerics.heat = \"paper\" heat spreads by paper_diffusivity, not by conductivity", m.name)});
+  checkSizes(x, errors);
+}
+
+}  // namespace thaw

@@ -1,0 +1,86 @@
+#include "io/scene/read_sections.hpp"
+
+#include "io/scene/read_shape.hpp"
+
+namespace thaw {
+
+void readBody(TableReader& r, SceneReading& x) {
+  Body b;
+  b.where = r.place();
+  std::string material;
+  r.text("name", b.name, "for messages and `--set`; none: \"body\" and its number");
+  readShape(r, b.shape);
+  r.text("material", material, "what it is made of; must be given", "name of a material");
+  r.vector("velocity", b.velocity, "m/s", "at the start");
+  r.vector("spin", b.spin, "rad/s", "angular velocity about the middle of the bounding box");
+  r.number("temperature", b.temperature, "K", positive(), "at the start");
+  r.vector("temperature_gradient", b.temperatureGradient, "K/m", "added to the temperature from the middle of the bounding box");
+  r.choice("packing", b.packing, {"lattice", "relaxed"}, "how it is filled with particles: a cubic lattice, or jittered and relaxed");
+  if (r.describing()) {
+    r.node("clamp", "", "list of tables with a SHAPE each", "particles that lie in one of these at the start are held where they are");
+    return;
+  }
+  r.tables("clamp", "", [&](TableReader& c) {
+    b.clamp.emplace_back();
+    readShape(c, b.clamp.back());
+  });
+  if (b.name.empty()) b.name = "body " + std::to_string(x.scene->bodies.size());
+  if (b.shape.kind == ShapeKind::HalfSpace) r.fail("plane", "a body has an end on every side; use the plane in an intersection");
+  x.scene->bodies.push_back(std::move(b));
+  x.bodyMaterials.push_back({material, r.placeOf("material")});
+}
+
+void readEmitter(TableReader& r, SceneReading& x) {
+  Emitter e;
+  e.where = r.place();
+  std::string material;
+  r.text("name", e.name, "for messages and `--set`; none: \"emitter\" and its number");
+  r.text("material", material, "what comes out; must be given", "name of a material");
+  if (r.has("disc") && r.has("rectangle")) r.fail("rectangle", "an emitter is a disc or a rectangle");
+  r.table("disc", "round opening; also where neither is given", [&](TableReader& t) { t.number("radius", e.radius, "m", positive(), "radius"); });
+  r.table("rectangle", "rectangular opening, in place of a disc", [&](TableReader& t) {
+    e.disc = false;
+    t.number("width", e.width, "m", positive(), "first edge");
+    t.number("depth", e.depth, "m", positive(), "second edge");
+  });
+  r.vector("centre", e.centre, "m", "middle of the opening");
+  r.vector("direction", e.direction, "", "of the flow, of any length but 0");
+  r.number("speed", e.speed, "m/s", positive(), "of the flow");
+  r.number("rate", e.rate, "kg/s", notNegative(), "mass flow; 0: as much as the speed lets through");
+  r.number("temperature", e.temperature, "K", positive(), "of what comes out");
+  r.number("start", e.start, "s", notNegative(), "begins then");
+  r.number("end", e.end, "s", orNever(notNegative()), "ends then");
+  if (r.describing()) return;
+  if (length(e.direction) == 0) r.fail("direction", "must not be zero");
+  if (e.end < e.start) r.fail("end", "must not be before start");
+  if (e.name.empty()) e.name = "emitter " + std::to_string(x.scene->emitters.size());
+  x.scene->emitters.push_back(std::move(e));
+  x.emitterMaterials.push_back({material, r.placeOf("material")});
+}
+
+void readObstacle(TableReader& r, SceneReading& x) {
+  Obstacle o;
+  o.where = r.place();
+  r.text("name", o.name, "for messages and `--set`; none: \"obstacle\" and its number");
+  readShape(r, o.shape);
+  r.number("temperature", o.temperature, "K", positive(), "of its surface; none: it is insulating");
+  r.number("conductance", o.conductance, "W/(m^2 K)", orNever(positive()), "of the contact; \"never\": heat passes its surface without resistance");
+  r.number("friction", o.friction, "", between(0, 10), "Coulomb friction on solids");
+  r.number("restitution", o.restitution, "", between(0, 1), "of solids that hit it");
+  r.flag("slip", o.slip, "liquids slide along it freely; else they stick");
+  r.number("until", o.until, "s", orNever(notNegative()), "disappears then");
+  r.tables("motion", "keyframes; the pose is linear in between and stays after the last", [&](TableReader& k) {
+    Keyframe f;
+    k.number("time", f.time, "s", notNegative(), "of the keyframe; must ascend");
+    k.vector("move", f.move, "m", "away from the place at rest");
+    k.vector("rotate", f.rotate, "rad", "about x, y, z through the origin");
+    if (!o.motion.empty() && f.time <= o.motion.back().time) k.fail("time", "keyframes must ascend in time");
+    o.motion.push_back(f);
+  });
+  if (r.describing()) return;
+  if (o.conductance < never && !o.temperature) r.fail("conductance", "an obstacle without a temperature passes no heat: give temperature, too");
+  if (o.name.empty()) o.name = "obstacle " + std::to_string(x.scene->obstacles.size());
+  x.scene->obstacles.push_back(std::move(o));
+}
+
+}  // namespace thaw

@@ -1,0 +1,87 @@
+#include "io/scene/read_sections.hpp"
+
+namespace thaw {
+namespace {
+
+using Liquid = TableReader::Liquid;
+constexpr const char* meltsRange = "> 0, one temperature or [solidus, liquidus]";
+
+void readLiquid(TableReader& r, Material& m) {
+  r.number("density", m.density, "kg/m^3", positive(), "at rest");
+  if (r.hasList("viscosity")) {
+    r.node("viscosity", "", "", "");
+    r.pairs({"viscosity", "K", "Pa s", {0, never, true, false, false}, positive()}, m.viscosityTable);
+  } else {
+    r.blend({"viscosity", "Pa s", notNegative(), Liquid::Same,
+             "of the liquid; or a table of pairs `[[\"900 degC\", \"1e4 Pa s\"], [\"1200 degC\", \"50 Pa s\"]]`, logarithmic in between"}, m.viscosity);
+  }
+  r.number("surface_tension", m.surfaceTension, "N/m", notNegative(), "of the liquid");
+  r.number("sound_speed", m.soundSpeed, "m/s", notNegative(), "of the equation of state; 0: from the speeds that the scene can reach and max_density_error");
+  r.number("xsph", m.xsph, "", between(0, 1), "smoothing of the velocity with which liquid moves (XSPH)");
+  r.number("artificial_viscosity", m.artificialViscosity, "", between(0, 10), "Monaghan's alpha, of approaching pairs");
+}
+
+void readSolid(TableReader& r, Material& m) {
+  r.blend({"young", "Pa", notNegative(), Liquid::Unchanged, "Young's modulus; above 0 the material can be solid. One value is the solid's, the liquid's is 0"}, m.young);
+  r.blend({"poisson", "", inside(-1, 0.5), Liquid::Same, "Poisson's ratio"}, m.poisson);
+  r.choice("law", m.law, {"green", "neo-hookean", "corotated"}, "elastic energy: Green strain with Hooke's law (the papers'), Neo-Hookean, corotated");
+  r.blend({"yield_strain", "", orNever(positive()), Liquid::Same, "norm of the deviator of the elastic strain above which it flows (gamma_yield); \"never\": not plastic"}, m.yieldStrain);
+  r.blend({"creep_rate", "1/s", orNever(notNegative()), Liquid::Same, "rate of plastic flow (gamma_creep); \"never\": at once"}, m.creepRate);
+  r.number("max_plastic_strain", m.maxPlasticStrain, "", orNever(positive()), "largest norm of the plastic strain (gamma_max); \"never\": no limit");
+  r.number("volume_stiffness", m.volumeStiffness, "Pa", notNegative(), "k_v of the volume force (Mueller et al. 2004)");
+  r.number("hourglass", m.hourglass, "", between(0, 10), "strength of the control of zero-energy modes");
+  r.number("break_stretch", m.breakStretch, "", orNever(Range{1, never, true, false, false}), "a bond longer than this times its length at rest breaks; \"never\": none does");
+  r.number("damping", m.damping, "1/s", notNegative(), "rate at which velocity differences of bonded particles decay");
+  r.flag("weld", m.weld, "solids of this material that touch after freezing grow together");
+  r.number("friction", m.friction, "", between(0, 10), "Coulomb friction between separate solids");
+  r.number("restitution", m.restitution, "", between(0, 1), "of contacts between separate solids");
+}
+
+void readHeat(TableReader& r, Material& m) {
+  r.blend({"conductivity", "W/(m K)", notNegative(), Liquid::Same, "heat conductivity; 0: no heat is conducted"}, m.conductivity);
+  r.blend({"heat_capacity", "J/(kg K)", positive(), Liquid::Same, "heat capacity; must be given for a material that melts"}, m.heatCapacity);
+  r.number("latent_heat", m.latentHeat, "J/kg", notNegative(), "of melting");
+  if (const toml::node* n = r.node("melts", "K", meltsRange, "where it melts; without it, it does not")) {
+    const toml::array* a = n->as_array();
+    const Range T = positive();
+    if (a && a->size() == 2) {
+      if (r.quantity(*a->get(0), "melts", "K", T, m.solidus) && r.quantity(*a->get(1), "melts", "K", T, m.liquidus) && m.liquidus < m.solidus)
+        r.fail("melts", "the liquidus (second) must not be below the solidus (first)");
+    } else if (a) {
+      r.fail("melts", "expected one temperature or [solidus, liquidus]");
+    } else if (r.quantity(*n, "melts", "K", T, m.solidus)) {
+      m.liquidus = m.solidus;
+    }
+  }
+  r.number("hysteresis", m.hysteresis, "", Range{0, 0.5, false, true, false}, "liquid freezes below this liquid fraction, solid melts above 1 minus it");
+  r.number("heat_source", m.heatSource, "W/kg", anyNumber(), "heat made in the material");
+  r.number("emissivity", m.emissivity, "", between(0, 1), "of free surfaces, radiation to domain.ambient");
+  r.number("convection", m.convection, "W/(m^2 K)", notNegative(), "of free surfaces, to domain.ambient");
+  r.number("paper_diffusivity", m.paperDiffusivity, "m^2/s", notNegative(), "k_heat of Keiser et al. 2005, with numerics.heat = \"paper\"");
+}
+
+/// Combinations of keys that mean nothing.
+void checkMaterial(TableReader& r, const Material& m) {
+  if (r.has("melts") && !m.canBeSolid()) r.fail("melts", "a material that melts is a solid below its melting temperature: give it a Young's modulus (young)");
+  if (r.has("melts") && !r.has("heat_capacity")) r.fail("melts", "a material that melts needs a heat_capacity");
+  if (r.has("phase") && r.has("melts")) r.fail("phase", "the temperature decides the phase of a material that melts; leave phase out");
+  if (r.textOf("phase") == "solid" && !m.canBeSolid()) r.fail("phase", "a solid needs a Young's modulus (young)");
+  if (m.latentHeat > 0 && !r.has("melts")) r.fail("latent_heat", "only a material that melts has a latent heat: give melts, too");
+  if (r.has("hysteresis") && !r.has("melts")) r.fail("hysteresis", "only a material that melts has one: give melts, too");
+  if (r.has("creep_rate") && !r.has("yield_strain")) r.fail("creep_rate", "only a material that yields creeps: give yield_strain, too");
+}
+
+}  // namespace
+
+void readMaterial(TableReader& r, Material& m) {
+  if (!r.describing()) m.where = r.place();
+  readLiquid(r, m);
+  readSolid(r, m);
+  int phase = m.liquidAtStart ? 1 : 0;
+  r.choice("phase", phase, {"solid", "liquid"}, "of a material that does not melt and has a Young's modulus; without one it is liquid");
+  m.liquidAtStart = phase == 1;
+  readHeat(r, m);
+  if (!r.describing()) checkMaterial(r, m);
+}
+
+}  // namespace thaw

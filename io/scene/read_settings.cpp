@@ -1,0 +1,101 @@
+#include <fmt/format.h>
+
+#include "io/output/frame_fields.hpp"
+#include "io/scene/nearest_word.hpp"
+#include "io/scene/read_sections.hpp"
+
+namespace thaw {
+namespace {
+
+bool sideOf(const toml::node* n, Side& side) {
+  const auto* word = n ? n->as_string() : nullptr;
+  if (!word) return false;
+  if (word->get() == "open") side = Side::Open;
+  else if (word->get() == "wall") side = Side::Wall;
+  else if (word->get() == "periodic") side = Side::Periodic;
+  else return false;
+  return true;
+}
+
+void readSides(TableReader& r, const char* key, std::array<Side, 2>& sides) {
+  const toml::node* n = r.node(key, "", "\"open\", \"wall\", \"periodic\" or a pair [low, high]", "what the two sides across this axis are; open: what leaves is counted and booked");
+  if (r.describing() || !n) return;
+  const toml::array* pair = n->as_array();
+  const bool good = pair ? pair->size() == 2 && sideOf(pair->get(0), sides[0]) && sideOf(pair->get(1), sides[1]) : sideOf(n, sides[0]) && sideOf(n, sides[1]);
+  if (!good) r.fail(key, "expected \"open\", \"wall\" or \"periodic\", or a pair of them such as [\"wall\", \"open\"]");
+  else if ((sides[0] == Side::Periodic) != (sides[1] == Side::Periodic)) r.fail(key, "both sides of an axis are periodic, or none");
+}
+
+Range factor() { return {0, 2, true, false, false}; }
+
+}  // namespace
+
+void readDomain(TableReader& r, Domain& d) {
+  r.vector("min", d.min, "m", "low corner");
+  r.vector("max", d.max, "m", "high corner, above the low one");
+  r.table("sides", "what the domain's sides are; open where nothing is said", [&](TableReader& s) {
+    readSides(s, "x", d.side[0]);
+    readSides(s, "y", d.side[1]);
+    readSides(s, "z", d.side[2]);
+  });
+  r.vector("gravity", d.gravity, "m/s^2", "acceleration of everything");
+  r.number("ambient", d.ambient, "K", positive(), "temperature around, for convection and radiation");
+  for (int a = 0; a < 3; a++)
+    if (!(d.max[a] > d.min[a])) r.fail(r.has("max") ? "max" : "min", fmt::format("max must be above min along {}", static_cast<char>('x' + a)));
+}
+
+void readNumerics(TableReader& r, Numerics& n) {
+  r.number("support", n.support, "", between(1.2, 6), "support radius of the kernel in spacings");
+  r.choice("kernel", n.kernel, {"wendland", "mcg03", "cubic"}, "Wendland C2; poly6, spiky and viscosity kernel of Mueller et al. 2003; cubic spline");
+  r.choice("precision", n.precision, {"single", "double"}, "of sums over pairs; the state is double");
+  r.choice("pressure", n.pressure, {"consistent", "printed"}, "consistent pair form, or the sum as printed in Keiser et al. 2005 (half the gradient)");
+  r.choice("equation_of_state", n.eos, {"linear", "tait"}, "pressure by density");
+  r.number("tensile_limit", n.tensileLimit, "", between(0, 1), "share of negative pressure that is kept");
+  r.choice("viscosity", n.viscosity, {"pairwise", "laplacian"}, "along the line of two particles (keeps angular momentum), or as printed in Keiser et al. 2005");
+  r.choice("tension", n.tension, {"pairwise", "colour field"}, "cohesion of pairs, or as printed in Keiser et al. 2005");
+  r.choice("heat", n.heat, {"enthalpy", "paper"}, "enthalpy with latent heat, or the plain temperature of Keiser et al. 2005");
+  r.flag("self_contact", n.selfContact, "pieces of one body collide with each other");
+  r.number("max_density_error", n.maxDensityError, "", {0, 0.2, true, false, false}, "compression that the automatic sound speed allows");
+  r.choice("overlap", n.overlap, {"error", "keep", "remove later", "remove earlier"}, "what happens to particles of two bodies that overlap");
+  r.number("fixed_step", n.fixedStep, "s", notNegative(), "time step, at most `end`; 0: as large as the limits allow");
+  r.number("max_step", n.maxStep, "s", orNever(positive()), "largest time step");
+  r.number("cfl_sound", n.cflSound, "", factor(), "times h / c, h the support radius");
+  r.number("cfl_viscous", n.cflViscous, "", factor(), "times h^2 rho / mu");
+  r.number("cfl_heat", n.cflHeat, "", factor(), "times h^2 / diffusivity");
+  r.number("cfl_elastic", n.cflElastic, "", factor(), "times spacing / speed of pressure waves");
+  r.number("cfl_tension", n.cflTension, "", factor(), "times sqrt(rho h^3 / (2 pi sigma))");
+  r.number("cfl_acceleration", n.cflAcceleration, "", factor(), "times sqrt(h / a)");
+  r.number("plastic_rereference", n.plasticRereference, "", positive(), "norm of the plastic strain above which the reference follows the flow");
+}
+
+void readOutput(TableReader& r, Output& o) {
+  const std::vector<std::string> known = knownFrameFields();
+  r.number("every", o.every, "s", positive(), "simulated time between frames");
+  r.words("fields", o.fields, known, "fields of the frames");
+  r.number("checkpoint", o.checkpoint, "s", positive(), "wall-clock time between checkpoints; the last two are kept");
+  int pieces = o.piecesByRank ? 1 : 0;
+  r.choice("pieces", pieces, {"one", "ranks"}, "parts of a frame's file: one, or one for each rank (for parallel ParaView)");
+  o.piecesByRank = pieces == 1;
+  r.text("colour", o.colour, "what colours the pictures; none: temperature, or speed where there is no heat", "\"speed\" or a field");
+  if (std::set<std::string> words(known.begin(), known.end()); !o.colour.empty() && words.insert("speed").second && !words.count(o.colour))
+    r.fail("colour", "there is no field '" + o.colour + "'" + suggestion(o.colour, words));
+  r.number("colour_min", o.colourMin, "", anyNumber(), "SI value of the lowest colour; none: the lowest of all frames");
+  r.number("colour_max", o.colourMax, "", anyNumber(), "SI value of the highest colour; none: the highest of all frames");
+  if (o.colourMin && o.colourMax && !(*o.colourMax > *o.colourMin)) r.fail("colour_max", "must be above colour_min");
+  std::int64_t width = o.width, height = o.height;
+  r.whole("width", width, 64, 16384, "of pictures, in pixels");
+  r.whole("height", height, 64, 16384, "of pictures, in pixels");
+  o.width = static_cast<int>(width);
+  o.height = static_cast<int>(height);
+  r.table("camera", "where pictures are taken from; without it the view is fitted to all frames", [&](TableReader& c) {
+    if (!c.describing()) o.camera.fitted = false;
+    c.vector("from", o.camera.from, "m", "place of the camera");
+    c.vector("at", o.camera.at, "m", "place that it looks at");
+    c.number("field_of_view", o.camera.fieldOfView, "rad", between(0.01, 3), "vertical angle");
+    if (c.describing()) return;
+    if (!c.has("from") || !c.has("at")) c.fail(c.place(), c.path() + ": needs from and at");
+    else if (o.camera.from == o.camera.at) c.fail("at", "must be another place than from");
+  });
+}
+
+}  // namespace thaw

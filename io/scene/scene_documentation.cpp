@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/scene/read_scene.hpp"
+#include "io/scene/read_sections.hpp"
+
+namespace thaw {
+namespace {
+
+/// A table cell must not end early.
+std::string cell(const std::string& s) {
+  std::string t;
+  for (const char c : s) {
+    if (c == '|') t += '\\';
+    t += c;
+  }
+  return t;
+}
+
+constexpr const char* introduction =
+    "# Keys of a scene file\n\n"
+    "Generated from the table of keys in `io/scene` by `thaw docs`; a test compares the two.\n\n"
+    "A scene is a TOML file. It needs a `[[body]]` or an `[[emitter]]` and its `[material.NAME]`; all other keys have defaults. A quantity\n"
+    "is a number in the unit of the table below or a text with a unit: `\"15 cm\"`, `\"2 kJ/kg\"`, `\"0.25 W/(m K)\"`, `\"56 degC\"`, `\"30 deg\"`.\n"
+    "Temperatures without a unit are in kelvin. Keys with a solid and a liquid value take `{ solid = ..., liquid = ... }` as well; in\n"
+    "between, the value goes linearly with the liquid fraction. NaN and infinity are no values; where something is without limit, the word\n"
+    "is `\"never\"`. An unknown key is an error; all errors of a scene are reported at once, with file, line and column.\n\n"
+    "`--set key=value` on the command line overrides a key, checked in the same way: `--set spacing=\"1 mm\"`, `--set\n"
+    "material.wax.young=\"1 MPa\"`, `--set body.bust.velocity=\"[0, 0, -1]\"` (a body, emitter or obstacle by its name or its number from 0).\n"
+    "`thaw check SCENE` prints what would be simulated.\n";
+
+}  // namespace
+
+std::string sceneDocumentation() {
+  std::vector<KeyDescription> keys;
+  Scene s;
+  SceneReading reading;
+  reading.scene = &s;
+  TableReader top("", keys);
+  readSections(top, reading);
+  std::string text = introduction;
+  std::vector<std::string> tables;
+  for (const KeyDescription& k : keys)
+    if (std::find(tables.begin(), tables.end(), k.table) == tables.end()) tables.push_back(k.table);
+  for (const std::string& t : tables) {
+    text += t.empty() ? "\n## Top level\n\n" : "\n## `" + t + "`\n\n";
+    text += "| key | unit | range | default | what it is |\n|---|---|---|---|---|\n";
+    for (const KeyDescription& k : keys)
+      if (k.table == t) text += fmt::format("| `{}` | {} | {} | {} | {} |\n", k.key, cell(k.unit), cell(k.range), cell(k.standard), cell(k.about));
+  }
+  return text;
+}
+
+}  // namespace thaw
