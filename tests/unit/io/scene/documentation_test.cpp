@@ -1,0 +1,15 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "io/scene/read_scene.hpp"
+
+using namespace thaw;
+
+TEST(SceneDocumentation, DocsSceneMdIsWhatTheTableOfKeysSays) {
+  std::ifstream file(THAW_SOURCE_DIR "/docs/scene.md");
+  std::ostringstream text;
+  text << file.rdbuf();
+  EXPECT_TRUE(text.str() == sceneDocumentation()) << "docs/scene.md is out of date; write it with: build/release/thaw docs > docs/scene.md";
+}
