@@ -34,8 +34,6 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   t.frozeAnywhere = changes.frozen;            // reduced by the vote
   t.times.lap(StepPhase::Heat);
 
-  if (halos.all.rank() == 0)
-    for (int a = 0; a < 3; a++) w.ledger.gravityImpulse[a].add(t.mass * w.scene.domain.gravity[a] * dt);
   w.clock.time = time;
   w.clock.stepDt = dt;
   w.clock.step++;

@@ -1,6 +1,6 @@
 // Enthalpy, temperature and liquid fraction of a material. Per mass, zero at the solidus (at 0 K for materials that do not melt):
 //   H < 0            solid    T = solidus + H / c_solid
-//   0 <= H <= L + c  melting  T and the fraction f rise linearly with H, T over [solidus, liquidus], f over [0, 1]
+//   0 <= H <= band   melting  T and the fraction f rise linearly with H, T over [solidus, liquidus], f over [0, 1]
 //   above            liquid   T = liquidus + (H - band) / c_liquid
 // band = latent heat + mean heat capacity times (liquidus - solidus). Enthalpy cannot step over the latent heat, as an apparent
 // heat capacity can (accuracy.md, heat).
@@ -18,8 +18,11 @@ inline double meltingBand(const Material& m) {
   return m.latentHeat + 0.5 * (m.heatCapacity.solid + m.heatCapacity.liquid) * (m.liquidus - m.solidus);
 }
 
+/// Liquid fraction of a material that does not melt.
+inline double restFraction(const Material& m) { return m.canBeSolid() && !m.liquidAtStart ? 0 : 1; }
+
 inline Thermal thermalOf(const Material& m, double H) {
-  if (!m.melts()) return {H / m.heatCapacity.solid, m.canBeSolid() && !m.liquidAtStart ? 0.0 : 1.0};
+  if (!m.melts()) return {H / m.heatCapacity.at(restFraction(m)), restFraction(m)};
   if (H < 0) return {m.solidus + H / m.heatCapacity.solid, 0};
   const double band = meltingBand(m);
   if (H <= band && band > 0) return {m.solidus + (m.liquidus - m.solidus) * (H / band), H / band};
@@ -28,7 +31,7 @@ inline Thermal thermalOf(const Material& m, double H) {
 
 /// Inverse; at a single melting temperature (solidus == liquidus) the fraction decides between 0 and 1.
 inline double enthalpyOf(const Material& m, double T, double fractionAtMelting = 0) {
-  if (!m.melts()) return T * m.heatCapacity.solid;
+  if (!m.melts()) return T * m.heatCapacity.at(restFraction(m));
   if (T < m.solidus) return (T - m.solidus) * m.heatCapacity.solid;
   if (T > m.liquidus) return meltingBand(m) + (T - m.liquidus) * m.heatCapacity.liquid;
   const double width = m.liquidus - m.solidus;
@@ -37,9 +40,19 @@ inline double enthalpyOf(const Material& m, double T, double fractionAtMelting =
 
 /// K05's plain model: the temperature is the state, the blend parameter follows it.
 inline double paperFraction(const Material& m, double T) {
-  if (!m.melts()) return m.canBeSolid() && !m.liquidAtStart ? 0 : 1;
+  if (!m.melts()) return restFraction(m);
   const double width = m.liquidus - m.solidus;
   return width > 0 ? std::clamp((T - m.solidus) / width, 0.0, 1.0) : T >= m.solidus ? 1 : 0;
+}
+
+/// J/(kg K) at a liquid fraction. K05's plain model knows one.
+inline double heatCapacityOf(HeatModel model, const Material& m, double liquidFraction) {
+  return model == HeatModel::Paper ? m.heatCapacity.solid : m.heatCapacity.at(liquidFraction);
+}
+
+/// W/(m K) at a liquid fraction; of K05's plain model dT/dt = k_heat lap T, what makes k_heat the diffusivity.
+inline double conductivityOf(HeatModel model, const Material& m, double liquidFraction) {
+  return model == HeatModel::Paper ? m.paperDiffusivity * m.density * m.heatCapacity.solid : m.conductivity.at(liquidFraction);
 }
 
 }  // namespace thaw

@@ -1,8 +1,10 @@
 #include "core/heat/heat.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/heat/enthalpy.hpp"
+#include "core/walls/tables.hpp"
 
 namespace thaw {
 namespace {
@@ -14,33 +16,54 @@ Thermal stateOf(const Scene& s, const Material& m, const Continuum& p, std::size
   return thermalOf(m, p.enthalpy[i]);
 }
 
+/// What a scene without heat says about the temperature of a particle: that of its body or emitter.
+double givenTemperature(const Scene& s, std::uint16_t source) {
+  return source < s.bodies.size() ? s.bodies[source].temperature : s.emitters[source - s.bodies.size()].temperature;
+}
+
+/// Convection and radiation as W/(m^2 K) times the difference of temperatures: T1^4 - T2^4 = (T1^2 + T2^2) (T1 + T2) (T1 - T2).
+double surfaceConductance(const Material& m, double T, double ambient) {
+  return m.convection + m.emissivity * stefanBoltzmann * (ambient * ambient + T * T) * (ambient + T);
+}
+
 }  // namespace
 
 void settlePhase(const Scene& s, const Modules& modules, Continuum& p, std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end; i++) {
     const Material& m = s.materials[p.material[i]];
-    double f = m.canBeSolid() && !m.liquidAtStart ? 0 : 1;
+    double f = restFraction(m);
     if (modules.heat) {
       const Thermal t = stateOf(s, m, p, i);
       p.temperature[i] = t.temperature;
       if (m.melts()) f = t.liquid;
+    } else if (m.melts()) {
+      f = thermalOf(m, enthalpyOf(m, givenTemperature(s, p.body[i]), 1)).liquid;
     }
     if (p.liquid.active) p.liquid[i] = static_cast<float>(f);
     p.phase[i] = f >= 1 || !m.canBeSolid() ? Liquid : Solid;
   }
 }
 
+double exposedArea(double exposure, double surfaceExposure) {
+  return exposure / surfaceExposure * std::clamp((exposure - 0.5) / 0.3, 0.0, 1.0);
+}
+
+double latticeSurfaceExposure(const Numerics& n) { return 2 / n.support * wallIntegrals(n.kernel, 1 / n.support, 0.5 / n.support).push; }
+
 void addOuterHeat(World& w, double dt) {
   Continuum& p = w.particles;
   const Scene& s = w.scene;
-  const double area = s.spacing * s.spacing, ambient = s.domain.ambient;
+  const double face = s.spacing * s.spacing, flat = w.modules.surfaceHeat ? latticeSurfaceExposure(s.numerics) : 1;
   for (std::size_t i = 0; i < p.owned; i++) {
     const Material& m = s.materials[p.material[i]];
     double flow = m.heatSource * p.mass[i];
     if (w.modules.surfaceHeat && (m.convection > 0 || m.emissivity > 0)) {
-      const double T = p.temperature[i];
-      flow += static_cast<double>(p.exposure[i]) * area *
-              (m.convection * (ambient - T) + m.emissivity * stefanBoltzmann * (ambient * ambient * ambient * ambient - T * T * T * T));
+      const double area = face * exposedArea(static_cast<double>(p.exposure[i]), flat);
+      const double T = p.temperature[i], conductance = area * surfaceConductance(m, T, s.domain.ambient);
+      const double f = p.liquid.active ? static_cast<double>(p.liquid[i]) : restFraction(m);
+      const double rate = conductance / (p.mass[i] * heatCapacityOf(s.numerics.heat, m, f));
+      // averaged over the step: it cannot overshoot the ambient
+      flow += conductance * (s.domain.ambient - T) * (rate * dt > 1e-8 ? -std::expm1(-rate * dt) / (rate * dt) : 1);
     }
     if (flow == 0) continue;
     p.heatFlow[i] += flow;

@@ -23,9 +23,10 @@ struct ExactBalance {
 struct Ledger {
   ExactBalance entered, left;          ///< emitters, open sides
   ExactSum dissipated;                 ///< J, of particles that left or that changed hands; the rest is in Continuum::dissipated
-  ExactSum wallWork;                   ///< J, done on particles by moving obstacles
-  ExactSum wallImpulse[3];             ///< N s, given to particles by obstacles
-  ExactSum gravityImpulse[3];          ///< N s
+  ExactSum wallWork;                   ///< J, done on particles by moving obstacles, and by the pressure that walls mirror
+  ExactSum wallImpulse[3];             ///< N s, given to particles by obstacles, and by what holds clamped ones
+  ExactSum wallForce[3];               ///< N, of these now: half of the next kick is still to come
+  ExactSum gravityImpulse[3];          ///< N s, of mass that entered, less that of mass that left; initial.mass * g * time is to be added
   ExactSum heatIn;                     ///< J, through obstacles, sources and surfaces
   ExactSum phaseJump;                  ///< J, elastic energy that melting, freezing, breaking and re-referencing removed (> 0) or made
   Balance initial;                     ///< global, at time 0

@@ -101,8 +101,8 @@ LedgerReport reportLedger(const World& w, Reducer& all) {
   const double liquidMass = u.next();
   r.liquidFraction = r.now.mass > 0 ? liquidMass / r.now.mass : 0;
   r.wallImpulse = u.next3();
-  r.gravityImpulse = u.next3();
   r.initial = w.ledger.initial;
+  r.gravityImpulse = u.next3() + w.scene.domain.gravity * (r.initial.mass * w.clock.time);
   r.massResidual = r.now.mass - (r.initial.mass + r.entered.mass - r.left.mass);
   r.momentumResidual = r.now.momentum - (r.initial.momentum + r.entered.momentum - r.left.momentum + r.wallImpulse + r.gravityImpulse);
   const double expected = mechanical(r.initial) + mechanical(r.entered) - mechanical(r.left) + r.wallWork - r.dissipated - r.phaseJump;

@@ -3,7 +3,7 @@
 namespace thaw {
 namespace {
 
-constexpr std::size_t balanceSums = 11, ledgerSums = 2 * balanceSums + 10, worldCounts = sizeof(Counters) / sizeof(std::int64_t);
+constexpr std::size_t balanceSums = 11, ledgerSums = 2 * balanceSums + 13, worldCounts = sizeof(Counters) / sizeof(std::int64_t);
 static_assert(sizeof(ExactBalance) == balanceSums * sizeof(ExactSum), "list the new sum in addBalance, and in valuesOf");
 static_assert(sizeof(Ledger) == ledgerSums * sizeof(ExactSum) + sizeof(Balance), "list the new sum in sumsOf");
 static_assert(worldCounts == 11, "list the new counter in countsOf");
@@ -30,6 +30,9 @@ std::vector<NamedSum> sumsOf(Ledger& l) {
                              {"wall_impulse_x", "N s", &l.wallImpulse[0]},
                              {"wall_impulse_y", "N s", &l.wallImpulse[1]},
                              {"wall_impulse_z", "N s", &l.wallImpulse[2]},
+                             {"wall_force_x", "N", &l.wallForce[0]},
+                             {"wall_force_y", "N", &l.wallForce[1]},
+                             {"wall_force_z", "N", &l.wallForce[2]},
                              {"gravity_impulse_x", "N s", &l.gravityImpulse[0]},
                              {"gravity_impulse_y", "N s", &l.gravityImpulse[1]},
                              {"gravity_impulse_z", "N s", &l.gravityImpulse[2]},

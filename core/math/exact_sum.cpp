@@ -28,7 +28,7 @@ void ExactSum::add(double x) {
   const unsigned __int128 shifted = static_cast<unsigned __int128>(mantissa) << (place % 32);
   const std::int64_t sign = bits >> 63 ? -1 : 1;
   for (std::size_t k = 0; k < 3; k++) digit[at + k] += sign * (static_cast<std::int64_t>(shifted >> (32 * k)) & digitMask);
-  if (++pending == (1 << 30)) carry();
+  if (++pending >= (1 << 30)) carry();
 }
 
 void ExactSum::carry() {
@@ -65,8 +65,42 @@ ExactSum& ExactSum::operator+=(const ExactSum& other) {
   o.carry();
   for (std::size_t k = 0; k < digits; k++) digit[k] += o.digit[k];
   if (digit[digits - 1] > notFinite * 1024) digit[digits - 1] = notFinite;  // not finite it stays, but never overflows
-  if (++pending == (1 << 30)) carry();
+  if (++pending >= (1 << 30)) carry();
   return *this;
+}
+
+void ExactSum::addProduct(const ExactSum& other, double factor) {
+  ExactSum o = other;
+  o.carry();
+  const std::uint64_t bits = std::bit_cast<std::uint64_t>(factor);
+  const int exponent = static_cast<int>(bits >> 52 & 0x7ff);
+  if (exponent == 0x7ff || o.digit[digits - 1] >= notFinite / 2) return add(std::numeric_limits<double>::quiet_NaN());
+  const std::uint64_t fraction = bits & 0xfffffffffffffull, mantissa = exponent > 0 ? fraction | 0x10000000000000ull : fraction;
+  if (mantissa == 0) return;
+  const int shift = (exponent > 0 ? exponent : 1) - 1075;
+  std::int64_t sign = bits >> 63 ? -1 : 1;
+  if (o.digit[digits - 1] < 0) {
+    for (std::int64_t& d : o.digit) d = -d;
+    o.carry();
+    sign = -sign;
+  }
+  for (int k = 0; k < digits; k++) {
+    const std::int64_t d = o.digit[static_cast<std::size_t>(k)];
+    if (d == 0) continue;
+    unsigned __int128 product = static_cast<unsigned __int128>(d) * mantissa;
+    int place = 32 * k + shift;
+    if (place < 0) {
+      product = place > -128 ? product >> -place : 0;
+      place = 0;
+    }
+    const auto at = static_cast<std::size_t>(place / 32);
+    // the product has up to 85 bits, 117 when shifted: four digits
+    if (at + 4 >= digits) return add(std::numeric_limits<double>::quiet_NaN());
+    product <<= place % 32;
+    for (std::size_t j = 0; j < 4; j++) digit[at + j] += sign * (static_cast<std::int64_t>(product >> (32 * j)) & digitMask);
+  }
+  pending += 5;  // at most five of these products meet in a digit
+  if (pending >= (1 << 30)) carry();
 }
 
 }  // namespace thaw

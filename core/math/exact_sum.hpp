@@ -18,6 +18,9 @@ struct ExactSum {
   void carry();                              ///< brings every digit but the last into [0, 2^32)
   double value() const;                      ///< the sum, rounded once to nearest, ties to even; infinite where that overflows
   ExactSum& operator+=(const ExactSum& other);
+  /// Adds factor times another sum, exactly (but for bits below 2^-1088): linear, so that sums of many ranks can be multiplied before
+  /// they are added up.
+  void addProduct(const ExactSum& other, double factor);
 };
 
 }  // namespace thaw

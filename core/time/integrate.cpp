@@ -4,9 +4,26 @@
 
 namespace thaw {
 
+namespace {
+
+/// Impulses of walls and of the weight of what entered and left over half a kick, as the particles get them.
+void bookImpulses(World& w, double half) {
+  Ledger& l = w.ledger;
+  for (int a = 0; a < 3; a++) {
+    const double g = w.scene.domain.gravity[a] * half;
+    l.wallImpulse[a].addProduct(l.wallForce[a], half);
+    if (g == 0) continue;
+    l.gravityImpulse[a].addProduct(l.entered.mass, g);
+    l.gravityImpulse[a].addProduct(l.left.mass, -g);
+  }
+}
+
+}  // namespace
+
 void kickAndDrift(World& w, double dt) {
   Continuum& p = w.particles;
   const double half = 0.5 * dt;
+  bookImpulses(w, half);
   const bool smoothed = p.smoothing.active;
   for (std::size_t i = 0; i < p.owned; i++) {
     p.velocity[i] += p.acceleration[i] * half;
@@ -20,12 +37,10 @@ bool finishKick(World& w, double dt, std::size_t* bad) {
   const double half = 0.5 * dt;
   const bool clamps = p.clamped.active;
   bool finite = true;
+  bookImpulses(w, half);
   for (std::size_t i = p.owned; i-- > 0;) {
     Vec3d a = p.force[i] / p.mass[i] + g;
-    if (clamps && p.clamped[i]) {
-      for (int k = 0; k < 3; k++) w.ledger.wallImpulse[k].add(-(p.force[i][k] + g[k] * p.mass[i]) * dt);  // what holds it pushes back
-      a = {};
-    }
+    if (clamps && p.clamped[i]) a = {};
     if (!std::isfinite(a.x + a.y + a.z + p.position[i].x + p.position[i].y + p.position[i].z + p.velocity[i].x + p.velocity[i].y + p.velocity[i].z)) {
       finite = false;
       *bad = i;

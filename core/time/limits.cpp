@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/heat/enthalpy.hpp"
 #include "core/solid/elastic.hpp"
 
 namespace thaw {
@@ -13,10 +14,39 @@ Limit StepLimits::smallest() const {
 
 namespace {
 
-double largestViscosity(const Material& m) {
-  double mu = m.viscosityTable.empty() ? std::max(m.viscosity.solid, m.viscosity.liquid) : 0;
-  for (const auto& [T, value] : m.viscosityTable) mu = std::max(mu, value);
+/// Largest viscosity (Pa s) between two temperatures.
+double largestViscosity(const Material& m, double coldest, double hottest) {
+  if (m.viscosityTable.empty()) return std::max(m.viscosity.solid, m.viscosity.liquid);
+  double mu = std::max(viscosityAt(m, 1, coldest), viscosityAt(m, 1, hottest));
+  for (const auto& [T, value] : m.viscosityTable)
+    if (T > coldest && T < hottest) mu = std::max(mu, value);
   return mu;
+}
+
+/// Indices of the materials that bodies and emitters have.
+std::vector<std::size_t> materialsInUse(const Scene& s) {
+  std::vector<std::size_t> used;
+  for (std::size_t k = 0; k < s.materials.size(); k++) {
+    const auto has = [&](const auto& source) { return static_cast<std::size_t>(source.material) == k; };
+    if (std::any_of(s.bodies.begin(), s.bodies.end(), has) || std::any_of(s.emitters.begin(), s.emitters.end(), has)) used.push_back(k);
+  }
+  return used;
+}
+
+/// Largest diffusivity (m^2/s) that a particle of material m can see. Beside a much better conductor the harmonic mean is up to twice
+/// its own conductivity.
+double largestDiffusivity(const Scene& s, const std::vector<std::size_t>& used, const Material& m) {
+  const HeatModel model = s.numerics.heat;
+  double largest = 0;
+  for (const double f : {0.0, 1.0}) {
+    const double own = conductivityOf(model, m, f), capacity = m.density * heatCapacityOf(model, m, f);
+    for (const std::size_t k : used)
+      for (const double g : {0.0, 1.0}) {
+        const double other = conductivityOf(model, s.materials[k], g);
+        if (own + other > 0) largest = std::max(largest, 2 * own * other / (own + other) / capacity);
+      }
+  }
+  return largest;
 }
 
 }  // namespace
@@ -26,21 +56,21 @@ StepLimits materialLimits(const Scene& s, const Modules& modules, const std::vec
   StepLimits l;
   const double h = n.support * s.spacing, h3 = h * h * h;
   const auto take = [&](Limit which, double value) { l[which] = std::min(l[which], value); };
-  for (std::size_t k = 0; k < s.materials.size(); k++) {
+  const std::vector<std::size_t> used = materialsInUse(s);
+  for (const std::size_t k : used) {
     const Material& m = s.materials[k];
-    const bool liquid = !m.canBeSolid() || m.melts() || m.liquidAtStart;
+    const bool liquid = modules.fluid && (!m.canBeSolid() || m.melts() || m.liquidAtStart);
     if (liquid) {
       take(Limit::Sound, n.cflSound * h / liquids[k].soundSpeed);
-      const double mu = largestViscosity(m) + liquids[k].artificial;
-      if (mu > 0 && m.viscosityTable.empty()) take(Limit::Viscous, n.cflViscous * h * h * m.density / mu);
+      const double mu = (m.viscosityTable.empty() ? largestViscosity(m, 0, 0) : 0) + liquids[k].artificial;  // tables: of the particles there are
+      if (mu > 0) take(Limit::Viscous, n.cflViscous * h * h * m.density / mu);
       if (m.surfaceTension > 0) take(Limit::Tension, n.cflTension * std::sqrt(m.density * h3 / (2 * 3.14159265358979 * m.surfaceTension)));
     }
     if (modules.heat) {
-      const double diffusivity = n.heat == HeatModel::Paper ? m.paperDiffusivity
-                                                            : std::max(m.conductivity.solid / m.heatCapacity.solid, m.conductivity.liquid / m.heatCapacity.liquid) / m.density;
+      const double diffusivity = largestDiffusivity(s, used, m);
       if (diffusivity > 0) take(Limit::Heat, n.cflHeat * h * h / diffusivity);
     }
-    if (m.canBeSolid()) take(Limit::Contact, 0.5 * s.spacing * std::sqrt(m.density / m.young.solid));
+    if (modules.solid && m.canBeSolid()) take(Limit::Contact, 0.5 * s.spacing * std::sqrt(m.density / std::max(m.young.solid, m.young.liquid)));
   }
   if (modules.solid) take(Limit::Elastic, elasticStepLimit(s));
   take(Limit::Scene, n.maxStep);
@@ -62,20 +92,34 @@ StepLimits particleLimits(const World& w) {
   for (std::size_t k = 0; k < w.scene.materials.size(); k++) {
     const Material& m = w.scene.materials[k];
     if (m.viscosityTable.empty()) continue;
-    double coldest = never;
-    for (std::size_t i = 0; i < p.owned; i++)
-      if (p.material[i] == k && p.phase[i] == Liquid) coldest = std::min(coldest, p.temperature.active ? p.temperature[i] : 0.0);
-    if (coldest < never) l[Limit::Viscous] = std::min(l[Limit::Viscous], n.cflViscous * h * h * m.density / viscosityAt(m, 1, coldest));
+    double coldest = never, hottest = -never;
+    for (std::size_t i = 0; i < p.owned; i++) {
+      if (p.material[i] != k || !(p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0))) continue;
+      const double T = p.temperature.active ? p.temperature[i] : 0;
+      coldest = std::min(coldest, T);
+      hottest = std::max(hottest, T);
+    }
+    if (coldest > hottest) continue;
+    l[Limit::Viscous] = std::min(l[Limit::Viscous], n.cflViscous * h * h * m.density / largestViscosity(m, coldest, hottest));
   }
   return l;
 }
 
+double frameTime(const Clock& c, std::int64_t frame) {
+  const double t = static_cast<double>(frame) * c.every;
+  return std::abs(t - c.end) < 1e-9 * c.every ? c.end : t;  // 25 * 0.04 is not 1
+}
+
+bool frameDue(const Clock& c) { return c.every > 0 && c.time >= frameTime(c, c.frame); }
+
 namespace {
 
-/// The next time that must be hit.
+/// The next time that must be hit: of a frame, or the end.
 double target(const Clock& c) {
-  const double frame = c.every > 0 ? static_cast<double>(c.frame) * c.every : never;
-  return std::min(c.end, frame > c.time ? frame : never);
+  if (!(c.every > 0)) return c.end;
+  std::int64_t k = std::max(c.frame, static_cast<std::int64_t>(std::min(c.time / c.every, 9e15)));
+  while (frameTime(c, k) <= c.time) k++;
+  return std::min(c.end, frameTime(c, k));
 }
 
 }  // namespace

@@ -25,6 +25,10 @@ StepLimits materialLimits(const Scene& scene, const Modules& modules, const std:
 /// The limits of this rank's particles: acceleration, speed, and viscosity that depends on temperature. To be reduced over ranks.
 StepLimits particleLimits(const World& world);
 
+/// Time (s) of a frame; the one that rounding puts just beside the end is the end. frameDue: the next one is to be written now.
+double frameTime(const Clock& clock, std::int64_t frame);
+bool frameDue(const Clock& clock);
+
 /// dt for the next step, cut so that a frame time or the end is hit exactly; two steps are made equal rather than the last one tiny.
 double clip(const Clock& clock, double dt);
 

@@ -1,54 +1,64 @@
 #include "core/walls/tables.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "core/kernels/kernels.hpp"
 
 namespace thaw {
 namespace {
 
-/// Integrals over a plane at distance z: of W, of -dW/dz and of the Laplacian's kernel. Midpoint rule over the radius s = |r|.
 struct Plane { double w = 0, slope = 0, laplace = 0; };
+
+/// Integrals over a plane at distance z: of W, of -dW/dz and of the Laplacian's kernel. The kernels times s = |r| are polynomials of
+/// degree 7 at most, on either side of 1/2, for which Gauss' rule with five points is exact.
 template<class Kernel> Plane planeAt(double z) {
-  constexpr int n = 1000;
+  constexpr std::array<double, 5> node{-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831, 0.9061798459386640};
+  constexpr std::array<double, 5> weight{0.2369268850561891, 0.4786286704993665, 0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
   Plane p;
-  if (z >= 1) return p;
-  const double ds = (1 - z) / n;
-  for (int k = 0; k < n; k++) {
-    const double s = z + (k + 0.5) * ds, ring = 2 * isa_base::pi * s * ds;
-    p.w += ring * Kernel::w(s * s);
-    p.laplace += ring * Kernel::laplace(s * s);
-  }
-  p.slope = 2 * isa_base::pi * z * Kernel::w(z * z);
+  const auto addPart = [&](double from, double to) {
+    const double half = 0.5 * (to - from);
+    for (std::size_t k = 0; k < node.size(); k++) {
+      const double s = from + half * (1 + node[k]), ring = 2 * isa_base::pi * s * half * weight[k];
+      p.w += ring * Kernel::w(s * s);
+      p.slope -= ring * z * Kernel::slope(s * s);
+      p.laplace += ring * Kernel::laplace(s * s);
+    }
+  };
+  if (z < 0.5) addPart(z, 0.5);
+  if (z < 1) addPart(std::max(z, 0.5), 1);
   return p;
 }
 
-template<class Kernel> WallTables tablesOf(double spacing) {
-  WallTables t;
-  t.lowest = -0.5 * spacing;
-  t.nearest = 0.25 * spacing;
-  for (int k = 0; k <= WallTables::points; k++) {
-    const double d = t.lowest + (1 - t.lowest) * k / WallTables::points;
-    WallIntegrals sum;
-    for (double depth = 0.5 * spacing; d + depth < 1; depth += spacing) {
-      const Plane p = planeAt<Kernel>(d + depth);
-      sum.filling += spacing * p.w;
-      sum.push += spacing * p.slope;
-      sum.drag += spacing * p.laplace * (1 + depth / std::max(d, t.nearest));
-    }
-    t.at.push_back(sum);
+template<class Kernel> WallIntegrals integralsOf(double spacing, double d) {
+  WallIntegrals sum;
+  const double from = std::max(d, 0.25 * spacing);
+  for (double depth = 0.5 * spacing; d + depth < 1; depth += spacing) {
+    const Plane p = planeAt<Kernel>(d + depth);
+    sum.filling += spacing * p.w;
+    sum.push += spacing * p.slope;
+    sum.lean += spacing * p.slope * (d + depth);
+    sum.drag += spacing * p.laplace * (1 + depth / from);
   }
-  return t;
+  return sum;
 }
 
 }  // namespace
 
-WallTables makeWallTables(KernelKind kernel, double spacing) {
+WallIntegrals wallIntegrals(KernelKind kernel, double spacing, double d) {
   switch (kernel) {
-    case KernelKind::Mcg03: return tablesOf<isa_base::Mcg03>(spacing);
-    case KernelKind::CubicSpline: return tablesOf<isa_base::CubicSpline>(spacing);
-    default: return tablesOf<isa_base::WendlandC2>(spacing);
+    case KernelKind::Mcg03: return integralsOf<isa_base::Mcg03>(spacing, d);
+    case KernelKind::CubicSpline: return integralsOf<isa_base::CubicSpline>(spacing, d);
+    default: return integralsOf<isa_base::WendlandC2>(spacing, d);
   }
+}
+
+WallTables makeWallTables(KernelKind kernel, double spacing) {
+  WallTables t;
+  t.lowest = -0.5 * spacing;
+  t.nearest = 0.25 * spacing;
+  for (int k = 0; k <= WallTables::points; k++) t.at.push_back(wallIntegrals(kernel, spacing, t.lowest + (1 - t.lowest) * k / WallTables::points));
+  return t;
 }
 
 }  // namespace thaw

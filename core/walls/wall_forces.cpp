@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/heat/enthalpy.hpp"
+
 namespace thaw {
 namespace {
 
-double liquidFraction(const Continuum& p, std::size_t i) { return p.liquid.active ? static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? 1 : 0; }
-
-bool near(const Wall& w, const Vec3d& x, double reach) {
-  for (int a = 0; a < 3; a++)
-    if (x[a] < w.bounds.min[a] - reach || x[a] > w.bounds.max[a] + reach) return false;
-  return true;
+double liquidFraction(const Continuum& p, std::size_t i) {
+  return p.liquid.active ? static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? 1 : 0;
 }
 
+/// Damping ratio of a spring and dashpot that give a coefficient of restitution (the textbook logarithmic decrement over half a period).
 double dashpotRatio(double restitution) {
   if (restitution >= 1) return 0;
   const double l = std::log(std::max(restitution, 1e-3));
@@ -23,118 +22,138 @@ double dashpotRatio(double restitution) {
 /// Averages a decay of rate r (1/s) over the step, so that it never overshoots.
 double overStep(double r, double dt) { return dt > 0 && r > 0 ? -std::expm1(-r * dt) / dt : r; }
 
-}  // namespace
-
-void findWallContacts(const WallContext& x, WallContacts& contacts) {
-  World& w = x.world;
-  Continuum& p = w.particles;
-  contacts.list.clear();
-  const double h = w.grid.support, deep = 0.5 * w.scene.spacing;
-  bool any = false;
-  for (const Wall& wall : w.walls.list) any = any || wall.present;
-  if (!any) return;
-  for (std::size_t i = 0; i < p.owned; i++)
-    for (std::size_t k = 0; k < w.walls.list.size(); k++) {
-      const Wall& wall = w.walls.list[k];
-      if (!wall.present) continue;
-      const Vec3d rest = transpose(wall.turn) * (p.position[i] - wall.move);
-      if (!near(wall, rest, h)) continue;
-      Vec3d n;
-      double d = wall.shape->distance(rest, &n);
-      if (d >= h) continue;
-      n = wall.turn * n;
-      if (d < -deep && !(p.clamped.active && p.clamped[i])) {
-        const Vec3d u = p.velocity[i] - wallVelocity(wall, p.position[i]);
-        const double into = dot(u, n);
-        p.position[i] += n * -d;
-        if (into < 0) {
-          const double before = dot(p.velocity[i], p.velocity[i]);
-          p.velocity[i] -= n * into;
-          p.dissipated[i] += 0.5 * p.mass[i] * (before - dot(p.velocity[i], p.velocity[i]));
-        }
-        w.counters.wallProjections++;
-        d = 0;
-      }
-      contacts.list.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k), d, n});
-    }
-}
-
-void addWallFilling(const WallContext& x, double perLatticeSum, const WallContacts& contacts) {
-  Continuum& p = x.world.particles;
-  const double h = x.world.grid.support;
-  for (std::size_t c = 0; c < contacts.list.size();) {
-    const std::uint32_t i = contacts.list[c].row;
-    double open = 1;
-    for (; c < contacts.list.size() && contacts.list[c].row == i; c++) open *= 1 - x.tables(contacts.list[c].distance / h).filling;
-    p.filling[i] = static_cast<float>(static_cast<double>(p.filling[i]) + perLatticeSum * (1 - open));
+/// What walls do to one particle.
+struct WallAction {
+  Vec3d force{};      ///< N, all of it
+  Vec3d resisting{};  ///< N, the part that takes mechanical energy away: drag, dashpot, friction
+  Vec3d mirrored{};   ///< N, the part of pressure that is not the slope of the particle's own energy of compression
+  double lost = 0, work = 0;  ///< W, by resisting; by mirrored; at the half step's velocity
+  void resist(const Vec3d& f, const Vec3d& u) {
+    force += f;
+    resisting += f;
+    lost -= dot(f, u);
   }
+};
+
+/// The particle at hand, relative to one wall.
+struct Meeting {
+  const WallContact& contact;
+  const Obstacle& wall;
+  const Material& material;
+  std::size_t row;
+  double liquid;    ///< fraction
+  double volume;    ///< m^3, at rest
+  Vec3d velocity;   ///< m/s, relative to the wall
+};
+
+/// Pressure of a liquid, with the wall's pressure p_w = p + rho g.n z at the depth of each of its layers (Adami 2012 eq. 27), and drag.
+void addLiquidForces(const WallContext& x, const Meeting& at, double perLatticeSum, WallAction& act) {
+  const World& w = x.world;
+  const Continuum& p = w.particles;
+  const double h = w.grid.support;
+  const WallIntegrals t = x.tables(at.contact.distance / h);
+  const double pressure = static_cast<double>(p.pressure[at.row]), filling = static_cast<double>(p.filling[at.row]);
+  const Vec3d& n = at.contact.normal;
+  if (pressure != 0 && filling > 0) {
+    const bool printed = w.scene.numerics.pressure == PairForm::Printed;
+    const double push = printed ? 0.5 * at.volume * pressure / filling * t.push / h
+                                : perLatticeSum * at.volume * pressure / (filling * filling) * t.push / h;
+    const double weight = -dot(w.scene.domain.gravity, n) * at.material.density * at.liquid;
+    const double lean = (printed ? 0.5 : perLatticeSum) * at.volume * weight * t.lean;
+    const double mirrored = (push + std::clamp(lean, -std::abs(push), std::abs(push))) * at.contact.share;
+    const double own = push * at.contact.share;
+    act.force += n * (own + mirrored);
+    act.mirrored += n * mirrored;
+    act.work += mirrored * dot(n, at.velocity);
+  }
+  if (at.wall.slip) return;
+  const double mu = viscosityAt(at.material, at.liquid, p.temperature.active ? p.temperature[at.row] : 0);
+  const double m = p.mass[at.row], rate = m * overStep(at.liquid * mu * at.volume * t.drag * at.contact.share / (h * h * m), x.dt);
+  const Vec3d tangential = at.velocity - n * dot(at.velocity, n);
+  act.resist(tangential * -rate, at.velocity);
 }
+
+/// A spring with dashpot (Cundall & Strack 1979) and Coulomb friction: of solids from half a spacing on; of liquids, which pressure
+/// holds away, as the last resort from a quarter on.
+void addContactForces(const WallContext& x, const Meeting& at, Continuum& p, WallAction& act) {
+  const double dx = x.world.scene.spacing, f = at.liquid, m = p.mass[at.row];
+  const double gap = dx * (0.5 - 0.25 * f) - at.contact.distance;
+  if (gap <= 0) return;
+  const Vec3d& n = at.contact.normal;
+  const double k = (at.material.young.at(f) + f * x.liquids[p.material[at.row]].stiffness) * dx;
+  const double restitution = f < 1 ? std::min(at.wall.restitution, at.material.restitution) : 0.2;
+  const double un = dot(at.velocity, n), spring = k * gap;
+  const double dash = std::max(-2 * dashpotRatio(restitution) * std::sqrt(k * m) * un, -spring);  // a contact never pulls
+  act.force += n * spring;
+  act.resist(n * dash, at.velocity);
+  p.interaction[at.row] += 0.5 * k * gap * gap;
+  const Vec3d tangential = at.velocity - n * un;
+  const double slip = length(tangential);
+  if (f >= 1 || slip == 0) return;
+  // Below the speed at which friction would stop it within the step (or the spring's time) it is a drag: it never turns the motion round.
+  const double stick = std::min(std::sqrt(k * m), x.dt > 0 ? 0.5 * m / x.dt : 0.0);
+  const double rub = (1 - f) * std::min(at.wall.friction * (spring + dash) / slip, stick);
+  act.resist(tangential * -rub, at.velocity);
+}
+
+/// What holds clamped particles balances all that acts on them.
+void bookClamps(World& w) {
+  const Continuum& p = w.particles;
+  if (!p.clamped.active) return;
+  const Vec3d g = w.scene.domain.gravity;
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (p.clamped[i])
+      for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(-(p.force[i][a] + g[a] * p.mass[i]));
+}
+
+}  // namespace
 
 void addWallForces(const WallContext& x, double perLatticeSum, const WallContacts& contacts) {
   World& w = x.world;
   Continuum& p = w.particles;
-  const Scene& s = w.scene;
-  const double h = w.grid.support, dx = s.spacing;
-  for (const WallContact& c : contacts.list) {
-    const std::uint32_t i = c.row;
-    const Wall& wall = w.walls.list[c.wall];
-    const Obstacle& o = wall.properties;
-    const Material& m = s.materials[p.material[i]];
-    const double f = liquidFraction(p, i), V = p.mass[i] / m.density;
-    const Vec3d u = p.velocity[i] - wallVelocity(wall, p.position[i]);
-    const double un = dot(u, c.normal);
-    const Vec3d tangential = u - c.normal * un;
-    Vec3d force{};
-    double lost = 0;
-    if (f > 0) {
-      const WallIntegrals t = x.tables(c.distance / h);
-      const double filling = static_cast<double>(p.filling[i]);
-      if (p.pressure[i] != 0) force += c.normal * (2 * V * static_cast<double>(p.pressure[i]) / (filling * filling) * perLatticeSum * t.push / h);
-      if (!o.slip) {
-        const double mu = viscosityAt(m, f, p.temperature.active ? p.temperature[i] : 0);
-        const double rate = overStep(f * mu * V * t.drag / (h * h) / p.mass[i], x.dt) * p.mass[i];
-        force -= tangential * rate;
-        lost += rate * dot(tangential, tangential);
-      }
+  const auto& list = contacts.list;
+  for (ExactSum& s : w.ledger.wallForce) s = {};
+  for (std::size_t c = 0; c < list.size();) {
+    const std::uint32_t i = list[c].row;
+    const Material& m = w.scene.materials[p.material[i]];
+    WallAction act;
+    for (; c < list.size() && list[c].row == i; c++) {
+      const Wall& wall = w.walls.list[list[c].wall];
+      const Vec3d v = wallVelocity(wall, p.position[i]), before = act.force;
+      const Meeting at{list[c], wall.properties, m, i, liquidFraction(p, i), p.mass[i] / m.density, p.velocity[i] - v};
+      if (at.liquid > 0) addLiquidForces(x, at, perLatticeSum, act);
+      addContactForces(x, at, p, act);
+      if (!wall.properties.motion.empty()) w.ledger.wallWork.add(dot(act.force - before, v) * x.dt);
     }
-    // spring: of solids from half a spacing on, of liquids, which pressure holds away, as the last resort from a quarter on
-    const double d0 = dx * (0.5 - 0.25 * f);
-    if (c.distance < d0) {
-      const double k = (m.young.at(f) + f * x.liquids[p.material[i]].stiffness) * dx, gap = d0 - c.distance;
-      const double restitution = f < 1 ? std::min(o.restitution, m.restitution) : 0.2;
-      const double spring = k * gap, cd = 2 * dashpotRatio(restitution) * std::sqrt(k * p.mass[i]);
-      const double dash = std::max(-cd * un, -spring), normalForce = spring + dash;
-      force += c.normal * normalForce;
-      p.interaction[i] += 0.5 * k * gap * gap;
-      lost -= dash * un;
-      const double slip = length(tangential);
-      if (f < 1 && slip > 0) {
-        const double stick = std::min(std::sqrt(k * p.mass[i]), x.dt > 0 ? 0.5 * p.mass[i] / x.dt : 0.0) * slip;
-        const double rub = (1 - f) * std::min(o.friction * normalForce, stick);
-        force -= tangential * (rub / slip);
-        lost += rub * slip;
-      }
-    }
-    p.force[i] += force;
-    p.dissipation[i] += lost;
-    for (int a = 0; a < 3; a++) w.ledger.wallImpulse[a].add(force[a] * x.dt);
-    if (!o.motion.empty()) w.ledger.wallWork.add(dot(force, wallVelocity(wall, p.position[i])) * x.dt);
+    p.force[i] += act.force;
+    // Half a kick lies on either side of now: energy changes as if by the velocity between them.
+    Vec3d half{};
+    if (!(p.clamped.active && p.clamped[i])) half = (p.force[i] / p.mass[i] + w.scene.domain.gravity) * (0.5 * x.dt);
+    p.dissipation[i] += act.lost - dot(act.resisting, half);
+    const double work = act.work + dot(act.mirrored, half);
+    if (work != 0) w.ledger.wallWork.add(work * x.dt);
+    for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(act.force[a]);
   }
+  bookClamps(w);
 }
 
 void addWallHeat(const WallContext& x, const WallContacts& contacts) {
   World& w = x.world;
   Continuum& p = w.particles;
   const double h = w.grid.support;
+  const HeatModel model = w.scene.numerics.heat;
+  const double coveredScale = 2 * w.scene.spacing / h;
   for (const WallContact& c : contacts.list) {
+    const WallIntegrals t = x.tables(c.distance / h);
+    if (p.exposure.active) p.exposure[c.row] = static_cast<float>(std::max(0.0, static_cast<double>(p.exposure[c.row]) - coveredScale * t.push * c.share));
     const Obstacle& o = w.walls.list[c.wall].properties;
     if (!o.temperature) continue;
     const Material& m = w.scene.materials[p.material[c.row]];
-    const double f = liquidFraction(p, c.row), k = m.conductivity.at(f), V = p.mass[c.row] / m.density;
+    const double f = liquidFraction(p, c.row), k = conductivityOf(model, m, f), V = p.mass[c.row] / m.density;
     if (k <= 0) continue;
-    double conductance = k * V * x.tables(c.distance / h).drag / (h * h);  // W/K
+    double conductance = k * V * t.drag * c.heatShare / (h * h);  // W/K
     if (o.conductance < never) conductance *= o.conductance / (o.conductance + k / std::max(c.distance, x.tables.nearest * h));
-    const double capacity = p.mass[c.row] * m.heatCapacity.at(f);
+    const double capacity = p.mass[c.row] * heatCapacityOf(model, m, f);
     const double flow = overStep(conductance / capacity, x.dt) * capacity * (*o.temperature - p.temperature[c.row]);
     p.heatFlow[c.row] += flow;
     w.ledger.heatIn.add(flow * x.dt);

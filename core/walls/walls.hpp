@@ -33,14 +33,19 @@ void moveWalls(Walls& walls, double time);
 /// Velocity (m/s) of the wall at a place.
 Vec3d wallVelocity(const Wall& wall, const Vec3d& x);
 
-/// A particle near a wall.
+/// A particle near a wall. The shares leave out what another wall has filled already, at corners and where walls coincide.
 struct WallContact {
   std::uint32_t row, wall;
-  double distance;   ///< m, negative inside the wall
-  Vec3d normal;      ///< out of the wall
+  double distance;       ///< m, negative inside the wall
+  Vec3d normal;          ///< out of the wall
+  double share = 1;      ///< 1, of pressure and drag
+  double heatShare = 1;  ///< 1, of heat: only walls with a temperature share it
 };
 
-/// Contacts of owned particles within `reach` (m), by row and then by wall: the order of sums.
-struct WallContacts { std::vector<WallContact> list; };
+/// Contacts of owned particles within a support radius, by row and then by wall: the order of sums. Reused in every step.
+struct WallContacts {
+  std::vector<WallContact> list;
+  std::vector<std::uint32_t> reachable;  ///< walls that can be within reach of the cell at hand
+};
 
 }  // namespace thaw

@@ -1,0 +1,141 @@
+// Who is near a wall: cells first, then the particles of the cells that are.
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "core/walls/wall_forces.hpp"
+
+namespace thaw {
+namespace {
+
+bool nearBounds(const Bounds& b, const Vec3d& rest, double reach) {
+  for (int a = 0; a < 3; a++)
+    if (rest[a] < b.min[a] - reach || rest[a] > b.max[a] + reach) return false;
+  return true;
+}
+
+Vec3d restPlace(const Wall& w, const Vec3d& x) { return transpose(w.turn) * (x - w.move); }
+
+/// Walls that some particle of the cell can be within h of. Cells at the border of the grid also hold what lies beyond: no wall is
+/// left out for them.
+void findReachable(const World& w, std::uint64_t key, std::vector<std::uint32_t>& walls) {
+  const CellGrid& g = w.grid;
+  const Vec3i c = cellOfKey(key);
+  bool border = false;
+  Vec3d centre;
+  for (int a = 0; a < 3; a++) {
+    border = border || (!g.periodic[a] && (c[a] <= 0 || c[a] >= g.cells[a] - 1));
+    centre[a] = g.origin[a] + (c[a] + 0.5) * g.edge[a];
+  }
+  const double reach = g.support + (0.5 + 1e-6) * length(g.edge);
+  walls.clear();
+  for (std::size_t k = 0; k < w.walls.list.size(); k++) {
+    const Wall& wall = w.walls.list[k];
+    if (!wall.present) continue;
+    if (!border) {
+      const Vec3d rest = restPlace(wall, centre);
+      if (!nearBounds(wall.bounds, rest, reach) || wall.shape->distance(rest) > reach) continue;
+    }
+    walls.push_back(static_cast<std::uint32_t>(k));
+  }
+}
+
+/// Puts a particle that is deep inside back onto the surface, without its velocity into the wall. Books impulse, work and loss.
+void project(World& w, std::size_t i, const Wall& wall, double depth, const Vec3d& n) {
+  Continuum& p = w.particles;
+  const double m = p.mass[i];
+  const Vec3d moved = n * depth;
+  p.position[i] += moved;
+  p.dissipated[i] += m * dot(w.scene.domain.gravity, moved);  // potential energy that it gained
+  const Vec3d v = wallVelocity(wall, p.position[i]);
+  const double into = dot(p.velocity[i] - v, n);
+  if (into < 0) {
+    const Vec3d impulse = n * (-m * into);
+    p.velocity[i] -= n * into;
+    p.dissipated[i] += 0.5 * m * into * into;
+    for (int a = 0; a < 3; a++) w.ledger.wallImpulse[a].add(impulse[a]);
+    w.ledger.wallWork.add(dot(impulse, v));
+  }
+  w.counters.wallProjections++;
+}
+
+/// How much two walls overlap beside a particle that sees the fillings a and b of them, per 2 ab: exact for two planes through the
+/// particle at any angle, 0 for opposite ones; g = 1 - 2 angle / pi is 1 for the same direction, where the overlap is min(a, b).
+double alignment(const Vec3d& n, const Vec3d& m) { return 1 - std::acos(std::clamp(dot(n, m), -1.0, 1.0)) * (2 / 3.14159265358979323846); }
+
+/// d overlap(a, b) / da, smooth where min(a, b) has its kink.
+double overlapSlope(double a, double b, double g) {
+  if (g <= 0) return (1 + g) * b;
+  return (1 - g) * b + g * b * b / (a * a + b * b + 1e-30);
+}
+
+void shareBetween(const WallContext& x, std::span<WallContact> contacts) {
+  const double h = x.world.grid.support;
+  const auto warm = [&](const WallContact& c) { return x.world.walls.list[c.wall].properties.temperature.has_value(); };
+  for (WallContact& c : contacts)
+    for (const WallContact& other : contacts) {
+      if (&c == &other) continue;
+      const double slope = overlapSlope(x.tables(c.distance / h).filling, x.tables(other.distance / h).filling, alignment(c.normal, other.normal));
+      const double left = std::max(0.0, 1 - slope);
+      c.share *= left;
+      if (warm(c) && warm(other)) c.heatShare *= left;
+    }
+}
+
+}  // namespace
+
+void findWallContacts(const WallContext& x, WallContacts& contacts) {
+  World& w = x.world;
+  Continuum& p = w.particles;
+  contacts.list.clear();
+  const double h = w.grid.support, deep = 0.5 * w.scene.spacing;
+  bool any = false;
+  for (const Wall& wall : w.walls.list) any = any || wall.present;
+  if (!any) return;
+  for (std::size_t cell = 0; cell < w.cells.key.size(); cell++) {
+    if (w.cells.first[cell] >= p.owned) continue;  // a ghost cell
+    findReachable(w, w.cells.key[cell], contacts.reachable);
+    if (contacts.reachable.empty()) continue;
+    for (std::size_t i = w.cells.first[cell]; i < w.cells.first[cell] + w.cells.count[cell]; i++) {
+      const std::size_t before = contacts.list.size();
+      for (const std::uint32_t k : contacts.reachable) {
+        const Wall& wall = w.walls.list[k];
+        const Vec3d rest = restPlace(wall, p.position[i]);
+        if (!nearBounds(wall.bounds, rest, h)) continue;
+        Vec3d n;
+        double d = wall.shape->distance(rest, &n);
+        if (!(d < h)) continue;
+        n = wall.turn * n;
+        if (d < -deep && !(p.clamped.active && p.clamped[i])) {
+          project(w, i, wall, -d, n);
+          d = 0;
+        }
+        contacts.list.push_back({static_cast<std::uint32_t>(i), k, d, n});
+      }
+      if (contacts.list.size() > before + 1) shareBetween(x, std::span(contacts.list).subspan(before));
+    }
+  }
+}
+
+void addWallFilling(const WallContext& x, double perLatticeSum, const WallContacts& contacts) {
+  Continuum& p = x.world.particles;
+  const double h = x.world.grid.support;
+  const auto& list = contacts.list;
+  for (std::size_t begin = 0, end; begin < list.size(); begin = end) {
+    double filling = 0;
+    for (end = begin; end < list.size() && list[end].row == list[begin].row; end++) {
+      const double own = x.tables(list[end].distance / h).filling;
+      double left = own;
+      for (std::size_t other = begin; other < end && left > 0; other++) {
+        const double b = x.tables(list[other].distance / h).filling, g = alignment(list[end].normal, list[other].normal);
+        const double overlap = g <= 0 ? (1 + g) * own * b : (1 - g) * own * b + g * std::min(own, b);
+        left *= std::max(0.0, 1 - overlap / own);
+      }
+      filling += left;
+    }
+    const std::uint32_t i = list[begin].row;
+    p.filling[i] = static_cast<float>(static_cast<double>(p.filling[i]) + perLatticeSum * filling);
+  }
+}
+
+}  // namespace thaw

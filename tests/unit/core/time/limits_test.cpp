@@ -1,0 +1,146 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/time/limits.hpp"
+
+namespace thaw::test {
+namespace {
+
+/// Steps from 0 to the end as a run does. Returns the number of steps.
+int runClock(Clock& c, double dt, std::vector<double>& hits, double& shortest) {
+  int steps = 0;
+  if (frameDue(c)) hits.push_back(c.time), c.frame++;
+  while (c.time < c.end && steps < 1000000) {
+    const double d = clip(c, dt);
+    EXPECT_GT(d, 0);
+    EXPECT_LE(d, dt * (1 + 1e-8));
+    shortest = std::min(shortest, d);
+    c.time = timeAfter(c, d);
+    steps++;
+    while (frameDue(c)) hits.push_back(c.time), c.frame++;
+  }
+  return steps;
+}
+
+Scene oneMaterial() {
+  Scene s;
+  s.spacing = 0.01;
+  Material m;
+  m.density = 1000;
+  m.viscosity = {2, 2};
+  m.soundSpeed = 20;
+  s.materials.push_back(m);
+  s.bodies.emplace_back();
+  return s;
+}
+
+}  // namespace
+
+TEST(Clock, FrameTimesAndTheEndAreHitExactly) {
+  for (double every : {0.04, 0.1, 1 / 3.0, 0.0123456789, 0.7, 2.0})
+    for (double dt : {0.04, 0.0399999999999, 0.001, 0.00037, 0.011, 5.0}) {
+      Clock c;
+      c.end = 1;
+      c.every = every;
+      std::vector<double> hits;
+      double shortest = dt;
+      runClock(c, dt, hits, shortest);
+      EXPECT_EQ(c.time, 1.0);
+      const auto frames = static_cast<std::size_t>(std::floor(1 / every * (1 + 1e-12))) + 1;
+      ASSERT_EQ(hits.size(), frames) << every << " " << dt;
+      for (std::size_t k = 0; k < frames; k++) {
+        const double due = static_cast<double>(k) * every;
+        EXPECT_TRUE(hits[k] == due || (hits[k] == 1.0 && std::abs(due - 1) < 1e-12));
+      }
+      const double last = 1 - static_cast<double>(frames - 1) * every;  // between the last frame and the end
+      EXPECT_GE(shortest, 0.49 * std::min({dt, every, last > 1e-9 ? last : 1.0})) << every << " " << dt;  // no tiny steps
+    }
+}
+
+TEST(Clock, FramesThatNobodyWroteDoNotStopIt) {
+  Clock c;
+  c.end = 1;
+  c.every = 0.25;
+  c.time = 0.6;  // frame 0 is still due
+  EXPECT_EQ(timeAfter(c, clip(c, 0.5)), 0.75);
+}
+
+TEST(Clock, EndsWithoutFrames) {
+  Clock c;
+  c.end = 0.1;
+  int n = 0;
+  for (; c.time < c.end && n < 100; n++) c.time = timeAfter(c, clip(c, 0.03));
+  EXPECT_EQ(c.time, 0.1);
+  EXPECT_EQ(n, 4);
+}
+
+TEST(StepLimits, OfALiquid) {
+  Scene s = oneMaterial();
+  s.materials[0].surfaceTension = 0.07;
+  s.materials[0].conductivity = {3, 3};
+  Modules m;
+  m.fluid = m.heat = true;
+  const StepLimits l = materialLimits(s, m, liquidMaterials(s));
+  const double h = 0.02;
+  EXPECT_DOUBLE_EQ(l.value[static_cast<std::size_t>(Limit::Sound)], 0.4 * h / 20);
+  EXPECT_DOUBLE_EQ(l.value[static_cast<std::size_t>(Limit::Viscous)], 0.1 * h * h * 1000 / 2);
+  EXPECT_NEAR(l.value[static_cast<std::size_t>(Limit::Tension)], 0.25 * std::sqrt(1000 * h * h * h / (2 * M_PI * 0.07)), 1e-12);
+  EXPECT_DOUBLE_EQ(l.value[static_cast<std::size_t>(Limit::Heat)], 0.1 * h * h / (3.0 / (1000.0 * 1000.0)));
+  EXPECT_EQ(l.value[static_cast<std::size_t>(Limit::Elastic)], never);
+  EXPECT_EQ(l.value[static_cast<std::size_t>(Limit::Contact)], never);
+  EXPECT_EQ(l.smallest(), Limit::Sound);
+}
+
+TEST(StepLimits, MaterialsWithoutParticlesDoNotCount) {
+  Scene s = oneMaterial();
+  Modules m;
+  m.fluid = true;
+  const double alone = materialLimits(s, m, liquidMaterials(s)).value[0];
+  s.materials.push_back(s.materials[0]);
+  s.materials[1].soundSpeed = 2000;
+  EXPECT_EQ(materialLimits(s, m, liquidMaterials(s)).value[0], alone);
+  s.emitters.emplace_back();
+  s.emitters[0].material = 1;
+  EXPECT_DOUBLE_EQ(materialLimits(s, m, liquidMaterials(s)).value[0], alone / 100);
+}
+
+TEST(StepLimits, HeatBesideABetterConductor) {
+  Scene s = oneMaterial();
+  s.materials[0].conductivity = {1, 1};
+  Modules m;
+  m.heat = true;
+  const auto heat = [&] { return materialLimits(s, m, liquidMaterials(s)).value[static_cast<std::size_t>(Limit::Heat)]; };
+  const double alone = heat();
+  s.materials.push_back(s.materials[0]);
+  s.materials[1].conductivity = {1e6, 1e6};
+  s.materials[1].heatCapacity = {1e12, 1e12};  // so that it does not rule itself
+  s.bodies.emplace_back();
+  s.bodies[1].material = 1;
+  EXPECT_NEAR(heat(), alone / 2, 1e-5 * alone);
+}
+
+TEST(StepLimits, OfParticles) {
+  World w;
+  w.scene = oneMaterial();
+  w.scene.materials[0].viscosityTable = {{300, 10}, {400, 50}, {500, 1}};  // not monotone
+  w.grid.support = 0.02;
+  Continuum& p = w.particles;
+  for (AnyColumn* c : {static_cast<AnyColumn*>(&p.velocity), static_cast<AnyColumn*>(&p.acceleration), static_cast<AnyColumn*>(&p.material),
+                       static_cast<AnyColumn*>(&p.phase), static_cast<AnyColumn*>(&p.temperature)})
+    p.activate(*c);
+  EXPECT_EQ(particleLimits(w).smallest(), Limit::Sound);  // nothing: all are never
+  EXPECT_EQ(particleLimits(w).value[0], never);
+  p.resize(2, 0);
+  p.velocity[1] = {3, 0, 4};
+  p.acceleration[0] = {0, 0, 8};
+  p.temperature[0] = 350;
+  p.temperature[1] = 450;
+  p.phase[0] = p.phase[1] = Liquid;
+  StepLimits l = particleLimits(w);
+  EXPECT_DOUBLE_EQ(l[Limit::Speed], 0.25 * 0.02 / 5);
+  EXPECT_DOUBLE_EQ(l[Limit::Acceleration], 0.25 * std::sqrt(0.02 / 8));
+  EXPECT_DOUBLE_EQ(l[Limit::Viscous], 0.1 * 0.02 * 0.02 * 1000 / 50);
+}
+
+}  // namespace thaw::test

@@ -1,0 +1,103 @@
+// Wall tables against brute-force sums over finely sampled layers, and against the lattice whose missing half they stand for.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/kernels/kernels.hpp"
+#include "core/walls/tables.hpp"
+
+namespace thaw::test {
+namespace {
+
+using isa_base::CubicSpline;
+using isa_base::Mcg03;
+using isa_base::WendlandC2;
+
+/// The same sums over squares of edge 1/n on each layer (support radius 1).
+template<class Kernel> WallIntegrals bruteForce(double spacing, double d, int n) {
+  WallIntegrals sum;
+  const double a = 1.0 / n;
+  for (double depth = 0.5 * spacing; d + depth < 1; depth += spacing)
+    for (int i = 0; i < n; i++)
+      for (int j = 0; j < n; j++) {
+        const double x = (i + 0.5) * a, y = (j + 0.5) * a, z = d + depth, q2 = x * x + y * y + z * z, V = 4 * a * a * spacing;  // four quadrants
+        if (q2 >= 1) continue;
+        sum.filling += V * Kernel::w(q2);
+        sum.push -= V * Kernel::slope(q2) * z;
+        sum.lean -= V * Kernel::slope(q2) * z * z;
+        sum.drag += V * Kernel::laplace(q2) * (1 + depth / std::max(d, 0.25 * spacing));
+      }
+  return sum;
+}
+
+template<class Kernel> void expectTables(KernelKind kind) {
+  for (double spacing : {0.5, 1 / 1.5, 1 / 3.0}) {
+    const WallTables t = makeWallTables(kind, spacing);
+    for (double d : {-0.4 * spacing, 0.0, 0.1 * spacing, 0.5 * spacing, 0.6, 0.83}) {
+      const WallIntegrals b = bruteForce<Kernel>(spacing, d, 1500), e = wallIntegrals(kind, spacing, d), i = t(d);
+      EXPECT_NEAR(e.filling, b.filling, 2e-5) << d;
+      EXPECT_NEAR(e.push, b.push, 2e-4 * std::max(1.0, b.push)) << d;
+      EXPECT_NEAR(e.lean, b.lean, 1e-4) << d;
+      EXPECT_NEAR(e.drag, b.drag, 2e-4 * std::max(1.0, b.drag)) << d;
+      EXPECT_NEAR(i.filling, e.filling, 1e-5) << d;
+      EXPECT_NEAR(i.push, e.push, 5e-5) << d;
+      EXPECT_NEAR(i.lean, e.lean, 5e-5) << d;
+      EXPECT_NEAR(i.drag, e.drag, 1e-3 * std::max(1.0, e.drag)) << d;
+    }
+    EXPECT_EQ(t(1.0).filling, 0);
+    EXPECT_EQ(t(-1.0).filling, t(t.lowest).filling);
+  }
+}
+
+/// Sums over the lattice half-space at and above a particle half a spacing from a wall, and the wall's in place of the rest.
+template<class Kernel> struct Half {
+  double filling = 0, push = 0, full = 0, heat = 0;
+  explicit Half(double spacing) {
+    const int n = static_cast<int>(1 / spacing) + 1;
+    const double V = spacing * spacing * spacing;
+    for (int z = -n; z <= n; z++)
+      for (int y = -n; y <= n; y++)
+        for (int x = -n; x <= n; x++) {
+          const double q2 = (x * x + y * y + z * z) * spacing * spacing;
+          full += V * Kernel::w(q2);
+          if (z < 0) continue;
+          filling += V * Kernel::w(q2);
+          if (q2 == 0) continue;
+          push -= V * Kernel::slope(q2) * z * spacing;
+          heat += V * Kernel::laplace(q2) * z * spacing;
+        }
+  }
+};
+
+}  // namespace
+
+TEST(WallTables, AgreeWithFineSampling) {
+  expectTables<WendlandC2>(KernelKind::WendlandC2);
+  expectTables<CubicSpline>(KernelKind::CubicSpline);
+  expectTables<Mcg03>(KernelKind::Mcg03);
+}
+
+TEST(WallTables, PushIsTheSlopeOfFilling) {
+  for (KernelKind kind : {KernelKind::WendlandC2, KernelKind::CubicSpline})
+    for (double d : {0.05, 0.25, 0.5, 0.7}) {
+      const double e = 1e-5, slope = (wallIntegrals(kind, 0.5, d - e).filling - wallIntegrals(kind, 0.5, d + e).filling) / (2 * e);
+      EXPECT_NEAR(wallIntegrals(kind, 0.5, d).push, slope, 1e-6);
+    }
+}
+
+// A particle half a spacing from a wall hardly knows that there is no lattice behind it.
+TEST(WallTables, StandForTheMissingHalfOfTheLattice) {
+  const double spacing = 0.5;
+  const auto check = [&](auto kernel, KernelKind kind, double tolerance) {
+    const Half<decltype(kernel)> half(spacing);
+    const WallIntegrals w = wallIntegrals(kind, spacing, 0.5 * spacing);
+    EXPECT_NEAR(half.filling + w.filling, half.full, tolerance * half.full);
+    EXPECT_NEAR(w.push, half.push, 4 * tolerance * half.push);      // a uniform pressure does not push
+    EXPECT_NEAR(0.5 * spacing * w.drag, half.heat, 4 * tolerance * half.heat);  // a linear profile does not change
+  };
+  check(WendlandC2{}, KernelKind::WendlandC2, 0.02);
+  check(CubicSpline{}, KernelKind::CubicSpline, 0.02);
+  check(Mcg03{}, KernelKind::Mcg03, 0.05);
+}
+
+}  // namespace thaw::test
