@@ -43,7 +43,7 @@ void relinkSolids(World& w, Halos halos, StepTools& t, const Relink& work) {
   linkSlots(w.particles, w.solids);
   if (halos.bonds.relink(w.particles, w.solids, w.bonds, work)) {
     fillNewSlots(w.particles, w.solids, t.elastic);
-    w.counters.singularNeighbourhoods = refreshReference(t.elastic, w.solids, w.bonds, true);
+    w.counters.singularNeighbourhoods = refreshReference(t.elastic, w.solids, w.bonds, false);
     const std::vector<AnyColumn*> columns = remoteColumnsAfterRelink(w.solids);
     halos.bonds.begin(w.solids, columns);
     halos.bonds.finish(w.solids);

@@ -321,8 +321,7 @@ void MpiBondHalo::makeSlots(const SolidTables& t, const Relink& work) {
       graph_.bond(t, before + i, r, owner);
     }
   }
-  for (const BondRequest& q : work.requests)
-    graph_.bond(t, q.slot, {q.neighbourId, {q.reference.x, q.reference.y, q.reference.z}, {q.reverse.x, q.reverse.y, q.reverse.z}, q.weight}, ownerOf(q.neighbourId));
+  for (const BondRequest& q : work.requests) graph_.bond(t, q.slot, bondOf(q), ownerOf(q.neighbourId));
 }
 
 void MpiBondHalo::begin(Solids&, std::span<AnyColumn* const> columns) { links_.begin(comm_, columns, traffic_); }

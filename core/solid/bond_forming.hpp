@@ -25,7 +25,7 @@ struct BondForming {
 
 /// What a bond needs to know of particles, kept at the particles because slots are renumbered: Continuum::frame (F of the particle's slot at the last phase 1; the
 /// identity if it has just frozen or has no slot yet) where it is active, and Continuum::home with periodic sides. When something froze: set justFrozen and phase, prepareBondForming,
-/// relink (makes the slots), refresh bondFormingColumns on ghosts, formBonds, relink with the requests, refreshReference(all).
+/// relink (makes the slots), refresh bondFormingColumns on ghosts, formBonds, relink with the requests, refreshReference.
 void prepareBondForming(Continuum& particles, const Solids& solids);
 /// The columns of ghosts that formBonds reads, beside position.
 std::vector<AnyColumn*> bondFormingColumns(Continuum& particles);

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "core/particles/continuum.hpp"
+#include "core/halo/halo.hpp"
 #include "core/solid/bond_records.hpp"
 #include "core/solid/id_table.hpp"
 
@@ -27,6 +27,10 @@ struct NewSlot {
   std::uint32_t particle = 0;
   const std::byte* state = nullptr;
 };
+
+inline BondRecord bondOf(const BondRequest& q) {
+  return {q.neighbourId, {q.reference.x, q.reference.y, q.reference.z}, {q.reverse.x, q.reverse.y, q.reverse.z}, q.weight};
+}
 
 class BondGraph {
  public:

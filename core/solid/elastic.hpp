@@ -40,6 +40,8 @@ struct ElasticWork {
   double minBreakStretch = never;     ///< the smallest of all materials
   bool damping = false, plastic = false, periodic = false;
   // of the bonds, by refreshReference
+  int capacity = 0;                              ///< of the bonds that the rest is of
+  std::vector<std::uint8_t> remoteGroup;         ///< by group: some bond has a remote end
   std::vector<std::uint32_t> inner, boundary;    ///< groups of owned slots
   std::vector<std::uint16_t> bondCount;          ///< by group: bonds of its longest row
   std::vector<std::uint8_t> rank;                ///< by owned slot: rank of A
@@ -86,8 +88,9 @@ void fillNewSlots(const Continuum& particles, Solids& solids, const ElasticWork&
 /// Adds the elastic force (and what was dissipated in the step, divided by dt) to the particles of the owned slots.
 void addSolidForces(const Solids& solids, Continuum& particles, double dt);
 
-/// A^-1 of slots with `changed` set (of all slots if all: after a relink, which renumbers rows, and at a restart), and what else
-/// `work` keeps of bonds. The same bits whether a slot is recomputed or not. Clears `changed`. Returns how many owned slots have rank < 3.
+/// A^-1 of slots with `changed` set (of all slots if all: where bonds were made by hand), and what else `work` keeps of bonds.
+/// After every relink, which sets `changed` also where a slot got another number, or a bond's other end became remote or owned.
+/// The same bits whether a slot is recomputed or not. Clears `changed`. Returns how many owned slots have rank < 3.
 std::int64_t refreshReference(ElasticWork& work, Solids& solids, Bonds& bonds, bool all);
 
 /// Phase 1: F, plastic flow, stress and flux of the groups of this part. Inner needs Solids::position of owned rows and must come
@@ -103,7 +106,7 @@ void computeElasticForces(ElasticWork& work, Solids& solids, Bonds& bonds, const
 
 /// Solids::energy of all owned slots at the current positions of owned and remote rows, without plastic flow; overwrites
 /// deformation and force. Where bonds are made or dropped (freezing, melting) the jump of elastic energy is the exact sum of energy
-/// over owned slots before relink minus that after relink, refreshReference(all), an exchange of positions and this.
+/// over owned slots before relink minus that after relink, refreshReference, an exchange of positions and this.
 void evaluateElasticEnergy(ElasticWork& work, Solids& solids, const Bonds& bonds);
 
 /// Cauchy stress of all owned slots into Solids::stress (activates it), from F of the last phase 1; for output.

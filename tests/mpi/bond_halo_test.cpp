@@ -30,7 +30,7 @@ struct Dice {
 };
 
 double number(std::uint64_t a, std::uint64_t b, std::uint64_t c) { return static_cast<double>(spreadBits(spreadBits(a * 31 + b) + c) >> 12); }
-BondRecord bondOf(std::uint64_t from, std::uint64_t to, double weight) {
+BondRecord randomBond(std::uint64_t from, std::uint64_t to, double weight) {
   BondRecord r{to, {}, {}, weight};
   for (std::uint64_t a = 0; a < 3; a++) r.reference[a] = number(from, to, a), r.reverse[a] = number(to, from, a + 3);
   return r;
@@ -168,7 +168,7 @@ struct Rig {
   void request(std::size_t from, std::size_t to, double weight, std::vector<BondRequest>& mine) {
     if (model.empty() || !model[from].solid) return;
     if (model[from].owner == comm.rank()) {
-      const BondRecord r = bondOf(idOf(from), idOf(to), weight);
+      const BondRecord r = randomBond(idOf(from), idOf(to), weight);
       const std::uint32_t slot = halo->graph().rowOf(idOf(from));
       mine.push_back({slot, r.neighbourId, {r.reference[0], r.reference[1], r.reference[2]}, {r.reverse[0], r.reverse[1], r.reverse[2]}, weight});
     }
@@ -214,7 +214,7 @@ struct Rig {
         if (!(b.weight[at] > 0)) continue;
         ASSERT_LT(n, m.bonds.size()) << "particle " << indexOf(id);
         const ModelBond& e = m.bonds[n++];
-        const BondRecord r = bondOf(id, e.to, e.weight);
+        const BondRecord r = randomBond(id, e.to, e.weight);
         ASSERT_LT(b.neighbour[at], s.size());
         ASSERT_EQ(s.id[b.neighbour[at]], e.to);
         ASSERT_EQ(b.weight[at], e.weight);

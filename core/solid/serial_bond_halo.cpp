@@ -1,0 +1,49 @@
+#include "core/solid/serial_bond_halo.hpp"
+
+#include <algorithm>
+
+namespace thaw {
+
+void SerialBondHalo::migrate(Continuum& p, Solids&, Bonds&, const Migration& m) {
+  if (!p.slot.active) return;
+  for (std::size_t i = p.owned - m.arrivals; i < p.owned; i++) p.slot[i] = noSlot;
+}
+
+bool SerialBondHalo::relink(Continuum& p, Solids& s, Bonds& b, const Relink& work) {
+  if (!p.slot.active || !(work.changedHere || b.broken || !work.requests.empty() || !records_.empty())) return false;
+  const SolidTables tables{p, s, b};
+  graph_.begin();
+  if (b.broken) graph_.dropBroken(tables);
+  b.broken = false;
+  findUnslotted(p, s, unslotted_);
+  for (std::uint32_t slot = 0; slot < s.owned; slot++)
+    if (s.particle[slot] == noParticle) graph_.remove(b, slot);
+
+  std::vector<SolidRecordView> records;
+  std::size_t most = 0;
+  for (const std::vector<std::byte>& bytes : records_)
+    for (std::size_t at = 0; at < bytes.size();) {
+      at = readRecord(s, bytes, at, records.emplace_back());
+      most = std::max(most, records.back().bonds.size());
+    }
+  std::sort(records.begin(), records.end(), [](const SolidRecordView& x, const SolidRecordView& y) { return x.id < y.id; });
+  std::vector<NewSlot> fresh;
+  std::vector<const SolidRecordView*> recordOf;
+  for (const std::uint32_t row : unslotted_) {
+    const auto r = std::lower_bound(records.begin(), records.end(), p.id[row], [](const SolidRecordView& x, std::uint64_t id) { return x.id < id; });
+    recordOf.push_back(r != records.end() && r->id == p.id[row] ? &*r : nullptr);
+    fresh.push_back({row, recordOf.back() ? recordOf.back()->state : nullptr});
+  }
+  const auto before = static_cast<std::uint32_t>(graph_.rows());
+  graph_.place(tables, fresh);
+  graph_.reserve(b, static_cast<int>(most));
+  for (std::uint32_t i = 0; i < fresh.size(); i++)
+    if (recordOf[i])
+      for (const BondRecord& r : recordOf[i]->bonds) graph_.bond(tables, before + i, r, -1);
+  for (const BondRequest& q : work.requests) graph_.bond(tables, q.slot, bondOf(q), -1);
+  graph_.finish(tables);
+  records_.clear();
+  return true;
+}
+
+}  // namespace thaw

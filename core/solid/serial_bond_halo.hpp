@@ -1,0 +1,27 @@
+// The graph of bonds of a single process: all ends are owned here. For tests and tools without MPI.
+#pragma once
+#include <vector>
+
+#include "core/halo/halo.hpp"
+#include "core/solid/bond_graph.hpp"
+
+namespace thaw {
+
+class SerialBondHalo : public BondHalo {
+ public:
+  void migrate(Continuum& particles, Solids& solids, Bonds& bonds, const Migration& migration) override;
+  bool relink(Continuum& particles, Solids& solids, Bonds& bonds, const Relink& work) override;
+  void begin(Solids&, std::span<AnyColumn* const>) override {}
+  void finish(Solids&) override {}
+
+  /// Records (SolidRecords::bytes) of particles that have no slot yet; the next relink makes slots of them.
+  void adopt(std::vector<std::byte> records) { records_.push_back(std::move(records)); }
+  const BondGraph& graph() const { return graph_; }
+
+ private:
+  BondGraph graph_;
+  std::vector<std::vector<std::byte>> records_;
+  std::vector<std::uint32_t> unslotted_;
+};
+
+}  // namespace thaw
