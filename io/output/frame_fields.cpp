@@ -72,8 +72,13 @@ void addField(WorldFrame& f, const World& w, int rank, const std::string& name) 
       *to = p.liquid.active ? p.liquid[i] : p.phase.active ? static_cast<float>(p.phase[i] == Liquid) : static_cast<float>(!m.canBeSolid() || m.liquidAtStart);
     });
   } else if (name == "density") {
+    // the sum over neighbours is taken where there is liquid; a solid's density follows from its volume, V = det F V0
     add<float>(f, "density", "kg/m^3", 1, [&](std::size_t i, float* to) {
-      *to = static_cast<float>(materials[p.material[i]].density * (p.filling.active ? static_cast<double>(p.filling[i]) : 1.0));
+      const std::uint32_t slot = slotOf(w, i);
+      double share = 1;
+      if (slot != noSlot && s.deformation.active) share = 1 / determinant(s.deformation[slot]);
+      else if (p.filling.active && (!p.phase.active || p.phase[i] == Liquid)) share = static_cast<double>(p.filling[i]);
+      *to = static_cast<float>(materials[p.material[i]].density * share);
     });
   } else if (name == "pressure") {
     add<float>(f, "pressure", "Pa", 1, [&](std::size_t i, float* to) { *to = p.pressure.active ? p.pressure[i] : 0; });

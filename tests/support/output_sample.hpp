@@ -1,0 +1,133 @@
+// A world for tests of files, whose every number depends on ids only, and folders that all ranks share.
+#pragma once
+#include <mpi.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/solid/bond_records.hpp"
+#include "core/world.hpp"
+#include "io/output/frame_fields.hpp"
+
+namespace thaw::test {
+
+inline int rankOf(MPI_Comm comm = MPI_COMM_WORLD) { int r; MPI_Comm_rank(comm, &r); return r; }
+inline int sizeOf(MPI_Comm comm = MPI_COMM_WORLD) { int s; MPI_Comm_size(comm, &s); return s; }
+
+/// A folder that all ranks share, removed at the end.
+struct Folder {
+  std::string path;
+  Folder() {
+    char name[64] = "/tmp/thaw_output_XXXXXX";
+    if (rankOf() == 0 && mkdtemp(name) == nullptr) std::abort();
+    MPI_Bcast(name, sizeof name, MPI_CHAR, 0, MPI_COMM_WORLD);
+    path = name;
+  }
+  ~Folder() {
+    MPI_Barrier(MPI_COMM_WORLD);
+    if (rankOf() == 0) std::filesystem::remove_all(path);
+  }
+};
+
+/// The first n ranks.
+struct Some {
+  MPI_Comm comm = MPI_COMM_NULL;
+  explicit Some(int n) { MPI_Comm_split(MPI_COMM_WORLD, rankOf() < n ? 0 : MPI_UNDEFINED, rankOf(), &comm); }
+  ~Some() { if (comm != MPI_COMM_NULL) MPI_Comm_free(&comm); }
+  bool in() const { return comm != MPI_COMM_NULL; }
+};
+
+inline double hashed(std::uint64_t x) {
+  x ^= x >> 33; x *= 0xff51afd7ed558ccdull; x ^= x >> 33; x *= 0xc4ceb9fe1a85ec53ull; x ^= x >> 33;
+  return static_cast<double>(x >> 11) * 0x1p-53 - 0.5;
+}
+
+/// Rank of a particle: uneven, some ranks with nothing.
+inline int ownerOf(std::uint64_t id, int ranks) { return static_cast<int>((id / 7) % static_cast<std::uint64_t>(ranks > 2 ? ranks - 1 : ranks)); }
+inline bool solidAt(std::uint64_t id) { return id % 3 != 0; }
+
+/// A world whose every number depends on ids only: N particles, two thirds of them solid, bonded to up to three others on any rank.
+struct Sample {
+  World w;
+  Sample(MPI_Comm comm, std::uint64_t N, bool twoFrames = true) {
+    const int rank = rankOf(comm), ranks = sizeOf(comm);
+    Material m;
+    m.name = "wax";
+    m.young = {1e5, 0};
+    w.scene.materials.push_back(m);
+    w.scene.output.fields = knownFrameFields();
+    w.scene.bodies.emplace_back();
+    Continuum& p = w.particles;
+    for (AnyColumn* c : p.columns) p.activate(*c);
+    Solids& s = w.solids;
+    for (AnyColumn* c : s.columns) s.activate(*c);
+    w.bonds.twoFrames = twoFrames;
+    std::vector<std::uint64_t> mine;
+    for (std::uint64_t id = 0; id < N; id++)
+      if (ownerOf(id, ranks) == rank) mine.push_back(id);
+    std::vector<std::uint64_t> solids;
+    for (std::uint64_t id : mine)
+      if (solidAt(id)) solids.push_back(id);
+    std::reverse(solids.begin(), solids.end());  // slots are in another order than particles
+    p.resize(mine.size(), 0);
+    s.resize(solids.size(), 0);
+    resizeBonds(w.bonds, solids.size(), 5);
+    std::map<std::uint64_t, std::uint32_t> slotOf;
+    for (std::size_t k = 0; k < solids.size(); k++) slotOf[solids[k]] = static_cast<std::uint32_t>(k);
+    std::vector<std::uint64_t> remote;
+    for (std::size_t i = 0; i < mine.size(); i++) {
+      for (AnyColumn* c : p.columns)
+        if (c->keep == Keep::State)
+          for (std::size_t b = 0; b < c->elementBytes; b++) c->bytes[i * c->elementBytes + b] = std::byte(std::uint8_t(37 * mine[i] + 11 * b));
+      p.id[i] = mine[i];
+      p.position[i] = {hashed(mine[i]), hashed(mine[i] + 1000), hashed(mine[i] + 2000)};
+      p.velocity[i] = 2.0 * p.position[i];
+      p.temperature[i] = 300 + hashed(mine[i]);
+      p.material[i] = p.body[i] = 0;
+      p.phase[i] = solidAt(mine[i]) ? Solid : Liquid;
+      p.slot[i] = solidAt(mine[i]) ? slotOf[mine[i]] : noSlot;
+    }
+    for (std::size_t k = 0; k < solids.size(); k++) {
+      const std::uint64_t id = solids[k];
+      s.id[k] = id;
+      s.volume[k] = 1 + hashed(id);
+      s.plasticStrain[k] = {hashed(id), 2, 3, 4, 5, 6};
+      s.deformation[k] = identity3<double>();
+      s.stress[k] = {1, 2, 3, 4, 5, double(id)};
+      for (int n = 0; n < 5; n++) {
+        const std::size_t at = w.bonds.at(k, n);
+        const std::uint64_t other = (id * 13 + std::uint64_t(n) * 29 + 1) % N;
+        w.bonds.neighbour[at] = static_cast<std::uint32_t>(k);
+        if (!solidAt(other) || other == id || n == 2) continue;  // a broken bond between others
+        if (const auto f = slotOf.find(other); f != slotOf.end()) w.bonds.neighbour[at] = f->second;
+        else {
+          w.bonds.neighbour[at] = static_cast<std::uint32_t>(solids.size() + remote.size());
+          remote.push_back(other);
+        }
+        w.bonds.x[at] = hashed(other + id * 5), w.bonds.y[at] = n, w.bonds.z[at] = 2;
+        if (twoFrames) w.bonds.rx[at] = 7 + double(id), w.bonds.ry[at] = 8, w.bonds.rz[at] = 9;
+        w.bonds.weight[at] = 1 + hashed(id + other);
+      }
+    }
+    s.resize(s.owned, remote.size());
+    for (std::size_t k = 0; k < remote.size(); k++) s.id[s.owned + k] = remote[k];
+    for (std::size_t i = 0; i < mine.size(); i++) {
+      w.ledger.heatIn.add(hashed(mine[i]) * 1e-7);
+      w.ledger.left.momentum[1].add(-std::abs(hashed(mine[i])));
+      w.counters.melted += static_cast<std::int64_t>(mine[i]);
+    }
+    w.ledger.initial.mass = 42.5;
+    w.clock.time = 0.1 + 0.2;
+    w.clock.step = 123;
+    w.clock.frame = 7;
+    w.clock.dt = 1e-5 / 3;
+    w.clock.every = 0.04;
+    w.clock.limitedBy = "sound";
+  }
+};
+
+}  // namespace thaw::test
