@@ -1,6 +1,8 @@
 // Slots and bonds of one process: edits of the graph, and what the elastic step keeps of it (several ranks: tests/mpi/bond_halo_test.cpp).
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 #include <map>
 #include <set>
 
