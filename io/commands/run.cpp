@@ -9,6 +9,7 @@
 
 #include "core/geometry/shape_error.hpp"
 #include "core/setup/setup.hpp"
+#include "core/time/limits.hpp"
 #include "io/commands/scene_for_all.hpp"
 #include "io/hdf5/agree.hpp"
 #include "io/output/checkpoint.hpp"
@@ -175,7 +176,7 @@ int loop(Run& r, std::string& why) {
       why = fmt::format("blew up at step {}, t {:.9g} s; the last checkpoint is from before", w.clock.step, w.clock.time);
       return exitBlewUp;
     }
-    while (w.clock.time >= static_cast<double>(w.clock.frame) * w.clock.every) writeFrameOf(r);
+    while (frameDue(w.clock)) writeFrameOf(r);
     if (o.wanted.report) report(r);
     if (o.wanted.stop) {
       why = reason.empty() ? "stopped by another rank" : reason;
