@@ -1,8 +1,13 @@
 #include "core/solid_step.hpp"
 
+#include <array>
+
+#include "core/contact/solid_contact.hpp"
 #include "core/solid/bond_forming.hpp"
 #include "core/solid/fracture.hpp"
+#include "core/solid/melting.hpp"
 #include "core/solid/rereference.hpp"
+#include "core/solid/slot_state.hpp"
 
 namespace thaw {
 namespace {
@@ -17,6 +22,38 @@ void deformAll(World& w, Halos& halos, StepTools& t, const ElasticStep& step) {
   t.maxStretch2 = r.maxStretch2;
 }
 
+BondForming bondForming(const World& w, const StepTools& t) {
+  BondForming forming;
+  forming.rule = t.bondsAtStart ? BondRule::Start : w.modules.welding ? BondRule::Welding : BondRule::Freezing;
+  forming.support = w.grid.support;
+  forming.touch = contactDistance * w.scene.spacing;  // where they would push each other away
+  forming.selfWeld = w.scene.numerics.selfContact;
+  forming.periods = t.elastic.periods;
+  forming.materials = &w.scene.materials;
+  return forming;
+}
+
+/// Do bonds form in this step, on any rank? Whether solids weld is looked up at the places of now, so that a restart needs no memory of it.
+bool bondsForm(World& w, Halos& halos, StepTools& t) {
+  if (t.bondsAtStart || t.frozeAnywhere) return t.bondsAtStart || w.modules.freezing;
+  if (!w.modules.welding) return false;
+  double touch = touchesToWeld(w.particles, w.solids, w.bonds, w.neighbours, bondForming(w, t));
+  halos.all.maximum({&touch, 1});
+  return touch > 0;
+}
+
+/// Books the energy of the particles that asked for bonds, times this sign: 1 before they have them, -1 after, at the same places.
+void bookEnergy(World& w, StepTools& t, double sign) {
+  if (sign > 0) {
+    t.rebonded.clear();
+    for (const BondRequest& q : t.requests) {
+      const std::uint32_t row = w.solids.particle[q.slot];  // of a particle all requests follow each other
+      if (t.rebonded.empty() || t.rebonded.back() != row) t.rebonded.push_back(row);
+    }
+  }
+  for (const std::uint32_t row : t.rebonded) w.ledger.phaseJump.add(sign * slotEnergy(t.elastic, w.solids, w.bonds, w.particles.slot[row]));
+}
+
 /// Bonds of the start, or of what has just frozen. The stress of what was there does not change: F of older ends is taken into account.
 void makeBonds(World& w, Halos& halos, StepTools& t) {
   Continuum& p = w.particles;
@@ -24,14 +61,10 @@ void makeBonds(World& w, Halos& halos, StepTools& t) {
   const std::vector<AnyColumn*> columns = bondFormingColumns(p);
   halos.cells.beginRefresh(p, columns);
   halos.cells.finishRefresh(p);
-  BondForming forming;
-  forming.rule = t.bondsAtStart ? BondRule::Start : BondRule::Freezing;
-  forming.support = w.grid.support;
-  forming.touch = w.scene.spacing;
-  forming.periods = t.elastic.periods;
-  forming.materials = &w.scene.materials;
+  const BondForming forming = bondForming(w, t);
   t.requests.clear();
   w.counters.welds += formBonds(p, w.solids, w.bonds, w.neighbours, forming, t.requests);
+  if (!t.bondsAtStart) bookEnergy(w, t, 1);
   relinkSolids(w, halos, t, {t.requests, true});
   t.bondsAtStart = false;
 }
@@ -51,6 +84,15 @@ void relinkSolids(World& w, Halos halos, StepTools& t, const Relink& work) {
   t.times.lap(StepPhase::Bonds);
 }
 
+void melt(World& w, Halos halos, StepTools& t) {
+  if (!w.solids.melted.active) return;
+  markMelted(w.particles, w.solids);
+  halos.bonds.begin(w.solids, std::array<AnyColumn*, 1>{&w.solids.melted});
+  halos.bonds.finish(w.solids);
+  dropMeltedBonds(t.elastic, w.particles, w.solids, w.bonds, w.ledger.phaseJump);
+  t.times.lap(StepPhase::Bonds);
+}
+
 void beginDeformation(World& w, Halos halos) {
   copyToSolids(w.particles, w.solids);
   const std::vector<AnyColumn*> columns = remoteColumnsBeforeDeformation(w.solids);
@@ -60,12 +102,14 @@ void beginDeformation(World& w, Halos halos) {
 void deform(World& w, Halos halos, StepTools& t, double dt) {
   ElasticStep now{dt, true};
   deformAll(w, halos, t, now);
-  if (t.bondsAtStart || (t.frozeAnywhere && w.modules.freezing)) {
+  if (bondsForm(w, halos, t)) {
+    const bool start = t.bondsAtStart;
     makeBonds(w, halos, t);
     t.frozeAnywhere = false;
     beginDeformation(w, halos);
     now.dt = 0;  // plastic flow is done
     deformAll(w, halos, t, now);
+    if (!start) bookEnergy(w, t, -1);
     now.dt = dt;
   }
   if (w.modules.fracture) w.counters.brokenBonds += breakBonds(t.elastic, w.solids, w.bonds, now, w.ledger.phaseJump);

@@ -8,6 +8,9 @@ namespace thaw {
 /// from bonds alone. Collective.
 void relinkSolids(World& world, Halos halos, StepTools& tools, const Relink& work);
 
+/// Drops the bonds of what has melted in this step and books the elastic energy they held. Collective.
+void melt(World& world, Halos halos, StepTools& tools);
+
 /// Copies places (velocities, liquid fractions) to the slots and sends them along the bonds.
 void beginDeformation(World& world, Halos halos);
 

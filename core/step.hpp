@@ -42,6 +42,7 @@ struct StepTools {
   WallContacts wallContacts;
   ElasticWork elastic;
   std::vector<BondRequest> requests;
+  std::vector<std::uint32_t> rebonded;   ///< rows of particles that took new bonds
   std::vector<std::uint32_t> leaving;
   PhaseTimes times;
   // from one step to the next; found again after a restart
@@ -49,6 +50,7 @@ struct StepTools {
   bool emitFirst = false;            ///< the next evaluation also emits what leaves at time 0
   bool phaseChangedHere = false;     ///< on this rank, since the last relink
   bool frozeAnywhere = false;        ///< some particle of some rank has just frozen
+  bool meltedAnywhere = false;       ///< some solid of some rank has melted in this step
   double mass = 0;                   ///< kg, of all ranks
   double maxStretch2 = 1;            ///< square of the largest stretch of this rank
 };

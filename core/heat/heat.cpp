@@ -90,7 +90,10 @@ void updateHeat(World& w, double dt) {
     p.liquid[i] = static_cast<float>(t.liquid);
     if (before != p.liquid[i] && p.slot.active && p.slot[i] != noSlot) {  // a solid that softens lets go of stored energy, one that stiffens gains some
       const double was = m.young.at(static_cast<double>(before)), is = m.young.at(static_cast<double>(p.liquid[i]));
-      if (was > 0) w.ledger.phaseJump.add(w.solids.energy[p.slot[i]] * (1 - is / was));
+      if (!(was > 0)) continue;
+      double& energy = w.solids.energy[p.slot[i]];
+      w.ledger.phaseJump.add(energy * (1 - is / was));
+      energy *= is / was;
     }
   }
 }

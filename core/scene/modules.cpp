@@ -93,6 +93,9 @@ Modules modulesOf(const Scene& s) {
     if (m.freezing) f.on(m.contact, "contact of solids", "frozen pieces can meet");
     if (m.fracture && s.numerics.selfContact) f.on(m.contact, "contact of solids", "pieces can meet");
   }
+  if (m.contact)
+    for (std::size_t k = 0; k < s.materials.size(); k++)
+      if (used[k] && s.materials[k].weld && s.materials[k].canBeSolid()) f.on(m.welding, "welding", "solids of material " + quoted(s.materials[k].name) + " grow together");
   if (m.fluid) f.on(m.neighbours, "neighbour search", "there is liquid");
   if (m.contact) f.on(m.neighbours, "neighbour search", "solids can meet");
   if (m.heat) f.on(m.neighbours, "neighbour search", "heat is conducted");

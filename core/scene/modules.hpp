@@ -15,6 +15,7 @@ struct Modules {
   bool plastic = false;    ///< a material yields
   bool fracture = false;   ///< a material's bonds break
   bool freezing = false;   ///< liquid can become solid while running: bonds have their own reference on both ends
+  bool welding = false;    ///< separate solids of materials that weld can meet: bonds as with freezing
   bool contact = false;    ///< unbonded solids can meet: several solid bodies, pieces, freezing
   bool heat = false;       ///< temperature changes: conduction, hot obstacles, sources
   bool melting = false;    ///< a material melts: liquid fraction, phase

@@ -4,12 +4,18 @@ namespace thaw {
 
 namespace {
 
+bool mayWeld(const Continuum& p, const BondForming& f, std::size_t i, std::size_t j) {
+  const Material &a = (*f.materials)[p.material[i]], &b = (*f.materials)[p.material[j]];
+  if (!a.weld || !b.weld) return false;
+  return p.body[i] != p.body[j] || (f.selfWeld && !(a.breakStretch < never) && !(b.breakStretch < never));
+}
+
 bool wanted(const Continuum& p, const BondForming& f, std::size_t i, std::size_t j) {
   const bool sameBody = p.body[i] == p.body[j];
   if (f.rule == BondRule::Start) return sameBody;
   const bool weld = (*f.materials)[p.material[i]].weld && (*f.materials)[p.material[j]].weld;
   if (p.justFrozen[i] || p.justFrozen[j]) return sameBody || weld;
-  return f.rule == BondRule::Welding && weld && !sameBody;
+  return f.rule == BondRule::Welding && mayWeld(p, f, i, j);
 }
 
 bool bonded(const Solids& solids, const Bonds& bonds, std::size_t slot, std::uint64_t id) {
@@ -39,6 +45,21 @@ std::vector<AnyColumn*> bondFormingColumns(Continuum& particles) {
 }
 
 Vec3d referenceIn(const Mat3d& frame, const Vec3d& x) { return determinant(frame) < 0.05 ? x : inverse(frame) * x; }
+
+bool touchesToWeld(const Continuum& p, const Solids& solids, const Bonds& bonds, const NeighbourLists& lists, const BondForming& f) {
+  for (std::size_t g = 0; g < lists.groups; g++)
+    for (std::size_t l = 0; l < lanes; l++) {
+      const std::size_t i = lists.self[g * lanes + l];
+      if (i >= p.owned || p.phase[i] != Solid || p.slot[i] == noSlot || !(*f.materials)[p.material[i]].weld) continue;
+      for (std::uint32_t n = 0; n < lists.count[g]; n++) {
+        const std::size_t j = lists.list[lists.first[g] + std::size_t(n) * lanes + l];
+        if (j == lists.dummy || p.phase[j] != Solid || p.id[j] == p.id[i] || !mayWeld(p, f, i, j)) continue;
+        const Vec3d x = p.position[j] - p.position[i];
+        if (dot(x, x) < f.touch * f.touch && !bonded(solids, bonds, p.slot[i], p.id[j])) return true;
+      }
+    }
+  return false;
+}
 
 std::int64_t formBonds(const Continuum& p, const Solids& solids, const Bonds& bonds, const NeighbourLists& lists, const BondForming& forming,
                        std::vector<BondRequest>& requests) {

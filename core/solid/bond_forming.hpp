@@ -12,13 +12,14 @@ namespace thaw {
 enum class BondRule {
   Start,     ///< all solid particles of the same body, at rest: X = x
   Freezing,  ///< pairs of which at least one has just frozen (Continuum::justFrozen), of one body or of materials that weld
-  Welding    ///< as Freezing, and pairs of old particles of different bodies of materials that weld, once closer than `touch`
+  Welding    ///< as Freezing, and pairs of old particles of materials that weld, once closer than `touch`, of different bodies (or see selfWeld)
 };
 
 struct BondForming {
   BondRule rule = BondRule::Start;
   double support = 0;                 ///< m, bonds are shorter
   double touch = 0;                   ///< m, for Welding
+  bool selfWeld = false;              ///< pieces of one body weld too, unless their material breaks: a crack does not heal by closing
   Periods periods;
   const std::vector<Material>* materials = nullptr;
 };
@@ -33,6 +34,10 @@ std::vector<AnyColumn*> bondFormingColumns(Continuum& particles);
 /// x_ij in the frame of an end with this F: F^-1 x, so that a bond made now does not change F. Where F is nearly singular or
 /// inverted (det F < 0.05), x itself.
 Vec3d referenceIn(const Mat3d& frame, const Vec3d& x);
+
+/// True if some owned particle is about to weld with an old solid neighbour: the step in which formBonds with BondRule::Welding has
+/// something to do though nothing froze. Needs id, body, material, phase and position of ghosts.
+bool touchesToWeld(const Continuum& particles, const Solids& solids, const Bonds& bonds, const NeighbourLists& lists, const BondForming& forming);
 
 /// Appends the requests for bonds of owned particles with a slot to solid neighbours (owned or ghosts), in the order of the
 /// neighbour lists; both ends ask for the same bond with the same bits. Pairs that are bonded already are left out.

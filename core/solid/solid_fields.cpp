@@ -22,10 +22,10 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
     work.damping = work.damping || m.damping > 0;
     rereferences = rereferences || (modules.plastic && work.solidConstants.back().yield < never && m.maxPlasticStrain > work.rereference);
   }
-  bonds.twoFrames = modules.freezing || rereferences;
+  bonds.twoFrames = modules.freezing || modules.welding || rereferences;
 
   particles.activate(particles.slot);
-  if (modules.freezing) {
+  if (modules.freezing || modules.welding) {
     particles.activate(particles.frame);
     particles.activate(particles.justFrozen);
   }
@@ -38,7 +38,10 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
   if (work.plastic) solids.activate(solids.plasticStrain);
   if (work.plastic || work.damping) solids.activate(solids.dissipated);
   if (rereferences) solids.activate(solids.rereferenced);
-  if (modules.melting) solids.activate(solids.liquid);
+  if (modules.melting) {
+    solids.activate(solids.liquid);
+    solids.activate(solids.melted);
+  }
   if (work.damping) {
     solids.activate(solids.velocity);
     solids.activate(solids.drag);

@@ -1,0 +1,41 @@
+#include "core/solid/melting.hpp"
+
+#include "core/solid/slot_state.hpp"
+
+namespace thaw {
+
+namespace {
+
+bool dropBonds(const Solids& solids, Bonds& bonds, std::size_t slot, int most) {
+  bool any = false;
+  for (int k = 0; k < most; k++) {
+    const std::size_t b = bonds.at(slot, k);
+    if (!(bonds.weight[b] > 0) || !(solids.melted[slot] || solids.melted[bonds.neighbour[b]])) continue;
+    bonds.weight[b] = 0;
+    any = true;
+  }
+  return any;
+}
+
+}  // namespace
+
+void markMelted(const Continuum& p, Solids& solids) {
+  for (std::size_t s = 0; s < solids.owned; s++) solids.melted[s] = p.phase[solids.particle[s]] == Liquid;
+}
+
+std::int64_t dropMeltedBonds(ElasticWork& work, const Continuum& p, Solids& solids, Bonds& bonds, ExactSum& phaseJump) {
+  std::int64_t count = 0;
+  for (std::size_t s = 0; s < solids.owned; s++) {
+    if (!dropBonds(solids, bonds, s, work.bondCount[s / lanes])) continue;
+    refreshSlot(work, solids, bonds, s);
+    if (solids.liquid.active) solids.liquid[s] = p.liquid[solids.particle[s]];
+    const double after = solids.melted[s] ? 0 : slotEnergy(work, solids, bonds, s);
+    phaseJump.add(solids.energy[s] - after);
+    solids.energy[s] = after;
+    count++;
+  }
+  bonds.broken = bonds.broken || count > 0;
+  return count;
+}
+
+}  // namespace thaw
