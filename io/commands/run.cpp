@@ -15,6 +15,7 @@
 #include "io/output/checkpoint.hpp"
 #include "io/output/frame_fields.hpp"
 #include "io/output/series.hpp"
+#include "io/run/scene_marks.hpp"
 #include "io/run/signals.hpp"
 #include "io/run/summary.hpp"
 #include "io/scene/read_scene.hpp"
@@ -42,7 +43,8 @@ struct Run {
   RunSummary summary;
   WallClock::time_point start = WallClock::now(), lastReport = start, lastCheckpoint = start;
   std::int64_t firstStep = 0, stepAtReport = 0;
-  bool frameAtThisStep = false;
+  bool begun = false;                    // the world holds its particles
+  bool stepping = false;                 // in the loop, where ranks wait for each other
 
   Run(const RunOptions& o, const Communicator& c) : options(o), comm(c), all(c) {}
   Halos halos() { return {all, *cells, *bonds}; }
@@ -69,12 +71,6 @@ void writeFrameOf(Run& r) {
   r.tools.times.lap(StepPhase::Frames);
 }
 
-void writeCheckpointOf(Run& r) {
-  r.tools.times.start();
-  writeCheckpoint(r.options.out, r.comm.handle(), r.world, r.stamp());
-  r.lastCheckpoint = WallClock::now();
-  r.tools.times.lap(StepPhase::Checkpoint);
-}
 
 void report(Run& r) {
   const LedgerReport l = reportLedger(r.world, r.all);
@@ -87,8 +83,8 @@ void report(Run& r) {
   r.summary.ledger = l;
 }
 
-/// Gathers and writes summary.json.
-void finish(Run& r, const std::string& status, const std::string& message) {
+/// Gathers and writes summary.json. Collective.
+void summarise(Run& r, const std::string& status, const std::string& message) {
   RunSummary& s = r.summary;
   s.status = status;
   s.message = message;
@@ -98,12 +94,30 @@ void finish(Run& r, const std::string& status, const std::string& message) {
   s.particleSteps = static_cast<double>(s.ledger.particles) * static_cast<double>(s.stepsHere);
   const std::int64_t messages = r.cells->traffic().messages + r.bonds->traffic().messages, bytes = r.cells->traffic().bytes + r.bonds->traffic().bytes;
   gatherSummary(s, r.world, r.tools.times, messages, bytes, r.all);
-  for (const std::string& w : warningsOf(s.counters)) s.warnings.push_back(w);
-  onFirstRank(r.comm.handle(), [&] { writeSummary(r.options.out, s); });
+  onFirstRank(r.comm.handle(), [&] {
+    RunSummary all = s;
+    for (const std::string& w : warningsOf(s.counters)) all.warnings.push_back(w);
+    writeSummary(r.options.out, all);
+  });
 }
 
-/// A summary for a run that failed before it could be gathered. Rank 0 only; failures of this are not reported on top.
-void noteFailure(Run& r, const std::string& message) {
+/// With it a summary, so that also a run that is killed leaves one.
+void writeCheckpointOf(Run& r) {
+  r.tools.times.start();
+  writeCheckpoint(r.options.out, r.comm.handle(), r.world, r.stamp(), sceneMarks(r.world.scene));
+  r.lastCheckpoint = WallClock::now();
+  r.tools.times.lap(StepPhase::Checkpoint);
+  summarise(r, "running", "");
+}
+
+/// A summary for a run that failed; failures of this are not reported on top. `together`: all ranks are here, so that the state that they
+/// hold, if they hold one already, can be gathered.
+void noteFailure(Run& r, const std::string& message, bool together) {
+  try {
+    if (together && r.begun) return summarise(r, "failed", message);
+  } catch (const std::exception&) {
+    return;
+  }
   if (!r.first()) return;
   r.summary.status = "failed";
   r.summary.message = message;
@@ -127,6 +141,11 @@ void begin(Run& r, const MeshLoader& load) {
       r.say("warning: " + warning);
       r.summary.warnings.push_back(warning);
     }
+    if (const std::vector<std::string> differences = sceneDifferences(slice->header.values, w.scene); !differences.empty()) {
+      std::vector<std::string> lines{fmt::format("{}: error: the run in {} cannot be continued with this scene, it began with another:", r.options.scene, r.options.out)};
+      for (const std::string& d : differences) lines.push_back("  " + d);
+      throw SceneErrors(lines);
+    }
     std::vector<std::byte> records = restoreWorld(w, *slice, r.first());
     if (w.modules.solid) r.bonds->adopt(std::move(records));
     resumeWorld(w, r.halos(), r.tools);
@@ -134,10 +153,6 @@ void begin(Run& r, const MeshLoader& load) {
     if (r.first()) r.series = framesPresent(r.options.out, r.name, w.clock.time);
     r.say(fmt::format("continues at t {:.6g} s, step {}, from {}", w.clock.time, w.clock.step, slice->header.path));
   } else {
-    onFirstRank(r.comm.handle(), [&] {
-      clearFrames(r.options.out, r.name);
-      clearCheckpoints(r.options.out);
-    });
     const SamplingReport sampled = startWorld(w, r.halos(), r.tools, load);
     for (std::size_t b = 0; b < w.scene.bodies.size(); b++) r.say(fmt::format("body '{}': {} particles", w.scene.bodies[b].name, sampled.particles[b]));
     if (sampled.overlapping > 0) {
@@ -145,8 +160,15 @@ void begin(Run& r, const MeshLoader& load) {
       r.say("warning: " + line);
       r.summary.warnings.push_back(line);
     }
+    // not before the new run is known to start: a mistake in the scene costs nothing of the run that was here
+    onFirstRank(r.comm.handle(), [&] {
+      clearFrames(r.options.out, r.name);
+      clearCheckpoints(r.options.out);
+    });
+    r.begun = true;
     writeFrameOf(r);
   }
+  r.begun = true;
   r.firstStep = r.stepAtReport = w.clock.step;
 }
 
@@ -154,8 +176,11 @@ void begin(Run& r, const MeshLoader& load) {
 int loop(Run& r, std::string& why) {
   World& w = r.world;
   StopWatch watch;
-  watch.stopFile = r.options.out + "/stop";
-  watch.timeLimit = r.options.timeLimit;
+  if (r.first()) {  // one clock and one look at the disk for all
+    watch.stopFile = r.options.out + "/stop";
+    watch.timeLimit = r.options.timeLimit;
+    watch.start = r.start;
+  }
   WorkMeter meter;
   while (w.clock.time < w.clock.end && (r.options.steps < 0 || w.clock.step < r.options.steps)) {
     Requests wanted;
@@ -179,7 +204,7 @@ int loop(Run& r, std::string& why) {
     while (frameDue(w.clock)) writeFrameOf(r);
     if (o.wanted.report) report(r);
     if (o.wanted.stop) {
-      why = reason.empty() ? "stopped by another rank" : reason;
+      why = reason.empty() ? "a signal to another rank" : reason;
       return exitStopped;
     }
     if (o.wanted.checkpoint) writeCheckpointOf(r);
@@ -213,13 +238,16 @@ int simulate(Run& r) {
   for (const std::string& why : r.world.modules.why) r.say("  " + why);
   begin(r, load);
   report(r);
+  summarise(r, "running", "");
   std::string why;
+  r.stepping = true;
   const int code = loop(r, why);
   if (code == exitDone || code == exitStopped) {
     report(r);
     writeCheckpointOf(r);
   }
-  finish(r, code == exitDone ? "done" : code == exitStopped ? "stopped" : "failed", why);
+  summarise(r, code == exitDone ? "done" : code == exitStopped ? "stopped" : "failed", why);
+  for (const std::string& w : warningsOf(r.summary.counters)) r.summary.warnings.push_back(w);
   r.say(fmt::format("{} at t {:.6g} s, step {}{}; {:.3g} M particle-steps/s with {} ranks, {:.1f} s", r.summary.status, r.world.clock.time, r.world.clock.step, why.empty() ? "" : " (" + why + ")",
                     r.summary.particleSteps / r.summary.wall / 1e6, r.comm.size(), r.summary.wall));
   for (const std::string& w : r.summary.warnings) r.say("warning: " + w);
@@ -247,7 +275,7 @@ int runCommand(const RunOptions& given) {
   Run run(options, comm);
   const auto failed = [&](const std::string& message, int code) {
     if (run.first()) std::fprintf(stderr, "%s\n", message.c_str());
-    noteFailure(run, message);
+    noteFailure(run, message, true);
     return code;
   };
   try {
@@ -258,9 +286,11 @@ int runCommand(const RunOptions& given) {
     return failed(e.what(), exitUsage);
   } catch (const IoError& e) {
     return failed(std::string("error: ") + e.what(), exitInputOutput);
-  } catch (const std::runtime_error& e) {  // thrown alike on all ranks by set-up
-    return failed(options.scene + ": error: " + e.what(), exitUsage);
-  } catch (const std::exception& e) {  // memory, a broken invariant: the other ranks may be waiting
+  } catch (const std::exception& e) {
+    // set-up throws alike on all ranks; in the loop the others may be waiting: memory, a broken invariant
+    const bool alike = !run.stepping && dynamic_cast<const std::runtime_error*>(&e) != nullptr;
+    if (alike) return failed(options.scene + ": error: " + e.what(), exitUsage);
+    noteFailure(run, e.what(), false);
     std::fprintf(stderr, "error: rank %d: %s\n", comm.rank(), e.what());
     MPI_Abort(comm.handle(), 1);
     return 1;

@@ -4,11 +4,9 @@
 #include <sys/resource.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "io/hdf5/io_error.hpp"
+#include "io/hdf5/parallel_file.hpp"
 #include "io/version.hpp"
 
 namespace thaw {
@@ -127,15 +125,7 @@ void writeSummary(const std::string& out, const RunSummary& s) {
   j["counters"] = countersJson(s.counters);
   j["warnings"] = s.warnings;
   const std::string path = out + "/summary.json";
-  {
-    std::ofstream file(path + ".part");
-    file << j.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
-    file.flush();
-    if (!file) throw IoError(path, "cannot be written");
-  }
-  std::error_code code;
-  std::filesystem::rename(path + ".part", path, code);
-  if (code) throw IoError(path, "cannot be put in place: " + code.message());
+  replaceTextFile(path, j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 std::string progressLine(const Clock& c, const LedgerReport& l, double stepsPerSecond, double secondsLeft) {

@@ -1,28 +1,32 @@
 #!/usr/bin/env bash
-# A run that is killed with -9 and resumed on other numbers of ranks ends with the bits of a run that was left alone; frames stay.
+# A run that is cut, killed with -9 and resumed on other numbers of ranks ends with the bits of a run that was left alone, and no frame
+# that was there is lost or changed. STEPS, SCENES: fewer or more of them.
 . "$(dirname "$0")/../support/run.sh"
-for scene in melt freeze; do
-  settings=$(sed -n 's/^# test: //p' "$scenes/$scene.toml")
-  # shellcheck disable=SC2086
-  launch 2 run "$scenes/$scene.toml" $settings --steps 120 --out "$work/whole" >"$work/log" 2>&1 || { fail "$scene: exit $?"; tail -n 5 "$work/log"; continue; }
-  # shellcheck disable=SC2086
-  launch 3 run "$scenes/$scene.toml" $settings --steps 50 --out "$work/parts" >"$work/log" 2>&1 || fail "$scene, first part: exit $?"
-  # shellcheck disable=SC2086
-  (launch 2 run "$scenes/$scene.toml" $settings --steps 100000 --resume --set output.checkpoint=0.2 --out "$work/parts" >"$work/log" 2>&1) &
-  sleep 2
-  pkill -9 -f "out $work/parts" 2>/dev/null
-  wait 2>/dev/null
-  done_steps=$("$thaw" info "$work/parts" --json | sed -n 's/.*"step": *\([0-9]*\).*/\1/p' | head -n 1)
-  if [ "${done_steps:-0}" -lt 120 ]; then
-    # shellcheck disable=SC2086
-    launch 4 run "$scenes/$scene.toml" $settings --steps 120 --resume --out "$work/parts" >"$work/log" 2>&1 || { fail "$scene, resumed: exit $?"; tail -n 5 "$work/log"; }
-    "$thaw" compare "$work/whole" "$work/parts" >"$work/log" 2>&1 || { fail "$scene: killed and resumed run differs"; cat "$work/log"; }
-  else
-    # it went beyond: compare with a run of that many steps that was left alone
-    # shellcheck disable=SC2086
-    launch 1 run "$scenes/$scene.toml" $settings --steps "$done_steps" --out "$work/longer" >"$work/log" 2>&1 || fail "$scene: exit $?"
-    "$thaw" compare "$work/longer" "$work/parts" >"$work/log" 2>&1 || { fail "$scene: killed run's checkpoint differs"; cat "$work/log"; }
-  fi
+steps=${STEPS:-60}
+third=$((steps / 3))
+for scene in ${SCENES:-$(testedScenes)}; do
+  settings "$scene"
   rm -rf "${work:?}"/whole "$work"/parts "$work"/longer
+  run() { launch "$1" run "$scenes/$scene.toml" "${set[@]}" --out "$work/$2" "${@:3}" >"$work/log" 2>&1; }
+  run 2 whole --steps "$steps" || { fail "$scene: exit $?"; tail -n 5 "$work/log"; continue; }
+  run 3 parts --steps "$third" || { fail "$scene, first part: exit $?"; tail -n 5 "$work/log"; continue; }
+  before=$(frameSums "$work/parts" "$scene")
+  # a checkpoint every 0.2 s of wall-clock time, killed in the midst of whatever it does then
+  launchInBackground 2 run "$scenes/$scene.toml" "${set[@]}" --set output.checkpoint=0.2 --steps 1000000 --resume --out "$work/parts" >"$work/log" 2>&1
+  sleep 1.5
+  killAll -9 "$work/parts"
+  at=$("$thaw" info "$work/parts" --json 2>"$work/log" | value - step)
+  [ -n "$at" ] && [ "$at" -ge "$third" ] || { fail "$scene: no checkpoint after the kill (step '$at')"; cat "$work/log"; continue; }
+  after=$(frameSums "$work/parts" "$scene")
+  [ "${after#"$before"}" != "$after" ] || fail "$scene: frames of before the kill are gone or changed"
+  for frame in "$work/parts/frames"/*.hdf; do "$thaw" info "$frame" >/dev/null 2>"$work/log" || { fail "$scene: frame cannot be read after the kill"; cat "$work/log"; }; done
+  if [ "$at" -lt "$steps" ]; then end=$steps; else end=$((at + 5)); fi
+  run 4 parts --steps "$end" --resume || { fail "$scene, resumed at step $at: exit $?"; tail -n 5 "$work/log"; continue; }
+  whole=whole
+  if [ "$end" != "$steps" ]; then  # it went further than that: the yardstick has to, too
+    run 1 whole --steps "$end" --resume || { fail "$scene, on one rank to step $end: exit $?"; tail -n 5 "$work/log"; continue; }
+  fi
+  "$thaw" compare "$work/$whole" "$work/parts" >"$work/log" 2>&1 || { fail "$scene: killed at step $at and resumed, differs at step $end"; cat "$work/log"; }
+  echo "$scene: killed at step $at, compared at step $end"
 done
 finish

@@ -1,6 +1,7 @@
-# Shared by the script tests: $1 is the build folder. Sets thaw, scenes, work (a fresh folder, removed at the end), and launch N ...
+#!/usr/bin/env bash
+# Shared by the script tests: $1 is the build folder. Sets thaw, scenes, work (a fresh folder, removed at the end), and functions.
 set -u
-build=$1
+build=$(cd "$1" && pwd)
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 scenes=$source_dir/scenes
 thaw=$build/thaw
@@ -8,9 +9,49 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 failures=0
 fail() { echo "FAILED: $*"; failures=$((failures + 1)); }
+mpi=(mpirun --allow-run-as-root --oversubscribe --bind-to none)
 launch() {  # launch RANKS ARGUMENTS: thaw under mpirun, never longer than five minutes
   local ranks=$1
   shift
-  timeout 300 mpirun --allow-run-as-root --oversubscribe --bind-to none -n "$ranks" "$thaw" "$@"
+  timeout 300 "${mpi[@]}" -n "$ranks" "$thaw" "$@"
 }
+launchInBackground() {  # the same; the process is $launched
+  local ranks=$1
+  shift
+  "${mpi[@]}" -n "$ranks" "$thaw" "$@" &
+  launched=$!
+}
+ranksOf() {  # ranksOf FOLDER: the processes that run thaw with this --out
+  local p
+  for p in /proc/[0-9]*; do
+    [ "$(readlink "$p/exe" 2>/dev/null)" = "$(realpath "$thaw")" ] && tr '\0' '\n' <"$p/cmdline" 2>/dev/null | grep -qxF -e "$1" && echo "${p#/proc/}"
+  done
+}
+killAll() {  # killAll SIGNAL FOLDER: to mpirun's ranks and mpirun itself
+  local pids
+  pids=$(ranksOf "$2")
+  # shellcheck disable=SC2086
+  kill "$1" $pids 2>/dev/null
+  [ "$1" = -9 ] && kill -9 "$launched" 2>/dev/null
+  wait "$launched" 2>/dev/null
+}
+settings() {  # settings SCENE: its "# test:" options into the array `set`
+  local line
+  line=$(sed -n 's/^# test: //p' "$scenes/$1.toml")
+  eval "set=($line)"
+}
+testedScenes() {  # names of the scenes that have such a line; there must be some
+  local names
+  names=$(grep -l '^# test: ' "$scenes"/*.toml | xargs -rn1 basename | sed 's/\.toml$//')
+  [ -n "$names" ] && echo "$names" || echo "no-scene-with-a-test-line"
+}
+value() {  # value FILE|- KEY: the first number or word of that name in JSON
+  cat "$1" | sed -n 's/.*"'"$2"'": *"\{0,1\}\([^",]*\)"\{0,1\}.*/\1/p' | head -n 1
+}
+frameSums() { (cd "$1/frames" && sha256sum "$2"_*.hdf); }  # of a run's frames, in order
+expectExit() {  # expectExit CODE WHAT: of the last command, whose output is in $work/log
+  local code=$?
+  [ "$code" -eq "$1" ] || { fail "$2: exit $code, not $1"; tail -n 5 "$work/log"; }
+}
+expectMessage() { grep -q -e "$1" "$work/log" || { fail "$2: no message '$1'"; tail -n 5 "$work/log"; }; }
 finish() { [ "$failures" -eq 0 ] && echo "all passed" || { echo "$failures failures"; exit 1; }; }

@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# A full disk, a limit of file size, a folder that cannot be made or written: exit code 3 on every rank, one message, a summary where there
+# is room for it, earlier frames whole, nothing half-written left, and no hang.
+. "$(dirname "$0")/../support/run.sh"
+scene=$scenes/drop.toml
+settings drop
+run() { launch 3 run "$scene" "${set[@]}" --out "$@" >"$work/log" 2>&1; }
+oneError() {  # oneError WHAT
+  [ "$(grep -c '^error: ' "$work/log")" = 1 ] || { fail "$1: not one error message"; cat "$work/log"; }
+}
+wholeFrames() {  # wholeFrames FOLDER WHAT: at least one, all readable, no .part
+  local n=0 f
+  for f in "$1"/frames/*.hdf; do [ -f "$f" ] || continue; n=$((n + 1)); "$thaw" info "$f" >/dev/null 2>&1 || fail "$2: $f cannot be read"; done
+  [ "$n" -gt 0 ] || fail "$2: no frames"
+  [ -z "$(find "$1" -name '*.part')" ] || fail "$2: left $(find "$1" -name '*.part')"
+}
+
+: >"$work/file"
+run "$work/file/out"; expectExit 3 "folder below a file"; oneError "folder below a file"
+
+# a limit of file size between a frame's and a checkpoint's: the first frames come through, the first checkpoint cannot be written
+run "$work/size" --steps 3; expectExit 0 "without a limit"
+frame=$(stat -c %s "$work/size"/frames/drop_000000.hdf)
+checkpoint=$(stat -c %s "$work/size"/checkpoint/a.hdf)
+rm -rf "$work/size"
+if [ "$checkpoint" -gt $((frame + 300000)) ]; then
+  (ulimit -f $(((frame + 290000) / 1024)); run "$work/size" --steps 3); expectExit 3 "ulimit -f"
+  oneError "ulimit -f"; wholeFrames "$work/size" "ulimit -f"
+  [ "$(value "$work/size/summary.json" status)" = failed ] || fail "ulimit -f: the summary says '$(value "$work/size/summary.json" status)'"
+  [ "$(value "$work/size/summary.json" particles)" -gt 0 ] || fail "ulimit -f: the summary has no particles"
+fi
+
+mkdir "$work/disk"
+if mount -t tmpfs -o size=$((8 * frame)) tmpfs "$work/disk" 2>/dev/null; then
+  trap 'umount "$work/disk"; rm -rf "$work"' EXIT
+  run "$work/disk/run" --set output.every=1e-5; expectExit 3 "full disk"
+  oneError "full disk"; expectMessage "not enough space" "full disk"; wholeFrames "$work/disk/run" "full disk"
+  [ "$(value "$work/disk/run/summary.json" status)" = failed ] || fail "full disk: the summary says '$(value "$work/disk/run/summary.json" status)'"
+else
+  echo "a small file system cannot be mounted here: the full disk is tested by ulimit only"
+fi
+finish

@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# A run that is stopped, by a signal, a file, a limit of time or of steps, ends with a checkpoint, exit code 75 (0 for --steps) and a
+# summary, and goes on from there; what cannot go on says why.
+. "$(dirname "$0")/../support/run.sh"
+scene=$scenes/drop.toml
+settings drop
+run() { launch 2 run "$scene" "${set[@]}" --out "$work/$1" "${@:2}" >"$work/log" 2>&1; }
+stopped() {  # stopped WHAT: the folder has a checkpoint of the step that the summary names, and says "stopped"
+  [ "$(value "$work/stop/summary.json" status)" = stopped ] || fail "$1: the summary says '$(value "$work/stop/summary.json" status)'"
+  local step
+  step=$("$thaw" info "$work/stop" --json | value - step)
+  [ -n "$step" ] && [ "$step" = "$(value "$work/stop/summary.json" step)" ] || fail "$1: checkpoint of step '$step', summary of another"
+}
+
+run steps --steps 7; expectExit 0 "--steps"
+[ "$("$thaw" info "$work/steps" --json | value - step)" = 7 ] || fail "--steps 7 has no checkpoint of step 7"
+
+for signal in USR1 USR2 TERM INT; do
+  rm -rf "$work/stop"
+  launchInBackground 2 run "$scene" "${set[@]}" --set end=1000 --out "$work/stop" >"$work/log" 2>&1
+  for _ in $(seq 100); do grep -q '^t ' "$work/log" && break; sleep 0.1; done
+  # to one rank: all have to stop together
+  kill -"$signal" "$(ranksOf "$work/stop" | head -n 1)"
+  wait "$launched"; expectExit 75 "SIG$signal"
+  stopped "SIG$signal"
+done
+launchInBackground 2 run "$scene" "${set[@]}" --set end=1000 --restart --out "$work/stop" >"$work/log" 2>&1
+for _ in $(seq 100); do grep -q '^t ' "$work/log" && break; sleep 0.1; done
+: >"$work/stop/stop"
+wait "$launched"; expectExit 75 "stop file"
+stopped "stop file"
+run stop --set end=1000 --resume --time-limit 1; expectExit 75 "--time-limit, and the stop file of before is gone"
+stopped "--time-limit"
+expectMessage "time limit" "--time-limit"
+
+# a finished run goes on when the end is later
+run done --set end=0.001; expectExit 0 "short run"
+[ "$(value "$work/done/summary.json" status)" = done ] || fail "a finished run is not 'done'"
+frames=$(frameSums "$work/done" drop)
+run done --set end=0.002 --restart; expectExit 0 "later end"
+[ "$(value "$work/done/summary.json" time_s)" = 0.002 ] || fail "later end: ends at $(value "$work/done/summary.json" time_s) s"
+after=$(frameSums "$work/done" drop)
+[ "${after#"$frames"}" != "$after" ] || fail "later end: earlier frames changed"
+run done --set end=0.002 --restart; expectExit 0 "nothing left to do"
+
+# what cannot be continued
+run nothing --restart; expectExit 2 "--restart without a checkpoint"; expectMessage "needs a checkpoint" "--restart without a checkpoint"
+run steps --restart --set spacing=0.002; expectExit 2 "another spacing"; expectMessage "spacing was 0.0009" "another spacing"
+launch 2 run "$scenes/beam.toml" --restart --out "$work/steps" >"$work/log" 2>&1; expectExit 2 "another scene"; expectMessage "cannot be continued" "another scene"
+run steps --restart --resume; expectExit 2 "--restart and --resume"
+
+# damaged checkpoints
+run steps --restart --steps 9; expectExit 0 "two checkpoints"
+newest=$("$thaw" info "$work/steps" --json | grep -o '"path": "[^"]*checkpoint/[ab].hdf"' | head -n 1 | cut -d'"' -f4)
+size=$(stat -c %s "$newest")
+cp "$newest" "$work/newest"
+truncate -s $((size / 2)) "$newest"
+run steps --restart --steps 8; expectExit 0 "newest is truncated"; expectMessage "^warning: .*$(basename "$newest")" "newest is truncated"; expectMessage "continues at .* step 7" "newest is truncated"
+grep -q "$(basename "$newest")" "$work/steps/summary.json" || fail "a damaged checkpoint is not among the warnings of the summary"
+for file in "$work/steps/checkpoint"/?.hdf; do truncate -s 3000 "$file"; done
+run steps --restart; expectExit 3 "both are truncated"; expectMessage "no checkpoint can be read" "both are truncated"
+[ "$(value "$work/steps/summary.json" status)" = failed ] || fail "both are truncated: the summary says '$(value "$work/steps/summary.json" status)'"
+finish
