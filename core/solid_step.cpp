@@ -59,8 +59,11 @@ void makeBonds(World& w, Halos& halos, StepTools& t) {
   Continuum& p = w.particles;
   prepareBondForming(p, w.solids);
   const std::vector<AnyColumn*> columns = bondFormingColumns(p);
+  // one refresh at a time: that of filling is on its way and its end is waited for after this
+  if (w.modules.fluid) halos.cells.finishRefresh(p);
   halos.cells.beginRefresh(p, columns);
   halos.cells.finishRefresh(p);
+  if (w.modules.fluid) halos.cells.beginRefresh(p, std::array<AnyColumn*, 1>{&p.filling});
   const BondForming forming = bondForming(w, t);
   t.requests.clear();
   w.counters.welds += formBonds(p, w.solids, w.bonds, w.neighbours, forming, t.requests);
