@@ -1,0 +1,65 @@
+#include "io/run/scene_marks.hpp"
+
+#include <gtest/gtest.h>
+
+namespace thaw {
+namespace {
+
+Scene sample() {
+  Scene s;
+  s.spacing = 0.01;
+  s.materials.resize(2);
+  s.materials[0].name = "wax";
+  s.materials[1].name = "oil";
+  s.bodies.resize(1);
+  s.bodies[0].name = "bust";
+  s.emitters.resize(1);
+  s.emitters[0].name = "tap";
+  return s;
+}
+
+TEST(SceneMarks, WhatMayChange) {
+  const CheckpointValues then = sceneMarks(sample());
+  Scene s = sample();
+  EXPECT_TRUE(sceneDifferences(then, s).empty());
+  s.end = 7;
+  s.materials[0].density = 1234;
+  s.output.checkpoint = 1;
+  s.output.fields = {"id"};
+  s.numerics.cflSound = 0.1;
+  s.emitters[0].end = 3;
+  s.obstacles.resize(1);
+  EXPECT_TRUE(sceneDifferences(then, s).empty());
+}
+
+TEST(SceneMarks, WhatMayNot) {
+  const CheckpointValues then = sceneMarks(sample());
+  const auto refused = [&](auto&& change) {
+    Scene s = sample();
+    change(s);
+    return !sceneDifferences(then, s).empty();
+  };
+  EXPECT_TRUE(refused([](Scene& s) { s.spacing = 0.02; }));
+  EXPECT_TRUE(refused([](Scene& s) { s.numerics.support = 2.5; }));
+  EXPECT_TRUE(refused([](Scene& s) { s.output.every = 0.1; }));
+  EXPECT_TRUE(refused([](Scene& s) { s.domain.max.z = 2; }));
+  EXPECT_TRUE(refused([](Scene& s) { s.domain.gravity.z = 0; }));
+  EXPECT_TRUE(refused([](Scene& s) { s.domain.side[1] = {Side::Periodic, Side::Periodic}; }));
+  EXPECT_TRUE(refused([](Scene& s) { std::swap(s.materials[0], s.materials[1]); }));
+  EXPECT_TRUE(refused([](Scene& s) { s.bodies[0].name = "cube"; }));
+  EXPECT_TRUE(refused([](Scene& s) { s.bodies.clear(); }));
+  EXPECT_TRUE(refused([](Scene& s) { s.emitters[0].rate = 2; }));
+}
+
+TEST(SceneMarks, TheMessageNamesTheKeyAndBothValues) {
+  Scene s = sample();
+  const CheckpointValues then = sceneMarks(s);
+  s.spacing = 0.02;
+  ASSERT_EQ(sceneDifferences(then, s).size(), 1u);
+  EXPECT_EQ(sceneDifferences(then, s)[0].rfind("spacing was 0.01, and is 0.02 now", 0), 0u);
+}
+
+TEST(SceneMarks, ACheckpointWithoutMarksIsRefused) { EXPECT_FALSE(sceneDifferences({}, sample()).empty()); }
+
+}  // namespace
+}  // namespace thaw
