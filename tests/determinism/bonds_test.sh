@@ -1,0 +1,46 @@
+#!/usr/bin/env bash
+# Bonds that form while the simulation runs, by freezing onto a solid and by welding, are the same on any number of ranks. The other
+# tests of ranks end before anything has frozen.
+. "$(dirname "$0")/../support/run.sh"
+cat >"$work/weld.toml" <<'SCENE'
+title   = "Two blocks collide and weld"
+spacing = "1 cm"
+end     = "1 s"
+[domain]
+min     = [-0.3, -0.3, -0.3]
+max     = [ 0.3,  0.3,  0.3]
+gravity = [0, 0, 0]
+[material.clay]
+density = 1000
+young   = "100 kPa"
+poisson = 0.3
+damping = "5 1/s"
+weld    = true
+[[body]]
+name     = "left"
+material = "clay"
+box      = { size = [0.06, 0.06, 0.06] }
+place    = { move = [-0.04, 0, 0] }
+velocity = [1, 0, 0]
+[[body]]
+name     = "right"
+material = "clay"
+box      = { size = [0.06, 0.06, 0.06] }
+place    = { move = [0.04, 0.013, 0] }
+velocity = [-1, 0, 0]
+SCENE
+# name, scene, steps, counter of the summary that must not be 0
+same() {
+  local name=$1 scene=$2 steps=$3 counter=$4
+  for ranks in 1 2 3 4; do
+    launch $ranks run "$scene" "${set[@]}" --steps "$steps" --out "$work/$name.$ranks" >"$work/log" 2>&1 || { fail "$name on $ranks ranks: exit $?"; tail -n 5 "$work/log"; continue; }
+    [ "$ranks" = 1 ] && continue
+    "$thaw" compare "$work/$name.1" "$work/$name.$ranks" >"$work/log" 2>&1 || { fail "$name: 1 and $ranks ranks differ"; head -n 20 "$work/log"; }
+  done
+  grep -Eq "\"$counter\": *[1-9]" "$work/$name.1/summary.json" || fail "$name: nothing has $counter"
+}
+set=()
+same weld "$work/weld.toml" 200 welds
+settings freeze
+same freeze "$scenes/freeze.toml" 900 frozen
+finish
