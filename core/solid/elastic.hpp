@@ -38,6 +38,7 @@ struct ElasticWork {
   double rereference = never;         ///< Numerics::plasticRereference
   Periods periods;
   double minBreakStretch = never;     ///< the smallest of all materials
+  double touch = 0;                   ///< m, distance below which solids without a bond push each other (0: they do not)
   bool damping = false, plastic = false, periodic = false;
   // of the bonds, by refreshReference
   int capacity = 0;                              ///< of the bonds that the rest is of

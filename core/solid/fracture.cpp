@@ -13,7 +13,9 @@ bool beyondLimit(const ElasticWork& work, const Solids& solids, const Bonds& bon
   const double limit = std::min(work.materials[solids.material[slot]].breakStretch, work.materials[solids.material[other]].breakStretch);
   if (!(limit < never)) return false;
   const BondVectors v = bondVectors(work, solids, bonds, slot, k);
-  return dot(v.current, v.current) > limit * limit * std::max(dot(v.reference, v.reference), dot(v.reverse, v.reverse));
+  // Ends nearer than the contact distance would at once push each other apart with energy from nowhere: their bond waits until they part.
+  const double length2 = dot(v.current, v.current);
+  return length2 > work.touch * work.touch && length2 > limit * limit * std::max(dot(v.reference, v.reference), dot(v.reverse, v.reverse));
 }
 
 }  // namespace

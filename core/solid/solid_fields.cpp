@@ -1,6 +1,7 @@
 // Which fields the solids of a scene need, and what goes from particles to slots and back.
 #include <algorithm>
 
+#include "core/contact/solid_contact.hpp"
 #include "core/solid/elastic.hpp"
 
 namespace thaw {
@@ -14,6 +15,7 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
   work.periods = periodsOf(grid);
   work.periodic = grid.periodic[0] || grid.periodic[1] || grid.periodic[2];
   work.plastic = modules.plastic;
+  work.touch = modules.contact ? contactDistance * scene.spacing : 0;
   bool rereferences = false;
   for (const Material& m : scene.materials) {
     work.solidConstants.push_back(elasticConstants(m, 0));

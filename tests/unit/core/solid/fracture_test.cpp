@@ -75,6 +75,25 @@ TEST(Fracture, unstretchedBodyKeepsItsBonds) {
   EXPECT_EQ(jump.value(), 0);
 }
 
+TEST(Fracture, bondsWithinTheContactDistanceStay) {
+  const auto points = lattice({4, 4, 4}, 0.06);
+  Material m = elasticMaterial();
+  m.breakStretch = 1.25;
+  const auto b = makeBody(points, {m});
+  b->work.touch = 0.09;
+  moveAll(*b, points, [](const Vec3d& x) { return Vec3d{1.4 * x.x, x.y, x.z}; });
+  computeForces(*b);
+  ExactSum jump;
+  EXPECT_GT(breakBonds(b->work, b->solids, b->bonds, b->step, jump), 0);
+  for (std::size_t i = 0; i < points.size(); i++)
+    for (std::size_t j = 0; j < i; j++) {
+      const Vec3d d = points[i] - points[j];
+      if (std::abs(d.y) + std::abs(d.z) > 1e-9) continue;
+      if (std::abs(d.x) < 0.07) EXPECT_GT(bondsOf(*b, i, j), 0);  // 0.084 apart: contact would push
+      else EXPECT_EQ(bondsOf(*b, i, j), 0);
+    }
+}
+
 TEST(Fracture, bodyTornApartIsTwoFreePieces) {
   const auto points = lattice({6, 3, 3}, 0.1);
   Material m = elasticMaterial();
