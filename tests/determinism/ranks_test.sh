@@ -7,6 +7,7 @@ for scene in ${SCENES:-$(testedScenes)}; do
   settings "$scene"
   n=$steps
   grep -q '^\[\[*emitter' "$scenes/$scene.toml" && n=$((5 * steps))  # little is poured at first
+  [ "$scene" = freeze ] && n=$((32 * steps))  # bonds form at last: differences showed only then
   for ranks in 1 2 3 4 7; do
     launch $ranks run "$scenes/$scene.toml" "${set[@]}" --steps "$n" --out "$work/$scene.$ranks" >"$work/log" 2>&1
     code=$?
