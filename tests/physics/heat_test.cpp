@@ -1,0 +1,58 @@
+// Heat against exact solutions, through whole steps.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/heat/enthalpy.hpp"
+#include "tests/support/simulation.hpp"
+
+namespace thaw::test {
+namespace {
+
+constexpr double dx = 0.01;
+
+/// A column of liquid at rest along z, 0 to n spacings.
+Scene liquidColumn(int n) {
+  Scene s = columnScene(dx, -4 * dx, (n + 4) * dx);
+  Material& m = s.materials[0];
+  m.soundSpeed = 0.25;  // nothing moves
+  m.conductivity = {1000, 1000};
+  m.viscosity = {1, 1};
+  return s;
+}
+
+}  // namespace
+
+TEST(HeatConduction, TwoSlabsInContactFollowTheErrorFunction) {
+  Scene s = liquidColumn(40);
+  addBox(s, {0, 0, 0}, {6 * dx, 6 * dx, 20 * dx}).temperature = 300;
+  addBox(s, {0, 0, 20 * dx}, {6 * dx, 6 * dx, 40 * dx}).temperature = 400;
+  s.numerics.precision = Precision::Double;
+  const double alpha = 1000 / (1000 * 1000.0);
+  s.end = 9 * dx * dx / alpha;  // 2 sqrt(alpha t) = 6 spacings
+  Simulation run(s);
+  ASSERT_EQ(run.particles().owned, 36u * 40);
+  EXPECT_TRUE(run.run());
+  double square = 0;
+  for (std::size_t i = 0; i < run.particles().owned; i++) {
+    const double exact = 350 + 50 * std::erf((run.particles().position[i].z - 20 * dx) / (6 * dx));
+    square += std::pow((run.particles().temperature[i] - exact) / 100, 2);
+  }
+  EXPECT_LT(std::sqrt(square / static_cast<double>(run.particles().owned)), 6e-3);
+  const LedgerReport r = run.books();
+  EXPECT_LT(std::abs(r.heatResidual), 1e-12 * r.now.internal);
+  EXPECT_EQ(r.heatIn, 0);
+}
+
+TEST(HeatSource, WarmsAtItsRate) {
+  Scene s = liquidColumn(6);
+  s.materials[0].heatSource = 500;  // W/kg: 0.5 K/s
+  addBox(s, {0, 0, 0}, {6 * dx, 6 * dx, 6 * dx}).temperature = 300;
+  s.end = 4;
+  Simulation run(s);
+  EXPECT_TRUE(run.run());
+  for (std::size_t i = 0; i < run.particles().owned; i++) EXPECT_NEAR(run.particles().temperature[i], 302, 1e-8);
+  EXPECT_NEAR(run.books().heatIn, 500 * 4 * run.books().now.mass, 1e-6);
+}
+
+}  // namespace thaw::test

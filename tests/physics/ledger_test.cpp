@@ -1,0 +1,92 @@
+// The books of closed and of open systems.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/simulation.hpp"
+
+namespace thaw::test {
+namespace {
+
+constexpr double dx = 0.05;
+
+Scene freeBlock(ElasticLaw law) {
+  Scene s;
+  s.spacing = dx;
+  s.domain.gravity = {};
+  s.output.every = 0;
+  s.numerics.precision = Precision::Double;
+  s.materials.emplace_back();
+  s.materials[0].young = {1e5, 1e5};
+  s.materials[0].law = law;
+  Body& b = addBox(s, {-0.2, -0.1, -0.1}, {0.2, 0.1, 0.1});
+  b.spin = {0, 3, 4};
+  b.velocity = {0.5, 0.2, 0.1};
+  s.end = 0.3;
+  return s;
+}
+
+}  // namespace
+
+TEST(Ledger, FreeSpinningSolidKeepsMomentumAngularMomentumAndEnergy) {
+  for (const ElasticLaw law : {ElasticLaw::Green, ElasticLaw::NeoHookean}) {
+    Simulation run(freeBlock(law));
+    EXPECT_TRUE(run.run());
+    const LedgerReport r = run.books();
+    const double scale = r.initial.mass * 1.0;
+    EXPECT_EQ(r.massResidual, 0);
+    EXPECT_LT(length(r.momentumResidual), 1e-12 * scale);
+    EXPECT_LT(length(r.now.angularMomentum - r.initial.angularMomentum), 1e-10 * scale);
+    EXPECT_LT(std::abs(r.energyResidual), 5e-3 * r.initial.kinetic);
+    EXPECT_GT(r.now.elastic, 0);
+  }
+}
+
+TEST(Ledger, PeriodicLiquidKeepsMomentumAndBooksWhatViscosityTakes) {
+  Scene s = columnScene(dx, 0, 6 * dx);
+  s.domain.side[2] = {Side::Periodic, Side::Periodic};
+  s.numerics.precision = Precision::Double;
+  s.materials[0].soundSpeed = 5;
+  s.materials[0].viscosity = {20, 20};
+  addBox(s, {0, 0, 0}, {6 * dx, 6 * dx, 6 * dx});
+  s.end = 0.2;
+  Simulation run(s);
+  Continuum& p = run.particles();
+  for (std::size_t i = 0; i < p.owned; i++) p.velocity[i] = {0.3 + 0.4 * std::sin(2 * M_PI * p.position[i].z / (6 * dx)), 0.2, 0.1};
+  run.w.ledger.initial = run.books().now;
+  EXPECT_TRUE(run.run());
+  const LedgerReport r = run.books();
+  EXPECT_EQ(r.massResidual, 0);
+  EXPECT_LT(length(r.momentumResidual), 1e-12 * r.initial.mass);
+  EXPECT_GT(r.dissipated, 0.1 * r.initial.kinetic);
+  EXPECT_LT(std::abs(r.energyResidual), 0.05 * r.dissipated);
+}
+
+TEST(Ledger, EmittersAndOpenSidesCountExactly) {
+  Scene s;
+  s.spacing = dx;
+  s.domain.gravity = {0, 0, -10};
+  s.domain.min = {-0.5, -0.5, -0.4};
+  s.domain.max = {0.5, 0.5, 0.5};
+  s.output.every = 0;
+  s.materials.emplace_back();
+  s.materials[0].soundSpeed = 20;
+  s.materials[0].viscosity = {1, 1};
+  s.emitters.emplace_back();
+  s.emitters[0].radius = 0.1;
+  s.emitters[0].centre = {0, 0, 0.3};
+  s.emitters[0].speed = 2;
+  s.end = 0.6;
+  Simulation run(s);
+  EXPECT_TRUE(run.run());
+  const LedgerReport r = run.books();
+  EXPECT_GT(run.w.counters.emitted, 100);
+  EXPECT_GT(run.w.counters.left, 20);
+  const double m = 1000 * dx * dx * dx;
+  EXPECT_EQ(r.massResidual, 0);
+  EXPECT_NEAR(r.left.mass, static_cast<double>(run.w.counters.left) * m, 1e-12);
+  EXPECT_NEAR(r.initial.mass + r.entered.mass - r.left.mass, r.now.mass, 1e-12);
+  EXPECT_LT(length(r.momentumResidual), 1e-5 * length(r.left.momentum));
+}
+
+}  // namespace thaw::test

@@ -1,0 +1,66 @@
+// Liquids and solids on walls, through whole steps, against exact solutions.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/simulation.hpp"
+
+namespace thaw::test {
+
+TEST(LiquidAtWalls, HydrostaticColumn) {
+  const double dx = 0.1, H = 10 * dx;
+  Scene s = columnScene(dx, 0, 16 * dx);
+  s.domain.side[2][0] = Side::Wall;
+  s.domain.gravity = {0, 0, -10};
+  s.materials[0].soundSpeed = 10 * std::sqrt(10 * H);
+  s.materials[0].viscosity = {500, 500};
+  addBox(s, {0, 0, 0}, {6 * dx, 6 * dx, H});
+  s.end = 2;
+  Simulation run(s);
+  EXPECT_TRUE(run.run());
+  const Continuum& p = run.particles();
+  double square = 0, fastest = 0;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const double exact = 1000 * 10 * (H - p.position[i].z);
+    square += std::pow((static_cast<double>(p.pressure[i]) - exact) / (1000 * 10 * H), 2);
+    fastest = std::max(fastest, length(p.velocity[i]));
+    EXPECT_GT(p.position[i].z, 0.2 * dx);
+  }
+  EXPECT_LT(std::sqrt(square / static_cast<double>(p.owned)), 0.08);
+  EXPECT_LT(fastest, 0.02 * std::sqrt(10 * H));
+  EXPECT_EQ(run.w.counters.wallProjections, 0);
+  const LedgerReport r = run.books();
+  EXPECT_EQ(r.massResidual, 0);
+  EXPECT_LT(length(r.momentumResidual), 1e-6 * length(r.gravityImpulse));
+}
+
+TEST(SolidAtWalls, BlockOnASlope) {
+  for (const double angle : {0.2, 0.5}) {  // the friction angle is atan 0.3 = 0.29
+    const double dx = 0.1, g = 10, mu = 0.3;
+    Scene s;
+    s.spacing = dx;
+    s.domain.min = {-1, -1, -1};
+    s.domain.max = {3, 1, 1};
+    s.domain.gravity = {g * std::sin(angle), 0, -g * std::cos(angle)};
+    s.output.every = 0;
+    s.materials.emplace_back();
+    Material& m = s.materials[0];
+    m.young = {1e6, 1e6};
+    m.damping = 20;
+    m.restitution = 0.2;
+    addBox(s, {-2 * dx, -2 * dx, 0}, {2 * dx, 2 * dx, 3 * dx});
+    addFloor(s).friction = mu;
+    s.obstacles[0].restitution = 0.2;
+    s.end = 0.4;
+    Simulation run(s);
+    EXPECT_TRUE(run.run());
+    const LedgerReport r = run.books();
+    const double speed = r.now.momentum.x / r.now.mass, slide = g * (std::sin(angle) - mu * std::cos(angle)) * s.end;
+    if (slide > 0) EXPECT_NEAR(speed, slide, 0.05 * slide);
+    else EXPECT_LT(std::abs(speed), 0.02);
+    EXPECT_LT(length(r.momentumResidual), 1e-6 * length(r.gravityImpulse));
+    EXPECT_LT(std::abs(r.energyResidual), 0.02 * r.energyScale);
+  }
+}
+
+}  // namespace thaw::test

@@ -1,0 +1,82 @@
+// A whole scene on one rank, stepped as a run does it: for tests against exact solutions and of the books.
+#pragma once
+#include <memory>
+
+#include "core/halo/serial.hpp"
+#include "core/ledger/report.hpp"
+#include "core/setup/setup.hpp"
+#include "core/solid/serial_bond_halo.hpp"
+
+namespace thaw::test {
+
+struct Simulation {
+  World w;
+  StepTools tools;
+  SerialReducer all;
+  std::unique_ptr<SerialCellHalo> cells;
+  SerialBondHalo bonds;
+  Limit limitedBy = Limit::Scene;
+  double shortest = never;  ///< s, dt
+
+  explicit Simulation(const Scene& scene) {
+    w.scene = scene;
+    prepareWorld(w, tools, {});
+    cells = std::make_unique<SerialCellHalo>(w.grid);
+    startWorld(w, halos(), tools, {});
+  }
+  Halos halos() { return {all, *cells, bonds}; }
+  Continuum& particles() { return w.particles; }
+
+  /// One step. False where a value is not finite.
+  bool step() {
+    const StepOutcome o = thaw::step(w, halos(), tools, {});
+    limitedBy = o.limitedBy;
+    shortest = std::min(shortest, w.clock.stepDt);
+    return o.finite;
+  }
+  /// To the end of the scene.
+  bool run() {
+    while (w.clock.time < w.clock.end)
+      if (!step()) return false;
+    return true;
+  }
+  LedgerReport books() { return reportLedger(w, all); }
+};
+
+inline Shape boxOf(const Vec3d& low, const Vec3d& high) {
+  Shape s;
+  s.size = high - low;
+  s.move = 0.5 * (low + high);
+  return s;
+}
+
+/// A scene of one material; periodic along x and y over six spacings, open along z; no gravity.
+inline Scene columnScene(double spacing, double zLow, double zHigh) {
+  Scene s;
+  s.spacing = spacing;
+  s.domain.min = {0, 0, zLow};
+  s.domain.max = {6 * spacing, 6 * spacing, zHigh};
+  s.domain.side[0] = s.domain.side[1] = {Side::Periodic, Side::Periodic};
+  s.domain.gravity = {};
+  s.output.every = 0;
+  s.materials.emplace_back();
+  s.materials[0].name = "stuff";
+  return s;
+}
+
+inline Body& addBox(Scene& s, const Vec3d& low, const Vec3d& high) {
+  s.bodies.emplace_back();
+  s.bodies.back().name = "box" + std::to_string(s.bodies.size());
+  s.bodies.back().shape = boxOf(low, high);
+  return s.bodies.back();
+}
+
+/// A floor (half-space) below z = 0.
+inline Obstacle& addFloor(Scene& s) {
+  s.obstacles.emplace_back();
+  s.obstacles.back().name = "floor";
+  s.obstacles.back().shape.kind = ShapeKind::HalfSpace;
+  return s.obstacles.back();
+}
+
+}  // namespace thaw::test
