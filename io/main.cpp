@@ -17,14 +17,24 @@
 
 namespace {
 
+/// Says once, not once a rank, what is wrong with the command line: all ranks see the same one. MPI's end keeps another rank from
+/// ending the job before the first has said it.
+void sayOnce(CLI::App& app, const CLI::ParseError& e, int* argc, char*** argv) {
+  thaw::MpiSession mpi(argc, argv);
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  if (rank == 0) app.exit(e);
+}
+
 /// CLI11's own exit codes for wrong usage are all 2 here.
-int parsed(CLI::App& app, int argc, char** argv, int& code) {
+bool parsed(CLI::App& app, int argc, char** argv, int& code) {
   try {
     app.parse(argc, argv);
     return true;
   } catch (const CLI::ParseError& e) {
-    const int said = app.exit(e);
-    code = said == 0 ? 0 : thaw::exitUsage;
+    if (e.get_exit_code() == 0) return app.exit(e), code = 0, false;  // --help, --version
+    sayOnce(app, e, &argc, &argv);
+    code = thaw::exitUsage;
     return false;
   }
 }

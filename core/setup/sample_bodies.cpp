@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "core/heat/enthalpy.hpp"
 #include "core/heat/heat.hpp"
@@ -123,6 +124,9 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
   all.maximum(first);
   std::copy_n(counts.begin(), s.bodies.size(), report.particles.begin());
   const std::size_t n = s.bodies.size();
+  for (std::size_t b = 0; b < n; b++)
+    if (report.particles[b] == 0 && counts[n + 1] == 0)
+      throw std::runtime_error("body '" + s.bodies[b].name + "' has no particle: it is too small or too thin for the spacing, or empty");
   report.overlapping = counts[n];
   report.removed = counts[n + 1];
   report.inObstacles = counts[n + 2];

@@ -9,6 +9,7 @@
 #include "core/geometry/shape_error.hpp"
 #include "core/ledger/report.hpp"
 #include "core/setup/setup.hpp"
+#include "io/commands/require_memory.hpp"
 #include "io/commands/scene_for_all.hpp"
 #include "io/hdf5/io_error.hpp"
 #include "io/scene/read_scene.hpp"
@@ -51,6 +52,7 @@ int checkAll(const CheckOptions& o) {
   StepTools t;
   w.scene = sceneForAll(comm, o.scene, o.overrides);
   prepareWorld(w, t, meshLoader());
+  requireMemory(comm, w, meshLoader());
   MpiCellHalo cells(comm, w.grid);
   MpiBondHalo bonds(comm);
   const Halos halos{all, cells, bonds};

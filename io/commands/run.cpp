@@ -10,6 +10,7 @@
 #include "core/geometry/shape_error.hpp"
 #include "core/setup/setup.hpp"
 #include "core/time/limits.hpp"
+#include "io/commands/require_memory.hpp"
 #include "io/commands/scene_for_all.hpp"
 #include "io/hdf5/agree.hpp"
 #include "io/output/checkpoint.hpp"
@@ -227,6 +228,7 @@ int simulate(Run& r) {
     std::filesystem::remove(r.options.out + "/stop", code);  // of the run before
   });
   prepareWorld(r.world, r.tools, load);
+  requireMemory(r.comm, r.world, load);
   r.cells = std::make_unique<MpiCellHalo>(r.comm, r.world.grid);
   r.bonds = std::make_unique<MpiBondHalo>(r.comm);
   const char* launched = std::getenv("OMPI_COMM_WORLD_SIZE");
@@ -254,15 +256,25 @@ int simulate(Run& r) {
   return code;
 }
 
+/// CLI11's own message for this names the largest double.
+CLI::Validator notBelowZero() {
+  return {[](std::string& text) {
+            char* end = nullptr;
+            const double v = std::strtod(text.c_str(), &end);
+            return *end == 0 && v >= 0 && v < never ? std::string() : "must be a number of at least 0, got " + text;
+          },
+          "", ""};
+}
+
 }  // namespace
 
 void addRunOptions(CLI::App& c, RunOptions& o) {
   c.add_option("scene", o.scene, "scene file (TOML)")->required();
   c.add_option("--out", o.out, "folder for frames, checkpoints and the summary (default: out/<scene>)");
   c.add_option("--set", o.overrides, "key=value in place of what the scene says; may be given several times")->allow_extra_args(false);
-  c.add_option("--steps", o.steps, "stop when this many steps are done in all")->check(CLI::NonNegativeNumber);
+  c.add_option("--steps", o.steps, "stop when this many steps are done in all")->check(notBelowZero());
   c.add_option("--time-limit", o.timeLimit, "stop, with a checkpoint, after this many seconds of wall-clock time")->check(CLI::PositiveNumber);
-  c.add_option("--progress", o.reportEvery, "seconds between progress lines")->check(CLI::NonNegativeNumber);
+  c.add_option("--progress", o.reportEvery, "seconds between progress lines")->check(notBelowZero());
   auto* restart = c.add_flag("--restart", o.restart, "continue from the last checkpoint in --out");
   c.add_flag("--resume", o.resume, "continue if there is a checkpoint in --out, else begin")->excludes(restart);
 }

@@ -23,6 +23,9 @@ Scene readScene(const SceneFiles& files, const std::vector<std::string>& overrid
 /// The scene of a file. Throws SceneErrors, also for a file that cannot be read.
 Scene readScene(const std::string& path, const std::vector<std::string>& overrides = {});
 
+/// The complete small scene of docs/scene.md.
+const char* exampleScene();
+
 /// docs/scene.md, from the table of keys.
 std::string sceneDocumentation();
 

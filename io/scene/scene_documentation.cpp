@@ -28,9 +28,40 @@ constexpr const char* introduction =
     "is `\"never\"`. An unknown key is an error; all errors of a scene are reported at once, with file, line and column.\n\n"
     "`--set key=value` on the command line overrides a key, checked in the same way: `--set spacing=\"1 mm\"`, `--set\n"
     "material.wax.young=\"1 MPa\"`, `--set body.bust.velocity=\"[0, 0, -1]\"` (a body, emitter or obstacle by its name or its number from 0).\n"
-    "`thaw check SCENE` prints what would be simulated.\n";
+    "`thaw check SCENE` prints what would be simulated.\n\n"
+    "A complete scene, `jelly.toml`, a block that falls on a floor, bounces and wobbles; `thaw run jelly.toml` simulates it:\n\n"
+    "```toml\n";
+constexpr const char* afterExample = "```\n";
 
 }  // namespace
+
+const char* exampleScene() {
+  return "title = \"A block of jelly falls on a floor\"\n"
+         "spacing = \"1 cm\"                        # distance of particles: the one resolution knob\n"
+         "end = \"0.5 s\"\n"
+         "\n"
+         "[domain]\n"
+         "min = [\"-30 cm\", \"-30 cm\", \"-2 cm\"]\n"
+         "max = [ \"30 cm\",  \"30 cm\", \"50 cm\"]\n"
+         "\n"
+         "[material.jelly]\n"
+         "density = \"1000 kg/m^3\"\n"
+         "young = \"20 kPa\"                       # above 0: it can be solid\n"
+         "law = \"neo-hookean\"\n"
+         "\n"
+         "[[body]]\n"
+         "name = \"block\"\n"
+         "box = { size = [\"10 cm\", \"10 cm\", \"10 cm\"] }\n"
+         "material = \"jelly\"\n"
+         "place = { bottom = [0, 0, \"10 cm\"], rotate_x = \"20 deg\" }\n"
+         "\n"
+         "[[obstacle]]\n"
+         "name = \"floor\"\n"
+         "plane = { point = [0, 0, 0], normal = [0, 0, 1] }\n"
+         "\n"
+         "[output]\n"
+         "every = \"20 ms\"\n";
+}
 
 std::string sceneDocumentation() {
   std::vector<KeyDescription> keys;
@@ -39,7 +70,7 @@ std::string sceneDocumentation() {
   reading.scene = &s;
   TableReader top("", keys);
   readSections(top, reading);
-  std::string text = introduction;
+  std::string text = std::string(introduction) + exampleScene() + afterExample;
   std::vector<std::string> tables;
   for (const KeyDescription& k : keys)
     if (std::find(tables.begin(), tables.end(), k.table) == tables.end()) tables.push_back(k.table);

@@ -13,3 +13,9 @@ TEST(SceneDocumentation, DocsSceneMdIsWhatTheTableOfKeysSays) {
   text << file.rdbuf();
   EXPECT_TRUE(text.str() == sceneDocumentation()) << "docs/scene.md is out of date; write it with: build/release/thaw docs > docs/scene.md";
 }
+
+TEST(SceneDocumentation, TheExampleIsAScene) {
+  const Scene s = readScene(sceneFilesOf("jelly.toml", exampleScene()));
+  ASSERT_EQ(s.bodies.size(), 1u);
+  EXPECT_GT(s.materials[0].young.solid, 0);
+}

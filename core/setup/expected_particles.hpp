@@ -1,0 +1,13 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "core/geometry/signed_distance.hpp"
+
+namespace thaw {
+
+/// About how many particles the bodies of these shapes take at this spacing (m), found without sampling them: by the share of a coarse
+/// lattice over the bounding box that lies inside, or by the bounding box alone where that is not much.
+double expectedParticles(const std::vector<std::shared_ptr<const SignedDistance>>& shapes, double spacing);
+
+}  // namespace thaw

@@ -1,0 +1,152 @@
+#!/usr/bin/env bash
+# Bad input on three ranks: the documented exit code, one clear message (once, not once a rank), no crash, no hang.
+. "$(dirname "$0")/../support/run.sh"
+limit=${LIMIT:-60}  # seconds a case may take
+
+# A small scene that works; every case below breaks it in one place.
+cat >"$work/good.toml" <<'SCENE'
+title = "a block"
+spacing = "2 cm"
+end = "20 ms"
+[domain]
+min = [-0.5, -0.5, -0.1]
+max = [0.5, 0.5, 0.5]
+[material.jelly]
+young = "20 kPa"
+[[body]]
+name = "block"
+box = { size = [0.1, 0.1, 0.1] }
+material = "jelly"
+place = { move = [0, 0, 0.1] }
+[[obstacle]]
+name = "floor"
+plane = { point = [0, 0, 0], normal = [0, 0, 1] }
+SCENE
+
+# calls thaw on three ranks: call COMMAND SCENE [options]; leaves the code in $code and what was said in $work/log
+call() {
+  local command=$1 scene=$2
+  shift 2
+  local out=()
+  [ "$command" = run ] && out=(--out "$work/out")
+  rm -rf "$work/out"
+  timeout -k 5 "$limit" mpirun --allow-run-as-root --oversubscribe --bind-to none -n 3 "$thaw" "$command" "$scene" "${out[@]}" "$@" >"$work/log" 2>&1
+  code=$?
+}
+
+# rejects CASE PATTERN CODE COMMAND SCENE [options]: that code, and the pattern in exactly one line
+rejects() {
+  local name=$1 pattern=$2 wanted=$3
+  shift 3
+  call "$@"
+  local times
+  times=$(grep -a -c -E -- "$pattern" "$work/log")
+  if [ "$code" = 124 ] || [ "$code" = 137 ]; then fail "$name: hangs (no end after $limit s)"
+  elif [ "$code" != "$wanted" ]; then fail "$name: exit code $code instead of $wanted"; head -n 5 "$work/log"
+  elif [ "$times" != 1 ]; then fail "$name: '$pattern' in $times lines instead of 1"; head -n 8 "$work/log"
+  elif grep -a -q -E 'terminate called|Segmentation|Signal:|MPI_ABORT' "$work/log"; then fail "$name: crashed"; head -n 8 "$work/log"
+  fi
+}
+
+# accepts CASE COMMAND SCENE [options]: exit code 0
+accepts() {
+  local name=$1
+  shift
+  call "$@"
+  [ "$code" = 0 ] || { fail "$name: exit code $code"; head -n 8 "$work/log"; }
+}
+
+# scene NAME SED-SCRIPT: a copy of the scene that works, edited
+scene() { sed -E "$2" "$work/good.toml" >"$work/$1.toml"; echo "$work/$1.toml"; }
+good=$work/good.toml
+
+accepts "the scene that works" run "$good" --steps 2
+
+# accuracy.md B26: no time, time that runs backwards, steps beyond all limits
+accepts "end = 0" run "$good" --set end=0
+accepts "frames more frequent than steps" run "$good" --set output.every=1e-6 --steps 3
+rejects "negative end" 'end: must be >= 0 s, got -1' 2 run "$good" --set end=-1
+rejects "negative step" 'fixed_step: must be >= 0 s, got -0\.1' 2 run "$good" --set numerics.fixed_step=-0.1
+rejects "huge step" 'fixed_step: must not be longer than the simulated time' 2 check "$good" --set numerics.fixed_step=1e6
+rejects "no step" 'max_step: must be > 0' 2 check "$good" --set numerics.max_step=0
+rejects "a frame never" 'every: must be > 0 s, got 0' 2 run "$good" --set output.every=0
+rejects "endless frames" 'more than ten million frames' 2 run "$good" --set output.every=1e-12
+
+# B27: particles outside of the domain
+rejects "body outside" "lie outside of the domain.*'block'" 2 run "$good" --set 'body.block.place.move=[0, 0, 9]'
+rejects "body half outside" "lie outside of the domain.*'block'" 2 check "$good" --set 'body.block.place.move=[0.5, 0, 0.2]'
+
+# B28: values that spread
+rejects "NaN" 'nan\.toml:2:11: error: spacing: must be a finite number, got nan' 2 run "$(scene nan 's/^spacing.*/spacing = nan/')"
+rejects "infinity" 'inf\.toml:[0-9]+:[0-9]+: error: .*finite' 2 run "$(scene inf 's/young.*/young = inf/')"
+rejects "text NaN" 'finite' 2 check "$(scene textnan 's/young.*/young = "nan Pa"/')"
+rejects "spacing 0" 'spacing: must be > 0 m, got 0' 2 check "$(scene zero 's/^spacing.*/spacing = 0/')"
+rejects "negative spacing" 'negative\.toml:2:11: error: spacing: must be > 0 m' 2 run "$(scene negative 's/^spacing.*/spacing = "-2 cm"/')"
+rejects "Poisson's ratio 1/2" 'poisson: must be > -1 and < 0\.5' 2 run "$(scene poisson 's/young.*/&\npoisson = 0.5/')"
+rejects "no mass" 'density: must be > 0 kg/m\^3' 2 run "$(scene mass 's/young.*/&\ndensity = 0/')"
+rejects "below 0 K" 'temperature: must be > 0 K' 2 check "$(scene cold 's/^name = "block"/&\ntemperature = "-300 degC"/')"
+
+# B29: less than there are ranks
+accepts "one particle on three ranks" run "$good" --set 'body.block.box.size=[0.02, 0.02, 0.02]' --steps 3
+
+# keys
+rejects "unknown key" "keys\.toml:2:1: error: unknown key 'spacng'; did you mean 'spacing'\?" 2 run "$(scene keys 's/^spacing/spacng/')"
+rejects "unknown override" "^--set spacng=3: error: unknown key 'spacng'; did you mean 'spacing'\?" 2 run "$good" --set spacng=3
+rejects "override without a value" 'expected key=value' 2 check "$good" --set spacing
+rejects "wrong unit" 'spacing: expected a length such as "2 mm", got "2 kg"' 2 check "$good" --set 'spacing=2 kg'
+rejects "no such material" "there is no material 'jely'; did you mean 'jelly'\?" 2 run "$(scene material 's/material = .*/material = "jely"/')"
+rejects "same name twice" "a second obstacle is called 'floor'" 2 check "$(scene twice '$a [[obstacle]]\nname = "floor"\nsphere = { radius = 0.01 }')"
+rejects "nothing to do" 'there is nothing to simulate' 2 run "$(scene nothing '/\[\[body/,/^place/d')"
+
+# files
+rejects "no such scene" 'missing\.toml: error: no such file' 2 run "$work/missing.toml"
+rejects "a folder" 'a folder, not a file' 2 check "$work"
+: >"$work/empty.toml"
+rejects "empty file" 'empty\.toml: error: the file is empty' 2 run "$work/empty.toml"
+head -c 190 "$good" >"$work/cut.toml"
+rejects "cut file" 'cut\.toml:.*error:' 2 run "$work/cut.toml"
+head -c 3000 "$thaw" >"$work/binary.toml"
+rejects "a binary" 'binary\.toml.*error:' 2 check "$work/binary.toml"
+{ printf '# '; head -c 20000 /dev/zero | tr '\0' 'x'; } >"$work/long.toml"
+rejects "a line without end" 'is longer than 16384 characters' 2 run "$work/long.toml"
+truncate -s 200M "$work/huge.toml"
+rejects "huge file" 'huge\.toml: error: larger than 16 MiB' 2 run "$work/huge.toml"
+printf 'include = "loop.toml"\n' >"$work/loop.toml"
+rejects "include loop" 'includes itself' 2 run "$work/loop.toml"
+printf 'include = "nowhere.toml"\n' >"$work/lost.toml"
+rejects "missing include" "nowhere\.toml': no such file" 2 run "$work/lost.toml"
+
+# meshes
+mesh() { scene "$1" "s|^box.*|mesh = \"$1.$2\"|"; }
+rejects "no such mesh" 'nomesh\.obj: there is no such file' 2 run "$(mesh nomesh obj)"
+: >"$work/emptymesh.ply"
+rejects "empty mesh" 'emptymesh\.ply: the file is empty' 2 check "$(mesh emptymesh ply)"
+head -c 5000 "$thaw" >"$work/garbage.stl"
+rejects "garbage mesh" 'garbage\.stl' 2 run "$(mesh garbage stl)"
+printf 'ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n' >"$work/cutmesh.ply"
+rejects "cut mesh" 'cutmesh\.ply' 2 run "$(mesh cutmesh ply)"
+printf 'ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\nend_header\n' >"$work/vast.ply"
+rejects "mesh that claims to be vast" 'vast\.ply' 2 run "$(mesh vast ply)"
+printf 'v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n' >"$work/nanmesh.obj"
+rejects "NaN in a mesh" 'nanmesh\.obj' 2 check "$(mesh nanmesh obj)"
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n' >"$work/index.obj"
+rejects "index beyond the vertices" 'index\.obj' 2 run "$(mesh index obj)"
+printf 'v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nf 1 2 3\nf 1 3 2\n' >"$work/flat.obj"
+rejects "mesh without volume" "flat\.obj|'block'" 2 run "$(mesh flat obj)"
+printf 'v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nf 1 2 3\n' >"$work/open.obj"
+rejects "one triangle" "open\.obj|'block'" 2 run "$(mesh open obj)"
+
+# sizes
+printf 'v 0 0 0\nv 0.001 0 0\nv 0 0.001 0\nv 0 0 0.001\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >"$work/tiny.obj"
+rejects "body without particles" "body 'block' has no particle" 2 run "$(mesh tiny obj)"
+rejects "obstacle over everything" "inside an obstacle.*'block' and 'floor'" 2 run "$good" --set 'obstacle.floor.plane.point=[0, 0, 0.4]'
+rejects "periodic and too short" 'periodic along x but shorter than three support radii' 2 check "$good" --set 'domain.sides.x=periodic' --set 'spacing=0.2'
+rejects "more particles than ids" "body 'block' would take some .* particles" 2 run "$good" --set spacing=1e-9
+rejects "more particles than memory" 'particles.* memory' 2 run "$good" --set spacing=2e-5
+rejects "more particles than memory" 'particles.* memory' 2 check "$good" --set spacing=2e-5
+
+# the command line
+rejects "no such option" '--frobnicate' 2 run "$good" --frobnicate
+rejects "negative steps" '--steps' 2 run "$good" --steps -1
+rejects "restart of nothing" '--restart needs a checkpoint' 2 run "$good" --restart
+finish
