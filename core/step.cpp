@@ -60,8 +60,9 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
     markInner(w, halos.cells, t);
     sumOverNeighbours(w, t, NeighbourPass::BoundaryDensity);
   }
-  findWallContacts({w, t.wallTables, t.liquids, dt}, t.wallContacts);
-  if (w.modules.fluid) addWallFilling({w, t.wallTables, t.liquids, dt}, t.perLatticeSum, t.wallContacts);
+  const WallContext walls{w, t.wallTables, t.liquids, dt, dt > 0 ? dt : w.clock.dt};
+  findWallContacts(walls, t.wallContacts);
+  if (w.modules.fluid) addWallFilling(walls, t.perLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
 
   if (w.modules.fluid) halos.cells.beginRefresh(p, std::array<AnyColumn*, 1>{&p.filling});
@@ -74,10 +75,10 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.solid) addElasticForces(w, halos, t, dt);
   if (w.modules.contact) addSolidContacts({w.scene, w.grid, w.solids, w.bonds}, t.closePairs, p);
   t.times.lap(StepPhase::Contact);
-  addWallForces({w, t.wallTables, t.liquids, dt}, t.perLatticeSum, t.wallContacts);
+  addWallForces(walls, t.perLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
   if (w.modules.heat) {
-    addWallHeat({w, t.wallTables, t.liquids, dt}, t.wallContacts);
+    addWallHeat(walls, t.wallContacts);
     addOuterHeat(w, dt);
   }
   if (w.modules.neighbours) separateCoincident(w, t, coincident);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contact/dashpot.hpp"
+
 namespace thaw {
 namespace {
 
@@ -21,12 +23,6 @@ Vec3d between(const CellGrid& g, const Vec3d& a, const Vec3d& b) {
   for (int k = 0; k < 3; k++)
     d[k] = static_cast<double>(static_cast<std::int32_t>(fixedPoint(g, a[k], k) - fixedPoint(g, b[k], k))) * (g.support / fixedUnitsPerSupport);
   return d;
-}
-
-double dashpotRatio(double restitution) {
-  if (restitution >= 1) return 0;
-  const double l = std::log(std::max(restitution, 1e-3));
-  return -l / std::sqrt(l * l + 9.869604401089358);
 }
 
 struct Elastic { double stiffness, restitution, friction; };

@@ -38,6 +38,7 @@ struct Continuum : Table {
   // to form bonds in a running simulation (solid/bond_forming.hpp); exchanged only in a step in which something froze
   Column<Mat3d> frame{*this, "frame", "1", Keep::Transient, "F of the particle; the identity if it has just frozen"};
   Column<u8> justFrozen{*this, "justFrozen", "1", Keep::State, "froze in this step: takes its bonds in the next, wherever that is, or after a restart"};
+  Column<float> standoff{*this, "standoff", "1", Keep::State, "spacings from a wall at which a solid rests; less than 1/2 where it froze closer to it"};
   Column<Vec3d> home{*this, "home", "m", Keep::Transient, "position, not shifted in periodic images; only with periodic sides"};
   // rates of the current step
   Column<Vec3d> force{*this, "force", "N", Keep::Transient, "sum of all forces"};

@@ -17,6 +17,7 @@ void activateFields(World& w, StepTools& t) {
   on(m.heat, {&p.enthalpy, &p.temperature, &p.heatFlow});
   on(m.melting, {&p.liquid});
   on(m.solid, {&p.slot});
+  on(m.freezing, {&p.standoff});
   bool clamped = false;
   for (const Body& b : w.scene.bodies) clamped = clamped || !b.clamp.empty();
   on(clamped, {&p.clamped});

@@ -11,6 +11,7 @@
 #include "core/setup/make_grid.hpp"
 #include "core/setup/relax_packing.hpp"
 #include "core/solid_step.hpp"
+#include "core/time/limits.hpp"
 
 namespace thaw {
 namespace {
@@ -106,7 +107,8 @@ SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader&
   t.times.start();
   t.bondsAtStart = w.modules.solid;
   t.emitFirst = true;
-  t.mass = totalMass(w, halos.all);
+  const double fixed = w.scene.numerics.fixedStep;
+  w.clock.dt = fixed > 0 ? fixed : t.fixedLimits[t.fixedLimits.smallest()];  // until the particles have had their say
   evaluate(w, halos, t, 0);
   for (std::size_t i = 0; i < p.owned; i++) p.acceleration[i] = p.force[i] / p.mass[i] + w.scene.domain.gravity;
   if (p.clamped.active)
@@ -118,6 +120,8 @@ SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader&
   // what the emitters let out at time 0 is part of the start
   w.ledger.entered = {};
   vote(w, halos, t, {}, {});
+  const double half = 0.5 * clip(w.clock, w.clock.dt);  // the first half kick, which no step books
+  for (std::size_t i = 0; i < p.owned; i++) p.dissipated[i] += p.dissipation[i] * half;
   return report;
 }
 

@@ -59,6 +59,27 @@ void project(World& w, std::size_t i, const Wall& wall, double depth, const Vec3
   w.counters.wallProjections++;
 }
 
+/// Appends the particle's contacts. May move it out of walls that it is deep in; returns whether it did.
+bool listContacts(World& w, std::size_t i, WallContacts& contacts, bool mayMove) {
+  const double h = w.grid.support, deep = 0.5 * w.scene.spacing;
+  bool moved = false;
+  for (const std::uint32_t k : contacts.reachable) {
+    const Wall& wall = w.walls.list[k];
+    const Vec3d rest = restPlace(wall, w.particles.position[i]);
+    if (!nearBounds(wall.bounds, rest, h)) continue;
+    Vec3d n;
+    const double d = wall.shape->distance(rest, &n);
+    if (!(d < h)) continue;
+    n = wall.turn * n;
+    if (mayMove && d < -deep) {
+      project(w, i, wall, -d, n);
+      moved = true;
+    }
+    contacts.list.push_back({static_cast<std::uint32_t>(i), k, d, n});
+  }
+  return moved;
+}
+
 /// How much two walls overlap beside a particle that sees the fillings a and b of them, per 2 ab: exact for two planes through the
 /// particle at any angle, 0 for opposite ones; g = 1 - 2 angle / pi is 1 for the same direction, where the overlap is min(a, b).
 double alignment(const Vec3d& n, const Vec3d& m) { return 1 - std::acos(std::clamp(dot(n, m), -1.0, 1.0)) * (2 / 3.14159265358979323846); }
@@ -67,6 +88,14 @@ double alignment(const Vec3d& n, const Vec3d& m) { return 1 - std::acos(std::cla
 double overlapSlope(double a, double b, double g) {
   if (g <= 0) return (1 + g) * b;
   return (1 - g) * b + g * b * b / (a * a + b * b + 1e-30);
+}
+
+/// A liquid particle may be closer to a wall than solids rest. Freezing there must not press a spring together out of nothing: it rests
+/// where it froze, and half a spacing away again once it has moved so far.
+void trackStandoff(World& w, std::size_t i, double nearest) {
+  const Continuum& p = w.particles;
+  const auto now = static_cast<float>(std::clamp(nearest / w.scene.spacing, 0.25, 0.5));
+  w.particles.standoff[i] = p.liquid[i] >= 1 ? now : std::max(p.standoff[i], now);
 }
 
 void shareBetween(const WallContext& x, std::span<WallContact> contacts) {
@@ -88,50 +117,50 @@ void findWallContacts(const WallContext& x, WallContacts& contacts) {
   World& w = x.world;
   Continuum& p = w.particles;
   contacts.list.clear();
-  const double h = w.grid.support, deep = 0.5 * w.scene.spacing;
   bool any = false;
   for (const Wall& wall : w.walls.list) any = any || wall.present;
   if (!any) return;
+  const bool freezing = p.standoff.active;
   for (std::size_t cell = 0; cell < w.cells.key.size(); cell++) {
     if (w.cells.first[cell] >= p.owned) continue;  // a ghost cell
     findReachable(w, w.cells.key[cell], contacts.reachable);
-    if (contacts.reachable.empty()) continue;
+    if (contacts.reachable.empty()) {
+      for (std::size_t i = w.cells.first[cell]; freezing && i < w.cells.first[cell] + w.cells.count[cell]; i++) trackStandoff(w, i, never);
+      continue;
+    }
     for (std::size_t i = w.cells.first[cell]; i < w.cells.first[cell] + w.cells.count[cell]; i++) {
       const std::size_t before = contacts.list.size();
-      for (const std::uint32_t k : contacts.reachable) {
-        const Wall& wall = w.walls.list[k];
-        const Vec3d rest = restPlace(wall, p.position[i]);
-        if (!nearBounds(wall.bounds, rest, h)) continue;
-        Vec3d n;
-        double d = wall.shape->distance(rest, &n);
-        if (!(d < h)) continue;
-        n = wall.turn * n;
-        if (d < -deep && !(p.clamped.active && p.clamped[i])) {
-          project(w, i, wall, -d, n);
-          d = 0;
-        }
-        contacts.list.push_back({static_cast<std::uint32_t>(i), k, d, n});
+      if (listContacts(w, i, contacts, !(p.clamped.active && p.clamped[i]))) {  // it was moved: away from, or into, other walls
+        contacts.list.resize(before);
+        listContacts(w, i, contacts, false);
       }
+      double nearest = never;
+      for (std::size_t c = before; c < contacts.list.size(); c++) nearest = std::min(nearest, contacts.list[c].distance);
+      if (freezing) trackStandoff(w, i, nearest);
       if (contacts.list.size() > before + 1) shareBetween(x, std::span(contacts.list).subspan(before));
     }
   }
 }
 
-void addWallFilling(const WallContext& x, double perLatticeSum, const WallContacts& contacts) {
+void addWallFilling(const WallContext& x, double perLatticeSum, WallContacts& contacts) {
   Continuum& p = x.world.particles;
   const double h = x.world.grid.support;
   const auto& list = contacts.list;
   for (std::size_t begin = 0, end; begin < list.size(); begin = end) {
+    // each wall adds what the walls before it have left of its own; what they added does not overlap, so that shares of it add up
     double filling = 0;
     for (end = begin; end < list.size() && list[end].row == list[begin].row; end++) {
       const double own = x.tables(list[end].distance / h).filling;
       double left = own;
       for (std::size_t other = begin; other < end && left > 0; other++) {
         const double b = x.tables(list[other].distance / h).filling, g = alignment(list[end].normal, list[other].normal);
+        if (b <= 0) continue;
         const double overlap = g <= 0 ? (1 + g) * own * b : (1 - g) * own * b + g * std::min(own, b);
-        left *= std::max(0.0, 1 - overlap / own);
+        left -= overlap * (contacts.added[other - begin] / b);
       }
-      filling += left;
+      if (contacts.added.size() <= end - begin) contacts.added.push_back(0);
+      contacts.added[end - begin] = std::max(left, 0.0);
+      filling += contacts.added[end - begin];
     }
     const std::uint32_t i = list[begin].row;
     p.filling[i] = static_cast<float>(static_cast<double>(p.filling[i]) + perLatticeSum * filling);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contact/dashpot.hpp"
 #include "core/heat/enthalpy.hpp"
 
 namespace thaw {
@@ -10,13 +11,6 @@ namespace {
 
 double liquidFraction(const Continuum& p, std::size_t i) {
   return p.liquid.active ? static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? 1 : 0;
-}
-
-/// Damping ratio of a spring and dashpot that give a coefficient of restitution (the textbook logarithmic decrement over half a period).
-double dashpotRatio(double restitution) {
-  if (restitution >= 1) return 0;
-  const double l = std::log(std::max(restitution, 1e-3));
-  return -l / std::sqrt(l * l + 9.869604401089358);
 }
 
 /// Averages a decay of rate r (1/s) over the step, so that it never overshoots.
@@ -68,7 +62,7 @@ void addLiquidForces(const WallContext& x, const Meeting& at, double perLatticeS
   }
   if (at.wall.slip) return;
   const double mu = viscosityAt(at.material, at.liquid, p.temperature.active ? p.temperature[at.row] : 0);
-  const double m = p.mass[at.row], rate = m * overStep(at.liquid * mu * at.volume * t.drag * at.contact.share / (h * h * m), x.dt);
+  const double m = p.mass[at.row], rate = m * overStep(at.liquid * mu * at.volume * t.drag * at.contact.share / (h * h * m), x.span);
   const Vec3d tangential = at.velocity - n * dot(at.velocity, n);
   act.resist(tangential * -rate, at.velocity);
 }
@@ -77,7 +71,8 @@ void addLiquidForces(const WallContext& x, const Meeting& at, double perLatticeS
 /// holds away, as the last resort from a quarter on.
 void addContactForces(const WallContext& x, const Meeting& at, Continuum& p, WallAction& act) {
   const double dx = x.world.scene.spacing, f = at.liquid, m = p.mass[at.row];
-  const double gap = dx * (0.5 - 0.25 * f) - at.contact.distance;
+  const double rest = p.standoff.active ? static_cast<double>(p.standoff[at.row]) : 0.5;
+  const double gap = dx * (rest + f * (0.25 - rest)) - at.contact.distance;
   if (gap <= 0) return;
   const Vec3d& n = at.contact.normal;
   const double k = (at.material.young.at(f) + f * x.liquids[p.material[at.row]].stiffness) * dx;
@@ -91,7 +86,7 @@ void addContactForces(const WallContext& x, const Meeting& at, Continuum& p, Wal
   const double slip = length(tangential);
   if (f >= 1 || slip == 0) return;
   // Below the speed at which friction would stop it within the step (or the spring's time) it is a drag: it never turns the motion round.
-  const double stick = std::min(std::sqrt(k * m), x.dt > 0 ? 0.5 * m / x.dt : 0.0);
+  const double stick = std::min(std::sqrt(k * m), 0.5 * m / x.span);
   const double rub = (1 - f) * std::min(at.wall.friction * (spring + dash) / slip, stick);
   act.resist(tangential * -rub, at.velocity);
 }
@@ -126,9 +121,9 @@ void addWallForces(const WallContext& x, double perLatticeSum, const WallContact
       if (!wall.properties.motion.empty()) w.ledger.wallWork.add(dot(act.force - before, v) * x.dt);
     }
     p.force[i] += act.force;
-    // Half a kick lies on either side of now: energy changes as if by the velocity between them.
+    // Half a kick lies on either side of now (at the start only after it): energy changes as if by the velocity between them.
     Vec3d half{};
-    if (!(p.clamped.active && p.clamped[i])) half = (p.force[i] / p.mass[i] + w.scene.domain.gravity) * (0.5 * x.dt);
+    if (!(p.clamped.active && p.clamped[i])) half = (p.force[i] / p.mass[i] + w.scene.domain.gravity) * (x.dt > 0 ? 0.5 * x.dt : 0.25 * x.span);
     p.dissipation[i] += act.lost - dot(act.resisting, half);
     const double work = act.work + dot(act.mirrored, half);
     if (work != 0) w.ledger.wallWork.add(work * x.dt);
@@ -154,7 +149,7 @@ void addWallHeat(const WallContext& x, const WallContacts& contacts) {
     double conductance = k * V * t.drag * c.heatShare / (h * h);  // W/K
     if (o.conductance < never) conductance *= o.conductance / (o.conductance + k / std::max(c.distance, x.tables.nearest * h));
     const double capacity = p.mass[c.row] * heatCapacityOf(model, m, f);
-    const double flow = overStep(conductance / capacity, x.dt) * capacity * (*o.temperature - p.temperature[c.row]);
+    const double flow = overStep(conductance / capacity, x.span) * capacity * (*o.temperature - p.temperature[c.row]);
     p.heatFlow[c.row] += flow;
     w.ledger.heatIn.add(flow * x.dt);
   }

@@ -10,7 +10,8 @@ struct WallContext {
   World& world;
   const WallTables& tables;
   const std::vector<LiquidMaterial>& liquids;
-  double dt;  ///< s; drag and heat are integrated over it, so that they cannot overshoot
+  double dt;    ///< s, of the step that ends now; 0 at the start, when nothing is booked
+  double span;  ///< s, of the step at hand: drag and heat are averaged over it, so that they cannot overshoot
 };
 
 /// Lists the owned particles within a support radius of a wall. Particles deeper in a wall than half a spacing are moved out to its
@@ -19,7 +20,7 @@ void findWallContacts(const WallContext& context, WallContacts& contacts);
 
 /// Adds the walls' share to the filling (times 1 / lattice sum, as particles have it). At corners the shares of several walls overlap
 /// like independent ones: 1 - prod(1 - filling_k).
-void addWallFilling(const WallContext& context, double perLatticeSum, const WallContacts& contacts);
+void addWallFilling(const WallContext& context, double perLatticeSum, WallContacts& contacts);
 
 /// Pressure on liquids (mirrored: the wall has the particle's pressure), drag where the wall does not let slip, and for solids a
 /// spring with dashpot and Coulomb friction within half a spacing of the wall. Work and impulse go to the ledger.

@@ -46,6 +46,7 @@ struct WallContact {
 struct WallContacts {
   std::vector<WallContact> list;
   std::vector<std::uint32_t> reachable;  ///< walls that can be within reach of the cell at hand
+  std::vector<double> added;             ///< filling that each wall of the particle at hand has added
 };
 
 }  // namespace thaw

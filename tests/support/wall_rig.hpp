@@ -24,6 +24,7 @@ struct WallRig {
   std::vector<LiquidMaterial> liquids;
   WallContacts contacts;
   SortBuffers sort;
+  double firstStep = 1e-3;  // s
 
   WallRig() {
     Scene& s = w.scene;
@@ -63,6 +64,7 @@ struct WallRig {
     p.filling[i] = 1;
     p.slot[i] = noSlot;
     p.temperature[i] = 300;
+    p.standoff[i] = 0.5f;
   }
 
   void start() {
@@ -80,12 +82,13 @@ struct WallRig {
     all.arrivals = p.owned;
     sortByCell(p, all, sort, w.cells);
     for (std::size_t i = 0; i < p.owned; i++) p.force[i] = {}, p.dissipation[i] = p.interaction[i] = p.heatFlow[i] = 0;
-    const WallContext x{w, tables, liquids, dt};
+    const WallContext x{w, tables, liquids, dt, dt > 0 ? dt : firstStep};
     findWallContacts(x, contacts);
     addWallForces(x, 1, contacts);
   }
 
   void step(double dt) {
+    for (std::size_t i = 0; i < w.particles.owned && w.clock.step == 0; i++) w.particles.dissipated[i] += w.particles.dissipation[i] * 0.5 * dt;
     kickAndDrift(w, dt);
     moveWalls(w.walls, w.clock.time + dt);
     evaluate(dt);
