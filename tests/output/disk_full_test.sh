@@ -23,12 +23,16 @@ run "$work/size" --steps 3; expectExit 0 "without a limit"
 frame=$(stat -c %s "$work/size"/frames/drop_000000.hdf)
 checkpoint=$(stat -c %s "$work/size"/checkpoint/a.hdf)
 rm -rf "$work/size"
-if [ "$checkpoint" -gt $((frame + 300000)) ]; then
-  (ulimit -f $(((frame + 290000) / 1024)); run "$work/size" --steps 3); expectExit 3 "ulimit -f"
-  oneError "ulimit -f"; wholeFrames "$work/size" "ulimit -f"
-  [ "$(value "$work/size/summary.json" status)" = failed ] || fail "ulimit -f: the summary says '$(value "$work/size/summary.json" status)'"
-  [ "$(value "$work/size/summary.json" particles)" -gt 0 ] || fail "ulimit -f: the summary has no particles"
-fi
+between=$(((frame + checkpoint) / 2))
+[ "$checkpoint" -gt $((frame + 4096)) ] || fail "a checkpoint ($checkpoint bytes) is not larger than a frame ($frame bytes)"
+# for the ranks alone, which talk by TCP: the files in memory of mpirun and of its shared-memory transport may be larger
+printf '#!/bin/bash\nulimit -f %d\nexec "%s" "$@"\n' $((between / 1024)) "$thaw" >"$work/limited"
+chmod +x "$work/limited"
+limited() { OMPI_MCA_btl=self,tcp thaw=$work/limited run "$@"; }
+limited "$work/size" --steps 3; expectExit 3 "ulimit -f"
+oneError "ulimit -f"; wholeFrames "$work/size" "ulimit -f"
+[ "$(value "$work/size/summary.json" status)" = failed ] || fail "ulimit -f: the summary says '$(value "$work/size/summary.json" status)'"
+[ "$(value "$work/size/summary.json" particles)" -gt 0 ] || fail "ulimit -f: the summary has no particles"
 
 mkdir "$work/disk"
 if mount -t tmpfs -o size=$((8 * frame)) tmpfs "$work/disk" 2>/dev/null; then

@@ -45,7 +45,7 @@ run done --set end=0.002 --restart; expectExit 0 "nothing left to do"
 
 # what cannot be continued
 run nothing --restart; expectExit 2 "--restart without a checkpoint"; expectMessage "needs a checkpoint" "--restart without a checkpoint"
-run steps --restart --set spacing=0.002; expectExit 2 "another spacing"; expectMessage "spacing was 0.0009" "another spacing"
+run steps --restart --set spacing=0.002; expectExit 2 "another spacing"; expectMessage "spacing was 0.0008" "another spacing"
 launch 2 run "$scenes/beam.toml" --restart --out "$work/steps" >"$work/log" 2>&1; expectExit 2 "another scene"; expectMessage "cannot be continued" "another scene"
 run steps --restart --resume; expectExit 2 "--restart and --resume"
 
