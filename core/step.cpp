@@ -31,13 +31,16 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   PhaseChanges changes;
   if (w.modules.melting) changes = changePhase(w);  // solid <-> liquid
   t.phaseChangedHere = changes.melted || changes.frozen;
-  t.frozeAnywhere = changes.frozen;            // reduced by the vote
+  t.frozeAnywhere = changes.frozen;            // both are reduced by the vote
+  t.meltedAnywhere = changes.melted;
   t.times.lap(StepPhase::Heat);
 
   w.clock.time = time;
   w.clock.stepDt = dt;
   w.clock.step++;
-  return vote(w, halos, t, here, wanted);
+  const StepOutcome all = vote(w, halos, t, here, wanted);
+  if (w.modules.solid && t.meltedAnywhere) melt(w, halos, t);  // here and not in the next step: a checkpoint has it behind it
+  return all;
 }
 
 void evaluate(World& w, Halos halos, StepTools& t, double dt) {
@@ -89,13 +92,14 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests
   StepLimits limits = t.fixedLimits;
   const StepLimits own = particleLimits(w);
   constexpr std::size_t n = limitNames.size();
-  double values[n + 5];
+  double values[n + 6];
   for (std::size_t k = 0; k < n; k++) values[k] = -std::min(limits.value[k], own.value[k]);
   values[n] = t.frozeAnywhere;
   values[n + 1] = here.badHere;
   values[n + 2] = wanted.stop;
   values[n + 3] = wanted.report;
   values[n + 4] = wanted.checkpoint;
+  values[n + 5] = t.meltedAnywhere;
   t.times.lap(StepPhase::Drift);
   halos.all.maximum(values);
   t.times.lap(StepPhase::Reduce);
@@ -103,6 +107,7 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests
   StepOutcome all = here;
   all.limitedBy = limits.smallest();
   t.frozeAnywhere = values[n] > 0;
+  t.meltedAnywhere = values[n + 5] > 0;
   all.finite = !(values[n + 1] > 0);
   all.wanted = {values[n + 2] > 0, values[n + 3] > 0, values[n + 4] > 0};
   const double fixed = w.scene.numerics.fixedStep;
