@@ -104,6 +104,7 @@ void clearRates(World& w) {
   std::fill_n(p.dissipation.data(), p.owned, 0.0);
   std::fill_n(p.interaction.data(), p.owned, 0.0);
   if (p.heatFlow.active) std::fill_n(p.heatFlow.data(), p.owned, 0.0);
+  if (p.softening.active) std::fill_n(p.softening.data(), p.owned, 0.0);
 }
 
 namespace {
@@ -265,6 +266,15 @@ void separateCoincident(World& w, const StepTools& t, std::int64_t before) {
       for (int a = 0; a < 3; a++) d[a] = randomUniform(w.scene.seed, Purpose::Separate, p.id[i], static_cast<std::uint64_t>(a)) - 0.5;
       p.position[i] += d * (1e-5 * w.scene.spacing);
     }
+}
+
+void beginSoftening(World& w, const StepTools& t) {
+  Continuum& p = w.particles;
+  const RecordContext x = recordsOf(w, t);
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const double f = static_cast<double>(p.liquid[i]);
+    p.softening[i] = f > 0 ? (2 * p.interaction[i] - compressionOf(x, p, i)) / f : 0;
+  }
 }
 
 }  // namespace thaw

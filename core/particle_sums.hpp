@@ -33,4 +33,8 @@ inline bool needsNeighbours(const World& world, const StepTools& tools) { return
 enum class NeighbourPass { InnerDensity, BoundaryDensity, InnerForces, BoundaryForces };
 void sumOverNeighbours(World& world, StepTools& tools, NeighbourPass pass);
 
+/// Continuum::softening of compression and surface tension, from Continuum::interaction as it is after the sums over neighbours and
+/// before contacts are added: compression is proportional to the particle's fraction, a pair's tension to both. Liquids only.
+void beginSoftening(World& world, const StepTools& tools);
+
 }  // namespace thaw

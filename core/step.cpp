@@ -75,6 +75,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.fluid) halos.cells.finishRefresh(p);
   t.times.lap(StepPhase::Exchange);
   if (w.modules.neighbours) sumOverNeighbours(w, t, NeighbourPass::BoundaryForces);
+  if (p.softening.active && w.modules.fluid) beginSoftening(w, t);          // how the energy of pairs and contacts depends on what melts
   if (w.modules.solid) addElasticForces(w, halos, t, dt);
   if (w.modules.contact) addSolidContacts({w.scene, w.grid, w.solids, w.bonds}, t.closePairs, p);
   t.times.lap(StepPhase::Contact);
@@ -90,7 +91,8 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
 
 StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests wanted) {
   StepLimits limits = t.fixedLimits;
-  const StepLimits own = particleLimits(w);
+  StepLimits own = particleLimits(w);
+  if (w.modules.solid) own[Limit::Elastic] = elasticStepLimit(w.scene, t.maxStretch2);  // Green strain stiffens as it stretches
   constexpr std::size_t n = limitNames.size();
   double values[n + 6];
   for (std::size_t k = 0; k < n; k++) values[k] = -std::min(limits.value[k], own.value[k]);

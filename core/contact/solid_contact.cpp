@@ -25,12 +25,13 @@ Vec3d between(const CellGrid& g, const Vec3d& a, const Vec3d& b) {
   return d;
 }
 
-struct Elastic { double stiffness, restitution, friction; };
+struct Elastic { double stiffness, restitution, friction, softening; };  // N/m, 1, 1, N/m per liquid fraction
 
 Elastic elasticOf(const Scene& s, const Continuum& p, std::uint32_t row) {
   const Material& m = s.materials[p.material[row]];
   const double f = p.liquid.active ? static_cast<double>(p.liquid[row]) : 0;
-  return {std::max(m.young.at(f), 0.01 * m.young.solid) * s.spacing, m.restitution, m.friction};
+  const double young = m.young.at(f), least = 0.01 * m.young.solid;
+  return {std::max(young, least) * s.spacing, m.restitution, m.friction, young > least ? (m.young.liquid - m.young.solid) * s.spacing : 0};
 }
 
 }  // namespace
@@ -58,6 +59,10 @@ void addSolidContacts(const ContactContext& x, const ClosePairs& pairs, Continuu
     if (slip > 0) f -= tangential * (rub / slip);
     p.force[i] += f;
     p.interaction[i] += 0.25 * k * (d0 - r) * (d0 - r);
+    if (p.softening.active) {
+      const double share = b.stiffness / (a.stiffness + b.stiffness);
+      p.softening[i] += a.softening * share * share * (d0 - r) * (d0 - r);
+    }
     p.dissipation[i] += 0.5 * (-dash * un + rub * slip);
   }
 }

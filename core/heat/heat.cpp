@@ -88,6 +88,8 @@ void updateHeat(World& w, double dt) {
     if (!p.liquid.active || !m.melts()) continue;
     const float before = p.liquid[i];
     p.liquid[i] = static_cast<float>(t.liquid);
+    if (before != p.liquid[i] && p.softening.active)
+      w.ledger.phaseJump.add(-p.softening[i] * (static_cast<double>(p.liquid[i]) - static_cast<double>(before)));
     if (before != p.liquid[i] && p.slot.active && p.slot[i] != noSlot) {  // a solid that softens lets go of stored energy, one that stiffens gains some
       const double was = m.young.at(static_cast<double>(before)), is = m.young.at(static_cast<double>(p.liquid[i]));
       if (!(was > 0)) continue;

@@ -15,7 +15,7 @@ void activateFields(World& w, StepTools& t) {
   on(m.xsph, {&p.smoothing});
   on(m.surfaceHeat, {&p.exposure});
   on(m.heat, {&p.enthalpy, &p.temperature, &p.heatFlow});
-  on(m.melting, {&p.liquid});
+  on(m.melting, {&p.liquid, &p.softening});
   on(m.solid, {&p.slot});
   on(m.freezing, {&p.standoff});
   bool clamped = false;

@@ -89,4 +89,51 @@ TEST(Ledger, EmittersAndOpenSidesCountExactly) {
   EXPECT_LT(length(r.momentumResidual), 1e-5 * length(r.left.momentum));
 }
 
+// A solid that softens, sags and melts on a hot plate: what elasticity, pressure, tension and contacts lose to a changing liquid
+// fraction is booked. What is left are the bonds of solid neighbours to particles that melt.
+TEST(Ledger, MeltingSolid) {
+  Scene s;
+  s.spacing = 0.01;
+  s.domain.min = {-0.2, -0.2, -0.02};
+  s.domain.max = {0.2, 0.2, 0.2};
+  s.output.every = 0;
+  s.materials.emplace_back();
+  Material& m = s.materials[0];
+  m.density = 900;
+  m.young = {3e5, 0};
+  m.law = ElasticLaw::NeoHookean;
+  m.damping = 4;
+  m.viscosity = {10, 10};
+  m.soundSpeed = 26;
+  m.surfaceTension = 0.03;
+  m.conductivity = {300, 300};
+  m.heatCapacity = {2000, 2000};
+  m.latentHeat = 3e4;
+  m.solidus = 313;
+  m.liquidus = 338;
+  addBox(s, {-0.03, -0.03, 0.01}, {0.03, 0.03, 0.13}).temperature = 293;
+  addFloor(s).temperature = 523;
+  s.end = 0.6;
+  Simulation run(s);
+  EXPECT_TRUE(run.run());
+  const LedgerReport r = run.books();
+  EXPECT_GT(run.w.counters.melted, 10);
+  EXPECT_LT(std::abs(r.heatResidual), 1e-9 * r.heatIn);
+  EXPECT_LT(std::abs(r.energyResidual), 0.15 * r.energyScale);
+  std::printf("melting: residual %.4f of scale %.4f J, phase jump %.4f J, dissipated %.4f J\n", r.energyResidual, r.energyScale, r.phaseJump, r.dissipated);
+}
+
+TEST(StepLimits, AStretchedSolidNeedsSmallerSteps) {
+  Simulation run(freeBlock(ElasticLaw::Green));
+  EXPECT_STREQ(run.w.clock.limitedBy, "elastic waves");
+  const double atRest = run.w.clock.dt;
+  EXPECT_NEAR(atRest, elasticStepLimit(run.w.scene), 1e-6 * atRest);
+  for (std::size_t i = 0; i < run.particles().owned; i++) run.particles().position[i].x *= 1.5;
+  EXPECT_TRUE(run.step());
+  EXPECT_STREQ(run.w.clock.limitedBy, "elastic waves");
+  // the modulus of Green strain is (3 * 1.5^2 - 1) / 2 = 2.875 times that at rest, the hourglass control's is not
+  EXPECT_LT(run.w.clock.dt, atRest / 1.6);
+  EXPECT_GT(run.w.clock.dt, atRest / 1.9);
+}
+
 }  // namespace thaw::test
