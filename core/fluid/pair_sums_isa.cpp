@@ -1,5 +1,6 @@
 // The pair interactions. Compiled once for each instruction set (core/simd/dispatch.cpp).
 // d: position difference own - other in support radii; V: volumes in h^3; lengths come back with the factors in finish.
+#include "core/fluid/viscous_weight.hpp"
 #include "core/kernels/kernels.hpp"
 #include "core/neighbours/sweep.hpp"
 #include "core/simd/pair_kernels.hpp"
@@ -39,14 +40,15 @@ template<class Real, class Kernel> struct Density {
 
 /// Pressure (variational: Monaghan 2005 eq. 3.3 with filling for density; or as printed in K05), viscosity (Monaghan's pair along r,
 /// 2005 eq. 8.9 without its artificial scaling, or MCG03 eq. 13) and heat conduction (Cleary & Monaghan 1999 eq. 36).
-/// A solid particle mirrors the pressure of a liquid neighbour (Akinci 2012) and drags on it; two solids do not see each other.
+/// A solid particle pushes back with the pressure of a liquid neighbour and no more (Akinci 2012): the force is the slope of the liquid's
+/// energy of compression, so that nothing is gained or lost between the two. It drags on it; two solids do not see each other.
 template<class Real, class Kernel, bool Laplacian, bool Heat> struct Forces {
   using L = Lanes<Real>;
   const Record<Real>*place, *motion, *state;
   const PairSums* in;
   double pressureScale, viscousScale, heatScale;
   struct Data { Lanes4<Real> place, motion, state; };
-  struct Sum { L px = L(0.0), py = L(0.0), pz = L(0.0), vx = L(0.0), vy = L(0.0), vz = L(0.0), lost = L(0.0), heat = L(0.0); };
+  struct Sum { L px = L(0.0), py = L(0.0), pz = L(0.0), vx = L(0.0), vy = L(0.0), vz = L(0.0), lost = L(0.0); Lanes<double> heat = Lanes<double>(0.0); };
   THAW_INLINE Data load(const std::uint32_t* rows) const {
     return {thaw::THAW_ISA::load(place, rows), thaw::THAW_ISA::load(motion, rows), thaw::THAW_ISA::load(state, rows)};
   }
@@ -56,7 +58,7 @@ template<class Real, class Kernel, bool Laplacian, bool Heat> struct Forces {
     const L Vj = j.place.d;
     const L slope = Kernel::slope(q2);
     const L fi = i.state.b, fj = j.state.b;
-    const L pressure = Vj * slope * (i.state.a * (L(2.0) - fj) + j.state.a * (L(2.0) - fi));
+    const L pressure = Vj * slope * (i.state.a + j.state.a);
     s.px -= pressure * dx;
     s.py -= pressure * dy;
     s.pz -= pressure * dz;
@@ -72,16 +74,17 @@ template<class Real, class Kernel, bool Laplacian, bool Heat> struct Forces {
     } else {
       const L mean = L(2.0) * mui * muj / max(mui + muj, L(1e-30));
       const L approach = ux * dx + uy * dy + uz * dz;
-      const L mu = wet * mean * Vj * slope * approach / (q2 + L(1e-6));
-      s.vx += mu * dx;
-      s.vy += mu * dy;
-      s.vz += mu * dz;
-      s.lost -= mu * approach;
+      const L mu = wet * mean * Vj * alongPair(q2) * approach / (q2 + L(1e-6));
+      s.vx -= mu * dx;
+      s.vy -= mu * dy;
+      s.vz -= mu * dz;
+      s.lost += mu * approach;
     }
     if constexpr (Heat) {
       const L ki = i.state.d, kj = j.state.d;
       const L k = L(2.0) * ki * kj / max(ki + kj, L(1e-30));
-      s.heat += k * Vj * Kernel::laplace(q2) * (j.state.c - i.state.c);
+      // the same for j but for its sign, to the last bit; summed in double precision so that no heat is lost to rounding
+      s.heat += widen(i.place.d * Vj * k * Kernel::laplace(q2) * (j.state.c - i.state.c));
     }
   }
   THAW_INLINE void finish(const std::uint32_t* rows, const Data& i, const Sum& s, std::uint32_t dummy) const {
@@ -93,7 +96,7 @@ template<class Real, class Kernel, bool Laplacian, bool Heat> struct Forces {
         f.y += p * static_cast<double>(s.py[l]) + v * static_cast<double>(s.vy[l]);
         f.z += p * static_cast<double>(s.pz[l]) + v * static_cast<double>(s.vz[l]);
         in->dissipation[rows[l]] += 0.5 * v * static_cast<double>(s.lost[l]);
-        if constexpr (Heat) in->heatFlow[rows[l]] += V * heatScale * static_cast<double>(s.heat[l]);
+        if constexpr (Heat) in->heatFlow[rows[l]] += heatScale * s.heat[l];
       }
   }
 };
@@ -305,7 +308,7 @@ template<bool Laplacian, bool Heat> void forcesOf(const PairSums& in, GroupRange
     const double h = in.support;
     const double pressure = in.pressureForm == PairForm::Printed ? 0.5 : in.fillingScale * h * h * h;
     Forces<Real, decltype(kernel), Laplacian, Heat> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, pressure * h * h,
-                                                         Laplacian ? h : 10 * h, h};
+                                                         h, h};
     sweep(*in.lists, range, term, !Heat);
   });
 }

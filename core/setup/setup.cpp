@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/kernels/kernels.hpp"
+#include "core/kernels/lattice.hpp"
 #include "core/ledger/report.hpp"
 #include "core/particle_sums.hpp"
 #include "core/setup/activate_fields.hpp"
@@ -15,24 +15,6 @@
 
 namespace thaw {
 namespace {
-
-/// Sum of the kernel over a cubic lattice of the scene's spacing, the particle itself included: the filling of a full neighbourhood.
-template<class Kernel> double latticeSum(double support) {
-  const int n = static_cast<int>(support) + 1;
-  double sum = 0;
-  for (int x = -n; x <= n; x++)
-    for (int y = -n; y <= n; y++)
-      for (int z = -n; z <= n; z++) sum += Kernel::w((x * x + y * y + z * z) / (support * support));
-  return sum / (support * support * support);
-}
-
-double latticeSumOf(const Numerics& n) {
-  switch (n.kernel) {
-    case KernelKind::Mcg03: return latticeSum<isa_base::Mcg03>(n.support);
-    case KernelKind::CubicSpline: return latticeSum<isa_base::CubicSpline>(n.support);
-    default: return latticeSum<isa_base::WendlandC2>(n.support);
-  }
-}
 
 /// How far anything can fall: from the highest point of bodies and emitters to the lowest end of the domain.
 double fallHeightOf(const Scene& s, const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {
@@ -73,10 +55,11 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   t.kernels = pairKernels();
   t.liquids = liquidMaterials(w.scene);
   t.fixedLimits = materialLimits(w.scene, w.modules, t.liquids);
+  t.stableViscousStep = stableViscousStep(w.scene.numerics);
   t.emitters = planEmitters(w.scene);
   t.wallTables = makeWallTables(w.scene.numerics.kernel, 1 / w.scene.numerics.support);
   const double h = w.grid.support;
-  t.perLatticeSum = 1 / latticeSumOf(w.scene.numerics);
+  t.perLatticeSum = 1 / latticeSum(w.scene.numerics);
   t.fillingScale = t.perLatticeSum / (h * h * h);
   activateFields(w, t);
 }

@@ -76,6 +76,11 @@ THAW_INLINE MaskD operator&(MaskD a, MaskD b) { return {a.lo & b.lo, a.hi & b.hi
 THAW_INLINE LanesD select(MaskD m, LanesD a, LanesD b) { return {m.lo ? a.lo : b.lo, m.hi ? a.hi : b.hi}; }
 THAW_INLINE LanesD max(LanesD a, LanesD b) { return select(a > b, a, b); }
 THAW_INLINE LanesD min(LanesD a, LanesD b) { return select(a < b, a, b); }
+THAW_INLINE LanesD widen(LanesF a) {
+  return {__builtin_convertvector(__builtin_shufflevector(a.v, a.v, 0, 1, 2, 3), Vec4d),
+          __builtin_convertvector(__builtin_shufflevector(a.v, a.v, 4, 5, 6, 7), Vec4d)};
+}
+THAW_INLINE LanesD widen(LanesD a) { return a; }
 THAW_INLINE bool laneOf(MaskD m, int lane) { return (lane < 4 ? m.lo[lane] : m.hi[lane - 4]) != 0; }
 
 #if defined(__AVX__)

@@ -10,10 +10,6 @@ namespace THAW_ISA {
 
 namespace {
 
-THAW_INLINE LanesD widen(LanesD a) { return a; }
-THAW_INLINE LanesD widen(LanesF a) {
-  return {__builtin_convertvector(__builtin_shufflevector(a.v, a.v, 0, 1, 2, 3), Vec4d), __builtin_convertvector(__builtin_shufflevector(a.v, a.v, 4, 5, 6, 7), Vec4d)};
-}
 THAW_INLINE void narrow(LanesD a, LanesD& out) { out = a; }
 THAW_INLINE void narrow(LanesD a, LanesF& out) {
   const Vec4f lo = __builtin_convertvector(a.lo, Vec4f), hi = __builtin_convertvector(a.hi, Vec4f);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/heat/enthalpy.hpp"
+#include "core/kernels/lattice.hpp"
 #include "core/solid/elastic.hpp"
 
 namespace thaw {
@@ -63,12 +64,12 @@ StepLimits materialLimits(const Scene& s, const Modules& modules, const std::vec
     if (liquid) {
       take(Limit::Sound, n.cflSound * h / liquids[k].soundSpeed);
       const double mu = (m.viscosityTable.empty() ? largestViscosity(m, 0, 0) : 0) + liquids[k].artificial;  // tables: of the particles there are
-      if (mu > 0) take(Limit::Viscous, n.cflViscous * h * h * m.density / mu);
+      if (mu > 0) take(Limit::Viscous, n.cflViscous * stableViscousStep(n) * h * h * m.density / mu);
       if (m.surfaceTension > 0) take(Limit::Tension, n.cflTension * std::sqrt(m.density * h3 / (2 * 3.14159265358979 * m.surfaceTension)));
     }
     if (modules.heat) {
       const double diffusivity = largestDiffusivity(s, used, m);
-      if (diffusivity > 0) take(Limit::Heat, n.cflHeat * h * h / diffusivity);
+      if (diffusivity > 0) take(Limit::Heat, n.cflHeat * stableHeatStep(n) * h * h / diffusivity);
     }
     if (modules.solid && m.canBeSolid()) take(Limit::Contact, 0.5 * s.spacing * std::sqrt(m.density / std::max(m.young.solid, m.young.liquid)));
   }
@@ -77,7 +78,7 @@ StepLimits materialLimits(const Scene& s, const Modules& modules, const std::vec
   return l;
 }
 
-StepLimits particleLimits(const World& w) {
+StepLimits particleLimits(const World& w, double stableViscousStep) {
   const Continuum& p = w.particles;
   const Numerics& n = w.scene.numerics;
   StepLimits l;
@@ -100,7 +101,7 @@ StepLimits particleLimits(const World& w) {
       hottest = std::max(hottest, T);
     }
     if (coldest > hottest) continue;
-    l[Limit::Viscous] = std::min(l[Limit::Viscous], n.cflViscous * h * h * m.density / largestViscosity(m, coldest, hottest));
+    l[Limit::Viscous] = std::min(l[Limit::Viscous], n.cflViscous * stableViscousStep * h * h * m.density / largestViscosity(m, coldest, hottest));
   }
   return l;
 }

@@ -22,8 +22,9 @@ struct StepLimits {
 /// not change. Without particles, so that it can be printed before a run.
 StepLimits materialLimits(const Scene& scene, const Modules& modules, const std::vector<LiquidMaterial>& liquids);
 
-/// The limits of this rank's particles: acceleration, speed, and viscosity that depends on temperature. To be reduced over ranks.
-StepLimits particleLimits(const World& world);
+/// The limits of this rank's particles: acceleration, speed, and viscosity that depends on temperature, stable on the lattice up to
+/// dt nu / h^2 = stableViscousStep. To be reduced over ranks.
+StepLimits particleLimits(const World& world, double stableViscousStep);
 
 /// Time (s) of a frame; the one that rounding puts just beside the end is the end. frameDue: the next one is to be written now.
 double frameTime(const Clock& clock, std::int64_t frame);

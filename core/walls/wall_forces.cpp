@@ -83,7 +83,7 @@ void addContactForces(const WallContext& x, const Meeting& at, Continuum& p, Wal
   act.resist(n * dash, at.velocity);
   p.interaction[at.row] += 0.5 * k * gap * gap;
   if (p.softening.active)
-    p.softening[at.row] += 0.5 * (at.material.young.liquid - at.material.young.solid + x.liquids[p.material[at.row]].stiffness) * dx * gap * gap - 0.25 * dx * k * gap;
+    p.softening[at.row] += 0.5 * (at.material.young.liquid - at.material.young.solid + x.liquids[p.material[at.row]].stiffness) * dx * gap * gap - (rest - 0.25) * dx * k * gap;
   const Vec3d tangential = at.velocity - n * un;
   const double slip = length(tangential);
   if (f >= 1 || slip == 0) return;

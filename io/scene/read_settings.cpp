@@ -60,8 +60,8 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.number("fixed_step", n.fixedStep, "s", notNegative(), "time step, at most `end`; 0: as large as the limits allow");
   r.number("max_step", n.maxStep, "s", orNever(positive()), "largest time step");
   r.number("cfl_sound", n.cflSound, "", factor(), "times h / c, h the support radius");
-  r.number("cfl_viscous", n.cflViscous, "", factor(), "times h^2 rho / mu");
-  r.number("cfl_heat", n.cflHeat, "", factor(), "times h^2 / diffusivity");
+  r.number("cfl_viscous", n.cflViscous, "", factor(), "times the largest dt that is stable on a lattice: .044 h^2 rho / mu for the pairwise form at a support of 2 (a clump stiffens it)");
+  r.number("cfl_heat", n.cflHeat, "", factor(), "times the largest dt that is stable on a lattice: .078 h^2 / diffusivity for the wendland kernel at a support of 2");
   r.number("cfl_elastic", n.cflElastic, "", factor(), "times spacing / speed of pressure waves");
   r.number("cfl_tension", n.cflTension, "", factor(), "times sqrt(rho h^3 / (2 pi sigma))");
   r.number("cfl_acceleration", n.cflAcceleration, "", factor(), "times sqrt(h / a)");

@@ -4,6 +4,7 @@
 . "$(dirname "$0")/../support/run.sh"
 scene=$scenes/drop.toml
 settings drop
+set+=(--set spacing=0.00064)
 run() { launch 3 run "$scene" "${set[@]}" --out "$@" >"$work/log" 2>&1; }
 oneError() {  # oneError WHAT
   [ "$(grep -c '^error: ' "$work/log")" = 1 ] || { fail "$1: not one error message"; cat "$work/log"; }
@@ -23,8 +24,8 @@ run "$work/size" --steps 3; expectExit 0 "without a limit"
 frame=$(stat -c %s "$work/size"/frames/drop_000000.hdf)
 checkpoint=$(stat -c %s "$work/size"/checkpoint/a.hdf)
 rm -rf "$work/size"
-between=$(((frame + checkpoint) / 2))
-[ "$checkpoint" -gt $((frame + 4096)) ] || fail "a checkpoint ($checkpoint bytes) is not larger than a frame ($frame bytes)"
+between=$((frame + 290000))  # a frame and what HDF5 may add to it (see the free-space check) fit
+[ "$checkpoint" -gt $((between + 10000)) ] || fail "a checkpoint ($checkpoint bytes) is not much larger than a frame ($frame bytes)"
 # for the ranks alone, which talk by TCP: the files in memory of mpirun and of its shared-memory transport may be larger
 printf '#!/bin/bash\nulimit -f %d\nexec "%s" "$@"\n' $((between / 1024)) "$thaw" >"$work/limited"
 chmod +x "$work/limited"

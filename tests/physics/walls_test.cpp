@@ -34,6 +34,29 @@ TEST(LiquidAtWalls, HydrostaticColumn) {
   EXPECT_LT(length(r.momentumResidual), 1e-6 * length(r.gravityImpulse));
 }
 
+TEST(LiquidAtWalls, PoiseuilleBetweenPlates) {
+  const double dx = 0.1, H = 10 * dx, nu = 1, g = 0.8;
+  Scene s = columnScene(dx, 0, H);
+  s.domain.side[2] = {Side::Wall, Side::Wall};
+  s.domain.gravity = {g, 0, 0};
+  s.materials[0].soundSpeed = 2;
+  s.materials[0].viscosity = {1000 * nu, 1000 * nu};
+  addBox(s, {0, 0, 0}, {6 * dx, 6 * dx, H});
+  s.end = 0.3;
+  Simulation run(s);
+  EXPECT_TRUE(run.run());
+  const Continuum& p = run.particles();
+  double square = 0;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const double z = p.position[i].z;
+    double u = g / (2 * nu) * z * (H - z);
+    for (int n = 1; n < 40; n += 2)
+      u -= 4 * g * H * H / (nu * std::pow(M_PI * n, 3)) * std::sin(n * M_PI * z / H) * std::exp(-n * n * M_PI * M_PI * nu * s.end / (H * H));
+    square += std::pow((p.velocity[i].x - u) / 0.1, 2);
+  }
+  EXPECT_LT(std::sqrt(square / static_cast<double>(p.owned)), 0.05);
+}
+
 TEST(SolidAtWalls, BlockOnASlope) {
   for (const double angle : {0.2, 0.5}) {  // the friction angle is atan 0.3 = 0.29
     const double dx = 0.1, g = 10, mu = 0.3;

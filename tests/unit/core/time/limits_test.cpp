@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/kernels/lattice.hpp"
 #include "core/time/limits.hpp"
 
 namespace thaw::test {
@@ -84,9 +85,9 @@ TEST(StepLimits, OfALiquid) {
   const StepLimits l = materialLimits(s, m, liquidMaterials(s));
   const double h = 0.02;
   EXPECT_DOUBLE_EQ(l.value[static_cast<std::size_t>(Limit::Sound)], 0.4 * h / 20);
-  EXPECT_DOUBLE_EQ(l.value[static_cast<std::size_t>(Limit::Viscous)], 0.1 * h * h * 1000 / 2);
+  EXPECT_DOUBLE_EQ(l.value[static_cast<std::size_t>(Limit::Viscous)], 0.8 * stableViscousStep(s.numerics) * h * h * 1000 / 2);
   EXPECT_NEAR(l.value[static_cast<std::size_t>(Limit::Tension)], 0.25 * std::sqrt(1000 * h * h * h / (2 * M_PI * 0.07)), 1e-12);
-  EXPECT_DOUBLE_EQ(l.value[static_cast<std::size_t>(Limit::Heat)], 0.1 * h * h / (3.0 / (1000.0 * 1000.0)));
+  EXPECT_DOUBLE_EQ(l.value[static_cast<std::size_t>(Limit::Heat)], 0.8 * stableHeatStep(s.numerics) * h * h / (3.0 / (1000.0 * 1000.0)));
   EXPECT_EQ(l.value[static_cast<std::size_t>(Limit::Elastic)], never);
   EXPECT_EQ(l.value[static_cast<std::size_t>(Limit::Contact)], never);
   EXPECT_EQ(l.smallest(), Limit::Sound);
@@ -129,18 +130,18 @@ TEST(StepLimits, OfParticles) {
   for (AnyColumn* c : {static_cast<AnyColumn*>(&p.velocity), static_cast<AnyColumn*>(&p.acceleration), static_cast<AnyColumn*>(&p.material),
                        static_cast<AnyColumn*>(&p.phase), static_cast<AnyColumn*>(&p.temperature)})
     p.activate(*c);
-  EXPECT_EQ(particleLimits(w).smallest(), Limit::Sound);  // nothing: all are never
-  EXPECT_EQ(particleLimits(w).value[0], never);
+  EXPECT_EQ(particleLimits(w, 0.04).smallest(), Limit::Sound);  // nothing: all are never
+  EXPECT_EQ(particleLimits(w, 0.04).value[0], never);
   p.resize(2, 0);
   p.velocity[1] = {3, 0, 4};
   p.acceleration[0] = {0, 0, 8};
   p.temperature[0] = 350;
   p.temperature[1] = 450;
   p.phase[0] = p.phase[1] = Liquid;
-  StepLimits l = particleLimits(w);
+  StepLimits l = particleLimits(w, 0.04);
   EXPECT_DOUBLE_EQ(l[Limit::Speed], 0.25 * 0.02 / 5);
   EXPECT_DOUBLE_EQ(l[Limit::Acceleration], 0.25 * std::sqrt(0.02 / 8));
-  EXPECT_DOUBLE_EQ(l[Limit::Viscous], 0.1 * 0.02 * 0.02 * 1000 / 50);
+  EXPECT_DOUBLE_EQ(l[Limit::Viscous], 0.8 * 0.04 * 0.02 * 0.02 * 1000 / 50);
 }
 
 }  // namespace thaw::test

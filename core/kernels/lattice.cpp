@@ -1,0 +1,71 @@
+#include "core/kernels/lattice.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "core/fluid/viscous_weight.hpp"
+#include "core/kernels/kernels.hpp"
+
+namespace thaw {
+namespace {
+
+using isa_base::pi;
+
+template<class Action> auto withKernel(const Numerics& n, Action action) {
+  switch (n.kernel) {
+    case KernelKind::Mcg03: return action(isa_base::Mcg03{});
+    case KernelKind::CubicSpline: return action(isa_base::CubicSpline{});
+    default: return action(isa_base::WendlandC2{});
+  }
+}
+
+/// Calls action(d, q2) for every neighbour on the lattice, d in support radii.
+template<class Action> void overNeighbours(double support, Action action) {
+  const int n = static_cast<int>(support) + 1;
+  for (int x = -n; x <= n; x++)
+    for (int y = -n; y <= n; y++)
+      for (int z = -n; z <= n; z++) {
+        const Eigen::Vector3d d = Eigen::Vector3d(x, y, z) / support;
+        if (d.squaredNorm() > 0 && d.squaredNorm() < 1) action(d, d.squaredNorm());
+      }
+}
+
+/// Largest eigenvalue of sum_j V block(d) (1 - cos k.d) over wave vectors k of the first octant of the lattice's Brillouin zone.
+template<class Block> double largestEigenvalue(double support, Block block) {
+  const int waves = 6;
+  double largest = 0;
+  for (int a = 0; a <= waves; a++)
+    for (int b = 0; b <= a; b++)
+      for (int c = 0; c <= b; c++) {
+        const Eigen::Vector3d k = Eigen::Vector3d(a, b, c) * (pi * support / waves);
+        Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+        overNeighbours(support, [&](const Eigen::Vector3d& d, double q2) { sum += (1 - std::cos(k.dot(d))) * block(d, q2); });
+        largest = std::max(largest, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum, Eigen::EigenvaluesOnly).eigenvalues()[2]);
+      }
+  return largest / (support * support * support);
+}
+
+}  // namespace
+
+double latticeSum(const Numerics& n) {
+  return withKernel(n, [&](auto kernel) {
+    double sum = kernel.w(0.0);
+    overNeighbours(n.support, [&](const Eigen::Vector3d&, double q2) { sum += kernel.w(q2); });
+    return sum / (n.support * n.support * n.support);
+  });
+}
+
+double stableViscousStep(const Numerics& n) {
+  if (n.viscosity == ViscosityForm::Laplacian) return stableHeatStep(n);
+  const auto block = [](const Eigen::Vector3d& d, double q2) -> Eigen::Matrix3d { return isa_base::alongPair(q2) / q2 * d * d.transpose(); };
+  return 2 / largestEigenvalue(n.support, block);
+}
+
+double stableHeatStep(const Numerics& n) {
+  return withKernel(n, [&](auto kernel) {
+    const auto block = [&](const Eigen::Vector3d&, double q2) -> Eigen::Matrix3d { return kernel.laplace(q2) * Eigen::Matrix3d::Identity(); };
+    return 2 / largestEigenvalue(n.support, block);
+  });
+}
+
+}  // namespace thaw

@@ -1,0 +1,89 @@
+// Liquids and solids in one scene: a liquid rests on a solid, a solid falls into a liquid.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/walls/walls.hpp"
+#include "tests/support/simulation.hpp"
+
+namespace thaw::test {
+namespace {
+
+/// A tank of water, soft rubber as the second material.
+Scene poolAndRubber() {
+  Scene s = columnScene(0.01, 0, 0.3);
+  s.domain.max = {0.12, 0.12, 0.3};
+  s.domain.side[2] = {Side::Wall, Side::Open};
+  s.domain.gravity = {0, 0, -9.81};
+  s.materials.emplace_back();
+  s.materials[0].density = 1000;
+  s.materials[0].viscosity = {1, 1};
+  s.materials[0].soundSpeed = 20;
+  s.materials[1].name = "rubber";
+  s.materials[1].density = 1000;
+  s.materials[1].young = {3e5, 3e5};
+  s.materials[1].law = ElasticLaw::NeoHookean;
+  return s;
+}
+
+}  // namespace
+
+/// Smallest distance of a liquid from a solid particle, m.
+double closest(const Continuum& p) {
+  double least = 1;
+  for (std::size_t i = 0; i < p.owned; i++)
+    for (std::size_t j = 0; j < p.owned && p.phase[i] == Liquid; j++)
+      if (p.phase[j] == Solid) least = std::min(least, length(p.position[i] - p.position[j]));
+  return least;
+}
+
+// The pressure between a liquid and a solid is that of the liquid's energy: what one loses the other gets.
+TEST(Mixed, SolidFallsIntoALiquid) {
+  Scene s = poolAndRubber();
+  addBox(s, {0, 0, 0}, {0.12, 0.12, 0.08});
+  Body& b = addBox(s, {0.03, 0.03, 0.09}, {0.09, 0.09, 0.13});
+  b.material = 1;
+  b.velocity = {0, 0, -1};
+  s.end = 0.3;
+  Simulation run(s);
+  double least = 1;
+  while (run.w.clock.time < s.end) {
+    ASSERT_TRUE(run.step());
+    if (run.w.clock.step % 50 == 0) least = std::min(least, closest(run.particles()));
+  }
+  const LedgerReport r = run.books();
+  EXPECT_LT(std::abs(r.energyResidual), 0.005 * r.energyScale);
+  EXPECT_LT(length(r.momentumResidual), 1e-6 * length(r.gravityImpulse));
+  EXPECT_GT(least, 0.5 * s.spacing);  // nothing enters the solid
+}
+
+// A liquid on a solid bottom. Layers of a lattice that does not mix carry the pressure by turns, more and less (the bottom one twice its
+// share): it is the mean over layers that is hydrostatic.
+TEST(Mixed, LiquidRestsOnASolid) {
+  Scene s = poolAndRubber();
+  s.domain.max = {0.06, 0.06, 0.3};
+  addBox(s, {0, 0, 0}, {0.06, 0.06, 0.05}).material = 1;
+  addBox(s, {0, 0, 0.05}, {0.06, 0.06, 0.2});
+  s.materials[0].viscosity = {200, 200};  // so that sound has died away
+  s.end = 0.5;
+  Simulation run(s);
+  ASSERT_TRUE(run.run());
+  const Continuum& p = run.particles();
+  double pressure = 0, exact = 0, bottom = 1, solidTop = 0;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const double z = p.position[i].z;
+    if (p.phase[i] == Solid) {
+      solidTop = std::max(solidTop, z);
+      continue;
+    }
+    bottom = std::min(bottom, z);
+    if (z < 0.08 || z > 0.16) continue;
+    pressure += static_cast<double>(p.pressure[i]);
+    exact += 1000 * 9.81 * (0.2 - z);
+  }
+  EXPECT_NEAR(pressure, exact, 0.02 * exact);
+  EXPECT_GT(closest(p), 0.9 * s.spacing);
+  EXPECT_LT(bottom - solidTop, 1.1 * s.spacing);
+}
+
+}  // namespace thaw::test

@@ -1,0 +1,23 @@
+#include "core/kernels/lattice.hpp"
+
+#include <gtest/gtest.h>
+
+namespace thaw::test {
+
+// Measured by accuracy.md B10 for MCG03's Laplacian: viscous .118, heat .117 h^2.
+TEST(Lattice, StableStepsOfDiffusion) {
+  Numerics n;
+  n.kernel = KernelKind::Mcg03;
+  n.viscosity = ViscosityForm::Laplacian;
+  n.support = 1.5;
+  EXPECT_NEAR(stableViscousStep(n), 0.118, 0.001);
+  EXPECT_NEAR(stableHeatStep(n), 0.118, 0.001);
+  n.support = 2;
+  EXPECT_NEAR(stableViscousStep(n), 0.1265, 0.001);
+  n.viscosity = ViscosityForm::Pairwise;
+  EXPECT_NEAR(stableViscousStep(n), 0.0442, 0.0005);
+  n.kernel = KernelKind::WendlandC2;
+  EXPECT_NEAR(stableHeatStep(n), 0.0778, 0.0005);
+}
+
+}  // namespace thaw::test
