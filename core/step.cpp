@@ -92,7 +92,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
 StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests wanted) {
   StepLimits limits = t.fixedLimits;
   StepLimits own = particleLimits(w, t.stableViscousStep);
-  if (w.modules.solid) own[Limit::Elastic] = elasticStepLimit(w.scene, t.maxStretch2);  // Green strain stiffens as it stretches
+  if (w.modules.solid) own[Limit::Elastic] = elasticStepLimit(w.scene, t.maxStretch2, largestGrip(t.elastic, w.solids));
   constexpr std::size_t n = limitNames.size();
   double values[n + 6];
   for (std::size_t k = 0; k < n; k++) values[k] = -std::min(limits.value[k], own.value[k]);

@@ -19,6 +19,7 @@ void resizeWork(ElasticWork& work, const Solids& solids, const Bonds& bonds) {
   work.rank.resize(groups * lanes, 0);
   work.perTrace.resize(groups * lanes, 0.0);
   work.perWeight.resize(groups * lanes, 0.0);
+  work.grip.resize(groups * lanes, 0.0);
   work.capacity = bonds.capacity;
   if (work.precision == Precision::Double) return;
   for (auto* v : {&work.x, &work.y, &work.z, &work.weight}) v->resize(room);
@@ -30,7 +31,7 @@ void resizeWork(ElasticWork& work, const Solids& solids, const Bonds& bonds) {
 void padLastGroup(ElasticWork& work, const Solids& solids, Bonds& bonds) {
   for (std::size_t s = solids.owned; s < groupsOf(solids) * lanes; s++) {
     work.rank[s] = 0;
-    work.perTrace[s] = work.perWeight[s] = 0;
+    work.perTrace[s] = work.perWeight[s] = work.grip[s] = 0;
     work.singularLanes[s / lanes] = static_cast<std::uint8_t>(work.singularLanes[s / lanes] & ~(1u << s % lanes));
     for (int k = 0; k < bonds.capacity; k++) {
       const std::size_t b = bonds.at(s, k);

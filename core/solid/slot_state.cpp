@@ -47,6 +47,15 @@ void refreshSlot(ElasticWork& work, Solids& solids, const Bonds& bonds, std::siz
   work.bondCount[g] = std::max(work.bondCount[g], static_cast<std::uint16_t>(last));
   work.perTrace[slot] = trace(a) > 0 ? 1 / trace(a) : 0;
   work.perWeight[slot] = weights > 0 ? 1 / weights : 0;
+  Vec3d all{};
+  double lengths = 0;
+  for (int k = 0; k < last; k++) {
+    const std::size_t b = bonds.at(slot, k);
+    const Vec3d lever = bonds.weight[b] * (full(m.inverse) * Vec3d{bonds.x[b], bonds.y[b], bonds.z[b]});
+    all += lever;
+    lengths += length(lever);
+  }
+  work.grip[slot] = lengths + length(all);
   solids.changed[slot] = 0;
 }
 
