@@ -41,7 +41,11 @@ std::int64_t breakBonds(ElasticWork& work, Solids& solids, Bonds& bonds, const E
         count += solids.id[s] < solids.id[bonds.neighbour[b]];
       }
       refreshSlot(work, solids, bonds, s);
-      phaseJump.add(before - slotEnergy(work, solids, bonds, s));
+      // Where stretched bonds go and compressed ones stay, the strain of what is left can be larger: it is weakened so that a break
+      // never adds energy. Without this one crack sets off the next until all is dust.
+      const double after = slotEnergy(work, solids, bonds, s);
+      if (after > before) solids.volume[s] *= before / after;
+      phaseJump.add(before - (after > before ? slotEnergy(work, solids, bonds, s) : after));
       any = true;
     }
     if (any) broken.push_back(static_cast<std::uint32_t>(g));

@@ -14,7 +14,7 @@ struct Solids : Table {
   Column<std::uint64_t> id{*this, "id", "1", Keep::State, "of the continuum particle"};
   Column<std::uint32_t> particle{*this, "particle", "1", Keep::Local, "row of the continuum particle on this rank, noParticle for remote rows"};
   Column<std::uint16_t> material{*this, "material", "1", Keep::State, "index into the scene's materials"};
-  Column<double> volume{*this, "volume", "m^3", Keep::State, "of the reference configuration"};
+  Column<double> volume{*this, "volume", "m^3", Keep::State, "of the reference configuration, as far as it is unbroken: the factor of all elastic energy"};
   Column<Sym3d> plasticStrain{*this, "plasticStrain", "1", Keep::State, "eps_p (OBH02); only where a material yields"};
   // copies of the continuum particle, set at the start of a step (owned rows) and received (remote rows)
   Column<Vec3d> position{*this, "position", "m", Keep::Transient, "of the particle"};
