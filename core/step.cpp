@@ -91,10 +91,9 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
 
 StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests wanted) {
   StepLimits limits = t.fixedLimits;
-  StepLimits own = particleLimits(w, t.stableViscousStep);
-  if (w.modules.solid) own[Limit::Elastic] = elasticStepLimit(w.scene, t.maxStretch2, largestGrip(t.elastic, w.solids));
+  const StepLimits own = particleLimits(w, t.stableViscousStep);
   constexpr std::size_t n = limitNames.size();
-  double values[n + 6];
+  double values[n + 8];
   for (std::size_t k = 0; k < n; k++) values[k] = -std::min(limits.value[k], own.value[k]);
   values[n] = t.frozeAnywhere;
   values[n + 1] = here.badHere;
@@ -102,10 +101,14 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests
   values[n + 3] = wanted.report;
   values[n + 4] = wanted.checkpoint;
   values[n + 5] = t.meltedAnywhere;
+  values[n + 6] = w.modules.solid ? t.maxStretch2 : 1;
+  values[n + 7] = w.modules.solid ? largestGrip(t.elastic, w.solids) : 0;
   t.times.lap(StepPhase::Drift);
   halos.all.maximum(values);
   t.times.lap(StepPhase::Reduce);
   for (std::size_t k = 0; k < n; k++) limits.value[k] = -values[k];
+  // of the largest of all ranks: not the least of their limits, which depends on what is on the same rank
+  if (w.modules.solid) limits[Limit::Elastic] = elasticStepLimit(w.scene, values[n + 6], values[n + 7]);
   StepOutcome all = here;
   all.limitedBy = limits.smallest();
   t.frozeAnywhere = values[n] > 0;

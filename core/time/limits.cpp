@@ -15,15 +15,6 @@ Limit StepLimits::smallest() const {
 
 namespace {
 
-/// Largest viscosity (Pa s) between two temperatures.
-double largestViscosity(const Material& m, double coldest, double hottest) {
-  if (m.viscosityTable.empty()) return std::max(m.viscosity.solid, m.viscosity.liquid);
-  double mu = std::max(viscosityAt(m, 1, coldest), viscosityAt(m, 1, hottest));
-  for (const auto& [T, value] : m.viscosityTable)
-    if (T > coldest && T < hottest) mu = std::max(mu, value);
-  return mu;
-}
-
 /// Indices of the materials that bodies and emitters have.
 std::vector<std::size_t> materialsInUse(const Scene& s) {
   std::vector<std::size_t> used;
@@ -63,7 +54,7 @@ StepLimits materialLimits(const Scene& s, const Modules& modules, const std::vec
     const bool liquid = modules.fluid && (!m.canBeSolid() || m.melts() || m.liquidAtStart);
     if (liquid) {
       take(Limit::Sound, n.cflSound * h / liquids[k].soundSpeed);
-      const double mu = (m.viscosityTable.empty() ? largestViscosity(m, 0, 0) : 0) + liquids[k].artificial;  // tables: of the particles there are
+      const double mu = (m.viscosityTable.empty() ? std::max(m.viscosity.solid, m.viscosity.liquid) : 0) + liquids[k].artificial;  // tables: of the particles there are
       if (mu > 0) take(Limit::Viscous, n.cflViscous * stableViscousStep(n) * h * h * m.density / mu);
       if (m.surfaceTension > 0) take(Limit::Tension, n.cflTension * std::sqrt(m.density * h3 / (2 * 3.14159265358979 * m.surfaceTension)));
     }
@@ -93,15 +84,11 @@ StepLimits particleLimits(const World& w, double stableViscousStep) {
   for (std::size_t k = 0; k < w.scene.materials.size(); k++) {
     const Material& m = w.scene.materials[k];
     if (m.viscosityTable.empty()) continue;
-    double coldest = never, hottest = -never;
-    for (std::size_t i = 0; i < p.owned; i++) {
-      if (p.material[i] != k || !(p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0))) continue;
-      const double T = p.temperature.active ? p.temperature[i] : 0;
-      coldest = std::min(coldest, T);
-      hottest = std::max(hottest, T);
-    }
-    if (coldest > hottest) continue;
-    l[Limit::Viscous] = std::min(l[Limit::Viscous], n.cflViscous * stableViscousStep * h * h * m.density / largestViscosity(m, coldest, hottest));
+    double mu = 0;  // each particle's own: what lies between two of them on this rank may lie between none on another
+    for (std::size_t i = 0; i < p.owned; i++)
+      if (p.material[i] == k && (p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0)))
+        mu = std::max(mu, viscosityAt(m, 1, p.temperature.active ? p.temperature[i] : 0));
+    if (mu > 0) l[Limit::Viscous] = std::min(l[Limit::Viscous], n.cflViscous * stableViscousStep * h * h * m.density / mu);
   }
   return l;
 }

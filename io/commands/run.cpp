@@ -1,177 +1,21 @@
 #include "io/commands/run.hpp"
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 
 #include "core/geometry/shape_error.hpp"
-#include "core/setup/setup.hpp"
 #include "core/time/limits.hpp"
 #include "io/commands/require_memory.hpp"
 #include "io/commands/scene_for_all.hpp"
 #include "io/hdf5/agree.hpp"
-#include "io/output/checkpoint.hpp"
-#include "io/output/frame_fields.hpp"
-#include "io/output/series.hpp"
-#include "io/run/scene_marks.hpp"
+#include "io/run/run_state.hpp"
 #include "io/run/signals.hpp"
-#include "io/run/summary.hpp"
 #include "io/scene/read_scene.hpp"
 #include "parallel/balance.hpp"
-#include "parallel/bond_halo.hpp"
-#include "parallel/cell_halo.hpp"
 
 namespace thaw {
 namespace {
-
-using WallClock = std::chrono::steady_clock;
-double since(WallClock::time_point t) { return std::chrono::duration<double>(WallClock::now() - t).count(); }
-
-/// What a run holds beside the world.
-struct Run {
-  const RunOptions& options;
-  const Communicator& comm;
-  World world;
-  StepTools tools;
-  MpiReducer all;
-  std::unique_ptr<MpiCellHalo> cells;
-  std::unique_ptr<MpiBondHalo> bonds;
-  std::string name;                      // of the scene, for its files
-  std::vector<SeriesEntry> series;       // rank 0
-  RunSummary summary;
-  WallClock::time_point start = WallClock::now(), lastReport = start, lastCheckpoint = start;
-  std::int64_t firstStep = 0, stepAtReport = 0;
-  bool begun = false;                    // the world holds its particles
-  bool stepping = false;                 // in the loop, where ranks wait for each other
-
-  Run(const RunOptions& o, const Communicator& c) : options(o), comm(c), all(c) {}
-  Halos halos() { return {all, *cells, *bonds}; }
-  bool first() const { return comm.rank() == 0; }
-  void say(const std::string& line) const {
-    if (first()) std::printf("%s\n", line.c_str()), std::fflush(stdout);
-  }
-  RunStamp stamp() const { return {name, world.scene.text, world.scene.output.piecesByRank}; }
-};
-
-void writeFrameOf(Run& r) {
-  World& w = r.world;
-  r.tools.times.start();
-  if (w.modules.solid && std::find(w.scene.output.fields.begin(), w.scene.output.fields.end(), "stress") != w.scene.output.fields.end())
-    computeCauchyStress(r.tools.elastic, w.solids);
-  const WorldFrame f = frameOf(w, r.comm.rank());
-  const std::string file = frameName(r.name, w.clock.frame);
-  writeFrame(frameFolder(r.options.out) + "/" + file, r.comm.handle(), f.frame, r.stamp());
-  onFirstRank(r.comm.handle(), [&] {
-    r.series.push_back({file, w.clock.time});
-    writeSeries(seriesPath(r.options.out, r.name), r.series);
-  });
-  w.clock.frame++;
-  r.tools.times.lap(StepPhase::Frames);
-}
-
-
-void report(Run& r) {
-  const LedgerReport l = reportLedger(r.world, r.all);
-  const double rate = static_cast<double>(r.world.clock.step - r.stepAtReport) / std::max(1e-9, since(r.lastReport));
-  double left = (r.world.clock.end - r.world.clock.time) / std::max(1e-300, r.world.clock.dt);
-  if (r.options.steps >= 0) left = std::min(left, static_cast<double>(r.options.steps - r.world.clock.step));
-  r.say(progressLine(r.world.clock, l, rate, left / std::max(1e-9, rate)));
-  r.lastReport = WallClock::now();
-  r.stepAtReport = r.world.clock.step;
-  r.summary.ledger = l;
-}
-
-/// Gathers and writes summary.json. Collective.
-void summarise(Run& r, const std::string& status, const std::string& message) {
-  RunSummary& s = r.summary;
-  s.status = status;
-  s.message = message;
-  s.ledger = reportLedger(r.world, r.all);
-  s.wall = since(r.start);
-  s.stepsHere = r.world.clock.step - r.firstStep;
-  s.particleSteps = static_cast<double>(s.ledger.particles) * static_cast<double>(s.stepsHere);
-  const std::int64_t messages = r.cells->traffic().messages + r.bonds->traffic().messages, bytes = r.cells->traffic().bytes + r.bonds->traffic().bytes;
-  gatherSummary(s, r.world, r.tools.times, messages, bytes, r.all);
-  onFirstRank(r.comm.handle(), [&] {
-    RunSummary all = s;
-    for (const std::string& w : warningsOf(s.counters)) all.warnings.push_back(w);
-    writeSummary(r.options.out, all);
-  });
-}
-
-/// With it a summary, so that also a run that is killed leaves one.
-void writeCheckpointOf(Run& r) {
-  r.tools.times.start();
-  writeCheckpoint(r.options.out, r.comm.handle(), r.world, r.stamp(), sceneMarks(r.world.scene));
-  r.lastCheckpoint = WallClock::now();
-  r.tools.times.lap(StepPhase::Checkpoint);
-  summarise(r, "running", "");
-}
-
-/// A summary for a run that failed; failures of this are not reported on top. `together`: all ranks are here, so that the state that they
-/// hold, if they hold one already, can be gathered.
-void noteFailure(Run& r, const std::string& message, bool together) {
-  try {
-    if (together && r.begun) return summarise(r, "failed", message);
-  } catch (const std::exception&) {
-    return;
-  }
-  if (!r.first()) return;
-  r.summary.status = "failed";
-  r.summary.message = message;
-  r.summary.ranks = r.comm.size();
-  r.summary.sceneFile = r.options.scene;
-  r.summary.clock = r.world.clock;
-  std::error_code code;
-  std::filesystem::create_directories(r.options.out, code);
-  try {
-    writeSummary(r.options.out, r.summary);
-  } catch (const std::exception&) {
-  }
-}
-
-void begin(Run& r, const MeshLoader& load) {
-  World& w = r.world;
-  const auto slice = r.options.restart || r.options.resume ? readNewestCheckpoint(r.options.out, r.comm.handle()) : nullptr;
-  if (r.options.restart && !slice) throw SceneErrors({r.options.out + ": error: --restart needs a checkpoint in its folder checkpoint/, and there is none"});
-  if (slice) {
-    for (const std::string& warning : slice->warnings) {
-      r.say("warning: " + warning);
-      r.summary.warnings.push_back(warning);
-    }
-    if (const std::vector<std::string> differences = sceneDifferences(slice->header.values, w.scene); !differences.empty()) {
-      std::vector<std::string> lines{fmt::format("{}: error: the run in {} cannot be continued with this scene, it began with another:", r.options.scene, r.options.out)};
-      for (const std::string& d : differences) lines.push_back("  " + d);
-      throw SceneErrors(lines);
-    }
-    std::vector<std::byte> records = restoreWorld(w, *slice, r.first());
-    if (w.modules.solid) r.bonds->adopt(std::move(records));
-    resumeWorld(w, r.halos(), r.tools);
-    w.clock.limitedBy = "the last run";
-    if (r.first()) r.series = framesPresent(r.options.out, r.name, w.clock.time);
-    r.say(fmt::format("continues at t {:.6g} s, step {}, from {}", w.clock.time, w.clock.step, slice->header.path));
-  } else {
-    const SamplingReport sampled = startWorld(w, r.halos(), r.tools, load);
-    for (std::size_t b = 0; b < w.scene.bodies.size(); b++) r.say(fmt::format("body '{}': {} particles", w.scene.bodies[b].name, sampled.particles[b]));
-    if (sampled.overlapping > 0) {
-      const std::string line = fmt::format("{} samples lie in two bodies (first: {}), {} of them left out", sampled.overlapping, sampled.firstOverlap, sampled.removed);
-      r.say("warning: " + line);
-      r.summary.warnings.push_back(line);
-    }
-    // not before the new run is known to start: a mistake in the scene costs nothing of the run that was here
-    onFirstRank(r.comm.handle(), [&] {
-      clearFrames(r.options.out, r.name);
-      clearCheckpoints(r.options.out);
-    });
-    r.begun = true;
-    writeFrameOf(r);
-  }
-  r.begun = true;
-  r.firstStep = r.stepAtReport = w.clock.step;
-}
 
 /// The step loop. Returns the exit code; `why` says what ended it.
 int loop(Run& r, std::string& why) {

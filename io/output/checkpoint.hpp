@@ -72,9 +72,6 @@ CheckpointHeader readCheckpointHeader(const std::string& path);
 /// Checkpoints of a run's folder whose header can be read, newest first; damaged ones are described in `problems`.
 std::vector<CheckpointHeader> findCheckpoints(const std::string& out, std::vector<std::string>* problems = nullptr);
 
-/// Removes the checkpoints of an earlier run, before a new one starts in its folder. One process only.
-void clearCheckpoints(const std::string& out);
-
 bool isCheckpoint(const H5File& file);
 
 }  // namespace thaw

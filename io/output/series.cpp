@@ -86,16 +86,6 @@ std::vector<SeriesEntry> framesPresent(const std::string& out, const std::string
   return entries;
 }
 
-void clearFrames(const std::string& out, const std::string& scene) {
-  for (const fs::path& file : filesIn(frameFolder(out))) {
-    const std::string name = file.filename().string();
-    std::error_code error;
-    if (isFrameName(name, scene, false) || isFrameName(name, scene, true)) fs::remove(file, error);
-  }
-  std::error_code error;
-  fs::remove(seriesPath(out, scene), error);
-}
-
 std::vector<std::string> findSeries(const std::string& folder) {
   std::vector<std::string> found;
   for (const std::string& f : {folder, frameFolder(folder)})

@@ -30,9 +30,6 @@ std::vector<SeriesEntry> readSeries(const std::string& path);
 /// goes on from a checkpoint. Later frames stay until they are written again. Leftovers *.part are removed. One process only.
 std::vector<SeriesEntry> framesPresent(const std::string& out, const std::string& scene, double until);
 
-/// Removes the frames, index and leftovers of an earlier run of this scene. Only files with exactly these names.
-void clearFrames(const std::string& out, const std::string& scene);
-
 /// All indices in a folder of frames (or of a run), ascending by name.
 std::vector<std::string> findSeries(const std::string& folder);
 

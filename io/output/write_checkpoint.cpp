@@ -163,11 +163,4 @@ std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const World& 
   return path;
 }
 
-void clearCheckpoints(const std::string& out) {
-  for (const char* name : {"a.hdf", "b.hdf", "a.hdf.part", "b.hdf.part"}) {
-    std::error_code error;
-    std::filesystem::remove(out + "/checkpoint/" + name, error);
-  }
-}
-
 }  // namespace thaw

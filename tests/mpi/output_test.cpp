@@ -14,6 +14,7 @@
 #include "io/hdf5/parallel_file.hpp"
 #include "io/output/checkpoint.hpp"
 #include "io/output/frame_fields.hpp"
+#include "io/output/earlier_run.hpp"
 #include "io/output/series.hpp"
 #include "parallel/communicator.hpp"
 #include "tests/support/output_sample.hpp"
@@ -366,9 +367,10 @@ TEST(Series, IsMadeAnewFromTheFramesThatAreThere) {
     EXPECT_EQ(back[2].name, "wax_000002.hdf");
     EXPECT_EQ(back[2].time, 0.08);
     EXPECT_EQ(findSeries(folder.path), std::vector<std::string>{index});
-    clearFrames(folder.path, "wax");
-    EXPECT_FALSE(fs::exists(index));
-    EXPECT_TRUE(fs::exists(frameFolder(folder.path) + "/waxwork_000001.hdf"));
-    EXPECT_FALSE(fs::exists(frameFolder(folder.path) + "/wax_000000.hdf"));
+    for (const bool run : {true, false}) {  // the second time there is none
+      EXPECT_EQ(setAsideEarlierRun(folder.path), run);
+      EXPECT_FALSE(fs::exists(index));
+      EXPECT_TRUE(fs::exists(folder.path + "/previous/frames/wax_000000.hdf"));
+    }
   }
 }

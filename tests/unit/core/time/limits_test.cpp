@@ -141,7 +141,7 @@ TEST(StepLimits, OfParticles) {
   StepLimits l = particleLimits(w, 0.04);
   EXPECT_DOUBLE_EQ(l[Limit::Speed], 0.25 * 0.02 / 5);
   EXPECT_DOUBLE_EQ(l[Limit::Acceleration], 0.25 * std::sqrt(0.02 / 8));
-  EXPECT_DOUBLE_EQ(l[Limit::Viscous], 0.8 * 0.04 * 0.02 * 0.02 * 1000 / 50);
+  EXPECT_DOUBLE_EQ(l[Limit::Viscous], 0.8 * 0.04 * 0.02 * 0.02 * 1000 / std::sqrt(500));  // 350 K is half way between 10 and 50 Pa s
 }
 
 }  // namespace thaw::test

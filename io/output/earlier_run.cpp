@@ -1,0 +1,26 @@
+#include "io/output/earlier_run.hpp"
+
+#include <filesystem>
+
+#include "io/hdf5/io_error.hpp"
+
+namespace thaw {
+namespace fs = std::filesystem;
+
+bool setAsideEarlierRun(const std::string& out) {
+  std::error_code error;
+  const auto filled = [&](const char* folder) { return fs::exists(out + "/" + folder, error) && !fs::is_empty(out + "/" + folder, error); };
+  if (!filled("frames") && !filled("checkpoint")) return false;
+  const std::string aside = out + "/" + earlierRunFolder;
+  fs::remove_all(aside, error);
+  fs::create_directories(aside, error);
+  if (error) throw IoError(aside, "cannot be made: " + error.message());
+  for (const char* name : {"frames", "checkpoint", "pictures", "summary.json"}) {
+    if (!fs::exists(out + "/" + name, error)) continue;
+    fs::rename(out + "/" + name, aside + "/" + name, error);
+    if (error) throw IoError(out + "/" + name, "cannot be moved to " + aside + ": " + error.message());
+  }
+  return true;
+}
+
+}  // namespace thaw

@@ -1,0 +1,67 @@
+// A run in progress: the world, its halos, and what is written of it. All functions are collective.
+#pragma once
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+#include "core/setup/setup.hpp"
+#include "io/commands/run.hpp"
+#include "io/output/checkpoint.hpp"
+#include "io/output/series.hpp"
+#include "io/run/summary.hpp"
+#include "parallel/bond_halo.hpp"
+#include "parallel/cell_halo.hpp"
+
+namespace thaw {
+
+using WallClock = std::chrono::steady_clock;
+inline double since(WallClock::time_point t) { return std::chrono::duration<double>(WallClock::now() - t).count(); }
+
+/// What a run holds beside the world.
+struct Run {
+  const RunOptions& options;
+  const Communicator& comm;
+  World world;
+  StepTools tools;
+  MpiReducer all;
+  std::unique_ptr<MpiCellHalo> cells;
+  std::unique_ptr<MpiBondHalo> bonds;
+  std::string name;                      // of the scene, for its files
+  std::vector<SeriesEntry> series;       // rank 0
+  RunSummary summary;
+  WallClock::time_point start = WallClock::now(), lastReport = start, lastCheckpoint = start;
+  std::int64_t firstStep = 0, stepAtReport = 0;
+  bool begun = false;                    // the world holds its particles
+  bool stepping = false;                 // in the loop, where ranks wait for each other
+
+  Run(const RunOptions& o, const Communicator& c) : options(o), comm(c), all(c) {}
+  Halos halos() { return {all, *cells, *bonds}; }
+  bool first() const { return comm.rank() == 0; }
+  void say(const std::string& line) const {
+    if (first()) std::printf("%s\n", line.c_str()), std::fflush(stdout);
+  }
+  RunStamp stamp() const { return {name, world.scene.text, world.scene.output.piecesByRank}; }
+};
+
+/// The next frame, and its line in the series.
+void writeFrameOf(Run& run);
+
+/// A progress line with the ledger.
+void report(Run& run);
+
+/// Gathers and writes summary.json.
+void summarise(Run& run, const std::string& status, const std::string& message);
+
+/// With it a summary, so that also a run that is killed leaves one.
+void writeCheckpointOf(Run& run);
+
+/// A summary for a run that failed; failures of this are not reported on top. `together`: all ranks are here, so that the state that they
+/// hold, if they hold one already, can be gathered.
+void noteFailure(Run& run, const std::string& message, bool together);
+
+/// Samples the scene's bodies, or goes on from the newest checkpoint. Throws SceneErrors, IoError.
+void begin(Run& run, const MeshLoader& load);
+
+}  // namespace thaw
