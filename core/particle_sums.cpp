@@ -25,7 +25,7 @@ std::size_t emit(World& w, Halos& halos, const StepTools& t, double before, doub
     const Vec3d direction = normalized(emitter.direction);
     const std::int64_t begin = first ? 0 : layersUntil(emitter, plan, before), end = layersUntil(emitter, plan, after);
     for (std::int64_t layer = begin; layer < end; layer++) {
-      const double age = after - (emitter.start + static_cast<double>(layer) * plan.interval);
+      const double age = after - leavingTime(emitter, plan, layer);  // negative in the nozzle
       for (std::size_t k = 0; k < plan.layer.size(); k++) {
         const Vec3d x = plan.layer[k] + direction * (emitter.speed * age);
         const std::uint64_t cell = cellKey(cellOf(w.grid, x));
@@ -33,7 +33,8 @@ std::size_t emit(World& w, Halos& halos, const StepTools& t, double before, doub
         const std::size_t i = p.owned;
         p.resize(i + 1, 0);
         const std::uint64_t source = w.scene.bodies.size() + e;
-        p.id[i] = source << 40 | (static_cast<std::uint64_t>(layer) * plan.layer.size() + k);
+        p.id[i] = particleId(source, static_cast<std::uint64_t>(layer) * plan.layer.size() + k);
+        p.clamped[i] = age < 0 ? driven : 0;
         p.position[i] = x;
         p.velocity[i] = direction * emitter.speed;
         p.mass[i] = plan.particleMass;
@@ -57,6 +58,7 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
   Continuum& p = w.particles;
   if (p.ghosts > 0) p.resize(p.owned, 0);
   // a step's clock still shows its beginning here
+  if (w.modules.emitters) releaseDriven(w.scene, t.emitters, w.clock.time + dt, p);
   const std::size_t emitted = w.modules.emitters ? emit(w, halos, t, w.clock.time, w.clock.time + dt, t.emitFirst) : 0;
   t.emitFirst = false;
   std::vector<std::uint32_t> fresh;

@@ -22,6 +22,22 @@ std::vector<double> centred(double extent, double spacing) {
   return x;
 }
 
+/// As many layers as are within the support radius of one that leaves, and in the domain.
+double nozzleTime(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
+  const double distance = plan.interval * e.speed;
+  const Vec3d n = normalized(e.direction);
+  for (int layers = static_cast<int>(std::ceil(s.numerics.support * s.spacing / distance)); layers > 0; layers--) {
+    bool inside = true;
+    for (const Vec3d& x : plan.layer)
+      for (int a = 0; a < 3; a++) {
+        const double back = x[a] - n[a] * distance * layers;
+        inside = inside && back > s.domain.min[a] && back < s.domain.max[a];
+      }
+    if (inside) return layers * plan.interval;
+  }
+  return 0;
+}
+
 }  // namespace
 
 std::vector<EmitterPlan> planEmitters(const Scene& s) {
@@ -39,15 +55,27 @@ std::vector<EmitterPlan> planEmitters(const Scene& s) {
     if (plan.interval * e.speed < 0.95 * dx)
       throw std::runtime_error("emitter '" + e.name + "': a rate of " + std::to_string(e.rate) + " kg/s does not fit through its opening at this speed; at most " +
                                std::to_string(static_cast<double>(plan.layer.size()) * plan.particleMass * e.speed / dx) + " kg/s do");
+    plan.ahead = nozzleTime(s, e, plan);
     plans.push_back(std::move(plan));
   }
   return plans;
 }
 
 std::int64_t layersUntil(const Emitter& e, const EmitterPlan& plan, double time) {
-  const double until = std::min(time, e.end);
-  if (until < e.start) return 0;
-  return static_cast<std::int64_t>(std::floor((until - e.start) / plan.interval)) + 1;
+  if (time < e.start) return 0;
+  const double until = std::min(time + plan.ahead, e.end);
+  return until < e.start ? 0 : static_cast<std::int64_t>(std::floor((until - e.start) / plan.interval)) + 1;
+}
+
+double leavingTime(const Emitter& e, const EmitterPlan& plan, std::int64_t layer) { return e.start + static_cast<double>(layer) * plan.interval; }
+
+void releaseDriven(const Scene& s, const std::vector<EmitterPlan>& plans, double time, Continuum& p) {
+  for (std::size_t i = 0; i < p.owned; i++) {
+    if (p.clamped[i] != driven) continue;
+    const std::size_t e = sourceOf(p.id[i]) - s.bodies.size();
+    const std::int64_t layer = static_cast<std::int64_t>(numberOf(p.id[i]) / plans[e].layer.size());
+    if (time >= leavingTime(s.emitters[e], plans[e], layer)) p.clamped[i] = 0;
+  }
 }
 
 }  // namespace thaw

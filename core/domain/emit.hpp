@@ -1,4 +1,6 @@
-// Emitters: layers of particles that leave a disc or a rectangle one after another.
+// Emitters: layers of particles that leave a disc or a rectangle one after another. A layer is made a few spacings behind the opening
+// and driven through this nozzle at the emitter's speed, whatever presses on it: what has left is pushed on as by a piston, and no
+// particle is ever put where there is one already.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -14,13 +16,26 @@ namespace thaw {
 struct EmitterPlan {
   std::vector<Vec3d> layer;   ///< m, positions of a layer at the moment it leaves
   double interval = 0;        ///< s between layers
+  double ahead = 0;           ///< s that a layer spends in the nozzle
   double particleMass = 0;    ///< kg
 };
 
 /// Throws std::runtime_error (one sentence) where the rate asks for more particles than the opening lets through.
 std::vector<EmitterPlan> planEmitters(const Scene& scene);
 
-/// Number of the first layer that leaves after `time` (s); layers [layersUntil(a), layersUntil(b)) leave in (a, b].
+/// Number of the first layer that is made after `time` (s); layers [layersUntil(a), layersUntil(b)) are made in (a, b].
 std::int64_t layersUntil(const Emitter& emitter, const EmitterPlan& plan, double time);
+
+/// Time (s) at which a layer leaves the opening.
+double leavingTime(const Emitter& emitter, const EmitterPlan& plan, std::int64_t layer);
+
+/// Ids say where a particle comes from: body or emitter ("source"), and a number within it.
+inline constexpr int idBits = 40;
+inline std::uint64_t particleId(std::uint64_t source, std::uint64_t number) { return source << idBits | number; }
+inline std::uint64_t sourceOf(std::uint64_t id) { return id >> idBits; }
+inline std::uint64_t numberOf(std::uint64_t id) { return id & ((std::uint64_t(1) << idBits) - 1); }
+
+/// Lets go of the driven particles whose layer has left by `time` (s).
+void releaseDriven(const Scene& scene, const std::vector<EmitterPlan>& plans, double time, Continuum& particles);
 
 }  // namespace thaw

@@ -8,6 +8,8 @@ inline constexpr std::uint32_t noSlot = 0xffffffffu;
 
 enum Phase : std::uint8_t { Solid = 0, Liquid = 1 };
 
+inline constexpr std::uint8_t held = 1, driven = 2;  ///< values of Continuum::clamped
+
 struct Continuum : Table {
   Continuum() : Table("continuum") {}
   using u8 = std::uint8_t;
@@ -22,7 +24,7 @@ struct Continuum : Table {
   Column<double> dissipated{*this, "dissipated", "J", Keep::State, "mechanical energy lost at this particle so far"};
   Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort"};
   Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now"};
-  Column<u8> clamped{*this, "clamped", "1", Keep::State, "1: held where it is"};
+  Column<u8> clamped{*this, "clamped", "1", Keep::State, "1: held where it is; 2: driven by its emitter, at constant velocity"};
   // fluid
   Column<float> filling{*this, "filling", "1", Keep::Transient, "delta = sum V0_j W_ij over its lattice value; density = delta * rest density"};
   Column<float> pressure{*this, "pressure", "Pa", Keep::Transient, "from the equation of state"};

@@ -18,7 +18,7 @@ void activateFields(World& w, StepTools& t) {
   on(m.melting, {&p.liquid, &p.softening});
   on(m.solid, {&p.slot});
   on(m.freezing, {&p.standoff});
-  bool clamped = false;
+  bool clamped = m.emitters;
   for (const Body& b : w.scene.bodies) clamped = clamped || !b.clamp.empty();
   on(clamped, {&p.clamped});
   if (m.solid) activateSolidFields(p, w.solids, w.bonds, t.elastic, w.scene, m, w.grid);

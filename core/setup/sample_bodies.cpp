@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/domain/emit.hpp"
 #include "core/heat/enthalpy.hpp"
 #include "core/heat/heat.hpp"
 #include "core/math/hash_random.hpp"
@@ -94,7 +95,7 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
           }
           const std::size_t i = p.owned;
           p.resize(i + 1, 0);
-          p.id[i] = static_cast<std::uint64_t>(b) << 40 | static_cast<std::uint64_t>(row * l.n[0] + k);
+          p.id[i] = particleId(b, static_cast<std::uint64_t>(row * l.n[0] + k));
           p.position[i] = x;
           if (body.packing == Packing::Relaxed)
             for (int a = 0; a < 3; a++) p.position[i][a] += 0.2 * dx * (2 * randomUniform(s.seed, Purpose::Jitter, p.id[i], static_cast<std::uint64_t>(a)) - 1);

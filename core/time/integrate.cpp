@@ -27,7 +27,7 @@ void kickAndDrift(World& w, double dt) {
   const bool smoothed = p.smoothing.active;
   for (std::size_t i = 0; i < p.owned; i++) {
     p.velocity[i] += p.acceleration[i] * half;
-    p.position[i] += (smoothed ? p.velocity[i] + p.smoothing[i] : p.velocity[i]) * dt;
+    p.position[i] += (smoothed && !(p.clamped.active && p.clamped[i]) ? p.velocity[i] + p.smoothing[i] : p.velocity[i]) * dt;
   }
 }
 

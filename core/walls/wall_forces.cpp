@@ -93,14 +93,17 @@ void addContactForces(const WallContext& x, const Meeting& at, Continuum& p, Wal
   act.resist(tangential * -rub, at.velocity);
 }
 
-/// What holds clamped particles balances all that acts on them.
-void bookClamps(World& w) {
+/// What holds clamped particles, or drives them, balances all that acts on them.
+void bookClamps(World& w, double dt) {
   const Continuum& p = w.particles;
   if (!p.clamped.active) return;
   const Vec3d g = w.scene.domain.gravity;
   for (std::size_t i = 0; i < p.owned; i++)
-    if (p.clamped[i])
-      for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(-(p.force[i][a] + g[a] * p.mass[i]));
+    if (p.clamped[i]) {
+      const Vec3d balance = -(p.force[i] + g * p.mass[i]);
+      for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(balance[a]);
+      if (p.clamped[i] == driven) w.ledger.wallWork.add(dot(balance, p.velocity[i]) * dt);
+    }
 }
 
 }  // namespace
@@ -131,7 +134,7 @@ void addWallForces(const WallContext& x, double perLatticeSum, const WallContact
     if (work != 0) w.ledger.wallWork.add(work * x.dt);
     for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(act.force[a]);
   }
-  bookClamps(w);
+  bookClamps(w, x.dt);
 }
 
 void addWallHeat(const WallContext& x, const WallContacts& contacts) {

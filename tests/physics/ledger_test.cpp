@@ -89,6 +89,34 @@ TEST(Ledger, EmittersAndOpenSidesCountExactly) {
   EXPECT_LT(length(r.momentumResidual), 1e-5 * length(r.left.momentum));
 }
 
+// A slow vent just above a floor: what has left backs up, and the vent pushes on as a piston. Its work is in the books.
+TEST(Ledger, EmitterIsAPiston) {
+  Scene s;
+  s.spacing = 0.01;
+  s.domain.min = {-0.2, -0.2, -0.02};
+  s.domain.max = {0.2, 0.2, 0.2};
+  s.output.every = 0;
+  s.materials.emplace_back();
+  s.materials[0].viscosity = {30, 30};
+  s.materials[0].soundSpeed = 15;
+  s.emitters.emplace_back();
+  s.emitters[0].radius = 0.03;
+  s.emitters[0].centre = {0, 0, 0.015};
+  s.emitters[0].speed = 0.2;
+  addFloor(s);
+  s.end = 0.5;
+  Simulation run(s);
+  EXPECT_TRUE(run.run());
+  const LedgerReport r = run.books();
+  EXPECT_GT(run.w.counters.emitted, 250);
+  EXPECT_EQ(run.w.counters.left, 0);
+  EXPECT_LT(std::abs(r.energyResidual), 0.01 * r.energyScale);
+  EXPECT_LT(length(r.momentumResidual), 1e-6 * length(r.gravityImpulse));
+  double fastest = 0;
+  for (std::size_t i = 0; i < run.particles().owned; i++) fastest = std::max(fastest, length(run.particles().velocity[i]));
+  EXPECT_LT(fastest, 1);  // nothing is shot out
+}
+
 // A solid that softens, sags and melts on a hot plate: what elasticity, pressure, tension and contacts lose to a changing liquid
 // fraction is booked, and so is what melting takes from bonds.
 TEST(Ledger, MeltingSolid) {
