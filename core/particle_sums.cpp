@@ -44,6 +44,7 @@ std::size_t emit(World& w, Halos& halos, const StepTools& t, double before, doub
         if (p.temperature.active) p.temperature[i] = emitter.temperature;
         p.cell[i] = p.nextCell[i] = cell;
         if (p.slot.active) p.slot[i] = noSlot;
+        w.ledger.entered.potential.add(cohesionAtEntry(plan, layer, k));
         w.counters.emitted++;
       }
     }

@@ -1,8 +1,11 @@
 #include "core/domain/emit.hpp"
 
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include "core/fluid/cohesion.hpp"
 
 namespace thaw {
 namespace {
@@ -38,6 +41,27 @@ double nozzleTime(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
   return 0;
 }
 
+/// Pairs of a layer with itself and those before it, as the force sums have them (Cohesion).
+std::vector<std::vector<double>> cohesionOf(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
+  using isa_base::Cohesion;
+  const Material& m = s.materials[static_cast<std::size_t>(e.material)];
+  std::vector<std::vector<double>> energy;
+  if (!(m.surfaceTension > 0) || s.numerics.tension != TensionForm::Pairwise) return energy;
+  const double h = s.numerics.support * s.spacing, V = plan.particleMass / m.density / (h * h * h);
+  const double strength = Cohesion::scale * V * V * m.surfaceTension * h * h;
+  const double distance = plan.interval * e.speed;
+  for (int layer = 0; layer * distance < h && layer * plan.interval <= plan.ahead; layer++) {
+    energy.emplace_back(plan.layer.size());
+    for (std::size_t i = 0; i < plan.layer.size(); i++)
+      for (std::size_t j = 0; j < plan.layer.size(); j++) {
+        const Vec3d d = plan.layer[i] - plan.layer[j];
+        const double q = std::sqrt(dot(d, d) + layer * distance * layer * distance) / h;
+        if ((layer > 0 || i != j) && q < 1) energy.back()[i] += (layer > 0 ? 1 : 0.5) * strength * Cohesion::potential(q);
+      }
+  }
+  return energy;
+}
+
 }  // namespace
 
 std::vector<EmitterPlan> planEmitters(const Scene& s) {
@@ -56,6 +80,7 @@ std::vector<EmitterPlan> planEmitters(const Scene& s) {
       throw std::runtime_error("emitter '" + e.name + "': a rate of " + std::to_string(e.rate) + " kg/s does not fit through its opening at this speed; at most " +
                                std::to_string(static_cast<double>(plan.layer.size()) * plan.particleMass * e.speed / dx) + " kg/s do");
     plan.ahead = nozzleTime(s, e, plan);
+    plan.cohesion = cohesionOf(s, e, plan);
     plans.push_back(std::move(plan));
   }
   return plans;
@@ -65,6 +90,12 @@ std::int64_t layersUntil(const Emitter& e, const EmitterPlan& plan, double time)
   if (time < e.start) return 0;
   const double until = std::min(time + plan.ahead, e.end);
   return until < e.start ? 0 : static_cast<std::int64_t>(std::floor((until - e.start) / plan.interval)) + 1;
+}
+
+double cohesionAtEntry(const EmitterPlan& plan, std::int64_t layer, std::size_t k) {
+  double energy = 0;
+  for (std::size_t m = 0; m < plan.cohesion.size() && static_cast<std::int64_t>(m) <= layer; m++) energy += plan.cohesion[m][k];
+  return energy;
 }
 
 double leavingTime(const Emitter& e, const EmitterPlan& plan, std::int64_t layer) { return e.start + static_cast<double>(layer) * plan.interval; }

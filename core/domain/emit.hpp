@@ -18,6 +18,7 @@ struct EmitterPlan {
   double interval = 0;        ///< s between layers
   double ahead = 0;           ///< s that a layer spends in the nozzle
   double particleMass = 0;    ///< kg
+  std::vector<std::vector<double>> cohesion;  ///< J, [m][k]: of surface tension between particle k of a layer and the layer m before it (0: half of its own)
 };
 
 /// Throws std::runtime_error (one sentence) where the rate asks for more particles than the opening lets through.
@@ -25,6 +26,9 @@ std::vector<EmitterPlan> planEmitters(const Scene& scene);
 
 /// Number of the first layer that is made after `time` (s); layers [layersUntil(a), layersUntil(b)) are made in (a, b].
 std::int64_t layersUntil(const Emitter& emitter, const EmitterPlan& plan, double time);
+
+/// Energy (J) of surface tension that a particle of a layer brings when it is made behind those that are in the nozzle.
+double cohesionAtEntry(const EmitterPlan& plan, std::int64_t layer, std::size_t k);
 
 /// Time (s) at which a layer leaves the opening.
 double leavingTime(const Emitter& emitter, const EmitterPlan& plan, std::int64_t layer);

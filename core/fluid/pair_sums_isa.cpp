@@ -1,5 +1,6 @@
 // The pair interactions. Compiled once for each instruction set (core/simd/dispatch.cpp).
 // d: position difference own - other in support radii; V: volumes in h^3; lengths come back with the factors in finish.
+#include "core/fluid/cohesion.hpp"
 #include "core/fluid/viscous_weight.hpp"
 #include "core/kernels/kernels.hpp"
 #include "core/neighbours/sweep.hpp"
@@ -101,18 +102,7 @@ template<class Real, class Kernel, bool Laplacian, bool Heat> struct Forces {
   }
 };
 
-/// Surface tension as cohesion between pairs of liquid particles: central forces, so momentum and angular momentum are kept
-/// (accuracy.md B32), calibrated by the surface tension of a pair force in the continuum (Tartakovsky & Panchenko 2016 eq. 14):
-/// sigma = pi/8 n^2 int r^4 F(r) dr, F = s phi(q), phi = q (1-q)^2 (q - a): repulsive below q = a.
-struct Cohesion {
-  static constexpr double a = 0.4;
-  static constexpr double moment4 = 1.0 / 252 - a / 168;  // int_0^1 q^4 phi dq
-  static constexpr double potentialAt1 = 1.0 / 3 - 0.5 + 0.2 - a / 2 + 2 * a / 3 - a / 4;
-  template<class L> static THAW_INLINE L force(L q) { return q * square(L(1.0) - q) * (q - L(a)); }
-  template<class L> static THAW_INLINE L potential(L q) {  // its integral, 0 at q = 1
-    return q * q * (L(-a / 2) + q * (L(1.0 / 3 + 2 * a / 3) + q * (L(-0.5 - a / 4) + L(0.2) * q))) - L(potentialAt1);
-  }
-};
+/// Surface tension (cohesion.hpp).
 template<class Real> struct Tension {
   using L = Lanes<Real>;
   const Record<Real>*place, *surface;
@@ -323,7 +313,7 @@ template<class Real> void tensionOf(const PairSums& in, GroupRange range, bool c
     ColourField<Real> term{records<Real>(in.place), records<Real>(in.surface), records<Real>(in.state), &in};
     sweep(*in.lists, range, term, true);
   } else {
-    Tension<Real> term{records<Real>(in.place), records<Real>(in.surface), &in, 8 / (pi * Cohesion::moment4)};
+    Tension<Real> term{records<Real>(in.place), records<Real>(in.surface), &in, Cohesion::scale};
     sweep(*in.lists, range, term, true);
   }
 }

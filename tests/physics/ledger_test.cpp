@@ -99,6 +99,7 @@ TEST(Ledger, EmitterIsAPiston) {
   s.materials.emplace_back();
   s.materials[0].viscosity = {30, 30};
   s.materials[0].soundSpeed = 15;
+  s.materials[0].surfaceTension = 0.5;
   s.emitters.emplace_back();
   s.emitters[0].radius = 0.03;
   s.emitters[0].centre = {0, 0, 0.015};
