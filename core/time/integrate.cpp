@@ -36,6 +36,7 @@ bool finishKick(World& w, double dt, std::size_t* bad) {
   const Vec3d g = w.scene.domain.gravity;
   const double half = 0.5 * dt;
   const bool clamps = p.clamped.active;
+  const double far2 = w.grid.support * w.grid.support / (dt * dt);
   bool finite = true;
   bookImpulses(w, half);
   for (std::size_t i = p.owned; i-- > 0;) {
@@ -47,6 +48,10 @@ bool finishKick(World& w, double dt, std::size_t* bad) {
     }
     p.acceleration[i] = a;
     p.velocity[i] += a * half;
+    if (dot(p.velocity[i], p.velocity[i]) > far2) {  // only a fixed step is that long: the limit of speed forbids it
+      finite = false;
+      *bad = i;
+    }
     p.dissipated[i] += p.dissipation[i] * dt;
   }
   return finite;

@@ -8,7 +8,8 @@ namespace thaw {
 void kickAndDrift(World& world, double dt);
 
 /// Accelerations from the summed forces and gravity, and the second half kick. Clamped particles stay. Adds up what was dissipated.
-/// Returns false where a position, velocity or force is not finite: *bad is then the row of the first such particle.
+/// Returns false where a position, velocity or force is not finite, or a particle would pass its support radius in such a step: *bad is
+/// then the row of the first such particle.
 bool finishKick(World& world, double dt, std::size_t* bad);
 
 }  // namespace thaw

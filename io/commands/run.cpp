@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "core/domain/emit.hpp"
 #include "core/geometry/shape_error.hpp"
 #include "core/time/limits.hpp"
 #include "io/commands/require_memory.hpp"
@@ -16,6 +17,17 @@
 
 namespace thaw {
 namespace {
+
+std::string blowUpMessage(const World& w, std::size_t row) {
+  const Continuum& p = w.particles;
+  const Vec3d &x = p.position[row], &v = p.velocity[row], &f = p.force[row];
+  const std::size_t source = sourceOf(p.id[row]), bodies = w.scene.bodies.size();
+  const std::string name = source < bodies ? "body '" + w.scene.bodies[source].name : "emitter '" + w.scene.emitters[source - bodies].name;
+  return fmt::format("the simulation blew up at step {}, t {:.9g} s, dt {:.3g} s: particle {} of {}' at ({:.4g}, {:.4g}, {:.4g}) m has a velocity of ({:.4g}, {:.4g}, {:.4g}) m/s and a force of "
+                     "({:.4g}, {:.4g}, {:.4g}) N{}",
+                     w.clock.step, w.clock.time, w.clock.stepDt, numberOf(p.id[row]), name, x.x, x.y, x.z, v.x, v.y, v.z, f.x, f.y, f.z,
+                     w.scene.numerics.fixedStep > 0 ? "; numerics.fixed_step may be too long" : "");
+}
 
 /// The step loop. Returns the exit code; `why` says what ended it.
 int loop(Run& r, std::string& why) {
@@ -38,10 +50,7 @@ int loop(Run& r, std::string& why) {
       double lowest = o.badHere ? -r.comm.rank() : -never;
       r.all.maximum({&lowest, 1});
       if (o.badHere && lowest == -r.comm.rank()) {
-        const Vec3d &x = w.particles.position[o.bad], &f = w.particles.force[o.bad];
-        std::fprintf(stderr, "error: the simulation blew up at step %lld, t %.9g s: particle %llu of source %u at (%g, %g, %g) m has a force of (%g, %g, %g) N\n",
-                     static_cast<long long>(w.clock.step), w.clock.time, static_cast<unsigned long long>(w.particles.id[o.bad]), static_cast<unsigned>(w.particles.body[o.bad]), x.x, x.y, x.z,
-                     f.x, f.y, f.z);
+        std::fprintf(stderr, "error: %s\n", blowUpMessage(w, o.bad).c_str());
       }
       why = fmt::format("blew up at step {}, t {:.9g} s; the last checkpoint is from before", w.clock.step, w.clock.time);
       return exitBlewUp;
