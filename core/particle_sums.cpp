@@ -63,7 +63,10 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
   const std::size_t emitted = w.modules.emitters ? emit(w, halos, t, w.clock.time, w.clock.time + dt, t.emitFirst) : 0;
   t.emitFirst = false;
   std::vector<std::uint32_t> fresh;
-  for (std::size_t i = p.owned - emitted; i < p.owned; i++) fresh.push_back(static_cast<std::uint32_t>(i));
+  for (std::size_t i = p.owned - emitted; i < p.owned; i++) {
+    fresh.push_back(static_cast<std::uint32_t>(i));
+    if (p.phase[i] == Solid) t.phaseChangedHere = true;  // it came in cold: it wants a slot
+  }
   addToBalance(w, fresh, w.ledger.entered);
 
   computeCellKeys(w.grid, p, 0, p.owned);

@@ -11,27 +11,6 @@ namespace {
 
 constexpr double mostPoints = 1099511627776.0;  // 2^40
 
-/// Calls f(i, x) for the points of a row that are inside. Where the surface is farther away than the next points, they are as this one.
-template<class F> void forEachInside(const SignedDistance& shape, const SampleLattice& l, std::int64_t row, F&& f) {
-  const std::int64_t j = row % l.count[1], k = row / l.count[1];
-  const bool gaps = shape.hasGaps();
-  for (std::int64_t i = 0; i < l.count[0];) {
-    const Vec3d x = l.at(i, j, k);
-    std::int64_t same = 1;
-    bool in = false;
-    if (gaps) {
-      in = shape.inside(x);
-    } else {
-      const double d = shape.distanceWithin(x, 2 * l.spacing);
-      in = d < 0;
-      same += static_cast<std::int64_t>(std::min(std::abs(d) / l.spacing * (1 - 1e-9), 1e9));
-    }
-    const std::int64_t end = std::min(l.count[0], i + same);
-    if (!in) i = end;
-    for (; i < end; i++) f(i, l.at(i, j, k));
-  }
-}
-
 }  // namespace
 
 SampleLattice sampleLattice(const SignedDistance& shape, double spacing) {
@@ -42,11 +21,11 @@ SampleLattice sampleLattice(const SignedDistance& shape, double spacing) {
   for (int a = 0; a < 3; a++) {
     const double size = b.max[a] - b.min[a];
     if (!std::isfinite(b.min[a]) || !std::isfinite(b.max[a])) throw ShapeError("a body of infinite size cannot be filled with particles");
-    const double n = std::max(1.0, std::floor(size / spacing + 0.5));
+    const double n = std::max(1.0, std::ceil(size / spacing - 1e-6));
     points *= n;
     if (!(points < mostPoints)) throw ShapeError("a body of this size would need more than 10^12 particles at the scene's spacing");
     l.count[a] = static_cast<std::int64_t>(n);
-    l.first[a] = 0.5 * (b.min[a] + b.max[a]) - 0.5 * (n - 1) * spacing;
+    l.corner[a] = 0.5 * (b.min[a] + b.max[a]) - 0.5 * n * spacing;
   }
   return l;
 }
@@ -57,20 +36,26 @@ SampleRange sampleRange(const SampleLattice& lattice, int rank, int ranks) {
   return {begin(rank), begin(rank + 1)};
 }
 
-Samples sampleShape(const SignedDistance& shape, const SampleLattice& lattice, SampleRange range) {
-  Samples s;
-  for (std::int64_t row = range.begin; row < range.end; row++)
-    forEachInside(shape, lattice, row, [&](std::int64_t i, const Vec3d& x) {
-      s.position.push_back(x);
-      s.number.push_back(static_cast<std::uint64_t>(i + lattice.count[0] * row));
-    });
-  return s;
-}
-
-std::int64_t countSamples(const SignedDistance& shape, const SampleLattice& lattice, SampleRange range) {
-  std::int64_t n = 0;
-  for (std::int64_t row = range.begin; row < range.end; row++) forEachInside(shape, lattice, row, [&](std::int64_t, const Vec3d&) { n++; });
-  return n;
+std::vector<std::int64_t> insideOfRow(const SignedDistance& shape, const SampleLattice& l, std::int64_t row) {
+  const std::int64_t j = row % l.count[1], k = row / l.count[1];
+  const bool gaps = shape.hasGaps();
+  std::vector<std::int64_t> inside;
+  for (std::int64_t i = 0; i < l.count[0];) {
+    const Vec3d x = l.at(i, j, k);
+    std::int64_t same = 1;  // where the surface is farther away than the next points, they are as this one
+    bool in = false;
+    if (gaps) {
+      in = shape.inside(x);
+    } else {
+      const double d = shape.distanceWithin(x, 8 * l.spacing);
+      in = d < 0;
+      same += static_cast<std::int64_t>(std::min(std::abs(d) / l.spacing * (1 - 1e-9), 1e9));
+    }
+    const std::int64_t end = std::min(l.count[0], i + same);
+    if (!in) i = end;
+    for (; i < end; i++) inside.push_back(i);
+  }
+  return inside;
 }
 
 Vec3d jittered(const Vec3d& point, double amount, double spacing, std::uint64_t seed, std::uint64_t id) {

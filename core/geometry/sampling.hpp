@@ -7,25 +7,21 @@
 
 namespace thaw {
 
-/// Cubic lattice in the bounding box of a body, centred in it, along the axes of the scene. A box of n spacings gets n points,
-/// the outer ones half a spacing inside.
+/// Cubic lattice around the bounding box of a body, centred on it, along the axes of the scene. A box of n spacings gets n points,
+/// the outer ones half a spacing inside; of n and a bit, n + 1.
 struct SampleLattice {
-  Vec3d first{};           ///< m, of point (0, 0, 0)
+  Vec3d corner{};          ///< m, half a spacing below point (0, 0, 0)
   double spacing = 0;      ///< m
   std::int64_t count[3]{};  ///< points along x, y, z; at least 1
   std::int64_t rows() const { return count[1] * count[2]; }
   Vec3d at(std::int64_t i, std::int64_t j, std::int64_t k) const {
-    return {first.x + static_cast<double>(i) * spacing, first.y + static_cast<double>(j) * spacing, first.z + static_cast<double>(k) * spacing};
+    return {corner.x + (static_cast<double>(i) + 0.5) * spacing, corner.y + (static_cast<double>(j) + 0.5) * spacing,
+            corner.z + (static_cast<double>(k) + 0.5) * spacing};
   }
 };
 
 /// Rows (along x) that one rank samples: [begin, end) of lattice.rows().
 struct SampleRange { std::int64_t begin = 0, end = 0; };
-
-struct Samples {
-  std::vector<Vec3d> position;        ///< m
-  std::vector<std::uint64_t> number;  ///< unique within the body, below 2^40, ascending: i + count[0] * row
-};
 
 /// Throws ShapeError: the bounds are not finite, or the lattice has 2^40 points or more.
 SampleLattice sampleLattice(const SignedDistance& shape, double spacing);
@@ -33,11 +29,9 @@ SampleLattice sampleLattice(const SignedDistance& shape, double spacing);
 /// The part of rank `rank` of `ranks`: even shares of the rows, empty for some if there are fewer rows than ranks.
 SampleRange sampleRange(const SampleLattice& lattice, int rank, int ranks);
 
-/// Points of the rows that are inside the shape, in the order of their numbers. The union over all ranges is the same for every split.
-Samples sampleShape(const SignedDistance& shape, const SampleLattice& lattice, SampleRange range);
-
-/// Only their number.
-std::int64_t countSamples(const SignedDistance& shape, const SampleLattice& lattice, SampleRange range);
+/// Places i along a row, ascending, of its points that are inside the shape. The number of such a point is i + count[0] * row, unique
+/// within the body and below 2^40.
+std::vector<std::int64_t> insideOfRow(const SignedDistance& shape, const SampleLattice& lattice, std::int64_t row);
 
 /// Start of a relaxed packing: a lattice point moved by up to `amount` spacings along each axis, at random as a function of seed and
 /// id (unique over all bodies).

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/geometry/sampling.hpp"
 #include "core/particle_sums.hpp"
 
 namespace thaw {
@@ -44,10 +45,7 @@ int relaxPacking(World& w, Halos halos, StepTools& t, const std::vector<std::sha
       Vec3d move = p.force[i] * (0.25 * dx * dx / V);
       const double length2 = dot(move, move), most = 0.1 * dx;
       if (length2 > most * most) move = move * (most / std::sqrt(length2));
-      Vec3d x = p.position[i] + move, n;
-      const double d = shapes[body]->distance(x, &n), margin = -0.45 * dx;
-      if (d > margin) x -= n * (d - margin);
-      p.position[i] = x;
+      p.position[i] = pullInside(*shapes[body], p.position[i] + move, 0.45 * dx);
     }
   }
   p.resize(p.owned, 0);

@@ -12,10 +12,10 @@ namespace thaw {
 /// What was found while sampling, summed over ranks.
 struct SamplingReport {
   std::vector<std::int64_t> particles;   ///< by body
-  std::int64_t overlapping = 0;          ///< samples that lie in two bodies
-  std::int64_t removed = 0;              ///< of them, left out as the scene says
+  std::vector<std::string> overlaps;     ///< a sentence for each pair of bodies that overlap, with the counts
+  std::int64_t removed = 0;              ///< samples left out of them, as the scene says
   std::int64_t inObstacles = 0, outside = 0;
-  std::string firstOverlap, firstObstacle, firstOutside;  ///< names, for the message
+  std::string firstObstacle, firstOutside;  ///< names, for the message
 };
 
 /// Appends this rank's share of all bodies' particles: the rows of each body's lattice are dealt out evenly, so that no rank samples

@@ -69,9 +69,11 @@ SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader&
   for (const Body& b : w.scene.bodies) shapes.push_back(makeSignedDistance(b.shape, load));
   moveWalls(w.walls, 0);
   SamplingReport report = sampleBodies(w, shapes, halos.all);
-  if (report.overlapping > 0 && w.scene.numerics.overlap == OverlapRule::Error)
-    throw std::runtime_error(std::to_string(report.overlapping) + " samples lie in two bodies (first: " + report.firstOverlap +
-                             "); move them apart, or set numerics.overlap to \"keep\", \"remove later\" or \"remove earlier\"");
+  if (!report.overlaps.empty() && w.scene.numerics.overlap == OverlapRule::Error) {
+    const std::size_t more = report.overlaps.size() - 1;
+    throw std::runtime_error(report.overlaps[0] + (more > 0 ? " (and " + std::to_string(more) + " more pairs)" : "") +
+                             "; move them apart, or set numerics.overlap to \"keep\", \"remove later\" or \"remove earlier\"");
+  }
   if (report.outside > 0)
     throw std::runtime_error(std::to_string(report.outside) + " particles lie outside of the domain (first: body " + report.firstOutside + "); enlarge the domain or move the body");
   if (report.inObstacles > 0 && w.scene.numerics.overlap != OverlapRule::Keep)

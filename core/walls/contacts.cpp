@@ -14,7 +14,7 @@ bool nearBounds(const Bounds& b, const Vec3d& rest, double reach) {
   return true;
 }
 
-Vec3d restPlace(const Wall& w, const Vec3d& x) { return transpose(w.turn) * (x - w.move); }
+Vec3d restPlace(const Wall& w, const Vec3d& x) { return toRest(w.pose, x); }
 
 /// Walls that some particle of the cell can be within h of. Cells at the border of the grid also hold what lies beyond: no wall is
 /// left out for them.
@@ -70,7 +70,7 @@ bool listContacts(World& w, std::size_t i, WallContacts& contacts, bool mayMove)
     Vec3d n;
     const double d = wall.shape->distance(rest, &n);
     if (!(d < h)) continue;
-    n = wall.turn * n;
+    n = directionFromRest(wall.pose, n);
     if (mayMove && d < -deep) {
       project(w, i, wall, -d, n);
       moved = true;

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "core/geometry/pose.hpp"
 #include "core/geometry/signed_distance.hpp"
-#include "core/math/mat3.hpp"
 #include "core/scene/scene.hpp"
 
 namespace thaw {
@@ -14,9 +14,7 @@ struct Wall {
   std::shared_ptr<const SignedDistance> shape;  ///< at rest pose
   Obstacle properties;                          ///< of the scene; domain sides have a name like "domain z low"
   Bounds bounds;                                ///< of the rest pose
-  Mat3d turn = identity3<double>();             ///< current rotation relative to the rest pose
-  Vec3d move{};                                 ///< m, x = move + turn x_rest
-  Vec3d velocity{}, angularVelocity{};          ///< of the pose: m/s of the moved origin, rad/s about it
+  Pose pose;                                    ///< now
   bool present = true;                          ///< false after properties.until
 };
 

@@ -81,7 +81,8 @@ int checkAll(const CheckOptions& o) {
   const double emitted = emittedAtEnd(s, t);
   for (const Emitter& e : s.emitters) std::printf("  emitter '%s': of %s\n", e.name.c_str(), s.materials[static_cast<std::size_t>(e.material)].name.c_str());
   if (emitted > 0) std::printf("  emitted until the end: %.0f\n", emitted);
-  if (sampled.overlapping > 0) std::printf("  %lld samples lie in two bodies (first: %s), %lld left out\n", static_cast<long long>(sampled.overlapping), sampled.firstOverlap.c_str(), static_cast<long long>(sampled.removed));
+  for (const std::string& pair : sampled.overlaps) std::printf("  %s\n", pair.c_str());
+  if (!sampled.overlaps.empty()) std::printf("  %lld particles left out of overlaps\n", static_cast<long long>(sampled.removed));
   std::printf("\nmodules\n");
   for (const std::string& why : w.modules.why) std::printf("  %s\n", why.c_str());
   std::printf("\ntime step %.3g s, limited by %s\n", dt, limitedBy.c_str());

@@ -67,7 +67,7 @@ std::optional<FloorHint> planeOf(const Wall& wall) {
     wall.shape->distance(x, &other);
     if (length(other - normal) > 1e-9) return std::nullopt;
   }
-  return FloorHint{wall.move - away * (wall.turn * normal), wall.turn * normal};
+  return FloorHint{wall.pose.move - away * directionFromRest(wall.pose, normal), directionFromRest(wall.pose, normal)};
 }
 
 /// As many digits as tell frames apart.
@@ -106,7 +106,7 @@ void addWalls(const Walls& walls, double time, RenderStyle& style) {
     if (!wall.present) continue;
     if (const auto plane = planeOf(wall); plane && plane->normal.z > 0.34) style.floors.push_back(*plane);
     const Bounds box = wall.shape->bounds();
-    if (std::isfinite(length(box.max - box.min))) style.glasses.push_back({wall.shape, wall.turn, wall.move});
+    if (std::isfinite(length(box.max - box.min))) style.glasses.push_back({wall.shape, wall.pose.rotation, wall.pose.move});
   }
 }
 

@@ -109,8 +109,8 @@ void begin(Run& r, const MeshLoader& load) {
   } else {
     const SamplingReport sampled = startWorld(w, r.halos(), r.tools, load);
     for (std::size_t b = 0; b < w.scene.bodies.size(); b++) r.say(fmt::format("body '{}': {} particles", w.scene.bodies[b].name, sampled.particles[b]));
-    if (sampled.overlapping > 0) {
-      const std::string line = fmt::format("{} samples lie in two bodies (first: {}), {} of them left out", sampled.overlapping, sampled.firstOverlap, sampled.removed);
+    for (const std::string& pair : sampled.overlaps) {
+      const std::string line = fmt::format("{}; {} particles left out in all", pair, sampled.removed);
       r.say("warning: " + line);
       r.summary.warnings.push_back(line);
     }

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/geometry/sampling.hpp"
+#include "tests/support/samples.hpp"
 
 namespace thaw {
 namespace {

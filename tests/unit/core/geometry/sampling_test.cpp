@@ -7,6 +7,7 @@
 #include "core/geometry/primitives.hpp"
 #include "core/geometry/shape_error.hpp"
 #include "tests/support/meshes.hpp"
+#include "tests/support/samples.hpp"
 
 namespace thaw {
 namespace {

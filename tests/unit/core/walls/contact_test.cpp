@@ -178,7 +178,7 @@ TEST(WallContact, RotatingWall) {
   const Vec3d x{0.3, -0.2, 0.1};
   const auto place = [&](double t) {
     moveWalls(r.w.walls, t);
-    return r.w.walls.list[0].move + r.w.walls.list[0].turn * x;
+    return fromRest(r.w.walls.list[0].pose, x);
   };
   const Vec3d a = place(0.5 - 1e-5), b = place(0.5 + 1e-5), at = place(0.5);
   EXPECT_LT(length((b - a) / 2e-5 - wallVelocity(r.w.walls.list[0], at)), 1e-8);

@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "core/geometry/mesh_distance.hpp"
-#include "core/geometry/sampling.hpp"
+#include "tests/support/samples.hpp"
 #include "io/meshes/read_mesh.hpp"
 #include "tests/support/meshes.hpp"
 
