@@ -1,0 +1,30 @@
+// Which solids touch. One term of the pair sums (term.hpp).
+#pragma once
+#include "core/fluid/terms/term.hpp"
+
+namespace thaw {
+namespace THAW_ISA {
+namespace {
+
+/// Pairs of solid particles closer than the contact distance: rare, so they are listed and worked on one by one.
+template<class Real> struct Close {
+  using L = Lanes<Real>;
+  const Record<Real>*place, *surface;
+  ClosePairs* pairs;
+  L limit2;
+  struct Data { Lanes4<Real> place, surface; const std::uint32_t* rows; };
+  struct Sum {};
+  THAW_INLINE Data load(const std::uint32_t* rows) const { return {thaw::THAW_ISA::load(place, rows), thaw::THAW_ISA::load(surface, rows), rows}; }
+  THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t* at, Sum&) const {
+    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);
+    const auto m = (dx * dx + dy * dy + dz * dz < limit2) & (i.surface.b * j.surface.b > L(0.0));
+    if (any(m))
+      for (int l = 0; l < 8; l++)
+        if (laneOf(m, l)) ClosePairs::append(*pairs, i.rows[l], at[l]);
+  }
+  THAW_INLINE void finish(const std::uint32_t*, const Data&, const Sum&, std::uint32_t) const {}
+};
+
+}  // namespace
+}  // namespace THAW_ISA
+}  // namespace thaw

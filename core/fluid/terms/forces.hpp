@@ -1,0 +1,75 @@
+// Pressure, viscosity, heat: what every liquid has. One term of the pair sums (term.hpp).
+#pragma once
+#include "core/fluid/terms/term.hpp"
+#include "core/fluid/viscous_weight.hpp"
+
+namespace thaw {
+namespace THAW_ISA {
+namespace {
+
+/// Pressure (variational: Monaghan 2005 eq. 3.3 with filling for density; or as printed in K05), viscosity (Monaghan's pair along r,
+/// 2005 eq. 8.9 without its artificial scaling, or MCG03 eq. 13) and heat conduction (Cleary & Monaghan 1999 eq. 36).
+/// A solid particle pushes back with the pressure of a liquid neighbour and no more (Akinci 2012): the force is the slope of the liquid's
+/// energy of compression, so that nothing is gained or lost between the two. It drags on it; two solids do not see each other.
+template<class Real, class Kernel, bool Laplacian, bool Heat> struct Forces {
+  using L = Lanes<Real>;
+  const Record<Real>*place, *motion, *state;
+  const PairSums* in;
+  double pressureScale, viscousScale, heatScale;
+  struct Data { Lanes4<Real> place, motion, state; };
+  struct Sum { L px = L(0.0), py = L(0.0), pz = L(0.0), vx = L(0.0), vy = L(0.0), vz = L(0.0), lost = L(0.0); Lanes<double> heat = Lanes<double>(0.0); };
+  THAW_INLINE Data load(const std::uint32_t* rows) const {
+    return {thaw::THAW_ISA::load(place, rows), thaw::THAW_ISA::load(motion, rows), thaw::THAW_ISA::load(state, rows)};
+  }
+  THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
+    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);
+    const L q2 = dx * dx + dy * dy + dz * dz;
+    const L Vj = j.place.d;
+    const L slope = Kernel::slope(q2);
+    const L fi = i.state.b, fj = j.state.b;
+    const L pressure = Vj * slope * (i.state.a + j.state.a);
+    s.px -= pressure * dx;
+    s.py -= pressure * dy;
+    s.pz -= pressure * dz;
+    const L ux = i.motion.a - j.motion.a, uy = i.motion.b - j.motion.b, uz = i.motion.c - j.motion.c;
+    const L wet = fi + fj - fi * fj;
+    const L mui = i.motion.d, muj = j.motion.d;
+    if constexpr (Laplacian) {
+      const L mu = L(0.5) * (mui + muj) * wet * Vj * Kernel::laplace(q2);
+      s.vx -= mu * ux;
+      s.vy -= mu * uy;
+      s.vz -= mu * uz;
+      s.lost += mu * (ux * ux + uy * uy + uz * uz);
+    } else {
+      const L mean = L(2.0) * mui * muj / max(mui + muj, L(1e-30));
+      const L approach = ux * dx + uy * dy + uz * dz;
+      const L mu = wet * mean * Vj * alongPair(q2) * approach / (q2 + L(1e-6));
+      s.vx -= mu * dx;
+      s.vy -= mu * dy;
+      s.vz -= mu * dz;
+      s.lost += mu * approach;
+    }
+    if constexpr (Heat) {
+      const L ki = i.state.d, kj = j.state.d;
+      const L k = L(2.0) * ki * kj / max(ki + kj, L(1e-30));
+      // the same for j but for its sign, to the last bit; summed in double precision so that no heat is lost to rounding
+      s.heat += widen(i.place.d * Vj * k * Kernel::laplace(q2) * (j.state.c - i.state.c));
+    }
+  }
+  THAW_INLINE void finish(const std::uint32_t* rows, const Data& i, const Sum& s, std::uint32_t dummy) const {
+    for (int l = 0; l < 8; l++)
+      if (rows[l] != dummy) {
+        const double V = static_cast<double>(i.place.d[l]), p = V * pressureScale, v = V * viscousScale;
+        Vec3d& f = in->force[rows[l]];
+        f.x += p * static_cast<double>(s.px[l]) + v * static_cast<double>(s.vx[l]);
+        f.y += p * static_cast<double>(s.py[l]) + v * static_cast<double>(s.vy[l]);
+        f.z += p * static_cast<double>(s.pz[l]) + v * static_cast<double>(s.vz[l]);
+        in->dissipation[rows[l]] += 0.5 * v * static_cast<double>(s.lost[l]);
+        if constexpr (Heat) in->heatFlow[rows[l]] += heatScale * s.heat[l];
+      }
+  }
+};
+
+}  // namespace
+}  // namespace THAW_ISA
+}  // namespace thaw

@@ -1,0 +1,34 @@
+// XSPH. One term of the pair sums (term.hpp).
+#pragma once
+#include "core/fluid/terms/term.hpp"
+
+namespace thaw {
+namespace THAW_ISA {
+namespace {
+
+/// XSPH (Monaghan 1989): velocity of the flow around a liquid particle, less its own, times epsilon.
+template<class Real, class Kernel> struct Smoothing {
+  using L = Lanes<Real>;
+  const Record<Real>*place, *motion, *surface;
+  const PairSums* in;
+  struct Data { Lanes4<Real> place, motion, surface; };
+  struct Sum { L x = L(0.0), y = L(0.0), z = L(0.0); };
+  THAW_INLINE Data load(const std::uint32_t* rows) const {
+    return {thaw::THAW_ISA::load(place, rows), thaw::THAW_ISA::load(motion, rows), thaw::THAW_ISA::load(surface, rows)};
+  }
+  THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
+    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);
+    const L w = min(i.surface.d, j.surface.d) * j.place.d * Kernel::w(dx * dx + dy * dy + dz * dz);
+    s.x -= w * (i.motion.a - j.motion.a);
+    s.y -= w * (i.motion.b - j.motion.b);
+    s.z -= w * (i.motion.c - j.motion.c);
+  }
+  THAW_INLINE void finish(const std::uint32_t* rows, const Data&, const Sum& s, std::uint32_t dummy) const {
+    for (int l = 0; l < 8; l++)
+      if (rows[l] != dummy) in->smoothed[rows[l]] = {static_cast<double>(s.x[l]), static_cast<double>(s.y[l]), static_cast<double>(s.z[l])};
+  }
+};
+
+}  // namespace
+}  // namespace THAW_ISA
+}  // namespace thaw

@@ -1,0 +1,18 @@
+// What a term of the pair sums is: `load` of a group of eight rows, `pair` of own row and neighbour in each lane, and `finish`, which writes
+// the sums of eight rows. The loop is sweep(). Compiled once for each instruction set.
+// d: position difference own - other in support radii; V: volumes in h^3; lengths come back with the factors in finish.
+#pragma once
+#include "core/kernels/kernels.hpp"
+#include "core/neighbours/sweep.hpp"
+#include "core/simd/pair_kernels.hpp"
+
+namespace thaw {
+namespace THAW_ISA {
+namespace {
+
+template<class Real> const Record<Real>* records(const void* p) { return static_cast<const Record<Real>*>(p); }
+template<class L> THAW_INLINE L square(L a) { return a * a; }
+
+}  // namespace
+}  // namespace THAW_ISA
+}  // namespace thaw
