@@ -94,9 +94,9 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
   return leftSlots;
 }
 
-std::vector<AnyColumn*> ghostColumns(World& w) {
+ColumnList ghostColumns(World& w) {
   Continuum& p = w.particles;
-  std::vector<AnyColumn*> c{&p.position, &p.velocity, &p.mass, &p.material, &p.phase};
+  ColumnList c{&p.position, &p.velocity, &p.mass, &p.material, &p.phase};
   if (w.modules.solid) c.push_back(&p.id);
   if (w.modules.solid) c.push_back(&p.body);
   if (p.liquid.active) c.push_back(&p.liquid);

@@ -11,7 +11,7 @@ namespace thaw {
 bool bringHome(World& world, Halos halos, StepTools& tools, double dt);
 
 /// The columns that sums over neighbours read of ghosts, by the modules that are on.
-std::vector<AnyColumn*> ghostColumns(World& world);
+ColumnList ghostColumns(World& world);
 
 /// Zero for everything that a step adds up.
 void clearRates(World& world);

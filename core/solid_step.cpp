@@ -58,7 +58,7 @@ void bookEnergy(World& w, StepTools& t, double sign) {
 void makeBonds(World& w, Halos& halos, StepTools& t) {
   Continuum& p = w.particles;
   prepareBondForming(p, w.solids);
-  const std::vector<AnyColumn*> columns = bondFormingColumns(p);
+  const ColumnList columns = bondFormingColumns(p);
   // one refresh at a time: that of filling is on its way and its end is waited for after this
   if (w.modules.fluid) halos.cells.finishRefresh(p);
   halos.cells.beginRefresh(p, columns);
@@ -80,7 +80,7 @@ void relinkSolids(World& w, Halos halos, StepTools& t, const Relink& work) {
   if (halos.bonds.relink(w.particles, w.solids, w.bonds, work)) {
     fillNewSlots(w.particles, w.solids, t.elastic);
     w.counters.singularNeighbourhoods = refreshReference(t.elastic, w.solids, w.bonds, false);
-    const std::vector<AnyColumn*> columns = remoteColumnsAfterRelink(w.solids);
+    const ColumnList columns = remoteColumnsAfterRelink(w.solids);
     halos.bonds.begin(w.solids, columns);
     halos.bonds.finish(w.solids);
   }
@@ -98,7 +98,7 @@ void melt(World& w, Halos halos, StepTools& t) {
 
 void beginDeformation(World& w, Halos halos) {
   copyToSolids(w.particles, w.solids);
-  const std::vector<AnyColumn*> columns = remoteColumnsBeforeDeformation(w.solids);
+  const ColumnList columns = remoteColumnsBeforeDeformation(w.solids);
   halos.bonds.begin(w.solids, columns);
 }
 
@@ -118,7 +118,7 @@ void deform(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.fracture) w.counters.brokenBonds += breakBonds(t.elastic, w.solids, w.bonds, now, w.ledger.phaseJump);
   if (w.modules.plastic) w.counters.rereferenced += rereference(t.elastic, w.solids, w.bonds, now, w.ledger.phaseJump);
   t.times.lap(StepPhase::Elastic);
-  const std::vector<AnyColumn*> columns = remoteColumnsBeforeForces(w.solids);
+  const ColumnList columns = remoteColumnsBeforeForces(w.solids);
   halos.bonds.begin(w.solids, columns);
   t.times.lap(StepPhase::Bonds);
 }

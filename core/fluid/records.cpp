@@ -17,15 +17,13 @@ void resizeBytes(AlignedVector<std::byte>& v, std::size_t bytes) {
   v.resize(bytes);
 }
 
-/// Parameters that depend on the liquid fraction and temperature only, with a short cut for materials that do not change.
-struct Local { double viscosity, conductivity; };
-Local localParameters(HeatModel model, const Material& m, double f, double T) { return {viscosityAt(m, f, T), conductivityOf(model, m, f)}; }
+MaterialParameters localParameters(HeatModel model, const Material& m, double f, double T) { return {viscosityAt(m, f, T), conductivityOf(model, m, f)}; }
 
 template<class Real> void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
   const double h = x.grid.support, perVolume = 1 / (h * h * h);
   const bool heat = x.modules.heat, melting = x.modules.melting, surface = r.surface.size() > 0;
-  std::vector<Local> constant;
-  for (const Material& m : x.scene.materials) constant.push_back(localParameters(x.scene.numerics.heat, m, restFraction(m), 293));
+  r.constant.clear();
+  for (const Material& m : x.scene.materials) r.constant.push_back(localParameters(x.scene.numerics.heat, m, restFraction(m), 293));
   Four<float>* fixed = rows<float>(r.fixed);
   for (std::size_t i = begin; i < end; i++) {
     const std::uint16_t k = p.material[i];
@@ -37,7 +35,7 @@ template<class Real> void packAs(const RecordContext& x, const Continuum& p, std
     fixed[i].d = static_cast<float>(V);
     if constexpr (sizeof(Real) == 8) rows<double>(r.place)[i] = {(at.x - x.grid.origin.x) / h, (at.y - x.grid.origin.y) / h, (at.z - x.grid.origin.z) / h, V};
     const double f = melting ? static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? 1 : 0, T = heat ? p.temperature[i] : 0;
-    const Local local = m.melts() || (heat && !m.viscosityTable.empty()) ? localParameters(x.scene.numerics.heat, m, f, T) : constant[k];
+    const MaterialParameters local = m.melts() || (heat && !m.viscosityTable.empty()) ? localParameters(x.scene.numerics.heat, m, f, T) : r.constant[k];
     const Vec3d& v = p.velocity[i];
     rows<Real>(r.motion)[i] = {static_cast<Real>(v.x), static_cast<Real>(v.y), static_cast<Real>(v.z), static_cast<Real>(local.viscosity)};
     rows<Real>(r.state)[i] = {Real(0), static_cast<Real>(f), static_cast<Real>(T), static_cast<Real>(local.conductivity)};

@@ -11,10 +11,14 @@
 
 namespace thaw {
 
+/// Parameters that depend on the liquid fraction and temperature only.
+struct MaterialParameters { double viscosity = 0, conductivity = 0; };
+
 /// Records of all rows and the dummy behind them; bytes, because they are float or double.
 struct PairRecords {
   AlignedVector<std::byte> fixed;    ///< fixed-point positions and V0 / h^3, float: read by the search, and as place in single precision
   AlignedVector<std::byte> place, motion, state, surface;
+  std::vector<MaterialParameters> constant;  ///< by material, of those that do not change
 };
 
 /// What packing needs to know of the run.

@@ -1,11 +1,15 @@
 // One field of a table of particles: a contiguous array with its name, unit and meaning.
 // Sorting, migration, ghosts, checkpoints and output work on AnyColumn, so that a field is declared once, in its table.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <new>
 #include <span>
+#include <stdexcept>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "core/math/mat3.hpp"
@@ -102,7 +106,24 @@ struct Table {
   void unpackState(std::size_t row, const std::byte* from);
 
  private:
-  AlignedVector<std::byte> spare_;  // target of reorder, swapped with the column
+  std::vector<std::pair<std::size_t, AlignedVector<std::byte>>> spares_;  // targets of reorder by elementBytes, swapped with the columns
+};
+
+/// Some columns of a table, for an exchange; without memory of its own, since a step makes several.
+class ColumnList {
+ public:
+  ColumnList(std::initializer_list<AnyColumn*> columns) {
+    for (AnyColumn* c : columns) push_back(c);
+  }
+  void push_back(AnyColumn* column) {
+    if (count_ == column_.size()) throw std::logic_error("ColumnList is full");
+    column_[count_++] = column;
+  }
+  operator std::span<AnyColumn* const>() const { return {column_.data(), count_}; }
+
+ private:
+  std::array<AnyColumn*, 12> column_{};
+  std::size_t count_ = 0;
 };
 
 }  // namespace thaw

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cassert>
 #include <cstring>
 
@@ -48,18 +49,22 @@ void Table::reorder(std::span<const std::uint32_t> order) {
     if (!c->active) continue;
     if (c->keep != Keep::Transient) {
       const std::size_t need = order.size() * c->elementBytes;
-      if (spare_.capacity() < need) spare_.reserve(need + need / 4);
-      spare_.resize(need);
+      // a buffer goes round among columns of one width only, or each would grow to the widest
+      auto at = std::find_if(spares_.begin(), spares_.end(), [&](const auto& s) { return s.first == c->elementBytes; });
+      if (at == spares_.end()) at = spares_.insert(at, {c->elementBytes, {}});
+      AlignedVector<std::byte>& spare = at->second;
+      if (spare.capacity() < need) spare.reserve(need + need / 4);
+      spare.resize(need);
       switch (c->elementBytes) {
-        case 24: gather<Three>(c->bytes.data(), spare_.data(), order); break;
-        case 8: gather<std::uint64_t>(c->bytes.data(), spare_.data(), order); break;
-        case 4: gather<std::uint32_t>(c->bytes.data(), spare_.data(), order); break;
-        case 2: gather<std::uint16_t>(c->bytes.data(), spare_.data(), order); break;
+        case 24: gather<Three>(c->bytes.data(), spare.data(), order); break;
+        case 8: gather<std::uint64_t>(c->bytes.data(), spare.data(), order); break;
+        case 4: gather<std::uint32_t>(c->bytes.data(), spare.data(), order); break;
+        case 2: gather<std::uint16_t>(c->bytes.data(), spare.data(), order); break;
         default:
           for (std::size_t i = 0; i < order.size(); i++)
-            std::memcpy(spare_.data() + i * c->elementBytes, c->bytes.data() + order[i] * c->elementBytes, c->elementBytes);
+            std::memcpy(spare.data() + i * c->elementBytes, c->bytes.data() + order[i] * c->elementBytes, c->elementBytes);
       }
-      c->bytes.swap(spare_);
+      c->bytes.swap(spare);
     } else {
       resizeColumn(*c, order.size());
     }

@@ -37,9 +37,12 @@ void prepareBondForming(Continuum& particles, const Solids& solids) {
   }
 }
 
-std::vector<AnyColumn*> bondFormingColumns(Continuum& particles) {
-  std::vector<AnyColumn*> columns{&particles.id, &particles.material, &particles.body, &particles.phase};
-  if (particles.frame.active) columns.insert(columns.end(), {&particles.frame, &particles.justFrozen});
+ColumnList bondFormingColumns(Continuum& particles) {
+  ColumnList columns{&particles.id, &particles.material, &particles.body, &particles.phase};
+  if (particles.frame.active) {
+    columns.push_back(&particles.frame);
+    columns.push_back(&particles.justFrozen);
+  }
   if (particles.home.active) columns.push_back(&particles.home);
   return columns;
 }

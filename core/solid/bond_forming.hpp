@@ -29,7 +29,7 @@ struct BondForming {
 /// relink (makes the slots), refresh bondFormingColumns on ghosts, formBonds, relink with the requests, refreshReference.
 void prepareBondForming(Continuum& particles, const Solids& solids);
 /// The columns of ghosts that formBonds reads, beside position.
-std::vector<AnyColumn*> bondFormingColumns(Continuum& particles);
+ColumnList bondFormingColumns(Continuum& particles);
 
 /// x_ij in the frame of an end with this F: F^-1 x, so that a bond made now does not change F. Where F is nearly singular or
 /// inverted (det F < 0.05), x itself.

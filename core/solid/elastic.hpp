@@ -79,9 +79,9 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
 /// and before phase 2 (computeElasticForces). A step is:
 ///   copyToSolids; begin(BeforeDeformation); phase 1 Inner; finish; phase 1 Boundary; breakBonds (fracture.hpp); rereference
 ///   (rereference.hpp); begin(BeforeForces); phase 2 Inner; finish; phase 2 Boundary; addSolidForces.
-std::vector<AnyColumn*> remoteColumnsAfterRelink(Solids& solids);
-std::vector<AnyColumn*> remoteColumnsBeforeDeformation(Solids& solids);
-std::vector<AnyColumn*> remoteColumnsBeforeForces(Solids& solids);
+ColumnList remoteColumnsAfterRelink(Solids& solids);
+ColumnList remoteColumnsBeforeDeformation(Solids& solids);
+ColumnList remoteColumnsBeforeForces(Solids& solids);
 
 /// Copies position (and velocity, liquid fraction where they are active) of the owned slots' particles.
 void copyToSolids(const Continuum& particles, Solids& solids);

@@ -50,15 +50,15 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
   }
 }
 
-std::vector<AnyColumn*> remoteColumnsAfterRelink(Solids& solids) { return {&solids.material}; }
+ColumnList remoteColumnsAfterRelink(Solids& solids) { return {&solids.material}; }
 
-std::vector<AnyColumn*> remoteColumnsBeforeDeformation(Solids& solids) {
+ColumnList remoteColumnsBeforeDeformation(Solids& solids) {
   if (solids.velocity.active) return {&solids.position, &solids.velocity};
   return {&solids.position};
 }
 
-std::vector<AnyColumn*> remoteColumnsBeforeForces(Solids& solids) {
-  std::vector<AnyColumn*> columns{&solids.flux, &solids.hourglass};
+ColumnList remoteColumnsBeforeForces(Solids& solids) {
+  ColumnList columns{&solids.flux, &solids.hourglass};
   if (solids.drag.active) columns.push_back(&solids.drag);
   if (solids.rereferenced.active) columns.push_back(&solids.rereferenced);
   return columns;

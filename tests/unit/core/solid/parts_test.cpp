@@ -51,10 +51,11 @@ std::unique_ptr<SolidBody> partOf(const SolidBody& whole, const std::vector<std:
 }
 
 /// Remote rows of `to` from the owned rows of `from`.
-void exchange(SolidBody& from, SolidBody& to, std::vector<AnyColumn*> (*columns)(Solids&)) {
+void exchange(SolidBody& from, SolidBody& to, ColumnList (*columns)(Solids&)) {
   std::map<std::uint64_t, std::size_t> owner;
   for (std::size_t s = 0; s < from.solids.owned; s++) owner[from.solids.id[s]] = s;
-  const auto source = columns(from.solids), target = columns(to.solids);
+  const ColumnList ours = columns(from.solids), theirs = columns(to.solids);
+  const std::span<AnyColumn* const> source = ours, target = theirs;
   for (std::size_t c = 0; c < source.size(); c++)
     for (std::size_t s = to.solids.owned; s < to.solids.size(); s++)
       std::memcpy(target[c]->bytes.data() + s * target[c]->elementBytes, source[c]->bytes.data() + owner.at(to.solids.id[s]) * source[c]->elementBytes,
