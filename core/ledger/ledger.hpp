@@ -23,7 +23,7 @@ struct ExactBalance {
 struct Ledger {
   ExactBalance entered, left;          ///< emitters, open sides
   ExactSum dissipated;                 ///< J, of particles that left or that changed hands; the rest is in Continuum::dissipated
-  ExactSum wallWork;                   ///< J, done on particles by moving obstacles, and by the pressure that walls mirror
+  ExactSum wallWork;                   ///< J, done on particles by moving obstacles and by emitters
   ExactSum wallImpulse[3];             ///< N s, given to particles by obstacles, and by what holds clamped ones
   ExactSum wallForce[3];               ///< N, of these now: half of the next kick is still to come
   ExactSum gravityImpulse[3];          ///< N s, of mass that entered, less that of mass that left; initial.mass * g * time is to be added

@@ -104,7 +104,7 @@ void shareBetween(const WallContext& x, std::span<WallContact> contacts) {
   for (WallContact& c : contacts)
     for (const WallContact& other : contacts) {
       if (&c == &other) continue;
-      const double slope = overlapSlope(x.tables(c.distance / h).filling, x.tables(other.distance / h).filling, alignment(c.normal, other.normal));
+      const double slope = overlapSlope(x.tables(c.distance / h).space, x.tables(other.distance / h).space, alignment(c.normal, other.normal));
       const double left = std::max(0.0, 1 - slope);
       c.share *= left;
       if (warm(c) && warm(other)) c.heatShare *= left;
@@ -150,17 +150,18 @@ void addWallFilling(const WallContext& x, double perLatticeSum, WallContacts& co
     // each wall adds what the walls before it have left of its own; what they added does not overlap, so that shares of it add up
     double filling = 0;
     for (end = begin; end < list.size() && list[end].row == list[begin].row; end++) {
-      const double own = x.tables(list[end].distance / h).filling;
+      const WallIntegrals t = x.tables(list[end].distance / h);
+      const double own = t.space;
       double left = own;
       for (std::size_t other = begin; other < end && left > 0; other++) {
-        const double b = x.tables(list[other].distance / h).filling, g = alignment(list[end].normal, list[other].normal);
+        const double b = x.tables(list[other].distance / h).space, g = alignment(list[end].normal, list[other].normal);
         if (b <= 0) continue;
         const double overlap = g <= 0 ? (1 + g) * own * b : (1 - g) * own * b + g * std::min(own, b);
         left -= overlap * (contacts.added[other - begin] / b);
       }
       if (contacts.added.size() <= end - begin) contacts.added.push_back(0);
       contacts.added[end - begin] = std::max(left, 0.0);
-      filling += contacts.added[end - begin];
+      if (own > 0) filling += contacts.added[end - begin] / own * t.filling;
     }
     const std::uint32_t i = list[begin].row;
     p.filling[i] = static_cast<float>(static_cast<double>(p.filling[i]) + perLatticeSum * filling);

@@ -37,7 +37,6 @@ template<class Kernel> WallIntegrals integralsOf(double spacing, double d) {
     const Plane p = planeAt<Kernel>(d + depth);
     sum.filling += spacing * p.w;
     sum.push += spacing * p.slope;
-    sum.lean += spacing * p.slope * (d + depth);
     sum.drag += spacing * p.laplace * (1 + depth / from);
   }
   return sum;
@@ -53,11 +52,18 @@ WallIntegrals wallIntegrals(KernelKind kernel, double spacing, double d) {
   }
 }
 
+WallIntegrals asLiquidsFeelIt(const WallIntegrals& w, double filling0) {
+  if (!(filling0 > 0)) return {w.filling, w.push, w.drag, w.filling};
+  return {w.filling * w.filling / filling0, w.push * 2 * w.filling / filling0, w.drag, w.filling};
+}
+
 WallTables makeWallTables(KernelKind kernel, double spacing) {
   WallTables t;
   t.lowest = -0.5 * spacing;
   t.nearest = 0.25 * spacing;
-  for (int k = 0; k <= WallTables::points; k++) t.at.push_back(wallIntegrals(kernel, spacing, t.lowest + (1 - t.lowest) * k / WallTables::points));
+  const double filling0 = wallIntegrals(kernel, spacing, 0.5 * spacing).filling;
+  for (int k = 0; k <= WallTables::points; k++)
+    t.at.push_back(asLiquidsFeelIt(wallIntegrals(kernel, spacing, t.lowest + (1 - t.lowest) * k / WallTables::points), filling0));
   return t;
 }
 

@@ -10,10 +10,9 @@
 namespace thaw {
 
 /// Values at one distance. filling: sum V W (1); push: sum V |dW/dz| along the normal (1/h), with Wendland's and the cubic kernel
-/// -d filling / d(distance); lean: the same times the distance of the layer (1), for a pressure that grows linearly into the wall;
-/// drag: sum V lap W (1 + z/d) (1/h^2), the Laplacian of a field that is linear across the wall's surface (Morris 1997), z the depth of
-/// a layer.
-struct WallIntegrals { double filling = 0, push = 0, lean = 0, drag = 0; };
+/// -d filling / d(distance); drag: sum V lap W (1 + z/d) (1/h^2), the Laplacian of a field that is linear across the wall's surface (Morris
+/// 1997), z the depth of a layer; space: filling before asLiquidsFeelIt.
+struct WallIntegrals { double filling = 0, push = 0, drag = 0, space = 0; };
 
 struct WallTables {
   static constexpr int points = 1024;
@@ -28,14 +27,20 @@ struct WallTables {
     const int k = static_cast<int>(x) < points ? static_cast<int>(x) : points - 1;
     const double t = x - k;
     const WallIntegrals &a = at[static_cast<std::size_t>(k)], &b = at[static_cast<std::size_t>(k) + 1];
-    return {a.filling + t * (b.filling - a.filling), a.push + t * (b.push - a.push), a.lean + t * (b.lean - a.lean), a.drag + t * (b.drag - a.drag)};
+    return {a.filling + t * (b.filling - a.filling), a.push + t * (b.push - a.push), a.drag + t * (b.drag - a.drag), a.space + t * (b.space - a.space)};
   }
 };
 
 /// The tables' values at a distance (h), without interpolation; exact to rounding.
 WallIntegrals wallIntegrals(KernelKind kernel, double spacing, double distance);
 
-/// spacing: in units of h; drag takes distances below a quarter of it as that. Interpolation is good to 1e-5.
+/// As a liquid feels the wall: filling^2 / filling_0, where filling_0 is that half a spacing from the wall, and push times
+/// 2 filling / filling_0. There the filling is the same and the push is twice the wall's own, as if the wall had the liquid's pressure:
+/// that balances an even pressure, which once the push does not. And the push is still the slope of the filling, so that the
+/// pressure of a still wall does no work; doubling the push alone makes water at rest boil.
+WallIntegrals asLiquidsFeelIt(const WallIntegrals& wall, double filling0);
+
+/// Of asLiquidsFeelIt. spacing: in units of h; drag takes distances below a quarter of it as that. Interpolation is good to 1e-5.
 WallTables makeWallTables(KernelKind kernel, double spacing);
 
 }  // namespace thaw

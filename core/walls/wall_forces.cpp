@@ -20,8 +20,7 @@ double overStep(double r, double dt) { return dt > 0 && r > 0 ? -std::expm1(-r *
 struct WallAction {
   Vec3d force{};      ///< N, all of it
   Vec3d resisting{};  ///< N, the part that takes mechanical energy away: drag, dashpot, friction
-  Vec3d mirrored{};   ///< N, the part of pressure that is not the slope of the particle's own energy of compression
-  double lost = 0, work = 0;  ///< W, by resisting; by mirrored; at the half step's velocity
+  double lost = 0;    ///< W, by resisting; at the half step's velocity
   void resist(const Vec3d& f, const Vec3d& u) {
     force += f;
     resisting += f;
@@ -40,7 +39,7 @@ struct Meeting {
   Vec3d velocity;   ///< m/s, relative to the wall
 };
 
-/// Pressure of a liquid, with the wall's pressure p_w = p + rho g.n z at the depth of each of its layers (Adami 2012 eq. 27), and drag.
+/// Pressure of a liquid, the slope of its energy of compression (tables.hpp), and drag.
 void addLiquidForces(const WallContext& x, const Meeting& at, double perLatticeSum, WallAction& act) {
   const World& w = x.world;
   const Continuum& p = w.particles;
@@ -49,16 +48,8 @@ void addLiquidForces(const WallContext& x, const Meeting& at, double perLatticeS
   const double pressure = static_cast<double>(p.pressure[at.row]), filling = static_cast<double>(p.filling[at.row]);
   const Vec3d& n = at.contact.normal;
   if (pressure != 0 && filling > 0) {
-    const bool printed = w.scene.numerics.pressure == PairForm::Printed;
-    const double push = printed ? 0.5 * at.volume * pressure / filling * t.push / h
-                                : perLatticeSum * at.volume * pressure / (filling * filling) * t.push / h;
-    const double weight = -dot(w.scene.domain.gravity, n) * at.material.density * at.liquid;
-    const double lean = (printed ? 0.5 : perLatticeSum) * at.volume * weight * t.lean;
-    const double mirrored = (push + std::clamp(lean, -std::abs(push), std::abs(push))) * at.contact.share;
-    const double own = push * at.contact.share;
-    act.force += n * (own + mirrored);
-    act.mirrored += n * mirrored;
-    act.work += mirrored * dot(n, at.velocity);
+    const double term = w.scene.numerics.pressure == PairForm::Printed ? 0.5 * pressure / filling : perLatticeSum * pressure / (filling * filling);
+    act.force += n * (at.volume * term * t.push / h * at.contact.share);
   }
   if (at.wall.slip) return;
   const double mu = viscosityAt(at.material, at.liquid, p.temperature.active ? p.temperature[at.row] : 0);
@@ -130,8 +121,6 @@ void addWallForces(const WallContext& x, double perLatticeSum, const WallContact
     Vec3d half{};
     if (!(p.clamped.active && p.clamped[i])) half = (p.force[i] / p.mass[i] + w.scene.domain.gravity) * (x.dt > 0 ? 0.5 * x.dt : 0.25 * x.span);
     p.dissipation[i] += act.lost - dot(act.resisting, half);
-    const double work = act.work + dot(act.mirrored, half);
-    if (work != 0) w.ledger.wallWork.add(work * x.dt);
     for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(act.force[a]);
   }
   bookClamps(w, x.dt);

@@ -22,7 +22,7 @@ void findWallContacts(const WallContext& context, WallContacts& contacts);
 /// like independent ones: 1 - prod(1 - filling_k).
 void addWallFilling(const WallContext& context, double perLatticeSum, WallContacts& contacts);
 
-/// Pressure on liquids (mirrored: the wall has the particle's pressure), drag where the wall does not let slip, and for solids a
+/// Pressure on liquids, drag where the wall does not let slip, and for solids a
 /// spring with dashpot and Coulomb friction within half a spacing of the wall. Work and impulse go to the ledger.
 void addWallForces(const WallContext& context, double perLatticeSum, const WallContacts& contacts);
 

@@ -34,6 +34,27 @@ TEST(LiquidAtWalls, HydrostaticColumn) {
   EXPECT_LT(length(r.momentumResidual), 1e-6 * length(r.gravityImpulse));
 }
 
+// Water of low viscosity in a box, from a lattice: it settles and stays at rest. The walls do not move, so they do no work.
+TEST(LiquidAtWalls, WaterAtRestStaysAtRest) {
+  Scene s;
+  s.spacing = 0.004;
+  s.domain.min = {0, 0, 0};
+  s.domain.max = {0.032, 0.032, 0.1};
+  for (auto& side : s.domain.side) side = {Side::Wall, Side::Wall};
+  s.domain.gravity = {0, 0, -9.81};
+  s.output.every = 0;
+  s.materials.emplace_back();
+  s.materials[0].viscosity = {0.01, 0.01};
+  addBox(s, {0, 0, 0}, {0.032, 0.032, 0.048});
+  s.end = 0.5;
+  Simulation run(s);
+  EXPECT_TRUE(run.run());
+  const LedgerReport r = run.books();
+  EXPECT_EQ(r.wallWork, 0);
+  EXPECT_LT(r.now.kinetic, 1e-3 * r.initial.potential);
+  EXPECT_LT(std::abs(r.energyResidual), 1e-3 * r.initial.potential);
+}
+
 TEST(LiquidAtWalls, PoiseuilleBetweenPlates) {
   const double dx = 0.1, H = 10 * dx, nu = 1, g = 0.8;
   Scene s = columnScene(dx, 0, H);
