@@ -87,8 +87,13 @@ int main(int argc, char** argv) {
   double support = 2;
   Precision precision = Precision::Single;
   const char* csv = nullptr;
-  for (int a = 1; a + 1 < argc; a += 2) {
+  for (int a = 1; a < argc; a += 2) {
     const std::string key = argv[a];
+    const bool help = key == "-h" || key == "--help";
+    if (help || a + 1 == argc) {
+      std::fprintf(help ? stdout : stderr, "%sscripts/bench step [--sizes 100000,1000000] [--repeat 5] [--support 2] [--precision single|double] [--csv FILE]\n", help ? "" : "an option without a value; ");
+      return help ? 0 : 2;
+    }
     if (key == "--sizes") sizes = sizesFrom(argv[a + 1]);
     else if (key == "--repeat") repeat = std::atoi(argv[a + 1]);
     else if (key == "--support") support = std::atof(argv[a + 1]);

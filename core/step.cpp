@@ -91,7 +91,9 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
 
 StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests wanted) {
   StepLimits limits = t.fixedLimits;
-  const StepLimits own = particleLimits(w, t.stableViscousStep);
+  StepLimits own = particleLimits(w, t.stableViscousStep);
+  // half a spacing from a wall its push is as stiff as the lattice, for which cfl_sound stands; closer it is stiffer
+  if (t.wallContacts.stiffest > 0) own[Limit::Contact] = 2 * w.scene.numerics.cflSound / t.wallContacts.stiffest;
   constexpr std::size_t n = limitNames.size();
   double values[n + 8];
   for (std::size_t k = 0; k < n; k++) values[k] = -std::min(limits.value[k], own.value[k]);
@@ -103,6 +105,7 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests
   values[n + 5] = t.meltedAnywhere;
   values[n + 6] = w.modules.solid ? t.maxStretch2 : 1;
   values[n + 7] = w.modules.solid ? largestGrip(t.elastic, w.solids) : 0;
+  if (w.modules.solid) w.counters.singularNeighbourhoods = countSingular(t.elastic, w.solids);  // bonds break and references follow in any step
   t.times.lap(StepPhase::Drift);
   halos.all.maximum(values);
   t.times.lap(StepPhase::Reduce);
@@ -116,7 +119,8 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests
   all.finite = !(values[n + 1] > 0);
   all.wanted = {values[n + 2] > 0, values[n + 3] > 0, values[n + 4] > 0};
   const double fixed = w.scene.numerics.fixedStep;
-  w.clock.dt = fixed > 0 ? fixed : limits[all.limitedBy];
+  // growing by a tenth at most: leap-frog whose step jumps up and down pumps energy into what swings fast
+  w.clock.dt = fixed > 0 ? fixed : std::min(limits[all.limitedBy], w.clock.step > 0 ? 1.1 * w.clock.dt : never);
   w.clock.limitedBy = fixed > 0 ? "the scene's fixed step" : limitNames[static_cast<std::size_t>(all.limitedBy)];
   return all;
 }

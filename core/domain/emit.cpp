@@ -10,6 +10,8 @@
 namespace thaw {
 namespace {
 
+constexpr double mostInLayer = 1e6;
+
 /// Two unit vectors across a direction; a fixed rule, so that every rank and every run makes the same layers.
 void across(const Vec3d& n, Vec3d& u, Vec3d& v) {
   const Vec3d axis = std::abs(n.x) <= std::abs(n.y) && std::abs(n.x) <= std::abs(n.z) ? Vec3d{1, 0, 0} : std::abs(n.y) <= std::abs(n.z) ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
@@ -52,12 +54,16 @@ std::vector<std::vector<double>> cohesionOf(const Scene& s, const Emitter& e, co
   const double distance = plan.interval * e.speed;
   for (int layer = 0; layer * distance < h && layer * plan.interval <= plan.ahead; layer++) {
     energy.emplace_back(plan.layer.size());
-    for (std::size_t i = 0; i < plan.layer.size(); i++)
-      for (std::size_t j = 0; j < plan.layer.size(); j++) {
+    // rows of the layer follow each other along `a`: only those within h of i's are looked at
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < plan.layer.size(); i++) {
+      while (plan.along[i] - plan.along[first] >= h) first++;
+      for (std::size_t j = first; j < plan.layer.size() && plan.along[j] - plan.along[i] < h; j++) {
         const Vec3d d = plan.layer[i] - plan.layer[j];
         const double q = std::sqrt(dot(d, d) + layer * distance * layer * distance) / h;
         if ((layer > 0 || i != j) && q < 1) energy.back()[i] += (layer > 0 ? 1 : 0.5) * strength * Cohesion::potential(q);
       }
+    }
   }
   return energy;
 }
@@ -70,10 +76,15 @@ std::vector<EmitterPlan> planEmitters(const Scene& s) {
     EmitterPlan plan;
     Vec3d u, v;
     across(normalized(e.direction), u, v);
-    const double dx = s.spacing;
-    for (double a : centred(e.disc ? 2 * e.radius : e.width, dx))
-      for (double b : centred(e.disc ? 2 * e.radius : e.depth, dx))
-        if (!e.disc || a * a + b * b <= e.radius * e.radius) plan.layer.push_back(e.centre + u * a + v * b);
+    const double dx = s.spacing, across1 = e.disc ? 2 * e.radius : e.width, across2 = e.disc ? across1 : e.depth;
+    if (across1 / dx * (across2 / dx) > mostInLayer)
+      throw std::runtime_error("emitter '" + e.name + "': its opening has more than a million particles at this spacing");
+    for (double a : centred(across1, dx))
+      for (double b : centred(across2, dx))
+        if (!e.disc || a * a + b * b <= e.radius * e.radius) {
+          plan.layer.push_back(e.centre + u * a + v * b);
+          plan.along.push_back(a);
+        }
     plan.particleMass = s.materials[static_cast<std::size_t>(e.material)].density * dx * dx * dx;
     plan.interval = e.rate > 0 ? static_cast<double>(plan.layer.size()) * plan.particleMass / e.rate : dx / e.speed;
     if (plan.interval * e.speed < 0.95 * dx)

@@ -15,6 +15,7 @@ namespace thaw {
 /// An emitter made ready: the places of one layer and the time between layers.
 struct EmitterPlan {
   std::vector<Vec3d> layer;   ///< m, positions of a layer at the moment it leaves
+  std::vector<double> along;  ///< m, of each along the opening's first axis, ascending
   double interval = 0;        ///< s between layers
   double ahead = 0;           ///< s that a layer spends in the nozzle
   double particleMass = 0;    ///< kg

@@ -82,9 +82,7 @@ std::int64_t refreshReference(ElasticWork& work, Solids& solids, Bonds& bonds, b
     lookAtGroup(work, solids, bonds, g);
   }
   sortGroups(work);
-  std::int64_t singular = 0;
-  for (std::size_t s = 0; s < solids.owned; s++) singular += work.rank[s] < 3;
-  return singular;
+  return countSingular(work, solids);
 }
 
 }  // namespace thaw

@@ -55,7 +55,7 @@ void refreshSlot(ElasticWork& work, Solids& solids, const Bonds& bonds, std::siz
     all += lever;
     lengths += length(lever);
   }
-  work.grip[slot] = lengths + length(all);
+  work.grip[slot] = (m.rank < 3 ? flatGrip : 1) * (lengths + length(all));
   solids.changed[slot] = 0;
 }
 

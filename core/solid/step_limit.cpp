@@ -11,6 +11,12 @@ double largestGrip(const ElasticWork& work, const Solids& solids) {
   return grip;
 }
 
+std::int64_t countSingular(const ElasticWork& work, const Solids& solids) {
+  std::int64_t count = 0;
+  for (std::size_t s = 0; s < solids.owned; s++) count += work.rank[s] < 3;
+  return count;
+}
+
 double elasticStepLimit(const Scene& scene, double maxStretch2, double grip) {
   double limit = never;
   const double distance = grip > 0 ? std::min(scene.spacing, latticeGrip / grip) : scene.spacing;

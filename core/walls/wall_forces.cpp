@@ -40,7 +40,7 @@ struct Meeting {
 };
 
 /// Pressure of a liquid, the slope of its energy of compression (tables.hpp), and drag.
-void addLiquidForces(const WallContext& x, const Meeting& at, double perLatticeSum, WallAction& act) {
+void addLiquidForces(const WallContext& x, const Meeting& at, double perLatticeSum, WallAction& act, double& stiffest) {
   const World& w = x.world;
   const Continuum& p = w.particles;
   const double h = w.grid.support;
@@ -50,6 +50,7 @@ void addLiquidForces(const WallContext& x, const Meeting& at, double perLatticeS
   if (pressure != 0 && filling > 0) {
     const double term = w.scene.numerics.pressure == PairForm::Printed ? 0.5 * pressure / filling : perLatticeSum * pressure / (filling * filling);
     act.force += n * (at.volume * term * t.push / h * at.contact.share);
+    stiffest = std::max(stiffest, x.liquids[p.material[at.row]].soundSpeed * perLatticeSum * t.push / h);
   }
   if (at.wall.slip) return;
   const double mu = viscosityAt(at.material, at.liquid, p.temperature.active ? p.temperature[at.row] : 0);
@@ -99,11 +100,12 @@ void bookClamps(World& w, double dt) {
 
 }  // namespace
 
-void addWallForces(const WallContext& x, double perLatticeSum, const WallContacts& contacts) {
+void addWallForces(const WallContext& x, double perLatticeSum, WallContacts& contacts) {
   World& w = x.world;
   Continuum& p = w.particles;
   const auto& list = contacts.list;
   for (ExactSum& s : w.ledger.wallForce) s = {};
+  contacts.stiffest = 0;
   for (std::size_t c = 0; c < list.size();) {
     const std::uint32_t i = list[c].row;
     const Material& m = w.scene.materials[p.material[i]];
@@ -112,7 +114,7 @@ void addWallForces(const WallContext& x, double perLatticeSum, const WallContact
       const Wall& wall = w.walls.list[list[c].wall];
       const Vec3d v = wallVelocity(wall, p.position[i]), before = act.force;
       const Meeting at{list[c], wall.properties, m, i, liquidFraction(p, i), p.mass[i] / m.density, p.velocity[i] - v};
-      if (at.liquid > 0) addLiquidForces(x, at, perLatticeSum, act);
+      if (at.liquid > 0) addLiquidForces(x, at, perLatticeSum, act, contacts.stiffest);
       addContactForces(x, at, p, act);
       if (!wall.properties.motion.empty()) w.ledger.wallWork.add(dot(act.force - before, v) * x.dt);
     }

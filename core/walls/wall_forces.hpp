@@ -24,7 +24,7 @@ void addWallFilling(const WallContext& context, double perLatticeSum, WallContac
 
 /// Pressure on liquids, drag where the wall does not let slip, and for solids a
 /// spring with dashpot and Coulomb friction within half a spacing of the wall. Work and impulse go to the ledger.
-void addWallForces(const WallContext& context, double perLatticeSum, const WallContacts& contacts);
+void addWallForces(const WallContext& context, double perLatticeSum, WallContacts& contacts);
 
 /// Heat from walls that have a temperature.
 void addWallHeat(const WallContext& context, const WallContacts& contacts);

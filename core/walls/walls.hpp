@@ -45,6 +45,7 @@ struct WallContacts {
   std::vector<WallContact> list;
   std::vector<std::uint32_t> reachable;  ///< walls that can be within reach of the cell at hand
   std::vector<double> added;             ///< filling that each wall of the particle at hand has added
+  double stiffest = 0;                   ///< 1/s, largest sound speed times slope of the filling by a wall: bounds the step
 };
 
 }  // namespace thaw

@@ -85,7 +85,7 @@ int checkAll(const CheckOptions& o) {
   if (!sampled.overlaps.empty()) std::printf("  %lld particles left out of overlaps\n", static_cast<long long>(sampled.removed));
   std::printf("\nmodules\n");
   for (const std::string& why : w.modules.why) std::printf("  %s\n", why.c_str());
-  std::printf("\ntime step %.3g s, limited by %s\n", dt, limitedBy.c_str());
+  std::printf("\ntime step %.3g s at the start, limited by %s; by the materials alone\n", dt, limitedBy.c_str());
   for (std::size_t k = 0; k < limitNames.size(); k++)
     if (t.fixedLimits.value[k] < never) std::printf("  %-16s %.3g s\n", limitNames[k], t.fixedLimits.value[k]);
   const double particles = std::max<double>(1, static_cast<double>(l.particles)), total = particles + std::max(0.0, emitted - static_cast<double>(w.counters.emitted));

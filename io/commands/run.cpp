@@ -92,17 +92,23 @@ int simulate(Run& r) {
   r.say(fmt::format("{}: {}", r.options.scene, r.world.scene.title));
   for (const std::string& why : r.world.modules.why) r.say("  " + why);
   begin(r, load);
+  const Clock& c = r.world.clock;
+  if (r.resumed && (c.time >= c.end || (r.options.steps >= 0 && c.step >= r.options.steps))) {
+    r.say(fmt::format("nothing left to do: {} is reached; the folder is as it was", c.time >= c.end ? "the end of the scene" : "the number of steps"));
+    return exitDone;
+  }
   report(r);
   summarise(r, "running", "");
   std::string why;
   r.stepping = true;
   const int code = loop(r, why);
+  if (code == exitDone && c.time < c.end) why = "--steps is reached; --restart goes on";
   if (code == exitDone || code == exitStopped) {
     report(r);
     writeCheckpointOf(r);
   }
   summarise(r, code == exitDone ? "done" : code == exitStopped ? "stopped" : "failed", why);
-  for (const std::string& w : warningsOf(r.summary.counters)) r.summary.warnings.push_back(w);
+  for (const std::string& w : warningsOf(r.summary.counters, r.summary.ledger)) r.summary.warnings.push_back(w);
   r.say(fmt::format("{} at t {:.6g} s, step {}{}; {:.3g} M particle-steps/s with {} ranks, {:.1f} s", r.summary.status, r.world.clock.time, r.world.clock.step, why.empty() ? "" : " (" + why + ")",
                     r.summary.particleSteps / r.summary.wall / 1e6, r.comm.size(), r.summary.wall));
   for (const std::string& w : r.summary.warnings) r.say("warning: " + w);

@@ -36,6 +36,12 @@ void put6(const Sym3d& s, float* to) {
 }
 
 /// Slot of a row that is there and in the table of solids, or noSlot.
+std::uint16_t bondsOf(const Bonds& b, std::uint32_t slot) {
+  std::uint16_t count = 0;
+  for (int k = 0; k < b.capacity; k++) count = static_cast<std::uint16_t>(count + (b.weight[b.at(slot, k)] > 0));
+  return count;
+}
+
 std::uint32_t slotOf(const World& w, std::size_t row) {
   if (!w.particles.slot.active) return noSlot;
   const std::uint32_t slot = w.particles.slot[row];
@@ -98,8 +104,11 @@ void addField(WorldFrame& f, const World& w, int rank, const std::string& name) 
   } else if (name == "rank") {
     add<std::uint32_t>(f, "rank", "1", 1, [&](std::size_t, std::uint32_t* to) { *to = static_cast<std::uint32_t>(rank); });
   } else if (name == "neighbours") {
-    const bool there = w.neighbours.neighbours.size() >= p.owned;
-    add<std::uint16_t>(f, "neighbours", "1", 1, [&](std::size_t i, std::uint16_t* to) { *to = there ? w.neighbours.neighbours[i] : 0; });
+    // of a solid particle its bonds: they are its neighbours, and where there are only solids nothing is searched
+    add<std::uint16_t>(f, "neighbours", "1", 1, [&](std::size_t i, std::uint16_t* to) {
+      const std::uint32_t slot = slotOf(w, i);
+      *to = slot == noSlot ? (w.modules.neighbours && i < w.neighbours.neighbours.size() ? w.neighbours.neighbours[i] : std::uint16_t(0)) : bondsOf(w.bonds, slot);
+    });
   } else if (name != "id") {
     throw std::invalid_argument("unknown field '" + name + "' of frames");
   }

@@ -5,6 +5,7 @@
 
 #include "core/geometry/signed_distance.hpp"
 #include "core/scene/modules.hpp"
+#include "io/commands/scene_for_all.hpp"
 #include "io/scene/read_scene.hpp"
 
 namespace thaw {
@@ -19,9 +20,10 @@ FrameJob jobOfScene(const Scene& scene) {
   job.width = scene.output.width;
   job.height = scene.output.height;
   job.spacing = static_cast<float>(scene.spacing);
+  const MeshLoader load = meshLoader();
   for (const Obstacle& obstacle : scene.obstacles) {
     Wall wall;
-    wall.shape = makeSignedDistance(obstacle.shape);
+    wall.shape = makeSignedDistance(obstacle.shape, load);
     wall.properties = obstacle;
     wall.bounds = wall.shape->bounds();
     job.walls.list.push_back(std::move(wall));

@@ -30,10 +30,11 @@ void writeFrameOf(Run& r) {
 
 void report(Run& r) {
   const LedgerReport l = reportLedger(r.world, r.all);
+  const bool first = r.world.clock.step == r.stepAtReport;
   const double rate = static_cast<double>(r.world.clock.step - r.stepAtReport) / std::max(1e-9, since(r.lastReport));
   double left = (r.world.clock.end - r.world.clock.time) / std::max(1e-300, r.world.clock.dt);
   if (r.options.steps >= 0) left = std::min(left, static_cast<double>(r.options.steps - r.world.clock.step));
-  r.say(progressLine(r.world.clock, l, rate, left / std::max(1e-9, rate)));
+  r.say(progressLine(r.world.clock, l, rate, first ? never : left / std::max(1e-9, rate)));
   r.lastReport = WallClock::now();
   r.stepAtReport = r.world.clock.step;
   r.summary.ledger = l;
@@ -51,7 +52,7 @@ void summarise(Run& r, const std::string& status, const std::string& message) {
   gatherSummary(s, r.world, r.tools.times, messages, bytes, r.all);
   onFirstRank(r.comm.handle(), [&] {
     RunSummary all = s;
-    for (const std::string& w : warningsOf(s.counters)) all.warnings.push_back(w);
+    for (const std::string& w : warningsOf(s.counters, s.ledger)) all.warnings.push_back(w);
     writeSummary(r.options.out, all);
   });
 }
@@ -104,6 +105,7 @@ void begin(Run& r, const MeshLoader& load) {
     if (w.modules.solid) r.bonds->adopt(std::move(records));
     resumeWorld(w, r.halos(), r.tools);
     w.clock.limitedBy = "the last run";
+    r.resumed = true;
     if (r.first()) r.series = framesPresent(r.options.out, r.name, w.clock.time);
     r.say(fmt::format("continues at t {:.6g} s, step {}, from {}", w.clock.time, w.clock.step, slice->header.path));
   } else {

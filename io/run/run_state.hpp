@@ -33,6 +33,7 @@ struct Run {
   RunSummary summary;
   WallClock::time_point start = WallClock::now(), lastReport = start, lastCheckpoint = start;
   std::int64_t firstStep = 0, stepAtReport = 0;
+  bool resumed = false;                  // it goes on from a checkpoint
   bool begun = false;                    // the world holds its particles
   bool stepping = false;                 // in the loop, where ranks wait for each other
 

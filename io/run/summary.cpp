@@ -138,7 +138,7 @@ std::string progressLine(const Clock& c, const LedgerReport& l, double stepsPerS
       l.dissipated, l.energyResidual, l.energyResidual / scale, l.heatResidual / heatScale);
 }
 
-std::vector<std::string> warningsOf(const Counters& c) {
+std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
   std::vector<std::string> w;
   const auto add = [&](std::int64_t n, const char* what) {
     if (n > 0) w.push_back(fmt::format("{} {}", n, what));
@@ -148,6 +148,9 @@ std::vector<std::string> warningsOf(const Counters& c) {
   add(c.inverted, "times a solid particle was turned inside out (det F <= 0)");
   add(c.coincidentPairs, "times a particle shared its place with another and was pushed aside");
   add(c.wallProjections, "times a particle was pushed out of an obstacle");
+  if (std::abs(l.energyResidual) > 0.05 * l.energyScale)
+    w.push_back(fmt::format("the ledger does not close: {:+.3g} J of mechanical energy ({:.0f} % of its largest term) are from nowhere; shorter steps (numerics.max_step) may show why", l.energyResidual,
+                            100 * std::abs(l.energyResidual) / l.energyScale));
   return w;
 }
 

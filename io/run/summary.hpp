@@ -42,7 +42,7 @@ void writeSummary(const std::string& out, const RunSummary& summary);
 std::string progressLine(const Clock& clock, const LedgerReport& ledger, double stepsPerSecond, double secondsLeft);
 
 /// Warnings with counts, in words, of what was mended or looks wrong.
-std::vector<std::string> warningsOf(const Counters& counters);
+std::vector<std::string> warningsOf(const Counters& counters, const LedgerReport& ledger);
 
 /// Peak resident memory of this process, in bytes.
 double peakMemory();

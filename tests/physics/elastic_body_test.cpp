@@ -131,7 +131,7 @@ TEST(ElasticBody, stepLimitIsStableAndNotWasteful) {
 
 // What freezes where it flowed is no lattice: close pairs, holes, thin crusts. The step follows the worst neighbourhood.
 TEST(ElasticBody, stepLimitOfUnevenNeighbourhoods) {
-  std::vector<std::vector<Vec3d>> bodies{lattice({6, 6, 6}, 0.1, 0.35), lattice({9, 9, 1}, 0.1, 0.25), {}, {}};
+  std::vector<std::vector<Vec3d>> bodies{lattice({6, 6, 6}, 0.1, 0.35), lattice({9, 9, 1}, 0.1, 0.25), {}, {}, {{0, 0, 0}, {0.04, 0, 0}}};
   const auto dust = lattice({8, 8, 8}, 0.1, 0.3);
   for (std::size_t k = 0; k < dust.size(); k++)
     if (noise(k, 5) < -0.6) bodies[2].push_back(dust[k]);
@@ -162,7 +162,7 @@ TEST(ElasticBody, stepLimitOfUnevenNeighbourhoods) {
 }
 
 TEST(ElasticBody, latticeGripBoundsLattices) {
-  for (const double support : {1.6, 2.0, 2.5, 3.0}) {
+  for (const double support : {2.0, 2.5, 3.0}) {
     BodyOptions options;
     options.support = support;
     const auto b = makeBody(lattice({7, 7, 7}, 0.1), {elasticMaterial()}, options);
