@@ -92,8 +92,8 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
 StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests wanted) {
   StepLimits limits = t.fixedLimits;
   StepLimits own = particleLimits(w, t.stableViscousStep);
-  // half a spacing from a wall its push is as stiff as the lattice, for which cfl_sound stands; closer it is stiffer
-  if (t.wallContacts.stiffest > 0) own[Limit::Contact] = 2 * w.scene.numerics.cflSound / t.wallContacts.stiffest;
+  // near a wall its push is stiffer than the lattice, for which cfl_sound stands: omega dt is 1.2 at most (2 is stable)
+  if (t.wallContacts.stiffest > 0) own[Limit::Contact] = 3 * w.scene.numerics.cflSound / t.wallContacts.stiffest;
   constexpr std::size_t n = limitNames.size();
   double values[n + 8];
   for (std::size_t k = 0; k < n; k++) values[k] = -std::min(limits.value[k], own.value[k]);

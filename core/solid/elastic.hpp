@@ -118,8 +118,8 @@ void computeCauchyStress(const ElasticWork& work, Solids& solids);
 /// neighbours' displacement makes of strain. The largest frequency of a body is below sqrt(.45) c_p grip (measured: .21 of the square on
 /// a lattice, .25-.35 in disorder, .45 in a crumpled sheet); a lattice's faces and corners have up to latticeGrip / spacing at
 /// a support of 2.
-inline constexpr double latticeGrip = 4.05;
-inline constexpr double flatGrip = 1.6;  ///< factor of the grip of rows and sheets: a pair's frequency is c_p grip, with nothing below
+inline constexpr double latticeGrip = 4.5;
+inline constexpr double flatGrip = 1.4;  ///< factor of the grip of rows and sheets: a pair's frequency is c_p grip, with nothing below
 double largestGrip(const ElasticWork& work, const Solids& solids);  ///< 1/m, of the owned slots
 std::int64_t countSingular(const ElasticWork& work, const Solids& solids);  ///< owned slots whose moment matrix has rank < 3
 

@@ -156,8 +156,8 @@ TEST(ElasticBody, stepLimitOfUnevenNeighbourhoods) {
         advance(b, dt);
         last = kinetic(b) + totalEnergy(*b.body);
       }
-      // bounded: the energy of leap-frog wavers by 1 / (1 - (omega dt)^2 / 4), and omega dt is up to 1.2
-      EXPECT_LT(last, 1.56 * first) << points.size() << " points, support " << support;
+      // bounded: the energy of leap-frog wavers by 1 / (1 - (omega dt)^2 / 4), and omega dt is up to 1.3
+      EXPECT_LT(last, 1.75 * first) << points.size() << " points, support " << support;
     }
 }
 
