@@ -13,4 +13,21 @@ struct ShapeError : std::runtime_error {
   SourcePlace where;  ///< of the shape in the scene; empty file: not known
 };
 
+/// Several problems of a scene, collected so that all are told at once; each line as "file:line:column: error: text".
+class SceneProblems {
+ public:
+  void add(const SourcePlace& where, const std::string& text) {
+    if (!lines_.empty()) lines_ += "\n";
+    if (where.line > 0) lines_ += where.file + ":" + std::to_string(where.line) + ":" + std::to_string(where.column) + ": ";
+    lines_ += "error: " + text;
+  }
+  /// Throws ShapeError where there are any.
+  void raise() const {
+    if (!lines_.empty()) throw ShapeError(lines_);
+  }
+
+ private:
+  std::string lines_;
+};
+
 }  // namespace thaw

@@ -1,11 +1,11 @@
 #include "core/setup/sample_bodies.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "core/domain/emit.hpp"
 #include "core/geometry/overlap.hpp"
 #include "core/geometry/sampling.hpp"
+#include "core/geometry/shape_error.hpp"
 #include "core/heat/enthalpy.hpp"
 #include "core/heat/heat.hpp"
 
@@ -113,12 +113,20 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
   report.outside = counts[n + 1];
   report.inObstacles = counts[n + 2];
   report.overlaps = describeOverlaps(overlaps, s.bodies);
+  SceneProblems problems;
   for (std::size_t b = 0; b < n; b++)
     if (report.particles[b] == 0 && report.removed == 0)
-      throw std::runtime_error("body '" + s.bodies[b].name + "' has no particle: it is too small or too thin for the spacing, or empty");
-  if (report.outside > 0) report.firstOutside = "'" + s.bodies[static_cast<std::size_t>(-first[0])].name + "'";
+      problems.add(s.bodies[b].where, "body '" + s.bodies[b].name + "' has no particle: it is too small or too thin for the spacing, or empty");
+  problems.raise();
+  for (std::size_t k = overlaps.count.size(); k-- > 0;)
+    if (overlaps.count[k] > 0) report.overlapWhere = s.bodies[k / n].where;
+  if (report.outside > 0) {
+    report.firstOutside = "'" + s.bodies[static_cast<std::size_t>(-first[0])].name + "'";
+    report.outsideWhere = s.bodies[static_cast<std::size_t>(-first[0])].where;
+  }
   if (report.inObstacles > 0) {
     const std::size_t code = static_cast<std::size_t>(-first[1]);
+    report.obstacleWhere = s.bodies[code / codes].where;
     report.firstObstacle = "'" + s.bodies[code / codes].name + "' and '" + w.walls.list[code % codes].properties.name + "'";
   }
   return report;

@@ -16,6 +16,7 @@ struct SamplingReport {
   std::int64_t removed = 0;              ///< samples left out of them, as the scene says
   std::int64_t inObstacles = 0, outside = 0;
   std::string firstObstacle, firstOutside;  ///< names, for the message
+  SourcePlace overlapWhere, outsideWhere, obstacleWhere;  ///< of the first body concerned
 };
 
 /// Appends this rank's share of all bodies' particles: the rows of each body's lattice are dealt out evenly, so that no rank samples

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/geometry/shape_error.hpp"
 #include "core/kernels/lattice.hpp"
 #include "core/ledger/report.hpp"
 #include "core/particle_sums.hpp"
@@ -40,16 +41,27 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   w.grid = makeGrid(w.scene);
   w.clock.end = w.scene.end;
   w.clock.every = w.scene.output.every;
+  SceneProblems problems;  // unreadable meshes: all of them at once, with their places in the scene
+  const auto shapeOf = [&](const auto& thing, const char* kind) -> std::shared_ptr<const SignedDistance> {
+    try {
+      return makeSignedDistance(thing.shape, load);
+    } catch (const ShapeError& e) {
+      problems.add(thing.where, std::string(kind) + " '" + thing.name + "': " + e.what());
+      return nullptr;
+    }
+  };
   for (const Obstacle& o : w.scene.obstacles) {
     Wall wall;
-    wall.shape = makeSignedDistance(o.shape, load);
+    wall.shape = shapeOf(o, "obstacle");
+    if (!wall.shape) continue;
     wall.bounds = wall.shape->bounds();
     wall.properties = o;
     w.walls.list.push_back(std::move(wall));
   }
   addDomainWalls(w.scene.domain, w.walls);
   std::vector<std::shared_ptr<const SignedDistance>> shapes;
-  for (const Body& b : w.scene.bodies) shapes.push_back(makeSignedDistance(b.shape, load));
+  for (const Body& b : w.scene.bodies) shapes.push_back(shapeOf(b, "body"));
+  problems.raise();
   w.scene.fallHeight = fallHeightOf(w.scene, shapes);
 
   t.kernels = pairKernels();
@@ -69,16 +81,16 @@ SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader&
   for (const Body& b : w.scene.bodies) shapes.push_back(makeSignedDistance(b.shape, load));
   moveWalls(w.walls, 0);
   SamplingReport report = sampleBodies(w, shapes, halos.all);
-  if (!report.overlaps.empty() && w.scene.numerics.overlap == OverlapRule::Error) {
-    const std::size_t more = report.overlaps.size() - 1;
-    throw std::runtime_error(report.overlaps[0] + (more > 0 ? " (and " + std::to_string(more) + " more pairs)" : "") +
-                             "; move them apart, or set numerics.overlap to \"keep\", \"remove later\" or \"remove earlier\"");
-  }
+  SceneProblems problems;
+  if (w.scene.numerics.overlap == OverlapRule::Error)
+    for (const std::string& pair : report.overlaps)
+      problems.add(report.overlapWhere, pair + "; move them apart, or set numerics.overlap to \"keep\", \"remove later\" or \"remove earlier\"");
   if (report.outside > 0)
-    throw std::runtime_error(std::to_string(report.outside) + " particles lie outside of the domain (first: body " + report.firstOutside + "); enlarge the domain or move the body");
+    problems.add(report.outsideWhere, std::to_string(report.outside) + " particles lie outside of the domain (first: body " + report.firstOutside + "); enlarge the domain or move the body");
   if (report.inObstacles > 0 && w.scene.numerics.overlap != OverlapRule::Keep)
-    throw std::runtime_error(std::to_string(report.inObstacles) + " particles lie inside an obstacle (first: body and obstacle " + report.firstObstacle +
-                             "); move them apart, or set numerics.overlap to \"keep\"");
+    problems.add(report.obstacleWhere, std::to_string(report.inObstacles) + " particles lie inside an obstacle (first: body and obstacle " + report.firstObstacle +
+                                           "); move them apart, or set numerics.overlap to \"keep\"");
+  problems.raise();
   // a first partition by the number of particles; they are still where they were sampled
   Continuum& p = w.particles;
   computeCellKeys(w.grid, p);
