@@ -76,7 +76,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   activateFields(w, t);
 }
 
-SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader& load) {
+SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader& load) {
   std::vector<std::shared_ptr<const SignedDistance>> shapes;
   for (const Body& b : w.scene.bodies) shapes.push_back(makeSignedDistance(b.shape, load));
   moveWalls(w.walls, 0);
@@ -100,10 +100,12 @@ SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader&
   const std::vector<double> cost(w.cells.count.begin(), w.cells.count.end());
   halos.cells.rebalance(w.cells, cost, true);
   relaxPacking(w, halos, t, shapes);
+  return report;
+}
 
+void takeStock(World& w, Halos halos, StepTools& t) {
+  Continuum& p = w.particles;
   t.times.start();
-  t.bondsAtStart = w.modules.solid;
-  t.emitFirst = true;
   const double fixed = w.scene.numerics.fixedStep;
   w.clock.dt = fixed > 0 ? fixed : t.fixedLimits[t.fixedLimits.smallest()];  // until the particles have had their say
   evaluate(w, halos, t, 0);
@@ -118,7 +120,14 @@ SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader&
   w.ledger.entered = {};
   vote(w, halos, t, {}, {});
   const double half = 0.5 * clip(w.clock, w.clock.dt);  // the first half kick, which no step books
-  for (std::size_t i = 0; i < p.owned; i++) p.dissipated[i] += p.dissipation[i] * half;
+  for (std::size_t i = 0; i < p.owned; i++) p.dissipated[i] = p.dissipation[i] * half;
+}
+
+SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader& load) {
+  const SamplingReport report = sampleWorld(w, halos, t, load);
+  t.bondsAtStart = w.modules.solid;
+  t.emitFirst = true;
+  takeStock(w, halos, t);
   return report;
 }
 

@@ -1,0 +1,11 @@
+#include "benchmarks/accuracy/trial.hpp"
+
+namespace thaw::accuracy {
+
+std::vector<Case> allCases() {
+  std::vector<Case> all;
+  for (const auto& part : {flowCases(), viscousCases(), solidCases(), heatCases()}) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+}  // namespace thaw::accuracy

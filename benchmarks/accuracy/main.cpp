@@ -1,0 +1,107 @@
+// accuracy CASE [--spacing X] [--set key=value]... [--csv FILE] [--label TEXT]
+// Runs one case of the accuracy suite, under mpirun on any number of ranks, and prints its error norms beside what they are to reach.
+// accuracy --list names the cases. The whole matrix with its charts: scripts/bench accuracy.
+#include <sys/utsname.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fstream>
+#include <thread>
+
+#include "benchmarks/accuracy/trial.hpp"
+#include "io/commands/scene_for_all.hpp"
+#include "io/hdf5/parallel_file.hpp"
+#include "io/scene/read_scene.hpp"
+#include "io/version.hpp"
+
+namespace {
+
+using namespace thaw;
+using namespace thaw::accuracy;
+
+/// The processor's name and the number of cores, without commas.
+std::string machineName() {
+  std::string name = "unknown";
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.rfind("model name", 0) == 0) {
+      name = line.substr(line.find(':') + 2);
+      break;
+    }
+  for (char& c : name)
+    if (c == ',' || c == '"') c = ' ';
+  return name + " x" + std::to_string(std::thread::hardware_concurrency());
+}
+
+void print(const Trial& r, const Case& c, const std::vector<Figure>& figures, double particles) {
+  std::printf("%s: %s\n  spacing %g m, %.0f particles, %lld steps, %.3g core-seconds, %d ranks\n", c.name, c.about, r.world.scene.spacing, particles, static_cast<long long>(r.world.clock.step),
+              r.seconds * r.comm.size(), r.comm.size());
+  for (const Figure& f : figures) {
+    std::printf("  %-28s %.6g", f.norm.c_str(), f.error);
+    if (f.target < never) std::printf("   target %g   %s", f.target, f.error <= f.target ? "reached" : "MISSED");
+    std::printf("\n");
+  }
+}
+
+/// Appends a line for each figure; the header is written by whoever made the file (matrix.py).
+bool append(const std::string& path, const Trial& r, const Case& c, const std::string& label, const std::vector<Figure>& figures, double particles) {
+  FILE* out = std::fopen(path.c_str(), "a");
+  if (!out) return false;
+  for (const Figure& f : figures)
+    std::fprintf(out, "%s,%s,%s,%.9g,%s,,%.4g,%lld,%.0f,%s,%s\n", c.name, label.c_str(), f.norm.c_str(), f.error, f.target < never ? std::to_string(f.target).c_str() : "", r.seconds * r.comm.size(),
+                 static_cast<long long>(r.world.clock.step), particles, versionCommit(), machineName().c_str());
+  return std::fclose(out) == 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("One case of the accuracy suite: error norms against exact solutions.");
+  std::string name, spacing, csv, label;
+  std::vector<std::string> overrides;
+  bool list = false;
+  app.add_option("case", name, "name of the case");
+  app.add_option("--spacing", spacing, "distance of particles, with its unit");
+  app.add_option("--set", overrides, "key=value in place of what the case's scene says")->allow_extra_args(false);
+  app.add_option("--csv", csv, "append the figures to this file");
+  app.add_option("--label", label, "what the settings are called there");
+  app.add_flag("--list", list, "print the names of all cases");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return e.get_exit_code() == 0 ? app.exit(e) : (app.exit(e), exitUsage);
+  }
+  useRomio();
+  const MpiSession mpi(&argc, &argv);
+  const Communicator comm;
+  const std::vector<Case> cases = allCases();
+  if (list) {
+    if (comm.rank() == 0)
+      for (const Case& c : cases) std::printf("%-24s %s\n", c.name, c.about);
+    return 0;
+  }
+  const auto at = std::find_if(cases.begin(), cases.end(), [&](const Case& c) { return name == c.name; });
+  if (at == cases.end()) {
+    if (comm.rank() == 0) std::fprintf(stderr, "accuracy: there is no case '%s'; --list names them\n", name.c_str());
+    return exitUsage;
+  }
+  if (label.empty()) {
+    label = overrides.empty() ? "default" : "";
+    if (!spacing.empty()) label += (label.empty() ? "spacing=" : " spacing=") + spacing;
+    for (const std::string& o : overrides) label += (label.empty() ? "" : " ") + o;
+  }
+  if (!spacing.empty()) overrides.push_back("spacing=" + spacing);
+  Trial trial(comm);
+  try {
+    run(*at, trial, overrides);
+    const std::vector<Figure> figures = trial.finite ? at->measure(trial) : std::vector<Figure>{{"blew up at (s)", trial.world.clock.time}};
+    const double particles = sum(trial, [](const World&, std::size_t) { return 1.0; });
+    if (comm.rank() != 0) return 0;
+    print(trial, *at, figures, particles);
+    if (!csv.empty() && !append(csv, trial, *at, label, figures, particles)) return std::fprintf(stderr, "accuracy: cannot write %s\n", csv.c_str()), 3;
+    return trial.finite ? 0 : exitBlewUp;
+  } catch (const std::runtime_error& e) {
+    if (comm.rank() == 0) std::fprintf(stderr, "%s\n", e.what());
+    return exitUsage;
+  }
+}

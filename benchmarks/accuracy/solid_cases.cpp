@@ -1,0 +1,7 @@
+#include "benchmarks/accuracy/trial.hpp"
+
+namespace thaw::accuracy {
+
+std::vector<Case> solidCases() { return {}; }
+
+}  // namespace thaw::accuracy

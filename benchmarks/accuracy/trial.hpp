@@ -1,0 +1,71 @@
+// One run of an accuracy case: a scene, stepped as `thaw run` does it, and the figures that are taken of it.
+#pragma once
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/setup/setup.hpp"
+#include "core/ledger/report.hpp"
+#include "parallel/bond_halo.hpp"
+#include "parallel/cell_halo.hpp"
+
+namespace thaw::accuracy {
+
+/// An error norm and what it is to reach (never: nothing is asked for). floor: what a finer spacing cannot better, said in the charts.
+struct Figure {
+  std::string norm;
+  double error;
+  double target = never;
+};
+
+/// Values at one time, for cases that follow something.
+struct Sample { double time; std::vector<double> value; };
+
+struct Trial {
+  explicit Trial(const Communicator& c) : comm(c), all(c) {}
+  Halos halos() { return {all, *cells, *bonds}; }
+  double spacing() const { return world.scene.spacing; }
+
+  const Communicator& comm;
+  World world;
+  StepTools tools;
+  MpiReducer all;
+  std::unique_ptr<MpiCellHalo> cells;
+  std::unique_ptr<MpiBondHalo> bonds;
+  std::vector<Sample> series;           ///< what `watch` notes
+  std::map<std::string, double> notes;  ///< what hooks leave for each other
+  double seconds = 0;                   ///< wall-clock time of the steps
+  bool finite = true;                   ///< false: the run blew up, and the figures say so
+};
+
+/// A case: its scene is scenes/<name>.toml unless it says another. Hooks may be empty; all are collective.
+struct Case {
+  const char* name;
+  const char* about;                       ///< what is run, and against what: one line with its source
+  const char* scene = nullptr;             ///< file in scenes/
+  std::function<void(Trial&)> place = {};  ///< moves particles before bonds are made (jitter)
+  std::function<void(Trial&)> start = {};  ///< velocities, displacements, temperatures at time 0; takeStock follows
+  std::function<void(Trial&)> watch = {};  ///< after every step
+  std::function<std::vector<Figure>(Trial&)> measure;
+};
+
+/// Every case. A file of cases for each part of the method; cases.cpp joins them.
+std::vector<Case> allCases();
+std::vector<Case> flowCases();     ///< pressure: columns, dam breaks, vortices
+std::vector<Case> viscousCases();  ///< viscosity and surface tension
+std::vector<Case> solidCases();
+std::vector<Case> heatCases();
+
+/// Runs a case to the end of its scene. overrides: as `thaw run --set`. Throws SceneErrors.
+void run(const Case& c, Trial& trial, const std::vector<std::string>& overrides);
+
+// Sums over the particles of all ranks, exact, so that figures have the same bits on any number of ranks.
+using OfParticle = std::function<double(const World&, std::size_t row)>;
+double sum(Trial& trial, const OfParticle& f);
+double largest(Trial& trial, const OfParticle& f);
+/// Root of the mean of squares.
+double rootMeanSquare(Trial& trial, const OfParticle& f);
+
+}  // namespace thaw::accuracy
