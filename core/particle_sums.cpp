@@ -128,6 +128,7 @@ PairSums sumsOf(World& w, StepTools& t) {
   s.viscosityForm = n.viscosity;
   s.printedTension = n.tension == TensionForm::ColourField;
   s.heat = w.modules.heat;
+  s.conductionScale = t.conductionScale;
   s.support = w.grid.support;
   s.fillingScale = t.fillingScale;
   s.place = n.precision == Precision::Single ? t.records.fixed.data() : t.records.place.data();

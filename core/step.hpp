@@ -33,6 +33,7 @@ struct StepTools {
   WallTables wallTables;
   double perLatticeSum = 1;          ///< 1 / sum V W over the scene's lattice: makes filling 1 on it
   double stableViscousStep = 0;      ///< dt nu / h^2 that is just stable on the lattice
+  double conductionScale = 1;        ///< of heat conduction, see kernels/lattice.hpp
   double fillingScale = 1;           ///< the same / h^3
   SortBuffers sort;
   SearchBuffers search;

@@ -13,6 +13,7 @@ void run(const Case& c, Trial& r, const std::vector<std::string>& overrides) {
   const std::string file = std::string(THAW_BENCHMARK_FOLDER) + "/scenes/" + (c.scene ? c.scene : c.name) + ".toml";
   World& w = r.world;
   w.scene = sceneForAll(r.comm, file, overrides);
+  if (c.adapt) c.adapt(w.scene);
   prepareWorld(w, r.tools, meshLoader());
   r.cells = std::make_unique<MpiCellHalo>(r.comm, w.grid);
   r.bonds = std::make_unique<MpiBondHalo>(r.comm);
@@ -34,6 +35,19 @@ void run(const Case& c, Trial& r, const std::vector<std::string>& overrides) {
     if (w.clock.step % 25 == 0) balance(w, *r.cells, r.tools, meter);
   }
   r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+void makeThin(Scene& s) {
+  const double width = 6 * s.spacing;
+  for (int a = 0; a < 3; a++) {
+    if (s.domain.side[static_cast<std::size_t>(a)][0] != Side::Periodic) continue;
+    s.domain.min[a] = 0;
+    s.domain.max[a] = width;
+    for (Body& b : s.bodies) {
+      b.shape.size[a] = width;
+      b.shape.move[a] = 0.5 * width;
+    }
+  }
 }
 
 double sum(Trial& r, const OfParticle& f) {

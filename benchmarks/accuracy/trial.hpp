@@ -49,6 +49,7 @@ struct Case {
   std::function<void(Trial&)> start = {};  ///< velocities, displacements, temperatures at time 0; takeStock follows
   std::function<void(Trial&)> watch = {};  ///< after every step
   std::function<std::vector<Figure>(Trial&)> measure;
+  std::function<void(Scene&)> adapt = {};  ///< changes the scene once it is read: what follows the spacing
 };
 
 /// Every case. A file of cases for each part of the method; cases.cpp joins them.
@@ -57,6 +58,9 @@ std::vector<Case> flowCases();     ///< pressure: columns, dam breaks, vortices
 std::vector<Case> viscousCases();  ///< viscosity and surface tension
 std::vector<Case> solidCases();
 std::vector<Case> heatCases();
+
+/// For Case::adapt: domain and boxes are six spacings wide along the periodic axes, so that a finer run of a one-dimensional case costs no more across.
+void makeThin(Scene& scene);
 
 /// Runs a case to the end of its scene. overrides: as `thaw run --set`. Throws SceneErrors.
 void run(const Case& c, Trial& trial, const std::vector<std::string>& overrides);

@@ -30,6 +30,7 @@ struct PairSums {
   ViscosityForm viscosityForm = ViscosityForm::Pairwise;
   bool printedTension = false;  ///< colour field as in K05 instead of cohesion between pairs
   bool heat = false;          ///< forces also sum heat conduction
+  double conductionScale = 1; ///< factor of heat conduction (kernels/lattice.hpp)
   double support = 0;         ///< h, m
   double fillingScale = 0;    ///< h^-3 over the lattice sum: makes filling 1 on the lattice of the scene
   const void* place = nullptr;   ///< x, y, z (fixed point in single precision), V0 / h^3 (V / h^3 with the printed pressure)

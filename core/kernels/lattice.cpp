@@ -45,6 +45,13 @@ template<class Block> double largestEigenvalue(double support, Block block) {
   return largest / (support * support * support);
 }
 
+double stableLaplaceStep(const Numerics& n) {
+  return withKernel(n, [&](auto kernel) {
+    const auto block = [&](const Eigen::Vector3d&, double q2) -> Eigen::Matrix3d { return kernel.laplace(q2) * Eigen::Matrix3d::Identity(); };
+    return 2 / largestEigenvalue(n.support, block);
+  });
+}
+
 }  // namespace
 
 double latticeSum(const Numerics& n) {
@@ -56,16 +63,23 @@ double latticeSum(const Numerics& n) {
 }
 
 double stableViscousStep(const Numerics& n) {
-  if (n.viscosity == ViscosityForm::Laplacian) return stableHeatStep(n);
+  if (n.viscosity == ViscosityForm::Laplacian) return stableLaplaceStep(n);
   const auto block = [](const Eigen::Vector3d& d, double q2) -> Eigen::Matrix3d { return isa_base::alongPair(q2) / q2 * d * d.transpose(); };
   return 2 / largestEigenvalue(n.support, block);
 }
 
-double stableHeatStep(const Numerics& n) {
+double latticeLaplacian(const Numerics& n) {
   return withKernel(n, [&](auto kernel) {
-    const auto block = [&](const Eigen::Vector3d&, double q2) -> Eigen::Matrix3d { return kernel.laplace(q2) * Eigen::Matrix3d::Identity(); };
-    return 2 / largestEigenvalue(n.support, block);
+    double sum = 0;
+    overNeighbours(n.support, [&](const Eigen::Vector3d& d, double q2) { sum += kernel.laplace(q2) * d[0] * d[0] / 2; });
+    return sum / (n.support * n.support * n.support);
   });
 }
+
+double conductionScale(const Numerics& n) {
+  return n.conduction == Conduction::Normalised && n.heat != HeatModel::Paper ? 1 / latticeLaplacian(n) : 1;
+}
+
+double stableHeatStep(const Numerics& n) { return stableLaplaceStep(n) / conductionScale(n); }
 
 }  // namespace thaw

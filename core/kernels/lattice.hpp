@@ -7,6 +7,12 @@ namespace thaw {
 /// Sum of V W over the lattice, the particle itself included: the filling of a full neighbourhood.
 double latticeSum(const Numerics& numerics);
 
+/// What the sum for heat conduction makes of the Laplacian of a quadratic field on the lattice; 1 in the limit of many neighbours. With
+/// Conduction::Normalised the sum is divided by it: the "moment-normalised Laplacian" of accuracy.md C, for the mean neighbourhood.
+double latticeLaplacian(const Numerics& numerics);
+/// 1 / latticeLaplacian, or 1 for Conduction::Plain and the paper's heat model.
+double conductionScale(const Numerics& numerics);
+
 /// Largest dt nu / h^2 with which an explicit step of the scene's viscous sum is stable: 2 over its largest eigenvalue, over all
 /// plane waves on the lattice. h support radius, nu kinematic viscosity.
 double stableViscousStep(const Numerics& numerics);

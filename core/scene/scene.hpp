@@ -150,6 +150,7 @@ enum class EquationOfState { Linear, Tait };
 enum class ViscosityForm { Pairwise, Laplacian };
 enum class TensionForm { Pairwise, ColourField };  // ColourField: as printed in MCG03/K05
 enum class HeatModel { Enthalpy, Paper };
+enum class Conduction { Normalised, Plain };       // of the sum over neighbours: with the second moment of the lattice, or of the integral
 enum class OverlapRule { Error, Keep, RemoveLater, RemoveEarlier };
 
 struct Numerics {
@@ -162,6 +163,7 @@ struct Numerics {
   ViscosityForm viscosity = ViscosityForm::Pairwise;
   TensionForm tension = TensionForm::Pairwise;
   HeatModel heat = HeatModel::Enthalpy;
+  Conduction conduction = Conduction::Normalised;
   bool selfContact = true;        // pieces of one solid collide with each other
   double maxDensityError = 0.01;  // 1, compression that the automatic sound speed allows
   OverlapRule overlap = OverlapRule::Error;

@@ -68,8 +68,10 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   t.liquids = liquidMaterials(w.scene);
   t.fixedLimits = materialLimits(w.scene, w.modules, t.liquids);
   t.stableViscousStep = stableViscousStep(w.scene.numerics);
+  t.conductionScale = conductionScale(w.scene.numerics);
   t.emitters = planEmitters(w.scene);
   t.wallTables = makeWallTables(w.scene.numerics.kernel, 1 / w.scene.numerics.support);
+  if (t.conductionScale != 1) t.wallTables.conductionScale = 1 / planeLaplacian(w.scene.numerics.kernel, 1 / w.scene.numerics.support);
   const double h = w.grid.support;
   t.perLatticeSum = 1 / latticeSum(w.scene.numerics);
   t.fillingScale = t.perLatticeSum / (h * h * h);

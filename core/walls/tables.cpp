@@ -42,7 +42,21 @@ template<class Kernel> WallIntegrals integralsOf(double spacing, double d) {
   return sum;
 }
 
+template<class Kernel> double secondMoment(double spacing) {
+  double sum = 0;
+  for (double z = spacing; z < 1; z += spacing) sum += spacing * planeAt<Kernel>(z).laplace * z * z;  // half of it, from two sides
+  return sum;
+}
+
 }  // namespace
+
+double planeLaplacian(KernelKind kernel, double spacing) {
+  switch (kernel) {
+    case KernelKind::Mcg03: return secondMoment<isa_base::Mcg03>(spacing);
+    case KernelKind::CubicSpline: return secondMoment<isa_base::CubicSpline>(spacing);
+    default: return secondMoment<isa_base::WendlandC2>(spacing);
+  }
+}
 
 WallIntegrals wallIntegrals(KernelKind kernel, double spacing, double d) {
   switch (kernel) {

@@ -17,6 +17,7 @@ struct WallIntegrals { double filling = 0, push = 0, drag = 0, space = 0; };
 struct WallTables {
   static constexpr int points = 1024;
   double lowest = 0;              ///< h, half a spacing below the surface: deeper is taken as this
+  double conductionScale = 1;     ///< of drag, for heat: that of neighbours (kernels/lattice.hpp) with the layers' own second moment
   double nearest = 0;             ///< h, distances below are taken as this in drag, which grows like 1 / d
   std::vector<WallIntegrals> at;  ///< at distances lowest + k / points * (1 - lowest)
 
@@ -33,6 +34,9 @@ struct WallTables {
 
 /// The tables' values at a distance (h), without interpolation; exact to rounding.
 WallIntegrals wallIntegrals(KernelKind kernel, double spacing, double distance);
+
+/// What a sum over layers on both sides makes of the second derivative across them, as latticeLaplacian does of the lattice.
+double planeLaplacian(KernelKind kernel, double spacing);
 
 /// As a liquid feels the wall: filling^2 / filling_0, where filling_0 is that half a spacing from the wall, and push times
 /// 2 filling / filling_0. There the filling is the same and the push is twice the wall's own, as if the wall had the liquid's pressure:

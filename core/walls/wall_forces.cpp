@@ -142,7 +142,7 @@ void addWallHeat(const WallContext& x, const WallContacts& contacts) {
     const Material& m = w.scene.materials[p.material[c.row]];
     const double f = liquidFraction(p, c.row), k = conductivityOf(model, m, f), V = p.mass[c.row] / m.density;
     if (k <= 0) continue;
-    double conductance = k * V * t.drag * c.heatShare / (h * h);  // W/K
+    double conductance = k * V * x.tables.conductionScale * t.drag * c.heatShare / (h * h);  // W/K
     if (o.conductance < never) conductance *= o.conductance / (o.conductance + k / std::max(c.distance, x.tables.nearest * h));
     const double capacity = p.mass[c.row] * heatCapacityOf(model, m, f);
     const double flow = overStep(conductance / capacity, x.span) * capacity * (*o.temperature - p.temperature[c.row]);

@@ -54,6 +54,7 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.choice("viscosity", n.viscosity, {"pairwise", "laplacian"}, "along the line of two particles (keeps angular momentum), or as printed in Keiser et al. 2005");
   r.choice("tension", n.tension, {"pairwise", "colour field"}, "cohesion of pairs, or as printed in Keiser et al. 2005");
   r.choice("heat", n.heat, {"enthalpy", "paper"}, "enthalpy with latent heat, or the plain temperature of Keiser et al. 2005");
+  r.choice("conduction", n.conduction, {"normalised", "plain"}, "the sum for heat conduction: exact for a quadratic temperature on the lattice, or with the kernel's own constant");
   r.flag("self_contact", n.selfContact, "pieces of one body collide with each other");
   r.number("max_density_error", n.maxDensityError, "", {0, 0.2, true, false, false}, "compression that the automatic sound speed allows");
   r.choice("overlap", n.overlap, {"error", "keep", "remove later", "remove earlier"}, "what happens to particles of two bodies that overlap");

@@ -7,6 +7,7 @@ namespace thaw::test {
 // Measured by accuracy.md B10 for MCG03's Laplacian: viscous .118, heat .117 h^2.
 TEST(Lattice, StableStepsOfDiffusion) {
   Numerics n;
+  n.conduction = Conduction::Plain;
   n.kernel = KernelKind::Mcg03;
   n.viscosity = ViscosityForm::Laplacian;
   n.support = 1.5;
@@ -18,6 +19,21 @@ TEST(Lattice, StableStepsOfDiffusion) {
   EXPECT_NEAR(stableViscousStep(n), 0.0442, 0.0005);
   n.kernel = KernelKind::WendlandC2;
   EXPECT_NEAR(stableHeatStep(n), 0.0778, 0.0005);
+}
+
+// accuracy.md A: the viscosity kernel's Laplacian on the lattice.
+TEST(Lattice, LaplacianOfAQuadraticField) {
+  Numerics n;
+  n.kernel = KernelKind::Mcg03;
+  for (const auto& [support, expected] : {std::pair{1.5, 1.060}, {2.0, 0.988}, {2.5, 1.021}, {3.0, 0.956}, {4.0, 1.008}}) {
+    n.support = support;
+    EXPECT_NEAR(latticeLaplacian(n), expected, 5e-4) << support;
+    EXPECT_DOUBLE_EQ(conductionScale(n) * latticeLaplacian(n), 1);
+  }
+  const double normalised = stableHeatStep(n), scale = conductionScale(n);
+  n.conduction = Conduction::Plain;
+  EXPECT_EQ(conductionScale(n), 1);
+  EXPECT_DOUBLE_EQ(stableHeatStep(n), normalised * scale);
 }
 
 }  // namespace thaw::test
