@@ -3,6 +3,8 @@
 // accuracy --list names the cases. The whole matrix with its charts: scripts/bench accuracy.
 #include <sys/utsname.h>
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fstream>
@@ -48,7 +50,7 @@ bool append(const std::string& path, const Trial& r, const Case& c, const std::s
   FILE* out = std::fopen(path.c_str(), "a");
   if (!out) return false;
   for (const Figure& f : figures)
-    std::fprintf(out, "%s,%s,%s,%.9g,%s,,%.4g,%lld,%.0f,%s,%s\n", c.name, label.c_str(), f.norm.c_str(), f.error, f.target < never ? std::to_string(f.target).c_str() : "", r.seconds * r.comm.size(),
+    std::fprintf(out, "%s,%s,%s,%.9g,%s,,%.4g,%lld,%.0f,%s,%s\n", c.name, label.c_str(), f.norm.c_str(), f.error, f.target < never ? fmt::format("{:g}", f.target).c_str() : "", r.seconds * r.comm.size(),
                  static_cast<long long>(r.world.clock.step), particles, versionCommit(), machineName().c_str());
   return std::fclose(out) == 0;
 }

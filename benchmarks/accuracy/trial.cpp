@@ -38,7 +38,7 @@ void run(const Case& c, Trial& r, const std::vector<std::string>& overrides) {
 }
 
 void makeThin(Scene& s) {
-  const double width = 6 * s.spacing;
+  const double width = std::max(6.0, std::ceil(3 * s.numerics.support)) * s.spacing;  // three cells
   for (int a = 0; a < 3; a++) {
     if (s.domain.side[static_cast<std::size_t>(a)][0] != Side::Periodic) continue;
     s.domain.min[a] = 0;

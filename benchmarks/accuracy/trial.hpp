@@ -59,7 +59,7 @@ std::vector<Case> viscousCases();  ///< viscosity and surface tension
 std::vector<Case> solidCases();
 std::vector<Case> heatCases();
 
-/// For Case::adapt: domain and boxes are six spacings wide along the periodic axes, so that a finer run of a one-dimensional case costs no more across.
+/// For Case::adapt: domain and boxes are six spacings (three support radii) wide along the periodic axes, so that a finer run of a one-dimensional case costs no more across.
 void makeThin(Scene& scene);
 
 /// Runs a case to the end of its scene. overrides: as `thaw run --set`. Throws SceneErrors.

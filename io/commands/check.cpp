@@ -8,6 +8,7 @@
 
 #include "core/geometry/shape_error.hpp"
 #include "core/ledger/report.hpp"
+#include "core/memory.hpp"
 #include "core/setup/setup.hpp"
 #include "io/commands/require_memory.hpp"
 #include "io/commands/scene_for_all.hpp"
@@ -21,21 +22,6 @@ namespace {
 
 std::string bytesText(double b) { return b > 1e9 ? fmt::format("{:.2f} GB", b / 1e9) : fmt::format("{:.1f} MB", b / 1e6); }
 std::string timeText(double s) { return s > 7200 ? fmt::format("{:.1f} h", s / 3600) : s > 120 ? fmt::format("{:.0f} min", s / 60) : fmt::format("{:.2g} s", s); }
-
-std::size_t bytesOf(const Table& t) {
-  std::size_t n = 0;
-  for (const AnyColumn* c : t.columns)
-    if (c->active) n += c->bytes.capacity();
-  return n;
-}
-
-double memoryOf(const World& w, const StepTools& t) {
-  const Bonds& b = w.bonds;
-  double n = static_cast<double>(bytesOf(w.particles) + bytesOf(w.solids)) + 4.0 * static_cast<double>(w.neighbours.list.capacity());
-  for (const AlignedVector<std::byte>* r : {&t.records.fixed, &t.records.place, &t.records.motion, &t.records.state, &t.records.surface}) n += static_cast<double>(r->capacity());
-  for (const AlignedVector<double>* r : {&b.x, &b.y, &b.z, &b.rx, &b.ry, &b.rz, &b.weight}) n += 8.0 * static_cast<double>(r->capacity());
-  return n + 4.0 * static_cast<double>(b.neighbour.capacity());
-}
 
 /// What the emitters let out until the end of the scene.
 double emittedAtEnd(const Scene& s, const StepTools& t) {
@@ -68,7 +54,7 @@ int checkAll(const CheckOptions& o) {
   }
   const double perStep = steps > 0 ? std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / steps : 0;
   const LedgerReport l = reportLedger(w, all);
-  double memory = memoryOf(w, t);
+  double memory = totalBytes(memoryOf(w, t));
   all.maximum({&memory, 1});
   if (comm.rank() != 0) return exitDone;
 

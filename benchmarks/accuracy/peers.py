@@ -1,0 +1,18 @@
+"""Figures of other programs and of the plain methods, as marks in the charts: case -> norm -> list of (name, error or None, core-seconds or
+None). Sources: committed files of the programs, or measured with small scripts on the plain methods (no time then)."""
+
+MARKS = {
+    "slabs": {"L2(T)": [("plain SPH, 1D: a floor", 1.5e-3, None)]},
+    "conductivity_ratio": {"Linf(T)": [("harmonic mean, 1D, N = 40", 0.008, None), ("arithmetic mean, 1D, N = 160", 0.029, None)]},
+    "stefan_one_phase": {"front": [("enthalpy, 1D: a floor", 0.011, None), ("without latent heat", 0.24, None)]},
+    "stefan_two_phase": {"front": [("enthalpy, 1D: a floor", 0.011, None)]},
+    "hydrostatic": {"L2(p)": [("PySPH's tank (time only)", None, 120)]},
+    "martin_moyce": {"RMS(Z)": [("PySPH in 2D (time only)", None, 1800), ("PySPH in 3D (time only)", None, 50400)]},
+    "poiseuille": {"L2(u)": [("SPHinXsys, kinetic energy, H/dx = 20", 0.017, None)]},
+    "taylor_green": {"energy": [("SPHinXsys, L/dx = 100", 0.545, None)]},
+    "spinning_drop": {"angular momentum loss R^2/nu": [("mu grad v, not symmetric", 5, None)]},
+    "drop_laplace": {"pressure jump": [("colour field at R/dx = 12", 1.7, None), ("kappa = -div n at h = 2 dx", 0.11, None)]},
+    "p_wave": {"phase": [("MLS, h = 2 dx, wavelength 20 dx", 0.016, None)]},
+    "cantilever": {"deflection": [("MLS, h = 2 dx, H/dx = 8", 0.15, None), ("MLS, h = 1.5 dx, hourglass 1, H/dx = 8", 0.043, None)]},
+    "cantilever_vibration": {"frequency": [("MLS, h = 2 dx, H/dx = 8", 0.067, None)]},
+}

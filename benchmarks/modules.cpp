@@ -1,0 +1,145 @@
+// modules [--particles N] [--repeat R] [--csv FILE]: what each part of the model costs a scene that has it, against one that does not:
+// time a particle and step, and bytes a particle. The two take their steps in turn, so that a noisy machine slows both; medians.
+// `idle_share` is the time of the bare scene in phases of modules that it does not have: what they cost who does not use them.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cmath>
+#include <cstring>
+#include <functional>
+
+#include "core/memory.hpp"
+#include "tests/support/simulation.hpp"
+
+namespace {
+
+using namespace thaw;
+using test::Simulation;
+
+/// A block of one material at rest with a free surface; `edge` particles along each side.
+Scene block(int edge, bool solid) {
+  Scene s;
+  s.spacing = 0.01;
+  const double L = edge * s.spacing;
+  s.domain.min = {-L, -L, -L};
+  s.domain.max = {2 * L, 2 * L, 2 * L};
+  s.domain.gravity = {};
+  s.output.every = 0;
+  s.end = 1e9;
+  s.materials.emplace_back();
+  Material& m = s.materials[0];
+  m.name = "stuff";
+  m.soundSpeed = 10;
+  m.viscosity = {0.1, 0.1};
+  if (solid) m.young = {1e5, 0};
+  test::addBox(s, {0, 0, 0}, {L, L, L});
+  return s;
+}
+
+struct Row {
+  const char* name;
+  bool solid;                          ///< added to a solid or to a liquid block
+  std::function<void(Scene&)> add;
+};
+
+const std::vector<Row>& rows() {
+  static const std::vector<Row> all{
+      {"heat", false, [](Scene& s) { s.materials[0].conductivity = {1, 1}, s.bodies[0].temperatureGradient = {1, 0, 0}; }},
+      {"surface heat", false, [](Scene& s) { s.materials[0].convection = 10; }},
+      {"surface tension", false, [](Scene& s) { s.materials[0].surfaceTension = 0.05; }},
+      {"artificial viscosity", false, [](Scene& s) { s.materials[0].artificialViscosity = 0.1; }},
+      {"velocity smoothing", false, [](Scene& s) { s.materials[0].xsph = 0.1; }},
+      {"double precision", false, [](Scene& s) { s.numerics.precision = Precision::Double; }},
+      {"melting with latent heat", false,
+       [](Scene& s) {
+         Material& m = s.materials[0];
+         m.young = {1e5, 0};
+         m.solidus = m.liquidus = 250;
+         m.latentHeat = 1e5;
+         m.conductivity = {1, 1};
+         s.bodies[0].temperatureGradient = {1, 0, 0};
+       }},
+      {"heat of a solid", true, [](Scene& s) { s.materials[0].conductivity = {1, 1}, s.bodies[0].temperatureGradient = {1, 0, 0}; }},
+      {"plastic flow", true, [](Scene& s) { s.materials[0].yieldStrain = {0.1, 0.1}; }},
+      {"fracture", true, [](Scene& s) { s.materials[0].breakStretch = 1.5, s.numerics.selfContact = false; }},
+      {"fracture with contact of pieces", true, [](Scene& s) { s.materials[0].breakStretch = 1.5; }},
+      {"volume force", true, [](Scene& s) { s.materials[0].volumeStiffness = 1e5; }},
+      {"damping", true, [](Scene& s) { s.materials[0].damping = 1; }},
+      {"corotated law", true, [](Scene& s) { s.materials[0].law = ElasticLaw::Corotated; }},
+      {"neo-hookean law", true, [](Scene& s) { s.materials[0].law = ElasticLaw::NeoHookean; }},
+      {"freezing and melting", true,
+       [](Scene& s) {
+         Material& m = s.materials[0];
+         m.solidus = m.liquidus = 350;
+         m.latentHeat = 1e5;
+         m.conductivity = {1, 1};
+         s.bodies[0].temperatureGradient = {1, 0, 0};
+       }},
+  };
+  return all;
+}
+
+double secondsOf(Simulation& s, int steps) {
+  const auto start = std::chrono::steady_clock::now();
+  for (int k = 0; k < steps; k++) s.step();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double median(std::vector<double> v) {
+  std::sort(v.begin(), v.end());
+  return v[v.size() / 2];
+}
+
+/// Share of the time in phases of modules that the scene does not have.
+double idleShare(const Simulation& s) {
+  const PhaseTimes& t = s.tools.times;
+  const Modules& m = s.w.modules;
+  double idle = 0;
+  if (!m.solid) idle += t[StepPhase::Elastic] + t[StepPhase::Bonds];
+  if (!m.contact) idle += t[StepPhase::Contact];
+  if (!m.heat) idle += t[StepPhase::Heat];
+  if (!m.fluid) idle += t[StepPhase::Density];
+  if (!m.neighbours) idle += t[StepPhase::Search] + t[StepPhase::Forces];
+  return idle / t.total();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  double particles = 27000;
+  int repeat = 9;
+  const char* csv = nullptr;
+  for (int a = 1; a < argc; a += 2) {
+    const std::string key = argv[a];
+    if (a + 1 == argc) return std::fprintf(stderr, "scripts/bench modules [--particles 27000] [--repeat 9] [--csv FILE]\n"), 2;
+    if (key == "--particles") particles = std::atof(argv[a + 1]);
+    else if (key == "--repeat") repeat = std::atoi(argv[a + 1]);
+    else if (key == "--csv") csv = argv[a + 1];
+    else return std::fprintf(stderr, "unknown option %s\n", argv[a]), 2;
+  }
+  if (particles < 8 || repeat < 1) return std::fprintf(stderr, "--particles must be at least 8, --repeat at least 1\n"), 2;
+  FILE* out = csv ? std::fopen(csv, "w") : stdout;
+  if (!out) return std::fprintf(stderr, "%s: cannot be written\n", csv), 3;
+  std::fprintf(out, "case,base,particles,ns_without,ns_with,time_ratio,bytes_without,bytes_with,fields_without,fields_with,idle_share,target_idle_share,repeats\n");
+  const int edge = static_cast<int>(std::lround(std::cbrt(particles))), steps = 5;
+  for (const Row& row : rows()) {
+    Simulation bare(block(edge, row.solid));
+    Scene scene = block(edge, row.solid);
+    row.add(scene);
+    Simulation has(scene);
+    const double n = static_cast<double>(bare.w.particles.owned);
+    secondsOf(bare, steps), secondsOf(has, steps);
+    bare.tools.times = {};
+    std::vector<double> without, with;
+    for (int r = 0; r < repeat; r++) {
+      without.push_back(1e9 * secondsOf(bare, steps) / (steps * n));
+      with.push_back(1e9 * secondsOf(has, steps) / (steps * n));
+    }
+    std::fprintf(out, "%s,%s,%.0f,%.1f,%.1f,%.3f,%.0f,%.0f,%zu,%zu,%.5f,0.01,%d\n", row.name, row.solid ? "solid" : "liquid", n, median(without), median(with), median(with) / median(without),
+                 totalBytes(memoryOf(bare.w, bare.tools)) / n, totalBytes(memoryOf(has.w, has.tools)) / n, fieldsOf(bare.w).size(), fieldsOf(has.w).size(), idleShare(bare), repeat);
+    std::fflush(out);
+  }
+  if (csv) std::fclose(out);
+  return 0;
+}

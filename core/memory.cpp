@@ -1,0 +1,48 @@
+#include "core/memory.hpp"
+
+namespace thaw {
+namespace {
+
+double bytesOf(const Table& t) {
+  std::size_t n = 0;
+  for (const AnyColumn* c : t.columns)
+    if (c->active) n += c->bytes.capacity();
+  return static_cast<double>(n);
+}
+
+template<class... Vectors> double bytesOf(const Vectors&... v) { return (0.0 + ... + static_cast<double>(v.capacity() * sizeof(v[0]))); }
+
+}  // namespace
+
+std::vector<MemoryUse> memoryOf(const World& w, const StepTools& t) {
+  const NeighbourLists& n = w.neighbours;
+  const Bonds& b = w.bonds;
+  const ElasticWork& e = t.elastic;
+  const PairRecords& r = t.records;
+  return {{"particles", bytesOf(static_cast<const Table&>(w.particles))},
+          {"solids", bytesOf(static_cast<const Table&>(w.solids))},
+          {"cells", bytesOf(w.cells.key, w.cells.first, w.cells.count, t.inner, t.liquidCells)},
+          {"neighbour lists", bytesOf(n.self, n.first, n.count, n.list, n.wet, n.neighbours)},
+          {"pair records", bytesOf(r.fixed, r.place, r.motion, r.state, r.surface)},
+          {"bonds", bytesOf(b.neighbour, b.x, b.y, b.z, b.rx, b.ry, b.rz, b.weight)},
+          {"elastic work", bytesOf(e.remoteGroup, e.inner, e.boundary, e.bondCount, e.rank, e.singularLanes, e.stretched, e.perTrace, e.perWeight, e.grip, e.x, e.y, e.z, e.rx, e.ry,
+                                   e.rz, e.weight, e.place4, e.flux12, e.motion4, e.place4d, e.flux12d, e.motion4d)},
+          {"walls and contacts", bytesOf(t.wallContacts.list, t.closePairs.list)},
+          {"sort and search", bytesOf(t.sort.order, t.sort.movers, t.search.x, t.search.y, t.search.z, t.search.row)}};
+}
+
+double totalBytes(const std::vector<MemoryUse>& use) {
+  double sum = 0;
+  for (const MemoryUse& u : use) sum += u.bytes;
+  return sum;
+}
+
+std::vector<std::string> fieldsOf(const World& w) {
+  std::vector<std::string> names;
+  for (const Table* t : {static_cast<const Table*>(&w.particles), static_cast<const Table*>(&w.solids)})
+    for (const AnyColumn* c : t->columns)
+      if (c->active) names.push_back(std::string(t->kind) + "." + c->name);
+  return names;
+}
+
+}  // namespace thaw

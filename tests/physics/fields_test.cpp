@@ -1,0 +1,113 @@
+// A scene models no more than it needs: which fields are allocated, scene by scene. A new field belongs into the lists of the scenes that
+// need it, and into no other.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/memory.hpp"
+#include "tests/support/simulation.hpp"
+
+namespace thaw::test {
+namespace {
+
+using Names = std::vector<std::string>;
+
+Scene block(bool solid) {
+  Scene s = columnScene(0.1, -1, 1);
+  s.domain.side = {};
+  s.domain.min = {-1, -1, -1};
+  s.domain.max = {1, 1, 1};
+  s.materials[0].soundSpeed = 10;
+  if (solid) s.materials[0].young = {1e5, 0};
+  addBox(s, {-0.3, -0.3, -0.3}, {0.3, 0.3, 0.3});
+  return s;
+}
+
+Names fields(const Scene& s) { return fieldsOf(Simulation(s).w); }
+
+/// What `with` has beyond `without`; fails where it lacks something.
+Names added(const Scene& with, const Scene& without) {
+  const Names all = fields(with);
+  Names more;
+  for (const std::string& n : fields(without)) EXPECT_NE(std::find(all.begin(), all.end(), n), all.end()) << n;
+  const Names base = fields(without);
+  for (const std::string& n : all)
+    if (std::find(base.begin(), base.end(), n) == base.end()) more.push_back(n);
+  return more;
+}
+
+const Names always{"continuum.id", "continuum.position", "continuum.velocity", "continuum.acceleration", "continuum.mass", "continuum.material", "continuum.body", "continuum.dissipated",
+                   "continuum.cell", "continuum.nextCell", "continuum.phase", "continuum.force", "continuum.dissipation", "continuum.interaction"};
+
+Names with(Names base, const Names& more) {
+  base.insert(base.end(), more.begin(), more.end());
+  std::sort(base.begin(), base.end());
+  return base;
+}
+Names sorted(Names n) { return std::sort(n.begin(), n.end()), n; }
+
+}  // namespace
+
+TEST(Fields, OfALiquid) { EXPECT_EQ(sorted(fields(block(false))), with(always, {"continuum.filling", "continuum.pressure"})); }
+
+TEST(Fields, OfASolid) {
+  EXPECT_EQ(sorted(fields(block(true))),
+            with(always, {"continuum.slot", "solid.id", "solid.particle", "solid.material", "solid.volume", "solid.position", "solid.momentInverse", "solid.deformation", "solid.flux",
+                          "solid.hourglass", "solid.force", "solid.energy", "solid.changed"}));
+}
+
+TEST(Fields, HeatAddsThree) {
+  Scene s = block(false);
+  s.materials[0].conductivity = {1, 1};
+  s.bodies[0].temperatureGradient = {1, 0, 0};
+  EXPECT_EQ(added(s, block(false)), (Names{"continuum.enthalpy", "continuum.temperature", "continuum.heatFlow"}));
+  Scene lossy = s;
+  lossy.materials[0].convection = 1;
+  EXPECT_EQ(added(lossy, s), (Names{"continuum.exposure"}));
+}
+
+TEST(Fields, TensionAndArtificialViscosityAddNone) {
+  Scene s = block(false);
+  s.materials[0].surfaceTension = 0.05;
+  s.materials[0].artificialViscosity = 0.1;
+  EXPECT_EQ(added(s, block(false)), Names{});
+  s.materials[0].xsph = 0.1;
+  EXPECT_EQ(added(s, block(false)), (Names{"continuum.smoothing"}));
+}
+
+TEST(Fields, OfSolidsThatYieldBreakOrAreDamped) {
+  Scene plastic = block(true);
+  plastic.materials[0].yieldStrain = {0.1, 0.1};
+  plastic.materials[0].maxPlasticStrain = 0.1;
+  EXPECT_EQ(added(plastic, block(true)), (Names{"solid.plasticStrain", "solid.dissipated"}));
+  plastic.materials[0].maxPlasticStrain = never;
+  EXPECT_EQ(added(plastic, block(true)), (Names{"solid.plasticStrain", "solid.dissipated", "solid.rereferenced"}));
+  Scene breaks = block(true);
+  breaks.materials[0].breakStretch = 1.5;
+  EXPECT_EQ(added(breaks, block(true)), Names{});
+  Scene damped = block(true);
+  damped.materials[0].damping = 1;
+  EXPECT_EQ(added(damped, block(true)), (Names{"solid.velocity", "solid.drag", "solid.dissipated"}));
+}
+
+TEST(Fields, OfWhatMelts) {
+  Scene s = block(true);
+  Material& m = s.materials[0];
+  m.solidus = m.liquidus = 350;
+  EXPECT_EQ(added(s, block(true)), Names{}) << "without heat nothing melts";
+  m.conductivity = {1, 1};
+  s.bodies[0].temperatureGradient = {1, 0, 0};
+  EXPECT_EQ(added(s, block(true)), (Names{"continuum.filling", "continuum.pressure", "continuum.enthalpy", "continuum.temperature", "continuum.liquid", "continuum.frame", "continuum.justFrozen",
+                                          "continuum.standoff", "continuum.heatFlow", "continuum.softening", "solid.liquid", "solid.melted"}));
+}
+
+TEST(Fields, MemoryOfWhatIsNotThereIsNone) {
+  const Simulation liquid(block(false));
+  const Names absent{"solids", "bonds", "elastic work"};
+  for (const MemoryUse& u : memoryOf(liquid.w, liquid.tools)) {
+    if (std::find(absent.begin(), absent.end(), u.what) == absent.end()) continue;
+    EXPECT_EQ(u.bytes, 0) << u.what;
+  }
+}
+
+}  // namespace thaw::test
