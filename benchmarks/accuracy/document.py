@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+"""Writes docs/accuracy.md from text.md and the figures: document.py ACCURACY.csv [MODULES.csv]
+
+Every number in the document comes from the files. In text.md:
+  {{error CASE | NORM | SETTINGS}}    an error; `seconds`, `order`, `steps` and `particles` likewise; SETTINGS as in the CSV
+  {{ratio CASE | NORM | SETTINGS A | SETTINGS B}}   error of A over that of B; {{cost ...}} the same for core-seconds
+  {{table CASE}}    all settings of a case        {{targets}}    the defaults beside what they are to reach
+  {{chart CASE}}    its picture, copied to docs/pictures/accuracy/        {{modules}}    what each module costs
+The CSV files are copied to docs/accuracy/, so that the document can be made anew from what is in the repository.
+"""
+import csv
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+DOCS = os.path.join(HERE, "..", "..", "docs")
+
+
+def rowsOf(path):
+    with open(path, newline="") as f:
+        return list(csv.DictReader(f))
+
+
+def short(text):
+    """Three digits; powers of ten where that is shorter."""
+    return f"{float(text):.3g}" if text else ""
+
+
+def spacingOf(row):
+    return float(next(w for w in row["settings"].split() if w.startswith("spacing=")).split("=")[1])
+
+
+class Document:
+    def __init__(self, rows, modules):
+        self.rows, self.modules, self.used = rows, modules, set()
+
+    def find(self, case, norm, settings):
+        for r in self.rows:
+            if (r["case"], r["norm"], r["settings"]) == (case, norm, settings):
+                return r
+        raise SystemExit(f"text.md asks for {case} | {norm} | {settings}, which the figures do not have")
+
+    def value(self, what, arguments):
+        columns = {"error": "error", "seconds": "core_seconds", "order": "order", "steps": "steps", "particles": "particles"}
+        if what in columns:
+            return short(self.find(*arguments)[columns[what]]) or "none"
+        if what in ("ratio", "cost"):
+            case, norm, a, b = arguments
+            column = "error" if what == "ratio" else "core_seconds"
+            return short(float(self.find(case, norm, a)[column]) / float(self.find(case, norm, b)[column]))
+        if what == "table":
+            return self.table(arguments[0])
+        if what == "targets":
+            return self.targets()
+        if what == "chart":
+            self.used.add(arguments[0])
+            return f"![error against core-seconds: {arguments[0]}](pictures/accuracy/{arguments[0]}.png)"
+        if what == "modules":
+            return self.moduleTable()
+        if what == "machine":
+            return f"{self.rows[0]['machine']}, thaw {self.rows[0]['version']}"
+        raise SystemExit(f"text.md: unknown {{{{{what}}}}}")
+
+    def table(self, case):
+        rows = [r for r in self.rows if r["case"] == case]
+        norms = list(dict.fromkeys(r["norm"] for r in rows if not r["norm"].startswith("blew up")))
+        lines = [f"| settings | {' | '.join(norms)} | order | core-seconds | steps | particles |", "|---" * (len(norms) + 5) + "|"]
+        for settings in dict.fromkeys(r["settings"] for r in rows):
+            of = {r["norm"]: r for r in rows if r["settings"] == settings}
+            one = next(iter(of.values()))
+            values = [short(of[n]["error"]) if n in of else "blew up" if any(k.startswith("blew up") for k in of) else "" for n in norms]
+            order = of[norms[0]]["order"] if norms and norms[0] in of else ""
+            lines.append(f"| {settings} | {' | '.join(values)} | {order} | {short(one['core_seconds'])} | {one['steps']} | {one['particles']} |")
+        return "\n".join(lines)
+
+    def targets(self):
+        lines = ["| case | norm | finest default | error | target | | order | core-seconds |", "|---|---|---|---|---|---|---|---|"]
+        found = {}
+        for r in self.rows:
+            if r["settings"].startswith("default") and r["target"]:
+                key = (r["case"], r["norm"])
+                if key not in found or spacingOf(r) < spacingOf(found[key]):
+                    found[key] = r
+        for (case, norm), r in found.items():
+            reached = "reached" if float(r["error"]) <= float(r["target"]) else "**missed**"
+            lines.append(f"| {case} | {norm} | {r['settings'].replace('default ', '')} | {short(r['error'])} | {short(r['target'])} | {reached} | {r['order']} | {short(r['core_seconds'])} |")
+        return "\n".join(lines)
+
+    def moduleTable(self):
+        lines = ["| module | added to a | ns a particle and step: without, with | ratio | bytes a particle: without, with | fields: without, with | share of the bare scene's time in phases that it does not use |",
+                 "|---|---|---|---|---|---|---|"]
+        for r in self.modules:
+            lines.append(f"| {r['case']} | {r['base']} | {short(r['ns_without'])}, {short(r['ns_with'])} | {r['time_ratio']} | {r['bytes_without']}, {r['bytes_with']} | "
+                         f"{r['fields_without']}, {r['fields_with']} | {100 * float(r['idle_share']):.2g} % |")
+        return "\n".join(lines)
+
+    def text(self, template):
+        return re.sub(r"\{\{(\w+)\s*([^}]*)\}\}", lambda m: self.value(m[1], [a.strip() for a in m[2].split("|")] if m[2] else []), template)
+
+
+def main(path, modules=None):
+    folder = os.path.join(DOCS, "accuracy")
+    os.makedirs(folder, exist_ok=True)
+    for source, name in ((path, "accuracy.csv"), (modules, "modules.csv")):
+        if source and os.path.abspath(source) != os.path.abspath(os.path.join(folder, name)):
+            shutil.copy(source, os.path.join(folder, name))
+    document = Document(rowsOf(path), rowsOf(modules) if modules else [])
+    with open(os.path.join(HERE, "text.md")) as f:
+        text = document.text(f.read())
+    with open(os.path.join(DOCS, "accuracy.md"), "w") as f:
+        f.write(text)
+    subprocess.run([sys.executable, os.path.join(HERE, "chart.py"), path, os.path.join(folder, "all.png")], check=True)
+    pictures = os.path.join(DOCS, "pictures", "accuracy")
+    os.makedirs(pictures, exist_ok=True)
+    for case in document.used:
+        shutil.move(os.path.join(folder, "all", case + ".png"), os.path.join(pictures, case + ".png"))
+    shutil.rmtree(os.path.join(folder, "all"))
+    os.remove(os.path.join(folder, "all.png"))
+    print(f"written: {os.path.normpath(os.path.join(DOCS, 'accuracy.md'))}")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 2:
+        raise SystemExit(__doc__)
+    main(*sys.argv[1:3])
