@@ -153,6 +153,8 @@ enum class HeatModel { Enthalpy, Paper };
 enum class Conduction { Normalised, Plain };       // of the sum over neighbours: with the second moment of the lattice, or of the integral
 enum class OverlapRule { Error, Keep, RemoveLater, RemoveEarlier };
 
+enum class Quality { Preview, Standard, Reference };  // sets of numerical choices (quality.hpp)
+
 struct Numerics {
   double support = 2.0;           // 1, support radius over spacing
   KernelKind kernel = KernelKind::WendlandC2;
@@ -195,6 +197,7 @@ struct Scene {
   std::string title, file, text;  // text: all that was read, for the record in the output
   double spacing = 0.01;          // m, distance of particles
   double end = 1;                 // s
+  Quality quality = Quality::Standard;
   std::uint64_t seed = 1;
   double fallHeight = never;      // m, how far things can fall; set from the bodies at set-up, for the automatic sound speed
   Domain domain;

@@ -10,6 +10,7 @@
 #include "core/ledger/report.hpp"
 #include "core/memory.hpp"
 #include "core/setup/setup.hpp"
+#include "io/commands/frontier.hpp"
 #include "io/commands/require_memory.hpp"
 #include "io/commands/scene_for_all.hpp"
 #include "io/hdf5/io_error.hpp"
@@ -74,6 +75,10 @@ int checkAll(const CheckOptions& o) {
   std::printf("\ntime step %.3g s at the start, limited by %s; by the materials alone\n", dt, limitedBy.c_str());
   for (std::size_t k = 0; k < limitNames.size(); k++)
     if (t.fixedLimits.value[k] < never) std::printf("  %-16s %.3g s\n", limitNames[k], t.fixedLimits.value[k]);
+  if (const std::vector<std::string> lines = frontierLines(s, w.modules); !lines.empty()) {
+    std::printf("\nsettings on the frontier of error against time, in cases like this scene (docs/accuracy.md)\n");
+    for (const std::string& line : lines) std::printf("  %s\n", line.c_str());
+  }
   const double particles = std::max<double>(1, static_cast<double>(l.particles)), total = particles + std::max(0.0, emitted - static_cast<double>(w.counters.emitted));
   std::printf("\nmemory a rank: %s with %d ranks (%.0f bytes a particle)\n", bytesText(memory * total / particles * comm.size() / o.ranks).c_str(), o.ranks, memory * comm.size() / particles);
   const double needed = s.end / dt;

@@ -1,5 +1,6 @@
 #include "io/scene/read_sections.hpp"
 
+#include "core/scene/quality.hpp"
 #include "io/scene/read_shape.hpp"
 
 namespace thaw {
@@ -9,6 +10,9 @@ void readSections(TableReader& top, SceneReading& x) {
   top.text("title", s.title, "one line for pictures and listings");
   top.number("spacing", s.spacing, "m", positive(), "distance of particles: the one resolution knob");
   top.number("end", s.end, "s", notNegative(), "simulated time");
+  top.choice("quality", s.quality, {"preview", "standard", "reference"},
+             "defaults of [numerics]: fast, balanced, or as accurate as the method is (docs/accuracy.md); keys that are given win");
+  applyQuality(s.quality, s.numerics);
   std::int64_t seed = static_cast<std::int64_t>(s.seed);
   top.whole("seed", seed, 0, INT64_MAX, "of everything random");
   s.seed = static_cast<std::uint64_t>(seed);

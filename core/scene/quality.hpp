@@ -1,0 +1,10 @@
+// One word for a set of numerical choices (docs/accuracy.md says what each costs and gives).
+#pragma once
+#include "core/scene/scene.hpp"
+
+namespace thaw {
+
+/// The defaults of Numerics for a quality; keys that the scene gives itself are read afterwards and win.
+void applyQuality(Quality quality, Numerics& numerics);
+
+}  // namespace thaw
