@@ -103,6 +103,7 @@ void beginDeformation(World& w, Halos halos) {
 }
 
 void deform(World& w, Halos halos, StepTools& t, double dt) {
+  dt /= w.clock.substeps;  // the last of them
   ElasticStep now{dt, true};
   deformAll(w, halos, t, now);
   if (bondsForm(w, halos, t)) {
@@ -124,13 +125,18 @@ void deform(World& w, Halos halos, StepTools& t, double dt) {
 }
 
 void addElasticForces(World& w, Halos halos, StepTools& t, double dt) {
-  const ElasticStep now{dt, true};
+  const ElasticStep now{dt / w.clock.substeps, true};
   computeElasticForces(t.elastic, w.solids, w.bonds, now, SolidPart::Inner);
   t.times.lap(StepPhase::Elastic);
   halos.bonds.finish(w.solids);
   t.times.lap(StepPhase::Bonds);
   computeElasticForces(t.elastic, w.solids, w.bonds, now, SolidPart::Boundary);
   addSolidForces(w.solids, w.particles, dt);
+  if (w.particles.fastAcceleration.active)
+    for (std::size_t s = 0; s < w.solids.owned; s++) {
+      const std::uint32_t i = w.solids.particle[s];
+      w.particles.fastAcceleration[i] = w.solids.force[s] / w.particles.mass[i];
+    }
   t.times.lap(StepPhase::Elastic);
 }
 

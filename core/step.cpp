@@ -9,6 +9,7 @@
 #include "core/ledger/report.hpp"
 #include "core/particle_sums.hpp"
 #include "core/solid_step.hpp"
+#include "core/solid_substeps.hpp"
 #include "core/time/integrate.hpp"
 
 namespace thaw {
@@ -17,6 +18,7 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   t.times.start();
   const double dt = clip(w.clock, w.clock.dt), time = timeAfter(w.clock, dt);
   kickAndDrift(w, dt);                         // v += a dt/2, x += v dt
+  substepSolids(w, halos, t, dt);              // stiff solids: bonds alone, in shorter steps
   wrapPeriodic(w.grid, w.scene.domain, w.particles);
   moveWalls(w.walls, time);
   t.times.lap(StepPhase::Drift);
@@ -63,7 +65,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
     markInner(w, halos.cells, t);
     sumOverNeighbours(w, t, NeighbourPass::BoundaryDensity);
   }
-  const WallContext walls{w, t.wallTables, t.liquids, dt, dt > 0 ? dt : w.clock.dt};
+  const WallContext walls{w, t.wallTables, t.liquids, dt, dt > 0 ? dt : w.clock.dt, 1.0 / w.clock.substeps};
   findWallContacts(walls, t.wallContacts);
   if (w.modules.fluid) addWallFilling(walls, t.perLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
@@ -95,7 +97,7 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests
   // near a wall its push is stiffer than the lattice, for which cfl_sound stands: omega dt is 1.2 at most (2 is stable)
   if (t.wallContacts.stiffest > 0) own[Limit::Contact] = 3 * w.scene.numerics.cflSound / t.wallContacts.stiffest;
   constexpr std::size_t n = limitNames.size();
-  double values[n + 8];
+  double values[n + 9];
   for (std::size_t k = 0; k < n; k++) values[k] = -std::min(limits.value[k], own.value[k]);
   values[n] = t.frozeAnywhere;
   values[n + 1] = here.badHere;
@@ -105,6 +107,7 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests
   values[n + 5] = t.meltedAnywhere;
   values[n + 6] = w.modules.solid ? t.maxStretch2 : 1;
   values[n + 7] = w.modules.solid ? largestGrip(t.elastic, w.solids) : 0;
+  values[n + 8] = w.modules.substeps ? -fastAccelerationLimit(w) : 0;
   if (w.modules.solid) w.counters.singularNeighbourhoods = countSingular(t.elastic, w.solids);  // bonds break and references follow in any step
   t.times.lap(StepPhase::Drift);
   halos.all.maximum(values);
@@ -112,6 +115,8 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests
   for (std::size_t k = 0; k < n; k++) limits.value[k] = -values[k];
   // of the largest of all ranks: not the least of their limits, which depends on what is on the same rank
   if (w.modules.solid) limits[Limit::Elastic] = elasticStepLimit(w.scene, values[n + 6], values[n + 7]);
+  const double longest = std::min({limits[Limit::Elastic], t.longestContact, -values[n + 8]});  // of a substep
+  if (w.modules.substeps) limits[Limit::Elastic] = w.scene.numerics.elasticSubsteps * longest;
   StepOutcome all = here;
   all.limitedBy = limits.smallest();
   t.frozeAnywhere = values[n] > 0;
@@ -121,6 +126,7 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests
   const double fixed = w.scene.numerics.fixedStep;
   // growing by a tenth at most: leap-frog whose step jumps up and down pumps energy into what swings fast
   w.clock.dt = fixed > 0 ? fixed : std::min(limits[all.limitedBy], w.clock.step > 0 ? 1.1 * w.clock.dt : never);
+  if (w.modules.substeps) chooseSubsteps(w, t, longest);
   w.clock.limitedBy = fixed > 0 ? "the scene's fixed step" : limitNames[static_cast<std::size_t>(all.limitedBy)];
   return all;
 }

@@ -42,6 +42,8 @@ struct StepTools {
   std::size_t ghostRoom = 1024;      ///< rows kept for ghosts between the owned rows and the dummy
   ClosePairs closePairs;
   WallContacts wallContacts;
+  std::vector<WallContact> substepContacts;  ///< of the solids that may touch a wall in this step
+  double longestContact = never;     ///< s, of a substep: contact of solids with walls where substeps do it, of materials
   ElasticWork elastic;
   std::vector<BondRequest> requests;
   std::vector<std::uint32_t> rebonded;   ///< rows of particles that took new bonds

@@ -4,16 +4,18 @@
 
 namespace thaw {
 
-void wrapPeriodic(const CellGrid& g, const Domain& d, Continuum& p) {
+void wrapPlace(const CellGrid& g, const Domain& d, Vec3d& place) {
   for (int a = 0; a < 3; a++) {
-    if (!g.periodic[a]) continue;
-    for (std::size_t i = 0; i < p.owned; i++) {
-      double& x = p.position[i][a];
-      if (x >= d.min[a] && x < d.max[a]) continue;
-      x -= g.period[a] * std::floor((x - d.min[a]) / g.period[a]);
-      if (x >= d.max[a] || x < d.min[a]) x = d.min[a];  // rounding at the seam
-    }
+    double& x = place[a];
+    if (!g.periodic[a] || (x >= d.min[a] && x < d.max[a])) continue;
+    x -= g.period[a] * std::floor((x - d.min[a]) / g.period[a]);
+    if (x >= d.max[a] || x < d.min[a]) x = d.min[a];  // rounding at the seam
   }
+}
+
+void wrapPeriodic(const CellGrid& g, const Domain& d, Continuum& p) {
+  if (!g.periodic[0] && !g.periodic[1] && !g.periodic[2]) return;
+  for (std::size_t i = 0; i < p.owned; i++) wrapPlace(g, d, p.position[i]);
 }
 
 void findLeaving(const CellGrid&, const Domain& d, Continuum& p, std::vector<std::uint32_t>& rows) {

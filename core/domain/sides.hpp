@@ -9,6 +9,9 @@
 
 namespace thaw {
 
+/// Brings a place beyond a periodic side back into the domain.
+void wrapPlace(const CellGrid& grid, const Domain& domain, Vec3d& place);
+
 /// Brings owned particles that crossed a periodic side back into the domain.
 void wrapPeriodic(const CellGrid& grid, const Domain& domain, Continuum& particles);
 

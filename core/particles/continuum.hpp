@@ -18,6 +18,7 @@ struct Continuum : Table {
   Column<Vec3d> position{*this, "position", "m", Keep::State, "centre"};
   Column<Vec3d> velocity{*this, "velocity", "m/s", Keep::State, "at the same time as the position"};
   Column<Vec3d> acceleration{*this, "acceleration", "m/s^2", Keep::State, "of the last force evaluation; the next half kick uses it"};
+  Column<Vec3d> fastAcceleration{*this, "fastAcceleration", "m/s^2", Keep::State, "its part that substeps kick with: of bonds, and of a solid's contacts with walls"};
   Column<double> mass{*this, "mass", "kg", Keep::State, "constant"};
   Column<std::uint16_t> material{*this, "material", "1", Keep::State, "index into the scene's materials"};
   Column<std::uint16_t> body{*this, "body", "1", Keep::State, "index into bodies, then emitters"};
@@ -49,5 +50,10 @@ struct Continuum : Table {
   Column<double> interaction{*this, "interaction", "J", Keep::Transient, "potential energy of pair and wall contacts, this particle's half"};
   Column<double> softening{*this, "softening", "J", Keep::Transient, "d(interaction of all)/d(liquid fraction of this one), places held; only where a material melts"};
 };
+
+/// Does a particle take substeps (core/solid_substeps.hpp)? Not what has melted or frozen at the end of the last step: it has no bonds.
+inline bool takesSubsteps(const Continuum& p, std::size_t i) {
+  return p.slot[i] != noSlot && p.phase[i] == Solid && !(p.justFrozen.active && p.justFrozen[i]);
+}
 
 }  // namespace thaw

@@ -12,6 +12,7 @@ struct Modules {
   bool tension = false;    ///< a liquid with surface tension
   bool xsph = false, artificialViscosity = false;
   bool solid = false;      ///< some particle is, or can become, solid: bonds, elastic forces
+  bool substeps = false;   ///< solids may take several steps in one of the scene
   bool plastic = false;    ///< a material yields
   bool fracture = false;   ///< a material's bonds break
   bool freezing = false;   ///< liquid can become solid while running: bonds have their own reference on both ends

@@ -173,6 +173,7 @@ struct Numerics {
   double fixedStep = 0;           // s; 0: as large as the limits allow
   double maxStep = never;         // s
   double cflSound = 0.4, cflViscous = 0.8, cflHeat = 0.8, cflElastic = 0.4, cflTension = 0.25, cflAcceleration = 0.25;
+  int elasticSubsteps = 1;          // largest number of substeps of solids in a step
   double plasticRereference = 0.2;  // 1, norm of plastic strain above which the reference is pushed forward
 };
 

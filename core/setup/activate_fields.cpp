@@ -17,6 +17,7 @@ void activateFields(World& w, StepTools& t) {
   on(m.heat, {&p.enthalpy, &p.temperature, &p.heatFlow});
   on(m.melting, {&p.liquid, &p.softening});
   on(m.solid, {&p.slot});
+  on(m.substeps, {&p.fastAcceleration});
   on(m.freezing, {&p.standoff});
   bool clamped = m.emitters;
   for (const Body& b : w.scene.bodies) clamped = clamped || !b.clamp.empty();

@@ -67,6 +67,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   t.kernels = pairKernels();
   t.liquids = liquidMaterials(w.scene);
   t.fixedLimits = materialLimits(w.scene, w.modules, t.liquids);
+  if (w.modules.substeps && !w.modules.contact) std::swap(t.longestContact, t.fixedLimits[Limit::Contact]);
   t.stableViscousStep = stableViscousStep(w.scene.numerics);
   t.conductionScale = conductionScale(w.scene.numerics);
   t.emitters = planEmitters(w.scene);

@@ -12,6 +12,7 @@ struct Clock {
   std::int64_t frame = 0;      ///< frames written; the next is due at frame * every
   double dt = 0;               ///< s, of the next step, before it is cut to hit a frame time
   double stepDt = 0;           ///< s, of the last step
+  int substeps = 1;            ///< of the solids in the next step (core/solid_substeps.hpp)
   const char* limitedBy = "";  ///< which limit set dt
 };
 

@@ -24,9 +24,14 @@ void kickAndDrift(World& w, double dt) {
   Continuum& p = w.particles;
   const double half = 0.5 * dt;
   bookImpulses(w, half);
-  const bool smoothed = p.smoothing.active;
+  const bool smoothed = p.smoothing.active, substeps = w.clock.substeps > 1;
+  const double lessFast = 1.0 / w.clock.substeps - 1;  // fast forces get half a substep
   for (std::size_t i = 0; i < p.owned; i++) {
     p.velocity[i] += p.acceleration[i] * half;
+    if (substeps) {
+      if (!(p.clamped.active && p.clamped[i])) p.velocity[i] += p.fastAcceleration[i] * (lessFast * half);
+      if (takesSubsteps(p, i)) continue;
+    }
     p.position[i] += (smoothed && !(p.clamped.active && p.clamped[i]) ? p.velocity[i] + p.smoothing[i] : p.velocity[i]) * dt;
   }
 }
@@ -36,6 +41,7 @@ bool finishKick(World& w, double dt, std::size_t* bad) {
   const Vec3d g = w.scene.domain.gravity;
   const double half = 0.5 * dt;
   const bool clamps = p.clamped.active;
+  const double lessFast = 1.0 / w.clock.substeps - 1;
   const double far2 = w.grid.support * w.grid.support / (dt * dt);
   bool finite = true;
   bookImpulses(w, half);
@@ -48,6 +54,7 @@ bool finishKick(World& w, double dt, std::size_t* bad) {
     }
     p.acceleration[i] = a;
     p.velocity[i] += a * half;
+    if (lessFast != 0 && !(clamps && p.clamped[i])) p.velocity[i] += p.fastAcceleration[i] * (lessFast * half);
     if (dot(p.velocity[i], p.velocity[i]) > far2) {  // only a fixed step is that long: the limit of speed forbids it
       finite = false;
       *bad = i;

@@ -77,7 +77,8 @@ StepLimits particleLimits(const World& w, double stableViscousStep) {
   double fastest = 0, hardest = 0;
   for (std::size_t i = 0; i < p.owned; i++) {
     fastest = std::max(fastest, dot(p.velocity[i], p.velocity[i]));
-    hardest = std::max(hardest, dot(p.acceleration[i], p.acceleration[i]));
+    const Vec3d a = p.fastAcceleration.active && !(p.clamped.active && p.clamped[i]) ? p.acceleration[i] - p.fastAcceleration[i] : p.acceleration[i];
+    hardest = std::max(hardest, dot(a, a));
   }
   const double h = w.grid.support;
   if (fastest > 0) l[Limit::Speed] = 0.25 * h / std::sqrt(fastest);  // nobody passes through a particle, or a cell, in a step
@@ -92,6 +93,13 @@ StepLimits particleLimits(const World& w, double stableViscousStep) {
     if (mu > 0) l[Limit::Viscous] = std::min(l[Limit::Viscous], n.cflViscous * stableViscousStep * h * h * m.density / mu);
   }
   return l;
+}
+
+double fastAccelerationLimit(const World& w) {
+  const Continuum& p = w.particles;
+  double hardest = 0;
+  for (std::size_t i = 0; i < p.owned; i++) hardest = std::max(hardest, dot(p.acceleration[i], p.acceleration[i]));
+  return hardest > 0 ? w.scene.numerics.cflAcceleration * std::sqrt(w.grid.support / std::sqrt(hardest)) : never;
 }
 
 double frameTime(const Clock& c, std::int64_t frame) {

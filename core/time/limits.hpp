@@ -26,6 +26,10 @@ StepLimits materialLimits(const Scene& scene, const Modules& modules, const std:
 /// dt nu / h^2 = stableViscousStep. To be reduced over ranks.
 StepLimits particleLimits(const World& world, double stableViscousStep);
 
+/// The limit (s) of acceleration by the forces that substeps kick with, of this rank's particles: of a substep. particleLimits leaves
+/// these forces out.
+double fastAccelerationLimit(const World& world);
+
 /// Time (s) of a frame; the one that rounding puts just beside the end is the end. frameDue: the next one is to be written now.
 double frameTime(const Clock& clock, std::int64_t frame);
 bool frameDue(const Clock& clock);

@@ -142,6 +142,28 @@ void findWallContacts(const WallContext& x, WallContacts& contacts) {
   }
 }
 
+void findSubstepContacts(const World& w, std::vector<WallContact>& contacts) {
+  const Continuum& p = w.particles;
+  contacts.clear();
+  const double h = w.grid.support;
+  for (const std::uint32_t i : std::span(w.solids.particle.data(), w.solids.owned))
+    for (std::uint32_t k = 0; takesSubsteps(p, i) && k < w.walls.list.size(); k++) {
+      const Wall& wall = w.walls.list[k];
+      const Vec3d rest = restPlace(wall, p.position[i]);
+      if (wall.present && nearBounds(wall.bounds, rest, h) && wall.shape->distance(rest) < h) contacts.push_back({i, k, 0, {}});
+    }
+}
+
+bool followContact(const World& w, WallContact& c) {
+  const Wall& wall = w.walls.list[c.wall];
+  const Vec3d rest = restPlace(wall, w.particles.position[c.row]);
+  const double reach = 0.5 * w.scene.spacing;  // where solids touch
+  if (!wall.present || !nearBounds(wall.bounds, rest, reach)) return false;
+  c.distance = wall.shape->distance(rest, &c.normal);
+  c.normal = directionFromRest(wall.pose, c.normal);
+  return c.distance < reach;
+}
+
 void addWallFilling(const WallContext& x, double perLatticeSum, WallContacts& contacts) {
   Continuum& p = x.world.particles;
   const double h = x.world.grid.support;

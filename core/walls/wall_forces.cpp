@@ -86,13 +86,18 @@ void addContactForces(const WallContext& x, const Meeting& at, Continuum& p, Wal
 }
 
 /// What holds clamped particles, or drives them, balances all that acts on them.
-void bookClamps(World& w, double dt) {
+void bookClamps(World& w, double dt, double fast, WallContacts& contacts) {
   const Continuum& p = w.particles;
   if (!p.clamped.active) return;
   const Vec3d g = w.scene.domain.gravity;
   for (std::size_t i = 0; i < p.owned; i++)
     if (p.clamped[i]) {
-      const Vec3d balance = -(p.force[i] + g * p.mass[i]);
+      Vec3d balance = -(p.force[i] + g * p.mass[i]);
+      if (p.fastAcceleration.active) {
+        const Vec3d often = p.fastAcceleration[i] * -p.mass[i];
+        for (int a = 0; a < 3; a++) contacts.fast[a].add(often[a]);
+        balance += often * (fast - 1);
+      }
       for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(balance[a]);
       if (p.clamped[i] == driven) w.ledger.wallWork.add(dot(balance, p.velocity[i]) * dt);
     }
@@ -105,27 +110,68 @@ void addWallForces(const WallContext& x, double perLatticeSum, WallContacts& con
   Continuum& p = w.particles;
   const auto& list = contacts.list;
   for (ExactSum& s : w.ledger.wallForce) s = {};
+  for (ExactSum& s : contacts.fast) s = {};
   contacts.stiffest = 0;
+  const WallContext shorter{w, x.tables, x.liquids, x.dt * x.fast, x.span * x.fast};
   for (std::size_t c = 0; c < list.size();) {
     const std::uint32_t i = list[c].row;
     const Material& m = w.scene.materials[p.material[i]];
-    WallAction act;
+    const bool substeps = p.fastAcceleration.active && p.slot[i] != noSlot;
+    WallAction act, often;  // often: its part in every substep
     for (; c < list.size() && list[c].row == i; c++) {
       const Wall& wall = w.walls.list[list[c].wall];
       const Vec3d v = wallVelocity(wall, p.position[i]), before = act.force;
       const Meeting at{list[c], wall.properties, m, i, liquidFraction(p, i), p.mass[i] / m.density, p.velocity[i] - v};
       if (at.liquid > 0) addLiquidForces(x, at, perLatticeSum, act, contacts.stiffest);
-      addContactForces(x, at, p, act);
-      if (!wall.properties.motion.empty()) w.ledger.wallWork.add(dot(act.force - before, v) * x.dt);
+      const WallAction slow = act;
+      addContactForces(substeps ? shorter : x, at, p, act);
+      if (substeps) {
+        often.force += act.force - slow.force;
+        often.resisting += act.resisting - slow.resisting;
+        often.lost += act.lost - slow.lost;
+      }
+      if (wall.properties.motion.empty()) continue;
+      w.ledger.wallWork.add(dot(act.force - before, v) * x.dt);
+      if (substeps) w.ledger.wallWork.add(dot(act.force - slow.force, v) * (x.dt * (x.fast - 1)));
     }
     p.force[i] += act.force;
+    if (substeps) p.fastAcceleration[i] += often.force / p.mass[i];
     // Half a kick lies on either side of now (at the start only after it): energy changes as if by the velocity between them.
     Vec3d half{};
     if (!(p.clamped.active && p.clamped[i])) half = (p.force[i] / p.mass[i] + w.scene.domain.gravity) * (x.dt > 0 ? 0.5 * x.dt : 0.25 * x.span);
+    if (substeps && !(p.clamped.active && p.clamped[i])) half += p.fastAcceleration[i] * ((x.fast - 1) * (x.dt > 0 ? 0.5 * x.dt : 0.25 * x.span));
     p.dissipation[i] += act.lost - dot(act.resisting, half);
     for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(act.force[a]);
+    if (!substeps) continue;
+    p.dissipation[i] += (x.fast - 1) * (often.lost - dot(often.resisting, half));
+    for (int a = 0; a < 3; a++) {
+      contacts.fast[a].add(often.force[a]);
+      w.ledger.wallForce[a].add(often.force[a] * (x.fast - 1));
+    }
   }
-  bookClamps(w, x.dt);
+  bookClamps(w, x.dt, x.fast, contacts);
+}
+
+void addSubstepContacts(const WallContext& x, std::vector<WallContact>& contacts) {
+  World& w = x.world;
+  Continuum& p = w.particles;
+  for (std::size_t c = 0; c < contacts.size();) {
+    const std::uint32_t i = contacts[c].row;
+    const Material& m = w.scene.materials[p.material[i]];
+    WallAction act;
+    for (; c < contacts.size() && contacts[c].row == i; c++) {
+      if (!followContact(w, contacts[c])) continue;
+      const Wall& wall = w.walls.list[contacts[c].wall];
+      const Vec3d v = wallVelocity(wall, p.position[i]), before = act.force;
+      addContactForces(x, {contacts[c], wall.properties, m, i, liquidFraction(p, i), p.mass[i] / m.density, p.velocity[i] - v}, p, act);
+      if (!wall.properties.motion.empty()) w.ledger.wallWork.add(dot(act.force - before, v) * x.dt);
+    }
+    Vec3d& force = w.solids.force[p.slot[i]];
+    force += act.force;
+    const Vec3d half = p.clamped.active && p.clamped[i] ? Vec3d{} : force * (0.5 * x.dt / p.mass[i]);
+    p.dissipated[i] += (act.lost - dot(act.resisting, half)) * x.dt;
+    for (int a = 0; a < 3; a++) w.ledger.wallImpulse[a].add(act.force[a] * x.dt);
+  }
 }
 
 void addWallHeat(const WallContext& x, const WallContacts& contacts) {

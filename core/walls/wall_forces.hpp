@@ -12,6 +12,7 @@ struct WallContext {
   const std::vector<LiquidMaterial>& liquids;
   double dt;    ///< s, of the step that ends now; 0 at the start, when nothing is booked
   double span;  ///< s, of the step at hand: drag and heat are averaged over it, so that they cannot overshoot
+  double fast = 1;  ///< 1 / substeps: contact of solids acts for that part of dt now, the rest is addSubstepContacts'
 };
 
 /// Lists the owned particles within a support radius of a wall. Particles deeper in a wall than half a spacing are moved out to its
@@ -25,6 +26,12 @@ void addWallFilling(const WallContext& context, double perLatticeSum, WallContac
 /// Pressure on liquids, drag where the wall does not let slip, and for solids a
 /// spring with dashpot and Coulomb friction within half a spacing of the wall. Work and impulse go to the ledger.
 void addWallForces(const WallContext& context, double perLatticeSum, WallContacts& contacts);
+
+/// Substeps: contacts of slots that may touch a wall before the step ends, at the places of now, by row; and their springs, dashpots and
+/// friction at a later place, added to Solids::force. Work, impulse and losses over context.dt go to the ledger and the particles.
+void findSubstepContacts(const World& world, std::vector<WallContact>& contacts);
+bool followContact(const World& world, WallContact& contact);  ///< distance and normal at the places of now; false: they do not touch
+void addSubstepContacts(const WallContext& context, std::vector<WallContact>& contacts);
 
 /// Heat from walls that have a temperature.
 void addWallHeat(const WallContext& context, const WallContacts& contacts);

@@ -6,6 +6,7 @@
 
 #include "core/geometry/pose.hpp"
 #include "core/geometry/signed_distance.hpp"
+#include "core/math/exact_sum.hpp"
 #include "core/scene/scene.hpp"
 
 namespace thaw {
@@ -45,6 +46,7 @@ struct WallContacts {
   std::vector<WallContact> list;
   std::vector<std::uint32_t> reachable;  ///< walls that can be within reach of the cell at hand
   std::vector<double> added;             ///< filling that each wall of the particle at hand has added
+  ExactSum fast[3];                      ///< N, of Ledger::wallForce that what takes substeps feels in each of them
   double stiffest = 0;                   ///< 1/s, largest sound speed times slope of the filling by a wall: bounds the step
 };
 

@@ -48,7 +48,7 @@ int checkAll(const CheckOptions& o) {
   const auto start = std::chrono::steady_clock::now();
   int steps = 0;
   const double dt = w.clock.dt;
-  const std::string limitedBy = w.clock.limitedBy;
+  const std::string limitedBy = w.clock.limitedBy, substeps = w.clock.substeps > 1 ? fmt::format(", with {} substeps of solids", w.clock.substeps) : "";
   while (steps < 20 && std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < 3 && w.clock.time < w.clock.end) {
     step(w, halos, t, {});
     steps++;
@@ -72,7 +72,7 @@ int checkAll(const CheckOptions& o) {
   if (!sampled.overlaps.empty()) std::printf("  %lld particles left out of overlaps\n", static_cast<long long>(sampled.removed));
   std::printf("\nmodules\n");
   for (const std::string& why : w.modules.why) std::printf("  %s\n", why.c_str());
-  std::printf("\ntime step %.3g s at the start, limited by %s; by the materials alone\n", dt, limitedBy.c_str());
+  std::printf("\ntime step %.3g s at the start, limited by %s%s; by the materials alone\n", dt, limitedBy.c_str(), substeps.c_str());
   for (std::size_t k = 0; k < limitNames.size(); k++)
     if (t.fixedLimits.value[k] < never) std::printf("  %-16s %.3g s\n", limitNames[k], t.fixedLimits.value[k]);
   if (const std::vector<std::string> lines = frontierLines(s, w.modules); !lines.empty()) {

@@ -105,6 +105,7 @@ void writeSummary(const std::string& out, const RunSummary& s) {
   j["step"] = s.clock.step;
   j["frames"] = s.clock.frame;
   j["dt_s"] = s.clock.dt;
+  j["substeps"] = s.clock.substeps;
   j["dt_limited_by"] = s.clock.limitedBy;
   j["steps_of_this_process"] = s.stepsHere;
   j["wall_s"] = s.wall;
@@ -131,9 +132,9 @@ void writeSummary(const std::string& out, const RunSummary& s) {
 std::string progressLine(const Clock& c, const LedgerReport& l, double stepsPerSecond, double secondsLeft) {
   const double scale = l.energyScale > 0 ? l.energyScale : 1, heatScale = std::abs(l.heatIn) > 0 ? std::abs(l.heatIn) : 1;
   return fmt::format(
-      "t {:.5f} s  step {}  dt {:.2e} s ({})  {:.1f} steps/s  left {}  particles {}  liquid {:.1f} %  mass {:.6g} kg ({:+.1e})  |p| {:.3g} ({:.1e})  |L| {:.3g}  "
+      "t {:.5f} s  step {}  dt {:.2e} s ({}{})  {:.1f} steps/s  left {}  particles {}  liquid {:.1f} %  mass {:.6g} kg ({:+.1e})  |p| {:.3g} ({:.1e})  |L| {:.3g}  "
       "kinetic {:.4g} J  elastic {:.4g} J  potential {:.4g} J  internal {:.5g} J  in {:.3g} kg {:.3g} J heat  out {:.3g} kg  dissipated {:.4g} J  residual {:+.2e} J ({:+.1e}) heat {:+.1e}",
-      c.time, c.step, c.dt, c.limitedBy, stepsPerSecond, duration(secondsLeft), l.particles, 100 * l.liquidFraction, l.now.mass, l.massResidual, length(l.now.momentum),
+      c.time, c.step, c.dt, c.limitedBy, c.substeps > 1 ? fmt::format(", {} substeps of solids", c.substeps) : "", stepsPerSecond, duration(secondsLeft), l.particles, 100 * l.liquidFraction, l.now.mass, l.massResidual, length(l.now.momentum),
       length(l.momentumResidual), length(l.now.angularMomentum), l.now.kinetic, l.now.elastic, l.now.potential, l.now.internal, l.entered.mass, l.heatIn, l.left.mass,
       l.dissipated, l.energyResidual, l.energyResidual / scale, l.heatResidual / heatScale);
 }

@@ -66,6 +66,9 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.number("cfl_elastic", n.cflElastic, "", factor(), "times spacing / speed of pressure waves");
   r.number("cfl_tension", n.cflTension, "", factor(), "times sqrt(rho h^3 / (2 pi sigma))");
   r.number("cfl_acceleration", n.cflAcceleration, "", factor(), "times sqrt(h / a)");
+  std::int64_t substeps = n.elasticSubsteps;
+  r.whole("elastic_substeps", substeps, 1, 64, "largest number of steps that solids take within one of all else, where their elastic limit is the shortest; above 4 the liquid may pump energy into solids without damping");
+  n.elasticSubsteps = static_cast<int>(substeps);
   r.number("plastic_rereference", n.plasticRereference, "", positive(), "norm of the plastic strain above which the reference follows the flow");
 }
 
