@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/domain/emit.hpp"
+#include "core/fluid/implicit_viscosity/viscous_work.hpp"
 #include "core/fluid/records.hpp"
 #include "core/halo/halo.hpp"
 #include "core/neighbours/search.hpp"
@@ -42,6 +43,7 @@ struct StepTools {
   ClosePairs closePairs;
   WallContacts wallContacts;
   ElasticWork elastic;
+  ViscousWork viscous;
   std::vector<BondRequest> requests;
   std::vector<std::uint32_t> rebonded;   ///< rows of particles that took new bonds
   std::vector<std::uint32_t> leaving;

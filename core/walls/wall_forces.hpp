@@ -26,6 +26,10 @@ void addWallFilling(const WallContext& context, double perLatticeSum, WallContac
 /// spring with dashpot and Coulomb friction within half a spacing of the wall. Work and impulse go to the ledger.
 void addWallForces(const WallContext& context, double perLatticeSum, WallContacts& contacts);
 
+/// Drag (kg/s) of a wall on the liquid at it: times the velocity along the wall, relative to it. Of the forces above where viscosity is
+/// explicit, averaged over the step; else of the implicit solver.
+double wallDrag(const WallContext& context, const WallContact& contact);
+
 /// Heat from walls that have a temperature.
 void addWallHeat(const WallContext& context, const WallContacts& contacts);
 
