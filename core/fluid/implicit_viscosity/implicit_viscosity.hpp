@@ -6,6 +6,8 @@
 // mean of the viscosities, W the walls' drag: both symmetric and not negative, so the matrix is symmetric and positive definite whatever the
 // step and the contrast of viscosity. F_visc then is a force as any other: a sum over pairs, equal and opposite along the line of two
 // particles. So momentum and angular momentum are kept to rounding, however far the iteration got. A steady state is that of the explicit step.
+// The books take the whole kick's loss with the step in which the force is found, as for explicit forces: they are ahead by the half kick
+// to come. With long steps that is more, but it does not add up.
 //
 // Differences to the paper: the pair sum is thaw's (no factor of dimension and artificial scaling; walls by their tables); solid particles,
 // bonded or not, are unknowns, and clamped and driven ones known velocities, so that both ends of every pair feel it; the iteration ends
@@ -16,8 +18,7 @@
 namespace thaw {
 
 /// Adds viscous forces (N) to Continuum::force and what they take (W) to dissipation, and books the walls' and clamps' share in the ledger.
-/// After all other forces, with neighbour lists, records and wall contacts of now. dt: s, of the step that ends now (0 at the start);
-/// span: s, of the kick to come. Iterates until the error in |.|_M is at most Numerics::viscosityTolerance of the change of velocity by
+/// After all other forces, with neighbour lists, records and wall contacts of now; over WallContext::span. Iterates until the error in |.|_M is at most Numerics::viscosityTolerance of the change of velocity by
 /// viscosity, or Numerics::viscosityIterations times (Counters::viscousUnfinished). Collective; the same bits on any number of ranks.
 void addImplicitViscosity(World& world, Halos halos, StepTools& tools, const PairSums& sums, const WallContext& walls);
 
