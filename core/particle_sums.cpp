@@ -5,6 +5,7 @@
 
 #include "core/contact/solid_contact.hpp"
 #include "core/domain/sides.hpp"
+#include "core/fluid/implicit_viscosity/implicit_viscosity.hpp"
 #include "core/fluid/state_equation.hpp"
 #include "core/heat/enthalpy.hpp"
 #include "core/heat/heat.hpp"
@@ -127,6 +128,7 @@ PairSums sumsOf(World& w, StepTools& t) {
   s.precision = n.precision;
   s.pressureForm = n.pressure;
   s.viscosityForm = n.viscosity;
+  s.viscous = !w.modules.implicitViscosity;
   s.printedTension = n.tension == TensionForm::ColourField;
   s.heat = w.modules.heat;
   s.conductionScale = t.conductionScale;
@@ -225,6 +227,8 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass) {
     for (std::size_t i = 0; i < p.owned; i++) p.interaction[i] += compressionOf(x, p, i);
   t.times.lap(StepPhase::Forces);
 }
+
+void solveViscosity(World& w, Halos halos, StepTools& t, const WallContext& walls) { addImplicitViscosity(w, halos, t, sumsOf(w, t), walls); }
 
 void sumUnitPressure(World& w, StepTools& t) {
   Continuum& p = w.particles;

@@ -33,6 +33,9 @@ inline bool needsNeighbours(const World& world, const StepTools& tools) { return
 enum class NeighbourPass { InnerDensity, BoundaryDensity, InnerForces, BoundaryForces };
 void sumOverNeighbours(World& world, StepTools& tools, NeighbourPass pass);
 
+/// Viscous forces of the implicit solver (fluid/implicit_viscosity/), after all others.
+void solveViscosity(World& world, Halos halos, StepTools& tools, const WallContext& walls);
+
 /// Continuum::softening of compression and surface tension, from Continuum::interaction as it is after the sums over neighbours and
 /// before contacts are added: compression is proportional to the particle's fraction, a pair's tension to both. Liquids only.
 void beginSoftening(World& world, const StepTools& tools);

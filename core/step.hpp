@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/domain/emit.hpp"
+#include "core/fluid/implicit_viscosity/viscous_work.hpp"
 #include "core/fluid/records.hpp"
 #include "core/halo/halo.hpp"
 #include "core/neighbours/search.hpp"
@@ -45,6 +46,7 @@ struct StepTools {
   std::vector<WallContact> substepContacts;  ///< of the solids that may touch a wall in this step
   double longestContact = never;     ///< s, of a substep: contact of solids with walls where substeps do it, of materials
   ElasticWork elastic;
+  ViscousWork viscous;
   std::vector<BondRequest> requests;
   std::vector<std::uint32_t> rebonded;   ///< rows of particles that took new bonds
   std::vector<std::uint32_t> leaving;

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/math/vec3.hpp"
+#include "core/math/mat3.hpp"
 #include "core/neighbours/neighbour_lists.hpp"
 #include "core/scene/scene.hpp"
 
@@ -28,6 +28,7 @@ struct PairSums {
   Precision precision = Precision::Single;
   PairForm pressureForm = PairForm::Consistent;
   ViscosityForm viscosityForm = ViscosityForm::Pairwise;
+  bool viscous = true;          ///< forces also sum viscosity; not where it is solved implicitly
   bool printedTension = false;  ///< colour field as in K05 instead of cohesion between pairs
   bool heat = false;          ///< forces also sum heat conduction
   double conductionScale = 1; ///< factor of heat conduction (kernels/lattice.hpp)
@@ -48,6 +49,22 @@ struct PairSums {
   float* exposure = nullptr;     ///< 1
   Vec3d* smoothed = nullptr;     ///< m/s, velocity change by XSPH
   std::int64_t* coincident = nullptr;  ///< counts particles with another one at the same place
+};
+
+/// A velocity (m/s) that the viscous operator acts on, with the particle's viscosity (Pa s) and liquid fraction; the size of four doubles.
+struct alignas(32) ViscousRecord { double x = 0, y = 0, z = 0; float viscosity = 0, liquid = 0; };
+
+/// Start: also blocks; Apply: the operator alone; Force: also what the force takes away.
+enum class ViscousPass { Start, Apply, Force };
+
+/// What the viscous operator of the implicit solver reads and writes beside PairSums::place. Rows without liquid around are not written.
+struct ViscousSums {
+  ViscousPass pass = ViscousPass::Apply;
+  const ViscousRecord* velocity = nullptr;  ///< all rows and the dummy
+  const ViscousRecord* middle = nullptr;    ///< m/s, velocities that the force takes energy at; only with Force
+  Vec3d* result = nullptr;                  ///< N, minus the viscous force of these velocities; overwritten
+  Sym3d* block = nullptr;                   ///< kg/s, of the particle's own velocity; overwritten by Start
+  double* lost = nullptr;                   ///< W, added to by Force
 };
 
 }  // namespace thaw

@@ -8,6 +8,7 @@
 #include "core/fluid/terms/forces.hpp"
 #include "core/fluid/terms/smoothing.hpp"
 #include "core/fluid/terms/tension.hpp"
+#include "core/fluid/terms/viscous_operator.hpp"
 
 namespace thaw {
 namespace THAW_ISA {
@@ -35,20 +36,37 @@ void density(const PairSums& in, GroupRange range) {
   });
 }
 
-template<bool Laplacian, bool Heat> void forcesOf(const PairSums& in, GroupRange range) {
+template<bool Viscous, bool Laplacian, bool Heat> void forcesOf(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     const double h = in.support;
     const double pressure = in.pressureForm == PairForm::Printed ? 0.5 : in.fillingScale * h * h * h;
-    Forces<Real, decltype(kernel), Laplacian, Heat> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, pressure * h * h,
+    Forces<Real, decltype(kernel), Viscous, Laplacian, Heat> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, pressure * h * h,
                                                          h, in.conductionScale * h};
     sweep(*in.lists, range, term, !Heat);
   });
 }
 void forces(const PairSums& in, GroupRange range) {
   const bool laplacian = in.viscosityForm == ViscosityForm::Laplacian;
-  if (in.heat) laplacian ? forcesOf<true, true>(in, range) : forcesOf<false, true>(in, range);
-  else laplacian ? forcesOf<true, false>(in, range) : forcesOf<false, false>(in, range);
+  if (!in.viscous) in.heat ? forcesOf<false, false, true>(in, range) : forcesOf<false, false, false>(in, range);
+  else if (in.heat) laplacian ? forcesOf<true, true, true>(in, range) : forcesOf<true, false, true>(in, range);
+  else laplacian ? forcesOf<true, true, false>(in, range) : forcesOf<true, false, false>(in, range);
+}
+
+template<class Real, ViscousPass pass> void viscousOf(const PairSums& in, const ViscousSums& out, GroupRange range) {
+  const auto velocities = [](const ViscousRecord* r) { return reinterpret_cast<const Record<double>*>(r); };
+  ViscousOperator<Real, pass> term{records<Real>(in.place), velocities(out.velocity), velocities(out.middle), &out, in.support};
+  sweep(*in.lists, range, term, true);
+}
+template<class Real> void viscousPass(const PairSums& in, const ViscousSums& out, GroupRange range) {
+  switch (out.pass) {
+    case ViscousPass::Start: viscousOf<Real, ViscousPass::Start>(in, out, range); break;
+    case ViscousPass::Apply: viscousOf<Real, ViscousPass::Apply>(in, out, range); break;
+    case ViscousPass::Force: viscousOf<Real, ViscousPass::Force>(in, out, range); break;
+  }
+}
+void viscous(const PairSums& in, const ViscousSums& out, GroupRange range) {
+  in.precision == Precision::Single ? viscousPass<float>(in, out, range) : viscousPass<double>(in, out, range);
 }
 
 template<class Real> void tensionOf(const PairSums& in, GroupRange range, bool colour) {
@@ -106,7 +124,7 @@ void searchNeighbours(const SearchInput&, Part, SearchBuffers&, NeighbourLists&)
 const PairKernels& pairKernelSet();
 const PairKernels& pairKernelSet() {
   static constexpr PairKernels set{THAW_STRING(THAW_ISA) + 4, searchNeighbours, density,  forces,    tension,
-                                   artificialViscosity,       smoothing,        exposure, closePairs};
+                                   artificialViscosity,       smoothing,        exposure, closePairs, viscous};
   return set;
 }
 

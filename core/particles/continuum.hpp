@@ -31,6 +31,8 @@ struct Continuum : Table {
   Column<float> pressure{*this, "pressure", "Pa", Keep::Transient, "from the equation of state"};
   Column<Vec3d> smoothing{*this, "smoothing", "m/s", Keep::State, "XSPH: the particle moves with velocity + smoothing"};
   Column<float> exposure{*this, "exposure", "1", Keep::Transient, "share in the free surface; 1 for a column of particles below a flat surface"};
+  Column<Vec3d> viscousAcceleration{*this, "viscousAcceleration", "m/s^2", Keep::State, "by implicit viscosity in the last step, where the next one starts to look"};
+  Column<Vec3d> viscousSearch{*this, "viscousSearch", "m/s", Keep::Transient, "velocities that implicit viscosity sends to ghosts"};
   // heat and phase
   Column<double> enthalpy{*this, "enthalpy", "J/kg", Keep::State, "0 at the solidus (at 0 K for materials that do not melt)"};
   Column<double> temperature{*this, "temperature", "K", Keep::State, "function of the enthalpy (state itself in the paper's heat model)"};

@@ -81,6 +81,8 @@ Modules modulesOf(const Scene& s) {
     const std::string who = "material " + quoted(x.name);
     const bool liquid = m.fluid && (!x.canBeSolid() || x.liquidAtStart || (x.melts() && m.heat));
     if (liquid && x.surfaceTension > 0) f.on(m.tension, "surface tension", who);
+    const bool viscous = x.viscosity.solid > 0 || x.viscosity.liquid > 0 || !x.viscosityTable.empty();
+    if (liquid && viscous && s.numerics.viscositySolver == ViscositySolver::Implicit) f.on(m.implicitViscosity, "implicit viscosity", who);
     if (liquid && x.xsph > 0) f.on(m.xsph, "velocity smoothing (XSPH)", who);
     if (liquid && x.artificialViscosity > 0) f.on(m.artificialViscosity, "artificial viscosity", who);
     if (!m.solid || !x.canBeSolid()) continue;

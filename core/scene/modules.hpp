@@ -11,6 +11,7 @@ struct Modules {
   bool fluid = false;      ///< some particle is, or can become, liquid: density, pressure, viscosity
   bool tension = false;    ///< a liquid with surface tension
   bool xsph = false, artificialViscosity = false;
+  bool implicitViscosity = false;  ///< a liquid with viscosity, and the scene asks for the implicit solver
   bool solid = false;      ///< some particle is, or can become, solid: bonds, elastic forces
   bool substeps = false;   ///< solids may take several steps in one of the scene
   bool plastic = false;    ///< a material yields

@@ -148,6 +148,7 @@ enum class Precision { Single, Double };          // of pair sums; the state its
 enum class PairForm { Consistent, Printed };      // Printed: K05's sums as the paper has them
 enum class EquationOfState { Linear, Tait };
 enum class ViscosityForm { Pairwise, Laplacian };
+enum class ViscositySolver { Explicit, Implicit };
 enum class TensionForm { Pairwise, ColourField };  // ColourField: as printed in MCG03/K05
 enum class HeatModel { Enthalpy, Paper };
 enum class Conduction { Normalised, Plain };       // of the sum over neighbours: with the second moment of the lattice, or of the integral
@@ -163,6 +164,9 @@ struct Numerics {
   EquationOfState eos = EquationOfState::Linear;
   double tensileLimit = 0;        // 1: fraction of negative pressure that is kept (0: clamped at 0)
   ViscosityForm viscosity = ViscosityForm::Pairwise;
+  ViscositySolver viscositySolver = ViscositySolver::Explicit;
+  double viscosityTolerance = 1e-3;  // 1, error of the implicit solver's change of velocity
+  std::int64_t viscosityIterations = 200;  // at most, in a step
   TensionForm tension = TensionForm::Pairwise;
   HeatModel heat = HeatModel::Enthalpy;
   Conduction conduction = Conduction::Normalised;

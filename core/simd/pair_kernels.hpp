@@ -19,6 +19,7 @@ struct PairKernels {
   void (*smoothing)(const PairSums&, GroupRange);
   void (*exposure)(const PairSums&, GroupRange);
   void (*closePairs)(const PairSums&, GroupRange, ClosePairs&);
+  void (*viscous)(const PairSums&, const ViscousSums&, GroupRange);
 };
 
 /// By name, or the best for this processor where the name is empty. Unknown or unsupported names give nullptr.

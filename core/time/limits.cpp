@@ -55,7 +55,8 @@ StepLimits materialLimits(const Scene& s, const Modules& modules, const std::vec
     if (liquid) {
       // wider sums have no softer lattice: a support of 2 spacings is the longest that counts
       take(Limit::Sound, n.cflSound * std::min(h, 2 * s.spacing) / liquids[k].soundSpeed);
-      const double mu = (m.viscosityTable.empty() ? std::max(m.viscosity.solid, m.viscosity.liquid) : 0) + 1.6 * liquids[k].artificial;  // tables: of the particles there are
+      const bool own = m.viscosityTable.empty() && !modules.implicitViscosity;
+      const double mu = (own ? std::max(m.viscosity.solid, m.viscosity.liquid) : 0) + 1.6 * liquids[k].artificial;  // tables: of the particles there are
       if (mu > 0) take(Limit::Viscous, n.cflViscous * stableViscousStep(n) * h * h * m.density / mu);
       if (m.surfaceTension > 0) take(Limit::Tension, n.cflTension * std::sqrt(m.density * h3 / (2 * 3.14159265358979 * m.surfaceTension)));
     }
@@ -85,7 +86,7 @@ StepLimits particleLimits(const World& w, double stableViscousStep) {
   if (hardest > 0) l[Limit::Acceleration] = n.cflAcceleration * std::sqrt(h / std::sqrt(hardest));
   for (std::size_t k = 0; k < w.scene.materials.size(); k++) {
     const Material& m = w.scene.materials[k];
-    if (m.viscosityTable.empty()) continue;
+    if (m.viscosityTable.empty() || w.modules.implicitViscosity) continue;
     double mu = 0;  // each particle's own: what lies between two of them on this rank may lie between none on another
     for (std::size_t i = 0; i < p.owned; i++)
       if (p.material[i] == k && (p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0)))

@@ -52,9 +52,8 @@ void addLiquidForces(const WallContext& x, const Meeting& at, double perLatticeS
     act.force += n * (at.volume * term * t.push / h * at.contact.share);
     stiffest = std::max(stiffest, x.liquids[p.material[at.row]].soundSpeed * perLatticeSum * t.push / h);
   }
-  if (at.wall.slip) return;
-  const double mu = viscosityAt(at.material, at.liquid, p.temperature.active ? p.temperature[at.row] : 0);
-  const double m = p.mass[at.row], rate = m * overStep(at.liquid * mu * at.volume * t.drag * at.contact.share / (h * h * m), x.span);
+  if (at.wall.slip || w.modules.implicitViscosity) return;
+  const double m = p.mass[at.row], rate = m * overStep(wallDrag(x, at.contact) / m, x.span);
   const Vec3d tangential = at.velocity - n * dot(at.velocity, n);
   act.resist(tangential * -rate, at.velocity);
 }
@@ -104,6 +103,17 @@ void bookClamps(World& w, double dt, double fast, WallContacts& contacts) {
 }
 
 }  // namespace
+
+double wallDrag(const WallContext& x, const WallContact& contact) {
+  const World& w = x.world;
+  const Continuum& p = w.particles;
+  const std::size_t i = contact.row;
+  const double f = liquidFraction(p, i), h = w.grid.support;
+  if (f == 0 || w.walls.list[contact.wall].properties.slip) return 0;
+  const Material& m = w.scene.materials[p.material[i]];
+  const double mu = viscosityAt(m, f, p.temperature.active ? p.temperature[i] : 0);
+  return f * mu * (p.mass[i] / m.density) * x.tables(contact.distance / h).drag * contact.share / (h * h);
+}
 
 void addWallForces(const WallContext& x, double perLatticeSum, WallContacts& contacts) {
   World& w = x.world;

@@ -32,6 +32,9 @@ void addWallForces(const WallContext& context, double perLatticeSum, WallContact
 void findSubstepContacts(const World& world, std::vector<WallContact>& contacts);
 bool followContact(const World& world, WallContact& contact);  ///< distance and normal at the places of now; false: they do not touch
 void addSubstepContacts(const WallContext& context, std::vector<WallContact>& contacts);
+/// Drag (kg/s) of a wall on the liquid at it: times the velocity along the wall, relative to it. Of the forces above where viscosity is
+/// explicit, averaged over the step; else of the implicit solver.
+double wallDrag(const WallContext& context, const WallContact& contact);
 
 /// Heat from walls that have a temperature.
 void addWallHeat(const WallContext& context, const WallContacts& contacts);

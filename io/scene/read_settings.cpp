@@ -52,6 +52,12 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.choice("equation_of_state", n.eos, {"linear", "tait"}, "pressure by density");
   r.number("tensile_limit", n.tensileLimit, "", between(0, 1), "share of negative pressure that is kept");
   r.choice("viscosity", n.viscosity, {"pairwise", "laplacian"}, "along the line of two particles (keeps angular momentum), or as printed in Keiser et al. 2005");
+  r.choice("viscosity_solver", n.viscositySolver, {"explicit", "implicit"},
+           "explicit: steps as short as viscosity needs; implicit: a linear system in each step, of any length (pays where viscosity sets the step)");
+  r.number("viscosity_tolerance", n.viscosityTolerance, "", between(1e-10, 0.1), "of the implicit solver: error of the change of velocity by viscosity in a step, over that change");
+  r.whole("viscosity_iterations", n.viscosityIterations, 1, 100000, "of the implicit solver, at most in a step; steps that need more are counted");
+  if (n.viscositySolver == ViscositySolver::Implicit && n.viscosity == ViscosityForm::Laplacian)
+    r.fail("viscosity_solver", "the implicit solver knows the pairwise form of viscosity only: leave numerics.viscosity at \"pairwise\"");
   r.choice("tension", n.tension, {"pairwise", "colour field"}, "cohesion of pairs, or as printed in Keiser et al. 2005");
   r.choice("heat", n.heat, {"enthalpy", "paper"}, "enthalpy with latent heat, or the plain temperature of Keiser et al. 2005");
   r.choice("conduction", n.conduction, {"normalised", "plain"}, "the sum for heat conduction: exact for a quadratic temperature on the lattice, or with the kernel's own constant");

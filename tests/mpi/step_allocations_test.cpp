@@ -45,13 +45,11 @@ Scene blockInAPool() {
   return s;
 }
 
-}  // namespace
-
-TEST(Step, ASteadyStepAllocatesNothing) {
+void runSteady(const Scene& scene) {
   const Communicator comm;
   MpiReducer all(comm);
   World w;
-  w.scene = blockInAPool();
+  w.scene = scene;
   StepTools tools;
   prepareWorld(w, tools, {});
   MpiCellHalo cells(comm, w.grid);
@@ -69,4 +67,14 @@ TEST(Step, ASteadyStepAllocatesNothing) {
     most = std::max(most, made);
   }
   EXPECT_LE(busy, 10) << "up to " << most << " allocations in a step";
+}
+
+}  // namespace
+
+TEST(Step, ASteadyStepAllocatesNothing) { runSteady(blockInAPool()); }
+
+TEST(Step, NorDoesImplicitViscosity) {
+  Scene s = blockInAPool();
+  s.numerics.viscositySolver = ViscositySolver::Implicit;
+  runSteady(s);
 }

@@ -10,8 +10,8 @@ namespace {
 /// Pressure (variational: Monaghan 2005 eq. 3.3 with filling for density; or as printed in K05), viscosity (Monaghan's pair along r,
 /// 2005 eq. 8.9 without its artificial scaling, or MCG03 eq. 13) and heat conduction (Cleary & Monaghan 1999 eq. 36).
 /// A solid particle pushes back with the pressure of a liquid neighbour and no more (Akinci 2012): the force is the slope of the liquid's
-/// energy of compression, so that nothing is gained or lost between the two. It drags on it; two solids do not see each other.
-template<class Real, class Kernel, bool Laplacian, bool Heat> struct Forces {
+/// energy of compression, so that nothing is gained or lost between the two. It drags on it; two solids do not see each other. Without Viscous, viscosity is implicit (viscous_operator.hpp).
+template<class Real, class Kernel, bool Viscous, bool Laplacian, bool Heat> struct Forces {
   using L = Lanes<Real>;
   const Record<Real>*place, *motion, *state;
   const PairSums* in;
@@ -34,7 +34,8 @@ template<class Real, class Kernel, bool Laplacian, bool Heat> struct Forces {
     const L ux = i.motion.a - j.motion.a, uy = i.motion.b - j.motion.b, uz = i.motion.c - j.motion.c;
     const L wet = fi + fj - fi * fj;
     const L mui = i.motion.d, muj = j.motion.d;
-    if constexpr (Laplacian) {
+    if constexpr (!Viscous) {
+    } else if constexpr (Laplacian) {
       const L mu = L(0.5) * (mui + muj) * wet * Vj * Kernel::laplace(q2);
       s.vx -= mu * ux;
       s.vy -= mu * uy;

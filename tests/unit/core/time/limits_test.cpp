@@ -121,6 +121,18 @@ TEST(StepLimits, HeatBesideABetterConductor) {
   EXPECT_NEAR(heat(), alone / 2, 1e-5 * alone);
 }
 
+TEST(StepLimits, ImplicitViscosityHasNone) {
+  Scene s = oneMaterial();
+  s.materials[0].viscosity = {1e5, 1e5};
+  Modules m;
+  m.fluid = true;
+  EXPECT_LT(materialLimits(s, m, liquidMaterials(s))[Limit::Viscous], never);
+  m.implicitViscosity = true;
+  EXPECT_EQ(materialLimits(s, m, liquidMaterials(s))[Limit::Viscous], never);
+  s.materials[0].artificialViscosity = 0.1;  // stays explicit
+  EXPECT_LT(materialLimits(s, m, liquidMaterials(s))[Limit::Viscous], never);
+}
+
 TEST(StepLimits, OfParticles) {
   World w;
   w.scene = oneMaterial();

@@ -1,0 +1,191 @@
+// The implicit viscosity solver through whole steps: exact solutions with steps far above the explicit limit, what must be kept, contrast.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/kernels/lattice.hpp"
+#include "tests/support/simulation.hpp"
+
+namespace thaw::test {
+namespace {
+
+constexpr double dx = 0.05;
+
+void makeImplicit(Scene& s, double tolerance = 1e-3) {
+  s.numerics.viscositySolver = ViscositySolver::Implicit;
+  s.numerics.viscosityTolerance = tolerance;
+}
+
+/// s, of an explicit step
+double explicitLimit(const Scene& s, double nu) {
+  const double h = s.numerics.support * s.spacing;
+  return stableViscousStep(s.numerics) * h * h / nu;
+}
+
+/// J by which the books are ahead: what a force takes is booked with the step that it is found in, and half of its kick is still to come,
+/// in which the velocity changes further.
+double bookedAhead(const Simulation& run) {
+  const Continuum& p = run.w.particles;
+  const double dt = run.w.clock.stepDt;
+  double ahead = 0;
+  for (std::size_t i = 0; i < p.owned; i++) ahead += 0.5 * dt * p.dissipation[i] - 0.125 * dt * dt * p.mass[i] * dot(p.viscousAcceleration[i], p.acceleration[i]);
+  return ahead;
+}
+
+/// Periodic box of a liquid, with the velocity's x a sine of z.
+Scene waveScene(double nu, int n) {
+  Scene s = columnScene(dx, 0, n * dx);
+  s.domain.side[2] = {Side::Periodic, Side::Periodic};
+  s.materials[0].soundSpeed = 1;
+  s.materials[0].viscosity = {1000 * nu, 1000 * nu};
+  addBox(s, {0, 0, 0}, {6 * dx, 6 * dx, n * dx});
+  return s;
+}
+
+}  // namespace
+
+TEST(ImplicitViscosity, ShearWaveDecaysWithStepsFarAboveTheExplicitLimit) {
+  const int n = 24;
+  const double nu = 0.05, k = 2 * M_PI / (n * dx), rate = nu * k * k;
+  for (const double times : {0.5, 10.0, 50.0}) {
+    Scene s = waveScene(nu, n);
+    makeImplicit(s);
+    s.numerics.fixedStep = times * explicitLimit(s, nu);
+    s.end = std::ceil(0.5 / rate / s.numerics.fixedStep) * s.numerics.fixedStep;  // no shorter step at the end
+    Simulation run(s);
+    Continuum& p = run.particles();
+    for (std::size_t i = 0; i < p.owned; i++) {
+      p.velocity[i] = {0.01 * std::sin(k * p.position[i].z), 0, 0};
+      p.acceleration[i] = {};
+    }
+    run.w.ledger.initial = run.books().now;
+    const double a0 = run.w.ledger.initial.kinetic;
+    ASSERT_TRUE(run.run());
+    const LedgerReport r = run.books();
+    const double measured = -0.5 * std::log(r.now.kinetic / a0) / (s.end - 0.5 * s.numerics.fixedStep);  // the first half kick knew of no viscosity
+    std::printf("dt %.1f times the explicit limit: rate %.4f of the exact one, %.1f iterations\n", times, measured / rate,
+                static_cast<double>(run.w.counters.viscousIterations) / static_cast<double>(run.w.clock.step));
+    EXPECT_NEAR(measured / rate, 1, times < 20 ? 0.06 : 0.3);  // the pair sum itself has 1.06 of the viscosity; backward Euler is of first order
+    EXPECT_LT(length(r.momentumResidual), 1e-12 * r.initial.mass);
+    EXPECT_LT(std::abs(r.energyResidual - bookedAhead(run)), 0.01 * a0);
+    std::printf("residual %.2e of the energy at the start, %.2e less what is booked ahead\n", r.energyResidual / a0, (r.energyResidual - bookedAhead(run)) / a0);
+    EXPECT_EQ(run.w.counters.viscousUnfinished, 0);
+  }
+}
+
+TEST(ImplicitViscosity, PoiseuilleStartUpWithLongSteps) {
+  const double H = 10 * 0.1, nu = 1, g = 0.8;
+  Scene s = columnScene(0.1, 0, H);
+  s.domain.side[2] = {Side::Wall, Side::Wall};
+  s.domain.gravity = {g, 0, 0};
+  s.materials[0].soundSpeed = 2;
+  s.materials[0].viscosity = {1000 * nu, 1000 * nu};
+  addBox(s, {0, 0, 0}, {0.6, 0.6, H});
+  makeImplicit(s);
+  s.numerics.fixedStep = 10 * explicitLimit(s, nu);
+  s.end = 0.3;
+  Simulation run(s);
+  ASSERT_TRUE(run.run());
+  const Continuum& p = run.particles();
+  double square = 0;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const double z = p.position[i].z;
+    double u = g / (2 * nu) * z * (H - z);
+    for (int n = 1; n < 40; n += 2)
+      u -= 4 * g * H * H / (nu * std::pow(M_PI * n, 3)) * std::sin(n * M_PI * z / H) * std::exp(-n * n * M_PI * M_PI * nu * s.end / (H * H));
+    square += std::pow((p.velocity[i].x - u) / 0.1, 2);
+  }
+  const double error = std::sqrt(square / static_cast<double>(p.owned));
+  std::printf("dt %.1f times the explicit limit: error %.4f, %.1f iterations\n", s.numerics.fixedStep / explicitLimit(s, nu), error,
+              static_cast<double>(run.w.counters.viscousIterations) / static_cast<double>(run.w.clock.step));
+  EXPECT_LT(error, 0.05);
+  const LedgerReport r = run.books();
+  EXPECT_LT(length(r.momentumResidual), 1e-9 * length(r.gravityImpulse));
+  EXPECT_LT(std::abs(r.energyResidual - bookedAhead(run)), 0.02 * r.energyScale);
+  std::printf("residual %.2e, %.2e less what is booked ahead\n", r.energyResidual / r.energyScale, (r.energyResidual - bookedAhead(run)) / r.energyScale);
+}
+
+// A drop that spins and shears: it ends as a rigid body. Viscosity acts along the line of two particles.
+TEST(ImplicitViscosity, SpinningDropKeepsAngularMomentum) {
+  for (const double tolerance : {1e-1, 1e-6}) {
+    Scene s;
+    s.spacing = dx;
+    s.domain.gravity = {};
+    s.output.every = 0;
+    s.numerics.precision = Precision::Double;
+    s.materials.emplace_back();
+    s.materials[0].viscosity = {2e4, 2e4};
+    s.materials[0].soundSpeed = 5;
+    s.materials[0].surfaceTension = 1;
+    s.bodies.emplace_back();
+    Body& b = s.bodies.back();
+    b.name = "drop";
+    b.shape.kind = ShapeKind::Sphere;
+    b.shape.radius = 0.2;
+    b.spin = {0, 0, 1};
+    b.velocity = {0.3, 0, 0};
+    makeImplicit(s, tolerance);
+    s.end = 0.2;
+    Simulation run(s);
+    Continuum& p = run.particles();
+    for (std::size_t i = 0; i < p.owned; i++) p.velocity[i].x += 0.5 * std::sin(20 * p.position[i].y);
+    run.w.ledger.initial = run.books().now;
+    ASSERT_TRUE(run.run());
+    const LedgerReport r = run.books();
+    EXPECT_GT(run.shortest, 20 * explicitLimit(s, 20));
+    EXPECT_LT(length(r.momentumResidual), 1e-12 * r.initial.mass);
+    EXPECT_LT(length(r.now.angularMomentum - r.initial.angularMomentum), 1e-10 * length(r.initial.angularMomentum));
+    EXPECT_LT(std::abs(r.energyResidual), 0.01 * r.initial.kinetic);
+    std::printf("tolerance %.0e: dt %.0f times the explicit limit, %.1f iterations, residual %.1e\n", tolerance, run.shortest / explicitLimit(s, 20),
+                static_cast<double>(run.w.counters.viscousIterations) / static_cast<double>(run.w.clock.step), r.energyResidual / r.initial.kinetic);
+  }
+}
+
+// accuracy.md B11: neighbours whose viscosities differ by up to six decades. Under a steady push along them two layers between plates have
+// the exact steady flow of a contrast; across the interface the stress is the same.
+TEST(ImplicitViscosity, ContrastOfSixDecades) {
+  for (const double contrast : {1e2, 1e4, 1e6}) {
+    const int n = 12;
+    Scene s = waveScene(1, n);
+    s.materials[0].viscosity = {10, 10};
+    s.materials.push_back(s.materials[0]);
+    s.materials[1].name = "stiff";
+    s.materials[1].viscosity = {10 * contrast, 10 * contrast};
+    s.bodies.clear();
+    addBox(s, {0, 0, 0}, {6 * dx, 6 * dx, n / 2 * dx});
+    addBox(s, {0, 0, n / 2 * dx}, {6 * dx, 6 * dx, n * dx}).material = 1;
+    makeImplicit(s, 1e-4);
+    s.numerics.fixedStep = 2e-3;
+    s.end = 0.1;
+    Simulation run(s);
+    Continuum& p = run.particles();
+    for (std::size_t i = 0; i < p.owned; i++) {
+      p.velocity[i] = {p.material[i] == 1 ? 0.05 * std::sin(2 * M_PI * p.position[i].z / (3 * dx)) + 0.02 : 0.0, 0, 0};
+      p.acceleration[i] = {};
+    }
+    run.w.ledger.initial = run.books().now;
+    ASSERT_TRUE(run.run());
+    EXPECT_EQ(run.w.counters.viscousUnfinished, 0);
+    double mean = 0, spread = 0, count = 0, drag = 0;
+    for (std::size_t i = 0; i < p.owned; i++)
+      if (p.material[i] == 1) {
+        mean += p.velocity[i].x;
+        count++;
+      }
+    mean /= count;
+    for (std::size_t i = 0; i < p.owned; i++)
+      if (p.material[i] == 1) spread = std::max(spread, std::abs(p.velocity[i].x - mean));
+      else drag += p.velocity[i].x / count;
+    const LedgerReport r = run.books();
+    std::printf("contrast %.0e: stiff layer moves at %.5f m/s +- %.1e, thin one at %.5f, %.1f iterations\n", contrast, mean, spread, drag,
+                static_cast<double>(run.w.counters.viscousIterations) / static_cast<double>(run.w.clock.step));
+    if (contrast >= 1e4) {
+      EXPECT_LT(spread, 1e-3 * mean);  // as one body
+    }
+    EXPECT_NEAR(mean + drag, 0.02, 1e-6);
+    EXPECT_LT(length(r.momentumResidual), 1e-12 * r.initial.mass);
+    EXPECT_LT(std::abs(r.energyResidual), 0.02 * r.initial.kinetic);
+  }
+}
+
+}  // namespace thaw::test
