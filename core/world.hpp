@@ -13,6 +13,7 @@
 #include "core/solid/solids.hpp"
 #include "core/time/clock.hpp"
 #include "core/walls/walls.hpp"
+#include "core/watch/watch_state.hpp"
 
 namespace thaw {
 
@@ -27,6 +28,7 @@ struct Counters {
   std::int64_t rereferenced = 0;
   std::int64_t wallProjections = 0;         ///< particles pushed out of an obstacle by position
   std::int64_t left = 0, emitted = 0;
+  std::int64_t retries = 0;                 ///< stretches that failed and were run again with shorter steps
 };
 
 struct World {
@@ -42,6 +44,7 @@ struct World {
   Clock clock;
   Ledger ledger;
   Counters counters;
+  WatchState watch;
 };
 
 }  // namespace thaw

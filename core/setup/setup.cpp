@@ -67,6 +67,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   t.kernels = pairKernels();
   t.liquids = liquidMaterials(w.scene);
   t.fixedLimits = materialLimits(w.scene, w.modules, t.liquids);
+  t.watch = watchBounds(w.scene, w.modules, t.liquids, t.fixedLimits);
   t.stableViscousStep = stableViscousStep(w.scene.numerics);
   t.emitters = planEmitters(w.scene);
   t.wallTables = makeWallTables(w.scene.numerics.kernel, 1 / w.scene.numerics.support);
