@@ -45,12 +45,15 @@ void restoreGood(Run& r) {
   r.goodInMemory = true;
 }
 
-/// Frames of after the good state are not those of the run any more.
+/// Frames of after the good state are not those of the run any more: they go, and are written again.
 void forgetFrames(Run& r) {
   onFirstRank(r.comm.handle(), [&] {
-    const std::size_t before = r.series.size();
-    while (!r.series.empty() && r.series.back().time > r.world.clock.time) r.series.pop_back();
-    if (r.series.size() != before) writeSeries(seriesPath(r.options.out, r.name), r.series);
+    std::vector<std::string> gone;
+    for (; !r.series.empty() && r.series.back().time > r.world.clock.time; r.series.pop_back()) gone.push_back(r.series.back().name);
+    if (gone.empty()) return;
+    writeSeries(seriesPath(r.options.out, r.name), r.series);  // first: it never names what is not there
+    std::error_code error;
+    for (const std::string& name : gone) std::filesystem::remove(frameFolder(r.options.out) + "/" + name, error);
   });
 }
 
