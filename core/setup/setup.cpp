@@ -143,6 +143,9 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   halos.all.maximum({&froze, 1});
   t.frozeAnywhere = froze > 0;
   t.phaseChangedHere = true;
+  // a scene that goes on with a shorter step means the first one too; of the same scene this changes no bit
+  const double fixed = w.scene.numerics.fixedStep, factor = w.watch.factor;
+  w.clock.dt = fixed > 0 ? factor * fixed : std::min(w.clock.dt, factor * t.fixedLimits[t.fixedLimits.smallest()]);
 }
 
 }  // namespace thaw

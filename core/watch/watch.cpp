@@ -6,7 +6,7 @@
 namespace thaw {
 namespace {
 
-constexpr std::int64_t longestPatience = 64;
+constexpr std::int64_t longestPatience = 64, mostHalvings = 60;
 
 bool recovers(const Material& m) { return m.law != ElasticLaw::Green || m.volumeStiffness > 0; }
 
@@ -28,7 +28,7 @@ WatchBounds watchBounds(const Scene& s, const Modules& modules, const std::vecto
   }
   b.expected = std::max(expectedSpeed(s), given);
   if (slowest < never) b.expected = std::max(b.expected, 0.1 * slowest);
-  if (n.watchSpeed < never) b.speed = n.watchSpeed * b.expected + fastest;
+  if (n.watchSpeed < never) b.speed = n.watchSpeed * (b.expected + 0.1 * fastest);
   b.filling = n.watchDensity;
   const double longest = *std::min_element(materials.value.begin(), materials.value.end());
   b.step = longest < never ? n.watchStep * longest : n.watchStep * 1e-5 * s.end;
@@ -88,6 +88,8 @@ void halveStep(World& w, const WatchState& failed) {
   s.halvings = failed.halvings + 1;
   s.patience = std::min(2 * failed.patience, longestPatience);
   s.calm = 0;
+  // where frames cut the step, halving what was to be cut would change nothing
+  for (double full = w.clock.dt / s.factor; w.clock.every > 0 && s.halvings < mostHalvings && std::ldexp(full, 1 - static_cast<int>(s.halvings)) > w.clock.every;) s.halvings++;
   const double factor = std::min(s.factor, std::ldexp(1.0, -static_cast<int>(s.halvings)));
   w.clock.dt *= factor / s.factor;
   s.factor = factor;

@@ -23,7 +23,8 @@ struct WatchBounds {
   double energy = never;      ///< 1, times the scale of the energies
 };
 
-/// Numerics::watchSpeed times the expected speed, and the fastest wave's on top: what is released from stress moves below that.
+/// The speed that is allowed is Numerics::watchSpeed times the expected speed and a tenth of the fastest wave's: what is released from
+/// stress moves below that.
 WatchBounds watchBounds(const Scene& scene, const Modules& modules, const std::vector<LiquidMaterial>& liquids, const StepLimits& materials);
 
 /// Largest filling of this rank's liquid particles.
@@ -44,7 +45,8 @@ double nextFactor(const WatchState& watch);
 /// The world has come to a good state: failures are forgotten; the step may double after WatchState::patience of them.
 void acceptState(World& world, const LedgerReport& books);
 
-/// The world is back at the good state after `failed` was the watch of a run on from it: halves the step. Nothing else changes.
+/// The world is back at the good state after `failed` was the watch of a run on from it: halves the step, counted from the time between
+/// frames where that is shorter. Nothing else changes.
 void halveStep(World& world, const WatchState& failed);
 
 }  // namespace thaw

@@ -43,6 +43,14 @@ TEST(Watch, AFailureHalvesTheStepAndItGrowsBack) {
   EXPECT_EQ(w.watch.patience, 1) << "all is forgotten";
 }
 
+TEST(Watch, HalvesWhatFramesHaveCut) {
+  World w;
+  w.clock.dt = 1;
+  w.clock.every = 0.3;
+  halveStep(w, w.watch);
+  EXPECT_EQ(w.clock.dt, 0.125) << "half of the first power of two below 0.3";
+}
+
 TEST(Watch, AlarmsOfReducedValues) {
   World w;
   w.grid.support = 0.1;
