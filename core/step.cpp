@@ -98,7 +98,7 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests
   // near a wall its push is stiffer than the lattice, for which cfl_sound stands: omega dt is 1.2 at most (2 is stable)
   if (t.wallContacts.stiffest > 0) own[Limit::Contact] = 3 * w.scene.numerics.cflSound / t.wallContacts.stiffest;
   constexpr std::size_t n = limitNames.size();
-  double values[n + 9];
+  double values[n + 10];
   for (std::size_t k = 0; k < n; k++) values[k] = -std::min(limits.value[k], own.value[k]);
   values[n] = t.frozeAnywhere;
   values[n + 1] = here.badHere;
@@ -109,6 +109,7 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests
   values[n + 6] = w.modules.solid ? t.maxStretch2 : 1;
   values[n + 7] = w.modules.solid ? largestGrip(t.elastic, w.solids) : 0;
   values[n + 8] = w.modules.substeps ? -fastAccelerationLimit(w) : 0;
+  values[n + 9] = w.modules.fluid ? largestFilling(w) : 0;
   if (w.modules.solid) w.counters.singularNeighbourhoods = countSingular(t.elastic, w.solids);  // bonds break and references follow in any step
   t.times.lap(StepPhase::Drift);
   halos.all.maximum(values);
@@ -124,10 +125,12 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests
   t.meltedAnywhere = values[n + 5] > 0;
   all.finite = !(values[n + 1] > 0);
   all.wanted = {values[n + 2] > 0, values[n + 3] > 0, values[n + 4] > 0};
-  const double fixed = w.scene.numerics.fixedStep;
+  all.alarm = all.finite ? alarmOf(w, t.watch, limits, values[n + 9]) : Alarm::NotFinite;
+  w.watch.factor = nextFactor(w.watch);        // 1, or less after a retry
+  const double fixed = w.scene.numerics.fixedStep, factor = w.watch.factor;
   // growing by a tenth at most: leap-frog whose step jumps up and down pumps energy into what swings fast
-  w.clock.dt = fixed > 0 ? fixed : std::min(limits[all.limitedBy], w.clock.step > 0 ? 1.1 * w.clock.dt : never);
-  if (w.modules.substeps) chooseSubsteps(w, t, longest);
+  w.clock.dt = fixed > 0 ? factor * fixed : std::min(factor * limits[all.limitedBy], w.clock.step > 0 ? 1.1 * w.clock.dt : never);
+  if (w.modules.substeps) chooseSubsteps(w, t, factor * longest);
   w.clock.limitedBy = fixed > 0 ? "the scene's fixed step" : limitNames[static_cast<std::size_t>(all.limitedBy)];
   return all;
 }

@@ -14,6 +14,7 @@
 #include "core/time/limits.hpp"
 #include "core/time/phase_times.hpp"
 #include "core/walls/wall_forces.hpp"
+#include "core/watch/watch.hpp"
 #include "core/world.hpp"
 
 namespace thaw {
@@ -30,6 +31,7 @@ struct StepTools {
   const PairKernels* kernels = nullptr;
   std::vector<LiquidMaterial> liquids;
   StepLimits fixedLimits;            ///< of materials
+  WatchBounds watch;
   std::vector<EmitterPlan> emitters;
   WallTables wallTables;
   double perLatticeSum = 1;          ///< 1 / sum V W over the scene's lattice: makes filling 1 on it
@@ -68,6 +70,7 @@ struct Requests { bool stop = false, report = false, checkpoint = false; };
 struct StepOutcome {
   Limit limitedBy = Limit::Scene;
   Requests wanted;                   ///< by some rank
+  Alarm alarm = Alarm::None;         ///< what the watch saw
   bool finite = true;                ///< false: some value is not; on the rank that has it `bad` is its row
   bool badHere = false;
   std::size_t bad = 0;

@@ -13,6 +13,7 @@
 #include "core/solid/solids.hpp"
 #include "core/time/clock.hpp"
 #include "core/walls/walls.hpp"
+#include "core/watch/watch_state.hpp"
 
 namespace thaw {
 
@@ -29,6 +30,7 @@ struct Counters {
   std::int64_t left = 0, emitted = 0;
   std::int64_t viscousIterations = 0;       ///< of implicit viscosity, all steps; on the first rank only
   std::int64_t viscousUnfinished = 0;       ///< steps in which they were not enough; on the first rank only
+  std::int64_t retries = 0;                 ///< stretches that failed and were run again with shorter steps
 };
 
 struct World {
@@ -44,6 +46,7 @@ struct World {
   Clock clock;
   Ledger ledger;
   Counters counters;
+  WatchState watch;
 };
 
 }  // namespace thaw

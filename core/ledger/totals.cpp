@@ -6,7 +6,8 @@ namespace {
 constexpr std::size_t balanceSums = 11, ledgerSums = 2 * balanceSums + 13, worldCounts = sizeof(Counters) / sizeof(std::int64_t);
 static_assert(sizeof(ExactBalance) == balanceSums * sizeof(ExactSum), "list the new sum in addBalance, and in valuesOf");
 static_assert(sizeof(Ledger) == ledgerSums * sizeof(ExactSum) + sizeof(Balance), "list the new sum in sumsOf");
-static_assert(worldCounts == 13, "list the new counter in countsOf");
+static_assert(worldCounts == 14, "list the new counter in countsOf");
+static_assert(sizeof(WatchState) == 8 * sizeof(double), "list the new member in realsOf or countsOf");
 
 void addBalance(std::vector<NamedSum>& list, ExactBalance& b, const char* const (&names)[balanceSums]) {
   ExactSum* const sums[balanceSums] = {&b.mass, &b.momentum[0], &b.momentum[1], &b.momentum[2], &b.angularMomentum[0], &b.angularMomentum[1],
@@ -55,7 +56,14 @@ std::vector<NamedCount> countsOf(Counters& c) {
           {"left", &c.left},
           {"emitted", &c.emitted},
           {"viscous_iterations", &c.viscousIterations},
-          {"viscous_unfinished", &c.viscousUnfinished}};
+          {"viscous_unfinished", &c.viscousUnfinished},
+          {"retries", &c.retries}};
+}
+
+std::vector<NamedReal> realsOf(WatchState& s) { return {{"factor", &s.factor}, {"residual", &s.residual}, {"scale", &s.scale}}; }
+
+std::vector<NamedCount> countsOf(WatchState& s) {
+  return {{"halvings", &s.halvings}, {"failures", &s.failures}, {"patience", &s.patience}, {"calm", &s.calm}, {"good_step", &s.goodStep}};
 }
 
 std::vector<NamedValue> valuesOf(Balance& b) {

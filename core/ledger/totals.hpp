@@ -15,6 +15,10 @@ std::vector<NamedSum> sumsOf(Ledger& ledger);
 struct NamedCount { const char* name; std::int64_t* count; };
 std::vector<NamedCount> countsOf(Counters& counters);
 
+struct NamedReal { const char* name; double* value; };
+std::vector<NamedReal> realsOf(WatchState& watch);
+std::vector<NamedCount> countsOf(WatchState& watch);
+
 struct NamedValue { const char* name; const char* unit; double* value; };
 std::vector<NamedValue> valuesOf(Balance& balance);
 

@@ -178,6 +178,14 @@ struct Numerics {
   double maxStep = never;         // s
   double cflSound = 0.4, cflViscous = 0.8, cflHeat = 0.8, cflElastic = 0.4, cflTension = 0.25, cflAcceleration = 0.25;
   int elasticSubsteps = 1;          // largest number of substeps of solids in a step
+  // the watch while running (core/watch/)
+  std::int64_t retryEvery = 100;  // steps between the states kept in memory; 0: none
+  std::int64_t retries = 4;       // for one stretch, each with half the step
+  double watchSpeed = 10;         // 1, times the speed that the scene makes
+  double watchDensity = 2;        // 1, density of a liquid over that at rest
+  double watchStep = 1e-4;        // 1, times the materials' limit; 0: not watched
+  double watchInverted = 0.1;     // 1, share of the solid particles
+  double watchEnergy = 0.5;       // 1, times the scale of the energies
   double plasticRereference = 0.2;  // 1, norm of plastic strain above which the reference is pushed forward
 };
 

@@ -68,6 +68,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   t.liquids = liquidMaterials(w.scene);
   t.fixedLimits = materialLimits(w.scene, w.modules, t.liquids);
   if (w.modules.substeps && !w.modules.contact) std::swap(t.longestContact, t.fixedLimits[Limit::Contact]);
+  t.watch = watchBounds(w.scene, w.modules, t.liquids, t.fixedLimits);
   t.stableViscousStep = stableViscousStep(w.scene.numerics);
   t.conductionScale = conductionScale(w.scene.numerics);
   t.emitters = planEmitters(w.scene);
@@ -154,6 +155,9 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   halos.all.maximum({&froze, 1});
   t.frozeAnywhere = froze > 0;
   t.phaseChangedHere = true;
+  // a scene that goes on with a shorter step means the first one too; of the same scene this changes no bit
+  const double fixed = w.scene.numerics.fixedStep, factor = w.watch.factor;
+  w.clock.dt = fixed > 0 ? factor * fixed : std::min(w.clock.dt, factor * t.fixedLimits[t.fixedLimits.smallest()]);
 }
 
 }  // namespace thaw

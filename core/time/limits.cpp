@@ -82,7 +82,7 @@ StepLimits particleLimits(const World& w, double stableViscousStep) {
     hardest = std::max(hardest, dot(a, a));
   }
   const double h = w.grid.support;
-  if (fastest > 0) l[Limit::Speed] = 0.25 * h / std::sqrt(fastest);  // nobody passes through a particle, or a cell, in a step
+  if (fastest > 0) l[Limit::Speed] = supportsPerStep * h / std::sqrt(fastest);
   if (hardest > 0) l[Limit::Acceleration] = n.cflAcceleration * std::sqrt(h / std::sqrt(hardest));
   for (std::size_t k = 0; k < w.scene.materials.size(); k++) {
     const Material& m = w.scene.materials[k];

@@ -10,6 +10,8 @@ namespace thaw {
 enum class Limit { Sound, Viscous, Heat, Elastic, Tension, Acceleration, Speed, Contact, Scene };
 inline constexpr std::array<const char*, 9> limitNames{"sound", "viscosity", "heat", "elastic waves", "surface tension", "acceleration", "speed", "contact", "scene"};
 
+inline constexpr double supportsPerStep = 0.25;  ///< nobody passes through a particle, or a cell, in a step
+
 /// Limits in s; `never` where one does not apply.
 struct StepLimits {
   std::array<double, limitNames.size()> value;

@@ -16,6 +16,8 @@ namespace {
 
 // Least bytes of a particle: columns and neighbour list; and its solid record with the bonds.
 constexpr double leastBytes = 400, leastSolidBytes = 600;
+// The same of the good state that is kept for retries (core/watch/good_state.hpp).
+constexpr double leastKeptBytes = 120, leastKeptSolidBytes = 400;
 
 /// Memory of this machine, in bytes.
 double memoryHere() {
@@ -36,7 +38,8 @@ void requireMemory(const Communicator& comm, const World& world, const MeshLoade
   int ranksHere = 1;
   MPI_Comm_size(machine, &ranksHere);
   MPI_Comm_free(&machine);
-  const double all = particles * (leastBytes + (world.modules.solid ? leastSolidBytes : 0)), here = memoryHere();
+  const double kept = world.scene.numerics.retryEvery > 0 ? 1 : 0;
+  const double all = particles * (leastBytes + kept * leastKeptBytes + (world.modules.solid ? leastSolidBytes + kept * leastKeptSolidBytes : 0)), here = memoryHere();
   double worst[2] = {all * ranksHere / comm.size() / here, -here};
   MPI_Allreduce(MPI_IN_PLACE, worst, 2, MPI_DOUBLE, MPI_MAX, comm.handle());
   if (worst[0] > 1)

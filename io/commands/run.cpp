@@ -10,6 +10,7 @@
 #include "io/commands/require_memory.hpp"
 #include "io/commands/scene_for_all.hpp"
 #include "io/hdf5/agree.hpp"
+#include "io/run/retry.hpp"
 #include "io/run/run_state.hpp"
 #include "io/run/signals.hpp"
 #include "io/scene/read_scene.hpp"
@@ -17,17 +18,6 @@
 
 namespace thaw {
 namespace {
-
-std::string blowUpMessage(const World& w, std::size_t row) {
-  const Continuum& p = w.particles;
-  const Vec3d &x = p.position[row], &v = p.velocity[row], &f = p.force[row];
-  const std::size_t source = sourceOf(p.id[row]), bodies = w.scene.bodies.size();
-  const std::string name = source < bodies ? "body '" + w.scene.bodies[source].name : "emitter '" + w.scene.emitters[source - bodies].name;
-  return fmt::format("the simulation blew up at step {}, t {:.9g} s, dt {:.3g} s: particle {} of {}' at ({:.4g}, {:.4g}, {:.4g}) m has a velocity of ({:.4g}, {:.4g}, {:.4g}) m/s and a force of "
-                     "({:.4g}, {:.4g}, {:.4g}) N{}",
-                     w.clock.step, w.clock.time, w.clock.stepDt, numberOf(p.id[row]), name, x.x, x.y, x.z, v.x, v.y, v.z, f.x, f.y, f.z,
-                     w.scene.numerics.fixedStep > 0 ? "; numerics.fixed_step may be too long" : "");
-}
 
 /// The step loop. Returns the exit code; `why` says what ended it.
 int loop(Run& r, std::string& why) {
@@ -45,23 +35,21 @@ int loop(Run& r, std::string& why) {
     wanted.stop = !reason.empty();
     wanted.report = r.first() && since(r.lastReport) >= r.options.reportEvery;
     wanted.checkpoint = r.first() && since(r.lastCheckpoint) >= w.scene.output.checkpoint;
-    const StepOutcome o = step(w, r.halos(), r.tools, wanted);
-    if (!o.finite) {
-      double lowest = o.badHere ? -r.comm.rank() : -never;
-      r.all.maximum({&lowest, 1});
-      if (o.badHere && lowest == -r.comm.rank()) {
-        std::fprintf(stderr, "error: %s\n", blowUpMessage(w, o.bad).c_str());
-      }
-      why = fmt::format("blew up at step {}, t {:.9g} s; the last checkpoint is from before", w.clock.step, w.clock.time);
+    StepOutcome o = step(w, r.halos(), r.tools, wanted);
+    const bool good = goodStateDue(r);
+    if (good && o.alarm == Alarm::None) o.alarm = lookAtBooks(r);
+    if (o.alarm != Alarm::None) {
+      if (goBack(r, o, why)) continue;
       return exitBlewUp;
     }
     while (frameDue(w.clock)) writeFrameOf(r);
+    if (good) acceptGoodState(r);
     if (o.wanted.report) report(r);
     if (o.wanted.stop) {
       why = reason.empty() ? "a signal to another rank" : reason;
       return exitStopped;
     }
-    if (o.wanted.checkpoint) writeCheckpointOf(r);
+    if (o.wanted.checkpoint && atGoodState(r)) writeCheckpointOf(r);
     if (w.clock.step % 25 == 0) {
       r.tools.times.start();
       balance(w, *r.cells, r.tools, meter);
@@ -92,6 +80,7 @@ int simulate(Run& r) {
   r.say(fmt::format("{}: {}", r.options.scene, r.world.scene.title));
   for (const std::string& why : r.world.modules.why) r.say("  " + why);
   begin(r, load);
+  beginRetries(r);
   const Clock& c = r.world.clock;
   if (r.resumed && (c.time >= c.end || (r.options.steps >= 0 && c.step >= r.options.steps))) {
     r.say(fmt::format("nothing left to do: {} is reached; the folder is as it was", c.time >= c.end ? "the end of the scene" : "the number of steps"));
@@ -105,6 +94,7 @@ int simulate(Run& r) {
   if (code == exitDone && c.time < c.end) why = "--steps is reached; --restart goes on";
   if (code == exitDone || code == exitStopped) {
     report(r);
+    leaveGoodState(r);
     writeCheckpointOf(r);
   }
   summarise(r, code == exitDone ? "done" : code == exitStopped ? "stopped" : "failed", why);

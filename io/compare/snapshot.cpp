@@ -45,6 +45,8 @@ void openCheckpoint(Snapshot& s) {
   s.kind = "checkpoint";
   s.numbers = {real("time", "s", h.clock.time), whole("step", h.clock.step), real("dt", "s", h.clock.dt)};
   for (const NamedCount& c : countsOf(h.counters)) s.numbers.push_back(whole(std::string("counter ") + c.name, *c.count));
+  for (const NamedReal& v : realsOf(h.watch)) s.numbers.push_back(real(std::string("watch ") + v.name, "", *v.value));
+  for (const NamedCount& c : countsOf(h.watch)) s.numbers.push_back(whole(std::string("watch ") + c.name, *c.count));
   for (const NamedSum& x : sumsOf(h.ledger))
     s.numbers.push_back({std::string("ledger ") + x.name, x.unit, false, x.sum->value(), 0, {x.sum->digit.begin(), x.sum->digit.end()}});
   for (const NamedValue& v : valuesOf(h.ledger.initial)) s.numbers.push_back(real(std::string("initial ") + v.name, v.unit, *v.value));

@@ -1,5 +1,6 @@
 // Checkpoints: the whole state in full precision, in two files that alternate (OUT/checkpoint/a.hdf, b.hdf), so that one that is
 // whole is always there. Written by any number of ranks and read by any other.
+// A run that stops between two good states (core/watch/) leaves the one to which a retry would go back beside them, good_<step>.hdf.
 //   /checkpoint  @format @sequence @step @frame @time @end @every @dt ...; counters, ledger_digits, ledger_initial, values
 //   /particles/<field>[N, c]   State columns of Continuum, in the order of (rank, row)
 //   /solids/<field>[M, c]      State columns of Solids, in the order of their particles
@@ -33,6 +34,7 @@ struct CheckpointHeader {
   bool twoFrames = false;                ///< bonds have their own reference at both ends
   Counters counters;
   Ledger ledger;
+  WatchState watch;                      ///< goodStep -1 in files of before there was a watch
   CheckpointValues values;
   std::string code, commit, sceneName, sceneText;
   std::int64_t ranks = 0;
@@ -52,6 +54,14 @@ struct CheckpointSlice {
 /// files; synced to the disk, read back and compared before it takes its name. Returns its path. On failure the same IoError on all
 /// ranks, and the checkpoints that were there are still there. Needs Continuum::slot to be right. Collective.
 std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const World& world, const RunStamp& stamp, const CheckpointValues& values = {});
+
+/// Writes the good state that a checkpoint between two good states goes back to, OUT/checkpoint/good_<step>.hdf, in the same format: of a
+/// world that keepState (core/watch/good_state.hpp) has filled. Before that checkpoint, so that this never names a file that is not there.
+std::string writeGoodState(const std::string& out, MPI_Comm comm, const World& kept, const RunStamp& stamp, const CheckpointValues& values = {});
+std::string goodStatePath(const std::string& out, std::int64_t step);
+
+/// Removes good states that neither checkpoint of a run's folder goes back to. One process only.
+void dropUnusedGoodStates(const std::string& out);
 
 /// Reads a checkpoint, each rank its share, and compares checksums. IoError (the same on all ranks) if it is damaged. Collective.
 std::unique_ptr<CheckpointSlice> readCheckpoint(const std::string& path, MPI_Comm comm);

@@ -112,6 +112,12 @@ CheckpointHeader headerOf(const H5File& file) {
   h.bonds = file.shape("/bonds/neighbour").rows;
   for (const NamedCount& c : countsOf(h.counters))
     if (file.hasAttribute(at + "/counters", c.name)) *c.count = file.integer(at + "/counters", c.name);
+  if (file.has(at + "/watch")) {
+    for (const NamedReal& v : realsOf(h.watch))
+      if (file.hasAttribute(at + "/watch", v.name)) *v.value = file.number(at + "/watch", v.name);
+    for (const NamedCount& c : countsOf(h.watch))
+      if (file.hasAttribute(at + "/watch", c.name)) *c.count = file.integer(at + "/watch", c.name);
+  }
   for (const NamedSum& s : sumsOf(h.ledger)) {
     const std::string name = at + "/ledger/" + s.name;
     if (!file.has(name)) continue;
@@ -239,6 +245,7 @@ std::vector<std::byte> restoreWorld(World& w, const CheckpointSlice& s, bool fir
   w.counters = firstRank ? h.counters : Counters{};
   w.ledger = firstRank ? h.ledger : Ledger{};
   w.ledger.initial = h.ledger.initial;
+  w.watch = h.watch;
 
   if (h.solids > 0 && !w.solids.id.active) throw IoError(h.path, "has solid particles, and the scene has none: it was written for another scene");
   std::vector<const AnyColumn*> state;

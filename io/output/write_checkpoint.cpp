@@ -91,6 +91,7 @@ void addBonds(ParallelFileContent& content, const World& w, const SolidOrder& or
 }
 
 void writeHeader(H5File& file, const CheckpointHeader& h) {
+  WatchState watch = h.watch;
   const std::string at = "/checkpoint";
   file.setInteger(at, "format", 1);
   file.setInteger(at, "sequence", h.sequence);
@@ -103,6 +104,9 @@ void writeHeader(H5File& file, const CheckpointHeader& h) {
   if (h.clock.substeps > 1) file.setInteger(at, "substeps", h.clock.substeps);
   file.setText(at, "limited_by", h.limitedBy);
   file.setInteger(at, "two_frames", h.twoFrames);
+  file.createGroup(at + "/watch");
+  for (const NamedReal& v : realsOf(watch)) file.setNumber(at + "/watch", v.name, *v.value);
+  for (const NamedCount& c : countsOf(watch)) file.setInteger(at + "/watch", c.name, *c.count);
   Ledger ledger = h.ledger;
   Counters counters = h.counters;
   file.createGroup(at + "/counters");
@@ -120,9 +124,8 @@ void writeHeader(H5File& file, const CheckpointHeader& h) {
   for (const auto& [name, value] : h.values) file.setNumber(at + "/values", name, value);
 }
 
-}  // namespace
-
-std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const World& w, const RunStamp& stamp, const CheckpointValues& values) {
+/// The state as a file; the header's sums are of all ranks.
+void writeState(const std::string& path, std::int64_t sequence, MPI_Comm comm, const World& w, const RunStamp& stamp, const CheckpointValues& values) {
   const Communicator ours(comm);
   MpiReducer all(ours);
   CheckpointHeader h;
@@ -131,17 +134,9 @@ std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const World& 
   h.twoFrames = w.bonds.twoFrames;
   h.counters = globalCounters(w.counters, all);
   h.ledger = globalLedger(w.ledger, all);
+  h.watch = w.watch;
   h.values = values;
-  // the older file is replaced, or one that cannot be read
-  int second = 0;
-  onFirstRank(comm, [&] {
-    const std::vector<CheckpointHeader> there = findCheckpoints(out);
-    h.sequence = there.empty() ? 1 : there[0].sequence + 1;
-    second = !there.empty() && there[0].path.ends_with("/a.hdf");
-  });
-  MPI_Bcast(&second, 1, MPI_INT, 0, comm);
-  const std::string path = out + "/checkpoint/" + (second ? "b.hdf" : "a.hdf");
-
+  h.sequence = sequence;
   const Spread particles = spreadRows(comm, w.particles.owned);
   const SolidOrder order = orderSolids(w, particles.mine.first);
   const Spread solids = spreadRows(comm, order.slots.size()), bonds = spreadRows(comm, order.firstBond.back());
@@ -161,7 +156,45 @@ std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const World& 
     writeStamp(file, stamp, ours.size());
   };
   writeParallelFile(path, comm, content);
+}
+
+}  // namespace
+
+std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const World& w, const RunStamp& stamp, const CheckpointValues& values) {
+  // the older file is replaced, or one that cannot be read
+  std::int64_t sequence = 1;
+  int second = 0;
+  onFirstRank(comm, [&] {
+    const std::vector<CheckpointHeader> there = findCheckpoints(out);
+    sequence = there.empty() ? 1 : there[0].sequence + 1;
+    second = !there.empty() && there[0].path.ends_with("/a.hdf");
+  });
+  MPI_Bcast(&second, 1, MPI_INT, 0, comm);
+  const std::string path = out + "/checkpoint/" + (second ? "b.hdf" : "a.hdf");
+  writeState(path, sequence, comm, w, stamp, values);
   return path;
+}
+
+std::string goodStatePath(const std::string& out, std::int64_t step) { return out + "/checkpoint/good_" + std::to_string(step) + ".hdf"; }
+
+std::string writeGoodState(const std::string& out, MPI_Comm comm, const World& kept, const RunStamp& stamp, const CheckpointValues& values) {
+  const std::string path = goodStatePath(out, kept.clock.step);
+  writeState(path, 0, comm, kept, stamp, values);
+  return path;
+}
+
+void dropUnusedGoodStates(const std::string& out) {
+  std::vector<std::string> used, problems;
+  for (const CheckpointHeader& h : findCheckpoints(out, &problems)) used.push_back(goodStatePath(out, h.watch.goodStep));
+  if (!problems.empty()) return;  // what cannot be read may name one
+  std::error_code error;
+  std::vector<std::filesystem::path> unused;
+  for (const auto& entry : std::filesystem::directory_iterator(out + "/checkpoint", error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("good_") && name.ends_with(".hdf") && std::find(used.begin(), used.end(), out + "/checkpoint/" + name) == used.end())
+      unused.push_back(entry.path());
+  }
+  for (const auto& path : unused) std::filesystem::remove(path, error);
 }
 
 }  // namespace thaw

@@ -50,7 +50,7 @@ void summarise(Run& r, const std::string& status, const std::string& message) {
   s.wall = since(r.start);
   s.stepsHere = r.world.clock.step - r.firstStep;
   s.particleSteps = static_cast<double>(s.ledger.particles) * static_cast<double>(s.stepsHere);
-  const std::int64_t messages = r.cells->traffic().messages + r.bonds->traffic().messages, bytes = r.cells->traffic().bytes + r.bonds->traffic().bytes;
+  const std::int64_t messages = r.earlierTraffic.messages + r.cells->traffic().messages + r.bonds->traffic().messages, bytes = r.earlierTraffic.bytes + r.cells->traffic().bytes + r.bonds->traffic().bytes;
   s.lastViscousIterations = r.tools.viscous.iterations;
   gatherSummary(s, r.world, r.tools.times, messages, bytes, r.all);
   onFirstRank(r.comm.handle(), [&] {
@@ -63,6 +63,7 @@ void summarise(Run& r, const std::string& status, const std::string& message) {
 void writeCheckpointOf(Run& r) {
   r.tools.times.start();
   writeCheckpoint(r.options.out, r.comm.handle(), r.world, r.stamp(), sceneMarks(r.world.scene));
+  onFirstRank(r.comm.handle(), [&] { dropUnusedGoodStates(r.options.out); });
   r.lastCheckpoint = WallClock::now();
   r.tools.times.lap(StepPhase::Checkpoint);
   summarise(r, "running", "");

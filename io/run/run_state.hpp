@@ -33,6 +33,10 @@ struct Run {
   RunSummary summary;
   WallClock::time_point start = WallClock::now(), lastReport = start, lastCheckpoint = start;
   std::int64_t firstStep = 0, stepAtReport = 0;
+  World good;                            // the last good state: of it only what keepState fills (core/watch/good_state.hpp)
+  LedgerReport books;                    // of the state that is about to become it
+  bool goodInMemory = false, goodOnDisk = false;
+  HaloTraffic earlierTraffic;            // of halos before the last retry
   bool resumed = false;                  // it goes on from a checkpoint
   bool begun = false;                    // the world holds its particles
   bool stepping = false;                 // in the loop, where ranks wait for each other

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/ledger/totals.hpp"
 #include "io/hdf5/parallel_file.hpp"
 #include "io/version.hpp"
 
@@ -22,11 +23,10 @@ Json balance(const Balance& b) {
           {"kinetic_J", b.kinetic}, {"elastic_J", b.elastic}, {"potential_J", b.potential}, {"internal_J", b.internal}};
 }
 
-Json countersJson(const Counters& c) {
-  return {{"singular_neighbourhoods", c.singularNeighbourhoods}, {"broken_bonds", c.brokenBonds}, {"inverted", c.inverted},
-          {"coincident_pairs", c.coincidentPairs}, {"melted", c.melted}, {"frozen", c.frozen}, {"welds", c.welds},
-          {"rereferenced", c.rereferenced}, {"wall_projections", c.wallProjections}, {"left", c.left}, {"emitted", c.emitted},
-          {"viscous_iterations", c.viscousIterations}, {"viscous_unfinished", c.viscousUnfinished}};
+Json countersJson(Counters counters) {
+  Json j;
+  for (const NamedCount& c : countsOf(counters)) j[c.name] = *c.count;
+  return j;
 }
 
 /// Work, not waiting: what the balance can even out.
@@ -64,9 +64,8 @@ void gatherSummary(RunSummary& s, const World& w, const PhaseTimes& times, std::
   most.push_back(peakMemory());
   most.push_back(static_cast<double>(w.particles.owned));
   for (std::int64_t v : {std::llround(work * 1e9), static_cast<long long>(messages), static_cast<long long>(bytes), static_cast<long long>(w.particles.owned)}) sum.push_back(v);
-  const Counters& c = w.counters;
-  for (std::int64_t v : {c.singularNeighbourhoods, c.brokenBonds, c.inverted, c.coincidentPairs, c.melted, c.frozen, c.welds, c.rereferenced, c.wallProjections, c.left, c.emitted, c.viscousIterations, c.viscousUnfinished})
-    sum.push_back(v);
+  Counters own = w.counters;
+  for (const NamedCount& c : countsOf(own)) sum.push_back(*c.count);
   all.maximum(most);
   all.maximum(least);
   all.sum(sum);
@@ -82,7 +81,7 @@ void gatherSummary(RunSummary& s, const World& w, const PhaseTimes& times, std::
   const double meanParticles = static_cast<double>(sum[at + 3]) / n;
   s.particleSpread = meanParticles > 0 ? most[at + 2] / meanParticles : 1;
   const std::int64_t* k = sum.data() + at + 4;
-  s.counters = {k[0], k[1], k[2], k[3], k[4], k[5], k[6], k[7], k[8], k[9], k[10], k[11], k[12]};
+  for (const NamedCount& c : countsOf(s.counters)) *c.count = *k++;
   s.clock = w.clock;
   s.ranks = all.size();
   s.modules = w.modules.why;
@@ -159,6 +158,7 @@ std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
   add(c.inverted, "times a solid particle was turned inside out (det F <= 0)");
   add(c.coincidentPairs, "times a particle shared its place with another and was pushed aside");
   add(c.viscousUnfinished, "steps needed more than numerics.viscosity_iterations for viscosity");
+  add(c.retries, "times a stretch of steps failed and was run again with shorter ones");
   add(c.wallProjections, "times a particle was pushed out of an obstacle");
   if (std::abs(l.energyResidual) > 0.05 * l.energyScale)
     w.push_back(fmt::format("the ledger does not close: {:+.3g} J of mechanical energy ({:.0f} % of its largest term) are from nowhere; shorter steps (numerics.max_step) may show why", l.energyResidual,

@@ -7,7 +7,7 @@ for scene in beam drop; do
   out=$work/$scene
   launch 3 run "$scenes/$scene.toml" "${set[@]}" --set output.every=1e-3 --steps 20 --out "$out" >"$work/log" 2>&1; expectExit 0 "$scene: first steps"
   frames=$(frameSums "$out" "$scene")
-  launch 3 run "$scenes/$scene.toml" "${set[@]}" --set output.every=1e-3 --set numerics.fixed_step=0.01 --set end=10 --restart --out "$out" >"$work/log" 2>&1
+  launch 3 run "$scenes/$scene.toml" "${set[@]}" --set output.every=1e-3 --set numerics.fixed_step=0.01 --set numerics.retries=0 --set end=10 --restart --out "$out" >"$work/log" 2>&1
   expectExit 4 "$scene: a step far too long"
   [ "$(grep -c '^error: ' "$work/log")" = 1 ] || { fail "$scene: not one error message"; cat "$work/log"; }
   expectMessage "blew up at step [0-9]*, .* particle [0-9]* of body '.*fixed_step may be too long" "$scene"
@@ -17,4 +17,27 @@ for scene in beam drop; do
   [ "${after#"$frames"}" != "$after" ] || fail "$scene: frames of before are gone or changed"
   [ "$("$thaw" info "$out" --json | value - step)" = 20 ] || fail "$scene: the checkpoint of step 20 is gone"
 done
+
+# from the start, a thousand times too long: retries do not help, and the last good state is a checkpoint from which a shorter step goes on
+settings beam
+out=$work/absurd
+launch 3 run "$scenes/beam.toml" "${set[@]}" --set end=0.6 --set output.every=0.6 --set numerics.fixed_step=0.2 --out "$out" >"$work/log" 2>&1; expectExit 4 "a step a thousand times too long"
+expectMessage "^error: .*blew up at step [0-9]*, .* particle [0-9]* of body 'beam' at .*elastic .* N.*4 retries from step 0 with steps down to 1/16 did not help; the checkpoint is of step 0" "absurd"
+[ "$(grep -c '^error: ' "$work/log")" = 1 ] || { fail "absurd: not one error message"; cat "$work/log"; }
+[ "$(value "$out/summary.json" status)" = failed ] && [ "$(value "$out/summary.json" retries)" = 4 ] || fail "absurd: the summary does not say failed after 4 retries"
+[ "$("$thaw" info "$out" --json | value - step)" = 0 ] || fail "absurd: no checkpoint of the good state"
+launch 2 run "$scenes/beam.toml" "${set[@]}" --set output.every=0.6 --restart --out "$out" >"$work/log" 2>&1; expectExit 0 "restart with a step of its own"
+[ "$(value "$out/summary.json" status)" = done ] || fail "absurd: restarted, the summary says '$(value "$out/summary.json" status)'"
+
+# each watch, made to see something
+watch() {  # watch SCENE KEY=VALUE MESSAGE
+  settings "$1"
+  launch 2 run "$scenes/$1.toml" "${set[@]}" --set numerics.retries=1 --set "numerics.$2" --set numerics.retry_every=20 --steps 150 --out "$work/$1.watch" >"$work/log" 2>&1
+  expectExit 4 "$1 with $2"
+  expectMessage "^error: .*blew up at step [0-9]*, .*$3.*: particle [0-9]* of .*1 retries from step" "$1 with $2"
+}
+watch dam_break watch_speed=1e-3 "a speed of .* m/s, where the scene makes"
+watch dam_break watch_density=1.001 "a density of .* times that at rest"
+watch drop watch_step=0.9 "the step's limit by .* fell to"
+watch dam_break watch_energy=1e-9 "mechanical energy from nowhere since step"
 finish

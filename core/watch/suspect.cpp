@@ -1,0 +1,67 @@
+#include "core/watch/suspect.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thaw {
+namespace {
+
+/// How much a particle is what the alarm is about; the largest is the suspect.
+double guilt(const World& w, Alarm alarm, Limit limitedBy, std::size_t i) {
+  const Continuum& p = w.particles;
+  const bool solid = p.slot.active && p.slot[i] != noSlot && p.slot[i] < w.solids.owned;
+  const double speed2 = dot(p.velocity[i], p.velocity[i]);
+  const Vec3d &x = p.position[i], &f = p.force[i];
+  double g = speed2;
+  if (alarm == Alarm::NotFinite && !std::isfinite(x.x + x.y + x.z + f.x + f.y + f.z)) g = never;
+  if (alarm == Alarm::Density) g = p.phase[i] == Liquid && p.filling.active ? static_cast<double>(p.filling[i]) : 0;
+  if (alarm == Alarm::Step && limitedBy != Limit::Speed) g = dot(p.acceleration[i], p.acceleration[i]);
+  if (alarm == Alarm::Step && limitedBy == Limit::Elastic) {
+    g = 0;
+    for (int k = 0; solid && k < 3; k++) g += dot(w.solids.deformation[p.slot[i]].row[k], w.solids.deformation[p.slot[i]].row[k]);
+  }
+  if (alarm == Alarm::Inverted) g = solid ? -determinant(w.solids.deformation[p.slot[i]]) : -never;
+  if (alarm == Alarm::Energy) g = 0.5 * speed2 + (solid && w.solids.energy.active ? w.solids.energy[p.slot[i]] / p.mass[i] : 0);
+  return std::isnan(g) ? never : g;
+}
+
+}  // namespace
+
+Suspect findSuspect(const World& w, Alarm alarm, Limit limitedBy, Reducer& all) {
+  const Continuum& p = w.particles;
+  Suspect s;
+  double most = -never;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const double g = guilt(w, alarm, limitedBy, i);
+    if (g < most || (g == most && s.here && p.id[i] > p.id[s.row])) continue;
+    s = {true, i, 0};
+    most = g;
+  }
+  s.value = most;
+  all.maximum({&s.value, 1});
+  // ids have up to 56 bits, a double 53: the upper half first, then the lower one
+  s.here = s.here && most == s.value;
+  for (const int shift : {32, 0}) {
+    const double half = s.here ? -static_cast<double>(p.id[s.row] >> shift & 0xffffffffu) : -never;
+    double lowest = half;
+    all.maximum({&lowest, 1});
+    s.here = s.here && half == lowest;
+  }
+  if (alarm == Alarm::Inverted) s.value = -s.value;
+  else if (alarm != Alarm::Density && alarm != Alarm::Energy) s.value = std::sqrt(std::max(0.0, s.value));
+  return s;
+}
+
+ForceShares forceShares(const World& w, const WallContacts& walls, std::size_t i) {
+  const Continuum& p = w.particles;
+  ForceShares f;
+  Vec3d elastic{};
+  if (p.slot.active && p.slot[i] != noSlot && p.slot[i] < w.solids.owned) elastic = w.solids.force[p.slot[i]];
+  f.elastic = length(elastic);
+  f.others = length(p.force[i] - elastic);
+  f.weight = p.mass[i] * length(w.scene.domain.gravity);
+  f.atWall = std::any_of(walls.list.begin(), walls.list.end(), [&](const WallContact& c) { return c.row == i && c.distance < w.scene.spacing; });
+  return f;
+}
+
+}  // namespace thaw

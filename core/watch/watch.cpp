@@ -1,0 +1,98 @@
+#include "core/watch/watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thaw {
+namespace {
+
+constexpr std::int64_t longestPatience = 64, mostHalvings = 60;
+
+bool recovers(const Material& m) { return m.law != ElasticLaw::Green || m.volumeStiffness > 0; }
+
+}  // namespace
+
+WatchBounds watchBounds(const Scene& s, const Modules& modules, const std::vector<LiquidMaterial>& liquids, const StepLimits& materials) {
+  const Numerics& n = s.numerics;
+  WatchBounds b;
+  double given = 0, fastest = 0, slowest = never;  // of bodies that spin; of waves
+  for (const Body& body : s.bodies) given = std::max(given, length(body.velocity) + length(body.spin) * length(s.domain.max - s.domain.min));
+  const auto wave = [&](double c) {
+    fastest = std::max(fastest, c);
+    slowest = std::min(slowest, c);
+  };
+  for (std::size_t k = 0; k < s.materials.size(); k++) {
+    const Material& m = s.materials[k];
+    if (modules.fluid && (!m.canBeSolid() || m.melts() || m.liquidAtStart)) wave(liquids[k].soundSpeed);
+    if (modules.solid && m.canBeSolid()) wave(std::sqrt(std::max(m.young.solid, m.young.liquid) / m.density));
+  }
+  b.expected = std::max(expectedSpeed(s), given);
+  if (slowest < never) b.expected = std::max(b.expected, 0.1 * slowest);
+  if (n.watchSpeed < never) b.speed = n.watchSpeed * (b.expected + 0.1 * fastest);
+  b.filling = n.watchDensity;
+  const double longest = *std::min_element(materials.value.begin(), materials.value.end());
+  b.step = longest < never ? n.watchStep * longest : n.watchStep * 1e-5 * s.end;
+  b.inverted = n.watchInverted;
+  b.energy = n.watchEnergy;
+  return b;
+}
+
+double largestFilling(const World& w) {
+  const Continuum& p = w.particles;
+  float most = 0;
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (p.phase[i] == Liquid && p.filling[i] > most) most = p.filling[i];
+  return static_cast<double>(most);
+}
+
+Alarm alarmOf(const World& w, const WatchBounds& b, const StepLimits& limits, double filling) {
+  const double perSpeed = limits.value[static_cast<std::size_t>(Limit::Speed)];
+  if (perSpeed < supportsPerStep * w.grid.support / b.speed) return Alarm::Speed;
+  if (filling > b.filling) return Alarm::Density;
+  if (!(w.scene.numerics.fixedStep > 0) && limits.value[static_cast<std::size_t>(limits.smallest())] < b.step) return Alarm::Step;
+  return Alarm::None;
+}
+
+Alarm checkBooks(const World& w, const WatchBounds& b, const LedgerReport& books, Reducer& all) {
+  const double expected = 0.5 * books.now.mass * b.expected * b.expected;
+  if (b.energy < never && !(books.energyResidual - w.watch.residual <= b.energy * std::max(w.watch.scale, expected))) return Alarm::Energy;
+  if (!w.modules.solid || !(b.inverted < never)) return Alarm::None;
+  std::int64_t counts[2] = {0, 0};
+  for (std::size_t s = 0; s < w.solids.owned; s++) {
+    if (recovers(w.scene.materials[w.solids.material[s]])) continue;
+    counts[0]++;
+    counts[1] += !(determinant(w.solids.deformation[s]) > 0);
+  }
+  all.sum(counts);
+  return static_cast<double>(counts[1]) > b.inverted * static_cast<double>(counts[0]) ? Alarm::Inverted : Alarm::None;
+}
+
+double nextFactor(const WatchState& s) { return std::min(std::ldexp(1.0, -static_cast<int>(s.halvings)), 1.1 * s.factor); }
+
+void acceptState(World& w, const LedgerReport& books) {
+  WatchState& s = w.watch;
+  s.failures = 0;
+  s.goodStep = w.clock.step;
+  s.residual = books.energyResidual;
+  s.scale = books.energyScale;
+  if (s.halvings == 0 && s.patience == 1) return;
+  if (++s.calm < s.patience) return;
+  s.calm = 0;
+  if (s.halvings > 0) s.halvings--;
+  else s.patience /= 2;  // a failure of long ago does not make the next one last longer
+}
+
+void halveStep(World& w, const WatchState& failed) {
+  WatchState& s = w.watch;
+  s.failures = failed.failures + 1;
+  s.halvings = failed.halvings + 1;
+  s.patience = std::min(2 * failed.patience, longestPatience);
+  s.calm = 0;
+  // where frames cut the step, halving what was to be cut would change nothing
+  for (double full = w.clock.dt / s.factor; w.clock.every > 0 && s.halvings < mostHalvings && std::ldexp(full, 1 - static_cast<int>(s.halvings)) > w.clock.every;) s.halvings++;
+  const double factor = std::min(s.factor, std::ldexp(1.0, -static_cast<int>(s.halvings)));
+  w.clock.dt *= factor / s.factor;
+  s.factor = factor;
+}
+
+}  // namespace thaw

@@ -1,0 +1,52 @@
+// Is what is being simulated still a simulation? In every step the watch looks at values that the vote has reduced anyway; at every good
+// state (good_state.hpp) also at the books and at what is inside out.
+#pragma once
+#include <cstdint>
+
+#include "core/fluid/liquid_materials.hpp"
+#include "core/ledger/report.hpp"
+#include "core/time/limits.hpp"
+#include "core/world.hpp"
+
+namespace thaw {
+
+/// What the watch has seen. NotFinite: also a particle that would pass its support radius in a step.
+enum class Alarm { None, NotFinite, Speed, Density, Step, Inverted, Energy };
+
+/// What is allowed; of the scene, so the same in every step. `never` or 0: not watched.
+struct WatchBounds {
+  double expected = 0;        ///< m/s, largest speed that the scene's start, gravity, emitters and obstacles make, or a tenth of the slowest wave's
+  double speed = never;       ///< m/s
+  double filling = never;     ///< 1, of a liquid
+  double step = 0;            ///< s
+  double inverted = never;    ///< 1, share of the solid particles whose law does not recover
+  double energy = never;      ///< 1, times the scale of the energies
+};
+
+/// The speed that is allowed is Numerics::watchSpeed times the expected speed and a tenth of the fastest wave's: what is released from
+/// stress moves below that.
+WatchBounds watchBounds(const Scene& scene, const Modules& modules, const std::vector<LiquidMaterial>& liquids, const StepLimits& materials);
+
+/// Largest filling of this rank's liquid particles.
+double largestFilling(const World& world);
+
+/// After the vote, from reduced values alone: limits of all ranks before Numerics::fixedStep and WatchState::factor, largest filling of all
+/// ranks. The same answer on all ranks.
+Alarm alarmOf(const World& world, const WatchBounds& bounds, const StepLimits& limits, double filling);
+
+/// At what may become a good state: energy that no entry of the ledger explains, since the last good state, above WatchBounds::energy times
+/// the largest of the ledger's terms then and the kinetic energy of all mass at the expected speed; and the share of solid particles with
+/// det F <= 0 whose law (Green strain without a volume force) has no force that turns them back. Collective.
+Alarm checkBooks(const World& world, const WatchBounds& bounds, const LedgerReport& books, Reducer& all);
+
+/// Factor of the next step, one step nearer to 2^-halvings.
+double nextFactor(const WatchState& watch);
+
+/// The world has come to a good state: failures are forgotten; the step may double after WatchState::patience of them.
+void acceptState(World& world, const LedgerReport& books);
+
+/// The world is back at the good state after `failed` was the watch of a run on from it: halves the step, counted from the time between
+/// frames where that is shorter. Nothing else changes.
+void halveStep(World& world, const WatchState& failed);
+
+}  // namespace thaw

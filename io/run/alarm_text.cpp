@@ -1,0 +1,62 @@
+#include "io/run/alarm_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/domain/emit.hpp"
+#include "core/time/limits.hpp"
+
+namespace thaw {
+namespace {
+
+std::string text(const Vec3d& v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x, v.y, v.z); }
+
+std::string seen(const World& w, const StepTools& t, const StepOutcome& o, const Suspect& s) {
+  const WatchBounds& b = t.watch;
+  switch (o.alarm) {
+    case Alarm::NotFinite:
+      return s.value < never ? fmt::format("a speed of {:.4g} m/s, more than a support radius in a step", s.value) : "a value that is not a finite number";
+    case Alarm::Speed: return fmt::format("a speed of {:.4g} m/s, where the scene makes {:.3g} m/s and numerics.watch_speed allows {:.3g} m/s", s.value, b.expected, b.speed);
+    case Alarm::Density: return fmt::format("a density of {:.3g} times that at rest (numerics.watch_density allows {:.3g})", s.value, b.filling);
+    case Alarm::Step:
+      return fmt::format("the step's limit by {} fell to {:.3g} s (numerics.watch_step allows {:.3g} s)", limitNames[static_cast<std::size_t>(o.limitedBy)], w.clock.dt, b.step);
+    case Alarm::Inverted: return fmt::format("more than {:.3g} of the solid particles are inside out (numerics.watch_inverted), to det F {:.3g}", b.inverted, s.value);
+    case Alarm::Energy: return fmt::format("mechanical energy from nowhere since step {} (numerics.watch_energy); most of it, {:.4g} J/kg, has one particle", w.watch.goodStep, s.value);
+    case Alarm::None: break;
+  }
+  return "nothing";
+}
+
+}  // namespace
+
+std::string alarmText(const World& w, const StepTools& t, const StepOutcome& o, const Suspect& s) {
+  const Continuum& p = w.particles;
+  const std::size_t i = s.row, source = sourceOf(p.id[i]), bodies = w.scene.bodies.size();
+  const std::string name = source < bodies ? "body '" + w.scene.bodies[source].name : "emitter '" + w.scene.emitters[source - bodies].name;
+  std::string line = fmt::format("{}: particle {} of {}' at {} m has a velocity of {} m/s and a force of {} N", seen(w, t, o, s), numberOf(p.id[i]), name, text(p.position[i]),
+                                 text(p.velocity[i]), text(p.force[i]));
+  const ForceShares f = forceShares(w, t.wallContacts, i);
+  std::vector<std::pair<double, std::string>> terms{{f.others, fmt::format("pressure, viscosity, contacts and walls {:.3g} N", f.others)}, {f.weight, fmt::format("weight {:.3g} N", f.weight)}};
+  if (w.modules.solid) terms.push_back({f.elastic, fmt::format("elastic {:.3g} N", f.elastic)});
+  std::stable_sort(terms.begin(), terms.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  line += " (";
+  for (std::size_t k = 0; k < terms.size(); k++) line += (k ? ", " : "") + terms[k].second;
+  line += f.atWall ? "; it is at a wall)" : ")";
+  if (p.phase[i] == Liquid && p.filling.active) line += fmt::format(", density {:.3g} of that at rest", static_cast<double>(p.filling[i]));
+  if (p.slot.active && p.slot[i] != noSlot && p.slot[i] < w.solids.owned) line += fmt::format(", det F {:.3g}", determinant(w.solids.deformation[p.slot[i]]));
+  return line;
+}
+
+std::string fromOwner(const Communicator& comm, const std::string& mine) {
+  int owner = mine.empty() ? -1 : comm.rank(), length = static_cast<int>(mine.size());
+  MPI_Allreduce(MPI_IN_PLACE, &owner, 1, MPI_INT, MPI_MAX, comm.handle());
+  if (owner < 0) return "no particle to name";
+  MPI_Bcast(&length, 1, MPI_INT, owner, comm.handle());
+  std::string text = mine;
+  text.resize(static_cast<std::size_t>(length));
+  MPI_Bcast(text.data(), length, MPI_CHAR, owner, comm.handle());
+  return text;
+}
+
+}  // namespace thaw

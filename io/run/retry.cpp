@@ -1,0 +1,155 @@
+#include "io/run/retry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "core/watch/good_state.hpp"
+#include "io/hdf5/agree.hpp"
+#include "io/run/alarm_text.hpp"
+#include "io/run/scene_marks.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr std::size_t mostLines = 20;  // of retries among the warnings; all are counted
+
+bool retries(const Run& r) { return r.world.scene.numerics.retryEvery > 0; }
+
+/// New halos, as after a restart; what was sent stays counted.
+void renewHalos(Run& r) {
+  const auto add = [](HaloTraffic& sum, const HaloTraffic& more) {
+    sum.messages += more.messages;
+    sum.bytes += more.bytes;
+    sum.waited += more.waited;
+  };
+  add(r.earlierTraffic, r.cells->traffic());
+  add(r.earlierTraffic, r.bonds->traffic());
+  r.cells = std::make_unique<MpiCellHalo>(r.comm, r.world.grid);
+  r.bonds = std::make_unique<MpiBondHalo>(r.comm);
+}
+
+/// The world as it was at the last good state.
+void restoreGood(Run& r) {
+  World& w = r.world;
+  const char* limitedBy = w.clock.limitedBy;
+  std::unique_ptr<CheckpointSlice> slice;
+  if (!r.goodInMemory) slice = readCheckpoint(goodStatePath(r.options.out, w.watch.goodStep), r.comm.handle());  // may throw, with the world as it was
+  emptyWorld(w, r.tools);
+  renewHalos(r);
+  std::vector<std::byte> records = slice ? restoreWorld(w, *slice, r.first()) : bringBack(r.good, w);
+  if (w.modules.solid) r.bonds->adopt(std::move(records));
+  resumeWorld(w, r.halos(), r.tools);
+  if (slice) w.clock.limitedBy = limitedBy;
+  if (!r.goodInMemory) keepState(w, r.good);
+  r.goodInMemory = true;
+}
+
+/// Frames of after the good state are not those of the run any more: they go, and are written again.
+void forgetFrames(Run& r) {
+  onFirstRank(r.comm.handle(), [&] {
+    std::vector<std::string> gone;
+    for (; !r.series.empty() && r.series.back().time > r.world.clock.time; r.series.pop_back()) gone.push_back(r.series.back().name);
+    if (gone.empty()) return;
+    writeSeries(seriesPath(r.options.out, r.name), r.series);  // first: it never names what is not there
+    std::error_code error;
+    for (const std::string& name : gone) std::filesystem::remove(frameFolder(r.options.out) + "/" + name, error);
+  });
+}
+
+}  // namespace
+
+void beginRetries(Run& r) {
+  World& w = r.world;
+  if (!retries(r)) {
+    w.watch.goodStep = -1;
+    return;
+  }
+  const std::int64_t step = w.clock.step, good = w.watch.goodStep;
+  if (good >= 0 && good < step && step % w.scene.numerics.retryEvery != 0) {
+    int there = 0;
+    onFirstRank(r.comm.handle(), [&] {
+      std::error_code error;
+      there = std::filesystem::exists(goodStatePath(r.options.out, good), error);
+    });
+    MPI_Bcast(&there, 1, MPI_INT, 0, r.comm.handle());
+    r.goodOnDisk = there != 0;
+    if (there) return;  // read only if it is needed
+    r.summary.warnings.push_back(fmt::format("{} is not there: a retry can go back to step {} only", goodStatePath(r.options.out, good), step));
+    r.say("warning: " + r.summary.warnings.back());
+  }
+  if (good != step) acceptState(w, reportLedger(w, r.all));
+  keepState(w, r.good);
+  r.goodInMemory = true;
+}
+
+bool goodStateDue(const Run& r) { return retries(r) && r.world.clock.step % r.world.scene.numerics.retryEvery == 0; }
+
+bool atGoodState(const Run& r) { return !retries(r) || r.world.watch.goodStep == r.world.clock.step; }
+
+Alarm lookAtBooks(Run& r) {
+  r.books = reportLedger(r.world, r.all);
+  return checkBooks(r.world, r.tools.watch, r.books, r.all);
+}
+
+void acceptGoodState(Run& r) {
+  r.tools.times.start();
+  acceptState(r.world, r.books);
+  keepState(r.world, r.good);
+  r.goodInMemory = true;
+  r.goodOnDisk = false;
+  r.tools.times.lap(StepPhase::Checkpoint);
+}
+
+void leaveGoodState(Run& r) {
+  World& w = r.world;
+  if (atGoodState(r)) return;
+  if (w.clock.time >= w.clock.end) {  // over: what may come behind a later end is a new stretch
+    acceptState(w, reportLedger(w, r.all));
+    return;
+  }
+  if (r.goodOnDisk) return;
+  writeGoodState(r.options.out, r.comm.handle(), r.good, r.stamp(), sceneMarks(w.scene));
+  r.goodOnDisk = true;
+}
+
+bool goBack(Run& r, const StepOutcome& failed, std::string& why) {
+  World& w = r.world;
+  const Clock clock = w.clock;
+  const WatchState watch = w.watch;
+  const Numerics& n = w.scene.numerics;
+  const Suspect s = findSuspect(w, failed.alarm, failed.limitedBy, r.all);
+  const std::string what = fromOwner(r.comm, s.here ? alarmText(w, r.tools, failed, s) : std::string());
+  const std::string when = fmt::format("step {}, t {:.9g} s, dt {:.3g} s", clock.step, clock.time, clock.stepDt);
+  std::string problem;
+  if (retries(r) && watch.failures < n.retries) {
+    try {
+      const std::int64_t mine = w.counters.retries + (r.first() ? 1 : 0);
+      restoreGood(r);
+      w.counters.retries = mine;
+      halveStep(w, watch);
+      forgetFrames(r);
+      const std::string line = fmt::format("failed at {}: {}; back to step {}, t {:.6g} s, with 1/{} of the step", when, what, w.clock.step, w.clock.time, std::int64_t(1) << w.watch.halvings);
+      r.say("warning: " + line);
+      if (r.summary.warnings.size() < mostLines) r.summary.warnings.push_back(line);
+      r.firstStep -= clock.step - w.clock.step;  // steps that were done are done
+      r.stepAtReport = w.clock.step;
+      r.lastReport = WallClock::now();
+      return true;
+    } catch (const IoError& e) {  // on all ranks, before anything was changed
+      problem = fmt::format("; the good state cannot be read: {}", e.what());
+    }
+  }
+  if (r.goodInMemory && !r.goodOnDisk) {
+    writeCheckpoint(r.options.out, r.comm.handle(), r.good, r.stamp(), sceneMarks(w.scene));
+    problem += fmt::format("; the checkpoint is of step {}, before it failed", r.good.clock.step);
+  } else {
+    problem += "; the last checkpoint is from before";
+  }
+  const std::string tried = watch.failures > 0 ? fmt::format("; {} retries from step {} with steps down to 1/{} did not help", watch.failures, watch.goodStep, std::int64_t(1) << watch.halvings) : "";
+  why = fmt::format("blew up at {}: {}{}{}", when, what, tried, problem);
+  if (r.first()) std::fprintf(stderr, "error: the simulation %s%s\n", why.c_str(), n.fixedStep > 0 ? "; numerics.fixed_step may be too long" : "");
+  return false;
+}
+
+}  // namespace thaw

@@ -1,0 +1,134 @@
+// The watch: what its factor does over failures and good states, and whom it names.
+#include "core/watch/watch.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/halo/serial.hpp"
+#include "core/watch/good_state.hpp"
+#include "core/watch/suspect.hpp"
+
+namespace thaw {
+namespace {
+
+TEST(Watch, AFailureHalvesTheStepAndItGrowsBack) {
+  World w;
+  w.clock.dt = 0.4;
+  EXPECT_EQ(nextFactor(w.watch), 1);
+  WatchState failed = w.watch;
+  halveStep(w, failed);
+  EXPECT_EQ(w.clock.dt, 0.2);
+  EXPECT_EQ(w.watch.factor, 0.5);
+  EXPECT_EQ(w.watch.failures, 1);
+  failed = w.watch;
+  w.clock.dt = 0.4;  // back again
+  w.watch = {};
+  halveStep(w, failed);
+  EXPECT_EQ(w.clock.dt, 0.1);
+  EXPECT_EQ(w.watch.failures, 2);
+  EXPECT_EQ(w.watch.patience, 4);
+  for (int good = 0; good < 3; good++) acceptState(w, {});
+  EXPECT_EQ(w.watch.failures, 0);
+  EXPECT_EQ(nextFactor(w.watch), 0.25) << "not yet";
+  acceptState(w, {});
+  EXPECT_EQ(w.watch.halvings, 1);
+  for (int step = 0; step < 7; step++) {
+    const double next = nextFactor(w.watch);
+    EXPECT_LE(next, 1.1 * w.watch.factor);
+    w.watch.factor = next;
+  }
+  w.watch.factor = nextFactor(w.watch);
+  EXPECT_EQ(w.watch.factor, 0.5) << "eight steps of a tenth";
+  for (int good = 0; good < 100; good++) acceptState(w, {});
+  EXPECT_EQ(w.watch.halvings, 0);
+  EXPECT_EQ(w.watch.patience, 1) << "all is forgotten";
+}
+
+TEST(Watch, HalvesWhatFramesHaveCut) {
+  World w;
+  w.clock.dt = 1;
+  w.clock.every = 0.3;
+  halveStep(w, w.watch);
+  EXPECT_EQ(w.clock.dt, 0.125) << "half of the first power of two below 0.3";
+}
+
+TEST(Watch, AlarmsOfReducedValues) {
+  World w;
+  w.grid.support = 0.1;
+  WatchBounds b;
+  b.speed = 10, b.filling = 2, b.step = 1e-6;
+  StepLimits l;
+  l[Limit::Speed] = supportsPerStep * 0.1 / 9.9;
+  EXPECT_EQ(alarmOf(w, b, l, 1.9), Alarm::None);
+  EXPECT_EQ(alarmOf(w, b, l, 2.1), Alarm::Density);
+  l[Limit::Elastic] = 0.9e-6;
+  EXPECT_EQ(alarmOf(w, b, l, 1), Alarm::Step);
+  w.scene.numerics.fixedStep = 1e-3;
+  EXPECT_EQ(alarmOf(w, b, l, 1), Alarm::None) << "a fixed step is not that of the limits";
+  l[Limit::Speed] = supportsPerStep * 0.1 / 10.1;
+  EXPECT_EQ(alarmOf(w, b, l, 1), Alarm::Speed);
+  b.speed = never;
+  EXPECT_EQ(alarmOf(w, b, l, 1), Alarm::None);
+}
+
+TEST(Watch, EnergyFromNowhereSinceTheLastGoodState) {
+  World w;
+  SerialReducer all;
+  WatchBounds b;
+  b.expected = 2, b.energy = 0.5;
+  LedgerReport books;
+  books.now.mass = 1;  // 2 J at the expected speed
+  w.watch.residual = 5;
+  books.energyResidual = 5.9;
+  EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None);
+  books.energyResidual = 6.1;
+  EXPECT_EQ(checkBooks(w, b, books, all), Alarm::Energy);
+  w.watch.scale = 3;
+  EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None);
+  books.energyResidual = -never + never;
+  EXPECT_EQ(checkBooks(w, b, books, all), Alarm::Energy) << "not a number";
+}
+
+TEST(Watch, TheSuspectOfEqualsHasTheLowestId) {
+  World w;
+  Continuum& p = w.particles;
+  for (AnyColumn* c : p.columns)
+    if (c != &p.slot) p.activate(*c);
+  p.resize(3, 0);
+  const std::uint64_t ids[3] = {std::uint64_t(9) << 40 | 3, std::uint64_t(2) << 40 | 8, std::uint64_t(2) << 40 | 7};
+  for (std::size_t i = 0; i < 3; i++) p.id[i] = ids[i], p.mass[i] = 1, p.velocity[i] = {0, i == 0 ? 2.0 : 3.0, 0};
+  SerialReducer all;
+  const Suspect s = findSuspect(w, Alarm::Speed, Limit::Speed, all);
+  EXPECT_TRUE(s.here);
+  EXPECT_EQ(s.row, 2u);
+  EXPECT_EQ(s.value, 3);
+  p.force[0] = {0, 0, never - never};
+  EXPECT_EQ(findSuspect(w, Alarm::NotFinite, Limit::Speed, all).row, 0u);
+}
+
+TEST(Watch, AKeptStateIsBroughtBack) {
+  World w, kept;
+  StepTools tools;
+  Continuum& p = w.particles;
+  for (AnyColumn* c : {static_cast<AnyColumn*>(&p.id), static_cast<AnyColumn*>(&p.position), static_cast<AnyColumn*>(&p.filling)}) p.activate(*c);
+  p.resize(2, 3);
+  p.id[0] = 11, p.id[1] = 12;
+  p.position[1] = {1, 2, 3};
+  w.clock.step = 7;
+  w.counters.melted = 4;
+  keepState(w, kept);
+  EXPECT_FALSE(kept.particles.filling.active) << "is computed anew";
+  p.position[1] = {};
+  w.clock.step = 9;
+  emptyWorld(w, tools);
+  EXPECT_EQ(p.size(), 0u);
+  EXPECT_TRUE(bringBack(kept, w).empty());
+  EXPECT_EQ(p.owned, 2u);
+  EXPECT_EQ(p.ghosts, 0u);
+  EXPECT_EQ(p.id[1], 12u);
+  EXPECT_EQ(p.position[1].z, 3);
+  EXPECT_EQ(w.clock.step, 7);
+  EXPECT_EQ(w.counters.melted, 4);
+}
+
+}  // namespace
+}  // namespace thaw
