@@ -126,6 +126,7 @@ PairSums sumsOf(World& w, StepTools& t) {
   s.precision = n.precision;
   s.pressureForm = n.pressure;
   s.viscosityForm = n.viscosity;
+  s.viscousWeight = t.viscousWeight;
   s.printedTension = n.tension == TensionForm::ColourField;
   s.heat = w.modules.heat;
   s.support = w.grid.support;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/fluid/viscous_weight.hpp"
 #include "core/math/vec3.hpp"
 #include "core/neighbours/neighbour_lists.hpp"
 #include "core/scene/scene.hpp"
@@ -28,6 +29,7 @@ struct PairSums {
   Precision precision = Precision::Single;
   PairForm pressureForm = PairForm::Consistent;
   ViscosityForm viscosityForm = ViscosityForm::Pairwise;
+  ViscousWeight viscousWeight;  ///< of the pairwise form
   bool printedTension = false;  ///< colour field as in K05 instead of cohesion between pairs
   bool heat = false;          ///< forces also sum heat conduction
   double support = 0;         ///< h, m

@@ -41,7 +41,7 @@ template<bool Laplacian, bool Heat> void forcesOf(const PairSums& in, GroupRange
     const double h = in.support;
     const double pressure = in.pressureForm == PairForm::Printed ? 0.5 : in.fillingScale * h * h * h;
     Forces<Real, decltype(kernel), Laplacian, Heat> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, pressure * h * h,
-                                                         h, h};
+                                                         h, h, Lanes<Real>(in.viscousWeight.scale)};
     sweep(*in.lists, range, term, !Heat);
   });
 }

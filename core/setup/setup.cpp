@@ -67,9 +67,10 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   t.kernels = pairKernels();
   t.liquids = liquidMaterials(w.scene);
   t.fixedLimits = materialLimits(w.scene, w.modules, t.liquids);
+  t.viscousWeight = viscousWeight(w.scene.numerics);
   t.stableViscousStep = stableViscousStep(w.scene.numerics);
   t.emitters = planEmitters(w.scene);
-  t.wallTables = makeWallTables(w.scene.numerics.kernel, 1 / w.scene.numerics.support);
+  t.wallTables = makeWallTables(w.scene.numerics);
   const double h = w.grid.support;
   t.perLatticeSum = 1 / latticeSum(w.scene.numerics);
   t.fillingScale = t.perLatticeSum / (h * h * h);

@@ -20,4 +20,15 @@ TEST(Lattice, StableStepsOfDiffusion) {
   EXPECT_NEAR(stableHeatStep(n), 0.0778, 0.0005);
 }
 
+// The weight's scale, from sums by another program: close to the continuum's where layers slide, whatever the lattice at rest has.
+TEST(Lattice, WeightOfTheViscosityIsCalibratedOnSlidingLayers) {
+  Numerics n;
+  n.support = 2;
+  EXPECT_NEAR(viscousWeight(n).scale / ViscousWeight{}.scale, 1 / 0.994, 0.002);
+  n.support = 2.5;
+  EXPECT_NEAR(viscousWeight(n).scale / ViscousWeight{}.scale, 1 / 0.9625, 0.002);
+  n.support = 3;
+  EXPECT_NEAR(viscousWeight(n).scale / ViscousWeight{}.scale, 1 / 1.002, 0.002);
+}
+
 }  // namespace thaw::test
