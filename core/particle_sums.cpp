@@ -129,6 +129,7 @@ PairSums sumsOf(World& w, StepTools& t) {
   s.pressureForm = n.pressure;
   s.viscosityForm = n.viscosity;
   s.viscous = !w.modules.implicitViscosity;
+  s.viscousWeight = t.viscousWeight;
   s.printedTension = n.tension == TensionForm::ColourField;
   s.heat = w.modules.heat;
   s.conductionScale = t.conductionScale;

@@ -35,6 +35,7 @@ struct StepTools {
   std::vector<EmitterPlan> emitters;
   WallTables wallTables;
   double perLatticeSum = 1;          ///< 1 / sum V W over the scene's lattice: makes filling 1 on it
+  ViscousWeight viscousWeight;       ///< of the pairwise viscosity
   double stableViscousStep = 0;      ///< dt nu / h^2 that is just stable on the lattice
   double conductionScale = 1;        ///< of heat conduction, see kernels/lattice.hpp
   double fillingScale = 1;           ///< the same / h^3

@@ -1,7 +1,104 @@
-#include "benchmarks/accuracy/trial.hpp"
+// Viscosity against exact solutions (accuracy.md A, fluid): a channel, and a drop in rigid rotation. Drops with tension: drop_cases.cpp.
+#include <algorithm>
+#include <cmath>
+
+#include "benchmarks/accuracy/drop_cases.hpp"
 
 namespace thaw::accuracy {
+namespace {
 
-std::vector<Case> viscousCases() { return {}; }
+constexpr double pi = 3.14159265358979323846;
+
+/// Flow between walls at z = 0 and H that gravity drives along x.
+struct Channel {
+  double height, nu, fastest;
+  explicit Channel(const Scene& s) : height(s.domain.max.z - s.domain.min.z), nu(s.materials[0].viscosity.liquid / s.materials[0].density) {
+    fastest = s.domain.gravity.x * height * height / (8 * nu);
+  }
+  double steady(double z) const { return 4 * fastest * z * (height - z) / (height * height); }
+  /// From rest: Fourier series (accuracy.md A; Morris, Fox & Zhu 1997 eq. 21).
+  double starting(double z, double t) const {
+    double u = steady(z);
+    for (int n = 1; n < 200; n += 2) {
+      const double k = n * pi / height;
+      u -= 32 * fastest / (pi * pi * pi * n * n * n) * std::sin(k * z) * std::exp(-nu * k * k * t);
+    }
+    return u;
+  }
+};
+
+std::vector<Figure> measurePoiseuille(Trial& r) {
+  const Channel exact(r.world.scene);
+  const auto u = [](const World& w, std::size_t i) { return w.particles.velocity[i]; };
+  const auto error = [&](const World& w, std::size_t i) { return (u(w, i).x - exact.steady(w.particles.position[i].z)) / exact.fastest; };
+  const auto across = [&](const World& w, std::size_t i) { return std::hypot(u(w, i).y, u(w, i).z) / exact.fastest; };
+  const double n = sum(r, [](const World&, std::size_t) { return 1.0; });
+  // the flow rate against that of the exact profile: the effective viscosity, without the noise of single particles
+  const double flow = sum(r, [&](const World& w, std::size_t i) { return u(w, i).x; }) / (n * exact.fastest * 2 / 3) - 1;
+  return {{"L2(u)", rootMeanSquare(r, error), 0.01}, {"flow rate / exact", 1 + flow}, {"L2(u across)", rootMeanSquare(r, across)}};
+}
+
+void startSteady(Trial& r) {
+  Continuum& p = r.world.particles;
+  const Channel exact(r.world.scene);
+  for (std::size_t i = 0; i < p.owned; i++) p.velocity[i].x = exact.steady(p.position[i].z);
+}
+
+/// L2(u) whenever a time of the list has come: .05, .1, .2, .4 H^2 / nu.
+void watchStarting(Trial& r) {
+  const Channel exact(r.world.scene);
+  const double t = r.world.clock.time, due = 0.05 * std::pow(2.0, static_cast<double>(r.series.size())) * exact.height * exact.height / exact.nu;
+  if (t < due) return;
+  const auto error = [&](const World& w, std::size_t i) { return (w.particles.velocity[i].x - exact.starting(w.particles.position[i].z, t)) / exact.fastest; };
+  r.series.push_back({t, {rootMeanSquare(r, error)}});
+}
+
+std::vector<Figure> measureStarting(Trial& r) {
+  double worst = 0;
+  for (const Sample& s : r.series) worst = std::max(worst, s.value[0]);
+  return {{"L2(u), worst time", worst, 0.01}};
+}
+
+struct Motion { Vec3d momentum, angular; double mass = 0; };
+
+Motion motionOf(Trial& r) {
+  const LedgerReport books = reportLedger(r.world, r.all);
+  return {books.now.momentum, books.now.angularMomentum, books.now.mass};
+}
+
+void noteMotion(Trial& r) {
+  const Motion m = motionOf(r);
+  for (int a = 0; a < 3; a++) {
+    r.notes["P" + std::to_string(a)] = m.momentum[a];
+    r.notes["L" + std::to_string(a)] = m.angular[a];
+  }
+}
+
+std::vector<Figure> measureSpin(Trial& r) {
+  const World& w = r.world;
+  const Material& m = w.scene.materials[0];
+  const double nu = m.viscosity.liquid / m.density, R = w.scene.bodies[0].shape.radius, spin = length(w.scene.bodies[0].spin);
+  const Motion end = motionOf(r);
+  Vec3d lost, pushed;
+  for (int a = 0; a < 3; a++) {
+    lost[a] = r.notes["L" + std::to_string(a)] - end.angular[a];
+    pushed[a] = end.momentum[a] - r.notes["P" + std::to_string(a)];
+  }
+  Vec3d before;
+  for (int a = 0; a < 3; a++) before[a] = r.notes["L" + std::to_string(a)];
+  return {{"loss of angular momentum", length(lost) / length(before) / w.clock.time * R * R / nu, 0.05}, {"linear momentum", length(pushed) / (end.mass * spin * R), 1e-5}};
+}
+
+}  // namespace
+
+std::vector<Case> viscousCases() {
+  std::vector<Case> all = {
+      {"poiseuille", "channel, steady, let go at the exact profile; parabola", nullptr, {}, startSteady, {}, measurePoiseuille},
+      {"poiseuille_startup", "channel from rest; Fourier series (Morris et al. 1997)", "poiseuille", {}, {}, watchStarting, measureStarting},
+      {"spinning_drop", "free viscous drop in rigid rotation; angular momentum is constant", nullptr, {}, noteMotion, {}, measureSpin},
+  };
+  for (Case& c : dropCases()) all.push_back(std::move(c));
+  return all;
+}
 
 }  // namespace thaw::accuracy

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/fluid/viscous_weight.hpp"
 #include "core/math/mat3.hpp"
+#include "core/math/vec3.hpp"
 #include "core/neighbours/neighbour_lists.hpp"
 #include "core/scene/scene.hpp"
 
@@ -29,6 +31,7 @@ struct PairSums {
   PairForm pressureForm = PairForm::Consistent;
   ViscosityForm viscosityForm = ViscosityForm::Pairwise;
   bool viscous = true;          ///< forces also sum viscosity; not where it is solved implicitly
+  ViscousWeight viscousWeight;  ///< of the pairwise form
   bool printedTension = false;  ///< colour field as in K05 instead of cohesion between pairs
   bool heat = false;          ///< forces also sum heat conduction
   double conductionScale = 1; ///< factor of heat conduction (kernels/lattice.hpp)

@@ -42,7 +42,7 @@ template<bool Viscous, bool Laplacian, bool Heat> void forcesOf(const PairSums& 
     const double h = in.support;
     const double pressure = in.pressureForm == PairForm::Printed ? 0.5 : in.fillingScale * h * h * h;
     Forces<Real, decltype(kernel), Viscous, Laplacian, Heat> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, pressure * h * h,
-                                                         h, in.conductionScale * h};
+                                                         h, in.conductionScale * h, Lanes<Real>(in.viscousWeight.scale)};
     sweep(*in.lists, range, term, !Heat);
   });
 }
@@ -55,7 +55,7 @@ void forces(const PairSums& in, GroupRange range) {
 
 template<class Real, ViscousPass pass> void viscousOf(const PairSums& in, const ViscousSums& out, GroupRange range) {
   const auto velocities = [](const ViscousRecord* r) { return reinterpret_cast<const Record<double>*>(r); };
-  ViscousOperator<Real, pass> term{records<Real>(in.place), velocities(out.velocity), velocities(out.middle), &out, in.support};
+  ViscousOperator<Real, pass> term{records<Real>(in.place), velocities(out.velocity), velocities(out.middle), &out, in.support, Lanes<Real>(in.viscousWeight.scale)};
   sweep(*in.lists, range, term, true);
 }
 template<class Real> void viscousPass(const PairSums& in, const ViscousSums& out, GroupRange range) {

@@ -48,7 +48,7 @@ double exposedArea(double exposure, double surfaceExposure) {
   return exposure / surfaceExposure * std::clamp((exposure - 0.5) / 0.3, 0.0, 1.0);
 }
 
-double latticeSurfaceExposure(const Numerics& n) { return 2 / n.support * wallIntegrals(n.kernel, 1 / n.support, 0.5 / n.support).push; }
+double latticeSurfaceExposure(const Numerics& n) { return 2 / n.support * wallIntegrals(n, 0.5 / n.support).push; }
 
 void addOuterHeat(World& w, double dt) {
   Continuum& p = w.particles;

@@ -62,9 +62,40 @@ double latticeSum(const Numerics& n) {
   });
 }
 
+namespace {
+
+/// Viscosity, in units of that wanted, that a cubic lattice shows to layers that slide over each other, along their own axes if n = 0 and along
+/// their diagonals if n = 1: the average over the sheared lattices that it goes through. Whatever flows is sheared, and the lattice at rest is
+/// far from what it then is: 1.06 and .89 at rest, .995 and .993 sliding, at h = 2 dx with the continuum's scale.
+double slidingViscosity(const Numerics& n, const ViscousWeight& weight, int diagonal) {
+  constexpr int shears = 32;
+  const Eigen::Vector3d along = diagonal ? Eigen::Vector3d(std::sqrt(0.5), std::sqrt(0.5), 0) : Eigen::Vector3d(1, 0, 0);
+  const int reach = 2 * static_cast<int>(n.support) + 2;
+  double sum = 0;
+  for (int k = 0; k < shears; k++) {
+    const double shear = (k + 0.5) / shears - 0.5;
+    for (int x = -reach; x <= reach; x++)
+      for (int y = -reach; y <= reach; y++)
+        for (int z = -reach; z <= reach; z++) {
+          const Eigen::Vector3d d = (Eigen::Vector3d(x, y, z) + shear * z * along) / n.support;
+          const double q2 = d.squaredNorm(), a = d.dot(along);
+          if (q2 > 0 && q2 < 1) sum += 0.5 * isa_base::alongPair(weight.scale, q2) / q2 * a * a * d.z() * d.z();
+        }
+  }
+  return sum / (shears * n.support * n.support * n.support);
+}
+
+}  // namespace
+
+ViscousWeight viscousWeight(const Numerics& n) {
+  const ViscousWeight continuum;
+  return {continuum.scale * 2 / (slidingViscosity(n, continuum, 0) + slidingViscosity(n, continuum, 1))};
+}
+
 double stableViscousStep(const Numerics& n) {
   if (n.viscosity == ViscosityForm::Laplacian) return stableLaplaceStep(n);
-  const auto block = [](const Eigen::Vector3d& d, double q2) -> Eigen::Matrix3d { return isa_base::alongPair(q2) / q2 * d * d.transpose(); };
+  const double scale = viscousWeight(n).scale;
+  const auto block = [&](const Eigen::Vector3d& d, double q2) -> Eigen::Matrix3d { return isa_base::alongPair(scale, q2) / q2 * d * d.transpose(); };
   return 2 / largestEigenvalue(n.support, block);
 }
 

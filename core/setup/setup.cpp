@@ -69,11 +69,11 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   t.fixedLimits = materialLimits(w.scene, w.modules, t.liquids);
   if (w.modules.substeps && !w.modules.contact) std::swap(t.longestContact, t.fixedLimits[Limit::Contact]);
   t.watch = watchBounds(w.scene, w.modules, t.liquids, t.fixedLimits);
+  t.viscousWeight = viscousWeight(w.scene.numerics);
   t.stableViscousStep = stableViscousStep(w.scene.numerics);
   t.conductionScale = conductionScale(w.scene.numerics);
   t.emitters = planEmitters(w.scene);
-  t.wallTables = makeWallTables(w.scene.numerics.kernel, 1 / w.scene.numerics.support);
-  if (t.conductionScale != 1) t.wallTables.conductionScale = 1 / planeLaplacian(w.scene.numerics.kernel, 1 / w.scene.numerics.support);
+  t.wallTables = makeWallTables(w.scene.numerics);
   const double h = w.grid.support;
   t.perLatticeSum = 1 / latticeSum(w.scene.numerics);
   t.fillingScale = t.perLatticeSum / (h * h * h);

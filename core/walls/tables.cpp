@@ -3,16 +3,18 @@
 #include <algorithm>
 #include <array>
 
+#include "core/fluid/viscous_weight.hpp"
 #include "core/kernels/kernels.hpp"
+#include "core/kernels/lattice.hpp"
 
 namespace thaw {
 namespace {
 
-struct Plane { double w = 0, slope = 0, laplace = 0; };
+struct Plane { double w = 0, slope = 0, laplace = 0, drag = 0; };
 
-/// Integrals over a plane at distance z: of W, of -dW/dz and of the Laplacian's kernel. The kernels times s = |r| are polynomials of
-/// degree 7 at most, on either side of 1/2, for which Gauss' rule with five points is exact.
-template<class Kernel> Plane planeAt(double z) {
+/// Integrals over a plane at distance z: of W, of -dW/dz, of the Laplacian's kernel and of the viscous weight times x^2/r^2, x along the plane.
+/// The first three times s = |r| are polynomials of degree 7 at most, on either side of 1/2, for which Gauss' rule with five points is exact.
+template<class Kernel> Plane planeAt(double z, double viscousScale) {
   constexpr std::array<double, 5> node{-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831, 0.9061798459386640};
   constexpr std::array<double, 5> weight{0.2369268850561891, 0.4786286704993665, 0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
   Plane p;
@@ -23,6 +25,7 @@ template<class Kernel> Plane planeAt(double z) {
       p.w += ring * Kernel::w(s * s);
       p.slope -= ring * z * Kernel::slope(s * s);
       p.laplace += ring * Kernel::laplace(s * s);
+      p.drag += ring * isa_base::alongPair(viscousScale, s * s) * (s * s - z * z) / (2 * s * s);
     }
   };
   if (z < 0.5) addPart(z, 0.5);
@@ -30,54 +33,76 @@ template<class Kernel> Plane planeAt(double z) {
   return p;
 }
 
-template<class Kernel> WallIntegrals integralsOf(double spacing, double d) {
+template<class Kernel> WallIntegrals integralsOf(const Numerics& n, double viscousScale, double d) {
+  const double spacing = 1 / n.support;
   WallIntegrals sum;
   const double from = std::max(d, 0.25 * spacing);
   for (double depth = 0.5 * spacing; d + depth < 1; depth += spacing) {
-    const Plane p = planeAt<Kernel>(d + depth);
+    const Plane p = planeAt<Kernel>(d + depth, viscousScale);
     sum.filling += spacing * p.w;
     sum.push += spacing * p.slope;
-    sum.drag += spacing * p.laplace * (1 + depth / from);
+    sum.conduct += spacing * p.laplace * (1 + depth / from);
+    sum.drag += spacing * (n.viscosity == ViscosityForm::Laplacian ? p.laplace : p.drag) * (1 + depth / from);
   }
   return sum;
+}
+
+WallIntegrals rawIntegrals(const Numerics& n, double d) {
+  constexpr double scale = ViscousWeight{}.scale;  // of the continuum: drag is scaled by perShearStress
+  switch (n.kernel) {
+    case KernelKind::Mcg03: return integralsOf<isa_base::Mcg03>(n, scale, d);
+    case KernelKind::CubicSpline: return integralsOf<isa_base::CubicSpline>(n, scale, d);
+    default: return integralsOf<isa_base::WendlandC2>(n, scale, d);
+  }
+}
+
+/// 1 over the drag on layers half a spacing and whole spacings above a wall, in a linear profile, per mu du/dz.
+double perShearStress(const Numerics& n) {
+  const double spacing = 1 / n.support;
+  double stress = 0;
+  for (double d = 0.5 * spacing; d < 1; d += spacing) stress += spacing * rawIntegrals(n, d).drag * d;
+  return stress > 0 ? 1 / stress : 1;
 }
 
 template<class Kernel> double secondMoment(double spacing) {
   double sum = 0;
-  for (double z = spacing; z < 1; z += spacing) sum += spacing * planeAt<Kernel>(z).laplace * z * z;  // half of it, from two sides
+  for (double z = spacing; z < 1; z += spacing) sum += spacing * planeAt<Kernel>(z, 0).laplace * z * z;  // half of it, from two sides
   return sum;
+}
+
+/// 1 over what a sum over layers on both sides makes of the second derivative of a temperature across them; 1 where conduction is plain.
+double perConduction(const Numerics& n) {
+  if (conductionScale(n) == 1) return 1;
+  switch (n.kernel) {
+    case KernelKind::Mcg03: return 1 / secondMoment<isa_base::Mcg03>(1 / n.support);
+    case KernelKind::CubicSpline: return 1 / secondMoment<isa_base::CubicSpline>(1 / n.support);
+    default: return 1 / secondMoment<isa_base::WendlandC2>(1 / n.support);
+  }
+}
+
+WallIntegrals scaled(WallIntegrals w, double drag, double conduct) {
+  w.drag *= drag;
+  w.conduct *= conduct;
+  return w;
 }
 
 }  // namespace
 
-double planeLaplacian(KernelKind kernel, double spacing) {
-  switch (kernel) {
-    case KernelKind::Mcg03: return secondMoment<isa_base::Mcg03>(spacing);
-    case KernelKind::CubicSpline: return secondMoment<isa_base::CubicSpline>(spacing);
-    default: return secondMoment<isa_base::WendlandC2>(spacing);
-  }
-}
-
-WallIntegrals wallIntegrals(KernelKind kernel, double spacing, double d) {
-  switch (kernel) {
-    case KernelKind::Mcg03: return integralsOf<isa_base::Mcg03>(spacing, d);
-    case KernelKind::CubicSpline: return integralsOf<isa_base::CubicSpline>(spacing, d);
-    default: return integralsOf<isa_base::WendlandC2>(spacing, d);
-  }
-}
+WallIntegrals wallIntegrals(const Numerics& n, double d) { return scaled(rawIntegrals(n, d), perShearStress(n), perConduction(n)); }
 
 WallIntegrals asLiquidsFeelIt(const WallIntegrals& w, double filling0) {
-  if (!(filling0 > 0)) return {w.filling, w.push, w.drag, w.filling};
-  return {w.filling * w.filling / filling0, w.push * 2 * w.filling / filling0, w.drag, w.filling};
+  if (!(filling0 > 0)) return {w.filling, w.push, w.conduct, w.drag, w.filling};
+  return {w.filling * w.filling / filling0, w.push * 2 * w.filling / filling0, w.conduct, w.drag, w.filling};
 }
 
-WallTables makeWallTables(KernelKind kernel, double spacing) {
+WallTables makeWallTables(const Numerics& n) {
+  const double spacing = 1 / n.support, drag = perShearStress(n), conduct = perConduction(n);
   WallTables t;
   t.lowest = -0.5 * spacing;
   t.nearest = 0.25 * spacing;
-  const double filling0 = wallIntegrals(kernel, spacing, 0.5 * spacing).filling;
+  const double filling0 = rawIntegrals(n, 0.5 * spacing).filling;
   for (int k = 0; k <= WallTables::points; k++)
-    t.at.push_back(asLiquidsFeelIt(wallIntegrals(kernel, spacing, t.lowest + (1 - t.lowest) * k / WallTables::points), filling0));
+    t.at.push_back(asLiquidsFeelIt(scaled(rawIntegrals(n, t.lowest + (1 - t.lowest) * k / WallTables::points), drag, conduct), filling0));
   return t;
 }
 

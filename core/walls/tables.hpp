@@ -10,15 +10,15 @@
 namespace thaw {
 
 /// Values at one distance. filling: sum V W (1); push: sum V |dW/dz| along the normal (1/h), with Wendland's and the cubic kernel
-/// -d filling / d(distance); drag: sum V lap W (1 + z/d) (1/h^2), the Laplacian of a field that is linear across the wall's surface (Morris
-/// 1997), z the depth of a layer; space: filling before asLiquidsFeelIt.
-struct WallIntegrals { double filling = 0, push = 0, drag = 0, space = 0; };
+/// -d filling / d(distance); conduct: sum V lap W (1 + z/d) (1/h^2), the Laplacian of a field that is linear across the wall's surface (Morris
+/// 1997), z the depth of a layer; drag: the same of a velocity along the wall with the scene's viscosity; space: filling before asLiquidsFeelIt.
+/// drag is scaled so that layers of particles half a spacing and whole spacings above a wall, in a linear profile, feel mu du/dz in all.
+struct WallIntegrals { double filling = 0, push = 0, conduct = 0, drag = 0, space = 0; };
 
 struct WallTables {
   static constexpr int points = 1024;
   double lowest = 0;              ///< h, half a spacing below the surface: deeper is taken as this
-  double conductionScale = 1;     ///< of drag, for heat: that of neighbours (kernels/lattice.hpp) with the layers' own second moment
-  double nearest = 0;             ///< h, distances below are taken as this in drag, which grows like 1 / d
+  double nearest = 0;             ///< h, distances below are taken as this in conduct and drag, which grow like 1 / d
   std::vector<WallIntegrals> at;  ///< at distances lowest + k / points * (1 - lowest)
 
   /// distance in units of h; nothing beyond 1.
@@ -28,15 +28,12 @@ struct WallTables {
     const int k = static_cast<int>(x) < points ? static_cast<int>(x) : points - 1;
     const double t = x - k;
     const WallIntegrals &a = at[static_cast<std::size_t>(k)], &b = at[static_cast<std::size_t>(k) + 1];
-    return {a.filling + t * (b.filling - a.filling), a.push + t * (b.push - a.push), a.drag + t * (b.drag - a.drag), a.space + t * (b.space - a.space)};
+    return {a.filling + t * (b.filling - a.filling), a.push + t * (b.push - a.push), a.conduct + t * (b.conduct - a.conduct), a.drag + t * (b.drag - a.drag), a.space + t * (b.space - a.space)};
   }
 };
 
 /// The tables' values at a distance (h), without interpolation; exact to rounding.
-WallIntegrals wallIntegrals(KernelKind kernel, double spacing, double distance);
-
-/// What a sum over layers on both sides makes of the second derivative across them, as latticeLaplacian does of the lattice.
-double planeLaplacian(KernelKind kernel, double spacing);
+WallIntegrals wallIntegrals(const Numerics& numerics, double distance);
 
 /// As a liquid feels the wall: filling^2 / filling_0, where filling_0 is that half a spacing from the wall, and push times
 /// 2 filling / filling_0. There the filling is the same and the push is twice the wall's own, as if the wall had the liquid's pressure:
@@ -44,7 +41,7 @@ double planeLaplacian(KernelKind kernel, double spacing);
 /// pressure of a still wall does no work; doubling the push alone makes water at rest boil.
 WallIntegrals asLiquidsFeelIt(const WallIntegrals& wall, double filling0);
 
-/// Of asLiquidsFeelIt. spacing: in units of h; drag takes distances below a quarter of it as that. Interpolation is good to 1e-5.
-WallTables makeWallTables(KernelKind kernel, double spacing);
+/// Of asLiquidsFeelIt. conduct and drag take distances below a quarter of a spacing as that. Interpolation is good to 1e-5.
+WallTables makeWallTables(const Numerics& numerics);
 
 }  // namespace thaw

@@ -69,7 +69,7 @@ struct WallRig {
 
   void start() {
     w.grid = makeGrid(w.scene);
-    tables = makeWallTables(w.scene.numerics.kernel, 1 / w.scene.numerics.support);
+    tables = makeWallTables(w.scene.numerics);
     liquids = liquidMaterials(w.scene);
     evaluate(0);
     for (std::size_t i = 0; i < w.particles.owned; i++) w.particles.acceleration[i] = w.particles.force[i] / w.particles.mass[i] + w.scene.domain.gravity;

@@ -16,6 +16,7 @@ template<class Real, class Kernel, bool Viscous, bool Laplacian, bool Heat> stru
   const Record<Real>*place, *motion, *state;
   const PairSums* in;
   double pressureScale, viscousScale, heatScale;
+  L viscousWeight;
   struct Data { Lanes4<Real> place, motion, state; };
   struct Sum { L px = L(0.0), py = L(0.0), pz = L(0.0), vx = L(0.0), vy = L(0.0), vz = L(0.0), lost = L(0.0); Lanes<double> heat = Lanes<double>(0.0); };
   THAW_INLINE Data load(const std::uint32_t* rows) const {
@@ -44,7 +45,7 @@ template<class Real, class Kernel, bool Viscous, bool Laplacian, bool Heat> stru
     } else {
       const L mean = L(2.0) * mui * muj / max(mui + muj, L(1e-30));
       const L approach = ux * dx + uy * dy + uz * dz;
-      const L mu = wet * mean * Vj * alongPair(q2) * approach / (q2 + L(1e-6));
+      const L mu = wet * mean * Vj * alongPair(viscousWeight, q2) * approach / (q2 + L(1e-6));
       s.vx -= mu * dx;
       s.vy -= mu * dy;
       s.vz -= mu * dz;

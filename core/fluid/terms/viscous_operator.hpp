@@ -28,6 +28,7 @@ template<class Real, ViscousPass pass> struct ViscousOperator {
   const Record<double>*velocity, *middle;
   const ViscousSums* out;
   double scale;
+  L weight;  ///< of viscosity (viscous_weight.hpp)
   struct Data { Lanes4<Real> place; Lanes4<double> velocity, middle; LanesF viscosity, liquid; };
   struct Sum {
     LanesD x = LanesD(0.0), y = LanesD(0.0), z = LanesD(0.0), lost = LanesD(0.0);
@@ -46,7 +47,7 @@ template<class Real, ViscousPass pass> struct ViscousOperator {
     const L q2 = dx * dx + dy * dy + dz * dz;
     const LanesF wet = i.liquid + j.liquid - i.liquid * j.liquid;
     const LanesF mean = LanesF(2.0f) * (i.viscosity * j.viscosity) / max(i.viscosity + j.viscosity, LanesF(1e-30f));
-    const L c = i.place.d * j.place.d * Widened<Real>::of(wet * mean) * alongPair(q2) / (q2 + L(1e-6));
+    const L c = i.place.d * j.place.d * Widened<Real>::of(wet * mean) * alongPair(weight, q2) / (q2 + L(1e-6));
     const LanesD ex = widen(dx), ey = widen(dy), ez = widen(dz);
     const LanesD approach = (i.velocity.a - j.velocity.a) * ex + (i.velocity.b - j.velocity.b) * ey + (i.velocity.c - j.velocity.c) * ez;
     const LanesD f = widen(c) * approach;

@@ -35,7 +35,7 @@ Reference bruteForce(const Block& b, double fillingScale) {
       if (i == j) continue;
       const Vec3d d = (p.position[i] - p.position[j]) / h, u = p.velocity[i] - p.velocity[j];
       const double q2 = dot(d, d), VV = V(i) * V(j), slope = Kernel::slope(q2);
-      r.force[i] += d * (-VV * (term[i] + term[j]) * slope * fillingScale / h - VV * dot(u, d) / (q2 + 1e-6) * isa_base::alongPair(q2) / (h * h * h * h * h));
+      r.force[i] += d * (-VV * (term[i] + term[j]) * slope * fillingScale / h - VV * dot(u, d) / (q2 + 1e-6) * isa_base::alongPair(ViscousWeight{}.scale, q2) / (h * h * h * h * h));
       r.heat[i] += VV * -2 * slope / (h * h * h * h * h) * (p.temperature[j] - p.temperature[i]);
     }
   return r;

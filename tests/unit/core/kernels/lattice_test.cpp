@@ -36,4 +36,15 @@ TEST(Lattice, LaplacianOfAQuadraticField) {
   EXPECT_DOUBLE_EQ(stableHeatStep(n), normalised * scale);
 }
 
+// The weight's scale, from sums by another program: close to the continuum's where layers slide, whatever the lattice at rest has.
+TEST(Lattice, WeightOfTheViscosityIsCalibratedOnSlidingLayers) {
+  Numerics n;
+  n.support = 2;
+  EXPECT_NEAR(viscousWeight(n).scale / ViscousWeight{}.scale, 1 / 0.994, 0.002);
+  n.support = 2.5;
+  EXPECT_NEAR(viscousWeight(n).scale / ViscousWeight{}.scale, 1 / 0.9625, 0.002);
+  n.support = 3;
+  EXPECT_NEAR(viscousWeight(n).scale / ViscousWeight{}.scale, 1 / 1.002, 0.002);
+}
+
 }  // namespace thaw::test

@@ -106,7 +106,7 @@ TEST(WallDrag, IsTheShearStressOfALinearProfile) {
   r.evaluate(1e-9);
   double drag = 0;
   for (std::size_t i = 0; i < 2; i++) drag -= r.w.particles.force[i].x;
-  EXPECT_NEAR(drag, 2 * 2.0 * 0.1 * 0.1, 0.06 * 2 * 2.0 * 0.1 * 0.1);
+  EXPECT_NEAR(drag, 2 * 2.0 * 0.1 * 0.1, 0.001 * 2 * 2.0 * 0.1 * 0.1);
 }
 
 TEST(WallHeat, FlowsAsFouriersLawSaysAndDoesNotOvershoot) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/fluid/viscous_weight.hpp"
 #include "core/kernels/kernels.hpp"
 #include "core/walls/tables.hpp"
 
@@ -13,8 +14,15 @@ using isa_base::CubicSpline;
 using isa_base::Mcg03;
 using isa_base::WendlandC2;
 
+Numerics numericsOf(KernelKind kernel, double spacing) {
+  Numerics n;
+  n.kernel = kernel;
+  n.support = 1 / spacing;
+  return n;
+}
+
 /// The same sums over squares of edge 1/n on each layer (support radius 1).
-template<class Kernel> WallIntegrals bruteForce(double spacing, double d, int n) {
+template<class Kernel> WallIntegrals bruteForce(double spacing, double d, int n) {  // drag: of the pairwise viscosity, in the continuum's scale
   WallIntegrals sum;
   const double a = 1.0 / n;
   for (double depth = 0.5 * spacing; d + depth < 1; depth += spacing)
@@ -24,22 +32,27 @@ template<class Kernel> WallIntegrals bruteForce(double spacing, double d, int n)
         if (q2 >= 1) continue;
         sum.filling += V * Kernel::w(q2);
         sum.push -= V * Kernel::slope(q2) * z;
-        sum.drag += V * Kernel::laplace(q2) * (1 + depth / std::max(d, 0.25 * spacing));
+        sum.conduct += V * Kernel::laplace(q2) * (1 + depth / std::max(d, 0.25 * spacing));
+        sum.drag += V * isa_base::alongPair(ViscousWeight{}.scale, q2) * x * x / q2 * (1 + depth / std::max(d, 0.25 * spacing));
       }
   return sum;
 }
 
 template<class Kernel> void expectTables(KernelKind kind) {
   for (double spacing : {0.5, 1 / 1.5, 1 / 3.0}) {
-    const WallTables t = makeWallTables(kind, spacing);
+    const Numerics n = numericsOf(kind, spacing);
+    const WallTables t = makeWallTables(n);
+    const double dragScale = wallIntegrals(n, 0.5 * spacing).drag / bruteForce<Kernel>(spacing, 0.5 * spacing, 1500).drag;
     for (double d : {-0.4 * spacing, 0.0, 0.1 * spacing, 0.5 * spacing, 0.6, 0.83}) {
-      const WallIntegrals b = bruteForce<Kernel>(spacing, d, 1500), e = wallIntegrals(kind, spacing, d), i = t(d);
+      const WallIntegrals b = bruteForce<Kernel>(spacing, d, 1500), e = wallIntegrals(numericsOf(kind, spacing), d), i = t(d);
       EXPECT_NEAR(e.filling, b.filling, 2e-5) << d;
       EXPECT_NEAR(e.push, b.push, 2e-4 * std::max(1.0, b.push)) << d;
-      EXPECT_NEAR(e.drag, b.drag, 2e-4 * std::max(1.0, b.drag)) << d;
-      const WallIntegrals felt = asLiquidsFeelIt(e, wallIntegrals(kind, spacing, 0.5 * spacing).filling);
+      EXPECT_NEAR(e.conduct, b.conduct, 2e-4 * std::max(1.0, b.conduct)) << d;
+      EXPECT_NEAR(e.drag, dragScale * b.drag, 5e-4 * std::max(1.0, e.drag)) << d;
+      const WallIntegrals felt = asLiquidsFeelIt(e, wallIntegrals(numericsOf(kind, spacing), 0.5 * spacing).filling);
       EXPECT_NEAR(i.filling, felt.filling, 2e-5 * std::max(1.0, felt.filling)) << d;
       EXPECT_NEAR(i.push, felt.push, 3e-4 * std::max(1.0, felt.push)) << d;
+      EXPECT_NEAR(i.conduct, e.conduct, 1e-3 * std::max(1.0, e.conduct)) << d;
       EXPECT_NEAR(i.drag, e.drag, 1e-3 * std::max(1.0, e.drag)) << d;
     }
     EXPECT_EQ(t(1.0).filling, 0);
@@ -78,10 +91,10 @@ TEST(WallTables, AgreeWithFineSampling) {
 TEST(WallTables, PushIsTheSlopeOfFilling) {
   for (KernelKind kind : {KernelKind::WendlandC2, KernelKind::CubicSpline})
     for (double d : {0.05, 0.25, 0.5, 0.7}) {
-      const double e = 1e-5, slope = (wallIntegrals(kind, 0.5, d - e).filling - wallIntegrals(kind, 0.5, d + e).filling) / (2 * e);
-      EXPECT_NEAR(wallIntegrals(kind, 0.5, d).push, slope, 1e-6);
-      const double filling0 = wallIntegrals(kind, 0.5, 0.25).filling;
-      const auto felt = [&](double x) { return asLiquidsFeelIt(wallIntegrals(kind, 0.5, x), filling0); };
+      const double e = 1e-5, slope = (wallIntegrals(numericsOf(kind, 0.5), d - e).filling - wallIntegrals(numericsOf(kind, 0.5), d + e).filling) / (2 * e);
+      EXPECT_NEAR(wallIntegrals(numericsOf(kind, 0.5), d).push, slope, 1e-6);
+      const double filling0 = wallIntegrals(numericsOf(kind, 0.5), 0.25).filling;
+      const auto felt = [&](double x) { return asLiquidsFeelIt(wallIntegrals(numericsOf(kind, 0.5), x), filling0); };
       EXPECT_NEAR(felt(d).push, (felt(d - e).filling - felt(d + e).filling) / (2 * e), 1e-5 * std::max(1.0, felt(d).push));
     }
 }
@@ -91,14 +104,24 @@ TEST(WallTables, StandForTheMissingHalfOfTheLattice) {
   const double spacing = 0.5;
   const auto check = [&](auto kernel, KernelKind kind, double tolerance) {
     const Half<decltype(kernel)> half(spacing);
-    const WallIntegrals w = wallIntegrals(kind, spacing, 0.5 * spacing);
+    const WallIntegrals w = wallIntegrals(numericsOf(kind, spacing), 0.5 * spacing);
     EXPECT_NEAR(half.filling + w.filling, half.full, tolerance * half.full);
     EXPECT_NEAR(w.push, half.push, 4 * tolerance * half.push);      // a uniform pressure does not push
-    EXPECT_NEAR(0.5 * spacing * w.drag, half.heat, 4 * tolerance * half.heat);  // a linear profile does not change
+    EXPECT_NEAR(0.5 * spacing * w.conduct, half.heat, 4 * tolerance * half.heat);  // a linear profile does not change
   };
   check(WendlandC2{}, KernelKind::WendlandC2, 0.02);
   check(CubicSpline{}, KernelKind::CubicSpline, 0.02);
   check(Mcg03{}, KernelKind::Mcg03, 0.05);
+}
+
+// Layers half a spacing and whole spacings above a wall, in a linear profile, feel its shear stress.
+TEST(WallTables, DragIsTheShearStress) {
+  for (double support : {1.5, 2.0, 2.5, 3.0}) {
+    const Numerics n = numericsOf(KernelKind::WendlandC2, 1 / support);
+    double stress = 0;
+    for (double d = 0.5 / support; d < 1; d += 1 / support) stress += wallIntegrals(n, d).drag * d / support;
+    EXPECT_NEAR(stress, 1, 1e-12) << support;
+  }
 }
 
 }  // namespace thaw::test
