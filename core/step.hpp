@@ -31,7 +31,8 @@ struct StepTools {
   StepLimits fixedLimits;            ///< of materials
   std::vector<EmitterPlan> emitters;
   WallTables wallTables;
-  double perLatticeSum = 1;          ///< 1 / sum V W over the scene's lattice: makes filling 1 on it
+  double perLatticeSum = 1;          ///< what sums over V W are multiplied by to be fillings
+  double selfWeight = 0;             ///< taken from the filling of a particle that has the volume of its lattice cell
   double stableViscousStep = 0;      ///< dt nu / h^2 that is just stable on the lattice
   double fillingScale = 1;           ///< the same / h^3
   SortBuffers sort;

@@ -55,6 +55,14 @@ double latticeSum(const Numerics& n) {
   });
 }
 
+double latticeGradient(const Numerics& n) {
+  return withKernel(n, [&](auto kernel) {
+    double sum = 0;
+    overNeighbours(n.support, [&](const Eigen::Vector3d&, double q2) { sum -= kernel.slope(q2) * q2 / 3; });
+    return sum / (n.support * n.support * n.support);
+  });
+}
+
 double stableViscousStep(const Numerics& n) {
   if (n.viscosity == ViscosityForm::Laplacian) return stableHeatStep(n);
   const auto block = [](const Eigen::Vector3d& d, double q2) -> Eigen::Matrix3d { return isa_base::alongPair(q2) / q2 * d * d.transpose(); };

@@ -7,6 +7,9 @@ namespace thaw {
 /// Sum of V W over the lattice, the particle itself included: the filling of a full neighbourhood.
 double latticeSum(const Numerics& numerics);
 
+/// Sum of V |dW/dr| r / 3 over the lattice: 1 where the kernel's gradient is exact.
+double latticeGradient(const Numerics& numerics);
+
 /// Largest dt nu / h^2 with which an explicit step of the scene's viscous sum is stable: 2 over its largest eigenvalue, over all
 /// plane waves on the lattice. h support radius, nu kinematic viscosity.
 double stableViscousStep(const Numerics& numerics);
