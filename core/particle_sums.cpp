@@ -102,6 +102,7 @@ ColumnList ghostColumns(World& w) {
   if (w.modules.solid) c.push_back(&p.body);
   if (p.liquid.active) c.push_back(&p.liquid);
   if (p.temperature.active) c.push_back(&p.temperature);
+  if (p.compression.active) c.push_back(&p.compression);
   return c;
 }
 
@@ -149,6 +150,17 @@ PairSums sumsOf(World& w, StepTools& t) {
   s.exposure = p.exposure.data();
   s.smoothed = p.smoothing.data();
   s.coincident = &w.counters.coincidentPairs;
+  s.carried = w.modules.continuity;
+  s.diffusion = n.densityDiffusion;
+  s.weight = w.scene.domain.gravity * w.grid.support;
+  s.material = p.material.data();
+  s.liquids = t.liquids.data();
+  s.densityRate = p.densityRate.data();
+  s.spreading = p.spreading.data();
+  if (w.modules.corrected) s.moment = p.moment.data(), s.flow = p.flow.data();
+  s.diagonal = t.records.diagonal.data();
+  s.mixed = t.records.mixed.data();
+  s.crowding = w.modules.shifting ? p.crowding.data() : nullptr;
   return s;
 }
 
@@ -216,6 +228,7 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass) {
     pass == NeighbourPass::InnerForces ? packPressure(x, p, 0, p.owned, t.records) : packPressure(x, p, p.owned, p.size(), t.records);
   const PairSums s = sumsOf(w, t);
   if (w.modules.fluid || w.modules.heat) t.kernels->forces(s, range);
+  if (w.modules.corrected) t.kernels->correctPressure(s, range);
   if (w.modules.tension) t.kernels->tension(s, range);
   if (w.modules.artificialViscosity) t.kernels->artificialViscosity(s, range);
   if (w.modules.xsph) t.kernels->smoothing(s, range);

@@ -5,6 +5,7 @@
 
 #include "core/contact/solid_contact.hpp"
 #include "core/domain/sides.hpp"
+#include "core/fluid/carried_density.hpp"
 #include "core/heat/heat.hpp"
 #include "core/ledger/report.hpp"
 #include "core/particle_sums.hpp"
@@ -67,10 +68,13 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   }
   const WallContext walls{w, t.wallTables, t.liquids, dt, dt > 0 ? dt : w.clock.dt, 1.0 / w.clock.substeps};
   findWallContacts(walls, t.wallContacts);
+  if (w.modules.fluid) removeSelfWeight(w, t.selfWeight);
   if (w.modules.fluid) addWallFilling(walls, t.perLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
 
-  if (w.modules.fluid) halos.cells.beginRefresh(p, std::array<AnyColumn*, 1>{&p.filling});
+  if (w.modules.continuity || w.modules.shifting) carryDensity(w, t, dt);
+  std::array<AnyColumn*, 2> toGhosts{&p.filling, &p.moment};
+  if (w.modules.fluid) halos.cells.beginRefresh(p, std::span(toGhosts).first(w.modules.corrected ? 2 : 1));
   t.times.lap(StepPhase::Exchange);
   if (w.modules.solid) deform(w, halos, t, dt);          // F, stress; bonds break, form, take new references
   if (w.modules.neighbours) sumOverNeighbours(w, t, NeighbourPass::InnerForces);  // pressure, viscosity, heat, tension

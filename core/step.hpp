@@ -34,8 +34,9 @@ struct StepTools {
   WatchBounds watch;
   std::vector<EmitterPlan> emitters;
   WallTables wallTables;
-  double perLatticeSum = 1;          ///< 1 / sum V W over the scene's lattice: makes filling 1 on it
   ViscousWeight viscousWeight;       ///< of the pairwise viscosity
+  double perLatticeSum = 1;          ///< what sums over V W are multiplied by to be fillings
+  double selfWeight = 0;             ///< taken from the filling of a particle that has the volume of its lattice cell
   double stableViscousStep = 0;      ///< dt nu / h^2 that is just stable on the lattice
   double conductionScale = 1;        ///< of heat conduction, see kernels/lattice.hpp
   double fillingScale = 1;           ///< the same / h^3

@@ -1,7 +1,161 @@
+// Flows that pressure drives, against exact solutions and an experiment (accuracy.md A, fluid).
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "benchmarks/accuracy/trial.hpp"
+#include "core/math/hash_random.hpp"
 
 namespace thaw::accuracy {
+namespace {
 
-std::vector<Case> flowCases() { return {}; }
+double kineticEnergy(Trial& r) {
+  return sum(r, [](const World& w, std::size_t i) { return 0.5 * w.particles.mass[i] * dot(w.particles.velocity[i], w.particles.velocity[i]); });
+}
+
+/// What no term of the ledger explains: energy in shares of `energy`, momentum in shares of m `speed`.
+void addBooks(Trial& r, double energy, double speed, std::vector<Figure>& figures) {
+  const LedgerReport books = reportLedger(r.world, r.all);
+  figures.push_back({"energy residual", std::abs(books.energyResidual) / energy, 0.01});
+  figures.push_back({"momentum residual", length(books.momentumResidual) / (books.now.mass * speed), 1e-9});
+}
+
+// ---- column at rest ------------------------------------------------------------------------------------------------------
+
+/// H = 1, g = 1, rho = 1: density at rest is 1 + (H - z)/c^2. The lattice is squeezed to it; no sound of the start has to die away.
+void squeezeColumn(Trial& r) {
+  World& w = r.world;
+  const double c = w.scene.materials[0].soundSpeed, k = 1 / (c * c);
+  for (std::size_t i = 0; i < w.particles.owned; i++) {
+    Vec3d& x = w.particles.position[i];
+    if (w.particles.compression.active) w.particles.compression[i] = k * (1 - x.z);
+    x.z -= k * (x.z - 0.5 * x.z * x.z);  // of the mass below: int (1 - z) k
+  }
+}
+/// And jittered by a tenth of a spacing: it has to find its rest.
+void jitterColumn(Trial& r) {
+  squeezeColumn(r);
+  World& w = r.world;
+  for (std::size_t i = 0; i < w.particles.owned; i++)
+    for (int a = 0; a < 3; a++)
+      w.particles.position[i][a] += 0.1 * w.scene.spacing * (2 * randomUniform(w.scene.seed, Purpose::Jitter, w.particles.id[i], static_cast<std::uint64_t>(a)) - 1);
+}
+
+std::vector<Figure> measureColumn(Trial& r) {
+  const auto error = [](const World& w, std::size_t i) { return static_cast<double>(w.particles.pressure[i]) - (1 - w.particles.position[i].z); };
+  std::vector<Figure> f{{"L2(p)", rootMeanSquare(r, error), 0.02},
+                        {"Linf(p)", largest(r, [&](const World& w, std::size_t i) { return std::abs(error(w, i)); })},
+                        {"kinetic energy left", kineticEnergy(r) / (0.5 * r.tools.mass)}};  // of the m g H / 2 that it has in height
+  addBooks(r, 0.5 * r.tools.mass, 1, f);
+  return f;
+}
+
+// ---- dam breaks ----------------------------------------------------------------------------------------------------------
+
+/// The foremost liquid: its outermost particle, and half a spacing of it.
+double frontOf(Trial& r) {
+  return largest(r, [](const World& w, std::size_t i) { return w.particles.position[i].x; }) + 0.5 * r.spacing();
+}
+void watchFront(Trial& r) { r.series.push_back({r.world.clock.time, {frontOf(r)}}); }
+
+/// The noted value at a time, linear in between.
+double noted(const Trial& r, double time) {
+  for (std::size_t k = 1; k < r.series.size(); k++)
+    if (r.series[k].time >= time) {
+      const Sample &a = r.series[k - 1], &b = r.series[k];
+      return a.value[0] + (b.value[0] - a.value[0]) * (time - a.time) / (b.time - a.time);
+    }
+  return r.series.back().value[0];
+}
+
+/// Ritter 1892: (2 sqrt(gH) - x/t)^2 / 9g in the fan; H = g = 1.
+double ritterDepth(double x, double t) { return x < -t ? 1 : x > 2 * t ? 0 : (2 - x / t) * (2 - x / t) / 9; }
+
+std::vector<Figure> measureRitter(Trial& r) {
+  constexpr double low = -5, width = 0.2;
+  constexpr std::size_t bins = 70;
+  const World& w = r.world;
+  const double t = w.clock.time, thickness = w.scene.domain.max.y - w.scene.domain.min.y;
+  std::array<std::int64_t, bins> count{};
+  for (std::size_t i = 0; i < w.particles.owned; i++)
+    count[static_cast<std::size_t>(std::clamp((w.particles.position[i].x - low) / width, 0.0, bins - 0.5))]++;
+  r.all.sum(count);
+  const double particles = sum(r, [](const World&, std::size_t) { return 1.0; }), volume = r.tools.mass / particles / w.scene.materials[0].density;
+  double squares = 0, n = 0, gate = 0;
+  for (std::size_t b = 0; b < bins; b++) {
+    const double x = low + (static_cast<double>(b) + 0.5) * width, exact = ritterDepth(x, t);
+    const double depth = static_cast<double>(count[b]) * volume / (width * thickness);
+    if (std::abs(x) < width) gate += 0.5 * depth;
+    if (exact < 0.05) continue;  // the tip: there the layer is thinner than a spacing of H/20
+    squares += (depth - exact) * (depth - exact);
+    n++;
+  }
+  std::vector<Figure> f{{"L2(depth)", std::sqrt(squares / n)},
+                        {"depth at the gate", std::abs(gate - 4.0 / 9)},
+                        {"front speed", std::abs((noted(r, t) - noted(r, 0.5 * t)) / (0.5 * t) / 2 - 1)}};
+  addBooks(r, 0.5 * r.tools.mass, 1, f);
+  return f;
+}
+
+/// Martin & Moyce 1952, n^2 = 2, a = 2.25 in: T = t sqrt(2g/a), Z = front / a.
+std::vector<Figure> measureMartinMoyce(Trial& r) {
+  constexpr double measured[][2] = {{.832, 1.217}, {1.219, 1.474}, {1.997, 2.292}, {3.345, 4.134}, {4.418, 5.881}, {5.685, 7.945}};
+  constexpr double a = 0.05715;
+  const double unit = std::sqrt(a / (2 * length(r.world.scene.domain.gravity)));
+  double first = 0;  // when the front passes the first point: the gate of the experiment takes its time
+  for (const Sample& s : r.series)
+    if (s.value[0] < measured[0][1] * a) first = s.time;
+  const double shift = first / unit - measured[0][0];
+  double squares = 0, n = 0, worst = 0;
+  for (const auto& [T, Z] : measured) {
+    if (n++ == 0) continue;  // fitted
+    const double time = std::min((T + shift) * unit, r.world.clock.time), error = noted(r, time) / a / Z - 1;
+    squares += error * error;
+    worst = std::max(worst, std::abs(error));
+  }
+  std::vector<Figure> f{{"RMS((Z - Zexp)/Zexp)", std::sqrt(squares / (n - 1)), 0.05}, {"largest of it", worst}, {"shift of T", std::abs(shift)}};
+  addBooks(r, r.tools.mass * length(r.world.scene.domain.gravity) * a, std::sqrt(2 * length(r.world.scene.domain.gravity) * a), f);
+  return f;
+}
+
+// ---- vortices ------------------------------------------------------------------------------------------------------------
+
+constexpr double twoPi = 2 * 3.14159265358979323846;
+
+/// U exp(-8 pi^2 nu t / L^2), L = U = 1.
+Vec3d vortices(const World& w, const Vec3d& x) {
+  const double nu = w.scene.materials[0].viscosity.liquid / w.scene.materials[0].density, decay = std::exp(-2 * twoPi * twoPi * nu * w.clock.time);
+  return {-decay * std::cos(twoPi * x.x) * std::sin(twoPi * x.y), decay * std::sin(twoPi * x.x) * std::cos(twoPi * x.y), 0};
+}
+
+void stirVortices(Trial& r) {
+  World& w = r.world;
+  for (std::size_t i = 0; i < w.particles.owned; i++) w.particles.velocity[i] = vortices(w, w.particles.position[i]);
+  r.notes["energy"] = kineticEnergy(r);
+}
+
+std::vector<Figure> measureVortices(Trial& r) {
+  const World& w = r.world;
+  const double nu = w.scene.materials[0].viscosity.liquid / w.scene.materials[0].density, decay = std::exp(-4 * twoPi * twoPi * nu * w.clock.time);
+  const double all = sum(r, [](const World&, std::size_t) { return 1.0; });
+  const double ratio = kineticEnergy(r) / (r.notes["energy"] * decay);
+  std::vector<Figure> f{{"|E/E_exact - 1|", std::abs(ratio - 1), 0.02},
+                        {"L1(u)", sum(r, [](const World& x, std::size_t i) { return length(x.particles.velocity[i] - vortices(x, x.particles.position[i])); }) / all},
+                        {"E/E_exact", ratio}};
+  addBooks(r, r.notes["energy"], 1, f);
+  return f;
+}
+
+}  // namespace
+
+std::vector<Case> flowCases() {
+  return {{"hydrostatic", "column at rest: p = rho g (H - z), in shares of rho g H; H/dx = 40", nullptr, squeezeColumn, {}, {}, measureColumn},
+          {"hydrostatic_jittered", "the same from a lattice that is jittered by a tenth of a spacing", "hydrostatic", jitterColumn, {}, {}, measureColumn},
+          {"ritter", "dam break over a dry floor: depth in shares of H (Ritter 1892) where it is above H/20, and the front's speed from t/2 on", nullptr, {}, {}, watchFront, measureRitter},
+          {"martin_moyce", "front of a dam break to T = 5.7; T shifted so that the first point fits, the others count (Martin & Moyce 1952, n^2 = 2)", nullptr, {}, {}, watchFront,
+           measureMartinMoyce},
+          {"taylor_green", "vortices at Re 100 to t = 1: energy exp(-16 pi^2 nu t), L/dx = 100", nullptr, {}, stirVortices, {}, measureVortices},
+          {"taylor_green_50", "vortices at Re 100 to t = 1: energy exp(-16 pi^2 nu t), L/dx = 50", nullptr, {}, stirVortices, {}, measureVortices}};
+}
 
 }  // namespace thaw::accuracy

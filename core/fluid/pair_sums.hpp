@@ -13,6 +13,7 @@
 
 namespace thaw {
 
+struct LiquidMaterial;
 struct GroupRange { std::size_t begin, end; };
 
 /// Two solid particles closer than the contact distance; `own` is an owned row.
@@ -41,6 +42,11 @@ struct PairSums {
   const void* motion = nullptr;  ///< velocity (m/s), viscosity (Pa s)
   const void* state = nullptr;   ///< pressure term (Pa): f p / filling^2, printed: f p; liquid fraction f; temperature (K); conductivity (W/(m K))
   const void* surface = nullptr; ///< square root of the surface tension of the liquid (N/m)^1/2; 1 if solid, else 0; artificial viscosity (Pa s); XSPH factor
+  bool carried = false;          ///< density also sums its rate
+  double diffusion = 0;          ///< 1, of carried densities
+  Vec3d weight{};                ///< m^2/s^2, h g
+  const std::uint16_t* material = nullptr;
+  const LiquidMaterial* liquids = nullptr;
   double closeDistance = 0;      ///< of closePairs, in support radii
   double exposureScale = 0;      ///< m, of exposure
   // results, added to owned rows (float results are overwritten)
@@ -50,6 +56,10 @@ struct PairSums {
   double* dissipation = nullptr; ///< W
   double* interaction = nullptr; ///< J, half of each pair's potential energy
   float* exposure = nullptr;     ///< 1
+  Mat3d *moment = nullptr, *flow = nullptr;  ///< 1, 1/s; none: gradients are not corrected
+  const void *diagonal = nullptr, *mixed = nullptr;  ///< records of correct_pressure.hpp
+  double *densityRate = nullptr, *spreading = nullptr;  ///< 1/s
+  Vec3d* crowding = nullptr;     ///< 1, h grad filling; none: not wanted
   Vec3d* smoothed = nullptr;     ///< m/s, velocity change by XSPH
   std::int64_t* coincident = nullptr;  ///< counts particles with another one at the same place
 };

@@ -1,8 +1,10 @@
 // The pair sums of one instruction set (compiled once for each, core/simd/dispatch.cpp): each term of core/fluid/terms/ with the kernel and
 // the precision of the scene.
 #include "core/fluid/terms/artificial_viscosity.hpp"
+#include "core/fluid/terms/carried_density.hpp"
 #include "core/fluid/terms/close_pairs.hpp"
 #include "core/fluid/terms/colour_field.hpp"
+#include "core/fluid/terms/correct_pressure.hpp"
 #include "core/fluid/terms/density.hpp"
 #include "core/fluid/terms/exposure.hpp"
 #include "core/fluid/terms/forces.hpp"
@@ -31,6 +33,20 @@ template<class Action> void choose(const PairSums& in, Action action) {
 void density(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
+    using L = Lanes<Real>;
+    const double scale = in.fillingScale * in.support * in.support * in.support;
+    if (in.moment) {
+      CarriedDensity<Real, decltype(kernel), Carry::Corrected> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, scale, {L(in.weight.x), L(in.weight.y), L(in.weight.z)}};
+      return sweep(*in.lists, range, term, true);
+    }
+    if (in.carried) {
+      CarriedDensity<Real, decltype(kernel), Carry::Density> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, scale, {L(in.weight.x), L(in.weight.y), L(in.weight.z)}};
+      return sweep(*in.lists, range, term, true);
+    }
+    if (in.crowding) {
+      CarriedDensity<Real, decltype(kernel), Carry::Nothing> term{records<Real>(in.place), nullptr, nullptr, &in, scale, {L(0.0), L(0.0), L(0.0)}};
+      return sweep(*in.lists, range, term, true);
+    }
     Density<Real, decltype(kernel)> term{records<Real>(in.place), in.filling, in.coincident, in.fillingScale * in.support * in.support * in.support};
     sweep(*in.lists, range, term, true);
   });
@@ -41,8 +57,8 @@ template<bool Viscous, bool Laplacian, bool Heat> void forcesOf(const PairSums& 
     using Real = decltype(real);
     const double h = in.support;
     const double pressure = in.pressureForm == PairForm::Printed ? 0.5 : in.fillingScale * h * h * h;
-    Forces<Real, decltype(kernel), Viscous, Laplacian, Heat> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, pressure * h * h,
-                                                         h, in.conductionScale * h, Lanes<Real>(in.viscousWeight.scale)};
+    Forces<Real, decltype(kernel), Viscous, Laplacian, Heat> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, Lanes<Real>(pressure * h * h), Lanes<Real>(h),
+                                                                  Lanes<Real>(in.viscousWeight.scale), in.conductionScale * h};
     sweep(*in.lists, range, term, !Heat);
   });
 }
@@ -67,6 +83,15 @@ template<class Real> void viscousPass(const PairSums& in, const ViscousSums& out
 }
 void viscous(const PairSums& in, const ViscousSums& out, GroupRange range) {
   in.precision == Precision::Single ? viscousPass<float>(in, out, range) : viscousPass<double>(in, out, range);
+}
+
+void correctPressure(const PairSums& in, GroupRange range) {
+  choose(in, [&](auto real, auto kernel) {
+    using Real = decltype(real);
+    const double h = in.support, scale = in.fillingScale * h * h * h * h * h;
+    CorrectPressure<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.diagonal), records<Real>(in.mixed), &in, scale};
+    sweep(*in.lists, range, term, true);
+  });
 }
 
 template<class Real> void tensionOf(const PairSums& in, GroupRange range, bool colour) {
@@ -123,7 +148,7 @@ void searchNeighbours(const SearchInput&, Part, SearchBuffers&, NeighbourLists&)
 
 const PairKernels& pairKernelSet();
 const PairKernels& pairKernelSet() {
-  static constexpr PairKernels set{THAW_STRING(THAW_ISA) + 4, searchNeighbours, density,  forces,    tension,
+  static constexpr PairKernels set{THAW_STRING(THAW_ISA) + 4, searchNeighbours, density,  forces,    correctPressure, tension,
                                    artificialViscosity,       smoothing,        exposure, closePairs, viscous};
   return set;
 }

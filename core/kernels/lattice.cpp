@@ -92,6 +92,14 @@ ViscousWeight viscousWeight(const Numerics& n) {
   return {continuum.scale * 2 / (slidingViscosity(n, continuum, 0) + slidingViscosity(n, continuum, 1))};
 }
 
+double latticeGradient(const Numerics& n) {
+  return withKernel(n, [&](auto kernel) {
+    double sum = 0;
+    overNeighbours(n.support, [&](const Eigen::Vector3d&, double q2) { sum -= kernel.slope(q2) * q2 / 3; });
+    return sum / (n.support * n.support * n.support);
+  });
+}
+
 double stableViscousStep(const Numerics& n) {
   if (n.viscosity == ViscosityForm::Laplacian) return stableLaplaceStep(n);
   const double scale = viscousWeight(n).scale;

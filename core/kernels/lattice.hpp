@@ -19,6 +19,9 @@ double conductionScale(const Numerics& numerics);
 /// does not leave the lattice at rest, is 4 % too fast at h = 2 dx (benchmark poiseuille).
 ViscousWeight viscousWeight(const Numerics& numerics);
 
+/// Sum of V |dW/dr| r / 3 over the lattice: 1 where the kernel's gradient is exact.
+double latticeGradient(const Numerics& numerics);
+
 /// Largest dt nu / h^2 with which an explicit step of the scene's viscous sum is stable: 2 over its largest eigenvalue, over all
 /// plane waves on the lattice. h support radius, nu kinematic viscosity.
 double stableViscousStep(const Numerics& numerics);

@@ -29,7 +29,13 @@ struct Continuum : Table {
   // fluid
   Column<float> filling{*this, "filling", "1", Keep::Transient, "delta = sum V0_j W_ij over its lattice value; density = delta * rest density"};
   Column<float> pressure{*this, "pressure", "Pa", Keep::Transient, "from the equation of state"};
-  Column<Vec3d> smoothing{*this, "smoothing", "m/s", Keep::State, "XSPH: the particle moves with velocity + smoothing"};
+  Column<double> compression{*this, "compression", "1", Keep::State, "filling - 1, where the continuity equation carries it"};
+  Column<double> densityRate{*this, "densityRate", "1/s", Keep::Transient, "rate of compression by the flow"};
+  Column<double> spreading{*this, "spreading", "1/s", Keep::Transient, "rate of compression by diffusion"};
+  Column<Mat3d> moment{*this, "moment", "1", Keep::Transient, "of the neighbourhood; then what corrects gradients, less 1"};
+  Column<Mat3d> flow{*this, "flow", "1/s", Keep::Transient, "symmetric part of -sum V u grad W, not yet corrected"};
+  Column<Vec3d> smoothing{*this, "smoothing", "m/s", Keep::State, "XSPH and shifting: the particle moves with velocity + smoothing"};
+  Column<Vec3d> crowding{*this, "crowding", "1", Keep::Transient, "h grad of the filling by places"};
   Column<float> exposure{*this, "exposure", "1", Keep::Transient, "share in the free surface; 1 for a column of particles below a flat surface"};
   Column<Vec3d> viscousAcceleration{*this, "viscousAcceleration", "m/s^2", Keep::State, "by implicit viscosity in the last step, where the next one starts to look"};
   Column<Vec3d> viscousSearch{*this, "viscousSearch", "m/s", Keep::Transient, "velocities that implicit viscosity sends to ghosts"};

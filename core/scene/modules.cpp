@@ -75,6 +75,9 @@ Modules modulesOf(const Scene& s) {
   for (const Body& b : s.bodies) source(b.material, b.temperature, "body " + quoted(b.name), true);
   for (const Emitter& e : s.emitters) source(e.material, e.temperature, "emitter " + quoted(e.name), false);
 
+  if (m.fluid && s.numerics.density == DensityForm::Continuity) f.on(m.continuity, "density by continuity", "numerics.density");
+  if (m.continuity && s.numerics.correctedGradients) f.on(m.corrected, "corrected gradients", "numerics.corrected_gradients");
+  if (m.fluid && s.numerics.shifting > 0) f.on(m.shifting, "shifting of particles", "numerics.shifting");
   for (std::size_t k = 0; k < s.materials.size(); k++) {
     const Material& x = s.materials[k];
     if (!used[k]) continue;

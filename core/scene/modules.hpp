@@ -9,6 +9,9 @@ namespace thaw {
 
 struct Modules {
   bool fluid = false;      ///< some particle is, or can become, liquid: density, pressure, viscosity
+  bool continuity = false; ///< the flow carries the density of liquids
+  bool corrected = false;  ///< and by corrected gradients
+  bool shifting = false;   ///< particles of liquids are moved to emptier places
   bool tension = false;    ///< a liquid with surface tension
   bool xsph = false, artificialViscosity = false;
   bool implicitViscosity = false;  ///< a liquid with viscosity, and the scene asks for the implicit solver

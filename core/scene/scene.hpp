@@ -146,6 +146,7 @@ struct Domain {
 enum class KernelKind { WendlandC2, Mcg03, CubicSpline };
 enum class Precision { Single, Double };          // of pair sums; the state itself is double
 enum class PairForm { Consistent, Printed };      // Printed: K05's sums as the paper has them
+enum class DensityForm { Summation, Continuity, Plain };
 enum class EquationOfState { Linear, Tait };
 enum class ViscosityForm { Pairwise, Laplacian };
 enum class ViscositySolver { Explicit, Implicit };
@@ -161,6 +162,10 @@ struct Numerics {
   KernelKind kernel = KernelKind::WendlandC2;
   Precision precision = Precision::Single;
   PairForm pressure = PairForm::Consistent;
+  DensityForm density = DensityForm::Summation;
+  bool correctedGradients = true;  // of the continuity form
+  double densityDiffusion = 0.1;  // 1, of the continuity form, delta of Molteni & Colagrossi 2009
+  double shifting = 0;            // 1, velocity of particles from crowded to empty places, over c h |grad C|
   EquationOfState eos = EquationOfState::Linear;
   double tensileLimit = 0;        // 1: fraction of negative pressure that is kept (0: clamped at 0)
   ViscosityForm viscosity = ViscosityForm::Pairwise;

@@ -13,7 +13,10 @@ void activateFields(World& w, StepTools& t) {
             &p.dissipation, &p.interaction});
   on(m.fluid, {&p.filling, &p.pressure});
   on(m.implicitViscosity, {&p.viscousAcceleration, &p.viscousSearch});
-  on(m.xsph, {&p.smoothing});
+  on(m.continuity, {&p.compression, &p.densityRate, &p.spreading});
+  on(m.corrected, {&p.moment, &p.flow});
+  on(m.xsph || m.shifting, {&p.smoothing});
+  on(m.shifting, {&p.crowding});
   on(m.surfaceHeat, {&p.exposure});
   on(m.heat, {&p.enthalpy, &p.temperature, &p.heatFlow});
   on(m.melting, {&p.liquid, &p.softening});

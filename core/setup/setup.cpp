@@ -75,7 +75,10 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   t.emitters = planEmitters(w.scene);
   t.wallTables = makeWallTables(w.scene.numerics);
   const double h = w.grid.support;
-  t.perLatticeSum = 1 / latticeSum(w.scene.numerics);
+  const Numerics& n = w.scene.numerics;
+  const bool plain = n.density == DensityForm::Plain || n.pressure == PairForm::Printed;
+  t.perLatticeSum = 1 / (plain ? latticeSum(n) : latticeGradient(n));
+  t.selfWeight = latticeSum(n) * t.perLatticeSum - 1;
   t.fillingScale = t.perLatticeSum / (h * h * h);
   activateFields(w, t);
 }

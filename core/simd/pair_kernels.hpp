@@ -14,6 +14,7 @@ struct PairKernels {
   void (*search)(const SearchInput&, Part, SearchBuffers&, NeighbourLists&);
   void (*density)(const PairSums&, GroupRange);
   void (*forces)(const PairSums&, GroupRange);
+  void (*correctPressure)(const PairSums&, GroupRange);
   void (*tension)(const PairSums&, GroupRange);
   void (*artificialViscosity)(const PairSums&, GroupRange);
   void (*smoothing)(const PairSums&, GroupRange);

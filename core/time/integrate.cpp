@@ -24,9 +24,12 @@ void kickAndDrift(World& w, double dt) {
   Continuum& p = w.particles;
   const double half = 0.5 * dt;
   bookImpulses(w, half);
-  const bool smoothed = p.smoothing.active, substeps = w.clock.substeps > 1;
   const double lessFast = 1.0 / w.clock.substeps - 1;  // fast forces get half a substep
+  const bool smoothed = p.smoothing.active, shifted = w.modules.shifting, substeps = w.clock.substeps > 1;
+  const Vec3d g = w.scene.domain.gravity;
   for (std::size_t i = 0; i < p.owned; i++) {
+    if (shifted)  // against the forces that depend on where particles are: not pressure where the flow carries the density
+      p.dissipated[i] += p.mass[i] * dt * dot(w.modules.continuity ? g : p.acceleration[i], p.smoothing[i]);
     p.velocity[i] += p.acceleration[i] * half;
     if (substeps) {
       if (!(p.clamped.active && p.clamped[i])) p.velocity[i] += p.fastAcceleration[i] * (lessFast * half);

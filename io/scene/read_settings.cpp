@@ -49,6 +49,10 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.choice("kernel", n.kernel, {"wendland", "mcg03", "cubic"}, "Wendland C2; poly6, spiky and viscosity kernel of Mueller et al. 2003; cubic spline");
   r.choice("precision", n.precision, {"single", "double"}, "of sums over pairs; the state is double");
   r.choice("pressure", n.pressure, {"consistent", "printed"}, "consistent pair form, or the sum as printed in Keiser et al. 2005 (half the gradient)");
+  r.choice("density", n.density, {"summation", "continuity", "plain"}, "of liquids: summed over places, such that it changes with compression as the density does; carried along by the divergence of the flow; or the plain sum");
+  r.flag("corrected_gradients", n.correctedGradients, "of the continuity form: exact for linear fields inside the liquid (Bonet & Lok 1999)");
+  r.number("density_diffusion", n.densityDiffusion, "", between(0, 1), "of the continuity form: evens out the density of neighbours");
+  r.number("shifting", n.shifting, "", between(0, 0.3), "speed of particles from crowded to empty places inside a liquid, over c h times the gradient of the filling; 0: none");
   r.choice("equation_of_state", n.eos, {"linear", "tait"}, "pressure by density");
   r.number("tensile_limit", n.tensileLimit, "", between(0, 1), "share of negative pressure that is kept");
   r.choice("viscosity", n.viscosity, {"pairwise", "laplacian"}, "along the line of two particles (keeps angular momentum), or as printed in Keiser et al. 2005");

@@ -15,58 +15,60 @@ template<class Real, class Kernel, bool Viscous, bool Laplacian, bool Heat> stru
   using L = Lanes<Real>;
   const Record<Real>*place, *motion, *state;
   const PairSums* in;
-  double pressureScale, viscousScale, heatScale;
-  L viscousWeight;
+  L pressureScale, viscousScale, viscousWeight;
+  double heatScale;
   struct Data { Lanes4<Real> place, motion, state; };
-  struct Sum { L px = L(0.0), py = L(0.0), pz = L(0.0), vx = L(0.0), vy = L(0.0), vz = L(0.0), lost = L(0.0); Lanes<double> heat = Lanes<double>(0.0); };
+  using Wide = Lanes<double>;
+  struct Sum { Wide x = Wide(0.0), y = Wide(0.0), z = Wide(0.0); L lost = L(0.0); Wide heat = Lanes<double>(0.0); };
   THAW_INLINE Data load(const std::uint32_t* rows) const {
     return {thaw::THAW_ISA::load(place, rows), thaw::THAW_ISA::load(motion, rows), thaw::THAW_ISA::load(state, rows)};
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
     const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);
     const L q2 = dx * dx + dy * dy + dz * dz;
-    const L Vj = j.place.d;
+    const L VV = i.place.d * j.place.d;
     const L slope = Kernel::slope(q2);
     const L fi = i.state.b, fj = j.state.b;
-    const L pressure = Vj * slope * (i.state.a + j.state.a);
-    s.px -= pressure * dx;
-    s.py -= pressure * dy;
-    s.pz -= pressure * dz;
+    // Every factor below is the same for j, or of the other sign, to the last bit: summed in double precision, no momentum is lost to rounding.
+    const L pressure = pressureScale * VV * slope * (i.state.a + j.state.a);
     const L ux = i.motion.a - j.motion.a, uy = i.motion.b - j.motion.b, uz = i.motion.c - j.motion.c;
     const L wet = fi + fj - fi * fj;
     const L mui = i.motion.d, muj = j.motion.d;
     if constexpr (!Viscous) {
+      s.x -= widen(pressure * dx);
+      s.y -= widen(pressure * dy);
+      s.z -= widen(pressure * dz);
     } else if constexpr (Laplacian) {
-      const L mu = L(0.5) * (mui + muj) * wet * Vj * Kernel::laplace(q2);
-      s.vx -= mu * ux;
-      s.vy -= mu * uy;
-      s.vz -= mu * uz;
+      const L mu = L(0.5) * (mui + muj) * wet * VV * Kernel::laplace(q2), m = viscousScale * mu;
+      s.x -= widen(pressure * dx + m * ux);
+      s.y -= widen(pressure * dy + m * uy);
+      s.z -= widen(pressure * dz + m * uz);
       s.lost += mu * (ux * ux + uy * uy + uz * uz);
     } else {
       const L mean = L(2.0) * mui * muj / max(mui + muj, L(1e-30));
       const L approach = ux * dx + uy * dy + uz * dz;
-      const L mu = wet * mean * Vj * alongPair(viscousWeight, q2) * approach / (q2 + L(1e-6));
-      s.vx -= mu * dx;
-      s.vy -= mu * dy;
-      s.vz -= mu * dz;
+      const L mu = wet * mean * VV * alongPair(viscousWeight, q2) * approach / (q2 + L(1e-6));
+      const L f = pressure + viscousScale * mu;
+      s.x -= widen(f * dx);
+      s.y -= widen(f * dy);
+      s.z -= widen(f * dz);
       s.lost += mu * approach;
     }
     if constexpr (Heat) {
       const L ki = i.state.d, kj = j.state.d;
       const L k = L(2.0) * ki * kj / max(ki + kj, L(1e-30));
       // the same for j but for its sign, to the last bit; summed in double precision so that no heat is lost to rounding
-      s.heat += widen(i.place.d * Vj * k * Kernel::laplace(q2) * (j.state.c - i.state.c));
+      s.heat += widen(VV * k * Kernel::laplace(q2) * (j.state.c - i.state.c));
     }
   }
-  THAW_INLINE void finish(const std::uint32_t* rows, const Data& i, const Sum& s, std::uint32_t dummy) const {
+  THAW_INLINE void finish(const std::uint32_t* rows, const Data&, const Sum& s, std::uint32_t dummy) const {
     for (int l = 0; l < 8; l++)
       if (rows[l] != dummy) {
-        const double V = static_cast<double>(i.place.d[l]), p = V * pressureScale, v = V * viscousScale;
         Vec3d& f = in->force[rows[l]];
-        f.x += p * static_cast<double>(s.px[l]) + v * static_cast<double>(s.vx[l]);
-        f.y += p * static_cast<double>(s.py[l]) + v * static_cast<double>(s.vy[l]);
-        f.z += p * static_cast<double>(s.pz[l]) + v * static_cast<double>(s.vz[l]);
-        in->dissipation[rows[l]] += 0.5 * v * static_cast<double>(s.lost[l]);
+        f.x += s.x[l];
+        f.y += s.y[l];
+        f.z += s.z[l];
+        in->dissipation[rows[l]] += 0.5 * in->support * static_cast<double>(s.lost[l]);
         if constexpr (Heat) in->heatFlow[rows[l]] += heatScale * s.heat[l];
       }
   }

@@ -1,0 +1,91 @@
+// Density that the flow carries along, and how crowded a place is. One term of the pair sums (term.hpp).
+#pragma once
+#include "core/fluid/liquid_materials.hpp"
+#include "core/fluid/terms/term.hpp"
+
+namespace thaw {
+namespace THAW_ISA {
+namespace {
+
+/// Filling by places as Density has it, h times its gradient (for shifting) and, if Carried, the rate of the filling: sum V0_j (u_i - u_j).grad W,
+/// whose adjoint is the pressure force of Forces, so that pairs keep energy (Bonet & Lok 1999); and diffusion of it (Molteni & Colagrossi
+/// 2009 eq. 11) of what is not the weight of the liquid (Fourtakas 2019 eq. 10).
+enum class Carry { Nothing, Density, Corrected };
+
+template<class Real, class Kernel, Carry carry> struct CarriedDensity {
+  using L = Lanes<Real>;
+  static constexpr bool Carried = carry != Carry::Nothing, Corrected = carry == Carry::Corrected;
+  const Record<Real>*place, *motion, *state;
+  const PairSums* in;
+  double scale;
+  L weight[3];  ///< h g
+  struct Data { Lanes4<Real> place, motion, state; };
+  struct Sum { L filling = L(0.0), closest = L(1.0), x = L(0.0), y = L(0.0), z = L(0.0), rate = L(0.0), spread = L(0.0), column = L(0.0), moment[6] = {L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0)}, flow[6] = {L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0)}; };
+  THAW_INLINE Data load(const std::uint32_t* rows) const {
+    if constexpr (Carried) return {thaw::THAW_ISA::load(place, rows), thaw::THAW_ISA::load(motion, rows), thaw::THAW_ISA::load(state, rows)};
+    else return {thaw::THAW_ISA::load(place, rows), {}, {}};
+  }
+  THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
+    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);
+    const L q2 = dx * dx + dy * dy + dz * dz, V = j.place.d;
+    s.filling += V * Kernel::w(q2);
+    s.closest = select(V > L(0.0), min(s.closest, q2), s.closest);
+    const L g = V * Kernel::slope(q2);
+    s.x += g * dx;
+    s.y += g * dy;
+    s.z += g * dz;
+    if constexpr (Carried) {
+      const L ux = i.motion.a - j.motion.a, uy = i.motion.b - j.motion.b, uz = i.motion.c - j.motion.c;
+      if constexpr (Corrected) {  // L is symmetric: of the flow's gradient only the symmetric part counts
+        const L gx = g * dx, gy = g * dy, gz = g * dz;
+        s.moment[0] -= gx * dx;
+        s.moment[1] -= gy * dy;
+        s.moment[2] -= gz * dz;
+        s.moment[3] -= gx * dy;
+        s.moment[4] -= gx * dz;
+        s.moment[5] -= gy * dz;
+        s.flow[0] += gx * ux;
+        s.flow[1] += gy * uy;
+        s.flow[2] += gz * uz;
+        s.flow[3] += gx * uy + gy * ux;
+        s.flow[4] += gx * uz + gz * ux;
+        s.flow[5] += gy * uz + gz * uy;
+      } else {
+        s.rate += g * (ux * dx + uy * dy + uz * dz);
+      }
+      const L both = V * Kernel::laplace(q2) * i.state.b * j.state.b;
+      s.spread += both * (j.state.a - i.state.a);
+      s.column += both * (weight[0] * dx + weight[1] * dy + weight[2] * dz);
+    }
+  }
+  THAW_INLINE void finish(const std::uint32_t* rows, const Data& i, const Sum& s, std::uint32_t dummy) const {
+    const L total = s.filling + i.place.d * Kernel::w(L(0.0));
+    const bool touching = any(s.closest < L(1e-20));
+    const double h = in->support;
+    for (int l = 0; l < 8; l++)
+      if (rows[l] != dummy) {
+        const std::uint32_t row = rows[l];
+        in->filling[row] = static_cast<float>(scale * static_cast<double>(total[l]));
+        if (touching && s.closest[l] < Real(1e-20)) ++*in->coincident;
+        if (in->crowding) in->crowding[row] = {scale * static_cast<double>(s.x[l]), scale * static_cast<double>(s.y[l]), scale * static_cast<double>(s.z[l])};
+        if constexpr (Carried) {
+          const auto of = [&](const L& a) { return static_cast<double>(a[l]); };
+          if constexpr (Corrected) {
+            const L *m = s.moment, *u = s.flow;
+            in->moment[row] = {{{scale * of(m[0]), scale * of(m[3]), scale * of(m[4])}, {scale * of(m[3]), scale * of(m[1]), scale * of(m[5])}, {scale * of(m[4]), scale * of(m[5]), scale * of(m[2])}}};
+            const double k = scale / h, half = 0.5 * k;
+            in->flow[row] = {{{k * of(u[0]), half * of(u[3]), half * of(u[4])}, {half * of(u[3]), k * of(u[1]), half * of(u[5])}, {half * of(u[4]), half * of(u[5]), k * of(u[2])}}};
+            in->densityRate[row] = k * (of(u[0]) + of(u[1]) + of(u[2]));
+          } else {
+            in->densityRate[row] = scale / h * of(s.rate);
+          }
+          const double c = in->liquids[in->material[row]].soundSpeed;
+          in->spreading[row] = in->diffusion * 0.5 * c / h * (static_cast<double>(s.spread[l]) + static_cast<double>(s.column[l]) / (c * c));
+        }
+      }
+  }
+};
+
+}  // namespace
+}  // namespace THAW_ISA
+}  // namespace thaw

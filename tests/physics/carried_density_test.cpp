@@ -1,0 +1,69 @@
+// Forms of the density: what each keeps, and how it grows with compression.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/simulation.hpp"
+
+namespace thaw {
+namespace {
+
+using test::Simulation;
+
+/// A periodic box that the liquid fills, `spacing` apart where it is at rest with 1.
+Scene fullBox(double spacing) {
+  Scene s = test::columnScene(0.1, 0, 0.8);
+  s.spacing = spacing;
+  s.domain.max = {0.8, 0.8, 0.8};
+  s.domain.side[2] = {Side::Periodic, Side::Periodic};
+  s.materials[0].soundSpeed = 10;
+  s.materials[0].density = 1;
+  s.materials[0].viscosity.liquid = 0.01;
+  test::addBox(s, {0, 0, 0}, {0.8, 0.8, 0.8});
+  s.end = 0.1;
+  return s;
+}
+
+void stir(Simulation& r) {
+  const double k = 2 * 3.14159265358979323846 / 0.8;
+  for (std::size_t i = 0; i < r.particles().owned; i++) {
+    const Vec3d x = r.particles().position[i];
+    r.particles().velocity[i] = {std::sin(k * x.y), std::sin(k * x.z), 0.5 * std::sin(k * x.x)};
+  }
+  takeStock(r.w, r.halos(), r.tools);
+}
+
+TEST(CarriedDensity, KeepsMomentumToRoundingAndEnergyInTheBooks) {
+  for (const bool corrected : {false, true})
+    for (const double shifting : {0.0, 0.1}) {
+      Scene s = fullBox(0.1);
+      s.numerics.density = DensityForm::Continuity;
+      s.numerics.tensileLimit = 1;
+      s.numerics.correctedGradients = corrected;
+      s.numerics.shifting = shifting;
+      Simulation r(s);
+      stir(r);
+      const double kinetic = r.books().now.kinetic;
+      ASSERT_TRUE(r.run());
+      const LedgerReport l = r.books();
+      EXPECT_LT(length(l.momentumResidual), 1e-8 * l.now.mass) << corrected << shifting;
+      EXPECT_LT(std::abs(l.energyResidual), 0.01 * kinetic) << corrected << shifting;
+    }
+}
+
+TEST(Density, GrowsWithCompressionAsTheVolumeShrinks) {
+  Scene s = fullBox(0.1);
+  Simulation r(s);
+  EXPECT_NEAR(static_cast<double>(r.particles().filling[0]), 1, 1e-6);
+  const double e = 0.001;
+  Simulation q(s);
+  for (std::size_t i = 0; i < q.particles().owned; i++) q.particles().position[i].z = 0.4 + (q.particles().position[i].z - 0.4) * (1 - e);
+  takeStock(q.w, q.halos(), q.tools);
+  double middle = 0;  // far from the gap that opens at the periodic side
+  for (std::size_t i = 0; i < q.particles().owned; i++)
+    if (std::abs(q.particles().position[i].z - 0.4) < 0.06) middle = static_cast<double>(q.particles().filling[i]);
+  EXPECT_NEAR((middle - 1) / e, 1, 0.02);
+}
+
+}  // namespace
+}  // namespace thaw
