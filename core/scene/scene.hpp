@@ -45,7 +45,7 @@ struct Material {
   Blend creepRate{never, never};    // 1/s, gamma_creep: rate at which plastic strain follows; never: at once
   double maxPlasticStrain = never;  // 1, gamma_max
   double volumeStiffness = 0;   // Pa, k_v of the volume force (MKN04)
-  double hourglass = 0.1;       // 1, alpha of the penalty on zero-energy modes (Ganzenmueller 2015)
+  double hourglass = 1;       // 1, alpha of the penalty on zero-energy modes (Ganzenmueller 2015)
   double breakStretch = never;  // 1, a bond longer than this times its reference length breaks
   double damping = 0;           // 1/s, rate at which velocity differences between bonded particles decay
   bool weld = false;            // solids of this material that touch after freezing grow together
@@ -154,8 +154,10 @@ enum class OverlapRule { Error, Keep, RemoveLater, RemoveEarlier };
 
 struct Numerics {
   double support = 2.0;           // 1, support radius over spacing
+  double bondSupport = 1.5;       // 1, longest bond of solids over spacing; at most support
   KernelKind kernel = KernelKind::WendlandC2;
   Precision precision = Precision::Single;
+  Precision elasticPrecision = Precision::Double;
   PairForm pressure = PairForm::Consistent;
   EquationOfState eos = EquationOfState::Linear;
   double tensileLimit = 0;        // 1: fraction of negative pressure that is kept (0: clamped at 0)
