@@ -25,7 +25,7 @@ void deformAll(World& w, Halos& halos, StepTools& t, const ElasticStep& step) {
 BondForming bondForming(const World& w, const StepTools& t) {
   BondForming forming;
   forming.rule = t.bondsAtStart ? BondRule::Start : w.modules.welding ? BondRule::Welding : BondRule::Freezing;
-  forming.support = w.grid.support;
+  forming.support = t.elastic.support;
   forming.touch = contactDistance * w.scene.spacing;  // where they would push each other away
   forming.selfWeld = w.scene.numerics.selfContact;
   forming.periods = t.elastic.periods;

@@ -46,8 +46,8 @@ template<class Visit> void around(int n, int reach, std::size_t i, Visit&& visit
 void build(Block& b, int n, double support, Precision precision) {
   const double dx = 0.01, h = support * dx;
   b.scene.spacing = dx;
-  b.scene.numerics.support = support;
-  b.scene.numerics.precision = precision;
+  b.scene.numerics.bondSupport = support;
+  b.scene.numerics.elasticPrecision = precision;
   b.scene.materials.resize(1);
   b.scene.materials[0].young = {1e6, 0};
   b.modules.solid = true;

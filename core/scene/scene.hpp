@@ -45,7 +45,7 @@ struct Material {
   Blend creepRate{never, never};    // 1/s, gamma_creep: rate at which plastic strain follows; never: at once
   double maxPlasticStrain = never;  // 1, gamma_max
   double volumeStiffness = 0;   // Pa, k_v of the volume force (MKN04)
-  double hourglass = 0.1;       // 1, alpha of the penalty on zero-energy modes (Ganzenmueller 2015)
+  double hourglass = 1.25;      // 1, alpha of the penalty on zero-energy modes (Ganzenmueller 2015); 1.25 also makes up for the error of short waves (elastic.hpp)
   double breakStretch = never;  // 1, a bond longer than this times its reference length breaks
   double damping = 0;           // 1/s, rate at which velocity differences between bonded particles decay
   bool weld = false;            // solids of this material that touch after freezing grow together
@@ -159,8 +159,10 @@ enum class Quality { Preview, Standard, Reference };  // sets of numerical choic
 
 struct Numerics {
   double support = 2.0;           // 1, support radius over spacing
+  double bondSupport = 1.7;       // 1, longest bond of solids over spacing; at most support
   KernelKind kernel = KernelKind::WendlandC2;
   Precision precision = Precision::Single;
+  Precision elasticPrecision = Precision::Double;
   PairForm pressure = PairForm::Consistent;
   DensityForm density = DensityForm::Summation;
   bool correctedGradients = true;  // of the continuity form

@@ -7,6 +7,10 @@
 // through F_i is zero and the forces below are the exact derivative of the energy, which conserves momentum, angular
 // momentum and energy. With flux_i = V_i P_i A_i^-1 - k_i grad u_i the force on i is
 //   sum_j w_ij [ flux_i X_ij - flux_j X_ji + k_i (x_ij - X_ij) + k_j (x_ij + X_ji) ].
+// The gradient alone is too soft for short waves, by a share (k dx)^2/6 at bonds of up to 2 spacings, and for bending, since at a surface
+// the neighbourhood lies to one side. The penalty is of the same order in dx: with alpha = 1.5 S waves along an axis have no error of
+// second order, and with bonds of 1.7 spacings and alpha = 1.25 bending has next to none (benchmarks/accuracy: p_wave, cantilever).
+// With bonds of 1.5 spacings alpha = 1 does, but what froze unevenly then needs steps half as long.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -117,8 +121,8 @@ void computeCauchyStress(const ElasticWork& work, Solids& solids);
 /// The neighbourhoods that bound the time step: grip of a slot is sum_j |w_j A^-1 X_j| + |sum_j w_j A^-1 X_j|, 1/m, what one metre of its
 /// neighbours' displacement makes of strain. The largest frequency of a body is below sqrt(.45) c_p grip (measured: .21 of the square on
 /// a lattice, .25-.35 in disorder, .45 in a crumpled sheet); a lattice's faces and corners have up to latticeGrip / spacing at
-/// a support of 2.
-inline constexpr double latticeGrip = 4.5;
+/// bonds of 1.5 spacings and more.
+inline constexpr double latticeGrip = 4.75;
 inline constexpr double flatGrip = 1.4;  ///< factor of the grip of rows and sheets: a pair's frequency is c_p grip, with nothing below
 double largestGrip(const ElasticWork& work, const Solids& solids);  ///< 1/m, of the owned slots
 std::int64_t countSingular(const ElasticWork& work, const Solids& solids);  ///< owned slots whose moment matrix has rank < 3

@@ -9,8 +9,8 @@ namespace thaw {
 void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, ElasticWork& work, const Scene& scene, const Modules& modules,
                          const CellGrid& grid) {
   work.materials = scene.materials;
-  work.precision = scene.numerics.precision;
-  work.support = scene.numerics.support * scene.spacing;
+  work.precision = scene.numerics.elasticPrecision;
+  work.support = scene.numerics.bondSupport * scene.spacing;
   work.rereference = scene.numerics.plasticRereference;
   work.periods = periodsOf(grid);
   work.periodic = grid.periodic[0] || grid.periodic[1] || grid.periodic[2];

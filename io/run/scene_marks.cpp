@@ -34,6 +34,7 @@ CheckpointValues sceneMarks(const Scene& s) {
   marks["spacing"] = s.spacing;
   marks["seed"] = static_cast<double>(s.seed);
   marks["numerics.support"] = s.numerics.support;
+  marks["numerics.bond_support"] = s.numerics.bondSupport;       // bonds that are there were made with it
   marks["numerics.heat"] = static_cast<double>(s.numerics.heat);  // enthalpy is not kept by the plain temperature model
   marks["output.every"] = s.output.every;                        // the numbers of frames would run into those that are there
   for (int a = 0; a < 3; a++) {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -72,6 +73,10 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
     for (const Material& m : s.materials)
       if (m.paperDiffusivity == 0 && (m.conductivity.solid > 0 || m.conductivity.liquid > 0))
         errors.push_back({m.where, fmt::format("material.{}: with numerics.heat = \"paper\" heat spreads by paper_diffusivity, not by conductivity", m.name)});
+  const auto solid = std::find_if(s.materials.begin(), s.materials.end(), [](const Material& m) { return m.canBeSolid(); });
+  if (solid != s.materials.end() && s.numerics.bondSupport > s.numerics.support)
+    errors.push_back({solid->where, fmt::format("material.{} can be solid, and numerics.bond_support ({:g}) is above numerics.support ({:g}), within which neighbours are looked for",
+                                                solid->name, s.numerics.bondSupport, s.numerics.support)});
   checkSizes(x, errors);
 }
 

@@ -46,8 +46,10 @@ void readDomain(TableReader& r, Domain& d) {
 
 void readNumerics(TableReader& r, Numerics& n) {
   r.number("support", n.support, "", between(1.2, 6), "support radius of the kernel in spacings");
+  r.number("bond_support", n.bondSupport, "", between(1.2, 6), "longest bond of solids in spacings, at most `support`; longer ones make thin bodies softer, shorter ones make uneven lumps need shorter steps");
   r.choice("kernel", n.kernel, {"wendland", "mcg03", "cubic"}, "Wendland C2; poly6, spiky and viscosity kernel of Mueller et al. 2003; cubic spline");
   r.choice("precision", n.precision, {"single", "double"}, "of sums over pairs; the state is double");
+  r.choice("elastic_precision", n.elasticPrecision, {"single", "double"}, "of sums over bonds of solids; single is accurate to 1e-6 of the strain");
   r.choice("pressure", n.pressure, {"consistent", "printed"}, "consistent pair form, or the sum as printed in Keiser et al. 2005 (half the gradient)");
   r.choice("density", n.density, {"summation", "continuity", "plain"}, "of liquids: summed over places, such that it changes with compression as the density does; carried along by the divergence of the flow; or the plain sum");
   r.flag("corrected_gradients", n.correctedGradients, "of the continuity form: exact for linear fields inside the liquid (Bonet & Lok 1999)");

@@ -162,7 +162,7 @@ TEST(ElasticBody, stepLimitOfUnevenNeighbourhoods) {
 }
 
 TEST(ElasticBody, latticeGripBoundsLattices) {
-  for (const double support : {2.0, 2.5, 3.0}) {
+  for (const double support : {1.5, 1.75, 2.0, 2.5, 3.0}) {
     BodyOptions options;
     options.support = support;
     const auto b = makeBody(lattice({7, 7, 7}, 0.1), {elasticMaterial()}, options);

@@ -62,8 +62,8 @@ inline std::unique_ptr<SolidBody> makeBody(const std::vector<Vec3d>& points, std
   auto body = std::make_unique<SolidBody>();
   SolidBody& b = *body;
   b.scene.spacing = options.spacing;
-  b.scene.numerics.support = options.support;
-  b.scene.numerics.precision = options.precision;
+  b.scene.numerics.bondSupport = options.support;
+  b.scene.numerics.elasticPrecision = options.precision;
   b.scene.materials = std::move(materials);
   b.modules.solid = true;
   b.modules.freezing = options.freezing;

@@ -46,7 +46,7 @@ struct Lattice {
 
   explicit Lattice(Precision precision = Precision::Single) : points(test::lattice({5, 4, 3}, 0.1)) {
     scene.spacing = 0.1;
-    scene.numerics.precision = precision;
+    scene.numerics.elasticPrecision = precision;
     scene.materials = {test::elasticMaterial()};
     modules.solid = modules.freezing = true;
     p.activate(p.id);
