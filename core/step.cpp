@@ -77,7 +77,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.neighbours) sumOverNeighbours(w, t, NeighbourPass::BoundaryForces);
   if (p.softening.active && w.modules.fluid) beginSoftening(w, t);          // how the energy of pairs and contacts depends on what melts
   if (w.modules.solid) addElasticForces(w, halos, t, dt);
-  if (w.modules.contact) addSolidContacts({w.scene, w.grid, w.solids, w.bonds}, t.closePairs, p);
+  if (w.modules.contact) addSolidContacts({w.scene, w.grid, w.solids, w.bonds, w.modules.fluid ? nullptr : &w.counters.coincidentPairs}, t.closePairs, p);
   t.times.lap(StepPhase::Contact);
   addWallForces(walls, t.perLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
