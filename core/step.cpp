@@ -17,7 +17,7 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   t.times.start();
   const double dt = clip(w.clock, w.clock.dt), time = timeAfter(w.clock, dt);
   kickAndDrift(w, dt);                         // v += a dt/2, x += v dt
-  wrapPeriodic(w.grid, w.scene.domain, w.particles);
+  wrapPeriodic(w.grid, w.scene.domain, w.particles, w.ledger.entered.potential);
   moveWalls(w.walls, time);
   t.times.lap(StepPhase::Drift);
 

@@ -4,14 +4,16 @@
 
 namespace thaw {
 
-void wrapPeriodic(const CellGrid& g, const Domain& d, Continuum& p) {
+void wrapPeriodic(const CellGrid& g, const Domain& d, Continuum& p, ExactSum& potential) {
   for (int a = 0; a < 3; a++) {
     if (!g.periodic[a]) continue;
     for (std::size_t i = 0; i < p.owned; i++) {
       double& x = p.position[i][a];
       if (x >= d.min[a] && x < d.max[a]) continue;
+      const double before = x;
       x -= g.period[a] * std::floor((x - d.min[a]) / g.period[a]);
       if (x >= d.max[a] || x < d.min[a]) x = d.min[a];  // rounding at the seam
+      if (d.gravity[a] != 0) potential.add(-p.mass[i] * d.gravity[a] * (x - before));
     }
   }
 }

@@ -3,14 +3,16 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/math/exact_sum.hpp"
 #include "core/neighbours/grid.hpp"
 #include "core/particles/continuum.hpp"
 #include "core/scene/scene.hpp"
 
 namespace thaw {
 
-/// Brings owned particles that crossed a periodic side back into the domain.
-void wrapPeriodic(const CellGrid& grid, const Domain& domain, Continuum& particles);
+/// Brings owned particles that crossed a periodic side back into the domain. The potential of gravity (J) that this gives them, where they
+/// fall round and round, is added to `potential`.
+void wrapPeriodic(const CellGrid& grid, const Domain& domain, Continuum& particles, ExactSum& potential);
 
 /// Owned rows beyond an open side, ascending, into `rows`. Their nextCell is set to noCell, so that migration leaves them alone; the
 /// caller books and drops them.
