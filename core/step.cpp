@@ -49,6 +49,11 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.solid) relinkSolids(w, halos, t, {{}, t.phaseChangedHere || leftSlots || t.bondsAtStart});
   t.phaseChangedHere = false;
 
+  // first of all, since it puts particles that are deep in a wall back to its surface: ghosts and bonds must see them there
+  const WallContext walls{w, t.wallTables, t.liquids, dt, dt > 0 ? dt : w.clock.dt};
+  findWallContacts(walls, t.wallContacts);
+  t.times.lap(StepPhase::Walls);
+
   const std::int64_t coincident = w.counters.coincidentPairs;
   const bool neighbours = needsNeighbours(w, t);
   if (neighbours) halos.cells.beginGhosts(p, w.cells, ghostColumns(w));  // copies of the cells around ours are on their way ...
@@ -63,8 +68,6 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
     markInner(w, halos.cells, t);
     sumOverNeighbours(w, t, NeighbourPass::BoundaryDensity);
   }
-  const WallContext walls{w, t.wallTables, t.liquids, dt, dt > 0 ? dt : w.clock.dt};
-  findWallContacts(walls, t.wallContacts);
   if (w.modules.fluid) addWallFilling(walls, t.perLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
 
