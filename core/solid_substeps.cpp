@@ -21,7 +21,7 @@ void drift(World& w, double span, double far2) {
     }
     if (p.smoothing.active && !(p.clamped.active && p.clamped[i])) v += p.smoothing[i];
     p.position[i] += v * span;
-    wrapPlace(w.grid, w.scene.domain, p.position[i]);
+    if (const double potential = wrapPlace(w.grid, w.scene.domain, p.position[i]); potential != 0) w.ledger.entered.potential.add(p.mass[i] * potential);
   }
 }
 

@@ -20,7 +20,7 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   const double dt = clip(w.clock, w.clock.dt), time = timeAfter(w.clock, dt);
   kickAndDrift(w, dt);                         // v += a dt/2, x += v dt
   substepSolids(w, halos, t, dt);              // stiff solids: bonds alone, in shorter steps
-  wrapPeriodic(w.grid, w.scene.domain, w.particles);
+  wrapPeriodic(w.grid, w.scene.domain, w.particles, w.ledger.entered.potential);
   moveWalls(w.walls, time);
   t.times.lap(StepPhase::Drift);
 
@@ -52,6 +52,11 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.solid) relinkSolids(w, halos, t, {{}, t.phaseChangedHere || leftSlots || t.bondsAtStart});
   t.phaseChangedHere = false;
 
+  // first of all, since it puts particles that are deep in a wall back to its surface: ghosts and bonds must see them there
+  const WallContext walls{w, t.wallTables, t.liquids, dt, dt > 0 ? dt : w.clock.dt, 1.0 / w.clock.substeps};
+  findWallContacts(walls, t.wallContacts);
+  t.times.lap(StepPhase::Walls);
+
   const std::int64_t coincident = w.counters.coincidentPairs;
   const bool neighbours = needsNeighbours(w, t);
   if (neighbours) halos.cells.beginGhosts(p, w.cells, ghostColumns(w));  // copies of the cells around ours are on their way ...
@@ -66,8 +71,6 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
     markInner(w, halos.cells, t);
     sumOverNeighbours(w, t, NeighbourPass::BoundaryDensity);
   }
-  const WallContext walls{w, t.wallTables, t.liquids, dt, dt > 0 ? dt : w.clock.dt, 1.0 / w.clock.substeps};
-  findWallContacts(walls, t.wallContacts);
   if (w.modules.fluid) removeSelfWeight(w, t.selfWeight);
   if (w.modules.fluid) addWallFilling(walls, t.perLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
@@ -83,7 +86,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.neighbours) sumOverNeighbours(w, t, NeighbourPass::BoundaryForces);
   if (p.softening.active && w.modules.fluid) beginSoftening(w, t);          // how the energy of pairs and contacts depends on what melts
   if (w.modules.solid) addElasticForces(w, halos, t, dt);
-  if (w.modules.contact) addSolidContacts({w.scene, w.grid, w.solids, w.bonds}, t.closePairs, p);
+  if (w.modules.contact) addSolidContacts({w.scene, w.grid, w.solids, w.bonds, w.modules.fluid ? nullptr : &w.counters.coincidentPairs}, t.closePairs, p);
   t.times.lap(StepPhase::Contact);
   addWallForces(walls, t.perLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);

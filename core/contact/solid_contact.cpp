@@ -43,10 +43,19 @@ void addSolidContacts(const ContactContext& x, const ClosePairs& pairs, Continuu
     if (bonded(x, p.slot[i], p.id[j])) continue;
     const Vec3d d = between(x.grid, p.position[i], p.position[j]);
     const double r = length(d);
-    if (r >= d0 || r == 0) continue;
-    const Vec3d n = d / r, u = p.velocity[i] - p.velocity[j];
+    if (r >= d0) continue;
     const Elastic a = elasticOf(x.scene, p, i), b = elasticOf(x.scene, p, j);
     const double k = 2 * a.stiffness * b.stiffness / (a.stiffness + b.stiffness);
+    p.interaction[i] += 0.25 * k * (d0 - r) * (d0 - r);
+    if (p.softening.active) {
+      const double share = b.stiffness / (a.stiffness + b.stiffness);
+      p.softening[i] += a.softening * share * share * (d0 - r) * (d0 - r);
+    }
+    if (r == 0) {
+      if (x.coincident) ++*x.coincident;
+      continue;
+    }
+    const Vec3d n = d / r, u = p.velocity[i] - p.velocity[j];
     const double mass = p.mass[i] * p.mass[j] / (p.mass[i] + p.mass[j]);
     const double c = 2 * dashpotRatio(std::min(a.restitution, b.restitution)) * std::sqrt(k * mass);
     const double un = dot(u, n), spring = k * (d0 - r);
@@ -58,11 +67,6 @@ void addSolidContacts(const ContactContext& x, const ClosePairs& pairs, Continuu
     Vec3d f = n * normalForce;
     if (slip > 0) f -= tangential * (rub / slip);
     p.force[i] += f;
-    p.interaction[i] += 0.25 * k * (d0 - r) * (d0 - r);
-    if (p.softening.active) {
-      const double share = b.stiffness / (a.stiffness + b.stiffness);
-      p.softening[i] += a.softening * share * share * (d0 - r) * (d0 - r);
-    }
     p.dissipation[i] += 0.5 * (-dash * un + rub * slip);
   }
 }

@@ -20,11 +20,13 @@ struct ContactContext {
   const CellGrid& grid;
   const Solids& solids;
   const Bonds& bonds;
+  std::int64_t* coincident = nullptr;  ///< counts pairs at the same place, each at both ends; nullptr where the sum of density does
 };
 
 /// Adds the contact forces of close pairs to owned rows, in the order of the list. Per pair: a linear spring
 /// k (d0 - r) along the line of centres with k the harmonic mean of the two E * spacing, a dashpot that takes energy away as the
 /// coefficient of restitution says (Cundall & Strack 1979), and Coulomb friction, regularised by the same dashpot.
+/// Two at the same place have an energy but no direction: they are counted, and separateCoincident moves them.
 /// Pairs that are bonded are left out, so intact solids feel nothing of it. Conserves momentum; both ends compute the same force.
 void addSolidContacts(const ContactContext& context, const ClosePairs& pairs, Continuum& particles);
 

@@ -4,18 +4,23 @@
 
 namespace thaw {
 
-void wrapPlace(const CellGrid& g, const Domain& d, Vec3d& place) {
+double wrapPlace(const CellGrid& g, const Domain& d, Vec3d& place) {
+  double potential = 0;
   for (int a = 0; a < 3; a++) {
     double& x = place[a];
     if (!g.periodic[a] || (x >= d.min[a] && x < d.max[a])) continue;
+    const double before = x;
     x -= g.period[a] * std::floor((x - d.min[a]) / g.period[a]);
     if (x >= d.max[a] || x < d.min[a]) x = d.min[a];  // rounding at the seam
+    potential -= d.gravity[a] * (x - before);
   }
+  return potential;
 }
 
-void wrapPeriodic(const CellGrid& g, const Domain& d, Continuum& p) {
+void wrapPeriodic(const CellGrid& g, const Domain& d, Continuum& p, ExactSum& potential) {
   if (!g.periodic[0] && !g.periodic[1] && !g.periodic[2]) return;
-  for (std::size_t i = 0; i < p.owned; i++) wrapPlace(g, d, p.position[i]);
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (const double more = wrapPlace(g, d, p.position[i]); more != 0) potential.add(p.mass[i] * more);
 }
 
 void findLeaving(const CellGrid&, const Domain& d, Continuum& p, std::vector<std::uint32_t>& rows) {

@@ -3,17 +3,19 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/math/exact_sum.hpp"
 #include "core/neighbours/grid.hpp"
 #include "core/particles/continuum.hpp"
 #include "core/scene/scene.hpp"
 
 namespace thaw {
 
-/// Brings a place beyond a periodic side back into the domain.
-void wrapPlace(const CellGrid& grid, const Domain& domain, Vec3d& place);
+/// Brings a place beyond a periodic side back into the domain. Returns the potential of gravity (J/kg) that this gives.
+double wrapPlace(const CellGrid& grid, const Domain& domain, Vec3d& place);
 
-/// Brings owned particles that crossed a periodic side back into the domain.
-void wrapPeriodic(const CellGrid& grid, const Domain& domain, Continuum& particles);
+/// Brings owned particles that crossed a periodic side back into the domain. The potential of gravity (J) that this gives them, where they
+/// fall round and round, is added to `potential`.
+void wrapPeriodic(const CellGrid& grid, const Domain& domain, Continuum& particles, ExactSum& potential);
 
 /// Owned rows beyond an open side, ascending, into `rows`. Their nextCell is set to noCell, so that migration leaves them alone; the
 /// caller books and drops them.

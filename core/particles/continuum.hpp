@@ -55,7 +55,7 @@ struct Continuum : Table {
   Column<Vec3d> force{*this, "force", "N", Keep::Transient, "sum of all forces"};
   Column<double> heatFlow{*this, "heatFlow", "W", Keep::Transient, "sum of all heat flows into the particle"};
   Column<double> dissipation{*this, "dissipation", "W", Keep::Transient, "rate of loss of mechanical energy at this particle"};
-  Column<double> interaction{*this, "interaction", "J", Keep::Transient, "potential energy of pair and wall contacts, this particle's half"};
+  Column<double> interaction{*this, "interaction", "J", Keep::State, "potential energy of pair and wall contacts, this particle's half; what leaves takes it along, also right after a restart"};
   Column<double> softening{*this, "softening", "J", Keep::Transient, "d(interaction of all)/d(liquid fraction of this one), places held; only where a material melts"};
 };
 

@@ -28,7 +28,7 @@ struct Solids : Table {
   Column<double> drag{*this, "drag", "kg/s", Keep::Transient, "of the bonds' damping, per weight; only with bond damping, boundary groups and remote rows only"};
   Column<Sym3d> stress{*this, "stress", "Pa", Keep::Transient, "Cauchy stress, for output"};
   Column<Vec3d> force{*this, "force", "N", Keep::Transient, "elastic force on the particle"};
-  Column<double> energy{*this, "energy", "J", Keep::Transient, "stored elastic, volume and hourglass energy"};
+  Column<double> energy{*this, "energy", "J", Keep::State, "stored elastic, volume and hourglass energy; what leaves takes it along, also right after a restart"};
   Column<double> dissipated{*this, "dissipated", "J", Keep::Transient, "lost to plastic flow and bond damping in this step"};
   Column<std::uint8_t> melted{*this, "melted", "1", Keep::Transient, "its particle has melted in this step (melting.hpp)"};
   Column<std::uint8_t> rereferenced{*this, "rereferenced", "1", Keep::Transient, "took a new reference in this step (rereference.hpp)"};

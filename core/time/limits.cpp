@@ -25,6 +25,16 @@ std::vector<std::size_t> materialsInUse(const Scene& s) {
   return used;
 }
 
+bool canBeLiquid(const Material& m) { return !m.canBeSolid() || m.melts() || m.liquidAtStart; }
+
+/// Pa, of the liquids of these materials.
+double stiffestLiquid(const Scene& s, const std::vector<std::size_t>& used, const std::vector<LiquidMaterial>& liquids) {
+  double stiffest = 0;
+  for (const std::size_t k : used)
+    if (canBeLiquid(s.materials[k])) stiffest = std::max(stiffest, liquids[k].stiffness);
+  return stiffest;
+}
+
 /// Largest diffusivity (m^2/s) that a particle of material m can see. Beside a much better conductor the harmonic mean is up to twice
 /// its own conductivity.
 double largestDiffusivity(const Scene& s, const std::vector<std::size_t>& used, const Material& m) {
@@ -49,14 +59,17 @@ StepLimits materialLimits(const Scene& s, const Modules& modules, const std::vec
   const double h = n.support * s.spacing, h3 = h * h * h;
   const auto take = [&](Limit which, double value) { l[which] = std::min(l[which], value); };
   const std::vector<std::size_t> used = materialsInUse(s);
+  const double stiffest = modules.fluid ? stiffestLiquid(s, used, liquids) : 0;
   for (const std::size_t k : used) {
     const Material& m = s.materials[k];
-    const bool liquid = modules.fluid && (!m.canBeSolid() || m.melts() || m.liquidAtStart);
-    if (liquid) {
-      // wider sums have no softer lattice: a support of 2 spacings is the longest that counts
-      take(Limit::Sound, n.cflSound * std::min(h, 2 * s.spacing) / liquids[k].soundSpeed);
-      const bool own = m.viscosityTable.empty() && !modules.implicitViscosity;
-      const double mu = (own ? std::max(m.viscosity.solid, m.viscosity.liquid) : 0) + 1.6 * liquids[k].artificial;  // tables: of the particles there are
+    // Wider sums have no softer lattice: a support of 2 spacings is the longest that counts. A light particle, liquid or solid, among those
+    // of a stiffer liquid swings with their stiffness and its own mass (accuracy.md B12).
+    if (stiffest > 0) {
+      const double own = canBeLiquid(m) ? liquids[k].soundSpeed : 0, near = std::sqrt(stiffest / m.density);
+      take(Limit::Sound, n.cflSound * std::min(h, 2 * s.spacing) / (near > own * (1 + 1e-12) ? near : own));
+    }
+    if (modules.fluid && canBeLiquid(m)) {
+      const double mu = (m.viscosityTable.empty() && !modules.implicitViscosity ? std::max(m.viscosity.solid, m.viscosity.liquid) : 0) + 1.6 * liquids[k].artificial;  // tables: of the particles there are
       if (mu > 0) take(Limit::Viscous, n.cflViscous * stableViscousStep(n) * h * h * m.density / mu);
       if (m.surfaceTension > 0) take(Limit::Tension, n.cflTension * std::sqrt(m.density * h3 / (2 * 3.14159265358979 * m.surfaceTension)));
     }

@@ -89,6 +89,23 @@ TEST(Ledger, EmittersAndOpenSidesCountExactly) {
   EXPECT_LT(length(r.momentumResidual), 1e-5 * length(r.left.momentum));
 }
 
+// What falls out of a periodic side comes in at the other, higher up: that height is booked.
+TEST(Ledger, FallsThroughPeriodicSides) {
+  Scene s = columnScene(dx, 0, 12 * dx);
+  s.domain.side[2] = {Side::Periodic, Side::Periodic};
+  s.domain.gravity = {1, 0, -10};
+  s.materials[0].soundSpeed = 5;
+  s.materials[0].viscosity = {20, 20};
+  addBox(s, {0, 0, 2 * dx}, {6 * dx, 6 * dx, 6 * dx});
+  s.end = 0.5;
+  Simulation run(s);
+  EXPECT_TRUE(run.run());
+  const LedgerReport r = run.books();
+  EXPECT_GT(r.entered.potential, 2 * r.initial.mass * 10 * 12 * dx * 0.9);  // round twice
+  EXPECT_NEAR(r.now.kinetic, 0.5 * r.initial.mass * (1 + 100) * s.end * s.end, 1e-3 * r.now.kinetic);
+  EXPECT_LT(std::abs(r.energyResidual), 1e-3 * r.now.kinetic);
+}
+
 // A slow vent just above a floor: what has left backs up, and the vent pushes on as a piston. Its work is in the books.
 TEST(Ledger, EmitterIsAPiston) {
   Scene s;

@@ -1,0 +1,209 @@
+// random_scene SEED: prints a scene (TOML) that is a function of the seed. Bodies of all shapes, materials over six decades of stiffness
+// and viscosity, every law and most keys; 200 to 3000 particles. Nothing is tuned to go well: soft bodies hit hard, hot floors melt what
+// falls on them, some bodies overlap. random_scenes_test.sh runs them.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "core/math/hash_random.hpp"
+
+namespace thaw::test {
+namespace {
+
+/// A row of random numbers that is a function of the seed.
+struct Dice {
+  std::uint64_t seed, n = 0;
+  double unit() { return randomUniform(seed, Purpose::Test, n++); }
+  double between(double a, double b) { return a + (b - a) * unit(); }
+  double decades(double a, double b) { return std::pow(10, between(std::log10(a), std::log10(b))); }
+  bool chance(double p) { return unit() < p; }
+  int below(int k) { return static_cast<int>(unit() * k); }
+  const char* of(std::initializer_list<const char*> words) { return words.begin()[below(static_cast<int>(words.size()))]; }
+};
+
+std::string vec(double x, double y, double z) { return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", x, y, z); }
+
+/// A shape that fits into a ball of this radius, as a key with its table, and its rough volume.
+struct RandomShape { std::string text; double volume; };
+RandomShape shape(Dice& d, double radius, bool joined = true) {
+  const auto size = [&](double least) { return radius * d.between(least, 1); };
+  switch (d.below(joined ? 6 : 4)) {
+    case 0: {
+      const double a = size(0.3), b = size(0.3), c = size(0.3), s = 2 * radius / std::sqrt(a * a + b * b + c * c);
+      return {fmt::format("box = {{ size = {} }}", vec(a * s, b * s, c * s)), a * b * c * s * s * s};
+    }
+    case 1: {
+      const double r = size(0.6);
+      return {fmt::format("sphere = {{ radius = {:.6g} }}", r), 4.19 * r * r * r};
+    }
+    case 2: {
+      const double angle = d.between(0.3, 1.3), r = radius * std::sin(angle), h = 2 * radius * std::cos(angle);
+      return {fmt::format("cylinder = {{ radius = {:.6g}, height = {:.6g} }}", r, h), 3.14 * r * r * h};
+    }
+    case 3: {
+      const double tube = radius * d.between(0.15, 0.35), ring = radius - tube;
+      return {fmt::format("torus = {{ radius = {:.6g}, tube = {:.6g} }}", ring, tube), 19.7 * ring * tube * tube};
+    }
+    default: {
+      const double away = 0.45 * radius;
+      const RandomShape a = shape(d, 0.55 * radius, false), b = shape(d, 0.55 * radius, false);
+      const bool all = d.chance(0.7);
+      const double up = all ? away : 0.2 * away;
+      return {fmt::format("{} = [{{ {}, place = {{ move = {} }} }}, {{ {}, place = {{ move = {}, rotate_x = {:.4g} }} }}]", all ? "union" : "difference", a.text, vec(0, 0, -up), b.text, vec(0, 0, up), d.between(0, 3)),
+              all ? a.volume + b.volume : 0.8 * a.volume};
+    }
+  }
+}
+
+struct RandomMaterial { std::string text; bool solid, melts, hot; double melting, sound; };
+RandomMaterial material(Dice& d, const std::string& name, double speed) {
+  RandomMaterial m{};
+  std::string& t = m.text;
+  const auto add = [&](const char* key, double value) { t += fmt::format("{} = {:.6g}\n", key, value); };
+  t = fmt::format("[material.{}]\n", name);
+  m.solid = d.chance(0.75);
+  m.melts = m.solid && d.chance(0.6);
+  add("density", d.decades(200, 8000));
+  if (!m.solid || m.melts || d.chance(0.3)) {
+    add("viscosity", d.decades(1e-3, 1e3));
+    if (d.chance(0.4)) add("surface_tension", d.decades(1e-3, 1));
+    if (d.chance(0.5)) add("sound_speed", speed * d.between(8, 20));
+    if (d.chance(0.1)) add("xsph", d.unit());
+    if (d.chance(0.1)) add("artificial_viscosity", d.between(0, 1));
+  }
+  if (m.solid) {
+    add("young", d.decades(1e2, 1e8));
+    if (d.chance(0.7)) add("poisson", d.between(-0.2, 0.48));
+    t += fmt::format("law = \"{}\"\n", d.of({"green", "neo-hookean", "corotated"}));
+    if (d.chance(0.3)) {
+      add("yield_strain", d.decades(1e-3, 0.3));
+      if (d.chance(0.5)) add("creep_rate", d.decades(0.1, 1e3));
+      if (d.chance(0.3)) add("max_plastic_strain", d.decades(0.05, 3));
+    }
+    if (d.chance(0.1)) add("volume_stiffness", d.decades(1e2, 1e6));
+    if (d.chance(0.3)) add("hourglass", d.between(0, 2));
+    if (d.chance(0.25)) add("break_stretch", 1 + d.decades(0.01, 1));
+    if (d.chance(0.4)) add("damping", d.decades(0.1, 300));
+    if (d.chance(0.3)) t += "weld = true\n";
+    if (d.chance(0.5)) add("friction", d.between(0, 1));
+    if (d.chance(0.5)) add("restitution", d.unit());
+    if (!m.melts && d.chance(0.1)) t += "phase = \"liquid\"\n";
+  }
+  m.hot = m.melts || d.chance(0.3);
+  if (m.hot) {
+    add("conductivity", d.decades(0.1, 1e4));
+    add("heat_capacity", d.between(400, 4000));
+    if (d.chance(0.2)) add("heat_source", d.between(-1e5, 1e5));
+    if (d.chance(0.2)) add("emissivity", d.unit());
+    if (d.chance(0.2)) add("convection", d.decades(1, 1e4));
+  }
+  m.melting = 300;
+  if (m.melts) {
+    m.melting = d.between(280, 1200);
+    const double range = d.chance(0.2) ? 0 : d.decades(0.1, 100);
+    t += range == 0 ? fmt::format("melts = {:.6g}\n", m.melting) : fmt::format("melts = [{:.6g}, {:.6g}]\n", m.melting - range / 2, m.melting + range / 2);
+    if (d.chance(0.7)) add("latent_heat", d.decades(1e2, 3e5));
+    if (d.chance(0.3)) add("hysteresis", d.between(0, 0.45));
+  }
+  return m;
+}
+
+std::string scene(std::uint64_t seed) {
+  Dice d{seed};
+  const double radius = d.decades(0.01, 1), gravity = d.chance(0.1) ? 0 : 9.81, speed = std::sqrt(9.81 * radius) * d.decades(0.1, 8);
+  const int bodies = 1 + d.below(4), emitters = d.chance(0.2);
+  const double pitch = 2.3 * radius, particles = d.decades(200, 3000);
+
+  std::vector<RandomShape> shapes;
+  double volume = 0;
+  for (int b = 0; b < bodies; b++) shapes.push_back(shape(d, radius)), volume += shapes.back().volume;
+  const double spacing = std::cbrt(volume / particles);
+
+  std::vector<RandomMaterial> materials;
+  std::string text;
+  const int kinds = 1 + d.below(bodies);
+  for (int k = 0; k < kinds; k++) materials.push_back(material(d, fmt::format("m{}", k), speed)), text += materials.back().text + "\n";
+
+  const bool tower = d.chance(0.4), walled = d.chance(0.3), floor = d.chance(0.8);
+  const double wide = (tower ? 1.4 : 2.6) * radius * (1 + d.unit()), high = (tower ? 2.3 * bodies + 1 : 6) * radius;
+  const auto temperatureNear = [&](const RandomMaterial& m) { return std::max(20.0, m.melting + (m.melts ? d.between(-80, 60) : 0)); };
+  for (int b = 0; b < bodies; b++) {
+    const int k = d.below(kinds);
+    const RandomMaterial& m = materials[static_cast<std::size_t>(k)];
+    const double shake = 0.1 * radius;
+    const double x = (tower ? 0 : (b % 2 - 0.5) * pitch) + d.between(-shake, shake), y = (tower ? 0 : (b / 2 - 0.5) * pitch) + d.between(-shake, shake);
+    const double z = radius * d.between(1.02, 1.1) + (tower ? b * pitch : d.between(0, 1) * radius);
+    text += fmt::format("[[body]]\nname = \"b{}\"\nmaterial = \"m{}\"\n{}\n", b, k, shapes[static_cast<std::size_t>(b)].text);
+    text += fmt::format("place = {{ move = {}, rotate_x = {:.4g}, rotate_y = {:.4g} }}\n", vec(x, y, z), d.between(0, 3), d.between(0, 3));
+    text += fmt::format("temperature = {:.6g}\n", temperatureNear(m));
+    if (d.chance(0.2)) text += fmt::format("temperature_gradient = {}\n", vec(d.between(-9, 9) / radius, 0, d.between(-9, 9) / radius));
+    if (d.chance(0.7)) text += fmt::format("velocity = {}\n", vec(-std::copysign(speed, x) * d.unit(), -std::copysign(speed, y) * d.unit(), -speed * d.unit()));
+    if (d.chance(0.3)) text += fmt::format("spin = {}\n", vec(0, speed / radius * d.unit(), speed / radius * d.unit()));
+    if (d.chance(0.15)) text += "packing = \"relaxed\"\n";
+    if (d.chance(0.1)) text += fmt::format("clamp = [{{ sphere = {{ radius = {:.6g} }}, place = {{ move = {} }} }}]\n", 0.5 * radius, vec(x, y, z));
+    text += "\n";
+  }
+  for (int e = 0; e < emitters; e++) {
+    const int k = d.below(kinds);
+    const RandomMaterial& m = materials[static_cast<std::size_t>(k)];
+    text += fmt::format("[[emitter]]\nmaterial = \"m{}\"\ndisc = {{ radius = {:.6g} }}\ncentre = {}\nspeed = {:.6g}\ntemperature = {:.6g}\nend = {:.6g}\n\n", k, spacing * d.between(1, 4),
+                        vec(0, 0, high - 2 * spacing), speed * d.between(0.1, 1), m.melting + (m.melts ? d.between(-20, 100) : 0), d.between(0, 2) * radius / speed);
+  }
+  const double hottest = materials[0].melting;
+  const auto obstacleHeat = [&] {
+    if (d.chance(0.5)) text += fmt::format("temperature = {:.6g}\n", std::max(20.0, hottest + d.between(-200, 500)));
+    else return;
+    if (d.chance(0.2)) text += fmt::format("conductance = {:.6g}\n", d.decades(10, 1e5));
+  };
+  const auto obstacleSurface = [&] {
+    if (d.chance(0.3)) text += "slip = true\n";
+    if (d.chance(0.5)) text += fmt::format("friction = {:.4g}\n", d.unit());
+    obstacleHeat();
+  };
+  if (floor) {
+    text += fmt::format("[[obstacle]]\nname = \"floor\"\nplane = {{ point = [0, 0, 0], normal = {} }}\n", d.chance(0.3) ? vec(d.between(-0.02, 0.02), d.between(-0.02, 0.02), 1) : vec(0, 0, 1));
+    obstacleSurface();
+    text += "\n";
+  }
+  if (d.chance(0.35)) {
+    const RandomShape s = shape(d, 0.8 * radius);
+    text += fmt::format("[[obstacle]]\nname = \"moving\"\n{}\nplace = {{ move = {} }}\n", s.text, vec(-wide - 1.2 * radius, d.between(-1, 1) * radius, radius));
+    text += fmt::format("motion = [{{ time = 0 }}, {{ time = {:.6g}, move = {}, rotate = {} }}]\n", d.between(1, 4) * wide / speed, vec(2 * wide, 0, 0), d.chance(0.3) ? vec(0, 0, 0.5) : vec(0, 0, 0));
+    if (d.chance(0.2)) text += fmt::format("until = {:.6g}\n", wide / speed);
+    obstacleSurface();
+    text += "\n";
+  }
+  std::string head = fmt::format("title = \"random scene {}\"\nspacing = {:.6g}\nend = {:.6g}\nseed = {}\n\n", seed, spacing, 20 * radius / speed, seed);
+  const double margin = 1.2 * radius;
+  head += fmt::format("[domain]\nmin = {}\nmax = {}\ngravity = {}\nambient = {:.6g}\n", vec(-wide - margin, -wide - margin, floor ? -0.3 * radius : 0), vec(wide + margin, wide + margin, high),
+                      gravity == 0 ? vec(0, 0, 0) : d.chance(0.1) ? vec(3, 1, -9) : vec(0, 0, -gravity), d.between(200, 600));
+  head += fmt::format("sides = {{ x = \"{}\", y = \"{}\", z = [\"{}\", \"open\"] }}\n\n", walled ? "wall" : d.of({"open", "periodic"}), walled ? "wall" : d.of({"open", "open", "periodic"}),
+                      floor ? "open" : d.of({"wall", "open"}));
+  head += fmt::format("[output]\nevery = {:.6g}\nfields = [\"velocity\", \"temperature\", \"liquid\"]\n\n[numerics]\n", 4 * radius / speed);
+  head += fmt::format("overlap = \"{}\"\n", d.chance(0.1) ? "error" : d.of({"remove later", "remove earlier"}));
+  if (d.chance(0.2)) head += fmt::format("support = {:.4g}\n", d.between(1.5, 3));
+  if (d.chance(0.2)) head += fmt::format("kernel = \"{}\"\n", d.of({"mcg03", "cubic"}));
+  if (d.chance(0.2)) head += "precision = \"double\"\n";
+  if (d.chance(0.1)) head += "equation_of_state = \"tait\"\n";
+  if (d.chance(0.1)) head += fmt::format("tensile_limit = {:.4g}\n", d.unit());
+  if (d.chance(0.1)) head += "self_contact = false\n";
+  if (d.chance(0.05)) head += "pressure = \"printed\"\n";
+  if (d.chance(0.05)) head += "viscosity = \"laplacian\"\n";
+  if (d.chance(0.05)) head += "tension = \"colour field\"\n";
+  return head + "\n" + text;
+}
+
+}  // namespace
+}  // namespace thaw::test
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fputs("usage: random_scene SEED\n", stderr);
+    return 2;
+  }
+  std::fputs(thaw::test::scene(std::strtoull(argv[1], nullptr, 10)).c_str(), stdout);
+}

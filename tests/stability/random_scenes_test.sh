@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# random_scenes_test.sh BUILD [COUNT] [FIRST SEED]: random scenes (random_scene.cpp) on 1 to 4 ranks. Each must end in one of three ways:
+#   exit 0  a finite summary with the residual of the ledger;
+#   exit 4  one message that names the particle, the step and the time, and a summary that says so;
+#   exit 2  one clear message: refused before the first step.
+# Anything else is a failure: a crash, an abort, a hang, an error of MPI, several messages. Every tenth seed also runs on 1 and on 3 ranks,
+# which must give the same bits. 30 seeds; 500 with THAW_NIGHTLY=1. KEEP=FOLDER keeps what was run, with report.txt: one line a seed,
+# "seed ranks particles exit residual step what" (the residual is a share of the largest term of the energy).
+. "$(dirname "$0")/../support/run.sh"
+count=${2:-$([ "${THAW_NIGHTLY:-0}" = 1 ] && echo 500 || echo 30)}
+first=${3:-1}
+export build thaw steps=${STEPS:-400} limit=${LIMIT:-120}
+export folder=${KEEP:-$work}
+mkdir -p "$folder"
+
+oneScene() {  # oneScene SEED: a line of the report
+  local seed=$1 ranks=$((1 + $1 % 4)) code here=$folder/$1 what=ok residual=- particles=- step=-
+  mkdir -p "$here"
+  "$build/tests/random_scene" "$seed" >"$here/scene.toml"
+  run() { timeout -k 5 "$limit" mpirun --allow-run-as-root --oversubscribe --bind-to none -n "$1" "$thaw" run "$here/scene.toml" --steps "$steps" --out "$here/$2" >"$here/$2.log" 2>&1; }
+  field() { sed -n 's/.*"'"$1"'": *"\{0,1\}\([^",]*\)"\{0,1\}.*/\1/p' "$here/out/summary.json" 2>/dev/null | head -n 1; }
+  run "$ranks" out
+  code=$?
+  local errors
+  errors=$(grep -a -c 'error: ' "$here/out.log")
+  case $code in
+    0) residual=$(grep -a -o 'residual [^ ]* J ([^)]*)' "$here/out.log" | tail -n 1 | sed 's/.*(\(.*\))/\1/') particles=$(field particles) step=$(field step)
+       [ -n "$residual" ] || what="NO RESIDUAL"
+       grep -q ': *null\|[nN]a[nN]\|[^a-z]inf[^a-z]' "$here/out/summary.json" && what="NOT FINITE"
+       [ "$errors" = 0 ] || what="ERROR BUT EXIT 0" ;;
+    4) what=$(grep -a -o 'blew up.*' "$here/out.log" | head -n 1) particles=$(field particles) step=$(field step)
+       grep -a -q "error: .*blew up at step [0-9]*, .*particle [0-9]* of \(body\|emitter\) '" "$here/out.log" || what="EXIT 4 WITHOUT ITS MESSAGE"
+       [ "$errors" = 1 ] || what="$errors MESSAGES, NOT 1"
+       [ "$(field status)" = failed ] || what="BLEW UP, SUMMARY SAYS '$(field status)'" ;;
+    2) what=$(grep -a 'error: ' "$here/out.log" | head -n 1 | sed 's/.*error: /refused: /')
+       [ "$errors" -ge 1 ] || what="REFUSED WITHOUT A MESSAGE"
+       grep -a -q 'step 1 ' "$here/out.log" && what="REFUSED AFTER THE FIRST STEP" ;;
+    124 | 137) what="HANGS" ;;
+    *) what="EXIT CODE $code: $(grep -a -m1 'error\|signal\|rror' "$here/out.log")" ;;
+  esac
+  grep -a -q 'terminate called\|Segmentation\|Signal:\|MPI_ABORT\|Assertion' "$here/out.log" && what="CRASHED: $what"
+  if [ $((seed % 10)) = 0 ] && [ "$code" = 0 ]; then
+    rm -rf "$here/out"
+    run 1 one
+    run 3 three
+    "$thaw" compare "$here/one" "$here/three" >"$here/compare.log" 2>&1 || what="1 AND 3 RANKS DIFFER: $(head -n 3 "$here/compare.log" | tr '\n' ' ')"
+    rm -rf "$here/one" "$here/three"
+  fi
+  rm -rf "$here/out"
+  echo "$seed $ranks $particles $code $residual $step $what"
+}
+export -f oneScene
+
+seq "$first" $((first + count - 1)) | xargs -P "${JOBS:-2}" -I{} bash -c 'oneScene {}' >"$folder/lines.txt"
+sort -n "$folder/lines.txt" >"$folder/report.txt"
+[ "$(wc -l <"$folder/report.txt")" = "$count" ] || fail "not one line for each seed"
+while read -r seed _ _ _ _ _ what; do
+  case $what in ok | refused:* | blew\ up*) ;; *) fail "seed $seed: $what" ;; esac
+done <"$folder/report.txt"
+awk '{ n[$4]++ } $4 == 0 { r = $5 < 0 ? -$5 : $5; if (r > 0.05) large++; else if (r > 0.01) middle++ }
+     END { printf "%d done (%d with more than 5 %% of the energy unexplained, %d with 1 to 5 %%), %d blew up, %d refused\n", n[0], large, middle, n[4], n[2] }' "$folder/report.txt"
+grep -v ' 0 [^ ]* [0-9]* ok$' "$folder/report.txt"
+finish

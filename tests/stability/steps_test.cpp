@@ -1,0 +1,249 @@
+// Where steps in time, heat, open sides and bad numbers go wrong: rows of docs/stability.md.
+#include <cstring>
+
+#include "core/heat/enthalpy.hpp"
+#include "core/heat/heat.hpp"
+#include "core/kernels/lattice.hpp"
+#include "io/scene/read_scene.hpp"
+#include "tests/support/hashed.hpp"
+#include "tests/support/measured.hpp"
+#include "tests/support/simulation.hpp"
+
+namespace thaw::test {
+namespace {
+
+constexpr double dx = 0.01;
+
+Scene periodicBlock() {
+  Scene s;
+  s.spacing = dx;
+  s.domain.min = {0, 0, 0};
+  s.domain.max = {8 * dx, 8 * dx, 8 * dx};
+  for (auto& side : s.domain.side) side = {Side::Periodic, Side::Periodic};
+  s.domain.gravity = {};
+  s.output.every = 0;
+  s.numerics.precision = Precision::Double;
+  s.materials.emplace_back();
+  s.materials[0].soundSpeed = 1e-3;
+  addBox(s, s.domain.min, s.domain.max);
+  return s;
+}
+
+/// What grows where a step is too long: kinetic, elastic and potential energy, or the spread of temperature.
+double unrest(Simulation& run) {
+  const Balance b = run.books().now;
+  const Continuum& p = run.particles();
+  double t = 0;
+  for (std::size_t i = 0; i < p.owned && p.temperature.active; i++) t += (p.temperature[i] - 300) * (p.temperature[i] - 300);
+  return b.kinetic + b.elastic + b.potential + t;
+}
+
+/// Growth of unrest over so many steps of this length (s; 0: as the program wants them).
+struct Growth { double factor, dt; const char* limitedBy; bool finite; };
+Growth growthOf(Scene s, double fixed, int steps, double jitter, double speed, double warmth) {
+  s.numerics.fixedStep = fixed;
+  s.end = 1e9;
+  Simulation run(s);
+  Continuum& p = run.particles();
+  for (std::size_t i = 0; i < p.owned; i++)
+    for (int a = 0; a < 3; a++) {
+      const double r = hashed(3 * p.id[i] + static_cast<std::uint64_t>(a)) - 0.5;
+      p.position[i][a] += jitter * dx * r;
+      p.velocity[i][a] = speed * r;
+      if (p.temperature.active && warmth > 0) p.enthalpy[i] = enthalpyOf(s.materials[0], 300 + warmth * r), p.temperature[i] = 300 + warmth * r;
+    }
+  const double dt = fixed > 0 ? fixed : run.w.clock.dt;
+  if (fixed == 0) run.w.clock.dt = dt;
+  EXPECT_TRUE(run.step());
+  const double first = unrest(run);
+  Growth g{1, run.w.clock.dt, run.w.clock.limitedBy, true};
+  for (int n = 0; n < steps && g.finite && g.factor < 1e6; n++) {
+    g.finite = run.step();
+    g.factor = g.finite ? unrest(run) / first : never;
+  }
+  return g;
+}
+
+}  // namespace
+
+TEST(Stability, B10_StepTooLong) {
+  // each limit of the step: stable with the default, gone a little beyond what the default is a share of
+  struct Case { const char* name; Scene scene; double over, jitter, speed, warmth; };
+  std::vector<Case> cases;
+  Scene s = periodicBlock();
+  s.materials[0].soundSpeed = 10;
+  for (Body& b : s.bodies) b.material = 0;
+  s.numerics.tensileLimit = 1;
+  cases.push_back({"sound", s, 2.9, 0.002, 0, 0});  // .4 of h / c; stable to some .96
+  s = periodicBlock();
+  s.materials[0].viscosity = {10, 10};
+  cases.push_back({"viscosity", s, 1.3, 0, 1e-3, 0});  // .8 of the limit
+  s = periodicBlock();
+  s.materials[0].conductivity = {100, 100};
+  s.bodies[0].temperature = 300;
+  s.bodies[0].temperatureGradient = {1e-6, 0, 0};
+  cases.push_back({"heat", s, 1.3, 0, 0, 1});
+  s = periodicBlock();
+  s.materials[0].young = {1e5, 0};
+  s.materials[0].law = ElasticLaw::NeoHookean;
+  cases.push_back({"elastic waves", s, 6, 0, 1e-3, 0});
+  for (const Case& c : cases) {
+    const Growth right = growthOf(c.scene, 0, 400, c.jitter, c.speed, c.warmth), wrong = growthOf(c.scene, c.over * right.dt, 400, c.jitter, c.speed, c.warmth);
+    measured("%s: factor %.2g in 400 steps of %.2e s (limited by %s); %.2g in steps %.1f times as long%s", c.name, right.factor, right.dt, right.limitedBy, wrong.factor, c.over, wrong.finite ? "" : ", then reported");
+    EXPECT_STREQ(right.limitedBy, c.name);
+    EXPECT_LT(right.factor, 1.3) << c.name;
+    EXPECT_GT(wrong.factor, 100) << c.name;
+  }
+}
+
+TEST(Stability, B14_FreezeMeltPingPong) {
+  // a lump at its melting point, warmed and cooled by 0.1 K worth of heat in turn, 1000 times
+  std::int64_t flips[3];
+  const double swing = 0.1 * 1000;
+  for (const int way : {0, 1, 2}) {
+    World w;
+    w.scene.materials.emplace_back();
+    Material& m = w.scene.materials[0];
+    m.young = {1e5, 0};
+    m.heatCapacity = {1000, 1000};
+    m.solidus = m.liquidus = 300;
+    m.latentHeat = 1e4;
+    m.hysteresis = way == 2 ? 0.2 : 0;
+    if (way == 0) w.scene.numerics.heat = HeatModel::Paper;
+    w.scene.bodies.emplace_back();
+    w.modules.heat = w.modules.melting = true;
+    Continuum& p = w.particles;
+    for (AnyColumn* c : p.columns) p.activate(*c);
+    p.resize(1, 0);
+    p.mass[0] = 1;
+    p.slot[0] = noSlot;
+    p.temperature[0] = 299.95;
+    p.enthalpy[0] = way == 0 ? 299.95 * 1000 : way == 1 ? 0.5 * 1e4 : 0.81 * 1e4;  // with the latent heat half in; at the edge of the hysteresis
+    settlePhase(w.scene, w.modules, p, 0, 1);
+    for (int n = 0; n < 1000; n++) {
+      p.heatFlow[0] = n % 2 ? -swing : swing;
+      updateHeat(w, 1);
+      changePhase(w);
+    }
+    flips[way] = w.counters.melted + w.counters.frozen;
+  }
+  measured("phase changes in 1000 swings of 0.1 K: %lld by temperature alone, %lld with latent heat, %lld with hysteresis too", static_cast<long long>(flips[0]), static_cast<long long>(flips[1]), static_cast<long long>(flips[2]));
+  EXPECT_EQ(flips[0], 1000);
+  EXPECT_EQ(flips[1], 0);
+  EXPECT_LE(flips[2], 1);
+}
+
+TEST(Stability, B26_StrangeTimes) {
+  // a step of 0 changes nothing
+  Scene s = periodicBlock();
+  s.materials[0].soundSpeed = 10;
+  s.materials[0].viscosity = {1, 1};
+  s.end = 1;
+  Simulation run(s);
+  Continuum& p = run.particles();
+  for (std::size_t i = 0; i < p.owned; i++) p.velocity[i] = {hashed(p.id[i]) - 0.5, hashed(7 * p.id[i]) - 0.5, 0};
+  for (int n = 0; n < 5; n++) EXPECT_TRUE(run.step());
+  const std::vector<Vec3d> x(p.position.data(), p.position.data() + p.owned), v(p.velocity.data(), p.velocity.data() + p.owned);
+  const double time = run.w.clock.time;
+  run.w.clock.dt = 0;
+  EXPECT_TRUE(run.step());
+  EXPECT_EQ(std::memcmp(x.data(), p.position.data(), x.size() * sizeof(Vec3d)), 0);
+  EXPECT_EQ(std::memcmp(v.data(), p.velocity.data(), v.size() * sizeof(Vec3d)), 0);
+  EXPECT_EQ(run.w.clock.time, time);
+  // other lengths that are none are refused when the scene is read, in one message
+  const std::string good = "end = 1\n[material.m]\n[[body]]\nbox = { size = [0.1, 0.1, 0.1] }\nmaterial = \"m\"\n";
+  int refused = 0;
+  for (const char* bad : {"numerics.fixed_step=-0.1", "numerics.fixed_step=1e6", "numerics.max_step=0", "numerics.max_step=-1", "end=-1", "output.every=0", "output.every=-1", "output.every=1e-12"}) {
+    try {
+      readScene(sceneFilesOf("s.toml", good), {bad});
+      ADD_FAILURE() << bad;
+    } catch (const SceneErrors& e) {
+      EXPECT_EQ(e.lines.size(), 1u) << bad;
+      refused++;
+    }
+  }
+  measured("a step of 0 changes no bit; %d of 8 strange times refused", refused);
+}
+
+TEST(Stability, B27_ParticlesThatLeave) {
+  // a burst in all directions, half of the sides open: what leaves is counted and booked, what meets a wall stays
+  Scene s;
+  s.spacing = dx;
+  s.domain.min = {-6 * dx, -6 * dx, -6 * dx};
+  s.domain.max = {6 * dx, 6 * dx, 6 * dx};
+  s.domain.side[0] = s.domain.side[1] = {Side::Open, Side::Wall};
+  s.domain.side[2] = {Side::Wall, Side::Open};
+  s.domain.gravity = {};
+  s.output.every = 0;
+  s.materials.emplace_back();
+  s.materials[0].soundSpeed = 20;
+  s.materials[0].viscosity = {0.1, 0.1};
+  addBox(s, {-3 * dx, -3 * dx, -3 * dx}, {3 * dx, 3 * dx, 3 * dx});
+  s.end = 0.2;
+  Simulation run(s);
+  Continuum& p = run.particles();
+  for (std::size_t i = 0; i < p.owned; i++) p.velocity[i] = 100.0 * p.position[i];
+  run.w.ledger.initial = run.books().now;
+  EXPECT_TRUE(run.run());
+  double beyond = 0;
+  for (std::size_t i = 0; i < p.owned; i++)
+    for (int a = 0; a < 3; a++) beyond = std::max({beyond, p.position[i][a] - 6 * dx, -6 * dx - p.position[i][a]});
+  const LedgerReport r = run.books();
+  const double m = 1000 * dx * dx * dx;
+  measured("%lld of 216 particles left; mass residual %.1e kg, momentum residual %.1e of what left; furthest beyond a wall %.1e spacings", static_cast<long long>(run.w.counters.left), r.massResidual,
+           length(r.momentumResidual) / length(r.left.momentum), beyond / dx);
+  EXPECT_GT(run.w.counters.left, 50);
+  EXPECT_LE(std::abs(r.massResidual), 1e-15 * r.initial.mass);  // exact sums, but for their rounding in the report
+  EXPECT_NEAR(r.left.mass, static_cast<double>(run.w.counters.left) * m, 1e-12);
+  EXPECT_EQ(static_cast<std::int64_t>(p.owned) + run.w.counters.left, 216);
+  EXPECT_LE(beyond, 0);
+  EXPECT_LT(length(r.momentumResidual), 1e-5 * length(r.left.momentum));
+}
+
+TEST(Stability, B28_NumbersThatSpread) {
+  // while running: one NaN is seen in the step in which it appears, and its row is named
+  const double nan = std::nan(""), inf = never;
+  int seen = 0;
+  for (const double bad : {nan, inf, -inf, 1e300}) {
+    for (const bool place : {false, true}) {
+      Scene s = periodicBlock();
+      s.materials[0].soundSpeed = 10;
+      s.domain.side = {};
+      s.domain.min = {-1, -1, -1};
+      s.domain.max = {1, 1, 1};
+      s.end = 1;
+      Simulation run(s);
+      EXPECT_TRUE(run.step());
+      if (place) run.particles().acceleration[77].y = bad;
+      else run.particles().velocity[77].y = bad;
+      const std::uint64_t id = run.particles().id[77];
+      const StepOutcome o = step(run.w, run.halos(), run.tools, {});
+      const bool left = run.w.counters.left > 0;  // so fast that it left through an open side
+      if (!o.finite) { EXPECT_EQ(run.particles().id[o.bad], id); }
+      EXPECT_TRUE(!o.finite || left) << bad;
+      seen += !o.finite || left;
+    }
+  }
+  // in the scene: refused with file, line and column
+  const std::string good = "spacing = 0.02\n[material.m]\nyoung = 1e5\n[[body]]\nbox = { size = [0.1, 0.1, 0.1] }\nmaterial = \"m\"\n";
+  const std::pair<const char*, const char*> mistakes[] = {{"spacing = 0.02", "spacing = nan"}, {"spacing = 0.02", "spacing = 0"}, {"spacing = 0.02", "spacing = -1"}, {"young = 1e5", "young = inf"},
+                                                         {"young = 1e5", "young = 1e5\npoisson = 0.5"}, {"young = 1e5", "young = 1e5\ndensity = 0"}, {"young = 1e5", "young = 1e5\ndensity = -1"},
+                                                         {"young = 1e5", "young = 1e5\nviscosity = nan"}, {"[0.1, 0.1, 0.1]", "[0.1, 0.1, inf]"}, {"[0.1, 0.1, 0.1]", "[0.1, 0.1, -0.1]"}};
+  int refused = 0;
+  for (const auto& [what, by] : mistakes) {
+    std::string text = good;
+    text.replace(text.find(what), std::strlen(what), by);
+    try {
+      readScene(sceneFilesOf("s.toml", text));
+      ADD_FAILURE() << by;
+    } catch (const SceneErrors& e) {
+      ASSERT_EQ(e.lines.size(), 1u) << by;
+      EXPECT_EQ(e.lines[0].rfind("s.toml:", 0), 0u) << e.lines[0];
+      EXPECT_NE(e.lines[0].find(": error: "), std::string::npos) << e.lines[0];
+      refused++;
+    }
+  }
+  measured("%d of 8 bad numbers of a running simulation found in their step, the particle named; %d of 10 in a scene refused with line and column", seen, refused);
+}
+
+}  // namespace thaw::test

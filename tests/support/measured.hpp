@@ -1,0 +1,22 @@
+// The figures of docs/stability.md: each test of tests/stability says what it measured.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <cstdarg>
+#include <cstdio>
+
+namespace thaw::test {
+
+/// Prints a line "measured: TEST: ..." and keeps it in the test's record. `build/release/tests/stability | grep '^measured'` lists them all.
+[[gnu::format(printf, 1, 2)]] inline void measured(const char* format, ...) {
+  char text[400];
+  va_list list;
+  va_start(list, format);
+  std::vsnprintf(text, sizeof text, format, list);
+  va_end(list);
+  const char* name = testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::printf("measured: %s: %s\n", name, text);
+  testing::Test::RecordProperty("measured", text);
+}
+
+}  // namespace thaw::test
