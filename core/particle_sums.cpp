@@ -101,6 +101,7 @@ ColumnList ghostColumns(World& w) {
   if (w.modules.solid) c.push_back(&p.body);
   if (p.liquid.active) c.push_back(&p.liquid);
   if (p.temperature.active) c.push_back(&p.temperature);
+  if (w.modules.incompressible && p.clamped.active) c.push_back(&p.clamped);
   return c;
 }
 
@@ -117,7 +118,9 @@ namespace {
 
 RecordContext recordsOf(const World& w, const StepTools& t) { return {w.scene, w.modules, w.grid, t.liquids}; }
 
-PairSums sumsOf(World& w, StepTools& t) {
+}  // namespace
+
+PairSums pairSumsOf(World& w, StepTools& t) {
   Continuum& p = w.particles;
   const Numerics& n = w.scene.numerics;
   PairSums s;
@@ -147,6 +150,8 @@ PairSums sumsOf(World& w, StepTools& t) {
   return s;
 }
 
+namespace {
+
 void search(World& w, StepTools& t, Part part) {
   const Continuum& p = w.particles;
   const std::size_t n = w.cells.key.size();
@@ -174,7 +179,7 @@ void search(World& w, StepTools& t, Part part) {
 double compressionOf(const RecordContext& x, const Continuum& p, std::size_t i) {
   const Material& m = x.scene.materials[p.material[i]];
   const double f = p.liquid.active ? static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? 1 : 0;
-  if (f == 0) return 0;
+  if (f == 0 || x.modules.incompressible) return 0;
   return f * p.mass[i] / m.density * compressionEnergy(x.scene.numerics.eos, x.liquids[p.material[i]].stiffness, static_cast<double>(p.filling[i]), x.scene.numerics.tensileLimit);
 }
 
@@ -203,13 +208,13 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass) {
   const GroupRange inner{0, lists.innerGroups}, boundary{lists.innerGroups, lists.groups};
   const GroupRange range = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::InnerForces ? inner : boundary;
   if (density) {
-    if (w.modules.fluid) t.kernels->density(sumsOf(w, t), range);
+    if (w.modules.fluid) t.kernels->density(pairSumsOf(w, t), range);
     t.times.lap(StepPhase::Density);
     return;
   }
-  if (w.modules.fluid)
+  if (w.modules.fluid && !w.modules.incompressible)  // else pressure is found at the end of the step
     pass == NeighbourPass::InnerForces ? packPressure(x, p, 0, p.owned, t.records) : packPressure(x, p, p.owned, p.size(), t.records);
-  const PairSums s = sumsOf(w, t);
+  const PairSums s = pairSumsOf(w, t);
   if (w.modules.fluid || w.modules.heat) t.kernels->forces(s, range);
   if (w.modules.tension) t.kernels->tension(s, range);
   if (w.modules.artificialViscosity) t.kernels->artificialViscosity(s, range);
@@ -241,7 +246,7 @@ void sumUnitPressure(World& w, StepTools& t) {
   in.inner = t.inner.data();
   in.owned = static_cast<std::uint32_t>(p.owned);
   t.kernels->search(in, Part::Inner, t.search, w.neighbours);
-  PairSums s = sumsOf(w, t);
+  PairSums s = pairSumsOf(w, t);
   s.heat = false;
   s.pressureForm = PairForm::Consistent;
   s.fillingScale = 1 / (w.grid.support * w.grid.support * w.grid.support);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/domain/emit.hpp"
+#include "core/fluid/incompressible/pressure_work.hpp"
 #include "core/fluid/records.hpp"
 #include "core/halo/halo.hpp"
 #include "core/neighbours/search.hpp"
@@ -41,6 +42,7 @@ struct StepTools {
   std::size_t ghostRoom = 1024;      ///< rows kept for ghosts between the owned rows and the dummy
   ClosePairs closePairs;
   WallContacts wallContacts;
+  PressureWork pressure;
   ElasticWork elastic;
   std::vector<BondRequest> requests;
   std::vector<std::uint32_t> rebonded;   ///< rows of particles that took new bonds

@@ -27,7 +27,12 @@ struct Counters {
   std::int64_t rereferenced = 0;
   std::int64_t wallProjections = 0;         ///< particles pushed out of an obstacle by position
   std::int64_t left = 0, emitted = 0;
+  std::int64_t densityIterations = 0, divergenceIterations = 0;  ///< of the incompressible solver; on the first rank only
+  std::int64_t unsolvedPressures = 0;       ///< solves that ended at the most iterations allowed; on the first rank only
 };
+
+/// Iterations of the incompressible solver in the last step, alike on all ranks; not part of the state.
+struct PressureIterations { std::int64_t density = 0, divergence = 0; };
 
 struct World {
   Scene scene;
@@ -42,6 +47,7 @@ struct World {
   Clock clock;
   Ledger ledger;
   Counters counters;
+  PressureIterations lastIterations;
 };
 
 }  // namespace thaw

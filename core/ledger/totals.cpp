@@ -6,7 +6,7 @@ namespace {
 constexpr std::size_t balanceSums = 11, ledgerSums = 2 * balanceSums + 13, worldCounts = sizeof(Counters) / sizeof(std::int64_t);
 static_assert(sizeof(ExactBalance) == balanceSums * sizeof(ExactSum), "list the new sum in addBalance, and in valuesOf");
 static_assert(sizeof(Ledger) == ledgerSums * sizeof(ExactSum) + sizeof(Balance), "list the new sum in sumsOf");
-static_assert(worldCounts == 11, "list the new counter in countsOf");
+static_assert(worldCounts == 14, "list the new counter in countsOf");
 
 void addBalance(std::vector<NamedSum>& list, ExactBalance& b, const char* const (&names)[balanceSums]) {
   ExactSum* const sums[balanceSums] = {&b.mass, &b.momentum[0], &b.momentum[1], &b.momentum[2], &b.angularMomentum[0], &b.angularMomentum[1],
@@ -53,7 +53,10 @@ std::vector<NamedCount> countsOf(Counters& c) {
           {"rereferenced", &c.rereferenced},
           {"wall_projections", &c.wallProjections},
           {"left", &c.left},
-          {"emitted", &c.emitted}};
+          {"emitted", &c.emitted},
+          {"density_iterations", &c.densityIterations},
+          {"divergence_iterations", &c.divergenceIterations},
+          {"unsolved_pressures", &c.unsolvedPressures}};
 }
 
 std::vector<NamedValue> valuesOf(Balance& b) {

@@ -28,6 +28,12 @@ struct Continuum : Table {
   // fluid
   Column<float> filling{*this, "filling", "1", Keep::Transient, "delta = sum V0_j W_ij over its lattice value; density = delta * rest density"};
   Column<float> pressure{*this, "pressure", "Pa", Keep::Transient, "from the equation of state"};
+  // incompressible liquids (core/fluid/incompressible/)
+  Column<float> holding{*this, "holding", "Pa", Keep::State, "pressure that keeps the volume over the next step, over that step: where the next solve begins"};
+  Column<float> steadying{*this, "steadying", "Pa", Keep::State, "pressure that stopped compression at the end of the last step, over that step: likewise"};
+  Column<Vec3d> pressureKick{*this, "pressureKick", "m/s", Keep::State, "velocity that the next step begins by adding: of `holding`"};
+  Column<float> trialPressure{*this, "trialPressure", "Pa s", Keep::Transient, "of the iteration at hand, over the step"};
+  Column<Vec3d> trialVelocity{*this, "trialVelocity", "m/s", Keep::Transient, "that follows from it"};
   Column<Vec3d> smoothing{*this, "smoothing", "m/s", Keep::State, "XSPH: the particle moves with velocity + smoothing"};
   Column<float> exposure{*this, "exposure", "1", Keep::Transient, "share in the free surface; 1 for a column of particles below a flat surface"};
   // heat and phase

@@ -9,6 +9,7 @@ namespace thaw {
 
 struct Modules {
   bool fluid = false;      ///< some particle is, or can become, liquid: density, pressure, viscosity
+  bool incompressible = false;  ///< pressure by the solver of core/fluid/incompressible/ instead of the equation of state
   bool tension = false;    ///< a liquid with surface tension
   bool xsph = false, artificialViscosity = false;
   bool solid = false;      ///< some particle is, or can become, solid: bonds, elastic forces

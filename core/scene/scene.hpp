@@ -147,6 +147,7 @@ enum class KernelKind { WendlandC2, Mcg03, CubicSpline };
 enum class Precision { Single, Double };          // of pair sums; the state itself is double
 enum class PairForm { Consistent, Printed };      // Printed: K05's sums as the paper has them
 enum class EquationOfState { Linear, Tait };
+enum class PressureSolver { StateEquation, Incompressible };
 enum class ViscosityForm { Pairwise, Laplacian };
 enum class TensionForm { Pairwise, ColourField };  // ColourField: as printed in MCG03/K05
 enum class HeatModel { Enthalpy, Paper };
@@ -159,6 +160,10 @@ struct Numerics {
   PairForm pressure = PairForm::Consistent;
   EquationOfState eos = EquationOfState::Linear;
   double tensileLimit = 0;        // 1: fraction of negative pressure that is kept (0: clamped at 0)
+  PressureSolver solver = PressureSolver::StateEquation;
+  double densityTolerance = 1e-3;     // 1, mean relative compression that the incompressible solver leaves
+  double divergenceTolerance = 1e-3;  // 1, mean rate of compression times the step that it leaves
+  std::int64_t maxIterations = 100;          // of either of its solves
   ViscosityForm viscosity = ViscosityForm::Pairwise;
   TensionForm tension = TensionForm::Pairwise;
   HeatModel heat = HeatModel::Enthalpy;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/fluid/incompressible/pressure_solver.hpp"
 #include "core/geometry/shape_error.hpp"
 #include "core/kernels/lattice.hpp"
 #include "core/ledger/report.hpp"
@@ -72,6 +73,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   t.wallTables = makeWallTables(w.scene.numerics.kernel, 1 / w.scene.numerics.support);
   const double h = w.grid.support;
   t.perLatticeSum = 1 / latticeSum(w.scene.numerics);
+  if (w.modules.incompressible) t.pressure.relaxation = 0.9 / largestPressureResponse(w.scene.numerics);
   t.fillingScale = t.perLatticeSum / (h * h * h);
   activateFields(w, t);
 }
@@ -117,6 +119,7 @@ SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader&
   // what the emitters let out at time 0 is part of the start
   w.ledger.entered = {};
   vote(w, halos, t, {}, {});
+  if (w.modules.incompressible) findPressure(w, halos, t, clip(w.clock, w.clock.dt));
   const double half = 0.5 * clip(w.clock, w.clock.dt);  // the first half kick, which no step books
   for (std::size_t i = 0; i < p.owned; i++) p.dissipated[i] += p.dissipation[i] * half;
   return report;

@@ -19,6 +19,10 @@ struct PairKernels {
   void (*smoothing)(const PairSums&, GroupRange);
   void (*exposure)(const PairSums&, GroupRange);
   void (*closePairs)(const PairSums&, GroupRange, ClosePairs&);
+  // of the incompressible solver (terms/incompressible.hpp)
+  void (*compression)(const PairSums&, GroupRange);
+  void (*impulse)(const PairSums&, GroupRange);
+  void (*response)(const PairSums&, GroupRange);
 };
 
 /// By name, or the best for this processor where the name is empty. Unknown or unsupported names give nullptr.

@@ -54,7 +54,7 @@ StepLimits materialLimits(const Scene& s, const Modules& modules, const std::vec
     const bool liquid = modules.fluid && (!m.canBeSolid() || m.melts() || m.liquidAtStart);
     if (liquid) {
       // wider sums have no softer lattice: a support of 2 spacings is the longest that counts
-      take(Limit::Sound, n.cflSound * std::min(h, 2 * s.spacing) / liquids[k].soundSpeed);
+      if (!modules.incompressible) take(Limit::Sound, n.cflSound * std::min(h, 2 * s.spacing) / liquids[k].soundSpeed);
       const double mu = (m.viscosityTable.empty() ? std::max(m.viscosity.solid, m.viscosity.liquid) : 0) + 1.6 * liquids[k].artificial;  // tables: of the particles there are
       if (mu > 0) take(Limit::Viscous, n.cflViscous * stableViscousStep(n) * h * h * m.density / mu);
       if (m.surfaceTension > 0) take(Limit::Tension, n.cflTension * std::sqrt(m.density * h3 / (2 * 3.14159265358979 * m.surfaceTension)));

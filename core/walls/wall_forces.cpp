@@ -47,7 +47,7 @@ void addLiquidForces(const WallContext& x, const Meeting& at, double perLatticeS
   const WallIntegrals t = x.tables(at.contact.distance / h);
   const double pressure = static_cast<double>(p.pressure[at.row]), filling = static_cast<double>(p.filling[at.row]);
   const Vec3d& n = at.contact.normal;
-  if (pressure != 0 && filling > 0) {
+  if (!w.modules.incompressible && pressure != 0 && filling > 0) {
     const double term = w.scene.numerics.pressure == PairForm::Printed ? 0.5 * pressure / filling : perLatticeSum * pressure / (filling * filling);
     act.force += n * (at.volume * term * t.push / h * at.contact.share);
     stiffest = std::max(stiffest, x.liquids[p.material[at.row]].soundSpeed * perLatticeSum * t.push / h);
@@ -67,7 +67,10 @@ void addContactForces(const WallContext& x, const Meeting& at, Continuum& p, Wal
   const double gap = dx * (rest + f * (0.25 - rest)) - at.contact.distance;
   if (gap <= 0) return;
   const Vec3d& n = at.contact.normal;
-  const double k = (at.material.young.at(f) + f * x.liquids[p.material[at.row]].stiffness) * dx;
+  // of an incompressible liquid the solver sees to it (stopAtWalls): the spring of the state equation is too stiff for its steps
+  const double liquid = x.world.modules.incompressible ? 0 : x.liquids[p.material[at.row]].stiffness;
+  const double k = (at.material.young.at(f) + f * liquid) * dx;
+  if (k <= 0) return;
   const double restitution = f < 1 ? std::min(at.wall.restitution, at.material.restitution) : 0.2;
   const double un = dot(at.velocity, n), spring = k * gap;
   const double dash = std::max(-2 * dashpotRatio(restitution) * std::sqrt(k * m) * un, -spring);  // a contact never pulls
@@ -75,7 +78,7 @@ void addContactForces(const WallContext& x, const Meeting& at, Continuum& p, Wal
   act.resist(n * dash, at.velocity);
   p.interaction[at.row] += 0.5 * k * gap * gap;
   if (p.softening.active)
-    p.softening[at.row] += 0.5 * (at.material.young.liquid - at.material.young.solid + x.liquids[p.material[at.row]].stiffness) * dx * gap * gap - (rest - 0.25) * dx * k * gap;
+    p.softening[at.row] += 0.5 * (at.material.young.liquid - at.material.young.solid + liquid) * dx * gap * gap - (rest - 0.25) * dx * k * gap;
   const Vec3d tangential = at.velocity - n * un;
   const double slip = length(tangential);
   if (f >= 1 || slip == 0) return;

@@ -24,12 +24,13 @@ Json balance(const Balance& b) {
 Json countersJson(const Counters& c) {
   return {{"singular_neighbourhoods", c.singularNeighbourhoods}, {"broken_bonds", c.brokenBonds}, {"inverted", c.inverted},
           {"coincident_pairs", c.coincidentPairs}, {"melted", c.melted}, {"frozen", c.frozen}, {"welds", c.welds},
-          {"rereferenced", c.rereferenced}, {"wall_projections", c.wallProjections}, {"left", c.left}, {"emitted", c.emitted}};
+          {"rereferenced", c.rereferenced}, {"wall_projections", c.wallProjections}, {"left", c.left}, {"emitted", c.emitted}, {"density_iterations", c.densityIterations}, {"divergence_iterations", c.divergenceIterations},
+          {"unsolved_pressures", c.unsolvedPressures}};
 }
 
 /// Work, not waiting: what the balance can even out.
 bool isWork(StepPhase p) {
-  return p == StepPhase::Search || p == StepPhase::Density || p == StepPhase::Forces || p == StepPhase::Elastic || p == StepPhase::Walls || p == StepPhase::Contact ||
+  return p == StepPhase::Search || p == StepPhase::Density || p == StepPhase::Forces || p == StepPhase::Pressure || p == StepPhase::Elastic || p == StepPhase::Walls || p == StepPhase::Contact ||
          p == StepPhase::Heat || p == StepPhase::Drift || p == StepPhase::Sort;
 }
 
@@ -63,7 +64,8 @@ void gatherSummary(RunSummary& s, const World& w, const PhaseTimes& times, std::
   most.push_back(static_cast<double>(w.particles.owned));
   for (std::int64_t v : {std::llround(work * 1e9), static_cast<long long>(messages), static_cast<long long>(bytes), static_cast<long long>(w.particles.owned)}) sum.push_back(v);
   const Counters& c = w.counters;
-  for (std::int64_t v : {c.singularNeighbourhoods, c.brokenBonds, c.inverted, c.coincidentPairs, c.melted, c.frozen, c.welds, c.rereferenced, c.wallProjections, c.left, c.emitted})
+  for (std::int64_t v : {c.singularNeighbourhoods, c.brokenBonds, c.inverted, c.coincidentPairs, c.melted, c.frozen, c.welds, c.rereferenced, c.wallProjections, c.left, c.emitted, c.densityIterations, c.divergenceIterations,
+                         c.unsolvedPressures})
     sum.push_back(v);
   all.maximum(most);
   all.maximum(least);
@@ -80,7 +82,7 @@ void gatherSummary(RunSummary& s, const World& w, const PhaseTimes& times, std::
   const double meanParticles = static_cast<double>(sum[at + 3]) / n;
   s.particleSpread = meanParticles > 0 ? most[at + 2] / meanParticles : 1;
   const std::int64_t* k = sum.data() + at + 4;
-  s.counters = {k[0], k[1], k[2], k[3], k[4], k[5], k[6], k[7], k[8], k[9], k[10]};
+  s.counters = {k[0], k[1], k[2], k[3], k[4], k[5], k[6], k[7], k[8], k[9], k[10], k[11], k[12], k[13]};
   s.clock = w.clock;
   s.ranks = all.size();
   s.modules = w.modules.why;
@@ -147,6 +149,7 @@ std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
   add(c.singularNeighbourhoods, "solid particles have a flat, thin or lonely neighbourhood (rank of their moment matrix < 3)");
   add(c.inverted, "times a solid particle was turned inside out (det F <= 0)");
   add(c.coincidentPairs, "times a particle shared its place with another and was pushed aside");
+  add(c.unsolvedPressures, "times the pressure of incompressible liquid was not found within numerics.max_iterations");
   add(c.wallProjections, "times a particle was pushed out of an obstacle");
   if (std::abs(l.energyResidual) > 0.05 * l.energyScale)
     w.push_back(fmt::format("the ledger does not close: {:+.3g} J of mechanical energy ({:.0f} % of its largest term) are from nowhere; shorter steps (numerics.max_step) may show why", l.energyResidual,
