@@ -112,6 +112,7 @@ void clearRates(World& w) {
   std::fill_n(p.interaction.data(), p.owned, 0.0);
   if (p.heatFlow.active) std::fill_n(p.heatFlow.data(), p.owned, 0.0);
   if (p.softening.active) std::fill_n(p.softening.data(), p.owned, 0.0);
+  if (p.drag.active) std::fill_n(p.drag.data(), p.owned, Vec3d{});
 }
 
 namespace {
@@ -215,9 +216,11 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass) {
   if (w.modules.fluid && !w.modules.incompressible)  // else pressure is found at the end of the step
     pass == NeighbourPass::InnerForces ? packPressure(x, p, 0, p.owned, t.records) : packPressure(x, p, p.owned, p.size(), t.records);
   const PairSums s = pairSumsOf(w, t);
-  if (w.modules.fluid || w.modules.heat) t.kernels->forces(s, range);
+  PairSums resisting = s;
+  if (p.drag.active) resisting.force = p.drag.data();  // viscosity only: pressure is found at the end of the step
+  if (w.modules.fluid || w.modules.heat) t.kernels->forces(resisting, range);
   if (w.modules.tension) t.kernels->tension(s, range);
-  if (w.modules.artificialViscosity) t.kernels->artificialViscosity(s, range);
+  if (w.modules.artificialViscosity) t.kernels->artificialViscosity(resisting, range);
   if (w.modules.xsph) t.kernels->smoothing(s, range);
   if (w.modules.surfaceHeat) t.kernels->exposure(s, range);
   if (w.modules.contact) {
@@ -226,6 +229,8 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass) {
   }
   if (pass == NeighbourPass::InnerForces && w.modules.fluid)  // energy of compression
     for (std::size_t i = 0; i < p.owned; i++) p.interaction[i] += compressionOf(x, p, i);
+  if (pass == NeighbourPass::BoundaryForces && p.drag.active)
+    for (std::size_t i = 0; i < p.owned; i++) p.force[i] += p.drag[i];
   t.times.lap(StepPhase::Forces);
 }
 

@@ -32,6 +32,7 @@ struct Continuum : Table {
   Column<float> holding{*this, "holding", "Pa", Keep::State, "pressure that keeps the volume over the next step, over that step: where the next solve begins"};
   Column<float> steadying{*this, "steadying", "Pa", Keep::State, "pressure that stopped compression at the end of the last step, over that step: likewise"};
   Column<Vec3d> pressureKick{*this, "pressureKick", "m/s", Keep::State, "velocity that the next step begins by adding: of `holding`"};
+  Column<Vec3d> drag{*this, "drag", "N", Keep::Transient, "the part of the force that takes energy away: viscosity, drag of walls"};
   Column<float> trialPressure{*this, "trialPressure", "Pa s", Keep::Transient, "of the iteration at hand, over the step"};
   Column<Vec3d> trialVelocity{*this, "trialVelocity", "m/s", Keep::Transient, "that follows from it"};
   Column<Vec3d> smoothing{*this, "smoothing", "m/s", Keep::State, "XSPH: the particle moves with velocity + smoothing"};

@@ -12,7 +12,7 @@ void activateFields(World& w, StepTools& t) {
   on(true, {&p.id, &p.position, &p.velocity, &p.acceleration, &p.mass, &p.material, &p.body, &p.dissipated, &p.cell, &p.nextCell, &p.phase, &p.force,
             &p.dissipation, &p.interaction});
   on(m.fluid, {&p.filling, &p.pressure});
-  on(m.incompressible, {&p.holding, &p.steadying, &p.pressureKick, &p.trialPressure, &p.trialVelocity});
+  on(m.incompressible, {&p.holding, &p.steadying, &p.pressureKick, &p.drag, &p.trialPressure, &p.trialVelocity});
   on(m.xsph, {&p.smoothing});
   on(m.surfaceHeat, {&p.exposure});
   on(m.heat, {&p.enthalpy, &p.temperature, &p.heatFlow});

@@ -122,6 +122,7 @@ void addWallForces(const WallContext& x, double perLatticeSum, WallContacts& con
       if (!wall.properties.motion.empty()) w.ledger.wallWork.add(dot(act.force - before, v) * x.dt);
     }
     p.force[i] += act.force;
+    if (p.drag.active) p.drag[i] += act.resisting;
     // Half a kick lies on either side of now (at the start only after it): energy changes as if by the velocity between them.
     Vec3d half{};
     if (!(p.clamped.active && p.clamped[i])) half = (p.force[i] / p.mass[i] + w.scene.domain.gravity) * (x.dt > 0 ? 0.5 * x.dt : 0.25 * x.span);

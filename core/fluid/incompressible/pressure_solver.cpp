@@ -139,6 +139,13 @@ void keepTrial(const Continuum& p, Column<float>& pressure, double dt) {
   for (std::size_t i = 0; i < p.owned; i++) pressure[i] = static_cast<float>(static_cast<double>(p.trialPressure[i]) / dt);
 }
 
+/// Half of the work of what resists is done in the next half kick, after the velocities have changed, and is booked at those of before.
+void bookResistance(World& w, const std::vector<Vec3d>& before, double half) {
+  Continuum& p = w.particles;
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (!(p.clamped.active && p.clamped[i])) p.dissipated[i] -= half * dot(p.drag[i], p.velocity[i] + p.pressureKick[i] - before[i]);
+}
+
 /// Changes velocity by `change`; what the kinetic energy loses is dissipated.
 void change(Continuum& p, std::size_t i, const Vec3d& change) {
   p.dissipated[i] -= p.mass[i] * dot(change, p.velocity[i] + change * 0.5);
@@ -188,9 +195,12 @@ void findPressure(World& w, Halos halos, StepTools& t, double dt) {
   Continuum& p = w.particles;
   const PressureSystem system{w, halos, t};
   const double next = clip(w.clock, w.clock.dt);
+  std::vector<Vec3d>& before = t.pressure.arrived;
+  before.assign(p.velocity.data(), p.velocity.data() + p.owned);
   prepareSystem(system);
   stopCompression(system, dt, next);
   keepVolume(system, next);
+  bookResistance(w, before, 0.5 * next);
   for (std::size_t i = 0; i < p.owned; i++) p.pressure[i] = p.holding[i] + p.steadying[i];
   if (halos.all.rank() == 0) {
     w.counters.densityIterations += w.lastIterations.density;

@@ -21,6 +21,7 @@ struct PressureWork {
   std::vector<float> fraction;       ///< liquid
   std::vector<float> before, stepped;  ///< Pa s, after the last step and after this one, without momentum
   std::vector<Vec3d> start;          ///< m/s, velocities before the solve
+  std::vector<Vec3d> arrived;        ///< m/s, velocities before both
   std::vector<Vec3d> impulse;        ///< N s
   std::vector<double> rate;          ///< 1/s, of the filling
 };
