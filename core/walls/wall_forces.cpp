@@ -125,7 +125,8 @@ void addWallForces(const WallContext& x, double perLatticeSum, WallContacts& con
     if (p.drag.active) p.drag[i] += act.resisting;
     // Half a kick lies on either side of now (at the start only after it): energy changes as if by the velocity between them.
     Vec3d half{};
-    if (!(p.clamped.active && p.clamped[i])) half = (p.force[i] / p.mass[i] + w.scene.domain.gravity) * (x.dt > 0 ? 0.5 * x.dt : 0.25 * x.span);
+    if (!(p.clamped.active && p.clamped[i]) && !p.drag.active) half =  // with drag the pressure solver books it
+        (p.force[i] / p.mass[i] + w.scene.domain.gravity) * (x.dt > 0 ? 0.5 * x.dt : 0.25 * x.span);
     p.dissipation[i] += act.lost - dot(act.resisting, half);
     for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(act.force[a]);
   }

@@ -139,11 +139,13 @@ void keepTrial(const Continuum& p, Column<float>& pressure, double dt) {
   for (std::size_t i = 0; i < p.owned; i++) pressure[i] = static_cast<float>(static_cast<double>(p.trialPressure[i]) / dt);
 }
 
-/// Half of the work of what resists is done in the next half kick, after the velocities have changed, and is booked at those of before.
-void bookResistance(World& w, const std::vector<Vec3d>& before, double half) {
+/// What resists was booked at the velocity of the drift, v. It works in the half kick behind, at v + a dt/4 on the mean, and in the one
+/// that comes, at v + a dt/2 + change by pressure + a next/4: at steps that are near the viscous limit that is a good part of it.
+void bookResistance(World& w, const std::vector<Vec3d>& before, double dt, double next) {
   Continuum& p = w.particles;
+  const double both = (dt + next) * (dt + next) / 8, half = 0.5 * next;
   for (std::size_t i = 0; i < p.owned; i++)
-    if (!(p.clamped.active && p.clamped[i])) p.dissipated[i] -= half * dot(p.drag[i], p.velocity[i] + p.pressureKick[i] - before[i]);
+    if (!(p.clamped.active && p.clamped[i])) p.dissipated[i] -= dot(p.drag[i], (p.velocity[i] + p.pressureKick[i] - before[i]) * half + p.acceleration[i] * both);
 }
 
 /// Changes velocity by `change`; what the kinetic energy loses is dissipated.
@@ -200,7 +202,7 @@ void findPressure(World& w, Halos halos, StepTools& t, double dt) {
   prepareSystem(system);
   stopCompression(system, dt, next);
   keepVolume(system, next);
-  bookResistance(w, before, 0.5 * next);
+  bookResistance(w, before, dt, next);
   for (std::size_t i = 0; i < p.owned; i++) p.pressure[i] = p.holding[i] + p.steadying[i];
   if (halos.all.rank() == 0) {
     w.counters.densityIterations += w.lastIterations.density;
