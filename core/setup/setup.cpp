@@ -73,7 +73,12 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   t.wallTables = makeWallTables(w.scene.numerics.kernel, 1 / w.scene.numerics.support);
   const double h = w.grid.support;
   t.perLatticeSum = 1 / latticeSum(w.scene.numerics);
-  if (w.modules.incompressible) t.pressure.relaxation = 0.9 / largestPressureResponse(w.scene.numerics);
+  if (w.modules.incompressible) {
+    double sound = 0;  // in proportion to the speed to expect
+    for (const LiquidMaterial& l : t.liquids) sound = std::max(sound, l.soundSpeed);
+    t.pressure.relaxation = 0.9 / largestPressureResponse(w.scene.numerics);
+    t.pressure.mendingTime = w.scene.spacing / (sound * std::sqrt(w.scene.numerics.maxDensityError));
+  }
   t.fillingScale = t.perLatticeSum / (h * h * h);
   activateFields(w, t);
 }

@@ -8,12 +8,12 @@
 namespace thaw {
 namespace {
 
-/// What a solve is to reach: no predicted compression e = (filling - 1) + dt d(filling)/dt, cut at the filling that is there
-/// (`allowed`) where only the rate is to be stopped.
+/// What a solve is to reach: no predicted compression e = (filling - 1) + dt d(filling)/dt. Of a compression that is there a share only is
+/// undone in a step: all of it at once throws the surface of a deep liquid off, with error * depth / dt. The tolerance is of the same share.
 struct Goal {
   double dt;          ///< s
   double tolerance;   ///< 1, mean of what is left
-  bool rateOnly;      ///< divergence: e = min(filling - 1, 0) + dt d(filling)/dt
+  double share;       ///< 1, of a compression that is there; divergence: 0
 };
 
 /// Exact over ranks, as integers: how much is left, of how many, and whether the last move went uphill.
@@ -45,7 +45,7 @@ Progress jacobiStep(const PressureSystem& x, const Goal& goal, std::vector<float
     const double f = static_cast<double>(work.fraction[i]), full = goal.dt * work.response[i], k = static_cast<double>(p.trialPressure[i]);
     const double filled = static_cast<double>(p.filling[i]) - 1;
     // half-molten: as a spring beside the constraint, so soft that a lone particle's pressure is the liquid fraction of a liquid's
-    const double e = (goal.rateOnly ? std::min(filled, 0.0) : filled) + goal.dt * work.rate[i] - (1 - f) * full * k;
+    const double e = (filled > 0 ? goal.share * filled : filled) + goal.dt * work.rate[i] - (1 - f) * full * k;
     const double left = mayPull || k * full > -e ? std::abs(e) : k * full;
     double next = k + x.tools.pressure.relaxation * e / full;
     if (!mayPull) next = std::max(next, 0.0);
@@ -155,12 +155,12 @@ void change(Continuum& p, std::size_t i, const Vec3d& change) {
 }
 
 /// Velocities without compression.
-void stopCompression(const PressureSystem& x, double dt, double next) {
+void stopCompression(const PressureSystem& x, double dt, double next, double share) {
   World& w = x.world;
   Continuum& p = w.particles;
   std::copy_n(p.velocity.data(), p.owned, x.tools.pressure.start.begin());
   setTrial(p, p.steadying, dt);
-  w.lastIterations.divergence = solve(x, {next, w.scene.numerics.divergenceTolerance, true});
+  w.lastIterations.divergence = solve(x, {next, share * w.scene.numerics.divergenceTolerance, 0});
   keepTrial(p, p.steadying, dt);
   bookReactions(x, [&](const Vec3d& impulse) {
     for (int a = 0; a < 3; a++) w.ledger.wallImpulse[a].add(impulse[a]);
@@ -169,14 +169,14 @@ void stopCompression(const PressureSystem& x, double dt, double next) {
 }
 
 /// The kick with which the next drift ends at a filling of 1.
-void keepVolume(const PressureSystem& x, double next) {
+void keepVolume(const PressureSystem& x, double next, double share) {
   World& w = x.world;
   Continuum& p = w.particles;
   PressureWork& work = x.tools.pressure;
   const double half = 0.5 * next;
   for (std::size_t i = 0; i < p.owned; i++) work.start[i] = p.velocity[i] + p.acceleration[i] * half;
   setTrial(p, p.holding, next);
-  w.lastIterations.density = solve(x, {next, w.scene.numerics.densityTolerance, false});
+  w.lastIterations.density = solve(x, {next, share * w.scene.numerics.densityTolerance, share});
   keepTrial(p, p.holding, next);
   const auto book = [&](const Vec3d& impulse) {  // with the next half kick
     for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(impulse[a] / half);
@@ -199,9 +199,10 @@ void findPressure(World& w, Halos halos, StepTools& t, double dt) {
   const double next = clip(w.clock, w.clock.dt);
   std::vector<Vec3d>& before = t.pressure.arrived;
   before.assign(p.velocity.data(), p.velocity.data() + p.owned);
+  const double share = std::min(1.0, next / t.pressure.mendingTime);
   prepareSystem(system);
-  stopCompression(system, dt, next);
-  keepVolume(system, next);
+  stopCompression(system, dt, next, share);
+  keepVolume(system, next, share);
   bookResistance(w, before, dt, next);
   for (std::size_t i = 0; i < p.owned; i++) p.pressure[i] = p.holding[i] + p.steadying[i];
   if (halos.all.rank() == 0) {

@@ -16,6 +16,7 @@ struct WallSlope {
 
 struct PressureWork {
   double relaxation = 0;             ///< share of a Jacobi step that does not overshoot on the lattice
+  double mendingTime = 0;            ///< s, in which a compression is undone: that of the fastest expected over a spacing
   std::vector<WallSlope> walls;      ///< by row
   std::vector<double> response;      ///< 1/(Pa s^2), of the rate of a particle's filling to its own pressure over the step, by its liquid fraction; 0: no liquid
   std::vector<float> fraction;       ///< liquid
