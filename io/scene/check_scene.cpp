@@ -72,6 +72,11 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
     for (const Material& m : s.materials)
       if (m.paperDiffusivity == 0 && (m.conductivity.solid > 0 || m.conductivity.liquid > 0))
         errors.push_back({m.where, fmt::format("material.{}: with numerics.heat = \"paper\" heat spreads by paper_diffusivity, not by conductivity", m.name)});
+  const Numerics& n = s.numerics;
+  if (n.solver == PressureSolver::Incompressible && n.pressure == PairForm::Printed)
+    errors.push_back({x.start, "numerics.pressure_solver = \"incompressible\" needs numerics.pressure = \"consistent\": the printed form has no potential to solve for"});
+  if (n.solver == PressureSolver::Incompressible && n.tensileLimit > 0 && n.tensileLimit < 1)
+    errors.push_back({x.start, "with numerics.pressure_solver = \"incompressible\" numerics.tensile_limit is 0 (liquid never pulls) or 1 (it always does, for boxes that are full)"});
   checkSizes(x, errors);
 }
 
