@@ -103,6 +103,7 @@ ColumnList ghostColumns(World& w) {
   if (p.liquid.active) c.push_back(&p.liquid);
   if (p.temperature.active) c.push_back(&p.temperature);
   if (p.compression.active) c.push_back(&p.compression);
+  if (w.modules.incompressible && p.clamped.active) c.push_back(&p.clamped);
   return c;
 }
 
@@ -114,13 +115,16 @@ void clearRates(World& w) {
   if (p.fastAcceleration.active) std::fill_n(p.fastAcceleration.data(), p.owned, Vec3d{});
   if (p.heatFlow.active) std::fill_n(p.heatFlow.data(), p.owned, 0.0);
   if (p.softening.active) std::fill_n(p.softening.data(), p.owned, 0.0);
+  if (p.drag.active) std::fill_n(p.drag.data(), p.owned, Vec3d{});
 }
 
 namespace {
 
 RecordContext recordsOf(const World& w, const StepTools& t) { return {w.scene, w.modules, w.grid, t.liquids}; }
 
-PairSums sumsOf(World& w, StepTools& t) {
+}  // namespace
+
+PairSums pairSumsOf(World& w, StepTools& t) {
   Continuum& p = w.particles;
   const Numerics& n = w.scene.numerics;
   PairSums s;
@@ -164,6 +168,8 @@ PairSums sumsOf(World& w, StepTools& t) {
   return s;
 }
 
+namespace {
+
 void search(World& w, StepTools& t, Part part) {
   const Continuum& p = w.particles;
   const std::size_t n = w.cells.key.size();
@@ -191,7 +197,7 @@ void search(World& w, StepTools& t, Part part) {
 double compressionOf(const RecordContext& x, const Continuum& p, std::size_t i) {
   const Material& m = x.scene.materials[p.material[i]];
   const double f = p.liquid.active ? static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? 1 : 0;
-  if (f == 0) return 0;
+  if (f == 0 || x.modules.incompressible) return 0;
   return f * p.mass[i] / m.density * compressionEnergy(x.scene.numerics.eos, x.liquids[p.material[i]].stiffness, static_cast<double>(p.filling[i]), x.scene.numerics.tensileLimit);
 }
 
@@ -220,17 +226,19 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass) {
   const GroupRange inner{0, lists.innerGroups}, boundary{lists.innerGroups, lists.groups};
   const GroupRange range = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::InnerForces ? inner : boundary;
   if (density) {
-    if (w.modules.fluid) t.kernels->density(sumsOf(w, t), range);
+    if (w.modules.fluid) t.kernels->density(pairSumsOf(w, t), range);
     t.times.lap(StepPhase::Density);
     return;
   }
-  if (w.modules.fluid)
+  if (w.modules.fluid && !w.modules.incompressible)  // else pressure is found at the end of the step
     pass == NeighbourPass::InnerForces ? packPressure(x, p, 0, p.owned, t.records) : packPressure(x, p, p.owned, p.size(), t.records);
-  const PairSums s = sumsOf(w, t);
-  if (w.modules.fluid || w.modules.heat) t.kernels->forces(s, range);
+  const PairSums s = pairSumsOf(w, t);
+  PairSums resisting = s;
+  if (p.drag.active) resisting.force = p.drag.data();  // viscosity only: pressure is found at the end of the step
+  if (w.modules.fluid || w.modules.heat) t.kernels->forces(resisting, range);
   if (w.modules.corrected) t.kernels->correctPressure(s, range);
   if (w.modules.tension) t.kernels->tension(s, range);
-  if (w.modules.artificialViscosity) t.kernels->artificialViscosity(s, range);
+  if (w.modules.artificialViscosity) t.kernels->artificialViscosity(resisting, range);
   if (w.modules.xsph) t.kernels->smoothing(s, range);
   if (w.modules.surfaceHeat) t.kernels->exposure(s, range);
   if (w.modules.contact) {
@@ -239,10 +247,12 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass) {
   }
   if (pass == NeighbourPass::InnerForces && w.modules.fluid)  // energy of compression
     for (std::size_t i = 0; i < p.owned; i++) p.interaction[i] += compressionOf(x, p, i);
+  if (pass == NeighbourPass::BoundaryForces && p.drag.active)
+    for (std::size_t i = 0; i < p.owned; i++) p.force[i] += p.drag[i];
   t.times.lap(StepPhase::Forces);
 }
 
-void solveViscosity(World& w, Halos halos, StepTools& t, const WallContext& walls) { addImplicitViscosity(w, halos, t, sumsOf(w, t), walls); }
+void solveViscosity(World& w, Halos halos, StepTools& t, const WallContext& walls) { addImplicitViscosity(w, halos, t, pairSumsOf(w, t), walls); }
 
 void sumUnitPressure(World& w, StepTools& t) {
   Continuum& p = w.particles;
@@ -261,7 +271,7 @@ void sumUnitPressure(World& w, StepTools& t) {
   in.inner = t.inner.data();
   in.owned = static_cast<std::uint32_t>(p.owned);
   t.kernels->search(in, Part::Inner, t.search, w.neighbours);
-  PairSums s = sumsOf(w, t);
+  PairSums s = pairSumsOf(w, t);
   s.heat = false;
   s.pressureForm = PairForm::Consistent;
   s.fillingScale = 1 / (w.grid.support * w.grid.support * w.grid.support);

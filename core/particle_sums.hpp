@@ -13,6 +13,9 @@ bool bringHome(World& world, Halos halos, StepTools& tools, double dt);
 /// The columns that sums over neighbours read of ghosts, by the modules that are on.
 ColumnList ghostColumns(World& world);
 
+/// What a sum over neighbours reads and writes, of this world.
+PairSums pairSumsOf(World& world, StepTools& tools);
+
 /// Zero for everything that a step adds up.
 void clearRates(World& world);
 

@@ -6,6 +6,7 @@
 #include "core/contact/solid_contact.hpp"
 #include "core/domain/sides.hpp"
 #include "core/fluid/carried_density.hpp"
+#include "core/fluid/incompressible/pressure_solver.hpp"
 #include "core/heat/heat.hpp"
 #include "core/ledger/report.hpp"
 #include "core/particle_sums.hpp"
@@ -18,6 +19,7 @@ namespace thaw {
 StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   t.times.start();
   const double dt = clip(w.clock, w.clock.dt), time = timeAfter(w.clock, dt);
+  if (w.modules.incompressible) addPressureKick(w);  // found at the end of the last step
   kickAndDrift(w, dt);                         // v += a dt/2, x += v dt
   substepSolids(w, halos, t, dt);              // stiff solids: bonds alone, in shorter steps
   wrapPeriodic(w.grid, w.scene.domain, w.particles, w.ledger.entered.potential);
@@ -42,6 +44,7 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   w.clock.stepDt = dt;
   w.clock.step++;
   const StepOutcome all = vote(w, halos, t, here, wanted);
+  if (w.modules.incompressible && all.finite) findPressure(w, halos, t, dt);  // v without compression, and the kick that keeps the volume
   if (w.modules.solid && t.meltedAnywhere) melt(w, halos, t);  // here and not in the next step: a checkpoint has it behind it
   return all;
 }

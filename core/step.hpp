@@ -5,6 +5,7 @@
 
 #include "core/domain/emit.hpp"
 #include "core/fluid/implicit_viscosity/viscous_work.hpp"
+#include "core/fluid/incompressible/pressure_work.hpp"
 #include "core/fluid/records.hpp"
 #include "core/halo/halo.hpp"
 #include "core/neighbours/search.hpp"
@@ -49,6 +50,7 @@ struct StepTools {
   WallContacts wallContacts;
   std::vector<WallContact> substepContacts;  ///< of the solids that may touch a wall in this step
   double longestContact = never;     ///< s, of a substep: contact of solids with walls where substeps do it, of materials
+  PressureWork pressure;
   ElasticWork elastic;
   ViscousWork viscous;
   std::vector<BondRequest> requests;

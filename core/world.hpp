@@ -31,7 +31,12 @@ struct Counters {
   std::int64_t viscousIterations = 0;       ///< of implicit viscosity, all steps; on the first rank only
   std::int64_t viscousUnfinished = 0;       ///< steps in which they were not enough; on the first rank only
   std::int64_t retries = 0;                 ///< stretches that failed and were run again with shorter steps
+  std::int64_t densityIterations = 0, divergenceIterations = 0;  ///< of the incompressible solver; on the first rank only
+  std::int64_t unsolvedPressures = 0;       ///< solves that ended at the most iterations allowed; on the first rank only
 };
+
+/// Iterations of the incompressible solver in the last step, alike on all ranks; not part of the state.
+struct PressureIterations { std::int64_t density = 0, divergence = 0; };
 
 struct World {
   Scene scene;
@@ -47,6 +52,7 @@ struct World {
   Ledger ledger;
   Counters counters;
   WatchState watch;
+  PressureIterations lastIterations;
 };
 
 }  // namespace thaw

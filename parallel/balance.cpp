@@ -4,7 +4,7 @@ namespace thaw {
 
 double workOf(const PhaseTimes& t) {
   double sum = 0;
-  for (StepPhase p : {StepPhase::Drift, StepPhase::Sort, StepPhase::Search, StepPhase::Density, StepPhase::Forces, StepPhase::Walls, StepPhase::Contact, StepPhase::Elastic, StepPhase::Heat})
+  for (StepPhase p : {StepPhase::Drift, StepPhase::Sort, StepPhase::Search, StepPhase::Density, StepPhase::Forces, StepPhase::Pressure, StepPhase::Walls, StepPhase::Contact, StepPhase::Elastic, StepPhase::Heat})
     sum += t[p];
   return sum;
 }

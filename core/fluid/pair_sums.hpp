@@ -61,6 +61,8 @@ struct PairSums {
   double *densityRate = nullptr, *spreading = nullptr;  ///< 1/s
   Vec3d* crowding = nullptr;     ///< 1, h grad filling; none: not wanted
   Vec3d* smoothed = nullptr;     ///< m/s, velocity change by XSPH
+  Vec3d* impulse = nullptr;      ///< N s, of impulse (overwritten); of response the slope of the filling, 1/m
+  double* compression = nullptr; ///< 1/s, of compression (overwritten); of response the share of the others, 1/(m^2 kg)
   std::int64_t* coincident = nullptr;  ///< counts particles with another one at the same place
 };
 

@@ -8,6 +8,7 @@
 #include "core/fluid/terms/density.hpp"
 #include "core/fluid/terms/exposure.hpp"
 #include "core/fluid/terms/forces.hpp"
+#include "core/fluid/terms/incompressible.hpp"
 #include "core/fluid/terms/smoothing.hpp"
 #include "core/fluid/terms/tension.hpp"
 #include "core/fluid/terms/viscous_operator.hpp"
@@ -139,6 +140,33 @@ void closePairs(const PairSums& in, GroupRange range, ClosePairs& pairs) {
   in.precision == Precision::Single ? closePairsOf<float>(in, range, pairs) : closePairsOf<double>(in, range, pairs);
 }
 
+void compression(const PairSums& in, GroupRange range) {
+  choose(in, [&](auto real, auto kernel) {
+    using Real = decltype(real);
+    const double h = in.support;
+    Compression<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.motion), in.compression, in.fillingScale * h * h};
+    sweep(*in.lists, range, term, true);
+  });
+}
+
+void impulse(const PairSums& in, GroupRange range) {
+  choose(in, [&](auto real, auto kernel) {
+    using Real = decltype(real);
+    const double h = in.support;
+    Impulse<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.state), in.impulse, in.fillingScale * h * h * h * h * h};
+    sweep(*in.lists, range, term, true);
+  });
+}
+
+void response(const PairSums& in, GroupRange range) {
+  choose(in, [&](auto real, auto kernel) {
+    using Real = decltype(real);
+    const double h = in.support;
+    Response<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.state), in.impulse, in.compression, in.fillingScale * h * h};
+    sweep(*in.lists, range, term, true);
+  });
+}
+
 #define THAW_STRING_(x) #x
 #define THAW_STRING(x) THAW_STRING_(x)
 
@@ -148,8 +176,8 @@ void searchNeighbours(const SearchInput&, Part, SearchBuffers&, NeighbourLists&)
 
 const PairKernels& pairKernelSet();
 const PairKernels& pairKernelSet() {
-  static constexpr PairKernels set{THAW_STRING(THAW_ISA) + 4, searchNeighbours, density,  forces,    correctPressure, tension,
-                                   artificialViscosity,       smoothing,        exposure, closePairs, viscous};
+  static constexpr PairKernels set{THAW_STRING(THAW_ISA) + 4, searchNeighbours, density,  forces,     correctPressure, tension,     artificialViscosity,
+                                   smoothing,                 exposure,         closePairs, viscous, compression,     impulse,     response};
   return set;
 }
 

@@ -92,6 +92,23 @@ ViscousWeight viscousWeight(const Numerics& n) {
   return {continuum.scale * 2 / (slidingViscosity(n, continuum, 0) + slidingViscosity(n, continuum, 1))};
 }
 
+double largestPressureResponse(const Numerics& n) {
+  return withKernel(n, [&](auto kernel) {
+    double diagonal = 0, largest = 0;
+    overNeighbours(n.support, [&](const Eigen::Vector3d&, double q2) { diagonal += kernel.slope(q2) * kernel.slope(q2) * q2; });
+    const int waves = 16;
+    for (int a = 0; a <= waves; a++)
+      for (int b = 0; b <= a; b++)
+        for (int c = 0; c <= b; c++) {
+          const Eigen::Vector3d k = Eigen::Vector3d(a, b, c) * (pi * n.support / waves);
+          Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+          overNeighbours(n.support, [&](const Eigen::Vector3d& d, double q2) { sum += kernel.slope(q2) * std::sin(k.dot(d)) * d; });
+          largest = std::max(largest, sum.squaredNorm());
+        }
+    return largest / diagonal;
+  });
+}
+
 double latticeGradient(const Numerics& n) {
   return withKernel(n, [&](auto kernel) {
     double sum = 0;

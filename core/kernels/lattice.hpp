@@ -29,4 +29,8 @@ double stableViscousStep(const Numerics& numerics);
 /// Largest dt alpha / h^2 of heat conduction likewise; alpha diffusivity.
 double stableHeatStep(const Numerics& numerics);
 
+/// Largest response of the incompressible solver's sums to a plane wave of pressures on the lattice, over their diagonal (1): a
+/// Jacobi step of one over it does not overshoot.
+double largestPressureResponse(const Numerics& numerics);
+
 }  // namespace thaw

@@ -36,6 +36,13 @@ struct Continuum : Table {
   Column<Mat3d> flow{*this, "flow", "1/s", Keep::Transient, "symmetric part of -sum V u grad W, not yet corrected"};
   Column<Vec3d> smoothing{*this, "smoothing", "m/s", Keep::State, "XSPH and shifting: the particle moves with velocity + smoothing"};
   Column<Vec3d> crowding{*this, "crowding", "1", Keep::Transient, "h grad of the filling by places"};
+  // incompressible liquids (core/fluid/incompressible/)
+  Column<float> holding{*this, "holding", "Pa", Keep::State, "pressure that keeps the volume over the next step, over that step: where the next solve begins"};
+  Column<float> steadying{*this, "steadying", "Pa", Keep::State, "pressure that stopped compression at the end of the last step, over that step: likewise"};
+  Column<Vec3d> pressureKick{*this, "pressureKick", "m/s", Keep::State, "velocity that the next step begins by adding: of `holding`"};
+  Column<Vec3d> drag{*this, "drag", "N", Keep::Transient, "the part of the force that takes energy away: viscosity, drag of walls"};
+  Column<float> trialPressure{*this, "trialPressure", "Pa s", Keep::Transient, "of the iteration at hand, over the step"};
+  Column<Vec3d> trialVelocity{*this, "trialVelocity", "m/s", Keep::Transient, "that follows from it"};
   Column<float> exposure{*this, "exposure", "1", Keep::Transient, "share in the free surface; 1 for a column of particles below a flat surface"};
   Column<Vec3d> viscousAcceleration{*this, "viscousAcceleration", "m/s^2", Keep::State, "by implicit viscosity in the last step, where the next one starts to look"};
   Column<Vec3d> viscousSearch{*this, "viscousSearch", "m/s", Keep::Transient, "velocities that implicit viscosity sends to ghosts"};

@@ -102,6 +102,7 @@ Modules modulesOf(const Scene& s) {
     for (std::size_t k = 0; k < s.materials.size(); k++)
       if (used[k] && s.materials[k].weld && s.materials[k].canBeSolid()) f.on(m.welding, "welding", "solids of material " + quoted(s.materials[k].name) + " grow together");
   if (m.solid && s.numerics.elasticSubsteps > 1) f.on(m.substeps, "substeps of solids", "numerics.elastic_substeps is " + std::to_string(s.numerics.elasticSubsteps));
+  if (m.fluid && s.numerics.solver == PressureSolver::Incompressible) f.on(m.incompressible, "incompressible liquid", "numerics.pressure_solver says so");
   if (m.fluid) f.on(m.neighbours, "neighbour search", "there is liquid");
   if (m.contact) f.on(m.neighbours, "neighbour search", "solids can meet");
   if (m.heat) f.on(m.neighbours, "neighbour search", "heat is conducted");

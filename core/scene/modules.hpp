@@ -12,6 +12,7 @@ struct Modules {
   bool continuity = false; ///< the flow carries the density of liquids
   bool corrected = false;  ///< and by corrected gradients
   bool shifting = false;   ///< particles of liquids are moved to emptier places
+  bool incompressible = false;  ///< pressure by the solver of core/fluid/incompressible/ instead of the equation of state
   bool tension = false;    ///< a liquid with surface tension
   bool xsph = false, artificialViscosity = false;
   bool implicitViscosity = false;  ///< a liquid with viscosity, and the scene asks for the implicit solver

@@ -148,6 +148,7 @@ enum class Precision { Single, Double };          // of pair sums; the state its
 enum class PairForm { Consistent, Printed };      // Printed: K05's sums as the paper has them
 enum class DensityForm { Summation, Continuity, Plain };
 enum class EquationOfState { Linear, Tait };
+enum class PressureSolver { StateEquation, Incompressible };
 enum class ViscosityForm { Pairwise, Laplacian };
 enum class ViscositySolver { Explicit, Implicit };
 enum class TensionForm { Pairwise, ColourField };  // ColourField: as printed in MCG03/K05
@@ -170,6 +171,10 @@ struct Numerics {
   double shifting = 0;            // 1, velocity of particles from crowded to empty places, over c h |grad C|
   EquationOfState eos = EquationOfState::Linear;
   double tensileLimit = 0;        // 1: fraction of negative pressure that is kept (0: clamped at 0)
+  PressureSolver solver = PressureSolver::StateEquation;
+  double densityTolerance = 1e-4;     // 1, mean relative compression that the incompressible solver leaves
+  double divergenceTolerance = 1e-3;  // 1, mean rate of compression times the step that it leaves
+  std::int64_t maxIterations = 100;          // of either of its solves
   ViscosityForm viscosity = ViscosityForm::Pairwise;
   ViscositySolver viscositySolver = ViscositySolver::Explicit;
   double viscosityTolerance = 1e-3;  // 1, error of the implicit solver's change of velocity

@@ -17,6 +17,7 @@ void activateFields(World& w, StepTools& t) {
   on(m.corrected, {&p.moment, &p.flow});
   on(m.xsph || m.shifting, {&p.smoothing});
   on(m.shifting, {&p.crowding});
+  on(m.incompressible, {&p.holding, &p.steadying, &p.pressureKick, &p.drag, &p.trialPressure, &p.trialVelocity});
   on(m.surfaceHeat, {&p.exposure});
   on(m.heat, {&p.enthalpy, &p.temperature, &p.heatFlow});
   on(m.melting, {&p.liquid, &p.softening});

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/fluid/incompressible/pressure_solver.hpp"
 #include "core/geometry/shape_error.hpp"
 #include "core/kernels/lattice.hpp"
 #include "core/ledger/report.hpp"
@@ -79,6 +80,12 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   const bool plain = n.density == DensityForm::Plain || n.pressure == PairForm::Printed;
   t.perLatticeSum = 1 / (plain ? latticeSum(n) : latticeGradient(n));
   t.selfWeight = latticeSum(n) * t.perLatticeSum - 1;
+  if (w.modules.incompressible) {
+    double sound = 0;  // in proportion to the speed to expect
+    for (const LiquidMaterial& l : t.liquids) sound = std::max(sound, l.soundSpeed);
+    t.pressure.relaxation = 0.9 / largestPressureResponse(w.scene.numerics);
+    t.pressure.mendingTime = w.scene.spacing / (sound * std::sqrt(w.scene.numerics.maxDensityError));
+  }
   t.fillingScale = t.perLatticeSum / (h * h * h);
   activateFields(w, t);
 }
@@ -126,6 +133,7 @@ void takeStock(World& w, Halos halos, StepTools& t) {
   // what the emitters let out at time 0 is part of the start
   w.ledger.entered = {};
   vote(w, halos, t, {}, {});
+  if (w.modules.incompressible) findPressure(w, halos, t, clip(w.clock, w.clock.dt));
   const double half = 0.5 * clip(w.clock, w.clock.dt);  // the first half kick, which no step books
   for (std::size_t i = 0; i < p.owned; i++) p.dissipated[i] = p.dissipation[i] * half;
 }

@@ -21,6 +21,10 @@ struct PairKernels {
   void (*exposure)(const PairSums&, GroupRange);
   void (*closePairs)(const PairSums&, GroupRange, ClosePairs&);
   void (*viscous)(const PairSums&, const ViscousSums&, GroupRange);
+  // of the incompressible solver (terms/incompressible.hpp)
+  void (*compression)(const PairSums&, GroupRange);
+  void (*impulse)(const PairSums&, GroupRange);
+  void (*response)(const PairSums&, GroupRange);
 };
 
 /// By name, or the best for this processor where the name is empty. Unknown or unsupported names give nullptr.

@@ -64,7 +64,7 @@ StepLimits materialLimits(const Scene& s, const Modules& modules, const std::vec
     const Material& m = s.materials[k];
     // Wider sums have no softer lattice: a support of 2 spacings is the longest that counts. A light particle, liquid or solid, among those
     // of a stiffer liquid swings with their stiffness and its own mass (accuracy.md B12).
-    if (stiffest > 0) {
+    if (stiffest > 0 && !modules.incompressible) {
       const double own = canBeLiquid(m) ? liquids[k].soundSpeed : 0, near = std::sqrt(stiffest / m.density);
       take(Limit::Sound, n.cflSound * std::min(h, 2 * s.spacing) / (near > own * (1 + 1e-12) ? near : own));
     }

@@ -51,7 +51,7 @@ void addLiquidForces(const WallContext& x, const Meeting& at, double perLatticeS
   const WallIntegrals t = x.tables(at.contact.distance / h);
   const double pressure = static_cast<double>(p.pressure[at.row]), filling = static_cast<double>(p.filling[at.row]);
   const Vec3d& n = at.contact.normal;
-  if (pressure != 0 && filling > 0) {
+  if (!w.modules.incompressible && pressure != 0 && filling > 0) {
     const double term = w.scene.numerics.pressure == PairForm::Printed ? 0.5 * pressure / filling : perLatticeSum * pressure / (filling * filling);
     act.force += n * (at.volume * term * t.push / h * at.contact.share);
     stiffest = std::max(stiffest, x.liquids[p.material[at.row]].soundSpeed * perLatticeSum * t.push / h);
@@ -70,7 +70,10 @@ void addContactForces(const WallContext& x, const Meeting& at, Continuum& p, Wal
   const double gap = dx * (rest + f * (0.25 - rest)) - at.contact.distance;
   if (gap <= 0) return;
   const Vec3d& n = at.contact.normal;
-  const double k = (at.material.young.at(f) + f * x.liquids[p.material[at.row]].stiffness) * dx;
+  // of an incompressible liquid the solver sees to it (stopAtWalls): the spring of the state equation is too stiff for its steps
+  const double liquid = x.world.modules.incompressible ? 0 : x.liquids[p.material[at.row]].stiffness;
+  const double k = (at.material.young.at(f) + f * liquid) * dx;
+  if (k <= 0) return;
   const double restitution = f < 1 ? std::min(at.wall.restitution, at.material.restitution) : 0.2;
   const double un = dot(at.velocity, n), spring = k * gap;
   const double dash = std::max(-2 * dashpotRatio(restitution) * std::sqrt(k * m) * un, -spring);  // a contact never pulls
@@ -78,7 +81,7 @@ void addContactForces(const WallContext& x, const Meeting& at, Continuum& p, Wal
   act.resist(n * dash, at.velocity);
   p.interaction[at.row] += 0.5 * k * gap * gap;
   if (p.softening.active)
-    p.softening[at.row] += 0.5 * (at.material.young.liquid - at.material.young.solid + x.liquids[p.material[at.row]].stiffness) * dx * gap * gap - (rest - 0.25) * dx * k * gap;
+    p.softening[at.row] += 0.5 * (at.material.young.liquid - at.material.young.solid + liquid) * dx * gap * gap - (rest - 0.25) * dx * k * gap;
   const Vec3d tangential = at.velocity - n * un;
   const double slip = length(tangential);
   if (f >= 1 || slip == 0) return;
@@ -150,10 +153,12 @@ void addWallForces(const WallContext& x, double perLatticeSum, WallContacts& con
     }
     p.force[i] += act.force;
     if (substeps) p.fastAcceleration[i] += often.force / p.mass[i];
+    if (p.drag.active) p.drag[i] += act.resisting;
     // Half a kick lies on either side of now (at the start only after it): energy changes as if by the velocity between them.
     Vec3d half{};
-    if (!(p.clamped.active && p.clamped[i])) half = (p.force[i] / p.mass[i] + w.scene.domain.gravity) * (x.dt > 0 ? 0.5 * x.dt : 0.25 * x.span);
-    if (substeps && !(p.clamped.active && p.clamped[i])) half += p.fastAcceleration[i] * ((x.fast - 1) * (x.dt > 0 ? 0.5 * x.dt : 0.25 * x.span));
+    const bool moves = !(p.clamped.active && p.clamped[i]);
+    if (moves && !p.drag.active) half = (p.force[i] / p.mass[i] + w.scene.domain.gravity) * (x.dt > 0 ? 0.5 * x.dt : 0.25 * x.span);  // with drag the pressure solver books it
+    if (substeps && moves) half += p.fastAcceleration[i] * ((x.fast - 1) * (x.dt > 0 ? 0.5 * x.dt : 0.25 * x.span));
     p.dissipation[i] += act.lost - dot(act.resisting, half);
     for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(act.force[a]);
     if (!substeps) continue;

@@ -31,7 +31,8 @@ Json countersJson(Counters counters) {
 
 /// Work, not waiting: what the balance can even out.
 bool isWork(StepPhase p) {
-  return p == StepPhase::Search || p == StepPhase::Density || p == StepPhase::Forces || p == StepPhase::Viscosity || p == StepPhase::Elastic || p == StepPhase::Walls || p == StepPhase::Contact ||
+  return p == StepPhase::Search || p == StepPhase::Density || p == StepPhase::Forces || p == StepPhase::Viscosity || p == StepPhase::Pressure || p == StepPhase::Elastic || p == StepPhase::Walls ||
+         p == StepPhase::Contact ||
          p == StepPhase::Heat || p == StepPhase::Drift || p == StepPhase::Sort;
 }
 
@@ -159,6 +160,7 @@ std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
   add(c.coincidentPairs, "times a particle shared its place with another and was pushed aside");
   add(c.viscousUnfinished, "steps needed more than numerics.viscosity_iterations for viscosity");
   add(c.retries, "times a stretch of steps failed and was run again with shorter ones");
+  add(c.unsolvedPressures, "times the pressure of incompressible liquid was not found within numerics.max_iterations");
   add(c.wallProjections, "times a particle was pushed out of an obstacle");
   if (std::abs(l.energyResidual) > 0.05 * l.energyScale)
     w.push_back(fmt::format("the ledger does not close: {:+.3g} J of mechanical energy ({:.0f} % of its largest term) are from nowhere; shorter steps (numerics.max_step) may show why", l.energyResidual,

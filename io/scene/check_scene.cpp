@@ -77,6 +77,11 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   if (solid != s.materials.end() && s.numerics.bondSupport > s.numerics.support)
     errors.push_back({solid->where, fmt::format("material.{} can be solid, and numerics.bond_support ({:g}) is above numerics.support ({:g}), within which neighbours are looked for",
                                                 solid->name, s.numerics.bondSupport, s.numerics.support)});
+  const Numerics& n = s.numerics;
+  if (n.solver == PressureSolver::Incompressible && n.pressure == PairForm::Printed)
+    errors.push_back({x.start, "numerics.pressure_solver = \"incompressible\" needs numerics.pressure = \"consistent\": the printed form has no potential to solve for"});
+  if (n.solver == PressureSolver::Incompressible && n.tensileLimit > 0 && n.tensileLimit < 1)
+    errors.push_back({x.start, "with numerics.pressure_solver = \"incompressible\" numerics.tensile_limit is 0 (liquid never pulls) or 1 (it always does, for boxes that are full)"});
   checkSizes(x, errors);
 }
 

@@ -1,0 +1,110 @@
+// The incompressible pressure solver through whole steps: what it is to keep, and what it is to save.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/simulation.hpp"
+
+namespace thaw::test {
+namespace {
+
+/// Mean of the filling above 1.
+double compression(const Continuum& p) {
+  double sum = 0;
+  for (std::size_t i = 0; i < p.owned; i++) sum += std::max(0.0, static_cast<double>(p.filling[i]) - 1);
+  return sum / static_cast<double>(p.owned);
+}
+
+Scene hydrostatic() {
+  const double dx = 0.1, H = 10 * dx;
+  Scene s = columnScene(dx, 0, 16 * dx);
+  s.domain.side[2][0] = Side::Wall;
+  s.domain.gravity = {0, 0, -10};
+  s.materials[0].viscosity = {500, 500};
+  s.numerics.solver = PressureSolver::Incompressible;
+  addBox(s, {0, 0, 0}, {6 * dx, 6 * dx, H});
+  s.end = 2;
+  return s;
+}
+
+/// Water falls to the right in a closed box.
+Scene dam() {
+  Scene s;
+  s.spacing = 0.02;
+  s.domain.min = {0, 0, 0};
+  s.domain.max = {0.4, 0.12, 0.4};
+  for (auto& side : s.domain.side) side = {Side::Wall, Side::Wall};
+  s.domain.gravity = {0, 0, -9.81};
+  s.output.every = 0;
+  s.materials.emplace_back();
+  s.materials[0].viscosity = {1, 1};
+  addBox(s, {0, 0, 0}, {0.16, 0.12, 0.24});
+  s.end = 0.3;
+  return s;
+}
+
+}  // namespace
+
+TEST(Incompressible, HydrostaticColumnHoldsItsDensity) {
+  const Scene s = hydrostatic();
+  Simulation run(s);
+  const Continuum& p = run.particles();
+  double most = 0;
+  while (run.w.clock.time < s.end) {
+    ASSERT_TRUE(run.step());
+    most = std::max(most, compression(p));
+  }
+  EXPECT_LT(most, 1.5 * s.numerics.densityTolerance);
+  double square = 0, fastest = 0;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    square += std::pow((static_cast<double>(p.pressure[i]) - 10000 * (1 - p.position[i].z)) / 10000, 2);
+    fastest = std::max(fastest, length(p.velocity[i]));
+  }
+  EXPECT_LT(std::sqrt(square / static_cast<double>(p.owned)), 0.08);  // as with the state equation (walls_test.cpp)
+  EXPECT_LT(fastest, 0.02 * std::sqrt(10.0));
+  EXPECT_EQ(run.w.counters.unsolvedPressures, 0);
+  const LedgerReport r = run.books();
+  EXPECT_LT(length(r.momentumResidual), 1e-6 * length(r.gravityImpulse));
+}
+
+TEST(Incompressible, DamBreakNeedsFewSteps) {
+  Scene s = dam();
+  Simulation stiff(s);
+  ASSERT_TRUE(stiff.run());
+  s.numerics.solver = PressureSolver::Incompressible;
+  Simulation run(s);
+  ASSERT_TRUE(run.run());
+  EXPECT_LT(5 * run.w.clock.step, stiff.w.clock.step);
+  EXPECT_EQ(run.w.counters.unsolvedPressures, 0);
+  EXPECT_LT(compression(run.particles()), 3e-3);
+  const LedgerReport a = stiff.books(), b = run.books();
+  EXPECT_NEAR(b.now.potential, a.now.potential, 0.1 * a.initial.potential);
+  EXPECT_LT(length(b.momentumResidual), 1e-6 * length(b.gravityImpulse));
+  EXPECT_LT(std::abs(b.energyResidual), 0.02 * b.energyScale);
+}
+
+// Two drops collide; no walls, no gravity.
+TEST(Incompressible, MomentumIsKept) {
+  Scene s;
+  s.spacing = 0.02;
+  s.domain.min = {-0.5, -0.5, -0.5};
+  s.domain.max = {0.5, 0.5, 0.5};
+  s.domain.gravity = {};
+  s.output.every = 0;
+  s.materials.emplace_back();
+  s.materials[0].viscosity = {0.1, 0.1};
+  s.numerics.solver = PressureSolver::Incompressible;
+  addBox(s, {-0.14, -0.06, -0.06}, {-0.02, 0.06, 0.06}).velocity = {1, 0, 0};
+  addBox(s, {0.02, -0.02, -0.06}, {0.14, 0.10, 0.06}).velocity = {-1, 0, 0};
+  s.end = 0.15;
+  Simulation run(s);
+  ASSERT_TRUE(run.run());
+  const LedgerReport r = run.books();
+  const double scale = 0.5 * r.now.mass;  // kg m/s, of one drop
+  EXPECT_LT(length(r.now.momentum), 1e-6 * scale);
+  EXPECT_LT(length(r.now.angularMomentum - r.initial.angularMomentum), 1e-4 * length(r.initial.angularMomentum));
+  EXPECT_LT(r.now.kinetic, 0.9 * r.initial.kinetic);
+  EXPECT_LT(std::abs(r.energyResidual), 0.01 * r.energyScale);
+}
+
+}  // namespace thaw::test
