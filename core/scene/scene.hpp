@@ -172,7 +172,7 @@ struct Numerics {
   EquationOfState eos = EquationOfState::Linear;
   double tensileLimit = 0;        // 1: fraction of negative pressure that is kept (0: clamped at 0)
   PressureSolver solver = PressureSolver::StateEquation;
-  double densityTolerance = 1e-4;     // 1, mean relative compression that the incompressible solver leaves
+  double densityTolerance = 1e-4;     // 1, mean of what the incompressible solver leaves of a step's compression
   double divergenceTolerance = 1e-3;  // 1, mean rate of compression times the step that it leaves
   std::int64_t maxIterations = 100;          // of either of its solves
   ViscosityForm viscosity = ViscosityForm::Pairwise;

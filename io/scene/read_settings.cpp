@@ -58,7 +58,7 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.choice("equation_of_state", n.eos, {"linear", "tait"}, "pressure by density");
   r.number("tensile_limit", n.tensileLimit, "", between(0, 1), "share of negative pressure that is kept");
   r.choice("pressure_solver", n.solver, {"state equation", "incompressible"}, "pressure by density, or found so that liquids keep their volume (steps are limited by speed, not by sound)");
-  r.number("density_tolerance", n.densityTolerance, "", {0, 0.1, true, false, false}, "incompressible: mean relative compression at which the solver stops");
+  r.number("density_tolerance", n.densityTolerance, "", {0, 0.1, true, false, false}, "incompressible: the solver stops where the mean of what is left of a step's compression is below it; what was there before is undone over the time of a spacing");
   r.number("divergence_tolerance", n.divergenceTolerance, "", {0, 0.1, true, false, false}, "incompressible: mean rate of compression, times the step, at which it stops");
   r.whole("max_iterations", n.maxIterations, 1, 100000, "incompressible: most iterations of a solve; solves that end there are counted in the summary");
   r.choice("viscosity", n.viscosity, {"pairwise", "laplacian"}, "along the line of two particles (keeps angular momentum), or as printed in Keiser et al. 2005");

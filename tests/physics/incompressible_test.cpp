@@ -76,7 +76,8 @@ TEST(Incompressible, DamBreakNeedsFewSteps) {
   ASSERT_TRUE(run.run());
   EXPECT_LT(5 * run.w.clock.step, stiff.w.clock.step);
   EXPECT_EQ(run.w.counters.unsolvedPressures, 0);
-  EXPECT_LT(compression(run.particles()), 3e-3);
+  // The tolerance bounds what is left of a step's share of a compression, not what splashes leave; it stays below what a state equation is allowed.
+  EXPECT_LT(compression(run.particles()), s.numerics.maxDensityError);
   const LedgerReport a = stiff.books(), b = run.books();
   EXPECT_NEAR(b.now.potential, a.now.potential, 0.1 * a.initial.potential);
   EXPECT_LT(length(b.momentumResidual), 1e-6 * length(b.gravityImpulse));

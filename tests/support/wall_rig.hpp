@@ -38,7 +38,7 @@ struct WallRig {
     s.materials.push_back(m);
     s.bodies.emplace_back();
     for (AnyColumn* c : w.particles.columns)
-      if (c != &w.particles.smoothing && c != &w.particles.clamped) w.particles.activate(*c);
+      if (c != &w.particles.smoothing && c != &w.particles.clamped && c != &w.particles.drag) w.particles.activate(*c);
   }
 
   /// Adds a wall with this surface. Returns its properties.

@@ -17,6 +17,7 @@ using isa_base::WendlandC2;
 Numerics numericsOf(KernelKind kernel, double spacing) {
   Numerics n;
   n.kernel = kernel;
+  n.conduction = Conduction::Plain;
   n.support = 1 / spacing;
   return n;
 }
