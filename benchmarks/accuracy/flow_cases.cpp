@@ -98,22 +98,35 @@ std::vector<Figure> measureRitter(Trial& r) {
 }
 
 /// Martin & Moyce 1952, n^2 = 2, a = 2.25 in: T = t sqrt(2g/a), Z = front / a.
-std::vector<Figure> measureMartinMoyce(Trial& r) {
-  constexpr double measured[][2] = {{.832, 1.217}, {1.219, 1.474}, {1.997, 2.292}, {3.345, 4.134}, {4.418, 5.881}, {5.685, 7.945}};
+/// Root mean square of Z / Zexp - 1 over the points (but those before `from`), T shifted by so much; `worst` gets the largest.
+double frontError(const Trial& r, const std::vector<std::array<double, 2>>& points, double shift, std::size_t from, double& worst) {
   constexpr double a = 0.05715;
   const double unit = std::sqrt(a / (2 * length(r.world.scene.domain.gravity)));
-  double first = 0;  // when the front passes the first point: the gate of the experiment takes its time
-  for (const Sample& s : r.series)
-    if (s.value[0] < measured[0][1] * a) first = s.time;
-  const double shift = first / unit - measured[0][0];
-  double squares = 0, n = 0, worst = 0;
-  for (const auto& [T, Z] : measured) {
-    if (n++ == 0) continue;  // fitted
-    const double time = std::min((T + shift) * unit, r.world.clock.time), error = noted(r, time) / a / Z - 1;
+  double squares = 0;
+  worst = 0;
+  for (std::size_t k = from; k < points.size(); k++) {
+    const double error = noted(r, std::clamp((points[k][0] + shift) * unit, 0.0, r.world.clock.time)) / a / points[k][1] - 1;
     squares += error * error;
     worst = std::max(worst, std::abs(error));
   }
-  std::vector<Figure> f{{"RMS((Z - Zexp)/Zexp)", std::sqrt(squares / (n - 1)), 0.05}, {"largest of it", worst}, {"shift of T", std::abs(shift)}};
+  return std::sqrt(squares / static_cast<double>(points.size() - from));
+}
+
+/// The gate of the experiment takes its time, so the origin of T is not known: it is shifted to fit all points best (one number), and
+/// beside that to fit the first point alone, which then does not count.
+std::vector<Figure> measureMartinMoyce(Trial& r) {
+  const std::vector<std::array<double, 2>> points{{.832, 1.217}, {1.219, 1.474}, {1.997, 2.292}, {3.345, 4.134}, {4.418, 5.881}, {5.685, 7.945}};
+  constexpr double a = 0.05715;
+  const double unit = std::sqrt(a / (2 * length(r.world.scene.domain.gravity)));
+  double first = 0, worst = 0, worstOfFirst = 0;
+  for (const Sample& s : r.series)
+    if (s.value[0] < points[0][1] * a) first = s.time;
+  const double ofFirst = frontError(r, points, first / unit - points[0][0], 1, worstOfFirst);
+  double best = 0, least = never;
+  for (int k = -1000; k <= 1000; k++)
+    if (const double e = frontError(r, points, 1e-3 * k, 0, worst); e < least) least = e, best = 1e-3 * k;
+  least = frontError(r, points, best, 0, worst);
+  std::vector<Figure> f{{"RMS(Z)", least, 0.05}, {"largest", worst}, {"shift of T", std::abs(best)}, {"RMS(Z), shifted to the first point", ofFirst}};
   addBooks(r, r.tools.mass * length(r.world.scene.domain.gravity) * a, std::sqrt(2 * length(r.world.scene.domain.gravity) * a), f);
   return f;
 }
@@ -152,7 +165,7 @@ std::vector<Case> flowCases() {
   return {{"hydrostatic", "column at rest: p = rho g (H - z), in shares of rho g H; H/dx = 40", nullptr, squeezeColumn, {}, {}, measureColumn},
           {"hydrostatic_jittered", "the same from a lattice that is jittered by a tenth of a spacing", "hydrostatic", jitterColumn, {}, {}, measureColumn},
           {"ritter", "dam break over a dry floor: depth in shares of H (Ritter 1892) where it is above H/20, and the front's speed from t/2 on", nullptr, {}, {}, watchFront, measureRitter},
-          {"martin_moyce", "front of a dam break to T = 5.7; T shifted so that the first point fits, the others count (Martin & Moyce 1952, n^2 = 2)", nullptr, {}, {}, watchFront,
+          {"martin_moyce", "front of a dam break to T = 5.7; T shifted by what fits the points best (Martin & Moyce 1952, n^2 = 2)", nullptr, {}, {}, watchFront,
            measureMartinMoyce},
           {"taylor_green", "vortices at Re 100 to t = 1: energy exp(-16 pi^2 nu t), L/dx = 100", nullptr, {}, stirVortices, {}, measureVortices},
           {"taylor_green_50", "vortices at Re 100 to t = 1: energy exp(-16 pi^2 nu t), L/dx = 50", nullptr, {}, stirVortices, {}, measureVortices}};

@@ -83,6 +83,7 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   if (n.solver == PressureSolver::Incompressible && n.tensileLimit > 0 && n.tensileLimit < 1)
     errors.push_back({x.start, "with numerics.pressure_solver = \"incompressible\" numerics.tensile_limit is 0 (liquid never pulls) or 1 (it always does, for boxes that are full)"});
   checkSizes(x, errors);
+  if (errors.empty()) chooseForFullBox(s, x.open);
 }
 
 }  // namespace thaw

@@ -1,5 +1,6 @@
 // The keys of a scene file: one function for each kind of table, used for reading and for describing.
 #pragma once
+#include "io/scene/full_box.hpp"
 #include "io/scene/table_reader.hpp"
 
 namespace thaw {
@@ -9,6 +10,7 @@ struct SceneReading {
   Scene* scene = nullptr;
   SourcePlace start;                                                          ///< of the file, for what has no place of its own
   SourcePlace domain, spacing;
+  OpenChoices open;                                                           ///< of [numerics], that the scene leaves to us
   std::vector<std::pair<std::string, SourcePlace>> bodyMaterials, emitterMaterials;  ///< beside Scene::bodies, emitters
 };
 

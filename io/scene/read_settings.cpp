@@ -51,12 +51,12 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.choice("precision", n.precision, {"single", "double"}, "of sums over pairs; the state is double");
   r.choice("elastic_precision", n.elasticPrecision, {"single", "double"}, "of sums over bonds of solids; single is accurate to 1e-6 of the strain");
   r.choice("pressure", n.pressure, {"consistent", "printed"}, "consistent pair form, or the sum as printed in Keiser et al. 2005 (half the gradient)");
-  r.choice("density", n.density, {"summation", "continuity", "plain"}, "of liquids: summed over places, such that it changes with compression as the density does; carried along by the divergence of the flow; or the plain sum");
+  r.choice("density", n.density, {"summation", "continuity", "plain"}, "of liquids: summed over places, such that it changes with compression as the density does; carried along by the divergence of the flow (the default where liquid fills a periodic box); or the plain sum");
   r.flag("corrected_gradients", n.correctedGradients, "of the continuity form: exact for linear fields inside the liquid (Bonet & Lok 1999)");
   r.number("density_diffusion", n.densityDiffusion, "", between(0, 1), "of the continuity form: evens out the density of neighbours");
-  r.number("shifting", n.shifting, "", between(0, 0.3), "speed of particles from crowded to empty places inside a liquid, over c h times the gradient of the filling; 0: none");
+  r.number("shifting", n.shifting, "", between(0, 0.3), "speed of particles from crowded to empty places inside a liquid, over c h times the gradient of the filling; 0: none (.2 is the default where liquid fills a periodic box)");
   r.choice("equation_of_state", n.eos, {"linear", "tait"}, "pressure by density");
-  r.number("tensile_limit", n.tensileLimit, "", between(0, 1), "share of negative pressure that is kept");
+  r.number("tensile_limit", n.tensileLimit, "", between(0, 1), "share of negative pressure that is kept (1 is the default where liquid fills a periodic box)");
   r.choice("pressure_solver", n.solver, {"state equation", "incompressible"}, "pressure by density, or found so that liquids keep their volume (steps are limited by speed, not by sound)");
   r.number("density_tolerance", n.densityTolerance, "", {0, 0.1, true, false, false}, "incompressible: the solver stops where the mean of what is left of a step's compression is below it; what was there before is undone over the time of a spacing");
   r.number("divergence_tolerance", n.divergenceTolerance, "", {0, 0.1, true, false, false}, "incompressible: mean rate of compression, times the step, at which it stops");
