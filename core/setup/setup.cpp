@@ -168,7 +168,9 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   t.phaseChangedHere = true;
   // a scene that goes on with a shorter step means the first one too; of the same scene this changes no bit
   const double fixed = w.scene.numerics.fixedStep, factor = w.watch.factor;
-  w.clock.dt = fixed > 0 ? factor * fixed : std::min(w.clock.dt, factor * t.fixedLimits[t.fixedLimits.smallest()]);
+  StepLimits limits = t.fixedLimits;
+  if (w.modules.substeps) limits[Limit::Elastic] = w.scene.numerics.elasticSubsteps * std::min(limits[Limit::Elastic], t.longestContact);
+  w.clock.dt = fixed > 0 ? factor * fixed : std::min(w.clock.dt, factor * limits[limits.smallest()]);
 }
 
 }  // namespace thaw

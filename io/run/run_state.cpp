@@ -34,9 +34,8 @@ void report(Run& r) {
   const double rate = static_cast<double>(r.world.clock.step - r.stepAtReport) / std::max(1e-9, since(r.lastReport));
   double left = (r.world.clock.end - r.world.clock.time) / std::max(1e-300, r.world.clock.dt);
   if (r.options.steps >= 0) left = std::min(left, static_cast<double>(r.options.steps - r.world.clock.step));
-  std::string line = progressLine(r.world.clock, l, rate, first ? never : left / std::max(1e-9, rate));
-  if (r.world.modules.implicitViscosity) line += viscosityProgress(r.world.clock, r.world.counters, r.tools.viscous.iterations);
-  r.say(line);
+  const std::string line = progressLine(r.world.clock, l, rate, first ? never : left / std::max(1e-9, rate));
+  r.say(line + solverProgress(solversOf(r.world, r.tools)));
   r.lastReport = WallClock::now();
   r.stepAtReport = r.world.clock.step;
   r.summary.ledger = l;
@@ -51,7 +50,7 @@ void summarise(Run& r, const std::string& status, const std::string& message) {
   s.stepsHere = r.world.clock.step - r.firstStep;
   s.particleSteps = static_cast<double>(s.ledger.particles) * static_cast<double>(s.stepsHere);
   const std::int64_t messages = r.earlierTraffic.messages + r.cells->traffic().messages + r.bonds->traffic().messages, bytes = r.earlierTraffic.bytes + r.cells->traffic().bytes + r.bonds->traffic().bytes;
-  s.lastViscousIterations = r.tools.viscous.iterations;
+  s.solvers = solversOf(r.world, r.tools);
   gatherSummary(s, r.world, r.tools.times, messages, bytes, r.all);
   onFirstRank(r.comm.handle(), [&] {
     RunSummary all = s;

@@ -86,7 +86,6 @@ void gatherSummary(RunSummary& s, const World& w, const PhaseTimes& times, std::
   s.clock = w.clock;
   s.ranks = all.size();
   s.modules = w.modules.why;
-  s.implicitViscosity = w.modules.implicitViscosity;
   s.sceneFile = w.scene.file;
   s.title = w.scene.title;
 }
@@ -126,9 +125,7 @@ void writeSummary(const std::string& out, const RunSummary& s) {
                  {"wall_impulse_N_s", vec(l.wallImpulse)}, {"gravity_impulse_N_s", vec(l.gravityImpulse)},
                  {"residual", {{"mass_kg", l.massResidual}, {"momentum_kg_m_per_s", vec(l.momentumResidual)}, {"mechanical_energy_J", l.energyResidual}, {"heat_J", l.heatResidual}}}};
   j["liquid_fraction"] = l.liquidFraction;
-  if (s.implicitViscosity)
-    j["viscosity"] = {{"iterations_of_last_step", s.lastViscousIterations},
-                      {"mean_iterations", static_cast<double>(s.counters.viscousIterations) / static_cast<double>(std::max<std::int64_t>(1, s.clock.step))}};
+  for (const SolverUse& u : s.solvers) j["solvers"][u.name] = {{"iterations_of_last_step", u.last}, {"mean_iterations", u.mean}};
   j["counters"] = countersJson(s.counters);
   j["warnings"] = s.warnings;
   const std::string path = out + "/summary.json";
@@ -143,10 +140,6 @@ std::string progressLine(const Clock& c, const LedgerReport& l, double stepsPerS
       c.time, c.step, c.dt, c.limitedBy, c.substeps > 1 ? fmt::format(", {} substeps of solids", c.substeps) : "", stepsPerSecond, duration(secondsLeft), l.particles, 100 * l.liquidFraction, l.now.mass, l.massResidual, length(l.now.momentum),
       length(l.momentumResidual), length(l.now.angularMomentum), l.now.kinetic, l.now.elastic, l.now.potential, l.now.internal, l.entered.mass, l.heatIn, l.left.mass,
       l.dissipated, l.energyResidual, l.energyResidual / scale, l.heatResidual / heatScale);
-}
-
-std::string viscosityProgress(const Clock& c, const Counters& n, int last) {
-  return fmt::format("  viscosity {} iterations (mean {:.1f})", last, static_cast<double>(n.viscousIterations) / static_cast<double>(std::max<std::int64_t>(1, c.step)));
 }
 
 std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {

@@ -9,6 +9,8 @@
 #include "core/time/phase_times.hpp"
 #include "core/world.hpp"
 
+#include "io/run/solver_use.hpp"
+
 namespace thaw {
 
 struct RunSummary {
@@ -30,8 +32,7 @@ struct RunSummary {
   double particleSpread = 1;        ///< largest over mean number of particles of a rank
   std::vector<std::string> warnings;
   std::vector<std::string> modules;
-  bool implicitViscosity = false;
-  int lastViscousIterations = 0;
+  std::vector<SolverUse> solvers;   ///< of the first rank
 };
 
 /// Fills in what has to be gathered from all ranks: phases, imbalance, bytes, memory, counters. Collective.
@@ -42,9 +43,6 @@ void writeSummary(const std::string& out, const RunSummary& summary);
 
 /// "t 0.4321 s  step 1234  dt 1.2e-4 s (sound)  812 steps/s  left 1 min 20 s  liquid 12.3 %  mass ...  energy ..."
 std::string progressLine(const Clock& clock, const LedgerReport& ledger, double stepsPerSecond, double secondsLeft);
-
-/// "  viscosity 7 iterations (mean 6.2)": of the last step and of all steps, to be appended where viscosity is implicit. On the first rank.
-std::string viscosityProgress(const Clock& clock, const Counters& counters, int lastIterations);
 
 /// Warnings with counts, in words, of what was mended or looks wrong.
 std::vector<std::string> warningsOf(const Counters& counters, const LedgerReport& ledger);
