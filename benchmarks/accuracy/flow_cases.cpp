@@ -126,7 +126,7 @@ std::vector<Figure> measureMartinMoyce(Trial& r) {
   for (int k = -1000; k <= 1000; k++)
     if (const double e = frontError(r, points, 1e-3 * k, 0, worst); e < least) least = e, best = 1e-3 * k;
   least = frontError(r, points, best, 0, worst);
-  std::vector<Figure> f{{"RMS(Z)", least, 0.05}, {"largest", worst}, {"shift of T", std::abs(best)}, {"RMS(Z), shifted to the first point", ofFirst}};
+  std::vector<Figure> f{{"RMS(Z)", least, 0.05}, {"largest", worst}, {"shift of T", std::abs(best)}, {"RMS(Z) from the first point", ofFirst}};
   addBooks(r, r.tools.mass * length(r.world.scene.domain.gravity) * a, std::sqrt(2 * length(r.world.scene.domain.gravity) * a), f);
   return f;
 }

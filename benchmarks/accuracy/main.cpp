@@ -21,6 +21,13 @@ namespace {
 using namespace thaw;
 using namespace thaw::accuracy;
 
+/// Without what would end a field of the CSV file.
+std::string field(std::string text) {
+  for (char& c : text)
+    if (c == ',' || c == '"') c = ' ';
+  return text;
+}
+
 /// The processor's name and the number of cores, without commas.
 std::string machineName() {
   std::string name = "unknown";
@@ -30,9 +37,7 @@ std::string machineName() {
       name = line.substr(line.find(':') + 2);
       break;
     }
-  for (char& c : name)
-    if (c == ',' || c == '"') c = ' ';
-  return name + " x" + std::to_string(std::thread::hardware_concurrency());
+  return field(name) + " x" + std::to_string(std::thread::hardware_concurrency());
 }
 
 void print(const Trial& r, const Case& c, const std::vector<Figure>& figures, double particles) {
@@ -50,7 +55,7 @@ bool append(const std::string& path, const Trial& r, const Case& c, const std::s
   FILE* out = std::fopen(path.c_str(), "a");
   if (!out) return false;
   for (const Figure& f : figures)
-    std::fprintf(out, "%s,%s,%s,%.9g,%s,,%.4g,%lld,%.0f,%s,%s\n", c.name, label.c_str(), f.norm.c_str(), f.error, f.target < never ? fmt::format("{:g}", f.target).c_str() : "", r.seconds * r.comm.size(),
+    std::fprintf(out, "%s,%s,%s,%.9g,%s,,%.4g,%lld,%.0f,%s,%s\n", c.name, field(label).c_str(), field(f.norm).c_str(), f.error, f.target < never ? fmt::format("{:g}", f.target).c_str() : "", r.seconds * r.comm.size(),
                  static_cast<long long>(r.world.clock.step), particles, versionCommit(), machineName().c_str());
   return std::fclose(out) == 0;
 }

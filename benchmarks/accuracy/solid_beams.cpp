@@ -46,7 +46,7 @@ std::vector<Figure> measureSag(Trial& r) {
   Beam held = beam;  // clamped in the plane of the outermost held particles, half a spacing further back
   held.length += 0.5 * dx;
   return {{"deflection", std::abs(measured / beam.sag(5 - 0.5 * dx, nu) - 1), target},
-          {"deflection, from held plane", std::abs(measured / held.sag(5, nu) - 1)},
+          {"deflection from held plane", std::abs(measured / held.sag(5, nu) - 1)},
           {"still moving", fastest / (firstFrequency * measured)}};
 }
 

@@ -64,7 +64,7 @@ void creep(Trial& r) {
   r.notes["fine"] = elasticStrainAfterCreep(r, 1.02, 100);
 }
 
-std::vector<Figure> measureCreep(Trial& r) { return {{"elastic strain at tau", r.notes["coarse"], 1e-12}, {"elastic strain at tau, dt/10", r.notes["fine"], 1e-12}}; }
+std::vector<Figure> measureCreep(Trial& r) { return {{"elastic strain at tau", r.notes["coarse"], 1e-12}, {"elastic strain at tau with dt/10", r.notes["fine"], 1e-12}}; }
 
 }  // namespace
 

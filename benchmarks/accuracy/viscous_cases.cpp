@@ -56,7 +56,7 @@ void watchStarting(Trial& r) {
 std::vector<Figure> measureStarting(Trial& r) {
   double worst = 0;
   for (const Sample& s : r.series) worst = std::max(worst, s.value[0]);
-  return {{"L2(u), worst time", worst, 0.01}};
+  return {{"L2(u) at the worst time", worst, 0.01}};
 }
 
 struct Motion { Vec3d momentum, angular; double mass = 0; };
