@@ -162,8 +162,8 @@ std::vector<Figure> measureVortices(Trial& r) {
 }  // namespace
 
 std::vector<Case> flowCases() {
-  return {{"hydrostatic", "column at rest: p = rho g (H - z), in shares of rho g H; H/dx = 40", nullptr, squeezeColumn, {}, {}, measureColumn},
-          {"hydrostatic_jittered", "the same from a lattice that is jittered by a tenth of a spacing", "hydrostatic", jitterColumn, {}, {}, measureColumn},
+  return {{"hydrostatic", "column at rest: p = rho g (H - z), in shares of rho g H; H/dx = 40", nullptr, squeezeColumn, {}, {}, measureColumn, makeThin},
+          {"hydrostatic_jittered", "the same from a lattice that is jittered by a tenth of a spacing", "hydrostatic", jitterColumn, {}, {}, measureColumn, makeThin},
           {"ritter", "dam break over a dry floor: depth in shares of H (Ritter 1892) where it is above H/20, and the front's speed from t/2 on", nullptr, {}, {}, watchFront, measureRitter},
           {"martin_moyce", "front of a dam break to T = 5.7; T shifted by what fits the points best (Martin & Moyce 1952, n^2 = 2)", nullptr, {}, {}, watchFront,
            measureMartinMoyce},

@@ -93,8 +93,8 @@ std::vector<Figure> measureSpin(Trial& r) {
 
 std::vector<Case> viscousCases() {
   std::vector<Case> all = {
-      {"poiseuille", "channel, steady, let go at the exact profile; parabola", nullptr, {}, startSteady, {}, measurePoiseuille},
-      {"poiseuille_startup", "channel from rest; Fourier series (Morris et al. 1997)", "poiseuille", {}, {}, watchStarting, measureStarting},
+      {"poiseuille", "channel, steady, let go at the exact profile; parabola", nullptr, {}, startSteady, {}, measurePoiseuille, makeThin},
+      {"poiseuille_startup", "channel from rest; Fourier series (Morris et al. 1997)", "poiseuille", {}, {}, watchStarting, measureStarting, makeThin},
       {"spinning_drop", "free viscous drop in rigid rotation; angular momentum is constant", nullptr, {}, noteMotion, {}, measureSpin},
   };
   for (Case& c : dropCases()) all.push_back(std::move(c));
