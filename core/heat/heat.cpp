@@ -45,7 +45,8 @@ void settlePhase(const Scene& s, const Modules& modules, Continuum& p, std::size
 }
 
 double exposedArea(double exposure, double surfaceExposure) {
-  return exposure / surfaceExposure * std::clamp((exposure - 0.5) / 0.3, 0.0, 1.0);
+  const double share = exposure / surfaceExposure;  // of what a flat surface has, which depends on the support
+  return share * std::clamp((share - 0.5) / 0.3, 0.0, 1.0);
 }
 
 double latticeSurfaceExposure(const Numerics& n) { return 2 / n.support * wallIntegrals(n, 0.5 / n.support).push; }

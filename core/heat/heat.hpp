@@ -16,7 +16,7 @@ void settlePhase(const Scene& scene, const Modules& modules, Continuum& particle
 void addOuterHeat(World& world, double dt);
 
 /// Area of a particle's free surface in units of spacing^2, from Continuum::exposure: 1 for particles of a flat lattice surface, 0 for
-/// exposures below 1/2, which disorder brings about in the middle of a liquid (0.4 for jitter of 0.15 spacings at h = 2).
+/// exposures below half of that, which disorder brings about in the middle of a liquid (0.4 for jitter of 0.15 spacings at h = 2).
 double exposedArea(double exposure, double surfaceExposure);
 
 /// Exposure of the outermost particles of a flat lattice surface.
