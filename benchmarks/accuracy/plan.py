@@ -13,6 +13,8 @@ PRESSURE = {"density": ["plain", "continuity"], "pressure": ["printed"], "pressu
 SOLID = {"bond_support": ["1.5", "2"], "elastic_precision": ["single"], "cfl_elastic": ["0.2", "0.6"]}
 HEAT = {**KERNELS, **SUPPORTS, "conduction": ["plain"]}
 
+QUALITY = {"quality": ["preview", "reference"]}
+
 
 def hourglass(*values):
     return {"material.rubber.hourglass": list(values)}
@@ -20,29 +22,29 @@ def hourglass(*values):
 
 # name: (resolutions from coarse to fine, the one at which settings are varied, settings)
 CASES = {
-    "hydrostatic": (["0.05", "0.025"], "0.05", {**KERNELS, **WIDE, **PRECISION, **PRESSURE, "tensile_limit": ["1"]}),
+    "hydrostatic": (["0.05", "0.025"], "0.05", {**KERNELS, **WIDE, **PRECISION, **PRESSURE, "tensile_limit": ["1"], **QUALITY}),
     "hydrostatic_jittered": (["0.05"], "0.05", {"density": ["continuity"], "pressure_solver": ["incompressible"], "support": ["3"]}),
-    "ritter": (["0.1", "0.05"], "0.05", {**KERNELS, **WIDE, **PRESSURE}),
-    "martin_moyce": (["0.005715", "0.0028575"], "0.0028575", {**KERNELS, **WIDE, **PRESSURE, "shifting": ["0.1"]}),
+    "ritter": (["0.1", "0.05"], "0.05", {**KERNELS, **WIDE, **PRESSURE, **QUALITY}),
+    "martin_moyce": (["0.005715", "0.0028575"], "0.0028575", {**KERNELS, **WIDE, **PRESSURE, "shifting": ["0.1"], **QUALITY}),
     "taylor_green": (["0.01"], "0.01", {}),
     "taylor_green_50": (["0.02"], "0.02", {**KERNELS, **PRECISION, "density": ["summation"], "shifting": ["0", "0.1"], "corrected_gradients": ["false"], "tensile_limit": ["0"], "cfl_sound": ["0.2"]}),
-    "poiseuille": (["0.1", "0.05", "0.025"], "0.05", {**KERNELS, **WIDE, **PRECISION, "viscosity": ["laplacian"], "viscosity_solver": ["implicit"], "pressure_solver": ["incompressible"], "cfl_viscous": ["0.4"]}),
+    "poiseuille": (["0.1", "0.05", "0.025"], "0.05", {**KERNELS, **WIDE, **PRECISION, "viscosity": ["laplacian"], "viscosity_solver": ["implicit"], "pressure_solver": ["incompressible"], "cfl_viscous": ["0.4"], **QUALITY}),
     "poiseuille_startup": (["0.1", "0.05"], "0.05", {**WIDE, "viscosity": ["laplacian"], "viscosity_solver": ["implicit"], "cfl_viscous": ["0.4"]}),
     "spinning_drop": (["0.25", "0.125"], "0.125", {**PRECISION, "viscosity": ["laplacian"], "viscosity_solver": ["implicit"], "support": ["3"]}),
     "drop_laplace": (["0.2", "0.125", "0.0833333333333333"], "0.125", {"tension": ["pairwise"], "support": ["2.5", "3"], **PRECISION}),
     "drop_oscillation": (["0.125", "0.0833333333333333"], "0.125", {"tension": ["pairwise"], "support": ["2.5", "3"]}),
     "patch": (["0.1"], "0.1", {"elastic_precision": ["single"], "bond_support": ["1.5", "2"]}),
     "rotation": (["0.1"], "0.1", {"elastic_precision": ["single"], "bond_support": ["1.5", "2"]}),
-    "free_body": (["0.2", "0.1"], "0.1", SOLID),
-    "p_wave": (["0.025"], "0.025", {**SOLID, **hourglass("0", "0.1", "2")}),
+    "free_body": (["0.2", "0.1"], "0.1", {**SOLID, **QUALITY}),
+    "p_wave": (["0.025"], "0.025", {**SOLID, **hourglass("0", "0.1", "2"), **QUALITY}),
     "p_wave_diagonal": (["0.025"], "0.025", {"bond_support": ["1.5", "2"], **hourglass("0.1", "2")}),
-    "cantilever": (["0.25", "0.125", "0.0625"], "0.125", {**SOLID, **hourglass("0", "0.1", "2"), "elastic_substeps": ["4"]}),
-    "cantilever_vibration": (["0.25", "0.125"], "0.125", {**SOLID, **hourglass("0", "0.1", "2")}),
+    "cantilever": (["0.25", "0.125", "0.0625"], "0.125", {**SOLID, **hourglass("0", "0.1", "2"), "elastic_substeps": ["4"], **QUALITY}),
+    "cantilever_vibration": (["0.25", "0.125"], "0.125", {**SOLID, **hourglass("0", "0.1", "2"), **QUALITY}),
     "cantilever_modes": (["0.125"], "0.125", {**hourglass("0", "0.1")}),
     "plasticity": (["0.1"], "0.1", {"elastic_precision": ["single"]}),
     "creep": (["0.1"], "0.1", {"elastic_precision": ["single"]}),
     "slabs": (["0.05", "0.025", "0.0125"], "0.0125", {**HEAT, **PRECISION, "cfl_heat": ["0.4", "0.2"]}),
-    "conductivity_ratio": (["0.025", "0.0125", "0.00625"], "0.0125", {**HEAT, **PRECISION, "cfl_heat": ["0.4", "0.2"]}),
+    "conductivity_ratio": (["0.025", "0.0125", "0.00625"], "0.0125", {**HEAT, **PRECISION, "cfl_heat": ["0.4", "0.2"], **QUALITY}),
     "sphere_bath": (["0.125", "0.0625"], "0.0625", HEAT),
     "sphere_biot": (["0.125", "0.0625"], "0.0625", HEAT),
     "stefan_one_phase": (["0.02", "0.01", "0.005"], "0.01", {"kernel": ["mcg03"], **WIDE, "conduction": ["plain"], "cfl_heat": ["0.4"]}),
@@ -57,7 +59,7 @@ def runs(level):
     for k in range(deepest):
         todo += [(case, spacings[k], []) for case, (spacings, _, _) in CASES.items() if k < len(spacings)]
     for case, (spacings, at, axes) in CASES.items():
-        choices = [f"numerics.{key}={value}" if "." not in key else f"{key}={value}" for key, values in axes.items() for value in values]
+        choices = [f"{key}={value}" if "." in key or key == "quality" else f"numerics.{key}={value}" for key, values in axes.items() for value in values]
         if level == "quick":
             todo += [(case, at, [c]) for c in choices]
         else:

@@ -1,0 +1,57 @@
+// quality picks the defaults of [numerics]; keys that are given win. Liquid that fills a periodic box gets choices of its own.
+#include <gtest/gtest.h>
+
+#include "io/scene/read_scene.hpp"
+
+namespace thaw {
+namespace {
+
+Scene sceneOf(const std::string& head, const std::string& numerics = "", const std::string& sides = "") {
+  SceneFiles files;
+  files.main = "test.toml";
+  files.texts["test.toml"] = head + "\nspacing = 0.1\nend = 1\n[domain]\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n" + sides + "[numerics]\n" + numerics +
+                             "\n[material.oil]\ndensity = 1000\n[[body]]\nname = 'all'\nmaterial = 'oil'\nbox = { size = [1, 1, 1] }\nplace = { move = [0.5, 0.5, 0.5] }\n";
+  return readScene(files);
+}
+
+constexpr const char* periodic = "sides = { x = 'periodic', y = 'periodic', z = 'periodic' }\n";
+
+}  // namespace
+
+TEST(Quality, PicksDefaults) {
+  const Numerics standard;
+  EXPECT_EQ(sceneOf("").numerics.cflElastic, standard.cflElastic);
+  EXPECT_EQ(sceneOf("quality = 'standard'").numerics.precision, standard.precision);
+  EXPECT_EQ(sceneOf("quality = 'preview'").numerics.elasticPrecision, Precision::Single);
+  EXPECT_GT(sceneOf("quality = 'preview'").numerics.maxDensityError, standard.maxDensityError);
+  EXPECT_EQ(sceneOf("quality = 'reference'").numerics.precision, Precision::Double);
+  EXPECT_LT(sceneOf("quality = 'reference'").numerics.cflSound, standard.cflSound);
+}
+
+TEST(Quality, KeysThatAreGivenWin) {
+  const Scene s = sceneOf("quality = 'reference'", "precision = 'single'\ncfl_sound = 0.3");
+  EXPECT_EQ(s.numerics.precision, Precision::Single);
+  EXPECT_EQ(s.numerics.cflSound, 0.3);
+  EXPECT_EQ(s.numerics.cflElastic, sceneOf("quality = 'reference'").numerics.cflElastic);
+}
+
+TEST(Quality, UnknownWordIsAnError) { EXPECT_THROW(sceneOf("quality = 'best'"), SceneErrors); }
+
+TEST(FullBox, LiquidThatFillsAPeriodicBox) {
+  const Numerics full = sceneOf("", "", periodic).numerics, open = sceneOf("").numerics;
+  EXPECT_EQ(full.density, DensityForm::Continuity);
+  EXPECT_EQ(full.tensileLimit, 1);
+  EXPECT_GT(full.shifting, 0);
+  EXPECT_EQ(open.density, DensityForm::Summation);
+  EXPECT_EQ(open.tensileLimit, 0);
+  EXPECT_EQ(open.shifting, 0);
+}
+
+TEST(FullBox, LeavesWhatTheSceneChooses) {
+  const Numerics n = sceneOf("", "density = 'summation'\ntensile_limit = 0.5", periodic).numerics;
+  EXPECT_EQ(n.density, DensityForm::Summation);
+  EXPECT_EQ(n.tensileLimit, 0.5);
+  EXPECT_EQ(n.shifting, 0);
+}
+
+}  // namespace thaw
