@@ -86,7 +86,7 @@ void substepSolids(World& w, Halos halos, StepTools& t, double dt) {
 
 void chooseSubsteps(World& w, const StepTools& t, double longest) {
   Clock& c = w.clock;
-  const int before = c.substeps, most = w.scene.numerics.elasticSubsteps;
+  const int before = c.substeps, most = w.modules.mostSubsteps;
   const double wanted = std::ceil(c.dt / longest * (1 - 1e-9));
   c.substeps = wanted < most ? std::max(1, static_cast<int>(wanted)) : most;
   if (c.substeps == before) return;

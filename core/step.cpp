@@ -128,7 +128,7 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests
   // of the largest of all ranks: not the least of their limits, which depends on what is on the same rank
   if (w.modules.solid) limits[Limit::Elastic] = elasticStepLimit(w.scene, values[n + 6], values[n + 7]);
   const double longest = std::min({limits[Limit::Elastic], t.longestContact, -values[n + 8]});  // of a substep
-  if (w.modules.substeps) limits[Limit::Elastic] = w.scene.numerics.elasticSubsteps * longest;
+  if (w.modules.substeps) limits[Limit::Elastic] = w.modules.mostSubsteps * longest;
   StepOutcome all = here;
   all.limitedBy = limits.smallest();
   t.frozeAnywhere = values[n] > 0;

@@ -19,7 +19,7 @@ def points(rows):
         for norm in dict.fromkeys(r["norm"] for r in here):
             of = [r for r in here if r["norm"] == norm]
             default = next((r for r in of if r["settings"].startswith("default")), None)
-            if not default or float(default["core_seconds"]) <= 0 or "residual" in norm:
+            if not default or float(default["core_seconds"]) <= 0 or ("residual" in norm and case != "stiff_in_soft"):
                 continue
             best = float("inf")
             chosen = []

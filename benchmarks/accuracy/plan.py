@@ -30,6 +30,8 @@ CASES = {
     "taylor_green_50": (["0.02"], "0.02", {**KERNELS, **PRECISION, "density": ["summation"], "shifting": ["0", "0.1"], "corrected_gradients": ["false"], "tensile_limit": ["0"], "cfl_sound": ["0.2"]}),
     "poiseuille": (["0.1", "0.05", "0.025"], "0.05", {**KERNELS, **WIDE, **PRECISION, "viscosity": ["laplacian"], "viscosity_solver": ["implicit"], "pressure_solver": ["incompressible"], "cfl_viscous": ["0.4"], **QUALITY}),
     "poiseuille_startup": (["0.1", "0.05"], "0.05", {**WIDE, "viscosity": ["laplacian"], "viscosity_solver": ["implicit"], "cfl_viscous": ["0.4"]}),
+    "thick_channel": (["0.05"], "0.05", {"viscosity_solver": ["implicit"], "cfl_viscous": ["0.4"]}),
+    "stiff_in_soft": (["0.02"], "0.02", {"elastic_substeps": ["2", "4", "8", "16"], "pressure_solver": ["incompressible"]}),
     "spinning_drop": (["0.25", "0.125"], "0.125", {**PRECISION, "viscosity": ["laplacian"], "viscosity_solver": ["implicit"], "support": ["3"]}),
     "drop_laplace": (["0.2", "0.125", "0.0833333333333333"], "0.125", {"tension": ["pairwise"], "support": ["2.5", "3"], **PRECISION}),
     "drop_oscillation": (["0.125", "0.0833333333333333"], "0.125", {"tension": ["pairwise"], "support": ["2.5", "3"]}),

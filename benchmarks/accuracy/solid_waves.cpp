@@ -61,7 +61,7 @@ std::vector<Figure> measureWaves(Trial& r) {
     const double halves = static_cast<double>(t.size()) - 0.5;  // the first zero comes after a quarter
     const double measured = waves.wavelength(static_cast<int>(k % 3)) * 0.5 * halves / t.back();
     char name[64];
-    std::snprintf(name, sizeof name, "%s speed, %.3g dx", k < 3 ? "P" : "S", spacings);
+    std::snprintf(name, sizeof name, "%s speed at %.3g dx", k < 3 ? "P" : "S", spacings);
     figures.push_back({name, std::abs(measured / speed[k / 3] - 1), spacings > 9.5 ? 0.015 * std::pow(20 / spacings, 2) : never});
   }
   return figures;

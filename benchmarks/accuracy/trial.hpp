@@ -58,6 +58,7 @@ std::vector<Case> flowCases();     ///< pressure: columns, dam breaks, vortices
 std::vector<Case> viscousCases();  ///< viscosity and surface tension
 std::vector<Case> solidCases();
 std::vector<Case> heatCases();
+std::vector<Case> mixedCases();    ///< liquids and solids in one scene
 
 /// For Case::adapt: domain and boxes are six spacings (three support radii) wide along the periodic axes, so that a finer run of a one-dimensional case costs no more across.
 void makeThin(Scene& scene);

@@ -95,6 +95,7 @@ std::vector<Case> viscousCases() {
   std::vector<Case> all = {
       {"poiseuille", "channel, steady, let go at the exact profile; parabola", nullptr, {}, startSteady, {}, measurePoiseuille, makeThin},
       {"poiseuille_startup", "channel from rest; Fourier series (Morris et al. 1997)", "poiseuille", {}, {}, watchStarting, measureStarting, makeThin},
+      {"thick_channel", "channel from rest to steady flow, explicit steps a hundred times shorter than sound's; parabola", nullptr, {}, {}, {}, measurePoiseuille, makeThin},
       {"spinning_drop", "free viscous drop in rigid rotation; angular momentum is constant", nullptr, {}, noteMotion, {}, measureSpin},
   };
   for (Case& c : dropCases()) all.push_back(std::move(c));

@@ -101,7 +101,10 @@ Modules modulesOf(const Scene& s) {
   if (m.contact)
     for (std::size_t k = 0; k < s.materials.size(); k++)
       if (used[k] && s.materials[k].weld && s.materials[k].canBeSolid()) f.on(m.welding, "welding", "solids of material " + quoted(s.materials[k].name) + " grow together");
-  if (m.solid && s.numerics.elasticSubsteps > 1) f.on(m.substeps, "substeps of solids", "numerics.elastic_substeps is " + std::to_string(s.numerics.elasticSubsteps));
+  // where solids can meet, their contact binds the step of all, and substeps gain nothing
+  m.mostSubsteps = s.numerics.elasticSubsteps > 0 ? s.numerics.elasticSubsteps : m.solid && m.fluid && !m.contact ? 4 : 1;
+  if (m.solid && m.mostSubsteps > 1)
+    f.on(m.substeps, "substeps of solids", s.numerics.elasticSubsteps > 0 ? "numerics.elastic_substeps is " + std::to_string(m.mostSubsteps) : "there is liquid, too: up to " + std::to_string(m.mostSubsteps));
   if (m.fluid && s.numerics.solver == PressureSolver::Incompressible) f.on(m.incompressible, "incompressible liquid", "numerics.pressure_solver says so");
   if (m.fluid) f.on(m.neighbours, "neighbour search", "there is liquid");
   if (m.contact) f.on(m.neighbours, "neighbour search", "solids can meet");

@@ -18,6 +18,7 @@ struct Modules {
   bool implicitViscosity = false;  ///< a liquid with viscosity, and the scene asks for the implicit solver
   bool solid = false;      ///< some particle is, or can become, solid: bonds, elastic forces
   bool substeps = false;   ///< solids may take several steps in one of the scene
+  int mostSubsteps = 1;
   bool plastic = false;    ///< a material yields
   bool fracture = false;   ///< a material's bonds break
   bool freezing = false;   ///< liquid can become solid while running: bonds have their own reference on both ends

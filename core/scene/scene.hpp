@@ -189,7 +189,7 @@ struct Numerics {
   double fixedStep = 0;           // s; 0: as large as the limits allow
   double maxStep = never;         // s
   double cflSound = 0.4, cflViscous = 0.8, cflHeat = 0.8, cflElastic = 0.4, cflTension = 0.25, cflAcceleration = 0.25;
-  int elasticSubsteps = 1;          // largest number of substeps of solids in a step
+  int elasticSubsteps = 0;          // largest number of substeps of solids in a step; 0: 4 where there is liquid and solids cannot meet, else 1
   // the watch while running (core/watch/)
   std::int64_t retryEvery = 100;  // steps between the states kept in memory; 0: none
   std::int64_t retries = 4;       // for one stretch, each with half the step

@@ -169,7 +169,7 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   // a scene that goes on with a shorter step means the first one too; of the same scene this changes no bit
   const double fixed = w.scene.numerics.fixedStep, factor = w.watch.factor;
   StepLimits limits = t.fixedLimits;
-  if (w.modules.substeps) limits[Limit::Elastic] = w.scene.numerics.elasticSubsteps * std::min(limits[Limit::Elastic], t.longestContact);
+  if (w.modules.substeps) limits[Limit::Elastic] = w.modules.mostSubsteps * std::min(limits[Limit::Elastic], t.longestContact);
   w.clock.dt = fixed > 0 ? factor * fixed : std::min(w.clock.dt, factor * limits[limits.smallest()]);
 }
 

@@ -22,7 +22,8 @@ constexpr Likeness likenesses[] = {
     {"viscosity", "poiseuille", "L2(u)", viscous},
     {"surface tension", "drop_laplace", "pressure jump", [](const Scene&, const Modules& m) { return m.tension; }},
     {"solids", "cantilever", "deflection", [](const Scene&, const Modules& m) { return m.solid; }},
-    {"waves in solids", "p_wave", "phase", [](const Scene&, const Modules& m) { return m.solid; }},
+    {"waves in solids", "p_wave", "P speed at 20 dx", [](const Scene&, const Modules& m) { return m.solid; }},
+    {"a solid in a liquid", "stiff_in_soft", "energy residual", [](const Scene&, const Modules& m) { return m.solid && m.fluid; }},
     {"heat", "conductivity_ratio", "Linf(T)", [](const Scene&, const Modules& m) { return m.heat; }},
     {"melting", "stefan_two_phase", "front", [](const Scene&, const Modules& m) { return m.melting; }},
 };

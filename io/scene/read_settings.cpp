@@ -83,7 +83,8 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.number("cfl_tension", n.cflTension, "", factor(), "times sqrt(rho h^3 / (2 pi sigma))");
   r.number("cfl_acceleration", n.cflAcceleration, "", factor(), "times sqrt(h / a)");
   std::int64_t substeps = n.elasticSubsteps;
-  r.whole("elastic_substeps", substeps, 1, 64, "largest number of steps that solids take within one of all else, where their elastic limit is the shortest; above 4 the liquid may pump energy into solids without damping");
+  r.whole("elastic_substeps", substeps, 0, 64,
+          "largest number of steps that solids take within one of all else, where their elastic limit is the shortest; 0: 4 where there is liquid and solids cannot meet, else 1. Above 8 the liquid may pump energy into solids without damping");
   n.elasticSubsteps = static_cast<int>(substeps);
   r.whole("retry_every", n.retryEvery, 0, 1000000000, "steps between the states kept in memory, to which a run that fails goes back and goes on with half the step; 0: none, and the run stops");
   r.whole("retries", n.retries, 0, 40, "times that one stretch is tried again, each with half the step of before, until the run stops with exit code 4 and the last good state as a checkpoint");

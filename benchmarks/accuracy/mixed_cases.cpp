@@ -1,0 +1,23 @@
+// A stiff solid in a liquid: what substeps cost and give.
+#include <cmath>
+
+#include "benchmarks/accuracy/trial.hpp"
+
+namespace thaw::accuracy {
+namespace {
+
+/// There is no exact solution; energy from nowhere says what longer steps do. Over the kinetic energy of the liquid.
+std::vector<Figure> measurePlate(Trial& r) {
+  const LedgerReport books = reportLedger(r.world, r.all);
+  return {{"energy residual", std::abs(books.energyResidual) / books.now.kinetic, 0.01},
+          {"elastic energy", books.now.elastic / books.now.kinetic},
+          {"momentum residual", length(books.momentumResidual) / length(books.gravityImpulse), 1e-6}};
+}
+
+}  // namespace
+
+std::vector<Case> mixedCases() {
+  return {{.name = "stiff_in_soft", .about = "dam break on a stiff undamped plate: energy from nowhere, over the kinetic energy", .measure = measurePlate}};
+}
+
+}  // namespace thaw::accuracy
