@@ -1,13 +1,14 @@
 // Surface tension as a stress along the surface (continuous surface stress: Lafaurie et al. 1994; in SPH Hu & Adams 2006, J. Comput. Phys. 213,
 // 844), for a liquid with a free surface: T = sigma a (1 - n n), n along g = sum V grad W, a the area per volume. Three things differ:
-// - T is divided by the tangential part of the neighbourhood's moment, so that the pairs' virial is T however the particles lie: without it a
-//   surface resists shear like a solid, and a drop does not swing as one of liquid.
+// - T is divided by the tangential part of the neighbourhood's moment, so that the pairs' virial is T however the particles lie.
 // - Along n there is no pull in T, and a particle that has left the layer flies off: a drop that swings loses a tenth of its particles in two
 //   periods. So half of sigma a n n is added, which the pressure of the layer balances; what that pressure takes from the tension is made up for
-//   by the factor 1 + .7 / 2 n M n. The factor is measured on drops, not derived: a flat lattice at rest would ask for a little less than 1.
-// - a goes like surfaceShare / sqrt|g|, which counts particles of the layer. With a = k |g| the pressure in a drop is too high by 3.4 dx / R, because
-//   |g| is more where the surface is convex.
-// Errors (drop_laplace, relaxed packing): see docs of the benchmark. Contact with walls: a wall covers the surface, it neither pulls nor repels.
+//   by the factor 1 + .35 n M n. The .35 is measured on drops, not derived.
+// - a goes like surfaceShare / sqrt|g|, which counts particles of the layer. With a = k |g| the pressure in a drop is too high by some 3.4 dx / R:
+//   |g| is more where the surface is convex. Measured on drops as well.
+// A wall covers the surface: it takes its part of g away and does not pull. Solids count in g like liquid.
+// Momentum is kept to rounding. Energy is not: the force is no gradient of sigma a V, and thin liquids (Ohnesorge number .005, scenes/drop.toml)
+// are stirred by it until they boil; at .05 and above what stirs is less than viscosity takes. Therefore not the default.
 #pragma once
 #include "core/walls/wall_forces.hpp"
 

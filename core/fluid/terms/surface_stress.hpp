@@ -6,8 +6,8 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Kernel of the stress, slope = w'(q) / q: its pull grows with the distance up to that of diagonal neighbours, so that a layer under tension
-/// does not clump (a stress is stable where it and w'' are of different sign, Swegle et al. 1995).
+/// Kernel of the stress, slope = w'(q) / q: its pull grows with the distance up to .6 h, beyond next neighbours, so that a layer under
+/// tension does not clump (a stress is stable where it and w'' are of different sign, Swegle et al. 1995).
 struct StressKernel {
   template<class T> static THAW_INLINE T slope(T q2) {
     const T u = max(T(1.0) - sqrt(q2), T(0.0));
