@@ -7,8 +7,9 @@
 // - a goes like surfaceShare / sqrt|g|, which counts particles of the layer. With a = k |g| the pressure in a drop is too high by some 3.4 dx / R:
 //   |g| is more where the surface is convex. Measured on drops as well.
 // A wall covers the surface: it takes its part of g away and does not pull. Solids count in g like liquid.
-// Momentum is kept to rounding. Energy is not: the force is no gradient of sigma a V, and thin liquids (Ohnesorge number .005, scenes/drop.toml)
-// are stirred by it until they boil; at .05 and above what stirs is less than viscosity takes. Therefore not the default.
+// Momentum is kept to rounding. Energy is not: the force is no gradient of sigma a V, and liquids as thin as
+// mu < .06 sqrt(rho sigma dx) are stirred by it until they boil (a drop of R / dx = 8 does at .03, not at .057; artificial viscosity of .05 stops
+// it). Therefore not the default.
 #pragma once
 #include "core/walls/wall_forces.hpp"
 
