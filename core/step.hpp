@@ -37,6 +37,7 @@ struct StepTools {
   WallTables wallTables;
   ViscousWeight viscousWeight;       ///< of the pairwise viscosity
   double perLatticeSum = 1;          ///< what sums over V W are multiplied by to be fillings
+  double surfaceArea = 0;            ///< of surface tension as a stress (surfaceAreaScale)
   double selfWeight = 0;             ///< taken from the filling of a particle that has the volume of its lattice cell
   double stableViscousStep = 0;      ///< dt nu / h^2 that is just stable on the lattice
   double conductionScale = 1;        ///< of heat conduction, see kernels/lattice.hpp

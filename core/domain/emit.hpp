@@ -19,7 +19,8 @@ struct EmitterPlan {
   double interval = 0;        ///< s between layers
   double ahead = 0;           ///< s that a layer spends in the nozzle
   double particleMass = 0;    ///< kg
-  std::vector<std::vector<double>> cohesion;  ///< J, [m][k]: of surface tension between particle k of a layer and the layer m before it (0: half of its own)
+  std::vector<std::vector<double>> cohesion;  ///< J, [m][k]: of surface tension between particle k of a layer and the layer m before it (0: half of its own);
+                                              ///< as a stress: what stacks of more than m layers gain beyond the stack before
 };
 
 /// Throws std::runtime_error (one sentence) where the rate asks for more particles than the opening lets through.

@@ -10,6 +10,7 @@
 #include "core/fluid/terms/forces.hpp"
 #include "core/fluid/terms/incompressible.hpp"
 #include "core/fluid/terms/smoothing.hpp"
+#include "core/fluid/terms/surface_stress.hpp"
 #include "core/fluid/terms/tension.hpp"
 #include "core/fluid/terms/viscous_operator.hpp"
 
@@ -108,6 +109,22 @@ void tension(const PairSums& in, GroupRange range) {
   in.precision == Precision::Single ? tensionOf<float>(in, range, in.printedTension) : tensionOf<double>(in, range, in.printedTension);
 }
 
+void colourGradient(const PairSums& in, GroupRange range) {
+  choose(in, [&](auto real, auto kernel) {
+    using Real = decltype(real);
+    ColourGradient<Real, decltype(kernel)> term{records<Real>(in.place), &in};
+    sweep(*in.lists, range, term, true);
+  });
+}
+
+template<class Real> void surfaceStressOf(const PairSums& in, GroupRange range) {
+  SurfaceStress<Real> term{records<Real>(in.place), records<Real>(in.stretch), records<Real>(in.shear), &in, in.support * in.support};
+  sweep(*in.lists, range, term, false);
+}
+void surfaceStress(const PairSums& in, GroupRange range) {
+  in.precision == Precision::Single ? surfaceStressOf<float>(in, range) : surfaceStressOf<double>(in, range);
+}
+
 void artificialViscosity(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
@@ -176,7 +193,7 @@ void searchNeighbours(const SearchInput&, Part, SearchBuffers&, NeighbourLists&)
 
 const PairKernels& pairKernelSet();
 const PairKernels& pairKernelSet() {
-  static constexpr PairKernels set{THAW_STRING(THAW_ISA) + 4, searchNeighbours, density,  forces,     correctPressure, tension,     artificialViscosity,
+  static constexpr PairKernels set{THAW_STRING(THAW_ISA) + 4, searchNeighbours, density,  forces,     correctPressure, tension, colourGradient, surfaceStress, artificialViscosity,
                                    smoothing,                 exposure,         closePairs, viscous, compression,     impulse,     response};
   return set;
 }

@@ -90,7 +90,11 @@ void resizeRecords(const RecordContext& x, std::size_t n, PairRecords& r) {
     resizeBytes(r.diagonal, bytes);
     resizeBytes(r.mixed, bytes);
   }
-  for (AlignedVector<std::byte>* v : {&r.fixed, &r.place, &r.motion, &r.state, &r.surface, &r.diagonal, &r.mixed}) {
+  if (x.modules.surfaceStress) {
+    resizeBytes(r.stretch, bytes);
+    resizeBytes(r.shear, bytes);
+  }
+  for (AlignedVector<std::byte>* v : {&r.fixed, &r.place, &r.motion, &r.state, &r.surface, &r.diagonal, &r.mixed, &r.stretch, &r.shear}) {
     const std::size_t record = v == &r.fixed ? 16 : real64 ? 32 : 16;
     if (!v->empty()) std::memset(v->data() + n * record, 0, record);
   }
@@ -102,6 +106,18 @@ void packRecords(const RecordContext& x, const Continuum& p, std::size_t begin, 
 
 void packPressure(const RecordContext& x, Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
   x.scene.numerics.precision == Precision::Double ? packPressureAs<double>(x, p, begin, end, r) : packPressureAs<float>(x, p, begin, end, r);
+}
+
+void packSurfaceStress(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
+  const auto pack = [&](auto real) {
+    using Real = decltype(real);
+    for (std::size_t i = begin; i < end; i++) {
+      const Sym3d& s = p.surfaceStress[i];
+      rows<Real>(r.stretch)[i] = {static_cast<Real>(s.xx), static_cast<Real>(s.yy), static_cast<Real>(s.zz), Real(0)};
+      rows<Real>(r.shear)[i] = {static_cast<Real>(s.xy), static_cast<Real>(s.yz), static_cast<Real>(s.xz), Real(0)};
+    }
+  };
+  x.scene.numerics.precision == Precision::Double ? pack(double{}) : pack(float{});
 }
 
 void setUnitPressure(const RecordContext& x, std::size_t n, PairRecords& r) {

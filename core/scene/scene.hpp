@@ -151,7 +151,7 @@ enum class EquationOfState { Linear, Tait };
 enum class PressureSolver { StateEquation, Incompressible };
 enum class ViscosityForm { Pairwise, Laplacian };
 enum class ViscositySolver { Explicit, Implicit };
-enum class TensionForm { Pairwise, ColourField };  // ColourField: as printed in MCG03/K05
+enum class TensionForm { Pairwise, ColourField, SurfaceStress };  // ColourField: as printed in MCG03/K05
 enum class HeatModel { Enthalpy, Paper };
 enum class Conduction { Normalised, Plain };       // of the sum over neighbours: with the second moment of the lattice, or of the integral
 enum class OverlapRule { Error, Keep, RemoveLater, RemoveEarlier };

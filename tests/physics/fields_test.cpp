@@ -71,6 +71,9 @@ TEST(Fields, TensionAndArtificialViscosityAddNone) {
   s.materials[0].surfaceTension = 0.05;
   s.materials[0].artificialViscosity = 0.1;
   EXPECT_EQ(added(s, block(false)), Names{});
+  Scene stress = s;
+  stress.numerics.tension = TensionForm::SurfaceStress;
+  EXPECT_EQ(added(stress, s), (Names{"continuum.colourGradient", "continuum.surfaceMoment", "continuum.surfaceStress"}));
   s.materials[0].xsph = 0.1;
   EXPECT_EQ(added(s, block(false)), (Names{"continuum.smoothing"}));
 }
