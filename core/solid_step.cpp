@@ -19,6 +19,7 @@ void deformAll(World& w, Halos& halos, StepTools& t, const ElasticStep& step) {
   t.times.lap(StepPhase::Bonds);
   r += computeDeformationAndStress(t.elastic, w.solids, w.bonds, step, SolidPart::Boundary);
   w.counters.inverted += r.inverted;
+  w.counters.squeezed += r.squeezed;
   t.maxStretch2 = r.maxStretch2;
 }
 

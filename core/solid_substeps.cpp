@@ -30,11 +30,13 @@ void addFastForces(World& w, Halos& halos, StepTools& t, double span) {
   const ElasticStep now{span, false};
   copyToSolids(w.particles, w.solids);
   halos.bonds.begin(w.solids, remoteColumnsBeforeDeformation(w.solids));
-  w.counters.inverted += computeDeformationAndStress(t.elastic, w.solids, w.bonds, now, SolidPart::Inner).inverted;
+  ElasticResult r = computeDeformationAndStress(t.elastic, w.solids, w.bonds, now, SolidPart::Inner);
   t.times.lap(StepPhase::Elastic);
   halos.bonds.finish(w.solids);
   t.times.lap(StepPhase::Bonds);
-  w.counters.inverted += computeDeformationAndStress(t.elastic, w.solids, w.bonds, now, SolidPart::Boundary).inverted;
+  r += computeDeformationAndStress(t.elastic, w.solids, w.bonds, now, SolidPart::Boundary);
+  w.counters.inverted += r.inverted;
+  w.counters.squeezed += r.squeezed;
   t.times.lap(StepPhase::Elastic);
   halos.bonds.begin(w.solids, remoteColumnsBeforeForces(w.solids));
   t.times.lap(StepPhase::Bonds);

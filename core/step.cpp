@@ -109,6 +109,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
 StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests wanted) {
   StepLimits limits = t.fixedLimits;
   StepLimits own = particleLimits(w, t.stableViscousStep);
+  own[Limit::Sound] = limits[Limit::Sound] / soundStiffening(w);  // the shortest of all ranks is where some particle is compressed most
   // near a wall its push is stiffer than the lattice, for which cfl_sound stands: omega dt is 1.2 at most (2 is stable)
   if (t.wallContacts.stiffest > 0) own[Limit::Contact] = 3 * w.scene.numerics.cflSound / t.wallContacts.stiffest;
   constexpr std::size_t n = limitNames.size();

@@ -22,6 +22,7 @@ struct Counters {
   std::int64_t singularNeighbourhoods = 0;  ///< particles whose moment matrix had rank < 3 when it was last computed
   std::int64_t brokenBonds = 0;
   std::int64_t inverted = 0;                ///< particles with det F <= 0 seen (particle-steps)
+  std::int64_t squeezed = 0;                ///< particles of law "green" seen below sqrt(1/3) of their length in some direction (particle-steps)
   std::int64_t coincidentPairs = 0;
   std::int64_t melted = 0, frozen = 0;      ///< phase changes
   std::int64_t welds = 0;

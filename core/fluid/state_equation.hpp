@@ -19,6 +19,12 @@ inline double pressureOf(EquationOfState eos, double stiffness, double filling, 
   return p >= 0 ? p : tensileLimit * p;
 }
 
+/// Speed of sound over that at rest, sqrt(dp/ddelta / c^2 rho0) where it is compressed, 1 where it is not. Of the pairs' stiffness the
+/// other part, p / delta, is smaller.
+inline double soundSpeedFactor(EquationOfState eos, double filling) {
+  return eos == EquationOfState::Tait && filling > 1 ? filling * filling * filling : 1;
+}
+
 /// Energy stored by compression per rest volume (J/m^3): the integral of p / delta^2 over delta from 1.
 inline double compressionEnergy(EquationOfState eos, double stiffness, double filling, double tensileLimit) {
   const double factor = filling >= 1 ? 1 : tensileLimit;

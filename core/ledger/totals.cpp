@@ -6,7 +6,7 @@ namespace {
 constexpr std::size_t balanceSums = 11, ledgerSums = 2 * balanceSums + 13, worldCounts = sizeof(Counters) / sizeof(std::int64_t);
 static_assert(sizeof(ExactBalance) == balanceSums * sizeof(ExactSum), "list the new sum in addBalance, and in valuesOf");
 static_assert(sizeof(Ledger) == ledgerSums * sizeof(ExactSum) + sizeof(Balance), "list the new sum in sumsOf");
-static_assert(worldCounts == 17, "list the new counter in countsOf");
+static_assert(worldCounts == 18, "list the new counter in countsOf");
 static_assert(sizeof(WatchState) == 8 * sizeof(double), "list the new member in realsOf or countsOf");
 
 void addBalance(std::vector<NamedSum>& list, ExactBalance& b, const char* const (&names)[balanceSums]) {
@@ -47,6 +47,7 @@ std::vector<NamedCount> countsOf(Counters& c) {
   return {{"singular_neighbourhoods", &c.singularNeighbourhoods},
           {"broken_bonds", &c.brokenBonds},
           {"inverted", &c.inverted},
+          {"squeezed", &c.squeezed},
           {"coincident_pairs", &c.coincidentPairs},
           {"melted", &c.melted},
           {"frozen", &c.frozen},

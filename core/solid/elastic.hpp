@@ -67,9 +67,11 @@ struct ElasticStep {
 
 struct ElasticResult {
   std::int64_t inverted = 0;   ///< particles with det F <= 0
+  std::int64_t squeezed = 0;   ///< of Green strain without volume stiffness: with a principal stretch below sqrt(1/3), where the law weakens
   double maxStretch2 = 1;      ///< upper bound of the square of the principal stretches (|F|^2 - 2)
   ElasticResult& operator+=(const ElasticResult& o) {
     inverted += o.inverted;
+    squeezed += o.squeezed;
     if (o.maxStretch2 > maxStretch2) maxStretch2 = o.maxStretch2;
     return *this;
   }

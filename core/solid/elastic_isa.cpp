@@ -193,6 +193,19 @@ template<class Real, bool periodic> void deformationOf(ElasticArrays& a) {
       for (int l = 0; l < n; l++)
         if (c.constants[l].law == ElasticLaw::NeoHookean) energy[l] = respondLane(c.constants[l], gradU, plastic, l, nullptr);
 
+    // Green strain alone weakens where it is squeezed to less than sqrt(1/3) in some direction: 3 E + 1 - (plastic strain) has an
+    // eigenvalue < 0 (3/2 C - 1/2 without plastic strain), which its leading minors tell.
+    std::uint8_t squeezed = 0;
+    if (c.anyPlainGreen) {
+      const T three(Real(3)), one(Real(1)), zero(Real(0));
+      const T xx = three * green.xx + one - plasticStrain.xx, yy = three * green.yy + one - plasticStrain.yy, zz = three * green.zz + one - plasticStrain.zz;
+      const T xy = three * green.xy - plasticStrain.xy, yz = three * green.yz - plasticStrain.yz, xz = three * green.xz - plasticStrain.xz;
+      const T second = xx * yy - xy * xy, third = zz * second - xx * yz * yz - yy * xz * xz + (xy + xy) * yz * xz;
+      const T least = min(xx, min(second, third));
+      if (any(least < zero))
+        for (int l = 0; l < n; l++) squeezed = static_cast<std::uint8_t>(squeezed | (least[l] < 0 && c.plainGreen[l]) << l);
+    }
+
     // flux = V P A^-1 - k grad u
     const Mat3<T> flux = volume * times(piola, momentInverse) - fromDoubles<Real>(c.hourglass) * gradient;
     const T j = determinant(f);
@@ -217,6 +230,7 @@ template<class Real, bool periodic> void deformationOf(ElasticArrays& a) {
         if (a.damping) a.dragColumn[s] = c.drag[l];
       }
       if (!(j[l] > 0)) a.inverted++;
+      a.squeezed += squeezed >> l & 1;
     }
   }
   for (int l = 0; l < 8; l++)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/fluid/state_equation.hpp"
 #include "core/heat/enthalpy.hpp"
 #include "core/kernels/lattice.hpp"
 #include "core/solid/elastic.hpp"
@@ -51,6 +52,32 @@ double largestDiffusivity(const Scene& s, const std::vector<std::size_t>& used, 
   return largest;
 }
 
+/// Viscosity (Pa s) between two particles, as the forces have it (terms/forces.hpp).
+double pairViscosity(const Numerics& n, double a, double b) {
+  if (n.viscosity == ViscosityForm::Laplacian) return 0.5 * (a + b);
+  return a + b > 0 ? 2 * a * b / (a + b) : 0;
+}
+
+double largestViscosity(const Material& m) {
+  if (m.viscosityTable.empty()) return std::max(m.viscosity.solid, m.viscosity.liquid);
+  double largest = 0;
+  for (const auto& point : m.viscosityTable) largest = std::max(largest, point.second);
+  return largest;
+}
+
+/// The viscosity (Pa s) that bounds the step of particles of material k, whose own is mu; what it makes of their velocity depends on their own
+/// mass alone (accuracy.md B12). Between liquids of the pairwise form it is their own: beside a thicker one that hardly moves the
+/// harmonic mean is up to twice as large, but the fastest wave among their like, of neighbours that move against each other, is as fast as
+/// that (tests/stability: LightParticlesInAThickLiquid). The printed form's arithmetic mean has no such bound; solids see liquids alone.
+double viscosityOfStep(const Scene& s, const std::vector<std::size_t>& used, std::size_t k, double mu) {
+  const bool liquid = canBeLiquid(s.materials[k]), printed = s.numerics.viscosity == ViscosityForm::Laplacian;
+  double pairs = 0;
+  for (const std::size_t j : used)
+    if (j != k && (liquid || canBeLiquid(s.materials[j]))) pairs = std::max(pairs, pairViscosity(s.numerics, mu, largestViscosity(s.materials[j])));
+  if (printed) return liquid ? std::max(mu, pairs) : pairs;
+  return liquid ? mu : std::min(mu, pairs);
+}
+
 }  // namespace
 
 StepLimits materialLimits(const Scene& s, const Modules& modules, const std::vector<LiquidMaterial>& liquids) {
@@ -68,9 +95,12 @@ StepLimits materialLimits(const Scene& s, const Modules& modules, const std::vec
       const double own = canBeLiquid(m) ? liquids[k].soundSpeed : 0, near = std::sqrt(stiffest / m.density);
       take(Limit::Sound, n.cflSound * std::min(h, 2 * s.spacing) / (near > own * (1 + 1e-12) ? near : own));
     }
-    if (modules.fluid && canBeLiquid(m)) {
-      const double mu = (m.viscosityTable.empty() && !modules.implicitViscosity ? std::max(m.viscosity.solid, m.viscosity.liquid) : 0) + 1.6 * liquids[k].artificial;  // tables: of the particles there are
+    if (modules.fluid) {
+      const double mu = (m.viscosityTable.empty() && !modules.implicitViscosity ? viscosityOfStep(s, used, k, largestViscosity(m)) : 0) +  // tables: of the particles there are
+                        (canBeLiquid(m) ? 1.6 * liquids[k].artificial : 0);
       if (mu > 0) take(Limit::Viscous, n.cflViscous * stableViscousStep(n) * h * h * m.density / mu);
+    }
+    if (modules.fluid && canBeLiquid(m)) {
       if (m.surfaceTension > 0) take(Limit::Tension, n.cflTension * std::sqrt(m.density * h3 / (2 * 3.14159265358979 * m.surfaceTension)));
     }
     if (modules.heat) {
@@ -104,9 +134,19 @@ StepLimits particleLimits(const World& w, double stableViscousStep) {
     for (std::size_t i = 0; i < p.owned; i++)
       if (p.material[i] == k && (p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0)))
         mu = std::max(mu, viscosityAt(m, 1, p.temperature.active ? p.temperature[i] : 0));
+    if (mu > 0) mu = viscosityOfStep(w.scene, materialsInUse(w.scene), k, mu);
     if (mu > 0) l[Limit::Viscous] = std::min(l[Limit::Viscous], n.cflViscous * stableViscousStep * h * h * m.density / mu);
   }
   return l;
+}
+
+double soundStiffening(const World& w) {
+  if (w.scene.numerics.eos != EquationOfState::Tait || !w.modules.fluid || w.modules.incompressible) return 1;
+  const Continuum& p = w.particles;
+  float most = 1;
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (p.filling[i] > most && (p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0))) most = p.filling[i];
+  return soundSpeedFactor(w.scene.numerics.eos, static_cast<double>(most));
 }
 
 double fastAccelerationLimit(const World& w) {

@@ -28,6 +28,10 @@ StepLimits materialLimits(const Scene& scene, const Modules& modules, const std:
 /// dt nu / h^2 = stableViscousStep. To be reduced over ranks.
 StepLimits particleLimits(const World& world, double stableViscousStep);
 
+/// How many times faster than at rest sound is where this rank's liquid is compressed most, at least 1: the limit of sound is that of the
+/// materials divided by it. 1 with the linear equation of state.
+double soundStiffening(const World& world);
+
 /// The limit (s) of acceleration by the forces that substeps kick with, of this rank's particles: of a substep. particleLimits leaves
 /// these forces out.
 double fastAccelerationLimit(const World& world);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/contact/dashpot.hpp"
+#include "core/fluid/state_equation.hpp"
 #include "core/heat/enthalpy.hpp"
 
 namespace thaw {
@@ -54,7 +55,7 @@ void addLiquidForces(const WallContext& x, const Meeting& at, double perLatticeS
   if (!w.modules.incompressible && pressure != 0 && filling > 0) {
     const double term = w.scene.numerics.pressure == PairForm::Printed ? 0.5 * pressure / filling : perLatticeSum * pressure / (filling * filling);
     act.force += n * (at.volume * term * t.push / h * at.contact.share);
-    stiffest = std::max(stiffest, x.liquids[p.material[at.row]].soundSpeed * perLatticeSum * t.push / h);
+    stiffest = std::max(stiffest, x.liquids[p.material[at.row]].soundSpeed * soundSpeedFactor(w.scene.numerics.eos, filling) * perLatticeSum * t.push / h);
   }
   if (at.wall.slip || w.modules.implicitViscosity) return;
   const double m = p.mass[at.row], rate = m * overStep(wallDrag(x, at.contact) / m, x.span);

@@ -150,6 +150,7 @@ std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
   add(c.left, "particles left the domain (their mass, momentum and heat are in the ledger)");
   add(c.singularNeighbourhoods, "solid particles have a flat, thin or lonely neighbourhood (rank of their moment matrix < 3)");
   add(c.inverted, "times a solid particle was turned inside out (det F <= 0)");
+  add(c.squeezed, "times a solid particle of law = \"green\" was squeezed below .577 of its length, from where that law weakens: law = \"corotated\" or \"neo-hookean\" stiffens");
   add(c.coincidentPairs, "times a particle shared its place with another and was pushed aside");
   add(c.viscousUnfinished, "steps needed more than numerics.viscosity_iterations for viscosity");
   add(c.retries, "times a stretch of steps failed and was run again with shorter ones");

@@ -112,6 +112,28 @@ RandomMaterial material(Dice& d, const std::string& name, double speed) {
   return m;
 }
 
+/// Keys of the ways to solve for pressure, viscosity, density and solids, of some scenes. Now and then they do not go together: refused.
+std::string solvers(Dice& d, bool laplacian) {
+  std::string t;
+  const bool incompressible = d.chance(0.25);
+  if (incompressible) {
+    t += "pressure_solver = \"incompressible\"\n";
+    if (d.chance(0.3)) t += fmt::format("density_tolerance = {:.3g}\ndivergence_tolerance = {:.3g}\n", d.decades(1e-5, 0.02), d.decades(1e-5, 0.02));
+    if (d.chance(0.2)) t += fmt::format("max_iterations = {}\n", 1 + d.below(100));
+  }
+  if (!laplacian && d.chance(0.25)) t += "viscosity_solver = \"implicit\"\n";
+  if (d.chance(0.25)) t += fmt::format("elastic_substeps = {}\n", 2 + d.below(7));
+  const bool other = (!incompressible || d.chance(0.05)) && d.chance(0.25), continuity = other && d.chance(0.7);
+  if (other) t += fmt::format("density = \"{}\"\n", continuity ? "continuity" : "plain");
+  if (continuity && d.chance(0.7)) t += "corrected_gradients = true\n";
+  if (continuity && d.chance(0.7)) t += fmt::format("density_diffusion = {:.3g}\n", d.between(0, 0.3));
+  if ((!incompressible || d.chance(0.05)) && d.chance(continuity ? 0.7 : 0.1)) t += fmt::format("shifting = {:.3g}\n", d.between(0, 0.1));
+  if (d.chance(0.2)) t += fmt::format("retry_every = {}\n", 1 + d.below(20));
+  if (d.chance(0.1)) t += fmt::format("retries = {}\n", d.below(3));
+  if (d.chance(0.1)) t += "elastic_precision = \"double\"\n";
+  return t;
+}
+
 std::string scene(std::uint64_t seed) {
   Dice d{seed};
   const double radius = d.decades(0.01, 1), gravity = d.chance(0.1) ? 0 : 9.81, speed = std::sqrt(9.81 * radius) * d.decades(0.1, 8);
@@ -192,8 +214,10 @@ std::string scene(std::uint64_t seed) {
   if (d.chance(0.1)) head += fmt::format("tensile_limit = {:.4g}\n", d.unit());
   if (d.chance(0.1)) head += "self_contact = false\n";
   if (d.chance(0.05)) head += "pressure = \"printed\"\n";
-  if (d.chance(0.05)) head += "viscosity = \"laplacian\"\n";
+  const bool laplacian = d.chance(0.05);
+  if (laplacian) head += "viscosity = \"laplacian\"\n";
   if (d.chance(0.05)) head += "tension = \"colour field\"\n";
+  head += solvers(d, laplacian);
   return head + "\n" + text;
 }
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # random_scenes_test.sh BUILD [COUNT] [FIRST SEED]: random scenes (random_scene.cpp) on 1 to 4 ranks. Each must end in one of three ways:
 #   exit 0  a finite summary with the residual of the ledger;
-#   exit 4  one message that names the particle, the step and the time, and a summary that says so;
+#   exit 4  one message that names the particle, the step and the time, a summary that says so, and a checkpoint of the last good state, from
+#           which the run can be taken up;
 #   exit 2  one clear message: refused before the first step.
 # Anything else is a failure: a crash, an abort, a hang, an error of MPI, several messages. Every tenth seed also runs on 1 and on 3 ranks,
 # which must give the same bits. 30 seeds; 500 with THAW_NIGHTLY=1. KEEP=FOLDER keeps what was run, with report.txt: one line a seed,
@@ -29,7 +30,9 @@ oneScene() {  # oneScene SEED: a line of the report
        grep -q ': *null\|[nN]a[nN]\|[^a-z]inf[^a-z]' "$here/out/summary.json" && what="NOT FINITE"
        [ "$errors" = 0 ] || what="ERROR BUT EXIT 0" ;;
     4) what=$(grep -a -o 'blew up.*' "$here/out.log" | head -n 1) particles=$(field particles) step=$(field step)
-       grep -a -q "error: .*blew up at step [0-9]*, .*particle [0-9]* of \(body\|emitter\) '" "$here/out.log" || what="EXIT 4 WITHOUT ITS MESSAGE"
+       grep -a -q "error: .*blew up at step [0-9]*, t .* s, dt .* s: .*\(particle [0-9]* of \(body\|emitter\) '.* has a velocity of .* and a force of\|no particle to name\)" "$here/out.log" || what="EXIT 4 WITHOUT ITS MESSAGE"
+       grep -a -q 'the checkpoint is of step\|the last checkpoint is from before' "$here/out.log" || what="EXIT 4, NOTHING ABOUT A CHECKPOINT"
+       "$thaw" info "$here/out" --json >"$here/info.log" 2>&1 || what="EXIT 4 WITHOUT A CHECKPOINT"
        [ "$errors" = 1 ] || what="$errors MESSAGES, NOT 1"
        [ "$(field status)" = failed ] || what="BLEW UP, SUMMARY SAYS '$(field status)'" ;;
     2) what=$(grep -a 'error: ' "$here/out.log" | head -n 1 | sed 's/.*error: /refused: /')

@@ -96,6 +96,89 @@ TEST(Stability, B10_StepTooLong) {
   }
 }
 
+TEST(Stability, B10_TaitInStrongCompression) {
+  // a liquid pressed to 1.6 times its density, with noise, breathing in a periodic box: energy from nowhere. At rest the compression is
+  // kept by the box, so that nothing but the step decides.
+  for (const bool naive : {true, false}) {
+    Scene s = periodicBlock();
+    s.domain.max = {7 * dx, 7 * dx, 7 * dx};
+    s.bodies.clear();
+    addBox(s, {0, 0, 0}, s.domain.max);
+    s.materials[0].soundSpeed = 10;
+    s.numerics.eos = EquationOfState::Tait;
+    s.end = 1e9;
+    Simulation run(s);
+    Continuum& p = run.particles();
+    const double atRest = run.w.clock.dt;
+    for (std::size_t i = 0; i < p.owned; i++) p.mass[i] *= 1.6;
+    for (std::size_t i = 0; i < p.owned; i++)
+      for (int a = 0; a < 3; a++) p.velocity[i][a] = 0.01 * (hashed(3 * p.id[i] + static_cast<std::uint64_t>(a)) - 0.5);
+    evaluate(run.w, run.halos(), run.tools, 0);
+    vote(run.w, run.halos(), run.tools, {}, {});
+    const double dt = run.w.clock.dt;
+    for (std::size_t i = 0; i < p.owned; i++) p.acceleration[i] = p.force[i] / p.mass[i];
+    if (naive) run.w.scene.numerics.fixedStep = run.w.clock.dt = atRest;
+    const double first = run.books().now.kinetic;
+    bool finite = true;
+    double most = 0;
+    for (int n = 0; n < 300 && finite && most < 1e6; n++) {
+      finite = run.step();
+      most = finite ? std::max(most, run.books().now.kinetic / first) : never;
+    }
+    measured("Tait at 1.6 times its density, steps %s: %.2e s (at rest %.2e), kinetic energy at most %.2g times the first", naive ? "as at rest" : "as wanted", naive ? atRest : dt, atRest, most);
+    EXPECT_NEAR(dt, atRest / (1.6 * 1.6 * 1.6), 0.05 * atRest / 4);
+    if (naive) EXPECT_GT(most, 100);
+    else EXPECT_LT(most, 1.5);
+  }
+}
+
+TEST(Stability, B12_LightParticlesInAThickLiquid) {
+  // particles a hundredth as dense as the others, which are fifty times as viscous, at rest with noise: in layers, in rows, one by one.
+  // Pairwise form: the light liquid's own viscosity bounds the step. Printed form: the arithmetic mean of both does.
+  struct Case { ViscosityForm form; double over; bool stable; };
+  for (const Case& c : {Case{ViscosityForm::Pairwise, 1, true}, {ViscosityForm::Pairwise, 1.3, false}, {ViscosityForm::Laplacian, 1, true}, {ViscosityForm::Laplacian, 26, false}}) {
+    double calmest = never, wildest = 0, dt = 0;
+    for (const int directions : {1, 2, 3}) {
+      Scene s = periodicBlock();
+      s.materials.emplace_back(s.materials[0]);
+      s.materials[0].density = 1000, s.materials[1].density = 10;
+      s.materials[0].viscosity = {50, 50}, s.materials[1].viscosity = {1, 1};
+      s.bodies.emplace_back(s.bodies[0]);
+      s.bodies[1].material = 1;
+      s.bodies[1].name = "light";
+      s.numerics.overlap = OverlapRule::RemoveLater;
+      s.numerics.viscosity = c.form;
+      s.end = 1e9;
+      Simulation run(s);
+      Continuum& p = run.particles();
+      EXPECT_STREQ(run.w.clock.limitedBy, "viscosity");
+      dt = c.over * run.w.clock.dt;
+      for (std::size_t i = 0; i < p.owned; i++) {
+        bool light = true;
+        for (int a = 0; a < 3; a++) {
+          light = light && (a >= directions || static_cast<int>(p.position[i][a] / dx) % 2 == 0);
+          p.velocity[i][a] = 1e-3 * (hashed(3 * p.id[i] + static_cast<std::uint64_t>(a)) - 0.5);
+        }
+        if (light) p.material[i] = 1, p.mass[i] *= 0.01;
+      }
+      run.w.scene.numerics.fixedStep = run.w.clock.dt = dt;
+      EXPECT_TRUE(run.step());
+      const double first = run.books().now.kinetic;
+      bool finite = true;
+      double most = 0;
+      for (int n = 0; n < 400 && finite && most < 1e6; n++) {
+        finite = run.step();
+        most = finite ? std::max(most, run.books().now.kinetic / first) : never;
+      }
+      calmest = std::min(calmest, most);
+      wildest = std::max(wildest, most);
+    }
+    measured("%s form, steps of %.2e s (%.1f times the limit): kinetic energy at most %.2g to %.2g times the first", c.form == ViscosityForm::Pairwise ? "pairwise" : "printed", dt, c.over, calmest, wildest);
+    if (c.stable) EXPECT_LT(wildest, 1.01);
+    else EXPECT_GT(calmest, 100);
+  }
+}
+
 TEST(Stability, B14_FreezeMeltPingPong) {
   // a lump at its melting point, warmed and cooled by 0.1 K worth of heat in turn, 1000 times
   std::int64_t flips[3];

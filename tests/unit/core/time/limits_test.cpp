@@ -121,6 +121,51 @@ TEST(StepLimits, HeatBesideABetterConductor) {
   EXPECT_NEAR(heat(), alone / 2, 1e-5 * alone);
 }
 
+TEST(StepLimits, ViscosityBesideAThickerHeavierMaterial) {
+  Scene s = oneMaterial();  // 2 Pa s
+  s.materials[0].density = 10;
+  Modules m;
+  m.fluid = true;
+  const auto viscous = [&] { return materialLimits(s, m, liquidMaterials(s))[Limit::Viscous]; };
+  const double alone = viscous();
+  s.materials.push_back(s.materials[0]);
+  s.materials[1].density = 1e9;  // so that it does not rule itself
+  s.materials[1].viscosity = {200, 200};
+  s.bodies.emplace_back();
+  s.bodies[1].material = 1;
+  EXPECT_EQ(viscous(), alone);  // harmonic mean
+  s.materials[0].young = {1e5, 0};  // a light solid in that liquid, dragged by the mean of both
+  EXPECT_EQ(viscous(), alone);
+  s.materials[1].viscosity = {1, 1};
+  EXPECT_NEAR(viscous(), alone * 2 / (2 * 2 * 1 / (2. + 1)), 1e-12);
+  s.materials[0].young = {0, 0};
+  s.bodies.pop_back();
+  s.numerics.viscosity = ViscosityForm::Laplacian;
+  const double printed = viscous();
+  s.bodies.emplace_back();
+  s.bodies[1].material = 1;
+  s.materials[1].viscosity = {0, 0};
+  s.materials[1].viscosityTable = {{300, 1}, {400, 200}};
+  EXPECT_NEAR(viscous(), printed / 50.5, 1e-9 * printed);  // arithmetic mean
+}
+
+TEST(StepLimits, SoundOfCompressedTait) {
+  World w;
+  w.scene = oneMaterial();
+  w.modules.fluid = true;
+  Continuum& p = w.particles;
+  for (AnyColumn* c : p.columns) p.activate(*c);
+  p.resize(3, 0);
+  for (std::size_t i = 0; i < 3; i++) p.phase[i] = Liquid, p.liquid[i] = 1, p.filling[i] = 1 + 0.5f * static_cast<float>(i);
+  EXPECT_EQ(soundStiffening(w), 1);
+  w.scene.numerics.eos = EquationOfState::Tait;
+  EXPECT_DOUBLE_EQ(soundStiffening(w), 8);
+  p.phase[2] = Solid, p.liquid[2] = 0;
+  EXPECT_DOUBLE_EQ(soundStiffening(w), 3.375);
+  p.filling[1] = 0.5f;
+  EXPECT_EQ(soundStiffening(w), 1);
+}
+
 TEST(StepLimits, ImplicitViscosityHasNone) {
   Scene s = oneMaterial();
   s.materials[0].viscosity = {1e5, 1e5};
