@@ -57,7 +57,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   t.phaseChangedHere = false;
 
   // first of all, since it puts particles that are deep in a wall back to its surface: ghosts and bonds must see them there
-  const WallContext walls{w, t.wallTables, t.liquids, dt, dt > 0 ? dt : w.clock.dt, 1.0 / w.clock.substeps};
+  const WallContext walls{w, t.wallTables, t.liquids, dt, dt > 0 ? dt : clip(w.clock, w.clock.dt), 1.0 / w.clock.substeps};
   findWallContacts(walls, t.wallContacts);
   t.times.lap(StepPhase::Walls);
 

@@ -73,8 +73,12 @@ void carryDensity(World& w, const StepTools& t, double dt) {
   if (w.modules.corrected) correct(w, t);
   for (std::size_t i = 0; i < p.owned; i++) {
     const double f = liquidFraction(p, i);
-    if (f == 0) p.compression[i] = 0;
-    const double flow = p.compression[i] + p.densityRate[i] * dt * (f > 0), spread = p.spreading[i] * dt;
+    if (f == 0) {  // whether its cell has liquid beside it, and so any sums, depends on ranks
+      p.compression[i] = 0;
+      p.filling[i] = 1;
+      continue;
+    }
+    const double flow = p.compression[i] + p.densityRate[i] * dt, spread = p.spreading[i] * dt;
     if (spread != 0) {
       const Material& m = w.scene.materials[p.material[i]];
       const auto energy = [&](double x) { return compressionEnergy(n.eos, t.liquids[p.material[i]].stiffness, 1 + x, n.tensileLimit); };

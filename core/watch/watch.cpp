@@ -30,7 +30,9 @@ WatchBounds watchBounds(const Scene& s, const Modules& modules, const std::vecto
   if (slowest < never) b.expected = std::max(b.expected, 0.1 * slowest);
   if (n.watchSpeed < never) b.speed = n.watchSpeed * (b.expected + 0.1 * fastest);
   b.filling = n.watchDensity;
-  const double longest = *std::min_element(materials.value.begin(), materials.value.end());
+  double longest = *std::min_element(materials.value.begin(), materials.value.end());
+  // what moves at the expected speed needs a step too: with nothing but heat in the materials' limits it is by far the shorter one
+  if (longest < never && b.expected > 0) longest = std::min(longest, supportsPerStep * n.support * s.spacing / b.expected);
   b.step = longest < never ? n.watchStep * longest : n.watchStep * 1e-5 * s.end;
   b.inverted = n.watchInverted;
   b.energy = n.watchEnergy;

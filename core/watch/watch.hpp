@@ -18,7 +18,7 @@ struct WatchBounds {
   double expected = 0;        ///< m/s, largest speed that the scene's start, gravity, emitters and obstacles make, or a tenth of the slowest wave's
   double speed = never;       ///< m/s
   double filling = never;     ///< 1, of a liquid
-  double step = 0;            ///< s
+  double step = 0;            ///< s, of the shorter of the materials' limit and that of the expected speed
   double inverted = never;    ///< 1, share of the solid particles whose law does not recover
   double energy = never;      ///< 1, times the scale of the energies
 };

@@ -65,5 +65,28 @@ TEST(Density, GrowsWithCompressionAsTheVolumeShrinks) {
   EXPECT_NEAR((middle - 1) / e, 1, 0.02);
 }
 
+TEST(CarriedDensity, SolidsHaveNone) {
+  // sums of a solid depend on whether a cell with liquid is near on this rank: nothing of them may be kept
+  Scene s = test::columnScene(0.01, 0, 0.12);
+  s.materials.emplace_back(s.materials[0]);
+  s.materials[1].name = "solid";
+  s.materials[1].young = {1e5, 0};
+  s.numerics.density = DensityForm::Continuity;
+  s.numerics.densityDiffusion = 0.1;
+  test::addBox(s, {0, 0, 0}, {0.06, 0.06, 0.06});
+  test::addBox(s, {0, 0, 0.06}, {0.06, 0.06, 0.12}).material = 1;
+  s.bodies[0].velocity = {0, 0, 0.1};
+  s.end = 1;
+  Simulation run(s);
+  const Continuum& p = run.particles();
+  for (int n = 0; n < 20; n++) ASSERT_TRUE(run.step());
+  int pressed = 0;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    if (p.phase[i] == Solid) EXPECT_EQ(p.compression[i], 0);
+    else pressed += p.compression[i] > 0;
+  }
+  EXPECT_GT(pressed, 0);
+}
+
 }  // namespace
 }  // namespace thaw

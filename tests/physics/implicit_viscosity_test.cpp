@@ -188,4 +188,19 @@ TEST(ImplicitViscosity, ContrastOfSixDecades) {
   }
 }
 
+TEST(ImplicitViscosity, StartsWhereNothingElseLimitsTheStep) {
+  // incompressible, so no sound: the first evaluation's step is that of the frames, not an endless one
+  Scene s = columnScene(0.01, 0, 0.2);
+  s.domain.gravity = {0, 0, -9.81};
+  s.numerics.viscositySolver = ViscositySolver::Implicit;
+  s.numerics.solver = PressureSolver::Incompressible;
+  s.materials[0].viscosity = {3, 3};
+  addBox(s, {0, 0, 0.1}, {0.06, 0.06, 0.16});
+  s.end = 0.1;
+  Simulation run(s);
+  const Continuum& p = run.particles();
+  for (int n = 0; n < 3; n++) ASSERT_TRUE(run.step());
+  for (std::size_t i = 0; i < p.owned; i++) EXPECT_NEAR(p.velocity[i].z, -9.81 * run.w.clock.time, 1e-3);
+}
+
 }  // namespace thaw::test

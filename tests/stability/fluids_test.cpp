@@ -236,6 +236,42 @@ TEST(Stability, B11_ViscosityRatio) {
   EXPECT_NEAR(stress, 1, 0.35);
 }
 
+TEST(Stability, B11_ViscosityRatioImplicit) {
+  // the same layers sheared, the thick one's step: with the implicit solver that of sound, and the work of a step stays bounded
+  double dt[2][2], iterations = 0, fastest = 0;
+  std::int64_t unfinished = 0;
+  for (const bool implicit : {false, true})
+    for (const bool thick : {false, true}) {
+      Scene s = columnScene(dx, 0, 16 * dx);
+      s.materials.emplace_back(s.materials[0]);
+      s.materials[1].name = "thick";
+      for (Material& m : s.materials) m.viscosity = {1, 1}, m.soundSpeed = 10;
+      if (thick) s.materials[1].viscosity = {1e4, 1e4};
+      s.numerics.viscositySolver = implicit ? ViscositySolver::Implicit : ViscositySolver::Explicit;
+      addBox(s, {0, 0, 0}, {6 * dx, 6 * dx, 8 * dx});
+      addBox(s, {0, 0, 8 * dx}, {6 * dx, 6 * dx, 16 * dx}).material = 1;
+      s.end = 1;
+      Simulation run(s);
+      Continuum& p = run.particles();
+      for (std::size_t i = 0; i < p.owned; i++)
+        for (int a = 0; a < 3; a++) p.velocity[i][a] = 0.1 * (hashed(3 * p.id[i] + static_cast<std::uint64_t>(a)) - 0.5) + (a == 0 && p.material[i] == 0 ? 0.1 : 0);
+      run.shortest = never;
+      for (int n = 0; n < 100; n++) ASSERT_TRUE(run.step());
+      dt[implicit][thick] = run.shortest;
+      if (!implicit || !thick) continue;
+      iterations = static_cast<double>(run.w.counters.viscousIterations) / 100;
+      unfinished = run.w.counters.viscousUnfinished;
+      for (std::size_t i = 0; i < p.owned; i++) fastest = std::max(fastest, length(p.velocity[i]));
+    }
+  measured("step with viscosities 1 : 10^4 over that without the thick liquid: %.1e explicit, %.2f implicit (%.1e s; %.1f iterations a step, %lld unfinished)", dt[0][1] / dt[0][0], dt[1][1] / dt[1][0], dt[1][1], iterations,
+           static_cast<long long>(unfinished));
+  EXPECT_LT(dt[0][1], 0.01 * dt[1][1]);
+  EXPECT_GT(dt[1][1], 0.8 * dt[1][0]);
+  EXPECT_LT(iterations, 100);
+  EXPECT_EQ(unfinished, 0);
+  EXPECT_LT(fastest, 0.25);
+}
+
 TEST(Stability, B12_DensityLayers) {
   // a light liquid on one that is a thousand times as dense, both at rest
   Scene s = columnScene(dx, 0, 12 * dx);

@@ -51,6 +51,21 @@ TEST(Watch, HalvesWhatFramesHaveCut) {
   EXPECT_EQ(w.clock.dt, 0.125) << "half of the first power of two below 0.3";
 }
 
+TEST(Watch, ALongLimitOfHeatIsNoMeasureOfTheStep) {
+  Scene s;
+  s.spacing = 0.01;
+  s.domain.gravity = {};
+  s.materials.emplace_back();
+  s.bodies.emplace_back();
+  s.bodies[0].velocity = {1, 0, 0};
+  StepLimits l;
+  l[Limit::Heat] = 300;
+  const double step = watchBounds(s, {}, {}, l).step, ofSpeed = supportsPerStep * s.numerics.support * 0.01 / 1;
+  EXPECT_DOUBLE_EQ(step, s.numerics.watchStep * ofSpeed);
+  l[Limit::Sound] = 1e-3;
+  EXPECT_DOUBLE_EQ(watchBounds(s, {}, {}, l).step, s.numerics.watchStep * 1e-3);
+}
+
 TEST(Watch, AlarmsOfReducedValues) {
   World w;
   w.grid.support = 0.1;
