@@ -42,7 +42,7 @@ std::string machineName() {
 
 void print(const Trial& r, const Case& c, const std::vector<Figure>& figures, double particles) {
   std::printf("%s: %s\n  spacing %g m, %.0f particles, %lld steps, %.3g core-seconds, %d ranks\n", c.name, c.about, r.world.scene.spacing, particles, static_cast<long long>(r.world.clock.step),
-              r.seconds * r.comm.size(), r.comm.size());
+              r.coreSeconds, r.comm.size());
   for (const Figure& f : figures) {
     std::printf("  %-28s %.6g", f.norm.c_str(), f.error);
     if (f.target < never) std::printf("   target %g   %s", f.target, f.error <= f.target ? "reached" : "MISSED");
@@ -55,7 +55,7 @@ bool append(const std::string& path, const Trial& r, const Case& c, const std::s
   FILE* out = std::fopen(path.c_str(), "a");
   if (!out) return false;
   for (const Figure& f : figures)
-    std::fprintf(out, "%s,%s,%s,%.9g,%s,,%.4g,%lld,%.0f,%s,%s\n", c.name, field(label).c_str(), field(f.norm).c_str(), f.error, f.target < never ? fmt::format("{:g}", f.target).c_str() : "", r.seconds * r.comm.size(),
+    std::fprintf(out, "%s,%s,%s,%.9g,%s,,%.4g,%lld,%.0f,%s,%s\n", c.name, field(label).c_str(), field(f.norm).c_str(), f.error, f.target < never ? fmt::format("{:g}", f.target).c_str() : "", r.coreSeconds,
                  static_cast<long long>(r.world.clock.step), particles, versionCommit(), machineName().c_str());
   return std::fclose(out) == 0;
 }

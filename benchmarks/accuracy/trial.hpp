@@ -36,7 +36,7 @@ struct Trial {
   std::unique_ptr<MpiBondHalo> bonds;
   std::vector<Sample> series;           ///< what `watch` notes
   std::map<std::string, double> notes;  ///< what hooks leave for each other
-  double seconds = 0;                   ///< wall-clock time of the steps
+  double coreSeconds = 0;               ///< processor time of the steps, of all ranks
   bool finite = true;                   ///< false: the run blew up, and the figures say so
 };
 
