@@ -3,7 +3,8 @@
 
 scripts/bench accuracy [--level quick|full] [--minutes 60] [--jobs N] [--case NAME]... [--ranks N]
 
-Each run is a process of its own on --ranks ranks (1), --jobs of them side by side (one for each core); core_seconds are those of the steps.
+Each run is a process of its own on --ranks ranks (1), --jobs of them side by side (one for each core); core_seconds are the
+processor time of the steps.
 A run that is in the file already, from the same version of thaw, is not repeated: an interrupted matrix goes on where it stopped. After
 --minutes no further run is begun; what is left is said, and the same command goes on.
 Columns: case, settings ("default" and the spacing, or what differs from the defaults), norm, error, target, order (between this resolution
