@@ -122,12 +122,11 @@ Mat3d laneMatrix(const double m[9][8], int l) { return {{{m[0][l], m[1][l], m[2]
 }  // namespace
 
 void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneConstants& out) {
-  out.anyPlainGreen = out.anyVolumeStiffness = out.anyGreen = out.anyNeoHookean = out.anyCorotated = false;
+  out.anyVolumeStiffness = out.anyGreen = out.anyNeoHookean = out.anyCorotated = false;
   for (int l = 0; l < 8; l++) {
     if (l >= n) {
       out.lambda[l] = out.mu[l] = out.volumeStiffness[l] = out.volume[l] = out.hourglass[l] = out.drag[l] = out.neoHookean[l] = 0;
       out.constants[l].law = ElasticLaw::Green;
-      out.plainGreen[l] = false;
       continue;
     }
     const std::size_t s = slot0 + static_cast<std::size_t>(l);
@@ -142,8 +141,6 @@ void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneCon
     out.drag[l] = 0.5 * 3 * c.dragDensity * a.volume[s] * a.perWeight[s];
     out.anyVolumeStiffness = out.anyVolumeStiffness || c.volume > 0;
     out.neoHookean[l] = c.law == ElasticLaw::NeoHookean;
-    out.plainGreen[l] = c.law == ElasticLaw::Green && !(c.volume > 0);
-    out.anyPlainGreen = out.anyPlainGreen || out.plainGreen[l];
     out.anyGreen = out.anyGreen || c.law == ElasticLaw::Green;
     out.anyNeoHookean = out.anyNeoHookean || c.law == ElasticLaw::NeoHookean;
     out.anyCorotated = out.anyCorotated || c.law == ElasticLaw::Corotated;

@@ -194,16 +194,17 @@ template<class Real, bool periodic> void deformationOf(ElasticArrays& a) {
         if (c.constants[l].law == ElasticLaw::NeoHookean) energy[l] = respondLane(c.constants[l], gradU, plastic, l, nullptr);
 
     // Green strain alone weakens where it is squeezed to less than sqrt(1/3) in some direction: 3 E + 1 - (plastic strain) has an
-    // eigenvalue < 0 (3/2 C - 1/2 without plastic strain), which its leading minors tell.
-    std::uint8_t squeezed = 0;
-    if (c.anyPlainGreen) {
-      const T three(Real(3)), one(Real(1)), zero(Real(0));
+    // eigenvalue < 0 (3/2 C - 1/2 without plastic strain), which its leading minors tell. Not where |E| < 1/3 says that it has none.
+    const T three(Real(3));
+    const auto squared = [](const Sym3<T>& e) { return e.xx * e.xx + e.yy * e.yy + e.zz * e.zz + T(Real(2)) * (e.xy * e.xy + e.yz * e.yz + e.xz * e.xz); };
+    if (c.anyGreen && (a.plastic || any(T(Real(1) / 9) < squared(green)))) {
+      const T one(Real(1));
       const T xx = three * green.xx + one - plasticStrain.xx, yy = three * green.yy + one - plasticStrain.yy, zz = three * green.zz + one - plasticStrain.zz;
       const T xy = three * green.xy - plasticStrain.xy, yz = three * green.yz - plasticStrain.yz, xz = three * green.xz - plasticStrain.xz;
       const T second = xx * yy - xy * xy, third = zz * second - xx * yz * yz - yy * xz * xz + (xy + xy) * yz * xz;
       const T least = min(xx, min(second, third));
-      if (any(least < zero))
-        for (int l = 0; l < n; l++) squeezed = static_cast<std::uint8_t>(squeezed | (least[l] < 0 && c.plainGreen[l]) << l);
+      if (any(least < T(Real(0))))
+        for (int l = 0; l < n; l++) a.squeezed += least[l] < 0 && c.constants[l].law == ElasticLaw::Green && !(c.volumeStiffness[l] > 0);
     }
 
     // flux = V P A^-1 - k grad u
@@ -230,7 +231,6 @@ template<class Real, bool periodic> void deformationOf(ElasticArrays& a) {
         if (a.damping) a.dragColumn[s] = c.drag[l];
       }
       if (!(j[l] > 0)) a.inverted++;
-      a.squeezed += squeezed >> l & 1;
     }
   }
   for (int l = 0; l < 8; l++)

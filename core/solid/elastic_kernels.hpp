@@ -54,8 +54,7 @@ struct alignas(64) LaneConstants {
   double lambda[8], mu[8], volumeStiffness[8], volume[8], hourglass[8], drag[8];  // hourglass: k, N/m; drag: kg/s
   double neoHookean[8];  // 1: that law, else 0
   ElasticConstants constants[8];
-  bool plainGreen[8];    // Green strain without volume stiffness, which weakens under compression
-  bool anyPlainGreen, anyVolumeStiffness, anyGreen, anyNeoHookean, anyCorotated;
+  bool anyVolumeStiffness, anyGreen, anyNeoHookean, anyCorotated;
 };
 
 // Out of line, in elastic.cpp.
