@@ -29,6 +29,16 @@ def short(text):
     return f"{float(text):.3g}" if text else ""
 
 
+def cell(text):
+    """For a table: a bar in it would end the cell."""
+    return text.replace("|", "\\|")
+
+
+def orderOf(row):
+    """Of what is not rounding already."""
+    return row["order"] if float(row["error"]) > 1e-8 and "residual" not in row["norm"] else ""
+
+
 def spacingOf(row):
     return float(next(w for w in row["settings"].split() if w.startswith("spacing=")).split("=")[1])
 
@@ -67,12 +77,12 @@ class Document:
     def table(self, case):
         rows = [r for r in self.rows if r["case"] == case]
         norms = list(dict.fromkeys(r["norm"] for r in rows if not r["norm"].startswith("blew up")))
-        lines = [f"| settings | {' | '.join(norms)} | order | core-seconds | steps | particles |", "|---" * (len(norms) + 5) + "|"]
+        lines = [f"| settings | {' | '.join(cell(n) for n in norms)} | order | core-seconds | steps | particles |", "|---" * (len(norms) + 5) + "|"]
         for settings in dict.fromkeys(r["settings"] for r in rows):
             of = {r["norm"]: r for r in rows if r["settings"] == settings}
             one = next(iter(of.values()))
             values = [short(of[n]["error"]) if n in of else "blew up" if any(k.startswith("blew up") for k in of) else "" for n in norms]
-            order = of[norms[0]]["order"] if norms and norms[0] in of else ""
+            order = orderOf(of[norms[0]]) if norms and norms[0] in of else ""
             lines.append(f"| {settings} | {' | '.join(values)} | {order} | {short(one['core_seconds'])} | {one['steps']} | {one['particles']} |")
         return "\n".join(lines)
 
@@ -86,7 +96,7 @@ class Document:
                     found[key] = r
         for (case, norm), r in found.items():
             reached = "reached" if float(r["error"]) <= float(r["target"]) else "**missed**"
-            lines.append(f"| {case} | {norm} | {r['settings'].replace('default ', '')} | {short(r['error'])} | {short(r['target'])} | {reached} | {r['order']} | {short(r['core_seconds'])} |")
+            lines.append(f"| {case} | {cell(norm)} | {r['settings'].replace('default ', '')} | {short(r['error'])} | {short(r['target'])} | {reached} | {orderOf(r)} | {short(r['core_seconds'])} |")
         return "\n".join(lines)
 
     def moduleTable(self):
