@@ -15,7 +15,7 @@ TARGET = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "i
 
 def closes(rows, case, settings):
     """False where the books of that run do not close: an error that is small by luck."""
-    return all(float(r["error"]) <= float(r["target"]) for r in rows if (r["case"], r["settings"]) == (case, settings) and "residual" in r["norm"] and r["target"])
+    return all(float(r["error"]) <= float(r["target"]) for r in rows if (r["case"], r["settings"]) == (case, settings) and r["norm"] == "energy residual" and r["target"])
 
 
 def points(rows):
