@@ -11,6 +11,7 @@
 #include "core/scene/modules.hpp"
 #include "core/scene/scene.hpp"
 #include "core/solid/solids.hpp"
+#include "core/surface/surface.hpp"
 #include "core/time/clock.hpp"
 #include "core/walls/walls.hpp"
 #include "core/watch/watch_state.hpp"
@@ -53,6 +54,7 @@ struct World {
   Ledger ledger;
   Counters counters;
   WatchState watch;
+  Surface surface;
   PressureIterations lastIterations;
 };
 

@@ -288,4 +288,9 @@ bool MpiCellHalo::rebalance(const CellTable& cells, std::span<const double> cost
   return true;
 }
 
+void MpiCellHalo::follow(const CellHalo& leader) {
+  const Partition& other = dynamic_cast<const MpiCellHalo&>(leader).partition_;
+  if (other.boxes() != partition_.boxes()) usePartition(other);
+}
+
 }  // namespace thaw

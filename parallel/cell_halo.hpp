@@ -33,6 +33,7 @@ class MpiCellHalo : public CellHalo {
   void beginRefresh(Table& particles, std::span<AnyColumn* const> columns) override;
   void finishRefresh(Table& particles) override;
   bool rebalance(const CellTable& ownedCells, std::span<const double> cost, bool force) override;
+  void follow(const CellHalo& leader) override;
   bool owns(std::uint64_t key) const override { return box_.contains(cellOfKey(key)); }
   bool inner(std::uint64_t key) const override { return innerCell(grid_, box_, cellOfKey(key)); }
 

@@ -12,6 +12,7 @@ struct CellBox {
   bool contains(const Vec3i& c) const {
     return c.x >= min.x && c.x < max.x && c.y >= min.y && c.y < max.y && c.z >= min.z && c.z < max.z;
   }
+  bool operator==(const CellBox&) const = default;
   bool empty() const { return max.x <= min.x || max.y <= min.y || max.z <= min.z; }
 };
 

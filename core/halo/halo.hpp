@@ -55,6 +55,10 @@ class CellHalo {
   /// the next migrate moves the particles. Collective.
   virtual bool rebalance(const CellTable& ownedCells, std::span<const double> cost, bool force) = 0;
 
+  /// Takes over which rank owns which cell from another halo over the same grid; the next migrate moves the particles. Not collective, but
+  /// all ranks do it or none.
+  virtual void follow(const CellHalo& leader) = 0;
+
   /// True if this rank owns the cell (the same answer on no other rank); every cell of the grid has exactly one owner.
   virtual bool owns(std::uint64_t key) const = 0;
   /// True if all 26 cells around an owned cell are owned here and no periodic image touches it: its sums need no ghosts.

@@ -2,6 +2,7 @@
 #pragma once
 #include "core/halo/cell_copies.hpp"
 #include "core/halo/halo.hpp"
+#include "core/halo/surface_halos.hpp"
 
 namespace thaw {
 
@@ -25,6 +26,7 @@ class SerialCellHalo : public CellHalo {
   void beginRefresh(Table& particles, std::span<AnyColumn* const> columns) override;
   void finishRefresh(Table& particles) override;
   bool rebalance(const CellTable&, std::span<const double>, bool) override { return false; }
+  void follow(const CellHalo&) override {}
   bool owns(std::uint64_t key) const override { return box_.contains(cellOfKey(key)); }
   bool inner(std::uint64_t key) const override { return innerCell(grid_, box_, cellOfKey(key)); }
 
@@ -36,6 +38,22 @@ class SerialCellHalo : public CellHalo {
   std::vector<AnyColumn*> columns_;  // of the exchange under way
   std::vector<std::byte> packed_;
   GhostCellMerge merge_;
+};
+
+class SerialRowCourier : public RowCourier {
+ public:
+  void sendHome(std::span<const std::uint64_t> home, std::span<const std::uint64_t> values, std::span<std::uint64_t> here) override {
+    for (std::size_t k = 0; k < home.size(); k++) here[home[k] & 0xffffffffu] = values[k];
+  }
+};
+
+/// The halos of a surface in a single process.
+struct SerialSurfaceRanks {
+  SerialReducer all;
+  SerialCellHalo surfels, particles;
+  SerialRowCourier courier;
+  explicit SerialSurfaceRanks(const CellGrid& grid) : surfels(grid), particles(grid) {}
+  SurfaceHalos halos() { return {all, surfels, particles, courier}; }
 };
 
 }  // namespace thaw

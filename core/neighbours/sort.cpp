@@ -3,15 +3,17 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/surface/surfels.hpp"
+
 namespace thaw {
 
-void computeCellKeys(const CellGrid& grid, Continuum& p, std::size_t begin, std::size_t end) {
+template<class Rows> void computeCellKeys(const CellGrid& grid, Rows& p, std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end; i++) p.nextCell[i] = cellKey(cellOf(grid, p.position[i]));
 }
 
 namespace {
 
-void listCells(const Continuum& p, CellTable& cells) {
+template<class Rows> void listCells(const Rows& p, CellTable& cells) {
   cells.key.clear();
   cells.first.clear();
   cells.count.clear();
@@ -28,7 +30,7 @@ void listCells(const Continuum& p, CellTable& cells) {
 
 }  // namespace
 
-void sortByCell(Continuum& p, const Migration& migration, SortBuffers& b, CellTable& cells) {
+template<class Rows> void sortByCell(Rows& p, const Migration& migration, SortBuffers& b, CellTable& cells) {
   const std::size_t stayed = p.owned - migration.arrivals;
   const std::uint64_t* next = p.nextCell.data();
   const std::uint64_t* id = p.id.data();
@@ -63,5 +65,12 @@ void sortByCell(Continuum& p, const Migration& migration, SortBuffers& b, CellTa
   }
   listCells(p, cells);
 }
+
+template void computeCellKeys(const CellGrid&, Continuum&, std::size_t, std::size_t);
+template void computeCellKeys(const CellGrid&, Surfels&, std::size_t, std::size_t);
+template void computeCellKeys(const CellGrid&, SurfaceParticles&, std::size_t, std::size_t);
+template void sortByCell(Continuum&, const Migration&, SortBuffers&, CellTable&);
+template void sortByCell(Surfels&, const Migration&, SortBuffers&, CellTable&);
+template void sortByCell(SurfaceParticles&, const Migration&, SortBuffers&, CellTable&);
 
 }  // namespace thaw

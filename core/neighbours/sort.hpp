@@ -15,12 +15,13 @@ struct SortBuffers {
 };
 
 /// The cell keys of rows [begin, end), into particles.nextCell.
-void computeCellKeys(const CellGrid& grid, Continuum& particles, std::size_t begin, std::size_t end);
-inline void computeCellKeys(const CellGrid& grid, Continuum& particles) { computeCellKeys(grid, particles, 0, particles.owned); }
+/// Rows: a table with columns id, position, cell and nextCell (Continuum, Surfels, SurfaceParticles).
+template<class Rows> void computeCellKeys(const CellGrid& grid, Rows& particles, std::size_t begin, std::size_t end);
+template<class Rows> void computeCellKeys(const CellGrid& grid, Rows& particles) { computeCellKeys(grid, particles, 0, particles.owned); }
 
 /// Sorts the owned rows by (cell, id) and drops the departed ones. Needs nextCell of all owned rows and, of the rows that were
 /// there at the last sort, cell in ascending order. Only the rows that changed their cell are sorted; the others are merged.
 /// Guarantees: cell == nextCell, ascending, ids ascending within a cell; no ghosts; `cells` lists the occupied cells.
-void sortByCell(Continuum& particles, const Migration& migration, SortBuffers& buffers, CellTable& cells);
+template<class Rows> void sortByCell(Rows& particles, const Migration& migration, SortBuffers& buffers, CellTable& cells);
 
 }  // namespace thaw

@@ -55,6 +55,9 @@ struct Continuum : Table {
   Column<double> temperature{*this, "temperature", "K", Keep::State, "function of the enthalpy (state itself in the paper's heat model)"};
   Column<float> liquid{*this, "liquid", "1", Keep::State, "liquid fraction; blend parameter of the material"};
   Column<u8> phase{*this, "phase", "1", Keep::State, "Solid: has or may have bonds; Liquid: has none"};
+  // surface (core/surface/)
+  Column<Vec3d> surfacePlace{*this, "surfacePlace", "m", Keep::State, "position at the last update of the surface"};
+  Column<std::uint64_t> component{*this, "component", "1", Keep::State, "label: 1 + the smallest id of a particle of its component; 0: came after the last update"};
   // solid
   Column<std::uint32_t> slot{*this, "slot", "1", Keep::Local, "row in the table of solids, noSlot for liquids"};
   // to form bonds in a running simulation (solid/bond_forming.hpp); exchanged only in a step in which something froze

@@ -54,6 +54,7 @@ Modules modulesOf(const Scene& s) {
   Finder f{s, {}};
   Modules& m = f.m;
   findHeat(f);
+  if (s.surface.on) f.on(m.surface, "surface", "the scene has a table [surface]");
   if (!s.emitters.empty()) f.on(m.emitters, "emitters", "emitter " + quoted(s.emitters.front().name));
 
   std::vector<bool> used(s.materials.size(), false);

@@ -29,6 +29,7 @@ struct Modules {
   bool melting = false;    ///< a material melts: liquid fraction, phase
   bool surfaceHeat = false;  ///< convection or radiation to the ambient
   bool neighbours = false; ///< any sum over unbonded neighbours
+  bool surface = false;    ///< surfels on the continuum bodies
   bool emitters = false;
   std::vector<std::string> why;  ///< a line for each module that is on: "heat: obstacle 'plate' has a temperature"
 };

@@ -201,6 +201,34 @@ struct Numerics {
   double plasticRereference = 0.2;  // 1, norm of plastic strain above which the reference is pushed forward
 };
 
+// ---- surface (K05 section 4) --------------------------------------------------------------------------------------------
+enum class SmoothingForm { Sphere, Plane };        // Plane: as in K05; Sphere: no force where surfels lie on a sphere (co-circularity, ST92)
+enum class MergeRule { Liquid, All, None };        // which components join where they meet; the others' surfaces are kept apart
+enum class SurfelSource { Automatic, Particles };  // Automatic: from the mesh of a body that has one
+
+struct SurfaceSettings {
+  bool on = false;                // the scene has a table [surface]
+  double spacing = 0;             // m, wanted distance of surfels; 0: half the spacing of particles
+  double support = 3;             // 1, h_ss over the spacing of surfels
+  double particleSupport = 2;     // 1, h_ps over the support radius of the particles
+  SurfelSource source = SurfelSource::Automatic;
+  // when
+  std::int64_t everySteps = 0;    // steps between updates; 0: only frames and what everyMove says
+  double everyMove = 0.25;        // 1, update when some particle has moved this share of the support radius; 0: never for that
+  // the update
+  double implicit = 0.5, attract = 0.05, smooth = 0.4, repel = 0.3;  // 1, weights of the four forces (k of K05)
+  SmoothingForm smoothing = SmoothingForm::Sphere;
+  double isoLevel = 0.5;          // 1, I of the colour field
+  double leastLevel = 0.2;        // 1, I_min of the implicit constraint
+  double damping = 1;             // 1, alpha of the integration
+  std::int64_t iterations = 40;   // at most, in an update
+  double stop = 0.01;             // 1, a surfel that moves less than this share of its spacing, with all its neighbours, is left alone
+  double adapt = 0;               // 1, finest spacing over the wanted one, where the surface is curved; 0: the same everywhere
+  double keepVolume = 0;          // 1, weight of the force that keeps a component's volume at that of its particles
+  MergeRule merge = MergeRule::Liquid;
+  double linkLength = 1.5;        // 1, spacings: particles of one component further apart hold it together no longer
+};
+
 struct Camera {
   bool fitted = true;
   Vec3d from{1, -1, 1}, at{};     // m
@@ -231,6 +259,7 @@ struct Scene {
   std::vector<Body> bodies;
   std::vector<Emitter> emitters;
   std::vector<Obstacle> obstacles;
+  SurfaceSettings surface;
   Output output;
 };
 

@@ -1,5 +1,7 @@
 #include "core/setup/activate_fields.hpp"
 
+#include "core/surface/prepare_surface.hpp"
+
 namespace thaw {
 
 void activateFields(World& w, StepTools& t) {
@@ -22,12 +24,14 @@ void activateFields(World& w, StepTools& t) {
   on(m.surfaceStress, {&p.colourGradient, &p.surfaceMoment, &p.surfaceStress});
   on(m.heat, {&p.enthalpy, &p.temperature, &p.heatFlow});
   on(m.melting, {&p.liquid, &p.softening});
+  on(m.surface, {&p.surfacePlace, &p.component});
   on(m.solid, {&p.slot});
   on(m.substeps, {&p.fastAcceleration});
   on(m.freezing, {&p.standoff});
   bool clamped = m.emitters;
   for (const Body& b : w.scene.bodies) clamped = clamped || !b.clamp.empty();
   on(clamped, {&p.clamped});
+  if (m.surface) activateSurfaceFields(w.surface, m);
   if (m.solid) activateSolidFields(p, w.solids, w.bonds, t.elastic, w.scene, m, w.grid);
 }
 

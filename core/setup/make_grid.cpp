@@ -6,27 +6,29 @@
 
 namespace thaw {
 
-CellGrid makeGrid(const Scene& s) {
+CellGrid makeGrid(const Scene& s) { return makeGrid(s.domain, s.numerics.support * s.spacing); }
+
+CellGrid makeGrid(const Domain& d, double support) {
   CellGrid g;
-  g.support = s.numerics.support * s.spacing;
+  g.support = support;
   for (int a = 0; a < 3; a++) {
     const std::string axis(1, static_cast<char>('x' + a));
-    const double extent = s.domain.max[a] - s.domain.min[a];
+    const double extent = d.max[a] - d.min[a];
     if (!(extent > 0)) throw std::runtime_error("the domain has no extent along " + axis + ": max must be above min");
     if (extent / g.support > maxCellsPerAxis - 8)
       throw std::runtime_error("the domain is " + std::to_string(extent / g.support) + " support radii long along " + axis + ", at most " +
                                std::to_string(maxCellsPerAxis) + " are possible: make the domain smaller or the spacing larger");
-    g.periodic[a] = s.domain.side[a][0] == Side::Periodic;
+    g.periodic[a] = d.side[a][0] == Side::Periodic;
     if (g.periodic[a]) {
       g.cells[a] = static_cast<int>(std::floor(extent / g.support * (1 + 1e-12)));
       if (g.cells[a] < 3) throw std::runtime_error("the domain is periodic along " + axis + " but shorter than three support radii");
       g.edge[a] = extent / g.cells[a];
-      g.origin[a] = s.domain.min[a];
+      g.origin[a] = d.min[a];
       g.period[a] = extent;
     } else {  // one cell around, for particles pressed into a wall
       g.edge[a] = g.support;
       g.cells[a] = static_cast<int>(std::ceil(extent / g.support)) + 2;
-      g.origin[a] = s.domain.min[a] - g.support;
+      g.origin[a] = d.min[a] - g.support;
     }
   }
   return g;

@@ -9,4 +9,7 @@ namespace thaw {
 /// periodic side too short for three cells.
 CellGrid makeGrid(const Scene& scene);
 
+/// The same of a domain, with cells of another radius (m).
+CellGrid makeGrid(const Domain& domain, double support);
+
 }  // namespace thaw

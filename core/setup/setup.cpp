@@ -14,6 +14,7 @@
 #include "core/setup/make_grid.hpp"
 #include "core/setup/relax_packing.hpp"
 #include "core/solid_step.hpp"
+#include "core/surface/prepare_surface.hpp"
 #include "core/time/limits.hpp"
 
 namespace thaw {
@@ -41,6 +42,7 @@ double fallHeightOf(const Scene& s, const std::vector<std::shared_ptr<const Sign
 void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   w.modules = modulesOf(w.scene);
   w.grid = makeGrid(w.scene);
+  if (w.modules.surface) prepareSurface(w);
   w.clock.end = w.scene.end;
   w.clock.every = w.scene.output.every;
   SceneProblems problems;  // unreadable meshes: all of them at once, with their places in the scene

@@ -44,6 +44,10 @@ void readSections(TableReader& top, SceneReading& x) {
   } else {
     top.tables("wall", "", [&](TableReader& r) { readObstacle(r, x); });
   }
+  top.table("surface", "surfels on the continuum bodies (Keiser et al. 2005, section 4); without this table there are none", [&](TableReader& r) {
+    s.surface.on = !r.describing();
+    readSurface(r, s.surface);
+  });
   top.table("output", "frames, checkpoints, pictures", [&](TableReader& r) {
     readOutput(r, s.output);
     if (s.end / s.output.every > 1e7) r.fail("every", "there would be more than ten million frames");

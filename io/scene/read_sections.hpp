@@ -19,6 +19,7 @@ void readSections(TableReader& top, SceneReading& reading);
 
 void readDomain(TableReader& reader, Domain& domain);
 void readNumerics(TableReader& reader, Numerics& numerics);
+void readSurface(TableReader& reader, SurfaceSettings& surface);
 void readOutput(TableReader& reader, Output& output);
 void readMaterial(TableReader& reader, Material& material);
 void readBody(TableReader& reader, SceneReading& reading);

@@ -1,0 +1,38 @@
+#include "core/surface/gather_particles.hpp"
+
+#include <cmath>
+
+namespace thaw {
+
+void gatherParticles(World& w, int rank) {
+  const Continuum& p = w.particles;
+  SurfaceParticles& c = w.surface.particles;
+  c.resize(c.owned, 0);
+  c.resize(p.owned, 0);
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const bool fresh = p.component[i] == noComponent;
+    Vec3d u = fresh ? Vec3d{} : p.position[i] - p.surfacePlace[i];
+    for (int a = 0; a < 3; a++)
+      if (w.grid.periodic[a]) u[a] -= w.grid.period[a] * std::nearbyint(u[a] / w.grid.period[a]);
+    c.id[i] = p.id[i];
+    c.position[i] = fresh ? p.position[i] : p.surfacePlace[i];
+    c.displacement[i] = u;
+    c.component[i] = p.component[i];
+    c.volume[i] = p.mass[i] / w.scene.materials[p.material[i]].density;
+    if (c.liquid.active) c.liquid[i] = p.liquid.active ? p.liquid[i] : static_cast<float>(p.phase[i] == Liquid);
+    if (c.temperature.active) c.temperature[i] = static_cast<float>(p.temperature[i]);
+    c.body[i] = p.body[i];
+    c.home[i] = static_cast<std::uint64_t>(rank) << 32 | i;
+  }
+}
+
+void returnParticles(World& w, SurfaceHalos halos) {
+  Continuum& p = w.particles;
+  SurfaceParticles& c = w.surface.particles;
+  halos.courier.sendHome({c.home.data(), c.owned}, {c.component.data(), c.owned}, {p.component.data(), p.owned});
+  for (std::size_t i = 0; i < p.owned; i++) p.surfacePlace[i] = p.position[i];
+  c.resize(c.owned, 0);
+  c.resize(0, 0);
+}
+
+}  // namespace thaw

@@ -1,0 +1,37 @@
+#include "core/surface/place_rows.hpp"
+
+#include <cmath>
+
+namespace thaw {
+
+template<class Rows> void placeRows(const CellGrid& grid, CellHalo& halo, Rows& rows, CellTable& cells, SortBuffers& buffers) {
+  rows.resize(rows.owned, 0);
+  for (int a = 0; a < 3; a++) {
+    if (!grid.periodic[a]) continue;
+    const double low = grid.origin[a], length = grid.period[a];
+    for (std::size_t i = 0; i < rows.owned; i++) {
+      double& x = rows.position[i][a];
+      x -= length * std::floor((x - low) / length);
+      if (x >= low + length) x = low;  // rounding
+    }
+  }
+  computeCellKeys(grid, rows);
+  const Migration moved = halo.migrate(rows, {rows.nextCell.data(), rows.owned});
+  computeCellKeys(grid, rows, rows.owned - moved.arrivals, rows.owned);
+  sortByCell(rows, moved, buffers, cells);
+}
+
+template void placeRows(const CellGrid&, CellHalo&, Surfels&, CellTable&, SortBuffers&);
+template void placeRows(const CellGrid&, CellHalo&, SurfaceParticles&, CellTable&, SortBuffers&);
+
+void addGhosts(CellHalo& halo, Table& rows, CellTable& cells, std::span<AnyColumn* const> columns) {
+  halo.beginGhosts(rows, cells, columns);
+  halo.finishGhosts(rows, cells);
+}
+
+void refreshGhosts(CellHalo& halo, Table& rows, std::span<AnyColumn* const> columns) {
+  halo.beginRefresh(rows, columns);
+  halo.finishRefresh(rows);
+}
+
+}  // namespace thaw

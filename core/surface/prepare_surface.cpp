@@ -1,0 +1,34 @@
+#include "core/surface/prepare_surface.hpp"
+
+#include <algorithm>
+
+#include "core/setup/make_grid.hpp"
+
+namespace thaw {
+
+void prepareSurface(World& w) {
+  const SurfaceSettings& set = w.scene.surface;
+  Surface& s = w.surface;
+  s.spacing = set.spacing > 0 ? set.spacing : 0.5 * w.scene.spacing;
+  s.surfelSupport = set.support * s.spacing;
+  s.particleSupport = set.particleSupport * w.grid.support;
+  // a surfel may stray within a round of iterations before all is sorted anew: half a spacing of the particles
+  s.grid = makeGrid(w.scene.domain, std::max(s.surfelSupport, s.particleSupport) + 0.5 * w.scene.spacing);
+}
+
+void activateSurfaceFields(Surface& s, const Modules& m) {
+  Surfels& f = s.surfels;
+  for (AnyColumn* c : std::initializer_list<AnyColumn*>{&f.id, &f.position, &f.normal, &f.tangent, &f.radius, &f.component, &f.colour, &f.detail, &f.cell, &f.nextCell, &f.moving}) f.activate(*c);
+  SurfaceParticles& p = s.particles;
+  for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.id, &p.position, &p.displacement, &p.component, &p.volume, &p.body, &p.home, &p.cell, &p.nextCell, &p.gradient}) p.activate(*c);
+  if (m.melting || m.fluid) {  // else the surface is carried along and nothing more
+    f.activate(f.liquid);
+    p.activate(p.liquid);
+  }
+  if (m.heat) {
+    f.activate(f.temperature);
+    p.activate(p.temperature);
+  }
+}
+
+}  // namespace thaw

@@ -1,0 +1,57 @@
+// The surface of continuum bodies: surfels, their components, and what an update works with (K05 section 4).
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/neighbours/grid.hpp"
+#include "core/surface/surfels.hpp"
+
+namespace thaw {
+
+/// A connected body with its surface, as measured at the last update. The same on all ranks, ascending by label.
+struct SurfaceComponent {
+  std::uint64_t label = noComponent;  ///< 1 + the smallest id of its particles
+  std::int64_t particles = 0, surfels = 0;
+  double mass = 0;                    ///< kg, of its particles
+  double particleVolume = 0;          ///< m^3, mass / density at rest
+  double volume = 0;                  ///< m^3, enclosed by the surfels: (1/3) sum x.n A
+  double area = 0;                    ///< m^2
+  Vec3d centroid{};                   ///< m, of its particles by mass
+};
+
+/// A split or merge. In the order in which they happened; part of the state.
+struct SurfaceEvent {
+  std::int64_t step = 0;
+  double time = 0;                    ///< s
+  bool merge = false;                 ///< two became `label`; else `other` came off `label`
+  std::uint64_t label = 0, other = 0;
+};
+
+/// Counted since the start; exact sums over ranks.
+struct SurfaceCounters {
+  std::int64_t updates = 0, iterations = 0, births = 0, deaths = 0, splits = 0, merges = 0;
+  std::int64_t lost = 0;              ///< surfels without particles around, deleted (B15)
+  std::int64_t flipped = 0;           ///< normals that stood against the colour field (B16)
+  std::int64_t keptNormals = 0;       ///< neighbourhoods without a plane: the old normal kept (B23)
+  std::int64_t capped = 0;            ///< updates that reached the cap on births and deaths (B18)
+  std::int64_t unfinished = 0;        ///< updates that ended at the largest number of iterations
+};
+
+/// All of a surface on one rank.
+struct Surface {
+  CellGrid grid;                      ///< of surfels and particle copies: edge >= every radius of the update
+  Surfels surfels;
+  CellTable surfelCells;
+  SurfaceParticles particles;         ///< empty between updates
+  CellTable particleCells;
+  double spacing = 0;                 ///< m, wanted distance of surfels where nothing asks for less
+  double surfelSupport = 0;           ///< m, h_ss
+  double particleSupport = 0;         ///< m, h_ps
+  std::vector<SurfaceComponent> components;
+  std::vector<SurfaceEvent> events;
+  SurfaceCounters counters;
+  std::int64_t lastStep = -1;         ///< of the last update
+};
+
+}  // namespace thaw

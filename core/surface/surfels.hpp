@@ -1,0 +1,46 @@
+// The fields of surfels (K05 section 4), and of the copies of particles that a surface update works with: one line a field.
+#pragma once
+#include "core/particles/column.hpp"
+
+namespace thaw {
+
+/// Of particles that belong to no component yet.
+inline constexpr std::uint64_t noComponent = 0;
+
+/// Oriented discs on the surface of continuum bodies. Rows are owned by the rank that owns their cell of Surface::grid.
+struct Surfels : Table {
+  Surfels() : Table("surfels") {}
+  Column<std::uint64_t> id{*this, "id", "1", Keep::State, "of a body's mesh: body << 40 | sample, with the top bit set; of births: a hash of parent, step and place"};
+  Column<Vec3d> position{*this, "position", "m", Keep::State, "centre"};
+  Column<Vec3d> normal{*this, "normal", "1", Keep::State, "unit, out of the body"};
+  Column<Vec3d> tangent{*this, "tangent", "1", Keep::State, "unit, across the normal; the second one is normal x tangent"};
+  Column<double> radius{*this, "radius", "m", Keep::State, "r_s: neighbours at most this far apart leave no hole; the wanted spacing"};
+  Column<std::uint64_t> component{*this, "component", "1", Keep::State, "label of its component: 1 + the smallest id of a particle in it"};
+  Column<std::uint32_t> colour{*this, "colour", "1", Keep::State, "of the surface, red | green << 8 | blue << 16"};
+  Column<float> detail{*this, "detail", "1", Keep::State, "height of the mesh's detail that the surfel still carries, 1 at the start, 0 where it has melted"};
+  Column<float> liquid{*this, "liquid", "1", Keep::State, "liquid fraction of the particles around: the share of the surface update (K05 4.5)"};
+  Column<float> temperature{*this, "temperature", "K", Keep::State, "of the particles around; only with heat"};
+  Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort"};
+  Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now"};
+  // of the update under way
+  Column<std::uint8_t> moving{*this, "moving", "1", Keep::Transient, "it or a neighbour moved in the last iteration: it is worked on"};
+};
+
+/// Particles as a surface update sees them, on the rank that owns their cell of Surface::grid. Made anew for each update.
+struct SurfaceParticles : Table {
+  SurfaceParticles() : Table("surface particles") {}
+  Column<std::uint64_t> id{*this, "id", "1", Keep::State, "of the particle"};
+  Column<Vec3d> position{*this, "position", "m", Keep::State, "at the last update, and from bringParticlesForward on now"};
+  Column<Vec3d> displacement{*this, "displacement", "m", Keep::State, "since the last update; 0 of fresh ones"};
+  Column<std::uint64_t> component{*this, "component", "1", Keep::State, "label, noComponent: fresh, since the last update"};
+  Column<double> volume{*this, "volume", "m^3", Keep::State, "mass / density at rest"};
+  Column<float> liquid{*this, "liquid", "1", Keep::State, "liquid fraction"};
+  Column<float> temperature{*this, "temperature", "K", Keep::State, "only with heat"};
+  Column<std::uint16_t> body{*this, "body", "1", Keep::State, "index into bodies, then emitters"};
+  Column<std::uint64_t> home{*this, "home", "1", Keep::State, "rank << 32 | row of the particle itself"};
+  Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort"};
+  Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now"};
+  Column<Mat3d> gradient{*this, "gradient", "1", Keep::State, "of the displacement, by moving least squares over the neighbours"};
+};
+
+}  // namespace thaw

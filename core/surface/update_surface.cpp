@@ -1,0 +1,45 @@
+#include "core/surface/update_surface.hpp"
+
+#include "core/surface/gather_particles.hpp"
+#include "core/surface/place_rows.hpp"
+
+namespace thaw {
+namespace {
+
+/// Surfels and copies on the ranks that own their cells, without ghosts.
+void placeAll(Surface& s, SurfaceHalos halos, SurfaceTools& t) {
+  placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, t.sort);
+  placeRows(s.grid, halos.particles, s.particles, s.particleCells, t.sort);
+}
+
+/// From where the particles were at the last update to where they are.
+void bringParticlesForward(Surface& s) {
+  for (std::size_t i = 0; i < s.particles.owned; i++) s.particles.position[i] += s.particles.displacement[i];
+}
+
+}  // namespace
+
+void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
+  Surface& s = w.surface;
+  gatherParticles(w, halos.all.rank());
+  placeAll(s, halos, t);
+  // first surfels: of meshes, or grown from the particles
+  returnParticles(w, halos);
+  s.lastStep = w.clock.step;
+}
+
+void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
+  Surface& s = w.surface;
+  gatherParticles(w, halos.all.rank());
+  placeAll(s, halos, t);
+  // the gradient of the displacement, and the surfels carried along with it
+  bringParticlesForward(s);
+  placeAll(s, halos, t);
+  // iterations of the four forces, with constraints and resampling
+  // components: splits, merges, measures
+  returnParticles(w, halos);
+  s.counters.updates++;
+  s.lastStep = w.clock.step;
+}
+
+}  // namespace thaw

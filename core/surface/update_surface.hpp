@@ -1,0 +1,23 @@
+// One update of the surface (K05 section 4): the page to read.
+#pragma once
+#include "core/halo/surface_halos.hpp"
+#include "core/neighbours/sort.hpp"
+#include "core/surface/row_lists.hpp"
+#include "core/world.hpp"
+
+namespace thaw {
+
+/// What an update works with; made once, reused. Nothing of it is part of the state.
+struct SurfaceTools {
+  SortBuffers sort;
+  RowLists particlesOf, surfelsOf;  ///< of the owned surfels: particles within h_ps, surfels within h_ss
+};
+
+/// The first surface, of the bodies at their start. Needs Surface without surfels and particles in place. Collective.
+void startSurface(World& world, SurfaceHalos halos, SurfaceTools& tools);
+
+/// Carries the surfels along with the particles and lets them settle on them; splits and merges components. The same bits on any number of
+/// ranks. Collective.
+void updateSurface(World& world, SurfaceHalos halos, SurfaceTools& tools);
+
+}  // namespace thaw

@@ -1,0 +1,28 @@
+#include "io/scene/read_sections.hpp"
+
+namespace thaw {
+
+void readSurface(TableReader& r, SurfaceSettings& s) {
+  r.number("spacing", s.spacing, "m", notNegative(), "wanted distance of surfels, and the radius of their discs; 0: half the spacing of particles");
+  r.number("support", s.support, "", between(1.5, 8), "radius within which surfels act on each other (h_ss), over their spacing; the paper's h_ss = h means hundreds of neighbours on a detailed body");
+  r.number("particle_support", s.particleSupport, "", between(1, 4), "radius within which particles act on surfels (h_ps), over the support radius of the particles");
+  r.choice("source", s.source, {"automatic", "particles"}, "where the first surfels come from: the mesh of a body that has one, or always grown from the particles");
+  r.whole("every_steps", s.everySteps, 0, INT64_MAX, "steps between updates of the surface; 0: as the other rules say. Every frame has an update of its own");
+  r.number("every_move", s.everyMove, "", between(0, 10), "update when some particle has moved this share of the support radius since the last one; 0: never for that");
+  r.number("implicit", s.implicit, "", between(0, 1), "weight of the force to the iso-surface of the particles' colour field");
+  r.number("attract", s.attract, "", between(0, 1), "weight of the force toward the particles");
+  r.number("smooth", s.smooth, "", between(0, 1), "weight of the smoothing force");
+  r.number("repel", s.repel, "", between(0, 1), "weight of the force that spaces surfels evenly");
+  r.choice("smoothing", s.smoothing, {"sphere", "plane"}, "to where neighbours and their normals lie on a common sphere, which does not shrink curved surfaces; or to the plane of the neighbours (the paper)");
+  r.number("iso_level", s.isoLevel, "", between(0.05, 0.95), "of the colour field, for the implicit force");
+  r.number("least_level", s.leastLevel, "", between(0.01, 0.9), "no surfel is where the colour field is below this: stretched bodies split (I_min)");
+  r.number("damping", s.damping, "", {0, 2, true, false, false}, "factor of every move of the update (alpha)");
+  r.whole("iterations", s.iterations, 1, 10000, "of an update, at most");
+  r.number("stop", s.stop, "", between(1e-6, 1), "surfels that move less than this share of their spacing, as do their neighbours, are left alone for the rest of the update");
+  r.number("adapt", s.adapt, "", between(0, 1), "finest spacing over the wanted one, where the surface is curved: small drops and edges; 0: the same spacing everywhere");
+  r.number("keep_volume", s.keepVolume, "", between(0, 1), "weight of a force that keeps the volume in the surface at that of the particles; 0: none");
+  r.choice("merge", s.merge, {"liquid", "all", "none"}, "components that join where they meet: if one is liquid there, always, or never; the surfaces of the others are kept apart");
+  r.number("link_length", s.linkLength, "", between(1, 4), "spacings between particles over which they hold a component together");
+}
+
+}  // namespace thaw
