@@ -23,6 +23,9 @@ struct Surfels : Table {
   Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort"};
   Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now"};
   // of the update under way
+  Column<std::uint8_t> wish{*this, "wish", "1", Keep::Transient, "of resampling: 1 a new surfel beside it, 2 to die"};
+  Column<Vec3d> offer{*this, "offer", "m", Keep::Transient, "from it to the place of the new surfel"};
+  Column<Vec3d> offerNormal{*this, "offerNormal", "1", Keep::Transient, "of the surface there"};
   Column<std::uint8_t> moving{*this, "moving", "1", Keep::Transient, "it or a neighbour moved in the last iteration: it is worked on"};
 };
 
