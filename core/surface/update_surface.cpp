@@ -2,6 +2,7 @@
 
 #include "core/surface/gather_particles.hpp"
 #include "core/surface/place_rows.hpp"
+#include "core/surface/resume_surface.hpp"
 
 namespace thaw {
 namespace {
@@ -22,6 +23,7 @@ void bringParticlesForward(Surface& s) {
 void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   gatherParticles(w, halos.all.rank());
+  cutByParticles(w, halos, t);
   placeAll(s, halos, t);
   // first surfels: of meshes, or grown from the particles
   returnParticles(w, halos);
@@ -30,6 +32,7 @@ void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
 
 void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
+  balanceSurface(w, halos, t, false);
   gatherParticles(w, halos.all.rank());
   placeAll(s, halos, t);
   // the gradient of the displacement, and the surfels carried along with it
