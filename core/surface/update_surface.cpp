@@ -24,6 +24,7 @@ void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   gatherParticles(w, halos.all.rank());
   placeAll(s, halos, t);
   // first surfels: of meshes, or grown from the particles
+  updateComponents(w, halos, t);
   returnParticles(w, halos);
   s.lastStep = w.clock.step;
 }
@@ -36,7 +37,7 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   bringParticlesForward(s);
   placeAll(s, halos, t);
   // iterations of the four forces, with constraints and resampling
-  // components: splits, merges, measures
+  updateComponents(w, halos, t);  // splits, merges, measures
   returnParticles(w, halos);
   s.counters.updates++;
   s.lastStep = w.clock.step;
