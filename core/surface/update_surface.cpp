@@ -4,6 +4,7 @@
 #include "core/surface/place_rows.hpp"
 #include "core/surface/resume_surface.hpp"
 #include "core/surface/sample_mesh.hpp"
+#include "core/surface/update_components.hpp"
 
 namespace thaw {
 namespace {
@@ -30,6 +31,7 @@ void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
     if (s.particles.body[i] < w.scene.bodies.size()) s.particles.component[i] = label[s.particles.body[i]];
   sampleMeshes(w.scene, s, t.load, label, halos.all);
   placeAll(s, halos, t);
+  updateComponents(w, halos, t);
   returnParticles(w, halos);
   s.lastStep = w.clock.step;
 }
@@ -43,7 +45,7 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   bringParticlesForward(s);
   placeAll(s, halos, t);
   // iterations of the four forces, with constraints and resampling
-  // components: splits, merges, measures
+  updateComponents(w, halos, t);  // splits, merges, measures
   returnParticles(w, halos);
   s.counters.updates++;
   s.lastStep = w.clock.step;
