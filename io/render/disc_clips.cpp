@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/render/linear_light.hpp"
 #include "io/render/surface_normals.hpp"
 
 namespace thaw {
@@ -11,6 +12,11 @@ namespace {
 
 constexpr float alike = 0.96f;      // cosine: normals nearer than 16 degrees are of one smooth face
 constexpr float slack = 0.015f;     // of the radius, beyond the neighbour's plane: faces that meet leave no gap
+
+/// How far a cut goes around the neighbour, in its radii. Where the surface is only curved the cut may not go farther than the neighbour
+/// itself, or a gap would open between it and the next one; an edge goes on in a straight line.
+float reachOf(float cosine) { return 2.2f - 1.2f * ramp(0.3f, 0.75f, cosine); }
+float square(float x) { return x * x; }
 
 struct Candidate { float away; DiscClip clip; };  // away: from the centre to the cut, along the disc
 
@@ -44,7 +50,7 @@ DiscClips clipDiscs(const Discs& discs, std::span<const std::uint8_t> wanted, st
       const float behind = -dot(d, discs.normals[j]);  // how far the centre lies behind the neighbour's plane
       if (behind < 0) return;                         // a valley: what sticks out is hidden below
       const float away = behind / std::sqrt(1 - cosine * cosine);
-      if (away < r) found.push_back({away, {discs.normals[j], behind + slack * r}});
+      if (away < r) found.push_back({away, {discs.normals[j], behind + slack * r, -d, square(reachOf(cosine) * discs.radius(j))}});
     });
     std::sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) { return a.away < b.away; });
     // The nearest cut, then those that add a face of their own.
@@ -54,7 +60,8 @@ DiscClips clipDiscs(const Discs& discs, std::span<const std::uint8_t> wanted, st
       bool fresh = true;
       for (std::size_t k = 0; k < have && fresh; k++) {
         const DiscClip& other = clips.list[clips.first[i] + k];
-        fresh = dot(other.normal, c.clip.normal) < alike;
+        const Vec3f apart = other.other - c.clip.other;
+        fresh = dot(other.normal, c.clip.normal) < alike || dot(apart, apart) > 0.25f * c.clip.radius2;
       }
       if (fresh) clips.list.push_back(c.clip);
     }

@@ -7,8 +7,9 @@
 
 namespace thaw {
 
-/// A disc's part with dot(q, normal) <= reach is drawn; q from its centre.
-struct DiscClip { Vec3f normal; float reach = 0; };
+/// The part of a disc that lies in front of a neighbour's plane is not drawn as far as that neighbour's own disc goes:
+/// dot(q, normal) > reach and |q - other| < radius, with q and other (the neighbour) from the disc's centre.
+struct DiscClip { Vec3f normal; float reach = 0; Vec3f other; float radius2 = 0; };
 
 /// Clips of each disc, at most `most` a disc.
 struct DiscClips {

@@ -87,28 +87,48 @@ struct FloorGrid {
   int side = 1;
   std::vector<std::uint8_t> dark;
 
-  /// Marks where the casters stand between the floor and a light far away. Those turned away from it are left out.
+  /// Marks where the casters stand between the floor and a light far away. Discs turned away from it are left out.
   void drawShadows(const Discs& casters, const Vec3f& toLight) {
     std::fill(dark.begin(), dark.end(), 0);
     const float scale = 0.5f * static_cast<float>(side) / reach, up = dot(normal, toLight);
-    // What the height above the floor moves the shadow by along u and v.
-    const float mu = dot(toLight, u) / up, mv = dot(toLight, v) / up;
+    // What a place moves its shadow by along u and v.
+    const Vec3f shiftU = u - (dot(toLight, u) / up) * normal, shiftV = v - (dot(toLight, v) / up) * normal;
     for (std::size_t i = 0; i < casters.positions.size(); i++) {
-      if (!casters.normals.empty() && dot(casters.normals[i], toLight) <= 0) continue;
+      const Vec3f n = casters.normals.empty() ? toLight : casters.normals[i];
+      const float facing = dot(n, toLight);
+      if (facing <= 0.02f) continue;
       const Vec3f d = casters.positions[i] - origin;
-      const float h = dot(d, normal);
-      if (h <= 0) continue;
-      const float x = (dot(d, u) - h * mu + reach) * scale, y = (dot(d, v) - h * mv + reach) * scale;
-      const float r = std::max(0.71f, (casters.normals.empty() ? 1 : 0.8f) * casters.radius(i) * scale);
-      if (!(x > -r && y > -r && x < static_cast<float>(side) + r && y < static_cast<float>(side) + r)) continue;
-      const int y0 = std::max(0, static_cast<int>(std::ceil(y - r - 0.5f))), y1 = std::min(side - 1, static_cast<int>(std::floor(y + r - 0.5f)));
-      for (int j = y0; j <= y1; j++) {
-        const float dy = static_cast<float>(j) + 0.5f - y, half = std::sqrt(std::max(0.0f, r * r - dy * dy));
-        const int x0 = std::max(0, static_cast<int>(std::ceil(x - half - 0.5f))), x1 = std::min(side - 1, static_cast<int>(std::floor(x + half - 0.5f)));
-        std::uint8_t* row = dark.data() + static_cast<std::size_t>(j) * side;
-        for (int k = x0; k <= x1; k++) row[k] = 1;
+      if (dot(d, normal) <= 0) continue;
+      const float r = casters.radius(i), x = (dot(d, shiftU) + reach) * scale, y = (dot(d, shiftV) + reach) * scale;
+      const auto half = [&](const Vec3f& shift) {
+        const float along = dot(shift, n);
+        return r * scale * std::sqrt(std::max(0.0f, dot(shift, shift) - along * along));
+      };
+      drawOutline({x, y, half(shiftU), half(shiftV), r * scale, dot(d, normal) * scale}, n, toLight, facing);
+    }
+  }
+
+  /// Place and half size of a shadow, radius of the disc and height of its centre above the floor, in cells.
+  struct Outline { float x, y, halfX, halfY, r, height; };
+
+  /// The shadow of one disc: its points q from the centre are those that the cells see along the light. What is below the floor casts none.
+  void drawOutline(const Outline& o, const Vec3f& n, const Vec3f& toLight, float facing) {
+    const auto [x, y, halfX, halfY, r, height] = o;
+    const float most = static_cast<float>(side);
+    if (!(x > -halfX && y > -halfY && x < most + halfX && y < most + halfY)) return;
+    const int y0 = std::max(0, static_cast<int>(std::ceil(y - halfY - 0.5f))), y1 = std::min(side - 1, static_cast<int>(std::floor(y + halfY - 0.5f)));
+    const int x0 = std::max(0, static_cast<int>(std::ceil(x - halfX - 0.5f))), x1 = std::min(side - 1, static_cast<int>(std::floor(x + halfX - 0.5f)));
+    const Vec3f stepU = u - (dot(n, u) / facing) * toLight, stepV = v - (dot(n, v) / facing) * toLight;
+    const float r2 = r * r;
+    for (int j = y0; j <= y1; j++) {
+      const Vec3f across = (static_cast<float>(j) + 0.5f - y) * stepV;
+      std::uint8_t* row = dark.data() + static_cast<std::size_t>(j) * side;
+      for (int k = x0; k <= x1; k++) {
+        const Vec3f q = across + (static_cast<float>(k) + 0.5f - x) * stepU;
+        if (dot(q, q) <= r2 && dot(q, normal) > -height) row[k] = 1;
       }
     }
+    if (x >= 0 && y >= 0 && x < most && y < most) dark[static_cast<std::size_t>(y) * side + static_cast<std::size_t>(x)] = 1;  // smaller than a cell
   }
 };
 

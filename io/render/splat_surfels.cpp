@@ -37,6 +37,7 @@ CameraDisc cameraDisc(const Discs& discs, const View& view, std::size_t i) {
 /// False if it is not in the picture.
 bool boxOf(const CameraDisc& d, const View& view, int width, int height, float near, Box& box) {
   const auto half = [&](float n) { return d.radius * std::sqrt(std::max(0.0f, 1 - n * n)); };
+  box = {0, -1, 0, -1};
   const float hz = half(d.normal.z), nearest = d.centre.z - hz, farthest = d.centre.z + hz;
   if (!(nearest > near)) return false;
   const Range u = projected(d.centre.x, half(d.normal.x), nearest, farthest), v = projected(d.centre.y, half(d.normal.y), nearest, farthest);
@@ -48,12 +49,15 @@ bool boxOf(const CameraDisc& d, const View& view, int width, int height, float n
   return true;
 }
 
-/// A clip in the camera's axes.
-struct CameraClip { Vec3f normal; float reach; };
+bool cut(const DiscClip& c, const Vec3f& q) {
+  if (dot(q, c.normal) <= c.reach) return false;
+  const Vec3f d = q - c.other;
+  return dot(d, d) < c.radius2;
+}
 
-/// One disc over the samples of a tile: hit(sample, depth, (distance from the centre / radius)^2) for each that it covers.
-template<class Hit> void forSamples(const CameraDisc& d, std::span<const CameraClip> clips, const View& view, const Box& box, const SurfelTile& tile, Hit hit) {
-  const float over = 1 / view.focal, plane = dot(d.normal, d.centre), r2 = d.radius * d.radius, overR2 = 1 / r2;
+/// One disc over the samples of a tile: hit(sample, depth) for each that it covers.
+template<class Hit> void forSamples(const CameraDisc& d, std::span<const DiscClip> clips, const View& view, const Box& box, const SurfelTile& tile, Hit hit) {
+  const float over = 1 / view.focal, plane = dot(d.normal, d.centre), r2 = d.radius * d.radius;
   const float screenX = view.centreX + view.focal * d.centre.x / d.centre.z, screenY = view.centreY - view.focal * d.centre.y / d.centre.z;
   const int x0 = std::max(box.x0, tile.x), x1 = std::min(box.x1, tile.x + tile.width - 1);
   const int y0 = std::max(box.y0, tile.y), y1 = std::min(box.y1, tile.y + tile.height - 1);
@@ -65,15 +69,32 @@ template<class Hit> void forSamples(const CameraDisc& d, std::span<const CameraC
       const float sx = static_cast<float>(x) + 0.5f, rx = (sx - view.centreX) * over;
       const float t = plane / (d.normal.x * rx + slopeRow);
       const Vec3f q{t * rx - d.centre.x, t * ry - d.centre.y, t - d.centre.z};
-      const float q2 = dot(q, q);
-      if (q2 < r2) {  // false for not-a-number
+      if (dot(q, q) < r2) {  // false for not-a-number
         bool kept = true;
-        for (const CameraClip& c : clips) kept = kept && dot(q, c.normal) <= c.reach;
-        if (kept) hit(row + x, t, q2 * overR2);
+        for (const DiscClip& c : clips) kept = kept && !cut(c, q);
+        if (kept) hit(row + x, t);
       } else {
         const float dx = sx - screenX;
-        if (dx * dx + dy * dy < leastRadius * leastRadius) hit(row + x, d.centre.z, 0.98f);
+        if (dx * dx + dy * dy < leastRadius * leastRadius) hit(row + x, d.centre.z);
       }
+    }
+  }
+}
+
+/// The sphere around a disc over the samples of a tile: add(sample, weight) where the point that is seen lies in it.
+template<class Add> void forSphere(const CameraDisc& d, const View& view, const Box& box, const SurfelTile& tile, Add add) {
+  const float over = 1 / view.focal, r2 = d.radius * d.radius, overR2 = 1 / r2;
+  const int x0 = std::max(box.x0, tile.x), x1 = std::min(box.x1, tile.x + tile.width - 1);
+  const int y0 = std::max(box.y0, tile.y), y1 = std::min(box.y1, tile.y + tile.height - 1);
+  for (int y = y0; y <= y1; y++) {
+    const float ry = (view.centreY - static_cast<float>(y) - 0.5f) * over;
+    const int row = (y - tile.y) * tile.width - tile.x;
+    for (int x = x0; x <= x1; x++) {
+      const float t = tile.depth[row + x], dz = t - d.centre.z;
+      if (!(dz * dz < r2)) continue;
+      const float dx = t * ((static_cast<float>(x) + 0.5f - view.centreX) * over) - d.centre.x, dy = t * ry - d.centre.y;
+      const float far2 = (dx * dx + dy * dy + dz * dz) * overR2;
+      if (far2 < 1) add(row + x, (1 - far2) * (1 - far2));
     }
   }
 }
@@ -122,17 +143,18 @@ void splatSurfels(const SurfelScene& scene, std::span<const std::uint8_t> seen, 
   for (std::size_t i = 0; i < seen.size(); i++)
     if (seen[i]) which.push_back(static_cast<std::uint32_t>(i));
   std::vector<CameraDisc> discs(which.size());
-  std::vector<Box> boxes(which.size());
-  std::vector<CameraClip> clips;
+  std::vector<Box> boxes(which.size()), balls(which.size());
+  std::vector<DiscClip> clips;
   std::vector<std::uint32_t> firstClip(which.size() + 1, 0);
   for (std::size_t k = 0; k < which.size(); k++) {
     discs[k] = cameraDisc(scene.discs, view, which[k]);
     boxOf(discs[k], view, width, height, 0, boxes[k]);
+    boxOf({discs[k].centre, {}, discs[k].radius}, view, width, height, 0, balls[k]);
     for (std::uint32_t c = scene.clips.first[which[k]]; c < scene.clips.first[which[k] + 1]; c++)
-      clips.push_back({toCamera(view, scene.clips.list[c].normal), scene.clips.list[c].reach});
+      clips.push_back({toCamera(view, scene.clips.list[c].normal), scene.clips.list[c].reach, toCamera(view, scene.clips.list[c].other), scene.clips.list[c].radius2});
     firstClip[k + 1] = static_cast<std::uint32_t>(clips.size());
   }
-  const TileLists lists = tileLists(boxes, which, width, height);
+  const TileLists lists = tileLists(balls, which, width, height);
   parallelFor(lists.first.size() - 1, threads, [&](std::size_t t) {
     SurfelTile tile;
     tile.x = static_cast<int>(t % static_cast<std::size_t>(lists.across)) * side;
@@ -146,25 +168,24 @@ void splatSurfels(const SurfelScene& scene, std::span<const std::uint8_t> seen, 
       take(tile);
       return;
     }
-    const auto clipsOf = [&](std::uint32_t k) { return std::span<const CameraClip>(clips.data() + firstClip[k], firstClip[k + 1] - firstClip[k]); };
+    const auto clipsOf = [&](std::uint32_t k) { return std::span<const DiscClip>(clips.data() + firstClip[k], firstClip[k + 1] - firstClip[k]); };
     // Who is in front.
     std::vector<std::uint32_t> front(samples, 0);
     for (std::uint32_t k : here)
-      forSamples(discs[k], clipsOf(k), view, boxes[k], tile, [&](int s, float depth, float) {
+      forSamples(discs[k], clipsOf(k), view, boxes[k], tile, [&](int s, float depth) {
         if (depth < tile.depth[s]) tile.depth[s] = depth, front[s] = k;
       });
-    // All of the same face and body that lie close behind, by their distance.
+    // The mean of all surfels of the same face and body around the point that is seen.
     tile.shade.assign(samples, {{}, {}, {}, 0});
     std::vector<float> weight(samples, 0.0f);
     for (std::uint32_t k : here) {
       const std::size_t i = which[k];
       const SurfelShade& own = scene.shades[i];
-      const float thick = 0.7f * discs[k].radius;
-      forSamples(discs[k], clipsOf(k), view, boxes[k], tile, [&](int s, float depth, float far2) {
+      forSphere(discs[k], view, balls[k], tile, [&](int s, float w) {
         const std::uint32_t f = front[s];
-        if (depth > tile.depth[s] + thick || dot(discs[f].normal, discs[k].normal) < 0.5f) return;
-        if (!scene.components.empty() && scene.components[which[f]] != scene.components[i]) return;
-        const float w = (1 - far2) * (1 - far2) + 1e-5f;
+        const float alike = dot(discs[f].normal, discs[k].normal);
+        if (alike <= 0 || (!scene.components.empty() && scene.components[which[f]] != scene.components[i])) return;
+        w *= alike * alike;
         SurfelShade& sum = tile.shade[s];
         sum.normal += w * own.normal;
         sum.fromSky += w * own.fromSky;
@@ -174,8 +195,12 @@ void splatSurfels(const SurfelScene& scene, std::span<const std::uint8_t> seen, 
       });
     }
     for (std::size_t s = 0; s < samples; s++) {
-      if (!(weight[s] > 0)) continue;
+      if (!(tile.depth[s] < none)) continue;
       SurfelShade& sum = tile.shade[s];
+      if (!(weight[s] > 0)) {
+        sum = scene.shades[which[front[s]]];
+        continue;
+      }
       const float over = 1 / weight[s], length2 = dot(sum.normal, sum.normal);
       sum.normal = length2 > 0 ? sum.normal / std::sqrt(length2) : scene.shades[which[front[s]]].normal;
       sum.fromSky = over * sum.fromSky;
