@@ -2,6 +2,7 @@
 #pragma once
 #include "core/halo/surface_halos.hpp"
 #include "core/neighbours/sort.hpp"
+#include "core/surface/relax_tools.hpp"
 #include "core/surface/row_lists.hpp"
 #include "core/world.hpp"
 
@@ -11,6 +12,7 @@ namespace thaw {
 struct SurfaceTools {
   SortBuffers sort;
   RowLists particlesOf, surfelsOf;  ///< of the owned surfels: particles within h_ps, surfels within h_ss
+  RelaxTools relax;                 ///< of displacement and iterations
 };
 
 /// The first surface, of the bodies at their start. Needs Surface without surfels and particles in place. Collective.
