@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/math/hash_random.hpp"
+#include "core/surface/adapt_density.hpp"
 #include "core/surface/births.hpp"
 #include "core/surface/empty_place.hpp"
 #include "core/surface/place_rows.hpp"
@@ -132,6 +133,7 @@ Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t r
               ColumnList{&s.id, &s.position, &s.normal, &s.radius, &s.component, &s.colour, &s.detail, &s.liquid, &s.temperature});
     findRows(surface.grid, surface.surfelCells, s.position.data(), s.owned, surface.surfelCells, s.position.data(), reach, true, t.surfelsOf);
     Round r{s, t.surfelsOf, reach, w.scene.seed, static_cast<std::uint64_t>(w.clock.step) << 8 | static_cast<std::uint64_t>(round), mayBe};
+    if (round == 0) adaptDensity(surface, halos.surfels, t.surfelsOf, reach, w.scene.surface.adapt > 0 ? w.scene.surface.adapt * surface.spacing : surface.spacing);
     r.makeWishes();
     refreshGhosts(halos.surfels, s, ColumnList{&s.wish, &s.offer});
     std::vector<std::uint32_t> parents, stay;

@@ -1,0 +1,60 @@
+#include "core/surface/adapt_density.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/surface/local_surface.hpp"
+#include "core/surface/place_rows.hpp"
+
+namespace thaw {
+namespace {
+
+/// f(j, distance) for the neighbours of i on its side.
+template<class F> void forNeighbours(const Surfels& s, const RowLists& lists, std::size_t i, F&& f) {
+  for (std::uint64_t k = lists.first[i]; k < lists.first[i + 1]; k++) {
+    const std::uint32_t j = lists.row[k];
+    if (s.component[j] == s.component[i] && dot(s.normal[j], s.normal[i]) > oneSide) f(j, length(s.position[j] - s.position[i]));
+  }
+}
+
+}  // namespace
+
+void adaptDensity(Surface& surface, CellHalo& halo, const RowLists& lists, double reach, double finest) {
+  Surfels& s = surface.surfels;
+  const double d = surface.spacing;
+  ColumnList sent{&s.wanted};
+  std::vector<double> next(s.owned);
+  Patch patch;
+  for (std::size_t i = 0; i < s.owned; i++) {
+    s.wanted[i] = d;
+    if (!(finest < d)) continue;
+    patch.gather(s, i, lists, std::min(2.5 * s.radius[i], reach));
+    patch.fitCurvature();
+    s.wanted[i] = std::clamp(angleBetween / std::max(patch.largestCurvature(), 1e-12 / d), finest, d);
+  }
+  if (finest < d) {
+    refreshGhosts(halo, s, sent);
+    for (std::size_t i = 0; i < s.owned; i++) {  // mean of 1/r: of curvatures
+      double sum = 1 / s.wanted[i], weight = 1;
+      forNeighbours(s, lists, i, [&](std::uint32_t j, double away) {
+        if (away < 1.5 * s.radius[i]) sum += 1 / s.wanted[j], weight += 1;
+      });
+      next[i] = weight / sum;
+    }
+    for (int pass = 0; pass < 2; pass++) {
+      std::copy(next.begin(), next.end(), s.wanted.data());
+      refreshGhosts(halo, s, sent);
+      for (std::size_t i = 0; i < s.owned; i++)
+        forNeighbours(s, lists, i, [&](std::uint32_t j, double away) { next[i] = std::min(next[i], s.wanted[j] + grading * away); });
+    }
+    std::copy(next.begin(), next.end(), s.wanted.data());
+  }
+  for (std::size_t i = 0; i < s.owned; i++) {
+    const double off = s.wanted[i] - s.radius[i];
+    if (std::abs(off) > 0.1 * s.radius[i]) s.radius[i] += 0.5 * off;
+  }
+  ColumnList radius{&s.radius};
+  refreshGhosts(halo, s, radius);
+}
+
+}  // namespace thaw
