@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 
 #include "core/geometry/bust.hpp"
 #include "core/surface/sample_mesh.hpp"
@@ -73,19 +73,19 @@ TEST(BlueNoise, CoversLargeTrianglesSliversAndThinPlates) {
   }
 }
 
-TEST(BlueNoise, SamplesABustInUnderASecond) {
+TEST(BlueNoise, SamplesTheBustOntoTheSculpture) {
   Shape shape;
   shape.kind = ShapeKind::Mesh;
   shape.mesh = builtinBust;
   const TriangleMesh mesh = bustMesh();
   const double spacing = 0.0055;
-  auto t0 = std::chrono::steady_clock::now();
+  const std::clock_t t0 = std::clock();
   const std::vector<MeshSample> s = blueNoise(mesh, spacing, 1);
-  auto t1 = std::chrono::steady_clock::now();
+  const std::clock_t t1 = std::clock();
   const std::vector<SurfaceSample> all = sampleShape(shape, {}, spacing, 1);
-  auto t2 = std::chrono::steady_clock::now();
-  std::printf("bust: %zu triangles, %zu places in %.3f s; as a body in %.3f s\n", mesh.triangles.size(), s.size(), std::chrono::duration<double>(t1 - t0).count(),
-              std::chrono::duration<double>(t2 - t1).count());
+  const std::clock_t t2 = std::clock();
+  std::printf("bust: %zu triangles, %zu places in %.3f s of CPU; as a body in %.3f s\n", mesh.triangles.size(), s.size(), static_cast<double>(t1 - t0) / CLOCKS_PER_SEC,
+              static_cast<double>(t2 - t1) / CLOCKS_PER_SEC);
   ASSERT_EQ(all.size(), s.size());
   double worst = 0;
   for (const SurfaceSample& x : all) {
