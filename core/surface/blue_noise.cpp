@@ -12,9 +12,9 @@
 namespace thaw {
 namespace {
 
-constexpr double pieceSize = 0.4, closest = 0.75, loneliest = 0.85;  // of the spacing
+constexpr double pieceSize = 0.55, closest = 0.75, loneliest = 0.85;  // of the spacing
 constexpr double sameSide = -0.3;                                    // dot of normals of triangles that see each other
-constexpr int lloydSteps = 3;
+constexpr int lloydSteps = 2;
 constexpr std::uint32_t nobody = 0xffffffffu;
 
 struct Candidates {
