@@ -103,6 +103,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.heat) {
     addWallHeat(walls, t.wallContacts);
     addOuterHeat(w, dt);
+    addTempering(w, dt);
   }
   if (w.modules.neighbours) separateCoincident(w, t, coincident);
   t.times.lap(StepPhase::Heat);

@@ -24,6 +24,11 @@ struct Surfels : Table {
   Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now"};
   // of the update under way
   Column<std::uint8_t> moving{*this, "moving", "1", Keep::Transient, "it or a neighbour moved in the last iteration: it is worked on"};
+  // of its components and measures
+  Column<double> reach{*this, "reach", "m^2", Keep::Transient, "square of the distance to the farthest of the nearest surfels that it hangs together with"};
+  Column<std::uint64_t> nearest{*this, "nearest", "1", Keep::Transient, "id of the nearest particle of its component, ~0 without one within h_ps"};
+  Column<std::uint64_t> part{*this, "part", "1", Keep::Transient, "label of what hangs together; top bit set: no particle does"};
+  Column<double> area{*this, "area", "m^2", Keep::Transient, "its own share of the surface, at the end of an update"};
 };
 
 /// Particles as a surface update sees them, on the rank that owns their cell of Surface::grid. Made anew for each update.
@@ -34,6 +39,7 @@ struct SurfaceParticles : Table {
   Column<Vec3d> displacement{*this, "displacement", "m", Keep::State, "since the last update; 0 of fresh ones"};
   Column<std::uint64_t> component{*this, "component", "1", Keep::State, "label, noComponent: fresh, since the last update"};
   Column<double> volume{*this, "volume", "m^3", Keep::State, "mass / density at rest"};
+  Column<double> mass{*this, "mass", "kg", Keep::State, "of the particle"};
   Column<float> liquid{*this, "liquid", "1", Keep::State, "liquid fraction"};
   Column<float> temperature{*this, "temperature", "K", Keep::State, "only with heat"};
   Column<std::uint16_t> body{*this, "body", "1", Keep::State, "index into bodies, then emitters"};
@@ -41,6 +47,7 @@ struct SurfaceParticles : Table {
   Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort"};
   Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now"};
   Column<Mat3d> gradient{*this, "gradient", "1", Keep::State, "of the displacement, by moving least squares over the neighbours"};
+  Column<std::uint64_t> part{*this, "part", "1", Keep::Transient, "label of what hangs together: 1 + the smallest id"};
 };
 
 }  // namespace thaw
