@@ -10,7 +10,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/kernels/kernels.hpp"
 #include "core/setup/expected_particles.hpp"
 
 namespace thaw {
@@ -19,6 +18,7 @@ namespace {
 // Least bytes of a particle: columns and neighbour list; and its solid record with the bonds.
 constexpr double leastBytes = 400, leastSolidBytes = 600;
 // The same of the good state that is kept for retries (core/watch/good_state.hpp).
+constexpr double pi = 3.14159265358979323846;
 constexpr double leastKeptBytes = 120, leastKeptSolidBytes = 400;
 
 /// Least bytes of a surfel: its columns, and the lists of particles and surfels around it (4 bytes each).
