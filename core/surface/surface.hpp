@@ -20,7 +20,7 @@ struct SurfaceComponent {
   Vec3d centroid{};                   ///< m, of its particles by mass
 };
 
-/// A split or merge. In the order in which they happened; part of the state.
+/// A split or merge. In the order in which they happened, the same on all ranks; part of the state.
 struct SurfaceEvent {
   std::int64_t step = 0;
   double time = 0;                    ///< s
@@ -28,7 +28,7 @@ struct SurfaceEvent {
   std::uint64_t label = 0, other = 0;
 };
 
-/// Counted since the start; exact sums over ranks.
+/// Counted since the start, of all ranks: an update adds exact sums, so that every rank has the same figures.
 struct SurfaceCounters {
   std::int64_t updates = 0, iterations = 0, births = 0, deaths = 0, splits = 0, merges = 0;
   std::int64_t lost = 0;              ///< surfels without particles around, deleted (B15)

@@ -2,6 +2,9 @@
 
 #include "core/surface/gather_particles.hpp"
 #include "core/surface/place_rows.hpp"
+#include "core/surface/resume_surface.hpp"
+#include "core/surface/sample_mesh.hpp"
+#include "core/surface/update_components.hpp"
 
 namespace thaw {
 namespace {
@@ -22,8 +25,12 @@ void bringParticlesForward(Surface& s) {
 void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   gatherParticles(w, halos.all.rank());
+  cutByParticles(w, halos, t);
+  const std::vector<std::uint64_t> label = labelsOfBodies(w.scene, s.particles, halos.all);
+  for (std::size_t i = 0; i < s.particles.owned; i++)
+    if (s.particles.body[i] < w.scene.bodies.size()) s.particles.component[i] = label[s.particles.body[i]];
+  sampleMeshes(w.scene, s, t.load, label, halos.all);
   placeAll(s, halos, t);
-  // first surfels: of meshes, or grown from the particles
   updateComponents(w, halos, t);
   returnParticles(w, halos);
   s.lastStep = w.clock.step;
@@ -31,6 +38,7 @@ void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
 
 void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
+  balanceSurface(w, halos, t, false);
   gatherParticles(w, halos.all.rank());
   placeAll(s, halos, t);
   // the gradient of the displacement, and the surfels carried along with it

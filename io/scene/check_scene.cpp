@@ -58,6 +58,8 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   };
   for (std::size_t b = 0; b < s.bodies.size(); b++) resolve(x.bodyMaterials[b], "body '" + s.bodies[b].name + "'", s.bodies[b].material);
   for (std::size_t e = 0; e < s.emitters.size(); e++) resolve(x.emitterMaterials[e], "emitter '" + s.emitters[e].name + "'", s.emitters[e].material);
+  for (std::size_t t = 0; t < s.temperings.size(); t++)
+    if (!x.temperingMaterials[t].first.empty()) resolve(x.temperingMaterials[t], "tempering", s.temperings[t].material);
 
   const auto unique = [&](const auto& list, const char* kind) {
     std::set<std::string> seen;
