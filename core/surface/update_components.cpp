@@ -23,7 +23,6 @@ void placeSurfels(Surface& s, SurfaceHalos halos, SurfaceTools& t) {
 
 /// Areas and components of where surfels are; needs ghosts.
 void measureAll(Surface& s, SurfaceHalos halos, TopologyTools& t) {
-  t.components.surfelBins.build(s.surfels.position.data(), s.surfels.size(), 0.5 * s.surfelSupport);
   findSurfelAreas(s.surfels, t.components.surfelBins);
   measureComponents(s, halos.all);
 }
