@@ -22,8 +22,10 @@ struct Surfels : Table {
   Column<float> temperature{*this, "temperature", "K", Keep::State, "of the particles around; only with heat"};
   Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort"};
   Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now"};
-  // of the update under way
-  Column<std::uint8_t> moving{*this, "moving", "1", Keep::Transient, "it or a neighbour moved in the last iteration: it is worked on"};
+  // of the update under way: active within it only, so that they are in no checkpoint
+  Column<std::uint8_t> moving{*this, "moving", "1", Keep::State, "it moved in the last iteration: it and its neighbours are worked on"};
+  Column<Vec3d> carried{*this, "carried", "m", Keep::State, "where the particles' displacement has carried it (displaceSurfels)"};
+  Column<Vec3d> carriedNormal{*this, "carriedNormal", "1", Keep::State, "its normal there; 0: born in this update"};
   // of its components and measures
   Column<double> reach{*this, "reach", "m^2", Keep::Transient, "square of the distance to the farthest of the nearest surfels that it hangs together with"};
   Column<std::uint64_t> nearest{*this, "nearest", "1", Keep::Transient, "id of the nearest particle of its component, ~0 without one within h_ps"};
@@ -43,6 +45,7 @@ struct SurfaceParticles : Table {
   Column<float> liquid{*this, "liquid", "1", Keep::State, "liquid fraction"};
   Column<float> temperature{*this, "temperature", "K", Keep::State, "only with heat"};
   Column<std::uint16_t> body{*this, "body", "1", Keep::State, "index into bodies, then emitters"};
+  Column<float> colour{*this, "colour", "1", Keep::Transient, "colour field of its component at the particle (readyParticles)"};
   Column<std::uint64_t> home{*this, "home", "1", Keep::State, "rank << 32 | row of the particle itself"};
   Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort"};
   Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now"};

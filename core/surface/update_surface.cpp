@@ -1,10 +1,14 @@
 #include "core/surface/update_surface.hpp"
 
+#include "core/surface/blend.hpp"
+#include "core/surface/displace.hpp"
 #include "core/surface/gather_particles.hpp"
 #include "core/surface/place_rows.hpp"
 #include "core/surface/resume_surface.hpp"
 #include "core/surface/sample_mesh.hpp"
 #include "core/surface/update_components.hpp"
+#include "core/surface/ready_particles.hpp"
+#include "core/surface/relax.hpp"
 
 namespace thaw {
 namespace {
@@ -13,6 +17,7 @@ namespace {
 void placeAll(Surface& s, SurfaceHalos halos, SurfaceTools& t) {
   placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, t.sort);
   placeRows(s.grid, halos.particles, s.particles, s.particleCells, t.sort);
+  t.relax.particlesReady = false;
 }
 
 /// From where the particles were at the last update to where they are.
@@ -41,10 +46,16 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   balanceSurface(w, halos, t, false);
   gatherParticles(w, halos.all.rank());
   placeAll(s, halos, t);
-  // the gradient of the displacement, and the surfels carried along with it
+  findDisplacementGradients(w, halos, t);
+  displaceSurfels(w, halos, t);
   bringParticlesForward(s);
   placeAll(s, halos, t);
-  // iterations of the four forces, with constraints and resampling
+  sampleFields(w, halos, t);
+  // rounds of resampling and iterations
+  const Settled settled = settle(w, halos, t, forceWeights(w.scene.surface), w.scene.surface.iterations, false);
+  s.counters.iterations += settled.iterations;
+  s.counters.unfinished += !settled.finished;
+  blendSurfels(w);
   updateComponents(w, halos, t);  // splits, merges, measures
   returnParticles(w, halos);
   s.counters.updates++;

@@ -3,6 +3,7 @@
 #include "core/geometry/triangle_mesh.hpp"
 #include "core/halo/surface_halos.hpp"
 #include "core/neighbours/sort.hpp"
+#include "core/surface/relax_tools.hpp"
 #include "core/surface/row_lists.hpp"
 #include "core/surface/update_components.hpp"
 #include "core/world.hpp"
@@ -15,6 +16,7 @@ struct SurfaceTools {
   MeshLoader load;                  ///< of the bodies' meshes; set before startSurface
   RowLists particlesOf, surfelsOf;  ///< of the owned surfels: particles within h_ps, surfels within h_ss
   TopologyTools topology;
+  RelaxTools relax;                 ///< of displacement and iterations
 };
 
 /// The first surface, of the bodies at their start. Needs Surface without surfels and particles in place. Collective.
