@@ -41,6 +41,7 @@ struct SurfaceParticles : Table {
   Column<Vec3d> displacement{*this, "displacement", "m", Keep::State, "since the last update; 0 of fresh ones"};
   Column<std::uint64_t> component{*this, "component", "1", Keep::State, "label, noComponent: fresh, since the last update"};
   Column<double> volume{*this, "volume", "m^3", Keep::State, "mass / density at rest"};
+  Column<double> share{*this, "share", "1", Keep::State, "volume that the surface is to hold for it over its own"};
   Column<double> mass{*this, "mass", "kg", Keep::State, "of the particle"};
   Column<float> liquid{*this, "liquid", "1", Keep::State, "liquid fraction"};
   Column<float> temperature{*this, "temperature", "K", Keep::State, "only with heat"};
