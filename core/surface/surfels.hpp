@@ -31,6 +31,10 @@ struct Surfels : Table {
   Column<std::uint64_t> nearest{*this, "nearest", "1", Keep::Transient, "id of the nearest particle of its component, ~0 without one within h_ps"};
   Column<std::uint64_t> part{*this, "part", "1", Keep::Transient, "label of what hangs together; top bit set: no particle does"};
   Column<double> area{*this, "area", "m^2", Keep::Transient, "its own share of the surface, at the end of an update"};
+  // of resampling
+  Column<std::uint8_t> wish{*this, "wish", "1", Keep::Transient, "bits: 1 a new surfel beside it, 2 one is too close, 4 it comes before all that are"};
+  Column<Vec3d> offer{*this, "offer", "m", Keep::Transient, "from it to the place of the new surfel"};
+  Column<Vec3d> offerNormal{*this, "offerNormal", "1", Keep::Transient, "of the surface there"};
 };
 
 /// Particles as a surface update sees them, on the rank that owns their cell of Surface::grid. Made anew for each update.
