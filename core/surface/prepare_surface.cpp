@@ -20,7 +20,7 @@ void activateSurfaceFields(Surface& s, const Modules& m) {
   Surfels& f = s.surfels;
   for (AnyColumn* c : std::initializer_list<AnyColumn*>{&f.id, &f.position, &f.normal, &f.tangent, &f.radius, &f.component, &f.colour, &f.detail, &f.cell, &f.nextCell}) f.activate(*c);
   SurfaceParticles& p = s.particles;
-  for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.id, &p.position, &p.displacement, &p.component, &p.volume, &p.body, &p.home, &p.cell, &p.nextCell, &p.gradient, &p.colour}) p.activate(*c);
+  for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.id, &p.position, &p.displacement, &p.component, &p.volume, &p.body, &p.home, &p.cell, &p.nextCell, &p.gradient, &p.colour, &p.smoothColour}) p.activate(*c);
   if (m.melting || m.fluid) {  // else the surface is carried along and nothing more
     f.activate(f.liquid);
     p.activate(p.liquid);

@@ -26,6 +26,7 @@ double perLatticeSum(double h) {
 void readyParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
   if (t.relax.particlesReady) return;
   t.relax.particlesReady = true;
+  if (!t.relax.level.filled()) t.relax.level.fill();
   Surface& s = w.surface;
   SurfaceParticles& p = s.particles;
   p.resize(p.owned, 0);
@@ -36,18 +37,22 @@ void readyParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
   const double h = s.particleSupport, h2 = h * h, dx = w.scene.spacing, scale = perLatticeSum(h / dx) / (dx * dx * dx);
   const Vec3d reach{h, h, h};
   fillBins(s.grid, s.particleCells, p.position.data(), 0.5 * h, t.relax.particleBins);
-  for (std::size_t i = 0; i < p.owned; i++) {
-    double sum = 0;
-    if (p.component[i] != noComponent)
-      forRowsInBox(t.relax.particleBins, p.position[i] - reach, p.position[i] + reach, [&](std::uint32_t j) {
-        const Vec3d d = p.position[j] - p.position[i];
-        const double u = 1 - dot(d, d) / h2;
-        if (u > 0 && p.component[j] == p.component[i]) sum += p.volume[j] * u * u * u;
-      });
-    p.colour[i] = static_cast<float>(scale * sum);
+  // the colour at each particle, then the same with each particle weighted by its colour
+  for (int pass = 0; pass < 2; pass++) {
+    Column<float>& to = pass == 0 ? p.colour : p.smoothColour;
+    for (std::size_t i = 0; i < p.owned; i++) {
+      double sum = 0;
+      if (p.component[i] != noComponent)
+        forRowsInBox(t.relax.particleBins, p.position[i] - reach, p.position[i] + reach, [&](std::uint32_t j) {
+          const Vec3d d = p.position[j] - p.position[i];
+          const double u = 1 - dot(d, d) / h2;
+          if (u > 0 && p.component[j] == p.component[i]) sum += p.volume[j] * (u * u * u) * (pass == 0 ? 1.0 : static_cast<double>(p.colour[j]));
+        });
+      to[i] = static_cast<float>(scale * sum);
+    }
+    ColumnList found{&to};
+    refreshGhosts(halos.particles, p, found);
   }
-  ColumnList found{&p.colour};
-  refreshGhosts(halos.particles, p, found);
   // records of the iterations
   t.relax.particle.resize(4 * p.size());
   t.relax.particleColour.resize(p.size());
@@ -57,8 +62,8 @@ void readyParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
       std::memcpy(&t.relax.particle[4 * j + static_cast<std::size_t>(a)], &bits, 4);
     }
     const float volume = static_cast<float>(scale * p.volume[j]);
-    t.relax.particle[4 * j + 3] = volume;
-    t.relax.particleColour[j] = volume * p.colour[j];
+    t.relax.particle[4 * j + 3] = volume * p.colour[j];
+    t.relax.particleColour[j] = volume * p.smoothColour[j];
   }
 }
 
