@@ -1,7 +1,7 @@
 #include "core/surface/relax.hpp"
 
-#include <chrono>
 #include <cstring>
+#include <ctime>
 
 #include "core/surface/place_rows.hpp"
 #include "core/surface/ready_particles.hpp"
@@ -11,16 +11,17 @@
 namespace thaw {
 namespace {
 
+/// Processor time since the last call.
 class Lap {
  public:
   void operator()(double& to) {
-    const auto now = std::chrono::steady_clock::now();
-    to += std::chrono::duration<double>(now - last_).count();
+    const std::clock_t now = std::clock();
+    to += static_cast<double>(now - last_) / CLOCKS_PER_SEC;
     last_ = now;
   }
 
  private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  std::clock_t last_ = std::clock();
 };
 
 void packSurfel(const Surface& s, RelaxTools& r, std::size_t i) {
@@ -54,6 +55,7 @@ void search(World& w, SurfaceHalos halos, SurfaceTools& t, bool all, double marg
   r.normal.resize(4 * f.size());
   for (std::size_t i = 0; i < f.size(); i++) packSurfel(s, r, i);
   lap(r.times.search);
+  r.times.searches++;
 }
 
 ForceSums sumsOf(const World& w, RelaxTools& r) {
