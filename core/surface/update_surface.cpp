@@ -3,7 +3,11 @@
 #include "core/surface/blend.hpp"
 #include "core/surface/displace.hpp"
 #include "core/surface/gather_particles.hpp"
+#include "core/surface/keep_volume.hpp"
 #include "core/surface/place_rows.hpp"
+#include "core/surface/resume_surface.hpp"
+#include "core/surface/sample_mesh.hpp"
+#include "core/surface/update_components.hpp"
 #include "core/surface/ready_particles.hpp"
 #include "core/surface/relax.hpp"
 
@@ -27,14 +31,21 @@ void bringParticlesForward(Surface& s) {
 void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   gatherParticles(w, halos.all.rank());
+  cutByParticles(w, halos, t);
+  const std::vector<std::uint64_t> label = labelsOfBodies(w.scene, s.particles, halos.all);
+  for (std::size_t i = 0; i < s.particles.owned; i++)
+    if (s.particles.body[i] < w.scene.bodies.size()) s.particles.component[i] = label[s.particles.body[i]];
+  sampleMeshes(w.scene, s, t.load, label, halos.all);
   placeAll(s, halos, t);
-  // first surfels: of meshes, or grown from the particles
+  updateComponents(w, halos, t);
+  keepStartVolumes(w, halos);
   returnParticles(w, halos);
   s.lastStep = w.clock.step;
 }
 
 void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
+  balanceSurface(w, halos, t, false);
   gatherParticles(w, halos.all.rank());
   placeAll(s, halos, t);
   findDisplacementGradients(w, halos, t);
@@ -47,7 +58,7 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   s.counters.iterations += settled.iterations;
   s.counters.unfinished += !settled.finished;
   blendSurfels(w);
-  // components: splits, merges, measures
+  updateComponents(w, halos, t);  // splits, merges, measures
   returnParticles(w, halos);
   s.counters.updates++;
   s.lastStep = w.clock.step;

@@ -25,9 +25,11 @@ std::string fieldFor(const RenderOptions& options, const std::string& ofScene, c
   if (options.field == "none") return {};
   if (!options.field.empty()) return options.field;
   const auto has = [&](const std::string& name) { return std::find(fields.begin(), fields.end(), name == "speed" ? "velocity" : name) != fields.end(); };
+  const bool surface = has("normal") && has("radius");
+  if (surface && (ofScene == "surface" || (ofScene == "glow" && has("temperature")))) return ofScene;
   for (const std::string& name : {ofScene, std::string("temperature"), std::string("speed")})
     if (!name.empty() && has(name)) return name;
-  return {};
+  return surface ? "surface" : "";
 }
 
 /// pictures/ in the run's folder, whether that, its frames/ or a file in there was named.
@@ -67,8 +69,15 @@ FrameJob jobOfRun(const fs::path& frame) {
   }
 }
 
+FrameKind kindOf(const std::string& what) {
+  if (what == "surface") return FrameKind::Surface;
+  if (what == "particles") return FrameKind::Particles;
+  if (what == "automatic") return FrameKind::Automatic;
+  throw std::invalid_argument("there is no --what " + what + "; there are surface, particles and automatic");
+}
+
 FrameJob jobOf(const RenderOptions& options) {
-  const std::vector<fs::path> frames = findFrames(options.input);
+  const std::vector<fs::path> frames = findFrames(options.input, kindOf(options.what));
   FrameJob job = jobOfRun(frames.back());
   job.frames = frames;
   job.out = options.out.empty() ? picturesFolder(options.input) : options.out;
@@ -95,7 +104,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
   command.add_option("path", o.input, "frame (.hdf), series index (.hdf.series), or folder of a run")->required();
   command.add_option("--out", o.out, "folder of the pictures (default: pictures/ in the run's folder)");
   command.add_option("--sheet", o.sheet, "write a contact sheet of the run to this file as well");
-  command.add_option("--field", o.field, "field that colours: a name, speed, or none (default: the scene's choice)");
+  command.add_option("--field", o.field, "field that colours: a name, speed, or none; of surfaces also surface (its own colours) and glow (those turning into the temperature's) (default: the scene's choice)");
   command.add_option("--min", o.min, "lowest number of the colours, SI (default: the scene's, or the lowest in all frames)");
   command.add_option("--max", o.max, "highest number of the colours, SI");
   command.add_option("--map", o.map, "colour map: ember, sea, grey")->capture_default_str();
@@ -108,7 +117,8 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
   command.add_option("--height", o.height, "pixels")->check(CLI::Range(16, 16384));
   command.add_option("--columns", o.columns, "of the contact sheet")->check(CLI::Range(1, 100))->capture_default_str();
   command.add_option("--cells", o.cells, "pictures on the contact sheet, at most")->check(CLI::Range(1, 1000))->capture_default_str();
-  command.add_option("--radius", o.radius, "of the spheres, in particle spacings")->check(CLI::Range(0.01, 100.0))->capture_default_str();
+  command.add_option("--radius", o.radius, "of the spheres, in particle spacings (default 0.7), or of the surface's discs, in their own radii (default 1.25)")->check(CLI::Range(0.01, 100.0));
+  command.add_option("--what", o.what, "surface, particles, or automatic: the surface if the run has one")->check(CLI::IsMember({"surface", "particles", "automatic"}))->capture_default_str();
   command.add_option("--threads", o.threads, "frames drawn at once (default: one a core)")->check(CLI::Range(0, 4096));
 }
 

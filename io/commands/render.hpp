@@ -22,7 +22,8 @@ struct RenderOptions {
   bool obstacles = true;
   int width = 0, height = 0;           ///< pixels; 0: the scene's
   int columns = 4, cells = 12;         ///< of the contact sheet
-  double radius = 0.7;                 ///< of the spheres, in particle spacings
+  double radius = 0;                   ///< of the spheres, in particle spacings; of surfels' discs, in their radii; 0: 0.7 and 1.25
+  std::string what = "automatic";      ///< "surface", "particles", or the surface if there is one
   int threads = 0;                     ///< 0: one a core
 };
 

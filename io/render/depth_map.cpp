@@ -12,6 +12,43 @@ constexpr float nothing = std::numeric_limits<float>::lowest();
 
 float lengthOf(const Vec3f& a) { return std::sqrt(dot(a, a)); }
 
+void drawSphere(DepthMap& map, const Discs& discs, std::size_t i) {
+  const float scale = 1 / map.cell;
+  const Vec3f& p = discs.positions[i];
+  const float u = (dot(p, map.across) - map.left) * scale, v = (dot(p, map.along) - map.low) * scale, depth = dot(p, map.toLight);
+  const float r = std::max(discs.radius(i) * scale, 0.5f);
+  const int y0 = std::max(0, static_cast<int>(std::ceil(v - r - 0.5f))), y1 = std::min(map.rows - 1, static_cast<int>(std::floor(v + r - 0.5f)));
+  for (int y = y0; y <= y1; y++) {
+    const float dy = static_cast<float>(y) + 0.5f - v, half = std::sqrt(std::max(0.0f, r * r - dy * dy));
+    const int x0 = std::max(0, static_cast<int>(std::ceil(u - half - 0.5f)));
+    const int x1 = std::min(map.columns - 1, static_cast<int>(std::floor(u + half - 0.5f)));
+    float* row = map.nearest.data() + static_cast<std::size_t>(y) * map.columns;
+    for (int x = x0; x <= x1; x++) row[x] = std::max(row[x], depth);
+  }
+}
+
+/// Of a disc that leans, the depth of each cell is that of its plane there.
+void drawDisc(DepthMap& map, const Discs& discs, std::size_t i) {
+  const float scale = 1 / map.cell;
+  const Vec3f &p = discs.positions[i], &n = discs.normals[i];
+  const float nu = dot(n, map.across), nv = dot(n, map.along), nw = dot(n, map.toLight);
+  if (nw <= 0.02f) return;
+  const float u = (dot(p, map.across) - map.left) * scale, v = (dot(p, map.along) - map.low) * scale, depth = dot(p, map.toLight);
+  const float r = std::max(discs.radius(i) * scale, 0.5f), su = -nu / nw, sv = -nv / nw;
+  const float hu = std::max(0.5f, r * std::sqrt(std::max(0.0f, 1 - nu * nu))), hv = std::max(0.5f, r * std::sqrt(std::max(0.0f, 1 - nv * nv)));
+  const int y0 = std::max(0, static_cast<int>(std::ceil(v - hv - 0.5f))), y1 = std::min(map.rows - 1, static_cast<int>(std::floor(v + hv - 0.5f)));
+  const int x0 = std::max(0, static_cast<int>(std::ceil(u - hu - 0.5f))), x1 = std::min(map.columns - 1, static_cast<int>(std::floor(u + hu - 0.5f)));
+  for (int y = y0; y <= y1; y++) {
+    const float dy = static_cast<float>(y) + 0.5f - v;
+    float* row = map.nearest.data() + static_cast<std::size_t>(y) * map.columns;
+    for (int x = x0; x <= x1; x++) {
+      const float dx = static_cast<float>(x) + 0.5f - u, dz = su * dx + sv * dy, away = dx * dx + dy * dy;
+      if (away + dz * dz <= r * r) row[x] = std::max(row[x], depth + dz * map.cell);
+      else if (away <= 0.25f) row[x] = std::max(row[x], depth);  // edge on: thinner than a cell
+    }
+  }
+}
+
 }  // namespace
 
 float DepthMap::visible(const Vec3f& point, float bias, int taps) const {
@@ -61,20 +98,9 @@ DepthMap makeDepthMap(const Discs& discs, const Vec3f& toLight, float cellsPerRa
   map.columns = std::clamp(static_cast<int>(std::ceil((right - map.left) / map.cell)), 1, limit);
   map.rows = std::clamp(static_cast<int>(std::ceil((high - map.low) / map.cell)), 1, limit);
   map.nearest.assign(static_cast<std::size_t>(map.columns) * map.rows, nothing);
-  const float scale = 1 / map.cell;
-  for (std::size_t i = 0; i < discs.positions.size(); i++) {
-    const Vec3f& p = discs.positions[i];
-    const float u = (dot(p, map.across) - map.left) * scale, v = (dot(p, map.along) - map.low) * scale, depth = dot(p, toLight);
-    const float r = std::max(discs.radius(i) * scale, 0.5f);
-    const int y0 = std::max(0, static_cast<int>(std::ceil(v - r - 0.5f))), y1 = std::min(map.rows - 1, static_cast<int>(std::floor(v + r - 0.5f)));
-    for (int y = y0; y <= y1; y++) {
-      const float dy = static_cast<float>(y) + 0.5f - v, half = std::sqrt(std::max(0.0f, r * r - dy * dy));
-      const int x0 = std::max(0, static_cast<int>(std::ceil(u - half - 0.5f)));
-      const int x1 = std::min(map.columns - 1, static_cast<int>(std::floor(u + half - 0.5f)));
-      float* row = map.nearest.data() + static_cast<std::size_t>(y) * map.columns;
-      for (int x = x0; x <= x1; x++) row[x] = std::max(row[x], depth);
-    }
-  }
+  for (std::size_t i = 0; i < discs.positions.size(); i++)
+    if (discs.normals.empty()) drawSphere(map, discs, i);
+    else drawDisc(map, discs, i);
   return map;
 }
 

@@ -22,11 +22,12 @@ struct DepthMap {
 struct Discs {
   std::span<const Vec3f> positions;  ///< m
   std::span<const float> radii;      ///< m, one a disc, or one for all
+  std::span<const Vec3f> normals;    ///< unit; empty: each faces the light or the camera, as spheres seem to
   float radius(std::size_t i) const { return radii.size() == 1 ? radii[0] : radii[i]; }
 };
 
 /// The map of all discs for light from direction `toLight` (a unit vector), with about `cellsPerRadius` cells to a typical radius but
-/// at most `limit` columns and rows.
+/// at most `limit` columns and rows. Of discs with normals, those turned away from the light are left out: a closed surface needs none.
 DepthMap makeDepthMap(const Discs& discs, const Vec3f& toLight, float cellsPerRadius, int limit);
 
 }  // namespace thaw

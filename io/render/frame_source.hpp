@@ -8,15 +8,20 @@
 
 namespace thaw {
 
+/// Which frames of a run: of its particles or of its surface (surfels). Automatic: of the surface if there are any.
+enum class FrameKind { Automatic, Particles, Surface };
+
 /// The frames that `path` stands for, in the order of time: a frame file (.hdf) itself, those of a series index (.hdf.series), or those
-/// of a folder, which may be a run's folder or its frames/. A folder's index counts; without one, all .hdf files in the order of their names.
-/// Throws IoError naming the path if there are none.
-std::vector<std::filesystem::path> findFrames(const std::filesystem::path& path);
+/// of a folder, which may be a run's folder or its frames/. In a folder, the files of an index count; without one, all .hdf files in the
+/// order of their names; frames of surfaces without an index of their own always. Throws IoError naming the path if there are none, or
+/// none of the kind asked for.
+std::vector<std::filesystem::path> findFrames(const std::filesystem::path& path, FrameKind kind = FrameKind::Automatic);
 
 /// Names of the fields that a frame has, ascending. Throws IoError naming the file and the cause.
 std::vector<std::string> fieldsOf(const std::filesystem::path& frame);
 
-/// ReadFrame for VTKHDF frames. The field "speed" is the length of "velocity". Throws IoError naming the file and the cause:
+/// ReadFrame for VTKHDF frames. The field "speed" is the length of "velocity". Of surfels, "surface" asks for the surface's own colours and
+/// "glow" for those turning into the temperature's. Throws IoError naming the file and the cause:
 /// not HDF5, truncated, not a frame, no such field (with those there are).
 FrameView readFrameView(const std::filesystem::path& frame, const std::string& field);
 

@@ -18,20 +18,42 @@ constexpr int skyDirections = 24;
 
 }  // namespace
 
+Vec3f sunDirection(const View& view) {
+  Vec3f level{view.forward.x, view.forward.y, 0};
+  level = dot(level, level) > 1e-6f ? unit(level) : unit({view.up.x, view.up.y, 0});
+  return unit(-0.62f * view.right - 0.52f * level + Vec3f{0, 0, 0.95f});
+}
+
+std::vector<Vec3f> sunDisc(const Vec3f& toSun, int count) {
+  constexpr float sunRadius = 0.07f;  // rad; some ten times the real one: a hazy day
+  const Vec3f u = unit(cross(toSun, std::abs(toSun.z) < 0.9f ? Vec3f{0, 0, 1} : Vec3f{1, 0, 0})), v = cross(toSun, u);
+  std::vector<Vec3f> directions;
+  for (int k = 0; k < count; k++) {  // Vogel's spiral: even over the disc
+    const float r = sunRadius * std::sqrt((static_cast<float>(k) + 0.5f) / static_cast<float>(count));
+    const float angle = static_cast<float>(k * std::numbers::pi * (3 - std::sqrt(5.0)));
+    directions.push_back(unit(toSun + (r * std::cos(angle)) * u + (r * std::sin(angle)) * v));
+  }
+  return directions;
+}
+
+std::vector<Vec3f> skyDome(int count) {
+  // Fibonacci's spiral: even over the half sphere, from nearly level to nearly straight up.
+  std::vector<Vec3f> directions;
+  for (int k = 0; k < count; k++) {
+    const float z = 0.06f + 0.93f * (static_cast<float>(k) + 0.5f) / static_cast<float>(count), s = std::sqrt(1 - z * z);
+    const float angle = static_cast<float>(k * std::numbers::pi * (3 - std::sqrt(5.0)));
+    directions.push_back({s * std::cos(angle), s * std::sin(angle), z});
+  }
+  return directions;
+}
+
 Lights makeLights(const Discs& spheres, const View& view) {
   Lights lights;
   double sum = 0;
   for (std::size_t i = 0; i < spheres.positions.size(); i++) sum += spheres.radius(i);
   lights.radius = spheres.positions.empty() ? 0 : static_cast<float>(sum / static_cast<double>(spheres.positions.size()));
-  Vec3f level{view.forward.x, view.forward.y, 0};
-  level = dot(level, level) > 1e-6f ? unit(level) : unit({view.up.x, view.up.y, 0});
-  lights.sun = makeDepthMap(spheres, unit(-0.62f * view.right - 0.52f * level + Vec3f{0, 0, 0.95f}), 3.5f, 2048);
-  // Fibonacci's spiral: even over the half sphere, from nearly level to nearly straight up.
-  for (int k = 0; k < skyDirections; k++) {
-    const float z = 0.06f + 0.93f * (static_cast<float>(k) + 0.5f) / skyDirections, s = std::sqrt(1 - z * z);
-    const float angle = static_cast<float>(k * std::numbers::pi * (3 - std::sqrt(5.0)));
-    lights.sky.push_back(makeDepthMap(spheres, {s * std::cos(angle), s * std::sin(angle), z}, 1.3f, 512));
-  }
+  lights.sun = makeDepthMap(spheres, sunDirection(view), 3.5f, 2048);
+  for (const Vec3f& toLight : skyDome(skyDirections)) lights.sky.push_back(makeDepthMap(spheres, toLight, 1.3f, 512));
   return lights;
 }
 
@@ -56,32 +78,108 @@ float sunLight(const Lights& lights, const Vec3f& point, const Vec3f& normal, in
   return facing * lights.sun.visible(point + (0.6f * lights.radius) * normal, 1.2f * lights.radius, taps);
 }
 
-FloorLight::FloorLight(const Lights& lights, const FloorHint& floor, const Vec3f& centre, float reach) : reach_(reach) {
+namespace {
+
+/// A grid on a floor that outlines are drawn into.
+struct FloorGrid {
+  Vec3f origin, normal, u, v;
+  float reach = 1;
+  int side = 1;
+  std::vector<std::uint8_t> dark;
+
+  /// Marks where the casters stand between the floor and a light far away. Discs turned away from it are left out.
+  void drawShadows(const Discs& casters, const Vec3f& toLight) {
+    std::fill(dark.begin(), dark.end(), 0);
+    const float scale = 0.5f * static_cast<float>(side) / reach, up = dot(normal, toLight);
+    // What a place moves its shadow by along u and v.
+    const Vec3f shiftU = u - (dot(toLight, u) / up) * normal, shiftV = v - (dot(toLight, v) / up) * normal;
+    for (std::size_t i = 0; i < casters.positions.size(); i++) {
+      const Vec3f n = casters.normals.empty() ? toLight : casters.normals[i];
+      const float facing = dot(n, toLight);
+      if (facing <= 0.02f) continue;
+      const Vec3f d = casters.positions[i] - origin;
+      if (dot(d, normal) <= 0) continue;
+      const float r = casters.radius(i), x = (dot(d, shiftU) + reach) * scale, y = (dot(d, shiftV) + reach) * scale;
+      const auto half = [&](const Vec3f& shift) {
+        const float along = dot(shift, n);
+        return r * scale * std::sqrt(std::max(0.0f, dot(shift, shift) - along * along));
+      };
+      drawOutline({x, y, half(shiftU), half(shiftV), r * scale, dot(d, normal) * scale}, n, toLight, facing);
+    }
+  }
+
+  /// Place and half size of a shadow, radius of the disc and height of its centre above the floor, in cells.
+  struct Outline { float x, y, halfX, halfY, r, height; };
+
+  /// The shadow of one disc: its points q from the centre are those that the cells see along the light. What is below the floor casts none.
+  void drawOutline(const Outline& o, const Vec3f& n, const Vec3f& toLight, float facing) {
+    const auto [x, y, halfX, halfY, r, height] = o;
+    const float most = static_cast<float>(side);
+    if (!(x > -halfX && y > -halfY && x < most + halfX && y < most + halfY)) return;
+    const int y0 = std::max(0, static_cast<int>(std::ceil(y - halfY - 0.5f))), y1 = std::min(side - 1, static_cast<int>(std::floor(y + halfY - 0.5f)));
+    const int x0 = std::max(0, static_cast<int>(std::ceil(x - halfX - 0.5f))), x1 = std::min(side - 1, static_cast<int>(std::floor(x + halfX - 0.5f)));
+    const Vec3f stepU = u - (dot(n, u) / facing) * toLight, stepV = v - (dot(n, v) / facing) * toLight;
+    const float r2 = r * r;
+    for (int j = y0; j <= y1; j++) {
+      const Vec3f across = (static_cast<float>(j) + 0.5f - y) * stepV;
+      std::uint8_t* row = dark.data() + static_cast<std::size_t>(j) * side;
+      for (int k = x0; k <= x1; k++) {
+        const Vec3f q = across + (static_cast<float>(k) + 0.5f - x) * stepU;
+        if (dot(q, q) <= r2 && dot(q, normal) > -height) row[k] = 1;
+      }
+    }
+    if (x >= 0 && y >= 0 && x < most && y < most) dark[static_cast<std::size_t>(y) * side + static_cast<std::size_t>(x)] = 1;  // smaller than a cell
+  }
+};
+
+/// Mean of each cell and its eight neighbours, over and over.
+void blur(std::vector<float>& field, int side, int times) {
+  std::vector<float> other(field.size());
+  for (int pass = 0; pass < 2 * times; pass++) {
+    const int step = pass % 2 ? side : 1;
+    for (int j = 0; j < side; j++)
+      for (int i = 0; i < side; i++) {
+        const int k = pass % 2 ? j : i;
+        const std::size_t c = static_cast<std::size_t>(j) * side + i;
+        other[c] = (field[c] + field[k > 0 ? c - step : c] + field[k < side - 1 ? c + step : c]) / 3;
+      }
+    field.swap(other);
+  }
+}
+
+constexpr int floorSunDirections = 32, floorSkyDirections = 64;
+
+}  // namespace
+
+FloorLight::FloorLight(const Lights& lights, const Discs& casters, const FloorHint& floor, const Vec3f& centre, float reach) : reach_(reach) {
   normal_ = toFloat(floor.normal);
   origin_ = centre - dot(centre - toFloat(floor.point), normal_) * normal_;
   u_ = unit(cross(normal_, std::abs(normal_.z) < 0.9f ? Vec3f{0, 0, 1} : Vec3f{1, 0, 0}));
   v_ = cross(normal_, u_);
+  FloorGrid grid{origin_, normal_, u_, v_, reach_, side_, std::vector<std::uint8_t>(static_cast<std::size_t>(side_) * side_)};
+  // Light that is taken away, direction by direction.
+  std::vector<float> sun(grid.dark.size()), sky(grid.dark.size());
   const float sunFacing = std::max(0.0f, dot(normal_, lights.sun.toLight));
-  open_ = {sunFacing, 0};
   float full = 0;
-  for (const DepthMap& map : lights.sky) {
-    open_.sky += std::max(0.0f, dot(normal_, map.toLight) + 0.15f);
-    full += map.toLight.z + 0.15f;
+  for (const Vec3f& toLight : sunDisc(lights.sun.toLight, floorSunDirections)) {
+    if (dot(normal_, toLight) <= 0.02f) continue;
+    grid.drawShadows(casters, toLight);
+    for (std::size_t c = 0; c < sun.size(); c++) sun[c] += static_cast<float>(grid.dark[c]) * (sunFacing / floorSunDirections);
   }
+  open_ = {sunFacing, 0};
+  for (const Vec3f& toLight : skyDome(floorSkyDirections)) {
+    full += toLight.z + 0.15f;
+    const float facing = dot(normal_, toLight) + 0.15f;
+    if (facing <= 0.17f) continue;
+    open_.sky += facing;
+    grid.drawShadows(casters, toLight);
+    for (std::size_t c = 0; c < sky.size(); c++) sky[c] += static_cast<float>(grid.dark[c]) * facing;
+  }
+  blur(sun, side_, 1);
+  blur(sky, side_, 2);
   open_.sky /= full;
-  table_.resize(static_cast<std::size_t>(side_) * side_);
-  for (int j = 0; j < side_; j++)
-    for (int i = 0; i < side_; i++) {
-      const float a = (2 * (static_cast<float>(i) + 0.5f) / side_ - 1) * reach_, b = (2 * (static_cast<float>(j) + 0.5f) / side_ - 1) * reach_;
-      const Vec3f p = origin_ + a * u_ + b * v_;
-      // No bias: particles do not reach into the floor by more than their radius.
-      float sky = 0;
-      for (const DepthMap& map : lights.sky) {
-        const float facing = dot(normal_, map.toLight) + 0.15f;
-        if (facing > 0) sky += facing * map.visible(p, 0, 3);
-      }
-      table_[static_cast<std::size_t>(j) * side_ + i] = {sunFacing > 0 ? sunFacing * lights.sun.visible(p, 0, 4) : 0, sky / full};
-    }
+  table_.resize(sun.size());
+  for (std::size_t c = 0; c < table_.size(); c++) table_[c] = {std::max(0.0f, open_.sun - sun[c]), std::max(0.0f, open_.sky - sky[c] / full)};
 }
 
 FloorLight::Light FloorLight::at(const Vec3f& point) const {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "io/render/backdrop.hpp"
 #include "io/render/glass.hpp"
 #include "io/render/lights.hpp"
 #include "io/render/splat.hpp"
@@ -15,38 +16,9 @@ namespace thaw {
 
 namespace {
 
-using Light = Vec3f;  // linear red, green, blue; 1 is white
-
-float ramp(float from, float to, float x) {
-  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
-  return t * t * (3 - 2 * t);
-}
 Vec3f unit(const Vec3f& a) { return a / std::sqrt(dot(a, a)); }
-Light mixed(const Light& a, const Light& b, float t) { return (1 - t) * a + t * b; }
 
-float decoded(std::uint8_t c) {
-  const float x = static_cast<float>(c) / 255;
-  return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f);
-}
-Light toLinear(Rgb c) { return {decoded(c.r), decoded(c.g), decoded(c.b)}; }
-
-/// sRGB bytes by table.
-class Encoder {
- public:
-  Encoder() {
-    for (std::size_t i = 0; i < table_.size(); i++) {
-      const double x = static_cast<double>(i) / (table_.size() - 1);
-      table_[i] = static_cast<std::uint8_t>(std::lround(255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055)));
-    }
-  }
-  Rgb operator()(const Light& l) const { return {byte(l.x), byte(l.y), byte(l.z)}; }
-
- private:
-  std::uint8_t byte(float x) const { return table_[static_cast<std::size_t>(std::clamp(x, 0.0f, 1.0f) * static_cast<float>(table_.size() - 1) + 0.5f)]; }
-  std::array<std::uint8_t, 8192> table_;
-};
-
-constexpr Rgb skyTop{232, 236, 241}, skyLow{205, 211, 218}, floorColour{206, 206, 204}, plain{176, 182, 190};
+constexpr Rgb plain{176, 182, 190};
 
 /// Copies of what is finite, for all particles or only some.
 struct Particles {
@@ -104,49 +76,24 @@ Visible lightVisible(const Particles& p, const DepthBuffer& buffer, const Lights
 class Shader {
  public:
   Shader(const RenderStyle& style, const View& view, const Particles& particles, const DepthBuffer& buffer, const ViewBox& stage, bool coloured)
-      : view_(view), particles_(particles), lights_(makeLights({particles.positions, particles.radii}, view)) {
+      : view_(view), particles_(particles), lights_(makeLights({particles.positions, particles.radii, {}}, view)),
+        backdrop_(style, view, stage, lights_, {particles.positions, particles.radii, {}}) {
     const float spacing = style.spacing > 0 ? style.spacing : std::max(lights_.radius / 0.65f, 1e-20f);
     visible_ = lightVisible(particles, buffer, lights_, spacing);
     const Palette palette = paletteOf(style.colours.map);
     for (std::size_t i = 0; i < palette.size(); i++) colours_[i] = toLinear(coloured ? palette[i] : plain);
-    const Vec3d c = stage.empty() ? Vec3d{} : stage.centre();
-    centre_ = {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z)};
-    reach_ = stage.empty() ? 1 : std::max(static_cast<float>(0.5 * length(stage.max - stage.min)), 1e-6f);
-    for (const FloorHint& floor : style.floors) {
-      const Vec3d from{view.origin.x, view.origin.y, view.origin.z};
-      if (dot(from - floor.point, floor.normal) > 0) floors_.emplace_back(lights_, floor, centre_, 2.2f * reach_);
-    }
   }
 
   /// Light that reaches the camera through a point of the depth buffer's picture, from sphere `index` at `depth` or from behind all of them.
   Light operator()(float x, float y, std::uint32_t index, float depth) const {
     const Vec3f ray = view_.ray(x, y);
     float floorDepth = depth;
-    const FloorLight* floor = nullptr;
-    for (const FloorLight& f : floors_) {
-      const float down = -dot(ray, f.normal());
-      if (down <= 1e-6f) continue;
-      const float t = dot(view_.origin - f.origin(), f.normal()) / down;
-      if (t < floorDepth) floorDepth = t, floor = &f;
-    }
-    if (floor) return floorShade(*floor, ray, floorDepth);
-    return index == DepthBuffer::none ? sky(ray) : sphereShade(ray, index, depth);
+    const FloorLight* floor = backdrop_.floorBefore(ray, floorDepth);
+    if (floor) return backdrop_.floorShade(*floor, ray, floorDepth);
+    return index == DepthBuffer::none ? backdrop_.sky(ray) : sphereShade(ray, index, depth);
   }
 
  private:
-  Light sky(const Vec3f& ray) const {
-    const float up = ray.z / std::sqrt(dot(ray, ray));
-    return mixed(low_, top_, ramp(-0.05f, 0.55f, up));
-  }
-
-  Light floorShade(const FloorLight& floor, const Vec3f& ray, float depth) const {
-    const Vec3f point = view_.origin + depth * ray, d = point - floor.origin();
-    const float far = std::sqrt(dot(d, d)) / reach_;
-    const FloorLight::Light l = floor.at(point);
-    const float bright = 0.62f * l.sun + 0.46f * l.sky;
-    return mixed(bright * floor_, sky(ray), ramp(2.0f, 7.0f, far));
-  }
-
   Light sphereShade(const Vec3f& ray, std::uint32_t index, float depth) const {
     const std::uint32_t k = visible_.place[index];
     const SurfaceNormal& surface = visible_.normals[k];
@@ -169,10 +116,7 @@ class Shader {
   Lights lights_;
   Visible visible_;
   std::array<Light, 256> colours_;
-  Vec3f centre_;
-  float reach_ = 1;
-  std::vector<FloorLight> floors_;
-  const Light top_ = toLinear(skyTop), low_ = toLinear(skyLow), floor_ = toLinear(floorColour);
+  Backdrop backdrop_;
 };
 
 void check(const RenderInput& input, const RenderStyle& style) {
@@ -193,7 +137,7 @@ Image render(const RenderInput& input, const RenderStyle& style) {
   if (stage.empty())
     for (const Vec3f& p : particles.positions) stage.add({p.x, p.y, p.z});
   const float near = stage.empty() ? 0 : static_cast<float>(1e-4 * length(stage.max - stage.min));
-  const DepthBuffer buffer = splatSpheres({particles.positions, particles.radii}, view, style.width * s, style.height * s, near);
+  const DepthBuffer buffer = splatSpheres({particles.positions, particles.radii, {}}, view, style.width * s, style.height * s, near);
   const Shader shade(style, view, particles, buffer, stage, !input.values.empty());
   const Encoder encode;
   Image image(style.width, style.height);

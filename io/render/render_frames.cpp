@@ -52,7 +52,7 @@ Survey survey(const FrameJob& job, const ReadFrame& read) {
       if (std::isfinite(v)) s.min = std::min<double>(s.min, v), s.max = std::max<double>(s.max, v);
     if (s.unit.empty()) s.unit = frame.unit;
     s.lastTime = std::max(s.lastTime, frame.time);
-    if (s.spacing == 0 && !box.empty()) s.spacing = guessSpacing(frame.positions, box);
+    if (s.spacing == 0 && !box.empty() && frame.normals.empty()) s.spacing = guessSpacing(frame.positions, box);
   }
   return s;
 }
@@ -97,6 +97,15 @@ Image sheetWithBar(std::span<const Image> cells, std::span<const std::string> la
   return all;
 }
 
+Image pictureOf(const FrameView& frame, const FrameJob& job, const RenderStyle& style, int threads) {
+  if (!frame.normals.empty()) {
+    SurfelStyle surfels{frame.paint, job.radius > 0 ? job.radius : SurfelStyle{}.discs, threads};
+    return renderSurfels({frame.positions, frame.normals, frame.radii, frame.values, frame.colours, frame.components}, style, surfels);
+  }
+  const float radius = (job.radius > 0 ? job.radius : 0.7f) * style.spacing;
+  return render({frame.positions, frame.values, std::span<const float>(&radius, 1)}, style);
+}
+
 }  // namespace
 
 void addWalls(const Walls& walls, double time, RenderStyle& style) {
@@ -139,8 +148,8 @@ std::vector<fs::path> renderFrames(const FrameJob& job, const ReadFrame& read) {
   style.camera = job.camera ? *job.camera : fittedCamera(common.box, static_cast<double>(job.width) / job.height);
   style.spacing = job.spacing > 0 ? job.spacing : static_cast<float>(common.spacing);
   const bool coloured = common.min <= common.max;
-  style.colours = {job.min.value_or(coloured ? common.min : 0), job.max.value_or(coloured ? common.max : 1), job.map, job.field, common.unit};
-  const float radius = job.radius * style.spacing;
+  style.colours = {job.min.value_or(coloured ? common.min : 0), job.max.value_or(coloured ? common.max : 1), job.map,
+                   job.field == "glow" ? "temperature" : job.field, common.unit};
 
   fs::create_directories(job.out);
   const int threads = job.threads > 0 ? job.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
@@ -157,7 +166,7 @@ std::vector<fs::path> renderFrames(const FrameJob& job, const ReadFrame& read) {
     }
     RenderStyle now = style;
     addWalls(job.walls, frame.time, now);
-    Image picture = render({frame.positions, frame.values, std::span<const float>(&radius, 1)}, now);
+    Image picture = pictureOf(frame, job, now, job.frames.size() == 1 ? threads : 1);
     const std::string label = timeLabel(frame.time, common.lastTime);
     for (std::size_t k = 0; k < chosen.size(); k++)
       if (chosen[k] == f) {

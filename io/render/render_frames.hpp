@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/walls/walls.hpp"
-#include "io/render/render.hpp"
+#include "io/render/render_surfels.hpp"
 
 namespace thaw {
 
@@ -18,6 +18,12 @@ struct FrameView {
   std::vector<Vec3f> positions;  ///< m
   std::vector<float> values;     ///< of the field asked for (length of a vector, Frobenius norm of a tensor); empty if there is none
   std::string unit;              ///< of the values
+  // of surfels only; else empty
+  std::vector<Vec3f> normals;    ///< unit, outward
+  std::vector<float> radii;      ///< m
+  std::vector<Rgb> colours;      ///< of the surface
+  std::vector<std::uint32_t> components;
+  SurfelPaint paint = SurfelPaint::Plain;
 };
 
 /// Reads a frame's positions and one field; an empty name asks for positions alone. Throws std::runtime_error naming the file and the cause.
@@ -36,7 +42,7 @@ struct FrameJob {
   std::optional<Camera> camera;               ///< without: fitted to the particles of all frames
   int width = 1280, height = 960, samples = 2;
   float spacing = 0;                          ///< m
-  float radius = 0.7f;                        ///< of the spheres, in spacings
+  float radius = 0;                           ///< of the spheres, in spacings; of surfels' discs, in their radii; 0: what looks well
   Walls walls;                                ///< at their rest poses: planes become floors, other things glass
   int threads = 0;                            ///< 0: one a core
 };

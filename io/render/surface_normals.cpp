@@ -9,33 +9,7 @@ namespace thaw {
 namespace {
 
 struct Cell { int x, y, z; };
-/// Far away all is one cell: the conversion to int has to be defined (not-a-number goes there as well).
-int cellAlong(float x, float edge) {
-  const float c = std::floor(x / edge);
-  return c > -1e9f && c < 1e9f ? static_cast<int>(c) : 1'000'000'000;
-}
 Cell cellOf(const Vec3f& p, float edge) { return {cellAlong(p.x, edge), cellAlong(p.y, edge), cellAlong(p.z, edge)}; }
-
-/// Calls f(j, offset, weight) for all particles j nearer to p than the edge, p itself included; each once.
-template<class F> void forNeighbours(std::span<const Vec3f> positions, const CellBins& bins, const Vec3f& p, F f) {
-  const Cell c = cellOf(p, bins.edge);
-  const float h2 = bins.edge * bins.edge;
-  std::uint32_t visited[27];
-  int count = 0;
-  for (int z = -1; z <= 1; z++)
-    for (int y = -1; y <= 1; y++)
-      for (int x = -1; x <= 1; x++) {
-        const std::uint32_t bin = bins.bin(c.x + x, c.y + y, c.z + z);
-        if (std::find(visited, visited + count, bin) != visited + count) continue;  // two cells of one bin
-        visited[count++] = bin;
-        for (std::uint32_t k = bins.first[bin]; k < bins.first[bin + 1]; k++) {
-          const std::uint32_t j = bins.members[k];
-          const Vec3f d = p - positions[j];
-          const float d2 = dot(d, d);
-          if (d2 < h2) f(j, d, (1 - d2 / h2) * (1 - d2 / h2));
-        }
-      }
-}
 
 float ramp(float from, float to, float x) {
   const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);

@@ -1,5 +1,7 @@
 // Directions out of the body at particles near its surface, from where the neighbours lie: shades a lattice of spheres as one surface.
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -20,6 +22,33 @@ struct CellBins {
     return (h ^ (h >> 15)) & mask;
   }
 };
+
+/// Cell of a bin along an axis. Far away all is one cell: the conversion to int has to be defined (not-a-number goes there as well).
+inline int cellAlong(float x, float edge) {
+  const float c = std::floor(x / edge);
+  return c > -1e9f && c < 1e9f ? static_cast<int>(c) : 1'000'000'000;
+}
+
+/// Calls f(j, offset, weight) for all particles j nearer to p than the edge, p itself included; each once. Offset: p less that of j.
+template<class F> void forNeighbours(std::span<const Vec3f> positions, const CellBins& bins, const Vec3f& p, F f) {
+  const int cx = cellAlong(p.x, bins.edge), cy = cellAlong(p.y, bins.edge), cz = cellAlong(p.z, bins.edge);
+  const float h2 = bins.edge * bins.edge;
+  std::uint32_t visited[27];
+  int count = 0;
+  for (int z = -1; z <= 1; z++)
+    for (int y = -1; y <= 1; y++)
+      for (int x = -1; x <= 1; x++) {
+        const std::uint32_t bin = bins.bin(cx + x, cy + y, cz + z);
+        if (std::find(visited, visited + count, bin) != visited + count) continue;  // two cells of one bin
+        visited[count++] = bin;
+        for (std::uint32_t k = bins.first[bin]; k < bins.first[bin + 1]; k++) {
+          const std::uint32_t j = bins.members[k];
+          const Vec3f d = p - positions[j];
+          const float d2 = dot(d, d);
+          if (d2 < h2) f(j, d, (1 - d2 / h2) * (1 - d2 / h2));
+        }
+      }
+}
 
 CellBins binParticles(std::span<const Vec3f> positions, float edge);
 

@@ -104,8 +104,10 @@ void readOutput(TableReader& r, Output& o) {
   int pieces = o.piecesByRank ? 1 : 0;
   r.choice("pieces", pieces, {"one", "ranks"}, "parts of a frame's file: one, or one for each rank (for parallel ParaView)");
   o.piecesByRank = pieces == 1;
-  r.text("colour", o.colour, "what colours the pictures; none: temperature, or speed where there is no heat", "\"speed\" or a field");
-  if (std::set<std::string> words(known.begin(), known.end()); !o.colour.empty() && words.insert("speed").second && !words.count(o.colour))
+  r.text("colour", o.colour, "what colours the pictures; none: temperature, or speed where there is no heat", "\"speed\" or a field; of a surface also \"surface\" (its own colours) or \"glow\" (those turning into the temperature's)");
+  std::set<std::string> words(known.begin(), known.end());
+  words.insert({"speed", "surface", "glow", "detail"});
+  if (!o.colour.empty() && !words.count(o.colour))
     r.fail("colour", "there is no field '" + o.colour + "'" + suggestion(o.colour, words));
   r.number("colour_min", o.colourMin, "", anyNumber(), "SI value of the lowest colour; none: the lowest of all frames");
   r.number("colour_max", o.colourMax, "", anyNumber(), "SI value of the highest colour; none: the highest of all frames");

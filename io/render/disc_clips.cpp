@@ -1,0 +1,73 @@
+#include "io/render/disc_clips.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/render/linear_light.hpp"
+#include "io/render/surface_normals.hpp"
+
+namespace thaw {
+
+namespace {
+
+constexpr float alike = 0.96f;      // cosine: normals nearer than 16 degrees are of one smooth face
+constexpr float slack = 0.015f;     // of the radius, beyond the neighbour's plane: faces that meet leave no gap
+
+/// How far a cut goes around the neighbour, in its radii. Where the surface is only curved the cut may not go farther than the neighbour
+/// itself, or a gap would open between it and the next one; an edge goes on in a straight line.
+float reachOf(float cosine) { return 2.2f - 1.2f * ramp(0.3f, 0.75f, cosine); }
+float square(float x) { return x * x; }
+
+struct Candidate { float away; DiscClip clip; };  // away: from the centre to the cut, along the disc
+
+}  // namespace
+
+DiscClips clipDiscs(const Discs& discs, std::span<const std::uint8_t> wanted, std::span<const std::uint32_t> components) {
+  DiscClips clips;
+  const std::size_t count = discs.positions.size();
+  clips.first.assign(count + 1, 0);
+  float edge = 0;
+  for (std::size_t i = 0; i < count; i++) edge = std::max(edge, discs.radius(i));
+  if (!(edge > 0)) return clips;
+  // Discs of very different sizes: the bins follow the typical ones.
+  std::vector<float> radii;
+  for (std::size_t i = 0; i < count; i++) radii.push_back(discs.radius(i));
+  std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(count * 9 / 10), radii.end());
+  const CellBins bins = binParticles(discs.positions, 2 * radii[count * 9 / 10]);
+  std::vector<Candidate> found;
+  for (std::size_t i = 0; i < count; i++) {
+    clips.first[i] = static_cast<std::uint32_t>(clips.list.size());
+    if (!wanted[i]) continue;
+    found.clear();
+    const Vec3f &x = discs.positions[i], &n = discs.normals[i];
+    const float r = discs.radius(i);
+    forNeighbours(discs.positions, bins, x, [&](std::uint32_t j, const Vec3f& d, float) {
+      const float cosine = dot(n, discs.normals[j]);
+      if (cosine > alike || cosine < -0.5f) return;  // -0.5: another sheet, or the other side of a thin one
+      if (!components.empty() && components[i] != components[j]) return;
+      const float larger = 2 * std::max(r, discs.radius(j));
+      if (dot(d, d) > larger * larger) return;
+      const float behind = -dot(d, discs.normals[j]);  // how far the centre lies behind the neighbour's plane
+      if (behind < 0) return;                         // a valley: what sticks out is hidden below
+      const float away = behind / std::sqrt(1 - cosine * cosine);
+      if (away < r) found.push_back({away, {discs.normals[j], behind + slack * r, -d, square(reachOf(cosine) * discs.radius(j))}});
+    });
+    std::sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) { return a.away < b.away; });
+    // The nearest cut, then those that add a face of their own.
+    for (const Candidate& c : found) {
+      const std::size_t have = clips.list.size() - clips.first[i];
+      if (have == DiscClips::most) break;
+      bool fresh = true;
+      for (std::size_t k = 0; k < have && fresh; k++) {
+        const DiscClip& other = clips.list[clips.first[i] + k];
+        const Vec3f apart = other.other - c.clip.other;
+        fresh = dot(other.normal, c.clip.normal) < alike || dot(apart, apart) > 0.25f * c.clip.radius2;
+      }
+      if (fresh) clips.list.push_back(c.clip);
+    }
+  }
+  clips.first[count] = static_cast<std::uint32_t>(clips.list.size());
+  return clips;
+}
+
+}  // namespace thaw

@@ -1,0 +1,236 @@
+#include "io/render/render_surfels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "io/render/backdrop.hpp"
+#include "io/render/glass.hpp"
+#include "io/render/parallel_for.hpp"
+#include "io/render/splat_surfels.hpp"
+
+namespace thaw {
+
+namespace {
+
+constexpr Rgb plain{188, 193, 200};
+constexpr float castingDiscs = 0.7f;  // of the drawn radius: in shadows a small gap does not show, but a rim at an edge does
+constexpr int sunDirections = 16, skyDirections = 40;
+
+bool finite(const Vec3f& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
+
+/// Copies of what can be drawn.
+struct DrawnSurfels {
+  std::vector<Vec3f> positions, normals;
+  std::vector<float> radii;
+  std::vector<Light> colours;
+  std::vector<std::uint32_t> components;
+  Discs discs() const { return {positions, radii, normals}; }
+};
+
+class Painter {
+ public:
+  Painter(const SurfelInput& in, const RenderStyle& style, SurfelPaint paint) : in_(in), scale_(style.colours), paint_(paint) {
+    const Palette palette = paletteOf(scale_.map);
+    for (std::size_t i = 0; i < palette.size(); i++) palette_[i] = toLinear(palette[i]);
+  }
+  Light operator()(std::size_t i) const {
+    switch (paint_) {
+      case SurfelPaint::Values: return palette_[static_cast<std::size_t>(paletteIndex(scale_, in_.values[i]))];
+      case SurfelPaint::Surface: return decode_(in_.colours[i]);
+      case SurfelPaint::Glow: {
+        const int at = paletteIndex(scale_, in_.values[i]);
+        return mixed(decode_(in_.colours[i]), palette_[static_cast<std::size_t>(at)], ramp(0, 1, static_cast<float>(at) / 255));
+      }
+      default: return plain_;
+    }
+  }
+
+ private:
+  const SurfelInput& in_;
+  const ColourScale& scale_;
+  SurfelPaint paint_;
+  Decoder decode_;
+  std::array<Light, 256> palette_;
+  const Light plain_ = toLinear(plain);
+};
+
+DrawnSurfels drawable(const SurfelInput& in, const RenderStyle& style, const SurfelStyle& how) {
+  DrawnSurfels s;
+  const Painter paint(in, style, how.paint);
+  for (std::size_t i = 0; i < in.positions.size(); i++) {
+    const Vec3f &x = in.positions[i], &n = in.normals[i];
+    const float l2 = dot(n, n), r = how.discs * in.radii[i];
+    if (!finite(x) || !finite(n) || !(l2 > 0) || !(r > 0) || !std::isfinite(r)) continue;
+    s.positions.push_back(x);
+    s.normals.push_back(n / std::sqrt(l2));
+    s.radii.push_back(r);
+    s.colours.push_back(paint(i));
+    if (!in.components.empty()) s.components.push_back(in.components[i]);
+  }
+  return s;
+}
+
+/// The sun's disc and the sky, as seen by surfels.
+struct SurfelLights {
+  Lights lights;               // its sun has a direction only
+  std::vector<DepthMap> sun;
+};
+
+SurfelLights makeSurfelLights(const Discs& discs, const View& view, int threads) {
+  SurfelLights all;
+  double sum = 0;
+  for (float r : discs.radii) sum += r;
+  all.lights.radius = discs.radii.empty() ? 0 : static_cast<float>(sum / static_cast<double>(discs.radii.size()));
+  all.lights.sun.toLight = sunDirection(view);
+  const std::vector<Vec3f> sun = sunDisc(all.lights.sun.toLight, sunDirections), sky = skyDome(skyDirections);
+  all.sun.resize(sun.size());
+  all.lights.sky.resize(sky.size());
+  parallelFor(sun.size() + sky.size(), threads, [&](std::size_t k) {
+    if (k < sun.size()) all.sun[k] = makeDepthMap(discs, sun[k], 2.0f, 1024);
+    else all.lights.sky[k - sun.size()] = makeDepthMap(discs, sky[k - sun.size()], 1.3f, 512);
+  });
+  return all;
+}
+
+/// Part of the sun's disc that a surfel sees: soft at the edge of a shadow by as much as what casts it is away.
+float sunSeen(const SurfelLights& lights, const Vec3f& point, const Vec3f& normal, float radius) {
+  float seen = 0;
+  for (const DepthMap& map : lights.sun) seen += map.visible(point + (0.5f * radius) * normal, 0.6f * radius, 0);
+  return seen / static_cast<float>(lights.sun.size());
+}
+
+/// Light of the sky on a surfel, and what the floor throws back.
+float skySeen(const SurfelLights& lights, const Backdrop& backdrop, const Vec3f& point, const Vec3f& normal, float radius) {
+  float light = 0, full = 0, open = 0;
+  const Vec3f from = point + (0.5f * radius) * normal;
+  for (const DepthMap& map : lights.lights.sky) {
+    const float facing = dot(normal, map.toLight) + 0.15f;  // a little round the edge, as a sky is
+    full += map.toLight.z + 0.15f;
+    if (facing <= 0) continue;
+    const float visible = map.visible(from, 0.9f * radius, 0);
+    light += facing * visible;
+    open += visible;
+  }
+  const float below = 0.24f * (1 - normal.z) * (0.35f + 0.65f * open / static_cast<float>(lights.lights.sky.size()));
+  return light / full + below * backdrop.bounce(point);
+}
+
+std::vector<SurfelShade> lightSurfels(const DrawnSurfels& s, std::span<const std::uint8_t> seen, const SurfelLights& lights, const Backdrop& backdrop, int threads) {
+  std::vector<SurfelShade> shades(s.positions.size());
+  constexpr std::size_t piece = 4096;
+  parallelFor((shades.size() + piece - 1) / piece, threads, [&](std::size_t p) {
+    for (std::size_t i = p * piece; i < std::min(shades.size(), (p + 1) * piece); i++) {
+      if (!seen[i]) continue;
+      const Vec3f& n = s.normals[i];
+      const float sky = skySeen(lights, backdrop, s.positions[i], n, s.radii[i]);
+      const Light& c = s.colours[i];
+      shades[i] = {n, {0.52f * sky * c.x, 0.54f * sky * c.y, 0.58f * sky * c.z}, {0.88f * c.x, 0.86f * c.y, 0.82f * c.z},
+                   sunSeen(lights, s.positions[i], n, s.radii[i])};
+    }
+  });
+  return shades;
+}
+
+/// The surface of a sample as the camera sees it.
+Light surfaceLight(const SurfelShade& s, const Vec3f& ray, const Vec3f& toSun) {
+  const Vec3f back = ray * (-1 / std::sqrt(dot(ray, ray))), sum = toSun + back;
+  const float facing = std::max(0.0f, dot(s.normal, toSun)) * s.sun;
+  const float half = std::max(0.0f, dot(s.normal, sum)) / std::sqrt(std::max(1e-12f, dot(sum, sum)));
+  float shine = half * half;  // half^48
+  shine *= shine * shine;
+  shine *= shine, shine *= shine, shine *= shine;
+  const float edge = 1 - std::max(0.0f, dot(s.normal, back)), rim = 0.05f * edge * edge * edge * edge;  // more is mirrored where seen edge on
+  const float white = (facing > 0 ? 0.10f * s.sun * shine : 0.0f) + rim;
+  return s.fromSky + facing * s.ofSun + Light{white, white, white};
+}
+
+void check(const SurfelInput& in, const RenderStyle& style, const SurfelStyle& how) {
+  if (style.width < 1 || style.height < 1 || style.width > 16384 || style.height > 16384) throw std::invalid_argument("a picture is 1 to 16384 pixels wide and high");
+  if (style.samples < 1 || style.samples > 4) throw std::invalid_argument("a picture has 1 to 4 samples a pixel and axis");
+  const std::size_t n = in.positions.size();
+  if (in.normals.size() != n || in.radii.size() != n) throw std::invalid_argument("normals or radii to draw differ in number from the positions");
+  const bool values = how.paint == SurfelPaint::Values || how.paint == SurfelPaint::Glow, colours = how.paint == SurfelPaint::Surface || how.paint == SurfelPaint::Glow;
+  if ((values || !in.values.empty()) && in.values.size() != n) throw std::invalid_argument("values to draw differ in number from the positions");
+  if ((colours || !in.colours.empty()) && in.colours.size() != n) throw std::invalid_argument("colours to draw differ in number from the positions");
+  if (!in.components.empty() && in.components.size() != n) throw std::invalid_argument("components to draw differ in number from the positions");
+  if (!(how.discs > 0)) throw std::invalid_argument("discs to draw have no size");
+}
+
+}  // namespace
+
+Image renderSurfels(const SurfelInput& input, const RenderStyle& style, const SurfelStyle& how) {
+  check(input, style, how);
+  const int s = style.samples, width = style.width * s, height = style.height * s;
+  const View view = viewOf(style.camera, width, height);
+  const DrawnSurfels surfels = drawable(input, style, how);
+  const Discs discs = surfels.discs();
+  ViewBox stage = style.stage;
+  if (stage.empty())
+    for (const Vec3f& p : surfels.positions) stage.add({p.x, p.y, p.z});
+  const float near = stage.empty() ? 0 : static_cast<float>(1e-4 * length(stage.max - stage.min));
+  std::vector<float> casting = surfels.radii;
+  for (float& r : casting) r *= castingDiscs;
+  const Discs casters{surfels.positions, casting, surfels.normals};
+  const SurfelLights lights = makeSurfelLights(casters, view, how.threads);
+  const Backdrop backdrop(style, view, stage, lights.lights, casters);
+  const std::vector<std::uint8_t> seen = facingDiscs(discs, view, width, height, near);
+  const std::vector<SurfelShade> shades = lightSurfels(surfels, seen, lights, backdrop, how.threads);
+  const DiscClips clips = clipDiscs(discs, seen, surfels.components);
+
+  const Encoder encode;
+  Image image(style.width, style.height);
+  DepthBuffer buffer;
+  buffer.width = width, buffer.height = height;
+  if (!style.glasses.empty()) buffer.depth.assign(static_cast<std::size_t>(width) * height, std::numeric_limits<float>::infinity());
+  const float part = 1 / static_cast<float>(s * s);
+  const Vec3f toSun = lights.lights.sun.toLight;
+  // Samples of a pixel lie in one tile: SurfelTile::side is a multiple of 1, 2 and 4; with 3, tiles are drawn into a picture of sums.
+  std::vector<Light> sums(s == 3 ? image.pixels.size() : 0);
+  const auto behind = [&](float x, float y, float depth) {
+    const Vec3f ray = view.ray(x, y);
+    const FloorLight* floor = backdrop.floorBefore(ray, depth);
+    return floor ? backdrop.floorShade(*floor, ray, depth) : backdrop.sky(ray);
+  };
+  splatSurfels({discs, clips, shades, surfels.components}, seen, view, width, height, s == 3 ? 1 : how.threads, [&](const SurfelTile& tile) {
+    const auto sample = [&](int x, int y) {
+      const std::size_t at = static_cast<std::size_t>(y) * tile.width + x;
+      const float px = static_cast<float>(tile.x + x) + 0.5f, py = static_cast<float>(tile.y + y) + 0.5f, depth = tile.depth[at];
+      if (!(depth < std::numeric_limits<float>::infinity())) return behind(px, py, depth);
+      const Vec3f ray = view.ray(px, py);
+      float floorDepth = depth;
+      const FloorLight* floor = backdrop.floorBefore(ray, floorDepth);
+      return floor ? backdrop.floorShade(*floor, ray, floorDepth) : surfaceLight(tile.shade[at], ray, toSun);
+    };
+    if (!buffer.depth.empty())
+      for (int y = 0; y < tile.height; y++)
+        std::copy_n(tile.depth.begin() + static_cast<std::ptrdiff_t>(y) * tile.width, tile.width, buffer.depth.begin() + static_cast<std::ptrdiff_t>(tile.y + y) * width + tile.x);
+    if (s == 3) {
+      for (int y = 0; y < tile.height; y++)
+        for (int x = 0; x < tile.width; x++) sums[static_cast<std::size_t>((tile.y + y) / s) * style.width + (tile.x + x) / s] += part * sample(x, y);
+      return;
+    }
+    for (int y = 0; y < tile.height; y += s)
+      for (int x = 0; x < tile.width; x += s) {
+        bool empty = true;
+        for (int j = 0; j < s; j++)
+          for (int i = 0; i < s; i++) empty = empty && !(tile.depth[static_cast<std::size_t>(y + j) * tile.width + x + i] < std::numeric_limits<float>::infinity());
+        Light sum{};
+        if (empty) {  // floor and sky are smooth: one sample will do
+          const float middle = 0.5f * static_cast<float>(s);
+          sum = behind(static_cast<float>(tile.x + x) + middle, static_cast<float>(tile.y + y) + middle, std::numeric_limits<float>::infinity());
+        } else {
+          for (int j = 0; j < s; j++)
+            for (int i = 0; i < s; i++) sum += part * sample(x + i, y + j);
+        }
+        image.at((tile.x + x) / s, (tile.y + y) / s) = encode(sum);
+      }
+  });
+  for (std::size_t p = 0; p < sums.size(); p++) image.pixels[p] = encode(sums[p]);
+  drawGlasses(image, style, view, buffer);
+  return image;
+}
+
+}  // namespace thaw
