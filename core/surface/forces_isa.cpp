@@ -79,7 +79,7 @@ template<bool plane> THAW_INLINE void overSurfelsOf(const ForceSums& in) {
       }
       const LanesF r = sqrt(r2), near = max(range * (frame.d + LanesF(f.d)) - r, zero);
       const LanesF push = select((sides > LanesF(in.apart)) & distinct, near, zero);
-      repulsion += (push / max(r, tiny)) * d;
+      repulsion += (push * range * (frame.d + LanesF(f.d)) / max(two * r2, tiny)) * d;
       crowd += select(push > zero, one, zero);
       stirred += select(r2 < reach2, LanesF(x.d), zero);
       coincident += select(distinct, zero, one);

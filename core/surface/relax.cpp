@@ -1,7 +1,7 @@
 #include "core/surface/relax.hpp"
 
-#include <chrono>
 #include <cstring>
+#include <ctime>
 
 #include "core/surface/place_rows.hpp"
 #include "core/surface/ready_particles.hpp"
@@ -11,16 +11,17 @@
 namespace thaw {
 namespace {
 
+/// Processor time since the last call.
 class Lap {
  public:
   void operator()(double& to) {
-    const auto now = std::chrono::steady_clock::now();
-    to += std::chrono::duration<double>(now - last_).count();
+    const std::clock_t now = std::clock();
+    to += static_cast<double>(now - last_) / CLOCKS_PER_SEC;
     last_ = now;
   }
 
  private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  std::clock_t last_ = std::clock();
 };
 
 void packSurfel(const Surface& s, RelaxTools& r, std::size_t i) {
@@ -54,6 +55,7 @@ void search(World& w, SurfaceHalos halos, SurfaceTools& t, bool all, double marg
   r.normal.resize(4 * f.size());
   for (std::size_t i = 0; i < f.size(); i++) packSurfel(s, r, i);
   lap(r.times.search);
+  r.times.searches++;
 }
 
 ForceSums sumsOf(const World& w, RelaxTools& r) {
@@ -114,7 +116,7 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
   f.activate(f.moving);
   for (std::size_t i = 0; i < f.owned; i++) f.moving[i] = all || (f.liquid.active && f.liquid[i] > 0);
   // a surfel may move by half the margin before lists are stale; the cells of the grid leave room for half a spacing of the particles
-  const double margin = std::min(0.5 * s.spacing, 0.5 * w.scene.spacing);
+  const double margin = std::min(s.spacing, w.scene.spacing);
   search(w, halos, t, all, margin, lap);
   Settled done;
   MoveCounts counts;
