@@ -1,122 +1,103 @@
-// A world with particle copies and surfels put there by hand, to try components and measures on. Every rank makes all and keeps its share.
+// Bodies of lattice particles with surfels on them, in one process, for tests and benchmarks of the surface.
 #pragma once
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include <functional>
+#include <memory>
 
 #include "core/halo/serial.hpp"
+#include "core/math/hash_random.hpp"
 #include "core/setup/make_grid.hpp"
+#include "core/surface/place_rows.hpp"
 #include "core/surface/prepare_surface.hpp"
+#include "core/surface/relax.hpp"
 #include "core/surface/update_surface.hpp"
 
 namespace thaw::test {
 
+/// A world that holds only what a surface update reads: spacing dx = 1, particles as copies (component 1, liquid 1), surfels.
 struct SettleRig {
-  World world;
+  World w;
+  std::unique_ptr<SerialSurfaceRanks> ranks;
   SurfaceTools tools;
-  double dx, d;  // m, spacings of particles and surfels
-  int rank = 0, ranks = 1;
-  std::uint64_t particles = 0, surfels = 0;  // of all ranks
-  std::uint16_t body = 0;
-  bool liquid = true;
 
-  explicit SettleRig(double spacing = 0.1, const Vec3d& low = {-2, -2, -2}, const Vec3d& high = {2, 2, 2}, double surfelSpacing = 0)
-      : dx(spacing), d(surfelSpacing > 0 ? surfelSpacing : 0.5 * spacing) {
-    world.scene.spacing = dx;
-    world.scene.surface.on = true;
-    world.scene.surface.spacing = d;
-    world.scene.domain.min = low;
-    world.scene.domain.max = high;
-    world.grid = makeGrid(world.scene.domain, 2 * dx);
-    prepareSurface(world);
+  explicit SettleRig(double surfelSpacing = 0.5, double half = 24, const std::function<void(Scene&)>& change = {}) {
+    w.scene.spacing = 1;
+    w.scene.domain.min = {-half, -half, -half};
+    w.scene.domain.max = {half, half, half};
+    w.scene.surface.on = true;
+    w.scene.surface.spacing = surfelSpacing;
+    if (change) change(w.scene);
+    w.grid = makeGrid(w.scene);
+    prepareSurface(w);
     Modules m;
     m.fluid = true;
-    activateSurfaceFields(world.surface, m);
-    world.surface.lastStep = 0;  // not the start
+    activateSurfaceFields(w.surface, m);
+    ranks = std::make_unique<SerialSurfaceRanks>(w.surface.grid);
   }
-  Surfels& f() { return world.surface.surfels; }
-  SurfaceParticles& p() { return world.surface.particles; }
-
-  void particle(const Vec3d& x, std::uint64_t component = noComponent) {
-    const std::uint64_t id = particles++;
-    if (static_cast<int>(id % static_cast<std::uint64_t>(ranks)) != rank) return;
-    const std::size_t i = p().owned;
-    p().resize(i + 1, 0);
-    p().id[i] = id;
-    p().position[i] = x;
-    p().volume[i] = dx * dx * dx;
-    p().mass[i] = 1000 * p().volume[i];
-    p().share[i] = 1;
-    p().component[i] = component;
-    p().liquid[i] = liquid;
-    p().body[i] = body;
+  void addParticle(const Vec3d& x, const Vec3d& u = {}, std::uint64_t component = 1, float liquid = 1) {
+    SurfaceParticles& p = w.surface.particles;
+    const std::size_t i = p.owned;
+    p.resize(i + 1, 0);
+    p.id[i] = i;
+    p.position[i] = x;
+    p.displacement[i] = u;
+    p.component[i] = component;
+    p.volume[i] = 1;
+    p.liquid[i] = liquid;
+    p.home[i] = i;
   }
-  void surfel(const Vec3d& x, const Vec3d& n, std::uint64_t component = noComponent) {
-    const std::uint64_t id = std::uint64_t{1} << 63 | std::uint64_t{body} << 40 | surfels++;
-    if (static_cast<int>(id * 7 % static_cast<std::uint64_t>(ranks)) != rank) return;
-    const std::size_t i = f().owned;
-    f().resize(i + 1, 0);
-    f().id[i] = id;
-    f().position[i] = x;
-    f().normal[i] = n;
-    f().tangent[i] = normalized(cross(n, std::abs(n.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0}));
-    f().radius[i] = d;
-    f().component[i] = component;
-    f().liquid[i] = liquid;
+  void addSurfel(const Vec3d& x, const Vec3d& n, std::uint64_t component = 1, float liquid = 1) {
+    Surfels& s = w.surface.surfels;
+    const std::size_t i = s.owned;
+    s.resize(i + 1, 0);
+    s.id[i] = 1000 + i;
+    s.position[i] = x;
+    s.normal[i] = normalized(n);
+    s.tangent[i] = normalized(cross(s.normal[i], std::abs(s.normal[i].x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0}));
+    s.radius[i] = w.surface.spacing;
+    s.component[i] = component;
+    s.detail[i] = 1;
+    s.liquid[i] = liquid;
   }
-  /// Particles of a lattice inside, surfels on a spiral.
-  void ball(const Vec3d& c, double R, std::uint64_t component = noComponent) {
-    const int n = static_cast<int>(R / dx) + 1;
-    for (int z = -n; z <= n; z++)
-      for (int y = -n; y <= n; y++)
-        for (int x = -n; x <= n; x++) {
-          const Vec3d r{(x + 0.5) * dx, (y + 0.5) * dx, (z + 0.5) * dx};
-          if (length(r) < R) particle(c + r, component);
-        }
-    sphere(c, R, component);
+  /// Particles of the cubic lattice with points at (k + shift) in a shape.
+  void addLattice(int half, const Vec3d& shift, const std::function<bool(const Vec3d&)>& inside) {
+    for (int z = -half; z <= half; z++)
+      for (int y = -half; y <= half; y++)
+        for (int x = -half; x <= half; x++)
+          if (const Vec3d p = Vec3d{double(x), double(y), double(z)} + shift; inside(p)) addParticle(p);
   }
-  void sphere(const Vec3d& c, double R, std::uint64_t component = noComponent) {
-    const int N = static_cast<int>(4 * M_PI * R * R / (0.8 * d * d));
-    for (int k = 0; k < N; k++) {
-      const double z = 1 - (2 * k + 1.0) / N, r = std::sqrt(1 - z * z), a = 2.39996322972865332 * k;
-      const Vec3d n{r * std::cos(a), r * std::sin(a), z};
-      surfel(c + R * n, n, component);
+  /// Surfels on a ball in a spiral, about one for each spacing^2 cos 30 degrees of it, moved off it by up to `noise`.
+  void addBallSurfels(double radius, double noise = 0, std::uint64_t component = 1) {
+    const double pi = 3.14159265358979323846, d = w.surface.spacing;
+    const int n = static_cast<int>(4 * pi * radius * radius / (0.866 * d * d));
+    for (int k = 0; k < n; k++) {
+      const double z = 1 - (2 * k + 1.0) / n, a = k * pi * (3 - std::sqrt(5.0)), r = std::sqrt(1 - z * z);
+      const Vec3d e{r * std::cos(a), r * std::sin(a), z};
+      const auto random = [&](std::uint64_t c) { return 2 * randomUniform(1, Purpose::Test, static_cast<std::uint64_t>(k), c) - 1; };
+      addSurfel((radius + noise * random(0)) * e + noise * Vec3d{random(1), random(2), random(3)}, e, component);
     }
   }
-  /// A box of whole spacings: a lattice inside, surfels at the middles of squares on the faces.
-  void box(const Vec3d& low, const Vec3i& cells, std::uint64_t component = noComponent) {
-    for (int z = 0; z < cells.z; z++)
-      for (int y = 0; y < cells.y; y++)
-        for (int x = 0; x < cells.x; x++) particle(low + dx * Vec3d{x + 0.5, y + 0.5, z + 0.5}, component);
-    for (int a = 0; a < 3; a++) {
-      const int b = (a + 1) % 3, e = (a + 2) % 3;
-      for (int side = 0; side < 2; side++)
-        for (int j = 0; j < 2 * cells[b]; j++)
-          for (int k = 0; k < 2 * cells[e]; k++) {
-            Vec3d x = low, n{};
-            x[a] += side * cells[a] * dx;
-            x[b] += (j + 0.5) * d;
-            x[e] += (k + 0.5) * d;
-            n[a] = side ? 1 : -1;
-            surfel(x, n, component);
-          }
-    }
+  void place() {
+    placeRows(w.surface.grid, ranks->surfels, w.surface.surfels, w.surface.surfelCells, tools.sort);
+    placeRows(w.surface.grid, ranks->particles, w.surface.particles, w.surface.particleCells, tools.sort);
+    tools.relax.particlesReady = false;
   }
-  /// Labels as they are: of each particle id the component, ~0 of those on other ranks.
-  std::vector<std::uint64_t> labels() {
-    std::vector<std::uint64_t> l(particles, ~std::uint64_t{0});
-    for (std::size_t i = 0; i < p().owned; i++) l[p().id[i]] = p().component[i];
-    return l;
-  }
-  void update(SurfaceHalos halos) { updateComponents(world, halos, tools); }
-  const std::vector<SurfaceComponent>& components() const { return world.surface.components; }
+  Settled settle(std::int64_t iterations, bool all = true) { return thaw::settle(w, ranks->halos(), tools, forceWeights(w.scene.surface), iterations, all); }
 };
 
-struct SerialSettleRig : SettleRig {
-  SerialSurfaceRanks halos;
-  explicit SerialSettleRig(double spacing = 0.1, const Vec3d& low = {-2, -2, -2}, const Vec3d& high = {2, 2, 2}, double surfelSpacing = 0)
-      : SettleRig(spacing, low, high, surfelSpacing), halos(world.surface.grid) {}
-  void update() { SettleRig::update(halos.halos()); }
-};
+/// How far surfels are from a ball around the origin: lengths over its radius, angles in degrees.
+struct BallErrors { double hausdorff = 0, mean = 0, normalMean = 0, normalMax = 0, volume = 0; };
+inline BallErrors ballErrors(const Surfels& s, double radius) {
+  BallErrors e;
+  const double n = static_cast<double>(s.owned);
+  for (std::size_t i = 0; i < s.owned; i++) {
+    const double r = length(s.position[i]), angle = std::acos(std::clamp(dot(s.normal[i], s.position[i]) / r, -1.0, 1.0)) * 57.29577951308232;
+    e.hausdorff = std::max(e.hausdorff, std::abs(r - radius) / radius);
+    e.mean += (r - radius) / radius / n;
+    e.normalMean += angle / n;
+    e.normalMax = std::max(e.normalMax, angle);
+    e.volume += (r * r * r / (radius * radius * radius) - 1) / n;
+  }
+  return e;
+}
 
 }  // namespace thaw::test
