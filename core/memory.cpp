@@ -19,6 +19,7 @@ std::vector<MemoryUse> memoryOf(const World& w, const StepTools& t) {
   const Bonds& b = w.bonds;
   const ElasticWork& e = t.elastic;
   const PairRecords& r = t.records;
+  const Surface& f = w.surface;
   return {{"particles", bytesOf(static_cast<const Table&>(w.particles))},
           {"solids", bytesOf(static_cast<const Table&>(w.solids))},
           {"cells", bytesOf(w.cells.key, w.cells.first, w.cells.count, t.inner, t.liquidCells)},
@@ -27,6 +28,8 @@ std::vector<MemoryUse> memoryOf(const World& w, const StepTools& t) {
           {"bonds", bytesOf(b.neighbour, b.x, b.y, b.z, b.rx, b.ry, b.rz, b.weight)},
           {"elastic work", bytesOf(e.remoteGroup, e.inner, e.boundary, e.bondCount, e.rank, e.singularLanes, e.stretched, e.perTrace, e.perWeight, e.grip, e.x, e.y, e.z, e.rx, e.ry,
                                    e.rz, e.weight, e.place4, e.flux12, e.motion4, e.place4d, e.flux12d, e.motion4d)},
+          {"surface", bytesOf(static_cast<const Table&>(f.surfels)) + bytesOf(static_cast<const Table&>(f.particles)) +
+                          bytesOf(f.surfelCells.key, f.surfelCells.first, f.surfelCells.count, f.particleCells.key, f.particleCells.first, f.particleCells.count)},
           {"walls and contacts", bytesOf(t.wallContacts.list, t.closePairs.list)},
           {"sort and search", bytesOf(t.sort.order, t.sort.movers, t.search.x, t.search.y, t.search.z, t.search.row)}};
 }
@@ -39,7 +42,7 @@ double totalBytes(const std::vector<MemoryUse>& use) {
 
 std::vector<std::string> fieldsOf(const World& w) {
   std::vector<std::string> names;
-  for (const Table* t : {static_cast<const Table*>(&w.particles), static_cast<const Table*>(&w.solids)})
+  for (const Table* t : {static_cast<const Table*>(&w.particles), static_cast<const Table*>(&w.solids), static_cast<const Table*>(&w.surface.surfels), static_cast<const Table*>(&w.surface.particles)})
     for (const AnyColumn* c : t->columns)
       if (c->active) names.push_back(std::string(t->kind) + "." + c->name);
   return names;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/ballot.hpp"
 #include "core/contact/solid_contact.hpp"
 #include "core/domain/sides.hpp"
 #include "core/fluid/carried_density.hpp"
@@ -13,6 +14,7 @@
 #include "core/particle_sums.hpp"
 #include "core/solid_step.hpp"
 #include "core/solid_substeps.hpp"
+#include "core/surface/surface_due.hpp"
 #include "core/time/integrate.hpp"
 
 namespace thaw {
@@ -101,6 +103,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.heat) {
     addWallHeat(walls, t.wallContacts);
     addOuterHeat(w, dt);
+    addTempering(w, dt);
   }
   if (w.modules.neighbours) separateCoincident(w, t, coincident);
   t.times.lap(StepPhase::Heat);
@@ -112,35 +115,36 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests
   own[Limit::Sound] = limits[Limit::Sound] / soundStiffening(w);  // the shortest of all ranks is where some particle is compressed most
   // near a wall its push is stiffer than the lattice, for which cfl_sound stands: omega dt is 1.2 at most (2 is stable)
   if (t.wallContacts.stiffest > 0) own[Limit::Contact] = 3 * w.scene.numerics.cflSound / t.wallContacts.stiffest;
-  constexpr std::size_t n = limitNames.size();
-  double values[n + 10];
-  for (std::size_t k = 0; k < n; k++) values[k] = -std::min(limits.value[k], own.value[k]);
-  values[n] = t.frozeAnywhere;
-  values[n + 1] = here.badHere;
-  values[n + 2] = wanted.stop;
-  values[n + 3] = wanted.report;
-  values[n + 4] = wanted.checkpoint;
-  values[n + 5] = t.meltedAnywhere;
-  values[n + 6] = w.modules.solid ? t.maxStretch2 : 1;
-  values[n + 7] = w.modules.solid ? largestGrip(t.elastic, w.solids) : 0;
-  values[n + 8] = w.modules.substeps ? -fastAccelerationLimit(w) : 0;
-  values[n + 9] = w.modules.fluid ? largestFilling(w) : 0;
+  Ballot ballot;
+  for (std::size_t k = 0; k < limitNames.size(); k++) ballot.negatedLimits[k] = -std::min(limits.value[k], own.value[k]);
+  ballot.froze = t.frozeAnywhere;
+  ballot.melted = t.meltedAnywhere;
+  ballot.bad = here.badHere;
+  ballot.stop = wanted.stop;
+  ballot.report = wanted.report;
+  ballot.checkpoint = wanted.checkpoint;
+  if (w.modules.solid) ballot.stretch2 = t.maxStretch2;
+  if (w.modules.solid) ballot.grip = largestGrip(t.elastic, w.solids);
+  if (w.modules.substeps) ballot.negatedFastLimit = -fastAccelerationLimit(w);
+  if (w.modules.fluid) ballot.filling = largestFilling(w);
+  if (w.modules.surface) ballot.surfaceMove2 = largestSurfaceMove2(w);
   if (w.modules.solid) w.counters.singularNeighbourhoods = countSingular(t.elastic, w.solids);  // bonds break and references follow in any step
   t.times.lap(StepPhase::Drift);
-  halos.all.maximum(values);
+  reduce(ballot, halos.all, w.modules.surface);
   t.times.lap(StepPhase::Reduce);
-  for (std::size_t k = 0; k < n; k++) limits.value[k] = -values[k];
+  for (std::size_t k = 0; k < limitNames.size(); k++) limits.value[k] = -ballot.negatedLimits[k];
   // of the largest of all ranks: not the least of their limits, which depends on what is on the same rank
-  if (w.modules.solid) limits[Limit::Elastic] = elasticStepLimit(w.scene, values[n + 6], values[n + 7]);
-  const double longest = std::min({limits[Limit::Elastic], t.longestContact, -values[n + 8]});  // of a substep
+  if (w.modules.solid) limits[Limit::Elastic] = elasticStepLimit(w.scene, ballot.stretch2, ballot.grip);
+  const double longest = std::min({limits[Limit::Elastic], t.longestContact, -ballot.negatedFastLimit});  // of a substep
   if (w.modules.substeps) limits[Limit::Elastic] = w.modules.mostSubsteps * longest;
   StepOutcome all = here;
   all.limitedBy = limits.smallest();
-  t.frozeAnywhere = values[n] > 0;
-  t.meltedAnywhere = values[n + 5] > 0;
-  all.finite = !(values[n + 1] > 0);
-  all.wanted = {values[n + 2] > 0, values[n + 3] > 0, values[n + 4] > 0};
-  all.alarm = all.finite ? alarmOf(w, t.watch, limits, values[n + 9]) : Alarm::NotFinite;
+  t.frozeAnywhere = ballot.froze > 0;
+  t.meltedAnywhere = ballot.melted > 0;
+  all.finite = !(ballot.bad > 0);
+  all.wanted = {ballot.stop > 0, ballot.report > 0, ballot.checkpoint > 0};
+  all.surfaceMove2 = ballot.surfaceMove2;
+  all.alarm = all.finite ? alarmOf(w, t.watch, limits, ballot.filling) : Alarm::NotFinite;
   w.watch.factor = nextFactor(w.watch);        // 1, or less after a retry
   const double fixed = w.scene.numerics.fixedStep, factor = w.watch.factor;
   // growing by a tenth at most: leap-frog whose step jumps up and down pumps energy into what swings fast

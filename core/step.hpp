@@ -79,6 +79,7 @@ struct StepOutcome {
   bool finite = true;                ///< false: some value is not; on the rank that has it `bad` is its row
   bool badHere = false;
   std::size_t bad = 0;
+  double surfaceMove2 = 0;           ///< m^2, farthest that a particle has come since the last update of the surface, squared; 0 without one
 };
 
 /// Everything that a scene needs, made ready. Throws std::runtime_error (one sentence) for what cannot be simulated.

@@ -114,14 +114,33 @@ double queen(Vec3d x) {
 
 }  // namespace
 
-TriangleMesh bustMesh() {
-  TriangleMesh mesh = polygonise(queen, {{-0.2605, -0.2605, -0.1605}, {0.2605, 0.3305, 1.0905}}, 0.0131);
+namespace {
+
+/// x of the mesh = (x of the sculpture - (0, middle, low)) * scale.
+struct Frame { double middle = 0, low = 0, scale = 1; };
+
+TriangleMesh unplacedMesh() { return polygonise(queen, {{-0.2605, -0.2605, -0.1605}, {0.2605, 0.3305, 1.0905}}, 0.0131); }
+
+Frame frameOf(const TriangleMesh& mesh) {
   Vec3d low{never, never, never}, high{-never, -never, -never};
   for (const Vec3d& v : mesh.vertices)
     for (int a = 0; a < 3; a++) low[a] = std::min(low[a], v[a]), high[a] = std::max(high[a], v[a]);
-  const double scale = 1 / (high.z - low.z), middle = 0.5 * (low.y + high.y);
-  for (Vec3d& v : mesh.vertices) v = Vec3d{v.x, v.y - middle, v.z - low.z} * scale;
+  return {0.5 * (low.y + high.y), low.z, 1 / (high.z - low.z)};
+}
+
+}  // namespace
+
+TriangleMesh bustMesh() {
+  TriangleMesh mesh = unplacedMesh();
+  const Frame f = frameOf(mesh);
+  for (Vec3d& v : mesh.vertices) v = Vec3d{v.x, v.y - f.middle, v.z - f.low} * f.scale;
   return mesh;
+}
+
+double bustValue(const Vec3d& x) {
+  static const Frame f = frameOf(unplacedMesh());
+  const double back = 1 / f.scale;
+  return queen({x.x * back, x.y * back + f.middle, x.z * back + f.low}) * f.scale;
 }
 
 }  // namespace thaw

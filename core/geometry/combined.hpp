@@ -37,6 +37,9 @@ struct Placement {
   Vec3d move{};
 };
 
+/// Where a shape puts `part`, which is the shape without its placement. Throws ShapeError.
+Placement placementOf(const Shape& shape, const ShapePart& part);
+
 class PlacedDistance final : public SignedDistance {
  public:
   PlacedDistance(ShapePart part, const Placement& placement);

@@ -76,8 +76,7 @@ ShapePart makeUnplaced(const Shape& s, const MeshLoader& load) {
 
 }  // namespace
 
-std::shared_ptr<const SignedDistance> makeSignedDistance(const Shape& s, const MeshLoader& load) {
-  const ShapePart part = makeUnplaced(s, load);
+Placement placementOf(const Shape& s, const ShapePart& part) {
   if (!finite(s.rotate) || !finite(s.move)) throw ShapeError("the placement of a shape is not finite", s.where);
   Placement p;
   if (!(s.rotate == Vec3d{})) p.rotation = rotationXyz(s.rotate);
@@ -99,6 +98,12 @@ std::shared_ptr<const SignedDistance> makeSignedDistance(const Shape& s, const M
     p.move = *s.bottom - Vec3d{0.5 * (b.min.x + b.max.x), 0.5 * (b.min.y + b.max.y), b.min.z};
     if (!finite(p.move)) throw ShapeError("a shape without finite bounds cannot be put on its bottom", s.where);
   }
+  return p;
+}
+
+std::shared_ptr<const SignedDistance> makeSignedDistance(const Shape& s, const MeshLoader& load) {
+  const ShapePart part = makeUnplaced(s, load);
+  const Placement p = placementOf(s, part);
   if (p.scale == 1 && p.move == Vec3d{} && s.rotate == Vec3d{}) return part;
   return std::make_shared<PlacedDistance>(part, p);
 }

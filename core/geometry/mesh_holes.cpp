@@ -33,6 +33,7 @@ void closeLoop(TriangleMesh& mesh, const std::vector<std::uint32_t>& loop) {
   for (const std::uint32_t v : loop) middle += mesh.vertices[v];
   const auto m = static_cast<std::uint32_t>(mesh.vertices.size());
   mesh.vertices.push_back(middle / static_cast<double>(loop.size()));
+  if (!mesh.colours.empty()) mesh.colours.push_back(mesh.colours[loop[0]]);
   for (std::size_t k = 0; k < loop.size(); k++) mesh.triangles.push_back({loop[k], loop[(k + 1) % loop.size()], m});
 }
 

@@ -81,6 +81,7 @@ TriangleMesh weldVertices(const TriangleMesh& mesh, double tolerance) {
       if (number[v] == none) {
         number[v] = static_cast<Index>(out.vertices.size());
         out.vertices.push_back(mesh.vertices[v]);
+        if (!mesh.colours.empty()) out.colours.push_back(mesh.colours[v]);
       }
       v = number[v];
     }

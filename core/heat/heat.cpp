@@ -26,6 +26,20 @@ double surfaceConductance(const Material& m, double T, double ambient) {
   return m.convection + m.emissivity * stefanBoltzmann * (ambient * ambient + T * T) * (ambient + T);
 }
 
+/// J/kg that a particle is to take up in the whole of a tempering that is under way.
+double missingHeat(const Scene& s, const Material& m, const Continuum& p, std::size_t i, double T) {
+  if (s.numerics.heat == HeatModel::Paper) return m.heatCapacity.solid * (T - p.temperature[i]);
+  return enthalpyOf(m, T, p.liquid.active ? static_cast<double>(p.liquid[i]) : 0) - p.enthalpy[i];
+}
+
+/// Share of what is left of a tempering that falls into the step of length dt (s) that begins at `time`; 0: it does not act.
+double shareOf(const Tempering& t, double time, double dt) {
+  const double from = std::max(time, t.start), end = t.start + t.over, left = end - from;
+  if (time + dt <= t.start || from > end) return 0;
+  if (!(left > 0)) return time <= t.start;
+  return std::min(1.0, (time + dt - from) / left);
+}
+
 }  // namespace
 
 void settlePhase(const Scene& s, const Modules& modules, Continuum& p, std::size_t begin, std::size_t end) {
@@ -69,6 +83,23 @@ void addOuterHeat(World& w, double dt) {
     if (flow == 0) continue;
     p.heatFlow[i] += flow;
     w.ledger.heatIn.add(flow * dt);
+  }
+}
+
+void addTempering(World& w, double dt) {
+  if (dt == 0) return;
+  Continuum& p = w.particles;
+  const Scene& s = w.scene;
+  const double time = w.clock.time;
+  for (const Tempering& t : s.temperings) {
+    const double share = shareOf(t, time, dt);
+    if (share == 0) continue;
+    for (std::size_t i = 0; i < p.owned; i++) {
+      if (t.material >= 0 && p.material[i] != t.material) continue;
+      const double flow = p.mass[i] * missingHeat(s, s.materials[p.material[i]], p, i, t.temperature) * share / dt;
+      p.heatFlow[i] += flow;
+      w.ledger.heatIn.add(flow * dt);
+    }
   }
 }
 

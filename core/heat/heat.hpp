@@ -15,6 +15,9 @@ void settlePhase(const Scene& scene, const Modules& modules, Continuum& particle
 /// What comes in over dt (s) is booked in Ledger::heatIn.
 void addOuterHeat(World& world, double dt);
 
+/// Adds what the scene's temperings bring or take in the step of length dt (s) that begins now; booked in Ledger::heatIn.
+void addTempering(World& world, double dt);
+
 /// Area of a particle's free surface in units of spacing^2, from Continuum::exposure: 1 for particles of a flat lattice surface, 0 for
 /// exposures below half of that, which disorder brings about in the middle of a liquid (0.4 for jitter of 0.15 spacings at h = 2).
 double exposedArea(double exposure, double surfaceExposure);

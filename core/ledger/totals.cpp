@@ -7,6 +7,7 @@ constexpr std::size_t balanceSums = 11, ledgerSums = 2 * balanceSums + 13, world
 static_assert(sizeof(ExactBalance) == balanceSums * sizeof(ExactSum), "list the new sum in addBalance, and in valuesOf");
 static_assert(sizeof(Ledger) == ledgerSums * sizeof(ExactSum) + sizeof(Balance), "list the new sum in sumsOf");
 static_assert(worldCounts == 18, "list the new counter in countsOf");
+static_assert(sizeof(SurfaceCounters) == 11 * sizeof(std::int64_t), "list the new counter in countsOf");
 static_assert(sizeof(WatchState) == 8 * sizeof(double), "list the new member in realsOf or countsOf");
 
 void addBalance(std::vector<NamedSum>& list, ExactBalance& b, const char* const (&names)[balanceSums]) {
@@ -62,6 +63,20 @@ std::vector<NamedCount> countsOf(Counters& c) {
           {"divergence_iterations", &c.divergenceIterations},
           {"unsolved_pressures", &c.unsolvedPressures},
           {"retries", &c.retries}};
+}
+
+std::vector<NamedCount> countsOf(SurfaceCounters& c) {
+  return {{"updates", &c.updates},
+          {"iterations", &c.iterations},
+          {"births", &c.births},
+          {"deaths", &c.deaths},
+          {"splits", &c.splits},
+          {"merges", &c.merges},
+          {"lost", &c.lost},
+          {"flipped", &c.flipped},
+          {"kept_normals", &c.keptNormals},
+          {"capped", &c.capped},
+          {"unfinished", &c.unfinished}};
 }
 
 std::vector<NamedReal> realsOf(WatchState& s) { return {{"factor", &s.factor}, {"residual", &s.residual}, {"scale", &s.scale}}; }

@@ -14,6 +14,7 @@ std::vector<NamedSum> sumsOf(Ledger& ledger);
 
 struct NamedCount { const char* name; std::int64_t* count; };
 std::vector<NamedCount> countsOf(Counters& counters);
+std::vector<NamedCount> countsOf(SurfaceCounters& counters);
 
 struct NamedReal { const char* name; double* value; };
 std::vector<NamedReal> realsOf(WatchState& watch);

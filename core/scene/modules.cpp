@@ -38,6 +38,7 @@ void findHeat(Finder& f) {
   for (const Emitter& e : s.emitters) seen(e.temperature, "emitter " + quoted(e.name));
   for (const Obstacle& o : s.obstacles)
     if (o.temperature && conducts) f.on(f.m.heat, "heat", "obstacle " + quoted(o.name) + " has a temperature");
+  if (!s.temperings.empty()) f.on(f.m.heat, "heat", "a [[tempering]] changes the temperature");
   for (const Material& m : s.materials) {
     if (m.heatSource != 0) f.on(f.m.heat, "heat", "material " + quoted(m.name) + " has a heat source");
     if (m.convection > 0 || m.emissivity > 0) {

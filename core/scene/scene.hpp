@@ -133,6 +133,14 @@ struct Obstacle {
   double until = never;               // s, disappears at this time
 };
 
+/// Brings particles to a temperature, wherever they are: K05's freezing while pouring.
+struct Tempering {
+  SourcePlace where;
+  int material = -1;             // index into Scene::materials; -1: all
+  double start = 0, over = 0;    // s, enthalpy goes there linearly in time; over 0: within one step
+  double temperature = 293.15;   // K
+};
+
 enum class Side { Open, Wall, Periodic };
 
 struct Domain {
@@ -259,6 +267,7 @@ struct Scene {
   std::vector<Body> bodies;
   std::vector<Emitter> emitters;
   std::vector<Obstacle> obstacles;
+  std::vector<Tempering> temperings;
   SurfaceSettings surface;
   Output output;
 };

@@ -18,9 +18,10 @@ struct SurfaceComponent {
   double volume = 0;                  ///< m^3, enclosed by the surfels: (1/3) sum x.n A
   double area = 0;                    ///< m^2
   Vec3d centroid{};                   ///< m, of its particles by mass
+  double wantedVolume = 0;            ///< m^3, that volume keeping holds: of its particles, times what their body's mesh held over that at the start; of the update
 };
 
-/// A split or merge. In the order in which they happened; part of the state.
+/// A split or merge. In the order in which they happened, the same on all ranks; part of the state.
 struct SurfaceEvent {
   std::int64_t step = 0;
   double time = 0;                    ///< s
@@ -28,7 +29,7 @@ struct SurfaceEvent {
   std::uint64_t label = 0, other = 0;
 };
 
-/// Counted since the start; exact sums over ranks.
+/// Counted since the start, of all ranks: an update adds exact sums, so that every rank has the same figures.
 struct SurfaceCounters {
   std::int64_t updates = 0, iterations = 0, births = 0, deaths = 0, splits = 0, merges = 0;
   std::int64_t lost = 0;              ///< surfels without particles around, deleted (B15)
@@ -50,6 +51,7 @@ struct Surface {
   double particleSupport = 0;         ///< m, h_ps
   std::vector<SurfaceComponent> components;
   std::vector<SurfaceEvent> events;
+  std::size_t quietEvents = 0;        ///< number of events before the update under way
   SurfaceCounters counters;
   std::int64_t lastStep = -1;         ///< of the last update
 };

@@ -1,7 +1,15 @@
 #include "core/surface/update_surface.hpp"
 
+#include "core/surface/blend.hpp"
+#include "core/surface/displace.hpp"
 #include "core/surface/gather_particles.hpp"
+#include "core/surface/keep_volume.hpp"
 #include "core/surface/place_rows.hpp"
+#include "core/surface/resume_surface.hpp"
+#include "core/surface/sample_mesh.hpp"
+#include "core/surface/update_components.hpp"
+#include "core/surface/ready_particles.hpp"
+#include "core/surface/relax.hpp"
 
 namespace thaw {
 namespace {
@@ -10,6 +18,7 @@ namespace {
 void placeAll(Surface& s, SurfaceHalos halos, SurfaceTools& t) {
   placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, t.sort);
   placeRows(s.grid, halos.particles, s.particles, s.particleCells, t.sort);
+  t.relax.particlesReady = false;
 }
 
 /// From where the particles were at the last update to where they are.
@@ -22,21 +31,34 @@ void bringParticlesForward(Surface& s) {
 void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   gatherParticles(w, halos.all.rank());
+  cutByParticles(w, halos, t);
+  const std::vector<std::uint64_t> label = labelsOfBodies(w.scene, s.particles, halos.all);
+  for (std::size_t i = 0; i < s.particles.owned; i++)
+    if (s.particles.body[i] < w.scene.bodies.size()) s.particles.component[i] = label[s.particles.body[i]];
+  sampleMeshes(w.scene, s, t.load, label, halos.all);
   placeAll(s, halos, t);
-  // first surfels: of meshes, or grown from the particles
+  updateComponents(w, halos, t);
+  keepStartVolumes(w, halos);
   returnParticles(w, halos);
   s.lastStep = w.clock.step;
 }
 
 void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
+  balanceSurface(w, halos, t, false);
   gatherParticles(w, halos.all.rank());
   placeAll(s, halos, t);
-  // the gradient of the displacement, and the surfels carried along with it
+  findDisplacementGradients(w, halos, t);
+  displaceSurfels(w, halos, t);
   bringParticlesForward(s);
   placeAll(s, halos, t);
-  // iterations of the four forces, with constraints and resampling
-  // components: splits, merges, measures
+  sampleFields(w, halos, t);
+  // rounds of resampling and iterations
+  const Settled settled = settle(w, halos, t, forceWeights(w.scene.surface), w.scene.surface.iterations, false);
+  s.counters.iterations += settled.iterations;
+  s.counters.unfinished += !settled.finished;
+  blendSurfels(w);
+  updateComponents(w, halos, t);  // splits, merges, measures
   returnParticles(w, halos);
   s.counters.updates++;
   s.lastStep = w.clock.step;

@@ -1,8 +1,11 @@
 // One update of the surface (K05 section 4): the page to read.
 #pragma once
+#include "core/geometry/triangle_mesh.hpp"
 #include "core/halo/surface_halos.hpp"
 #include "core/neighbours/sort.hpp"
+#include "core/surface/relax_tools.hpp"
 #include "core/surface/row_lists.hpp"
+#include "core/surface/update_components.hpp"
 #include "core/world.hpp"
 
 namespace thaw {
@@ -10,7 +13,10 @@ namespace thaw {
 /// What an update works with; made once, reused. Nothing of it is part of the state.
 struct SurfaceTools {
   SortBuffers sort;
+  MeshLoader load;                  ///< of the bodies' meshes; set before startSurface
   RowLists particlesOf, surfelsOf;  ///< of the owned surfels: particles within h_ps, surfels within h_ss
+  TopologyTools topology;
+  RelaxTools relax;                 ///< of displacement and iterations
 };
 
 /// The first surface, of the bodies at their start. Needs Surface without surfels and particles in place. Collective.

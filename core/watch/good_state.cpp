@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/solid/bond_records.hpp"
+#include "core/surface/resume_surface.hpp"
 
 namespace thaw {
 namespace {
@@ -33,12 +34,22 @@ void copyBooks(const World& from, World& to) {
   to.watch = from.watch;
 }
 
+void copySurface(const Surface& from, Surface& to) {
+  if (!from.surfels.id.active) return;
+  copyState(from.surfels, to.surfels, from.surfels.owned, 0, nullptr);
+  to.components = from.components;
+  to.events = from.events;
+  to.counters = from.counters;
+  to.lastStep = from.lastStep;
+}
+
 }  // namespace
 
 void keepState(const World& w, World& kept) {
   copyState(w.particles, kept.particles, w.particles.owned, 0, &w.particles.slot);
   copyState(w.solids, kept.solids, w.solids.owned, w.solids.ghosts, nullptr);  // remote rows: bonds name them, and they have an id
   kept.bonds = w.bonds;
+  copySurface(w.surface, kept.surface);
   copyBooks(w, kept);
 }
 
@@ -51,6 +62,7 @@ void emptyWorld(World& w, StepTools& t) {
   w.bonds = {};
   w.bonds.twoFrames = twoFrames;
   w.cells = {};
+  emptySurface(w.surface);
   t.elastic.capacity = 0;  // everything that is derived from bonds is computed anew
   t.requests.clear();
   t.leaving.clear();
@@ -62,6 +74,7 @@ std::vector<std::byte> bringBack(const World& kept, World& w) {
   Continuum& p = w.particles;
   copyState(kept.particles, p, kept.particles.owned, 0, nullptr);
   if (p.slot.active) std::fill_n(p.slot.data(), p.owned, noSlot);
+  copySurface(kept.surface, w.surface);
   copyBooks(kept, w);
   SolidRecords records;
   for (std::size_t i = 0; kept.particles.slot.active && i < p.owned; i++)

@@ -7,15 +7,15 @@
 
 namespace thaw {
 
-/// Copies the State columns of particles (and their slots) and solids, bonds, clock, ledger, counters and watch into `kept`, a world of which
+/// Copies the State columns of particles (and their slots) and solids, bonds, the surface, clock, ledger, counters and watch into `kept`, a world of which
 /// nothing else is filled: enough for a checkpoint. Needs a world between two steps. Memory is reused from one copy to the next.
 void keepState(const World& world, World& kept);
 
-/// Empties particles, solids and bonds, and what tools keep of them, so that a state can be brought in as after a restart: with new halos.
+/// Empties particles, solids, bonds and surface, and what tools keep of them, so that a state can be brought in as after a restart: with new halos.
 void emptyWorld(World& world, StepTools& tools);
 
 /// Takes over what keepState has kept, into a world that emptyWorld has emptied. Returns records of the solids, for the new BondHalo; then
-/// resumeWorld (core/setup/setup.hpp) makes it ready. From there on the same bits as from the state itself.
+/// resumeWorld (core/setup/setup.hpp), and resumeSurface where there is one, make it ready. From there on the same bits as from the state itself.
 std::vector<std::byte> bringBack(const World& kept, World& world);
 
 }  // namespace thaw

@@ -6,6 +6,7 @@
 
 #include "core/domain/emit.hpp"
 #include "core/geometry/shape_error.hpp"
+#include "core/surface/surface_due.hpp"
 #include "core/time/limits.hpp"
 #include "io/commands/require_memory.hpp"
 #include "io/commands/scene_for_all.hpp"
@@ -13,6 +14,7 @@
 #include "io/run/retry.hpp"
 #include "io/run/run_state.hpp"
 #include "io/run/signals.hpp"
+#include "io/run/surface_run.hpp"
 #include "io/scene/read_scene.hpp"
 #include "parallel/balance.hpp"
 
@@ -42,6 +44,7 @@ int loop(Run& r, std::string& why) {
       if (goBack(r, o, why)) continue;
       return exitBlewUp;
     }
+    if (w.modules.surface && (frameDue(w.clock) || surfaceDue(w, o.surfaceMove2))) updateSurfaceOf(r);
     while (frameDue(w.clock)) writeFrameOf(r);
     if (good) acceptGoodState(r);
     if (o.wanted.report) report(r);
@@ -70,8 +73,7 @@ int simulate(Run& r) {
   });
   prepareWorld(r.world, r.tools, load);
   requireMemory(r.comm, r.world, load);
-  r.cells = std::make_unique<MpiCellHalo>(r.comm, r.world.grid);
-  r.bonds = std::make_unique<MpiBondHalo>(r.comm);
+  renewHalos(r);
   const char* launched = std::getenv("OMPI_COMM_WORLD_SIZE");
   if (launched && std::atoi(launched) != r.comm.size()) {
     r.summary.warnings.push_back(fmt::format("the launcher started {} processes but MPI sees {}: launcher and library do not match", launched, r.comm.size()));
@@ -99,8 +101,10 @@ int simulate(Run& r) {
   }
   summarise(r, code == exitDone ? "done" : code == exitStopped ? "stopped" : "failed", why);
   for (const std::string& w : warningsOf(r.summary.counters, r.summary.ledger)) r.summary.warnings.push_back(w);
+  for (const std::string& w : surfaceWarnings(r.summary.surface)) r.summary.warnings.push_back(w);
   r.say(fmt::format("{} at t {:.6g} s, step {}{}; {:.3g} M particle-steps/s with {} ranks, {:.1f} s", r.summary.status, r.world.clock.time, r.world.clock.step, why.empty() ? "" : " (" + why + ")",
                     r.summary.particleSteps / r.summary.wall / 1e6, r.comm.size(), r.summary.wall));
+  for (const std::string& line : surfaceLines(r.summary.surface)) r.say(line);
   for (const std::string& w : r.summary.warnings) r.say("warning: " + w);
   return code;
 }

@@ -101,25 +101,43 @@ struct ColumnPair {
 /// Rows of A and B with the same id, ascending by id.
 struct Match { std::uint64_t id, a, b; };
 
-std::vector<Match> matchIds(const SnapshotTable& a, const SnapshotTable& b, Comparison& result) {
+/// Ids that one file has and the other has not.
+struct Unmatched {
+  std::uint64_t count = 0, first = 0, row = 0;
+  void add(std::uint64_t id, std::uint64_t at) {
+    if (count++ == 0) first = id, row = at;
+  }
+};
+
+/// Where the first one is: ids of surfels that were born say nothing to people.
+std::string placeOf(const Snapshot& file, const SnapshotTable& t, const Unmatched& u) {
+  const auto at = std::find_if(t.columns.begin(), t.columns.end(), [](const SnapshotColumn& c) { return c.name == "position" && c.shape.components == 3; });
+  if (at == t.columns.end()) return {};
+  double x[3] = {};
+  file.file.read(at->path, {u.row, 1}, Element::F64, x);
+  return fmt::format(" at ({:.6g}, {:.6g}, {:.6g}) m", x[0], x[1], x[2]);
+}
+
+std::vector<Match> matchIds(const Snapshot& fileA, const SnapshotTable& a, const Snapshot& fileB, const SnapshotTable& b, Comparison& result) {
   std::vector<Match> both;
-  std::uint64_t onlyA = 0, onlyB = 0, firstA = 0, firstB = 0, twice = 0;
+  Unmatched onlyA, onlyB;
+  std::uint64_t twice = 0;
   std::size_t i = 0, k = 0;
   while (i < a.order.size() || k < b.order.size()) {
     const std::uint64_t x = i < a.order.size() ? a.ids[a.order[i]] : 0, y = k < b.order.size() ? b.ids[b.order[k]] : 0;
     if (k == b.order.size() || (i < a.order.size() && x < y)) {
-      if (onlyA++ == 0) firstA = x;
+      onlyA.add(x, a.order[i]);
       i++;
     } else if (i == a.order.size() || y < x) {
-      if (onlyB++ == 0) firstB = y;
+      onlyB.add(y, b.order[k]);
       k++;
     } else {
       if (!both.empty() && both.back().id == x) twice++;
       both.push_back({x, a.order[i++], b.order[k++]});
     }
   }
-  if (onlyA > 0) result.general.push_back(fmt::format("{}: {} ids are in A only, the first {}", a.title, onlyA, firstA));
-  if (onlyB > 0) result.general.push_back(fmt::format("{}: {} ids are in B only, the first {}", a.title, onlyB, firstB));
+  if (onlyA.count > 0) result.general.push_back(fmt::format("{}: {} ids are in A only, the first {}{}", a.title, onlyA.count, onlyA.first, placeOf(fileA, a, onlyA)));
+  if (onlyB.count > 0) result.general.push_back(fmt::format("{}: {} ids are in B only, the first {}{}", a.title, onlyB.count, onlyB.first, placeOf(fileB, b, onlyB)));
   if (twice > 0) result.general.push_back(fmt::format("{}: {} ids are there more than once", a.title, twice));
   return both;
 }
@@ -143,7 +161,7 @@ void eachColumn(const std::string& title, const std::vector<SnapshotColumn>& a, 
 void compareBonds(const Snapshot& a, const SnapshotTable& ta, const Snapshot& b, const SnapshotTable& tb, const std::vector<Match>& both, const CompareRule& rule,
                   Comparison& result) {
   std::vector<Match> same;  // with as many bonds in both
-  FieldDifference count{ta.title, "number of bonds", "1", 0, 0, {}, 0, 0};
+  FieldDifference count{ta.title, "number of bonds", "1", 0, 0, {}, 0, 0, both.size()};
   for (const Match& m : both) {
     const std::uint64_t na = ta.firstBond[m.a + 1] - ta.firstBond[m.a], nb = tb.firstBond[m.b + 1] - tb.firstBond[m.b];
     if (na == nb) {
@@ -159,7 +177,7 @@ void compareBonds(const Snapshot& a, const SnapshotTable& ta, const Snapshot& b,
   if (count.rows > 0) result.fields.push_back(count);
   eachColumn(ta.title, ta.bonds, tb.bonds, result, [&](const SnapshotColumn& x, const SnapshotColumn& y) {
     const ColumnPair pair(a, x, b, y, rule.tolerance);
-    FieldDifference d{ta.title, x.name, x.unit, 0, 0, {}, 0, 0};
+    FieldDifference d{ta.title, x.name, x.unit, 0, 0, {}, 0, 0, both.size()};
     for (const Match& m : same) {
       bool equal = true;
       const std::uint64_t fa = ta.firstBond[m.a], fb = tb.firstBond[m.b], n = ta.firstBond[m.a + 1] - fa;
@@ -210,12 +228,12 @@ Comparison compareSnapshots(const Snapshot& a, const Snapshot& b, const CompareR
       if (!ta.ids.empty()) result.general.push_back(ta.title + " are in A only");
       continue;
     }
-    const std::vector<Match> both = matchIds(ta, *tb, result);
-    if (&ta == a.tables.data()) result.rows = both.size();
+    const std::vector<Match> both = matchIds(a, ta, b, *tb, result);
+    if (&ta == a.tables.data()) result.rows = both.size(), result.title = ta.title;
     if (ta.ids.empty() && tb->ids.empty()) continue;
     eachColumn(ta.title, ta.columns, tb->columns, result, [&](const SnapshotColumn& x, const SnapshotColumn& y) {
       const ColumnPair pair(a, x, b, y, rule.tolerance);
-      FieldDifference d{ta.title, x.name, x.unit, 0, 0, {}, 0, 0};
+      FieldDifference d{ta.title, x.name, x.unit, 0, 0, {}, 0, 0, both.size()};
       for (const Match& m : both)
         if (!pair.row(m.a, m.b, m.id, {}, d)) d.rows++;
       result.columns++;
@@ -230,14 +248,14 @@ Comparison compareSnapshots(const Snapshot& a, const Snapshot& b, const CompareR
 }
 
 std::vector<std::string> describe(const Comparison& c) {
-  if (c.equal()) return {fmt::format("equal: {} particles, {} fields", c.rows, c.columns)};
+  if (c.equal()) return {fmt::format("equal: {} {}, {} fields", c.rows, c.title, c.columns)};
   std::vector<std::string> lines{"different"};
   for (const std::string& g : c.general) lines.push_back(g);
   if (!c.fields.empty()) {
     const auto first = std::min_element(c.fields.begin(), c.fields.end(), [](const FieldDifference& a, const FieldDifference& b) { return a.firstId < b.firstId; });
     lines.push_back("first difference: " + first->first);
     for (const FieldDifference& d : c.fields)
-      lines.push_back(fmt::format("{} {}: {} of {} ids differ, by at most {:.3g} {} at id {}", d.table, d.field, d.rows, c.rows, d.largest, d.unit, d.largestId));
+      lines.push_back(fmt::format("{} {}: {} of {} ids differ, by at most {:.3g} {} at id {}", d.table, d.field, d.rows, d.ids, d.largest, d.unit, d.largestId));
   }
   return lines;
 }

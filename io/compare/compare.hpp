@@ -21,12 +21,14 @@ struct FieldDifference {
   std::string first;                ///< both values there, in full precision and in hex
   double largest = 0;               ///< largest |a - b|
   std::uint64_t largestId = 0;
+  std::uint64_t ids = 0;            ///< in both files
 };
 
 struct Comparison {
   std::vector<std::string> general;      ///< different kinds, times, sets of ids, missing fields, numbers
   std::vector<FieldDifference> fields;   ///< those that differ
-  std::uint64_t rows = 0, columns = 0;   ///< ids in both, fields compared
+  std::uint64_t rows = 0, columns = 0;   ///< ids in both (of the first table), fields compared
+  std::string title = "particles";       ///< of the first table
   bool equal() const { return general.empty() && fields.empty(); }
 };
 

@@ -6,6 +6,7 @@
 
 #include "core/ledger/totals.hpp"
 #include "io/output/checkpoint.hpp"
+#include "io/output/surface_frame.hpp"
 
 namespace thaw {
 namespace {
@@ -34,8 +35,8 @@ void openFrame(Snapshot& s) {
   s.kind = "frame";
   s.numbers = {real("time", "s", info.time), whole("step", info.step)};
   const std::string group = "/VTKHDF/PointData";
-  if (!s.file.has(group + "/id")) throw IoError(s.file.path(), "has no ids of particles");
-  SnapshotTable t = tableOf(s.file, "particles", group, {"rank"});
+  if (!s.file.has(group + "/id")) throw IoError(s.file.path(), "has no ids");
+  SnapshotTable t = tableOf(s.file, isSurfaceFrame(s.file) ? "surfels" : "particles", group, {"rank"});
   t.columns.insert(t.columns.begin(), {"position", "/VTKHDF/Points", "m", info.fields[0].shape});
   s.tables.push_back(std::move(t));
 }
@@ -52,6 +53,13 @@ void openCheckpoint(Snapshot& s) {
   for (const NamedValue& v : valuesOf(h.ledger.initial)) s.numbers.push_back(real(std::string("initial ") + v.name, v.unit, *v.value));
   for (const auto& [name, value] : h.values) s.numbers.push_back(real(name, "", value));
   s.tables.push_back(tableOf(s.file, "particles", "/particles", {}));
+  if (h.surface.there) {
+    s.numbers.push_back(whole("surface last_step", h.surface.lastStep));
+    for (const NamedCount& c : countsOf(h.surface.counters)) s.numbers.push_back(whole(std::string("surface ") + c.name, *c.count));
+    s.tables.push_back(tableOf(s.file, "surfels", "/surfels", {}));
+    s.tables.push_back(tableOf(s.file, "components", "/surface/components", {}));
+    s.tables.push_back(tableOf(s.file, "events", "/surface/events", {}));
+  }
   if (!s.file.has("/solids/id")) return;
   // whether A^-1 of a slot is to be computed anew depends on what migrated, and changes no bit of it
   SnapshotTable solids = tableOf(s.file, "solids", "/solids", {"changed"});

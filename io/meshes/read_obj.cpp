@@ -1,4 +1,6 @@
-// Wavefront OBJ: vertices and faces; texture coordinates, normals, groups, materials, lines and points are passed over.
+// Wavefront OBJ: vertices (with colours where they have any) and faces; texture coordinates, normals, groups, materials, lines and points are passed over.
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "io/meshes/text_cursor.hpp"
@@ -29,6 +31,21 @@ struct ObjReader {
     for (int a = 0; a < 3; a++) v[a] = text.number(word(), "a coordinate (v x y z)");
     if (static_cast<std::int64_t>(mesh.vertices.size()) >= mostVertices) text.fail("more vertices than 32 bits can count");
     mesh.vertices.push_back(v);
+    colour();
+  }
+
+  /// Behind the coordinates many programs write red, green, blue from 0 to 1; a single number there is a weight. Vertices without are white.
+  void colour() {
+    double c[3];
+    for (double& part : c) {
+      const std::string_view w = word();
+      if (w.empty() || w[0] == '#') return;
+      part = text.number(w, "a colour or weight (v x y z r g b)");
+    }
+    mesh.colours.resize(mesh.vertices.size() - 1, 0xffffffu);
+    std::uint32_t packed = 0;
+    for (int k = 0; k < 3; k++) packed |= static_cast<std::uint32_t>(std::lround(255 * std::clamp(c[k], 0.0, 1.0))) << 8 * k;
+    mesh.colours.push_back(packed);
   }
 
   void corner(std::string_view w) {
@@ -61,6 +78,7 @@ struct ObjReader {
     }
     if (mesh.vertices.empty()) text.failAt(1, "no vertices found; expected an OBJ (lines 'v x y z' and 'f a b c'), PLY or STL mesh");
     if (mesh.triangles.empty()) text.failAt(text.line(), "no faces found; expected lines 'f a b c'");
+    if (!mesh.colours.empty()) mesh.colours.resize(mesh.vertices.size(), 0xffffffu);
     if (largest > static_cast<std::int64_t>(mesh.vertices.size()))
       text.failAt(largestLine, "vertex index " + std::to_string(largest) + ", but the file has " + std::to_string(mesh.vertices.size()) + " vertices");
   }

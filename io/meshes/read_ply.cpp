@@ -1,5 +1,7 @@
-// PLY: x, y, z of the element 'vertex' and the list vertex_indices (or vertex_index) of 'face'; everything else is passed over.
+// PLY: x, y, z of the element 'vertex' and the list vertex_indices (or vertex_index) of 'face', and where they are there red, green, blue; everything else is passed over.
 #include <algorithm>
+#include <cmath>
+#include <string>
 #include <vector>
 
 #include "io/meshes/ply_header.hpp"
@@ -64,21 +66,44 @@ struct PlyReader {
     v.reserve(static_cast<std::size_t>(e.count));
   }
 
+  /// 0, 1, 2 for the properties red, green, blue, else -1.
+  static std::vector<int> colourProperties(const PlyElement& e) {
+    const char* names[] = {"red", "green", "blue"};
+    std::vector<int> part(e.properties.size(), -1);
+    for (std::size_t k = 0; k < e.properties.size(); k++)
+      for (int c = 0; c < 3; c++)
+        if (!e.properties[k].list && (e.properties[k].name == names[c] || e.properties[k].name == std::string("diffuse_") + names[c])) part[k] = c;
+    return part;
+  }
+
+  /// Bytes as they are, floating point numbers from 0 to 1, wider integers by their largest value.
+  static std::uint32_t colourByte(double value, ScalarType type) {
+    if (type == ScalarType::Float32 || type == ScalarType::Float64) value *= 255;
+    else if (type == ScalarType::UInt16) value /= 257;
+    return static_cast<std::uint32_t>(std::lround(std::clamp(std::isnan(value) ? 0.0 : value, 0.0, 255.0)));
+  }
+
   void readVertices(const PlyElement& e) {
     int axisOf[3] = {-1, -1, -1};
     for (std::size_t k = 0; k < e.properties.size(); k++)
       for (int a = 0; a < 3; a++)
         if (e.properties[k].name == std::string(1, static_cast<char>('x' + a)) && !e.properties[k].list) axisOf[a] = static_cast<int>(k);
     if (*std::min_element(axisOf, axisOf + 3) < 0) header.failAt(e.line, "the element 'vertex' needs the properties x, y and z");
+    const std::vector<int> colourOf = colourProperties(e);
+    const bool coloured = std::count(colourOf.begin(), colourOf.end(), -1) == static_cast<std::ptrdiff_t>(colourOf.size()) - 3;
     reserve(mesh.vertices, e);
     for (std::uint64_t n = 0; n < e.count; n++) {
       Vec3d v;
+      std::uint32_t colour = 0;
       for (std::size_t k = 0; k < e.properties.size(); k++) {
+        const PlyProperty& p = e.properties[k];
         const int* axis = std::find(axisOf, axisOf + 3, static_cast<int>(k));
-        if (axis == axisOf + 3) values.skip(e.properties[k]);
-        else v[static_cast<int>(axis - axisOf)] = values.coordinate(e.properties[k].type);
+        if (axis != axisOf + 3) v[static_cast<int>(axis - axisOf)] = values.coordinate(p.type);
+        else if (coloured && colourOf[k] >= 0) colour |= colourByte(values.number(p.type), p.type) << 8 * colourOf[k];
+        else values.skip(p);
       }
       mesh.vertices.push_back(v);
+      if (coloured) mesh.colours.push_back(colour);
     }
   }
 

@@ -6,6 +6,8 @@
 //   /solids/<field>[M, c]      State columns of Solids, in the order of their particles
 //   /bonds/neighbour[B] reference[B,3] weight[B], and reverse[B,3] where both ends have their own reference; in the order of solids
 //   /order/solid_particle[M] first_bond[M]   row of a solid's particle; row of its first bond
+//   /surfels/<field>[S, c]     State columns of Surfels; only with a surface, as are
+//   /surface                   @last_step, counters; components/<member>[K], events/<member>[E]
 // Every dataset that is spread over the ranks has a checksum.
 #pragma once
 #include <mpi.h>
@@ -24,16 +26,26 @@ namespace thaw {
 /// Further numbers of a run that are not in a World, by name.
 using CheckpointValues = std::map<std::string, double>;
 
+/// What a surface holds beside its surfels; the same on all ranks.
+struct SurfaceRecord {
+  bool there = false;
+  std::int64_t lastStep = -1;
+  SurfaceCounters counters;
+  std::vector<SurfaceComponent> components;
+  std::vector<SurfaceEvent> events;
+};
+
 /// All of a checkpoint but particles, solids and bonds. Counters and ledger are sums over all ranks.
 struct CheckpointHeader {
   std::string path;
   std::int64_t sequence = 0;             ///< grows by one with each checkpoint in a folder: the largest is the newest
   Clock clock;                           ///< without limitedBy
   std::string limitedBy;
-  std::uint64_t particles = 0, solids = 0, bonds = 0;
+  std::uint64_t particles = 0, solids = 0, bonds = 0, surfels = 0;
   bool twoFrames = false;                ///< bonds have their own reference at both ends
   Counters counters;
   Ledger ledger;
+  SurfaceRecord surface;
   WatchState watch;                      ///< goodStep -1 in files of before there was a watch
   CheckpointValues values;
   std::string code, commit, sceneName, sceneText;
@@ -47,6 +59,7 @@ struct CheckpointSlice {
   Solids solids;                         ///< the same; rows in the order of their particles
   std::vector<std::uint32_t> bondCount;  ///< of each solid
   std::vector<BondRecord> bonds;         ///< one solid's behind another's, in their order
+  Surfels surfels;                       ///< as particles: surfels [r S/P, (r+1) S/P)
   std::vector<std::string> warnings;     ///< about newer files that could not be used
 };
 
@@ -72,7 +85,7 @@ std::unique_ptr<CheckpointSlice> readNewestCheckpoint(const std::string& out, MP
 
 /// Takes over a checkpoint into a world whose fields are active (modules of the scene): particles (rows in the file's order, unsorted, no
 /// slots), clock (end and every stay those of the scene), counters and ledger (on the first rank; zero on others, so that sums stay right).
-/// Returns records of the solids for MpiBondHalo::adopt. Sort, adopt and relink before particles migrate, so that bonds go with them.
+/// Returns records of the solids for MpiBondHalo::adopt; surfels are unsorted, for resumeSurface (core/surface/resume_surface.hpp). Sort, adopt and relink before particles migrate, so that bonds go with them.
 /// IoError if the file lacks a field that the scene needs. Not collective; fails on all ranks alike.
 std::vector<std::byte> restoreWorld(World& world, const CheckpointSlice& slice, bool firstRank);
 

@@ -1,35 +1,13 @@
 #include "io/output/frame_fields.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <stdexcept>
+
+#include "io/output/frame_rows.hpp"
 
 namespace thaw {
 namespace {
 
-/// Writes one row of a field.
-template<class T> struct Writer {
-  std::vector<std::byte>& to;
-  std::size_t components;
-  void operator()(std::size_t row, const T* values) const { std::memcpy(to.data() + row * components * sizeof(T), values, components * sizeof(T)); }
-};
-
-/// Adds a field whose row i is fill(i, T out[components]).
-template<class T, class Fill> void add(WorldFrame& f, const char* name, const char* unit, int components, Fill&& fill) {
-  std::vector<std::byte> bytes(f.frame.count * sizeof(T) * static_cast<std::size_t>(components));
-  const Writer<T> write{bytes, static_cast<std::size_t>(components)};
-  T row[9] = {};
-  for (std::size_t i = 0; i < f.frame.count; i++) {
-    fill(i, row);
-    write(i, row);
-  }
-  f.storage.push_back(std::move(bytes));
-  f.frame.fields.push_back({name, unit, FieldType<T>::scalar, components, f.storage.back().data()});
-}
-
-template<class V> void put3(const V& v, float* to) {
-  to[0] = static_cast<float>(v.x), to[1] = static_cast<float>(v.y), to[2] = static_cast<float>(v.z);
-}
 void put6(const Sym3d& s, float* to) {
   const double v[6] = {s.xx, s.yy, s.zz, s.xy, s.yz, s.xz};
   for (int k = 0; k < 6; k++) to[k] = static_cast<float>(v[k]);
@@ -50,7 +28,7 @@ std::uint32_t slotOf(const World& w, std::size_t row) {
 
 /// Adds a symmetric tensor of the solids: value(slot), 0 for liquids and where `there` is false.
 template<class Value> void addTensor(WorldFrame& f, const World& w, const char* name, const char* unit, bool there, Value&& value) {
-  add<float>(f, name, unit, 6, [&](std::size_t i, float* to) {
+  addRows<float>(f, name, unit, 6, [&](std::size_t i, float* to) {
     const std::uint32_t slot = there ? slotOf(w, i) : noSlot;
     put6(slot == noSlot ? Sym3d{} : value(slot), to);
   });
@@ -67,19 +45,19 @@ void addField(WorldFrame& f, const World& w, int rank, const std::string& name) 
   const Solids& s = w.solids;
   const std::vector<Material>& materials = w.scene.materials;
   if (name == "velocity") {
-    add<float>(f, "velocity", "m/s", 3, [&](std::size_t i, float* to) { put3(p.velocity[i], to); });
+    addRows<float>(f, "velocity", "m/s", 3, [&](std::size_t i, float* to) { put3(p.velocity[i], to); });
   } else if (name == "temperature") {
-    add<float>(f, "temperature", "K", 1, [&](std::size_t i, float* to) {
+    addRows<float>(f, "temperature", "K", 1, [&](std::size_t i, float* to) {
       *to = static_cast<float>(p.temperature.active ? p.temperature[i] : temperatureAtStart(w.scene, p.body[i]));
     });
   } else if (name == "liquid") {
-    add<float>(f, "liquid", "1", 1, [&](std::size_t i, float* to) {
+    addRows<float>(f, "liquid", "1", 1, [&](std::size_t i, float* to) {
       const Material& m = materials[p.material[i]];
       *to = p.liquid.active ? p.liquid[i] : p.phase.active ? static_cast<float>(p.phase[i] == Liquid) : static_cast<float>(!m.canBeSolid() || m.liquidAtStart);
     });
   } else if (name == "density") {
     // the sum over neighbours is taken where there is liquid; a solid's density follows from its volume, V = det F V0
-    add<float>(f, "density", "kg/m^3", 1, [&](std::size_t i, float* to) {
+    addRows<float>(f, "density", "kg/m^3", 1, [&](std::size_t i, float* to) {
       const std::uint32_t slot = slotOf(w, i);
       double share = 1;
       if (slot != noSlot && s.deformation.active) share = 1 / determinant(s.deformation[slot]);
@@ -87,7 +65,7 @@ void addField(WorldFrame& f, const World& w, int rank, const std::string& name) 
       *to = static_cast<float>(materials[p.material[i]].density * share);
     });
   } else if (name == "pressure") {
-    add<float>(f, "pressure", "Pa", 1, [&](std::size_t i, float* to) { *to = p.pressure.active ? p.pressure[i] : 0; });
+    addRows<float>(f, "pressure", "Pa", 1, [&](std::size_t i, float* to) { *to = p.pressure.active ? p.pressure[i] : 0; });
   } else if (name == "stress") {
     addTensor(f, w, "stress", "Pa", s.stress.active, [&](std::uint32_t slot) { return s.stress[slot]; });
   } else if (name == "strain") {  // Green's: (F^T F - 1)/2
@@ -98,14 +76,14 @@ void addField(WorldFrame& f, const World& w, int rank, const std::string& name) 
   } else if (name == "plastic_strain") {
     addTensor(f, w, "plastic_strain", "1", s.plasticStrain.active, [&](std::uint32_t slot) { return s.plasticStrain[slot]; });
   } else if (name == "material") {
-    add<std::uint16_t>(f, "material", "1", 1, [&](std::size_t i, std::uint16_t* to) { *to = p.material[i]; });
+    addRows<std::uint16_t>(f, "material", "1", 1, [&](std::size_t i, std::uint16_t* to) { *to = p.material[i]; });
   } else if (name == "body") {
-    add<std::uint16_t>(f, "body", "1", 1, [&](std::size_t i, std::uint16_t* to) { *to = p.body[i]; });
+    addRows<std::uint16_t>(f, "body", "1", 1, [&](std::size_t i, std::uint16_t* to) { *to = p.body[i]; });
   } else if (name == "rank") {
-    add<std::uint32_t>(f, "rank", "1", 1, [&](std::size_t, std::uint32_t* to) { *to = static_cast<std::uint32_t>(rank); });
+    addRows<std::uint32_t>(f, "rank", "1", 1, [&](std::size_t, std::uint32_t* to) { *to = static_cast<std::uint32_t>(rank); });
   } else if (name == "neighbours") {
     // of a solid particle its bonds: they are its neighbours, and where there are only solids nothing is searched
-    add<std::uint16_t>(f, "neighbours", "1", 1, [&](std::size_t i, std::uint16_t* to) {
+    addRows<std::uint16_t>(f, "neighbours", "1", 1, [&](std::size_t i, std::uint16_t* to) {
       const std::uint32_t slot = slotOf(w, i);
       *to = slot == noSlot ? (w.modules.neighbours && i < w.neighbours.neighbours.size() ? w.neighbours.neighbours[i] : std::uint16_t(0)) : bondsOf(w.bonds, slot);
     });
@@ -125,10 +103,10 @@ WorldFrame frameOf(const World& w, int rank) {
   f.frame.time = w.clock.time;
   f.frame.step = w.clock.step;
   f.frame.count = w.particles.owned;
-  add<float>(f, "position", "m", 3, [&](std::size_t i, float* to) { put3(w.particles.position[i], to); });
+  addRows<float>(f, "position", "m", 3, [&](std::size_t i, float* to) { put3(w.particles.position[i], to); });
   f.frame.positions = f.frame.fields[0];
   f.frame.fields.clear();
-  add<std::uint64_t>(f, "id", "1", 1, [&](std::size_t i, std::uint64_t* to) { *to = w.particles.id[i]; });
+  addRows<std::uint64_t>(f, "id", "1", 1, [&](std::size_t i, std::uint64_t* to) { *to = w.particles.id[i]; });
   std::vector<std::string> done;
   for (const std::string& name : w.scene.output.fields) {
     if (std::find(done.begin(), done.end(), name) != done.end()) continue;  // named twice

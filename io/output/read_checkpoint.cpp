@@ -6,6 +6,7 @@
 #include "core/ledger/totals.hpp"
 #include "io/hdf5/parallel_file.hpp"
 #include "io/output/checkpoint.hpp"
+#include "io/output/surface_record.hpp"
 
 namespace thaw {
 namespace {
@@ -110,6 +111,10 @@ CheckpointHeader headerOf(const H5File& file) {
   h.particles = file.shape("/particles/id").rows;
   h.solids = file.shape("/order/first_bond").rows;
   h.bonds = file.shape("/bonds/neighbour").rows;
+  if (file.has("/surfels/id")) {
+    h.surfels = file.shape("/surfels/id").rows;
+    h.surface = readSurfaceRecord(file);
+  }
   for (const NamedCount& c : countsOf(h.counters))
     if (file.hasAttribute(at + "/counters", c.name)) *c.count = file.integer(at + "/counters", c.name);
   if (file.has(at + "/watch")) {
@@ -181,6 +186,7 @@ std::unique_ptr<CheckpointSlice> readCheckpoint(const std::string& path, MPI_Com
       if (particle[k] < mine.first || particle[k] - mine.first >= mine.count || s.solids.id[k] != s.particles.id[particle[k] - mine.first])
         throw IoError(path, "is damaged: solids do not belong to their particles");
     readBonds(in, s, solids);
+    if (h.surface.there) readTable(in, "/surfels", s.surfels, share(h.surfels, rank, ranks), h.surfels);
     read = std::move(in.read);
     stored = std::move(in.stored);
     names = std::move(in.names);
@@ -224,16 +230,23 @@ std::vector<std::byte> restoreWorld(World& w, const CheckpointSlice& s, bool fir
   const auto sameColumn = [&](const Table& from, const AnyColumn& c) -> const AnyColumn& {
     for (const AnyColumn* f : from.columns)
       if (f->active && std::strcmp(f->name, c.name) == 0) return *f;
-    throw IoError(h.path, std::string("has no field '") + c.name + "' of " + from.kind + " particles, which the scene needs: it was written for another scene");
+    const std::string of = std::strcmp(from.kind, "surfels") == 0 ? from.kind : std::string(from.kind) + " particles";
+    throw IoError(h.path, std::string("has no field '") + c.name + "' of " + of + ", which the scene needs: it was written for another scene");
+  };
+  // looked for on ranks without rows as well: all fail, or none
+  const auto takeOver = [&](const Table& from, Table& to) {
+    to.resize(to.owned, 0);
+    to.resize(from.owned, 0);
+    for (AnyColumn* c : to.columns) {
+      if (!c->active || c->keep != Keep::State) continue;
+      const AnyColumn& column = sameColumn(from, *c);
+      if (to.owned > 0) std::memcpy(c->bytes.data(), column.bytes.data(), to.owned * c->elementBytes);
+    }
   };
   Continuum& p = w.particles;
-  p.resize(p.owned, 0);
-  p.resize(s.particles.owned, 0);
-  for (AnyColumn* c : p.columns) {
-    if (!c->active || c->keep != Keep::State) continue;
-    const AnyColumn& from = sameColumn(s.particles, *c);  // looked for on ranks without particles as well: all fail, or none
-    if (p.owned > 0) std::memcpy(c->bytes.data(), from.bytes.data(), p.owned * c->elementBytes);
-  }
+  takeOver(s.particles, p);
+  if (w.surface.surfels.id.active) takeOver(s.surfels, w.surface.surfels);
+  restoreSurfaceRecord(h.surface, w.surface);
   if (p.slot.active) std::fill_n(p.slot.data(), p.owned, noSlot);
 
   const double end = w.clock.end, every = w.clock.every;

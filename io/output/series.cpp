@@ -86,6 +86,15 @@ std::vector<SeriesEntry> framesPresent(const std::string& out, const std::string
   return entries;
 }
 
+void forgetSeries(const std::string& out, const std::string& scene, std::vector<SeriesEntry>& entries, double time) {
+  std::vector<std::string> gone;
+  for (; !entries.empty() && entries.back().time > time; entries.pop_back()) gone.push_back(entries.back().name);
+  if (gone.empty()) return;
+  writeSeries(seriesPath(out, scene), entries);
+  std::error_code error;
+  for (const std::string& name : gone) fs::remove(frameFolder(out) + "/" + name, error);
+}
+
 std::vector<std::string> findSeries(const std::string& folder) {
   std::vector<std::string> found;
   for (const std::string& f : {folder, frameFolder(folder)})

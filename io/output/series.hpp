@@ -30,6 +30,9 @@ std::vector<SeriesEntry> readSeries(const std::string& path);
 /// goes on from a checkpoint. Later frames stay until they are written again. Leftovers *.part are removed. One process only.
 std::vector<SeriesEntry> framesPresent(const std::string& out, const std::string& scene, double until);
 
+/// Frames of after `time` (s) go: out of the index first, which never names what is not there, then from the disk. One process only.
+void forgetSeries(const std::string& out, const std::string& scene, std::vector<SeriesEntry>& entries, double time);
+
 /// All indices in a folder of frames (or of a run), ascending by name.
 std::vector<std::string> findSeries(const std::string& folder);
 

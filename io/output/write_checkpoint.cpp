@@ -5,6 +5,7 @@
 #include "core/ledger/totals.hpp"
 #include "io/hdf5/parallel_file.hpp"
 #include "io/output/checkpoint.hpp"
+#include "io/output/surface_record.hpp"
 #include "parallel/communicator.hpp"
 
 namespace thaw {
@@ -122,6 +123,7 @@ void writeHeader(H5File& file, const CheckpointHeader& h) {
   for (const NamedValue& v : valuesOf(ledger.initial)) file.setNumber(at + "/initial", v.name, *v.value);
   file.createGroup(at + "/values");
   for (const auto& [name, value] : h.values) file.setNumber(at + "/values", name, value);
+  if (h.surface.there) writeSurfaceRecord(file, h.surface);
 }
 
 /// The state as a file; the header's sums are of all ranks.
@@ -137,6 +139,7 @@ void writeState(const std::string& path, std::int64_t sequence, MPI_Comm comm, c
   h.watch = w.watch;
   h.values = values;
   h.sequence = sequence;
+  h.surface = surfaceRecordOf(w.surface);
   const Spread particles = spreadRows(comm, w.particles.owned);
   const SolidOrder order = orderSolids(w, particles.mine.first);
   const Spread solids = spreadRows(comm, order.slots.size()), bonds = spreadRows(comm, order.firstBond.back());
@@ -146,11 +149,15 @@ void writeState(const std::string& path, std::int64_t sequence, MPI_Comm comm, c
   addColumns(content, "/particles", w.particles, particles, nullptr);
   addColumns(content, "/solids", w.solids, solids, &order);
   addBonds(content, w, order, bonds);
+  if (h.surface.there) {
+    content.groups.push_back("/surface");
+    addColumns(content, "/surfels", w.surface.surfels, spreadRows(comm, w.surface.surfels.owned), nullptr);
+  }
   std::vector<std::uint64_t> firstBond(order.firstBond.begin(), order.firstBond.end() - 1);
   for (std::uint64_t& f : firstBond) f += bonds.mine.first;
   content.datasets.push_back({"/order/solid_particle", {Element::U64, solids.all, 0}, solids.mine, order.particle.data(), "1", {}});
   content.datasets.push_back({"/order/first_bond", {Element::U64, solids.all, 0}, solids.mine, firstBond.data(), "1", {}});
-  content.smallBytes = stamp.sceneText.size();
+  content.smallBytes = stamp.sceneText.size() + h.surface.components.size() * sizeof(SurfaceComponent) + h.surface.events.size() * sizeof(SurfaceEvent);
   content.small = [&](H5File& file) {
     writeHeader(file, h);
     writeStamp(file, stamp, ours.size());

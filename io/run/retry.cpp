@@ -4,10 +4,12 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/surface/resume_surface.hpp"
 #include "core/watch/good_state.hpp"
 #include "io/hdf5/agree.hpp"
 #include "io/run/alarm_text.hpp"
 #include "io/run/scene_marks.hpp"
+#include "io/run/surface_run.hpp"
 
 namespace thaw {
 namespace {
@@ -15,19 +17,6 @@ namespace {
 constexpr std::size_t mostLines = 20;  // of retries among the warnings; all are counted
 
 bool retries(const Run& r) { return r.world.scene.numerics.retryEvery > 0; }
-
-/// New halos, as after a restart; what was sent stays counted.
-void renewHalos(Run& r) {
-  const auto add = [](HaloTraffic& sum, const HaloTraffic& more) {
-    sum.messages += more.messages;
-    sum.bytes += more.bytes;
-    sum.waited += more.waited;
-  };
-  add(r.earlierTraffic, r.cells->traffic());
-  add(r.earlierTraffic, r.bonds->traffic());
-  r.cells = std::make_unique<MpiCellHalo>(r.comm, r.world.grid);
-  r.bonds = std::make_unique<MpiBondHalo>(r.comm);
-}
 
 /// The world as it was at the last good state.
 void restoreGood(Run& r) {
@@ -40,6 +29,7 @@ void restoreGood(Run& r) {
   std::vector<std::byte> records = slice ? restoreWorld(w, *slice, r.first()) : bringBack(r.good, w);
   if (w.modules.solid) r.bonds->adopt(std::move(records));
   resumeWorld(w, r.halos(), r.tools);
+  if (w.modules.surface) resumeSurface(w, r.surface->halos(), r.surfaceTools);
   if (slice) w.clock.limitedBy = limitedBy;
   if (!r.goodInMemory) keepState(w, r.good);
   r.goodInMemory = true;
@@ -48,12 +38,8 @@ void restoreGood(Run& r) {
 /// Frames of after the good state are not those of the run any more: they go, and are written again.
 void forgetFrames(Run& r) {
   onFirstRank(r.comm.handle(), [&] {
-    std::vector<std::string> gone;
-    for (; !r.series.empty() && r.series.back().time > r.world.clock.time; r.series.pop_back()) gone.push_back(r.series.back().name);
-    if (gone.empty()) return;
-    writeSeries(seriesPath(r.options.out, r.name), r.series);  // first: it never names what is not there
-    std::error_code error;
-    for (const std::string& name : gone) std::filesystem::remove(frameFolder(r.options.out) + "/" + name, error);
+    forgetSeries(r.options.out, r.name, r.series, r.world.clock.time);
+    if (r.world.modules.surface) forgetSurfaceFrames(r);
   });
 }
 

@@ -3,13 +3,35 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/surface/resume_surface.hpp"
 #include "io/hdf5/agree.hpp"
 #include "io/output/earlier_run.hpp"
 #include "io/output/frame_fields.hpp"
 #include "io/run/scene_marks.hpp"
+#include "io/run/surface_run.hpp"
 #include "io/scene/read_scene.hpp"
 
 namespace thaw {
+
+HaloTraffic trafficOf(const Run& r) {
+  HaloTraffic sum = r.earlierTraffic;
+  const auto add = [&](const HaloTraffic& more) {
+    sum.messages += more.messages;
+    sum.bytes += more.bytes;
+    sum.waited += more.waited;
+  };
+  if (r.cells) add(r.cells->traffic());
+  if (r.bonds) add(r.bonds->traffic());
+  if (r.surface) add(r.surface->surfels.traffic()), add(r.surface->particles.traffic());
+  return sum;
+}
+
+void renewHalos(Run& r) {
+  r.earlierTraffic = trafficOf(r);
+  r.cells = std::make_unique<MpiCellHalo>(r.comm, r.world.grid);
+  r.bonds = std::make_unique<MpiBondHalo>(r.comm);
+  if (r.world.modules.surface) r.surface = std::make_unique<SurfaceRanks>(r.comm, r.world.surface.grid);
+}
 
 void writeFrameOf(Run& r) {
   World& w = r.world;
@@ -23,10 +45,10 @@ void writeFrameOf(Run& r) {
     r.series.push_back({file, w.clock.time});
     writeSeries(seriesPath(r.options.out, r.name), r.series);
   });
+  if (w.modules.surface) writeSurfaceFrameOf(r);
   w.clock.frame++;
   r.tools.times.lap(StepPhase::Frames);
 }
-
 
 void report(Run& r) {
   const LedgerReport l = reportLedger(r.world, r.all);
@@ -35,7 +57,8 @@ void report(Run& r) {
   double left = (r.world.clock.end - r.world.clock.time) / std::max(1e-300, r.world.clock.dt);
   if (r.options.steps >= 0) left = std::min(left, static_cast<double>(r.options.steps - r.world.clock.step));
   const std::string line = progressLine(r.world.clock, l, rate, first ? never : left / std::max(1e-9, rate));
-  r.say(line + solverProgress(solversOf(r.world, r.tools)));
+  gatherSurface(r);
+  r.say(line + solverProgress(solversOf(r.world, r.tools)) + surfaceProgress(r.summary.surface));
   r.lastReport = WallClock::now();
   r.stepAtReport = r.world.clock.step;
   r.summary.ledger = l;
@@ -49,12 +72,14 @@ void summarise(Run& r, const std::string& status, const std::string& message) {
   s.wall = since(r.start);
   s.stepsHere = r.world.clock.step - r.firstStep;
   s.particleSteps = static_cast<double>(s.ledger.particles) * static_cast<double>(s.stepsHere);
-  const std::int64_t messages = r.earlierTraffic.messages + r.cells->traffic().messages + r.bonds->traffic().messages, bytes = r.earlierTraffic.bytes + r.cells->traffic().bytes + r.bonds->traffic().bytes;
+  const HaloTraffic traffic = trafficOf(r);
   s.solvers = solversOf(r.world, r.tools);
-  gatherSummary(s, r.world, r.tools.times, messages, bytes, r.all);
+  gatherSummary(s, r.world, r.tools.times, traffic.messages, traffic.bytes, r.all);
+  gatherSurface(r);
   onFirstRank(r.comm.handle(), [&] {
     RunSummary all = s;
     for (const std::string& w : warningsOf(s.counters, s.ledger)) all.warnings.push_back(w);
+    for (const std::string& w : surfaceWarnings(s.surface)) all.warnings.push_back(w);
     writeSummary(r.options.out, all);
   });
 }
@@ -107,9 +132,11 @@ void begin(Run& r, const MeshLoader& load) {
     std::vector<std::byte> records = restoreWorld(w, *slice, r.first());
     if (w.modules.solid) r.bonds->adopt(std::move(records));
     resumeWorld(w, r.halos(), r.tools);
+    if (w.modules.surface) resumeSurface(w, r.surface->halos(), r.surfaceTools);
     w.clock.limitedBy = "the last run";
     r.resumed = true;
     if (r.first()) r.series = framesPresent(r.options.out, r.name, w.clock.time);
+    if (w.modules.surface) resumeSurfaceOutput(r);
     r.say(fmt::format("continues at t {:.6g} s, step {}, from {}", w.clock.time, w.clock.step, slice->header.path));
   } else {
     const SamplingReport sampled = startWorld(w, r.halos(), r.tools, load);
@@ -125,6 +152,7 @@ void begin(Run& r, const MeshLoader& load) {
       makeOutputFolders(r.options.out);
     });
     r.begun = true;
+    if (w.modules.surface) beginSurface(r, load);
     writeFrameOf(r);
   }
   r.begun = true;

@@ -7,12 +7,14 @@
 #include <memory>
 
 #include "core/setup/setup.hpp"
+#include "core/surface/update_surface.hpp"
 #include "io/commands/run.hpp"
 #include "io/output/checkpoint.hpp"
 #include "io/output/series.hpp"
 #include "io/run/summary.hpp"
 #include "parallel/bond_halo.hpp"
 #include "parallel/cell_halo.hpp"
+#include "parallel/row_courier.hpp"
 
 namespace thaw {
 
@@ -28,6 +30,9 @@ struct Run {
   MpiReducer all;
   std::unique_ptr<MpiCellHalo> cells;
   std::unique_ptr<MpiBondHalo> bonds;
+  std::unique_ptr<SurfaceRanks> surface; // where the scene has one; as are the next two
+  SurfaceTools surfaceTools;
+  std::vector<SeriesEntry> surfaceSeries;  // rank 0
   std::string name;                      // of the scene, for its files
   std::vector<SeriesEntry> series;       // rank 0
   RunSummary summary;
@@ -50,7 +55,13 @@ struct Run {
   RunStamp stamp() const { return {name, world.scene.text, world.scene.output.piecesByRank}; }
 };
 
-/// The next frame, and its line in the series.
+/// What was sent so far, by halos that there were and are.
+HaloTraffic trafficOf(const Run& run);
+
+/// New halos for particles, bonds and surface: at the start, and as after a restart; what was sent stays counted.
+void renewHalos(Run& run);
+
+/// The next frame, of particles and surface, and its lines in the series.
 void writeFrameOf(Run& run);
 
 /// A progress line with the ledger.

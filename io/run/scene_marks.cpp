@@ -44,6 +44,7 @@ CheckpointValues sceneMarks(const Scene& s) {
     marks["domain.gravity." + axis] = s.domain.gravity[a];  // the ledger reckons potential and impulse from the start
     marks["domain.periodic." + axis] = s.domain.side[static_cast<std::size_t>(a)][0] == Side::Periodic;
   }
+  if (s.surface.on) marks["surface"] = 1;  // begins with the bodies
   addNames(marks, "material", s.materials);
   addNames(marks, "body", s.bodies);
   addNames(marks, "emitter", s.emitters);

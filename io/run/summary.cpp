@@ -127,6 +127,7 @@ void writeSummary(const std::string& out, const RunSummary& s) {
   j["liquid_fraction"] = l.liquidFraction;
   for (const SolverUse& u : s.solvers) j["solvers"][u.name] = {{"iterations_of_last_step", u.last}, {"mean_iterations", u.mean}};
   j["counters"] = countersJson(s.counters);
+  if (s.surface.there) j["surface"] = surfaceJson(s.surface);
   j["warnings"] = s.warnings;
   const std::string path = out + "/summary.json";
   replaceTextFile(path, j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

@@ -10,6 +10,7 @@
 #include "core/world.hpp"
 
 #include "io/run/solver_use.hpp"
+#include "io/run/surface_summary.hpp"
 
 namespace thaw {
 
@@ -33,6 +34,7 @@ struct RunSummary {
   std::vector<std::string> warnings;
   std::vector<std::string> modules;
   std::vector<SolverUse> solvers;   ///< of the first rank
+  SurfaceSummary surface;
 };
 
 /// Fills in what has to be gathered from all ranks: phases, imbalance, bytes, memory, counters. Collective.

@@ -83,4 +83,18 @@ void readObstacle(TableReader& r, SceneReading& x) {
   x.scene->obstacles.push_back(std::move(o));
 }
 
+void readTempering(TableReader& r, SceneReading& x) {
+  Tempering t;
+  t.where = r.place();
+  std::string material;
+  r.text("material", material, "what it acts on; none: everything", "name of a material");
+  r.number("temperature", t.temperature, "K", positive(), "that is reached at the end");
+  r.number("start", t.start, "s", notNegative(), "begins then");
+  r.number("over", t.over, "s", notNegative(), "takes this long; 0: one step");
+  if (r.describing()) return;
+  if (!r.has("temperature")) r.fail("temperature", "is missing");
+  x.scene->temperings.push_back(t);
+  x.temperingMaterials.push_back({material, r.placeOf("material")});
+}
+
 }  // namespace thaw

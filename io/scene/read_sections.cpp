@@ -39,6 +39,7 @@ void readSections(TableReader& top, SceneReading& x) {
   top.tables("body", "something made of particles", [&](TableReader& r) { readBody(r, x); });
   top.tables("emitter", "an opening that particles come out of", [&](TableReader& r) { readEmitter(r, x); });
   top.tables("obstacle", "something that particles do not pass; may be written [[wall]], too", [&](TableReader& r) { readObstacle(r, x); });
+  top.tables("tempering", "brings particles to a temperature, wherever they are", [&](TableReader& r) { readTempering(r, x); });
   if (top.describing()) {
     top.table("SHAPE", "of bodies, obstacles and clamps; not a table of its own", [](TableReader& r) { describeShape(r); });
   } else {

@@ -11,7 +11,7 @@ struct SceneReading {
   SourcePlace start;                                                          ///< of the file, for what has no place of its own
   SourcePlace domain, spacing;
   OpenChoices open;                                                           ///< of [numerics], that the scene leaves to us
-  std::vector<std::pair<std::string, SourcePlace>> bodyMaterials, emitterMaterials;  ///< beside Scene::bodies, emitters
+  std::vector<std::pair<std::string, SourcePlace>> bodyMaterials, emitterMaterials, temperingMaterials;  ///< beside Scene::bodies, emitters, temperings
 };
 
 /// All keys of a scene file.
@@ -24,6 +24,7 @@ void readOutput(TableReader& reader, Output& output);
 void readMaterial(TableReader& reader, Material& material);
 void readBody(TableReader& reader, SceneReading& reading);
 void readEmitter(TableReader& reader, SceneReading& reading);
+void readTempering(TableReader& reader, SceneReading& reading);
 void readObstacle(TableReader& reader, SceneReading& reading);
 
 /// What no single table can tell: references, duplicates, sizes. Adds to errors.

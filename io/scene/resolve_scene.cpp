@@ -10,7 +10,7 @@ namespace {
 
 using std::filesystem::path;
 
-bool isJoined(std::string_view key) { return key == "body" || key == "emitter" || key == "obstacle" || key == "wall"; }
+bool isJoined(std::string_view key) { return key == "body" || key == "emitter" || key == "obstacle" || key == "wall" || key == "tempering"; }
 
 /// Moves what `from` says into `to`. Moved nodes keep their places; copies would not.
 void merge(toml::table& to, toml::table& from, bool top) {

@@ -55,4 +55,40 @@ TEST(HeatSource, WarmsAtItsRate) {
   EXPECT_NEAR(run.books().heatIn, 500 * 4 * run.books().now.mass, 1e-6);
 }
 
+TEST(Tempering, BringsOneMaterialToItsTemperatureAndBooksTheHeat) {
+  Scene s = liquidColumn(6);
+  s.materials[0].conductivity = {0, 0};
+  addBox(s, {0, 0, 0}, {6 * dx, 6 * dx, 6 * dx}).temperature = 300;
+  Tempering t;
+  t.material = 0;
+  t.start = 1;
+  t.over = 0.5;
+  t.temperature = 280;
+  s.temperings = {t};
+  s.end = 1.25;
+  Simulation run(s);
+  EXPECT_TRUE(run.run());
+  for (std::size_t i = 0; i < run.particles().owned; i++) EXPECT_NEAR(run.particles().temperature[i], 290, 1e-6);  // half of the time
+  s.end = 2;
+  Simulation whole(s);
+  EXPECT_TRUE(whole.run());
+  for (std::size_t i = 0; i < whole.particles().owned; i++) EXPECT_NEAR(whole.particles().temperature[i], 280, 1e-9);
+  const LedgerReport r = whole.books();
+  EXPECT_NEAR(r.heatIn, -20 * 1000 * r.now.mass, 1e-6 * std::abs(r.heatIn));
+  EXPECT_LT(std::abs(r.heatResidual), 1e-12 * r.now.internal);
+}
+
+TEST(Tempering, AtOnceTakesOneStep) {
+  Scene s = liquidColumn(6);
+  addBox(s, {0, 0, 0}, {6 * dx, 6 * dx, 6 * dx}).temperature = 300;
+  Tempering t;
+  t.start = 0.2;
+  t.temperature = 310;
+  s.temperings = {t};
+  s.end = 1;
+  Simulation run(s);
+  EXPECT_TRUE(run.run());
+  for (std::size_t i = 0; i < run.particles().owned; i++) EXPECT_NEAR(run.particles().temperature[i], 310, 1e-9);
+}
+
 }  // namespace thaw::test

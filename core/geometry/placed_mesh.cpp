@@ -1,0 +1,39 @@
+#include "core/geometry/placed_mesh.hpp"
+
+#include <algorithm>
+
+#include "core/geometry/bust.hpp"
+#include "core/geometry/shape_error.hpp"
+
+namespace thaw {
+namespace {
+
+/// Knows only how far the mesh reaches, which is all that a placement asks.
+class MeshReach final : public SignedDistance {
+ public:
+  explicit MeshReach(const TriangleMesh& mesh) : mesh_(mesh), bounds_(boundsFromExtents(*this)) {}
+  double distance(const Vec3d&, Vec3d*) const override { return 0; }
+  Bounds bounds() const override { return bounds_; }
+  double extent(const Vec3d& direction) const override {
+    double e = -never;
+    for (const Vec3d& v : mesh_.vertices) e = std::max(e, dot(direction, v));
+    return e;
+  }
+
+ private:
+  const TriangleMesh& mesh_;
+  Bounds bounds_;
+};
+
+}  // namespace
+
+PlacedMesh makePlacedMesh(const Shape& s, const MeshLoader& load) {
+  if (s.mesh != builtinBust && !load) throw ShapeError("mesh '" + s.mesh + "': nothing was given to read it with", s.where);
+  PlacedMesh m;
+  m.mesh = repairMesh(s.mesh == builtinBust ? bustMesh() : load(s.mesh), m.report);
+  m.placement = placementOf(s, std::make_shared<MeshReach>(m.mesh));
+  for (Vec3d& v : m.mesh.vertices) v = m.placement.move + m.placement.rotation * (m.placement.scale * v);
+  return m;
+}
+
+}  // namespace thaw

@@ -1,0 +1,42 @@
+// Rows by fine bins: what finds surfels around surfels, hundreds of which may lie in one cell of the grid.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "core/math/vec3.hpp"
+#include "core/neighbours/grid.hpp"
+
+namespace thaw {
+
+/// Rows (ghosts included) sorted by bin, and within a bin as they are in the grid: by (cell, id). The order depends on places alone, not on
+/// which rank holds a row, so sums over rows in this order have the same bits on any number of ranks.
+struct Bins {
+  Vec3d base{};                    ///< m, low corner of bin (0, 0, 0)
+  double perLength = 1;            ///< 1/m
+  std::vector<std::uint64_t> key;  ///< of each row in the order; keys ascend along x first
+  std::vector<std::uint32_t> row;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> sorting;
+};
+
+inline constexpr double binsPerAxis = 2097151;
+inline std::uint64_t binKey(std::uint64_t x, std::uint64_t y, std::uint64_t z) { return z << 42 | y << 21 | x; }
+inline std::uint64_t binOf(const Bins& b, double x, int axis) { return static_cast<std::uint64_t>(std::clamp(std::floor((x - b.base[axis]) * b.perLength), 0.0, binsPerAxis)); }
+
+/// Bins of about `edge` (m) for all rows that `cells` lists.
+void fillBins(const CellGrid& grid, const CellTable& cells, const Vec3d* position, double edge, Bins& bins);
+
+/// Calls found(row) for all rows in the bins that meet the box [low, high], in the order of the bins.
+template<class Found> void forRowsInBox(const Bins& b, const Vec3d& low, const Vec3d& high, Found found) {
+  const std::uint64_t x0 = binOf(b, low.x, 0), x1 = binOf(b, high.x, 0), y0 = binOf(b, low.y, 1), y1 = binOf(b, high.y, 1), z0 = binOf(b, low.z, 2), z1 = binOf(b, high.z, 2);
+  auto at = b.key.begin();
+  for (std::uint64_t z = z0; z <= z1; z++)
+    for (std::uint64_t y = y0; y <= y1; y++) {
+      const std::uint64_t last = binKey(x1, y, z);
+      at = std::lower_bound(at, b.key.end(), binKey(x0, y, z));
+      for (; at != b.key.end() && *at <= last; ++at) found(b.row[static_cast<std::size_t>(at - b.key.begin())]);
+    }
+}
+
+}  // namespace thaw

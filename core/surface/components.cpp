@@ -1,0 +1,68 @@
+#include "core/surface/components.hpp"
+
+#include <algorithm>
+
+#include "core/surface/drop_surfels.hpp"
+#include "core/surface/gather_words.hpp"
+
+namespace thaw {
+namespace {
+
+using Piece = ComponentTools::Piece;
+
+void sortUnique(std::vector<Piece>& pieces) {
+  std::sort(pieces.begin(), pieces.end());
+  pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
+}
+
+/// (component so far, part) of all particles of all ranks, each pair once, ascending.
+std::vector<Piece> piecesOf(const SurfaceParticles& p, Reducer& all) {
+  std::vector<Piece> mine;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const Piece piece{p.component[i], p.part[i]};
+    if (mine.empty() || mine.back() != piece) mine.push_back(piece);
+  }
+  sortUnique(mine);
+  std::vector<std::uint64_t> words;
+  for (const Piece& m : mine) words.insert(words.end(), {m.from, m.part});
+  words = gatherWords(all, words);
+  std::vector<Piece> pieces;
+  for (std::size_t k = 0; k + 1 < words.size(); k += 2) pieces.push_back({words[k], words[k + 1]});
+  sortUnique(pieces);
+  return pieces;
+}
+
+}  // namespace
+
+void splitComponents(World& w, SurfaceHalos halos, ComponentTools& t) {
+  Surface& s = w.surface;
+  Surfels& f = s.surfels;
+  SurfaceParticles& p = s.particles;
+  const std::vector<Piece>& pieces = t.pieces = piecesOf(p, halos.all);
+  for (std::size_t k = 1, first = 0; k < pieces.size(); k++) {
+    if (pieces[k].from != pieces[first].from) first = k;
+    if (k == first || pieces[k].from == noComponent || s.lastStep < 0) continue;  // fresh ones, and pieces of a body at the start, were never one
+    s.counters.splits++;
+    s.events.push_back({w.clock.step, w.clock.time, false, pieces[first].part, pieces[k].part});
+  }
+  for (std::size_t i = 0; i < p.owned; i++) p.component[i] = p.part[i];
+  t.dead.assign(f.owned, 0);
+  for (std::size_t i = 0; i < f.owned; i++) {
+    if (f.part[i] >> 63) t.dead[i] = 1;
+    else f.component[i] = f.part[i];
+  }
+  std::int64_t lost[1] = {dropSurfels(s, t.dead)};
+  halos.all.sum(lost);
+  s.counters.lost += lost[0];
+}
+
+void listBareParticles(const Surface& s, std::vector<std::uint32_t>& rows) {
+  rows.clear();
+  for (std::size_t i = 0; i < s.particles.owned; i++) {
+    const std::uint64_t label = s.particles.component[i];
+    const auto c = std::lower_bound(s.components.begin(), s.components.end(), label, [](const SurfaceComponent& x, std::uint64_t l) { return x.label < l; });
+    if (c == s.components.end() || c->label != label || c->surfels == 0) rows.push_back(static_cast<std::uint32_t>(i));
+  }
+}
+
+}  // namespace thaw

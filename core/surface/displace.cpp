@@ -1,0 +1,145 @@
+#include "core/surface/displace.hpp"
+
+#include "core/solid/moment.hpp"
+#include "core/surface/place_rows.hpp"
+#include "core/surface/update_surface.hpp"
+
+namespace thaw {
+namespace {
+
+double weight(double r2, double h2) {
+  const double u = 1 - r2 / h2;
+  return u * u * u;
+}
+
+/// Displacement and its gradient at a surfel.
+struct Carry { Vec3d move{}; Mat3d gradient{}; double weight = 0; };
+
+Carry carryAt(const SurfaceParticles& p, const Bins& bins, const Vec3d& x, std::uint64_t component, double h) {
+  Carry c;
+  const double h2 = h * h;
+  const Vec3d reach{h, h, h};
+  forRowsInBox(bins, x - reach, x + reach, [&](std::uint32_t j) {
+    const Vec3d d = x - p.position[j];
+    const double r2 = dot(d, d);
+    if (r2 >= h2 || p.component[j] != component) return;
+    const double w = weight(r2, h2);
+    c.weight += w;
+    c.move += w * (p.displacement[j] + p.gradient[j] * d);
+    c.gradient = c.gradient + w * p.gradient[j];
+  });
+  if (c.weight > 0) {
+    c.move = c.move / c.weight;
+    c.gradient = (1 / c.weight) * c.gradient;
+  }
+  return c;
+}
+
+/// Turns the tangents with the gradient of the displacement; false where they become one line: the frame is kept.
+bool turnFrame(const Mat3d& gradient, Vec3d& normal, Vec3d& tangent) {
+  const Vec3d second = cross(normal, tangent);
+  const Vec3d a = tangent + gradient * tangent, b = second + gradient * second;
+  const Vec3d n = cross(a, b);
+  const double size = length(n), sides = length(a) * length(b);
+  if (!(size > 1e-6 * sides)) return false;
+  normal = n / size;
+  tangent = normalized(a - dot(a, normal) * normal);
+  return true;
+}
+
+/// Surfels without particles around follow those surfels that have some. Returns the rows that have neither.
+std::vector<std::uint32_t> followNeighbours(World& w, SurfaceHalos halos, SurfaceTools& t) {
+  Surfels& s = w.surface.surfels;
+  ColumnList columns{&s.id, &s.position, &s.component, &s.carried, &s.moving};
+  addGhosts(halos.surfels, s, w.surface.surfelCells, columns);
+  const double h = w.surface.surfelSupport, h2 = h * h;
+  const Vec3d reach{h, h, h};
+  fillBins(w.surface.grid, w.surface.surfelCells, s.position.data(), h, t.relax.surfelBins);
+  std::vector<std::uint32_t> lost;
+  for (std::uint32_t i = 0; i < s.owned; i++) {
+    if (!s.moving[i]) continue;
+    Vec3d sum{};
+    double weights = 0;
+    forRowsInBox(t.relax.surfelBins, s.position[i] - reach, s.position[i] + reach, [&](std::uint32_t j) {
+      const Vec3d d = s.position[i] - s.position[j];
+      const double r2 = dot(d, d);
+      if (s.moving[j] || r2 >= h2 || s.component[j] != s.component[i]) return;
+      weights += weight(r2, h2);
+      sum += weight(r2, h2) * s.carried[j];
+    });
+    if (weights > 0) s.carried[i] = sum / weights;
+    else lost.push_back(i);
+  }
+  s.resize(s.owned, 0);
+  return lost;
+}
+
+}  // namespace
+
+void findDisplacementGradients(World& w, SurfaceHalos halos, SurfaceTools& t) {
+  SurfaceParticles& p = w.surface.particles;
+  ColumnList columns{&p.id, &p.position, &p.displacement, &p.component};
+  addGhosts(halos.particles, p, w.surface.particleCells, columns);
+  const double h = w.grid.support, h2 = h * h;
+  const Vec3d reach{h, h, h};
+  fillBins(w.surface.grid, w.surface.particleCells, p.position.data(), 0.5 * h, t.relax.particleBins);
+  for (std::size_t i = 0; i < p.owned; i++) {
+    p.gradient[i] = {};
+    if (p.component[i] == noComponent) continue;
+    Sym3d moment;
+    Mat3d sum{};
+    forRowsInBox(t.relax.particleBins, p.position[i] - reach, p.position[i] + reach, [&](std::uint32_t j) {
+      const Vec3d d = p.position[j] - p.position[i];
+      const double r2 = dot(d, d);
+      if (r2 >= h2 || p.component[j] != p.component[i] || r2 == 0) return;
+      const double v = weight(r2, h2);
+      moment = moment + v * Sym3d{d.x * d.x, d.y * d.y, d.z * d.z, d.x * d.y, d.y * d.z, d.x * d.z};
+      sum = sum + outer(v * (p.displacement[j] - p.displacement[i]), d);
+    });
+    const MomentInverse inverse = invertMoment(moment);
+    p.gradient[i] = completeGradient(sum * full(inverse.inverse), inverse.inverse, inverse.rank);
+  }
+  ColumnList found{&p.gradient};
+  refreshGhosts(halos.particles, p, found);
+}
+
+void displaceSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
+  Surfels& s = w.surface.surfels;
+  const SurfaceParticles& p = w.surface.particles;
+  SurfaceCounters& count = w.surface.counters;
+  const bool blend = s.liquid.active;
+  s.resize(s.owned, 0);
+  s.activate(s.moving);   // here: no particles around
+  s.activate(s.carried);  // here: how far
+  fillBins(w.surface.grid, w.surface.particleCells, p.position.data(), 0.5 * w.surface.particleSupport, t.relax.particleBins);
+  std::int64_t told[2]{0, 0};  // without particles, frames kept
+  for (std::size_t i = 0; i < s.owned; i++) {
+    const Carry c = carryAt(p, t.relax.particleBins, s.position[i], s.component[i], w.surface.particleSupport);
+    s.moving[i] = !(c.weight > 0);
+    s.carried[i] = c.move;
+    if (s.moving[i]) told[0]++;
+    else if (!turnFrame(c.gradient, s.normal[i], s.tangent[i])) told[1]++;
+  }
+  halos.all.sum(told);
+  count.keptNormals += told[1];
+  std::vector<std::uint32_t> lost;
+  if (told[0] > 0) lost = followNeighbours(w, halos, t);
+  for (std::size_t i = 0; i < s.owned; i++) s.position[i] += s.carried[i];
+  if (told[0] > 0) {
+    std::int64_t gone[1]{static_cast<std::int64_t>(lost.size())};
+    halos.all.sum(gone);
+    count.lost += gone[0];
+    std::vector<std::uint32_t> kept;
+    auto at = lost.begin();
+    for (std::uint32_t i = 0; i < s.owned; i++)
+      if (at != lost.end() && *at == i) ++at;
+      else kept.push_back(i);
+    if (!lost.empty()) s.reorder(kept);
+  }
+  deactivate(s.moving);
+  if (!blend) return deactivate(s.carried);
+  s.activate(s.carriedNormal);
+  for (std::size_t i = 0; i < s.owned; i++) s.carried[i] = s.position[i], s.carriedNormal[i] = s.normal[i];
+}
+
+}  // namespace thaw

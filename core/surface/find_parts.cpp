@@ -1,0 +1,255 @@
+#include <algorithm>
+#include <limits>
+
+#include "core/solid/id_table.hpp"
+#include "core/surface/components.hpp"
+#include "core/surface/place_rows.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr std::uint64_t surfelsOnly = std::uint64_t{1} << 63;
+constexpr double cosRest = 0.70710678118654752;  // pi/4
+
+/// Of a mesh's surfel, whose component is not known yet.
+std::uint64_t bodyOf(std::uint64_t surfelId) { return surfelId >> 40 & 0x7fffff; }
+
+/// What may hang together: of one component, and before there are any of one body.
+bool alike(const Surfels& f, std::size_t i, std::size_t j) {
+  return f.component[i] == f.component[j] && (f.component[i] != noComponent || bodyOf(f.id[i]) == bodyOf(f.id[j]));
+}
+bool alike(const SurfaceParticles& p, std::size_t i, std::size_t j) {
+  return p.component[i] == p.component[j] && (p.component[i] != noComponent || p.body[i] == p.body[j]);
+}
+bool alike(const Surfels& f, std::size_t i, const SurfaceParticles& p, std::size_t j) {
+  return f.component[i] == p.component[j] && (f.component[i] != noComponent || bodyOf(f.id[i]) == p.body[j]);
+}
+
+/// The least of two distances, the smaller id where they are the same.
+struct Nearest {
+  double d2 = std::numeric_limits<double>::infinity();
+  std::uint64_t id = ~std::uint64_t{0};
+  std::uint32_t row = 0xffffffffu;
+  void offer(double r2, std::uint64_t i, std::uint32_t at) {
+    if (r2 < d2 || (r2 == d2 && i < id)) *this = {r2, i, at};
+  }
+  bool found() const { return row != 0xffffffffu; }
+};
+
+class Sets {
+ public:
+  explicit Sets(ComponentTools& t) : parent_(t.parent), least_(t.least) {}
+  void add(std::uint64_t label) {
+    parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
+    least_.push_back(label);
+  }
+  std::uint32_t root(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::uint32_t i, std::uint32_t j) {
+    i = root(i);
+    j = root(j);
+    if (i == j) return;
+    if (j < i) std::swap(i, j);
+    parent_[j] = i;
+    least_[i] = std::min(least_[i], least_[j]);
+  }
+  std::uint64_t least(std::uint32_t i) { return least_[root(i)]; }
+  /// True if that is less than what was known.
+  bool lower(std::uint32_t i, std::uint64_t label) {
+    std::uint64_t& l = least_[root(i)];
+    if (label >= l) return false;
+    l = label;
+    return true;
+  }
+
+ private:
+  std::vector<std::uint32_t>& parent_;
+  std::vector<std::uint64_t>& least_;
+};
+
+bool anywhere(Reducer& all, bool here) {
+  double value[1] = {here ? 1.0 : 0.0};
+  all.maximum(value);
+  return value[0] > 0;
+}
+
+/// Rows of a block within a radius that are like row i, into `near`.
+template<class Rows> void listNear(const Rows& rows, std::uint32_t i, const PointBins::Block& block, double r2, std::vector<ComponentTools::Near>& near) {
+  near.clear();
+  const Vec3d x = rows.position[i];
+  for (std::size_t k = 0; k < block.row.size(); k++) {
+    const Vec3d d = block.at[k] - x;
+    const double d2 = dot(d, d);
+    if (d2 <= r2 && block.row[k] != i && alike(rows, i, block.row[k])) near.push_back({d2, block.row[k]});
+  }
+}
+
+/// Most surfels have ten neighbours within this many times their radius.
+constexpr double usualReach = 2.2;
+
+/// Surfels::reach and ::nearest, what the other end of a link must know: the square of the distance to the k-th nearest surfel that is alike, and
+/// the nearest particle that is.
+void findReach(World& w, ComponentTools& t) {
+  Surface& s = w.surface;
+  Surfels& f = s.surfels;
+  const SurfaceParticles& p = s.particles;
+  const auto closer = [](const ComponentTools::Near& a, const ComponentTools::Near& b) { return a.d2 < b.d2; };
+  const double usual = std::min(usualReach * s.spacing, s.surfelSupport), all2 = s.surfelSupport * s.surfelSupport;
+  t.surfelBins.forEachBlock(t.surfelBins, usual, t.block, [&](std::uint32_t i, const PointBins::Block& block) {
+    if (i >= f.owned) return;
+    listNear(f, i, block, usual * usual, t.near);
+    if (t.near.size() < nearestSurfels) {
+      t.near.clear();
+      t.surfelBins.forEachWithin(f.position[i], s.surfelSupport, [&](std::uint32_t j, double d2) {
+        if (j != i && alike(f, i, j)) t.near.push_back({d2, j});
+      });
+    }
+    // fewer than ten: all within h_ss
+    if (t.near.size() < nearestSurfels) f.reach[i] = all2;
+    else std::nth_element(t.near.begin(), t.near.begin() + nearestSurfels - 1, t.near.end(), closer), f.reach[i] = t.near[nearestSurfels - 1].d2;
+  });
+  const double first = std::min(w.scene.spacing, s.particleSupport);
+  t.surfelBins.forEachBlock(t.particleBins, first, t.block, [&](std::uint32_t i, const PointBins::Block& block) {
+    if (i >= f.owned) return;
+    Nearest best;
+    for (std::size_t k = 0; k < block.row.size(); k++) {
+      const Vec3d d = block.at[k] - f.position[i];
+      const double d2 = dot(d, d);
+      if (d2 <= first * first && d2 <= best.d2 && alike(f, i, p, block.row[k])) best.offer(d2, p.id[block.row[k]], block.row[k]);
+    }
+    if (!best.found())
+      t.particleBins.forEachWithin(f.position[i], s.particleSupport, [&](std::uint32_t j, double d2) {
+        if (alike(f, i, p, j)) best.offer(d2, p.id[j], j);
+      });
+    f.nearest[i] = best.id;
+  });
+}
+
+/// Each surfel, ghosts included, with those within its reach: the links of both ends.
+void joinSurfels(const Surface& s, ComponentTools& t, Sets& sets) {
+  const Surfels& f = s.surfels;
+  const double usual = std::min(usualReach * s.spacing, s.surfelSupport);
+  const auto link = [&](std::uint32_t i, std::uint32_t j) {
+    if (dot(f.normal[i], f.normal[j]) >= cosRest) sets.join(i, j);
+  };
+  t.surfelBins.forEachBlock(t.surfelBins, usual, t.block, [&](std::uint32_t i, const PointBins::Block& block) {
+    if (f.reach[i] <= usual * usual) {
+      listNear(f, i, block, f.reach[i], t.near);
+      for (const ComponentTools::Near& n : t.near) link(i, n.row);
+    } else {
+      t.surfelBins.forEachWithin(f.position[i], std::sqrt(f.reach[i]) * (1 + 1e-12), [&](std::uint32_t j, double d2) {
+        if (j != i && d2 <= f.reach[i] && alike(f, i, j)) link(i, j);
+      });
+    }
+  });
+}
+
+void joinParticles(const World& w, ComponentTools& t, Sets& sets) {
+  const SurfaceParticles& p = w.surface.particles;
+  const auto offset = static_cast<std::uint32_t>(w.surface.surfels.size());
+  const double longest = w.scene.surface.linkLength * w.scene.spacing;
+  t.particleBins.forEachBlock(t.particleBins, longest, t.block, [&](std::uint32_t i, const PointBins::Block& block) {
+    if (i >= p.owned) return;  // a link between two ghosts is somebody else's
+    listNear(p, i, block, longest * longest, t.near);
+    for (const ComponentTools::Near& n : t.near) sets.join(offset + i, offset + n.row);
+  });
+}
+
+/// Owned surfels with their nearest particle, owned particles with the ghost surfels whose nearest they are: so both ends' ranks know the link.
+void joinBoth(const Surface& s, Sets& sets) {
+  const Surfels& f = s.surfels;
+  const SurfaceParticles& p = s.particles;
+  const auto offset = static_cast<std::uint32_t>(f.size());
+  IdTable rows;
+  for (std::size_t j = p.size(); j-- > 0;) rows.insert(p.id[j], static_cast<std::uint32_t>(j));  // of several images the first, the owned one
+  for (std::size_t i = 0; i < f.size(); i++) {
+    if (f.nearest[i] == ~std::uint64_t{0}) continue;
+    const std::uint32_t j = rows.find(f.nearest[i]);
+    if (j != IdTable::none) sets.join(static_cast<std::uint32_t>(i), offset + j);
+  }
+}
+
+}  // namespace
+
+void adoptFresh(World& w, SurfaceHalos halos, ComponentTools& t) {
+  Surface& s = w.surface;
+  Surfels& f = s.surfels;
+  SurfaceParticles& p = s.particles;
+  const double link = w.scene.surface.linkLength * w.scene.spacing;
+  t.particleBins.build(p.position.data(), p.size(), link);
+  std::vector<std::uint32_t> fresh;
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (p.component[i] == noComponent) fresh.push_back(static_cast<std::uint32_t>(i));
+  std::vector<std::uint64_t> found;
+  for (bool more = anywhere(halos.all, !fresh.empty()); more;) {
+    found.assign(fresh.size(), noComponent);
+    bool changed = false;
+    for (std::size_t k = 0; k < fresh.size(); k++) {
+      Nearest best;
+      t.particleBins.forEachWithin(p.position[fresh[k]], link, [&](std::uint32_t j, double d2) {
+        if (p.component[j] != noComponent) best.offer(d2, p.id[j], j);
+      });
+      if (!best.found()) continue;
+      found[k] = p.component[best.row];
+      changed = true;
+    }
+    std::size_t left = 0;
+    for (std::size_t k = 0; k < fresh.size(); k++) {
+      if (found[k] != noComponent) p.component[fresh[k]] = found[k];
+      else fresh[left++] = fresh[k];
+    }
+    fresh.resize(left);
+    more = anywhere(halos.all, changed);
+    if (more) refreshGhosts(halos.particles, p, ColumnList{&p.component});
+  }
+
+  bool changed = false;
+  for (std::size_t i = 0; i < f.owned; i++) {
+    if (f.component[i] != noComponent) continue;
+    const std::uint64_t body = bodyOf(f.id[i]);
+    Nearest own, any;
+    t.particleBins.forEachWithin(f.position[i], s.particleSupport, [&](std::uint32_t j, double d2) {
+      any.offer(d2, p.id[j], j);
+      if (p.body[j] == body) own.offer(d2, p.id[j], j);
+    });
+    if (!any.found()) continue;
+    f.component[i] = p.component[own.found() ? own.row : any.row];
+    changed = true;
+  }
+  if (anywhere(halos.all, changed)) refreshGhosts(halos.surfels, f, ColumnList{&f.component});
+}
+
+void findParts(World& w, SurfaceHalos halos, ComponentTools& t) {
+  Surface& s = w.surface;
+  Surfels& f = s.surfels;
+  SurfaceParticles& p = s.particles;
+  t.surfelBins.build(f.position.data(), f.size(), std::min(usualReach * s.spacing, s.surfelSupport));
+  t.particleBins.build(p.position.data(), p.size(), w.scene.surface.linkLength * w.scene.spacing);
+  findReach(w, t);
+  refreshGhosts(halos.surfels, f, ColumnList{&f.reach, &f.nearest});
+
+  t.parent.clear();
+  t.least.clear();
+  Sets sets(t);
+  for (std::size_t i = 0; i < f.size(); i++) sets.add(f.id[i] | surfelsOnly);
+  for (std::size_t i = 0; i < p.size(); i++) sets.add(p.id[i] + 1);
+  joinSurfels(s, t, sets);
+  joinParticles(w, t, sets);
+  joinBoth(s, sets);
+
+  const auto offset = static_cast<std::uint32_t>(f.size());
+  for (bool changed = true; changed;) {
+    for (std::size_t i = 0; i < f.owned; i++) f.part[i] = sets.least(static_cast<std::uint32_t>(i));
+    for (std::size_t i = 0; i < p.owned; i++) p.part[i] = sets.least(offset + static_cast<std::uint32_t>(i));
+    refreshGhosts(halos.surfels, f, ColumnList{&f.part});
+    refreshGhosts(halos.particles, p, ColumnList{&p.part});
+    bool lowered = false;
+    for (std::size_t i = f.owned; i < f.size(); i++) lowered |= sets.lower(static_cast<std::uint32_t>(i), f.part[i]);
+    for (std::size_t i = p.owned; i < p.size(); i++) lowered |= sets.lower(offset + static_cast<std::uint32_t>(i), p.part[i]);
+    changed = anywhere(halos.all, lowered);
+  }
+}
+
+}  // namespace thaw

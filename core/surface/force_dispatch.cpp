@@ -1,0 +1,22 @@
+#include <cstring>
+
+#include "core/surface/force_sums.hpp"
+
+namespace thaw {
+
+namespace isa_base { const ForceKernels& forceKernelSet(); }
+namespace isa_avx2 { const ForceKernels& forceKernelSet(); }
+namespace isa_avx512 { const ForceKernels& forceKernelSet(); }
+
+const ForceKernels* forceKernels(const char* name) {
+  const bool any = *name == 0;
+#if defined(__x86_64__)
+  const bool avx2 = __builtin_cpu_supports("avx2"), avx512 = avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl");
+  if (avx512 && (any || std::strcmp(name, "avx512") == 0)) return &isa_avx512::forceKernelSet();
+  if (avx2 && (any || std::strcmp(name, "avx2") == 0)) return &isa_avx2::forceKernelSet();
+#endif
+  if (any || std::strcmp(name, "base") == 0) return &isa_base::forceKernelSet();
+  return nullptr;
+}
+
+}  // namespace thaw

@@ -1,0 +1,47 @@
+// The sums of an iteration over the particles and surfels around eight surfels at a time, one set for each instruction set
+// (forces_isa.cpp); every set gives the same bits. Only plain pointers here: code compiled for one instruction set must not leave copies of
+// library functions to the linker.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+namespace thaw {
+
+/// Sums over particles, by channel. u = 1 - (r/h_ps)^2, d from the particle to the surfel in units of the grid's support radius.
+enum ParticleSum { Colour, SmoothColour, Gradient, Attraction = Gradient + 3, particleSums = Attraction + 3 };
+/// Sums over surfels. Plane: Mean (d) and Moment (d d^T) for the plane of the neighbours; sphere: Height and Normal.
+enum SurfelSum { Weight, Height, Normal, Mean = Normal, Repulsion = Normal + 3, Crowd = Repulsion + 3, Stirred, Coincident, Moment, sphereSums = Moment, planeSums = Moment + 6 };
+
+/// What the sums read and write. Records are four floats; positions in them are the bits of fixed-point numbers (grid.hpp), lengths are in
+/// support radii of the grid. The lists of a group hold what is near any of its eight surfels, in an order that is the same on every rank;
+/// what is out of a surfel's reach adds nothing to its sums, so neither the grouping nor the lists' margin changes a bit.
+struct ForceSums {
+  const float* place = nullptr;           ///< of surfels: x, y, z; 1 if it is moving, else 0
+  const float* normal = nullptr;          ///< of surfels: normal, radius
+  const float* particle = nullptr;        ///< x, y, z; V c_j over the lattice's sum of weights (level_table.hpp)
+  const float* particleColour = nullptr;  ///< V a_j likewise
+  const std::uint32_t* self = nullptr;    ///< 8 rows of surfels a group; short groups repeat their first one
+  const std::uint64_t *firstSurfel = nullptr, *firstParticle = nullptr;  ///< of each group, and one behind
+  const std::uint32_t *surfel = nullptr, *particleRow = nullptr;
+  const std::uint32_t* groups = nullptr;  ///< to work on
+  std::size_t groupCount = 0;
+  float perParticleSupport2 = 0;          ///< 1 / h_ps^2
+  float support = 0;                      ///< h_ss over a surfel's radius
+  float repelRange = 0;                   ///< surfels closer than this times the mean of their radii repel each other
+  float sameSide = 0;                     ///< cosine of the angle of normals up to which neighbours are smoothed over
+  float apart = 0;                        ///< and from which on they are across a gap or a sheet and do not repel (B20, B22)
+  bool plane = false;                     ///< SmoothingForm::Plane
+  // results: channel c of lane l of group g at (g * channels + c) * 8 + l
+  float* overParticles = nullptr;         ///< particleSums channels
+  float* overSurfels = nullptr;           ///< sphereSums or planeSums channels
+};
+
+struct ForceKernels {
+  const char* name;  ///< "avx512", "avx2", "base"
+  void (*overParticles)(const ForceSums&);
+  void (*overSurfels)(const ForceSums&);
+};
+/// By name, or the best for this processor where the name is empty. Unknown or unsupported names give nullptr.
+const ForceKernels* forceKernels(const char* name = "");
+
+}  // namespace thaw

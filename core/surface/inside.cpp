@@ -1,0 +1,63 @@
+#include "core/surface/inside.hpp"
+
+#include <tuple>
+
+namespace thaw {
+namespace {
+
+constexpr double discShare = 0.5;
+constexpr int mostAsked = 12;
+
+struct DiscView {
+  double height;  // m, above the disc's plane
+  double d2;      // m^2, to the closest point of the disc
+};
+
+DiscView viewOf(const Surfels& f, std::uint32_t j, const Vec3d& x) {
+  const Vec3d d = x - f.position[j];
+  const double height = dot(d, f.normal[j]);
+  const double over = std::max(0.0, std::sqrt(std::max(0.0, dot(d, d) - height * height)) - discShare * f.radius[j]);
+  return {height, height * height + over * over};
+}
+
+SurfaceSide sideOf(const Surfels& f, const InsideTools::Candidate* begin, const InsideTools::Candidate* end, const Vec3d& x) {
+  SurfaceSide side;
+  side.component = begin->component;
+  const double far = begin->distance + f.radius[begin->row];
+  const double least = 1e-6 * f.radius[begin->row] * f.radius[begin->row];
+  double sum = 0, straight = 0;
+  for (const InsideTools::Candidate* c = begin; c != end && side.asked < mostAsked && c->distance <= far; c++) {
+    const DiscView v = viewOf(f, c->row, x);
+    const double weight = 1 / (v.d2 + least);
+    sum += weight * v.height;
+    straight = std::max(straight, -v.height / std::sqrt(v.d2 + least));
+    side.normal += weight * f.normal[c->row];
+    if (f.liquid.active) side.liquid += static_cast<double>(f.liquid[c->row]);
+    side.asked++;
+  }
+  side.liquid /= side.asked;
+  side.normal = normalized(side.normal);
+  // a disc that is seen from the side only is the rim of an opening
+  side.distance = sum < 0 && straight > 0.5 ? -begin->distance : begin->distance;
+  return side;
+}
+
+}  // namespace
+
+void findSides(const Surfels& f, const PointBins& bins, const Vec3d& x, std::uint64_t not_, double reach, InsideTools& t, std::vector<SurfaceSide>& sides) {
+  t.near.clear();
+  sides.clear();
+  bins.forEachWithin(x, reach, [&](std::uint32_t j, double) {
+    if (f.component[j] != not_) t.near.push_back({f.component[j], std::sqrt(viewOf(f, j, x).d2), f.id[j], j});
+  });
+  if (t.near.empty()) return;
+  std::sort(t.near.begin(), t.near.end(), [](const InsideTools::Candidate& a, const InsideTools::Candidate& b) {
+    return std::tie(a.component, a.distance, a.id) < std::tie(b.component, b.distance, b.id);
+  });
+  for (std::size_t k = 0, next = 0; k < t.near.size(); k = next) {
+    while (next < t.near.size() && t.near[next].component == t.near[k].component) next++;
+    sides.push_back(sideOf(f, &t.near[k], &t.near[0] + next, x));
+  }
+}
+
+}  // namespace thaw

@@ -1,0 +1,211 @@
+#include "core/surface/measure.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "core/math/exact_sum.hpp"
+#include "core/surface/gather_words.hpp"
+
+namespace thaw {
+namespace {
+
+/// A component, with what is found on the way.
+struct Record {
+  SurfaceComponent measured;
+  Vec3d anchor{};       // place of the particle that names it
+  int ranks = 0;        // that have rows of it
+  Vec3d reach{};        // m, largest distance from the anchor along each axis; only of periodic axes
+};
+
+enum Sum { Mass, ParticleVolume, WantedVolume, MomentX, MomentY, MomentZ, Area, VolumeX, VolumeY, VolumeZ, NormalX, NormalY, NormalZ, sums };
+
+/// Rows of one component on this rank.
+struct Group {
+  std::uint64_t label = 0;
+  std::size_t particlesFrom = 0, particlesTo = 0, surfelsFrom = 0, surfelsTo = 0;  // in the orders
+};
+
+/// Rows in order of their components.
+std::vector<std::uint32_t> orderByLabel(const std::uint64_t* label, std::size_t n) {
+  std::vector<std::uint32_t> order(n);
+  for (std::size_t i = 0; i < n; i++) order[i] = static_cast<std::uint32_t>(i);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return label[a] != label[b] ? label[a] < label[b] : a < b; });
+  return order;
+}
+
+std::vector<Group> groupsOf(const Surface& s, const std::vector<std::uint32_t>& particles, const std::vector<std::uint32_t>& surfels) {
+  const std::uint64_t *ofParticle = s.particles.component.data(), *ofSurfel = s.surfels.component.data();
+  std::vector<Group> groups;
+  for (std::size_t p = 0, f = 0; p < particles.size() || f < surfels.size();) {
+    Group g;
+    g.label = std::min(p < particles.size() ? ofParticle[particles[p]] : ~std::uint64_t{0}, f < surfels.size() ? ofSurfel[surfels[f]] : ~std::uint64_t{0});
+    g.particlesFrom = p;
+    while (p < particles.size() && ofParticle[particles[p]] == g.label) p++;
+    g.particlesTo = p;
+    g.surfelsFrom = f;
+    while (f < surfels.size() && ofSurfel[surfels[f]] == g.label) f++;
+    g.surfelsTo = f;
+    groups.push_back(g);
+  }
+  return groups;
+}
+
+/// All components of all ranks, with counts and anchors, ascending by label.
+std::vector<Record> recordsOf(const Surface& s, const std::vector<std::uint32_t>& particles, const std::vector<Group>& groups, Reducer& all) {
+  constexpr std::size_t words = 7;
+  std::vector<std::uint64_t> mine;
+  for (const Group& g : groups) {
+    Vec3d anchor{};
+    bool has = false;
+    for (std::size_t k = g.particlesFrom; k < g.particlesTo; k++)
+      if (s.particles.id[particles[k]] + 1 == g.label) {
+        anchor = s.particles.position[particles[k]];
+        has = true;
+      }
+    mine.insert(mine.end(), {g.label, g.particlesTo - g.particlesFrom, g.surfelsTo - g.surfelsFrom, has ? 1ull : 0ull, std::bit_cast<std::uint64_t>(anchor.x),
+                             std::bit_cast<std::uint64_t>(anchor.y), std::bit_cast<std::uint64_t>(anchor.z)});
+  }
+  const std::vector<std::uint64_t> theirs = gatherWords(all, mine);
+  std::vector<std::size_t> order(theirs.size() / words);
+  for (std::size_t k = 0; k < order.size(); k++) order[k] = k * words;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return theirs[a] < theirs[b]; });
+  std::vector<Record> records;
+  for (const std::size_t at : order) {
+    const std::uint64_t* w = &theirs[at];
+    if (records.empty() || records.back().measured.label != w[0]) {
+      records.push_back({});
+      records.back().measured.label = w[0];
+    }
+    Record& r = records.back();
+    r.measured.particles += static_cast<std::int64_t>(w[1]);
+    r.measured.surfels += static_cast<std::int64_t>(w[2]);
+    if (w[3]) r.anchor = {std::bit_cast<double>(w[4]), std::bit_cast<double>(w[5]), std::bit_cast<double>(w[6])};
+    r.ranks++;
+  }
+  return records;
+}
+
+std::size_t indexOf(const std::vector<Record>& records, std::uint64_t label) {
+  return static_cast<std::size_t>(std::lower_bound(records.begin(), records.end(), label, [](const Record& r, std::uint64_t l) { return r.measured.label < l; }) - records.begin());
+}
+
+/// From the anchor to x, the shortest way round periodic sides.
+Vec3d fromAnchor(const CellGrid& g, const Vec3d& anchor, const Vec3d& x) {
+  Vec3d d = x - anchor;
+  for (int a = 0; a < 3; a++)
+    if (g.periodic[a]) d[a] -= g.period[a] * std::nearbyint(d[a] / g.period[a]);
+  return d;
+}
+
+/// A component's exact sums over this rank's rows, and how far it reaches.
+void addRows(const Surface& s, const Group& g, const std::vector<std::uint32_t>& particles, const std::vector<std::uint32_t>& surfels, Record& r,
+             std::array<ExactSum, sums>& sum) {
+  const SurfaceParticles& p = s.particles;
+  const Surfels& f = s.surfels;
+  const auto widen = [&](const Vec3d& d) {
+    for (int a = 0; a < 3; a++) r.reach[a] = std::max(r.reach[a], std::abs(d[a]));
+  };
+  for (std::size_t k = g.particlesFrom; k < g.particlesTo; k++) {
+    const std::uint32_t i = particles[k];
+    const Vec3d d = fromAnchor(s.grid, r.anchor, p.position[i]);
+    sum[Mass].add(p.mass[i]);
+    sum[ParticleVolume].add(p.volume[i]);
+    sum[WantedVolume].add(p.share[i] * p.volume[i]);
+    for (std::size_t a = 0; a < 3; a++) sum[MomentX + a].add(p.mass[i] * d[static_cast<int>(a)]);
+    widen(d);
+  }
+  for (std::size_t k = g.surfelsFrom; k < g.surfelsTo; k++) {
+    const std::uint32_t i = surfels[k];
+    const Vec3d d = fromAnchor(s.grid, r.anchor, f.position[i]), nA = f.area[i] * f.normal[i];
+    sum[Area].add(f.area[i]);
+    for (int a = 0; a < 3; a++) {
+      sum[static_cast<std::size_t>(VolumeX + a)].add(d[a] * nA[a]);
+      sum[static_cast<std::size_t>(NormalX + a)].add(nA[a]);
+    }
+    widen(d);
+  }
+}
+
+void finish(const CellGrid& grid, Record& r, const std::array<double, sums>& v) {
+  SurfaceComponent& c = r.measured;
+  c.mass = v[Mass];
+  c.particleVolume = v[ParticleVolume];
+  c.wantedVolume = v[WantedVolume];
+  c.area = v[Area];
+  const Vec3d centroid = c.mass > 0 ? Vec3d{v[MomentX], v[MomentY], v[MomentZ]} / c.mass : Vec3d{};
+  c.centroid = r.anchor + centroid;
+  double volume = 0, any = 0;
+  int axes = 0;
+  for (int a = 0; a < 3; a++) {
+    const double along = v[static_cast<std::size_t>(VolumeX + a)] - centroid[a] * v[static_cast<std::size_t>(NormalX + a)];
+    any += along / 3;
+    if (grid.periodic[a] && r.reach[a] > 0.4 * grid.period[a]) continue;
+    volume += along;
+    axes++;
+  }
+  c.volume = axes > 0 ? volume / axes : any;
+}
+
+}  // namespace
+
+void measureComponents(Surface& s, Reducer& all) {
+  const std::vector<std::uint32_t> particles = orderByLabel(s.particles.component.data(), s.particles.owned);
+  const std::vector<std::uint32_t> surfels = orderByLabel(s.surfels.component.data(), s.surfels.owned);
+  const std::vector<Group> groups = groupsOf(s, particles, surfels);
+  std::vector<Record> records = recordsOf(s, particles, groups, all);
+
+  // components of this rank alone are finished here; the others' sums are added up
+  std::vector<std::size_t> slot(records.size());
+  std::size_t shared = 0;
+  for (std::size_t k = 0; k < records.size(); k++) slot[k] = records[k].ranks > 1 ? shared++ : 0;
+  constexpr std::size_t digits = ExactSum::digits;
+  std::vector<std::int64_t> digit(shared * sums * digits);
+  std::vector<std::uint64_t> finished;
+  for (const Group& g : groups) {
+    const std::size_t k = indexOf(records, g.label);
+    std::array<ExactSum, sums> sum;
+    addRows(s, g, particles, surfels, records[k], sum);
+    if (records[k].ranks == 1) finished.push_back(g.label);
+    for (std::size_t q = 0; q < sums; q++) {
+      if (records[k].ranks == 1) {
+        finished.push_back(std::bit_cast<std::uint64_t>(sum[q].value()));
+      } else {
+        sum[q].carry();
+        std::copy(sum[q].digit.begin(), sum[q].digit.end(), &digit[(slot[k] * sums + q) * digits]);
+      }
+    }
+  }
+  if (!digit.empty()) all.sum(digit);
+  const std::vector<std::uint64_t> results = gatherWords(all, finished);
+  if (s.grid.periodic[0] || s.grid.periodic[1] || s.grid.periodic[2]) {
+    std::vector<double> reach;
+    for (const Record& r : records) reach.insert(reach.end(), {r.reach.x, r.reach.y, r.reach.z});
+    if (!reach.empty()) all.maximum(reach);
+    for (std::size_t k = 0; k < records.size(); k++) records[k].reach = {reach[3 * k], reach[3 * k + 1], reach[3 * k + 2]};
+  }
+
+  std::array<double, sums> value;
+  for (std::size_t at = 0; at < results.size(); at += 1 + sums) {
+    for (std::size_t q = 0; q < sums; q++) value[q] = std::bit_cast<double>(results[at + 1 + q]);
+    finish(s.grid, records[indexOf(records, results[at])], value);
+  }
+  for (std::size_t k = 0; k < records.size(); k++) {
+    if (records[k].ranks == 1) continue;
+    for (std::size_t q = 0; q < sums; q++) {
+      ExactSum sum;
+      std::copy_n(&digit[(slot[k] * sums + q) * digits], digits, sum.digit.begin());
+      value[q] = sum.value();
+    }
+    finish(s.grid, records[k], value);
+  }
+  s.components.clear();
+  for (const Record& r : records) s.components.push_back(r.measured);
+}
+
+const SurfaceComponent* findComponent(const Surface& s, std::uint64_t label) {
+  const auto at = std::lower_bound(s.components.begin(), s.components.end(), label, [](const SurfaceComponent& c, std::uint64_t l) { return c.label < l; });
+  return at != s.components.end() && at->label == label ? &*at : nullptr;
+}
+
+}  // namespace thaw

@@ -1,0 +1,176 @@
+#include "core/surface/merge.hpp"
+
+#include <algorithm>
+
+#include "core/surface/drop_surfels.hpp"
+#include "core/surface/gather_words.hpp"
+
+namespace thaw {
+namespace {
+
+struct Pair {
+  std::uint64_t a, b;  // a < b
+  friend auto operator<=>(const Pair&, const Pair&) = default;
+};
+
+/// Labels that become one, the same on all ranks.
+class Joined {
+ public:
+  explicit Joined(const std::vector<Pair>& pairs) {
+    for (const Pair& p : pairs) label_.insert(label_.end(), {p.a, p.b});
+    std::sort(label_.begin(), label_.end());
+    label_.erase(std::unique(label_.begin(), label_.end()), label_.end());
+    into_ = label_;
+  }
+  std::uint64_t of(std::uint64_t label) const {
+    for (;;) {
+      const auto at = std::lower_bound(label_.begin(), label_.end(), label);
+      if (at == label_.end() || *at != label) return label;
+      const std::uint64_t to = into_[static_cast<std::size_t>(at - label_.begin())];
+      if (to == label) return label;
+      label = to;
+    }
+  }
+  /// The label that goes, or 0 if they are one already.
+  std::uint64_t join(std::uint64_t a, std::uint64_t b) {
+    a = of(a);
+    b = of(b);
+    if (a == b) return 0;
+    if (b < a) std::swap(a, b);
+    into_[static_cast<std::size_t>(std::lower_bound(label_.begin(), label_.end(), b) - label_.begin())] = a;
+    return b;
+  }
+
+ private:
+  std::vector<std::uint64_t> label_, into_;
+};
+
+/// For cells: whether all surfels in and around them are of one component, so that nothing there can meet.
+class OneComponent {
+ public:
+  OneComponent(const Surfels& f, const CellTable& cells) : cells_(cells) {
+    for (std::size_t c = 0; c < cells.key.size(); c++) {
+      const std::uint64_t* first = f.component.data() + cells.first[c];
+      const auto [least, most] = std::minmax_element(first, first + cells.count[c]);
+      range_.push_back({*least, *most});
+    }
+  }
+  bool around(std::uint64_t key, std::uint64_t least, std::uint64_t most) const {
+    const Vec3i here = cellOfKey(key);
+    for (int z = -1; z <= 1; z++)
+      for (int y = -1; y <= 1; y++)
+        for (int x = -1; x <= 1; x++) {
+          const std::uint64_t k = cellKey({here.x + x, here.y + y, here.z + z});
+          const auto at = std::lower_bound(cells_.key.begin(), cells_.key.end(), k);
+          if (at == cells_.key.end() || *at != k) continue;
+          const Pair& r = range_[static_cast<std::size_t>(at - cells_.key.begin())];
+          least = std::min(least, r.a);
+          most = std::max(most, r.b);
+        }
+    return least == most;
+  }
+
+ private:
+  const CellTable& cells_;
+  std::vector<Pair> range_;
+};
+
+/// f(row) for owned rows of a table near which there is another component.
+template<class Rows, class F> void forEachNearOthers(const Rows& rows, const CellTable& cells, const OneComponent& one, F&& f) {
+  for (std::size_t c = 0; c < cells.key.size(); c++) {
+    if (cells.first[c] >= rows.owned) continue;  // ghosts
+    const std::uint64_t* label = rows.component.data() + cells.first[c];
+    const auto [least, most] = std::minmax_element(label, label + cells.count[c]);
+    if (one.around(cells.key[c], *least, *most)) continue;
+    for (std::uint32_t i = cells.first[c]; i < cells.first[c] + cells.count[c]; i++) f(i);
+  }
+}
+
+/// Fewer surfels say nothing about inside and outside.
+constexpr int leastAsked = 3;
+
+/// What a part of the last split was before; noComponent of fresh ones and of parts of several.
+std::uint64_t before(const ComponentTools& c, std::uint64_t label) {
+  std::uint64_t from = noComponent;
+  for (const ComponentTools::Piece& p : c.pieces)
+    if (p.part == label) from = p.from;
+  return from;
+}
+
+std::vector<Pair> meetingPairs(const World& w, Reducer& all, const ComponentTools& c, const OneComponent& one, MergeTools& t) {
+  const Surface& s = w.surface;
+  const SurfaceParticles& p = s.particles;
+  std::vector<Pair> pairs;
+  if (w.scene.surface.merge != MergeRule::None)
+    forEachNearOthers(p, s.particleCells, one, [&](std::uint32_t i) {
+      findSides(s.surfels, c.surfelBins, p.position[i], p.component[i], s.particleSupport, t.inside, t.sides);
+      for (const SurfaceSide& side : t.sides) {
+        if (side.distance >= 0 || side.asked < leastAsked) continue;
+        const bool liquid = side.liquid > 0.5 || (p.liquid.active && p.liquid[i] > 0.5f);
+        if (w.scene.surface.merge == MergeRule::Liquid && !liquid) continue;
+        pairs.push_back({std::min(side.component, p.component[i]), std::max(side.component, p.component[i])});
+      }
+    });
+  const auto unique = [&] {
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  };
+  unique();
+  std::vector<std::uint64_t> words;
+  for (const Pair& m : pairs) words.insert(words.end(), {m.a, m.b});
+  words = gatherWords(all, words);
+  pairs.clear();
+  for (std::size_t k = 0; k + 1 < words.size(); k += 2) pairs.push_back({words[k], words[k + 1]});
+  unique();
+  // what has come apart in this update does not join again at once: its ends are still open
+  std::erase_if(pairs, [&](const Pair& m) { return before(c, m.a) != noComponent && before(c, m.a) == before(c, m.b); });
+  return pairs;
+}
+
+/// Where an owned surfel is among the others: dead if its component joins one that it is in or close to, else moved out of those it is in.
+void judgeSurfel(const World& w, std::uint32_t i, const Joined& joined, ComponentTools& c, MergeTools& t) {
+  const Surface& s = w.surface;
+  const Surfels& f = s.surfels;
+  findSides(f, c.surfelBins, f.position[i], f.component[i], s.particleSupport, t.inside, t.sides);
+  Vec3d push{};
+  for (const SurfaceSide& side : t.sides) {
+    if (side.asked < leastAsked) continue;
+    if (joined.of(side.component) == joined.of(f.component[i])) {
+      if (side.distance < 0.5 * s.spacing) c.dead[i] = 1;
+    } else if (side.distance < 0) {
+      push += std::min(-0.5 * side.distance, w.scene.spacing) * side.normal;  // the other side does as much
+    }
+  }
+  t.moved[i] = f.position[i] + push;
+}
+
+}  // namespace
+
+void mergeComponents(World& w, SurfaceHalos halos, ComponentTools& c, MergeTools& t) {
+  Surface& s = w.surface;
+  Surfels& f = s.surfels;
+  SurfaceParticles& p = s.particles;
+  c.surfelBins.build(f.position.data(), f.size(), s.surfelSupport);
+  const OneComponent one(f, s.surfelCells);
+  const std::vector<Pair> pairs = meetingPairs(w, halos.all, c, one, t);
+  Joined joined(pairs);
+  for (const Pair& m : pairs) {
+    const std::uint64_t gone = joined.join(m.a, m.b);
+    if (gone == 0) continue;
+    s.counters.merges++;
+    s.events.push_back({w.clock.step, w.clock.time, true, joined.of(gone), gone});
+  }
+  c.dead.assign(f.owned, 0);
+  t.moved.assign(f.position.data(), f.position.data() + f.owned);
+  forEachNearOthers(f, s.surfelCells, one, [&](std::uint32_t i) { judgeSurfel(w, i, joined, c, t); });
+  std::copy(t.moved.begin(), t.moved.end(), f.position.data());
+  if (!pairs.empty()) {
+    for (std::size_t i = 0; i < f.owned; i++) f.component[i] = joined.of(f.component[i]);
+    for (std::size_t i = 0; i < p.owned; i++) p.component[i] = joined.of(p.component[i]);
+  }
+  std::int64_t deaths[1] = {dropSurfels(s, c.dead)};
+  halos.all.sum(deaths);
+  s.counters.deaths += deaths[0];
+}
+
+}  // namespace thaw

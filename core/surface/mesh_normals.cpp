@@ -1,0 +1,68 @@
+#include "core/surface/mesh_normals.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thaw {
+
+MeshNormals::MeshNormals(const TriangleMesh& mesh) : mesh_(mesh) {
+  face_.reserve(mesh.triangles.size());
+  first_.assign(mesh.vertices.size() + 1, 0);
+  for (const auto& t : mesh.triangles) {
+    face_.push_back(normalized(cross(mesh.vertices[t[1]] - mesh.vertices[t[0]], mesh.vertices[t[2]] - mesh.vertices[t[0]])));
+    for (const std::uint32_t v : t) first_[v + 1]++;
+  }
+  for (std::size_t v = 0; v < mesh.vertices.size(); v++) first_[v + 1] += first_[v];
+  around_.resize(3 * mesh.triangles.size());
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); t++)
+    for (const std::uint32_t v : mesh.triangles[t]) around_[next[v]++] = t;
+}
+
+std::array<double, 3> MeshNormals::sharesOf(const Vec3d& x, std::uint32_t triangle) const {
+  const auto& t = mesh_.triangles[triangle];
+  std::array<double, 3> share{};
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; k++) {
+    const Vec3d &a = mesh_.vertices[t[(k + 1) % 3]], &b = mesh_.vertices[t[(k + 2) % 3]];
+    share[k] = length(cross(a - x, b - x));
+    sum += share[k];
+  }
+  for (double& s : share) s = sum > 0 ? s / sum : 1.0 / 3;
+  return share;
+}
+
+Vec3d MeshNormals::at(const Vec3d& x, std::uint32_t triangle) const {
+  const auto& t = mesh_.triangles[triangle];
+  const std::array<double, 3> share = sharesOf(x, triangle);
+  const double crease = std::sqrt(0.5);
+  Vec3d n;
+  for (std::size_t k = 0; k < 3; k++) {
+    Vec3d corner;
+    for (std::uint32_t i = first_[t[k]]; i < first_[t[k] + 1]; i++) {
+      const std::uint32_t u = around_[i];
+      if (dot(face_[u], face_[triangle]) < crease) continue;
+      const auto& c = mesh_.triangles[u];
+      const std::size_t at = c[0] == t[k] ? 0 : c[1] == t[k] ? 1 : 2;
+      const Vec3d here = mesh_.vertices[t[k]];
+      const Vec3d p = normalized(mesh_.vertices[c[(at + 1) % 3]] - here), q = normalized(mesh_.vertices[c[(at + 2) % 3]] - here);
+      corner += std::sqrt(std::max(0.0, 0.5 - 0.5 * dot(p, q))) * face_[u];  // sine of half the angle there: as good a weight, and the same bits everywhere
+    }
+    n += share[k] * normalized(corner);
+  }
+  n = normalized(n);
+  return dot(n, n) > 0 ? n : face_[triangle];
+}
+
+std::uint32_t MeshNormals::colourAt(const Vec3d& x, std::uint32_t triangle) const {
+  const std::array<double, 3> share = sharesOf(x, triangle);
+  std::uint32_t packed = 0;
+  for (int part = 0; part < 3; part++) {
+    double c = 0;
+    for (std::size_t k = 0; k < 3; k++) c += share[k] * static_cast<double>(mesh_.colours[mesh_.triangles[triangle][k]] >> 8 * part & 255);
+    packed |= static_cast<std::uint32_t>(std::clamp(std::lround(c), 0l, 255l)) << 8 * part;
+  }
+  return packed;
+}
+
+}  // namespace thaw

@@ -1,0 +1,176 @@
+#include "core/surface/relax.hpp"
+
+#include <chrono>
+#include <cstring>
+
+#include "core/surface/place_rows.hpp"
+#include "core/surface/ready_particles.hpp"
+#include "core/surface/surfel_move.hpp"
+#include "core/surface/update_surface.hpp"
+
+namespace thaw {
+namespace {
+
+class Lap {
+ public:
+  void operator()(double& to) {
+    const auto now = std::chrono::steady_clock::now();
+    to += std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+void packSurfel(const Surface& s, RelaxTools& r, std::size_t i) {
+  const Surfels& f = s.surfels;
+  float *place = &r.place[4 * i], *normal = &r.normal[4 * i];
+  for (int a = 0; a < 3; a++) {
+    const std::uint32_t bits = fixedPoint(s.grid, f.position[i][a], a);
+    std::memcpy(place + a, &bits, 4);
+    normal[a] = static_cast<float>(f.normal[i][a]);
+  }
+  place[3] = f.moving[i] ? 1.0f : 0.0f;
+  normal[3] = static_cast<float>(std::min(f.radius[i], s.spacing) / s.grid.support);
+}
+
+/// Surfels to their ranks and sorted, their ghosts, and all lists. Collective.
+void search(World& w, SurfaceHalos halos, SurfaceTools& t, bool all, double margin, Lap& lap) {
+  Surface& s = w.surface;
+  Surfels& f = s.surfels;
+  RelaxTools& r = t.relax;
+  placeRows(s.grid, halos.surfels, f, s.surfelCells, t.sort);
+  ColumnList columns{&f.id, &f.position, &f.normal, &f.radius, &f.component, &f.moving};
+  addGhosts(halos.surfels, f, s.surfelCells, columns);
+  lap(r.times.place);
+  const ListRadii radii{s.surfelSupport + margin, s.particleSupport + 0.5 * margin};
+  fillBins(s.grid, s.surfelCells, f.position.data(), 0.5 * radii.surfels, r.surfelBins);
+  r.free.resize(f.owned);
+  for (std::size_t i = 0; i < f.owned; i++) r.free[i] = all || (f.liquid.active && f.liquid[i] > 0);
+  listGroups(s, r.free, r.surfelBins, r.particleBins, radii, r.lists);
+  r.found.assign(f.position.data(), f.position.data() + f.owned);
+  r.place.resize(4 * f.size());
+  r.normal.resize(4 * f.size());
+  for (std::size_t i = 0; i < f.size(); i++) packSurfel(s, r, i);
+  lap(r.times.search);
+}
+
+ForceSums sumsOf(const World& w, RelaxTools& r) {
+  const Surface& s = w.surface;
+  ForceSums in;
+  in.plane = w.scene.surface.smoothing == SmoothingForm::Plane;
+  r.overSurfels.resize(r.lists.groups() * 8 * (in.plane ? planeSums : sphereSums));
+  r.overParticles.resize(r.lists.groups() * 8 * particleSums);
+  in.place = r.place.data();
+  in.normal = r.normal.data();
+  in.particle = r.particle.data();
+  in.particleColour = r.particleColour.data();
+  in.self = r.lists.self.data();
+  in.firstSurfel = r.lists.firstSurfel.data();
+  in.firstParticle = r.lists.firstParticle.data();
+  in.surfel = r.lists.surfel.data();
+  in.particleRow = r.lists.particle.data();
+  const double h = s.particleSupport / s.grid.support;
+  in.perParticleSupport2 = static_cast<float>(1 / (h * h));
+  in.support = static_cast<float>(w.scene.surface.support);
+  in.repelRange = 1.5f;
+  in.sameSide = 0.70710678f;
+  in.apart = -0.5f;
+  in.overSurfels = r.overSurfels.data();
+  in.overParticles = r.overParticles.data();
+  return in;
+}
+
+/// Groups that may have something to do: a surfel that moved is in their list.
+void listStirredGroups(const GroupLists& l, const Surfels& f, std::vector<std::uint32_t>& groups) {
+  groups.clear();
+  for (std::uint32_t g = 0; g < l.groups(); g++)
+    for (std::uint64_t k = l.firstSurfel[g]; k < l.firstSurfel[g + 1]; k++)
+      if (f.moving[l.surfel[k]]) {
+        groups.push_back(g);
+        break;
+      }
+}
+
+/// Of those, the ones with a surfel that moved, or has a neighbour that did, within h_ss.
+void keepStirred(const GroupLists& l, const float* sums, int channels, std::vector<std::uint32_t>& groups) {
+  std::erase_if(groups, [&](std::uint32_t g) {
+    const float* stirred = sums + (static_cast<std::size_t>(g) * static_cast<std::size_t>(channels) + Stirred) * 8;
+    return std::none_of(stirred, stirred + l.lanes[g], [](float x) { return x > 0; });
+  });
+}
+
+}  // namespace
+
+Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights& weights, std::int64_t iterations, bool all) {
+  Surface& s = w.surface;
+  Surfels& f = s.surfels;
+  RelaxTools& r = t.relax;
+  Lap lap;
+  readyParticles(w, halos, t);
+  lap(r.times.ready);
+  f.resize(f.owned, 0);
+  f.activate(f.moving);
+  for (std::size_t i = 0; i < f.owned; i++) f.moving[i] = all || (f.liquid.active && f.liquid[i] > 0);
+  // a surfel may move by half the margin before lists are stale; the cells of the grid leave room for half a spacing of the particles
+  const double margin = std::min(0.5 * s.spacing, 0.5 * w.scene.spacing);
+  search(w, halos, t, all, margin, lap);
+  Settled done;
+  MoveCounts counts;
+  // along the normal surfels are at rest after a dozen iterations; along the surface they would shuffle on for hundreds, hence K05's damping
+  double furthest = 0, spread = 1;
+  while (done.iterations < iterations && !done.finished) {
+    if (furthest > 0.5 * margin) search(w, halos, t, all, margin, lap);
+    ForceSums in = sumsOf(w, r);
+    const int channels = in.plane ? planeSums : sphereSums;
+    listStirredGroups(r.lists, f, r.groups);
+    in.groups = r.groups.data();
+    in.groupCount = r.groups.size();
+    r.kernels->overSurfels(in);
+    lap(r.times.surfelSums);
+    keepStirred(r.lists, in.overSurfels, channels, r.groups);
+    in.groupCount = r.groups.size();
+    r.kernels->overParticles(in);
+    lap(r.times.particleSums);
+    MoveContext context = moveContext(w, r, weights);
+    context.spread = spread;
+    spread *= 0.95;
+    double state[2]{0, 0};  // moving at all, furthest from where it was found
+    // those of groups without work have not moved in the last iteration
+    for (const std::uint32_t g : r.groups) {
+      const SurfelSums sums{in.overSurfels + static_cast<std::size_t>(g) * 8 * static_cast<std::size_t>(channels), in.overParticles + static_cast<std::size_t>(g) * 8 * particleSums, 0};
+      const double push = pushOf(r.pushes, f.component[r.lists.self[8 * g]]);
+      for (int lane = 0; lane < r.lists.lanes[g]; lane++) {
+        if (!(sums.surfels[8 * Stirred + lane] > 0)) continue;
+        const std::size_t i = r.lists.self[8 * g + static_cast<std::size_t>(lane)];
+        SurfelSums own = sums;
+        own.lane = lane;
+        const double moved = moveSurfel(w, context, own, push, i, counts);
+        f.moving[i] = moved > w.scene.surface.stop * f.radius[i];
+        if (f.moving[i]) state[0] = 1;
+        state[1] = std::max(state[1], length(f.position[i] - r.found[i]));
+        packSurfel(s, r, i);
+        r.times.surfels++;
+      }
+    }
+    lap(r.times.finish);
+    ColumnList columns{&f.position, &f.normal, &f.moving};
+    refreshGhosts(halos.surfels, f, columns);
+    for (std::size_t i = f.owned; i < f.size(); i++) packSurfel(s, r, i);
+    halos.all.maximum(state);
+    furthest = state[1];
+    done.finished = state[0] == 0;
+    done.iterations++;
+    lap(r.times.exchange);
+  }
+  std::int64_t total[2]{counts.flipped, counts.keptNormals};
+  halos.all.sum(total);
+  s.counters.flipped += total[0];
+  s.counters.keptNormals += total[1];
+  f.resize(f.owned, 0);
+  deactivate(f.moving);
+  return done;
+}
+
+}  // namespace thaw

@@ -1,0 +1,40 @@
+// Buffers of displacement and iterations, reused from update to update. Nothing of them is part of the state.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/particles/column.hpp"
+#include "core/surface/bins.hpp"
+#include "core/surface/force_sums.hpp"
+#include "core/surface/group_lists.hpp"
+#include "core/surface/level_table.hpp"
+
+namespace thaw {
+
+/// Moves the surfels of a component outward (m), before damping, in each iteration: what a volume-keeping force asks for.
+struct ComponentPush { std::uint64_t component; double distance; };
+
+/// Seconds spent, for benchmarks; no result depends on them.
+struct RelaxTimes { double ready = 0, place = 0, search = 0, surfelSums = 0, particleSums = 0, finish = 0, exchange = 0; std::int64_t surfels = 0; };
+
+struct RelaxTools {
+  bool particlesReady = false;  ///< readyParticles was called for the particles as they are; on all ranks or none
+  LevelTable level;
+  const ForceKernels* kernels = forceKernels();
+  std::vector<ComponentPush> pushes;  ///< ascending by component
+  Bins surfelBins, particleBins;
+  GroupLists lists;
+  AlignedVector<float> place, normal, particle, particleColour, overSurfels, overParticles;
+  std::vector<std::uint8_t> free;
+  std::vector<std::uint32_t> groups;
+  std::vector<Vec3d> found;           ///< where owned surfels were at the search
+  RelaxTimes times;
+};
+
+/// Switches a column off: it holds no memory that counts, and is not in checkpoints.
+inline void deactivate(AnyColumn& c) {
+  c.active = false;
+  c.bytes.clear();
+}
+
+}  // namespace thaw

@@ -1,0 +1,60 @@
+#include "core/surface/resume_surface.hpp"
+
+namespace thaw {
+namespace {
+
+/// Sorted by (cell, id) where they are.
+template<class Rows> void sortInPlace(const CellGrid& grid, Rows& rows, CellTable& cells, SortBuffers& buffers) {
+  computeCellKeys(grid, rows);
+  Migration all;
+  all.arrivals = rows.owned;
+  sortByCell(rows, all, buffers, cells);
+}
+
+/// Of owned rows alone, whatever ghost cells were merged into `cells`.
+template<class Rows> bool cut(const Rows& rows, const CellTable& cells, SurfaceHalos halos, bool force) {
+  CellTable own;
+  std::vector<double> cost;
+  for (std::size_t c = 0; c < cells.key.size(); c++) {
+    if (cells.first[c] >= rows.owned) continue;
+    own.key.push_back(cells.key[c]);
+    own.first.push_back(cells.first[c]);
+    own.count.push_back(cells.count[c]);
+    cost.push_back(cells.count[c]);
+  }
+  own.ownedCells = own.key.size();
+  const bool anew = halos.surfels.rebalance(own, cost, force);
+  if (anew) halos.particles.follow(halos.surfels);
+  return anew;
+}
+
+}  // namespace
+
+void resumeSurface(World& w, SurfaceHalos halos, SurfaceTools& t) { balanceSurface(w, halos, t, true); }
+
+void balanceSurface(World& w, SurfaceHalos halos, SurfaceTools& t, bool force) {
+  Surface& s = w.surface;
+  sortInPlace(s.grid, s.surfels, s.surfelCells, t.sort);  // births and deaths since the last sort
+  cut(s.surfels, s.surfelCells, halos, force);
+}
+
+void cutByParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
+  Surface& s = w.surface;
+  sortInPlace(s.grid, s.particles, s.particleCells, t.sort);
+  cut(s.particles, s.particleCells, halos, true);
+}
+
+void emptySurface(Surface& s) {
+  for (Table* table : {static_cast<Table*>(&s.surfels), static_cast<Table*>(&s.particles)}) {
+    table->resize(table->owned, 0);
+    table->resize(0, 0);
+  }
+  s.surfelCells = {};
+  s.particleCells = {};
+  s.components.clear();
+  s.events.clear();
+  s.counters = {};
+  s.lastStep = -1;
+}
+
+}  // namespace thaw

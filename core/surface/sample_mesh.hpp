@@ -1,0 +1,35 @@
+// The first surfels of bodies that are meshes.
+#pragma once
+#include <vector>
+
+#include "core/geometry/triangle_mesh.hpp"
+#include "core/halo/surface_halos.hpp"
+#include "core/world.hpp"
+
+namespace thaw {
+
+inline constexpr std::uint64_t surfelBit = std::uint64_t{1} << 63;  ///< of every surfel's id
+inline constexpr std::uint64_t birthBit = std::uint64_t{1} << 62;   ///< of those that did not come with a mesh
+inline constexpr std::uint32_t paleColour = 0xdfe6ebu;              ///< of bodies that say nothing (red 235, green 230, blue 223)
+
+/// A sample of a body's surface.
+struct SurfaceSample {
+  Vec3d position{}, normal{};  ///< m, unit
+  std::uint32_t colour = paleColour;
+};
+
+/// Is the surface of this body sampled from its mesh, rather than grown from its particles?
+bool hasMesh(const Scene& scene, std::size_t body);
+
+/// Blue noise on the placed mesh of a shape of kind Mesh, `spacing` (m) apart, with its normals and colours; on the built-in bust the places
+/// are moved onto the sculpture that its mesh only comes near to, and have its normals. Parts buried in other parts are left out.
+std::vector<SurfaceSample> sampleShape(const Shape& shape, const MeshLoader& load, double spacing, std::uint64_t seed);
+
+/// Appends the surfels of all bodies that have a mesh, dealt out to the ranks (placeRows brings them home). label[b]: component of body b.
+/// Every rank samples every mesh, so that nothing depends on who does what.
+void sampleMeshes(const Scene& scene, Surface& surface, const MeshLoader& load, const std::vector<std::uint64_t>& label, const Reducer& all);
+
+/// 1 + the smallest id of the particle copies of each body and emitter; noComponent where there are none. Collective.
+std::vector<std::uint64_t> labelsOfBodies(const Scene& scene, const SurfaceParticles& particles, Reducer& all);
+
+}  // namespace thaw

@@ -1,0 +1,28 @@
+#include "core/surface/surface_due.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thaw {
+
+double largestSurfaceMove2(const World& w) {
+  const Continuum& p = w.particles;
+  double most = 0;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    if (p.component[i] == noComponent) continue;
+    Vec3d u = p.position[i] - p.surfacePlace[i];
+    for (int a = 0; a < 3; a++)
+      if (w.grid.periodic[a]) u[a] -= w.grid.period[a] * std::nearbyint(u[a] / w.grid.period[a]);
+    most = std::max(most, dot(u, u));
+  }
+  return most;
+}
+
+bool surfaceDue(const World& w, double move2) {
+  const SurfaceSettings& s = w.scene.surface;
+  if (s.everySteps > 0 && w.clock.step - w.surface.lastStep >= s.everySteps) return true;
+  const double far = s.everyMove * w.grid.support;
+  return far > 0 && move2 >= far * far;
+}
+
+}  // namespace thaw

@@ -1,0 +1,77 @@
+#include "core/surface/update_components.hpp"
+
+#include <algorithm>
+
+#include "core/surface/keep_volume.hpp"
+#include "core/surface/measure.hpp"
+#include "core/surface/place_rows.hpp"
+#include "core/surface/surfel_area.hpp"
+#include "core/surface/update_surface.hpp"
+
+namespace thaw {
+namespace {
+
+void addSurfelGhosts(Surface& s, SurfaceHalos halos) {
+  Surfels& f = s.surfels;
+  ColumnList columns{&f.id, &f.position, &f.normal, &f.radius, &f.component};
+  if (f.liquid.active) columns.push_back(&f.liquid);
+  addGhosts(halos.surfels, f, s.surfelCells, columns);
+}
+
+void placeSurfels(Surface& s, SurfaceHalos halos, SurfaceTools& t) {
+  placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, t.sort);
+  addSurfelGhosts(s, halos);
+}
+
+/// Areas and components of where surfels are; needs ghosts.
+void measureAll(Surface& s, SurfaceHalos halos, TopologyTools& t) {
+  findSurfelAreas(s.surfels, t.components.surfelBins);
+  measureComponents(s, halos.all);
+}
+
+/// Offsets until the volumes are right to a thousandth, four times at most.
+void keepVolume(World& w, SurfaceHalos halos, TopologyTools& t) {
+  Surface& s = w.surface;
+  for (int k = 0; k < 4 && volumeError(s) > 1e-3; k++) {
+    offsetToVolume(s, w.scene.surface.keepVolume);
+    refreshGhosts(halos.surfels, s.surfels, ColumnList{&s.surfels.position});
+    measureAll(s, halos, t);
+  }
+}
+
+}  // namespace
+
+void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
+  Surface& s = w.surface;
+  TopologyTools& t = tools.topology;
+  s.quietEvents = s.events.size();
+  placeSurfels(s, halos, tools);
+  placeRows(s.grid, halos.particles, s.particles, s.particleCells, tools.sort);
+  addGhosts(halos.particles, s.particles, s.particleCells, ColumnList{&s.particles.id, &s.particles.position, &s.particles.component, &s.particles.body});
+  adoptFresh(w, halos, t.components);
+  findParts(w, halos, t.components);
+  splitComponents(w, halos, t.components);
+  addSurfelGhosts(s, halos);  // splitting dropped them
+  mergeComponents(w, halos, t.components, t.merge);
+  s.particles.resize(s.particles.owned, 0);
+  placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, tools.sort);  // contact has moved some
+  std::fill_n(s.surfels.area.data(), s.surfels.owned, 0.0);
+  measureComponents(s, halos.all);
+}
+
+void measureSurface(World& w, SurfaceHalos halos, SurfaceTools& tools) {
+  Surface& s = w.surface;
+  TopologyTools& t = tools.topology;
+  placeSurfels(s, halos, tools);
+  placeRows(s.grid, halos.particles, s.particles, s.particleCells, tools.sort);
+  measureAll(s, halos, t);
+  if (w.scene.surface.keepVolume > 0 && s.lastStep >= 0) keepVolume(w, halos, t);
+  s.surfels.resize(s.surfels.owned, 0);
+}
+
+void updateComponents(World& w, SurfaceHalos halos, SurfaceTools& tools) {
+  splitAndMerge(w, halos, tools);
+  measureSurface(w, halos, tools);
+}
+
+}  // namespace thaw

@@ -1,0 +1,33 @@
+#include "io/output/surface_frame.hpp"
+
+#include "io/output/frame_rows.hpp"
+
+namespace thaw {
+
+std::string surfaceName(const std::string& scene) { return scene + "_surface"; }
+
+WorldFrame surfaceFrameOf(const World& w) {
+  const Surfels& s = w.surface.surfels;
+  WorldFrame f;
+  f.frame.time = w.clock.time;
+  f.frame.step = w.clock.step;
+  f.frame.count = s.owned;
+  addRows<float>(f, "position", "m", 3, [&](std::size_t i, float* to) { put3(s.position[i], to); });
+  f.frame.positions = f.frame.fields[0];
+  f.frame.fields.clear();
+  addRows<std::uint64_t>(f, "id", "1", 1, [&](std::size_t i, std::uint64_t* to) { *to = s.id[i]; });
+  addRows<float>(f, "normal", "1", 3, [&](std::size_t i, float* to) { put3(s.normal[i], to); });
+  addRows<float>(f, "radius", "m", 1, [&](std::size_t i, float* to) { *to = static_cast<float>(s.radius[i]); });
+  addRows<std::uint8_t>(f, "color", "1", 3, [&](std::size_t i, std::uint8_t* to) {
+    for (int c = 0; c < 3; c++) to[c] = static_cast<std::uint8_t>(s.colour[i] >> 8 * c & 255);
+  });
+  addRows<std::uint64_t>(f, "component", "1", 1, [&](std::size_t i, std::uint64_t* to) { *to = s.component[i]; });
+  addRows<float>(f, "detail", "1", 1, [&](std::size_t i, float* to) { *to = s.detail[i]; });
+  if (s.liquid.active) addRows<float>(f, "liquid", "1", 1, [&](std::size_t i, float* to) { *to = s.liquid[i]; });
+  if (s.temperature.active) addRows<float>(f, "temperature", "K", 1, [&](std::size_t i, float* to) { *to = s.temperature[i]; });
+  return f;
+}
+
+bool isSurfaceFrame(const H5File& file) { return file.has("/VTKHDF/PointData/normal") && file.has("/VTKHDF/PointData/radius"); }
+
+}  // namespace thaw

@@ -1,0 +1,74 @@
+#include "io/run/surface_run.hpp"
+
+#include "io/hdf5/agree.hpp"
+#include "io/output/surface_frame.hpp"
+#include "io/run/surface_log.hpp"
+
+namespace thaw {
+
+void beginSurface(Run& r, const MeshLoader& load) {
+  r.surfaceTools.load = load;
+  r.tools.times.start();
+  startSurface(r.world, r.surface->halos(), r.surfaceTools);
+  r.tools.times.lap(StepPhase::Setup);
+  onFirstRank(r.comm.handle(), [&] {
+    beginComponentLog(r.options.out);
+    writeEventLog(r.options.out, r.world.surface.events);
+  });
+}
+
+void resumeSurfaceOutput(Run& r) {
+  onFirstRank(r.comm.handle(), [&] {
+    r.surfaceSeries = framesPresent(r.options.out, surfaceName(r.name), r.world.clock.time);
+    cutComponentLog(r.options.out, r.world.clock.step);
+    writeEventLog(r.options.out, r.world.surface.events);
+  });
+}
+
+void updateSurfaceOf(Run& r) {
+  Surface& s = r.world.surface;
+  const std::size_t events = s.events.size();
+  r.tools.times.start();
+  updateSurface(r.world, r.surface->halos(), r.surfaceTools);
+  r.tools.times.lap(StepPhase::Surface);
+  r.summary.surface.updatesHere++;
+  if (s.events.size() != events) onFirstRank(r.comm.handle(), [&] { writeEventLog(r.options.out, s.events); });
+}
+
+void writeSurfaceFrameOf(Run& r) {
+  const World& w = r.world;
+  const std::string name = surfaceName(r.name), file = frameName(name, w.clock.frame);
+  const WorldFrame f = surfaceFrameOf(w);
+  writeFrame(frameFolder(r.options.out) + "/" + file, r.comm.handle(), f.frame, r.stamp());
+  onFirstRank(r.comm.handle(), [&] {
+    r.surfaceSeries.push_back({file, w.clock.time});
+    writeSeries(seriesPath(r.options.out, name), r.surfaceSeries);
+    addToComponentLog(r.options.out, w);
+  });
+}
+
+void forgetSurfaceFrames(Run& r) {
+  forgetSeries(r.options.out, surfaceName(r.name), r.surfaceSeries, r.world.clock.time);
+  cutComponentLog(r.options.out, r.world.clock.step);
+  writeEventLog(r.options.out, r.world.surface.events);
+}
+
+void gatherSurface(Run& r) {
+  const World& w = r.world;
+  if (!w.modules.surface) return;
+  SurfaceSummary& s = r.summary.surface;
+  std::int64_t surfels = static_cast<std::int64_t>(w.surface.surfels.owned);
+  double seconds = r.tools.times[StepPhase::Surface];
+  r.all.sum({&surfels, 1});
+  r.all.maximum({&seconds, 1});
+  s.there = true;
+  s.surfels = surfels;
+  s.seconds = seconds;
+  s.spacing = w.surface.spacing;
+  s.lastStep = w.surface.lastStep;
+  s.counters = w.surface.counters;
+  s.components = w.surface.components;
+  s.events = w.surface.events;
+}
+
+}  // namespace thaw

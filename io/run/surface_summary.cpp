@@ -1,0 +1,73 @@
+#include "io/run/surface_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/ledger/totals.hpp"
+
+namespace thaw {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr std::size_t mostEvents = 1000, mostLines = 8;  // of the last ones in the summary (events.csv has all); of components at the end
+
+double volumeOf(const SurfaceSummary& s) {
+  double sum = 0;
+  for (const SurfaceComponent& c : s.components) sum += c.volume;
+  return sum;
+}
+
+}  // namespace
+
+Json surfaceJson(const SurfaceSummary& s) {
+  Json j = {{"surfels", s.surfels}, {"spacing_m", s.spacing}, {"last_update_step", s.lastStep}, {"updates_of_this_process", s.updatesHere},
+            {"seconds_per_update", s.updatesHere > 0 ? s.seconds / static_cast<double>(s.updatesHere) : 0}};
+  SurfaceCounters counters = s.counters;
+  for (const NamedCount& c : countsOf(counters)) j["counters"][c.name] = *c.count;
+  j["components"] = Json::array();
+  for (const SurfaceComponent& c : s.components)
+    j["components"].push_back({{"component", c.label}, {"particles", c.particles}, {"surfels", c.surfels}, {"mass_kg", c.mass}, {"particle_volume_m3", c.particleVolume},
+                               {"volume_m3", c.volume}, {"area_m2", c.area}, {"centroid_m", {c.centroid.x, c.centroid.y, c.centroid.z}}});
+  j["events"] = Json::array();
+  for (std::size_t k = s.events.size() - std::min(s.events.size(), mostEvents); k < s.events.size(); k++) {
+    const SurfaceEvent& e = s.events[k];
+    j["events"].push_back({{"step", e.step}, {"time_s", e.time}, {"kind", e.merge ? "merge" : "split"}, {"component", e.label}, {"other", e.other}});
+  }
+  return j;
+}
+
+std::string surfaceProgress(const SurfaceSummary& s) {
+  if (!s.there) return {};
+  const std::string each = s.updatesHere > 0 ? fmt::format("  update {:.3g} s", s.seconds / static_cast<double>(s.updatesHere)) : std::string();
+  return fmt::format("  surfels {} in {} component{} of {:.5g} m^3{}", s.surfels, s.components.size(), s.components.size() == 1 ? "" : "s", volumeOf(s), each);
+}
+
+std::vector<std::string> surfaceLines(const SurfaceSummary& s) {
+  if (!s.there) return {};
+  const SurfaceCounters& c = s.counters;
+  std::vector<std::string> lines{fmt::format("surface: {} surfels, {} updates with {} iterations, {} births, {} deaths, {} splits, {} merges; {:.3g} s an update", s.surfels, c.updates, c.iterations,
+                                             c.births, c.deaths, c.splits, c.merges, s.updatesHere > 0 ? s.seconds / static_cast<double>(s.updatesHere) : 0)};
+  std::vector<SurfaceComponent> largest = s.components;
+  std::stable_sort(largest.begin(), largest.end(), [](const SurfaceComponent& a, const SurfaceComponent& b) { return a.particles > b.particles; });
+  for (std::size_t k = 0; k < std::min(mostLines, largest.size()); k++)
+    lines.push_back(fmt::format("  component {}: {} particles of {:.5g} m^3, {} surfels around {:.5g} m^3, area {:.5g} m^2", largest[k].label, largest[k].particles, largest[k].particleVolume,
+                                largest[k].surfels, largest[k].volume, largest[k].area));
+  if (largest.size() > mostLines) lines.push_back(fmt::format("  and {} smaller ones (surface.csv)", largest.size() - mostLines));
+  return lines;
+}
+
+std::vector<std::string> surfaceWarnings(const SurfaceSummary& s) {
+  std::vector<std::string> w;
+  const auto add = [&](std::int64_t n, const char* what) {
+    if (n > 0) w.push_back(fmt::format("{} {}", n, what));
+  };
+  add(s.counters.lost, "surfels had no particles around and were deleted");
+  add(s.counters.flipped, "times a surfel's normal stood against the particles and was turned round");
+  add(s.counters.capped, "updates of the surface reached the most births and deaths that one may have");
+  add(s.counters.unfinished, "updates of the surface ended at surface.iterations with surfels that still moved");
+  return w;
+}
+
+}  // namespace thaw

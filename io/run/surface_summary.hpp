@@ -1,0 +1,34 @@
+// The surface of a run in summary.json, progress lines and the lines at the end.
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "core/surface/surface.hpp"
+
+namespace thaw {
+
+struct SurfaceSummary {
+  bool there = false;
+  std::int64_t surfels = 0;         ///< of all ranks
+  double spacing = 0;               ///< m
+  std::int64_t lastStep = -1;       ///< of the last update
+  std::int64_t updatesHere = 0;     ///< by this process
+  double seconds = 0;               ///< of them, largest of a rank
+  SurfaceCounters counters;
+  std::vector<SurfaceComponent> components;
+  std::vector<SurfaceEvent> events;
+};
+
+nlohmann::ordered_json surfaceJson(const SurfaceSummary& summary);
+
+/// "  surfels 60123 in 3 components of 0.0123 m^3  update 0.81 s", to be appended to a progress line; empty without a surface.
+std::string surfaceProgress(const SurfaceSummary& summary);
+
+/// Counters and the largest components, a line each.
+std::vector<std::string> surfaceLines(const SurfaceSummary& summary);
+
+/// In words, with counts.
+std::vector<std::string> surfaceWarnings(const SurfaceSummary& summary);
+
+}  // namespace thaw

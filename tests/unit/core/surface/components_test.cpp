@@ -1,0 +1,126 @@
+#include "core/surface/components.hpp"
+
+#include <chrono>
+
+#include "core/math/hash_random.hpp"
+#include "tests/support/surface_rig.hpp"
+
+using namespace thaw;
+using namespace thaw::test;
+
+TEST(Components, ACubeIsOneBody) {  // B19: S_rest alone finds six
+  SerialSurfaceRig rig;
+  rig.box({-0.5, -0.5, -0.5}, {10, 10, 10});
+  rig.update();
+  ASSERT_EQ(rig.components().size(), 1u);
+  EXPECT_EQ(rig.components()[0].label, 1u);
+  EXPECT_EQ(rig.components()[0].particles, 1000);
+  EXPECT_EQ(rig.components()[0].surfels, 2400);
+  EXPECT_EQ(rig.world.surface.counters.splits, 0);
+  EXPECT_NEAR(rig.components()[0].area, 6, 0.001);
+  EXPECT_NEAR(rig.components()[0].volume, 1, 0.001);
+}
+
+TEST(Components, TwoBodiesThatTouchAtTheStartAreTwo) {
+  SerialSurfaceRig rig;
+  rig.world.scene.surface.merge = MergeRule::None;
+  rig.box({-1, -0.3, -0.3}, {10, 6, 6});
+  rig.body = 1;
+  rig.box({0, -0.3, -0.3}, {10, 6, 6});
+  rig.update();
+  ASSERT_EQ(rig.components().size(), 2u);
+  EXPECT_EQ(rig.components()[0].particles, 360);
+  EXPECT_EQ(rig.components()[1].label, 361u);
+  EXPECT_EQ(rig.components()[1].particles, 360);
+  EXPECT_EQ(rig.components()[0].surfels, rig.components()[1].surfels);
+}
+
+TEST(Components, ADumbbellPulledApartSplitsOnce) {
+  SerialSurfaceRig rig;
+  rig.ball({-0.6, 0, 0}, 0.5);
+  const std::uint64_t second = rig.particles;
+  rig.ball({0.6, 0, 0}, 0.5);
+  rig.box({-0.15, -0.1, -0.1}, {3, 2, 2});  // the neck
+  rig.update();
+  ASSERT_EQ(rig.components().size(), 1u);
+  const std::int64_t surfels = rig.components()[0].surfels;
+  for (std::size_t i = 0; i < rig.p().owned; i++) rig.p().position[i].x += rig.p().position[i].x > 0 ? 0.3 : 0;
+  for (std::size_t i = 0; i < rig.f().owned; i++) rig.f().position[i].x += rig.f().position[i].x > 0 ? 0.3 : 0;
+  rig.world.clock.step = 7;
+  rig.update();
+  ASSERT_EQ(rig.components().size(), 2u);
+  EXPECT_EQ(rig.components()[0].label, 1u);
+  EXPECT_EQ(rig.components()[1].label, 1 + second);
+  EXPECT_EQ(rig.components()[0].surfels + rig.components()[1].surfels, surfels);
+  ASSERT_EQ(rig.world.surface.events.size(), 1u);
+  const SurfaceEvent& e = rig.world.surface.events[0];
+  EXPECT_EQ(e.step, 7);
+  EXPECT_FALSE(e.merge);
+  EXPECT_EQ(e.label, 1u);
+  EXPECT_EQ(e.other, 1 + second);
+  EXPECT_EQ(rig.world.surface.counters.splits, 1);
+  EXPECT_EQ(rig.world.surface.counters.lost, 0);
+}
+
+TEST(Components, ADropWithoutSurfelsIsListed) {
+  SerialSurfaceRig rig;
+  rig.ball({0, 0, 0}, 0.5, 1);
+  rig.particle({0, 0, 1}, 1);
+  rig.particle({0, 0, 1.1}, 1);
+  rig.update();
+  ASSERT_EQ(rig.components().size(), 2u);
+  EXPECT_EQ(rig.components()[1].particles, 2);
+  EXPECT_EQ(rig.components()[1].surfels, 0);
+  std::vector<std::uint32_t> rows;
+  listBareParticles(rig.world.surface, rows);
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_GE(rig.p().position[rows[0]].z, 1.0);
+}
+
+TEST(Components, SurfelsWithoutParticlesAreDeletedAndCounted) {
+  SerialSurfaceRig rig;
+  rig.ball({0, 0, 0}, 0.5, 1);
+  const std::uint64_t before = rig.surfels;
+  rig.sphere({1.3, 0, 0}, 0.2, 1);
+  rig.update();
+  ASSERT_EQ(rig.components().size(), 1u);
+  EXPECT_EQ(rig.components()[0].surfels, static_cast<std::int64_t>(before));
+  EXPECT_EQ(rig.world.surface.counters.lost, static_cast<std::int64_t>(rig.surfels - before));
+}
+
+TEST(Components, FreshParticlesTakeTheComponentThatTheyTouch) {
+  SerialSurfaceRig rig;
+  rig.ball({0, 0, 0}, 0.5, 1);
+  rig.ball({1.2, 0, 0}, 0.3, 1 + rig.particles);
+  for (int k = 0; k < 4; k++) rig.particle({0, 0, 0.55 + 0.1 * k});  // a column that stands on the first: hand over hand
+  rig.particle({0, 0, -1.5});
+  rig.update();
+  ASSERT_EQ(rig.components().size(), 3u);
+  const std::vector<std::uint64_t> label = rig.labels();
+  for (std::size_t k = 2; k < 6; k++) EXPECT_EQ(label[label.size() - k], 1u);
+  EXPECT_EQ(label.back(), label.size());
+  EXPECT_EQ(rig.world.surface.counters.splits, 0);
+}
+
+TEST(Components, AThinSheetIsOneBody) {  // B20: two layers of particles, sides closer than 2 h
+  SerialSurfaceRig rig;
+  rig.box({-1, -1, 0}, {20, 20, 2});
+  rig.update();
+  ASSERT_EQ(rig.components().size(), 1u);
+  EXPECT_NEAR(rig.components()[0].volume, 0.8, 0.008);
+  EXPECT_NEAR(rig.components()[0].area, 2 * 4 + 4 * 2 * 0.2, 0.01);
+}
+
+TEST(Components, ASprayOfAThousandDropsIsFast) {
+  SerialSurfaceRig rig(0.05, {0, 0, 0}, {10, 10, 10});
+  for (int k = 0; k < 1000; k++) {
+    const Vec3d c{0.5 + k % 10, 0.5 + k / 10 % 10, 0.5 + k / 100};
+    const double R = 0.06 + 0.15 * randomUniform(1, Purpose::Test, static_cast<std::uint64_t>(k));
+    rig.ball(c, R);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  rig.update();
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  EXPECT_EQ(rig.components().size(), 1000u);
+  std::printf("1000 drops, %llu particles, %llu surfels: %.3f s\n", static_cast<unsigned long long>(rig.particles), static_cast<unsigned long long>(rig.surfels), seconds);
+}

@@ -1,0 +1,63 @@
+#include "core/surface/measure.hpp"
+
+#include "core/surface/keep_volume.hpp"
+#include "tests/support/surface_rig.hpp"
+
+using namespace thaw;
+using namespace thaw::test;
+
+TEST(Measure, AreaAndVolumeOfABall) {
+  for (const double R : {0.2, 0.4, 0.8, 1.6}) {  // 2, 4, 8, 16 spacings
+    SerialSurfaceRig rig;
+    rig.ball({0.013, -0.2, 0.1}, R);
+    rig.update();
+    ASSERT_EQ(rig.components().size(), 1u);
+    const SurfaceComponent& c = rig.components()[0];
+    const double area = c.area / (4 * M_PI * R * R) - 1, volume = c.volume / (4.0 / 3 * M_PI * R * R * R) - 1;
+    std::printf("R/dx = %g: area %+.2e, volume %+.2e\n", R / rig.dx, area, volume);
+    EXPECT_LT(std::abs(area), 0.01);
+    EXPECT_LT(std::abs(volume), 0.01);
+    EXPECT_NEAR(c.mass, 1000 * c.particleVolume, 1e-9 * c.mass);
+  }
+}
+
+TEST(Measure, ABallAcrossAPeriodicSide) {
+  double volume[2], area[2];
+  for (int shifted = 0; shifted < 2; shifted++) {
+    SurfaceRig rig;
+    rig.world.scene.domain.side[0] = {Side::Periodic, Side::Periodic};
+    prepareSurface(rig.world);
+    SerialSurfaceRanks halos(rig.world.surface.grid);
+    rig.ball({shifted ? 1.95 : 0.0, 0, 0}, 0.8);
+    rig.update(halos.halos());
+    ASSERT_EQ(rig.components().size(), 1u);
+    volume[shifted] = rig.components()[0].volume;
+    area[shifted] = rig.components()[0].area;
+  }
+  EXPECT_NEAR(volume[1], volume[0], 1e-9);
+  EXPECT_NEAR(area[1], area[0], 1e-9);
+}
+
+TEST(KeepVolume, ABallAndAFlattenedBall) {
+  for (const double flat : {1.0, 0.5}) {
+    const double wide = 1 / std::sqrt(flat);
+    SerialSurfaceRig rig;
+    rig.ball({0, 0, 0}, 0.8);
+    for (std::size_t i = 0; i < rig.p().owned; i++) rig.p().position[i] = {wide * rig.p().position[i].x, wide * rig.p().position[i].y, flat * rig.p().position[i].z};
+    for (std::size_t i = 0; i < rig.f().owned; i++) {  // shrunk by 5 %
+      Vec3d &x = rig.f().position[i], &n = rig.f().normal[i];
+      x = 0.95 * Vec3d{wide * x.x, wide * x.y, flat * x.z};
+      n = normalized({n.x / wide, n.y / wide, n.z / flat});
+      rig.f().tangent[i] = normalized(rig.f().tangent[i] - dot(rig.f().tangent[i], n) * n);
+    }
+    rig.world.scene.surface.keepVolume = 0;
+    rig.update();
+    const double before = rig.components()[0].volume / rig.components()[0].particleVolume - 1;
+    rig.world.scene.surface.keepVolume = 1;
+    rig.update();
+    const double after = rig.components()[0].volume / rig.components()[0].particleVolume - 1;
+    std::printf("flattened to %g: volume %+.2f %% before, %+.3f %% after\n", flat, 100 * before, 100 * after);
+    EXPECT_LT(before, -0.1);
+    EXPECT_LT(std::abs(after), 0.01);
+  }
+}

@@ -1,0 +1,124 @@
+#include "core/surface/merge.hpp"
+
+#include "core/math/hash_random.hpp"
+#include "core/surface/near_sheets.hpp"
+#include "tests/support/surface_rig.hpp"
+
+using namespace thaw;
+using namespace thaw::test;
+
+namespace {
+
+/// Two balls of radius 0.5 whose surfaces overlap by this much (m) along x.
+void twoBalls(SurfaceRig& rig, double overlap) {
+  rig.ball({-0.5, 0, 0}, 0.5, 1);
+  rig.ball({0.5 - overlap, 0.02, 0.01}, 0.5, 1 + rig.particles);
+}
+
+}  // namespace
+
+TEST(Merge, BallsJoinOnlyWhenAParticleIsInside) {
+  SerialSurfaceRig apart;
+  twoBalls(apart, -0.02);
+  apart.update();
+  EXPECT_EQ(apart.components().size(), 2u);
+  EXPECT_EQ(apart.world.surface.counters.merges, 0);
+  EXPECT_EQ(apart.world.surface.counters.deaths, 0);
+
+  SerialSurfaceRig met;
+  twoBalls(met, 0.15);
+  const auto surfels = static_cast<std::int64_t>(met.surfels);
+  met.world.clock.step = 3;
+  met.update();
+  ASSERT_EQ(met.components().size(), 1u);
+  EXPECT_EQ(met.components()[0].label, 1u);
+  EXPECT_EQ(met.world.surface.counters.merges, 1);
+  ASSERT_EQ(met.world.surface.events.size(), 1u);
+  EXPECT_TRUE(met.world.surface.events[0].merge);
+  EXPECT_EQ(met.world.surface.events[0].label, 1u);
+  EXPECT_GT(met.world.surface.counters.deaths, 0);
+  EXPECT_EQ(met.components()[0].surfels + met.world.surface.counters.deaths, surfels);
+  // none of one ball is left inside the other
+  for (std::size_t i = 0; i < met.f().owned; i++) {
+    const Vec3d x = met.f().position[i];
+    EXPECT_GT(std::max(length(x - Vec3d{-0.5, 0, 0}), length(x - Vec3d{0.35, 0.02, 0.01})), 0.5 - 1e-9);
+    EXPECT_GT(std::min(length(x - Vec3d{-0.5, 0, 0}), length(x - Vec3d{0.35, 0.02, 0.01})), 0.495);
+  }
+}
+
+TEST(Merge, TheSceneSaysWhatJoins) {
+  for (const bool liquid : {false, true})
+    for (const MergeRule rule : {MergeRule::Liquid, MergeRule::All, MergeRule::None}) {
+      SerialSurfaceRig rig;
+      rig.world.scene.surface.merge = rule;
+      rig.liquid = liquid;
+      twoBalls(rig, 0.15);
+      rig.update();
+      const bool joins = rule == MergeRule::All || (rule == MergeRule::Liquid && liquid);
+      EXPECT_EQ(rig.components().size(), joins ? 1u : 2u);
+      EXPECT_EQ(rig.world.surface.counters.merges, joins ? 1 : 0);
+      if (joins) continue;
+      // kept apart: what was inside the other has gone back halfway
+      EXPECT_EQ(rig.world.surface.counters.deaths, 0);
+      double deepest = 0;
+      for (std::size_t i = 0; i < rig.f().owned; i++) {
+        const Vec3d other = rig.f().component[i] == 1 ? Vec3d{0.35, 0.02, 0.01} : Vec3d{-0.5, 0, 0};
+        deepest = std::max(deepest, 0.5 - length(rig.f().position[i] - other));
+      }
+      EXPECT_LT(deepest, 0.09);
+    }
+}
+
+TEST(Merge, ADropFallsIntoAPool) {
+  SerialSurfaceRig rig;
+  rig.box({-1, -1, -1}, {20, 20, 10}, 1);
+  rig.ball({0.01, 0.02, 0.1}, 0.3, 1 + rig.particles);
+  rig.particle({0, 0, 1.5}, 1 + rig.particles);  // another one, far away and without a surface
+  rig.update();
+  ASSERT_EQ(rig.components().size(), 2u);
+  EXPECT_EQ(rig.world.surface.counters.merges, 1);
+  EXPECT_EQ(rig.components()[1].particles, 1);
+  for (std::size_t i = 0; i < rig.f().owned; i++) {
+    const Vec3d x = rig.f().position[i];
+    const bool insideBall = length(x - Vec3d{0.01, 0.02, 0.1}) < 0.29, insidePool = x.z < -0.01 && x.z > -0.99 && std::abs(x.x) < 0.99 && std::abs(x.y) < 0.99;
+    EXPECT_FALSE(insideBall || insidePool) << x.x << " " << x.y << " " << x.z;
+  }
+}
+
+TEST(Inside, OfACubeAndAThinSheet) {
+  for (const int layers : {10, 1}) {
+    SerialSurfaceRig rig;
+    const double z = 0.1 * layers;
+    rig.box({-0.5, -0.5, 0}, {10, 10, layers}, 1);
+    PointBins bins;
+    bins.build(rig.f().position.data(), rig.f().owned, rig.world.surface.surfelSupport);
+    InsideTools tools;
+    std::vector<SurfaceSide> sides;
+    int wrong = 0, asked = 0;
+    for (int k = 0; k < 20000; k++) {
+      const auto u = [&](std::uint64_t s) { return randomUniform(s, Purpose::Test, static_cast<std::uint64_t>(k)); };
+      const Vec3d x{-0.7 + 1.4 * u(1), -0.7 + 1.4 * u(2), -0.2 + (z + 0.4) * u(3)};
+      const double depth = std::min({0.5 - std::abs(x.x), 0.5 - std::abs(x.y), x.z, z - x.z});
+      if (std::abs(depth) < 0.1 * rig.d) continue;
+      findSides(rig.f(), bins, x, noComponent, rig.world.surface.particleSupport, tools, sides);
+      if (sides.empty()) continue;
+      asked++;
+      if ((sides[0].distance < 0) != (depth > 0)) wrong++, std::printf("%g %g %g: %g\n", x.x, x.y, x.z, sides[0].distance);
+    }
+    std::printf("%d layers: %d of %d wrong\n", layers, wrong, asked);
+    EXPECT_EQ(wrong, 0);
+  }
+}
+
+TEST(NearSheets, GapSheetAndFold) {
+  const Vec3d up{0, 0, 1}, down{0, 0, -1}, side{1, 0, 0};
+  EXPECT_EQ(facing({0.1, 0, 0.3}, up, down), Facing::AcrossGap);
+  EXPECT_EQ(facing({0.1, 0, -0.3}, up, down), Facing::AcrossSheet);
+  EXPECT_EQ(facing({0.1, 0, 0}, up, up), Facing::Same);
+  EXPECT_EQ(facing({0.1, 0, -0.1}, up, side), Facing::Same);
+  EXPECT_DOUBLE_EQ(sheetThickness({0.1, 0, -0.3}, up, down), 0.3);
+  EXPECT_EQ(sheetThickness({0.1, 0, 0.3}, up, down), 0);
+  EXPECT_TRUE(emptyMidpoint(0.5 * 0.5, 1));
+  EXPECT_TRUE(particleAcrossGap({0, 0, 0.5}, up, {0, 0, 0.2}, 0.1));
+  EXPECT_FALSE(particleAcrossGap({0, 0, -0.5}, up, {0, 0, 0.2}, 0.1));
+}
