@@ -18,7 +18,7 @@ void writePlyDiscs(const std::filesystem::path& file, const SurfaceFrame& frame,
 void writeVtp(const std::filesystem::path& file, const SurfaceFrame& frame, const std::vector<Rgb>& colours);
 
 /// A scene of POV-Ray 3.7: discs, camera, sun, sky, and floors. Lengths are scaled so that the stage is ten units across.
-void writePov(const std::filesystem::path& file, const SurfaceFrame& frame, const std::vector<Rgb>& colours, const RenderStyle& style, double discs = 1.25);
+void writePov(const std::filesystem::path& file, const SurfaceFrame& frame, const std::vector<Rgb>& colours, const RenderStyle& style, double discs = 1);
 
 /// The closed meshes of components in one file, with normals and colours at the vertices. PLY: binary, each face with the number of
 /// its component in the list (0, 1, ...) ; OBJ: an object `component_LABEL` for each.

@@ -21,7 +21,7 @@ namespace {
 using Corner = BandGrid::Corner;
 
 constexpr double sharpness = 0.6;   // of a surfel's radius: width of the weights
-constexpr float agreement = 0.3f;   // least cosine of a normal to that of the nearest surfel
+constexpr float agreement = -0.3f;  // least cosine of a normal to that of the nearest surfel: the other side of a thin sheet does not count
 
 /// Surfels that make a mesh.
 struct Patch {
