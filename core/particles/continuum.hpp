@@ -58,6 +58,7 @@ struct Continuum : Table {
   // surface (core/surface/)
   Column<Vec3d> surfacePlace{*this, "surfacePlace", "m", Keep::State, "position at the last update of the surface"};
   Column<std::uint64_t> component{*this, "component", "1", Keep::State, "label: 1 + the smallest id of a particle of its component; 0: came after the last update"};
+  Column<double> surfaceShare{*this, "surfaceShare", "1", Keep::State, "volume that the surface is to hold for it over its own: that of its body's mesh at the start; 0: its own"};
   // solid
   Column<std::uint32_t> slot{*this, "slot", "1", Keep::Local, "row in the table of solids, noSlot for liquids"};
   // to form bonds in a running simulation (solid/bond_forming.hpp); exchanged only in a step in which something froze

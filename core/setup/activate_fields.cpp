@@ -25,6 +25,7 @@ void activateFields(World& w, StepTools& t) {
   on(m.heat, {&p.enthalpy, &p.temperature, &p.heatFlow});
   on(m.melting, {&p.liquid, &p.softening});
   on(m.surface, {&p.surfacePlace, &p.component});
+  on(m.surface && w.scene.surface.keepVolume > 0, {&p.surfaceShare});
   on(m.solid, {&p.slot});
   on(m.substeps, {&p.fastAcceleration});
   on(m.freezing, {&p.standoff});

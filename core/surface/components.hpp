@@ -18,6 +18,12 @@ struct ComponentTools {
   std::vector<std::uint32_t> parent;  ///< of the union-find: rows of surfels, then of particles
   std::vector<std::uint64_t> least;   ///< smallest label of a root's set
   std::vector<std::uint8_t> dead;
+  struct Near {
+    double d2;                        // m^2
+    std::uint32_t row;
+  };
+  PointBins::Block block;
+  std::vector<Near> near;
   struct Piece {
     std::uint64_t from, part;
     friend auto operator<=>(const Piece&, const Piece&) = default;

@@ -118,7 +118,8 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
   search(w, halos, t, all, margin, lap);
   Settled done;
   MoveCounts counts;
-  double furthest = 0;
+  // along the normal surfels are at rest after a dozen iterations; along the surface they would shuffle on for hundreds, hence K05's damping
+  double furthest = 0, spread = 1;
   while (done.iterations < iterations && !done.finished) {
     if (furthest > 0.5 * margin) search(w, halos, t, all, margin, lap);
     ForceSums in = sumsOf(w, r);
@@ -132,7 +133,9 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
     in.groupCount = r.groups.size();
     r.kernels->overParticles(in);
     lap(r.times.particleSums);
-    const MoveContext context = moveContext(w, r, weights);
+    MoveContext context = moveContext(w, r, weights);
+    context.spread = spread;
+    spread *= 0.95;
     double state[2]{0, 0};  // moving at all, furthest from where it was found
     // those of groups without work have not moved in the last iteration
     for (const std::uint32_t g : r.groups) {

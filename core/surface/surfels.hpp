@@ -31,6 +31,10 @@ struct Surfels : Table {
   Column<std::uint64_t> nearest{*this, "nearest", "1", Keep::Transient, "id of the nearest particle of its component, ~0 without one within h_ps"};
   Column<std::uint64_t> part{*this, "part", "1", Keep::Transient, "label of what hangs together; top bit set: no particle does"};
   Column<double> area{*this, "area", "m^2", Keep::Transient, "its own share of the surface, at the end of an update"};
+  // of resampling
+  Column<std::uint8_t> wish{*this, "wish", "1", Keep::Transient, "bits: 1 a new surfel beside it, 2 one is too close, 4 it comes before all that are"};
+  Column<Vec3d> offer{*this, "offer", "m", Keep::Transient, "from it to the place of the new surfel"};
+  Column<Vec3d> offerNormal{*this, "offerNormal", "1", Keep::Transient, "of the surface there"};
 };
 
 /// Particles as a surface update sees them, on the rank that owns their cell of Surface::grid. Made anew for each update.
@@ -41,11 +45,13 @@ struct SurfaceParticles : Table {
   Column<Vec3d> displacement{*this, "displacement", "m", Keep::State, "since the last update; 0 of fresh ones"};
   Column<std::uint64_t> component{*this, "component", "1", Keep::State, "label, noComponent: fresh, since the last update"};
   Column<double> volume{*this, "volume", "m^3", Keep::State, "mass / density at rest"};
+  Column<double> share{*this, "share", "1", Keep::State, "volume that the surface is to hold for it over its own"};
   Column<double> mass{*this, "mass", "kg", Keep::State, "of the particle"};
   Column<float> liquid{*this, "liquid", "1", Keep::State, "liquid fraction"};
   Column<float> temperature{*this, "temperature", "K", Keep::State, "only with heat"};
   Column<std::uint16_t> body{*this, "body", "1", Keep::State, "index into bodies, then emitters"};
   Column<float> colour{*this, "colour", "1", Keep::Transient, "colour field of its component at the particle (readyParticles)"};
+  Column<float> smoothColour{*this, "smoothColour", "1", Keep::Transient, "the same, of particles weighted by their colour"};
   Column<std::uint64_t> home{*this, "home", "1", Keep::State, "rank << 32 | row of the particle itself"};
   Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort"};
   Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now"};

@@ -3,6 +3,7 @@
 #include "core/surface/blend.hpp"
 #include "core/surface/displace.hpp"
 #include "core/surface/gather_particles.hpp"
+#include "core/surface/keep_volume.hpp"
 #include "core/surface/place_rows.hpp"
 #include "core/surface/resume_surface.hpp"
 #include "core/surface/sample_mesh.hpp"
@@ -37,6 +38,7 @@ void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   sampleMeshes(w.scene, s, t.load, label, halos.all);
   placeAll(s, halos, t);
   updateComponents(w, halos, t);
+  keepStartVolumes(w, halos);
   returnParticles(w, halos);
   s.lastStep = w.clock.step;
 }

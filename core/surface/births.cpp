@@ -1,0 +1,59 @@
+#include "core/surface/births.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/surface/tangent.hpp"
+
+namespace thaw {
+
+SurfelRow blendedSurfel(const Patch& patch, const SurfacePoint& p) {
+  const Surfels& s = *patch.surfels;
+  const std::size_t i = patch.centre;
+  SurfelRow born;
+  born.component = s.component[i];
+  born.position = p.position;
+  born.normal = p.normal;
+  const Vec3d across = s.tangent[i] - p.normal * dot(p.normal, s.tangent[i]);
+  born.tangent = dot(across, across) > 0.01 ? normalized(across) : anyTangent(p.normal);
+  const double reach = 1.5 * s.radius[i];
+  double sum = 0, radius = 0, detail = 0, liquid = 0, temperature = 0, colour[3]{};
+  const auto add = [&](std::size_t j) {
+    const Vec3d d = s.position[j] - p.position;
+    const double u = std::max(1 - dot(d, d) / (reach * reach), j == i ? 1e-3 : 0.0), w = u * u * u;  // the parent counts in any case
+    sum += w;
+    radius += w * s.radius[j];
+    detail += w * static_cast<double>(s.detail[j]);
+    if (s.liquid.active) liquid += w * static_cast<double>(s.liquid[j]);
+    if (s.temperature.active) temperature += w * static_cast<double>(s.temperature[j]);
+    for (int c = 0; c < 3; c++) colour[c] += w * static_cast<double>(s.colour[j] >> 8 * c & 255);
+  };
+  add(i);
+  for (const std::uint32_t j : patch.rows) add(j);
+  born.radius = radius / sum;
+  born.detail = static_cast<float>(detail / sum);
+  born.liquid = static_cast<float>(liquid / sum);
+  born.temperature = static_cast<float>(temperature / sum);
+  for (int c = 0; c < 3; c++) born.colour |= static_cast<std::uint32_t>(std::clamp(std::lround(colour[c] / sum), 0l, 255l)) << 8 * c;
+  return born;
+}
+
+void appendSurfels(Surfels& s, const std::vector<SurfelRow>& rows) {
+  std::size_t i = s.owned;
+  s.resize(s.owned + rows.size(), 0);
+  for (const SurfelRow& r : rows) {
+    s.id[i] = r.id;
+    s.component[i] = r.component;
+    s.position[i] = r.position;
+    s.normal[i] = r.normal;
+    s.tangent[i] = r.tangent;
+    s.radius[i] = r.radius;
+    s.colour[i] = r.colour;
+    s.detail[i] = r.detail;
+    if (s.liquid.active) s.liquid[i] = r.liquid;
+    if (s.temperature.active) s.temperature[i] = r.temperature;
+    i++;
+  }
+}
+
+}  // namespace thaw

@@ -1,0 +1,24 @@
+// New surfels among old ones.
+#pragma once
+#include <vector>
+
+#include "core/surface/local_surface.hpp"
+
+namespace thaw {
+
+/// All that a surfel has, apart from the table.
+struct SurfelRow {
+  std::uint64_t id = 0, component = noComponent;
+  Vec3d position{}, normal{0, 0, 1}, tangent{1, 0, 0};  ///< m, unit, unit
+  double radius = 0;                                    ///< m
+  std::uint32_t colour = 0;
+  float detail = 0, liquid = 0, temperature = 0;
+};
+
+/// A surfel at p, with what the patch's surfels have there: weights fall to 0 at one and a half radii. Its id is the caller's.
+SurfelRow blendedSurfel(const Patch& patch, const SurfacePoint& p);
+
+/// Appends rows behind the owned ones. The table must not have ghosts.
+void appendSurfels(Surfels& surfels, const std::vector<SurfelRow>& rows);
+
+}  // namespace thaw

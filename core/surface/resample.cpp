@@ -1,0 +1,154 @@
+#include "core/surface/resample.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/math/hash_random.hpp"
+#include "core/surface/births.hpp"
+#include "core/surface/empty_place.hpp"
+#include "core/surface/place_rows.hpp"
+#include "core/surface/sample_mesh.hpp"
+#include "core/surface/update_surface.hpp"
+
+namespace thaw {
+namespace {
+
+enum Wish : std::uint8_t { Birth = 1, Crowded = 2, Champion = 4 };  // Champion: comes before all that are too close to it
+
+constexpr double border = 3.6;  // rad: 206 degrees
+
+struct Round {
+  Surfels& s;
+  const RowLists& lists;
+  double reach;  ///< m, of the lists
+  std::uint64_t seed, salt;
+  BirthPlace beyond;
+  std::vector<std::uint64_t> birthOrder{}, deathOrder{};  ///< of all rows, ghosts too
+  std::vector<float> closest{};                           ///< of owned rows
+
+  void drawOrder() {
+    birthOrder.resize(s.size());
+    deathOrder.resize(s.size());
+    for (std::size_t i = 0; i < s.size(); i++) {
+      birthOrder[i] = randomBits(seed, Purpose::SurfelBirth, s.id[i], salt);
+      deathOrder[i] = randomBits(seed, Purpose::SurfelDeath, s.id[i], salt);
+    }
+  }
+
+  void makeWishes() {
+    drawOrder();
+    closest.resize(s.owned);
+    Patch patch;
+    for (std::size_t i = 0; i < s.owned; i++) {
+      s.wish[i] = 0;
+      s.offer[i] = {};
+      const double circle = std::min(3 * s.radius[i], reach);
+      patch.gather(s, i, lists, circle);
+      const Crowding c = crowdingOf(patch, circle);
+      closest[i] = static_cast<float>(c.closest);
+      bool first = true;
+      for (const std::uint32_t j : patch.rows) first = first && !(tooClose(s, i, j, c.closest) && before(deathOrder, j, i));
+      if (first) s.wish[i] |= Champion;
+      if (c.crowded) {
+        s.wish[i] |= Crowded;
+        continue;
+      }
+      patch.fitCurvature();
+      const std::optional<SurfacePoint> place = emptyPlace(patch, (c.thin ? emptyAtThin : emptyAt) * s.radius[i]);
+      if (!place || (widestGap(patch, *place, 2 * s.radius[i]) > border && !(beyond && beyond(i, place->position)))) continue;
+      s.wish[i] |= Birth;
+      s.offer[i] = place->position - s.position[i];
+      s.offerNormal[i] = place->normal;
+    }
+  }
+
+  bool before(const std::vector<std::uint64_t>& order, std::size_t i, std::size_t j) const {
+    return order[i] != order[j] ? order[i] > order[j] : s.id[i] > s.id[j];
+  }
+
+  /// Of births that would stand in each other's way, only the first happens.
+  bool givesBirth(std::size_t i) const {
+    if (!(s.wish[i] & Birth)) return false;
+    const Vec3d here = s.position[i] + s.offer[i];
+    for (std::uint64_t k = lists.first[i]; k < lists.first[i + 1]; k++) {
+      const std::uint32_t j = lists.row[k];
+      if (!(s.wish[j] & Birth) || s.component[j] != s.component[i]) continue;
+      const Vec3d d = s.position[j] + s.offer[j] - here;
+      const double r = std::max(s.radius[i], s.radius[j]);
+      if (dot(d, d) < r * r && before(birthOrder, j, i)) return false;
+    }
+    return true;
+  }
+
+  /// A champion stays, and those too close to it die.
+  bool dies(std::size_t i) const {
+    if (!(s.wish[i] & Crowded)) return false;
+    for (std::uint64_t k = lists.first[i]; k < lists.first[i + 1]; k++) {
+      const std::uint32_t j = lists.row[k];
+      if ((s.wish[j] & Champion) && s.component[j] == s.component[i] && dot(s.normal[j], s.normal[i]) > oneSide && tooClose(s, i, j, static_cast<double>(closest[i])) &&
+          (!(s.wish[j] & Crowded) || before(deathOrder, j, i)))
+        return true;
+    }
+    return false;
+  }
+
+  std::vector<SurfelRow> births(const std::vector<std::uint32_t>& parents) const {
+    std::vector<SurfelRow> born;
+    Patch patch;
+    for (const std::uint32_t i : parents) {
+      patch.gather(s, i, lists, std::min(3 * s.radius[i], reach));
+      born.push_back(blendedSurfel(patch, {s.position[i] + s.offer[i], s.offerNormal[i]}));
+      born.back().id = surfelBit | birthBit | randomBits(seed, Purpose::SurfelBirth, s.id[i], ~salt);
+    }
+    return born;
+  }
+};
+
+}  // namespace
+
+Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t rounds, const BirthPlace& beyond) {
+  Surface& surface = w.surface;
+  Surfels& s = surface.surfels;
+  const double reach = std::min({3 * surface.spacing, surface.grid.edge.x, surface.grid.edge.y, surface.grid.edge.z});
+  Resampled done;
+  std::int64_t cap = -1;
+  for (std::int64_t round = 0; round < rounds && !done.finished && !done.capped; round++) {
+    placeRows(surface.grid, halos.surfels, s, surface.surfelCells, t.sort);
+    addGhosts(halos.surfels, s, surface.surfelCells,
+              ColumnList{&s.id, &s.position, &s.normal, &s.radius, &s.component, &s.colour, &s.detail, &s.liquid, &s.temperature});
+    findRows(surface.grid, surface.surfelCells, s.position.data(), s.owned, surface.surfelCells, s.position.data(), reach, true, t.surfelsOf);
+    Round r{s, t.surfelsOf, reach, w.scene.seed, static_cast<std::uint64_t>(w.clock.step) << 8 | static_cast<std::uint64_t>(round), beyond};
+    r.makeWishes();
+    refreshGhosts(halos.surfels, s, ColumnList{&s.wish, &s.offer});
+    std::vector<std::uint32_t> parents, stay;
+    for (std::uint32_t i = 0; i < s.owned; i++) {
+      if (r.givesBirth(i)) parents.push_back(i);
+      if (!r.dies(i)) stay.push_back(i);
+    }
+    std::array<std::int64_t, 3> count{static_cast<std::int64_t>(s.owned), static_cast<std::int64_t>(parents.size()), static_cast<std::int64_t>(s.owned - stay.size())};
+    halos.all.sum(count);
+    if (cap < 0) cap = birthCap(count[0]);
+    done.finished = count[1] + count[2] == 0;
+    if (done.births + count[1] > cap) {  // a share of them, chosen by hash
+      const double share = static_cast<double>(cap - done.births) / static_cast<double>(count[1]);
+      std::erase_if(parents, [&](std::uint32_t i) { return randomUniform(r.seed, Purpose::SurfelSample, s.id[i], r.salt) >= share; });
+      count[1] = static_cast<std::int64_t>(parents.size());
+      halos.all.sum({&count[1], 1});
+      done.capped = true;
+    }
+    done.births += count[1];
+    done.deaths += count[2];
+    const std::vector<SurfelRow> born = r.births(parents);
+    s.resize(s.owned, 0);
+    s.reorder(stay);
+    appendSurfels(s, born);
+  }
+  surface.counters.births += done.births;
+  surface.counters.deaths += done.deaths;
+  surface.counters.capped += done.capped;
+  placeRows(surface.grid, halos.surfels, s, surface.surfelCells, t.sort);
+  return done;
+}
+
+}  // namespace thaw

@@ -1,0 +1,43 @@
+// Births and deaths of surfels, so that the surface has no hole and no crowd (K05 4.3; accuracy.md B18).
+#pragma once
+#include <functional>
+
+#include "core/halo/surface_halos.hpp"
+#include "core/world.hpp"
+
+namespace thaw {
+
+struct SurfaceTools;
+
+/// What resampling has done; the same on all ranks.
+struct Resampled {
+  std::int64_t births = 0, deaths = 0;
+  bool capped = false;    ///< more were wanted than an update may do
+  bool finished = false;  ///< nothing was left to do
+};
+
+/// The area law: surfels r apart on a hexagonal lattice have 3.63 (R/r)^2 neighbours within R. (K05 has thresholds linear in R/r, which leave
+/// holes for R > 2 r.)
+inline constexpr double neighboursPerArea = 3.6276;
+inline constexpr double tooMany = 1.5, tooFew = 0.6;  ///< times the law
+inline constexpr double emptyAt = 0.8, emptyAtThin = 0.65, crowdedAt = 0.5, crowdedAtMany = 0.7;  ///< of the radius r_s of the surfel
+
+/// May surfel i (a row) have a birth at x (m), where no surfels are on the other side? Such places follow from nothing but extrapolation.
+using BirthPlace = std::function<bool(std::size_t i, const Vec3d& x)>;
+
+/// Up to `rounds` rounds, each of which lets surfels that are far enough apart act at the same time:
+/// - a surfel that has a place on the circle of emptyAt * r_s around it, on the surface between its neighbours, without a surfel of its side
+///   within that distance, gets a new one there. If the circle around every surfel is covered, the surface is: so no hole is larger than
+///   that. Where there are less than tooFew times the neighbours of the area law, the circle is that of emptyAtThin;
+/// - those closer than crowdedAt radii to one that comes first (by a hash) die; likewise those closer than crowdedAtMany where there are
+///   more than tooMany times the neighbours of the area law.
+/// Births are never closer than what lets one die, so that a surface at rest comes to rest. New surfels take component, colour, detail,
+/// temperature, liquid fraction from around them. Births lie between
+/// surfels; past a border only where `beyond` allows, and no more than birthCap() in one call.
+/// Surfels may be anywhere, in any order; at the end they are placed, without ghosts. Tools: sort, surfelsOf. Collective.
+Resampled resample(World& world, SurfaceHalos halos, SurfaceTools& tools, std::int64_t rounds, const BirthPlace& beyond = {});
+
+/// Births that one call may do with this many surfels on all ranks.
+inline std::int64_t birthCap(std::int64_t surfels) { return 2000 + surfels; }
+
+}  // namespace thaw

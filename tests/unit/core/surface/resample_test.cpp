@@ -1,0 +1,124 @@
+#include "core/surface/resample.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/core/surface/surfel_rig.hpp"
+
+namespace thaw {
+namespace {
+
+using namespace test;
+
+TEST(Resample, ABallOfBlueNoiseStaysAsItIs) {
+  SurfelRig rig(surfelScene(0.1));
+  for (const SurfacePoint& p : spherePoints(1450, 1)) rig.add(p.position, p.normal);
+  const Resampled r = rig.resample(8);
+  EXPECT_EQ(r.births + r.deaths, 0);
+  EXPECT_TRUE(r.finished);
+}
+
+TEST(Resample, FillsABallFromOneCap) {
+  SurfelRig rig(surfelScene(0.1));
+  rig.world.clock.step = 7;
+  for (const SurfacePoint& p : spherePoints(1450, 1))
+    if (p.position.z > 0.5) rig.add(p.position, p.normal);
+  const std::size_t before = rig.surfels().owned;
+  Resampled r;
+  const BirthPlace near = [&](std::size_t, const Vec3d& x) { return std::abs(length(x) - 1) < 0.05; };
+  for (int k = 0; k < 100 && !r.finished; k++) {
+    rig.world.clock.step++;
+    r = thaw::resample(rig.world, rig.ranks->halos(), rig.tools, 2, near);
+    for (std::size_t i = 0; i < rig.surfels().owned; i++) {  // as the implicit force does
+      Vec3d& n = rig.surfels().normal[i];
+      n = rig.surfels().position[i] = normalized(rig.surfels().position[i]);
+      rig.surfels().tangent[i] = anyTangent(n);
+    }
+  }
+  EXPECT_TRUE(r.finished);
+  const double hole = rig.largestHole(spherePoints(20000, 1));
+  std::printf("cap: %zu surfels became %zu, largest hole %.3f\n", before, rig.surfels().owned, hole);
+  EXPECT_LT(hole, 1.0);
+  EXPECT_NEAR(static_cast<double>(rig.surfels().owned), 1450, 0.35 * 1450);
+}
+
+TEST(Resample, ClosesHolesOfABall) {
+  SurfelRig rig(surfelScene(0.1));
+  std::uint64_t draw = 0;
+  for (const SurfacePoint& p : spherePoints(1450, 1))
+    if (randomUniform(1, Purpose::Test, draw++) < 0.5) rig.add(p.position, p.normal);
+  EXPECT_GT(rig.largestHole(spherePoints(20000, 1)), 1.2);
+  const Resampled r = rig.resample(20);
+  EXPECT_TRUE(r.finished);
+  const double hole = rig.largestHole(spherePoints(20000, 1));
+  std::printf("holes: %zu surfels, largest hole %.3f\n", rig.surfels().owned, hole);
+  EXPECT_LT(hole, 1.0);
+}
+
+TEST(Resample, ThinsACrowdWithoutAHole) {
+  SurfelRig rig(surfelScene(0.1));
+  for (const SurfacePoint& p : spherePoints(20000, 1)) rig.add(p.position, p.normal);
+  Resampled r = rig.resample(40);
+  EXPECT_TRUE(r.finished);
+  const double hole = rig.largestHole(spherePoints(20000, 1));
+  std::printf("crowd: %lld births, %lld deaths, %zu surfels, largest hole %.3f\n", static_cast<long long>(r.births), static_cast<long long>(r.deaths),
+              rig.surfels().owned, hole);
+  EXPECT_LT(hole, 1.0);
+  EXPECT_NEAR(static_cast<double>(rig.surfels().owned), 1450, 0.5 * 1450);
+}
+
+TEST(Resample, StretchingFourTimesAndBackLeavesNoHole) {
+  SurfelRig rig(surfelScene(0.05));
+  rig.world.scene.domain.min = {-5, -5, -5};
+  const double small = 0.5;
+  for (const SurfacePoint& p : spherePoints(1450, small)) rig.add(p.position, p.normal);
+  double worst = 0, stretch = 1;
+  const auto scaleTo = [&](double to) {
+    Surfels& s = rig.surfels();
+    for (std::size_t i = 0; i < s.owned; i++) {
+      s.position[i].x *= to / stretch;
+      s.normal[i] = normalized({s.normal[i].x / (to / stretch), s.normal[i].y, s.normal[i].z});
+      s.tangent[i] = anyTangent(s.normal[i]);
+    }
+    stretch = to;
+    rig.world.clock.step++;
+    rig.resample(8);
+    std::vector<SurfacePoint> truth;
+    for (const SurfacePoint& p : spherePoints(6000, small))
+      truth.push_back({{p.position.x * to, p.position.y, p.position.z}, normalized({p.normal.x / to, p.normal.y, p.normal.z})});
+    worst = std::max(worst, rig.largestHole(truth));
+  };
+  for (int k = 1; k <= 12; k++) scaleTo(std::pow(4.0, k / 12.0));
+  const std::size_t most = rig.surfels().owned;
+  for (int k = 11; k >= 0; k--) scaleTo(std::pow(4.0, k / 12.0));
+  std::printf("stretched: %zu surfels at four times, %zu back; largest hole %.3f\n", most, rig.surfels().owned, worst);
+  EXPECT_LT(worst, 1.0);
+  const double area = 4 * 3.14159265 * small * small, law = area / (0.05 * 0.05 * std::sqrt(0.75));
+  EXPECT_GT(static_cast<double>(rig.surfels().owned), 0.6 * law);
+  EXPECT_LT(static_cast<double>(rig.surfels().owned), 1.5 * law);
+}
+
+TEST(Resample, EdgesRodsAndSheetsComeToRest) {
+  for (const auto& [low, high] : {std::pair<Vec3d, Vec3d>{{0, 0, 0}, {1, 1, 1}}, {{0, 0, 0}, {1, 1, 0.04}}, {{0, 0, 0}, {2, 0.06, 0.06}}, {{0, 0, 0}, {2, 0.15, 0.15}}}) {
+    SurfelRig rig(surfelScene(0.1));
+    Shape shape;
+    shape.kind = ShapeKind::Mesh;
+    shape.mesh = "box";
+    const auto [a, b] = std::pair{low, high};
+    const std::vector<SurfaceSample> samples = sampleShape(shape, [&](const std::string&) { return boxMesh(a, b); }, 0.1, 3);
+    for (const SurfaceSample& s : samples) rig.add(s.position, s.normal);
+    const Resampled first = rig.resample(20);
+    EXPECT_TRUE(first.finished);
+    rig.world.clock.step++;
+    const Resampled second = rig.resample(20);
+    double out = 0;
+    for (std::size_t i = 0; i < rig.surfels().owned; i++)
+      for (int k = 0; k < 3; k++) out = std::max({out, low[k] - rig.surfels().position[i][k], rig.surfels().position[i][k] - high[k]});
+    std::printf("box %.2f: %zu samples, %lld births, %lld deaths, then %lld; out of it by %.3f spacings\n", high.z, samples.size(), static_cast<long long>(first.births),
+                static_cast<long long>(first.deaths), static_cast<long long>(second.births + second.deaths), out / 0.1);
+    EXPECT_EQ(second.births + second.deaths, 0);
+    EXPECT_LT(out, 0.012);
+  }
+}
+
+}  // namespace
+}  // namespace thaw
