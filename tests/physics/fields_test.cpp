@@ -104,9 +104,18 @@ TEST(Fields, OfWhatMelts) {
                                           "continuum.standoff", "continuum.heatFlow", "continuum.softening", "solid.liquid", "solid.melted"}));
 }
 
+TEST(Fields, TheSurfaceAddsTwoToParticlesAndTablesOfItsOwn) {
+  Scene s = block(false);
+  s.surface.on = true;
+  Names ofParticles;
+  for (const std::string& n : added(s, block(false)))
+    if (n.compare(0, 8, "surfels.") != 0 && n.compare(0, 18, "surface particles.") != 0) ofParticles.push_back(n);
+  EXPECT_EQ(ofParticles, (Names{"continuum.surfacePlace", "continuum.component"}));
+}
+
 TEST(Fields, MemoryOfWhatIsNotThereIsNone) {
   const Simulation liquid(block(false));
-  const Names absent{"solids", "bonds", "elastic work"};
+  const Names absent{"solids", "bonds", "elastic work", "surface"};
   for (const MemoryUse& u : memoryOf(liquid.w, liquid.tools)) {
     if (std::find(absent.begin(), absent.end(), u.what) == absent.end()) continue;
     EXPECT_EQ(u.bytes, 0) << u.what;
