@@ -50,6 +50,7 @@ void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   addGhosts(halos.particles, s.particles, s.particleCells, ColumnList{&s.particles.id, &s.particles.position, &s.particles.component, &s.particles.body});
   adoptFresh(w, halos, t.components);
   findParts(w, halos, t.components);
+  keepEnclosed(w, halos, t.components);
   splitComponents(w, halos, t.components);
   addSurfelGhosts(s, halos);  // splitting dropped them
   mergeComponents(w, halos, t.components, t.merge);
