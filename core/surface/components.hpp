@@ -44,6 +44,12 @@ void adoptFresh(World& world, SurfaceHalos halos, ComponentTools& tools);
 /// of ranks that a body crosses, not with its size.
 void findParts(World& world, SurfaceHalos halos, ComponentTools& tools);
 
+/// A part of particles without surfels that lies in the surface of its component so far, by one of its particles at least, has not come off:
+/// it joins the part of the nearest surfel (of several the smallest; K05: a particle belongs to the surface that it is inside of). Sparse
+/// liquids have gaps of more than the length of a link near their surface. What is farther than h_ps from every surfel is not looked at.
+/// Needs findParts. Collective.
+void keepEnclosed(World& world, SurfaceHalos halos, ComponentTools& tools);
+
 /// Parts become components. Components of several parts are counted and logged as split, in the order of labels; surfels without a particle are
 /// deleted and counted as lost; ghosts of surfels are dropped. Needs findParts. Collective.
 void splitComponents(World& world, SurfaceHalos halos, ComponentTools& tools);

@@ -29,6 +29,21 @@ void addGhosts(CellHalo& halo, Table& rows, CellTable& cells, std::span<AnyColum
   halo.finishGhosts(rows, cells);
 }
 
+void dropGhosts(Table& rows, CellTable& cells) {
+  rows.resize(rows.owned, 0);
+  std::size_t kept = 0;
+  for (std::size_t c = 0; c < cells.key.size(); c++) {
+    if (cells.first[c] >= rows.owned) continue;
+    cells.key[kept] = cells.key[c];
+    cells.first[kept] = cells.first[c];
+    cells.count[kept++] = cells.count[c];
+  }
+  cells.key.resize(kept);
+  cells.first.resize(kept);
+  cells.count.resize(kept);
+  cells.ownedCells = kept;
+}
+
 void refreshGhosts(CellHalo& halo, Table& rows, std::span<AnyColumn* const> columns) {
   halo.beginRefresh(rows, columns);
   halo.finishRefresh(rows);

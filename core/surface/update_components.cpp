@@ -50,10 +50,11 @@ void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   addGhosts(halos.particles, s.particles, s.particleCells, ColumnList{&s.particles.id, &s.particles.position, &s.particles.component, &s.particles.body});
   adoptFresh(w, halos, t.components);
   findParts(w, halos, t.components);
+  keepEnclosed(w, halos, t.components);
   splitComponents(w, halos, t.components);
   addSurfelGhosts(s, halos);  // splitting dropped them
   mergeComponents(w, halos, t.components, t.merge);
-  s.particles.resize(s.particles.owned, 0);
+  dropGhosts(s.particles, s.particleCells);
   placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, tools.sort);  // contact has moved some
   std::fill_n(s.surfels.area.data(), s.surfels.owned, 0.0);
   measureComponents(s, halos.all);
@@ -66,7 +67,7 @@ void measureSurface(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   placeRows(s.grid, halos.particles, s.particles, s.particleCells, tools.sort);
   measureAll(s, halos, t);
   if (w.scene.surface.keepVolume > 0 && s.lastStep >= 0) keepVolume(w, halos, t);
-  s.surfels.resize(s.surfels.owned, 0);
+  dropGhosts(s.surfels, s.surfelCells);
 }
 
 void updateComponents(World& w, SurfaceHalos halos, SurfaceTools& tools) {

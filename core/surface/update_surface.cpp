@@ -52,13 +52,14 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   displaceSurfels(w, halos, t);
   bringParticlesForward(s);
   placeAll(s, halos, t);
+  splitAndMerge(w, halos, t);     // before resampling, which closes seams
   sampleFields(w, halos, t);
   // rounds of resampling and iterations
   const Settled settled = settle(w, halos, t, forceWeights(w.scene.surface), w.scene.surface.iterations, false);
   s.counters.iterations += settled.iterations;
   s.counters.unfinished += !settled.finished;
   blendSurfels(w);
-  updateComponents(w, halos, t);  // splits, merges, measures
+  measureSurface(w, halos, t);
   returnParticles(w, halos);
   s.counters.updates++;
   s.lastStep = w.clock.step;
