@@ -59,10 +59,10 @@ std::vector<SurfaceSample> sampleShape(const Shape& shape, const MeshLoader& loa
   return samples;
 }
 
-void sampleMeshes(const Scene& scene, Surface& surface, const MeshLoader& load, const std::vector<std::uint64_t>& label, const Reducer& all) {
+void sampleMeshes(const Scene& scene, Surface& surface, const MeshLoader& load, const Reducer& all) {
   Surfels& s = surface.surfels;
   for (std::size_t b = 0; b < scene.bodies.size(); b++) {
-    if (!hasMesh(scene, b) || label[b] == noComponent) continue;
+    if (!hasMesh(scene, b)) continue;
     const std::vector<SurfaceSample> samples = sampleShape(scene.bodies[b].shape, load, surface.spacing, scene.seed + b);
     for (std::size_t k = static_cast<std::size_t>(all.rank()); k < samples.size(); k += static_cast<std::size_t>(all.size())) {
       const std::size_t i = s.owned;
@@ -72,22 +72,12 @@ void sampleMeshes(const Scene& scene, Surface& surface, const MeshLoader& load, 
       s.normal[i] = samples[k].normal;
       s.tangent[i] = anyTangent(samples[k].normal);
       s.radius[i] = surface.spacing;
-      s.component[i] = label[b];
+      s.component[i] = noComponent;
       s.colour[i] = samples[k].colour;
       s.detail[i] = 1;
       if (s.temperature.active) s.temperature[i] = static_cast<float>(scene.bodies[b].temperature);
     }
   }
-}
-
-std::vector<std::uint64_t> labelsOfBodies(const Scene& scene, const SurfaceParticles& p, Reducer& all) {
-  std::vector<double> least(scene.bodies.size() + scene.emitters.size(), -never);  // less the number within the body: 40 bits, exact
-  for (std::size_t i = 0; i < p.owned; i++) least[p.body[i]] = std::max(least[p.body[i]], -static_cast<double>(numberOf(p.id[i])));
-  all.maximum(least);
-  std::vector<std::uint64_t> label(least.size(), noComponent);
-  for (std::size_t b = 0; b < label.size(); b++)
-    if (least[b] > -never) label[b] = 1 + particleId(b, static_cast<std::uint64_t>(-least[b]));
-  return label;
 }
 
 }  // namespace thaw

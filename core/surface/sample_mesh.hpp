@@ -25,11 +25,8 @@ bool hasMesh(const Scene& scene, std::size_t body);
 /// are moved onto the sculpture that its mesh only comes near to, and have its normals. Parts buried in other parts are left out.
 std::vector<SurfaceSample> sampleShape(const Shape& shape, const MeshLoader& load, double spacing, std::uint64_t seed);
 
-/// Appends the surfels of all bodies that have a mesh, dealt out to the ranks (placeRows brings them home). label[b]: component of body b.
-/// Every rank samples every mesh, so that nothing depends on who does what.
-void sampleMeshes(const Scene& scene, Surface& surface, const MeshLoader& load, const std::vector<std::uint64_t>& label, const Reducer& all);
-
-/// 1 + the smallest id of the particle copies of each body and emitter; noComponent where there are none. Collective.
-std::vector<std::uint64_t> labelsOfBodies(const Scene& scene, const SurfaceParticles& particles, Reducer& all);
+/// Appends the surfels of all bodies that have a mesh, dealt out to the ranks (placeRows brings them home), of no component yet: adoptFresh
+/// finds it. Every rank samples every mesh, so that nothing depends on who does what.
+void sampleMeshes(const Scene& scene, Surface& surface, const MeshLoader& load, const Reducer& all);
 
 }  // namespace thaw

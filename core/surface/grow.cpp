@@ -1,0 +1,140 @@
+#include "core/surface/grow.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/hash_random.hpp"
+#include "core/surface/births.hpp"
+#include "core/surface/drop_patch.hpp"
+#include "core/surface/drop_surfels.hpp"
+#include "core/surface/iso_surface.hpp"
+#include "core/surface/measure.hpp"
+#include "core/surface/place_rows.hpp"
+#include "core/surface/ready_particles.hpp"
+#include "core/surface/relax.hpp"
+#include "core/surface/resample.hpp"
+#include "core/surface/sample_mesh.hpp"
+#include "core/surface/tangent.hpp"
+#include "core/surface/update_surface.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr double buried = 0.35;  // above the level of the surface: about one and a half spacings deep
+
+/// Surfels around one particle; seeds lie on a sphere, turned at random.
+void seedAround(const World& w, const SurfaceTools& t, std::size_t i, int seeds, std::vector<SurfelRow>& rows) {
+  constexpr double goldenAngle = 2.39996322972865332;
+  const SurfaceParticles& p = w.surface.particles;
+  const double dx = w.scene.spacing, turn = 6.283185307179586 * randomUniform(w.scene.seed, Purpose::SurfelSample, p.id[i]);
+  for (int k = 0; k < seeds; k++) {
+    const double z = 1 - (2.0 * k + 1) / seeds, across = std::sqrt(1 - z * z), angle = turn + goldenAngle * k;
+    const Vec3d u{across * std::cos(angle), across * std::sin(angle), z};
+    SurfacePoint at;
+    if (!ontoIsoSurface(w, t, p.component[i], p.position[i] + u * (0.6 * dx), 1.2 * dx, at)) continue;
+    const Vec3d d = at.position - p.position[i];
+    if (dot(d, d) > 1.44 * dx * dx || dot(d, at.normal) <= 0) continue;
+    SurfelRow r;
+    r.id = surfelBit | birthBit | randomBits(w.scene.seed, Purpose::SurfelBirth, p.id[i], static_cast<std::uint64_t>(w.clock.step) << 10 | static_cast<std::uint64_t>(k));
+    r.component = p.component[i];
+    r.position = at.position;
+    r.normal = at.normal;
+    r.tangent = anyTangent(at.normal);
+    r.radius = w.surface.spacing;
+    r.colour = paleColour;
+    if (p.liquid.active) r.liquid = p.liquid[i];
+    if (p.temperature.active) r.temperature = p.temperature[i];
+    rows.push_back(r);
+  }
+}
+
+/// The sphere of the small drop that particle i gives its name to; the others of it are in reach.
+void patchAround(const World& w, const SurfaceTools& t, std::size_t i, std::vector<SurfelRow>& rows) {
+  const SurfaceParticles& p = w.surface.particles;
+  const double far = 4.5 * w.scene.spacing;
+  const Vec3d reach{far, far, far};
+  Vec3d away;
+  double volume = 0, temperature = 0;
+  forRowsInBox(t.relax.particleBins, p.position[i] - reach, p.position[i] + reach, [&](std::uint32_t j) {
+    const Vec3d d = p.position[j] - p.position[i];
+    if (p.component[j] != p.component[i] || dot(d, d) > far * far) return;
+    volume += p.volume[j];
+    away += p.volume[j] * d;
+    if (p.temperature.active) temperature += p.volume[j] * static_cast<double>(p.temperature[j]);
+  });
+  for (SurfelRow& r : dropPatch(p.component[i], p.position[i] + away / volume, volume, w.surface.spacing)) {
+    r.temperature = static_cast<float>(temperature / volume);
+    rows.push_back(r);
+  }
+}
+
+}  // namespace
+
+void growSurfels(World& w, SurfaceHalos halos, SurfaceTools& t, const std::function<bool(std::size_t)>& bare) {
+  readyParticles(w, halos, t);
+  const SurfaceParticles& p = w.surface.particles;
+  const double fine = w.scene.spacing / w.surface.spacing;
+  const int seeds = static_cast<int>(std::clamp(7 * fine * fine, 16.0, 120.0));
+  std::vector<SurfelRow> rows;
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (bare(i) && p.component[i] != noComponent && p.colour[i] < 0.97f) seedAround(w, t, i, seeds, rows);
+  w.surface.surfels.resize(w.surface.surfels.owned, 0);
+  appendSurfels(w.surface.surfels, rows);
+}
+
+void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t rounds) {
+  readyParticles(w, halos, t);
+  resample(w, halos, t, rounds, [&](std::size_t i, const Vec3d& x) {
+    const FieldHere c = colourAt(w, t, w.surface.surfels.component[i], x);
+    return c.value > 0 && std::abs(c.value - c.level) < 0.2;
+  });
+}
+
+void growBodies(World& w, SurfaceHalos halos, SurfaceTools& t) {
+  growSurfels(w, halos, t, [&](std::size_t i) { return !hasMesh(w.scene, w.surface.particles.body[i]); });
+  std::int64_t grown = static_cast<std::int64_t>(w.surface.surfels.owned);
+  halos.all.sum({&grown, 1});
+  if (grown == 0) return;
+  const SurfaceCounters before = w.surface.counters;
+  resampleOnParticles(w, halos, t, 40);
+  ForceWeights tight;
+  settle(w, halos, t, tight, 5, true);
+  resampleOnParticles(w, halos, t, 10);
+  for (int k = 0; k < 2; k++) {
+    settle(w, halos, t, forceWeights(w.scene.surface), w.scene.surface.iterations, true);
+    resampleOnParticles(w, halos, t, 10);
+  }
+  w.surface.counters = before;  // the start is no change
+}
+
+void renewSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
+  Surface& s = w.surface;
+  Surfels& f = s.surfels;
+  readyParticles(w, halos, t);
+  const SurfaceParticles& p = s.particles;
+  const auto isSmall = [&](const SurfaceComponent* c) { return c && c->particles <= smallDrop; };
+  std::vector<std::uint8_t> dead(f.owned, 0);
+  std::int64_t gone = 0;
+  for (std::size_t i = 0; i < f.owned; i++) {
+    if (isSmall(findComponent(s, f.component[i]))) {
+      dead[i] = 1;  // comes anew
+      continue;
+    }
+    if (f.detail[i] > 0.5f && (!f.liquid.active || f.liquid[i] == 0)) continue;  // of a mesh: finer than the particles are
+    const FieldHere c = colourAt(w, t, f.component[i], f.position[i]);
+    if (c.value - c.level > buried) dead[i] = 1, gone++;
+  }
+  dropSurfels(s, dead);
+  std::vector<SurfelRow> rows;
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (p.component[i] == 1 + p.id[i] && isSmall(findComponent(s, p.component[i]))) patchAround(w, t, i, rows);
+  appendSurfels(f, rows);
+  growSurfels(w, halos, t, [&](std::size_t i) {
+    const SurfaceComponent* c = findComponent(s, p.component[i]);
+    return c && c->surfels == 0 && c->particles > smallDrop;
+  });
+  halos.all.sum({&gone, 1});
+  s.counters.deaths += gone;
+}
+
+}  // namespace thaw

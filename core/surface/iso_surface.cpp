@@ -1,0 +1,45 @@
+#include "core/surface/iso_surface.hpp"
+
+#include <algorithm>
+
+#include "core/surface/update_surface.hpp"
+
+namespace thaw {
+
+FieldHere colourAt(const World& w, const SurfaceTools& t, std::uint64_t component, const Vec3d& x) {
+  const SurfaceParticles& p = w.surface.particles;
+  const double h = w.surface.particleSupport, h2 = h * h;
+  const Vec3d reach{h, h, h};
+  FieldHere c;
+  double mean = 0;
+  forRowsInBox(t.relax.particleBins, x - reach, x + reach, [&](std::uint32_t j) {
+    const Vec3d d = x - p.position[j];
+    const double u = 1 - dot(d, d) / h2;
+    if (!(u > 0) || p.component[j] != component) return;
+    const double volume = static_cast<double>(t.relax.particle[4 * j + 3]);  // over that of the lattice sum
+    c.value += volume * u * u * u;
+    mean += static_cast<double>(t.relax.particleColour[j]) * u * u * u;
+    c.gradient -= d * (6 / h2 * volume * u * u);
+  });
+  if (c.value > 0) c.level = t.relax.level.level(mean / c.value) * w.scene.surface.isoLevel / 0.5;
+  return c;
+}
+
+bool ontoIsoSurface(const World& w, const SurfaceTools& t, std::uint64_t component, const Vec3d& start, double most, SurfacePoint& found) {
+  const double longest = 0.5 * w.scene.spacing, enough = 0.01 * w.surface.spacing;
+  Vec3d x = start;
+  for (int k = 0; k < 12; k++) {
+    const FieldHere c = colourAt(w, t, component, x);
+    const double slope = length(c.gradient);
+    if (!(slope * w.surface.particleSupport > 0.02)) return false;
+    const double step = std::clamp((c.level - c.value) / slope, -longest, longest);
+    x += c.gradient * (step / slope);
+    if (dot(x - start, x - start) > most * most) return false;
+    if (std::abs(step) > enough) continue;
+    found = {x, c.gradient * (-1 / slope)};
+    return true;
+  }
+  return false;
+}
+
+}  // namespace thaw
