@@ -20,7 +20,10 @@
 namespace thaw {
 namespace {
 
-constexpr double buried = 0.35;  // above the level of the surface: about one and a half spacings deep
+constexpr double offSurface = 0.3;  // from the level of the surface: more than a spacing of the particles away from it
+
+/// Of a mesh, and not molten: finer than the particles are, so that they say nothing about it.
+bool keepsDetail(const Surfels& f, std::size_t i) { return f.detail[i] > 0.5f && (!f.liquid.active || f.liquid[i] < 0.5f); }
 
 /// Surfels around one particle; seeds lie on a sphere, turned at random.
 void seedAround(const World& w, const SurfaceTools& t, std::size_t i, int seeds, std::vector<SurfelRow>& rows) {
@@ -84,9 +87,13 @@ void growSurfels(World& w, SurfaceHalos halos, SurfaceTools& t, const std::funct
 
 void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t rounds) {
   readyParticles(w, halos, t);
-  resample(w, halos, t, rounds, [&](std::size_t i, const Vec3d& x) {
-    const FieldHere c = colourAt(w, t, w.surface.surfels.component[i], x);
-    return c.value > 0 && std::abs(c.value - c.level) < 0.2;
+  resample(w, halos, t, rounds, [&](std::size_t i, SurfacePoint& p, bool border) {
+    const Surfels& f = w.surface.surfels;
+    if (!border && keepsDetail(f, i)) return true;
+    SurfacePoint at;
+    if (!ontoIsoSurface(w, t, f.component[i], p.position, 0.6 * f.radius[i] + 0.1 * w.scene.spacing, at) || dot(at.normal, p.normal) < 0.3) return false;
+    p.normal = normalized(p.normal + at.normal);
+    return true;
   });
 }
 
@@ -120,9 +127,9 @@ void renewSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
       dead[i] = 1;  // comes anew
       continue;
     }
-    if (f.detail[i] > 0.5f && (!f.liquid.active || f.liquid[i] == 0)) continue;  // of a mesh: finer than the particles are
+    if (keepsDetail(f, i)) continue;
     const FieldHere c = colourAt(w, t, f.component[i], f.position[i]);
-    if (c.value - c.level > buried) dead[i] = 1, gone++;
+    if (std::abs(c.value - c.level) > offSurface) dead[i] = 1, gone++;
   }
   dropSurfels(s, dead);
   std::vector<SurfelRow> rows;

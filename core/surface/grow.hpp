@@ -24,7 +24,7 @@ void growBodies(World& world, SurfaceHalos halos, SurfaceTools& tools);
 
 /// In an update, before the iterations: components without surfels get some; the surfels of a component of at most smallDrop particles
 /// become a sphere of the particles' volume around their middle; surfels deep inside their own component (old caps of a stream that goes
-/// on, sheets that have met) are deleted. Needs Surface::components of the last update. Collective.
+/// on, sheets that have met) or far off it are deleted. Needs Surface::components of the last update. Collective.
 void renewSurfels(World& world, SurfaceHalos halos, SurfaceTools& tools);
 
 /// resample, with births past borders where the particles' surface is. Collective.

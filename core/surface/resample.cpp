@@ -23,7 +23,7 @@ struct Round {
   const RowLists& lists;
   double reach;  ///< m, of the lists
   std::uint64_t seed, salt;
-  BirthPlace beyond;
+  const BirthPlace& mayBe;
   std::vector<std::uint64_t> birthOrder{}, deathOrder{};  ///< of all rows, ghosts too
   std::vector<float> closest{};                           ///< of owned rows
 
@@ -55,12 +55,25 @@ struct Round {
         continue;
       }
       patch.fitCurvature();
-      const std::optional<SurfacePoint> place = emptyPlace(patch, (c.thin ? emptyAtThin : emptyAt) * s.radius[i]);
-      if (!place || (widestGap(patch, *place, 2 * s.radius[i]) > border && !(beyond && beyond(i, place->position)))) continue;
+      std::optional<SurfacePoint> place = emptyPlace(patch, (c.thin ? emptyAtThin : emptyAt) * s.radius[i]);
+      if (!place) continue;
+      const bool beyond = widestGap(patch, *place, 2 * s.radius[i]) > border;
+      if (mayBe ? !mayBe(i, *place, beyond) || taken(i, *place) : beyond) continue;
       s.wish[i] |= Birth;
       s.offer[i] = place->position - s.position[i];
       s.offerNormal[i] = place->normal;
     }
+  }
+
+  /// Is a surfel of its side so near that one of the two would have to die?
+  bool taken(std::size_t i, const SurfacePoint& p) const {
+    const double least = crowdedAtMany * s.radius[i];
+    for (std::uint64_t k = lists.first[i]; k < lists.first[i + 1]; k++) {
+      const std::uint32_t j = lists.row[k];
+      const Vec3d d = s.position[j] - p.position;
+      if (dot(d, d) < least * least && s.component[j] == s.component[i] && dot(s.normal[j], p.normal) > oneSide) return true;
+    }
+    return false;
   }
 
   bool before(const std::vector<std::uint64_t>& order, std::size_t i, std::size_t j) const {
@@ -107,7 +120,7 @@ struct Round {
 
 }  // namespace
 
-Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t rounds, const BirthPlace& beyond) {
+Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t rounds, const BirthPlace& mayBe) {
   Surface& surface = w.surface;
   Surfels& s = surface.surfels;
   const double reach = std::min({3 * surface.spacing, surface.grid.edge.x, surface.grid.edge.y, surface.grid.edge.z});
@@ -118,7 +131,7 @@ Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t r
     addGhosts(halos.surfels, s, surface.surfelCells,
               ColumnList{&s.id, &s.position, &s.normal, &s.radius, &s.component, &s.colour, &s.detail, &s.liquid, &s.temperature});
     findRows(surface.grid, surface.surfelCells, s.position.data(), s.owned, surface.surfelCells, s.position.data(), reach, true, t.surfelsOf);
-    Round r{s, t.surfelsOf, reach, w.scene.seed, static_cast<std::uint64_t>(w.clock.step) << 8 | static_cast<std::uint64_t>(round), beyond};
+    Round r{s, t.surfelsOf, reach, w.scene.seed, static_cast<std::uint64_t>(w.clock.step) << 8 | static_cast<std::uint64_t>(round), mayBe};
     r.makeWishes();
     refreshGhosts(halos.surfels, s, ColumnList{&s.wish, &s.offer});
     std::vector<std::uint32_t> parents, stay;

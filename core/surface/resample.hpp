@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "core/halo/surface_halos.hpp"
+#include "core/surface/local_surface.hpp"
 #include "core/world.hpp"
 
 namespace thaw {
@@ -22,8 +23,9 @@ inline constexpr double neighboursPerArea = 3.6276;
 inline constexpr double tooMany = 1.5, tooFew = 0.6;  ///< times the law
 inline constexpr double emptyAt = 0.8, emptyAtThin = 0.65, crowdedAt = 0.5, crowdedAtMany = 0.7;  ///< of the radius r_s of the surfel
 
-/// May surfel i (a row) have a birth at x (m), where no surfels are on the other side? Such places follow from nothing but extrapolation.
-using BirthPlace = std::function<bool(std::size_t i, const Vec3d& x)>;
+/// May surfel i (a row) have a birth at this point? border: there are no surfels on its other side, so that it follows from nothing but
+/// extrapolation. May turn the normal.
+using BirthPlace = std::function<bool(std::size_t i, SurfacePoint& p, bool border)>;
 
 /// Up to `rounds` rounds, each of which lets surfels that are far enough apart act at the same time:
 /// - a surfel that has a place on the circle of emptyAt * r_s around it, on the surface between its neighbours, without a surfel of its side
@@ -32,10 +34,10 @@ using BirthPlace = std::function<bool(std::size_t i, const Vec3d& x)>;
 /// - those closer than crowdedAt radii to one that comes first (by a hash) die; likewise those closer than crowdedAtMany where there are
 ///   more than tooMany times the neighbours of the area law.
 /// Births are never closer than what lets one die, so that a surface at rest comes to rest. New surfels take component, colour, detail,
-/// temperature, liquid fraction from around them. Births lie between
-/// surfels; past a border only where `beyond` allows, and no more than birthCap() in one call.
+/// temperature, liquid fraction from around them. Births are where mayBe
+/// allows, or without it between surfels, not past a border; no more than birthCap() in one call.
 /// Surfels may be anywhere, in any order; at the end they are placed, without ghosts. Tools: sort, surfelsOf. Collective.
-Resampled resample(World& world, SurfaceHalos halos, SurfaceTools& tools, std::int64_t rounds, const BirthPlace& beyond = {});
+Resampled resample(World& world, SurfaceHalos halos, SurfaceTools& tools, std::int64_t rounds, const BirthPlace& mayBe = {});
 
 /// Births that one call may do with this many surfels on all ranks.
 inline std::int64_t birthCap(std::int64_t surfels) { return 2000 + surfels; }

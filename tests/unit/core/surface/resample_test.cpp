@@ -24,7 +24,7 @@ TEST(Resample, FillsABallFromOneCap) {
     if (p.position.z > 0.5) rig.add(p.position, p.normal);
   const std::size_t before = rig.surfels().owned;
   Resampled r;
-  const BirthPlace near = [&](std::size_t, const Vec3d& x) { return std::abs(length(x) - 1) < 0.05; };
+  const BirthPlace near = [&](std::size_t, SurfacePoint& p, bool) { return std::abs(length(p.position) - 1) < 0.05; };
   for (int k = 0; k < 100 && !r.finished; k++) {
     rig.world.clock.step++;
     r = thaw::resample(rig.world, rig.ranks->halos(), rig.tools, 2, near);
