@@ -41,10 +41,9 @@ void keepVolume(World& w, SurfaceHalos halos, TopologyTools& t) {
 
 }  // namespace
 
-void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
+void labelParticles(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   Surface& s = w.surface;
   TopologyTools& t = tools.topology;
-  s.quietEvents = s.events.size();
   placeSurfels(s, halos, tools);
   placeRows(s.grid, halos.particles, s.particles, s.particleCells, tools.sort);
   addGhosts(halos.particles, s.particles, s.particleCells, ColumnList{&s.particles.id, &s.particles.position, &s.particles.component, &s.particles.body});
@@ -52,9 +51,16 @@ void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   findParts(w, halos, t.components);
   keepEnclosed(w, halos, t.components);
   splitComponents(w, halos, t.components);
+  dropGhosts(s.particles, s.particleCells);
+}
+
+void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
+  Surface& s = w.surface;
+  TopologyTools& t = tools.topology;
+  s.quietEvents = s.events.size();
+  labelParticles(w, halos, tools);
   addSurfelGhosts(s, halos);  // splitting dropped them
   mergeComponents(w, halos, t.components, t.merge);
-  dropGhosts(s.particles, s.particleCells);
   placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, tools.sort);  // contact has moved some
   std::fill_n(s.surfels.area.data(), s.surfels.owned, 0.0);
   measureComponents(s, halos.all);

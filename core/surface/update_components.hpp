@@ -26,4 +26,8 @@ void measureSurface(World& world, SurfaceHalos halos, SurfaceTools& tools);
 /// Both.
 void updateComponents(World& world, SurfaceHalos halos, SurfaceTools& tools);
 
+/// The first part of splitAndMerge: what hangs together gets its labels. Before there are surfels: components of particles alone, where those of
+/// different bodies are not one. Collective.
+void labelParticles(World& world, SurfaceHalos halos, SurfaceTools& tools);
+
 }  // namespace thaw
