@@ -13,12 +13,12 @@
 #include "core/surface/blend.hpp"
 #include "core/surface/displace.hpp"
 #include "core/surface/ready_particles.hpp"
-#include "tests/support/surface_rig.hpp"
+#include "tests/support/settle_rig.hpp"
 
 namespace {
 
 using namespace thaw;
-using test::SurfaceRig;
+using test::SettleRig;
 
 /// Processor time, which depends less on what else runs.
 double seconds(const std::function<void()>& work) {
@@ -28,7 +28,7 @@ double seconds(const std::function<void()>& work) {
 }
 
 /// Mean numbers of particles within h_ps and surfels within h_ss of a surfel.
-void neighbours(const SurfaceRig& rig, double& particles, double& surfels) {
+void neighbours(const SettleRig& rig, double& particles, double& surfels) {
   const Surface& s = rig.w.surface;
   std::size_t n = 0, counted[2]{0, 0};
   for (std::size_t i = 0; i < s.surfels.owned; i += 37, n++) {
@@ -99,7 +99,7 @@ Row iterations(const std::string& name, double surfels, int repeat, const std::f
   const double R = 9.85, spacing = std::sqrt(4 * 3.14159265358979323846 * R * R / (0.866 * surfels));
   Row best;
   for (int k = 0; k < repeat; k++) {
-    SurfaceRig rig(spacing, R + 6, [&](Scene& s) { s.surface.stop = 1e-6, change(s, spacing); });
+    SettleRig rig(spacing, R + 6, [&](Scene& s) { s.surface.stop = 1e-6, change(s, spacing); });
     rig.addLattice(12, {0.5, 0.5, 0.5}, [&](const Vec3d& x) { return length(x) < R; });
     rig.addBallSurfels(R);
     rig.place();
@@ -163,7 +163,7 @@ Row update(double surfels, int repeat) {
   };
   Row best;
   for (int k = 0; k < repeat; k++) {
-    SurfaceRig rig(spacing * 1.07, height + 8);
+    SettleRig rig(spacing * 1.07, height + 8);
     World& w = rig.w;
     lattice(1, [&](const Vec3d& x) { if (bust->inside(x)) rig.addParticle(x, flow(x), 1, liquidAt(x)); });
     for (const auto& [x, n] : skin) rig.addSurfel(x, n, 1, 0);
@@ -210,7 +210,7 @@ Row update(double surfels, int repeat) {
 }
 
 Row ball(int R, SmoothingForm form) {
-  SurfaceRig rig(0.5, R + 6, [&](Scene& s) { s.surface.smoothing = form; });
+  SettleRig rig(0.5, R + 6, [&](Scene& s) { s.surface.smoothing = form; });
   rig.addLattice(R + 1, {0.5, 0.5, 0.5}, [&](const Vec3d& x) { return length(x) < R; });
   rig.addBallSurfels(R, 0.1);
   rig.place();

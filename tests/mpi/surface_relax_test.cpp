@@ -9,19 +9,19 @@
 #include "core/surface/displace.hpp"
 #include "core/surface/ready_particles.hpp"
 #include "parallel/row_courier.hpp"
-#include "tests/support/surface_rig.hpp"
+#include "tests/support/settle_rig.hpp"
 
 using namespace thaw;
-using test::SurfaceRig;
+using test::SettleRig;
 
 namespace {
 
 /// A ball across the periodic side along x, half of it melting, with some surfels out of reach of the particles.
-std::unique_ptr<SurfaceRig> ball(bool periodic) {
-  auto made = std::make_unique<SurfaceRig>(0.5, 14, [&](Scene& s) {
+std::unique_ptr<SettleRig> ball(bool periodic) {
+  auto made = std::make_unique<SettleRig>(0.5, 14, [&](Scene& s) {
     if (periodic) s.domain.side[0] = {Side::Periodic, Side::Periodic};
   });
-  SurfaceRig& rig = *made;
+  SettleRig& rig = *made;
   const Vec3d middle{periodic ? 13.0 : 2.0, 1, -1};
   rig.addLattice(7, {0.5, 0.5, 0.5}, [](const Vec3d& x) { return length(x) < 6; });
   rig.addBallSurfels(6, 0.15);
@@ -73,7 +73,7 @@ void keepShare(Table& rows, int rank, int size) {
 void compare(bool periodic) {
   const Communicator comm(MPI_COMM_WORLD);
   const auto one = ball(periodic), many = ball(periodic);
-  SurfaceRig &serial = *one, &mine = *many;
+  SettleRig &serial = *one, &mine = *many;
   update(serial.w, serial.ranks->halos(), serial.tools);
   SurfaceRanks ranks(comm, mine.w.surface.grid);
   keepShare(mine.w.surface.surfels, ranks.all.rank(), ranks.all.size());

@@ -2,21 +2,21 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/surface_rig.hpp"
+#include "tests/support/settle_rig.hpp"
 
 namespace thaw {
 namespace {
 
-using test::SurfaceRig;
+using test::SettleRig;
 
-void carry(SurfaceRig& rig) {
+void carry(SettleRig& rig) {
   rig.place();
   findDisplacementGradients(rig.w, rig.ranks->halos(), rig.tools);
   displaceSurfels(rig.w, rig.ranks->halos(), rig.tools);
 }
 
 TEST(Displace, AffineMotionIsExact) {
-  SurfaceRig rig;
+  SettleRig rig;
   rig.addLattice(5, {0.3, 0.1, 0.2}, [](const Vec3d& x) { return length(x) < 5; });
   rig.addBallSurfels(5);
   const Mat3d g{{{0.1, -0.2, 0.05}, {0.15, 0.02, 0.1}, {-0.1, 0.07, -0.05}}};
@@ -44,7 +44,7 @@ TEST(Displace, AffineMotionIsExact) {
 }
 
 TEST(Displace, AFullTurnInManyUpdatesEndsWhereItBegan) {
-  SurfaceRig rig;
+  SettleRig rig;
   rig.addLattice(4, {0.3, 0.1, 0.2}, [](const Vec3d& x) { return length(x) < 4; });
   rig.addBallSurfels(4);
   Surfels& s = rig.w.surface.surfels;
@@ -70,7 +70,7 @@ TEST(Displace, AFullTurnInManyUpdatesEndsWhereItBegan) {
 
 TEST(Displace, SheetsRowsAndSingleParticlesTurnAsRigidBodies) {
   for (int kind = 0; kind < 3; kind++) {  // a sheet, a row, one particle
-    SurfaceRig rig;
+    SettleRig rig;
     const int nx = kind == 2 ? 0 : 3, ny = kind == 0 ? 3 : 0;
     for (int y = -ny; y <= ny; y++)
       for (int x = -nx; x <= nx; x++) rig.addParticle({double(x), double(y), 0});
@@ -88,7 +88,7 @@ TEST(Displace, SheetsRowsAndSingleParticlesTurnAsRigidBodies) {
 }
 
 TEST(Displace, SurfelsWithoutParticlesFollowTheirNeighboursOrGo) {
-  SurfaceRig rig;
+  SettleRig rig;
   for (int k = -1; k <= 1; k++) rig.addParticle({double(k), 0, 0}, {0.5, 0, 0});
   rig.addSurfel({0, 0, 3.9}, {0, 0, 1});
   rig.addSurfel({0, 0, 4.4}, {0, 0, 1});          // only the first one is near
@@ -102,7 +102,7 @@ TEST(Displace, SurfelsWithoutParticlesFollowTheirNeighboursOrGo) {
 }
 
 TEST(Displace, NobodyAtAll) {
-  SurfaceRig rig;
+  SettleRig rig;
   carry(rig);
   rig.addSurfel({0, 0, 1}, {0, 0, 1});
   carry(rig);
@@ -111,7 +111,7 @@ TEST(Displace, NobodyAtAll) {
 }
 
 TEST(Displace, FreshParticlesAndOtherComponentsDoNotPull) {
-  SurfaceRig rig;
+  SettleRig rig;
   rig.addLattice(3, {}, [](const Vec3d& x) { return length(x) < 3; });
   rig.addParticle({0.5, 0.5, 0.5}, {9, 9, 9}, noComponent);
   rig.addParticle({0.5, 0.5, 1.5}, {9, 9, 9}, 5);

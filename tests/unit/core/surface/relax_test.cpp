@@ -7,12 +7,12 @@
 
 #include "core/surface/blend.hpp"
 #include "core/surface/ready_particles.hpp"
-#include "tests/support/surface_rig.hpp"
+#include "tests/support/settle_rig.hpp"
 
 namespace thaw {
 namespace {
 
-using test::SurfaceRig;
+using test::SettleRig;
 
 std::map<std::uint64_t, Vec3d> places(const Surfels& s) {
   std::map<std::uint64_t, Vec3d> at;
@@ -24,14 +24,14 @@ bool sameBits(const std::map<std::uint64_t, Vec3d>& a, const std::map<std::uint6
   return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](const auto& x, const auto& y) { return x.first == y.first && std::memcmp(&x.second, &y.second, sizeof(Vec3d)) == 0; });
 }
 
-void addBall(SurfaceRig& rig, double R, double noise = 0.1) {
+void addBall(SettleRig& rig, double R, double noise = 0.1) {
   rig.addLattice(static_cast<int>(R) + 1, {0.5, 0.5, 0.5}, [&](const Vec3d& x) { return length(x) < R; });
   rig.addBallSurfels(R, noise);
   rig.place();
 }
 
 TEST(Relax, BallOfLatticeParticles) {  // bars of the issue at R/dx = 16; the lattice has .57 % more volume than the ball
-  SurfaceRig rig;
+  SettleRig rig;
   addBall(rig, 16);
   const double particles = static_cast<double>(rig.w.surface.particles.owned);
   rig.settle(60);
@@ -47,7 +47,7 @@ TEST(Relax, BallOfLatticeParticles) {  // bars of the issue at R/dx = 16; the la
 TEST(Relax, DropsOfFewParticlesKeepTheirVolume) {
   const std::vector<Vec3d> all{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
   for (std::size_t n : {1u, 2u, 4u, 8u}) {
-    SurfaceRig rig(0.25);
+    SettleRig rig(0.25);
     Vec3d middle{};
     for (std::size_t k = 0; k < n; k++) rig.addParticle(all[k]), middle += all[k] / static_cast<double>(n);
     const double R = std::cbrt(static_cast<double>(n) * 3 / (4 * 3.14159265358979323846));
@@ -63,7 +63,7 @@ TEST(Relax, DropsOfFewParticlesKeepTheirVolume) {
 }
 
 TEST(Relax, PlanesAndSpheresAreAtRestUnderSmoothing) {
-  SurfaceRig rig(0.5, 12, [](Scene& s) { s.surface.implicit = s.surface.attract = s.surface.repel = 0, s.surface.smooth = 0.5; });
+  SettleRig rig(0.5, 12, [](Scene& s) { s.surface.implicit = s.surface.attract = s.surface.repel = 0, s.surface.smooth = 0.5; });
   rig.addBallSurfels(5);
   rig.place();
   const auto before = places(rig.w.surface.surfels);
@@ -71,7 +71,7 @@ TEST(Relax, PlanesAndSpheresAreAtRestUnderSmoothing) {
   for (const auto& [id, x] : places(rig.w.surface.surfels)) EXPECT_LT(length(x - before.at(id)), 2e-6);
 
   for (SmoothingForm form : {SmoothingForm::Sphere, SmoothingForm::Plane}) {
-    SurfaceRig flat(0.5, 12, [&](Scene& s) { s.surface.implicit = s.surface.attract = s.surface.repel = 0, s.surface.smooth = 0.5, s.surface.smoothing = form; });
+    SettleRig flat(0.5, 12, [&](Scene& s) { s.surface.implicit = s.surface.attract = s.surface.repel = 0, s.surface.smooth = 0.5, s.surface.smoothing = form; });
     for (int y = -8; y <= 8; y++)
       for (int x = -8; x <= 8; x++) flat.addSurfel({0.5 * x, 0.5 * y, 0.1 * x + (x == 1 && y == 2 ? 0.1 : 0)}, {-0.2, 0, 1});
     flat.place();
@@ -82,7 +82,7 @@ TEST(Relax, PlanesAndSpheresAreAtRestUnderSmoothing) {
 }
 
 TEST(Relax, RepulsionSpacesEvenly) {
-  SurfaceRig rig(0.5, 12, [](Scene& s) { s.surface.implicit = 1, s.surface.attract = s.surface.smooth = 0, s.surface.repel = 0.3; });
+  SettleRig rig(0.5, 12, [](Scene& s) { s.surface.implicit = 1, s.surface.attract = s.surface.smooth = 0, s.surface.repel = 0.3; });
   addBall(rig, 6, 0.2);
   const auto closest = [&] {
     const Surfels& s = rig.w.surface.surfels;
@@ -102,7 +102,7 @@ TEST(Relax, SameBitsForEveryInstructionSetAndGrouping) {
     std::map<std::uint64_t, Vec3d> first;
     for (const char* isa : {"base", "avx2", "avx512"}) {
       if (!forceKernels(isa)) continue;
-      SurfaceRig rig(0.5, 12, [&](Scene& s) { s.surface.smoothing = form; });
+      SettleRig rig(0.5, 12, [&](Scene& s) { s.surface.smoothing = form; });
       rig.tools.relax.kernels = forceKernels(isa);
       addBall(rig, 5);
       rig.settle(12);
@@ -111,8 +111,8 @@ TEST(Relax, SameBitsForEveryInstructionSetAndGrouping) {
       EXPECT_TRUE(sameBits(first, now)) << isa;
     }
     // the surfels of half of the ball alone are grouped otherwise; one iteration from the same places with all around
-    SurfaceRig rig(0.5, 12, [&](Scene& s) { s.surface.smoothing = form; });
-    SurfaceRig half(0.5, 12, [&](Scene& s) { s.surface.smoothing = form; });
+    SettleRig rig(0.5, 12, [&](Scene& s) { s.surface.smoothing = form; });
+    SettleRig half(0.5, 12, [&](Scene& s) { s.surface.smoothing = form; });
     addBall(rig, 5);
     addBall(half, 5);
     for (std::size_t i = 0; i < half.w.surface.surfels.owned; i++) half.w.surface.surfels.liquid[i] = half.w.surface.surfels.id[i] % 3 == 0 ? 1.0f : 0.0f;
@@ -125,7 +125,7 @@ TEST(Relax, SameBitsForEveryInstructionSetAndGrouping) {
 }
 
 TEST(Relax, LocalStopGivesWhatAllSurfelsGive) {
-  SurfaceRig local, whole(0.5, 24, [](Scene& s) { s.surface.stop = 1e-9; });
+  SettleRig local, whole(0.5, 24, [](Scene& s) { s.surface.stop = 1e-9; });
   addBall(local, 8);
   addBall(whole, 8);
   const Settled a = local.settle(200);
@@ -143,7 +143,7 @@ TEST(Relax, LocalStopGivesWhatAllSurfelsGive) {
 }
 
 TEST(Relax, SolidsAreLeftAlone) {
-  SurfaceRig rig;
+  SettleRig rig;
   addBall(rig, 5);
   Surfels& s = rig.w.surface.surfels;
   for (std::size_t i = 0; i < s.owned; i++) s.liquid[i] = s.position[i].z > 0 ? 0.0f : 1.0f;
@@ -158,7 +158,7 @@ TEST(Relax, SolidsAreLeftAlone) {
 }
 
 TEST(Relax, ObstaclesAndLeastLevel) {
-  SurfaceRig rig;
+  SettleRig rig;
   {
     Scene scene;
     scene.domain = rig.w.scene.domain;
@@ -171,7 +171,7 @@ TEST(Relax, ObstaclesAndLeastLevel) {
   const Surfels& s = rig.w.surface.surfels;
   for (std::size_t i = 0; i < s.owned; i++) EXPECT_GE(s.position[i].z, -4 - 1e-9);
 
-  SurfaceRig far(0.5, 24, [](Scene& s) { s.surface.implicit = 0, s.surface.smooth = 0, s.surface.attract = 0, s.surface.repel = 0; });
+  SettleRig far(0.5, 24, [](Scene& s) { s.surface.implicit = 0, s.surface.smooth = 0, s.surface.attract = 0, s.surface.repel = 0; });
   far.addLattice(6, {0.5, 0.5, 0.5}, [&](const Vec3d& x) { return length(x) < 5; });
   far.addSurfel({0, 0, 7.5}, {0, 0, 1});
   far.place();
@@ -183,7 +183,7 @@ TEST(Relax, ObstaclesAndLeastLevel) {
 
 TEST(Relax, DegenerateNeighbourhoods) {
   for (SmoothingForm form : {SmoothingForm::Sphere, SmoothingForm::Plane}) {
-    SurfaceRig rig(0.5, 12, [&](Scene& s) { s.surface.smoothing = form; });
+    SettleRig rig(0.5, 12, [&](Scene& s) { s.surface.smoothing = form; });
     const auto finite = [&] {
       const Surfels& s = rig.w.surface.surfels;
       for (std::size_t i = 0; i < s.owned; i++) {
@@ -217,7 +217,7 @@ TEST(Relax, DegenerateNeighbourhoods) {
 }
 
 TEST(Relax, NormalsAgainstTheColourFieldAreTurnedAndCounted) {
-  SurfaceRig rig;
+  SettleRig rig;
   addBall(rig, 5);
   rig.w.surface.surfels.normal[3] = -rig.w.surface.surfels.normal[3];
   rig.settle(10);
@@ -226,7 +226,7 @@ TEST(Relax, NormalsAgainstTheColourFieldAreTurnedAndCounted) {
 }
 
 TEST(Relax, BlendKeepsSolidsAndFadesDetail) {
-  SurfaceRig rig;
+  SettleRig rig;
   Surfels& s = rig.w.surface.surfels;
   rig.addSurfel({1, 0, 0}, {1, 0, 0}, 1, 0);
   rig.addSurfel({2, 0, 0}, {1, 0, 0}, 1, 0.25f);
@@ -253,7 +253,7 @@ TEST(Relax, BlendKeepsSolidsAndFadesDetail) {
 }
 
 TEST(Relax, FieldsAreMeansOfTheParticlesAround) {
-  SurfaceRig rig;
+  SettleRig rig;
   rig.addParticle({-1, 0, 0}, {}, 1, 0);
   rig.addParticle({1, 0, 0}, {}, 1, 1);
   rig.addParticle({0, 0.5, 0}, {}, 2, 1);
