@@ -24,11 +24,6 @@ template<class Rows> void placeRows(const CellGrid& grid, CellHalo& halo, Rows& 
 template void placeRows(const CellGrid&, CellHalo&, Surfels&, CellTable&, SortBuffers&);
 template void placeRows(const CellGrid&, CellHalo&, SurfaceParticles&, CellTable&, SortBuffers&);
 
-void addGhosts(CellHalo& halo, Table& rows, CellTable& cells, std::span<AnyColumn* const> columns) {
-  halo.beginGhosts(rows, cells, columns);
-  halo.finishGhosts(rows, cells);
-}
-
 void dropGhosts(Table& rows, CellTable& cells) {
   rows.resize(rows.owned, 0);
   std::size_t kept = 0;
@@ -42,6 +37,12 @@ void dropGhosts(Table& rows, CellTable& cells) {
   cells.first.resize(kept);
   cells.count.resize(kept);
   cells.ownedCells = kept;
+}
+
+void addGhosts(CellHalo& halo, Table& rows, CellTable& cells, std::span<AnyColumn* const> columns) {
+  dropGhosts(rows, cells);  // of an earlier call: their cells would be sent on as if they were ours
+  halo.beginGhosts(rows, cells, columns);
+  halo.finishGhosts(rows, cells);
 }
 
 void refreshGhosts(CellHalo& halo, Table& rows, std::span<AnyColumn* const> columns) {
