@@ -33,7 +33,7 @@ struct Continuum : Table {
   Column<double> densityRate{*this, "densityRate", "1/s", Keep::Transient, "rate of compression by the flow"};
   Column<double> spreading{*this, "spreading", "1/s", Keep::Transient, "rate of compression by diffusion"};
   Column<Mat3d> moment{*this, "moment", "1", Keep::Transient, "of the neighbourhood; then what corrects gradients, less 1"};
-  Column<Mat3d> flow{*this, "flow", "1/s", Keep::Transient, "symmetric part of -sum V u grad W, not yet corrected"};
+  Column<Mat3d> flow{*this, "flow", "1/s", Keep::Transient, "minus the gradient of the velocity, not yet corrected: a row for each derivative"};
   Column<Vec3d> smoothing{*this, "smoothing", "m/s", Keep::State, "XSPH and shifting: the particle moves with velocity + smoothing"};
   Column<Vec3d> crowding{*this, "crowding", "1", Keep::Transient, "h grad of the filling by places"};
   // incompressible liquids (core/fluid/incompressible/)

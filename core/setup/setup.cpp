@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/domain/sides.hpp"
 #include "core/fluid/incompressible/pressure_solver.hpp"
 #include "core/geometry/shape_error.hpp"
 #include "core/kernels/lattice.hpp"
@@ -109,6 +110,7 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
   problems.raise();
   // a first partition by the number of particles; they are still where they were sampled
   Continuum& p = w.particles;
+  for (std::size_t i = 0; i < p.owned; i++) wrapPlace(w.grid, w.scene.domain, p.position[i]);  // jitter may reach over a seam by rounding
   computeCellKeys(w.grid, p);
   Migration all;
   all.arrivals = p.owned;
