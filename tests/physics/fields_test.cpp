@@ -72,8 +72,8 @@ TEST(Fields, TensionAndArtificialViscosityAddNone) {
   s.materials[0].artificialViscosity = 0.1;
   EXPECT_EQ(added(s, block(false)), Names{});
   Scene stress = s;
-  stress.numerics.tension = TensionForm::SurfaceStress;
-  EXPECT_EQ(added(stress, s), (Names{"continuum.colourGradient", "continuum.surfaceMoment", "continuum.surfaceStress"}));
+  stress.numerics.tension = TensionForm::SurfaceEnergy;
+  EXPECT_EQ(added(stress, s), (Names{"continuum.surfaceCover", "continuum.surfaceDraw", "continuum.surfaceGradient", "continuum.surfacePull"}));
   s.materials[0].xsph = 0.1;
   EXPECT_EQ(added(s, block(false)), (Names{"continuum.smoothing"}));
 }
