@@ -12,7 +12,7 @@ constexpr double ofThin = 3;
 
 /// C, measured on drops at rest, at supports of 1.5, 2, 2.5 and 3 spacings; linear in between.
 double ofRest(double support) {
-  constexpr double at[] = {0.47, 0.71, 1.1, 1.2};
+  constexpr double at[] = {0.44, 0.71, 0.96, 1.03};
   const double x = std::clamp(2 * support - 3, 0.0, 3.0);
   const int k = std::min(static_cast<int>(x), 2);
   return at[k] + (x - k) * (at[k + 1] - at[k]);
