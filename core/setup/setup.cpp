@@ -11,7 +11,7 @@
 #include "core/ledger/report.hpp"
 #include "core/particle_sums.hpp"
 #include "core/setup/activate_fields.hpp"
-#include "core/fluid/surface_stress.hpp"
+#include "core/fluid/surface_energy.hpp"
 #include "core/setup/make_grid.hpp"
 #include "core/setup/relax_packing.hpp"
 #include "core/solid_step.hpp"
@@ -88,7 +88,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
     t.pressure.relaxation = 0.9 / largestPressureResponse(w.scene.numerics);
     t.pressure.mendingTime = w.scene.spacing / (sound * std::sqrt(w.scene.numerics.maxDensityError));
   }
-  if (w.modules.surfaceStress) t.surfaceArea = surfaceAreaScale(w.scene.numerics);
+  if (w.modules.surfaceEnergy) t.surface = surfaceMeasure(w.scene.numerics, w.scene.spacing);
   t.fillingScale = t.perLatticeSum / (h * h * h);
   activateFields(w, t);
 }
