@@ -48,7 +48,7 @@ const std::vector<Row>& rows() {
       {"heat", false, [](Scene& s) { s.materials[0].conductivity = {1, 1}, s.bodies[0].temperatureGradient = {1, 0, 0}; }},
       {"surface heat", false, [](Scene& s) { s.materials[0].convection = 10; }},
       {"surface tension", false, [](Scene& s) { s.materials[0].surfaceTension = 0.05; }},
-      {"surface tension as a stress", false, [](Scene& s) { s.materials[0].surfaceTension = 0.05, s.numerics.tension = TensionForm::SurfaceStress; }},
+      {"surface tension as an energy", false, [](Scene& s) { s.materials[0].surfaceTension = 0.05, s.numerics.tension = TensionForm::SurfaceEnergy; }},
       {"artificial viscosity", false, [](Scene& s) { s.materials[0].artificialViscosity = 0.1; }},
       {"velocity smoothing", false, [](Scene& s) { s.materials[0].xsph = 0.1; }},
       {"double precision", false, [](Scene& s) { s.numerics.precision = Precision::Double; }},

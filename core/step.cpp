@@ -8,7 +8,6 @@
 #include "core/domain/sides.hpp"
 #include "core/fluid/carried_density.hpp"
 #include "core/fluid/incompressible/pressure_solver.hpp"
-#include "core/fluid/surface_stress.hpp"
 #include "core/heat/heat.hpp"
 #include "core/ledger/report.hpp"
 #include "core/particle_sums.hpp"
@@ -82,10 +81,13 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   t.times.lap(StepPhase::Walls);
 
   if (w.modules.continuity || w.modules.shifting) carryDensity(w, t, dt);
-  if (w.modules.surfaceStress) findSurfaceStress(walls, t.surfaceArea, t.wallContacts);
+  if (w.modules.surfaceEnergy) findSurfaceEnergy(walls, t.surface, t.wallContacts);
   ColumnList toGhosts{&p.filling};
   if (w.modules.corrected) toGhosts.push_back(&p.moment);
-  if (w.modules.surfaceStress) toGhosts.push_back(&p.surfaceStress);
+  if (w.modules.surfaceEnergy) {
+    toGhosts.push_back(&p.surfacePull);
+    toGhosts.push_back(&p.surfaceDraw);
+  }
   if (w.modules.fluid) halos.cells.beginRefresh(p, toGhosts);
   t.times.lap(StepPhase::Exchange);
   if (w.modules.solid) deform(w, halos, t, dt);          // F, stress; bonds break, form, take new references

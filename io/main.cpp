@@ -6,6 +6,7 @@
 
 #include "io/commands/check.hpp"
 #include "io/commands/compare_command.hpp"
+#include "io/commands/export.hpp"
 #include "io/commands/info_command.hpp"
 #include "io/commands/render.hpp"
 #include "io/commands/run.hpp"
@@ -49,6 +50,7 @@ int main(int argc, char** argv) {
   RunOptions run;
   CheckOptions check;
   RenderOptions render;
+  ExportOptions exportOptions;
   CompareArguments compare;
   InfoArguments info;
   CLI::App* runApp = app.add_subcommand("run", "simulate a scene; under mpirun on several ranks");
@@ -57,6 +59,8 @@ int main(int argc, char** argv) {
   addCheckOptions(*checkApp, check);
   CLI::App* renderApp = app.add_subcommand("render", "make pictures of a frame or of a run");
   addRenderOptions(*renderApp, render);
+  CLI::App* exportApp = app.add_subcommand("export", "write the frames of a surface for other programs");
+  addExportOptions(*exportApp, exportOptions);
   CLI::App* compareApp = addCompareCommand(app, compare);
   CLI::App* infoApp = addInfoCommand(app, info);
   CLI::App* docsApp = app.add_subcommand("docs", "print the keys of a scene file (docs/scene.md)");
@@ -64,6 +68,7 @@ int main(int argc, char** argv) {
   if (!parsed(app, argc, argv, code)) return code;
 
   if (*renderApp) return renderCommand(render);
+  if (*exportApp) return exportCommand(exportOptions);
   if (*docsApp) return std::fputs(sceneDocumentation().c_str(), stdout) < 0 ? exitInputOutput : 0;
   useRomio();  // before MPI starts
   MpiSession mpi(&argc, &argv);

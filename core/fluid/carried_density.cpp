@@ -31,8 +31,11 @@ void shift(World& w, const StepTools& t) {
   }
 }
 
-/// What corrects gradients inside the liquid, less 1; 0 at surfaces and walls, whose part in the moment is not known.
-void correct(World& w, const StepTools& t) {
+/// What corrects gradients inside the liquid, less 1; 0 at surfaces and walls, whose part in the moment is not known. With it the rate becomes
+/// that of the middle of the step of dt (s) that led here: the velocity is the one of that time, the places are those of its end. Left so, the
+/// gradients are half a step ahead, their change is d/dt (grad.v) = -grad v : grad v at a velocity that stays, and what comes of it (the
+/// Laplacian of the pressure is -rho grad v : grad v) gives the flow a power of dt/2 int |grad p|^2 / rho.
+void correct(World& w, const StepTools& t, double dt) {
   Continuum& p = w.particles;
   std::vector<std::uint8_t> atWall(p.owned, 0);
   for (const WallContact& c : t.wallContacts.list) atWall[c.row] = 1;
@@ -41,6 +44,11 @@ void correct(World& w, const StepTools& t) {
     Mat3d d{};
     if (weight > 0 && !atWall[i] && determinant(p.moment[i]) > 0.2) {
       d = inverse(p.moment[i]);
+      const Mat3d gradient = d * p.flow[i];
+      double turning = 0;
+      for (int k = 0; k < 3; k++)
+        for (int l = 0; l < 3; l++) turning += gradient.row[k][l] * gradient.row[l][k];
+      p.densityRate[i] -= 0.5 * dt * weight * turning;
       for (int a = 0; a < 3; a++) d.row[a][a] -= 1;
       for (int a = 0; a < 3; a++)
         for (int b = 0; b < 3; b++) {
@@ -70,7 +78,7 @@ void carryDensity(World& w, const StepTools& t, double dt) {
   addWalls(w, t);
   if (w.modules.shifting) shift(w, t);
   if (!w.modules.continuity) return;
-  if (w.modules.corrected) correct(w, t);
+  if (w.modules.corrected) correct(w, t, dt);
   for (std::size_t i = 0; i < p.owned; i++) {
     const double f = liquidFraction(p, i);
     if (f == 0) {  // whether its cell has liquid beside it, and so any sums, depends on ranks

@@ -33,7 +33,7 @@ struct Continuum : Table {
   Column<double> densityRate{*this, "densityRate", "1/s", Keep::Transient, "rate of compression by the flow"};
   Column<double> spreading{*this, "spreading", "1/s", Keep::Transient, "rate of compression by diffusion"};
   Column<Mat3d> moment{*this, "moment", "1", Keep::Transient, "of the neighbourhood; then what corrects gradients, less 1"};
-  Column<Mat3d> flow{*this, "flow", "1/s", Keep::Transient, "symmetric part of -sum V u grad W, not yet corrected"};
+  Column<Mat3d> flow{*this, "flow", "1/s", Keep::Transient, "minus the gradient of the velocity, not yet corrected: a row for each derivative"};
   Column<Vec3d> smoothing{*this, "smoothing", "m/s", Keep::State, "XSPH and shifting: the particle moves with velocity + smoothing"};
   Column<Vec3d> crowding{*this, "crowding", "1", Keep::Transient, "h grad of the filling by places"};
   // incompressible liquids (core/fluid/incompressible/)
@@ -44,10 +44,11 @@ struct Continuum : Table {
   Column<float> trialPressure{*this, "trialPressure", "Pa s", Keep::Transient, "of the iteration at hand, over the step"};
   Column<Vec3d> trialVelocity{*this, "trialVelocity", "m/s", Keep::Transient, "that follows from it"};
   Column<float> exposure{*this, "exposure", "1", Keep::Transient, "share in the free surface; 1 for a column of particles below a flat surface"};
-  // surface tension as a stress (core/fluid/surface_stress.hpp)
-  Column<Vec3d> colourGradient{*this, "colourGradient", "1", Keep::Transient, "h sum V grad W: into the liquid at its surface, 0 inside"};
-  Column<Sym3d> surfaceMoment{*this, "surfaceMoment", "1", Keep::Transient, "-sum V grad W (x_i - x_j) with the kernel of the stress"};
-  Column<Sym3d> surfaceStress{*this, "surfaceStress", "Pa", Keep::Transient, "along the surface, over that moment"};
+  // surface tension as an energy of the surface (core/fluid/surface_energy.hpp)
+  Column<Vec3d> surfaceGradient{*this, "surfaceGradient", "1", Keep::Transient, "h sum V grad W: into the liquid at its surface, 0 inside"};
+  Column<double> surfaceCover{*this, "surfaceCover", "1", Keep::Transient, "sum V W of the others"};
+  Column<Vec3d> surfacePull{*this, "surfacePull", "Pa", Keep::Transient, "slope of the surface energy per volume by surfaceGradient"};
+  Column<double> surfaceDraw{*this, "surfaceDraw", "Pa", Keep::Transient, "and by surfaceCover"};
   Column<Vec3d> viscousAcceleration{*this, "viscousAcceleration", "m/s^2", Keep::State, "by implicit viscosity in the last step, where the next one starts to look"};
   Column<Vec3d> viscousSearch{*this, "viscousSearch", "m/s", Keep::Transient, "velocities that implicit viscosity sends to ghosts"};
   // heat and phase
@@ -58,6 +59,7 @@ struct Continuum : Table {
   // surface (core/surface/)
   Column<Vec3d> surfacePlace{*this, "surfacePlace", "m", Keep::State, "position at the last update of the surface"};
   Column<std::uint64_t> component{*this, "component", "1", Keep::State, "label: 1 + the smallest id of a particle of its component; 0: came after the last update"};
+  Column<double> surfaceShare{*this, "surfaceShare", "1", Keep::State, "volume that the surface is to hold for it over its own: that of its body's mesh at the start; 0: its own"};
   // solid
   Column<std::uint32_t> slot{*this, "slot", "1", Keep::Local, "row in the table of solids, noSlot for liquids"};
   // to form bonds in a running simulation (solid/bond_forming.hpp); exchanged only in a step in which something froze

@@ -21,10 +21,11 @@ void activateFields(World& w, StepTools& t) {
   on(m.shifting, {&p.crowding});
   on(m.incompressible, {&p.holding, &p.steadying, &p.pressureKick, &p.drag, &p.trialPressure, &p.trialVelocity});
   on(m.surfaceHeat, {&p.exposure});
-  on(m.surfaceStress, {&p.colourGradient, &p.surfaceMoment, &p.surfaceStress});
+  on(m.surfaceEnergy, {&p.surfaceGradient, &p.surfaceCover, &p.surfacePull, &p.surfaceDraw});
   on(m.heat, {&p.enthalpy, &p.temperature, &p.heatFlow});
   on(m.melting, {&p.liquid, &p.softening});
   on(m.surface, {&p.surfacePlace, &p.component});
+  on(m.surface && w.scene.surface.keepVolume > 0, {&p.surfaceShare});
   on(m.solid, {&p.slot});
   on(m.substeps, {&p.fastAcceleration});
   on(m.freezing, {&p.standoff});

@@ -2,8 +2,10 @@
 
 #include <cmath>
 
+#include "core/domain/sides.hpp"
 #include "core/geometry/sampling.hpp"
 #include "core/particle_sums.hpp"
+#include "core/scene/full_box.hpp"
 
 namespace thaw {
 namespace {
@@ -35,6 +37,7 @@ int relaxPacking(World& w, Halos halos, StepTools& t, const std::vector<std::sha
   for (const Body& b : w.scene.bodies) wanted = wanted || b.packing == Packing::Relaxed;
   if (!wanted) return 0;
   Continuum& p = w.particles;
+  const bool everywhere = liquidFillsTheBox(w.scene);  // then what crosses a side comes back on the other
   const double dx = w.scene.spacing, V = dx * dx * dx;
   for (int k = 0; k < iterations; k++) {
     kernelGradients(w, halos, t);
@@ -45,7 +48,9 @@ int relaxPacking(World& w, Halos halos, StepTools& t, const std::vector<std::sha
       Vec3d move = p.force[i] * (0.25 * dx * dx / V);
       const double length2 = dot(move, move), most = 0.1 * dx;
       if (length2 > most * most) move = move * (most / std::sqrt(length2));
-      p.position[i] = pullInside(*shapes[body], p.position[i] + move, 0.45 * dx);
+      p.position[i] += move;
+      if (everywhere) wrapPlace(w.grid, w.scene.domain, p.position[i]);
+      else p.position[i] = pullInside(*shapes[body], p.position[i], 0.45 * dx);
     }
   }
   p.resize(p.owned, 0);

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/domain/sides.hpp"
 #include "core/fluid/incompressible/pressure_solver.hpp"
 #include "core/geometry/shape_error.hpp"
 #include "core/kernels/lattice.hpp"
 #include "core/ledger/report.hpp"
 #include "core/particle_sums.hpp"
 #include "core/setup/activate_fields.hpp"
-#include "core/fluid/surface_stress.hpp"
+#include "core/fluid/surface_energy.hpp"
 #include "core/setup/make_grid.hpp"
 #include "core/setup/relax_packing.hpp"
 #include "core/solid_step.hpp"
@@ -89,7 +90,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
     t.pressure.relaxation = 0.9 / largestPressureResponse(w.scene.numerics);
     t.pressure.mendingTime = w.scene.spacing / (sound * std::sqrt(w.scene.numerics.maxDensityError));
   }
-  if (w.modules.surfaceStress) t.surfaceArea = surfaceAreaScale(w.scene.numerics);
+  if (w.modules.surfaceEnergy) t.surface = surfaceMeasure(w.scene.numerics, w.scene.spacing);
   t.fillingScale = t.perLatticeSum / (h * h * h);
   activateFields(w, t);
 }
@@ -111,6 +112,7 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
   problems.raise();
   // a first partition by the number of particles; they are still where they were sampled
   Continuum& p = w.particles;
+  for (std::size_t i = 0; i < p.owned; i++) wrapPlace(w.grid, w.scene.domain, p.position[i]);  // jitter may reach over a seam by rounding
   computeCellKeys(w.grid, p);
   Migration all;
   all.arrivals = p.owned;

@@ -27,15 +27,31 @@ inline std::uint64_t binOf(const Bins& b, double x, int axis) { return static_ca
 /// Bins of about `edge` (m) for all rows that `cells` lists.
 void fillBins(const CellGrid& grid, const CellTable& cells, const Vec3d* position, double edge, Bins& bins);
 
+/// First row from `at` on whose key is not below `wanted`: by strides that double, since the next line of bins is rarely far.
+inline std::size_t firstFrom(const Bins& b, std::size_t at, std::uint64_t wanted) {
+  const std::size_t n = b.key.size();
+  std::size_t stride = 1, low = at;
+  while (low + stride < n && b.key[low + stride] < wanted) {
+    low += stride;
+    stride *= 2;
+  }
+  const auto begin = b.key.begin();
+  return static_cast<std::size_t>(std::lower_bound(begin + static_cast<std::ptrdiff_t>(low), begin + static_cast<std::ptrdiff_t>(std::min(n, low + stride + 1)), wanted) - begin);
+}
+
 /// Calls found(row) for all rows in the bins that meet the box [low, high], in the order of the bins.
 template<class Found> void forRowsInBox(const Bins& b, const Vec3d& low, const Vec3d& high, Found found) {
   const std::uint64_t x0 = binOf(b, low.x, 0), x1 = binOf(b, high.x, 0), y0 = binOf(b, low.y, 1), y1 = binOf(b, high.y, 1), z0 = binOf(b, low.z, 2), z1 = binOf(b, high.z, 2);
-  auto at = b.key.begin();
+  const std::size_t n = b.key.size();
+  std::size_t at = 0;
+  bool first = true;
   for (std::uint64_t z = z0; z <= z1; z++)
     for (std::uint64_t y = y0; y <= y1; y++) {
       const std::uint64_t last = binKey(x1, y, z);
-      at = std::lower_bound(at, b.key.end(), binKey(x0, y, z));
-      for (; at != b.key.end() && *at <= last; ++at) found(b.row[static_cast<std::size_t>(at - b.key.begin())]);
+      if (first) at = static_cast<std::size_t>(std::lower_bound(b.key.begin(), b.key.end(), binKey(x0, y, z)) - b.key.begin());
+      else if (at < n && b.key[at] < binKey(x0, y, z)) at = firstFrom(b, at, binKey(x0, y, z));
+      first = false;
+      for (; at < n && b.key[at] <= last; at++) found(b.row[at]);
     }
 }
 

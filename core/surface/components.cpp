@@ -41,7 +41,7 @@ void splitComponents(World& w, SurfaceHalos halos, ComponentTools& t) {
   const std::vector<Piece>& pieces = t.pieces = piecesOf(p, halos.all);
   for (std::size_t k = 1, first = 0; k < pieces.size(); k++) {
     if (pieces[k].from != pieces[first].from) first = k;
-    if (k == first || pieces[k].from == noComponent) continue;  // fresh ones were never one
+    if (k == first || pieces[k].from == noComponent || s.lastStep < 0) continue;  // fresh ones, and pieces of a body at the start, were never one
     s.counters.splits++;
     s.events.push_back({w.clock.step, w.clock.time, false, pieces[first].part, pieces[k].part});
   }

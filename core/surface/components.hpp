@@ -18,6 +18,12 @@ struct ComponentTools {
   std::vector<std::uint32_t> parent;  ///< of the union-find: rows of surfels, then of particles
   std::vector<std::uint64_t> least;   ///< smallest label of a root's set
   std::vector<std::uint8_t> dead;
+  struct Near {
+    double d2;                        // m^2
+    std::uint32_t row;
+  };
+  PointBins::Block block;
+  std::vector<Near> near;
   struct Piece {
     std::uint64_t from, part;
     friend auto operator<=>(const Piece&, const Piece&) = default;
@@ -37,6 +43,12 @@ void adoptFresh(World& world, SurfaceHalos halos, ComponentTools& tools);
 /// without particles a number with the top bit set. Needs placed rows with ghosts. Collective; the rounds of exchange grow with the number
 /// of ranks that a body crosses, not with its size.
 void findParts(World& world, SurfaceHalos halos, ComponentTools& tools);
+
+/// A part of particles without surfels that lies in the surface of its component so far, by one of its particles at least, has not come off:
+/// it joins the part of the nearest surfel (of several the smallest; K05: a particle belongs to the surface that it is inside of). Sparse
+/// liquids have gaps of more than the length of a link near their surface. What is farther than h_ps from every surfel is not looked at.
+/// Needs findParts. Collective.
+void keepEnclosed(World& world, SurfaceHalos halos, ComponentTools& tools);
 
 /// Parts become components. Components of several parts are counted and logged as split, in the order of labels; surfels without a particle are
 /// deleted and counted as lost; ghosts of surfels are dropped. Needs findParts. Collective.

@@ -75,48 +75,86 @@ bool anywhere(Reducer& all, bool here) {
   return value[0] > 0;
 }
 
-/// Square of the distance to the k-th nearest surfel of the same component, and the nearest particle: what the other end of a link must know.
+/// Rows of a block within a radius that are like row i, into `near`.
+template<class Rows> void listNear(const Rows& rows, std::uint32_t i, const PointBins::Block& block, double r2, std::vector<ComponentTools::Near>& near) {
+  near.clear();
+  const Vec3d x = rows.position[i];
+  for (std::size_t k = 0; k < block.row.size(); k++) {
+    const Vec3d d = block.at[k] - x;
+    const double d2 = dot(d, d);
+    if (d2 <= r2 && block.row[k] != i && alike(rows, i, block.row[k])) near.push_back({d2, block.row[k]});
+  }
+}
+
+/// Most surfels have ten neighbours within this many times their radius.
+constexpr double usualReach = 2.2;
+
+/// Surfels::reach and ::nearest, what the other end of a link must know: the square of the distance to the k-th nearest surfel that is alike, and
+/// the nearest particle that is.
 void findReach(World& w, ComponentTools& t) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
   const SurfaceParticles& p = s.particles;
-  std::vector<double> near;
-  for (std::size_t i = 0; i < f.owned; i++) {
-    near.clear();
-    t.surfelBins.forEachWithin(f.position[i], s.surfelSupport, [&](std::uint32_t j, double d2) {
-      if (j != i && alike(f, i, j)) near.push_back(d2);
-    });
-    if (near.size() > nearestSurfels) std::nth_element(near.begin(), near.begin() + nearestSurfels - 1, near.end());
-    f.reach[i] = near.empty() ? 0 : near.size() > nearestSurfels ? near[nearestSurfels - 1] : *std::max_element(near.begin(), near.end());
-    // first within a spacing, which is where it mostly is
+  const auto closer = [](const ComponentTools::Near& a, const ComponentTools::Near& b) { return a.d2 < b.d2; };
+  const double usual = std::min(usualReach * s.spacing, s.surfelSupport), all2 = s.surfelSupport * s.surfelSupport;
+  t.surfelBins.forEachBlock(t.surfelBins, usual, t.block, [&](std::uint32_t i, const PointBins::Block& block) {
+    if (i >= f.owned) return;
+    listNear(f, i, block, usual * usual, t.near);
+    if (t.near.size() < nearestSurfels) {
+      t.near.clear();
+      t.surfelBins.forEachWithin(f.position[i], s.surfelSupport, [&](std::uint32_t j, double d2) {
+        if (j != i && alike(f, i, j)) t.near.push_back({d2, j});
+      });
+    }
+    // fewer than ten: all within h_ss
+    if (t.near.size() < nearestSurfels) f.reach[i] = all2;
+    else std::nth_element(t.near.begin(), t.near.begin() + nearestSurfels - 1, t.near.end(), closer), f.reach[i] = t.near[nearestSurfels - 1].d2;
+  });
+  const double first = std::min(w.scene.spacing, s.particleSupport);
+  t.surfelBins.forEachBlock(t.particleBins, first, t.block, [&](std::uint32_t i, const PointBins::Block& block) {
+    if (i >= f.owned) return;
     Nearest best;
-    for (const double radius : {std::min(w.scene.spacing, s.particleSupport), s.particleSupport}) {
-      t.particleBins.forEachWithin(f.position[i], radius, [&](std::uint32_t j, double d2) {
+    for (std::size_t k = 0; k < block.row.size(); k++) {
+      const Vec3d d = block.at[k] - f.position[i];
+      const double d2 = dot(d, d);
+      if (d2 <= first * first && d2 <= best.d2 && alike(f, i, p, block.row[k])) best.offer(d2, p.id[block.row[k]], block.row[k]);
+    }
+    if (!best.found())
+      t.particleBins.forEachWithin(f.position[i], s.particleSupport, [&](std::uint32_t j, double d2) {
         if (alike(f, i, p, j)) best.offer(d2, p.id[j], j);
       });
-      if (best.found()) break;
-    }
     f.nearest[i] = best.id;
-  }
+  });
 }
 
-void joinSurfels(const Surface& s, const ComponentTools& t, Sets& sets) {
+/// Each surfel, ghosts included, with those within its reach: the links of both ends.
+void joinSurfels(const Surface& s, ComponentTools& t, Sets& sets) {
   const Surfels& f = s.surfels;
-  // owned ends of links suffice: a link between two ghosts is somebody else's
-  for (std::size_t i = 0; i < f.owned; i++)
-    t.surfelBins.forEachWithin(f.position[i], s.surfelSupport, [&](std::uint32_t j, double d2) {
-      if (j != i && alike(f, i, j) && d2 <= std::max(f.reach[i], f.reach[j]) && dot(f.normal[i], f.normal[j]) >= cosRest)
-        sets.join(static_cast<std::uint32_t>(i), j);
-    });
+  const double usual = std::min(usualReach * s.spacing, s.surfelSupport);
+  const auto link = [&](std::uint32_t i, std::uint32_t j) {
+    if (dot(f.normal[i], f.normal[j]) >= cosRest) sets.join(i, j);
+  };
+  t.surfelBins.forEachBlock(t.surfelBins, usual, t.block, [&](std::uint32_t i, const PointBins::Block& block) {
+    if (f.reach[i] <= usual * usual) {
+      listNear(f, i, block, f.reach[i], t.near);
+      for (const ComponentTools::Near& n : t.near) link(i, n.row);
+    } else {
+      t.surfelBins.forEachWithin(f.position[i], std::sqrt(f.reach[i]) * (1 + 1e-12), [&](std::uint32_t j, double d2) {
+        if (j != i && d2 <= f.reach[i] && alike(f, i, j)) link(i, j);
+      });
+    }
+  });
 }
 
-void joinParticles(const World& w, const ComponentTools& t, Sets& sets) {
+void joinParticles(const World& w, ComponentTools& t, Sets& sets) {
   const SurfaceParticles& p = w.surface.particles;
   const auto offset = static_cast<std::uint32_t>(w.surface.surfels.size());
-  for (std::size_t i = 0; i < p.owned; i++)
-    t.particleBins.forEachWithin(p.position[i], w.scene.surface.linkLength * w.scene.spacing, [&](std::uint32_t j, double) {
-      if (j != i && alike(p, i, j)) sets.join(offset + static_cast<std::uint32_t>(i), offset + j);
-    });
+  const double longest = w.scene.surface.linkLength * w.scene.spacing;
+  t.particleBins.forEachBlock(t.particleBins, longest, t.block, [&](std::uint32_t i, const PointBins::Block& block) {
+    if (i >= p.owned) return;  // a link between two ghosts is somebody else's
+    listNear(p, i, block, longest * longest, t.near);
+    for (const ComponentTools::Near& n : t.near) sets.join(offset + i, offset + n.row);
+  });
 }
 
 /// Owned surfels with their nearest particle, owned particles with the ghost surfels whose nearest they are: so both ends' ranks know the link.
@@ -187,7 +225,7 @@ void findParts(World& w, SurfaceHalos halos, ComponentTools& t) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
   SurfaceParticles& p = s.particles;
-  t.surfelBins.build(f.position.data(), f.size(), 0.5 * s.surfelSupport);
+  t.surfelBins.build(f.position.data(), f.size(), std::min(usualReach * s.spacing, s.surfelSupport));
   t.particleBins.build(p.position.data(), p.size(), w.scene.surface.linkLength * w.scene.spacing);
   findReach(w, t);
   refreshGhosts(halos.surfels, f, ColumnList{&f.reach, &f.nearest});

@@ -8,7 +8,7 @@
 namespace thaw {
 
 /// Sums over particles, by channel. u = 1 - (r/h_ps)^2, d from the particle to the surfel in units of the grid's support radius.
-enum ParticleSum { Colour, ColourOfColour, Gradient, Attraction = Gradient + 3, particleSums = Attraction + 3 };
+enum ParticleSum { Colour, SmoothColour, Gradient, Attraction = Gradient + 3, particleSums = Attraction + 3 };
 /// Sums over surfels. Plane: Mean (d) and Moment (d d^T) for the plane of the neighbours; sphere: Height and Normal.
 enum SurfelSum { Weight, Height, Normal, Mean = Normal, Repulsion = Normal + 3, Crowd = Repulsion + 3, Stirred, Coincident, Moment, sphereSums = Moment, planeSums = Moment + 6 };
 
@@ -18,8 +18,8 @@ enum SurfelSum { Weight, Height, Normal, Mean = Normal, Repulsion = Normal + 3, 
 struct ForceSums {
   const float* place = nullptr;           ///< of surfels: x, y, z; 1 if it is moving, else 0
   const float* normal = nullptr;          ///< of surfels: normal, radius
-  const float* particle = nullptr;        ///< x, y, z; volume over that of the lattice, over the lattice's sum of weights
-  const float* particleColour = nullptr;  ///< colour at the particle, times that volume
+  const float* particle = nullptr;        ///< x, y, z; V c_j over the lattice's sum of weights (level_table.hpp)
+  const float* particleColour = nullptr;  ///< V a_j likewise
   const std::uint32_t* self = nullptr;    ///< 8 rows of surfels a group; short groups repeat their first one
   const std::uint64_t *firstSurfel = nullptr, *firstParticle = nullptr;  ///< of each group, and one behind
   const std::uint32_t *surfel = nullptr, *particleRow = nullptr;

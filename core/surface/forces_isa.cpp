@@ -28,7 +28,7 @@ void overParticles(const ForceSums& in) {
   for (std::size_t k = 0; k < in.groupCount; k++) {
     const std::size_t g = in.groups[k];
     const Lanes4<float> own = load(records(in.place), in.self + 8 * g);
-    LanesF colour(0.0f), colours(0.0f);
+    LanesF colour(0.0f), smooth(0.0f);
     V gradient{zero, zero, zero}, attraction{zero, zero, zero};
     for (std::uint64_t n = in.firstParticle[g]; n < in.firstParticle[g + 1]; n++) {
       const std::uint32_t j = in.particleRow[n];
@@ -36,13 +36,13 @@ void overParticles(const ForceSums& in) {
       const V d = apart(own, p);
       const LanesF u = max(one - dot(d, d) * perSupport2, zero), u2 = u * u, v2 = LanesF(p.d) * u2, v3 = v2 * u;
       colour += v3;
-      colours += u2 * u * LanesF(in.particleColour[j]);
+      smooth += u2 * u * LanesF(in.particleColour[j]);
       gradient += v2 * d;
       attraction += v3 * d;
     }
     float* to = in.overParticles + 8 * particleSums * g;
     store(to, Colour, colour);
-    store(to, ColourOfColour, colours);
+    store(to, SmoothColour, smooth);
     store(to, Gradient, gradient);
     store(to, Attraction, attraction);
   }
@@ -79,7 +79,7 @@ template<bool plane> THAW_INLINE void overSurfelsOf(const ForceSums& in) {
       }
       const LanesF r = sqrt(r2), near = max(range * (frame.d + LanesF(f.d)) - r, zero);
       const LanesF push = select((sides > LanesF(in.apart)) & distinct, near, zero);
-      repulsion += (push / max(r, tiny)) * d;
+      repulsion += (push * range * (frame.d + LanesF(f.d)) / max(two * r2, tiny)) * d;
       crowd += select(push > zero, one, zero);
       stirred += select(r2 < reach2, LanesF(x.d), zero);
       coincident += select(distinct, zero, one);

@@ -67,6 +67,8 @@ void patchAround(const World& w, const SurfaceTools& t, std::size_t i, std::vect
   });
   for (SurfelRow& r : dropPatch(p.component[i], p.position[i] + away / volume, volume, w.surface.spacing)) {
     r.temperature = static_cast<float>(temperature / volume);
+    // a drop that joins leaves its surfels to the larger body; one that parts later may have the same label
+    r.id = surfelBit | birthBit | randomBits(w.scene.seed, Purpose::SurfelBirth, r.id, static_cast<std::uint64_t>(w.clock.step));
     rows.push_back(r);
   }
 }

@@ -23,6 +23,7 @@ DiscView viewOf(const Surfels& f, std::uint32_t j, const Vec3d& x) {
 SurfaceSide sideOf(const Surfels& f, const InsideTools::Candidate* begin, const InsideTools::Candidate* end, const Vec3d& x) {
   SurfaceSide side;
   side.component = begin->component;
+  side.nearest = begin->row;
   const double far = begin->distance + f.radius[begin->row];
   const double least = 1e-6 * f.radius[begin->row] * f.radius[begin->row];
   double sum = 0, straight = 0;
@@ -44,11 +45,12 @@ SurfaceSide sideOf(const Surfels& f, const InsideTools::Candidate* begin, const 
 
 }  // namespace
 
-void findSides(const Surfels& f, const PointBins& bins, const Vec3d& x, std::uint64_t not_, double reach, InsideTools& t, std::vector<SurfaceSide>& sides) {
+void findSides(const Surfels& f, const PointBins& bins, const Vec3d& x, std::uint64_t label, bool others, double reach, InsideTools& t,
+               std::vector<SurfaceSide>& sides) {
   t.near.clear();
   sides.clear();
   bins.forEachWithin(x, reach, [&](std::uint32_t j, double) {
-    if (f.component[j] != not_) t.near.push_back({f.component[j], std::sqrt(viewOf(f, j, x).d2), f.id[j], j});
+    if ((f.component[j] != label) == others) t.near.push_back({f.component[j], std::sqrt(viewOf(f, j, x).d2), f.id[j], j});
   });
   if (t.near.empty()) return;
   std::sort(t.near.begin(), t.near.end(), [](const InsideTools::Candidate& a, const InsideTools::Candidate& b) {

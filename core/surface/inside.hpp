@@ -15,7 +15,11 @@ struct SurfaceSide {
   Vec3d normal{};       ///< out of the component, there
   double liquid = 0;    ///< mean liquid fraction of the surfels that were asked
   int asked = 0;
+  std::uint32_t nearest = 0;  ///< row of the nearest surfel
 };
+
+/// Fewer surfels say nothing about inside and outside.
+inline constexpr int leastAsked = 3;
 
 /// Kept for its memory.
 struct InsideTools {
@@ -28,13 +32,13 @@ struct InsideTools {
   std::vector<Candidate> near;
 };
 
-/// The sides of all components but `not_` within `reach` (m) of x, ascending by label. `bins` are of the surfels, ghosts included.
+/// The sides of components within `reach` (m) of x, ascending by label; others: of all but component `label`, else of that alone. `bins` are of the surfels, ghosts included.
 /// Each surfel is a disc of half its radius (so that neighbours touch; whole discs stick out over edges). Of the discs not more
 /// than one radius farther than the nearest one, at most 12, the sum of (x - c).n / |x - c|^2, c the closest point of the disc, gives the
 /// sign: at an edge one disc may say inside, but the one that x is truly in front of is nearer or looks straighter at it. Both faces of a
 /// sheet, however thin, say inside between them; in front of it the nearer one outweighs the other (accuracy.md B20). Inside is only
 /// what looks at the back of some disc at more than 30 degrees: not what lies beyond the open end of a neck that has just parted.
-void findSides(const Surfels& surfels, const PointBins& bins, const Vec3d& x, std::uint64_t not_, double reach, InsideTools& tools,
-               std::vector<SurfaceSide>& sides);
+void findSides(const Surfels& surfels, const PointBins& bins, const Vec3d& x, std::uint64_t label, bool others, double reach,
+               InsideTools& tools, std::vector<SurfaceSide>& sides);
 
 }  // namespace thaw

@@ -1,20 +1,44 @@
 #include "core/surface/keep_volume.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "core/surface/measure.hpp"
+#include "core/surface/sample_mesh.hpp"
 
 namespace thaw {
 
 namespace {
-constexpr std::int64_t fewest = 12;
+
+/// Not the smallest ones, nor those with a seam that is open since a merge of this update.
+bool kept(const Surface& s, const SurfaceComponent& c) {
+  constexpr std::int64_t fewest = 12;
+  if (c.surfels < fewest || !(c.area > 0) || !(c.wantedVolume > 0)) return false;
+  for (std::size_t k = s.events.size(); k-- > s.quietEvents;)
+    if (s.events[k].merge && s.events[k].label == c.label) return false;
+  return true;
+}
+
+}  // namespace
+
+void keepStartVolumes(World& w, SurfaceHalos halos) {
+  SurfaceParticles& p = w.surface.particles;
+  Continuum& home = w.particles;
+  if (!home.surfaceShare.active) return;
+  std::vector<std::uint64_t> shares(p.owned), here(home.owned, std::bit_cast<std::uint64_t>(1.0));
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const SurfaceComponent* c = hasMesh(w.scene, p.body[i]) ? findComponent(w.surface, p.component[i]) : nullptr;
+    shares[i] = std::bit_cast<std::uint64_t>(c && c->volume > 0 ? c->volume / c->particleVolume : 1.0);
+  }
+  halos.courier.sendHome({p.home.data(), p.owned}, shares, here);
+  for (std::size_t i = 0; i < home.owned; i++) home.surfaceShare[i] = std::bit_cast<double>(here[i]);
 }
 
 double volumeError(const Surface& s) {
   double error = 0;
   for (const SurfaceComponent& c : s.components)
-    if (c.surfels >= fewest && c.particleVolume > 0) error = std::max(error, std::abs(c.volume - c.particleVolume) / c.particleVolume);
+    if (kept(s, c)) error = std::max(error, std::abs(c.volume - c.wantedVolume) / c.wantedVolume);
   return error;
 }
 
@@ -24,8 +48,8 @@ void offsetToVolume(Surface& s, double keepVolume) {
   const SurfaceComponent* c = nullptr;
   for (std::size_t i = 0; i < f.owned; i++) {
     if (!c || c->label != f.component[i]) c = findComponent(s, f.component[i]);
-    if (!c || c->surfels < fewest || !(c->area > 0)) continue;
-    f.position[i] += std::clamp(keepVolume * (c->particleVolume - c->volume) / c->area, -longest, longest) * f.normal[i];
+    if (!c || !kept(s, *c)) continue;
+    f.position[i] += std::clamp(keepVolume * (c->wantedVolume - c->volume) / c->area, -longest, longest) * f.normal[i];
   }
 }
 

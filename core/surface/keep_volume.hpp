@@ -1,15 +1,21 @@
 // The volume in the surface held at that of the particles (after DCG98; future work in K05).
 #pragma once
-#include "core/surface/surface.hpp"
+#include "core/halo/surface_halos.hpp"
+#include "core/world.hpp"
 
 namespace thaw {
 
 /// Moves every surfel along its normal by keepVolume (V_target - V) / A of its component, at most a quarter of the wanted spacing: the same
-/// for all of a component, so that its detail stays. V_target is the volume of the particles, mass over density at rest. Needs
-/// Surface::components as measured. Components of fewer than twelve surfels are left alone. Not collective.
+/// for all of a component, so that its detail stays. V_target is the volume of the particles, mass over density at rest, times
+/// what the mesh of their body held over it at the start. Needs Surface::components as measured. Components of fewer than twelve surfels, and those that
+/// have merged since Surface::quietEvents, are left alone. Not collective.
 void offsetToVolume(Surface& surface, double keepVolume);
 
-/// The largest |V - V_target| / V_target of components with at least twelve surfels.
+/// The largest |V - V_target| / V_target of components that are not left alone.
 double volumeError(const Surface& surface);
+
+/// Continuum::surfaceShare: what the surfaces of bodies with a mesh hold now over the volume of their particles; 1 of the others. At the start.
+/// Needs Surface::components as measured, and particle copies. Collective.
+void keepStartVolumes(World& world, SurfaceHalos halos);
 
 }  // namespace thaw

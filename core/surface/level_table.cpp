@@ -8,75 +8,85 @@ namespace thaw {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
+constexpr int fine = 64, shells = 48, rings = 16;  // of the quadratures
 
-/// Cosine, seen from a point at r from the middle of a ball of radius R, of the cap of directions in which points at distance rho are in
-/// the ball: those toward the middle, with a cosine above it.
-double capCosine(double r, double R, double rho) {
-  if (r * rho < 1e-12) return r + rho < R ? -1 : 1;
-  return std::clamp((rho * rho + (r - R) * (r + R)) / (2 * r * rho), -1.0, 1.0);
-}
-
-/// Share of the kernel at r that lies in the ball.
-double colourIn(double r, double R) {
-  constexpr int n = 200;
-  double sum = 0;
-  for (int k = 0; k < n; k++) {
-    const double rho = (k + 0.5) / n;
-    sum += colourKernel(rho * rho) * 4 * pi * rho * rho * 0.5 * (1 - capCosine(r, R, rho)) / n;
-  }
-  return sum;
-}
-
-struct Sample { double mean, level, depth; };
-
-/// On the surface of a ball of curvature 1/R > 0, or in a cavity (< 0).
-Sample sampleAt(double curvature) {
-  const bool cavity = curvature < 0;
-  const double R = 1 / std::max(std::abs(curvature), 1e-4);
-  // colour by distance from the surface, into the body
-  constexpr int fine = 128, shells = 100, rings = 48;
-  const double deepest = cavity ? 1 : std::min(1.0, R);
-  std::array<double, fine + 1> colour;
-  for (int k = 0; k <= fine; k++) {
-    const double s = deepest * k / fine;
-    colour[static_cast<std::size_t>(k)] = cavity ? 1 - colourIn(R + s, R) : colourIn(R - s, R);
-  }
-  Sample out{0, 0, 0};
-  for (int k = 0; k < shells; k++) {
-    const double rho = (k + 0.5) / shells, shell = colourKernel(rho * rho) * 2 * pi * rho * rho / shells, edge = capCosine(R, R, rho);
-    const double low = cavity ? -1 : edge, high = cavity ? edge : 1;
-    out.level += shell * (high - low);
-    out.depth += shell * rho * 0.5 * std::abs(high * high - low * low);
-    for (int m = 0; m < rings; m++) {
-      const double mu = low + (high - low) * (m + 0.5) / rings, away = std::sqrt(std::max(0.0, R * R + rho * rho - 2 * R * rho * mu));
-      const double s = std::clamp((cavity ? away - R : R - away) / deepest, 0.0, 1.0) * fine;
-      const std::size_t at = std::min<std::size_t>(static_cast<std::size_t>(s), fine - 1);
-      out.mean += shell * (high - low) / rings * (colour[at] + (s - static_cast<double>(at)) * (colour[at + 1] - colour[at]));
-    }
-  }
-  out.mean /= out.level;
-  out.depth /= out.level;
-  return out;
-}
-
-}  // namespace
-
-double colourKernel(double q2) {
+/// (1 - q^2)^3 with its integral over the unit ball made 1.
+double kernel(double q2) {
   const double u = std::max(0.0, 1 - q2);
   return 315 / (64 * pi) * u * u * u;
 }
 
-LevelTable::LevelTable() {
+/// A ball of radius 1 / curvature > 0, or all but a ball (< 0), in lengths of the kernel.
+struct Round {
+  bool cavity;
+  double radius, deepest;  // deepest: from there on inward the colour is 1, or the middle
+  explicit Round(double curvature) : cavity(curvature < 0), radius(1 / std::max(std::abs(curvature), 1e-4)), deepest(cavity ? 1 : std::min(1.0, radius)) {}
+  double place(double depth) const { return cavity ? radius + depth : radius - depth; }  // distance from the middle
+
+  /// Cosines, toward the middle, of the directions in which points at distance rho of a point at r are in the body.
+  void directions(double r, double rho, double& low, double& high) const {
+    double edge;
+    if (r * rho < 1e-12) edge = r + rho < radius ? -1 : 1;
+    else edge = std::clamp((rho * rho + (r - radius) * (r + radius)) / (2 * r * rho), -1.0, 1.0);
+    low = cavity ? -1 : edge;
+    high = cavity ? edge : 1;
+  }
+};
+
+using Profile = std::array<double, fine + 1>;  // by depth from 0 to Round::deepest
+
+double valueAt(const Profile& p, double share) {
+  const double s = std::clamp(share, 0.0, 1.0) * fine;
+  const std::size_t at = std::min<std::size_t>(static_cast<std::size_t>(s), fine - 1);
+  return p[at] + (s - static_cast<double>(at)) * (p[at + 1] - p[at]);
+}
+
+/// Integral over the body of the kernel around a point at `depth`, times the profile (none: 1); and of the distance inward.
+struct Integral { double sum = 0, inward = 0; };
+Integral integrate(const Round& body, double depth, const Profile* profile) {
+  const double r = body.place(depth);
+  Integral out;
+  for (int k = 0; k < shells; k++) {
+    const double rho = (k + 0.5) / shells, shell = kernel(rho * rho) * 2 * pi * rho * rho / shells;
+    double low, high;
+    body.directions(r, rho, low, high);
+    if (!profile) {
+      out.sum += shell * (high - low);
+      continue;
+    }
+    for (int m = 0; m < rings; m++) {
+      const double mu = low + (high - low) * (m + 0.5) / rings, away = std::sqrt(std::max(0.0, r * r + rho * rho - 2 * r * rho * mu));
+      const double v = shell * (high - low) / rings * valueAt(*profile, std::abs(body.radius - away) / body.deepest);
+      out.sum += v;
+      out.inward += v * rho * (body.cavity ? -mu : mu);
+    }
+  }
+  return out;
+}
+
+struct Sample { double fullness, level, depth; };
+Sample sampleOf(double curvature) {
+  const Round body(curvature);
+  Profile colour, smoothed;
+  for (int k = 0; k <= fine; k++) colour[static_cast<std::size_t>(k)] = integrate(body, body.deepest * k / fine, nullptr).sum;
+  for (int k = 0; k <= fine; k++) smoothed[static_cast<std::size_t>(k)] = integrate(body, body.deepest * k / fine, &colour).sum;
+  const Integral a = integrate(body, 0, &colour), b = integrate(body, 0, &smoothed);
+  return {b.sum / a.sum, a.sum, a.inward / a.sum};
+}
+
+}  // namespace
+
+void LevelTable::fill() {
   std::vector<Sample> samples{{0, 0, 0}};
-  for (double curvature = 32; curvature > 0.02; curvature /= 1.15) samples.push_back(sampleAt(curvature));
-  for (double curvature = 0; curvature > -1.21; curvature -= 0.1) samples.push_back(sampleAt(curvature));
+  for (double curvature = 32; curvature > 0.02; curvature /= 1.15) samples.push_back(sampleOf(curvature));
+  for (double curvature = 0; curvature > -1.21; curvature -= 0.1) samples.push_back(sampleOf(curvature));
   samples[0].depth = samples[1].depth;
   std::size_t k = 0;
   for (int e = 0; e <= entries; e++) {
     const double x = static_cast<double>(e) / entries;
-    while (k + 2 < samples.size() && samples[k + 1].mean < x) k++;
+    while (k + 2 < samples.size() && samples[k + 1].fullness < x) k++;
     const Sample &a = samples[k], &b = samples[k + 1];
-    const double share = std::min(1.0, (x - a.mean) / (b.mean - a.mean));
+    const double share = std::min(1.0, (x - a.fullness) / (b.fullness - a.fullness));
     level_[static_cast<std::size_t>(e)] = a.level + share * (b.level - a.level);
     depth_[static_cast<std::size_t>(e)] = a.depth + share * (b.depth - a.depth);
   }

@@ -18,7 +18,7 @@ struct Record {
   Vec3d reach{};        // m, largest distance from the anchor along each axis; only of periodic axes
 };
 
-enum Sum { Mass, ParticleVolume, MomentX, MomentY, MomentZ, Area, VolumeX, VolumeY, VolumeZ, NormalX, NormalY, NormalZ, sums };
+enum Sum { Mass, ParticleVolume, WantedVolume, MomentX, MomentY, MomentZ, Area, VolumeX, VolumeY, VolumeZ, NormalX, NormalY, NormalZ, sums };
 
 /// Rows of one component on this rank.
 struct Group {
@@ -111,6 +111,7 @@ void addRows(const Surface& s, const Group& g, const std::vector<std::uint32_t>&
     const Vec3d d = fromAnchor(s.grid, r.anchor, p.position[i]);
     sum[Mass].add(p.mass[i]);
     sum[ParticleVolume].add(p.volume[i]);
+    sum[WantedVolume].add(p.share[i] * p.volume[i]);
     for (std::size_t a = 0; a < 3; a++) sum[MomentX + a].add(p.mass[i] * d[static_cast<int>(a)]);
     widen(d);
   }
@@ -130,6 +131,7 @@ void finish(const CellGrid& grid, Record& r, const std::array<double, sums>& v) 
   SurfaceComponent& c = r.measured;
   c.mass = v[Mass];
   c.particleVolume = v[ParticleVolume];
+  c.wantedVolume = v[WantedVolume];
   c.area = v[Area];
   const Vec3d centroid = c.mass > 0 ? Vec3d{v[MomentX], v[MomentY], v[MomentZ]} / c.mass : Vec3d{};
   c.centroid = r.anchor + centroid;

@@ -24,7 +24,23 @@ template<class Rows> void placeRows(const CellGrid& grid, CellHalo& halo, Rows& 
 template void placeRows(const CellGrid&, CellHalo&, Surfels&, CellTable&, SortBuffers&);
 template void placeRows(const CellGrid&, CellHalo&, SurfaceParticles&, CellTable&, SortBuffers&);
 
+void dropGhosts(Table& rows, CellTable& cells) {
+  rows.resize(rows.owned, 0);
+  std::size_t kept = 0;
+  for (std::size_t c = 0; c < cells.key.size(); c++) {
+    if (cells.first[c] >= rows.owned) continue;
+    cells.key[kept] = cells.key[c];
+    cells.first[kept] = cells.first[c];
+    cells.count[kept++] = cells.count[c];
+  }
+  cells.key.resize(kept);
+  cells.first.resize(kept);
+  cells.count.resize(kept);
+  cells.ownedCells = kept;
+}
+
 void addGhosts(CellHalo& halo, Table& rows, CellTable& cells, std::span<AnyColumn* const> columns) {
+  dropGhosts(rows, cells);  // of an earlier call: their cells would be sent on as if they were ours
   halo.beginGhosts(rows, cells, columns);
   halo.finishGhosts(rows, cells);
 }

@@ -8,8 +8,13 @@
 namespace thaw {
 namespace {
 
-/// 1 / (sum of (1 - (r/h)^2)^3 over the cubic lattice of spacing 1).
-double perLatticeSum(double h) {
+/// Factors of the sums of (1 - (r/h)^2)^3, lengths in spacings.
+struct Lattice {
+  double perSum = 0;      ///< over the cubic lattice, for sums at places
+  double perOwnSum = 0;   ///< for sums at particles
+  double self = 1;        ///< weight of a particle in its own sum: that of a ball, not a point, such that a lone particle has its own volume
+};
+Lattice latticeOf(double h, const LevelTable& table) {
   double sum = 0;
   const int n = static_cast<int>(h);
   for (int z = -n; z <= n; z++)
@@ -18,7 +23,19 @@ double perLatticeSum(double h) {
         const double u = 1 - (x * x + y * y + z * z) / (h * h);
         if (u > 0) sum += u * u * u;
       }
-  return 1 / sum;
+  // a lone particle has colours c = x, a = x^2 and fullness b / a = x = self / (sum - 1 + self), and a c u^3 / sum around it: this is to be
+  // at its level where its volume ends
+  const double R = std::cbrt(3 / (4 * 3.14159265358979323846)), u = 1 - R * R / (h * h), wanted = u * u * u / sum;
+  double low = 0, high = 1 / sum;
+  for (int k = 0; k < 60; k++) {
+    const double x = 0.5 * (low + high);
+    (table.level(x) < wanted * x ? low : high) = x;
+  }
+  Lattice l;
+  l.self = low * (sum - 1) / (1 - low);
+  l.perSum = 1 / sum;
+  l.perOwnSum = 1 / (sum - 1 + l.self);
+  return l;
 }
 
 }  // namespace
@@ -26,6 +43,7 @@ double perLatticeSum(double h) {
 void readyParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
   if (t.relax.particlesReady) return;
   t.relax.particlesReady = true;
+  if (!t.relax.level.filled()) t.relax.level.fill();
   Surface& s = w.surface;
   SurfaceParticles& p = s.particles;
   p.resize(p.owned, 0);
@@ -33,21 +51,26 @@ void readyParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
   if (p.liquid.active) columns.push_back(&p.liquid);
   if (p.temperature.active) columns.push_back(&p.temperature);
   addGhosts(halos.particles, p, s.particleCells, columns);
-  const double h = s.particleSupport, h2 = h * h, dx = w.scene.spacing, scale = perLatticeSum(h / dx) / (dx * dx * dx);
+  const double h = s.particleSupport, h2 = h * h, dx = w.scene.spacing, perVolume = 1 / (dx * dx * dx);
+  const Lattice lattice = latticeOf(h / dx, t.relax.level);
   const Vec3d reach{h, h, h};
   fillBins(s.grid, s.particleCells, p.position.data(), 0.5 * h, t.relax.particleBins);
-  for (std::size_t i = 0; i < p.owned; i++) {
-    double sum = 0;
-    if (p.component[i] != noComponent)
-      forRowsInBox(t.relax.particleBins, p.position[i] - reach, p.position[i] + reach, [&](std::uint32_t j) {
-        const Vec3d d = p.position[j] - p.position[i];
-        const double u = 1 - dot(d, d) / h2;
-        if (u > 0 && p.component[j] == p.component[i]) sum += p.volume[j] * u * u * u;
-      });
-    p.colour[i] = static_cast<float>(scale * sum);
+  // the colour at each particle, then the same with each particle weighted by its colour
+  for (int pass = 0; pass < 2; pass++) {
+    Column<float>& to = pass == 0 ? p.colour : p.smoothColour;
+    for (std::size_t i = 0; i < p.owned; i++) {
+      double sum = 0;
+      if (p.component[i] != noComponent)
+        forRowsInBox(t.relax.particleBins, p.position[i] - reach, p.position[i] + reach, [&](std::uint32_t j) {
+          const Vec3d d = p.position[j] - p.position[i];
+          const double u = 1 - dot(d, d) / h2;
+          if (u > 0 && p.component[j] == p.component[i]) sum += p.volume[j] * (j == i ? lattice.self : u * u * u) * (pass == 0 ? 1.0 : static_cast<double>(p.colour[j]));
+        });
+      to[i] = static_cast<float>(perVolume * lattice.perOwnSum * sum);
+    }
+    ColumnList found{&to};
+    refreshGhosts(halos.particles, p, found);
   }
-  ColumnList found{&p.colour};
-  refreshGhosts(halos.particles, p, found);
   // records of the iterations
   t.relax.particle.resize(4 * p.size());
   t.relax.particleColour.resize(p.size());
@@ -56,9 +79,9 @@ void readyParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
       const std::uint32_t bits = fixedPoint(s.grid, p.position[j][a], a);
       std::memcpy(&t.relax.particle[4 * j + static_cast<std::size_t>(a)], &bits, 4);
     }
-    const float volume = static_cast<float>(scale * p.volume[j]);
-    t.relax.particle[4 * j + 3] = volume;
-    t.relax.particleColour[j] = volume * p.colour[j];
+    const float volume = static_cast<float>(perVolume * lattice.perSum * p.volume[j]);
+    t.relax.particle[4 * j + 3] = volume * p.colour[j];
+    t.relax.particleColour[j] = volume * p.smoothColour[j];
   }
 }
 

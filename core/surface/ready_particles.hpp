@@ -7,8 +7,8 @@ namespace thaw {
 
 struct SurfaceTools;
 
-/// Ghosts of the particles, their bins, and the colour field of their own component at each: sum V W over h_ps with W = (1 - (r/h_ps)^2)^3, 1 in
-/// the middle of the lattice. Does nothing where tools.relax.particlesReady says that it is done. Needs particles placed. Collective.
+/// Ghosts of the particles, their bins, and the colour field of their own component at each, once and twice smoothed (level_table.hpp), 1 in the
+/// middle of the lattice. Does nothing where tools.relax.particlesReady says that it is done. Needs particles placed. Collective.
 void readyParticles(World& world, SurfaceHalos halos, SurfaceTools& tools);
 
 /// Liquid fraction and temperature of the owned surfels: means of the particles of their component within h_ps with the same weight; kept where

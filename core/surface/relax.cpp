@@ -1,7 +1,7 @@
 #include "core/surface/relax.hpp"
 
-#include <chrono>
 #include <cstring>
+#include <ctime>
 
 #include "core/surface/place_rows.hpp"
 #include "core/surface/ready_particles.hpp"
@@ -11,16 +11,17 @@
 namespace thaw {
 namespace {
 
+/// Processor time since the last call.
 class Lap {
  public:
   void operator()(double& to) {
-    const auto now = std::chrono::steady_clock::now();
-    to += std::chrono::duration<double>(now - last_).count();
+    const std::clock_t now = std::clock();
+    to += static_cast<double>(now - last_) / CLOCKS_PER_SEC;
     last_ = now;
   }
 
  private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  std::clock_t last_ = std::clock();
 };
 
 void packSurfel(const Surface& s, RelaxTools& r, std::size_t i) {
@@ -54,6 +55,7 @@ void search(World& w, SurfaceHalos halos, SurfaceTools& t, bool all, double marg
   r.normal.resize(4 * f.size());
   for (std::size_t i = 0; i < f.size(); i++) packSurfel(s, r, i);
   lap(r.times.search);
+  r.times.searches++;
 }
 
 ForceSums sumsOf(const World& w, RelaxTools& r) {
@@ -114,11 +116,12 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
   f.activate(f.moving);
   for (std::size_t i = 0; i < f.owned; i++) f.moving[i] = all || (f.liquid.active && f.liquid[i] > 0);
   // a surfel may move by half the margin before lists are stale; the cells of the grid leave room for half a spacing of the particles
-  const double margin = std::min(0.5 * s.spacing, 0.5 * w.scene.spacing);
+  const double margin = std::min(s.spacing, w.scene.spacing);
   search(w, halos, t, all, margin, lap);
   Settled done;
   MoveCounts counts;
-  double furthest = 0;
+  // along the normal surfels are at rest after a dozen iterations; along the surface they would shuffle on for hundreds, hence K05's damping
+  double furthest = 0, spread = 1;
   while (done.iterations < iterations && !done.finished) {
     if (furthest > 0.5 * margin) search(w, halos, t, all, margin, lap);
     ForceSums in = sumsOf(w, r);
@@ -132,7 +135,9 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
     in.groupCount = r.groups.size();
     r.kernels->overParticles(in);
     lap(r.times.particleSums);
-    const MoveContext context = moveContext(w, r, weights);
+    MoveContext context = moveContext(w, r, weights);
+    context.spread = spread;
+    spread *= 0.95;
     double state[2]{0, 0};  // moving at all, furthest from where it was found
     // those of groups without work have not moved in the last iteration
     for (const std::uint32_t g : r.groups) {

@@ -14,8 +14,8 @@ namespace thaw {
 /// Moves the surfels of a component outward (m), before damping, in each iteration: what a volume-keeping force asks for.
 struct ComponentPush { std::uint64_t component; double distance; };
 
-/// Seconds spent, for benchmarks; no result depends on them.
-struct RelaxTimes { double ready = 0, place = 0, search = 0, surfelSums = 0, particleSums = 0, finish = 0, exchange = 0; std::int64_t surfels = 0; };
+/// Processor time spent (s), for benchmarks; no result depends on them.
+struct RelaxTimes { double ready = 0, place = 0, search = 0, surfelSums = 0, particleSums = 0, finish = 0, exchange = 0; std::int64_t surfels = 0, searches = 0; };
 
 struct RelaxTools {
   bool particlesReady = false;  ///< readyParticles was called for the particles as they are; on all ranks or none

@@ -119,6 +119,13 @@ struct Round {
   }
 };
 
+/// Another one for each round of each call in a step, so that a surfel that gives birth twice names its children differently: calls in one step
+/// differ by the births before them, or had none.
+std::uint64_t saltOf(const World& w, const Resampled& done, std::int64_t round) {
+  const std::int64_t births = w.surface.counters.births + done.births;
+  return randomBits(w.scene.seed, Purpose::SurfelSample, static_cast<std::uint64_t>(w.clock.step), static_cast<std::uint64_t>(births) << 8 | static_cast<std::uint64_t>(round));
+}
+
 }  // namespace
 
 Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t rounds, const BirthPlace& mayBe) {
@@ -132,7 +139,7 @@ Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t r
     addGhosts(halos.surfels, s, surface.surfelCells,
               ColumnList{&s.id, &s.position, &s.normal, &s.radius, &s.component, &s.colour, &s.detail, &s.liquid, &s.temperature});
     findRows(surface.grid, surface.surfelCells, s.position.data(), s.owned, surface.surfelCells, s.position.data(), reach, true, t.surfelsOf);
-    Round r{s, t.surfelsOf, reach, w.scene.seed, static_cast<std::uint64_t>(w.clock.step) << 8 | static_cast<std::uint64_t>(round), mayBe};
+    Round r{s, t.surfelsOf, reach, w.scene.seed, saltOf(w, done, round), mayBe};
     if (round == 0) adaptDensity(surface, halos.surfels, t.surfelsOf, reach, w.scene.surface.adapt > 0 ? w.scene.surface.adapt * surface.spacing : surface.spacing);
     r.makeWishes();
     refreshGhosts(halos.surfels, s, ColumnList{&s.wish, &s.offer});

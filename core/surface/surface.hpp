@@ -18,6 +18,7 @@ struct SurfaceComponent {
   double volume = 0;                  ///< m^3, enclosed by the surfels: (1/3) sum x.n A
   double area = 0;                    ///< m^2
   Vec3d centroid{};                   ///< m, of its particles by mass
+  double wantedVolume = 0;            ///< m^3, that volume keeping holds: of its particles, times what their body's mesh held over that at the start; of the update
 };
 
 /// A split or merge. In the order in which they happened, the same on all ranks; part of the state.
@@ -50,6 +51,7 @@ struct Surface {
   double particleSupport = 0;         ///< m, h_ps
   std::vector<SurfaceComponent> components;
   std::vector<SurfaceEvent> events;
+  std::size_t quietEvents = 0;        ///< number of events before the update under way
   SurfaceCounters counters;
   std::int64_t lastStep = -1;         ///< of the last update
 };

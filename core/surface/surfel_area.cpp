@@ -1,7 +1,6 @@
 #include "core/surface/surfel_area.hpp"
 
 #include <array>
-#include <tuple>
 
 namespace thaw {
 namespace {
@@ -14,12 +13,12 @@ struct Point2 { double x, y; };
 /// A convex cell around the origin.
 class Cell {
  public:
-  /// A regular polygon of twelve sides around a circle.
+  /// A hexagon around a circle.
   explicit Cell(double radius) {
     static const auto corner = [] {
-      std::array<Point2, 12> c;
+      std::array<Point2, 6> c;
       for (std::size_t k = 0; k < c.size(); k++) {
-        const double angle = 2 * 3.14159265358979324 * static_cast<double>(k) / 12, r = 1 / std::cos(3.14159265358979324 / 12);
+        const double angle = 2 * 3.14159265358979324 * static_cast<double>(k) / 6, r = 1 / std::cos(3.14159265358979324 / 6);
         c[k] = {r * std::cos(angle), r * std::sin(angle)};
       }
       return c;
@@ -110,16 +109,28 @@ double areaOf(const Surfels& f, std::size_t i, const std::vector<Candidate>& nea
 
 }  // namespace
 
-void findSurfelAreas(Surfels& f, const PointBins& bins) {
+void findSurfelAreas(Surfels& f, PointBins& bins) {
+  constexpr double reach = 2.31;  // twice the corners of a hexagon
+  double largest = 0;
+  for (std::size_t i = 0; i < f.owned; i++) largest = std::max(largest, f.radius[i]);
+  if (f.owned == 0) return;
+  bins.build(f.position.data(), f.size(), reach * largest);
   std::vector<Candidate> near;
-  for (std::size_t i = 0; i < f.owned; i++) {
+  PointBins::Block all;
+  bins.forEachBlock(bins, reach * largest, all, [&](std::uint32_t i, const PointBins::Block& block) {
+    if (i >= f.owned) return;
     near.clear();
-    bins.forEachWithin(f.position[i], 2.08 * f.radius[i], [&](std::uint32_t j, double d2) {
-      if (j != i && f.component[j] == f.component[i]) near.push_back({d2, f.id[j], j});
-    });
-    std::sort(near.begin(), near.end(), [](const Candidate& a, const Candidate& b) { return std::tie(a.d2, a.id) < std::tie(b.d2, b.id); });
+    const double r2 = reach * f.radius[i] * reach * f.radius[i];
+    const Vec3d x = f.position[i];
+    for (std::size_t k = 0; k < block.row.size(); k++) {
+      const Vec3d d = block.at[k] - x;
+      const double d2 = dot(d, d);
+      const std::uint32_t j = block.row[k];
+      if (d2 <= r2 && j != i && f.component[j] == f.component[i]) near.push_back({d2, f.id[j], j});
+    }
+    std::sort(near.begin(), near.end(), [](const Candidate& a, const Candidate& b) { return a.d2 != b.d2 ? a.d2 < b.d2 : a.id < b.id; });
     f.area[i] = areaOf(f, i, near);
-  }
+  });
 }
 
 }  // namespace thaw

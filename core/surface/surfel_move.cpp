@@ -97,13 +97,13 @@ double moveSurfel(World& w, const MoveContext& c, const SurfelSums& s, double pu
     known = slope * c.support > 1e-2 * colour;
     if (known) {
       outward = gradient / size;
-      const double mean = s.particle(ColourOfColour) / colour, level = c.level->level(mean);
+      const double fullness = s.particle(SmoothColour) / colour, level = c.level->level(fullness);
       const double height = std::clamp((colour - c.isoScale * level) / slope, -c.longest, c.longest);
       force += c.weights.implicit * height * outward;
       if (c.weights.attract > 0) {  // beyond what the kernel's mean particle is from any surface, that the iso-surface may stay
         const Vec3d away = (c.unit / colour) * three(s, Attraction, true);
         const double depth = length(away);
-        if (depth > 0) force -= (c.weights.attract * (depth - c.support * c.level->depth(mean)) / depth) * away;
+        if (depth > 0) force -= (c.weights.attract * (depth - c.support * c.level->depth(fullness)) / depth) * away;
       }
       least = std::clamp((c.leastScale * level - colour) / slope, 0.0, c.longest);
       if (dot(normal, outward) < 0) {
@@ -130,11 +130,11 @@ double moveSurfel(World& w, const MoveContext& c, const SurfelSums& s, double pu
 
   Vec3d tangential{};
   if (c.weights.repel > 0) {
-    tangential = (c.weights.repel * c.unit * std::min(1.0, 6 / std::max(1.0, s.surfel(Crowd)))) * three(s, Repulsion, false);
+    tangential = (c.spread * c.weights.repel * c.unit * std::min(1.0, 6 / std::max(1.0, s.surfel(Crowd)))) * three(s, Repulsion, false);
     if (s.surfel(Coincident) > 1) {  // at the same place as others: a direction by id
       Vec3d d;
       for (int a = 0; a < 3; a++) d[a] = randomUniform(w.scene.seed, Purpose::Separate, f.id[i], static_cast<std::uint64_t>(a)) - 0.5;
-      tangential += (c.weights.repel * f.radius[i]) * d;
+      tangential += (c.spread * c.weights.repel * f.radius[i]) * d;
     }
     tangential -= dot(normal, tangential) * normal;
     const double far = length(tangential), farthest = 0.25 * f.radius[i];

@@ -28,6 +28,7 @@ struct MoveContext {
   double isoScale;      ///< isoLevel / .5
   double leastScale;    ///< leastLevel / .5
   double longest;       ///< m, of a move
+  double spread = 1;    ///< factor of moves along the surface
   bool plane;
 };
 MoveContext moveContext(const World& world, const RelaxTools& tools, const ForceWeights& weights);

@@ -46,11 +46,13 @@ struct SurfaceParticles : Table {
   Column<Vec3d> displacement{*this, "displacement", "m", Keep::State, "since the last update; 0 of fresh ones"};
   Column<std::uint64_t> component{*this, "component", "1", Keep::State, "label, noComponent: fresh, since the last update"};
   Column<double> volume{*this, "volume", "m^3", Keep::State, "mass / density at rest"};
+  Column<double> share{*this, "share", "1", Keep::State, "volume that the surface is to hold for it over its own"};
   Column<double> mass{*this, "mass", "kg", Keep::State, "of the particle"};
   Column<float> liquid{*this, "liquid", "1", Keep::State, "liquid fraction"};
   Column<float> temperature{*this, "temperature", "K", Keep::State, "only with heat"};
   Column<std::uint16_t> body{*this, "body", "1", Keep::State, "index into bodies, then emitters"};
   Column<float> colour{*this, "colour", "1", Keep::Transient, "colour field of its component at the particle (readyParticles)"};
+  Column<float> smoothColour{*this, "smoothColour", "1", Keep::Transient, "the same, of particles weighted by their colour"};
   Column<std::uint64_t> home{*this, "home", "1", Keep::State, "rank << 32 | row of the particle itself"};
   Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort"};
   Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now"};

@@ -1,5 +1,7 @@
 #include "core/surface/update_components.hpp"
 
+#include <algorithm>
+
 #include "core/surface/keep_volume.hpp"
 #include "core/surface/measure.hpp"
 #include "core/surface/place_rows.hpp"
@@ -23,7 +25,6 @@ void placeSurfels(Surface& s, SurfaceHalos halos, SurfaceTools& t) {
 
 /// Areas and components of where surfels are; needs ghosts.
 void measureAll(Surface& s, SurfaceHalos halos, TopologyTools& t) {
-  t.components.surfelBins.build(s.surfels.position.data(), s.surfels.size(), 0.5 * s.surfelSupport);
   findSurfelAreas(s.surfels, t.components.surfelBins);
   measureComponents(s, halos.all);
 }
@@ -40,19 +41,6 @@ void keepVolume(World& w, SurfaceHalos halos, TopologyTools& t) {
 
 }  // namespace
 
-void updateComponents(World& w, SurfaceHalos halos, SurfaceTools& tools) {
-  Surface& s = w.surface;
-  TopologyTools& t = tools.topology;
-  labelParticles(w, halos, tools);         // of old and new ones, and what hangs together with the surfels
-  addSurfelGhosts(s, halos);               // splitting dropped them
-  mergeComponents(w, halos, t.components, t.merge);
-  placeSurfels(s, halos, tools);           // contact has moved some
-  measureAll(s, halos, t);
-  if (w.scene.surface.keepVolume > 0) keepVolume(w, halos, t);
-  s.surfels.resize(s.surfels.owned, 0);
-  s.particles.resize(s.particles.owned, 0);
-}
-
 void labelParticles(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   Surface& s = w.surface;
   TopologyTools& t = tools.topology;
@@ -61,8 +49,36 @@ void labelParticles(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   addGhosts(halos.particles, s.particles, s.particleCells, ColumnList{&s.particles.id, &s.particles.position, &s.particles.component, &s.particles.body});
   adoptFresh(w, halos, t.components);
   findParts(w, halos, t.components);
+  keepEnclosed(w, halos, t.components);
   splitComponents(w, halos, t.components);
-  s.particles.resize(s.particles.owned, 0);
+  dropGhosts(s.particles, s.particleCells);
+}
+
+void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
+  Surface& s = w.surface;
+  TopologyTools& t = tools.topology;
+  s.quietEvents = s.events.size();
+  labelParticles(w, halos, tools);
+  addSurfelGhosts(s, halos);  // splitting dropped them
+  mergeComponents(w, halos, t.components, t.merge);
+  placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, tools.sort);  // contact has moved some
+  std::fill_n(s.surfels.area.data(), s.surfels.owned, 0.0);
+  measureComponents(s, halos.all);
+}
+
+void measureSurface(World& w, SurfaceHalos halos, SurfaceTools& tools) {
+  Surface& s = w.surface;
+  TopologyTools& t = tools.topology;
+  placeSurfels(s, halos, tools);
+  placeRows(s.grid, halos.particles, s.particles, s.particleCells, tools.sort);
+  measureAll(s, halos, t);
+  if (w.scene.surface.keepVolume > 0 && s.lastStep >= 0) keepVolume(w, halos, t);
+  dropGhosts(s.surfels, s.surfelCells);
+}
+
+void updateComponents(World& w, SurfaceHalos halos, SurfaceTools& tools) {
+  splitAndMerge(w, halos, tools);
+  measureSurface(w, halos, tools);
 }
 
 }  // namespace thaw

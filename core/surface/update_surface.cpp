@@ -3,6 +3,7 @@
 #include "core/surface/blend.hpp"
 #include "core/surface/displace.hpp"
 #include "core/surface/gather_particles.hpp"
+#include "core/surface/keep_volume.hpp"
 #include "core/surface/grow.hpp"
 #include "core/surface/place_rows.hpp"
 #include "core/surface/resume_surface.hpp"
@@ -37,6 +38,7 @@ void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   growBodies(w, halos, t);
   sampleMeshes(w.scene, s, t.load, halos.all);
   updateComponents(w, halos, t);
+  keepStartVolumes(w, halos);
   placeAll(s, halos, t);
   sampleFields(w, halos, t);
   returnParticles(w, halos);
@@ -52,6 +54,7 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   displaceSurfels(w, halos, t);
   bringParticlesForward(s);
   placeAll(s, halos, t);
+  splitAndMerge(w, halos, t);     // before resampling, which closes seams
   sampleFields(w, halos, t);
   renewSurfels(w, halos, t);
   resampleOnParticles(w, halos, t, 8);
@@ -60,7 +63,7 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   s.counters.unfinished += !settled.finished;
   blendSurfels(w);
   resampleOnParticles(w, halos, t, 4);
-  updateComponents(w, halos, t);  // splits, merges, measures
+  measureSurface(w, halos, t);
   returnParticles(w, halos);
   s.counters.updates++;
   s.lastStep = w.clock.step;

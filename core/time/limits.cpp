@@ -101,7 +101,9 @@ StepLimits materialLimits(const Scene& s, const Modules& modules, const std::vec
       if (mu > 0) take(Limit::Viscous, n.cflViscous * stableViscousStep(n) * h * h * m.density / mu);
     }
     if (modules.fluid && canBeLiquid(m)) {
-      if (m.surfaceTension > 0) take(Limit::Tension, n.cflTension * std::sqrt(m.density * h3 / (2 * 3.14159265358979 * m.surfaceTension)));
+      // The surface energy is stiff where few particles meet: a drop without viscosity gains 26 % of its energy in 6 s at .2, .8 % in 3 s at .1.
+      const double stiff = modules.surfaceEnergy ? 0.12 : 1;
+      if (m.surfaceTension > 0) take(Limit::Tension, stiff * n.cflTension * std::sqrt(m.density * h3 / (2 * 3.14159265358979 * m.surfaceTension)));
     }
     if (modules.heat) {
       const double diffusivity = largestDiffusivity(s, used, m);

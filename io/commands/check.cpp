@@ -10,6 +10,7 @@
 #include "core/ledger/report.hpp"
 #include "core/memory.hpp"
 #include "core/setup/setup.hpp"
+#include "io/commands/check_surface.hpp"
 #include "io/commands/frontier.hpp"
 #include "io/commands/require_memory.hpp"
 #include "io/commands/scene_for_all.hpp"
@@ -44,6 +45,7 @@ int checkAll(const CheckOptions& o) {
   MpiBondHalo bonds(comm);
   const Halos halos{all, cells, bonds};
   const SamplingReport sampled = startWorld(w, halos, t, meshLoader());
+  SurfaceTrial surface(comm, w, meshLoader());
   // a few steps, to measure
   const auto start = std::chrono::steady_clock::now();
   int steps = 0;
@@ -54,6 +56,8 @@ int checkAll(const CheckOptions& o) {
     steps++;
   }
   const double perStep = steps > 0 ? std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / steps : 0;
+  surface.update();
+  const std::vector<std::string> surfaceLines = surface.lines(o.ranks);
   const LedgerReport l = reportLedger(w, all);
   double memory = totalBytes(memoryOf(w, t));
   all.maximum({&memory, 1});
@@ -79,6 +83,8 @@ int checkAll(const CheckOptions& o) {
     std::printf("\nsettings on the frontier of error against time, in cases like this scene (docs/accuracy.md)\n");
     for (const std::string& line : lines) std::printf("  %s\n", line.c_str());
   }
+  if (!surfaceLines.empty()) std::printf("\nsurface\n");
+  for (const std::string& line : surfaceLines) std::printf("  %s\n", line.c_str());
   const double particles = std::max<double>(1, static_cast<double>(l.particles)), total = particles + std::max(0.0, emitted - static_cast<double>(w.counters.emitted));
   std::printf("\nmemory a rank: %s with %d ranks (%.0f bytes a particle)\n", bytesText(memory * total / particles * comm.size() / o.ranks).c_str(), o.ranks, memory * comm.size() / particles);
   const double needed = s.end / dt;

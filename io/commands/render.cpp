@@ -10,6 +10,7 @@
 
 #include "io/hdf5/io_error.hpp"
 #include "io/render/frame_source.hpp"
+#include "io/render/movie.hpp"
 #include "io/render/scene_job.hpp"
 
 namespace thaw {
@@ -98,6 +99,19 @@ FrameJob jobOf(const RenderOptions& options) {
   return job;
 }
 
+/// The film of the pictures, or how to get it. Pictures without a film are no failure: what was asked for first is there.
+void filmOf(std::vector<fs::path> pictures, const RenderOptions& options) {
+  std::string name = pictures[0].stem().string();
+  if (const std::size_t end = name.find_last_not_of("0123456789"); end != std::string::npos && name[end] == '_' && end > 0) name.resize(end);
+  const fs::path file = pictures[0].parent_path() / (name + ".mp4");
+  if (isInstalled("ffmpeg")) {
+    makeMovie(pictures, file, options.rate);
+    fmt::print("{}\n", file.string());
+  } else {
+    fmt::print(stderr, "thaw render: no film, as ffmpeg is not installed (Debian: apt-get install ffmpeg); then, from the pictures:\n  {}\n", movieCommand(pictures, file, options.rate));
+  }
+}
+
 }  // namespace
 
 void addRenderOptions(CLI::App& command, RenderOptions& o) {
@@ -119,6 +133,8 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
   command.add_option("--cells", o.cells, "pictures on the contact sheet, at most")->check(CLI::Range(1, 1000))->capture_default_str();
   command.add_option("--radius", o.radius, "of the spheres, in particle spacings (default 0.7), or of the surface's discs, in their own radii (default 1.25)")->check(CLI::Range(0.01, 100.0));
   command.add_option("--what", o.what, "surface, particles, or automatic: the surface if the run has one")->check(CLI::IsMember({"surface", "particles", "automatic"}))->capture_default_str();
+  command.add_flag("--movie", o.movie, "make a film (mp4) of the pictures as well, beside them; needs ffmpeg");
+  command.add_option("--rate", o.rate, "pictures a second of the film")->check(CLI::Range(0.1, 240.0))->capture_default_str();
   command.add_option("--threads", o.threads, "frames drawn at once (default: one a core)")->check(CLI::Range(0, 4096));
 }
 
@@ -130,6 +146,7 @@ int renderCommand(const RenderOptions& options) {
     if (!job.sheet.empty()) fmt::print("{}\n", job.sheet.string());
     if (pictures == 1) fmt::print("{}\n", written[0].string());
     else fmt::print("{} to {}: {} pictures\n", written[0].string(), written[pictures - 1].filename().string(), pictures);
+    if (options.movie) filmOf({written.begin(), written.begin() + static_cast<std::ptrdiff_t>(pictures)}, options);
     return 0;
   } catch (const std::invalid_argument& error) {
     fmt::print(stderr, "thaw render: {}\n", error.what());

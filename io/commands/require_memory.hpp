@@ -1,13 +1,19 @@
 #pragma once
+#include <memory>
+#include <vector>
+
 #include "core/geometry/signed_distance.hpp"
 #include "core/world.hpp"
 #include "parallel/communicator.hpp"
 
 namespace thaw {
 
-/// Ends a run that cannot fit before it fills the memory: compares what the particles of its bodies take, shared evenly by the ranks, with the
+/// Ends a run that cannot fit before it fills the memory: compares what the particles of its bodies and the surfels on them take, shared evenly by the ranks, with the
 /// memory of each machine (all of it, or what the control group allows). Throws std::runtime_error with one sentence, alike on all
 /// ranks. The estimate is low, so that nothing that fits is refused. Collective.
 void requireMemory(const Communicator& comm, const World& world, const MeshLoader& load);
+
+/// About how many surfels the bodies of these shapes begin with.
+double expectedSurfels(const Scene& scene, const std::vector<std::shared_ptr<const SignedDistance>>& shapes);
 
 }  // namespace thaw

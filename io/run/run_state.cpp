@@ -152,7 +152,7 @@ void begin(Run& r, const MeshLoader& load) {
       makeOutputFolders(r.options.out);
     });
     r.begun = true;
-    if (w.modules.surface) beginSurface(r);
+    if (w.modules.surface) beginSurface(r, load);
     writeFrameOf(r);
   }
   r.begun = true;

@@ -6,7 +6,8 @@
 
 namespace thaw {
 
-void beginSurface(Run& r) {
+void beginSurface(Run& r, const MeshLoader& load) {
+  r.surfaceTools.load = load;
   r.tools.times.start();
   startSurface(r.world, r.surface->halos(), r.surfaceTools);
   r.tools.times.lap(StepPhase::Setup);

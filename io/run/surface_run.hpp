@@ -5,7 +5,7 @@
 namespace thaw {
 
 /// The first surface, of the bodies that were sampled, and its logs.
-void beginSurface(Run& run);
+void beginSurface(Run& run, const MeshLoader& load);
 
 /// Index and logs of a run that goes on from a checkpoint: what was written after it goes out of them, and is written again.
 void resumeSurfaceOutput(Run& run);

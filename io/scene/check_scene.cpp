@@ -44,6 +44,14 @@ void checkSizes(const SceneReading& x, std::vector<SceneError>& errors) {
   if (s.bodies.size() + s.emitters.size() > 65000) errors.push_back({x.start, "more than 65000 bodies and emitters"});
 }
 
+void checkSurface(const Scene& scene, const SourcePlace& where, std::vector<SceneError>& errors) {
+  const SurfaceSettings& s = scene.surface;
+  if (s.leastLevel >= s.isoLevel)
+    errors.push_back({where, fmt::format("surface.least_level ({:g}) must be below surface.iso_level ({:g}), where the surface is to lie", s.leastLevel, s.isoLevel)});
+  if (s.spacing > 0 && s.spacing < 1e-3 * scene.spacing)
+    errors.push_back({where, fmt::format("surface.spacing ({:g} m) is less than a thousandth of spacing ({:g} m)", s.spacing, scene.spacing)});
+}
+
 }  // namespace
 
 void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
@@ -84,6 +92,7 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
     errors.push_back({x.start, "numerics.pressure_solver = \"incompressible\" needs numerics.pressure = \"consistent\": the printed form has no potential to solve for"});
   if (n.solver == PressureSolver::Incompressible && n.tensileLimit > 0 && n.tensileLimit < 1)
     errors.push_back({x.start, "with numerics.pressure_solver = \"incompressible\" numerics.tensile_limit is 0 (liquid never pulls) or 1 (it always does, for boxes that are full)"});
+  if (s.surface.on) checkSurface(s, x.start, errors);
   checkSizes(x, errors);
   if (errors.empty()) chooseForFullBox(s, x.open);
 }

@@ -15,7 +15,8 @@ void readBody(TableReader& r, SceneReading& x) {
   r.vector("spin", b.spin, "rad/s", "angular velocity about the middle of the bounding box");
   r.number("temperature", b.temperature, "K", positive(), "at the start");
   r.vector("temperature_gradient", b.temperatureGradient, "K/m", "added to the temperature from the middle of the bounding box");
-  r.choice("packing", b.packing, {"lattice", "relaxed"}, "how it is filled with particles: a cubic lattice, or jittered and relaxed");
+  r.choice("packing", b.packing, {"lattice", "relaxed"}, "how it is filled with particles: a cubic lattice, or jittered and relaxed (the default where liquid fills a periodic box)");
+  x.open.packing = !r.has("packing");  // of the only body, where it matters
   if (r.describing()) {
     r.node("clamp", "", "list of tables with a SHAPE each", "particles that lie in one of these at the start are held where they are");
     return;

@@ -25,7 +25,7 @@ void readSections(TableReader& top, SceneReading& x) {
   x.spacing = top.placeOf("spacing");
   top.table("numerics", "choices of the method", [&](TableReader& r) {
     readNumerics(r, s.numerics);
-    x.open = {!r.has("density"), !r.has("tensile_limit"), !r.has("shifting")};
+    x.open = {!r.has("density"), !r.has("tensile_limit"), !r.has("shifting"), true};
     if (s.numerics.fixedStep > s.end) r.fail("fixed_step", "must not be longer than the simulated time (end)");
   });
   top.namedTables("material", "what bodies are made of", [&](const std::string& name, TableReader& r) {

@@ -68,7 +68,7 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.whole("viscosity_iterations", n.viscosityIterations, 1, 100000, "of the implicit solver, at most in a step; steps that need more are counted");
   if (n.viscositySolver == ViscositySolver::Implicit && n.viscosity == ViscosityForm::Laplacian)
     r.fail("viscosity_solver", "the implicit solver knows the pairwise form of viscosity only: leave numerics.viscosity at \"pairwise\"");
-  r.choice("tension", n.tension, {"pairwise", "colour field", "surface stress"}, "cohesion of pairs; as printed in Keiser et al. 2005; or a stress along the surface: drops swing as liquids do, but energy is not kept: it needs a viscosity above .06 sqrt(density * surface tension * spacing), or artificial_viscosity of .05");
+  r.choice("tension", n.tension, {"pairwise", "colour field", "surface energy"}, "cohesion of pairs: cheap, but drops are soft crystals; as printed in Keiser et al. 2005; or an energy of the free surface: drops have Laplace's pressure and swing as liquids do");
   r.choice("heat", n.heat, {"enthalpy", "paper"}, "enthalpy with latent heat, or the plain temperature of Keiser et al. 2005");
   r.choice("conduction", n.conduction, {"normalised", "plain"}, "the sum for heat conduction: exact for a quadratic temperature on the lattice, or with the kernel's own constant");
   r.flag("self_contact", n.selfContact, "pieces of one body collide with each other");

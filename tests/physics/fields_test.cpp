@@ -66,14 +66,15 @@ TEST(Fields, HeatAddsThree) {
   EXPECT_EQ(added(lossy, s), (Names{"continuum.exposure"}));
 }
 
-TEST(Fields, TensionAndArtificialViscosityAddNone) {
+TEST(Fields, CohesionAndArtificialViscosityAddNone) {
   Scene s = block(false);
   s.materials[0].surfaceTension = 0.05;
   s.materials[0].artificialViscosity = 0.1;
+  s.numerics.tension = TensionForm::Pairwise;
   EXPECT_EQ(added(s, block(false)), Names{});
-  Scene stress = s;
-  stress.numerics.tension = TensionForm::SurfaceStress;
-  EXPECT_EQ(added(stress, s), (Names{"continuum.colourGradient", "continuum.surfaceMoment", "continuum.surfaceStress"}));
+  Scene energy = s;
+  energy.numerics.tension = TensionForm::SurfaceEnergy;
+  EXPECT_EQ(added(energy, s), (Names{"continuum.surfaceGradient", "continuum.surfaceCover", "continuum.surfacePull", "continuum.surfaceDraw"}));
   s.materials[0].xsph = 0.1;
   EXPECT_EQ(added(s, block(false)), (Names{"continuum.smoothing"}));
 }
@@ -104,9 +105,18 @@ TEST(Fields, OfWhatMelts) {
                                           "continuum.standoff", "continuum.heatFlow", "continuum.softening", "solid.liquid", "solid.melted"}));
 }
 
+TEST(Fields, TheSurfaceAddsTwoToParticlesAndTablesOfItsOwn) {
+  Scene s = block(false);
+  s.surface.on = true;
+  Names ofParticles;
+  for (const std::string& n : added(s, block(false)))
+    if (n.compare(0, 8, "surfels.") != 0 && n.compare(0, 18, "surface particles.") != 0) ofParticles.push_back(n);
+  EXPECT_EQ(ofParticles, (Names{"continuum.surfacePlace", "continuum.component"}));
+}
+
 TEST(Fields, MemoryOfWhatIsNotThereIsNone) {
   const Simulation liquid(block(false));
-  const Names absent{"solids", "bonds", "elastic work"};
+  const Names absent{"solids", "bonds", "elastic work", "surface"};
   for (const MemoryUse& u : memoryOf(liquid.w, liquid.tools)) {
     if (std::find(absent.begin(), absent.end(), u.what) == absent.end()) continue;
     EXPECT_EQ(u.bytes, 0) << u.what;

@@ -20,9 +20,11 @@ struct SurfaceRig {
   std::uint16_t body = 0;
   bool liquid = true;
 
-  explicit SurfaceRig(double spacing = 0.1, const Vec3d& low = {-2, -2, -2}, const Vec3d& high = {2, 2, 2}) : dx(spacing), d(0.5 * spacing) {
+  explicit SurfaceRig(double spacing = 0.1, const Vec3d& low = {-2, -2, -2}, const Vec3d& high = {2, 2, 2}, double surfelSpacing = 0)
+      : dx(spacing), d(surfelSpacing > 0 ? surfelSpacing : 0.5 * spacing) {
     world.scene.spacing = dx;
     world.scene.surface.on = true;
+    world.scene.surface.spacing = d;
     world.scene.domain.min = low;
     world.scene.domain.max = high;
     world.grid = makeGrid(world.scene.domain, 2 * dx);
@@ -30,6 +32,7 @@ struct SurfaceRig {
     Modules m;
     m.fluid = true;
     activateSurfaceFields(world.surface, m);
+    world.surface.lastStep = 0;  // not the start
   }
   Surfels& f() { return world.surface.surfels; }
   SurfaceParticles& p() { return world.surface.particles; }
@@ -43,6 +46,7 @@ struct SurfaceRig {
     p().position[i] = x;
     p().volume[i] = dx * dx * dx;
     p().mass[i] = 1000 * p().volume[i];
+    p().share[i] = 1;
     p().component[i] = component;
     p().liquid[i] = liquid;
     p().body[i] = body;
@@ -110,7 +114,8 @@ struct SurfaceRig {
 
 struct SerialSurfaceRig : SurfaceRig {
   SerialSurfaceRanks halos;
-  explicit SerialSurfaceRig(double spacing = 0.1, const Vec3d& low = {-2, -2, -2}, const Vec3d& high = {2, 2, 2}) : SurfaceRig(spacing, low, high), halos(world.surface.grid) {}
+  explicit SerialSurfaceRig(double spacing = 0.1, const Vec3d& low = {-2, -2, -2}, const Vec3d& high = {2, 2, 2}, double surfelSpacing = 0)
+      : SurfaceRig(spacing, low, high, surfelSpacing), halos(world.surface.grid) {}
   void update() { SurfaceRig::update(halos.halos()); }
 };
 

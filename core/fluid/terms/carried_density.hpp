@@ -20,7 +20,7 @@ template<class Real, class Kernel, Carry carry> struct CarriedDensity {
   double scale;
   L weight[3];  ///< h g
   struct Data { Lanes4<Real> place, motion, state; };
-  struct Sum { L filling = L(0.0), closest = L(1.0), x = L(0.0), y = L(0.0), z = L(0.0), rate = L(0.0), spread = L(0.0), column = L(0.0), moment[6] = {L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0)}, flow[6] = {L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0)}; };
+  struct Sum { L filling = L(0.0), closest = L(1.0), x = L(0.0), y = L(0.0), z = L(0.0), rate = L(0.0), spread = L(0.0), column = L(0.0), moment[6] = {L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0)}, flow[9] = {L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0)}; };
   THAW_INLINE Data load(const std::uint32_t* rows) const {
     if constexpr (Carried) return {thaw::THAW_ISA::load(place, rows), thaw::THAW_ISA::load(motion, rows), thaw::THAW_ISA::load(state, rows)};
     else return {thaw::THAW_ISA::load(place, rows), {}, {}};
@@ -36,7 +36,7 @@ template<class Real, class Kernel, Carry carry> struct CarriedDensity {
     s.z += g * dz;
     if constexpr (Carried) {
       const L ux = i.motion.a - j.motion.a, uy = i.motion.b - j.motion.b, uz = i.motion.c - j.motion.c;
-      if constexpr (Corrected) {  // L is symmetric: of the flow's gradient only the symmetric part counts
+      if constexpr (Corrected) {
         const L gx = g * dx, gy = g * dy, gz = g * dz;
         s.moment[0] -= gx * dx;
         s.moment[1] -= gy * dy;
@@ -45,11 +45,14 @@ template<class Real, class Kernel, Carry carry> struct CarriedDensity {
         s.moment[4] -= gx * dz;
         s.moment[5] -= gy * dz;
         s.flow[0] += gx * ux;
-        s.flow[1] += gy * uy;
-        s.flow[2] += gz * uz;
-        s.flow[3] += gx * uy + gy * ux;
-        s.flow[4] += gx * uz + gz * ux;
-        s.flow[5] += gy * uz + gz * uy;
+        s.flow[1] += gx * uy;
+        s.flow[2] += gx * uz;
+        s.flow[3] += gy * ux;
+        s.flow[4] += gy * uy;
+        s.flow[5] += gy * uz;
+        s.flow[6] += gz * ux;
+        s.flow[7] += gz * uy;
+        s.flow[8] += gz * uz;
       } else {
         s.rate += g * (ux * dx + uy * dy + uz * dz);
       }
@@ -73,9 +76,9 @@ template<class Real, class Kernel, Carry carry> struct CarriedDensity {
           if constexpr (Corrected) {
             const L *m = s.moment, *u = s.flow;
             in->moment[row] = {{{scale * of(m[0]), scale * of(m[3]), scale * of(m[4])}, {scale * of(m[3]), scale * of(m[1]), scale * of(m[5])}, {scale * of(m[4]), scale * of(m[5]), scale * of(m[2])}}};
-            const double k = scale / h, half = 0.5 * k;
-            in->flow[row] = {{{k * of(u[0]), half * of(u[3]), half * of(u[4])}, {half * of(u[3]), k * of(u[1]), half * of(u[5])}, {half * of(u[4]), half * of(u[5]), k * of(u[2])}}};
-            in->densityRate[row] = k * (of(u[0]) + of(u[1]) + of(u[2]));
+            const double k = scale / h;
+            in->flow[row] = {{{k * of(u[0]), k * of(u[1]), k * of(u[2])}, {k * of(u[3]), k * of(u[4]), k * of(u[5])}, {k * of(u[6]), k * of(u[7]), k * of(u[8])}}};
+            in->densityRate[row] = k * (of(u[0]) + of(u[4]) + of(u[8]));
           } else {
             in->densityRate[row] = scale / h * of(s.rate);
           }

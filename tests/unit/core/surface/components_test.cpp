@@ -77,6 +77,20 @@ TEST(Components, ADropWithoutSurfelsIsListed) {
   EXPECT_GE(rig.p().position[rows[0]].z, 1.0);
 }
 
+TEST(Components, AParticleInTheSurfaceStaysThoughNoneIsNear) {
+  SerialSurfaceRig rig;
+  for (int z = -2; z < 2; z++)
+    for (int y = -2; y < 2; y++)
+      for (int x = -2; x < 2; x++) rig.particle({0.16 * (x + 0.5), 0.16 * (y + 0.5), 0.16 * (z + 0.5)}, 1);  // farther apart than links
+  rig.sphere({0, 0, 0}, 0.5, 1);
+  rig.particle({1.0, 0, 0}, 1);
+  rig.update();
+  ASSERT_EQ(rig.components().size(), 2u);
+  EXPECT_EQ(rig.components()[0].label, 1u);
+  EXPECT_EQ(rig.components()[0].particles, 64);
+  EXPECT_EQ(rig.world.surface.counters.splits, 1);
+}
+
 TEST(Components, SurfelsWithoutParticlesAreDeletedAndCounted) {
   SerialSurfaceRig rig;
   rig.ball({0, 0, 0}, 0.5, 1);

@@ -6,11 +6,11 @@
 namespace thaw {
 namespace {
 
-Scene sceneOf(const std::string& head, const std::string& numerics = "", const std::string& sides = "") {
+Scene sceneOf(const std::string& head, const std::string& numerics = "", const std::string& sides = "", const std::string& body = "") {
   SceneFiles files;
   files.main = "test.toml";
   files.texts["test.toml"] = head + "\nspacing = 0.1\nend = 1\n[domain]\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n" + sides + "[numerics]\n" + numerics +
-                             "\n[material.oil]\ndensity = 1000\n[[body]]\nname = 'all'\nmaterial = 'oil'\nbox = { size = [1, 1, 1] }\nplace = { move = [0.5, 0.5, 0.5] }\n";
+                             "\n[material.oil]\ndensity = 1000\n[[body]]\nname = 'all'\nmaterial = 'oil'\nbox = { size = [1, 1, 1] }\nplace = { move = [0.5, 0.5, 0.5] }\n" + body;
   return readScene(files);
 }
 
@@ -45,6 +45,8 @@ TEST(FullBox, LiquidThatFillsAPeriodicBox) {
   EXPECT_EQ(open.density, DensityForm::Summation);
   EXPECT_EQ(open.tensileLimit, 0);
   EXPECT_EQ(open.shifting, 0);
+  EXPECT_EQ(sceneOf("", "", periodic).bodies[0].packing, Packing::Relaxed);
+  EXPECT_EQ(sceneOf("").bodies[0].packing, Packing::Lattice);
 }
 
 TEST(FullBox, LeavesWhatTheSceneChooses) {
@@ -52,6 +54,12 @@ TEST(FullBox, LeavesWhatTheSceneChooses) {
   EXPECT_EQ(n.density, DensityForm::Summation);
   EXPECT_EQ(n.tensileLimit, 0.5);
   EXPECT_EQ(n.shifting, 0);
+  EXPECT_EQ(sceneOf("", "density = 'summation'", periodic).bodies[0].packing, Packing::Lattice);
+  EXPECT_EQ(sceneOf("", "shifting = 0.1", periodic, "packing = 'lattice'").bodies[0].packing, Packing::Lattice);
+}
+
+TEST(FullBox, StaysOnTheLatticeWhereTheTemperatureVaries) {
+  EXPECT_EQ(sceneOf("", "", periodic, "temperature_gradient = [1, 0, 0]").bodies[0].packing, Packing::Lattice);
 }
 
 }  // namespace thaw

@@ -1,0 +1,48 @@
+// Marching tetrahedra (Doi and Koide 1991): six tetrahedra a cube around its diagonal (Kuhn), which fit those of the next cubes.
+#pragma once
+#include <algorithm>
+
+#include "core/math/vec3.hpp"
+
+namespace thaw {
+
+/// Corners of a cube are numbered x + 2 y + 4 z. Each tetrahedron goes from corner 0 to 7 along three edges, one of each axis.
+inline constexpr int kuhnTetrahedra[6][4] = {{0, 1, 3, 7}, {0, 1, 5, 7}, {0, 2, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 4, 6, 7}};
+
+/// An edge between two corners of a cube, from the one with fewer bits: of all cubes at it the same two.
+struct CubeEdge {
+  CubeEdge(int a, int b) : from(std::min(a, b)), to(std::max(a, b)) {}
+  int from, to;
+  int direction() const { return (from ^ to) - 1; }  ///< 0 to 6: which edge it is of those that begin at a corner
+};
+
+/// Place between the ends, as a share of the edge, where the value is zero; not so near to an end that triangles degenerate.
+inline double crossing(double from, double to) {
+  constexpr double nearestToCorner = 0.02;
+  return std::clamp(from / (from - to), nearestToCorner, 1 - nearestToCorner);
+}
+
+/// The zero set within a cube: add(edge, edge, edge, outward) for each triangle, whose corners lie on the edges. It is to look along
+/// `outward`. value < 0 inside.
+template<class Add> void marchTetrahedra(const double (&value)[8], Add add) {
+  const auto place = [](int c) { return Vec3d{static_cast<double>(c & 1), static_cast<double>(c >> 1 & 1), static_cast<double>(c >> 2)}; };
+  for (const auto& tet : kuhnTetrahedra) {
+    int in[4], out[4], inside = 0, outside = 0;
+    for (const int c : tet) (value[c] < 0 ? in[inside++] : out[outside++]) = c;
+    if (inside == 0 || outside == 0) continue;
+    Vec3d outward;
+    for (int k = 0; k < outside; k++) outward += place(out[k]) / static_cast<double>(outside);
+    for (int k = 0; k < inside; k++) outward -= place(in[k]) / static_cast<double>(inside);
+    if (inside == 2) {
+      const CubeEdge a(in[0], out[0]), b(in[0], out[1]), c(in[1], out[1]), d(in[1], out[0]);
+      add(a, b, c, outward);
+      add(a, c, d, outward);
+    } else if (inside == 1) {
+      add(CubeEdge(in[0], out[0]), CubeEdge(in[0], out[1]), CubeEdge(in[0], out[2]), outward);
+    } else {
+      add(CubeEdge(in[0], out[0]), CubeEdge(in[1], out[0]), CubeEdge(in[2], out[0]), outward);
+    }
+  }
+}
+
+}  // namespace thaw

@@ -1,0 +1,143 @@
+#include "io/commands/export.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <thread>
+
+#include "io/export/export_surface.hpp"
+#include "io/hdf5/io_error.hpp"
+#include "io/render/frame_source.hpp"
+#include "io/render/parallel_for.hpp"
+#include "io/render/scene_job.hpp"
+
+namespace thaw {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::vector<std::string> formats{"ply-discs", "pov", "vtp", "ply", "obj"};
+
+std::string extensionOf(const std::string& as) { return as == "ply-discs" ? ".discs.ply" : "." + as; }
+
+/// One colour a surfel.
+std::vector<Rgb> coloursOf(const SurfaceFrame& frame, const ExportOptions& options, const fs::path& file) {
+  if (options.field == "surface") return frame.colours;
+  const FrameColumn* column = frame.find(options.field);
+  if (!column || column->components != 1) {
+    std::string names = "surface";
+    for (const FrameColumn& c : frame.columns)
+      if (c.components == 1) names += ", " + c.name;
+    throw IoError(file.string(), "has no field '" + options.field + "' to colour with; there are: " + names);
+  }
+  double low = INFINITY, high = -INFINITY;
+  for (std::size_t i = 0; i < frame.positions.size(); i++)
+    if (const double v = column->value(i); std::isfinite(v)) low = std::min(low, v), high = std::max(high, v);
+  const ColourScale scale{options.min.value_or(low), options.max.value_or(high), colourMapNamed(options.map), {}, {}};
+  const Palette palette = paletteOf(scale.map);
+  std::vector<Rgb> colours(frame.positions.size());
+  for (std::size_t i = 0; i < colours.size(); i++) colours[i] = palette[static_cast<std::size_t>(paletteIndex(scale, column->value(i)))];
+  return colours;
+}
+
+/// Camera, size and floors as the pictures of `thaw render` have them.
+RenderStyle styleOf(const SurfaceFrame& frame, const fs::path& file) {
+  RenderStyle style;
+  FrameJob job;
+  if (!frame.sceneText.empty()) try {
+      job = jobOfScene(sceneOfText(frame.sceneText, frame.sceneName));
+    } catch (const std::exception& error) {
+      fmt::print(stderr, "thaw export: the scene in {} is not used for the camera: {}\n", file.string(), error.what());
+    }
+  std::vector<Vec3f> places;
+  for (const Vec3d& x : frame.positions) places.push_back({static_cast<float>(x.x), static_cast<float>(x.y), static_cast<float>(x.z)});
+  style.width = job.width;
+  style.height = job.height;
+  style.stage = boxOfMost(places);
+  style.camera = job.camera ? *job.camera : fittedCamera(style.stage, static_cast<double>(job.width) / job.height);
+  addWalls(job.walls, frame.time, style);
+  return style;
+}
+
+struct MeshCount { std::size_t components = 0, empty = 0, triangles = 0; };
+
+MeshCount writeMesh(const fs::path& out, const SurfaceFrame& frame, const std::vector<Rgb>& colours, const ExportOptions& options) {
+  const std::vector<ComponentRows> components = rowsByComponent(frame);
+  std::vector<ComponentMesh> meshes(components.size());
+  const int threads = options.threads > 0 ? options.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  parallelFor(components.size(), threads, [&](std::size_t c) { meshes[c] = meshOfComponent(frame, components[c], colours, options.cell); });
+  MeshCount count{meshes.size(), 0, 0};
+  count.empty = static_cast<std::size_t>(std::erase_if(meshes, [](const ComponentMesh& m) { return m.mesh.triangles.empty(); }));
+  for (const ComponentMesh& m : meshes) count.triangles += m.mesh.triangles.size();
+  (options.as == "ply" ? writeMeshPly : writeMeshObj)(out, meshes);
+  return count;
+}
+
+void exportFrame(const fs::path& file, const fs::path& out, const ExportOptions& options) {
+  const SurfaceFrame frame = readSurfaceFrame(file.string());
+  const std::vector<Rgb> colours = coloursOf(frame, options, file);
+  if (out.has_parent_path()) fs::create_directories(out.parent_path());
+  std::string more = fmt::format("{} surfels", frame.positions.size());
+  if (options.as == "ply-discs") writePlyDiscs(out, frame, colours);
+  else if (options.as == "vtp") writeVtp(out, frame, colours);
+  else if (options.as == "pov") writePov(out, frame, colours, styleOf(frame, file));
+  else {
+    const MeshCount count = writeMesh(out, frame, colours, options);
+    more = fmt::format("{} components, {} triangles", count.components - count.empty, count.triangles);
+    if (count.empty > 0) more += fmt::format("; {} components enclose nothing and are left out", count.empty);
+  }
+  fmt::print("{}: {}\n", out.string(), more);
+}
+
+/// export/ in the run's folder, whether that, its frames/ or a file in there was named.
+fs::path exportFolder(const fs::path& input) {
+  fs::path folder = fs::is_directory(input) ? input : input.parent_path();
+  if (folder.filename().empty() && folder.has_parent_path()) folder = folder.parent_path();  // "run/"
+  if (folder.filename() == "frames") folder = folder.parent_path();
+  return folder / "export";
+}
+
+}  // namespace
+
+void addExportOptions(CLI::App& command, ExportOptions& o) {
+  command.add_option("path", o.input, "frame of a surface (NAME_surface_000120.hdf), series index, or folder of a run (all its frames)")->required();
+  command.add_option("--as", o.as, "ply-discs: a polygon for each surfel (Blender); pov: a scene of POV-Ray; vtp: points with all fields (ParaView); ply, obj: a closed triangle mesh of each component")
+      ->required()->check(CLI::IsMember(formats));
+  command.add_option("--out", o.out, "file for one frame, folder for several (default: export/ in the run's folder)");
+  command.add_option("--field", o.field, "what colours: surface (its own colours) or a field: temperature, liquid, detail")->capture_default_str();
+  command.add_option("--map", o.map, "colour map of a field: ember, sea, grey")->capture_default_str();
+  command.add_option("--min", o.min, "lowest number of the colours, SI (default: the lowest of the frame)");
+  command.add_option("--max", o.max, "highest number of the colours, SI");
+  command.add_option("--cell", o.cell, "edge of the cubes that meshes are made with, over the mean radius of the surfels")->check(CLI::Range(0.2, 10.0))->capture_default_str();
+  command.add_option("--threads", o.threads, "for the meshes of components (default: one a core)")->check(CLI::Range(0, 4096));
+}
+
+int exportCommand(const ExportOptions& options) {
+  try {
+    if (std::find(formats.begin(), formats.end(), options.as) == formats.end()) throw std::invalid_argument("there is no format '" + options.as + "'");
+    if (options.min && options.max && !(*options.max > *options.min)) throw std::invalid_argument("the colours' range is empty: --max has to be above --min");
+    colourMapNamed(options.map);
+    const std::vector<fs::path> frames = findFrames(options.input, FrameKind::Surface);
+    const bool one = frames.size() == 1 && !fs::is_directory(options.out) && options.out.has_extension();
+    const fs::path folder = options.out.empty() ? exportFolder(options.input) : options.out;
+    for (const fs::path& frame : frames)
+      exportFrame(frame, one ? options.out : folder / (frame.stem().string() + extensionOf(options.as)), options);
+    return 0;
+  } catch (const std::invalid_argument& error) {
+    fmt::print(stderr, "thaw export: {}\n", error.what());
+    return 2;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "thaw export: {}: not enough memory\n", options.input.string());
+    return exitInputOutput;
+  } catch (const std::runtime_error& error) {  // IoError, and the file system's
+    fmt::print(stderr, "thaw export: {}\n", error.what());
+    return exitInputOutput;
+  }
+}
+
+}  // namespace thaw

@@ -1,0 +1,28 @@
+// A frame of a surface as files that other programs read.
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "io/export/surface_mesh.hpp"
+#include "io/render/render.hpp"
+
+namespace thaw {
+
+/// Throw IoError where the file cannot be written. colours: one a surfel.
+
+/// PLY, binary: each surfel a polygon of `corners` corners with the colour on its corners and its face, for Blender, which keeps colours
+/// of faces and corners but no normals of lone vertices. `discs`: radius over the surfel's.
+void writePlyDiscs(const std::filesystem::path& file, const SurfaceFrame& frame, const std::vector<Rgb>& colours, double discs = 1, int corners = 8);
+
+/// VTK's XML PolyData: points with all their fields, for ParaView.
+void writeVtp(const std::filesystem::path& file, const SurfaceFrame& frame, const std::vector<Rgb>& colours);
+
+/// A scene of POV-Ray 3.7: discs, camera, sun, sky, and floors. Lengths are scaled so that the stage is ten units across.
+void writePov(const std::filesystem::path& file, const SurfaceFrame& frame, const std::vector<Rgb>& colours, const RenderStyle& style, double discs = 1);
+
+/// The closed meshes of components in one file, with normals and colours at the vertices. PLY: binary, each face with the number of
+/// its component in the list (0, 1, ...) ; OBJ: an object `component_LABEL` for each.
+void writeMeshPly(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes);
+void writeMeshObj(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes);
+
+}  // namespace thaw

@@ -1,0 +1,31 @@
+// A file that is written piece by piece under a temporary name beside its own, and is there, whole, in the end, or not at all.
+#pragma once
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+namespace thaw {
+
+class OutFile {
+ public:
+  /// Throws IoError naming the file and the cause; so do all others.
+  explicit OutFile(std::filesystem::path path);
+  ~OutFile();  ///< removes what was written unless finish() was called
+  OutFile(const OutFile&) = delete;
+  OutFile& operator=(const OutFile&) = delete;
+  void text(std::string_view s) { bytes(s.data(), s.size()); }
+  void bytes(const void* data, std::size_t count);
+  template<class T> void number(const T& value) { bytes(&value, sizeof(T)); }
+  template<class T> void array(const std::vector<T>& values) { bytes(values.data(), values.size() * sizeof(T)); }
+  void finish();
+
+ private:
+  [[noreturn]] void fail() const;
+  struct Close { void operator()(std::FILE* f) const { std::fclose(f); } };
+  std::filesystem::path path_, part_;
+  std::unique_ptr<std::FILE, Close> file_;
+};
+
+}  // namespace thaw

@@ -1,0 +1,29 @@
+// Closed triangle meshes of the components of a surface.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry/triangle_mesh.hpp"
+#include "io/output/read_surface_frame.hpp"
+
+namespace thaw {
+
+/// Triangles around one component. Every edge has two triangles that run along it in opposite directions.
+struct ComponentMesh {
+  std::uint64_t component = 0;
+  TriangleMesh mesh;
+  std::vector<Vec3f> colours;             ///< one a vertex, sRGB 0 to 255, of the surfels around
+  std::vector<Vec3f> normals;             ///< one a vertex, unit, outward
+};
+
+/// Surfels of each component, ascending by its label; within one, in the order of the frame.
+struct ComponentRows { std::uint64_t component = 0; std::vector<std::uint32_t> rows; };
+std::vector<ComponentRows> rowsByComponent(const SurfaceFrame& frame);
+
+/// The zero set of the weighted mean of the surfels' signed plane distances (after Kolluri 2005, "Provably good moving least squares"),
+/// corrected for curvature by the mean normal, over those near a place whose normals agree with the nearest one's, by marching tetrahedra on cubes of edge `cell` times the mean radius, half
+/// of that and again where a component is too small to show. `colours`: one a surfel of the frame, copied to the vertices. Empty if the
+/// component encloses nothing at an eighth of it. Memory follows the number of surfels, not the size of the box around them.
+ComponentMesh meshOfComponent(const SurfaceFrame& frame, const ComponentRows& component, const std::vector<Rgb>& colours, double cell = 1);
+
+}  // namespace thaw

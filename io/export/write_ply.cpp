@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "io/export/export_surface.hpp"
+#include "io/export/out_file.hpp"
+#include "io/hdf5/io_error.hpp"
+
+namespace thaw {
+
+namespace {
+
+constexpr const char* ending = std::endian::native == std::endian::little ? "binary_little_endian" : "binary_big_endian";
+
+void place(OutFile& out, const Vec3d& x) {
+  for (int a = 0; a < 3; a++) out.number(static_cast<float>(x[a]));
+}
+
+std::uint8_t byteOf(float c) { return static_cast<std::uint8_t>(std::lround(std::fmin(255.0f, std::fmax(0.0f, c)))); }
+
+void checkCount(const std::filesystem::path& file, std::uint64_t vertices) {
+  if (vertices > static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max()))
+    throw IoError(file.string(), "cannot be written: it would have more than 2^31 vertices, which the format cannot number");
+}
+
+constexpr const char* vertexProperties =
+    "property float x\nproperty float y\nproperty float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+    "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+
+}  // namespace
+
+void writePlyDiscs(const std::filesystem::path& file, const SurfaceFrame& frame, const std::vector<Rgb>& colours, double discs, int corners) {
+  const std::uint64_t n = frame.positions.size();
+  checkCount(file, n * static_cast<std::uint64_t>(corners));
+  OutFile out(file);
+  out.text(fmt::format("ply\nformat {} 1.0\ncomment surfels of thaw, t = {} s, m\nelement vertex {}\n{}element face {}\n"
+                       "property list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n",
+                       ending, frame.time, n * static_cast<std::uint64_t>(corners), vertexProperties, n));
+  for (std::size_t i = 0; i < n; i++) {
+    const Vec3f& m = frame.normals[i];
+    const Vec3d normal{m.x, m.y, m.z};
+    const Vec3d u = normalized(cross(normal, std::abs(normal.z) < 0.9 ? Vec3d{0, 0, 1} : Vec3d{1, 0, 0})), v = cross(normal, u);
+    for (int k = 0; k < corners; k++) {
+      const double angle = 2 * std::numbers::pi * k / corners, r = discs * frame.radii[i];
+      place(out, frame.positions[i] + r * (std::cos(angle) * u + std::sin(angle) * v));
+      out.number(m);
+      out.number(colours[i]);
+    }
+  }
+  for (std::size_t i = 0; i < n; i++) {
+    out.number(static_cast<std::uint8_t>(corners));
+    for (int k = 0; k < corners; k++) out.number(static_cast<std::int32_t>(i * static_cast<std::size_t>(corners)) + k);
+    out.number(colours[i]);
+  }
+  out.finish();
+}
+
+void writeMeshPly(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes) {
+  std::uint64_t vertices = 0, faces = 0;
+  for (const ComponentMesh& m : meshes) vertices += m.mesh.vertices.size(), faces += m.mesh.triangles.size();
+  checkCount(file, vertices);
+  OutFile out(file);
+  out.text(fmt::format("ply\nformat {} 1.0\ncomment surface of thaw, m; components in this order:\n", ending));
+  for (const ComponentMesh& m : meshes) out.text(fmt::format("comment component {}\n", m.component));
+  out.text(fmt::format("element vertex {}\n{}element face {}\nproperty list uchar int vertex_indices\nproperty int component\nend_header\n", vertices, vertexProperties, faces));
+  for (const ComponentMesh& m : meshes)
+    for (std::size_t v = 0; v < m.mesh.vertices.size(); v++) {
+      place(out, m.mesh.vertices[v]);
+      out.number(m.normals[v]);
+      for (int a = 0; a < 3; a++) out.number(byteOf(m.colours[v][a]));
+    }
+  std::int32_t first = 0, number = 0;
+  for (const ComponentMesh& m : meshes) {
+    for (const auto& t : m.mesh.triangles) {
+      out.number(std::uint8_t{3});
+      for (const std::uint32_t v : t) out.number(first + static_cast<std::int32_t>(v));
+      out.number(number);
+    }
+    first += static_cast<std::int32_t>(m.mesh.vertices.size());
+    number++;
+  }
+  out.finish();
+}
+
+void writeMeshObj(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes) {
+  OutFile out(file);
+  out.text("# surface of thaw, m; colours (sRGB, 0 to 1) behind the coordinates of vertices\n");
+  std::uint64_t first = 1;
+  fmt::memory_buffer lines;
+  for (const ComponentMesh& m : meshes) {
+    lines.clear();
+    fmt::format_to(std::back_inserter(lines), "o component_{}\n", m.component);
+    for (std::size_t v = 0; v < m.mesh.vertices.size(); v++) {
+      const Vec3d& x = m.mesh.vertices[v];
+      const Vec3f &c = m.colours[v], &n = m.normals[v];
+      fmt::format_to(std::back_inserter(lines), "v {:.8g} {:.8g} {:.8g} {:.4g} {:.4g} {:.4g}\nvn {:.4f} {:.4f} {:.4f}\n", x.x, x.y, x.z, c.x / 255, c.y / 255, c.z / 255, n.x, n.y, n.z);
+    }
+    for (const auto& t : m.mesh.triangles)
+      fmt::format_to(std::back_inserter(lines), "f {0}//{0} {1}//{1} {2}//{2}\n", first + t[0], first + t[1], first + t[2]);
+    out.bytes(lines.data(), lines.size());
+    first += m.mesh.vertices.size();
+  }
+  out.finish();
+}
+
+}  // namespace thaw

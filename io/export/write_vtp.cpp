@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include <bit>
+#include <functional>
+#include <numeric>
+#include <string>
+
+#include "io/export/export_surface.hpp"
+#include "io/export/out_file.hpp"
+
+namespace thaw {
+
+namespace {
+
+/// Arrays of the file: their element first, their bytes, each behind its length, in the order of the elements.
+struct Appended {
+  std::string xml;
+  std::uint64_t offset = 0;
+  std::vector<std::pair<std::uint64_t, std::function<void(OutFile&)>>> blocks;
+
+  void add(const std::string& attributes, std::uint64_t bytes, std::function<void(OutFile&)> write) {
+    xml += fmt::format("<DataArray {} format=\"appended\" offset=\"{}\"/>\n", attributes, offset);
+    offset += sizeof(std::uint64_t) + bytes;
+    blocks.emplace_back(bytes, std::move(write));
+  }
+  template<class T> void addVector(const std::string& attributes, const std::vector<T>& values) {
+    add(attributes, values.size() * sizeof(T), [&values](OutFile& out) { out.array(values); });
+  }
+};
+
+std::string escaped(const std::string& s) {
+  std::string out;
+  for (const char c : s) out += c == '"' ? "&quot;" : c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
+  return out;
+}
+
+}  // namespace
+
+void writeVtp(const std::filesystem::path& file, const SurfaceFrame& frame, const std::vector<Rgb>& colours) {
+  const std::uint64_t n = frame.positions.size();
+  std::vector<float> points;
+  points.reserve(3 * n);
+  for (const Vec3d& x : frame.positions)
+    for (int a = 0; a < 3; a++) points.push_back(static_cast<float>(x[a]));
+  std::vector<std::int64_t> connectivity(n), offsets(n);
+  std::iota(connectivity.begin(), connectivity.end(), 0);
+  std::iota(offsets.begin(), offsets.end(), 1);
+
+  Appended a;
+  a.xml = "<PointData Normals=\"normal\">\n";
+  a.addVector("type=\"Float32\" Name=\"normal\" NumberOfComponents=\"3\"", frame.normals);
+  a.addVector("type=\"Float32\" Name=\"radius\"", frame.radii);
+  a.addVector("type=\"UInt8\" Name=\"color\" NumberOfComponents=\"3\"", colours);
+  a.addVector("type=\"UInt64\" Name=\"id\"", frame.ids);
+  a.addVector("type=\"UInt64\" Name=\"component\"", frame.components);
+  for (const FrameColumn& c : frame.columns)
+    a.add(fmt::format("type=\"Float32\" Name=\"{}\" NumberOfComponents=\"{}\"", escaped(c.name), c.components), n * static_cast<std::uint64_t>(c.components) * sizeof(float),
+          [&c, n](OutFile& out) {
+            for (std::size_t i = 0; i < n; i++)
+              for (int k = 0; k < c.components; k++) out.number(static_cast<float>(c.value(i, k)));
+          });
+  a.xml += "</PointData>\n<Points>\n";
+  a.addVector("type=\"Float32\" Name=\"Points\" NumberOfComponents=\"3\"", points);
+  a.xml += "</Points>\n<Verts>\n";
+  a.addVector("type=\"Int64\" Name=\"connectivity\"", connectivity);
+  a.addVector("type=\"Int64\" Name=\"offsets\"", offsets);
+  a.xml += "</Verts>\n";
+
+  OutFile out(file);
+  out.text(fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"{}\" header_type=\"UInt64\">\n<PolyData>\n"
+                       "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{:.17g}</DataArray>\n</FieldData>\n"
+                       "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n",
+                       std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian", frame.time, n, n));
+  out.text(a.xml);
+  out.text("</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_");
+  for (const auto& [bytes, write] : a.blocks) {
+    out.number(bytes);
+    write(out);
+  }
+  out.text("\n</AppendedData>\n</VTKFile>\n");
+  out.finish();
+}
+
+}  // namespace thaw

@@ -1,0 +1,101 @@
+#!/usr/bin/env bash
+# The surface (table [surface]): surfels, components, events, frames and logs have the same bits on 1, 2, 3, 4 and 7 ranks, when a run is killed
+# with -9 and resumed on other numbers of ranks, and when it goes back to a good state. Splits and merges, births and deaths included. SCENES: fewer.
+. "$(dirname "$0")/../support/run.sh"
+sameOutput() {  # sameOutput A B WHAT: checkpoint, logs, both series and all their frames
+  "$thaw" compare "$1" "$2" >"$work/log" 2>&1 || { fail "$3: checkpoints differ"; head -n 20 "$work/log"; return; }
+  local name frame
+  for name in surface.csv events.csv "frames/$scene.hdf.series" "frames/${scene}_surface.hdf.series"; do
+    cmp -s "$1/$name" "$2/$name" || { fail "$3: $name differs"; diff "$1/$name" "$2/$name" | head -n 5; }
+  done
+  for frame in $(grep -o "${scene}[_a-z]*_[0-9]*\.hdf" "$1/frames/$scene.hdf.series" "$1/frames/${scene}_surface.hdf.series" -h); do
+    "$thaw" compare "$1/frames/$frame" "$2/frames/$frame" >"$work/log" 2>&1 || { fail "$3: $frame differs"; head -n 5 "$work/log"; }
+  done
+}
+counted() { sed -n '/"surface": {/,$p' "$1/summary.json" | value - "$2"; }
+# try NAME SCENE STEPS SETTINGS: on all ranks, cut, killed and resumed
+try() {
+  local name=$1 ranks
+  scene=$(basename "$2" .toml)
+  local file=$2 steps=$3
+  shift 3
+  local third=$((steps / 3))
+  go() { launch "$1" run "$file" "${options[@]}" --out "$work/$name.$2" "${@:3}" >"$work/log" 2>&1 || { fail "$name, $2: exit $?"; tail -n 5 "$work/log"; }; }
+  local options=(--set numerics.retry_every=5 "$@")  # so that a checkpoint may be written often
+  for ranks in 1 2 3 4 7; do
+    go $ranks $ranks --steps "$steps"
+    [ "$ranks" = 1 ] || sameOutput "$work/$name.1" "$work/$name.$ranks" "$name on 1 and $ranks ranks"
+  done
+  go 3 parts --steps "$third"
+  launchInBackground 2 run "$file" "${options[@]}" --set output.checkpoint=0.05 --steps $((steps - 1)) --resume --out "$work/$name.parts" >"$work/log" 2>&1
+  sleep 1.2
+  killAll -9 "$work/$name.parts"
+  local at
+  at=$("$thaw" info "$work/$name.parts" --json 2>"$work/log" | value - step)
+  [ -n "$at" ] && [ "$at" -ge "$third" ] || { fail "$name: no checkpoint after the kill (step '$at')"; cat "$work/log"; return; }
+  go 4 parts --steps "$steps" --resume
+  "$thaw" info "$work/$name.parts" >/dev/null 2>"$work/log" || { fail "$name: no information"; cat "$work/log"; }
+  sameOutput "$work/$name.1" "$work/$name.parts" "$name, killed at step $at and resumed"
+  echo "$name: $(value "$work/$name.1/summary.json" particles) particles, $(counted "$work/$name.1" surfels) surfels, $(counted "$work/$name.1" updates) updates, $(counted "$work/$name.1" births) births," \
+       "$(counted "$work/$name.1" deaths) deaths, $(counted "$work/$name.1" splits) splits, $(counted "$work/$name.1" merges) merges; killed at step $at"
+  rm -rf "${work:?}/$name".*
+}
+# A drop falls into a pool over periodic sides, and an emitter pours beside it.
+cat >"$work/drops.toml" <<'END'
+spacing = "1 cm"
+end = "1 s"
+[domain]
+min = [0, 0, 0]
+max = [0.24, 0.24, 0.4]
+sides = { x = "periodic", y = "periodic", z = ["wall", "open"] }
+[material.oil]
+density = 900
+viscosity = "1 Pa s"
+surface_tension = "0.03 N/m"
+sound_speed = 15
+[[body]]
+name = "pool"
+box = { size = [0.24, 0.24, 0.04] }
+material = "oil"
+place = { move = [0.12, 0.12, 0.02] }
+[[body]]
+name = "drop"
+sphere = { radius = 0.04 }
+material = "oil"
+velocity = [0.5, 0.3, -2]
+place = { move = [0.05, 0.19, 0.1] }
+[[emitter]]
+name = "spout"
+material = "oil"
+disc = { radius = 0.02 }
+centre = [0.15, 0.08, 0.3]
+direction = [0, 0, -1]
+speed = 1.5
+[surface]
+every_move = 0.5
+[output]
+every = "20 ms"
+END
+wanted=${SCENES:-melt drops freeze retry}
+for which in $wanted; do
+  case $which in
+    melt) settings melt; try melt "$scenes/melt.toml" 60 "${set[@]}" --set surface.every_steps=7 --set output.every=0.01 ;;
+    drops) try drops "$work/drops.toml" 150 ;;
+    freeze) settings freeze; try freeze "$scenes/freeze.toml" 300 "${set[@]}" --set surface.every_move=1 --set output.every=0.02 ;;
+    retry)
+      scene=beam
+      settings beam
+      set+=(--set end=0.1 --set output.every=0.01 --set numerics.fixed_step=6e-4 --set surface.every_steps=9)
+      for ranks in 1 2 3 4 7; do
+        launch $ranks run "$scenes/beam.toml" "${set[@]}" --out "$work/beam.$ranks" >"$work/log" 2>&1
+        expectExit 0 "beam on $ranks ranks"
+        expectMessage "^warning: failed at step .*; back to step" "beam on $ranks ranks"
+        [ "$ranks" = 1 ] || sameOutput "$work/beam.1" "$work/beam.$ranks" "beam on 1 and $ranks ranks"
+      done
+      launch 3 run "$scenes/beam.toml" "${set[@]}" --steps 45 --out "$work/beam.parts" >"$work/log" 2>&1; expectExit 0 "beam to step 45"
+      launch 2 run "$scenes/beam.toml" "${set[@]}" --restart --out "$work/beam.parts" >"$work/log" 2>&1; expectExit 0 "beam, last part"
+      sameOutput "$work/beam.1" "$work/beam.parts" "beam, stopped before it failed and resumed"
+      echo "retry: $(value "$work/beam.1/summary.json" retries) retries, $(counted "$work/beam.1" updates) updates" ;;
+  esac
+done
+finish

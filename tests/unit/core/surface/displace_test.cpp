@@ -1,0 +1,124 @@
+#include "core/surface/displace.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/settle_rig.hpp"
+
+namespace thaw {
+namespace {
+
+using test::SettleRig;
+
+void carry(SettleRig& rig) {
+  rig.place();
+  findDisplacementGradients(rig.w, rig.ranks->halos(), rig.tools);
+  displaceSurfels(rig.w, rig.ranks->halos(), rig.tools);
+}
+
+TEST(Displace, AffineMotionIsExact) {
+  SettleRig rig;
+  rig.addLattice(5, {0.3, 0.1, 0.2}, [](const Vec3d& x) { return length(x) < 5; });
+  rig.addBallSurfels(5);
+  const Mat3d g{{{0.1, -0.2, 0.05}, {0.15, 0.02, 0.1}, {-0.1, 0.07, -0.05}}};
+  const Vec3d t{0.3, -0.4, 0.1};
+  SurfaceParticles& p = rig.w.surface.particles;
+  for (std::size_t i = 0; i < p.owned; i++) p.displacement[i] = g * p.position[i] + t;
+  Surfels& s = rig.w.surface.surfels;
+  std::vector<Vec3d> wanted(s.owned), normal(s.owned), tangent(s.owned);
+  const Mat3d f = identity3<double>() + g;
+  for (std::size_t i = 0; i < s.owned; i++) {
+    const std::size_t k = s.id[i] - 1000;
+    wanted[k] = s.position[i] + g * s.position[i] + t;
+    normal[k] = normalized(transpose(inverse(f)) * s.normal[i]);
+    tangent[k] = normalized(f * s.tangent[i]);
+  }
+  carry(rig);
+  ASSERT_EQ(s.owned, wanted.size());
+  for (std::size_t i = 0; i < s.owned; i++) {
+    const std::size_t k = s.id[i] - 1000;
+    EXPECT_LT(length(s.position[i] - wanted[k]), 1e-12);
+    EXPECT_LT(length(s.normal[i] - normal[k]), 1e-12);
+    EXPECT_LT(length(s.tangent[i] - tangent[k]), 1e-12);
+    EXPECT_EQ(s.carried[i], s.position[i]);
+  }
+}
+
+TEST(Displace, AFullTurnInManyUpdatesEndsWhereItBegan) {
+  SettleRig rig;
+  rig.addLattice(4, {0.3, 0.1, 0.2}, [](const Vec3d& x) { return length(x) < 4; });
+  rig.addBallSurfels(4);
+  Surfels& s = rig.w.surface.surfels;
+  SurfaceParticles& p = rig.w.surface.particles;
+  std::vector<Vec3d> begin(s.owned), normal(s.owned);
+  for (std::size_t i = 0; i < s.owned; i++) begin[s.id[i] - 1000] = s.position[i], normal[s.id[i] - 1000] = s.normal[i];
+  const int updates = 100;
+  const double a = 2 * 3.14159265358979323846 / updates, c = std::cos(a), n = std::sin(a);
+  for (int k = 0; k < updates; k++) {
+    for (std::size_t i = 0; i < p.owned; i++) {
+      const Vec3d x = p.position[i];
+      p.displacement[i] = Vec3d{c * x.x - n * x.y, n * x.x + c * x.y, x.z} - x;
+    }
+    carry(rig);
+    p.resize(p.owned, 0);
+    for (std::size_t i = 0; i < p.owned; i++) p.position[i] += p.displacement[i];
+  }
+  for (std::size_t i = 0; i < s.owned; i++) {
+    EXPECT_LT(length(s.position[i] - begin[s.id[i] - 1000]), 1e-9 * s.radius[i]);
+    EXPECT_LT(length(s.normal[i] - normal[s.id[i] - 1000]), 1e-9);
+  }
+}
+
+TEST(Displace, SheetsRowsAndSingleParticlesTurnAsRigidBodies) {
+  for (int kind = 0; kind < 3; kind++) {  // a sheet, a row, one particle
+    SettleRig rig;
+    const int nx = kind == 2 ? 0 : 3, ny = kind == 0 ? 3 : 0;
+    for (int y = -ny; y <= ny; y++)
+      for (int x = -nx; x <= nx; x++) rig.addParticle({double(x), double(y), 0});
+    const Vec3d at = {0.2, 0.1, 0.5};
+    rig.addSurfel(at, {0, 0, 1});
+    const double c = std::cos(0.3), n = std::sin(0.3);
+    const auto turn = [&](const Vec3d& x) { return Vec3d{c * x.x + n * x.z, x.y, -n * x.x + c * x.z} + Vec3d{0, 0, 0.4}; };
+    SurfaceParticles& p = rig.w.surface.particles;
+    for (std::size_t i = 0; i < p.owned; i++) p.displacement[i] = turn(p.position[i]) - p.position[i];
+    carry(rig);
+    ASSERT_EQ(rig.w.surface.surfels.owned, 1u);
+    const Vec3d wanted = kind == 2 ? at + Vec3d{0, 0, 0.4} : turn(at);  // one particle knows of no turn
+    EXPECT_LT(length(rig.w.surface.surfels.position[0] - wanted), 1e-12) << kind;
+  }
+}
+
+TEST(Displace, SurfelsWithoutParticlesFollowTheirNeighboursOrGo) {
+  SettleRig rig;
+  for (int k = -1; k <= 1; k++) rig.addParticle({double(k), 0, 0}, {0.5, 0, 0});
+  rig.addSurfel({0, 0, 3.9}, {0, 0, 1});
+  rig.addSurfel({0, 0, 4.4}, {0, 0, 1});          // only the first one is near
+  rig.addSurfel({10, 0, 0}, {0, 0, 1});           // nobody is
+  rig.addSurfel({0, 0.3, 3.9}, {0, 0, 1}, 7);     // particles of another component
+  carry(rig);
+  const Surfels& s = rig.w.surface.surfels;
+  ASSERT_EQ(s.owned, 2u);
+  for (std::size_t i = 0; i < 2; i++) EXPECT_NEAR(s.position[i].x, 0.5, 1e-12);
+  EXPECT_EQ(rig.w.surface.counters.lost, 2);
+}
+
+TEST(Displace, NobodyAtAll) {
+  SettleRig rig;
+  carry(rig);
+  rig.addSurfel({0, 0, 1}, {0, 0, 1});
+  carry(rig);
+  EXPECT_EQ(rig.w.surface.surfels.owned, 0u);
+  EXPECT_EQ(rig.w.surface.counters.lost, 1);
+}
+
+TEST(Displace, FreshParticlesAndOtherComponentsDoNotPull) {
+  SettleRig rig;
+  rig.addLattice(3, {}, [](const Vec3d& x) { return length(x) < 3; });
+  rig.addParticle({0.5, 0.5, 0.5}, {9, 9, 9}, noComponent);
+  rig.addParticle({0.5, 0.5, 1.5}, {9, 9, 9}, 5);
+  rig.addSurfel({0, 0, 3}, {0, 0, 1});
+  carry(rig);
+  EXPECT_EQ(rig.w.surface.surfels.position[0], (Vec3d{0, 0, 3}));
+}
+
+}  // namespace
+}  // namespace thaw
