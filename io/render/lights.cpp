@@ -156,8 +156,11 @@ FloorLight::FloorLight(const Lights& lights, const Discs& casters, const FloorHi
   origin_ = centre - dot(centre - toFloat(floor.point), normal_) * normal_;
   u_ = unit(cross(normal_, std::abs(normal_.z) < 0.9f ? Vec3f{0, 0, 1} : Vec3f{1, 0, 0}));
   v_ = cross(normal_, u_);
+  // What is high above the floor throws its shadow far aside.
+  const float height = std::max(0.0f, dot(centre - origin_, normal_)), up = std::max(0.2f, dot(normal_, lights.sun.toLight));
+  reach_ += std::min(height * std::sqrt(std::max(0.0f, 1 - up * up)) / up, 2 * reach);
   FloorGrid grid{origin_, normal_, u_, v_, reach_, side_, std::vector<std::uint8_t>(static_cast<std::size_t>(side_) * side_)};
-  // Light that is taken away, direction by direction.
+  // Light that is taken away, direction by direction, and less and less toward the border.
   std::vector<float> sun(grid.dark.size()), sky(grid.dark.size());
   const float sunFacing = std::max(0.0f, dot(normal_, lights.sun.toLight));
   float full = 0;
@@ -179,7 +182,11 @@ FloorLight::FloorLight(const Lights& lights, const Discs& casters, const FloorHi
   blur(sky, side_, 2);
   open_.sky /= full;
   table_.resize(sun.size());
-  for (std::size_t c = 0; c < table_.size(); c++) table_[c] = {std::max(0.0f, open_.sun - sun[c]), std::max(0.0f, open_.sky - sky[c] / full)};
+  const auto inner = [](std::size_t i) { return std::min(1.0f, 0.05f * static_cast<float>(std::min<std::size_t>(i, side_ - 1 - i))); };
+  for (std::size_t c = 0; c < table_.size(); c++) {
+    const float share = inner(c % side_) * inner(c / side_);
+    table_[c] = {std::max(0.0f, open_.sun - share * sun[c]), std::max(0.0f, open_.sky - share * sky[c] / full)};
+  }
 }
 
 FloorLight::Light FloorLight::at(const Vec3f& point) const {

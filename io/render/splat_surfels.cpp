@@ -55,7 +55,7 @@ bool cut(const DiscClip& c, const Vec3f& q) {
   return dot(d, d) < c.radius2;
 }
 
-/// One disc over the samples of a tile: hit(sample, depth) for each that it covers.
+/// One disc over the samples of a tile: hit(sample, depth, whether it is drawn there or cut off) for each that it covers.
 template<class Hit> void forSamples(const CameraDisc& d, std::span<const DiscClip> clips, const View& view, const Box& box, const SurfelTile& tile, Hit hit) {
   const float over = 1 / view.focal, plane = dot(d.normal, d.centre), r2 = d.radius * d.radius;
   const float screenX = view.centreX + view.focal * d.centre.x / d.centre.z, screenY = view.centreY - view.focal * d.centre.y / d.centre.z;
@@ -72,13 +72,34 @@ template<class Hit> void forSamples(const CameraDisc& d, std::span<const DiscCli
       if (dot(q, q) < r2) {  // false for not-a-number
         bool kept = true;
         for (const DiscClip& c : clips) kept = kept && !cut(c, q);
-        if (kept) hit(row + x, t);
+        hit(row + x, t, kept);
       } else {
         const float dx = sx - screenX;
-        if (dx * dx + dy * dy < leastRadius * leastRadius) hit(row + x, d.centre.z);
+        if (dx * dx + dy * dy < leastRadius * leastRadius) hit(row + x, d.centre.z, true);
       }
     }
   }
+}
+
+/// Samples without a disc that a cut one would cover, amid samples with one: gaps that the cuts of several discs left between them. What
+/// stands out of an edge is open to a side at least.
+std::vector<std::size_t> gapsOf(const SurfelTile& tile, const std::vector<float>& depthCut) {
+  constexpr int reach = 3;  // samples: a wider gap is one of the surface
+  std::vector<std::size_t> gaps;
+  for (int y = 0; y < tile.height; y++)
+    for (int x = 0; x < tile.width; x++) {
+      const std::size_t s = static_cast<std::size_t>(y) * tile.width + x;
+      if (tile.depth[s] < none || !(depthCut[s] < none)) continue;
+      const auto closed = [&](int dx, int dy) {
+        for (int n = 1; n <= reach; n++) {
+          const int i = x + n * dx, j = y + n * dy;
+          if (i < 0 || j < 0 || i >= tile.width || j >= tile.height || tile.depth[static_cast<std::size_t>(j) * tile.width + i] < none) return true;
+        }
+        return false;
+      };
+      if (closed(-1, 0) && closed(1, 0) && closed(0, -1) && closed(0, 1)) gaps.push_back(s);
+    }
+  return gaps;
 }
 
 /// The sphere around a disc over the samples of a tile: add(sample, weight) where the point that is seen lies in it.
@@ -170,11 +191,14 @@ void splatSurfels(const SurfelScene& scene, std::span<const std::uint8_t> seen, 
     }
     const auto clipsOf = [&](std::uint32_t k) { return std::span<const DiscClip>(clips.data() + firstClip[k], firstClip[k + 1] - firstClip[k]); };
     // Who is in front.
-    std::vector<std::uint32_t> front(samples, 0);
+    std::vector<std::uint32_t> front(samples, 0), frontCut(samples, 0);
+    std::vector<float> depthCut(samples, none);
     for (std::uint32_t k : here)
-      forSamples(discs[k], clipsOf(k), view, boxes[k], tile, [&](int s, float depth) {
-        if (depth < tile.depth[s]) tile.depth[s] = depth, front[s] = k;
+      forSamples(discs[k], clipsOf(k), view, boxes[k], tile, [&](int s, float depth, bool drawn) {
+        float& nearest = drawn ? tile.depth[s] : depthCut[s];
+        if (depth < nearest) nearest = depth, (drawn ? front : frontCut)[s] = k;
       });
+    for (const std::size_t s : gapsOf(tile, depthCut)) tile.depth[s] = depthCut[s], front[s] = frontCut[s];
     // The mean of all surfels of the same face and body around the point that is seen.
     tile.shade.assign(samples, {{}, {}, {}, 0});
     std::vector<float> weight(samples, 0.0f);

@@ -1,0 +1,196 @@
+// The files of `thaw export`, read back, and its errors.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "io/commands/export.hpp"
+#include "io/commands/render.hpp"
+#include "io/export/export_surface.hpp"
+#include "io/meshes/read_mesh.hpp"
+#include "io/render/frame_source.hpp"
+#include "io/render/movie.hpp"
+#include "tests/support/surfel_samples.hpp"
+
+using namespace thaw;
+namespace fs = std::filesystem;
+
+namespace {
+
+class Export : public testing::Test {
+ protected:
+  fs::path folder = fs::path(testing::TempDir()) / ("thaw_export_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  SurfelSamples surfels;
+  Export() {
+    fs::remove_all(folder);
+    fs::create_directories(folder / "frames");
+    sampleBall(surfels, {0, 0, 0.5}, 0.5, 0.05, 3);
+    sampleBall(surfels, {2, 0, 0.5}, 0.2, 0.05, 9);
+    for (std::size_t i = 0; i < surfels.size(); i++) surfels.temperature[i] = 300 + 100 * surfels.positions[i].z;
+  }
+  ~Export() override { fs::remove_all(folder); }
+
+  fs::path surfaceFrame(int number) {
+    const fs::path path = folder / "frames" / ("wax_surface_00000" + std::to_string(number) + ".hdf");
+    writeSurfaceFrame(path.string(), surfels, 0.1 * number);
+    return path;
+  }
+  fs::path particleFrame(int number) {
+    const fs::path path = folder / "frames" / ("wax_00000" + std::to_string(number) + ".hdf");
+    Frame frame;
+    frame.count = surfels.size();
+    frame.positions = {"position", "m", Scalar::F32, 3, surfels.positions.data()};
+    frame.fields = {{"temperature", "K", Scalar::F32, 1, surfels.temperature.data()}};
+    writeFrame(path.string(), MPI_COMM_SELF, frame, {});
+    return path;
+  }
+  int run(const fs::path& input, const std::string& as, const fs::path& out = {}, const std::string& field = "surface") {
+    ExportOptions o;
+    o.input = input, o.as = as, o.out = out, o.field = field;
+    return exportCommand(o);
+  }
+};
+
+std::string contentOf(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+template<class F> std::string errorOf(F what) {
+  try {
+    what();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+}  // namespace
+
+TEST_F(Export, ReadsItsFrames) {
+  const SurfaceFrame f = readSurfaceFrame(surfaceFrame(1).string());
+  EXPECT_EQ(f.time, 0.1);
+  ASSERT_EQ(f.positions.size(), surfels.size());
+  EXPECT_EQ(f.ids, surfels.ids);  // 64 bits, the top one set
+  EXPECT_EQ(f.components, surfels.components);
+  EXPECT_EQ(f.colours, surfels.rgb());
+  EXPECT_EQ(f.radii, surfels.radii);
+  EXPECT_TRUE(f.find("temperature") && f.find("liquid") && f.find("detail") && !f.find("normal"));
+  EXPECT_FALSE(readSurfaceFrame(surfaceFrame(1).string(), [](const std::string& n) { return n == "liquid"; }).find("detail"));
+  EXPECT_NE(errorOf([&] { readSurfaceFrame(particleFrame(1).string()); }).find("is not a frame of a surface"), std::string::npos);
+}
+
+TEST_F(Export, TheSurfaceIsDrawnWhereThereIsOne) {
+  const fs::path particles = particleFrame(1);
+  EXPECT_EQ(findFrames(folder), std::vector<fs::path>{particles});
+  EXPECT_NE(errorOf([&] { findFrames(folder, FrameKind::Surface); }).find("no frames of a surface in this folder, only of particles"), std::string::npos);
+  const fs::path surface = surfaceFrame(1);
+  EXPECT_EQ(findFrames(folder), std::vector<fs::path>{surface});
+  EXPECT_EQ(findFrames(folder, FrameKind::Particles), std::vector<fs::path>{particles});
+  std::ofstream(folder / "frames" / "wax.hdf.series") << R"({"file-series-version":"1.0","files":[{"name":"wax_000001.hdf","time":0.1}]})";
+  EXPECT_EQ(findFrames(folder), std::vector<fs::path>{surface});
+  std::ofstream(folder / "frames" / "wax_surface.hdf.series") << R"({"file-series-version":"1.0","files":[{"name":"wax_surface_000001.hdf","time":0.1}]})";
+  EXPECT_EQ(findFrames(folder), std::vector<fs::path>{surface});
+  EXPECT_EQ(findFrames(folder, FrameKind::Particles), std::vector<fs::path>{particles});
+  RenderOptions o;
+  o.input = folder, o.width = 80, o.height = 60;
+  EXPECT_EQ(renderCommand(o), 0);
+  EXPECT_TRUE(fs::exists(folder / "pictures" / "wax_surface_000001.png"));
+  o.what = "particles";
+  EXPECT_EQ(renderCommand(o), 0);
+  EXPECT_TRUE(fs::exists(folder / "pictures" / "wax_000001.png"));
+  o.what = "surface";
+  for (const char* field : {"surface", "glow", "liquid", "none"}) EXPECT_EQ((o.field = field, renderCommand(o)), 0) << field;
+  EXPECT_EQ((o.field = "pressure", renderCommand(o)), 3);
+}
+
+TEST_F(Export, MeshesAreReadBack) {
+  const fs::path frame = surfaceFrame(1);
+  ASSERT_EQ(run(frame, "ply"), 0);
+  ASSERT_EQ(run(frame, "obj", folder / "out.obj", "temperature"), 0);
+  const TriangleMesh ply = readMesh((folder / "export" / "wax_surface_000001.ply").string()), obj = readMesh((folder / "out.obj").string());
+  EXPECT_EQ(ply.triangles, obj.triangles);
+  EXPECT_NEAR(volumeOf(ply), 4.18879 * (0.125 + 0.008), 0.01);
+  EXPECT_NEAR(volumeOf(obj), volumeOf(ply), 1e-6);
+  const std::string text = contentOf(folder / "out.obj");
+  EXPECT_NE(text.find("o component_3\n"), std::string::npos);
+  EXPECT_NE(text.find("o component_9\n"), std::string::npos);
+}
+
+TEST_F(Export, DiscsAreWhereTheSurfelsAre) {
+  const fs::path frame = surfaceFrame(1);
+  ASSERT_EQ(run(frame, "ply-discs"), 0);
+  const TriangleMesh m = readMesh((folder / "export" / "wax_surface_000001.discs.ply").string());
+  ASSERT_EQ(m.vertices.size(), 8 * surfels.size());
+  for (std::size_t i = 0; i < surfels.size(); i += 37)
+    for (std::size_t k = 0; k < 8; k++) {
+      const Vec3d d = m.vertices[8 * i + k] - Vec3d{surfels.positions[i].x, surfels.positions[i].y, surfels.positions[i].z};
+      EXPECT_NEAR(length(d), surfels.radii[i], 1e-6);
+      EXPECT_NEAR(d.x * surfels.normals[i].x + d.y * surfels.normals[i].y + d.z * surfels.normals[i].z, 0, 1e-6);
+    }
+  // Seen from outside the corners go round against the clock.
+  for (std::size_t t = 0; t < m.triangles.size(); t += 91) {
+    const auto& c = m.triangles[t];
+    const Vec3f& n = surfels.normals[c[0] / 8];
+    EXPECT_GT(dot(cross(m.vertices[c[1]] - m.vertices[c[0]], m.vertices[c[2]] - m.vertices[c[0]]), Vec3d{n.x, n.y, n.z}), 0);
+  }
+}
+
+TEST_F(Export, VtpAndPovHoldEverySurfel) {
+  const fs::path frame = surfaceFrame(1);
+  ASSERT_EQ(run(frame, "vtp"), 0);
+  ASSERT_EQ(run(frame, "pov"), 0);
+  const std::string vtp = contentOf(folder / "export" / "wax_surface_000001.vtp");
+  for (const char* name : {"normal", "radius", "color", "id", "component", "liquid", "temperature", "detail", "connectivity", "offsets", "Points"})
+    EXPECT_NE(vtp.find("Name=\"" + std::string(name) + "\""), std::string::npos) << name;
+  // The points stand where their element says, behind their length.
+  const std::size_t element = vtp.find("Name=\"Points\""), offset = std::stoul(vtp.substr(vtp.find("offset=\"", element) + 8));
+  const char* points = vtp.data() + vtp.find("<AppendedData encoding=\"raw\">\n_") + 31 + offset;
+  std::uint64_t bytes;
+  std::memcpy(&bytes, points, 8);
+  EXPECT_EQ(bytes, 12 * surfels.size());
+  float x[3];
+  std::memcpy(x, points + 8 + 12 * 5, 12);
+  EXPECT_EQ(x[2], surfels.positions[5].z);
+  const std::string pov = contentOf(folder / "export" / "wax_surface_000001.pov");
+  std::size_t discs = 0;
+  for (std::size_t at = 0; (at = pov.find("\ndisc{", at)) != std::string::npos; at++) discs++;
+  EXPECT_EQ(discs, surfels.size());
+  EXPECT_NE(pov.find("camera {"), std::string::npos);
+  EXPECT_NE(pov.find("light_source {"), std::string::npos);
+}
+
+TEST_F(Export, AllFramesOfARunAndEveryErrorIsSaid) {
+  surfaceFrame(0), surfaceFrame(1);
+  const fs::path particles = particleFrame(0);
+  EXPECT_EQ(run(folder, "ply", folder / "meshes"), 0);
+  EXPECT_TRUE(fs::exists(folder / "meshes" / "wax_surface_000000.ply") && fs::exists(folder / "meshes" / "wax_surface_000001.ply"));
+  EXPECT_EQ(run(particles, "ply"), 3);
+  EXPECT_EQ(run(folder / "nowhere", "ply"), 3);
+  EXPECT_EQ(run(folder, "stl"), 2);
+  EXPECT_EQ(run(folder, "ply", {}, "pressure"), 3);
+  if (fs::exists("/dev/full")) {
+    fs::create_symlink("/dev/full", folder / "meshes" / "full.obj.part");
+    EXPECT_EQ(run(surfaceFrame(0), "obj", folder / "meshes" / "full.obj"), 3);
+    EXPECT_FALSE(fs::exists(folder / "meshes" / "full.obj"));
+  }
+}
+
+TEST_F(Export, AFilmIsMadeOrTheCommandSaid) {
+  const std::vector<fs::path> pictures{folder / "a_000001.png", folder / "a_000002.png"};
+  for (const fs::path& p : pictures) writePng(Image(65, 41, {200, 100, 0}), p);
+  const std::string command = movieCommand(pictures, folder / "a.mp4", 25);
+  EXPECT_NE(command.find("-i '" + (folder / "a_*.png").string() + "'"), std::string::npos) << command;
+  if (isInstalled("ffmpeg")) {
+    makeMovie(pictures, folder / "a.mp4", 25);
+    EXPECT_GT(fs::file_size(folder / "a.mp4"), 500u);
+    std::ofstream(folder / "bad_000001.png") << "no picture";
+    EXPECT_NE(errorOf([&] { makeMovie({folder / "bad_000001.png"}, folder / "bad.mp4", 25); }).find("ffmpeg failed"), std::string::npos);
+    EXPECT_FALSE(fs::exists(folder / "bad.mp4"));
+  } else {
+    EXPECT_NE(errorOf([&] { makeMovie(pictures, folder / "a.mp4", 25); }), "no error");
+  }
+}
