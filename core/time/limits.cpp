@@ -183,7 +183,7 @@ double clip(const Clock& c, double dt) {
 }
 
 double nextStep(const Clock& c) {
-  constexpr double shortest = 0.94, margin = 0.98;  // of the wanted step: what is still kept; what is taken where the last one is not
+  constexpr double shortest = 0.95, margin = 0.985;  // of the wanted step: what is still kept; what is taken where the last one is not
   if (!(c.dt > 0)) return c.dt;
   if (!(c.stepDt > 0)) return clip(c, c.dt);
   const double same = clip(c, c.stepDt);

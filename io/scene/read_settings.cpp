@@ -92,7 +92,7 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.number("watch_density", n.watchDensity, "", orNever(positive()), "density of a liquid, over that at rest, that counts as failure");
   r.number("watch_step", n.watchStep, "", {0, 1, true, false, false}, "time step that counts as failure, times the limit of the materials (without one: times 1e-5 `end`); 0: none");
   r.number("watch_inverted", n.watchInverted, "", orNever(positive()), "share of the solid particles inside out (det F <= 0) that counts as failure, of materials that do not recover from it: law \"green\" without volume_stiffness");
-  r.number("watch_energy", n.watchEnergy, "", orNever(positive()), "energy from nowhere that counts as failure, times the largest term of the ledger, within retry_every steps");
+  r.number("watch_energy", n.watchEnergy, "", orNever(positive()), "energy from nowhere that counts as failure, times the largest term of the ledger, within retry_every steps or since the run began");
   r.number("plastic_rereference", n.plasticRereference, "", positive(), "norm of the plastic strain above which the reference follows the flow");
 }
 
