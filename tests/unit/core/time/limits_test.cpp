@@ -92,6 +92,17 @@ TEST(Clock, StepsBetweenFramesAreEqual) {
   EXPECT_EQ(c.time, 1);
 }
 
+TEST(Clock, AFixedStepIsKeptWhereNothingCutsIt) {
+  Clock c;
+  c.end = 1e9;
+  c.dt = 1.83e-4;
+  for (int n = 0; n < 100000; n++) {
+    c.stepDt = nextStep(c);
+    ASSERT_NEAR(c.stepDt, c.dt, 1e-9 * c.dt);
+    c.time = timeAfter(c, c.stepDt);
+  }
+}
+
 TEST(Clock, AWaveringLimitChangesNoStep) {
   Clock c;
   c.end = 1;
