@@ -44,8 +44,9 @@ bool frameDue(const Clock& clock);
 /// than the last ones much: a step that changes from frame to frame in the same way pumps energy into what swings fast (docs/stability.md, 10).
 double clip(const Clock& clock, double dt);
 
-/// The length (s) of the next step, at most Clock::dt. As long as it can be, it is that of the last step: a limit that wavers by a percent or two,
-/// as the stretch of what swings does, changes no step; two in a hundred steps are what that costs (scenes/melt.toml). Where it is to change, it is cut so that frame times are hit.
+/// The length (s) of the next step, at most Clock::dt. As long as it can be, it is that of the last step: a limit that wavers by a percent or
+/// two, as the stretch of what swings does, changes no step. That costs two to four steps in a hundred where limits do waver (scenes/melt.toml).
+/// Where it is to change, it is cut so that frame times are hit. A function of the clock alone, which is in every checkpoint.
 double nextStep(const Clock& clock);
 
 /// Time after a step of dt: exactly the frame time or the end where clip had cut.
