@@ -20,7 +20,7 @@ namespace thaw {
 
 StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   t.times.start();
-  const double dt = clip(w.clock, w.clock.dt), time = timeAfter(w.clock, dt);
+  const double dt = nextStep(w.clock), time = timeAfter(w.clock, dt);
   if (w.modules.incompressible) addPressureKick(w);  // found at the end of the last step
   kickAndDrift(w, dt);                         // v += a dt/2, x += v dt
   substepSolids(w, halos, t, dt);              // stiff solids: bonds alone, in shorter steps
@@ -58,7 +58,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   t.phaseChangedHere = false;
 
   // first of all, since it puts particles that are deep in a wall back to its surface: ghosts and bonds must see them there
-  const WallContext walls{w, t.wallTables, t.liquids, dt, dt > 0 ? dt : clip(w.clock, w.clock.dt), 1.0 / w.clock.substeps};
+  const WallContext walls{w, t.wallTables, t.liquids, dt, dt > 0 ? dt : nextStep(w.clock), 1.0 / w.clock.substeps};
   findWallContacts(walls, t.wallContacts);
   t.times.lap(StepPhase::Walls);
 

@@ -139,8 +139,8 @@ void takeStock(World& w, Halos halos, StepTools& t) {
   // what the emitters let out at time 0 is part of the start
   w.ledger.entered = {};
   vote(w, halos, t, {}, {});
-  if (w.modules.incompressible) findPressure(w, halos, t, clip(w.clock, w.clock.dt));
-  const double half = 0.5 * clip(w.clock, w.clock.dt);  // the first half kick, which no step books
+  if (w.modules.incompressible) findPressure(w, halos, t, nextStep(w.clock));
+  const double half = 0.5 * nextStep(w.clock);  // the first half kick, which no step books
   for (std::size_t i = 0; i < p.owned; i++) p.dissipated[i] = p.dissipation[i] * half;
 }
 

@@ -175,14 +175,25 @@ double target(const Clock& c) {
   return std::min(c.end, frameTime(c, k));
 }
 
+/// Share of a step by which sums of steps may miss a frame time: of 1e9 steps, in double.
+constexpr double rounding = 1e-6;
+
 }  // namespace
 
 double clip(const Clock& c, double dt) {
   const double left = target(c) - c.time;
   if (!(left > 0)) return dt;
-  if (dt >= left * (1 - 1e-9)) return left;
-  if (2 * dt > left) return 0.5 * left;
-  return dt;
+  const double steps = std::ceil(left / dt - rounding);
+  return steps > 1 ? left / steps : left;
+}
+
+double nextStep(const Clock& c) {
+  constexpr double shortest = 0.95, margin = 0.985;  // of the wanted step: what is still kept; what is taken where the last one is not
+  if (!(c.dt > 0)) return c.dt;
+  if (!(c.stepDt > 0)) return clip(c, c.dt);
+  const double same = clip(c, c.stepDt);
+  const bool kept = same <= c.dt * (1 + rounding) && same >= shortest * c.dt;
+  return kept ? same : clip(c, margin * c.dt);
 }
 
 double timeAfter(const Clock& c, double dt) {
