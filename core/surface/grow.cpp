@@ -44,7 +44,7 @@ void seedAround(const World& w, const SurfaceTools& t, std::size_t i, int seeds,
     r.normal = at.normal;
     r.tangent = anyTangent(at.normal);
     r.radius = w.surface.spacing;
-    r.colour = paleColour;
+    r.colour = surfaceColour(w.scene, p.body[i]);
     if (p.liquid.active) r.liquid = p.liquid[i];
     if (p.temperature.active) r.temperature = p.temperature[i];
     rows.push_back(r);
@@ -67,6 +67,7 @@ void patchAround(const World& w, const SurfaceTools& t, std::size_t i, std::vect
   });
   for (SurfelRow& r : dropPatch(p.component[i], p.position[i] + away / volume, volume, w.surface.spacing)) {
     r.temperature = static_cast<float>(temperature / volume);
+    r.colour = surfaceColour(w.scene, p.body[i]);
     // a drop that joins leaves its surfels to the larger body; one that parts later may have the same label
     r.id = surfelBit | birthBit | randomBits(w.scene.seed, Purpose::SurfelBirth, r.id, static_cast<std::uint64_t>(w.clock.step));
     rows.push_back(r);
