@@ -71,7 +71,8 @@ class Document:
         if what == "modules":
             return self.moduleTable()
         if what == "machine":
-            return f"{self.rows[0]['machine']}, thaw {self.rows[0]['version']}"
+            versions = list(dict.fromkeys(r["version"] for r in self.rows))
+            return f"{self.rows[0]['machine']}, thaw {' and '.join(versions)}"
         raise SystemExit(f"text.md: unknown {{{{{what}}}}}")
 
     def table(self, case):
@@ -111,6 +112,11 @@ class Document:
         return re.sub(r"\{\{(\w+)\s*([^}]*)\}\}", lambda m: self.value(m[1], [a.strip() for a in m[2].split("|")] if m[2] else []), template)
 
 
+def template():
+    with open(os.path.join(HERE, "text.md")) as f:
+        return f.read()
+
+
 def main(path, modules=None):
     folder = os.path.join(DOCS, "accuracy")
     os.makedirs(folder, exist_ok=True)
@@ -118,8 +124,7 @@ def main(path, modules=None):
         if source and os.path.abspath(source) != os.path.abspath(os.path.join(folder, name)):
             shutil.copy(source, os.path.join(folder, name))
     document = Document(rowsOf(path), rowsOf(modules) if modules else [])
-    with open(os.path.join(HERE, "text.md")) as f:
-        text = document.text(f.read())
+    text = document.text(template())
     with open(os.path.join(DOCS, "accuracy.md"), "w") as f:
         f.write(text)
     subprocess.run([sys.executable, os.path.join(HERE, "chart.py"), path, os.path.join(folder, "all.png")], check=True)
