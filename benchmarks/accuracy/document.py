@@ -4,11 +4,13 @@
 Every number in the document comes from the files. In text.md:
   {{error CASE | NORM | SETTINGS}}    an error; `seconds`, `order`, `steps` and `particles` likewise; SETTINGS as in the CSV
   {{ratio CASE | NORM | SETTINGS A | SETTINGS B}}   error of A over that of B; {{cost ...}} the same for core-seconds
+  {{between CASE A | CASE B | NORM}}    order between the defaults of two cases that are one at two resolutions
   {{table CASE}}    all settings of a case        {{targets}}    the defaults beside what they are to reach
   {{chart CASE}}    its picture, copied to docs/pictures/accuracy/        {{modules}}    what each module costs
 The CSV files are copied to docs/accuracy/, so that the document can be made anew from what is in the repository.
 """
 import csv
+import math
 import os
 import re
 import shutil
@@ -57,6 +59,10 @@ class Document:
         columns = {"error": "error", "seconds": "core_seconds", "order": "order", "steps": "steps", "particles": "particles"}
         if what in columns:
             return short(self.find(*arguments)[columns[what]]) or "none"
+        if what == "between":  # two cases that are one at two resolutions
+            one, two, norm = arguments
+            a, b = (min((r for r in self.rows if r["case"] == c and r["norm"] == norm and r["settings"].startswith("default")), key=spacingOf) for c in (one, two))
+            return f"{math.log(float(a['error']) / float(b['error'])) / math.log(spacingOf(a) / spacingOf(b)):.2f}"
         if what in ("ratio", "cost"):
             case, norm, a, b = arguments
             column = "error" if what == "ratio" else "core_seconds"
@@ -109,7 +115,7 @@ class Document:
         return "\n".join(lines)
 
     def text(self, template):
-        return re.sub(r"\{\{(\w+)\s*([^}]*)\}\}", lambda m: self.value(m[1], [a.strip() for a in m[2].split("|")] if m[2] else []), template)
+        return re.sub(r"\{\{(\w+)\s*([^}]*)\}\}", lambda m: self.value(m[1], [a.strip() for a in m[2].split(" | ")] if m[2] else []), template)
 
 
 def template():
