@@ -27,7 +27,6 @@ TEST(Quality, PicksDefaults) {
   EXPECT_EQ(sceneOf("quality = 'reference'").numerics.precision, Precision::Double);
   EXPECT_EQ(sceneOf("quality = 'reference'").numerics.density, DensityForm::Continuity);
   EXPECT_LT(sceneOf("quality = 'reference'").numerics.cflSound, standard.cflSound);
-  EXPECT_LT(sceneOf("quality = 'reference'").numerics.bondSupport, standard.bondSupport);
   EXPECT_GT(sceneOf("quality = 'reference'").materials[0].hourglass, Material().hourglass);
 }
 
@@ -35,7 +34,7 @@ TEST(Quality, KeysThatAreGivenWin) {
   const Scene s = sceneOf("quality = 'reference'", "precision = 'single'\ncfl_sound = 0.3");
   EXPECT_EQ(s.numerics.precision, Precision::Single);
   EXPECT_EQ(s.numerics.cflSound, 0.3);
-  EXPECT_EQ(s.numerics.bondSupport, sceneOf("quality = 'reference'").numerics.bondSupport);
+  EXPECT_EQ(s.numerics.density, sceneOf("quality = 'reference'").numerics.density);
 }
 
 TEST(Quality, ReferenceWithTheIncompressibleSolver) {
