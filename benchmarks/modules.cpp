@@ -59,7 +59,7 @@ const std::vector<Row>& rows() {
       {"heat", Base::Liquid, [](Scene& s) { s.materials[0].conductivity = {1, 1}, s.bodies[0].temperatureGradient = {1, 0, 0}; }},
       {"surface heat", Base::Liquid, [](Scene& s) { s.materials[0].convection = 10; }},
       {"surface tension", Base::Liquid, [](Scene& s) { s.materials[0].surfaceTension = 0.05; }},
-      {"surface tension as a stress", Base::Liquid, [](Scene& s) { s.materials[0].surfaceTension = 0.05, s.numerics.tension = TensionForm::SurfaceStress; }},
+      {"surface tension as an energy", Base::Liquid, [](Scene& s) { s.materials[0].surfaceTension = 0.05, s.numerics.tension = TensionForm::SurfaceEnergy; }},
       {"artificial viscosity", Base::Liquid, [](Scene& s) { s.materials[0].artificialViscosity = 0.1; }},
       {"velocity smoothing", Base::Liquid, [](Scene& s) { s.materials[0].xsph = 0.1; }},
       {"double precision", Base::Liquid, [](Scene& s) { s.numerics.precision = Precision::Double; }},

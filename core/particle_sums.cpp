@@ -162,10 +162,9 @@ PairSums pairSumsOf(World& w, StepTools& t) {
   s.densityRate = p.densityRate.data();
   s.spreading = p.spreading.data();
   if (w.modules.corrected) s.moment = p.moment.data(), s.flow = p.flow.data();
-  s.stretch = t.records.stretch.data();
-  s.shear = t.records.shear.data();
-  s.colourGradient = p.colourGradient.data();
-  s.surfaceMoment = p.surfaceMoment.data();
+  s.pull = t.records.pull.data();
+  s.surfaceGradient = p.surfaceGradient.data();
+  s.surfaceCover = p.surfaceCover.data();
   s.diagonal = t.records.diagonal.data();
   s.mixed = t.records.mixed.data();
   s.crowding = w.modules.shifting ? p.crowding.data() : nullptr;
@@ -231,7 +230,7 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass) {
   const GroupRange range = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::InnerForces ? inner : boundary;
   if (density) {
     if (w.modules.fluid) t.kernels->density(pairSumsOf(w, t), range);
-    if (w.modules.surfaceStress) t.kernels->colourGradient(pairSumsOf(w, t), range);
+    if (w.modules.surfaceEnergy) t.kernels->surfaceSeen(pairSumsOf(w, t), range);
     t.times.lap(StepPhase::Density);
     return;
   }
@@ -242,9 +241,9 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass) {
   if (p.drag.active) resisting.force = p.drag.data();  // viscosity only: pressure is found at the end of the step
   if (w.modules.fluid || w.modules.heat) t.kernels->forces(resisting, range);
   if (w.modules.corrected) t.kernels->correctPressure(s, range);
-  if (w.modules.surfaceStress) {
-    pass == NeighbourPass::InnerForces ? packSurfaceStress(x, p, 0, p.owned, t.records) : packSurfaceStress(x, p, p.owned, p.size(), t.records);
-    t.kernels->surfaceStress(s, range);
+  if (w.modules.surfaceEnergy) {
+    pass == NeighbourPass::InnerForces ? packSurfacePull(x, p, 0, p.owned, t.records) : packSurfacePull(x, p, p.owned, p.size(), t.records);
+    t.kernels->surfaceForces(s, range);
   } else if (w.modules.tension) {
     t.kernels->tension(s, range);
   }
@@ -319,7 +318,7 @@ void beginSoftening(World& w, const StepTools& t) {
   const RecordContext x = recordsOf(w, t);
   for (std::size_t i = 0; i < p.owned; i++) {
     const double f = static_cast<double>(p.liquid[i]);
-    p.softening[i] = f > 0 ? (w.modules.surfaceStress ? p.interaction[i] : 2 * p.interaction[i] - compressionOf(x, p, i)) / f : 0;
+    p.softening[i] = f > 0 ? (w.modules.surfaceEnergy ? p.interaction[i] : 2 * p.interaction[i] - compressionOf(x, p, i)) / f : 0;
   }
 }
 

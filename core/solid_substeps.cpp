@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/domain/sides.hpp"
+#include "core/time/limits.hpp"
 
 namespace thaw {
 namespace {
@@ -89,8 +90,10 @@ void substepSolids(World& w, Halos halos, StepTools& t, double dt) {
 void chooseSubsteps(World& w, const StepTools& t, double longest) {
   Clock& c = w.clock;
   const int before = c.substeps, most = w.modules.mostSubsteps;
-  const double wanted = std::ceil(c.dt / longest * (1 - 1e-9));
+  const double step = nextStep(c), wanted = std::ceil(step / longest * (1 - 1e-9));
   c.substeps = wanted < most ? std::max(1, static_cast<int>(wanted)) : most;
+  // one less is worth it where it lasts: substeps that jump up and down pump energy into what swings fast, as steps do
+  if (c.substeps < before && before <= most && 1.1 * step > (before - 1) * longest) c.substeps = before;
   if (c.substeps == before) return;
   for (int a = 0; a < 3; a++) {
     w.ledger.wallForce[a].addProduct(t.wallContacts.fast[a], 1.0 / c.substeps);

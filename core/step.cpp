@@ -7,7 +7,6 @@
 #include "core/domain/sides.hpp"
 #include "core/fluid/carried_density.hpp"
 #include "core/fluid/incompressible/pressure_solver.hpp"
-#include "core/fluid/surface_stress.hpp"
 #include "core/heat/heat.hpp"
 #include "core/ledger/report.hpp"
 #include "core/particle_sums.hpp"
@@ -19,7 +18,7 @@ namespace thaw {
 
 StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   t.times.start();
-  const double dt = clip(w.clock, w.clock.dt), time = timeAfter(w.clock, dt);
+  const double dt = nextStep(w.clock), time = timeAfter(w.clock, dt);
   if (w.modules.incompressible) addPressureKick(w);  // found at the end of the last step
   kickAndDrift(w, dt);                         // v += a dt/2, x += v dt
   substepSolids(w, halos, t, dt);              // stiff solids: bonds alone, in shorter steps
@@ -57,7 +56,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   t.phaseChangedHere = false;
 
   // first of all, since it puts particles that are deep in a wall back to its surface: ghosts and bonds must see them there
-  const WallContext walls{w, t.wallTables, t.liquids, dt, dt > 0 ? dt : clip(w.clock, w.clock.dt), 1.0 / w.clock.substeps};
+  const WallContext walls{w, t.wallTables, t.liquids, dt, dt > 0 ? dt : nextStep(w.clock), 1.0 / w.clock.substeps};
   findWallContacts(walls, t.wallContacts);
   t.times.lap(StepPhase::Walls);
 
@@ -80,10 +79,13 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   t.times.lap(StepPhase::Walls);
 
   if (w.modules.continuity || w.modules.shifting) carryDensity(w, t, dt);
-  if (w.modules.surfaceStress) findSurfaceStress(walls, t.surfaceArea, t.wallContacts);
+  if (w.modules.surfaceEnergy) findSurfaceEnergy(walls, t.surface, t.wallContacts);
   ColumnList toGhosts{&p.filling};
   if (w.modules.corrected) toGhosts.push_back(&p.moment);
-  if (w.modules.surfaceStress) toGhosts.push_back(&p.surfaceStress);
+  if (w.modules.surfaceEnergy) {
+    toGhosts.push_back(&p.surfacePull);
+    toGhosts.push_back(&p.surfaceDraw);
+  }
   if (w.modules.fluid) halos.cells.beginRefresh(p, toGhosts);
   t.times.lap(StepPhase::Exchange);
   if (w.modules.solid) deform(w, halos, t, dt);          // F, stress; bonds break, form, take new references

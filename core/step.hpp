@@ -7,6 +7,7 @@
 #include "core/fluid/implicit_viscosity/viscous_work.hpp"
 #include "core/fluid/incompressible/pressure_work.hpp"
 #include "core/fluid/records.hpp"
+#include "core/fluid/surface_energy.hpp"
 #include "core/halo/halo.hpp"
 #include "core/neighbours/search.hpp"
 #include "core/neighbours/sort.hpp"
@@ -37,7 +38,7 @@ struct StepTools {
   WallTables wallTables;
   ViscousWeight viscousWeight;       ///< of the pairwise viscosity
   double perLatticeSum = 1;          ///< what sums over V W are multiplied by to be fillings
-  double surfaceArea = 0;            ///< of surface tension as a stress (surfaceAreaScale)
+  SurfaceMeasure surface;            ///< of surface tension as an energy
   double selfWeight = 0;             ///< taken from the filling of a particle that has the volume of its lattice cell
   double stableViscousStep = 0;      ///< dt nu / h^2 that is just stable on the lattice
   double conductionScale = 1;        ///< of heat conduction, see kernels/lattice.hpp

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "core/fluid/cohesion.hpp"
-#include "core/fluid/surface_stress.hpp"
+#include "core/fluid/surface_energy.hpp"
 
 namespace thaw {
 namespace {
@@ -69,23 +69,28 @@ std::vector<std::vector<double>> cohesionOf(const Scene& s, const Emitter& e, co
   return energy;
 }
 
-/// Energy of the free surface (findSurfaceStress) of stacks of layers: what the last one adds, evenly over its particles; [m]: m more than [0 .. m - 1].
+/// Energy of the free surface (findSurfaceEnergy) of stacks of layers: what the last one adds, evenly over its particles; [m]: m more than [0 .. m - 1].
 std::vector<std::vector<double>> surfaceEnergyOf(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
   const Material& m = s.materials[static_cast<std::size_t>(e.material)];
   std::vector<std::vector<double>> energy;
-  if (!(m.surfaceTension > 0) || s.numerics.tension != TensionForm::SurfaceStress) return energy;
-  const double h = s.numerics.support * s.spacing, V = plan.particleMass / m.density, distance = plan.interval * e.speed, scale = surfaceAreaScale(s.numerics);
+  if (!(m.surfaceTension > 0) || s.numerics.tension != TensionForm::SurfaceEnergy) return energy;
+  const double h = s.numerics.support * s.spacing, V = plan.particleMass / m.density, distance = plan.interval * e.speed, volume = V / (h * h * h);
   const int reach = static_cast<int>(std::floor(h / distance)), layers = 2 * reach + 2;
-  // gradient by the layer that is k layers away, in a frame with x along the direction
-  std::vector<std::vector<Vec3d>> by;
+  const SurfaceMeasure measure = surfaceMeasure(s.numerics, s.spacing);
+  // gradient and cover by the layer that is k layers away, in a frame with x along the direction
+  std::vector<std::vector<SurfaceShare>> by;
   const Vec3d n = normalized(e.direction);
   for (int k = 0; k <= reach; k++) {
     by.emplace_back(plan.layer.size());
     std::size_t first = 0;
     for (std::size_t i = 0; i < plan.layer.size(); i++) {
       while (plan.along[i] - plan.along[first] >= h) first++;
-      for (std::size_t j = first; j < plan.layer.size() && plan.along[j] - plan.along[i] < h; j++)
-        by.back()[i] += kernelGradient(s.numerics.kernel, (plan.layer[i] - plan.layer[j] + n * (k * distance)) / h) * (V / (h * h * h));
+      for (std::size_t j = first; j < plan.layer.size() && plan.along[j] - plan.along[i] < h; j++) {
+        if (k == 0 && i == j) continue;
+        const SurfaceShare share = surfaceShare((plan.layer[i] - plan.layer[j] + n * (k * distance)) / h);
+        by.back()[i].gradient += share.gradient * volume;
+        by.back()[i].cover += share.cover * volume;
+      }
     }
   }
   double before = 0, added = 0;
@@ -93,12 +98,13 @@ std::vector<std::vector<double>> surfaceEnergyOf(const Scene& s, const Emitter& 
     double total = 0;
     for (int l = 0; l < count; l++)
       for (std::size_t i = 0; i < plan.layer.size(); i++) {
-        Vec3d g{};
+        SurfaceShare g;
         for (int o = std::max(0, l - reach); o <= std::min(count - 1, l + reach); o++) {
-          const Vec3d& one = by[static_cast<std::size_t>(std::abs(o - l))][i];
-          g += o > l ? one - n * (2 * dot(one, n)) : one;
+          const SurfaceShare& one = by[static_cast<std::size_t>(std::abs(o - l))][i];
+          g.gradient += o > l ? one.gradient - n * (2 * dot(one.gradient, n)) : one.gradient;
+          g.cover += one.cover;
         }
-        total += surfaceEnergy(m.surfaceTension, scale, h, length(g)) * V;
+        total += surfaceState(measure, m.surfaceTension, g.gradient, g.cover).energy * V;
       }
     energy.emplace_back(plan.layer.size(), (total - before - added) / static_cast<double>(plan.layer.size()));
     added = total - before;
@@ -130,7 +136,7 @@ std::vector<EmitterPlan> planEmitters(const Scene& s) {
       throw std::runtime_error("emitter '" + e.name + "': a rate of " + std::to_string(e.rate) + " kg/s does not fit through its opening at this speed; at most " +
                                std::to_string(static_cast<double>(plan.layer.size()) * plan.particleMass * e.speed / dx) + " kg/s do");
     plan.ahead = nozzleTime(s, e, plan);
-    plan.cohesion = s.numerics.tension == TensionForm::SurfaceStress ? surfaceEnergyOf(s, e, plan) : cohesionOf(s, e, plan);
+    plan.cohesion = s.numerics.tension == TensionForm::SurfaceEnergy ? surfaceEnergyOf(s, e, plan) : cohesionOf(s, e, plan);
     plans.push_back(std::move(plan));
   }
   return plans;

@@ -56,9 +56,9 @@ struct PairSums {
   double* dissipation = nullptr; ///< W
   double* interaction = nullptr; ///< J, half of each pair's potential energy
   float* exposure = nullptr;     ///< 1
-  const void *stretch = nullptr, *shear = nullptr;  ///< records of surface_stress.hpp: diagonal and other components, Pa
-  Vec3d* colourGradient = nullptr;  ///< 1 (overwritten)
-  Sym3d* surfaceMoment = nullptr;   ///< 1 (overwritten)
+  const void* pull = nullptr;    ///< records of surface_energy.hpp: slopes of the surface energy by gradient and cover, Pa
+  Vec3d* surfaceGradient = nullptr;  ///< 1 (overwritten)
+  double* surfaceCover = nullptr;    ///< 1 (overwritten)
   Mat3d *moment = nullptr, *flow = nullptr;  ///< 1, 1/s; none: gradients are not corrected
   const void *diagonal = nullptr, *mixed = nullptr;  ///< records of correct_pressure.hpp
   double *densityRate = nullptr, *spreading = nullptr;  ///< 1/s

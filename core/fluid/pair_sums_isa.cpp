@@ -10,7 +10,7 @@
 #include "core/fluid/terms/forces.hpp"
 #include "core/fluid/terms/incompressible.hpp"
 #include "core/fluid/terms/smoothing.hpp"
-#include "core/fluid/terms/surface_stress.hpp"
+#include "core/fluid/terms/surface_energy.hpp"
 #include "core/fluid/terms/tension.hpp"
 #include "core/fluid/terms/viscous_operator.hpp"
 
@@ -109,21 +109,17 @@ void tension(const PairSums& in, GroupRange range) {
   in.precision == Precision::Single ? tensionOf<float>(in, range, in.printedTension) : tensionOf<double>(in, range, in.printedTension);
 }
 
-void colourGradient(const PairSums& in, GroupRange range) {
-  choose(in, [&](auto real, auto kernel) {
-    using Real = decltype(real);
-    ColourGradient<Real, decltype(kernel)> term{records<Real>(in.place), &in};
-    sweep(*in.lists, range, term, true);
-  });
+template<class Real> void surfaceSeenOf(const PairSums& in, GroupRange range) {
+  SurfaceSeen<Real> term{records<Real>(in.place), &in};
+  sweep(*in.lists, range, term, true);
 }
+void surfaceSeen(const PairSums& in, GroupRange range) { in.precision == Precision::Single ? surfaceSeenOf<float>(in, range) : surfaceSeenOf<double>(in, range); }
 
-template<class Real> void surfaceStressOf(const PairSums& in, GroupRange range) {
-  SurfaceStress<Real> term{records<Real>(in.place), records<Real>(in.stretch), records<Real>(in.shear), &in, in.support * in.support};
-  sweep(*in.lists, range, term, false);
+template<class Real> void surfaceForcesOf(const PairSums& in, GroupRange range) {
+  SurfaceForces<Real> term{records<Real>(in.place), records<Real>(in.pull), &in, in.support * in.support};
+  sweep(*in.lists, range, term, true);
 }
-void surfaceStress(const PairSums& in, GroupRange range) {
-  in.precision == Precision::Single ? surfaceStressOf<float>(in, range) : surfaceStressOf<double>(in, range);
-}
+void surfaceForces(const PairSums& in, GroupRange range) { in.precision == Precision::Single ? surfaceForcesOf<float>(in, range) : surfaceForcesOf<double>(in, range); }
 
 void artificialViscosity(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
@@ -193,7 +189,7 @@ void searchNeighbours(const SearchInput&, Part, SearchBuffers&, NeighbourLists&)
 
 const PairKernels& pairKernelSet();
 const PairKernels& pairKernelSet() {
-  static constexpr PairKernels set{THAW_STRING(THAW_ISA) + 4, searchNeighbours, density,  forces,     correctPressure, tension, colourGradient, surfaceStress, artificialViscosity,
+  static constexpr PairKernels set{THAW_STRING(THAW_ISA) + 4, searchNeighbours, density,  forces,     correctPressure, tension, surfaceSeen, surfaceForces, artificialViscosity,
                                    smoothing,                 exposure,         closePairs, viscous, compression,     impulse,     response};
   return set;
 }

@@ -90,11 +90,8 @@ void resizeRecords(const RecordContext& x, std::size_t n, PairRecords& r) {
     resizeBytes(r.diagonal, bytes);
     resizeBytes(r.mixed, bytes);
   }
-  if (x.modules.surfaceStress) {
-    resizeBytes(r.stretch, bytes);
-    resizeBytes(r.shear, bytes);
-  }
-  for (AlignedVector<std::byte>* v : {&r.fixed, &r.place, &r.motion, &r.state, &r.surface, &r.diagonal, &r.mixed, &r.stretch, &r.shear}) {
+  if (x.modules.surfaceEnergy) resizeBytes(r.pull, bytes);
+  for (AlignedVector<std::byte>* v : {&r.fixed, &r.place, &r.motion, &r.state, &r.surface, &r.diagonal, &r.mixed, &r.pull}) {
     const std::size_t record = v == &r.fixed ? 16 : real64 ? 32 : 16;
     if (!v->empty()) std::memset(v->data() + n * record, 0, record);
   }
@@ -108,13 +105,12 @@ void packPressure(const RecordContext& x, Continuum& p, std::size_t begin, std::
   x.scene.numerics.precision == Precision::Double ? packPressureAs<double>(x, p, begin, end, r) : packPressureAs<float>(x, p, begin, end, r);
 }
 
-void packSurfaceStress(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
+void packSurfacePull(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
   const auto pack = [&](auto real) {
     using Real = decltype(real);
     for (std::size_t i = begin; i < end; i++) {
-      const Sym3d& s = p.surfaceStress[i];
-      rows<Real>(r.stretch)[i] = {static_cast<Real>(s.xx), static_cast<Real>(s.yy), static_cast<Real>(s.zz), Real(0)};
-      rows<Real>(r.shear)[i] = {static_cast<Real>(s.xy), static_cast<Real>(s.yz), static_cast<Real>(s.xz), Real(0)};
+      const Vec3d& u = p.surfacePull[i];
+      rows<Real>(r.pull)[i] = {static_cast<Real>(u.x), static_cast<Real>(u.y), static_cast<Real>(u.z), static_cast<Real>(p.surfaceDraw[i])};
     }
   };
   x.scene.numerics.precision == Precision::Double ? pack(double{}) : pack(float{});

@@ -17,7 +17,7 @@ struct MaterialParameters { double viscosity = 0, conductivity = 0; };
 /// Records of all rows and the dummy behind them; bytes, because they are float or double.
 struct PairRecords {
   AlignedVector<std::byte> fixed;    ///< fixed-point positions and V0 / h^3, float: read by the search, and as place in single precision
-  AlignedVector<std::byte> place, motion, state, surface, diagonal, mixed, stretch, shear;
+  AlignedVector<std::byte> place, motion, state, surface, diagonal, mixed, pull;
   std::vector<MaterialParameters> constant;  ///< by material, of those that do not change
 };
 
@@ -39,8 +39,8 @@ void resizeRecords(const RecordContext& context, std::size_t rows, PairRecords& 
 /// form also the volume V0 / filling).
 void packPressure(const RecordContext& context, Continuum& particles, std::size_t begin, std::size_t end, PairRecords& records);
 
-/// Continuum::surfaceStress of rows [begin, end).
-void packSurfaceStress(const RecordContext& context, const Continuum& particles, std::size_t begin, std::size_t end, PairRecords& records);
+/// Continuum::surfacePull and surfaceDraw of rows [begin, end).
+void packSurfacePull(const RecordContext& context, const Continuum& particles, std::size_t begin, std::size_t end, PairRecords& records);
 
 /// Pressure terms of 1 Pa, all liquid, no viscosity: for the packing of bodies.
 void setUnitPressure(const RecordContext& context, std::size_t rows, PairRecords& records);

@@ -7,7 +7,7 @@ constexpr std::size_t balanceSums = 11, ledgerSums = 2 * balanceSums + 13, world
 static_assert(sizeof(ExactBalance) == balanceSums * sizeof(ExactSum), "list the new sum in addBalance, and in valuesOf");
 static_assert(sizeof(Ledger) == ledgerSums * sizeof(ExactSum) + sizeof(Balance), "list the new sum in sumsOf");
 static_assert(worldCounts == 18, "list the new counter in countsOf");
-static_assert(sizeof(WatchState) == 8 * sizeof(double), "list the new member in realsOf or countsOf");
+static_assert(sizeof(WatchState) == 9 * sizeof(double), "list the new member in realsOf or countsOf");
 
 void addBalance(std::vector<NamedSum>& list, ExactBalance& b, const char* const (&names)[balanceSums]) {
   ExactSum* const sums[balanceSums] = {&b.mass, &b.momentum[0], &b.momentum[1], &b.momentum[2], &b.angularMomentum[0], &b.angularMomentum[1],
@@ -64,7 +64,7 @@ std::vector<NamedCount> countsOf(Counters& c) {
           {"retries", &c.retries}};
 }
 
-std::vector<NamedReal> realsOf(WatchState& s) { return {{"factor", &s.factor}, {"residual", &s.residual}, {"scale", &s.scale}}; }
+std::vector<NamedReal> realsOf(WatchState& s) { return {{"factor", &s.factor}, {"residual", &s.residual}, {"scale", &s.scale}, {"largest", &s.largest}}; }
 
 std::vector<NamedCount> countsOf(WatchState& s) {
   return {{"halvings", &s.halvings}, {"failures", &s.failures}, {"patience", &s.patience}, {"calm", &s.calm}, {"good_step", &s.goodStep}};

@@ -44,10 +44,11 @@ struct Continuum : Table {
   Column<float> trialPressure{*this, "trialPressure", "Pa s", Keep::Transient, "of the iteration at hand, over the step"};
   Column<Vec3d> trialVelocity{*this, "trialVelocity", "m/s", Keep::Transient, "that follows from it"};
   Column<float> exposure{*this, "exposure", "1", Keep::Transient, "share in the free surface; 1 for a column of particles below a flat surface"};
-  // surface tension as a stress (core/fluid/surface_stress.hpp)
-  Column<Vec3d> colourGradient{*this, "colourGradient", "1", Keep::Transient, "h sum V grad W: into the liquid at its surface, 0 inside"};
-  Column<Sym3d> surfaceMoment{*this, "surfaceMoment", "1", Keep::Transient, "-sum V grad W (x_i - x_j) with the kernel of the stress"};
-  Column<Sym3d> surfaceStress{*this, "surfaceStress", "Pa", Keep::Transient, "along the surface, over that moment"};
+  // surface tension as an energy of the surface (core/fluid/surface_energy.hpp)
+  Column<Vec3d> surfaceGradient{*this, "surfaceGradient", "1", Keep::Transient, "h sum V grad W: into the liquid at its surface, 0 inside"};
+  Column<double> surfaceCover{*this, "surfaceCover", "1", Keep::Transient, "sum V W of the others"};
+  Column<Vec3d> surfacePull{*this, "surfacePull", "Pa", Keep::Transient, "slope of the surface energy per volume by surfaceGradient"};
+  Column<double> surfaceDraw{*this, "surfaceDraw", "Pa", Keep::Transient, "and by surfaceCover"};
   Column<Vec3d> viscousAcceleration{*this, "viscousAcceleration", "m/s^2", Keep::State, "by implicit viscosity in the last step, where the next one starts to look"};
   Column<Vec3d> viscousSearch{*this, "viscousSearch", "m/s", Keep::Transient, "velocities that implicit viscosity sends to ghosts"};
   // heat and phase

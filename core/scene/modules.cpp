@@ -84,7 +84,7 @@ Modules modulesOf(const Scene& s) {
     const std::string who = "material " + quoted(x.name);
     const bool liquid = m.fluid && (!x.canBeSolid() || x.liquidAtStart || (x.melts() && m.heat));
     if (liquid && x.surfaceTension > 0) f.on(m.tension, "surface tension", who);
-    if (m.tension && s.numerics.tension == TensionForm::SurfaceStress) f.on(m.surfaceStress, "surface tension as a stress", "numerics.tension");
+    if (m.tension && s.numerics.tension == TensionForm::SurfaceEnergy) f.on(m.surfaceEnergy, "surface tension as an energy", "numerics.tension");
     const bool viscous = x.viscosity.solid > 0 || x.viscosity.liquid > 0 || !x.viscosityTable.empty();
     if (liquid && viscous && s.numerics.viscositySolver == ViscositySolver::Implicit) f.on(m.implicitViscosity, "implicit viscosity", who);
     if (liquid && x.xsph > 0) f.on(m.xsph, "velocity smoothing (XSPH)", who);

@@ -14,7 +14,7 @@ struct Modules {
   bool shifting = false;   ///< particles of liquids are moved to emptier places
   bool incompressible = false;  ///< pressure by the solver of core/fluid/incompressible/ instead of the equation of state
   bool tension = false;    ///< a liquid with surface tension
-  bool surfaceStress = false;  ///< and it is a stress along the surface (core/fluid/surface_stress.hpp)
+  bool surfaceEnergy = false;  ///< and it is an energy of the surface (core/fluid/surface_energy.hpp)
   bool xsph = false, artificialViscosity = false;
   bool implicitViscosity = false;  ///< a liquid with viscosity, and the scene asks for the implicit solver
   bool solid = false;      ///< some particle is, or can become, solid: bonds, elastic forces

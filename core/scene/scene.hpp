@@ -151,7 +151,7 @@ enum class EquationOfState { Linear, Tait };
 enum class PressureSolver { StateEquation, Incompressible };
 enum class ViscosityForm { Pairwise, Laplacian };
 enum class ViscositySolver { Explicit, Implicit };
-enum class TensionForm { Pairwise, ColourField, SurfaceStress };  // ColourField: as printed in MCG03/K05
+enum class TensionForm { Pairwise, ColourField, SurfaceEnergy };  // ColourField: as printed in MCG03/K05
 enum class HeatModel { Enthalpy, Paper };
 enum class Conduction { Normalised, Plain };       // of the sum over neighbours: with the second moment of the lattice, or of the integral
 enum class OverlapRule { Error, Keep, RemoveLater, RemoveEarlier };
@@ -179,7 +179,7 @@ struct Numerics {
   ViscositySolver viscositySolver = ViscositySolver::Explicit;
   double viscosityTolerance = 1e-3;  // 1, error of the implicit solver's change of velocity
   std::int64_t viscosityIterations = 200;  // at most, in a step
-  TensionForm tension = TensionForm::Pairwise;
+  TensionForm tension = TensionForm::SurfaceEnergy;
   HeatModel heat = HeatModel::Enthalpy;
   Conduction conduction = Conduction::Normalised;
   bool selfContact = true;        // pieces of one solid collide with each other

@@ -19,7 +19,7 @@ void activateFields(World& w, StepTools& t) {
   on(m.shifting, {&p.crowding});
   on(m.incompressible, {&p.holding, &p.steadying, &p.pressureKick, &p.drag, &p.trialPressure, &p.trialVelocity});
   on(m.surfaceHeat, {&p.exposure});
-  on(m.surfaceStress, {&p.colourGradient, &p.surfaceMoment, &p.surfaceStress});
+  on(m.surfaceEnergy, {&p.surfaceGradient, &p.surfaceCover, &p.surfacePull, &p.surfaceDraw});
   on(m.heat, {&p.enthalpy, &p.temperature, &p.heatFlow});
   on(m.melting, {&p.liquid, &p.softening});
   on(m.solid, {&p.slot});

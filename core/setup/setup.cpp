@@ -11,7 +11,7 @@
 #include "core/ledger/report.hpp"
 #include "core/particle_sums.hpp"
 #include "core/setup/activate_fields.hpp"
-#include "core/fluid/surface_stress.hpp"
+#include "core/fluid/surface_energy.hpp"
 #include "core/setup/make_grid.hpp"
 #include "core/setup/relax_packing.hpp"
 #include "core/solid_step.hpp"
@@ -89,7 +89,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
     t.pressure.relaxation = 0.9 / largestPressureResponse(w.scene.numerics);
     t.pressure.mendingTime = w.scene.spacing / (sound * std::sqrt(w.scene.numerics.maxDensityError));
   }
-  if (w.modules.surfaceStress) t.surfaceArea = surfaceAreaScale(w.scene.numerics);
+  if (w.modules.surfaceEnergy) t.surface = surfaceMeasure(w.scene.numerics, w.scene.spacing);
   t.fillingScale = t.perLatticeSum / (h * h * h);
   activateFields(w, t);
 }
@@ -138,8 +138,8 @@ void takeStock(World& w, Halos halos, StepTools& t) {
   // what the emitters let out at time 0 is part of the start
   w.ledger.entered = {};
   vote(w, halos, t, {}, {});
-  if (w.modules.incompressible) findPressure(w, halos, t, clip(w.clock, w.clock.dt));
-  const double half = 0.5 * clip(w.clock, w.clock.dt);  // the first half kick, which no step books
+  if (w.modules.incompressible) findPressure(w, halos, t, nextStep(w.clock));
+  const double half = 0.5 * nextStep(w.clock);  // the first half kick, which no step books
   for (std::size_t i = 0; i < p.owned; i++) p.dissipated[i] = p.dissipation[i] * half;
 }
 

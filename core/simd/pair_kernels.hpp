@@ -16,8 +16,8 @@ struct PairKernels {
   void (*forces)(const PairSums&, GroupRange);
   void (*correctPressure)(const PairSums&, GroupRange);
   void (*tension)(const PairSums&, GroupRange);
-  void (*colourGradient)(const PairSums&, GroupRange);
-  void (*surfaceStress)(const PairSums&, GroupRange);
+  void (*surfaceSeen)(const PairSums&, GroupRange);
+  void (*surfaceForces)(const PairSums&, GroupRange);
   void (*artificialViscosity)(const PairSums&, GroupRange);
   void (*smoothing)(const PairSums&, GroupRange);
   void (*exposure)(const PairSums&, GroupRange);

@@ -101,7 +101,9 @@ StepLimits materialLimits(const Scene& s, const Modules& modules, const std::vec
       if (mu > 0) take(Limit::Viscous, n.cflViscous * stableViscousStep(n) * h * h * m.density / mu);
     }
     if (modules.fluid && canBeLiquid(m)) {
-      if (m.surfaceTension > 0) take(Limit::Tension, n.cflTension * std::sqrt(m.density * h3 / (2 * 3.14159265358979 * m.surfaceTension)));
+      // The surface energy is stiff where few particles meet: a drop without viscosity gains 26 % of its energy in 6 s at .2, .8 % in 3 s at .1.
+      const double stiff = modules.surfaceEnergy ? 0.12 : 1;
+      if (m.surfaceTension > 0) take(Limit::Tension, stiff * n.cflTension * std::sqrt(m.density * h3 / (2 * 3.14159265358979 * m.surfaceTension)));
     }
     if (modules.heat) {
       const double diffusivity = largestDiffusivity(s, used, m);
@@ -173,14 +175,25 @@ double target(const Clock& c) {
   return std::min(c.end, frameTime(c, k));
 }
 
+/// Share of a step by which sums of steps may miss a frame time: of 1e9 steps, in double.
+constexpr double rounding = 1e-6;
+
 }  // namespace
 
 double clip(const Clock& c, double dt) {
   const double left = target(c) - c.time;
   if (!(left > 0)) return dt;
-  if (dt >= left * (1 - 1e-9)) return left;
-  if (2 * dt > left) return 0.5 * left;
-  return dt;
+  const double steps = std::ceil(left / dt - rounding);
+  return steps > 1 ? left / steps : left;
+}
+
+double nextStep(const Clock& c) {
+  constexpr double shortest = 0.95, margin = 0.985;  // of the wanted step: what is still kept; what is taken where the last one is not
+  if (!(c.dt > 0)) return c.dt;
+  if (!(c.stepDt > 0)) return clip(c, c.dt);
+  const double same = clip(c, c.stepDt);
+  const bool kept = same <= c.dt * (1 + rounding) && same >= shortest * c.dt;
+  return kept ? same : clip(c, margin * c.dt);
 }
 
 double timeAfter(const Clock& c, double dt) {

@@ -40,8 +40,14 @@ double fastAccelerationLimit(const World& world);
 double frameTime(const Clock& clock, std::int64_t frame);
 bool frameDue(const Clock& clock);
 
-/// dt for the next step, cut so that a frame time or the end is hit exactly; two steps are made equal rather than the last one tiny.
+/// The longest step up to dt of which a whole number leads exactly to the next frame time or the end. All of them are cut a little rather
+/// than the last ones much: a step that changes from frame to frame in the same way pumps energy into what swings fast (docs/stability.md, 10).
 double clip(const Clock& clock, double dt);
+
+/// The length (s) of the next step, at most Clock::dt. As long as it can be, it is that of the last step: a limit that wavers by a percent or
+/// two, as the stretch of what swings does, changes no step. That costs two to four steps in a hundred where limits do waver (scenes/melt.toml).
+/// Where it is to change, it is cut so that frame times are hit. A function of the clock alone, which is in every checkpoint.
+double nextStep(const Clock& clock);
 
 /// Time after a step of dt: exactly the frame time or the end where clip had cut.
 double timeAfter(const Clock& clock, double dt);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/contact/dashpot.hpp"
+#include "core/fluid/surface_energy.hpp"
 #include "core/fluid/state_equation.hpp"
 #include "core/heat/enthalpy.hpp"
 
@@ -57,6 +58,7 @@ void addLiquidForces(const WallContext& x, const Meeting& at, double perLatticeS
     act.force += n * (at.volume * term * t.push / h * at.contact.share);
     stiffest = std::max(stiffest, x.liquids[p.material[at.row]].soundSpeed * soundSpeedFactor(w.scene.numerics.eos, filling) * perLatticeSum * t.push / h);
   }
+  if (w.modules.surfaceEnergy) act.force += n * surfaceForceOfWall(w, at.contact);
   if (at.wall.slip || w.modules.implicitViscosity) return;
   const double m = p.mass[at.row], rate = m * overStep(wallDrag(x, at.contact) / m, x.span);
   const Vec3d tangential = at.velocity - n * dot(at.velocity, n);

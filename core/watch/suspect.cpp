@@ -21,7 +21,7 @@ double guilt(const World& w, Alarm alarm, Limit limitedBy, std::size_t i) {
     for (int k = 0; solid && k < 3; k++) g += dot(w.solids.deformation[p.slot[i]].row[k], w.solids.deformation[p.slot[i]].row[k]);
   }
   if (alarm == Alarm::Inverted) g = solid ? -determinant(w.solids.deformation[p.slot[i]]) : -never;
-  if (alarm == Alarm::Energy) g = 0.5 * speed2 + (solid && w.solids.energy.active ? w.solids.energy[p.slot[i]] / p.mass[i] : 0);
+  if (alarm == Alarm::Energy || alarm == Alarm::Growth) g = 0.5 * speed2 + (solid && w.solids.energy.active ? w.solids.energy[p.slot[i]] / p.mass[i] : 0);
   return std::isnan(g) ? never : g;
 }
 
@@ -48,7 +48,7 @@ Suspect findSuspect(const World& w, Alarm alarm, Limit limitedBy, Reducer& all) 
     s.here = s.here && half == lowest;
   }
   if (alarm == Alarm::Inverted) s.value = -s.value;
-  else if (alarm != Alarm::Density && alarm != Alarm::Energy) s.value = std::sqrt(std::max(0.0, s.value));
+  else if (alarm != Alarm::Density && alarm != Alarm::Energy && alarm != Alarm::Growth) s.value = std::sqrt(std::max(0.0, s.value));
   return s;
 }
 

@@ -58,6 +58,9 @@ Alarm alarmOf(const World& w, const WatchBounds& b, const StepLimits& limits, do
 Alarm checkBooks(const World& w, const WatchBounds& b, const LedgerReport& books, Reducer& all) {
   const double expected = 0.5 * books.now.mass * b.expected * b.expected;
   if (b.energy < never && !(books.energyResidual - w.watch.residual <= b.energy * std::max(w.watch.scale, expected))) return Alarm::Energy;
+  // what grows slowly is never half of anything from one good state to the next
+  const double largest = std::max({w.watch.largest, books.energyScale, 0.01 * expected});
+  if (b.energy < never && books.energyResidual > b.energy * largest && books.energyResidual > w.watch.residual) return Alarm::Growth;
   if (!w.modules.solid || !(b.inverted < never)) return Alarm::None;
   std::int64_t counts[2] = {0, 0};
   for (std::size_t s = 0; s < w.solids.owned; s++) {
@@ -77,6 +80,7 @@ void acceptState(World& w, const LedgerReport& books) {
   s.goodStep = w.clock.step;
   s.residual = books.energyResidual;
   s.scale = books.energyScale;
+  s.largest = std::max(s.largest, books.energyScale);
   if (s.halvings == 0 && s.patience == 1) return;
   if (++s.calm < s.patience) return;
   s.calm = 0;

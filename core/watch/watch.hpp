@@ -11,7 +11,8 @@
 namespace thaw {
 
 /// What the watch has seen. NotFinite: also a particle that would pass its support radius in a step.
-enum class Alarm { None, NotFinite, Speed, Density, Step, Inverted, Energy };
+/// Energy: from nowhere, since the last good state. Growth: the same since the run began, however slowly.
+enum class Alarm { None, NotFinite, Speed, Density, Step, Inverted, Energy, Growth };
 
 /// What is allowed; of the scene, so the same in every step. `never` or 0: not watched.
 struct WatchBounds {
@@ -35,8 +36,10 @@ double largestFilling(const World& world);
 Alarm alarmOf(const World& world, const WatchBounds& bounds, const StepLimits& limits, double filling);
 
 /// At what may become a good state: energy that no entry of the ledger explains, since the last good state, above WatchBounds::energy times
-/// the largest of the ledger's terms then and the kinetic energy of all mass at the expected speed; and the share of solid particles with
-/// det F <= 0 whose law (Green strain without a volume force) has no force that turns them back. Collective.
+/// the largest of the ledger's terms then and the kinetic energy of all mass at the expected speed; the same since the run began, where the
+/// measure is the largest of the ledger's terms that there was, and at least the kinetic energy at a tenth of the expected speed; and the share of solid particles with det F <= 0 whose law (Green strain
+/// without a volume force) has no force that turns them back. Only energy that is too much: what is lost makes no run unstable, and is in the
+/// ledger's residual. Collective.
 Alarm checkBooks(const World& world, const WatchBounds& bounds, const LedgerReport& books, Reducer& all);
 
 /// Factor of the next step, one step nearer to 2^-halvings.

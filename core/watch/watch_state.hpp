@@ -13,6 +13,7 @@ struct WatchState {
   std::int64_t goodStep = -1;  ///< step of the last good state; -1: there is none
   double residual = 0;         ///< J, LedgerReport::energyResidual of the last good state
   double scale = 0;            ///< J, its LedgerReport::energyScale
+  double largest = 0;          ///< J, largest energyScale of all good states since the run began
 };
 
 }  // namespace thaw

@@ -104,6 +104,7 @@ CheckpointHeader headerOf(const H5File& file) {
   h.clock.end = file.number(at, "end");
   h.clock.every = file.number(at, "every");
   h.clock.dt = file.number(at, "dt");
+  if (file.hasAttribute(at, "step_dt")) h.clock.stepDt = file.number(at, "step_dt");
   if (file.hasAttribute(at, "substeps")) h.clock.substeps = static_cast<int>(file.integer(at, "substeps"));
   h.limitedBy = file.text(at, "limited_by");
   h.twoFrames = file.integer(at, "two_frames") != 0;

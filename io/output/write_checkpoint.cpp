@@ -101,6 +101,7 @@ void writeHeader(H5File& file, const CheckpointHeader& h) {
   file.setNumber(at, "end", h.clock.end);
   file.setNumber(at, "every", h.clock.every);
   file.setNumber(at, "dt", h.clock.dt);
+  file.setNumber(at, "step_dt", h.clock.stepDt);
   if (h.clock.substeps > 1) file.setInteger(at, "substeps", h.clock.substeps);
   file.setText(at, "limited_by", h.limitedBy);
   file.setInteger(at, "two_frames", h.twoFrames);

@@ -25,6 +25,7 @@ std::string seen(const World& w, const StepTools& t, const StepOutcome& o, const
       return fmt::format("the step's limit by {} fell to {:.3g} s (numerics.watch_step allows {:.3g} s)", limitNames[static_cast<std::size_t>(o.limitedBy)], w.clock.dt, b.step);
     case Alarm::Inverted: return fmt::format("more than {:.3g} of the solid particles are inside out (numerics.watch_inverted), to det F {:.3g}", b.inverted, s.value);
     case Alarm::Energy: return fmt::format("mechanical energy from nowhere since step {} (numerics.watch_energy); most of it, {:.4g} J/kg, has one particle", w.watch.goodStep, s.value);
+    case Alarm::Growth: return fmt::format("mechanical energy from nowhere since the run began, more than {:.3g} times the largest term of the ledger (numerics.watch_energy), little by little; most of it, {:.4g} J/kg, has one particle", b.energy, s.value);
     case Alarm::None: break;
   }
   return "nothing";

@@ -68,13 +68,13 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.whole("viscosity_iterations", n.viscosityIterations, 1, 100000, "of the implicit solver, at most in a step; steps that need more are counted");
   if (n.viscositySolver == ViscositySolver::Implicit && n.viscosity == ViscosityForm::Laplacian)
     r.fail("viscosity_solver", "the implicit solver knows the pairwise form of viscosity only: leave numerics.viscosity at \"pairwise\"");
-  r.choice("tension", n.tension, {"pairwise", "colour field", "surface stress"}, "cohesion of pairs; as printed in Keiser et al. 2005; or a stress along the surface: drops swing as liquids do, but energy is not kept: it needs a viscosity above .06 sqrt(density * surface tension * spacing), or artificial_viscosity of .05");
+  r.choice("tension", n.tension, {"pairwise", "colour field", "surface energy"}, "cohesion of pairs: cheap, but drops are soft crystals; as printed in Keiser et al. 2005; or an energy of the free surface: drops have Laplace's pressure and swing as liquids do");
   r.choice("heat", n.heat, {"enthalpy", "paper"}, "enthalpy with latent heat, or the plain temperature of Keiser et al. 2005");
   r.choice("conduction", n.conduction, {"normalised", "plain"}, "the sum for heat conduction: exact for a quadratic temperature on the lattice, or with the kernel's own constant");
   r.flag("self_contact", n.selfContact, "pieces of one body collide with each other");
   r.number("max_density_error", n.maxDensityError, "", {0, 0.2, true, false, false}, "compression that the automatic sound speed allows");
   r.choice("overlap", n.overlap, {"error", "keep", "remove later", "remove earlier"}, "what happens to particles of two bodies that overlap");
-  r.number("fixed_step", n.fixedStep, "s", notNegative(), "time step, at most `end`; 0: as large as the limits allow");
+  r.number("fixed_step", n.fixedStep, "s", notNegative(), "longest time step, at most `end`, cut so that a whole number leads to each frame; 0: as large as the limits allow");
   r.number("max_step", n.maxStep, "s", orNever(positive()), "largest time step");
   r.number("cfl_sound", n.cflSound, "", factor(), "times h / c, h the support radius");
   r.number("cfl_viscous", n.cflViscous, "", factor(), "times the largest dt that is stable on a lattice: .044 h^2 rho / mu for the pairwise form at a support of 2 (a clump stiffens it)");
@@ -92,7 +92,7 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.number("watch_density", n.watchDensity, "", orNever(positive()), "density of a liquid, over that at rest, that counts as failure");
   r.number("watch_step", n.watchStep, "", {0, 1, true, false, false}, "time step that counts as failure, times the limit of the materials (without one: times 1e-5 `end`); 0: none");
   r.number("watch_inverted", n.watchInverted, "", orNever(positive()), "share of the solid particles inside out (det F <= 0) that counts as failure, of materials that do not recover from it: law \"green\" without volume_stiffness");
-  r.number("watch_energy", n.watchEnergy, "", orNever(positive()), "energy from nowhere that counts as failure, times the largest term of the ledger, within retry_every steps");
+  r.number("watch_energy", n.watchEnergy, "", orNever(positive()), "energy from nowhere that counts as failure, times the largest term of the ledger, within retry_every steps or since the run began");
   r.number("plastic_rereference", n.plasticRereference, "", positive(), "norm of the plastic strain above which the reference follows the flow");
 }
 

@@ -66,14 +66,15 @@ TEST(Fields, HeatAddsThree) {
   EXPECT_EQ(added(lossy, s), (Names{"continuum.exposure"}));
 }
 
-TEST(Fields, TensionAndArtificialViscosityAddNone) {
+TEST(Fields, CohesionAndArtificialViscosityAddNone) {
   Scene s = block(false);
   s.materials[0].surfaceTension = 0.05;
   s.materials[0].artificialViscosity = 0.1;
+  s.numerics.tension = TensionForm::Pairwise;
   EXPECT_EQ(added(s, block(false)), Names{});
-  Scene stress = s;
-  stress.numerics.tension = TensionForm::SurfaceStress;
-  EXPECT_EQ(added(stress, s), (Names{"continuum.colourGradient", "continuum.surfaceMoment", "continuum.surfaceStress"}));
+  Scene energy = s;
+  energy.numerics.tension = TensionForm::SurfaceEnergy;
+  EXPECT_EQ(added(energy, s), (Names{"continuum.surfaceGradient", "continuum.surfaceCover", "continuum.surfacePull", "continuum.surfaceDraw"}));
   s.materials[0].xsph = 0.1;
   EXPECT_EQ(added(s, block(false)), (Names{"continuum.smoothing"}));
 }

@@ -76,6 +76,68 @@ TEST(Clock, EndsWithoutFrames) {
   EXPECT_EQ(n, 4);
 }
 
+TEST(Clock, StepsBetweenFramesAreEqual) {
+  Clock c;
+  c.end = 1;
+  c.every = 0.04;
+  c.dt = 9e-4;  // 44.4 of them
+  int steps = 0;
+  for (; c.time < c.end && steps < 10000; steps++) {
+    c.stepDt = nextStep(c);
+    EXPECT_NEAR(c.stepDt, 0.04 / 45, 1e-15);
+    c.time = timeAfter(c, c.stepDt);
+    while (frameDue(c)) c.frame++;
+  }
+  EXPECT_EQ(steps, 25 * 45);
+  EXPECT_EQ(c.time, 1);
+}
+
+TEST(Clock, AFixedStepIsKeptWhereNothingCutsIt) {
+  Clock c;
+  c.end = 1e9;
+  c.dt = 1.83e-4;
+  for (int n = 0; n < 100000; n++) {
+    c.stepDt = nextStep(c);
+    ASSERT_NEAR(c.stepDt, c.dt, 1e-9 * c.dt);
+    c.time = timeAfter(c, c.stepDt);
+  }
+}
+
+TEST(Clock, AWaveringLimitChangesNoStep) {
+  Clock c;
+  c.end = 1;
+  c.every = 0.04;
+  int changes = 0;
+  for (int n = 0; c.time < c.end && n < 10000; n++) {
+    c.dt = 9e-4 * (1 + 0.007 * std::sin(0.05 * n));
+    const double dt = nextStep(c);
+    EXPECT_LE(dt, c.dt * (1 + 1e-9));
+    EXPECT_GE(dt, 0.95 * c.dt * (1 - 1 / 45.0));
+    changes += std::abs(dt - c.stepDt) > 1e-9 * dt;
+    c.stepDt = dt;
+    c.time = timeAfter(c, dt);
+    while (frameDue(c)) c.frame++;
+  }
+  EXPECT_LE(changes, 2);  // the first step is one
+  EXPECT_EQ(c.time, 1);
+  c.dt = 0;
+  EXPECT_EQ(nextStep(c), 0);
+}
+
+TEST(Clock, FollowsALimitThatFallsAndRises) {
+  Clock c;
+  c.end = 1e9;
+  c.dt = c.stepDt = 1;
+  EXPECT_NEAR(nextStep(c), 1, 1e-6);
+  c.dt = 0.5;
+  c.stepDt = nextStep(c);
+  EXPECT_NEAR(c.stepDt, 0.4925, 1e-6);
+  c.dt = 0.515;
+  EXPECT_NEAR(nextStep(c), 0.4925, 1e-6);
+  c.dt = 0.6;
+  EXPECT_NEAR(nextStep(c), 0.591, 1e-6);
+}
+
 TEST(StepLimits, OfALiquid) {
   Scene s = oneMaterial();
   s.materials[0].surfaceTension = 0.07;

@@ -92,6 +92,7 @@ TEST(Watch, EnergyFromNowhereSinceTheLastGoodState) {
   b.expected = 2, b.energy = 0.5;
   LedgerReport books;
   books.now.mass = 1;  // 2 J at the expected speed
+  books.energyScale = 100;  // of the whole run
   w.watch.residual = 5;
   books.energyResidual = 5.9;
   EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None);
@@ -101,6 +102,37 @@ TEST(Watch, EnergyFromNowhereSinceTheLastGoodState) {
   EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None);
   books.energyResidual = -never + never;
   EXPECT_EQ(checkBooks(w, b, books, all), Alarm::Energy) << "not a number";
+}
+
+TEST(Watch, EnergyFromNowhereThatGrowsSlowly) {
+  World w;
+  SerialReducer all;
+  WatchBounds b;
+  b.expected = 20, b.energy = 0.5;
+  LedgerReport books;
+  books.now.mass = 1;  // 200 J at the expected speed, 2 J at a tenth of it
+  books.energyScale = 10;
+  for (int good = 0; good < 10; good++) {  // half a joule each time: nothing of 200 J
+    books.energyResidual = 0.5 * good;
+    EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None) << good;
+    acceptState(w, books);
+  }
+  EXPECT_EQ(w.watch.largest, 10);
+  books.energyScale = 1;  // the largest there was counts
+  EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None);
+  books.energyResidual = 5.1;
+  EXPECT_EQ(checkBooks(w, b, books, all), Alarm::Growth);
+  books.energyScale = 11;
+  EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None);
+  books.energyResidual = 5.6;
+  w.watch.residual = 5.7;
+  EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None) << "it has become less";
+  w.watch.residual = 5.5;
+  b.energy = never;
+  EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None) << "not watched";
+  b.energy = 0.5;
+  books.energyResidual = -100;
+  EXPECT_EQ(checkBooks(w, b, books, all), Alarm::None) << "lost";
 }
 
 TEST(Watch, TheSuspectOfEqualsHasTheLowestId) {

@@ -1,0 +1,120 @@
+#include "core/fluid/surface_energy.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/fluid/surface_kernel.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr double ofThin = 3;
+
+/// C, measured on drops at rest, at supports of 1.5, 2, 2.5 and 3 spacings; linear in between.
+double ofRest(double support) {
+  constexpr double at[] = {0.44, 0.71, 0.96, 1.03};
+  const double x = std::clamp(2 * support - 3, 0.0, 3.0);
+  const int k = std::min(static_cast<int>(x), 2);
+  return at[k] + (x - k) * (at[k + 1] - at[k]);
+}
+
+double power4(double a) { return (a * a) * (a * a); }
+
+}  // namespace
+
+SurfaceShare surfaceShare(const Vec3d& x) {
+  const double q2 = dot(x, x);
+  if (q2 >= 1) return {};
+  return {x * isa_base::SurfaceKernel::slope(q2), isa_base::SurfaceKernel::w(q2)};
+}
+
+SurfaceMeasure surfaceMeasure(const Numerics& numerics, double spacing) {
+  SurfaceMeasure m;
+  m.spacing = spacing;
+  m.support = numerics.support * spacing;
+  const double e = 1 / numerics.support, V = e * e * e;
+  const int n = static_cast<int>(numerics.support) + 1;
+  std::vector<double> slope(static_cast<std::size_t>(n) + 1), cover(static_cast<std::size_t>(n) + 1);  // of whole layers
+  for (int k = 0; k <= n; k++)
+    for (int a = -n; a <= n; a++)
+      for (int b = -n; b <= n; b++) {
+        if (k == 0 && a == 0 && b == 0) continue;
+        const SurfaceShare s = surfaceShare(Vec3d{a * e, b * e, k * e});
+        slope[static_cast<std::size_t>(k)] -= V * s.gradient.z;
+        cover[static_cast<std::size_t>(k)] += V * s.cover;
+      }
+  m.full = cover[0];
+  for (int k = 1; k <= n; k++) m.full += 2 * cover[static_cast<std::size_t>(k)];
+  m.self = V * isa_base::SurfaceKernel::w(0.0);
+  double sum = 0, rest = 0;
+  for (int depth = 0; depth < n; depth++) {
+    double g = 0, c = m.full;
+    for (int k = depth + 1; k <= n; k++) g += slope[static_cast<std::size_t>(k)], c -= cover[static_cast<std::size_t>(k)];
+    const double open = 1 - c / m.full;
+    sum += e * g * g / power4((c + m.self) / (m.full + m.self));
+    rest += ofThin * open * open;
+  }
+  m.area = ofRest(numerics.support) * (1 - rest) / sum;
+  m.thin = ofRest(numerics.support) * ofThin;
+  return m;
+}
+
+SurfaceState surfaceState(const SurfaceMeasure& m, double tension, const Vec3d& gradient, double cover) {
+  const double fill = (cover + m.self) / (m.full + m.self), byArea = tension * m.area / m.support / power4(fill);
+  const double open = std::max(0.0, 1 - cover / m.full), byCover = tension * m.thin / m.spacing, square = dot(gradient, gradient);
+  SurfaceState s;
+  s.energy = byArea * square + byCover * open * open;
+  s.pull = gradient * (2 * byArea);
+  s.draw = -4 * byArea * square / (cover + m.self) - 2 * byCover * open / m.full;
+  return s;
+}
+
+WallCover wallCover(double spacing, double distance) {
+  WallCover sum;
+  for (double z = distance + 0.5 * spacing; z < 1; z += spacing) {
+    const double u = 1 - z * z, u2 = u * u;
+    sum.cover += spacing * 315 / 256 * u2 * u2;
+    sum.slope -= spacing * 315 / 32 * z * u * u2;
+    sum.bend -= spacing * 315 / 32 * u2 * (u - 6 * z * z);
+  }
+  return sum;
+}
+
+namespace {
+
+WallCover atWall(const World& w, const WallContact& c) {
+  const double h = w.grid.support, dx = w.scene.spacing / h;
+  return wallCover(dx, std::max(c.distance / h, -0.5 * dx));
+}
+
+}  // namespace
+
+void findSurfaceEnergy(const WallContext& x, const SurfaceMeasure& measure, const WallContacts& contacts) {
+  World& w = x.world;
+  Continuum& p = w.particles;
+  for (const WallContact& c : contacts.list) {
+    const WallCover t = atWall(w, c);
+    p.surfaceGradient[c.row] += c.normal * (t.slope * c.share);
+    p.surfaceCover[c.row] += t.cover * c.share;
+  }
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const Material& m = w.scene.materials[p.material[i]];
+    const double f = p.liquid.active ? static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? 1 : 0, tension = f * m.surfaceTension;
+    p.surfacePull[i] = {};
+    p.surfaceDraw[i] = 0;
+    if (!(tension > 0)) continue;
+    const SurfaceState s = surfaceState(measure, tension, p.surfaceGradient[i], p.surfaceCover[i]);
+    p.surfacePull[i] = s.pull;
+    p.surfaceDraw[i] = s.draw;
+    p.interaction[i] += s.energy * p.mass[i] / m.density;
+  }
+}
+
+double surfaceForceOfWall(const World& w, const WallContact& c) {
+  const Continuum& p = w.particles;
+  const WallCover t = atWall(w, c);
+  const double V = p.mass[c.row] / w.scene.materials[p.material[c.row]].density;
+  return -V * c.share / w.grid.support * (dot(p.surfacePull[c.row], c.normal) * t.bend + p.surfaceDraw[c.row] * t.slope);
+}
+
+}  // namespace thaw

@@ -1,0 +1,45 @@
+// Surface tension as an energy of the surface, for liquids with a free surface. A particle of volume V has
+//   E = sigma V C (A / h n^2 / fill^4 + B / dx (1 - cover)^2),
+// n = h |sum V grad W|, cover = sum V W of its neighbours over that of the full lattice (0 alone, 1 inside; more counts as 1), fill the same with
+// the particle itself. The first term is the surface: the square of n, not n itself, because disorder inside the liquid, where n is small, must
+// cost nothing. Without the power of the filling the energy goes like density^2 times area and blows drops up; the second power makes it depend
+// on area alone; the fourth lets it hold the liquid together, too. The second term is for those that n does not see: a film of one
+// layer, a thread, a drop of one particle. It is also what holds the liquid at rest density where no pressure does.
+// Forces are the slopes of the sum of E by the places, volumes held: the pair's is V_i V_j (H (u_i - u_j) + (s_i + s_j) grad W), with H the Hessian
+// of W, u = dE/dn and s = dE/dcover per volume. So momentum, angular momentum and energy are kept. The kernel is surface_kernel.hpp's.
+// Calibration: A makes the surface of the lattice cost sigma; C is then what drops at rest need for Laplace's pressure (their
+// surface is no lattice and costs more), measured at R / dx = 8 to 12 with drop_laplace; B and the power are measured, too.
+// Walls are as liquid: they cover the surface and pull on nothing but its gradient, a contact angle of 90 degrees. Solids likewise.
+#pragma once
+#include "core/walls/wall_forces.hpp"
+
+namespace thaw {
+
+/// What is the same for all particles of a scene.
+struct SurfaceMeasure {
+  double support = 0, spacing = 0;  ///< m, h and dx
+  double area = 0, thin = 0;        ///< 1, C A and C B
+  double self = 0, full = 1;        ///< 1, V W of a particle itself, and of the others on the lattice
+};
+SurfaceMeasure surfaceMeasure(const Numerics& numerics, double spacing);
+
+/// Energy per volume (J/m^3) of a particle and its slopes by gradient and cover (not yet over the full one), Pa.
+struct SurfaceState { double energy = 0; Vec3d pull{}; double draw = 0; };
+SurfaceState surfaceState(const SurfaceMeasure& measure, double tension, const Vec3d& gradient, double cover);
+
+/// h grad W and W (h^-3) at x (in units of h) from the other particle.
+struct SurfaceShare { Vec3d gradient{}; double cover = 0; };
+SurfaceShare surfaceShare(const Vec3d& x);
+
+/// A flat wall's part of the cover at a distance (h), with its first and second derivative: layers at half and whole spacings (h) below its surface,
+/// each smeared over its plane, as in the tables of walls.
+struct WallCover { double cover = 0, slope = 0, bend = 0; };
+WallCover wallCover(double spacing, double distance);
+
+/// Adds the walls to surfaceGradient and surfaceCover of owned particles; finds surfacePull and surfaceDraw, and adds E to Continuum::interaction.
+void findSurfaceEnergy(const WallContext& context, const SurfaceMeasure& measure, const WallContacts& contacts);
+
+/// N, along the contact's normal: what the wall adds to the slope of the particle's own energy.
+double surfaceForceOfWall(const World& world, const WallContact& contact);
+
+}  // namespace thaw
