@@ -5,6 +5,7 @@
 #include "core/neighbours/sort.hpp"
 #include "core/surface/relax_tools.hpp"
 #include "core/surface/row_lists.hpp"
+#include "core/surface/surface_times.hpp"
 #include "core/surface/update_components.hpp"
 #include "core/world.hpp"
 
@@ -17,6 +18,7 @@ struct SurfaceTools {
   RowLists particlesOf, surfelsOf;  ///< of the owned surfels: particles within h_ps, surfels within h_ss
   TopologyTools topology;
   RelaxTools relax;                 ///< of displacement and iterations
+  SurfaceTimes times;               ///< of all updates of this process; the start is not in them
 };
 
 /// The first surface, of the bodies at their start. Needs Surface without surfels and particles in place. Collective.
