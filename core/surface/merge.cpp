@@ -134,7 +134,9 @@ void judgeSurfel(const World& w, std::uint32_t i, const Joined& joined, Componen
     if (side.asked < leastAsked) continue;
     if (joined.of(side.component) == joined.of(f.component[i])) {
       if (side.distance < 0.5 * s.spacing) c.dead[i] = 1;
+      if (side.distance < 3 * s.spacing) t.open[i] = 1;  // beside those that die
     } else if (side.distance < 0) {
+      t.open[i] = 1;
       push += std::min(-0.5 * side.distance, w.scene.spacing) * side.normal;  // the other side does as much
     }
   }
@@ -159,8 +161,11 @@ void mergeComponents(World& w, SurfaceHalos halos, ComponentTools& c, MergeTools
   }
   c.dead.assign(f.owned, 0);
   t.moved.assign(f.position.data(), f.position.data() + f.owned);
+  t.open.assign(f.owned, 0);
   forEachNearOthers(f, s.surfelCells, one, [&](std::uint32_t i) { judgeSurfel(w, i, joined, c, t); });
   std::copy(t.moved.begin(), t.moved.end(), f.position.data());
+  for (std::size_t i = 0; i < f.owned; i++)
+    if (t.open[i]) f.calm[i] = 0;
   if (!pairs.empty()) {
     for (std::size_t i = 0; i < f.owned; i++) f.component[i] = joined.of(f.component[i]);
     for (std::size_t i = 0; i < p.owned; i++) p.component[i] = joined.of(p.component[i]);

@@ -60,7 +60,7 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   t.times.lap(SurfacePhase::Place);
   splitAndMerge(w, halos, t);     // before resampling, which closes seams
   t.times.lap(SurfacePhase::Components);
-  sampleFields(w, halos, t);
+  readyParticles(w, halos, t);
   t.times.lap(SurfacePhase::Fields);
   renewSurfels(w, halos, t);
   t.times.lap(SurfacePhase::Growth);

@@ -15,7 +15,7 @@ namespace thaw {
 struct SurfaceTools {
   SortBuffers sort;
   MeshLoader load;                  ///< of the bodies' meshes; set before startSurface
-  RowLists particlesOf, surfelsOf;  ///< of the owned surfels: particles within h_ps, surfels within h_ss
+  RowLists surfelsOf;               ///< surfels around the owned ones that resampling looks at
   TopologyTools topology;
   RelaxTools relax;                 ///< of displacement and iterations
   SurfaceTimes times;               ///< of all updates of this process; the start is not in them
