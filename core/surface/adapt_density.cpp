@@ -51,9 +51,11 @@ void adaptDensity(Surface& surface, CellHalo& halo, const RowLists& lists, doubl
   }
   for (std::size_t i = 0; i < s.owned; i++) {
     const double off = s.wanted[i] - s.radius[i];
-    if (std::abs(off) > 0.1 * s.radius[i]) s.radius[i] += 0.5 * off;
+    if (!(std::abs(off) > 0.1 * s.radius[i])) continue;
+    s.radius[i] += 0.5 * off;
+    s.calm[i] = 0;
   }
-  ColumnList radius{&s.radius};
+  ColumnList radius{&s.radius, &s.calm};
   refreshGhosts(halo, s, radius);
 }
 

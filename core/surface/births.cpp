@@ -50,6 +50,7 @@ void appendSurfels(Surfels& s, const std::vector<SurfelRow>& rows) {
     s.radius[i] = r.radius;
     s.colour[i] = r.colour;
     s.detail[i] = r.detail;
+    s.calm[i] = 0;
     if (s.liquid.active) s.liquid[i] = r.liquid;
     if (s.temperature.active) s.temperature[i] = r.temperature;
     i++;

@@ -4,6 +4,7 @@
 
 #include "core/surface/drop_surfels.hpp"
 #include "core/surface/gather_words.hpp"
+#include "core/surface/place_rows.hpp"
 
 namespace thaw {
 namespace {
@@ -34,16 +35,40 @@ std::vector<Piece> piecesOf(const SurfaceParticles& p, Reducer& all) {
 
 }  // namespace
 
+namespace {
+
+/// Takes the calm of surfels beside which another part came off.
+void openSeams(Surface& s, CellHalo& halo, const std::vector<std::uint64_t>& off, const PointBins& bins) {
+  Surfels& f = s.surfels;
+  refreshGhosts(halo, f, ColumnList{&f.part});
+  for (std::size_t i = 0; i < f.size(); i++) {
+    if (!std::binary_search(off.begin(), off.end(), f.part[i])) continue;
+    bins.forEachWithin(f.position[i], 2 * s.spacing, [&](std::uint32_t j, double) {
+      if (f.part[j] == f.part[i]) return;
+      if (j < f.owned) f.calm[j] = 0;
+      if (i < f.owned) f.calm[i] = 0;
+    });
+  }
+}
+
+}  // namespace
+
 void splitComponents(World& w, SurfaceHalos halos, ComponentTools& t) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
   SurfaceParticles& p = s.particles;
   const std::vector<Piece>& pieces = t.pieces = piecesOf(p, halos.all);
+  std::vector<std::uint64_t> off;
   for (std::size_t k = 1, first = 0; k < pieces.size(); k++) {
     if (pieces[k].from != pieces[first].from) first = k;
     if (k == first || pieces[k].from == noComponent || s.lastStep < 0) continue;  // fresh ones, and pieces of a body at the start, were never one
     s.counters.splits++;
     s.events.push_back({w.clock.step, w.clock.time, false, pieces[first].part, pieces[k].part});
+    off.push_back(pieces[k].part);
+  }
+  if (!off.empty()) {
+    std::sort(off.begin(), off.end());
+    openSeams(s, halos.surfels, off, t.surfelBins);
   }
   for (std::size_t i = 0; i < p.owned; i++) p.component[i] = p.part[i];
   t.dead.assign(f.owned, 0);

@@ -13,7 +13,7 @@ double weight(double r2, double h2) {
 }
 
 /// Displacement and its gradient at a surfel.
-struct Carry { Vec3d move{}; Mat3d gradient{}; double weight = 0; };
+struct Carry { Vec3d move{}; Mat3d gradient{}; double weight = 0, liquid = 0, temperature = 0; };
 
 Carry carryAt(const SurfaceParticles& p, const Bins& bins, const Vec3d& x, std::uint64_t component, double h) {
   Carry c;
@@ -27,12 +27,28 @@ Carry carryAt(const SurfaceParticles& p, const Bins& bins, const Vec3d& x, std::
     c.weight += w;
     c.move += w * (p.displacement[j] + p.gradient[j] * d);
     c.gradient = c.gradient + w * p.gradient[j];
+    if (p.liquid.active) c.liquid += w * static_cast<double>(p.liquid[j]);
+    if (p.temperature.active) c.temperature += w * static_cast<double>(p.temperature[j]);
   });
   if (c.weight > 0) {
     c.move = c.move / c.weight;
     c.gradient = (1 / c.weight) * c.gradient;
+    c.liquid /= c.weight;
+    c.temperature /= c.weight;
   }
   return c;
+}
+
+/// Magnitude of Green's strain, 1: none where a body turns.
+double strainOf(const Mat3d& g) {
+  double sum = 0;
+  for (int a = 0; a < 3; a++)
+    for (int b = 0; b < 3; b++) {
+      double e = g.row[a][b] + g.row[b][a];
+      for (int k = 0; k < 3; k++) e += g.row[k][a] * g.row[k][b];
+      sum += 0.25 * e * e;
+    }
+  return std::sqrt(sum);
 }
 
 /// Turns the tangents with the gradient of the displacement; false where they become one line: the frame is kept.
@@ -79,6 +95,8 @@ std::vector<std::uint32_t> followNeighbours(World& w, SurfaceHalos halos, Surfac
 void findDisplacementGradients(World& w, SurfaceHalos halos, SurfaceTools& t) {
   SurfaceParticles& p = w.surface.particles;
   ColumnList columns{&p.id, &p.position, &p.displacement, &p.component};
+  if (p.liquid.active) columns.push_back(&p.liquid);
+  if (p.temperature.active) columns.push_back(&p.temperature);
   addGhosts(halos.particles, p, w.surface.particleCells, columns);
   const double h = w.grid.support, h2 = h * h;
   const Vec3d reach{h, h, h};
@@ -117,8 +135,15 @@ void displaceSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
     const Carry c = carryAt(p, t.relax.particleBins, s.position[i], s.component[i], w.surface.particleSupport);
     s.moving[i] = !(c.weight > 0);
     s.carried[i] = c.move;
-    if (s.moving[i]) told[0]++;
-    else if (!turnFrame(c.gradient, s.normal[i], s.tangent[i])) told[1]++;
+    if (s.moving[i]) {
+      told[0]++;
+      s.calm[i] = 0;
+      continue;
+    }
+    if (!turnFrame(c.gradient, s.normal[i], s.tangent[i])) told[1]++;
+    s.calm[i] = std::max(0.0f, s.calm[i] - static_cast<float>(strainOf(c.gradient)));
+    if (s.liquid.active) s.liquid[i] = static_cast<float>(c.liquid);
+    if (s.temperature.active) s.temperature[i] = static_cast<float>(c.temperature);
   }
   halos.all.sum(told);
   count.keptNormals += told[1];

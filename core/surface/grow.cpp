@@ -76,6 +76,16 @@ void patchAround(const World& w, const SurfaceTools& t, std::size_t i, std::vect
   }
 }
 
+/// Takes the calm of the surfels around those marked with 2. Needs placed surfels.
+void openAround(Surface& s, CellHalo& halo, SurfaceTools& t, const std::vector<std::uint8_t>& dead) {
+  Surfels& f = s.surfels;
+  for (std::size_t i = 0; i < f.owned; i++) f.wish[i] = dead[i] == 2;
+  addGhosts(halo, f, s.surfelCells, ColumnList{&f.id, &f.position, &f.wish});
+  fillBins(s.grid, s.surfelCells, f.position.data(), 2 * s.spacing, t.relax.surfelBins);
+  disturbAround(f, t.relax.surfelBins, {f.wish.data(), f.wish.data() + f.size()}, s.spacing);
+  f.resize(f.owned, 0);
+}
+
 }  // namespace
 
 void growSurfels(World& w, SurfaceHalos halos, SurfaceTools& t, const std::function<bool(std::size_t)>& bare) {
@@ -134,8 +144,10 @@ void renewSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
     }
     if (keepsDetail(f, i)) continue;
     const FieldHere c = colourAt(w, t, f.component[i], f.position[i]);
-    if (std::abs(c.value - c.level) > offSurface) dead[i] = 1, gone++;
+    if (std::abs(c.value - c.level) > offSurface) dead[i] = 2, gone++;
   }
+  halos.all.sum({&gone, 1});
+  if (gone > 0) openAround(s, halos.surfels, t, dead);
   dropSurfels(s, dead);
   std::vector<SurfelRow> rows;
   for (std::size_t i = 0; i < p.owned; i++)
@@ -145,7 +157,6 @@ void renewSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
     const SurfaceComponent* c = findComponent(s, p.component[i]);
     return c && c->surfels == 0 && c->particles > smallDrop;
   });
-  halos.all.sum({&gone, 1});
   s.counters.deaths += gone;
 }
 

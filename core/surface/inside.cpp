@@ -1,5 +1,6 @@
 #include "core/surface/inside.hpp"
 
+#include <limits>
 #include <tuple>
 
 namespace thaw {
@@ -49,10 +50,38 @@ void findSides(const Surfels& f, const PointBins& bins, const Vec3d& x, std::uin
                std::vector<SurfaceSide>& sides) {
   t.near.clear();
   sides.clear();
-  bins.forEachWithin(x, reach, [&](std::uint32_t j, double) {
-    if ((f.component[j] != label) == others) t.near.push_back({f.component[j], std::sqrt(viewOf(f, j, x).d2), f.id[j], j});
+  t.seen.clear();
+  t.groups.clear();
+  double largest = 0;
+  std::uint32_t group = 0;
+  bins.forEachWithin(x, reach, [&](std::uint32_t j, double d2) {
+    const std::uint64_t c = f.component[j];
+    if ((c != label) != others) return;
+    if (t.groups.empty() || t.groups[group].component != c) {
+      for (group = 0; group < t.groups.size() && t.groups[group].component != c;) group++;
+      if (group == t.groups.size()) t.groups.push_back({c, d2});
+    }
+    t.groups[group].d2 = std::min(t.groups[group].d2, d2);
+    largest = std::max(largest, f.radius[j]);
+    t.seen.push_back({j, group, d2});
   });
-  if (t.near.empty()) return;
+  if (t.seen.empty()) return;
+  // what sideOf asks is a radius farther at most than the nearest disc, and that no farther than the nearest middle; a disc reaches discShare
+  for (InsideTools::Group& g : t.groups) {
+    const double far = (1 + 1e-9) * (std::sqrt(g.d2) + (1 + discShare) * largest);
+    g.d2 = far * far;
+  }
+  for (const InsideTools::Seen& n : t.seen)
+    if (n.d2 <= t.groups[n.group].d2) t.near.push_back({t.groups[n.group].component, std::sqrt(viewOf(f, n.row, x).d2), f.id[n.row], n.row});
+  for (InsideTools::Group& g : t.groups) g.d2 = std::numeric_limits<double>::infinity();
+  std::size_t kept = 0;
+  for (const InsideTools::Candidate& c : t.near)
+    for (InsideTools::Group& g : t.groups)
+      if (g.component == c.component) g.d2 = std::min(g.d2, c.distance);
+  for (const InsideTools::Candidate& c : t.near)
+    for (const InsideTools::Group& g : t.groups)
+      if (g.component == c.component && c.distance <= g.d2 + largest) t.near[kept++] = c;
+  t.near.resize(kept);
   std::sort(t.near.begin(), t.near.end(), [](const InsideTools::Candidate& a, const InsideTools::Candidate& b) {
     return std::tie(a.component, a.distance, a.id) < std::tie(b.component, b.distance, b.id);
   });

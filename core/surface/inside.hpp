@@ -29,7 +29,17 @@ struct InsideTools {
     std::uint64_t id;
     std::uint32_t row;
   };
+  struct Seen {
+    std::uint32_t row, group;  // group: of its component
+    double d2;                 // to the middle of the disc
+  };
+  struct Group {
+    std::uint64_t component;
+    double d2;                 // of the nearest middle
+  };
   std::vector<Candidate> near;
+  std::vector<Seen> seen;
+  std::vector<Group> groups;
 };
 
 /// The sides of components within `reach` (m) of x, ascending by label; others: of all but component `label`, else of that alone. `bins` are of the surfels, ghosts included.

@@ -49,7 +49,9 @@ void offsetToVolume(Surface& s, double keepVolume) {
   for (std::size_t i = 0; i < f.owned; i++) {
     if (!c || c->label != f.component[i]) c = findComponent(s, f.component[i]);
     if (!c || !kept(s, *c)) continue;
-    f.position[i] += std::clamp(keepVolume * (c->wantedVolume - c->volume) / c->area, -longest, longest) * f.normal[i];
+    const double move = std::clamp(keepVolume * (c->wantedVolume - c->volume) / c->area, -longest, longest);
+    f.position[i] += move * f.normal[i];
+    f.calm[i] = std::max(0.0f, f.calm[i] - static_cast<float>(std::abs(move) / f.radius[i]));
   }
 }
 

@@ -86,6 +86,9 @@ template<class Rows, class F> void forEachNearOthers(const Rows& rows, const Cel
   }
 }
 
+/// How far surfaces are seen from others, m: what comes closer from update to update is met long before it is that deep.
+double meetingReach(const World& w) { return std::min(w.surface.particleSupport, std::max(2 * w.scene.spacing, 4 * w.surface.spacing)); }
+
 /// What a part of the last split was before; noComponent of fresh ones and of parts of several.
 std::uint64_t before(const ComponentTools& c, std::uint64_t label) {
   std::uint64_t from = noComponent;
@@ -100,7 +103,7 @@ std::vector<Pair> meetingPairs(const World& w, Reducer& all, const ComponentTool
   std::vector<Pair> pairs;
   if (w.scene.surface.merge != MergeRule::None)
     forEachNearOthers(p, s.particleCells, one, [&](std::uint32_t i) {
-      findSides(s.surfels, c.surfelBins, p.position[i], p.component[i], true, s.particleSupport, t.inside, t.sides);
+      findSides(s.surfels, c.surfelBins, p.position[i], p.component[i], true, meetingReach(w), t.inside, t.sides);
       for (const SurfaceSide& side : t.sides) {
         if (side.distance >= 0 || side.asked < leastAsked) continue;
         const bool liquid = side.liquid > 0.5 || (p.liquid.active && p.liquid[i] > 0.5f);
@@ -128,13 +131,15 @@ std::vector<Pair> meetingPairs(const World& w, Reducer& all, const ComponentTool
 void judgeSurfel(const World& w, std::uint32_t i, const Joined& joined, ComponentTools& c, MergeTools& t) {
   const Surface& s = w.surface;
   const Surfels& f = s.surfels;
-  findSides(f, c.surfelBins, f.position[i], f.component[i], true, s.particleSupport, t.inside, t.sides);
+  findSides(f, c.surfelBins, f.position[i], f.component[i], true, meetingReach(w), t.inside, t.sides);
   Vec3d push{};
   for (const SurfaceSide& side : t.sides) {
     if (side.asked < leastAsked) continue;
     if (joined.of(side.component) == joined.of(f.component[i])) {
       if (side.distance < 0.5 * s.spacing) c.dead[i] = 1;
+      if (side.distance < 3 * s.spacing) t.open[i] = 1;  // beside those that die
     } else if (side.distance < 0) {
+      t.open[i] = 1;
       push += std::min(-0.5 * side.distance, w.scene.spacing) * side.normal;  // the other side does as much
     }
   }
@@ -159,8 +164,11 @@ void mergeComponents(World& w, SurfaceHalos halos, ComponentTools& c, MergeTools
   }
   c.dead.assign(f.owned, 0);
   t.moved.assign(f.position.data(), f.position.data() + f.owned);
+  t.open.assign(f.owned, 0);
   forEachNearOthers(f, s.surfelCells, one, [&](std::uint32_t i) { judgeSurfel(w, i, joined, c, t); });
   std::copy(t.moved.begin(), t.moved.end(), f.position.data());
+  for (std::size_t i = 0; i < f.owned; i++)
+    if (t.open[i]) f.calm[i] = 0;
   if (!pairs.empty()) {
     for (std::size_t i = 0; i < f.owned; i++) f.component[i] = joined.of(f.component[i]);
     for (std::size_t i = 0; i < p.owned; i++) p.component[i] = joined.of(p.component[i]);

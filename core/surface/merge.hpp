@@ -11,6 +11,7 @@ struct MergeTools {
   InsideTools inside;
   std::vector<SurfaceSide> sides;
   std::vector<Vec3d> moved;
+  std::vector<std::uint8_t> open;  ///< surfels that resampling is to look at
 };
 
 /// Joins components of which at least one has a particle inside the other's surface, as the scene's rule allows: Liquid where the particle

@@ -113,6 +113,11 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
   readyParticles(w, halos, t);
   lap(r.times.ready);
   f.resize(f.owned, 0);
+  std::int64_t free[1] = {0};
+  for (std::size_t i = 0; i < f.owned; i++) free[0] += all || (f.liquid.active && f.liquid[i] > 0);
+  halos.all.sum(free);
+  if (free[0] == 0) return {0, true};
+  if (all) std::fill_n(f.calm.data(), f.owned, 0.0f);  // in an update, blendSurfels sees how far they went
   f.activate(f.moving);
   for (std::size_t i = 0; i < f.owned; i++) f.moving[i] = all || (f.liquid.active && f.liquid[i] > 0);
   // a surfel may move by half the margin before lists are stale; the cells of the grid leave room for half a spacing of the particles

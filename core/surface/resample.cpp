@@ -8,6 +8,8 @@
 #include "core/surface/adapt_density.hpp"
 #include "core/surface/births.hpp"
 #include "core/surface/empty_place.hpp"
+#include "core/surface/grow.hpp"
+#include "core/surface/measure.hpp"
 #include "core/surface/place_rows.hpp"
 #include "core/surface/sample_mesh.hpp"
 #include "core/surface/update_surface.hpp"
@@ -15,7 +17,7 @@
 namespace thaw {
 namespace {
 
-enum Wish : std::uint8_t { Birth = 1, Crowded = 2, Champion = 4 };  // Champion: comes before all that are too close to it
+enum Wish : std::uint8_t { Birth = 1, Crowded = 2, Champion = 4, Dies = 8 };  // Champion: comes before all that are too close to it
 
 constexpr double border = 3.6;  // rad: 206 degrees
 
@@ -27,11 +29,14 @@ struct Round {
   const BirthPlace& mayBe;
   std::vector<std::uint64_t> birthOrder{}, deathOrder{};  ///< of all rows, ghosts too
   std::vector<float> closest{};                           ///< of owned rows
+  std::vector<std::uint32_t> going{};
+  std::vector<std::uint8_t> open{};                       ///< of all rows: it is looked at in this round
 
   void drawOrder() {
     birthOrder.resize(s.size());
     deathOrder.resize(s.size());
     for (std::size_t i = 0; i < s.size(); i++) {
+      if (!open[i]) continue;
       birthOrder[i] = randomBits(seed, Purpose::SurfelBirth, s.id[i], salt);
       deathOrder[i] = randomBits(seed, Purpose::SurfelDeath, s.id[i], salt);
     }
@@ -44,21 +49,24 @@ struct Round {
     for (std::size_t i = 0; i < s.owned; i++) {
       s.wish[i] = 0;
       s.offer[i] = {};
+      if (!open[i]) continue;
       const double circle = std::min(3 * s.radius[i], reach);
       patch.gather(s, i, lists, circle);
       const Crowding c = crowdingOf(patch, circle);
       closest[i] = static_cast<float>(c.closest);
       bool first = true;
-      for (const std::uint32_t j : patch.rows) first = first && !(tooClose(s, i, j, c.closest) && before(deathOrder, j, i));
+      for (const std::uint32_t j : patch.rows) first = first && !(tooClose(s, i, j, c.closest) && (!open[j] || before(deathOrder, j, i)));
       if (first) s.wish[i] |= Champion;
       if (c.crowded) {
         s.wish[i] |= Crowded;
         continue;
       }
+      s.calm[i] = calmFor;
       patch.fitCurvature();
       std::optional<SurfacePoint> place = emptyPlace(patch, (c.thin ? emptyAtThin : emptyAt) * s.radius[i]);
       if (!place) continue;
       const bool beyond = widestGap(patch, *place, 2 * s.radius[i]) > border;
+      s.calm[i] = 0;  // a rim stays under observation: the body may go on there
       if (mayBe ? !mayBe(i, *place, beyond) || taken(i, *place) : beyond) continue;
       s.wish[i] |= Birth;
       s.offer[i] = place->position - s.position[i];
@@ -100,7 +108,7 @@ struct Round {
     if (!(s.wish[i] & Crowded)) return false;
     for (std::uint64_t k = lists.first[i]; k < lists.first[i + 1]; k++) {
       const std::uint32_t j = lists.row[k];
-      if ((s.wish[j] & Champion) && s.component[j] == s.component[i] && dot(s.normal[j], s.normal[i]) > oneSide && tooClose(s, i, j, static_cast<double>(closest[i])) &&
+      if ((!open[j] || (s.wish[j] & Champion)) && s.component[j] == s.component[i] && dot(s.normal[j], s.normal[i]) > oneSide && tooClose(s, i, j, static_cast<double>(closest[i])) &&
           (!(s.wish[j] & Crowded) || before(deathOrder, j, i)))
         return true;
     }
@@ -126,7 +134,40 @@ std::uint64_t saltOf(const World& w, const Resampled& done, std::int64_t round) 
   return randomBits(w.scene.seed, Purpose::SurfelSample, static_cast<std::uint64_t>(w.clock.step), static_cast<std::uint64_t>(births) << 8 | static_cast<std::uint64_t>(round));
 }
 
+/// Without adaption: radii go back to the wanted one (surfels of a small drop, whose are smaller, may be of a large body now).
+void relaxRadii(Surface& surface) {
+  Surfels& s = surface.surfels;
+  for (std::size_t i = 0; i < s.owned; i++) {
+    const double off = surface.spacing - s.radius[i];
+    if (!(std::abs(off) > 0.1 * s.radius[i])) continue;
+    const SurfaceComponent* c = findComponent(surface, s.component[i]);
+    if (c && c->particles <= smallDrop) continue;
+    s.radius[i] += 0.5 * off;
+    s.calm[i] = 0;
+  }
+}
+
+std::int64_t countOpen(const Surfels& s, Reducer& all) {
+  std::int64_t open[1] = {std::count_if(s.calm.data(), s.calm.data() + s.owned, [](float calm) { return !(calm > 0); })};
+  all.sum(open);
+  return open[0];
+}
+
 }  // namespace
+
+void disturbAround(Surfels& s, const Bins& bins, const std::vector<std::uint8_t>& marked, double spacing) {
+  const double far = 2 * spacing;
+  const Vec3d reach{far, far, far};
+  for (std::size_t i = 0; i < s.size(); i++) {
+    if (!marked[i]) continue;
+    const Vec3d x = s.position[i];
+    forRowsInBox(bins, x - reach, x + reach, [&](std::uint32_t j) {
+      if (j >= s.owned) return;
+      const Vec3d d = s.position[j] - x;
+      if (dot(d, d) < 4 * s.radius[j] * s.radius[j]) s.calm[j] = 0;
+    });
+  }
+}
 
 Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t rounds, const BirthPlace& mayBe) {
   Surface& surface = w.surface;
@@ -134,19 +175,34 @@ Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t r
   const double reach = std::min({3 * surface.spacing, surface.grid.edge.x, surface.grid.edge.y, surface.grid.edge.z});
   Resampled done;
   std::int64_t cap = -1;
+  s.resize(s.owned, 0);
+  const bool adapt = w.scene.surface.adapt > 0;
+  if (!adapt) relaxRadii(surface);
   for (std::int64_t round = 0; round < rounds && !done.finished && !done.capped; round++) {
+    if (!(adapt && round == 0) && countOpen(s, halos.all) == 0) {
+      done.finished = true;
+      break;
+    }
     placeRows(surface.grid, halos.surfels, s, surface.surfelCells, t.sort);
     addGhosts(halos.surfels, s, surface.surfelCells,
-              ColumnList{&s.id, &s.position, &s.normal, &s.radius, &s.component, &s.colour, &s.detail, &s.liquid, &s.temperature});
-    findRows(surface.grid, surface.surfelCells, s.position.data(), s.owned, surface.surfelCells, s.position.data(), reach, true, t.surfelsOf);
+              ColumnList{&s.id, &s.position, &s.normal, &s.radius, &s.component, &s.colour, &s.detail, &s.calm, &s.liquid, &s.temperature});
+    fillBins(surface.grid, surface.surfelCells, s.position.data(), 0.5 * reach, t.relax.surfelBins);
     Round r{s, t.surfelsOf, reach, w.scene.seed, saltOf(w, done, round), mayBe};
-    if (round == 0) adaptDensity(surface, halos.surfels, t.surfelsOf, reach, w.scene.surface.adapt > 0 ? w.scene.surface.adapt * surface.spacing : surface.spacing);
+    if (adapt && round == 0) {
+      r.open.assign(s.size(), 1);
+      findRows(t.relax.surfelBins, s.position.data(), s.owned, r.open, reach, t.surfelsOf);
+      adaptDensity(surface, halos.surfels, t.surfelsOf, reach, w.scene.surface.adapt * surface.spacing);
+    }
+    r.open.resize(s.size());
+    for (std::size_t i = 0; i < s.size(); i++) r.open[i] = !(s.calm[i] > 0);
+    if (!(adapt && round == 0)) findRows(t.relax.surfelBins, s.position.data(), s.owned, r.open, reach, t.surfelsOf);
     r.makeWishes();
     refreshGhosts(halos.surfels, s, ColumnList{&s.wish, &s.offer});
     std::vector<std::uint32_t> parents, stay;
     for (std::uint32_t i = 0; i < s.owned; i++) {
       if (r.givesBirth(i)) parents.push_back(i);
       if (!r.dies(i)) stay.push_back(i);
+      else r.going.push_back(i);
     }
     std::array<std::int64_t, 3> count{static_cast<std::int64_t>(s.owned), static_cast<std::int64_t>(parents.size()), static_cast<std::int64_t>(s.owned - stay.size())};
     halos.all.sum(count);
@@ -158,6 +214,13 @@ Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t r
       count[1] = static_cast<std::int64_t>(parents.size());
       halos.all.sum({&count[1], 1});
       done.capped = true;
+    }
+    if (count[2] > 0) {  // what they covered may be open now
+      for (const std::uint32_t i : r.going) s.wish[i] |= Dies;
+      refreshGhosts(halos.surfels, s, ColumnList{&s.wish});
+      std::vector<std::uint8_t> gone(s.size());
+      for (std::size_t i = 0; i < s.size(); i++) gone[i] = (s.wish[i] & Dies) != 0;
+      disturbAround(s, t.relax.surfelBins, gone, surface.spacing);
     }
     done.births += count[1];
     done.deaths += count[2];

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "core/halo/surface_halos.hpp"
+#include "core/surface/bins.hpp"
 #include "core/surface/local_surface.hpp"
 #include "core/world.hpp"
 
@@ -21,6 +22,9 @@ struct Resampled {
 /// holes for R > 2 r.)
 inline constexpr double neighboursPerArea = 3.6276;
 inline constexpr double tooMany = 1.5, tooFew = 0.6;  ///< times the law
+/// A surfel that resampling has found in order is looked at again after this much strain and moves in radii (Surfels::calm): it and its
+/// neighbour may each have come so far, and a hole of emptyAt is still none of more than a radius.
+inline constexpr float calmFor = 0.1f;
 inline constexpr double emptyAt = 0.8, emptyAtThin = 0.65, crowdedAt = 0.5, crowdedAtMany = 0.7;  ///< of the radius r_s of the surfel
 
 /// May surfel i (a row) have a birth at this point? border: there are no surfels on its other side, so that it follows from nothing but
@@ -33,11 +37,15 @@ using BirthPlace = std::function<bool(std::size_t i, SurfacePoint& p, bool borde
 ///   that. Where there are less than tooFew times the neighbours of the area law, the circle is that of emptyAtThin;
 /// - those closer than crowdedAt radii to one that comes first (by a hash) die; likewise those closer than crowdedAtMany where there are
 ///   more than tooMany times the neighbours of the area law.
-/// Births are never closer than what lets one die, so that a surface at rest comes to rest. New surfels take component, colour, detail,
+/// Births are never closer than what lets one die, so that a surface at rest comes to rest. Only surfels without calm are looked at: those whose
+/// surroundings deform, are born, or border on what died or on an open rim; those that keep calm come before the others. New surfels take component, colour, detail,
 /// temperature, liquid fraction from around them. Births are where mayBe
 /// allows, or without it between surfels, not past a border; no more than birthCap() in one call.
 /// Surfels may be anywhere, in any order; at the end they are placed, without ghosts. Tools: sort, surfelsOf. Collective.
 Resampled resample(World& world, SurfaceHalos halos, SurfaceTools& tools, std::int64_t rounds, const BirthPlace& mayBe = {});
+
+/// Takes the calm of all owned surfels around (within two of their radii) the marked rows (owned and ghosts), of a table with ghosts in bins.
+void disturbAround(Surfels& surfels, const Bins& bins, const std::vector<std::uint8_t>& marked, double spacing);
 
 /// Births that one call may do with this many surfels on all ranks.
 inline std::int64_t birthCap(std::int64_t surfels) { return 2000 + surfels; }

@@ -1,22 +1,21 @@
-// Neighbours of rows of one table among the rows of another, or the same: surfels around surfels, particles around surfels.
+// Neighbours of rows of a table among all its rows: surfels around surfels.
 #pragma once
 #include <cstdint>
 #include <vector>
 
 #include "core/math/vec3.hpp"
-#include "core/neighbours/grid.hpp"
+#include "core/surface/bins.hpp"
 
 namespace thaw {
 
-/// Neighbours of owned row i: row[first[i]] ... row[first[i + 1] - 1], in the order of the 27 cells (z, y, x ascending) and by id within.
+/// Neighbours of owned row i: row[first[i]] ... row[first[i + 1] - 1], in the order of bins.
 struct RowLists {
   std::vector<std::uint64_t> first;
   std::vector<std::uint32_t> row;
 };
 
-/// Rows of `to` (sorted by (cell, id), ghosts included) within `radius` (m, at most the grid's edge) of each of the first `owned` rows of
-/// `from`, which lie in cells of the same grid on this rank. A row is not its own neighbour where both are one table (same == true).
-void findRows(const CellGrid& grid, const CellTable& fromCells, const Vec3d* from, std::size_t owned, const CellTable& toCells, const Vec3d* to, double radius,
-              bool same, RowLists& lists);
+/// Rows (of the bins' table, ghosts included) within `radius` (m) of each of the first `owned` rows that is wanted; the others have none. A row is not
+/// its own neighbour.
+void findRows(const Bins& bins, const Vec3d* position, std::size_t owned, const std::vector<std::uint8_t>& wanted, double radius, RowLists& lists);
 
 }  // namespace thaw

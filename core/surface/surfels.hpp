@@ -20,6 +20,7 @@ struct Surfels : Table {
   Column<float> detail{*this, "detail", "1", Keep::State, "height of the mesh's detail that the surfel still carries, 1 at the start, 0 where it has melted"};
   Column<float> liquid{*this, "liquid", "1", Keep::State, "liquid fraction of the particles around: the share of the surface update (K05 4.5)"};
   Column<float> temperature{*this, "temperature", "K", Keep::State, "of the particles around; only with heat"};
+  Column<float> calm{*this, "calm", "1", Keep::State, "strain and moves in radii that it may still undergo before resampling looks at its surroundings; 0: at once"};
   Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort"};
   Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now"};
   // of the update under way: active within it only, so that they are in no checkpoint
@@ -33,7 +34,7 @@ struct Surfels : Table {
   Column<double> area{*this, "area", "m^2", Keep::Transient, "its own share of the surface, at the end of an update"};
   // of resampling
   Column<double> wanted{*this, "wanted", "m", Keep::Transient, "radius that curvature asks for"};
-  Column<std::uint8_t> wish{*this, "wish", "1", Keep::Transient, "bits: 1 a new surfel beside it, 2 one is too close, 4 it comes before all that are"};
+  Column<std::uint8_t> wish{*this, "wish", "1", Keep::Transient, "bits: 1 a new surfel beside it, 2 one is too close, 4 it comes before all that are, 8 it goes"};
   Column<Vec3d> offer{*this, "offer", "m", Keep::Transient, "from it to the place of the new surfel"};
   Column<Vec3d> offerNormal{*this, "offerNormal", "1", Keep::Transient, "of the surface there"};
 };

@@ -47,24 +47,36 @@ void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
 
 void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
+  t.times.start();
   balanceSurface(w, halos, t, false);
   gatherParticles(w, halos.all.rank());
   placeAll(s, halos, t);
+  t.times.lap(SurfacePhase::Place);
   findDisplacementGradients(w, halos, t);
   displaceSurfels(w, halos, t);
+  t.times.lap(SurfacePhase::Displacement);
   bringParticlesForward(s);
   placeAll(s, halos, t);
+  t.times.lap(SurfacePhase::Place);
   splitAndMerge(w, halos, t);     // before resampling, which closes seams
-  sampleFields(w, halos, t);
+  t.times.lap(SurfacePhase::Components);
+  readyParticles(w, halos, t);
+  t.times.lap(SurfacePhase::Fields);
   renewSurfels(w, halos, t);
+  t.times.lap(SurfacePhase::Growth);
   resampleOnParticles(w, halos, t, 8);
+  t.times.lap(SurfacePhase::Resampling);
   const Settled settled = settle(w, halos, t, forceWeights(w.scene.surface), w.scene.surface.iterations, false);
   s.counters.iterations += settled.iterations;
   s.counters.unfinished += !settled.finished;
   blendSurfels(w);
+  t.times.lap(SurfacePhase::Iterations);
   resampleOnParticles(w, halos, t, 4);
+  t.times.lap(SurfacePhase::Resampling);
   measureSurface(w, halos, t);
+  t.times.lap(SurfacePhase::Measures);
   returnParticles(w, halos);
+  t.times.lap(SurfacePhase::Place);
   s.counters.updates++;
   s.lastStep = w.clock.step;
 }

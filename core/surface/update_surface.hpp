@@ -5,6 +5,7 @@
 #include "core/neighbours/sort.hpp"
 #include "core/surface/relax_tools.hpp"
 #include "core/surface/row_lists.hpp"
+#include "core/surface/surface_times.hpp"
 #include "core/surface/update_components.hpp"
 #include "core/world.hpp"
 
@@ -14,9 +15,10 @@ namespace thaw {
 struct SurfaceTools {
   SortBuffers sort;
   MeshLoader load;                  ///< of the bodies' meshes; set before startSurface
-  RowLists particlesOf, surfelsOf;  ///< of the owned surfels: particles within h_ps, surfels within h_ss
+  RowLists surfelsOf;               ///< surfels around the owned ones that resampling looks at
   TopologyTools topology;
   RelaxTools relax;                 ///< of displacement and iterations
+  SurfaceTimes times;               ///< of all updates of this process; the start is not in them
 };
 
 /// The first surface, of the bodies at their start. Needs Surface without surfels and particles in place. Collective.

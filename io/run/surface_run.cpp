@@ -61,6 +61,8 @@ void gatherSurface(Run& r) {
   double seconds = r.tools.times[StepPhase::Surface];
   r.all.sum({&surfels, 1});
   r.all.maximum({&seconds, 1});
+  s.phases = r.surfaceTools.times.seconds;
+  r.all.maximum(s.phases);
   s.there = true;
   s.surfels = surfels;
   s.seconds = seconds;

@@ -24,6 +24,8 @@ double volumeOf(const SurfaceSummary& s) {
 Json surfaceJson(const SurfaceSummary& s) {
   Json j = {{"surfels", s.surfels}, {"spacing_m", s.spacing}, {"last_update_step", s.lastStep}, {"updates_of_this_process", s.updatesHere},
             {"seconds_per_update", s.updatesHere > 0 ? s.seconds / static_cast<double>(s.updatesHere) : 0}};
+  if (s.updatesHere > 0)
+    for (std::size_t k = 0; k < surfacePhases; k++) j["seconds_per_update_by_phase"][phaseName(static_cast<SurfacePhase>(k))] = s.phases[k] / static_cast<double>(s.updatesHere);
   SurfaceCounters counters = s.counters;
   for (const NamedCount& c : countsOf(counters)) j["counters"][c.name] = *c.count;
   j["components"] = Json::array();
@@ -49,6 +51,12 @@ std::vector<std::string> surfaceLines(const SurfaceSummary& s) {
   const SurfaceCounters& c = s.counters;
   std::vector<std::string> lines{fmt::format("surface: {} surfels, {} updates with {} iterations, {} births, {} deaths, {} splits, {} merges; {:.3g} s an update", s.surfels, c.updates, c.iterations,
                                              c.births, c.deaths, c.splits, c.merges, s.updatesHere > 0 ? s.seconds / static_cast<double>(s.updatesHere) : 0)};
+  if (s.updatesHere > 0) {
+    std::string line = "  of an update:";
+    for (std::size_t k = 0; k < surfacePhases; k++)
+      line += fmt::format("{} {} {:.3g} ms", k > 0 ? "," : "", phaseName(static_cast<SurfacePhase>(k)), 1e3 * s.phases[k] / static_cast<double>(s.updatesHere));
+    lines.push_back(line);
+  }
   std::vector<SurfaceComponent> largest = s.components;
   std::stable_sort(largest.begin(), largest.end(), [](const SurfaceComponent& a, const SurfaceComponent& b) { return a.particles > b.particles; });
   for (std::size_t k = 0; k < std::min(mostLines, largest.size()); k++)

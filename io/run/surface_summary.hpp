@@ -1,10 +1,12 @@
 // The surface of a run in summary.json, progress lines and the lines at the end.
 #pragma once
+#include <array>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "core/surface/surface.hpp"
+#include "core/surface/surface_times.hpp"
 
 namespace thaw {
 
@@ -15,6 +17,7 @@ struct SurfaceSummary {
   std::int64_t lastStep = -1;       ///< of the last update
   std::int64_t updatesHere = 0;     ///< by this process
   double seconds = 0;               ///< of them, largest of a rank
+  std::array<double, surfacePhases> phases{};  ///< s, of them by phase, largest of a rank
   SurfaceCounters counters;
   std::vector<SurfaceComponent> components;
   std::vector<SurfaceEvent> events;
