@@ -8,7 +8,8 @@
 namespace thaw {
 
 /// Sums over particles, by channel. u = 1 - (r/h_ps)^2, d from the particle to the surfel in units of the grid's support radius.
-enum ParticleSum { Colour, SmoothColour, Gradient, Attraction = Gradient + 3, particleSums = Attraction + 3 };
+/// Near: u with nearSupport (level_table.hpp) in place of h_ps.
+enum ParticleSum { Colour, SmoothColour, Gradient, Attraction = Gradient + 3, Near = Attraction + 3, particleSums };
 /// Sums over surfels. Plane: Mean (d) and Moment (d d^T) for the plane of the neighbours; sphere: Height and Normal.
 enum SurfelSum { Weight, Height, Normal, Mean = Normal, Repulsion = Normal + 3, Crowd = Repulsion + 3, Stirred, Coincident, Moment, sphereSums = Moment, planeSums = Moment + 6 };
 
@@ -26,6 +27,7 @@ struct ForceSums {
   const std::uint32_t* groups = nullptr;  ///< to work on
   std::size_t groupCount = 0;
   float perParticleSupport2 = 0;          ///< 1 / h_ps^2
+  float perNearSupport2 = 0;              ///< 1 / nearSupport^2
   float support = 0;                      ///< h_ss over a surfel's radius
   float repelRange = 0;                   ///< surfels closer than this times the mean of their radii repel each other
   float sameSide = 0;                     ///< cosine of the angle of normals up to which neighbours are smoothed over

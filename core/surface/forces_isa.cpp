@@ -24,27 +24,30 @@ THAW_INLINE void store(float* to, int channel, const V& v) {
 }
 
 void overParticles(const ForceSums& in) {
-  const LanesF zero(0.0f), one(1.0f), perSupport2(in.perParticleSupport2);
+  const LanesF zero(0.0f), one(1.0f), perSupport2(in.perParticleSupport2), perNear2(in.perNearSupport2);
   for (std::size_t k = 0; k < in.groupCount; k++) {
     const std::size_t g = in.groups[k];
     const Lanes4<float> own = load(records(in.place), in.self + 8 * g);
-    LanesF colour(0.0f), smooth(0.0f);
+    LanesF colour(0.0f), smooth(0.0f), near(0.0f);
     V gradient{zero, zero, zero}, attraction{zero, zero, zero};
     for (std::uint64_t n = in.firstParticle[g]; n < in.firstParticle[g + 1]; n++) {
       const std::uint32_t j = in.particleRow[n];
       const Record<float>& p = records(in.particle)[j];
       const V d = apart(own, p);
-      const LanesF u = max(one - dot(d, d) * perSupport2, zero), u2 = u * u, v2 = LanesF(p.d) * u2, v3 = v2 * u;
+      const LanesF r2 = dot(d, d), u = max(one - r2 * perSupport2, zero), u2 = u * u, v2 = LanesF(p.d) * u2, v3 = v2 * u;
       colour += v3;
       smooth += u2 * u * LanesF(in.particleColour[j]);
       gradient += v2 * d;
       attraction += v3 * d;
+      const LanesF close = max(one - r2 * perNear2, zero);
+      near += close * close * close;
     }
     float* to = in.overParticles + 8 * particleSums * g;
     store(to, Colour, colour);
     store(to, SmoothColour, smooth);
     store(to, Gradient, gradient);
     store(to, Attraction, attraction);
+    store(to, Near, near);
   }
 }
 

@@ -11,17 +11,19 @@ FieldHere colourAt(const World& w, const SurfaceTools& t, std::uint64_t componen
   const double h = w.surface.particleSupport, h2 = h * h;
   const Vec3d reach{h, h, h};
   FieldHere c;
-  double mean = 0;
+  const double perNear2 = 1 / (nearSupport * nearSupport * w.scene.spacing * w.scene.spacing);
+  double mean = 0, near = 0;
   forRowsInBox(t.relax.particleBins, x - reach, x + reach, [&](std::uint32_t j) {
     const Vec3d d = x - p.position[j];
-    const double u = 1 - dot(d, d) / h2;
+    const double r2 = dot(d, d), u = 1 - r2 / h2, n = std::max(0.0, 1 - r2 * perNear2);
     if (!(u > 0) || p.component[j] != component) return;
     const double volume = static_cast<double>(t.relax.particle[4 * j + 3]);  // over that of the lattice sum
     c.value += volume * u * u * u;
+    near += n * n * n;
     mean += static_cast<double>(t.relax.particleColour[j]) * u * u * u;
     c.gradient -= d * (6 / h2 * volume * u * u);
   });
-  if (c.value > 0) c.level = t.relax.level.level(mean / c.value) * w.scene.surface.isoLevel / 0.5;
+  if (c.value > 0) c.tight = near < nearFull ? 0.5 : 1, c.level = tightened(t.relax.level.level(mean / c.value), near) * w.scene.surface.isoLevel / 0.5;
   return c;
 }
 
@@ -32,7 +34,7 @@ bool ontoIsoSurface(const World& w, const SurfaceTools& t, std::uint64_t compone
     const FieldHere c = colourAt(w, t, component, x);
     const double slope = length(c.gradient);
     if (!(slope * w.surface.particleSupport > 0.02)) return false;
-    const double step = std::clamp((c.level - c.value) / slope, -longest, longest);
+    const double step = std::clamp(c.tight * (c.level - c.value) / slope, -longest, longest);
     x += c.gradient * (step / slope);
     if (dot(x - start, x - start) > most * most) return false;
     if (std::abs(step) > enough) continue;

@@ -75,6 +75,8 @@ ForceSums sumsOf(const World& w, RelaxTools& r) {
   in.particleRow = r.lists.particle.data();
   const double h = s.particleSupport / s.grid.support;
   in.perParticleSupport2 = static_cast<float>(1 / (h * h));
+  const double narrow = nearSupport * w.scene.spacing / s.grid.support;
+  in.perNearSupport2 = static_cast<float>(1 / (narrow * narrow));
   in.support = static_cast<float>(w.scene.surface.support);
   in.repelRange = 1.5f;
   in.sameSide = 0.70710678f;

@@ -44,8 +44,9 @@ Smooth smoothToSphere(const SurfelSums& s) {
   return {-s.surfel(Height) / weight, sum / size, true};
 }
 
-/// Pushes a place out of walls and obstacles; the surface then lies on them.
-Vec3d outOfWalls(const World& w, Vec3d x) {
+/// Pushes a place out of walls and obstacles; the surface then lies on them, on the body's side: of thin ones (the bottom of a glass) the nearest
+/// way out may be the far side, where the surface would enclose the wall. `outward`: of the body there.
+Vec3d outOfWalls(const World& w, Vec3d x, const Vec3d& outward) {
   for (const Wall& wall : w.walls.list) {
     if (!wall.present) continue;
     const Vec3d rest = toRest(wall.pose, x);
@@ -55,7 +56,20 @@ Vec3d outOfWalls(const World& w, Vec3d x) {
     if (outside) continue;
     Vec3d n;
     const double d = wall.shape->distanceWithin(rest, w.grid.support, &n);
-    if (d < 0) x -= d * directionFromRest(wall.pose, n);
+    if (!(d < 0)) continue;
+    if (n = directionFromRest(wall.pose, n); dot(n, outward) <= 0.5) {
+      x -= d * n;
+      continue;
+    }
+    Vec3d back = x;  // into the body, until it is out of the wall
+    double inside = d, gone = 0;
+    for (const double longest = 2 * w.scene.spacing; inside < 0 && gone < longest;) {
+      const double step = 1e-3 * w.scene.spacing - inside;
+      gone += step;
+      back -= step * outward;
+      inside = wall.shape->distanceWithin(toRest(wall.pose, back), w.grid.support, nullptr);
+    }
+    x = inside < 0 ? x - d * n : back;
   }
   return x;
 }
@@ -97,7 +111,7 @@ double moveSurfel(World& w, const MoveContext& c, const SurfelSums& s, double pu
     known = slope * c.support > 1e-2 * colour;
     if (known) {
       outward = gradient / size;
-      const double fullness = s.particle(SmoothColour) / colour, level = c.level->level(fullness);
+      const double fullness = s.particle(SmoothColour) / colour, level = tightened(c.level->level(fullness), s.particle(Near));
       const double height = std::clamp((colour - c.isoScale * level) / slope, -c.longest, c.longest);
       force += c.weights.implicit * height * outward;
       if (c.weights.attract > 0) {  // beyond what the kernel's mean particle is from any surface, that the iso-surface may stay
@@ -146,7 +160,7 @@ double moveSurfel(World& w, const MoveContext& c, const SurfelSums& s, double pu
     const double inward = -dot(move, outward);
     if (inward < least) move -= (least - inward) * outward;
   }
-  const Vec3d x = outOfWalls(w, before + move);
+  const Vec3d x = outOfWalls(w, before + move, known ? outward : normal);
   f.position[i] = x;
   f.normal[i] = normal;
   Vec3d tangent = f.tangent[i] - dot(f.tangent[i], normal) * normal;
