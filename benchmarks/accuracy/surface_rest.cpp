@@ -98,12 +98,12 @@ std::vector<Figure> measureSheet(Trial& r) {
     area[up] += f.area;
   }
   const double thickness = area[0] > 0 && area[1] > 0 ? sum[1] / area[1] - sum[0] / area[0] : 0;
-  // holes are looked for where the faces are; away from the periodic sides, where the nearest surfels may be round the corner
+  // away from the periodic sides, where the nearest surfels may be round the corner
   std::vector<Vec3d> points;
   const int across = static_cast<int>(10 / s.spacing);
   for (int j = 0; j <= across; j++)
     for (int k = 0; k <= across; k++)
-      for (int side = -1; side <= 1; side += 2) points.push_back({0.8 * (2.0 * j / across - 1), 0.8 * (2.0 * k / across - 1), 0.5 * side * thickness});
+      for (int side = -1; side <= 1; side += 2) points.push_back({0.8 * (2.0 * j / across - 1), 0.8 * (2.0 * k / across - 1), side * half});
   const FromExact from = fromExact(cloud, points);
   std::vector<Figure> all{{"thickness", std::abs(thickness / (2 * half) - 1), bar(r, 0.01)},
                           {"volume", std::abs(surfaceVolume(r.world) / (8 * half) - 1), bar(r, 0.01)},

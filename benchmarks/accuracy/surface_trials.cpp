@@ -56,8 +56,9 @@ double meanNeighbours(const SurfelCloud& c, double radius) {
 FromExact fromExact(const SurfelCloud& c, const std::vector<Vec3d>& points) {
   FromExact f;
   for (const Vec3d& x : points) {
-    f.distance = std::max(f.distance, toDiscs(c, x));
-    f.hole = std::max(f.hole, toNearest(c, x));
+    const double off = toDiscs(c, x), near = toNearest(c, x);
+    f.distance = std::max(f.distance, off);
+    f.hole = std::max(f.hole, near < never ? std::sqrt(std::max(0.0, near * near - off * off)) : never);
   }
   return f;
 }

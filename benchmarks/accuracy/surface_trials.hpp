@@ -33,7 +33,8 @@ double toDiscs(const SurfelCloud& cloud, const Vec3d& x);
 /// Surfels within h_ss of a surfel, itself left out, in the mean.
 double meanNeighbours(const SurfelCloud& cloud, double radius);
 
-/// How far an exact surface, given by points on it, is from the discs, and how large the largest hole.
+/// How far an exact surface, given by points on it, is from the discs, and how far from a point the nearest surfel's middle is along the surface
+/// at the most: more than r_s is a hole. What the discs are off the exact surface is not counted in that.
 struct FromExact {
   double distance = 0, hole = 0;  // m
 };
