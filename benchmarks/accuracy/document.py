@@ -4,11 +4,13 @@
 Every number in the document comes from the files. In text.md:
   {{error CASE | NORM | SETTINGS}}    an error; `seconds`, `order`, `steps` and `particles` likewise; SETTINGS as in the CSV
   {{ratio CASE | NORM | SETTINGS A | SETTINGS B}}   error of A over that of B; {{cost ...}} the same for core-seconds
+  {{between CASE A | CASE B | NORM}}    order between the defaults of two cases that are one at two resolutions
   {{table CASE}}    all settings of a case        {{targets}}    the defaults beside what they are to reach
   {{chart CASE}}    its picture, copied to docs/pictures/accuracy/        {{modules}}    what each module costs
 The CSV files are copied to docs/accuracy/, so that the document can be made anew from what is in the repository.
 """
 import csv
+import math
 import os
 import re
 import shutil
@@ -57,6 +59,10 @@ class Document:
         columns = {"error": "error", "seconds": "core_seconds", "order": "order", "steps": "steps", "particles": "particles"}
         if what in columns:
             return short(self.find(*arguments)[columns[what]]) or "none"
+        if what == "between":  # two cases that are one at two resolutions
+            one, two, norm = arguments
+            a, b = (min((r for r in self.rows if r["case"] == c and r["norm"] == norm and r["settings"].startswith("default")), key=spacingOf) for c in (one, two))
+            return f"{math.log(float(a['error']) / float(b['error'])) / math.log(spacingOf(a) / spacingOf(b)):.2f}"
         if what in ("ratio", "cost"):
             case, norm, a, b = arguments
             column = "error" if what == "ratio" else "core_seconds"
@@ -71,7 +77,8 @@ class Document:
         if what == "modules":
             return self.moduleTable()
         if what == "machine":
-            return f"{self.rows[0]['machine']}, thaw {self.rows[0]['version']}"
+            versions = list(dict.fromkeys(r["version"] for r in self.rows))
+            return f"{self.rows[0]['machine']}, thaw {' and '.join(versions)}"
         raise SystemExit(f"text.md: unknown {{{{{what}}}}}")
 
     def table(self, case):
@@ -108,7 +115,12 @@ class Document:
         return "\n".join(lines)
 
     def text(self, template):
-        return re.sub(r"\{\{(\w+)\s*([^}]*)\}\}", lambda m: self.value(m[1], [a.strip() for a in m[2].split("|")] if m[2] else []), template)
+        return re.sub(r"\{\{(\w+)\s*([^}]*)\}\}", lambda m: self.value(m[1], [a.strip() for a in m[2].split(" | ")] if m[2] else []), template)
+
+
+def template():
+    with open(os.path.join(HERE, "text.md")) as f:
+        return f.read()
 
 
 def main(path, modules=None):
@@ -118,8 +130,7 @@ def main(path, modules=None):
         if source and os.path.abspath(source) != os.path.abspath(os.path.join(folder, name)):
             shutil.copy(source, os.path.join(folder, name))
     document = Document(rowsOf(path), rowsOf(modules) if modules else [])
-    with open(os.path.join(HERE, "text.md")) as f:
-        text = document.text(f.read())
+    text = document.text(template())
     with open(os.path.join(DOCS, "accuracy.md"), "w") as f:
         f.write(text)
     subprocess.run([sys.executable, os.path.join(HERE, "chart.py"), path, os.path.join(folder, "all.png")], check=True)

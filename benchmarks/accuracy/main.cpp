@@ -1,12 +1,15 @@
-// accuracy CASE [--spacing X] [--set key=value]... [--csv FILE] [--label TEXT]
+// accuracy CASE [--spacing X] [--set key=value]... [--csv FILE] [--label TEXT] [--strict] [--limit NORM=ERROR]...
 // Runs one case of the accuracy suite, under mpirun on any number of ranks, and prints its error norms beside what they are to reach.
+// With --strict it exits with 1 where a target is missed, with --limit where that norm is larger: what the tests do (tests/CMakeLists.txt).
 // accuracy --list names the cases. The whole matrix with its charts: scripts/bench accuracy.
 #include <sys/utsname.h>
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <thread>
 
@@ -50,6 +53,22 @@ void print(const Trial& r, const Case& c, const std::vector<Figure>& figures, do
   }
 }
 
+/// The first norm that is above its target (strict) or its limit, or that has a limit and is not there; empty: none.
+std::string missed(const std::vector<Figure>& figures, bool strict, const std::vector<std::string>& limits) {
+  if (strict)
+    for (const Figure& f : figures)
+      if (f.target < never && !(f.error <= f.target)) return fmt::format("{} is {:g}, above its target {:g}", f.norm, f.error, f.target);
+  for (const std::string& limit : limits) {
+    const std::size_t sign = limit.rfind('=');
+    const std::string norm = limit.substr(0, sign);
+    const auto at = std::find_if(figures.begin(), figures.end(), [&](const Figure& f) { return f.norm == norm; });
+    if (sign == std::string::npos || at == figures.end()) return fmt::format("there is no norm '{}'", norm);
+    const double most = std::strtod(limit.c_str() + sign + 1, nullptr);
+    if (!(at->error <= most)) return fmt::format("{} is {:g}, above {:g}", norm, at->error, most);
+  }
+  return {};
+}
+
 /// Appends a line for each figure; the header is written by whoever made the file (matrix.py).
 bool append(const std::string& path, const Trial& r, const Case& c, const std::string& label, const std::vector<Figure>& figures, double particles) {
   FILE* out = std::fopen(path.c_str(), "a");
@@ -65,13 +84,15 @@ bool append(const std::string& path, const Trial& r, const Case& c, const std::s
 int main(int argc, char** argv) {
   CLI::App app("One case of the accuracy suite: error norms against exact solutions.");
   std::string name, spacing, csv, label;
-  std::vector<std::string> overrides;
-  bool list = false;
+  std::vector<std::string> overrides, limits;
+  bool list = false, strict = false;
   app.add_option("case", name, "name of the case");
   app.add_option("--spacing", spacing, "distance of particles, with its unit");
   app.add_option("--set", overrides, "key=value in place of what the case's scene says")->allow_extra_args(false);
   app.add_option("--csv", csv, "append the figures to this file");
   app.add_option("--label", label, "what the settings are called there");
+  app.add_flag("--strict", strict, "exit with 1 where a target is missed");
+  app.add_option("--limit", limits, "NORM=ERROR: exit with 1 where that norm is larger")->allow_extra_args(false);
   app.add_flag("--list", list, "print the names of all cases");
   try {
     app.parse(argc, argv);
@@ -106,7 +127,10 @@ int main(int argc, char** argv) {
     if (comm.rank() != 0) return 0;
     print(trial, *at, figures, particles);
     if (!csv.empty() && !append(csv, trial, *at, label, figures, particles)) return std::fprintf(stderr, "accuracy: cannot write %s\n", csv.c_str()), 3;
-    return trial.finite ? 0 : exitBlewUp;
+    if (!trial.finite) return exitBlewUp;
+    const std::string miss = missed(figures, strict, limits);
+    if (!miss.empty()) std::fprintf(stderr, "accuracy: %s: %s\n", name.c_str(), miss.c_str());
+    return miss.empty() ? 0 : 1;
   } catch (const std::runtime_error& e) {
     if (comm.rank() == 0) std::fprintf(stderr, "%s\n", e.what());
     return exitUsage;

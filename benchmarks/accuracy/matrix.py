@@ -5,8 +5,11 @@ scripts/bench accuracy [--level quick|full] [--minutes 60] [--jobs N] [--case NA
 
 Each run is a process of its own on --ranks ranks (1), --jobs of them side by side (one for each core); core_seconds are the
 processor time of the steps.
-A run that is in the file already, from the same version of thaw, is not repeated: an interrupted matrix goes on where it stopped. After
+A run that is in the file already, from the same version of thaw, is not repeated: an interrupted matrix goes on where it stopped. With
+--case the lines of all other cases stay as they are, of whatever version: to run some cases anew, start from docs/accuracy/accuracy.csv. After
 --minutes no further run is begun; what is left is said, and the same command goes on.
+Afterwards: benchmarks/accuracy/document.py FIGURES.csv docs/accuracy/modules.csv writes docs/accuracy.md and its pictures, and frontier.py
+what `thaw check` knows; the tests ask that both follow from docs/accuracy/accuracy.csv.
 Columns: case, settings ("default" and the spacing, or what differs from the defaults), norm, error, target, order (between this resolution
 and the next coarser one of the same settings), core_seconds, steps, particles, version, machine.
 """
@@ -65,10 +68,10 @@ class Matrix:
         version = subprocess.run([os.path.join(os.environ["THAW_BUILD"], "thaw"), "--version"], capture_output=True, text=True).stdout
         self.version = version[version.find("(") + 1:version.find(")")]
         known = readRows(options.csv)
-        self.rows = [r for r in known if r["version"] == self.version]
+        self.rows = [r for r in known if r["version"] == self.version or (options.case and r["case"] not in options.case)]
         if len(self.rows) < len(known):
             print(f"{len(known) - len(self.rows)} lines of another version are run anew")
-        done = {(r["case"], r["settings"]) for r in self.rows}
+        done = {(r["case"], r["settings"]) for r in self.rows if r["version"] == self.version}
         wanted = [r for r in plan.runs(options.level) if not options.case or r[0] in options.case]
         self.todo = [r for r in wanted if (r[0], labelOf(r[1], r[2])) not in done]
         print(f"level {options.level}: {len(wanted)} runs, {len(wanted) - len(self.todo)} of them done before; {options.jobs} side by side, for at most {options.minutes:g} minutes", flush=True)
@@ -122,7 +125,7 @@ class Matrix:
 
 
 def main():
-    parser = argparse.ArgumentParser(description="The matrix of the accuracy suite: accuracy against time.")
+    parser = argparse.ArgumentParser(description="The matrix of the accuracy suite: accuracy against time.", epilog="docs/accuracy.md is written from the figures by benchmarks/accuracy/document.py, what thaw check knows by frontier.py.")
     parser.add_argument("--csv", required=True, help="file of the figures")
     parser.add_argument("--level", choices=["quick", "full"], default="quick", help="quick: one setting at a time; full: pairs of settings at all resolutions")
     parser.add_argument("--minutes", type=float, default=55, help="no run is begun after this time")

@@ -13,6 +13,7 @@ PRESSURE = {"density": ["plain", "continuity"], "pressure": ["printed"], "pressu
 SOLID = {"bond_support": ["1.5", "2"], "elastic_precision": ["single"], "cfl_elastic": ["0.2", "0.6"]}
 HEAT = {**KERNELS, **SUPPORTS, "conduction": ["plain"]}
 
+CARRIED = {"density=continuity corrected_gradients": ["false"]}  # gradients are corrected with the carried density: both are set
 QUALITY = {"quality": ["preview", "reference"]}
 
 
@@ -22,24 +23,24 @@ def hourglass(*values):
 
 # name: (resolutions from coarse to fine, the one at which settings are varied, settings)
 CASES = {
-    "hydrostatic": (["0.05", "0.025"], "0.05", {**KERNELS, **WIDE, **PRECISION, **PRESSURE, "tensile_limit": ["1"], **QUALITY}),
-    "hydrostatic_jittered": (["0.05"], "0.05", {"density": ["continuity"], "pressure_solver": ["incompressible"], "support": ["3"]}),
-    "ritter": (["0.1", "0.05"], "0.05", {"kernel": ["cubic"], "density": ["plain", "continuity"], "pressure_solver": ["incompressible"], **QUALITY}),
-    "martin_moyce": (["0.005715", "0.0028575"], "0.0028575", {**KERNELS, **WIDE, **PRESSURE, "shifting": ["0.1"], **QUALITY}),
+    "hydrostatic": (["0.05", "0.025"], "0.05", {**KERNELS, **WIDE, **PRECISION, **PRESSURE, **CARRIED, "tensile_limit": ["1"], **QUALITY}),
+    "hydrostatic_jittered": (["0.05", "0.025"], "0.05", {"density": ["continuity"], **CARRIED, "pressure_solver": ["incompressible"], "support": ["3"], **QUALITY}),
+    "ritter": (["0.1", "0.05"], "0.05", {"kernel": ["cubic"], "density": ["plain", "continuity"], **CARRIED, "pressure_solver": ["incompressible"], **PRECISION, **QUALITY}),
+    "martin_moyce": (["0.005715", "0.0028575"], "0.0028575", {**KERNELS, **WIDE, **PRESSURE, **CARRIED, **PRECISION, "shifting": ["0.1"], **QUALITY}),
     "taylor_green": (["0.01"], "0.01", {}),
     "taylor_green_50": (["0.02"], "0.02", {**KERNELS, **PRECISION, "density": ["summation"], "shifting": ["0", "0.1"], "corrected_gradients": ["false"], "tensile_limit": ["0"], "cfl_sound": ["0.2"]}),
-    "poiseuille": (["0.1", "0.05", "0.025"], "0.05", {**KERNELS, **WIDE, **PRECISION, "viscosity": ["laplacian"], "viscosity_solver": ["implicit"], "pressure_solver": ["incompressible"], "cfl_viscous": ["0.4"], **QUALITY}),
+    "poiseuille": (["0.1", "0.05", "0.025"], "0.05", {**KERNELS, **WIDE, **PRECISION, "density": ["continuity"], **CARRIED, "viscosity": ["laplacian"], "viscosity_solver": ["implicit"], "pressure_solver": ["incompressible"], "cfl_viscous": ["0.4"], **QUALITY}),
     "poiseuille_startup": (["0.1", "0.05"], "0.05", {**WIDE, "viscosity": ["laplacian"], "viscosity_solver": ["implicit"], "cfl_viscous": ["0.4"]}),
     "thick_channel": (["0.05"], "0.05", {"viscosity_solver": ["implicit"], "cfl_viscous": ["0.4"]}),
     "stiff_in_soft": (["0.02"], "0.02", {"elastic_substeps": ["2", "4", "8", "16"], "pressure_solver": ["incompressible"]}),
     "spinning_drop": (["0.25", "0.125"], "0.125", {**PRECISION, "viscosity": ["laplacian"], "viscosity_solver": ["implicit"], "support": ["3"]}),
     "drop_laplace": (["0.2", "0.125", "0.0833333333333333", "0.0625"], "0.125", {"tension": ["pairwise"], "support": ["2.5", "3"], **PRECISION}),
-    "drop_oscillation": (["0.125", "0.0833333333333333"], "0.125", {"tension": ["pairwise"], "support": ["2.5", "3"]}),
+    "drop_oscillation": (["0.125", "0.0833333333333333"], "0.125", {"tension": ["pairwise"], "support": ["2.5", "3"], **PRECISION}),
     "patch": (["0.1"], "0.1", {"elastic_precision": ["single"], "bond_support": ["1.5", "2"]}),
     "rotation": (["0.1"], "0.1", {"elastic_precision": ["single"], "bond_support": ["1.5", "2"]}),
     "free_body": (["0.2", "0.1"], "0.1", {**SOLID, **QUALITY}),
     "p_wave": (["0.025"], "0.025", {**SOLID, **hourglass("0", "0.1", "2"), **QUALITY}),
-    "p_wave_diagonal": (["0.025"], "0.025", {"bond_support": ["1.5", "2"], **hourglass("0.1", "2")}),
+    "p_wave_diagonal": (["0.025"], "0.025", {"bond_support": ["1.5", "2"], **hourglass("0.1", "2"), "quality": ["reference"]}),
     "cantilever": (["0.25", "0.125", "0.0625"], "0.125", {**SOLID, **hourglass("0", "0.1", "2"), "elastic_substeps": ["4"], **QUALITY}),
     "cantilever_vibration": (["0.25", "0.125"], "0.125", {**SOLID, **hourglass("0", "0.1", "2"), **QUALITY}),
     "cantilever_modes": (["0.125"], "0.125", {**hourglass("0", "0.1")}),
@@ -47,11 +48,18 @@ CASES = {
     "creep": (["0.1"], "0.1", {"elastic_precision": ["single"]}),
     "slabs": (["0.05", "0.025", "0.0125"], "0.0125", {**HEAT, **PRECISION, "cfl_heat": ["0.4", "0.2"]}),
     "conductivity_ratio": (["0.025", "0.0125", "0.00625"], "0.0125", {**HEAT, **PRECISION, "cfl_heat": ["0.4", "0.2"], **QUALITY}),
-    "sphere_bath": (["0.125", "0.0625"], "0.0625", HEAT),
-    "sphere_biot": (["0.125", "0.0625"], "0.0625", HEAT),
-    "stefan_one_phase": (["0.02", "0.01", "0.005"], "0.01", {"kernel": ["mcg03"], **WIDE, "conduction": ["plain"], "cfl_heat": ["0.4"]}),
-    "stefan_two_phase": (["0.02", "0.01", "0.005"], "0.01", {"kernel": ["mcg03"], **WIDE, "conduction": ["plain"], "cfl_heat": ["0.4"]}),
+    "sphere_bath": (["0.125", "0.0625"], "0.0625", {**HEAT, **PRECISION}),
+    "sphere_biot": (["0.125", "0.0625"], "0.0625", {**KERNELS, **WIDE, "conduction": ["plain"], **PRECISION}),
+    "stefan_one_phase": (["0.02", "0.01", "0.005"], "0.01", {"kernel": ["mcg03"], **WIDE, "conduction": ["plain"], "cfl_heat": ["0.4"], **PRECISION}),
+    "stefan_two_phase": (["0.02", "0.01", "0.005"], "0.01", {"kernel": ["mcg03"], **WIDE, "conduction": ["plain"], "cfl_heat": ["0.4"], **PRECISION}),
 }
+
+
+def settingsOf(key, value):
+    """[key=value, ...] as `--set` takes them. A key of several words sets all but the last to what they say: "density=continuity support"."""
+    words = key.split()
+    words[-1] += "=" + value
+    return [w if w.startswith(("material.", "quality=")) else "numerics." + w for w in words]
 
 
 def runs(level):
@@ -61,10 +69,10 @@ def runs(level):
     for k in range(deepest):
         todo += [(case, spacings[k], []) for case, (spacings, _, _) in CASES.items() if k < len(spacings)]
     for case, (spacings, at, axes) in CASES.items():
-        choices = [f"{key}={value}" if "." in key or key == "quality" else f"numerics.{key}={value}" for key, values in axes.items() for value in values]
+        choices = [settingsOf(key, value) for key, values in axes.items() for value in values]
         if level == "quick":
-            todo += [(case, at, [c]) for c in choices]
+            todo += [(case, at, c) for c in choices]
         else:
-            pairs = [list(p) for p in combinations(choices, 2) if p[0].split("=")[0] != p[1].split("=")[0]]
-            todo += [(case, s, c) for s in spacings for c in [[c] for c in choices] + pairs]
+            pairs = [a + b for a, b in combinations(choices, 2) if not {w.split("=")[0] for w in a} & {w.split("=")[0] for w in b}]
+            todo += [(case, s, c) for s in spacings for c in choices + pairs]
     return todo

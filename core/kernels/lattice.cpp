@@ -1,6 +1,8 @@
 #include "core/kernels/lattice.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/fluid/viscous_weight.hpp"
@@ -64,24 +66,33 @@ double latticeSum(const Numerics& n) {
 
 namespace {
 
-/// Viscosity, in units of that wanted, that a cubic lattice shows to layers that slide over each other, along their own axes if n = 0 and along
-/// their diagonals if n = 1: the average over the sheared lattices that it goes through. Whatever flows is sheared, and the lattice at rest is
-/// far from what it then is: 1.06 and .89 at rest, .995 and .993 sliding, at h = 2 dx with the continuum's scale.
-double slidingViscosity(const Numerics& n, const ViscousWeight& weight, int diagonal) {
-  constexpr int shears = 32;
+/// Calls action(k, d, q2, along) for the neighbours of a particle in the lattices that layers come through as they slide over each other, along their
+/// own axes if n = 0 and along their diagonals if n = 1; `shears` of them.
+template<class Action> void overSliding(double support, int diagonal, int shears, Action action) {
   const Eigen::Vector3d along = diagonal ? Eigen::Vector3d(std::sqrt(0.5), std::sqrt(0.5), 0) : Eigen::Vector3d(1, 0, 0);
-  const int reach = 2 * static_cast<int>(n.support) + 2;
-  double sum = 0;
+  const int reach = 2 * static_cast<int>(support) + 2;
   for (int k = 0; k < shears; k++) {
     const double shear = (k + 0.5) / shears - 0.5;
     for (int x = -reach; x <= reach; x++)
       for (int y = -reach; y <= reach; y++)
         for (int z = -reach; z <= reach; z++) {
-          const Eigen::Vector3d d = (Eigen::Vector3d(x, y, z) + shear * z * along) / n.support;
-          const double q2 = d.squaredNorm(), a = d.dot(along);
-          if (q2 > 0 && q2 < 1) sum += 0.5 * isa_base::alongPair(weight.scale, q2) / q2 * a * a * d.z() * d.z();
+          const Eigen::Vector3d d = (Eigen::Vector3d(x, y, z) + shear * z * along) / support;
+          const double q2 = d.squaredNorm();
+          if (q2 > 0 && q2 < 1) action(k, d, q2, along);
         }
   }
+}
+
+/// Viscosity, in units of that wanted, that a cubic lattice shows to layers that slide over each other, along their own axes if n = 0 and along
+/// their diagonals if n = 1: the average over the sheared lattices that it goes through. Whatever flows is sheared, and the lattice at rest is
+/// far from what it then is: 1.06 and .89 at rest, .995 and .993 sliding, at h = 2 dx with the continuum's scale.
+double slidingViscosity(const Numerics& n, const ViscousWeight& weight, int diagonal) {
+  constexpr int shears = 32;
+  double sum = 0;
+  overSliding(n.support, diagonal, shears, [&](int, const Eigen::Vector3d& d, double q2, const Eigen::Vector3d& along) {
+    const double a = d.dot(along);
+    sum += 0.5 * isa_base::alongPair(weight.scale, q2) / q2 * a * a * d.z() * d.z();
+  });
   return sum / (shears * n.support * n.support * n.support);
 }
 
@@ -90,6 +101,20 @@ double slidingViscosity(const Numerics& n, const ViscousWeight& weight, int diag
 ViscousWeight viscousWeight(const Numerics& n) {
   const ViscousWeight continuum;
   return {continuum.scale * 2 / (slidingViscosity(n, continuum, 0) + slidingViscosity(n, continuum, 1))};
+}
+
+double slidingLatticeSum(const Numerics& n) {
+  constexpr int shears = 32;
+  return withKernel(n, [&](auto kernel) {
+    double largest = latticeSum(n);
+    for (int diagonal = 0; diagonal < 2; diagonal++) {
+      std::array<double, shears> sum;
+      sum.fill(kernel.w(0.0));
+      overSliding(n.support, diagonal, shears, [&](int k, const Eigen::Vector3d&, double q2, const Eigen::Vector3d&) { sum[static_cast<std::size_t>(k)] += kernel.w(q2); });
+      largest = std::max(largest, *std::max_element(sum.begin(), sum.end()) / (n.support * n.support * n.support));
+    }
+    return largest;
+  });
 }
 
 double largestPressureResponse(const Numerics& n) {

@@ -30,6 +30,7 @@ struct Material {
   std::string name;
   SourcePlace where;
   double density = 1000;        // kg/m^3, at rest
+  std::uint32_t colour = 0xdfe6ebu;  // of its surface, red | green << 8 | blue << 16
   // liquid
   Blend viscosity;              // Pa s
   std::vector<std::pair<double, double>> viscosityTable;  // (K, Pa s), logarithmic in between; replaces viscosity if not empty

@@ -87,6 +87,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   if (w.modules.incompressible) {
     double sound = 0;  // in proportion to the speed to expect
     for (const LiquidMaterial& l : t.liquids) sound = std::max(sound, l.soundSpeed);
+    t.pressure.full = 1 + (slidingLatticeSum(n) - latticeSum(n)) * t.perLatticeSum;
     t.pressure.relaxation = 0.9 / largestPressureResponse(w.scene.numerics);
     t.pressure.mendingTime = w.scene.spacing / (sound * std::sqrt(w.scene.numerics.maxDensityError));
   }

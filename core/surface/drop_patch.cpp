@@ -23,7 +23,6 @@ std::vector<SurfelRow> dropPatch(std::uint64_t component, const Vec3d& centre, d
     r.position = centre + R * r.normal;
     r.tangent = anyTangent(r.normal);
     r.radius = std::min(spacing, std::sqrt(area / (n * perSurfel)));
-    r.colour = paleColour;
     rows.push_back(r);
   }
   return rows;

@@ -44,7 +44,7 @@ void seedAround(const World& w, const SurfaceTools& t, std::size_t i, int seeds,
     r.normal = at.normal;
     r.tangent = anyTangent(at.normal);
     r.radius = w.surface.spacing;
-    r.colour = paleColour;
+    r.colour = surfaceColour(w.scene, p.body[i]);
     if (p.liquid.active) r.liquid = p.liquid[i];
     if (p.temperature.active) r.temperature = p.temperature[i];
     rows.push_back(r);
@@ -57,16 +57,19 @@ void patchAround(const World& w, const SurfaceTools& t, std::size_t i, std::vect
   const double far = 4.5 * w.scene.spacing;
   const Vec3d reach{far, far, far};
   Vec3d away;
-  double volume = 0, temperature = 0;
+  double volume = 0, temperature = 0, liquid = 0;
   forRowsInBox(t.relax.particleBins, p.position[i] - reach, p.position[i] + reach, [&](std::uint32_t j) {
     const Vec3d d = p.position[j] - p.position[i];
     if (p.component[j] != p.component[i] || dot(d, d) > far * far) return;
     volume += p.volume[j];
     away += p.volume[j] * d;
     if (p.temperature.active) temperature += p.volume[j] * static_cast<double>(p.temperature[j]);
+    if (p.liquid.active) liquid += p.volume[j] * static_cast<double>(p.liquid[j]);
   });
   for (SurfelRow& r : dropPatch(p.component[i], p.position[i] + away / volume, volume, w.surface.spacing)) {
     r.temperature = static_cast<float>(temperature / volume);
+    r.liquid = static_cast<float>(liquid / volume);
+    r.colour = surfaceColour(w.scene, p.body[i]);
     // a drop that joins leaves its surfels to the larger body; one that parts later may have the same label
     r.id = surfelBit | birthBit | randomBits(w.scene.seed, Purpose::SurfelBirth, r.id, static_cast<std::uint64_t>(w.clock.step));
     rows.push_back(r);

@@ -51,7 +51,7 @@ std::vector<SurfaceSample> sampleShape(const Shape& shape, const MeshLoader& loa
   std::vector<SurfaceSample> samples;
   for (const MeshSample& m : blueNoise(placed.mesh, spacing, seed)) {
     SurfaceSample s{m.position, normals.at(m.position, m.triangle)};
-    if (!placed.mesh.colours.empty()) s.colour = normals.colourAt(m.position, m.triangle);
+    if (!placed.mesh.colours.empty()) s.colour = normals.colourAt(m.position, m.triangle), s.coloured = true;
     if (shape.mesh == builtinBust) refineOnBust(placed.placement, s);
     if (solid && solid->inside(s.position + s.normal * (1e-3 * spacing))) continue;
     samples.push_back(s);
@@ -73,7 +73,7 @@ void sampleMeshes(const Scene& scene, Surface& surface, const MeshLoader& load, 
       s.tangent[i] = anyTangent(samples[k].normal);
       s.radius[i] = surface.spacing;
       s.component[i] = noComponent;
-      s.colour[i] = samples[k].colour;
+      s.colour[i] = samples[k].coloured ? samples[k].colour : surfaceColour(scene, b);
       s.detail[i] = 1;
       if (s.temperature.active) s.temperature[i] = static_cast<float>(scene.bodies[b].temperature);
     }

@@ -10,12 +10,18 @@ namespace thaw {
 
 inline constexpr std::uint64_t surfelBit = std::uint64_t{1} << 63;  ///< of every surfel's id
 inline constexpr std::uint64_t birthBit = std::uint64_t{1} << 62;   ///< of those that did not come with a mesh
-inline constexpr std::uint32_t paleColour = 0xdfe6ebu;              ///< of bodies that say nothing (red 235, green 230, blue 223)
+
+/// Colour of the surface around particles of a body or emitter (Continuum::body): that of their material.
+inline std::uint32_t surfaceColour(const Scene& scene, std::size_t source) {
+  const int material = source < scene.bodies.size() ? scene.bodies[source].material : scene.emitters[source - scene.bodies.size()].material;
+  return scene.materials[static_cast<std::size_t>(material)].colour;
+}
 
 /// A sample of a body's surface.
 struct SurfaceSample {
   Vec3d position{}, normal{};  ///< m, unit
-  std::uint32_t colour = paleColour;
+  std::uint32_t colour = 0;
+  bool coloured = false;  ///< by the mesh
 };
 
 /// Is the surface of this body sampled from its mesh, rather than grown from its particles?

@@ -52,16 +52,4 @@ Suspect findSuspect(const World& w, Alarm alarm, Limit limitedBy, Reducer& all) 
   return s;
 }
 
-ForceShares forceShares(const World& w, const WallContacts& walls, std::size_t i) {
-  const Continuum& p = w.particles;
-  ForceShares f;
-  Vec3d elastic{};
-  if (p.slot.active && p.slot[i] != noSlot && p.slot[i] < w.solids.owned) elastic = w.solids.force[p.slot[i]];
-  f.elastic = length(elastic);
-  f.others = length(p.force[i] - elastic);
-  f.weight = p.mass[i] * length(w.scene.domain.gravity);
-  f.atWall = std::any_of(walls.list.begin(), walls.list.end(), [&](const WallContact& c) { return c.row == i && c.distance < w.scene.spacing; });
-  return f;
-}
-
 }  // namespace thaw

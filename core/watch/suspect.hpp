@@ -13,8 +13,4 @@ struct Suspect {
 /// Collective; the same particle on any number of ranks. Nobody's where there is no particle at all.
 Suspect findSuspect(const World& world, Alarm alarm, Limit limitedBy, Reducer& all);
 
-/// What acts on an owned particle: the elastic force, the sum of all others (pressure, viscosity, tension, contacts, walls), the weight.
-struct ForceShares { double elastic = 0, others = 0, weight = 0; bool atWall = false; };  // N; closer than a spacing to a wall
-ForceShares forceShares(const World& world, const WallContacts& walls, std::size_t row);
-
 }  // namespace thaw

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/domain/emit.hpp"
 #include "core/time/limits.hpp"
+#include "core/watch/force_shares.hpp"
 
 namespace thaw {
 namespace {
@@ -31,15 +33,24 @@ std::string seen(const World& w, const StepTools& t, const StepOutcome& o, const
 
 }  // namespace
 
-std::string alarmText(const World& w, const StepTools& t, const StepOutcome& o, const Suspect& s) {
+std::string alarmText(World& w, StepTools& t, const StepOutcome& o, const Suspect& s) {
   const Continuum& p = w.particles;
   const std::size_t i = s.row, source = sourceOf(p.id[i]), bodies = w.scene.bodies.size();
   const std::string name = source < bodies ? "body '" + w.scene.bodies[source].name : "emitter '" + w.scene.emitters[source - bodies].name;
   std::string line = fmt::format("{}: particle {} of {}' at {} m has a velocity of {} m/s and a force of {} N", seen(w, t, o, s), numberOf(p.id[i]), name, text(p.position[i]),
                                  text(p.velocity[i]), text(p.force[i]));
-  const ForceShares f = forceShares(w, t.wallContacts, i);
-  std::vector<std::pair<double, std::string>> terms{{f.others, fmt::format("pressure, viscosity, contacts and walls {:.3g} N", f.others)}, {f.weight, fmt::format("weight {:.3g} N", f.weight)}};
-  if (w.modules.solid) terms.push_back({f.elastic, fmt::format("elastic {:.3g} N", f.elastic)});
+  const ForceShares f = forceShares(w, t, i);
+  std::vector<std::pair<double, std::string>> terms;
+  const auto add = [&](bool has, const char* term, double size) {
+    if (has) terms.push_back({std::isnan(size) ? never : size, fmt::format("{} {:.3g} N", term, size)});
+  };
+  const Modules& m = w.modules;
+  add(m.fluid, m.tension ? "pressure and surface tension" : "pressure", f.pressure);
+  add(m.fluid, "viscosity", f.viscosity);
+  add(m.solid, "elastic", f.elastic);
+  add(m.contact, "contact", f.contact);
+  add(!w.walls.list.empty(), "walls", f.walls);
+  add(true, "weight", f.weight);
   std::stable_sort(terms.begin(), terms.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   line += " (";
   for (std::size_t k = 0; k < terms.size(); k++) line += (k ? ", " : "") + terms[k].second;

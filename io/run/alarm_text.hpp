@@ -8,8 +8,8 @@
 namespace thaw {
 
 /// "speed of 12.3 m/s (the scene makes 2.8 m/s, numerics.watch_speed allows 31 m/s): particle 17 of body 'cube' at (x, y, z) m has ..., forces: ...".
-/// On the rank that owns the suspect.
-std::string alarmText(const World& world, const StepTools& tools, const StepOutcome& failed, const Suspect& suspect);
+/// On the rank that owns the suspect. Forces are summed anew (force_shares.hpp).
+std::string alarmText(World& world, StepTools& tools, const StepOutcome& failed, const Suspect& suspect);
 
 /// The text of the one rank where it is not empty, on all. Collective.
 std::string fromOwner(const Communicator& comm, const std::string& text);

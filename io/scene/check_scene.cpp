@@ -93,6 +93,10 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   if (n.solver == PressureSolver::Incompressible && n.tensileLimit > 0 && n.tensileLimit < 1)
     errors.push_back({x.start, "with numerics.pressure_solver = \"incompressible\" numerics.tensile_limit is 0 (liquid never pulls) or 1 (it always does, for boxes that are full)"});
   if (s.surface.on) checkSurface(s, x.start, errors);
+  if (n.support < 2)
+    for (const Material& m : s.materials)
+      if (m.convection > 0 || m.emissivity > 0)
+        errors.push_back({m.where, fmt::format("material.{}: convection and emissivity need numerics.support of 2 at least, got {:g}: with fewer neighbours particles inside cannot be told from those of the surface, and would cool, too", m.name, n.support)});
   checkSizes(x, errors);
   if (errors.empty()) chooseForFullBox(s, x.open);
 }

@@ -1,3 +1,5 @@
+#include <cstdlib>
+
 #include "io/scene/read_sections.hpp"
 
 namespace thaw {
@@ -5,6 +7,13 @@ namespace {
 
 using Liquid = TableReader::Liquid;
 constexpr const char* meltsRange = "> 0, one temperature or [solidus, liquidus]";
+
+bool readColour(const std::string& text, std::uint32_t& colour) {
+  if (text.size() != 7 || text[0] != '#' || text.find_first_not_of("0123456789abcdefABCDEF", 1) != std::string::npos) return false;
+  const unsigned long rgb = std::strtoul(text.c_str() + 1, nullptr, 16);
+  colour = static_cast<std::uint32_t>((rgb >> 16 & 255) | (rgb & 0xff00) | (rgb & 255) << 16);
+  return true;
+}
 
 void readLiquid(TableReader& r, Material& m) {
   r.number("density", m.density, "kg/m^3", positive(), "at rest");
@@ -15,6 +24,9 @@ void readLiquid(TableReader& r, Material& m) {
     r.blend({"viscosity", "Pa s", notNegative(), Liquid::Same,
              "of the liquid; or a table of pairs `[[\"900 degC\", \"1e4 Pa s\"], [\"1200 degC\", \"50 Pa s\"]]`, logarithmic in between"}, m.viscosity);
   }
+  std::string colour;
+  r.text("colour", colour, "of its surface in pictures and exports, where the mesh has none; a pale one", "\"#rrggbb\"");
+  if (!colour.empty() && !readColour(colour, m.colour)) r.fail("colour", "expected six hexadecimal digits such as \"#e8c890\"");
   r.number("surface_tension", m.surfaceTension, "N/m", notNegative(), "of the liquid");
   r.number("sound_speed", m.soundSpeed, "m/s", notNegative(), "of the equation of state; 0: from the speeds that the scene can reach and max_density_error");
   r.number("xsph", m.xsph, "", between(0, 1), "smoothing of the velocity with which liquid moves (XSPH)");

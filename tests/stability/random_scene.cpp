@@ -3,6 +3,7 @@
 // falls on them, some bodies overlap. random_scenes_test.sh runs them.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -59,7 +60,7 @@ RandomShape shape(Dice& d, double radius, bool joined = true) {
   }
 }
 
-struct RandomMaterial { std::string text; bool solid, melts, hot; double melting, sound; };
+struct RandomMaterial { std::string text; bool solid, melts, hot, cools; double melting, sound; };
 RandomMaterial material(Dice& d, const std::string& name, double speed) {
   RandomMaterial m{};
   std::string& t = m.text;
@@ -98,8 +99,10 @@ RandomMaterial material(Dice& d, const std::string& name, double speed) {
     add("conductivity", d.decades(0.1, 1e4));
     add("heat_capacity", d.between(400, 4000));
     if (d.chance(0.2)) add("heat_source", d.between(-1e5, 1e5));
-    if (d.chance(0.2)) add("emissivity", d.unit());
-    if (d.chance(0.2)) add("convection", d.decades(1, 1e4));
+    const bool glows = d.chance(0.2), blown = d.chance(0.2);
+    if (glows) add("emissivity", d.unit());
+    if (blown) add("convection", d.decades(1, 1e4));
+    m.cools = glows || blown;
   }
   m.melting = 300;
   if (m.melts) {
@@ -112,10 +115,10 @@ RandomMaterial material(Dice& d, const std::string& name, double speed) {
   return m;
 }
 
-/// Keys of the ways to solve for pressure, viscosity, density and solids, of some scenes. Now and then they do not go together: refused.
-std::string solvers(Dice& d, bool laplacian) {
+/// Keys of the ways to solve for pressure, viscosity, density and solids, of some scenes: only what goes together.
+std::string solvers(Dice& d, bool laplacian, bool printed) {
   std::string t;
-  const bool incompressible = d.chance(0.25);
+  const bool incompressible = d.chance(0.25) && !printed;
   if (incompressible) {
     t += "pressure_solver = \"incompressible\"\n";
     if (d.chance(0.3)) t += fmt::format("density_tolerance = {:.3g}\ndivergence_tolerance = {:.3g}\n", d.decades(1e-5, 0.02), d.decades(1e-5, 0.02));
@@ -123,11 +126,11 @@ std::string solvers(Dice& d, bool laplacian) {
   }
   if (!laplacian && d.chance(0.25)) t += "viscosity_solver = \"implicit\"\n";
   if (d.chance(0.25)) t += fmt::format("elastic_substeps = {}\n", 2 + d.below(7));
-  const bool other = (!incompressible || d.chance(0.05)) && d.chance(0.25), continuity = other && d.chance(0.7);
+  const bool other = !incompressible && d.chance(0.25), continuity = other && d.chance(0.7);
   if (other) t += fmt::format("density = \"{}\"\n", continuity ? "continuity" : "plain");
   if (continuity && d.chance(0.7)) t += "corrected_gradients = true\n";
   if (continuity && d.chance(0.7)) t += fmt::format("density_diffusion = {:.3g}\n", d.between(0, 0.3));
-  if ((!incompressible || d.chance(0.05)) && d.chance(continuity ? 0.7 : 0.1)) t += fmt::format("shifting = {:.3g}\n", d.between(0, 0.1));
+  if (!incompressible && d.chance(continuity ? 0.7 : 0.1)) t += fmt::format("shifting = {:.3g}\n", d.between(0, 0.1));
   if (d.chance(0.2)) t += fmt::format("retry_every = {}\n", 1 + d.below(20));
   if (d.chance(0.1)) t += fmt::format("retries = {}\n", d.below(3));
   if (d.chance(0.1)) t += "elastic_precision = \"double\"\n";
@@ -207,17 +210,27 @@ std::string scene(std::uint64_t seed) {
                       floor ? "open" : d.of({"wall", "open"}));
   head += fmt::format("[output]\nevery = {:.6g}\nfields = [\"velocity\", \"temperature\", \"liquid\"]\n\n[numerics]\n", 4 * radius / speed);
   head += fmt::format("overlap = \"{}\"\n", d.chance(0.1) ? "error" : d.of({"remove later", "remove earlier"}));
-  if (d.chance(0.2)) head += fmt::format("support = {:.4g}\n", d.between(1.5, 3));
+  const bool cools = std::any_of(materials.begin(), materials.end(), [](const RandomMaterial& m) { return m.cools; });
+  if (d.chance(0.2)) {  // neighbours are looked for within it, of bonds, too; a surface that cools has to be told from the inside
+    const double support = d.between(1.5, 3);
+    head += fmt::format("support = {:.4g}\n", cools ? std::max(2.0, support) : support);
+    if (support < 1.7 && !cools) head += fmt::format("bond_support = {:.4g}\n", d.between(1.3, 1.49));
+  }
   if (d.chance(0.2)) head += fmt::format("kernel = \"{}\"\n", d.of({"mcg03", "cubic"}));
   if (d.chance(0.2)) head += "precision = \"double\"\n";
   if (d.chance(0.1)) head += "equation_of_state = \"tait\"\n";
-  if (d.chance(0.1)) head += fmt::format("tensile_limit = {:.4g}\n", d.unit());
+  const bool pulls = d.chance(0.1);
+  const double pull = d.unit();
   if (d.chance(0.1)) head += "self_contact = false\n";
-  if (d.chance(0.05)) head += "pressure = \"printed\"\n";
+  const bool printed = d.chance(0.05);
+  if (printed) head += "pressure = \"printed\"\n";
   const bool laplacian = d.chance(0.05);
   if (laplacian) head += "viscosity = \"laplacian\"\n";
   if (d.chance(0.05)) head += "tension = \"colour field\"\n";
-  head += solvers(d, laplacian);
+  const std::string solving = solvers(d, laplacian, printed);
+  const bool incompressible = solving.find("incompressible") != std::string::npos;  // which knows all or nothing
+  if (pulls) head += fmt::format("tensile_limit = {:.4g}\n", incompressible ? std::round(pull) : pull);
+  head += solving;
   return head + "\n" + text;
 }
 

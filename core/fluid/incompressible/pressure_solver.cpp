@@ -8,7 +8,7 @@
 namespace thaw {
 namespace {
 
-/// What a solve is to reach: no predicted compression e = (filling - 1) + dt d(filling)/dt. Of a compression that is there a share only is
+/// What a solve is to reach: no predicted compression e = (filling - full) + dt d(filling)/dt. Of a compression that is there a share only is
 /// undone in a step: all of it at once throws the surface of a deep liquid off, with error * depth / dt. The tolerance is of the same share.
 struct Goal {
   double dt;          ///< s
@@ -43,7 +43,7 @@ Progress jacobiStep(const PressureSystem& x, const Goal& goal, std::vector<float
     stepped[i] = 0;
     if (!(work.response[i] > 0)) continue;
     const double f = static_cast<double>(work.fraction[i]), full = goal.dt * work.response[i], k = static_cast<double>(p.trialPressure[i]);
-    const double filled = static_cast<double>(p.filling[i]) - 1;
+    const double filled = static_cast<double>(p.filling[i]) - work.full;
     // half-molten: as a spring beside the constraint, so soft that a lone particle's pressure is the liquid fraction of a liquid's
     const double e = (filled > 0 ? goal.share * filled : filled) + goal.dt * work.rate[i] - (1 - f) * full * k;
     const double left = mayPull || k * full > -e ? std::abs(e) : k * full;
@@ -168,7 +168,7 @@ void stopCompression(const PressureSystem& x, double dt, double next, double sha
   for (std::size_t i = 0; i < p.owned; i++) change(p, i, p.trialVelocity[i] - p.velocity[i]);
 }
 
-/// The kick with which the next drift ends at a filling of 1.
+/// The kick with which the next drift ends at full fillings.
 void keepVolume(const PressureSystem& x, double next, double share) {
   World& w = x.world;
   Continuum& p = w.particles;

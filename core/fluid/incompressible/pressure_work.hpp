@@ -15,6 +15,7 @@ struct WallSlope {
 };
 
 struct PressureWork {
+  double full = 1;                   ///< filling from which on liquid resists: that of layers that slide over each other, which fill a little more than at rest
   double relaxation = 0;             ///< share of a Jacobi step that does not overshoot on the lattice
   double mendingTime = 0;            ///< s, in which a compression is undone: that of the fastest expected over a spacing
   std::vector<WallSlope> walls;      ///< by row

@@ -25,14 +25,21 @@ TEST(Quality, PicksDefaults) {
   EXPECT_EQ(sceneOf("quality = 'preview'").numerics.elasticPrecision, Precision::Single);
   EXPECT_GT(sceneOf("quality = 'preview'").numerics.maxDensityError, standard.maxDensityError);
   EXPECT_EQ(sceneOf("quality = 'reference'").numerics.precision, Precision::Double);
+  EXPECT_EQ(sceneOf("quality = 'reference'").numerics.density, DensityForm::Continuity);
   EXPECT_LT(sceneOf("quality = 'reference'").numerics.cflSound, standard.cflSound);
+  EXPECT_GT(sceneOf("quality = 'reference'").materials[0].hourglass, Material().hourglass);
 }
 
 TEST(Quality, KeysThatAreGivenWin) {
   const Scene s = sceneOf("quality = 'reference'", "precision = 'single'\ncfl_sound = 0.3");
   EXPECT_EQ(s.numerics.precision, Precision::Single);
   EXPECT_EQ(s.numerics.cflSound, 0.3);
-  EXPECT_EQ(s.numerics.cflElastic, sceneOf("quality = 'reference'").numerics.cflElastic);
+  EXPECT_EQ(s.numerics.density, sceneOf("quality = 'reference'").numerics.density);
+}
+
+TEST(Quality, ReferenceWithTheIncompressibleSolver) {
+  EXPECT_EQ(sceneOf("quality = 'reference'", "pressure_solver = 'incompressible'").numerics.density, DensityForm::Summation);
+  EXPECT_EQ(sceneOf("quality = 'reference'", "pressure_solver = 'incompressible'\ndensity = 'plain'").numerics.density, DensityForm::Plain);
 }
 
 TEST(Quality, UnknownWordIsAnError) { EXPECT_THROW(sceneOf("quality = 'best'"), SceneErrors); }
