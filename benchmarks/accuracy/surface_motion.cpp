@@ -156,10 +156,10 @@ std::vector<Figure> measureMerge(Trial& r) {
   return all;
 }
 
-/// Drawn along x: the middles of the ends go at 1 m/s either way.
+/// Drawn along x: the ends go at 2 m/s either way, the neck between them is stretched.
 void pullApart(Trial& r) {
   Continuum& p = r.world.particles;
-  for (std::size_t i = 0; i < p.owned; i++) p.velocity[i] = {std::clamp(0.5 * p.position[i].x, -1.0, 1.0), 0, 0};
+  for (std::size_t i = 0; i < p.owned; i++) p.velocity[i] = {2 * std::clamp(p.position[i].x, -1.0, 1.0), 0, 0};
 }
 
 std::vector<Figure> measureSplit(Trial& r) {
