@@ -15,6 +15,9 @@ HEAT = {**KERNELS, **SUPPORTS, "conduction": ["plain"]}
 
 CARRIED = {"density=continuity corrected_gradients": ["false"]}  # gradients are corrected with the carried density: both are set
 QUALITY = {"quality": ["preview", "reference"]}
+SURFACE = {"surface.smoothing": ["plane"], "surface.support": ["4", "6"], "surface.particle_support": ["1", "1.5"], "surface.iso_level": ["0.4", "0.6"], "surface.keep_volume": ["1"]}
+# h_ss at a quarter of a particle spacing: the paper's h_ss = h is 8 there
+FINE_SURFELS = {"surface.spacing=0.015625 surface.support": ["3", "4", "6", "8"]}
 
 
 def hourglass(*values):
@@ -52,6 +55,15 @@ CASES = {
     "sphere_biot": (["0.125", "0.0625"], "0.0625", {**KERNELS, **WIDE, "conduction": ["plain"], **PRECISION}),
     "stefan_one_phase": (["0.02", "0.01", "0.005"], "0.01", {"kernel": ["mcg03"], **WIDE, "conduction": ["plain"], "cfl_heat": ["0.4"], **PRECISION}),
     "stefan_two_phase": (["0.02", "0.01", "0.005"], "0.01", {"kernel": ["mcg03"], **WIDE, "conduction": ["plain"], "cfl_heat": ["0.4"], **PRECISION}),
+    # the surface; bars hold from R/dx = 16 on
+    "surface_ball": (["0.125", "0.0625", "0.0416666666666667"], "0.0625", {**SURFACE, "body.ball.packing": ["relaxed"], **FINE_SURFELS}),
+    "surface_ball_mesh": (["0.125", "0.0625", "0.0416666666666667"], "0.0625", {}),
+    "surface_cube": (["0.125", "0.0625"], "0.0625", {"surface.source": ["particles"], "surface.source=particles surface.adapt": ["0.5"]}),
+    "surface_sheet": (["0.125", "0.0625", "0.03125"], "0.0625", {"surface.smoothing": ["plane"], "surface.particle_support": ["1", "1.5"], "surface.keep_volume": ["1"]}),
+    "surface_spin": (["0.25", "0.125"], "0.125", {}),
+    "surface_melt": (["0.00833333333333333", "0.00625"], "0.00833333333333333", {"surface.keep_volume": ["0"]}),
+    "surface_merge": (["0.166666666666667", "0.125", "0.1"], "0.125", {"surface.keep_volume": ["1"], "surface.particle_support": ["1.5"]}),
+    "surface_split": (["0.166666666666667", "0.125", "0.1"], "0.125", {"surface.keep_volume": ["1"], "surface.particle_support": ["1.5"]}),
 }
 
 
@@ -59,7 +71,7 @@ def settingsOf(key, value):
     """[key=value, ...] as `--set` takes them. A key of several words sets all but the last to what they say: "density=continuity support"."""
     words = key.split()
     words[-1] += "=" + value
-    return [w if w.startswith(("material.", "quality=")) else "numerics." + w for w in words]
+    return [w if w.startswith(("material.", "quality=", "surface.", "body.")) else "numerics." + w for w in words]
 
 
 def runs(level):

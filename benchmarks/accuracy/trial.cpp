@@ -3,7 +3,9 @@
 #include <cmath>
 #include <ctime>
 
+#include "benchmarks/accuracy/made_meshes.hpp"
 #include "core/math/exact_sum.hpp"
+#include "core/surface/surface_due.hpp"
 #include "io/commands/scene_for_all.hpp"
 #include "parallel/balance.hpp"
 
@@ -17,6 +19,36 @@ double processorSeconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
+double overRanks(Trial& r, double seconds) {
+  ExactSum all;
+  all.add(seconds);
+  all.carry();
+  r.all.sum(all.digit);
+  return all.value();
+}
+
+/// Frames are only counted; the surface is updated at them, as it is where they are written.
+void passFrames(Clock& c) {
+  while (frameDue(c)) c.frame++;
+}
+
+void beginSurface(Trial& r) {
+  World& w = r.world;
+  r.surface = std::make_unique<SurfaceRanks>(r.comm, w.surface.grid);
+  r.surfaceTools.load = suiteMeshes();
+  startSurface(w, r.surface->halos(), r.surfaceTools);
+  passFrames(w.clock);
+}
+
+void surfaceAfterStep(Trial& r, double move2) {
+  World& w = r.world;
+  if (!frameDue(w.clock) && !surfaceDue(w, move2) && w.clock.time < w.clock.end) return;
+  const double begin = processorSeconds();
+  updateSurface(w, r.surface->halos(), r.surfaceTools);
+  r.updateSeconds += processorSeconds() - begin;
+  passFrames(w.clock);
+}
+
 }  // namespace
 
 void run(const Case& c, Trial& r, const std::vector<std::string>& overrides) {
@@ -24,10 +56,10 @@ void run(const Case& c, Trial& r, const std::vector<std::string>& overrides) {
   World& w = r.world;
   w.scene = sceneForAll(r.comm, file, overrides);
   if (c.adapt) c.adapt(w.scene);
-  prepareWorld(w, r.tools, meshLoader());
+  prepareWorld(w, r.tools, suiteMeshes());
   r.cells = std::make_unique<MpiCellHalo>(r.comm, w.grid);
   r.bonds = std::make_unique<MpiBondHalo>(r.comm);
-  sampleWorld(w, r.halos(), r.tools, meshLoader());
+  sampleWorld(w, r.halos(), r.tools, suiteMeshes());
   if (c.place) c.place(r);
   r.tools.bondsAtStart = w.modules.solid;
   r.tools.emitFirst = true;
@@ -36,20 +68,19 @@ void run(const Case& c, Trial& r, const std::vector<std::string>& overrides) {
     c.start(r);
     takeStock(w, r.halos(), r.tools);
   }
-  if (c.watch) c.watch(r);
   WorkMeter meter;
   const double begin = processorSeconds();
+  if (w.modules.surface) beginSurface(r);
+  if (c.watch) c.watch(r);
   while (w.clock.time < w.clock.end && r.finite) {
-    r.finite = step(w, r.halos(), r.tools, {}).finite;
+    const StepOutcome o = step(w, r.halos(), r.tools, {});
+    r.finite = o.finite;
+    if (r.finite && w.modules.surface) surfaceAfterStep(r, o.surfaceMove2);
     if (c.watch) c.watch(r);
     if (w.clock.step % 25 == 0) balance(w, *r.cells, r.tools, meter);
   }
-  r.coreSeconds = processorSeconds() - begin;
-  ExactSum all;
-  all.add(r.coreSeconds);
-  all.carry();
-  r.all.sum(all.digit);
-  r.coreSeconds = all.value();
+  r.coreSeconds = overRanks(r, processorSeconds() - begin);
+  r.updateSeconds = overRanks(r, r.updateSeconds);
 }
 
 void makeThin(Scene& s) {

@@ -8,8 +8,10 @@
 
 #include "core/setup/setup.hpp"
 #include "core/ledger/report.hpp"
+#include "core/surface/update_surface.hpp"
 #include "parallel/bond_halo.hpp"
 #include "parallel/cell_halo.hpp"
+#include "parallel/row_courier.hpp"
 
 namespace thaw::accuracy {
 
@@ -34,9 +36,13 @@ struct Trial {
   MpiReducer all;
   std::unique_ptr<MpiCellHalo> cells;
   std::unique_ptr<MpiBondHalo> bonds;
+  std::unique_ptr<SurfaceRanks> surface;  ///< where the scene has one
+  SurfaceTools surfaceTools;
   std::vector<Sample> series;           ///< what `watch` notes
   std::map<std::string, double> notes;  ///< what hooks leave for each other
-  double coreSeconds = 0;               ///< processor time of the steps, of all ranks
+  std::vector<std::uint64_t> ids;       ///< the same: of what `series` is about
+  double coreSeconds = 0;               ///< processor time of the steps, of all ranks; the surface with its start is part of it
+  double updateSeconds = 0;             ///< that of the surface's updates
   bool finite = true;                   ///< false: the run blew up, and the figures say so
 };
 
@@ -59,11 +65,12 @@ std::vector<Case> viscousCases();  ///< viscosity and surface tension
 std::vector<Case> solidCases();
 std::vector<Case> heatCases();
 std::vector<Case> mixedCases();    ///< liquids and solids in one scene
+std::vector<Case> surfaceCases();  ///< surfels
 
 /// For Case::adapt: domain and boxes are six spacings (three support radii) wide along the periodic axes, so that a finer run of a one-dimensional case costs no more across.
 void makeThin(Scene& scene);
 
-/// Runs a case to the end of its scene. overrides: as `thaw run --set`. Throws SceneErrors.
+/// Runs a case to the end of its scene; a surface is updated as `thaw run` does it, at frames and between them, and at the end. overrides: as `thaw run --set`. Throws SceneErrors.
 void run(const Case& c, Trial& trial, const std::vector<std::string>& overrides);
 
 // Sums over the particles of all ranks, exact, so that figures have the same bits on any number of ranks.

@@ -1,0 +1,12 @@
+// The surface (K05 section 4) against exact shapes and motions, issue "the surface": surfels at rest, and surfels that move, part and meet.
+#include "benchmarks/accuracy/surface_trials.hpp"
+
+namespace thaw::accuracy {
+
+std::vector<Case> surfaceCases() {
+  std::vector<Case> all = restingSurfaceCases();
+  for (const Case& c : movingSurfaceCases()) all.push_back(c);
+  return all;
+}
+
+}  // namespace thaw::accuracy
