@@ -9,11 +9,10 @@ namespace thaw {
 FieldHere colourAt(const World& w, const SurfaceTools& t, std::uint64_t component, const Vec3d& x) {
   const SurfaceParticles& p = w.surface.particles;
   const double h = w.surface.particleSupport, h2 = h * h;
-  const Vec3d reach{h, h, h};
   FieldHere c;
   double mean = 0;
-  forRowsInBox(t.relax.particleBins, x - reach, x + reach, [&](std::uint32_t j) {
-    const Vec3d d = x - p.position[j];
+  forRowsAround(t.relax.particleBins, x, x, h, [&](std::uint32_t j, const Vec3d& at) {
+    const Vec3d d = x - at;
     const double u = 1 - dot(d, d) / h2;
     if (!(u > 0) || p.component[j] != component) return;
     const double volume = static_cast<double>(t.relax.particle[4 * j + 3]);  // over that of the lattice sum
