@@ -17,7 +17,8 @@ void fillBins(const CellGrid& grid, const CellTable& cells, const Vec3d* positio
   std::stable_sort(b.sorting.begin(), b.sorting.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
   b.key.resize(b.sorting.size());
   b.row.resize(b.sorting.size());
-  for (std::size_t k = 0; k < b.sorting.size(); k++) b.key[k] = b.sorting[k].first, b.row[k] = b.sorting[k].second;
+  b.at.resize(b.sorting.size());
+  for (std::size_t k = 0; k < b.sorting.size(); k++) b.key[k] = b.sorting[k].first, b.row[k] = b.sorting[k].second, b.at[k] = position[b.row[k]];
 }
 
 }  // namespace thaw

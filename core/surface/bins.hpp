@@ -17,6 +17,7 @@ struct Bins {
   double perLength = 1;            ///< 1/m
   std::vector<std::uint64_t> key;  ///< of each row in the order; keys ascend along x first
   std::vector<std::uint32_t> row;
+  std::vector<Vec3d> at;           ///< m, places of these rows when the bins were filled
   std::vector<std::pair<std::uint64_t, std::uint32_t>> sorting;
 };
 
@@ -53,6 +54,33 @@ template<class Found> void forRowsInBox(const Bins& b, const Vec3d& low, const V
       first = false;
       for (; at < n && b.key[at] <= last; at++) found(b.row[at]);
     }
+}
+
+/// Calls found(row, place) for all rows whose place is within `radius` (m) of the box [low, high], and some more, in the order of the bins: of each
+/// line of bins along x only what a rounded box may reach.
+template<class Found> void forRowsAround(const Bins& b, const Vec3d& low, const Vec3d& high, double radius, Found found) {
+  const double r2 = (1 + 1e-9) * radius * radius, edge = 1 / b.perLength;
+  const std::uint64_t y0 = binOf(b, low.y - radius, 1), y1 = binOf(b, high.y + radius, 1), z0 = binOf(b, low.z - radius, 2), z1 = binOf(b, high.z + radius, 2);
+  const auto gap = [&](std::uint64_t bin, int axis) {  // from the box to a layer of bins
+    const double from = b.base[axis] + edge * static_cast<double>(bin);
+    return std::max({0.0, from - high[axis], low[axis] - (from + edge)}) * (1 - 1e-9);
+  };
+  const std::size_t n = b.key.size();
+  std::size_t at = 0;
+  bool first = true;
+  for (std::uint64_t z = z0; z <= z1; z++) {
+    const double offZ = gap(z, 2);
+    for (std::uint64_t y = y0; y <= y1; y++) {
+      const double offY = gap(y, 1), left = r2 - offZ * offZ - offY * offY;
+      if (left < 0) continue;
+      const double reach = std::sqrt(left);
+      const std::uint64_t from = binKey(binOf(b, low.x - reach, 0), y, z), last = binKey(binOf(b, high.x + reach, 0), y, z);
+      if (first) at = static_cast<std::size_t>(std::lower_bound(b.key.begin(), b.key.end(), from) - b.key.begin());
+      else if (at < n && b.key[at] < from) at = firstFrom(b, at, from);
+      first = false;
+      for (; at < n && b.key[at] <= last; at++) found(b.row[at], b.at[at]);
+    }
+  }
 }
 
 }  // namespace thaw

@@ -18,9 +18,8 @@ struct Carry { Vec3d move{}; Mat3d gradient{}; double weight = 0, liquid = 0, te
 Carry carryAt(const SurfaceParticles& p, const Bins& bins, const Vec3d& x, std::uint64_t component, double h) {
   Carry c;
   const double h2 = h * h;
-  const Vec3d reach{h, h, h};
-  forRowsInBox(bins, x - reach, x + reach, [&](std::uint32_t j) {
-    const Vec3d d = x - p.position[j];
+  forRowsAround(bins, x, x, h, [&](std::uint32_t j, const Vec3d& at) {
+    const Vec3d d = x - at;
     const double r2 = dot(d, d);
     if (r2 >= h2 || p.component[j] != component) return;
     const double w = weight(r2, h2);

@@ -16,18 +16,15 @@ struct Collector {
   const Vec3d* at;
   int count;
   Vec3d low, high;
-  void find(const Bins& bins, const Vec3d* to, const std::uint64_t* component, std::uint64_t wanted, double radius, std::vector<std::uint32_t>& rows) const {
-    const Vec3d reach{radius, radius, radius};
+  void find(const Bins& bins, const std::uint64_t* component, std::uint64_t wanted, double radius, std::vector<std::uint32_t>& rows) const {
     const double r2 = radius * radius;
-    forRowsInBox(bins, low - reach, high + reach, [&](std::uint32_t j) {
-      if (component[j] != wanted) return;
-      const Vec3d x = to[j];
+    forRowsAround(bins, low, high, radius, [&](std::uint32_t j, const Vec3d& x) {
       double box = 0;
       for (int a = 0; a < 3; a++) {
         const double d = std::max({low[a] - x[a], 0.0, x[a] - high[a]});
         box += d * d;
       }
-      if (box >= r2) return;
+      if (box >= r2 || component[j] != wanted) return;
       for (int k = 0; k < count; k++) {
         const Vec3d d = at[k] - x;
         if (dot(d, d) < r2) return rows.push_back(j);
@@ -78,8 +75,8 @@ void listGroups(const Surface& s, const std::vector<std::uint8_t>& free, const B
     }
     for (int n = here.count; n < 8; n++) l.self.push_back(l.self[8 * l.lanes.size()]);
     l.lanes.push_back(static_cast<std::uint8_t>(here.count));
-    here.find(surfelBins, f.position.data(), f.component.data(), component, radii.surfels, l.surfel);
-    here.find(particleBins, s.particles.position.data(), s.particles.component.data(), component, radii.particles, l.particle);
+    here.find(surfelBins, f.component.data(), component, radii.surfels, l.surfel);
+    here.find(particleBins, s.particles.component.data(), component, radii.particles, l.particle);
     l.firstSurfel.push_back(l.surfel.size());
     l.firstParticle.push_back(l.particle.size());
   }

@@ -9,12 +9,11 @@ namespace thaw {
 FieldHere colourAt(const World& w, const SurfaceTools& t, std::uint64_t component, const Vec3d& x) {
   const SurfaceParticles& p = w.surface.particles;
   const double h = w.surface.particleSupport, h2 = h * h;
-  const Vec3d reach{h, h, h};
   FieldHere c;
   const double perNear2 = 1 / (nearSupport * nearSupport * w.scene.spacing * w.scene.spacing);
   double mean = 0, near = 0;
-  forRowsInBox(t.relax.particleBins, x - reach, x + reach, [&](std::uint32_t j) {
-    const Vec3d d = x - p.position[j];
+  forRowsAround(t.relax.particleBins, x, x, h, [&](std::uint32_t j, const Vec3d& at) {
+    const Vec3d d = x - at;
     const double r2 = dot(d, d), u = 1 - r2 / h2, n = std::max(0.0, 1 - r2 * perNear2);
     if (!(u > 0) || p.component[j] != component) return;
     const double volume = static_cast<double>(t.relax.particle[4 * j + 3]);  // over that of the lattice sum

@@ -53,7 +53,6 @@ void readyParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
   addGhosts(halos.particles, p, s.particleCells, columns);
   const double h = s.particleSupport, h2 = h * h, dx = w.scene.spacing, perVolume = 1 / (dx * dx * dx);
   const Lattice lattice = latticeOf(h / dx, t.relax.level);
-  const Vec3d reach{h, h, h};
   fillBins(s.grid, s.particleCells, p.position.data(), 0.5 * h, t.relax.particleBins);
   // the colour at each particle, then the same with each particle weighted by its colour
   for (int pass = 0; pass < 2; pass++) {
@@ -61,8 +60,8 @@ void readyParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
     for (std::size_t i = 0; i < p.owned; i++) {
       double sum = 0;
       if (p.component[i] != noComponent)
-        forRowsInBox(t.relax.particleBins, p.position[i] - reach, p.position[i] + reach, [&](std::uint32_t j) {
-          const Vec3d d = p.position[j] - p.position[i];
+        forRowsAround(t.relax.particleBins, p.position[i], p.position[i], h, [&](std::uint32_t j, const Vec3d& at) {
+          const Vec3d d = at - p.position[i];
           const double u = 1 - dot(d, d) / h2;
           if (u > 0 && p.component[j] == p.component[i]) sum += p.volume[j] * (j == i ? lattice.self : u * u * u) * (pass == 0 ? 1.0 : static_cast<double>(p.colour[j]));
         });
@@ -91,11 +90,10 @@ void sampleFields(World& w, SurfaceHalos halos, SurfaceTools& t) {
   const SurfaceParticles& p = w.surface.particles;
   if (!s.liquid.active && !s.temperature.active) return;
   const double h = w.surface.particleSupport, h2 = h * h;
-  const Vec3d reach{h, h, h};
   for (std::size_t i = 0; i < s.owned; i++) {
     double weights = 0, liquid = 0, temperature = 0;
-    forRowsInBox(t.relax.particleBins, s.position[i] - reach, s.position[i] + reach, [&](std::uint32_t j) {
-      const Vec3d d = p.position[j] - s.position[i];
+    forRowsAround(t.relax.particleBins, s.position[i], s.position[i], h, [&](std::uint32_t j, const Vec3d& at) {
+      const Vec3d d = at - s.position[i];
       const double u = 1 - dot(d, d) / h2;
       if (!(u > 0) || p.component[j] != s.component[i]) return;
       const double v = u * u * u;

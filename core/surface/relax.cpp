@@ -123,7 +123,7 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
   f.activate(f.moving);
   for (std::size_t i = 0; i < f.owned; i++) f.moving[i] = all || (f.liquid.active && f.liquid[i] > 0);
   // a surfel may move by half the margin before lists are stale; the cells of the grid leave room for half a spacing of the particles
-  const double margin = std::min(s.spacing, w.scene.spacing);
+  const double margin = std::min(2 * s.spacing, w.scene.spacing);
   search(w, halos, t, all, margin, lap);
   Settled done;
   MoveCounts counts;

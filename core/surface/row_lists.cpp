@@ -6,12 +6,11 @@ void findRows(const Bins& bins, const Vec3d* position, std::size_t owned, const 
   lists.row.clear();
   lists.first.assign(owned + 1, 0);
   const double r2 = radius * radius;
-  const Vec3d reach{radius, radius, radius};
   for (std::size_t i = 0; i < owned; i++) {
     if (wanted[i]) {
       const Vec3d x = position[i];
-      forRowsInBox(bins, x - reach, x + reach, [&](std::uint32_t j) {
-        const Vec3d d = position[j] - x;
+      forRowsAround(bins, x, x, radius, [&](std::uint32_t j, const Vec3d& at) {
+        const Vec3d d = at - x;
         if (dot(d, d) < r2 && i != j) lists.row.push_back(j);
       });
     }
