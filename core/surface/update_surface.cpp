@@ -57,7 +57,7 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   splitAndMerge(w, halos, t);     // before resampling, which closes seams
   sampleFields(w, halos, t);
   renewSurfels(w, halos, t);
-  resampleOnParticles(w, halos, t, 8);
+  resampleOnParticles(w, halos, t, s.events.size() > s.quietEvents ? 24 : 8);  // seams of merges are to close
   const Settled settled = settle(w, halos, t, forceWeights(w.scene.surface), w.scene.surface.iterations, false);
   s.counters.iterations += settled.iterations;
   s.counters.unfinished += !settled.finished;
