@@ -139,7 +139,7 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
     lap(r.times.particleSums);
     MoveContext context = moveContext(w, r, weights);
     context.spread = spread;
-    spread *= 0.9;
+    spread *= 0.95;
     double state[2]{0, 0};  // moving at all, furthest from where it was found
     // those of groups without work have not moved in the last iteration
     for (const std::uint32_t g : r.groups) {
