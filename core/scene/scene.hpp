@@ -233,7 +233,7 @@ struct SurfaceSettings {
   std::int64_t iterations = 40;   // at most, in an update
   double stop = 0.01;             // 1, a surfel that moves less than this share of its spacing, with all its neighbours, is left alone
   double adapt = 0;               // 1, finest spacing over the wanted one, where the surface is curved; 0: the same everywhere
-  double keepVolume = 0;          // 1, weight of the force that keeps a component's volume at that of its particles
+  double keepVolume = 1;          // 1, weight of the force that keeps the volume of what is liquid at that of its particles; 0: none
   MergeRule merge = MergeRule::Liquid;
   double linkLength = 1.5;        // 1, spacings: particles of one component further apart hold it together no longer
 };

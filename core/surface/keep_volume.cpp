@@ -11,13 +11,11 @@ namespace thaw {
 
 namespace {
 
-/// Not the smallest ones, nor those with a seam that is open since a merge of this update.
-bool kept(const Surface& s, const SurfaceComponent& c) {
+/// Not the smallest ones, nor solids, nor those with a hole: a seam since a merge.
+bool kept(const SurfaceComponent& c) {
   constexpr std::int64_t fewest = 12;
-  if (c.surfels < fewest || !(c.area > 0) || !(c.wantedVolume > 0)) return false;
-  for (std::size_t k = s.events.size(); k-- > s.quietEvents;)
-    if (s.events[k].merge && s.events[k].label == c.label) return false;
-  return true;
+  constexpr double leastFree = 0.05, closed = 0.02;
+  return c.surfels >= fewest && c.wantedVolume > 0 && c.freeArea > leastFree * c.area && c.open < closed;
 }
 
 }  // namespace
@@ -38,18 +36,20 @@ void keepStartVolumes(World& w, SurfaceHalos halos) {
 double volumeError(const Surface& s) {
   double error = 0;
   for (const SurfaceComponent& c : s.components)
-    if (kept(s, c)) error = std::max(error, std::abs(c.volume - c.wantedVolume) / c.wantedVolume);
+    if (kept(c)) error = std::max(error, std::abs(c.volume - c.wantedVolume) / c.wantedVolume);
   return error;
 }
 
 void offsetToVolume(Surface& s, double keepVolume) {
   Surfels& f = s.surfels;
+  if (!f.liquid.active) return;
   const double longest = 0.25 * s.spacing;
   const SurfaceComponent* c = nullptr;
   for (std::size_t i = 0; i < f.owned; i++) {
     if (!c || c->label != f.component[i]) c = findComponent(s, f.component[i]);
-    if (!c || !kept(s, *c)) continue;
-    const double move = std::clamp(keepVolume * (c->wantedVolume - c->volume) / c->area, -longest, longest);
+    if (!c || !kept(*c)) continue;
+    const double share = static_cast<double>(f.liquid[i]);
+    const double move = share * std::clamp(keepVolume * (c->wantedVolume - c->volume) / c->freeArea, -longest, longest);
     f.position[i] += move * f.normal[i];
     f.calm[i] = std::max(0.0f, f.calm[i] - static_cast<float>(std::abs(move) / f.radius[i]));
   }

@@ -5,10 +5,10 @@
 
 namespace thaw {
 
-/// Moves every surfel along its normal by keepVolume (V_target - V) / A of its component, at most a quarter of the wanted spacing: the same
-/// for all of a component, so that its detail stays. V_target is the volume of the particles, mass over density at rest, times
-/// what the mesh of their body held over it at the start. Needs Surface::components as measured. Components of fewer than twelve surfels, and those that
-/// have merged since Surface::quietEvents, are left alone. Not collective.
+/// Moves every surfel along its normal by its liquid fraction times keepVolume (V_target - V) / sum of liquid fractions times areas of its
+/// component, at most a quarter of the wanted spacing: solid surfaces keep their place and detail. V_target is the volume of the particles,
+/// mass over density at rest, times what the mesh of their body held over it at the start. Needs Surface::components as measured. Components
+/// of fewer than twelve surfels, those of which less than a twentieth is liquid, and those with a hole are left alone. Not collective.
 void offsetToVolume(Surface& surface, double keepVolume);
 
 /// The largest |V - V_target| / V_target of components that are not left alone.

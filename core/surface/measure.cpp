@@ -18,7 +18,7 @@ struct Record {
   Vec3d reach{};        // m, largest distance from the anchor along each axis; only of periodic axes
 };
 
-enum Sum { Mass, ParticleVolume, WantedVolume, MomentX, MomentY, MomentZ, Area, VolumeX, VolumeY, VolumeZ, NormalX, NormalY, NormalZ, sums };
+enum Sum { Mass, ParticleVolume, WantedVolume, MomentX, MomentY, MomentZ, Area, VolumeX, VolumeY, VolumeZ, NormalX, NormalY, NormalZ, FreeArea, sums };
 
 /// Rows of one component on this rank.
 struct Group {
@@ -119,6 +119,7 @@ void addRows(const Surface& s, const Group& g, const std::vector<std::uint32_t>&
     const std::uint32_t i = surfels[k];
     const Vec3d d = fromAnchor(s.grid, r.anchor, f.position[i]), nA = f.area[i] * f.normal[i];
     sum[Area].add(f.area[i]);
+    sum[FreeArea].add(f.liquid.active ? static_cast<double>(f.liquid[i]) * f.area[i] : 0.0);
     for (int a = 0; a < 3; a++) {
       sum[static_cast<std::size_t>(VolumeX + a)].add(d[a] * nA[a]);
       sum[static_cast<std::size_t>(NormalX + a)].add(nA[a]);
@@ -133,6 +134,8 @@ void finish(const CellGrid& grid, Record& r, const std::array<double, sums>& v) 
   c.particleVolume = v[ParticleVolume];
   c.wantedVolume = v[WantedVolume];
   c.area = v[Area];
+  c.freeArea = v[FreeArea];
+  c.open = c.area > 0 ? length(Vec3d{v[NormalX], v[NormalY], v[NormalZ]}) / c.area : 0;
   const Vec3d centroid = c.mass > 0 ? Vec3d{v[MomentX], v[MomentY], v[MomentZ]} / c.mass : Vec3d{};
   c.centroid = r.anchor + centroid;
   double volume = 0, any = 0;

@@ -19,6 +19,8 @@ struct SurfaceComponent {
   double area = 0;                    ///< m^2
   Vec3d centroid{};                   ///< m, of its particles by mass
   double wantedVolume = 0;            ///< m^3, that volume keeping holds: of its particles, times what their body's mesh held over that at the start; of the update
+  double freeArea = 0;                ///< m^2, sum of the surfels' areas times their liquid fractions: what volume keeping may move; of the update
+  double open = 0;                    ///< |sum n A| / area: 0 where the surface is closed; of the update
 };
 
 /// A split or merge. In the order in which they happened, the same on all ranks; part of the state.

@@ -64,7 +64,7 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   t.times.lap(SurfacePhase::Fields);
   renewSurfels(w, halos, t);
   t.times.lap(SurfacePhase::Growth);
-  resampleOnParticles(w, halos, t, 8);
+  resampleOnParticles(w, halos, t, s.events.size() > s.quietEvents ? 24 : 8);  // seams of merges are to close
   t.times.lap(SurfacePhase::Resampling);
   const Settled settled = settle(w, halos, t, forceWeights(w.scene.surface), w.scene.surface.iterations, false);
   s.counters.iterations += settled.iterations;
