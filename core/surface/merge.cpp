@@ -31,6 +31,7 @@ class Joined {
       label = to;
     }
   }
+  bool joins(std::uint64_t label) const { return std::binary_search(label_.begin(), label_.end(), label); }
   /// The label that goes, or 0 if they are one already.
   std::uint64_t join(std::uint64_t a, std::uint64_t b) {
     a = of(a);
@@ -131,7 +132,8 @@ std::vector<Pair> meetingPairs(const World& w, Reducer& all, const ComponentTool
 void judgeSurfel(const World& w, std::uint32_t i, const Joined& joined, ComponentTools& c, MergeTools& t) {
   const Surface& s = w.surface;
   const Surfels& f = s.surfels;
-  findSides(f, c.surfelBins, f.position[i], f.component[i], true, meetingReach(w), t.inside, t.sides);
+  const double reach = joined.joins(f.component[i]) ? s.particleSupport : meetingReach(w);
+  findSides(f, c.surfelBins, f.position[i], f.component[i], true, reach, t.inside, t.sides);
   Vec3d push{};
   for (const SurfaceSide& side : t.sides) {
     if (side.asked < leastAsked) continue;

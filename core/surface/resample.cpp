@@ -17,7 +17,7 @@
 namespace thaw {
 namespace {
 
-enum Wish : std::uint8_t { Birth = 1, Crowded = 2, Champion = 4, Dies = 8 };  // Champion: comes before all that are too close to it
+enum Wish : std::uint8_t { Birth = 1, Crowded = 2, Champion = 4, Changed = 8 };  // Champion: comes before all that are too close to it
 
 constexpr double border = 3.6;  // rad: 206 degrees
 
@@ -215,12 +215,13 @@ Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t r
       halos.all.sum({&count[1], 1});
       done.capped = true;
     }
-    if (count[2] > 0) {  // what they covered may be open now
-      for (const std::uint32_t i : r.going) s.wish[i] |= Dies;
+    if (count[1] + count[2] > 0) {  // what the dead covered may be open, and births bend what their neighbours see
+      for (const std::uint32_t i : r.going) s.wish[i] |= Changed;
+      for (const std::uint32_t i : parents) s.wish[i] |= Changed;
       refreshGhosts(halos.surfels, s, ColumnList{&s.wish});
-      std::vector<std::uint8_t> gone(s.size());
-      for (std::size_t i = 0; i < s.size(); i++) gone[i] = (s.wish[i] & Dies) != 0;
-      disturbAround(s, t.relax.surfelBins, gone, surface.spacing);
+      std::vector<std::uint8_t> changed(s.size());
+      for (std::size_t i = 0; i < s.size(); i++) changed[i] = (s.wish[i] & Changed) != 0;
+      disturbAround(s, t.relax.surfelBins, changed, surface.spacing);
     }
     done.births += count[1];
     done.deaths += count[2];
