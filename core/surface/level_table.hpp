@@ -29,8 +29,8 @@ class LevelTable {
 /// The level does not know a thin body from one whose particles have gone apart: a fluid that is stretched without a pressure that draws it
 /// together, as below a spout, or a splash. Its surface would keep the extent of the particles, and hold up to twice their volume. So the
 /// level rises where few particles are near: the sum of (1 - (r/nearSupport)^2)^3 over particles (lengths in spacings) is 2.6 on a plane of
-/// the lattice half a spacing above it, 1.4 on a row of particles one spacing apart, .7 on a drop of one particle.
-inline constexpr double nearSupport = 2, nearFull = 1.5, tightest = 0.6;
+/// the lattice half a spacing above it, 1.4 on a row of particles one spacing apart, .7 on a drop of one particle: those stay.
+inline constexpr double nearSupport = 2, nearFull = 0.5, tightest = 0.6;
 inline double tightened(double level, double near) { return level * (1 + tightest * std::max(0.0, 1 - near / nearFull)); }
 
 }  // namespace thaw
