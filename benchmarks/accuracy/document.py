@@ -6,6 +6,7 @@ Every number in the document comes from the files. In text.md:
   {{ratio CASE | NORM | SETTINGS A | SETTINGS B}}   error of A over that of B; {{cost ...}} the same for core-seconds
   {{between CASE A | CASE B | NORM}}    order between the defaults of two cases that are one at two resolutions
   {{table CASE}}    all settings of a case        {{targets}}    the defaults beside what they are to reach
+  {{choices CASE | SETTINGS; SETTINGS ... | NORM; NORM ...}}    some settings of a case, a line each, with some of its norms
   {{chart CASE}}    its picture, copied to docs/pictures/accuracy/        {{modules}}    what each module costs
 The CSV files are copied to docs/accuracy/, so that the document can be made anew from what is in the repository.
 """
@@ -69,6 +70,8 @@ class Document:
             return short(float(self.find(case, norm, a)[column]) / float(self.find(case, norm, b)[column]))
         if what == "table":
             return self.table(arguments[0])
+        if what == "choices":
+            return self.choices(arguments[0], *([part.strip() for part in text.split(";")] for text in arguments[1:]))
         if what == "targets":
             return self.targets()
         if what == "chart":
@@ -91,6 +94,13 @@ class Document:
             values = [short(of[n]["error"]) if n in of else "blew up" if any(k.startswith("blew up") for k in of) else "" for n in norms]
             order = orderOf(of[norms[0]]) if norms and norms[0] in of else ""
             lines.append(f"| {settings} | {' | '.join(values)} | {order} | {short(one['core_seconds'])} | {one['steps']} | {one['particles']} |")
+        return "\n".join(lines)
+
+    def choices(self, case, settings, norms):
+        lines = [f"| settings | {' | '.join(cell(n) for n in norms)} | core-seconds |", "|---" * (len(norms) + 2) + "|"]
+        for at in settings:
+            found = [self.find(case, n, at) for n in norms]
+            lines.append(f"| {at} | {' | '.join(short(r['error']) for r in found)} | {short(found[0]['core_seconds'])} |")
         return "\n".join(lines)
 
     def targets(self):

@@ -21,4 +21,6 @@ MARKS = {
                "P speed at 40 dx": [("MLS, h = 2 dx", 0.0041, None), ("h = 3 dx", 0.0088, None)]},
     "cantilever": {"deflection": [("MLS, h = 2 dx, H/dx = 8", 0.15, None), ("MLS, h = 1.5 dx, hourglass 1, H/dx = 8", 0.043, None)]},
     "cantilever_vibration": {"first frequency": [("MLS, h = 2 dx, H/dx = 8", 0.067, None)]},
+    "surface_ball": {"Hausdorff/R": [("iso-surface of a sampled ball, R/dx = 8", 0.032, None), ("the same, R/dx = 16", 0.017, None), ("the same, R/dx = 24", 0.014, None)],
+                     "normals mean (deg)": [("colour field at h = 2 dx", 8, None)], "normals max (deg)": [("colour field at h = 2 dx", 18, None)]},
 }
