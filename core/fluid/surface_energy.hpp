@@ -7,7 +7,7 @@
 // layer, a thread, a drop of one particle. It is also what holds the liquid at rest density where no pressure does.
 // Forces are the slopes of the sum of E by the places, volumes held: the pair's is V_i V_j (H (u_i - u_j) + (s_i + s_j) grad W), with H the Hessian
 // of W, u = dE/dn and s = dE/dcover per volume. So momentum, angular momentum and energy are kept. The kernel is surface_kernel.hpp's.
-// Calibration: A makes the surface of the lattice cost sigma; C and B are such that packed drops (four seeds, R / dx = 8, 12 and 16) have Laplace's
+// Calibration: A makes the surface of the lattice cost sigma; C and B are such that packed drops (seeds 1 to 4, R / dx = 8 and 12) have Laplace's
 // pressure in their equation of state and swing in the period of the second mode, both; with B = 3 the two differ. Not from a lattice: a drop cut
 // out of one keeps the symmetry of the cube and rests with a pressure 16 to 20 % off that of packed ones, to either side. At supports other than 2,
 // C is from the pressure alone. The power is measured, too.
