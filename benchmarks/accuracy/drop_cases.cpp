@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/fluid/cohesion.hpp"
+#include "core/fluid/surface_kernel.hpp"
 #include "core/kernels/kernels.hpp"
 
 namespace thaw::accuracy {
@@ -69,32 +70,49 @@ template<class Action> void overPairs(const World& w, Action action) {
     }
 }
 
-/// Pressure within a ball around the drop's centre: each pair's force times the share of its line that lies in the ball, Irving and Kirkwood's
-/// pressure averaged over the ball (Cormier, Rickman & Delph 2001 eq. 13). It has all pair forces in it, of pressure and of cohesion; what moves
-/// adds its momentum flow. `mismatch`: how far the forces that are added up here are from those of the program, root mean square.
-double pressureWithin(Trial& r, double radius, double* mismatch) {
+/// N, the surface energy's force on i of the pair (terms/surface_energy.hpp), not along i - j alone; nothing with other forms of tension.
+Vec3d surfaceForce(const World& w, std::size_t i, std::size_t j, const Vec3d& d) {
+  const Continuum& p = w.particles;
+  if (!w.modules.surfaceEnergy) return {};
+  const double h = w.grid.support, rho = w.scene.materials[0].density, q2 = dot(d, d) / (h * h);
+  const Vec3d x = d / h, u = p.surfacePull[i] - p.surfacePull[j];
+  const double slope = isa_base::SurfaceKernel::slope(q2), bend = isa_base::SurfaceKernel::bend(q2);
+  const double along = bend * dot(u, x) + slope * (p.surfaceDraw[i] + p.surfaceDraw[j]);
+  return (u * slope + x * along) * (-p.mass[i] / rho * (p.mass[j] / rho) / (h * h * h * h));
+}
+
+/// Pressures within a ball around the drop's centre: each pair's force times the share of its line that lies in the ball, Irving and Kirkwood's
+/// pressure averaged over the ball (Cormier, Rickman & Delph 2001 eq. 13); what moves adds its momentum flow. `pairs`: of pressure and of cohesion;
+/// `all`: of the surface's energy, too, which pulls inside as well, where particles lie out of order. `mismatch`: how far all these forces are from
+/// those of the program, root mean square.
+struct Within { double pairs, all, mismatch; };
+Within pressureWithin(Trial& r, double radius) {
   const World& w = r.world;
   const Continuum& p = w.particles;
   const PairForce pairForce{w, r.tools};
   const Vec3d centre = centreOf(r);
-  std::vector<double> virial(p.owned, 0.0);
+  std::vector<double> virial(p.owned, 0.0), surface(p.owned, 0.0);
   std::vector<Vec3d> force(p.owned);
   overPairs(w, [&](std::size_t i, std::size_t j, const Vec3d& d, double distance) {
-    const double f = pairForce(i, j, distance);
-    virial[i] += 0.5 * f * distance * shareWithin(p.position[i] - centre, p.position[j] - centre, radius);
-    force[i] += d * (f / distance);
+    const double f = pairForce(i, j, distance), share = shareWithin(p.position[i] - centre, p.position[j] - centre, radius);
+    const Vec3d tension = surfaceForce(w, i, j, d);
+    virial[i] += 0.5 * f * distance * share;
+    surface[i] += 0.5 * dot(tension, d) * share;
+    force[i] += d * (f / distance) + tension;
   });
   const double volume = 4 * pi / 3 * radius * radius * radius;
   const double moving = sum(r, [&](const World& x, std::size_t i) { return length(p.position[i] - centre) < radius ? x.particles.mass[i] * dot(p.velocity[i], p.velocity[i]) : 0; });
-  *mismatch = rootMeanSquare(r, [&](const World&, std::size_t i) { return length(p.force[i] - force[i]); });
-  return (sum(r, [&](const World&, std::size_t i) { return virial[i]; }) + moving) / (3 * volume);
+  Within in{};
+  in.mismatch = rootMeanSquare(r, [&](const World&, std::size_t i) { return length(p.force[i] - force[i]); });
+  in.pairs = (sum(r, [&](const World&, std::size_t i) { return virial[i]; }) + moving) / (3 * volume);
+  in.all = in.pairs + sum(r, [&](const World&, std::size_t i) { return surface[i]; }) / (3 * volume);
+  return in;
 }
 
 std::vector<Figure> measureLaplace(Trial& r) {
   const World& w = r.world;
   const double R = radiusOf(r), h = w.grid.support, sigma = w.scene.materials[0].surfaceTension, exact = 2 * sigma / R;
-  double mismatch = 0;
-  const double pressure = pressureWithin(r, std::max(R - 1.5 * h, 0.4 * R), &mismatch);
+  const Within in = pressureWithin(r, std::max(R - 1.5 * h, 0.4 * R));
   const Vec3d centre = centreOf(r);
   const double extent = largest(r, [&](const World& x, std::size_t i) { return length(x.particles.position[i] - centre); });
   const double speed = rootMeanSquare(r, [](const World& x, std::size_t i) { return length(x.particles.velocity[i]); });
@@ -103,16 +121,17 @@ std::vector<Figure> measureLaplace(Trial& r) {
   const double filling = sum(r, [&](const World& x, std::size_t i) { return inside(x, i) ? static_cast<double>(x.particles.filling[i]) : 0.0; }) / std::max(core, 1.0);
   // a particle's force from the sums: against sigma h, that of a few pairs; viscosity is left out, and is nothing at rest
   // cohesion is in the pairs: their virial is the pressure. Other forms act at the surface alone, and the liquid inside has the pressure of its
-  // equation of state; the virial of the pressure's pairs is printed beside it
+  // equation of state; the virial of the pressure's pairs, and that of all forces, are printed beside it
   const double mean = sum(r, [&](const World& x, std::size_t i) { return inside(x, i) ? static_cast<double>(x.particles.pressure[i]) : 0.0; }) / std::max(core, 1.0);
-  const double jump = w.scene.numerics.tension == TensionForm::Pairwise ? pressure : mean;
+  const double jump = w.scene.numerics.tension == TensionForm::Pairwise ? in.pairs : mean;
   return {{"pressure jump", std::abs(jump / exact - 1), 0.05},
           {"pressure jump / exact", jump / exact},
-          {"virial / exact", pressure / exact},
+          {"virial / exact", in.pairs / exact},
+          {"all forces / exact", in.all / exact},
           {"extent / R", (extent + 0.5 * w.scene.spacing) / R},
           {"filling inside", filling},
           {"speed / sqrt(sigma/(rho R))", speed / std::sqrt(sigma / (w.scene.materials[0].density * R))},
-          {"mismatch of forces", mismatch / (sigma * w.scene.spacing)}};
+          {"mismatch of forces", in.mismatch / (sigma * w.scene.spacing)}};
 }
 
 /// Second mode: omega^2 = 8 sigma / (rho R^3), damped at 5 nu / R^2 (Lamb 1932, art. 275 and 355).

@@ -8,11 +8,11 @@
 namespace thaw {
 namespace {
 
-constexpr double ofThin = 3;
+constexpr double ofThin = 1.4;
 
 /// C, measured on drops at rest, at supports of 1.5, 2, 2.5 and 3 spacings; linear in between.
 double ofRest(double support) {
-  constexpr double at[] = {0.44, 0.71, 0.96, 1.03};
+  constexpr double at[] = {0.68, 0.88, 1.4, 1.04};
   const double x = std::clamp(2 * support - 3, 0.0, 3.0);
   const int k = std::min(static_cast<int>(x), 2);
   return at[k] + (x - k) * (at[k + 1] - at[k]);

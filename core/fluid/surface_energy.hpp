@@ -7,8 +7,13 @@
 // layer, a thread, a drop of one particle. It is also what holds the liquid at rest density where no pressure does.
 // Forces are the slopes of the sum of E by the places, volumes held: the pair's is V_i V_j (H (u_i - u_j) + (s_i + s_j) grad W), with H the Hessian
 // of W, u = dE/dn and s = dE/dcover per volume. So momentum, angular momentum and energy are kept. The kernel is surface_kernel.hpp's.
-// Calibration: A makes the surface of the lattice cost sigma; C is then what drops at rest need for Laplace's pressure (their
-// surface is no lattice and costs more), measured at R / dx = 8 to 12 with drop_laplace; B and the power are measured, too.
+// Calibration: A makes the surface of the lattice cost sigma; C and B are such that packed drops (seeds 1 to 4, R / dx = 8 and 12) have Laplace's
+// pressure in their equation of state and swing in the period of the second mode, both; with B = 3 the two differ. Not from a lattice: a drop cut
+// out of one keeps the symmetry of the cube and rests with a pressure 16 to 20 % off that of packed ones, to either side. At supports other than 2,
+// C is from the pressure alone. The power is measured, too.
+// What it does not do: the energy depends on how the particles lie. Those at the surface arrange themselves in shells, and the energy falls to a
+// third of sigma times the area; inside, disorder leaves some cover open, which pulls, so that the pressure of all forces is about a third of the
+// equation of state's. Shells resist as a soft solid does: waves are damped three times as much as viscosity would.
 // Walls are as liquid: they cover the surface and pull on nothing but its gradient, a contact angle of 90 degrees. Solids likewise.
 #pragma once
 #include "core/walls/wall_forces.hpp"
