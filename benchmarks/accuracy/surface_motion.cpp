@@ -110,7 +110,7 @@ std::vector<Figure> measureMelt(Trial& r) {
   return all;
 }
 
-/// Time of the first event of a kind; of none the end.
+/// Time of the first event of a kind; where there was none, the end of the run.
 double firstEvent(const World& w, bool merge) {
   for (const SurfaceEvent& e : w.surface.events)
     if (e.merge == merge) return e.time;
