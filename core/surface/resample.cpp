@@ -67,7 +67,7 @@ struct Round {
       if (!place) continue;
       const bool beyond = widestGap(patch, *place, 2 * s.radius[i]) > border;
       s.calm[i] = 0;  // a rim stays under observation: the body may go on there
-      if (mayBe ? !mayBe(i, *place, beyond) || taken(i, *place) : beyond) continue;
+      if ((mayBe ? !mayBe(i, *place, beyond) : beyond) || taken(i, *place)) continue;
       s.wish[i] |= Birth;
       s.offer[i] = place->position - s.position[i];
       s.offerNormal[i] = place->normal;
