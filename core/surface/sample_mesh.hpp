@@ -11,9 +11,11 @@ namespace thaw {
 inline constexpr std::uint64_t surfelBit = std::uint64_t{1} << 63;  ///< of every surfel's id
 inline constexpr std::uint64_t birthBit = std::uint64_t{1} << 62;   ///< of those that did not come with a mesh
 
-/// Colour of the surface around particles of a body or emitter (Continuum::body): that of their material.
+/// Colour of the surface around particles of a body or emitter (Continuum::body): that of their material; of a surface without a scene the default.
 inline std::uint32_t surfaceColour(const Scene& scene, std::size_t source) {
-  const int material = source < scene.bodies.size() ? scene.bodies[source].material : scene.emitters[source - scene.bodies.size()].material;
+  const std::size_t bodies = scene.bodies.size();
+  if (source >= bodies + scene.emitters.size()) return Material{}.colour;
+  const int material = source < bodies ? scene.bodies[source].material : scene.emitters[source - bodies].material;
   return scene.materials[static_cast<std::size_t>(material)].colour;
 }
 
