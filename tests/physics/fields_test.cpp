@@ -108,10 +108,16 @@ TEST(Fields, OfWhatMelts) {
 TEST(Fields, TheSurfaceAddsTwoToParticlesAndTablesOfItsOwn) {
   Scene s = block(false);
   s.surface.on = true;
-  Names ofParticles;
-  for (const std::string& n : added(s, block(false)))
-    if (n.compare(0, 8, "surfels.") != 0 && n.compare(0, 18, "surface particles.") != 0) ofParticles.push_back(n);
-  EXPECT_EQ(ofParticles, (Names{"continuum.surfacePlace", "continuum.component"}));
+  const auto ofParticles = [&] {
+    Names names;
+    for (const std::string& n : added(s, block(false)))
+      if (n.compare(0, 8, "surfels.") != 0 && n.compare(0, 18, "surface particles.") != 0) names.push_back(n);
+    return names;
+  };
+  s.surface.keepVolume = 0;
+  EXPECT_EQ(ofParticles(), (Names{"continuum.surfacePlace", "continuum.component"}));
+  s.surface.keepVolume = 1;
+  EXPECT_EQ(ofParticles(), (Names{"continuum.surfacePlace", "continuum.component", "continuum.surfaceShare"}));
 }
 
 TEST(Fields, MemoryOfWhatIsNotThereIsNone) {

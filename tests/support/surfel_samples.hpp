@@ -100,6 +100,13 @@ inline void sampleBall(SurfelSamples& out, const Vec3d& centre, double radius, d
   }
 }
 
+/// Frames are written by MPI; a test that is run alone has none yet.
+inline void startMpi() {
+  int started = 0;
+  MPI_Initialized(&started);
+  if (!started) MPI_Init(nullptr, nullptr);
+}
+
 /// Writes a frame of a surface. `heat`: with temperatures; `scene`: what the run keeps of the scene "x".
 inline void writeSurfaceFrame(const std::string& path, const SurfelSamples& s, double time, bool heat = true, const std::string& scene = {}) {
   Frame frame;
@@ -112,9 +119,7 @@ inline void writeSurfaceFrame(const std::string& path, const SurfelSamples& s, d
                   {"component", "1", Scalar::U64, 1, s.components.data()}, {"liquid", "1", Scalar::F32, 1, s.liquid.data()},
                   {"detail", "1", Scalar::F32, 1, s.detail.data()}};
   if (heat) frame.fields.push_back({"temperature", "K", Scalar::F32, 1, s.temperature.data()});
-  int started = 0;
-  MPI_Initialized(&started);
-  if (!started) MPI_Init(nullptr, nullptr);
+  startMpi();
   writeFrame(path, MPI_COMM_SELF, frame, {"x", scene, false});
 }
 

@@ -42,6 +42,7 @@ class Export : public testing::Test {
     frame.count = surfels.size();
     frame.positions = {"position", "m", Scalar::F32, 3, surfels.positions.data()};
     frame.fields = {{"temperature", "K", Scalar::F32, 1, surfels.temperature.data()}};
+    startMpi();
     writeFrame(path.string(), MPI_COMM_SELF, frame, {});
     return path;
   }
