@@ -16,7 +16,7 @@ inline std::uint32_t surfaceColour(const Scene& scene, std::size_t source) {
   const std::size_t bodies = scene.bodies.size();
   if (source >= bodies + scene.emitters.size()) return Material{}.colour;
   const int material = source < bodies ? scene.bodies[source].material : scene.emitters[source - bodies].material;
-  return scene.materials[static_cast<std::size_t>(material)].colour;
+  return static_cast<std::size_t>(material) < scene.materials.size() ? scene.materials[static_cast<std::size_t>(material)].colour : Material{}.colour;
 }
 
 /// A sample of a body's surface.
