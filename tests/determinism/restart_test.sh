@@ -18,7 +18,7 @@ for scene in ${SCENES:-$(testedScenes)}; do
   at=$("$thaw" info "$work/parts" --json 2>"$work/log" | value - step)
   [ -n "$at" ] && [ "$at" -ge "$third" ] || { fail "$scene: no checkpoint after the kill (step '$at')"; cat "$work/log"; continue; }
   after=$(frameSums "$work/parts" "$scene")
-  [ "${after#"$before"}" != "$after" ] || fail "$scene: frames of before the kill are gone or changed"
+  frameIsLost "$before" "$after" && fail "$scene: frames of before the kill are gone or changed"
   for frame in "$work/parts/frames"/*.hdf; do "$thaw" info "$frame" >/dev/null 2>"$work/log" || { fail "$scene: frame cannot be read after the kill"; cat "$work/log"; }; done
   if [ "$at" -lt "$steps" ]; then end=$steps; else end=$((at + 5)); fi
   run 4 parts --steps "$end" --resume || { fail "$scene, resumed at step $at: exit $?"; tail -n 5 "$work/log"; continue; }

@@ -14,7 +14,7 @@ for scene in beam drop; do
   [ "$(value "$out/summary.json" status)" = failed ] || fail "$scene: the summary says '$(value "$out/summary.json" status)'"
   [ "$(value "$out/summary.json" particles)" -gt 0 ] || fail "$scene: the summary has no particles"
   after=$(frameSums "$out" "$scene")
-  [ "${after#"$frames"}" != "$after" ] || fail "$scene: frames of before are gone or changed"
+  frameIsLost "$frames" "$after" && fail "$scene: frames of before are gone or changed"
   [ "$("$thaw" info "$out" --json | value - step)" = 20 ] || fail "$scene: the checkpoint of step 20 is gone"
 done
 

@@ -48,7 +48,8 @@ testedScenes() {  # names of the scenes that have such a line; there must be som
 value() {  # value FILE|- KEY: the first number or word of that name in JSON
   cat "$1" | sed -n 's/.*"'"$2"'": *"\{0,1\}\([^",]*\)"\{0,1\}.*/\1/p' | head -n 1
 }
-frameSums() { (cd "$1/frames" && sha256sum "$2"_*.hdf); }  # of a run's frames, in order
+frameSums() { (cd "$1/frames" && sha256sum "$2"_*.hdf | LC_ALL=C sort); }  # of a run's frames, the surface's among them
+frameIsLost() { LC_ALL=C comm -23 <(echo "$1") <(echo "$2") | grep -q .; }  # frameIsLost BEFORE AFTER: a sum of before is not among those of after
 expectExit() {  # expectExit CODE WHAT: of the last command, whose output is in $work/log
   local code=$?
   [ "$code" -eq "$1" ] || { fail "$2: exit $code, not $1"; tail -n 5 "$work/log"; }
