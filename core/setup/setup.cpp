@@ -11,6 +11,8 @@
 #include "core/kinds/cell_costs.hpp"
 #include "core/kinds/place_kinds.hpp"
 #include "core/ledger/report.hpp"
+#include "core/oriented/oriented_forces.hpp"
+#include "core/oriented/prepare_oriented.hpp"
 #include "core/particle_sums.hpp"
 #include "core/setup/activate_fields.hpp"
 #include "core/fluid/surface_energy.hpp"
@@ -71,6 +73,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   problems.raise();
   w.scene.fallHeight = fallHeightOf(w.scene, shapes);
 
+  if (w.modules.oriented) prepareOriented(w.scene, t.oriented, load);
   t.kernels = pairKernels();
   t.liquids = liquidMaterials(w.scene);
   t.fixedLimits = materialLimits(w.scene, w.modules, t.liquids);
@@ -150,6 +153,7 @@ void takeStock(World& w, Halos halos, StepTools& t) {
 
 SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader& load) {
   const SamplingReport report = sampleWorld(w, halos, t, load);
+  if (w.modules.oriented) t.oriented.relaxed = relaxOriented(w, halos, t);
   t.bondsAtStart = w.modules.solid;
   t.emitFirst = true;
   takeStock(w, halos, t);
@@ -176,6 +180,7 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   const CellCosts costs = countCells(w);
   halos.cells.rebalance(costs.cells, costs.cost, true);
   if (w.modules.kinds()) bringKindsHome(w, halos, t);  // with their ghosts they are as the last step has left them
+  if (w.modules.oriented) readyOriented(w, halos, t);
   t.mass = totalMass(w, halos.all);
   double froze = 0;
   if (p.justFrozen.active)

@@ -39,6 +39,9 @@ class Painter {
   Light operator()(std::size_t i) const {
     switch (paint_) {
       case SurfelPaint::Values: return palette_[static_cast<std::size_t>(paletteIndex(scale_, in_.values[i]))];
+      case SurfelPaint::Mixed:
+        if (std::isfinite(in_.values[i])) return palette_[static_cast<std::size_t>(paletteIndex(scale_, in_.values[i]))];
+        return decode_(in_.colours[i]);
       case SurfelPaint::Surface: return decode_(in_.colours[i]);
       case SurfelPaint::Glow: {
         const int at = paletteIndex(scale_, in_.values[i]);

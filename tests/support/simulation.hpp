@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "core/halo/serial.hpp"
+#include "core/kinds/kinds.hpp"
 #include "core/ledger/report.hpp"
 #include "core/setup/setup.hpp"
 #include "core/solid/serial_bond_halo.hpp"
@@ -14,6 +15,7 @@ struct Simulation {
   StepTools tools;
   SerialReducer all;
   std::unique_ptr<SerialCellHalo> cells;
+  std::unique_ptr<SerialCellHalo> kinds[kindCount];
   SerialBondHalo bonds;
   Limit limitedBy = Limit::Scene;
   double shortest = never;  ///< s, dt
@@ -22,9 +24,10 @@ struct Simulation {
     w.scene = scene;
     prepareWorld(w, tools, {});
     cells = std::make_unique<SerialCellHalo>(w.grid);
+    eachKind(w, [&](std::size_t kind, const KindRows&, const CellTable&) { kinds[kind] = std::make_unique<SerialCellHalo>(w.grid); });
     startWorld(w, halos(), tools, {});
   }
-  Halos halos() { return {all, *cells, bonds}; }
+  Halos halos() { return {all, *cells, bonds, {kinds[orientedKind].get(), kinds[sheetKind].get()}}; }
   Continuum& particles() { return w.particles; }
 
   /// One step. False where a value is not finite.
