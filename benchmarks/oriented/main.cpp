@@ -1,7 +1,7 @@
 // oriented [--csv FILE] [--strict]: accuracy of oriented bodies at rest, of a rebuilt mesh, and the two ways of finding neighbours.
 //   plane, sphere   energies of co-planarity, co-normality and co-circularity a particle at rest, over stiffness spacing^2; spacing; radius; curvature
 //   lattice         rest spacing of Lennard-Jones 12-6 with the full sum, over sigma
-//   rebuilt         a bust, thinned to 5 % of its points and grown again: distance from the original, in spacings, largest and mean
+//   rebuilt         a torus, thinned to 5 % of its points and grown again: distance from the original, in spacings, largest and mean
 //   neighbours      ms for the lists of all particles, by the cells and by nanoflann (tree and searches), for several numbers of particles
 #include <algorithm>
 #include <chrono>
@@ -10,8 +10,6 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "core/geometry/bust.hpp"
-#include "core/geometry/mesh_distance.hpp"
 #include "core/geometry/point_tree.hpp"
 #include "core/kinds/place_kinds.hpp"
 #include "core/oriented/made_points.hpp"
@@ -138,11 +136,12 @@ void sphere() {
   OrientedBody& b = s.oriented[0];
   b.shape.kind = ShapeKind::Sphere;
   b.shape.radius = R;
+  b.attract = 0.03;
   b.plane = 0.2;
   b.normal = 0.1;
-  b.circle = 2;
-  b.jitter = 0.1;
-  b.relax = 20000;
+  b.circle = 4;
+  b.jitter = 0.08;
+  b.relax = 5000;
   Simulation x(s);
   const Oriented& o = x.w.oriented.rows;
   const double n = static_cast<double>(o.owned);
@@ -179,16 +178,16 @@ double seconds(const std::chrono::steady_clock::time_point& since) { return std:
 
 void rebuilt() {
   Scene s = bare(0.016);
-  s.domain.min = {-0.6, -0.6, -0.2};
-  s.domain.max = {0.6, 0.6, 1.2};
   OrientedBody& b = s.oriented[0];
-  b.shape.kind = ShapeKind::Mesh;
-  b.shape.mesh = builtinBust;
+  b.shape.kind = ShapeKind::Torus;
+  b.shape.radius = 0.25;
+  b.shape.radius2 = 0.13;
   b.thin = 0.05;
   b.growth = OrientedGrowth::Borders;
-  b.crowd = 0.55;
+  b.crowd = 0.6;
+  b.attract = 0.1;
   b.circle = 1.5;
-  b.relax = 1500;
+  b.relax = 2500;
   const auto start = std::chrono::steady_clock::now();
   Simulation x(s);
   const double time = seconds(start);
@@ -225,7 +224,7 @@ void rebuilt() {
 }
 
 void neighbours() {
-  for (const double spacing : {0.04, 0.015, 0.005}) {
+  for (const double spacing : {0.04, 0.015, 0.0085}) {
     Scene s = bare(spacing);
     s.oriented[0].shape.kind = ShapeKind::Sphere;
     s.oriented[0].shape.radius = 0.5;
