@@ -48,7 +48,7 @@ void search(World& w, SurfaceHalos halos, SurfaceTools& t, bool all, double marg
   const ListRadii radii{s.surfelSupport + margin, s.particleSupport + 0.5 * margin};
   fillBins(s.grid, s.surfelCells, f.position.data(), 0.5 * radii.surfels, r.surfelBins);
   r.free.resize(f.owned);
-  for (std::size_t i = 0; i < f.owned; i++) r.free[i] = all || (f.liquid.active && f.liquid[i] > 0);
+  for (std::size_t i = 0; i < f.owned; i++) r.free[i] = all || settles(f, i);
   listGroups(s, r.free, r.surfelBins, r.particleBins, radii, r.lists);
   r.found.assign(f.position.data(), f.position.data() + f.owned);
   r.place.resize(4 * f.size());
@@ -116,12 +116,12 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
   lap(r.times.ready);
   f.resize(f.owned, 0);
   std::int64_t free[1] = {0};
-  for (std::size_t i = 0; i < f.owned; i++) free[0] += all || (f.liquid.active && f.liquid[i] > 0);
+  for (std::size_t i = 0; i < f.owned; i++) free[0] += all || settles(f, i);
   halos.all.sum(free);
   if (free[0] == 0) return {0, true};
   if (all) std::fill_n(f.calm.data(), f.owned, 0.0f);  // in an update, blendSurfels sees how far they went
   f.activate(f.moving);
-  for (std::size_t i = 0; i < f.owned; i++) f.moving[i] = all || (f.liquid.active && f.liquid[i] > 0);
+  for (std::size_t i = 0; i < f.owned; i++) f.moving[i] = all || settles(f, i);
   // a surfel may move by half the margin before lists are stale; the cells of the grid leave room for half a spacing of the particles
   const double margin = std::min(2 * s.spacing, w.scene.spacing);
   search(w, halos, t, all, margin, lap);

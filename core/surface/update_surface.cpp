@@ -1,6 +1,7 @@
 #include "core/surface/update_surface.hpp"
 
 #include "core/surface/blend.hpp"
+#include "core/surface/cover_bare.hpp"
 #include "core/surface/displace.hpp"
 #include "core/surface/gather_particles.hpp"
 #include "core/surface/keep_volume.hpp"
@@ -63,10 +64,12 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   readyParticles(w, halos, t);
   t.times.lap(SurfacePhase::Fields);
   renewSurfels(w, halos, t);
+  const std::int64_t bare = coverBare(w, halos, t);
   t.times.lap(SurfacePhase::Growth);
-  resampleOnParticles(w, halos, t, s.events.size() > s.quietEvents ? 24 : 8);  // seams of merges are to close
+  resampleOnParticles(w, halos, t, s.events.size() > s.quietEvents || bare > 0 ? 24 : 8);  // seams of merges and of new faces are to close
   t.times.lap(SurfacePhase::Resampling);
   const Settled settled = settle(w, halos, t, forceWeights(w.scene.surface), w.scene.surface.iterations, false);
+  deactivate(s.surfels.loose);
   s.counters.iterations += settled.iterations;
   s.counters.unfinished += !settled.finished;
   blendSurfels(w);
