@@ -3,6 +3,7 @@
 #include "core/math/hash_random.hpp"
 #include "core/surface/near_sheets.hpp"
 #include "tests/support/surface_rig.hpp"
+#include "tests/support/surface_world.hpp"
 
 using namespace thaw;
 using namespace thaw::test;
@@ -43,6 +44,61 @@ TEST(Merge, BallsJoinOnlyWhenAParticleIsInside) {
     const Vec3d x = met.f().position[i];
     EXPECT_GT(std::max(length(x - Vec3d{-0.5, 0, 0}), length(x - Vec3d{0.35, 0.02, 0.01})), 0.5 - 1e-9);
     EXPECT_GT(std::min(length(x - Vec3d{-0.5, 0, 0}), length(x - Vec3d{0.35, 0.02, 0.01})), 0.495);
+  }
+}
+
+TEST(Merge, LiquidsThatTouchJoinAndDoNotFlicker) {
+  // two balls come together and part again in steps of a tenth of a spacing, with trembling: one merge, one split, wherever they turn round
+  for (const double turn : {0.5}) {
+    Scene s;
+    s.spacing = 0.1;
+    s.domain.min = {-2, -1, -1};
+    s.domain.max = {2, 1, 1};
+    s.domain.gravity = {};
+    s.materials.emplace_back();
+    s.materials[0].name = "oil";
+    s.surface.on = true;
+    for (const double x : {-0.3, 0.48}) {
+      s.bodies.emplace_back();
+      s.bodies.back().shape.kind = ShapeKind::Sphere;
+      s.bodies.back().shape.radius = 0.3;
+      s.bodies.back().shape.move = {x, 0, 0};
+    }
+    SurfaceWorld balls(s);
+    ASSERT_EQ(balls.components().size(), 2u);
+    const auto gap = [&] {  // of the particles, in spacings
+      double low = 1e300, high = -1e300;
+      for (std::size_t i = 0; i < balls.w.particles.owned; i++) {
+        const double x = balls.place(i).x;
+        if (balls.w.particles.body[i] == 0) high = std::max(high, x);
+        else low = std::min(low, x);
+      }
+      return (low - high) / s.spacing;
+    };
+    const auto move = [&](double by) {
+      for (std::size_t i = 0; i < balls.w.particles.owned; i++)
+        if (balls.w.particles.body[i] == 1) balls.place(i).x += by * s.spacing;
+      balls.update();
+    };
+    double joined = 0, parted = 0;
+    while (gap() > turn + 0.05) {
+      move(-0.1);
+      if (balls.components().size() == 1 && joined == 0) joined = gap();
+    }
+    for (int k = 0; k < 6; k++) move(k % 2 ? 0.08 : -0.08);
+    while (gap() < 4.5) {
+      move(0.1);
+      if (balls.components().size() == 2 && parted == 0) {
+        parted = gap();
+        for (int k = 0; k < 6; k++) move(k % 2 ? 0.08 : -0.08);
+      }
+    }
+    const SurfaceCounters& c = balls.w.surface.counters;
+    std::printf("turned at %.1f spacings: joined at %.2f, parted at %.2f; %lld merges, %lld splits\n", turn, joined, parted, static_cast<long long>(c.merges), static_cast<long long>(c.splits));
+    EXPECT_EQ(c.merges, 1);
+    EXPECT_EQ(c.splits, 1);
+    EXPECT_NEAR(joined, 0.95, 0.1);
+    EXPECT_GT(parted, 1.45);
   }
 }
 
