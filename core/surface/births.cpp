@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/surface/rename_twins.hpp"
 #include "core/surface/tangent.hpp"
 
 namespace thaw {
@@ -56,6 +57,12 @@ void appendSurfels(Surfels& s, const std::vector<SurfelRow>& rows) {
     if (s.temperature.active) s.temperature[i] = r.temperature;
     i++;
   }
+}
+
+void addSurfels(Surfels& s, const std::vector<SurfelRow>& rows, std::uint64_t seed, Reducer& all) {
+  const std::size_t first = s.owned;
+  appendSurfels(s, rows);
+  renameTwins(s, first, seed, all);
 }
 
 }  // namespace thaw

@@ -151,8 +151,10 @@ std::int64_t coverBare(World& w, SurfaceHalos halos, SurfaceTools& t) {
     count[0] = static_cast<std::int64_t>(rows.size());
     halos.all.sum({count, 1});
     f.resize(f.owned, 0);
-    if (count[0] > 0) f.activate(f.loose);
-    appendSurfels(f, rows);
+    if (count[0] > 0) {
+      f.activate(f.loose);
+      addSurfels(f, rows, w.scene.seed, halos.all);
+    }
     s.counters.births += count[0];
     s.counters.deaths += count[1];
     all += count[0];

@@ -80,7 +80,7 @@ void growSurfels(World& w, SurfaceHalos halos, SurfaceTools& t, const std::funct
   for (std::size_t i = 0; i < p.owned; i++)
     if (bare(i) && p.component[i] != noComponent && p.colour[i] < innerColour) seedAround(w, t, i, seeds, rows);
   w.surface.surfels.resize(w.surface.surfels.owned, 0);
-  appendSurfels(w.surface.surfels, rows);
+  addSurfels(w.surface.surfels, rows, w.scene.seed, halos.all);
 }
 
 void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t rounds) {
@@ -138,7 +138,7 @@ void renewSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
   std::vector<SurfelRow> rows;
   for (std::size_t i = 0; i < p.owned; i++)
     if (p.component[i] == 1 + p.id[i] && isSmall(findComponent(s, p.component[i]))) patchAround(w, t, i, rows);
-  appendSurfels(f, rows);
+  addSurfels(f, rows, w.scene.seed, halos.all);
   growSurfels(w, halos, t, [&](std::size_t i) {
     const SurfaceComponent* c = findComponent(s, p.component[i]);
     return c && c->surfels == 0 && c->particles > smallDrop;

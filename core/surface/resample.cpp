@@ -228,7 +228,7 @@ Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t r
     const std::vector<SurfelRow> born = r.births(parents);
     s.resize(s.owned, 0);
     s.reorder(stay);
-    appendSurfels(s, born);
+    if (count[1] > 0) addSurfels(s, born, r.seed, halos.all);
   }
   surface.counters.births += done.births;
   surface.counters.deaths += done.deaths;
