@@ -31,6 +31,8 @@ struct ForceSums {
   float support = 0;                      ///< h_ss over a surfel's radius
   float repelRange = 0;                   ///< surfels closer than this times the mean of their radii repel each other
   float sameSide = 0;                     ///< cosine of the angle of normals up to which neighbours are smoothed over
+  const float* ceiling = nullptr;         ///< of surfels: height over their plane from which on particles are across a gap (gap_ceilings.hpp), or infinity
+  const std::uint8_t* ceilingOfGroup = nullptr;  ///< whether a surfel of the group has one; none: null
   float apart = 0;                        ///< and from which on they are across a gap or a sheet and do not repel (B20, B22)
   bool plane = false;                     ///< SmoothingForm::Plane
   // results: channel c of lane l of group g at (g * channels + c) * 8 + l

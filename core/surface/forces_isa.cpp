@@ -23,31 +23,43 @@ THAW_INLINE void store(float* to, int channel, const V& v) {
   store(to, channel + 2, v.z);
 }
 
-void overParticles(const ForceSums& in) {
+/// gaps: what lies higher than a surfel's ceiling adds nothing.
+template<bool gaps> THAW_INLINE void overParticlesOf(const ForceSums& in, std::size_t g) {
   const LanesF zero(0.0f), one(1.0f), perSupport2(in.perParticleSupport2), perNear2(in.perNearSupport2);
+  const Lanes4<float> own = load(records(in.place), in.self + 8 * g);
+  LanesF colour(0.0f), smooth(0.0f), near(0.0f);
+  V gradient{zero, zero, zero}, attraction{zero, zero, zero}, up{zero, zero, zero};
+  LanesF lowest(0.0f);  // of the heights of surfels over particles
+  if constexpr (gaps) {
+    const Lanes4<float> frame = load(records(in.normal), in.self + 8 * g);
+    up = {frame.a, frame.b, frame.c};
+    for (int lane = 0; lane < 8; lane++) lowest.v[lane] = -in.ceiling[in.self[8 * g + static_cast<std::size_t>(lane)]];
+  }
+  for (std::uint64_t n = in.firstParticle[g]; n < in.firstParticle[g + 1]; n++) {
+    const std::uint32_t j = in.particleRow[n];
+    const Record<float>& p = records(in.particle)[j];
+    const V d = apart(own, p);
+    LanesF r2 = dot(d, d);
+    if constexpr (gaps) r2 = select(dot(d, up) > lowest, r2, LanesF(1e30f));
+    const LanesF u = max(one - r2 * perSupport2, zero), u2 = u * u, v2 = LanesF(p.d) * u2, v3 = v2 * u;
+    colour += v3;
+    smooth += u2 * u * LanesF(in.particleColour[j]);
+    gradient += v2 * d;
+    attraction += v3 * d;
+    const LanesF close = max(one - r2 * perNear2, zero);
+    near += close * close * close;
+  }
+  float* to = in.overParticles + 8 * particleSums * g;
+  store(to, Colour, colour);
+  store(to, SmoothColour, smooth);
+  store(to, Gradient, gradient);
+  store(to, Attraction, attraction);
+  store(to, Near, near);
+}
+void overParticles(const ForceSums& in) {
   for (std::size_t k = 0; k < in.groupCount; k++) {
-    const std::size_t g = in.groups[k];
-    const Lanes4<float> own = load(records(in.place), in.self + 8 * g);
-    LanesF colour(0.0f), smooth(0.0f), near(0.0f);
-    V gradient{zero, zero, zero}, attraction{zero, zero, zero};
-    for (std::uint64_t n = in.firstParticle[g]; n < in.firstParticle[g + 1]; n++) {
-      const std::uint32_t j = in.particleRow[n];
-      const Record<float>& p = records(in.particle)[j];
-      const V d = apart(own, p);
-      const LanesF r2 = dot(d, d), u = max(one - r2 * perSupport2, zero), u2 = u * u, v2 = LanesF(p.d) * u2, v3 = v2 * u;
-      colour += v3;
-      smooth += u2 * u * LanesF(in.particleColour[j]);
-      gradient += v2 * d;
-      attraction += v3 * d;
-      const LanesF close = max(one - r2 * perNear2, zero);
-      near += close * close * close;
-    }
-    float* to = in.overParticles + 8 * particleSums * g;
-    store(to, Colour, colour);
-    store(to, SmoothColour, smooth);
-    store(to, Gradient, gradient);
-    store(to, Attraction, attraction);
-    store(to, Near, near);
+    if (in.ceilingOfGroup && in.ceilingOfGroup[in.groups[k]]) overParticlesOf<true>(in, in.groups[k]);
+    else overParticlesOf<false>(in, in.groups[k]);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <ctime>
 
+#include "core/surface/near_sheets.hpp"
 #include "core/surface/place_rows.hpp"
 #include "core/surface/ready_particles.hpp"
 #include "core/surface/surfel_move.hpp"
@@ -36,6 +37,9 @@ void packSurfel(const Surface& s, RelaxTools& r, std::size_t i) {
   normal[3] = static_cast<float>(std::min(f.radius[i], s.spacing) / s.grid.support);
 }
 
+/// Gaps wider than this times h_ps do not matter: a sheet's particles lie half a spacing behind its surface.
+constexpr double gapReach = 0.75;
+
 /// Surfels to their ranks and sorted, their ghosts, and all lists. Collective.
 void search(World& w, SurfaceHalos halos, SurfaceTools& t, bool all, double margin, Lap& lap) {
   Surface& s = w.surface;
@@ -50,6 +54,8 @@ void search(World& w, SurfaceHalos halos, SurfaceTools& t, bool all, double marg
   r.free.resize(f.owned);
   for (std::size_t i = 0; i < f.owned; i++) r.free[i] = all || settles(f, i);
   listGroups(s, r.free, r.surfelBins, r.particleBins, radii, r.lists);
+  r.anyCeiling = findCeilings(s, r.free, r.surfelBins, gapReach * s.particleSupport, r.lists, r.ceilings) > 0;
+  for (float& height : r.ceilings.height) height /= static_cast<float>(s.grid.support);
   r.found.assign(f.position.data(), f.position.data() + f.owned);
   r.place.resize(4 * f.size());
   r.normal.resize(4 * f.size());
@@ -80,7 +86,8 @@ ForceSums sumsOf(const World& w, RelaxTools& r) {
   in.support = static_cast<float>(w.scene.surface.support);
   in.repelRange = 1.5f;
   in.sameSide = 0.70710678f;
-  in.apart = -0.5f;
+  in.apart = static_cast<float>(twoSheets);
+  if (r.anyCeiling) in.ceiling = r.ceilings.height.data(), in.ceilingOfGroup = r.ceilings.ofGroup.data();
   in.overSurfels = r.overSurfels.data();
   in.overParticles = r.overParticles.data();
   return in;

@@ -2,6 +2,8 @@
 
 #include "core/math/hash_random.hpp"
 #include "core/surface/near_sheets.hpp"
+#include "core/surface/grow.hpp"
+#include "tests/support/settle_rig.hpp"
 #include "tests/support/surface_rig.hpp"
 #include "tests/support/surface_world.hpp"
 
@@ -172,9 +174,49 @@ TEST(NearSheets, GapSheetAndFold) {
   EXPECT_EQ(facing({0.1, 0, -0.3}, up, down), Facing::AcrossSheet);
   EXPECT_EQ(facing({0.1, 0, 0}, up, up), Facing::Same);
   EXPECT_EQ(facing({0.1, 0, -0.1}, up, side), Facing::Same);
-  EXPECT_DOUBLE_EQ(sheetThickness({0.1, 0, -0.3}, up, down), 0.3);
-  EXPECT_EQ(sheetThickness({0.1, 0, 0.3}, up, down), 0);
-  EXPECT_TRUE(emptyMidpoint(0.5 * 0.5, 1));
-  EXPECT_TRUE(particleAcrossGap({0, 0, 0.5}, up, {0, 0, 0.2}, 0.1));
-  EXPECT_FALSE(particleAcrossGap({0, 0, -0.5}, up, {0, 0, 0.2}, 0.1));
+}
+
+namespace {
+
+/// Two fingers of one component, four layers thick, with surfels half a spacing over the particles, whose surfaces are then `gap` spacings apart.
+/// Means of how far they settle over the outermost particles, in spacings, in the gap and outside.
+struct Fingers { double inside = 0, outside = 0; std::size_t surfelsInside = 0; };
+Fingers fingersApart(double gap) {
+  SettleRig rig(0.5, 24);
+  for (int x = -9; x <= 9; x++)
+    for (int y = -9; y <= 9; y++)
+      for (int z = 0; z < 4; z++)
+        for (const int side : {-1, 1}) rig.addParticle({double(x), double(y), side * (0.5 * gap + 0.5 + z)});
+  for (int x = -18; x <= 18; x++)
+    for (int y = -18; y <= 18; y++)
+      for (const int side : {-1, 1}) {
+        rig.addSurfel({0.5 * x, 0.5 * y, side * 0.5 * gap}, {0, 0, double(-side)});
+        rig.addSurfel({0.5 * x, 0.5 * y, side * (0.5 * gap + 4)}, {0, 0, double(side)});
+      }
+  rig.place();
+  rig.settle(40);
+  const Surfels& s = rig.w.surface.surfels;
+  Fingers f;
+  double outer = 0;
+  for (std::size_t i = 0; i < s.owned; i++) {
+    const Vec3d x = s.position[i];
+    if (std::abs(x.y) > 5 || std::abs(x.x - 1) > 4 || std::abs(s.normal[i].z) < 0.7) continue;
+    const bool in = x.z * s.normal[i].z < 0;
+    if (in) f.inside += 0.5 * gap + 0.5 - std::abs(x.z), f.surfelsInside++;
+    else f.outside += std::abs(x.z) - (0.5 * gap + 3.5), outer++;
+  }
+  f.inside /= std::max<double>(1, static_cast<double>(f.surfelsInside));
+  f.outside /= std::max(1.0, outer);
+  return f;
+}
+
+}  // namespace
+
+TEST(NearSheets, FingersOfOneBodyDoNotBlend) {
+  for (const double gap : {3.0, 2.0, 1.0, 0.5}) {
+    const Fingers f = fingersApart(gap);
+    std::printf("gap %.1f: %zu surfels in it, %.3f spacings over the particles, outside %.3f\n", gap, f.surfelsInside, f.inside, f.outside);
+    EXPECT_GT(f.surfelsInside, 500u);
+    EXPECT_NEAR(f.inside, f.outside, gap > 2 ? 0.05 : 0.2);
+  }
 }
