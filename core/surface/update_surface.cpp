@@ -23,6 +23,14 @@ void placeAll(Surface& s, SurfaceHalos halos, SurfaceTools& t) {
   t.relax.particlesReady = false;
 }
 
+/// The density of surfels that came with meshes follows the curvature, too: it goes half of the way in a call.
+void adaptStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
+  const SurfaceCounters before = w.surface.counters;
+  for (int k = 0; k < 4; k++) resampleOnParticles(w, halos, t, 10);
+  w.surface.counters = before;  // the start is no change
+  updateComponents(w, halos, t);
+}
+
 /// From where the particles were at the last update to where they are.
 void bringParticlesForward(Surface& s) {
   for (std::size_t i = 0; i < s.particles.owned; i++) s.particles.position[i] += s.particles.displacement[i];
@@ -39,6 +47,7 @@ void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   growBodies(w, halos, t);
   sampleMeshes(w.scene, s, t.load, halos.all);
   updateComponents(w, halos, t);
+  if (w.scene.surface.adapt > 0) adaptStart(w, halos, t);
   keepStartVolumes(w, halos);
   placeAll(s, halos, t);
   sampleFields(w, halos, t);
