@@ -197,7 +197,7 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
   // across the surface they are at rest after a few iterations; along it a long wave of crowding would have them shuffle on, hence K05's damping
   double spread = 1;
   bool spreads = false, held = false, running = true;
-  std::int64_t nextSearch = 0;
+  std::int64_t nextSearch = 3;
   while (done.iterations < iterations && !done.finished) {
     // one that has come to the end of its margin waits for the next search; those are made at longer and longer intervals, since few are left
     if (spreads || (held && (!running || done.iterations >= nextSearch))) {
