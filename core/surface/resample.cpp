@@ -20,8 +20,6 @@ namespace {
 enum Wish : std::uint8_t { Birth = 1, Crowded = 2, Champion = 4, Changed = 8 };  // Champion: comes before all that are too close to it
 
 constexpr double border = 3.6;  // rad: 206 degrees
-constexpr float leastCalm = 1e-6f;
-
 struct Round {
   Surfels& s;
   const RowLists& lists;
@@ -67,7 +65,7 @@ struct Round {
       std::optional<SurfacePoint> place = emptyPlace(patch, (c.thin ? emptyAtThin : emptyAt) * s.radius[i]);
       if (!place) continue;
       const bool beyond = widestGap(patch, *place, 2 * s.radius[i]) > border;
-      s.calm[i] = leastCalm;  // a rim is looked at again as soon as it moves at all: the body may go on there
+      s.calm[i] = 0;  // a rim stays under observation: the body may go on there
       if ((mayBe ? !mayBe(i, *place, beyond) : beyond) || taken(i, *place)) continue;
       s.wish[i] |= Birth;
       s.offer[i] = place->position - s.position[i];
