@@ -13,7 +13,7 @@ void prepareSurface(World& w) {
   s.surfelSupport = set.support * s.spacing;
   s.particleSupport = set.particleSupport * w.grid.support;
   // a surfel may stray within a round of iterations before all is sorted anew: half a spacing of the particles
-  s.grid = makeGrid(w.scene.domain, std::max({s.surfelSupport, s.particleSupport, 3 * s.spacing, set.linkLength * w.scene.spacing}) + 0.5 * w.scene.spacing);
+  s.grid = makeGrid(w.scene.domain, std::max(s.surfelSupport + listMargin(s, w.scene.spacing), std::max({s.surfelSupport, s.particleSupport, 3 * s.spacing, set.linkLength * w.scene.spacing}) + 0.5 * w.scene.spacing));
 }
 
 void activateSurfaceFields(Surface& s, const Modules& m) {

@@ -28,7 +28,7 @@ struct RelaxTools {
   GapCeilings ceilings;
   bool anyCeiling = false;            ///< of this rank, since the last search
   AlignedVector<float> place, normal, particle, particleColour, overSurfels, overParticles;
-  std::vector<std::uint8_t> free;
+  std::vector<std::uint8_t> free, core;  ///< of owned surfels: listed; and with a surfel that moves in reach
   std::vector<std::uint32_t> groups;
   std::vector<Vec3d> found;           ///< where owned surfels were at the search
   RelaxTimes times;
