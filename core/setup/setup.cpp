@@ -14,6 +14,7 @@
 #include "core/oriented/oriented_forces.hpp"
 #include "core/oriented/prepare_oriented.hpp"
 #include "core/particle_sums.hpp"
+#include "core/scene/full_box.hpp"
 #include "core/setup/activate_fields.hpp"
 #include "core/fluid/surface_energy.hpp"
 #include "core/setup/make_grid.hpp"
@@ -93,6 +94,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
     double sound = 0;  // in proportion to the speed to expect
     for (const LiquidMaterial& l : t.liquids) sound = std::max(sound, l.soundSpeed);
     t.pressure.full = 1 + (slidingLatticeSum(n) - latticeSum(n)) * t.perLatticeSum;
+    if (liquidFillsTheBox(w.scene)) t.pressure.full += flowingExcess;
     t.pressure.relaxation = 0.9 / largestPressureResponse(w.scene.numerics);
     t.pressure.mendingTime = w.scene.spacing / (sound * std::sqrt(w.scene.numerics.maxDensityError));
   }
