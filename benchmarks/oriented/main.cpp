@@ -141,8 +141,15 @@ void sphere() {
   b.normal = 0.1;
   b.circle = 4;
   b.jitter = 0.08;
-  b.relax = 5000;
-  Simulation x(s);
+  b.growth = OrientedGrowth::Gaps;
+  b.gap = 1.75;
+  b.density = 20;
+  b.inertia = 1;
+  b.cfl = 0.5;
+  b.damping = b.spinDamping = 40;
+  s.end = 1;
+  Simulation x(s);  // as scenes/oriented/relax_sphere.toml
+  x.run();
   const Oriented& o = x.w.oriented.rows;
   const double n = static_cast<double>(o.owned);
   Vec3d centre{};

@@ -127,7 +127,7 @@ void spreadOut(const SignedDistance& shape, double spacing, MadePoints& m) {
 }  // namespace
 
 MadePoints coverSurface(const SignedDistance& shape, double spacing, std::uint64_t seed) {
-  const double fine = spacing / 3, apart = 0.77 * spacing;
+  const double fine = spacing / 3, apart = 0.75 * spacing;
   const Bounds box = shape.bounds();
   const Vec3d size = box.max - box.min;
   if (!std::isfinite(size.x + size.y + size.z)) throw std::invalid_argument("a surface without end cannot be covered with particles");

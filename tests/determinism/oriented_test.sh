@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Oriented bodies (scenes/oriented): the same bits on 1, 2, 3, 4 and 7 ranks and over a restart on another number of ranks, births, deaths, cuts,
-# welds and anchors included; and a surface on a body that melts, over a retry. SCENES: fewer.
+# welds and anchors included; and contact with a continuum body. SCENES: fewer.
 . "$(dirname "$0")/../support/run.sh"
 scenes=$source_dir/scenes/oriented
 same() {  # same A B WHAT: checkpoints and frames
@@ -27,8 +27,36 @@ try() {  # try NAME FILE STEPS SETTINGS
   echo "$name: $(value "$work/$name.1/summary.json" oriented) particles, $(value "$work/$name.1/summary.json" oriented_births) births, $(value "$work/$name.1/summary.json" oriented_deaths) deaths"
   rm -rf "${work:?}/$name".*
 }
-for which in ${SCENES:-relax_plane relax_sphere open_cap weld cut crease interpolate curve2d rk4 implicit}; do
+# A block falls on a surface that is held at its rim, and another surface shrinks around a ball.
+cat >"$work/meeting.toml" <<'EOF'
+spacing = "2 cm"
+end = "1 s"
+[domain]
+min = [-0.5, -0.5, -0.5]
+max = [0.5, 0.5, 0.5]
+[material.jelly]
+density = 200
+young = "2 kPa"
+[[body]]
+name = "block"
+box = { size = [0.1, 0.1, 0.1] }
+material = "jelly"
+place = { move = [0.02, 0, 0.08] }
+velocity = [0, 0, -1]
+[[oriented]]
+name = "net"
+patch = { width = 0.5, depth = 0.5 }
+density = 5
+stiffness = 50
+cfl = 0.5
+[[oriented.anchor]]
+difference = [ { box = { size = [1, 1, 0.1] } }, { box = { size = [0.44, 0.44, 0.2] } } ]
+[output]
+every = "20 ms"
+EOF
+for which in ${SCENES:-meeting relax_plane relax_sphere open_cap weld cut crease interpolate curve2d rk4 implicit}; do
   case $which in
+    meeting) try meeting "$work/meeting.toml" 150 ;;
     rk4) settings cut; try rk4 "$scenes/cut.toml" 40 "${set[@]}" --set 'oriented.cloth.integrator="rk4"' ;;
     implicit) settings weld; try implicit "$scenes/weld.toml" 30 "${set[@]}" --set 'oriented.left.integrator="semi-implicit"' ;;
     *) settings "$which"; try "$which" "$scenes/$which.toml" 150 "${set[@]}" ;;
