@@ -7,11 +7,10 @@
 
 namespace thaw {
 
-std::size_t findCeilings(const Surface& s, const std::vector<std::uint8_t>& free, const Bins& bins, double reach, const GroupLists& lists, GapCeilings& c) {
-  const Surfels& f = s.surfels;
-  std::size_t found = 0;
-  c.height.assign(f.size(), std::numeric_limits<float>::infinity());
+void findCeilings(Surface& s, const std::vector<std::uint8_t>& free, const Bins& bins, double reach) {
+  Surfels& f = s.surfels;
   for (std::size_t i = 0; i < f.owned; i++) {
+    f.ceiling[i] = std::numeric_limits<float>::infinity();
     if (!free[i]) continue;
     const Vec3d x = f.position[i], n = f.normal[i];
     double lowest = std::numeric_limits<double>::infinity();
@@ -21,14 +20,19 @@ std::size_t findCeilings(const Surface& s, const std::vector<std::uint8_t>& free
       if (height >= lowest || r2 > reach * reach || r2 - height * height > f.radius[j] * f.radius[j]) return;
       if (f.component[j] == f.component[i] && facing(d, n, f.normal[j]) == Facing::AcrossGap) lowest = height;
     });
-    if (!(lowest < reach)) continue;
-    c.height[i] = static_cast<float>(std::max(lowest, leastCeiling * s.spacing));
-    found++;
+    if (lowest < reach) f.ceiling[i] = static_cast<float>(std::max(lowest, leastCeiling * s.spacing));
   }
+}
+
+void packCeilings(const Surface& s, const GroupLists& lists, GapCeilings& c) {
+  const Surfels& f = s.surfels;
+  c.any = false;
+  c.height.resize(f.size());
+  for (std::size_t i = 0; i < f.owned; i++) c.height[i] = f.ceiling[i] / static_cast<float>(s.grid.support);
   c.ofGroup.assign(lists.groups(), 0);
-  for (std::size_t g = 0; found > 0 && g < lists.groups(); g++)
-    for (std::size_t lane = 0; lane < lists.lanes[g]; lane++) c.ofGroup[g] |= c.height[lists.self[8 * g + lane]] < std::numeric_limits<float>::infinity();
-  return found;
+  for (std::size_t g = 0; g < lists.groups(); g++)
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(lists.lanes[g]); lane++)
+      if (c.height[lists.self[8 * g + lane]] < std::numeric_limits<float>::infinity()) c.ofGroup[g] = 1, c.any = true;
 }
 
 }  // namespace thaw

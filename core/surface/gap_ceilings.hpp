@@ -9,13 +9,16 @@
 
 namespace thaw {
 
-/// Height (m) over each owned surfel's plane from which on particles belong to a sheet across a gap (near_sheets.hpp), that of the
-/// lowest surfel right over it that looks back at it; infinity where there is none within `reach` (m) or `free` is 0. And of each group whether any of
-/// its surfels has one. Needs bins of the surfels, ghosts included. Returns the number of surfels with a ceiling.
+/// Surfels::ceiling of the owned surfels with `free`: that of the lowest surfel right over it that looks back at it (near_sheets.hpp), infinity where
+/// there is none within `reach` (m). Needs bins of the surfels, ghosts included.
+void findCeilings(Surface& surface, const std::vector<std::uint8_t>& free, const Bins& bins, double reach);
+
+/// For the force sums, in support radii of the grid; and of each group whether any of its surfels has one.
 struct GapCeilings {
+  bool any = false;
   std::vector<float> height;
   std::vector<std::uint8_t> ofGroup;
 };
-std::size_t findCeilings(const Surface& surface, const std::vector<std::uint8_t>& free, const Bins& bins, double reach, const GroupLists& lists, GapCeilings& ceilings);
+void packCeilings(const Surface& surface, const GroupLists& lists, GapCeilings& ceilings);
 
 }  // namespace thaw

@@ -57,8 +57,8 @@ void search(World& w, SurfaceHalos halos, SurfaceTools& t, bool all, bool first,
   r.core.assign(r.free.begin(), r.free.end());
   if (!first) markActive(s, halos.surfels, r.surfelBins, s.surfelSupport + margin, r.free, r.core);
   listGroups(s, r.free, r.surfelBins, r.particleBins, radii, r.lists);
-  r.anyCeiling = findCeilings(s, r.free, r.surfelBins, gapReach * s.particleSupport, r.lists, r.ceilings) > 0;
-  for (float& height : r.ceilings.height) height /= static_cast<float>(s.grid.support);
+  if (first) findCeilings(s, r.free, r.surfelBins, gapReach * s.particleSupport);  // gaps hardly change while surfels settle
+  packCeilings(s, r.lists, r.ceilings);
   r.found.assign(f.position.data(), f.position.data() + f.owned);
   r.place.resize(4 * f.size());
   r.normal.resize(4 * f.size());
@@ -91,7 +91,7 @@ ForceSums sumsOf(const World& w, RelaxTools& r) {
   in.sameSide = 0.70710678f;
   in.perSide = 10;
   in.apart = static_cast<float>(twoSheets);
-  if (r.anyCeiling) in.ceiling = r.ceilings.height.data(), in.ceilingOfGroup = r.ceilings.ofGroup.data();
+  if (r.ceilings.any) in.ceiling = r.ceilings.height.data(), in.ceilingOfGroup = r.ceilings.ofGroup.data();
   in.overSurfels = r.overSurfels.data();
   in.overParticles = r.overParticles.data();
   return in;
@@ -139,6 +139,7 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
   if (all) std::fill_n(f.calm.data(), f.owned, 0.0f);  // in an update, blendSurfels sees how far they went
   f.activate(f.moving);
   f.activate(f.pace);
+  f.activate(f.ceiling);
   for (std::size_t i = 0; i < f.owned; i++) f.moving[i] = r.free[i], f.pace[i] = 0;
   // a surfel may move by half the margin before lists are stale; the cells of the grid leave room for half a spacing of the particles
   const double margin = listMargin(s, w.scene.spacing);
@@ -207,6 +208,7 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
   f.resize(f.owned, 0);
   deactivate(f.moving);
   deactivate(f.pace);
+  deactivate(f.ceiling);
   return done;
 }
 

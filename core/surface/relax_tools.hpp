@@ -26,7 +26,6 @@ struct RelaxTools {
   Bins surfelBins, particleBins;
   GroupLists lists;
   GapCeilings ceilings;
-  bool anyCeiling = false;            ///< of this rank, since the last search
   AlignedVector<float> place, normal, particle, particleColour, overSurfels, overParticles;
   std::vector<std::uint8_t> free, core;  ///< of owned surfels: listed; and with a surfel that moves in reach
   std::vector<std::uint32_t> groups;

@@ -26,6 +26,7 @@ struct Surfels : Table {
   // of the update under way: active within it only, so that they are in no checkpoint
   Column<std::uint8_t> moving{*this, "moving", "1", Keep::State, "it moved in the last iteration (2: and has to wait for a search): it and its neighbours are worked on"};
   Column<float> pace{*this, "pace", "1", Keep::State, "share taken of the last step along its normal; negative: into the body; 0: none yet"};
+  Column<float> ceiling{*this, "ceiling", "m", Keep::State, "height over its plane from which on particles are across a gap (gap_ceilings.hpp); infinity: there is none"};
   Column<Vec3d> carried{*this, "carried", "m", Keep::State, "where the particles' displacement has carried it (displaceSurfels)"};
   Column<Vec3d> carriedNormal{*this, "carriedNormal", "1", Keep::State, "its normal there; 0: born in this update"};
   Column<std::uint8_t> loose{*this, "loose", "1", Keep::State, "new on the face of a crack: it settles in this update, solid or not"};
