@@ -38,9 +38,12 @@ class Painter {
   }
   Light operator()(std::size_t i) const {
     switch (paint_) {
-      case SurfelPaint::Values: return palette_[static_cast<std::size_t>(paletteIndex(scale_, in_.values[i]))];
+      case SurfelPaint::Values:
+        if (std::isnan(in_.values[i]) && !in_.colours.empty()) return decode_(in_.colours[i]);  // of another kind, without this field
+        return palette_[static_cast<std::size_t>(paletteIndex(scale_, in_.values[i]))];
       case SurfelPaint::Surface: return decode_(in_.colours[i]);
       case SurfelPaint::Glow: {
+        if (std::isnan(in_.values[i])) return decode_(in_.colours[i]);
         const int at = paletteIndex(scale_, in_.values[i]);
         return mixed(decode_(in_.colours[i]), palette_[static_cast<std::size_t>(at)], ramp(0, 1, static_cast<float>(at) / 255));
       }
