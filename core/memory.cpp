@@ -21,6 +21,8 @@ std::vector<MemoryUse> memoryOf(const World& w, const StepTools& t) {
   const PairRecords& r = t.records;
   const Surface& f = w.surface;
   return {{"particles", bytesOf(static_cast<const Table&>(w.particles))},
+          {"oriented", bytesOf(static_cast<const Table&>(w.oriented.rows))},
+          {"sheets", bytesOf(static_cast<const Table&>(w.sheets.rows))},
           {"solids", bytesOf(static_cast<const Table&>(w.solids))},
           {"cells", bytesOf(w.cells.key, w.cells.first, w.cells.count, t.inner, t.liquidCells)},
           {"neighbour lists", bytesOf(n.self, n.first, n.count, n.list, n.wet, n.neighbours)},

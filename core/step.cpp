@@ -9,8 +9,11 @@
 #include "core/fluid/carried_density.hpp"
 #include "core/fluid/incompressible/pressure_solver.hpp"
 #include "core/heat/heat.hpp"
+#include "core/kinds/place_kinds.hpp"
 #include "core/ledger/report.hpp"
+#include "core/oriented/step_oriented.hpp"
 #include "core/particle_sums.hpp"
+#include "core/sheet/step_sheets.hpp"
 #include "core/solid_step.hpp"
 #include "core/solid_substeps.hpp"
 #include "core/surface/surface_due.hpp"
@@ -27,12 +30,15 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   wrapPeriodic(w.grid, w.scene.domain, w.particles, w.ledger.entered.potential);
   moveWalls(w.walls, time);
   t.times.lap(StepPhase::Drift);
+  if (w.modules.oriented) stepOriented(w, halos, t, dt);  // by an integrator of their own, to the same time
+  if (w.modules.sheet) stepSheets(w, halos, t, dt);
 
   evaluate(w, halos, t, dt);                   // forces at the new places
 
   StepOutcome here;
   here.finite = finishKick(w, dt, &here.bad);  // v += a dt/2
   here.badHere = !here.finite;
+  if (w.modules.kinds() && !finiteKinds(w)) here.finite = false;
   t.times.lap(StepPhase::Drift);
   if (w.modules.heat) updateHeat(w, dt);       // H += heat dt, T and liquid fraction follow
   PhaseChanges changes;
@@ -56,6 +62,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   const bool leftSlots = bringHome(w, halos, t, dt);     // emit, let go, migrate, sort by (cell, id)
   if (w.modules.solid) relinkSolids(w, halos, t, {{}, t.phaseChangedHere || leftSlots || t.bondsAtStart});
   t.phaseChangedHere = false;
+  if (w.modules.kinds()) bringKindsHome(w, halos, t);
 
   // first of all, since it puts particles that are deep in a wall back to its surface: ghosts and bonds must see them there
   const WallContext walls{w, t.wallTables, t.liquids, dt, dt > 0 ? dt : nextStep(w.clock), 1.0 / w.clock.substeps};
@@ -118,10 +125,11 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests
   // near a wall its push is stiffer than the lattice, for which cfl_sound stands: omega dt is 1.2 at most (2 is stable)
   if (t.wallContacts.stiffest > 0) own[Limit::Contact] = 3 * w.scene.numerics.cflSound / t.wallContacts.stiffest;
   Ballot ballot;
-  for (std::size_t k = 0; k < limitNames.size(); k++) ballot.negatedLimits[k] = -std::min(limits.value[k], own.value[k]);
+  for (std::size_t k = 0; k < ballot.negatedLimits.size(); k++) ballot.negatedLimits[k] = -std::min(limits.value[k], own.value[k]);
+  if (w.modules.kinds()) ballot.negatedKindLimits = {-orientedStepLimit(w), -sheetStepLimit(w)};
   ballot.froze = t.frozeAnywhere;
   ballot.melted = t.meltedAnywhere;
-  ballot.bad = here.badHere;
+  ballot.bad = here.badHere || !here.finite;
   ballot.stop = wanted.stop;
   ballot.report = wanted.report;
   ballot.checkpoint = wanted.checkpoint;
@@ -132,9 +140,10 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests
   if (w.modules.surface) ballot.surfaceMove2 = largestSurfaceMove2(w);
   if (w.modules.solid) w.counters.singularNeighbourhoods = countSingular(t.elastic, w.solids);  // bonds break and references follow in any step
   t.times.lap(StepPhase::Drift);
-  reduce(ballot, halos.all, w.modules.surface);
+  reduce(ballot, halos.all, w.modules);
   t.times.lap(StepPhase::Reduce);
-  for (std::size_t k = 0; k < limitNames.size(); k++) limits.value[k] = -ballot.negatedLimits[k];
+  for (std::size_t k = 0; k < ballot.negatedLimits.size(); k++) limits.value[k] = -ballot.negatedLimits[k];
+  for (std::size_t k = 0; k < kindLimits && w.modules.kinds(); k++) limits.value[ballot.negatedLimits.size() + k] = -ballot.negatedKindLimits[k];
   // of the largest of all ranks: not the least of their limits, which depends on what is on the same rank
   if (w.modules.solid) limits[Limit::Elastic] = elasticStepLimit(w.scene, ballot.stretch2, ballot.grip);
   const double longest = std::min({limits[Limit::Elastic], t.longestContact, -ballot.negatedFastLimit});  // of a substep

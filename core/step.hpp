@@ -26,6 +26,8 @@ struct Halos {
   Reducer& all;
   CellHalo& cells;
   BondHalo& bonds;
+  CellHalo* kinds[2] = {nullptr, nullptr};  ///< of the further kinds (core/kinds/kinds.hpp), over the same grid; null for those that the scene has not
+  BondHalo* edges = nullptr;                ///< of the sheets
 };
 
 /// What a step works with; made once (makeTools), reused in every step. Nothing of it is part of the state.

@@ -7,9 +7,11 @@
 #include "core/ledger/ledger.hpp"
 #include "core/neighbours/grid.hpp"
 #include "core/neighbours/neighbour_lists.hpp"
+#include "core/oriented/oriented.hpp"
 #include "core/particles/continuum.hpp"
 #include "core/scene/modules.hpp"
 #include "core/scene/scene.hpp"
+#include "core/sheet/sheets.hpp"
 #include "core/solid/solids.hpp"
 #include "core/surface/surface.hpp"
 #include "core/time/clock.hpp"
@@ -55,6 +57,8 @@ struct World {
   Counters counters;
   WatchState watch;
   Surface surface;
+  OrientedBodies oriented;
+  SheetBodies sheets;
   PressureIterations lastIterations;
 };
 

@@ -1,5 +1,9 @@
 #include "parallel/balance.hpp"
 
+#include <algorithm>
+
+#include "core/kinds/cell_costs.hpp"
+
 namespace thaw {
 
 double workOf(const PhaseTimes& t) {
@@ -10,20 +14,17 @@ double workOf(const PhaseTimes& t) {
 }
 
 bool balance(World& w, CellHalo& halo, const StepTools& t, WorkMeter& meter) {
-  const double now = workOf(t.times), spent = now - meter.seconds;
-  meter.seconds = now;
-  const double perParticle = w.particles.owned > 0 ? spent / static_cast<double>(w.particles.owned) : 0;
-  CellTable own;
-  std::vector<double> cost;
-  for (std::size_t c = 0; c < w.cells.key.size(); c++) {
-    if (w.cells.first[c] >= w.particles.owned) continue;
-    own.key.push_back(w.cells.key[c]);
-    own.first.push_back(w.cells.first[c]);
-    own.count.push_back(w.cells.count[c]);
-    cost.push_back(std::max(1e-12, perParticle * w.cells.count[c]));
-  }
-  own.ownedCells = own.key.size();
-  return halo.rebalance(own, cost, false);
+  const auto per = [](double seconds, double& before, std::size_t rows) {
+    const double spent = seconds - before;
+    before = seconds;
+    return rows > 0 ? spent / static_cast<double>(rows) : 0;
+  };
+  const double perParticle = per(workOf(t.times), meter.seconds, w.particles.owned);
+  std::array<double, kindCount> perRow{};
+  eachKind(w, [&](std::size_t kind, const KindRows& r, const CellTable&) { perRow[kind] = per(t.times[kind == orientedKind ? StepPhase::Oriented : StepPhase::Sheet], meter.kinds[kind], r.owned); });
+  CellCosts costs = costOfCells(w, perParticle, perRow);
+  for (double& c : costs.cost) c = std::max(1e-12, c);
+  return halo.rebalance(costs.cells, costs.cost, false);
 }
 
 }  // namespace thaw

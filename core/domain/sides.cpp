@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/kinds/kind_rows.hpp"
+
 namespace thaw {
 
 double wrapPlace(const CellGrid& g, const Domain& d, Vec3d& place) {
@@ -23,7 +25,7 @@ void wrapPeriodic(const CellGrid& g, const Domain& d, Continuum& p, ExactSum& po
     if (const double more = wrapPlace(g, d, p.position[i]); more != 0) potential.add(p.mass[i] * more);
 }
 
-void findLeaving(const CellGrid&, const Domain& d, Continuum& p, std::vector<std::uint32_t>& rows) {
+template<class Rows> void findLeaving(const CellGrid&, const Domain& d, Rows& p, std::vector<std::uint32_t>& rows) {
   rows.clear();
   bool low[3], high[3];
   for (int a = 0; a < 3; a++) {
@@ -40,5 +42,8 @@ void findLeaving(const CellGrid&, const Domain& d, Continuum& p, std::vector<std
     }
   }
 }
+
+template void findLeaving(const CellGrid&, const Domain&, Continuum&, std::vector<std::uint32_t>&);
+template void findLeaving(const CellGrid&, const Domain&, KindRows&, std::vector<std::uint32_t>&);
 
 }  // namespace thaw

@@ -19,6 +19,7 @@ void wrapPeriodic(const CellGrid& grid, const Domain& domain, Continuum& particl
 
 /// Owned rows beyond an open side, ascending, into `rows`. Their nextCell is set to noCell, so that migration leaves them alone; the
 /// caller books and drops them.
-void findLeaving(const CellGrid& grid, const Domain& domain, Continuum& particles, std::vector<std::uint32_t>& rows);
+/// Particles: Continuum, KindRows.
+template<class Rows> void findLeaving(const CellGrid& grid, const Domain& domain, Rows& particles, std::vector<std::uint32_t>& rows);
 
 }  // namespace thaw

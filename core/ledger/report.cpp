@@ -6,6 +6,8 @@
 
 #include "core/fluid/liquid_materials.hpp"
 #include "core/fluid/state_equation.hpp"
+#include "core/kinds/kind_books.hpp"
+#include "core/kinds/kinds.hpp"
 
 namespace thaw {
 namespace {
@@ -72,6 +74,12 @@ LedgerReport reportLedger(const World& w, Reducer& all) {
     dissipated.add(p.dissipated[i]);
     liquid.add(p.liquid.active ? p.mass[i] * static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? p.mass[i] : 0.0);
   }
+  eachKind(w, [&](std::size_t kind, const KindRows& r, const CellTable&) {
+    for (std::size_t i = 0; i < r.owned; i++) {
+      addKindRow(w, kind, i, now);
+      dissipated.add(r.dissipated[i]);
+    }
+  });
   Pack pack;
   pack.add(now);
   pack.add(w.ledger.entered);
@@ -84,6 +92,7 @@ LedgerReport reportLedger(const World& w, Reducer& all) {
     s.carry();
     digits.insert(digits.end(), s.digit.begin(), s.digit.end());
   }
+  eachKind(w, [&](std::size_t, const KindRows& r, const CellTable&) { digits.push_back(static_cast<std::int64_t>(r.owned)); });
   digits.push_back(static_cast<std::int64_t>(p.owned));
   all.sum(digits);
   for (std::size_t k = 0; k < pack.sums.size(); k++) std::copy_n(digits.data() + k * ExactSum::digits, ExactSum::digits, pack.sums[k].digit.data());
@@ -91,6 +100,8 @@ LedgerReport reportLedger(const World& w, Reducer& all) {
   Unpack u{pack.sums};
   LedgerReport r;
   r.particles = digits.back();
+  std::size_t counted = pack.sums.size() * ExactSum::digits;
+  eachKind(w, [&](std::size_t kind, const KindRows&, const CellTable&) { r.rows[kind] = digits[counted++]; });
   r.now = u.balance();
   r.entered = u.balance();
   r.left = u.balance();

@@ -16,6 +16,7 @@ struct LedgerReport {
   double energyScale = 0;       ///< J, largest of the terms that went into energyResidual
   double liquidFraction = 0;    ///< of all mass
   std::int64_t particles = 0;
+  std::int64_t rows[2] = {0, 0};  ///< of the further kinds (core/kinds/kinds.hpp)
 };
 
 /// Adds the particles of rows to a balance.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/kinds/kind_rows.hpp"
 #include "core/surface/surfels.hpp"
 
 namespace thaw {
@@ -69,8 +70,10 @@ template<class Rows> void sortByCell(Rows& p, const Migration& migration, SortBu
 template void computeCellKeys(const CellGrid&, Continuum&, std::size_t, std::size_t);
 template void computeCellKeys(const CellGrid&, Surfels&, std::size_t, std::size_t);
 template void computeCellKeys(const CellGrid&, SurfaceParticles&, std::size_t, std::size_t);
+template void computeCellKeys(const CellGrid&, KindRows&, std::size_t, std::size_t);
 template void sortByCell(Continuum&, const Migration&, SortBuffers&, CellTable&);
 template void sortByCell(Surfels&, const Migration&, SortBuffers&, CellTable&);
 template void sortByCell(SurfaceParticles&, const Migration&, SortBuffers&, CellTable&);
+template void sortByCell(KindRows&, const Migration&, SortBuffers&, CellTable&);
 
 }  // namespace thaw

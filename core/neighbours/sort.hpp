@@ -15,7 +15,7 @@ struct SortBuffers {
 };
 
 /// The cell keys of rows [begin, end), into particles.nextCell.
-/// Rows: a table with columns id, position, cell and nextCell (Continuum, Surfels, SurfaceParticles).
+/// Rows: a table with columns id, position, cell and nextCell (Continuum, Surfels, SurfaceParticles, KindRows).
 template<class Rows> void computeCellKeys(const CellGrid& grid, Rows& particles, std::size_t begin, std::size_t end);
 template<class Rows> void computeCellKeys(const CellGrid& grid, Rows& particles) { computeCellKeys(grid, particles, 0, particles.owned); }
 

@@ -56,6 +56,8 @@ Modules modulesOf(const Scene& s) {
   Modules& m = f.m;
   findHeat(f);
   if (s.surface.on) f.on(m.surface, "surface", "the scene has a table [surface]");
+  if (!s.oriented.empty()) f.on(m.oriented, "oriented particles", "oriented body " + quoted(s.oriented.front().name));
+  if (!s.sheets.empty()) f.on(m.sheet, "sheets", "sheet " + quoted(s.sheets.front().name));
   if (!s.emitters.empty()) f.on(m.emitters, "emitters", "emitter " + quoted(s.emitters.front().name));
 
   std::vector<bool> used(s.materials.size(), false);

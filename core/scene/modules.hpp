@@ -31,6 +31,9 @@ struct Modules {
   bool neighbours = false; ///< any sum over unbonded neighbours
   bool surface = false;    ///< surfels on the continuum bodies
   bool emitters = false;
+  bool oriented = false;   ///< oriented bodies (core/oriented/)
+  bool sheet = false;      ///< sheets (core/sheet/)
+  bool kinds() const { return oriented || sheet; }
   std::vector<std::string> why;  ///< a line for each module that is on: "heat: obstacle 'plate' has a temperature"
 };
 

@@ -1,5 +1,6 @@
 #include "core/setup/activate_fields.hpp"
 
+#include "core/kinds/place_kinds.hpp"
 #include "core/surface/prepare_surface.hpp"
 
 namespace thaw {
@@ -32,6 +33,7 @@ void activateFields(World& w, StepTools& t) {
   bool clamped = m.emitters;
   for (const Body& b : w.scene.bodies) clamped = clamped || !b.clamp.empty();
   on(clamped, {&p.clamped});
+  activateKinds(w);
   if (m.surface) activateSurfaceFields(w.surface, m);
   if (m.solid) activateSolidFields(p, w.solids, w.bonds, t.elastic, w.scene, m, w.grid);
 }

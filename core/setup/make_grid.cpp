@@ -1,34 +1,39 @@
 #include "core/setup/make_grid.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include "core/oriented/prepare_oriented.hpp"
+#include "core/sheet/prepare_sheets.hpp"
+
 namespace thaw {
 
-CellGrid makeGrid(const Scene& s) { return makeGrid(s.domain, s.numerics.support * s.spacing); }
+CellGrid makeGrid(const Scene& s) { return makeGrid(s.domain, s.numerics.support * s.spacing, std::max(orientedReach(s), sheetReach(s))); }
 
-CellGrid makeGrid(const Domain& d, double support) {
+CellGrid makeGrid(const Domain& d, double support, double least) {
   CellGrid g;
   g.support = support;
+  const double cell = std::max(support, least);
   for (int a = 0; a < 3; a++) {
     const std::string axis(1, static_cast<char>('x' + a));
     const double extent = d.max[a] - d.min[a];
     if (!(extent > 0)) throw std::runtime_error("the domain has no extent along " + axis + ": max must be above min");
-    if (extent / g.support > maxCellsPerAxis - 8)
-      throw std::runtime_error("the domain is " + std::to_string(extent / g.support) + " support radii long along " + axis + ", at most " +
+    if (extent / cell > maxCellsPerAxis - 8)
+      throw std::runtime_error("the domain is " + std::to_string(extent / cell) + " support radii long along " + axis + ", at most " +
                                std::to_string(maxCellsPerAxis) + " are possible: make the domain smaller or the spacing larger");
     g.periodic[a] = d.side[a][0] == Side::Periodic;
     if (g.periodic[a]) {
-      g.cells[a] = static_cast<int>(std::floor(extent / g.support * (1 + 1e-12)));
+      g.cells[a] = static_cast<int>(std::floor(extent / cell * (1 + 1e-12)));
       if (g.cells[a] < 3) throw std::runtime_error("the domain is periodic along " + axis + " but shorter than three support radii");
       g.edge[a] = extent / g.cells[a];
       g.origin[a] = d.min[a];
       g.period[a] = extent;
     } else {  // one cell around, for particles pressed into a wall
-      g.edge[a] = g.support;
-      g.cells[a] = static_cast<int>(std::ceil(extent / g.support)) + 2;
-      g.origin[a] = d.min[a] - g.support;
+      g.edge[a] = cell;
+      g.cells[a] = static_cast<int>(std::ceil(extent / cell)) + 2;
+      g.origin[a] = d.min[a] - cell;
     }
   }
   return g;

@@ -9,7 +9,7 @@ namespace thaw {
 /// periodic side too short for three cells.
 CellGrid makeGrid(const Scene& scene);
 
-/// The same of a domain, with cells of another radius (m).
-CellGrid makeGrid(const Domain& domain, double support);
+/// The same of a domain, with cells of another radius (m); cells are at least as long as `edge` (m).
+CellGrid makeGrid(const Domain& domain, double support, double edge = 0);
 
 }  // namespace thaw

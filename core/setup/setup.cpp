@@ -8,6 +8,8 @@
 #include "core/fluid/incompressible/pressure_solver.hpp"
 #include "core/geometry/shape_error.hpp"
 #include "core/kernels/lattice.hpp"
+#include "core/kinds/cell_costs.hpp"
+#include "core/kinds/place_kinds.hpp"
 #include "core/ledger/report.hpp"
 #include "core/particle_sums.hpp"
 #include "core/setup/activate_fields.hpp"
@@ -113,13 +115,14 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
   problems.raise();
   // a first partition by the number of particles; they are still where they were sampled
   Continuum& p = w.particles;
+  sampleKinds(w, halos, t, load);
   for (std::size_t i = 0; i < p.owned; i++) wrapPlace(w.grid, w.scene.domain, p.position[i]);  // jitter may reach over a seam by rounding
   computeCellKeys(w.grid, p);
   Migration all;
   all.arrivals = p.owned;
   sortByCell(p, all, t.sort, w.cells);
-  const std::vector<double> cost(w.cells.count.begin(), w.cells.count.end());
-  halos.cells.rebalance(w.cells, cost, true);
+  const CellCosts costs = countCells(w);
+  halos.cells.rebalance(costs.cells, costs.cost, true);
   relaxPacking(w, halos, t, shapes);
   return report;
 }
@@ -164,8 +167,15 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   Migration all;
   all.arrivals = p.owned;
   sortByCell(p, all, t.sort, w.cells);
-  const std::vector<double> cost(w.cells.count.begin(), w.cells.count.end());
-  halos.cells.rebalance(w.cells, cost, true);
+  eachKind(w, [&](std::size_t, KindRows& r, CellTable& cells) {
+    computeCellKeys(w.grid, r);
+    Migration fresh;
+    fresh.arrivals = r.owned;
+    sortByCell(r, fresh, t.sort, cells);
+  });
+  const CellCosts costs = countCells(w);
+  halos.cells.rebalance(costs.cells, costs.cost, true);
+  if (w.modules.kinds()) bringKindsHome(w, halos, t);  // with their ghosts they are as the last step has left them
   t.mass = totalMass(w, halos.all);
   double froze = 0;
   if (p.justFrozen.active)

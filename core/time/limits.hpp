@@ -7,8 +7,9 @@
 
 namespace thaw {
 
-enum class Limit { Sound, Viscous, Heat, Elastic, Tension, Acceleration, Speed, Contact, Scene };
-inline constexpr std::array<const char*, 9> limitNames{"sound", "viscosity", "heat", "elastic waves", "surface tension", "acceleration", "speed", "contact", "scene"};
+enum class Limit { Sound, Viscous, Heat, Elastic, Tension, Acceleration, Speed, Contact, Scene, Oriented, Sheet };
+inline constexpr std::array<const char*, 11> limitNames{"sound", "viscosity", "heat", "elastic waves", "surface tension", "acceleration", "speed", "contact", "scene", "oriented particles", "sheets"};
+inline constexpr std::size_t kindLimits = 2;  ///< the last ones: of the further kinds, reduced only where a scene has one
 
 inline constexpr double supportsPerStep = 0.25;  ///< nobody passes through a particle, or a cell, in a step
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/kinds/place_kinds.hpp"
 #include "core/solid/bond_records.hpp"
 #include "core/surface/resume_surface.hpp"
 
@@ -43,6 +44,11 @@ void copySurface(const Surface& from, Surface& to) {
   to.lastStep = from.lastStep;
 }
 
+void copyKinds(const World& from, World& to) {
+  if (from.oriented.rows.id.active) copyState(from.oriented.rows, to.oriented.rows, from.oriented.rows.owned, 0, nullptr);
+  if (from.sheets.rows.id.active) copyState(from.sheets.rows, to.sheets.rows, from.sheets.rows.owned, 0, nullptr);
+}
+
 }  // namespace
 
 void keepState(const World& w, World& kept) {
@@ -50,6 +56,7 @@ void keepState(const World& w, World& kept) {
   copyState(w.solids, kept.solids, w.solids.owned, w.solids.ghosts, nullptr);  // remote rows: bonds name them, and they have an id
   kept.bonds = w.bonds;
   copySurface(w.surface, kept.surface);
+  copyKinds(w, kept);
   copyBooks(w, kept);
 }
 
@@ -63,6 +70,7 @@ void emptyWorld(World& w, StepTools& t) {
   w.bonds.twoFrames = twoFrames;
   w.cells = {};
   emptySurface(w.surface);
+  emptyKinds(w);
   t.elastic.capacity = 0;  // everything that is derived from bonds is computed anew
   t.requests.clear();
   t.leaving.clear();
@@ -75,6 +83,7 @@ std::vector<std::byte> bringBack(const World& kept, World& w) {
   copyState(kept.particles, p, kept.particles.owned, 0, nullptr);
   if (p.slot.active) std::fill_n(p.slot.data(), p.owned, noSlot);
   copySurface(kept.surface, w.surface);
+  copyKinds(kept, w);
   copyBooks(kept, w);
   SolidRecords records;
   for (std::size_t i = 0; kept.particles.slot.active && i < p.owned; i++)

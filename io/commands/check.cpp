@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "core/geometry/shape_error.hpp"
+#include "core/kinds/kinds.hpp"
 #include "core/ledger/report.hpp"
 #include "core/memory.hpp"
 #include "core/setup/setup.hpp"
@@ -43,7 +44,9 @@ int checkAll(const CheckOptions& o) {
   requireMemory(comm, w, meshLoader());
   MpiCellHalo cells(comm, w.grid);
   MpiBondHalo bonds(comm);
-  const Halos halos{all, cells, bonds};
+  std::unique_ptr<MpiCellHalo> kinds[kindCount];
+  eachKind(w, [&](std::size_t kind, const KindRows&, const CellTable&) { kinds[kind] = std::make_unique<MpiCellHalo>(comm, w.grid); });
+  const Halos halos{all, cells, bonds, {kinds[orientedKind].get(), kinds[sheetKind].get()}};
   const SamplingReport sampled = startWorld(w, halos, t, meshLoader());
   SurfaceTrial surface(comm, w, meshLoader());
   // a few steps, to measure
@@ -69,6 +72,8 @@ int checkAll(const CheckOptions& o) {
   std::printf("\nparticles\n");
   for (std::size_t b = 0; b < s.bodies.size(); b++)
     std::printf("  body '%s': %lld of %s\n", s.bodies[b].name.c_str(), static_cast<long long>(sampled.particles[b]), s.materials[static_cast<std::size_t>(s.bodies[b].material)].name.c_str());
+  for (std::size_t k = 0; k < kindCount; k++)
+    if (l.rows[k] > 0) std::printf("  %s: %lld\n", kindNames[k], static_cast<long long>(l.rows[k]));
   const double emitted = emittedAtEnd(s, t);
   for (const Emitter& e : s.emitters) std::printf("  emitter '%s': of %s\n", e.name.c_str(), s.materials[static_cast<std::size_t>(e.material)].name.c_str());
   if (emitted > 0) std::printf("  emitted until the end: %.0f\n", emitted);
@@ -85,7 +90,7 @@ int checkAll(const CheckOptions& o) {
   }
   if (!surfaceLines.empty()) std::printf("\nsurface\n");
   for (const std::string& line : surfaceLines) std::printf("  %s\n", line.c_str());
-  const double particles = std::max<double>(1, static_cast<double>(l.particles)), total = particles + std::max(0.0, emitted - static_cast<double>(w.counters.emitted));
+  const double particles = std::max<double>(1, static_cast<double>(l.particles + l.rows[0] + l.rows[1])), total = particles + std::max(0.0, emitted - static_cast<double>(w.counters.emitted));
   std::printf("\nmemory a rank: %s with %d ranks (%.0f bytes a particle)\n", bytesText(memory * total / particles * comm.size() / o.ranks).c_str(), o.ranks, memory * comm.size() / particles);
   const double needed = s.end / dt;
   std::printf("run time: about %s with %d ranks (%.0f steps at %.3g M particle-steps/s and rank, measured here over %d steps)\n", timeText(needed * perStep * comm.size() / o.ranks * (0.5 + 0.5 * total / particles)).c_str(),

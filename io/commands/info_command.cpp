@@ -12,7 +12,7 @@
 #include "core/ledger/totals.hpp"
 #include "io/output/checkpoint.hpp"
 #include "io/output/series.hpp"
-#include "io/output/surface_frame.hpp"
+#include "io/output/kind_frame.hpp"
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
@@ -54,7 +54,8 @@ Json fieldOf(const H5File& file, const std::string& name, const std::string& pat
 Json frameInfo(const std::string& path) {
   const FrameInfo info = readFrameInfo(path);
   const H5File file = H5File::openToRead(path);
-  Json j = {{"kind", isSurfaceFrame(file) ? "frame of a surface" : "frame"}, {"path", path}, {"bytes", fileBytes(path)}, {"step", info.step}, {"time", info.time}, {isSurfaceFrame(file) ? "surfels" : "particles", info.count},
+  const std::string kind = titleOfFrame(file);
+  Json j = {{"kind", kind == "particles" ? std::string("frame") : kind == "surfels" ? std::string("frame of a surface") : "frame of kind " + kind}, {"path", path}, {"bytes", fileBytes(path)}, {"step", info.step}, {"time", info.time}, {kind, info.count},
             {"pieces", info.pieces}, {"scene", info.sceneName}, {"code", info.code}, {"commit", info.commit}, {"ranks", info.ranks}};
   for (const FrameInfo::Field& f : info.fields)
     j["fields"].push_back(fieldOf(file, f.name, f.name == "position" ? "/VTKHDF/Points" : "/VTKHDF/PointData/" + f.name, true));
@@ -70,12 +71,14 @@ Json checkpointInfo(const CheckpointHeader& header, bool fields) {
     j["surface"] = {{"surfels", h.surfels}, {"components", h.surface.components.size()}, {"events", h.surface.events.size()}, {"last_update_step", h.surface.lastStep}};
     for (const NamedCount& c : countsOf(h.surface.counters)) j["surface"][c.name] = *c.count;
   }
+  for (std::size_t k = 0; k < kindCount; k++)
+    if (h.kinds[k]) j[kindNames[k]] = *h.kinds[k];
   for (const NamedCount& c : countsOf(h.counters)) j["counters"][c.name] = *c.count;
   for (const NamedSum& s : sumsOf(h.ledger)) j["ledger"][s.name] = s.sum->value();
   if (!fields) return j;
   const H5File file = H5File::openToRead(h.path);
-  for (const char* group : {"/particles", "/solids", "/bonds", "/surfels"}) {
-    if (!file.has(group) && std::string(group) == "/surfels") continue;
+  for (const char* group : {"/particles", "/solids", "/bonds", "/surfels", "/oriented", "/sheet"}) {
+    if (!file.has(group) && (std::string(group) == "/surfels" || std::string(group) == "/oriented" || std::string(group) == "/sheet")) continue;
     j[std::string(group + 1) + "_fields"] = Json::array();
     if (file.has(group))
       for (const std::string& name : file.children(group)) j[std::string(group + 1) + "_fields"].push_back(fieldOf(file, name, group + ("/" + name), false));

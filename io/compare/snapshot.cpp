@@ -6,7 +6,7 @@
 
 #include "core/ledger/totals.hpp"
 #include "io/output/checkpoint.hpp"
-#include "io/output/surface_frame.hpp"
+#include "io/output/kind_frame.hpp"
 
 namespace thaw {
 namespace {
@@ -36,7 +36,7 @@ void openFrame(Snapshot& s) {
   s.numbers = {real("time", "s", info.time), whole("step", info.step)};
   const std::string group = "/VTKHDF/PointData";
   if (!s.file.has(group + "/id")) throw IoError(s.file.path(), "has no ids");
-  SnapshotTable t = tableOf(s.file, isSurfaceFrame(s.file) ? "surfels" : "particles", group, {"rank"});
+  SnapshotTable t = tableOf(s.file, titleOfFrame(s.file), group, {"rank"});
   t.columns.insert(t.columns.begin(), {"position", "/VTKHDF/Points", "m", info.fields[0].shape});
   s.tables.push_back(std::move(t));
 }
@@ -60,6 +60,8 @@ void openCheckpoint(Snapshot& s) {
     s.tables.push_back(tableOf(s.file, "components", "/surface/components", {}));
     s.tables.push_back(tableOf(s.file, "events", "/surface/events", {}));
   }
+  for (const char* kind : kindNames)
+    if (const std::string group = std::string("/") + kind; s.file.has(group + "/id")) s.tables.push_back(tableOf(s.file, kind, group, {}));
   if (!s.file.has("/solids/id")) return;
   // whether A^-1 of a slot is to be computed anew depends on what migrated, and changes no bit of it
   SnapshotTable solids = tableOf(s.file, "solids", "/solids", {"changed"});

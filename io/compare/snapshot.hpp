@@ -24,7 +24,7 @@ struct SnapshotColumn {
 
 /// Rows with ids. order: rows ascending by id.
 struct SnapshotTable {
-  std::string title;                 ///< "particles", "solids", "surfels", "components", "events"
+  std::string title;                 ///< "particles", "solids", "surfels", "components", "events", "oriented", "sheet"
   std::vector<std::uint64_t> ids, order;
   std::vector<SnapshotColumn> columns;
   std::vector<std::uint64_t> firstBond;  ///< of each row and one more; empty where the table has no bonds

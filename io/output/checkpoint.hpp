@@ -7,16 +7,20 @@
 //   /bonds/neighbour[B] reference[B,3] weight[B], and reverse[B,3] where both ends have their own reference; in the order of solids
 //   /order/solid_particle[M] first_bond[M]   row of a solid's particle; row of its first bond
 //   /surfels/<field>[S, c]     State columns of Surfels; only with a surface, as are
+//   /oriented/<field>, /sheet/<field>  State columns of the further kinds (core/kinds/), where the scene has them
 //   /surface                   @last_step, counters; components/<member>[K], events/<member>[E]
 // Every dataset that is spread over the ranks has a checksum.
 #pragma once
 #include <mpi.h>
 
+#include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/kinds/kinds.hpp"
 #include "core/solid/bond_records.hpp"
 #include "core/world.hpp"
 #include "io/output/frame.hpp"
@@ -42,6 +46,7 @@ struct CheckpointHeader {
   Clock clock;                           ///< without limitedBy
   std::string limitedBy;
   std::uint64_t particles = 0, solids = 0, bonds = 0, surfels = 0;
+  std::array<std::optional<std::uint64_t>, kindCount> kinds;  ///< rows of the further kinds that the file has
   bool twoFrames = false;                ///< bonds have their own reference at both ends
   Counters counters;
   Ledger ledger;
@@ -60,6 +65,10 @@ struct CheckpointSlice {
   std::vector<std::uint32_t> bondCount;  ///< of each solid
   std::vector<BondRecord> bonds;         ///< one solid's behind another's, in their order
   Surfels surfels;                       ///< as particles: surfels [r S/P, (r+1) S/P)
+  Oriented oriented;                     ///< the same; unsorted
+  Sheets sheets;
+  KindRows& kind(std::size_t k) { return k == orientedKind ? static_cast<KindRows&>(oriented) : sheets; }
+  const KindRows& kind(std::size_t k) const { return k == orientedKind ? static_cast<const KindRows&>(oriented) : sheets; }
   std::vector<std::string> warnings;     ///< about newer files that could not be used
 };
 

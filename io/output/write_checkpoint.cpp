@@ -154,6 +154,7 @@ void writeState(const std::string& path, std::int64_t sequence, MPI_Comm comm, c
     content.groups.push_back("/surface");
     addColumns(content, "/surfels", w.surface.surfels, spreadRows(comm, w.surface.surfels.owned), nullptr);
   }
+  eachKind(w, [&](std::size_t kind, const KindRows& r, const CellTable&) { addColumns(content, std::string("/") + kindNames[kind], r, spreadRows(comm, r.owned), nullptr); });
   std::vector<std::uint64_t> firstBond(order.firstBond.begin(), order.firstBond.end() - 1);
   for (std::uint64_t& f : firstBond) f += bonds.mine.first;
   content.datasets.push_back({"/order/solid_particle", {Element::U64, solids.all, 0}, solids.mine, order.particle.data(), "1", {}});

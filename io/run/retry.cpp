@@ -8,6 +8,7 @@
 #include "core/watch/good_state.hpp"
 #include "io/hdf5/agree.hpp"
 #include "io/run/alarm_text.hpp"
+#include "io/run/kind_run.hpp"
 #include "io/run/scene_marks.hpp"
 #include "io/run/surface_run.hpp"
 
@@ -40,6 +41,7 @@ void forgetFrames(Run& r) {
   onFirstRank(r.comm.handle(), [&] {
     forgetSeries(r.options.out, r.name, r.series, r.world.clock.time);
     if (r.world.modules.surface) forgetSurfaceFrames(r);
+    forgetKindFrames(r);
   });
 }
 

@@ -7,6 +7,7 @@
 #include "io/hdf5/agree.hpp"
 #include "io/output/earlier_run.hpp"
 #include "io/output/frame_fields.hpp"
+#include "io/run/kind_run.hpp"
 #include "io/run/scene_marks.hpp"
 #include "io/run/surface_run.hpp"
 #include "io/scene/read_scene.hpp"
@@ -23,6 +24,8 @@ HaloTraffic trafficOf(const Run& r) {
   if (r.cells) add(r.cells->traffic());
   if (r.bonds) add(r.bonds->traffic());
   if (r.surface) add(r.surface->surfels.traffic()), add(r.surface->particles.traffic());
+  for (const auto& k : r.kinds)
+    if (k) add(k->traffic());
   return sum;
 }
 
@@ -30,6 +33,7 @@ void renewHalos(Run& r) {
   r.earlierTraffic = trafficOf(r);
   r.cells = std::make_unique<MpiCellHalo>(r.comm, r.world.grid);
   r.bonds = std::make_unique<MpiBondHalo>(r.comm);
+  eachKind(r.world, [&](std::size_t kind, const KindRows&, const CellTable&) { r.kinds[kind] = std::make_unique<MpiCellHalo>(r.comm, r.world.grid); });
   if (r.world.modules.surface) r.surface = std::make_unique<SurfaceRanks>(r.comm, r.world.surface.grid);
 }
 
@@ -46,6 +50,7 @@ void writeFrameOf(Run& r) {
     writeSeries(seriesPath(r.options.out, r.name), r.series);
   });
   if (w.modules.surface) writeSurfaceFrameOf(r);
+  writeKindFrames(r);
   w.clock.frame++;
   r.tools.times.lap(StepPhase::Frames);
 }
@@ -137,10 +142,16 @@ void begin(Run& r, const MeshLoader& load) {
     r.resumed = true;
     if (r.first()) r.series = framesPresent(r.options.out, r.name, w.clock.time);
     if (w.modules.surface) resumeSurfaceOutput(r);
+    resumeKindFrames(r);
     r.say(fmt::format("continues at t {:.6g} s, step {}, from {}", w.clock.time, w.clock.step, slice->header.path));
   } else {
     const SamplingReport sampled = startWorld(w, r.halos(), r.tools, load);
     for (std::size_t b = 0; b < w.scene.bodies.size(); b++) r.say(fmt::format("body '{}': {} particles", w.scene.bodies[b].name, sampled.particles[b]));
+    eachKind(w, [&](std::size_t kind, const KindRows& rows, const CellTable&) {
+      std::int64_t n = static_cast<std::int64_t>(rows.owned);
+      r.all.sum({&n, 1});
+      r.say(fmt::format("{}: {} particles", kindNames[kind], n));
+    });
     for (const std::string& pair : sampled.overlaps) {
       const std::string line = fmt::format("{}; {} particles left out in all", pair, sampled.removed);
       r.say("warning: " + line);

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "core/kinds/kinds.hpp"
 #include "core/setup/setup.hpp"
 #include "core/surface/update_surface.hpp"
 #include "io/commands/run.hpp"
@@ -31,6 +32,8 @@ struct Run {
   std::unique_ptr<MpiCellHalo> cells;
   std::unique_ptr<MpiBondHalo> bonds;
   std::unique_ptr<SurfaceRanks> surface; // where the scene has one; as are the next two
+  std::array<std::unique_ptr<MpiCellHalo>, kindCount> kinds;  // of the further kinds that the scene has
+  std::array<std::vector<SeriesEntry>, kindCount> kindSeries; // rank 0
   SurfaceTools surfaceTools;
   std::vector<SeriesEntry> surfaceSeries;  // rank 0
   std::string name;                      // of the scene, for its files
@@ -47,7 +50,7 @@ struct Run {
   bool stepping = false;                 // in the loop, where ranks wait for each other
 
   Run(const RunOptions& o, const Communicator& c) : options(o), comm(c), all(c) {}
-  Halos halos() { return {all, *cells, *bonds}; }
+  Halos halos() { return {all, *cells, *bonds, {kinds[orientedKind].get(), kinds[sheetKind].get()}}; }
   bool first() const { return comm.rank() == 0; }
   void say(const std::string& line) const {
     if (first()) std::printf("%s\n", line.c_str()), std::fflush(stdout);

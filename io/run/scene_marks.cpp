@@ -48,6 +48,8 @@ CheckpointValues sceneMarks(const Scene& s) {
   addNames(marks, "material", s.materials);
   addNames(marks, "body", s.bodies);
   addNames(marks, "emitter", s.emitters);
+  addNames(marks, "oriented", s.oriented);
+  addNames(marks, "sheet", s.sheets);
   for (const Emitter& e : s.emitters) addEmitter(marks, e);
   return marks;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/kinds/kinds.hpp"
 #include "core/ledger/totals.hpp"
 #include "io/hdf5/parallel_file.hpp"
 #include "io/version.hpp"
@@ -31,7 +32,7 @@ Json countersJson(Counters counters) {
 
 /// Work, not waiting: what the balance can even out.
 bool isWork(StepPhase p) {
-  return p == StepPhase::Search || p == StepPhase::Density || p == StepPhase::Forces || p == StepPhase::Viscosity || p == StepPhase::Pressure || p == StepPhase::Elastic || p == StepPhase::Walls ||
+  return p == StepPhase::Oriented || p == StepPhase::Sheet || p == StepPhase::Search || p == StepPhase::Density || p == StepPhase::Forces || p == StepPhase::Viscosity || p == StepPhase::Pressure || p == StepPhase::Elastic || p == StepPhase::Walls ||
          p == StepPhase::Contact ||
          p == StepPhase::Heat || p == StepPhase::Drift || p == StepPhase::Sort;
 }
@@ -102,6 +103,8 @@ void writeSummary(const std::string& out, const RunSummary& s) {
   j["modules"] = s.modules;
   j["ranks"] = s.ranks;
   j["particles"] = s.ledger.particles;
+  for (std::size_t k = 0; k < kindCount; k++)
+    if (s.ledger.rows[k] > 0) j[kindNames[k]] = s.ledger.rows[k];
   j["time_s"] = s.clock.time;
   j["end_s"] = s.clock.end;
   j["step"] = s.clock.step;
@@ -135,10 +138,13 @@ void writeSummary(const std::string& out, const RunSummary& s) {
 
 std::string progressLine(const Clock& c, const LedgerReport& l, double stepsPerSecond, double secondsLeft) {
   const double scale = l.energyScale > 0 ? l.energyScale : 1, heatScale = std::abs(l.heatIn) > 0 ? std::abs(l.heatIn) : 1;
+  std::string kinds;
+  for (std::size_t k = 0; k < kindCount; k++)
+    if (l.rows[k] > 0) kinds += fmt::format("  {} {}", kindNames[k], l.rows[k]);
   return fmt::format(
-      "t {:.5f} s  step {}  dt {:.2e} s ({}{})  {:.1f} steps/s  left {}  particles {}  liquid {:.1f} %  mass {:.6g} kg ({:+.1e})  |p| {:.3g} ({:.1e})  |L| {:.3g}  "
+      "t {:.5f} s  step {}  dt {:.2e} s ({}{})  {:.1f} steps/s  left {}  particles {}{}  liquid {:.1f} %  mass {:.6g} kg ({:+.1e})  |p| {:.3g} ({:.1e})  |L| {:.3g}  "
       "kinetic {:.4g} J  elastic {:.4g} J  potential {:.4g} J  internal {:.5g} J  in {:.3g} kg {:.3g} J heat  out {:.3g} kg  dissipated {:.4g} J  residual {:+.2e} J ({:+.1e}) heat {:+.1e}",
-      c.time, c.step, c.dt, c.limitedBy, c.substeps > 1 ? fmt::format(", {} substeps of solids", c.substeps) : "", stepsPerSecond, duration(secondsLeft), l.particles, 100 * l.liquidFraction, l.now.mass, l.massResidual, length(l.now.momentum),
+      c.time, c.step, c.dt, c.limitedBy, c.substeps > 1 ? fmt::format(", {} substeps of solids", c.substeps) : "", stepsPerSecond, duration(secondsLeft), l.particles, kinds, 100 * l.liquidFraction, l.now.mass, l.massResidual, length(l.now.momentum),
       length(l.momentumResidual), length(l.now.angularMomentum), l.now.kinetic, l.now.elastic, l.now.potential, l.now.internal, l.entered.mass, l.heatIn, l.left.mass,
       l.dissipated, l.energyResidual, l.energyResidual / scale, l.heatResidual / heatScale);
 }

@@ -76,9 +76,11 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   };
   unique(s.bodies, "body");
   unique(s.emitters, "emitter");
+  unique(s.oriented, "oriented body");
+  unique(s.sheets, "sheet");
   unique(s.obstacles, "obstacle");
-  if (s.bodies.empty() && s.emitters.empty())
-    errors.push_back({x.start, "there is nothing to simulate: a scene needs a [[body]] or an [[emitter]] and its [material.NAME]; all else has defaults"});
+  if (s.bodies.empty() && s.emitters.empty() && s.oriented.empty() && s.sheets.empty())
+    errors.push_back({x.start, "there is nothing to simulate: a scene needs a [[body]] or an [[emitter]] and its [material.NAME], an [[oriented]] or a [[sheet]]; all else has defaults"});
   if (s.numerics.heat == HeatModel::Paper)
     for (const Material& m : s.materials)
       if (m.paperDiffusivity == 0 && (m.conductivity.solid > 0 || m.conductivity.liquid > 0))

@@ -40,6 +40,8 @@ void readSections(TableReader& top, SceneReading& x) {
     s.materials.push_back(std::move(m));
   });
   top.tables("body", "something made of particles", [&](TableReader& r) { readBody(r, x); });
+  top.tables("oriented", "a surface of oriented particles (Szeliski & Tonnesen 1992)", [&](TableReader& r) { readOriented(r, x); });
+  top.tables("sheet", "a sheet whose vertices are exact damped springs", [&](TableReader& r) { readSheet(r, x); });
   top.tables("emitter", "an opening that particles come out of", [&](TableReader& r) { readEmitter(r, x); });
   top.tables("obstacle", "something that particles do not pass; may be written [[wall]], too", [&](TableReader& r) { readObstacle(r, x); });
   top.tables("tempering", "brings particles to a temperature, wherever they are", [&](TableReader& r) { readTempering(r, x); });

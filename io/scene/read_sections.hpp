@@ -23,6 +23,8 @@ void readSurface(TableReader& reader, SurfaceSettings& surface);
 void readOutput(TableReader& reader, Output& output);
 void readMaterial(TableReader& reader, Material& material);
 void readBody(TableReader& reader, SceneReading& reading);
+void readOriented(TableReader& reader, SceneReading& reading);
+void readSheet(TableReader& reader, SceneReading& reading);
 void readEmitter(TableReader& reader, SceneReading& reading);
 void readTempering(TableReader& reader, SceneReading& reading);
 void readObstacle(TableReader& reader, SceneReading& reading);

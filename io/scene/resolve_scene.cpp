@@ -10,7 +10,7 @@ namespace {
 
 using std::filesystem::path;
 
-bool isJoined(std::string_view key) { return key == "body" || key == "emitter" || key == "obstacle" || key == "wall" || key == "tempering"; }
+bool isJoined(std::string_view key) { return key == "body" || key == "emitter" || key == "obstacle" || key == "wall" || key == "tempering" || key == "oriented" || key == "sheet"; }
 
 /// Moves what `from` says into `to`. Moved nodes keep their places; copies would not.
 void merge(toml::table& to, toml::table& from, bool top) {

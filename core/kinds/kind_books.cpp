@@ -1,0 +1,28 @@
+#include "core/kinds/kind_books.hpp"
+
+#include "core/kinds/kinds.hpp"
+
+namespace thaw {
+
+void addKindRow(const World& w, std::size_t kind, std::size_t i, ExactBalance& b) {
+  const KindRows& r = kind == orientedKind ? static_cast<const KindRows&>(w.oriented.rows) : w.sheets.rows;
+  const double m = r.mass[i];
+  const Vec3d &x = r.position[i], &v = r.velocity[i];
+  Vec3d angular = m * cross(x, v);
+  double kinetic = 0.5 * m * dot(v, v);
+  if (kind == orientedKind) {
+    const Oriented& o = w.oriented.rows;
+    angular += o.inertia[i] * o.spin[i];
+    kinetic += 0.5 * o.inertia[i] * dot(o.spin[i], o.spin[i]);
+  }
+  b.mass.add(m);
+  for (int a = 0; a < 3; a++) {
+    b.momentum[a].add(m * v[a]);
+    b.angularMomentum[a].add(angular[a]);
+  }
+  b.kinetic.add(kinetic);
+  b.potential.add(-m * dot(w.scene.domain.gravity, x));
+  b.elastic.add(r.energy[i]);
+}
+
+}  // namespace thaw

@@ -1,0 +1,76 @@
+#include "core/kinds/place_kinds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/domain/sides.hpp"
+#include "core/kinds/kind_books.hpp"
+#include "core/kinds/kinds.hpp"
+#include "core/oriented/prepare_oriented.hpp"
+#include "core/sheet/prepare_sheets.hpp"
+
+namespace thaw {
+
+void bringKindsHome(World& w, Halos halos, StepTools& t) {
+  eachKind(w, [&](std::size_t kind, KindRows& r, CellTable& cells) {
+    CellHalo& halo = *halos.kinds[kind];
+    halo.follow(halos.cells);
+    if (r.ghosts > 0) r.resize(r.owned, 0);
+    for (std::size_t i = 0; i < r.owned; i++)
+      if (const double more = wrapPlace(w.grid, w.scene.domain, r.position[i]); more != 0) w.ledger.entered.potential.add(r.mass[i] * more);
+    computeCellKeys(w.grid, r);
+    findLeaving(w.grid, w.scene.domain, r, t.leaving);
+    for (const std::uint32_t i : t.leaving) {
+      addKindRow(w, kind, i, w.ledger.left);
+      w.ledger.dissipated.add(r.dissipated[i]);
+    }
+    w.counters.left += static_cast<std::int64_t>(t.leaving.size());
+    const std::size_t before = r.owned;
+    Migration m = halo.migrate(r, {r.nextCell.data(), r.owned});
+    computeCellKeys(w.grid, r, before, r.owned);
+    if (!t.leaving.empty()) {
+      std::vector<std::uint32_t> gone;
+      std::merge(m.departed.begin(), m.departed.end(), t.leaving.begin(), t.leaving.end(), std::back_inserter(gone));
+      m.departed = std::move(gone);
+    }
+    sortByCell(r, m, t.sort, cells);
+  });
+}
+
+void activateKinds(World& w) {
+  if (w.modules.oriented) activateOriented(w);
+  if (w.modules.sheet) activateSheets(w);
+}
+
+void sampleKinds(World& w, Halos halos, StepTools& t, const MeshLoader& load) {
+  if (w.modules.oriented) sampleOriented(w, halos, load);
+  if (w.modules.sheet) sampleSheets(w, halos, load);
+  eachKind(w, [&](std::size_t, KindRows& r, CellTable& cells) {
+    for (std::size_t i = 0; i < r.owned; i++) wrapPlace(w.grid, w.scene.domain, r.position[i]);
+    computeCellKeys(w.grid, r);
+    Migration all;
+    all.arrivals = r.owned;
+    sortByCell(r, all, t.sort, cells);
+  });
+}
+
+bool finiteKinds(const World& w) {
+  bool finite = true;
+  eachKind(w, [&](std::size_t, const KindRows& r, const CellTable&) {
+    for (std::size_t i = 0; i < r.owned; i++) {
+      const Vec3d &x = r.position[i], &v = r.velocity[i];
+      finite = finite && std::isfinite(x.x + x.y + x.z + v.x + v.y + v.z);
+    }
+  });
+  return finite;
+}
+
+void emptyKinds(World& w) {
+  eachKind(w, [](std::size_t, KindRows& r, CellTable& cells) {
+    r.resize(r.owned, 0);
+    r.resize(0, 0);
+    cells = {};
+  });
+}
+
+}  // namespace thaw

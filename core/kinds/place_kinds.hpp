@@ -1,0 +1,22 @@
+// Brings the rows of the further kinds to the ranks that own their cells: which rank owns which cell is the continuum's business.
+#pragma once
+#include "core/step.hpp"
+
+namespace thaw {
+
+/// Wraps positions at periodic sides, books and drops what left through open ones, migrates and sorts by (cell, id); ghosts are dropped. Collective.
+void bringKindsHome(World& world, Halos halos, StepTools& tools);
+
+/// Activates the columns of the kinds that the scene has.
+void activateKinds(World& world);
+
+/// Appends this rank's share of the rows of all kinds at time 0. Throws as sampleBodies does. Collective.
+void sampleKinds(World& world, Halos halos, StepTools& tools, const MeshLoader& load);
+
+/// Are all places and velocities of this rank's rows finite numbers?
+bool finiteKinds(const World& world);
+
+/// Empties all kinds.
+void emptyKinds(World& world);
+
+}  // namespace thaw
