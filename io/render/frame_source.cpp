@@ -202,7 +202,7 @@ void addSheets(const fs::path& file, const std::string& field, FrameView& view) 
       colours[i] = {byte(0), byte(1), byte(2)};
     }
   view.time = data.time;
-  const int fine = data.triangles.size() < 20000 ? 3 : data.triangles.size() < 200000 ? 2 : 1;
+  const int fine = data.triangles.size() < 3000 ? 3 : data.triangles.size() < 12000 ? 2 : 1;
   addMeshDiscs({positions, data.triangles, values, colours}, fine, view);
 }
 

@@ -1,7 +1,10 @@
 #include "io/render/mesh_discs.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "core/geometry/mesh_edges.hpp"
 
 namespace thaw {
 namespace {
@@ -26,6 +29,22 @@ std::vector<Vec3f> normalsOf(const DrawnMesh& m) {
   return n;
 }
 
+/// Of each vertex: does its piece have a border, so that its back can be seen?
+std::vector<std::uint8_t> openPieces(const DrawnMesh& m) {
+  TriangleMesh mesh;
+  mesh.vertices.resize(m.positions.size());
+  mesh.triangles.assign(m.triangles.begin(), m.triangles.end());
+  DisjointSets pieces(m.positions.size());
+  std::vector<std::uint8_t> border(m.positions.size(), 0), open(m.positions.size(), 0);
+  const std::vector<EdgeSide> sides = edgeSides(mesh);
+  for (const EdgeSide& s : sides) pieces.join(static_cast<std::uint32_t>(s.edge >> 32), static_cast<std::uint32_t>(s.edge & 0xffffffffu));
+  forEachEdge(sides, [&](std::size_t first, std::size_t last) {
+    if (last - first == 1) border[pieces.find(static_cast<std::uint32_t>(sides[first].edge >> 32))] = 1;
+  });
+  for (std::uint32_t v = 0; v < open.size(); v++) open[v] = border[pieces.find(v)];
+  return open;
+}
+
 constexpr float noValue = std::numeric_limits<float>::quiet_NaN();
 constexpr std::uint32_t meshComponent = 0xfffffff0u;
 
@@ -33,6 +52,7 @@ constexpr std::uint32_t meshComponent = 0xfffffff0u;
 
 void addMeshDiscs(const DrawnMesh& m, int fine, FrameView& view) {
   const std::vector<Vec3f> normals = normalsOf(m);
+  const std::vector<std::uint8_t> open = openPieces(m);
   const auto parts = static_cast<float>(fine);
   for (const auto& t : m.triangles) {
     const Vec3f &a = m.positions[t[0]], &b = m.positions[t[1]], &c = m.positions[t[2]];
@@ -52,7 +72,9 @@ void addMeshDiscs(const DrawnMesh& m, int fine, FrameView& view) {
           n = n / l;
           const float value = m.values.empty() ? noValue : mean(m.values[t[0]], m.values[t[1]], m.values[t[2]]);
           const float radius = 0.62f * edge / parts;
-          for (const float side : {1.0f, -1.0f}) addDisc(view, x + n * (0.01f * side * radius), n * side, radius, value, m.colours[t[0]], meshComponent + (side < 0));
+          addDisc(view, x, n, radius, value, m.colours[t[0]], meshComponent);
+          // the back lies a little behind, so that it does not look over the edge where the sheet turns away
+          if (open[t[0]]) addDisc(view, x - n * (0.35f * radius), n * -1.0f, radius, value, m.colours[t[0]], meshComponent + 1);
         }
   }
 }

@@ -14,7 +14,8 @@ struct Simulation {
   StepTools tools;
   SerialReducer all;
   std::unique_ptr<SerialCellHalo> cells;
-  SerialBondHalo bonds;
+  std::unique_ptr<SerialCellHalo> kinds[2];
+  SerialBondHalo bonds, edges;
   Limit limitedBy = Limit::Scene;
   double shortest = never;  ///< s, dt
 
@@ -22,9 +23,10 @@ struct Simulation {
     w.scene = scene;
     prepareWorld(w, tools, {});
     cells = std::make_unique<SerialCellHalo>(w.grid);
+    for (auto& k : kinds) k = std::make_unique<SerialCellHalo>(w.grid);
     startWorld(w, halos(), tools, {});
   }
-  Halos halos() { return {all, *cells, bonds}; }
+  Halos halos() { return {all, *cells, bonds, {kinds[0].get(), kinds[1].get()}, &edges}; }
   Continuum& particles() { return w.particles; }
 
   /// One step. False where a value is not finite.
