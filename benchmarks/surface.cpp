@@ -1,7 +1,9 @@
 // surface [--surfels N] [--repeat R] [--csv FILE]: what an update of the surface costs on one core, and how true a ball's surface is.
 //   iteration: full iterations of all surfels of a ball, for several supports h_ss; ns a surfel and iteration, by phase
 //   update:    a whole update of a melting bust of 4,000 particles, from the copies of the particles to the blend, until the local stop
-//   ball:      surfels settled on a ball of lattice particles against the ball
+//   whole updates: updateSurface with resampling, components and measures, of a solid and a molten bust (benchmarks/surface/whole_updates.hpp), with h_ss = 3 d,
+//              2.5 d and, of the molten one, the support radius of the particles; by phase
+//   ball:      surfels settled on a ball of lattice particles against the ball, for the same choices of h_ss
 // Times are processor time. Searches, placing and what is done once an update are beside the iterations, in ms.
 #include <cstdio>
 #include <cstdlib>
@@ -13,6 +15,7 @@
 #include "core/surface/blend.hpp"
 #include "core/surface/displace.hpp"
 #include "core/surface/ready_particles.hpp"
+#include "benchmarks/surface/whole_updates.hpp"
 #include "tests/support/settle_rig.hpp"
 
 namespace {
@@ -52,12 +55,13 @@ struct Row {
   double particles = 0, surfels = 0, aroundParticles = 0, aroundSurfels = 0;
   double rate = 0, targetRate = 0, surfelSums = 0, particleSums = 0, finish = 0, exchange = 0;
   double placeMs = 0, searches = 0, searchMs = 0, updateS = 0, targetS = 0, displaceMs = 0, fieldsMs = 0, readyMs = 0;
+  double worstS = 0, startS = 0, finished = 0, resamplingMs = 0, componentsMs = 0, measuresMs = 0, iterationsMs = 0;
   double iterations = 0, hausdorff = 0, normalMean = 0, normalMax = 0;
 };
 
 void printHead(FILE* out) {
   std::fprintf(out, "case,particles,surfels,particle_neighbours,surfel_neighbours,isa,k_surfels_per_s,target_k_surfels_per_s,ns_surfel_sums,ns_particle_sums,ns_move,ns_exchange,ms_search,"
-                    "update_s,update_s_target,ms_displace,ms_fields,ms_colours,ms_place,searches,iterations,hausdorff_percent,target_hausdorff_percent,normal_mean,target_normal_mean,normal_max,target_normal_max\n");
+                    "update_s,update_s_target,ms_displace,ms_fields,ms_colours,ms_place,searches,iterations,update_s_worst,start_s,percent_to_local_stop,ms_components,ms_resampling,ms_iterations,ms_measures,hausdorff_percent,target_hausdorff_percent,normal_mean,target_normal_mean,normal_max,target_normal_max\n");
 }
 void print(FILE* out, const Row& r) {
   const auto figure = [&](double v, const char* form) { v != 0 ? std::fprintf(out, form, v) : 0, std::fputc(',', out); };
@@ -73,7 +77,11 @@ void print(FILE* out, const Row& r) {
   figure(r.targetS, "%.3f");
   for (double v : {r.displaceMs, r.fieldsMs, r.readyMs, r.placeMs}) figure(v, "%.1f");
   figure(r.searches, "%.0f");
-  figure(r.iterations, "%.0f");
+  figure(r.iterations, "%.1f");
+  figure(r.worstS, "%.3f");
+  figure(r.startS, "%.2f");
+  figure(100 * r.finished, "%.0f");
+  for (double v : {r.componentsMs, r.resamplingMs, r.iterationsMs, r.measuresMs}) figure(v, "%.1f");
   const bool ball = r.hausdorff > 0;
   figure(r.hausdorff, "%.3f");
   figure(ball ? 1 : 0, "%.0f");
@@ -209,14 +217,39 @@ Row update(double surfels, int repeat) {
   return best;
 }
 
-Row ball(int R, SmoothingForm form) {
-  SettleRig rig(0.5, R + 6, [&](Scene& s) { s.surface.smoothing = form; });
+/// wholeUpdates as a row; `repeat` sets the number of updates.
+Row whole(bool molten, double surfels, double support, const std::string& choice, int repeat) {
+  const WholeUpdates u = wholeUpdates(molten, surfels, support, 2 + 2 * repeat);
+  const auto ms = [&](SurfacePhase phase) { return 1e3 * u.phase[static_cast<std::size_t>(phase)]; };
+  Row r;
+  r.name = std::string("whole update of a ") + (molten ? "molten" : "solid") + " bust until the local stop, h_ss = " + choice;
+  r.particles = u.particles;
+  r.surfels = u.surfels;
+  r.aroundSurfels = u.surfelNeighbours;
+  r.updateS = u.seconds;
+  r.targetS = 1;
+  r.worstS = u.worst;
+  r.startS = u.startSeconds;
+  r.finished = u.finished;
+  r.iterations = u.iterations;
+  r.displaceMs = ms(SurfacePhase::Displacement);
+  r.fieldsMs = ms(SurfacePhase::Fields);
+  r.placeMs = ms(SurfacePhase::Place);
+  r.componentsMs = ms(SurfacePhase::Components);
+  r.resamplingMs = ms(SurfacePhase::Resampling);
+  r.iterationsMs = ms(SurfacePhase::Iterations);
+  r.measuresMs = ms(SurfacePhase::Measures);
+  return r;
+}
+
+Row ball(int R, SmoothingForm form, double support = 3) {
+  SettleRig rig(0.5, R + 6, [&](Scene& s) { s.surface.smoothing = form, s.surface.support = support; });
   rig.addLattice(R + 1, {0.5, 0.5, 0.5}, [&](const Vec3d& x) { return length(x) < R; });
   rig.addBallSurfels(R, 0.1);
   rig.place();
   Row r;
   r.iterations = static_cast<double>(rig.settle(60).iterations);
-  r.name = std::string("ball R/dx ") + std::to_string(R) + (form == SmoothingForm::Plane ? " smoothing to planes" : "");
+  r.name = std::string("ball R/dx ") + std::to_string(R) + (form == SmoothingForm::Plane ? " smoothing to planes" : "") + (support != 3 ? " h_ss " + std::to_string(support).substr(0, 3) + " d" : "");
   r.particles = static_cast<double>(rig.w.surface.particles.owned);
   r.surfels = static_cast<double>(rig.w.surface.surfels.owned);
   const test::BallErrors e = test::ballErrors(rig.w.surface.surfels, R);
@@ -250,7 +283,14 @@ int main(int argc, char** argv) {
   for (int support : {4, 6}) print(out, iterations("iteration h_ss " + std::to_string(support) + " d", surfels, repeat, [&](Scene& s, double) { s.surface.support = support; }));
   print(out, iterations("iteration h_ss = h (the paper)", surfels, 1, [](Scene& s, double d) { s.surface.support = 2 / d; }));
   print(out, update(surfels, repeat));
+  for (const bool molten : {false, true}) {
+    print(out, whole(molten, surfels, 3, "3 d", repeat));
+    print(out, whole(molten, surfels, 2.5, "2.5 d", repeat));
+  }
+  // the support radius of the particles is two of their spacings of 28.5 mm
+  print(out, whole(true, surfels, 8, "8 d (the paper has h = 10 d, above the largest)", 1));
   for (int R : {8, 16, 24}) print(out, ball(R, SmoothingForm::Sphere));
+  for (const double support : {2.5, 4.0, 6.0}) print(out, ball(16, SmoothingForm::Sphere, support));
   print(out, ball(16, SmoothingForm::Plane));
   if (csv) std::fclose(out);
   return 0;

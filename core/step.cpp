@@ -65,6 +65,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   t.phaseChangedHere = false;
   if (w.modules.kinds()) bringKindsHome(w, halos, t);
   if (w.modules.sheet) linkSheets(w, halos, t);
+  if (w.modules.oriented) evaluateOriented(w, halos, t, dt);
 
   // first of all, since it puts particles that are deep in a wall back to its surface: ghosts and bonds must see them there
   const WallContext walls{w, t.wallTables, t.liquids, dt, dt > 0 ? dt : nextStep(w.clock), 1.0 / w.clock.substeps};
@@ -117,6 +118,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
     addOuterHeat(w, dt);
     addTempering(w, dt);
   }
+  if (w.modules.meeting) meetContinuum(w, t, dt);
   if (w.modules.neighbours) separateCoincident(w, t, coincident);
   t.times.lap(StepPhase::Heat);
 }
@@ -129,7 +131,7 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests
   if (t.wallContacts.stiffest > 0) own[Limit::Contact] = 3 * w.scene.numerics.cflSound / t.wallContacts.stiffest;
   Ballot ballot;
   for (std::size_t k = 0; k < ballot.negatedLimits.size(); k++) ballot.negatedLimits[k] = -std::min(limits.value[k], own.value[k]);
-  if (w.modules.kinds()) ballot.negatedKindLimits = {-orientedStepLimit(w), -sheetStepLimit(w)};
+  if (w.modules.kinds()) ballot.negatedKindLimits = {-orientedStepLimit(w, t), -sheetStepLimit(w)};
   ballot.froze = t.frozeAnywhere;
   ballot.melted = t.meltedAnywhere;
   ballot.bad = here.badHere || !here.finite;

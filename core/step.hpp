@@ -11,6 +11,7 @@
 #include "core/halo/halo.hpp"
 #include "core/neighbours/search.hpp"
 #include "core/neighbours/sort.hpp"
+#include "core/oriented/oriented_work.hpp"
 #include "core/simd/pair_kernels.hpp"
 #include "core/solid/elastic.hpp"
 #include "core/time/limits.hpp"
@@ -57,6 +58,7 @@ struct StepTools {
   PressureWork pressure;
   ElasticWork elastic;
   ViscousWork viscous;
+  OrientedWork oriented;
   std::vector<BondRequest> requests;
   std::vector<std::uint32_t> rebonded;   ///< rows of particles that took new bonds
   std::vector<std::uint32_t> leaving;

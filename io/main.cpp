@@ -55,6 +55,11 @@ int main(int argc, char** argv) {
   InfoArguments info;
   CLI::App* runApp = app.add_subcommand("run", "simulate a scene; under mpirun on several ranks");
   addRunOptions(*runApp, run);
+  RunOptions relax;
+  relax.relax = 100000;
+  relax.steps = 0;
+  CLI::App* relaxApp = app.add_subcommand("relax", "move the oriented bodies of a scene to rest");
+  addRelaxOptions(*relaxApp, relax);
   CLI::App* checkApp = app.add_subcommand("check", "say what would be simulated");
   addCheckOptions(*checkApp, check);
   CLI::App* renderApp = app.add_subcommand("render", "make pictures of a frame or of a run");
@@ -75,5 +80,6 @@ int main(int argc, char** argv) {
   if (*compareApp) return compareCommand(compare);
   if (*infoApp) return infoCommand(info);
   if (*checkApp) return checkCommand(check);
+  if (*relaxApp) return runCommand(relax);
   return runCommand(run);
 }

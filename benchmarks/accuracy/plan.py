@@ -31,7 +31,7 @@ CASES = {
     "ritter": (["0.1", "0.05"], "0.05", {"kernel": ["cubic"], "density": ["plain", "continuity"], **CARRIED, "pressure_solver": ["incompressible"], **PRECISION, **QUALITY}),
     "martin_moyce": (["0.005715", "0.0028575"], "0.0028575", {**KERNELS, **WIDE, **PRESSURE, **CARRIED, **PRECISION, "shifting": ["0.1"], **QUALITY}),
     "taylor_green": (["0.01"], "0.01", {}),
-    "taylor_green_50": (["0.02"], "0.02", {**KERNELS, **PRECISION, "density": ["summation"], "shifting": ["0", "0.1"], "corrected_gradients": ["false"], "tensile_limit": ["0"], "cfl_sound": ["0.2"]}),
+    "taylor_green_50": (["0.02"], "0.02", {"pressure_solver": ["incompressible"], **KERNELS, **PRECISION, "density": ["summation"], "shifting": ["0", "0.1"], "corrected_gradients": ["false"], "tensile_limit": ["0"], "cfl_sound": ["0.2"]}),
     "poiseuille": (["0.1", "0.05", "0.025"], "0.05", {**KERNELS, **WIDE, **PRECISION, "density": ["continuity"], **CARRIED, "viscosity": ["laplacian"], "viscosity_solver": ["implicit"], "pressure_solver": ["incompressible"], "cfl_viscous": ["0.4"], **QUALITY}),
     "poiseuille_startup": (["0.1", "0.05"], "0.05", {**WIDE, "viscosity": ["laplacian"], "viscosity_solver": ["implicit"], "cfl_viscous": ["0.4"]}),
     "thick_channel": (["0.05"], "0.05", {"viscosity_solver": ["implicit"], "cfl_viscous": ["0.4"]}),

@@ -12,10 +12,27 @@
 
 namespace thaw {
 
+namespace {
+
+/// Migrates and sorts one kind; rows in `leaving` (ascending, with noCell as their next cell) go.
+void placeRows(World& w, Halos& halos, StepTools& t, std::size_t kind, KindRows& r, CellTable& cells) {
+  const std::size_t before = r.owned;
+  Migration m = halos.kinds[kind]->migrate(r, {r.nextCell.data(), r.owned});
+  computeCellKeys(w.grid, r, before, r.owned);
+  if (kind == sheetKind) halos.edges->migrate(vertexRows(w.sheets.rows), w.sheets.edges.ends, w.sheets.edges.bonds, m);
+  if (!t.leaving.empty()) {
+    std::vector<std::uint32_t> gone;
+    std::merge(m.departed.begin(), m.departed.end(), t.leaving.begin(), t.leaving.end(), std::back_inserter(gone));
+    m.departed = std::move(gone);
+  }
+  sortByCell(r, m, t.sort, cells);
+}
+
+}  // namespace
+
 void bringKindsHome(World& w, Halos halos, StepTools& t) {
   eachKind(w, [&](std::size_t kind, KindRows& r, CellTable& cells) {
-    CellHalo& halo = *halos.kinds[kind];
-    halo.follow(halos.cells);
+    halos.kinds[kind]->follow(halos.cells);
     if (r.ghosts > 0) r.resize(r.owned, 0);
     for (std::size_t i = 0; i < r.owned; i++)
       if (const double more = wrapPlace(w.grid, w.scene.domain, r.position[i]); more != 0) w.ledger.entered.potential.add(r.mass[i] * more);
@@ -27,17 +44,31 @@ void bringKindsHome(World& w, Halos halos, StepTools& t) {
     }
     w.counters.left += static_cast<std::int64_t>(t.leaving.size());
     if (kind == sheetKind) forgetSlotsAtStart(w.sheets, !t.leaving.empty());
-    const std::size_t before = r.owned;
-    Migration m = halo.migrate(r, {r.nextCell.data(), r.owned});
-    computeCellKeys(w.grid, r, before, r.owned);
-    if (kind == sheetKind) halos.edges->migrate(vertexRows(w.sheets.rows), w.sheets.edges.ends, w.sheets.edges.bonds, m);
-    if (!t.leaving.empty()) {
-      std::vector<std::uint32_t> gone;
-      std::merge(m.departed.begin(), m.departed.end(), t.leaving.begin(), t.leaving.end(), std::back_inserter(gone));
-      m.departed = std::move(gone);
-    }
-    sortByCell(r, m, t.sort, cells);
+    placeRows(w, halos, t, kind, r, cells);
   });
+}
+
+void placeOriented(World& w, Halos halos, StepTools& t) {
+  Oriented& o = w.oriented.rows;
+  if (o.ghosts > 0) o.resize(o.owned, 0);
+  computeCellKeys(w.grid, static_cast<KindRows&>(o));
+  // born here since the last sort: rows behind, without a cell; sortByCell takes them for arrivals by their number
+  std::size_t fresh = 0;
+  while (fresh < o.owned && o.cell[o.owned - 1 - fresh] == 0) fresh++;
+  std::vector<std::uint32_t> dead;
+  for (std::size_t i = 0; i < o.owned; i++)
+    if (o.mass[i] == 0) {
+      o.nextCell[i] = noCell;
+      dead.push_back(static_cast<std::uint32_t>(i));
+    }
+  const std::size_t before = o.owned;
+  Migration m = halos.kinds[orientedKind]->migrate(o, {o.nextCell.data(), o.owned});
+  computeCellKeys(w.grid, static_cast<KindRows&>(o), before, o.owned);
+  std::vector<std::uint32_t> gone;
+  std::merge(m.departed.begin(), m.departed.end(), dead.begin(), dead.end(), std::back_inserter(gone));
+  m.departed = std::move(gone);
+  m.arrivals += fresh;
+  sortByCell(static_cast<KindRows&>(o), m, t.sort, w.oriented.cells);
 }
 
 void activateKinds(World& w) {

@@ -7,6 +7,9 @@ namespace thaw {
 /// Wraps positions at periodic sides, books and drops what left through open ones, migrates and sorts by (cell, id); ghosts are dropped. Collective.
 void bringKindsHome(World& world, Halos halos, StepTools& tools);
 
+/// The same of oriented particles after births (appended, with cell 0) and deaths (mass 0): nothing is wrapped or booked. Collective.
+void placeOriented(World& world, Halos halos, StepTools& tools);
+
 /// Activates the columns of the kinds that the scene has.
 void activateKinds(World& world);
 

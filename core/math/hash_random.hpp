@@ -6,7 +6,7 @@
 namespace thaw {
 
 /// What a random number is for; numbers of different purposes are independent. Values are part of the results: append only.
-enum class Purpose : std::uint64_t { Jitter = 1, Emission = 2, Separate = 3, SurfelSample = 11, SurfelBirth = 12, SurfelDeath = 13, Test = 1000 };
+enum class Purpose : std::uint64_t { Jitter = 1, Emission = 2, Separate = 3, SurfelSample = 11, SurfelBirth = 12, SurfelDeath = 13, OrientedSample = 21, OrientedBirth = 22, OrientedDeath = 23, OrientedKick = 24, Test = 1000 };
 
 /// Mixes 64 bits so that every bit of the argument changes about half of the result's (the finaliser of SplitMix64, Steele et al. 2014).
 inline std::uint64_t mixBits(std::uint64_t x) {

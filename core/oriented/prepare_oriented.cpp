@@ -1,42 +1,117 @@
 #include "core/oriented/prepare_oriented.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "core/geometry/sampling.hpp"
+#include "core/geometry/shape_error.hpp"
+#include "core/oriented/held.hpp"
+#include "core/oriented/made_points.hpp"
 
 namespace thaw {
+namespace {
+
+double spacingOf(const Scene& s, const OrientedBody& b) { return b.spacing > 0 ? b.spacing : s.spacing; }
+
+bool interpolates(const OrientedBody& b) { return b.growth == OrientedGrowth::Borders && (b.thin < 1 || b.source == OrientedSource::Points); }
+
+void keepGiven(const MadePoints& m, GivenPoints& g) {
+  g.points = m.places;
+  g.normals = m.normals;
+  readyGiven(g);
+}
+
+}  // namespace
 
 double orientedReach(const Scene& s) {
   double reach = 0;
-  for (const OrientedBody& b : s.oriented) reach = std::max(reach, b.support * (b.spacing > 0 ? b.spacing : s.spacing));
+  for (const OrientedBody& b : s.oriented) reach = std::max(reach, 1.1 * b.support * spacingOf(s, b));
   return reach;
 }
 
 void activateOriented(World& w) {
   Oriented& o = w.oriented.rows;
   activateKind(o);
-  for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.orientation, &o.spin, &o.inertia}) o.activate(*c);
+  for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.orientation, &o.spin, &o.inertia, &o.force, &o.torque, &o.external, &o.group, &o.cutSides, &o.flags, &o.anchor, &o.home, &o.homeTurn, &o.normal, &o.stiffness}) o.activate(*c);
+  bool changes = false, implicit = false;
+  for (const OrientedBody& b : w.scene.oriented) {
+    changes = changes || b.growth != OrientedGrowth::None || b.crowd > 0;
+    implicit = implicit || b.integrator == OrientedIntegrator::SemiImplicit;
+  }
+  if (changes)
+    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.offer, &o.offerRank}) o.activate(*c);
+  if (implicit)
+    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.search, &o.searchSpin}) o.activate(*c);
+}
+
+void prepareOriented(const Scene& s, OrientedWork& work, const MeshLoader& load) {
+  work.potentials.clear();
+  for (const OrientedBody& b : s.oriented) work.potentials.push_back(pairPotential(b, spacingOf(s, b)));
+  work.given.assign(s.oriented.size(), {});
+  for (std::size_t b = 0; b < s.oriented.size(); b++) {
+    if (!interpolates(s.oriented[b])) continue;
+    try {
+      keepGiven(makePoints(s.oriented[b], spacingOf(s, s.oriented[b]), s.seed + b, load), work.given[b]);
+    } catch (const std::invalid_argument&) {  // sampling says what is wrong
+    }
+  }
 }
 
 void sampleOriented(World& w, Halos halos, const MeshLoader& load) {
   Oriented& o = w.oriented.rows;
+  SceneProblems problems;
+  const auto ranks = static_cast<std::size_t>(halos.all.size()), rank = static_cast<std::size_t>(halos.all.rank());
   for (std::size_t b = 0; b < w.scene.oriented.size(); b++) {
     const OrientedBody& body = w.scene.oriented[b];
-    const double spacing = body.spacing > 0 ? body.spacing : w.scene.spacing;
-    const auto shape = makeSignedDistance(body.shape, load);
-    const SampleLattice l = sampleLattice(*shape, spacing);
-    const SampleRange range = sampleRange(l, halos.all.rank(), halos.all.size());
-    for (std::int64_t row = range.begin; row < range.end; row++)
-      for (const std::int64_t k : insideOfRow(*shape, l, row)) {
-        const std::size_t i = o.owned;
-        o.resize(i + 1, 0);
-        o.id[i] = static_cast<std::uint64_t>(b) << 40 | static_cast<std::uint64_t>(row * l.count[0] + k);
-        o.position[i] = l.at(k, row % l.count[1], row / l.count[1]);
-        o.orientation[i] = Quat{};
-        o.mass[i] = o.inertia[i] = 1;
-        o.body[i] = static_cast<std::uint16_t>(b);
+    const double s = spacingOf(w.scene, body);
+    MadePoints made;
+    try {
+      made = makePoints(body, s, w.scene.seed + b, load);
+    } catch (const std::invalid_argument& e) {
+      problems.add(body.where, "oriented body '" + body.name + "': " + e.what());
+      continue;
+    }
+    std::vector<std::shared_ptr<const SignedDistance>> regions;
+    for (const OrientedAnchor& a : body.anchors) regions.push_back(makeSignedDistance(a.region, load));
+    std::vector<std::size_t> holds(body.anchors.size(), 0);
+    std::size_t outside = 0;
+    for (std::size_t k = 0; k < made.places.size(); k++) {
+      const Vec3d x = made.places[k];
+      bool inside = true;
+      for (int a = 0; a < 3; a++) inside = inside && x[a] >= w.scene.domain.min[a] && x[a] < w.scene.domain.max[a];
+      outside += !inside;
+      std::uint8_t flags = made.held[k];
+      std::uint16_t anchor = noAnchor;
+      for (std::size_t a = regions.size(); a-- > 0;)  // the first that has it
+        if (regions[a]->inside(x)) {
+          holds[a]++;
+          anchor = static_cast<std::uint16_t>(a);
+          flags = static_cast<std::uint8_t>((body.anchors[a].position ? heldPlace : 0) | (body.anchors[a].normal ? heldNormal : 0));
+        }
+      if (k % ranks != rank) continue;
+      const std::size_t i = o.owned;
+      o.resize(i + 1, 0);
+      o.id[i] = static_cast<std::uint64_t>(b) << 40 | static_cast<std::uint64_t>(k);
+      o.position[i] = o.home[i] = body.jitter > 0 && !flags ? jittered(x, body.jitter, s, w.scene.seed, o.id[i]) : x;
+      o.velocity[i] = body.velocity;
+      o.orientation[i] = o.homeTurn[i] = towards(made.normals[k]);
+      if (body.jitter > 0 && !flags) {
+        const Vec3d off = jittered({}, body.jitter, 1, w.scene.seed + 1, o.id[i]);
+        o.orientation[i] = unitQuat(rotationBy(body.planar ? Vec3d{0, off.y, 0} : off) * o.orientation[i]);
+        if (body.planar) o.position[i].y = x.y;
       }
+      o.mass[i] = body.density * 0.86602540378443865 * s * s;
+      o.inertia[i] = body.inertia * o.mass[i] * s * s;
+      o.body[i] = static_cast<std::uint16_t>(b);
+      o.group[i] = static_cast<std::uint32_t>(b);
+      o.flags[i] = flags;
+      o.anchor[i] = anchor;
+    }
+    for (std::size_t a = 0; a < holds.size(); a++)
+      if (holds[a] == 0) problems.add(body.anchors[a].where, "oriented body '" + body.name + "': there is no particle in this anchor");
+    if (outside > 0) problems.add(body.where, "oriented body '" + body.name + "': " + std::to_string(outside) + " of its particles lie outside of the domain; enlarge the domain or move the body");
   }
+  problems.raise();
 }
 
 }  // namespace thaw

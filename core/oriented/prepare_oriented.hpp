@@ -5,12 +5,19 @@
 
 namespace thaw {
 
-/// Radius (m) within which the scene's oriented particles act on each other or on anything else: cells are at least as long.
+/// Radius (m) within which the scene's oriented particles act on each other or on anything else, and a tenth: cells are at least as long.
 double orientedReach(const Scene& scene);
 
 void activateOriented(World& world);
 
-/// Appends this rank's share of the particles. Throws SceneProblems as sampleBodies does. Collective.
+/// Constants of the potentials, and points that bodies are to go through. Throws ShapeError.
+void prepareOriented(const Scene& scene, OrientedWork& work, const MeshLoader& load);
+
+/// Appends this rank's share of the particles, held ones with their anchors. Throws ShapeError. Collective.
 void sampleOriented(World& world, Halos halos, const MeshLoader& load);
+
+/// Moves all bodies that ask for it to rest (FIRE: Bitzek et al. 2006), growing where they grow, until no force is above 1e-9 stiffness times
+/// spacing, or for OrientedBody::relax iterations. Velocities are then those of the scene. Returns the iterations done. Collective.
+std::int64_t relaxOriented(World& world, Halos halos, StepTools& tools);
 
 }  // namespace thaw

@@ -1,22 +1,94 @@
 #include "core/oriented/step_oriented.hpp"
 
+#include <algorithm>
 #include <cmath>
 
-namespace thaw {
+#include "core/kinds/place_kinds.hpp"
+#include "core/oriented/held.hpp"
+#include "core/oriented/integrators.hpp"
+#include "core/oriented/operations.hpp"
+#include "core/oriented/oriented_forces.hpp"
+#include "core/oriented/population.hpp"
 
-void stepOriented(World& w, Halos, StepTools& t, double dt) {
-  Oriented& o = w.oriented.rows;
-  for (std::size_t i = 0; i < o.owned; i++) {
-    o.position[i] += dt * o.velocity[i] + (0.5 * dt * dt) * w.scene.domain.gravity;
-    o.velocity[i] += dt * w.scene.domain.gravity;
+namespace thaw {
+namespace {
+
+/// What an anchor has to give its particle: change of momentum and energy less what the other forces do. Before and after the move of it.
+struct HeldBooks {
+  World& w;
+  double dt;
+  std::vector<Vec3d> velocity;
+  explicit HeldBooks(World& world, double step) : w(world), dt(step) {
+    const Oriented& o = w.oriented.rows;
+    velocity.assign(o.velocity.data(), o.velocity.data() + o.owned);
+  }
+  void close() {
+    const Oriented& o = w.oriented.rows;
+    for (std::size_t i = 0; i < o.owned; i++) {
+      if (!(o.flags[i] & heldPlace)) continue;
+      const Vec3d force = o.force[i] + o.mass[i] * w.scene.domain.gravity, impulse = o.mass[i] * (o.velocity[i] - velocity[i]) - dt * force;
+      for (int a = 0; a < 3; a++)
+        if (impulse[a] != 0) w.ledger.wallImpulse[a].add(impulse[a]);
+      const double work = 0.5 * o.mass[i] * (dot(o.velocity[i], o.velocity[i]) - dot(velocity[i], velocity[i])) - dt * dot(force, o.velocity[i]);
+      if (work != 0) w.ledger.wallWork.add(work);
+    }
+  }
+};
+
+/// Adds the rows' energy to what changes without work: `sign` 1 before the change, -1 after it.
+void bookEnergy(World& w, double sign) {
+  const Oriented& o = w.oriented.rows;
+  for (std::size_t i = 0; i < o.owned; i++) w.ledger.phaseJump.add(sign * o.energy[i]);
+}
+
+}  // namespace
+
+void stepOriented(World& w, Halos halos, StepTools& t, double dt) {
+  bookObstacles(w, t, dt);
+  HeldBooks held(w, dt);
+  // one integrator for all bodies: pairs may be of two
+  const OrientedIntegrator how = w.scene.oriented.front().integrator;
+  if (how == OrientedIntegrator::RungeKutta) stepRungeKutta(w, halos, t, dt);
+  else if (how == OrientedIntegrator::SemiImplicit) stepSemiImplicit(w, halos, t, dt);
+  else stepSymplectic(w, dt);
+  moveHeld(w, w.clock.time + dt, dt);
+  held.close();
+  t.times.lap(StepPhase::Oriented);
+}
+
+void evaluateOriented(World& w, Halos halos, StepTools& t, double dt) {
+  const double now = w.clock.time + dt;  // a step's clock still shows its beginning here
+  readyOriented(w, halos, t);
+  const bool events = operationDue(w.scene, w.clock.time, now, dt), look = populationDue(w, dt);
+  if (events || look) {
+    addUpForces(w, t);
+    if (dt > 0) bookEnergy(w, 1);
+    if (events) {
+      operate(w, halos, t, dt > 0 ? w.clock.time : -never, now);
+      readyAgain(w, halos, t);
+    }
+    if (look && changePopulation(w, halos, t)) readyAgain(w, halos, t);
+    addUpForces(w, t);
+    if (dt > 0) bookEnergy(w, -1);
+  } else {
+    addUpForces(w, t);
   }
   t.times.lap(StepPhase::Oriented);
 }
 
-double orientedStepLimit(const World& w) {
-  double fastest = 0;
-  for (std::size_t i = 0; i < w.oriented.rows.owned; i++) fastest = std::max(fastest, dot(w.oriented.rows.velocity[i], w.oriented.rows.velocity[i]));
-  return fastest > 0 ? supportsPerStep * w.grid.support / std::sqrt(fastest) : never;
+double orientedStepLimit(const World& w, const StepTools& t) {
+  const Oriented& o = w.oriented.rows;
+  double dt = t.oriented.fastest2 > 0 ? 0.5 / std::sqrt(t.oriented.fastest2) : never;
+  for (std::size_t i = 0; i < o.owned; i++) {
+    const OrientedBody& body = w.scene.oriented[o.body[i]];
+    const double s = body.spacing > 0 ? body.spacing : w.scene.spacing;
+    const double stable = body.integrator == OrientedIntegrator::SymplecticEuler ? 2 : body.integrator == OrientedIntegrator::RungeKutta ? 2.8 : 20;
+    if (o.stiffness[i] > 0) dt = std::min(dt, body.cfl * stable / std::sqrt(o.stiffness[i]));
+    const double speed = length(o.velocity[i]), pull = length(o.force[i]) / o.mass[i];
+    if (speed > 0) dt = std::min(dt, 0.1 * s / speed);
+    if (pull > 0) dt = std::min(dt, std::sqrt(0.1 * s / pull));
+  }
+  return dt;
 }
 
 }  // namespace thaw

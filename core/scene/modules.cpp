@@ -116,6 +116,10 @@ Modules modulesOf(const Scene& s) {
   if (m.fluid && s.numerics.solver == PressureSolver::Incompressible) f.on(m.incompressible, "incompressible liquid", "numerics.pressure_solver says so");
   if (m.fluid) f.on(m.neighbours, "neighbour search", "there is liquid");
   if (m.contact) f.on(m.neighbours, "neighbour search", "solids can meet");
+  if (m.oriented && (m.fluid || m.solid)) {
+    f.on(m.meeting, "contact of kinds", "there are oriented particles and continuum bodies");
+    f.on(m.neighbours, "neighbour search", "oriented particles can touch the continuum");
+  }
   if (m.heat) f.on(m.neighbours, "neighbour search", "heat is conducted");
   return f.m;
 }

@@ -32,6 +32,7 @@ struct Modules {
   bool surface = false;    ///< surfels on the continuum bodies
   bool emitters = false;
   bool oriented = false;   ///< oriented bodies (core/oriented/)
+  bool meeting = false;    ///< oriented particles can touch continuum bodies
   bool sheet = false;      ///< sheets (core/sheet/)
   bool kinds() const { return oriented || sheet; }
   std::vector<std::string> why;  ///< a line for each module that is on: "heat: obstacle 'plate' has a temperature"

@@ -95,8 +95,6 @@ struct Emitter {
   double start = 0, end = never;  // s
 };
 
-struct Keyframe { double time = 0; Vec3d move{}; Vec3d rotate{}; };  // s, m, rad; linear in between
-
 struct Obstacle {
   std::string name;
   SourcePlace where;

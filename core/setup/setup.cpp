@@ -11,7 +11,10 @@
 #include "core/kinds/cell_costs.hpp"
 #include "core/kinds/place_kinds.hpp"
 #include "core/ledger/report.hpp"
+#include "core/oriented/oriented_forces.hpp"
+#include "core/oriented/prepare_oriented.hpp"
 #include "core/particle_sums.hpp"
+#include "core/scene/full_box.hpp"
 #include "core/setup/activate_fields.hpp"
 #include "core/sheet/prepare_sheets.hpp"
 #include "core/fluid/surface_energy.hpp"
@@ -73,6 +76,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   if (w.modules.sheet) prepareSheets(w, load);
   w.scene.fallHeight = fallHeightOf(w.scene, shapes);
 
+  if (w.modules.oriented) prepareOriented(w.scene, t.oriented, load);
   t.kernels = pairKernels();
   t.liquids = liquidMaterials(w.scene);
   t.fixedLimits = materialLimits(w.scene, w.modules, t.liquids);
@@ -92,6 +96,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
     double sound = 0;  // in proportion to the speed to expect
     for (const LiquidMaterial& l : t.liquids) sound = std::max(sound, l.soundSpeed);
     t.pressure.full = 1 + (slidingLatticeSum(n) - latticeSum(n)) * t.perLatticeSum;
+    if (liquidFillsTheBox(w.scene)) t.pressure.full += flowingExcess;
     t.pressure.relaxation = 0.9 / largestPressureResponse(w.scene.numerics);
     t.pressure.mendingTime = w.scene.spacing / (sound * std::sqrt(w.scene.numerics.maxDensityError));
   }
@@ -152,6 +157,7 @@ void takeStock(World& w, Halos halos, StepTools& t) {
 
 SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader& load) {
   const SamplingReport report = sampleWorld(w, halos, t, load);
+  if (w.modules.oriented) t.oriented.relaxed = relaxOriented(w, halos, t);
   t.bondsAtStart = w.modules.solid;
   t.emitFirst = true;
   takeStock(w, halos, t);
@@ -178,6 +184,7 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   const CellCosts costs = countCells(w);
   halos.cells.rebalance(costs.cells, costs.cost, true);
   if (w.modules.kinds()) bringKindsHome(w, halos, t);  // with their ghosts they are as the last step has left them
+  if (w.modules.oriented) readyOriented(w, halos, t);
   t.mass = totalMass(w, halos.all);
   double froze = 0;
   if (p.justFrozen.active)

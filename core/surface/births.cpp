@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/surface/rename_twins.hpp"
 #include "core/surface/tangent.hpp"
 
 namespace thaw {
@@ -51,10 +52,17 @@ void appendSurfels(Surfels& s, const std::vector<SurfelRow>& rows) {
     s.colour[i] = r.colour;
     s.detail[i] = r.detail;
     s.calm[i] = 0;
+    if (s.loose.active) s.loose[i] = r.detail < 0.5f;
     if (s.liquid.active) s.liquid[i] = r.liquid;
     if (s.temperature.active) s.temperature[i] = r.temperature;
     i++;
   }
+}
+
+void addSurfels(Surfels& s, const std::vector<SurfelRow>& rows, std::uint64_t seed, Reducer& all) {
+  const std::size_t first = s.owned;
+  appendSurfels(s, rows);
+  renameTwins(s, first, seed, all);
 }
 
 }  // namespace thaw

@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "core/halo/surface_halos.hpp"
 #include "core/surface/local_surface.hpp"
 
 namespace thaw {
@@ -18,7 +19,10 @@ struct SurfelRow {
 /// A surfel at p, with what the patch's surfels have there: weights fall to 0 at one and a half radii. Its id is the caller's.
 SurfelRow blendedSurfel(const Patch& patch, const SurfacePoint& p);
 
-/// Appends rows behind the owned ones. The table must not have ghosts.
+/// Appends rows behind the owned ones. The table must not have ghosts. Ids are not looked at: addSurfels does.
 void appendSurfels(Surfels& surfels, const std::vector<SurfelRow>& rows);
+
+/// The same for births on all ranks: those whose id is there already get another one (renameTwins). Collective.
+void addSurfels(Surfels& surfels, const std::vector<SurfelRow>& rows, std::uint64_t seed, Reducer& all);
 
 }  // namespace thaw

@@ -9,9 +9,9 @@ namespace thaw {
 
 /// Sums over particles, by channel. u = 1 - (r/h_ps)^2, d from the particle to the surfel in units of the grid's support radius.
 /// Near: u with nearSupport (level_table.hpp) in place of h_ps.
-enum ParticleSum { Colour, SmoothColour, Gradient, Attraction = Gradient + 3, Near = Attraction + 3, particleSums };
+enum ParticleSum { Colour, SmoothColour, Gradient, Attraction = Gradient + 3, SmoothGradient = Attraction + 3, Near = SmoothGradient + 3, NearGradient, particleSums = NearGradient + 3 };
 /// Sums over surfels. Plane: Mean (d) and Moment (d d^T) for the plane of the neighbours; sphere: Height and Normal.
-enum SurfelSum { Weight, Height, Normal, Mean = Normal, Repulsion = Normal + 3, Crowd = Repulsion + 3, Stirred, Coincident, Moment, sphereSums = Moment, planeSums = Moment + 6 };
+enum SurfelSum { Weight, Height, Normal, Mean = Normal, Repulsion = Normal + 3, Stiffness = Repulsion + 3, Stirred, Coincident, Moment, sphereSums = Moment, planeSums = Moment + 6 };
 
 /// What the sums read and write. Records are four floats; positions in them are the bits of fixed-point numbers (grid.hpp), lengths are in
 /// support radii of the grid. The lists of a group hold what is near any of its eight surfels, in an order that is the same on every rank;
@@ -31,6 +31,9 @@ struct ForceSums {
   float support = 0;                      ///< h_ss over a surfel's radius
   float repelRange = 0;                   ///< surfels closer than this times the mean of their radii repel each other
   float sameSide = 0;                     ///< cosine of the angle of normals up to which neighbours are smoothed over
+  const float* ceiling = nullptr;         ///< of surfels: height over their plane from which on particles are across a gap (gap_ceilings.hpp), or infinity
+  const std::uint8_t* ceilingOfGroup = nullptr;  ///< whether a surfel of the group has one; none: null
+  float perSide = 0;                      ///< 1 / from there to where they count in full
   float apart = 0;                        ///< and from which on they are across a gap or a sheet and do not repel (B20, B22)
   bool plane = false;                     ///< SmoothingForm::Plane
   // results: channel c of lane l of group g at (g * channels + c) * 8 + l

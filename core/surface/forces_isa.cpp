@@ -23,31 +23,48 @@ THAW_INLINE void store(float* to, int channel, const V& v) {
   store(to, channel + 2, v.z);
 }
 
-void overParticles(const ForceSums& in) {
+/// gaps: what lies higher than a surfel's ceiling adds nothing.
+template<bool gaps> THAW_INLINE void overParticlesOf(const ForceSums& in, std::size_t g) {
   const LanesF zero(0.0f), one(1.0f), perSupport2(in.perParticleSupport2), perNear2(in.perNearSupport2);
+  const Lanes4<float> own = load(records(in.place), in.self + 8 * g);
+  LanesF colour(0.0f), smooth(0.0f), near(0.0f);
+  V gradient{zero, zero, zero}, smoothGradient{zero, zero, zero}, attraction{zero, zero, zero}, nearGradient{zero, zero, zero}, up{zero, zero, zero};
+  LanesF lowest(0.0f);  // of the heights of surfels over particles
+  if constexpr (gaps) {
+    const Lanes4<float> frame = load(records(in.normal), in.self + 8 * g);
+    up = {frame.a, frame.b, frame.c};
+    for (int lane = 0; lane < 8; lane++) lowest.v[lane] = -in.ceiling[in.self[8 * g + static_cast<std::size_t>(lane)]];
+  }
+  for (std::uint64_t n = in.firstParticle[g]; n < in.firstParticle[g + 1]; n++) {
+    const std::uint32_t j = in.particleRow[n];
+    const Record<float>& p = records(in.particle)[j];
+    const V d = apart(own, p);
+    LanesF r2 = dot(d, d);
+    if constexpr (gaps) r2 = select(dot(d, up) > lowest, r2, LanesF(1e30f));
+    const LanesF u = max(one - r2 * perSupport2, zero), u2 = u * u, v2 = LanesF(p.d) * u2, v3 = v2 * u, a2 = LanesF(in.particleColour[j]) * u2;
+    colour += v3;
+    smooth += a2 * u;
+    smoothGradient += a2 * d;
+    gradient += v2 * d;
+    attraction += v3 * d;
+    const LanesF close = max(one - r2 * perNear2, zero), close2 = close * close;
+    near += close2 * close;
+    nearGradient += close2 * d;
+  }
+  float* to = in.overParticles + 8 * particleSums * g;
+  store(to, Colour, colour);
+  store(to, SmoothColour, smooth);
+  store(to, Gradient, gradient);
+  store(to, SmoothGradient, smoothGradient);
+  store(to, Attraction, attraction);
+  store(to, Near, near);
+  store(to, NearGradient, nearGradient);
+}
+
+void overParticles(const ForceSums& in) {
   for (std::size_t k = 0; k < in.groupCount; k++) {
-    const std::size_t g = in.groups[k];
-    const Lanes4<float> own = load(records(in.place), in.self + 8 * g);
-    LanesF colour(0.0f), smooth(0.0f), near(0.0f);
-    V gradient{zero, zero, zero}, attraction{zero, zero, zero};
-    for (std::uint64_t n = in.firstParticle[g]; n < in.firstParticle[g + 1]; n++) {
-      const std::uint32_t j = in.particleRow[n];
-      const Record<float>& p = records(in.particle)[j];
-      const V d = apart(own, p);
-      const LanesF r2 = dot(d, d), u = max(one - r2 * perSupport2, zero), u2 = u * u, v2 = LanesF(p.d) * u2, v3 = v2 * u;
-      colour += v3;
-      smooth += u2 * u * LanesF(in.particleColour[j]);
-      gradient += v2 * d;
-      attraction += v3 * d;
-      const LanesF close = max(one - r2 * perNear2, zero);
-      near += close * close * close;
-    }
-    float* to = in.overParticles + 8 * particleSums * g;
-    store(to, Colour, colour);
-    store(to, SmoothColour, smooth);
-    store(to, Gradient, gradient);
-    store(to, Attraction, attraction);
-    store(to, Near, near);
+    if (in.ceilingOfGroup && in.ceilingOfGroup[in.groups[k]]) overParticlesOf<true>(in, in.groups[k]);
+    else overParticlesOf<false>(in, in.groups[k]);
   }
 }
 
@@ -59,7 +76,7 @@ template<bool plane> THAW_INLINE void overSurfelsOf(const ForceSums& in) {
     const Lanes4<float> own = load(records(in.place), in.self + 8 * g), frame = load(records(in.normal), in.self + 8 * g);
     const V normal{frame.a, frame.b, frame.c};
     const LanesF reach = LanesF(in.support) * frame.d, reach2 = reach * reach, perReach2 = one / reach2, range = LanesF(half.v * in.repelRange);
-    LanesF weight(0.0f), height(0.0f), crowd(0.0f), stirred(0.0f), coincident(0.0f);
+    LanesF weight(0.0f), height(0.0f), stiffness(0.0f), stirred(0.0f), coincident(0.0f);
     V mean{zero, zero, zero}, repulsion{zero, zero, zero}, square{zero, zero, zero}, mixed{zero, zero, zero};  // mean: of d, or of normals
     for (std::uint64_t n = in.firstSurfel[g]; n < in.firstSurfel[g + 1]; n++) {
       const std::uint32_t j = in.surfel[n];
@@ -68,7 +85,8 @@ template<bool plane> THAW_INLINE void overSurfelsOf(const ForceSums& in) {
       const V d = apart(own, x), other{LanesF(f.a), LanesF(f.b), LanesF(f.c)};
       const LanesF r2 = dot(d, d), sides = dot(normal, other), u = max(one - r2 * perReach2, zero);
       const auto distinct = r2 > zero;
-      const LanesF w = select((sides > LanesF(in.sameSide)) & distinct, u * u * u, zero);
+      const LanesF like = max(min((sides - LanesF(in.sameSide)) * LanesF(in.perSide), one), zero);  // continuous: else normals flip to and fro
+      const LanesF w = select(distinct, like * u * u * u, zero);
       weight += w;
       if constexpr (plane) {
         mean += w * d;
@@ -80,10 +98,11 @@ template<bool plane> THAW_INLINE void overSurfelsOf(const ForceSums& in) {
         height += w * half * (dot(d, normal) + along);
         mean += w * (other - fold * d);
       }
-      const LanesF r = sqrt(r2), near = max(range * (frame.d + LanesF(f.d)) - r, zero);
+      const LanesF r = sqrt(r2), span = range * (frame.d + LanesF(f.d)), near = max(span - r, zero);
       const LanesF push = select((sides > LanesF(in.apart)) & distinct, near, zero);
-      repulsion += (push * range * (frame.d + LanesF(f.d)) / max(two * r2, tiny)) * d;
-      crowd += select(push > zero, one, zero);
+      const LanesF perR2 = span / max(two * r2, tiny);
+      repulsion += (push * perR2) * d;
+      stiffness += select(push > zero, half * span * perR2, zero);
       stirred += select(r2 < reach2, LanesF(x.d), zero);
       coincident += select(distinct, zero, one);
     }
@@ -92,7 +111,7 @@ template<bool plane> THAW_INLINE void overSurfelsOf(const ForceSums& in) {
     store(to, Height, height);
     store(to, Normal, mean);
     store(to, Repulsion, repulsion);
-    store(to, Crowd, crowd);
+    store(to, Stiffness, stiffness);
     store(to, Stirred, stirred);
     store(to, Coincident, coincident);
     if constexpr (plane) {

@@ -14,7 +14,7 @@
 #include "core/surface/relax.hpp"
 #include "core/surface/resample.hpp"
 #include "core/surface/sample_mesh.hpp"
-#include "core/surface/tangent.hpp"
+#include "core/surface/seeds.hpp"
 #include "core/surface/update_surface.hpp"
 
 namespace thaw {
@@ -22,32 +22,16 @@ namespace {
 
 constexpr double offSurface = 0.3;  // from the level of the surface: more than a spacing of the particles away from it
 
+constexpr double leastOverDetail = 0.3;  // of the level: a spacing of the particles over the surface
+
 /// Of a mesh, and not molten: finer than the particles are, so that they say nothing about it.
 bool keepsDetail(const Surfels& f, std::size_t i) { return f.detail[i] > 0.5f && (!f.liquid.active || f.liquid[i] < 0.5f); }
 
-/// Surfels around one particle; seeds lie on a sphere, turned at random.
+/// Surfels around one particle.
 void seedAround(const World& w, const SurfaceTools& t, std::size_t i, int seeds, std::vector<SurfelRow>& rows) {
-  constexpr double goldenAngle = 2.39996322972865332;
-  const SurfaceParticles& p = w.surface.particles;
-  const double dx = w.scene.spacing, turn = 6.283185307179586 * randomUniform(w.scene.seed, Purpose::SurfelSample, p.id[i]);
   for (int k = 0; k < seeds; k++) {
-    const double z = 1 - (2.0 * k + 1) / seeds, across = std::sqrt(1 - z * z), angle = turn + goldenAngle * k;
-    const Vec3d u{across * std::cos(angle), across * std::sin(angle), z};
     SurfacePoint at;
-    if (!ontoIsoSurface(w, t, p.component[i], p.position[i] + u * (0.6 * dx), 1.2 * dx, at)) continue;
-    const Vec3d d = at.position - p.position[i];
-    if (dot(d, d) > 1.44 * dx * dx || dot(d, at.normal) <= 0) continue;
-    SurfelRow r;
-    r.id = surfelBit | birthBit | randomBits(w.scene.seed, Purpose::SurfelBirth, p.id[i], static_cast<std::uint64_t>(w.clock.step) << 10 | static_cast<std::uint64_t>(k));
-    r.component = p.component[i];
-    r.position = at.position;
-    r.normal = at.normal;
-    r.tangent = anyTangent(at.normal);
-    r.radius = w.surface.spacing;
-    r.colour = surfaceColour(w.scene, p.body[i]);
-    if (p.liquid.active) r.liquid = p.liquid[i];
-    if (p.temperature.active) r.temperature = p.temperature[i];
-    rows.push_back(r);
+    if (seedOnSurface(w, t, i, seedDirection(w, w.surface.particles.id[i], k, seeds), at)) rows.push_back(seedSurfel(w, i, k, at));
   }
 }
 
@@ -91,20 +75,22 @@ void openAround(Surface& s, CellHalo& halo, SurfaceTools& t, const std::vector<s
 void growSurfels(World& w, SurfaceHalos halos, SurfaceTools& t, const std::function<bool(std::size_t)>& bare) {
   readyParticles(w, halos, t);
   const SurfaceParticles& p = w.surface.particles;
-  const double fine = w.scene.spacing / w.surface.spacing;
-  const int seeds = static_cast<int>(std::clamp(7 * fine * fine, 16.0, 120.0));
+  const int seeds = seedsOf(w);
   std::vector<SurfelRow> rows;
   for (std::size_t i = 0; i < p.owned; i++)
-    if (bare(i) && p.component[i] != noComponent && p.colour[i] < 0.97f) seedAround(w, t, i, seeds, rows);
+    if (bare(i) && p.component[i] != noComponent && p.colour[i] < innerColour) seedAround(w, t, i, seeds, rows);
   w.surface.surfels.resize(w.surface.surfels.owned, 0);
-  appendSurfels(w.surface.surfels, rows);
+  addSurfels(w.surface.surfels, rows, w.scene.seed, halos.all);
 }
 
 void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t rounds) {
   readyParticles(w, halos, t);
   resample(w, halos, t, rounds, [&](std::size_t i, SurfacePoint& p, bool border) {
     const Surfels& f = w.surface.surfels;
-    if (!border && keepsDetail(f, i)) return true;
+    if (!border && keepsDetail(f, i)) {  // wherever the mesh's surface goes on, but not over a crack
+      const FieldHere c = colourAt(w, t, f.component[i], p.position);
+      return c.value > leastOverDetail * c.level;
+    }
     SurfacePoint at;
     if (!ontoIsoSurface(w, t, f.component[i], p.position, 0.6 * f.radius[i] + 0.1 * w.scene.spacing, at) || dot(at.normal, p.normal) < 0.3) return false;
     p.normal = normalized(p.normal + at.normal);
@@ -152,7 +138,7 @@ void renewSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
   std::vector<SurfelRow> rows;
   for (std::size_t i = 0; i < p.owned; i++)
     if (p.component[i] == 1 + p.id[i] && isSmall(findComponent(s, p.component[i]))) patchAround(w, t, i, rows);
-  appendSurfels(f, rows);
+  addSurfels(f, rows, w.scene.seed, halos.all);
   growSurfels(w, halos, t, [&](std::size_t i) {
     const SurfaceComponent* c = findComponent(s, p.component[i]);
     return c && c->surfels == 0 && c->particles > smallDrop;

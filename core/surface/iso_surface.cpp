@@ -32,7 +32,7 @@ bool ontoIsoSurface(const World& w, const SurfaceTools& t, std::uint64_t compone
   for (int k = 0; k < 12; k++) {
     const FieldHere c = colourAt(w, t, component, x);
     const double slope = length(c.gradient);
-    if (!(slope * w.surface.particleSupport > 0.02)) return false;
+    if (!(slope * w.surface.particleSupport > 0.05 * c.level && c.value > 0)) return false;
     const double step = std::clamp(c.tight * (c.level - c.value) / slope, -longest, longest);
     x += c.gradient * (step / slope);
     if (dot(x - start, x - start) > most * most) return false;

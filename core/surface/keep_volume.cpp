@@ -43,7 +43,7 @@ double volumeError(const Surface& s) {
 void offsetToVolume(Surface& s, double keepVolume) {
   Surfels& f = s.surfels;
   if (!f.liquid.active) return;
-  const double longest = 0.25 * s.spacing;
+  const double longest = 0.5 * s.spacing;
   const SurfaceComponent* c = nullptr;
   for (std::size_t i = 0; i < f.owned; i++) {
     if (!c || c->label != f.component[i]) c = findComponent(s, f.component[i]);

@@ -17,6 +17,12 @@ class LevelTable {
   bool filled() const { return level_[entries] > 0; }
   /// a on the surface, for b / a there. Linear between 512 entries.
   double level(double fullness) const { return at(level_, fullness); }
+  /// Its derivative there.
+  double slope(double fullness) const {
+    const double s = std::clamp(fullness, 0.0, 1.0) * entries;
+    const std::size_t k = std::min<std::size_t>(static_cast<std::size_t>(s), entries - 1);
+    return entries * (level_[k + 1] - level_[k]);
+  }
   /// Distance from the surface of the mean of the particles with the weights V c_j W, in h_ps.
   double depth(double fullness) const { return at(depth_, fullness); }
 

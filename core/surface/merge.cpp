@@ -87,6 +87,10 @@ template<class Rows, class F> void forEachNearOthers(const Rows& rows, const Cel
   }
 }
 
+/// Particles of two liquids that touch are this near, and the middle between them no farther from either surface, in spacings (.35 between two
+/// balls cut from a lattice). What parts is 1.5 times as far apart or more (components.hpp): a pair does not flicker.
+constexpr double touchLength = 1, touchGap = 0.4;
+
 /// How far surfaces are seen from others, m: what comes closer from update to update is met long before it is that deep.
 double meetingReach(const World& w) { return std::min(w.surface.particleSupport, std::max(2 * w.scene.spacing, 4 * w.surface.spacing)); }
 
@@ -98,6 +102,25 @@ std::uint64_t before(const ComponentTools& c, std::uint64_t label) {
   return from;
 }
 
+/// Do the liquids touch at particle i? One of the other component is no farther than a neighbour in a liquid is, and the middle between them is in
+/// both surfaces, or near them: drops press on each other as soon as they are that close, and flatten; no particle would be inside for long.
+bool touches(const World& w, const ComponentTools& c, std::uint32_t i, std::uint64_t other, MergeTools& t) {
+  const Surface& s = w.surface;
+  const SurfaceParticles& p = s.particles;
+  const double dx = w.scene.spacing;
+  bool found = false;
+  c.particleBins.forEachWithin(p.position[i], touchLength * dx, [&](std::uint32_t j, double) {
+    if (found || p.component[j] != other) return;
+    const Vec3d middle = p.position[i] + 0.5 * (p.position[j] - p.position[i]);
+    found = true;
+    for (const std::uint64_t label : {p.component[i], other}) {
+      findSides(s.surfels, c.surfelBins, middle, label, false, dx, t.inside, t.touching);
+      found = found && !t.touching.empty() && t.touching[0].asked >= leastAsked && t.touching[0].distance < touchGap * dx;
+    }
+  });
+  return found;
+}
+
 std::vector<Pair> meetingPairs(const World& w, Reducer& all, const ComponentTools& c, const OneComponent& one, MergeTools& t) {
   const Surface& s = w.surface;
   const SurfaceParticles& p = s.particles;
@@ -106,9 +129,10 @@ std::vector<Pair> meetingPairs(const World& w, Reducer& all, const ComponentTool
     forEachNearOthers(p, s.particleCells, one, [&](std::uint32_t i) {
       findSides(s.surfels, c.surfelBins, p.position[i], p.component[i], true, meetingReach(w), t.inside, t.sides);
       for (const SurfaceSide& side : t.sides) {
-        if (side.distance >= 0 || side.asked < leastAsked) continue;
+        if (side.asked < leastAsked || side.distance >= touchLength * w.scene.spacing) continue;
         const bool liquid = side.liquid > 0.5 || (p.liquid.active && p.liquid[i] > 0.5f);
         if (w.scene.surface.merge == MergeRule::Liquid && !liquid) continue;
+        if (side.distance >= 0 && !(liquid && touches(w, c, i, side.component, t))) continue;
         pairs.push_back({std::min(side.component, p.component[i]), std::max(side.component, p.component[i])});
       }
     });

@@ -4,6 +4,13 @@
 #include <cmath>
 
 namespace thaw {
+namespace {
+
+constexpr double sliver = 0.2;   // height over the longest edge around
+constexpr double tiny = 0.1;     // longest edge over the longest around: two such triangles may agree by chance
+constexpr double agrees = 0.98;  // cosine of 11 degrees
+
+}  // namespace
 
 MeshNormals::MeshNormals(const TriangleMesh& mesh) : mesh_(mesh) {
   face_.reserve(mesh.triangles.size());
@@ -17,6 +24,44 @@ MeshNormals::MeshNormals(const TriangleMesh& mesh) : mesh_(mesh) {
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); t++)
     for (const std::uint32_t v : mesh.triangles[t]) around_[next[v]++] = t;
+  mendSlivers();
+}
+
+/// Where a sliver's normal does not agree with that of the triangle across its longest edge (as it does on the narrow side of a plate), it is rounding, not shape: a mean of all around its corners is better.
+void MeshNormals::mendSlivers() {
+  const std::vector<Vec3d> own = face_;
+  const TriangleMesh& m = mesh_;
+  const auto doubleArea = [&](std::uint32_t u) { return cross(m.vertices[m.triangles[u][1]] - m.vertices[m.triangles[u][0]], m.vertices[m.triangles[u][2]] - m.vertices[m.triangles[u][0]]); };
+  doubtful_.assign(m.triangles.size(), 0);
+  for (std::uint32_t u = 0; u < m.triangles.size(); u++) {
+    const auto& t = m.triangles[u];
+    double longest2 = 0, around2 = 0;  // its longest edge, and the longest one around it
+    std::uint32_t from = 0, to = 0;    // of its longest edge
+    for (const std::uint32_t v : t)
+      for (std::uint32_t i = first_[v]; i < first_[v + 1]; i++)
+        for (std::size_t k = 0; k < 3; k++) {
+          const auto& c = m.triangles[around_[i]];
+          const Vec3d d = m.vertices[c[(k + 1) % 3]] - m.vertices[c[k]];
+          around2 = std::max(around2, dot(d, d));
+          if (around_[i] == u && dot(d, d) > longest2) longest2 = dot(d, d), from = c[k], to = c[(k + 1) % 3];
+        }
+    const double area = length(doubleArea(u));
+    if (area * area > sliver * sliver * longest2 * around2) continue;
+    bool agreed = false;
+    Vec3d sum;
+    for (const std::uint32_t v : t)
+      for (std::uint32_t i = first_[v]; i < first_[v + 1]; i++) {
+        const std::uint32_t o = around_[i];
+        if (o == u) continue;
+        sum += doubleArea(o);
+        const auto& c = m.triangles[o];
+        const bool across = std::find(c.begin(), c.end(), from) != c.end() && std::find(c.begin(), c.end(), to) != c.end();
+        agreed = agreed || (across && dot(own[o], own[u]) > agrees);
+      }
+    if ((agreed && longest2 > tiny * tiny * around2) || !(dot(sum, sum) > 0)) continue;
+    face_[u] = normalized(sum);
+    doubtful_[u] = 1;
+  }
 }
 
 std::array<double, 3> MeshNormals::sharesOf(const Vec3d& x, std::uint32_t triangle) const {
@@ -41,14 +86,14 @@ Vec3d MeshNormals::at(const Vec3d& x, std::uint32_t triangle) const {
     Vec3d corner;
     for (std::uint32_t i = first_[t[k]]; i < first_[t[k] + 1]; i++) {
       const std::uint32_t u = around_[i];
-      if (dot(face_[u], face_[triangle]) < crease) continue;
+      if (doubtful_[u] || dot(face_[u], face_[triangle]) < crease) continue;
       const auto& c = mesh_.triangles[u];
       const std::size_t at = c[0] == t[k] ? 0 : c[1] == t[k] ? 1 : 2;
       const Vec3d here = mesh_.vertices[t[k]];
       const Vec3d p = normalized(mesh_.vertices[c[(at + 1) % 3]] - here), q = normalized(mesh_.vertices[c[(at + 2) % 3]] - here);
       corner += std::sqrt(std::max(0.0, 0.5 - 0.5 * dot(p, q))) * face_[u];  // sine of half the angle there: as good a weight, and the same bits everywhere
     }
-    n += share[k] * normalized(corner);
+    n += share[k] * (dot(corner, corner) > 0 ? normalized(corner) : face_[triangle]);
   }
   n = normalized(n);
   return dot(n, n) > 0 ? n : face_[triangle];

@@ -1,8 +1,11 @@
 #include "core/surface/relax.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <ctime>
 
+#include "core/surface/active_surfels.hpp"
+#include "core/surface/near_sheets.hpp"
 #include "core/surface/place_rows.hpp"
 #include "core/surface/ready_particles.hpp"
 #include "core/surface/surfel_move.hpp"
@@ -36,20 +39,26 @@ void packSurfel(const Surface& s, RelaxTools& r, std::size_t i) {
   normal[3] = static_cast<float>(std::min(f.radius[i], s.spacing) / s.grid.support);
 }
 
+/// Gaps wider than this times h_ps do not matter: a sheet's particles lie half a spacing behind its surface.
+constexpr double gapReach = 0.75;
+
 /// Surfels to their ranks and sorted, their ghosts, and all lists. Collective.
-void search(World& w, SurfaceHalos halos, SurfaceTools& t, bool all, double margin, Lap& lap) {
+void search(World& w, SurfaceHalos halos, SurfaceTools& t, bool all, bool first, double margin, Lap& lap) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
   RelaxTools& r = t.relax;
   placeRows(s.grid, halos.surfels, f, s.surfelCells, t.sort);
-  ColumnList columns{&f.id, &f.position, &f.normal, &f.radius, &f.component, &f.moving};
+  ColumnList columns{&f.id, &f.position, &f.normal, &f.radius, &f.component, &f.moving, &f.wish};
   addGhosts(halos.surfels, f, s.surfelCells, columns);
   lap(r.times.place);
   const ListRadii radii{s.surfelSupport + margin, s.particleSupport + 0.5 * margin};
   fillBins(s.grid, s.surfelCells, f.position.data(), 0.5 * radii.surfels, r.surfelBins);
-  r.free.resize(f.owned);
-  for (std::size_t i = 0; i < f.owned; i++) r.free[i] = all || (f.liquid.active && f.liquid[i] > 0);
+  markFree(s, all, r.free);
+  r.core.assign(r.free.begin(), r.free.end());
+  if (!first) markActive(s, halos.surfels, r.surfelBins, s.surfelSupport + margin, r.free, r.core);
   listGroups(s, r.free, r.surfelBins, r.particleBins, radii, r.lists);
+  r.anyCeiling = findCeilings(s, r.free, r.surfelBins, gapReach * s.particleSupport, r.lists, r.ceilings) > 0;
+  for (float& height : r.ceilings.height) height /= static_cast<float>(s.grid.support);
   r.found.assign(f.position.data(), f.position.data() + f.owned);
   r.place.resize(4 * f.size());
   r.normal.resize(4 * f.size());
@@ -80,7 +89,9 @@ ForceSums sumsOf(const World& w, RelaxTools& r) {
   in.support = static_cast<float>(w.scene.surface.support);
   in.repelRange = 1.5f;
   in.sameSide = 0.70710678f;
-  in.apart = -0.5f;
+  in.perSide = 10;
+  in.apart = static_cast<float>(twoSheets);
+  if (r.anyCeiling) in.ceiling = r.ceilings.height.data(), in.ceilingOfGroup = r.ceilings.ofGroup.data();
   in.overSurfels = r.overSurfels.data();
   in.overParticles = r.overParticles.data();
   return in;
@@ -105,6 +116,12 @@ void keepStirred(const GroupLists& l, const float* sums, int channels, std::vect
   });
 }
 
+/// Sums of a surfel's group and lane.
+SurfelSums sumsAt(const ForceSums& in, std::uint32_t g, int lane) {
+  const std::size_t channels = in.plane ? planeSums : sphereSums;
+  return {in.overSurfels + static_cast<std::size_t>(g) * 8 * channels, in.overParticles + static_cast<std::size_t>(g) * 8 * particleSums, lane};
+}
+
 }  // namespace
 
 Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights& weights, std::int64_t iterations, bool all) {
@@ -115,22 +132,29 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
   readyParticles(w, halos, t);
   lap(r.times.ready);
   f.resize(f.owned, 0);
-  std::int64_t free[1] = {0};
-  for (std::size_t i = 0; i < f.owned; i++) free[0] += all || (f.liquid.active && f.liquid[i] > 0);
+  markFree(s, all, r.free);
+  std::int64_t free[1] = {std::count(r.free.begin(), r.free.end(), 1)};
   halos.all.sum(free);
   if (free[0] == 0) return {0, true};
   if (all) std::fill_n(f.calm.data(), f.owned, 0.0f);  // in an update, blendSurfels sees how far they went
   f.activate(f.moving);
-  for (std::size_t i = 0; i < f.owned; i++) f.moving[i] = all || (f.liquid.active && f.liquid[i] > 0);
+  f.activate(f.pace);
+  for (std::size_t i = 0; i < f.owned; i++) f.moving[i] = r.free[i], f.pace[i] = 0;
   // a surfel may move by half the margin before lists are stale; the cells of the grid leave room for half a spacing of the particles
-  const double margin = std::min(2 * s.spacing, w.scene.spacing);
-  search(w, halos, t, all, margin, lap);
+  const double margin = listMargin(s, w.scene.spacing);
+  search(w, halos, t, all, true, margin, lap);
   Settled done;
   MoveCounts counts;
-  // along the normal surfels are at rest after a dozen iterations; along the surface they would shuffle on for hundreds, hence K05's damping
-  double furthest = 0, spread = 1;
+  // across the surface they are at rest after a few iterations; along it a long wave of crowding would have them shuffle on, hence K05's damping
+  double spread = 1;
+  bool spreads = false, held = false, running = true;
+  std::int64_t nextSearch = 3;
   while (done.iterations < iterations && !done.finished) {
-    if (furthest > 0.5 * margin) search(w, halos, t, all, margin, lap);
+    // one that has come to the end of its margin waits for the next search; those are made at longer and longer intervals, since few are left
+    if (spreads || (held && (!running || done.iterations >= nextSearch))) {
+      search(w, halos, t, all, false, margin, lap);
+      nextSearch = done.iterations + 1 + done.iterations / 2;
+    }
     ForceSums in = sumsOf(w, r);
     const int channels = in.plane ? planeSums : sphereSums;
     listStirredGroups(r.lists, f, r.groups);
@@ -145,20 +169,21 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
     MoveContext context = moveContext(w, r, weights);
     context.spread = spread;
     spread *= 0.95;
-    double state[2]{0, 0};  // moving at all, furthest from where it was found
+    context.stray = 0.5 * margin;
+    context.found = r.found.data();
+    double state[3]{0, 0, 0};  // of those that move: free to, where lists end, held
     // those of groups without work have not moved in the last iteration
     for (const std::uint32_t g : r.groups) {
-      const SurfelSums sums{in.overSurfels + static_cast<std::size_t>(g) * 8 * static_cast<std::size_t>(channels), in.overParticles + static_cast<std::size_t>(g) * 8 * particleSums, 0};
       const double push = pushOf(r.pushes, f.component[r.lists.self[8 * g]]);
       for (int lane = 0; lane < r.lists.lanes[g]; lane++) {
-        if (!(sums.surfels[8 * Stirred + lane] > 0)) continue;
+        const SurfelSums sums = sumsAt(in, g, lane);
+        if (!(sums.surfel(Stirred) > 0)) continue;
         const std::size_t i = r.lists.self[8 * g + static_cast<std::size_t>(lane)];
-        SurfelSums own = sums;
-        own.lane = lane;
-        const double moved = moveSurfel(w, context, own, push, i, counts);
-        f.moving[i] = moved > w.scene.surface.stop * f.radius[i];
-        if (f.moving[i]) state[0] = 1;
-        state[1] = std::max(state[1], length(f.position[i] - r.found[i]));
+        moveSurfel(w, context, sums, push, i, counts);
+        if (f.moving[i]) {
+          state[f.moving[i] == heldAtMargin ? 2 : 0] = 1;
+          if (!r.core[i]) state[1] = 1;
+        }
         packSurfel(s, r, i);
         r.times.surfels++;
       }
@@ -168,8 +193,10 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
     refreshGhosts(halos.surfels, f, columns);
     for (std::size_t i = f.owned; i < f.size(); i++) packSurfel(s, r, i);
     halos.all.maximum(state);
-    furthest = state[1];
-    done.finished = state[0] == 0;
+    running = state[0] > 0;
+    spreads = state[1] > 0;
+    held = state[2] > 0;
+    done.finished = !held && !running;
     done.iterations++;
     lap(r.times.exchange);
   }
@@ -179,6 +206,7 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
   s.counters.keptNormals += total[1];
   f.resize(f.owned, 0);
   deactivate(f.moving);
+  deactivate(f.pace);
   return done;
 }
 

@@ -6,6 +6,7 @@
 #include "core/particles/column.hpp"
 #include "core/surface/bins.hpp"
 #include "core/surface/force_sums.hpp"
+#include "core/surface/gap_ceilings.hpp"
 #include "core/surface/group_lists.hpp"
 #include "core/surface/level_table.hpp"
 
@@ -24,8 +25,10 @@ struct RelaxTools {
   std::vector<ComponentPush> pushes;  ///< ascending by component
   Bins surfelBins, particleBins;
   GroupLists lists;
+  GapCeilings ceilings;
+  bool anyCeiling = false;            ///< of this rank, since the last search
   AlignedVector<float> place, normal, particle, particleColour, overSurfels, overParticles;
-  std::vector<std::uint8_t> free;
+  std::vector<std::uint8_t> free, core;  ///< of owned surfels: listed; and with a surfel that moves in reach
   std::vector<std::uint32_t> groups;
   std::vector<Vec3d> found;           ///< where owned surfels were at the search
   RelaxTimes times;

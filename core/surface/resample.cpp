@@ -20,7 +20,6 @@ namespace {
 enum Wish : std::uint8_t { Birth = 1, Crowded = 2, Champion = 4, Changed = 8 };  // Champion: comes before all that are too close to it
 
 constexpr double border = 3.6;  // rad: 206 degrees
-
 struct Round {
   Surfels& s;
   const RowLists& lists;
@@ -147,6 +146,21 @@ void relaxRadii(Surface& surface) {
   }
 }
 
+/// Those of small drops, which are spheres (renewSurfels), are in order.
+void calmSmallDrops(Surface& surface) {
+  Surfels& s = surface.surfels;
+  std::uint64_t label = noComponent;
+  bool small = false;
+  for (std::size_t i = 0; i < s.owned; i++) {
+    if (label != s.component[i]) {
+      label = s.component[i];
+      const SurfaceComponent* c = findComponent(surface, label);
+      small = c && c->particles <= smallDrop;
+    }
+    if (small) s.calm[i] = calmFor;
+  }
+}
+
 std::int64_t countOpen(const Surfels& s, Reducer& all) {
   std::int64_t open[1] = {std::count_if(s.calm.data(), s.calm.data() + s.owned, [](float calm) { return !(calm > 0); })};
   all.sum(open);
@@ -179,6 +193,7 @@ Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t r
   const bool adapt = w.scene.surface.adapt > 0;
   if (!adapt) relaxRadii(surface);
   for (std::int64_t round = 0; round < rounds && !done.finished && !done.capped; round++) {
+    calmSmallDrops(surface);
     if (!(adapt && round == 0) && countOpen(s, halos.all) == 0) {
       done.finished = true;
       break;
@@ -228,7 +243,7 @@ Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t r
     const std::vector<SurfelRow> born = r.births(parents);
     s.resize(s.owned, 0);
     s.reorder(stay);
-    appendSurfels(s, born);
+    if (count[1] > 0) addSurfels(s, born, r.seed, halos.all);
   }
   surface.counters.births += done.births;
   surface.counters.deaths += done.deaths;

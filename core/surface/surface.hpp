@@ -1,5 +1,6 @@
 // The surface of continuum bodies: surfels, their components, and what an update works with (K05 section 4).
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -57,5 +58,8 @@ struct Surface {
   SurfaceCounters counters;
   std::int64_t lastStep = -1;         ///< of the last update
 };
+
+/// m, by how much lists of surfels reach farther than h_ss, so that they hold until one has come half as far.
+inline double listMargin(const Surface& s, double particleSpacing) { return std::min(2 * s.spacing, particleSpacing); }
 
 }  // namespace thaw

@@ -12,7 +12,13 @@ Vec3d three(const SurfelSums& s, int channel, bool particles) {
 }
 
 /// Where smoothing would have the surfel (its height along the normal) and its normal.
-struct Smooth { double height = 0; Vec3d normal{}; bool any = false; };
+/// What the slope of colour less level may be, over that of the colour: flatter ones, on stretched streams, would send surfels far; steeper ones come
+/// where the last particles of a splash end.
+constexpr double flattest = 0.25, steepest = 4;
+/// Tolerance along the surface over the one across it: its shape does not depend on where surfels lie in it, and resampling leaves no hole.
+constexpr double evenEnough = 5;
+
+struct Smooth { double height = 0; Vec3d normal{}; bool any = false; double sure = 1; };
 
 /// On the plane of the neighbours and the surfel itself (K05). Without a gap between the two smallest eigenvalues there is no plane (B23).
 Smooth smoothToPlane(const SurfelSums& s, const Vec3d& normal) {
@@ -41,7 +47,7 @@ Smooth smoothToSphere(const SurfelSums& s) {
   const Vec3d sum = three(s, Normal, false);
   const double size = length(sum);
   if (!(weight > 0.001) || !(size > 1e-3 * weight)) return {};
-  return {-s.surfel(Height) / weight, sum / size, true};
+  return {-s.surfel(Height) / weight, sum / size, true, std::min(1.0, size / weight)};
 }
 
 /// Pushes a place out of walls and obstacles; the surface then lies on them, on the body's side: of thin ones (the bottom of a glass) the nearest
@@ -84,9 +90,12 @@ MoveContext moveContext(const World& w, const RelaxTools& tools, const ForceWeig
   c.unit = s.grid.support;
   c.support = s.particleSupport;
   c.slope = 6 * s.grid.support / (s.particleSupport * s.particleSupport);
+  c.nearSlope = 6 * s.grid.support / (nearSupport * nearSupport * w.scene.spacing * w.scene.spacing);
   c.isoScale = w.scene.surface.isoLevel / 0.5;
   c.leastScale = w.scene.surface.leastLevel / 0.5;
   c.longest = 0.5 * w.scene.spacing;
+  // forces of these weights turn a shift of all into `implicit` of it, and what changes from surfel to surfel into up to the sum of both
+  c.step = 1 / std::max(0.5, weights.implicit + 0.5 * weights.smooth);
   c.plane = w.scene.surface.smoothing == SmoothingForm::Plane;
   return c;
 }
@@ -96,55 +105,65 @@ double pushOf(const std::vector<ComponentPush>& pushes, std::uint64_t component)
   return at != pushes.end() && at->component == component ? at->distance : 0;
 }
 
-double moveSurfel(World& w, const MoveContext& c, const SurfelSums& s, double push, std::size_t i, MoveCounts& counts) {
-  Surfels& f = w.surface.surfels;
-  const Vec3d before = f.position[i];
-  Vec3d normal = f.normal[i], force{};
+Pull pullOn(const World& w, const MoveContext& c, const SurfelSums& s, std::size_t i) {
+  Pull p;
+  Vec3d normal = w.surface.surfels.normal[i], force{};
   // the colour field: out of the body is down its gradient
   const double colour = s.particle(Colour);
-  Vec3d outward{};
-  double least = 0;  // how far into the body at least
-  bool known = false;
   if (colour > 0) {
     const Vec3d gradient = three(s, Gradient, true);  // of minus the colour field, over c.slope
     const double size = length(gradient), slope = c.slope * size;
-    known = slope * c.support > 1e-2 * colour;
-    if (known) {
-      outward = gradient / size;
-      const double fullness = s.particle(SmoothColour) / colour, level = tightened(c.level->level(fullness), s.particle(Near));
-      const double height = std::clamp((colour - c.isoScale * level) / slope, -c.longest, c.longest);
-      force += c.weights.implicit * height * outward;
+    p.known = slope * c.support > 1e-2 * colour;
+    if (p.known) {
+      p.outward = gradient / size;
+      const double fullness = s.particle(SmoothColour) / colour, flat = c.level->level(fullness), level = tightened(flat, s.particle(Near));
+      // the level changes along the normal, too, on a stream almost as fast as the colour: the distance to where they are the same follows
+      // from the slope of their difference
+      const double turn = (dot(three(s, SmoothGradient, true), gradient) / (size * size) - fullness) / colour;
+      const double thins = s.particle(Near) < nearFull ? flat * tightest / nearFull * c.nearSlope / c.slope * dot(three(s, NearGradient, true), gradient) / (size * size) : 0;
+      const double steep = std::clamp(1 - c.isoScale * (level / flat * c.level->slope(fullness) * turn - thins), flattest, steepest);
+      const double height = std::clamp((colour - c.isoScale * level) / (slope * steep), -c.longest, c.longest);
+      force += c.weights.implicit * height * p.outward;
       if (c.weights.attract > 0) {  // beyond what the kernel's mean particle is from any surface, that the iso-surface may stay
         const Vec3d away = (c.unit / colour) * three(s, Attraction, true);
         const double depth = length(away);
-        if (depth > 0) force -= (c.weights.attract * (depth - c.support * c.level->depth(fullness)) / depth) * away;
+        if (depth > 0) force -= (c.weights.attract * std::max(0.0, depth - c.support * c.level->depth(fullness)) / depth) * away;
       }
-      least = std::clamp((c.leastScale * level - colour) / slope, 0.0, c.longest);
-      if (dot(normal, outward) < 0) {
-        counts.flipped++;
-        normal = -normal;
-      }
+      p.least = std::clamp((c.leastScale * level - colour) / slope, 0.0, c.longest);
+      p.flipped = dot(normal, p.outward) < 0;
+      if (p.flipped) normal = -normal;
     }
   }
   Smooth smooth;
   if (c.weights.smooth > 0) {
     smooth = c.plane ? smoothToPlane(s, normal) : smoothToSphere(s);
-    if (!smooth.any) counts.keptNormals++;
+    p.keptNormal = !smooth.any;
   }
   Vec3d sum{};
-  if (known) sum += c.weights.implicit * outward;
+  if (p.known) sum += c.weights.implicit * p.outward;
   if (smooth.any) {
-    if (dot(smooth.normal, known ? outward : normal) < 0) smooth.normal = -smooth.normal;
-    sum += c.weights.smooth * smooth.normal;
+    if (dot(smooth.normal, p.known ? p.outward : normal) < 0) smooth.normal = -smooth.normal;
+    sum += c.weights.smooth * smooth.sure * smooth.normal;
   }
   const double size = length(sum);
   if (size > 1e-6) normal = sum / size;
-  if (smooth.any) force += (c.weights.smooth * smooth.height * c.unit) * normal;
-  force += push * normal;
+  if (smooth.any) force += (c.weights.smooth * smooth.sure * smooth.height * c.unit) * normal;
+  p.normal = normal;
+  p.along = dot(normal, force);
+  return p;
+}
 
+void moveSurfel(World& w, const MoveContext& c, const SurfelSums& s, double push, std::size_t i, MoveCounts& counts) {
+  Surfels& f = w.surface.surfels;
+  const Vec3d before = f.position[i];
+  const Pull pull = pullOn(w, c, s, i);
+  counts.flipped += pull.flipped;
+  counts.keptNormals += pull.keptNormal;
+  const Vec3d normal = pull.normal, facing = pull.known ? pull.outward : normal;
   Vec3d tangential{};
   if (c.weights.repel > 0) {
-    tangential = (c.spread * c.weights.repel * c.unit * std::min(1.0, 6 / std::max(1.0, s.surfel(Crowd)))) * three(s, Repulsion, false);
+    // the way to where those around push it no more, as if they stayed: half of it and a bit, since they move, too
+    if (s.surfel(Stiffness) > 0) tangential = (c.spread * std::min(1.0, 2 * c.weights.repel) * c.unit / s.surfel(Stiffness)) * three(s, Repulsion, false);
     if (s.surfel(Coincident) > 1) {  // at the same place as others: a direction by id
       Vec3d d;
       for (int a = 0; a < 3; a++) d[a] = randomUniform(w.scene.seed, Purpose::Separate, f.id[i], static_cast<std::uint64_t>(a)) - 0.5;
@@ -154,19 +173,36 @@ double moveSurfel(World& w, const MoveContext& c, const SurfelSums& s, double pu
     const double far = length(tangential), farthest = 0.25 * f.radius[i];
     if (far > farthest) tangential = (farthest / far) * tangential;
   }
-  const double along = std::clamp(dot(normal, force), -c.longest, c.longest);
-  Vec3d move = w.scene.surface.damping * (along * normal + tangential);
-  if (least > 0) {  // below the least level: onto it
-    const double inward = -dot(move, outward);
-    if (inward < least) move -= (least - inward) * outward;
+  // the integration is damped where it goes to and fro: each time that the force turns round the step halves
+  const double wanted = std::clamp(c.step * (pull.along + push), -c.longest, c.longest), last = static_cast<double>(f.pace[i]);
+  const double share = last == 0 ? 1 : wanted * last < 0 ? std::max(0.5 * std::abs(last), 0.25) : std::min(1.25 * std::abs(last), 1.0);
+  f.pace[i] = static_cast<float>(wanted < 0 ? -share : share);
+  const Vec3d normalMove = w.scene.surface.damping * share * wanted * normal;
+  Vec3d move = normalMove + w.scene.surface.damping * tangential;
+  if (pull.least > 0) {  // below the least level: onto it
+    const double inward = -dot(move, pull.outward);
+    if (inward < pull.least) move -= (pull.least - inward) * pull.outward;
   }
-  const Vec3d x = outOfWalls(w, before + move, known ? outward : normal);
+  Vec3d x = outOfWalls(w, before + move, facing);
+  const Vec3d back = x - (before + move);
+  if (const double pushed = length(back); pushed > 0) {
+    // it lies on a wall, which holds the normal force. Its part along the wall, by a few degrees, would have the surfel creep for ever
+    const Vec3d n = back / pushed, creep = normalMove - dot(normalMove, n) * n;
+    const double onto = std::clamp(-2 * dot(normal, n) - 0.8, 0.0, 1.0);
+    x = outOfWalls(w, x - onto * creep, facing);
+  }
+  const Vec3d off = x - c.found[i];
+  const bool held = dot(off, off) > c.stray * c.stray;
+  if (held) x = c.found[i] + (c.stray / length(off)) * off;
   f.position[i] = x;
   f.normal[i] = normal;
   Vec3d tangent = f.tangent[i] - dot(f.tangent[i], normal) * normal;
   if (!(dot(tangent, tangent) > 1e-6)) tangent = cross(normal, std::abs(normal.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0});
   f.tangent[i] = normalized(tangent);
-  return length(x - before);
+  const Vec3d gone = x - before;
+  const double height = dot(gone, normal), stop = w.scene.surface.stop * f.radius[i];
+  const bool moving = std::abs(height) > stop || length(gone - height * normal) > evenEnough * stop;
+  f.moving[i] = held ? heldAtMargin : moving ? 1 : 0;
 }
 
 }  // namespace thaw

@@ -18,6 +18,9 @@ struct SurfelSums {
 
 struct MoveCounts { std::int64_t flipped = 0, keptNormals = 0; };
 
+/// Surfels::moving of one that would go on, but has come to the end of what its lists allow.
+inline constexpr std::uint8_t heldAtMargin = 2;
+
 /// What all surfels share.
 struct MoveContext {
   ForceWeights weights;
@@ -25,17 +28,30 @@ struct MoveContext {
   double unit;          ///< m, of the sums' lengths
   double support;       ///< m, h_ps
   double slope;         ///< 1/m, of the gradient's sum
+  double nearSlope;     ///< 1/m, of the sum of near ones
   double isoScale;      ///< isoLevel / .5
   double leastScale;    ///< leastLevel / .5
   double longest;       ///< m, of a move
+  double step;          ///< move over the force across the surface
   double spread = 1;    ///< factor of moves along the surface
+  double stray = 0;     ///< m, that a surfel may be from where the last search found it
+  const Vec3d* found = nullptr;
   bool plane;
 };
 MoveContext moveContext(const World& world, const RelaxTools& tools, const ForceWeights& weights);
 
 double pushOf(const std::vector<ComponentPush>& pushes, std::uint64_t component);
 
-/// Moves surfel i and turns its frame; returns how far it went (m).
-double moveSurfel(World& world, const MoveContext& context, const SurfelSums& sums, double push, std::size_t i, MoveCounts& counts);
+/// What the forces across the surface ask of a surfel.
+struct Pull {
+  Vec3d normal{}, outward{};  ///< its new normal; down the colour field's gradient, where that is known
+  double along = 0;           ///< m, along the new normal
+  double least = 0;           ///< m, how far into the body at least
+  bool known = false, flipped = false, keptNormal = false;
+};
+Pull pullOn(const World& world, const MoveContext& context, const SurfelSums& sums, std::size_t i);
+
+/// Moves surfel i and turns its frame and sets Surfels::moving.
+void moveSurfel(World& world, const MoveContext& context, const SurfelSums& sums, double push, std::size_t i, MoveCounts& counts);
 
 }  // namespace thaw

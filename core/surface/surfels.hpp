@@ -24,12 +24,15 @@ struct Surfels : Table {
   Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort"};
   Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now"};
   // of the update under way: active within it only, so that they are in no checkpoint
-  Column<std::uint8_t> moving{*this, "moving", "1", Keep::State, "it moved in the last iteration: it and its neighbours are worked on"};
+  Column<std::uint8_t> moving{*this, "moving", "1", Keep::State, "it moved in the last iteration (2: and has to wait for a search): it and its neighbours are worked on"};
+  Column<float> pace{*this, "pace", "1", Keep::State, "share taken of the last step along its normal; negative: into the body; 0: none yet"};
   Column<Vec3d> carried{*this, "carried", "m", Keep::State, "where the particles' displacement has carried it (displaceSurfels)"};
   Column<Vec3d> carriedNormal{*this, "carriedNormal", "1", Keep::State, "its normal there; 0: born in this update"};
+  Column<std::uint8_t> loose{*this, "loose", "1", Keep::State, "new on the face of a crack: it settles in this update, solid or not"};
   // of its components and measures
   Column<double> reach{*this, "reach", "m^2", Keep::Transient, "square of the distance to the farthest of the nearest surfels that it hangs together with"};
   Column<std::uint64_t> nearest{*this, "nearest", "1", Keep::Transient, "id of the nearest particle of its component, ~0 without one within h_ps"};
+  Column<Vec3d> toNearest{*this, "toNearest", "m", Keep::Transient, "from it to that particle"};
   Column<std::uint64_t> part{*this, "part", "1", Keep::Transient, "label of what hangs together; top bit set: no particle does"};
   Column<double> area{*this, "area", "m^2", Keep::Transient, "its own share of the surface, at the end of an update"};
   // of resampling
@@ -38,6 +41,9 @@ struct Surfels : Table {
   Column<Vec3d> offer{*this, "offer", "m", Keep::Transient, "from it to the place of the new surfel"};
   Column<Vec3d> offerNormal{*this, "offerNormal", "1", Keep::Transient, "of the surface there"};
 };
+
+/// Does a surfel move under the forces of an update? What is liquid does, and new faces once.
+inline bool settles(const Surfels& s, std::size_t i) { return (s.liquid.active && s.liquid[i] > 0) || (s.loose.active && s.loose[i]); }
 
 /// Particles as a surface update sees them, on the rank that owns their cell of Surface::grid. Made anew for each update.
 struct SurfaceParticles : Table {

@@ -39,6 +39,13 @@ void keepVolume(World& w, SurfaceHalos halos, TopologyTools& t) {
   }
 }
 
+/// Of all ranks: there is something that may meet.
+bool severalParts(const ComponentTools& c) {
+  for (const ComponentTools::Piece& p : c.pieces)
+    if (p.part != c.pieces.front().part) return true;
+  return false;
+}
+
 }  // namespace
 
 void labelParticles(World& w, SurfaceHalos halos, SurfaceTools& tools) {
@@ -60,7 +67,11 @@ void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   s.quietEvents = s.events.size();
   labelParticles(w, halos, tools);
   addSurfelGhosts(s, halos);  // splitting dropped them
+  const bool several = severalParts(t.components);
+  if (several) addGhosts(halos.particles, s.particles, s.particleCells, ColumnList{&s.particles.id, &s.particles.position, &s.particles.component});
+  if (several) t.components.particleBins.build(s.particles.position.data(), s.particles.size(), w.scene.surface.linkLength * w.scene.spacing);
   mergeComponents(w, halos, t.components, t.merge);
+  dropGhosts(s.particles, s.particleCells);
   placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, tools.sort);  // contact has moved some
   std::fill_n(s.surfels.area.data(), s.surfels.owned, 0.0);
   measureComponents(s, halos.all);

@@ -1,6 +1,7 @@
 #include "core/surface/update_surface.hpp"
 
 #include "core/surface/blend.hpp"
+#include "core/surface/cover_bare.hpp"
 #include "core/surface/displace.hpp"
 #include "core/surface/gather_particles.hpp"
 #include "core/surface/keep_volume.hpp"
@@ -22,6 +23,14 @@ void placeAll(Surface& s, SurfaceHalos halos, SurfaceTools& t) {
   t.relax.particlesReady = false;
 }
 
+/// The density of surfels that came with meshes follows the curvature, too: it goes half of the way in a call.
+void adaptStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
+  const SurfaceCounters before = w.surface.counters;
+  for (int k = 0; k < 4; k++) resampleOnParticles(w, halos, t, 10);
+  w.surface.counters = before;  // the start is no change
+  updateComponents(w, halos, t);
+}
+
 /// From where the particles were at the last update to where they are.
 void bringParticlesForward(Surface& s) {
   for (std::size_t i = 0; i < s.particles.owned; i++) s.particles.position[i] += s.particles.displacement[i];
@@ -38,6 +47,7 @@ void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   growBodies(w, halos, t);
   sampleMeshes(w.scene, s, t.load, halos.all);
   updateComponents(w, halos, t);
+  if (w.scene.surface.adapt > 0) adaptStart(w, halos, t);
   keepStartVolumes(w, halos);
   placeAll(s, halos, t);
   sampleFields(w, halos, t);
@@ -63,10 +73,12 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   readyParticles(w, halos, t);
   t.times.lap(SurfacePhase::Fields);
   renewSurfels(w, halos, t);
+  const std::int64_t bare = coverBare(w, halos, t);
   t.times.lap(SurfacePhase::Growth);
-  resampleOnParticles(w, halos, t, s.events.size() > s.quietEvents ? 24 : 8);  // seams of merges are to close
+  resampleOnParticles(w, halos, t, s.events.size() > s.quietEvents || bare > 0 ? 24 : 8);  // seams of merges and of new faces are to close
   t.times.lap(SurfacePhase::Resampling);
   const Settled settled = settle(w, halos, t, forceWeights(w.scene.surface), w.scene.surface.iterations, false);
+  deactivate(s.surfels.loose);
   s.counters.iterations += settled.iterations;
   s.counters.unfinished += !settled.finished;
   blendSurfels(w);

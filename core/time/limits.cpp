@@ -16,37 +16,33 @@ Limit StepLimits::smallest() const {
 
 namespace {
 
-/// Indices of the materials that bodies and emitters have.
-std::vector<std::size_t> materialsInUse(const Scene& s) {
-  std::vector<std::size_t> used;
-  for (std::size_t k = 0; k < s.materials.size(); k++) {
-    const auto has = [&](const auto& source) { return static_cast<std::size_t>(source.material) == k; };
-    if (std::any_of(s.bodies.begin(), s.bodies.end(), has) || std::any_of(s.emitters.begin(), s.emitters.end(), has)) used.push_back(k);
-  }
-  return used;
+/// Has some body or emitter this material?
+bool inUse(const Scene& s, std::size_t material) {
+  const auto has = [&](const auto& source) { return static_cast<std::size_t>(source.material) == material; };
+  return std::any_of(s.bodies.begin(), s.bodies.end(), has) || std::any_of(s.emitters.begin(), s.emitters.end(), has);
 }
 
 bool canBeLiquid(const Material& m) { return !m.canBeSolid() || m.melts() || m.liquidAtStart; }
 
 /// Pa, of the liquids of these materials.
-double stiffestLiquid(const Scene& s, const std::vector<std::size_t>& used, const std::vector<LiquidMaterial>& liquids) {
+double stiffestLiquid(const Scene& s, const std::vector<LiquidMaterial>& liquids) {
   double stiffest = 0;
-  for (const std::size_t k : used)
-    if (canBeLiquid(s.materials[k])) stiffest = std::max(stiffest, liquids[k].stiffness);
+  for (std::size_t k = 0; k < s.materials.size(); k++)
+    if (inUse(s, k) && canBeLiquid(s.materials[k])) stiffest = std::max(stiffest, liquids[k].stiffness);
   return stiffest;
 }
 
 /// Largest diffusivity (m^2/s) that a particle of material m can see. Beside a much better conductor the harmonic mean is up to twice
 /// its own conductivity.
-double largestDiffusivity(const Scene& s, const std::vector<std::size_t>& used, const Material& m) {
+double largestDiffusivity(const Scene& s, const Material& m) {
   const HeatModel model = s.numerics.heat;
   double largest = 0;
   for (const double f : {0.0, 1.0}) {
     const double own = conductivityOf(model, m, f), capacity = m.density * heatCapacityOf(model, m, f);
-    for (const std::size_t k : used)
+    for (std::size_t k = 0; k < s.materials.size(); k++)
       for (const double g : {0.0, 1.0}) {
-        const double other = conductivityOf(model, s.materials[k], g);
-        if (own + other > 0) largest = std::max(largest, 2 * own * other / (own + other) / capacity);
+        const double other = inUse(s, k) ? conductivityOf(model, s.materials[k], g) : 0;
+        if (own > 0 && other > 0) largest = std::max(largest, 2 * own * other / (own + other) / capacity);
       }
   }
   return largest;
@@ -69,11 +65,11 @@ double largestViscosity(const Material& m) {
 /// mass alone (accuracy.md B12). Between liquids of the pairwise form it is their own: beside a thicker one that hardly moves the
 /// harmonic mean is up to twice as large, but the fastest wave among their like, of neighbours that move against each other, is as fast as
 /// that (tests/stability: LightParticlesInAThickLiquid). The printed form's arithmetic mean has no such bound; solids see liquids alone.
-double viscosityOfStep(const Scene& s, const std::vector<std::size_t>& used, std::size_t k, double mu) {
+double viscosityOfStep(const Scene& s, std::size_t k, double mu) {
   const bool liquid = canBeLiquid(s.materials[k]), printed = s.numerics.viscosity == ViscosityForm::Laplacian;
   double pairs = 0;
-  for (const std::size_t j : used)
-    if (j != k && (liquid || canBeLiquid(s.materials[j]))) pairs = std::max(pairs, pairViscosity(s.numerics, mu, largestViscosity(s.materials[j])));
+  for (std::size_t j = 0; j < s.materials.size(); j++)
+    if (j != k && inUse(s, j) && (liquid || canBeLiquid(s.materials[j]))) pairs = std::max(pairs, pairViscosity(s.numerics, mu, largestViscosity(s.materials[j])));
   if (printed) return liquid ? std::max(mu, pairs) : pairs;
   return liquid ? mu : std::min(mu, pairs);
 }
@@ -85,9 +81,9 @@ StepLimits materialLimits(const Scene& s, const Modules& modules, const std::vec
   StepLimits l;
   const double h = n.support * s.spacing, h3 = h * h * h;
   const auto take = [&](Limit which, double value) { l[which] = std::min(l[which], value); };
-  const std::vector<std::size_t> used = materialsInUse(s);
-  const double stiffest = modules.fluid ? stiffestLiquid(s, used, liquids) : 0;
-  for (const std::size_t k : used) {
+  const double stiffest = modules.fluid ? stiffestLiquid(s, liquids) : 0;
+  for (std::size_t k = 0; k < s.materials.size(); k++) {
+    if (!inUse(s, k)) continue;
     const Material& m = s.materials[k];
     // Wider sums have no softer lattice: a support of 2 spacings is the longest that counts. A light particle, liquid or solid, among those
     // of a stiffer liquid swings with their stiffness and its own mass (accuracy.md B12).
@@ -96,7 +92,7 @@ StepLimits materialLimits(const Scene& s, const Modules& modules, const std::vec
       take(Limit::Sound, n.cflSound * std::min(h, 2 * s.spacing) / (near > own * (1 + 1e-12) ? near : own));
     }
     if (modules.fluid) {
-      const double mu = (m.viscosityTable.empty() && !modules.implicitViscosity ? viscosityOfStep(s, used, k, largestViscosity(m)) : 0) +  // tables: of the particles there are
+      const double mu = (m.viscosityTable.empty() && !modules.implicitViscosity ? viscosityOfStep(s, k, largestViscosity(m)) : 0) +  // tables: of the particles there are
                         (canBeLiquid(m) ? 1.6 * liquids[k].artificial : 0);
       if (mu > 0) take(Limit::Viscous, n.cflViscous * stableViscousStep(n) * h * h * m.density / mu);
     }
@@ -106,7 +102,7 @@ StepLimits materialLimits(const Scene& s, const Modules& modules, const std::vec
       if (m.surfaceTension > 0) take(Limit::Tension, stiff * n.cflTension * std::sqrt(m.density * h3 / (2 * 3.14159265358979 * m.surfaceTension)));
     }
     if (modules.heat) {
-      const double diffusivity = largestDiffusivity(s, used, m);
+      const double diffusivity = largestDiffusivity(s, m);
       if (diffusivity > 0) take(Limit::Heat, n.cflHeat * stableHeatStep(n) * h * h / diffusivity);
     }
     if (modules.solid && m.canBeSolid()) take(Limit::Contact, 0.5 * s.spacing * std::sqrt(m.density / std::max(m.young.solid, m.young.liquid)));
@@ -136,7 +132,7 @@ StepLimits particleLimits(const World& w, double stableViscousStep) {
     for (std::size_t i = 0; i < p.owned; i++)
       if (p.material[i] == k && (p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0)))
         mu = std::max(mu, viscosityAt(m, 1, p.temperature.active ? p.temperature[i] : 0));
-    if (mu > 0) mu = viscosityOfStep(w.scene, materialsInUse(w.scene), k, mu);
+    if (mu > 0) mu = viscosityOfStep(w.scene, k, mu);
     if (mu > 0) l[Limit::Viscous] = std::min(l[Limit::Viscous], n.cflViscous * stableViscousStep * h * h * m.density / mu);
   }
   return l;

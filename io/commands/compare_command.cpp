@@ -3,10 +3,57 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
+#include <set>
 
 #include "io/compare/compare.hpp"
 
 namespace thaw {
+namespace {
+
+bool compareFiles(const std::string& pathA, const std::string& pathB, double tolerance, bool alwaysTell) {
+  const Snapshot a = openSnapshot(pathA), b = openSnapshot(pathB);
+  const Comparison result = compareSnapshots(a, b, {tolerance});
+  if (!alwaysTell && result.equal()) return true;
+  fmt::print("A: {}\nB: {}\n", a.file.path(), b.file.path());
+  for (const std::string& line : describe(result)) fmt::print("{}\n", line);
+  return result.equal();
+}
+
+/// Names of the frames of a run, of all kinds. IoError without such a folder.
+std::set<std::string> framesOf(const std::string& run) {
+  const std::filesystem::path folder = std::filesystem::path(run) / "frames";
+  if (!std::filesystem::is_directory(folder)) throw IoError("'" + run + "' is not the folder of a run: it has no frames/");
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".hdf") names.insert(entry.path().filename().string());
+  return names;
+}
+
+bool compareFrames(const std::string& runA, const std::string& runB, double tolerance) {
+  const std::set<std::string> a = framesOf(runA), b = framesOf(runB);
+  bool equal = true;
+  std::size_t both = 0;
+  const auto missing = [&](const std::string& name, const std::string& run) {
+    fmt::print("frame {} is not in {}\n", name, run);
+    equal = false;
+  };
+  for (const std::string& name : b)
+    if (!a.count(name)) missing(name, runA);
+  for (const std::string& name : a) {
+    if (!b.count(name)) {
+      missing(name, runB);
+      continue;
+    }
+    both++;
+    const bool same = compareFiles(runA + "/frames/" + name, runB + "/frames/" + name, tolerance, false);
+    equal = equal && same;
+  }
+  fmt::print("frames: {} in both, {}\n", both, equal ? "equal" : "different");
+  return equal;
+}
+
+}  // namespace
 
 CLI::App* addCompareCommand(CLI::App& app, CompareArguments& arguments) {
   CLI::App* command = app.add_subcommand("compare", "Compares two frames, checkpoints or runs (then their last checkpoints), particle by particle, bit by bit");
@@ -14,17 +61,16 @@ CLI::App* addCompareCommand(CLI::App& app, CompareArguments& arguments) {
   command->add_option("B", arguments.b, "what to compare it with")->required();
   command->add_option("--tolerance", arguments.tolerance, "allowed difference, relative to the largest magnitude in each field; without it, bits count")
       ->check(CLI::NonNegativeNumber);
+  command->add_flag("--frames", arguments.frames, "of two runs: compare all their frames as well");
   command->footer("Exit code: 0 equal, 1 different, 3 a file cannot be read.");
   return command;
 }
 
 int compareCommand(const CompareArguments& arguments) {
   try {
-    const Snapshot a = openSnapshot(arguments.a), b = openSnapshot(arguments.b);
-    const Comparison result = compareSnapshots(a, b, {arguments.tolerance});
-    fmt::print("A: {}\nB: {}\n", a.file.path(), b.file.path());
-    for (const std::string& line : describe(result)) fmt::print("{}\n", line);
-    return result.equal() ? 0 : 1;
+    const bool equal = compareFiles(arguments.a, arguments.b, arguments.tolerance, true);
+    const bool equalFrames = !arguments.frames || compareFrames(arguments.a, arguments.b, arguments.tolerance);
+    return equal && equalFrames ? 0 : 1;
   } catch (const IoError& e) {
     fmt::print(stderr, "thaw compare: {}\n", e.what());
   } catch (const std::bad_alloc&) {

@@ -8,6 +8,7 @@ namespace thaw {
 struct CompareArguments {
   std::string a, b;
   double tolerance = -1;  ///< < 0: bit by bit
+  bool frames = false;    ///< of two runs: all their frames, too
 };
 
 /// Declares the command; its arguments appear in `arguments`, which must outlive the parsing.

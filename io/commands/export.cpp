@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <stdexcept>
 #include <thread>
 
 #include "io/export/export_surface.hpp"
 #include "io/hdf5/io_error.hpp"
+#include "io/output/read_oriented_frame.hpp"
 #include "io/render/frame_source.hpp"
 #include "io/render/parallel_for.hpp"
 #include "io/render/scene_job.hpp"
@@ -78,7 +80,43 @@ MeshCount writeMesh(const fs::path& out, const SurfaceFrame& frame, const std::v
   return count;
 }
 
+/// Triangles of the smallest-sphere test, one mesh for each surface; vertices that are in none are left out.
+std::vector<ComponentMesh> meshesOf(const OrientedFrame& frame) {
+  std::map<std::uint32_t, ComponentMesh> byGroup;
+  std::map<std::uint32_t, std::uint32_t> vertexOf;
+  for (const auto& t : triangulate(frame.points())) {
+    ComponentMesh& m = byGroup[frame.groups[t[0]]];
+    m.component = frame.groups[t[0]];
+    std::array<std::uint32_t, 3> corners{};
+    for (std::size_t k = 0; k < 3; k++) {
+      const auto [at, fresh] = vertexOf.try_emplace(t[k], static_cast<std::uint32_t>(m.mesh.vertices.size()));
+      corners[k] = at->second;
+      if (!fresh) continue;
+      const Vec3d n = frame.normals[t[k]];
+      m.mesh.vertices.push_back(frame.positions[t[k]]);
+      m.normals.push_back({static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)});
+      m.colours.push_back({200, 200, 200});
+    }
+    m.mesh.triangles.push_back(corners);
+  }
+  std::vector<ComponentMesh> meshes;
+  for (auto& [group, mesh] : byGroup) meshes.push_back(std::move(mesh));
+  return meshes;
+}
+
+void exportOriented(const fs::path& file, const fs::path& out, const ExportOptions& options) {
+  if (options.as != "ply" && options.as != "obj") throw std::invalid_argument("oriented particles are exported as ply or obj, not as " + options.as);
+  const OrientedFrame frame = readOrientedFrame(file.string());
+  if (out.has_parent_path()) fs::create_directories(out.parent_path());
+  const std::vector<ComponentMesh> meshes = meshesOf(frame);
+  std::size_t triangles = 0;
+  for (const ComponentMesh& m : meshes) triangles += m.mesh.triangles.size();
+  (options.as == "ply" ? writeMeshPly : writeMeshObj)(out, meshes);
+  fmt::print("{}: {} particles, {} surfaces, {} triangles\n", out.string(), frame.positions.size(), meshes.size(), triangles);
+}
+
 void exportFrame(const fs::path& file, const fs::path& out, const ExportOptions& options) {
+  if (isOrientedFrame(readFrameInfo(file.string()))) return exportOriented(file, out, options);
   const SurfaceFrame frame = readSurfaceFrame(file.string());
   const std::vector<Rgb> colours = coloursOf(frame, options, file);
   if (out.has_parent_path()) fs::create_directories(out.parent_path());
@@ -108,6 +146,7 @@ void addExportOptions(CLI::App& command, ExportOptions& o) {
   command.add_option("path", o.input, "frame of a surface (NAME_surface_000120.hdf), series index, or folder of a run (all its frames)")->required();
   command.add_option("--as", o.as, "ply-discs: a polygon for each surfel (Blender); pov: a scene of POV-Ray; vtp: points with all fields (ParaView); ply, obj: a closed triangle mesh of each component")
       ->required()->check(CLI::IsMember(formats));
+  command.add_option("--what", o.what, "of a folder: surface (surfels) or oriented (oriented particles; as ply or obj)")->check(CLI::IsMember({"surface", "oriented"}))->capture_default_str();
   command.add_option("--out", o.out, "file for one frame, folder for several (default: export/ in the run's folder)");
   command.add_option("--field", o.field, "what colours: surface (its own colours) or a field: temperature, liquid, detail")->capture_default_str();
   command.add_option("--map", o.map, "colour map of a field: ember, sea, grey")->capture_default_str();
@@ -122,7 +161,7 @@ int exportCommand(const ExportOptions& options) {
     if (std::find(formats.begin(), formats.end(), options.as) == formats.end()) throw std::invalid_argument("there is no format '" + options.as + "'");
     if (options.min && options.max && !(*options.max > *options.min)) throw std::invalid_argument("the colours' range is empty: --max has to be above --min");
     colourMapNamed(options.map);
-    const std::vector<fs::path> frames = findFrames(options.input, FrameKind::Surface);
+    const std::vector<fs::path> frames = findFrames(options.input, options.what == "oriented" ? FrameKind::Oriented : FrameKind::Surface);
     const bool one = frames.size() == 1 && !fs::is_directory(options.out) && options.out.has_extension();
     const fs::path folder = options.out.empty() ? exportFolder(options.input) : options.out;
     for (const fs::path& frame : frames)

@@ -132,6 +132,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
   command.add_option("--cells", o.cells, "pictures on the contact sheet, at most")->check(CLI::Range(1, 1000))->capture_default_str();
   command.add_option("--radius", o.radius, "of the spheres, in particle spacings (default 0.7), or of the surface's discs, in their own radii (default 1.25)")->check(CLI::Range(0.01, 100.0));
   command.add_option("--what", o.what, "surface, particles, or automatic: the surface if the run has one")->check(CLI::IsMember({"surface", "particles", "automatic"}))->capture_default_str();
+  command.add_option("--look", o.look, "of oriented particles: mesh (shaded triangles), wire, discs, or axes")->check(CLI::IsMember({"mesh", "wire", "discs", "axes"}))->capture_default_str();
   command.add_flag("--movie", o.movie, "make a film (mp4) of the pictures as well, beside them; needs ffmpeg");
   command.add_option("--rate", o.rate, "pictures a second of the film")->check(CLI::Range(0.1, 240.0))->capture_default_str();
   command.add_option("--threads", o.threads, "frames drawn at once (default: one a core)")->check(CLI::Range(0, 4096));
@@ -140,7 +141,8 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
 int renderCommand(const RenderOptions& options) {
   try {
     const FrameJob job = jobOf(options);
-    const std::vector<fs::path> written = renderFrames(job, readFrameView);
+    const OrientedLook look = orientedLookNamed(options.look);
+    const std::vector<fs::path> written = renderFrames(job, [&](const std::filesystem::path& file, const std::string& field) { return readWholeView(file, field, look, job.spacing); });
     const std::size_t pictures = written.size() - (job.sheet.empty() ? 0 : 1);
     if (!job.sheet.empty()) fmt::print("{}\n", job.sheet.string());
     if (pictures == 1) fmt::print("{}\n", written[0].string());

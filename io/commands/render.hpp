@@ -23,6 +23,7 @@ struct RenderOptions {
   int width = 0, height = 0;           ///< pixels; 0: the scene's
   int columns = 4, cells = 12;         ///< of the contact sheet
   double radius = 0;                   ///< of the spheres, in particle spacings; of surfels' discs, in their radii; 0: 0.7 and 1.25
+  std::string look = "mesh";
   std::string what = "automatic";      ///< "surface", "particles", or the surface if there is one
   bool movie = false;                  ///< a film of the pictures as well
   double rate = 25;                    ///< pictures a second of the film

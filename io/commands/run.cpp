@@ -65,6 +65,10 @@ int loop(Run& r, std::string& why) {
 int simulate(Run& r) {
   const MeshLoader load = meshLoader();
   r.world.scene = sceneForAll(r.comm, r.options.scene, r.options.overrides);
+  if (r.options.relax > 0) {
+    if (r.world.scene.oriented.empty()) throw SceneErrors({r.options.scene + ": error: there is nothing to relax: the scene has no [[oriented]]"});
+    for (OrientedBody& b : r.world.scene.oriented) b.relax = std::max(b.relax, r.options.relax);
+  }
   r.name = std::filesystem::path(r.options.scene).stem().string();
   onFirstRank(r.comm.handle(), [&] {
     makeOutputFolders(r.options.out);
@@ -130,6 +134,13 @@ void addRunOptions(CLI::App& c, RunOptions& o) {
   c.add_option("--progress", o.reportEvery, "seconds between progress lines")->check(notBelowZero());
   auto* restart = c.add_flag("--restart", o.restart, "continue from the last checkpoint in --out");
   c.add_flag("--resume", o.resume, "continue if there is a checkpoint in --out, else begin")->excludes(restart);
+}
+
+void addRelaxOptions(CLI::App& c, RunOptions& o) {
+  c.add_option("scene", o.scene, "scene file (TOML) with oriented bodies")->required();
+  c.add_option("--out", o.out, "folder for the frame and a checkpoint from which `thaw run --restart` goes on (default: out/<scene>)");
+  c.add_option("--set", o.overrides, "key=value in place of what the scene says; may be given several times")->allow_extra_args(false);
+  c.add_option("--iterations", o.relax, "at most")->check(CLI::PositiveNumber);
 }
 
 int runCommand(const RunOptions& given) {

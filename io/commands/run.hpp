@@ -1,5 +1,6 @@
 // thaw run SCENE: simulate.
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,12 @@ struct RunOptions {
   double timeLimit = 0;      ///< s of wall-clock time; 0: none
   bool restart = false;      ///< continue from the last checkpoint, which must be there
   bool resume = false;       ///< continue if there is a checkpoint, else begin
+  std::int64_t relax = 0;    ///< iterations of relaxation for all oriented bodies, at least; above 0, nothing else is done
   double reportEvery = 2;    ///< s of wall-clock time between progress lines
 };
+
+/// Options of `thaw relax`: of run, those that fit.
+void addRelaxOptions(CLI::App& command, RunOptions& options);
 
 void addRunOptions(CLI::App& command, RunOptions& options);
 

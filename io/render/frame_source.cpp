@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "io/output/frame.hpp"
+#include "io/output/read_oriented_frame.hpp"
 #include "io/output/read_surface_frame.hpp"
 #include "io/output/series.hpp"
 #include "io/render/mesh_discs.hpp"
@@ -93,6 +94,7 @@ struct FolderFrames {
 FolderFrames framesIn(const fs::path& folder) {
   FolderFrames found;
   for (const std::string& index : findSeries(folder.string())) {
+    if (index.ends_with("_oriented.hdf.series") || index.ends_with("_sheet.hdf.series")) continue;  // drawn with the frame beside
     const std::vector<fs::path> frames = framesOfIndex(index);
     if (!frames.empty() && !kindOfFrame(frames.back()).empty()) continue;  // drawn with those of the particles
     const bool surface = frames.empty() ? fs::path(index).filename().string().ends_with("_surface.hdf.series") : ofSurface(frames.back());
@@ -100,10 +102,11 @@ FolderFrames framesIn(const fs::path& folder) {
     std::vector<fs::path>& list = surface ? found.surface : found.particles;
     list.insert(list.end(), frames.begin(), frames.end());
   }
+  const auto ofKind = [](const std::string& stem) { return stem.ends_with("_oriented") || stem.ends_with("_sheet"); };  // drawn with the frame beside
   std::vector<std::pair<std::string, bool>> known;  // stems, and whether they are of surfaces
   for (const fs::path& file : filesNamedFrames(folder)) {
     const std::string stem = stemOf(file);
-    if (std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.first == stem; }) == known.end() && !kindOfFrame(file).empty()) continue;
+    if (ofKind(stem)) continue;
     auto is = std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.first == stem; });
     if (is == known.end()) is = known.insert(known.end(), {stem, ofSurface(file)});
     if (is->second && found.surfaceIndices.empty()) found.surface.push_back(file);
@@ -117,6 +120,14 @@ FolderFrames framesIn(const fs::path& folder) {
 std::vector<fs::path> findFrames(const fs::path& path, FrameKind kind) {
   if (!fs::exists(path)) throw IoError(path.string(), "there is no such file or folder");
   if (!fs::is_directory(path)) return path.extension() == ".series" ? framesOfIndex(path) : std::vector<fs::path>{path};
+  if (kind == FrameKind::Oriented) {
+    for (const fs::path& folder : {path / "frames", path}) {
+      if (!fs::is_directory(folder)) continue;
+      for (const std::string& index : findSeries(folder.string()))
+        if (index.ends_with("_oriented.hdf.series")) return framesOfIndex(index);
+    }
+    throw IoError(path.string(), "there are no frames of oriented particles in this folder");
+  }
   bool particles = false;
   for (const fs::path& folder : {path / "frames", path}) {
     if (!fs::is_directory(folder)) continue;
@@ -218,7 +229,7 @@ void fillUp(FrameView& view) {
 SurfelPaint paintOf(const FrameView& view, const std::string& field) {
   if (field == "glow") return SurfelPaint::Glow;
   for (const float v : view.values)
-    if (!std::isnan(v)) return SurfelPaint::Values;
+    if (!std::isnan(v)) return SurfelPaint::Mixed;
   return SurfelPaint::Surface;
 }
 
@@ -253,6 +264,20 @@ FrameView readFrameView(const fs::path& frame, const std::string& field) {
   fillUp(view);
   addSheets(sheets, field, view);
   view.paint = paintOf(view, field);
+  return view;
+}
+
+FrameView readWholeView(const fs::path& frame, const std::string& field, OrientedLook look, float spacing) {
+  const FrameInfo info = readFrameInfo(frame.string());
+  if (isOrientedFrame(info)) {
+    FrameView view;
+    view.time = info.time;
+    addOriented(view, frame, look);
+    return view;
+  }
+  // of a scene without particles there is no field to colour with
+  FrameView view = readFrameView(frame, info.count > 0 || drawnAsSurface(frame) ? field : std::string());
+  addKindsBeside(view, frame, look, spacing);
   return view;
 }
 

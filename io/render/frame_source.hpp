@@ -4,12 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "io/render/kind_view.hpp"
 #include "io/render/render_frames.hpp"
 
 namespace thaw {
 
-/// Which frames of a run: of its particles or of its surface (surfels). Automatic: of the surface if there are any.
-enum class FrameKind { Automatic, Particles, Surface };
+/// Which frames of a run: of its particles of its surface (surfels), or of its oriented particles. Automatic: of the surface if there are any.
+enum class FrameKind { Automatic, Particles, Surface, Oriented };
 
 /// The frames that `path` stands for, in the order of time: a frame file (.hdf) itself, those of a series index (.hdf.series), or those
 /// of a folder, which may be a run's folder or its frames/. In a folder, the files of an index count; without one, all .hdf files in the
@@ -28,6 +29,10 @@ std::vector<std::string> fieldsOf(const std::filesystem::path& frame);
 /// balls of discs. Throws IoError naming the file and the cause:
 /// not HDF5, truncated, not a frame, no such field (with those there are).
 FrameView readFrameView(const std::filesystem::path& frame, const std::string& field);
+
+/// The same with the further kinds of the run that lie beside it in the folder, drawn as discs. spacing: m, of the particles. Of a frame of such a
+/// kind itself, that one alone.
+FrameView readWholeView(const std::filesystem::path& frame, const std::string& field, OrientedLook look, float spacing);
 
 /// The scene as text that the run kept in the frame, and its name; empty if it has none.
 struct KeptScene { std::string name, text; };

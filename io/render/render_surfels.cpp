@@ -38,9 +38,10 @@ class Painter {
   }
   Light operator()(std::size_t i) const {
     switch (paint_) {
-      case SurfelPaint::Values:
-        if (std::isnan(in_.values[i]) && !in_.colours.empty()) return decode_(in_.colours[i]);  // of another kind, without this field
-        return palette_[static_cast<std::size_t>(paletteIndex(scale_, in_.values[i]))];
+      case SurfelPaint::Values: return palette_[static_cast<std::size_t>(paletteIndex(scale_, in_.values[i]))];
+      case SurfelPaint::Mixed:
+        if (std::isfinite(in_.values[i])) return palette_[static_cast<std::size_t>(paletteIndex(scale_, in_.values[i]))];
+        return decode_(in_.colours[i]);
       case SurfelPaint::Surface: return decode_(in_.colours[i]);
       case SurfelPaint::Glow: {
         if (std::isnan(in_.values[i])) return decode_(in_.colours[i]);

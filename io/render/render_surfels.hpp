@@ -19,8 +19,8 @@ struct SurfelInput {
 };
 
 /// What colours: nothing, the values by the style's colours, the surface's own colours, or those turning into the values' colours as
-/// the values rise from the lowest to the highest of the scale.
-enum class SurfelPaint { Plain, Values, Surface, Glow };
+/// the values rise from the lowest to the highest of the scale; Mixed: the values where there are any (not NaN), else own colours.
+enum class SurfelPaint { Plain, Values, Surface, Glow, Mixed };
 
 struct SurfelStyle {
   SurfelPaint paint = SurfelPaint::Plain;

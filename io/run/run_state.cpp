@@ -154,6 +154,7 @@ void begin(Run& r, const MeshLoader& load) {
       r.all.sum({&n, 1});
       r.say(fmt::format("{}: {} particles", kindNames[kind], n));
     });
+    if (r.tools.oriented.relaxed > 0) r.say(fmt::format("oriented: {} iterations of relaxation; the largest force is {:.2e} of stiffness times spacing", r.tools.oriented.relaxed, r.tools.oriented.unrest));
     for (const std::string& pair : sampled.overlaps) {
       const std::string line = fmt::format("{}; {} particles left out in all", pair, sampled.removed);
       r.say("warning: " + line);

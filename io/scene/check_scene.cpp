@@ -84,6 +84,16 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   for (const SheetBody& b : s.sheets)
     if (!b.wrapTo.empty() && !obstacles.contains(b.wrapTo))
       errors.push_back({b.where, "sheet '" + b.name + "': wrap_to: there is no obstacle '" + b.wrapTo + "'" + suggestion(b.wrapTo, obstacles)});
+  int cuts = 0;
+  for (OrientedBody& b : s.oriented)
+    for (OrientedEvent& e : b.events) {
+      cuts += e.kind == OrientedEventKind::Cut;
+      if (e.kind != OrientedEventKind::Weld) continue;
+      for (std::size_t k = 0; k < s.oriented.size(); k++)
+        if (s.oriented[k].name == e.other) e.otherIndex = static_cast<int>(k);
+      if (e.otherIndex < 0) errors.push_back({e.where, fmt::format("oriented body '{}': there is no oriented body '{}' to weld to it", b.name, e.other)});
+    }
+  if (cuts > 32) errors.push_back({x.start, fmt::format("{} cuts; at most 32 are possible", cuts)});
   if (s.bodies.empty() && s.emitters.empty() && s.oriented.empty() && s.sheets.empty())
     errors.push_back({x.start, "there is nothing to simulate: a scene needs a [[body]] or an [[emitter]] and its [material.NAME], an [[oriented]] or a [[sheet]]; all else has defaults"});
   if (s.numerics.heat == HeatModel::Paper)

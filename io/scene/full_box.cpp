@@ -6,12 +6,17 @@ namespace thaw {
 
 void chooseForFullBox(Scene& s, const OpenChoices& open) {
   Numerics& n = s.numerics;
-  if (n.solver != PressureSolver::StateEquation || n.pressure != PairForm::Consistent || !liquidFillsTheBox(s)) return;
+  if (n.pressure != PairForm::Consistent || !liquidFillsTheBox(s)) return;
+  const bool mayRelax = open.packing && length(s.bodies[0].temperatureGradient) == 0;
+  if (n.solver == PressureSolver::Incompressible) {
+    if (mayRelax) s.bodies[0].packing = Packing::Relaxed;
+    return;
+  }
   if (open.density) n.density = DensityForm::Continuity;
   if (open.tensileLimit) n.tensileLimit = 1;
   if (n.density != DensityForm::Continuity) return;
   if (open.shifting) n.shifting = 0.2;
-  if (open.packing && length(s.bodies[0].temperatureGradient) == 0) s.bodies[0].packing = Packing::Relaxed;
+  if (mayRelax) s.bodies[0].packing = Packing::Relaxed;
 }
 
 }  // namespace thaw

@@ -2,15 +2,165 @@
 #include "io/scene/read_shape.hpp"
 
 namespace thaw {
+namespace {
+
+/// A list of points: [[x, y, z], ...], each number with a unit or in m.
+void readPoints(TableReader& r, const char* key, const char* unit, std::vector<Vec3d>& points, const char* about) {
+  const toml::node* n = r.node(key, unit, "list of [x, y, z]", about);
+  if (!n) return;
+  const toml::array* list = n->as_array();
+  if (!list) return r.fail(key, "expected a list of points [x, y, z]");
+  for (const toml::node& e : *list) {
+    const toml::array* p = e.as_array();
+    if (!p || p->size() != 3) return r.fail(placeOfNode(e), r.path() + "." + key + ": expected points [x, y, z]");
+    Vec3d x;
+    bool good = true;
+    for (std::size_t a = 0; a < 3; a++) good = r.quantity(*p->get(a), key, unit, anyNumber(), x[static_cast<int>(a)]) && good;
+    if (good) points.push_back(x);
+  }
+}
+
+void readMotion(TableReader& r, std::vector<Keyframe>& motion) {
+  r.tables("motion", "keyframes of what is held; linear in between", [&](TableReader& k) {
+    Keyframe f;
+    k.number("time", f.time, "s", notNegative(), "of the keyframe; must ascend");
+    k.vector("move", f.move, "m", "away from the place at the start");
+    k.vector("rotate", f.rotate, "rad", "about x, y, z through the origin");
+    if (!motion.empty() && f.time <= motion.back().time) k.fail("time", "keyframes must ascend in time");
+    motion.push_back(f);
+  });
+}
+
+void readAnchor(TableReader& r, OrientedBody& b) {
+  OrientedAnchor a;
+  a.where = r.place();
+  readShape(r, a.region);
+  r.flag("position", a.position, "holds their place");
+  r.flag("normal", a.normal, "holds their orientation");
+  r.number("until", a.until, "s", orNever(notNegative()), "lets go then");
+  readMotion(r, a.motion);
+  if (!r.describing()) b.anchors.push_back(std::move(a));
+}
+
+void readEvent(TableReader& r, OrientedBody& b) {
+  OrientedEvent e;
+  e.where = r.place();
+  r.choice("kind", e.kind, {"weld", "cut", "crease", "smooth"}, "what is done: weld joins another body to this one; cut ends all action across it; crease takes the orientation out of the forces along a line; smooth puts it back");
+  r.number("time", e.time, "s", notNegative(), "when; 0: at the start, before relaxation");
+  r.text("other", e.other, "of weld: the body that becomes one with this", "name of an oriented body");
+  r.table("plane", "of cut: the plane", [&](TableReader& t) {
+    e.tool = CutTool::Plane;
+    t.vector("point", e.point, "m", "a point of the plane");
+    t.vector("normal", e.normal, "", "of any length but 0");
+    if (length(e.normal) == 0) t.fail("normal", "must not be zero");
+  });
+  readPoints(r, "stroke", "m", e.path, "of cut: a line through points, drawn along `direction`; what lies beyond its ends is not cut");
+  if (!e.path.empty()) e.tool = CutTool::Stroke;
+  r.vector("direction", e.direction, "", "of the stroke's cut, of any length but 0");
+  readPoints(r, "along", "m", e.path, "of crease: the line");
+  r.number("radius", e.radius, "m", notNegative(), "of crease: particles so near to the line are in it, 0: a spacing; of a stroke: those so near are cut, 0: a support radius");
+  const bool shaped = r.describing() || e.kind == OrientedEventKind::Smooth || (e.kind == OrientedEventKind::Cut && !r.has("plane") && e.path.empty());
+  if (shaped) {
+    readShape(r, e.region);  // of smooth; of cut: what is in it comes off
+    e.tool = CutTool::Box;
+  }
+  if (r.describing()) return;
+  if (e.kind == OrientedEventKind::Weld && e.other.empty()) r.fail("other", "is missing: the body to weld to this one");
+  if (e.kind == OrientedEventKind::Crease && e.path.size() < 2) r.fail("along", "expected at least two points");
+  if (e.kind == OrientedEventKind::Cut && e.tool == CutTool::Stroke && e.path.size() < 2) r.fail("stroke", "expected at least two points");
+  if (length(e.direction) == 0) r.fail("direction", "must not be zero");
+  b.events.push_back(std::move(e));
+}
+
+void readSource(TableReader& r, OrientedBody& b) {
+  const auto place = [&] {
+    r.table("place", "where the patch or disc stands", [&](TableReader& p) {
+      p.number("scale", b.shape.scale, "", positive(), "factor of size");
+      p.number("rotate_x", b.shape.rotate.x, "rad", anyNumber(), "angle about x");
+      p.number("rotate_y", b.shape.rotate.y, "rad", anyNumber(), "angle about y, after x");
+      p.number("rotate_z", b.shape.rotate.z, "rad", anyNumber(), "angle about z, last");
+      p.vector("move", b.shape.move, "m", "where its middle comes to lie");
+    });
+  };
+  r.table("patch", "flat rectangle in its own z = 0, normals along z", [&](TableReader& t) {
+    b.source = OrientedSource::Patch;
+    t.number("width", b.width, "m", positive(), "along x");
+    t.number("depth", b.depth, "m", positive(), "along y");
+  });
+  r.table("disc", "flat disc in its own z = 0", [&](TableReader& t) {
+    b.source = OrientedSource::Disc;
+    t.number("radius", b.radius, "m", positive(), "radius");
+  });
+  r.table("curve", "2D: particles along a parabola in the plane y = constant; it stays in it", [&](TableReader& t) {
+    b.source = OrientedSource::Curve;
+    b.planar = true;
+    t.vector("from", b.from, "m", "first end");
+    t.vector("to", b.to, "m", "last end");
+    t.number("bulge", b.bulge, "m", anyNumber(), "height of its middle over the chord");
+    if (!t.describing() && b.from.y != b.to.y) t.fail("to", "must have the y of from");
+    if (!t.describing() && length(b.to - b.from) == 0) t.fail("to", "must differ from from");
+  });
+  readPoints(r, "points", "m", b.points, "a surface through these points; with growth = \"borders\" they are held and holes between them are filled");
+  const bool points = !b.points.empty();
+  readPoints(r, "normals", "", b.normals, "of `points`; none: of the plane of their neighbours, turned alike along a spanning tree");
+  readPoints(r, "control", "m", b.points, "a thin plate through these few control points, which are held");
+  const int given = r.has("patch") + r.has("disc") + r.has("curve") + r.has("points") + r.has("control");
+  if (points) b.source = OrientedSource::Points;
+  else if (r.has("control")) b.source = OrientedSource::Control;
+  if (given > 1) r.fail(r.place(), r.path() + ": give one of patch, disc, curve, points, control and a shape");
+  if (points && !b.normals.empty() && b.normals.size() != b.points.size()) r.fail("normals", "there must be one for each point");
+  for (const Vec3d& n : b.normals)
+    if (length(n) == 0) r.fail("normals", "must not be zero");
+  if (r.describing() || given == 0) readShape(r, b.shape);
+  else place();
+}
+
+}  // namespace
 
 void readOriented(TableReader& r, SceneReading& x) {
   OrientedBody b;
   b.where = r.place();
   r.text("name", b.name, "for messages and `--set`; none: \"oriented\" and its number");
-  readShape(r, b.shape);
+  readSource(r, b);
+  r.number("thin", b.thin, "", between(1e-4, 1), "share of its particles that is kept, and held; with growth = \"borders\" the others grow again");
   r.number("spacing", b.spacing, "m", notNegative(), "wanted distance of its particles; 0: that of the scene");
-  r.number("support", b.support, "", between(1.5, 8), "radius within which they act on each other, over their spacing");
+  r.number("jitter", b.jitter, "", between(0, 1), "spacings, and radians, by which its particles are off at the start, at most along each axis, at random");
+  r.vector("velocity", b.velocity, "m/s", "at the start");
+  r.number("density", b.density, "kg/m^2", positive(), "of the surface");
+  r.number("inertia", b.inertia, "", positive(), "of a particle's rotation, over its mass and the square of the spacing");
+  r.number("stiffness", b.stiffness, "N/m", positive(), "unit of its energies: weight times stiffness times the square of the spacing");
+  r.number("attract", b.attract, "", notNegative(), "weight of the Lennard-Jones potential, which spaces particles evenly");
+  r.number("coplanar", b.plane, "", notNegative(), "weight of co-planarity: neighbours in the plane of a particle");
+  r.number("conormal", b.normal, "", notNegative(), "weight of co-normality: neighbours' normals alike");
+  r.number("cocircular", b.circle, "", notNegative(), "weight of co-circularity: neighbours and their normals on a common sphere");
+  r.whole("repel_power", b.repelPower, 2, 40, "power of Lennard-Jones' repulsion");
+  r.whole("attract_power", b.attractPower, 1, 39, "power of its attraction, below that of the repulsion");
+  r.number("core", b.core, "", between(0.1, 0.95), "spacings below which Lennard-Jones goes on as a straight line, so that no force is without bound");
+  r.number("across", b.across, "", positive(), "scale of the weighting function across the normal, spacings");
+  r.number("along", b.along, "", positive(), "and along it, at most as long");
+  r.number("support", b.support, "", between(1.5, 12), "radius within which particles act on each other, over their spacing");
+  r.flag("facing", b.facing, "particles whose normals stand against each other do not act on each other, so that the sides of a thin body stay apart");
+  r.flag("planar", b.planar, "moves and turns in its plane y = constant only");
+  r.number("damping", b.damping, "1/s", notNegative(), "rate at which velocities decay");
+  r.number("spin_damping", b.spinDamping, "1/s", notNegative(), "rate at which rotations decay");
+  r.number("pressure", b.pressure, "Pa", anyNumber(), "along the normals; below 0: pulls the surface together around what it encloses");
+  r.vector("push", b.push, "m/s^2", "uniform acceleration beside gravity");
+  r.number("contact", b.contact, "", positive(), "stiffness of contacts over `stiffness`");
+  r.number("thickness", b.thickness, "", notNegative(), "distance kept from obstacles, spacings");
+  r.number("friction", b.friction, "", between(0, 10), "Coulomb friction on obstacles, if theirs is not larger");
+  r.choice("integrator", b.integrator, {"symplectic", "rk4", "semi-implicit"}, "that of the first oriented body is for all: symplectic Euler, Runge-Kutta of fourth order, or linearised backward Euler, which takes far longer steps");
+  r.number("cfl", b.cfl, "", between(1e-4, 10), "step over the longest that is stable for the stiffest particle (semi-implicit: over ten times that of symplectic Euler)");
+  r.whole("relax", b.relax, 0, 10000000, "iterations of relaxation to rest before the start, at most");
+  r.choice("growth", b.growth, {"none", "gaps", "borders"}, "where particles are made: nowhere, in gaps between neighbours, or at open borders as well");
+  r.number("gap", b.gap, "", between(1.1, 2.1), "distance of neighbours, in spacings, from which one is put between them");
+  r.number("crowd", b.crowd, "", between(0, 0.95), "distance, in spacings, below which one of two goes; 0: never");
+  r.whole("every", b.every, 1, 100000, "steps between looks at gaps, borders and crowds");
+  r.whole("most", b.most, 1, INT64_C(1) << 32, "particles of this body from which it grows no more");
+  r.tables("anchor", "holds the particles that lie in its SHAPE at the start", [&](TableReader& a) { readAnchor(a, b); });
+  r.tables("event", "something that is done to the body", [&](TableReader& e) { readEvent(e, b); });
   if (r.describing()) return;
+  if (b.attractPower >= b.repelPower) r.fail("attract_power", "must be below repel_power");
+  if (b.along > b.across) r.fail("along", "must not be above across");
   if (b.name.empty()) b.name = "oriented " + std::to_string(x.scene->oriented.size());
   x.scene->oriented.push_back(std::move(b));
 }

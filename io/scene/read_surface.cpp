@@ -18,7 +18,7 @@ void readSurface(TableReader& r, SurfaceSettings& s) {
   r.number("least_level", s.leastLevel, "", between(0.01, 0.9), "no surfel is where the colour field is below this: stretched bodies split (I_min)");
   r.number("damping", s.damping, "", {0, 2, true, false, false}, "factor of every move of the update (alpha)");
   r.whole("iterations", s.iterations, 1, 10000, "of an update, at most");
-  r.number("stop", s.stop, "", between(1e-6, 1), "surfels that move less than this share of their spacing, as do their neighbours, are left alone for the rest of the update");
+  r.number("stop", s.stop, "", between(1e-6, 1), "surfels that move less than this share of their spacing across the surface and five times it along it, as do their neighbours, are left alone for the rest of the update");
   r.number("adapt", s.adapt, "", between(0, 1), "finest spacing over the wanted one, where the surface is curved: small drops and edges; 0: the same spacing everywhere");
   r.number("keep_volume", s.keepVolume, "", between(0, 1), "weight of a force that keeps the volume in the surface at that of the particles; 0: none");
   r.choice("merge", s.merge, {"liquid", "all", "none"}, "components that join where they meet: if one is liquid there, always, or never; the surfaces of the others are kept apart");

@@ -116,7 +116,7 @@ class MatrixTest(unittest.TestCase):
             runs = plan.runs(level)
             keys = [(case, matrix.labelOf(spacing, settings)) for case, spacing, settings in runs]
             self.assertEqual(len(keys), len(set(keys)))
-        self.assertEqual(plan.settingsOf("tension", "surface stress"), ["numerics.tension=surface stress"])
+        self.assertEqual(plan.settingsOf("tension", "surface energy"), ["numerics.tension=surface energy"])
         self.assertEqual(plan.settingsOf("density=continuity corrected_gradients", "false"), ["numerics.density=continuity", "numerics.corrected_gradients=false"])
         names = {line.split()[0] for line in subprocess.run([os.path.join(BUILD, "benchmarks", "accuracy"), "--list"], capture_output=True, text=True, check=True).stdout.splitlines()}
         self.assertEqual(names, set(plan.CASES))

@@ -2,23 +2,14 @@
 # Choices of [numerics] beside the defaults: the same bits on 1, 2, 3, 4 and 7 ranks and over a restart. All solvers at once; carried density
 # with shifting; a full periodic box; the printed forms; double precision.
 . "$(dirname "$0")/../support/run.sh"
-# name, scene, steps, settings
+# same NAME SCENE STEPS SETTINGS...
 same() {
   local name=$1 scene=$2 steps=$3 options=()
   shift 3
-  settings "$(basename "$scene" .toml)" 2>/dev/null || set=()
-  [ -f "$scenes/$(basename "$scene")" ] || set=()
+  set=()
+  [ -f "$scenes/$(basename "$scene")" ] && settings "$(basename "$scene" .toml)"
   for choice in "$@"; do options+=(--set "$choice"); done
-  go() { launch "$1" run "$scene" "${set[@]}" "${options[@]}" --out "$work/$2" "${@:3}" >"$work/log" 2>&1 || { fail "$name, $2: exit $?"; tail -n 5 "$work/log"; }; }
-  for ranks in 1 2 3 4 7; do
-    go $ranks "$name.$ranks" --steps "$steps"
-    [ "$ranks" = 1 ] && continue
-    "$thaw" compare "$work/$name.1" "$work/$name.$ranks" >"$work/log" 2>&1 || { fail "$name: 1 and $ranks ranks differ"; head -n 20 "$work/log"; }
-  done
-  go 3 "$name.parts" --steps $((steps / 3))
-  go 2 "$name.parts" --steps "$steps" --restart
-  "$thaw" compare "$work/$name.1" "$work/$name.parts" >"$work/log" 2>&1 || { fail "$name: differs after a restart"; head -n 20 "$work/log"; }
-  echo "$name: $(value "$work/$name.1/summary.json" particles) particles, $(value "$work/$name.1/summary.json" step) steps"
+  sameOnAllRanks "$name" "$steps" $((steps / 3)) "$scene" "${set[@]}" "${options[@]}"
   rm -rf "${work:?}/$name".*
 }
 cat >"$work/vortices.toml" <<'END'

@@ -38,21 +38,8 @@ clamp = [{ box = { size = [1, 1, 0.08] }, place = { move = [0.4, 0.1, 0.0] } }]
 [output]
 every = "20 ms"
 SCENE
-check() {  # check NAME STEPS CUT SCENE OPTIONS...: the same on all ranks, and cut after CUT steps
-  local name=$1 steps=$2 cut=$3 scene=$4 ranks
-  shift 4
-  for ranks in 1 2 3 4 7; do
-    launch $ranks run "$scene" "$@" --steps "$steps" --out "$work/$name.$ranks" >"$work/log" 2>&1
-    expectExit 0 "$name on $ranks ranks"
-    [ "$ranks" = 1 ] || "$thaw" compare "$work/$name.1" "$work/$name.$ranks" >"$work/log" 2>&1 || { fail "$name: 1 and $ranks ranks differ"; cat "$work/log"; }
-  done
-  launch 3 run "$scene" "$@" --steps "$cut" --out "$work/$name.parts" >"$work/log" 2>&1; expectExit 0 "$name, first part"
-  launch 2 run "$scene" "$@" --steps "$steps" --resume --out "$work/$name.parts" >"$work/log" 2>&1; expectExit 0 "$name, second part"
-  "$thaw" compare "$work/$name.1" "$work/$name.parts" >"$work/log" 2>&1 || { fail "$name: restart differs"; cat "$work/log"; }
-  echo "$name: $(value "$work/$name.1/summary.json" step) steps, $(value "$work/$name.1/summary.json" substeps) substeps"
-}
-check tank 60 25 "$work/tank.toml"
+sameOnAllRanks tank 60 25 "$work/tank.toml"
 [ "$(value "$work/tank.1/summary.json" substeps)" -gt 3 ] || fail "the tank has no substeps"
 settings melt
-check melt 40 20 "$scenes/melt.toml" "${set[@]}" --set numerics.elastic_substeps=8
+sameOnAllRanks melt 40 20 "$scenes/melt.toml" "${set[@]}" --set numerics.elastic_substeps=8
 finish

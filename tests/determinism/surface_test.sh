@@ -2,17 +2,7 @@
 # The surface (table [surface]): surfels, components, events, frames and logs have the same bits on 1, 2, 3, 4 and 7 ranks, when a run is killed
 # with -9 and resumed on other numbers of ranks, and when it goes back to a good state. Splits and merges, births and deaths included. SCENES: fewer.
 . "$(dirname "$0")/../support/run.sh"
-sameOutput() {  # sameOutput A B WHAT: checkpoint, logs, both series and all their frames
-  "$thaw" compare "$1" "$2" >"$work/log" 2>&1 || { fail "$3: checkpoints differ"; head -n 20 "$work/log"; return; }
-  local name frame
-  for name in surface.csv events.csv "frames/$scene.hdf.series" "frames/${scene}_surface.hdf.series"; do
-    cmp -s "$1/$name" "$2/$name" || { fail "$3: $name differs"; diff "$1/$name" "$2/$name" | head -n 5; }
-  done
-  for frame in $(grep -o "${scene}[_a-z]*_[0-9]*\.hdf" "$1/frames/$scene.hdf.series" "$1/frames/${scene}_surface.hdf.series" -h); do
-    "$thaw" compare "$1/frames/$frame" "$2/frames/$frame" >"$work/log" 2>&1 || { fail "$3: $frame differs"; head -n 5 "$work/log"; }
-  done
-}
-counted() { sed -n '/"surface": {/,$p' "$1/summary.json" | value - "$2"; }
+. "$(dirname "$0")/../support/surface_output.sh"
 # try NAME SCENE STEPS SETTINGS: on all ranks, cut, killed and resumed
 try() {
   local name=$1 ranks

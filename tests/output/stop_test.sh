@@ -43,6 +43,16 @@ after=$(frameSums "$work/done" drop)
 frameIsLost "$frames" "$after" && fail "later end: earlier frames changed"
 run done --set end=0.002 --restart; expectExit 0 "nothing left to do"
 
+# compare --frames sees a frame that is gone and one that differs
+cp -r "$work/done" "$work/copy"
+"$thaw" compare --frames "$work/done" "$work/copy" >"$work/log" 2>&1; expectExit 0 "compare --frames, a copy"
+last=$(ls "$work/copy/frames"/drop_*.hdf | tail -n 1)
+cp "$work/copy/frames/drop_000000.hdf" "$last"
+"$thaw" compare --frames "$work/done" "$work/copy" >"$work/log" 2>&1; expectExit 1 "compare --frames, another frame"
+rm "$last"
+"$thaw" compare --frames "$work/done" "$work/copy" >"$work/log" 2>&1; expectExit 1 "compare --frames, a frame less"; expectMessage "is not in $work/copy" "compare --frames"
+"$thaw" compare --frames "$work/done" "$work/copy/checkpoint" >"$work/log" 2>&1; expectExit 3 "compare --frames, not a run"
+
 # what cannot be continued
 run nothing --restart; expectExit 2 "--restart without a checkpoint"; expectMessage "needs a checkpoint" "--restart without a checkpoint"
 run steps --restart --set spacing=0.002; expectExit 2 "another spacing"; expectMessage "spacing was 0.0008" "another spacing"

@@ -28,6 +28,20 @@ Mat3d plainGradient(const std::vector<Vec3d>& reference, const std::vector<Vec3d
   return b * inverse(a);
 }
 
+/// A space without gravity and frames, with elastic material 0 of 1e5 Pa, at a spacing of 0.1 m.
+Scene elasticScene(ElasticLaw law, const Vec3d& low, const Vec3d& high) {
+  Scene s;
+  s.spacing = 0.1;
+  s.domain.min = low;
+  s.domain.max = high;
+  s.domain.gravity = {};
+  s.output.every = 0;
+  s.materials.emplace_back();
+  s.materials[0].young = {1e5, 0};
+  s.materials[0].law = law;
+  return s;
+}
+
 }  // namespace
 
 TEST(Stability, B01_SingularNeighbourhoods) {
@@ -156,15 +170,7 @@ TEST(Stability, B05_Compression) {
   // a bar that is hit hard: what goes through itself is counted
   std::int64_t inverted[3], squeezed[3], told = 0;
   for (const ElasticLaw law : {ElasticLaw::Green, ElasticLaw::NeoHookean, ElasticLaw::Corotated}) {
-    Scene s;
-    s.spacing = 0.1;
-    s.domain.min = {-2, -2, -1};
-    s.domain.max = {2, 2, 4};
-    s.domain.gravity = {};
-    s.output.every = 0;
-    s.materials.emplace_back();
-    s.materials[0].young = {1e5, 0};
-    s.materials[0].law = law;
+    Scene s = elasticScene(law, {-2, -2, -1}, {2, 2, 4});
     addBox(s, {-0.2, -0.2, 0.05}, {0.2, 0.2, 1.05}).velocity = {0, 0, -8};  // 0.8 of the speed of sound along it
     addFloor(s);
     s.end = 0.15;
@@ -177,15 +183,7 @@ TEST(Stability, B05_Compression) {
   }
   // pressed slowly to a part of its length, far from inversion: told of from .577 on, with Green strain without volume stiffness alone
   const auto toldOf = [](ElasticLaw law, double volume, double length) {
-    Scene s;
-    s.spacing = 0.1;
-    s.domain.min = {-2, -2, -2};
-    s.domain.max = {2, 2, 2};
-    s.domain.gravity = {};
-    s.output.every = 0;
-    s.materials.emplace_back();
-    s.materials[0].young = {1e5, 0};
-    s.materials[0].law = law;
+    Scene s = elasticScene(law, {-2, -2, -2}, {2, 2, 2});
     s.materials[0].volumeStiffness = volume;
     addBox(s, {-0.2, -0.2, -0.2}, {0.2, 0.2, 0.2});
     Simulation run(s);

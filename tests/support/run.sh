@@ -55,4 +55,20 @@ expectExit() {  # expectExit CODE WHAT: of the last command, whose output is in 
   [ "$code" -eq "$1" ] || { fail "$2: exit $code, not $1"; tail -n 5 "$work/log"; }
 }
 expectMessage() { grep -q -e "$1" "$work/log" || { fail "$2: no message '$1'"; tail -n 5 "$work/log"; }; }
+# sameOnAllRanks NAME STEPS CUT SCENE OPTIONS...: the bits of 1 rank on 2, 3, 4 and 7, and cut after CUT steps on 3 ranks and resumed on 2.
+# Leaves the runs in $work/NAME.1 ... NAME.7 and NAME.parts.
+sameOnAllRanks() {
+  local name=$1 steps=$2 cut=$3 scene=$4 ranks
+  shift 4
+  run() { launch "$1" run "$scene" "${@:3}" --out "$work/$name.$2" >"$work/log" 2>&1; expectExit 0 "$name, $2"; }
+  sameAsOne() { "$thaw" compare "$work/$name.1" "$work/$name.$1" >"$work/log" 2>&1 || { fail "$name: 1 and $1 differ"; head -n 20 "$work/log"; }; }
+  for ranks in 1 2 3 4 7; do
+    run $ranks $ranks "$@" --steps "$steps"
+    [ "$ranks" = 1 ] || sameAsOne $ranks
+  done
+  run 3 parts "$@" --steps "$cut"
+  run 2 parts "$@" --steps "$steps" --resume
+  sameAsOne parts
+  echo "$name: $(value "$work/$name.1/summary.json" particles) particles, $(value "$work/$name.1/summary.json" step) steps"
+}
 finish() { [ "$failures" -eq 0 ] && echo "all passed" || { echo "$failures failures"; exit 1; }; }

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "core/halo/serial.hpp"
+#include "core/kinds/kinds.hpp"
 #include "core/ledger/report.hpp"
 #include "core/setup/setup.hpp"
 #include "core/solid/serial_bond_halo.hpp"
@@ -14,7 +15,7 @@ struct Simulation {
   StepTools tools;
   SerialReducer all;
   std::unique_ptr<SerialCellHalo> cells;
-  std::unique_ptr<SerialCellHalo> kinds[2];
+  std::unique_ptr<SerialCellHalo> kinds[kindCount];
   SerialBondHalo bonds, edges;
   Limit limitedBy = Limit::Scene;
   double shortest = never;  ///< s, dt
@@ -23,10 +24,10 @@ struct Simulation {
     w.scene = scene;
     prepareWorld(w, tools, {});
     cells = std::make_unique<SerialCellHalo>(w.grid);
-    for (auto& k : kinds) k = std::make_unique<SerialCellHalo>(w.grid);
+    eachKind(w, [&](std::size_t kind, const KindRows&, const CellTable&) { kinds[kind] = std::make_unique<SerialCellHalo>(w.grid); });
     startWorld(w, halos(), tools, {});
   }
-  Halos halos() { return {all, *cells, bonds, {kinds[0].get(), kinds[1].get()}, &edges}; }
+  Halos halos() { return {all, *cells, bonds, {kinds[orientedKind].get(), kinds[sheetKind].get()}, &edges}; }
   Continuum& particles() { return w.particles; }
 
   /// One step. False where a value is not finite.

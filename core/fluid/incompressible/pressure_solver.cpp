@@ -43,7 +43,8 @@ Progress jacobiStep(const PressureSystem& x, const Goal& goal, std::vector<float
     stepped[i] = 0;
     if (!(work.response[i] > 0)) continue;
     const double f = static_cast<double>(work.fraction[i]), full = goal.dt * work.response[i], k = static_cast<double>(p.trialPressure[i]);
-    const double filled = static_cast<double>(p.filling[i]) - work.full;
+    double filled = static_cast<double>(p.filling[i]) - work.full;
+    if (mayPull) filled = std::max(filled, 0.0);  // what pulls keeps gaps from growing; to close those of a free surface would tear it apart
     // half-molten: as a spring beside the constraint, so soft that a lone particle's pressure is the liquid fraction of a liquid's
     const double e = (filled > 0 ? goal.share * filled : filled) + goal.dt * work.rate[i] - (1 - f) * full * k;
     const double left = mayPull || k * full > -e ? std::abs(e) : k * full;

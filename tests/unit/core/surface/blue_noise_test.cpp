@@ -1,4 +1,5 @@
 #include "core/surface/blue_noise.hpp"
+#include "core/surface/mesh_normals.hpp"
 
 #include <gtest/gtest.h>
 
@@ -93,6 +94,25 @@ TEST(BlueNoise, SamplesTheBustOntoTheSculpture) {
     worst = std::max(worst, std::abs(bustValue(x.position)));
   }
   EXPECT_LT(worst, 0.0025);
+}
+
+TEST(BlueNoise, NormalsOfSliversAreThoseOfTheirSurroundings) {
+  double mean = 0, worst = 0, n = 0;
+  for (const double cell : {0.07, 0.083, 0.1}) {
+    const Vec3d centre{0.013, 0.007, 0.0031};
+    const TriangleMesh ball = ballMesh(centre, 1, cell);
+    const MeshNormals normals(ball);
+    for (const MeshSample& s : blueNoise(ball, 0.03, 5)) {
+      const Vec3d exact = normalized(s.position - centre), found = normals.at(s.position, s.triangle);
+      const double angle = 57.29577951308232 * std::atan2(length(cross(found, exact)), dot(found, exact));
+      mean += angle;
+      worst = std::max(worst, angle);
+      n++;
+    }
+  }
+  std::printf("normals: %.3f degrees in the mean, %.3f at most, of %.0f\n", mean / n, worst, n);
+  EXPECT_LT(mean / n, 0.85);  // without the care for slivers .856 and 53.4
+  EXPECT_LT(worst, 10);
 }
 
 }  // namespace

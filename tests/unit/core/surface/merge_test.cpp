@@ -2,7 +2,10 @@
 
 #include "core/math/hash_random.hpp"
 #include "core/surface/near_sheets.hpp"
+#include "core/surface/grow.hpp"
+#include "tests/support/settle_rig.hpp"
 #include "tests/support/surface_rig.hpp"
+#include "tests/support/surface_world.hpp"
 
 using namespace thaw;
 using namespace thaw::test;
@@ -43,6 +46,61 @@ TEST(Merge, BallsJoinOnlyWhenAParticleIsInside) {
     const Vec3d x = met.f().position[i];
     EXPECT_GT(std::max(length(x - Vec3d{-0.5, 0, 0}), length(x - Vec3d{0.35, 0.02, 0.01})), 0.5 - 1e-9);
     EXPECT_GT(std::min(length(x - Vec3d{-0.5, 0, 0}), length(x - Vec3d{0.35, 0.02, 0.01})), 0.495);
+  }
+}
+
+TEST(Merge, LiquidsThatTouchJoinAndDoNotFlicker) {
+  // two balls come together and part again in steps of a tenth of a spacing, with trembling: one merge, one split, wherever they turn round
+  for (const double turn : {0.5}) {
+    Scene s;
+    s.spacing = 0.1;
+    s.domain.min = {-2, -1, -1};
+    s.domain.max = {2, 1, 1};
+    s.domain.gravity = {};
+    s.materials.emplace_back();
+    s.materials[0].name = "oil";
+    s.surface.on = true;
+    for (const double x : {-0.3, 0.48}) {
+      s.bodies.emplace_back();
+      s.bodies.back().shape.kind = ShapeKind::Sphere;
+      s.bodies.back().shape.radius = 0.3;
+      s.bodies.back().shape.move = {x, 0, 0};
+    }
+    SurfaceWorld balls(s);
+    ASSERT_EQ(balls.components().size(), 2u);
+    const auto gap = [&] {  // of the particles, in spacings
+      double low = 1e300, high = -1e300;
+      for (std::size_t i = 0; i < balls.w.particles.owned; i++) {
+        const double x = balls.place(i).x;
+        if (balls.w.particles.body[i] == 0) high = std::max(high, x);
+        else low = std::min(low, x);
+      }
+      return (low - high) / s.spacing;
+    };
+    const auto move = [&](double by) {
+      for (std::size_t i = 0; i < balls.w.particles.owned; i++)
+        if (balls.w.particles.body[i] == 1) balls.place(i).x += by * s.spacing;
+      balls.update();
+    };
+    double joined = 0, parted = 0;
+    while (gap() > turn + 0.05) {
+      move(-0.1);
+      if (balls.components().size() == 1 && joined == 0) joined = gap();
+    }
+    for (int k = 0; k < 6; k++) move(k % 2 ? 0.08 : -0.08);
+    while (gap() < 4.5) {
+      move(0.1);
+      if (balls.components().size() == 2 && parted == 0) {
+        parted = gap();
+        for (int k = 0; k < 6; k++) move(k % 2 ? 0.08 : -0.08);
+      }
+    }
+    const SurfaceCounters& c = balls.w.surface.counters;
+    std::printf("turned at %.1f spacings: joined at %.2f, parted at %.2f; %lld merges, %lld splits\n", turn, joined, parted, static_cast<long long>(c.merges), static_cast<long long>(c.splits));
+    EXPECT_EQ(c.merges, 1);
+    EXPECT_EQ(c.splits, 1);
+    EXPECT_NEAR(joined, 0.95, 0.1);
+    EXPECT_GT(parted, 1.45);
   }
 }
 
@@ -116,9 +174,49 @@ TEST(NearSheets, GapSheetAndFold) {
   EXPECT_EQ(facing({0.1, 0, -0.3}, up, down), Facing::AcrossSheet);
   EXPECT_EQ(facing({0.1, 0, 0}, up, up), Facing::Same);
   EXPECT_EQ(facing({0.1, 0, -0.1}, up, side), Facing::Same);
-  EXPECT_DOUBLE_EQ(sheetThickness({0.1, 0, -0.3}, up, down), 0.3);
-  EXPECT_EQ(sheetThickness({0.1, 0, 0.3}, up, down), 0);
-  EXPECT_TRUE(emptyMidpoint(0.5 * 0.5, 1));
-  EXPECT_TRUE(particleAcrossGap({0, 0, 0.5}, up, {0, 0, 0.2}, 0.1));
-  EXPECT_FALSE(particleAcrossGap({0, 0, -0.5}, up, {0, 0, 0.2}, 0.1));
+}
+
+namespace {
+
+/// Two fingers of one component, four layers thick, with surfels half a spacing over the particles, whose surfaces are then `gap` spacings apart.
+/// Means of how far they settle over the outermost particles, in spacings, in the gap and outside.
+struct Fingers { double inside = 0, outside = 0; std::size_t surfelsInside = 0; };
+Fingers fingersApart(double gap) {
+  SettleRig rig(0.5, 24);
+  for (int x = -9; x <= 9; x++)
+    for (int y = -9; y <= 9; y++)
+      for (int z = 0; z < 4; z++)
+        for (const int side : {-1, 1}) rig.addParticle({double(x), double(y), side * (0.5 * gap + 0.5 + z)});
+  for (int x = -18; x <= 18; x++)
+    for (int y = -18; y <= 18; y++)
+      for (const int side : {-1, 1}) {
+        rig.addSurfel({0.5 * x, 0.5 * y, side * 0.5 * gap}, {0, 0, double(-side)});
+        rig.addSurfel({0.5 * x, 0.5 * y, side * (0.5 * gap + 4)}, {0, 0, double(side)});
+      }
+  rig.place();
+  rig.settle(40);
+  const Surfels& s = rig.w.surface.surfels;
+  Fingers f;
+  double outer = 0;
+  for (std::size_t i = 0; i < s.owned; i++) {
+    const Vec3d x = s.position[i];
+    if (std::abs(x.y) > 5 || std::abs(x.x - 1) > 4 || std::abs(s.normal[i].z) < 0.7) continue;
+    const bool in = x.z * s.normal[i].z < 0;
+    if (in) f.inside += 0.5 * gap + 0.5 - std::abs(x.z), f.surfelsInside++;
+    else f.outside += std::abs(x.z) - (0.5 * gap + 3.5), outer++;
+  }
+  f.inside /= std::max<double>(1, static_cast<double>(f.surfelsInside));
+  f.outside /= std::max(1.0, outer);
+  return f;
+}
+
+}  // namespace
+
+TEST(NearSheets, FingersOfOneBodyDoNotBlend) {
+  for (const double gap : {3.0, 2.0, 1.0, 0.5}) {
+    const Fingers f = fingersApart(gap);
+    std::printf("gap %.1f: %zu surfels in it, %.3f spacings over the particles, outside %.3f\n", gap, f.surfelsInside, f.inside, f.outside);
+    EXPECT_GT(f.surfelsInside, 500u);
+    EXPECT_NEAR(f.inside, f.outside, gap > 2 ? 0.05 : 0.2);
+  }
 }

@@ -7,6 +7,7 @@
 
 #include "core/surface/blend.hpp"
 #include "core/surface/ready_particles.hpp"
+#include "core/surface/level_table.hpp"
 #include "tests/support/settle_rig.hpp"
 
 namespace thaw {
@@ -179,6 +180,36 @@ TEST(Relax, ObstaclesAndLeastLevel) {
   const double z = far.w.surface.surfels.position[0].z;
   EXPECT_LT(z, 7);
   EXPECT_GT(z, 5);
+}
+
+// A wall that holds a surfel back does not have it creep along, by the few degrees that its normal is off the wall's.
+TEST(Relax, LiquidOnAWallComesToRest) {
+  SettleRig rig;
+  {
+    Scene scene;
+    scene.domain = rig.w.scene.domain;
+    scene.domain.min.z = -4;
+    scene.domain.side[2][0] = Side::Wall;
+    addDomainWalls(scene.domain, rig.w.walls);
+  }
+  addBall(rig, 5);
+  rig.settle(40);
+  std::int64_t most = 0;
+  for (int k = 0; k < 3; k++) {
+    const Settled done = rig.settle(40);
+    EXPECT_TRUE(done.finished);
+    most = std::max(most, done.iterations);
+  }
+  EXPECT_LE(most, 20);
+}
+
+TEST(Relax, LevelTableKnowsItsSlope) {
+  LevelTable table;
+  table.fill();
+  for (const double x : {0.1, 0.35, 0.5, 0.7}) {
+    const double step = 1e-2;
+    EXPECT_NEAR(table.slope(x), (table.level(x + step) - table.level(x - step)) / (2 * step), 0.1 * table.slope(x) + 1e-3) << x;
+  }
 }
 
 TEST(Relax, DegenerateNeighbourhoods) {

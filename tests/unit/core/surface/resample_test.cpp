@@ -120,5 +120,37 @@ TEST(Resample, EdgesRodsAndSheetsComeToRest) {
   }
 }
 
+TEST(Resample, DensityFollowsCurvature) {
+  // wanted is half a radian from surfel to surfel, .5 R, where that is less than the spacing of .08: on a ball of .1 .05, on one of .4 the spacing
+  for (const double adapt : {0.0, 0.4})
+    for (const double R : {0.1, 0.4}) {
+      Scene scene = surfelScene(0.08);
+      scene.surface.adapt = adapt;
+      SurfelRig rig(scene);
+      Surfels& s = rig.surfels();
+      for (const SurfacePoint& p : spherePoints(static_cast<std::size_t>(4 * 3.14159265 * R * R / (0.87 * 0.08 * 0.08)), R)) rig.add(p.position, p.normal);
+      for (int k = 0; k < 12; k++) {
+        rig.world.clock.step++;
+        rig.resample(10);
+        for (std::size_t i = 0; i < s.owned; i++) {
+          s.normal[i] = normalized(s.position[i]);
+          s.position[i] = R * s.normal[i];
+          s.tangent[i] = anyTangent(s.normal[i]);
+        }
+      }
+      double radius = 0;
+      for (std::size_t i = 0; i < s.owned; i++) radius += s.radius[i] / 0.08 / static_cast<double>(s.owned);
+      const double wanted = adapt > 0 ? std::min(1.0, 0.5 * R / 0.08) : 1, area = 4 * 3.14159265 * R * R;
+      const double hole = rig.largestHole(spherePoints(4000, R)), each = area / static_cast<double>(s.owned) / (0.08 * 0.08);
+      std::printf("adapt %.1f, R %.1f: %zu surfels, mean radius %.3f (wanted %.3f), area of each %.3f, largest hole %.3f spacings\n", adapt, R, s.owned, radius, wanted, each, hole);
+      EXPECT_NEAR(radius, wanted, 0.11 * wanted);
+      EXPECT_LT(hole, 1.1 * wanted);
+      EXPECT_LT(each, 1.2 * wanted * wanted);
+      if (wanted == 1) {
+        EXPECT_GT(each, 0.5);
+      }
+    }
+}
+
 }  // namespace
 }  // namespace thaw

@@ -1,0 +1,203 @@
+#include "core/oriented/made_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <unordered_map>
+
+#include "core/geometry/point_tree.hpp"
+#include "core/geometry/pose.hpp"
+#include "core/geometry/sampling.hpp"
+#include "core/math/hash_random.hpp"
+#include "core/oriented/given_surface.hpp"
+#include "core/oriented/oriented.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr double rowHeight = 0.86602540378443865;
+
+void add(MadePoints& m, const Vec3d& x, const Vec3d& n, std::uint8_t held = 0) {
+  m.places.push_back(x);
+  m.normals.push_back(n);
+  m.held.push_back(held);
+}
+
+/// Hexagonal lattice over a rectangle around the origin, of points that `wanted` takes: use(x, y).
+template<class Use> void eachOfLattice(double width, double depth, double spacing, Use&& use) {
+  const auto rows = static_cast<std::int64_t>(std::floor(depth / (rowHeight * spacing) + 1e-9)), columns = static_cast<std::int64_t>(std::floor(width / spacing + 1e-9));
+  for (std::int64_t j = 0; j <= rows; j++)
+    for (std::int64_t i = 0; i <= columns; i++) {
+      const double x = (static_cast<double>(i) - 0.5 * static_cast<double>(columns) + (j % 2 ? 0.25 : -0.25)) * spacing;
+      use(x, (static_cast<double>(j) - 0.5 * static_cast<double>(rows)) * rowHeight * spacing);
+    }
+}
+
+MadePoints flatPatch(const OrientedBody& b, double spacing) {
+  MadePoints m;
+  const bool disc = b.source == OrientedSource::Disc;
+  Pose pose = poseOf(b.shape.move, b.shape.rotate);
+  pose.moved = true;
+  const double width = disc ? 2 * b.radius : b.width, depth = disc ? 2 * b.radius : b.depth;
+  eachOfLattice(width, depth, spacing, [&](double x, double y) {
+    if (!disc || x * x + y * y <= b.radius * b.radius * (1 + 1e-9)) add(m, fromRest(pose, {b.shape.scale * x, b.shape.scale * y, 0}), directionFromRest(pose, {0, 0, 1}));
+  });
+  return m;
+}
+
+bool inHull(const std::vector<double>& x, const std::vector<double>& y, double px, double py) {  // of points around: some direction has all on one side
+  for (int k = 0; k < 72; k++) {
+    const double c = std::cos(k * 0.0872664625997165), s = std::sin(k * 0.0872664625997165), mine = c * px + s * py;
+    double most = -1e300;
+    for (std::size_t i = 0; i < x.size(); i++) most = std::max(most, c * x[i] + s * y[i]);
+    if (mine > most + 1e-9) return false;
+  }
+  return true;
+}
+
+/// A thin plate through the points, over their hull; the particle nearest to a control point takes its place and is held.
+MadePoints plateThrough(const OrientedBody& b, double spacing) {
+  const ThinPlate plate = thinPlate(b.points);
+  MadePoints m;
+  double reach = 0;
+  for (std::size_t k = 0; k < plate.x.size(); k++) reach = std::max({reach, std::abs(plate.x[k]), std::abs(plate.y[k])});
+  eachOfLattice(2 * reach + spacing, 2 * reach + spacing, spacing, [&](double x, double y) {
+    if (inHull(plate.x, plate.y, x, y)) add(m, plate.at(x, y), plate.normal(x, y));
+  });
+  for (std::size_t k = 0; k < b.points.size(); k++) {
+    std::size_t nearest = m.places.size();
+    double least = 0.6 * spacing;
+    for (std::size_t i = 0; i < m.places.size(); i++)
+      if (const double far = length(m.places[i] - b.points[k]); far < least && !m.held[i]) least = far, nearest = i;
+    const Vec3d n = plate.normal(plate.x[k], plate.y[k]);
+    if (nearest == m.places.size()) add(m, b.points[k], n, heldPlace);
+    else m.places[nearest] = b.points[k], m.normals[nearest] = n, m.held[nearest] = heldPlace;
+  }
+  return m;
+}
+
+/// A parabola in y = 0, particles a spacing apart along it.
+MadePoints curve(const OrientedBody& b, double spacing) {
+  MadePoints m;
+  const Vec3d chord = b.to - b.from, up{-chord.z / length(chord), 0, chord.x / length(chord)};
+  const auto at = [&](double s) { return b.from + s * chord + (4 * b.bulge * s * (1 - s)) * up; };
+  constexpr int fine = 20000;
+  double total = 0;
+  std::vector<double> arc(fine + 1, 0);
+  for (int k = 1; k <= fine; k++) arc[static_cast<std::size_t>(k)] = total += length(at(static_cast<double>(k) / fine) - at((k - 1.0) / fine));
+  const auto pieces = std::max<std::int64_t>(1, std::llround(total / spacing));
+  for (std::int64_t k = 0; k <= pieces; k++) {
+    const auto where = std::lower_bound(arc.begin(), arc.end(), total * static_cast<double>(k) / static_cast<double>(pieces) * (1 - 1e-12)) - arc.begin();
+    const double s = k == pieces ? 1 : static_cast<double>(where) / fine;
+    const Vec3d along = normalized(chord + (4 * b.bulge * (1 - 2 * s)) * up);
+    add(m, at(s), {-along.z, 0, along.x});
+  }
+  return m;
+}
+
+}  // namespace
+
+namespace {
+
+/// Points push each other apart along the surface, within a spacing: all at once from their last places, so that their order does not matter.
+void spreadOut(const SignedDistance& shape, double spacing, MadePoints& m) {
+  constexpr int passes = 60;
+  for (int pass = 0; pass < passes; pass++) {
+    const PointTree tree(m.places);
+    for (std::size_t i = 0; i < m.places.size(); i++) {
+      Vec3d push{};
+      for (const std::uint32_t j : tree.within(tree.points()[i], 1.05 * spacing)) {
+        if (j == i || !(dot(m.normals[i], m.normals[j]) > 0)) continue;
+        const Vec3d r = tree.points()[i] - tree.points()[j];
+        const double far = length(r);
+        if (far > 0) push += ((1.05 * spacing - far) / far) * r;
+      }
+      Vec3d n = m.normals[i];
+      m.places[i] += 0.25 * (push - dot(push, n) * n);
+      for (int k = 0; k < 2; k++) {
+        const double d = shape.distanceWithin(m.places[i], spacing, &n);
+        m.places[i] -= d * n;
+      }
+    }
+    for (std::size_t i = 0; i < m.places.size(); i++) shape.distanceWithin(m.places[i], spacing, &m.normals[i]);
+  }
+}
+
+}  // namespace
+
+MadePoints coverSurface(const SignedDistance& shape, double spacing, std::uint64_t seed) {
+  const double fine = spacing / 3, apart = 0.75 * spacing;
+  const Bounds box = shape.bounds();
+  const Vec3d size = box.max - box.min;
+  if (!std::isfinite(size.x + size.y + size.z)) throw std::invalid_argument("a surface without end cannot be covered with particles");
+  std::int64_t count[3];
+  for (int a = 0; a < 3; a++) count[a] = static_cast<std::int64_t>(std::ceil(size[a] / fine)) + 3;
+  if (static_cast<double>(count[0]) * static_cast<double>(count[1]) * static_cast<double>(count[2]) > 2e8)
+    throw std::invalid_argument("its surface would take too many particles: make its spacing larger");
+  struct Sample { std::uint64_t rank; Vec3d place, normal; };
+  std::vector<Sample> samples;
+  for (std::int64_t k = 0; k < count[2]; k++)
+    for (std::int64_t j = 0; j < count[1]; j++)
+      for (std::int64_t i = 0; i < count[0]; i++) {
+        Vec3d x = box.min + Vec3d{(static_cast<double>(i) - 1) * fine, (static_cast<double>(j) - 1) * fine, (static_cast<double>(k) - 1) * fine}, n;
+        double d = shape.distanceWithin(x, fine, &n);
+        if (std::abs(d) >= fine) continue;
+        for (int pass = 0; pass < 4; pass++) {
+          x -= d * n;
+          d = shape.distanceWithin(x, fine, &n);
+        }
+        if (std::abs(d) > 0.05 * spacing) continue;
+        const std::uint64_t number = static_cast<std::uint64_t>((k * count[1] + j) * count[0] + i);
+        samples.push_back({randomBits(seed, Purpose::OrientedSample, number), x, n});
+      }
+  std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.rank < b.rank; });
+  MadePoints m;
+  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> bins;
+  const auto binOf = [&](const Vec3d& x, int a) { return static_cast<std::int64_t>(std::floor((x[a] - box.min[a]) / apart)) + 4; };
+  const auto key = [](std::int64_t x, std::int64_t y, std::int64_t z) { return static_cast<std::uint64_t>(z) << 42 | static_cast<std::uint64_t>(y) << 21 | static_cast<std::uint64_t>(x); };
+  for (const Sample& s : samples) {
+    const std::int64_t bx = binOf(s.place, 0), by = binOf(s.place, 1), bz = binOf(s.place, 2);
+    bool free = true;
+    for (std::int64_t z = bz - 1; z <= bz + 1 && free; z++)
+      for (std::int64_t y = by - 1; y <= by + 1 && free; y++)
+        for (std::int64_t x = bx - 1; x <= bx + 1 && free; x++) {
+          const auto there = bins.find(key(x, y, z));
+          if (there == bins.end()) continue;
+          for (const std::uint32_t q : there->second) {
+            const Vec3d d = m.places[q] - s.place;
+            if (dot(d, d) < apart * apart && dot(m.normals[q], s.normal) > 0) free = false;  // thin bodies have two sides
+          }
+        }
+    if (!free) continue;
+    bins[key(bx, by, bz)].push_back(static_cast<std::uint32_t>(m.places.size()));
+    add(m, s.place, s.normal);
+  }
+  spreadOut(shape, spacing, m);
+  return m;
+}
+
+MadePoints makePoints(const OrientedBody& b, double spacing, std::uint64_t seed, const MeshLoader& load) {
+  MadePoints m;
+  switch (b.source) {
+    case OrientedSource::Surface: m = coverSurface(*makeSignedDistance(b.shape, load), spacing, seed); break;
+    case OrientedSource::Patch:
+    case OrientedSource::Disc: m = flatPatch(b, spacing); break;
+    case OrientedSource::Control: m = plateThrough(b, spacing); break;
+    case OrientedSource::Curve: m = curve(b, spacing); break;
+    case OrientedSource::Points: {
+      const std::vector<Vec3d> normals = b.normals.empty() ? normalsOf(b.points) : b.normals;
+      for (std::size_t k = 0; k < b.points.size(); k++) add(m, b.points[k], normalized(normals[k]), b.growth != OrientedGrowth::None ? heldPlace | heldNormal : 0);
+    }
+  }
+  if (b.thin < 1) {  // what is kept is held, and what was there grows again between
+    MadePoints kept;
+    for (std::size_t k = 0; k < m.places.size(); k++)
+      if (randomUniform(seed, Purpose::OrientedSample, k, 1) < b.thin) add(kept, m.places[k], m.normals[k], heldPlace | heldNormal);
+    m = std::move(kept);
+  }
+  if (m.places.empty()) throw std::invalid_argument("it has no particle: it is too small for its spacing, or empty");
+  return m;
+}
+
+}  // namespace thaw

@@ -1,0 +1,21 @@
+// Where the particles of an oriented body are at the start.
+#pragma once
+#include "core/geometry/signed_distance.hpp"
+#include "core/scene/oriented_body.hpp"
+
+namespace thaw {
+
+/// One element a particle, in the order of their numbers; the same on all ranks.
+struct MadePoints {
+  std::vector<Vec3d> places, normals;
+  std::vector<std::uint8_t> held;   ///< flags of Oriented: given points and control points
+};
+
+/// Of a body: samples of a shape's surface, a hexagonal patch or disc, points, a thin plate through control points, or a curve.
+/// Throws std::invalid_argument, ShapeError.
+MadePoints makePoints(const OrientedBody& body, double spacing, std::uint64_t seed, const MeshLoader& load);
+
+/// Points on the surface of a shape, taken in the order of a hash where there is room, then pushed apart.
+MadePoints coverSurface(const SignedDistance& shape, double spacing, std::uint64_t seed);
+
+}  // namespace thaw

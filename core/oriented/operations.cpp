@@ -1,0 +1,106 @@
+#include "core/oriented/operations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/kinds/place_kinds.hpp"
+#include "core/oriented/oriented_forces.hpp"
+
+namespace thaw {
+namespace {
+
+struct Due { double time; std::size_t body, event; };
+
+std::vector<Due> dueBetween(const Scene& s, double from, double to) {
+  std::vector<Due> list;
+  for (std::size_t b = 0; b < s.oriented.size(); b++)
+    for (std::size_t e = 0; e < s.oriented[b].events.size(); e++)
+      if (const double time = s.oriented[b].events[e].time; time > from && time <= to) list.push_back({time, b, e});
+  std::stable_sort(list.begin(), list.end(), [](const Due& a, const Due& b) { return a.time < b.time; });
+  return list;
+}
+
+/// Nearest point of a piece of a line: its share 0 to 1, not clamped.
+double shareAlong(const Vec3d& a, const Vec3d& b, const Vec3d& x) {
+  const double l2 = dot(b - a, b - a);
+  return l2 > 0 ? dot(x - a, b - a) / l2 : 0;
+}
+
+}  // namespace
+
+double distanceToPath(const std::vector<Vec3d>& path, const Vec3d& x) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k + 1 < path.size(); k++) {
+    const double share = std::clamp(shareAlong(path[k], path[k + 1], x), 0.0, 1.0);
+    least = std::min(least, length(x - (path[k] + share * (path[k + 1] - path[k]))));
+  }
+  return least;
+}
+
+int sideOfCut(const OrientedEvent& cut, const SignedDistance* region, double reach, const Vec3d& x) {
+  if (cut.tool == CutTool::Plane) return dot(x - cut.point, cut.normal) > 0 ? 1 : 2;
+  if (cut.tool == CutTool::Box) return region->inside(x) ? 1 : 2;
+  // a stroke: its path drawn along its direction; only what is beside a piece of the path is cut, not what lies beyond its ends
+  const Vec3d down = normalized(cut.direction);
+  const auto flat = [&](const Vec3d& p) { return p - dot(p, down) * down; };
+  const Vec3d place = flat(x);
+  double least = cut.radius > 0 ? cut.radius : reach;
+  int side = 0;
+  for (std::size_t k = 0; k + 1 < cut.path.size(); k++) {
+    const Vec3d a = flat(cut.path[k]), b = flat(cut.path[k + 1]);
+    const double share = shareAlong(a, b, place);
+    const bool first = k == 0, last = k + 2 == cut.path.size();
+    if ((share < 0 && first) || (share > 1 && last)) continue;
+    const Vec3d near = a + std::clamp(share, 0.0, 1.0) * (b - a);
+    const double far = length(place - near);
+    if (far >= least) continue;
+    least = far;
+    side = dot(cross(b - a, place - a), down) > 0 ? 1 : 2;
+  }
+  return side;
+}
+
+int cutNumber(const Scene& s, std::size_t body, std::size_t event) {
+  int number = 0;
+  for (std::size_t b = 0; b <= body; b++)
+    for (std::size_t e = 0; e < (b == body ? event : s.oriented[b].events.size()); e++) number += s.oriented[b].events[e].kind == OrientedEventKind::Cut;
+  return number;
+}
+
+bool operationDue(const Scene& s, double from, double to, double dt) { return !dueBetween(s, dt > 0 ? from : -never, to).empty(); }
+
+void operate(World& w, Halos, StepTools& t, double from, double to) {
+  Oriented& o = w.oriented.rows;
+  for (const Due& due : dueBetween(w.scene, from, to)) {
+    const OrientedBody& body = w.scene.oriented[due.body];
+    const OrientedEvent& e = body.events[due.event];
+    const bool shaped = (e.kind == OrientedEventKind::Cut && e.tool == CutTool::Box) || e.kind == OrientedEventKind::Smooth;
+    const auto region = shaped ? makeSignedDistance(e.region) : nullptr;
+    const PairPotential& p = t.oriented.potentials[due.body];
+    const std::uint32_t group = static_cast<std::uint32_t>(due.body), other = static_cast<std::uint32_t>(e.otherIndex);
+    for (std::size_t i = 0; i < o.owned; i++) {
+      const Vec3d x = o.position[i];
+      if (e.kind == OrientedEventKind::Weld) {
+        if (o.group[i] == other) o.group[i] = group;
+        continue;
+      }
+      if (o.group[i] != group) continue;
+      if (e.kind == OrientedEventKind::Crease) {
+        if (distanceToPath(e.path, x) < (e.radius > 0 ? e.radius : p.spacing)) o.flags[i] |= creased;
+      } else if (e.kind == OrientedEventKind::Smooth) {
+        if (region->inside(x)) o.flags[i] = static_cast<std::uint8_t>(o.flags[i] & ~creased);
+      } else {
+        const auto side = static_cast<std::uint64_t>(sideOfCut(e, region.get(), p.reach, x));
+        o.cutSides[i] |= side << (2 * cutNumber(w.scene, due.body, due.event));
+      }
+    }
+  }
+}
+
+void readyAgain(World& w, Halos halos, StepTools& t) {
+  placeOriented(w, halos, t);
+  readyOriented(w, halos, t);
+}
+
+}  // namespace thaw

@@ -1,0 +1,171 @@
+#include "core/oriented/oriented_forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/hash_random.hpp"
+#include "core/oriented/crease_pair.hpp"
+#include "core/oriented/prepare_oriented.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr double reachOfContact = 0.9;  // spacings between particles of different surfaces
+constexpr double hexagon = 0.86602540378443865;  // area of a particle over the square of the spacing
+
+struct WallPush { Vec3d force{}, velocity{}; double energy = 0, loss = 0, stiffness = 0; };
+
+/// Of one obstacle on row i: a spring that begins `thickness` spacings before the surface, and friction (Coulomb, viscous below the speed at which that is larger).
+WallPush pushOf(const World& w, const StepTools& t, const Wall& wall, std::size_t i) {
+  const Oriented& o = w.oriented.rows;
+  const OrientedBody& body = w.scene.oriented[o.body[i]];
+  const PairPotential& p = t.oriented.potentials[o.body[i]];
+  WallPush push;
+  if (!wall.present) return push;
+  const double keep = body.thickness * p.spacing, deepest = 4 * p.spacing;
+  const Vec3d rest = toRest(wall.pose, o.position[i]);
+  for (int a = 0; a < 3; a++)
+    if (rest[a] < wall.bounds.min[a] - keep || rest[a] > wall.bounds.max[a] + keep) return push;
+  Vec3d n;
+  const double d = wall.shape->distanceWithin(rest, std::max(keep, deepest), &n), depth = std::min(keep - d, deepest);
+  if (!(depth > 0)) return push;
+  n = directionFromRest(wall.pose, n);
+  const double k = body.contact * body.stiffness, normalForce = k * depth;
+  push.velocity = wallVelocity(wall, o.position[i]);
+  push.energy = 0.5 * k * depth * depth;
+  push.stiffness = k;
+  const Vec3d slip = o.velocity[i] - push.velocity, along = slip - dot(slip, n) * n;
+  const double speed = length(along), drag = 0.5 * std::sqrt(k * o.mass[i]), friction = std::max(body.friction, wall.properties.friction);
+  const double tangential = std::min(friction * normalForce, drag * speed);
+  push.force = normalForce * n;
+  if (speed > 0) push.force -= (tangential / speed) * along;
+  push.loss = tangential * speed;
+  return push;
+}
+
+/// B17: two particles that look in opposite directions have no torque and would stay so. A small one in a direction that both know.
+Vec3d kickApart(const World& w, const PairPotential& p, std::uint64_t a, std::uint64_t b, const Vec3d& n) {
+  const double angle = 6.283185307179586 * randomUniform(w.scene.seed, Purpose::OrientedKick, std::min(a, b), std::max(a, b));
+  const Vec3d e = std::abs(n.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0}, u = normalized(cross(n, e)), v = cross(n, u);
+  return ((a < b ? 1e-3 : -1e-3) * p.scale) * (std::cos(angle) * u + std::sin(angle) * v);
+}
+
+}  // namespace
+
+void findNormals(Oriented& o) {
+  for (std::size_t i = 0; i < o.owned; i++) o.normal[i] = axisOf(o.orientation[i]);
+}
+
+void readyOriented(World& w, Halos halos, StepTools& t) {
+  OrientedBodies& b = w.oriented;
+  Oriented& o = b.rows;
+  findNormals(o);
+  CellHalo& halo = *halos.kinds[0];
+  halo.beginGhosts(o, b.cells, ColumnList{&o.id, &o.position, &o.velocity, &o.normal, &o.group, &o.cutSides, &o.flags, &o.body});
+  halo.finishGhosts(o, b.cells);
+
+  OrientedLists& l = t.oriented.lists;
+  l.first.clear();
+  l.list.clear();
+  const double reach = orientedReach(w.scene), reach2 = reach * reach;
+  const CellTable& cells = b.cells;
+  for (std::size_t c = 0; c < cells.key.size(); c++) {
+    if (cells.first[c] >= o.owned) continue;
+    std::size_t around[27];
+    int found = 0;
+    const Vec3i at = cellOfKey(cells.key[c]);
+    for (int z = -1; z <= 1; z++)
+      for (int y = -1; y <= 1; y++)
+        for (int x = -1; x <= 1; x++) {
+          const std::uint64_t key = cellKey({at.x + x, at.y + y, at.z + z});
+          const auto it = std::lower_bound(cells.key.begin(), cells.key.end(), key);
+          if (it != cells.key.end() && *it == key) around[found++] = static_cast<std::size_t>(it - cells.key.begin());
+        }
+    for (std::uint32_t i = cells.first[c]; i < cells.first[c] + cells.count[c]; i++) {
+      l.first.push_back(static_cast<std::uint32_t>(l.list.size()));
+      for (int k = 0; k < found; k++)
+        for (std::uint32_t j = cells.first[around[k]]; j < cells.first[around[k]] + cells.count[around[k]]; j++) {
+          const Vec3d r = o.position[j] - o.position[i];
+          if (j != i && dot(r, r) < reach2) l.list.push_back(j);
+        }
+    }
+  }
+  l.first.push_back(static_cast<std::uint32_t>(l.list.size()));
+}
+
+void refreshPlaces(World& w, Halos halos) {
+  Oriented& o = w.oriented.rows;
+  halos.kinds[0]->beginRefresh(o, ColumnList{&o.position, &o.normal});
+  halos.kinds[0]->finishRefresh(o);
+}
+
+void addUpForces(World& w, StepTools& t) {
+  Oriented& o = w.oriented.rows;
+  const OrientedLists& l = t.oriented.lists;
+  for (std::size_t i = 0; i < o.owned; i++) {
+    const OrientedBody& body = w.scene.oriented[o.body[i]];
+    const PairPotential& own = t.oriented.potentials[o.body[i]];
+    const Vec3d x = o.position[i], n = o.normal[i];
+    Vec3d force = o.external[i] + o.mass[i] * body.push + (body.pressure * hexagon * own.spacing * own.spacing) * n, torque{};
+    double energy = 0, stiff = 0, turn = 0;
+    for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
+      const std::uint32_t j = l.list[k];
+      const PairPotential& p = potentialOf(t.oriented, o, i, j);
+      const Vec3d r = o.position[j] - x;
+      const bool folded = ((o.flags[i] | o.flags[j]) & creased) != 0;
+      const bool same = sameSurface(o, i, j), opposite = p.facing && !folded && !(dot(n, o.normal[j]) > 0);
+      if (same && !opposite) {
+        const PairResult f = folded ? creasedPair(p, r, n, o.normal[j], o.flags[i] & creased, o.flags[j] & creased) : pairForces(p, r, n, o.normal[j]);
+        force += f.force;
+        torque += f.torque;
+        energy += 0.5 * f.energy;
+        stiff += f.stiffness;
+        turn += f.turnStiffness;
+        if (!p.facing && dot(n, o.normal[j]) < -1 + 1e-9) torque += kickApart(w, p, o.id[i], o.id[j], n);
+      } else if (const double r2 = dot(r, r), d = reachOfContact * p.spacing; r2 < d * d && r2 > 0) {
+        const double far = std::sqrt(r2), stiffness = body.contact * body.stiffness, share = w.scene.oriented[o.body[j]].contact * w.scene.oriented[o.body[j]].stiffness;
+        const double between = 0.5 * (stiffness + share);
+        force -= (between * (d - far) / far) * r;
+        energy += 0.25 * between * (d - far) * (d - far);
+        stiff += between;
+      }
+    }
+    for (const Wall& wall : w.walls.list) {
+      const WallPush push = pushOf(w, t, wall, i);
+      force += push.force;
+      energy += push.energy;
+      stiff += push.stiffness;
+    }
+    if (body.planar) {
+      force.y = 0;
+      torque.x = torque.z = 0;
+    }
+    o.force[i] = force;
+    o.torque[i] = torque;
+    o.energy[i] = energy;
+    o.stiffness[i] = 2 * stiff / o.mass[i] + 2 * turn / o.inertia[i];
+  }
+}
+
+void bookObstacles(World& w, const StepTools& t, double dt) {
+  Oriented& o = w.oriented.rows;
+  for (std::size_t i = 0; i < o.owned; i++) {
+    const OrientedBody& body = w.scene.oriented[o.body[i]];
+    const PairPotential& own = t.oriented.potentials[o.body[i]];
+    // pressure and push come from outside
+    const Vec3d field = o.mass[i] * body.push + (body.pressure * hexagon * own.spacing * own.spacing) * o.normal[i];
+    Vec3d impulse = field * dt;
+    double work = dot(field, o.velocity[i]) * dt;
+    for (const Wall& wall : w.walls.list) {
+      const WallPush push = pushOf(w, t, wall, i);
+      impulse += push.force * dt;
+      work += dot(push.force, push.velocity) * dt;
+      o.dissipated[i] += push.loss * dt;
+    }
+    for (int a = 0; a < 3; a++)
+      if (impulse[a] != 0) w.ledger.wallImpulse[a].add(impulse[a]);
+    if (work != 0) w.ledger.wallWork.add(work);
+  }
+}
+
+}  // namespace thaw

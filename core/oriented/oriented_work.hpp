@@ -1,0 +1,31 @@
+// What the step keeps for oriented bodies: made once from the scene, or found anew in every step. Nothing of it is part of the state.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/math/quat.hpp"
+#include "core/oriented/given_surface.hpp"
+#include "core/oriented/pair_potential.hpp"
+
+namespace thaw {
+
+/// Neighbours of each owned row in (cell, id) order, ghosts among them.
+struct OrientedLists {
+  std::vector<std::uint32_t> first, list;  ///< list[first[i]] .. list[first[i + 1]]
+};
+
+struct OrientedWork {
+  std::vector<PairPotential> potentials;   ///< of each body
+  std::vector<GivenPoints> given;          ///< of each body; empty without any
+  OrientedLists lists;
+  std::vector<Vec3d> place, move, spinMove;                 // of integrators: by owned row
+  std::vector<Quat> turn;
+  std::vector<Vec3d> velocity, spin, sumForce, sumTorque, sumVelocity, sumSpin;
+  std::vector<Vec3d> rest, restSpin, along, alongSpin, image, imageSpin;
+  double fastest2 = 0;                     ///< 1/s^2, of this rank's continuum particles at oriented ones
+  double unrest = 0;                       ///< largest force left by it, over stiffness times spacing
+  std::int64_t relaxed = 0;                ///< iterations of relaxation at the start
+  std::int64_t solves = 0, iterations = 0; ///< of the implicit integrator
+};
+
+}  // namespace thaw

@@ -1,0 +1,181 @@
+#include "core/oriented/population.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/kinds/kind_books.hpp"
+#include "core/kinds/kinds.hpp"
+#include "core/math/hash_random.hpp"
+#include "core/oriented/given_surface.hpp"
+#include "core/oriented/oriented_forces.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double clearance = 0.86;      // spacings around the place of a birth that must be free: closer, Lennard-Jones would throw it out
+constexpr double beside = 1.65;         // spacings within which neighbours count for an open border
+constexpr double openAngle = 1.95;      // rad between neighbours from which there is room for one more: 60 degrees in a hexagonal lattice
+constexpr std::uint64_t bornBit = std::uint64_t(1) << 63;
+
+struct Offer { bool there = false; Vec3d place{}, normal{}; };
+
+/// Can the place be taken? Neighbours of i of the same surface are looked at, whatever they look like from there.
+bool isFree(const Oriented& o, const OrientedLists& l, std::size_t i, const Vec3d& place, double radius) {
+  for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
+    const Vec3d d = o.position[l.list[k]] - place;
+    if (sameSurface(o, i, l.list[k]) && dot(d, d) < radius * radius) return false;
+  }
+  const Vec3d d = o.position[i] - place;
+  return dot(d, d) >= radius * radius;
+}
+
+bool isNeighbour(const Oriented& o, const PairPotential& p, std::size_t i, std::size_t j) { return sameSurface(o, i, j) && (!p.facing || dot(o.normal[i], o.normal[j]) > 0); }
+
+/// Half way on the arc to the neighbour across the widest gap between the two: the lower rank of a pair offers.
+Offer offerInGap(const World& w, const StepTools& t, const OrientedBody& body, const PairPotential& p, std::size_t i) {
+  const Oriented& o = w.oriented.rows;
+  const OrientedLists& l = t.oriented.lists;
+  Offer best;
+  double widest = body.gap * p.spacing;
+  for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
+    const std::uint32_t j = l.list[k];
+    const Vec3d r = o.position[j] - o.position[i];
+    const double far = length(r);
+    if (!isNeighbour(o, p, i, j) || o.id[i] > o.id[j] || far <= widest || far > 2.9 * p.spacing) continue;
+    const Vec3d n = normalized(o.normal[i] + o.normal[j]);
+    const Vec3d place = o.position[i] + 0.5 * r + (0.125 * dot(o.normal[j] - o.normal[i], r)) * n;  // the arc's middle
+    if (!isFree(o, l, i, place, clearance * p.spacing)) continue;
+    widest = far;
+    best = {true, place, n};
+  }
+  return best;
+}
+
+/// A spacing away, 60 degrees from the neighbour before the widest angle without one; on the arc that the neighbours' normals say.
+Offer offerAtBorder(const World& w, const StepTools& t, const PairPotential& p, std::size_t i) {
+  const Oriented& o = w.oriented.rows;
+  const OrientedLists& l = t.oriented.lists;
+  const Vec3d n = o.normal[i], e = std::abs(n.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0}, u = normalized(cross(n, e)), v = cross(n, u);
+  std::array<double, 64> angle;
+  std::size_t count = 0;
+  double bend = 0, weight = 0;  // mean curvature: of the normals' change along the way
+  for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
+    const std::uint32_t j = l.list[k];
+    const Vec3d r = o.position[j] - o.position[i];
+    const double far2 = dot(r, r);
+    if (!isNeighbour(o, p, i, j)) continue;
+    if (far2 < 4 * p.spacing * p.spacing) bend += dot(o.normal[j] - n, r), weight += far2;
+    if (far2 < beside * beside * p.spacing * p.spacing && count < angle.size()) angle[count++] = std::atan2(dot(r, v), dot(r, u));
+  }
+  double at = 2 * pi * randomUniform(w.scene.seed, Purpose::OrientedBirth, o.id[i]), widest = 2 * pi;
+  if (count > 0) {
+    std::sort(angle.begin(), angle.begin() + static_cast<std::ptrdiff_t>(count));
+    widest = 0;
+    for (std::size_t k = 0; k < count; k++) {
+      const double next = k + 1 < count ? angle[k + 1] : angle[0] + 2 * pi, room = next - angle[k];
+      if (room <= widest) continue;
+      widest = room;
+      at = angle[k] + (room > 2.4 ? pi / 3 : 0.5 * room);
+    }
+  }
+  if (widest < openAngle) return {};
+  const Vec3d way = std::cos(at) * u + std::sin(at) * v;
+  const double turn = std::clamp(weight > 0 ? bend / weight * p.spacing : 0, -0.7, 0.7);  // rad, of the normal over a spacing
+  Offer offer{true, o.position[i] + p.spacing * (std::cos(0.5 * turn) * way - std::sin(0.5 * turn) * n), std::cos(turn) * n + std::sin(turn) * way};
+  const GivenPoints& given = t.oriented.given[o.body[i]];
+  if (!given.points.empty() && !projectOnGiven(given, offer.place, offer.normal)) return {};
+  if (dot(offer.normal, n) < 0.2 || !isFree(o, l, i, offer.place, clearance * p.spacing)) return {};
+  return offer;
+}
+
+void giveBirth(World& w, const PairPotential& p, std::size_t parent, const Offer& offer) {
+  Oriented& o = w.oriented.rows;
+  const std::size_t i = o.owned;
+  o.resize(i + 1, 0);
+  o.id[i] = bornBit | randomBits(w.scene.seed, Purpose::OrientedBirth, o.id[parent], static_cast<std::uint64_t>(w.clock.step) + 1) >> 1;
+  o.position[i] = offer.place;
+  o.velocity[i] = o.velocity[parent];
+  o.mass[i] = w.scene.oriented[o.body[parent]].density * 0.86602540378443865 * p.spacing * p.spacing;
+  o.inertia[i] = w.scene.oriented[o.body[parent]].inertia * o.mass[i] * p.spacing * p.spacing;
+  o.body[i] = o.body[parent];
+  o.group[i] = o.group[parent];
+  o.cutSides[i] = o.cutSides[parent];
+  o.orientation[i] = o.homeTurn[i] = towards(offer.normal);
+  addKindRow(w, orientedKind, i, w.ledger.entered);
+  w.counters.orientedBirths++;
+}
+
+}  // namespace
+
+bool populationDue(const World& w, double dt) {
+  bool due = false;
+  if (dt == 0) return due;
+  for (const OrientedBody& b : w.scene.oriented) due = due || ((b.growth != OrientedGrowth::None || b.crowd > 0) && (w.clock.step + 1) % b.every == 0);
+  return due;
+}
+
+bool changePopulation(World& w, Halos halos, StepTools& t) {
+  Oriented& o = w.oriented.rows;
+  const OrientedLists& l = t.oriented.lists;
+  const std::uint64_t step = static_cast<std::uint64_t>(w.clock.step);
+  std::vector<std::int64_t> members(w.scene.oriented.size(), 0);
+  for (std::size_t i = 0; i < o.owned; i++) members[o.body[i]]++;
+  halos.all.sum(members);
+  // searching for rows that a ghost does not have is no use: all that decides is among what ghosts carry
+  std::vector<Offer> offers(o.owned);
+  for (std::size_t i = 0; i < o.owned; i++) {
+    o.offerRank[i] = 0;
+    o.offer[i] = {};
+    const OrientedBody& body = w.scene.oriented[o.body[i]];
+    if (body.growth == OrientedGrowth::None || members[o.body[i]] >= body.most) continue;
+    const PairPotential& p = t.oriented.potentials[o.body[i]];
+    offers[i] = offerInGap(w, t, body, p, i);
+    if (!offers[i].there && body.growth == OrientedGrowth::Borders) offers[i] = offerAtBorder(w, t, p, i);
+    if (!offers[i].there) continue;
+    bool inside = true;
+    for (int a = 0; a < 3; a++) inside = inside && offers[i].place[a] >= w.scene.domain.min[a] && offers[i].place[a] < w.scene.domain.max[a];
+    if (!inside && !w.grid.periodic[0] && !w.grid.periodic[1] && !w.grid.periodic[2]) continue;
+    o.offer[i] = offers[i].place - o.position[i];
+    o.offerRank[i] = 1 + (randomBits(w.scene.seed, Purpose::OrientedBirth, o.id[i], step) >> 1);
+  }
+  halos.kinds[orientedKind]->beginRefresh(o, ColumnList{&o.offer, &o.offerRank});
+  halos.kinds[orientedKind]->finishRefresh(o);
+
+  std::vector<std::uint32_t> parents, dead;
+  for (std::size_t i = 0; i < o.owned; i++) {
+    const OrientedBody& body = w.scene.oriented[o.body[i]];
+    const PairPotential& p = t.oriented.potentials[o.body[i]];
+    bool wins = o.offerRank[i] > 0, dies = false;
+    const std::uint64_t own = randomBits(w.scene.seed, Purpose::OrientedDeath, o.id[i], step);
+    for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
+      const std::uint32_t j = l.list[k];
+      if (!sameSurface(o, i, j)) continue;
+      const Vec3d r = o.position[j] - o.position[i];
+      if (wins && o.offerRank[j] > 0 && o.offerRank[j] < o.offerRank[i]) {
+        const Vec3d d = r + o.offer[j] - o.offer[i];
+        wins = dot(d, d) >= 0.81 * p.spacing * p.spacing;
+      }
+      if (body.crowd > 0 && !(o.flags[i] & heldPlace) && isNeighbour(o, p, i, j) && dot(r, r) < body.crowd * body.crowd * p.spacing * p.spacing)
+        dies = dies || (o.flags[j] & heldPlace) || own < randomBits(w.scene.seed, Purpose::OrientedDeath, o.id[j], step);
+    }
+    if (dies) dead.push_back(static_cast<std::uint32_t>(i));
+    else if (wins) parents.push_back(static_cast<std::uint32_t>(i));
+  }
+  std::int64_t changed = static_cast<std::int64_t>(parents.size() + dead.size());
+  halos.all.sum({&changed, 1});
+  if (changed == 0) return false;
+  o.resize(o.owned, 0);
+  for (const std::uint32_t i : parents) giveBirth(w, t.oriented.potentials[o.body[i]], i, offers[i]);
+  for (const std::uint32_t i : dead) {
+    o.energy[i] = 0;
+    addKindRow(w, orientedKind, i, w.ledger.left);
+    w.ledger.dissipated.add(o.dissipated[i]);
+    w.counters.orientedDeaths++;
+    o.mass[i] = 0;  // placeOriented drops it
+  }
+  return true;
+}
+
+}  // namespace thaw

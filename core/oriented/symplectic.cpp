@@ -1,0 +1,33 @@
+#include <cmath>
+
+#include "core/oriented/integrators.hpp"
+
+namespace thaw {
+
+void stepSymplectic(World& w, double dt) {
+  Oriented& o = w.oriented.rows;
+  const Vec3d g = w.scene.domain.gravity;
+  for (std::size_t i = 0; i < o.owned; i++) {
+    const OrientedBody& body = w.scene.oriented[o.body[i]];
+    if (!(o.flags[i] & heldPlace)) {
+      Vec3d v = o.velocity[i] + dt * (o.force[i] / o.mass[i] + g);
+      const double kept = std::exp(-body.damping * dt);
+      o.dissipated[i] += 0.5 * o.mass[i] * dot(v, v) * (1 - kept * kept);
+      for (int a = 0; a < 3 && kept < 1; a++)
+        if (const double lost = o.mass[i] * v[a] * (kept - 1); lost != 0) w.ledger.wallImpulse[a].add(lost);
+      v = v * kept;
+      o.velocity[i] = v;
+      o.position[i] += dt * v;
+    }
+    if (!(o.flags[i] & heldNormal)) {
+      Vec3d spin = o.spin[i] + (dt / o.inertia[i]) * o.torque[i];
+      const double kept = std::exp(-body.spinDamping * dt);
+      o.dissipated[i] += 0.5 * o.inertia[i] * dot(spin, spin) * (1 - kept * kept);
+      spin = spin * kept;
+      o.spin[i] = spin;
+      o.orientation[i] = unitQuat(rotationBy(dt * spin) * o.orientation[i]);
+    }
+  }
+}
+
+}  // namespace thaw

@@ -1,0 +1,9 @@
+// How obstacles and anchors move.
+#pragma once
+#include "core/math/vec3.hpp"
+
+namespace thaw {
+
+struct Keyframe { double time = 0; Vec3d move{}; Vec3d rotate{}; };  // s, m, rad; linear in between
+
+}  // namespace thaw

@@ -1,0 +1,48 @@
+#include "core/surface/seeds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/hash_random.hpp"
+#include "core/surface/iso_surface.hpp"
+#include "core/surface/sample_mesh.hpp"
+#include "core/surface/tangent.hpp"
+
+namespace thaw {
+
+int seedsOf(const World& w) {
+  const double fine = w.scene.spacing / w.surface.spacing;
+  return static_cast<int>(std::clamp(7 * fine * fine, 16.0, 120.0));
+}
+
+Vec3d seedDirection(const World& w, std::uint64_t id, int k, int seeds) {
+  constexpr double goldenAngle = 2.39996322972865332;
+  const double turn = 6.283185307179586 * randomUniform(w.scene.seed, Purpose::SurfelSample, id);
+  const double z = 1 - (2.0 * k + 1) / seeds, across = std::sqrt(1 - z * z), angle = turn + goldenAngle * k;
+  return {across * std::cos(angle), across * std::sin(angle), z};
+}
+
+bool seedOnSurface(const World& w, const SurfaceTools& t, std::size_t i, const Vec3d& u, SurfacePoint& at) {
+  const SurfaceParticles& p = w.surface.particles;
+  const double dx = w.scene.spacing;
+  if (!ontoIsoSurface(w, t, p.component[i], p.position[i] + u * (0.6 * dx), 1.2 * dx, at)) return false;
+  const Vec3d d = at.position - p.position[i];
+  return dot(d, d) <= 1.44 * dx * dx && dot(d, at.normal) > 0;
+}
+
+SurfelRow seedSurfel(const World& w, std::size_t i, int k, const SurfacePoint& at) {
+  const SurfaceParticles& p = w.surface.particles;
+  SurfelRow r;
+  r.id = surfelBit | birthBit | randomBits(w.scene.seed, Purpose::SurfelBirth, p.id[i], static_cast<std::uint64_t>(w.clock.step) << 10 | static_cast<std::uint64_t>(k));
+  r.component = p.component[i];
+  r.position = at.position;
+  r.normal = at.normal;
+  r.tangent = anyTangent(at.normal);
+  r.radius = w.surface.spacing;
+  r.colour = surfaceColour(w.scene, p.body[i]);
+  if (p.liquid.active) r.liquid = p.liquid[i];
+  if (p.temperature.active) r.temperature = p.temperature[i];
+  return r;
+}
+
+}  // namespace thaw

@@ -1,0 +1,27 @@
+// Places on the surface around a particle, from which surfels are grown.
+#pragma once
+#include "core/surface/births.hpp"
+#include "core/surface/local_surface.hpp"
+#include "core/world.hpp"
+
+namespace thaw {
+
+struct SurfaceTools;
+
+/// Particles with a colour of at least this are inner ones: none of the surface is near them.
+inline constexpr float innerColour = 0.97f;
+
+/// Seeds around a particle, as many as the surfels' spacing asks for.
+int seedsOf(const World& world);
+
+/// Direction of seed k of `seeds`: evenly on a sphere that is turned at random for each particle.
+Vec3d seedDirection(const World& world, std::uint64_t particleId, int k, int seeds);
+
+/// The point of the component's surface that belongs to particle i (row of the copies) in direction u; false where there is none near it.
+/// Needs readyParticles.
+bool seedOnSurface(const World& world, const SurfaceTools& tools, std::size_t i, const Vec3d& u, SurfacePoint& found);
+
+/// A new surfel there, of particle i; its id follows from the particle, the step and k.
+SurfelRow seedSurfel(const World& world, std::size_t i, int k, const SurfacePoint& at);
+
+}  // namespace thaw

@@ -1,0 +1,43 @@
+#include "io/output/read_oriented_frame.hpp"
+
+#include <cstring>
+
+#include "core/math/quat.hpp"
+
+namespace thaw {
+
+bool isOrientedFrame(const FrameInfo& info) {
+  for (const FrameInfo::Field& f : info.fields)
+    if (f.name == "oriented_body") return true;
+  return false;
+}
+
+OrientedFrame readOrientedFrame(const std::string& path) {
+  if (!isOrientedFrame(readFrameInfo(path))) throw IoError(path, "is not a frame of oriented particles (those are called NAME_oriented_000000.hdf)");
+  FrameData data = readFrame(path);
+  const auto need = [&](const char* name) -> const FrameColumn& {
+    const FrameColumn* c = data.find(name);
+    if (!c) throw IoError(path, std::string("has no field '") + name + "'");
+    return *c;
+  };
+  OrientedFrame f;
+  f.time = data.time;
+  f.step = data.step;
+  f.positions = std::move(data.positions);
+  const std::size_t n = f.positions.size();
+  const FrameColumn &turn = need("orientation"), &radius = need("radius"), &group = need("group"), &body = need("oriented_body"), &cut = need("cut_sides"), &flags = need("flags");
+  f.cutSides.resize(n);
+  if (n > 0) std::memcpy(f.cutSides.data(), cut.bytes.data(), n * sizeof(std::uint64_t));
+  for (std::size_t i = 0; i < n; i++) {
+    const Quat q = unitQuat(Quat{turn.value(i, 0), turn.value(i, 1), turn.value(i, 2), turn.value(i, 3)});
+    f.normals.push_back(axisOf(q));
+    f.tangents.push_back(rotated(q, {1, 0, 0}));
+    f.spacings.push_back(radius.value(i));
+    f.groups.push_back(static_cast<std::uint32_t>(group.value(i)));
+    f.bodies.push_back(static_cast<std::uint32_t>(body.value(i)));
+    f.flags.push_back(static_cast<std::uint8_t>(flags.value(i)));
+  }
+  return f;
+}
+
+}  // namespace thaw

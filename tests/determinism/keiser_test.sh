@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# The four scenes of Keiser et al. 2005, coarse, with their surfaces: the same bits on 1, 2, 3, 4 and 7 ranks and over a restart, frames and logs included.
+. "$(dirname "$0")/../support/run.sh"
+. "$(dirname "$0")/../support/surface_output.sh"
+for scene in ${SCENES:-fluid freezing melting_fast melting_slow}; do
+  settings "keiser/$scene"
+  sameOnAllRanks "$scene" 1000000 "${CUT:-100}" "$scenes/keiser/$scene.toml" "${set[@]}"
+  for other in 2 3 4 7 parts; do sameOutput "$work/$scene.1" "$work/$scene.$other" "$scene on $other"; done
+  surfels=$(counted "$work/$scene.1" surfels)
+  [ "${surfels:-0}" -gt 100 ] || fail "$scene: $surfels surfels"
+  echo "$scene: $surfels surfels, $(counted "$work/$scene.1" updates) updates, $(counted "$work/$scene.1" births) births, $(counted "$work/$scene.1" splits) splits, $(counted "$work/$scene.1" merges) merges"
+  rm -rf "${work:?}/$scene".*
+done
+finish

@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# Oriented bodies (scenes/oriented): the same bits on 1, 2, 3, 4 and 7 ranks and over a restart on another number of ranks, births, deaths, cuts,
+# welds and anchors included; and contact with a continuum body. SCENES: fewer.
+. "$(dirname "$0")/../support/run.sh"
+scenes=$source_dir/scenes/oriented
+same() {  # same A B WHAT: checkpoints and frames
+  "$thaw" compare "$1" "$2" >"$work/log" 2>&1 || { fail "$3: checkpoints differ"; head -n 20 "$work/log"; return; }
+  local frame
+  cmp -s "$1/frames/${scene}_oriented.hdf.series" "$2/frames/${scene}_oriented.hdf.series" || fail "$3: series differ"
+  for frame in $(grep -o "${scene}_oriented_[0-9]*\.hdf" "$1/frames/${scene}_oriented.hdf.series"); do
+    "$thaw" compare "$1/frames/$frame" "$2/frames/$frame" >"$work/log" 2>&1 || { fail "$3: $frame differs"; head -n 5 "$work/log"; }
+  done
+}
+try() {  # try NAME FILE STEPS SETTINGS
+  scene=$(basename "$2" .toml)
+  local name=$1 file=$2 steps=$3 ranks
+  shift 3
+  go() { launch "$1" run "$file" "${@:3}" --out "$work/$name.$2" >"$work/log" 2>&1 || { fail "$name, $2: exit $?"; tail -n 5 "$work/log"; }; }
+  for ranks in 1 2 3 4 7; do
+    go $ranks $ranks --steps "$steps" "$@"
+    [ "$ranks" = 1 ] || same "$work/$name.1" "$work/$name.$ranks" "$name on 1 and $ranks ranks"
+  done
+  go 3 parts --steps $((steps * 2 / 5)) "$@"
+  go 2 parts --steps $((steps * 7 / 10)) "$@" --restart
+  go 4 parts --steps "$steps" "$@" --restart
+  same "$work/$name.1" "$work/$name.parts" "$name in three parts"
+  echo "$name: $(value "$work/$name.1/summary.json" oriented) particles, $(value "$work/$name.1/summary.json" oriented_births) births, $(value "$work/$name.1/summary.json" oriented_deaths) deaths"
+  rm -rf "${work:?}/$name".*
+}
+# A block falls on a surface that is held at its rim, and another surface shrinks around a ball.
+cat >"$work/meeting.toml" <<'EOF'
+spacing = "2 cm"
+end = "1 s"
+[domain]
+min = [-0.5, -0.5, -0.5]
+max = [0.5, 0.5, 0.5]
+[material.jelly]
+density = 200
+young = "2 kPa"
+[[body]]
+name = "block"
+box = { size = [0.1, 0.1, 0.1] }
+material = "jelly"
+place = { move = [0.02, 0, 0.08] }
+velocity = [0, 0, -1]
+[[oriented]]
+name = "net"
+patch = { width = 0.5, depth = 0.5 }
+density = 5
+stiffness = 50
+cfl = 0.5
+[[oriented.anchor]]
+difference = [ { box = { size = [1, 1, 0.1] } }, { box = { size = [0.44, 0.44, 0.2] } } ]
+[output]
+every = "20 ms"
+EOF
+for which in ${SCENES:-meeting relax_plane relax_sphere open_cap weld cut crease interpolate curve2d rk4 implicit}; do
+  case $which in
+    meeting) try meeting "$work/meeting.toml" 150 ;;
+    rk4) settings cut; try rk4 "$scenes/cut.toml" 40 "${set[@]}" --set 'oriented.cloth.integrator="rk4"' ;;
+    implicit) settings weld; try implicit "$scenes/weld.toml" 30 "${set[@]}" --set 'oriented.left.integrator="semi-implicit"' ;;
+    *) settings "$which"; try "$which" "$scenes/$which.toml" 150 "${set[@]}" ;;
+  esac
+done
+finish

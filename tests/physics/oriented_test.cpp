@@ -1,0 +1,200 @@
+// Oriented bodies as a whole: momentum, energy, integrators, rest, cures of B17 and B33, operations.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/oriented/operations.hpp"
+#include "core/oriented/oriented_forces.hpp"
+#include "tests/support/simulation.hpp"
+
+namespace thaw {
+namespace {
+
+Scene patchScene(double jitter) {
+  Scene s;
+  s.spacing = 0.05;
+  s.domain.min = {-1, -1, -1};
+  s.domain.max = {1, 1, 1};
+  s.domain.gravity = {};
+  s.output.every = 0;
+  s.end = 1;
+  s.oriented.emplace_back();
+  OrientedBody& b = s.oriented.back();
+  b.name = "patch";
+  b.source = OrientedSource::Patch;
+  b.width = b.depth = 0.5;
+  b.jitter = jitter;
+  b.damping = b.spinDamping = 0;
+  return s;
+}
+
+double pairEnergy(test::Simulation& x) { return x.books().now.elastic; }
+
+TEST(Oriented, EnergyAndMomentaAreKept) {
+  for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta}) {
+    Scene s = patchScene(0.1);
+    s.oriented[0].integrator = how;
+    s.oriented[0].cfl = 0.05;
+    test::Simulation x(s);
+    const LedgerReport before = x.books();
+    for (int k = 0; k < 400; k++) ASSERT_TRUE(x.step());
+    const LedgerReport after = x.books();
+    const double scale = after.now.kinetic;
+    EXPECT_GT(scale, 0);
+    EXPECT_LT(std::abs(after.energyResidual), (how == OrientedIntegrator::RungeKutta ? 2e-5 : 0.05) * scale);
+    EXPECT_LT(length(after.now.momentum - before.now.momentum), 1e-12);
+    EXPECT_LT(length(after.now.angularMomentum - before.now.angularMomentum), how == OrientedIntegrator::RungeKutta ? 1e-8 : 1e-12);
+  }
+}
+
+TEST(Oriented, RungeKuttaIsOfFourthOrder) {
+  double error[3];
+  Vec3d fine{};
+  std::vector<Vec3d> last[4];
+  const double steps[4] = {2e-3, 1e-3, 5e-4, 1.25e-4};
+  for (int k = 0; k < 4; k++) {
+    Scene s = patchScene(0.05);
+    s.oriented[0].integrator = OrientedIntegrator::RungeKutta;
+    s.oriented[0].stiffness = 1;
+    s.numerics.fixedStep = steps[k];
+    s.end = 0.02;
+    test::Simulation x(s);
+    ASSERT_TRUE(x.run());
+    const Oriented& o = x.w.oriented.rows;
+    std::vector<Vec3d> byId(o.owned);
+    for (std::size_t i = 0; i < o.owned; i++) byId[o.id[i]] = o.position[i];
+    last[k] = byId;
+  }
+  (void)fine;
+  for (int k = 0; k < 3; k++) {
+    error[k] = 0;
+    for (std::size_t i = 0; i < last[3].size(); i++) error[k] = std::max(error[k], length(last[k][i] - last[3][i]));
+  }
+  EXPECT_GT(std::log2(error[0] / error[1]), 3.5);
+  EXPECT_GT(std::log2(error[1] / error[2]), 3.5);
+}
+
+TEST(Oriented, SemiImplicitIsStableFarBeyondTheExplicitStep) {
+  Scene s = patchScene(0.1);
+  s.oriented[0].damping = 1;
+  test::Simulation plain(s);
+  const double limit = plain.w.clock.dt / s.oriented[0].cfl;
+  s.oriented[0].integrator = OrientedIntegrator::SemiImplicit;
+  s.numerics.fixedStep = 5 * limit;
+  s.end = 1000 * limit;
+  test::Simulation x(s);
+  const double before = pairEnergy(x);
+  ASSERT_TRUE(x.run());
+  EXPECT_LT(pairEnergy(x), before);
+  EXPECT_LT(x.books().now.kinetic, 1e-3 * std::abs(before));
+}
+
+TEST(Oriented, PatchRelaxesToAPlane) {
+  Scene s = patchScene(0.1);
+  s.oriented[0].relax = 20000;
+  test::Simulation x(s);
+  const Oriented& o = x.w.oriented.rows;
+  PairPotential p = x.tools.oriented.potentials[0];
+  p.attract = 0;
+  double energy = 0;
+  for (std::size_t i = 0; i < o.owned; i++)
+    for (std::uint32_t k = x.tools.oriented.lists.first[i]; k < x.tools.oriented.lists.first[i + 1]; k++) {
+      const std::uint32_t j = x.tools.oriented.lists.list[k];
+      energy += pairForces(p, o.position[j] - o.position[i], o.normal[i], o.normal[j]).energy;
+    }
+  EXPECT_LT(energy / (p.scale * static_cast<double>(o.owned)), 1e-10);
+}
+
+TEST(Oriented, AntiparallelPairTurns) {  // B17
+  Scene s = patchScene(0);
+  OrientedBody& b = s.oriented[0];
+  b.source = OrientedSource::Points;
+  b.points = {{0, 0, 0}, {0.05, 0, 0}};
+  b.normals = {{0, 0, 1}, {0, 0, -1}};
+  b.facing = false;
+  b.damping = b.spinDamping = 20;
+  s.end = 2;
+  test::Simulation x(s);
+  ASSERT_TRUE(x.run());
+  EXPECT_GT(dot(x.w.oriented.rows.normal[0], x.w.oriented.rows.normal[1]), 0.9);
+}
+
+TEST(Oriented, CutStopsForcesAcrossAndWeldMakesThem) {
+  Scene s = patchScene(0);
+  OrientedEvent cut;
+  cut.kind = OrientedEventKind::Cut;
+  cut.normal = {1, 0, 0};
+  s.oriented[0].events.push_back(cut);
+  test::Simulation x(s);
+  const Oriented& o = x.w.oriented.rows;
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < o.owned; i++) {
+    left += o.cutSides[i] == 2;
+    for (std::size_t j = 0; j < o.owned; j++) EXPECT_EQ(sameSurface(o, i, j), (o.position[i].x > 0) == (o.position[j].x > 0));
+  }
+  EXPECT_GT(left, 30u);
+  OrientedEvent stroke;
+  stroke.tool = CutTool::Stroke;
+  stroke.path = {{-0.1, 0, 1}, {0.1, 0, 1}};
+  EXPECT_NE(sideOfCut(stroke, nullptr, 0.15, {0, 0.02, 0}), sideOfCut(stroke, nullptr, 0.15, {0, -0.02, 0}));
+  EXPECT_EQ(sideOfCut(stroke, nullptr, 0.15, {0.12, 0.02, 0}), 0);
+  EXPECT_EQ(sideOfCut(stroke, nullptr, 0.15, {0, 0.2, 0}), 0);
+}
+
+TEST(Oriented, SurfaceDrawnOverABallGrowsAndKeepsItsBooks) {
+  Scene s = patchScene(0);
+  OrientedBody& b = s.oriented[0];
+  b.source = OrientedSource::Disc;
+  b.radius = 0.4;
+  b.shape.move = {0, 0, 0.24};
+  b.growth = OrientedGrowth::Gaps;
+  b.gap = 1.75;
+  b.damping = b.spinDamping = 10;
+  b.density = 5;
+  b.cfl = 0.5;
+  b.friction = 0;
+  OrientedAnchor rim;
+  rim.region.kind = ShapeKind::Difference;
+  for (const double radius : {0.6, 0.34}) {
+    Shape part;
+    part.kind = ShapeKind::Cylinder;
+    part.radius = radius;
+    part.height = radius > 0.5 ? 0.6 : 0.8;
+    part.move = {0, 0, 0.24};
+    rim.region.parts.push_back(part);
+  }
+  rim.motion = {{0, {}, {}}, {2, {0, 0, -0.4}, {}}};
+  b.anchors.push_back(rim);
+  test::addFloor(s).shape.kind = ShapeKind::Sphere;
+  s.obstacles[0].shape.radius = 0.18;
+  s.obstacles[0].friction = 0;
+  s.end = 2;
+  test::Simulation x(s);
+  const std::size_t before = x.w.oriented.rows.owned;
+  ASSERT_TRUE(x.run());
+  EXPECT_GT(x.w.oriented.rows.owned, before * 5 / 4);
+  const LedgerReport l = x.books();
+  EXPECT_LT(std::abs(l.massResidual), 1e-12 * l.now.mass);
+  EXPECT_EQ(static_cast<std::int64_t>(x.w.oriented.rows.owned - before), x.w.counters.orientedBirths - x.w.counters.orientedDeaths);
+  EXPECT_LT(std::abs(l.energyResidual), 0.05 * l.energyScale);
+}
+
+TEST(Oriented, RestsOnAnObstacle) {
+  Scene s = patchScene(0);
+  s.domain.gravity = {0, 0, -9.81};
+  s.oriented[0].shape.move = {0, 0, 0.1};
+  s.oriented[0].damping = s.oriented[0].spinDamping = 3;
+  test::addFloor(s);
+  s.end = 3;
+  test::Simulation x(s);
+  ASSERT_TRUE(x.run());
+  const Oriented& o = x.w.oriented.rows;
+  for (std::size_t i = 0; i < o.owned; i++) {
+    EXPECT_GT(o.position[i].z, 0);
+    EXPECT_LT(o.position[i].z, 0.03);
+  }
+  EXPECT_LT(std::abs(x.books().energyResidual), 0.05 * x.books().energyScale);
+}
+
+}  // namespace
+}  // namespace thaw

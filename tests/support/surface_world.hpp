@@ -1,0 +1,34 @@
+// A scene on one rank whose particles a test moves by hand, with its surface: whole updates, as in a run.
+#pragma once
+#include "core/surface/update_surface.hpp"
+#include "tests/support/simulation.hpp"
+
+namespace thaw::test {
+
+struct SurfaceWorld {
+  World w;
+  StepTools step;
+  SerialReducer all;
+  std::unique_ptr<SerialCellHalo> cells;
+  SerialBondHalo bonds;
+  std::unique_ptr<SerialSurfaceRanks> ranks;
+  SurfaceTools tools;
+
+  explicit SurfaceWorld(const Scene& scene, const MeshLoader& load = {}) {
+    w.scene = scene;
+    prepareWorld(w, step, load);
+    cells = std::make_unique<SerialCellHalo>(w.grid);
+    startWorld(w, {all, *cells, bonds}, step, load);
+    ranks = std::make_unique<SerialSurfaceRanks>(w.surface.grid);
+    tools.load = load;
+    startSurface(w, ranks->halos(), tools);
+  }
+  Vec3d& place(std::size_t i) { return w.particles.position[i]; }
+  void update() {
+    w.clock.step++;
+    updateSurface(w, ranks->halos(), tools);
+  }
+  const std::vector<SurfaceComponent>& components() const { return w.surface.components; }
+};
+
+}  // namespace thaw::test

@@ -1,0 +1,96 @@
+#include "core/oriented/triangulate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/geometry/point_tree.hpp"
+#include "core/math/hash_random.hpp"
+#include "core/oriented/given_surface.hpp"
+
+namespace thaw {
+namespace {
+
+std::vector<Vec3d> onSphere(int n) {
+  std::vector<Vec3d> points;
+  for (int k = 0; k < n; k++) {
+    const double z = 1 - (2.0 * k + 1) / n, r = std::sqrt(1 - z * z), a = 2.39996322972865332 * k;
+    points.push_back({r * std::cos(a), r * std::sin(a), z});
+  }
+  return points;
+}
+
+TEST(Triangulate, SphereIsClosed) {
+  const std::vector<Vec3d> points = onSphere(500);
+  const std::vector<double> spacing(points.size(), std::sqrt(4 * 3.14159265 / 500 / 0.866));
+  const auto triangles = triangulate({points, points, spacing, {}, {}});
+  const auto edges = edgesOf(triangles);
+  // Euler: V - E + F = 2, and every edge has two triangles
+  EXPECT_EQ(points.size() + triangles.size(), edges.size() + 2);
+  EXPECT_EQ(3 * triangles.size(), 2 * edges.size());
+  for (const auto& t : triangles) EXPECT_GT(dot(cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]), points[t[0]]), 0);
+}
+
+TEST(Triangulate, CutsAndGroupsSeparate) {
+  std::vector<Vec3d> points, normals;
+  std::vector<std::uint64_t> sides;
+  for (int j = 0; j < 9; j++)
+    for (int i = 0; i < 10; i++) {
+      points.push_back({i + 0.5 * (j % 2), 0.866 * j, 0});
+      normals.push_back({0, 0, 1});
+      sides.push_back(i < 5 ? 1 : 2);
+    }
+  const std::vector<double> spacing(points.size(), 1.0);
+  const auto whole = triangulate({points, normals, spacing, {}, {}}), cut = triangulate({points, normals, spacing, {}, sides});
+  // and 7 at the teeth of the left and right borders, where nothing is in the sphere from outside
+  EXPECT_EQ(whole.size(), 8u * 9 * 2 + 7);
+  EXPECT_EQ(cut.size(), 8u * 8 * 2 + 14);
+  for (const auto& t : cut) EXPECT_TRUE(sides[t[0]] == sides[t[1]] && sides[t[1]] == sides[t[2]]);
+}
+
+TEST(PointTree, NearestAreThoseOfAPlainSearch) {
+  std::vector<Vec3d> points;
+  for (std::uint64_t k = 0; k < 600; k++) points.push_back({randomUniform(1, Purpose::Test, k), randomUniform(2, Purpose::Test, k), k % 3 == 0 ? 0.5 : randomUniform(3, Purpose::Test, k)});
+  const PointTree tree(points);
+  for (std::uint64_t q = 0; q < 50; q++) {
+    const Vec3d x{randomUniform(4, Purpose::Test, q), randomUniform(5, Purpose::Test, q), randomUniform(6, Purpose::Test, q)};
+    std::vector<std::uint32_t> plain(points.size());
+    for (std::uint32_t k = 0; k < plain.size(); k++) plain[k] = k;
+    std::stable_sort(plain.begin(), plain.end(), [&](auto a, auto b) { return dot(points[a] - x, points[a] - x) < dot(points[b] - x, points[b] - x); });
+    plain.resize(9);
+    EXPECT_EQ(tree.nearest(x, 9), plain);
+    std::vector<std::uint32_t> near;
+    for (std::uint32_t k = 0; k < points.size(); k++)
+      if (length(points[k] - x) < 0.2) near.push_back(k);
+    EXPECT_EQ(tree.within(x, 0.2), near);
+  }
+}
+
+TEST(GivenSurface, NormalsOfASphereAllPointOutward) {  // B17
+  const std::vector<Vec3d> points = onSphere(400), normals = normalsOf(points);
+  for (std::size_t k = 0; k < points.size(); k++) EXPECT_GT(dot(points[k], normals[k]), 0.98);
+}
+
+TEST(GivenSurface, ThinPlateGoesThroughItsPoints) {
+  const std::vector<Vec3d> control{{0, 0, 0}, {1, 0, 0.2}, {0, 1, -0.1}, {1, 1, 0.3}, {0.5, 0.4, 0.5}};
+  const ThinPlate plate = thinPlate(control);
+  for (std::size_t k = 0; k < control.size(); k++) EXPECT_LT(length(plate.at(plate.x[k], plate.y[k]) - control[k]), 1e-9);
+  EXPECT_THROW(thinPlate({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}), std::invalid_argument);
+}
+
+TEST(GivenSurface, ProjectionFindsTheSphere) {
+  GivenPoints given;
+  given.points = given.normals = onSphere(150);
+  readyGiven(given);
+  for (int k = 0; k < 40; k++) {
+    Vec3d x = 1.05 * normalized(Vec3d{std::sin(k * 1.0), std::cos(k * 2.0), std::sin(k * 0.7 + 1)}), n = normalized(x);
+    ASSERT_TRUE(projectOnGiven(given, x, n));
+    EXPECT_NEAR(length(x), 1, 0.01);
+    EXPECT_GT(dot(n, normalized(x)), 0.99);
+  }
+  Vec3d far{5, 0, 0}, n{1, 0, 0};
+  EXPECT_FALSE(projectOnGiven(given, far, n));
+}
+
+}  // namespace
+}  // namespace thaw

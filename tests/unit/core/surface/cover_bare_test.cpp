@@ -1,0 +1,150 @@
+// A solid that tears: the faces of the crack get a surface, and each piece is closed.
+#include "core/surface/cover_bare.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/surface/grow.hpp"
+#include "core/surface/measure.hpp"
+#include "tests/support/meshes.hpp"
+#include "tests/support/surface_world.hpp"
+#include "tests/unit/core/surface/surfel_rig.hpp"
+
+namespace thaw {
+namespace {
+
+using namespace test;
+
+Scene barScene(bool mesh) {
+  Scene s;
+  s.spacing = 0.1;
+  s.domain.min = {-3, -2, -2};
+  s.domain.max = {3, 2, 2};
+  s.domain.gravity = {};
+  s.output.every = 0;
+  s.materials.emplace_back();
+  s.materials[0].name = "rubber";
+  s.materials[0].young = {1e5, 0};
+  s.surface.on = true;
+  s.surface.spacing = 0.05;
+  addBox(s, {-1, -0.4, -0.4}, {1, 0.4, 0.4});
+  if (mesh) s.bodies[0].shape = Shape{}, s.bodies[0].shape.kind = ShapeKind::Mesh, s.bodies[0].shape.mesh = "bar";
+  return s;
+}
+
+struct TornBar : SurfaceWorld {
+  explicit TornBar(bool mesh) : SurfaceWorld(barScene(mesh), [](const std::string&) { return boxMesh({-1, -0.4, -0.4}, {1, 0.4, 0.4}); }) {}
+  /// Two pieces go apart by this much, along a crack that is not straight.
+  void pull(double by) {
+    for (std::size_t i = 0; i < w.particles.owned; i++) {
+      Vec3d& x = w.particles.position[i];
+      x.x += 0.5 * by * (right(i) ? 1 : -1);
+    }
+    update();
+  }
+  bool right(std::size_t i) {
+    if (side.empty()) {
+      side.resize(w.particles.owned);
+      for (std::size_t k = 0; k < side.size(); k++) {
+        const Vec3d& y = w.particles.position[k];
+        side[w.particles.id[k]] = y.x > 0.2 * std::sin(5 * y.y) + 0.3 * y.z;
+      }
+    }
+    return side[w.particles.id[i]];
+  }
+  std::vector<char> side;
+};
+
+/// The largest distance, over the spacing, from the places of a surface that is grown anew around the same particles to the nearest surfel of the
+/// same side, and from the surfels to that surface; and how open the new one is by its areas (SurfaceComponent::open), at the most.
+struct AwayFromFresh { double hole = 0, off = 0, open = 0; };
+AwayFromFresh awayFromFresh(TornBar& torn, double inside) {
+  SurfelRig fresh(surfelScene(0.05));
+  SurfaceParticles& p = fresh.world.surface.particles;
+  const Continuum& c = torn.w.particles;
+  p.resize(c.owned, 0);
+  for (std::size_t i = 0; i < c.owned; i++) {
+    p.id[i] = c.id[i];
+    p.position[i] = c.position[i];
+    p.component[i] = c.component[i];
+    p.volume[i] = 1e-3;
+    p.liquid[i] = 1;
+  }
+  placeRows(fresh.world.surface.grid, fresh.ranks->particles, p, fresh.world.surface.particleCells, fresh.tools.sort);
+  growBodies(fresh.world, fresh.ranks->halos(), fresh.tools);
+  const Surfels &a = fresh.surfels(), &b = torn.w.surface.surfels;
+  const auto farthest = [&](const Surfels& from, const Surfels& to) {
+    double worst = 0;
+    for (std::size_t i = 0; i < from.owned; i++) {
+      if (std::abs(from.position[i].x) > inside) continue;
+      double best = 1e300;
+      for (std::size_t j = 0; j < to.owned; j++)
+        if (dot(from.normal[i], to.normal[j]) > oneSide && from.component[i] == to.component[j]) best = std::min(best, dot(from.position[i] - to.position[j], from.position[i] - to.position[j]));
+      worst = std::max(worst, std::sqrt(best) / 0.05);
+    }
+    return worst;
+  };
+  AwayFromFresh away{farthest(a, b), farthest(b, a)};
+  measureSurface(fresh.world, fresh.ranks->halos(), fresh.tools);
+  for (const SurfaceComponent& k : fresh.world.surface.components) away.open = std::max(away.open, k.open);
+  return away;
+}
+
+TEST(CoverBare, ATornBarHasTwoClosedPieces) {
+  for (const bool mesh : {false, true}) {
+    TornBar bar(mesh);
+    const Surface& s = bar.w.surface;
+    ASSERT_EQ(s.components.size(), 1u);
+    const double volume = s.components[0].volume / s.components[0].particleVolume;
+    const std::size_t before = s.surfels.owned;
+    for (int k = 0; k < 16; k++) bar.pull(0.025);
+    std::vector<std::uint64_t> kept(s.surfels.id.data(), s.surfels.id.data() + s.surfels.owned);
+    std::int64_t old = 0;
+    for (const std::uint64_t id : kept) old += !(id & birthBit);
+    ASSERT_EQ(s.components.size(), 2u);
+    EXPECT_EQ(s.counters.splits, 1);
+    const auto [hole, off, open] = awayFromFresh(bar, mesh ? 0.6 : 2);
+    for (const SurfaceComponent& c : s.components) {
+      std::printf("%s: %lld particles, %lld surfels, volume %.4f of the particles' (whole bar %.4f), open %.4f (grown anew at most %.4f)\n", mesh ? "mesh" : "grown", static_cast<long long>(c.particles), static_cast<long long>(c.surfels), c.volume / c.particleVolume,
+                  volume, c.open, open);
+      EXPECT_NEAR(c.volume / c.particleVolume / volume, 1, mesh ? 0.05 : 0.02);
+      EXPECT_LT(c.open, mesh ? 0.03 : std::max(0.01, 1.1 * open));  // the skin of a mesh ends in a step over the face, half a spacing of particles high
+    }
+    std::printf("%zu surfels, then %zu, %lld births, %lld deaths; %.3f spacings at most from a fresh surface to surfels, %.3f back\n", before, s.surfels.owned, static_cast<long long>(s.counters.births),
+                static_cast<long long>(s.counters.deaths), hole, off);
+    if (mesh) {
+      EXPECT_GT(static_cast<double>(old), 0.75 * static_cast<double>(before));
+    }
+    EXPECT_LT(hole, mesh ? 1.2 : 1.0);
+    EXPECT_LT(off, mesh ? 2.1 : 1.2);  // of the mesh's edges, too, that a grown surface rounds
+    // and all stays as it is
+    const std::int64_t changes = s.counters.births + s.counters.deaths;
+    for (int k = 0; k < 3; k++) bar.pull(0);
+    std::printf("at rest: %lld births and deaths more\n", static_cast<long long>(s.counters.births + s.counters.deaths - changes));
+    const std::int64_t later = s.counters.births + s.counters.deaths;
+    bar.pull(0);
+    EXPECT_EQ(s.counters.births + s.counters.deaths, later);
+  }
+}
+
+TEST(CoverBare, AChipOfSixParticlesHasASurface) {
+  SurfelRig rig(surfelScene(0.05));
+  SurfaceParticles& p = rig.world.surface.particles;
+  for (const Vec3d& x : {Vec3d{-0.46, 0.08, 0.08}, {0.48, -0.1, -0.04}, {-0.69, -0.82, -0.34}, {0.69, 0.83, 0.35}, {-0.29, 0.98, 0.51}, {0.27, -0.97, -0.56}}) {
+    const std::size_t i = p.owned;
+    p.resize(i + 1, 0);
+    p.id[i] = i;
+    p.position[i] = 0.1 * x;
+    p.component[i] = 1;
+    p.volume[i] = 1e-3;
+    p.liquid[i] = 0;
+  }
+  placeRows(rig.world.surface.grid, rig.ranks->particles, p, rig.world.surface.particleCells, rig.tools.sort);
+  measureComponents(rig.world.surface, rig.ranks->halos().all);
+  renewSurfels(rig.world, rig.ranks->halos(), rig.tools);
+  resampleOnParticles(rig.world, rig.ranks->halos(), rig.tools, 10);
+  coverBare(rig.world, rig.ranks->halos(), rig.tools);
+  EXPECT_GT(rig.surfels().owned, 20u);
+}
+
+}  // namespace
+}  // namespace thaw
