@@ -31,13 +31,14 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   moveWalls(w.walls, time);
   t.times.lap(StepPhase::Drift);
   if (w.modules.oriented) stepOriented(w, halos, t, dt);  // by an integrator of their own, to the same time
-  if (w.modules.sheet) stepSheets(w, halos, t, dt);
+  if (w.modules.sheet) moveSheets(w, dt);      // the exact solution over the step
 
   evaluate(w, halos, t, dt);                   // forces at the new places
 
   StepOutcome here;
   here.finite = finishKick(w, dt, &here.bad);  // v += a dt/2
   here.badHere = !here.finite;
+  if (w.modules.sheet) kickSheets(w, dt);      // v += the push of forces at the new places
   if (w.modules.kinds() && !finiteKinds(w)) here.finite = false;
   t.times.lap(StepPhase::Drift);
   if (w.modules.heat) updateHeat(w, dt);       // H += heat dt, T and liquid fraction follow
@@ -63,6 +64,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.solid) relinkSolids(w, halos, t, {{}, t.phaseChangedHere || leftSlots || t.bondsAtStart});
   t.phaseChangedHere = false;
   if (w.modules.kinds()) bringKindsHome(w, halos, t);
+  if (w.modules.sheet) linkSheets(w, halos, t);
   if (w.modules.oriented) evaluateOriented(w, halos, t, dt);
 
   // first of all, since it puts particles that are deep in a wall back to its surface: ghosts and bonds must see them there
@@ -109,6 +111,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   t.times.lap(StepPhase::Contact);
   addWallForces(walls, t.perLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
+  if (w.modules.sheet) loadSheets(w, halos, t, dt);      // forces on vertices, and of vertices on particles
   if (w.modules.implicitViscosity) solveViscosity(w, halos, t, walls);  // knows all other forces
   if (w.modules.heat) {
     addWallHeat(walls, t.wallContacts);

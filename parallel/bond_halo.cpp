@@ -44,18 +44,18 @@ const MpiBondHalo::Found* MpiBondHalo::findWaiting(std::uint64_t id) const {
   return at != found_.end() && at->id == id ? &*at : nullptr;
 }
 
-void MpiBondHalo::migrate(Continuum& p, Solids& s, Bonds& b, const Migration& m) {
-  if (!p.slot.active) return;
+void MpiBondHalo::migrate(const BondedRows& p, Solids& s, Bonds& b, const Migration& m) {
+  if (!p.active) return;
   if (moved_) throw std::logic_error("solid particles migrate twice without a relink between");
   for (std::size_t i = p.owned - m.arrivals; i < p.owned; i++) {
     p.slot[i] = noSlot;
-    solidArrived_ = solidArrived_ || p.phase[i] == Solid;  // perhaps frozen before it went, and nobody here would look for it
+    solidArrived_ = solidArrived_ || !p.liquid(i);  // perhaps frozen before it went, and nobody here would look for it
   }
   if (comm_.size() == 1) return;
   int any = 0;
   for (std::size_t k = 0; k < m.departed.size(); k++) {
     if (m.departedTo[k] < 0) continue;  // left the domain: relink misses it
-    if (p.phase[m.departed[k]] == Liquid) continue;  // melted before it went: the same
+    if (p.liquid(m.departed[k])) continue;  // melted before it went: the same
     const std::uint32_t slot = p.slot[m.departed[k]];
     if (slot != noSlot) departures_.push_back({slot, m.departedTo[k]});
     else any = any || !waiting_.empty();
@@ -100,7 +100,7 @@ void MpiBondHalo::applyNews(const std::vector<Message>& in, bool edit) {
   }
 }
 
-void MpiBondHalo::sendRecords(const Continuum& p, const Solids& s, const Bonds& b, const Migration& m) {
+void MpiBondHalo::sendRecords(const BondedRows& p, const Solids& s, const Bonds& b, const Migration& m) {
   struct Parcel { int to; SolidRecords records; std::vector<std::int32_t> owners; bool adopted; };
   std::vector<Parcel> parcels;
   const auto parcelTo = [&](int to, bool adopted) -> Parcel& {
@@ -157,7 +157,7 @@ void MpiBondHalo::leaveSlots(const Solids& s, const Bonds& b) {
 }
 
 // Particles without a slot and the records that came for them.
-void MpiBondHalo::matchRecords(const Continuum& p) {
+void MpiBondHalo::matchRecords(const BondedRows& p) {
   std::vector<std::uint8_t> used(found_.size(), 0);
   for (const std::uint32_t row : unslotted_) {
     const Found* f = findWaiting(p.id[row]);
@@ -169,8 +169,8 @@ void MpiBondHalo::matchRecords(const Continuum& p) {
     if (!used[k] && !waiting_[found_[k].waiting].adopted) strangers_.push_back(found_[k].id);
 }
 
-bool MpiBondHalo::relink(Continuum& p, Solids& s, Bonds& b, const Relink& work) {
-  if (!p.slot.active) return false;
+bool MpiBondHalo::relink(const BondedRows& p, Solids& s, Bonds& b, const Relink& work) {
+  if (!p.active) return false;
   const SolidTables tables{p, s, b};
   const bool alone = comm_.size() == 1;
   unslotted_.clear();
@@ -218,7 +218,7 @@ bool MpiBondHalo::relink(Continuum& p, Solids& s, Bonds& b, const Relink& work) 
   return true;
 }
 
-void MpiBondHalo::tellChanges(const Continuum& p) {
+void MpiBondHalo::tellChanges(const BondedRows& p) {
   WordMessages news;
   const auto tell = [&](std::uint64_t id, std::uint64_t owner) {
     std::vector<std::uint64_t>& w = news.to(directoryRank(id, comm_.size()));

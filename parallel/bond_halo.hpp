@@ -17,8 +17,8 @@ class MpiBondHalo : public BondHalo {
   explicit MpiBondHalo(const Communicator& comm) : comm_(comm), graph_(comm.rank()) {}
 
   /// Throws std::logic_error where the slots of the last migration have not been made by a relink yet.
-  void migrate(Continuum& particles, Solids& solids, Bonds& bonds, const Migration& migration) override;
-  bool relink(Continuum& particles, Solids& solids, Bonds& bonds, const Relink& work) override;
+  void migrate(const BondedRows& particles, Solids& solids, Bonds& bonds, const Migration& migration) override;
+  bool relink(const BondedRows& particles, Solids& solids, Bonds& bonds, const Relink& work) override;
   void begin(Solids& solids, std::span<AnyColumn* const> columns) override;
   void finish(Solids& solids) override;
 
@@ -45,12 +45,12 @@ class MpiBondHalo : public BondHalo {
   void listWaiting(const Solids& solids);
   const Found* findWaiting(std::uint64_t id) const;
   void tellDepartures();
-  void sendRecords(const Continuum& particles, const Solids& solids, const Bonds& bonds, const Migration& migration);
+  void sendRecords(const BondedRows& particles, const Solids& solids, const Bonds& bonds, const Migration& migration);
   void applyNews(const std::vector<Message>& in, bool edit);
   void leaveSlots(const Solids& solids, const Bonds& bonds);
   void makeSlots(const SolidTables& tables, const Relink& work);
-  void matchRecords(const Continuum& particles);
-  void tellChanges(const Continuum& particles);
+  void matchRecords(const BondedRows& particles);
+  void tellChanges(const BondedRows& particles);
   std::vector<std::uint64_t> unknownIds(const Solids& solids, const Relink& work, bool all);
   void askOwners(const std::vector<std::uint64_t>& ids);
   void checkMoves(const Solids& solids, const Relink& work);

@@ -31,9 +31,14 @@ PlacedMesh makePlacedMesh(const Shape& s, const MeshLoader& load) {
   if (s.mesh != builtinBust && !load) throw ShapeError("mesh '" + s.mesh + "': nothing was given to read it with", s.where);
   PlacedMesh m;
   m.mesh = repairMesh(s.mesh == builtinBust ? bustMesh() : load(s.mesh), m.report);
-  m.placement = placementOf(s, std::make_shared<MeshReach>(m.mesh));
-  for (Vec3d& v : m.mesh.vertices) v = m.placement.move + m.placement.rotation * (m.placement.scale * v);
+  m.placement = placeMesh(s, m.mesh);
   return m;
+}
+
+Placement placeMesh(const Shape& s, TriangleMesh& mesh) {
+  const Placement p = placementOf(s, std::make_shared<MeshReach>(mesh));
+  for (Vec3d& v : mesh.vertices) v = p.move + p.rotation * (p.scale * v);
+  return p;
 }
 
 }  // namespace thaw

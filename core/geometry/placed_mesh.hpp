@@ -15,4 +15,7 @@ struct PlacedMesh {
 /// Of a shape of kind Mesh. Throws ShapeError, or what the loader throws.
 PlacedMesh makePlacedMesh(const Shape& shape, const MeshLoader& load);
 
+/// Moves a mesh to where the shape, of any kind, puts it. Throws ShapeError.
+Placement placeMesh(const Shape& shape, TriangleMesh& mesh);
+
 }  // namespace thaw

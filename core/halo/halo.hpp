@@ -65,6 +65,21 @@ class CellHalo {
   virtual bool inner(std::uint64_t key) const = 0;
 };
 
+/// What bonds need of the table whose rows they join: vertices of sheets, or particles of the continuum of which some are solid. Names columns as
+/// they are now: made anew for each call, since a table that is reordered moves them.
+struct BondedRows {
+  std::size_t owned = 0;
+  bool active = false;                      ///< the table has slots at all
+  const std::uint64_t* id = nullptr;
+  std::uint32_t* slot = nullptr;
+  const std::uint16_t* material = nullptr;  ///< copied to Solids::material
+  const std::uint8_t* phase = nullptr;      ///< without one all rows are solid
+  BondedRows(Continuum& p) : owned(p.owned), active(p.slot.active), id(p.id.data()), slot(p.slot.data()), material(p.material.data()), phase(p.phase.data()) {}
+  BondedRows(std::size_t owned, const std::uint64_t* id, std::uint32_t* slot, const std::uint16_t* material)
+      : owned(owned), active(true), id(id), slot(slot), material(material) {}
+  bool liquid(std::size_t i) const { return phase && phase[i] == Liquid; }
+};
+
 /// A bond to make: from an owned slot to the solid particle with this id, wherever that is.
 struct BondRequest {
   std::uint32_t slot;
@@ -88,23 +103,23 @@ class BondHalo {
 
   /// After CellHalo::migrate and before particles are reordered: sends the slots (and bonds) of departed particles to where
   /// they went. The tables change at the next relink. Collective.
-  virtual void migrate(Continuum& particles, Solids& solids, Bonds& bonds, const Migration& migration) = 0;
+  virtual void migrate(const BondedRows& particles, Solids& solids, Bonds& bonds, const Migration& migration) = 0;
 
   /// Makes the table of solids agree with the particles: owned particles of phase Solid without a slot get one (with the bonds
   /// they had where they came from, else none), slots of particles that are liquid now, or gone, are removed with all bonds to
   /// them on every rank, requests become bonds (one whose neighbour is not solid any more is dropped), remote rows are renewed,
-  /// rows renumbered (Continuum::slot and Solids::particle follow). Slots of particles that have just become solid have volume 0, for the
+  /// rows renumbered (BondedRows::slot and Solids::particle follow). Slots of particles that have just become solid have volume 0, for the
   /// caller to fill in. Remote rows then have their id; other columns are to be sent.
   /// Needs sorted particles without departed rows, whose phase has changed once at most since the last relink. Collective. Returns false, at once, where nothing changed on any rank.
-  virtual bool relink(Continuum& particles, Solids& solids, Bonds& bonds, const Relink& work) = 0;
+  virtual bool relink(const BondedRows& particles, Solids& solids, Bonds& bonds, const Relink& work) = 0;
 
   /// Sends columns of Solids from owned rows to the remote rows that copy them. The same rules as refresh of ghosts.
   virtual void begin(Solids& solids, std::span<AnyColumn* const> columns) = 0;
   virtual void finish(Solids& solids) = 0;
 };
 
-/// Solids::particle of owned slots from Continuum::slot; after every sort.
-inline void linkSlots(const Continuum& particles, Solids& solids) {
+/// Solids::particle of owned slots from the rows' slots; after every sort.
+inline void linkSlots(const BondedRows& particles, Solids& solids) {
   for (std::size_t i = 0; i < particles.owned; i++)
     if (particles.slot[i] != noSlot) solids.particle[particles.slot[i]] = static_cast<std::uint32_t>(i);
 }

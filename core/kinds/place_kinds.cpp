@@ -7,6 +7,7 @@
 #include "core/kinds/kind_books.hpp"
 #include "core/kinds/kinds.hpp"
 #include "core/oriented/prepare_oriented.hpp"
+#include "core/sheet/inner_forces.hpp"
 #include "core/sheet/prepare_sheets.hpp"
 
 namespace thaw {
@@ -18,6 +19,7 @@ void placeRows(World& w, Halos& halos, StepTools& t, std::size_t kind, KindRows&
   const std::size_t before = r.owned;
   Migration m = halos.kinds[kind]->migrate(r, {r.nextCell.data(), r.owned});
   computeCellKeys(w.grid, r, before, r.owned);
+  if (kind == sheetKind) halos.edges->migrate(vertexRows(w.sheets.rows), w.sheets.edges.ends, w.sheets.edges.bonds, m);
   if (!t.leaving.empty()) {
     std::vector<std::uint32_t> gone;
     std::merge(m.departed.begin(), m.departed.end(), t.leaving.begin(), t.leaving.end(), std::back_inserter(gone));
@@ -41,6 +43,7 @@ void bringKindsHome(World& w, Halos halos, StepTools& t) {
       w.ledger.dissipated.add(r.dissipated[i]);
     }
     w.counters.left += static_cast<std::int64_t>(t.leaving.size());
+    if (kind == sheetKind) forgetSlotsAtStart(w.sheets, !t.leaving.empty());
     placeRows(w, halos, t, kind, r, cells);
   });
 }
@@ -102,6 +105,7 @@ void emptyKinds(World& w) {
     r.resize(0, 0);
     cells = {};
   });
+  if (w.modules.sheet) emptyEdges(w.sheets);
 }
 
 }  // namespace thaw

@@ -58,6 +58,9 @@ Modules modulesOf(const Scene& s) {
   if (s.surface.on) f.on(m.surface, "surface", "the scene has a table [surface]");
   if (!s.oriented.empty()) f.on(m.oriented, "oriented particles", "oriented body " + quoted(s.oriented.front().name));
   if (!s.sheets.empty()) f.on(m.sheet, "sheets", "sheet " + quoted(s.sheets.front().name));
+  if (!s.sheets.empty() && !(s.bodies.empty() && s.emitters.empty())) f.on(m.neighbours, "neighbour search", "sheets can meet bodies");
+  for (const SheetBody& b : s.sheets)
+    if (b.conductance > 0) f.on(m.heat, "heat", "sheet " + quoted(b.name) + " takes heat from what it touches");
   if (!s.emitters.empty()) f.on(m.emitters, "emitters", "emitter " + quoted(s.emitters.front().name));
 
   std::vector<bool> used(s.materials.size(), false);

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/oriented/prepare_oriented.hpp"
-#include "core/sheet/prepare_sheets.hpp"
+#include "core/sheet/plan_sheets.hpp"
 
 namespace thaw {
 

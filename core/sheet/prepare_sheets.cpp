@@ -1,32 +1,69 @@
 #include "core/sheet/prepare_sheets.hpp"
 
-#include "core/geometry/sampling.hpp"
+#include "core/sheet/inner_forces.hpp"
+#include "core/sheet/sheet_contact.hpp"
 
 namespace thaw {
 
-double sheetReach(const Scene&) { return 0; }
+void prepareSheets(World& w, const MeshLoader& load) {
+  SheetPlans p = planSheets(w.scene, load);
+  w.sheets.plans = std::move(p.plans);
+  w.sheets.laws = std::move(p.laws);
+  w.sheets.parts = std::move(p.parts);
+}
 
 void activateSheets(World& w) {
   Sheets& s = w.sheets.rows;
   activateKind(s);
-  s.activate(s.rest);
+  for (AnyColumn* c : std::initializer_list<AnyColumn*>{&s.rest, &s.load, &s.area, &s.law, &s.part, &s.slot}) s.activate(*c);
+  for (const SheetBody& b : w.scene.sheets) {
+    if (b.plasticity > 0 && b.elasticLimit < never) {
+      s.activate(s.flow);
+      s.activate(s.hardening);
+    }
+    if (b.windDensity > 0 || b.wrap != 0 || !b.brushes.empty()) s.activate(s.outside);
+    if (b.windDensity > 0 || b.volumeStiffness > 0 || (b.wrap != 0 && b.wrapTo.empty())) s.activate(s.facing);
+    if (!b.clamp.empty()) s.activate(s.clamped);
+    if (s.outside.active) s.activate(s.moved);
+    if (w.modules.heat) {
+      s.activate(s.temperature);
+      s.activate(s.heatFlow);
+    }
+  }
+  for (const SheetLaw& l : w.sheets.laws)
+    if (l.law.damping > 0) s.activate(s.moved);
+  for (const SheetPlan& p : w.sheets.plans)
+    if (p.touches) s.activate(s.resisting);
+  if (sheetsMeet(w.scene) || sheetsMeetContinuum(w.scene)) s.activate(s.moving);
+  activateEdges(w.sheets.edges);
 }
 
 void sampleSheets(World& w, Halos halos, const MeshLoader& load) {
   Sheets& s = w.sheets.rows;
-  for (std::size_t b = 0; b < w.scene.sheets.size(); b++) {
-    const auto shape = makeSignedDistance(w.scene.sheets[b].shape, load);
-    const SampleLattice l = sampleLattice(*shape, w.scene.spacing);
-    const SampleRange range = sampleRange(l, halos.all.rank(), halos.all.size());
-    for (std::int64_t row = range.begin; row < range.end; row++)
-      for (const std::int64_t k : insideOfRow(*shape, l, row)) {
-        const std::size_t i = s.owned;
-        s.resize(i + 1, 0);
-        s.id[i] = static_cast<std::uint64_t>(b) << 40 | static_cast<std::uint64_t>(row * l.count[0] + k);
-        s.position[i] = s.rest[i] = l.at(k, row % l.count[1], row / l.count[1]);
-        s.mass[i] = 1;
-        s.body[i] = static_cast<std::uint16_t>(b);
-      }
+  const auto rank = static_cast<std::size_t>(halos.all.rank()), ranks = static_cast<std::size_t>(halos.all.size());
+  for (std::size_t n = 0; n < w.sheets.plans.size(); n++) {
+    const SheetPlan& plan = w.sheets.plans[n];
+    const SheetBody& b = w.scene.sheets[n];
+    std::vector<std::shared_ptr<const SignedDistance>> clamps;
+    for (const Shape& c : b.clamp) clamps.push_back(makeSignedDistance(c, load));
+    const std::size_t all = plan.mesh.vertices.size(), begin = all * rank / ranks, end = all * (rank + 1) / ranks;
+    std::size_t i = s.owned;
+    s.resize(i + end - begin, 0);
+    for (std::size_t v = begin; v < end; v++, i++) {
+      s.id[i] = static_cast<std::uint64_t>(n) << 40 | v;
+      s.position[i] = s.rest[i] = plan.mesh.vertices[v];
+      s.velocity[i] = b.velocity;
+      s.area[i] = plan.topology.area[v];
+      s.law[i] = plan.law[v];
+      s.part[i] = plan.firstPart + plan.topology.component[v];
+      s.mass[i] = w.sheets.laws[plan.law[v]].law.mass * s.area[i];
+      s.body[i] = static_cast<std::uint16_t>(n);
+      s.slot[i] = noSlot;
+      if (s.temperature.active) s.temperature[i] = b.temperature;
+      for (const auto& c : clamps)
+        if (c->inside(s.position[i])) s.clamped[i] = 1;
+      if (s.clamped.active && s.clamped[i]) s.velocity[i] = {};
+    }
   }
 }
 

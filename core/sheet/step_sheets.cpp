@@ -1,22 +1,168 @@
 #include "core/sheet/step_sheets.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
-namespace thaw {
+#include "core/sheet/cell_sums.hpp"
+#include "core/sheet/inner_forces.hpp"
+#include "core/sheet/move_vertices.hpp"
+#include "core/sheet/outer_forces.hpp"
+#include "core/sheet/sheet_contact.hpp"
 
-void stepSheets(World& w, Halos, StepTools& t, double dt) {
-  Sheets& o = w.sheets.rows;
-  for (std::size_t i = 0; i < o.owned; i++) {
-    o.position[i] += dt * o.velocity[i] + (0.5 * dt * dt) * w.scene.domain.gravity;
-    o.velocity[i] += dt * w.scene.domain.gravity;
+namespace thaw {
+namespace {
+
+/// Coefficients of a law over the step that begins now: those of its middle.
+SpringLaw lawNow(const World& w, const SheetLaw& l, double dt) {
+  const SheetBody& b = w.scene.sheets[l.sheet];
+  const double time = w.clock.time + 0.5 * dt;
+  return {l.law.mass, l.law.damping * b.dampingInTime.at(time), l.law.stiffness * b.stiffnessInTime.at(time)};
+}
+
+std::vector<SpringLaw> lawsNow(const World& w, double dt) {
+  std::vector<SpringLaw> laws;
+  for (const SheetLaw& l : w.sheets.laws) laws.push_back(lawNow(w, l, dt));
+  return laws;
+}
+
+Vec3d restOf(const World& w, std::size_t i) {
+  const Sheets& s = w.sheets.rows;
+  if (!s.flow.active) return s.rest[i];
+  return s.rest[i] + s.flow[i];
+}
+
+/// What goes beyond the elastic limit: plasticity times it moves the place of rest, and by the rest of it the limit grows. Then the vertex is at the
+/// limit, and the same deformation in more steps comes to the same; let go, it keeps plasticity times the excess.
+void yieldPlastic(World& w) {
+  Sheets& s = w.sheets.rows;
+  for (std::size_t i = 0; i < s.owned; i++) {
+    const SheetBody& b = w.scene.sheets[s.body[i]];
+    if (!(b.plasticity > 0) || !(b.elasticLimit < never)) continue;
+    const Vec3d before = s.position[i] - restOf(w, i);
+    const double far = length(before), excess = far - b.elasticLimit - s.hardening[i];
+    if (!(excess > 0)) continue;
+    const double k = w.sheets.laws[s.law[i]].law.stiffness * b.stiffnessInTime.at(w.clock.time) * s.area[i];
+    s.flow[i] += before * (b.plasticity * excess / far);
+    s.hardening[i] += (1 - b.plasticity) * excess;
+    const Vec3d after = s.position[i] - restOf(w, i);
+    s.dissipated[i] += 0.5 * k * (dot(before, before) - dot(after, after));
   }
+}
+
+}  // namespace
+
+void moveSheets(World& w, double dt) {
+  Sheets& s = w.sheets.rows;
+  const std::vector<SpringLaw> laws = lawsNow(w, dt);
+  std::vector<VertexMap> maps;
+  for (const SpringLaw& l : laws) maps.push_back(vertexMap(l, dt));
+  bookHolding(w, -1, dt);
+  const bool simple = !s.flow.active && !s.clamped.active && !s.moved.active;
+  if (simple) {
+    moveVertices(maps, {s.position.data(), s.velocity.data(), s.rest.data(), s.load.data(), s.law.data()}, 0, s.owned);
+    return;
+  }
+  for (std::size_t i = 0; i < s.owned; i++) {
+    if (s.moved.active) s.moved[i] = {};
+    if (s.clamped.active && s.clamped[i]) continue;
+    const VertexMap& m = maps[s.law[i]];
+    const SpringLaw& law = laws[s.law[i]];
+    const Vec3d rest = restOf(w, i), z = s.position[i] - rest, v = s.velocity[i];
+    const VertexArrays one{&s.position[i], &s.velocity[i], &rest, &s.load[i], nullptr};
+    moveVertices({&m, 1}, one, 0, 1);
+    if (!s.moved.active) continue;
+    const Vec3d z1 = s.position[i] - rest, moved = z1 - z;
+    s.moved[i] = moved;
+    // what drag takes over the step is what is missing of the energy and of the work of the load; kickSheets knows the rest
+    if (law.damping > 0) s.dissipated[i] += s.area[i] * (0.5 * law.mass * dot(v, v) + 0.5 * law.stiffness * (dot(z, z) - dot(z1, z1)) + 0.5 * dot(s.load[i], moved));
+  }
+  if (s.outside.active) bookOutsideWork(w);
+  if (s.flow.active) yieldPlastic(w);
+}
+
+void kickSheets(World& w, double dt) {
+  Sheets& s = w.sheets.rows;
+  const std::vector<SpringLaw> laws = lawsNow(w, dt);  // of the step that ends now: the clock still shows its beginning
+  std::vector<double> after;
+  for (const SpringLaw& l : laws) after.push_back(vertexMap(l, dt).after);
+  for (std::size_t i = 0; i < s.owned; i++) {
+    if (s.clamped.active && s.clamped[i]) continue;
+    Vec3d& v = s.velocity[i];
+    v += after[s.law[i]] * s.load[i];
+    if (s.resisting.active) s.dissipated[i] -= s.area[i] * dt * dot(s.resisting[i], v);
+    const SpringLaw& law = laws[s.law[i]];
+    if (law.damping > 0) s.dissipated[i] += s.area[i] * (0.5 * dot(s.load[i], s.moved[i]) - 0.5 * law.mass * dot(v, v));
+  }
+  bookHolding(w, 1, dt);
+  if (s.outside.active) bookOutsideWork(w);
+  if (s.temperature.active)
+    for (std::size_t i = 0; i < s.owned; i++) s.temperature[i] += s.heatFlow[i] * dt / (s.area[i] * w.scene.sheets[s.body[i]].heatCapacity);
+}
+
+void linkSheets(World& w, Halos halos, StepTools& t) {
+  SheetBodies& b = w.sheets;
+  Sheets& s = b.rows;
+  const BondedRows rows = vertexRows(s);
+  linkSlots(rows, b.edges.ends);
+  halos.edges->relink(rows, b.edges.ends, b.edges.bonds, {{}, b.leftHere || b.edgesAtStart});
+  b.leftHere = false;
+  if (b.edgesAtStart) {
+    const std::vector<BondRequest> requests = edgeRequests(b);
+    halos.edges->relink(rows, b.edges.ends, b.edges.bonds, {requests, true});
+    b.edgesAtStart = false;
+  }
+  t.times.lap(StepPhase::Bonds);
+}
+
+void loadSheets(World& w, Halos halos, StepTools& t, double dt) {
+  SheetBodies& b = w.sheets;
+  Sheets& s = b.rows;
+  b.stiffest.assign(b.laws.size(), 0);
+  b.fastest2 = b.stiffestParticle = 0;
+  // contacts want the velocity of now: what is missing is the push of the force after the step, for which that before stands
+  std::vector<double> after(b.laws.size(), 0);
+  for (std::size_t l = 0; dt > 0 && l < b.laws.size(); l++) after[l] = vertexMap(lawNow(w, b.laws[l], dt), dt).after;
+  SheetVelocities now;
+  now.velocity.resize(s.owned);
+  for (std::size_t i = 0; i < s.owned; i++)
+    now.velocity[i] = s.clamped.active && s.clamped[i] ? Vec3d{} : s.velocity[i] + after[s.law[i]] * s.load[i];
+  now.span = dt > 0 ? dt : nextStep(w.clock);
+  now.dt = dt;
+
+  clearLoads(w);
+  addInnerForces(w, halos);
+  addOuterForces(w, now);
+  addSheetContacts(w, halos, now);
+  addRestEnergy(w);
+  for (std::size_t i = 0; i < s.owned; i++)
+    if (w.sheets.plans[s.body[i]].touches) b.fastest2 = std::max(b.fastest2, dot(now.velocity[i], now.velocity[i]));
   t.times.lap(StepPhase::Sheet);
 }
 
 double sheetStepLimit(const World& w) {
-  double fastest = 0;
-  for (std::size_t i = 0; i < w.sheets.rows.owned; i++) fastest = std::max(fastest, dot(w.sheets.rows.velocity[i], w.sheets.rows.velocity[i]));
-  return fastest > 0 ? supportsPerStep * w.grid.support / std::sqrt(fastest) : never;
+  const SheetBodies& b = w.sheets;
+  double limit = never;
+  for (std::size_t l = 0; l < b.stiffest.size(); l++) {
+    if (!(b.stiffest[l] > 0)) continue;
+    // rounded up to one of 32 values an octave: equal on all ranks that are about as stiff, and the step does not waver
+    int e = 0;
+    const double part = std::frexp(b.stiffest[l], &e), kappa = std::ldexp(std::ceil(part * 64) / 64, e);
+    limit = std::min(limit, 2 * w.scene.numerics.cflElastic * stableStep(lawNow(w, b.laws[l], 0), kappa));
+  }
+  if (b.stiffestParticle > 0) {
+    int e = 0;
+    const double part = std::frexp(b.stiffestParticle, &e);
+    limit = std::min(limit, 4 * w.scene.numerics.cflElastic / std::sqrt(std::ldexp(std::ceil(part * 64) / 64, e)));
+  }
+  // nothing passes through anything in a step
+  if (b.fastest2 > 0) {
+    double thin = never;
+    for (const SheetPlan& p : b.plans)
+      if (p.touches) thin = std::min(thin, p.thickness);
+    limit = std::min(limit, 0.5 * thin / std::sqrt(b.fastest2));
+  }
+  return limit;
 }
 
 }  // namespace thaw

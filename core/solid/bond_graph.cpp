@@ -206,12 +206,12 @@ void BondGraph::placeRemotes() {
   for (const Alias& a : aliases_) now_[a.row] = now_[a.stands];
 }
 
-void findUnslotted(Continuum& p, Solids& s, std::vector<std::uint32_t>& unslotted) {
+void findUnslotted(const BondedRows& p, Solids& s, std::vector<std::uint32_t>& unslotted) {
   unslotted.clear();
   std::fill_n(s.particle.data(), s.owned, noParticle);
   for (std::size_t i = 0; i < p.owned; i++) {
     const std::uint32_t slot = p.slot[i];
-    const bool liquid = p.phase[i] == Liquid;
+    const bool liquid = p.liquid(i);
     if (slot == noSlot) {
       if (!liquid) unslotted.push_back(static_cast<std::uint32_t>(i));
     } else if (liquid) {

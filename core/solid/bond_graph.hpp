@@ -17,7 +17,7 @@ namespace thaw {
 inline constexpr std::uint32_t noRow = IdTable::none;
 
 struct SolidTables {
-  Continuum& particles;
+  BondedRows particles;
   Solids& solids;
   Bonds& bonds;
 };
@@ -59,7 +59,7 @@ class BondGraph {
   void remove(const Bonds& bonds, std::uint32_t slot);
   void removeRemote(std::uint32_t row) { forget(row); }
   bool leaves(std::uint32_t slot) const { return now_[slot] == noRow; }
-  /// Fills the holes and makes the new slots, in the order given. Continuum::slot follows.
+  /// Fills the holes and makes the new slots, in the order given. BondedRows::slot follows.
   void place(const SolidTables& t, std::span<const NewSlot> fresh);
   /// Makes room for so many bonds a slot.
   void reserve(Bonds& bonds, int capacity) const;
@@ -118,7 +118,7 @@ class BondGraph {
 };
 
 /// What the particles say of slots since the last edit: Solids::particle is set for all slots that stay; `unslotted` are rows of
-/// solid particles without a slot; Continuum::slot of particles that became liquid is noSlot. Needs sorted particles without departed rows.
-void findUnslotted(Continuum& particles, Solids& solids, std::vector<std::uint32_t>& unslotted);
+/// solid particles without a slot; BondedRows::slot of particles that became liquid is noSlot. Needs sorted particles without departed rows.
+void findUnslotted(const BondedRows& particles, Solids& solids, std::vector<std::uint32_t>& unslotted);
 
 }  // namespace thaw

@@ -4,13 +4,13 @@
 
 namespace thaw {
 
-void SerialBondHalo::migrate(Continuum& p, Solids&, Bonds&, const Migration& m) {
-  if (!p.slot.active) return;
+void SerialBondHalo::migrate(const BondedRows& p, Solids&, Bonds&, const Migration& m) {
+  if (!p.active) return;
   for (std::size_t i = p.owned - m.arrivals; i < p.owned; i++) p.slot[i] = noSlot;
 }
 
-bool SerialBondHalo::relink(Continuum& p, Solids& s, Bonds& b, const Relink& work) {
-  if (!p.slot.active || !(work.changedHere || b.broken || !work.requests.empty() || !records_.empty())) return false;
+bool SerialBondHalo::relink(const BondedRows& p, Solids& s, Bonds& b, const Relink& work) {
+  if (!p.active || !(work.changedHere || b.broken || !work.requests.empty() || !records_.empty())) return false;
   const SolidTables tables{p, s, b};
   graph_.begin();
   if (b.broken) graph_.dropBroken(tables);

@@ -9,8 +9,8 @@ namespace thaw {
 
 class SerialBondHalo : public BondHalo {
  public:
-  void migrate(Continuum& particles, Solids& solids, Bonds& bonds, const Migration& migration) override;
-  bool relink(Continuum& particles, Solids& solids, Bonds& bonds, const Relink& work) override;
+  void migrate(const BondedRows& particles, Solids& solids, Bonds& bonds, const Migration& migration) override;
+  bool relink(const BondedRows& particles, Solids& solids, Bonds& bonds, const Relink& work) override;
   void begin(Solids&, std::span<AnyColumn* const>) override {}
   void finish(Solids&) override {}
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/sheet/plan_sheets.hpp"
+
 namespace thaw {
 namespace {
 
@@ -26,7 +28,7 @@ WatchBounds watchBounds(const Scene& s, const Modules& modules, const std::vecto
     if (modules.fluid && (!m.canBeSolid() || m.melts() || m.liquidAtStart)) wave(liquids[k].soundSpeed);
     if (modules.solid && m.canBeSolid()) wave(std::sqrt(std::max(m.young.solid, m.young.liquid) / m.density));
   }
-  b.expected = std::max(expectedSpeed(s), given);
+  b.expected = std::max({expectedSpeed(s), given, expectedSheetSpeed(s)});
   if (slowest < never) b.expected = std::max(b.expected, 0.1 * slowest);
   if (n.watchSpeed < never) b.speed = n.watchSpeed * (b.expected + 0.1 * fastest);
   b.filling = n.watchDensity;

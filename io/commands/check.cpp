@@ -43,10 +43,10 @@ int checkAll(const CheckOptions& o) {
   prepareWorld(w, t, meshLoader());
   requireMemory(comm, w, meshLoader());
   MpiCellHalo cells(comm, w.grid);
-  MpiBondHalo bonds(comm);
+  MpiBondHalo bonds(comm), edges(comm);
   std::unique_ptr<MpiCellHalo> kinds[kindCount];
   eachKind(w, [&](std::size_t kind, const KindRows&, const CellTable&) { kinds[kind] = std::make_unique<MpiCellHalo>(comm, w.grid); });
-  const Halos halos{all, cells, bonds, {kinds[orientedKind].get(), kinds[sheetKind].get()}};
+  const Halos halos{all, cells, bonds, {kinds[orientedKind].get(), kinds[sheetKind].get()}, &edges};
   const SamplingReport sampled = startWorld(w, halos, t, meshLoader());
   SurfaceTrial surface(comm, w, meshLoader());
   // a few steps, to measure

@@ -22,13 +22,12 @@ namespace {
 Vec3d vectorOf(const std::vector<double>& v) { return {v.at(0), v.at(1), v.at(2)}; }
 
 /// The field asked for, else the scene's if the frames have it, else the best they have.
-std::string fieldFor(const RenderOptions& options, const std::string& ofScene, const std::vector<std::string>& fields) {
+std::string fieldFor(const RenderOptions& options, const std::string& ofScene, const std::vector<std::string>& fields, bool surface) {
   if (options.field == "none") return {};
   if (!options.field.empty()) return options.field;
   const auto has = [&](const std::string& name) { return std::find(fields.begin(), fields.end(), name == "speed" ? "velocity" : name) != fields.end(); };
-  const bool surface = has("normal") && has("radius");
   if (surface && (ofScene == "surface" || (ofScene == "glow" && has("temperature")))) return ofScene;
-  for (const std::string& name : {ofScene, std::string("temperature"), std::string("speed")})
+  for (const std::string& name : {ofScene, std::string("temperature"), std::string(surface ? "" : "speed")})
     if (!name.empty() && has(name)) return name;
   return surface ? "surface" : "";
 }
@@ -85,7 +84,7 @@ FrameJob jobOf(const RenderOptions& options) {
   job.sheet = options.sheet;
   job.columns = options.columns;
   job.cells = options.cells;
-  job.field = fieldFor(options, job.field, fieldsOf(frames.back()));
+  job.field = fieldFor(options, job.field, fieldsOf(frames.back()), drawnAsSurface(frames.back()));
   if (options.min) job.min = options.min;
   if (options.max) job.max = options.max;
   if (job.min && job.max && !(*job.max > *job.min)) throw std::invalid_argument("the colours' range is empty: --max has to be above --min");

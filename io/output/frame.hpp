@@ -1,7 +1,8 @@
-// Frames: one VTKHDF 1.0 UnstructuredGrid file for each, which ParaView, VTK and h5py read. One vertex cell a particle.
+// Frames: one VTKHDF 1.0 UnstructuredGrid file for each, which ParaView, VTK and h5py read. One vertex cell a particle, or triangles.
 #pragma once
 #include <mpi.h>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -26,6 +27,8 @@ struct Frame {
   std::uint64_t count = 0;                ///< particles of this rank
   FrameField positions;                   ///< m, 3 components, F32 or F64
   std::vector<FrameField> fields;
+  bool meshed = false;                    ///< cells are triangles (the same on all ranks), else one vertex cell a particle
+  std::vector<std::uint64_t> triangles;   ///< three rows each, as numbered over all ranks
 };
 
 /// What the group /run of every file says of its origin.
@@ -35,7 +38,7 @@ struct RunStamp {
   bool piecesByRank = false;              ///< frames in one piece for each rank, for parallel ParaView
 };
 
-/// Writes the frame; the file is there, whole, afterwards on all ranks, or nothing changed and the same IoError is thrown on all.
+/// Writes the frame, one with triangles in one piece; the file is there, whole, afterwards on all ranks, or nothing changed and the same IoError is thrown on all.
 /// Collective.
 void writeFrame(const std::string& path, MPI_Comm comm, const Frame& frame, const RunStamp& stamp);
 
@@ -59,6 +62,7 @@ struct FrameData {
   std::uint64_t pieces = 1;
   std::vector<Vec3d> positions;           ///< m
   std::vector<FrameColumn> columns;       ///< without the positions
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< rows; empty where the cells are points
   std::string code, commit, sceneName, sceneText;
   std::int64_t ranks = 0;
   const FrameColumn* find(const std::string& name) const;

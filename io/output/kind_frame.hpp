@@ -1,5 +1,6 @@
 // Frames of the further kinds, beside those of the particles: NAME_oriented_000120.hdf, NAME_sheet_000120.hdf, each kind with an index of its own.
 #pragma once
+#include "core/halo/halo.hpp"
 #include "core/kinds/kinds.hpp"
 #include "io/output/surface_frame.hpp"
 
@@ -14,6 +15,9 @@ WorldFrame kindFrameOf(const World& world, std::size_t kind);
 /// What a kind adds (io/output/oriented_frame.cpp, io/output/sheet_frame.cpp).
 void addOrientedFields(const World& world, WorldFrame& frame);
 void addSheetFields(const World& world, WorldFrame& frame);
+
+/// The triangles of the sheets; firstRow: number over all ranks of this rank's first row. Collective.
+void addSheetTriangles(World& world, BondHalo& edges, std::uint64_t firstRow, WorldFrame& frame);
 
 /// What the points of a frame are: "particles", "surfels", "oriented" or "sheet". A frame of a kind has a field "<kind>_body".
 std::string titleOfFrame(const H5File& file);

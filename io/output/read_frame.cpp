@@ -60,6 +60,23 @@ FrameInfo infoOf(const H5File& file) {
   return info;
 }
 
+/// Where the cells are triangles and all points one piece.
+void readTriangles(const H5File& file, const FrameInfo& info, FrameData& data) {
+  if (info.pieces != 1 || !file.has("/VTKHDF/Types") || !file.has("/VTKHDF/Connectivity")) return;
+  const std::uint64_t cells = file.shape("/VTKHDF/Types").rows, ends = file.shape("/VTKHDF/Connectivity").rows;
+  if (cells == 0 || ends != 3 * cells) return;
+  std::uint8_t type = 0;
+  file.read("/VTKHDF/Types", {0, 1}, Element::U8, &type);
+  if (type != 5) return;
+  std::vector<std::int64_t> rows(ends);
+  file.read("/VTKHDF/Connectivity", {0, ends}, Element::I64, rows.data());
+  data.triangles.resize(cells);
+  for (std::uint64_t k = 0; k < ends; k++) {
+    if (rows[k] < 0 || static_cast<std::uint64_t>(rows[k]) >= info.count) throw IoError(file.path(), "is damaged: a triangle names a point that is not there");
+    data.triangles[k / 3][k % 3] = static_cast<std::uint32_t>(rows[k]);
+  }
+}
+
 }  // namespace
 
 double FrameColumn::value(std::size_t row, int c) const {
@@ -102,6 +119,7 @@ FrameData readFrame(const std::string& path, const std::function<bool(const std:
   if (file.has("/run/scene_toml")) data.sceneText = file.readText("/run/scene_toml");
   data.positions.resize(info.count);
   file.read("/VTKHDF/Points", {0, info.count}, Element::F64, data.positions.data());
+  readTriangles(file, info, data);
   for (std::size_t k = 1; k < info.fields.size(); k++) {
     const FrameInfo::Field& f = info.fields[k];
     if (f.shape.element == Element::Other || (wanted && !wanted(f.name))) continue;

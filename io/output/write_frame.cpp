@@ -20,10 +20,13 @@ std::vector<std::int64_t> piecesOf(MPI_Comm comm, std::uint64_t count, std::uint
   return pieces;
 }
 
-/// One vertex cell a particle: connectivity 0..n-1 in each piece, offsets 0..n. As int32 where that is enough.
+/// One vertex cell a particle: connectivity 0..n-1 in each piece, offsets 0..n; or triangles. As int32 where that is enough.
 template<class Int> struct Topology {
   std::vector<Int> connectivity, offsets;
   std::vector<std::uint8_t> types;
+  Topology(const std::vector<std::uint64_t>& triangles, std::uint64_t first, bool last) : connectivity(triangles.begin(), triangles.end()), types(triangles.size() / 3, 5) {
+    for (std::uint64_t k = 0; k < triangles.size() / 3 + last; k++) offsets.push_back(static_cast<Int>(3 * (first + k)));
+  }
   Topology(std::uint64_t count, std::uint64_t firstInPiece, bool endsPiece) : connectivity(count), offsets(count), types(count, 1) {
     std::iota(connectivity.begin(), connectivity.end(), static_cast<Int>(firstInPiece));
     std::iota(offsets.begin(), offsets.end(), static_cast<Int>(firstInPiece));
@@ -49,9 +52,12 @@ template<class Int> void writeWith(const std::string& path, MPI_Comm comm, const
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &ranks);
   const Spread points = spreadRows(comm, frame.count);
-  const std::vector<std::int64_t> pieces = piecesOf(comm, frame.count, points.all, stamp.piecesByRank);
-  const bool endsPiece = stamp.piecesByRank || rank == ranks - 1;
-  const Topology<Int> topology(frame.count, stamp.piecesByRank ? 0 : points.mine.first, endsPiece);
+  const bool piecesByRank = stamp.piecesByRank && !frame.meshed;  // a triangle may have corners on several ranks
+  const std::vector<std::int64_t> pieces = piecesOf(comm, frame.count, points.all, piecesByRank);
+  const bool endsPiece = piecesByRank || rank == ranks - 1;
+  const Spread cells = frame.meshed ? spreadRows(comm, frame.triangles.size() / 3) : points, ends = frame.meshed ? spreadRows(comm, frame.triangles.size()) : points;
+  const Topology<Int> topology = frame.meshed ? Topology<Int>(frame.triangles, cells.mine.first, endsPiece)
+                                              : Topology<Int>(frame.count, piecesByRank ? 0 : points.mine.first, endsPiece);
   const Spread offsets = spreadRows(comm, topology.offsets.size());
 
   ParallelFileContent content;
@@ -60,9 +66,9 @@ template<class Int> void writeWith(const std::string& path, MPI_Comm comm, const
     content.datasets.push_back({name, {shape.element, spread.all, shape.components}, spread.mine, data, unit, {}});
   };
   add("/VTKHDF/Points", {elementOf(frame.positions.scalar), 0, 3}, points, frame.positions.data, frame.positions.unit);
-  add("/VTKHDF/Connectivity", {integer, 0, 0}, points, topology.connectivity.data(), "");
+  add("/VTKHDF/Connectivity", {integer, 0, 0}, ends, topology.connectivity.data(), "");
   add("/VTKHDF/Offsets", {integer, 0, 0}, offsets, topology.offsets.data(), "");
-  add("/VTKHDF/Types", {Element::U8, 0, 0}, points, topology.types.data(), "");
+  add("/VTKHDF/Types", {Element::U8, 0, 0}, cells, topology.types.data(), "");
   for (const FrameField& f : frame.fields)
     add("/VTKHDF/PointData/" + f.name, {elementOf(f.scalar), 0, f.components > 1 ? f.components : 0}, points, f.data, f.unit);
   content.smallBytes = stamp.sceneText.size();
@@ -70,8 +76,11 @@ template<class Int> void writeWith(const std::string& path, MPI_Comm comm, const
     file.setIntegers("/VTKHDF", "Version", {1, 0});
     file.setText("/VTKHDF", "Type", "UnstructuredGrid");
     const DatasetShape perPiece{Element::I64, pieces.size(), 0};
-    for (const char* name : {"/VTKHDF/NumberOfPoints", "/VTKHDF/NumberOfCells", "/VTKHDF/NumberOfConnectivityIds"})
-      file.writeAll(name, perPiece, pieces.data());
+    const std::vector<std::int64_t> cellsOfPieces = frame.meshed ? std::vector{static_cast<std::int64_t>(cells.all)} : pieces;
+    const std::vector<std::int64_t> endsOfPieces = frame.meshed ? std::vector{static_cast<std::int64_t>(ends.all)} : pieces;
+    file.writeAll("/VTKHDF/NumberOfPoints", perPiece, pieces.data());
+    file.writeAll("/VTKHDF/NumberOfCells", perPiece, cellsOfPieces.data());
+    file.writeAll("/VTKHDF/NumberOfConnectivityIds", perPiece, endsOfPieces.data());
     file.writeAll("/VTKHDF/FieldData/Time", {Element::F64, 1, 0}, &frame.time);
     file.setText("/VTKHDF/FieldData/Time", "units", "s");
     file.writeAll("/VTKHDF/FieldData/Step", {Element::I64, 1, 0}, &frame.step);
@@ -83,8 +92,8 @@ template<class Int> void writeWith(const std::string& path, MPI_Comm comm, const
 }  // namespace
 
 void writeFrame(const std::string& path, MPI_Comm comm, const Frame& frame, const RunStamp& stamp) {
-  const Spread all = spreadRows(comm, frame.count);
-  if (all.all < static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max())) writeWith<std::int32_t>(path, comm, frame, stamp);
+  const std::uint64_t largest = std::max<std::uint64_t>(spreadRows(comm, frame.count).all, spreadRows(comm, frame.triangles.size()).all);
+  if (largest < static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max())) writeWith<std::int32_t>(path, comm, frame, stamp);
   else writeWith<std::int64_t>(path, comm, frame, stamp);
 }
 

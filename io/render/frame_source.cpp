@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "io/output/frame.hpp"
 #include "io/output/read_oriented_frame.hpp"
 #include "io/output/read_surface_frame.hpp"
 #include "io/output/series.hpp"
+#include "io/render/mesh_discs.hpp"
+#include "io/render/scene_job.hpp"
 
 namespace thaw {
 
@@ -62,6 +65,26 @@ bool ofSurface(const fs::path& frame) {
   }
 }
 
+/// What a file's points are called where they are of a kind that is drawn with others: "sheet" of melt_sheet_000120.hdf; else nothing.
+std::string kindOfFrame(const fs::path& frame) {
+  const std::string stem = stemOf(frame);
+  for (const std::string kind : {"sheet", "oriented"}) {
+    if (!stem.ends_with("_" + kind)) continue;
+    for (const FrameInfo::Field& f : readFrameInfo(frame.string()).fields)
+      if (f.name == kind + "_body") return kind;
+  }
+  return {};
+}
+
+/// The frame of the same number of a scene's other kind; empty if there is none.
+fs::path companionOf(const fs::path& frame, const std::string& kind) {
+  std::string scene = stemOf(frame);
+  const std::string stem = frame.stem().string(), number = stem.substr(scene.size());
+  if (ofSurface(frame)) scene.resize(scene.size() - std::string("_surface").size());
+  const fs::path other = frame.parent_path() / (scene + "_" + kind + number + ".hdf");
+  return other != frame && fs::exists(other) && kindOfFrame(other) == kind ? other : fs::path();
+}
+
 struct FolderFrames {
   std::vector<fs::path> particles, surface;
   std::vector<std::string> particleIndices, surfaceIndices;
@@ -73,6 +96,7 @@ FolderFrames framesIn(const fs::path& folder) {
   for (const std::string& index : findSeries(folder.string())) {
     if (index.ends_with("_oriented.hdf.series") || index.ends_with("_sheet.hdf.series")) continue;  // drawn with the frame beside
     const std::vector<fs::path> frames = framesOfIndex(index);
+    if (!frames.empty() && !kindOfFrame(frames.back()).empty()) continue;  // drawn with those of the particles
     const bool surface = frames.empty() ? fs::path(index).filename().string().ends_with("_surface.hdf.series") : ofSurface(frames.back());
     (surface ? found.surfaceIndices : found.particleIndices).push_back(index);
     std::vector<fs::path>& list = surface ? found.surface : found.particles;
@@ -120,10 +144,18 @@ std::vector<fs::path> findFrames(const fs::path& path, FrameKind kind) {
   throw IoError(path.string(), "there are no frames (.hdf) in this folder");
 }
 
+bool drawnAsSurface(const fs::path& frame) {
+  return isSurfaceFrame(readFrameInfo(frame.string())) || kindOfFrame(frame) == "sheet" || !companionOf(frame, "sheet").empty();
+}
+
 std::vector<std::string> fieldsOf(const fs::path& frame) {
   std::vector<std::string> names;
-  for (const FrameInfo::Field& field : readFrameInfo(frame.string()).fields)
-    if (field.name != "position") names.push_back(field.name);
+  const auto add = [&](const fs::path& file) {
+    for (const FrameInfo::Field& field : readFrameInfo(file.string()).fields)
+      if (field.name != "position" && std::find(names.begin(), names.end(), field.name) == names.end()) names.push_back(field.name);
+  };
+  add(frame);
+  if (const fs::path sheets = companionOf(frame, "sheet"); !sheets.empty()) add(sheets);
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -164,16 +196,74 @@ FrameView surfaceView(const fs::path& file, const std::string& field) {
   return view;
 }
 
-}  // namespace
+/// Adds the sheets of a frame to a view of surfels.
+void addSheets(const fs::path& file, const std::string& field, FrameView& view) {
+  const std::string name = field == "speed" ? "velocity" : field == "glow" ? "temperature" : field;
+  const FrameData data = readFrame(file.string(), [&](const std::string& n) { return n == name || n == "color"; });
+  const std::vector<Vec3f> positions = inSinglePrecision(data.positions);
+  std::vector<float> values;
+  if (const FrameColumn* column = data.find(name)) {
+    if (view.unit.empty()) view.unit = column->unit;
+    for (std::size_t i = 0; i < positions.size(); i++) values.push_back(lengthOfRow(*column, i));
+  }
+  std::vector<Rgb> colours(positions.size(), Rgb{200, 200, 200});
+  if (const FrameColumn* column = data.find("color"); column && column->components == 3)
+    for (std::size_t i = 0; i < colours.size(); i++) {
+      const auto byte = [&](int c) { return static_cast<std::uint8_t>(std::clamp(column->value(i, c), 0.0, 255.0)); };
+      colours[i] = {byte(0), byte(1), byte(2)};
+    }
+  view.time = data.time;
+  const int fine = data.triangles.size() < 3000 ? 3 : data.triangles.size() < 12000 ? 2 : 1;
+  addMeshDiscs({positions, data.triangles, values, colours}, fine, view);
+}
 
-FrameView readFrameView(const fs::path& frame, const std::string& field) {
-  if (isSurfaceFrame(readFrameInfo(frame.string()))) return surfaceView(frame, field);
+/// Makes room in a view of surfels for discs that have all that discs can have.
+void fillUp(FrameView& view) {
+  const std::size_t n = view.positions.size();
+  view.values.resize(n, std::numeric_limits<float>::quiet_NaN());
+  view.colours.resize(n, Rgb{188, 193, 200});
+  view.components.resize(n, 0);
+}
+
+/// How surfels of several kinds are painted: by values where one has them, else in their own colours.
+SurfelPaint paintOf(const FrameView& view, const std::string& field) {
+  if (field == "glow") return SurfelPaint::Glow;
+  for (const float v : view.values)
+    if (!std::isnan(v)) return SurfelPaint::Mixed;
+  return SurfelPaint::Surface;
+}
+
+FrameView particleView(const fs::path& frame, const std::string& field, bool alone) {
   const std::string name = field == "speed" ? "velocity" : field;
   const FrameData data = readFrame(frame.string(), [&](const std::string& n) { return n == name; });
   FrameView view;
   view.time = data.time;
   view.positions = inSinglePrecision(data.positions);
-  if (!field.empty()) setValues(view, data.find(name), frame, field, "");
+  if (!field.empty() && (alone || data.find(name))) setValues(view, data.find(name), frame, field, "");
+  return view;
+}
+
+}  // namespace
+
+FrameView readFrameView(const fs::path& frame, const std::string& field) {
+  const std::string kind = kindOfFrame(frame);
+  if (kind == "sheet") {
+    FrameView view;
+    addSheets(frame, field, view);
+    view.paint = paintOf(view, field);
+    return view;
+  }
+  const bool surfels = isSurfaceFrame(readFrameInfo(frame.string()));
+  const fs::path sheets = companionOf(frame, "sheet");
+  if (sheets.empty()) return surfels ? surfaceView(frame, field) : particleView(frame, field, true);
+  FrameView view = surfels ? surfaceView(frame, field) : particleView(frame, field, false);
+  if (!surfels && !view.positions.empty()) {
+    const KeptScene scene = keptSceneOf(frame);
+    ballsOfParticles(static_cast<float>(0.6 * sceneOfText(scene.text, scene.name).spacing), {188, 193, 200}, view);
+  }
+  fillUp(view);
+  addSheets(sheets, field, view);
+  view.paint = paintOf(view, field);
   return view;
 }
 
@@ -186,7 +276,7 @@ FrameView readWholeView(const fs::path& frame, const std::string& field, Oriente
     return view;
   }
   // of a scene without particles there is no field to colour with
-  FrameView view = readFrameView(frame, info.count > 0 ? field : std::string());
+  FrameView view = readFrameView(frame, info.count > 0 || drawnAsSurface(frame) ? field : std::string());
   addKindsBeside(view, frame, look, spacing);
   return view;
 }

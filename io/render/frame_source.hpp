@@ -18,11 +18,15 @@ enum class FrameKind { Automatic, Particles, Surface, Oriented };
 /// none of the kind asked for.
 std::vector<std::filesystem::path> findFrames(const std::filesystem::path& path, FrameKind kind = FrameKind::Automatic);
 
-/// Names of the fields that a frame has, ascending. Throws IoError naming the file and the cause.
+/// Is it drawn as a surface: are its points surfels, or are there sheets beside it?
+bool drawnAsSurface(const std::filesystem::path& frame);
+
+/// Names of the fields that a frame has, and those of the sheets beside it, ascending. Throws IoError naming the file and the cause.
 std::vector<std::string> fieldsOf(const std::filesystem::path& frame);
 
 /// ReadFrame for VTKHDF frames. The field "speed" is the length of "velocity". Of surfels, "surface" asks for the surface's own colours and
-/// "glow" for those turning into the temperature's. Throws IoError naming the file and the cause:
+/// "glow" for those turning into the temperature's. Sheets of the same moment (NAME_sheet_000120.hdf) are drawn with a frame of surfels or particles, these then as
+/// balls of discs. Throws IoError naming the file and the cause:
 /// not HDF5, truncated, not a frame, no such field (with those there are).
 FrameView readFrameView(const std::filesystem::path& frame, const std::string& field);
 

@@ -44,6 +44,7 @@ class Painter {
         return decode_(in_.colours[i]);
       case SurfelPaint::Surface: return decode_(in_.colours[i]);
       case SurfelPaint::Glow: {
+        if (std::isnan(in_.values[i])) return decode_(in_.colours[i]);
         const int at = paletteIndex(scale_, in_.values[i]);
         return mixed(decode_(in_.colours[i]), palette_[static_cast<std::size_t>(at)], ramp(0, 1, static_cast<float>(at) / 255));
       }

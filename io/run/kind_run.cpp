@@ -1,15 +1,17 @@
 #include "io/run/kind_run.hpp"
 
 #include "io/hdf5/agree.hpp"
+#include "io/hdf5/parallel_file.hpp"
 #include "io/output/kind_frame.hpp"
 
 namespace thaw {
 
 void writeKindFrames(Run& r) {
-  const World& w = r.world;
+  World& w = r.world;
   eachKind(w, [&](std::size_t kind, const KindRows&, const CellTable&) {
     const std::string name = kindFrameName(r.name, kind), file = frameName(name, w.clock.frame);
-    const WorldFrame f = kindFrameOf(w, kind);
+    WorldFrame f = kindFrameOf(w, kind);
+    if (kind == sheetKind) addSheetTriangles(w, *r.edges, spreadRows(r.comm.handle(), f.frame.count).mine.first, f);
     writeFrame(frameFolder(r.options.out) + "/" + file, r.comm.handle(), f.frame, r.stamp());
     onFirstRank(r.comm.handle(), [&] {
       r.kindSeries[kind].push_back({file, w.clock.time});

@@ -26,6 +26,7 @@ HaloTraffic trafficOf(const Run& r) {
   if (r.surface) add(r.surface->surfels.traffic()), add(r.surface->particles.traffic());
   for (const auto& k : r.kinds)
     if (k) add(k->traffic());
+  if (r.edges) add(r.edges->traffic());
   return sum;
 }
 
@@ -34,6 +35,7 @@ void renewHalos(Run& r) {
   r.cells = std::make_unique<MpiCellHalo>(r.comm, r.world.grid);
   r.bonds = std::make_unique<MpiBondHalo>(r.comm);
   eachKind(r.world, [&](std::size_t kind, const KindRows&, const CellTable&) { r.kinds[kind] = std::make_unique<MpiCellHalo>(r.comm, r.world.grid); });
+  if (r.world.modules.sheet) r.edges = std::make_unique<MpiBondHalo>(r.comm);
   if (r.world.modules.surface) r.surface = std::make_unique<SurfaceRanks>(r.comm, r.world.surface.grid);
 }
 

@@ -33,6 +33,7 @@ struct Run {
   std::unique_ptr<MpiBondHalo> bonds;
   std::unique_ptr<SurfaceRanks> surface; // where the scene has one; as are the next two
   std::array<std::unique_ptr<MpiCellHalo>, kindCount> kinds;  // of the further kinds that the scene has
+  std::unique_ptr<MpiBondHalo> edges;    // of the sheets
   std::array<std::vector<SeriesEntry>, kindCount> kindSeries; // rank 0
   SurfaceTools surfaceTools;
   std::vector<SeriesEntry> surfaceSeries;  // rank 0
@@ -50,7 +51,7 @@ struct Run {
   bool stepping = false;                 // in the loop, where ranks wait for each other
 
   Run(const RunOptions& o, const Communicator& c) : options(o), comm(c), all(c) {}
-  Halos halos() { return {all, *cells, *bonds, {kinds[orientedKind].get(), kinds[sheetKind].get()}}; }
+  Halos halos() { return {all, *cells, *bonds, {kinds[orientedKind].get(), kinds[sheetKind].get()}, edges.get()}; }
   bool first() const { return comm.rank() == 0; }
   void say(const std::string& line) const {
     if (first()) std::printf("%s\n", line.c_str()), std::fflush(stdout);

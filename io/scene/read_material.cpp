@@ -3,10 +3,6 @@
 #include "io/scene/read_sections.hpp"
 
 namespace thaw {
-namespace {
-
-using Liquid = TableReader::Liquid;
-constexpr const char* meltsRange = "> 0, one temperature or [solidus, liquidus]";
 
 bool readColour(const std::string& text, std::uint32_t& colour) {
   if (text.size() != 7 || text[0] != '#' || text.find_first_not_of("0123456789abcdefABCDEF", 1) != std::string::npos) return false;
@@ -14,6 +10,11 @@ bool readColour(const std::string& text, std::uint32_t& colour) {
   colour = static_cast<std::uint32_t>((rgb >> 16 & 255) | (rgb & 0xff00) | (rgb & 255) << 16);
   return true;
 }
+
+namespace {
+
+using Liquid = TableReader::Liquid;
+constexpr const char* meltsRange = "> 0, one temperature or [solidus, liquidus]";
 
 void readLiquid(TableReader& r, Material& m) {
   r.number("density", m.density, "kg/m^3", positive(), "at rest");

@@ -22,6 +22,8 @@ void readNumerics(TableReader& reader, Numerics& numerics);
 void readSurface(TableReader& reader, SurfaceSettings& surface);
 void readOutput(TableReader& reader, Output& output);
 void readMaterial(TableReader& reader, Material& material);
+/// "#rrggbb" into red | green << 8 | blue << 16; false if it is something else.
+bool readColour(const std::string& text, std::uint32_t& colour);
 void readBody(TableReader& reader, SceneReading& reading);
 void readOriented(TableReader& reader, SceneReading& reading);
 void readSheet(TableReader& reader, SceneReading& reading);

@@ -4,10 +4,6 @@
 #include <cctype>
 
 namespace thaw {
-namespace {
-
-constexpr const char* allShapes = "mesh, box, sphere, cylinder, torus, glass, plane, union, difference or intersection";
-constexpr std::size_t deepest = 500;  // of a path in messages: ends nesting long before the stack does
 
 void readPlace(TableReader& r, Shape& s) {
   r.table("place", "where the shape stands: scaled, then turned about x, y and z, then moved", [&](TableReader& p) {
@@ -22,6 +18,11 @@ void readPlace(TableReader& r, Shape& s) {
     if (p.has("move") && p.has("bottom")) p.fail("bottom", "give move or bottom, not both");
   });
 }
+
+namespace {
+
+constexpr const char* allShapes = "mesh, box, sphere, cylinder, torus, glass, plane, union, difference or intersection";
+constexpr std::size_t deepest = 500;  // of a path in messages: ends nesting long before the stack does
 
 bool meshEnding(std::string path) {
   std::transform(path.begin(), path.end(), path.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

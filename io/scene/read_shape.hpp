@@ -8,6 +8,8 @@ namespace thaw {
 void readShape(TableReader& reader, Shape& shape);
 
 /// Describes the keys of all shapes.
+/// The key `place` alone, of things that are no shapes but stand somewhere.
+void readPlace(TableReader& reader, Shape& shape);
 void describeShape(TableReader& reader);
 
 }  // namespace thaw

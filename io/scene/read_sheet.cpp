@@ -2,13 +2,139 @@
 #include "io/scene/read_shape.hpp"
 
 namespace thaw {
+namespace {
+
+void readInTime(TableReader& r, const char* key, FactorInTime& f, const char* about) {
+  r.node(key, "", "list of pairs [time, factor]", about);
+  if (!r.describing()) r.pairs({key, "s", "", notNegative(), anyNumber()}, f.points);
+}
+
+void readSheetMesh(TableReader& r, SheetBody& b) {
+  struct Key { const char* key; SheetMesh mesh; };
+  constexpr Key keys[] = {{"grid", SheetMesh::Grid}, {"sphere", SheetMesh::Sphere}, {"head", SheetMesh::Head}, {"dome", SheetMesh::Dome}, {"forehead", SheetMesh::Forehead}, {"mesh", SheetMesh::File}};
+  int given = 0;
+  for (const Key& k : keys)
+    if (r.has(k.key)) {
+      b.mesh = k.mesh;
+      if (++given == 2) r.fail(k.key, "a second mesh; give one, and two sheets for two");
+    }
+  if (given == 0 && !r.describing()) r.fail(r.place(), r.path() + ": its mesh is missing: grid, sphere, head, dome, forehead or mesh");
+  r.table("grid", "rectangle in the plane z = 0 of threads along x and y", [&](TableReader& t) {
+    t.number("width", b.width, "m", positive(), "along x");
+    t.number("depth", b.depth, "m", positive(), "along y");
+  });
+  r.table("sphere", "closed, around its own origin", [&](TableReader& t) { t.number("radius", b.radius, "m", positive(), "radius"); });
+  r.table("head", "closed, around its own origin, looking along -y", [&](TableReader& t) { t.number("height", b.height, "m", positive(), "from chin to crown"); });
+  r.table("dome", "cap with its border in the plane z = 0", [&](TableReader& t) {
+    std::int64_t ribs = b.ribs;
+    t.number("radius", b.radius, "m", positive(), "of the border");
+    t.number("height", b.height, "m", positive(), "of the middle");
+    t.whole("ribs", ribs, 0, 1000, "radial ones, as a scallop's");
+    t.number("rib_height", b.ribHeight, "m", notNegative(), "from groove to ridge");
+    b.ribs = static_cast<int>(ribs);
+  });
+  r.table("forehead", "skin over a ball around its own origin, on its side towards +z, with furrows", [&](TableReader& t) {
+    std::int64_t wrinkles = b.wrinkles;
+    t.number("radius", b.radius, "m", positive(), "of the ball");
+    t.number("width", b.width, "m", positive(), "along x, measured along the ball");
+    t.number("height", b.height, "m", positive(), "along y, measured along the ball");
+    t.whole("wrinkles", wrinkles, 0, 1000, "furrows along x");
+    t.number("wrinkle_height", b.wrinkleHeight, "m", notNegative(), "above the ball");
+    b.wrinkles = static_cast<int>(wrinkles);
+  });
+  r.text("mesh", b.shape.mesh, "triangles of an OBJ, PLY or STL file, open or closed, in one piece or several; or \"builtin:bust\"", "path or \"builtin:bust\"");
+  r.number("spacing", b.spacing, "m", notNegative(), "distance of vertices of meshes that are made here; 0: that of the scene's particles");
+  readPlace(r, b.shape);
+}
+
+void readExactStep(TableReader& r, SheetBody& b) {
+  r.number("mass", b.mass, "kg/m^2", notNegative(), "per area; 0: it creeps, without inertia");
+  r.number("damping", b.damping, "kg/(m^2 s)", notNegative(), "resistance against velocity, per area");
+  r.number("stiffness", b.stiffness, "N/m^3", notNegative(), "of the springs that pull every vertex to its place of rest, per area");
+  readInTime(r, "stiffness_in_time", b.stiffnessInTime, "factor of the stiffness, linear in between");
+  readInTime(r, "damping_in_time", b.dampingInTime, "factor of the damping, linear in between");
+  r.number("plasticity", b.plasticity, "", between(0, 1), "part of what goes beyond the elastic limit that stays; 0: elastic, 1: plastic");
+  r.number("elastic_limit", b.elasticLimit, "m", orNever(positive()), "displacement from rest; \"never\": none");
+  r.tables("region", "part of the sheet, where its vertices are in a SHAPE at the start, with other coefficients", [&](TableReader& t) {
+    SheetRegion g;
+    g.where = t.place();
+    readShape(t, g.shape);
+    t.number("mass", g.mass, "", notNegative(), "times the sheet's");
+    t.number("damping", g.damping, "", notNegative(), "times the sheet's");
+    t.number("stiffness", g.stiffness, "", notNegative(), "times the sheet's");
+    if (!t.describing()) b.regions.push_back(std::move(g));
+  });
+}
+
+void readInner(TableReader& r, SheetBody& b) {
+  r.number("warp", b.warp, "N/m", notNegative(), "of the springs along edges in the direction of the warp: tension per width and strain");
+  r.number("weft", b.weft, "N/m", notNegative(), "of those across it");
+  r.number("shear", b.shear, "N/m", notNegative(), "of those between, both diagonals of a square");
+  r.vector("warp_direction", b.warpDirection, "", "of the warp at the start");
+  r.number("rest_length", b.restLength, "", positive(), "of the springs, over their length at the start");
+  r.number("bending", b.bending, "N/m", notNegative(), "of springs between the vertices on both sides of each edge");
+  r.number("stretch_limit", b.stretchLimit, "", orNever(positive()), "length over that at rest beyond which springs are nearly rigid");
+  r.number("rigid", b.rigid, "", notNegative(), "by how much they are stiffer then; the step pays for it");
+  r.number("volume_stiffness", b.volumeStiffness, "Pa", notNegative(), "of a closed mesh: pressure per relative change of its volume");
+  r.number("push", b.push, "N/m", notNegative(), "between vertices nearer than the thickness");
+  r.number("pull", b.pull, "N/m", notNegative(), "between vertices further than that, as far as pull_reach");
+  r.number("pull_reach", b.pullReach, "m", notNegative(), "beyond the thickness");
+}
+
+void readOuter(TableReader& r, SheetBody& b) {
+  r.vector("wind", b.wind, "m/s", "velocity of the air");
+  r.number("wind_density", b.windDensity, "kg/m^3", notNegative(), "of the air, times a coefficient of drag: pressure over squared velocity along the normal; 0: no air");
+  r.number("wrap", b.wrap, "Pa", anyNumber(), "pressure that shrinks the sheet: against its normal, or toward an obstacle");
+  r.text("wrap_to", b.wrapTo, "what wrap is toward; none: against the normal", "name of an obstacle");
+  readInTime(r, "wrap_in_time", b.wrapInTime, "factor of wrap, linear in between");
+  r.tables("brush", "pushes at a place", [&](TableReader& t) {
+    SheetBrush g;
+    g.where = t.place();
+    t.vector("centre", g.centre, "m", "where it pushes most");
+    t.number("radius", g.radius, "m", positive(), "where it ends: (1 - r^2/R^2)^2 in between");
+    t.vector("pressure", g.pressure, "Pa", "force per area of sheet at the centre");
+    readInTime(t, "in_time", g.inTime, "factor, linear in between");
+    if (!t.describing()) b.brushes.push_back(std::move(g));
+  });
+  r.number("thickness", b.thickness, "m", notNegative(), "distance at which it touches; 0: 0.8 of its spacing");
+  r.number("contact_rate", b.contactRate, "1/s", notNegative(), "of contact, a spring that swings with this rate; 0: from the speeds and pressures of the scene");
+  r.number("friction", b.friction, "", between(0, 10), "Coulomb; of two that touch the larger counts");
+  r.number("restitution", b.restitution, "", between(0, 1), "of two that touch the smaller counts");
+  r.flag("self_contact", b.selfContact, "it touches itself");
+}
+
+}  // namespace
 
 void readSheet(TableReader& r, SceneReading& x) {
   SheetBody b;
+  std::string colour;
   b.where = r.place();
+  b.shape.where = b.where;
+  b.shape.kind = ShapeKind::Mesh;
   r.text("name", b.name, "for messages and `--set`; none: \"sheet\" and its number");
-  readShape(r, b.shape);
-  if (r.describing()) return;
+  readSheetMesh(r, b);
+  readExactStep(r, b);
+  readInner(r, b);
+  readOuter(r, b);
+  r.vector("velocity", b.velocity, "m/s", "at the start");
+  r.text("colour", colour, "in pictures and exports; a pale one", "\"#rrggbb\"");
+  if (!colour.empty() && !readColour(colour, b.colour)) r.fail("colour", "expected six hexadecimal digits such as \"#e8c890\"");
+  r.number("temperature", b.temperature, "K", positive(), "at the start");
+  r.number("heat_capacity", b.heatCapacity, "J/(m^2 K)", positive(), "per area");
+  r.number("conductance", b.conductance, "W/(m^2 K)", notNegative(), "of heat to what it touches; 0: insulating");
+  if (r.describing()) {
+    r.node("clamp", "", "list of tables with a SHAPE each", "vertices that lie in one of these at the start are held where they are");
+    return;
+  }
+  r.tables("clamp", "", [&](TableReader& c) {
+    b.clamp.emplace_back();
+    readShape(c, b.clamp.back());
+  });
+  if (b.mass == 0 && b.damping == 0 && b.stiffness == 0) r.fail("mass", "a sheet needs mass, damping or stiffness: all three are 0");
+  if (b.plasticity > 0 && b.stiffness == 0) r.fail("plasticity", "without stiffness there is no place of rest that could move");
+  if (b.pull > 0 && b.pullReach == 0) r.fail("pull_reach", "pull needs a reach");
+  if (length(b.warpDirection) == 0) r.fail("warp_direction", "must not be zero");
+  if (!b.wrapTo.empty() && b.wrap == 0) r.fail("wrap_to", "without wrap there is nothing to be wrapped");
   if (b.name.empty()) b.name = "sheet " + std::to_string(x.scene->sheets.size());
   x.scene->sheets.push_back(std::move(b));
 }

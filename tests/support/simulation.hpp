@@ -16,7 +16,7 @@ struct Simulation {
   SerialReducer all;
   std::unique_ptr<SerialCellHalo> cells;
   std::unique_ptr<SerialCellHalo> kinds[kindCount];
-  SerialBondHalo bonds;
+  SerialBondHalo bonds, edges;
   Limit limitedBy = Limit::Scene;
   double shortest = never;  ///< s, dt
 
@@ -27,7 +27,7 @@ struct Simulation {
     eachKind(w, [&](std::size_t kind, const KindRows&, const CellTable&) { kinds[kind] = std::make_unique<SerialCellHalo>(w.grid); });
     startWorld(w, halos(), tools, {});
   }
-  Halos halos() { return {all, *cells, bonds, {kinds[orientedKind].get(), kinds[sheetKind].get()}}; }
+  Halos halos() { return {all, *cells, bonds, {kinds[orientedKind].get(), kinds[sheetKind].get()}, &edges}; }
   Continuum& particles() { return w.particles; }
 
   /// One step. False where a value is not finite.

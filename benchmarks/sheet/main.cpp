@@ -1,0 +1,37 @@
+// Sheets (DS): the vertex update beside a copy of the same bytes, frames a second of the head and the membrane beside the paper's, and error
+// against cost of the exact step, symplectic Euler, RK4 and implicit Euler on an oscillator and on the head.
+//   scripts/bench sheet [--vertices 2000000] [--large 1000000] [--csv FILE] [--only bandwidth|frames|accuracy]
+// Lines of the CSV: test,case,method,steps,evaluations,seconds,value,unit. Fails (exit 1) where the update has less than 60 % of the copy.
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+#include "benchmarks/sheet/tests.hpp"
+
+int main(int argc, char** argv) {
+  using namespace thaw::bench;
+  std::size_t vertices = 2000000, large = 1000000;
+  std::string csv, only;
+  for (int k = 1; k + 1 < argc; k += 2) {
+    const std::string key = argv[k];
+    if (key == "--vertices") vertices = std::strtoull(argv[k + 1], nullptr, 10);
+    else if (key == "--large") large = std::strtoull(argv[k + 1], nullptr, 10);
+    else if (key == "--csv") csv = argv[k + 1];
+    else if (key == "--only") only = argv[k + 1];
+    else return std::fprintf(stderr, "sheet: there is no option %s\n", argv[k]), 2;
+  }
+  std::FILE* file = csv.empty() ? nullptr : std::fopen(csv.c_str(), "w");
+  if (!csv.empty() && !file) return std::fprintf(stderr, "sheet: %s cannot be written\n", csv.c_str()), 2;
+  if (file) std::fprintf(file, "test,case,method,steps,evaluations,seconds,value,unit\n");
+  const Out out{file};
+  bool good = true;
+  if (only.empty() || only == "bandwidth") good = bandwidth(vertices, out);
+  if (only.empty() || only == "frames") frames(large, out);
+  if (only.empty() || only == "accuracy") {
+    oscillator(out);
+    head(out);
+  }
+  if (file) std::fclose(file);
+  return good ? 0 : 1;
+}

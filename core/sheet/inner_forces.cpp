@@ -1,0 +1,178 @@
+#include "core/sheet/inner_forces.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/sheet/cell_sums.hpp"
+
+namespace thaw {
+
+void activateEdges(SheetEdges& e) {
+  for (AnyColumn* c : std::initializer_list<AnyColumn*>{&e.ends.id, &e.ends.particle, &e.ends.material, &e.ends.position, &e.ends.changed}) e.ends.activate(*c);
+}
+
+void emptyEdges(SheetBodies& b) {
+  b.edges.ends.resize(b.edges.ends.owned, 0);
+  b.edges.ends.resize(0, 0);
+  b.edges.bonds = {};
+  b.edgesAtStart = true;
+}
+
+void forgetSlotsAtStart(SheetBodies& b, bool left) {
+  if (b.edgesAtStart) std::fill_n(b.rows.slot.data(), b.rows.owned, noSlot);
+  b.leftHere = b.leftHere || left;
+}
+
+std::vector<BondRequest> edgeRequests(const SheetBodies& b) {
+  std::vector<BondRequest> requests;
+  for (std::uint32_t slot = 0; slot < b.edges.ends.owned; slot++) {
+    const std::uint64_t id = b.edges.ends.id[slot], sheet = id >> 40;
+    const auto v = static_cast<std::uint32_t>(id & ((1ull << 40) - 1));
+    const SheetPlan& plan = b.plans[sheet];
+    const SheetTopology& t = plan.topology;
+    double number = 1;
+    const auto ask = [&](std::uint32_t to, double length, double stiffness, double triangle) {
+      requests.push_back({slot, sheet << 40 | to, {length, stiffness, triangle}, {}, number++});
+    };
+    for (std::uint32_t k = t.first[v]; k < t.first[v + 1]; k++) {
+      const RingEdge& r = t.ring[k];
+      ask(r.to, plan.edgeLength[k], plan.edgeStiffness[k], r.triangle ? 1.0 + r.next : 0.0);
+    }
+    const auto first = std::lower_bound(plan.hinges.begin(), plan.hinges.end(), v, [](const SheetHinge& h, std::uint32_t x) { return h.from < x; });
+    for (auto h = first; h != plan.hinges.end() && h->from == v; ++h) ask(h->to, h->length, h->stiffness, 0);
+  }
+  return requests;
+}
+
+int triangleWith(const Bonds& b, std::size_t slot, int k) {
+  const double next = b.z[b.at(slot, k)];
+  if (!(next > 0)) return -1;
+  const int guess = static_cast<int>(next) - 1;
+  if (guess < b.capacity && b.weight[b.at(slot, guess)] == next) return guess;
+  for (int other = 0; other < b.capacity; other++)  // some neighbour has left the domain
+    if (b.weight[b.at(slot, other)] == next) return other;
+  return -1;
+}
+
+void sendEnds(SheetBodies& b, BondHalo& edges) {
+  Solids& e = b.edges.ends;
+  for (std::size_t s = 0; s < e.owned; s++) e.position[s] = b.rows.position[e.particle[s]];
+  const std::array<AnyColumn*, 1> columns{&e.position};
+  edges.begin(e, columns);
+  edges.finish(e);
+}
+
+Vec3d facingOf(const SheetEdges& e, std::size_t slot) {
+  Vec3d sum{};
+  for (int k = 0; k < e.bonds.capacity; k++) {
+    if (!(e.bonds.weight[e.bonds.at(slot, k)] > 0)) break;
+    const int next = triangleWith(e.bonds, slot, k);
+    if (next >= 0) sum += cross(edgeVector(e, slot, k), edgeVector(e, slot, next));
+  }
+  return sum / 6.0;
+}
+
+namespace {
+
+void addSprings(World& w, std::size_t slot) {
+  SheetBodies& b = w.sheets;
+  Sheets& s = b.rows;
+  const std::uint32_t i = b.edges.ends.particle[slot];
+  const SheetBody& body = w.scene.sheets[s.body[i]];
+  const Bonds& bonds = b.edges.bonds;
+  Vec3d force{};
+  double energy = 0, slope = 0;
+  for (int k = 0; k < bonds.capacity; k++) {
+    const std::size_t at = bonds.at(slot, k);
+    if (!(bonds.weight[at] > 0)) break;
+    const double stiffness = bonds.y[at];
+    if (!(stiffness > 0)) continue;
+    const Vec3d d = edgeVector(b.edges, slot, k);
+    const double l = length(d), stretch = l - bonds.x[at];
+    double pull = stiffness * stretch;
+    energy += 0.25 * stiffness * stretch * stretch;  // the other end has the other half
+    slope += stiffness;
+    if (body.stretchLimit < never) {
+      const double beyond = l - body.stretchLimit * bonds.x[at], more = body.rigid * stiffness;
+      if (beyond > 0) {
+        pull += more * beyond;
+        energy += 0.25 * more * beyond * beyond;
+      }
+      slope += more;
+    }
+    if (l > 0) force += d * (pull / l);
+  }
+  s.load[i] += force / s.area[i];
+  s.energy[i] += energy;
+  double& stiffest = b.stiffest[s.law[i]];
+  stiffest = std::max(stiffest, 2 * slope / s.area[i]);  // Gershgorin: both ends of each spring
+}
+
+/// Pressure that a change of volume makes in each part, after all ranks have told their share of the volumes.
+void addPressure(World& w, Reducer& all) {
+  SheetBodies& b = w.sheets;
+  Sheets& s = b.rows;
+  std::vector<std::uint32_t> parts;
+  for (std::uint32_t p = 0; p < b.parts.size(); p++)
+    if (w.scene.sheets[b.parts[p].sheet].volumeStiffness > 0) parts.push_back(p);
+  if (parts.empty()) return;
+  // volume, and of the gradient its square per area: how stiff the pressure is
+  std::vector<ExactSum> sums(2 * parts.size());
+  for (std::size_t k = 0; k < parts.size(); k++) {
+    const Vec3d origin = b.parts[parts[k]].origin;
+    addByCell(b.cells, s.owned, sums[2 * k], [&](std::size_t i) { return s.part[i] == parts[k] ? dot(s.position[i] - origin, s.facing[i]) / 3 : 0; });
+    addByCell(b.cells, s.owned, sums[2 * k + 1], [&](std::size_t i) { return s.part[i] == parts[k] ? dot(s.facing[i], s.facing[i]) / s.area[i] : 0; });
+  }
+  std::vector<std::int64_t> digits;
+  for (ExactSum& x : sums) {
+    x.carry();
+    digits.insert(digits.end(), x.digit.begin(), x.digit.end());
+  }
+  all.sum(digits);
+  for (std::size_t k = 0; k < sums.size(); k++) std::copy_n(digits.begin() + static_cast<std::ptrdiff_t>(k * ExactSum::digits), ExactSum::digits, sums[k].digit.begin());
+
+  std::vector<double> pressure(b.parts.size(), 0), share(b.parts.size(), 0), slope(b.parts.size(), 0);
+  for (std::size_t k = 0; k < parts.size(); k++) {
+    SheetPart& p = b.parts[parts[k]];
+    const double stiffness = w.scene.sheets[p.sheet].volumeStiffness;
+    p.now = sums[2 * k].value();
+    const double change = (p.now - p.volume) / p.volume;
+    pressure[parts[k]] = -stiffness * change;
+    share[parts[k]] = 0.5 * stiffness * change * change * p.volume / p.area;  // energy per area
+    slope[parts[k]] = stiffness / p.volume * sums[2 * k + 1].value();
+  }
+  for (std::size_t i = 0; i < s.owned; i++) {
+    const std::uint32_t p = s.part[i];
+    if (slope[p] == 0) continue;
+    s.load[i] += s.facing[i] * (pressure[p] / s.area[i]);
+    s.energy[i] += share[p] * s.area[i];
+    // the area vector turns with the neighbours: each third of a triangle's edge per vertex
+    const double turn = 2 * std::abs(pressure[p]) / std::sqrt(s.area[i]);
+    double& stiffest = b.stiffest[s.law[i]];
+    stiffest = std::max(stiffest, b.springs[s.law[i]] + slope[p] + turn);
+  }
+}
+
+}  // namespace
+
+void addInnerForces(World& w, Halos halos) {
+  SheetBodies& b = w.sheets;
+  bool springs = false, normals = false;
+  for (const SheetPlan& p : b.plans) {
+    springs = springs || p.edgeForces;
+    normals = normals || p.normals;
+  }
+  if (!springs && !normals) return;
+  sendEnds(b, *halos.edges);
+  for (std::size_t slot = 0; slot < b.edges.ends.owned; slot++) {
+    const std::uint32_t i = b.edges.ends.particle[slot];
+    const SheetPlan& p = b.plans[b.rows.body[i]];
+    if (p.edgeForces) addSprings(w, slot);
+    if (p.normals) b.rows.facing[i] = facingOf(b.edges, slot);
+  }
+  b.springs = b.stiffest;
+  if (normals) addPressure(w, halos.all);
+}
+
+}  // namespace thaw

@@ -1,0 +1,161 @@
+#include "core/sheet/outer_forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/sheet/cell_sums.hpp"
+#include "core/sheet/touch.hpp"
+
+namespace thaw {
+namespace {
+
+bool nearBounds(const Bounds& b, const Vec3d& rest, double reach) {
+  for (int a = 0; a < 3; a++)
+    if (rest[a] < b.min[a] - reach || rest[a] > b.max[a] + reach) return false;
+  return true;
+}
+
+/// Pressure on the side that the wind blows at: density (v . n)^2, along the normal; of the relative velocity.
+Vec3d windLoad(const SheetBody& b, const Vec3d& v, const Vec3d& facing, double area) {
+  const double size = length(facing);
+  if (!(size > 0)) return {};
+  const Vec3d n = facing / size;
+  const double un = dot(b.wind - v, n);
+  return n * (b.windDensity * un * std::abs(un) * size / area);
+}
+
+/// Falls from 1 to 0 with zero slope at both ends.
+double falloff(double r, double radius) {
+  const double u = r / radius;
+  return u < 1 ? (1 - u * u) * (1 - u * u) : 0;
+}
+
+const Wall* wallNamed(const World& w, const std::string& name) {
+  for (const Wall& wall : w.walls.list)
+    if (wall.properties.name == name && wall.present) return &wall;
+  return nullptr;
+}
+
+/// Force per area of all walls; work and impulse to the ledger.
+Vec3d wallLoad(World& w, std::size_t i, const SheetVelocities& now, Vec3d& impulse) {
+  SheetBodies& sheets = w.sheets;
+  Sheets& s = sheets.rows;
+  const SheetBody& b = w.scene.sheets[s.body[i]];
+  const SheetPlan& plan = sheets.plans[s.body[i]];
+  Vec3d load{};
+  for (const Wall& wall : w.walls.list) {
+    if (!wall.present) continue;
+    const Vec3d rest = toRest(wall.pose, s.position[i]);
+    if (!nearBounds(wall.bounds, rest, plan.thickness)) continue;
+    Vec3d n;
+    const double d = wall.shape->distanceWithin(rest, plan.thickness, &n);
+    if (!(d < plan.thickness)) continue;
+    n = directionFromRest(wall.pose, n);
+    const Vec3d u = wallVelocity(wall, s.position[i]);
+    const Touch touch = touchOf({plan.contactRate, plan.contactMass, std::min(wall.properties.restitution, b.restitution), std::max(wall.properties.friction, b.friction), now.span},
+                                plan.thickness - d, n, now.velocity[i] - u);
+    load += touch.force;
+    s.energy[i] += touch.energy * s.area[i];
+    s.resisting[i] += touch.resisting;
+    if (!wall.properties.motion.empty()) {
+      w.ledger.wallWork.add(dot(touch.force, u) * s.area[i] * now.dt);
+      s.dissipated[i] += dot(touch.resisting, u) * s.area[i] * now.dt;  // kickSheets books the loss at a wall that stands
+    }
+    double& stiffest = sheets.stiffest[s.law[i]];
+    stiffest = std::max(stiffest, sheets.inner[s.law[i]] + touch.slope);
+    if (s.temperature.active && wall.properties.temperature && b.conductance > 0) {
+      const double rate = b.conductance * s.area[i];
+      s.heatFlow[i] += averaged(rate / (s.area[i] * b.heatCapacity), now.span) * s.area[i] * b.heatCapacity * (*wall.properties.temperature - s.temperature[i]);
+    }
+  }
+  impulse += load * s.area[i];
+  return load;
+}
+
+}  // namespace
+
+void clearLoads(World& w) {
+  Sheets& s = w.sheets.rows;
+  const Vec3d g = w.scene.domain.gravity;
+  for (std::size_t i = 0; i < s.owned; i++) {
+    s.load[i] = w.sheets.laws[s.law[i]].law.mass * g;
+    s.energy[i] = 0;
+  }
+  if (s.outside.active) std::fill_n(s.outside.data(), s.owned, Vec3d{});
+  if (s.resisting.active) std::fill_n(s.resisting.data(), s.owned, Vec3d{});
+  if (s.heatFlow.active) std::fill_n(s.heatFlow.data(), s.owned, 0.0);
+}
+
+void addOuterForces(World& w, const SheetVelocities& now) {
+  SheetBodies& sheets = w.sheets;
+  Sheets& s = sheets.rows;
+  const double time = w.clock.time + now.dt;  // of these forces
+  sheets.inner = sheets.stiffest;
+  bool walls = false;
+  for (const Wall& wall : w.walls.list) walls = walls || wall.present;
+  if (!walls && !s.outside.active) return;
+  struct Pushes { double wrap; const Wall* target; std::vector<double> brush; };
+  std::vector<Pushes> pushes;
+  for (const SheetBody& b : w.scene.sheets) {
+    pushes.push_back({b.wrap * b.wrapInTime.at(time), b.wrapTo.empty() ? nullptr : wallNamed(w, b.wrapTo), {}});
+    if (!b.wrapTo.empty() && !pushes.back().target) pushes.back().wrap = 0;  // what it was to be wrapped round has gone
+    for (const SheetBrush& brush : b.brushes) pushes.back().brush.push_back(brush.inTime.at(time));
+  }
+  std::vector<Vec3d> impulse(s.owned);
+  for (std::size_t i = 0; i < s.owned; i++) {
+    const SheetBody& b = w.scene.sheets[s.body[i]];
+    const Pushes& p = pushes[s.body[i]];
+    Vec3d out{};
+    if (b.windDensity > 0) out += windLoad(b, now.velocity[i], s.facing[i], s.area[i]);
+    if (p.wrap != 0) {
+      if (p.target) {
+        Vec3d n;
+        p.target->shape->distance(toRest(p.target->pose, s.position[i]), &n);
+        out -= p.wrap * directionFromRest(p.target->pose, n);
+      } else {
+        out -= (p.wrap / s.area[i]) * s.facing[i];
+      }
+    }
+    for (std::size_t k = 0; k < p.brush.size(); k++)
+      if (p.brush[k] != 0) out += (p.brush[k] * falloff(length(s.position[i] - b.brushes[k].centre), b.brushes[k].radius)) * b.brushes[k].pressure;
+    impulse[i] = out * s.area[i];
+    if (s.outside.active) s.outside[i] = out;
+    s.load[i] += out;
+    if (walls) s.load[i] += wallLoad(w, i, now, impulse[i]);
+  }
+  addByCell3(sheets.cells, s.owned, w.ledger.wallForce, [&](std::size_t i) { return impulse[i]; });
+}
+
+void addRestEnergy(World& w) {
+  Sheets& s = w.sheets.rows;
+  const double time = w.clock.time;
+  for (std::size_t i = 0; i < s.owned; i++) {
+    const SheetBody& b = w.scene.sheets[s.body[i]];
+    const double k = w.sheets.laws[s.law[i]].law.stiffness;
+    if (!(k > 0)) continue;
+    Vec3d z = s.position[i] - s.rest[i];
+    if (s.flow.active) z -= s.flow[i];
+    s.energy[i] += 0.5 * k * b.stiffnessInTime.at(time) * s.area[i] * dot(z, z);
+  }
+}
+
+void bookHolding(World& w, double sign, double dt) {
+  SheetBodies& sheets = w.sheets;
+  const Sheets& s = sheets.rows;
+  bool any = s.clamped.active;
+  for (const SheetLaw& l : sheets.laws) any = any || l.law.damping > 0 || l.law.stiffness > 0;
+  if (!any) return;
+  addByCell3(sheets.cells, s.owned, w.ledger.wallImpulse, [&](std::size_t i) {
+    const SpringLaw& l = sheets.laws[s.law[i]].law;
+    const bool free = !(l.damping > 0) && !(l.stiffness > 0) && !(s.clamped.active && s.clamped[i]);
+    return free ? Vec3d{} : s.velocity[i] * (sign * s.mass[i]) - s.load[i] * (0.5 * dt * s.area[i]);
+  });
+}
+
+void bookOutsideWork(World& w) {
+  SheetBodies& sheets = w.sheets;
+  const Sheets& s = sheets.rows;
+  addByCell(sheets.cells, s.owned, w.ledger.wallWork, [&](std::size_t i) { return 0.5 * dot(s.outside[i], s.moved[i]) * s.area[i]; });
+}
+
+}  // namespace thaw

@@ -1,0 +1,30 @@
+// Forces on a sheet from outside: weight, wind, wrap, brushes, obstacles (DS section 3.1); and the books of what holds it.
+#pragma once
+#include "core/step.hpp"
+
+namespace thaw {
+
+/// Velocities (m/s) at the time of the forces, of owned vertices.
+struct SheetVelocities {
+  std::vector<Vec3d> velocity;
+  double span = 0;  ///< s, of the step at hand: friction stops nothing earlier
+  double dt = 0;    ///< s, of the step that ends now; 0 at the start, when nothing is booked
+};
+
+/// Sheets::load to the weight; energy, outside, heatFlow to nothing.
+void clearLoads(World& world);
+
+/// Adds wind, wrap, brushes and the contact with obstacles: spring, dashpot and Coulomb friction within the thickness of a surface.
+void addOuterForces(World& world, const SheetVelocities& now);
+
+/// Adds the energy of the springs to the places of rest.
+void addRestEnergy(World& world);
+
+/// Momentum that springs to the places of rest, damping and clamps have given: before the step sign -1, after it 1.
+void bookHolding(World& world, double sign, double dt);
+
+/// Half of the work of what pushes from outside over the step, by the forces of now: before vertices have moved on to other ranks, and after
+/// the forces at the new places are known.
+void bookOutsideWork(World& world);
+
+}  // namespace thaw

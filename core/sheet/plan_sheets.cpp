@@ -1,0 +1,211 @@
+#include "core/sheet/plan_sheets.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/bust.hpp"
+#include "core/geometry/placed_mesh.hpp"
+#include "core/geometry/shape_error.hpp"
+#include "core/geometry/weld_vertices.hpp"
+#include "core/sheet/sheet_meshes.hpp"
+
+namespace thaw {
+
+double FactorInTime::at(double time) const {
+  if (points.empty()) return 1;
+  if (time <= points.front().first) return points.front().second;
+  for (std::size_t k = 1; k < points.size(); k++)
+    if (time < points[k].first) {
+      const auto& [t0, f0] = points[k - 1];
+      const auto& [t1, f1] = points[k];
+      return f0 + (f1 - f0) * ((time - t0) / (t1 - t0));
+    }
+  return points.back().second;
+}
+
+namespace {
+
+double spacingOf(const Scene& s, const SheetBody& b) { return b.spacing > 0 ? b.spacing : s.spacing; }
+
+/// The speed (m/s) with which a vertex may meet anything: its own, of a fall through the domain, of obstacles.
+double speedOf(const Scene& s, const SheetBody& b) {
+  double height = 0, fastest = length(b.velocity) + length(b.wind);
+  for (int a = 0; a < 3; a++) height += std::abs(s.domain.gravity[a]) * (s.domain.max[a] - s.domain.min[a]);
+  for (const Obstacle& o : s.obstacles)
+    for (std::size_t k = 1; k < o.motion.size(); k++)
+      if (const double over = o.motion[k].time - o.motion[k - 1].time; over > 0) fastest = std::max(fastest, length(o.motion[k].move - o.motion[k - 1].move) / over + length(b.velocity));
+  for (const Body& body : s.bodies) fastest = std::max(fastest, length(body.velocity) + length(b.velocity));
+  return fastest + std::sqrt(2 * height);
+}
+
+/// How fast contact has to turn a vertex round, so that it goes no deeper than half of the thickness at the scene's speeds and a tenth
+/// under the scene's pressures.
+double contactRateOf(const Scene& s, const SheetBody& b, double thickness) {
+  double pressure = b.mass * length(s.domain.gravity) + std::abs(b.wrap) + b.windDensity * dot(b.wind, b.wind), factor = 1;
+  for (const auto& [time, f] : b.wrapInTime.points) factor = std::max(factor, std::abs(f));
+  pressure *= factor;
+  for (const SheetBrush& brush : b.brushes) pressure += length(brush.pressure);
+  const double mass = b.mass > 0 ? b.mass : 1;
+  return std::max({2 * speedOf(s, b) / thickness, std::sqrt(10 * pressure / (mass * thickness)), 2 * std::sqrt(b.stiffness / mass), 1.0});
+}
+
+std::vector<SheetHinge> hingesOf(const SheetBody& b, const SheetPlan& plan) {
+  std::vector<SheetHinge> all;
+  if (b.bending <= 0 && b.shear <= 0) return all;
+  const auto& x = plan.mesh.vertices;
+  const SheetTopology& t = plan.topology;
+  for (const auto& [a, c, across, beyond] : t.hinges) {
+    double area = 0;
+    for (std::uint32_t k = t.first[a]; k < t.first[a + 1]; k++)
+      if (t.ring[k].to == c) area = t.ring[k].area;
+    const double span = length(x[beyond] - x[across]), edge = length(x[c] - x[a]);
+    const bool second = span < 1.2 * edge;  // the second diagonal of a square
+    const double stiffness = second ? edgeStiffness(b, x[beyond] - x[across], area) : b.bending * area / (span * span);
+    if (!(stiffness > 0) || !(span > 0)) continue;
+    all.push_back({across, beyond, b.restLength * span, stiffness});
+    all.push_back({beyond, across, b.restLength * span, stiffness});
+  }
+  std::sort(all.begin(), all.end(), [](const SheetHinge& p, const SheetHinge& q) { return p.from != q.from ? p.from < q.from : p.to < q.to; });
+  // two edges of a very coarse mesh may have the same vertices across: one bond
+  all.erase(std::unique(all.begin(), all.end(), [](const SheetHinge& p, const SheetHinge& q) { return p.from == q.from && p.to == q.to; }), all.end());
+  std::erase_if(all, [&](const SheetHinge& h) {  // nor a second one beside an edge
+    for (std::uint32_t k = t.first[h.from]; k < t.first[h.from + 1]; k++)
+      if (t.ring[k].to == h.to) return true;
+    return false;
+  });
+  return all;
+}
+
+SpringLaw lawOf(const SheetBody& b, const SheetRegion* r) {
+  return r ? SpringLaw{b.mass * r->mass, b.damping * r->damping, b.stiffness * r->stiffness} : SpringLaw{b.mass, b.damping, b.stiffness};
+}
+
+void checkLaw(const SheetBody& b, const SpringLaw& law) {
+  if (law.mass == 0 && law.damping == 0 && law.stiffness == 0)
+    throw ShapeError("a sheet needs mass, damping or stiffness: all three are 0", b.where);
+}
+
+}  // namespace
+
+double sheetThickness(const Scene& s, const SheetBody& b) { return b.thickness > 0 ? b.thickness : 0.8 * spacingOf(s, b); }
+
+double expectedSheetSpeed(const Scene& s) {
+  double most = 0;
+  for (const SheetBody& b : s.sheets) {
+    const auto largest = [](const FactorInTime& f) {
+      double most = f.points.empty() ? 1 : 0;
+      for (const auto& [time, factor] : f.points) most = std::max(most, std::abs(factor));
+      return most;
+    };
+    // of a pressure that pushes over a length
+    const auto pushed = [&](double pressure, double over) { return b.mass > 0 ? std::sqrt(2 * pressure * over / b.mass) : b.damping > 0 ? pressure / b.damping : 0; };
+    most = std::max({most, length(b.velocity), b.windDensity > 0 ? length(b.wind) : 0, pushed(std::abs(b.wrap) * largest(b.wrapInTime), spacingOf(s, b))});
+    for (const SheetBrush& brush : b.brushes) most = std::max(most, pushed(length(brush.pressure) * largest(brush.inTime), brush.radius));
+  }
+  return most;
+}
+
+double sheetReach(const Scene& s) {
+  double reach = 0;
+  for (const SheetBody& b : s.sheets) {
+    const double own = sheetThickness(s, b);
+    reach = std::max({reach, own, own + (b.pull > 0 ? b.pullReach : 0), 0.5 * (own + s.spacing)});
+  }
+  return reach;
+}
+
+double edgeStiffness(const SheetBody& b, const Vec3d& edge, double area) {
+  const double l2 = dot(edge, edge), along = std::abs(dot(edge, normalized(b.warpDirection))) / std::sqrt(l2);
+  const double modulus = along > 0.9 ? b.warp : along < 0.3 ? b.weft : b.shear;
+  return modulus * area / l2;
+}
+
+TriangleMesh sheetMesh(const Scene& s, const SheetBody& b, const MeshLoader& load) {
+  TriangleMesh m;
+  const double spacing = spacingOf(s, b);
+  switch (b.mesh) {
+    case SheetMesh::Grid: m = gridSheet(b.width, b.depth, spacing); break;
+    case SheetMesh::Sphere: m = sphereSheet(b.radius, spacing); break;
+    case SheetMesh::Head: m = headSheet(b.height, spacing); break;
+    case SheetMesh::Dome: m = domeSheet(b.radius, b.height, spacing, b.ribs, b.ribHeight); break;
+    case SheetMesh::Forehead: m = foreheadSheet(b.radius, b.width, b.height, spacing, b.wrinkleHeight, b.wrinkles); break;
+    case SheetMesh::File:
+      if (!load && b.shape.mesh != builtinBust) throw ShapeError("mesh '" + b.shape.mesh + "': nothing was given to read it with", b.where);
+      m = weldVertices(b.shape.mesh == builtinBust ? bustMesh() : load(b.shape.mesh), 0);
+  }
+  placeMesh(b.shape, m);
+  return m;
+}
+
+SheetPlans planSheets(const Scene& s, const MeshLoader& load) {
+  SheetPlans all;
+  SceneProblems problems;
+  for (const auto& axis : s.domain.side)
+    if (axis[0] == Side::Periodic && !s.sheets.empty()) problems.add(s.sheets[0].where, "sheets need a domain without periodic sides");
+  for (std::size_t n = 0; n < s.sheets.size(); n++) {
+    const SheetBody& b = s.sheets[n];
+    try {
+      SheetPlan plan;
+      plan.mesh = sheetMesh(s, b, load);
+      plan.topology = sheetTopology(plan.mesh);
+      const SheetTopology& t = plan.topology;
+      const auto base = static_cast<std::uint16_t>(all.laws.size());
+      checkLaw(b, lawOf(b, nullptr));
+      all.laws.push_back({static_cast<std::uint16_t>(n), lawOf(b, nullptr)});
+      plan.law.assign(plan.mesh.vertices.size(), base);
+      for (const SheetRegion& r : b.regions) {
+        const SpringLaw law = lawOf(b, &r);
+        checkLaw(b, law);
+        const auto shape = makeSignedDistance(r.shape, load);
+        for (std::size_t v = 0; v < plan.law.size(); v++)
+          if (shape->inside(plan.mesh.vertices[v])) plan.law[v] = static_cast<std::uint16_t>(all.laws.size());
+        all.laws.push_back({static_cast<std::uint16_t>(n), law});
+      }
+      double edges = 0;
+      for (std::uint32_t v = 0; v + 1 < t.first.size(); v++)
+        for (std::uint32_t k = t.first[v]; k < t.first[v + 1]; k++) {
+          const std::uint32_t a = std::min(v, t.ring[k].to), c = std::max(v, t.ring[k].to);  // both ends find the same bits
+          const Vec3d d = plan.mesh.vertices[c] - plan.mesh.vertices[a];
+          edges += length(d);
+          plan.edgeLength.push_back(b.restLength * length(d));
+          plan.edgeStiffness.push_back(edgeStiffness(b, d, t.ring[k].area));
+        }
+      plan.spacing = edges / static_cast<double>(t.ring.size());
+      plan.thickness = sheetThickness(s, b);
+      plan.contactRate = b.contactRate > 0 ? b.contactRate : contactRateOf(s, b, plan.thickness);
+      plan.contactMass = b.mass > 0 ? b.mass : b.damping > 0 ? b.damping / plan.contactRate : b.stiffness / (plan.contactRate * plan.contactRate);
+      plan.edgeForces = b.warp > 0 || b.weft > 0 || b.shear > 0 || b.bending > 0;
+      plan.normals = b.volumeStiffness > 0 || (b.wrap != 0 && b.wrapTo.empty()) || b.windDensity > 0;
+      plan.firstPart = static_cast<std::uint32_t>(all.parts.size());
+      for (std::size_t c = 0; c < t.closed.size(); c++) {
+        SheetPart part;
+        part.sheet = static_cast<std::uint16_t>(n);
+        part.closed = t.closed[c];
+        part.volume = t.volume[c];
+        all.parts.push_back(part);
+      }
+      std::vector<std::uint8_t> seen(t.closed.size(), 0);
+      for (std::size_t v = 0; v < plan.mesh.vertices.size(); v++) {
+        SheetPart& part = all.parts[plan.firstPart + t.component[v]];
+        if (!seen[t.component[v]]) part.origin = plan.mesh.vertices[v];
+        seen[t.component[v]] = 1;
+        part.area += t.area[v];
+      }
+      if (b.volumeStiffness > 0)
+        for (std::size_t c = 0; c < t.closed.size(); c++)
+          if (!(t.volume[c] > 0))
+            throw ShapeError(t.closed[c] ? "volume_stiffness needs a mesh whose triangles face outward" : "volume_stiffness needs a closed mesh, and this one has a border", b.where);
+      plan.hinges = hingesOf(b, plan);
+      plan.touches = b.selfContact || s.sheets.size() > 1 || !s.obstacles.empty() || !s.bodies.empty() || !s.emitters.empty() || b.push > 0 || b.pull > 0;
+      for (const auto& axis : s.domain.side)
+        for (const Side side : axis) plan.touches = plan.touches || side == Side::Wall;
+      all.plans.push_back(std::move(plan));
+    } catch (const ShapeError& e) {
+      problems.add(e.where.line > 0 ? e.where : b.where, "sheet '" + b.name + "': " + e.what());
+    }
+  }
+  problems.raise();
+  return all;
+}
+
+}  // namespace thaw

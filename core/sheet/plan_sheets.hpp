@@ -1,0 +1,73 @@
+// What the scene's sheets are made of: meshes, coefficients, pieces. Every rank works it out for itself, from the scene alone.
+#pragma once
+#include "core/geometry/signed_distance.hpp"
+#include "core/scene/scene.hpp"
+#include "core/sheet/exact_step.hpp"
+#include "core/sheet/topology.hpp"
+
+namespace thaw {
+
+/// Coefficients of the vertices of a sheet, or of a region of it, at the start; those that change in time are times a factor of the sheet.
+struct SheetLaw {
+  std::uint16_t sheet = 0;
+  SpringLaw law;
+};
+
+/// A connected piece of a sheet.
+struct SheetPart {
+  std::uint16_t sheet = 0;
+  bool closed = false;
+  Vec3d origin{};      ///< m, of its first vertex: volumes are measured from there
+  double area = 0;     ///< m^2
+  double volume = 0;   ///< m^3, at the start
+  double now = 0;      ///< m^3, of the last evaluation, the same on all ranks; 0 where nobody asks for it
+};
+
+/// Vertices on both sides of an edge, a bond between each two.
+struct SheetHinge {
+  std::uint32_t from, to;
+  double length, stiffness;  ///< m, N/m
+};
+
+struct SheetPlan {
+  TriangleMesh mesh;              ///< in the scene
+  SheetTopology topology;
+  std::vector<std::uint16_t> law; ///< of each vertex
+  std::vector<double> edgeLength, edgeStiffness;  ///< m, N/m, beside SheetTopology::ring: lengths at rest
+  std::vector<SheetHinge> hinges; ///< both directions, by `from`
+  std::uint32_t firstPart = 0;
+  double spacing = 0;             ///< m, mean length of edges
+  double thickness = 0;           ///< m, where contact begins
+  double contactRate = 0;         ///< 1/s
+  double contactMass = 0;         ///< kg/m^2, that contact's stiffness goes by: the sheet's, unless that is 0
+  bool edgeForces = false;        ///< springs along edges or across them
+  bool normals = false;           ///< some force needs them
+  bool touches = false;           ///< something is in the scene that it can touch
+};
+
+struct SheetPlans {
+  std::vector<SheetPlan> plans;
+  std::vector<SheetLaw> laws;
+  std::vector<SheetPart> parts;
+};
+
+/// Throws SceneProblems' ShapeError for meshes that cannot be a sheet.
+SheetPlans planSheets(const Scene& scene, const MeshLoader& load);
+
+/// The mesh of a sheet where the scene puts it.
+TriangleMesh sheetMesh(const Scene& scene, const SheetBody& body, const MeshLoader& load);
+
+/// N/m, of an edge along this direction whose triangles have this area (m^2): (van Gelder 1998) stiffness * area / length^2, a strip of
+/// cloth is as stiff as its width says. Warp within 25 degrees of its direction, weft beyond 72.
+double edgeStiffness(const SheetBody& body, const Vec3d& edge, double area);
+
+/// Radius (m) within which the scene's sheets act on anything by distance.
+double sheetReach(const Scene& scene);
+
+/// m/s, that what pushes on the sheets from outside, or their start, may give them: for what counts as much energy. 0 without any.
+double expectedSheetSpeed(const Scene& scene);
+
+/// m, thickness of a sheet: the scene's, or 0.8 of its spacing.
+double sheetThickness(const Scene& scene, const SheetBody& body);
+
+}  // namespace thaw

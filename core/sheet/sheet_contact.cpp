@@ -1,0 +1,201 @@
+#include "core/sheet/sheet_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/heat/enthalpy.hpp"
+#include "core/kinds/kinds.hpp"
+#include "core/sheet/touch.hpp"
+
+namespace thaw {
+namespace {
+
+struct RowRange { std::uint32_t begin, end; };
+
+/// Rows in the 27 cells around a cell, ascending by (cell, id).
+void rowsAround(const CellTable& t, std::uint64_t key, std::vector<RowRange>& ranges) {
+  ranges.clear();
+  const Vec3i c = cellOfKey(key);
+  for (int z = -1; z <= 1; z++)
+    for (int y = -1; y <= 1; y++) {
+      const std::uint64_t last = cellKey({c.x + 1, c.y + y, c.z + z});
+      auto at = std::lower_bound(t.key.begin(), t.key.end(), cellKey({c.x - 1, c.y + y, c.z + z}));
+      for (; at != t.key.end() && *at <= last; ++at) {
+        const auto k = static_cast<std::size_t>(at - t.key.begin());
+        ranges.push_back({t.first[k], t.first[k] + t.count[k]});
+      }
+    }
+}
+
+/// Calls pair(i, j) for all owned rows i of one table and rows j of the other in the cells around.
+template<class Pair> void eachNear(const CellTable& own, std::size_t owned, const CellTable& others, Pair&& pair) {
+  std::vector<RowRange> ranges;
+  for (std::size_t c = 0; c < own.key.size(); c++) {
+    if (own.first[c] >= owned) continue;
+    rowsAround(others, own.key[c], ranges);
+    if (ranges.empty()) continue;
+    for (std::size_t i = own.first[c]; i < own.first[c] + own.count[c]; i++)
+      for (const RowRange& r : ranges)
+        for (std::size_t j = r.begin; j < r.end; j++) pair(i, j);
+  }
+}
+
+double pairMass(double a, double b) { return a * b / (a + b); }
+
+double massOf(const World& w, std::size_t i) {  // that contact goes by
+  const Sheets& s = w.sheets.rows;
+  return w.sheets.plans[s.body[i]].contactMass * s.area[i];
+}
+
+void meetSheets(World& w, const SheetVelocities& now) {
+  SheetBodies& b = w.sheets;
+  Sheets& s = b.rows;
+  std::vector<double> slope(s.owned, 0);
+  double reach2 = 0;
+  for (std::size_t k = 0; k < b.plans.size(); k++) {
+    const double r = b.plans[k].thickness + (w.scene.sheets[k].pull > 0 ? w.scene.sheets[k].pullReach : 0);
+    reach2 = std::max(reach2, r * r);
+  }
+  eachNear(b.cells, s.owned, b.cells, [&](std::size_t i, std::size_t j) {
+    if (i == j) return;
+    // the same difference at both ends but for its sign
+    const Vec3d d = s.position[i] - s.position[j];
+    const double r2 = dot(d, d);
+    if (!(r2 < reach2) || !(r2 > 0)) return;
+    const SheetPlan &p = b.plans[s.body[i]], &q = b.plans[s.body[j]];
+    const SheetBody &x = w.scene.sheets[s.body[i]], &y = w.scene.sheets[s.body[j]];
+    const bool same = s.body[i] == s.body[j];
+    if (same) {
+      if (!x.selfContact && !(x.push > 0) && !(x.pull > 0)) return;
+      const Vec3d apart = s.rest[i] - s.rest[j];
+      const double never2 = neverTouch(p) * neverTouch(p);
+      if (dot(apart, apart) < never2) return;
+    }
+    const double r = std::sqrt(r2), thick = 0.5 * (p.thickness + q.thickness), depth = thick - r;
+    const Vec3d n = d / r;
+    Vec3d force{};
+    double energy = 0;
+    if (depth > 0 && (!same || x.selfContact)) {
+      const Touch t = touchOf({std::max(p.contactRate, q.contactRate), pairMass(massOf(w, i), massOf(w, j)), std::min(x.restitution, y.restitution),
+                               std::max(x.friction, y.friction), now.span},
+                              depth, n, s.moving[i] - s.moving[j]);
+      force += t.force;
+      energy += t.energy;
+      s.resisting[i] += t.resisting / s.area[i];
+      slope[i] += t.slope;
+    }
+    const double push = 0.5 * (x.push + y.push), pull = 0.5 * (x.pull + y.pull), beyond = -depth, reach = std::max(x.pullReach, y.pullReach);
+    if (push > 0 && depth > 0) {
+      force += n * (push * depth);
+      energy += 0.5 * push * depth * depth;
+      slope[i] += push;
+    }
+    if (pull > 0 && beyond > 0 && beyond < reach) {
+      const double u = beyond / reach;
+      force -= n * (pull * beyond * (1 - u) * (1 - u));
+      energy += pull * reach * reach * (u * u * (0.5 - u * (2.0 / 3) + 0.25 * u * u) - 1.0 / 12);
+      slope[i] += pull;
+    }
+    s.load[i] += force / s.area[i];
+    s.energy[i] += 0.5 * energy;
+  });
+  for (std::size_t i = 0; i < s.owned; i++)
+    if (slope[i] > 0) b.stiffest[s.law[i]] = std::max(b.stiffest[s.law[i]], b.walls[s.law[i]] + 2 * slope[i] / s.area[i]);
+}
+
+/// A vertex and a particle of the continuum.
+struct Meeting {
+  Touch touch;
+  double heat = 0;  ///< W, to the vertex
+};
+
+struct Particles {
+  const World& w;
+  const SheetVelocities& now;
+  bool heat;
+  bool meet(std::size_t i, std::size_t j, Meeting& m) const {
+    const Sheets& s = w.sheets.rows;
+    const Continuum& p = w.particles;
+    const SheetPlan& plan = w.sheets.plans[s.body[i]];
+    const Vec3d d = s.position[i] - p.position[j];
+    const double reach = 0.5 * (plan.thickness + w.scene.spacing), r2 = dot(d, d);
+    if (!(r2 < reach * reach) || !(r2 > 0)) return false;
+    const SheetBody& b = w.scene.sheets[s.body[i]];
+    const Material& material = w.scene.materials[p.material[j]];
+    const double r = std::sqrt(r2), liquid = p.liquid.active ? static_cast<double>(p.liquid[j]) : p.phase[j] == Liquid ? 1 : 0;
+    m.touch = touchOf({plan.contactRate, pairMass(massOf(w, i), p.mass[j]), std::min(b.restitution, material.restitution),
+                       (1 - liquid) * std::max(b.friction, material.friction), now.span},
+                      reach - r, d / r, s.moving[i] - p.velocity[j]);
+    m.heat = 0;
+    if (heat && b.conductance > 0) {
+      const double area = std::min(s.area[i], w.scene.spacing * w.scene.spacing), flow = b.conductance * area;
+      const double rate = 8 * flow * (1 / (s.area[i] * b.heatCapacity) + 1 / (p.mass[j] * heatCapacityOf(w.scene.numerics.heat, material, liquid)));  // of up to eight pairs
+      m.heat = flow * (averaged(rate, now.span) / rate) * (p.temperature[j] - s.temperature[i]);
+    }
+    return true;
+  }
+};
+
+void meetParticles(World& w, const SheetVelocities& now) {
+  SheetBodies& b = w.sheets;
+  Sheets& s = b.rows;
+  Continuum& p = w.particles;
+  const Particles pair{w, now, s.temperature.active && p.temperature.active && p.heatFlow.active};
+  std::vector<double> slope(s.owned, 0);
+  Meeting m;
+  eachNear(b.cells, s.owned, w.cells, [&](std::size_t i, std::size_t j) {
+    if (!pair.meet(i, j, m)) return;
+    s.load[i] += m.touch.force / s.area[i];
+    s.energy[i] += 0.5 * m.touch.energy;
+    s.resisting[i] += m.touch.resisting / s.area[i];
+    if (s.heatFlow.active) s.heatFlow[i] += m.heat;
+    slope[i] += m.touch.slope;
+  });
+  for (std::size_t i = 0; i < s.owned; i++)
+    if (slope[i] > 0) b.stiffest[s.law[i]] = std::max(b.stiffest[s.law[i]], b.walls[s.law[i]] + 2 * slope[i] / s.area[i]);
+  std::vector<double> stiff(p.owned, 0);
+  eachNear(w.cells, p.owned, b.cells, [&](std::size_t j, std::size_t i) {
+    if (!pair.meet(i, j, m)) return;
+    p.force[j] -= m.touch.force;
+    p.interaction[j] += 0.5 * m.touch.energy;
+    // - resisting * velocity of either end: what both lose together; half a kick of the last force stands for that of this one
+    p.dissipation[j] += dot(m.touch.resisting, p.velocity[j] + p.acceleration[j] * (0.5 * now.dt));
+    if (pair.heat) {
+      p.heatFlow[j] -= m.heat;
+      w.ledger.heatIn.add(-m.heat * now.dt);
+    }
+    stiff[j] += 2 * m.touch.slope / p.mass[j];
+  });
+  for (const double x : stiff) b.stiffestParticle = std::max(b.stiffestParticle, x);
+}
+
+}  // namespace
+
+bool sheetsMeet(const Scene& s) {
+  for (const SheetBody& b : s.sheets)
+    if (b.selfContact || b.push > 0 || b.pull > 0) return true;
+  return s.sheets.size() > 1;
+}
+
+bool sheetsMeetContinuum(const Scene& s) { return !s.sheets.empty() && !(s.bodies.empty() && s.emitters.empty()); }
+
+double neverTouch(const SheetPlan& p) { return std::max(2 * p.spacing, 1.3 * p.thickness); }
+
+void addSheetContacts(World& w, Halos halos, const SheetVelocities& now) {
+  SheetBodies& b = w.sheets;
+  Sheets& s = b.rows;
+  const bool sheets = sheetsMeet(w.scene), continuum = sheetsMeetContinuum(w.scene);
+  if (!sheets && !continuum) return;
+  b.walls = b.stiffest;
+  std::copy(now.velocity.begin(), now.velocity.end(), s.moving.data());
+  ColumnList columns{&s.position, &s.moving, &s.rest, &s.area, &s.body};
+  if (s.temperature.active) columns.push_back(&s.temperature);
+  CellHalo& halo = *halos.kinds[sheetKind];
+  halo.beginGhosts(s, b.cells, columns);
+  halo.finishGhosts(s, b.cells);
+  if (sheets) meetSheets(w, now);
+  b.walls = sheets ? b.stiffest : b.walls;
+  if (continuum) meetParticles(w, now);
+}
+
+}  // namespace thaw

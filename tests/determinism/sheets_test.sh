@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# Sheets (scenes/sheet/) have the same bits on 1, 2, 3, 4 and 7 ranks, when a run is killed with -9 and resumed on other numbers of ranks, and when
+# it goes back to a good state: vertices, books, frames with their triangles. SCENES: fewer.
+. "$(dirname "$0")/../support/run.sh"
+sameOutput() {  # sameOutput A B WHAT: checkpoint, series and all frames
+  "$thaw" compare "$1" "$2" >"$work/log" 2>&1 || { fail "$3: checkpoints differ"; head -n 20 "$work/log"; return; }
+  local frame
+  cmp -s "$1/frames/${scene}_sheet.hdf.series" "$2/frames/${scene}_sheet.hdf.series" || fail "$3: the series of frames differs"
+  for frame in $(grep -oh "${scene}[_a-z]*_[0-9]*\.hdf" "$1/frames/${scene}_sheet.hdf.series"); do
+    "$thaw" compare "$1/frames/$frame" "$2/frames/$frame" >"$work/log" 2>&1 || { fail "$3: $frame differs"; head -n 5 "$work/log"; }
+  done
+}
+# try SCENE STEPS SETTINGS: on all ranks, cut, killed and resumed
+try() {
+  scene=$1
+  local steps=$2 third=$(($2 / 3)) ranks at file=$scenes/sheet/$1.toml
+  [ -f "$file" ] || file=$scenes/$1.toml
+  shift 2
+  local options=(--set numerics.retry_every=10 "$@")  # so that a checkpoint may be written often
+  go() { launch "$1" run "$file" "${options[@]}" --out "$work/$scene.$2" "${@:3}" >"$work/log" 2>&1 || { fail "$scene, $2: exit $?"; tail -n 5 "$work/log"; }; }
+  for ranks in 1 2 3 4 7; do
+    go $ranks $ranks --steps "$steps"
+    [ "$ranks" = 1 ] || sameOutput "$work/$scene.1" "$work/$scene.$ranks" "$scene on 1 and $ranks ranks"
+  done
+  go 3 parts --steps "$third"
+  launchInBackground 2 run "$file" "${options[@]}" --set output.checkpoint=0.05 --steps $((steps - 1)) --resume --out "$work/$scene.parts" >"$work/log" 2>&1
+  sleep 1.2
+  killAll -9 "$work/$scene.parts"
+  at=$("$thaw" info "$work/$scene.parts" --json 2>"$work/log" | value - step)
+  [ -n "$at" ] && [ "$at" -ge "$third" ] || { fail "$scene: no checkpoint after the kill (step '$at')"; cat "$work/log"; return; }
+  go 4 parts --steps "$steps" --resume
+  sameOutput "$work/$scene.1" "$work/$scene.parts" "$scene, killed at step $at and resumed"
+  echo "$scene: $steps steps, killed at step $at"
+  rm -rf "${work:?}/$scene".*
+}
+wanted=${SCENES:-skin head jack shell cloth retry}
+for which in $wanted; do
+  case $which in
+    skin) try skin 60 --set sheet.skin.spacing=0.004 --set output.every=0.01 ;;
+    head) try head 60 --set sheet.head.spacing=0.016 --set output.every=0.02 ;;
+    jack) try jack 150 --set sheet.membrane.spacing=0.02 --set output.every=0.02 ;;
+    shell) try shell 40 --set sheet.shell.spacing=0.008 ;;
+    cloth) try cloth 900 --set sheet.cloth.spacing=0.03 --set spacing=0.012 --set sheet.cloth.thickness=0.02 --set output.every=0.05 ;;
+    together) try together 120 --set spacing=0.02 --set output.every=0.02 ;;
+    retry)  # a step that is too long for the springs
+      scene=head
+      for ranks in 1 3 7; do
+        launch $ranks run "$scenes/sheet/head.toml" --set sheet.head.spacing=0.016 --set numerics.fixed_step=0.01 --set numerics.retry_every=10 --set end=0.3 --out "$work/retry.$ranks" >"$work/log" 2>&1
+        expectExit 0 "head with long steps on $ranks ranks"
+        expectMessage "^warning: failed at step .*; back to step" "head with long steps on $ranks ranks"
+        [ "$ranks" = 1 ] || sameOutput "$work/retry.1" "$work/retry.$ranks" "head with long steps on 1 and $ranks ranks"
+      done ;;
+  esac
+done
+finish

@@ -1,0 +1,203 @@
+// Sheets in a whole simulation: exact motion, forces from energies, plastic flow, books, contact with the continuum.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/sheet/step_sheets.hpp"
+#include "tests/support/simulation.hpp"
+
+namespace thaw {
+namespace {
+
+Scene sheetScene(SheetMesh mesh) {
+  Scene s;
+  s.spacing = 0.05;
+  s.domain.min = {-2, -2, -2};
+  s.domain.max = {2, 2, 2};
+  s.domain.gravity = {};
+  s.output.every = 0;
+  s.sheets.emplace_back();
+  SheetBody& b = s.sheets.back();
+  b.name = "sheet";
+  b.mesh = mesh;
+  b.spacing = 0.1;
+  b.mass = 0.5;
+  return s;
+}
+
+TEST(Sheets, StepsOfAnyLengthAreExactWhereForcesAreConstant) {
+  for (const double dt : {0.5, 0.125, 0.01}) {
+    Scene s = sheetScene(SheetMesh::Grid);
+    s.domain.gravity = {0.3, 0, -1};
+    s.sheets[0].stiffness = 30;
+    s.sheets[0].damping = 1.2;
+    s.end = 1;
+    s.numerics.fixedStep = dt;
+    s.numerics.retryEvery = 0;
+    test::Simulation sim(s);
+    ASSERT_TRUE(sim.run());
+    const Sheets& v = sim.w.sheets.rows;
+    ASSERT_EQ(v.owned, 121u);
+    const double a = 1.2 / (2 * 0.5), w = std::sqrt(30 / 0.5 - a * a), z0 = 0.5 * 1 / 30.0;  // of the start below the place of rest under load
+    const double z = z0 * std::exp(-a) * (std::cos(w) + a / w * std::sin(w)) - z0;
+    for (std::size_t i = 0; i < v.owned; i++) {
+      EXPECT_NEAR(v.position[i].z - v.rest[i].z, z, 1e-13);
+      EXPECT_NEAR(v.position[i].x - v.rest[i].x, -0.3 * z, 1e-13);
+    }
+    const LedgerReport books = sim.books();
+    EXPECT_NEAR(books.energyResidual, 0, 1e-13 * books.energyScale);
+    EXPECT_NEAR(length(books.momentumResidual), 0, 1e-14);
+  }
+}
+
+/// Sum of all vertices' energies as forces see the places of now.
+double energyOf(test::Simulation& sim) {
+  sim.w.sheets.rows.resize(sim.w.sheets.rows.owned, 0);
+  loadSheets(sim.w, sim.halos(), sim.tools, 0);
+  double sum = 0;
+  for (std::size_t i = 0; i < sim.w.sheets.rows.owned; i++) sum += sim.w.sheets.rows.energy[i];
+  return sum;
+}
+
+void expectForcesFromEnergy(const Scene& s) {
+  test::Simulation sim(s);
+  Sheets& v = sim.w.sheets.rows;
+  for (std::size_t i = 0; i < v.owned; i++) {  // bent and stretched
+    const Vec3d x = v.position[i];
+    v.position[i] = x + Vec3d{0.03 * std::sin(7 * x.y), 0.02 * std::cos(5 * x.x), 0.05 * std::sin(6 * x.x + 3 * x.y)} * 0.5;
+  }
+  energyOf(sim);
+  const std::size_t n = v.owned;
+  std::vector<Vec3d> force(n);
+  double largest = 0;
+  for (std::size_t i = 0; i < n; i++) {
+    force[i] = v.load[i] * v.area[i];
+    largest = std::max(largest, length(force[i]));
+  }
+  ASSERT_GT(largest, 0);
+  for (std::size_t i = 0; i < n; i += 7)
+    for (int a = 0; a < 3; a++) {
+      const double h = 1e-6, x = v.position[i][a];
+      v.position[i][a] = x + h;
+      const double up = energyOf(sim);
+      v.position[i][a] = x - h;
+      const double down = energyOf(sim);
+      v.position[i][a] = x;
+      EXPECT_NEAR(force[i][a], -(up - down) / (2 * h), 2e-7 * largest) << i << " " << a;
+    }
+}
+
+TEST(Sheets, ForcesAreSlopesOfEnergies) {
+  Scene s = sheetScene(SheetMesh::Grid);
+  SheetBody& b = s.sheets[0];
+  b.warp = 30, b.weft = 12, b.shear = 4, b.bending = 2;
+  b.stretchLimit = 1.02;
+  expectForcesFromEnergy(s);
+  s = sheetScene(SheetMesh::Sphere);
+  s.sheets[0].volumeStiffness = 500;
+  s.sheets[0].warp = s.sheets[0].weft = s.sheets[0].shear = 10;
+  expectForcesFromEnergy(s);
+}
+
+TEST(Sheets, PlasticityLeavesItsPartOfTheExcess) {
+  for (const double plasticity : {0.0, 0.25, 0.5, 1.0})
+    for (const double dt : {0.1, 0.013}) {
+      Scene s = sheetScene(SheetMesh::Grid);
+      SheetBody& b = s.sheets[0];
+      b.mass = 0.01;
+      b.stiffness = 100;
+      b.damping = 10;
+      b.plasticity = plasticity;
+      b.elasticLimit = 0.02;
+      b.brushes.push_back({{}, {}, 1e6, {0, 0, -5}, {{{0, 0}, {1, 1}, {7, 1}, {7.1, 0}}}});  // 5 cm of the spring alone
+      s.end = 11;
+      s.numerics.fixedStep = dt;
+      s.numerics.retryEvery = 0;
+      test::Simulation sim(s);
+      ASSERT_TRUE(sim.run());
+      const Sheets& v = sim.w.sheets.rows;
+      // the load stretches the spring to 5 cm whatever the place of rest: limit + (1 - p) excess; all plastic it would flow without end
+      if (plasticity == 1) continue;
+      const double left = plasticity * (0.05 - 0.02) / (1 - plasticity);
+      for (std::size_t i = 0; i < v.owned; i += 10) EXPECT_NEAR(v.rest[i].z - v.position[i].z, left, 2e-5) << plasticity << " " << dt;
+    }
+}
+
+TEST(Sheets, BooksOfAClothThatFallsOnTheFloorAndItself) {
+  Scene s = sheetScene(SheetMesh::Grid);
+  s.spacing = 0.025;
+  s.domain.gravity = {0, 0, -9.81};
+  test::addFloor(s);
+  SheetBody& b = s.sheets[0];
+  b.width = b.depth = 0.6;
+  b.spacing = 0.05;
+  b.shape.rotate = {1.2, 0.1, 0};
+  b.shape.move = {0, 0, 0.4};
+  b.warp = b.weft = 60, b.shear = 5, b.bending = 0.3;
+  b.damping = 0.2;
+  b.selfContact = true;
+  s.end = 0.4;
+  test::Simulation sim(s);
+  ASSERT_TRUE(sim.run());
+  const LedgerReport books = sim.books();
+  EXPECT_LT(std::abs(books.energyResidual), 0.02 * books.energyScale);
+  EXPECT_LT(length(books.momentumResidual), 1e-12);
+  EXPECT_NEAR(books.now.mass, 0.5 * 0.36, 1e-12);
+}
+
+TEST(Sheets, MeetTheContinuumAndTakeItsHeat) {
+  Scene s;
+  s.spacing = 0.05;
+  s.domain.min = {-0.6, -0.6, -0.2};
+  s.domain.max = {0.6, 0.6, 0.8};
+  s.output.every = 0;
+  s.materials.emplace_back();
+  Material& m = s.materials[0];
+  m.name = "rubber";
+  m.young = {1e5, 1e5};
+  m.damping = 5;
+  m.conductivity = {100, 100};
+  test::addBox(s, {-0.2, -0.2, 0.1}, {0.2, 0.2, 0.3}).temperature = 400;
+  s.sheets.emplace_back();
+  SheetBody& b = s.sheets[0];
+  b.name = "cloth";
+  b.width = b.depth = 0.5;
+  b.spacing = 0.04;
+  b.shape.move = {0, 0, 0.38};
+  b.warp = b.weft = 50, b.shear = 10;
+  b.conductance = 500;
+  b.temperature = 300;
+  s.domain.gravity = {0, 0, -9.81};
+  test::addFloor(s);
+  s.end = 0.3;
+  test::Simulation sim(s);
+  ASSERT_TRUE(sim.run());
+  const Sheets& v = sim.w.sheets.rows;
+  double hottest = 0, lowest = 1;
+  for (std::size_t i = 0; i < v.owned; i++) {
+    hottest = std::max(hottest, v.temperature[i]);
+    if (std::abs(v.position[i].x) < 0.1 && std::abs(v.position[i].y) < 0.1) lowest = std::min(lowest, v.position[i].z);
+  }
+  EXPECT_GT(hottest, 303);
+  EXPECT_LT(hottest, 400);
+  EXPECT_GT(lowest, 0.15);  // it lies on the box
+  const LedgerReport books = sim.books();
+  EXPECT_LT(length(books.momentumResidual), 1e-9);
+  EXPECT_LT(std::abs(books.energyResidual), 0.05 * books.energyScale);
+  EXPECT_LT(std::abs(books.heatResidual), 1e-9 * std::abs(books.now.internal));
+}
+
+TEST(Sheets, AreNothingToAScene) {
+  Scene s;
+  s.spacing = 0.1;
+  s.materials.emplace_back();
+  s.materials[0].name = "water";
+  test::addBox(s, {-0.3, -0.3, -0.3}, {0.3, 0.3, 0.3});
+  test::Simulation sim(s);
+  for (const AnyColumn* c : sim.w.sheets.rows.columns) EXPECT_FALSE(c->active);
+  EXPECT_TRUE(sim.w.sheets.plans.empty());
+  EXPECT_FALSE(sim.w.modules.sheet);
+}
+
+}  // namespace
+}  // namespace thaw
