@@ -105,8 +105,7 @@ void addSprings(World& w, std::size_t slot) {
   }
   s.load[i] += force / s.area[i];
   s.energy[i] += energy;
-  double& stiffest = b.stiffest[s.law[i]];
-  stiffest = std::max(stiffest, 2 * slope / s.area[i]);  // Gershgorin: both ends of each spring
+  b.slope[i] += 2 * slope / s.area[i];  // Gershgorin: both ends of each spring
 }
 
 /// Pressure that a change of volume makes in each part, after all ranks have told their share of the volumes.
@@ -149,8 +148,7 @@ void addPressure(World& w, Reducer& all) {
     s.energy[i] += share[p] * s.area[i];
     // the area vector turns with the neighbours: each third of a triangle's edge per vertex
     const double turn = 2 * std::abs(pressure[p]) / std::sqrt(s.area[i]);
-    double& stiffest = b.stiffest[s.law[i]];
-    stiffest = std::max(stiffest, b.springs[s.law[i]] + slope[p] + turn);
+    b.slope[i] += slope[p] + turn;
   }
 }
 
@@ -171,7 +169,6 @@ void addInnerForces(World& w, Halos halos) {
     if (p.edgeForces) addSprings(w, slot);
     if (p.normals) b.rows.facing[i] = facingOf(b.edges, slot);
   }
-  b.springs = b.stiffest;
   if (normals) addPressure(w, halos.all);
 }
 

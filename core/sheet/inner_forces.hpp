@@ -34,7 +34,7 @@ void sendEnds(SheetBodies& sheets, BondHalo& edges);
 /// Area vector of a slot's vertex, m^2: of a third of its triangles. Of a closed sheet also the gradient of its volume.
 Vec3d facingOf(const SheetEdges& e, std::size_t slot);
 
-/// Adds to Sheets::load and energy, writes Sheets::facing; SheetPart::now where volume matters; SheetBodies::stiffest. Collective.
+/// Adds to Sheets::load and energy, writes Sheets::facing; SheetPart::now where volume matters; SheetBodies::slope. Collective.
 void addInnerForces(World& world, Halos halos);
 
 }  // namespace thaw

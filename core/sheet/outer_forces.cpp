@@ -61,8 +61,7 @@ Vec3d wallLoad(World& w, std::size_t i, const SheetVelocities& now, Vec3d& impul
       w.ledger.wallWork.add(dot(touch.force, u) * s.area[i] * now.dt);
       s.dissipated[i] += dot(touch.resisting, u) * s.area[i] * now.dt;  // kickSheets books the loss at a wall that stands
     }
-    double& stiffest = sheets.stiffest[s.law[i]];
-    stiffest = std::max(stiffest, sheets.inner[s.law[i]] + touch.slope);
+    sheets.slope[i] += touch.slope;
     if (s.temperature.active && wall.properties.temperature && b.conductance > 0) {
       const double rate = b.conductance * s.area[i];
       s.heatFlow[i] += averaged(rate / (s.area[i] * b.heatCapacity), now.span) * s.area[i] * b.heatCapacity * (*wall.properties.temperature - s.temperature[i]);
@@ -90,7 +89,6 @@ void addOuterForces(World& w, const SheetVelocities& now) {
   SheetBodies& sheets = w.sheets;
   Sheets& s = sheets.rows;
   const double time = w.clock.time + now.dt;  // of these forces
-  sheets.inner = sheets.stiffest;
   bool walls = false;
   for (const Wall& wall : w.walls.list) walls = walls || wall.present;
   if (!walls && !s.outside.active) return;

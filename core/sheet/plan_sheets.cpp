@@ -99,7 +99,7 @@ double expectedSheetSpeed(const Scene& s) {
     };
     // of a pressure that pushes over a length
     const auto pushed = [&](double pressure, double over) { return b.mass > 0 ? std::sqrt(2 * pressure * over / b.mass) : b.damping > 0 ? pressure / b.damping : 0; };
-    most = std::max({most, length(b.velocity), b.windDensity > 0 ? length(b.wind) : 0, pushed(std::abs(b.wrap) * largest(b.wrapInTime), spacingOf(s, b))});
+    most = std::max({most, speedOf(s, b), b.windDensity > 0 ? length(b.wind) : 0, pushed(std::abs(b.wrap) * largest(b.wrapInTime), spacingOf(s, b))});
     for (const SheetBrush& brush : b.brushes) most = std::max(most, pushed(length(brush.pressure) * largest(brush.inTime), brush.radius));
   }
   return most;

@@ -99,8 +99,7 @@ void meetSheets(World& w, const SheetVelocities& now) {
     s.load[i] += force / s.area[i];
     s.energy[i] += 0.5 * energy;
   });
-  for (std::size_t i = 0; i < s.owned; i++)
-    if (slope[i] > 0) b.stiffest[s.law[i]] = std::max(b.stiffest[s.law[i]], b.walls[s.law[i]] + 2 * slope[i] / s.area[i]);
+  for (std::size_t i = 0; i < s.owned; i++) b.slope[i] += 2 * slope[i] / s.area[i];
 }
 
 /// A vertex and a particle of the continuum.
@@ -151,8 +150,7 @@ void meetParticles(World& w, const SheetVelocities& now) {
     if (s.heatFlow.active) s.heatFlow[i] += m.heat;
     slope[i] += m.touch.slope;
   });
-  for (std::size_t i = 0; i < s.owned; i++)
-    if (slope[i] > 0) b.stiffest[s.law[i]] = std::max(b.stiffest[s.law[i]], b.walls[s.law[i]] + 2 * slope[i] / s.area[i]);
+  for (std::size_t i = 0; i < s.owned; i++) b.slope[i] += 2 * slope[i] / s.area[i];
   std::vector<double> stiff(p.owned, 0);
   eachNear(w.cells, p.owned, b.cells, [&](std::size_t j, std::size_t i) {
     if (!pair.meet(i, j, m)) return;
@@ -186,7 +184,6 @@ void addSheetContacts(World& w, Halos halos, const SheetVelocities& now) {
   Sheets& s = b.rows;
   const bool sheets = sheetsMeet(w.scene), continuum = sheetsMeetContinuum(w.scene);
   if (!sheets && !continuum) return;
-  b.walls = b.stiffest;
   std::copy(now.velocity.begin(), now.velocity.end(), s.moving.data());
   ColumnList columns{&s.position, &s.moving, &s.rest, &s.area, &s.body};
   if (s.temperature.active) columns.push_back(&s.temperature);
@@ -194,7 +191,6 @@ void addSheetContacts(World& w, Halos halos, const SheetVelocities& now) {
   halo.beginGhosts(s, b.cells, columns);
   halo.finishGhosts(s, b.cells);
   if (sheets) meetSheets(w, now);
-  b.walls = sheets ? b.stiffest : b.walls;
   if (continuum) meetParticles(w, now);
 }
 

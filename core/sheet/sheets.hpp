@@ -49,10 +49,8 @@ struct SheetBodies {
   std::vector<SheetLaw> laws;
   std::vector<SheetPart> parts;
   // of the last evaluation
-  std::vector<double> stiffest;      ///< N/m^3, of each law: the largest slope of neighbour forces and contacts of this rank's vertices
-  std::vector<double> springs;       ///< N/m^3, of each law: their part of it
-  std::vector<double> inner;         ///< N/m^3, of each law: that of forces among its vertices
-  std::vector<double> walls;         ///< N/m^3, of each law: that, and of walls
+  std::vector<double> slope;         ///< N/m^3, of each owned row: bound of the slope of neighbour forces and contacts, added up over them
+  std::vector<double> stiffest;      ///< N/m^3, of each law: the largest slope of this rank's vertices. Of one vertex each: a sum of two vertices' would depend on what is on the same rank
   double stiffestParticle = 0;       ///< 1/s^2, contact with vertices over the mass of particles: the largest of this rank
   double fastest2 = 0;               ///< m^2/s^2, square of the largest speed of this rank's vertices that can touch anything
   bool leftHere = false;             ///< a vertex has left the domain since edges were last linked

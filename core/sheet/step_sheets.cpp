@@ -119,6 +119,7 @@ void loadSheets(World& w, Halos halos, StepTools& t, double dt) {
   SheetBodies& b = w.sheets;
   Sheets& s = b.rows;
   b.stiffest.assign(b.laws.size(), 0);
+  b.slope.assign(s.owned, 0);
   b.fastest2 = b.stiffestParticle = 0;
   // contacts want the velocity of now: what is missing is the push of the force after the step, for which that before stands
   std::vector<double> after(b.laws.size(), 0);
@@ -135,6 +136,7 @@ void loadSheets(World& w, Halos halos, StepTools& t, double dt) {
   addOuterForces(w, now);
   addSheetContacts(w, halos, now);
   addRestEnergy(w);
+  for (std::size_t i = 0; i < s.owned; i++) b.stiffest[s.law[i]] = std::max(b.stiffest[s.law[i]], b.slope[i]);
   for (std::size_t i = 0; i < s.owned; i++)
     if (w.sheets.plans[s.body[i]].touches) b.fastest2 = std::max(b.fastest2, dot(now.velocity[i], now.velocity[i]));
   t.times.lap(StepPhase::Sheet);

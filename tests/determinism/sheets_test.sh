@@ -33,7 +33,7 @@ try() {
   echo "$scene: $steps steps, killed at step $at"
   rm -rf "${work:?}/$scene".*
 }
-wanted=${SCENES:-skin head jack shell cloth retry}
+wanted=${SCENES:-skin head jack shell cloth together retry}
 for which in $wanted; do
   case $which in
     skin) try skin 60 --set sheet.skin.spacing=0.004 --set output.every=0.01 ;;
