@@ -7,10 +7,12 @@
 
 namespace thaw {
 
-void findCeilings(Surface& s, const std::vector<std::uint8_t>& free, const Bins& bins, double reach) {
+void findCeilings(Surface& s, const std::vector<std::uint8_t>& free, const Bins& bins, double reach, bool again) {
   Surfels& f = s.surfels;
+  constexpr float none = std::numeric_limits<float>::infinity();
   for (std::size_t i = 0; i < f.owned; i++) {
-    f.ceiling[i] = std::numeric_limits<float>::infinity();
+    if (again && (!free[i] || f.ceiling[i] == none)) continue;
+    f.ceiling[i] = none;
     if (!free[i]) continue;
     const Vec3d x = f.position[i], n = f.normal[i];
     double lowest = std::numeric_limits<double>::infinity();

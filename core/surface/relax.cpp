@@ -57,7 +57,7 @@ void search(World& w, SurfaceHalos halos, SurfaceTools& t, bool all, bool first,
   r.core.assign(r.free.begin(), r.free.end());
   if (!first) markActive(s, halos.surfels, r.surfelBins, s.surfelSupport + margin, r.free, r.core);
   listGroups(s, r.free, r.surfelBins, r.particleBins, radii, r.lists);
-  if (first) findCeilings(s, r.free, r.surfelBins, gapReach * s.particleSupport);  // gaps hardly change while surfels settle
+  findCeilings(s, r.free, r.surfelBins, gapReach * s.particleSupport, !first);
   packCeilings(s, r.lists, r.ceilings);
   r.found.assign(f.position.data(), f.position.data() + f.owned);
   r.place.resize(4 * f.size());
