@@ -11,6 +11,12 @@
 namespace thaw {
 
 struct Bounds { Vec3d min{}, max{}; };
+/// Does x lie within `reach` (m) of the box along each axis?
+inline bool nearBounds(const Bounds& b, const Vec3d& x, double reach) {
+  for (int a = 0; a < 3; a++)
+    if (x[a] < b.min[a] - reach || x[a] > b.max[a] + reach) return false;
+  return true;
+}
 
 class SignedDistance {
  public:

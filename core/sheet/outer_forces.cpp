@@ -9,12 +9,6 @@
 namespace thaw {
 namespace {
 
-bool nearBounds(const Bounds& b, const Vec3d& rest, double reach) {
-  for (int a = 0; a < 3; a++)
-    if (rest[a] < b.min[a] - reach || rest[a] > b.max[a] + reach) return false;
-  return true;
-}
-
 /// Pressure on the side that the wind blows at: density (v . n)^2, along the normal; of the relative velocity.
 Vec3d windLoad(const SheetBody& b, const Vec3d& v, const Vec3d& facing, double area) {
   const double size = length(facing);

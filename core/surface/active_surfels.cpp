@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "core/surface/grow.hpp"
-#include "core/surface/measure.hpp"
 #include "core/surface/place_rows.hpp"
+#include "core/surface/small_drops.hpp"
 
 namespace thaw {
 namespace {
@@ -28,16 +27,8 @@ void markFree(const Surface& s, bool all, std::vector<std::uint8_t>& free) {
   const Surfels& f = s.surfels;
   free.assign(f.owned, all);
   if (all) return;
-  std::uint64_t label = noComponent;
-  bool small = false;
-  for (std::size_t i = 0; i < f.owned; i++) {
-    if (label != f.component[i]) {
-      label = f.component[i];
-      const SurfaceComponent* c = findComponent(s, label);
-      small = c && c->particles <= smallDrop;
-    }
-    free[i] = settles(f, i) && !small;
-  }
+  SmallDrops small(s);
+  for (std::size_t i = 0; i < f.owned; i++) free[i] = settles(f, i) && !small(f.component[i]);
 }
 
 void markActive(Surface& s, CellHalo& halo, const Bins& bins, double reach, std::vector<std::uint8_t>& free, std::vector<std::uint8_t>& core) {

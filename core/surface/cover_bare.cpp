@@ -8,11 +8,11 @@
 #include "core/surface/grow.hpp"
 #include "core/surface/iso_surface.hpp"
 #include "core/surface/local_surface.hpp"
-#include "core/surface/measure.hpp"
 #include "core/surface/place_rows.hpp"
 #include "core/surface/point_bins.hpp"
 #include "core/surface/ready_particles.hpp"
 #include "core/surface/seeds.hpp"
+#include "core/surface/small_drops.hpp"
 #include "core/surface/update_surface.hpp"
 
 namespace thaw {

@@ -15,6 +15,7 @@
 #include "core/surface/resample.hpp"
 #include "core/surface/sample_mesh.hpp"
 #include "core/surface/seeds.hpp"
+#include "core/surface/small_drops.hpp"
 #include "core/surface/update_surface.hpp"
 
 namespace thaw {
@@ -120,11 +121,11 @@ void renewSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surfels& f = s.surfels;
   readyParticles(w, halos, t);
   const SurfaceParticles& p = s.particles;
-  const auto isSmall = [&](const SurfaceComponent* c) { return c && c->particles <= smallDrop; };
+  SmallDrops small(s);
   std::vector<std::uint8_t> dead(f.owned, 0);
   std::int64_t gone = 0;
   for (std::size_t i = 0; i < f.owned; i++) {
-    if (isSmall(findComponent(s, f.component[i]))) {
+    if (small(f.component[i])) {
       dead[i] = 1;  // comes anew
       continue;
     }
@@ -137,7 +138,7 @@ void renewSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
   dropSurfels(s, dead);
   std::vector<SurfelRow> rows;
   for (std::size_t i = 0; i < p.owned; i++)
-    if (p.component[i] == 1 + p.id[i] && isSmall(findComponent(s, p.component[i]))) patchAround(w, t, i, rows);
+    if (p.component[i] == 1 + p.id[i] && small(p.component[i])) patchAround(w, t, i, rows);
   addSurfels(f, rows, w.scene.seed, halos.all);
   growSurfels(w, halos, t, [&](std::size_t i) {
     const SurfaceComponent* c = findComponent(s, p.component[i]);

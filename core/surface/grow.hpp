@@ -9,9 +9,6 @@ namespace thaw {
 
 struct SurfaceTools;
 
-/// Drops of at most this many particles have a sphere for a surface (accuracy.md B21).
-inline constexpr std::int64_t smallDrop = 4;
-
 /// Surfels around the owned particle copies that `bare` (row) names: places in all directions around each, moved onto the iso-surface of
 /// their component's colour field; those that do not come to lie near their particle are dropped: inner particles have none. More than
 /// are needed: resample thins them. Needs placed particles; surfels have no valid cells afterwards. Not more than what is said here is done:

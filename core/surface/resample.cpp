@@ -9,9 +9,9 @@
 #include "core/surface/births.hpp"
 #include "core/surface/empty_place.hpp"
 #include "core/surface/grow.hpp"
-#include "core/surface/measure.hpp"
 #include "core/surface/place_rows.hpp"
 #include "core/surface/sample_mesh.hpp"
+#include "core/surface/small_drops.hpp"
 #include "core/surface/update_surface.hpp"
 
 namespace thaw {
@@ -136,11 +136,10 @@ std::uint64_t saltOf(const World& w, const Resampled& done, std::int64_t round) 
 /// Without adaption: radii go back to the wanted one (surfels of a small drop, whose are smaller, may be of a large body now).
 void relaxRadii(Surface& surface) {
   Surfels& s = surface.surfels;
+  SmallDrops small(surface);
   for (std::size_t i = 0; i < s.owned; i++) {
     const double off = surface.spacing - s.radius[i];
-    if (!(std::abs(off) > 0.1 * s.radius[i])) continue;
-    const SurfaceComponent* c = findComponent(surface, s.component[i]);
-    if (c && c->particles <= smallDrop) continue;
+    if (!(std::abs(off) > 0.1 * s.radius[i]) || small(s.component[i])) continue;
     s.radius[i] += 0.5 * off;
     s.calm[i] = 0;
   }
@@ -149,16 +148,9 @@ void relaxRadii(Surface& surface) {
 /// Those of small drops, which are spheres (renewSurfels), are in order.
 void calmSmallDrops(Surface& surface) {
   Surfels& s = surface.surfels;
-  std::uint64_t label = noComponent;
-  bool small = false;
-  for (std::size_t i = 0; i < s.owned; i++) {
-    if (label != s.component[i]) {
-      label = s.component[i];
-      const SurfaceComponent* c = findComponent(surface, label);
-      small = c && c->particles <= smallDrop;
-    }
-    if (small) s.calm[i] = calmFor;
-  }
+  SmallDrops small(surface);
+  for (std::size_t i = 0; i < s.owned; i++)
+    if (small(s.component[i])) s.calm[i] = calmFor;
 }
 
 std::int64_t countOpen(const Surfels& s, Reducer& all) {

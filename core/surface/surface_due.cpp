@@ -1,7 +1,7 @@
 #include "core/surface/surface_due.hpp"
 
 #include "core/surface/grow.hpp"
-#include "core/surface/measure.hpp"
+#include "core/surface/small_drops.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,16 +11,9 @@ namespace thaw {
 double largestSurfaceMove2(const World& w) {
   const Continuum& p = w.particles;
   double most = 0;
-  std::uint64_t last = noComponent;  // looked up
-  bool drop = false;
+  SmallDrops small(w.surface);
   for (std::size_t i = 0; i < p.owned; i++) {
-    if (p.component[i] == noComponent) continue;
-    if (p.component[i] != last) {
-      last = p.component[i];
-      const SurfaceComponent* c = findComponent(w.surface, last);
-      drop = c && c->particles <= smallDrop;
-    }
-    if (drop) continue;
+    if (p.component[i] == noComponent || small(p.component[i])) continue;
     Vec3d u = p.position[i] - p.surfacePlace[i];
     for (int a = 0; a < 3; a++)
       if (w.grid.periodic[a]) u[a] -= w.grid.period[a] * std::nearbyint(u[a] / w.grid.period[a]);

@@ -8,12 +8,6 @@
 namespace thaw {
 namespace {
 
-bool nearBounds(const Bounds& b, const Vec3d& rest, double reach) {
-  for (int a = 0; a < 3; a++)
-    if (rest[a] < b.min[a] - reach || rest[a] > b.max[a] + reach) return false;
-  return true;
-}
-
 Vec3d restPlace(const Wall& w, const Vec3d& x) { return toRest(w.pose, x); }
 
 /// Walls that some particle of the cell can be within h of. Cells at the border of the grid also hold what lies beyond: no wall is

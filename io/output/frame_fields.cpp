@@ -99,14 +99,7 @@ std::vector<std::string> knownFrameFields() {
 }
 
 WorldFrame frameOf(const World& w, int rank) {
-  WorldFrame f;
-  f.frame.time = w.clock.time;
-  f.frame.step = w.clock.step;
-  f.frame.count = w.particles.owned;
-  addRows<float>(f, "position", "m", 3, [&](std::size_t i, float* to) { put3(w.particles.position[i], to); });
-  f.frame.positions = f.frame.fields[0];
-  f.frame.fields.clear();
-  addRows<std::uint64_t>(f, "id", "1", 1, [&](std::size_t i, std::uint64_t* to) { *to = w.particles.id[i]; });
+  WorldFrame f = startFrame(w, w.particles);
   std::vector<std::string> done;
   for (const std::string& name : w.scene.output.fields) {
     if (std::find(done.begin(), done.end(), name) != done.end()) continue;  // named twice

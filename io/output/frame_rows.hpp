@@ -23,4 +23,17 @@ template<class V> void put3(const V& v, float* to) {
   to[0] = static_cast<float>(v.x), to[1] = static_cast<float>(v.y), to[2] = static_cast<float>(v.z);
 }
 
+/// A frame of now with the places and ids of a table's owned rows.
+template<class Rows> WorldFrame startFrame(const World& w, const Rows& rows) {
+  WorldFrame f;
+  f.frame.time = w.clock.time;
+  f.frame.step = w.clock.step;
+  f.frame.count = rows.owned;
+  addRows<float>(f, "position", "m", 3, [&](std::size_t i, float* to) { put3(rows.position[i], to); });
+  f.frame.positions = f.frame.fields[0];
+  f.frame.fields.clear();
+  addRows<std::uint64_t>(f, "id", "1", 1, [&](std::size_t i, std::uint64_t* to) { *to = rows.id[i]; });
+  return f;
+}
+
 }  // namespace thaw

@@ -8,14 +8,7 @@ std::string surfaceName(const std::string& scene) { return scene + "_surface"; }
 
 WorldFrame surfaceFrameOf(const World& w) {
   const Surfels& s = w.surface.surfels;
-  WorldFrame f;
-  f.frame.time = w.clock.time;
-  f.frame.step = w.clock.step;
-  f.frame.count = s.owned;
-  addRows<float>(f, "position", "m", 3, [&](std::size_t i, float* to) { put3(s.position[i], to); });
-  f.frame.positions = f.frame.fields[0];
-  f.frame.fields.clear();
-  addRows<std::uint64_t>(f, "id", "1", 1, [&](std::size_t i, std::uint64_t* to) { *to = s.id[i]; });
+  WorldFrame f = startFrame(w, s);
   addRows<float>(f, "normal", "1", 3, [&](std::size_t i, float* to) { put3(s.normal[i], to); });
   addRows<float>(f, "radius", "m", 1, [&](std::size_t i, float* to) { *to = static_cast<float>(s.radius[i]); });
   addRows<std::uint8_t>(f, "color", "1", 3, [&](std::size_t i, std::uint8_t* to) {

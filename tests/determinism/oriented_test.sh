@@ -3,14 +3,7 @@
 # welds and anchors included; and contact with a continuum body. SCENES: fewer.
 . "$(dirname "$0")/../support/run.sh"
 scenes=$source_dir/scenes/oriented
-same() {  # same A B WHAT: checkpoints and frames
-  "$thaw" compare "$1" "$2" >"$work/log" 2>&1 || { fail "$3: checkpoints differ"; head -n 20 "$work/log"; return; }
-  local frame
-  cmp -s "$1/frames/${scene}_oriented.hdf.series" "$2/frames/${scene}_oriented.hdf.series" || fail "$3: series differ"
-  for frame in $(grep -o "${scene}_oriented_[0-9]*\.hdf" "$1/frames/${scene}_oriented.hdf.series"); do
-    "$thaw" compare "$1/frames/$frame" "$2/frames/$frame" >"$work/log" 2>&1 || { fail "$3: $frame differs"; head -n 5 "$work/log"; }
-  done
-}
+same() { sameRuns "$1" "$2" "$3" "frames/${scene}_oriented.hdf.series"; }  # same A B WHAT
 try() {  # try NAME FILE STEPS SETTINGS
   scene=$(basename "$2" .toml)
   local name=$1 file=$2 steps=$3 ranks

@@ -3,10 +3,7 @@
 # and 7 ranks, and when it is stopped between a good state and the failure and resumed on another number of ranks. No frame is lost or twice.
 . "$(dirname "$0")/../support/run.sh"
 retried() { [ "$(value "$1/summary.json" retries)" -ge "$2" ] || fail "$3: $(value "$1/summary.json" retries) retries"; }
-sameFrames() {  # sameFrames A B WHAT: the same last checkpoint, the same index, and every frame the same
-  cmp -s "$1/frames/$scene.hdf.series" "$2/frames/$scene.hdf.series" || { fail "$3: the series differ"; diff "$1/frames/$scene.hdf.series" "$2/frames/$scene.hdf.series" | head -n 5; }
-  "$thaw" compare --frames "$1" "$2" >"$work/log" 2>&1 || { fail "$3 differs"; head -n 20 "$work/log"; }
-}
+sameFrames() { sameRuns "$1" "$2" "$3" "frames/$scene.hdf.series"; }  # sameFrames A B WHAT
 # scene, end, fixed step (about three times what is stable), retries at least, steps at which it is stopped: each before a failure
 try() {
   scene=$1

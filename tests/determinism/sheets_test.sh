@@ -2,18 +2,11 @@
 # Sheets (scenes/sheet/) have the same bits on 1, 2, 3, 4 and 7 ranks, when a run is killed with -9 and resumed on other numbers of ranks, and when
 # it goes back to a good state: vertices, books, frames with their triangles. SCENES: fewer.
 . "$(dirname "$0")/../support/run.sh"
-sameOutput() {  # sameOutput A B WHAT: checkpoint, series and all frames
-  "$thaw" compare "$1" "$2" >"$work/log" 2>&1 || { fail "$3: checkpoints differ"; head -n 20 "$work/log"; return; }
-  local frame
-  cmp -s "$1/frames/${scene}_sheet.hdf.series" "$2/frames/${scene}_sheet.hdf.series" || fail "$3: the series of frames differs"
-  for frame in $(grep -oh "${scene}[_a-z]*_[0-9]*\.hdf" "$1/frames/${scene}_sheet.hdf.series"); do
-    "$thaw" compare "$1/frames/$frame" "$2/frames/$frame" >"$work/log" 2>&1 || { fail "$3: $frame differs"; head -n 5 "$work/log"; }
-  done
-}
+sameOutput() { sameRuns "$1" "$2" "$3" "frames/${scene}_sheet.hdf.series"; }  # sameOutput A B WHAT
 # try SCENE STEPS SETTINGS: on all ranks, cut, killed and resumed
 try() {
   scene=$1
-  local steps=$2 third=$(($2 / 3)) ranks at file=$scenes/sheet/$1.toml
+  local steps=$2 ranks file=$scenes/sheet/$1.toml
   [ -f "$file" ] || file=$scenes/$1.toml
   shift 2
   local options=(--set numerics.retry_every=10 "$@")  # so that a checkpoint may be written often
@@ -22,13 +15,7 @@ try() {
     go $ranks $ranks --steps "$steps"
     [ "$ranks" = 1 ] || sameOutput "$work/$scene.1" "$work/$scene.$ranks" "$scene on 1 and $ranks ranks"
   done
-  go 3 parts --steps "$third"
-  launchInBackground 2 run "$file" "${options[@]}" --set output.checkpoint=0.05 --steps $((steps - 1)) --resume --out "$work/$scene.parts" >"$work/log" 2>&1
-  sleep 1.2
-  killAll -9 "$work/$scene.parts"
-  at=$("$thaw" info "$work/$scene.parts" --json 2>"$work/log" | value - step)
-  [ -n "$at" ] && [ "$at" -ge "$third" ] || { fail "$scene: no checkpoint after the kill (step '$at')"; cat "$work/log"; return; }
-  go 4 parts --steps "$steps" --resume
+  cutAndKilled "$scene" "$steps" "$file" "${options[@]}" || return
   sameOutput "$work/$scene.1" "$work/$scene.parts" "$scene, killed at step $at and resumed"
   echo "$scene: $steps steps, killed at step $at"
   rm -rf "${work:?}/$scene".*

@@ -9,21 +9,13 @@ try() {
   scene=$(basename "$2" .toml)
   local file=$2 steps=$3
   shift 3
-  local third=$((steps / 3))
   go() { launch "$1" run "$file" "${options[@]}" --out "$work/$name.$2" "${@:3}" >"$work/log" 2>&1 || { fail "$name, $2: exit $?"; tail -n 5 "$work/log"; }; }
   local options=(--set numerics.retry_every=5 "$@")  # so that a checkpoint may be written often
   for ranks in 1 2 3 4 7; do
     go $ranks $ranks --steps "$steps"
     [ "$ranks" = 1 ] || sameOutput "$work/$name.1" "$work/$name.$ranks" "$name on 1 and $ranks ranks"
   done
-  go 3 parts --steps "$third"
-  launchInBackground 2 run "$file" "${options[@]}" --set output.checkpoint=0.05 --steps $((steps - 1)) --resume --out "$work/$name.parts" >"$work/log" 2>&1
-  sleep 1.2
-  killAll -9 "$work/$name.parts"
-  local at
-  at=$("$thaw" info "$work/$name.parts" --json 2>"$work/log" | value - step)
-  [ -n "$at" ] && [ "$at" -ge "$third" ] || { fail "$name: no checkpoint after the kill (step '$at')"; cat "$work/log"; return; }
-  go 4 parts --steps "$steps" --resume
+  cutAndKilled "$name" "$steps" "$file" "${options[@]}" || return
   "$thaw" info "$work/$name.parts" >/dev/null 2>"$work/log" || { fail "$name: no information"; cat "$work/log"; }
   sameOutput "$work/$name.1" "$work/$name.parts" "$name, killed at step $at and resumed"
   echo "$name: $(value "$work/$name.1/summary.json" particles) particles, $(counted "$work/$name.1" surfels) surfels, $(counted "$work/$name.1" updates) updates, $(counted "$work/$name.1" births) births," \

@@ -85,14 +85,8 @@ TEST(Incompressible, DamBreakNeedsFewSteps) {
   EXPECT_LT(std::abs(b.energyResidual), 0.02 * b.energyScale);
 }
 
-// Two drops collide; no walls, no gravity.
 TEST(Incompressible, LiquidThatPullsDoesNotTearItsFreeSurface) {
-  Scene s;
-  s.spacing = 0.02;
-  s.domain.min = {-0.4, -0.4, -0.4};
-  s.domain.max = {0.4, 0.4, 0.4};
-  s.domain.gravity = {};
-  s.output.every = 0;
+  Scene s = emptyScene(0.02, {-0.4, -0.4, -0.4}, {0.4, 0.4, 0.4});
   s.numerics.solver = PressureSolver::Incompressible;
   s.numerics.tensileLimit = 1;
   s.materials.emplace_back();
@@ -105,13 +99,9 @@ TEST(Incompressible, LiquidThatPullsDoesNotTearItsFreeSurface) {
   EXPECT_LT(fastest, 0.05);  // what its packing pushes; closing the gaps of the surface in a step makes it 1000 m/s
 }
 
+// Two drops collide; no walls, no gravity.
 TEST(Incompressible, MomentumIsKept) {
-  Scene s;
-  s.spacing = 0.02;
-  s.domain.min = {-0.5, -0.5, -0.5};
-  s.domain.max = {0.5, 0.5, 0.5};
-  s.domain.gravity = {};
-  s.output.every = 0;
+  Scene s = emptyScene(0.02, {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
   s.materials.emplace_back();
   s.materials[0].viscosity = {0.1, 0.1};
   s.numerics.solver = PressureSolver::Incompressible;

@@ -11,12 +11,7 @@ namespace thaw {
 namespace {
 
 Scene patchScene(double jitter) {
-  Scene s;
-  s.spacing = 0.05;
-  s.domain.min = {-1, -1, -1};
-  s.domain.max = {1, 1, 1};
-  s.domain.gravity = {};
-  s.output.every = 0;
+  Scene s = test::emptyScene(0.05, {-1, -1, -1}, {1, 1, 1});
   s.end = 1;
   s.oriented.emplace_back();
   OrientedBody& b = s.oriented.back();

@@ -10,12 +10,7 @@ namespace thaw {
 namespace {
 
 Scene sheetScene(SheetMesh mesh) {
-  Scene s;
-  s.spacing = 0.05;
-  s.domain.min = {-2, -2, -2};
-  s.domain.max = {2, 2, 2};
-  s.domain.gravity = {};
-  s.output.every = 0;
+  Scene s = test::emptyScene(0.05, {-2, -2, -2}, {2, 2, 2});
   s.sheets.emplace_back();
   SheetBody& b = s.sheets.back();
   b.name = "sheet";

@@ -30,12 +30,7 @@ Mat3d plainGradient(const std::vector<Vec3d>& reference, const std::vector<Vec3d
 
 /// A space without gravity and frames, with elastic material 0 of 1e5 Pa, at a spacing of 0.1 m.
 Scene elasticScene(ElasticLaw law, const Vec3d& low, const Vec3d& high) {
-  Scene s;
-  s.spacing = 0.1;
-  s.domain.min = low;
-  s.domain.max = high;
-  s.domain.gravity = {};
-  s.output.every = 0;
+  Scene s = emptyScene(0.1, low, high);
   s.materials.emplace_back();
   s.materials[0].young = {1e5, 0};
   s.materials[0].law = law;

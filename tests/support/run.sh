@@ -55,6 +55,28 @@ expectExit() {  # expectExit CODE WHAT: of the last command, whose output is in 
   [ "$code" -eq "$1" ] || { fail "$2: exit $code, not $1"; tail -n 5 "$work/log"; }
 }
 expectMessage() { grep -q -e "$1" "$work/log" || { fail "$2: no message '$1'"; tail -n 5 "$work/log"; }; }
+# sameRuns A B WHAT FILE...: the last checkpoints and all frames of two runs, and these files in their folders byte by byte
+sameRuns() {
+  local a=$1 b=$2 what=$3 name
+  shift 3
+  "$thaw" compare --frames "$a" "$b" >"$work/log" 2>&1 || { fail "$what: checkpoints or frames differ"; head -n 20 "$work/log"; return; }
+  for name in "$@"; do
+    cmp -s "$a/$name" "$b/$name" || { fail "$what: $name differs"; diff "$a/$name" "$b/$name" | head -n 5; }
+  done
+}
+# cutAndKilled NAME STEPS SCENE OPTIONS...: into $work/NAME.parts, on 3 ranks to a third of the steps, on 2 until it is killed with -9 in the midst of
+# whatever it does then, and on 4 to the end. $at is the step from which that went on; false if there was none.
+cutAndKilled() {
+  local name=$1 steps=$2 scene=$3 third=$(($2 / 3)) parts=$work/$1.parts
+  shift 3
+  launch 3 run "$scene" "$@" --steps "$third" --out "$parts" >"$work/log" 2>&1; expectExit 0 "$name, first part"
+  launchInBackground 2 run "$scene" "$@" --set output.checkpoint=0.05 --steps $((steps - 1)) --resume --out "$parts" >"$work/log" 2>&1
+  sleep 1.2
+  killAll -9 "$parts"
+  at=$("$thaw" info "$parts" --json 2>"$work/log" | value - step)
+  [ -n "$at" ] && [ "$at" -ge "$third" ] || { fail "$name: no checkpoint after the kill (step '$at')"; cat "$work/log"; return 1; }
+  launch 4 run "$scene" "$@" --steps "$steps" --resume --out "$parts" >"$work/log" 2>&1; expectExit 0 "$name, last part"
+}
 # sameOnAllRanks NAME STEPS CUT SCENE OPTIONS...: the bits of 1 rank on 2, 3, 4 and 7, and cut after CUT steps on 3 ranks and resumed on 2.
 # Leaves the runs in $work/NAME.1 ... NAME.7 and NAME.parts.
 sameOnAllRanks() {

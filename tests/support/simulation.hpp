@@ -53,15 +53,21 @@ inline Shape boxOf(const Vec3d& low, const Vec3d& high) {
   return s;
 }
 
-/// A scene of one material; periodic along x and y over six spacings, open along z; no gravity.
-inline Scene columnScene(double spacing, double zLow, double zHigh) {
+/// Nothing in a domain with open sides, no gravity, no frames.
+inline Scene emptyScene(double spacing, const Vec3d& low, const Vec3d& high) {
   Scene s;
   s.spacing = spacing;
-  s.domain.min = {0, 0, zLow};
-  s.domain.max = {6 * spacing, 6 * spacing, zHigh};
-  s.domain.side[0] = s.domain.side[1] = {Side::Periodic, Side::Periodic};
+  s.domain.min = low;
+  s.domain.max = high;
   s.domain.gravity = {};
   s.output.every = 0;
+  return s;
+}
+
+/// A scene of one material; periodic along x and y over six spacings, open along z; no gravity.
+inline Scene columnScene(double spacing, double zLow, double zHigh) {
+  Scene s = emptyScene(spacing, {0, 0, zLow}, {6 * spacing, 6 * spacing, zHigh});
+  s.domain.side[0] = s.domain.side[1] = {Side::Periodic, Side::Periodic};
   s.materials.emplace_back();
   s.materials[0].name = "stuff";
   return s;

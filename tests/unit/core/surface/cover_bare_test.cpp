@@ -15,12 +15,7 @@ namespace {
 using namespace test;
 
 Scene barScene(bool mesh) {
-  Scene s;
-  s.spacing = 0.1;
-  s.domain.min = {-3, -2, -2};
-  s.domain.max = {3, 2, 2};
-  s.domain.gravity = {};
-  s.output.every = 0;
+  Scene s = emptyScene(0.1, {-3, -2, -2}, {3, 2, 2});
   s.materials.emplace_back();
   s.materials[0].name = "rubber";
   s.materials[0].young = {1e5, 0};

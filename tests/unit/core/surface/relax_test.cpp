@@ -25,6 +25,13 @@ bool sameBits(const std::map<std::uint64_t, Vec3d>& a, const std::map<std::uint6
   return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](const auto& x, const auto& y) { return x.first == y.first && std::memcmp(&x.second, &y.second, sizeof(Vec3d)) == 0; });
 }
 
+void addFloor(SettleRig& rig, double z) {
+  Domain domain = rig.w.scene.domain;
+  domain.min.z = z;
+  domain.side[2][0] = Side::Wall;
+  addDomainWalls(domain, rig.w.walls);
+}
+
 void addBall(SettleRig& rig, double R, double noise = 0.1) {
   rig.addLattice(static_cast<int>(R) + 1, {0.5, 0.5, 0.5}, [&](const Vec3d& x) { return length(x) < R; });
   rig.addBallSurfels(R, noise);
@@ -160,13 +167,7 @@ TEST(Relax, SolidsAreLeftAlone) {
 
 TEST(Relax, ObstaclesAndLeastLevel) {
   SettleRig rig;
-  {
-    Scene scene;
-    scene.domain = rig.w.scene.domain;
-    scene.domain.min.z = -4;
-    scene.domain.side[2][0] = Side::Wall;
-    addDomainWalls(scene.domain, rig.w.walls);
-  }
+  addFloor(rig, -4);
   addBall(rig, 5);
   rig.settle(40);
   const Surfels& s = rig.w.surface.surfels;
@@ -185,13 +186,7 @@ TEST(Relax, ObstaclesAndLeastLevel) {
 // A wall that holds a surfel back does not have it creep along, by the few degrees that its normal is off the wall's.
 TEST(Relax, LiquidOnAWallComesToRest) {
   SettleRig rig;
-  {
-    Scene scene;
-    scene.domain = rig.w.scene.domain;
-    scene.domain.min.z = -4;
-    scene.domain.side[2][0] = Side::Wall;
-    addDomainWalls(scene.domain, rig.w.walls);
-  }
+  addFloor(rig, -4);
   addBall(rig, 5);
   rig.settle(40);
   std::int64_t most = 0;
