@@ -188,7 +188,7 @@ void search(World& w, StepTools& t, Part part) {
     t.liquidCells.assign(n, 0);
   }
   SearchInput in;
-  in.place = reinterpret_cast<const std::uint32_t*>(t.records.fixed.data());
+  in.x = t.records.coarse[0].data(), in.y = t.records.coarse[1].data(), in.z = t.records.coarse[2].data();
   in.cells = &w.cells;
   in.inner = t.inner.data();
   in.liquid = mixed || !w.modules.fluid ? t.liquidCells.data() : nullptr;
@@ -275,7 +275,7 @@ void sumUnitPressure(World& w, StepTools& t) {
   clearLists(w.neighbours, static_cast<std::uint32_t>(p.owned), static_cast<std::uint32_t>(p.size()));
   std::fill(t.inner.begin(), t.inner.end(), std::uint8_t{1});
   SearchInput in;
-  in.place = reinterpret_cast<const std::uint32_t*>(t.records.fixed.data());
+  in.x = t.records.coarse[0].data(), in.y = t.records.coarse[1].data(), in.z = t.records.coarse[2].data();
   in.cells = &w.cells;
   in.inner = t.inner.data();
   in.owned = static_cast<std::uint32_t>(p.owned);

@@ -33,6 +33,7 @@ template<class Real> void packAs(const RecordContext& x, const Continuum& p, std
     const double V = p.mass[i] / m.density * perVolume;
     const std::uint32_t word[3] = {fixedPoint(x.grid, at.x, 0), fixedPoint(x.grid, at.y, 1), fixedPoint(x.grid, at.z, 2)};
     std::memcpy(&fixed[i], word, sizeof word);
+    for (int a = 0; a < 3; a++) r.coarse[a][i] = coarsePlace(word[a]);
     fixed[i].d = static_cast<float>(V);
     if constexpr (sizeof(Real) == 8) rows<double>(r.place)[i] = {(at.x - x.grid.origin.x) / h, (at.y - x.grid.origin.y) / h, (at.z - x.grid.origin.z) / h, V};
     const double f = melting ? static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? 1 : 0, T = heat ? p.temperature[i] : 0;
@@ -80,7 +81,11 @@ template<class Real> void packPressureAs(const RecordContext& x, Continuum& p, s
 void resizeRecords(const RecordContext& x, std::size_t n, PairRecords& r) {
   const bool real64 = x.scene.numerics.precision == Precision::Double;
   const std::size_t bytes = (n + 1) * (real64 ? 32 : 16);
-  resizeBytes(r.fixed, (n + 8) * 16);  // the search reads eight at a time
+  resizeBytes(r.fixed, (n + 1) * 16);
+  for (auto& c : r.coarse) {
+    if (c.capacity() < n + 32) c.reserve(n + n / 4 + 32);  // the search reads up to 31 too many
+    c.resize(n + 32);
+  }
   if (real64) resizeBytes(r.place, bytes);
   resizeBytes(r.motion, bytes);
   resizeBytes(r.state, bytes);

@@ -16,7 +16,8 @@ struct MaterialParameters { double viscosity = 0, conductivity = 0; };
 
 /// Records of all rows and the dummy behind them; bytes, because they are float or double.
 struct PairRecords {
-  AlignedVector<std::byte> fixed;    ///< fixed-point positions and V0 / h^3, float: read by the search, and as place in single precision
+  AlignedVector<std::byte> fixed;    ///< fixed-point positions and V0 / h^3, float: place in single precision
+  AlignedVector<std::uint16_t> coarse[3];  ///< x, y, z for the search (coarsePlace)
   AlignedVector<std::byte> place, motion, state, surface, diagonal, mixed, pull;
   std::vector<MaterialParameters> constant;  ///< by material, of those that do not change
 };

@@ -45,6 +45,9 @@ inline std::uint32_t fixedPoint(const CellGrid& g, double x, int axis) {
   return static_cast<std::uint32_t>(static_cast<std::uint64_t>(std::llround((x - g.origin[axis]) / g.support * fixedUnitsPerSupport)));
 }
 
+/// The same in 2^14 units a support radius, modulo 2^16: what the search compares.
+inline std::uint16_t coarsePlace(std::uint32_t fixed) { return static_cast<std::uint16_t>(fixed >> 10); }
+
 /// Occupied cells, ascending by key: particles [first[c], first[c + 1]) for owned cells; ghost cells name their own range.
 struct CellTable {
   std::vector<std::uint64_t> key;

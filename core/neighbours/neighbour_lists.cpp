@@ -23,7 +23,7 @@ void growSearch(SearchBuffers& b, std::size_t n) {
   b.y.resize(room);
   b.z.resize(room);
   b.row.resize(room);
-  for (AlignedVector<std::uint32_t>& found : b.found) found.resize(room + 16);
+  for (AlignedVector<std::uint32_t>& found : b.found) found.resize(room + 32);
 }
 
 }  // namespace thaw
