@@ -137,6 +137,13 @@ PairSums pairSumsOf(World& w, StepTools& t) {
   s.viscousWeight = t.viscousWeight;
   s.printedTension = n.tension == TensionForm::ColourField;
   s.heat = w.modules.heat;
+  s.uniform = w.modules.uniform;
+  if (s.uniform) {
+    const Material& m = w.scene.materials[0];
+    s.viscosity = viscosityAt(m, 1, 293);
+    s.conductivity = conductivityOf(n.heat, m, 1);
+    s.artificial = w.modules.artificialViscosity ? t.liquids[0].artificial : 0;
+  }
   s.conductionScale = t.conductionScale;
   s.support = w.grid.support;
   s.fillingScale = t.fillingScale;
@@ -247,7 +254,7 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass) {
   } else if (w.modules.tension) {
     t.kernels->tension(s, range);
   }
-  if (w.modules.artificialViscosity) t.kernels->artificialViscosity(resisting, range);
+  if (w.modules.artificialViscosity && !w.modules.uniform) t.kernels->artificialViscosity(resisting, range);
   if (w.modules.xsph) t.kernels->smoothing(s, range);
   if (w.modules.surfaceHeat) t.kernels->exposure(s, range);
   if (w.modules.contact) {
@@ -267,7 +274,7 @@ void sumUnitPressure(World& w, StepTools& t) {
   Continuum& p = w.particles;
   Modules modules = w.modules;
   modules.fluid = modules.neighbours = true;
-  modules.heat = modules.melting = false;
+  modules.heat = modules.melting = modules.uniform = false;
   const RecordContext x{w.scene, modules, w.grid, t.liquids};
   resizeRecords(x, p.size(), t.records);
   packRecords(x, p, 0, p.size(), t.records);
@@ -281,7 +288,7 @@ void sumUnitPressure(World& w, StepTools& t) {
   in.owned = static_cast<std::uint32_t>(p.owned);
   t.kernels->search(in, Part::Inner, t.search, w.neighbours);
   PairSums s = pairSumsOf(w, t);
-  s.heat = false;
+  s.heat = s.uniform = false;
   s.pressureForm = PairForm::Consistent;
   s.fillingScale = 1 / (w.grid.support * w.grid.support * w.grid.support);
   t.kernels->forces(s, {0, w.neighbours.groups});

@@ -22,7 +22,8 @@ struct PairRecords {
   std::vector<MaterialParameters> constant;  ///< by material, of those that do not change
 };
 
-/// What packing needs to know of the run.
+/// What packing needs to know of the run. With Modules::uniform, motion gets the pressure term in place of the viscosity, and state is packed
+/// for its temperature only.
 struct RecordContext {
   const Scene& scene;
   const Modules& modules;

@@ -12,11 +12,12 @@ namespace thaw {
 struct SearchBuffers {
   AlignedVector<std::uint16_t> x, y, z;      ///< candidates around a cell, as in SearchInput
   AlignedVector<std::uint32_t> row;
-  AlignedVector<std::uint32_t> found[8];     ///< neighbours of the eight particles of a group
-  std::uint32_t length[8]{};
-  std::uint32_t self[8]{};
+  static constexpr int window = 32;          ///< lists that are put together by their length, so that groups need little padding
+  AlignedVector<std::uint32_t> found[window];  ///< neighbours of as many particles
+  std::uint32_t length[window]{};
+  std::uint32_t self[window]{};
+  std::uint8_t wet[window]{};
   int filled = 0;
-  std::uint8_t wet = 0;
 };
 
 /// Room for n candidates around one cell.

@@ -88,7 +88,7 @@ std::uint32_t pick(const SearchBuffers& b, std::uint32_t candidates, std::uint32
 }
 
 /// Row r of `to` becomes column r of the eight rows in `from`.
-THAW_INLINE void transpose8(const std::uint32_t* const from[8], std::uint32_t k, std::uint32_t* to) {
+THAW_INLINE void transpose8(std::uint32_t* const from[8], std::uint32_t k, std::uint32_t* to) {
   Vec8u r[8], s[8];
   for (int l = 0; l < 8; l++) __builtin_memcpy(&r[l], from[l] + k, 32);
   for (int l = 0; l < 8; l += 2) {  // pairs of rows
@@ -108,37 +108,47 @@ THAW_INLINE void transpose8(const std::uint32_t* const from[8], std::uint32_t k,
   }
 }
 
-/// Interleaves the eight lists of a group into lists.list; writes up to seven rows of eight behind it.
-void closeGroup(SearchBuffers& b, NeighbourLists& lists) {
-  std::uint32_t longest = 0;
-  for (int l = 0; l < 8; l++) {
-    if (l >= b.filled) {
-      b.length[l] = 0;
-      b.self[l] = lists.dummy;
-    }
-    longest = longest < b.length[l] ? b.length[l] : longest;
-  }
+/// Interleaves the lists that `key` names into a group of lists.list; writes up to seven rows of eight behind it. A key: 1 << 31 if wet,
+/// length << 8, number of the list.
+void closeGroup(SearchBuffers& b, const std::uint32_t* key, int filled, NeighbourLists& lists) {
+  std::uint32_t most = 0;
+  for (int l = 0; l < filled; l++) most = most < b.length[key[l] & 255] ? b.length[key[l] & 255] : most;
   const std::size_t g = lists.groups;
   const std::uint64_t first = g == 0 ? 0 : lists.first[g - 1] + 8ull * lists.count[g - 1];
-  const std::uint32_t room = (longest + 7) / 8 * 8;
+  const std::uint32_t room = (most + 7) / 8 * 8;
   if (lists.list.size() < first + 8ull * room) growList(lists, first + 8ull * room);
   std::uint32_t* to = lists.list.data() + first;
   const std::uint32_t d = lists.dummy;
   const Vec8u padding = {d, d, d, d, d, d, d, d};
-  const std::uint32_t* from[8];
+  std::uint32_t* from[8];
+  std::uint8_t wet = 0;
   for (int l = 0; l < 8; l++) {
-    std::uint32_t* found = b.found[l].data();
-    for (std::uint32_t k = b.length[l]; k < room; k += 8) __builtin_memcpy(found + k, &padding, 32);
-    from[l] = found;
-    lists.self[8 * g + static_cast<std::size_t>(l)] = b.self[l];
+    const std::uint32_t k = key[l < filled ? l : 0] & 255;
+    wet |= b.wet[k];
+    lists.self[8 * g + static_cast<std::size_t>(l)] = l < filled ? b.self[k] : d;
+    from[l] = b.found[k].data();
+    for (std::uint32_t n = b.length[k]; n < room; n += 8) __builtin_memcpy(from[l] + n, &padding, 32);
   }
   for (std::uint32_t k = 0; k < room; k += 8) transpose8(from, k, to + 8ull * k);
+  for (int l = filled; l < 8; l++)
+    for (std::uint32_t k = 0; k < most; k++) to[8ull * k + static_cast<std::uint32_t>(l)] = d;
   lists.first[g] = first;
-  lists.count[g] = longest;
-  lists.wet[g] = b.wet;
+  lists.count[g] = most;
+  lists.wet[g] = wet;
   lists.groups++;
+}
+
+/// Makes groups of the lists in the window: wet ones first, and of like length. Which particles share a group changes no sum.
+void closeWindow(SearchBuffers& b, NeighbourLists& lists) {
+  std::uint32_t key[SearchBuffers::window];
+  for (int k = 0; k < b.filled; k++) {  // insertion: few, and nearly as long as each other
+    const std::uint32_t mine = (b.wet[k] ? 1u << 31 : 0u) | (b.length[k] < 0x7fffff ? b.length[k] : 0x7fffff) << 8 | static_cast<std::uint32_t>(k);
+    int at = k;
+    for (; at > 0 && key[at - 1] < mine; at--) key[at] = key[at - 1];
+    key[at] = mine;
+  }
+  for (int k = 0; k < b.filled; k += 8) closeGroup(b, key + k, b.filled - k < 8 ? b.filled - k : 8, lists);
   b.filled = 0;
-  b.wet = 0;
 }
 
 /// Copies `count` rows from `first` on behind the candidates. Reads and writes up to 31 too many, which the next ones overwrite.
@@ -165,7 +175,6 @@ void searchNeighbours(const SearchInput& in, Part part, SearchBuffers& b, Neighb
     rows[k].offset = static_cast<std::uint64_t>(static_cast<std::int64_t>(k / 3 - 1) * (1ll << 42) + static_cast<std::int64_t>(k % 3 - 1) * (1ll << 21));
   const std::size_t n = cells.key.size();
   b.filled = 0;
-  b.wet = 0;
   for (std::size_t c = 0; c < n; c++) {
     if (cells.first[c] >= in.owned || (in.inner[c] != 0) != (part == Part::Inner)) continue;
     const std::uint64_t key = cells.key[c];
@@ -191,12 +200,12 @@ void searchNeighbours(const SearchInput& in, Part part, SearchBuffers& b, Neighb
       const std::uint32_t m = pick(b, candidates, ownStart + k, b.found[b.filled].data());
       b.length[b.filled] = m;
       b.self[b.filled] = row;
-      b.wet |= wet;
+      b.wet[b.filled] = wet;
       lists.neighbours[row] = static_cast<std::uint16_t>(m < 65535 ? m : 65535);
-      if (++b.filled == 8) closeGroup(b, lists);
+      if (++b.filled == SearchBuffers::window) closeWindow(b, lists);
     }
   }
-  if (b.filled > 0) closeGroup(b, lists);
+  if (b.filled > 0) closeWindow(b, lists);
   if (part == Part::Inner) lists.innerGroups = lists.groups;
 }
 
