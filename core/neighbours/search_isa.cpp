@@ -108,11 +108,10 @@ THAW_INLINE void transpose8(std::uint32_t* const from[8], std::uint32_t k, std::
   }
 }
 
-/// Interleaves the lists that `key` names into a group of lists.list; writes up to seven rows of eight behind it. A key: 1 << 31 if wet,
-/// length << 8, number of the list.
-void closeGroup(SearchBuffers& b, const std::uint32_t* key, int filled, NeighbourLists& lists) {
+/// Interleaves these lists of the window into a group of lists.list; writes up to seven rows of eight behind it.
+void closeGroup(SearchBuffers& b, const std::uint32_t* which, int filled, NeighbourLists& lists) {
   std::uint32_t most = 0;
-  for (int l = 0; l < filled; l++) most = most < b.length[key[l] & 255] ? b.length[key[l] & 255] : most;
+  for (int l = 0; l < filled; l++) most = most < b.length[which[l]] ? b.length[which[l]] : most;
   const std::size_t g = lists.groups;
   const std::uint64_t first = g == 0 ? 0 : lists.first[g - 1] + 8ull * lists.count[g - 1];
   const std::uint32_t room = (most + 7) / 8 * 8;
@@ -123,7 +122,7 @@ void closeGroup(SearchBuffers& b, const std::uint32_t* key, int filled, Neighbou
   std::uint32_t* from[8];
   std::uint8_t wet = 0;
   for (int l = 0; l < 8; l++) {
-    const std::uint32_t k = key[l < filled ? l : 0] & 255;
+    const std::uint32_t k = which[l < filled ? l : 0];
     wet |= b.wet[k];
     lists.self[8 * g + static_cast<std::size_t>(l)] = l < filled ? b.self[k] : d;
     from[l] = b.found[k].data();
@@ -140,14 +139,19 @@ void closeGroup(SearchBuffers& b, const std::uint32_t* key, int filled, Neighbou
 
 /// Makes groups of the lists in the window: wet ones first, and of like length. Which particles share a group changes no sum.
 void closeWindow(SearchBuffers& b, NeighbourLists& lists) {
-  std::uint32_t key[SearchBuffers::window];
-  for (int k = 0; k < b.filled; k++) {  // insertion: few, and nearly as long as each other
-    const std::uint32_t mine = (b.wet[k] ? 1u << 31 : 0u) | (b.length[k] < 0x7fffff ? b.length[k] : 0x7fffff) << 8 | static_cast<std::uint32_t>(k);
-    int at = k;
-    for (; at > 0 && key[at - 1] < mine; at--) key[at] = key[at - 1];
-    key[at] = mine;
+  constexpr int n = SearchBuffers::window;
+  alignas(32) std::int32_t key[n], rank[n];
+  for (int k = 0; k < n; k++)  // keys differ: by the number of the list, at least
+    key[k] = k < b.filled ? (b.wet[k] ? 1 << 30 : 0) | static_cast<std::int32_t>(b.length[k] < 0x3fffff ? b.length[k] : 0x3fffff) << 8 | k : -1 - k;
+  for (int k = 0; k < n; k += 8) {  // the place of each is how many are greater: no branch that depends on lengths
+    Vec8i mine, place{};
+    __builtin_memcpy(&mine, key + k, 32);
+    for (int j = 0; j < n; j++) place -= key[j] > mine;
+    __builtin_memcpy(rank + k, &place, 32);
   }
-  for (int k = 0; k < b.filled; k += 8) closeGroup(b, key + k, b.filled - k < 8 ? b.filled - k : 8, lists);
+  std::uint32_t sorted[n];
+  for (int k = 0; k < n; k++) sorted[rank[k]] = static_cast<std::uint32_t>(k);
+  for (int k = 0; k < b.filled; k += 8) closeGroup(b, sorted + k, b.filled - k < 8 ? b.filled - k : 8, lists);
   b.filled = 0;
 }
 

@@ -39,11 +39,11 @@ template<class Real, class Kernel, bool Heat, bool Shocks> struct UniformForces 
     const L approach = ux * dx + uy * dy + uz * dz;
     const L mu = viscosity * VV * alongPair(viscousWeight, q2) * approach / (q2 + L(1e-6));
     const L f = pressure + viscousScale * mu;
-    s.x -= widen(f * dx);
-    s.y -= widen(f * dy);
-    s.z -= widen(f * dz);
+    s.x -= wide(f * dx);
+    s.y -= wide(f * dy);
+    s.z -= wide(f * dz);
     s.lost += mu * approach;
-    if constexpr (Heat) s.heat += widen(VV * conductivity * Kernel::laplace(q2) * (j.state.c - i.state.c));
+    if constexpr (Heat) s.heat += wide(VV * conductivity * Kernel::laplace(q2) * (j.state.c - i.state.c));
     if constexpr (Shocks) {
       const L closing = min(approach, L(0.0)), nu = artificial * j.place.d * slope * closing / (q2 + L(0.01));
       s.sx += nu * dx;
