@@ -18,7 +18,7 @@ struct Case {
   std::size_t particles = 100000;
 };
 
-/// A jittered block that moves at a tenth of its speed of sound and turns, with a free surface, in an open domain. Fluid: pressure and viscosity. Heat:
+/// A jittered block that flies through an open domain, with a free surface. Fluid: pressure and viscosity. Heat:
 /// also conduction. Elastic: Green strain. Mixed: the middle third melts, solid below, liquid above, with latent heat and contact.
 Scene sceneOf(const Case& c);
 

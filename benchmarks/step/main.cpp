@@ -1,7 +1,9 @@
 // step: particle-steps a second and core of whole steps, MPI, halos and all, on the ranks it is started with; benchmarks/step/run starts it on 1, 2 and 4.
-//   step [--cases fluid,heat,elastic,mixed] [--precisions single,double] [--supports 2,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1]
+//   step [--cases fluid,heat,elastic,mixed] [--precisions single,double] [--supports 2,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1] [--memory 1]
 // Beside each case, in turn with it and on as many ranks, runs a plain scalar neighbour-list code (yardstick): the ratio means the same on any
 // machine, and on a busy one. Rows come with the bytes that a step moves and what a copy moves in the same time.
+#include <malloc.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -107,7 +109,7 @@ struct Options {
   int repeat = 7;
   double seconds = 0.6;  ///< of steps between two looks at the yardstick
   const char* csv = nullptr;
-  bool append = false;
+  bool append = false, memory = false;
 };
 
 /// The phases with most time, ns a particle and step; then the one that stands furthest above its limit.
@@ -130,6 +132,7 @@ std::string heldBackBy(const Case& c, const PhaseTimes& t, double perNs, double 
 }
 
 void measure(const Communicator& comm, const Case& c, const Options& o, FILE* out) {
+  malloc_trim(0);  // what the case before has left
   const double before = residentBytes();
   const auto setUp = Watch::now();
   Rig rig(comm, sceneOf(c));
@@ -163,6 +166,9 @@ void measure(const Communicator& comm, const Case& c, const Options& o, FILE* ou
   for (std::size_t k = 0; k < rig.w.bonds.weight.size() && c.kind == Kind::Elastic; k++) neighbours += rig.w.bonds.weight[k] > 0;
   neighbours = sumOver(comm, neighbours) / N;
   if (comm.rank() != 0) return;
+  if (o.memory)
+    for (const MemoryUse& u : memoryOf(rig.w, rig.tools))
+      if (u.bytes > 0) std::fprintf(stderr, "  %-20s %6.0f bytes a particle\n", u.what, u.bytes * ranks / N);
   const Targets goal = targetsOf(c);
   const double perNs = 1e9 * ranks / (N * done), rate = N / (median(total) * ranks) / 1e6;
   const auto ns = [&](std::initializer_list<StepPhase> phases) {
@@ -204,7 +210,7 @@ int main(int argc, char** argv) {
     const std::string key = argv[a];
     if (a + 1 == argc || key == "--help") {
       if (comm.rank() == 0)
-        std::fprintf(stderr, "step [--cases fluid,heat,elastic,mixed] [--precisions single,double] [--supports 2,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1]\n");
+        std::fprintf(stderr, "step [--cases fluid,heat,elastic,mixed] [--precisions single,double] [--supports 2,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1] [--memory 1]\n");
       return 2;
     }
     const std::string value = argv[a + 1];
@@ -222,6 +228,7 @@ int main(int argc, char** argv) {
     else if (key == "--seconds") o.seconds = std::atof(argv[a + 1]);
     else if (key == "--csv") o.csv = argv[a + 1];
     else if (key == "--append") o.append = value == "1";
+    else if (key == "--memory") o.memory = value == "1";
     else return std::fprintf(stderr, "unknown option %s\n", argv[a]), 2;
   }
   FILE* out = comm.rank() != 0 ? nullptr : o.csv ? std::fopen(o.csv, o.append ? "a" : "w") : stdout;
