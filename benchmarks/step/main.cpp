@@ -15,12 +15,10 @@
 #include <vector>
 
 #include "benchmarks/step/cases.hpp"
+#include "benchmarks/support/rig.hpp"
 #include "benchmarks/support/yardstick.hpp"
 #include "core/math/hash_random.hpp"
 #include "core/memory.hpp"
-#include "core/setup/setup.hpp"
-#include "parallel/bond_halo.hpp"
-#include "parallel/cell_halo.hpp"
 
 namespace {
 
@@ -54,26 +52,11 @@ double residentBytes() {
   return resident * 4096;
 }
 
-/// A scene on the ranks of a communicator, as a run has it.
-struct Rig {
-  World w;
-  StepTools tools;
-  MpiReducer all;
-  std::unique_ptr<MpiCellHalo> cells;
-  MpiBondHalo bonds;
-  Rig(const Communicator& comm, const Scene& scene) : all(comm), bonds(comm) {
-    w.scene = scene;
-    prepareWorld(w, tools, {});
-    cells = std::make_unique<MpiCellHalo>(comm, w.grid);
-    sampleWorld(w, halos(), tools, {});
-    Continuum& p = w.particles;
-    for (std::size_t i = 0; i < p.owned; i++)
-      for (int a = 0; a < 3; a++) p.position[i][a] += 0.1 * scene.spacing * (2 * randomUniform(1, Purpose::Separate, p.id[i], static_cast<std::uint64_t>(a)) - 1);
-    tools.bondsAtStart = w.modules.solid;
-    takeStock(w, halos(), tools);
-  }
-  Halos halos() { return {all, *cells, bonds}; }
-};
+/// Off the lattice by up to a tenth of a spacing along each axis.
+void jitter(Continuum& p, double spacing) {
+  for (std::size_t i = 0; i < p.owned; i++)
+    for (int a = 0; a < 3; a++) p.position[i][a] += 0.1 * spacing * (2 * randomUniform(1, Purpose::Separate, p.id[i], static_cast<std::uint64_t>(a)) - 1);
+}
 
 /// Bytes a second and rank that a copy reads and writes, all ranks at once.
 double copySpeed(const Communicator& comm) {
@@ -135,7 +118,8 @@ void measure(const Communicator& comm, const Case& c, const Options& o, FILE* ou
   malloc_trim(0);  // what the case before has left
   const double before = residentBytes();
   const auto setUp = Watch::now();
-  Rig rig(comm, sceneOf(c));
+  const Scene scene = sceneOf(c);
+  Rig rig(comm, scene, [&](Continuum& p) { jitter(p, scene.spacing); });
   const double setUpSeconds = mostOf(comm, secondsSince(setUp));
   const double ranks = comm.size(), N = sumOver(comm, static_cast<double>(rig.w.particles.owned));
   const auto steps = [&](int n) {

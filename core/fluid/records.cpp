@@ -97,8 +97,10 @@ void resizeRecords(const RecordContext& x, std::size_t n, PairRecords& r) {
   if (real64) resizeBytes(r.place, bytes);
   resizeBytes(r.motion, bytes);
   if (!x.modules.uniform || x.modules.heat) resizeBytes(r.state, bytes);
+  else r.state.clear();  // the packing of bodies may have needed what the run does not
   const bool surface = x.modules.tension || x.modules.contact || (x.modules.artificialViscosity && !x.modules.uniform) || x.modules.xsph;
   if (surface) resizeBytes(r.surface, bytes);
+  else r.surface.clear();
   if (x.modules.corrected) {
     resizeBytes(r.diagonal, bytes);
     resizeBytes(r.mixed, bytes);
