@@ -137,6 +137,13 @@ PairSums pairSumsOf(World& w, StepTools& t) {
   s.viscousWeight = t.viscousWeight;
   s.printedTension = n.tension == TensionForm::ColourField;
   s.heat = w.modules.heat;
+  s.uniform = w.modules.uniform;
+  if (s.uniform) {
+    const Material& m = w.scene.materials[0];
+    s.viscosity = viscosityAt(m, 1, 293);
+    s.conductivity = conductivityOf(n.heat, m, 1);
+    s.artificial = w.modules.artificialViscosity ? t.liquids[0].artificial : 0;
+  }
   s.conductionScale = t.conductionScale;
   s.support = w.grid.support;
   s.fillingScale = t.fillingScale;
@@ -188,7 +195,7 @@ void search(World& w, StepTools& t, Part part) {
     t.liquidCells.assign(n, 0);
   }
   SearchInput in;
-  in.place = reinterpret_cast<const std::uint32_t*>(t.records.fixed.data());
+  in.x = t.records.coarse[0].data(), in.y = t.records.coarse[1].data(), in.z = t.records.coarse[2].data();
   in.cells = &w.cells;
   in.inner = t.inner.data();
   in.liquid = mixed || !w.modules.fluid ? t.liquidCells.data() : nullptr;
@@ -247,7 +254,7 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass) {
   } else if (w.modules.tension) {
     t.kernels->tension(s, range);
   }
-  if (w.modules.artificialViscosity) t.kernels->artificialViscosity(resisting, range);
+  if (w.modules.artificialViscosity && !w.modules.uniform) t.kernels->artificialViscosity(resisting, range);
   if (w.modules.xsph) t.kernels->smoothing(s, range);
   if (w.modules.surfaceHeat) t.kernels->exposure(s, range);
   if (w.modules.contact) {
@@ -267,7 +274,7 @@ void sumUnitPressure(World& w, StepTools& t) {
   Continuum& p = w.particles;
   Modules modules = w.modules;
   modules.fluid = modules.neighbours = true;
-  modules.heat = modules.melting = false;
+  modules.heat = modules.melting = modules.uniform = false;
   const RecordContext x{w.scene, modules, w.grid, t.liquids};
   resizeRecords(x, p.size(), t.records);
   packRecords(x, p, 0, p.size(), t.records);
@@ -275,13 +282,13 @@ void sumUnitPressure(World& w, StepTools& t) {
   clearLists(w.neighbours, static_cast<std::uint32_t>(p.owned), static_cast<std::uint32_t>(p.size()));
   std::fill(t.inner.begin(), t.inner.end(), std::uint8_t{1});
   SearchInput in;
-  in.place = reinterpret_cast<const std::uint32_t*>(t.records.fixed.data());
+  in.x = t.records.coarse[0].data(), in.y = t.records.coarse[1].data(), in.z = t.records.coarse[2].data();
   in.cells = &w.cells;
   in.inner = t.inner.data();
   in.owned = static_cast<std::uint32_t>(p.owned);
   t.kernels->search(in, Part::Inner, t.search, w.neighbours);
   PairSums s = pairSumsOf(w, t);
-  s.heat = false;
+  s.heat = s.uniform = false;
   s.pressureForm = PairForm::Consistent;
   s.fillingScale = 1 / (w.grid.support * w.grid.support * w.grid.support);
   t.kernels->forces(s, {0, w.neighbours.groups});

@@ -49,6 +49,13 @@ void findHeat(Finder& f) {
   }
 }
 
+/// Is everything liquid of one material with constant parameters, with nothing that reads other records than places and motion?
+bool isUniform(const Scene& s, const Modules& m) {
+  const bool other = m.solid || m.melting || m.incompressible || m.implicitViscosity || m.continuity || m.tension || m.kinds();
+  return m.fluid && !other && s.materials.size() == 1 && s.materials[0].viscosityTable.empty() && s.numerics.kernel == KernelKind::WendlandC2 &&
+         s.numerics.viscosity == ViscosityForm::Pairwise;
+}
+
 }  // namespace
 
 Modules modulesOf(const Scene& s) {
@@ -121,6 +128,7 @@ Modules modulesOf(const Scene& s) {
     f.on(m.neighbours, "neighbour search", "oriented particles can touch the continuum");
   }
   if (m.heat) f.on(m.neighbours, "neighbour search", "heat is conducted");
+  m.uniform = isUniform(s, m);
   return f.m;
 }
 
