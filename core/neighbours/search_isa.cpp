@@ -132,7 +132,7 @@ void searchNeighbours(const SearchInput& in, Part part, SearchBuffers& b, Neighb
   b.filled = 0;
   b.wet = 0;
   for (std::size_t c = 0; c < n; c++) {
-    if (cells.first[c] >= in.owned || (in.inner[c] != 0) != (part == Part::Inner)) continue;
+    if (cells.first[c] >= in.owned || in.inner[c] == skippedCell || (in.inner[c] != 0) != (part == Part::Inner)) continue;
     const std::uint64_t key = cells.key[c];
     std::uint32_t same[8];
     for (std::uint32_t& r : same) r = cells.first[c];
