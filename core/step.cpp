@@ -73,7 +73,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   findWallContacts(walls, t.wallContacts);
   t.times.lap(StepPhase::Walls);
 
-  if (w.modules.sleep) wakeByWalls(w, t, dt);
+  if (w.modules.sleep) beginSleep(w, t, dt);
   const std::int64_t coincident = w.counters.coincidentPairs;
   const bool neighbours = needsNeighbours(w, t);
   if (neighbours) halos.cells.beginGhosts(p, w.cells, ghostColumns(w));  // copies of the cells around ours are on their way ...

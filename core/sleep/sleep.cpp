@@ -78,8 +78,9 @@ void wakeAll(Continuum& p) { std::fill_n(p.calm.data(), p.owned, 0.0f); }
 
 }  // namespace
 
-void wakeByWalls(World& w, const StepTools& t, double dt) {
+void beginSleep(World& w, StepTools& t, double dt) {
   Continuum& p = w.particles;
+  t.sleep.interaction.assign(p.interaction.data(), p.interaction.data() + p.owned);
   const double begin = w.clock.time, end = begin + dt;
   for (const Wall& wall : w.walls.list)
     if (wall.properties.until >= begin && wall.properties.until <= end) wakeAll(p);
@@ -95,7 +96,6 @@ void markAsleep(World& w, StepTools& t, bool ghosts) {
   const Continuum& p = w.particles;
   SleepWork& s = t.sleep;
   const std::size_t n = w.cells.key.size();
-  if (!ghosts) s.interaction.assign(p.interaction.data(), p.interaction.data() + p.owned);
   s.cell.resize(n);
   s.around.resize(n);
   for (std::size_t c = 0; c < n; c++) s.cell[c] = bitsOf(p, w.cells, c, w.scene.numerics.sleepAfter);
@@ -167,6 +167,7 @@ void settleSleep(World& w, StepTools& t, double dt) {
       Vec3d hold = p.hold[i];
       if (s.deep[i]) {
         p.interaction[i] = s.interaction[i];
+        p.dissipation[i] = 0;
         w.neighbours.neighbours[i] = 0;
       } else {
         const Vec3d a = fixed ? Vec3d{} : p.force[i] / m + g;
@@ -180,7 +181,6 @@ void settleSleep(World& w, StepTools& t, double dt) {
       }
       if (p.sleep[i] == awake) continue;
       w.counters.asleep += s.deep[i];
-      p.dissipation[i] = 0;
       if (p.sleep[i] == heldNow) {
         const Vec3d v = p.velocity[i];
         p.dissipated[i] += 0.5 * m * dot(v, v);

@@ -35,9 +35,9 @@ struct SleepWork {
   std::vector<double> stretch2;           ///< by group of slots: its largest square of a stretch
 };
 
-/// After contacts with walls are known and before ghosts are sent: wakes what a moving wall touches, and everything where a wall vanishes or
+/// After contacts with walls are known, and before rates are cleared and ghosts are sent: keeps SleepWork::interaction; wakes what a moving wall touches, and everything where a wall vanishes or
 /// a tempering acts in the step that ends now. dt: s, of that step.
-void wakeByWalls(World& world, const StepTools& tools, double dt);
+void beginSleep(World& world, StepTools& tools, double dt);
 
 /// Marks cells that are skipped in StepTools::inner, and rows in SleepWork. Before ghosts are there for inner cells, after that for all.
 void markAsleep(World& world, StepTools& tools, bool ghosts);
