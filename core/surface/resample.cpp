@@ -76,7 +76,7 @@ struct Round {
   /// Is a surfel of its side so near that one of the two would have to die?
   bool taken(std::size_t i, const SurfacePoint& p) const {
     const double least = crowdedAtMany * s.radius[i];
-    for (std::uint64_t k = lists.first[i]; k < lists.first[i + 1]; k++) {
+    for (std::uint64_t k = lists.first[i]; k < lists.end[i]; k++) {
       const std::uint32_t j = lists.row[k];
       const Vec3d d = s.position[j] - p.position;
       if (dot(d, d) < least * least && s.component[j] == s.component[i] && dot(s.normal[j], p.normal) > oneSide) return true;
@@ -92,7 +92,7 @@ struct Round {
   bool givesBirth(std::size_t i) const {
     if (!(s.wish[i] & Birth)) return false;
     const Vec3d here = s.position[i] + s.offer[i];
-    for (std::uint64_t k = lists.first[i]; k < lists.first[i + 1]; k++) {
+    for (std::uint64_t k = lists.first[i]; k < lists.end[i]; k++) {
       const std::uint32_t j = lists.row[k];
       if (!(s.wish[j] & Birth) || s.component[j] != s.component[i]) continue;
       const Vec3d d = s.position[j] + s.offer[j] - here;
@@ -105,7 +105,7 @@ struct Round {
   /// A champion stays, and those too close to it die.
   bool dies(std::size_t i) const {
     if (!(s.wish[i] & Crowded)) return false;
-    for (std::uint64_t k = lists.first[i]; k < lists.first[i + 1]; k++) {
+    for (std::uint64_t k = lists.first[i]; k < lists.end[i]; k++) {
       const std::uint32_t j = lists.row[k];
       if ((!open[j] || (s.wish[j] & Champion)) && s.component[j] == s.component[i] && dot(s.normal[j], s.normal[i]) > oneSide && tooClose(s, i, j, static_cast<double>(closest[i])) &&
           (!(s.wish[j] & Crowded) || before(deathOrder, j, i)))
@@ -163,11 +163,10 @@ std::int64_t countOpen(const Surfels& s, Reducer& all) {
 
 void disturbAround(Surfels& s, const Bins& bins, const std::vector<std::uint8_t>& marked, double spacing) {
   const double far = 2 * spacing;
-  const Vec3d reach{far, far, far};
   for (std::size_t i = 0; i < s.size(); i++) {
     if (!marked[i]) continue;
     const Vec3d x = s.position[i];
-    forRowsInBox(bins, x - reach, x + reach, [&](std::uint32_t j) {
+    forRowsAround(bins, x, x, far, [&](std::uint32_t j, const Vec3d&) {
       if (j >= s.owned) return;
       const Vec3d d = s.position[j] - x;
       if (dot(d, d) < 4 * s.radius[j] * s.radius[j]) s.calm[j] = 0;
