@@ -38,27 +38,16 @@ void listBins(Bins& b) {
   b.firstBin.push_back(static_cast<std::uint32_t>(b.key.size()));
 }
 
-}  // namespace
+std::uint64_t keyOf(const Bins& b, const Vec3d& x) { return binKey(binOf(b, x.x, 0), binOf(b, x.y, 1), binOf(b, x.z, 2)); }
+std::uint64_t part(std::uint64_t key, int axis) { return key >> 21 * axis & 0x1fffff; }
 
-void fillBins(const CellGrid& grid, const CellTable& cells, const Vec3d* position, double edge, Bins& b) {
-  double longest = 0;
-  for (int a = 0; a < 3; a++) {
-    b.base[a] = grid.origin[a] - grid.edge[a];  // images lie up to a cell outside
-    longest = std::max(longest, (grid.cells[a] + 2) * grid.edge[a]);
-  }
-  b.perLength = 1 / std::max(edge, longest / (binsPerAxis - 1));
-  b.sorting.clear();
+/// Rows with their keys, which keep their order within a bin.
+void sortIntoBins(const Vec3d* position, Bins& b) {
   std::uint64_t low[3]{~0ull, ~0ull, ~0ull}, high[3]{};
-  for (std::size_t c = 0; c < cells.key.size(); c++)
-    for (std::uint32_t i = cells.first[c]; i < cells.first[c] + cells.count[c]; i++) {
-      std::uint64_t at[3];
-      for (int a = 0; a < 3; a++) at[a] = binOf(b, position[i][a], a), low[a] = std::min(low[a], at[a]), high[a] = std::max(high[a], at[a]);
-      b.sorting.emplace_back(binKey(at[0], at[1], at[2]), i);
-    }
-  // rows of a bin stay in the order of cells and ids: owned and ghost rows of two cells may stand in any order in the table
+  for (const auto& entry : b.sorting)
+    for (int a = 0; a < 3; a++) low[a] = std::min(low[a], part(entry.first, a)), high[a] = std::max(high[a], part(entry.first, a));
   const std::uint64_t nx = high[0] - low[0] + 1, ny = high[1] - low[1] + 1, nz = high[2] - low[2] + 1;
   if (b.sorting.size() > 64 && static_cast<double>(nx) * static_cast<double>(ny) * static_cast<double>(nz) < 1e13) {
-    const auto part = [](std::uint64_t key, int axis) { return key >> 21 * axis & 0x1fffff; };
     for (auto& [key, row] : b.sorting) key = ((part(key, 2) - low[2]) * ny + part(key, 1) - low[1]) * nx + part(key, 0) - low[0];
     int bits = 0;
     while ((nx * ny * nz - 1) >> bits) bits++;
@@ -71,6 +60,32 @@ void fillBins(const CellGrid& grid, const CellTable& cells, const Vec3d* positio
   b.at.resize(b.sorting.size());
   for (std::size_t k = 0; k < b.sorting.size(); k++) b.row[k] = b.sorting[k].second, b.at[k] = position[b.row[k]];
   listBins(b);
+}
+
+}  // namespace
+
+void fillBins(const CellGrid& grid, const CellTable& cells, const Vec3d* position, double edge, Bins& b) {
+  double longest = 0;
+  for (int a = 0; a < 3; a++) {
+    b.base[a] = grid.origin[a] - grid.edge[a];  // images lie up to a cell outside
+    longest = std::max(longest, (grid.cells[a] + 2) * grid.edge[a]);
+  }
+  b.perLength = 1 / std::max(edge, longest / (binsPerAxis - 1));
+  b.sorting.clear();
+  for (std::size_t c = 0; c < cells.key.size(); c++)
+    for (std::uint32_t i = cells.first[c]; i < cells.first[c] + cells.count[c]; i++) b.sorting.emplace_back(keyOf(b, position[i]), i);
+  // rows of a bin stay in the order of cells and ids: owned and ghost rows of two cells may stand in any order in the table
+  sortIntoBins(position, b);
+}
+
+void fillBins(const Vec3d* position, std::size_t n, double edge, Bins& b) {
+  b.base = n > 0 ? position[0] : Vec3d{};
+  for (std::size_t i = 1; i < n; i++)
+    for (int a = 0; a < 3; a++) b.base[a] = std::min(b.base[a], position[i][a]);
+  b.perLength = 1 / edge;
+  b.sorting.clear();
+  for (std::size_t i = 0; i < n; i++) b.sorting.emplace_back(keyOf(b, position[i]), static_cast<std::uint32_t>(i));
+  sortIntoBins(position, b);
 }
 
 void pickRows(const Bins& b, const std::uint8_t* keep, Bins& to) {

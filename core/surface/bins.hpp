@@ -34,6 +34,10 @@ inline std::uint64_t binOf(const Bins& b, double x, int axis) { return static_ca
 /// Bins of about `edge` (m) for all rows that `cells` lists.
 void fillBins(const CellGrid& grid, const CellTable& cells, const Vec3d* position, double edge, Bins& bins);
 
+/// Bins of n places from the lowest of them on, rows in ascending order within a bin: for questions whose answer does not depend on the order in
+/// which rows are met (nearest, which are joined), or that sort what they find.
+void fillBins(const Vec3d* position, std::size_t n, double edge, Bins& bins);
+
 /// The same bins with the rows alone that keep[row] names, in the same order.
 void pickRows(const Bins& bins, const std::uint8_t* keep, Bins& picked);
 
@@ -124,5 +128,23 @@ struct RowBlock {
     });
   }
 };
+
+/// Calls found(row, square of the distance) for all rows within `radius` (m) of x, that of x itself included.
+template<class Found> void forRowsWithin(const Bins& b, const Vec3d& x, double radius, Found found) {
+  const double r2 = radius * radius;
+  forRowsAround(b, x, x, radius, [&](std::uint32_t row, const Vec3d& at) {
+    const Vec3d d = at - x;
+    const double d2 = dot(d, d);
+    if (d2 <= r2) found(row, d2);
+  });
+}
+
+/// Calls found(row, block) for every row of `of`, with a block that holds at least all rows of `among` within `radius` (m) of it: found once for each bin.
+template<class Found> void forBlocks(const Bins& of, const Bins& among, double radius, RowBlock& block, Found found) {
+  for (std::size_t bin = 0; bin < of.size(); bin++) {
+    block.find(among, boxOf(of, bin), radius);
+    for (std::uint32_t k = of.first[bin]; k < of.first[bin + 1]; k++) found(of.row[k], block);
+  }
+}
 
 }  // namespace thaw

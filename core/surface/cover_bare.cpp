@@ -9,7 +9,7 @@
 #include "core/surface/iso_surface.hpp"
 #include "core/surface/local_surface.hpp"
 #include "core/surface/place_rows.hpp"
-#include "core/surface/point_bins.hpp"
+#include "core/surface/bins.hpp"
 #include "core/surface/ready_particles.hpp"
 #include "core/surface/seeds.hpp"
 #include "core/surface/small_drops.hpp"
@@ -154,14 +154,14 @@ void findRags(const World& w, const SurfaceTools& t, std::vector<std::uint8_t>& 
   std::vector<std::uint64_t> component;
   for (std::size_t i = 0; i < f.size(); i++)
     if (f.detail[i] < 0.5f && solid(i)) grown.push_back(f.position[i]), component.push_back(f.component[i]);
-  PointBins bins;
-  bins.build(grown.data(), grown.size(), reach);
+  Bins bins;
+  fillBins(grown.data(), grown.size(), reach, bins);
   dead.assign(f.owned, 0);
   for (std::size_t i = 0; i < f.owned && !grown.empty(); i++) {
     if (!solid(i)) continue;
     const bool detail = f.detail[i] >= 0.5f;  // of a mesh: finer than the particles, up to a spacing off their surface
     bool beside = !detail;
-    if (detail) bins.forEachWithin(f.position[i], reach, [&](std::uint32_t j, double) { beside = beside || component[j] == f.component[i]; });
+    if (detail) forRowsWithin(bins, f.position[i], reach, [&](std::uint32_t j, double) { beside = beside || component[j] == f.component[i]; });
     if (!beside) continue;
     const FieldHere c = colourAt(w, t, f.component[i], f.position[i]);
     const double slope = length(c.gradient), along = slope > 0 ? -dot(c.gradient, f.normal[i]) / slope : -1;
@@ -177,11 +177,11 @@ void loosenAround(const World& w, Surfels& f) {
   std::vector<std::uint64_t> component;
   for (std::size_t i = 0; i < f.size(); i++)
     if (f.loose[i]) loose.push_back(f.position[i]), component.push_back(f.component[i]);
-  PointBins bins;
-  bins.build(loose.data(), loose.size(), reach);
+  Bins bins;
+  fillBins(loose.data(), loose.size(), reach, bins);
   for (std::size_t i = 0; i < f.owned && !loose.empty(); i++) {
     if (f.loose[i] || f.detail[i] >= 0.5f) continue;
-    bins.forEachWithin(f.position[i], reach, [&](std::uint32_t j, double) { f.loose[i] |= component[j] == f.component[i]; });
+    forRowsWithin(bins, f.position[i], reach, [&](std::uint32_t j, double) { f.loose[i] |= component[j] == f.component[i]; });
   }
 }
 
