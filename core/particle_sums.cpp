@@ -89,6 +89,8 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
     std::merge(m.departed.begin(), m.departed.end(), t.leaving.begin(), t.leaving.end(), std::back_inserter(gone));
     m.departed = std::move(gone);
   }
+  if (w.modules.sleep)
+    for (std::size_t i = before; i < p.owned; i++) t.sleep.findAll = t.sleep.findAll || p.sleep[i] == asleep;
   m.arrivals += emitted;
   sortByCell(p, m, t.sort, w.cells);
   t.times.lap(StepPhase::Sort);
@@ -104,6 +106,8 @@ ColumnList ghostColumns(World& w) {
   if (p.temperature.active) c.push_back(&p.temperature);
   if (p.compression.active) c.push_back(&p.compression);
   if (w.modules.incompressible && p.clamped.active) c.push_back(&p.clamped);
+  if (w.modules.sleep) c.push_back(&p.calm);
+  if (w.modules.sleep) c.push_back(&p.sleep);
   return c;
 }
 
@@ -137,6 +141,13 @@ PairSums pairSumsOf(World& w, StepTools& t) {
   s.viscousWeight = t.viscousWeight;
   s.printedTension = n.tension == TensionForm::ColourField;
   s.heat = w.modules.heat;
+  s.uniform = w.modules.uniform;
+  if (s.uniform) {
+    const Material& m = w.scene.materials[0];
+    s.viscosity = viscosityAt(m, 1, 293);
+    s.conductivity = conductivityOf(n.heat, m, 1);
+    s.artificial = w.modules.artificialViscosity ? t.liquids[0].artificial : 0;
+  }
   s.conductionScale = t.conductionScale;
   s.support = w.grid.support;
   s.fillingScale = t.fillingScale;
@@ -188,7 +199,7 @@ void search(World& w, StepTools& t, Part part) {
     t.liquidCells.assign(n, 0);
   }
   SearchInput in;
-  in.place = reinterpret_cast<const std::uint32_t*>(t.records.fixed.data());
+  in.x = t.records.coarse[0].data(), in.y = t.records.coarse[1].data(), in.z = t.records.coarse[2].data();
   in.cells = &w.cells;
   in.inner = t.inner.data();
   in.liquid = mixed || !w.modules.fluid ? t.liquidCells.data() : nullptr;
@@ -247,7 +258,7 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass) {
   } else if (w.modules.tension) {
     t.kernels->tension(s, range);
   }
-  if (w.modules.artificialViscosity) t.kernels->artificialViscosity(resisting, range);
+  if (w.modules.artificialViscosity && !w.modules.uniform) t.kernels->artificialViscosity(resisting, range);
   if (w.modules.xsph) t.kernels->smoothing(s, range);
   if (w.modules.surfaceHeat) t.kernels->exposure(s, range);
   if (w.modules.contact) {
@@ -267,7 +278,7 @@ void sumUnitPressure(World& w, StepTools& t) {
   Continuum& p = w.particles;
   Modules modules = w.modules;
   modules.fluid = modules.neighbours = true;
-  modules.heat = modules.melting = false;
+  modules.heat = modules.melting = modules.uniform = false;
   const RecordContext x{w.scene, modules, w.grid, t.liquids};
   resizeRecords(x, p.size(), t.records);
   packRecords(x, p, 0, p.size(), t.records);
@@ -275,13 +286,13 @@ void sumUnitPressure(World& w, StepTools& t) {
   clearLists(w.neighbours, static_cast<std::uint32_t>(p.owned), static_cast<std::uint32_t>(p.size()));
   std::fill(t.inner.begin(), t.inner.end(), std::uint8_t{1});
   SearchInput in;
-  in.place = reinterpret_cast<const std::uint32_t*>(t.records.fixed.data());
+  in.x = t.records.coarse[0].data(), in.y = t.records.coarse[1].data(), in.z = t.records.coarse[2].data();
   in.cells = &w.cells;
   in.inner = t.inner.data();
   in.owned = static_cast<std::uint32_t>(p.owned);
   t.kernels->search(in, Part::Inner, t.search, w.neighbours);
   PairSums s = pairSumsOf(w, t);
-  s.heat = false;
+  s.heat = s.uniform = false;
   s.pressureForm = PairForm::Consistent;
   s.fillingScale = 1 / (w.grid.support * w.grid.support * w.grid.support);
   t.kernels->forces(s, {0, w.neighbours.groups});
@@ -310,6 +321,7 @@ void separateCoincident(World& w, const StepTools& t, std::int64_t before) {
       Vec3d d;
       for (int a = 0; a < 3; a++) d[a] = randomUniform(w.scene.seed, Purpose::Separate, p.id[i], static_cast<std::uint64_t>(a)) - 0.5;
       p.position[i] += d * (1e-5 * w.scene.spacing);
+      if (p.calm.active) p.calm[i] = 0;
     }
 }
 

@@ -12,6 +12,7 @@
 #include "core/fluid/terms/smoothing.hpp"
 #include "core/fluid/terms/surface_energy.hpp"
 #include "core/fluid/terms/tension.hpp"
+#include "core/fluid/terms/uniform_forces.hpp"
 #include "core/fluid/terms/viscous_operator.hpp"
 
 namespace thaw {
@@ -64,7 +65,24 @@ template<bool Viscous, bool Laplacian, bool Heat> void forcesOf(const PairSums& 
     sweep(*in.lists, range, term, !Heat);
   });
 }
+template<class Real, bool Heat, bool Shocks> void uniformOf(const PairSums& in, GroupRange range) {
+  using L = Lanes<Real>;
+  const double h = in.support;
+  const double pressure = in.pressureForm == PairForm::Printed ? 0.5 : in.fillingScale * h * h * h;
+  const auto mean = [](double value) {  // of two of the same, as between any two
+    const L v = L(static_cast<Real>(value));
+    return L(2.0) * v * v / max(v + v, L(1e-30));
+  };
+  UniformForces<Real, WendlandC2, Heat, Shocks> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, L(pressure * h * h), L(h), L(in.viscousWeight.scale),
+                                                     mean(in.viscosity), mean(in.conductivity), mean(in.artificial), in.conductionScale * h, 10 * h};
+  sweep(*in.lists, range, term, !Heat);
+}
+template<class Real> void uniform(const PairSums& in, GroupRange range) {
+  if (in.artificial > 0) in.heat ? uniformOf<Real, true, true>(in, range) : uniformOf<Real, false, true>(in, range);
+  else in.heat ? uniformOf<Real, true, false>(in, range) : uniformOf<Real, false, false>(in, range);
+}
 void forces(const PairSums& in, GroupRange range) {
+  if (in.uniform) return in.precision == Precision::Single ? uniform<float>(in, range) : uniform<double>(in, range);
   const bool laplacian = in.viscosityForm == ViscosityForm::Laplacian;
   if (!in.viscous) in.heat ? forcesOf<false, false, true>(in, range) : forcesOf<false, false, false>(in, range);
   else if (in.heat) laplacian ? forcesOf<true, true, true>(in, range) : forcesOf<true, false, true>(in, range);

@@ -13,7 +13,7 @@ template<class Real> struct Four { Real a, b, c, d; };
 template<class Real> Four<Real>* rows(AlignedVector<std::byte>& bytes) { return reinterpret_cast<Four<Real>*>(bytes.data()); }
 
 void resizeBytes(AlignedVector<std::byte>& v, std::size_t bytes) {
-  if (v.capacity() < bytes) v.reserve(bytes + bytes / 4);
+  if (v.capacity() < bytes) v.reserve(bytes + bytes / 16);
   v.resize(bytes);
 }
 
@@ -22,7 +22,7 @@ MaterialParameters localParameters(HeatModel model, const Material& m, double f,
 template<class Real> void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
   const double h = x.grid.support, perVolume = 1 / (h * h * h);
   const bool carried = x.modules.continuity;
-  const bool heat = x.modules.heat, melting = x.modules.melting, surface = r.surface.size() > 0;
+  const bool heat = x.modules.heat, melting = x.modules.melting, surface = r.surface.size() > 0, uniform = x.modules.uniform;
   r.constant.clear();
   for (const Material& m : x.scene.materials) r.constant.push_back(localParameters(x.scene.numerics.heat, m, restFraction(m), 293));
   Four<float>* fixed = rows<float>(r.fixed);
@@ -33,13 +33,20 @@ template<class Real> void packAs(const RecordContext& x, const Continuum& p, std
     const double V = p.mass[i] / m.density * perVolume;
     const std::uint32_t word[3] = {fixedPoint(x.grid, at.x, 0), fixedPoint(x.grid, at.y, 1), fixedPoint(x.grid, at.z, 2)};
     std::memcpy(&fixed[i], word, sizeof word);
+    for (int a = 0; a < 3; a++) r.coarse[a][i] = coarsePlace(word[a]);
     fixed[i].d = static_cast<float>(V);
     if constexpr (sizeof(Real) == 8) rows<double>(r.place)[i] = {(at.x - x.grid.origin.x) / h, (at.y - x.grid.origin.y) / h, (at.z - x.grid.origin.z) / h, V};
+    if (uniform && !surface) {
+      const Vec3d& v = p.velocity[i];
+      rows<Real>(r.motion)[i] = {static_cast<Real>(v.x), static_cast<Real>(v.y), static_cast<Real>(v.z), Real(0)};
+      if (heat) rows<Real>(r.state)[i] = {Real(0), Real(1), static_cast<Real>(p.temperature[i]), Real(0)};
+      continue;
+    }
     const double f = melting ? static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? 1 : 0, T = heat ? p.temperature[i] : 0;
     const MaterialParameters local = m.melts() || (heat && !m.viscosityTable.empty()) ? localParameters(x.scene.numerics.heat, m, f, T) : r.constant[k];
     const Vec3d& v = p.velocity[i];
     rows<Real>(r.motion)[i] = {static_cast<Real>(v.x), static_cast<Real>(v.y), static_cast<Real>(v.z), static_cast<Real>(local.viscosity)};
-    rows<Real>(r.state)[i] = {carried && f > 0 ? static_cast<Real>(p.compression[i]) : Real(0), static_cast<Real>(f), static_cast<Real>(T), static_cast<Real>(local.conductivity)};
+    if (!r.state.empty()) rows<Real>(r.state)[i] = {carried && f > 0 ? static_cast<Real>(p.compression[i]) : Real(0), static_cast<Real>(f), static_cast<Real>(T), static_cast<Real>(local.conductivity)};
     if (surface)
       rows<Real>(r.surface)[i] = {static_cast<Real>(x.liquids[k].rootTension * f), Real(p.phase[i] == Solid), static_cast<Real>(x.liquids[k].artificial * f),
                                   static_cast<Real>(m.xsph * f)};
@@ -48,13 +55,15 @@ template<class Real> void packAs(const RecordContext& x, const Continuum& p, std
 
 template<class Real> void packPressureAs(const RecordContext& x, Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
   const Numerics& n = x.scene.numerics;
+  const bool uniform = x.modules.uniform;
   Four<Real>* state = rows<Real>(r.state);
   const bool corrected = x.modules.corrected;
   Four<Real>* place = rows<Real>(sizeof(Real) == 4 ? r.fixed : r.place);
   for (std::size_t i = begin; i < end; i++) {
-    const double f = static_cast<double>(state[i].b), filling = static_cast<double>(p.filling[i]);
+    const double f = uniform ? 1 : static_cast<double>(state[i].b), filling = static_cast<double>(p.filling[i]);
+    Real& term = uniform ? rows<Real>(r.motion)[i].d : state[i].a;
     if (f == 0 || filling <= 0) {
-      state[i].a = Real(0);
+      term = Real(0);
       if (corrected) rows<Real>(r.diagonal)[i] = rows<Real>(r.mixed)[i] = {};
       p.pressure[i] = 0;
       continue;
@@ -62,14 +71,14 @@ template<class Real> void packPressureAs(const RecordContext& x, Continuum& p, s
     const double pressure = pressureOf(n.eos, x.liquids[p.material[i]].stiffness, filling, n.tensileLimit);
     p.pressure[i] = static_cast<float>(f * pressure);
     if (n.pressure == PairForm::Consistent) {
-      state[i].a = static_cast<Real>(f * pressure / (filling * filling));
+      term = static_cast<Real>(f * pressure / (filling * filling));
       if (corrected) {
         const auto of = [&](int a, int b) { return static_cast<Real>(f * pressure / (filling * filling) * p.moment[i].row[a][b]); };
         rows<Real>(r.diagonal)[i] = {of(0, 0), of(1, 1), of(2, 2), Real(0)};
         rows<Real>(r.mixed)[i] = {of(0, 1), of(0, 2), of(1, 2), Real(0)};
       }
     } else {
-      state[i].a = static_cast<Real>(f * pressure);
+      term = static_cast<Real>(f * pressure);
       place[i].d = static_cast<Real>(static_cast<double>(place[i].d) / filling);
     }
   }
@@ -80,12 +89,18 @@ template<class Real> void packPressureAs(const RecordContext& x, Continuum& p, s
 void resizeRecords(const RecordContext& x, std::size_t n, PairRecords& r) {
   const bool real64 = x.scene.numerics.precision == Precision::Double;
   const std::size_t bytes = (n + 1) * (real64 ? 32 : 16);
-  resizeBytes(r.fixed, (n + 8) * 16);  // the search reads eight at a time
+  resizeBytes(r.fixed, (n + 1) * 16);
+  for (auto& c : r.coarse) {
+    if (c.capacity() < n + 32) c.reserve(n + n / 16 + 32);  // the search reads up to 31 too many
+    c.resize(n + 32);
+  }
   if (real64) resizeBytes(r.place, bytes);
   resizeBytes(r.motion, bytes);
-  resizeBytes(r.state, bytes);
-  const bool surface = x.modules.tension || x.modules.contact || x.modules.artificialViscosity || x.modules.xsph;
+  if (!x.modules.uniform || x.modules.heat) resizeBytes(r.state, bytes);
+  else r.state.clear();  // the packing of bodies may have needed what the run does not
+  const bool surface = x.modules.tension || x.modules.contact || (x.modules.artificialViscosity && !x.modules.uniform) || x.modules.xsph;
   if (surface) resizeBytes(r.surface, bytes);
+  else r.surface.clear();
   if (x.modules.corrected) {
     resizeBytes(r.diagonal, bytes);
     resizeBytes(r.mixed, bytes);

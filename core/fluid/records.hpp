@@ -16,12 +16,14 @@ struct MaterialParameters { double viscosity = 0, conductivity = 0; };
 
 /// Records of all rows and the dummy behind them; bytes, because they are float or double.
 struct PairRecords {
-  AlignedVector<std::byte> fixed;    ///< fixed-point positions and V0 / h^3, float: read by the search, and as place in single precision
+  AlignedVector<std::byte> fixed;    ///< fixed-point positions and V0 / h^3, float: place in single precision
+  AlignedVector<std::uint16_t> coarse[3];  ///< x, y, z for the search (coarsePlace)
   AlignedVector<std::byte> place, motion, state, surface, diagonal, mixed, pull;
   std::vector<MaterialParameters> constant;  ///< by material, of those that do not change
 };
 
-/// What packing needs to know of the run.
+/// What packing needs to know of the run. With Modules::uniform, motion gets the pressure term in place of the viscosity, and state is packed
+/// for its temperature only.
 struct RecordContext {
   const Scene& scene;
   const Modules& modules;

@@ -2,6 +2,7 @@
 // Cells outside the domain (a margin of one) exist for periodic images and for particles pressed into a wall.
 #pragma once
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -24,7 +25,7 @@ inline constexpr int maxCellsPerAxis = (1 << 20);
 /// Cell of a place; places outside belong to the nearest cell (walls hold particles in, open sides remove them).
 inline Vec3i cellOf(const CellGrid& g, const Vec3d& x) {
   Vec3i c;
-  for (int a = 0; a < 3; a++) c[a] = std::clamp(static_cast<int>(std::floor((x[a] - g.origin[a]) / g.edge[a])), 0, g.cells[a] - 1);
+  for (int a = 0; a < 3; a++) c[a] = std::clamp(static_cast<int>((x[a] - g.origin[a]) / g.edge[a]), 0, g.cells[a] - 1);  // towards zero: what is below is 0 anyway
   return c;
 }
 /// Key of a cell: z, y, x in 21 bits each, so that keys ascend along x first. One is added, for the images at -1.
@@ -42,8 +43,12 @@ inline constexpr std::uint64_t noCell = ~std::uint64_t{0};
 /// antisymmetric and independent of where the pair is (speed.md).
 inline constexpr double fixedUnitsPerSupport = 16777216.0;
 inline std::uint32_t fixedPoint(const CellGrid& g, double x, int axis) {
-  return static_cast<std::uint32_t>(static_cast<std::uint64_t>(std::llround((x - g.origin[axis]) / g.support * fixedUnitsPerSupport)));
+  // the low bits of the mantissa once 1.5 * 2^52 is added: the nearest integer, for all below 2^51
+  return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>((x - g.origin[axis]) / g.support * fixedUnitsPerSupport + 6755399441055744.0));
 }
+
+/// The same in 2^14 units a support radius, modulo 2^16: what the search compares.
+inline std::uint16_t coarsePlace(std::uint32_t fixed) { return static_cast<std::uint16_t>(fixed >> 10); }
 
 /// Occupied cells, ascending by key: particles [first[c], first[c + 1]) for owned cells; ghost cells name their own range.
 struct CellTable {

@@ -15,7 +15,13 @@ void clearLists(NeighbourLists& lists, std::uint32_t owned, std::uint32_t dummy)
   lists.innerGroups = lists.groups = 0;
 }
 
-void growList(NeighbourLists& lists, std::size_t n) { lists.list.resize(n + n / 4 + 4096); }
+void growList(NeighbourLists& lists, std::size_t n) {
+  // what all groups will take if they are like those so far; the vector itself would double
+  const std::size_t all = lists.self.size() / 8, done = lists.groups + 1;
+  const std::size_t room = done < all / 8 ? n + n / 2 : static_cast<std::size_t>(1.03 * static_cast<double>(n) * static_cast<double>(all > done ? all : done) / static_cast<double>(done));
+  lists.list.reserve(room + 4096);
+  lists.list.resize(room + 4096);
+}
 
 void growSearch(SearchBuffers& b, std::size_t n) {
   const std::size_t room = n + n / 2 + 64;
@@ -23,7 +29,7 @@ void growSearch(SearchBuffers& b, std::size_t n) {
   b.y.resize(room);
   b.z.resize(room);
   b.row.resize(room);
-  for (AlignedVector<std::uint32_t>& found : b.found) found.resize(room + 16);
+  for (AlignedVector<std::uint32_t>& found : b.found) found.resize(room + 32);
 }
 
 }  // namespace thaw

@@ -10,26 +10,31 @@ namespace thaw {
 
 /// Buffers of a search, reused from step to step.
 struct SearchBuffers {
-  AlignedVector<float> x, y, z;              ///< candidates around a cell, relative to its first particle, in support radii
+  AlignedVector<std::uint16_t> x, y, z;      ///< candidates around a cell, as in SearchInput
   AlignedVector<std::uint32_t> row;
-  AlignedVector<std::uint32_t> found[8];     ///< neighbours of the eight particles of a group
-  std::uint32_t length[8]{};
-  std::uint32_t self[8]{};
+  static constexpr int window = 32;          ///< lists that are put together by their length, so that groups need little padding
+  AlignedVector<std::uint32_t> found[window];  ///< neighbours of as many particles
+  std::uint32_t length[window]{};
+  std::uint32_t self[window]{};
+  std::uint8_t wet[window]{};
   int filled = 0;
-  std::uint8_t wet = 0;
 };
 
 /// Room for n candidates around one cell.
 void growSearch(SearchBuffers& buffers, std::size_t n);
 
-/// Where the candidates are: place[row] = fixed-point x, y, z (and a fourth value that the search does not read).
+/// Where the candidates are, in 2^-14 support radii, modulo 4 support radii: what is farther is wrapped, but cells that touch are no longer
+/// than the difference that stays unique, or what comes back from beyond meets kernels that are zero (coarsePlace, grid.hpp).
 struct SearchInput {
-  const std::uint32_t* place = nullptr;  ///< 4 words a row
+  const std::uint16_t *x = nullptr, *y = nullptr, *z = nullptr;  ///< by row; 32 more may be read
   const CellTable* cells = nullptr;      ///< ascending by key, owned and ghosts
   const std::uint8_t* inner = nullptr;   ///< for each cell: 1 if its sums need no ghosts
   const std::uint8_t* liquid = nullptr;  ///< for each cell: 1 if some particle of it is liquid; nullptr: all are
   std::uint32_t owned = 0;               ///< owned rows
 };
+
+/// SearchInput::inner of a cell whose particles get no lists: they sleep (core/sleep/sleep.hpp).
+inline constexpr std::uint8_t skippedCell = 2;
 
 /// Which owned cells a search works on.
 enum class Part { Inner, Boundary };

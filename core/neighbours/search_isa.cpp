@@ -16,9 +16,11 @@ struct CellRow {
   std::size_t at = 0;
 };
 
-constexpr float reach2 = 1.0f + 1e-5f;  // a little beyond the support: kernels are zero there
+/// Squares of coarse distances, without their low 16 bits, summed over the axes: what is below this is within the support radius, or up to
+/// 0.0006 of it beyond, where kernels are zero.
+constexpr int reach2 = 4097;
 
-#if defined(__AVX2__) && !(defined(__AVX512VL__) && defined(__AVX512F__))
+#if defined(__AVX2__) && !defined(__AVX512BW__)
 struct CompressTable {
   alignas(32) std::int32_t lane[256][8];
 };
@@ -34,89 +36,136 @@ constexpr CompressTable makeCompressTable() {
 constexpr CompressTable compressTable = makeCompressTable();
 #endif
 
-/// Appends the candidates within the support radius of (x, y, z), but not candidate `self`; returns how many.
+/// Appends the candidates within the support radius of candidate `self`, but not itself; returns how many. Writes up to 15 more.
 std::uint32_t pick(const SearchBuffers& b, std::uint32_t candidates, std::uint32_t self, std::uint32_t* out) {
-  const float px = b.x[self], py = b.y[self], pz = b.z[self];
-  const std::uint32_t own = b.row[self];
+  const std::uint16_t *x = b.x.data(), *y = b.y.data(), *z = b.z.data();
+  const std::uint32_t* row = b.row.data();
   std::uint32_t n = 0;
-#if defined(__AVX2__)
-  const __m256 X = _mm256_set1_ps(px), Y = _mm256_set1_ps(py), Z = _mm256_set1_ps(pz), R = _mm256_set1_ps(reach2);
-  const __m256i O = _mm256_set1_epi32(static_cast<int>(own));
-  for (std::uint32_t c = 0; c < candidates; c += 8) {
-    const __m256 dx = _mm256_sub_ps(_mm256_load_ps(&b.x[c]), X), dy = _mm256_sub_ps(_mm256_load_ps(&b.y[c]), Y), dz = _mm256_sub_ps(_mm256_load_ps(&b.z[c]), Z);
-    const __m256 d2 = _mm256_add_ps(_mm256_add_ps(_mm256_mul_ps(dx, dx), _mm256_mul_ps(dy, dy)), _mm256_mul_ps(dz, dz));
-    const __m256i rows = _mm256_load_si256(reinterpret_cast<const __m256i*>(&b.row[c]));
-#if defined(__AVX512VL__) && defined(__AVX512F__)
-    const __mmask8 m = static_cast<__mmask8>(_mm256_cmp_ps_mask(d2, R, _CMP_LT_OQ) & _mm256_cmpneq_epi32_mask(rows, O));
-    _mm256_storeu_si256(reinterpret_cast<__m256i*>(out + n), _mm256_maskz_compress_epi32(m, rows));
-    n += static_cast<std::uint32_t>(__builtin_popcount(m));
-#else
-    const __m256 near = _mm256_andnot_ps(_mm256_castsi256_ps(_mm256_cmpeq_epi32(rows, O)), _mm256_cmp_ps(d2, R, _CMP_LT_OQ));
-    const int m = _mm256_movemask_ps(near);
-    const __m256i lane = _mm256_load_si256(reinterpret_cast<const __m256i*>(compressTable.lane[m]));
-    _mm256_storeu_si256(reinterpret_cast<__m256i*>(out + n), _mm256_permutevar8x32_epi32(rows, lane));
-    n += static_cast<std::uint32_t>(__builtin_popcount(static_cast<unsigned>(m)));
-#endif
+#if defined(__AVX512BW__)
+  const __m512i X = _mm512_set1_epi16(static_cast<short>(x[self])), Y = _mm512_set1_epi16(static_cast<short>(y[self])), Z = _mm512_set1_epi16(static_cast<short>(z[self]));
+  const __m512i R = _mm512_set1_epi16(reach2);
+  for (std::uint32_t c = 0; c < candidates; c += 32) {
+    const __m512i dx = _mm512_sub_epi16(_mm512_load_si512(x + c), X), dy = _mm512_sub_epi16(_mm512_load_si512(y + c), Y), dz = _mm512_sub_epi16(_mm512_load_si512(z + c), Z);
+    const __m512i d2 = _mm512_add_epi16(_mm512_add_epi16(_mm512_mulhi_epi16(dx, dx), _mm512_mulhi_epi16(dy, dy)), _mm512_mulhi_epi16(dz, dz));
+    std::uint32_t m = _mm512_cmplt_epu16_mask(d2, R);
+    const std::uint32_t own = self - c, left = candidates - c;
+    m &= ~(own < 32 ? 1u << (own & 31) : 0u) & (left < 32 ? (1u << (left & 31)) - 1 : ~0u);
+    const __mmask16 low = static_cast<__mmask16>(m), high = static_cast<__mmask16>(m >> 16);
+    _mm512_storeu_si512(out + n, _mm512_maskz_compress_epi32(low, _mm512_load_si512(row + c)));
+    n += static_cast<std::uint32_t>(__builtin_popcount(low));
+    _mm512_storeu_si512(out + n, _mm512_maskz_compress_epi32(high, _mm512_load_si512(row + c + 16)));
+    n += static_cast<std::uint32_t>(__builtin_popcount(high));
+  }
+#elif defined(__AVX2__)
+  const __m256i X = _mm256_set1_epi16(static_cast<short>(x[self])), Y = _mm256_set1_epi16(static_cast<short>(y[self])), Z = _mm256_set1_epi16(static_cast<short>(z[self]));
+  const __m256i R = _mm256_set1_epi16(reach2);
+  const auto at = [](const void* p) { return _mm256_load_si256(static_cast<const __m256i*>(p)); };
+  for (std::uint32_t c = 0; c < candidates; c += 16) {
+    const __m256i dx = _mm256_sub_epi16(at(x + c), X), dy = _mm256_sub_epi16(at(y + c), Y), dz = _mm256_sub_epi16(at(z + c), Z);
+    const __m256i d2 = _mm256_adds_epi16(_mm256_adds_epi16(_mm256_mulhi_epi16(dx, dx), _mm256_mulhi_epi16(dy, dy)), _mm256_mulhi_epi16(dz, dz));
+    const __m256i near = _mm256_permute4x64_epi64(_mm256_packs_epi16(_mm256_cmpgt_epi16(R, d2), _mm256_setzero_si256()), 0xd8);
+    std::uint32_t m = static_cast<std::uint32_t>(_mm256_movemask_epi8(near));
+    const std::uint32_t own = self - c, left = candidates - c;
+    m &= ~(own < 16 ? 1u << (own & 31) : 0u) & (left < 16 ? (1u << (left & 31)) - 1 : ~0u);
+    for (std::uint32_t half = 0; half < 2; half++, m >>= 8) {
+      const __m256i lane = at(compressTable.lane[m & 255]);
+      _mm256_storeu_si256(reinterpret_cast<__m256i*>(out + n), _mm256_permutevar8x32_epi32(at(row + c + 8 * half), lane));
+      n += static_cast<std::uint32_t>(__builtin_popcount(m & 255));
+    }
   }
 #else
+  const auto square = [](int a, int b) {
+    const int d = static_cast<std::int16_t>(a - b);
+    return d * d >> 16;
+  };
+  const int X = x[self], Y = y[self], Z = z[self];
   for (std::uint32_t c = 0; c < candidates; c++) {
-    const float dx = b.x[c] - px, dy = b.y[c] - py, dz = b.z[c] - pz;
-    out[n] = b.row[c];
-    n += dx * dx + dy * dy + dz * dz < reach2 && b.row[c] != own;
+    out[n] = row[c];
+    n += square(x[c], X) + square(y[c], Y) + square(z[c], Z) < reach2 && c != self;
   }
 #endif
   return n;
 }
 
-/// Interleaves the eight lists of a group into lists.list.
-void closeGroup(SearchBuffers& b, NeighbourLists& lists) {
-  std::uint32_t longest = 0;
-  for (int l = 0; l < 8; l++) {
-    if (l >= b.filled) {
-      b.length[l] = 0;
-      b.self[l] = lists.dummy;
-    }
-    longest = longest < b.length[l] ? b.length[l] : longest;
+/// Row r of `to` becomes column r of the eight rows in `from`.
+THAW_INLINE void transpose8(std::uint32_t* const from[8], std::uint32_t k, std::uint32_t* to) {
+  Vec8u r[8], s[8];
+  for (int l = 0; l < 8; l++) __builtin_memcpy(&r[l], from[l] + k, 32);
+  for (int l = 0; l < 8; l += 2) {  // pairs of rows
+    s[l] = __builtin_shufflevector(r[l], r[l + 1], 0, 8, 1, 9, 4, 12, 5, 13);
+    s[l + 1] = __builtin_shufflevector(r[l], r[l + 1], 2, 10, 3, 11, 6, 14, 7, 15);
   }
-  const std::size_t g = lists.groups;
-  const std::uint64_t first = g == 0 ? 0 : lists.first[g - 1] + 8ull * lists.count[g - 1];
-  if (lists.list.size() < first + 8ull * longest) growList(lists, first + 8ull * longest);
-  std::uint32_t* to = lists.list.data() + first;
-  for (int l = 0; l < 8; l++) {
-    const std::uint32_t* from = b.found[l].data();
-    const std::uint32_t n = b.length[l];
-    for (std::uint32_t k = 0; k < n; k++) to[8 * k + static_cast<std::uint32_t>(l)] = from[k];
-    for (std::uint32_t k = n; k < longest; k++) to[8 * k + static_cast<std::uint32_t>(l)] = lists.dummy;
-    lists.self[8 * g + static_cast<std::size_t>(l)] = b.self[l];
+  for (int l = 0; l < 8; l += 4) {  // fours
+    r[l] = __builtin_shufflevector(s[l], s[l + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+    r[l + 1] = __builtin_shufflevector(s[l], s[l + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    r[l + 2] = __builtin_shufflevector(s[l + 1], s[l + 3], 0, 1, 8, 9, 4, 5, 12, 13);
+    r[l + 3] = __builtin_shufflevector(s[l + 1], s[l + 3], 2, 3, 10, 11, 6, 7, 14, 15);
   }
-  lists.first[g] = first;
-  lists.count[g] = longest;
-  lists.wet[g] = b.wet;
-  lists.groups++;
-  b.filled = 0;
-  b.wet = 0;
+  for (int l = 0; l < 4; l++) {
+    const Vec8u low = __builtin_shufflevector(r[l], r[l + 4], 0, 1, 2, 3, 8, 9, 10, 11), high = __builtin_shufflevector(r[l], r[l + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    __builtin_memcpy(to + 8 * l, &low, 32);
+    __builtin_memcpy(to + 8 * (l + 4), &high, 32);
+  }
 }
 
-/// Copies the particles of a cell behind the candidates, as offsets from `origin`. Eight at a time: reads and writes up to seven
-/// records too many, which the next cell or the sentinels overwrite.
-THAW_INLINE std::uint32_t addCandidates(const SearchInput& in, std::size_t cell, const Lanes4<float>& origin, SearchBuffers& b, std::uint32_t candidates) {
-  const std::uint32_t first = in.cells->first[cell], count = in.cells->count[cell];
-  if (b.row.size() < candidates + count + 16) growSearch(b, candidates + count + 16);
-  const Record<float>* place = reinterpret_cast<const Record<float>*>(in.place);
-  float* x = b.x.data() + candidates;
-  float* y = b.y.data() + candidates;
-  float* z = b.z.data() + candidates;
-  std::uint32_t* row = b.row.data() + candidates;
-  for (std::uint32_t k = 0; k < count; k += 8) {
-    Vec8u rows;
-    for (int l = 0; l < 8; l++) rows[l] = first + k + static_cast<std::uint32_t>(l);
-    const std::uint32_t at[8] = {rows[0], rows[1], rows[2], rows[3], rows[4], rows[5], rows[6], rows[7]};
-    const Lanes4<float> p = load(place, at);
-    const Vec8f dx = positionDifference(p.a, origin.a).v, dy = positionDifference(p.b, origin.b).v, dz = positionDifference(p.c, origin.c).v;
-    __builtin_memcpy(x + k, &dx, 32);
-    __builtin_memcpy(y + k, &dy, 32);
-    __builtin_memcpy(z + k, &dz, 32);
-    __builtin_memcpy(row + k, &rows, 32);
+/// Interleaves these lists of the window into a group of lists.list; writes up to seven rows of eight behind it.
+void closeGroup(SearchBuffers& b, const std::uint32_t* which, int filled, NeighbourLists& lists) {
+  std::uint32_t most = 0;
+  for (int l = 0; l < filled; l++) most = most < b.length[which[l]] ? b.length[which[l]] : most;
+  const std::size_t g = lists.groups;
+  const std::uint64_t first = g == 0 ? 0 : lists.first[g - 1] + 8ull * lists.count[g - 1];
+  const std::uint32_t room = (most + 7) / 8 * 8;
+  if (lists.list.size() < first + 8ull * room) growList(lists, first + 8ull * room);
+  std::uint32_t* to = lists.list.data() + first;
+  const std::uint32_t d = lists.dummy;
+  const Vec8u padding = {d, d, d, d, d, d, d, d};
+  std::uint32_t* from[8];
+  std::uint8_t wet = 0;
+  for (int l = 0; l < 8; l++) {
+    const std::uint32_t k = which[l < filled ? l : 0];
+    wet |= b.wet[k];
+    lists.self[8 * g + static_cast<std::size_t>(l)] = l < filled ? b.self[k] : d;
+    from[l] = b.found[k].data();
+    for (std::uint32_t n = b.length[k]; n < room; n += 8) __builtin_memcpy(from[l] + n, &padding, 32);
+  }
+  for (std::uint32_t k = 0; k < room; k += 8) transpose8(from, k, to + 8ull * k);
+  for (int l = filled; l < 8; l++)
+    for (std::uint32_t k = 0; k < most; k++) to[8ull * k + static_cast<std::uint32_t>(l)] = d;
+  lists.first[g] = first;
+  lists.count[g] = most;
+  lists.wet[g] = wet;
+  lists.groups++;
+}
+
+/// Makes groups of the lists in the window: wet ones first, and of like length. Which particles share a group changes no sum.
+void closeWindow(SearchBuffers& b, NeighbourLists& lists) {
+  constexpr int n = SearchBuffers::window;
+  alignas(32) std::int32_t key[n], rank[n];
+  for (int k = 0; k < n; k++)  // keys differ: by the number of the list, at least
+    key[k] = k < b.filled ? (b.wet[k] ? 1 << 30 : 0) | static_cast<std::int32_t>(b.length[k] < 0x3fffff ? b.length[k] : 0x3fffff) << 8 | k : -1 - k;
+  for (int k = 0; k < n; k += 8) {  // the place of each is how many are greater: no branch that depends on lengths
+    Vec8i mine, place{};
+    __builtin_memcpy(&mine, key + k, 32);
+    for (int j = 0; j < n; j++) place -= key[j] > mine;
+    __builtin_memcpy(rank + k, &place, 32);
+  }
+  std::uint32_t sorted[n];
+  for (int k = 0; k < n; k++) sorted[rank[k]] = static_cast<std::uint32_t>(k);
+  for (int k = 0; k < b.filled; k += 8) closeGroup(b, sorted + k, b.filled - k < 8 ? b.filled - k : 8, lists);
+  b.filled = 0;
+}
+
+/// Copies `count` rows from `first` on behind the candidates. Reads and writes up to 31 too many, which the next ones overwrite.
+THAW_INLINE std::uint32_t addCandidates(const SearchInput& in, std::uint32_t first, std::uint32_t count, SearchBuffers& b, std::uint32_t candidates) {
+  if (b.row.size() < candidates + count + 32) growSearch(b, candidates + count + 32);
+  for (std::uint32_t k = 0; k < count; k += 16) {
+    __builtin_memcpy(b.x.data() + candidates + k, in.x + first + k, 32);
+    __builtin_memcpy(b.y.data() + candidates + k, in.y + first + k, 32);
+    __builtin_memcpy(b.z.data() + candidates + k, in.z + first + k, 32);
+    const std::uint32_t at = first + k;
+    const Vec8u rows = Vec8u{0, 1, 2, 3, 4, 5, 6, 7} + at, more = rows + 8;
+    __builtin_memcpy(b.row.data() + candidates + k, &rows, 32);
+    __builtin_memcpy(b.row.data() + candidates + k + 8, &more, 32);
   }
   return candidates + count;
 }
@@ -130,39 +179,37 @@ void searchNeighbours(const SearchInput& in, Part part, SearchBuffers& b, Neighb
     rows[k].offset = static_cast<std::uint64_t>(static_cast<std::int64_t>(k / 3 - 1) * (1ll << 42) + static_cast<std::int64_t>(k % 3 - 1) * (1ll << 21));
   const std::size_t n = cells.key.size();
   b.filled = 0;
-  b.wet = 0;
   for (std::size_t c = 0; c < n; c++) {
-    if (cells.first[c] >= in.owned || (in.inner[c] != 0) != (part == Part::Inner)) continue;
+    if (cells.first[c] >= in.owned || in.inner[c] == skippedCell || (in.inner[c] != 0) != (part == Part::Inner)) continue;
     const std::uint64_t key = cells.key[c];
-    std::uint32_t same[8];
-    for (std::uint32_t& r : same) r = cells.first[c];
-    const Lanes4<float> origin = load(reinterpret_cast<const Record<float>*>(in.place), same);
-    std::uint32_t candidates = 0, ownStart = 0;
+    std::uint32_t candidates = 0, ownStart = 0, run = 0, length = 0;  // run: rows that follow each other, of one cell or more
     std::uint8_t wet = in.liquid == nullptr;
     for (CellRow& r : rows) {
       const std::uint64_t low = key + r.offset - 1;  // keys count from 1 on along each axis: never below zero
       while (r.at < n && cells.key[r.at] < low) r.at++;
       for (std::size_t d = r.at; d < n && cells.key[d] <= low + 2; d++) {
-        if (d == c) ownStart = candidates;
+        if (d == c) ownStart = candidates + length;
         if (in.liquid != nullptr) wet |= in.liquid[d];
-        candidates = addCandidates(in, d, origin, b, candidates);
+        if (cells.first[d] != run + length) {
+          candidates = addCandidates(in, run, length, b, candidates);
+          run = cells.first[d];
+          length = 0;
+        }
+        length += cells.count[d];
       }
     }
-    for (std::uint32_t k = candidates; k < candidates + 8; k++) {  // out of reach: the last vector may run over the end
-      b.x[k] = b.y[k] = b.z[k] = 1e6f;
-      b.row[k] = lists.dummy;
-    }
+    candidates = addCandidates(in, run, length, b, candidates);
     for (std::uint32_t k = 0; k < cells.count[c]; k++) {
       const std::uint32_t row = cells.first[c] + k;
       const std::uint32_t m = pick(b, candidates, ownStart + k, b.found[b.filled].data());
       b.length[b.filled] = m;
       b.self[b.filled] = row;
-      b.wet |= wet;
+      b.wet[b.filled] = wet;
       lists.neighbours[row] = static_cast<std::uint16_t>(m < 65535 ? m : 65535);
-      if (++b.filled == 8) closeGroup(b, lists);
+      if (++b.filled == SearchBuffers::window) closeWindow(b, lists);
     }
   }
-  if (b.filled > 0) closeGroup(b, lists);
+  if (b.filled > 0) closeWindow(b, lists);
   if (part == Part::Inner) lists.innerGroups = lists.groups;
 }
 

@@ -39,7 +39,7 @@ template<class Rows> void sortByCell(Rows& p, const Migration& migration, SortBu
 
   b.movers.clear();
   b.order.clear();
-  b.order.reserve(p.owned + p.owned / 8);
+  b.order.reserve(p.owned + p.owned / 16);
   std::size_t departed = 0;
   for (std::size_t i = 0; i < p.owned; i++) {
     const std::uint32_t row = static_cast<std::uint32_t>(i);

@@ -16,7 +16,7 @@ namespace {
 
 void resizeColumn(AnyColumn& c, std::size_t rows) {
   const std::size_t before = c.bytes.size(), after = rows * c.elementBytes;
-  if (after > c.bytes.capacity()) c.bytes.reserve(after + after / 4);  // head room: no allocation in a steady step
+  if (after > c.bytes.capacity()) c.bytes.reserve(after + after / 16);  // head room: no allocation in a steady step
   c.bytes.resize(after);
   if (after > before) std::memset(c.bytes.data() + before, 0, after - before);
 }
@@ -53,7 +53,7 @@ void Table::reorder(std::span<const std::uint32_t> order) {
       auto at = std::find_if(spares_.begin(), spares_.end(), [&](const auto& s) { return s.first == c->elementBytes; });
       if (at == spares_.end()) at = spares_.insert(at, {c->elementBytes, {}});
       AlignedVector<std::byte>& spare = at->second;
-      if (spare.capacity() < need) spare.reserve(need + need / 4);
+      if (spare.capacity() < need) spare.reserve(need + need / 16);
       spare.resize(need);
       switch (c->elementBytes) {
         case 24: gather<Three>(c->bytes.data(), spare.data(), order); break;

@@ -49,6 +49,13 @@ void findHeat(Finder& f) {
   }
 }
 
+/// Is everything liquid of one material with constant parameters, with nothing that reads other records than places and motion?
+bool isUniform(const Scene& s, const Modules& m) {
+  const bool other = m.solid || m.melting || m.incompressible || m.implicitViscosity || m.continuity || m.tension || m.kinds();
+  return m.fluid && !other && s.materials.size() == 1 && s.materials[0].viscosityTable.empty() && s.numerics.kernel == KernelKind::WendlandC2 &&
+         s.numerics.viscosity == ViscosityForm::Pairwise;
+}
+
 }  // namespace
 
 Modules modulesOf(const Scene& s) {
@@ -109,8 +116,9 @@ Modules modulesOf(const Scene& s) {
   if (m.contact)
     for (std::size_t k = 0; k < s.materials.size(); k++)
       if (used[k] && s.materials[k].weld && s.materials[k].canBeSolid()) f.on(m.welding, "welding", "solids of material " + quoted(s.materials[k].name) + " grow together");
+  if (m.solid && s.numerics.sleepSpeed > 0) f.on(m.sleep, "sleep", "numerics.sleep_speed is given");
   // where solids can meet, their contact binds the step of all, and substeps gain nothing
-  m.mostSubsteps = s.numerics.elasticSubsteps > 0 ? s.numerics.elasticSubsteps : m.solid && m.fluid && !m.contact ? 4 : 1;
+  m.mostSubsteps = s.numerics.elasticSubsteps > 0 ? s.numerics.elasticSubsteps : m.solid && m.fluid && !m.contact && !m.sleep ? 4 : 1;
   if (m.solid && m.mostSubsteps > 1)
     f.on(m.substeps, "substeps of solids", s.numerics.elasticSubsteps > 0 ? "numerics.elastic_substeps is " + std::to_string(m.mostSubsteps) : "there is liquid, too: up to " + std::to_string(m.mostSubsteps));
   if (m.fluid && s.numerics.solver == PressureSolver::Incompressible) f.on(m.incompressible, "incompressible liquid", "numerics.pressure_solver says so");
@@ -121,6 +129,8 @@ Modules modulesOf(const Scene& s) {
     f.on(m.neighbours, "neighbour search", "oriented particles can touch the continuum");
   }
   if (m.heat) f.on(m.neighbours, "neighbour search", "heat is conducted");
+  if (m.sleep) f.on(m.neighbours, "neighbour search", "what moves wakes what is around it");
+  m.uniform = isUniform(s, m);
   return f.m;
 }
 

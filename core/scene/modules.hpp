@@ -28,12 +28,14 @@ struct Modules {
   bool heat = false;       ///< temperature changes: conduction, hot obstacles, sources
   bool melting = false;    ///< a material melts: liquid fraction, phase
   bool surfaceHeat = false;  ///< convection or radiation to the ambient
+  bool sleep = false;      ///< solids at rest are held, and their sums not formed again (core/sleep/)
   bool neighbours = false; ///< any sum over unbonded neighbours
   bool surface = false;    ///< surfels on the continuum bodies
   bool emitters = false;
   bool oriented = false;   ///< oriented bodies (core/oriented/)
   bool meeting = false;    ///< oriented particles can touch continuum bodies
   bool sheet = false;      ///< sheets (core/sheet/)
+  bool uniform = false;    ///< all there is is liquid of one material whose parameters are the same everywhere: pair sums read less (terms/uniform_forces.hpp)
   bool kinds() const { return oriented || sheet; }
   std::vector<std::string> why;  ///< a line for each module that is on: "heat: obstacle 'plate' has a temperature"
 };

@@ -140,6 +140,11 @@ void takeStock(World& w, Halos halos, StepTools& t) {
   const double fixed = w.scene.numerics.fixedStep;
   w.clock.dt = fixed > 0 ? fixed : t.fixedLimits[t.fixedLimits.smallest()];  // until the particles have had their say
   evaluate(w, halos, t, 0);
+  if (!w.modules.neighbours) {  // they were for the bonds of the start
+    w.neighbours = {};
+    t.records = {};
+    t.search = {};
+  }
   for (std::size_t i = 0; i < p.owned; i++) p.acceleration[i] = p.force[i] / p.mass[i] + w.scene.domain.gravity;
   if (p.clamped.active)
     for (std::size_t i = 0; i < p.owned; i++)
@@ -167,6 +172,7 @@ SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader&
 void resumeWorld(World& w, Halos halos, StepTools& t) {
   Continuum& p = w.particles;
   moveWalls(w.walls, w.clock.time);
+  t.sleep = {};
   if (p.slot.active) {
     for (std::size_t i = 0; i < p.owned; i++) p.slot[i] = noSlot;
     relinkSolids(w, halos, t, {{}, true});  // slots of the records that were read, where they were read

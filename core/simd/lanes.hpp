@@ -121,8 +121,13 @@ template<class Real> struct alignas(4 * sizeof(Real)) Record { Real a, b, c, d; 
 template<class Real> struct Lanes4 { Lanes<Real> a, b, c, d; };
 
 THAW_INLINE Vec8f load2(const Record<float>* at, std::uint32_t low, std::uint32_t high) {
+#if defined(__AVX__)  // the upper half straight from memory: of a shuffle of two registers there is one a cycle
+  const __m128 l = _mm_load_ps(&at[low].a);
+  return reinterpret_cast<Vec8f>(_mm256_insertf128_ps(_mm256_castps128_ps256(l), *reinterpret_cast<const __m128*>(at + high), 1));
+#else
   const Vec4f l = *reinterpret_cast<const Vec4f*>(at + low), h = *reinterpret_cast<const Vec4f*>(at + high);
   return __builtin_shufflevector(l, h, 0, 1, 2, 3, 4, 5, 6, 7);
+#endif
 }
 THAW_INLINE Lanes4<float> load(const Record<float>* at, const std::uint32_t* rows) {
   const Vec8f r0 = load2(at, rows[0], rows[4]), r1 = load2(at, rows[1], rows[5]);
@@ -132,15 +137,20 @@ THAW_INLINE Lanes4<float> load(const Record<float>* at, const std::uint32_t* row
   return {LanesF(__builtin_shufflevector(ab01, ab23, 0, 1, 8, 9, 4, 5, 12, 13)), LanesF(__builtin_shufflevector(ab01, ab23, 2, 3, 10, 11, 6, 7, 14, 15)),
           LanesF(__builtin_shufflevector(cd01, cd23, 0, 1, 8, 9, 4, 5, 12, 13)), LanesF(__builtin_shufflevector(cd01, cd23, 2, 3, 10, 11, 6, 7, 14, 15))};
 }
+THAW_INLINE Vec4d halves(const double* low, const double* high) {
+#if defined(__AVX__)  // as load2
+  return reinterpret_cast<Vec4d>(_mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(low)), *reinterpret_cast<const __m128d*>(high), 1));
+#else
+  return Vec4d{low[0], low[1], high[0], high[1]};
+#endif
+}
 THAW_INLINE void transpose4(const Record<double>* at, const std::uint32_t* rows, Vec4d& a, Vec4d& b, Vec4d& c, Vec4d& d) {
-  const Vec4d r0 = *reinterpret_cast<const Vec4d*>(at + rows[0]), r1 = *reinterpret_cast<const Vec4d*>(at + rows[1]);
-  const Vec4d r2 = *reinterpret_cast<const Vec4d*>(at + rows[2]), r3 = *reinterpret_cast<const Vec4d*>(at + rows[3]);
-  const Vec4d ac01 = __builtin_shufflevector(r0, r1, 0, 4, 2, 6), bd01 = __builtin_shufflevector(r0, r1, 1, 5, 3, 7);
-  const Vec4d ac23 = __builtin_shufflevector(r2, r3, 0, 4, 2, 6), bd23 = __builtin_shufflevector(r2, r3, 1, 5, 3, 7);
-  a = __builtin_shufflevector(ac01, ac23, 0, 1, 4, 5);
-  c = __builtin_shufflevector(ac01, ac23, 2, 3, 6, 7);
-  b = __builtin_shufflevector(bd01, bd23, 0, 1, 4, 5);
-  d = __builtin_shufflevector(bd01, bd23, 2, 3, 6, 7);
+  const Record<double>*p0 = at + rows[0], *p1 = at + rows[1], *p2 = at + rows[2], *p3 = at + rows[3];
+  const Vec4d ab02 = halves(&p0->a, &p2->a), ab13 = halves(&p1->a, &p3->a), cd02 = halves(&p0->c, &p2->c), cd13 = halves(&p1->c, &p3->c);
+  a = __builtin_shufflevector(ab02, ab13, 0, 4, 2, 6);
+  b = __builtin_shufflevector(ab02, ab13, 1, 5, 3, 7);
+  c = __builtin_shufflevector(cd02, cd13, 0, 4, 2, 6);
+  d = __builtin_shufflevector(cd02, cd13, 1, 5, 3, 7);
 }
 THAW_INLINE Lanes4<double> load(const Record<double>* at, const std::uint32_t* rows) {
   Lanes4<double> r;

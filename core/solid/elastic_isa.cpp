@@ -1,5 +1,5 @@
 // The two loops over bonds: a lane is a slot, and sums its bonds one after another in their order.
-#include "core/simd/lanes.hpp"
+#include "core/simd/wide.hpp"
 #include "core/solid/elastic_kernels.hpp"
 #include "core/solid/laws/green.hpp"
 #include "core/solid/laws/neo_hookean.hpp"
@@ -212,6 +212,11 @@ template<class Real, bool periodic> void deformationOf(ElasticArrays& a) {
     const T j = determinant(f);
     const T size = dot(f.row[0], f.row[0]) + dot(f.row[1], f.row[1]) + dot(f.row[2], f.row[2]);
     largest = max(largest, size - T(Real(2)));
+    if (a.groupStretch2) {
+      double& most = a.groupStretch2[g] = 1;
+      for (int l = 0; l < n; l++)
+        if (static_cast<double>((size - T(Real(2)))[l]) > most) most = static_cast<double>((size - T(Real(2)))[l]);
+    }
     alignas(64) double fluxes[9][8];
     storeMatrix<Real>(flux, fluxes);
     Real* out = static_cast<Real*>(a.flux) + 12 * s0;
@@ -297,15 +302,15 @@ template<class Real, bool periodic, bool twoFrames> void forcesOf(const ElasticA
         const T along = (vj.a - vi.a) * x.x + (vj.b - vi.b) * x.y + (vj.c - vi.c) * x.z;
         const T c = (fi.y.d + fj.y.d) * along / some;  // per weight
         t = {t.x + c * x.x, t.y + c * x.y, t.z + c * x.z};
-        lost += widen(w * c * along);
+        lost += wide(w * c * along);
       }
       if (a.energy) {
         const Vec3<T> e{u.x - dot(gradient.row[0], ref), u.y - dot(gradient.row[1], ref), u.z - dot(gradient.row[2], ref)};
         errors += w * (e.x * e.x + e.y * e.y + e.z * e.z);
       }
-      fx += widen(w * t.x);
-      fy += widen(w * t.y);
-      fz += widen(w * t.z);
+      fx += wide(w * t.x);
+      fy += wide(w * t.y);
+      fz += wide(w * t.z);
     }
     toDoubles(fx, out[0]), toDoubles(fy, out[1]), toDoubles(fz, out[2]), toDoubles(lost, out[3]);
     for (int l = 0; l < n; l++) a.force[s0 + static_cast<std::size_t>(l)] = {out[0][l], out[1][l], out[2][l]};

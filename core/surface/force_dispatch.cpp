@@ -11,7 +11,7 @@ namespace isa_avx512 { const ForceKernels& forceKernelSet(); }
 const ForceKernels* forceKernels(const char* name) {
   const bool any = *name == 0;
 #if defined(__x86_64__)
-  const bool avx2 = __builtin_cpu_supports("avx2"), avx512 = avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl");
+  const bool avx2 = __builtin_cpu_supports("avx2"), avx512 = avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
   if (avx512 && (any || std::strcmp(name, "avx512") == 0)) return &isa_avx512::forceKernelSet();
   if (avx2 && (any || std::strcmp(name, "avx2") == 0)) return &isa_avx2::forceKernelSet();
 #endif

@@ -74,7 +74,7 @@ struct Block {
     clearLists(lists, n, n);
     const std::vector<std::uint8_t> inner(cells.key.size(), 1);
     SearchInput in;
-    in.place = reinterpret_cast<const std::uint32_t*>(records.fixed.data());
+    in.x = records.coarse[0].data(), in.y = records.coarse[1].data(), in.z = records.coarse[2].data();
     in.cells = &cells;
     in.inner = inner.data();
     in.owned = n;

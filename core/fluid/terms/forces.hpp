@@ -35,30 +35,30 @@ template<class Real, class Kernel, bool Viscous, bool Laplacian, bool Heat> stru
     const L wet = fi + fj - fi * fj;
     const L mui = i.motion.d, muj = j.motion.d;
     if constexpr (!Viscous) {
-      s.x -= widen(pressure * dx);
-      s.y -= widen(pressure * dy);
-      s.z -= widen(pressure * dz);
+      s.x -= wide(pressure * dx);
+      s.y -= wide(pressure * dy);
+      s.z -= wide(pressure * dz);
     } else if constexpr (Laplacian) {
       const L mu = L(0.5) * (mui + muj) * wet * VV * Kernel::laplace(q2), m = viscousScale * mu;
-      s.x -= widen(pressure * dx + m * ux);
-      s.y -= widen(pressure * dy + m * uy);
-      s.z -= widen(pressure * dz + m * uz);
+      s.x -= wide(pressure * dx + m * ux);
+      s.y -= wide(pressure * dy + m * uy);
+      s.z -= wide(pressure * dz + m * uz);
       s.lost += mu * (ux * ux + uy * uy + uz * uz);
     } else {
       const L mean = L(2.0) * mui * muj / max(mui + muj, L(1e-30));
       const L approach = ux * dx + uy * dy + uz * dz;
       const L mu = wet * mean * VV * alongPair(viscousWeight, q2) * approach / (q2 + L(1e-6));
       const L f = pressure + viscousScale * mu;
-      s.x -= widen(f * dx);
-      s.y -= widen(f * dy);
-      s.z -= widen(f * dz);
+      s.x -= wide(f * dx);
+      s.y -= wide(f * dy);
+      s.z -= wide(f * dz);
       s.lost += mu * approach;
     }
     if constexpr (Heat) {
       const L ki = i.state.d, kj = j.state.d;
       const L k = L(2.0) * ki * kj / max(ki + kj, L(1e-30));
       // the same for j but for its sign, to the last bit; summed in double precision so that no heat is lost to rounding
-      s.heat += widen(VV * k * Kernel::laplace(q2) * (j.state.c - i.state.c));
+      s.heat += wide(VV * k * Kernel::laplace(q2) * (j.state.c - i.state.c));
     }
   }
   THAW_INLINE void finish(const std::uint32_t* rows, const Data&, const Sum& s, std::uint32_t dummy) const {

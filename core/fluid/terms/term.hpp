@@ -5,6 +5,7 @@
 #include "core/kernels/kernels.hpp"
 #include "core/neighbours/sweep.hpp"
 #include "core/simd/pair_kernels.hpp"
+#include "core/simd/wide.hpp"
 
 namespace thaw {
 namespace THAW_ISA {

@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+"""Whole scenes against the step benchmark: what share of its rate they have, everything on, and where the rest goes.
+
+  scripts/bench scenes [--quick] [--ranks 4] [--steps 300]
+
+dam_break with a million particles, beam, melt and melt_large as their files have them but with a frame every 100 steps. The rate of the step benchmark of the
+same kind, size and precision is measured right after each scene, on as many ranks, so that both see the same machine. --quick: dam_break with 100,000
+particles, beam and melt, 100 steps, on one rank.
+"""
+import argparse
+import csv
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+root = pathlib.Path(__file__).resolve().parent.parent
+build = pathlib.Path(os.environ.get("THAW_BUILD", root / "build/release"))
+
+# scene, overrides, (case, precision, support) of the step benchmark
+SCENES = [
+    ("dam_break", ["spacing=0.005"], ("fluid", "single", "2")),
+    ("beam", [], ("elastic", "double", "1.7")),
+    ("melt", [], ("mixed", "single", "2")),
+    ("melt_large", [], ("mixed", "single", "2")),
+]
+QUICK = [("dam_break", ["spacing=0.0108"], ("fluid", "single", "2")), SCENES[1], SCENES[2]]
+TARGET = 0.7
+
+
+def mpirun(ranks, *command):
+    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_btl_vader_single_copy_mechanism="none",
+                       OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_hwloc_base_binding_policy="none")
+    done = subprocess.run(["mpirun", "-q", "-n", str(ranks), *map(str, command)], env=environment, capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(map(str, command))} failed:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
+    return done.stdout
+
+
+def run(scene, overrides, ranks, steps, folder):
+    shutil.rmtree(folder, ignore_errors=True)
+    sets = [x for o in overrides for x in ("--set", o)]
+    mpirun(ranks, build / "thaw", "run", root / "scenes" / f"{scene}.toml", "--out", folder, "--steps", steps, *sets)
+    return json.loads((folder / "summary.json").read_text())
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--csv", default="out/bench/scenes.csv")
+    parser.add_argument("--ranks", type=int, default=4)
+    parser.add_argument("--steps", type=int, default=300)
+    parser.add_argument("--quick", action="store_true")
+    options = parser.parse_args()
+    if options.quick:
+        options.ranks, options.steps = 1, 100
+    folder = pathlib.Path(options.csv).resolve().parent / "scenes_run"
+    rows = []
+    for scene, overrides, (case, precision, support) in QUICK if options.quick else SCENES:
+        first = run(scene, overrides, options.ranks, 1, folder)  # what dt is, for frames every 100 steps
+        every = f"output.every={100 * first['dt_s']}"
+        s = run(scene, [*overrides, every], options.ranks, options.steps, folder)
+        particles = s["particles"]
+        phases = {name: p["mean"] for name, p in s["phases_s_per_rank"].items()}
+        looped = sum(t for name, t in phases.items() if name not in ("setup", "none", "checkpoint"))
+        rate = particles * s["steps_of_this_process"] / looped / options.ranks / 1e6
+        table = folder.parent / "scenes_step.csv"
+        mpirun(options.ranks, build / "benchmarks/step", "--cases", case, "--precisions", precision, "--supports", support, "--sizes", min(particles, 1000000),
+               "--repeat", 3, "--seconds", 0.5, "--csv", table)
+        beside = next(csv.DictReader(table.open()))
+        row = {"case": scene, "ranks": options.ranks, "particles": particles, "msteps_per_s": round(rate, 3), "step_benchmark": round(float(beside["msteps_per_s"]), 3),
+               "share": round(rate / float(beside["msteps_per_s"]), 3), "target_share": TARGET, "yardstick_ratio": round(rate / float(beside["yardstick_msteps_per_s"]), 2)}
+        groups = {"search": ["sort", "search"], "pairs": ["density", "forces", "viscosity", "pressure"], "solids": ["elastic", "bonds", "contact"], "walls": ["walls"], "heat": ["heat", "phase_change"],
+                  "motion": ["drift", "kick", "domain"], "ranks": ["migrate", "exchange", "reduce", "balance"], "frames": ["frames"]}
+        perNs = 1e9 * options.ranks / (particles * s["steps_of_this_process"])
+        for name, members in groups.items():
+            row["ns_" + name] = round(perNs * sum(phases.get(m, 0) for m in members), 1)
+        row["ns_other"] = round(perNs * looped - sum(v for k, v in row.items() if k.startswith("ns_")), 1)
+        rows.append(row)
+        print(f"{scene}: {row['msteps_per_s']} M particle-steps/s and core, {100 * row['share']:.0f} % of the step benchmark's", flush=True)
+    shutil.rmtree(folder, ignore_errors=True)
+    with open(options.csv, "w", newline="") as out:
+        writer = csv.DictWriter(out, rows[0].keys())
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,33 @@
+// The scenes that the step benchmark measures, and what speed they are held against.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.hpp"
+
+namespace thaw::bench {
+
+enum class Kind { Fluid, Heat, Elastic, Mixed };
+inline constexpr const char* kindNames[] = {"fluid", "heat", "elastic", "mixed"};
+
+/// One measurement. support: of sums and of bonds, in spacings: 2 is called 33 neighbours, 2.6 is called 74 (in an infinite lattice).
+struct Case {
+  Kind kind = Kind::Fluid;
+  Precision precision = Precision::Single;
+  double support = 2;
+  std::size_t particles = 100000;
+};
+
+/// A jittered block that flies through an open domain, with a free surface. Fluid: pressure and viscosity. Heat:
+/// also conduction. Elastic: Green strain. Mixed: the middle third melts, solid below, liquid above, with latent heat and contact.
+Scene sceneOf(const Case& c);
+
+/// Times the plain scalar code (benchmarks/support/yardstick.hpp): what counts as excellent, and what prototypes without MPI reached; 0: nothing to
+/// compare with. From the figures of one core, over the 1.08 (0.61 with 74 neighbours) million particle-steps a second of the scalar code there.
+struct Targets { double excellent = 0, limit = 0; };
+Targets targetsOf(const Case& c);
+
+/// ns a particle of the prototypes' phases, as times the scalar code's: sort, search, density, forces with leap-frog.
+std::vector<double> limitPhases(const Case& c);
+
+}  // namespace thaw::bench

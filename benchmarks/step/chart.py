@@ -1,0 +1,62 @@
+#!/usr/bin/env python3
+"""Prints the rows of the step benchmark beside their targets and charts them: chart.py FILE.csv PICTURE.png"""
+import csv
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+PHASES = ["sort", "search", "density", "force", "elastic", "walls", "heat", "move", "ranks"]
+
+
+def number(text):
+    return float(text) if text else None
+
+
+def label(r):
+    size = float(r["particles"])
+    size = f"{size / 1e6:.3g}M" if size > 9e5 else f"{size / 1e3:.0f}k"
+    return f"{r['case']} {r['precision']} {float(r['neighbours']):.0f} nb, {size}, {r['ranks']} rank{'s' if r['ranks'] != '1' else ''}"
+
+
+def show(rows):
+    print(f"{'':44s}  M/s/core  yardsticks  excellent  limit   bytes (target)   moved GB/s of copy  set-up steps (20)  held back by")
+    for r in rows:
+        goal = f"{number(r['target_ratio']):9.2f} {number(r['limit_ratio']):6.2f}" if r["target_ratio"] else f"{'-':>9s} {'-':>6s}"
+        memory = f"{float(r['bytes_per_particle']):6.0f} ({r['target_bytes_per_particle'] or '-':>4s})"
+        print(f"{label(r):44s}  {float(r['msteps_per_s']):8.2f}  {float(r['ratio']):10.2f}  {goal}   {memory:>14s}   {float(r['moved_gb_per_s']):5.1f} of {float(r['copy_gb_per_s']):5.1f}   "
+              f"{float(r['setup_steps']):15.1f}   {r['held_back_by']}")
+
+
+def draw(rows, picture):
+    figure, axes = plt.subplots(1, 3, figsize=(15, 1.2 + 0.27 * len(rows)), sharey=True)
+    at = range(len(rows))
+    axes[0].barh(at, [number(r["ratio"]) for r in rows], color="#3b6ea5")
+    for column, colour, name in (("target_ratio", "#c0392b", "excellent"), ("limit_ratio", "#555555", "limit of the prototypes")):
+        marks = [(number(r[column]), i) for i, r in enumerate(rows) if r[column]]
+        if marks:
+            axes[0].plot([m for m, _ in marks], [i for _, i in marks], "|", color=colour, markersize=11, markeredgewidth=2, label=name)
+            axes[0].legend(fontsize=7, loc="lower right")
+    axes[0].set_title("times the scalar code beside it", fontsize=9)
+    left = [0.0] * len(rows)
+    for k, phase in enumerate(PHASES):
+        values = [float(r["ns_" + phase]) for r in rows]
+        axes[1].barh(at, values, left=left, label=phase, color=plt.get_cmap("tab10")(k))
+        left = [a + b for a, b in zip(left, values)]
+    axes[1].legend(fontsize=7, loc="lower right")
+    axes[1].set_title("ns a particle, step and core", fontsize=9)
+    axes[2].barh(at, [float(r["bytes_per_particle"]) for r in rows], color="#7a9e6f")
+    marks = [(number(r["target_bytes_per_particle"]), i) for i, r in enumerate(rows) if r["target_bytes_per_particle"]]
+    axes[2].plot([m for m, _ in marks], [i for _, i in marks], "|", color="#c0392b", markersize=11, markeredgewidth=2)
+    axes[2].set_title("bytes a particle", fontsize=9)
+    axes[0].set_yticks(list(at), [label(r) for r in rows], fontsize=7)
+    axes[0].invert_yaxis()
+    figure.tight_layout()
+    figure.savefig(picture, dpi=110)
+
+
+rows = list(csv.DictReader(open(sys.argv[1], newline="")))
+show(rows)
+draw(rows, sys.argv[2])

@@ -1,0 +1,229 @@
+// step: particle-steps a second and core of whole steps, MPI, halos and all, on the ranks it is started with; benchmarks/step/run starts it on 1, 2 and 4.
+//   step [--cases fluid,heat,elastic,mixed] [--precisions single,double] [--supports 2,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1] [--memory 1]
+// Beside each case, in turn with it and on as many ranks, runs a plain scalar neighbour-list code (yardstick): the ratio means the same on any
+// machine, and on a busy one. Rows come with the bytes that a step moves and what a copy moves in the same time.
+#include <malloc.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "benchmarks/step/cases.hpp"
+#include "benchmarks/support/rig.hpp"
+#include "benchmarks/support/yardstick.hpp"
+#include "core/math/hash_random.hpp"
+#include "core/memory.hpp"
+
+namespace {
+
+using namespace thaw;
+using namespace thaw::bench;
+using Watch = std::chrono::steady_clock;
+
+double secondsSince(Watch::time_point t) { return std::chrono::duration<double>(Watch::now() - t).count(); }
+
+double median(std::vector<double> v) {
+  std::sort(v.begin(), v.end());
+  return v[v.size() / 2];
+}
+
+double sumOver(const Communicator& comm, double mine) {
+  double all = 0;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, comm.handle());
+  return all;
+}
+double mostOf(const Communicator& comm, double mine) {
+  double all = 0;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, comm.handle());
+  return all;
+}
+
+/// Bytes of memory that this process has now.
+double residentBytes() {
+  std::ifstream file("/proc/self/statm");
+  double pages = 0, resident = 0;
+  file >> pages >> resident;
+  return resident * 4096;
+}
+
+/// Off the lattice by up to a tenth of a spacing along each axis.
+void jitter(Continuum& p, double spacing) {
+  for (std::size_t i = 0; i < p.owned; i++)
+    for (int a = 0; a < 3; a++) p.position[i][a] += 0.1 * spacing * (2 * randomUniform(1, Purpose::Separate, p.id[i], static_cast<std::uint64_t>(a)) - 1);
+}
+
+/// Bytes a second and rank that a copy reads and writes, all ranks at once.
+double copySpeed(const Communicator& comm) {
+  const std::size_t n = 4 << 20;
+  std::vector<double> from(n, 1), to(n, 0);
+  std::vector<double> speed;
+  for (int r = 0; r < 7; r++) {
+    MPI_Barrier(comm.handle());
+    const auto t = Watch::now();
+    for (std::size_t i = 0; i < n; i++) to[i] = from[i];
+    speed.push_back(16.0 * static_cast<double>(n) / secondsSince(t));
+    from[static_cast<std::size_t>(r)] = to[static_cast<std::size_t>(r) + 1] + 1;
+  }
+  return median(speed);
+}
+
+/// Bytes that a step has to move at least, by what there is: lists and records are written once and read by two loops, bonds are read by two,
+/// particles and slots are read and written.
+double bytesMoved(const Rig& rig) {
+  double sum = 0;
+  for (const MemoryUse& u : memoryOf(rig.w, rig.tools)) {
+    const std::string name = u.what;
+    sum += u.bytes * (name == "neighbour lists" || name == "pair records" ? 3 : 2);
+  }
+  return sum;
+}
+
+struct Options {
+  std::vector<Kind> kinds{Kind::Fluid, Kind::Heat, Kind::Elastic, Kind::Mixed};
+  std::vector<Precision> precisions{Precision::Single};
+  std::vector<double> supports{2};
+  std::vector<std::size_t> sizes{100000};
+  int repeat = 7;
+  double seconds = 0.6;  ///< of steps between two looks at the yardstick
+  const char* csv = nullptr;
+  bool append = false, memory = false;
+};
+
+/// The phases with most time, ns a particle and step; then the one that stands furthest above its limit.
+std::string heldBackBy(const Case& c, const PhaseTimes& t, double perNs, double yardNs) {
+  std::string most;
+  double worst = 0;
+  const std::vector<double> limits = limitPhases(c);
+  for (std::size_t k = 0; k < stepPhases; k++) {
+    const auto phase = static_cast<StepPhase>(k);
+    double ns = t[phase] * perNs;
+    if (!limits.empty()) {
+      if (phase == StepPhase::Sort) ns -= limits[0] * yardNs;
+      if (phase == StepPhase::Search) ns -= limits[1] * yardNs;
+      if (phase == StepPhase::Density) ns -= limits[2] * yardNs;
+      if (phase == StepPhase::Forces) ns -= limits[3] * yardNs;
+    }
+    if (ns > worst) worst = ns, most = phaseName(phase);
+  }
+  return most;
+}
+
+void measure(const Communicator& comm, const Case& c, const Options& o, FILE* out) {
+  malloc_trim(0);  // what the case before has left
+  const double before = residentBytes();
+  const auto setUp = Watch::now();
+  const Scene scene = sceneOf(c);
+  Rig rig(comm, scene, [&](Continuum& p) { jitter(p, scene.spacing); });
+  const double setUpSeconds = mostOf(comm, secondsSince(setUp));
+  const double ranks = comm.size(), N = sumOver(comm, static_cast<double>(rig.w.particles.owned));
+  const auto steps = [&](int n) {
+    MPI_Barrier(comm.handle());
+    const auto t = Watch::now();
+    for (int k = 0; k < n; k++) thaw::step(rig.w, rig.halos(), rig.tools, {});
+    return mostOf(comm, secondsSince(t)) / n;
+  };
+  const double warm = steps(3);
+  const int some = std::max(1, static_cast<int>(std::lround(o.seconds / warm)));
+  rig.tools.times = {};
+  const double resident = sumOver(comm, residentBytes() - before);
+  test::Block block(46, 0.1, c.support, Precision::Single);  // 97,336 on every rank
+  std::vector<double> total, yard, ratio;
+  int done = 0;
+  for (int r = 0; r < o.repeat; r++, done += some) {
+    total.push_back(steps(some));
+    MPI_Barrier(comm.handle());
+    yard.push_back(mostOf(comm, yardstickStep(block)) / static_cast<double>(block.particles.owned));
+    ratio.push_back(yard.back() / (total.back() * ranks / N));
+  }
+  PhaseTimes times;
+  for (std::size_t k = 0; k < stepPhases; k++) times.seconds[k] = sumOver(comm, rig.tools.times.seconds[k]) / ranks;
+  const double accounted = sumOver(comm, totalBytes(memoryOf(rig.w, rig.tools))), moved = sumOver(comm, bytesMoved(rig));
+  const double copied = copySpeed(comm);  // of the first rank
+  double neighbours = 0;
+  for (std::size_t i = 0; i < rig.w.neighbours.neighbours.size() && c.kind != Kind::Elastic; i++) neighbours += rig.w.neighbours.neighbours[i];
+  for (std::size_t k = 0; k < rig.w.bonds.weight.size() && c.kind == Kind::Elastic; k++) neighbours += rig.w.bonds.weight[k] > 0;
+  neighbours = sumOver(comm, neighbours) / N;
+  if (comm.rank() != 0) return;
+  if (o.memory)
+    for (const MemoryUse& u : memoryOf(rig.w, rig.tools))
+      if (u.bytes > 0) std::fprintf(stderr, "  %-20s %6.0f bytes a particle\n", u.what, u.bytes * ranks / N);
+  const Targets goal = targetsOf(c);
+  const double perNs = 1e9 * ranks / (N * done), rate = N / (median(total) * ranks) / 1e6;
+  const auto ns = [&](std::initializer_list<StepPhase> phases) {
+    double sum = 0;
+    for (const StepPhase p : phases) sum += times[p] * perNs;
+    return sum;
+  };
+  using P = StepPhase;
+  std::fprintf(out, "%s,%s,%d,%.0f,%.1f,%s,%.3f,%.3f,%.2f,", kindNames[static_cast<int>(c.kind)], c.precision == Precision::Single ? "single" : "double", comm.size(), N, neighbours,
+               rig.tools.kernels->name, rate, 1e-6 / median(yard), median(ratio));
+  goal.excellent > 0 ? std::fprintf(out, "%.2f,%.2f,", goal.excellent, goal.limit) : std::fprintf(out, ",,");
+  std::fprintf(out, "%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,", ns({P::Sort}), ns({P::Search}), ns({P::Density}), ns({P::Forces}), ns({P::Elastic, P::Bonds}), ns({P::Walls, P::Contact}),
+               ns({P::Heat}), ns({P::Drift, P::Domain, P::Kick, P::Phase}), ns({P::Migrate, P::Exchange, P::Reduce}));
+  const double goalBytes = c.kind == Kind::Elastic ? 800 : c.kind == Kind::Fluid && c.support < 2.3 && c.precision == Precision::Single ? 350 : 0;
+  std::fprintf(out, "%.0f,%.0f,", accounted / N, resident / N);
+  goalBytes > 0 ? std::fprintf(out, "%.0f,", goalBytes) : std::fprintf(out, ",");
+  std::fprintf(out, "%.0f,%.2f,%.2f,%.2f,%s,%d\n", moved / N, 1e-9 * moved / (N / (rate * 1e6 * ranks)) / ranks / 1.0, 1e-9 * copied, setUpSeconds / median(total),
+               heldBackBy(c, times, perNs, 1e9 * median(yard)).c_str(), o.repeat);
+  std::fflush(out);
+}
+
+template<class T, class Read> std::vector<T> listOf(const std::string& text, Read read) {
+  std::vector<T> all;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    all.push_back(read(text.substr(at, end - at)));
+    at = end + 1;
+  }
+  return all;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  MpiSession session(&argc, &argv);
+  Communicator comm;
+  Options o;
+  for (int a = 1; a < argc; a += 2) {
+    const std::string key = argv[a];
+    if (a + 1 == argc || key == "--help") {
+      if (comm.rank() == 0)
+        std::fprintf(stderr, "step [--cases fluid,heat,elastic,mixed] [--precisions single,double] [--supports 2,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1] [--memory 1]\n");
+      return 2;
+    }
+    const std::string value = argv[a + 1];
+    if (key == "--cases")
+      o.kinds = listOf<Kind>(value, [](const std::string& name) {
+        for (int k = 0; k < 4; k++)
+          if (name == kindNames[k]) return static_cast<Kind>(k);
+        std::fprintf(stderr, "there is no case '%s': fluid, heat, elastic, mixed\n", name.c_str());
+        std::exit(2);
+      });
+    else if (key == "--precisions") o.precisions = listOf<Precision>(value, [](const std::string& name) { return name == "double" ? Precision::Double : Precision::Single; });
+    else if (key == "--supports") o.supports = listOf<double>(value, [](const std::string& x) { return std::max(1.5, std::atof(x.c_str())); });
+    else if (key == "--sizes") o.sizes = listOf<std::size_t>(value, [](const std::string& x) { return std::max<std::size_t>(1000, std::strtoull(x.c_str(), nullptr, 10)); });
+    else if (key == "--repeat") o.repeat = std::max(1, std::atoi(argv[a + 1]));
+    else if (key == "--seconds") o.seconds = std::atof(argv[a + 1]);
+    else if (key == "--csv") o.csv = argv[a + 1];
+    else if (key == "--append") o.append = value == "1";
+    else if (key == "--memory") o.memory = value == "1";
+    else return std::fprintf(stderr, "unknown option %s\n", argv[a]), 2;
+  }
+  FILE* out = comm.rank() != 0 ? nullptr : o.csv ? std::fopen(o.csv, o.append ? "a" : "w") : stdout;
+  if (comm.rank() == 0 && !out) return std::fprintf(stderr, "%s: cannot be written\n", o.csv), 3;
+  if (out && !o.append)
+    std::fprintf(out, "case,precision,ranks,particles,neighbours,isa,msteps_per_s,yardstick_msteps_per_s,ratio,target_ratio,limit_ratio,ns_sort,ns_search,ns_density,ns_force,ns_elastic,"
+                      "ns_walls,ns_heat,ns_move,ns_ranks,bytes_per_particle,resident_per_particle,target_bytes_per_particle,bytes_moved,moved_gb_per_s,copy_gb_per_s,setup_steps,held_back_by,repeats\n");
+  for (const std::size_t size : o.sizes)
+    for (const double support : o.supports)
+      for (const Precision precision : o.precisions)
+        for (const Kind kind : o.kinds) measure(comm, {kind, precision, support, size}, o, out);
+  if (out && o.csv) std::fclose(out);
+  return 0;
+}

@@ -1,0 +1,78 @@
+// Pressure, viscosity, heat and artificial viscosity of one liquid whose parameters are the same everywhere: two records a neighbour, not three,
+// and no means to take. One term of the pair sums (term.hpp).
+#pragma once
+#include "core/fluid/terms/term.hpp"
+#include "core/fluid/viscous_weight.hpp"
+
+namespace thaw {
+namespace THAW_ISA {
+namespace {
+
+/// To the last bit what Forces (forces.hpp) with the pairwise viscosity gives, and then Artificial (artificial_viscosity.hpp), where all
+/// particles are liquid of one material (Modules::uniform). motion.d is the pressure term; of state only the temperature is read.
+template<class Real, class Kernel, bool Heat, bool Shocks> struct UniformForces {
+  using L = Lanes<Real>;
+  const Record<Real>*place, *motion, *state;
+  const PairSums* in;
+  L pressureScale, viscousScale, viscousWeight, viscosity, conductivity, artificial;
+  double heatScale, artificialScale;
+  struct Data { Lanes4<Real> place, motion, state; };
+  using Wide = Lanes<double>;
+  struct Sum {
+    Wide x = Wide(0.0), y = Wide(0.0), z = Wide(0.0), heat = Wide(0.0);
+    L lost = L(0.0), sx = L(0.0), sy = L(0.0), sz = L(0.0), shocked = L(0.0);
+  };
+  THAW_INLINE Data load(const std::uint32_t* rows) const {
+    Data d;
+    d.place = thaw::THAW_ISA::load(place, rows);
+    d.motion = thaw::THAW_ISA::load(motion, rows);
+    if constexpr (Heat) d.state = thaw::THAW_ISA::load(state, rows);
+    return d;
+  }
+  THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
+    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);
+    const L q2 = dx * dx + dy * dy + dz * dz;
+    const L VV = i.place.d * j.place.d;
+    const L slope = Kernel::slope(q2);
+    const L pressure = pressureScale * VV * slope * (i.motion.d + j.motion.d);
+    const L ux = i.motion.a - j.motion.a, uy = i.motion.b - j.motion.b, uz = i.motion.c - j.motion.c;
+    const L approach = ux * dx + uy * dy + uz * dz;
+    const L mu = viscosity * VV * alongPair(viscousWeight, q2) * approach / (q2 + L(1e-6));
+    const L f = pressure + viscousScale * mu;
+    s.x -= wide(f * dx);
+    s.y -= wide(f * dy);
+    s.z -= wide(f * dz);
+    s.lost += mu * approach;
+    if constexpr (Heat) s.heat += wide(VV * conductivity * Kernel::laplace(q2) * (j.state.c - i.state.c));
+    if constexpr (Shocks) {
+      const L closing = min(approach, L(0.0)), nu = artificial * j.place.d * slope * closing / (q2 + L(0.01));
+      s.sx += nu * dx;
+      s.sy += nu * dy;
+      s.sz += nu * dz;
+      s.shocked -= nu * closing;
+    }
+  }
+  THAW_INLINE void finish(const std::uint32_t* rows, const Data& i, const Sum& s, std::uint32_t dummy) const {
+    for (int l = 0; l < 8; l++)
+      if (rows[l] != dummy) {
+        Vec3d& f = in->force[rows[l]];
+        double& dissipation = in->dissipation[rows[l]];
+        f.x += s.x[l];
+        f.y += s.y[l];
+        f.z += s.z[l];
+        dissipation += 0.5 * in->support * static_cast<double>(s.lost[l]);
+        if constexpr (Heat) in->heatFlow[rows[l]] += heatScale * s.heat[l];
+        if constexpr (Shocks) {
+          const double v = artificialScale * static_cast<double>(i.place.d[l]);
+          f.x += v * static_cast<double>(s.sx[l]);
+          f.y += v * static_cast<double>(s.sy[l]);
+          f.z += v * static_cast<double>(s.sz[l]);
+          dissipation += 0.5 * v * static_cast<double>(s.shocked[l]);
+        }
+      }
+  }
+};
+
+}  // namespace
+}  // namespace THAW_ISA
+}  // namespace thaw
