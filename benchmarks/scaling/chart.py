@@ -114,7 +114,7 @@ def drawTrace(source, picture):
             if e["cat"] == "phase":
                 axis.broken_barh([(e["ts"] - begin, e["dur"])], (2.2 * r, 1), color=colour[e["name"]])
             elif e["cat"] == "wait":
-                axis.broken_barh([(e["ts"] - begin, e["dur"])], (2.2 * r, 0.45), color="white", edgecolor="black", hatch="////", linewidth=0)
+                axis.broken_barh([(e["ts"] - begin, e["dur"])], (2.2 * r, 0.45), facecolor="white", edgecolor="black", hatch="////", linewidth=0, zorder=3)
         ends = {e["id"]: e["ts"] for e in events if e["pid"] == r and e["ph"] == "e"}
         for e in (e for e in events if e["pid"] == r and e["ph"] == "b" and begin <= e["ts"] < end):
             axis.broken_barh([(e["ts"] - begin, ends[e["id"]] - e["ts"])], (2.2 * r + lanes.get(e["name"], 1.05), 0.35),

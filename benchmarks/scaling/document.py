@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes docs/scaling.md from text.md and the figures: document.py SCALING.csv. Every measured or predicted number in it comes from the file.
 
-In text.md: {{machine}}, {{strong}}, {{weak}}, {{corner}}, {{counts CASE}}, {{fit}}, {{inputs}}, {{predictions}} and {{check}} (the model against what this machine did).
+In text.md: {{machine}}, {{strong}}, {{weak}}, {{corner}}, {{counts CASE}}, {{fit}}, {{inputs}}, {{predictions}}, {{provisional}} and {{check}} (the model against what this machine did).
 """
 import os
 import re
@@ -74,7 +74,7 @@ def inputs(path):
         ["`--latency`", f"{1e6 * m.latency:g} us", "a message between nodes"],
         ["`--bandwidth`", f"{m.bandwidth / 1e9:g} GB/s", "a rank's share of a node's network: 25 GB/s for 64 ranks"],
         ["`--collective`", f"{1e6 * m.collective:g} us", "a small reduction, for each doubling of ranks"],
-        ["`--table`", f"{1e9 * m.table:g} ns", "a rank and new partition: tables of rank size, splits of communicators"],
+        ["`--table`", f"{1e6 * m.table:g} us", "a rank and new partition: tables of rank size, splits of communicators"],
         ["`--partition`", f"{m.partition:g} steps", "from one new partition to the next; the balance allows no more often"],
         ["`--imbalance`", f"{m.imbalance:g}", "largest over mean work"],
         ["`--ghost-work`", f"{m.ghost_work:g}", "work of a ghost, in that of an own particle"],
@@ -126,13 +126,19 @@ def machineLine(path):
     return f"{rows[0]['machine']}, thaw {' and '.join(dict.fromkeys(r['version'] for r in rows))}"
 
 
+def provisional(path):
+    """Said where the figures are not those of the full study."""
+    rows = [r for s in ("strong", "weak", "corner", "counts") for r in model.read(path, s, "corner" if s == "corner" else "fluid")]
+    return "" if all(r["level"] == "full" for r in rows) else "\n\n**Provisional: times of short runs on a machine that was busy with other work. Counts do not depend on that.**"
+
+
 def write(path):
     folder = os.path.join(DOCS, "scaling")
     os.makedirs(folder, exist_ok=True)
     kept = os.path.join(folder, "scaling.csv")
     if os.path.abspath(path) != os.path.abspath(kept):
         shutil.copy(path, kept)
-    made = {"machine": machineLine, "strong": lambda p: scaled(p, "strong"), "weak": lambda p: scaled(p, "weak"), "corner": corner, "fit": fitted, "inputs": inputs, "predictions": predictions, "check": check}
+    made = {"machine": machineLine, "strong": lambda p: scaled(p, "strong"), "weak": lambda p: scaled(p, "weak"), "corner": corner, "fit": fitted, "inputs": inputs, "predictions": predictions, "check": check, "provisional": provisional}
     with open(os.path.join(HERE, "text.md")) as f:
         text = f.read()
     text = re.sub(r"\{\{(\w+)\s*(\w*)\}\}", lambda m: counts(path, m[2]) if m[1] == "counts" else made[m[1]](path), text)

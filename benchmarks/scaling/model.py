@@ -63,7 +63,7 @@ class Machine:
     latency: float = 2e-6      # s a message
     bandwidth: float = 4e8     # bytes/s of one rank: a node's network shared by its ranks
     collective: float = 3e-6   # s of a small reduction for each doubling of ranks
-    table: float = 5e-8        # s a rank and new partition: tables of rank size, splits of communicators
+    table: float = 5e-7        # s a rank and new partition: tables of rank size, splits of communicators
     partition: float = 100     # steps from one new partition to the next: the most often that the balance allows
     imbalance: float = 1.05    # largest over mean work
     ghost_work: float = 0.15   # work of a ghost over that of an own particle

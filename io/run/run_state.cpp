@@ -42,6 +42,7 @@ void writeFrameOf(Run& r) {
 }
 
 void report(Run& r) {
+  r.tools.times.start();
   const LedgerReport l = reportLedger(r.world, r.all);
   const bool first = r.world.clock.step == r.stepAtReport;
   const double rate = static_cast<double>(r.world.clock.step - r.stepAtReport) / std::max(1e-9, since(r.lastReport));
@@ -53,6 +54,7 @@ void report(Run& r) {
   r.lastReport = WallClock::now();
   r.stepAtReport = r.world.clock.step;
   r.summary.ledger = l;
+  r.tools.times.lap(StepPhase::Other);
 }
 
 void summarise(Run& r, const std::string& status, const std::string& message) {
