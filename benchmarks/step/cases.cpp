@@ -12,8 +12,8 @@ Scene sceneOf(const Case& c) {
   s.numerics.precision = s.numerics.elasticPrecision = c.precision;
   s.numerics.selfContact = false;
   const double edge = std::round(std::cbrt(static_cast<double>(c.particles))), L = edge * s.spacing;
-  s.domain.min = {-0.5 * L, -0.5 * L, -0.5 * L};
-  s.domain.max = {1.5 * L, 1.5 * L, 1.5 * L};
+  s.domain.min = {-0.6 * L, -0.6 * L, -0.6 * L};
+  s.domain.max = {1.9 * L, 1.9 * L, 1.9 * L};
   s.domain.gravity = {};
   s.output.every = 0;
   s.end = 1e9;

@@ -52,10 +52,15 @@ double residentBytes() {
   return resident * 4096;
 }
 
-/// Off the lattice by up to a tenth of a spacing along each axis.
-void jitter(Continuum& p, double spacing) {
-  for (std::size_t i = 0; i < p.owned; i++)
-    for (int a = 0; a < 3; a++) p.position[i][a] += 0.1 * spacing * (2 * randomUniform(1, Purpose::Separate, p.id[i], static_cast<std::uint64_t>(a)) - 1);
+/// Off the lattice by up to a tenth of a spacing along each axis, and the block turned by one radian about (1, 2, 2): no row of particles changes its cells
+/// all at once.
+void jitter(Continuum& p, const Scene& scene) {
+  const Vec3d axis{1.0 / 3, 2.0 / 3, 2.0 / 3}, centre = scene.bodies[0].shape.move;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    Vec3d x = p.position[i] - centre;
+    for (int a = 0; a < 3; a++) x[a] += 0.1 * scene.spacing * (2 * randomUniform(1, Purpose::Separate, p.id[i], static_cast<std::uint64_t>(a)) - 1);
+    p.position[i] = centre + x * std::cos(1.0) + cross(axis, x) * std::sin(1.0) + axis * (dot(axis, x) * (1 - std::cos(1.0)));
+  }
 }
 
 /// Bytes a second and rank that a copy reads and writes, all ranks at once.
@@ -119,7 +124,7 @@ void measure(const Communicator& comm, const Case& c, const Options& o, FILE* ou
   const double before = residentBytes();
   const auto setUp = Watch::now();
   const Scene scene = sceneOf(c);
-  Rig rig(comm, scene, [&](Continuum& p) { jitter(p, scene.spacing); });
+  Rig rig(comm, scene, [&](Continuum& p) { jitter(p, scene); });
   const double setUpSeconds = mostOf(comm, secondsSince(setUp));
   const double ranks = comm.size(), N = sumOver(comm, static_cast<double>(rig.w.particles.owned));
   const auto steps = [&](int n) {
