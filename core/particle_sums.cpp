@@ -89,6 +89,8 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
     std::merge(m.departed.begin(), m.departed.end(), t.leaving.begin(), t.leaving.end(), std::back_inserter(gone));
     m.departed = std::move(gone);
   }
+  if (w.modules.sleep)
+    for (std::size_t i = before; i < p.owned; i++) t.sleep.findAll = t.sleep.findAll || p.sleep[i] == asleep;
   m.arrivals += emitted;
   sortByCell(p, m, t.sort, w.cells);
   t.times.lap(StepPhase::Sort);
@@ -104,6 +106,8 @@ ColumnList ghostColumns(World& w) {
   if (p.temperature.active) c.push_back(&p.temperature);
   if (p.compression.active) c.push_back(&p.compression);
   if (w.modules.incompressible && p.clamped.active) c.push_back(&p.clamped);
+  if (w.modules.sleep) c.push_back(&p.calm);
+  if (w.modules.sleep) c.push_back(&p.sleep);
   return c;
 }
 
@@ -317,6 +321,7 @@ void separateCoincident(World& w, const StepTools& t, std::int64_t before) {
       Vec3d d;
       for (int a = 0; a < 3; a++) d[a] = randomUniform(w.scene.seed, Purpose::Separate, p.id[i], static_cast<std::uint64_t>(a)) - 0.5;
       p.position[i] += d * (1e-5 * w.scene.spacing);
+      if (p.calm.active) p.calm[i] = 0;
     }
 }
 

@@ -1,5 +1,6 @@
 #include "core/solid_step.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "core/contact/solid_contact.hpp"
@@ -13,6 +14,7 @@ namespace thaw {
 namespace {
 
 void deformAll(World& w, Halos& halos, StepTools& t, const ElasticStep& step) {
+  if (w.modules.sleep) chooseAwakeGroups(w, t);
   ElasticResult r = computeDeformationAndStress(t.elastic, w.solids, w.bonds, step, SolidPart::Inner);
   t.times.lap(StepPhase::Elastic);
   halos.bonds.finish(w.solids);
@@ -21,6 +23,7 @@ void deformAll(World& w, Halos& halos, StepTools& t, const ElasticStep& step) {
   w.counters.inverted += r.inverted;
   w.counters.squeezed += r.squeezed;
   t.maxStretch2 = r.maxStretch2;
+  for (const double stretch2 : t.elastic.groupStretch2) t.maxStretch2 = std::max(t.maxStretch2, stretch2);  // also of what sleeps; else it is empty
 }
 
 BondForming bondForming(const World& w, const StepTools& t) {
@@ -80,6 +83,7 @@ void relinkSolids(World& w, Halos halos, StepTools& t, const Relink& work) {
   linkSlots(w.particles, w.solids);
   if (halos.bonds.relink(w.particles, w.solids, w.bonds, work)) {
     fillNewSlots(w.particles, w.solids, t.elastic);
+    if (w.modules.sleep) forgetChangedSlots(w, t);
     w.counters.singularNeighbourhoods = refreshReference(t.elastic, w.solids, w.bonds, false);
     const ColumnList columns = remoteColumnsAfterRelink(w.solids);
     halos.bonds.begin(w.solids, columns);

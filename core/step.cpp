@@ -35,6 +35,7 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
 
   evaluate(w, halos, t, dt);                   // forces at the new places
 
+  if (w.modules.sleep) settleSleep(w, t, dt);  // solids at rest are held from here on
   StepOutcome here;
   here.finite = finishKick(w, dt, &here.bad);  // v += a dt/2
   here.badHere = !here.finite;
@@ -68,10 +69,11 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.oriented) evaluateOriented(w, halos, t, dt);
 
   // first of all, since it puts particles that are deep in a wall back to its surface: ghosts and bonds must see them there
-  const WallContext walls{w, t.wallTables, t.liquids, dt, dt > 0 ? dt : nextStep(w.clock), 1.0 / w.clock.substeps};
+  const WallContext walls{w, t.wallTables, t.liquids, dt, dt > 0 ? dt : nextStep(w.clock), 1.0 / w.clock.substeps, w.modules.sleep ? &t.sleep.deep : nullptr};
   findWallContacts(walls, t.wallContacts);
   t.times.lap(StepPhase::Walls);
 
+  if (w.modules.sleep) beginSleep(w, t, dt);
   const std::int64_t coincident = w.counters.coincidentPairs;
   const bool neighbours = needsNeighbours(w, t);
   if (neighbours) halos.cells.beginGhosts(p, w.cells, ghostColumns(w));  // copies of the cells around ours are on their way ...
@@ -80,12 +82,15 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   clearRates(w);
   if (neighbours) {
     markInner(w, halos.cells, t);
+    if (w.modules.sleep) markAsleep(w, t, false);
     sumOverNeighbours(w, t, NeighbourPass::InnerDensity);  // ... while particles inside find neighbours and density
     halos.cells.finishGhosts(p, w.cells);
     t.times.lap(StepPhase::Exchange);
     markInner(w, halos.cells, t);
+    if (w.modules.sleep) markAsleep(w, t, true);
     sumOverNeighbours(w, t, NeighbourPass::BoundaryDensity);
   }
+  if (w.modules.sleep) dropSkippedContacts(t);
   if (w.modules.fluid) removeSelfWeight(w, t.selfWeight);
   if (w.modules.fluid) addWallFilling(walls, t.perLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
@@ -107,15 +112,16 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.neighbours) sumOverNeighbours(w, t, NeighbourPass::BoundaryForces);
   if (p.softening.active && w.modules.fluid) beginSoftening(w, t);          // how the energy of pairs and contacts depends on what melts
   if (w.modules.solid) addElasticForces(w, halos, t, dt);
-  if (w.modules.contact) addSolidContacts({w.scene, w.grid, w.solids, w.bonds, w.modules.fluid ? nullptr : &w.counters.coincidentPairs}, t.closePairs, p);
+  if (w.modules.contact) addSolidContacts({w.scene, w.grid, w.solids, w.bonds, walls.span, w.modules.fluid ? nullptr : &w.counters.coincidentPairs}, t.closePairs, p);
   t.times.lap(StepPhase::Contact);
+  if (w.modules.sleep) noteHolds(w, t);
   addWallForces(walls, t.perLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
   if (w.modules.sheet) loadSheets(w, halos, t, dt);      // forces on vertices, and of vertices on particles
   if (w.modules.implicitViscosity) solveViscosity(w, halos, t, walls);  // knows all other forces
   if (w.modules.heat) {
     addWallHeat(walls, t.wallContacts);
-    addOuterHeat(w, dt);
+    addOuterHeat(w, dt, walls.deep);
     addTempering(w, dt);
   }
   if (w.modules.meeting) meetContinuum(w, t, dt);

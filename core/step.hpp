@@ -13,6 +13,7 @@
 #include "core/neighbours/sort.hpp"
 #include "core/oriented/oriented_work.hpp"
 #include "core/simd/pair_kernels.hpp"
+#include "core/sleep/sleep.hpp"
 #include "core/solid/elastic.hpp"
 #include "core/time/limits.hpp"
 #include "core/time/phase_times.hpp"
@@ -59,6 +60,7 @@ struct StepTools {
   ElasticWork elastic;
   ViscousWork viscous;
   OrientedWork oriented;
+  SleepWork sleep;
   std::vector<BondRequest> requests;
   std::vector<std::uint32_t> rebonded;   ///< rows of particles that took new bonds
   std::vector<std::uint32_t> leaving;

@@ -14,11 +14,15 @@ enum Flag { Changed = 1, Membership = 2, Unknown = 4 };
 }  // namespace
 
 std::vector<Message> MpiBondHalo::exchange(const std::vector<Message>& out, int kind) {
-  for (const Message& m : out) {
-    traffic_.messages++;
-    traffic_.bytes += static_cast<std::int64_t>(m.bytes.size());
-  }
-  return sparseExchange(comm_, out, kind);
+  return sparseExchange(comm_, out, kind, MessagesFor::BondEdits);
+}
+
+/// Bits that some rank has set.
+int MpiBondHalo::anyRank(int bits) const {
+  const WaitMark waiting(comm_, MessagesFor::Reduction);
+  MPI_Allreduce(MPI_IN_PLACE, &bits, 1, MPI_INT, MPI_BOR, comm_.handle());
+  comm_.traffic().collectives++;
+  return bits;
 }
 
 void MpiBondHalo::adopt(std::vector<std::byte> records) { waiting_.push_back({std::move(records), {}, true}); }
@@ -61,7 +65,7 @@ void MpiBondHalo::migrate(const BondedRows& p, Solids& s, Bonds& b, const Migrat
     else any = any || !waiting_.empty();
   }
   any = any || !departures_.empty();
-  MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_INT, MPI_MAX, comm_.handle());
+  any = anyRank(any);
   if (!any) return;
   moved_ = true;
   tellDepartures();
@@ -105,7 +109,7 @@ void MpiBondHalo::sendRecords(const BondedRows& p, const Solids& s, const Bonds&
   std::vector<Parcel> parcels;
   const auto parcelTo = [&](int to, bool adopted) -> Parcel& {
     const auto at = std::find_if(parcels.begin(), parcels.end(),
-                                 [&](const Parcel& x) { return x.to == to && x.adopted == adopted && x.records.bytes.size() < (1u << 29); });
+                                 [&](const Parcel& x) { return x.to == to && x.adopted == adopted; });
     return at != parcels.end() ? *at : parcels.emplace_back(Parcel{to, {}, {}, adopted});
   };
   for (const Departure& d : departures_) {
@@ -198,7 +202,7 @@ bool MpiBondHalo::relink(const BondedRows& p, Solids& s, Bonds& b, const Relink&
     unknown = unknownIds(s, work, false);
     if (!unknown.empty()) flags |= Unknown;
   }
-  if (!alone) MPI_Allreduce(MPI_IN_PLACE, &flags, 1, MPI_INT, MPI_BOR, comm_.handle());
+  if (!alone) flags = anyRank(flags);
   if (!(flags & Changed)) return false;
   if (!edit) graph_.begin();
   if (!alone) {
@@ -208,7 +212,7 @@ bool MpiBondHalo::relink(const BondedRows& p, Solids& s, Bonds& b, const Relink&
   }
   makeSlots(tables, work);
   graph_.finish(tables);
-  if (!alone) links_.renew(comm_, graph_, traffic_);
+  if (!alone) links_.renew(comm_, graph_);
   departures_.clear();
   waiting_.clear();
   found_.clear();
@@ -324,7 +328,7 @@ void MpiBondHalo::makeSlots(const SolidTables& t, const Relink& work) {
   for (const BondRequest& q : work.requests) graph_.bond(t, q.slot, bondOf(q), ownerOf(q.neighbourId));
 }
 
-void MpiBondHalo::begin(Solids&, std::span<AnyColumn* const> columns) { links_.begin(comm_, columns, traffic_); }
-void MpiBondHalo::finish(Solids&) { links_.finish(); }
+void MpiBondHalo::begin(Solids&, std::span<AnyColumn* const> columns) { links_.begin(comm_, columns); }
+void MpiBondHalo::finish(Solids&) { links_.finish(comm_); }
 
 }  // namespace thaw

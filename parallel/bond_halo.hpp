@@ -25,7 +25,6 @@ class MpiBondHalo : public BondHalo {
   /// Records (SolidRecords::bytes) of owned particles that have no slot yet, read from a checkpoint, on whatever rank: if the particle
   /// migrates first, its record goes with it. The next relink makes slots of them; records of other particles are forgotten.
   void adopt(std::vector<std::byte> records);
-  const HaloTraffic& traffic() const { return traffic_; }
   const BondGraph& graph() const { return graph_; }
 
  private:
@@ -41,6 +40,7 @@ class MpiBondHalo : public BondHalo {
   };
   struct Departure { std::uint32_t slot; int to; };
 
+  int anyRank(int bits) const;
   std::vector<Message> exchange(const std::vector<Message>& out, int kind);
   void listWaiting(const Solids& solids);
   const Found* findWaiting(std::uint64_t id) const;
@@ -73,7 +73,6 @@ class MpiBondHalo : public BondHalo {
   std::vector<std::uint64_t> askedOwners_;
   bool moved_ = false;                        // solid particles migrated on some rank since the last relink
   bool solidArrived_ = false;                 // on this rank
-  HaloTraffic traffic_;
 };
 
 }  // namespace thaw

@@ -6,6 +6,7 @@
 
 #include "parallel/cell_halo.hpp"
 #include "parallel/solid_directory.hpp"
+#include "parallel/transfer.hpp"
 
 namespace thaw {
 
@@ -89,7 +90,7 @@ void BondLinks::announceRemovals(const BondGraph& graph, std::span<const std::ui
     }
 }
 
-void BondLinks::renew(const Communicator& comm, const BondGraph& graph, HaloTraffic& traffic) {
+void BondLinks::renew(const Communicator& comm, const BondGraph& graph) {
   // words to each rank: how many ids are given up, these, then the ids asked for
   struct Change { std::vector<std::uint64_t> giveUp, ask; std::vector<Link> rows; };
   std::vector<std::pair<int, Change>> changes;
@@ -129,12 +130,10 @@ void BondLinks::renew(const Communicator& comm, const BondGraph& graph, HaloTraf
     words.insert(words.end(), c.ask.begin(), c.ask.end());
     out.push_back({rank, std::vector<std::byte>(words.size() * sizeof(std::uint64_t))});
     std::memcpy(out.back().bytes.data(), words.data(), out.back().bytes.size());
-    traffic.messages++;
-    traffic.bytes += static_cast<std::int64_t>(out.back().bytes.size());
     add(partner(rank).receives, c.rows);
   }
   std::vector<Link> fresh;
-  for (const Message& m : sparseExchange(comm, out, LinkKind)) {
+  for (const Message& m : sparseExchange(comm, out, LinkKind, MessagesFor::BondEdits)) {
     std::vector<std::uint64_t> w = wordsOf(m);
     Partner& p = partner(m.rank);
     const auto first = w.begin() + 1, ask = first + static_cast<std::ptrdiff_t>(w[0]);
@@ -151,7 +150,8 @@ void BondLinks::renew(const Communicator& comm, const BondGraph& graph, HaloTraf
   std::erase_if(partners_, [](const Partner& p) { return p.sends.empty() && p.receives.empty(); });
 }
 
-void BondLinks::begin(const Communicator& comm, std::span<AnyColumn* const> columns, HaloTraffic& traffic) {
+void BondLinks::begin(const Communicator& comm, std::span<AnyColumn* const> columns) {
+  mark_.begin(comm, MessagesFor::Bonds);
   columns_.clear();
   std::size_t bytes = 0;
   for (AnyColumn* c : columns) {
@@ -162,26 +162,29 @@ void BondLinks::begin(const Communicator& comm, std::span<AnyColumn* const> colu
   for (Partner& p : partners_) {
     if (p.receives.empty()) continue;
     p.in.resize(p.receives.size() * bytes);
-    MPI_Irecv(p.in.data(), static_cast<int>(p.in.size()), MPI_BYTE, p.rank, BondTag, comm.handle(), &p.requests[0]);
+    startReceive(comm, p.in.data(), p.in.size(), p.rank, BondTag, p.receiving);
   }
   for (Partner& p : partners_) {
     if (p.sends.empty()) continue;
     p.out.resize(p.sends.size() * bytes);
     std::byte* to = p.out.data();
     for (const AnyColumn* c : columns_) to = gather(*c, p.sends, to);
-    MPI_Isend(p.out.data(), static_cast<int>(p.out.size()), MPI_BYTE, p.rank, BondTag, comm.handle(), &p.requests[1]);
-    traffic.messages++;
-    traffic.bytes += static_cast<std::int64_t>(p.out.size());
+    startSend(comm, p.out.data(), p.out.size(), p.rank, BondTag, MessagesFor::Bonds, p.sending);
   }
 }
 
-void BondLinks::finish() {
+void BondLinks::finish(const Communicator& comm) {
   for (Partner& p : partners_) {
-    MPI_Wait(&p.requests[0], MPI_STATUS_IGNORE);
+    if (!p.receiving.empty()) {
+      const WaitMark waiting(comm, MessagesFor::Bonds);
+      finishAll(p.receiving);
+    }
     const std::byte* from = p.in.data();
     for (AnyColumn* c : columns_) from = scatter(*c, p.receives, from);
   }
-  for (Partner& p : partners_) MPI_Wait(&p.requests[1], MPI_STATUS_IGNORE);
+  const WaitMark waiting(comm, MessagesFor::Bonds);
+  for (Partner& p : partners_) finishAll(p.sending);
+  mark_.end(comm, MessagesFor::Bonds);
 }
 
 }  // namespace thaw

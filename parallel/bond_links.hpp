@@ -10,8 +10,6 @@
 
 namespace thaw {
 
-struct HaloTraffic;
-
 class BondLinks {
  public:
   /// For every owned slot that another rank copies and whose owner in the graph is not this rank any more: (id, new owner), to the copies.
@@ -21,10 +19,10 @@ class BondLinks {
 
   /// After an edit of the graph: follows the renumbering, gives up what is not named any more and asks for what is new or has moved.
   /// Collective.
-  void renew(const Communicator& comm, const BondGraph& graph, HaloTraffic& traffic);
+  void renew(const Communicator& comm, const BondGraph& graph);
 
-  void begin(const Communicator& comm, std::span<AnyColumn* const> columns, HaloTraffic& traffic);
-  void finish();
+  void begin(const Communicator& comm, std::span<AnyColumn* const> columns);
+  void finish(const Communicator& comm);
 
  private:
   struct Link {
@@ -35,7 +33,7 @@ class BondLinks {
     int rank = 0;
     std::vector<Link> sends, receives;  // ascending by id
     std::vector<std::byte> out, in;
-    MPI_Request requests[2] = {MPI_REQUEST_NULL, MPI_REQUEST_NULL};
+    std::vector<MPI_Request> sending, receiving;
   };
   Partner& partner(int rank);
   static bool holds(const std::vector<Link>& links, std::uint64_t id);
@@ -43,6 +41,7 @@ class BondLinks {
 
   std::vector<Partner> partners_;  // ascending by rank
   std::vector<AnyColumn*> columns_;
+  ExchangeMark mark_;
 };
 
 }  // namespace thaw

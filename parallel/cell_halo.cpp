@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/particles/continuum.hpp"
+#include "parallel/transfer.hpp"
 
 namespace thaw {
 namespace {
@@ -14,12 +15,6 @@ enum Tag { GhostTag = 11, GhostRestTag = 12, RefreshTag = 13, MigrateKind = 20 }
 
 void grow(std::vector<std::byte>& buffer, std::size_t bytes) {
   if (bytes > buffer.size()) buffer.resize(bytes + bytes / 4);
-}
-
-int countOf(std::size_t bytes) {
-  if (bytes > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-    throw std::length_error("ghosts of more than 2 GiB between two ranks: use more ranks");
-  return static_cast<int>(bytes);
 }
 
 // A message of ghosts: its bytes, the number of cells; their keys; their counts of particles; the columns.
@@ -31,18 +26,6 @@ GhostHead headOf(const std::vector<std::byte>& message) {
   std::memcpy(&head, message.data(), sizeof head);
   return head;
 }
-
-class Waiting {  // adds the time of a scope
- public:
-  explicit Waiting(double& sum) : sum_(sum), start_(MPI_Wtime()) {}
-  ~Waiting() { sum_ += MPI_Wtime() - start_; }
-  Waiting(const Waiting&) = delete;
-  Waiting& operator=(const Waiting&) = delete;
-
- private:
-  double& sum_;
-  double start_;
-};
 
 }  // namespace
 
@@ -59,7 +42,7 @@ void MpiCellHalo::usePartition(Partition partition) {
   for (int r = 0; r < comm_.size(); r++) {
     Neighbour n;
     n.rank = r;
-    n.sendRoom = n.receiveRoom = 1 << 16;
+    n.sendRoom = n.receiveRoom = std::min<std::size_t>(1 << 16, comm_.piece());
     n.copies.links = imageLinks(grid_, box_, partition_.box(r), r == comm_.rank());
     if (!n.copies.links.empty()) neighbours_.push_back(std::move(n));
   }
@@ -86,7 +69,7 @@ Migration MpiCellHalo::migrate(Table& p, std::span<const std::uint64_t> keys) {
     m.departed.push_back(static_cast<std::uint32_t>(i));
     m.departedTo.push_back(to);
     int& at = messageTo_[static_cast<std::size_t>(to)];
-    if (at < 0 || movers_[static_cast<std::size_t>(at)].bytes.size() + bytes > largestMessage) {
+    if (at < 0) {
       if (used == movers_.size()) movers_.emplace_back();
       at = static_cast<int>(used++);
       movers_[static_cast<std::size_t>(at)].rank = to;
@@ -95,15 +78,8 @@ Migration MpiCellHalo::migrate(Table& p, std::span<const std::uint64_t> keys) {
     out.resize(out.size() + bytes);
     p.packState(i, out.data() + out.size() - bytes);
   }
-  for (std::size_t k = 0; k < used; k++) {
-    messageTo_[static_cast<std::size_t>(movers_[k].rank)] = -1;
-    traffic_.messages++;
-    traffic_.bytes += static_cast<std::int64_t>(movers_[k].bytes.size());
-  }
-  {
-    const Waiting waiting(traffic_.waited);
-    sparseExchange(comm_, {movers_.data(), used}, inbox_, MigrateKind);
-  }
+  for (std::size_t k = 0; k < used; k++) messageTo_[static_cast<std::size_t>(movers_[k].rank)] = -1;
+  sparseExchange(comm_, {movers_.data(), used}, inbox_, MigrateKind, MessagesFor::Migration);
   const std::size_t before = p.owned;
   for (const Message& x : inbox_.messages()) m.arrivals += x.bytes.size() / bytes;
   if (m.arrivals == 0) return m;
@@ -122,18 +98,16 @@ void MpiCellHalo::chooseColumns(std::span<AnyColumn* const> columns) {
     if (c->active) columns_.push_back(c);
 }
 
-void MpiCellHalo::send(Neighbour& n, std::size_t bytes, int tag) {
-  MPI_Isend(n.out.data(), countOf(bytes), MPI_BYTE, n.rank, tag, comm_.handle(), &n.send);
-  traffic_.messages++;
-  traffic_.bytes += static_cast<std::int64_t>(bytes);
-}
+/// Bytes that are received in one go once a message had so many: one piece at most, since nobody knows how many pieces the next will have.
+std::size_t MpiCellHalo::roomFor(std::size_t bytes) const { return std::min(bytes + bytes / 4, comm_.piece()); }
 
 void MpiCellHalo::beginGhosts(Table&, const CellTable& cells, std::span<AnyColumn* const> columns) {
+  mark_.begin(comm_, MessagesFor::Ghosts);
   chooseColumns(columns);
   for (Neighbour& n : neighbours_) {
     if (n.rank == comm_.rank()) continue;
     grow(n.in, n.receiveRoom);
-    MPI_Irecv(n.in.data(), countOf(n.receiveRoom), MPI_BYTE, n.rank, GhostTag, comm_.handle(), &n.receive);
+    startReceive(comm_, n.in.data(), n.receiveRoom, n.rank, GhostTag, n.receiving);
   }
   if (neighbours_.empty()) return;
   listBoundary(grid_, box_, cells, boundary_);
@@ -158,13 +132,11 @@ void MpiCellHalo::sendGhosts(Neighbour& n, const CellTable& cells) {
   }
   if (n.rank == comm_.rank()) return;
   if (head.bytes <= n.sendRoom) {
-    send(n, head.bytes, GhostTag);
+    startSend(comm_, n.out.data(), head.bytes, n.rank, GhostTag, MessagesFor::Ghosts, n.sending);
   } else {
-    MPI_Request announced;
-    MPI_Isend(n.out.data(), sizeof head, MPI_BYTE, n.rank, GhostTag, comm_.handle(), &announced);
-    send(n, head.bytes, GhostRestTag);
-    MPI_Wait(&announced, MPI_STATUS_IGNORE);
-    n.sendRoom = head.bytes + head.bytes / 4;
+    startSend(comm_, n.out.data(), sizeof head, n.rank, GhostTag, MessagesFor::Ghosts, n.sending);
+    startSend(comm_, n.out.data(), head.bytes, n.rank, GhostRestTag, MessagesFor::Ghosts, n.sending);
+    n.sendRoom = roomFor(head.bytes);
   }
 }
 
@@ -172,12 +144,13 @@ void MpiCellHalo::receiveGhosts(Neighbour& n) {
   if (n.rank == comm_.rank()) {
     n.in.swap(n.out);
   } else {
-    MPI_Wait(&n.receive, MPI_STATUS_IGNORE);
+    finishAll(n.receiving);
     const std::size_t bytes = headOf(n.in).bytes;
     if (bytes > n.receiveRoom) {
       grow(n.in, bytes);
-      MPI_Recv(n.in.data(), countOf(bytes), MPI_BYTE, n.rank, GhostRestTag, comm_.handle(), MPI_STATUS_IGNORE);
-      n.receiveRoom = bytes + bytes / 4;
+      startReceive(comm_, n.in.data(), bytes, n.rank, GhostRestTag, n.receiving);
+      finishAll(n.receiving);
+      n.receiveRoom = roomFor(bytes);
     }
   }
 }
@@ -204,7 +177,7 @@ void MpiCellHalo::finishGhosts(Table& p, CellTable& cells) {
   std::size_t row = p.owned;
   for (Neighbour& n : neighbours_) {
     {
-      const Waiting waiting(traffic_.waited);
+      const WaitMark waiting(comm_, MessagesFor::Ghosts);
       receiveGhosts(n);
     }
     n.ghostFirst = row;
@@ -214,23 +187,24 @@ void MpiCellHalo::finishGhosts(Table& p, CellTable& cells) {
   p.resize(p.owned, row - p.owned);
   for (Neighbour& n : neighbours_) {
     unpackColumns(columns_, n.ghostFirst, n.ghostCount, n.in.data() + sizeof(GhostHead) + headOf(n.in).cells * bytesPerCell);
-    if (n.send != MPI_REQUEST_NULL) MPI_Wait(&n.send, MPI_STATUS_IGNORE);
+    finishAll(n.sending);
   }
+  mark_.end(comm_, MessagesFor::Ghosts);
   merge_.merge(cells);
 }
 
 void MpiCellHalo::beginRefresh(Table&, std::span<AnyColumn* const> columns) {
+  mark_.begin(comm_, MessagesFor::Refresh);
   chooseColumns(columns);
   const std::size_t row = bytesOfColumns(columns_);
   for (Neighbour& n : neighbours_) {
     grow(n.in, n.ghostCount * row);
-    if (n.rank != comm_.rank() && n.ghostCount > 0)
-      MPI_Irecv(n.in.data(), countOf(n.ghostCount * row), MPI_BYTE, n.rank, RefreshTag, comm_.handle(), &n.receive);
+    if (n.rank != comm_.rank()) startReceive(comm_, n.in.data(), n.ghostCount * row, n.rank, RefreshTag, n.receiving);
   }
   for (Neighbour& n : neighbours_) {
     grow(n.out, n.copies.rows * row);
     packColumns(grid_, n.copies, columns_, n.out.data());
-    if (n.rank != comm_.rank() && n.copies.rows > 0) send(n, n.copies.rows * row, RefreshTag);
+    if (n.rank != comm_.rank()) startSend(comm_, n.out.data(), n.copies.rows * row, n.rank, RefreshTag, MessagesFor::Refresh, n.sending);
   }
 }
 
@@ -239,12 +213,13 @@ void MpiCellHalo::finishRefresh(Table&) {
     if (n.rank == comm_.rank()) {
       n.in.swap(n.out);
     } else {
-      const Waiting waiting(traffic_.waited);
-      if (n.receive != MPI_REQUEST_NULL) MPI_Wait(&n.receive, MPI_STATUS_IGNORE);
-      if (n.send != MPI_REQUEST_NULL) MPI_Wait(&n.send, MPI_STATUS_IGNORE);
+      const WaitMark waiting(comm_, MessagesFor::Refresh);
+      finishAll(n.receiving);
+      finishAll(n.sending);
     }
     unpackColumns(columns_, n.ghostFirst, n.ghostCount, n.in.data());
   }
+  mark_.end(comm_, MessagesFor::Refresh);
 }
 
 // Costs are measured times: they are made integers of a common unit, so that all ranks see the same sums and decide alike.
@@ -259,7 +234,8 @@ bool MpiCellHalo::rebalance(const CellTable& cells, std::span<const double> cost
   if (weighted.size() != cost.size()) throw std::logic_error("rebalance: there must be one cost for each owned cell");
   double largest = 0;
   for (double c : cost) largest += usable(c);
-  MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, comm_.handle());
+  MpiReducer all(comm_);
+  all.maximum({&largest, 1});
   if (!(largest > 0)) return false;
   const double unit = largest / 0x1p40;  // sums over ranks stay below 2^63
   std::int64_t here = 0;
@@ -268,17 +244,18 @@ bool MpiCellHalo::rebalance(const CellTable& cells, std::span<const double> cost
     here += weighted[c].weight;
   }
   const auto imbalance = [&](std::int64_t own) {
-    std::int64_t most = own, all = own;
-    MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_INT64_T, MPI_MAX, comm_.handle());
-    MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPI_INT64_T, MPI_SUM, comm_.handle());
-    return static_cast<double>(most) * comm_.size() / static_cast<double>(all);
+    double most = static_cast<double>(own);  // exact, below 2^53
+    std::int64_t total = own;
+    all.maximum({&most, 1});
+    all.sum({&total, 1});
+    return most * comm_.size() / static_cast<double>(total);
   };
   imbalance_ = imbalance(here);
   if (!force && (pause_ > 0 || imbalance_ < rule_.threshold)) {
     pause_ = std::max(0, pause_ - 1);
     return false;
   }
-  pause_ = rule_.pause;
+  pause_ = force ? 0 : rule_.pause;
   std::int64_t own = 0;
   std::vector<CellBox> boxes = bisect(comm_, grid_, std::move(weighted), &own);
   const double then = imbalance(own);

@@ -10,15 +10,9 @@
 namespace thaw {
 
 struct BalanceRule {
-  double threshold = 1.1;  ///< largest over mean cost above which a new partition is tried
-  double gain = 0.95;      ///< it is taken if its imbalance is below this times the present one
-  int pause = 10;          ///< calls without effect after a new partition was tried (unless forced)
-};
-
-/// What this rank has sent so far, and the time it has waited for others (s).
-struct HaloTraffic {
-  std::int64_t messages = 0, bytes = 0;
-  double waited = 0;
+  double threshold = 1.05;  ///< largest over mean cost above which a new partition is tried
+  double gain = 0.97;      ///< it is taken if its imbalance is below this times the present one
+  int pause = 3;          ///< calls without effect after a new partition was tried, unless it was forced
 };
 
 class MpiCellHalo : public CellHalo {
@@ -38,7 +32,6 @@ class MpiCellHalo : public CellHalo {
   bool inner(std::uint64_t key) const override { return innerCell(grid_, box_, cellOfKey(key)); }
 
   const std::vector<CellBox>& boxes() const { return partition_.boxes(); }
-  const HaloTraffic& traffic() const { return traffic_; }
   /// Largest over mean cost at the last call of rebalance, 1 before. After a change: of the new partition.
   double imbalance() const { return imbalance_; }
 
@@ -50,14 +43,14 @@ class MpiCellHalo : public CellHalo {
     std::size_t ghostFirst = 0, ghostCount = 0;  // rows we got from it
     std::vector<std::byte> out, in;              // never shrink
     std::size_t sendRoom = 0, receiveRoom = 0;   // both ends keep the same figures
-    MPI_Request receive = MPI_REQUEST_NULL, send = MPI_REQUEST_NULL;
+    std::vector<MPI_Request> receiving, sending;
   };
   void usePartition(Partition partition);
   void chooseColumns(std::span<AnyColumn* const> columns);
   void sendGhosts(Neighbour& n, const CellTable& cells);
   void receiveGhosts(Neighbour& n);
+  std::size_t roomFor(std::size_t bytes) const;
   std::size_t appendCells(const Neighbour& n, CellTable& cells) const;
-  void send(Neighbour& n, std::size_t bytes, int tag);
 
   const Communicator& comm_;
   CellGrid grid_;
@@ -73,7 +66,7 @@ class MpiCellHalo : public CellHalo {
   Inbox inbox_;
   int pause_ = 0;
   double imbalance_ = 1;
-  HaloTraffic traffic_;
+  ExchangeMark mark_;                // of the exchange under way
 };
 
 }  // namespace thaw

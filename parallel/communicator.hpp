@@ -2,10 +2,13 @@
 #pragma once
 #include <mpi.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 
 #include "core/halo/halo.hpp"
+#include "core/time/step_trace.hpp"
+#include "parallel/traffic.hpp"
 
 namespace thaw {
 
@@ -29,10 +32,15 @@ class MpiSession {
   int exceptions_;
 };
 
-/// A duplicate of a communicator, so that our messages meet nobody else's.
+/// Largest piece of a message, and most elements of one reduction: MPI counts in 32 bits.
+inline constexpr std::size_t largestPiece = std::size_t{1} << 30;
+inline constexpr std::size_t smallestPiece = 64;
+
+/// A duplicate of a communicator, so that our messages meet nobody else's. All halos share one; it counts what they do.
 class Communicator {
  public:
-  explicit Communicator(MPI_Comm from = MPI_COMM_WORLD) {
+  /// piece: bytes of the largest piece of a message (64 B to 1 GiB; small ones are for tests), the same on all ranks.
+  explicit Communicator(MPI_Comm from = MPI_COMM_WORLD, std::size_t piece = largestPiece) : piece_(std::clamp(piece, smallestPiece, largestPiece)) {
     MPI_Comm_dup(from, &handle_);
     MPI_Comm_rank(handle_, &rank_);
     MPI_Comm_size(handle_, &size_);
@@ -43,13 +51,59 @@ class Communicator {
   MPI_Comm handle() const { return handle_; }
   int rank() const { return rank_; }
   int size() const { return size_; }
+  std::size_t piece() const { return piece_; }
   /// Alternates at each sparse exchange: a rank that is one exchange ahead must not be heard in the last one.
   int nextTag(int tag) const { return 2 * tag + static_cast<int>(exchanges_++ & 1u); }
+  /// What was done over this communicator so far, by this rank. To be added to by whoever sends.
+  Traffic& traffic() const { return traffic_; }
+  /// Where waits and exchanges are kept (not owned), or null.
+  StepTrace* trace() const { return trace_; }
+  void setTrace(StepTrace* trace) const { trace_ = trace; }
 
  private:
   mutable unsigned exchanges_ = 0;
+  mutable Traffic traffic_;
+  mutable StepTrace* trace_ = nullptr;
   MPI_Comm handle_ = MPI_COMM_NULL;
   int rank_ = 0, size_ = 1;
+  std::size_t piece_;
+};
+
+/// Counts the time of a scope as waiting for others.
+class WaitMark {
+ public:
+  WaitMark(const Communicator& comm, MessagesFor purpose) : comm_(comm), purpose_(purpose), start_(StepTrace::Clock::now()) {}
+  ~WaitMark() {
+    const auto now = StepTrace::Clock::now();
+    comm_.traffic()[purpose_].waited += std::chrono::duration<double>(now - start_).count();
+    if (StepTrace* t = comm_.trace()) t->add(TraceKind::Wait, static_cast<std::uint8_t>(purpose_), start_, now);
+  }
+  WaitMark(const WaitMark&) = delete;
+  WaitMark& operator=(const WaitMark&) = delete;
+
+ private:
+  const Communicator& comm_;
+  MessagesFor purpose_;
+  StepTrace::Clock::time_point start_;
+};
+
+/// From the first message of an exchange to its end; what was sent between is its size. Only looks at clock and counters with a trace.
+class ExchangeMark {
+ public:
+  void begin(const Communicator& comm, MessagesFor purpose) {
+    if (comm.trace() == nullptr) return;
+    start_ = StepTrace::Clock::now();
+    before_ = comm.traffic()[purpose];
+  }
+  void end(const Communicator& comm, MessagesFor purpose) const {
+    if (comm.trace() == nullptr) return;
+    const Traffic::Sum& now = comm.traffic()[purpose];
+    comm.trace()->add(TraceKind::Exchange, static_cast<std::uint8_t>(purpose), start_, StepTrace::Clock::now(), now.messages - before_.messages, now.bytes - before_.bytes);
+  }
+
+ private:
+  StepTrace::Clock::time_point start_{};
+  Traffic::Sum before_;
 };
 
 /// Reducer over MPI. A NaN among the values of maximum is passed on as +infinity, so that it is never lost.
@@ -61,15 +115,22 @@ class MpiReducer : public Reducer {
   void maximum(std::span<double> values) override {
     for (double& v : values)
       if (std::isnan(v)) v = HUGE_VAL;
-    if (comm_.size() == 1) return;
-    MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX, comm_.handle());
+    reduce(values, MPI_DOUBLE, MPI_MAX);
   }
-  void sum(std::span<std::int64_t> values) override {
-    if (comm_.size() == 1) return;
-    MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_INT64_T, MPI_SUM, comm_.handle());
-  }
+  void sum(std::span<std::int64_t> values) override { reduce(values, MPI_INT64_T, MPI_SUM); }
 
  private:
+  template<class T> void reduce(std::span<T> values, MPI_Datatype type, MPI_Op operation) {
+    if (comm_.size() == 1) return;
+    const WaitMark waiting(comm_, MessagesFor::Reduction);
+    while (!values.empty()) {
+      const std::size_t n = std::min(values.size(), comm_.piece());
+      MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(n), type, operation, comm_.handle());
+      comm_.traffic().collectives++;
+      values = values.subspan(n);
+    }
+  }
+
   const Communicator& comm_;
 };
 

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "parallel/transfer.hpp"
+
 namespace thaw {
 namespace {
 
 enum Tag { CellsTag = 10 };
 
 /// Ranks [first, first + count) share a box; rank first + i of the run has number i in comm.
-struct Group { MPI_Comm comm; int first, count, self; CellBox box; };
+struct Group { MPI_Comm comm; int first, count, self; CellBox box; const Communicator* all; };
 
 int leftOf(int count) { return count / 2; }
 
@@ -33,6 +35,7 @@ Occupied occupied(const Group& g, const std::vector<WeightedCell>& cells) {
   }
   MPI_Allreduce(MPI_IN_PLACE, bounds, 6, MPI_INT64_T, MPI_MAX, g.comm);
   MPI_Allreduce(MPI_IN_PLACE, &o.total, 1, MPI_INT64_T, MPI_SUM, g.comm);
+  g.all->traffic().collectives += 2;
   for (int a = 0; a < 3 && o.total > 0; a++) {
     o.low[a] = static_cast<int>(-bounds[a]);
     o.high[a] = static_cast<int>(bounds[3 + a]);
@@ -47,6 +50,7 @@ void weightBelow(const Group& g, const std::vector<WeightedCell>& cells, const V
     for (const WeightedCell& c : cells) sum[a] += c.cell[a] < plane[a] ? c.weight : 0;
   }
   MPI_Allreduce(MPI_IN_PLACE, sum, 3, MPI_INT64_T, MPI_SUM, g.comm);
+  g.all->traffic().collectives++;
 }
 
 // For each axis the plane is found that shares the weight best, by bisection of its position: one small reduction a level for all
@@ -90,20 +94,30 @@ Cut findCut(const Group& g, const std::vector<WeightedCell>& cells) {
   return best;
 }
 
-MPI_Request sendCells(const Group& g, const std::vector<WeightedCell>& give, int to) {
-  MPI_Request request;
-  MPI_Isend(give.data(), static_cast<int>(give.size() * sizeof(WeightedCell)), MPI_BYTE, to, CellsTag, g.comm, &request);
-  return request;
+/// Cells of a piece of a message. Each full piece is followed by another one, if only an empty one.
+std::size_t cellsOfAPiece(const Group& g) { return g.all->piece() / sizeof(WeightedCell); }
+
+std::vector<MPI_Request> sendCells(const Group& g, const std::vector<WeightedCell>& give, int to) {
+  std::vector<MPI_Request> requests;
+  for (std::size_t done = 0; done <= give.size(); done += cellsOfAPiece(g)) {
+    const std::size_t bytes = std::min(cellsOfAPiece(g), give.size() - done) * sizeof(WeightedCell);
+    MPI_Isend(give.data() + done, static_cast<int>(bytes), MPI_BYTE, to, CellsTag, g.comm, &requests.emplace_back());
+    g.all->traffic().sent(MessagesFor::Balance, bytes);
+  }
+  return requests;
 }
 
 void receiveCells(const Group& g, int from, std::vector<WeightedCell>& cells) {
-  MPI_Status status;
-  MPI_Probe(from, CellsTag, g.comm, &status);
-  int bytes = 0;
-  MPI_Get_count(&status, MPI_BYTE, &bytes);
-  const std::size_t at = cells.size();
-  cells.resize(at + static_cast<std::size_t>(bytes) / sizeof(WeightedCell));
-  MPI_Recv(cells.data() + at, bytes, MPI_BYTE, from, CellsTag, g.comm, MPI_STATUS_IGNORE);
+  for (std::size_t came = cellsOfAPiece(g); came == cellsOfAPiece(g);) {
+    MPI_Status status;
+    MPI_Probe(from, CellsTag, g.comm, &status);
+    int bytes = 0;
+    MPI_Get_count(&status, MPI_BYTE, &bytes);
+    came = static_cast<std::size_t>(bytes) / sizeof(WeightedCell);
+    const std::size_t at = cells.size();
+    cells.resize(at + came);
+    MPI_Recv(cells.data() + at, bytes, MPI_BYTE, from, CellsTag, g.comm, MPI_STATUS_IGNORE);
+  }
 }
 
 /// Cells go to the half that will own them. Every rank sends to one partner in the other half, so all know whom to expect.
@@ -113,10 +127,10 @@ void exchangeHalves(const Group& g, const Cut& cut, std::vector<WeightedCell>& c
   std::vector<WeightedCell> keep, give;
   for (const WeightedCell& c : cells) ((c.cell[cut.axis] < cut.position) == mineIsLeft ? keep : give).push_back(c);
   const auto partner = [&](int i) { return i < left ? left + i % right : (i - left) % left; };
-  MPI_Request sent = sendCells(g, give, partner(g.self));
+  std::vector<MPI_Request> sent = sendCells(g, give, partner(g.self));
   for (int i = mineIsLeft ? left : 0; i < (mineIsLeft ? g.count : left); i++)
     if (partner(i) == g.self) receiveCells(g, i, keep);
-  MPI_Wait(&sent, MPI_STATUS_IGNORE);
+  finishAll(sent);
   cells = std::move(keep);
 }
 
@@ -134,8 +148,10 @@ CellBox united(const CellBox& a, const CellBox& b) {
 }  // namespace
 
 std::vector<CellBox> bisect(const Communicator& comm, const CellGrid& grid, std::vector<WeightedCell> cells, std::int64_t* ownWeight) {
-  Group g{MPI_COMM_NULL, 0, comm.size(), comm.rank(), {{0, 0, 0}, grid.cells}};
+  const WaitMark waiting(comm, MessagesFor::Balance);  // nearly all of it
+  Group g{MPI_COMM_NULL, 0, comm.size(), comm.rank(), {{0, 0, 0}, grid.cells}, &comm};
   MPI_Comm_dup(comm.handle(), &g.comm);
+  comm.traffic().collectives++;
   while (g.count > 1) {
     const Cut cut = findCut(g, cells);
     exchangeHalves(g, cut, cells);
@@ -143,6 +159,7 @@ std::vector<CellBox> bisect(const Communicator& comm, const CellGrid& grid, std:
     const bool mineIsLeft = g.self < left;
     MPI_Comm half;
     MPI_Comm_split(g.comm, mineIsLeft ? 0 : 1, g.self, &half);
+    comm.traffic().collectives++;
     MPI_Comm_free(&g.comm);
     g.comm = half;
     if (mineIsLeft) {
@@ -162,6 +179,7 @@ std::vector<CellBox> bisect(const Communicator& comm, const CellGrid& grid, std:
   }
   std::vector<CellBox> boxes(static_cast<std::size_t>(comm.size()));
   MPI_Allgather(&g.box, sizeof(CellBox), MPI_BYTE, boxes.data(), sizeof(CellBox), MPI_BYTE, comm.handle());
+  comm.traffic().collectives++;
   return boxes;
 }
 

@@ -19,7 +19,7 @@ void MpiRowCourier::sendHome(std::span<const std::uint64_t> home, std::span<cons
     words.push_back(values[k]);
   }
   if (comm_.size() == 1) return;
-  for (const Message& m : sparseExchange(comm_, out.messages(), kind)) {
+  for (const Message& m : sparseExchange(comm_, out.messages(), kind, MessagesFor::Rows)) {
     const std::vector<std::uint64_t> words = wordsOf(m);
     for (std::size_t k = 0; k + 1 < words.size(); k += 2) here[words[k]] = words[k + 1];
   }

@@ -1,7 +1,6 @@
 #include "parallel/sparse_exchange.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace thaw {
 
@@ -13,27 +12,57 @@ Message& Inbox::add(int rank, std::size_t n) {
   return m;
 }
 
+std::byte* Inbox::extend(std::size_t k, std::size_t n) {
+  std::vector<std::byte>& bytes = pool_[k].bytes;
+  bytes.resize(bytes.size() + n);
+  return bytes.data() + bytes.size() - n;
+}
+
 void Inbox::sort() {  // by insertion: few messages, no buffer
   for (std::size_t k = 1; k < used_; k++)
     for (std::size_t j = k; j > 0 && pool_[j].rank < pool_[j - 1].rank; j--) std::swap(pool_[j], pool_[j - 1]);
 }
 
-void sparseExchange(const Communicator& comm, std::span<const Message> out, Inbox& in, int kind) {
-  for (const Message& m : out)
-    if (m.bytes.size() > largestMessage) throw std::length_error("a message of more than 1 GiB between two ranks");
+namespace {
+
+/// Reads a piece that has been found: the end of its sender's last message if that is among `open` (indices of the inbox), else a new one.
+void receivePiece(const Communicator& comm, MPI_Message handle, const MPI_Status& status, Inbox& in, std::vector<std::size_t>& open) {
+  int bytes = 0;
+  MPI_Get_count(&status, MPI_BYTE, &bytes);
+  const auto n = static_cast<std::size_t>(bytes);
+  const auto at = std::find_if(open.begin(), open.end(), [&](std::size_t k) { return in.messages()[k].rank == status.MPI_SOURCE; });
+  std::byte* to = nullptr;
+  if (at == open.end()) {
+    to = in.add(status.MPI_SOURCE, n).bytes.data();
+    if (n == comm.piece()) open.push_back(in.messages().size() - 1);
+  } else {
+    to = in.extend(*at, n);
+    if (n < comm.piece()) open.erase(at);
+  }
+  MPI_Mrecv(to, bytes, MPI_BYTE, &handle, MPI_STATUS_IGNORE);
+}
+
+}  // namespace
+
+void sparseExchange(const Communicator& comm, std::span<const Message> out, Inbox& in, int kind, MessagesFor purpose) {
   const int tag = comm.nextTag(kind);
   in.clear();
   std::vector<MPI_Request> sends;
+  std::vector<std::size_t> open;
   for (const Message& m : out) {
     if (m.bytes.empty()) continue;
     if (m.rank == comm.rank()) {
       std::copy(m.bytes.begin(), m.bytes.end(), in.add(m.rank, m.bytes.size()).bytes.begin());
       continue;
     }
-    sends.emplace_back();
-    MPI_Issend(m.bytes.data(), static_cast<int>(m.bytes.size()), MPI_BYTE, m.rank, tag, comm.handle(), &sends.back());
+    for (std::size_t done = 0; done <= m.bytes.size(); done += comm.piece()) {
+      const std::size_t n = std::min(comm.piece(), m.bytes.size() - done);
+      MPI_Issend(m.bytes.data() + done, static_cast<int>(n), MPI_BYTE, m.rank, tag, comm.handle(), &sends.emplace_back());
+      comm.traffic().sent(purpose, n);
+    }
   }
   if (comm.size() == 1) return;
+  const WaitMark untilAllAreIn(comm, purpose);
   MPI_Request barrier = MPI_REQUEST_NULL;
   bool waiting = false;
   for (;;) {
@@ -41,17 +70,13 @@ void sparseExchange(const Communicator& comm, std::span<const Message> out, Inbo
     MPI_Message handle;
     MPI_Status status;
     MPI_Improbe(MPI_ANY_SOURCE, tag, comm.handle(), &found, &handle, &status);
-    if (found) {
-      int bytes = 0;
-      MPI_Get_count(&status, MPI_BYTE, &bytes);
-      Message& m = in.add(status.MPI_SOURCE, static_cast<std::size_t>(bytes));
-      MPI_Mrecv(m.bytes.data(), bytes, MPI_BYTE, &handle, MPI_STATUS_IGNORE);
-    }
+    if (found) receivePiece(comm, handle, status, in, open);
     int done = 0;
     if (!waiting) {
       MPI_Testall(static_cast<int>(sends.size()), sends.data(), &done, MPI_STATUSES_IGNORE);
       if (done) {
         MPI_Ibarrier(comm.handle(), &barrier);
+        comm.traffic().collectives++;
         waiting = true;
       }
     } else {
@@ -62,9 +87,9 @@ void sparseExchange(const Communicator& comm, std::span<const Message> out, Inbo
   in.sort();
 }
 
-std::vector<Message> sparseExchange(const Communicator& comm, const std::vector<Message>& out, int kind) {
+std::vector<Message> sparseExchange(const Communicator& comm, const std::vector<Message>& out, int kind, MessagesFor purpose) {
   Inbox in;
-  sparseExchange(comm, out, in, kind);
+  sparseExchange(comm, out, in, kind, purpose);
   return {in.messages().begin(), in.messages().end()};
 }
 

@@ -20,6 +20,8 @@ class Inbox {
   void clear() { used_ = 0; }
   /// A message of n bytes behind those that are there.
   Message& add(int rank, std::size_t n);
+  /// Makes message k longer by n bytes and says where they go.
+  std::byte* extend(std::size_t k, std::size_t n);
   /// Ascending by sender; messages of one sender stay in their order.
   void sort();
 
@@ -28,15 +30,12 @@ class Inbox {
   std::size_t used_ = 0;
 };
 
-/// Largest message. Larger ones are not split but refused; senders begin a new one before.
-inline constexpr std::size_t largestMessage = std::size_t{1} << 30;
-
 /// Sends each message that is not empty; `in` is what came in, ascending by sender (several from one sender in the order sent).
-/// Messages to oneself are allowed. kind: a number of the purpose, the same on all ranks. Collective over the communicator.
-/// Throws std::length_error for a message above largestMessage.
-void sparseExchange(const Communicator& comm, std::span<const Message> out, Inbox& in, int kind);
+/// Messages to oneself are allowed. kind: a number of its own for each use, the same on all ranks. Messages may have any length: what is longer
+/// than Communicator::piece travels in pieces, each full one followed by another, if only an empty one. Collective over the communicator.
+void sparseExchange(const Communicator& comm, std::span<const Message> out, Inbox& in, int kind, MessagesFor purpose);
 
 /// The same with fresh buffers.
-std::vector<Message> sparseExchange(const Communicator& comm, const std::vector<Message>& out, int kind);
+std::vector<Message> sparseExchange(const Communicator& comm, const std::vector<Message>& out, int kind, MessagesFor purpose);
 
 }  // namespace thaw

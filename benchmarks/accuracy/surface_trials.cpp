@@ -26,19 +26,19 @@ SurfelCloud cloudOf(Trial& r) {
     largest = std::max(largest, f.radius);
   }
   c.reach = 4 * largest;
-  c.bins.build(c.at.data(), c.at.size(), c.reach);
+  fillBins(c.at.data(), c.at.size(), c.reach, c.bins);
   return c;
 }
 
 double toNearest(const SurfelCloud& c, const Vec3d& x) {
   double least = never;
-  c.bins.forEachWithin(x, c.reach, [&](std::uint32_t, double d2) { least = std::min(least, d2); });
+  forRowsWithin(c.bins, x, c.reach, [&](std::uint32_t, double d2) { least = std::min(least, d2); });
   return std::sqrt(least);
 }
 
 double toDiscs(const SurfelCloud& c, const Vec3d& x) {
   double least = never;
-  c.bins.forEachWithin(x, c.reach, [&](std::uint32_t i, double) {
+  forRowsWithin(c.bins, x, c.reach, [&](std::uint32_t i, double) {
     const CloudSurfel& f = c.surfels[i];
     const Vec3d d = x - f.position;
     const double off = dot(d, f.normal), across = length(d - off * f.normal);
@@ -49,7 +49,7 @@ double toDiscs(const SurfelCloud& c, const Vec3d& x) {
 
 double meanNeighbours(const SurfelCloud& c, double radius) {
   double count = 0;
-  for (const Vec3d& x : c.at) c.bins.forEachWithin(x, radius, [&](std::uint32_t, double) { count++; });
+  for (const Vec3d& x : c.at) forRowsWithin(c.bins, x, radius, [&](std::uint32_t, double) { count++; });
   return c.at.empty() ? 0 : count / static_cast<double>(c.at.size()) - 1;
 }
 

@@ -1,7 +1,7 @@
 // What the cases of the surface share: all surfels in one place, and distances between them and exact surfaces.
 #pragma once
 #include "benchmarks/accuracy/trial.hpp"
-#include "core/surface/point_bins.hpp"
+#include "core/surface/bins.hpp"
 
 namespace thaw::accuracy {
 
@@ -16,7 +16,7 @@ struct CloudSurfel {
 /// The surfels of all ranks on every rank, ascending by id: figures have the same bits on any number of ranks.
 struct SurfelCloud {
   std::vector<CloudSurfel> surfels;
-  PointBins bins;
+  Bins bins;
   std::vector<Vec3d> at;  ///< of the bins
   double reach = 0;       ///< m, within which discs are looked for
 };

@@ -57,12 +57,14 @@ void addSolidContacts(const ContactContext& x, const ClosePairs& pairs, Continuu
     }
     const Vec3d n = d / r, u = p.velocity[i] - p.velocity[j];
     const double mass = p.mass[i] * p.mass[j] / (p.mass[i] + p.mass[j]);
-    const double c = 2 * dashpotRatio(std::min(a.restitution, b.restitution)) * std::sqrt(k * mass);
+    // Restitutions near 0 are overdamped, and a particle can touch five others: more than that in a step and the dashpots feed what they are to stop.
+    const double most = 0.2 * mass / x.step;
+    const double c = std::min(2 * dashpotRatio(std::min(a.restitution, b.restitution)) * std::sqrt(k * mass), most);
     const double un = dot(u, n), spring = k * (d0 - r);
     const double dash = std::max(-c * un, -spring);  // a contact never pulls
     const Vec3d tangential = u - n * un;
     const double slip = length(tangential), normalForce = spring + dash;
-    const double cut = std::sqrt(k * mass);  // the same scale as the dashpot: friction stops sliding without reversing it
+    const double cut = std::min(std::sqrt(k * mass), most);  // the same scale as the dashpot: friction stops sliding without reversing it
     const double rub = slip > 0 ? std::min(std::min(a.friction, b.friction) * normalForce, cut * slip) : 0;
     Vec3d f = n * normalForce;
     if (slip > 0) f -= tangential * (rub / slip);

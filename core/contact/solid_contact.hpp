@@ -20,6 +20,7 @@ struct ContactContext {
   const CellGrid& grid;
   const Solids& solids;
   const Bonds& bonds;
+  double step;                         ///< s, of the step at hand: dashpots and friction take a fifth of a pair's velocity in it at most
   std::int64_t* coincident = nullptr;  ///< counts pairs at the same place, each at both ends; nullptr where the sum of density does
 };
 

@@ -1,5 +1,7 @@
 #include "core/heat/heat.hpp"
 
+#include "core/sleep/sleep.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -65,11 +67,12 @@ double exposedArea(double exposure, double surfaceExposure) {
 
 double latticeSurfaceExposure(const Numerics& n) { return 2 / n.support * wallIntegrals(n, 0.5 / n.support).push; }
 
-void addOuterHeat(World& w, double dt) {
+void addOuterHeat(World& w, double dt, const std::vector<std::uint8_t>* deep) {
   Continuum& p = w.particles;
   const Scene& s = w.scene;
   const double face = s.spacing * s.spacing, flat = w.modules.surfaceHeat ? latticeSurfaceExposure(s.numerics) : 1;
   for (std::size_t i = 0; i < p.owned; i++) {
+    if (deep && (*deep)[i]) continue;
     const Material& m = s.materials[p.material[i]];
     double flow = m.heatSource * p.mass[i];
     if (w.modules.surfaceHeat && (m.convection > 0 || m.emissivity > 0)) {
@@ -108,6 +111,7 @@ void updateHeat(World& w, double dt) {
   const Scene& s = w.scene;
   const bool paper = s.numerics.heat == HeatModel::Paper;
   for (std::size_t i = 0; i < p.owned; i++) {
+    if (p.sleep.active && p.sleep[i] != awake) continue;
     const Material& m = s.materials[p.material[i]];
     if (paper) {
       p.temperature[i] += dt * p.heatFlow[i] / (p.mass[i] * m.heatCapacity.solid);

@@ -12,8 +12,8 @@ namespace thaw {
 void settlePhase(const Scene& scene, const Modules& modules, Continuum& particles, std::size_t begin, std::size_t end);
 
 /// Adds sources and the loss of free surfaces (convection, radiation by Stefan-Boltzmann) to heatFlow; area = spacing^2 * exposedArea.
-/// What comes in over dt (s) is booked in Ledger::heatIn.
-void addOuterHeat(World& world, double dt);
+/// What comes in over dt (s) is booked in Ledger::heatIn. Not for rows that are deep (WallContext::deep).
+void addOuterHeat(World& world, double dt, const std::vector<std::uint8_t>* deep = nullptr);
 
 /// Adds what the scene's temperings bring or take in the step of length dt (s) that begins now; booked in Ledger::heatIn.
 void addTempering(World& world, double dt);

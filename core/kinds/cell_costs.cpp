@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/sleep/sleep.hpp"
+
 namespace thaw {
 namespace {
 
@@ -13,11 +15,20 @@ void addCells(const Table& rows, const CellTable& cells, double perRow, std::vec
     if (cells.first[c] < rows.owned) list.push_back({cells.key[c], perRow * cells.count[c]});
 }
 
+/// What sleeps costs about a tenth.
+double wakeful(const Continuum& p, std::size_t first, std::size_t count) {
+  if (!p.sleep.active) return static_cast<double>(count);
+  double sum = 0;
+  for (std::size_t i = first; i < first + count; i++) sum += p.sleep[i] == asleep ? 0.1 : 1;
+  return sum;
+}
+
 }  // namespace
 
 CellCosts costOfCells(const World& w, double perParticle, const std::array<double, kindCount>& perRow) {
   std::vector<CellCost> list;
-  addCells(w.particles, w.cells, perParticle, list);
+  for (std::size_t c = 0; c < w.cells.key.size(); c++)
+    if (w.cells.first[c] < w.particles.owned) list.push_back({w.cells.key[c], perParticle * wakeful(w.particles, w.cells.first[c], w.cells.count[c])});
   const std::size_t continuum = list.size();
   eachKind(w, [&](std::size_t kind, const KindRows& r, const CellTable& cells) { addCells(r, cells, perRow[kind], list); });
   if (list.size() != continuum) std::stable_sort(list.begin(), list.end(), [](const CellCost& a, const CellCost& b) { return a.key < b.key; });

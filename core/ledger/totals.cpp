@@ -6,7 +6,7 @@ namespace {
 constexpr std::size_t balanceSums = 11, ledgerSums = 2 * balanceSums + 13, worldCounts = sizeof(Counters) / sizeof(std::int64_t);
 static_assert(sizeof(ExactBalance) == balanceSums * sizeof(ExactSum), "list the new sum in addBalance, and in valuesOf");
 static_assert(sizeof(Ledger) == ledgerSums * sizeof(ExactSum) + sizeof(Balance), "list the new sum in sumsOf");
-static_assert(worldCounts == 20, "list the new counter in countsOf");
+static_assert(worldCounts == 21, "list the new counter in countsOf");
 static_assert(sizeof(SurfaceCounters) == 11 * sizeof(std::int64_t), "list the new counter in countsOf");
 static_assert(sizeof(WatchState) == 9 * sizeof(double), "list the new member in realsOf or countsOf");
 
@@ -63,6 +63,7 @@ std::vector<NamedCount> countsOf(Counters& c) {
           {"divergence_iterations", &c.divergenceIterations},
           {"oriented_births", &c.orientedBirths},
           {"oriented_deaths", &c.orientedDeaths},
+          {"asleep", &c.asleep},
           {"unsolved_pressures", &c.unsolvedPressures},
           {"retries", &c.retries}};
 }

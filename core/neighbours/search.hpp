@@ -33,6 +33,9 @@ struct SearchInput {
   std::uint32_t owned = 0;               ///< owned rows
 };
 
+/// SearchInput::inner of a cell whose particles get no lists: they sleep (core/sleep/sleep.hpp).
+inline constexpr std::uint8_t skippedCell = 2;
+
 /// Which owned cells a search works on.
 enum class Part { Inner, Boundary };
 

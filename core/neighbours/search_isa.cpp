@@ -180,7 +180,7 @@ void searchNeighbours(const SearchInput& in, Part part, SearchBuffers& b, Neighb
   const std::size_t n = cells.key.size();
   b.filled = 0;
   for (std::size_t c = 0; c < n; c++) {
-    if (cells.first[c] >= in.owned || (in.inner[c] != 0) != (part == Part::Inner)) continue;
+    if (cells.first[c] >= in.owned || in.inner[c] == skippedCell || (in.inner[c] != 0) != (part == Part::Inner)) continue;
     const std::uint64_t key = cells.key[c];
     std::uint32_t candidates = 0, ownStart = 0, run = 0, length = 0;  // run: rows that follow each other, of one cell or more
     std::uint8_t wet = in.liquid == nullptr;

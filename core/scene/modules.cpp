@@ -116,8 +116,9 @@ Modules modulesOf(const Scene& s) {
   if (m.contact)
     for (std::size_t k = 0; k < s.materials.size(); k++)
       if (used[k] && s.materials[k].weld && s.materials[k].canBeSolid()) f.on(m.welding, "welding", "solids of material " + quoted(s.materials[k].name) + " grow together");
+  if (m.solid && s.numerics.sleepSpeed > 0) f.on(m.sleep, "sleep", "numerics.sleep_speed is given");
   // where solids can meet, their contact binds the step of all, and substeps gain nothing
-  m.mostSubsteps = s.numerics.elasticSubsteps > 0 ? s.numerics.elasticSubsteps : m.solid && m.fluid && !m.contact ? 4 : 1;
+  m.mostSubsteps = s.numerics.elasticSubsteps > 0 ? s.numerics.elasticSubsteps : m.solid && m.fluid && !m.contact && !m.sleep ? 4 : 1;
   if (m.solid && m.mostSubsteps > 1)
     f.on(m.substeps, "substeps of solids", s.numerics.elasticSubsteps > 0 ? "numerics.elastic_substeps is " + std::to_string(m.mostSubsteps) : "there is liquid, too: up to " + std::to_string(m.mostSubsteps));
   if (m.fluid && s.numerics.solver == PressureSolver::Incompressible) f.on(m.incompressible, "incompressible liquid", "numerics.pressure_solver says so");
@@ -128,6 +129,7 @@ Modules modulesOf(const Scene& s) {
     f.on(m.neighbours, "neighbour search", "oriented particles can touch the continuum");
   }
   if (m.heat) f.on(m.neighbours, "neighbour search", "heat is conducted");
+  if (m.sleep) f.on(m.neighbours, "neighbour search", "what moves wakes what is around it");
   m.uniform = isUniform(s, m);
   return f.m;
 }

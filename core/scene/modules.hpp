@@ -28,6 +28,7 @@ struct Modules {
   bool heat = false;       ///< temperature changes: conduction, hot obstacles, sources
   bool melting = false;    ///< a material melts: liquid fraction, phase
   bool surfaceHeat = false;  ///< convection or radiation to the ambient
+  bool sleep = false;      ///< solids at rest are held, and their sums not formed again (core/sleep/)
   bool neighbours = false; ///< any sum over unbonded neighbours
   bool surface = false;    ///< surfels on the continuum bodies
   bool emitters = false;

@@ -173,6 +173,10 @@ struct Numerics {
   double maxStep = never;         // s
   double cflSound = 0.4, cflViscous = 0.8, cflHeat = 0.8, cflElastic = 0.4, cflTension = 0.25, cflAcceleration = 0.25;
   int elasticSubsteps = 0;          // largest number of substeps of solids in a step; 0: 4 where there is liquid and solids cannot meet, else 1
+  // rest (core/sleep/)
+  double sleepSpeed = 0;          // m/s, below which a solid is at rest; 0: nothing sleeps
+  double sleepAfter = 0.05;       // s, of rest until it sleeps
+  double sleepHeating = 0.01;     // K/s, above which it is awake
   // the watch while running (core/watch/)
   std::int64_t retryEvery = 100;  // steps between the states kept in memory; 0: none
   std::int64_t retries = 4;       // for one stretch, each with half the step

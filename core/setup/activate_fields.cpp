@@ -30,6 +30,9 @@ void activateFields(World& w, StepTools& t) {
   on(m.solid, {&p.slot});
   on(m.substeps, {&p.fastAcceleration});
   on(m.freezing, {&p.standoff});
+  on(m.sleep, {&p.calm, &p.sleep, &p.hold});
+  if (m.sleep)  // of rows that are skipped they stay, so that they move with their rows
+    for (AnyColumn* c : {static_cast<AnyColumn*>(&p.filling), static_cast<AnyColumn*>(&p.pressure), static_cast<AnyColumn*>(&p.exposure)}) c->keep = Keep::Local;
   bool clamped = m.emitters;
   for (const Body& b : w.scene.bodies) clamped = clamped || !b.clamp.empty();
   on(clamped, {&p.clamped});

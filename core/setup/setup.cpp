@@ -172,6 +172,7 @@ SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader&
 void resumeWorld(World& w, Halos halos, StepTools& t) {
   Continuum& p = w.particles;
   moveWalls(w.walls, w.clock.time);
+  t.sleep = {};
   if (p.slot.active) {
     for (std::size_t i = 0; i < p.owned; i++) p.slot[i] = noSlot;
     relinkSolids(w, halos, t, {{}, true});  // slots of the records that were read, where they were read

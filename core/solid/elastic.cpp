@@ -61,7 +61,7 @@ template<class Real> void unpackFlux(AlignedVector<Real>& records, const Solids&
 ElasticArrays arraysOf(ElasticWork& work, Solids& solids, const Bonds& bonds, const ElasticStep& step, SolidPart part) {
   ElasticArrays a;
   const bool single = work.precision == Precision::Single;
-  const std::vector<std::uint32_t>& groups = part == SolidPart::Inner ? work.inner : work.boundary;
+  const std::vector<std::uint32_t>& groups = part == SolidPart::Inner ? (work.sleeping ? work.innerAwake : work.inner) : (work.sleeping ? work.boundaryAwake : work.boundary);
   a.precision = work.precision;
   a.twoFrames = bonds.twoFrames;
   a.periodic = work.periodic;
@@ -97,6 +97,7 @@ ElasticArrays arraysOf(ElasticWork& work, Solids& solids, const Bonds& bonds, co
     a.breakStretch2 = 0.9999 * work.minBreakStretch * work.minBreakStretch;
     a.stretched = work.stretched.data();
   }
+  if (work.sleeping) a.held = work.held.data(), a.groupStretch2 = work.groupStretch2.data();
   a.momentInverse = solids.momentInverse.data();
   a.rank = work.rank.data();
   a.perTrace = work.perTrace.data();
@@ -156,7 +157,7 @@ void completeLane(const ElasticArrays& a, std::size_t slot, int lane, double gra
 
 void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const double strain[6][8], int lane, double plastic[6][8]) {
   Sym3d& p = a.plasticStrain[slot];
-  if (a.flow && c.yield < never) {
+  if (a.flow && c.yield < never && !(a.held && a.held[slot])) {
     const Sym3d e{strain[0][lane], strain[1][lane], strain[2][lane], strain[3][lane], strain[4][lane], strain[5][lane]};
     const Sym3d next = plasticFlow(c, e, p, a.dt);
     a.dissipated[slot] += a.volume[slot] * plasticLoss(c, e, p, next);

@@ -55,6 +55,11 @@ struct ElasticWork {
   AlignedVector<double> perTrace, perWeight;     ///< by owned slot: 1/tr A (1/m^2) and 1/sum w; 0 without bonds
   AlignedVector<double> grip;                    ///< by owned slot, 1/m: how hard the strain of its neighbourhood grips (elasticStepLimit)
   AlignedVector<float> x, y, z, rx, ry, rz, weight;  ///< single precision copies of Bonds
+  // where solids sleep (core/sleep/sleep.hpp)
+  bool sleeping = false;                             ///< groups are innerAwake and boundaryAwake
+  std::vector<std::uint32_t> innerAwake, boundaryAwake;
+  std::vector<std::uint8_t> held;                    ///< by owned slot: its plastic strain does not change
+  std::vector<double> groupStretch2;                 ///< by group: the largest square of a stretch, as last found
   // of the step: records of 4 values (12 for flux) by row, float or double by precision
   AlignedVector<float> place4, flux12, motion4;
   AlignedVector<double> place4d, flux12d, motion4d;

@@ -44,6 +44,8 @@ struct ElasticArrays {
   Vec3d* force = nullptr;
   const ElasticWork* work = nullptr;
   const Solids* solids = nullptr;
+  const std::uint8_t* held = nullptr;  ///< plastic strain stays; null: of none
+  double* groupStretch2 = nullptr;     ///< by group, as maxStretch2; null: not wanted
   // results
   std::int64_t inverted = 0, squeezed = 0;
   double maxStretch2 = 1;

@@ -12,12 +12,28 @@ namespace {
 void markNear(const Surfels& f, const Bins& bins, const std::uint8_t* from, double reach, const std::vector<std::uint8_t>& free, std::vector<std::uint8_t>& to) {
   to.assign(f.owned, 0);
   const double reach2 = reach * reach;
-  for (std::size_t j = 0; j < f.size(); j++) {
-    if (!from[j]) continue;
-    const Vec3d x = f.position[j];
-    forRowsAround(bins, x, x, reach, [&](std::uint32_t i, const Vec3d& place) {
-      if (i < f.owned && free[i] && dot(place - x, place - x) < reach2) to[i] = 1;
-    });
+  Bins sources;
+  pickRows(bins, from, sources);
+  RowBlock around;
+  for (std::size_t b = 0; b < bins.size(); b++) {
+    const PlaceBox box = boxOf(bins, b);
+    const Vec3d across = box.high - box.low;
+    bool all = false, any = false;  // all: one in the bin itself reaches all of it
+    for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++) {
+      all = all || (from[bins.row[k]] && dot(across, across) < reach2);
+      any = any || (bins.row[k] < f.owned && free[bins.row[k]]);
+    }
+    if (!any) continue;
+    if (!all) around.find(sources, box, reach);
+    if (!all && around.row.empty()) continue;
+    for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++) {
+      const std::uint32_t i = bins.row[k];
+      if (i >= f.owned || !free[i]) continue;
+      to[i] = all || std::any_of(around.at.begin(), around.at.end(), [&](const Vec3d& x) {
+        const Vec3d d = bins.at[k] - x;
+        return dot(d, d) < reach2;
+      });
+    }
   }
 }
 

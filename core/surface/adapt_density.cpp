@@ -11,7 +11,7 @@ namespace {
 
 /// f(j, distance) for the neighbours of i on its side.
 template<class F> void forNeighbours(const Surfels& s, const RowLists& lists, std::size_t i, F&& f) {
-  for (std::uint64_t k = lists.first[i]; k < lists.first[i + 1]; k++) {
+  for (std::uint64_t k = lists.first[i]; k < lists.end[i]; k++) {
     const std::uint32_t j = lists.row[k];
     if (s.component[j] == s.component[i] && dot(s.normal[j], s.normal[i]) > oneSide) f(j, length(s.position[j] - s.position[i]));
   }

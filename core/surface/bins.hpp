@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/math/vec3.hpp"
@@ -11,14 +12,19 @@
 namespace thaw {
 
 /// Rows (ghosts included) sorted by bin, and within a bin as they are in the grid: by (cell, id). The order depends on places alone, not on
-/// which rank holds a row, so sums over rows in this order have the same bits on any number of ranks.
+/// which rank holds a row, so sums over rows in this order have the same bits on any number of ranks. Only bins with rows are listed, and lines
+/// of bins along x that have some: to look at empty space costs nothing.
 struct Bins {
-  Vec3d base{};                    ///< m, low corner of bin (0, 0, 0)
-  double perLength = 1;            ///< 1/m
-  std::vector<std::uint64_t> key;  ///< of each row in the order; keys ascend along x first
+  Vec3d base{};                         ///< m, low corner of bin (0, 0, 0)
+  double perLength = 1;                 ///< 1/m
+  std::vector<std::uint64_t> key;       ///< of bins with rows; keys ascend along x first
+  std::vector<std::uint32_t> first;     ///< rows of bin b: row[first[b]] ... row[first[b + 1] - 1]
+  std::vector<std::uint64_t> line;      ///< of lines with bins: their key without x
+  std::vector<std::uint32_t> firstBin;  ///< bins of line l: firstBin[l] ... firstBin[l + 1] - 1
   std::vector<std::uint32_t> row;
-  std::vector<Vec3d> at;           ///< m, places of these rows when the bins were filled
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> sorting;
+  std::vector<Vec3d> at;                ///< m, places of these rows when the bins were filled
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> sorting, sorted;
+  std::size_t size() const { return key.size(); }
 };
 
 inline constexpr double binsPerAxis = 2097151;
@@ -28,58 +34,116 @@ inline std::uint64_t binOf(const Bins& b, double x, int axis) { return static_ca
 /// Bins of about `edge` (m) for all rows that `cells` lists.
 void fillBins(const CellGrid& grid, const CellTable& cells, const Vec3d* position, double edge, Bins& bins);
 
-/// First row from `at` on whose key is not below `wanted`: by strides that double, since the next line of bins is rarely far.
-inline std::size_t firstFrom(const Bins& b, std::size_t at, std::uint64_t wanted) {
-  const std::size_t n = b.key.size();
-  std::size_t stride = 1, low = at;
-  while (low + stride < n && b.key[low + stride] < wanted) {
-    low += stride;
-    stride *= 2;
-  }
-  const auto begin = b.key.begin();
-  return static_cast<std::size_t>(std::lower_bound(begin + static_cast<std::ptrdiff_t>(low), begin + static_cast<std::ptrdiff_t>(std::min(n, low + stride + 1)), wanted) - begin);
-}
+/// Bins of n places from the lowest of them on, rows in ascending order within a bin: for questions whose answer does not depend on the order in
+/// which rows are met (nearest, which are joined), or that sort what they find.
+void fillBins(const Vec3d* position, std::size_t n, double edge, Bins& bins);
 
-/// Calls found(row) for all rows in the bins that meet the box [low, high], in the order of the bins.
-template<class Found> void forRowsInBox(const Bins& b, const Vec3d& low, const Vec3d& high, Found found) {
-  const std::uint64_t x0 = binOf(b, low.x, 0), x1 = binOf(b, high.x, 0), y0 = binOf(b, low.y, 1), y1 = binOf(b, high.y, 1), z0 = binOf(b, low.z, 2), z1 = binOf(b, high.z, 2);
-  const std::size_t n = b.key.size();
-  std::size_t at = 0;
-  bool first = true;
-  for (std::uint64_t z = z0; z <= z1; z++)
-    for (std::uint64_t y = y0; y <= y1; y++) {
-      const std::uint64_t last = binKey(x1, y, z);
-      if (first) at = static_cast<std::size_t>(std::lower_bound(b.key.begin(), b.key.end(), binKey(x0, y, z)) - b.key.begin());
-      else if (at < n && b.key[at] < binKey(x0, y, z)) at = firstFrom(b, at, binKey(x0, y, z));
-      first = false;
-      for (; at < n && b.key[at] <= last; at++) found(b.row[at]);
-    }
-}
+/// The same bins with the rows alone that keep[row] names, in the same order.
+void pickRows(const Bins& bins, const std::uint8_t* keep, Bins& picked);
 
-/// Calls found(row, place) for all rows whose place is within `radius` (m) of the box [low, high], and some more, in the order of the bins: of each
-/// line of bins along x only what a rounded box may reach.
-template<class Found> void forRowsAround(const Bins& b, const Vec3d& low, const Vec3d& high, double radius, Found found) {
+/// Calls found(bin) for all bins with rows that a box [low, high], grown by `radius` (m) and rounded, may meet, in the order of the bins.
+template<class Found> void forBinsAround(const Bins& b, const Vec3d& low, const Vec3d& high, double radius, Found found) {
   const double r2 = (1 + 1e-9) * radius * radius, edge = 1 / b.perLength;
   const std::uint64_t y0 = binOf(b, low.y - radius, 1), y1 = binOf(b, high.y + radius, 1), z0 = binOf(b, low.z - radius, 2), z1 = binOf(b, high.z + radius, 2);
   const auto gap = [&](std::uint64_t bin, int axis) {  // from the box to a layer of bins
     const double from = b.base[axis] + edge * static_cast<double>(bin);
     return std::max({0.0, from - high[axis], low[axis] - (from + edge)}) * (1 - 1e-9);
   };
-  const std::size_t n = b.key.size();
-  std::size_t at = 0;
-  bool first = true;
+  const std::size_t lines = b.line.size();
+  std::size_t l = 0;
   for (std::uint64_t z = z0; z <= z1; z++) {
+    const std::uint64_t from = z << 21 | y0, to = z << 21 | y1;
+    if (z == z0) {
+      l = static_cast<std::size_t>(std::lower_bound(b.line.begin(), b.line.end(), from) - b.line.begin());
+    } else {
+      std::size_t stride = 1;  // the next layer is rarely far
+      while (l + stride < lines && b.line[l + stride] < from) l += stride, stride *= 2;
+      l = static_cast<std::size_t>(std::lower_bound(b.line.begin() + static_cast<std::ptrdiff_t>(l), b.line.begin() + static_cast<std::ptrdiff_t>(std::min(lines, l + stride + 1)), from) - b.line.begin());
+    }
+    if (l == lines) return;
     const double offZ = gap(z, 2);
-    for (std::uint64_t y = y0; y <= y1; y++) {
-      const double offY = gap(y, 1), left = r2 - offZ * offZ - offY * offY;
+    for (; l < lines && b.line[l] <= to; l++) {
+      const double offY = gap(b.line[l] & 0x1fffff, 1), left = r2 - offZ * offZ - offY * offY;
       if (left < 0) continue;
       const double reach = std::sqrt(left);
-      const std::uint64_t from = binKey(binOf(b, low.x - reach, 0), y, z), last = binKey(binOf(b, high.x + reach, 0), y, z);
-      if (first) at = static_cast<std::size_t>(std::lower_bound(b.key.begin(), b.key.end(), from) - b.key.begin());
-      else if (at < n && b.key[at] < from) at = firstFrom(b, at, from);
-      first = false;
-      for (; at < n && b.key[at] <= last; at++) found(b.row[at], b.at[at]);
+      const std::uint64_t first = b.line[l] << 21 | binOf(b, low.x - reach, 0), last = b.line[l] << 21 | binOf(b, high.x + reach, 0);
+      const std::size_t end = b.firstBin[l + 1];
+      std::size_t k = b.firstBin[l];
+      if (end - k > 8) k = static_cast<std::size_t>(std::lower_bound(b.key.begin() + static_cast<std::ptrdiff_t>(k), b.key.begin() + static_cast<std::ptrdiff_t>(end), first) - b.key.begin());
+      else
+        while (k < end && b.key[k] < first) k++;
+      for (; k < end && b.key[k] <= last; k++) found(k);
     }
+  }
+}
+
+/// Calls found(row, place) for all rows whose place is within `radius` (m) of the box [low, high], and some more, in the order of the bins.
+template<class Found> void forRowsAround(const Bins& b, const Vec3d& low, const Vec3d& high, double radius, Found found) {
+  forBinsAround(b, low, high, radius, [&](std::size_t bin) {
+    for (std::uint32_t k = b.first[bin]; k < b.first[bin + 1]; k++) found(b.row[k], b.at[k]);
+  });
+}
+
+/// A box of places.
+struct PlaceBox {
+  Vec3d low, high;
+  void add(const Vec3d& x) {
+    for (int a = 0; a < 3; a++) low[a] = std::min(low[a], x[a]), high[a] = std::max(high[a], x[a]);
+  }
+  double longest() const { return std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
+  double distance2(const Vec3d& x) const {
+    const Vec3d d{std::max({low.x - x.x, 0.0, x.x - high.x}), std::max({low.y - x.y, 0.0, x.y - high.y}), std::max({low.z - x.z, 0.0, x.z - high.z})};
+    return dot(d, d);
+  }
+};
+
+/// Of the places of a bin's rows.
+inline PlaceBox boxOf(const Bins& b, std::size_t bin) {
+  PlaceBox box{b.at[b.first[bin]], b.at[b.first[bin]]};
+  for (std::uint32_t k = b.first[bin] + 1; k < b.first[bin + 1]; k++) box.add(b.at[k]);
+  return box;
+}
+
+/// Rows around a bin, found once for all of its rows.
+struct RowBlock {
+  std::vector<std::uint32_t> row;
+  std::vector<Vec3d> at;
+  /// All within `radius` (m) of a box, in the order of the bins.
+  void find(const Bins& bins, const PlaceBox& box, double radius) {
+    const double r2 = radius * radius;
+    row.clear();
+    at.clear();
+    forBinsAround(bins, box.low, box.high, radius, [&](std::size_t bin) {
+      std::size_t n = row.size();
+      const std::size_t most = n + bins.first[bin + 1] - bins.first[bin];
+      row.resize(most);
+      at.resize(most);
+      for (std::uint32_t k = bins.first[bin]; k < bins.first[bin + 1]; k++) {
+        row[n] = bins.row[k];
+        at[n] = bins.at[k];
+        n += box.distance2(bins.at[k]) <= r2;
+      }
+      row.resize(n);
+      at.resize(n);
+    });
+  }
+};
+
+/// Calls found(row, square of the distance) for all rows within `radius` (m) of x, that of x itself included.
+template<class Found> void forRowsWithin(const Bins& b, const Vec3d& x, double radius, Found found) {
+  const double r2 = radius * radius;
+  forRowsAround(b, x, x, radius, [&](std::uint32_t row, const Vec3d& at) {
+    const Vec3d d = at - x;
+    const double d2 = dot(d, d);
+    if (d2 <= r2) found(row, d2);
+  });
+}
+
+/// Calls found(row, block) for every row of `of`, with a block that holds at least all rows of `among` within `radius` (m) of it: found once for each bin.
+template<class Found> void forBlocks(const Bins& of, const Bins& among, double radius, RowBlock& block, Found found) {
+  for (std::size_t bin = 0; bin < of.size(); bin++) {
+    block.find(among, boxOf(of, bin), radius);
+    for (std::uint32_t k = of.first[bin]; k < of.first[bin + 1]; k++) found(of.row[k], block);
   }
 }
 

@@ -38,12 +38,12 @@ std::vector<Piece> piecesOf(const SurfaceParticles& p, Reducer& all) {
 namespace {
 
 /// Takes the calm of surfels beside which another part came off.
-void openSeams(Surface& s, CellHalo& halo, const std::vector<std::uint64_t>& off, const PointBins& bins) {
+void openSeams(Surface& s, CellHalo& halo, const std::vector<std::uint64_t>& off, const Bins& bins) {
   Surfels& f = s.surfels;
   refreshGhosts(halo, f, ColumnList{&f.part});
   for (std::size_t i = 0; i < f.size(); i++) {
     if (!std::binary_search(off.begin(), off.end(), f.part[i])) continue;
-    bins.forEachWithin(f.position[i], 2 * s.spacing, [&](std::uint32_t j, double) {
+    forRowsWithin(bins, f.position[i], 2 * s.spacing, [&](std::uint32_t j, double) {
       if (f.part[j] == f.part[i]) return;
       if (j < f.owned) f.calm[j] = 0;
       if (i < f.owned) f.calm[i] = 0;

@@ -8,14 +8,14 @@
 // A component comes apart where no link is left.
 #pragma once
 #include "core/halo/surface_halos.hpp"
-#include "core/surface/point_bins.hpp"
+#include "core/surface/bins.hpp"
 #include "core/world.hpp"
 
 namespace thaw {
 
 /// Kept from update to update for its memory.
 struct ComponentTools {
-  PointBins surfelBins, particleBins;
+  Bins surfelBins, particleBins;
   std::vector<std::uint32_t> parent;  ///< of the union-find: rows of surfels, then of particles
   std::vector<std::uint64_t> least;   ///< smallest label of a root's set
   std::vector<std::uint8_t> dead;
@@ -23,7 +23,7 @@ struct ComponentTools {
     double d2;                        // m^2
     std::uint32_t row;
   };
-  PointBins::Block block;
+  RowBlock block;
   std::vector<Near> near;
   struct Piece {
     std::uint64_t from, part;

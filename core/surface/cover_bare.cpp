@@ -9,7 +9,7 @@
 #include "core/surface/iso_surface.hpp"
 #include "core/surface/local_surface.hpp"
 #include "core/surface/place_rows.hpp"
-#include "core/surface/point_bins.hpp"
+#include "core/surface/bins.hpp"
 #include "core/surface/ready_particles.hpp"
 #include "core/surface/seeds.hpp"
 #include "core/surface/small_drops.hpp"
@@ -34,16 +34,42 @@ constexpr double ragReach = 3.5;
 constexpr double looseReach = 2.5;
 constexpr int mostRounds = 3;
 
-/// Is a disc of the surface above or below a place with this normal?
-bool covered(const Surfels& f, const std::vector<std::uint32_t>& near, const Vec3d& x, const Vec3d& normal, double most) {
-  for (const std::uint32_t j : near) {
-    const Vec3d d = f.position[j] - x;
-    const double facing = dot(f.normal[j], normal), along = dot(d, normal), off2 = dot(d, d), across2 = off2 - along * along;
-    if (facing > 0.2 && std::abs(along) < most && across2 < f.radius[j] * f.radius[j]) return true;
-    if (facing > oneSide && off2 < 0.8 * f.radius[j] * f.radius[j]) return true;
+/// The surfels around a particle, as seen from it (m): field by field, so that a direction is compared with several at once.
+class Over {
+ public:
+  Over(const World& w) : most_(static_cast<float>(surfelReach * w.scene.spacing)), half_(static_cast<float>(0.5 * w.scene.spacing)) {}
+  void clear() { x_.clear(), y_.clear(), z_.clear(), nx_.clear(), ny_.clear(), nz_.clear(), r2_.clear(), size_ = 0; }
+  void add(const Vec3d& d, const Vec3d& n, double r) {
+    const auto put = [](std::vector<float>& to, double v) { to.push_back(static_cast<float>(v)); };
+    put(x_, d.x), put(y_, d.y), put(z_, d.z), put(nx_, n.x), put(ny_, n.y), put(nz_, n.z), put(r2_, r * r);
+    size_++;
   }
-  return false;
-}
+  /// Is a disc of the surface above or below the place half a spacing in direction u? Or anywhere, at `place` seen from the particle.
+  bool covers(const Vec3d& u) const { return covers(static_cast<double>(half_) * u, u); }
+  bool covers(const Vec3d& place, const Vec3d& normal) const {
+    const float px = static_cast<float>(place.x), py = static_cast<float>(place.y), pz = static_cast<float>(place.z);
+    const float ux = static_cast<float>(normal.x), uy = static_cast<float>(normal.y), uz = static_cast<float>(normal.z), side = static_cast<float>(oneSide), most = most_;
+    const auto hit = [&](std::size_t j) {
+      const float dx = x_[j] - px, dy = y_[j] - py, dz = z_[j] - pz, r2 = r2_[j];
+      const float facing = nx_[j] * ux + ny_[j] * uy + nz_[j] * uz, along = dx * ux + dy * uy + dz * uz, off2 = dx * dx + dy * dy + dz * dz;
+      return static_cast<int>((facing > 0.2f) & (along < most) & (-along < most) & (off2 - along * along < r2)) | static_cast<int>((facing > side) & (off2 < 0.8f * r2));
+    };
+    std::size_t j = 0;
+    for (constexpr std::size_t together = 16; j + together <= size_; j += together) {
+      int any = 0;
+      for (std::size_t k = 0; k < together; k++) any |= hit(j + k);
+      if (any) return true;
+    }
+    for (; j < size_; j++)
+      if (hit(j)) return true;
+    return false;
+  }
+
+ private:
+  float most_, half_;
+  std::size_t size_ = 0;
+  std::vector<float> x_, y_, z_, nx_, ny_, nz_, r2_;
+};
 
 /// Surfels around owned particles, in rows. Surfels have ghosts and bins.
 void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& rows) {
@@ -51,32 +77,70 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
   const Surfels& f = s.surfels;
   const SurfaceParticles& p = s.particles;
   const double dx = w.scene.spacing, reach = surfelReach * dx, near2 = neighbourReach * neighbourReach * dx * dx;
-  const int seeds = seedsOf(w);
+  double largest = 0;
+  for (std::size_t i = 0; i < f.size(); i++) largest = std::max(largest, f.radius[i]);
+  // seen half a spacing off, and from a seed's place, up to 1.2 spacings off
+  const double far1 = 0.5 * dx + std::hypot(reach, largest), far2 = 1.2 * dx + std::hypot(reach, largest);
+  SeedDirections seeds(w);
   std::vector<Vec3d> beside;
-  std::vector<std::uint32_t> over;
-  for (std::size_t i = 0; i < p.owned; i++) {
-    if (p.component[i] == noComponent || p.colour[i] >= innerColour) continue;
+  struct Near { double d2; std::uint32_t row; Vec3d from; };
+  std::vector<Near> near;
+  Over over(w), all(w);
+  RowBlock block;
+  const Bins& bins = t.relax.particleBins;
+  const auto looked = [&](std::uint32_t i) {
+    if (i >= p.owned || p.component[i] == noComponent || p.colour[i] >= innerColour) return false;
     const SurfaceComponent* c = findComponent(s, p.component[i]);
-    if (!c || c->particles <= smallDrop) continue;
+    return c && c->particles > smallDrop;
+  };
+  const auto seed = [&](std::uint32_t i) {
     const Vec3d x = p.position[i];
     beside.clear();
-    over.clear();
-    forRowsAround(t.relax.particleBins, x, x, neighbourReach * dx, [&](std::uint32_t j, const Vec3d& at) {
+    forRowsAround(bins, x, x, neighbourReach * dx, [&](std::uint32_t j, const Vec3d& at) {
       const Vec3d d = at - x;
       const double r2 = dot(d, d);
       if (p.component[j] == p.component[i] && r2 > 0 && r2 < near2) beside.push_back(d / std::sqrt(r2));
     });
-    forRowsAround(t.relax.surfelBins, x, x, 2 * reach, [&](std::uint32_t j, const Vec3d& at) {
-      if (f.component[j] == p.component[i] && dot(at - x, at - x) < 4 * reach * reach) over.push_back(j);
-    });
-    for (int k = 0; k < seeds; k++) {
-      const Vec3d u = seedDirection(w, p.id[i], k, seeds);
-      if (std::any_of(beside.begin(), beside.end(), [&](const Vec3d& d) { return dot(d, u) > taken; }) || covered(f, over, x + u * (0.5 * dx), u, reach)) continue;
+    // the nearest ones first: they cover most directions
+    near.clear();
+    for (std::size_t k = 0; k < block.row.size(); k++) {
+      const Vec3d d = block.at[k] - x;
+      if (const double d2 = dot(d, d); d2 < far1 * far1 && f.component[block.row[k]] == p.component[i]) near.push_back({d2, block.row[k], d});
+    }
+    std::partition(near.begin(), near.end(), [&](const Near& n) { return n.d2 < dx * dx; });
+    over.clear();
+    for (const Near& n : near) over.add(n.from, f.normal[n.row], f.radius[n.row]);
+    bool gathered = false;
+    seeds.turn(p.id[i]);
+    for (int k = 0; k < seeds.count(); k++) {
+      const Vec3d u = seeds[k];
+      if (std::any_of(beside.begin(), beside.end(), [&](const Vec3d& d) { return dot(d, u) > taken; }) || over.covers(u)) continue;
       SurfacePoint at;
-      if (!seedOnSurface(w, t, i, u, at) || covered(f, over, at.position, at.normal, reach)) continue;
+      if (!seedOnSurface(w, t, i, u, at)) continue;
+      if (!gathered) {
+        gathered = true;
+        all.clear();
+        forRowsAround(t.relax.surfelBins, x, x, far2, [&](std::uint32_t j, const Vec3d& there) {
+          if (f.component[j] == p.component[i]) all.add(there - x, f.normal[j], f.radius[j]);
+        });
+      }
+      if (all.covers(at.position - x, at.normal)) continue;
       if (colourAt(w, t, p.component[i], at.position + at.normal * (0.5 * dx)).value > fallsTo * colourAt(w, t, p.component[i], at.position).level) continue;
       rows.push_back(seedSurfel(w, i, k, at));
     }
+  };
+  for (std::size_t b = 0; b < bins.size(); b++) {
+    std::uint32_t asking = 0;
+    PlaceBox box{};
+    for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++)
+      if (looked(bins.row[k])) {
+        if (asking++ == 0) box = {bins.at[k], bins.at[k]};
+        box.add(bins.at[k]);
+      }
+    if (asking == 0) continue;
+    block.find(t.relax.surfelBins, box, far1);
+    for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++)
+      if (looked(bins.row[k])) seed(bins.row[k]);
   }
 }
 
@@ -90,14 +154,14 @@ void findRags(const World& w, const SurfaceTools& t, std::vector<std::uint8_t>& 
   std::vector<std::uint64_t> component;
   for (std::size_t i = 0; i < f.size(); i++)
     if (f.detail[i] < 0.5f && solid(i)) grown.push_back(f.position[i]), component.push_back(f.component[i]);
-  PointBins bins;
-  bins.build(grown.data(), grown.size(), reach);
+  Bins bins;
+  fillBins(grown.data(), grown.size(), reach, bins);
   dead.assign(f.owned, 0);
   for (std::size_t i = 0; i < f.owned && !grown.empty(); i++) {
     if (!solid(i)) continue;
     const bool detail = f.detail[i] >= 0.5f;  // of a mesh: finer than the particles, up to a spacing off their surface
     bool beside = !detail;
-    if (detail) bins.forEachWithin(f.position[i], reach, [&](std::uint32_t j, double) { beside = beside || component[j] == f.component[i]; });
+    if (detail) forRowsWithin(bins, f.position[i], reach, [&](std::uint32_t j, double) { beside = beside || component[j] == f.component[i]; });
     if (!beside) continue;
     const FieldHere c = colourAt(w, t, f.component[i], f.position[i]);
     const double slope = length(c.gradient), along = slope > 0 ? -dot(c.gradient, f.normal[i]) / slope : -1;
@@ -113,11 +177,11 @@ void loosenAround(const World& w, Surfels& f) {
   std::vector<std::uint64_t> component;
   for (std::size_t i = 0; i < f.size(); i++)
     if (f.loose[i]) loose.push_back(f.position[i]), component.push_back(f.component[i]);
-  PointBins bins;
-  bins.build(loose.data(), loose.size(), reach);
+  Bins bins;
+  fillBins(loose.data(), loose.size(), reach, bins);
   for (std::size_t i = 0; i < f.owned && !loose.empty(); i++) {
     if (f.loose[i] || f.detail[i] >= 0.5f) continue;
-    bins.forEachWithin(f.position[i], reach, [&](std::uint32_t j, double) { f.loose[i] |= component[j] == f.component[i]; });
+    forRowsWithin(bins, f.position[i], reach, [&](std::uint32_t j, double) { f.loose[i] |= component[j] == f.component[i]; });
   }
 }
 

@@ -68,14 +68,13 @@ std::vector<std::uint32_t> followNeighbours(World& w, SurfaceHalos halos, Surfac
   ColumnList columns{&s.id, &s.position, &s.component, &s.carried, &s.moving};
   addGhosts(halos.surfels, s, w.surface.surfelCells, columns);
   const double h = w.surface.surfelSupport, h2 = h * h;
-  const Vec3d reach{h, h, h};
   fillBins(w.surface.grid, w.surface.surfelCells, s.position.data(), h, t.relax.surfelBins);
   std::vector<std::uint32_t> lost;
   for (std::uint32_t i = 0; i < s.owned; i++) {
     if (!s.moving[i]) continue;
     Vec3d sum{};
     double weights = 0;
-    forRowsInBox(t.relax.surfelBins, s.position[i] - reach, s.position[i] + reach, [&](std::uint32_t j) {
+    forRowsAround(t.relax.surfelBins, s.position[i], s.position[i], h, [&](std::uint32_t j, const Vec3d&) {
       const Vec3d d = s.position[i] - s.position[j];
       const double r2 = dot(d, d);
       if (s.moving[j] || r2 >= h2 || s.component[j] != s.component[i]) return;
@@ -98,15 +97,14 @@ void findDisplacementGradients(World& w, SurfaceHalos halos, SurfaceTools& t) {
   if (p.temperature.active) columns.push_back(&p.temperature);
   addGhosts(halos.particles, p, w.surface.particleCells, columns);
   const double h = w.grid.support, h2 = h * h;
-  const Vec3d reach{h, h, h};
   fillBins(w.surface.grid, w.surface.particleCells, p.position.data(), 0.5 * h, t.relax.particleBins);
   for (std::size_t i = 0; i < p.owned; i++) {
     p.gradient[i] = {};
     if (p.component[i] == noComponent) continue;
     Sym3d moment;
     Mat3d sum{};
-    forRowsInBox(t.relax.particleBins, p.position[i] - reach, p.position[i] + reach, [&](std::uint32_t j) {
-      const Vec3d d = p.position[j] - p.position[i];
+    forRowsAround(t.relax.particleBins, p.position[i], p.position[i], h, [&](std::uint32_t j, const Vec3d& at) {
+      const Vec3d d = at - p.position[i];
       const double r2 = dot(d, d);
       if (r2 >= h2 || p.component[j] != p.component[i] || r2 == 0) return;
       const double v = weight(r2, h2);

@@ -80,7 +80,7 @@ bool anywhere(Reducer& all, bool here) {
 }
 
 /// Rows of a block within a radius that are like row i, into `near`.
-template<class Rows> void listNear(const Rows& rows, std::uint32_t i, const PointBins::Block& block, double r2, std::vector<ComponentTools::Near>& near) {
+template<class Rows> void listNear(const Rows& rows, std::uint32_t i, const RowBlock& block, double r2, std::vector<ComponentTools::Near>& near) {
   near.clear();
   const Vec3d x = rows.position[i];
   for (std::size_t k = 0; k < block.row.size(); k++) {
@@ -101,12 +101,12 @@ void findReach(World& w, ComponentTools& t) {
   const SurfaceParticles& p = s.particles;
   const auto closer = [](const ComponentTools::Near& a, const ComponentTools::Near& b) { return a.d2 < b.d2; };
   const double usual = std::min(usualReach * s.spacing, s.surfelSupport), all2 = s.surfelSupport * s.surfelSupport;
-  t.surfelBins.forEachBlock(t.surfelBins, usual, t.block, [&](std::uint32_t i, const PointBins::Block& block) {
+  forBlocks(t.surfelBins, t.surfelBins, usual, t.block, [&](std::uint32_t i, const RowBlock& block) {
     if (i >= f.owned) return;
     listNear(f, i, block, usual * usual, t.near);
     if (t.near.size() < nearestSurfels) {
       t.near.clear();
-      t.surfelBins.forEachWithin(f.position[i], s.surfelSupport, [&](std::uint32_t j, double d2) {
+      forRowsWithin(t.surfelBins, f.position[i], s.surfelSupport, [&](std::uint32_t j, double d2) {
         if (j != i && alike(f, i, j)) t.near.push_back({d2, j});
       });
     }
@@ -115,7 +115,7 @@ void findReach(World& w, ComponentTools& t) {
     else std::nth_element(t.near.begin(), t.near.begin() + nearestSurfels - 1, t.near.end(), closer), f.reach[i] = t.near[nearestSurfels - 1].d2;
   });
   const double first = std::min(w.scene.spacing, s.particleSupport);
-  t.surfelBins.forEachBlock(t.particleBins, first, t.block, [&](std::uint32_t i, const PointBins::Block& block) {
+  forBlocks(t.surfelBins, t.particleBins, first, t.block, [&](std::uint32_t i, const RowBlock& block) {
     if (i >= f.owned) return;
     Nearest best;
     for (std::size_t k = 0; k < block.row.size(); k++) {
@@ -124,7 +124,7 @@ void findReach(World& w, ComponentTools& t) {
       if (d2 <= first * first && d2 <= best.d2 && alike(f, i, p, block.row[k])) best.offer(d2, p.id[block.row[k]], block.row[k]);
     }
     if (!best.found())
-      t.particleBins.forEachWithin(f.position[i], s.particleSupport, [&](std::uint32_t j, double d2) {
+      forRowsWithin(t.particleBins, f.position[i], s.particleSupport, [&](std::uint32_t j, double d2) {
         if (alike(f, i, p, j)) best.offer(d2, p.id[j], j);
       });
     f.nearest[i] = best.id;
@@ -148,12 +148,12 @@ void joinSurfels(const World& w, ComponentTools& t, Sets& sets) {
   const auto link = [&](std::uint32_t i, std::uint32_t j) {
     if (dot(f.normal[i], f.normal[j]) >= cosRest && held(i, j)) sets.join(i, j);
   };
-  t.surfelBins.forEachBlock(t.surfelBins, usual, t.block, [&](std::uint32_t i, const PointBins::Block& block) {
+  forBlocks(t.surfelBins, t.surfelBins, usual, t.block, [&](std::uint32_t i, const RowBlock& block) {
     if (f.reach[i] <= usual * usual) {
       listNear(f, i, block, f.reach[i], t.near);
       for (const ComponentTools::Near& n : t.near) link(i, n.row);
     } else {
-      t.surfelBins.forEachWithin(f.position[i], std::sqrt(f.reach[i]) * (1 + 1e-12), [&](std::uint32_t j, double d2) {
+      forRowsWithin(t.surfelBins, f.position[i], std::sqrt(f.reach[i]) * (1 + 1e-12), [&](std::uint32_t j, double d2) {
         if (j != i && d2 <= f.reach[i] && alike(f, i, j)) link(i, j);
       });
     }
@@ -164,7 +164,7 @@ void joinParticles(const World& w, ComponentTools& t, Sets& sets) {
   const SurfaceParticles& p = w.surface.particles;
   const auto offset = static_cast<std::uint32_t>(w.surface.surfels.size());
   const double longest = w.scene.surface.linkLength * w.scene.spacing;
-  t.particleBins.forEachBlock(t.particleBins, longest, t.block, [&](std::uint32_t i, const PointBins::Block& block) {
+  forBlocks(t.particleBins, t.particleBins, longest, t.block, [&](std::uint32_t i, const RowBlock& block) {
     if (i >= p.owned) return;  // a link between two ghosts is somebody else's
     listNear(p, i, block, longest * longest, t.near);
     for (const ComponentTools::Near& n : t.near) sets.join(offset + i, offset + n.row);
@@ -192,7 +192,7 @@ void adoptFresh(World& w, SurfaceHalos halos, ComponentTools& t) {
   Surfels& f = s.surfels;
   SurfaceParticles& p = s.particles;
   const double link = w.scene.surface.linkLength * w.scene.spacing;
-  t.particleBins.build(p.position.data(), p.size(), link);
+  fillBins(p.position.data(), p.size(), link, t.particleBins);
   std::vector<std::uint32_t> fresh;
   for (std::size_t i = 0; i < p.owned; i++)
     if (p.component[i] == noComponent) fresh.push_back(static_cast<std::uint32_t>(i));
@@ -202,7 +202,7 @@ void adoptFresh(World& w, SurfaceHalos halos, ComponentTools& t) {
     bool changed = false;
     for (std::size_t k = 0; k < fresh.size(); k++) {
       Nearest best;
-      t.particleBins.forEachWithin(p.position[fresh[k]], link, [&](std::uint32_t j, double d2) {
+      forRowsWithin(t.particleBins, p.position[fresh[k]], link, [&](std::uint32_t j, double d2) {
         if (p.component[j] != noComponent) best.offer(d2, p.id[j], j);
       });
       if (!best.found()) continue;
@@ -224,7 +224,7 @@ void adoptFresh(World& w, SurfaceHalos halos, ComponentTools& t) {
     if (f.component[i] != noComponent) continue;
     const std::uint64_t body = bodyOf(f.id[i]);
     Nearest own, any;
-    t.particleBins.forEachWithin(f.position[i], s.particleSupport, [&](std::uint32_t j, double d2) {
+    forRowsWithin(t.particleBins, f.position[i], s.particleSupport, [&](std::uint32_t j, double d2) {
       any.offer(d2, p.id[j], j);
       if (p.body[j] == body) own.offer(d2, p.id[j], j);
     });
@@ -239,8 +239,8 @@ void findParts(World& w, SurfaceHalos halos, ComponentTools& t) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
   SurfaceParticles& p = s.particles;
-  t.surfelBins.build(f.position.data(), f.size(), std::min(usualReach * s.spacing, s.surfelSupport));
-  t.particleBins.build(p.position.data(), p.size(), w.scene.surface.linkLength * w.scene.spacing);
+  fillBins(f.position.data(), f.size(), std::min(usualReach * s.spacing, s.surfelSupport), t.surfelBins);
+  fillBins(p.position.data(), p.size(), w.scene.surface.linkLength * w.scene.spacing, t.particleBins);
   findReach(w, t);
   refreshGhosts(halos.surfels, f, ColumnList{&f.reach, &f.nearest, &f.toNearest});
 

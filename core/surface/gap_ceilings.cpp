@@ -7,22 +7,82 @@
 
 namespace thaw {
 
+namespace {
+
+/// What the surfels of a bin have in common.
+struct BinFrame {
+  PlaceBox place, normal;
+  double largest = 0;  // radius, m
+};
+
+std::vector<BinFrame> framesOf(const Surfels& f, const Bins& bins) {
+  std::vector<BinFrame> frames(bins.size());
+  for (std::size_t b = 0; b < bins.size(); b++) {
+    const Vec3d n = f.normal[bins.row[bins.first[b]]];
+    BinFrame& frame = frames[b] = {boxOf(bins, b), {n, n}, 0};
+    for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++) frame.normal.add(f.normal[bins.row[k]]), frame.largest = std::max(frame.largest, f.radius[bins.row[k]]);
+  }
+  return frames;
+}
+
+/// The least of n.m for m in a box, and the largest.
+double leastDot(const Vec3d& n, const PlaceBox& m) {
+  return std::min(n.x * m.low.x, n.x * m.high.x) + std::min(n.y * m.low.y, n.y * m.high.y) + std::min(n.z * m.low.z, n.z * m.high.z);
+}
+double mostDot(const Vec3d& n, const PlaceBox& m) { return -leastDot(-n, m); }
+
+/// The least of n.m for n and m each in a box.
+double leastDot(const PlaceBox& n, const PlaceBox& m) {
+  double sum = 0;
+  for (int a = 0; a < 3; a++) sum += std::min({n.low[a] * m.low[a], n.low[a] * m.high[a], n.high[a] * m.low[a], n.high[a] * m.high[a]});
+  return sum;
+}
+
+}  // namespace
+
+// Few surfels face another one: bins whose normals cannot be twoSheets from each other are left out before a surfel of them is looked at.
 void findCeilings(Surface& s, const std::vector<std::uint8_t>& free, const Bins& bins, double reach, bool again) {
   Surfels& f = s.surfels;
   constexpr float none = std::numeric_limits<float>::infinity();
-  for (std::size_t i = 0; i < f.owned; i++) {
-    if (again && (!free[i] || f.ceiling[i] == none)) continue;
-    f.ceiling[i] = none;
-    if (!free[i]) continue;
-    const Vec3d x = f.position[i], n = f.normal[i];
-    double lowest = std::numeric_limits<double>::infinity();
-    forRowsAround(bins, x, x, reach, [&](std::uint32_t j, const Vec3d&) {
-      const Vec3d d = f.position[j] - x;
-      const double height = dot(d, n), r2 = dot(d, d);
-      if (height >= lowest || r2 > reach * reach || r2 - height * height > f.radius[j] * f.radius[j]) return;
-      if (f.component[j] == f.component[i] && facing(d, n, f.normal[j]) == Facing::AcrossGap) lowest = height;
+  const double rounding = 1e-9;
+  std::vector<std::uint32_t> asking;
+  std::vector<std::size_t> facingBins;
+  const std::vector<BinFrame> frames = framesOf(f, bins);
+  for (std::size_t b = 0; b < bins.size(); b++) {
+    asking.clear();
+    for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++) {
+      const std::uint32_t i = bins.row[k];
+      if (i >= f.owned || (again && (!free[i] || f.ceiling[i] == none))) continue;
+      f.ceiling[i] = none;
+      if (free[i]) asking.push_back(i);
+    }
+    if (asking.empty()) continue;
+    const BinFrame& own = frames[b];
+    facingBins.clear();
+    forBinsAround(bins, own.place.low, own.place.high, reach, [&](std::size_t other) {
+      if (leastDot(own.normal, frames[other].normal) < twoSheets + rounding) facingBins.push_back(other);
     });
-    if (lowest < reach) f.ceiling[i] = static_cast<float>(std::max(lowest, leastCeiling * s.spacing));
+    for (const std::uint32_t i : asking) {
+      const Vec3d x = f.position[i], n = f.normal[i];
+      double lowest = std::numeric_limits<double>::infinity();
+      for (const std::size_t other : facingBins) {
+        const BinFrame& o = frames[other];
+        if (leastDot(n, o.normal) > twoSheets + rounding || o.place.distance2(x) > reach * reach) continue;
+        const double under = leastDot(n, o.place) - dot(x, n), over = mostDot(n, o.place) - dot(x, n);
+        if (over <= 0 || under >= lowest) continue;
+        const Vec3d middle = 0.5 * (o.place.low + o.place.high) - x, half = 0.5 * (o.place.high - o.place.low);
+        const double along = dot(middle, n), far = length(half) + o.largest;
+        if (dot(middle, middle) - along * along > far * far * (1 + rounding)) continue;  // beside what is right over it
+        for (std::uint32_t k = bins.first[other]; k < bins.first[other + 1]; k++) {
+          const std::uint32_t j = bins.row[k];
+          const Vec3d d = f.position[j] - x;
+          const double height = dot(d, n), r2 = dot(d, d);
+          if (height >= lowest || r2 > reach * reach || r2 - height * height > f.radius[j] * f.radius[j]) continue;
+          if (f.component[j] == f.component[i] && facing(d, n, f.normal[j]) == Facing::AcrossGap) lowest = height;
+        }
+      }
+      if (lowest < reach) f.ceiling[i] = static_cast<float>(std::max(lowest, leastCeiling * s.spacing));
+    }
   }
 }
 

@@ -11,42 +11,17 @@ std::uint64_t spread(std::uint64_t v) {  // 21 bits, two zeros between them
   return (v | v << 2) & 0x1249249249249249ull;
 }
 
-struct Box {
-  Vec3d low, high;
-  void add(const Vec3d& x) {
-    for (int a = 0; a < 3; a++) low[a] = std::min(low[a], x[a]), high[a] = std::max(high[a], x[a]);
+/// Those of a block's rows within `radius` of a group's box and of its component. What is farther from all of its surfels than that adds nothing to their sums.
+void append(const RowBlock& block, const PlaceBox& box, double radius, const std::uint64_t* component, std::uint64_t wanted, std::vector<std::uint32_t>& rows) {
+  const double r2 = radius * radius;
+  std::size_t n = rows.size();
+  rows.resize(n + block.row.size());
+  for (std::size_t k = 0; k < block.row.size(); k++) {
+    rows[n] = block.row[k];
+    n += (box.distance2(block.at[k]) < r2) & (component[block.row[k]] == wanted);
   }
-  double longest() const { return std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
-  double distance2(const Vec3d& x) const {
-    const Vec3d d{std::max({low.x - x.x, 0.0, x.x - high.x}), std::max({low.y - x.y, 0.0, x.y - high.y}), std::max({low.z - x.z, 0.0, x.z - high.z})};
-    return dot(d, d);
-  }
-};
-
-/// Rows of one component around a block of groups, looked up once for all of them.
-struct Around {
-  std::vector<std::uint32_t> row;
-  std::vector<Vec3d> at;
-  void find(const Bins& bins, const std::uint64_t* component, std::uint64_t wanted, const Box& box, double radius) {
-    const double r2 = radius * radius;
-    row.clear();
-    at.clear();
-    forRowsAround(bins, box.low, box.high, radius, [&](std::uint32_t j, const Vec3d& x) {
-      if (box.distance2(x) < r2 && component[j] == wanted) row.push_back(j), at.push_back(x);
-    });
-  }
-  /// Those within `radius` of a group's box. What is farther from all of its surfels than that adds nothing to their sums.
-  void append(const Box& box, double radius, std::vector<std::uint32_t>& rows) const {
-    const double r2 = radius * radius;
-    std::size_t n = rows.size();
-    rows.resize(n + row.size());
-    for (std::size_t k = 0; k < row.size(); k++) {
-      rows[n] = row[k];
-      n += box.distance2(at[k]) < r2;
-    }
-    rows.resize(n);
-  }
-};
+  rows.resize(n);
+}
 
 }  // namespace
 
@@ -70,14 +45,14 @@ void listGroups(const Surface& s, const std::vector<std::uint8_t>& free, const B
   l.firstSurfel.assign(1, 0);
   l.firstParticle.assign(1, 0);
   const auto place = [&](std::size_t k) { return f.position[l.sorting[k].row]; };
-  Around surfels, particles;
+  RowBlock surfels, particles;
   for (std::size_t k = 0; k < l.sorting.size();) {
     // a block of groups that lie together
     const std::uint64_t component = l.sorting[k].component;
     const auto boxFrom = [&](std::size_t from, std::size_t most, double side, std::size_t& to) {
-      Box box{place(from), place(from)};
+      PlaceBox box{place(from), place(from)};
       for (to = from + 1; to < l.sorting.size() && to < from + most && l.sorting[to].component == component; to++) {
-        Box more = box;
+        PlaceBox more = box;
         more.add(place(to));
         if (more.longest() > side) break;
         box = more;
@@ -85,16 +60,16 @@ void listGroups(const Surface& s, const std::vector<std::uint8_t>& free, const B
       return box;
     };
     std::size_t end = k;
-    const Box block = boxFrom(k, 64, 2 * longest, end);
-    surfels.find(surfelBins, f.component.data(), component, block, radii.surfels);
-    particles.find(particleBins, s.particles.component.data(), component, block, radii.particles);
+    const PlaceBox block = boxFrom(k, 64, 2 * longest, end);
+    surfels.find(surfelBins, block, radii.surfels);
+    particles.find(particleBins, block, radii.particles);
     while (k < end) {
       std::size_t last = k;
-      const Box box = boxFrom(k, std::min<std::size_t>(8, end - k), longest, last);
+      const PlaceBox box = boxFrom(k, std::min<std::size_t>(8, end - k), longest, last);
       for (std::size_t n = 0; n < 8; n++) l.self.push_back(l.sorting[std::min(k + n, last - 1)].row);
       l.lanes.push_back(static_cast<std::uint8_t>(last - k));
-      surfels.append(box, radii.surfels, l.surfel);
-      particles.append(box, radii.particles, l.particle);
+      append(surfels, box, radii.surfels, f.component.data(), component, l.surfel);
+      append(particles, box, radii.particles, s.particles.component.data(), component, l.particle);
       l.firstSurfel.push_back(l.surfel.size());
       l.firstParticle.push_back(l.particle.size());
       k = last;

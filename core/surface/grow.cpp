@@ -29,10 +29,11 @@ constexpr double leastOverDetail = 0.3;  // of the level: a spacing of the parti
 bool keepsDetail(const Surfels& f, std::size_t i) { return f.detail[i] > 0.5f && (!f.liquid.active || f.liquid[i] < 0.5f); }
 
 /// Surfels around one particle.
-void seedAround(const World& w, const SurfaceTools& t, std::size_t i, int seeds, std::vector<SurfelRow>& rows) {
-  for (int k = 0; k < seeds; k++) {
+void seedAround(const World& w, const SurfaceTools& t, std::size_t i, SeedDirections& seeds, std::vector<SurfelRow>& rows) {
+  seeds.turn(w.surface.particles.id[i]);
+  for (int k = 0; k < seeds.count(); k++) {
     SurfacePoint at;
-    if (seedOnSurface(w, t, i, seedDirection(w, w.surface.particles.id[i], k, seeds), at)) rows.push_back(seedSurfel(w, i, k, at));
+    if (seedOnSurface(w, t, i, seeds[k], at)) rows.push_back(seedSurfel(w, i, k, at));
   }
 }
 
@@ -40,10 +41,9 @@ void seedAround(const World& w, const SurfaceTools& t, std::size_t i, int seeds,
 void patchAround(const World& w, const SurfaceTools& t, std::size_t i, std::vector<SurfelRow>& rows) {
   const SurfaceParticles& p = w.surface.particles;
   const double far = 4.5 * w.scene.spacing;
-  const Vec3d reach{far, far, far};
   Vec3d away;
   double volume = 0, temperature = 0, liquid = 0;
-  forRowsInBox(t.relax.particleBins, p.position[i] - reach, p.position[i] + reach, [&](std::uint32_t j) {
+  forRowsAround(t.relax.particleBins, p.position[i], p.position[i], far, [&](std::uint32_t j, const Vec3d&) {
     const Vec3d d = p.position[j] - p.position[i];
     if (p.component[j] != p.component[i] || dot(d, d) > far * far) return;
     volume += p.volume[j];
@@ -76,7 +76,7 @@ void openAround(Surface& s, CellHalo& halo, SurfaceTools& t, const std::vector<s
 void growSurfels(World& w, SurfaceHalos halos, SurfaceTools& t, const std::function<bool(std::size_t)>& bare) {
   readyParticles(w, halos, t);
   const SurfaceParticles& p = w.surface.particles;
-  const int seeds = seedsOf(w);
+  SeedDirections seeds(w);
   std::vector<SurfelRow> rows;
   for (std::size_t i = 0; i < p.owned; i++)
     if (bare(i) && p.component[i] != noComponent && p.colour[i] < innerColour) seedAround(w, t, i, seeds, rows);

@@ -46,7 +46,7 @@ SurfaceSide sideOf(const Surfels& f, const InsideTools::Candidate* begin, const 
 
 }  // namespace
 
-void findSides(const Surfels& f, const PointBins& bins, const Vec3d& x, std::uint64_t label, bool others, double reach, InsideTools& t,
+void findSides(const Surfels& f, const Bins& bins, const Vec3d& x, std::uint64_t label, bool others, double reach, InsideTools& t,
                std::vector<SurfaceSide>& sides) {
   t.near.clear();
   sides.clear();
@@ -54,7 +54,7 @@ void findSides(const Surfels& f, const PointBins& bins, const Vec3d& x, std::uin
   t.groups.clear();
   double largest = 0;
   std::uint32_t group = 0;
-  bins.forEachWithin(x, reach, [&](std::uint32_t j, double d2) {
+  forRowsWithin(bins, x, reach, [&](std::uint32_t j, double d2) {
     const std::uint64_t c = f.component[j];
     if ((c != label) != others) return;
     if (t.groups.empty() || t.groups[group].component != c) {

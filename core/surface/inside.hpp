@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/surface/point_bins.hpp"
+#include "core/surface/bins.hpp"
 #include "core/surface/surfels.hpp"
 
 namespace thaw {
@@ -48,7 +48,7 @@ struct InsideTools {
 /// sign: at an edge one disc may say inside, but the one that x is truly in front of is nearer or looks straighter at it. Both faces of a
 /// sheet, however thin, say inside between them; in front of it the nearer one outweighs the other (accuracy.md B20). Inside is only
 /// what looks at the back of some disc at more than 30 degrees: not what lies beyond the open end of a neck that has just parted.
-void findSides(const Surfels& surfels, const PointBins& bins, const Vec3d& x, std::uint64_t label, bool others, double reach,
+void findSides(const Surfels& surfels, const Bins& bins, const Vec3d& x, std::uint64_t label, bool others, double reach,
                InsideTools& tools, std::vector<SurfaceSide>& sides);
 
 }  // namespace thaw

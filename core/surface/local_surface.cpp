@@ -10,7 +10,7 @@ void Patch::gather(const Surfels& s, std::size_t i, const RowLists& lists, doubl
   centre = i;
   rows.clear();
   std::fill(curvature, curvature + 3, 0.0);
-  for (std::uint64_t k = lists.first[i]; k < lists.first[i + 1]; k++) {
+  for (std::uint64_t k = lists.first[i]; k < lists.end[i]; k++) {
     const std::uint32_t j = lists.row[k];
     const Vec3d d = s.position[j] - s.position[i];
     if (dot(d, d) < reach * reach && s.component[j] == s.component[i] && dot(s.normal[j], s.normal[i]) > oneSide) rows.push_back(j);

@@ -109,7 +109,7 @@ bool touches(const World& w, const ComponentTools& c, std::uint32_t i, std::uint
   const SurfaceParticles& p = s.particles;
   const double dx = w.scene.spacing;
   bool found = false;
-  c.particleBins.forEachWithin(p.position[i], touchLength * dx, [&](std::uint32_t j, double) {
+  forRowsWithin(c.particleBins, p.position[i], touchLength * dx, [&](std::uint32_t j, double) {
     if (found || p.component[j] != other) return;
     const Vec3d middle = p.position[i] + 0.5 * (p.position[j] - p.position[i]);
     found = true;
@@ -178,7 +178,7 @@ void mergeComponents(World& w, SurfaceHalos halos, ComponentTools& c, MergeTools
   Surface& s = w.surface;
   Surfels& f = s.surfels;
   SurfaceParticles& p = s.particles;
-  c.surfelBins.build(f.position.data(), f.size(), s.surfelSupport);
+  fillBins(f.position.data(), f.size(), s.surfelSupport, c.surfelBins);
   const OneComponent one(f, s.surfelCells);
   const std::vector<Pair> pairs = meetingPairs(w, halos.all, c, one, t);
   Joined joined(pairs);

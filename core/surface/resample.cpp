@@ -20,6 +20,8 @@ namespace {
 enum Wish : std::uint8_t { Birth = 1, Crowded = 2, Champion = 4, Changed = 8 };  // Champion: comes before all that are too close to it
 
 constexpr double border = 3.6;  // rad: 206 degrees
+/// Surfels::calm within a call of one that is on a rim, until its surroundings change.
+constexpr float refused = -1;
 struct Round {
   Surfels& s;
   const RowLists& lists;
@@ -41,6 +43,7 @@ struct Round {
     }
   }
 
+  /// Wishes of the surfels looked at. One that has a place where nothing may be born is left alone until its surroundings change.
   void makeWishes() {
     drawOrder();
     closest.resize(s.owned);
@@ -60,13 +63,17 @@ struct Round {
         s.wish[i] |= Crowded;
         continue;
       }
+      if (s.calm[i] == refused) continue;
       s.calm[i] = calmFor;
       patch.fitCurvature();
       std::optional<SurfacePoint> place = emptyPlace(patch, (c.thin ? emptyAtThin : emptyAt) * s.radius[i]);
       if (!place) continue;
       const bool beyond = widestGap(patch, *place, 2 * s.radius[i]) > border;
       s.calm[i] = 0;  // a rim stays under observation: the body may go on there
-      if ((mayBe ? !mayBe(i, *place, beyond) : beyond) || taken(i, *place)) continue;
+      if ((mayBe ? !mayBe(i, *place, beyond) : beyond) || taken(i, *place)) {
+        s.calm[i] = refused;
+        continue;
+      }
       s.wish[i] |= Birth;
       s.offer[i] = place->position - s.position[i];
       s.offerNormal[i] = place->normal;
@@ -76,7 +83,7 @@ struct Round {
   /// Is a surfel of its side so near that one of the two would have to die?
   bool taken(std::size_t i, const SurfacePoint& p) const {
     const double least = crowdedAtMany * s.radius[i];
-    for (std::uint64_t k = lists.first[i]; k < lists.first[i + 1]; k++) {
+    for (std::uint64_t k = lists.first[i]; k < lists.end[i]; k++) {
       const std::uint32_t j = lists.row[k];
       const Vec3d d = s.position[j] - p.position;
       if (dot(d, d) < least * least && s.component[j] == s.component[i] && dot(s.normal[j], p.normal) > oneSide) return true;
@@ -92,7 +99,7 @@ struct Round {
   bool givesBirth(std::size_t i) const {
     if (!(s.wish[i] & Birth)) return false;
     const Vec3d here = s.position[i] + s.offer[i];
-    for (std::uint64_t k = lists.first[i]; k < lists.first[i + 1]; k++) {
+    for (std::uint64_t k = lists.first[i]; k < lists.end[i]; k++) {
       const std::uint32_t j = lists.row[k];
       if (!(s.wish[j] & Birth) || s.component[j] != s.component[i]) continue;
       const Vec3d d = s.position[j] + s.offer[j] - here;
@@ -105,7 +112,7 @@ struct Round {
   /// A champion stays, and those too close to it die.
   bool dies(std::size_t i) const {
     if (!(s.wish[i] & Crowded)) return false;
-    for (std::uint64_t k = lists.first[i]; k < lists.first[i + 1]; k++) {
+    for (std::uint64_t k = lists.first[i]; k < lists.end[i]; k++) {
       const std::uint32_t j = lists.row[k];
       if ((!open[j] || (s.wish[j] & Champion)) && s.component[j] == s.component[i] && dot(s.normal[j], s.normal[i]) > oneSide && tooClose(s, i, j, static_cast<double>(closest[i])) &&
           (!(s.wish[j] & Crowded) || before(deathOrder, j, i)))
@@ -154,7 +161,7 @@ void calmSmallDrops(Surface& surface) {
 }
 
 std::int64_t countOpen(const Surfels& s, Reducer& all) {
-  std::int64_t open[1] = {std::count_if(s.calm.data(), s.calm.data() + s.owned, [](float calm) { return !(calm > 0); })};
+  std::int64_t open[1] = {std::count_if(s.calm.data(), s.calm.data() + s.owned, [](float calm) { return calm == 0; })};
   all.sum(open);
   return open[0];
 }
@@ -162,15 +169,15 @@ std::int64_t countOpen(const Surfels& s, Reducer& all) {
 }  // namespace
 
 void disturbAround(Surfels& s, const Bins& bins, const std::vector<std::uint8_t>& marked, double spacing) {
-  const double far = 2 * spacing;
-  const Vec3d reach{far, far, far};
+  const double far = 3 * spacing;
   for (std::size_t i = 0; i < s.size(); i++) {
     if (!marked[i]) continue;
     const Vec3d x = s.position[i];
-    forRowsInBox(bins, x - reach, x + reach, [&](std::uint32_t j) {
+    forRowsAround(bins, x, x, far, [&](std::uint32_t j, const Vec3d&) {
       if (j >= s.owned) return;
       const Vec3d d = s.position[j] - x;
-      if (dot(d, d) < 4 * s.radius[j] * s.radius[j]) s.calm[j] = 0;
+      const double reach = (s.calm[j] == refused ? 3 : 2) * s.radius[j];
+      if (dot(d, d) < reach * reach) s.calm[j] = 0;
     });
   }
 }
@@ -237,6 +244,7 @@ Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t r
     s.reorder(stay);
     if (count[1] > 0) addSurfels(s, born, r.seed, halos.all);
   }
+  for (std::size_t i = 0; i < s.owned; i++) s.calm[i] = std::max(0.0f, s.calm[i]);
   surface.counters.births += done.births;
   surface.counters.deaths += done.deaths;
   surface.counters.capped += done.capped;

@@ -4,17 +4,30 @@ namespace thaw {
 
 void findRows(const Bins& bins, const Vec3d* position, std::size_t owned, const std::vector<std::uint8_t>& wanted, double radius, RowLists& lists) {
   lists.row.clear();
-  lists.first.assign(owned + 1, 0);
+  lists.first.assign(owned, 0);
+  lists.end.assign(owned, 0);
   const double r2 = radius * radius;
-  for (std::size_t i = 0; i < owned; i++) {
-    if (wanted[i]) {
+  std::vector<std::uint32_t> asking;
+  for (std::size_t b = 0; b < bins.size(); b++) {
+    asking.clear();
+    for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++)
+      if (bins.row[k] < owned && wanted[bins.row[k]]) asking.push_back(bins.row[k]);
+    if (asking.empty()) continue;
+    PlaceBox box{position[asking[0]], position[asking[0]]};
+    for (const std::uint32_t i : asking) box.add(position[i]);
+    lists.block.find(bins, box, radius);
+    for (const std::uint32_t i : asking) {
       const Vec3d x = position[i];
-      forRowsAround(bins, x, x, radius, [&](std::uint32_t j, const Vec3d& at) {
-        const Vec3d d = at - x;
-        if (dot(d, d) < r2 && i != j) lists.row.push_back(j);
-      });
+      std::size_t n = lists.first[i] = lists.row.size();
+      lists.row.resize(n + lists.block.row.size());
+      for (std::size_t k = 0; k < lists.block.row.size(); k++) {
+        const Vec3d d = lists.block.at[k] - x;
+        lists.row[n] = lists.block.row[k];
+        n += (dot(d, d) < r2) & (lists.block.row[k] != i);
+      }
+      lists.row.resize(n);
+      lists.end[i] = n;
     }
-    lists.first[i + 1] = lists.row.size();
   }
 }
 

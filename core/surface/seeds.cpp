@@ -15,11 +15,19 @@ int seedsOf(const World& w) {
   return static_cast<int>(std::clamp(7 * fine * fine, 16.0, 120.0));
 }
 
-Vec3d seedDirection(const World& w, std::uint64_t id, int k, int seeds) {
+SeedDirections::SeedDirections(const World& w) : seed_(w.scene.seed) {
   constexpr double goldenAngle = 2.39996322972865332;
-  const double turn = 6.283185307179586 * randomUniform(w.scene.seed, Purpose::SurfelSample, id);
-  const double z = 1 - (2.0 * k + 1) / seeds, across = std::sqrt(1 - z * z), angle = turn + goldenAngle * k;
-  return {across * std::cos(angle), across * std::sin(angle), z};
+  const int seeds = seedsOf(w);
+  for (int k = 0; k < seeds; k++) {
+    const double z = 1 - (2.0 * k + 1) / seeds, across = std::sqrt(1 - z * z);
+    at_.push_back({across * std::cos(goldenAngle * k), across * std::sin(goldenAngle * k), z});
+  }
+}
+
+void SeedDirections::turn(std::uint64_t id) {
+  const double angle = 6.283185307179586 * randomUniform(seed_, Purpose::SurfelSample, id);
+  cosine_ = std::cos(angle);
+  sine_ = std::sin(angle);
 }
 
 bool seedOnSurface(const World& w, const SurfaceTools& t, std::size_t i, const Vec3d& u, SurfacePoint& at) {

@@ -1,5 +1,7 @@
 // Places on the surface around a particle, from which surfels are grown.
 #pragma once
+#include <vector>
+
 #include "core/surface/births.hpp"
 #include "core/surface/local_surface.hpp"
 #include "core/world.hpp"
@@ -14,8 +16,22 @@ inline constexpr float innerColour = 0.97f;
 /// Seeds around a particle, as many as the surfels' spacing asks for.
 int seedsOf(const World& world);
 
-/// Direction of seed k of `seeds`: evenly on a sphere that is turned at random for each particle.
-Vec3d seedDirection(const World& world, std::uint64_t particleId, int k, int seeds);
+/// Directions of the seeds: evenly on a sphere that is turned at random for each particle.
+class SeedDirections {
+ public:
+  explicit SeedDirections(const World& world);
+  void turn(std::uint64_t particleId);
+  int count() const { return static_cast<int>(at_.size()); }
+  Vec3d operator[](int k) const {
+    const Vec3d& d = at_[static_cast<std::size_t>(k)];
+    return {cosine_ * d.x - sine_ * d.y, sine_ * d.x + cosine_ * d.y, d.z};
+  }
+
+ private:
+  std::uint64_t seed_;
+  double cosine_ = 1, sine_ = 0;
+  std::vector<Vec3d> at_;
+};
 
 /// The point of the component's surface that belongs to particle i (row of the copies) in direction u; false where there is none near it.
 /// Needs readyParticles.

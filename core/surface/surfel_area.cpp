@@ -1,6 +1,9 @@
 #include "core/surface/surfel_area.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
 
 namespace thaw {
 namespace {
@@ -71,66 +74,114 @@ class Cell {
   std::size_t n_ = 0;
 };
 
-struct Candidate {
-  double d2;
-  std::uint64_t id;
-  std::uint32_t row;
-};
+using Candidate = AreaLists::Candidate;
 
-double areaOf(const Surfels& f, std::size_t i, const std::vector<Candidate>& near) {
+/// Cuts the cell by neighbours in their order until none farther away can reach it; 4 times the square of how far it extends at the end.
+double cutCell(const Surfels& f, std::size_t i, std::span<const Candidate> near, Cell& cell) {
   const Vec3d n = f.normal[i], e1 = normalized(f.tangent[i] - dot(f.tangent[i], n) * n), e2 = cross(n, e1);
-  Cell cell(f.radius[i]);
   double reach2 = 4 * cell.farthest2();
   for (const Candidate& c : near) {
     if (c.d2 > reach2 || cell.full()) break;
     const Vec3d d = f.position[c.row] - f.position[i], other = f.normal[c.row];
     const double cosine = dot(n, other), height = dot(d, n);
     if (cosine < cosBack) continue;
-    const Vec3d flat = d - height * n;
-    const double flatLength = length(flat);
-    if (flatLength < 1e-9 * f.radius[i]) continue;
+    const double flat2 = c.d2 - height * height;
+    if (flat2 < 1e-12 * f.radius[i] * f.radius[i]) continue;
+    const Point2 flat{dot(d, e1), dot(d, e2)};
+    double stretch = 1;  // arc over flat length
     if (cosine < cosFlat) {  // over an edge: where its plane meets ours
       const double over = dot(d, other);
       const double sign = over < 0 ? -1 : 1;
       const Point2 a{sign * dot(other, e1), sign * dot(other, e2)};
-      if (sign * over <= flatLength * std::sqrt(a.x * a.x + a.y * a.y)) {
+      if (over * over <= (1 + 1e-9) * flat2 * (a.x * a.x + a.y * a.y)) {  // the same right over the edge
         if (cell.cut(a, sign * over)) reach2 = 4 * cell.farthest2();
         continue;
       }
     } else if (height * height > 0.5 * c.d2) {
       continue;  // above or below: another layer
+    } else {
+      stretch = std::sqrt(c.d2 / flat2) * (1 + (1 - cosine) / 12);
     }
-    const double arc = cosine < cosFlat ? flatLength : std::sqrt(c.d2) * (1 + (1 - cosine) / 12);
-    const double s = arc / flatLength;
-    if (cell.cut({s * dot(flat, e1), s * dot(flat, e2)}, 0.5 * arc * arc)) reach2 = 4 * cell.farthest2();
+    if (cell.cut({stretch * flat.x, stretch * flat.y}, 0.5 * stretch * stretch * flat2)) reach2 = 4 * cell.farthest2();
   }
-  return cell.area();
+  return reach2;
 }
 
 }  // namespace
 
-void findSurfelAreas(Surfels& f, PointBins& bins) {
-  constexpr double reach = 2.31;  // twice the corners of a hexagon
+namespace {
+
+constexpr double reach = 2.31;  // of what may cut a hexagon: twice its corners
+constexpr double usual = 1.75;  // most cells end within half of this
+
+/// Who may cut whose cell, as long as none comes `slack` (m) nearer.
+void listNear(const Surfels& f, double slack, AreaLists& l) {
   double largest = 0;
   for (std::size_t i = 0; i < f.owned; i++) largest = std::max(largest, f.radius[i]);
-  if (f.owned == 0) return;
-  bins.build(f.position.data(), f.size(), reach * largest);
-  std::vector<Candidate> near;
-  PointBins::Block all;
-  bins.forEachBlock(bins, reach * largest, all, [&](std::uint32_t i, const PointBins::Block& block) {
+  fillBins(f.position.data(), f.size(), usual * largest, l.bins);
+  l.found.assign(f.position.data(), f.position.data() + f.size());
+  l.first.assign(f.owned, 0);
+  l.end.assign(f.owned, 0);
+  l.near.clear();
+  forBlocks(l.bins, l.bins, usual * largest + slack, l.block, [&](std::uint32_t i, const RowBlock& block) {
     if (i >= f.owned) return;
-    near.clear();
-    const double r2 = reach * f.radius[i] * reach * f.radius[i];
+    const double r = usual * f.radius[i] + slack, r2 = r * r;
     const Vec3d x = f.position[i];
+    l.first[i] = l.near.size();
     for (std::size_t k = 0; k < block.row.size(); k++) {
       const Vec3d d = block.at[k] - x;
       const double d2 = dot(d, d);
       const std::uint32_t j = block.row[k];
-      if (d2 <= r2 && j != i && f.component[j] == f.component[i]) near.push_back({d2, f.id[j], j});
+      if (d2 <= r2 && j != i && f.component[j] == f.component[i]) l.near.push_back({d2, f.id[j], j});
     }
-    std::sort(near.begin(), near.end(), [](const Candidate& a, const Candidate& b) { return a.d2 != b.d2 ? a.d2 < b.d2 : a.id < b.id; });
-    f.area[i] = areaOf(f, i, near);
+    l.end[i] = l.near.size();
+    std::sort(l.near.begin() + static_cast<std::ptrdiff_t>(l.first[i]), l.near.end());
   });
+}
+
+/// Is it the same surface as in the lists, but for moves of less than half the slack?
+bool stillHolds(const Surfels& f, double slack, const AreaLists& l) {
+  if (l.found.size() != f.size() || l.first.size() != f.owned) return false;
+  for (std::size_t i = 0; i < f.size(); i++) {
+    const Vec3d d = f.position[i] - l.found[i];
+    if (!(4 * dot(d, d) < slack * slack)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void findSurfelAreas(Surfels& f, AreaLists& l, bool again) {
+  double slack = 0;
+  for (std::size_t i = 0; i < f.size(); i++) slack = std::max(slack, 0.25 * f.radius[i]);
+  if (!again || !stillHolds(f, slack, l)) listNear(f, slack, l);
+  std::vector<Candidate> wide;
+  for (std::size_t i = 0; i < f.owned; i++) {
+    const std::span<Candidate> near(l.near.data() + l.first[i], l.end[i] - l.first[i]);
+    if (again) {
+      for (std::size_t k = 0; k < near.size(); k++) {  // almost in order
+        Candidate c = near[k];
+        const Vec3d d = f.position[c.row] - f.position[i];
+        c.d2 = dot(d, d);
+        std::size_t to = k;
+        for (; to > 0 && c < near[to - 1]; to--) near[to] = near[to - 1];
+        near[to] = c;
+      }
+    }
+    Cell cell(f.radius[i]);
+    const double left2 = cutCell(f, i, near, cell), known = usual * f.radius[i];
+    if (left2 > known * known) {  // beside a hole or a rim
+      wide.clear();
+      forRowsWithin(l.bins, f.position[i], reach * f.radius[i] + slack, [&](std::uint32_t j, double) {
+        const Vec3d d = f.position[j] - f.position[i];
+        if (j != i && f.component[j] == f.component[i]) wide.push_back({dot(d, d), f.id[j], j});
+      });
+      std::sort(wide.begin(), wide.end());
+      cell = Cell(f.radius[i]);
+      cutCell(f, i, wide, cell);
+    }
+    f.area[i] = cell.area();
+  }
 }
 
 }  // namespace thaw

@@ -24,8 +24,8 @@ void placeSurfels(Surface& s, SurfaceHalos halos, SurfaceTools& t) {
 }
 
 /// Areas and components of where surfels are; needs ghosts.
-void measureAll(Surface& s, SurfaceHalos halos, TopologyTools& t) {
-  findSurfelAreas(s.surfels, t.components.surfelBins);
+void measureAll(Surface& s, SurfaceHalos halos, TopologyTools& t, bool again = false) {
+  findSurfelAreas(s.surfels, t.areas, again);
   measureComponents(s, halos.all);
 }
 
@@ -35,7 +35,7 @@ void keepVolume(World& w, SurfaceHalos halos, TopologyTools& t) {
   for (int k = 0; k < 4 && volumeError(s) > 1e-3; k++) {
     offsetToVolume(s, w.scene.surface.keepVolume);
     refreshGhosts(halos.surfels, s.surfels, ColumnList{&s.surfels.position});
-    measureAll(s, halos, t);
+    measureAll(s, halos, t, true);
   }
 }
 
@@ -69,7 +69,7 @@ void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   addSurfelGhosts(s, halos);  // splitting dropped them
   const bool several = severalParts(t.components);
   if (several) addGhosts(halos.particles, s.particles, s.particleCells, ColumnList{&s.particles.id, &s.particles.position, &s.particles.component});
-  if (several) t.components.particleBins.build(s.particles.position.data(), s.particles.size(), w.scene.surface.linkLength * w.scene.spacing);
+  if (several) fillBins(s.particles.position.data(), s.particles.size(), w.scene.surface.linkLength * w.scene.spacing, t.components.particleBins);
   mergeComponents(w, halos, t.components, t.merge);
   dropGhosts(s.particles, s.particleCells);
   placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, tools.sort);  // contact has moved some

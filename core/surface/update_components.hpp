@@ -2,6 +2,7 @@
 #pragma once
 #include "core/surface/components.hpp"
 #include "core/surface/merge.hpp"
+#include "core/surface/surfel_area.hpp"
 
 namespace thaw {
 
@@ -11,6 +12,7 @@ struct SurfaceTools;
 struct TopologyTools {
   ComponentTools components;
   MergeTools merge;
+  AreaLists areas;
 };
 
 /// Components come apart and join; surfels of the wrong place are deleted or moved (splitComponents, mergeComponents). Surfels and particle

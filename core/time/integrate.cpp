@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/sleep/sleep.hpp"
+
 namespace thaw {
 
 namespace {
@@ -43,14 +45,14 @@ bool finishKick(World& w, double dt, std::size_t* bad) {
   Continuum& p = w.particles;
   const Vec3d g = w.scene.domain.gravity;
   const double half = 0.5 * dt;
-  const bool clamps = p.clamped.active;
+  const bool clamps = p.clamped.active, sleeps = p.sleep.active;
   const double lessFast = 1.0 / w.clock.substeps - 1;
   const double far2 = w.grid.support * w.grid.support / (dt * dt);
   bool finite = true;
   bookImpulses(w, half);
   for (std::size_t i = p.owned; i-- > 0;) {
     Vec3d a = p.force[i] / p.mass[i] + g;
-    if (clamps && p.clamped[i]) a = {};
+    if ((clamps && p.clamped[i]) || (sleeps && p.sleep[i] != awake)) a = {};
     if (!std::isfinite(a.x + a.y + a.z + p.position[i].x + p.position[i].y + p.position[i].z + p.velocity[i].x + p.velocity[i].y + p.velocity[i].z)) {
       finite = false;
       *bad = i;

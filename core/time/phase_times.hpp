@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cstddef>
 
+#include "core/time/step_trace.hpp"
+
 namespace thaw {
 
 /// Phases of a step and of a run. None: time that no timer covers.
@@ -27,6 +29,7 @@ struct PhaseTimes {
   std::array<double, stepPhases> seconds{};
   StepPhase current = StepPhase::None;
   Clock::time_point since{};
+  StepTrace* trace = nullptr;  ///< laps are kept there; null: nowhere
 
   double& operator[](StepPhase phase) { return seconds[static_cast<std::size_t>(phase)]; }
   double operator[](StepPhase phase) const { return seconds[static_cast<std::size_t>(phase)]; }
@@ -41,6 +44,7 @@ struct PhaseTimes {
   void lap(StepPhase phase) {
     const auto now = Clock::now();
     (*this)[phase] += std::chrono::duration<double>(now - since).count();
+    if (trace != nullptr) trace->add(TraceKind::Phase, static_cast<std::uint8_t>(phase), since, now);
     since = now;
   }
 

@@ -135,6 +135,10 @@ void addWallForces(const WallContext& x, double perLatticeSum, WallContacts& con
   const WallContext shorter{w, x.tables, x.liquids, x.dt * x.fast, x.span * x.fast};
   for (std::size_t c = 0; c < list.size();) {
     const std::uint32_t i = list[c].row;
+    if (x.sleeps(i)) {
+      c++;
+      continue;
+    }
     const Material& m = w.scene.materials[p.material[i]];
     const bool substeps = p.fastAcceleration.active && p.slot[i] != noSlot;
     WallAction act, often;  // often: its part in every substep
@@ -206,7 +210,7 @@ void addWallHeat(const WallContext& x, const WallContacts& contacts) {
     const WallIntegrals t = x.tables(c.distance / h);
     if (p.exposure.active) p.exposure[c.row] = static_cast<float>(std::max(0.0, static_cast<double>(p.exposure[c.row]) - coveredScale * t.push * c.share));
     const Obstacle& o = w.walls.list[c.wall].properties;
-    if (!o.temperature) continue;
+    if (!o.temperature || x.sleeps(c.row)) continue;
     const Material& m = w.scene.materials[p.material[c.row]];
     const double f = liquidFraction(p, c.row), k = conductivityOf(model, m, f), V = p.mass[c.row] / m.density;
     if (k <= 0) continue;

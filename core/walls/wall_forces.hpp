@@ -13,6 +13,8 @@ struct WallContext {
   double dt;    ///< s, of the step that ends now; 0 at the start, when nothing is booked
   double span;  ///< s, of the step at hand: drag and heat are averaged over it, so that they cannot overshoot
   double fast = 1;  ///< 1 / substeps: contact of solids acts for that part of dt now, the rest is addSubstepContacts'
+  const std::vector<std::uint8_t>* deep = nullptr;  ///< by owned row: sleeps so that nothing changes (core/sleep/); no force and no heat for it; null: none does
+  bool sleeps(std::size_t i) const { return deep && (*deep)[i]; }
 };
 
 /// Lists the owned particles within a support radius of a wall. Particles deeper in a wall than half a spacing are moved out to its

@@ -12,12 +12,13 @@
 set -u
 scene=${1:-scenes/melt_large.toml}
 out=${SCRATCH:-$PWD/out}/$(basename "$scene" .toml)
+thaw=${THAW:-build/release/thaw}
 
 # srun hands the signal to all ranks. Open MPI of Debian is built with PMIx; elsewhere see `srun --mpi=list`.
 code=0
-srun --mpi=pmix --kill-on-bad-exit=1 build/release/thaw run "$scene" --out "$out" --resume || code=$?
+srun --mpi=pmix --kill-on-bad-exit=1 "$thaw" run "$scene" --out "$out" --resume || code=$?
 case $code in
-  0) build/release/thaw render "$out" --sheet "$out/pictures/sheet.png" ;;
+  0) "$thaw" render "$out" --sheet "$out/pictures/sheet.png" ;;
   75) sbatch "$0" "$scene" ;;
 esac
 exit "$code"

@@ -37,7 +37,10 @@ int loop(Run& r, std::string& why) {
     wanted.stop = !reason.empty();
     wanted.report = r.first() && since(r.lastReport) >= r.options.reportEvery;
     wanted.checkpoint = r.first() && since(r.lastCheckpoint) >= w.scene.output.checkpoint;
+    const auto begin = StepTrace::Clock::now();
+    if (r.profile) r.profile->trace.beginStep(w.clock.step);
     StepOutcome o = step(w, r.halos(), r.tools, wanted);
+    if (r.profile) r.profile->trace.add(TraceKind::Step, 0, begin, StepTrace::Clock::now());
     const bool good = goodStateDue(r);
     if (good && o.alarm == Alarm::None) o.alarm = lookAtBooks(r);
     if (o.alarm != Alarm::None) {
@@ -96,7 +99,12 @@ int simulate(Run& r) {
   summarise(r, "running", "");
   std::string why;
   r.stepping = true;
+  if (r.options.profile) {
+    r.profile = std::make_unique<Profile>(static_cast<std::size_t>(r.options.traceSteps));
+    beginProfile(*r.profile, r.tools.times, r.comm);
+  }
   const int code = loop(r, why);
+  reportProfile(r);
   if (code == exitDone && c.time < c.end) why = "--steps is reached; --restart goes on";
   if (code == exitDone || code == exitStopped) {
     report(r);
@@ -132,6 +140,8 @@ void addRunOptions(CLI::App& c, RunOptions& o) {
   c.add_option("--steps", o.steps, "stop when this many steps are done in all")->check(notBelowZero());
   c.add_option("--time-limit", o.timeLimit, "stop, with a checkpoint, after this many seconds of wall-clock time")->check(CLI::PositiveNumber);
   c.add_option("--progress", o.reportEvery, "seconds between progress lines")->check(notBelowZero());
+  auto* profile = c.add_flag("--profile", o.profile, "print where the time of the steps goes on all ranks, and write a trace of the last ones to trace.json in --out");
+  c.add_option("--trace-steps", o.traceSteps, "steps that the trace shows: the last ones")->check(CLI::Range(1, 10000))->needs(profile)->capture_default_str();
   auto* restart = c.add_flag("--restart", o.restart, "continue from the last checkpoint in --out");
   c.add_flag("--resume", o.resume, "continue if there is a checkpoint in --out, else begin")->excludes(restart);
 }

@@ -16,6 +16,8 @@ struct RunOptions {
   bool restart = false;      ///< continue from the last checkpoint, which must be there
   bool resume = false;       ///< continue if there is a checkpoint, else begin
   std::int64_t relax = 0;    ///< iterations of relaxation for all oriented bodies, at least; above 0, nothing else is done
+  bool profile = false;      ///< phase table at the end, and a trace
+  int traceSteps = 20;       ///< steps at the end that the trace shows
   double reportEvery = 2;    ///< s of wall-clock time between progress lines
 };
 

@@ -1,5 +1,7 @@
 #include "io/commands/scene_for_all.hpp"
 
+#include <algorithm>
+
 #include "io/meshes/read_mesh.hpp"
 #include "io/scene/read_scene.hpp"
 
@@ -10,7 +12,8 @@ void broadcast(const Communicator& comm, std::string& text) {
   std::uint64_t n = text.size();
   MPI_Bcast(&n, 1, MPI_UINT64_T, 0, comm.handle());
   text.resize(n);
-  MPI_Bcast(text.data(), static_cast<int>(n), MPI_CHAR, 0, comm.handle());
+  for (std::size_t done = 0; done < n; done += comm.piece())  // with its meshes it may be long, and MPI counts in 32 bits
+    MPI_Bcast(text.data() + done, static_cast<int>(std::min(comm.piece(), n - done)), MPI_CHAR, 0, comm.handle());
 }
 
 }  // namespace

@@ -76,8 +76,11 @@ bool goodStateDue(const Run& r) { return retries(r) && r.world.clock.step % r.wo
 bool atGoodState(const Run& r) { return !retries(r) || r.world.watch.goodStep == r.world.clock.step; }
 
 Alarm lookAtBooks(Run& r) {
+  r.tools.times.start();
   r.books = reportLedger(r.world, r.all);
-  return checkBooks(r.world, r.tools.watch, r.books, r.all);
+  const Alarm alarm = checkBooks(r.world, r.tools.watch, r.books, r.all);
+  r.tools.times.lap(StepPhase::Other);
+  return alarm;
 }
 
 void acceptGoodState(Run& r) {

@@ -10,28 +10,12 @@
 #include "io/run/kind_run.hpp"
 #include "io/run/scene_marks.hpp"
 #include "io/run/surface_run.hpp"
+#include "io/run/trace_file.hpp"
 #include "io/scene/read_scene.hpp"
 
 namespace thaw {
 
-HaloTraffic trafficOf(const Run& r) {
-  HaloTraffic sum = r.earlierTraffic;
-  const auto add = [&](const HaloTraffic& more) {
-    sum.messages += more.messages;
-    sum.bytes += more.bytes;
-    sum.waited += more.waited;
-  };
-  if (r.cells) add(r.cells->traffic());
-  if (r.bonds) add(r.bonds->traffic());
-  if (r.surface) add(r.surface->surfels.traffic()), add(r.surface->particles.traffic());
-  for (const auto& k : r.kinds)
-    if (k) add(k->traffic());
-  if (r.edges) add(r.edges->traffic());
-  return sum;
-}
-
 void renewHalos(Run& r) {
-  r.earlierTraffic = trafficOf(r);
   r.cells = std::make_unique<MpiCellHalo>(r.comm, r.world.grid);
   r.bonds = std::make_unique<MpiBondHalo>(r.comm);
   eachKind(r.world, [&](std::size_t kind, const KindRows&, const CellTable&) { r.kinds[kind] = std::make_unique<MpiCellHalo>(r.comm, r.world.grid); });
@@ -58,6 +42,7 @@ void writeFrameOf(Run& r) {
 }
 
 void report(Run& r) {
+  r.tools.times.start();
   const LedgerReport l = reportLedger(r.world, r.all);
   const bool first = r.world.clock.step == r.stepAtReport;
   const double rate = static_cast<double>(r.world.clock.step - r.stepAtReport) / std::max(1e-9, since(r.lastReport));
@@ -69,6 +54,7 @@ void report(Run& r) {
   r.lastReport = WallClock::now();
   r.stepAtReport = r.world.clock.step;
   r.summary.ledger = l;
+  r.tools.times.lap(StepPhase::Other);
 }
 
 void summarise(Run& r, const std::string& status, const std::string& message) {
@@ -79,9 +65,8 @@ void summarise(Run& r, const std::string& status, const std::string& message) {
   s.wall = since(r.start);
   s.stepsHere = r.world.clock.step - r.firstStep;
   s.particleSteps = static_cast<double>(s.ledger.particles) * static_cast<double>(s.stepsHere);
-  const HaloTraffic traffic = trafficOf(r);
   s.solvers = solversOf(r.world, r.tools);
-  gatherSummary(s, r.world, r.tools.times, traffic.messages, traffic.bytes, r.all);
+  gatherSummary(s, r.world, r.tools.times, r.comm.traffic(), r.all);
   gatherSurface(r);
   onFirstRank(r.comm.handle(), [&] {
     RunSummary all = s;
@@ -89,6 +74,19 @@ void summarise(Run& r, const std::string& status, const std::string& message) {
     for (const std::string& w : surfaceWarnings(s.surface)) all.warnings.push_back(w);
     writeSummary(r.options.out, all);
   });
+}
+
+void reportProfile(Run& r) {
+  if (!r.profile) return;
+  const std::unique_ptr<Profile> p = std::move(r.profile);
+  endProfile(r.tools.times, r.comm);
+  std::int64_t particles = static_cast<std::int64_t>(r.world.particles.owned);
+  eachKind(r.world, [&](std::size_t, const KindRows& rows, const CellTable&) { particles += static_cast<std::int64_t>(rows.owned); });
+  r.all.sum({&particles, 1});
+  for (const std::string& line : profileLines(*p, r.tools.times, r.world.clock.step - r.firstStep, particles, r.comm)) r.say(line);
+  const std::string path = r.options.out + "/trace.json";
+  writeTrace(path, r.comm, p->trace);
+  r.say(fmt::format("  trace of the last steps: {} (ui.perfetto.dev opens it)", path));
 }
 
 void writeCheckpointOf(Run& r) {

@@ -12,6 +12,7 @@
 #include "io/commands/run.hpp"
 #include "io/output/checkpoint.hpp"
 #include "io/output/series.hpp"
+#include "io/run/profile.hpp"
 #include "io/run/summary.hpp"
 #include "parallel/bond_halo.hpp"
 #include "parallel/cell_halo.hpp"
@@ -45,7 +46,7 @@ struct Run {
   World good;                            // the last good state: of it only what keepState fills (core/watch/good_state.hpp)
   LedgerReport books;                    // of the state that is about to become it
   bool goodInMemory = false, goodOnDisk = false;
-  HaloTraffic earlierTraffic;            // of halos before the last retry
+  std::unique_ptr<Profile> profile;      // with --profile, from the first step on
   bool resumed = false;                  // it goes on from a checkpoint
   bool begun = false;                    // the world holds its particles
   bool stepping = false;                 // in the loop, where ranks wait for each other
@@ -59,10 +60,7 @@ struct Run {
   RunStamp stamp() const { return {name, world.scene.text, world.scene.output.piecesByRank}; }
 };
 
-/// What was sent so far, by halos that there were and are.
-HaloTraffic trafficOf(const Run& run);
-
-/// New halos for particles, bonds and surface: at the start, and as after a restart; what was sent stays counted.
+/// New halos for particles, bonds and surface: at the start, and as after a restart.
 void renewHalos(Run& run);
 
 /// The next frame, of particles and surface, and its lines in the series.
@@ -73,6 +71,9 @@ void report(Run& run);
 
 /// Gathers and writes summary.json.
 void summarise(Run& run, const std::string& status, const std::string& message);
+
+/// Says what --profile has found, and writes OUT/trace.json; once, at whatever end.
+void reportProfile(Run& run);
 
 /// With it a summary, so that also a run that is killed leaves one.
 void writeCheckpointOf(Run& run);

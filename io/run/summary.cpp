@@ -52,7 +52,8 @@ double peakMemory() {
   return static_cast<double>(usage.ru_maxrss) * 1024;
 }
 
-void gatherSummary(RunSummary& s, const World& w, const PhaseTimes& times, std::int64_t messages, std::int64_t bytes, Reducer& all) {
+void gatherSummary(RunSummary& s, const World& w, const PhaseTimes& times, const Traffic& traffic, Reducer& all) {
+  s.traffic = gatherTraffic(traffic, {}, all);
   std::vector<double> most, least;
   std::vector<std::int64_t> sum;
   double work = 0;
@@ -65,7 +66,7 @@ void gatherSummary(RunSummary& s, const World& w, const PhaseTimes& times, std::
   most.push_back(work);
   most.push_back(peakMemory());
   most.push_back(static_cast<double>(w.particles.owned));
-  for (std::int64_t v : {std::llround(work * 1e9), static_cast<long long>(messages), static_cast<long long>(bytes), static_cast<long long>(w.particles.owned)}) sum.push_back(v);
+  for (std::int64_t v : {std::llround(work * 1e9), static_cast<long long>(w.particles.owned)}) sum.push_back(v);
   Counters own = w.counters;
   for (const NamedCount& c : countsOf(own)) sum.push_back(*c.count);
   all.maximum(most);
@@ -78,11 +79,9 @@ void gatherSummary(RunSummary& s, const World& w, const PhaseTimes& times, std::
   const double meanWork = static_cast<double>(sum[at]) * 1e-9 / n;
   s.imbalance = meanWork > 0 ? most[at] / meanWork : 1;
   s.peakMemory = most[at + 1];
-  s.messagesSent = sum[at + 1];
-  s.bytesSent = sum[at + 2];
-  const double meanParticles = static_cast<double>(sum[at + 3]) / n;
+  const double meanParticles = static_cast<double>(sum[at + 1]) / n;
   s.particleSpread = meanParticles > 0 ? most[at + 2] / meanParticles : 1;
-  const std::int64_t* k = sum.data() + at + 4;
+  const std::int64_t* k = sum.data() + at + 2;
   for (const NamedCount& c : countsOf(s.counters)) *c.count = *k++;
   s.clock = w.clock;
   s.ranks = all.size();
@@ -119,8 +118,9 @@ void writeSummary(const std::string& out, const RunSummary& s) {
   for (const auto& [name, p] : s.phases) j["phases_s_per_rank"][name] = {{"min", p.least}, {"mean", p.mean}, {"max", p.most}};
   j["imbalance"] = s.imbalance;
   j["particles_max_over_mean"] = s.particleSpread;
-  j["messages_sent"] = s.messagesSent;
-  j["bytes_sent"] = s.bytesSent;
+  j["messages_sent"] = s.traffic.allMessages;
+  j["bytes_sent"] = s.traffic.allBytes;
+  j["traffic"] = trafficJson(s.traffic);
   j["peak_memory_bytes"] = s.peakMemory;
   const LedgerReport& l = s.ledger;
   j["ledger"] = {{"initial", balance(l.initial)}, {"now", balance(l.now)}, {"entered", balance(l.entered)}, {"left", balance(l.left)},

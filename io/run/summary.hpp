@@ -11,6 +11,7 @@
 
 #include "io/run/solver_use.hpp"
 #include "io/run/surface_summary.hpp"
+#include "io/run/traffic_summary.hpp"
 
 namespace thaw {
 
@@ -25,10 +26,9 @@ struct RunSummary {
   std::int64_t stepsHere = 0;       ///< done by this process, without those before a restart
   double wall = 0;                  ///< s
   double particleSteps = 0;         ///< of all ranks, by this process
-  struct Spread { double least = 0, mean = 0, most = 0; };
-  std::map<std::string, Spread> phases;  ///< s a rank
+  std::map<std::string, RankSpread> phases;  ///< s a rank
   double imbalance = 1;             ///< largest over mean time of work, over ranks
-  std::int64_t bytesSent = 0, messagesSent = 0;
+  TrafficSummary traffic;           ///< of this process
   double peakMemory = 0;            ///< bytes, largest of a rank
   double particleSpread = 1;        ///< largest over mean number of particles of a rank
   std::vector<std::string> warnings;
@@ -38,7 +38,7 @@ struct RunSummary {
 };
 
 /// Fills in what has to be gathered from all ranks: phases, imbalance, bytes, memory, counters. Collective.
-void gatherSummary(RunSummary& summary, const World& world, const PhaseTimes& times, std::int64_t messages, std::int64_t bytes, Reducer& all);
+void gatherSummary(RunSummary& summary, const World& world, const PhaseTimes& times, const Traffic& traffic, Reducer& all);
 
 /// Writes OUT/summary.json by rename; IoError. One process only.
 void writeSummary(const std::string& out, const RunSummary& summary);

@@ -105,6 +105,14 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
     errors.push_back({solid->where, fmt::format("material.{} can be solid, and numerics.bond_support ({:g}) is above numerics.support ({:g}), within which neighbours are looked for",
                                                 solid->name, s.numerics.bondSupport, s.numerics.support)});
   const Numerics& n = s.numerics;
+  if (n.sleepSpeed > 0) {
+    const auto refuse = [&](bool is, const char* what) { if (is) errors.push_back({x.start, std::string("numerics.sleep_speed does not go together with ") + what + ": leave one of them out"}); };
+    refuse(n.elasticSubsteps > 1, "numerics.elastic_substeps above 1");
+    refuse(n.solver == PressureSolver::Incompressible, "numerics.pressure_solver = \"incompressible\"");
+    refuse(n.viscositySolver == ViscositySolver::Implicit, "numerics.viscosity_solver = \"implicit\"");
+    refuse(!s.oriented.empty(), "tables [[oriented]]");
+    refuse(!s.sheets.empty(), "tables [[sheet]]");
+  }
   if (n.solver == PressureSolver::Incompressible && n.pressure == PairForm::Printed)
     errors.push_back({x.start, "numerics.pressure_solver = \"incompressible\" needs numerics.pressure = \"consistent\": the printed form has no potential to solve for"});
   if (n.solver == PressureSolver::Incompressible && n.tensileLimit > 0 && n.tensileLimit < 1)

@@ -48,7 +48,7 @@ struct Rig {
   bool changedHere = false;
   std::set<std::size_t> turnedBefore;
 
-  Rig(std::size_t particles, std::uint64_t seed) : dice{seed} {
+  Rig(std::size_t particles, std::uint64_t seed, std::size_t piece = largestPiece) : comm(MPI_COMM_WORLD, piece), dice{seed} {
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.id, &p.phase, &p.material, &p.slot}) p.activate(*c);
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&s.id, &s.particle, &s.material, &s.volume, &s.plasticStrain, &s.position, &s.liquid, &s.changed})
       s.activate(*c);
@@ -237,11 +237,11 @@ struct Rig {
       s.position[r] = own ? Vec3d{number(s.id[r], salt, 0), number(s.id[r], salt, 1), 1} : Vec3d{};
       s.liquid[r] = own ? static_cast<float>(s.id[r] % 97) : -1;
     }
-    const std::int64_t before = halo->traffic().bytes;
+    const std::int64_t before = comm.traffic()[MessagesFor::Bonds].bytes;
     AnyColumn* columns[] = {&s.liquid, &s.position};
     halo->begin(s, columns);
     halo->finish(s);
-    std::int64_t sums[2] = {halo->traffic().bytes - before, static_cast<std::int64_t>(s.ghosts) * 28};
+    std::int64_t sums[2] = {comm.traffic()[MessagesFor::Bonds].bytes - before, static_cast<std::int64_t>(s.ghosts) * 28};
     MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_INT64_T, MPI_SUM, comm.handle());
     ASSERT_EQ(sums[0], sums[1]);
     for (std::size_t r = s.owned; r < s.size(); r++) {
@@ -265,8 +265,8 @@ struct Rig {
   }
 };
 
-void play(std::size_t particles, std::uint64_t seed, int rounds, double oneEnded) {
-  Rig rig(particles, seed);
+void play(std::size_t particles, std::uint64_t seed, int rounds, double oneEnded, std::size_t piece = largestPiece) {
+  Rig rig(particles, seed, piece);
   Dice& d = rig.dice;
   for (int round = 0; round < rounds; round++) {
     SCOPED_TRACE("round " + std::to_string(round));
@@ -300,6 +300,10 @@ void play(std::size_t particles, std::uint64_t seed, int rounds, double oneEnded
 
 TEST(BondHalo, ManyParticles) { play(400, 1, 40, 0); }
 TEST(BondHalo, SomeBondsHaveOneEnd) { play(150, 2, 60, 0.3); }
+TEST(BondHalo, MessagesInPieces) {
+  play(200, 4, 15, 0.1, smallestPiece);
+  play(200, 5, 15, 0.1, 1000);
+}
 TEST(BondHalo, FewParticles) {
   for (std::uint64_t seed = 10; seed < 20; seed++) play(5, seed, 30, 0.1);
 }

@@ -79,11 +79,11 @@ double measuredImbalance(std::span<const double> cost, Reducer& all) {
   return largest[0] * all.size() / (static_cast<double>(total[0]) * 1e-12);
 }
 
-void run(const Cloud& cloud, bool spread) {
+void run(const Cloud& cloud, bool spread, std::size_t piece = largestPiece) {
   const CellGrid& g = cloud.grid;
   SCOPED_TRACE(testing::Message() << "cells " << g.cells.x << ' ' << g.cells.y << ' ' << g.cells.z << ", particles " << cloud.number
                                   << ", periodic " << g.periodic[0] << g.periodic[1] << g.periodic[2]);
-  const Communicator comm;
+  const Communicator comm(MPI_COMM_WORLD, piece);
   MpiReducer all(comm);
   MpiCellHalo halo(comm, cloud.grid);
   checkTiling(cloud.grid, halo, all);
@@ -122,6 +122,11 @@ TEST(CellHalo, MoreRanksThanCells) {
   run({plainGrid({1, 1, 1}, 0), 50}, true);
   run({plainGrid({2, 1, 1}, 0), 50}, false);
   run({plainGrid({1, 3, 1}, 2), 50}, true);
+}
+
+TEST(CellHalo, MessagesInPieces) {
+  for (const std::size_t piece : {smallestPiece, std::size_t{96}, std::size_t{1000}}) run({plainGrid({5, 4, 6}, 5), 700}, false, piece);
+  run({plainGrid({4, 3, 3}, 1), 3000}, true, 4096);
 }
 
 TEST(CellHalo, AHugeSparseGrid) {  // nothing may be sized by it

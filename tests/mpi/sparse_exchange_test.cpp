@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "parallel/transfer.hpp"
 #include "tests/support/hashed.hpp"
 
 using namespace thaw;
@@ -37,7 +38,7 @@ TEST(SparseExchange, EverythingArrivesInOrderOfSenders) {
         out.push_back(std::move(m));
       }
     out.push_back({(comm.rank() + 1) % comm.size(), {}});  // empty: not sent
-    sparseExchange(comm, out, in, 1 + round % 3);
+    sparseExchange(comm, out, in, 1 + round % 3, MessagesFor::Migration);
     std::size_t at = 0;
     for (int from = 0; from < comm.size(); from++)
       for (int k = 0; k < messagesBetween(from, comm.rank(), round); k++, at++) {
@@ -49,6 +50,67 @@ TEST(SparseExchange, EverythingArrivesInOrderOfSenders) {
       }
     ASSERT_EQ(at, in.messages().size());
   }
+}
+
+TEST(SparseExchange, LongMessagesTravelInPieces) {
+  const Communicator comm(MPI_COMM_WORLD, 64);
+  ASSERT_EQ(comm.piece(), 64u);
+  const std::size_t sizes[] = {1, 63, 64, 65, 128, 1000, 6400};  // multiples of a piece end with an empty one
+  for (int round = 0; round < 10; round++) {
+    std::vector<Message> out;
+    const int to = (comm.rank() + 1 + round) % comm.size(), from = ((comm.rank() - 1 - round) % comm.size() + comm.size()) % comm.size();
+    for (int k = 0; k < 7; k++) {
+      Message m{to, std::vector<std::byte>(sizes[k])};
+      for (std::size_t i = 0; i < m.bytes.size(); i++) m.bytes[i] = content(i, comm.rank(), k);
+      out.push_back(std::move(m));
+    }
+    const std::vector<Message> in = sparseExchange(comm, out, 3, MessagesFor::Rows);
+    ASSERT_EQ(in.size(), 7u);
+    for (int k = 0; k < 7; k++) {
+      const Message& m = in[static_cast<std::size_t>(k)];
+      ASSERT_EQ(m.rank, from);
+      ASSERT_EQ(m.bytes.size(), sizes[k]);
+      for (std::size_t i = 0; i < m.bytes.size(); i++) ASSERT_EQ(m.bytes[i], content(i, from, k));
+    }
+  }
+}
+
+TEST(SparseExchange, CountsWhatItSends) {
+  const Communicator comm(MPI_COMM_WORLD, 64);
+  if (comm.size() == 1) return;
+  const std::vector<Message> out{{(comm.rank() + 1) % comm.size(), std::vector<std::byte>(100)}};
+  sparseExchange(comm, out, 3, MessagesFor::Rows);
+  EXPECT_EQ(comm.traffic()[MessagesFor::Rows].messages, 2);  // in two pieces
+  EXPECT_EQ(comm.traffic()[MessagesFor::Rows].bytes, 100);
+  EXPECT_EQ(comm.traffic().collectives, 1);
+  EXPECT_GE(comm.traffic().total().waited, 0);
+}
+
+TEST(Transfer, PiecesArriveInOrder) {
+  const Communicator comm(MPI_COMM_WORLD, 64);
+  if (comm.size() == 1) return;
+  const int to = (comm.rank() + 1) % comm.size(), from = (comm.rank() + comm.size() - 1) % comm.size();
+  for (const std::size_t bytes : {0, 1, 64, 65, 1000}) {
+    std::vector<std::byte> mine(bytes), theirs(bytes);
+    for (std::size_t i = 0; i < bytes; i++) mine[i] = content(i, comm.rank(), 1);
+    std::vector<MPI_Request> sending, receiving;
+    startReceive(comm, theirs.data(), bytes, from, 7, receiving);
+    startSend(comm, mine.data(), bytes, to, 7, MessagesFor::Rows, sending);
+    EXPECT_EQ(sending.size(), (bytes + 63) / 64);
+    finishAll(receiving);
+    finishAll(sending);
+    for (std::size_t i = 0; i < bytes; i++) ASSERT_EQ(theirs[i], content(i, from, 1));
+  }
+}
+
+TEST(MpiReducer, LongReductionsGoInPieces) {
+  const Communicator comm(MPI_COMM_WORLD, 64);
+  MpiReducer all(comm);
+  std::vector<std::int64_t> sums(200);
+  for (std::size_t k = 0; k < sums.size(); k++) sums[k] = static_cast<std::int64_t>(k) * (comm.rank() + 1);
+  all.sum(sums);
+  for (std::size_t k = 0; k < sums.size(); k++) ASSERT_EQ(sums[k], static_cast<std::int64_t>(k) * comm.size() * (comm.size() + 1) / 2);
+  EXPECT_EQ(comm.traffic().collectives, comm.size() == 1 ? 0 : 4);
 }
 
 TEST(MpiReducer, MaximumAndSumOverAllRanks) {

@@ -197,7 +197,7 @@ void addPressureKick(World& w) {
 void findPressure(World& w, Halos halos, StepTools& t, double dt) {
   Continuum& p = w.particles;
   const PressureSystem system{w, halos, t};
-  const double next = nextStep(w.clock);
+  const double planned = nextStep(w.clock), next = std::isfinite(planned) ? planned : dt;  // the scene is over, and nothing limits a step
   std::vector<Vec3d>& before = t.pressure.arrived;
   before.assign(p.velocity.data(), p.velocity.data() + p.owned);
   const double share = std::min(1.0, next / t.pressure.mendingTime);

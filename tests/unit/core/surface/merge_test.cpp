@@ -148,8 +148,8 @@ TEST(Inside, OfACubeAndAThinSheet) {
     SerialSurfaceRig rig;
     const double z = 0.1 * layers;
     rig.box({-0.5, -0.5, 0}, {10, 10, layers}, 1);
-    PointBins bins;
-    bins.build(rig.f().position.data(), rig.f().owned, rig.world.surface.surfelSupport);
+    Bins bins;
+    fillBins(rig.f().position.data(), rig.f().owned, rig.world.surface.surfelSupport, bins);
     InsideTools tools;
     std::vector<SurfaceSide> sides;
     int wrong = 0, asked = 0;

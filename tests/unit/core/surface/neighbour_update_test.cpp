@@ -14,7 +14,7 @@ using namespace test;
 std::vector<std::vector<std::uint32_t>> within(const Surfels& s, const RowLists& lists, double radius) {
   std::vector<std::vector<std::uint32_t>> found(s.owned);
   for (std::size_t i = 0; i < s.owned; i++) {
-    for (std::uint64_t k = lists.first[i]; k < lists.first[i + 1]; k++)
+    for (std::uint64_t k = lists.first[i]; k < lists.end[i]; k++)
       if (length(s.position[lists.row[k]] - s.position[i]) < radius) found[i].push_back(lists.row[k]);
     std::sort(found[i].begin(), found[i].end());
   }

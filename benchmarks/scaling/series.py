@@ -1,0 +1,154 @@
+#!/usr/bin/env python3
+"""series.py --csv FILE [--quick] [--cores N] [--only SERIES]: strong and weak series over ranks, copies, an uneven scene, and counts on many ranks.
+
+strong   1M particles on 1 ... N ranks        weak     500k particles a rank on 1 ... N ranks, N: the cores of this machine
+corner   a melting scene with most of the work in one corner, on N ranks
+counts   few particles a rank on up to 64 ranks, many more than there are cores: messages, bytes, collectives; its times mean nothing
+trace    `thaw run --profile` of the melting bust on N ranks: the table to the terminal, the trace beside the CSV file; no line in it
+
+The efficiency of P ranks is their rate over that of P independent simulations of one rank each that run at the same time, of as many particles a
+rank: what the machine's shared memory and clock take from copies is not the program's. Each measurement is the median of its steps; of repeated ones,
+taken in turn with the copies, the best. --quick takes about two minutes and leaves docs/ alone.
+"""
+import argparse
+import csv
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+
+COLUMNS = ["series", "case", "ranks", "particles", "level", "cores", "efficiency", "target_efficiency", "speedup", "msteps_per_s", "copies_msteps_per_s", "imbalance", "target_imbalance",
+           "imbalance_worst", "ms_step", "ms_step_mean", "ms_work", "ms_wait", "ms_balance", "start_s", "particles_max_over_mean", "halo_fraction", "halo_fraction_max", "neighbours",
+           "neighbours_max", "messages", "messages_max", "kib", "kib_max", "kib_ghosts", "kib_refresh", "kib_bonds", "messages_bonds", "kib_migration", "collectives", "steps", "repeats", "machine", "version"]
+SERIES = ("strong", "weak", "corner", "counts", "trace")
+
+
+def binary():
+    build = os.environ.get("THAW_BUILD") or os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "build", "release")
+    return os.path.join(build, "benchmarks", "scaling")
+
+
+def machine():
+    with open("/proc/cpuinfo") as f:
+        names = [line.split(":", 1)[1].strip() for line in f if line.startswith("model name")]
+    return f"{names[0] if names else 'unknown'} x{len(names)}"
+
+
+def version():
+    here = os.path.dirname(os.path.abspath(__file__))
+    return subprocess.run(["git", "-C", here, "rev-parse", "--short=12", "HEAD"], capture_output=True, text=True).stdout.strip() or "unknown"
+
+
+class Bench:
+    def __init__(self, cores):
+        self.cores = cores
+        self.head = subprocess.run([binary(), "--head"], capture_output=True, text=True, check=True).stdout.strip().split(",")
+
+    def measure(self, ranks, case, particles, steps, warm, copies=False):
+        env = dict(os.environ)
+        if ranks > self.cores:
+            env["OMPI_MCA_mpi_yield_when_idle"] = "1"
+        command = ["mpirun", "-q", "-n", str(ranks), binary(), "--case", case, "--particles", str(int(particles)), "--steps", str(steps), "--warm", str(warm)] + (["--copies"] if copies else [])
+        done = subprocess.run(command, capture_output=True, text=True, env=env)
+        if done.returncode != 0:
+            sys.exit(f"{' '.join(command)}: exit {done.returncode}\n{done.stderr[-2000:]}")
+        row = dict(zip(self.head, done.stdout.strip().splitlines()[-1].split(",")))
+        print(f"  {'copies' if copies else case} on {ranks} ranks, {row['particles']} particles: {row['ms_step']} ms a step, imbalance {row['imbalance']}, {row['msteps_per_s']} M particle-steps/s", flush=True)
+        return row
+
+
+def best(rows):
+    return max(rows, key=lambda r: float(r["msteps_per_s"]))
+
+
+def scaled(bench, series, perRank, steps, warm, repeats, target):
+    """Rows of one series; perRank(ranks): particles of each."""
+    rows = []
+    for ranks in range(1, bench.cores + 1):
+        together, copies = [], []
+        for _ in range(repeats):
+            together.append(bench.measure(ranks, "fluid", perRank(ranks) * ranks, steps, warm))
+            if ranks > 1:
+                copies.append(bench.measure(ranks, "fluid", perRank(ranks), steps, warm, copies=True))
+        row = best(together)
+        row.update(series=series, repeats=repeats)
+        alone = rows[0] if rows else row
+        row["speedup"] = f"{float(row['msteps_per_s']) / float(alone['msteps_per_s']):.3f}"
+        row["copies_msteps_per_s"] = best(copies)["msteps_per_s"] if copies else row["msteps_per_s"]
+        row["efficiency"] = f"{float(row['msteps_per_s']) / float(row['copies_msteps_per_s']):.4f}"
+        row["target_efficiency"] = target
+        rows.append(row)
+    return rows
+
+
+def corner(bench, particles, steps, repeats):
+    rows = [bench.measure(bench.cores, "corner", particles, steps, 100) for _ in range(repeats)]
+    row = min(rows, key=lambda r: float(r["imbalance"]))
+    row.update(series="corner", repeats=repeats, target_imbalance=1.1)
+    return [row]
+
+
+def counts(bench, most, perRank, steps):
+    rows, ranks = [], 1
+    while ranks <= most:
+        for case, particles in (("fluid", perRank * ranks), ("corner", perRank * ranks * 0.5)):
+            row = bench.measure(ranks, case, particles, steps, 25 if case == "corner" else 10)
+            row.update(series="counts", repeats=1)
+            for time in ("ms_step", "ms_step_mean", "ms_work", "ms_wait", "ms_balance", "msteps_per_s", "start_s", "imbalance", "imbalance_worst"):
+                row[time] = ""  # more ranks than cores
+            rows.append(row)
+        ranks *= 2
+    return rows
+
+
+def trace(cores, path):
+    root = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+    with tempfile.TemporaryDirectory() as folder:
+        command = ["mpirun", "-q", "-n", str(cores), os.path.join(os.path.dirname(binary()), "..", "thaw"), "run", os.path.join(root, "scenes", "melt.toml"), "--out", folder, "--steps", "120", "--profile"]
+        done = subprocess.run(command, capture_output=True, text=True)
+        if done.returncode != 0:
+            sys.exit(f"{' '.join(command)}: exit {done.returncode}\n{done.stderr[-2000:]}")
+        lines = done.stdout.splitlines()
+        first = next(k for k, line in enumerate(lines) if line.startswith("profile of"))
+        print("\n".join(lines[first:next(k for k in range(first, len(lines)) if "trace of the last steps" in lines[k])]), flush=True)
+        shutil.copy(os.path.join(folder, "trace.json"), path)
+
+
+def main():
+    p = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    p.add_argument("--csv", required=True)
+    p.add_argument("--quick", action="store_true")
+    p.add_argument("--cores", type=int, default=len(os.sched_getaffinity(0)))
+    p.add_argument("--only", choices=SERIES, action="append", help="lines of the other series stay as they are in the file")
+    a = p.parse_args()
+    wanted = a.only or SERIES
+    bench = Bench(a.cores)
+    rows = []
+    if a.only and os.path.exists(a.csv):
+        with open(a.csv, newline="") as f:
+            rows = [r for r in csv.DictReader(f) if r["series"] not in wanted]
+    steps, warm, repeats = (10, 4, 1) if a.quick else (25, 25, 3)
+    fresh = []
+    if "strong" in wanted:
+        fresh += scaled(bench, "strong", lambda ranks: 1e6 / ranks, steps, warm, repeats, 0.90)
+    if "weak" in wanted:
+        fresh += scaled(bench, "weak", lambda ranks: 500000, steps, warm, repeats, 0.92)
+    if "corner" in wanted:
+        fresh += corner(bench, 40000 if a.quick else 120000, 100 if a.quick else 300, 1 if a.quick else 3)
+    if "counts" in wanted:
+        fresh += counts(bench, 16 if a.quick else 64, 4000, 25)
+    if "trace" in wanted:
+        trace(bench.cores, os.path.splitext(a.csv)[0] + "_trace.json")
+    for r in fresh:
+        r.update(level="quick" if a.quick else "full", cores=a.cores, machine=machine(), version=version())
+    rows = sorted(rows + fresh, key=lambda r: (SERIES.index(r["series"]), r["case"], int(r["ranks"])))
+    os.makedirs(os.path.dirname(os.path.abspath(a.csv)), exist_ok=True)
+    with open(a.csv, "w", newline="") as f:
+        out = csv.DictWriter(f, COLUMNS, extrasaction="ignore", restval="")
+        out.writeheader()
+        out.writerows(rows)
+
+
+if __name__ == "__main__":
+    main()

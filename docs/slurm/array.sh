@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# An array of runs under SLURM, one for each line of a list; hand in with: sbatch --array=1-$(wc -l <LIST) docs/slurm/array.sh LIST
+# A line of the list is a scene and options of `thaw run`, in quotes where they hold blanks:
+#   scenes/pour.toml --set material.honey.viscosity=2
+#   scenes/pour.toml --set 'spacing="2 mm"'
+# Each run has a folder of its own, named by the scene and the line's number. What has not come to its end five minutes before the time is up
+# leaves a checkpoint, and that task alone is handed in again, to go on from there. Lines that are done already end at once: after adding
+# lines, or after a failure, hand in the whole list again.
+#SBATCH --job-name=thaw-array
+#SBATCH --nodes=1
+#SBATCH --ntasks=16
+#SBATCH --cpus-per-task=1
+#SBATCH --time=04:00:00
+#SBATCH --signal=USR1@300
+#SBATCH --output=thaw-%A_%a.log
+set -u
+list=${1:?a file with a scene and its options on each line}
+number=${SLURM_ARRAY_TASK_ID:?to be handed in with --array}
+line=$(sed -n "${number}p" "$list")
+[ -n "$line" ] || { echo "$list has no line $number"; exit 0; }
+run=()
+eval "run=($line)"  # the quotes of the line
+name=$(basename "${run[0]}" .toml)
+out=${OUT:-${SCRATCH:-$PWD/out}}/$name.$number
+thaw=${THAW:-build/release/thaw}
+
+code=0
+srun --mpi="${PMI:-pmix}" --kill-on-bad-exit=1 "$thaw" run "${run[@]}" --out "$out" --resume || code=$?
+[ "$code" -ne 75 ] || sbatch --array="$number" "$0" "$list"
+exit "$code"

@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# Many nodes under SLURM; hand in with: sbatch --nodes=16 docs/slurm/many_nodes.sh [SCENE]
+# --out has to be on a parallel file system that all nodes see: OUT, else $SCRATCH, else ./out. Ten minutes before the time is up SLURM sends USR1;
+# thaw then writes a checkpoint and exits with 75, and the job hands itself in again, with the same number of nodes, to go on from there. A run
+# that a node's failure has ended (any other code) is handed in again at most RETRIES times in a row: it goes on from its last checkpoint, so give
+# the scene a short [output] checkpoint. A failure that comes back with the same step is not the machine's, and ends the chain.
+#SBATCH --job-name=thaw
+#SBATCH --nodes=4
+#SBATCH --ntasks-per-node=64
+#SBATCH --cpus-per-task=1
+#SBATCH --distribution=block:block
+#SBATCH --exclusive
+#SBATCH --time=24:00:00
+#SBATCH --signal=USR1@600
+#SBATCH --output=thaw-%j.log
+set -u
+scene=${1:-scenes/melt_large.toml}
+failed=${2:-0} failedAt=${3:-none}
+out=${OUT:-${SCRATCH:-$PWD/out}/$(basename "$scene" .toml)}
+thaw=${THAW:-build/release/thaw}
+
+# A file of 100 GB is written by all ranks at once: spread it over the file system's servers, where that is Lustre. New files inherit it.
+mkdir -p "$out/frames" "$out/checkpoint"
+if command -v lfs >/dev/null; then
+  lfs setstripe --stripe-count "${STRIPES:-16}" --stripe-size 16M "$out/frames" "$out/checkpoint" 2>/dev/null || true
+fi
+
+code=0
+srun --mpi="${PMI:-pmix}" --cpu-bind=cores --kill-on-bad-exit=1 "$thaw" run "$scene" --out "$out" --resume || code=$?
+again() { sbatch --nodes="$SLURM_JOB_NUM_NODES" "$0" "$scene" "$@"; }
+case $code in
+  0) "$thaw" render "$out" --sheet "$out/pictures/sheet.png" ;;
+  75) again ;;
+  2 | 3 | 4) ;;  # a mistake in the scene, a full disk, a simulation that blew up: the same again would end the same
+  *)
+    step=$("$thaw" info "$out" --json 2>/dev/null | sed -n 's/.*"step": *\([0-9]*\).*/\1/p' | head -n 1)
+    if [ "$failed" -lt "${RETRIES:-3}" ] && [ "${step:-none}" != "$failedAt" ]; then again $((failed + 1)) "${step:-none}"; fi ;;
+esac
+exit "$code"

@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# Solids that sleep and are woken (core/sleep/) have the same bits on 1, 2, 3, 4 and 7 ranks and when the run is cut and resumed on another number of ranks:
+# blocks come to rest, one falls on another much later, a hot one melts a corner, a wall moves up to the last.
+. "$(dirname "$0")/../support/run.sh"
+scene=sleepers
+cat >"$work/sleepers.toml" <<'SCENE'
+spacing = 0.1
+end = 1.6
+[domain]
+min = [-1, -1, -0.5]
+max = [6, 1, 6]
+[material.rubber]
+density = 1000
+young = 3e5
+damping = 300
+restitution = 0.2
+[[body]]
+name = "near"
+material = "rubber"
+box = { size = [0.8, 0.8, 0.4] }
+place = { move = [0, 0, 0.25] }
+[[body]]
+name = "late"
+material = "rubber"
+box = { size = [0.4, 0.4, 0.3] }
+place = { move = [0, 0, 4.5] }
+[[body]]
+name = "far"
+material = "rubber"
+box = { size = [0.8, 0.8, 0.4] }
+place = { move = [2.5, 0, 0.25] }
+[[body]]
+name = "pushed"
+material = "rubber"
+box = { size = [0.8, 0.8, 0.4] }
+place = { move = [4.5, 0, 0.25] }
+[[obstacle]]
+name = "floor"
+plane = { }
+[[obstacle]]
+name = "ram"
+box = { size = [0.4, 1, 0.6] }
+place = { move = [5.6, 0, 0.4] }
+motion = [ { time = 1.0, move = [0, 0, 0] }, { time = 1.4, move = [-0.6, 0, 0] } ]
+[numerics]
+sleep_speed = 0.02
+sleep_after = 0.02
+[output]
+every = 0.2
+SCENE
+options=(--set numerics.retry_every=10)
+for ranks in 1 2 3 4 7; do
+  launch $ranks run "$work/sleepers.toml" "${options[@]}" --out "$work/$scene.$ranks" >"$work/log" 2>&1 || { fail "on $ranks ranks: exit $?"; tail -n 5 "$work/log"; }
+  [ "$ranks" = 1 ] || sameRuns "$work/$scene.1" "$work/$scene.$ranks" "1 and $ranks ranks" "frames/$scene.hdf.series"
+done
+slept=$(grep -o '"asleep": *[0-9]*' "$work/$scene.1/summary.json" | tail -n 1 | grep -o '[0-9]*$')
+[ "${slept:-0}" -gt 0 ] || fail "nothing sleeps at the end"
+steps=$(value "$work/$scene.1/summary.json" step)
+for part in 5 3 2; do  # in the midst of sleep, before and after what falls has come down
+  launch 3 run "$work/sleepers.toml" "${options[@]}" --out "$work/$scene.parts" --steps $((steps * (6 - part) / 6)) $([ "$part" = 5 ] || echo --resume) >"$work/log" 2>&1 || fail "part $part: exit $?"
+done
+launch 2 run "$work/sleepers.toml" "${options[@]}" --out "$work/$scene.parts" --resume >"$work/log" 2>&1 || fail "resumed: exit $?"
+sameRuns "$work/$scene.1" "$work/$scene.parts" "cut and resumed" "frames/$scene.hdf.series"
+finish

@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# The scripts of docs/slurm/ with an srun, an sbatch and a thaw that only say what they were asked for: who is handed in again after which exit code.
+. "$(dirname "$0")/../support/run.sh"
+mkdir "$work/bin"
+PATH=$work/bin:$PATH
+cat >"$work/bin/srun" <<'END_SRUN'
+#!/usr/bin/env bash
+while [[ $1 == -* ]]; do shift; done
+"$@"
+END_SRUN
+cat >"$work/bin/sbatch" <<'END_SBATCH'
+#!/usr/bin/env bash
+printf '%s\n' "$*" >>"$SAID/sbatch"
+END_SBATCH
+cat >"$work/bin/thaw" <<'END_THAW'
+#!/usr/bin/env bash
+printf '%s\n' "$*" >>"$SAID/thaw"
+case $1 in
+  run) exit "$CODE" ;;
+  info) echo '{ "step": 120 }' ;;
+esac
+END_THAW
+chmod +x "$work/bin/"*
+export SAID=$work THAW=thaw OUT=$work/out SLURM_JOB_NUM_NODES=3 SLURM_ARRAY_TASK_ID=2
+printf '%s\n' "scenes/pour.toml" "scenes/drop.toml --set 'spacing=\"2 mm\"'" >"$work/list"
+# script CODE EXPECTED-SBATCH ARGUMENTS...: EXPECTED is what sbatch is asked for, or nothing
+script() {
+  local file=$1 code=$2 expected=$3
+  shift 3
+  rm -f "$work/sbatch" "$work/thaw"
+  (cd "$source_dir" && CODE=$code bash "docs/slurm/$file" "$@") >"$work/log" 2>&1
+  local got=$?
+  [ "$got" -eq "$code" ] || fail "$file: exit $got, not $code"
+  [ "$(cat "$work/sbatch" 2>/dev/null)" = "$expected" ] || fail "$file after exit $code: sbatch was asked for '$(cat "$work/sbatch" 2>/dev/null)', not '$expected'"
+}
+for code in 0 2 3 4; do
+  script many_nodes.sh $code "" scenes/melt.toml
+  script array.sh $code "" "$work/list"
+done
+script many_nodes.sh 75 "--nodes=3 docs/slurm/many_nodes.sh scenes/melt.toml" scenes/melt.toml
+script many_nodes.sh 137 "--nodes=3 docs/slurm/many_nodes.sh scenes/melt.toml 1 120" scenes/melt.toml
+script many_nodes.sh 137 "--nodes=3 docs/slurm/many_nodes.sh scenes/melt.toml 3 120" scenes/melt.toml 2 80
+script many_nodes.sh 137 "" scenes/melt.toml 3 80   # RETRIES are used up
+script many_nodes.sh 137 "" scenes/melt.toml 1 120  # it failed at that step before
+script array.sh 75 "--array=2 docs/slurm/array.sh $work/list" "$work/list"
+grep -qxF "run scenes/drop.toml --set spacing=\"2 mm\" --out $work/out/drop.2 --resume" "$work/thaw" || { fail "array.sh: thaw was called as"; cat "$work/thaw"; }
+SLURM_ARRAY_TASK_ID=3 script array.sh 0 "" "$work/list"
+[ ! -e "$work/thaw" ] || fail "array.sh runs something for a line that is not there"
+OUT='' SCRATCH=$work/scratch script one_node.sh 75 "docs/slurm/one_node.sh scenes/melt.toml" scenes/melt.toml
+for file in "$source_dir"/docs/slurm/*.sh; do
+  bash -n "$file" || fail "$file"
+  ! command -v shellcheck >/dev/null || shellcheck "$file" || fail "shellcheck $file"
+done
+finish
