@@ -11,10 +11,10 @@ namespace thaw {
 
 namespace {
 
-/// Not the smallest ones, nor solids, nor those with a hole: a seam since a merge.
+/// Not the smallest ones, nor solids, nor those with a hole: a seam since a merge. A puddle of a few particles' height has .025 by its rim alone.
 bool kept(const SurfaceComponent& c) {
   constexpr std::int64_t fewest = 12;
-  constexpr double leastFree = 0.05, closed = 0.02;
+  constexpr double leastFree = 0.05, closed = 0.04;
   return c.surfels >= fewest && c.wantedVolume > 0 && c.freeArea > leastFree * c.area && c.open < closed;
 }
 
