@@ -114,17 +114,12 @@ struct RowBlock {
     row.clear();
     at.clear();
     forBinsAround(bins, box.low, box.high, radius, [&](std::size_t bin) {
-      std::size_t n = row.size();
-      const std::size_t most = n + bins.first[bin + 1] - bins.first[bin];
-      row.resize(most);
-      at.resize(most);
       for (std::uint32_t k = bins.first[bin]; k < bins.first[bin + 1]; k++) {
-        row[n] = bins.row[k];
-        at[n] = bins.at[k];
-        n += box.distance2(bins.at[k]) <= r2;
+        const Vec3d x = bins.at[k];
+        if (box.distance2(x) > r2) continue;
+        row.push_back(bins.row[k]);
+        at.push_back(x);
       }
-      row.resize(n);
-      at.resize(n);
     });
   }
 };

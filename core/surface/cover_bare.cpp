@@ -211,7 +211,7 @@ std::int64_t coverBare(World& w, SurfaceHalos halos, SurfaceTools& t) {
       look();
     }
     std::vector<SurfelRow> rows;
-    seedBare(w, t, rows);
+    if (round == 0 || count[1] > 0) seedBare(w, t, rows);  // else all places are as they were refused
     count[0] = static_cast<std::int64_t>(rows.size());
     halos.all.sum({count, 1});
     f.resize(f.owned, 0);

@@ -7,21 +7,27 @@
 namespace thaw {
 
 FieldHere colourAt(const World& w, const SurfaceTools& t, std::uint64_t component, const Vec3d& x) {
-  const SurfaceParticles& p = w.surface.particles;
-  const double h = w.surface.particleSupport, h2 = h * h;
+  const double h = w.surface.particleSupport, h2 = h * h, back2 = 1 / h2, near2 = nearSupport * nearSupport * w.scene.spacing * w.scene.spacing, backNear2 = 1 / near2;
   FieldHere c;
-  const double perNear2 = 1 / (nearSupport * nearSupport * w.scene.spacing * w.scene.spacing);
   double mean = 0, near = 0;
-  forRowsAround(t.relax.particleBins, x, x, h, [&](std::uint32_t j, const Vec3d& at) {
-    const Vec3d d = x - at;
-    const double r2 = dot(d, d), u = 1 - r2 / h2, n = std::max(0.0, 1 - r2 * perNear2);
-    if (!(u > 0) || p.component[j] != component) return;
-    const double volume = static_cast<double>(t.relax.particle[4 * j + 3]);  // over that of the lattice sum
-    c.value += volume * u * u * u;
-    near += n * n * n;
-    mean += static_cast<double>(t.relax.particleColour[j]) * u * u * u;
-    c.gradient -= d * (6 / h2 * volume * u * u);
+  Vec3d gradient{};
+  const Bins& bins = t.relax.particleBins;
+  forBinsAround(bins, x, x, h, [&](std::size_t bin) {
+    for (std::uint32_t k = bins.first[bin]; k < bins.first[bin + 1]; k++) {
+      const FieldPoint& p = t.relax.field[k];
+      const Vec3d d = x - p.at;
+      const double r2 = dot(d, d);
+      if (r2 >= h2 || p.component != component) continue;
+      const double u = 1 - r2 * back2, u2 = u * u, v2 = p.volume * u2;
+      c.value += v2 * u;
+      mean += p.smooth * u2 * u;
+      gradient -= v2 * d;
+      if (r2 >= near2) continue;
+      const double n = 1 - r2 * backNear2;
+      near += n * n * n;
+    }
   });
+  c.gradient = (6 * back2) * gradient;
   if (c.value > 0) c.tight = near < nearFull ? 0.5 : 1, c.level = tightened(t.relax.level.level(mean / c.value), near) * w.scene.surface.isoLevel / 0.5;
   return c;
 }

@@ -11,10 +11,10 @@ namespace thaw {
 
 namespace {
 
-/// Not the smallest ones, nor solids, nor those with a hole: a seam since a merge.
+/// Not the smallest ones, nor solids, nor those with a hole: a seam since a merge. A puddle of a few particles' height has .025 by its rim alone.
 bool kept(const SurfaceComponent& c) {
   constexpr std::int64_t fewest = 12;
-  constexpr double leastFree = 0.05, closed = 0.02;
+  constexpr double leastFree = 0.05, closed = 0.04;
   return c.surfels >= fewest && c.wantedVolume > 0 && c.freeArea > leastFree * c.area && c.open < closed;
 }
 
@@ -40,19 +40,34 @@ double volumeError(const Surface& s) {
   return error;
 }
 
-void offsetToVolume(Surface& s, double keepVolume) {
+void offsetToVolume(Surface& s, double keepVolume, double particleSpacing) {
   Surfels& f = s.surfels;
   if (!f.liquid.active) return;
-  const double longest = 0.5 * s.spacing;
+  const double longest = 0.5 * s.spacing, highest = mostRaised * particleSpacing;
+  std::vector<double> moves(s.components.size());  // the same on all ranks
+  for (std::size_t k = 0; k < s.components.size(); k++) {
+    SurfaceComponent& c = s.components[k];
+    if (!kept(c)) continue;
+    const double to = c.raised + std::clamp(keepVolume * (c.wantedVolume - c.volume) / c.freeArea, -longest, longest);
+    moves[k] = std::clamp(to, -highest, highest) - c.raised;
+    c.raised += moves[k];
+  }
   const SurfaceComponent* c = nullptr;
   for (std::size_t i = 0; i < f.owned; i++) {
     if (!c || c->label != f.component[i]) c = findComponent(s, f.component[i]);
-    if (!c || !kept(*c)) continue;
-    const double share = static_cast<double>(f.liquid[i]);
-    const double move = share * std::clamp(keepVolume * (c->wantedVolume - c->volume) / c->freeArea, -longest, longest);
+    if (!c) continue;
+    const double move = static_cast<double>(f.liquid[i]) * moves[static_cast<std::size_t>(c - s.components.data())];
+    if (move == 0) continue;
     f.position[i] += move * f.normal[i];
     f.calm[i] = std::max(0.0f, f.calm[i] - static_cast<float>(std::abs(move) / f.radius[i]));
   }
+}
+
+void listRaised(const World& w, std::vector<RaisedComponent>& raised) {
+  raised.clear();
+  if (!(w.scene.surface.keepVolume > 0)) return;
+  for (const SurfaceComponent& c : w.surface.components)
+    if (c.raised != 0) raised.push_back({c.label, c.raised});
 }
 
 }  // namespace thaw

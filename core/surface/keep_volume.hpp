@@ -1,15 +1,23 @@
 // The volume in the surface held at that of the particles (after DCG98; future work in K05).
 #pragma once
 #include "core/halo/surface_halos.hpp"
+#include "core/surface/relax_tools.hpp"
 #include "core/world.hpp"
 
 namespace thaw {
 
+/// Volume keeping may hold a surface this many spacings of the particles off their level at most: what has gone apart farther than that is spray.
+inline constexpr double mostRaised = 0.75;
+
 /// Moves every surfel along its normal by its liquid fraction times keepVolume (V_target - V) / sum of liquid fractions times areas of its
-/// component, at most a quarter of the wanted spacing: solid surfaces keep their place and detail. V_target is the volume of the particles,
-/// mass over density at rest, times what the mesh of their body held over it at the start. Needs Surface::components as measured. Components
-/// of fewer than twelve surfels, those of which less than a twentieth is liquid, and those with a hole are left alone. Not collective.
-void offsetToVolume(Surface& surface, double keepVolume);
+/// component, at most half the wanted spacing, and SurfaceComponent::raised by as much: solid surfaces keep their place and detail. V_target is the
+/// volume of the particles, mass over density at rest, times what the mesh of their body held over it at the start. Needs Surface::components as
+/// measured. Components of fewer than twelve surfels, those of which less than a twentieth is liquid, and those with a hole are left alone. Not collective.
+void offsetToVolume(Surface& surface, double keepVolume, double particleSpacing);
+
+/// For the iterations: what holds the liquid surface of each component at SurfaceComponent::raised (m) off the level. Without it they would draw
+/// the surface back to the level in each update, and all that volume keeping has to move it is done again.
+void listRaised(const World& world, std::vector<RaisedComponent>& raised);
 
 /// The largest |V - V_target| / V_target of components that are not left alone.
 double volumeError(const Surface& surface);

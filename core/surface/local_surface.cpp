@@ -52,25 +52,27 @@ SurfacePoint pointAround(const Patch& p, double distance, double c, double s) {
 
 SurfacePoint ontoSurface(const Patch& p, SurfacePoint x, double reach) {
   const Surfels& s = *p.surfels;
-  const double back2 = 1 / (reach * reach);
-  const auto weightOf = [&](std::size_t j) {
-    const Vec3d d = x.position - s.position[j];
-    const double u = 1 - dot(d, d) * back2;
-    return u > 0 ? u * u * u : 0.0;
-  };
+  const double reach2 = reach * reach, back2 = 1 / reach2;
   for (int round = 0; round < 4; round++) {
-    double sum = weightOf(p.centre);
-    Vec3d normal = sum * s.normal[p.centre];
-    for (const std::uint32_t j : p.rows) {
-      const double w = weightOf(j);
+    double sum = 0, along = 0;  // of weights w, and of w n_j . d
+    Vec3d normal{}, away{};     // of w n_j, and of w d
+    const auto add = [&](std::size_t j) {
+      const Vec3d d = x.position - s.position[j], n = s.normal[j];
+      const double r2 = dot(d, d);
+      if (r2 >= reach2) return;
+      const double u = 1 - r2 * back2, w = u * u * u;
       sum += w;
-      normal += w * s.normal[j];
-    }
+      normal += w * n;
+      away += w * d;
+      along += w * dot(n, d);
+    };
+    add(p.centre);
+    for (const std::uint32_t j : p.rows) add(j);
     if (!(sum > 0) || !(dot(normal, normal) > 0.01 * sum * sum)) return x;
     x.normal = normalized(normal);
-    double height = weightOf(p.centre) * dot(x.normal + s.normal[p.centre], x.position - s.position[p.centre]);
-    for (const std::uint32_t j : p.rows) height += weightOf(j) * dot(x.normal + s.normal[j], x.position - s.position[j]);
-    x.position -= x.normal * (0.5 * height / sum);
+    const double height = 0.5 * (dot(x.normal, away) + along) / sum;
+    x.position -= x.normal * height;
+    if (std::abs(height) < 1e-5 * reach) break;
   }
   return x;
 }

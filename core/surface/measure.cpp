@@ -202,8 +202,14 @@ void measureComponents(Surface& s, Reducer& all) {
     }
     finish(s.grid, records[k], value);
   }
+  const std::vector<SurfaceComponent> before = std::move(s.components);
   s.components.clear();
-  for (const Record& r : records) s.components.push_back(r.measured);
+  std::size_t old = 0;
+  for (const Record& r : records) {
+    s.components.push_back(r.measured);
+    while (old < before.size() && before[old].label < r.measured.label) old++;
+    if (old < before.size() && before[old].label == r.measured.label) s.components.back().raised = before[old].raised;
+  }
 }
 
 const SurfaceComponent* findComponent(const Surface& s, std::uint64_t label) {

@@ -175,12 +175,12 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
     double state[3]{0, 0, 0};  // of those that move: free to, where lists end, held
     // those of groups without work have not moved in the last iteration
     for (const std::uint32_t g : r.groups) {
-      const double push = pushOf(r.pushes, f.component[r.lists.self[8 * g]]);
+      const double raised = raisedOf(r.raised, f.component[r.lists.self[8 * g]]);
       for (int lane = 0; lane < r.lists.lanes[g]; lane++) {
         const SurfelSums sums = sumsAt(in, g, lane);
         if (!(sums.surfel(Stirred) > 0)) continue;
         const std::size_t i = r.lists.self[8 * g + static_cast<std::size_t>(lane)];
-        moveSurfel(w, context, sums, push, i, counts);
+        moveSurfel(w, context, sums, raised, i, counts);
         if (f.moving[i]) {
           state[f.moving[i] == heldAtMargin ? 2 : 0] = 1;
           if (!r.core[i]) state[1] = 1;

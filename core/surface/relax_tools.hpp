@@ -12,18 +12,26 @@
 
 namespace thaw {
 
-/// Moves the surfels of a component outward (m), before damping, in each iteration: what a volume-keeping force asks for.
-struct ComponentPush { std::uint64_t component; double distance; };
+/// How far (m) volume keeping holds the liquid surface of a component off its level.
+struct RaisedComponent { std::uint64_t component; double by; };
 
 /// Processor time spent (s), for benchmarks; no result depends on them.
 struct RelaxTimes { double ready = 0, place = 0, search = 0, surfelSums = 0, particleSums = 0, finish = 0, exchange = 0; std::int64_t surfels = 0, searches = 0; };
+
+/// A particle of the colour field, in the order of the bins.
+struct FieldPoint {
+  Vec3d at;                 ///< m
+  std::uint64_t component;
+  double volume, smooth;    ///< V c_j and V a_j over the lattice's sum of weights (level_table.hpp)
+};
 
 struct RelaxTools {
   bool particlesReady = false;  ///< readyParticles was called for the particles as they are; on all ranks or none
   LevelTable level;
   const ForceKernels* kernels = forceKernels();
-  std::vector<ComponentPush> pushes;  ///< ascending by component
+  std::vector<RaisedComponent> raised;  ///< ascending by component
   Bins surfelBins, particleBins;
+  std::vector<FieldPoint> field;      ///< beside particleBins.row, of readyParticles
   GroupLists lists;
   GapCeilings ceilings;
   AlignedVector<float> place, normal, particle, particleColour, overSurfels, overParticles;

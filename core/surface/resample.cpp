@@ -241,7 +241,7 @@ Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t r
     done.deaths += count[2];
     const std::vector<SurfelRow> born = r.births(parents);
     s.resize(s.owned, 0);
-    s.reorder(stay);
+    if (stay.size() < s.owned) s.reorder(stay);
     if (count[1] > 0) addSurfels(s, born, r.seed, halos.all);
   }
   for (std::size_t i = 0; i < s.owned; i++) s.calm[i] = std::max(0.0f, s.calm[i]);

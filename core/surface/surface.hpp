@@ -19,6 +19,7 @@ struct SurfaceComponent {
   double volume = 0;                  ///< m^3, enclosed by the surfels: (1/3) sum x.n A
   double area = 0;                    ///< m^2
   Vec3d centroid{};                   ///< m, of its particles by mass
+  double raised = 0;                  ///< m, how far volume keeping holds what is liquid of it off the level of the particles' colour; part of the state
   double wantedVolume = 0;            ///< m^3, that volume keeping holds: of its particles, times what their body's mesh held over that at the start; of the update
   double freeArea = 0;                ///< m^2, sum of the surfels' areas times their liquid fractions: what volume keeping may move; of the update
   double open = 0;                    ///< |sum n A| / area: 0 where the surface is closed; of the update

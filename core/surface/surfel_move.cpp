@@ -100,12 +100,12 @@ MoveContext moveContext(const World& w, const RelaxTools& tools, const ForceWeig
   return c;
 }
 
-double pushOf(const std::vector<ComponentPush>& pushes, std::uint64_t component) {
-  const auto at = std::lower_bound(pushes.begin(), pushes.end(), component, [](const ComponentPush& p, std::uint64_t c) { return p.component < c; });
-  return at != pushes.end() && at->component == component ? at->distance : 0;
+double raisedOf(const std::vector<RaisedComponent>& raised, std::uint64_t component) {
+  const auto at = std::lower_bound(raised.begin(), raised.end(), component, [](const RaisedComponent& p, std::uint64_t c) { return p.component < c; });
+  return at != raised.end() && at->component == component ? at->by : 0;
 }
 
-Pull pullOn(const World& w, const MoveContext& c, const SurfelSums& s, std::size_t i) {
+Pull pullOn(const World& w, const MoveContext& c, const SurfelSums& s, double raised, std::size_t i) {
   Pull p;
   Vec3d normal = w.surface.surfels.normal[i], force{};
   // the colour field: out of the body is down its gradient
@@ -122,7 +122,7 @@ Pull pullOn(const World& w, const MoveContext& c, const SurfelSums& s, std::size
       const double turn = (dot(three(s, SmoothGradient, true), gradient) / (size * size) - fullness) / colour;
       const double thins = s.particle(Near) < nearFull ? flat * tightest / nearFull * c.nearSlope / c.slope * dot(three(s, NearGradient, true), gradient) / (size * size) : 0;
       const double steep = std::clamp(1 - c.isoScale * (level / flat * c.level->slope(fullness) * turn - thins), flattest, steepest);
-      const double height = std::clamp((colour - c.isoScale * level) / (slope * steep), -c.longest, c.longest);
+      const double height = std::clamp((colour - c.isoScale * level) / (slope * steep) + raised, -c.longest, c.longest);
       force += c.weights.implicit * height * p.outward;
       if (c.weights.attract > 0) {  // beyond what the kernel's mean particle is from any surface, that the iso-surface may stay
         const Vec3d away = (c.unit / colour) * three(s, Attraction, true);
@@ -153,10 +153,10 @@ Pull pullOn(const World& w, const MoveContext& c, const SurfelSums& s, std::size
   return p;
 }
 
-void moveSurfel(World& w, const MoveContext& c, const SurfelSums& s, double push, std::size_t i, MoveCounts& counts) {
+void moveSurfel(World& w, const MoveContext& c, const SurfelSums& s, double raised, std::size_t i, MoveCounts& counts) {
   Surfels& f = w.surface.surfels;
   const Vec3d before = f.position[i];
-  const Pull pull = pullOn(w, c, s, i);
+  const Pull pull = pullOn(w, c, s, raised, i);
   counts.flipped += pull.flipped;
   counts.keptNormals += pull.keptNormal;
   const Vec3d normal = pull.normal, facing = pull.known ? pull.outward : normal;
@@ -174,8 +174,8 @@ void moveSurfel(World& w, const MoveContext& c, const SurfelSums& s, double push
     if (far > farthest) tangential = (farthest / far) * tangential;
   }
   // the integration is damped where it goes to and fro: each time that the force turns round the step halves
-  const double wanted = std::clamp(c.step * (pull.along + push), -c.longest, c.longest), last = static_cast<double>(f.pace[i]);
-  const double share = last == 0 ? 1 : wanted * last < 0 ? std::max(0.5 * std::abs(last), 0.25) : std::min(1.25 * std::abs(last), 1.0);
+  const double wanted = std::clamp(c.step * pull.along, -c.longest, c.longest), last = static_cast<double>(f.pace[i]);
+  const double share = last == 0 ? 1 : wanted * last < 0 ? std::max(0.5 * std::abs(last), 0.1) : std::min(1.25 * std::abs(last), 1.0);
   f.pace[i] = static_cast<float>(wanted < 0 ? -share : share);
   const Vec3d normalMove = w.scene.surface.damping * share * wanted * normal;
   Vec3d move = normalMove + w.scene.surface.damping * tangential;

@@ -40,7 +40,8 @@ struct MoveContext {
 };
 MoveContext moveContext(const World& world, const RelaxTools& tools, const ForceWeights& weights);
 
-double pushOf(const std::vector<ComponentPush>& pushes, std::uint64_t component);
+/// m, how far the surface of a component is held off its level; 0 of those that are not listed.
+double raisedOf(const std::vector<RaisedComponent>& raised, std::uint64_t component);
 
 /// What the forces across the surface ask of a surfel.
 struct Pull {
@@ -49,9 +50,9 @@ struct Pull {
   double least = 0;           ///< m, how far into the body at least
   bool known = false, flipped = false, keptNormal = false;
 };
-Pull pullOn(const World& world, const MoveContext& context, const SurfelSums& sums, std::size_t i);
+Pull pullOn(const World& world, const MoveContext& context, const SurfelSums& sums, double raised, std::size_t i);
 
 /// Moves surfel i and turns its frame and sets Surfels::moving.
-void moveSurfel(World& world, const MoveContext& context, const SurfelSums& sums, double push, std::size_t i, MoveCounts& counts);
+void moveSurfel(World& world, const MoveContext& context, const SurfelSums& sums, double raised, std::size_t i, MoveCounts& counts);
 
 }  // namespace thaw

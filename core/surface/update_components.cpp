@@ -33,9 +33,25 @@ void measureAll(Surface& s, SurfaceHalos halos, TopologyTools& t, bool again = f
 void keepVolume(World& w, SurfaceHalos halos, TopologyTools& t) {
   Surface& s = w.surface;
   for (int k = 0; k < 4 && volumeError(s) > 1e-3; k++) {
-    offsetToVolume(s, w.scene.surface.keepVolume);
+    offsetToVolume(s, w.scene.surface.keepVolume, w.scene.spacing);
     refreshGhosts(halos.surfels, s.surfels, ColumnList{&s.surfels.position});
     measureAll(s, halos, t, true);
+  }
+}
+
+/// What came off a component is as far off its level as that was.
+void inheritRaised(Surface& s, const std::vector<SurfaceComponent>& before, const ComponentTools& c) {
+  const auto find = [&](std::uint64_t label) {
+    const auto at = std::lower_bound(before.begin(), before.end(), label, [](const SurfaceComponent& x, std::uint64_t l) { return x.label < l; });
+    return at != before.end() && at->label == label ? &*at : nullptr;
+  };
+  for (SurfaceComponent& k : s.components) {
+    if (find(k.label)) continue;
+    for (const ComponentTools::Piece& p : c.pieces)
+      if (const SurfaceComponent* from = p.part == k.label ? find(p.from) : nullptr) {
+        k.raised = from->raised;
+        break;
+      }
   }
 }
 
@@ -65,6 +81,7 @@ void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   Surface& s = w.surface;
   TopologyTools& t = tools.topology;
   s.quietEvents = s.events.size();
+  const std::vector<SurfaceComponent> before = s.components;
   labelParticles(w, halos, tools);
   addSurfelGhosts(s, halos);  // splitting dropped them
   const bool several = severalParts(t.components);
@@ -75,6 +92,7 @@ void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, tools.sort);  // contact has moved some
   std::fill_n(s.surfels.area.data(), s.surfels.owned, 0.0);
   measureComponents(s, halos.all);
+  inheritRaised(s, before, t.components);
 }
 
 void measureSurface(World& w, SurfaceHalos halos, SurfaceTools& tools) {

@@ -23,12 +23,15 @@ void placeAll(Surface& s, SurfaceHalos halos, SurfaceTools& t) {
   t.relax.particlesReady = false;
 }
 
-/// The density of surfels that came with meshes follows the curvature, too: it goes half of the way in a call.
-void adaptStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
+/// Surfels that came with meshes are to be in order before anything moves: else the first update would bear and delete some of a body that is at rest.
+/// Their density follows the curvature, where it is to: it goes half of the way in a call.
+void orderStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
   const SurfaceCounters before = w.surface.counters;
-  for (int k = 0; k < 4; k++) resampleOnParticles(w, halos, t, 10);
+  const bool adapt = w.scene.surface.adapt > 0;
+  for (int k = 0; k < (adapt ? 4 : 2); k++) resampleOnParticles(w, halos, t, 10);
   w.surface.counters = before;  // the start is no change
-  updateComponents(w, halos, t);
+  if (adapt) updateComponents(w, halos, t);
+  else measureSurface(w, halos, t);
 }
 
 /// From where the particles were at the last update to where they are.
@@ -47,7 +50,7 @@ void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   growBodies(w, halos, t);
   sampleMeshes(w.scene, s, t.load, halos.all);
   updateComponents(w, halos, t);
-  if (w.scene.surface.adapt > 0) adaptStart(w, halos, t);
+  orderStart(w, halos, t);
   keepStartVolumes(w, halos);
   placeAll(s, halos, t);
   sampleFields(w, halos, t);
@@ -77,6 +80,7 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   t.times.lap(SurfacePhase::Growth);
   resampleOnParticles(w, halos, t, s.events.size() > s.quietEvents || bare > 0 ? 24 : 8);  // seams of merges and of new faces are to close
   t.times.lap(SurfacePhase::Resampling);
+  listRaised(w, t.relax.raised);
   const Settled settled = settle(w, halos, t, forceWeights(w.scene.surface), w.scene.surface.iterations, false);
   deactivate(s.surfels.loose);
   s.counters.iterations += settled.iterations;
