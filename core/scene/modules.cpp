@@ -120,6 +120,7 @@ Modules modulesOf(const Scene& s) {
     f.on(m.meeting, "contact of kinds", "there are oriented particles and continuum bodies");
     f.on(m.neighbours, "neighbour search", "oriented particles can touch the continuum");
   }
+  if (m.oriented && m.sheet) f.on(m.draping, "contact of sheets and oriented particles", "there are both");
   if (m.heat) f.on(m.neighbours, "neighbour search", "heat is conducted");
   return f.m;
 }

@@ -34,6 +34,7 @@ struct Modules {
   bool oriented = false;   ///< oriented bodies (core/oriented/)
   bool meeting = false;    ///< oriented particles can touch continuum bodies
   bool sheet = false;      ///< sheets (core/sheet/)
+  bool draping = false;    ///< sheets and oriented particles can touch
   bool kinds() const { return oriented || sheet; }
   std::vector<std::string> why;  ///< a line for each module that is on: "heat: obstacle 'plate' has a temperature"
 };
