@@ -20,9 +20,13 @@ std::vector<MemoryUse> memoryOf(const World& w, const StepTools& t) {
   const ElasticWork& e = t.elastic;
   const PairRecords& r = t.records;
   const Surface& f = w.surface;
+  const OrientedWork& o = t.oriented;
+  const Bonds& edges = w.sheets.edges.bonds;
   return {{"particles", bytesOf(static_cast<const Table&>(w.particles))},
-          {"oriented", bytesOf(static_cast<const Table&>(w.oriented.rows))},
-          {"sheets", bytesOf(static_cast<const Table&>(w.sheets.rows))},
+          {"oriented", bytesOf(static_cast<const Table&>(w.oriented.rows)) + bytesOf(o.lists.first, o.lists.list, o.place, o.move, o.spinMove, o.turn, o.velocity, o.spin, o.rest, o.restSpin, o.along,
+                                                                                     o.alongSpin, o.image, o.imageSpin)},
+          {"sheets", bytesOf(static_cast<const Table&>(w.sheets.rows)) + bytesOf(static_cast<const Table&>(w.sheets.edges.ends)) +
+                         bytesOf(edges.neighbour, edges.x, edges.y, edges.z, edges.rx, edges.ry, edges.rz, edges.weight, w.sheets.slope)},
           {"solids", bytesOf(static_cast<const Table&>(w.solids))},
           {"cells", bytesOf(w.cells.key, w.cells.first, w.cells.count, t.inner, t.liquidCells)},
           {"neighbour lists", bytesOf(n.self, n.first, n.count, n.list, n.wet, n.neighbours)},

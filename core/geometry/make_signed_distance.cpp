@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/bust.hpp"
+#include "core/geometry/builtin_meshes.hpp"
 #include "core/geometry/combined.hpp"
 #include "core/geometry/mesh_distance.hpp"
 #include "core/geometry/primitives.hpp"
@@ -19,8 +19,8 @@ void needPositive(const Shape& s, const char* what, double value) {
 
 ShapePart makeMesh(const Shape& s, const MeshLoader& load) {
   try {
-    if (s.mesh == builtinBust) return std::make_shared<MeshDistance>(bustMesh(), s.mesh);
-    if (s.mesh.rfind("builtin:", 0) == 0) throw ShapeError("there is no mesh '" + s.mesh + "'; the built-in one is '" + builtinBust + "'");
+    if (isBuiltin(s.mesh)) return std::make_shared<MeshDistance>(builtinMesh(s.mesh), s.mesh);
+    if (s.mesh.rfind("builtin:", 0) == 0) throw ShapeError("there is no mesh '" + s.mesh + "'; there is " + builtinList);
     if (!load) throw ShapeError("mesh '" + s.mesh + "': nothing was given to read it with");
     return std::make_shared<MeshDistance>(load(s.mesh), s.mesh);
   } catch (const ShapeError& e) {

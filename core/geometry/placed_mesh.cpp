@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/geometry/bust.hpp"
+#include "core/geometry/builtin_meshes.hpp"
 #include "core/geometry/shape_error.hpp"
 
 namespace thaw {
@@ -28,9 +28,9 @@ class MeshReach final : public SignedDistance {
 }  // namespace
 
 PlacedMesh makePlacedMesh(const Shape& s, const MeshLoader& load) {
-  if (s.mesh != builtinBust && !load) throw ShapeError("mesh '" + s.mesh + "': nothing was given to read it with", s.where);
+  if (!isBuiltin(s.mesh) && !load) throw ShapeError("mesh '" + s.mesh + "': nothing was given to read it with", s.where);
   PlacedMesh m;
-  m.mesh = repairMesh(s.mesh == builtinBust ? bustMesh() : load(s.mesh), m.report);
+  m.mesh = repairMesh(isBuiltin(s.mesh) ? builtinMesh(s.mesh) : load(s.mesh), m.report);
   m.placement = placeMesh(s, m.mesh);
   return m;
 }

@@ -47,9 +47,9 @@ void meetContinuum(World& w, StepTools& t, double dt) {
   Continuum& p = w.particles;
   const auto touch = [&](std::size_t oriented, std::size_t particle) {
     const OrientedBody& body = w.scene.oriented[o.body[oriented]];
-    const double s = t.oriented.potentials[o.body[oriented]].spacing, area = body.density * 0.86602540378443865 * s * s;  // its mass, of ghosts too
+    const double s = t.oriented.potentials[o.body[oriented]].spacing, mass = orientedMass(body, s);  // its mass, of ghosts too
     return touchOf(p.position[particle] - o.position[oriented], p.velocity[particle] - o.velocity[oriented], 0.55 * (s + w.scene.spacing), body.contact * body.stiffness,
-                   area * p.mass[particle] / (area + p.mass[particle]));
+                   mass * p.mass[particle] / (mass + p.mass[particle]));
   };
   t.oriented.fastest2 = 0;
   for (std::size_t i = 0; i < p.owned; i++) {
@@ -73,8 +73,8 @@ void meetContinuum(World& w, StepTools& t, double dt) {
       o.stiffness[j] += 2 * c.stiffness / o.mass[j];
     });
     if (w.scene.oriented[o.body[j]].planar) force.y = 0;
-    o.force[j] += force - o.external[j];
-    o.external[j] = force;
+    o.force[j] += force;
+    o.external[j] += force;
   }
 }
 

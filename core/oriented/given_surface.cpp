@@ -10,6 +10,7 @@ namespace thaw {
 namespace {
 
 constexpr std::size_t around = 12;
+constexpr std::size_t ofPiece = 24, blended = 6;  // points of a piece of the surface through given points, and pieces that meet at a place
 
 struct Plane { Vec3d centre, axis[3]; double spread[3]; };  // axes by falling spread
 
@@ -42,6 +43,15 @@ void readyGiven(GivenPoints& g) {
   if (g.points.size() < 2) return;
   for (const Vec3d& x : g.points) g.apart += length(g.points[g.tree->nearest(x, 2)[1]] - x);
   g.apart /= static_cast<double>(g.points.size());
+  for (std::size_t i = 0; i < g.points.size(); i++) {
+    std::vector<Vec3d> points, normals;
+    for (const std::uint32_t k : g.tree->nearest(g.points[i], ofPiece)) {
+      if (!points.empty() && length(g.points[k] - g.points[i]) < 1e-6 * g.apart) continue;  // the same again
+      points.push_back(g.points[k]);
+      normals.push_back(g.normals[k]);
+    }
+    g.pieces.push_back(hermitePiece(g.points[i], g.apart, points, normals));
+  }
 }
 
 std::vector<Vec3d> normalsOf(const std::vector<Vec3d>& points) {
@@ -88,35 +98,30 @@ std::vector<Vec3d> normalsOf(const std::vector<Vec3d>& points) {
 }
 
 bool projectOnGiven(const GivenPoints& g, Vec3d& place, Vec3d& normal) {
-  const Vec3d toward = normal;
-  for (int pass = 0; pass < 3; pass++) {
-    const std::vector<std::uint32_t> near = g.tree->nearest(place, around);
-    if (near.empty() || length(g.points[near[0]] - place) > 2.5 * g.apart) return false;
-    double all = 0, height = 0;
-    Vec3d n{};
-    const double radius = std::max(g.apart, 0.6 * length(g.points[near.back()] - place));
+  for (int pass = 0; pass < 4; pass++) {
+    const std::vector<std::uint32_t> near = g.tree->nearest(place, blended + 1);
+    if (near.empty() || length(g.points[near[0]] - place) > g.reach * g.apart) return false;
+    // pieces fade out at the distance of the first point that is left out
+    const double radius = length(g.points[near.back()] - place) * (near.size() > blended ? 1 : 2);
+    double all = 0, value = 0;
+    Vec3d gradient{};
     for (const std::uint32_t k : near) {
-      const Vec3d d = place - g.points[k];
-      if (dot(g.normals[k], toward) < -0.2) continue;  // of another sheet
-      const double w = std::exp(-dot(d, d) / (radius * radius)) + 1e-12;
-      // a point's circle rather than its plane: half of what its plane says where the normals turn away evenly
+      const double u = length(g.points[k] - place) / radius;
+      if (!(u < 1) || g.pieces[k].points.empty()) continue;
+      const double fade = (1 - u) * (1 - u), w = fade * fade * (4 * u + 1);
+      const HermiteValue v = valueOf(g.pieces[k], place);
       all += w;
-      n += w * g.normals[k];
-      height += w * dot(g.normals[k], d);
+      value += w * v.value;
+      gradient += w * v.gradient;
     }
-    if (!(all > 0) || !(dot(n, n) > 0)) return false;
-    normal = normalized(n);
-    // where the surface is curved, planes through the points lie outside of it; half way between them and the chord is the arc
-    double sag = 0;
-    for (const std::uint32_t k : near) {
-      const Vec3d d = place - g.points[k];
-      if (dot(g.normals[k], toward) < -0.2) continue;
-      const double w = std::exp(-dot(d, d) / (radius * radius)) + 1e-12;
-      sag += w * dot(normal, d);
-    }
-    place = place - (0.5 * (height + sag) / all) * normal;
+    const double steep2 = dot(gradient, gradient);
+    if (!(all > 0) || !(steep2 > 0.04 * all * all)) return false;
+    normal = gradient / std::sqrt(steep2);
+    place = place - std::clamp(value / steep2 * all, -g.apart, g.apart) / all * gradient;
   }
-  return true;
+  for (const std::uint32_t k : g.tree->nearest(place, blended + 1))
+    if (dot(g.normals[k], normal) > 0) return length(g.points[k] - place) < g.reach * g.apart;  // else it is nobody's
+  return false;
 }
 
 double ThinPlate::height(double px, double py) const {

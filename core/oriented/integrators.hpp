@@ -4,7 +4,7 @@
 
 namespace thaw {
 
-/// v += a dt, then x += v dt and the same of rotations. Damping is exact: velocities decay by exp(-c dt).
+/// v += a dt, then x += v dt and the same of rotations. Damping is exact, in the middle of the kick: velocities decay by exp(-c dt).
 void stepSymplectic(World& world, double dt);
 
 /// Runge-Kutta of fourth order, of quaternions too. Obstacles stand where they are at the end of the step; contact with the continuum is held. Collective.

@@ -6,12 +6,15 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "core/geometry/placed_mesh.hpp"
 #include "core/geometry/point_tree.hpp"
 #include "core/geometry/pose.hpp"
 #include "core/geometry/sampling.hpp"
 #include "core/math/hash_random.hpp"
 #include "core/oriented/given_surface.hpp"
 #include "core/oriented/oriented.hpp"
+#include "core/surface/blue_noise.hpp"
+#include "core/surface/mesh_normals.hpp"
 
 namespace thaw {
 namespace {
@@ -177,10 +180,60 @@ MadePoints coverSurface(const SignedDistance& shape, double spacing, std::uint64
   return m;
 }
 
+MadePoints sampleMesh(const Shape& shape, double spacing, std::uint64_t seed, const MeshLoader& load) {
+  const PlacedMesh placed = makePlacedMesh(shape, load);
+  const MeshNormals normals(placed.mesh);
+  MadePoints m;
+  for (const MeshSample& s : blueNoise(placed.mesh, spacing, seed)) add(m, s.position, normals.at(s.position, s.triangle));
+  return m;
+}
+
+namespace {
+
+/// Keeps a share of the points, in the order of a hash those that have none kept within a distance (Poisson discs) for which the share is right.
+/// What is kept is held.
+MadePoints thinned(const MadePoints& m, double share, std::uint64_t seed) {
+  std::vector<std::uint32_t> order(m.places.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::vector<std::uint64_t> rank;
+  for (std::size_t k = 0; k < order.size(); k++) rank.push_back(randomBits(seed, Purpose::OrientedSample, k, 1));
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return rank[a] < rank[b]; });
+  const PointTree tree(m.places);
+  const auto wanted = static_cast<std::size_t>(std::ceil(share * static_cast<double>(m.places.size()) - 1e-9));
+  const auto keptAt = [&](double apart) {
+    std::vector<std::uint8_t> covered(m.places.size(), 0);
+    std::vector<std::uint32_t> kept;
+    for (const std::uint32_t k : order) {
+      if (covered[k]) continue;
+      kept.push_back(k);
+      for (const std::uint32_t q : tree.within(m.places[k], apart)) covered[q] |= dot(m.normals[k], m.normals[q]) > 0;  // thin bodies have two sides
+    }
+    return kept;
+  };
+  double low = 0, high = 1e-3;
+  for (const Vec3d& x : m.places) high = std::max(high, length(x - m.places[0]));
+  std::vector<std::uint32_t> kept = keptAt(low);
+  for (int k = 0; k < 40 && kept.size() != wanted; k++) {
+    const double apart = 0.5 * (low + high);
+    std::vector<std::uint32_t> these = keptAt(apart);
+    (these.size() > wanted ? low : high) = apart;
+    if (these.size() >= wanted || k == 39) kept = std::move(these);
+  }
+  std::sort(kept.begin(), kept.end());
+  MadePoints thin;
+  for (const std::uint32_t k : kept) add(thin, m.places[k], m.normals[k], heldPlace | heldNormal);
+  return thin;
+}
+
+}  // namespace
+
 MadePoints makePoints(const OrientedBody& b, double spacing, std::uint64_t seed, const MeshLoader& load) {
   MadePoints m;
   switch (b.source) {
-    case OrientedSource::Surface: m = coverSurface(*makeSignedDistance(b.shape, load), spacing, seed); break;
+    case OrientedSource::Surface:
+      if (b.thin < 1 && b.shape.kind == ShapeKind::Mesh) m = sampleMesh(b.shape, spacing, seed, load);
+      else m = coverSurface(*makeSignedDistance(b.shape, load), spacing, seed);
+      break;
     case OrientedSource::Patch:
     case OrientedSource::Disc: m = flatPatch(b, spacing); break;
     case OrientedSource::Control: m = plateThrough(b, spacing); break;
@@ -190,12 +243,7 @@ MadePoints makePoints(const OrientedBody& b, double spacing, std::uint64_t seed,
       for (std::size_t k = 0; k < b.points.size(); k++) add(m, b.points[k], normalized(normals[k]), b.growth != OrientedGrowth::None ? heldPlace | heldNormal : 0);
     }
   }
-  if (b.thin < 1) {  // what is kept is held, and what was there grows again between
-    MadePoints kept;
-    for (std::size_t k = 0; k < m.places.size(); k++)
-      if (randomUniform(seed, Purpose::OrientedSample, k, 1) < b.thin) add(kept, m.places[k], m.normals[k], heldPlace | heldNormal);
-    m = std::move(kept);
-  }
+  if (b.thin < 1 && !m.places.empty()) m = thinned(m, b.thin, seed);
   if (m.places.empty()) throw std::invalid_argument("it has no particle: it is too small for its spacing, or empty");
   return m;
 }

@@ -15,6 +15,9 @@ struct MadePoints {
 /// Throws std::invalid_argument, ShapeError.
 MadePoints makePoints(const OrientedBody& body, double spacing, std::uint64_t seed, const MeshLoader& load);
 
+/// Evenly spread points of a mesh as it is, with its normals: see blueNoise. Throws ShapeError, or what the loader throws.
+MadePoints sampleMesh(const Shape& shape, double spacing, std::uint64_t seed, const MeshLoader& load);
+
 /// Points on the surface of a shape, taken in the order of a hash where there is room, then pushed apart.
 MadePoints coverSurface(const SignedDistance& shape, double spacing, std::uint64_t seed);
 

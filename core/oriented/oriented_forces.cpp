@@ -106,7 +106,7 @@ void addUpForces(World& w, StepTools& t) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];
     const PairPotential& own = t.oriented.potentials[o.body[i]];
     const Vec3d x = o.position[i], n = o.normal[i];
-    Vec3d force = o.external[i] + o.mass[i] * body.push + (body.pressure * hexagon * own.spacing * own.spacing) * n, torque{};
+    Vec3d force = (o.external.active ? o.external[i] : Vec3d{}) + o.mass[i] * body.push + (body.pressure * hexagon * own.spacing * own.spacing) * n, torque{};
     double energy = 0, stiff = 0, turn = 0;
     for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
       const std::uint32_t j = l.list[k];

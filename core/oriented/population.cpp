@@ -97,17 +97,27 @@ void giveBirth(World& w, const PairPotential& p, std::size_t parent, const Offer
   o.id[i] = bornBit | randomBits(w.scene.seed, Purpose::OrientedBirth, o.id[parent], static_cast<std::uint64_t>(w.clock.step) + 1) >> 1;
   o.position[i] = offer.place;
   o.velocity[i] = o.velocity[parent];
-  o.mass[i] = w.scene.oriented[o.body[parent]].density * 0.86602540378443865 * p.spacing * p.spacing;
+  o.mass[i] = orientedMass(w.scene.oriented[o.body[parent]], p.spacing);
   o.inertia[i] = w.scene.oriented[o.body[parent]].inertia * o.mass[i] * p.spacing * p.spacing;
   o.body[i] = o.body[parent];
   o.group[i] = o.group[parent];
   o.cutSides[i] = o.cutSides[parent];
   o.orientation[i] = o.homeTurn[i] = towards(offer.normal);
+  o.home[i] = offer.place;
   addKindRow(w, orientedKind, i, w.ledger.entered);
   w.counters.orientedBirths++;
 }
 
 }  // namespace
+
+void letGo(World& w, std::size_t i) {
+  Oriented& o = w.oriented.rows;
+  o.energy[i] = 0;
+  addKindRow(w, orientedKind, i, w.ledger.left);
+  w.ledger.dissipated.add(o.dissipated[i]);
+  w.counters.orientedDeaths++;
+  o.mass[i] = 0;  // placeOriented drops it
+}
 
 bool populationDue(const World& w, double dt) {
   bool due = false;
@@ -168,13 +178,7 @@ bool changePopulation(World& w, Halos halos, StepTools& t) {
   if (changed == 0) return false;
   o.resize(o.owned, 0);
   for (const std::uint32_t i : parents) giveBirth(w, t.oriented.potentials[o.body[i]], i, offers[i]);
-  for (const std::uint32_t i : dead) {
-    o.energy[i] = 0;
-    addKindRow(w, orientedKind, i, w.ledger.left);
-    w.ledger.dissipated.add(o.dissipated[i]);
-    w.counters.orientedDeaths++;
-    o.mass[i] = 0;  // placeOriented drops it
-  }
+  for (const std::uint32_t i : dead) letGo(w, i);
   return true;
 }
 

@@ -12,4 +12,7 @@ bool populationDue(const World& world, double dt);
 /// as what entered and left, with energy 0. Collective.
 bool changePopulation(World& world, Halos halos, StepTools& tools);
 
+/// Row i goes: booked, and dropped when rows are placed next.
+void letGo(World& world, std::size_t i);
+
 }  // namespace thaw

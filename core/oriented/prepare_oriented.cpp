@@ -15,9 +15,10 @@ double spacingOf(const Scene& s, const OrientedBody& b) { return b.spacing > 0 ?
 
 bool interpolates(const OrientedBody& b) { return b.growth == OrientedGrowth::Borders && (b.thin < 1 || b.source == OrientedSource::Points); }
 
-void keepGiven(const MadePoints& m, GivenPoints& g) {
+void keepGiven(const MadePoints& m, bool thinned, GivenPoints& g) {
   g.points = m.places;
   g.normals = m.normals;
+  if (thinned) g.reach = 0.95;  // evenly: there is a point this near to any place
   readyGiven(g);
 }
 
@@ -32,12 +33,13 @@ double orientedReach(const Scene& s) {
 void activateOriented(World& w) {
   Oriented& o = w.oriented.rows;
   activateKind(o);
-  for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.orientation, &o.spin, &o.inertia, &o.force, &o.torque, &o.external, &o.group, &o.cutSides, &o.flags, &o.anchor, &o.home, &o.homeTurn, &o.normal, &o.stiffness}) o.activate(*c);
+  for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.orientation, &o.spin, &o.inertia, &o.force, &o.torque, &o.group, &o.cutSides, &o.flags, &o.anchor, &o.home, &o.homeTurn, &o.normal, &o.stiffness}) o.activate(*c);
   bool changes = false, implicit = false;
   for (const OrientedBody& b : w.scene.oriented) {
     changes = changes || b.growth != OrientedGrowth::None || b.crowd > 0;
     implicit = implicit || b.integrator == OrientedIntegrator::SemiImplicit;
   }
+  if (w.modules.meeting || w.modules.draping) o.activate(o.external);
   if (changes)
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.offer, &o.offerRank}) o.activate(*c);
   if (implicit)
@@ -51,7 +53,7 @@ void prepareOriented(const Scene& s, OrientedWork& work, const MeshLoader& load)
   for (std::size_t b = 0; b < s.oriented.size(); b++) {
     if (!interpolates(s.oriented[b])) continue;
     try {
-      keepGiven(makePoints(s.oriented[b], spacingOf(s, s.oriented[b]), s.seed + b, load), work.given[b]);
+      keepGiven(makePoints(s.oriented[b], spacingOf(s, s.oriented[b]), s.seed + b, load), s.oriented[b].thin < 1, work.given[b]);
     } catch (const std::invalid_argument&) {  // sampling says what is wrong
     }
   }
@@ -100,7 +102,7 @@ void sampleOriented(World& w, Halos halos, const MeshLoader& load) {
         o.orientation[i] = unitQuat(rotationBy(body.planar ? Vec3d{0, off.y, 0} : off) * o.orientation[i]);
         if (body.planar) o.position[i].y = x.y;
       }
-      o.mass[i] = body.density * 0.86602540378443865 * s * s;
+      o.mass[i] = orientedMass(body, s);
       o.inertia[i] = body.inertia * o.mass[i] * s * s;
       o.body[i] = static_cast<std::uint16_t>(b);
       o.group[i] = static_cast<std::uint32_t>(b);

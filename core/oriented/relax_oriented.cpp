@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/kinds/place_kinds.hpp"
+#include "core/oriented/follow_given.hpp"
 #include "core/oriented/held.hpp"
 #include "core/oriented/operations.hpp"
 #include "core/oriented/oriented_forces.hpp"
@@ -46,6 +47,8 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
     grows = grows || b.growth != OrientedGrowth::None || b.crowd > 0;
   }
   if (most == 0) return 0;
+  bool given = false;
+  for (const GivenPoints& g : t.oriented.given) given = given || !g.points.empty();
   const Vec3d g = w.scene.domain.gravity;
   std::vector<Vec3d> force, torque;
   for (std::size_t i = 0; i < o.owned; i++) o.velocity[i] = o.spin[i] = {};
@@ -59,12 +62,12 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
     readyOriented(w, halos, t);
     w.clock.step = done;  // births are hashed from it
     if (grows && done % 10 == 0) {
-      if (changePopulation(w, halos, t)) {
-        readyAgain(w, halos, t);
-        calm = 0;
-      } else {
-        calm++;
-      }
+      std::int64_t lost = given ? findPlacesOnGiven(w, t) : 0;
+      halos.all.sum({&lost, 1});
+      if (lost > 0) readyAgain(w, halos, t);
+      const bool changed = changePopulation(w, halos, t);
+      if (changed) readyAgain(w, halos, t);
+      calm = changed || lost > 0 ? 0 : calm + 1;
     }
     addUpForces(w, t);
     force.assign(o.owned, {});
@@ -72,9 +75,13 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
     double worst[3] = {0, 0, 0};  // largest force, largest stiffness, and a value that is not finite
     for (std::size_t i = 0; i < o.owned; i++) {
       const OrientedBody& body = w.scene.oriented[o.body[i]];
-      const double unit = body.stiffness * t.oriented.potentials[o.body[i]].spacing;
       if (!(o.flags[i] & heldPlace) && body.relax > 0) force[i] = o.force[i] + o.mass[i] * g;
       if (!(o.flags[i] & heldNormal) && body.relax > 0) torque[i] = o.torque[i];
+    }
+    if (given) followGiven(w, t, force, torque);
+    for (std::size_t i = 0; i < o.owned; i++) {
+      const OrientedBody& body = w.scene.oriented[o.body[i]];
+      const double unit = body.stiffness * t.oriented.potentials[o.body[i]].spacing;
       worst[0] = std::max({worst[0], length(force[i]) / unit, length(torque[i]) / (unit * t.oriented.potentials[o.body[i]].spacing)});
       worst[1] = std::max(worst[1], o.stiffness[i]);
     }

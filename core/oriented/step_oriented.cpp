@@ -17,10 +17,11 @@ namespace {
 struct HeldBooks {
   World& w;
   double dt;
-  std::vector<Vec3d> velocity;
+  std::vector<Vec3d> velocity, place;
   explicit HeldBooks(World& world, double step) : w(world), dt(step) {
     const Oriented& o = w.oriented.rows;
     velocity.assign(o.velocity.data(), o.velocity.data() + o.owned);
+    place.assign(o.position.data(), o.position.data() + o.owned);
   }
   void close() {
     const Oriented& o = w.oriented.rows;
@@ -29,7 +30,9 @@ struct HeldBooks {
       const Vec3d force = o.force[i] + o.mass[i] * w.scene.domain.gravity, impulse = o.mass[i] * (o.velocity[i] - velocity[i]) - dt * force;
       for (int a = 0; a < 3; a++)
         if (impulse[a] != 0) w.ledger.wallImpulse[a].add(impulse[a]);
-      const double work = 0.5 * o.mass[i] * (dot(o.velocity[i], o.velocity[i]) - dot(velocity[i], velocity[i])) - dt * dot(force, o.velocity[i]);
+      // these forces act over half of the way before and half of the way after them (trapezoids)
+      const Vec3d way = 0.5 * (o.position[i] - place[i] + w.clock.stepDt * velocity[i]);
+      const double work = 0.5 * o.mass[i] * (dot(o.velocity[i], o.velocity[i]) - dot(velocity[i], velocity[i])) - dot(force, way);
       if (work != 0) w.ledger.wallWork.add(work);
     }
   }
@@ -57,6 +60,7 @@ void stepOriented(World& w, Halos halos, StepTools& t, double dt) {
 }
 
 void evaluateOriented(World& w, Halos halos, StepTools& t, double dt) {
+  Oriented& o = w.oriented.rows;
   const double now = w.clock.time + dt;  // a step's clock still shows its beginning here
   readyOriented(w, halos, t);
   const bool events = operationDue(w.scene, w.clock.time, now, dt), look = populationDue(w, dt);
@@ -72,6 +76,13 @@ void evaluateOriented(World& w, Halos halos, StepTools& t, double dt) {
     if (dt > 0) bookEnergy(w, -1);
   } else {
     addUpForces(w, t);
+  }
+  if (o.external.active) {
+    // contacts with other kinds follow in this evaluation; the forces so far held those of the last one
+    for (std::size_t i = 0; i < o.owned; i++) {
+      o.force[i] -= o.external[i];
+      o.external[i] = {};
+    }
   }
   t.times.lap(StepPhase::Oriented);
 }

@@ -10,20 +10,23 @@ void stepSymplectic(World& w, double dt) {
   for (std::size_t i = 0; i < o.owned; i++) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];
     if (!(o.flags[i] & heldPlace)) {
-      Vec3d v = o.velocity[i] + dt * (o.force[i] / o.mass[i] + g);
+      // damping between two half kicks: what it takes is then what the forces give, where both balance
+      const Vec3d kick = (0.5 * dt) * (o.force[i] / o.mass[i] + g);
+      Vec3d v = o.velocity[i] + kick;
       const double kept = std::exp(-body.damping * dt);
       o.dissipated[i] += 0.5 * o.mass[i] * dot(v, v) * (1 - kept * kept);
       for (int a = 0; a < 3 && kept < 1; a++)
         if (const double lost = o.mass[i] * v[a] * (kept - 1); lost != 0) w.ledger.wallImpulse[a].add(lost);
-      v = v * kept;
+      v = v * kept + kick;
       o.velocity[i] = v;
       o.position[i] += dt * v;
     }
     if (!(o.flags[i] & heldNormal)) {
-      Vec3d spin = o.spin[i] + (dt / o.inertia[i]) * o.torque[i];
+      const Vec3d kick = (0.5 * dt / o.inertia[i]) * o.torque[i];
+      Vec3d spin = o.spin[i] + kick;
       const double kept = std::exp(-body.spinDamping * dt);
       o.dissipated[i] += 0.5 * o.inertia[i] * dot(spin, spin) * (1 - kept * kept);
-      spin = spin * kept;
+      spin = spin * kept + kick;
       o.spin[i] = spin;
       o.orientation[i] = unitQuat(rotationBy(dt * spin) * o.orientation[i]);
     }

@@ -128,6 +128,7 @@ Modules modulesOf(const Scene& s) {
     f.on(m.meeting, "contact of kinds", "there are oriented particles and continuum bodies");
     f.on(m.neighbours, "neighbour search", "oriented particles can touch the continuum");
   }
+  if (m.oriented && m.sheet) f.on(m.draping, "contact of sheets and oriented particles", "there are both");
   if (m.heat) f.on(m.neighbours, "neighbour search", "heat is conducted");
   if (m.sleep) f.on(m.neighbours, "neighbour search", "what moves wakes what is around it");
   m.uniform = isUniform(s, m);

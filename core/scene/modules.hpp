@@ -36,6 +36,7 @@ struct Modules {
   bool meeting = false;    ///< oriented particles can touch continuum bodies
   bool sheet = false;      ///< sheets (core/sheet/)
   bool uniform = false;    ///< all there is is liquid of one material whose parameters are the same everywhere: pair sums read less (terms/uniform_forces.hpp)
+  bool draping = false;    ///< sheets and oriented particles can touch
   bool kinds() const { return oriented || sheet; }
   std::vector<std::string> why;  ///< a line for each module that is on: "heat: obstacle 'plate' has a temperature"
 };

@@ -82,4 +82,7 @@ struct OrientedBody {
   std::vector<OrientedEvent> events;
 };
 
+/// kg, of a particle: its share of the surface is the cell of a hexagonal lattice.
+inline double orientedMass(const OrientedBody& b, double spacing) { return b.density * 0.86602540378443865 * spacing * spacing; }
+
 }  // namespace thaw

@@ -152,8 +152,8 @@ void takeStock(World& w, Halos halos, StepTools& t) {
   t.mass = totalMass(w, halos.all);
   const LedgerReport now = reportLedger(w, halos.all);
   w.ledger.initial = now.now;
-  // what the emitters let out at time 0 is part of the start
-  w.ledger.entered = {};
+  // what the emitters let out at time 0 is part of the start, and what relaxation made and took
+  w.ledger.entered = w.ledger.left = {};
   vote(w, halos, t, {}, {});
   if (w.modules.incompressible) findPressure(w, halos, t, nextStep(w.clock));
   const double half = 0.5 * nextStep(w.clock);  // the first half kick, which no step books

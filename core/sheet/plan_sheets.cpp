@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/bust.hpp"
+#include "core/geometry/builtin_meshes.hpp"
 #include "core/geometry/placed_mesh.hpp"
 #include "core/geometry/shape_error.hpp"
 #include "core/geometry/weld_vertices.hpp"
@@ -130,8 +130,8 @@ TriangleMesh sheetMesh(const Scene& s, const SheetBody& b, const MeshLoader& loa
     case SheetMesh::Dome: m = domeSheet(b.radius, b.height, spacing, b.ribs, b.ribHeight); break;
     case SheetMesh::Forehead: m = foreheadSheet(b.radius, b.width, b.height, spacing, b.wrinkleHeight, b.wrinkles); break;
     case SheetMesh::File:
-      if (!load && b.shape.mesh != builtinBust) throw ShapeError("mesh '" + b.shape.mesh + "': nothing was given to read it with", b.where);
-      m = weldVertices(b.shape.mesh == builtinBust ? bustMesh() : load(b.shape.mesh), 0);
+      if (!load && !isBuiltin(b.shape.mesh)) throw ShapeError("mesh '" + b.shape.mesh + "': nothing was given to read it with", b.where);
+      m = weldVertices(isBuiltin(b.shape.mesh) ? builtinMesh(b.shape.mesh) : load(b.shape.mesh), 0);
   }
   placeMesh(b.shape, m);
   return m;
@@ -196,7 +196,7 @@ SheetPlans planSheets(const Scene& s, const MeshLoader& load) {
           if (!(t.volume[c] > 0))
             throw ShapeError(t.closed[c] ? "volume_stiffness needs a mesh whose triangles face outward" : "volume_stiffness needs a closed mesh, and this one has a border", b.where);
       plan.hinges = hingesOf(b, plan);
-      plan.touches = b.selfContact || s.sheets.size() > 1 || !s.obstacles.empty() || !s.bodies.empty() || !s.emitters.empty() || b.push > 0 || b.pull > 0;
+      plan.touches = b.selfContact || s.sheets.size() > 1 || !s.obstacles.empty() || !s.bodies.empty() || !s.emitters.empty() || !s.oriented.empty() || b.push > 0 || b.pull > 0;
       for (const auto& axis : s.domain.side)
         for (const Side side : axis) plan.touches = plan.touches || side == Side::Wall;
       all.plans.push_back(std::move(plan));

@@ -34,7 +34,7 @@ void activateSheets(World& w) {
     if (l.law.damping > 0) s.activate(s.moved);
   for (const SheetPlan& p : w.sheets.plans)
     if (p.touches) s.activate(s.resisting);
-  if (sheetsMeet(w.scene) || sheetsMeetContinuum(w.scene)) s.activate(s.moving);
+  if (sheetsMeet(w.scene) || sheetsMeetContinuum(w.scene) || w.modules.draping) s.activate(s.moving);
   activateEdges(w.sheets.edges);
 }
 

@@ -167,6 +167,45 @@ void meetParticles(World& w, const SheetVelocities& now) {
   for (const double x : stiff) b.stiffestParticle = std::max(b.stiffestParticle, x);
 }
 
+/// Vertices and oriented particles: as with those of the continuum, but for heat. What oriented particles feel is held over their next step.
+void meetOriented(World& w, const SheetVelocities& now) {
+  SheetBodies& b = w.sheets;
+  Sheets& s = b.rows;
+  Oriented& o = w.oriented.rows;
+  const auto meet = [&](std::size_t i, std::size_t j, Touch& touch) {
+    const SheetPlan& plan = b.plans[s.body[i]];
+    const OrientedBody& other = w.scene.oriented[o.body[j]];
+    const SheetBody& sheet = w.scene.sheets[s.body[i]];
+    const double spacing = other.spacing > 0 ? other.spacing : w.scene.spacing;
+    const Vec3d d = s.position[i] - o.position[j];
+    const double reach = 0.5 * (plan.thickness + spacing), r2 = dot(d, d);
+    if (!(r2 < reach * reach) || !(r2 > 0)) return false;
+    const double r = std::sqrt(r2), mass = orientedMass(other, spacing);  // not the column: ghosts have none
+    touch = touchOf({plan.contactRate, pairMass(massOf(w, i), mass), sheet.restitution, std::max(sheet.friction, other.friction), now.span}, reach - r, d / r, s.moving[i] - o.velocity[j]);
+    return true;
+  };
+  std::vector<double> slope(s.owned, 0);
+  Touch touch;
+  eachNear(b.cells, s.owned, w.oriented.cells, [&](std::size_t i, std::size_t j) {
+    if (!meet(i, j, touch)) return;
+    s.load[i] += touch.force / s.area[i];
+    s.energy[i] += 0.5 * touch.energy;
+    s.resisting[i] += touch.resisting / s.area[i];
+    slope[i] += touch.slope;
+  });
+  for (std::size_t i = 0; i < s.owned; i++) b.slope[i] += 2 * slope[i] / s.area[i];
+  eachNear(w.oriented.cells, o.owned, b.cells, [&](std::size_t j, std::size_t i) {
+    if (!meet(i, j, touch)) return;
+    Vec3d force = touch.force;
+    if (w.scene.oriented[o.body[j]].planar) force.y = 0;
+    o.force[j] -= force;
+    o.external[j] -= force;
+    o.energy[j] += 0.5 * touch.energy;
+    o.dissipated[j] += dot(touch.resisting, o.velocity[j]) * now.dt;  // with the vertex' share: what both lose together
+    o.stiffness[j] += 2 * touch.slope / o.mass[j];
+  });
+}
+
 }  // namespace
 
 bool sheetsMeet(const Scene& s) {
@@ -182,8 +221,8 @@ double neverTouch(const SheetPlan& p) { return std::max(2 * p.spacing, 1.3 * p.t
 void addSheetContacts(World& w, Halos halos, const SheetVelocities& now) {
   SheetBodies& b = w.sheets;
   Sheets& s = b.rows;
-  const bool sheets = sheetsMeet(w.scene), continuum = sheetsMeetContinuum(w.scene);
-  if (!sheets && !continuum) return;
+  const bool sheets = sheetsMeet(w.scene), continuum = sheetsMeetContinuum(w.scene), oriented = w.modules.draping;
+  if (!sheets && !continuum && !oriented) return;
   std::copy(now.velocity.begin(), now.velocity.end(), s.moving.data());
   ColumnList columns{&s.position, &s.moving, &s.rest, &s.area, &s.body};
   if (s.temperature.active) columns.push_back(&s.temperature);
@@ -192,6 +231,7 @@ void addSheetContacts(World& w, Halos halos, const SheetVelocities& now) {
   halo.finishGhosts(s, b.cells);
   if (sheets) meetSheets(w, now);
   if (continuum) meetParticles(w, now);
+  if (oriented) meetOriented(w, now);
 }
 
 }  // namespace thaw

@@ -115,8 +115,46 @@ void exportOriented(const fs::path& file, const fs::path& out, const ExportOptio
   fmt::print("{}: {} particles, {} surfaces, {} triangles\n", out.string(), frame.positions.size(), meshes.size(), triangles);
 }
 
+bool isSheetFrame(const FrameInfo& info) {
+  return std::any_of(info.fields.begin(), info.fields.end(), [](const FrameInfo::Field& f) { return f.name == "sheet_body"; });
+}
+
+/// The triangles of the frame, one mesh for each sheet, with its colours; normals are the means of the triangles around.
+void exportSheets(const fs::path& file, const fs::path& out, const ExportOptions& options) {
+  if (options.as != "ply" && options.as != "obj") throw std::invalid_argument("sheets are exported as ply or obj, not as " + options.as);
+  const FrameData frame = readFrame(file.string());
+  const FrameColumn *body = frame.find("sheet_body"), *colour = frame.find("color");
+  if (!body || !colour) throw IoError(file.string(), "has no fields 'sheet_body' and 'color'");
+  std::map<std::uint32_t, ComponentMesh> byBody;
+  std::vector<std::uint32_t> vertexOf(frame.positions.size());
+  for (std::size_t i = 0; i < frame.positions.size(); i++) {
+    ComponentMesh& m = byBody[static_cast<std::uint32_t>(body->value(i))];
+    vertexOf[i] = static_cast<std::uint32_t>(m.mesh.vertices.size());
+    m.mesh.vertices.push_back(frame.positions[i]);
+    m.normals.push_back({});
+    m.colours.push_back({static_cast<float>(colour->value(i, 0)), static_cast<float>(colour->value(i, 1)), static_cast<float>(colour->value(i, 2))});
+  }
+  for (const auto& t : frame.triangles) {
+    ComponentMesh& m = byBody[static_cast<std::uint32_t>(body->value(t[0]))];
+    const Vec3d n = cross(frame.positions[t[1]] - frame.positions[t[0]], frame.positions[t[2]] - frame.positions[t[0]]);
+    for (const std::uint32_t k : t) m.normals[vertexOf[k]] += Vec3f{static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
+    m.mesh.triangles.push_back({vertexOf[t[0]], vertexOf[t[1]], vertexOf[t[2]]});
+  }
+  std::vector<ComponentMesh> meshes;
+  for (auto& [number, m] : byBody) {
+    m.component = number;
+    for (Vec3f& n : m.normals) n = dot(n, n) > 0 ? n * (1 / std::sqrt(dot(n, n))) : Vec3f{0, 0, 1};
+    meshes.push_back(std::move(m));
+  }
+  if (out.has_parent_path()) fs::create_directories(out.parent_path());
+  (options.as == "ply" ? writeMeshPly : writeMeshObj)(out, meshes);
+  fmt::print("{}: {} vertices, {} sheets, {} triangles\n", out.string(), frame.positions.size(), meshes.size(), frame.triangles.size());
+}
+
 void exportFrame(const fs::path& file, const fs::path& out, const ExportOptions& options) {
-  if (isOrientedFrame(readFrameInfo(file.string()))) return exportOriented(file, out, options);
+  const FrameInfo info = readFrameInfo(file.string());
+  if (isOrientedFrame(info)) return exportOriented(file, out, options);
+  if (isSheetFrame(info)) return exportSheets(file, out, options);
   const SurfaceFrame frame = readSurfaceFrame(file.string());
   const std::vector<Rgb> colours = coloursOf(frame, options, file);
   if (out.has_parent_path()) fs::create_directories(out.parent_path());
@@ -146,7 +184,7 @@ void addExportOptions(CLI::App& command, ExportOptions& o) {
   command.add_option("path", o.input, "frame of a surface (NAME_surface_000120.hdf), series index, or folder of a run (all its frames)")->required();
   command.add_option("--as", o.as, "ply-discs: a polygon for each surfel (Blender); pov: a scene of POV-Ray; vtp: points with all fields (ParaView); ply, obj: a closed triangle mesh of each component")
       ->required()->check(CLI::IsMember(formats));
-  command.add_option("--what", o.what, "of a folder: surface (surfels) or oriented (oriented particles; as ply or obj)")->check(CLI::IsMember({"surface", "oriented"}))->capture_default_str();
+  command.add_option("--what", o.what, "of a folder: surface (surfels), oriented (oriented particles; as ply or obj) or sheet (sheets with their triangles; as ply or obj)")->check(CLI::IsMember({"surface", "oriented", "sheet"}))->capture_default_str();
   command.add_option("--out", o.out, "file for one frame, folder for several (default: export/ in the run's folder)");
   command.add_option("--field", o.field, "what colours: surface (its own colours) or a field: temperature, liquid, detail")->capture_default_str();
   command.add_option("--map", o.map, "colour map of a field: ember, sea, grey")->capture_default_str();
@@ -161,7 +199,7 @@ int exportCommand(const ExportOptions& options) {
     if (std::find(formats.begin(), formats.end(), options.as) == formats.end()) throw std::invalid_argument("there is no format '" + options.as + "'");
     if (options.min && options.max && !(*options.max > *options.min)) throw std::invalid_argument("the colours' range is empty: --max has to be above --min");
     colourMapNamed(options.map);
-    const std::vector<fs::path> frames = findFrames(options.input, options.what == "oriented" ? FrameKind::Oriented : FrameKind::Surface);
+    const std::vector<fs::path> frames = findFrames(options.input, options.what == "oriented" ? FrameKind::Oriented : options.what == "sheet" ? FrameKind::Sheet : FrameKind::Surface);
     const bool one = frames.size() == 1 && !fs::is_directory(options.out) && options.out.has_extension();
     const fs::path folder = options.out.empty() ? exportFolder(options.input) : options.out;
     for (const fs::path& frame : frames)

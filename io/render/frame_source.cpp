@@ -120,13 +120,14 @@ FolderFrames framesIn(const fs::path& folder) {
 std::vector<fs::path> findFrames(const fs::path& path, FrameKind kind) {
   if (!fs::exists(path)) throw IoError(path.string(), "there is no such file or folder");
   if (!fs::is_directory(path)) return path.extension() == ".series" ? framesOfIndex(path) : std::vector<fs::path>{path};
-  if (kind == FrameKind::Oriented) {
+  if (kind == FrameKind::Oriented || kind == FrameKind::Sheet) {
+    const bool sheet = kind == FrameKind::Sheet;
     for (const fs::path& folder : {path / "frames", path}) {
       if (!fs::is_directory(folder)) continue;
       for (const std::string& index : findSeries(folder.string()))
-        if (index.ends_with("_oriented.hdf.series")) return framesOfIndex(index);
+        if (index.ends_with(sheet ? "_sheet.hdf.series" : "_oriented.hdf.series")) return framesOfIndex(index);
     }
-    throw IoError(path.string(), "there are no frames of oriented particles in this folder");
+    throw IoError(path.string(), std::string("there are no frames of ") + (sheet ? "sheets" : "oriented particles") + " in this folder");
   }
   bool particles = false;
   for (const fs::path& folder : {path / "frames", path}) {

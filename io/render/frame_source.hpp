@@ -10,7 +10,7 @@
 namespace thaw {
 
 /// Which frames of a run: of its particles of its surface (surfels), or of its oriented particles. Automatic: of the surface if there are any.
-enum class FrameKind { Automatic, Particles, Surface, Oriented };
+enum class FrameKind { Automatic, Particles, Surface, Oriented, Sheet };
 
 /// The frames that `path` stands for, in the order of time: a frame file (.hdf) itself, those of a series index (.hdf.series), or those
 /// of a folder, which may be a run's folder or its frames/. In a folder, the files of an index count; without one, all .hdf files in the

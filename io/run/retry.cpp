@@ -9,6 +9,7 @@
 #include "io/hdf5/agree.hpp"
 #include "io/run/alarm_text.hpp"
 #include "io/run/kind_run.hpp"
+#include "io/run/kind_suspect.hpp"
 #include "io/run/scene_marks.hpp"
 #include "io/run/surface_run.hpp"
 
@@ -110,7 +111,10 @@ bool goBack(Run& r, const StepOutcome& failed, std::string& why) {
   const WatchState watch = w.watch;
   const Numerics& n = w.scene.numerics;
   const Suspect s = findSuspect(w, failed.alarm, failed.limitedBy, r.all);
-  const std::string what = fromOwner(r.comm, s.here ? alarmText(w, r.tools, failed, s) : std::string());
+  const std::string ofKinds = kindSuspect(w, failed.alarm, failed.limitedBy, r.all);  // on one rank, if at all
+  double kinds = ofKinds.empty() ? 0 : 1;
+  r.all.maximum({&kinds, 1});
+  const std::string what = fromOwner(r.comm, kinds > 0 ? ofKinds : s.here ? alarmText(w, r.tools, failed, s) : std::string());
   const std::string when = fmt::format("step {}, t {:.9g} s, dt {:.3g} s", clock.step, clock.time, clock.stepDt);
   std::string problem;
   if (retries(r) && watch.failures < n.retries) {

@@ -141,10 +141,12 @@ std::string progressLine(const Clock& c, const LedgerReport& l, double stepsPerS
   std::string kinds;
   for (std::size_t k = 0; k < kindCount; k++)
     if (l.rows[k] > 0) kinds += fmt::format("  {} {}", kindNames[k], l.rows[k]);
+  // sheets without neighbour forces have no limit: a step goes to the next frame
+  const std::string step = c.dt < never ? fmt::format("{:.2e} s ({}{})", c.dt, c.limitedBy, c.substeps > 1 ? fmt::format(", {} substeps of solids", c.substeps) : "") : "without limit";
   return fmt::format(
-      "t {:.5f} s  step {}  dt {:.2e} s ({}{})  {:.1f} steps/s  left {}  particles {}{}  liquid {:.1f} %  mass {:.6g} kg ({:+.1e})  |p| {:.3g} ({:.1e})  |L| {:.3g}  "
+      "t {:.5f} s  step {}  dt {}  {:.1f} steps/s  left {}  particles {}{}  liquid {:.1f} %  mass {:.6g} kg ({:+.1e})  |p| {:.3g} ({:.1e})  |L| {:.3g}  "
       "kinetic {:.4g} J  elastic {:.4g} J  potential {:.4g} J  internal {:.5g} J  in {:.3g} kg {:.3g} J heat  out {:.3g} kg  dissipated {:.4g} J  residual {:+.2e} J ({:+.1e}) heat {:+.1e}",
-      c.time, c.step, c.dt, c.limitedBy, c.substeps > 1 ? fmt::format(", {} substeps of solids", c.substeps) : "", stepsPerSecond, duration(secondsLeft), l.particles, kinds, 100 * l.liquidFraction, l.now.mass, l.massResidual, length(l.now.momentum),
+      c.time, c.step, step, stepsPerSecond, duration(secondsLeft), l.particles, kinds, 100 * l.liquidFraction, l.now.mass, l.massResidual, length(l.now.momentum),
       length(l.momentumResidual), length(l.now.angularMomentum), l.now.kinetic, l.now.elastic, l.now.potential, l.now.internal, l.entered.mass, l.heatIn, l.left.mass,
       l.dissipated, l.energyResidual, l.energyResidual / scale, l.heatResidual / heatScale);
 }

@@ -42,7 +42,7 @@ void readSheetMesh(TableReader& r, SheetBody& b) {
     t.number("wrinkle_height", b.wrinkleHeight, "m", notNegative(), "above the ball");
     b.wrinkles = static_cast<int>(wrinkles);
   });
-  r.text("mesh", b.shape.mesh, "triangles of an OBJ, PLY or STL file, open or closed, in one piece or several; or \"builtin:bust\"", "path or \"builtin:bust\"");
+  r.text("mesh", b.shape.mesh, "triangles of an OBJ, PLY or STL file, open or closed, in one piece or several; or \"builtin:bust\" or \"builtin:head\"", "path or \"builtin:bust\"");
   r.number("spacing", b.spacing, "m", notNegative(), "distance of vertices of meshes that are made here; 0: that of the scene's particles");
   readPlace(r, b.shape);
 }

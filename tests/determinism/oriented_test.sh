@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Oriented bodies (scenes/oriented): the same bits on 1, 2, 3, 4 and 7 ranks and over a restart on another number of ranks, births, deaths, cuts,
-# welds and anchors included; and contact with a continuum body. SCENES: fewer.
+# welds and anchors included; and contact with a continuum body and with a cloth. SCENES: fewer.
 . "$(dirname "$0")/../support/run.sh"
 scenes=$source_dir/scenes/oriented
 same() { sameRuns "$1" "$2" "$3" "frames/${scene}_oriented.hdf.series"; }  # same A B WHAT
@@ -47,9 +47,29 @@ difference = [ { box = { size = [1, 1, 0.1] } }, { box = { size = [0.44, 0.44, 0
 [output]
 every = "20 ms"
 EOF
-for which in ${SCENES:-meeting relax_plane relax_sphere open_cap weld cut crease interpolate curve2d rk4 implicit}; do
+# A cloth falls on the same surface, a block on the cloth, all let go at once.
+{ cat "$work/meeting.toml"; cat <<'EOF2'
+[[sheet]]
+name = "cloth"
+grid = { width = 0.3, depth = 0.3 }
+spacing = "2 cm"
+mass = 0.4
+warp = 20
+weft = 20
+shear = 4
+place = { move = [-0.01, 0.01, 0.018] }
+velocity = [0.1, 0, -0.6]
+[[oriented]]
+name = "patch"
+patch = { width = 0.3, depth = 0.3 }
+place = { move = [0, 0, -0.05] }
+growth = "gaps"
+EOF2
+} >"$work/draping.toml"
+for which in ${SCENES:-meeting draping relax_plane relax_sphere open_cap weld cut crease interpolate curve2d rk4 implicit}; do
   case $which in
     meeting) try meeting "$work/meeting.toml" 150 ;;
+    draping) try draping "$work/draping.toml" 150 ;;
     rk4) settings cut; try rk4 "$scenes/cut.toml" 40 "${set[@]}" --set 'oriented.cloth.integrator="rk4"' ;;
     implicit) settings weld; try implicit "$scenes/weld.toml" 30 "${set[@]}" --set 'oriented.left.integrator="semi-implicit"' ;;
     *) settings "$which"; try "$which" "$scenes/$which.toml" 150 "${set[@]}" ;;

@@ -174,6 +174,33 @@ TEST(Oriented, SurfaceDrawnOverABallGrowsAndKeepsItsBooks) {
   EXPECT_LT(std::abs(l.energyResidual), 0.05 * l.energyScale);
 }
 
+TEST(Oriented, SheetAndPatchThatMeetKeepMomentumAndBooks) {
+  Scene s = patchScene(0);
+  s.oriented[0].density = 2;
+  SheetBody sheet;
+  sheet.name = "cloth";
+  sheet.mesh = SheetMesh::Grid;
+  sheet.width = sheet.depth = 0.4;
+  sheet.spacing = 0.04;
+  sheet.shape.move = {0.01, 0.02, 0.06};
+  sheet.mass = 1;
+  sheet.velocity = {0.1, 0, -0.5};
+  sheet.friction = 0.3;
+  s.sheets.push_back(sheet);
+  s.numerics.maxStep = 2e-4;
+  s.end = 0.3;
+  test::Simulation x(s);
+  const LedgerReport before = x.books();
+  ASSERT_TRUE(x.run());
+  const LedgerReport after = x.books();
+  double patch = 0;
+  const Oriented& o = x.w.oriented.rows;
+  for (std::size_t i = 0; i < o.owned; i++) patch += o.mass[i] * o.velocity[i].z;
+  EXPECT_LT(patch, 0.2 * before.now.momentum.z);  // most of the way down together
+  EXPECT_LT(length(after.now.momentum - before.now.momentum), 0.01 * length(before.now.momentum));
+  EXPECT_LT(std::abs(after.energyResidual), 0.01 * before.now.kinetic);
+}
+
 TEST(Oriented, RestsOnAnObstacle) {
   Scene s = patchScene(0);
   s.domain.gravity = {0, 0, -9.81};

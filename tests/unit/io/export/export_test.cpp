@@ -53,6 +53,22 @@ class Export : public testing::Test {
   }
 };
 
+/// A square of two triangles, and a triangle of another sheet.
+fs::path writeSheets(const fs::path& path) {
+  const std::vector<Vec3d> places{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 2}, {1, 0, 2}, {0, 1, 2}};
+  const std::vector<std::uint16_t> bodies{0, 0, 0, 0, 1, 1, 1};
+  const std::vector<std::uint8_t> colours(21, 90);
+  Frame frame;
+  frame.count = places.size();
+  frame.meshed = true;
+  frame.triangles = {0, 1, 2, 0, 2, 3, 4, 5, 6};
+  frame.positions = {"position", "m", Scalar::F64, 3, places.data()};
+  frame.fields = {{"sheet_body", "1", Scalar::U16, 1, bodies.data()}, {"color", "1", Scalar::U8, 3, colours.data()}};
+  startMpi();
+  writeFrame(path.string(), MPI_COMM_SELF, frame, {});
+  return path;
+}
+
 std::string contentOf(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::stringstream text;
@@ -70,6 +86,21 @@ template<class F> std::string errorOf(F what) {
 }
 
 }  // namespace
+
+TEST_F(Export, SheetsWithTheirTriangles) {
+  const fs::path frame = writeSheets(folder / "frames" / "cloth_sheet_000001.hdf");
+  for (const std::string as : {"ply", "obj"}) {
+    const fs::path out = folder / ("cloth." + as);
+    ASSERT_EQ(run(frame, as, out), 0);
+    const TriangleMesh m = readMesh(out.string());
+    ASSERT_EQ(m.triangles.size(), 3u);
+    EXPECT_EQ(m.vertices.size(), 7u);
+    double area = 0;
+    for (const auto& t : m.triangles) area += 0.5 * cross(m.vertices[t[1]] - m.vertices[t[0]], m.vertices[t[2]] - m.vertices[t[0]]).z;
+    EXPECT_NEAR(area, 1.5, 1e-6);
+  }
+  EXPECT_EQ(run(frame, "pov", folder / "cloth.pov"), 2);
+}
 
 TEST_F(Export, ReadsItsFrames) {
   const SurfaceFrame f = readSurfaceFrame(surfaceFrame(1).string());

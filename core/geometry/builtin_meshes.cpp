@@ -1,0 +1,9 @@
+#include "core/geometry/builtin_meshes.hpp"
+
+#include "core/sheet/sheet_meshes.hpp"
+
+namespace thaw {
+
+TriangleMesh builtinMesh(const std::string& name) { return name == builtinHead ? headSheet(1, 0.0135) : bustMesh(); }
+
+}  // namespace thaw

@@ -1,0 +1,17 @@
+// Meshes of the project's own making that scenes can name instead of a file.
+#pragma once
+#include <string>
+
+#include "core/geometry/bust.hpp"
+
+namespace thaw {
+
+inline constexpr const char* builtinHead = "builtin:head";            ///< headSheet (core/sheet/sheet_meshes.hpp), 1 m tall, of 22,000 triangles
+inline constexpr const char* builtinList = "\"builtin:bust\" or \"builtin:head\"";
+
+inline bool isBuiltin(const std::string& name) { return name == builtinBust || name == builtinHead; }
+
+/// Needs isBuiltin.
+TriangleMesh builtinMesh(const std::string& name);
+
+}  // namespace thaw

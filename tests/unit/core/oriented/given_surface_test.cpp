@@ -1,0 +1,77 @@
+// The surface that given points with normals suggest.
+#include "core/oriented/given_surface.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/oriented/made_points.hpp"
+
+namespace thaw {
+namespace {
+
+/// On an ellipsoid of these half axes, along a spiral: evenly.
+GivenPoints onEllipsoid(int count, const Vec3d& axes) {
+  GivenPoints g;
+  for (int k = 0; k < count; k++) {
+    const double z = 1 - (2 * k + 1.0) / count, r = std::sqrt(1 - z * z), a = 2.399963229728653 * k;
+    const Vec3d u{r * std::cos(a), r * std::sin(a), z};
+    g.points.push_back({axes.x * u.x, axes.y * u.y, axes.z * u.z});
+    g.normals.push_back(normalized(Vec3d{u.x / axes.x, u.y / axes.y, u.z / axes.z}));
+  }
+  readyGiven(g);
+  return g;
+}
+GivenPoints onSphere(int count) { return onEllipsoid(count, {0.3, 0.3, 0.3}); }
+
+double worstOff(const GivenPoints& g, const Vec3d& axes) {
+  double worst = 0;
+  for (int k = 0; k < 500; k++) {
+    const double z = std::sin(0.7 * k), r = std::sqrt(1 - z * z);
+    const Vec3d u{r * std::cos(1.9 * k), r * std::sin(1.9 * k), z};
+    Vec3d normal = normalized(Vec3d{u.x / axes.x, u.y / axes.y, u.z / axes.z}), place = Vec3d{axes.x * u.x, axes.y * u.y, axes.z * u.z} + 0.02 * std::sin(5.0 * k) * normal;
+    EXPECT_TRUE(projectOnGiven(g, place, normal));
+    const Vec3d q{place.x / axes.x, place.y / axes.y, place.z / axes.z}, slope{q.x / axes.x, q.y / axes.y, q.z / axes.z};
+    worst = std::max(worst, std::abs(dot(q, q) - 1) / (2 * length(slope)));  // distance, of first order
+    EXPECT_GT(dot(normal, normalized(slope)), 0.97);
+  }
+  return worst;
+}
+
+TEST(GivenSurface, OfASphereIsASphere) { EXPECT_LT(worstOff(onSphere(60), {0.3, 0.3, 0.3}), 1e-12); }
+
+TEST(GivenSurface, OfAnEllipsoidComesNearerWithMorePoints) {
+  const Vec3d axes{0.3, 0.25, 0.2};
+  const double few = worstOff(onEllipsoid(80, axes), axes), many = worstOff(onEllipsoid(320, axes), axes);
+  EXPECT_LT(few, 2e-3);
+  EXPECT_LT(many, 0.25 * few);  // at half the distance: of second order at least
+}
+
+TEST(GivenSurface, GoesThroughItsPointsAndEndsBeyondThem) {
+  const GivenPoints g = onSphere(60);
+  for (std::size_t k = 0; k < g.points.size(); k++) {
+    Vec3d place = g.points[k] + 0.01 * g.normals[k], normal = g.normals[k];
+    ASSERT_TRUE(projectOnGiven(g, place, normal));
+    EXPECT_LT(length(place - g.points[k]), 2e-3);
+  }
+  Vec3d far{1.5, 0, 0}, normal{1, 0, 0};
+  EXPECT_FALSE(projectOnGiven(g, far, normal));
+}
+
+TEST(GivenSurface, ThinnedPointsAreAsManyAsAskedForAndEven) {
+  OrientedBody b;
+  b.shape.kind = ShapeKind::Mesh;
+  b.shape.mesh = "builtin:head";
+  const std::size_t all = sampleMesh(b.shape, 0.04, 3, {}).places.size();
+  b.thin = 0.05;
+  const MadePoints few = makePoints(b, 0.04, 3, {});
+  EXPECT_NEAR(static_cast<double>(few.places.size()), 0.05 * static_cast<double>(all), 0.01 * static_cast<double>(all));
+  double least = 1;
+  for (std::size_t i = 0; i < few.places.size(); i++)
+    for (std::size_t j = 0; j < i; j++)
+      if (dot(few.normals[i], few.normals[j]) > 0) least = std::min(least, length(few.places[i] - few.places[j]));
+  EXPECT_GT(least, 2.5 * 0.04);
+}
+
+}  // namespace
+}  // namespace thaw
