@@ -288,7 +288,7 @@ int main(int argc, char** argv) {
     print(out, whole(molten, surfels, 2.5, "2.5 d", repeat));
   }
   // the support radius of the particles is two of their spacings of 28.5 mm
-  print(out, whole(true, surfels, 8, "8 d (the paper has h = 10 d, above the largest)", 1));
+  print(out, whole(true, surfels, 8, "8 d (the paper has h = 10.4 d: surface.support = 10.4)", 1));
   for (int R : {8, 16, 24}) print(out, ball(R, SmoothingForm::Sphere));
   for (const double support : {2.5, 4.0, 6.0}) print(out, ball(16, SmoothingForm::Sphere, support));
   print(out, ball(16, SmoothingForm::Plane));
