@@ -222,7 +222,7 @@ Row whole(bool molten, double surfels, double support, const std::string& choice
   const WholeUpdates u = wholeUpdates(molten, surfels, support, 2 + 2 * repeat);
   const auto ms = [&](SurfacePhase phase) { return 1e3 * u.phase[static_cast<std::size_t>(phase)]; };
   Row r;
-  r.name = std::string("whole update of a ") + (molten ? "molten" : "solid") + " bust until the local stop, h_ss = " + choice;
+  r.name = std::string("whole update of a ") + (molten ? "molten" : "solid") + " bust until the local stop with h_ss = " + choice;
   r.particles = u.particles;
   r.surfels = u.surfels;
   r.aroundSurfels = u.surfelNeighbours;
