@@ -32,11 +32,11 @@ material = "liquid"
 packing = "relaxed"
 END
 n=numerics
-same all_solvers "$scenes/melt.toml" 60 $n.pressure_solver=incompressible $n.viscosity_solver=implicit $n.elastic_substeps=8
-same carried_density "$scenes/dam_break.toml" 60 $n.density=continuity $n.shifting=0.1
-same full_box "$work/vortices.toml" 60
-same printed "$scenes/melt.toml" 60 $n.pressure=printed $n.viscosity=laplacian "$n.tension=colour field" $n.conduction=plain
-same pairwise_tension "$scenes/melt.toml" 60 $n.tension=pairwise
-same reference "$scenes/melt.toml" 60 quality=reference
-same preview "$scenes/melt.toml" 60 quality=preview
+same all_solvers "$scenes/melt.toml" 30 $n.pressure_solver=incompressible $n.viscosity_solver=implicit $n.elastic_substeps=8
+same carried_density "$scenes/dam_break.toml" 30 $n.density=continuity $n.shifting=0.1
+same full_box "$work/vortices.toml" 30
+same printed "$scenes/melt.toml" 30 $n.pressure=printed $n.viscosity=laplacian "$n.tension=colour field" $n.conduction=plain
+same pairwise_tension "$scenes/melt.toml" 30 $n.tension=pairwise
+same reference "$scenes/melt.toml" 30 quality=reference
+same preview "$scenes/melt.toml" 30 quality=preview
 finish

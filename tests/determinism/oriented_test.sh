@@ -72,6 +72,7 @@ for which in ${SCENES:-meeting draping relax_plane relax_sphere open_cap weld cu
     draping) try draping "$work/draping.toml" 150 ;;
     rk4) settings cut; try rk4 "$scenes/cut.toml" 40 "${set[@]}" --set 'oriented.cloth.integrator="rk4"' ;;
     implicit) settings weld; try implicit "$scenes/weld.toml" 30 "${set[@]}" --set 'oriented.left.integrator="semi-implicit"' ;;
+    relax_*) settings "$which"; try "$which" "$scenes/$which.toml" 60 "${set[@]}" ;;  # nothing happens but relaxation
     *) settings "$which"; try "$which" "$scenes/$which.toml" 150 "${set[@]}" ;;
   esac
 done

@@ -2,12 +2,12 @@
 # Every scene with a "# test:" line gives the same bits on 1, 2, 3, 4 and 7 ranks. Coarse, so that it takes seconds; every module of the
 # scene is on. STEPS, SCENES: fewer or more of them.
 . "$(dirname "$0")/../support/run.sh"
-steps=${STEPS:-60}
+steps=${STEPS:-40}
 for scene in ${SCENES:-$(testedScenes)}; do
   settings "$scene"
   n=$steps
-  grep -q '^\[\[*emitter' "$scenes/$scene.toml" && n=$((5 * steps))  # little is poured at first
-  [ "$scene" = freeze ] && n=$((32 * steps))  # bonds form at last: differences showed only then
+  grep -q '^\[\[*emitter' "$scenes/$scene.toml" && n=$((7 * steps))  # little is poured at first
+  [ "$scene" = freeze ] && n=$((48 * steps))  # bonds form at last: differences showed only then
   for ranks in 1 2 3 4 7; do
     launch $ranks run "$scenes/$scene.toml" "${set[@]}" --steps "$n" --out "$work/$scene.$ranks" >"$work/log" 2>&1
     code=$?

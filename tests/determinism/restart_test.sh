@@ -2,7 +2,7 @@
 # A run that is cut, killed with -9 and resumed on other numbers of ranks ends with the bits of a run that was left alone, and no frame
 # that was there is lost or changed. STEPS, SCENES: fewer or more of them.
 . "$(dirname "$0")/../support/run.sh"
-steps=${STEPS:-60}
+steps=${STEPS:-40}
 third=$((steps / 3))
 for scene in ${SCENES:-$(testedScenes)}; do
   settings "$scene"
