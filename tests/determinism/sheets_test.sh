@@ -28,7 +28,7 @@ for which in $wanted; do
     jack) try jack 150 --set sheet.membrane.spacing=0.02 --set output.every=0.02 ;;
     shell) try shell 40 --set sheet.shell.spacing=0.008 ;;
     cloth) try cloth 900 --set sheet.cloth.spacing=0.03 --set spacing=0.012 --set sheet.cloth.thickness=0.02 --set output.every=0.05 ;;
-    together) try together 120 --set spacing=0.02 --set output.every=0.02 ;;
+    together) try together 60 --set spacing=0.02 --set output.every=0.02 ;;
     retry)  # a step that is too long for the springs
       scene=head
       for ranks in 1 3 7; do

@@ -41,5 +41,5 @@ SCENE
 sameOnAllRanks tank 60 25 "$work/tank.toml"
 [ "$(value "$work/tank.1/summary.json" substeps)" -gt 3 ] || fail "the tank has no substeps"
 settings melt
-sameOnAllRanks melt 40 20 "$scenes/melt.toml" "${set[@]}" --set numerics.elastic_substeps=8
+sameOnAllRanks melt 24 12 "$scenes/melt.toml" "${set[@]}" --set numerics.elastic_substeps=8
 finish

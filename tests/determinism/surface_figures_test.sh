@@ -25,9 +25,9 @@ try() {
   echo "$case: $(sed -n 1p "$work/$case.1")"
 }
 [ -x "$suite" ] || fail "there is no $suite"
-try "1 2 3 4" surface_ball Hausdorff/R --spacing 0.0625
-try "1 2 3 4" surface_ball_mesh none --spacing 0.0625
-try "1 2 3 4" surface_cube none --spacing 0.0625
+try "1 3" surface_ball Hausdorff/R --spacing 0.0625
+try "1 3" surface_ball_mesh none --spacing 0.0625
+try "1 3" surface_cube none --spacing 0.0625
 # 18,000 steps: on one rank only
 try 1 surface_spin none --spacing 0.25
 finish
