@@ -9,10 +9,10 @@ namespace {
 
 struct CellCost { std::uint64_t key; double cost; };
 
-/// Of owned rows alone, whatever ghost cells were merged into `cells`.
-void addCells(const Table& rows, const CellTable& cells, double perRow, std::vector<CellCost>& list) {
+/// Of owned rows alone, whatever ghost cells were merged into `cells`. count(c): what the rows of cell c count.
+template<class Count> void addCells(const Table& rows, const CellTable& cells, double perRow, Count count, std::vector<CellCost>& list) {
   for (std::size_t c = 0; c < cells.key.size(); c++)
-    if (cells.first[c] < rows.owned) list.push_back({cells.key[c], perRow * cells.count[c]});
+    if (cells.first[c] < rows.owned) list.push_back({cells.key[c], perRow * count(c)});
 }
 
 /// What sleeps costs about a tenth.
@@ -27,10 +27,9 @@ double wakeful(const Continuum& p, std::size_t first, std::size_t count) {
 
 CellCosts costOfCells(const World& w, double perParticle, const std::array<double, kindCount>& perRow) {
   std::vector<CellCost> list;
-  for (std::size_t c = 0; c < w.cells.key.size(); c++)
-    if (w.cells.first[c] < w.particles.owned) list.push_back({w.cells.key[c], perParticle * wakeful(w.particles, w.cells.first[c], w.cells.count[c])});
+  addCells(w.particles, w.cells, perParticle, [&](std::size_t c) { return wakeful(w.particles, w.cells.first[c], w.cells.count[c]); }, list);
   const std::size_t continuum = list.size();
-  eachKind(w, [&](std::size_t kind, const KindRows& r, const CellTable& cells) { addCells(r, cells, perRow[kind], list); });
+  eachKind(w, [&](std::size_t kind, const KindRows& r, const CellTable& cells) { addCells(r, cells, perRow[kind], [&](std::size_t c) { return static_cast<double>(cells.count[c]); }, list); });
   if (list.size() != continuum) std::stable_sort(list.begin(), list.end(), [](const CellCost& a, const CellCost& b) { return a.key < b.key; });
   CellCosts all;
   for (const CellCost& c : list) {

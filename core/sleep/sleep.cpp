@@ -27,13 +27,15 @@ std::uint8_t bitsOf(const Continuum& p, const CellTable& cells, std::size_t c, d
 /// The bits that the 27 cells around each have in common. Keys ascend, so nine places move along the table.
 void lookAround(const CellTable& cells, const std::vector<std::uint8_t>& own, std::vector<std::uint8_t>& around) {
   std::size_t at[9] = {};
+  std::uint64_t low[9];  // the first of three keys along x, from the cell's own
+  for (int k = 0; k < 9; k++) low[k] = static_cast<std::uint64_t>((k / 3 - 1) * (1ll << 42) + (k % 3 - 1) * (1ll << 21) - 1);
   const std::size_t n = cells.key.size();
   for (std::size_t c = 0; c < n; c++) {
     std::uint8_t bits = own[c];
     for (std::size_t k = 0; k < 9; k++) {
-      const std::uint64_t low = cells.key[c] + static_cast<std::uint64_t>((static_cast<std::int64_t>(k / 3) - 1) * (1ll << 42) + (static_cast<std::int64_t>(k % 3) - 1) * (1ll << 21)) - 1;
-      while (at[k] < n && cells.key[at[k]] < low) at[k]++;
-      for (std::size_t d = at[k]; d < n && cells.key[d] <= low + 2; d++) bits &= own[d];
+      const std::uint64_t from = cells.key[c] + low[k];
+      while (at[k] < n && cells.key[at[k]] < from) at[k]++;
+      for (std::size_t d = at[k]; d < n && cells.key[d] <= from + 2; d++) bits &= own[d];
     }
     around[c] = bits;
   }
@@ -73,6 +75,9 @@ bool isCalm(const World& w, std::size_t i, const Vec3d& acceleration) {
   if (!p.heatFlow.active) return true;
   return std::abs(p.heatFlow[i]) < n.sleepHeating * p.mass[i] * heatCapacityOf(n.heat, w.scene.materials[p.material[i]], 0);
 }
+
+/// N, what balances the particle's weight and the forces known by now.
+Vec3d balancing(const World& w, std::size_t i) { return -w.particles.force[i] - w.scene.domain.gravity * w.particles.mass[i]; }
 
 void wakeAll(Continuum& p) { std::fill_n(p.calm.data(), p.owned, 0.0f); }
 
@@ -149,7 +154,7 @@ void chooseAwakeGroups(World& w, StepTools& t) {
 void noteHolds(World& w, const StepTools& t) {
   Continuum& p = w.particles;
   for (std::size_t i = 0; i < p.owned; i++)
-    if (p.sleep[i] != awake && !t.sleep.skipped[i]) p.hold[i] = -p.force[i] - w.scene.domain.gravity * p.mass[i];
+    if (p.sleep[i] != awake && !t.sleep.skipped[i]) p.hold[i] = balancing(w, i);
 }
 
 void settleSleep(World& w, StepTools& t, double dt) {
@@ -171,7 +176,7 @@ void settleSleep(World& w, StepTools& t, double dt) {
         w.neighbours.neighbours[i] = 0;
       } else {
         const Vec3d a = fixed ? Vec3d{} : p.force[i] / m + g;
-        hold = -p.force[i] - g * m;
+        hold = balancing(w, i);
         const bool calm = isCalm(w, i, a);
         p.calm[i] = calm ? static_cast<float>(static_cast<double>(p.calm[i]) + dt) : 0.0f;
         if (!calm || !(around & Calm)) p.sleep[i] = awake;

@@ -211,11 +211,12 @@ template<class Real, bool periodic> void deformationOf(ElasticArrays& a) {
     const Mat3<T> flux = volume * times(piola, momentInverse) - fromDoubles<Real>(c.hourglass) * gradient;
     const T j = determinant(f);
     const T size = dot(f.row[0], f.row[0]) + dot(f.row[1], f.row[1]) + dot(f.row[2], f.row[2]);
-    largest = max(largest, size - T(Real(2)));
+    const T stretch2 = size - T(Real(2));
+    largest = max(largest, stretch2);
     if (a.groupStretch2) {
       double& most = a.groupStretch2[g] = 1;
       for (int l = 0; l < n; l++)
-        if (static_cast<double>((size - T(Real(2)))[l]) > most) most = static_cast<double>((size - T(Real(2)))[l]);
+        if (static_cast<double>(stretch2[l]) > most) most = static_cast<double>(stretch2[l]);
     }
     alignas(64) double fluxes[9][8];
     storeMatrix<Real>(flux, fluxes);

@@ -53,7 +53,7 @@ for ranks in 1 2 3 4 7; do
   launch $ranks run "$work/sleepers.toml" "${options[@]}" --out "$work/$scene.$ranks" >"$work/log" 2>&1 || { fail "on $ranks ranks: exit $?"; tail -n 5 "$work/log"; }
   [ "$ranks" = 1 ] || sameRuns "$work/$scene.1" "$work/$scene.$ranks" "1 and $ranks ranks" "frames/$scene.hdf.series"
 done
-slept=$(grep -o '"asleep": *[0-9]*' "$work/$scene.1/summary.json" | tail -n 1 | grep -o '[0-9]*$')
+slept=$(value "$work/$scene.1/summary.json" asleep)
 [ "${slept:-0}" -gt 0 ] || fail "nothing sleeps at the end"
 steps=$(value "$work/$scene.1/summary.json" step)
 for part in 5 3 2; do  # in the midst of sleep, before and after what falls has come down
