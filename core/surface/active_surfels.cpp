@@ -25,11 +25,11 @@ void markNear(const Surfels& f, const Bins& bins, const std::uint8_t* from, doub
     }
     if (!any) continue;
     if (!all) around.find(sources, box, reach);
-    if (!all && around.row.empty()) continue;
+    if (!all && around.count == 0) continue;
     for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++) {
       const std::uint32_t i = bins.row[k];
       if (i >= f.owned || !free[i]) continue;
-      to[i] = all || std::any_of(around.at.begin(), around.at.end(), [&](const Vec3d& x) {
+      to[i] = all || std::any_of(around.at.begin(), around.at.begin() + static_cast<std::ptrdiff_t>(around.count), [&](const Vec3d& x) {
         const Vec3d d = bins.at[k] - x;
         return dot(d, d) < reach2;
       });

@@ -41,8 +41,8 @@ void fillBins(const Vec3d* position, std::size_t n, double edge, Bins& bins);
 /// The same bins with the rows alone that keep[row] names, in the same order.
 void pickRows(const Bins& bins, const std::uint8_t* keep, Bins& picked);
 
-/// Calls found(bin) for all bins with rows that a box [low, high], grown by `radius` (m) and rounded, may meet, in the order of the bins.
-template<class Found> void forBinsAround(const Bins& b, const Vec3d& low, const Vec3d& high, double radius, Found found) {
+/// Calls found(from, to) for runs of bins [from, to) with rows that a box [low, high], grown by `radius` (m) and rounded, may meet, in the order of the bins.
+template<class Found> void forBinRunsAround(const Bins& b, const Vec3d& low, const Vec3d& high, double radius, Found found) {
   const double r2 = (1 + 1e-9) * radius * radius, edge = 1 / b.perLength;
   const std::uint64_t y0 = binOf(b, low.y - radius, 1), y1 = binOf(b, high.y + radius, 1), z0 = binOf(b, low.z - radius, 2), z1 = binOf(b, high.z + radius, 2);
   const auto gap = [&](std::uint64_t bin, int axis) {  // from the box to a layer of bins
@@ -52,17 +52,17 @@ template<class Found> void forBinsAround(const Bins& b, const Vec3d& low, const 
   const std::size_t lines = b.line.size();
   std::size_t l = 0;
   for (std::uint64_t z = z0; z <= z1; z++) {
-    const std::uint64_t from = z << 21 | y0, to = z << 21 | y1;
+    const std::uint64_t firstLine = z << 21 | y0, lastLine = z << 21 | y1;
     if (z == z0) {
-      l = static_cast<std::size_t>(std::lower_bound(b.line.begin(), b.line.end(), from) - b.line.begin());
+      l = static_cast<std::size_t>(std::lower_bound(b.line.begin(), b.line.end(), firstLine) - b.line.begin());
     } else {
       std::size_t stride = 1;  // the next layer is rarely far
-      while (l + stride < lines && b.line[l + stride] < from) l += stride, stride *= 2;
-      l = static_cast<std::size_t>(std::lower_bound(b.line.begin() + static_cast<std::ptrdiff_t>(l), b.line.begin() + static_cast<std::ptrdiff_t>(std::min(lines, l + stride + 1)), from) - b.line.begin());
+      while (l + stride < lines && b.line[l + stride] < firstLine) l += stride, stride *= 2;
+      l = static_cast<std::size_t>(std::lower_bound(b.line.begin() + static_cast<std::ptrdiff_t>(l), b.line.begin() + static_cast<std::ptrdiff_t>(std::min(lines, l + stride + 1)), firstLine) - b.line.begin());
     }
     if (l == lines) return;
     const double offZ = gap(z, 2);
-    for (; l < lines && b.line[l] <= to; l++) {
+    for (; l < lines && b.line[l] <= lastLine; l++) {
       const double offY = gap(b.line[l] & 0x1fffff, 1), left = r2 - offZ * offZ - offY * offY;
       if (left < 0) continue;
       const double reach = std::sqrt(left);
@@ -72,15 +72,24 @@ template<class Found> void forBinsAround(const Bins& b, const Vec3d& low, const 
       if (end - k > 8) k = static_cast<std::size_t>(std::lower_bound(b.key.begin() + static_cast<std::ptrdiff_t>(k), b.key.begin() + static_cast<std::ptrdiff_t>(end), first) - b.key.begin());
       else
         while (k < end && b.key[k] < first) k++;
-      for (; k < end && b.key[k] <= last; k++) found(k);
+      const std::size_t from = k;
+      while (k < end && b.key[k] <= last) k++;
+      if (k > from) found(from, k);
     }
   }
 }
 
+/// Calls found(bin) for each of these bins.
+template<class Found> void forBinsAround(const Bins& b, const Vec3d& low, const Vec3d& high, double radius, Found found) {
+  forBinRunsAround(b, low, high, radius, [&](std::size_t from, std::size_t to) {
+    for (; from < to; from++) found(from);
+  });
+}
+
 /// Calls found(row, place) for all rows whose place is within `radius` (m) of the box [low, high], and some more, in the order of the bins.
 template<class Found> void forRowsAround(const Bins& b, const Vec3d& low, const Vec3d& high, double radius, Found found) {
-  forBinsAround(b, low, high, radius, [&](std::size_t bin) {
-    for (std::uint32_t k = b.first[bin]; k < b.first[bin + 1]; k++) found(b.row[k], b.at[k]);
+  forBinRunsAround(b, low, high, radius, [&](std::size_t from, std::size_t to) {
+    for (std::uint32_t k = b.first[from]; k < b.first[to]; k++) found(b.row[k], b.at[k]);
   });
 }
 
@@ -104,22 +113,25 @@ inline PlaceBox boxOf(const Bins& b, std::size_t bin) {
   return box;
 }
 
-/// Rows around a bin, found once for all of its rows.
+/// Rows around a bin, found once for all of its rows: row[k] at the place at[k], for k < count.
 struct RowBlock {
-  std::vector<std::uint32_t> row;
+  std::size_t count = 0;
+  std::vector<std::uint32_t> row;  // as long as any block was
   std::vector<Vec3d> at;
   /// All within `radius` (m) of a box, in the order of the bins.
   void find(const Bins& bins, const PlaceBox& box, double radius) {
     const double r2 = radius * radius;
-    row.clear();
-    at.clear();
-    forBinsAround(bins, box.low, box.high, radius, [&](std::size_t bin) {
-      for (std::uint32_t k = bins.first[bin]; k < bins.first[bin + 1]; k++) {
-        const Vec3d x = bins.at[k];
-        if (box.distance2(x) > r2) continue;
-        row.push_back(bins.row[k]);
-        at.push_back(x);
+    count = 0;
+    forBinRunsAround(bins, box.low, box.high, radius, [&](std::size_t from, std::size_t to) {
+      const std::uint32_t begin = bins.first[from], end = bins.first[to];
+      if (row.size() < count + (end - begin)) row.resize(2 * (count + end - begin)), at.resize(row.size());
+      std::size_t n = count;
+      for (std::uint32_t k = begin; k < end; k++) {  // no branch: about half of them are within
+        row[n] = bins.row[k];
+        at[n] = bins.at[k];
+        n += box.distance2(bins.at[k]) <= r2;
       }
+      count = n;
     });
   }
 };

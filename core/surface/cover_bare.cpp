@@ -103,7 +103,7 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
     });
     // the nearest ones first: they cover most directions
     near.clear();
-    for (std::size_t k = 0; k < block.row.size(); k++) {
+    for (std::size_t k = 0; k < block.count; k++) {
       const Vec3d d = block.at[k] - x;
       if (const double d2 = dot(d, d); d2 < far1 * far1 && f.component[block.row[k]] == p.component[i]) near.push_back({d2, block.row[k], d});
     }

@@ -1,5 +1,7 @@
 #include "core/surface/displace.hpp"
 
+#include <array>
+
 #include "core/solid/moment.hpp"
 #include "core/surface/place_rows.hpp"
 #include "core/surface/update_surface.hpp"
@@ -15,26 +17,47 @@ double weight(double r2, double h2) {
 /// Displacement and its gradient at a surfel.
 struct Carry { Vec3d move{}; Mat3d gradient{}; double weight = 0, liquid = 0, temperature = 0; };
 
-Carry carryAt(const SurfaceParticles& p, const Bins& bins, const Vec3d& x, std::uint64_t component, double h) {
-  Carry c;
-  const double h2 = h * h;
-  forRowsAround(bins, x, x, h, [&](std::uint32_t j, const Vec3d& at) {
-    const Vec3d d = x - at;
-    const double r2 = dot(d, d);
-    if (r2 >= h2 || p.component[j] != component) return;
-    const double w = weight(r2, h2);
-    c.weight += w;
-    c.move += w * (p.displacement[j] + p.gradient[j] * d);
-    c.gradient = c.gradient + w * p.gradient[j];
-    if (p.liquid.active) c.liquid += w * static_cast<double>(p.liquid[j]);
-    if (p.temperature.active) c.temperature += w * static_cast<double>(p.temperature[j]);
-  });
-  if (c.weight > 0) {
-    c.move = c.move / c.weight;
-    c.gradient = (1 / c.weight) * c.gradient;
-    c.liquid /= c.weight;
-    c.temperature /= c.weight;
+/// What a particle adds to the sums at a surfel x, times its weight: with u + G (x - x_j) = (u - G x_j) + G x the sums are the same for all x.
+struct CarryPoint {
+  Vec3d at;                 ///< m
+  std::uint64_t component;
+  std::array<double, 14> sum;  ///< u - G (x_j - origin), G, liquid fraction, temperature
+};
+
+/// In the order of the bins. origin: of the bins, which is the same on all ranks.
+std::vector<CarryPoint> carryPoints(const SurfaceParticles& p, const Bins& bins) {
+  std::vector<CarryPoint> points(bins.row.size());
+  for (std::size_t k = 0; k < points.size(); k++) {
+    const std::uint32_t j = bins.row[k];
+    const Mat3d& g = p.gradient[j];
+    const Vec3d c = p.displacement[j] - g * (bins.at[k] - bins.base);
+    points[k] = {bins.at[k], p.component[j], {c.x, c.y, c.z, g.row[0].x, g.row[0].y, g.row[0].z, g.row[1].x, g.row[1].y, g.row[1].z, g.row[2].x, g.row[2].y, g.row[2].z,
+                 p.liquid.active ? static_cast<double>(p.liquid[j]) : 0, p.temperature.active ? static_cast<double>(p.temperature[j]) : 0}};
   }
+  return points;
+}
+
+Carry carryAt(const std::vector<CarryPoint>& points, const Bins& bins, const Vec3d& x, std::uint64_t component, double h) {
+  Carry c;
+  std::array<double, 14> sum{};
+  const double perH2 = 1 / (h * h);
+  forBinRunsAround(bins, x, x, h, [&](std::size_t from, std::size_t to) {
+    for (std::uint32_t k = bins.first[from]; k < bins.first[to]; k++) {
+      const CarryPoint& p = points[k];
+      const Vec3d d = x - p.at;
+      const double u = 1 - dot(d, d) * perH2;
+      if (!(u > 0) || p.component != component) continue;
+      const double w = u * u * u;
+      c.weight += w;
+      for (std::size_t a = 0; a < sum.size(); a++) sum[a] += w * p.sum[a];
+    }
+  });
+  if (!(c.weight > 0)) return c;
+  for (double& s : sum) s /= c.weight;
+  c.gradient = {{{sum[3], sum[4], sum[5]}, {sum[6], sum[7], sum[8]}, {sum[9], sum[10], sum[11]}}};
+  c.move = Vec3d{sum[0], sum[1], sum[2]} + c.gradient * (x - bins.base);
+  c.liquid = sum[12];
+  c.temperature = sum[13];
   return c;
 }
 
@@ -127,9 +150,10 @@ void displaceSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
   s.activate(s.moving);   // here: no particles around
   s.activate(s.carried);  // here: how far
   fillBins(w.surface.grid, w.surface.particleCells, p.position.data(), 0.5 * w.surface.particleSupport, t.relax.particleBins);
+  const std::vector<CarryPoint> points = carryPoints(p, t.relax.particleBins);
   std::int64_t told[2]{0, 0};  // without particles, frames kept
   for (std::size_t i = 0; i < s.owned; i++) {
-    const Carry c = carryAt(p, t.relax.particleBins, s.position[i], s.component[i], w.surface.particleSupport);
+    const Carry c = carryAt(points, t.relax.particleBins, s.position[i], s.component[i], w.surface.particleSupport);
     s.moving[i] = !(c.weight > 0);
     s.carried[i] = c.move;
     if (s.moving[i]) {

@@ -14,11 +14,14 @@ constexpr std::size_t directions = 24;
 
 struct Circle {
   std::array<double, directions> cosine, sine;
+  std::array<float, directions> cosineF, sineF;
   Circle() {
     for (std::size_t k = 0; k < directions; k++) {
       const double angle = 2 * 3.14159265358979323846 * static_cast<double>(k) / directions;
       cosine[k] = std::cos(angle);
       sine[k] = std::sin(angle);
+      cosineF[k] = static_cast<float>(cosine[k]);
+      sineF[k] = static_cast<float>(sine[k]);
     }
   }
 };
@@ -30,6 +33,41 @@ bool covered(const Patch& patch, const SurfacePoint& p, double distance) {
     if (dot(d, d) < distance * distance && dot(p.normal, s.normal[j]) > oneSide) return true;
   }
   return false;
+}
+
+/// 1 for directions whose point (pointAround) no surfel of the patch covers, else 0. All directions at once, in units of `distance`: most surfels have none.
+std::array<float, directions> openDirections(const Patch& patch, double distance, const Circle& circle) {
+  const Surfels& s = *patch.surfels;
+  const Vec3d centre = s.position[patch.centre], n = s.normal[patch.centre], u = s.tangent[patch.centre], v = cross(n, u);
+  std::array<float, directions> x, y, z, nx, ny, nz, open;
+  const float ss = static_cast<float>(patch.curvature[0] * distance), st = static_cast<float>(patch.curvature[1] * distance), tt = static_cast<float>(patch.curvature[2] * distance);
+  const std::array<float, 3> fn{static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)}, fu{static_cast<float>(u.x), static_cast<float>(u.y), static_cast<float>(u.z)},
+      fv{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+  for (std::size_t k = 0; k < directions; k++) {
+    const float c = circle.cosineF[k], d = circle.sineF[k], curved = std::min(1.2f, std::max(-1.2f, c * c * ss + 2 * c * d * st + d * d * tt));
+    const float sink = 0.5f * curved, flat = std::sqrt(1 - sink * sink), up = 1 - curved * sink, a = flat * (c * ss + d * st), b = flat * (c * st + d * tt);
+    const float alongU = flat * c, alongV = flat * d, size = 1 / std::sqrt(up * up + a * a + b * b);
+    x[k] = alongU * fu[0] + alongV * fv[0] - sink * fn[0];
+    y[k] = alongU * fu[1] + alongV * fv[1] - sink * fn[1];
+    z[k] = alongU * fu[2] + alongV * fv[2] - sink * fn[2];
+    nx[k] = size * (up * fn[0] + a * fu[0] + b * fv[0]);
+    ny[k] = size * (up * fn[1] + a * fu[1] + b * fv[1]);
+    nz[k] = size * (up * fn[2] + a * fu[2] + b * fv[2]);
+    open[k] = 1;
+  }
+  const double perDistance = 1 / distance;
+  const float side = static_cast<float>(oneSide);
+  for (const std::uint32_t j : patch.rows) {
+    const Vec3d d = perDistance * (s.position[j] - centre), m = s.normal[j];
+    if (dot(d, d) > 4.1) continue;
+    const float dx = static_cast<float>(d.x), dy = static_cast<float>(d.y), dz = static_cast<float>(d.z), mx = static_cast<float>(m.x), my = static_cast<float>(m.y), mz = static_cast<float>(m.z);
+    for (std::size_t k = 0; k < directions; k++) {
+      const float ex = x[k] - dx, ey = y[k] - dy, ez = z[k] - dz;
+      const float off = ex * ex + ey * ey + ez * ez < 1 ? 0.0f : 1.0f, other = nx[k] * mx + ny[k] * my + nz[k] * mz > side ? 0.0f : 1.0f;
+      open[k] *= std::max(off, other);
+    }
+  }
+  return open;
 }
 
 /// Is p off the solid, past a sharp edge? A face that bends away from the centre's, the surface convex there, has all of the solid behind
@@ -80,12 +118,14 @@ Crowding crowdingOf(const Patch& patch, double reach) {
 std::optional<SurfacePoint> emptyPlace(const Patch& patch, double distance) {
   static const Circle circle;
   const Vec3d centre = patch.surfels->position[patch.centre];
+  const std::array<float, directions> open = openDirections(patch, distance, circle);
+  if (std::none_of(open.begin(), open.end(), [](float o) { return o > 0; })) return {};
   std::array<SurfacePoint, directions> around;
   std::array<bool, directions> empty{};
   std::size_t count = 0;
   for (std::size_t k = 0; k < directions; k++) {
+    if (!(open[k] > 0)) continue;
     around[k] = pointAround(patch, distance, circle.cosine[k], circle.sine[k]);
-    if (covered(patch, around[k], distance)) continue;
     around[k] = ontoSurface(patch, around[k], 2.5 * distance);  // it may have left the surface: at edges, where curvature changes
     const Vec3d d = around[k].position - centre;
     empty[k] = dot(d, d) > 0.81 * distance * distance && dot(d, d) < 1.44 * distance * distance && !covered(patch, around[k], 0.95 * distance) &&

@@ -83,7 +83,7 @@ bool anywhere(Reducer& all, bool here) {
 template<class Rows> void listNear(const Rows& rows, std::uint32_t i, const RowBlock& block, double r2, std::vector<ComponentTools::Near>& near) {
   near.clear();
   const Vec3d x = rows.position[i];
-  for (std::size_t k = 0; k < block.row.size(); k++) {
+  for (std::size_t k = 0; k < block.count; k++) {
     const Vec3d d = block.at[k] - x;
     const double d2 = dot(d, d);
     if (d2 <= r2 && block.row[k] != i && alike(rows, i, block.row[k])) near.push_back({d2, block.row[k]});
@@ -118,7 +118,7 @@ void findReach(World& w, ComponentTools& t) {
   forBlocks(t.surfelBins, t.particleBins, first, t.block, [&](std::uint32_t i, const RowBlock& block) {
     if (i >= f.owned) return;
     Nearest best;
-    for (std::size_t k = 0; k < block.row.size(); k++) {
+    for (std::size_t k = 0; k < block.count; k++) {
       const Vec3d d = block.at[k] - f.position[i];
       const double d2 = dot(d, d);
       if (d2 <= first * first && d2 <= best.d2 && alike(f, i, p, block.row[k])) best.offer(d2, p.id[block.row[k]], block.row[k]);

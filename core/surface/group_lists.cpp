@@ -15,8 +15,8 @@ std::uint64_t spread(std::uint64_t v) {  // 21 bits, two zeros between them
 void append(const RowBlock& block, const PlaceBox& box, double radius, const std::uint64_t* component, std::uint64_t wanted, std::vector<std::uint32_t>& rows) {
   const double r2 = radius * radius;
   std::size_t n = rows.size();
-  rows.resize(n + block.row.size());
-  for (std::size_t k = 0; k < block.row.size(); k++) {
+  rows.resize(n + block.count);
+  for (std::size_t k = 0; k < block.count; k++) {
     rows[n] = block.row[k];
     n += (box.distance2(block.at[k]) < r2) & (component[block.row[k]] == wanted);
   }

@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "core/surface/active_surfels.hpp"
+#include "core/surface/leap.hpp"
 #include "core/surface/near_sheets.hpp"
 #include "core/surface/place_rows.hpp"
 #include "core/surface/ready_particles.hpp"
@@ -35,7 +36,7 @@ void packSurfel(const Surface& s, RelaxTools& r, std::size_t i) {
     std::memcpy(place + a, &bits, 4);
     normal[a] = static_cast<float>(f.normal[i][a]);
   }
-  place[3] = f.moving[i] ? 1.0f : 0.0f;
+  place[3] = f.moving[i] == 1 ? 1.0f : 0.0f;  // those that wait for a search stir nobody
   normal[3] = static_cast<float>(std::min(f.radius[i], s.spacing) / s.grid.support);
 }
 
@@ -149,12 +150,14 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
   // across the surface they are at rest after a few iterations; along it a long wave of crowding would have them shuffle on, hence K05's damping
   double spread = 1;
   bool spreads = false, held = false, running = true;
-  std::int64_t nextSearch = 3;
+  std::int64_t nextSearch = 1;
   while (done.iterations < iterations && !done.finished) {
     // one that has come to the end of its margin waits for the next search; those are made at longer and longer intervals, since few are left
     if (spreads || (held && (!running || done.iterations >= nextSearch))) {
+      if (done.iterations == 1) leapOntoSurface(w, halos, t);  // once: the forces may have good reasons to take them from there
+      std::replace(f.moving.data(), f.moving.data() + f.owned, heldAtMargin, std::uint8_t{1});
       search(w, halos, t, all, false, margin, lap);
-      nextSearch = done.iterations + 1 + done.iterations / 2;
+      nextSearch = done.iterations + 2 + done.iterations / 2;
     }
     ForceSums in = sumsOf(w, r);
     const int channels = in.plane ? planeSums : sphereSums;
@@ -181,14 +184,15 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
         if (!(sums.surfel(Stirred) > 0)) continue;
         const std::size_t i = r.lists.self[8 * g + static_cast<std::size_t>(lane)];
         moveSurfel(w, context, sums, raised, i, counts);
-        if (f.moving[i]) {
-          state[f.moving[i] == heldAtMargin ? 2 : 0] = 1;
+        if (f.moving[i] == 1) {
+          state[0] = 1;
           if (!r.core[i]) state[1] = 1;
         }
         packSurfel(s, r, i);
         r.times.surfels++;
       }
     }
+    if (std::find(f.moving.data(), f.moving.data() + f.owned, heldAtMargin) != f.moving.data() + f.owned) state[2] = 1;
     lap(r.times.finish);
     ColumnList columns{&f.position, &f.normal, &f.moving};
     refreshGhosts(halos.surfels, f, columns);

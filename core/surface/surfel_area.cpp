@@ -128,7 +128,7 @@ void listNear(const Surfels& f, double slack, AreaLists& l) {
     const double r = usual * f.radius[i] + slack, r2 = r * r;
     const Vec3d x = f.position[i];
     l.first[i] = l.near.size();
-    for (std::size_t k = 0; k < block.row.size(); k++) {
+    for (std::size_t k = 0; k < block.count; k++) {
       const Vec3d d = block.at[k] - x;
       const double d2 = dot(d, d);
       const std::uint32_t j = block.row[k];

@@ -17,6 +17,10 @@ Vec3d three(const SurfelSums& s, int channel, bool particles) {
 constexpr double flattest = 0.25, steepest = 4;
 /// Tolerance along the surface over the one across it: its shape does not depend on where surfels lie in it, and resampling leaves no hole.
 constexpr double evenEnough = 5;
+/// Share of a step up to which one grows that goes on the same way: waves of many surfels come to rest sooner; where single ones overshoot it halves.
+constexpr double longestPace = 1.6;
+/// Of what is solid in part the update keeps its liquid share of the way (blendSurfels), at least this much counts: so much coarser is its stop.
+constexpr double leastKept = 0.05;
 
 struct Smooth { double height = 0; Vec3d normal{}; bool any = false; double sure = 1; };
 
@@ -50,8 +54,8 @@ Smooth smoothToSphere(const SurfelSums& s) {
   return {-s.surfel(Height) / weight, sum / size, true, std::min(1.0, size / weight)};
 }
 
-/// Pushes a place out of walls and obstacles; the surface then lies on them, on the body's side: of thin ones (the bottom of a glass) the nearest
-/// way out may be the far side, where the surface would enclose the wall. `outward`: of the body there.
+}  // namespace
+
 Vec3d outOfWalls(const World& w, Vec3d x, const Vec3d& outward) {
   for (const Wall& wall : w.walls.list) {
     if (!wall.present) continue;
@@ -79,8 +83,6 @@ Vec3d outOfWalls(const World& w, Vec3d x, const Vec3d& outward) {
   }
   return x;
 }
-
-}  // namespace
 
 MoveContext moveContext(const World& w, const RelaxTools& tools, const ForceWeights& weights) {
   const Surface& s = w.surface;
@@ -175,7 +177,7 @@ void moveSurfel(World& w, const MoveContext& c, const SurfelSums& s, double rais
   }
   // the integration is damped where it goes to and fro: each time that the force turns round the step halves
   const double wanted = std::clamp(c.step * pull.along, -c.longest, c.longest), last = static_cast<double>(f.pace[i]);
-  const double share = last == 0 ? 1 : wanted * last < 0 ? std::max(0.5 * std::abs(last), 0.1) : std::min(1.25 * std::abs(last), 1.0);
+  const double share = last == 0 ? 1 : wanted * last < 0 ? std::max(0.5 * std::abs(last), 0.1) : std::min(1.25 * std::abs(last), longestPace);
   f.pace[i] = static_cast<float>(wanted < 0 ? -share : share);
   const Vec3d normalMove = w.scene.surface.damping * share * wanted * normal;
   Vec3d move = normalMove + w.scene.surface.damping * tangential;
@@ -200,7 +202,8 @@ void moveSurfel(World& w, const MoveContext& c, const SurfelSums& s, double rais
   if (!(dot(tangent, tangent) > 1e-6)) tangent = cross(normal, std::abs(normal.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0});
   f.tangent[i] = normalized(tangent);
   const Vec3d gone = x - before;
-  const double height = dot(gone, normal), stop = w.scene.surface.stop * f.radius[i];
+  const double kept = f.liquid.active && !(f.loose.active && f.loose[i]) ? std::clamp(static_cast<double>(f.liquid[i]), leastKept, 1.0) : 1;
+  const double height = dot(gone, normal), stop = w.scene.surface.stop * f.radius[i] / kept;
   const bool moving = std::abs(height) > stop || length(gone - height * normal) > evenEnough * stop;
   f.moving[i] = held ? heldAtMargin : moving ? 1 : 0;
 }

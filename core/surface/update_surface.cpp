@@ -78,7 +78,8 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   renewSurfels(w, halos, t);
   const std::int64_t bare = coverBare(w, halos, t);
   t.times.lap(SurfacePhase::Growth);
-  resampleOnParticles(w, halos, t, s.events.size() > s.quietEvents || bare > 0 ? 24 : 8);  // seams of merges and of new faces are to close
+  // seams of merges and of new faces close before the iterations; what the motion has opened, after them
+  if (s.events.size() > s.quietEvents || bare > 0) resampleOnParticles(w, halos, t, 24);
   t.times.lap(SurfacePhase::Resampling);
   listRaised(w, t.relax.raised);
   const Settled settled = settle(w, halos, t, forceWeights(w.scene.surface), w.scene.surface.iterations, false);
@@ -87,7 +88,7 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   s.counters.unfinished += !settled.finished;
   blendSurfels(w);
   t.times.lap(SurfacePhase::Iterations);
-  resampleOnParticles(w, halos, t, 4);
+  resampleOnParticles(w, halos, t, 8);
   t.times.lap(SurfacePhase::Resampling);
   measureSurface(w, halos, t);
   t.times.lap(SurfacePhase::Measures);
