@@ -78,14 +78,14 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   renewSurfels(w, halos, t);
   const std::int64_t bare = coverBare(w, halos, t);
   t.times.lap(SurfacePhase::Growth);
-  resampleOnParticles(w, halos, t, s.events.size() > s.quietEvents || bare > 0 ? 24 : 8);  // seams of merges and of new faces are to close
+  resampleOnParticles(w, halos, t, s.counters.splits + s.counters.merges > s.changesBefore || bare > 0 ? 24 : 8);  // seams of merges and of new faces are to close
   t.times.lap(SurfacePhase::Resampling);
   listRaised(w, t.relax.raised);
   const Settled settled = settle(w, halos, t, forceWeights(w.scene.surface), w.scene.surface.iterations, false);
-  deactivate(s.surfels.loose);
   s.counters.iterations += settled.iterations;
   s.counters.unfinished += !settled.finished;
   blendSurfels(w);
+  deactivate(s.surfels.loose);
   t.times.lap(SurfacePhase::Iterations);
   resampleOnParticles(w, halos, t, 4);
   t.times.lap(SurfacePhase::Resampling);
