@@ -14,7 +14,7 @@ void blendSurfels(World& w) {
       s.calm[i] = 0;
       continue;
     }
-    const double b = s.loose.active && s.loose[i] ? 1.0 : std::clamp(static_cast<double>(s.liquid[i]), 0.0, 1.0);  // new faces settle once, whatever they are of
+    const double b = std::clamp(static_cast<double>(s.liquid[i]), 0.0, 1.0);
     const Vec3d move = b * (s.position[i] - s.carried[i]);
     if (b < 1) {
       s.position[i] = s.carried[i] + move;

@@ -104,8 +104,8 @@ void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int
       const FieldHere c = colourAt(w, t, f.component[i], p.position);
       return c.value > leastOverDetail * c.level;
     }
-    // what volume keeping holds off the level is as far off it beside itself
-    const double raised = f.liquid.active ? raisedOf(t.relax.raised, f.component[i]) * static_cast<double>(f.liquid[i]) : 0;
+    // what volume keeping holds off the level is as far off it beside itself; half solid surfels are where they were carried
+    const double raised = f.liquid.active && f.liquid[i] > 0.9f ? raisedOf(t.relax.raised, f.component[i]) : 0;
     SurfacePoint at;
     if (!ontoIsoSurface(w, t, f.component[i], p.position - raised * p.normal, 0.6 * f.radius[i] + 0.1 * w.scene.spacing, at) || dot(at.normal, p.normal) < 0.3) return false;
     p.normal = normalized(p.normal + at.normal);

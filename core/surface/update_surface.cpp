@@ -82,10 +82,10 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   t.times.lap(SurfacePhase::Resampling);
   listRaised(w, t.relax.raised);
   const Settled settled = settle(w, halos, t, forceWeights(w.scene.surface), w.scene.surface.iterations, false);
+  deactivate(s.surfels.loose);
   s.counters.iterations += settled.iterations;
   s.counters.unfinished += !settled.finished;
   blendSurfels(w);
-  deactivate(s.surfels.loose);
   t.times.lap(SurfacePhase::Iterations);
   resampleOnParticles(w, halos, t, 4);
   t.times.lap(SurfacePhase::Resampling);
