@@ -104,14 +104,13 @@ void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int
       const FieldHere c = colourAt(w, t, f.component[i], p.position);
       return c.value > leastOverDetail * c.level;
     }
-    // what volume keeping holds off the level is as far off it beside itself; half solid surfels are where they were carried
-    const double raised = f.liquid.active && f.liquid[i] > 0.9f ? raisedOf(t.relax.raised, f.component[i]) : 0;
     SurfacePoint at;
-    if (!ontoIsoSurface(w, t, f.component[i], p.position - raised * p.normal, 0.6 * f.radius[i] + 0.1 * w.scene.spacing, at) || dot(at.normal, p.normal) < 0.3) {
-      if (!f.liquid.active || f.liquid[i] < 0.02f || f.liquid[i] > 0.98f) return false;
-      // a crease that melts: held back by what is solid, the surface goes on below the level of the particles, which fills the crease
-      const FieldHere c = colourAt(w, t, f.component[i], p.position);
-      return c.value > c.level && c.value - c.level < offSurface;
+    const auto onto = [&](const Vec3d& x) {
+      return ontoIsoSurface(w, t, f.component[i], x, 0.6 * f.radius[i] + 0.1 * w.scene.spacing, at) && dot(at.normal, p.normal) >= 0.3;
+    };
+    if (!onto(p.position)) {  // what volume keeping holds off the level is as far off it beside itself; half solid surfels are where they were carried
+      const double raised = f.liquid.active && f.liquid[i] > 0.9f ? raisedOf(t.relax.raised, f.component[i]) : 0;
+      if (raised == 0 || !onto(p.position - raised * p.normal)) return false;
     }
     p.normal = normalized(p.normal + at.normal);
     return true;
