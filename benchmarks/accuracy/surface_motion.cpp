@@ -102,7 +102,7 @@ std::vector<Figure> measureMelt(Trial& r) {
                           {"volume/particles' at the start", r.series.front().value[0]},
                           {"volume/particles' at the end", r.series.back().value[0]},
                           {"components at the end", static_cast<double>(w.surface.components.size())},
-                          {"splits and merges", static_cast<double>(w.surface.events.size())},
+                          {"splits and merges", static_cast<double>(w.surface.counters.splits + w.surface.counters.merges)},
                           {"liquid share at the end", liquid},
                           {"height at the end/start", top / 0.11},
                           {"updates", static_cast<double>(w.surface.counters.updates)}};
@@ -111,15 +111,15 @@ std::vector<Figure> measureMelt(Trial& r) {
 }
 
 /// Time of the first event of a kind; where there was none, the end of the run.
-double firstEvent(const World& w, bool merge) {
+double firstEvent(const World& w, SurfaceEventKind kind) {
   for (const SurfaceEvent& e : w.surface.events)
-    if (e.merge == merge) return e.time;
+    if (e.kind == kind) return e.time;
   return w.clock.end;
 }
 
-double countEvents(const World& w, bool merge) {
+double countEvents(const World& w, SurfaceEventKind kind) {
   double n = 0;
-  for (const SurfaceEvent& e : w.surface.events) n += e.merge == merge;
+  for (const SurfaceEvent& e : w.surface.events) n += e.kind == kind;
   return n;
 }
 
@@ -143,10 +143,10 @@ void watchMerge(Trial& r) {
 std::vector<Figure> measureMerge(Trial& r) {
   const SurfelCloud cloud = cloudOf(r);
   const World& w = r.world;
-  const double at = firstEvent(w, true), before = meanVolume(r, 0, at), after = meanVolume(r, at, never);
+  const double at = firstEvent(w, SurfaceEventKind::Merge), before = meanVolume(r, 0, at), after = meanVolume(r, at, never);
   std::vector<Figure> all{{"volume after/before", std::abs(after / before - 1), 0.02},
-                          {"merges - 1", std::abs(countEvents(w, true) - 1), 0},
-                          {"splits", countEvents(w, false), 0},
+                          {"merges - 1", std::abs(countEvents(w, SurfaceEventKind::Merge) - 1), 0},
+                          {"splits", countEvents(w, SurfaceEventKind::Split), 0},
                           {"merge at (s)", at},
                           {"liquids touch at (s)", r.notes.contains("touch") ? r.notes["touch"] : w.clock.end},
                           {"volume/particles' before", before},
@@ -165,7 +165,7 @@ void pullApart(Trial& r) {
 std::vector<Figure> measureSplit(Trial& r) {
   const SurfelCloud cloud = cloudOf(r);
   const World& w = r.world;
-  const double at = firstEvent(w, false), before = meanVolume(r, 0, at), after = meanVolume(r, at, never);
+  const double at = firstEvent(w, SurfaceEventKind::Split), before = meanVolume(r, 0, at), after = meanVolume(r, at, never);
   double large = 0, second = 0, total = 0;  // m^3, of components
   for (const SurfaceComponent& c : w.surface.components) {
     total += c.particleVolume;
@@ -174,10 +174,10 @@ std::vector<Figure> measureSplit(Trial& r) {
   }
   std::vector<Figure> all{{"volume after/before", std::abs(after / before - 1), 0.02},
                           {"difference of halves", std::abs(large - second) / total, 0.02},
-                          {"not parted", countEvents(w, false) == 0 ? 1.0 : 0.0, 0},
+                          {"not parted", countEvents(w, SurfaceEventKind::Split) == 0 ? 1.0 : 0.0, 0},
                           {"split at (s)", at},
-                          {"splits", countEvents(w, false)},
-                          {"merges", countEvents(w, true)},
+                          {"splits", countEvents(w, SurfaceEventKind::Split)},
+                          {"merges", countEvents(w, SurfaceEventKind::Merge)},
                           {"volume/particles' before", before},
                           {"volume/particles' after", after},
                           {"components at the end", static_cast<double>(w.surface.components.size())}};

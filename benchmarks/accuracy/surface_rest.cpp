@@ -110,7 +110,7 @@ std::vector<Figure> measureSheet(Trial& r) {
                           {"area", std::abs(surfaceArea(r.world) / 8 - 1), bar(r, 0.01)},
                           {"normals max (deg)", worst, bar(r, 6)},
                           {"largest hole/r_s", from.hole / s.spacing, 1},
-                          {"splits and merges", static_cast<double>(s.events.size()), 0},
+                          {"splits and merges", static_cast<double>(s.counters.splits + s.counters.merges), 0},
                           {"components - 1", std::abs(static_cast<double>(s.components.size()) - 1), 0},
                           {"thickness/exact", thickness / (2 * half)},
                           {"Linf(z)/dx", off / r.spacing()}};

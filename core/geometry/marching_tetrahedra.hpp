@@ -16,9 +16,10 @@ struct CubeEdge {
   int direction() const { return (from ^ to) - 1; }  ///< 0 to 6: which edge it is of those that begin at a corner
 };
 
-/// Place between the ends, as a share of the edge, where the value is zero; not so near to an end that triangles degenerate.
+/// No crossing is nearer to an end of its edge, as a share of it, so that triangles do not degenerate.
+inline constexpr double nearestToCorner = 0.02;
+/// Place between the ends, as a share of the edge, where the value is zero.
 inline double crossing(double from, double to) {
-  constexpr double nearestToCorner = 0.02;
   return std::clamp(from / (from - to), nearestToCorner, 1 - nearestToCorner);
 }
 

@@ -14,6 +14,8 @@ struct SurfelRow {
   double radius = 0;                                    ///< m
   std::uint32_t colour = 0;
   float detail = 0, liquid = 0, temperature = 0;
+  static constexpr std::uint32_t none = 0xffffffffu;
+  std::uint32_t particle = none;                        ///< row of the particle copy that it is grown around; none: of surfels
 };
 
 /// A surfel at p, with what the patch's surfels have there: weights fall to 0 at one and a half radii. Its id is the caller's.

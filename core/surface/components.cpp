@@ -59,11 +59,16 @@ void splitComponents(World& w, SurfaceHalos halos, ComponentTools& t) {
   SurfaceParticles& p = s.particles;
   const std::vector<Piece>& pieces = t.pieces = piecesOf(p, halos.all);
   std::vector<std::uint64_t> off;
-  for (std::size_t k = 1, first = 0; k < pieces.size(); k++) {
+  const auto log = [&](SurfaceEventKind kind, std::uint64_t label, std::uint64_t other) { s.events.push_back({w.clock.step, w.clock.time, kind, label, other}); };
+  for (std::size_t k = 0, first = 0; k < pieces.size(); k++) {
     if (pieces[k].from != pieces[first].from) first = k;
-    if (k == first || pieces[k].from == noComponent || s.lastStep < 0) continue;  // fresh ones, and pieces of a body at the start, were never one
+    if (pieces[k].from == noComponent || s.lastStep < 0) continue;  // fresh ones, and pieces of a body at the start, were never one
+    if (k == first) {
+      if (pieces[k].part != pieces[k].from) log(SurfaceEventKind::Renamed, pieces[k].part, pieces[k].from);
+      continue;
+    }
     s.counters.splits++;
-    s.events.push_back({w.clock.step, w.clock.time, false, pieces[first].part, pieces[k].part});
+    log(SurfaceEventKind::Split, pieces[first].part, pieces[k].part);
     off.push_back(pieces[k].part);
   }
   if (!off.empty()) {

@@ -51,7 +51,8 @@ void findParts(World& world, SurfaceHalos halos, ComponentTools& tools);
 /// Needs findParts. Collective.
 void keepEnclosed(World& world, SurfaceHalos halos, ComponentTools& tools);
 
-/// Parts become components. Components of several parts are counted and logged as split, in the order of labels; surfels without a particle are
+/// Parts become components. Components of several parts are counted and logged as split, in the order of labels, and as renamed before that where
+/// the smallest label of their parts is another one than their own; surfels without a particle are
 /// deleted and counted as lost; ghosts of surfels are dropped. Needs findParts. Collective.
 void splitComponents(World& world, SurfaceHalos halos, ComponentTools& tools);
 

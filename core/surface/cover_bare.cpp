@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/surface/birth_colours.hpp"
 #include "core/surface/births.hpp"
 #include "core/surface/drop_surfels.hpp"
 #include "core/surface/grow.hpp"
@@ -11,6 +12,7 @@
 #include "core/surface/place_rows.hpp"
 #include "core/surface/bins.hpp"
 #include "core/surface/ready_particles.hpp"
+#include "core/surface/sample_mesh.hpp"
 #include "core/surface/seeds.hpp"
 #include "core/surface/small_drops.hpp"
 #include "core/surface/update_surface.hpp"
@@ -30,6 +32,9 @@ constexpr double fallsTo = 0.75;
 constexpr double hangsOver = 0.2, liesUnder = 0.4, meshOver = 0.5;
 /// A mesh's surfels are looked at where grown ones are within this many spacings.
 constexpr double ragReach = 3.5;
+/// A fin at the rim of a grown face: a mesh's surfel that stands more than this many spacings over the nearest of the face's surfels within finReach, though the two meet in a
+/// convex edge, where each lies behind the other's plane. Of what is solid all through: where a mesh melts its detail fades beside what still has it.
+constexpr double finHeight = 0.2, finReach = 1.5, finTurn = 0.7;
 /// Surfels within this many spacings of new ones settle with them.
 constexpr double looseReach = 2.5;
 constexpr int mostRounds = 3;
@@ -150,10 +155,11 @@ void findRags(const World& w, const SurfaceTools& t, std::vector<std::uint8_t>& 
   const Surfels& f = w.surface.surfels;
   const double reach = ragReach * w.scene.spacing;
   const auto solid = [&](std::size_t i) { return !f.liquid.active || f.liquid[i] < 0.5f; };
+  const auto cold = [&](std::size_t i) { return !f.liquid.active || f.liquid[i] < 0.02f; };
   std::vector<Vec3d> grown;
-  std::vector<std::uint64_t> component;
-  for (std::size_t i = 0; i < f.size(); i++)
-    if (f.detail[i] < 0.5f && solid(i)) grown.push_back(f.position[i]), component.push_back(f.component[i]);
+  std::vector<std::uint32_t> row;
+  for (std::uint32_t i = 0; i < f.size(); i++)
+    if (f.detail[i] < 0.5f && solid(i)) grown.push_back(f.position[i]), row.push_back(i);
   Bins bins;
   fillBins(grown.data(), grown.size(), reach, bins);
   dead.assign(f.owned, 0);
@@ -161,8 +167,26 @@ void findRags(const World& w, const SurfaceTools& t, std::vector<std::uint8_t>& 
     if (!solid(i)) continue;
     const bool detail = f.detail[i] >= 0.5f;  // of a mesh: finer than the particles, up to a spacing off their surface
     bool beside = !detail;
-    if (detail) forRowsWithin(bins, f.position[i], reach, [&](std::uint32_t j, double) { beside = beside || component[j] == f.component[i]; });
+    double nearest2 = finReach * finReach * w.scene.spacing * w.scene.spacing;
+    std::uint32_t face = 0xffffffffu;
+    if (detail)
+      forRowsWithin(bins, f.position[i], reach, [&](std::uint32_t k, double d2) {
+        const std::uint32_t j = row[k];
+        if (f.component[j] != f.component[i]) return;
+        beside = true;
+        if (!(f.id[j] & birthBit) || !cold(j) || !cold(i)) return;
+        if (dot(f.normal[i], f.normal[j]) > finTurn || d2 > nearest2 || (d2 == nearest2 && face != 0xffffffffu && f.id[j] > f.id[face])) return;
+        nearest2 = d2;
+        face = j;
+      });
     if (!beside) continue;
+    if (face != 0xffffffffu) {
+      const Vec3d d = f.position[i] - f.position[face];
+      if (dot(d, f.normal[face]) > finHeight * w.scene.spacing && dot(d, f.normal[i]) > 0) {  // the face lies behind it: a convex edge
+        dead[i] = 1;
+        continue;
+      }
+    }
     const FieldHere c = colourAt(w, t, f.component[i], f.position[i]);
     const double slope = length(c.gradient), along = slope > 0 ? -dot(c.gradient, f.normal[i]) / slope : -1;
     const double under = c.value / c.level - 1;
@@ -191,11 +215,13 @@ std::int64_t coverBare(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
   readyParticles(w, halos, t);
+  const bool meshes = hasMeshes(w.scene);
   const auto look = [&] {
     placeRows(s.grid, halos.surfels, f, s.surfelCells, t.sort);
     ColumnList columns{&f.id, &f.position, &f.normal, &f.radius, &f.component, &f.detail};
     if (f.liquid.active) columns.push_back(&f.liquid);
     if (f.loose.active) columns.push_back(&f.loose);
+    if (meshes) columns.push_back(&f.colour);
     addGhosts(halos.surfels, f, s.surfelCells, columns);
     fillBins(s.grid, s.surfelCells, f.position.data(), surfelReach * w.scene.spacing, t.relax.surfelBins);
   };
@@ -212,6 +238,7 @@ std::int64_t coverBare(World& w, SurfaceHalos halos, SurfaceTools& t) {
     }
     std::vector<SurfelRow> rows;
     if (round == 0 || count[1] > 0) seedBare(w, t, rows);  // else all places are as they were refused
+    if (meshes) inheritColours(w, t.relax.surfelBins, rows);
     count[0] = static_cast<std::int64_t>(rows.size());
     halos.all.sum({count, 1});
     f.resize(f.owned, 0);

@@ -4,10 +4,12 @@
 #include <cmath>
 
 #include "core/math/hash_random.hpp"
+#include "core/surface/birth_colours.hpp"
 #include "core/surface/births.hpp"
 #include "core/surface/drop_patch.hpp"
 #include "core/surface/drop_surfels.hpp"
 #include "core/surface/iso_surface.hpp"
+#include "core/surface/keep_volume.hpp"
 #include "core/surface/measure.hpp"
 #include "core/surface/place_rows.hpp"
 #include "core/surface/ready_particles.hpp"
@@ -16,6 +18,7 @@
 #include "core/surface/sample_mesh.hpp"
 #include "core/surface/seeds.hpp"
 #include "core/surface/small_drops.hpp"
+#include "core/surface/surfel_move.hpp"
 #include "core/surface/update_surface.hpp"
 
 namespace thaw {
@@ -24,6 +27,8 @@ namespace {
 constexpr double offSurface = 0.3;  // from the level of the surface: more than a spacing of the particles away from it
 
 constexpr double leastOverDetail = 0.3;  // of the level: a spacing of the particles over the surface
+
+constexpr double leastOver = 0.25;       // and of what follows the particles: of drops the level itself is less than offSurface
 
 /// Of a mesh, and not molten: finer than the particles are, so that they say nothing about it.
 bool keepsDetail(const Surfels& f, std::size_t i) { return f.detail[i] > 0.5f && (!f.liquid.active || f.liquid[i] < 0.5f); }
@@ -35,6 +40,14 @@ void seedAround(const World& w, const SurfaceTools& t, std::size_t i, SeedDirect
     SurfacePoint at;
     if (seedOnSurface(w, t, i, seeds[k], at)) rows.push_back(seedSurfel(w, i, k, at));
   }
+}
+
+/// Surfels around all owned particles that `bare` names.
+void seedAll(const World& w, const SurfaceTools& t, const std::function<bool(std::size_t)>& bare, std::vector<SurfelRow>& rows) {
+  const SurfaceParticles& p = w.surface.particles;
+  SeedDirections seeds(w);
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (bare(i) && p.component[i] != noComponent && p.colour[i] < innerColour) seedAround(w, t, i, seeds, rows);
 }
 
 /// The sphere of the small drop that particle i gives its name to; the others of it are in reach.
@@ -55,6 +68,7 @@ void patchAround(const World& w, const SurfaceTools& t, std::size_t i, std::vect
     r.temperature = static_cast<float>(temperature / volume);
     r.liquid = static_cast<float>(liquid / volume);
     r.colour = surfaceColour(w.scene, p.body[i]);
+    r.particle = static_cast<std::uint32_t>(i);
     // a drop that joins leaves its surfels to the larger body; one that parts later may have the same label
     r.id = surfelBit | birthBit | randomBits(w.scene.seed, Purpose::SurfelBirth, r.id, static_cast<std::uint64_t>(w.clock.step));
     rows.push_back(r);
@@ -75,17 +89,15 @@ void openAround(Surface& s, CellHalo& halo, SurfaceTools& t, const std::vector<s
 
 void growSurfels(World& w, SurfaceHalos halos, SurfaceTools& t, const std::function<bool(std::size_t)>& bare) {
   readyParticles(w, halos, t);
-  const SurfaceParticles& p = w.surface.particles;
-  SeedDirections seeds(w);
   std::vector<SurfelRow> rows;
-  for (std::size_t i = 0; i < p.owned; i++)
-    if (bare(i) && p.component[i] != noComponent && p.colour[i] < innerColour) seedAround(w, t, i, seeds, rows);
+  seedAll(w, t, bare, rows);
   w.surface.surfels.resize(w.surface.surfels.owned, 0);
   addSurfels(w.surface.surfels, rows, w.scene.seed, halos.all);
 }
 
 void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t rounds) {
   readyParticles(w, halos, t);
+  listRaised(w, t.relax.raised);
   resample(w, halos, t, rounds, [&](std::size_t i, SurfacePoint& p, bool border) {
     const Surfels& f = w.surface.surfels;
     if (!border && keepsDetail(f, i)) {  // wherever the mesh's surface goes on, but not over a crack
@@ -93,7 +105,13 @@ void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int
       return c.value > leastOverDetail * c.level;
     }
     SurfacePoint at;
-    if (!ontoIsoSurface(w, t, f.component[i], p.position, 0.6 * f.radius[i] + 0.1 * w.scene.spacing, at) || dot(at.normal, p.normal) < 0.3) return false;
+    const auto onto = [&](const Vec3d& x) {
+      return ontoIsoSurface(w, t, f.component[i], x, 0.6 * f.radius[i] + 0.1 * w.scene.spacing, at) && dot(at.normal, p.normal) >= 0.3;
+    };
+    if (!onto(p.position)) {  // what volume keeping holds off the level is as far off it beside itself; half solid surfels are where they were carried
+      const double raised = f.liquid.active && f.liquid[i] > 0.9f ? raisedOf(t.relax.raised, f.component[i]) : 0;
+      if (raised == 0 || !onto(p.position - raised * p.normal)) return false;
+    }
     p.normal = normalized(p.normal + at.normal);
     return true;
   });
@@ -131,19 +149,20 @@ void renewSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
     }
     if (keepsDetail(f, i)) continue;
     const FieldHere c = colourAt(w, t, f.component[i], f.position[i]);
-    if (std::abs(c.value - c.level) > offSurface) dead[i] = 2, gone++;
+    if (std::abs(c.value - c.level) > offSurface || c.value < leastOver * c.level) dead[i] = 2, gone++;
   }
   halos.all.sum({&gone, 1});
   if (gone > 0) openAround(s, halos.surfels, t, dead);
-  dropSurfels(s, dead);
   std::vector<SurfelRow> rows;
   for (std::size_t i = 0; i < p.owned; i++)
     if (p.component[i] == 1 + p.id[i] && small(p.component[i])) patchAround(w, t, i, rows);
-  addSurfels(f, rows, w.scene.seed, halos.all);
-  growSurfels(w, halos, t, [&](std::size_t i) {
+  seedAll(w, t, [&](std::size_t i) {
     const SurfaceComponent* c = findComponent(s, p.component[i]);
     return c && c->surfels == 0 && c->particles > smallDrop;
-  });
+  }, rows);
+  inheritColours(w, halos, t, rows);  // of those that go, too: a drop keeps its colours
+  dropSurfels(s, dead);
+  addSurfels(f, rows, w.scene.seed, halos.all);
   s.counters.deaths += gone;
 }
 

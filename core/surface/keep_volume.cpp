@@ -11,11 +11,12 @@ namespace thaw {
 
 namespace {
 
-/// Not the smallest ones, nor solids, nor those with a hole: a seam since a merge. A puddle of a few particles' height has .025 by its rim alone.
+/// Not the smallest ones, nor solids, nor those with a hole: a seam since a merge. A puddle of a few particles' height has .025 by its rim alone, drops of five to
+/// nine particles, whose areas are coarse, up to .09.
 bool kept(const SurfaceComponent& c) {
   constexpr std::int64_t fewest = 12;
   constexpr double leastFree = 0.05, closed = 0.04;
-  return c.surfels >= fewest && c.wantedVolume > 0 && c.freeArea > leastFree * c.area && c.open < closed;
+  return c.surfels >= fewest && c.wantedVolume > 0 && c.freeArea > leastFree * c.area && c.open < std::max(closed, 1.5 / std::sqrt(static_cast<double>(c.surfels)));
 }
 
 }  // namespace

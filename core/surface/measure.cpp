@@ -103,6 +103,7 @@ void addRows(const Surface& s, const Group& g, const std::vector<std::uint32_t>&
              std::array<ExactSum, sums>& sum) {
   const SurfaceParticles& p = s.particles;
   const Surfels& f = s.surfels;
+  sum.fill({});
   const auto widen = [&](const Vec3d& d) {
     for (int a = 0; a < 3; a++) r.reach[a] = std::max(r.reach[a], std::abs(d[a]));
   };
@@ -150,6 +151,46 @@ void finish(const CellGrid& grid, Record& r, const std::array<double, sums>& v) 
   c.volume = axes > 0 ? volume / axes : any;
 }
 
+/// What the sums of a component on several ranks come to.
+struct SharedValues {
+  std::size_t record;
+  std::array<double, sums> value;
+};
+
+/// Exact sums are long: those of a few components at a time are added up over ranks.
+std::vector<SharedValues> sumShared(const Surface& s, const std::vector<std::uint32_t>& particles, const std::vector<std::uint32_t>& surfels, const std::vector<Group>& groups,
+                                    std::vector<Record>& records, Reducer& all) {
+  constexpr std::size_t together = 64, digits = ExactSum::digits, each = sums * digits;
+  std::vector<SharedValues> shared;
+  for (std::size_t k = 0; k < records.size(); k++)
+    if (records[k].ranks > 1) shared.push_back({k, {}});
+  std::array<ExactSum, sums> sum;
+  std::vector<std::int64_t> digit;
+  auto group = groups.begin();
+  for (std::size_t first = 0; first < shared.size(); first += together) {
+    const std::size_t last = std::min(shared.size(), first + together);
+    digit.assign((last - first) * each, 0);
+    for (std::size_t n = first; n < last; n++) {
+      Record& r = records[shared[n].record];
+      while (group != groups.end() && group->label < r.measured.label) ++group;
+      if (group == groups.end() || group->label != r.measured.label) continue;
+      addRows(s, *group, particles, surfels, r, sum);
+      for (std::size_t q = 0; q < sums; q++) {
+        sum[q].carry();
+        std::copy(sum[q].digit.begin(), sum[q].digit.end(), &digit[(n - first) * each + q * digits]);
+      }
+    }
+    all.sum(digit);
+    for (std::size_t n = first; n < last; n++)
+      for (std::size_t q = 0; q < sums; q++) {
+        ExactSum total;
+        std::copy_n(&digit[(n - first) * each + q * digits], digits, total.digit.begin());
+        shared[n].value[q] = total.value();
+      }
+  }
+  return shared;
+}
+
 }  // namespace
 
 void measureComponents(Surface& s, Reducer& all) {
@@ -158,29 +199,18 @@ void measureComponents(Surface& s, Reducer& all) {
   const std::vector<Group> groups = groupsOf(s, particles, surfels);
   std::vector<Record> records = recordsOf(s, particles, groups, all);
 
-  // components of this rank alone are finished here; the others' sums are added up
-  std::vector<std::size_t> slot(records.size());
-  std::size_t shared = 0;
-  for (std::size_t k = 0; k < records.size(); k++) slot[k] = records[k].ranks > 1 ? shared++ : 0;
-  constexpr std::size_t digits = ExactSum::digits;
-  std::vector<std::int64_t> digit(shared * sums * digits);
+  // components of this rank alone are finished here
   std::vector<std::uint64_t> finished;
+  std::array<ExactSum, sums> sum;
   for (const Group& g : groups) {
     const std::size_t k = indexOf(records, g.label);
-    std::array<ExactSum, sums> sum;
+    if (records[k].ranks > 1) continue;
     addRows(s, g, particles, surfels, records[k], sum);
-    if (records[k].ranks == 1) finished.push_back(g.label);
-    for (std::size_t q = 0; q < sums; q++) {
-      if (records[k].ranks == 1) {
-        finished.push_back(std::bit_cast<std::uint64_t>(sum[q].value()));
-      } else {
-        sum[q].carry();
-        std::copy(sum[q].digit.begin(), sum[q].digit.end(), &digit[(slot[k] * sums + q) * digits]);
-      }
-    }
+    finished.push_back(g.label);
+    for (const ExactSum& q : sum) finished.push_back(std::bit_cast<std::uint64_t>(q.value()));
   }
-  if (!digit.empty()) all.sum(digit);
   const std::vector<std::uint64_t> results = gatherWords(all, finished);
+  const std::vector<SharedValues> shared = sumShared(s, particles, surfels, groups, records, all);
   if (s.grid.periodic[0] || s.grid.periodic[1] || s.grid.periodic[2]) {
     std::vector<double> reach;
     for (const Record& r : records) reach.insert(reach.end(), {r.reach.x, r.reach.y, r.reach.z});
@@ -193,15 +223,7 @@ void measureComponents(Surface& s, Reducer& all) {
     for (std::size_t q = 0; q < sums; q++) value[q] = std::bit_cast<double>(results[at + 1 + q]);
     finish(s.grid, records[indexOf(records, results[at])], value);
   }
-  for (std::size_t k = 0; k < records.size(); k++) {
-    if (records[k].ranks == 1) continue;
-    for (std::size_t q = 0; q < sums; q++) {
-      ExactSum sum;
-      std::copy_n(&digit[(slot[k] * sums + q) * digits], digits, sum.digit.begin());
-      value[q] = sum.value();
-    }
-    finish(s.grid, records[k], value);
-  }
+  for (const SharedValues& v : shared) finish(s.grid, records[v.record], v.value);
   const std::vector<SurfaceComponent> before = std::move(s.components);
   s.components.clear();
   std::size_t old = 0;

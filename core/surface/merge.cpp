@@ -152,6 +152,9 @@ std::vector<Pair> meetingPairs(const World& w, Reducer& all, const ComponentTool
   return pairs;
 }
 
+/// MergeTools::open.
+enum Seam : std::uint8_t { Disturbed = 1, Joint = 2 };
+
 /// Where an owned surfel is among the others: dead if its component joins one that it is in or close to, else moved out of those it is in.
 void judgeSurfel(const World& w, std::uint32_t i, const Joined& joined, ComponentTools& c, MergeTools& t) {
   const Surface& s = w.surface;
@@ -163,9 +166,10 @@ void judgeSurfel(const World& w, std::uint32_t i, const Joined& joined, Componen
     if (side.asked < leastAsked) continue;
     if (joined.of(side.component) == joined.of(f.component[i])) {
       if (side.distance < 0.5 * s.spacing) c.dead[i] = 1;
-      if (side.distance < 3 * s.spacing) t.open[i] = 1;  // beside those that die
+      if (side.distance < 3 * s.spacing) t.open[i] |= Disturbed;  // beside those that die
+      t.open[i] |= Joint;                                          // the other's particles shape the common surface here
     } else if (side.distance < 0) {
-      t.open[i] = 1;
+      t.open[i] |= Disturbed;
       push += std::min(-0.5 * side.distance, w.scene.spacing) * side.normal;  // the other side does as much
     }
   }
@@ -186,7 +190,7 @@ void mergeComponents(World& w, SurfaceHalos halos, ComponentTools& c, MergeTools
     const std::uint64_t gone = joined.join(m.a, m.b);
     if (gone == 0) continue;
     s.counters.merges++;
-    s.events.push_back({w.clock.step, w.clock.time, true, joined.of(gone), gone});
+    s.events.push_back({w.clock.step, w.clock.time, SurfaceEventKind::Merge, joined.of(gone), gone});
   }
   c.dead.assign(f.owned, 0);
   t.moved.assign(f.position.data(), f.position.data() + f.owned);
@@ -194,8 +198,11 @@ void mergeComponents(World& w, SurfaceHalos halos, ComponentTools& c, MergeTools
   forEachNearOthers(f, s.surfelCells, one, [&](std::uint32_t i) { judgeSurfel(w, i, joined, c, t); });
   std::copy(t.moved.begin(), t.moved.end(), f.position.data());
   for (std::size_t i = 0; i < f.owned; i++)
-    if (t.open[i]) f.calm[i] = 0;
+    if (t.open[i] & Disturbed) f.calm[i] = 0;
   if (!pairs.empty()) {
+    f.activate(f.loose);  // the two skins end in a seam: what was grown settles onto the common surface, solid or not
+    for (std::size_t i = 0; i < f.owned; i++)
+      if ((t.open[i] & Joint) && f.detail[i] < 0.5f) f.loose[i] = 1;
     for (std::size_t i = 0; i < f.owned; i++) f.component[i] = joined.of(f.component[i]);
     for (std::size_t i = 0; i < p.owned; i++) p.component[i] = joined.of(p.component[i]);
   }

@@ -9,18 +9,44 @@
 #include "core/surface/sample_mesh.hpp"
 
 namespace thaw {
+namespace {
+
+/// A new surfel's id, and its number among those of all ranks.
+struct Born {
+  std::uint64_t id;
+  std::size_t number;
+  friend auto operator<=>(const Born&, const Born&) = default;
+};
+
+/// Ids of this rank that a new surfel has, other than that surfel itself, in any order. Goes through the new ones in pieces.
+std::vector<std::uint64_t> takenIds(const Surfels& s, std::size_t first, Reducer& all) {
+  constexpr std::size_t piece = std::size_t{1} << 16;
+  const std::vector<std::uint64_t> mine(s.id.data() + first, s.id.data() + s.owned);
+  const WordNumbers numbers = numberWords(all, mine.size());
+  std::vector<std::uint64_t> taken;
+  std::vector<Born> born;
+  for (std::size_t from = 0; from < numbers.total; from += piece) {
+    const std::vector<std::uint64_t> ids = gatherPiece(all, mine, numbers, from, std::min(numbers.total, from + piece));
+    born.clear();
+    for (std::size_t k = 0; k < ids.size(); k++) born.push_back({ids[k], from + k});
+    std::sort(born.begin(), born.end());
+    const auto among = [&](std::uint64_t id, std::size_t own) {
+      auto at = std::lower_bound(born.begin(), born.end(), Born{id, 0});
+      if (at != born.end() && at->id == id && at->number == own) ++at;
+      return at != born.end() && at->id == id;
+    };
+    for (std::size_t i = 0; i < s.owned; i++)
+      if (among(s.id[i], i < first ? ~std::size_t{0} : numbers.before + i - first)) taken.push_back(s.id[i]);
+  }
+  return taken;
+}
+
+}  // namespace
 
 std::int64_t renameTwins(Surfels& s, std::size_t first, std::uint64_t seed, Reducer& all) {
   std::int64_t renamed = 0;
   for (;;) {
-    std::vector<std::uint64_t> born = gatherWords(all, std::vector<std::uint64_t>(s.id.data() + first, s.id.data() + s.owned));
-    std::sort(born.begin(), born.end());
-    std::vector<std::uint64_t> taken;
-    for (std::size_t i = 0; i < first; i++)
-      if (std::binary_search(born.begin(), born.end(), s.id[i])) taken.push_back(s.id[i]);
-    taken = gatherWords(all, taken);
-    for (std::size_t k = 1; k < born.size(); k++)
-      if (born[k] == born[k - 1]) taken.push_back(born[k]);
+    std::vector<std::uint64_t> taken = gatherWords(all, takenIds(s, first, all));  // hardly ever any
     if (taken.empty()) return renamed;
     std::sort(taken.begin(), taken.end());
     std::int64_t count[1] = {0};

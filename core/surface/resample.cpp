@@ -222,8 +222,8 @@ Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t r
     halos.all.sum(count);
     if (cap < 0) cap = birthCap(count[0]);
     done.finished = count[1] + count[2] == 0;
-    if (done.births + count[1] > cap) {  // a share of them, chosen by hash
-      const double share = static_cast<double>(cap - done.births) / static_cast<double>(count[1]);
+    for (double share = 1; done.births + count[1] > cap;) {  // a share of them, chosen by hash; less where that is too many by chance
+      share *= 0.98 * static_cast<double>(cap - done.births) / static_cast<double>(count[1]);
       std::erase_if(parents, [&](std::uint32_t i) { return randomUniform(r.seed, Purpose::SurfelSample, s.id[i], r.salt) >= share; });
       count[1] = static_cast<std::int64_t>(parents.size());
       halos.all.sum({&count[1], 1});

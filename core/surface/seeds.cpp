@@ -48,6 +48,7 @@ SurfelRow seedSurfel(const World& w, std::size_t i, int k, const SurfacePoint& a
   r.tangent = anyTangent(at.normal);
   r.radius = w.surface.spacing;
   r.colour = surfaceColour(w.scene, p.body[i]);
+  r.particle = static_cast<std::uint32_t>(i);
   if (p.liquid.active) r.liquid = p.liquid[i];
   if (p.temperature.active) r.temperature = p.temperature[i];
   return r;

@@ -37,7 +37,7 @@ class SeedDirections {
 /// Needs readyParticles.
 bool seedOnSurface(const World& world, const SurfaceTools& tools, std::size_t i, const Vec3d& u, SurfacePoint& found);
 
-/// A new surfel there, of particle i; its id follows from the particle, the step and k.
+/// A new surfel there, of particle i; its id follows from the particle, the step and k. Its colour is the material's: see inheritColours.
 SurfelRow seedSurfel(const World& world, std::size_t i, int k, const SurfacePoint& at);
 
 }  // namespace thaw

@@ -25,11 +25,16 @@ struct SurfaceComponent {
   double open = 0;                    ///< |sum n A| / area: 0 where the surface is closed; of the update
 };
 
-/// A split or merge. In the order in which they happened, the same on all ranks; part of the state.
+/// What happens to components. Split: `other` came off `label`. Merge: two became `label`, which is the smaller one. Renamed: its smallest particle
+/// has gone (it left the domain, or came off with a piece), so that what was called `other` is `label` now.
+enum class SurfaceEventKind : std::uint8_t { Split, Merge, Renamed };
+inline const char* eventName(SurfaceEventKind kind) { return kind == SurfaceEventKind::Split ? "split" : kind == SurfaceEventKind::Merge ? "merge" : "renamed"; }
+
+/// In the order in which they happened, the same on all ranks; part of the state.
 struct SurfaceEvent {
   std::int64_t step = 0;
   double time = 0;                    ///< s
-  bool merge = false;                 ///< two became `label`; else `other` came off `label`
+  SurfaceEventKind kind = SurfaceEventKind::Split;
   std::uint64_t label = 0, other = 0;
 };
 
@@ -55,7 +60,7 @@ struct Surface {
   double particleSupport = 0;         ///< m, h_ps
   std::vector<SurfaceComponent> components;
   std::vector<SurfaceEvent> events;
-  std::size_t quietEvents = 0;        ///< number of events before the update under way
+  std::int64_t changesBefore = 0;     ///< splits and merges before the update under way
   SurfaceCounters counters;
   std::int64_t lastStep = -1;         ///< of the last update
 };

@@ -8,7 +8,7 @@
 namespace thaw {
 namespace {
 
-constexpr double cosFlat = 0.70710678118654752;  // pi/4
+constexpr double cosFlat = 0.5;  // 60 degrees: on the sphere of a single particle normals turn by up to 55 from surfel to surfel
 constexpr double cosBack = -0.5;
 
 struct Point2 { double x, y; };

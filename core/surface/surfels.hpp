@@ -29,7 +29,7 @@ struct Surfels : Table {
   Column<float> ceiling{*this, "ceiling", "m", Keep::State, "height over its plane from which on particles are across a gap (gap_ceilings.hpp); infinity: there is none"};
   Column<Vec3d> carried{*this, "carried", "m", Keep::State, "where the particles' displacement has carried it (displaceSurfels)"};
   Column<Vec3d> carriedNormal{*this, "carriedNormal", "1", Keep::State, "its normal there; 0: born in this update"};
-  Column<std::uint8_t> loose{*this, "loose", "1", Keep::State, "new on the face of a crack: it settles in this update, solid or not"};
+  Column<std::uint8_t> loose{*this, "loose", "1", Keep::State, "new on the face of a crack, or beside a seam of what has joined: it settles in this update, solid or not"};
   // of its components and measures
   Column<double> reach{*this, "reach", "m^2", Keep::Transient, "square of the distance to the farthest of the nearest surfels that it hangs together with"};
   Column<std::uint64_t> nearest{*this, "nearest", "1", Keep::Transient, "id of the nearest particle of its component, ~0 without one within h_ps"};

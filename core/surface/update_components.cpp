@@ -80,7 +80,7 @@ void labelParticles(World& w, SurfaceHalos halos, SurfaceTools& tools) {
 void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   Surface& s = w.surface;
   TopologyTools& t = tools.topology;
-  s.quietEvents = s.events.size();
+  s.changesBefore = s.counters.splits + s.counters.merges;
   const std::vector<SurfaceComponent> before = s.components;
   labelParticles(w, halos, tools);
   addSurfelGhosts(s, halos);  // splitting dropped them

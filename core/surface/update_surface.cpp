@@ -79,7 +79,7 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   const std::int64_t bare = coverBare(w, halos, t);
   t.times.lap(SurfacePhase::Growth);
   // seams of merges and of new faces close before the iterations; what the motion has opened, after them
-  if (s.events.size() > s.quietEvents || bare > 0) resampleOnParticles(w, halos, t, 24);
+  if (s.counters.splits + s.counters.merges > s.changesBefore || bare > 0) resampleOnParticles(w, halos, t, 24);
   t.times.lap(SurfacePhase::Resampling);
   listRaised(w, t.relax.raised);
   const Settled settled = settle(w, halos, t, forceWeights(w.scene.surface), w.scene.surface.iterations, false);

@@ -60,7 +60,9 @@ int checkAll(const CheckOptions& o) {
   }
   const double perStep = steps > 0 ? std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / steps : 0;
   surface.update();
-  const std::vector<std::string> surfaceLines = surface.lines(o.ranks);
+  const double needed = w.scene.end / dt;
+  const SurfaceTrial::Forecast onSurface = surface.forecast(needed);
+  const std::vector<std::string> surfaceLines = surface.lines(onSurface, o.ranks);
   const LedgerReport l = reportLedger(w, all);
   double memory = totalBytes(memoryOf(w, t));
   all.maximum({&memory, 1});
@@ -91,10 +93,14 @@ int checkAll(const CheckOptions& o) {
   if (!surfaceLines.empty()) std::printf("\nsurface\n");
   for (const std::string& line : surfaceLines) std::printf("  %s\n", line.c_str());
   const double particles = std::max<double>(1, static_cast<double>(l.particles + l.rows[0] + l.rows[1])), total = particles + std::max(0.0, emitted - static_cast<double>(w.counters.emitted));
-  std::printf("\nmemory a rank: %s with %d ranks (%.0f bytes a particle)\n", bytesText(memory * total / particles * comm.size() / o.ranks).c_str(), o.ranks, memory * comm.size() / particles);
-  const double needed = s.end / dt;
-  std::printf("run time: about %s with %d ranks (%.0f steps at %.3g M particle-steps/s and rank, measured here over %d steps)\n", timeText(needed * perStep * comm.size() / o.ranks * (0.5 + 0.5 * total / particles)).c_str(),
-              o.ranks, needed, perStep > 0 ? particles / perStep / comm.size() / 1e6 : 0, steps);
+  const double most = total / particles / o.ranks, mean = (0.5 + 0.5 * total / particles) / o.ranks;  // what emitters add
+  const double ofParticles = memory * comm.size() * most, ofSurface = onSurface.bytes * most, stepping = needed * perStep * comm.size() * mean, updating = onSurface.seconds * mean;
+  const bool two = w.modules.surface;
+  std::printf("\nmemory a rank: %s with %d ranks (%.0f bytes a particle%s)\n", bytesText(ofParticles + ofSurface).c_str(), o.ranks, memory * comm.size() / particles,
+              two ? (", and " + bytesText(ofSurface) + " for the surface").c_str() : "");
+  std::printf("run time: about %s with %d ranks (%.0f steps at %.3g M particle-steps/s and rank, measured here over %d steps%s)\n", timeText(stepping + updating).c_str(),
+              o.ranks, needed, perStep > 0 ? particles / perStep / comm.size() / 1e6 : 0, steps,
+              two ? (": " + timeText(stepping) + ", and " + timeText(updating) + " for the surface").c_str() : "");
   return exitDone;
 }
 

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <fstream>
 
+#include "core/fluid/liquid_materials.hpp"
 #include "io/commands/require_memory.hpp"
 
 namespace thaw {
@@ -47,25 +48,49 @@ void SurfaceTrial::update() {
   bytes_ += std::max(0.0, residentNow() - before);
 }
 
-std::vector<std::string> SurfaceTrial::lines(int ranks) {
+SurfaceTrial::Forecast SurfaceTrial::forecast(double steps) const {
   const World& w = world_;
-  if (!w.modules.surface) return {};
+  Forecast f;
+  if (!w.modules.surface) return f;
   std::int64_t counts[2] = {static_cast<std::int64_t>(w.surface.surfels.owned), std::llround(bytes_)};
   double times[2] = {start_, each_};
   MpiReducer all(comm_);
   all.sum(counts);
   all.maximum(times);
-  const double surfels = static_cast<double>(std::max<std::int64_t>(1, counts[0])), perRank = static_cast<double>(counts[1]) / ranks;
+  f.surfels = static_cast<double>(counts[0]);
+  f.bytes = static_cast<double>(counts[1]);
+  f.frames = std::floor(w.scene.end / w.scene.output.every) + 1;
+  f.updates = expectedUpdates(w, steps);
+  f.seconds = (times[0] + f.updates * times[1]) * comm_.size();
+  return f;
+}
+
+std::vector<std::string> SurfaceTrial::lines(const Forecast& f, int ranks) const {
+  const World& w = world_;
+  if (!w.modules.surface) return {};
+  double times[2] = {start_, each_};
+  MpiReducer(comm_).maximum(times);
   const Surface& s = w.surface;
   const SurfaceSettings& set = w.scene.surface;
   std::vector<std::string> lines{
-      fmt::format("{} surfels at the start ({:.0f} expected by the area of the bodies), {} component{}", counts[0], expected_, s.components.size(), s.components.size() == 1 ? "" : "s"),
+      fmt::format("{:.0f} surfels at the start ({:.0f} expected by the area of the bodies), {} component{}", f.surfels, expected_, s.components.size(), s.components.size() == 1 ? "" : "s"),
       fmt::format("surfels {:g} m apart; they act on each other within {:g} m (about {:.0f} neighbours), particles on them within {:g} m (about {:.0f})", s.spacing, s.surfelSupport,
                   1.15 * pi * set.support * set.support, s.particleSupport, 2.0 / 3 * pi * std::pow(s.particleSupport / w.scene.spacing, 3)),
-      fmt::format("memory a rank: {} with {} ranks ({:.0f} bytes a surfel, work lists included)", bytesText(perRank), ranks, static_cast<double>(counts[1]) / surfels),
-      fmt::format("the start took {:.3g} s, one update after a few steps {:.3g} s, on {} rank{}", times[0], times[1], comm_.size(), comm_.size() == 1 ? "" : "s")};
+      fmt::format("memory a rank: {} with {} ranks ({:.0f} bytes a surfel, work lists included)", bytesText(f.bytes / ranks), ranks, f.bytes / std::max(1.0, f.surfels)),
+      fmt::format("the start took {:.3g} s, one update after a few steps {:.3g} s, on {} rank{}", times[0], times[1], comm_.size(), comm_.size() == 1 ? "" : "s"),
+      fmt::format("about {:.0f} updates until the end, {:.0f} of them at frames{}", f.updates, f.frames,
+                  set.everyMove > 0 ? fmt::format("; the others as particles come {:g} m, at half of {:.3g} m/s, the largest speed expected", set.everyMove * w.grid.support, expectedSpeed(w.scene)) : "")};
+  if (w.modules.melting || w.modules.fluid) lines.push_back("an update takes longer the more of the surface is liquid and moves: two to five times as long as of a solid");
   for (const std::string& line : surfaceAdvice(w.scene)) lines.push_back("note: " + line);
   return lines;
+}
+
+double expectedUpdates(const World& w, double steps) {
+  const SurfaceSettings& s = w.scene.surface;
+  double updates = std::floor(w.scene.end / w.scene.output.every) + 1;
+  if (s.everySteps > 0) updates += steps / static_cast<double>(s.everySteps);
+  else if (s.everyMove > 0) updates += 0.5 * expectedSpeed(w.scene) * w.scene.end / (s.everyMove * w.grid.support);
+  return std::min(updates, steps + 1);
 }
 
 std::vector<std::string> surfaceAdvice(const Scene& scene) {

@@ -15,8 +15,12 @@ class SurfaceTrial {
   SurfaceTrial(const Communicator& comm, World& world, const MeshLoader& load);
   /// One update, after a few steps. Collective.
   void update();
+  /// What the surface takes of a whole run of `steps` steps, all ranks together. Zero without the module.
+  struct Forecast { double surfels = 0, bytes = 0, updates = 0, frames = 0, seconds = 0; };
+  /// Collective.
+  Forecast forecast(double steps) const;
   /// What `thaw check` prints, for this many ranks. Collective.
-  std::vector<std::string> lines(int ranks);
+  std::vector<std::string> lines(const Forecast& forecast, int ranks) const;
 
  private:
   const Communicator& comm_;
@@ -25,6 +29,10 @@ class SurfaceTrial {
   SurfaceTools tools_;
   double expected_ = 0, bytes_ = 0, start_ = 0, each_ = 0;
 };
+
+/// About how many updates of the surface a run has: one at each frame, and between them as the scene says, for moves of particles at half of the largest
+/// speed that is expected of the scene.
+double expectedUpdates(const World& world, double steps);
 
 /// What looks unwise in [surface], a line each.
 std::vector<std::string> surfaceAdvice(const Scene& scene);

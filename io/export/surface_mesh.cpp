@@ -13,6 +13,8 @@
 #include "core/geometry/mesh_edges.hpp"
 #include "core/math/hash_random.hpp"
 #include "io/export/band_grid.hpp"
+#include "io/export/plane_field.hpp"
+#include "io/export/straddle.hpp"
 
 namespace thaw {
 
@@ -20,8 +22,8 @@ namespace {
 
 using Corner = BandGrid::Corner;
 
-constexpr double sharpness = 0.6;   // of a surfel's radius: width of the weights
-constexpr float agreement = -0.3f;  // least cosine of a normal to that of the nearest surfel: the other side of a thin sheet does not count
+/// Cubes of a component are no longer than this share of its size: drops of a few surfels are round.
+constexpr double mostOfSize = 0.15;
 
 /// Surfels that make a mesh.
 struct Patch {
@@ -47,7 +49,7 @@ bool usable(const SurfaceFrame& f, std::size_t i) {
          std::isfinite(f.radii[i]) && f.radii[i] > 0;
 }
 
-double reachOf(const Patch& p, std::uint32_t i, double spacing) { return 1.5 * p.frame.radii[i] + spacing; }
+double reachOf(const Patch& p, std::uint32_t i, double spacing) { return planeReach * p.frame.radii[i] + spacing; }
 
 BandGrid gridAround(const Patch& p, double spacing) {
   double reach = 0;
@@ -92,10 +94,10 @@ void addPlanes(const Patch& p, const BandGrid& grid, Field& field) {
     const Vec3d& x = p.frame.positions[i];
     const Vec3f& n = p.frame.normals[i];
     const Vec3f colour{static_cast<float>(p.colours[i].r), static_cast<float>(p.colours[i].g), static_cast<float>(p.colours[i].b)};
-    const float over = static_cast<float>(0.5 / (sharpness * sharpness * p.frame.radii[i] * p.frame.radii[i]));
+    const float over = static_cast<float>(0.5 / (planeSharpness * planeSharpness * p.frame.radii[i] * p.frame.radii[i]));
     grid.forCornersNear(x, reachOf(p, i, grid.spacing()), [&](const Corner& c) {
       const std::size_t slot = static_cast<std::size_t>(grid.at(c));
-      if (dot(n, p.frame.normals[field.nearest[slot]]) < agreement) return;
+      if (dot(n, p.frame.normals[field.nearest[slot]]) < planeAgreement) return;
       const Vec3d d = grid.place(c) - x;
       // Relative to the nearest one: far from the surface the weights do not vanish.
       const float w = std::exp(std::max(-60.0f, (field.nearest2[slot] - static_cast<float>(dot(d, d))) * over));
@@ -109,7 +111,6 @@ void addPlanes(const Patch& p, const BandGrid& grid, Field& field) {
   }
   for (std::size_t s = 0; s < slots; s++) {
     const float over = 1 / field.weight[s];  // the nearest one agrees with itself: 1 at least
-    // Planes of a curved surface lie outside of it. The chord to a surfel is square to the mean of both ends' normals, exactly so on a sphere.
     const float l = std::sqrt(dot(field.normal[s], field.normal[s]));
     const float along = l > 0 ? dot(field.normal[s], field.offset[s]) / l : field.value[s];
     field.value[s] = 0.5f * over * (field.value[s] + along);
@@ -123,23 +124,38 @@ struct KeyHash { std::size_t operator()(std::uint64_t key) const { return mixBit
 struct BandMarcher {
   const BandGrid& grid;
   const Field& field;
+  const PlaneField& planes;
   ComponentMesh out;
   std::unordered_map<std::uint64_t, std::uint32_t, KeyHash> onEdge;
 
   static Corner cornerOf(const Corner& low, int c) { return {low[0] + (c & 1), low[1] + (c >> 1 & 1), low[2] + (c >> 2)}; }
 
+  /// Where the surface crosses an edge, as a share of it: the values at its ends are far from straight lines where the surface is curved.
+  double zeroOn(const Vec3d& p, const Vec3d& along, double from, double to, PlaneHeight& here) {
+    double low = 0, high = 1, t = crossing(from, to);
+    for (int k = 0; k < 3; k++) {
+      here = planes.at(p + t * along);
+      if (!here.known) break;
+      if ((here.value < 0) == (from < 0)) low = t, from = here.value;
+      else high = t, to = here.value;
+      t = std::clamp(low + (high - low) * (from != to ? from / (from - to) : 0.5), nearestToCorner, 1 - nearestToCorner);
+    }
+    return t;
+  }
+
   std::uint32_t vertex(const Corner& low, const std::int32_t (&slot)[8], const double (&value)[8], const CubeEdge& e) {
     const Corner from = cornerOf(low, e.from);
     const auto [place, fresh] = onEdge.try_emplace(grid.key(from) * 7 + static_cast<std::uint64_t>(e.direction()), static_cast<std::uint32_t>(out.mesh.vertices.size()));
     if (!fresh) return place->second;
-    const double t = crossing(value[e.from], value[e.to]);
-    const Vec3d p = grid.place(from);
-    out.mesh.vertices.push_back(p + t * (grid.place(cornerOf(low, e.to)) - p));
+    const Vec3d p = grid.place(from), along = grid.place(cornerOf(low, e.to)) - p;
+    PlaneHeight here;
+    const double t = zeroOn(p, along, value[e.from], value[e.to], here);
+    out.mesh.vertices.push_back(p + t * along);
     // Of an end without a value the other's counts; one of them has one.
     const std::int32_t a = slot[e.from] >= 0 ? slot[e.from] : slot[e.to], b = slot[e.to] >= 0 ? slot[e.to] : a;
     const float u = static_cast<float>(t);
     const auto between = [&](const std::vector<Vec3f>& of) { return (1 - u) * of[static_cast<std::size_t>(a)] + u * of[static_cast<std::size_t>(b)]; };
-    const Vec3f n = between(field.normal);
+    const Vec3f n = here.known ? here.normal : between(field.normal);
     const float l = std::sqrt(dot(n, n));
     out.normals.push_back(l > 0 ? n / l : Vec3f{0, 0, 1});
     out.colours.push_back(between(field.colour));
@@ -207,9 +223,11 @@ ComponentMesh meshAt(const Patch& p, double spacing) {
   std::vector<std::uint8_t> isInside(grid.slots());
   for (std::size_t s = 0; s < isInside.size(); s++) isInside[s] = field.value[s] < 0;
   grid.settle(isInside);
-  BandMarcher marcher{grid, field, {}, {}};
+  const PlaneField planes(p.frame, p.rows, spacing);
+  BandMarcher marcher{grid, field, planes, {}, {}};
   marcher.march();
   dropCrumbs(marcher.out, spacing);
+  straddle(marcher.out, 0.1 * spacing);
   return std::move(marcher.out);
 }
 
@@ -240,7 +258,7 @@ ComponentMesh meshOfComponent(const SurfaceFrame& frame, const ComponentRows& co
     p.radius /= static_cast<double>(p.rows.size());
     const Vec3d size = p.high - p.low;
     const double largest = std::max({size.x, size.y, size.z});
-    double spacing = std::min(cell * p.radius, 0.3 * largest);
+    double spacing = std::min(cell * p.radius, mostOfSize * largest);
     for (int n = 0; n < 4 && spacing > 0.01 * p.radius && mesh.mesh.triangles.empty(); n++, spacing *= 0.5) mesh = meshAt(p, spacing);
   }
   mesh.component = component.component;

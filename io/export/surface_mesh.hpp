@@ -21,8 +21,8 @@ struct ComponentRows { std::uint64_t component = 0; std::vector<std::uint32_t> r
 std::vector<ComponentRows> rowsByComponent(const SurfaceFrame& frame);
 
 /// The zero set of the weighted mean of the surfels' signed plane distances (after Kolluri 2005, "Provably good moving least squares"),
-/// corrected for curvature by the mean normal, over those near a place whose normals agree with the nearest one's, by marching tetrahedra on cubes of edge `cell` times the mean radius, half
-/// of that and again where a component is too small to show. `colours`: one a surfel of the frame, copied to the vertices. Empty if the
+/// corrected for curvature by the mean normal, over those near a place whose normals agree with the nearest one's, by marching tetrahedra on cubes of edge `cell` times the mean radius, or .15 of its size
+/// where that is less, half of that and again where a component is too small to show. Vertices lie on the zero set but for what makes facets straddle it (straddle.hpp). `colours`: one a surfel of the frame, copied to the vertices. Empty if the
 /// component encloses nothing at an eighth of it. Memory follows the number of surfels, not the size of the box around them.
 ComponentMesh meshOfComponent(const SurfaceFrame& frame, const ComponentRows& component, const std::vector<Rgb>& colours, double cell = 1);
 

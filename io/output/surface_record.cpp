@@ -22,19 +22,19 @@ template<class Use> void eachMember(const SurfaceComponent*, Use&& use) {
 template<class Use> void eachMember(const SurfaceEvent*, Use&& use) {
   use("step", "1", Element::I64, &SurfaceEvent::step);
   use("time", "s", Element::F64, &SurfaceEvent::time);
-  use("merge", "1", Element::U8, &SurfaceEvent::merge);
+  use("kind", "1", Element::U8, &SurfaceEvent::kind);
   use("component", "1", Element::U64, &SurfaceEvent::label);
   use("other", "1", Element::U64, &SurfaceEvent::other);
 }
 
 template<class T> struct InFile { using type = T; };
-template<> struct InFile<bool> { using type = std::uint8_t; };
+template<> struct InFile<SurfaceEventKind> { using type = std::uint8_t; };
 
 template<class Record> void writeRecords(H5File& file, const std::string& group, const std::vector<Record>& records) {
   file.createGroup(group);
   eachMember(static_cast<const Record*>(nullptr), [&]<class T>(const char* name, const char* unit, Element element, T Record::* member) {
     std::vector<typename InFile<T>::type> values;
-    for (const Record& r : records) values.push_back(r.*member);
+    for (const Record& r : records) values.push_back(static_cast<typename InFile<T>::type>(r.*member));
     file.writeAll(group + "/" + name, {element, values.size(), sizeof(T) == sizeof(Vec3d) ? 3 : 0}, values.data());
     file.setText(group + "/" + name, "units", unit);
   });

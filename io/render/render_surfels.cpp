@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "io/render/backdrop.hpp"
+#include "io/render/curved_discs.hpp"
 #include "io/render/glass.hpp"
 #include "io/render/parallel_for.hpp"
 #include "io/render/splat_surfels.hpp"
@@ -75,6 +76,51 @@ DrawnSurfels drawable(const SurfelInput& in, const RenderStyle& style, const Sur
     if (!in.components.empty()) s.components.push_back(in.components[i]);
   }
   return s;
+}
+
+constexpr float flatEnough = 1.8f;  // samples: how far a disc may be off the surface at its rim
+
+/// What is splatted: surfels, those that bend so much that it shows as several discs each.
+struct SplatDiscs {
+  std::vector<Vec3f> positions, normals;
+  std::vector<float> radii;
+  std::vector<std::uint32_t> components, of;  // of: the surfel
+  std::vector<std::array<DiscPart::Share, 4>> mix;
+  Discs discs() const { return {positions, radii, normals}; }
+};
+SplatDiscs splatDiscs(const DrawnSurfels& s, const View& view) {
+  const std::vector<DiscPart> parts = curvedDiscs(s.discs(), s.components, [&](std::uint32_t i) {
+    const Vec3f ray = s.positions[i] - view.origin;
+    const float depth = dot(ray, view.forward), away = dot(ray, s.normals[i]);
+    if (!(depth > 0) || away > 0.5f * std::sqrt(dot(ray, ray))) return std::numeric_limits<float>::infinity();  // looks away from the camera
+    return flatEnough * depth / view.focal;
+  });
+  SplatDiscs out;
+  for (const DiscPart& p : parts) {
+    out.positions.push_back(p.position);
+    out.normals.push_back(p.normal);
+    out.radii.push_back(p.radius);
+    out.of.push_back(p.of);
+    out.mix.push_back(p.mix);
+    if (!s.components.empty()) out.components.push_back(s.components[p.of]);
+  }
+  return out;
+}
+
+/// Discs that are drawn whole end at edges; parts lie on the surface and need no cuts.
+DiscClips clipsOfWholes(const DrawnSurfels& s, const SplatDiscs& parts, std::span<const std::uint8_t> seen) {
+  std::vector<std::uint8_t> wanted(s.positions.size(), 0);
+  const auto whole = [&](std::size_t k) { return parts.radii[k] == s.radii[parts.of[k]]; };
+  for (std::size_t k = 0; k < seen.size(); k++)
+    if (whole(k)) wanted[parts.of[k]] = seen[k];
+  const DiscClips of = clipDiscs(s.discs(), wanted, s.components);
+  DiscClips clips;
+  for (std::size_t k = 0; k < seen.size(); k++) {
+    clips.first.push_back(static_cast<std::uint32_t>(clips.list.size()));
+    if (whole(k)) clips.list.insert(clips.list.end(), of.list.begin() + of.first[parts.of[k]], of.list.begin() + of.first[parts.of[k] + 1]);
+  }
+  clips.first.push_back(static_cast<std::uint32_t>(clips.list.size()));
+  return clips;
 }
 
 /// The sun's disc and the sky, as seen by surfels.
@@ -170,7 +216,8 @@ Image renderSurfels(const SurfelInput& input, const RenderStyle& style, const Su
   const int s = style.samples, width = style.width * s, height = style.height * s;
   const View view = viewOf(style.camera, width, height);
   const DrawnSurfels surfels = drawable(input, style, how);
-  const Discs discs = surfels.discs();
+  const SplatDiscs parts = splatDiscs(surfels, view);
+  const Discs discs = parts.discs();
   ViewBox stage = style.stage;
   if (stage.empty())
     for (const Vec3f& p : surfels.positions) stage.add({p.x, p.y, p.z});
@@ -181,8 +228,22 @@ Image renderSurfels(const SurfelInput& input, const RenderStyle& style, const Su
   const SurfelLights lights = makeSurfelLights(casters, view, how.threads);
   const Backdrop backdrop(style, view, stage, lights.lights, casters);
   const std::vector<std::uint8_t> seen = facingDiscs(discs, view, width, height, near);
-  const std::vector<SurfelShade> shades = lightSurfels(surfels, seen, lights, backdrop, how.threads);
-  const DiscClips clips = clipDiscs(discs, seen, surfels.components);
+  std::vector<std::uint8_t> lit(surfels.positions.size(), 0);
+  for (std::size_t k = 0; k < seen.size(); k++)
+    for (const DiscPart::Share& m : parts.mix[k]) lit[m.of] |= seen[k] && m.share > 0;
+  const std::vector<SurfelShade> light = lightSurfels(surfels, lit, lights, backdrop, how.threads);
+  std::vector<SurfelShade> shades;
+  for (std::size_t k = 0; k < seen.size(); k++) {
+    SurfelShade s{parts.normals[k], {}, {}, 0};
+    for (const DiscPart::Share& m : parts.mix[k]) {
+      if (!(m.share > 0)) continue;
+      s.fromSky += m.share * light[m.of].fromSky;
+      s.ofSun += m.share * light[m.of].ofSun;
+      s.sun += m.share * light[m.of].sun;
+    }
+    shades.push_back(s);
+  }
+  const DiscClips clips = clipsOfWholes(surfels, parts, seen);
 
   const Encoder encode;
   Image image(style.width, style.height);
@@ -198,7 +259,7 @@ Image renderSurfels(const SurfelInput& input, const RenderStyle& style, const Su
     const FloorLight* floor = backdrop.floorBefore(ray, depth);
     return floor ? backdrop.floorShade(*floor, ray, depth) : backdrop.sky(ray);
   };
-  splatSurfels({discs, clips, shades, surfels.components}, seen, view, width, height, s == 3 ? 1 : how.threads, [&](const SurfelTile& tile) {
+  splatSurfels({discs, clips, shades, parts.components}, seen, view, width, height, s == 3 ? 1 : how.threads, [&](const SurfelTile& tile) {
     const auto sample = [&](int x, int y) {
       const std::size_t at = static_cast<std::size_t>(y) * tile.width + x;
       const float px = static_cast<float>(tile.x + x) + 0.5f, py = static_cast<float>(tile.y + y) + 0.5f, depth = tile.depth[at];

@@ -52,7 +52,7 @@ void cutComponentLog(const std::string& out, std::int64_t step) {
 
 void writeEventLog(const std::string& out, const std::vector<SurfaceEvent>& events) {
   std::string text = "step,time_s,kind,component,other\n";
-  for (const SurfaceEvent& e : events) text += fmt::format("{},{},{},{},{}\n", e.step, e.time, e.merge ? "merge" : "split", e.label, e.other);
+  for (const SurfaceEvent& e : events) text += fmt::format("{},{},{},{},{}\n", e.step, e.time, eventName(e.kind), e.label, e.other);
   replaceTextFile(eventLogPath(out), text);
 }
 

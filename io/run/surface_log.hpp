@@ -1,5 +1,5 @@
 // Logs of a surface as tables that any program reads: OUT/surface.csv, a line for each component at each frame; OUT/events.csv, a line for each
-// split and merge. One process only; IoError where the disk says no.
+// split and merge, and each component whose label changed. One process only; IoError where the disk says no.
 #pragma once
 #include <string>
 #include <vector>

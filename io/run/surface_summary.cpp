@@ -35,7 +35,7 @@ Json surfaceJson(const SurfaceSummary& s) {
   j["events"] = Json::array();
   for (std::size_t k = s.events.size() - std::min(s.events.size(), mostEvents); k < s.events.size(); k++) {
     const SurfaceEvent& e = s.events[k];
-    j["events"].push_back({{"step", e.step}, {"time_s", e.time}, {"kind", e.merge ? "merge" : "split"}, {"component", e.label}, {"other", e.other}});
+    j["events"].push_back({{"step", e.step}, {"time_s", e.time}, {"kind", eventName(e.kind)}, {"component", e.label}, {"other", e.other}});
   }
   return j;
 }

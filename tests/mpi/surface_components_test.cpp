@@ -75,7 +75,7 @@ TEST(SurfaceComponents, AreThoseOfASingleProcess) {
     for (std::size_t k = 0; k < a.components.size(); k++) expectSame(a.components[k], b.components[k]);
     ASSERT_EQ(a.events.size(), b.events.size());
     for (std::size_t k = 0; k < a.events.size(); k++) {
-      EXPECT_EQ(a.events[k].merge, b.events[k].merge);
+      EXPECT_EQ(a.events[k].kind, b.events[k].kind);
       EXPECT_EQ(a.events[k].label, b.events[k].label);
       EXPECT_EQ(a.events[k].other, b.events[k].other);
     }

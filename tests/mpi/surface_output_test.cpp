@@ -44,7 +44,7 @@ void addSurface(World& w, MPI_Comm comm, std::uint64_t count) {
     s.surfels.detail[i] = 0.5f;
   }
   s.components = {{1, 10, 20, 1.5, 2.5, 3.5, 4.5, {1, 2, 3}}, {77, 5, 6, 0.1, 0.2, 0.3, 0.4, {-1, -2, -3}}};
-  s.events = {{3, 0.1, false, 1, 77}, {9, 0.25, true, 1, 5}, {9, 0.25, false, 1, 77}};
+  s.events = {{3, 0.1, SurfaceEventKind::Split, 1, 77}, {9, 0.25, SurfaceEventKind::Merge, 1, 5}, {9, 0.25, SurfaceEventKind::Renamed, 2, 1}};
   s.counters = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
   s.lastStep = 120;
 }
@@ -67,7 +67,7 @@ void expectSame(const Surface& a, const Surface& b) {
   for (std::size_t k = 0; k < a.events.size(); k++) {
     EXPECT_EQ(a.events[k].step, b.events[k].step);
     EXPECT_EQ(a.events[k].time, b.events[k].time);
-    EXPECT_EQ(a.events[k].merge, b.events[k].merge);
+    EXPECT_EQ(a.events[k].kind, b.events[k].kind);
     EXPECT_EQ(a.events[k].label, b.events[k].label);
     EXPECT_EQ(a.events[k].other, b.events[k].other);
   }

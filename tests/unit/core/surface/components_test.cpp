@@ -55,11 +55,32 @@ TEST(Components, ADumbbellPulledApartSplitsOnce) {
   ASSERT_EQ(rig.world.surface.events.size(), 1u);
   const SurfaceEvent& e = rig.world.surface.events[0];
   EXPECT_EQ(e.step, 7);
-  EXPECT_FALSE(e.merge);
+  EXPECT_EQ(e.kind, SurfaceEventKind::Split);
   EXPECT_EQ(e.label, 1u);
   EXPECT_EQ(e.other, 1 + second);
   EXPECT_EQ(rig.world.surface.counters.splits, 1);
   EXPECT_EQ(rig.world.surface.counters.lost, 0);
+}
+
+TEST(Components, ALabelThatChangesIsLogged) {
+  SerialSurfaceRig rig;
+  rig.ball({0, 0, 0}, 0.5);
+  rig.update();
+  rig.update();
+  ASSERT_EQ(rig.world.surface.events.size(), 0u);
+  std::vector<std::uint32_t> stay;  // all but the particle that names it
+  for (std::uint32_t i = 0; i < rig.p().owned; i++)
+    if (rig.p().id[i] != 0) stay.push_back(i);
+  rig.p().reorder(stay);
+  rig.world.clock.step = 9;
+  rig.update();
+  ASSERT_EQ(rig.world.surface.events.size(), 1u);
+  const SurfaceEvent& e = rig.world.surface.events[0];
+  EXPECT_EQ(e.step, 9);
+  EXPECT_EQ(e.kind, SurfaceEventKind::Renamed);
+  EXPECT_EQ(e.label, 2u);
+  EXPECT_EQ(e.other, 1u);
+  EXPECT_EQ(rig.world.surface.counters.splits, 0);
 }
 
 TEST(Components, ADropWithoutSurfelsIsListed) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/surface/drop_patch.hpp"
+#include "core/surface/measure.hpp"
 #include "core/surface/ready_particles.hpp"
 #include "tests/unit/core/surface/surfel_rig.hpp"
 
@@ -49,6 +50,35 @@ TEST(Grow, CoversABallOfParticlesWithoutAHole) {
   EXPECT_LT(hole, 1.1);  // of the ball itself, which is not quite the surface
   EXPECT_GT(static_cast<double>(s.owned), 0.6 * law);
   EXPECT_LT(static_cast<double>(s.owned), 1.5 * law);
+}
+
+TEST(Grow, UpdatesMakeTheSurfaceOfAFewParticlesASphere) {  // B21
+  for (const std::size_t n : {1u, 2u, 3u, 4u}) {
+    SurfelRig rig(surfelScene(0.05));
+    SurfaceParticles& p = rig.world.surface.particles;
+    const Vec3d all[4]{{0, 0, 0}, {0.1, 0, 0}, {0.15, 0.08, 0}, {0.1, 0.12, 0.07}};
+    Vec3d middle{};
+    for (std::size_t i = 0; i < n; i++) {
+      p.resize(i + 1, 0);
+      p.id[i] = i;
+      p.position[i] = all[i];
+      p.component[i] = 1;
+      p.volume[i] = 1e-3;
+      p.liquid[i] = 1;
+      middle += all[i] / static_cast<double>(n);
+    }
+    placeRows(rig.world.surface.grid, rig.ranks->particles, p, rig.world.surface.particleCells, rig.tools.sort);
+    const double R = std::cbrt(0.75e-3 * static_cast<double>(n) / 3.14159265358979);
+    for (int update = 0; update < 2; update++) {  // it comes anew in each
+      measureComponents(rig.world.surface, rig.ranks->halos().all);
+      renewSurfels(rig.world, rig.ranks->halos(), rig.tools);
+      const Surfels& s = rig.surfels();
+      EXPECT_GE(s.owned, 24u);
+      EXPECT_LE(s.owned, 80u);
+      for (std::size_t i = 0; i < s.owned; i++) EXPECT_NEAR(length(s.position[i] - middle), R, 1e-12) << n;
+      placeRows(rig.world.surface.grid, rig.ranks->surfels, rig.surfels(), rig.world.surface.surfelCells, rig.tools.sort);
+    }
+  }
 }
 
 TEST(Grow, ASmallDropIsASphereOfItsVolume) {

@@ -37,7 +37,7 @@ TEST(Merge, BallsJoinOnlyWhenAParticleIsInside) {
   EXPECT_EQ(met.components()[0].label, 1u);
   EXPECT_EQ(met.world.surface.counters.merges, 1);
   ASSERT_EQ(met.world.surface.events.size(), 1u);
-  EXPECT_TRUE(met.world.surface.events[0].merge);
+  EXPECT_EQ(met.world.surface.events[0].kind, SurfaceEventKind::Merge);
   EXPECT_EQ(met.world.surface.events[0].label, 1u);
   EXPECT_GT(met.world.surface.counters.deaths, 0);
   EXPECT_EQ(met.components()[0].surfels + met.world.surface.counters.deaths, surfels);

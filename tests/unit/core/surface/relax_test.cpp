@@ -242,6 +242,24 @@ TEST(Relax, DegenerateNeighbourhoods) {
   }
 }
 
+TEST(Relax, WhereNeighboursHaveNoPlaneTheNormalStays) {  // B23
+  SettleRig rig(0.5, 12, [](Scene& s) { s.surface.implicit = s.surface.attract = s.surface.repel = 0, s.surface.smooth = 0.5, s.surface.smoothing = SmoothingForm::Plane; });
+  const Vec3d up = normalized({0.3, 0.4, 1});
+  rig.addSurfel({0, 0, 0}, up);
+  for (int a = 0; a < 3; a++)
+    for (const double side : {-0.5, 0.5}) {  // alike in all directions: three equal eigenvalues
+      Vec3d x{};
+      x[a] = side;
+      rig.addSurfel(x, up);
+    }
+  rig.place();
+  rig.settle(1);
+  const Surfels& s = rig.w.surface.surfels;
+  for (std::size_t i = 0; i < s.owned; i++)
+    if (s.id[i] == 1000) { EXPECT_LT(length(s.normal[i] - up), 1e-6); }
+  EXPECT_GT(rig.w.surface.counters.keptNormals, 0);
+}
+
 TEST(Relax, NormalsAgainstTheColourFieldAreTurnedAndCounted) {
   SettleRig rig;
   addBall(rig, 5);

@@ -97,6 +97,32 @@ TEST(Resample, StretchingFourTimesAndBackLeavesNoHole) {
   EXPECT_LT(static_cast<double>(rig.surfels().owned), 1.5 * law);
 }
 
+TEST(Resample, BirthsOfACallAreCappedAndCounted) {  // B18
+  SurfelRig rig(surfelScene(0.05));
+  for (int y = -3; y <= 3; y++)
+    for (int x = -3; x <= 3; x++) rig.add({0.05 * x, 0.05 * y, 0}, {0, 0, 1});
+  const auto before = static_cast<std::int64_t>(rig.surfels().owned), cap = birthCap(before);
+  const BirthPlace square = [](std::size_t, SurfacePoint& p, bool) { return std::max(std::abs(p.position.x), std::abs(p.position.y)) < 2; };  // room for 7,400
+  const auto call = [&] {
+    rig.world.clock.step++;
+    return thaw::resample(rig.world, rig.ranks->halos(), rig.tools, 200, square);
+  };
+  const Resampled first = call();
+  std::printf("cap: %lld of at most %lld births in the first call\n", static_cast<long long>(first.births), static_cast<long long>(cap));
+  EXPECT_TRUE(first.capped);
+  EXPECT_FALSE(first.finished);
+  EXPECT_LE(first.births, cap);
+  EXPECT_GT(first.births, cap - cap / 20);
+  EXPECT_EQ(rig.world.surface.counters.capped, 1);
+  EXPECT_EQ(static_cast<std::int64_t>(rig.surfels().owned), before + first.births - first.deaths);
+  // the calls after it go on where it ended
+  Resampled last;
+  for (int k = 0; k < 4 && !last.finished; k++) last = call();
+  EXPECT_TRUE(last.finished);
+  EXPECT_FALSE(last.capped);
+  EXPECT_GT(rig.surfels().owned, 4500u);
+}
+
 TEST(Resample, EdgesRodsAndSheetsComeToRest) {
   for (const auto& [low, high] : {std::pair<Vec3d, Vec3d>{{0, 0, 0}, {1, 1, 1}}, {{0, 0, 0}, {1, 1, 0.04}}, {{0, 0, 0}, {2, 0.06, 0.06}}, {{0, 0, 0}, {2, 0.15, 0.15}}}) {
     SurfelRig rig(surfelScene(0.1));

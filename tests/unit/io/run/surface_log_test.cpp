@@ -53,8 +53,8 @@ TEST_F(Log, IsCutAtAStep) {
 }
 
 TEST_F(Log, OfEventsIsTheState) {
-  writeEventLog(out, {{3, 0.5, false, 1, 7}, {4, 0.75, true, 1, 7}});
-  EXPECT_EQ(text(eventLogPath(out)), "step,time_s,kind,component,other\n3,0.5,split,1,7\n4,0.75,merge,1,7\n");
+  writeEventLog(out, {{3, 0.5, SurfaceEventKind::Split, 1, 7}, {4, 0.75, SurfaceEventKind::Merge, 1, 7}, {5, 1, SurfaceEventKind::Renamed, 2, 1}});
+  EXPECT_EQ(text(eventLogPath(out)), "step,time_s,kind,component,other\n3,0.5,split,1,7\n4,0.75,merge,1,7\n5,1,renamed,2,1\n");
   writeEventLog(out, {});
   EXPECT_EQ(text(eventLogPath(out)), "step,time_s,kind,component,other\n");
 }
