@@ -35,7 +35,7 @@ std::vector<std::uint32_t> PointTree::nearest(const Vec3d& x, std::size_t count)
   const double at[3] = {x.x, x.y, x.z};
   const std::size_t n = tree_->index.knnSearch(at, count, found.data(), far2.data());
   // all that are as far as the last one, so that ties do not depend on the tree
-  std::vector<std::uint32_t> all = within(x, std::sqrt(far2[n - 1]) * (1 + 1e-12) + 1e-300);
+  std::vector<std::uint32_t> all = within(x, std::sqrt(far2[n - 1]) * (1 + 1e-12) + 1e-150);  // of which the square is not 0
   const auto distance2 = [&](std::uint32_t k) { return dot(p[k] - x, p[k] - x); };
   std::stable_sort(all.begin(), all.end(), [&](std::uint32_t a, std::uint32_t b) { return distance2(a) < distance2(b); });
   if (all.size() > count) all.resize(count);

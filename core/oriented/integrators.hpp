@@ -4,8 +4,9 @@
 
 namespace thaw {
 
-/// v += a dt, then x += v dt and the same of rotations. Damping is exact, in the middle of the kick: velocities decay by exp(-c dt).
-void stepSymplectic(World& world, double dt);
+/// v += a dt, then x += v dt and the same of rotations. Damping is exact, in the middle of the kick: velocities decay by exp(-c dt). What the scheme gains or
+/// loses as the step grows or shrinks is booked as dissipated, the work of pressure and push as theirs.
+void stepSymplectic(World& world, const StepTools& tools, double dt);
 
 /// Runge-Kutta of fourth order, of quaternions too. Obstacles stand where they are at the end of the step; contact with the continuum is held. Collective.
 void stepRungeKutta(World& world, Halos halos, StepTools& tools, double dt);

@@ -9,6 +9,7 @@ namespace thaw {
 struct MadePoints {
   std::vector<Vec3d> places, normals;
   std::vector<std::uint8_t> held;   ///< flags of Oriented: given points and control points
+  double reach = 0;                 ///< m, of thinned points: how far one is from any place of the surface at most; 0 for others
 };
 
 /// Of a body: samples of a shape's surface, a hexagonal patch or disc, points, a thin plate through control points, or a curve.

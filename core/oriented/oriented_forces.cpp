@@ -147,15 +147,20 @@ void addUpForces(World& w, StepTools& t) {
   }
 }
 
+Vec3d fieldOn(const World& w, const StepTools& t, std::size_t i) {
+  const Oriented& o = w.oriented.rows;
+  const OrientedBody& body = w.scene.oriented[o.body[i]];
+  const double s = t.oriented.potentials[o.body[i]].spacing;
+  return o.mass[i] * body.push + (body.pressure * hexagon * s * s) * o.normal[i];
+}
+
 void bookObstacles(World& w, const StepTools& t, double dt) {
   Oriented& o = w.oriented.rows;
   for (std::size_t i = 0; i < o.owned; i++) {
-    const OrientedBody& body = w.scene.oriented[o.body[i]];
-    const PairPotential& own = t.oriented.potentials[o.body[i]];
-    // pressure and push come from outside
-    const Vec3d field = o.mass[i] * body.push + (body.pressure * hexagon * own.spacing * own.spacing) * o.normal[i];
+    const Vec3d field = fieldOn(w, t, i);
+    const bool booked = w.scene.oriented.front().integrator == OrientedIntegrator::SymplecticEuler && !(o.flags[i] & heldPlace);
     Vec3d impulse = field * dt;
-    double work = dot(field, o.velocity[i]) * dt;
+    double work = booked ? 0 : dot(field, o.velocity[i]) * dt;
     for (const Wall& wall : w.walls.list) {
       const WallPush push = pushOf(w, t, wall, i);
       impulse += push.force * dt;

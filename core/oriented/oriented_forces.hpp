@@ -30,7 +30,11 @@ void refreshPlaces(World& world, Halos halos);
 /// nothing. Needs ghosts whose places and normals are up to date.
 void addUpForces(World& world, StepTools& tools);
 
-/// What obstacles do in a step of dt (s): impulse, work and loss by friction, of the forces at the rows' places now, into the ledger.
+/// N, what comes from outside: pressure along the normal, and push.
+Vec3d fieldOn(const World& world, const StepTools& tools, std::size_t i);
+
+/// What obstacles do in a step of dt (s): impulse, work and loss by friction, of the forces at the rows' places now, into the ledger; the
+/// same of pressure and push, but for their work where the symplectic step books it.
 void bookObstacles(World& world, const StepTools& tools, double dt);
 
 }  // namespace thaw

@@ -15,11 +15,11 @@ double spacingOf(const Scene& s, const OrientedBody& b) { return b.spacing > 0 ?
 
 bool interpolates(const OrientedBody& b) { return b.growth == OrientedGrowth::Borders && (b.thin < 1 || b.source == OrientedSource::Points); }
 
-void keepGiven(const MadePoints& m, bool thinned, GivenPoints& g) {
+void keepGiven(const MadePoints& m, GivenPoints& g) {
   g.points = m.places;
   g.normals = m.normals;
-  if (thinned) g.reach = 0.95;  // evenly: there is a point this near to any place
   readyGiven(g);
+  if (m.reach > 0) g.reach = m.reach / g.apart;
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ void prepareOriented(const Scene& s, OrientedWork& work, const MeshLoader& load)
   for (std::size_t b = 0; b < s.oriented.size(); b++) {
     if (!interpolates(s.oriented[b])) continue;
     try {
-      keepGiven(makePoints(s.oriented[b], spacingOf(s, s.oriented[b]), s.seed + b, load), s.oriented[b].thin < 1, work.given[b]);
+      keepGiven(makePoints(s.oriented[b], spacingOf(s, s.oriented[b]), s.seed + b, load), work.given[b]);
     } catch (const std::invalid_argument&) {  // sampling says what is wrong
     }
   }

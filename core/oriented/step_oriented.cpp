@@ -38,10 +38,12 @@ struct HeldBooks {
   }
 };
 
-/// Adds the rows' energy to what changes without work: `sign` 1 before the change, -1 after it.
-void bookEnergy(World& w, double sign) {
+/// Adds the rows' energy to what changes without work: `sign` 1 before the change, -1 after it. Symplectic Euler gives a force the half of the way of the step
+/// (dt) that led to it only with the next kick (symplectic.cpp): that of a force that is another one by then belongs to the change.
+void bookEnergy(World& w, const StepTools& t, double sign, double dt) {
   const Oriented& o = w.oriented.rows;
-  for (std::size_t i = 0; i < o.owned; i++) w.ledger.phaseJump.add(sign * o.energy[i]);
+  const double half = w.scene.oriented.front().integrator == OrientedIntegrator::SymplecticEuler ? 0.5 * dt : 0;
+  for (std::size_t i = 0; i < o.owned; i++) w.ledger.phaseJump.add(sign * (o.energy[i] + half * (dot(o.force[i] - fieldOn(w, t, i), o.velocity[i]) + dot(o.torque[i], o.spin[i]))));
 }
 
 }  // namespace
@@ -53,7 +55,7 @@ void stepOriented(World& w, Halos halos, StepTools& t, double dt) {
   const OrientedIntegrator how = w.scene.oriented.front().integrator;
   if (how == OrientedIntegrator::RungeKutta) stepRungeKutta(w, halos, t, dt);
   else if (how == OrientedIntegrator::SemiImplicit) stepSemiImplicit(w, halos, t, dt);
-  else stepSymplectic(w, dt);
+  else stepSymplectic(w, t, dt);
   moveHeld(w, w.clock.time + dt, dt);
   held.close();
   t.times.lap(StepPhase::Oriented);
@@ -66,14 +68,14 @@ void evaluateOriented(World& w, Halos halos, StepTools& t, double dt) {
   const bool events = operationDue(w.scene, w.clock.time, now, dt), look = populationDue(w, dt);
   if (events || look) {
     addUpForces(w, t);
-    if (dt > 0) bookEnergy(w, 1);
+    if (dt > 0) bookEnergy(w, t, 1, dt);
     if (events) {
       operate(w, halos, t, dt > 0 ? w.clock.time : -never, now);
       readyAgain(w, halos, t);
     }
     if (look && changePopulation(w, halos, t)) readyAgain(w, halos, t);
     addUpForces(w, t);
-    if (dt > 0) bookEnergy(w, -1);
+    if (dt > 0) bookEnergy(w, t, -1, dt);
   } else {
     addUpForces(w, t);
   }

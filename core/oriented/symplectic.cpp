@@ -1,15 +1,21 @@
 #include <cmath>
 
 #include "core/oriented/integrators.hpp"
+#include "core/oriented/oriented_forces.hpp"
 
 namespace thaw {
 
-void stepSymplectic(World& w, double dt) {
+void stepSymplectic(World& w, const StepTools& t, double dt) {
   Oriented& o = w.oriented.rows;
   const Vec3d g = w.scene.domain.gravity;
   for (std::size_t i = 0; i < o.owned; i++) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];
+    // What the energies of the places see of a force is half of the way before it and half of the way after it. The kick gives F . (v + v') dt' / 2, where the
+    // way before was v dt: the difference is what the scheme makes of a step that changes.
+    const double change = 0.5 * (dt - w.clock.stepDt);
     if (!(o.flags[i] & heldPlace)) {
+      const Vec3d before = o.velocity[i], field = fieldOn(w, t, i);
+      o.dissipated[i] -= change * dot(o.force[i] - field + o.mass[i] * g, before);
       // damping between two half kicks: what it takes is then what the forces give, where both balance
       const Vec3d kick = (0.5 * dt) * (o.force[i] / o.mass[i] + g);
       Vec3d v = o.velocity[i] + kick;
@@ -18,11 +24,13 @@ void stepSymplectic(World& w, double dt) {
       for (int a = 0; a < 3 && kept < 1; a++)
         if (const double lost = o.mass[i] * v[a] * (kept - 1); lost != 0) w.ledger.wallImpulse[a].add(lost);
       v = v * kept + kick;
+      if (const double work = 0.5 * dt * dot(field, before + v); work != 0) w.ledger.wallWork.add(work);
       o.velocity[i] = v;
       o.position[i] += dt * v;
     }
     if (!(o.flags[i] & heldNormal)) {
       const Vec3d kick = (0.5 * dt / o.inertia[i]) * o.torque[i];
+      o.dissipated[i] -= change * dot(o.torque[i], o.spin[i]);
       Vec3d spin = o.spin[i] + kick;
       const double kept = std::exp(-body.spinDamping * dt);
       o.dissipated[i] += 0.5 * o.inertia[i] * dot(spin, spin) * (1 - kept * kept);

@@ -60,6 +60,12 @@ struct Continuum : Table {
   Column<Vec3d> surfacePlace{*this, "surfacePlace", "m", Keep::State, "position at the last update of the surface"};
   Column<std::uint64_t> component{*this, "component", "1", Keep::State, "label: 1 + the smallest id of a particle of its component; 0: came after the last update"};
   Column<double> surfaceShare{*this, "surfaceShare", "1", Keep::State, "volume that the surface is to hold for it over its own: that of its body's mesh at the start; 0: its own"};
+  // contact with sheets by triangles (core/sheet/face_contact.hpp): what the particle's owner found
+  Column<std::uint32_t> sheetFace{*this, "sheetFace", "1", Keep::Transient, "1 + number of the triangle that it touches; 0: none"};
+  Column<Vec3d> sheetShares{*this, "sheetShares", "1", Keep::Transient, "of the triangle's corners in the nearest point"};
+  Column<Vec3d> sheetPush{*this, "sheetPush", "N", Keep::Transient, "force on the sheet"};
+  Column<Vec3d> sheetResisting{*this, "sheetResisting", "N", Keep::Transient, "its part that takes energy away"};
+  Column<Vec3d> sheetNumbers{*this, "sheetNumbers", "J, N/m, W", Keep::Transient, "energy, slope and heat to the sheet"};
   // solid
   Column<std::uint32_t> slot{*this, "slot", "1", Keep::Local, "row in the table of solids, noSlot for liquids"};
   // at rest (core/sleep/sleep.hpp)

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/scene/motion.hpp"
 #include "core/scene/shape.hpp"
 
 namespace thaw {
@@ -31,6 +32,7 @@ struct SheetBrush {
   double radius = 0.1;       // m
   Vec3d pressure{};          // Pa, force per area of sheet at the centre
   FactorInTime inTime;       // 1
+  std::vector<Keyframe> motion;  // of the centre
 };
 
 struct SheetBody {

@@ -37,6 +37,9 @@ void activateFields(World& w, StepTools& t) {
   for (const Body& b : w.scene.bodies) clamped = clamped || !b.clamp.empty();
   on(clamped, {&p.clamped});
   activateKinds(w);
+  bool faces = false;
+  for (const SheetPlan& s : w.sheets.plans) faces = faces || s.byFaces;
+  on(faces, {&p.sheetFace, &p.sheetShares, &p.sheetPush, &p.sheetResisting, &p.sheetNumbers});
   if (m.surface) activateSurfaceFields(w.surface, m);
   if (m.solid) activateSolidFields(p, w.solids, w.bonds, t.elastic, w.scene, m, w.grid);
 }

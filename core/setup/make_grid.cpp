@@ -10,7 +10,7 @@
 
 namespace thaw {
 
-CellGrid makeGrid(const Scene& s) { return makeGrid(s.domain, s.numerics.support * s.spacing, std::max(orientedReach(s), sheetReach(s))); }
+CellGrid makeGrid(const Scene& s, double least) { return makeGrid(s.domain, s.numerics.support * s.spacing, std::max({orientedReach(s), sheetReach(s), least})); }
 
 CellGrid makeGrid(const Domain& d, double support, double least) {
   CellGrid g;

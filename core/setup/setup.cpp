@@ -16,6 +16,7 @@
 #include "core/particle_sums.hpp"
 #include "core/scene/full_box.hpp"
 #include "core/setup/activate_fields.hpp"
+#include "core/sheet/face_contact.hpp"
 #include "core/sheet/prepare_sheets.hpp"
 #include "core/fluid/surface_energy.hpp"
 #include "core/setup/make_grid.hpp"
@@ -74,6 +75,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   for (const Body& b : w.scene.bodies) shapes.push_back(shapeOf(b, "body"));
   problems.raise();
   if (w.modules.sheet) prepareSheets(w, load);
+  if (const double reach = faceContactReach(w.sheets.plans); reach > w.grid.edge.x) w.grid = makeGrid(w.scene, reach);
   w.scene.fallHeight = fallHeightOf(w.scene, shapes);
 
   if (w.modules.oriented) prepareOriented(w.scene, t.oriented, load);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/sheet/brush_strokes.hpp"
 #include "core/sheet/cell_sums.hpp"
 #include "core/sheet/touch.hpp"
 
@@ -16,12 +17,6 @@ Vec3d windLoad(const SheetBody& b, const Vec3d& v, const Vec3d& facing, double a
   const Vec3d n = facing / size;
   const double un = dot(b.wind - v, n);
   return n * (b.windDensity * un * std::abs(un) * size / area);
-}
-
-/// Falls from 1 to 0 with zero slope at both ends.
-double falloff(double r, double radius) {
-  const double u = r / radius;
-  return u < 1 ? (1 - u * u) * (1 - u * u) : 0;
 }
 
 const Wall* wallNamed(const World& w, const std::string& name) {
@@ -86,12 +81,12 @@ void addOuterForces(World& w, const SheetVelocities& now) {
   bool walls = false;
   for (const Wall& wall : w.walls.list) walls = walls || wall.present;
   if (!walls && !s.outside.active) return;
-  struct Pushes { double wrap; const Wall* target; std::vector<double> brush; };
+  struct Pushes { double wrap; const Wall* target; std::vector<std::vector<BrushTouch>> brush; };
   std::vector<Pushes> pushes;
   for (const SheetBody& b : w.scene.sheets) {
     pushes.push_back({b.wrap * b.wrapInTime.at(time), b.wrapTo.empty() ? nullptr : wallNamed(w, b.wrapTo), {}});
     if (!b.wrapTo.empty() && !pushes.back().target) pushes.back().wrap = 0;  // what it was to be wrapped round has gone
-    for (const SheetBrush& brush : b.brushes) pushes.back().brush.push_back(brush.inTime.at(time));
+    for (const SheetBrush& brush : b.brushes) pushes.back().brush.push_back(brushStroke(brush, time, now.dt));
   }
   std::vector<Vec3d> impulse(s.owned);
   for (std::size_t i = 0; i < s.owned; i++) {
@@ -109,7 +104,7 @@ void addOuterForces(World& w, const SheetVelocities& now) {
       }
     }
     for (std::size_t k = 0; k < p.brush.size(); k++)
-      if (p.brush[k] != 0) out += (p.brush[k] * falloff(length(s.position[i] - b.brushes[k].centre), b.brushes[k].radius)) * b.brushes[k].pressure;
+      if (!p.brush[k].empty()) out += brushPressure(b.brushes[k], p.brush[k], s.position[i]);
     impulse[i] = out * s.area[i];
     if (s.outside.active) s.outside[i] = out;
     s.load[i] += out;

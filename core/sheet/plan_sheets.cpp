@@ -7,6 +7,7 @@
 #include "core/geometry/placed_mesh.hpp"
 #include "core/geometry/shape_error.hpp"
 #include "core/geometry/weld_vertices.hpp"
+#include "core/sheet/face_contact.hpp"
 #include "core/sheet/sheet_meshes.hpp"
 
 namespace thaw {
@@ -74,6 +75,22 @@ std::vector<SheetHinge> hingesOf(const SheetBody& b, const SheetPlan& plan) {
     return false;
   });
   return all;
+}
+
+/// Contact by triangles begins where spheres of the particles' spacing touch a sheet that is as thick as that, unless the scene gives its thickness.
+void planFaces(const Scene& s, const SheetBody& b, SheetPlan& plan) {
+  const double thickness = b.thickness > 0 ? b.thickness : 0.8 * s.spacing;
+  plan.faceReach = 0.5 * (thickness + s.spacing);
+  plan.faceRate = b.contactRate > 0 ? b.contactRate : contactRateOf(s, b, plan.faceReach);
+  double area = 0;
+  for (const double a : plan.topology.area) area += a;
+  plan.faceMass = plan.contactMass * area / static_cast<double>(plan.topology.area.size());
+  plan.faceFirst.assign(plan.mesh.vertices.size() + 1, 0);
+  for (const auto& t : plan.mesh.triangles) plan.faceFirst[t[0] + 1]++;
+  for (std::size_t v = 0; v + 1 < plan.faceFirst.size(); v++) plan.faceFirst[v + 1] += plan.faceFirst[v];
+  plan.faceOf.resize(plan.mesh.triangles.size());
+  std::vector<std::uint32_t> next(plan.faceFirst.begin(), plan.faceFirst.end() - 1);
+  for (std::uint32_t k = 0; k < plan.mesh.triangles.size(); k++) plan.faceOf[next[plan.mesh.triangles[k][0]]++] = k;
 }
 
 SpringLaw lawOf(const SheetBody& b, const SheetRegion* r) {
@@ -174,6 +191,8 @@ SheetPlans planSheets(const Scene& s, const MeshLoader& load) {
       plan.thickness = sheetThickness(s, b);
       plan.contactRate = b.contactRate > 0 ? b.contactRate : contactRateOf(s, b, plan.thickness);
       plan.contactMass = b.mass > 0 ? b.mass : b.damping > 0 ? b.damping / plan.contactRate : b.stiffness / (plan.contactRate * plan.contactRate);
+      plan.byFaces = coarserThanParticles(s, plan);
+      if (plan.byFaces) planFaces(s, b, plan);
       plan.edgeForces = b.warp > 0 || b.weft > 0 || b.shear > 0 || b.bending > 0;
       plan.normals = b.volumeStiffness > 0 || (b.wrap != 0 && b.wrapTo.empty()) || b.windDensity > 0;
       plan.firstPart = static_cast<std::uint32_t>(all.parts.size());

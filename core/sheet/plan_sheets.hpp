@@ -40,6 +40,12 @@ struct SheetPlan {
   double thickness = 0;           ///< m, where contact begins
   double contactRate = 0;         ///< 1/s
   double contactMass = 0;         ///< kg/m^2, that contact's stiffness goes by: the sheet's, unless that is 0
+  // of contact with the continuum by triangles (face_contact.hpp)
+  bool byFaces = false;
+  double faceReach = 0;           ///< m, distance of a particle's centre at which it begins
+  double faceRate = 0;            ///< 1/s, as contactRate
+  double faceMass = 0;            ///< kg, of a vertex in the mean, that its stiffness goes by
+  std::vector<std::uint32_t> faceFirst, faceOf;  ///< triangles whose first corner is vertex v: faceOf[faceFirst[v]] ..
   bool edgeForces = false;        ///< springs along edges or across them
   bool normals = false;           ///< some force needs them
   bool touches = false;           ///< something is in the scene that it can touch

@@ -5,27 +5,12 @@
 
 #include "core/heat/enthalpy.hpp"
 #include "core/kinds/kinds.hpp"
+#include "core/sheet/face_contact.hpp"
+#include "core/sheet/rows_around.hpp"
 #include "core/sheet/touch.hpp"
 
 namespace thaw {
 namespace {
-
-struct RowRange { std::uint32_t begin, end; };
-
-/// Rows in the 27 cells around a cell, ascending by (cell, id).
-void rowsAround(const CellTable& t, std::uint64_t key, std::vector<RowRange>& ranges) {
-  ranges.clear();
-  const Vec3i c = cellOfKey(key);
-  for (int z = -1; z <= 1; z++)
-    for (int y = -1; y <= 1; y++) {
-      const std::uint64_t last = cellKey({c.x + 1, c.y + y, c.z + z});
-      auto at = std::lower_bound(t.key.begin(), t.key.end(), cellKey({c.x - 1, c.y + y, c.z + z}));
-      for (; at != t.key.end() && *at <= last; ++at) {
-        const auto k = static_cast<std::size_t>(at - t.key.begin());
-        ranges.push_back({t.first[k], t.first[k] + t.count[k]});
-      }
-    }
-}
 
 /// Calls pair(i, j) for all owned rows i of one table and rows j of the other in the cells around.
 template<class Pair> void eachNear(const CellTable& own, std::size_t owned, const CellTable& others, Pair&& pair) {
@@ -116,6 +101,7 @@ struct Particles {
     const Sheets& s = w.sheets.rows;
     const Continuum& p = w.particles;
     const SheetPlan& plan = w.sheets.plans[s.body[i]];
+    if (plan.byFaces) return false;
     const Vec3d d = s.position[i] - p.position[j];
     const double reach = 0.5 * (plan.thickness + w.scene.spacing), r2 = dot(d, d);
     if (!(r2 < reach * reach) || !(r2 > 0)) return false;
@@ -222,15 +208,19 @@ void addSheetContacts(World& w, Halos halos, const SheetVelocities& now) {
   SheetBodies& b = w.sheets;
   Sheets& s = b.rows;
   const bool sheets = sheetsMeet(w.scene), continuum = sheetsMeetContinuum(w.scene), oriented = w.modules.draping;
+  bool points = false, faces = false;  // of contact with the continuum
+  for (const SheetPlan& p : b.plans) (p.byFaces ? faces : points) = true;
   if (!sheets && !continuum && !oriented) return;
   std::copy(now.velocity.begin(), now.velocity.end(), s.moving.data());
   ColumnList columns{&s.position, &s.moving, &s.rest, &s.area, &s.body};
   if (s.temperature.active) columns.push_back(&s.temperature);
+  if (faces) columns.push_back(&s.id);
   CellHalo& halo = *halos.kinds[sheetKind];
   halo.beginGhosts(s, b.cells, columns);
   halo.finishGhosts(s, b.cells);
   if (sheets) meetSheets(w, now);
-  if (continuum) meetParticles(w, now);
+  if (continuum && points) meetParticles(w, now);
+  if (continuum && faces) meetFaces(w, halos, now);
   if (oriented) meetOriented(w, now);
 }
 

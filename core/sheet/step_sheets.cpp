@@ -161,7 +161,7 @@ double sheetStepLimit(const World& w) {
   if (b.fastest2 > 0) {
     double thin = never;
     for (const SheetPlan& p : b.plans)
-      if (p.touches) thin = std::min(thin, p.thickness);
+      if (p.touches) thin = std::min({thin, p.thickness, p.byFaces ? p.faceReach : never});
     limit = std::min(limit, 0.5 * thin / std::sqrt(b.fastest2));
   }
   return limit;

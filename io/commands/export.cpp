@@ -105,9 +105,16 @@ std::vector<ComponentMesh> meshesOf(const OrientedFrame& frame) {
 }
 
 void exportOriented(const fs::path& file, const fs::path& out, const ExportOptions& options) {
-  if (options.as != "ply" && options.as != "obj") throw std::invalid_argument("oriented particles are exported as ply or obj, not as " + options.as);
+  if (options.as != "ply" && options.as != "obj" && options.as != "vtp") throw std::invalid_argument("oriented particles are exported as ply, obj or vtp, not as " + options.as);
   const OrientedFrame frame = readOrientedFrame(file.string());
   if (out.has_parent_path()) fs::create_directories(out.parent_path());
+  if (options.as == "vtp") {
+    FrameData all = readFrame(file.string());
+    all.triangles = triangulate(frame.points());
+    writeTrianglesVtp(out, all);
+    fmt::print("{}: {} particles, {} triangles\n", out.string(), all.positions.size(), all.triangles.size());
+    return;
+  }
   const std::vector<ComponentMesh> meshes = meshesOf(frame);
   std::size_t triangles = 0;
   for (const ComponentMesh& m : meshes) triangles += m.mesh.triangles.size();
@@ -121,8 +128,14 @@ bool isSheetFrame(const FrameInfo& info) {
 
 /// The triangles of the frame, one mesh for each sheet, with its colours; normals are the means of the triangles around.
 void exportSheets(const fs::path& file, const fs::path& out, const ExportOptions& options) {
-  if (options.as != "ply" && options.as != "obj") throw std::invalid_argument("sheets are exported as ply or obj, not as " + options.as);
+  if (options.as != "ply" && options.as != "obj" && options.as != "vtp") throw std::invalid_argument("sheets are exported as ply, obj or vtp, not as " + options.as);
   const FrameData frame = readFrame(file.string());
+  if (options.as == "vtp") {
+    if (out.has_parent_path()) fs::create_directories(out.parent_path());
+    writeTrianglesVtp(out, frame);
+    fmt::print("{}: {} vertices, {} triangles\n", out.string(), frame.positions.size(), frame.triangles.size());
+    return;
+  }
   const FrameColumn *body = frame.find("sheet_body"), *colour = frame.find("color");
   if (!body || !colour) throw IoError(file.string(), "has no fields 'sheet_body' and 'color'");
   std::map<std::uint32_t, ComponentMesh> byBody;
@@ -182,9 +195,9 @@ fs::path exportFolder(const fs::path& input) {
 
 void addExportOptions(CLI::App& command, ExportOptions& o) {
   command.add_option("path", o.input, "frame of a surface (NAME_surface_000120.hdf), series index, or folder of a run (all its frames)")->required();
-  command.add_option("--as", o.as, "ply-discs: a polygon for each surfel (Blender); pov: a scene of POV-Ray; vtp: points with all fields (ParaView); ply, obj: a closed triangle mesh of each component")
+  command.add_option("--as", o.as, "ply-discs: a polygon for each surfel (Blender); pov: a scene of POV-Ray; vtp: points with all fields, and the triangles of sheets and oriented particles (ParaView); ply, obj: a closed triangle mesh of each component")
       ->required()->check(CLI::IsMember(formats));
-  command.add_option("--what", o.what, "of a folder: surface (surfels), oriented (oriented particles; as ply or obj) or sheet (sheets with their triangles; as ply or obj)")->check(CLI::IsMember({"surface", "oriented", "sheet"}))->capture_default_str();
+  command.add_option("--what", o.what, "of a folder: surface (surfels), oriented (oriented particles) or sheet (sheets), both with their triangles as ply, obj or vtp")->check(CLI::IsMember({"surface", "oriented", "sheet"}))->capture_default_str();
   command.add_option("--out", o.out, "file for one frame, folder for several (default: export/ in the run's folder)");
   command.add_option("--field", o.field, "what colours: surface (its own colours) or a field: temperature, liquid, detail")->capture_default_str();
   command.add_option("--map", o.map, "colour map of a field: ember, sea, grey")->capture_default_str();

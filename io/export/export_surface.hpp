@@ -17,6 +17,9 @@ void writePlyDiscs(const std::filesystem::path& file, const SurfaceFrame& frame,
 /// VTK's XML PolyData: points with all their fields, for ParaView.
 void writeVtp(const std::filesystem::path& file, const SurfaceFrame& frame, const std::vector<Rgb>& colours);
 
+/// The same of a frame with triangles (sheets, or triangulated oriented particles): points with all fields, and the triangles.
+void writeTrianglesVtp(const std::filesystem::path& file, const FrameData& frame);
+
 /// A scene of POV-Ray 3.7: discs, camera, sun, sky, and floors. Lengths are scaled so that the stage is ten units across.
 void writePov(const std::filesystem::path& file, const SurfaceFrame& frame, const std::vector<Rgb>& colours, const RenderStyle& style, double discs = 1);
 

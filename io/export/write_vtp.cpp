@@ -34,14 +34,56 @@ std::string escaped(const std::string& s) {
   return out;
 }
 
+std::vector<float> singlePoints(const std::vector<Vec3d>& positions) {
+  std::vector<float> points;
+  points.reserve(3 * positions.size());
+  for (const Vec3d& x : positions)
+    for (int a = 0; a < 3; a++) points.push_back(static_cast<float>(x[a]));
+  return points;
+}
+
+const char* typeOf(Element e) {
+  switch (e) {
+    case Element::F64: return "Float64";
+    case Element::F32: return "Float32";
+    case Element::U64: return "UInt64";
+    case Element::U32: return "UInt32";
+    case Element::U16: return "UInt16";
+    case Element::U8: return "UInt8";
+    case Element::I64: return "Int64";
+    case Element::I32: return "Int32";
+    default: return nullptr;
+  }
+}
+
+/// As it is in the frame: identifiers keep all their bits.
+void addColumn(Appended& a, const FrameColumn& c) {
+  if (const char* type = typeOf(c.element))
+    a.add(fmt::format("type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"", type, escaped(c.name), c.components), c.bytes.size(), [&c](OutFile& out) { out.bytes(c.bytes.data(), c.bytes.size()); });
+}
+
+/// PolyData of points, with vertices or triangles as cells.
+void writePolyData(const std::filesystem::path& file, double time, std::uint64_t points, std::uint64_t vertices, std::uint64_t polygons, const Appended& a) {
+  OutFile out(file);
+  out.text(fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"{}\" header_type=\"UInt64\">\n<PolyData>\n"
+                       "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{:.17g}</DataArray>\n</FieldData>\n"
+                       "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n",
+                       std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian", time, points, vertices, polygons));
+  out.text(a.xml);
+  out.text("</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_");
+  for (const auto& [bytes, write] : a.blocks) {
+    out.number(bytes);
+    write(out);
+  }
+  out.text("\n</AppendedData>\n</VTKFile>\n");
+  out.finish();
+}
+
 }  // namespace
 
 void writeVtp(const std::filesystem::path& file, const SurfaceFrame& frame, const std::vector<Rgb>& colours) {
   const std::uint64_t n = frame.positions.size();
-  std::vector<float> points;
-  points.reserve(3 * n);
-  for (const Vec3d& x : frame.positions)
-    for (int a = 0; a < 3; a++) points.push_back(static_cast<float>(x[a]));
+  const std::vector<float> points = singlePoints(frame.positions);
   std::vector<std::int64_t> connectivity(n), offsets(n);
   std::iota(connectivity.begin(), connectivity.end(), 0);
   std::iota(offsets.begin(), offsets.end(), 1);
@@ -53,32 +95,34 @@ void writeVtp(const std::filesystem::path& file, const SurfaceFrame& frame, cons
   a.addVector("type=\"UInt8\" Name=\"color\" NumberOfComponents=\"3\"", colours);
   a.addVector("type=\"UInt64\" Name=\"id\"", frame.ids);
   a.addVector("type=\"UInt64\" Name=\"component\"", frame.components);
-  for (const FrameColumn& c : frame.columns)
-    a.add(fmt::format("type=\"Float32\" Name=\"{}\" NumberOfComponents=\"{}\"", escaped(c.name), c.components), n * static_cast<std::uint64_t>(c.components) * sizeof(float),
-          [&c, n](OutFile& out) {
-            for (std::size_t i = 0; i < n; i++)
-              for (int k = 0; k < c.components; k++) out.number(static_cast<float>(c.value(i, k)));
-          });
+  for (const FrameColumn& c : frame.columns) addColumn(a, c);
   a.xml += "</PointData>\n<Points>\n";
   a.addVector("type=\"Float32\" Name=\"Points\" NumberOfComponents=\"3\"", points);
   a.xml += "</Points>\n<Verts>\n";
   a.addVector("type=\"Int64\" Name=\"connectivity\"", connectivity);
   a.addVector("type=\"Int64\" Name=\"offsets\"", offsets);
   a.xml += "</Verts>\n";
+  writePolyData(file, frame.time, n, n, 0, a);
+}
 
-  OutFile out(file);
-  out.text(fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"{}\" header_type=\"UInt64\">\n<PolyData>\n"
-                       "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{:.17g}</DataArray>\n</FieldData>\n"
-                       "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n",
-                       std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian", frame.time, n, n));
-  out.text(a.xml);
-  out.text("</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_");
-  for (const auto& [bytes, write] : a.blocks) {
-    out.number(bytes);
-    write(out);
+void writeTrianglesVtp(const std::filesystem::path& file, const FrameData& frame) {
+  const std::uint64_t n = frame.positions.size();
+  const std::vector<float> points = singlePoints(frame.positions);
+  std::vector<std::int64_t> connectivity, offsets;
+  for (const auto& t : frame.triangles) {
+    connectivity.insert(connectivity.end(), t.begin(), t.end());
+    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
   }
-  out.text("\n</AppendedData>\n</VTKFile>\n");
-  out.finish();
+  Appended a;
+  a.xml = "<PointData>\n";
+  for (const FrameColumn& c : frame.columns) addColumn(a, c);
+  a.xml += "</PointData>\n<Points>\n";
+  a.addVector("type=\"Float32\" Name=\"Points\" NumberOfComponents=\"3\"", points);
+  a.xml += "</Points>\n<Polys>\n";
+  a.addVector("type=\"Int64\" Name=\"connectivity\"", connectivity);
+  a.addVector("type=\"Int64\" Name=\"offsets\"", offsets);
+  a.xml += "</Polys>\n";
+  writePolyData(file, frame.time, n, 0, offsets.size(), a);
 }
 
 }  // namespace thaw

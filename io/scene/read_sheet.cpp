@@ -94,6 +94,14 @@ void readOuter(TableReader& r, SheetBody& b) {
     t.number("radius", g.radius, "m", positive(), "where it ends: (1 - r^2/R^2)^2 in between");
     t.vector("pressure", g.pressure, "Pa", "force per area of sheet at the centre");
     readInTime(t, "in_time", g.inTime, "factor, linear in between");
+    t.tables("motion", "keyframes of its centre, linear in between; it acts along its whole way, also in steps that are longer than its radius", [&](TableReader& k) {
+      Keyframe f;
+      k.number("time", f.time, "s", notNegative(), "when");
+      k.vector("move", f.move, "m", "from its centre");
+      if (k.describing()) return;
+      if (!g.motion.empty() && f.time <= g.motion.back().time) k.fail("time", "keyframes must ascend in time");
+      g.motion.push_back(f);
+    });
     if (!t.describing()) b.brushes.push_back(std::move(g));
   });
   r.number("thickness", b.thickness, "m", notNegative(), "distance at which it touches; 0: 0.8 of its spacing");

@@ -66,8 +66,21 @@ place = { move = [0, 0, -0.05] }
 growth = "gaps"
 EOF2
 } >"$work/draping.toml"
-for which in ${SCENES:-meeting draping relax_plane relax_sphere open_cap weld cut crease interpolate curve2d rk4 implicit}; do
+for which in ${SCENES:-meeting draping relax_plane relax_sphere open_cap weld cut crease interpolate curve2d rk4 implicit retry}; do
   case $which in
+    retry)  # a step that is too long: back to the last good state, with the same bits on all ranks, and stopped between that and the failure
+      scene=relax_plane
+      options=(--set numerics.fixed_step=2.5e-3 --set numerics.retry_every=10 --set end=0.2 --set output.every=0.02)
+      for ranks in 1 3 7; do
+        launch $ranks run "$scenes/relax_plane.toml" "${options[@]}" --out "$work/retry.$ranks" >"$work/log" 2>&1
+        expectExit 0 "relax_plane with long steps on $ranks ranks"
+        expectMessage "^warning: failed at step .*; back to step" "relax_plane with long steps on $ranks ranks"
+        [ "$ranks" = 1 ] || same "$work/retry.1" "$work/retry.$ranks" "relax_plane with long steps on 1 and $ranks ranks"
+      done
+      launch 3 run "$scenes/relax_plane.toml" "${options[@]}" --steps 3 --out "$work/retry.parts" >"$work/log" 2>&1; expectExit 0 "relax_plane with long steps, first part"
+      launch 2 run "$scenes/relax_plane.toml" "${options[@]}" --restart --out "$work/retry.parts" >"$work/log" 2>&1; expectExit 0 "relax_plane with long steps, last part"
+      same "$work/retry.1" "$work/retry.parts" "relax_plane with long steps, stopped before it fails"
+      echo "retry: $(value "$work/retry.1/summary.json" retries) retries, $(value "$work/retry.1/summary.json" step) steps" ;;
     meeting) try meeting "$work/meeting.toml" 150 ;;
     draping) try draping "$work/draping.toml" 150 ;;
     rk4) settings cut; try rk4 "$scenes/cut.toml" 40 "${set[@]}" --set 'oriented.cloth.integrator="rk4"' ;;

@@ -8,6 +8,7 @@ try() {
   scene=$1
   local steps=$2 ranks file=$scenes/sheet/$1.toml
   [ -f "$file" ] || file=$scenes/$1.toml
+  [ -f "$file" ] || file=$work/$1.toml
   shift 2
   local options=(--set numerics.retry_every=10 "$@")  # so that a checkpoint may be written often
   go() { launch "$1" run "$file" "${options[@]}" --out "$work/$scene.$2" "${@:3}" >"$work/log" 2>&1 || { fail "$scene, $2: exit $?"; tail -n 5 "$work/log"; }; }
@@ -20,7 +21,49 @@ try() {
   echo "$scene: $steps steps, killed at step $at"
   rm -rf "${work:?}/$scene".*
 }
-wanted=${SCENES:-skin head jack shell cloth together retry}
+# Water falls on a cloth that is coarser than it: contact by triangles.
+cat >"$work/coarse.toml" <<'EOF'
+spacing = "2 cm"
+end = "1 s"
+[domain]
+min = [-0.5, -0.5, -0.6]
+max = [0.5, 0.5, 0.5]
+[material.water]
+density = 1000
+viscosity = "0.5 Pa s"
+sound_speed = "20 m/s"
+conductivity = 10
+[[body]]
+name = "block"
+box = { size = [0.2, 0.2, 0.12] }
+material = "water"
+temperature = 350
+place = { move = [0.02, 0, 0.11] }
+[[sheet]]
+name = "cloth"
+grid = { width = 0.6, depth = 0.5 }
+spacing = "5 cm"
+mass = 1
+warp = 2000
+weft = 2000
+shear = 300
+conductance = 300
+temperature = 300
+place = { rotate_z = "20 deg" }
+[[sheet.clamp]]
+difference = [ { box = { size = [1, 1, 0.1] } }, { box = { size = [0.45, 0.4, 0.2] } } ]
+[[sheet]]
+name = "under"
+grid = { width = 0.3, depth = 0.3 }
+spacing = "3 cm"
+mass = 1
+warp = 200
+weft = 200
+place = { move = [0, 0, -0.1] }
+[output]
+every = "20 ms"
+EOF
+wanted=${SCENES:-skin head jack shell cloth together coarse retry}
 for which in $wanted; do
   case $which in
     skin) try skin 60 --set sheet.skin.spacing=0.004 --set output.every=0.01 ;;
@@ -28,6 +71,7 @@ for which in $wanted; do
     jack) try jack 150 --set sheet.membrane.spacing=0.02 --set output.every=0.02 ;;
     shell) try shell 40 --set sheet.shell.spacing=0.008 ;;
     cloth) try cloth 900 --set sheet.cloth.spacing=0.03 --set spacing=0.012 --set sheet.cloth.thickness=0.02 --set output.every=0.05 ;;
+    coarse) try coarse 250 ;;
     together) try together 60 --set spacing=0.02 --set output.every=0.02 ;;
     retry)  # a step that is too long for the springs
       scene=head

@@ -1,6 +1,7 @@
 // Oriented bodies as a whole: momentum, energy, integrators, rest, cures of B17 and B33, operations.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/oriented/operations.hpp"
@@ -199,6 +200,43 @@ TEST(Oriented, SheetAndPatchThatMeetKeepMomentumAndBooks) {
   EXPECT_LT(patch, 0.2 * before.now.momentum.z);  // most of the way down together
   EXPECT_LT(length(after.now.momentum - before.now.momentum), 0.01 * length(before.now.momentum));
   EXPECT_LT(std::abs(after.energyResidual), 0.01 * before.now.kinetic);
+}
+
+TEST(Oriented, CurveFollowsAPointThatIsLifted) {  // as scenes/oriented/curve2d.toml
+  Scene s = patchScene(0);
+  OrientedBody& b = s.oriented[0];
+  b.source = OrientedSource::Curve;
+  b.planar = true;
+  b.from = {-0.6, 0, 0};
+  b.to = {0.6, 0, 0};
+  b.bulge = 0.05;
+  b.spacing = 0.04;
+  b.density = b.stiffness = 20;
+  b.inertia = 1;
+  b.cfl = 0.5;
+  b.growth = OrientedGrowth::Gaps;
+  b.gap = 1.75;
+  b.damping = b.spinDamping = 12;
+  b.facing = false;
+  for (const Vec3d& at : {Vec3d{-0.6, 0, 0}, Vec3d{0.6, 0, 0}, Vec3d{0, 0, 0.05}}) {
+    OrientedAnchor a;
+    a.region = test::boxOf(at - Vec3d{0.0175, 0.05, 0.1}, at + Vec3d{0.0175, 0.05, 0.1});
+    b.anchors.push_back(a);
+  }
+  b.anchors[0].normal = true;
+  b.anchors[2].motion = {{0, {}, {}}, {2, {0, 0, 0.45}, {}}};
+  s.end = 3;
+  test::Simulation x(s);
+  const std::size_t before = x.w.oriented.rows.owned;
+  ASSERT_TRUE(x.run());
+  const Oriented& o = x.w.oriented.rows;
+  EXPECT_GT(o.owned, before + 3);
+  std::vector<Vec3d> along(o.position.data(), o.position.data() + o.owned);
+  std::sort(along.begin(), along.end(), [](const Vec3d& a, const Vec3d& c) { return a.x < c.x; });
+  for (std::size_t k = 1; k < along.size(); k++) {
+    EXPECT_GT(length(along[k] - along[k - 1]), 0.9 * 0.04);
+    EXPECT_LT(length(along[k] - along[k - 1]), 1.1 * 0.04);
+  }
 }
 
 TEST(Oriented, RestsOnAnObstacle) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/sheet/face_contact.hpp"
 #include "core/sheet/step_sheets.hpp"
 #include "tests/support/simulation.hpp"
 
@@ -94,6 +95,35 @@ TEST(Sheets, ForcesAreSlopesOfEnergies) {
   expectForcesFromEnergy(s);
 }
 
+/// A brush that crosses the sheet in one step, or acts for a part of one, gives it what it would give in many short ones.
+TEST(Sheets, BrushesActAlongTheirWayInStepsOfAnyLength) {
+  for (const bool moves : {true, false}) {
+    std::vector<double> speed[2];
+    for (int k = 0; k < 2; k++) {
+      Scene s = sheetScene(SheetMesh::Grid);
+      SheetBrush brush;
+      brush.centre = {moves ? -2.0 : 0.05, 0.05, 0};
+      brush.radius = 0.15;  // of a way of 4 m in 0.1 s, and of steps of 0.05 s
+      brush.pressure = {0, 0, -3};
+      if (moves) brush.motion = {{0.1, {}, {}}, {0.2, {4, 0, 0}, {}}};
+      else brush.inTime.points = {{0.11, 0}, {0.115, 2}, {0.12, 0}};
+      s.sheets[0].brushes.push_back(brush);
+      s.end = 0.4;
+      s.numerics.fixedStep = k == 0 ? 0.05 : 1e-4;
+      s.numerics.retryEvery = 0;
+      test::Simulation sim(s);
+      ASSERT_TRUE(sim.run());
+      const Sheets& v = sim.w.sheets.rows;
+      speed[k].assign(v.owned, 0);
+      for (std::size_t i = 0; i < v.owned; i++) speed[k][v.id[i]] = v.velocity[i].z;
+    }
+    double most = 0;
+    for (const double v : speed[1]) most = std::max(most, -v);
+    EXPECT_GT(most, 0.001);
+    for (std::size_t i = 0; i < speed[0].size(); i++) EXPECT_NEAR(speed[0][i], speed[1][i], 0.01 * most) << moves << " " << i;
+  }
+}
+
 TEST(Sheets, PlasticityLeavesItsPartOfTheExcess) {
   for (const double plasticity : {0.0, 0.25, 0.5, 1.0})
     for (const double dt : {0.1, 0.013}) {
@@ -104,7 +134,7 @@ TEST(Sheets, PlasticityLeavesItsPartOfTheExcess) {
       b.damping = 10;
       b.plasticity = plasticity;
       b.elasticLimit = 0.02;
-      b.brushes.push_back({{}, {}, 1e6, {0, 0, -5}, {{{0, 0}, {1, 1}, {7, 1}, {7.1, 0}}}});  // 5 cm of the spring alone
+      b.brushes.push_back({{}, {}, 1e6, {0, 0, -5}, {{{0, 0}, {1, 1}, {7, 1}, {7.1, 0}}}, {}});  // 5 cm of the spring alone
       s.end = 11;
       s.numerics.fixedStep = dt;
       s.numerics.retryEvery = 0;
@@ -179,6 +209,69 @@ TEST(Sheets, MeetTheContinuumAndTakeItsHeat) {
   const LedgerReport books = sim.books();
   EXPECT_LT(length(books.momentumResidual), 1e-9);
   EXPECT_LT(std::abs(books.energyResidual), 0.05 * books.energyScale);
+  EXPECT_LT(std::abs(books.heatResidual), 1e-9 * std::abs(books.now.internal));
+}
+
+/// Water on a cloth whose vertices are three of its spacings apart, held at its border: none passes through, and the books close.
+TEST(Sheets, CoarseClothHoldsFinerParticles) {
+  Scene s;
+  s.spacing = 0.02;
+  s.domain.min = {-0.5, -0.5, -1};
+  s.domain.max = {0.5, 0.5, 0.5};
+  s.domain.gravity = {0, 0, -9.81};
+  s.output.every = 0;
+  s.materials.emplace_back();
+  Material& m = s.materials[0];
+  m.name = "water";
+  m.soundSpeed = 20;
+  m.viscosity = {0.5, 0.5};
+  m.conductivity = {10, 10};
+  test::addBox(s, {-0.1, -0.1, 0.05}, {0.1, 0.1, 0.17}).temperature = 350;
+  s.sheets.emplace_back();
+  SheetBody& b = s.sheets[0];
+  b.name = "cloth";
+  b.width = b.depth = 0.9;
+  b.spacing = 0.06;
+  b.mass = 1;
+  b.damping = 2;
+  b.warp = b.weft = 2000, b.shear = 300;
+  b.conductance = 300;
+  b.temperature = 300;
+  Shape hole = test::boxOf({-0.4, -0.4, -1}, {0.4, 0.4, 1}), all = test::boxOf({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}), rim;
+  rim.kind = ShapeKind::Difference;
+  rim.parts = {all, hole};
+  b.clamp.push_back(rim);
+  s.end = 0.4;
+  test::Simulation sim(s);
+  ASSERT_TRUE(sim.w.sheets.plans[0].byFaces);
+  ASSERT_TRUE(sim.run());
+  const Continuum& p = sim.w.particles;
+  const Sheets& v = sim.w.sheets.rows;
+  double lowest = 1, hottest = 0;
+  std::vector<Vec3d> at(v.owned);
+  for (std::size_t i = 0; i < v.owned; i++) {
+    at[v.id[i]] = v.position[i];
+    lowest = std::min(lowest, v.position[i].z);
+    hottest = std::max(hottest, v.temperature[i]);
+  }
+  EXPECT_EQ(p.owned, 600u);
+  EXPECT_LT(lowest, -0.01);  // it bears the water
+  for (std::size_t i = 0; i < p.owned; i++) {  // above the triangle that it is over
+    double under = -1;
+    for (const auto& t : sim.w.sheets.plans[0].mesh.triangles) {
+      Vec3d a = at[t[0]], c = at[t[1]], d = at[t[2]], x = p.position[i];
+      const double heights[3] = {a.z, c.z, d.z};
+      a.z = c.z = d.z = x.z = 0;
+      const Vec3d share = sharesOfNearest(a, c, d, x), off = share.x * a + share.y * c + share.z * d - x;
+      if (length(off) < 1e-9) under = share.x * heights[0] + share.y * heights[1] + share.z * heights[2];
+    }
+    ASSERT_GT(p.position[i].z, under) << i;
+    ASSERT_GT(under, -1) << i << " at " << p.position[i].x << " " << p.position[i].y << " " << p.position[i].z;
+  }
+  EXPECT_GT(hottest, 301);
+  const LedgerReport books = sim.books();
+  EXPECT_LT(length(books.momentumResidual), 1e-9);
+  EXPECT_LT(std::abs(books.energyResidual), 0.02 * books.energyScale);
   EXPECT_LT(std::abs(books.heatResidual), 1e-9 * std::abs(books.now.internal));
 }
 

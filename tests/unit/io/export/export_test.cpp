@@ -99,6 +99,10 @@ TEST_F(Export, SheetsWithTheirTriangles) {
     for (const auto& t : m.triangles) area += 0.5 * cross(m.vertices[t[1]] - m.vertices[t[0]], m.vertices[t[2]] - m.vertices[t[0]]).z;
     EXPECT_NEAR(area, 1.5, 1e-6);
   }
+  ASSERT_EQ(run(frame, "vtp", folder / "cloth.vtp"), 0);
+  const std::string vtp = contentOf(folder / "cloth.vtp");
+  for (const char* part : {"NumberOfPoints=\"7\"", "NumberOfPolys=\"3\"", "type=\"UInt16\" Name=\"sheet_body\"", "type=\"UInt8\" Name=\"color\" NumberOfComponents=\"3\""})
+    EXPECT_NE(vtp.find(part), std::string::npos) << part;
   EXPECT_EQ(run(frame, "pov", folder / "cloth.pov"), 2);
 }
 

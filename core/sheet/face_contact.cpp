@@ -1,0 +1,228 @@
+#include "core/sheet/face_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/heat/enthalpy.hpp"
+#include "core/sheet/rows_around.hpp"
+#include "core/sheet/touch.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr double coarser = 1.25;    // spacings of particles between vertices
+constexpr double stretched = 1.3;   // of edges, for which the cells have room
+
+constexpr std::uint32_t nobody = 0xffffffffu;
+
+/// A triangle near a cell, its corners as rows and places.
+struct Face {
+  std::uint32_t number;
+  std::array<std::uint32_t, 3> row;
+  std::array<Vec3d, 3> x;
+  Vec3d low, high;   ///< of what touches it
+};
+
+bool inOrBeside(std::uint64_t a, std::uint64_t b) {
+  const Vec3i p = cellOfKey(a), q = cellOfKey(b);
+  return std::abs(p.x - q.x) <= 1 && std::abs(p.y - q.y) <= 1 && std::abs(p.z - q.z) <= 1;
+}
+
+/// Calls use(cell of the table, row) for all rows, ghosts too, ascending by (cell, id).
+template<class Use> void eachRow(const CellTable& t, Use&& use) {
+  for (std::size_t c = 0; c < t.key.size(); c++)
+    for (std::uint32_t i = t.first[c]; i < t.first[c] + t.count[c]; i++) use(t.key[c], i);
+}
+
+/// One sheet against all particles.
+struct FaceContact {
+  World& w;
+  const SheetVelocities& now;
+  std::size_t sheet;
+  const SheetPlan& plan;
+  const SheetBody& body;
+  std::vector<std::uint32_t> rowOf;        // of each vertex of the sheet, ghosts too
+  std::vector<std::uint64_t> cellOfRow;
+  std::vector<double> slope;               // N/m, of owned vertices
+
+  FaceContact(World& world, const SheetVelocities& velocities, std::size_t n)
+      : w(world), now(velocities), sheet(n), plan(world.sheets.plans[n]), body(world.scene.sheets[n]), rowOf(plan.mesh.vertices.size(), nobody), slope(world.sheets.rows.owned, 0) {
+    const Sheets& s = w.sheets.rows;
+    cellOfRow.resize(s.owned + s.ghosts);
+    eachRow(w.sheets.cells, [&](std::uint64_t key, std::uint32_t i) {
+      cellOfRow[i] = key;
+      if (s.body[i] == sheet) rowOf[s.id[i] & ((1ull << 40) - 1)] = i;
+    });
+  }
+
+  std::vector<RowRange> ranges;
+  std::vector<Face> faces;
+
+  /// The triangles that a particle of this cell can touch.
+  void facesNear(std::uint64_t key) {
+    faces.clear();
+    const Sheets& s = w.sheets.rows;
+    rowsAround(w.sheets.cells, key, ranges);
+    for (const RowRange& r : ranges)
+      for (std::uint32_t i = r.begin; i < r.end; i++) {
+        if (s.body[i] != sheet) continue;
+        const std::uint64_t v = s.id[i] & ((1ull << 40) - 1);
+        for (std::uint32_t k = plan.faceFirst[v]; k < plan.faceFirst[v + 1]; k++) {
+          Face f{plan.faceOf[k], {}, {}, {}, {}};
+          bool here = true;
+          for (std::size_t q = 0; q < 3 && here; q++) {
+            f.row[q] = rowOf[plan.mesh.triangles[f.number][q]];
+            here = f.row[q] != nobody && inOrBeside(cellOfRow[f.row[q]], key);
+            if (here) f.x[q] = s.position[f.row[q]];
+          }
+          if (!here) continue;
+          for (int a = 0; a < 3; a++) {
+            f.low[a] = std::min({f.x[0][a], f.x[1][a], f.x[2][a]}) - plan.faceReach;
+            f.high[a] = std::max({f.x[0][a], f.x[1][a], f.x[2][a]}) + plan.faceReach;
+          }
+          faces.push_back(f);
+        }
+      }
+  }
+
+  void touchParticle(std::size_t j, double& stiffest) {
+    Continuum& p = w.particles;
+    const Vec3d x = p.position[j];
+    const Face* nearest = nullptr;
+    double least = plan.faceReach * plan.faceReach;
+    Vec3d shares{}, off{};
+    for (const Face& f : faces) {
+      if (x.x < f.low.x || x.y < f.low.y || x.z < f.low.z || x.x > f.high.x || x.y > f.high.y || x.z > f.high.z) continue;
+      // places of corners from the particle, so that the bits are those of differences
+      const Vec3d a = f.x[0] - x, b = f.x[1] - x, c = f.x[2] - x, u = sharesOfNearest(a, b, c, {}), d = u.x * a + u.y * b + u.z * c;
+      const double r2 = dot(d, d);
+      if (!(r2 < least) && !(nearest && r2 == least && f.number < nearest->number)) continue;
+      nearest = &f, least = r2, shares = u, off = d;
+    }
+    if (!nearest) return;
+    const double r = std::sqrt(least);
+    const Vec3d n = r > 0 ? off / r : normalized(cross(nearest->x[1] - nearest->x[0], nearest->x[2] - nearest->x[0]));
+    const Sheets& s = w.sheets.rows;
+    Vec3d v{};
+    double temperature = 0;
+    for (int k = 0; k < 3; k++) {
+      v += shares[k] * s.moving[nearest->row[static_cast<std::size_t>(k)]];
+      if (s.temperature.active) temperature += shares[k] * s.temperature[nearest->row[static_cast<std::size_t>(k)]];
+    }
+    const Material& material = w.scene.materials[p.material[j]];
+    const double liquid = p.liquid.active ? static_cast<double>(p.liquid[j]) : p.phase[j] == Liquid ? 1 : 0, mass = plan.faceMass * p.mass[j] / (plan.faceMass + p.mass[j]);
+    const Touch t = touchOf({plan.faceRate, mass, std::min(body.restitution, material.restitution), (1 - liquid) * std::max(body.friction, material.friction), now.span}, plan.faceReach - r, n,
+                            v - p.velocity[j]);
+    double heat = 0;
+    if (s.temperature.active && p.temperature.active && p.heatFlow.active && body.conductance > 0) {
+      const double flow = body.conductance * w.scene.spacing * w.scene.spacing;
+      const double rate = 2 * (body.conductance / body.heatCapacity + flow / (p.mass[j] * heatCapacityOf(w.scene.numerics.heat, material, liquid)));  // of twice as many as lie side by side
+      heat = flow * (averaged(rate, now.span) / rate) * (p.temperature[j] - temperature);
+      p.heatFlow[j] -= heat;
+      w.ledger.heatIn.add(-heat * now.dt);
+    }
+    p.force[j] -= t.force;
+    p.interaction[j] += 0.5 * t.energy;
+    p.dissipation[j] += dot(t.resisting, p.velocity[j] + p.acceleration[j] * (0.5 * now.dt));  // as in sheet_contact.cpp
+    stiffest = std::max(stiffest, 2 * t.slope / p.mass[j]);
+    p.sheetFace[j] = nearest->number + 1;
+    p.sheetShares[j] = shares;
+    p.sheetPush[j] = t.force;
+    p.sheetResisting[j] = t.resisting;
+    p.sheetNumbers[j] = {t.energy, t.slope, heat};
+  }
+
+  void touchParticles() {
+    Continuum& p = w.particles;
+    std::fill_n(p.sheetFace.data(), p.owned, 0u);
+    double stiffest = 0;
+    for (std::size_t c = 0; c < w.cells.key.size(); c++) {
+      if (w.cells.first[c] >= p.owned) continue;
+      facesNear(w.cells.key[c]);
+      if (faces.empty()) continue;
+      for (std::uint32_t j = w.cells.first[c]; j < w.cells.first[c] + w.cells.count[c]; j++) touchParticle(j, stiffest);
+    }
+    w.sheets.stiffestParticle = std::max(w.sheets.stiffestParticle, stiffest);
+  }
+
+  void pushVertices() {
+    const Continuum& p = w.particles;
+    Sheets& s = w.sheets.rows;
+    eachRow(w.cells, [&](std::uint64_t, std::uint32_t j) {
+      if (p.sheetFace[j] == 0) return;
+      const Vec3d shares = p.sheetShares[j], numbers = p.sheetNumbers[j];
+      for (std::size_t k = 0; k < 3; k++) {
+        const std::uint32_t i = rowOf[plan.mesh.triangles[p.sheetFace[j] - 1][k]];
+        const double share = shares[static_cast<int>(k)];
+        if (i >= s.owned || share == 0) continue;
+        s.load[i] += (share / s.area[i]) * p.sheetPush[j];
+        s.energy[i] += 0.5 * share * numbers.x;
+        s.resisting[i] += (share / s.area[i]) * p.sheetResisting[j];
+        slope[i] += share * numbers.y;
+        if (s.heatFlow.active) s.heatFlow[i] += share * numbers.z;
+      }
+    });
+    for (std::size_t i = 0; i < s.owned; i++) w.sheets.slope[i] += 2 * slope[i] / s.area[i];
+  }
+};
+
+}  // namespace
+
+bool coarserThanParticles(const Scene& s, const SheetPlan& plan) { return !(s.bodies.empty() && s.emitters.empty()) && plan.spacing > coarser * s.spacing; }
+
+double faceContactReach(const std::vector<SheetPlan>& plans) {
+  double reach = 0;
+  for (const SheetPlan& p : plans) {
+    if (!p.byFaces) continue;
+    double longest = 0;
+    for (const auto& t : p.mesh.triangles)
+      for (std::size_t k = 0; k < 3; k++) longest = std::max(longest, length(p.mesh.vertices[t[(k + 1) % 3]] - p.mesh.vertices[t[k]]));
+    reach = std::max(reach, p.faceReach + stretched * longest);
+  }
+  return reach;
+}
+
+Vec3d sharesOfNearest(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& x) {  // Ericson 2005, 5.1.5
+  const Vec3d ab = b - a, ac = c - a, ap = x - a;
+  const double d1 = dot(ab, ap), d2 = dot(ac, ap);
+  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
+  const Vec3d bp = x - b;
+  const double d3 = dot(ab, bp), d4 = dot(ac, bp);
+  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0 && d1 - d3 > 0) {
+    const double t = d1 / (d1 - d3);
+    return {1 - t, t, 0};
+  }
+  const Vec3d cp = x - c;
+  const double d5 = dot(ab, cp), d6 = dot(ac, cp);
+  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0 && d2 - d6 > 0) {
+    const double t = d2 / (d2 - d6);
+    return {1 - t, 0, t};
+  }
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 >= d3 && d5 >= d6 && (d4 - d3) + (d5 - d6) > 0) {
+    const double t = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+    return {0, 1 - t, t};
+  }
+  const double all = va + vb + vc;
+  if (!(all > 0)) return {1, 0, 0};  // without area
+  const double v = vb / all, q = vc / all;
+  return {1 - v - q, v, q};
+}
+
+void meetFaces(World& w, Halos halos, const SheetVelocities& now) {
+  Continuum& p = w.particles;
+  for (std::size_t n = 0; n < w.sheets.plans.size(); n++) {
+    if (!w.sheets.plans[n].byFaces) continue;
+    FaceContact contact(w, now, n);
+    contact.touchParticles();
+    halos.cells.beginRefresh(p, ColumnList{&p.sheetFace, &p.sheetShares, &p.sheetPush, &p.sheetResisting, &p.sheetNumbers});
+    halos.cells.finishRefresh(p);
+    contact.pushVertices();
+  }
+}
+
+}  // namespace thaw

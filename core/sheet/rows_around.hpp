@@ -1,0 +1,27 @@
+// Rows of a table in the cells around one.
+#pragma once
+#include <algorithm>
+#include <vector>
+
+#include "core/neighbours/grid.hpp"
+
+namespace thaw {
+
+struct RowRange { std::uint32_t begin, end; };
+
+/// Rows in the 27 cells around a cell, ascending by (cell, id).
+inline void rowsAround(const CellTable& t, std::uint64_t key, std::vector<RowRange>& ranges) {
+  ranges.clear();
+  const Vec3i c = cellOfKey(key);
+  for (int z = -1; z <= 1; z++)
+    for (int y = -1; y <= 1; y++) {
+      const std::uint64_t last = cellKey({c.x + 1, c.y + y, c.z + z});
+      auto at = std::lower_bound(t.key.begin(), t.key.end(), cellKey({c.x - 1, c.y + y, c.z + z}));
+      for (; at != t.key.end() && *at <= last; ++at) {
+        const auto k = static_cast<std::size_t>(at - t.key.begin());
+        ranges.push_back({t.first[k], t.first[k] + t.count[k]});
+      }
+    }
+}
+
+}  // namespace thaw
