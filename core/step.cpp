@@ -137,7 +137,7 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests
   if (t.wallContacts.stiffest > 0) own[Limit::Contact] = 3 * w.scene.numerics.cflSound / t.wallContacts.stiffest;
   Ballot ballot;
   for (std::size_t k = 0; k < ballot.negatedLimits.size(); k++) ballot.negatedLimits[k] = -std::min(limits.value[k], own.value[k]);
-  if (w.modules.kinds()) ballot.negatedKindLimits = {-orientedStepLimit(w, t), -sheetStepLimit(w)};
+  if (w.modules.kinds()) ballot.negatedKindLimits = {w.modules.oriented ? -orientedStepLimit(w, t) : -never, w.modules.sheet ? -sheetStepLimit(w) : -never};
   ballot.froze = t.frozeAnywhere;
   ballot.melted = t.meltedAnywhere;
   ballot.bad = here.badHere || !here.finite;

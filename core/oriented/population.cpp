@@ -46,7 +46,8 @@ Offer offerInGap(const World& w, const StepTools& t, const OrientedBody& body, c
     if (!isNeighbour(o, p, i, j) || o.id[i] > o.id[j] || far <= widest || far > 2.9 * p.spacing) continue;
     const Vec3d n = normalized(o.normal[i] + o.normal[j]);
     const Vec3d place = o.position[i] + 0.5 * r + (0.125 * dot(o.normal[j] - o.normal[i], r)) * n;  // the arc's middle
-    if (!isFree(o, l, i, place, clearance * p.spacing)) continue;
+    // in a line a wide gap is one between these two only where nobody stands beside its middle (Gabriel's test): what has left the line has no gaps to fill
+    if (!isFree(o, l, i, place, body.planar ? std::max(clearance * p.spacing, 0.45 * far) : clearance * p.spacing)) continue;
     widest = far;
     best = {true, place, n};
   }

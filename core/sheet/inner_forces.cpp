@@ -45,11 +45,7 @@ std::vector<BondRequest> edgeRequests(const SheetBodies& b) {
   return requests;
 }
 
-int triangleWith(const Bonds& b, std::size_t slot, int k) {
-  const double next = b.z[b.at(slot, k)];
-  if (!(next > 0)) return -1;
-  const int guess = static_cast<int>(next) - 1;
-  if (guess < b.capacity && b.weight[b.at(slot, guess)] == next) return guess;
+int searchTriangle(const Bonds& b, std::size_t slot, double next) {
   for (int other = 0; other < b.capacity; other++)  // some neighbour has left the domain
     if (b.weight[b.at(slot, other)] == next) return other;
   return -1;
@@ -75,25 +71,31 @@ Vec3d facingOf(const SheetEdges& e, std::size_t slot) {
 
 namespace {
 
-void addSprings(World& w, std::size_t slot) {
+/// The bonds of a slot: springs, and the area vector of its triangles, as facingOf has it, from one look at its neighbours.
+void addBonds(World& w, std::size_t slot, bool springs, bool normals) {
   SheetBodies& b = w.sheets;
   Sheets& s = b.rows;
   const std::uint32_t i = b.edges.ends.particle[slot];
   const SheetBody& body = w.scene.sheets[s.body[i]];
   const Bonds& bonds = b.edges.bonds;
+  const bool limited = body.stretchLimit < never;
   Vec3d force{};
   double energy = 0, slope = 0;
-  for (int k = 0; k < bonds.capacity; k++) {
-    const std::size_t at = bonds.at(slot, k);
+  constexpr int room = 64;
+  Vec3d edge[room];
+  int count = 0;
+  for (; count < bonds.capacity; count++) {
+    const std::size_t at = bonds.at(slot, count);
     if (!(bonds.weight[at] > 0)) break;
+    const Vec3d d = b.edges.ends.position[bonds.neighbour[at]] - b.edges.ends.position[slot];
+    if (count < room) edge[count] = d;
     const double stiffness = bonds.y[at];
-    if (!(stiffness > 0)) continue;
-    const Vec3d d = edgeVector(b.edges, slot, k);
+    if (!springs || !(stiffness > 0)) continue;
     const double l = length(d), stretch = l - bonds.x[at];
     double pull = stiffness * stretch;
     energy += 0.25 * stiffness * stretch * stretch;  // the other end has the other half
     slope += stiffness;
-    if (body.stretchLimit < never) {
+    if (limited) {
       const double beyond = l - body.stretchLimit * bonds.x[at], more = body.rigid * stiffness;
       if (beyond > 0) {
         pull += more * beyond;
@@ -103,9 +105,20 @@ void addSprings(World& w, std::size_t slot) {
     }
     if (l > 0) force += d * (pull / l);
   }
-  s.load[i] += force / s.area[i];
-  s.energy[i] += energy;
-  b.slope[i] += 2 * slope / s.area[i];  // Gershgorin: both ends of each spring
+  if (springs) {
+    s.load[i] += force / s.area[i];
+    s.energy[i] += energy;
+    b.slope[i] += 2 * slope / s.area[i];  // Gershgorin: both ends of each spring
+  }
+  if (!normals) return;
+  if (count > room) {
+    s.facing[i] = facingOf(b.edges, slot);
+    return;
+  }
+  Vec3d sum{};
+  for (int k = 0; k < count; k++)
+    if (const int next = triangleWith(bonds, slot, k); next >= 0) sum += cross(edge[k], next < count ? edge[next] : edgeVector(b.edges, slot, next));
+  s.facing[i] = sum / 6.0;
 }
 
 /// Pressure that a change of volume makes in each part, after all ranks have told their share of the volumes.
@@ -166,8 +179,7 @@ void addInnerForces(World& w, Halos halos) {
   for (std::size_t slot = 0; slot < b.edges.ends.owned; slot++) {
     const std::uint32_t i = b.edges.ends.particle[slot];
     const SheetPlan& p = b.plans[b.rows.body[i]];
-    if (p.edgeForces) addSprings(w, slot);
-    if (p.normals) b.rows.facing[i] = facingOf(b.edges, slot);
+    if (p.edgeForces || p.normals) addBonds(w, slot, p.edgeForces, p.normals);
   }
   if (normals) addPressure(w, halos.all);
 }

@@ -21,7 +21,13 @@ void forgetSlotsAtStart(SheetBodies& sheets, bool left);
 std::vector<BondRequest> edgeRequests(const SheetBodies& sheets);
 
 /// Place in a slot's bonds of the neighbour with which bond k closes a triangle; -1 where there is none (or it has left the domain).
-int triangleWith(const Bonds& bonds, std::size_t slot, int k);
+int searchTriangle(const Bonds& bonds, std::size_t slot, double next);  ///< the same where some neighbour has left
+inline int triangleWith(const Bonds& b, std::size_t slot, int k) {
+  const double next = b.z[b.at(slot, k)];
+  if (!(next > 0)) return -1;
+  const int guess = static_cast<int>(next) - 1;
+  return guess < b.capacity && b.weight[b.at(slot, guess)] == next ? guess : searchTriangle(b, slot, next);
+}
 
 /// Vectors from a slot's vertex to the other ends: Solids::position has to be up to date on both.
 inline Vec3d edgeVector(const SheetEdges& e, std::size_t slot, int k) {

@@ -88,7 +88,8 @@ void addOuterForces(World& w, const SheetVelocities& now) {
     if (!b.wrapTo.empty() && !pushes.back().target) pushes.back().wrap = 0;  // what it was to be wrapped round has gone
     for (const SheetBrush& brush : b.brushes) pushes.back().brush.push_back(brushStroke(brush, time, now.dt));
   }
-  std::vector<Vec3d> impulse(s.owned);
+  std::vector<Vec3d>& impulse = sheets.impulseRoom;
+  impulse.resize(s.owned);
   for (std::size_t i = 0; i < s.owned; i++) {
     const SheetBody& b = w.scene.sheets[s.body[i]];
     const Pushes& p = pushes[s.body[i]];

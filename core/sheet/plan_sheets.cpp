@@ -8,6 +8,7 @@
 #include "core/geometry/shape_error.hpp"
 #include "core/geometry/weld_vertices.hpp"
 #include "core/sheet/face_contact.hpp"
+#include "core/sheet/sheet_contact.hpp"
 #include "core/sheet/sheet_meshes.hpp"
 
 namespace thaw {
@@ -127,6 +128,8 @@ double sheetReach(const Scene& s) {
   for (const SheetBody& b : s.sheets) {
     const double own = sheetThickness(s, b);
     reach = std::max({reach, own, own + (b.pull > 0 ? b.pullReach : 0), 0.5 * (own + s.spacing)});
+    // where vertices look for nobody around, cells are what sums are taken over: some vertices each
+    if (s.bodies.empty() && s.emitters.empty() && s.oriented.empty() && !sheetsMeet(s)) reach = std::max(reach, 4 * spacingOf(s, b));
   }
   return reach;
 }

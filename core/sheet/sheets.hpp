@@ -53,6 +53,7 @@ struct SheetBodies {
   std::vector<double> stiffest;      ///< N/m^3, of each law: the largest slope of this rank's vertices. Of one vertex each: a sum of two vertices' would depend on what is on the same rank
   double stiffestParticle = 0;       ///< 1/s^2, contact with vertices over the mass of particles: the largest of this rank
   double fastest2 = 0;               ///< m^2/s^2, square of the largest speed of this rank's vertices that can touch anything
+  std::vector<Vec3d> velocityRoom, impulseRoom;  ///< one a vertex, of an evaluation; kept, since fresh memory in every step costs as much as a force
   bool leftHere = false;             ///< a vertex has left the domain since edges were last linked
   bool edgesAtStart = true;          ///< the next evaluation makes the bonds, from the plans
 };

@@ -125,6 +125,7 @@ void loadSheets(World& w, Halos halos, StepTools& t, double dt) {
   std::vector<double> after(b.laws.size(), 0);
   for (std::size_t l = 0; dt > 0 && l < b.laws.size(); l++) after[l] = vertexMap(lawNow(w, b.laws[l], dt), dt).after;
   SheetVelocities now;
+  now.velocity.swap(b.velocityRoom);
   now.velocity.resize(s.owned);
   for (std::size_t i = 0; i < s.owned; i++)
     now.velocity[i] = s.clamped.active && s.clamped[i] ? Vec3d{} : s.velocity[i] + after[s.law[i]] * s.load[i];
@@ -139,6 +140,7 @@ void loadSheets(World& w, Halos halos, StepTools& t, double dt) {
   for (std::size_t i = 0; i < s.owned; i++) b.stiffest[s.law[i]] = std::max(b.stiffest[s.law[i]], b.slope[i]);
   for (std::size_t i = 0; i < s.owned; i++)
     if (w.sheets.plans[s.body[i]].touches) b.fastest2 = std::max(b.fastest2, dot(now.velocity[i], now.velocity[i]));
+  now.velocity.swap(b.velocityRoom);
   t.times.lap(StepPhase::Sheet);
 }
 
