@@ -154,9 +154,9 @@ std::vector<DiscPart> curvedDiscs(const Discs& discs, std::span<const std::uint3
   fillBins(places.data(), count, around * radii[typical], bins);
   RowBlock block;
   std::vector<std::uint32_t> near;
-  forBlocks(bins, bins, around * radii[typical], block, [&](std::uint32_t i, const RowBlock& beside) {
+  const auto draw = [&](std::uint32_t i, float most, const RowBlock& beside) {
     const Vec3f x = discs.positions[i], n = discs.normals[i];
-    const float r = discs.radius(i), most = allowed(i);
+    const float r = discs.radius(i);
     const auto whole = [&] { parts.push_back({x, n, r, i, {{{i, 1}}}}); };
     if (!(0.5f * r > most)) return whole();  // even at a right angle
     near.clear();
@@ -181,7 +181,18 @@ std::vector<DiscPart> curvedDiscs(const Discs& discs, std::span<const std::uint3
         DiscPart part{x + flat * (a * u + b * v) - sunk * n, n, partOf * step, i, {}};
         if (ontoDiscs(discs, components, i, near, part)) parts.push_back(part);
       }
-  });
+  };
+  std::vector<float> most;
+  for (std::size_t b = 0; b < bins.size(); b++) {
+    most.clear();
+    bool any = false;
+    for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++) {
+      most.push_back(allowed(bins.row[k]));
+      any = any || 0.5f * discs.radius(bins.row[k]) > most.back();
+    }
+    if (any) block.find(bins, boxOf(bins, b), static_cast<double>(around * radii[typical]));
+    for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++) draw(bins.row[k], most[k - bins.first[b]], block);
+  }
   return parts;
 }
 

@@ -78,7 +78,7 @@ DrawnSurfels drawable(const SurfelInput& in, const RenderStyle& style, const Sur
   return s;
 }
 
-constexpr float flatEnough = 1.8f;  // samples: how far a disc may be off the surface at its rim
+constexpr float flatEnough = 2.5f;  // samples: how far a disc may be off the surface at its rim
 
 /// What is splatted: surfels, those that bend so much that it shows as several discs each.
 struct SplatDiscs {
