@@ -61,7 +61,7 @@ int checkAll(const CheckOptions& o) {
   const double perStep = steps > 0 ? std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / steps : 0;
   surface.update();
   const std::vector<std::string> surfaceLines = surface.lines(o.ranks);
-  const LedgerReport l = reportLedger(w, all);
+  const LedgerReport l = reportLedger(w, t, all);
   double memory = totalBytes(memoryOf(w, t));
   all.maximum({&memory, 1});
   if (comm.rank() != 0) return exitDone;
