@@ -1,11 +1,13 @@
 // scaling --case fluid|corner --particles N [--copies] [--steps S] [--warm W]: one measurement of the scaling study, on the ranks that mpirun has
-// started; prints one line of CSV (--head: the names of its columns). --copies: each rank runs a simulation of N particles of its own, all at the
-// same time: what the machine does without any parallel program. The series are in benchmarks/scaling/run.
+// started; prints one line of CSV (--head: the names of its columns). --copies: in turn with it, ten steps each, every rank runs a simulation of N / ranks
+// particles of its own, all at the same time: what the machine does without any parallel program. So both see the same minutes of a machine whose
+// speed changes. The series are in benchmarks/scaling/series.py.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -58,86 +60,125 @@ Over over(double mine, Reducer& all) {
 }
 
 constexpr const char* head =
-    "series,case,ranks,particles,steps,ms_step,ms_step_mean,msteps_per_s,imbalance,imbalance_worst,particles_max_over_mean,halo_fraction,halo_fraction_max,"
+    "case,ranks,particles,steps,ms_step,ms_step_mean,msteps_per_s,copies_msteps_per_s,efficiency,imbalance,imbalance_worst,particles_max_over_mean,halo_fraction,halo_fraction_max,"
     "neighbours,neighbours_max,messages,messages_max,kib,kib_max,kib_ghosts,kib_refresh,kib_bonds,messages_bonds,kib_migration,collectives,ms_work,ms_wait,ms_balance,start_s";
 
-struct Measured {
-  std::vector<double> steps;   // s, each
-  double wall = 0, ghosts = 0, owned = 0, worst = 1, balance = 0;
-  PhaseTimes work;
-  Traffic before;
-};
-
+constexpr int look = 25;  // steps between two looks at the balance, as thaw run does
 double since(WallClock::time_point t) { return std::chrono::duration<double>(WallClock::now() - t).count(); }
 
-int measure(const Options& o, const Communicator& world) {
-  const auto begin = WallClock::now();
-  const Communicator comm(o.copies ? MPI_COMM_SELF : world.handle());
+/// A simulation on the ranks of a communicator.
+struct Run {
+  Communicator comm;
   World w;
   StepTools tools;
-  w.scene = sceneForAll(comm, std::string(THAW_BENCHMARK_FOLDER) + "/scenes/" + o.name + ".toml", sizes(o));
-  prepareWorld(w, tools, meshLoader());
-  MpiReducer all(comm);
-  MpiCellHalo cells(comm, w.grid);
-  MpiBondHalo bonds(comm);
-  const Halos halos{all, cells, bonds};
-  startWorld(w, halos, tools, meshLoader());
-  const double startSeconds = since(begin);
-
+  bool prepared;  // before the halos, which need the grid
+  MpiReducer all;
+  MpiCellHalo cells;
+  MpiBondHalo bonds;
   WorkMeter meter;
-  Measured m;
-  double windowWork = 0;
-  const auto oneStep = [&](int k) {
-    if (!step(w, halos, tools, {}).finite) {
+
+  Run(MPI_Comm ranks, const Options& o) : comm(ranks), prepared(prepare(o)), all(comm), cells(comm, w.grid), bonds(comm) { startWorld(w, {all, cells, bonds}, tools, meshLoader()); }
+
+  bool prepare(const Options& o) {
+    w.scene = sceneForAll(comm, std::string(THAW_BENCHMARK_FOLDER) + "/scenes/" + o.name + ".toml", sizes(o));
+    prepareWorld(w, tools, meshLoader());
+    return true;
+  }
+  void step(bool balanceAfter) {
+    if (!thaw::step(w, {all, cells, bonds}, tools, {}).finite) {
       std::fprintf(stderr, "scaling: the scene blew up\n");
       MPI_Abort(MPI_COMM_WORLD, 4);
     }
-    if (k % 25 != 24) return;  // as thaw run does
+    if (!balanceAfter) return;
     tools.times.start();
     balance(w, cells, tools, meter);
     tools.times.lap(StepPhase::Balance);
-  };
-  for (int k = 0; k < o.warm; k++) oneStep(o.warm < 25 && (k + 1) % std::max(1, o.warm / 2) == 0 ? 24 : k);  // at least two looks at the balance
-  MPI_Barrier(world.handle());
-  const PhaseTimes before = tools.times;
-  m.before = comm.traffic();
-  const double balanceBefore = tools.times[StepPhase::Balance];
-  windowWork = workOf(tools.times);
+  }
+  void warm(int steps) {  // at least two looks at the balance
+    for (int k = 0; k < steps; k++) step(k % look == look - 1 || (steps < look && (k + 1) % std::max(1, steps / 2) == 0));
+  }
+};
+
+/// What the steps of a run took.
+struct Measured {
+  std::vector<double> steps;   // s, each
+  std::vector<double> rates;   // particle-steps/s of all ranks, of each block
+  double ghosts = 0, owned = 0, worst = 1;
+};
+
+/// Measured.rates of copies: the sum of what each does; of a run on all ranks, what they do in the time of the slowest.
+void stepBlock(Run& r, Measured& m, int from, int steps, bool copies, Reducer& everyone) {
   const auto start = WallClock::now();
-  for (int k = 0; k < o.steps; k++) {
+  for (int k = from; k < from + steps; k++) {
     const auto t = WallClock::now();
-    oneStep(k);
+    r.step(k % look == look - 1);
     m.steps.push_back(since(t));
-    m.ghosts += static_cast<double>(w.particles.ghosts) / o.steps;
-    m.owned += static_cast<double>(w.particles.owned) / o.steps;
-    if (k % 25 != 24) continue;
-    const Traffic counted = comm.traffic();
-    const Over now = over(workOf(tools.times) - windowWork, all);
-    comm.traffic() = counted;  // without our own
-    windowWork = workOf(tools.times);
+    m.ghosts += static_cast<double>(r.w.particles.ghosts);
+    m.owned += static_cast<double>(r.w.particles.owned);
+  }
+  const double took = since(start), owned = static_cast<double>(r.w.particles.owned);
+  const Traffic counted = r.comm.traffic();
+  m.rates.push_back(steps * everyone.size() * (copies ? over(owned / took, everyone).mean : over(owned, everyone).mean / over(took, everyone).most));
+  r.comm.traffic() = counted;  // without our own
+}
+
+int measure(const Options& o, const Communicator& world) {
+  const auto begin = WallClock::now();
+  Run r(world.handle(), o);
+  const double startSeconds = since(begin);
+  r.warm(o.warm);
+  std::unique_ptr<Run> copy;
+  if (o.copies) {
+    Options own = o;
+    own.particles /= world.size();
+    copy = std::make_unique<Run>(MPI_COMM_SELF, own);
+    copy->warm(std::min(o.warm, 10));
+  }
+  MpiReducer everyone(world);
+  MPI_Barrier(world.handle());
+  const PhaseTimes before = r.tools.times;
+  const Traffic trafficBefore = r.comm.traffic();
+  Measured m, alone;
+  double windowWork = workOf(before);
+  const int block = o.copies ? 10 : look;
+  for (int k = 0; k < o.steps; k += block) {
+    stepBlock(r, m, k, std::min(block, o.steps - k), false, everyone);
+    if (o.copies) {
+      MPI_Barrier(world.handle());
+      stepBlock(*copy, alone, k, std::min(block, o.steps - k), true, everyone);
+      MPI_Barrier(world.handle());
+      continue;
+    }
+    const Traffic counted = r.comm.traffic();
+    const Over now = over(workOf(r.tools.times) - windowWork, everyone);
+    r.comm.traffic() = counted;
+    windowWork = workOf(r.tools.times);
     if (now.mean > 0) m.worst = std::max(m.worst, now.most / now.mean);
   }
-  m.wall = since(start);
-  const Traffic after = comm.traffic();
-  m.balance = tools.times[StepPhase::Balance] - balanceBefore;
-  MPI_Barrier(world.handle());  // copies: none stops while another one is measured
+  const Traffic after = r.comm.traffic();
+  double wall = 0;
+  for (const double s : m.steps) wall += s;
 
   const double n = o.steps;
-  MpiReducer everyone(world);
-  const Over work = over(workOf(tools.times) - workOf(before), everyone), mean = over(m.wall, everyone), start_s = over(startSeconds, everyone), balanced = over(m.balance, everyone);
-  const Over stepTime = over(median(m.steps), everyone), owned = over(m.owned, everyone), halo = over(m.owned > 0 ? m.ghosts / m.owned : 0, everyone);
-  const TrafficSummary t = gatherTraffic(after, m.before, everyone);
-  // copies: the sum of what each does in the median of its steps
-  const double particles = owned.mean * world.size(), rate = o.copies ? over(m.owned / median(m.steps), everyone).mean * world.size() : particles / stepTime.most;
-  const auto& of = t.of;
-  const auto at = [&](MessagesFor p) -> const TrafficSummary::Of& { return of[static_cast<std::size_t>(p)]; };
+  const Over work = over(workOf(r.tools.times) - workOf(before), everyone), mean = over(wall, everyone), start_s = over(startSeconds, everyone);
+  const Over balanced = over(r.tools.times[StepPhase::Balance] - before[StepPhase::Balance], everyone), stepTime = over(median(m.steps), everyone);
+  const Over owned = over(m.owned / n, everyone), halo = over(m.owned > 0 ? m.ghosts / m.owned : 0, everyone);
+  const TrafficSummary t = gatherTraffic(after, trafficBefore, everyone);
+  double copiesRate = 0, efficiency = 0;
+  if (o.copies) {
+    std::vector<double> ratios;
+    for (std::size_t k = 0; k < m.rates.size(); k++) ratios.push_back(m.rates[k] / alone.rates[k]);
+    copiesRate = median(alone.rates), efficiency = median(ratios);
+  }
+  const auto at = [&](MessagesFor p) -> const TrafficSummary::Of& { return t.of[static_cast<std::size_t>(p)]; };
   if (world.rank() != 0) return 0;
   const double kib = 1024 * n;
-  std::printf("%s,%s,%d,%.0f,%d,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.2f,%.2f,%.2f,%.2f,%.3f,%.3f,%.3f,%.3f,%.3f,%.2f,%.3f,%.3f,%.4f,%.4f,%.4f,%.2f\n", o.copies ? "copies" : "ranks", o.name.c_str(),
-              world.size(), particles, o.steps, 1e3 * stepTime.most, 1e3 * mean.mean / n, rate / 1e6, work.mean > 0 ? work.most / work.mean : 1, m.worst, owned.most / owned.mean, halo.mean, halo.most,
-              at(MessagesFor::Ghosts).messages.mean / n, at(MessagesFor::Ghosts).messages.most / n, t.messages.mean / n, t.messages.most / n, t.bytes.mean / kib, t.bytes.most / kib,
-              at(MessagesFor::Ghosts).bytes.mean / kib, at(MessagesFor::Refresh).bytes.mean / kib, at(MessagesFor::Bonds).bytes.mean / kib, at(MessagesFor::Bonds).messages.mean / n,
-              at(MessagesFor::Migration).bytes.mean / kib, static_cast<double>(t.collectives) / n, 1e3 * work.mean / n, 1e3 * t.waited.mean / n, 1e3 * balanced.mean / n, start_s.most);
+  std::printf("%s,%d,%.0f,%d,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.2f,%.2f,%.2f,%.2f,%.3f,%.3f,%.3f,%.3f,%.3f,%.2f,%.3f,%.3f,%.4f,%.4f,%.4f,%.2f\n", o.name.c_str(), world.size(),
+              owned.mean * world.size(), o.steps, 1e3 * stepTime.most, 1e3 * mean.mean / n, median(m.rates) / 1e6, copiesRate / 1e6, efficiency, work.mean > 0 ? work.most / work.mean : 1, m.worst,
+              owned.most / owned.mean, halo.mean, halo.most, at(MessagesFor::Ghosts).messages.mean / n, at(MessagesFor::Ghosts).messages.most / n, t.messages.mean / n, t.messages.most / n,
+              t.bytes.mean / kib, t.bytes.most / kib, at(MessagesFor::Ghosts).bytes.mean / kib, at(MessagesFor::Refresh).bytes.mean / kib, at(MessagesFor::Bonds).bytes.mean / kib,
+              at(MessagesFor::Bonds).messages.mean / n, at(MessagesFor::Migration).bytes.mean / kib, static_cast<double>(t.collectives) / n, 1e3 * work.mean / n, 1e3 * t.waited.mean / n,
+              1e3 * balanced.mean / n, start_s.most);
   return 0;
 }
 

@@ -7,8 +7,9 @@ counts   few particles a rank on up to 64 ranks, many more than there are cores:
 trace    `thaw run --profile` of the melting bust on N ranks: the table to the terminal, the trace beside the CSV file; no line in it
 
 The efficiency of P ranks is their rate over that of P independent simulations of one rank each that run at the same time, of as many particles a
-rank: what the machine's shared memory and clock take from copies is not the program's. Each measurement is the median of its steps; of repeated ones,
-taken in turn with the copies, the best. --quick takes about two minutes and leaves docs/ alone.
+rank: what the machine's shared memory and clock take from copies is not the program's. Both are stepped in turn, ten steps each, in one call; the efficiency
+is the median over these pairs of blocks, so that it bears a machine whose speed changes; of repeated calls the one with the median efficiency counts.
+--quick takes about two minutes and leaves docs/ alone.
 """
 import argparse
 import csv
@@ -54,38 +55,32 @@ class Bench:
         if done.returncode != 0:
             sys.exit(f"{' '.join(command)}: exit {done.returncode}\n{done.stderr[-2000:]}")
         row = dict(zip(self.head, done.stdout.strip().splitlines()[-1].split(",")))
-        print(f"  {'copies' if copies else case} on {ranks} ranks, {row['particles']} particles: {row['ms_step']} ms a step, imbalance {row['imbalance']}, {row['msteps_per_s']} M particle-steps/s", flush=True)
+        against = f", {row['copies_msteps_per_s']} M of copies, efficiency {row['efficiency']}" if copies else ""
+        print(f"  {case} on {ranks} ranks, {row['particles']} particles: {row['ms_step']} ms a step, imbalance {row['imbalance']}, {row['msteps_per_s']} M particle-steps/s{against}", flush=True)
         return row
 
 
-def best(rows):
-    return max(rows, key=lambda r: float(r["msteps_per_s"]))
+def middle(rows, column):
+    return sorted(rows, key=lambda r: float(r[column]))[len(rows) // 2]
 
 
 def scaled(bench, series, perRank, steps, warm, repeats, target):
     """Rows of one series; perRank(ranks): particles of each."""
     rows = []
     for ranks in range(1, bench.cores + 1):
-        together, copies = [], []
-        for _ in range(repeats):
-            together.append(bench.measure(ranks, "fluid", perRank(ranks) * ranks, steps, warm))
-            if ranks > 1:
-                copies.append(bench.measure(ranks, "fluid", perRank(ranks), steps, warm, copies=True))
-        row = best(together)
-        row.update(series=series, repeats=repeats)
+        row = middle([bench.measure(ranks, "fluid", perRank(ranks) * ranks, steps, warm, copies=ranks > 1) for _ in range(repeats)], "efficiency" if ranks > 1 else "msteps_per_s")
+        if ranks == 1:
+            row.update(copies_msteps_per_s=row["msteps_per_s"], efficiency="1.0000")
         alone = rows[0] if rows else row
-        row["speedup"] = f"{float(row['msteps_per_s']) / float(alone['msteps_per_s']):.3f}"
-        row["copies_msteps_per_s"] = best(copies)["msteps_per_s"] if copies else row["msteps_per_s"]
-        row["efficiency"] = f"{float(row['msteps_per_s']) / float(row['copies_msteps_per_s']):.4f}"
-        row["target_efficiency"] = target
+        row.update(series=series, repeats=repeats, speedup=f"{float(row['msteps_per_s']) / float(alone['msteps_per_s']):.3f}", target_efficiency=target)
         rows.append(row)
     return rows
 
 
 def corner(bench, particles, steps, repeats):
     rows = [bench.measure(bench.cores, "corner", particles, steps, 100) for _ in range(repeats)]
-    row = min(rows, key=lambda r: float(r["imbalance"]))
-    row.update(series="corner", repeats=repeats, target_imbalance=1.1)
+    row = middle(rows, "imbalance")
+    row.update(series="corner", repeats=repeats, target_imbalance=1.1, efficiency="", copies_msteps_per_s="")
     return [row]
 
 
@@ -95,7 +90,7 @@ def counts(bench, most, perRank, steps):
         for case, particles in (("fluid", perRank * ranks), ("corner", perRank * ranks * 0.5)):
             row = bench.measure(ranks, case, particles, steps, 25 if case == "corner" else 10)
             row.update(series="counts", repeats=1)
-            for time in ("ms_step", "ms_step_mean", "ms_work", "ms_wait", "ms_balance", "msteps_per_s", "start_s", "imbalance", "imbalance_worst"):
+            for time in ("ms_step", "ms_step_mean", "ms_work", "ms_wait", "ms_balance", "msteps_per_s", "start_s", "imbalance", "imbalance_worst", "efficiency", "copies_msteps_per_s"):
                 row[time] = ""  # more ranks than cores
             rows.append(row)
         ranks *= 2
@@ -128,7 +123,7 @@ def main():
     if a.only and os.path.exists(a.csv):
         with open(a.csv, newline="") as f:
             rows = [r for r in csv.DictReader(f) if r["series"] not in wanted]
-    steps, warm, repeats = (10, 4, 1) if a.quick else (25, 25, 3)
+    steps, warm, repeats = (10, 4, 1) if a.quick else (50, 25, 3)
     fresh = []
     if "strong" in wanted:
         fresh += scaled(bench, "strong", lambda ranks: 1e6 / ranks, steps, warm, repeats, 0.90)

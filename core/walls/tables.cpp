@@ -100,9 +100,13 @@ WallTables makeWallTables(const Numerics& n) {
   WallTables t;
   t.lowest = -0.5 * spacing;
   t.nearest = 0.25 * spacing;
-  const double filling0 = rawIntegrals(n, 0.5 * spacing).filling;
-  for (int k = 0; k <= WallTables::points; k++)
-    t.at.push_back(asLiquidsFeelIt(scaled(rawIntegrals(n, t.lowest + (1 - t.lowest) * k / WallTables::points), drag, conduct), filling0));
+  const double filling0 = rawIntegrals(n, 0.5 * spacing).filling, softFrom = softBelow * spacing;
+  const WallIntegrals soft = asLiquidsFeelIt(rawIntegrals(n, softFrom), filling0);
+  for (int k = 0; k <= WallTables::points; k++) {
+    const double d = t.lowest + (1 - t.lowest) * k / WallTables::points;
+    t.at.push_back(asLiquidsFeelIt(scaled(rawIntegrals(n, d), drag, conduct), filling0));
+    if (d < softFrom) t.at.back().filling = soft.filling + soft.push * (softFrom - d), t.at.back().push = soft.push;
+  }
   return t;
 }
 

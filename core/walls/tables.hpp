@@ -41,7 +41,11 @@ WallIntegrals wallIntegrals(const Numerics& numerics, double distance);
 /// pressure of a still wall does no work; doubling the push alone makes water at rest boil.
 WallIntegrals asLiquidsFeelIt(const WallIntegrals& wall, double filling0);
 
-/// Of asLiquidsFeelIt. conduct and drag take distances below a quarter of a spacing as that. Interpolation is good to 1e-5.
+/// Spacings from a wall below which what a liquid feels of it grows along its tangent. The rest would be twice as steep a quarter of a spacing from the wall and
+/// four times on it, so that the few particles that an impact drives there would hold the step down for all.
+inline constexpr double softBelow = 0.42;
+
+/// Of asLiquidsFeelIt down to softBelow, and on along the tangent: push stays the slope of filling. conduct and drag take distances below a quarter of a spacing as that. Interpolation is good to 1e-5.
 WallTables makeWallTables(const Numerics& numerics);
 
 }  // namespace thaw
