@@ -26,14 +26,13 @@ std::vector<MemoryUse> memoryOf(const World& w, const StepTools& t) {
           {"oriented", bytesOf(static_cast<const Table&>(w.oriented.rows)) + bytesOf(o.lists.first, o.lists.list, o.place, o.move, o.spinMove, o.turn, o.velocity, o.spin, o.rest, o.restSpin, o.along,
                                                                                      o.alongSpin, o.image, o.imageSpin)},
           {"sheets", bytesOf(static_cast<const Table&>(w.sheets.rows)) + bytesOf(static_cast<const Table&>(w.sheets.edges.ends)) +
-                         bytesOf(edges.neighbour, edges.x, edges.y, edges.z, edges.rx, edges.ry, edges.rz, edges.weight, w.sheets.slope)},
+                         static_cast<double>(edges.bytes()) + bytesOf(w.sheets.slope)},
           {"solids", bytesOf(static_cast<const Table&>(w.solids))},
           {"cells", bytesOf(w.cells.key, w.cells.first, w.cells.count, t.inner, t.liquidCells)},
           {"neighbour lists", bytesOf(n.self, n.first, n.count, n.list, n.wet, n.neighbours)},
           {"pair records", bytesOf(r.fixed, r.place, r.motion, r.state, r.surface)},
-          {"bonds", bytesOf(b.neighbour, b.x, b.y, b.z, b.rx, b.ry, b.rz, b.weight)},
-          {"elastic work", bytesOf(e.remoteGroup, e.inner, e.boundary, e.bondCount, e.rank, e.singularLanes, e.stretched, e.perTrace, e.perWeight, e.grip, e.x, e.y, e.z, e.rx, e.ry,
-                                   e.rz, e.weight, e.place4, e.flux12, e.motion4, e.place4d, e.flux12d, e.motion4d)},
+          {"bonds", static_cast<double>(b.bytes())},
+          {"elastic work", bytesOf(e.remoteGroup, e.inner, e.boundary, e.bondCount, e.rank, e.singularLanes, e.stretched, e.perTrace, e.perWeight, e.grip, e.motion4, e.motion4d)},
           {"surface", bytesOf(static_cast<const Table&>(f.surfels)) + bytesOf(static_cast<const Table&>(f.particles)) +
                           bytesOf(f.surfelCells.key, f.surfelCells.first, f.surfelCells.count, f.particleCells.key, f.particleCells.first, f.particleCells.count)},
           {"walls and contacts", bytesOf(t.wallContacts.list, t.closePairs.list)},

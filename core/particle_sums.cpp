@@ -11,6 +11,7 @@
 #include "core/heat/heat.hpp"
 #include "core/ledger/report.hpp"
 #include "core/math/hash_random.hpp"
+#include "core/solid_step.hpp"
 
 namespace thaw {
 namespace {
@@ -56,6 +57,8 @@ std::size_t emit(World& w, Halos& halos, const StepTools& t, double before, doub
 
 }  // namespace
 
+bool needsOrder(const World& w, const StepTools& t) { return needsNeighbours(w, t) || !w.walls.list.empty() || w.modules.kinds() || w.modules.surface; }
+
 bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
   Continuum& p = w.particles;
   if (p.ghosts > 0) p.resize(p.owned, 0);
@@ -70,8 +73,14 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
   }
   addToBalance(w, fresh, w.ledger.entered);
 
-  computeCellKeys(w.grid, p, 0, p.owned);
+  const bool ordered = needsOrder(w, t), placed = ordered || halos.all.size() > 1 || emitted > 0;
+  if (placed) computeCellKeys(w.grid, p, 0, p.owned);
   findLeaving(w.grid, w.scene.domain, p, t.leaving);
+  if (!placed && !t.leaving.empty()) {
+    computeCellKeys(w.grid, p, 0, p.owned);
+    findLeaving(w.grid, w.scene.domain, p, t.leaving);
+  }
+  if (w.modules.solid) findElasticEnergy(w, t, t.leaving);
   addToBalance(w, t.leaving, w.ledger.left);
   w.counters.left += static_cast<std::int64_t>(t.leaving.size());
   bool leftSlots = false;
@@ -92,7 +101,7 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.sleep)
     for (std::size_t i = before; i < p.owned; i++) t.sleep.findAll = t.sleep.findAll || p.sleep[i] == asleep;
   m.arrivals += emitted;
-  sortByCell(p, m, t.sort, w.cells);
+  if (ordered || m.arrivals > 0 || !m.departed.empty()) sortByCell(p, m, t.sort, w.cells);
   t.times.lap(StepPhase::Sort);
   return leftSlots;
 }

@@ -32,6 +32,10 @@ void sumUnitPressure(World& world, StepTools& tools);
 /// Does this evaluation need neighbour lists? A scene of one solid needs them once, to make its bonds.
 inline bool needsNeighbours(const World& world, const StepTools& tools) { return world.modules.neighbours || tools.bondsAtStart; }
 
+/// Does this evaluation go through cells, or through what is in them in the order of (cell, id)? Where nobody does rows stay as they are while none
+/// comes or goes, and no bit of a result depends on it: sums over all particles are exact, and bonds have an order of their own.
+bool needsOrder(const World& world, const StepTools& tools);
+
 /// Inner passes work on particles whose neighbours are all owned; boundary passes on the others. Density passes search first.
 enum class NeighbourPass { InnerDensity, BoundaryDensity, InnerForces, BoundaryForces };
 void sumOverNeighbours(World& world, StepTools& tools, NeighbourPass pass);

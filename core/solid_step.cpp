@@ -13,6 +13,8 @@
 namespace thaw {
 namespace {
 
+ElasticStep elasticStep(const StepTools& t, double dt) { return {dt, t.elastic.energyInSteps, t.elastic.deformationInSteps}; }
+
 void deformAll(World& w, Halos& halos, StepTools& t, const ElasticStep& step) {
   if (w.modules.sleep) chooseAwakeGroups(w, t);
   ElasticResult r = computeDeformationAndStress(t.elastic, w.solids, w.bonds, step, SolidPart::Inner);
@@ -37,6 +39,16 @@ BondForming bondForming(const World& w, const StepTools& t) {
   return forming;
 }
 
+/// What follows from a relink that has changed something on any rank.
+void renewSolids(World& w, Halos& halos, StepTools& t) {
+  fillNewSlots(w.particles, w.solids, t.elastic);
+  if (w.modules.sleep) forgetChangedSlots(w, t);
+  const ColumnList columns = remoteColumnsAfterRelink(w.solids);
+  halos.bonds.begin(w.solids, columns);
+  halos.bonds.finish(w.solids);
+  w.counters.singularNeighbourhoods = refreshReference(t.elastic, w.solids, w.bonds, false);
+}
+
 /// Do bonds form in this step, on any rank? Whether solids weld is looked up at the places of now, so that a restart needs no memory of it.
 bool bondsForm(World& w, Halos& halos, StepTools& t) {
   if (t.bondsAtStart || t.frozeAnywhere) return t.bondsAtStart || w.modules.freezing;
@@ -58,6 +70,21 @@ void bookEnergy(World& w, StepTools& t, double sign) {
   for (const std::uint32_t row : t.rebonded) w.ledger.phaseJump.add(sign * slotEnergy(t.elastic, w.solids, w.bonds, w.particles.slot[row]));
 }
 
+/// All bonds of the start, in parts: asked for at once the requests would be many times what the bonds themselves take.
+void bondScene(World& w, Halos& halos, StepTools& t) {
+  takeReferences(w.particles, w.solids);
+  const BondForming forming = bondForming(w, t);
+  constexpr std::size_t parts = 16;  // alike on all ranks
+  std::vector<BondRequest> requests;
+  for (std::size_t k = 0; k < parts; k++) {
+    requests.clear();
+    formBonds(w.particles, w.solids, w.bonds, w.neighbours, forming, requests, {k * w.neighbours.groups / parts, (k + 1) * w.neighbours.groups / parts});
+    halos.bonds.relink(w.particles, w.solids, w.bonds, {requests, true});
+  }
+  renewSolids(w, halos, t);
+  t.bondsAtStart = false;
+}
+
 /// Bonds of the start, or of what has just frozen. The stress of what was there does not change: F of older ends is taken into account.
 void makeBonds(World& w, Halos& halos, StepTools& t) {
   Continuum& p = w.particles;
@@ -68,12 +95,11 @@ void makeBonds(World& w, Halos& halos, StepTools& t) {
   halos.cells.beginRefresh(p, columns);
   halos.cells.finishRefresh(p);
   if (w.modules.fluid) halos.cells.beginRefresh(p, std::array<AnyColumn*, 1>{&p.filling});
-  const BondForming forming = bondForming(w, t);
+  if (t.bondsAtStart) return bondScene(w, halos, t);
   t.requests.clear();
-  w.counters.welds += formBonds(p, w.solids, w.bonds, w.neighbours, forming, t.requests);
-  if (!t.bondsAtStart) bookEnergy(w, t, 1);
+  w.counters.welds += formBonds(p, w.solids, w.bonds, w.neighbours, bondForming(w, t), t.requests);
+  bookEnergy(w, t, 1);
   relinkSolids(w, halos, t, {t.requests, true});
-  t.bondsAtStart = false;
 }
 
 }  // namespace
@@ -81,15 +107,24 @@ void makeBonds(World& w, Halos& halos, StepTools& t) {
 void relinkSolids(World& w, Halos halos, StepTools& t, const Relink& work) {
   t.times.lap(StepPhase::Sort);
   linkSlots(w.particles, w.solids);
-  if (halos.bonds.relink(w.particles, w.solids, w.bonds, work)) {
-    fillNewSlots(w.particles, w.solids, t.elastic);
-    if (w.modules.sleep) forgetChangedSlots(w, t);
-    w.counters.singularNeighbourhoods = refreshReference(t.elastic, w.solids, w.bonds, false);
-    const ColumnList columns = remoteColumnsAfterRelink(w.solids);
-    halos.bonds.begin(w.solids, columns);
-    halos.bonds.finish(w.solids);
-  }
+  if (halos.bonds.relink(w.particles, w.solids, w.bonds, work)) renewSolids(w, halos, t);
   t.times.lap(StepPhase::Bonds);
+}
+
+void findElasticEnergy(World& w, const StepTools& t) {
+  if (w.solids.energyKnown) return;
+  for (std::size_t s = 0; s < w.solids.owned; s++) {
+    const Mat3d gradU = slotGradient(t.elastic, w.solids, w.bonds, s);
+    w.solids.energy[s] = slotEnergy(t.elastic, w.solids, w.bonds, s, gradU);
+    if (!t.elastic.deformationInSteps) w.solids.deformation[s] = identity3<double>() + gradU;
+  }
+  w.solids.energyKnown = true;
+}
+
+void findElasticEnergy(World& w, const StepTools& t, std::span<const std::uint32_t> rows) {
+  if (w.solids.energyKnown) return;
+  for (const std::uint32_t i : rows)
+    if (const std::uint32_t slot = w.particles.slot[i]; slot != noSlot) w.solids.energy[slot] = slotEnergy(t.elastic, w.solids, w.bonds, slot);
 }
 
 void melt(World& w, Halos halos, StepTools& t) {
@@ -109,7 +144,7 @@ void beginDeformation(World& w, Halos halos) {
 
 void deform(World& w, Halos halos, StepTools& t, double dt) {
   dt /= w.clock.substeps;  // the last of them
-  ElasticStep now{dt, true};
+  ElasticStep now = elasticStep(t, dt);
   deformAll(w, halos, t, now);
   if (bondsForm(w, halos, t)) {
     const bool start = t.bondsAtStart;
@@ -130,12 +165,13 @@ void deform(World& w, Halos halos, StepTools& t, double dt) {
 }
 
 void addElasticForces(World& w, Halos halos, StepTools& t, double dt) {
-  const ElasticStep now{dt / w.clock.substeps, true};
+  const ElasticStep now = elasticStep(t, dt / w.clock.substeps);
   computeElasticForces(t.elastic, w.solids, w.bonds, now, SolidPart::Inner);
   t.times.lap(StepPhase::Elastic);
   halos.bonds.finish(w.solids);
   t.times.lap(StepPhase::Bonds);
   computeElasticForces(t.elastic, w.solids, w.bonds, now, SolidPart::Boundary);
+  w.solids.energyKnown = now.energy;
   addSolidForces(w.solids, w.particles, dt);
   if (w.particles.fastAcceleration.active)
     for (std::size_t s = 0; s < w.solids.owned; s++) {

@@ -28,7 +28,7 @@ void drift(World& w, double span, double far2) {
 
 /// Solids::force of bonds, and of contacts with walls.
 void addFastForces(World& w, Halos& halos, StepTools& t, double span) {
-  const ElasticStep now{span, false};
+  const ElasticStep now{span, false, false};
   copyToSolids(w.particles, w.solids);
   halos.bonds.begin(w.solids, remoteColumnsBeforeDeformation(w.solids));
   ElasticResult r = computeDeformationAndStress(t.elastic, w.solids, w.bonds, now, SolidPart::Inner);

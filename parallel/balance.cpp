@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "core/kinds/cell_costs.hpp"
+#include "core/neighbours/list_cells.hpp"
+#include "core/particle_sums.hpp"
 
 namespace thaw {
 
@@ -22,6 +24,7 @@ bool balance(World& w, CellHalo& halo, const StepTools& t, WorkMeter& meter) {
   const double perParticle = per(workOf(t.times), meter.seconds, w.particles.owned);
   std::array<double, kindCount> perRow{};
   eachKind(w, [&](std::size_t kind, const KindRows& r, const CellTable&) { perRow[kind] = per(t.times[kind == orientedKind ? StepPhase::Oriented : StepPhase::Sheet], meter.kinds[kind], r.owned); });
+  if (!needsOrder(w, t)) listCells(w.particles, w.cells);  // rows may have left the cells of the last sort
   CellCosts costs = costOfCells(w, perParticle, perRow);
   for (double& c : costs.cost) c = std::max(1e-12, c);
   return halo.rebalance(costs.cells, costs.cost, false);

@@ -116,7 +116,7 @@ void MpiBondHalo::sendRecords(const BondedRows& p, const Solids& s, const Bonds&
     Parcel& x = parcelTo(d.to, false);
     appendRecord(s, b, d.slot, x.records);
     for (int k = 0; k < b.capacity; k++)
-      if (const std::size_t at = b.at(d.slot, k); b.weight[at] > 0) x.owners.push_back(graph_.ownerOf(b.neighbour[at]));
+      if (b.there(d.slot, k)) x.owners.push_back(graph_.ownerOf(b.neighbour[b.at(d.slot, k)]));
   }
   if (!waiting_.empty()) {
     listWaiting(s);
@@ -249,7 +249,7 @@ std::vector<std::uint64_t> MpiBondHalo::unknownIds(const Solids& s, const Relink
       if (graph_.rowOf(r.neighbourId) == noRow) ids.push_back(r.neighbourId);
   }
   for (const BondRequest& q : work.requests)
-    if (graph_.rowOf(q.neighbourId) == noRow) ids.push_back(q.neighbourId);
+    if ((q.other == noSlot || graph_.leaves(q.other)) && graph_.rowOf(q.neighbourId) == noRow) ids.push_back(q.neighbourId);
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   return ids;
@@ -309,6 +309,7 @@ void MpiBondHalo::makeSlots(const SolidTables& t, const Relink& work) {
     fresh_[i].state = view.state;
     most = std::max(most, view.bonds.size());
   }
+  most = std::max(most, graph_.mostBonds(work.requests));
   const auto before = static_cast<std::uint32_t>(graph_.rows());
   graph_.place(t, fresh_);
   graph_.reserve(t.bonds, static_cast<int>(most));
@@ -325,7 +326,10 @@ void MpiBondHalo::makeSlots(const SolidTables& t, const Relink& work) {
       graph_.bond(t, before + i, r, owner);
     }
   }
-  for (const BondRequest& q : work.requests) graph_.bond(t, q.slot, bondOf(q), ownerOf(q.neighbourId));
+  for (const BondRequest& q : work.requests) {
+    const bool here = q.other != noSlot && !graph_.leaves(q.other);
+    graph_.bond(t, q.slot, bondOf(q), here ? comm_.rank() : ownerOf(q.neighbourId), q.other);
+  }
 }
 
 void MpiBondHalo::begin(Solids&, std::span<AnyColumn* const> columns) { links_.begin(comm_, columns); }

@@ -15,7 +15,8 @@ namespace {
 enum Tag { BondTag = 31, LinkKind = 44 };
 
 struct Bytes24 { std::uint64_t word[3]; };
-struct Bytes72 { std::uint64_t word[9]; };
+struct Bytes64 { std::uint64_t word[8]; };
+struct Bytes128 { std::uint64_t word[16]; };
 
 template<class T, class Links> std::byte* gather(const AnyColumn& c, const Links& links, std::byte* to) {
   const T* from = reinterpret_cast<const T*>(c.bytes.data());
@@ -29,7 +30,8 @@ template<class Links> std::byte* gather(const AnyColumn& c, const Links& links, 
   switch (c.elementBytes) {
     case 8: return gather<std::uint64_t>(c, links, to);
     case 24: return gather<Bytes24>(c, links, to);
-    case 72: return gather<Bytes72>(c, links, to);
+    case 64: return gather<Bytes64>(c, links, to);
+    case 128: return gather<Bytes128>(c, links, to);
     default: break;
   }
   for (const auto& l : links) {

@@ -15,7 +15,7 @@ double kineticEnergy(Trial& r) {
 
 /// What no term of the ledger explains: energy in shares of `energy`, momentum in shares of m `speed`.
 void addBooks(Trial& r, double energy, double speed, std::vector<Figure>& figures) {
-  const LedgerReport books = reportLedger(r.world, r.all);
+  const LedgerReport books = reportLedger(r.world, r.tools, r.all);
   figures.push_back({"energy residual", std::abs(books.energyResidual) / energy, 0.01});
   figures.push_back({"momentum residual", length(books.momentumResidual) / (books.now.mass * speed), 1e-9});
 }

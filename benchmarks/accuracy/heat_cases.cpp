@@ -13,7 +13,7 @@ double diffusivityOf(const Material& m) { return m.conductivity.at(1) / (m.densi
 
 /// Heat that no book explains, over all that could flow.
 double heatResidual(Trial& r, double scale) {
-  const LedgerReport books = reportLedger(r.world, r.all);
+  const LedgerReport books = reportLedger(r.world, r.tools, r.all);
   return std::abs(books.heatResidual) / (scale * books.now.mass * r.world.scene.materials[0].heatCapacity.at(1));
 }
 

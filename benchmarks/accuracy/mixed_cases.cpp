@@ -8,7 +8,7 @@ namespace {
 
 /// There is no exact solution; energy from nowhere says what longer steps do. Over the kinetic energy of the liquid.
 std::vector<Figure> measurePlate(Trial& r) {
-  const LedgerReport books = reportLedger(r.world, r.all);
+  const LedgerReport books = reportLedger(r.world, r.tools, r.all);
   return {{"energy residual", std::abs(books.energyResidual) / books.now.kinetic, 0.01},
           {"elastic energy", books.now.elastic / books.now.kinetic},
           {"momentum residual", length(books.momentumResidual) / length(books.gravityImpulse), 1e-6}};

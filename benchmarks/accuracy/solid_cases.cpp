@@ -60,8 +60,8 @@ void launch(Trial& r) {
 }
 
 void watchFlight(Trial& r) {
-  const World& w = r.world;
-  const LedgerReport l = reportLedger(w, r.all);
+  World& w = r.world;
+  const LedgerReport l = reportLedger(w, r.tools, r.all);
   const double forces = sum(r, [](const World& x, std::size_t i) { return length(x.particles.force[i]); });
   r.notes["impulse"] += forces * w.clock.stepDt;
   r.notes["energy"] = std::max(r.notes["energy"], std::abs(l.energyResidual) / (l.initial.kinetic + l.initial.elastic));
@@ -69,7 +69,7 @@ void watchFlight(Trial& r) {
 }
 
 std::vector<Figure> measureFlight(Trial& r) {
-  const LedgerReport l = reportLedger(r.world, r.all);
+  const LedgerReport l = reportLedger(r.world, r.tools, r.all);
   return {{"max |energy residual|", r.notes["energy"], 1e-3},
           {"momentum/(sum|F| t)", length(l.now.momentum - l.initial.momentum) / r.notes["impulse"], 1e-14},
           {"angular momentum", r.notes["angular momentum"], 1e-12}};

@@ -3,6 +3,7 @@
 
 #include "core/solid/laws/response.hpp"
 #include "core/solid/plasticity.hpp"
+#include "core/solid_step.hpp"
 
 namespace thaw::accuracy {
 namespace {
@@ -13,6 +14,7 @@ void draw(Trial& r, double from, double to, double dt) {
   const double along = to / from, across = 1 / std::sqrt(along);
   for (std::size_t i = 0; i < p.owned; i++) p.position[i] = {along * p.position[i].x, across * p.position[i].y, across * p.position[i].z};
   evaluate(r.world, r.halos(), r.tools, dt);
+  findElasticEnergy(r.world, r.tools);  // and F
 }
 
 /// Norm of the deviator of the second Piola stress, Pa.

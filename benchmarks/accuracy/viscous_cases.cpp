@@ -62,7 +62,7 @@ std::vector<Figure> measureStarting(Trial& r) {
 struct Motion { Vec3d momentum, angular; double mass = 0; };
 
 Motion motionOf(Trial& r) {
-  const LedgerReport books = reportLedger(r.world, r.all);
+  const LedgerReport books = reportLedger(r.world, r.tools, r.all);
   return {books.now.momentum, books.now.angularMomentum, books.now.mass};
 }
 

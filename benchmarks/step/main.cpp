@@ -152,7 +152,8 @@ void measure(const Communicator& comm, const Case& c, const Options& o, FILE* ou
   const double copied = copySpeed(comm);  // of the first rank
   double neighbours = 0;
   for (std::size_t i = 0; i < rig.w.neighbours.neighbours.size() && c.kind != Kind::Elastic; i++) neighbours += rig.w.neighbours.neighbours[i];
-  for (std::size_t k = 0; k < rig.w.bonds.weight.size() && c.kind == Kind::Elastic; k++) neighbours += rig.w.bonds.weight[k] > 0;
+  for (std::size_t s = 0; s < rig.w.solids.owned && c.kind == Kind::Elastic; s++)
+    for (int k = 0; k < rig.w.bonds.capacity; k++) neighbours += rig.w.bonds.there(s, k);
   neighbours = sumOver(comm, neighbours) / N;
   if (comm.rank() != 0) return;
   if (o.memory)

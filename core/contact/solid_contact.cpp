@@ -11,8 +11,7 @@ namespace {
 bool bonded(const ContactContext& x, std::uint32_t slot, std::uint64_t other) {
   if (slot == noSlot) return false;
   for (int k = 0; k < x.bonds.capacity; k++) {
-    const std::size_t at = x.bonds.at(slot, k);
-    if (x.bonds.weight[at] > 0 && x.solids.id[x.bonds.neighbour[at]] == other) return true;
+    if (x.bonds.there(slot, k) && x.solids.id[x.bonds.neighbour[x.bonds.at(slot, k)]] == other) return true;
   }
   return false;
 }

@@ -87,6 +87,7 @@ struct BondRequest {
   Vec3d reference;   ///< X_ij, m, in this end's frame
   Vec3d reverse;     ///< X_ji, m, in the other end's frame (-X_ij unless the frames differ)
   double weight;
+  std::uint32_t other = noSlot;  ///< slot of the other end, where it is owned here and the caller knows it: it need not be looked for
 };
 
 /// What a relink is to do beside what the tables say.

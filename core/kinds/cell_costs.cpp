@@ -28,9 +28,9 @@ double wakeful(const Continuum& p, std::size_t first, std::size_t count) {
 CellCosts costOfCells(const World& w, double perParticle, const std::array<double, kindCount>& perRow) {
   std::vector<CellCost> list;
   addCells(w.particles, w.cells, perParticle, [&](std::size_t c) { return wakeful(w.particles, w.cells.first[c], w.cells.count[c]); }, list);
-  const std::size_t continuum = list.size();
   eachKind(w, [&](std::size_t kind, const KindRows& r, const CellTable& cells) { addCells(r, cells, perRow[kind], [&](std::size_t c) { return static_cast<double>(cells.count[c]); }, list); });
-  if (list.size() != continuum) std::stable_sort(list.begin(), list.end(), [](const CellCost& a, const CellCost& b) { return a.key < b.key; });
+  const auto before = [](const CellCost& a, const CellCost& b) { return a.key < b.key; };
+  if (!std::is_sorted(list.begin(), list.end(), before)) std::stable_sort(list.begin(), list.end(), before);
   CellCosts all;
   for (const CellCost& c : list) {
     if (all.cells.key.empty() || all.cells.key.back() != c.key) {

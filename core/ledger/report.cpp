@@ -8,6 +8,7 @@
 #include "core/fluid/state_equation.hpp"
 #include "core/kinds/kind_books.hpp"
 #include "core/kinds/kinds.hpp"
+#include "core/solid_step.hpp"
 
 namespace thaw {
 namespace {
@@ -65,7 +66,8 @@ void addToBalance(const World& w, std::span<const std::uint32_t> rows, ExactBala
   for (std::uint32_t i : rows) addRow(w, i, b);
 }
 
-LedgerReport reportLedger(const World& w, Reducer& all) {
+LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
+  findElasticEnergy(w, t);
   const Continuum& p = w.particles;
   ExactBalance now;
   ExactSum dissipated = w.ledger.dissipated, liquid;

@@ -5,6 +5,8 @@
 
 namespace thaw {
 
+struct StepTools;
+
 struct LedgerReport {
   Balance now, initial, entered, left;
   double dissipated = 0, wallWork = 0, heatIn = 0, phaseJump = 0;  // J
@@ -22,7 +24,7 @@ struct LedgerReport {
 /// Adds the particles of rows to a balance.
 void addToBalance(const World& world, std::span<const std::uint32_t> rows, ExactBalance& balance);
 
-/// Collective.
-LedgerReport reportLedger(const World& world, Reducer& all);
+/// Finds the elastic energy where the last step did not (core/solid_step.hpp). Collective.
+LedgerReport reportLedger(World& world, const StepTools& tools, Reducer& all);
 
 }  // namespace thaw

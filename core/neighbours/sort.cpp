@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "core/kinds/kind_rows.hpp"
+#include "core/neighbours/list_cells.hpp"
 #include "core/surface/surfels.hpp"
 
 namespace thaw {
@@ -12,15 +13,13 @@ template<class Rows> void computeCellKeys(const CellGrid& grid, Rows& p, std::si
   for (std::size_t i = begin; i < end; i++) p.nextCell[i] = cellKey(cellOf(grid, p.position[i]));
 }
 
-namespace {
-
 template<class Rows> void listCells(const Rows& p, CellTable& cells) {
   cells.key.clear();
   cells.first.clear();
   cells.count.clear();
   for (std::size_t i = 0; i < p.owned; i++) {
-    if (cells.key.empty() || cells.key.back() != p.cell[i]) {
-      cells.key.push_back(p.cell[i]);
+    if (cells.key.empty() || cells.key.back() != p.nextCell[i]) {
+      cells.key.push_back(p.nextCell[i]);
       cells.first.push_back(static_cast<std::uint32_t>(i));
       cells.count.push_back(0);
     }
@@ -28,8 +27,6 @@ template<class Rows> void listCells(const Rows& p, CellTable& cells) {
   }
   cells.ownedCells = cells.key.size();
 }
-
-}  // namespace
 
 template<class Rows> void sortByCell(Rows& p, const Migration& migration, SortBuffers& b, CellTable& cells) {
   const std::size_t stayed = p.owned - migration.arrivals;
@@ -71,6 +68,7 @@ template void computeCellKeys(const CellGrid&, Continuum&, std::size_t, std::siz
 template void computeCellKeys(const CellGrid&, Surfels&, std::size_t, std::size_t);
 template void computeCellKeys(const CellGrid&, SurfaceParticles&, std::size_t, std::size_t);
 template void computeCellKeys(const CellGrid&, KindRows&, std::size_t, std::size_t);
+template void listCells(const Continuum&, CellTable&);
 template void sortByCell(Continuum&, const Migration&, SortBuffers&, CellTable&);
 template void sortByCell(Surfels&, const Migration&, SortBuffers&, CellTable&);
 template void sortByCell(SurfaceParticles&, const Migration&, SortBuffers&, CellTable&);

@@ -152,7 +152,7 @@ void takeStock(World& w, Halos halos, StepTools& t) {
     for (std::size_t i = 0; i < p.owned; i++)
       if (p.clamped[i]) p.acceleration[i] = {};
   t.mass = totalMass(w, halos.all);
-  const LedgerReport now = reportLedger(w, halos.all);
+  const LedgerReport now = reportLedger(w, t, halos.all);
   w.ledger.initial = now.now;
   // what the emitters let out at time 0 is part of the start, and what relaxation made and took
   w.ledger.entered = w.ledger.left = {};
@@ -175,6 +175,7 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   Continuum& p = w.particles;
   moveWalls(w.walls, w.clock.time);
   t.sleep = {};
+  w.solids.energyKnown = true;  // it is part of the state
   if (p.slot.active) {
     for (std::size_t i = 0; i < p.owned; i++) p.slot[i] = noSlot;
     relinkSolids(w, halos, t, {{}, true});  // slots of the records that were read, where they were read

@@ -3,6 +3,7 @@
 // reciprocal approximations (speed.md). Everything here lives in a namespace of the instruction set, because the file is compiled
 // once for each of them and the linker must not mix the copies.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 
 #ifndef THAW_ISA
@@ -120,7 +121,7 @@ THAW_INLINE bool any(MaskD m) {
 template<class Real> struct alignas(4 * sizeof(Real)) Record { Real a, b, c, d; };
 template<class Real> struct Lanes4 { Lanes<Real> a, b, c, d; };
 
-THAW_INLINE Vec8f load2(const Record<float>* at, std::uint32_t low, std::uint32_t high) {
+THAW_INLINE Vec8f load2(const Record<float>* at, std::size_t low, std::size_t high) {
 #if defined(__AVX__)  // the upper half straight from memory: of a shuffle of two registers there is one a cycle
   const __m128 l = _mm_load_ps(&at[low].a);
   return reinterpret_cast<Vec8f>(_mm256_insertf128_ps(_mm256_castps128_ps256(l), *reinterpret_cast<const __m128*>(at + high), 1));
@@ -129,9 +130,10 @@ THAW_INLINE Vec8f load2(const Record<float>* at, std::uint32_t low, std::uint32_
   return __builtin_shufflevector(l, h, 0, 1, 2, 3, 4, 5, 6, 7);
 #endif
 }
-THAW_INLINE Lanes4<float> load(const Record<float>* at, const std::uint32_t* rows) {
-  const Vec8f r0 = load2(at, rows[0], rows[4]), r1 = load2(at, rows[1], rows[5]);
-  const Vec8f r2 = load2(at, rows[2], rows[6]), r3 = load2(at, rows[3], rows[7]);
+/// stride: records of a row; the first of them is loaded.
+template<std::size_t stride = 1> THAW_INLINE Lanes4<float> load(const Record<float>* at, const std::uint32_t* rows) {
+  const Vec8f r0 = load2(at, stride * rows[0], stride * rows[4]), r1 = load2(at, stride * rows[1], stride * rows[5]);
+  const Vec8f r2 = load2(at, stride * rows[2], stride * rows[6]), r3 = load2(at, stride * rows[3], stride * rows[7]);
   const Vec8f ab01 = __builtin_shufflevector(r0, r1, 0, 8, 1, 9, 4, 12, 5, 13), cd01 = __builtin_shufflevector(r0, r1, 2, 10, 3, 11, 6, 14, 7, 15);
   const Vec8f ab23 = __builtin_shufflevector(r2, r3, 0, 8, 1, 9, 4, 12, 5, 13), cd23 = __builtin_shufflevector(r2, r3, 2, 10, 3, 11, 6, 14, 7, 15);
   return {LanesF(__builtin_shufflevector(ab01, ab23, 0, 1, 8, 9, 4, 5, 12, 13)), LanesF(__builtin_shufflevector(ab01, ab23, 2, 3, 10, 11, 6, 7, 14, 15)),
@@ -144,19 +146,35 @@ THAW_INLINE Vec4d halves(const double* low, const double* high) {
   return Vec4d{low[0], low[1], high[0], high[1]};
 #endif
 }
-THAW_INLINE void transpose4(const Record<double>* at, const std::uint32_t* rows, Vec4d& a, Vec4d& b, Vec4d& c, Vec4d& d) {
-  const Record<double>*p0 = at + rows[0], *p1 = at + rows[1], *p2 = at + rows[2], *p3 = at + rows[3];
+template<std::size_t stride> THAW_INLINE void transpose4(const Record<double>* at, const std::uint32_t* rows, Vec4d& a, Vec4d& b, Vec4d& c, Vec4d& d) {
+  const Record<double>*p0 = at + stride * rows[0], *p1 = at + stride * rows[1], *p2 = at + stride * rows[2], *p3 = at + stride * rows[3];
   const Vec4d ab02 = halves(&p0->a, &p2->a), ab13 = halves(&p1->a, &p3->a), cd02 = halves(&p0->c, &p2->c), cd13 = halves(&p1->c, &p3->c);
   a = __builtin_shufflevector(ab02, ab13, 0, 4, 2, 6);
   b = __builtin_shufflevector(ab02, ab13, 1, 5, 3, 7);
   c = __builtin_shufflevector(cd02, cd13, 0, 4, 2, 6);
   d = __builtin_shufflevector(cd02, cd13, 1, 5, 3, 7);
 }
-THAW_INLINE Lanes4<double> load(const Record<double>* at, const std::uint32_t* rows) {
+template<std::size_t stride = 1> THAW_INLINE Lanes4<double> load(const Record<double>* at, const std::uint32_t* rows) {
   Lanes4<double> r;
-  transpose4(at, rows, r.a.lo, r.b.lo, r.c.lo, r.d.lo);
-  transpose4(at, rows + 4, r.a.hi, r.b.hi, r.c.hi, r.d.hi);
+  transpose4<stride>(at, rows, r.a.lo, r.b.lo, r.c.lo, r.d.lo);
+  transpose4<stride>(at, rows + 4, r.a.hi, r.b.hi, r.c.hi, r.d.hi);
   return r;
+}
+
+/// The reverse of load: four values of lanes [0, n), as records `stride` records apart.
+THAW_INLINE void store(const Lanes4<float>& v, int n, int stride, Record<float>* to) {
+  const Vec8f ab0 = __builtin_shufflevector(v.a.v, v.b.v, 0, 8, 1, 9, 4, 12, 5, 13), ab2 = __builtin_shufflevector(v.a.v, v.b.v, 2, 10, 3, 11, 6, 14, 7, 15);
+  const Vec8f cd0 = __builtin_shufflevector(v.c.v, v.d.v, 0, 8, 1, 9, 4, 12, 5, 13), cd2 = __builtin_shufflevector(v.c.v, v.d.v, 2, 10, 3, 11, 6, 14, 7, 15);
+  // lanes l and l + 4 in the halves
+  const Vec8f rows[4] = {__builtin_shufflevector(ab0, cd0, 0, 1, 8, 9, 4, 5, 12, 13), __builtin_shufflevector(ab0, cd0, 2, 3, 10, 11, 6, 7, 14, 15),
+                         __builtin_shufflevector(ab2, cd2, 0, 1, 8, 9, 4, 5, 12, 13), __builtin_shufflevector(ab2, cd2, 2, 3, 10, 11, 6, 7, 14, 15)};
+  for (int l = 0; l < 4; l++) {
+    if (l < n) *reinterpret_cast<Vec4f*>(to + l * stride) = __builtin_shufflevector(rows[l], rows[l], 0, 1, 2, 3);
+    if (l + 4 < n) *reinterpret_cast<Vec4f*>(to + (l + 4) * stride) = __builtin_shufflevector(rows[l], rows[l], 4, 5, 6, 7);
+  }
+}
+THAW_INLINE void store(const Lanes4<double>& v, int n, int stride, Record<double>* to) {
+  for (int l = 0; l < n; l++) to[l * stride] = {v.a[l], v.b[l], v.c[l], v.d[l]};
 }
 
 /// Eight consecutive values.

@@ -46,9 +46,8 @@ void lookAround(const CellTable& cells, const std::vector<std::uint8_t>& own, st
 bool mayBeSkipped(const World& w, std::uint32_t slot) {
   const Solids& s = w.solids;
   for (int k = 0; k < w.bonds.capacity; k++) {
-    const std::size_t at = w.bonds.at(slot, k);
-    if (!(w.bonds.weight[at] > 0)) continue;
-    Vec3d d = s.position[w.bonds.neighbour[at]] - s.position[slot];
+    if (!w.bonds.there(slot, k)) continue;
+    Vec3d d = s.position[w.bonds.neighbour[w.bonds.at(slot, k)]] - s.position[slot];
     for (int a = 0; a < 3; a++) {
       if (w.grid.periodic[a]) d[a] -= w.grid.period[a] * std::nearbyint(d[a] / w.grid.period[a]);
       if (!(std::abs(d[a]) < w.grid.edge[a])) return false;

@@ -1,5 +1,7 @@
 #include "core/solid/bond_forming.hpp"
 
+#include <algorithm>
+
 namespace thaw {
 
 namespace {
@@ -20,8 +22,7 @@ bool wanted(const Continuum& p, const BondForming& f, std::size_t i, std::size_t
 
 bool bonded(const Solids& solids, const Bonds& bonds, std::size_t slot, std::uint64_t id) {
   for (int k = 0; k < bonds.capacity; k++) {
-    const std::size_t b = bonds.at(slot, k);
-    if (bonds.weight[b] > 0 && solids.id[bonds.neighbour[b]] == id) return true;
+    if (bonds.there(slot, k) && solids.id[bonds.neighbour[bonds.at(slot, k)]] == id) return true;
   }
   return false;
 }
@@ -65,12 +66,12 @@ bool touchesToWeld(const Continuum& p, const Solids& solids, const Bonds& bonds,
 }
 
 std::int64_t formBonds(const Continuum& p, const Solids& solids, const Bonds& bonds, const NeighbourLists& lists, const BondForming& forming,
-                       std::vector<BondRequest>& requests) {
+                       std::vector<BondRequest>& requests, ListedGroups range) {
   // a periodic image's shifted position is rounded: only the unshifted ones give both ends the same bits
   const Column<Vec3d>& place = p.home.active ? p.home : p.position;
   const bool frames = forming.rule != BondRule::Start;
   std::int64_t welds = 0;
-  for (std::size_t g = 0; g < lists.groups; g++)
+  for (std::size_t g = range.first; g < std::min(range.last, lists.groups); g++)
     for (std::size_t l = 0; l < lanes; l++) {
       const std::size_t i = lists.self[g * lanes + l];
       if (i >= p.owned || p.phase[i] != Solid || p.slot[i] == noSlot) continue;
@@ -82,7 +83,7 @@ std::int64_t formBonds(const Continuum& p, const Solids& solids, const Bonds& bo
         const bool old = frames && !p.justFrozen[i] && !p.justFrozen[j];
         if (!(weight > 0) || (old && !(dot(x, x) < forming.touch * forming.touch))) continue;
         if (old && bonded(solids, bonds, p.slot[i], p.id[j])) continue;
-        requests.push_back({p.slot[i], p.id[j], frames ? referenceIn(p.frame[i], x) : x, frames ? referenceIn(p.frame[j], -x) : -x, weight});
+        requests.push_back({p.slot[i], p.id[j], frames ? referenceIn(p.frame[i], x) : x, frames ? referenceIn(p.frame[j], -x) : -x, weight, j < p.owned ? p.slot[j] : noSlot});
         welds += p.body[i] != p.body[j] && p.id[i] < p.id[j];
       }
     }

@@ -39,10 +39,13 @@ Vec3d referenceIn(const Mat3d& frame, const Vec3d& x);
 /// something to do though nothing froze. Needs id, body, material, phase and position of ghosts.
 bool touchesToWeld(const Continuum& particles, const Solids& solids, const Bonds& bonds, const NeighbourLists& lists, const BondForming& forming);
 
+/// Groups [first, last) of the neighbour lists: a particle is in one of them.
+struct ListedGroups { std::size_t first = 0, last = SIZE_MAX; };
+
 /// Appends the requests for bonds of owned particles with a slot to solid neighbours (owned or ghosts), in the order of the
 /// neighbour lists; both ends ask for the same bond with the same bits. Pairs that are bonded already are left out.
 /// Returns the number of welds: bonds between different bodies, each counted at its end with the smaller id.
 std::int64_t formBonds(const Continuum& particles, const Solids& solids, const Bonds& bonds, const NeighbourLists& lists, const BondForming& forming,
-                       std::vector<BondRequest>& requests);
+                       std::vector<BondRequest>& requests, ListedGroups range = {});
 
 }  // namespace thaw

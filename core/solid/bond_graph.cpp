@@ -36,18 +36,15 @@ void BondGraph::forget(std::uint32_t row) {
 
 void BondGraph::dropBroken(const SolidTables& t) {
   Bonds& b = t.bonds;
+  references_.assign(before_, 0);  // a cut bond may not tell its other end any more: all are counted anew
   for (std::size_t s = 0; s < owned_; s++) {
     int kept = 0;
     const int used = used_[s];
     for (int k = 0; k < used; k++) {
-      const std::size_t at = b.at(s, k);
-      if (b.weight[at] > 0) {
-        if (kept < k) copyBond(b, at, b.at(s, kept));
-        kept++;
-        continue;
-      }
-      const std::uint32_t n = b.neighbour[at];
-      if (--references_[n] == 0 && n >= owned_) unnamed_.push_back(n);
+      if (!b.there(s, k)) continue;
+      references_[b.neighbour[b.at(s, k)]]++;
+      if (kept < k) copyBond(b, b.at(s, k), b.at(s, kept));
+      kept++;
     }
     if (kept == used) continue;
     clearPlaces(b, s, kept, used);
@@ -55,6 +52,8 @@ void BondGraph::dropBroken(const SolidTables& t) {
     t.solids.changed[s] = 1;
     mark(s / lanes);
   }
+  for (std::size_t r = owned_; r < before_; r++)
+    if (references_[r] == 0) unnamed_.push_back(static_cast<std::uint32_t>(r));
 }
 
 void BondGraph::leave(const Bonds& b, std::uint32_t slot) {
@@ -151,6 +150,16 @@ void BondGraph::place(const SolidTables& t, std::span<const NewSlot> fresh) {
   }
 }
 
+std::size_t BondGraph::mostBonds(std::span<const BondRequest> requests) const {
+  std::size_t most = 0, count = 0;
+  for (std::size_t k = 0; k < requests.size(); k++) {
+    const std::uint32_t slot = requests[k].slot;
+    count = k > 0 && requests[k - 1].slot == slot ? count + 1 : 1;
+    most = std::max(most, count + (slot < owned_ ? used_[slot] : 0));
+  }
+  return most;
+}
+
 void BondGraph::reserve(Bonds& b, int capacity) const {
   if (capacity <= b.capacity) return;
   const int before = b.capacity;
@@ -159,10 +168,10 @@ void BondGraph::reserve(Bonds& b, int capacity) const {
   for (std::size_t s = 0; s < newOwned_; s++) clearPlaces(b, s, before, b.capacity);
 }
 
-void BondGraph::bond(const SolidTables& t, std::uint32_t from, const BondRecord& record, int owner) {
+void BondGraph::bond(const SolidTables& t, std::uint32_t from, const BondRecord& record, int owner, std::uint32_t known) {
   const std::uint32_t slot = now_[from];
   if (slot == noRow) return;
-  std::uint32_t other = rowOf_.find(record.neighbourId);
+  std::uint32_t other = known < owned_ && now_[known] != noRow ? known : rowOf_.find(record.neighbourId);
   if (other == from) return;
   if (other == noRow) {
     if (owner < 0 || owner == rank_) return;

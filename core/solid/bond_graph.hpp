@@ -51,7 +51,7 @@ class BondGraph {
 
   // An edit, in this order. Rows are called by their number before the edit, new slots by rows() + their place in the list.
   void begin();
-  /// Bonds of weight 0 go; the order of the others stays.
+  /// Bonds that were cut go; the order of the others stays.
   void dropBroken(const SolidTables& t);
   /// The slot's particle went to ownerOf(slot); bonds to it stay, unless by finish that is negative: not solid any more.
   void depart(const Bonds& bonds, std::uint32_t slot);
@@ -61,11 +61,14 @@ class BondGraph {
   bool leaves(std::uint32_t slot) const { return now_[slot] == noRow; }
   /// Fills the holes and makes the new slots, in the order given. BondedRows::slot follows.
   void place(const SolidTables& t, std::span<const NewSlot> fresh);
+  /// The most bonds that a slot has with those that are asked for; requests of a slot follow each other.
+  std::size_t mostBonds(std::span<const BondRequest> requests) const;
   /// Makes room for so many bonds a slot.
   void reserve(Bonds& bonds, int capacity) const;
   /// Appends a bond to a slot. The other end is owned here, or has a remote row, or gets one if owner is another rank (>= 0);
   /// else there is no bond, as there is none to itself or of a slot that leaves.
-  void bond(const SolidTables& t, std::uint32_t slot, const BondRecord& record, int owner);
+  /// known: the owned slot of the other end, if the caller knows it.
+  void bond(const SolidTables& t, std::uint32_t slot, const BondRecord& record, int owner, std::uint32_t known = noRow);
   /// Renumbers. Afterwards the tables are as BondHalo promises; Solids::changed is set where bonds changed, where a slot is new or has
   /// moved, and where the other end of a bond became remote or owned.
   void finish(const SolidTables& t);
@@ -77,6 +80,8 @@ class BondGraph {
   /// Remote rows made in this edit, and those given up (other than by removeRemote or because the particle came here).
   std::span<const std::uint32_t> newRemoteRows() const { return newRemotes_; }
   std::span<const Released> released() const { return released_; }
+  /// Of memory, buffers of edits included.
+  std::size_t bytes() const;
   /// Throws std::logic_error unless the graph agrees with the tables. For tests: walks through everything.
   void check(const SolidTables& t) const;
 

@@ -129,13 +129,19 @@ void BondGraph::finish(const SolidTables& t) {
   owned_ = newOwned_;
 }
 
+std::size_t BondGraph::bytes() const {
+  const auto of = [](const auto&... v) { return (std::size_t(0) + ... + (v.capacity() * sizeof(v[0]))); };
+  return rowOf_.bytes() + of(ids_, owner_, references_, used_, boundary_, now_, leaving_, departed_, movers_, unnamed_, relocated_, newRemotes_, aliases_, released_, fresh_, marked_,
+                             isMarked_, touched_, isAlias_, turned_, renumbered_);
+}
+
 void BondGraph::check(const SolidTables& t) const {
   const auto fail = [](const char* what) { throw std::logic_error(what); };
   const Bonds& b = t.bonds;
   const std::size_t rows = ids_.size(), groups = groupsOf(owned_);
   if (t.solids.owned != owned_ || t.solids.size() != rows || owner_.size() != rows || references_.size() != rows) fail("number of rows");
   if (rowOf_.size() != rows || used_.size() != groups * lanes || boundary_.size() != groups) fail("number of ids or groups");
-  if (b.weight.size() < groups * lanes * static_cast<std::size_t>(b.capacity)) fail("room for bonds");
+  if (b.neighbour.size() < groups * lanes * static_cast<std::size_t>(b.capacity)) fail("room for bonds");
   std::vector<std::uint32_t> references(rows, 0);
   std::vector<std::uint8_t> boundary(groups, 0);
   for (std::size_t r = 0; r < rows; r++) {
@@ -151,7 +157,7 @@ void BondGraph::check(const SolidTables& t) const {
         if (b.neighbour[at] >= rows || b.neighbour[at] == s) fail("end of a bond");
         references[b.neighbour[at]]++;
         if (b.neighbour[at] >= owned_) boundary[s / lanes] = 1;
-      } else if (b.weight[at] != 0 || b.x[at] != 0 || (s < owned_ ? b.neighbour[at] != s : b.neighbour[at] >= groups * lanes)) {
+      } else if ((b.vectors && (b.weight[at] != 0 || b.x[at] != 0)) || (s < owned_ ? b.neighbour[at] != s : b.neighbour[at] >= groups * lanes)) {
         fail("a place without bond");
       }
     }

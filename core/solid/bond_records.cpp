@@ -6,22 +6,40 @@
 
 namespace thaw {
 
-void appendRecord(const Solids& s, const Bonds& b, std::uint32_t slot, SolidRecords& records) {
+namespace {
+
+constexpr std::uint64_t endsOnly = std::uint64_t(1) << 63;  // of the number of bonds in a head: of each only the other end's id follows
+
+}  // namespace
+
+std::size_t appendHead(SolidRecords& records, std::uint64_t id, std::size_t stateBytes, std::span<const BondRecord> bonds, bool vectors) {
   std::vector<std::byte>& out = records.bytes;
+  const std::uint64_t head[2] = {id, bonds.size() | (vectors ? 0 : endsOnly)};
+  const std::size_t at = out.size(), each = vectors ? sizeof(BondRecord) : sizeof(std::uint64_t);
+  out.resize(at + sizeof head + stateBytes + bonds.size() * each);
+  std::memcpy(out.data() + at, head, sizeof head);
+  std::byte* to = out.data() + at + sizeof head + stateBytes;
+  for (const BondRecord& b : bonds) {
+    std::memcpy(to, &b, each);  // the id comes first
+    to += each;
+  }
+  return at + sizeof head;
+}
+
+void appendRecord(const Solids& s, const Bonds& b, std::uint32_t slot, SolidRecords& records) {
   std::vector<BondRecord> list;
   for (int k = 0; k < b.capacity; k++) {
+    if (!b.there(slot, k)) continue;
     const std::size_t at = b.at(slot, k);
-    if (!(b.weight[at] > 0)) continue;
-    BondRecord r{s.id[b.neighbour[at]], {b.x[at], b.y[at], b.z[at]}, {-b.x[at], -b.y[at], -b.z[at]}, b.weight[at]};
-    if (b.twoFrames) r.reverse[0] = b.rx[at], r.reverse[1] = b.ry[at], r.reverse[2] = b.rz[at];
+    BondRecord r{s.id[b.neighbour[at]], {}, {}, 0};
+    if (b.vectors) {
+      r = {r.neighbourId, {b.x[at], b.y[at], b.z[at]}, {-b.x[at], -b.y[at], -b.z[at]}, b.weight[at]};
+      if (b.twoFrames) r.reverse[0] = b.rx[at], r.reverse[1] = b.ry[at], r.reverse[2] = b.rz[at];
+    }
     list.push_back(r);
   }
-  const std::uint64_t head[2] = {s.id[slot], list.size()};
-  const std::size_t at = out.size(), state = s.stateBytes();
-  out.resize(at + sizeof head + state + list.size() * sizeof(BondRecord));
-  std::memcpy(out.data() + at, head, sizeof head);
-  s.packState(slot, out.data() + at + sizeof head);
-  if (!list.empty()) std::memcpy(out.data() + at + sizeof head + state, list.data(), list.size() * sizeof(BondRecord));
+  const std::size_t state = appendHead(records, s.id[slot], s.stateBytes(), list, b.vectors);
+  s.packState(slot, records.bytes.data() + state);
 }
 
 std::size_t readRecord(const Solids& s, const std::vector<std::byte>& bytes, std::size_t at, SolidRecordView& v) {
@@ -32,15 +50,19 @@ std::size_t readRecord(const Solids& s, const std::vector<std::byte>& bytes, std
   v.id = head[0];
   v.state = bytes.data() + at + sizeof head;
   at += sizeof head + state;
-  if (head[1] > (bytes.size() - at) / sizeof(BondRecord)) throw std::runtime_error("the records of solid particles end too early");
-  v.bonds.resize(head[1]);
-  if (head[1] > 0) std::memcpy(v.bonds.data(), bytes.data() + at, head[1] * sizeof(BondRecord));
-  return at + head[1] * sizeof(BondRecord);
+  const std::size_t each = head[1] & endsOnly ? sizeof(std::uint64_t) : sizeof(BondRecord), count = head[1] & ~endsOnly;
+  if (count > (bytes.size() - at) / each) throw std::runtime_error("the records of solid particles end too early");
+  v.bonds.assign(count, BondRecord{});
+  for (BondRecord& b : v.bonds) {
+    std::memcpy(&b, bytes.data() + at, each);
+    at += each;
+  }
+  return at;
 }
 
 void resizeBonds(Bonds& b, std::size_t slots, int capacity) {
   const std::size_t groups = (slots + lanes - 1) / lanes;
-  const std::size_t before = b.capacity > 0 ? b.weight.size() / (static_cast<std::size_t>(b.capacity) * lanes) : 0;
+  const std::size_t before = b.capacity > 0 ? b.neighbour.size() / (static_cast<std::size_t>(b.capacity) * lanes) : 0;
   if (capacity <= b.capacity && groups <= before) return;
   capacity = std::max(capacity, b.capacity);
   const std::size_t room = groups <= before ? before : groups + groups / 16 + 8, block = static_cast<std::size_t>(capacity) * lanes;
@@ -52,15 +74,7 @@ void resizeBonds(Bonds& b, std::size_t slots, int capacity) {
     v.swap(bigger);
   };
   grow(b.neighbour);
-  grow(b.x);
-  grow(b.y);
-  grow(b.z);
-  grow(b.weight);
-  if (b.twoFrames) {
-    grow(b.rx);
-    grow(b.ry);
-    grow(b.rz);
-  }
+  b.eachReal([&](BondReals& r) { r.with(grow); });
   b.capacity = capacity;
 }
 

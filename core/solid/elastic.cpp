@@ -1,9 +1,8 @@
 // Packs records for the loops over bonds (elastic_isa.cpp) and what these do one lane at a time.
 #include "core/solid/elastic.hpp"
 
-#include <bit>
-
 #include "core/solid/elastic_kernels.hpp"
+#include "core/solid/elastic_records.hpp"
 #include "core/solid/laws/response.hpp"
 #include "core/solid/plasticity.hpp"
 #include "core/solid/rereference.hpp"
@@ -13,62 +12,16 @@ namespace thaw {
 
 namespace {
 
-constexpr double fixedUnits = fixedUnitsPerSupport;
-
-// Nearest integer modulo 2^32, |x| < 2^51: the low bits of the mantissa after 1.5 * 2^52 is added.
-float fixedBits(double x) { return std::bit_cast<float>(static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(x + 6755399441055744.0))); }
-
-std::size_t recordRows(const Solids& solids) { return std::max(solids.size(), (solids.owned + lanes - 1) / lanes * lanes); }
-
-template<class Vector> void grow(Vector& v, std::size_t n) {
-  if (v.size() < n) v.resize(n + n / 8, 0);
-}
-
-void packPlaces(ElasticWork& work, const Solids& solids, std::size_t first, std::size_t last) {
-  const std::size_t rows = 4 * recordRows(solids);
-  if (work.precision == Precision::Single) {
-    grow(work.place4, rows);
-    const double scale = fixedUnits / work.support;
-    for (std::size_t s = first; s < last; s++)
-      for (std::size_t a = 0; a < 3; a++) work.place4[4 * s + a] = fixedBits(solids.position[s][static_cast<int>(a)] * scale);
-  } else {
-    grow(work.place4d, rows);
-    for (std::size_t s = first; s < last; s++)
-      for (std::size_t a = 0; a < 3; a++) work.place4d[4 * s + a] = solids.position[s][static_cast<int>(a)];
-  }
-  if (!work.damping) return;
-  grow(work.motion4, work.precision == Precision::Single ? rows : 0);
-  grow(work.motion4d, work.precision == Precision::Double ? rows : 0);
-  for (std::size_t s = first; s < last; s++)
-    for (std::size_t a = 0; a < 3; a++) {
-      const double v = solids.velocity[s][static_cast<int>(a)];
-      if (work.precision == Precision::Single) work.motion4[4 * s + a] = static_cast<float>(v);
-      else work.motion4d[4 * s + a] = v;
-    }
-}
-
-template<class Real> void unpackFlux(AlignedVector<Real>& records, const Solids& solids, bool damping) {
-  for (std::size_t s = solids.owned; s < solids.size(); s++) {
-    Real* out = records.data() + 12 * s;
-    for (std::size_t r = 0; r < 3; r++)
-      for (std::size_t q = 0; q < 3; q++) out[4 * r + q] = static_cast<Real>(solids.flux[s].row[r][static_cast<int>(q)]);
-    out[3] = static_cast<Real>(solids.hourglass[s]);
-    out[7] = damping ? static_cast<Real>(solids.drag[s]) : Real(0);
-    out[11] = 0;
-  }
-}
-
 ElasticArrays arraysOf(ElasticWork& work, Solids& solids, const Bonds& bonds, const ElasticStep& step, SolidPart part) {
   ElasticArrays a;
   const bool single = work.precision == Precision::Single;
   const std::vector<std::uint32_t>& groups = part == SolidPart::Inner ? (work.sleeping ? work.innerAwake : work.inner) : (work.sleeping ? work.boundaryAwake : work.boundary);
   a.precision = work.precision;
-  a.twoFrames = bonds.twoFrames;
+  a.vectors = bonds.vectors;
   a.periodic = work.periodic;
   a.damping = work.damping;
   a.plastic = work.plastic;
   a.energy = step.energy;
-  a.remote = part == SolidPart::Boundary;
   a.owned = solids.owned;
   a.capacity = static_cast<std::size_t>(bonds.capacity);
   a.groups = groups.data();
@@ -77,19 +30,17 @@ ElasticArrays arraysOf(ElasticWork& work, Solids& solids, const Bonds& bonds, co
   a.singularLanes = work.singularLanes.data();
   a.neighbour = bonds.neighbour.data();
   const auto pick = [&](const AlignedVector<float>& f, const AlignedVector<double>& d) { return single ? static_cast<const void*>(f.data()) : d.data(); };
-  a.x = pick(work.x, bonds.x);
-  a.y = pick(work.y, bonds.y);
-  a.z = pick(work.z, bonds.z);
-  a.rx = pick(work.rx, bonds.rx);
-  a.ry = pick(work.ry, bonds.ry);
-  a.rz = pick(work.rz, bonds.rz);
-  a.weight = pick(work.weight, bonds.weight);
-  a.place = pick(work.place4, work.place4d);
+  a.x = bonds.x.data();
+  a.y = bonds.y.data();
+  a.z = bonds.z.data();
+  a.rx = bonds.rx.data();
+  a.ry = bonds.ry.data();
+  a.rz = bonds.rz.data();
+  a.weight = bonds.weight.data();
+  a.end = single ? static_cast<void*>(solids.end.data()) : solids.endDouble.data();
   a.motion = pick(work.motion4, work.motion4d);
-  if (single) grow(work.flux12, 12 * recordRows(solids));
-  else grow(work.flux12d, 12 * recordRows(solids));
-  a.flux = single ? static_cast<void*>(work.flux12.data()) : work.flux12d.data();
-  a.unit = work.support / fixedUnits;
+  a.unit = work.support / fixedUnitsPerSupport;
+  a.perSupport2 = 1 / (work.support * work.support);
   for (int k = 0; k < 3; k++) a.period[k] = single ? work.periods.length[k] / a.unit : work.periods.length[k];
   a.dt = step.dt;
   if (work.minBreakStretch < never) {
@@ -104,11 +55,9 @@ ElasticArrays arraysOf(ElasticWork& work, Solids& solids, const Bonds& bonds, co
   a.perWeight = work.perWeight.data();
   a.volume = solids.volume.data();
   a.plasticStrain = work.plastic ? solids.plasticStrain.data() : nullptr;
-  a.deformation = solids.deformation.data();
-  a.fluxColumn = solids.flux.data();
-  a.hourglassColumn = solids.hourglass.data();
-  a.dragColumn = work.damping ? solids.drag.data() : nullptr;
+  a.deformation = step.deformation ? solids.deformation.data() : nullptr;
   a.energyColumn = solids.energy.data();
+  a.dragColumn = solids.drag.active ? solids.drag.data() : nullptr;
   a.dissipated = solids.dissipated.active ? solids.dissipated.data() : nullptr;
   a.force = solids.force.data();
   a.work = &work;
@@ -123,29 +72,43 @@ Mat3d laneMatrix(const double m[9][8], int l) { return {{{m[0][l], m[1][l], m[2]
 }  // namespace
 
 void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneConstants& out) {
-  out.anyVolumeStiffness = out.anyGreen = out.anyNeoHookean = out.anyCorotated = false;
-  for (int l = 0; l < 8; l++) {
-    if (l >= n) {
-      out.lambda[l] = out.mu[l] = out.volumeStiffness[l] = out.volume[l] = out.hourglass[l] = out.drag[l] = out.neoHookean[l] = 0;
-      out.constants[l].law = ElasticLaw::Green;
-      continue;
+  const Solids& solids = *a.solids;
+  // most groups are of the material of the group before, and of one alone
+  bool same = n == 8 && !solids.liquid.active && out.material >= 0;
+  for (int l = 0; same && l < 8; l++) same = solids.material[slot0 + static_cast<std::size_t>(l)] == out.material;
+  if (!same) {
+    out.anyVolumeStiffness = out.anyGreen = out.anyNeoHookean = out.anyCorotated = false;
+    out.material = solids.material[slot0];
+    for (int l = 0; l < 8; l++) {
+      const std::size_t s = slot0 + static_cast<std::size_t>(l);
+      if (l >= n) {
+        out.lambda[l] = out.mu[l] = out.volumeStiffness[l] = out.neoHookean[l] = 0;
+        out.constants[l] = {};
+        out.constants[l].law = ElasticLaw::Green;
+        out.material = -1;
+        continue;
+      }
+      const ElasticConstants c = slotConstants(*a.work, solids, s);
+      if (solids.material[s] != out.material) out.material = -1;
+      out.constants[l] = c;
+      out.lambda[l] = c.lambda;
+      out.mu[l] = c.mu;
+      out.volumeStiffness[l] = c.volume;
+      out.neoHookean[l] = c.law == ElasticLaw::NeoHookean;
+      out.anyVolumeStiffness = out.anyVolumeStiffness || c.volume > 0;
+      out.anyGreen = out.anyGreen || c.law == ElasticLaw::Green;
+      out.anyNeoHookean = out.anyNeoHookean || c.law == ElasticLaw::NeoHookean;
+      out.anyCorotated = out.anyCorotated || c.law == ElasticLaw::Corotated;
     }
-    const std::size_t s = slot0 + static_cast<std::size_t>(l);
-    const ElasticConstants c = slotConstants(*a.work, *a.solids, s);
-    out.constants[l] = c;
-    out.lambda[l] = c.lambda;
-    out.mu[l] = c.mu;
-    out.volumeStiffness[l] = c.volume;
-    out.volume[l] = a.volume[s];
-    out.hourglass[l] = c.hourglass * a.volume[s] * a.perTrace[s];
+  }
+  for (int l = 0; l < 8; l++) {
+    const std::size_t s = slot0 + static_cast<std::size_t>(l < n ? l : 0);
+    const ElasticConstants& c = out.constants[l];
+    out.volume[l] = l < n ? a.volume[s] : 0;
+    out.hourglass[l] = c.hourglass * out.volume[l] * a.perTrace[s];
     // a bond's damping is the mean of both ends'; three, because a bond acts along its direction only; half of the sum of both ends
-    out.drag[l] = 0.5 * 3 * c.dragDensity * a.volume[s] * a.perWeight[s];
-    out.anyVolumeStiffness = out.anyVolumeStiffness || c.volume > 0;
-    out.neoHookean[l] = c.law == ElasticLaw::NeoHookean;
-    out.anyGreen = out.anyGreen || c.law == ElasticLaw::Green;
-    out.anyNeoHookean = out.anyNeoHookean || c.law == ElasticLaw::NeoHookean;
-    out.anyCorotated = out.anyCorotated || c.law == ElasticLaw::Corotated;
-    if (a.dissipated && !a.keepDissipated) a.dissipated[s] = 0;
+    out.drag[l] = 0.5 * 3 * c.dragDensity * out.volume[l] * a.perWeight[s];
+    if (l < n && a.dissipated && !a.keepDissipated) a.dissipated[s] = 0;
   }
 }
 
@@ -195,12 +158,9 @@ void repeatDeformation(ElasticWork& work, Solids& solids, const Bonds& bonds, co
 
 void computeElasticForces(ElasticWork& work, Solids& solids, Bonds& bonds, const ElasticStep& step, SolidPart part) {
   if (part == SolidPart::Boundary) followRemoteReferences(work, solids, bonds);
-  const ElasticArrays a = arraysOf(work, solids, bonds, step, part);
-  if (part == SolidPart::Boundary) {
-    if (work.precision == Precision::Single) unpackFlux(work.flux12, solids, work.damping);
-    else unpackFlux(work.flux12d, solids, work.damping);
-  }
-  kernelsOf(work).forces(a);
+  if (part == SolidPart::Inner) packMotion(work, solids, 0, solids.owned);
+  else packMotion(work, solids, solids.owned, solids.size());
+  kernelsOf(work).forces(arraysOf(work, solids, bonds, step, part));
 }
 
 void evaluateElasticEnergy(ElasticWork& work, Solids& solids, const Bonds& bonds) {

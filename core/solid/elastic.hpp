@@ -44,6 +44,7 @@ struct ElasticWork {
   double minBreakStretch = never;     ///< the smallest of all materials
   double touch = 0;                   ///< m, distance below which solids without a bond push each other (0: they do not)
   bool damping = false, plastic = false, periodic = false;
+  bool energyInSteps = true, deformationInSteps = true;  ///< every evaluation finds Solids::energy and Solids::deformation; else findElasticEnergy (solid_step.hpp), where they are asked for
   // of the bonds, by refreshReference
   int capacity = 0;                              ///< of the bonds that the rest is of
   std::vector<std::uint8_t> remoteGroup;         ///< by group: some bond has a remote end
@@ -54,20 +55,20 @@ struct ElasticWork {
   std::vector<std::uint8_t> stretched;           ///< by group, by phase 1: some bond may be beyond its limit (fracture.hpp)
   AlignedVector<double> perTrace, perWeight;     ///< by owned slot: 1/tr A (1/m^2) and 1/sum w; 0 without bonds
   AlignedVector<double> grip;                    ///< by owned slot, 1/m: how hard the strain of its neighbourhood grips (elasticStepLimit)
-  AlignedVector<float> x, y, z, rx, ry, rz, weight;  ///< single precision copies of Bonds
   // where solids sleep (core/sleep/sleep.hpp)
   bool sleeping = false;                             ///< groups are innerAwake and boundaryAwake
   std::vector<std::uint32_t> innerAwake, boundaryAwake;
   std::vector<std::uint8_t> held;                    ///< by owned slot: its plastic strain does not change
   std::vector<double> groupStretch2;                 ///< by group: the largest square of a stretch, as last found
-  // of the step: records of 4 values (12 for flux) by row, float or double by precision
-  AlignedVector<float> place4, flux12, motion4;
-  AlignedVector<double> place4d, flux12d, motion4d;
+  // velocity and drag by row, where bonds are damped; float or double by precision
+  AlignedVector<float> motion4;
+  AlignedVector<double> motion4d;
 };
 
 struct ElasticStep {
   double dt = 0;        ///< s, for plastic flow and damping; 0: none
-  bool energy = true;   ///< also sum Solids::energy
+  bool energy = true;   ///< also sum Solids::energy; needs deformation
+  bool deformation = true;  ///< also keep Solids::deformation
 };
 
 struct ElasticResult {
@@ -86,7 +87,7 @@ struct ElasticResult {
 /// Once, before the first bond is made.
 void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, ElasticWork& work, const Scene& scene, const Modules& modules, const CellGrid& grid);
 
-/// Columns that remote rows need: after relink (what does not change while bonds stay), before phase 1 (computeDeformationAndStress),
+/// Columns that remote rows need: after relink and before refreshReference (what does not change while bonds stay), before phase 1 (computeDeformationAndStress),
 /// and before phase 2 (computeElasticForces). A step is:
 ///   copyToSolids; begin(BeforeDeformation); phase 1 Inner; finish; phase 1 Boundary; breakBonds (fracture.hpp); rereference
 ///   (rereference.hpp); begin(BeforeForces); phase 2 Inner; finish; phase 2 Boundary; addSolidForces.
@@ -94,6 +95,8 @@ ColumnList remoteColumnsAfterRelink(Solids& solids);
 ColumnList remoteColumnsBeforeDeformation(Solids& solids);
 ColumnList remoteColumnsBeforeForces(Solids& solids);
 
+/// The reference configuration, where all bonds are of one: the places of now. Before the bonds of the start are made.
+void takeReferences(const Continuum& particles, Solids& solids);
 /// Copies position (and velocity, liquid fraction where they are active) of the owned slots' particles.
 void copyToSolids(const Continuum& particles, Solids& solids);
 /// Volume at rest (mass over the material's density) of owned slots that have none: of particles that have just become solid.
@@ -102,7 +105,7 @@ void fillNewSlots(const Continuum& particles, Solids& solids, const ElasticWork&
 void addSolidForces(const Solids& solids, Continuum& particles, double dt);
 
 /// A^-1 of slots with `changed` set (of all slots if all: where bonds were made by hand), and what else `work` keeps of bonds.
-/// After every relink, which sets `changed` also where a slot got another number, or a bond's other end became remote or owned.
+/// After every relink and the exchange of remoteColumnsAfterRelink, which sets `changed` also where a slot got another number, or a bond's other end became remote or owned.
 /// The same bits whether a slot is recomputed or not. Clears `changed`. Returns how many owned slots have rank < 3.
 std::int64_t refreshReference(ElasticWork& work, Solids& solids, Bonds& bonds, bool all);
 

@@ -1,6 +1,5 @@
 // The two loops over bonds: a lane is a slot, and sums its bonds one after another in their order.
-#include "core/simd/wide.hpp"
-#include "core/solid/elastic_kernels.hpp"
+#include "core/solid/elastic_lanes.hpp"
 #include "core/solid/laws/green.hpp"
 #include "core/solid/laws/neo_hookean.hpp"
 #include "core/solid/laws/volume.hpp"
@@ -10,99 +9,10 @@ namespace THAW_ISA {
 
 namespace {
 
-THAW_INLINE void narrow(LanesD a, LanesD& out) { out = a; }
-THAW_INLINE void narrow(LanesD a, LanesF& out) {
-  const Vec4f lo = __builtin_convertvector(a.lo, Vec4f), hi = __builtin_convertvector(a.hi, Vec4f);
-  out = LanesF(__builtin_shufflevector(lo, hi, 0, 1, 2, 3, 4, 5, 6, 7));
-}
-/// Eight doubles, 64-byte aligned.
-template<class Real> THAW_INLINE Lanes<Real> fromDoubles(const double* p) {
-  Lanes<Real> r;
-  narrow(loadRow(p), r);
-  return r;
-}
-THAW_INLINE void toDoubles(LanesD a, double* p) {
-  *reinterpret_cast<Vec4d*>(p) = a.lo;
-  *reinterpret_cast<Vec4d*>(p + 4) = a.hi;
-}
-
-/// Differences of places, m: exact before one rounding, and antisymmetric.
-template<class Real, bool periodic> struct Places;
-template<bool periodic> struct Places<float, periodic> {
-  LanesF unit;
-  std::int32_t period[3];
-  explicit Places(const ElasticArrays& a) : unit(static_cast<float>(a.unit)) {
-    for (int k = 0; k < 3; k++) period[k] = static_cast<std::int32_t>(static_cast<std::uint32_t>(static_cast<std::uint64_t>(a.period[k] + 0.5)));
-  }
-  static THAW_INLINE Vec8i absolute(Vec8i d) { return d < 0 ? -d : d; }
-  THAW_INLINE LanesF one(LanesF from, LanesF to, int axis) const {
-    const Vec8u u = reinterpret_cast<Vec8u>(to.v) - reinterpret_cast<Vec8u>(from.v);  // wraps around by design
-    Vec8i d = reinterpret_cast<Vec8i>(u);
-    if constexpr (periodic) {
-      const std::uint32_t p = static_cast<std::uint32_t>(period[axis]);
-      const Vec8i low = reinterpret_cast<Vec8i>(u - p), high = reinterpret_cast<Vec8i>(u + p), size = absolute(d);
-      d = absolute(low) < size ? low : absolute(high) < size ? high : d;
-    }
-    (void)axis;
-    return LanesF(__builtin_convertvector(d, Vec8f)) * unit;
-  }
-  THAW_INLINE Vec3<LanesF> operator()(const Lanes4<float>& from, const Lanes4<float>& to) const {
-    return {one(from.a, to.a, 0), one(from.b, to.b, 1), one(from.c, to.c, 2)};
-  }
-};
-template<bool periodic> struct Places<double, periodic> {
-  LanesD period[3];
-  explicit Places(const ElasticArrays& a) : period{LanesD(a.period[0]), LanesD(a.period[1]), LanesD(a.period[2])} {}
-  THAW_INLINE LanesD one(LanesD from, LanesD to, int axis) const {
-    const LanesD d = to - from;
-    if constexpr (!periodic) return (void)axis, d;
-    const LanesD half = LanesD(0.5) * period[axis];
-    const LanesD none(0.0);
-    // period 0: not periodic
-    return select((none < half) & (half < d), d - period[axis], select((none < half) & (d < -half), d + period[axis], d));
-  }
-  THAW_INLINE Vec3<LanesD> operator()(const Lanes4<double>& from, const Lanes4<double>& to) const {
-    return {one(from.a, to.a, 0), one(from.b, to.b, 1), one(from.c, to.c, 2)};
-  }
-};
-
-struct alignas(64) Rows { std::uint32_t row[8]; };
-THAW_INLINE Rows threefold(const std::uint32_t* rows) {
-  Rows r;
-  *reinterpret_cast<Vec8u*>(r.row) = *reinterpret_cast<const Vec8u*>(rows) * 3u;
-  return r;
-}
-template<class Real> THAW_INLINE Vec3<Lanes<Real>> loadVector(const void* x, const void* y, const void* z, std::size_t at) {
-  return {loadRow(static_cast<const Real*>(x) + at), loadRow(static_cast<const Real*>(y) + at), loadRow(static_cast<const Real*>(z) + at)};
-}
-template<class Real> THAW_INLINE void addOuter(Mat3<Lanes<Real>>& m, const Vec3<Lanes<Real>>& a, const Vec3<Lanes<Real>>& b) {
-  for (int r = 0; r < 3; r++) {
-    const Lanes<Real>& s = r == 0 ? a.x : r == 1 ? a.y : a.z;
-    m.row[r].x += s * b.x;
-    m.row[r].y += s * b.y;
-    m.row[r].z += s * b.z;
-  }
-}
-template<class Real> THAW_INLINE void storeMatrix(const Mat3<Lanes<Real>>& m, double out[9][8]) {
-  for (int r = 0; r < 3; r++) {
-    toDoubles(widen(m.row[r].x), out[3 * r]);
-    toDoubles(widen(m.row[r].y), out[3 * r + 1]);
-    toDoubles(widen(m.row[r].z), out[3 * r + 2]);
-  }
-}
-template<class Real> THAW_INLINE Mat3<Lanes<Real>> loadMatrix(const double in[9][8]) {
-  Mat3<Lanes<Real>> m;
-  for (int r = 0; r < 3; r++) m.row[r] = {fromDoubles<Real>(in[3 * r]), fromDoubles<Real>(in[3 * r + 1]), fromDoubles<Real>(in[3 * r + 2])};
-  return m;
-}
-template<class Real> THAW_INLINE Sym3<Lanes<Real>> loadTensor(const double in[6][8]) {
-  return {fromDoubles<Real>(in[0]), fromDoubles<Real>(in[1]), fromDoubles<Real>(in[2]), fromDoubles<Real>(in[3]), fromDoubles<Real>(in[4]), fromDoubles<Real>(in[5])};
-}
-
-template<class Real, bool periodic> void deformationOf(ElasticArrays& a) {
+template<class Real, bool periodic, bool vectors> void deformationOf(ElasticArrays& a) {
   using T = Lanes<Real>;
-  const auto* place = static_cast<const Record<Real>*>(a.place);
-  const Places<Real, periodic> difference(a);
+  BondLoader<Real, periodic, vectors> bonds(a);
+  const T scale2(static_cast<Real>(bonds.scale() * bonds.scale()));
   alignas(64) double gradU[9][8], strain[6][8], plastic[6][8], stress[9][8], inverse[6][8], energy[8];
   LaneConstants c;
   T largest(Real(1));
@@ -110,25 +20,20 @@ template<class Real, bool periodic> void deformationOf(ElasticArrays& a) {
   for (std::size_t gi = 0; gi < a.groupCount; gi++) {
     const std::size_t g = a.groups[gi], s0 = 8 * g, base = g * a.capacity * 8;
     const int n = a.owned - s0 < 8 ? static_cast<int>(a.owned - s0) : 8;
-    Rows self;
-    for (int l = 0; l < 8; l++) self.row[l] = static_cast<std::uint32_t>(s0) + static_cast<std::uint32_t>(l);
-    const Lanes4<Real> own = load(place, self.row);
+    bonds.begin(slotsOf(s0, n));
     Mat3<T> sum{};
     T excess(Real(0));
     for (std::size_t at = base, end = base + std::size_t(a.bondCount[g]) * 8; at < end; at += 8) {
-      const Vec3<T> x = difference(own, load(place, a.neighbour + at)), ref = loadVector<Real>(a.x, a.y, a.z, at);
-      const T w = loadRow(static_cast<const Real*>(a.weight) + at);
-      const Vec3<T> u{x.x - ref.x, x.y - ref.y, x.z - ref.z}, wRef{w * ref.x, w * ref.y, w * ref.z};
-      addOuter<Real>(sum, u, wRef);
+      const EightBonds<Real> b = bonds(at);
+      const Vec3<T>& X = b.reference;
+      addOuter<Real>(sum, b.u, {b.weight * X.x, b.weight * X.y, b.weight * X.z});
       if (a.stretched) {
-        T reference = ref.x * ref.x + ref.y * ref.y + ref.z * ref.z;
-        if (a.twoFrames) {
-          const Vec3<T> back = loadVector<Real>(a.rx, a.ry, a.rz, at);
-          reference = max(reference, back.x * back.x + back.y * back.y + back.z * back.z);
-        }
-        excess = max(excess, x.x * x.x + x.y * x.y + x.z * x.z - breakStretch2 * reference);
+        T reference = square<Real>(X);
+        if constexpr (vectors) reference = max(reference, square<Real>(loadVector<Real>(a.rx, a.ry, a.rz, at)));
+        excess = max(excess, square<Real>(b.current()) - breakStretch2 * reference);
       }
     }
+    if constexpr (!vectors && sizeof(Real) == 4) sum = scale2 * sum;
     if (a.stretched) a.stretched[g] = any(T(Real(0)) < excess);
     for (int l = 0; l < 8; l++) {
       const Sym3d m = l < n ? a.momentInverse[s0 + static_cast<std::size_t>(l)] : Sym3d{};
@@ -136,7 +41,8 @@ template<class Real, bool periodic> void deformationOf(ElasticArrays& a) {
     }
     const Sym3<T> momentInverse = loadTensor<Real>(inverse);
     Mat3<T> gradient = times(sum, momentInverse);
-    storeMatrix<Real>(gradient, gradU);
+    loadLaneConstants(a, s0, n, c);
+    if (a.deformation || c.anyCorotated || a.singularLanes[g] != 0) storeMatrix<Real>(gradient, gradU);
     if (a.singularLanes[g] != 0) {
       for (int l = 0; l < n; l++)
         if (a.singularLanes[g] >> l & 1) completeLane(a, s0 + static_cast<std::size_t>(l), l, gradU);
@@ -147,7 +53,6 @@ template<class Real, bool periodic> void deformationOf(ElasticArrays& a) {
     f.row[1].y += T(Real(1));
     f.row[2].z += T(Real(1));
 
-    loadLaneConstants(a, s0, n, c);
     const T lambda = fromDoubles<Real>(c.lambda), mu = fromDoubles<Real>(c.mu), volume = fromDoubles<Real>(c.volume);
     const Sym3<T> green = greenStrain(gradient);
     Sym3<T> plasticStrain{};
@@ -159,7 +64,7 @@ template<class Real, bool periodic> void deformationOf(ElasticArrays& a) {
         else for (int q = 0; q < 6; q++) plastic[q][l] = 0;
       }
       plasticStrain = loadTensor<Real>(plastic);
-    } else {
+    } else if (c.anyCorotated || c.anyNeoHookean) {
       for (int q = 0; q < 6; q++)
         for (int l = 0; l < 8; l++) plastic[q][l] = 0;
     }
@@ -218,52 +123,39 @@ template<class Real, bool periodic> void deformationOf(ElasticArrays& a) {
       for (int l = 0; l < n; l++)
         if (static_cast<double>(stretch2[l]) > most) most = static_cast<double>(stretch2[l]);
     }
-    alignas(64) double fluxes[9][8];
-    storeMatrix<Real>(flux, fluxes);
-    Real* out = static_cast<Real*>(a.flux) + 12 * s0;
-    for (int l = 0; l < n; l++, out += 12) {
-      const std::size_t s = s0 + static_cast<std::size_t>(l);
-      for (int r = 0; r < 3; r++) {
-        for (int q = 0; q < 3; q++) out[4 * r + q] = static_cast<Real>(fluxes[3 * r + q][l]);
-        a.deformation[s].row[r] = {gradU[3 * r][l] + (r == 0), gradU[3 * r + 1][l] + (r == 1), gradU[3 * r + 2][l] + (r == 2)};
-      }
-      out[3] = static_cast<Real>(c.hourglass[l]);
-      out[7] = static_cast<Real>(c.drag[l]);
-      out[11] = 0;
-      if (a.energy) a.energyColumn[s] = c.volume[l] * energy[l];
-      if (a.remote) {
-        for (int r = 0; r < 3; r++) a.fluxColumn[s].row[r] = {fluxes[3 * r][l], fluxes[3 * r + 1][l], fluxes[3 * r + 2][l]};
-        a.hourglassColumn[s] = c.hourglass[l];
-        if (a.damping) a.dragColumn[s] = c.drag[l];
-      }
-      if (!(j[l] > 0)) a.inverted++;
-    }
+    storeFluxes(bonds.own, {fromDoubles<Real>(c.hourglass), flux}, n, static_cast<Record<Real>*>(a.end) + 4 * s0);
+    for (int l = 0; a.damping && l < n; l++) a.dragColumn[s0 + static_cast<std::size_t>(l)] = c.drag[l];
+    for (int l = 0; a.deformation && l < n; l++)
+      for (int r = 0; r < 3; r++)
+        a.deformation[s0 + static_cast<std::size_t>(l)].row[r] = {gradU[3 * r][l] + (r == 0), gradU[3 * r + 1][l] + (r == 1), gradU[3 * r + 2][l] + (r == 2)};
+    for (int l = 0; a.energy && l < n; l++) a.energyColumn[s0 + static_cast<std::size_t>(l)] = c.volume[l] * energy[l];
+    for (int l = 0; l < n; l++) a.inverted += !(j[l] > 0);
   }
   for (int l = 0; l < 8; l++)
     if (static_cast<double>(largest[l]) > a.maxStretch2) a.maxStretch2 = static_cast<double>(largest[l]);
 }
 
-template<class Real> struct Flux { Lanes4<Real> x, y, z; };  // rows; x.d = k, y.d = drag
-template<class Real> THAW_INLINE Flux<Real> loadFlux(const Record<Real>* at, const std::uint32_t* rows) {
-  const Rows r = threefold(rows);
-  return {load(at, r.row), load(at + 1, r.row), load(at + 2, r.row)};
-}
-template<class Real> THAW_INLINE Lanes<Real> rowTimes(const Lanes4<Real>& r, const Vec3<Lanes<Real>>& v) { return r.a * v.x + r.b * v.y + r.c * v.z; }
 
-template<class Real, bool periodic, bool twoFrames> void forcesOf(const ElasticArrays& a) {
+template<class Real> THAW_INLINE Lanes<Real> sumTimes(const Vec3<Lanes<Real>>& a, const Vec3<Lanes<Real>>& b, const Vec3<Lanes<Real>>& v) {
+  return (a.x + b.x) * v.x + (a.y + b.y) * v.y + (a.z + b.z) * v.z;
+}
+template<class Real> THAW_INLINE Vec3<Lanes<Real>> apply(const Mat3<Lanes<Real>>& m, const Vec3<Lanes<Real>>& v) {
+  return {m.row[0].x * v.x + m.row[0].y * v.y + m.row[0].z * v.z, m.row[1].x * v.x + m.row[1].y * v.y + m.row[1].z * v.z, m.row[2].x * v.x + m.row[2].y * v.y + m.row[2].z * v.z};
+}
+
+template<class Real, bool periodic, bool vectors> void forcesOf(const ElasticArrays& a) {
   using T = Lanes<Real>;
-  const auto* place = static_cast<const Record<Real>*>(a.place);
-  const auto* fluxes = static_cast<const Record<Real>*>(a.flux);
   const auto* motion = static_cast<const Record<Real>*>(a.motion);
-  const Places<Real, periodic> difference(a);
+  BondLoader<Real, periodic, vectors> bonds(a);
+  const double scale = bonds.scale();
+  const T perScale(static_cast<Real>(1 / scale));
   alignas(64) double out[4][8];
   for (std::size_t gi = 0; gi < a.groupCount; gi++) {
     const std::size_t g = a.groups[gi], s0 = 8 * g, base = g * a.capacity * 8;
     const int n = a.owned - s0 < 8 ? static_cast<int>(a.owned - s0) : 8;
-    Rows self;
-    for (int l = 0; l < 8; l++) self.row[l] = static_cast<std::uint32_t>(s0) + static_cast<std::uint32_t>(l < n ? l : 0);
-    const Lanes4<Real> own = load(place, self.row);
-    const Flux<Real> fi = loadFlux(fluxes, self.row);
+    const Rows self = slotsOf(s0, n);
+    bonds.begin(self);
+    const EightFluxes<Real> i = loadFluxes(bonds.own, bonds.records, self.row);
     Lanes4<Real> vi{};
     if (a.damping) vi = load(motion, self.row);
     Mat3<T> gradient{};
@@ -280,59 +172,55 @@ template<class Real, bool periodic, bool twoFrames> void forcesOf(const ElasticA
     T errors(Real(0));
     for (std::size_t at = base, end = base + std::size_t(a.bondCount[g]) * 8; at < end; at += 8) {
       const std::uint32_t* rows = a.neighbour + at;
-      const Vec3<T> x = difference(own, load(place, rows)), ref = loadVector<Real>(a.x, a.y, a.z, at);
-      const T w = loadRow(static_cast<const Real*>(a.weight) + at);
-      const Flux<Real> fj = loadFlux(fluxes, rows);
-      const Vec3<T> u{x.x - ref.x, x.y - ref.y, x.z - ref.z};
+      const EightBonds<Real> b = bonds(at);
+      const Vec3<T>&ref = b.reference, &u = b.u;
+      const EightFluxes<Real> j = loadFluxes(b.ends, bonds.records, rows);
       Vec3<T> t;
-      if constexpr (twoFrames) {
-        const Vec3<T> back = loadVector<Real>(a.rx, a.ry, a.rz, at);
+      if constexpr (vectors) {
+        const Vec3<T> x = b.current(), back = loadVector<Real>(a.rx, a.ry, a.rz, at), v{x.x + back.x, x.y + back.y, x.z + back.z};
+        const Vec3<T> ours = apply<Real>(i.flux, ref), theirs = apply<Real>(j.flux, back);
         // (term of i) - (term of j): the other end computes exactly the negative
-        t = {(rowTimes(fi.x, ref) + fi.x.d * u.x) - (rowTimes(fj.x, back) - fj.x.d * (x.x + back.x)),
-             (rowTimes(fi.y, ref) + fi.x.d * u.y) - (rowTimes(fj.y, back) - fj.x.d * (x.y + back.y)),
-             (rowTimes(fi.z, ref) + fi.x.d * u.z) - (rowTimes(fj.z, back) - fj.x.d * (x.z + back.z))};
+        t = {(ours.x + i.k * u.x) - (theirs.x - j.k * v.x), (ours.y + i.k * u.y) - (theirs.y - j.k * v.y), (ours.z + i.k * u.z) - (theirs.z - j.k * v.z)};
       } else {
-        const T k = fi.x.d + fj.x.d;
-        t = {(fi.x.a + fj.x.a) * ref.x + (fi.x.b + fj.x.b) * ref.y + (fi.x.c + fj.x.c) * ref.z + k * u.x,
-             (fi.y.a + fj.y.a) * ref.x + (fi.y.b + fj.y.b) * ref.y + (fi.y.c + fj.y.c) * ref.z + k * u.y,
-             (fi.z.a + fj.z.a) * ref.x + (fi.z.b + fj.z.b) * ref.y + (fi.z.c + fj.z.c) * ref.z + k * u.z};
+        const T k = i.k + j.k;
+        const Mat3<T>&f = i.flux, &g = j.flux;
+        t = {sumTimes<Real>(f.row[0], g.row[0], ref) + k * u.x, sumTimes<Real>(f.row[1], g.row[1], ref) + k * u.y, sumTimes<Real>(f.row[2], g.row[2], ref) + k * u.z};
       }
       if (a.damping) {
         const Lanes4<Real> vj = load(motion, rows);
-        const T square = x.x * x.x + x.y * x.y + x.z * x.z, some = select(square > T(Real(0)), square, T(Real(1)));
+        const Vec3<T> x = b.current();
+        const T length2 = square<Real>(x), some = select(length2 > T(Real(0)), length2, T(Real(1)));
         const T along = (vj.a - vi.a) * x.x + (vj.b - vi.b) * x.y + (vj.c - vi.c) * x.z;
-        const T c = (fi.y.d + fj.y.d) * along / some;  // per weight
+        const T c = (vi.d + vj.d) * perScale * along / some;  // per weight
         t = {t.x + c * x.x, t.y + c * x.y, t.z + c * x.z};
-        lost += wide(w * c * along);
+        lost += wide(b.weight * c * along);
       }
       if (a.energy) {
         const Vec3<T> e{u.x - dot(gradient.row[0], ref), u.y - dot(gradient.row[1], ref), u.z - dot(gradient.row[2], ref)};
-        errors += w * (e.x * e.x + e.y * e.y + e.z * e.z);
+        errors += b.weight * (e.x * e.x + e.y * e.y + e.z * e.z);
       }
-      fx += wide(w * t.x);
-      fy += wide(w * t.y);
-      fz += wide(w * t.z);
+      fx += wide(b.weight * t.x);
+      fy += wide(b.weight * t.y);
+      fz += wide(b.weight * t.z);
     }
     toDoubles(fx, out[0]), toDoubles(fy, out[1]), toDoubles(fz, out[2]), toDoubles(lost, out[3]);
-    for (int l = 0; l < n; l++) a.force[s0 + static_cast<std::size_t>(l)] = {out[0][l], out[1][l], out[2][l]};
+    for (int l = 0; l < n; l++) a.force[s0 + static_cast<std::size_t>(l)] = {scale * out[0][l], scale * out[1][l], scale * out[2][l]};
     if (a.damping)
-      for (int l = 0; l < n; l++) a.dissipated[s0 + static_cast<std::size_t>(l)] += 0.5 * out[3][l] * a.dt;  // half of each bond at each end
+      for (int l = 0; l < n; l++) a.dissipated[s0 + static_cast<std::size_t>(l)] += 0.5 * scale * out[3][l] * a.dt;  // half of each bond at each end
     if (a.energy)
-      for (int l = 0; l < n; l++) a.energyColumn[s0 + static_cast<std::size_t>(l)] += 0.5 * static_cast<double>(fi.x.d[l]) * static_cast<double>(errors[l]);
+      for (int l = 0; l < n; l++) a.energyColumn[s0 + static_cast<std::size_t>(l)] += 0.5 * scale * scale * static_cast<double>(i.k[l]) * static_cast<double>(errors[l]);
   }
 }
 
+template<class Real, bool periodic> void deformationIn(ElasticArrays& a) { a.vectors ? deformationOf<Real, periodic, true>(a) : deformationOf<Real, periodic, false>(a); }
 void deformation(ElasticArrays& a) {
-  if (a.precision == Precision::Single) return a.periodic ? deformationOf<float, true>(a) : deformationOf<float, false>(a);
-  return a.periodic ? deformationOf<double, true>(a) : deformationOf<double, false>(a);
+  if (a.precision == Precision::Single) return a.periodic ? deformationIn<float, true>(a) : deformationIn<float, false>(a);
+  return a.periodic ? deformationIn<double, true>(a) : deformationIn<double, false>(a);
 }
+template<class Real, bool periodic> void forcesIn(const ElasticArrays& a) { a.vectors ? forcesOf<Real, periodic, true>(a) : forcesOf<Real, periodic, false>(a); }
 void forces(const ElasticArrays& a) {
-  if (a.precision == Precision::Single) {
-    if (a.twoFrames) return a.periodic ? forcesOf<float, true, true>(a) : forcesOf<float, false, true>(a);
-    return a.periodic ? forcesOf<float, true, false>(a) : forcesOf<float, false, false>(a);
-  }
-  if (a.twoFrames) return a.periodic ? forcesOf<double, true, true>(a) : forcesOf<double, false, true>(a);
-  return a.periodic ? forcesOf<double, true, false>(a) : forcesOf<double, false, false>(a);
+  if (a.precision == Precision::Single) return a.periodic ? forcesIn<float, true>(a) : forcesIn<float, false>(a);
+  return a.periodic ? forcesIn<double, true>(a) : forcesIn<double, false>(a);
 }
 
 #define THAW_TEXT2(x) #x

@@ -16,19 +16,19 @@ struct Solids;
 /// What the loops read and write. Real: float or double by `precision`. Arrays of bonds are interleaved by 8 slots as in Bonds.
 struct ElasticArrays {
   Precision precision = Precision::Single;
-  bool twoFrames = false, periodic = false, damping = false, plastic = false, energy = true, remote = false;  ///< remote: also write columns for other ranks
+  bool vectors = false, periodic = false, damping = false, plastic = false, energy = true;
   std::size_t owned = 0, capacity = 0;
   const std::uint32_t* groups = nullptr;
   std::size_t groupCount = 0;
   const std::uint16_t* bondCount = nullptr;
   const std::uint8_t* singularLanes = nullptr;
   const std::uint32_t* neighbour = nullptr;
-  const void *x = nullptr, *y = nullptr, *z = nullptr, *rx = nullptr, *ry = nullptr, *rz = nullptr, *weight = nullptr;  ///< Real
-  const void* place = nullptr;      ///< Real, 4 a row: float: bits of fixed point in units of `unit`; double: m
-  const void* motion = nullptr;     ///< Real, 4 a row: m/s
-  void* flux = nullptr;             ///< Real, 12 a row: flux row x, k; row y, drag; row z, 0
+  const void *x = nullptr, *y = nullptr, *z = nullptr, *rx = nullptr, *ry = nullptr, *rz = nullptr, *weight = nullptr;  ///< Real; null but where vectors
+  void* end = nullptr;              ///< BondEnd<Real> by row; places of float in units of `unit`
+  const void* motion = nullptr;     ///< Real, 4 a row: velocity (m/s), drag
   double unit = 1;                  ///< m
-  double period[3]{};               ///< in units of place; 0: not periodic
+  double perSupport2 = 1;           ///< 1/m^2, of bonds
+  double period[3]{};               ///< in units of places; 0: not periodic
   double dt = 0;
   double breakStretch2 = 0;         ///< square of the stretch from which `stretched` is set; 0: no fracture
   std::uint8_t* stretched = nullptr;
@@ -39,8 +39,8 @@ struct ElasticArrays {
   const std::uint8_t* rank = nullptr;
   const double *perTrace = nullptr, *perWeight = nullptr, *volume = nullptr;
   Sym3d* plasticStrain = nullptr;
-  Mat3d *deformation = nullptr, *fluxColumn = nullptr;
-  double *hourglassColumn = nullptr, *dragColumn = nullptr, *energyColumn = nullptr, *dissipated = nullptr;
+  Mat3d* deformation = nullptr;         ///< null: not kept
+  double *energyColumn = nullptr, *dragColumn = nullptr, *dissipated = nullptr;
   Vec3d* force = nullptr;
   const ElasticWork* work = nullptr;
   const Solids* solids = nullptr;
@@ -51,12 +51,13 @@ struct ElasticArrays {
   double maxStretch2 = 1;
 };
 
-/// What differs between the lanes of a group, by lane.
+/// What differs between the lanes of a group, by lane; from one group to the next what is of the material stays.
 struct alignas(64) LaneConstants {
   double lambda[8], mu[8], volumeStiffness[8], volume[8], hourglass[8], drag[8];  // hourglass: k, N/m; drag: kg/s
   double neoHookean[8];  // 1: that law, else 0
   ElasticConstants constants[8];
   bool anyVolumeStiffness, anyGreen, anyNeoHookean, anyCorotated;
+  int material = -1;  // of all lanes, without liquid fractions; -1: of none alone
 };
 
 // Out of line, in elastic.cpp.

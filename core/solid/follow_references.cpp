@@ -12,16 +12,11 @@ void followReferences(ElasticWork& work, const Solids& solids, Bonds& bonds, std
       for (int k = 0; k < work.bondCount[g]; k++) {
         const std::size_t b = bonds.at(s, k);
         const std::size_t other = bonds.neighbour[b];
-        if (!(bonds.weight[b] > 0) || other < flagged.begin || other >= flagged.end || solids.rereferenced[other] == 0) continue;
+        if (!bonds.there(s, k) || other < flagged.begin || other >= flagged.end || solids.rereferenced[other] == 0) continue;
         const Vec3d back = -bondVectors(work, solids, bonds, s, k).current;
-        bonds.rx[b] = back.x;
-        bonds.ry[b] = back.y;
-        bonds.rz[b] = back.z;
-        if (work.precision == Precision::Single) {
-          work.rx[b] = static_cast<float>(back.x);
-          work.ry[b] = static_cast<float>(back.y);
-          work.rz[b] = static_cast<float>(back.z);
-        }
+        bonds.rx.set(b, back.x);
+        bonds.ry.set(b, back.y);
+        bonds.rz.set(b, back.z);
       }
 }
 

@@ -31,14 +31,12 @@ std::int64_t breakBonds(ElasticWork& work, Solids& solids, Bonds& bonds, const E
     for (std::size_t s = g * lanes, end = std::min(s + lanes, solids.owned); s < end; s++) {
       lost.clear();
       for (int k = 0; k < work.bondCount[g]; k++)
-        if (bonds.weight[bonds.at(s, k)] > 0 && beyondLimit(work, solids, bonds, s, k)) lost.push_back(k);
+        if (bonds.there(s, k) && beyondLimit(work, solids, bonds, s, k)) lost.push_back(k);
       if (lost.empty()) continue;
       const double before = slotEnergy(work, solids, bonds, s);
       for (const int k : lost) {
-        const std::size_t b = bonds.at(s, k);
-        bonds.weight[b] = 0;
-        bonds.broken = true;
-        count += solids.id[s] < solids.id[bonds.neighbour[b]];
+        count += solids.id[s] < solids.id[bonds.neighbour[bonds.at(s, k)]];
+        bonds.cut(s, k);
       }
       refreshSlot(work, solids, bonds, s);
       // Where stretched bonds go and compressed ones stay, the strain of what is left can be larger: it is weakened so that a break

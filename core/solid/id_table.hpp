@@ -20,6 +20,7 @@ class IdTable {
   static constexpr std::uint32_t none = 0xffffffffu;
 
   std::size_t size() const { return size_; }
+  std::size_t bytes() const { return key_.capacity() * sizeof(std::uint64_t) + value_.capacity() * sizeof(std::uint32_t); }
   /// The number of an id; none if it has no number.
   std::uint32_t find(std::uint64_t id) const {
     if (size_ == 0) return none;

@@ -9,9 +9,8 @@ namespace {
 bool dropBonds(const Solids& solids, Bonds& bonds, std::size_t slot, int most) {
   bool any = false;
   for (int k = 0; k < most; k++) {
-    const std::size_t b = bonds.at(slot, k);
-    if (!(bonds.weight[b] > 0) || !(solids.melted[slot] || solids.melted[bonds.neighbour[b]])) continue;
-    bonds.weight[b] = 0;
+    if (!bonds.there(slot, k) || !(solids.melted[slot] || solids.melted[bonds.neighbour[bonds.at(slot, k)]])) continue;
+    bonds.cut(slot, k);
     any = true;
   }
   return any;
@@ -34,7 +33,6 @@ std::int64_t dropMeltedBonds(ElasticWork& work, const Continuum& p, Solids& soli
     solids.energy[s] = after;
     count++;
   }
-  bonds.broken = bonds.broken || count > 0;
   return count;
 }
 

@@ -21,12 +21,12 @@ void takeReference(ElasticWork& work, Solids& solids, Bonds& bonds, std::size_t 
   solids.plasticStrain[slot] = pushForward(gradU, solids.plasticStrain[slot]);
   solids.volume[slot] *= determinant(identity3<double>() + gradU);
   for (int k = 0; k < bonds.capacity; k++) {
+    if (!bonds.there(slot, k)) continue;
     const std::size_t b = bonds.at(slot, k);
-    if (!(bonds.weight[b] > 0)) continue;
     const Vec3d x = bondVectors(work, solids, bonds, slot, k).current;
-    bonds.x[b] = x.x;
-    bonds.y[b] = x.y;
-    bonds.z[b] = x.z;
+    bonds.x.set(b, x.x);
+    bonds.y.set(b, x.y);
+    bonds.z.set(b, x.z);
   }
   refreshSlot(work, solids, bonds, slot);
 }

@@ -40,7 +40,7 @@ bool SerialBondHalo::relink(const BondedRows& p, Solids& s, Bonds& b, const Reli
   for (std::uint32_t i = 0; i < fresh.size(); i++)
     if (recordOf[i])
       for (const BondRecord& r : recordOf[i]->bonds) graph_.bond(tables, before + i, r, -1);
-  for (const BondRequest& q : work.requests) graph_.bond(tables, q.slot, bondOf(q), -1);
+  for (const BondRequest& q : work.requests) graph_.bond(tables, q.slot, bondOf(q), -1, q.other);
   graph_.finish(tables);
   records_.clear();
   return true;

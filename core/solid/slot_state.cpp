@@ -4,39 +4,30 @@
 
 namespace thaw {
 
+ReferenceBond referenceBond(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot, int k) {
+  const std::size_t b = bonds.at(slot, k);
+  if (bonds.vectors) return {{bonds.x[b], bonds.y[b], bonds.z[b]}, bonds.weight[b]};
+  const Vec3d x = minimumImage(solids.reference[bonds.neighbour[b]] - solids.reference[slot], work.periods);
+  return {x, bondWeight(x, work.support)};
+}
+
 BondVectors bondVectors(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot, int k) {
   const std::size_t b = bonds.at(slot, k);
-  BondVectors v;
-  v.current = minimumImage(solids.position[bonds.neighbour[b]] - solids.position[slot], work.periods);
-  v.reference = {bonds.x[b], bonds.y[b], bonds.z[b]};
-  v.reverse = bonds.twoFrames ? Vec3d{bonds.rx[b], bonds.ry[b], bonds.rz[b]} : -v.reference;
-  return v;
+  const ReferenceBond r = referenceBond(work, solids, bonds, slot, k);
+  return {minimumImage(solids.position[bonds.neighbour[b]] - solids.position[slot], work.periods), r.vector,
+          bonds.twoFrames ? Vec3d{bonds.rx[b], bonds.ry[b], bonds.rz[b]} : -r.vector, r.weight};
 }
 
 void refreshSlot(ElasticWork& work, Solids& solids, const Bonds& bonds, std::size_t slot) {
   Sym3d a{};
   double weights = 0;
   int last = 0;
-  const bool single = work.precision == Precision::Single;
   for (int k = 0; k < bonds.capacity; k++) {
-    const std::size_t b = bonds.at(slot, k);
-    const double w = bonds.weight[b];
-    if (single) {
-      work.x[b] = static_cast<float>(bonds.x[b]);
-      work.y[b] = static_cast<float>(bonds.y[b]);
-      work.z[b] = static_cast<float>(bonds.z[b]);
-      work.weight[b] = static_cast<float>(w);
-      if (bonds.twoFrames) {
-        work.rx[b] = static_cast<float>(bonds.rx[b]);
-        work.ry[b] = static_cast<float>(bonds.ry[b]);
-        work.rz[b] = static_cast<float>(bonds.rz[b]);
-      }
-    }
-    if (!(w > 0)) continue;
+    if (!bonds.there(slot, k)) continue;
     last = k + 1;
-    const Vec3d x{bonds.x[b], bonds.y[b], bonds.z[b]};
-    a = a + w * symmetric(outer(x, x));
-    weights += w;
+    const ReferenceBond b = referenceBond(work, solids, bonds, slot, k);
+    a = a + b.weight * symmetric(outer(b.vector, b.vector));
+    weights += b.weight;
   }
   const MomentInverse m = invertMoment(a);
   const std::size_t g = slot / lanes;
@@ -50,8 +41,9 @@ void refreshSlot(ElasticWork& work, Solids& solids, const Bonds& bonds, std::siz
   Vec3d all{};
   double lengths = 0;
   for (int k = 0; k < last; k++) {
-    const std::size_t b = bonds.at(slot, k);
-    const Vec3d lever = bonds.weight[b] * (full(m.inverse) * Vec3d{bonds.x[b], bonds.y[b], bonds.z[b]});
+    if (!bonds.there(slot, k)) continue;
+    const ReferenceBond b = referenceBond(work, solids, bonds, slot, k);
+    const Vec3d lever = b.weight * (full(m.inverse) * b.vector);
     all += lever;
     lengths += length(lever);
   }
@@ -62,10 +54,9 @@ void refreshSlot(ElasticWork& work, Solids& solids, const Bonds& bonds, std::siz
 Mat3d slotGradient(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot) {
   Mat3d sum{};
   for (int k = 0; k < bonds.capacity; k++) {
-    const double w = bonds.weight[bonds.at(slot, k)];
-    if (!(w > 0)) continue;
+    if (!bonds.there(slot, k)) continue;
     const BondVectors v = bondVectors(work, solids, bonds, slot, k);
-    sum = sum + outer(v.current - v.reference, w * v.reference);
+    sum = sum + outer(v.current - v.reference, v.weight * v.reference);
   }
   const Mat3d gradU = sum * full(solids.momentInverse[slot]);
   return work.rank[slot] < 3 ? completeGradient(gradU, solids.momentInverse[slot], work.rank[slot]) : gradU;
@@ -78,16 +69,18 @@ ElasticConstants slotConstants(const ElasticWork& work, const Solids& solids, st
 }
 
 double slotEnergy(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot) {
-  const Mat3d gradU = slotGradient(work, solids, bonds, slot);
+  return slotEnergy(work, solids, bonds, slot, slotGradient(work, solids, bonds, slot));
+}
+
+double slotEnergy(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot, const Mat3d& gradU) {
   const ElasticConstants c = slotConstants(work, solids, slot);
   const Sym3d plastic = solids.plasticStrain.active ? solids.plasticStrain[slot] : Sym3d{};
   double errors = 0;
   for (int k = 0; k < bonds.capacity; k++) {
-    const double w = bonds.weight[bonds.at(slot, k)];
-    if (!(w > 0)) continue;
+    if (!bonds.there(slot, k)) continue;
     const BondVectors v = bondVectors(work, solids, bonds, slot, k);
     const Vec3d e = v.current - v.reference - gradU * v.reference;
-    errors += w * dot(e, e);
+    errors += v.weight * dot(e, e);
   }
   const double volume = solids.volume[slot];
   return volume * (elasticResponse(c, gradU, plastic).energy + 0.5 * c.hourglass * work.perTrace[slot] * errors);

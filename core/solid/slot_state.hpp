@@ -5,11 +5,15 @@
 
 namespace thaw {
 
-/// Current x_ij and reference X_ij, X_ji of bond k of a slot, m.
-struct BondVectors { Vec3d current, reference, reverse; };
+/// Reference X_ij (m) and weight of bond k of a slot, whatever bonds hold (Bonds::vectors).
+struct ReferenceBond { Vec3d vector; double weight; };
+ReferenceBond referenceBond(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot, int k);
+
+/// Current x_ij and reference X_ij, X_ji of bond k of a slot, m, and its weight.
+struct BondVectors { Vec3d current, reference, reverse; double weight; };
 BondVectors bondVectors(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot, int k);
 
-/// Recomputes A^-1, rank and the copies in `work` of one owned slot.
+/// Recomputes A^-1, rank and what else `work` keeps of one owned slot.
 void refreshSlot(ElasticWork& work, Solids& solids, const Bonds& bonds, std::size_t slot);
 
 /// grad u of one owned slot from the positions in Solids::position, completed where A is singular.
@@ -17,6 +21,8 @@ Mat3d slotGradient(const ElasticWork& work, const Solids& solids, const Bonds& b
 
 /// Stored energy (J) of one owned slot at the positions in Solids::position: law, volume and hourglass.
 double slotEnergy(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot);
+/// The same with the slot's gradient, which is known already.
+double slotEnergy(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot, const Mat3d& gradU);
 
 /// Constants of a slot's material at its liquid fraction.
 ElasticConstants slotConstants(const ElasticWork& work, const Solids& solids, std::size_t slot);

@@ -24,7 +24,13 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
     work.damping = work.damping || m.damping > 0;
     rereferences = rereferences || (modules.plastic && work.solidConstants.back().yield < never && m.maxPlasticStrain > work.rereference);
   }
-  bonds.twoFrames = modules.freezing || modules.welding || rereferences;
+  // where a reference is ever taken anew each bond has its own, else all are of the configuration in which the scene starts
+  const bool vectors = modules.freezing || modules.welding || rereferences;
+  bonds.choose(vectors, vectors, work.precision == Precision::Single);
+
+  // where something melts the energy of what softens is booked in every step; and substeps leave places of their own behind
+  work.energyInSteps = modules.melting || modules.substeps;
+  work.deformationInSteps = work.energyInSteps || vectors || modules.sleep;
 
   particles.activate(particles.slot);
   if (modules.freezing || modules.welding) {
@@ -34,9 +40,11 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
   if (work.periodic) particles.activate(particles.home);
   for (AnyColumn* c : {static_cast<AnyColumn*>(&solids.id), static_cast<AnyColumn*>(&solids.particle), static_cast<AnyColumn*>(&solids.material),
                        static_cast<AnyColumn*>(&solids.volume), static_cast<AnyColumn*>(&solids.position), static_cast<AnyColumn*>(&solids.momentInverse),
-                       static_cast<AnyColumn*>(&solids.deformation), static_cast<AnyColumn*>(&solids.flux), static_cast<AnyColumn*>(&solids.hourglass),
-                       static_cast<AnyColumn*>(&solids.force), static_cast<AnyColumn*>(&solids.energy), static_cast<AnyColumn*>(&solids.changed)})
+                       static_cast<AnyColumn*>(&solids.deformation), static_cast<AnyColumn*>(&solids.force), static_cast<AnyColumn*>(&solids.energy), static_cast<AnyColumn*>(&solids.changed)})
     solids.activate(*c);
+  if (work.precision == Precision::Single) solids.activate(solids.end);
+  else solids.activate(solids.endDouble);
+  if (!vectors) solids.activate(solids.reference);
   if (work.plastic) solids.activate(solids.plasticStrain);
   if (work.plastic || work.damping) solids.activate(solids.dissipated);
   if (rereferences) solids.activate(solids.rereferenced);
@@ -50,7 +58,10 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
   }
 }
 
-ColumnList remoteColumnsAfterRelink(Solids& solids) { return {&solids.material}; }
+ColumnList remoteColumnsAfterRelink(Solids& solids) {
+  if (solids.reference.active) return {&solids.material, &solids.reference};
+  return {&solids.material};
+}
 
 ColumnList remoteColumnsBeforeDeformation(Solids& solids) {
   if (solids.velocity.active) return {&solids.position, &solids.velocity};
@@ -58,10 +69,15 @@ ColumnList remoteColumnsBeforeDeformation(Solids& solids) {
 }
 
 ColumnList remoteColumnsBeforeForces(Solids& solids) {
-  ColumnList columns{&solids.flux, &solids.hourglass};
+  ColumnList columns{solids.end.active ? static_cast<AnyColumn*>(&solids.end) : &solids.endDouble};
   if (solids.drag.active) columns.push_back(&solids.drag);
   if (solids.rereferenced.active) columns.push_back(&solids.rereferenced);
   return columns;
+}
+
+void takeReferences(const Continuum& particles, Solids& solids) {
+  if (!solids.reference.active) return;
+  for (std::size_t s = 0; s < solids.owned; s++) solids.reference[s] = particles.position[solids.particle[s]];
 }
 
 void copyToSolids(const Continuum& particles, Solids& solids) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <stdexcept>
 
 #include "core/kinds/place_kinds.hpp"
 #include "core/solid/bond_records.hpp"
@@ -52,6 +53,7 @@ void copyKinds(const World& from, World& to) {
 }  // namespace
 
 void keepState(const World& w, World& kept) {
+  if (!w.solids.energyKnown) throw std::logic_error("the elastic energy is to be found before a state is kept");
   copyState(w.particles, kept.particles, w.particles.owned, 0, &w.particles.slot);
   copyState(w.solids, kept.solids, w.solids.owned, w.solids.ghosts, nullptr);  // remote rows: bonds name them, and they have an id
   kept.bonds = w.bonds;
@@ -65,9 +67,7 @@ void emptyWorld(World& w, StepTools& t) {
     table->resize(table->owned, 0);
     table->resize(0, 0);
   }
-  const bool twoFrames = w.bonds.twoFrames;
-  w.bonds = {};
-  w.bonds.twoFrames = twoFrames;
+  w.bonds.clear();
   w.cells = {};
   emptySurface(w.surface);
   emptyKinds(w);

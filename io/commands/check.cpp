@@ -63,7 +63,7 @@ int checkAll(const CheckOptions& o) {
   const double needed = w.scene.end / dt;
   const SurfaceTrial::Forecast onSurface = surface.forecast(needed);
   const std::vector<std::string> surfaceLines = surface.lines(onSurface, o.ranks);
-  const LedgerReport l = reportLedger(w, all);
+  const LedgerReport l = reportLedger(w, t, all);
   double memory = totalBytes(memoryOf(w, t));
   all.maximum({&memory, 1});
   if (comm.rank() != 0) return exitDone;

@@ -4,7 +4,7 @@
 //   /checkpoint  @format @sequence @step @frame @time @end @every @dt ...; counters, ledger_digits, ledger_initial, values
 //   /particles/<field>[N, c]   State columns of Continuum, in the order of (rank, row)
 //   /solids/<field>[M, c]      State columns of Solids, in the order of their particles
-//   /bonds/neighbour[B] reference[B,3] weight[B], and reverse[B,3] where both ends have their own reference; in the order of solids
+//   /bonds/neighbour[B], and where both ends of a bond have their own reference reference[B,3] reverse[B,3] weight[B]; in the order of solids
 //   /order/solid_particle[M] first_bond[M]   row of a solid's particle; row of its first bond
 //   /surfels/<field>[S, c]     State columns of Surfels; only with a surface, as are
 //   /oriented/<field>, /sheet/<field>  State columns of the further kinds (core/kinds/), where the scene has them
@@ -47,7 +47,7 @@ struct CheckpointHeader {
   std::string limitedBy;
   std::uint64_t particles = 0, solids = 0, bonds = 0, surfels = 0;
   std::array<std::optional<std::uint64_t>, kindCount> kinds;  ///< rows of the further kinds that the file has
-  bool twoFrames = false;                ///< bonds have their own reference at both ends
+  bool twoFrames = false;                ///< bonds have their own reference at both ends; else all are of one configuration
   Counters counters;
   Ledger ledger;
   SurfaceRecord surface;

@@ -16,7 +16,7 @@ void put6(const Sym3d& s, float* to) {
 /// Slot of a row that is there and in the table of solids, or noSlot.
 std::uint16_t bondsOf(const Bonds& b, std::uint32_t slot) {
   std::uint16_t count = 0;
-  for (int k = 0; k < b.capacity; k++) count = static_cast<std::uint16_t>(count + (b.weight[b.at(slot, k)] > 0));
+  for (int k = 0; k < b.capacity; k++) count = static_cast<std::uint16_t>(count + b.there(slot, k));
   return count;
 }
 

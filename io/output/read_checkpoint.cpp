@@ -11,7 +11,7 @@
 namespace thaw {
 namespace {
 
-constexpr std::int64_t formatRead = 1;
+constexpr std::int64_t formatRead = 2;
 
 /// Reads this rank's rows of datasets and remembers their checksums, to be compared when all ranks have read.
 struct CheckedReader {
@@ -74,19 +74,20 @@ void readBonds(CheckedReader& in, CheckpointSlice& s, const RowRange& solids) {
   const RowRange mine{first[0], first[solids.count] - first[0]};
   if (mine.first > h.bonds || mine.count > h.bonds - mine.first) throw IoError(h.path, "is damaged: bonds are not in order");
   std::vector<std::uint64_t> neighbour(mine.count);
-  std::vector<double> reference(3 * mine.count), reverse(h.twoFrames ? 3 * mine.count : 0), weight(mine.count);
   in.rows("/bonds/neighbour", mine, {Element::U64, h.bonds, 0}, neighbour.data());
+  s.bonds.assign(mine.count, BondRecord{});
+  for (std::size_t k = 0; k < mine.count; k++) s.bonds[k].neighbourId = neighbour[k];
+  if (!h.twoFrames) return;
+  std::vector<double> reference(3 * mine.count), reverse(3 * mine.count), weight(mine.count);
   in.rows("/bonds/reference", mine, {Element::F64, h.bonds, 3}, reference.data());
-  if (h.twoFrames) in.rows("/bonds/reverse", mine, {Element::F64, h.bonds, 3}, reverse.data());
+  in.rows("/bonds/reverse", mine, {Element::F64, h.bonds, 3}, reverse.data());
   in.rows("/bonds/weight", mine, {Element::F64, h.bonds, 0}, weight.data());
-  s.bonds.resize(mine.count);
   for (std::size_t k = 0; k < mine.count; k++) {
     BondRecord& b = s.bonds[k];
-    b.neighbourId = neighbour[k];
     b.weight = weight[k];
     for (std::size_t a = 0; a < 3; a++) {
       b.reference[a] = reference[3 * k + a];
-      b.reverse[a] = h.twoFrames ? reverse[3 * k + a] : -b.reference[a];
+      b.reverse[a] = reverse[3 * k + a];
     }
   }
 }
@@ -267,26 +268,23 @@ std::vector<std::byte> restoreWorld(World& w, const CheckpointSlice& s, bool fir
   w.watch = h.watch;
 
   if (h.solids > 0 && !w.solids.id.active) throw IoError(h.path, "has solid particles, and the scene has none: it was written for another scene");
+  if (h.solids > 0 && w.bonds.vectors && !h.twoFrames)
+    throw IoError(h.path, "has bonds without references of their own, and in the scene bonds form or take new references: it was written for another scene");
   std::vector<const AnyColumn*> state;
   for (const AnyColumn* c : w.solids.columns)
     if (h.solids > 0 && c->active && c->keep == Keep::State) state.push_back(&sameColumn(s.solids, *c));
-  std::vector<std::byte> records;
+  SolidRecords records;
   std::size_t bond = 0;
-  for (std::size_t k = 0; k < s.solids.owned; k++) {  // as appendRecord (core/solid/bond_records.hpp) writes them
-    const std::uint64_t head[2] = {s.solids.id[k], s.bondCount[k]};
-    const std::size_t at = records.size(), list = head[1] * sizeof(BondRecord);
-    records.resize(at + sizeof head + w.solids.stateBytes() + list);
-    std::byte* to = records.data() + at;
-    std::memcpy(to, head, sizeof head);
-    to += sizeof head;
+  for (std::size_t k = 0; k < s.solids.owned; k++) {
+    const std::size_t at = appendHead(records, s.solids.id[k], w.solids.stateBytes(), {s.bonds.data() + bond, s.bondCount[k]}, h.twoFrames);
+    std::byte* to = records.bytes.data() + at;
     for (const AnyColumn* c : state) {
       std::memcpy(to, c->bytes.data() + k * c->elementBytes, c->elementBytes);
       to += c->elementBytes;
     }
-    if (list > 0) std::memcpy(to, s.bonds.data() + bond, list);
-    bond += head[1];
+    bond += s.bondCount[k];
   }
-  return records;
+  return std::move(records.bytes);
 }
 
 }  // namespace thaw

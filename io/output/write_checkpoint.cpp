@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <stdexcept>
 
 #include "core/ledger/totals.hpp"
 #include "io/hdf5/parallel_file.hpp"
@@ -27,7 +28,7 @@ SolidOrder orderSolids(const World& w, std::uint64_t firstRow) {
     o.slots.push_back(slot);
     o.particle.push_back(firstRow + i);
     o.firstBond.push_back(bonds);
-    for (int k = 0; k < w.bonds.capacity; k++) bonds += w.bonds.weight[w.bonds.at(slot, k)] > 0;
+    for (int k = 0; k < w.bonds.capacity; k++) bonds += w.bonds.there(slot, k);
   }
   o.firstBond.push_back(bonds);
   return o;
@@ -38,9 +39,8 @@ template<class Use> void eachBond(const Bonds& bonds, const SolidOrder& order, c
   std::size_t solid = static_cast<std::size_t>(std::upper_bound(order.firstBond.begin(), order.firstBond.end(), range.first) - order.firstBond.begin()) - 1;
   for (std::uint64_t at = order.firstBond[solid]; at < range.first + range.count; solid++)
     for (int k = 0; k < bonds.capacity && at < range.first + range.count; k++) {
-      const std::size_t place = bonds.at(order.slots[solid], k);
-      if (!(bonds.weight[place] > 0)) continue;
-      if (at >= range.first) use(at - range.first, place);
+      if (!bonds.there(order.slots[solid], k)) continue;
+      if (at >= range.first) use(at - range.first, bonds.at(order.slots[solid], k));
       at++;
     }
 }
@@ -79,22 +79,26 @@ void addBonds(ParallelFileContent& content, const World& w, const SolidOrder& or
     };
     content.datasets.push_back(std::move(d));
   };
-  const auto vector = [](const AlignedVector<double>& x, const AlignedVector<double>& y, const AlignedVector<double>& z) {
+  const auto vector = [](const BondReals& x, const BondReals& y, const BondReals& z) {
     return [&x, &y, &z](std::size_t place, std::byte* to) {
       const double v[3] = {x[place], y[place], z[place]};
       std::memcpy(to, v, sizeof v);
     };
   };
   add("neighbour", "1", Element::U64, 0, [&](std::size_t place, std::byte* to) { std::memcpy(to, &w.solids.id[b.neighbour[place]], 8); });
+  if (!b.vectors) return;  // the rest follows from /solids/reference
   add("reference", "m", Element::F64, 3, vector(b.x, b.y, b.z));
-  if (b.twoFrames) add("reverse", "m", Element::F64, 3, vector(b.rx, b.ry, b.rz));
-  add("weight", "1", Element::F64, 0, [&](std::size_t place, std::byte* to) { std::memcpy(to, &b.weight[place], 8); });
+  add("reverse", "m", Element::F64, 3, vector(b.rx, b.ry, b.rz));
+  add("weight", "1", Element::F64, 0, [&](std::size_t place, std::byte* to) {
+    const double weight = b.weight[place];
+    std::memcpy(to, &weight, sizeof weight);
+  });
 }
 
 void writeHeader(H5File& file, const CheckpointHeader& h) {
   WatchState watch = h.watch;
   const std::string at = "/checkpoint";
-  file.setInteger(at, "format", 1);
+  file.setInteger(at, "format", 2);
   file.setInteger(at, "sequence", h.sequence);
   file.setInteger(at, "step", h.clock.step);
   file.setInteger(at, "frame", h.clock.frame);
@@ -129,6 +133,7 @@ void writeHeader(H5File& file, const CheckpointHeader& h) {
 
 /// The state as a file; the header's sums are of all ranks.
 void writeState(const std::string& path, std::int64_t sequence, MPI_Comm comm, const World& w, const RunStamp& stamp, const CheckpointValues& values) {
+  if (!w.solids.energyKnown) throw std::logic_error("the elastic energy is to be found before a checkpoint is written");
   const Communicator ours(comm);
   MpiReducer all(ours);
   CheckpointHeader h;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/solid_step.hpp"
 #include "core/surface/resume_surface.hpp"
 #include "core/watch/good_state.hpp"
 #include "io/hdf5/agree.hpp"
@@ -67,7 +68,8 @@ void beginRetries(Run& r) {
     r.summary.warnings.push_back(fmt::format("{} is not there: a retry can go back to step {} only", goodStatePath(r.options.out, good), step));
     r.say("warning: " + r.summary.warnings.back());
   }
-  if (good != step) acceptState(w, reportLedger(w, r.all));
+  if (good != step) acceptState(w, reportLedger(w, r.tools, r.all));
+  findElasticEnergy(w, r.tools);
   keepState(w, r.good);
   r.goodInMemory = true;
 }
@@ -78,7 +80,7 @@ bool atGoodState(const Run& r) { return !retries(r) || r.world.watch.goodStep ==
 
 Alarm lookAtBooks(Run& r) {
   r.tools.times.start();
-  r.books = reportLedger(r.world, r.all);
+  r.books = reportLedger(r.world, r.tools, r.all);
   const Alarm alarm = checkBooks(r.world, r.tools.watch, r.books, r.all);
   r.tools.times.lap(StepPhase::Other);
   return alarm;
@@ -87,6 +89,7 @@ Alarm lookAtBooks(Run& r) {
 void acceptGoodState(Run& r) {
   r.tools.times.start();
   acceptState(r.world, r.books);
+  findElasticEnergy(r.world, r.tools);
   keepState(r.world, r.good);
   r.goodInMemory = true;
   r.goodOnDisk = false;
@@ -97,7 +100,7 @@ void leaveGoodState(Run& r) {
   World& w = r.world;
   if (atGoodState(r)) return;
   if (w.clock.time >= w.clock.end) {  // over: what may come behind a later end is a new stretch
-    acceptState(w, reportLedger(w, r.all));
+    acceptState(w, reportLedger(w, r.tools, r.all));
     return;
   }
   if (r.goodOnDisk) return;
@@ -110,6 +113,7 @@ bool goBack(Run& r, const StepOutcome& failed, std::string& why) {
   const Clock clock = w.clock;
   const WatchState watch = w.watch;
   const Numerics& n = w.scene.numerics;
+  findElasticEnergy(w, r.tools);
   const Suspect s = findSuspect(w, failed.alarm, failed.limitedBy, r.all);
   const std::string ofKinds = kindSuspect(w, failed.alarm, failed.limitedBy, r.all);  // on one rank, if at all
   double kinds = ofKinds.empty() ? 0 : 1;

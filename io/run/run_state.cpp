@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/solid_step.hpp"
 #include "core/surface/resume_surface.hpp"
 #include "io/hdf5/agree.hpp"
 #include "io/output/earlier_run.hpp"
@@ -26,6 +27,7 @@ void renewHalos(Run& r) {
 void writeFrameOf(Run& r) {
   World& w = r.world;
   r.tools.times.start();
+  findElasticEnergy(w, r.tools);
   if (w.modules.solid && std::find(w.scene.output.fields.begin(), w.scene.output.fields.end(), "stress") != w.scene.output.fields.end())
     computeCauchyStress(r.tools.elastic, w.solids);
   const WorldFrame f = frameOf(w, r.comm.rank());
@@ -43,7 +45,7 @@ void writeFrameOf(Run& r) {
 
 void report(Run& r) {
   r.tools.times.start();
-  const LedgerReport l = reportLedger(r.world, r.all);
+  const LedgerReport l = reportLedger(r.world, r.tools, r.all);
   const bool first = r.world.clock.step == r.stepAtReport;
   const double rate = static_cast<double>(r.world.clock.step - r.stepAtReport) / std::max(1e-9, since(r.lastReport));
   double left = (r.world.clock.end - r.world.clock.time) / std::max(1e-300, r.world.clock.dt);
@@ -61,7 +63,7 @@ void summarise(Run& r, const std::string& status, const std::string& message) {
   RunSummary& s = r.summary;
   s.status = status;
   s.message = message;
-  s.ledger = reportLedger(r.world, r.all);
+  s.ledger = reportLedger(r.world, r.tools, r.all);
   s.wall = since(r.start);
   s.stepsHere = r.world.clock.step - r.firstStep;
   s.particleSteps = static_cast<double>(s.ledger.particles) * static_cast<double>(s.stepsHere);
@@ -91,6 +93,7 @@ void reportProfile(Run& r) {
 
 void writeCheckpointOf(Run& r) {
   r.tools.times.start();
+  findElasticEnergy(r.world, r.tools);
   writeCheckpoint(r.options.out, r.comm.handle(), r.world, r.stamp(), sceneMarks(r.world.scene));
   onFirstRank(r.comm.handle(), [&] { dropUnusedGoodStates(r.options.out); });
   r.lastCheckpoint = WallClock::now();

@@ -148,7 +148,7 @@ struct Rig {
       for (int k = 0; k < b.capacity; k++) {
         const std::size_t at = b.at(slot, k);
         if (!(b.weight[at] > 0) || broken.count(key(s.id[slot], s.id[b.neighbour[at]])) == 0) continue;
-        b.weight[at] = 0;
+        b.weight.set(at, 0);
         b.broken = true;
         s.changed[slot] = 1;
       }

@@ -119,10 +119,10 @@ TEST(Compare, ABondIsPartOfTheState) {
   compareChanged([](World& w) {  // id 100 loses a bond, id 101's first gets another weight
     for (std::size_t s = 0; s < w.solids.owned; s++)
       for (int k = 0; k < w.bonds.capacity; k++) {
-        double& weight = w.bonds.weight[w.bonds.at(s, k)];
-        if (!(weight > 0)) continue;
-        if (w.solids.id[s] == 100) weight = 0;
-        if (w.solids.id[s] == 101) weight = nextUp(weight);
+        if (!w.bonds.there(s, k)) continue;
+        const std::size_t at = w.bonds.at(s, k);
+        if (w.solids.id[s] == 100) w.bonds.cut(s, k);
+        if (w.solids.id[s] == 101) w.bonds.weight.set(at, nextUp(w.bonds.weight[at]));
         break;
       }
   }, [](const Comparison& c) {

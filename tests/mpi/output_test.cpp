@@ -230,6 +230,7 @@ TEST(Checkpoint, IsReadOnAnyNumberOfRanks) {
       World restored;
       for (AnyColumn* c : restored.particles.columns) restored.particles.activate(*c);
       for (AnyColumn* c : restored.solids.columns) restored.solids.activate(*c);
+      restored.bonds.choose(twoFrames, twoFrames, false);
       restored.clock.every = 0.04;
       restored.clock.end = 9;
       const std::vector<std::byte> records = restoreWorld(restored, *slice, rankOf() == 0);

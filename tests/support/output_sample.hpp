@@ -65,7 +65,7 @@ struct Sample {
     for (AnyColumn* c : p.columns) p.activate(*c);
     Solids& s = w.solids;
     for (AnyColumn* c : s.columns) s.activate(*c);
-    w.bonds.twoFrames = twoFrames;
+    w.bonds.choose(twoFrames, twoFrames, false);
     std::vector<std::uint64_t> mine;
     for (std::uint64_t id = 0; id < N; id++)
       if (ownerOf(id, ranks) == rank) mine.push_back(id);
@@ -108,9 +108,10 @@ struct Sample {
           w.bonds.neighbour[at] = static_cast<std::uint32_t>(solids.size() + remote.size());
           remote.push_back(other);
         }
-        w.bonds.x[at] = hashed(other + id * 5), w.bonds.y[at] = n, w.bonds.z[at] = 2;
-        if (twoFrames) w.bonds.rx[at] = 7 + double(id), w.bonds.ry[at] = 8, w.bonds.rz[at] = 9;
-        w.bonds.weight[at] = 1 + hashed(id + other);
+        if (!twoFrames) continue;
+        w.bonds.x.set(at, hashed(other + id * 5)), w.bonds.y.set(at, n), w.bonds.z.set(at, 2);
+        w.bonds.rx.set(at, 7 + double(id)), w.bonds.ry.set(at, 8), w.bonds.rz.set(at, 9);
+        w.bonds.weight.set(at, 1 + hashed(id + other));
       }
     }
     s.resize(s.owned, remote.size());

@@ -43,7 +43,7 @@ struct Simulation {
       if (!step()) return false;
     return true;
   }
-  LedgerReport books() { return reportLedger(w, all); }
+  LedgerReport books() { return reportLedger(w, tools, all); }
 };
 
 inline Shape boxOf(const Vec3d& low, const Vec3d& high) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/solid/bond_places.hpp"
 #include "core/solid/elastic.hpp"
 #include "core/solid/fracture.hpp"
 #include "core/solid/rereference.hpp"
@@ -81,6 +82,7 @@ inline std::unique_ptr<SolidBody> makeBody(const std::vector<Vec3d>& points, std
   for (std::size_t i = 0; i < n; i++) {
     b.solids.id[i] = i;
     b.solids.position[i] = points[i];
+    if (b.solids.reference.active) b.solids.reference[i] = points[i];
     b.solids.volume[i] = options.volume ? options.volume(i) : options.spacing * options.spacing * options.spacing;
     b.solids.material[i] = static_cast<std::uint16_t>(options.material ? options.material(i) : 0);
     b.mass.push_back(b.solids.volume[i] * b.scene.materials[b.solids.material[i]].density);
@@ -92,18 +94,13 @@ inline std::unique_ptr<SolidBody> makeBody(const std::vector<Vec3d>& points, std
   }
   const std::size_t room = (n + lanes - 1) / lanes * lanes * static_cast<std::size_t>(b.bonds.capacity);
   b.bonds.neighbour.resize(room);
-  for (auto* v : {&b.bonds.x, &b.bonds.y, &b.bonds.z, &b.bonds.weight}) v->resize(room);
-  if (b.bonds.twoFrames)
-    for (auto* v : {&b.bonds.rx, &b.bonds.ry, &b.bonds.rz}) v->resize(room);
+  b.bonds.eachReal([&](BondReals& r) { r.assign(room, 0); });
   for (std::size_t i = 0; i < n; i++)
     for (int k = 0; k < b.bonds.capacity; k++) {
       const bool some = static_cast<std::size_t>(k) < found[i].size();
       const auto bond = some ? found[i][static_cast<std::size_t>(k)] : std::pair<std::uint32_t, Vec3d>{static_cast<std::uint32_t>(i), Vec3d{}};
-      const std::size_t at = b.bonds.at(i, k);
-      b.bonds.neighbour[at] = bond.first;
-      b.bonds.x[at] = bond.second.x, b.bonds.y[at] = bond.second.y, b.bonds.z[at] = bond.second.z;
-      if (b.bonds.twoFrames) b.bonds.rx[at] = -bond.second.x, b.bonds.ry[at] = -bond.second.y, b.bonds.rz[at] = -bond.second.z;
-      b.bonds.weight[at] = some ? bondWeight(bond.second, support) : 0;
+      const Vec3d& x = bond.second;
+      putBond(b.bonds, b.bonds.at(i, k), bond.first, {bond.first, {x.x, x.y, x.z}, {-x.x, -x.y, -x.z}, some ? bondWeight(x, support) : 0});
     }
   refreshReference(b.work, b.solids, b.bonds, true);
   return body;

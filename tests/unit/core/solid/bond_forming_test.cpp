@@ -4,6 +4,8 @@
 
 #include <map>
 
+#include "core/solid/bond_graph.hpp"
+#include "core/solid/bond_places.hpp"
 #include "core/solid/slot_state.hpp"
 #include "tests/support/solid_body.hpp"
 
@@ -49,7 +51,7 @@ void addBonds(SolidBody& b, const std::vector<BondRequest>& requests) {
   for (std::size_t s = 0; s < b.solids.owned; s++)
     for (int k = 0; k < bonds.capacity; k++) {
       const std::size_t at = bonds.at(s, k);
-      if (bonds.weight[at] > 0)
+      if (bonds.there(s, k))
         of[s].push_back({static_cast<std::uint32_t>(s), bonds.neighbour[at], {bonds.x[at], bonds.y[at], bonds.z[at]}, {bonds.rx[at], bonds.ry[at], bonds.rz[at]}, bonds.weight[at]});
     }
   for (const BondRequest& r : requests) of[r.slot].push_back(r);
@@ -57,15 +59,12 @@ void addBonds(SolidBody& b, const std::vector<BondRequest>& requests) {
   for (const auto& list : of) bonds.capacity = std::max(bonds.capacity, static_cast<int>(list.size()));
   const std::size_t room = (b.solids.owned + 7) / 8 * 8 * static_cast<std::size_t>(bonds.capacity);
   bonds.neighbour.assign(room, 0);
-  for (auto* v : {&bonds.x, &bonds.y, &bonds.z, &bonds.rx, &bonds.ry, &bonds.rz, &bonds.weight}) v->assign(room, 0.0);
+  bonds.eachReal([&](BondReals& r) { r.assign(room, 0); });
   for (std::size_t s = 0; s < of.size(); s++)
     for (std::size_t k = 0; k < of[s].size(); k++) {
       const std::size_t at = bonds.at(s, static_cast<int>(k));
       const BondRequest& r = of[s][k];
-      bonds.neighbour[at] = static_cast<std::uint32_t>(r.neighbourId);
-      bonds.x[at] = r.reference.x, bonds.y[at] = r.reference.y, bonds.z[at] = r.reference.z;
-      bonds.rx[at] = r.reverse.x, bonds.ry[at] = r.reverse.y, bonds.rz[at] = r.reverse.z;
-      bonds.weight[at] = r.weight;
+      putBond(bonds, at, static_cast<std::uint32_t>(r.neighbourId), bondOf(r));
     }
   refreshReference(b.work, b.solids, b.bonds, true);
 }
@@ -119,10 +118,8 @@ TEST(BondForming, freezingJoinsWithoutStressJump) {
   options.freezing = true;
   const auto b = makeBody(points, {elasticMaterial()}, options);
   for (std::size_t s = 0; s < points.size(); s++)
-    for (int k = 0; k < b->bonds.capacity; k++) {
-      double& w = b->bonds.weight[b->bonds.at(s, k)];
-      if (!old(s) || !old(b->bonds.neighbour[b->bonds.at(s, k)])) w = 0;
-    }
+    for (int k = 0; k < b->bonds.capacity; k++)
+      if (!old(s) || !old(b->bonds.neighbour[b->bonds.at(s, k)])) b->bonds.cut(s, k);
   refreshReference(b->work, b->solids, b->bonds, true);
   const Mat3d r = rotation({1, 2, 3}, 0.8), f{{{1.1, 0.1, 0}, {0, 0.9, 0}, {0.05, 0, 1}}};
   std::vector<Vec3d> now;
@@ -160,7 +157,7 @@ TEST(BondForming, weldingOfBodies) {
     BodyOptions options;
     options.freezing = true;
     const auto b = makeBody(points, {weld ? weldable : m}, options);
-    std::fill(b->bonds.weight.begin(), b->bonds.weight.end(), 0.0);
+    b->bonds.weight.assign(b->bonds.weight.size(), 0);
     refreshReference(b->work, b->solids, b->bonds, true);
     computeForces(*b);
     fillParticles(*b, points);

@@ -34,7 +34,7 @@ TEST(Melting, bondsGoAtBothEndsAndTheirEnergyIsBooked) {
     for (int k = 0; k < b->bonds.capacity; k++) {
       const std::size_t at = b->bonds.at(s, k);
       const bool liquidEnd = p.phase[s] == Liquid || p.phase[b->bonds.neighbour[at]] == Liquid;
-      EXPECT_FALSE(b->bonds.weight[at] > 0 && liquidEnd);
+      EXPECT_FALSE(b->bonds.there(s, k) && liquidEnd);
     }
   // what was booked is what the next force evaluation finds
   computeForces(*b);

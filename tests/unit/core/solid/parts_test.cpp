@@ -32,19 +32,20 @@ std::unique_ptr<SolidBody> partOf(const SolidBody& whole, const std::vector<std:
   for (std::size_t s = 0; s < rows.size(); s++) {
     b.solids.id[s] = rows[s];
     b.solids.material[s] = whole.solids.material[rows[s]];
+    if (b.solids.reference.active) b.solids.reference[s] = whole.solids.reference[rows[s]];
     if (s < ids.size()) b.solids.volume[s] = whole.solids.volume[rows[s]];
   }
   b.bonds.capacity = whole.bonds.capacity;
   const std::size_t room = (ids.size() + lanes - 1) / lanes * lanes * static_cast<std::size_t>(b.bonds.capacity);
   b.bonds.neighbour.assign(room, 0xffffffu);  // what lies behind the last slot must not matter
-  for (auto* v : {&b.bonds.x, &b.bonds.y, &b.bonds.z, &b.bonds.rx, &b.bonds.ry, &b.bonds.rz, &b.bonds.weight}) v->assign(room, 1e300);
+  b.bonds.eachReal([&](BondReals& r) { r.assign(room, 1e30); });
   for (std::size_t s = 0; s < ids.size(); s++)
     for (int k = 0; k < b.bonds.capacity; k++) {
       const std::size_t to = b.bonds.at(s, k), from = whole.bonds.at(ids[s], k);
-      b.bonds.neighbour[to] = row.at(whole.bonds.neighbour[from]);
-      b.bonds.x[to] = whole.bonds.x[from], b.bonds.y[to] = whole.bonds.y[from], b.bonds.z[to] = whole.bonds.z[from];
-      b.bonds.rx[to] = whole.bonds.rx[from], b.bonds.ry[to] = whole.bonds.ry[from], b.bonds.rz[to] = whole.bonds.rz[from];
-      b.bonds.weight[to] = whole.bonds.weight[from];
+      const Bonds& w = whole.bonds;
+      BondRecord r{};
+      if (w.vectors) r = {0, {w.x[from], w.y[from], w.z[from]}, {w.rx[from], w.ry[from], w.rz[from]}, w.weight[from]};
+      putBond(b.bonds, to, row.at(w.neighbour[from]), r);
     }
   refreshReference(b.work, b.solids, b.bonds, true);
   return part;
