@@ -132,8 +132,9 @@ template<class Book> void stopAtWalls(const PressureSystem& x, double dt, Book b
   }
 }
 
-void setTrial(Continuum& p, const Column<float>& pressure, double dt) {
-  for (std::size_t i = 0; i < p.owned; i++) p.trialPressure[i] = static_cast<float>(static_cast<double>(pressure[i]) * dt);
+/// From the pressure of the last step. What has frozen since has none: whether pairs of solids are listed depends on who shares their group, and so on the ranks.
+void setTrial(Continuum& p, const PressureWork& work, const Column<float>& pressure, double dt) {
+  for (std::size_t i = 0; i < p.owned; i++) p.trialPressure[i] = work.response[i] > 0 ? static_cast<float>(static_cast<double>(pressure[i]) * dt) : 0;
 }
 
 void keepTrial(const Continuum& p, Column<float>& pressure, double dt) {
@@ -160,7 +161,7 @@ void stopCompression(const PressureSystem& x, double dt, double next, double sha
   World& w = x.world;
   Continuum& p = w.particles;
   std::copy_n(p.velocity.data(), p.owned, x.tools.pressure.start.begin());
-  setTrial(p, p.steadying, dt);
+  setTrial(p, x.tools.pressure, p.steadying, dt);
   w.lastIterations.divergence = solve(x, {next, share * w.scene.numerics.divergenceTolerance, 0});
   keepTrial(p, p.steadying, dt);
   bookReactions(x, [&](const Vec3d& impulse) {
@@ -176,7 +177,7 @@ void keepVolume(const PressureSystem& x, double next, double share) {
   PressureWork& work = x.tools.pressure;
   const double half = 0.5 * next;
   for (std::size_t i = 0; i < p.owned; i++) work.start[i] = p.velocity[i] + p.acceleration[i] * half;
-  setTrial(p, p.holding, next);
+  setTrial(p, work, p.holding, next);
   w.lastIterations.density = solve(x, {next, share * w.scene.numerics.densityTolerance, share});
   keepTrial(p, p.holding, next);
   const auto book = [&](const Vec3d& impulse) {  // with the next half kick
