@@ -1,7 +1,9 @@
 // The incompressible pressure solver through whole steps: what it is to keep, and what it is to save.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "tests/support/simulation.hpp"
 
@@ -119,6 +121,50 @@ TEST(Incompressible, MomentumIsKept) {
   EXPECT_LT(length(r.now.angularMomentum - r.initial.angularMomentum), 1e-4 * length(r.initial.angularMomentum));
   EXPECT_LT(r.now.kinetic, 0.9 * r.initial.kinetic);
   EXPECT_LT(std::abs(r.energyResidual), 0.01 * r.energyScale);
+}
+
+// A layer of wax freezes from below under its weight. What has frozen keeps no pressure of its last step as a liquid: its pairs with other solids are
+// summed only where a liquid shares their group of eight, which is another one on another number of ranks.
+TEST(Incompressible, WhatHasFrozenHasNoPressure) {
+  Scene s = emptyScene(0.01, {-0.03, -0.03, 0}, {0.03, 0.03, 0.2});
+  for (auto& side : s.domain.side) side = {Side::Wall, Side::Wall};
+  s.domain.gravity = {0, 0, -9.81};
+  s.materials.emplace_back();
+  Material& m = s.materials[0];
+  m.density = 900;
+  m.young = {3e5, 0};
+  m.law = ElasticLaw::NeoHookean;
+  m.damping = 4;
+  m.viscosity = {10, 10};
+  m.conductivity = {300, 300};
+  m.heatCapacity = {2000, 2000};
+  m.latentHeat = 3e4;
+  m.solidus = 313;
+  m.liquidus = 338;
+  s.numerics.solver = PressureSolver::Incompressible;
+  addBox(s, {-0.03, -0.03, 0}, {0.03, 0.03, 0.06}).temperature = 341;
+  addFloor(s).temperature = 203;
+  s.end = 0.6;
+  Simulation run(s);
+  const Continuum& p = run.particles();
+  std::vector<std::uint64_t> solid, now;
+  double held = 0;
+  while (run.w.clock.time < s.end) {
+    ASSERT_TRUE(run.step());
+    now.clear();
+    for (std::size_t i = 0; i < p.owned; i++) {
+      held = std::max(held, static_cast<double>(p.holding[i]));
+      if (p.liquid[i] > 0) continue;
+      now.push_back(p.id[i]);
+      if (!std::binary_search(solid.begin(), solid.end(), p.id[i])) continue;
+      ASSERT_EQ(p.holding[i], 0) << p.id[i];
+      ASSERT_EQ(p.steadying[i], 0) << p.id[i];
+    }
+    std::sort(now.begin(), now.end());
+    solid.swap(now);
+  }
+  EXPECT_GT(solid.size(), 20u);
+  EXPECT_GT(held, 50);  // Pa: there was some to keep
 }
 
 }  // namespace thaw::test
