@@ -161,7 +161,7 @@ std::vector<DiscPart> curvedDiscs(const Discs& discs, std::span<const std::uint3
     if (!(0.5f * r > most)) return whole();  // even at a right angle
     near.clear();
     const double far2 = static_cast<double>(around * around * r * r);
-    for (std::size_t k = 0; k < beside.row.size(); k++)
+    for (std::size_t k = 0; k < beside.count; k++)
       if (const Vec3d d = beside.at[k] - places[i]; dot(d, d) < far2) near.push_back(beside.row[k]);
     const float rise = 0.5f * r * turnOf(discs, components, i, near);
     int rings = 0;
