@@ -18,15 +18,17 @@ struct HeldBooks {
   World& w;
   double dt;
   std::vector<Vec3d> velocity, place;
+  std::vector<std::uint8_t> flags;  // an anchor may let go at the end of the step that it still held
   explicit HeldBooks(World& world, double step) : w(world), dt(step) {
     const Oriented& o = w.oriented.rows;
     velocity.assign(o.velocity.data(), o.velocity.data() + o.owned);
     place.assign(o.position.data(), o.position.data() + o.owned);
+    flags.assign(o.flags.data(), o.flags.data() + o.owned);
   }
   void close() {
     const Oriented& o = w.oriented.rows;
     for (std::size_t i = 0; i < o.owned; i++) {
-      if (!(o.flags[i] & heldPlace)) continue;
+      if (!(flags[i] & heldPlace)) continue;
       const Vec3d force = o.force[i] + o.mass[i] * w.scene.domain.gravity, impulse = o.mass[i] * (o.velocity[i] - velocity[i]) - dt * force;
       for (int a = 0; a < 3; a++)
         if (impulse[a] != 0) w.ledger.wallImpulse[a].add(impulse[a]);

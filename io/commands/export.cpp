@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <thread>
 
@@ -126,10 +127,27 @@ bool isSheetFrame(const FrameInfo& info) {
   return std::any_of(info.fields.begin(), info.fields.end(), [](const FrameInfo::Field& f) { return f.name == "sheet_body"; });
 }
 
+/// Rows in the order of their ids, and triangles in that of theirs: the same order in all frames and on any number of ranks, so that they make an animation.
+void orderById(FrameData& frame, std::vector<std::uint32_t>& rows) {
+  const FrameColumn* id = frame.find("id");
+  rows.resize(frame.positions.size());
+  std::iota(rows.begin(), rows.end(), 0u);
+  if (!id) return;
+  std::sort(rows.begin(), rows.end(), [&](std::uint32_t a, std::uint32_t b) { return id->value(a) < id->value(b); });
+  std::vector<std::uint32_t> rank(rows.size());
+  for (std::uint32_t k = 0; k < rows.size(); k++) rank[rows[k]] = k;
+  for (auto& t : frame.triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end(), [&](auto a, auto b) { return rank[a] < rank[b]; }), t.end());
+  std::sort(frame.triangles.begin(), frame.triangles.end(), [&](const auto& a, const auto& b) {
+    for (int k = 0; k < 3; k++)
+      if (a[k] != b[k]) return rank[a[k]] < rank[b[k]];
+    return false;
+  });
+}
+
 /// The triangles of the frame, one mesh for each sheet, with its colours; normals are the means of the triangles around.
 void exportSheets(const fs::path& file, const fs::path& out, const ExportOptions& options) {
   if (options.as != "ply" && options.as != "obj" && options.as != "vtp") throw std::invalid_argument("sheets are exported as ply, obj or vtp, not as " + options.as);
-  const FrameData frame = readFrame(file.string());
+  FrameData frame = readFrame(file.string());
   if (options.as == "vtp") {
     if (out.has_parent_path()) fs::create_directories(out.parent_path());
     writeTrianglesVtp(out, frame);
@@ -139,8 +157,9 @@ void exportSheets(const fs::path& file, const fs::path& out, const ExportOptions
   const FrameColumn *body = frame.find("sheet_body"), *colour = frame.find("color");
   if (!body || !colour) throw IoError(file.string(), "has no fields 'sheet_body' and 'color'");
   std::map<std::uint32_t, ComponentMesh> byBody;
-  std::vector<std::uint32_t> vertexOf(frame.positions.size());
-  for (std::size_t i = 0; i < frame.positions.size(); i++) {
+  std::vector<std::uint32_t> vertexOf(frame.positions.size()), rows;
+  orderById(frame, rows);
+  for (const std::uint32_t i : rows) {
     ComponentMesh& m = byBody[static_cast<std::uint32_t>(body->value(i))];
     vertexOf[i] = static_cast<std::uint32_t>(m.mesh.vertices.size());
     m.mesh.vertices.push_back(frame.positions[i]);

@@ -229,7 +229,7 @@ Comparison compareSnapshots(const Snapshot& a, const Snapshot& b, const CompareR
       continue;
     }
     const std::vector<Match> both = matchIds(a, ta, b, *tb, result);
-    if (&ta == a.tables.data()) result.rows = both.size(), result.title = ta.title;
+    if (result.rows == 0 && (&ta == a.tables.data() || !both.empty())) result.rows = both.size(), result.title = ta.title;  // the first that has any
     if (ta.ids.empty() && tb->ids.empty()) continue;
     eachColumn(ta.title, ta.columns, tb->columns, result, [&](const SnapshotColumn& x, const SnapshotColumn& y) {
       const ColumnPair pair(a, x, b, y, rule.tolerance);

@@ -66,7 +66,9 @@ void summarise(Run& r, const std::string& status, const std::string& message) {
   s.ledger = reportLedger(r.world, r.tools, r.all);
   s.wall = since(r.start);
   s.stepsHere = r.world.clock.step - r.firstStep;
-  s.particleSteps = static_cast<double>(s.ledger.particles) * static_cast<double>(s.stepsHere);
+  double moved = static_cast<double>(s.ledger.particles);
+  for (const std::int64_t rows : s.ledger.rows) moved += static_cast<double>(rows);
+  s.particleSteps = moved * static_cast<double>(s.stepsHere);
   s.solvers = solversOf(r.world, r.tools);
   gatherSummary(s, r.world, r.tools.times, r.comm.traffic(), r.all);
   gatherSurface(r);

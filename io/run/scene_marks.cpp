@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace thaw {
 namespace {
 
@@ -25,6 +27,27 @@ void addEmitter(CheckpointValues& marks, const Emitter& e) {
     marks[at + "centre." + axes[a]] = e.centre[a];
     marks[at + "direction." + axes[a]] = e.direction[a];
   }
+}
+
+/// What a shape is made and placed by, and its parts'.
+void addShape(CheckpointValues& marks, const std::string& at, const Shape& s) {
+  marks[at + "kind"] = static_cast<double>(s.kind);
+  const std::pair<const char*, double> numbers[] = {{"radius", s.radius}, {"radius2", s.radius2}, {"height", s.height}, {"thickness", s.thickness}, {"scale", s.scale}, {"fit_height", s.fitHeight.value_or(0)}};
+  for (const auto& [key, value] : numbers) marks[at + key] = value;
+  const std::pair<const char*, Vec3d> vectors[] = {{"size", s.size}, {"rotate", s.rotate}, {"move", s.move}, {"bottom", s.bottom.value_or(Vec3d{})}};
+  for (const auto& [key, value] : vectors)
+    for (int a = 0; a < 3; a++) marks[at + key + "." + axes[a]] = value[a];
+  for (std::size_t k = 0; k < s.parts.size(); k++) addShape(marks, fmt::format("{}part{}.", at, k), s.parts[k]);
+}
+
+/// A sheet's edges, triangles and places of rest are made anew from its mesh at a restart.
+void addSheet(CheckpointValues& marks, const SheetBody& b) {
+  const std::string at = "sheet." + b.name + ".";
+  const std::pair<const char*, double> numbers[] = {{"mesh", static_cast<double>(b.mesh)}, {"width", b.width}, {"depth", b.depth}, {"height", b.height}, {"radius", b.radius}, {"spacing", b.spacing},
+                                                    {"ribs", b.ribs}, {"rib_height", b.ribHeight}, {"wrinkles", b.wrinkles}, {"wrinkle_height", b.wrinkleHeight}};
+  for (const auto& [key, value] : numbers) marks[at + key] = value;
+  for (int a = 0; a < 3; a++) marks[at + "warp_direction." + axes[a]] = b.warpDirection[a];
+  addShape(marks, at + "place.", b.shape);
 }
 
 }  // namespace
@@ -51,6 +74,11 @@ CheckpointValues sceneMarks(const Scene& s) {
   addNames(marks, "oriented", s.oriented);
   addNames(marks, "sheet", s.sheets);
   for (const Emitter& e : s.emitters) addEmitter(marks, e);
+  for (const SheetBody& b : s.sheets) addSheet(marks, b);
+  for (const OrientedBody& b : s.oriented) {  // particles name their anchors by place in the list
+    marks["oriented." + b.name + ".spacing"] = b.spacing;
+    marks["oriented." + b.name + ".anchors"] = static_cast<double>(b.anchors.size());
+  }
   return marks;
 }
 

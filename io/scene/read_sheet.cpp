@@ -4,9 +4,9 @@
 namespace thaw {
 namespace {
 
-void readInTime(TableReader& r, const char* key, FactorInTime& f, const char* about) {
+void readInTime(TableReader& r, const char* key, FactorInTime& f, const char* about, const Range& factor = notNegative()) {
   r.node(key, "", "list of pairs [time, factor]", about);
-  if (!r.describing()) r.pairs({key, "s", "", notNegative(), anyNumber()}, f.points);
+  if (!r.describing()) r.pairs({key, "s", "", notNegative(), factor}, f.points);
 }
 
 void readSheetMesh(TableReader& r, SheetBody& b) {
@@ -86,14 +86,14 @@ void readOuter(TableReader& r, SheetBody& b) {
   r.number("wind_density", b.windDensity, "kg/m^3", notNegative(), "of the air, times a coefficient of drag: pressure over squared velocity along the normal; 0: no air");
   r.number("wrap", b.wrap, "Pa", anyNumber(), "pressure that shrinks the sheet: against its normal, or toward an obstacle");
   r.text("wrap_to", b.wrapTo, "what wrap is toward; none: against the normal", "name of an obstacle");
-  readInTime(r, "wrap_in_time", b.wrapInTime, "factor of wrap, linear in between");
+  readInTime(r, "wrap_in_time", b.wrapInTime, "factor of wrap, linear in between", anyNumber());
   r.tables("brush", "pushes at a place", [&](TableReader& t) {
     SheetBrush g;
     g.where = t.place();
     t.vector("centre", g.centre, "m", "where it pushes most");
     t.number("radius", g.radius, "m", positive(), "where it ends: (1 - r^2/R^2)^2 in between");
     t.vector("pressure", g.pressure, "Pa", "force per area of sheet at the centre");
-    readInTime(t, "in_time", g.inTime, "factor, linear in between");
+    readInTime(t, "in_time", g.inTime, "factor, linear in between", anyNumber());
     t.tables("motion", "keyframes of its centre, linear in between; it acts along its whole way, also in steps that are longer than its radius", [&](TableReader& k) {
       Keyframe f;
       k.number("time", f.time, "s", notNegative(), "when");

@@ -32,7 +32,7 @@ try() {
   echo "$scene: $(value "$work/$scene.1/summary.json" retries) retries, $(value "$work/$scene.1/summary.json" step) steps"
 }
 try beam 0.15 6e-4 2 20 45 215 230
-try pour 0.1 2e-3 3 15 40 90
+try pour 0.1 4e-3 3 15 40 90
 try freeze 0.08 2e-3 3 8 15
 
 # back in the state of the start, the run is the one that had begun with half the step

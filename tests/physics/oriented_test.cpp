@@ -175,6 +175,24 @@ TEST(Oriented, SurfaceDrawnOverABallGrowsAndKeepsItsBooks) {
   EXPECT_LT(std::abs(l.energyResidual), 0.05 * l.energyScale);
 }
 
+// The step at whose end an anchor lets go was held to its end: its impulse is the anchor's.
+TEST(Oriented, AnchorsThatLetGoUnderLoadKeepTheBooks) {
+  Scene s = patchScene(0);
+  s.domain.gravity = {0, 0, -9.81};
+  OrientedBody& b = s.oriented[0];
+  b.damping = 2;
+  OrientedAnchor edge;
+  edge.region = test::boxOf({-0.3, -0.3, -0.1}, {-0.15, 0.3, 0.1});
+  edge.until = 0.05;
+  b.anchors.push_back(edge);
+  s.end = 0.1;
+  test::Simulation x(s);
+  ASSERT_TRUE(x.run());
+  const LedgerReport r = x.books();
+  EXPECT_GT(length(r.gravityImpulse), 0);
+  EXPECT_LT(length(r.momentumResidual), 1e-12 * length(r.gravityImpulse));
+}
+
 TEST(Oriented, SheetAndPatchThatMeetKeepMomentumAndBooks) {
   Scene s = patchScene(0);
   s.oriented[0].density = 2;
