@@ -30,17 +30,13 @@ place    = { move = [0.04, 0.013, 0] }
 velocity = [-1, 0, 0]
 SCENE
 # name, scene, steps, counter of the summary that must not be 0
-same() {
+try() {
   local name=$1 scene=$2 steps=$3 counter=$4
-  for ranks in 1 2 3 4; do
-    launch $ranks run "$scene" "${set[@]}" --steps "$steps" --out "$work/$name.$ranks" >"$work/log" 2>&1 || { fail "$name on $ranks ranks: exit $?"; tail -n 5 "$work/log"; continue; }
-    [ "$ranks" = 1 ] && continue
-    "$thaw" compare "$work/$name.1" "$work/$name.$ranks" >"$work/log" 2>&1 || { fail "$name: 1 and $ranks ranks differ"; head -n 20 "$work/log"; }
-  done
+  sameOnAllRanks "$name" "$steps" - "$scene" "${set[@]}"
   grep -Eq "\"$counter\": *[1-9]" "$work/$name.1/summary.json" || fail "$name: nothing has $counter"
 }
 set=()
-same weld "$work/weld.toml" 200 welds
+try weld "$work/weld.toml" 200 welds
 settings freeze
-same freeze "$scenes/freeze.toml" 900 frozen
+try freeze "$scenes/freeze.toml" 900 frozen
 finish

@@ -4,8 +4,7 @@
 . "$(dirname "$0")/../support/surface_output.sh"
 for scene in ${SCENES:-fluid freezing melting_fast melting_slow}; do
   settings "keiser/$scene"
-  sameOnAllRanks "$scene" 1000000 "${CUT:-100}" "$scenes/keiser/$scene.toml" "${set[@]}"
-  for other in 2 3 4 7 parts; do sameOutput "$work/$scene.1" "$work/$scene.$other" "$scene on $other"; done
+  sameOnAllRanks "$scene" 1000000 "${CUTS:-100 200}" "$scenes/keiser/$scene.toml" "${set[@]}"
   surfels=$(counted "$work/$scene.1" surfels)
   [ "${surfels:-0}" -gt 100 ] || fail "$scene: $surfels surfels"
   echo "$scene: $surfels surfels, $(counted "$work/$scene.1" updates) updates, $(counted "$work/$scene.1" births) births, $(counted "$work/$scene.1" splits) splits, $(counted "$work/$scene.1" merges) merges"

@@ -6,19 +6,9 @@ scenes=$source_dir/scenes/oriented
 same() { sameRuns "$1" "$2" "$3" "frames/${scene}_oriented.hdf.series"; }  # same A B WHAT
 try() {  # try NAME FILE STEPS SETTINGS
   scene=$(basename "$2" .toml)
-  local name=$1 file=$2 steps=$3 ranks
-  shift 3
-  go() { launch "$1" run "$file" "${@:3}" --out "$work/$name.$2" >"$work/log" 2>&1 || { fail "$name, $2: exit $?"; tail -n 5 "$work/log"; }; }
-  for ranks in 1 2 3 4 7; do
-    go $ranks $ranks --steps "$steps" "$@"
-    [ "$ranks" = 1 ] || same "$work/$name.1" "$work/$name.$ranks" "$name on 1 and $ranks ranks"
-  done
-  go 3 parts --steps $((steps * 2 / 5)) "$@"
-  go 2 parts --steps $((steps * 7 / 10)) "$@" --restart
-  go 4 parts --steps "$steps" "$@" --restart
-  same "$work/$name.1" "$work/$name.parts" "$name in three parts"
-  echo "$name: $(value "$work/$name.1/summary.json" oriented) particles, $(value "$work/$name.1/summary.json" oriented_births) births, $(value "$work/$name.1/summary.json" oriented_deaths) deaths"
-  rm -rf "${work:?}/$name".*
+  sameOnAllRanks "$1" "$3" - "$2" "${@:4}"
+  echo "$1: $(value "$work/$1.1/summary.json" oriented) particles, $(value "$work/$1.1/summary.json" oriented_births) births, $(value "$work/$1.1/summary.json" oriented_deaths) deaths"
+  rm -rf "${work:?}/$1".*
 }
 # A block falls on a surface that is held at its rim, and another surface shrinks around a ball.
 cat >"$work/meeting.toml" <<'EOF'

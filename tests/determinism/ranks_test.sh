@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Every scene with a "# test:" line gives the same bits on 1, 2, 3, 4 and 7 ranks. Coarse, so that it takes seconds; every module of the
-# scene is on. STEPS, SCENES: fewer or more of them.
+# Every scene with a "# test:" line gives the same bits on 1, 2, 3, 4 and 7 ranks, and when it is killed with -9 and resumed on other numbers of ranks.
+# Coarse, so that it takes seconds; every module of the scene is on. STEPS, SCENES: fewer or more of them.
 . "$(dirname "$0")/../support/run.sh"
 steps=${STEPS:-40}
 for scene in ${SCENES:-$(testedScenes)}; do
@@ -8,14 +8,7 @@ for scene in ${SCENES:-$(testedScenes)}; do
   n=$steps
   grep -q '^\[\[*emitter' "$scenes/$scene.toml" && n=$((7 * steps))  # little is poured at first
   [ "$scene" = freeze ] && n=$((48 * steps))  # bonds form at last: differences showed only then
-  for ranks in 1 2 3 4 7; do
-    launch $ranks run "$scenes/$scene.toml" "${set[@]}" --steps "$n" --out "$work/$scene.$ranks" >"$work/log" 2>&1
-    code=$?
-    [ "$code" -eq 0 ] || { fail "$scene on $ranks ranks: exit $code"; tail -n 5 "$work/log"; continue; }
-    [ "$ranks" = 1 ] && continue
-    "$thaw" compare "$work/$scene.1" "$work/$scene.$ranks" >"$work/log" 2>&1 || { fail "$scene: 1 and $ranks ranks differ"; cat "$work/log"; }
-  done
-  echo "$scene: $(value "$work/$scene.1/summary.json" particles) particles, $(value "$work/$scene.1/summary.json" step) steps"
+  ALL_RANKS=1 sameOnAllRanks "$scene" "$n" killed "$scenes/$scene.toml" "${set[@]}"
   rm -rf "${work:?}/$scene".*
 done
 finish

@@ -3,33 +3,21 @@
 # and 7 ranks, and when it is stopped between a good state and the failure and resumed on another number of ranks. No frame is lost or twice.
 . "$(dirname "$0")/../support/run.sh"
 retried() { [ "$(value "$1/summary.json" retries)" -ge "$2" ] || fail "$3: $(value "$1/summary.json" retries) retries"; }
-sameFrames() { sameRuns "$1" "$2" "$3" "frames/$scene.hdf.series"; }  # sameFrames A B WHAT
+same() { sameRuns "$1" "$2" "$3" "frames/$scene.hdf.series"; }
 # scene, end, fixed step (about three times what is stable), retries at least, steps at which it is stopped: each before a failure
 try() {
   scene=$1
-  local end=$2 step=$3 least=$4
+  local end=$2 step=$3 least=$4 run
   settings "$scene"
   set+=(--set end="$end" --set output.every=$(echo "$end" | awk '{ print $1 / 10 }') --set numerics.fixed_step="$step")
-  for ranks in 1 2 3 4 7; do
-    launch $ranks run "$scenes/$scene.toml" "${set[@]}" --out "$work/$scene.$ranks" >"$work/log" 2>&1
-    expectExit 0 "$scene on $ranks ranks"
-    expectMessage "^warning: failed at step .*; back to step .*, with 1/[0-9]* of the step" "$scene on $ranks ranks"
-    retried "$work/$scene.$ranks" "$least" "$scene on $ranks ranks"
-    [ "$ranks" = 1 ] && continue
-    sameFrames "$work/$scene.1" "$work/$scene.$ranks" "$scene on $ranks ranks"
+  sameOnAllRanks "$scene" 1000000 "${*:5}" "$scenes/$scene.toml" "${set[@]}"
+  for run in 1 7 parts; do retried "$work/$scene.$run" "$least" "$scene, $run"; done
+  for run in 1 7; do
+    grep -q "^warning: failed at step .*; back to step .*, with 1/[0-9]* of the step" "$work/$scene.log.$run" || fail "$scene on $run ranks: no warning"
   done
   [ "$(grep -c '"name"' "$work/$scene.1/frames/$scene.hdf.series")" = 11 ] || fail "$scene: not 11 frames in the series"
-  local ranks=3
-  for stop in "${@:5}"; do
-    launch $ranks run "$scenes/$scene.toml" "${set[@]}" --steps "$stop" --resume --out "$work/$scene.parts" >"$work/log" 2>&1; expectExit 0 "$scene to step $stop"
-    [ "$("$thaw" info "$work/$scene.parts" --json | value - step)" = "$stop" ] || fail "$scene: no checkpoint of step $stop"
-    ranks=$((6 - ranks - ranks / 3))  # 3, 2, 4
-  done
-  launch 2 run "$scenes/$scene.toml" "${set[@]}" --restart --out "$work/$scene.parts" >"$work/log" 2>&1; expectExit 0 "$scene, last part"
-  retried "$work/$scene.parts" "$least" "$scene in parts"
-  sameFrames "$work/$scene.1" "$work/$scene.parts" "$scene, stopped at $* and resumed,"
   [ -z "$(find "$work/$scene.parts/checkpoint" -name 'good_*.hdf' -newer "$work/$scene.parts/summary.json")" ] || fail "$scene: a good state is left behind"
-  echo "$scene: $(value "$work/$scene.1/summary.json" retries) retries, $(value "$work/$scene.1/summary.json" step) steps"
+  echo "$scene: $(value "$work/$scene.1/summary.json" retries) retries"
 }
 try beam 0.15 6e-4 2 20 45 215 230
 try pour 0.1 4e-3 3 15 40 90

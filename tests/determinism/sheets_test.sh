@@ -2,23 +2,15 @@
 # Sheets (scenes/sheet/) have the same bits on 1, 2, 3, 4 and 7 ranks, when a run is killed with -9 and resumed on other numbers of ranks, and when
 # it goes back to a good state: vertices, books, frames with their triangles. SCENES: fewer.
 . "$(dirname "$0")/../support/run.sh"
-sameOutput() { sameRuns "$1" "$2" "$3" "frames/${scene}_sheet.hdf.series"; }  # sameOutput A B WHAT
+same() { sameRuns "$1" "$2" "$3" "frames/${scene}_sheet.hdf.series"; }  # same A B WHAT
 # try SCENE STEPS SETTINGS: on all ranks, cut, killed and resumed
 try() {
   scene=$1
-  local steps=$2 ranks file=$scenes/sheet/$1.toml
+  local steps=$2 file=$scenes/sheet/$1.toml
   [ -f "$file" ] || file=$scenes/$1.toml
   [ -f "$file" ] || file=$work/$1.toml
   shift 2
-  local options=(--set numerics.retry_every=10 "$@")  # so that a checkpoint may be written often
-  go() { launch "$1" run "$file" "${options[@]}" --out "$work/$scene.$2" "${@:3}" >"$work/log" 2>&1 || { fail "$scene, $2: exit $?"; tail -n 5 "$work/log"; }; }
-  for ranks in 1 2 3 4 7; do
-    go $ranks $ranks --steps "$steps"
-    [ "$ranks" = 1 ] || sameOutput "$work/$scene.1" "$work/$scene.$ranks" "$scene on 1 and $ranks ranks"
-  done
-  cutAndKilled "$scene" "$steps" "$file" "${options[@]}" || return
-  sameOutput "$work/$scene.1" "$work/$scene.parts" "$scene, killed at step $at and resumed"
-  echo "$scene: $steps steps, killed at step $at"
+  sameOnAllRanks "$scene" "$steps" killed "$file" --set numerics.retry_every=10 "$@"  # so that a checkpoint may be written often
   rm -rf "${work:?}/$scene".*
 }
 # Water falls on a cloth that is coarser than it: contact by triangles.
@@ -79,7 +71,7 @@ for which in $wanted; do
         launch $ranks run "$scenes/sheet/head.toml" --set sheet.head.spacing=0.016 --set numerics.fixed_step=0.01 --set numerics.retry_every=10 --set end=0.3 --out "$work/retry.$ranks" >"$work/log" 2>&1
         expectExit 0 "head with long steps on $ranks ranks"
         expectMessage "^warning: failed at step .*; back to step" "head with long steps on $ranks ranks"
-        [ "$ranks" = 1 ] || sameOutput "$work/retry.1" "$work/retry.$ranks" "head with long steps on 1 and $ranks ranks"
+        [ "$ranks" = 1 ] || same "$work/retry.1" "$work/retry.$ranks" "head with long steps on 1 and $ranks ranks"
       done ;;
   esac
 done

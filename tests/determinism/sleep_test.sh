@@ -48,17 +48,9 @@ sleep_after = 0.02
 [output]
 every = 0.2
 SCENE
-options=(--set numerics.retry_every=10)
-for ranks in 1 2 3 4 7; do
-  launch $ranks run "$work/sleepers.toml" "${options[@]}" --out "$work/$scene.$ranks" >"$work/log" 2>&1 || { fail "on $ranks ranks: exit $?"; tail -n 5 "$work/log"; }
-  [ "$ranks" = 1 ] || sameRuns "$work/$scene.1" "$work/$scene.$ranks" "1 and $ranks ranks" "frames/$scene.hdf.series"
-done
+same() { sameRuns "$1" "$2" "$3" "frames/$scene.hdf.series"; }
+# cut in the midst of sleep, before and after what falls has come down
+sameOnAllRanks $scene 1000000 "320 960 1280" "$work/sleepers.toml" --set numerics.retry_every=10
 slept=$(value "$work/$scene.1/summary.json" asleep)
 [ "${slept:-0}" -gt 0 ] || fail "nothing sleeps at the end"
-steps=$(value "$work/$scene.1/summary.json" step)
-for part in 5 3 2; do  # in the midst of sleep, before and after what falls has come down
-  launch 3 run "$work/sleepers.toml" "${options[@]}" --out "$work/$scene.parts" --steps $((steps * (6 - part) / 6)) $([ "$part" = 5 ] || echo --resume) >"$work/log" 2>&1 || fail "part $part: exit $?"
-done
-launch 2 run "$work/sleepers.toml" "${options[@]}" --out "$work/$scene.parts" --resume >"$work/log" 2>&1 || fail "resumed: exit $?"
-sameRuns "$work/$scene.1" "$work/$scene.parts" "cut and resumed" "frames/$scene.hdf.series"
 finish

@@ -38,8 +38,8 @@ clamp = [{ box = { size = [1, 1, 0.08] }, place = { move = [0.4, 0.1, 0.0] } }]
 [output]
 every = "20 ms"
 SCENE
-sameOnAllRanks tank 60 25 "$work/tank.toml"
+sameOnAllRanks tank 60 "25 40" "$work/tank.toml"
 [ "$(value "$work/tank.1/summary.json" substeps)" -gt 3 ] || fail "the tank has no substeps"
 settings melt
-sameOnAllRanks melt 24 12 "$scenes/melt.toml" "${set[@]}" --set numerics.elastic_substeps=8
+sameOnAllRanks melt 24 "12 18" "$scenes/melt.toml" "${set[@]}" --set numerics.elastic_substeps=8
 finish

@@ -23,37 +23,55 @@ name = "floor"
 plane = { point = [0, 0, 0], normal = [0, 0, 1] }
 SCENE
 
-# calls thaw on three ranks: call COMMAND SCENE [options]; leaves the code in $code and what was said in $work/log
+# Cases run beside each other, each in a folder of its own: most of a call is the start of three processes.
+cases=0
+started() {  # a further case in the background: started COMMAND ARGUMENTS
+  while [ "$(jobs -rp | wc -l)" -ge "${JOBS:-$(nproc)}" ]; do wait -n; done
+  cases=$((cases + 1))
+  ( place=$work/case.$cases; mkdir "$place"; failures=0; "$@" >"$place/said"; exit "$failures" ) &
+  pids+=($!)
+}
+pids=()
+allEnded() {
+  local pid i=0
+  for pid in "${pids[@]}"; do
+    i=$((i + 1))
+    wait "$pid" || { failures=$((failures + 1)); cat "$work/case.$i/said"; }
+  done
+}
+
+# calls thaw on three ranks: call COMMAND SCENE [options]; leaves the code in $code and what was said in $place/log
 call() {
   local command=$1 scene=$2
   shift 2
   local out=()
-  [ "$command" = run ] && out=(--out "$work/out")
-  rm -rf "$work/out"
-  timeout -k 5 "$limit" mpirun --allow-run-as-root --oversubscribe --bind-to none -n 3 "$thaw" "$command" "$scene" "${out[@]}" "$@" >"$work/log" 2>&1
+  [ "$command" = run ] && out=(--out "$place/out")
+  timeout -k 5 "$limit" mpirun --allow-run-as-root --oversubscribe --bind-to none -n 3 "$thaw" "$command" "$scene" "${out[@]}" "$@" >"$place/log" 2>&1
   code=$?
 }
 
 # rejects CASE PATTERN CODE COMMAND SCENE [options]: that code, and the pattern in exactly one line
-rejects() {
+rejects() { started isRejected "$@"; }
+isRejected() {
   local name=$1 pattern=$2 wanted=$3
   shift 3
   call "$@"
   local times
-  times=$(grep -a -c -E -- "$pattern" "$work/log")
+  times=$(grep -a -c -E -- "$pattern" "$place/log")
   if [ "$code" = 124 ] || [ "$code" = 137 ]; then fail "$name: hangs (no end after $limit s)"
-  elif [ "$code" != "$wanted" ]; then fail "$name: exit code $code instead of $wanted"; head -n 5 "$work/log"
-  elif [ "$times" != 1 ]; then fail "$name: '$pattern' in $times lines instead of 1"; head -n 8 "$work/log"
-  elif grep -a -q -E 'terminate called|Segmentation|Signal:|MPI_ABORT' "$work/log"; then fail "$name: crashed"; head -n 8 "$work/log"
+  elif [ "$code" != "$wanted" ]; then fail "$name: exit code $code instead of $wanted"; head -n 5 "$place/log"
+  elif [ "$times" != 1 ]; then fail "$name: '$pattern' in $times lines instead of 1"; head -n 8 "$place/log"
+  elif grep -a -q -E 'terminate called|Segmentation|Signal:|MPI_ABORT' "$place/log"; then fail "$name: crashed"; head -n 8 "$place/log"
   fi
 }
 
 # accepts CASE COMMAND SCENE [options]: exit code 0
-accepts() {
+accepts() { started isAccepted "$@"; }
+isAccepted() {
   local name=$1
   shift
   call "$@"
-  [ "$code" = 0 ] || { fail "$name: exit code $code"; head -n 8 "$work/log"; }
+  [ "$code" = 0 ] || { fail "$name: exit code $code"; head -n 8 "$place/log"; }
 }
 
 # scene NAME SED-SCRIPT: a copy of the scene that works, edited
@@ -149,4 +167,6 @@ rejects "more particles than memory" 'particles.* memory' 2 check "$good" --set 
 rejects "no such option" '--frobnicate' 2 run "$good" --frobnicate
 rejects "negative steps" '--steps' 2 run "$good" --steps -1
 rejects "restart of nothing" '--restart needs a checkpoint' 2 run "$good" --restart
+allEnded
+echo "$cases cases"
 finish

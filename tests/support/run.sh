@@ -64,33 +64,51 @@ sameRuns() {
     cmp -s "$a/$name" "$b/$name" || { fail "$what: $name differs"; diff "$a/$name" "$b/$name" | head -n 5; }
   done
 }
+same() { sameRuns "$1" "$2" "$3"; }  # same A B WHAT: what is to be the same of two runs; a test may define it anew
+# runInParts NAME CUTS SCENE OPTIONS...: into $work/NAME.parts, to each of the steps in CUTS in turn on 3, 2, 4, 3, ... ranks
+runInParts() {
+  local name=$1 cuts=$2 ranks=(3 2 4) part=0 cut
+  shift 2
+  for cut in $cuts; do
+    launch "${ranks[part++ % 3]}" run "$@" --steps "$cut" --resume --out "$work/$name.parts" >"$work/log" 2>&1; expectExit 0 "$name, in parts, to step $cut"
+    [ -f "$work/$name.parts/summary.json" ] && [ "$(value "$work/$name.parts/summary.json" step)" -le "$cut" ] || fail "$name: not cut at step $cut"
+  done
+}
 # cutAndKilled NAME STEPS SCENE OPTIONS...: into $work/NAME.parts, on 3 ranks to a third of the steps, on 2 until it is killed with -9 in the midst of
-# whatever it does then, and on 4 to the end. $at is the step from which that went on; false if there was none.
+# whatever it does then, and on 4 to the end
 cutAndKilled() {
-  local name=$1 steps=$2 scene=$3 third=$(($2 / 3)) parts=$work/$1.parts
+  local name=$1 steps=$2 scene=$3 third=$(($2 / 3)) parts=$work/$1.parts at
   shift 3
   launch 3 run "$scene" "$@" --steps "$third" --out "$parts" >"$work/log" 2>&1; expectExit 0 "$name, first part"
   launchInBackground 2 run "$scene" "$@" --set output.checkpoint=0.05 --steps $((steps - 1)) --resume --out "$parts" >"$work/log" 2>&1
-  sleep 1.2
+  for _ in $(seq 200); do grep -q '^t ' "$work/log" && break; sleep 0.02; done
+  sleep "0.0$((RANDOM % 10))"
   killAll -9 "$parts"
   at=$("$thaw" info "$parts" --json 2>"$work/log" | value - step)
   [ -n "$at" ] && [ "$at" -ge "$third" ] || { fail "$name: no checkpoint after the kill (step '$at')"; cat "$work/log"; return 1; }
+  echo "$name: killed at step $at of $steps"
   launch 4 run "$scene" "$@" --steps "$steps" --resume --out "$parts" >"$work/log" 2>&1; expectExit 0 "$name, last part"
 }
-# sameOnAllRanks NAME STEPS CUT SCENE OPTIONS...: the bits of 1 rank on 2, 3, 4 and 7, and cut after CUT steps on 3 ranks and resumed on 2.
-# Leaves the runs in $work/NAME.1 ... NAME.7 and NAME.parts.
+# sameOnAllRanks NAME STEPS CUTS SCENE OPTIONS...: a whole run on 7 ranks, and one in parts on 3, 2 and 4, end as the whole one on 1 does (`same`). CUTS:
+# the steps after which it is cut; - for a third and two thirds; killed for cutAndKilled. ALL_RANKS=1: whole runs on 2, 3 and 4 as well.
+# Leaves the runs in $work/NAME.1, NAME.7 and NAME.parts.
 sameOnAllRanks() {
-  local name=$1 steps=$2 cut=$3 scene=$4 ranks
+  local name=$1 steps=$2 cuts=$3 file=$4 ranks one
   shift 4
-  run() { launch "$1" run "$scene" "${@:3}" --out "$work/$name.$2" >"$work/log" 2>&1; expectExit 0 "$name, $2"; }
-  sameAsOne() { "$thaw" compare "$work/$name.1" "$work/$name.$1" >"$work/log" 2>&1 || { fail "$name: 1 and $1 differ"; head -n 20 "$work/log"; }; }
-  for ranks in 1 2 3 4 7; do
-    run $ranks $ranks "$@" --steps "$steps"
-    [ "$ranks" = 1 ] || sameAsOne $ranks
+  whole() { launch "$1" run "$file" "${@:2}" --steps "$steps" --out "$work/$name.$1" >"$work/$name.log.$1" 2>&1; }
+  checked() { [ "$2" -eq 0 ] || { fail "$name on $1 ranks: exit $2"; tail -n 5 "$work/$name.log.$1"; }; }
+  whole 1 "$@" & one=$!  # beside the parts
+  case $cuts in
+    killed) cutAndKilled "$name" "$steps" "$file" "$@" ;;
+    -) runInParts "$name" "$((steps / 3)) $((steps * 2 / 3)) $steps" "$file" "$@" ;;
+    *) runInParts "$name" "$cuts $steps" "$file" "$@" ;;
+  esac
+  wait "$one"; checked 1 $?
+  for ranks in ${ALL_RANKS:+2 3 4} 7; do
+    whole "$ranks" "$@"; checked "$ranks" $?
+    same "$work/$name.1" "$work/$name.$ranks" "$name on 1 and $ranks ranks"
   done
-  run 3 parts "$@" --steps "$cut"
-  run 2 parts "$@" --steps "$steps" --resume
-  sameAsOne parts
+  same "$work/$name.1" "$work/$name.parts" "$name, whole and in parts"
   echo "$name: $(value "$work/$name.1/summary.json" particles) particles, $(value "$work/$name.1/summary.json" step) steps"
 }
 finish() { [ "$failures" -eq 0 ] && echo "all passed" || { echo "$failures failures"; exit 1; }; }

@@ -1,5 +1,5 @@
 # Shared by the script tests of the surface; after run.sh. Of runs of the scene $scene.
-sameOutput() {  # sameOutput A B WHAT: checkpoint, logs, both series and all their frames
+same() {  # same A B WHAT: checkpoint, logs, both series and all their frames
   sameRuns "$1" "$2" "$3" surface.csv events.csv "frames/$scene.hdf.series" "frames/${scene}_surface.hdf.series"
 }
 counted() { sed -n '/"surface": {/,$p' "$1/summary.json" | value - "$2"; }
