@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/kernels/lattice.hpp"
-#include "tests/support/simulation.hpp"
+#include "tests/support/flows.hpp"
 
 namespace thaw::test {
 namespace {
@@ -74,28 +74,14 @@ TEST(ImplicitViscosity, ShearWaveDecaysWithStepsFarAboveTheExplicitLimit) {
 }
 
 TEST(ImplicitViscosity, PoiseuilleStartUpWithLongSteps) {
-  const double H = 10 * 0.1, nu = 1, g = 0.8;
-  Scene s = columnScene(0.1, 0, H);
-  s.domain.side[2] = {Side::Wall, Side::Wall};
-  s.domain.gravity = {g, 0, 0};
-  s.materials[0].soundSpeed = 2;
-  s.materials[0].viscosity = {1000 * nu, 1000 * nu};
-  addBox(s, {0, 0, 0}, {0.6, 0.6, H});
+  const PlateFlow flow;
+  const double nu = flow.kinematicViscosity;
+  Scene s = flow.scene();
   makeImplicit(s);
   s.numerics.fixedStep = 10 * explicitLimit(s, nu);
-  s.end = 0.3;
   Simulation run(s);
   ASSERT_TRUE(run.run());
-  const Continuum& p = run.particles();
-  double square = 0;
-  for (std::size_t i = 0; i < p.owned; i++) {
-    const double z = p.position[i].z;
-    double u = g / (2 * nu) * z * (H - z);
-    for (int n = 1; n < 40; n += 2)
-      u -= 4 * g * H * H / (nu * std::pow(M_PI * n, 3)) * std::sin(n * M_PI * z / H) * std::exp(-n * n * M_PI * M_PI * nu * s.end / (H * H));
-    square += std::pow((p.velocity[i].x - u) / 0.1, 2);
-  }
-  const double error = std::sqrt(square / static_cast<double>(p.owned));
+  const double error = flow.error(run.particles());
   std::printf("dt %.1f times the explicit limit: error %.4f, %.1f iterations\n", s.numerics.fixedStep / explicitLimit(s, nu), error,
               static_cast<double>(run.w.counters.viscousIterations) / static_cast<double>(run.w.clock.step));
   EXPECT_LT(error, 0.05);

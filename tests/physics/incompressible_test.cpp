@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/support/simulation.hpp"
+#include "tests/support/flows.hpp"
 
 namespace thaw::test {
 namespace {
@@ -32,16 +32,7 @@ Scene hydrostatic() {
 
 /// Water falls to the right in a closed box.
 Scene dam() {
-  Scene s;
-  s.spacing = 0.02;
-  s.domain.min = {0, 0, 0};
-  s.domain.max = {0.4, 0.12, 0.4};
-  for (auto& side : s.domain.side) side = {Side::Wall, Side::Wall};
-  s.domain.gravity = {0, 0, -9.81};
-  s.output.every = 0;
-  s.materials.emplace_back();
-  s.materials[0].viscosity = {1, 1};
-  addBox(s, {0, 0, 0}, {0.16, 0.12, 0.24});
+  Scene s = liquidInABox(0.02, {0.4, 0.12, 0.4}, {0.16, 0.12, 0.24}, 1);
   s.end = 0.3;
   return s;
 }

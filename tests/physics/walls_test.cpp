@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "tests/support/simulation.hpp"
+#include "tests/support/flows.hpp"
 
 namespace thaw::test {
 
@@ -36,16 +36,7 @@ TEST(LiquidAtWalls, HydrostaticColumn) {
 
 // Water of low viscosity in a box, from a lattice: it settles and stays at rest. The walls do not move, so they do no work.
 TEST(LiquidAtWalls, WaterAtRestStaysAtRest) {
-  Scene s;
-  s.spacing = 0.004;
-  s.domain.min = {0, 0, 0};
-  s.domain.max = {0.032, 0.032, 0.1};
-  for (auto& side : s.domain.side) side = {Side::Wall, Side::Wall};
-  s.domain.gravity = {0, 0, -9.81};
-  s.output.every = 0;
-  s.materials.emplace_back();
-  s.materials[0].viscosity = {0.01, 0.01};
-  addBox(s, {0, 0, 0}, {0.032, 0.032, 0.048});
+  Scene s = liquidInABox(0.004, {0.032, 0.032, 0.1}, {0.032, 0.032, 0.048}, 0.01);
   s.end = 0.5;
   Simulation run(s);
   EXPECT_TRUE(run.run());
@@ -56,26 +47,10 @@ TEST(LiquidAtWalls, WaterAtRestStaysAtRest) {
 }
 
 TEST(LiquidAtWalls, PoiseuilleBetweenPlates) {
-  const double dx = 0.1, H = 10 * dx, nu = 1, g = 0.8;
-  Scene s = columnScene(dx, 0, H);
-  s.domain.side[2] = {Side::Wall, Side::Wall};
-  s.domain.gravity = {g, 0, 0};
-  s.materials[0].soundSpeed = 2;
-  s.materials[0].viscosity = {1000 * nu, 1000 * nu};
-  addBox(s, {0, 0, 0}, {6 * dx, 6 * dx, H});
-  s.end = 0.3;
-  Simulation run(s);
+  const PlateFlow flow;
+  Simulation run(flow.scene());
   EXPECT_TRUE(run.run());
-  const Continuum& p = run.particles();
-  double square = 0;
-  for (std::size_t i = 0; i < p.owned; i++) {
-    const double z = p.position[i].z;
-    double u = g / (2 * nu) * z * (H - z);
-    for (int n = 1; n < 40; n += 2)
-      u -= 4 * g * H * H / (nu * std::pow(M_PI * n, 3)) * std::sin(n * M_PI * z / H) * std::exp(-n * n * M_PI * M_PI * nu * s.end / (H * H));
-    square += std::pow((p.velocity[i].x - u) / 0.1, 2);
-  }
-  EXPECT_LT(std::sqrt(square / static_cast<double>(p.owned)), 0.05);
+  EXPECT_LT(flow.error(run.particles()), 0.05);
 }
 
 TEST(SolidAtWalls, BlockOnASlope) {

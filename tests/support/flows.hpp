@@ -1,0 +1,51 @@
+// Scenes of liquids at walls that several tests of physics share, with their exact solutions.
+#pragma once
+#include <cmath>
+
+#include "tests/support/simulation.hpp"
+
+namespace thaw::test {
+
+/// Gravity along x starts a flow between plates at z = 0 and z = height. SI units.
+struct PlateFlow {
+  double spacing = 0.1, height = 1, kinematicViscosity = 1, gravity = 0.8, end = 0.3;
+
+  Scene scene() const {
+    Scene s = columnScene(spacing, 0, height);
+    s.domain.side[2] = {Side::Wall, Side::Wall};
+    s.domain.gravity = {gravity, 0, 0};
+    s.materials[0].soundSpeed = 2;
+    s.materials[0].viscosity = {1000 * kinematicViscosity, 1000 * kinematicViscosity};
+    addBox(s, {0, 0, 0}, {6 * spacing, 6 * spacing, height});
+    s.end = end;
+    return s;
+  }
+  /// m/s along x at height z and the end of the scene: the parabola less the series of what has not yet started (start-up of Poiseuille flow, Morris et al. 1997).
+  double exact(double z) const {
+    const double nu = kinematicViscosity, H = height;
+    double u = gravity / (2 * nu) * z * (H - z);
+    for (int n = 1; n < 40; n += 2)
+      u -= 4 * gravity * H * H / (nu * std::pow(M_PI * n, 3)) * std::sin(n * M_PI * z / H) * std::exp(-n * n * M_PI * M_PI * nu * end / (H * H));
+    return u;
+  }
+  /// Root mean square error of the velocity, as a share of the fastest of the parabola.
+  double error(const Continuum& p) const {
+    const double fastest = gravity * height * height / (8 * kinematicViscosity);
+    double square = 0;
+    for (std::size_t i = 0; i < p.owned; i++) square += std::pow((p.velocity[i].x - exact(p.position[i].z)) / fastest, 2);
+    return std::sqrt(square / static_cast<double>(p.owned));
+  }
+};
+
+/// Liquid of one material (Pa s) in the corner of a closed box, gravity down.
+inline Scene liquidInABox(double spacing, const Vec3d& box, const Vec3d& liquid, float viscosity) {
+  Scene s = emptyScene(spacing, {0, 0, 0}, box);
+  for (auto& side : s.domain.side) side = {Side::Wall, Side::Wall};
+  s.domain.gravity = {0, 0, -9.81};
+  s.materials.emplace_back();
+  s.materials[0].viscosity = {viscosity, viscosity};
+  addBox(s, {0, 0, 0}, liquid);
+  return s;
+}
+
+}  // namespace thaw::test
