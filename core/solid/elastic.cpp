@@ -82,7 +82,7 @@ void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneCon
     for (int l = 0; l < 8; l++) {
       const std::size_t s = slot0 + static_cast<std::size_t>(l);
       if (l >= n) {
-        out.lambda[l] = out.mu[l] = out.volumeStiffness[l] = out.neoHookean[l] = 0;
+        out.lambda[l] = out.mu[l] = out.volumeStiffness[l] = out.neoHookean[l] = out.corotated[l] = 0;
         out.constants[l] = {};
         out.constants[l].law = ElasticLaw::Green;
         out.material = -1;
@@ -95,6 +95,7 @@ void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneCon
       out.mu[l] = c.mu;
       out.volumeStiffness[l] = c.volume;
       out.neoHookean[l] = c.law == ElasticLaw::NeoHookean;
+      out.corotated[l] = c.law == ElasticLaw::Corotated;
       out.anyVolumeStiffness = out.anyVolumeStiffness || c.volume > 0;
       out.anyGreen = out.anyGreen || c.law == ElasticLaw::Green;
       out.anyNeoHookean = out.anyNeoHookean || c.law == ElasticLaw::NeoHookean;

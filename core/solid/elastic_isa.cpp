@@ -1,7 +1,5 @@
 // The two loops over bonds: a lane is a slot, and sums its bonds one after another in their order.
-#include "core/solid/elastic_lanes.hpp"
-#include "core/solid/laws/green.hpp"
-#include "core/solid/laws/neo_hookean.hpp"
+#include "core/solid/corotated_lanes.hpp"
 #include "core/solid/laws/volume.hpp"
 
 namespace thaw {
@@ -42,7 +40,7 @@ template<class Real, bool periodic, bool vectors> void deformationOf(ElasticArra
     const Sym3<T> momentInverse = loadTensor<Real>(inverse);
     Mat3<T> gradient = times(sum, momentInverse);
     loadLaneConstants(a, s0, n, c);
-    if (a.deformation || c.anyCorotated || a.singularLanes[g] != 0) storeMatrix<Real>(gradient, gradU);
+    if (a.deformation || a.singularLanes[g] != 0) storeMatrix<Real>(gradient, gradU);
     if (a.singularLanes[g] != 0) {
       for (int l = 0; l < n; l++)
         if (a.singularLanes[g] >> l & 1) completeLane(a, s0 + static_cast<std::size_t>(l), l, gradU);
@@ -83,16 +81,16 @@ template<class Real, bool periodic, bool vectors> void deformationOf(ElasticArra
       for (int r = 0; r < 3; r++)
         piola.row[r] = {select(isOther, other.row[r].x, piola.row[r].x), select(isOther, other.row[r].y, piola.row[r].y), select(isOther, other.row[r].z, piola.row[r].z)};
     }
+    if (c.anyCorotated) {
+      storeMatrix<Real>(piola, stress);
+      if (!c.anyGreen) toDoubles(LanesD(0.0), energy);
+      respondCorotated({c, n, plastic, a.plastic, a.energy}, widened(gradient), stress, energy);
+      piola = loadMatrix<Real>(stress);
+    }
     if (c.anyVolumeStiffness) {
       const T stiffness = fromDoubles<Real>(c.volumeStiffness);
       piola = piola + volumeStress(f, stiffness);
-      if (a.energy && c.anyGreen) toDoubles(loadRow(energy) + widen(volumeEnergy(f, stiffness)), energy);
-    }
-    if (c.anyCorotated) {
-      storeMatrix<Real>(piola, stress);
-      for (int l = 0; l < n; l++)
-        if (c.constants[l].law == ElasticLaw::Corotated) energy[l] = respondLane(c.constants[l], gradU, plastic, l, stress);
-      piola = loadMatrix<Real>(stress);
+      if (a.energy && (c.anyGreen || c.anyCorotated)) toDoubles(loadRow(energy) + widen(volumeEnergy(f, stiffness)), energy);
     }
     if (a.energy && c.anyNeoHookean)  // a logarithm
       for (int l = 0; l < n; l++)

@@ -54,7 +54,7 @@ struct ElasticArrays {
 /// What differs between the lanes of a group, by lane; from one group to the next what is of the material stays.
 struct alignas(64) LaneConstants {
   double lambda[8], mu[8], volumeStiffness[8], volume[8], hourglass[8], drag[8];  // hourglass: k, N/m; drag: kg/s
-  double neoHookean[8];  // 1: that law, else 0
+  double neoHookean[8], corotated[8];  // 1: that law, else 0
   ElasticConstants constants[8];
   bool anyVolumeStiffness, anyGreen, anyNeoHookean, anyCorotated;
   int material = -1;  // of all lanes, without liquid fractions; -1: of none alone

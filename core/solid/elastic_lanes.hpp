@@ -160,6 +160,11 @@ template<class Real> THAW_INLINE Mat3<Lanes<Real>> loadMatrix(const double in[9]
   for (int r = 0; r < 3; r++) m.row[r] = {fromDoubles<Real>(in[3 * r]), fromDoubles<Real>(in[3 * r + 1]), fromDoubles<Real>(in[3 * r + 2])};
   return m;
 }
+template<class T> THAW_INLINE Mat3<LanesD> widened(const Mat3<T>& m) {
+  Mat3<LanesD> w;
+  for (int r = 0; r < 3; r++) w.row[r] = {widen(m.row[r].x), widen(m.row[r].y), widen(m.row[r].z)};
+  return w;
+}
 template<class Real> THAW_INLINE Sym3<Lanes<Real>> loadTensor(const double in[6][8]) {
   return {fromDoubles<Real>(in[0]), fromDoubles<Real>(in[1]), fromDoubles<Real>(in[2]), fromDoubles<Real>(in[3]), fromDoubles<Real>(in[4]), fromDoubles<Real>(in[5])};
 }

@@ -3,14 +3,9 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
-#include "core/solid/laws/neo_hookean.hpp"
-
 namespace thaw {
 
 namespace {
-
-double squareOf(const Mat3d& a) { return dot(a.row[0], a.row[0]) + dot(a.row[1], a.row[1]) + dot(a.row[2], a.row[2]); }
-double doubleDot(const Mat3d& a, const Mat3d& b) { return dot(a.row[0], b.row[0]) + dot(a.row[1], b.row[1]) + dot(a.row[2], b.row[2]); }
 
 Mat3d rotationBySvd(const Mat3d& f) {
   Eigen::Matrix3d m;
@@ -29,30 +24,16 @@ Mat3d rotationBySvd(const Mat3d& f) {
 }  // namespace
 
 Mat3d nearestRotation(const Mat3d& f) {
-  const double size = squareOf(f) / 3, j = determinant(f);
-  // Newton's iteration R <- (R + R^-T)/2 keeps the sign of the determinant and converges quadratically (Higham 1986);
-  // near singular or inverted F it does not lead to the wanted rotation.
-  if (j > 0.05 * size * std::sqrt(size)) {
+  const double size = doubleDot(f, f) / 3;
+  if (determinant(f) > newtonsShare * size * std::sqrt(size)) {
     Mat3d r = f;
-    for (int n = 0; n < 20; n++) {
-      const Mat3d next = 0.5 * (r + (1 / determinant(r)) * cofactor(r));
-      const double change = squareOf(next - r);
+    for (int n = 0; n < newtonsSteps; n++) {
+      const Mat3d next = towardsRotation(r), change = next - r;
       r = next;
-      if (change < 1e-20) return 0.5 * (r + (1 / determinant(r)) * cofactor(r));
+      if (!(doubleDot(change, change) > newtonsEnd)) return r;
     }
   }
   return rotationBySvd(f);
-}
-
-double corotatedEnergy(const Mat3d& f, double lambda, double mu) {
-  const Mat3d r = nearestRotation(f);
-  const double t = doubleDot(r, f - r);
-  return mu * squareOf(f - r) + 0.5 * lambda * t * t;
-}
-
-Mat3d corotatedStress(const Mat3d& f, double lambda, double mu) {
-  const Mat3d r = nearestRotation(f);
-  return (2 * mu) * (f - r) + (lambda * doubleDot(r, f - r)) * r;
 }
 
 }  // namespace thaw

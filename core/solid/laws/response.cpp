@@ -14,8 +14,12 @@ ElasticResponse elasticResponse(const ElasticConstants& c, const Mat3d& gradU, c
     const Sym3d elastic = strain - plasticStrain;
     r = {greenEnergy(elastic, c.lambda, c.mu), greenStress(f, elastic, c.lambda, c.mu)};
   } else {
-    r = c.law == ElasticLaw::NeoHookean ? ElasticResponse{neoHookeanEnergy(f, c.lambda, c.mu), neoHookeanStress(f, c.lambda, c.mu)}
-                                        : ElasticResponse{corotatedEnergy(f, c.lambda, c.mu), corotatedStress(f, c.lambda, c.mu)};
+    if (c.law == ElasticLaw::NeoHookean) {
+      r = {neoHookeanEnergy(f, c.lambda, c.mu), neoHookeanStress(f, c.lambda, c.mu)};
+    } else {
+      const Mat3d rotation = nearestRotation(f);
+      r = {corotatedEnergy(f, rotation, c.lambda, c.mu), corotatedStress(f, rotation, c.lambda, c.mu)};
+    }
     const Sym3d s = hooke(plasticStrain, c.lambda, c.mu);
     r.energy += doubleDot(s, 0.5 * plasticStrain - strain);
     r.stress = r.stress - times(f, s);

@@ -74,6 +74,37 @@ TEST(Laws, nearestRotationOfInvertedAndSingular) {
   EXPECT_NEAR(determinant(zero), 1, 1e-12);
 }
 
+// Eight lanes of several laws, some of them inverted: each has the energy that it has alone.
+TEST(Laws, lanesOfAGroupDoNotDependOnEachOther) {
+  const auto points = lattice({5, 3, 3}, 0.1, 0.2);
+  for (const double yield : {never, 0.01}) {
+    std::vector<Material> materials;
+    for (const ElasticLaw law : allLaws) {
+      Material m = elasticMaterial(1e4, 0.3);
+      m.law = law;
+      m.hourglass = 0;
+      m.volumeStiffness = 5e3;
+      m.yieldStrain = {yield, yield};
+      m.creepRate = {20, 20};
+      materials.push_back(m);
+    }
+    BodyOptions options;
+    options.material = [](std::size_t i) { return static_cast<int>(i * i % 7 % 3); };
+    const auto b = makeBody(points, materials, options);
+    for (std::size_t s = 0; s < points.size(); s++) b->solids.position[s] = points[s] + (s % 3 == 0 ? 0.15 : 0.02) * noise3(s, 3);
+    b->step.dt = 1e-3;
+    const ElasticResult r = computeForces(*b);
+    EXPECT_GT(r.inverted, 2);
+    EXPECT_LT(r.inverted, 40);
+    for (std::size_t s = 0; s < points.size(); s++) {
+      const ElasticConstants c = elasticConstants(materials[b->solids.material[s]], 0);
+      const Sym3d plastic = b->solids.plasticStrain.active ? b->solids.plasticStrain[s] : Sym3d{};
+      const double alone = b->solids.volume[s] * elasticResponse(c, b->solids.deformation[s] - identity3<double>(), plastic).energy;
+      EXPECT_NEAR(b->solids.energy[s], alone, 1e-11 * (std::abs(alone) + 1)) << s;
+    }
+  }
+}
+
 TEST(Laws, forcesAreDerivativesOfTotalEnergy) {
   const auto points = lattice({4, 3, 3}, 0.1, 0.2);
   for (const ElasticLaw law : allLaws)

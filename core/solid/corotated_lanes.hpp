@@ -1,0 +1,75 @@
+// Corotated elasticity of eight slots, in double precision whatever that of the loops is: F - R of small strains cancels. Included from code of one
+// instruction set only.
+#pragma once
+#include "core/solid/elastic_lanes.hpp"
+#include "core/solid/laws/corotated.hpp"
+#include "core/solid/laws/green.hpp"
+
+namespace thaw {
+namespace THAW_ISA {
+
+THAW_INLINE Mat3<LanesD> select(MaskD m, const Mat3<LanesD>& a, const Mat3<LanesD>& b) {
+  Mat3<LanesD> r;
+  for (int k = 0; k < 3; k++) r.row[k] = {select(m, a.row[k].x, b.row[k].x), select(m, a.row[k].y, b.row[k].y), select(m, a.row[k].z, b.row[k].z)};
+  return r;
+}
+
+/// nearestRotation() of eight F by Newton's iteration. A lane stops where it would alone, so that its bits do not depend on its group.
+struct Rotations {
+  Mat3<LanesD> r;
+  MaskD found;  ///< not, where the iteration may not be used: nearly singular or inverted
+};
+THAW_INLINE Rotations nearestRotations(const Mat3<LanesD>& f) {
+  const LanesD size = doubleDot(f, f) / LanesD(3.0);
+  const MaskD usable = determinant(f) > LanesD(newtonsShare) * size * sqrt(size);
+  Rotations out{select(usable, f, identity3<LanesD>()), {}};
+  MaskD going = usable;
+  for (int n = 0; n < newtonsSteps && any(going); n++) {
+    const Mat3<LanesD> next = towardsRotation(out.r), change = next - out.r;
+    out.r = select(going, next, out.r);
+    going = going & (doubleDot(change, change) > LanesD(newtonsEnd));
+  }
+  out.found = {usable.lo & ~going.lo, usable.hi & ~going.hi};
+  return out;
+}
+
+/// elasticResponse() without the volume force of the lanes of a group that have this law, Pa: stress as [row][column][lane] and, if asked for, energy
+/// density by lane. What is at other lanes stays.
+struct Corotated {
+  const LaneConstants& c;
+  int n;                         ///< lanes in use
+  const double (&plastic)[6][8];
+  bool anyPlastic, wantEnergy;
+};
+THAW_INLINE void respondCorotated(const Corotated& g, const Mat3<LanesD>& gradU, double stress[9][8], double energy[8]) {
+  Mat3<LanesD> f = gradU;
+  f.row[0].x += LanesD(1.0);
+  f.row[1].y += LanesD(1.0);
+  f.row[2].z += LanesD(1.0);
+  const LanesD lambda = loadRow(g.c.lambda), mu = loadRow(g.c.mu);
+  const MaskD ours = loadRow(g.c.corotated) > LanesD(0.5);
+  const Rotations rotation = nearestRotations(f);
+  Mat3<LanesD> piola = corotatedStress(f, rotation.r, lambda, mu);
+  LanesD psi(0.0);
+  if (g.wantEnergy) psi = corotatedEnergy(f, rotation.r, lambda, mu);
+  if (g.anyPlastic) {
+    const Sym3<LanesD> p = loadTensor<double>(g.plastic), s = hooke(p, lambda, mu);
+    piola = piola - times(f, s);
+    if (g.wantEnergy) psi += doubleDot(s, LanesD(0.5) * p - greenStrain(gradU));
+  }
+  storeMatrix<double>(select(ours, piola, loadMatrix<double>(stress)), stress);
+  if (g.wantEnergy) toDoubles(select(ours, psi, loadRow(energy)), energy);
+  const MaskD hard{ours.lo & ~rotation.found.lo, ours.hi & ~rotation.found.hi};
+  if (!any(hard)) return;
+  alignas(64) double gradient[9][8];
+  storeMatrix<double>(gradU, gradient);
+  for (int l = 0; l < g.n; l++)
+    if (laneOf(hard, l)) {
+      ElasticConstants one = g.c.constants[l];
+      one.volume = 0;
+      energy[l] = respondLane(one, gradient, g.plastic, l, stress);
+    }
+}
+
+}  // namespace THAW_ISA
+}  // namespace thaw
