@@ -130,12 +130,15 @@ void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slo
   plastic[0][lane] = p.xx, plastic[1][lane] = p.yy, plastic[2][lane] = p.zz, plastic[3][lane] = p.xy, plastic[4][lane] = p.yz, plastic[5][lane] = p.xz;
 }
 
+void takeLogarithms(double values[8]) {
+  for (int l = 0; l < 8; l++) values[l] = std::log(values[l]);
+}
+
 double respondLane(const ElasticConstants& c, const double gradU[9][8], const double plastic[6][8], int lane, double stress[9][8]) {
   const Sym3d p{plastic[0][lane], plastic[1][lane], plastic[2][lane], plastic[3][lane], plastic[4][lane], plastic[5][lane]};
   const ElasticResponse r = elasticResponse(c, laneMatrix(gradU, lane), p);
-  if (stress)
-    for (int i = 0; i < 3; i++)
-      for (int k = 0; k < 3; k++) stress[3 * i + k][lane] = r.stress.row[i][k];
+  for (int i = 0; i < 3; i++)
+    for (int k = 0; k < 3; k++) stress[3 * i + k][lane] = r.stress.row[i][k];
   return r.energy;
 }
 

@@ -1,5 +1,5 @@
 // The two loops over bonds: a lane is a slot, and sums its bonds one after another in their order.
-#include "core/solid/corotated_lanes.hpp"
+#include "core/solid/law_lanes.hpp"
 #include "core/solid/laws/volume.hpp"
 
 namespace thaw {
@@ -81,20 +81,18 @@ template<class Real, bool periodic, bool vectors> void deformationOf(ElasticArra
       for (int r = 0; r < 3; r++)
         piola.row[r] = {select(isOther, other.row[r].x, piola.row[r].x), select(isOther, other.row[r].y, piola.row[r].y), select(isOther, other.row[r].z, piola.row[r].z)};
     }
+    if (a.energy && !c.anyGreen) toDoubles(LanesD(0.0), energy);
+    if (a.energy && c.anyNeoHookean) addNeoHookeanEnergy({c, n, plastic, a.plastic, true}, widened(gradient), energy);
     if (c.anyCorotated) {
       storeMatrix<Real>(piola, stress);
-      if (!c.anyGreen) toDoubles(LanesD(0.0), energy);
       respondCorotated({c, n, plastic, a.plastic, a.energy}, widened(gradient), stress, energy);
       piola = loadMatrix<Real>(stress);
     }
     if (c.anyVolumeStiffness) {
       const T stiffness = fromDoubles<Real>(c.volumeStiffness);
       piola = piola + volumeStress(f, stiffness);
-      if (a.energy && (c.anyGreen || c.anyCorotated)) toDoubles(loadRow(energy) + widen(volumeEnergy(f, stiffness)), energy);
+      if (a.energy) toDoubles(loadRow(energy) + widen(volumeEnergy(f, stiffness)), energy);
     }
-    if (a.energy && c.anyNeoHookean)  // a logarithm
-      for (int l = 0; l < n; l++)
-        if (c.constants[l].law == ElasticLaw::NeoHookean) energy[l] = respondLane(c.constants[l], gradU, plastic, l, nullptr);
 
     // Green strain alone weakens where it is squeezed to less than sqrt(1/3) in some direction: 3 E + 1 - (plastic strain) has an
     // eigenvalue < 0 (3/2 C - 1/2 without plastic strain), which its leading minors tell. Not where |E| < 1/3 says that it has none.

@@ -66,7 +66,9 @@ void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneCon
 void completeLane(const ElasticArrays& a, std::size_t slot, int lane, double gradU[9][8]);
 /// Plastic flow of one lane: updates Solids::plasticStrain and books the loss; gives the plastic strain.
 void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const double strain[6][8], int lane, double plastic[6][8]);
-/// Response of one lane by elasticResponse; gives the energy density (Pa) and, if stress is not null, the stress.
+/// Natural logarithms in place: those of the one library that all instruction sets share.
+void takeLogarithms(double values[8]);
+/// Response of one lane by elasticResponse: its stress, and the energy density (Pa) returned.
 double respondLane(const ElasticConstants& c, const double gradU[9][8], const double plastic[6][8], int lane, double stress[9][8]);
 
 struct ElasticKernels {

@@ -1,8 +1,6 @@
 // Stable Neo-Hookean energy: defined and smooth for every F, inverted ones included
 // (Smith, de Goes, Kim 2018, "Stable Neo-Hookean flesh simulation", eq. 14).
 #pragma once
-#include <cmath>
-
 #include "core/math/mat3.hpp"
 
 namespace thaw {
@@ -16,11 +14,16 @@ template<class T> struct NeoHookeanConstants {
   NeoHookeanConstants(const T& lameLambda, const T& lameMu) : lambda(lameLambda + T(5.0 / 6.0) * lameMu), mu(T(4.0 / 3.0) * lameMu) {}
 };
 
-/// psi = mu/2 (|F|^2 - 3) + lambda/2 (J - 1)^2 - 3/4 mu (J - 1) - mu/2 ln((|F|^2 + 1)/4): eq. 14 less its value at rest, Pa.
-inline double neoHookeanEnergy(const Mat3d& f, double lameLambda, double lameMu) {
-  const NeoHookeanConstants<double> k(lameLambda, lameMu);
-  const double square = dot(f.row[0], f.row[0]) + dot(f.row[1], f.row[1]) + dot(f.row[2], f.row[2]), j = determinant(f) - 1;
-  return 0.5 * k.mu * (square - 3) + 0.5 * k.lambda * j * j - 0.75 * k.mu * j - 0.5 * k.mu * std::log((square + 1) / 4);
+/// What the energy takes the logarithm of.
+template<class T> T neoHookeanLogged(const Mat3<T>& f) {
+  return T(0.25) * (dot(f.row[0], f.row[0]) + dot(f.row[1], f.row[1]) + dot(f.row[2], f.row[2]) + T(1.0));
+}
+/// psi = mu/2 (|F|^2 - 3) + lambda/2 (J - 1)^2 - 3/4 mu (J - 1) - mu/2 ln((|F|^2 + 1)/4): eq. 14 less its value at rest, Pa. `logarithm` is that of
+/// neoHookeanLogged().
+template<class T> T neoHookeanEnergy(const Mat3<T>& f, const T& lameLambda, const T& lameMu, const T& logarithm) {
+  const NeoHookeanConstants<T> k(lameLambda, lameMu);
+  const T square = dot(f.row[0], f.row[0]) + dot(f.row[1], f.row[1]) + dot(f.row[2], f.row[2]), j = determinant(f) - T(1.0);
+  return T(0.5) * k.mu * (square - T(3.0)) + T(0.5) * k.lambda * j * j - T(0.75) * k.mu * j - T(0.5) * k.mu * logarithm;
 }
 
 /// First Piola stress P = mu (1 - 1/(|F|^2 + 1)) F + (lambda (J - 1) - 3/4 mu) cof F (Smith 2018, eq. 18), Pa.

@@ -1,5 +1,7 @@
 #include "core/solid/laws/response.hpp"
 
+#include <cmath>
+
 #include "core/solid/laws/corotated.hpp"
 #include "core/solid/laws/green.hpp"
 #include "core/solid/laws/volume.hpp"
@@ -15,7 +17,7 @@ ElasticResponse elasticResponse(const ElasticConstants& c, const Mat3d& gradU, c
     r = {greenEnergy(elastic, c.lambda, c.mu), greenStress(f, elastic, c.lambda, c.mu)};
   } else {
     if (c.law == ElasticLaw::NeoHookean) {
-      r = {neoHookeanEnergy(f, c.lambda, c.mu), neoHookeanStress(f, c.lambda, c.mu)};
+      r = {neoHookeanEnergy(f, c.lambda, c.mu, std::log(neoHookeanLogged(f))), neoHookeanStress(f, c.lambda, c.mu)};
     } else {
       const Mat3d rotation = nearestRotation(f);
       r = {corotatedEnergy(f, rotation, c.lambda, c.mu), corotatedStress(f, rotation, c.lambda, c.mu)};

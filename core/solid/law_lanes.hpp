@@ -1,5 +1,5 @@
-// Corotated elasticity of eight slots, in double precision whatever that of the loops is: F - R of small strains cancels. Included from code of one
-// instruction set only.
+// Laws of eight slots, in double precision whatever that of the loops is: corotated stress and energy, as F - R of small strains cancels, and the
+// Neo-Hookean energy. Included from code of one instruction set only.
 #pragma once
 #include "core/solid/elastic_lanes.hpp"
 #include "core/solid/laws/corotated.hpp"
@@ -33,19 +33,40 @@ THAW_INLINE Rotations nearestRotations(const Mat3<LanesD>& f) {
   return out;
 }
 
-/// elasticResponse() without the volume force of the lanes of a group that have this law, Pa: stress as [row][column][lane] and, if asked for, energy
-/// density by lane. What is at other lanes stays.
-struct Corotated {
+/// A group of slots, and what it is asked for.
+struct LawLanes {
   const LaneConstants& c;
   int n;                         ///< lanes in use
   const double (&plastic)[6][8];
   bool anyPlastic, wantEnergy;
 };
-THAW_INLINE void respondCorotated(const Corotated& g, const Mat3<LanesD>& gradU, double stress[9][8], double energy[8]) {
-  Mat3<LanesD> f = gradU;
+THAW_INLINE Mat3<LanesD> plusOne(Mat3<LanesD> f) {
   f.row[0].x += LanesD(1.0);
   f.row[1].y += LanesD(1.0);
   f.row[2].z += LanesD(1.0);
+  return f;
+}
+/// Energy (Pa) that a plastic strain with this stress adds to that of a law of F.
+THAW_INLINE LanesD plasticEnergy(const Mat3<LanesD>& gradU, const Sym3<LanesD>& p, const Sym3<LanesD>& s) { return doubleDot(s, LanesD(0.5) * p - greenStrain(gradU)); }
+
+/// elasticResponse() without the volume force of the lanes with the Neo-Hookean law: energy density (Pa) by lane. What is at other lanes stays.
+THAW_INLINE void addNeoHookeanEnergy(const LawLanes& g, const Mat3<LanesD>& gradU, double energy[8]) {
+  const Mat3<LanesD> f = plusOne(gradU);
+  const LanesD lambda = loadRow(g.c.lambda), mu = loadRow(g.c.mu);
+  alignas(64) double logs[8];
+  toDoubles(neoHookeanLogged(f), logs);
+  takeLogarithms(logs);
+  LanesD psi = neoHookeanEnergy(f, lambda, mu, loadRow(logs));
+  if (g.anyPlastic) {
+    const Sym3<LanesD> p = loadTensor<double>(g.plastic);
+    psi += plasticEnergy(gradU, p, hooke(p, lambda, mu));
+  }
+  toDoubles(select(loadRow(g.c.neoHookean) > LanesD(0.5), psi, loadRow(energy)), energy);
+}
+
+/// The same of the lanes with the corotated law: stress as [row][column][lane] and, if asked for, energy density.
+THAW_INLINE void respondCorotated(const LawLanes& g, const Mat3<LanesD>& gradU, double stress[9][8], double energy[8]) {
+  const Mat3<LanesD> f = plusOne(gradU);
   const LanesD lambda = loadRow(g.c.lambda), mu = loadRow(g.c.mu);
   const MaskD ours = loadRow(g.c.corotated) > LanesD(0.5);
   const Rotations rotation = nearestRotations(f);
@@ -55,7 +76,7 @@ THAW_INLINE void respondCorotated(const Corotated& g, const Mat3<LanesD>& gradU,
   if (g.anyPlastic) {
     const Sym3<LanesD> p = loadTensor<double>(g.plastic), s = hooke(p, lambda, mu);
     piola = piola - times(f, s);
-    if (g.wantEnergy) psi += doubleDot(s, LanesD(0.5) * p - greenStrain(gradU));
+    if (g.wantEnergy) psi += plasticEnergy(gradU, p, s);
   }
   storeMatrix<double>(select(ours, piola, loadMatrix<double>(stress)), stress);
   if (g.wantEnergy) toDoubles(select(ours, psi, loadRow(energy)), energy);
