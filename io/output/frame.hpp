@@ -17,7 +17,9 @@ struct FrameField {
   std::string name, unit;
   Scalar scalar = Scalar::F32;
   int components = 1;
-  const void* data = nullptr;
+  const void* data = nullptr;             ///< `count` rows, or nullptr: `fill` gives them
+  /// Writes rows [first, first + count) of this rank to `to`, called for a piece at a time: a frame takes no memory of its own.
+  std::function<void(const RowRange& local, std::byte* to)> fill = {};
 };
 
 /// This rank's part of a frame. time, step and the fields' names and types are the same on all ranks.

@@ -27,8 +27,8 @@ std::uint32_t slotOf(const World& w, std::size_t row) {
 }
 
 /// Adds a symmetric tensor of the solids: value(slot), 0 for liquids and where `there` is false.
-template<class Value> void addTensor(WorldFrame& f, const World& w, const char* name, const char* unit, bool there, Value&& value) {
-  addRows<float>(f, name, unit, 6, [&](std::size_t i, float* to) {
+template<class Value> void addTensor(Frame& f, const World& w, const char* name, const char* unit, bool there, Value value) {
+  addRows<float>(f, name, unit, 6, [&w, there, value](std::size_t i, float* to) {
     const std::uint32_t slot = there ? slotOf(w, i) : noSlot;
     put6(slot == noSlot ? Sym3d{} : value(slot), to);
   });
@@ -40,24 +40,24 @@ double temperatureAtStart(const Scene& s, std::size_t body) {
   return body - s.bodies.size() < s.emitters.size() ? s.emitters[body - s.bodies.size()].temperature : s.domain.ambient;
 }
 
-void addField(WorldFrame& f, const World& w, int rank, const std::string& name) {
+void addField(Frame& f, const World& w, int rank, const std::string& name) {
   const Continuum& p = w.particles;
   const Solids& s = w.solids;
   const std::vector<Material>& materials = w.scene.materials;
   if (name == "velocity") {
-    addRows<float>(f, "velocity", "m/s", 3, [&](std::size_t i, float* to) { put3(p.velocity[i], to); });
+    addRows<float>(f, "velocity", "m/s", 3, [&p](std::size_t i, float* to) { put3(p.velocity[i], to); });
   } else if (name == "temperature") {
-    addRows<float>(f, "temperature", "K", 1, [&](std::size_t i, float* to) {
+    addRows<float>(f, "temperature", "K", 1, [&w, &p](std::size_t i, float* to) {
       *to = static_cast<float>(p.temperature.active ? p.temperature[i] : temperatureAtStart(w.scene, p.body[i]));
     });
   } else if (name == "liquid") {
-    addRows<float>(f, "liquid", "1", 1, [&](std::size_t i, float* to) {
+    addRows<float>(f, "liquid", "1", 1, [&p, &materials](std::size_t i, float* to) {
       const Material& m = materials[p.material[i]];
       *to = p.liquid.active ? p.liquid[i] : p.phase.active ? static_cast<float>(p.phase[i] == Liquid) : static_cast<float>(!m.canBeSolid() || m.liquidAtStart);
     });
   } else if (name == "density") {
     // the sum over neighbours is taken where there is liquid; a solid's density follows from its volume, V = det F V0
-    addRows<float>(f, "density", "kg/m^3", 1, [&](std::size_t i, float* to) {
+    addRows<float>(f, "density", "kg/m^3", 1, [&w, &p, &s, &materials](std::size_t i, float* to) {
       const std::uint32_t slot = slotOf(w, i);
       double share = 1;
       if (slot != noSlot && s.deformation.active) share = 1 / determinant(s.deformation[slot]);
@@ -65,25 +65,25 @@ void addField(WorldFrame& f, const World& w, int rank, const std::string& name) 
       *to = static_cast<float>(materials[p.material[i]].density * share);
     });
   } else if (name == "pressure") {
-    addRows<float>(f, "pressure", "Pa", 1, [&](std::size_t i, float* to) { *to = p.pressure.active ? p.pressure[i] : 0; });
+    addRows<float>(f, "pressure", "Pa", 1, [&p](std::size_t i, float* to) { *to = p.pressure.active ? p.pressure[i] : 0; });
   } else if (name == "stress") {
-    addTensor(f, w, "stress", "Pa", s.stress.active, [&](std::uint32_t slot) { return s.stress[slot]; });
+    addTensor(f, w, "stress", "Pa", s.stress.active, [&s](std::uint32_t slot) { return s.stress[slot]; });
   } else if (name == "strain") {  // Green's: (F^T F - 1)/2
-    addTensor(f, w, "strain", "1", s.deformation.active, [&](std::uint32_t slot) {
+    addTensor(f, w, "strain", "1", s.deformation.active, [&s](std::uint32_t slot) {
       const Mat3d& F = s.deformation[slot];
       return 0.5 * symmetric(transpose(F) * F - identity3<double>());
     });
   } else if (name == "plastic_strain") {
-    addTensor(f, w, "plastic_strain", "1", s.plasticStrain.active, [&](std::uint32_t slot) { return s.plasticStrain[slot]; });
+    addTensor(f, w, "plastic_strain", "1", s.plasticStrain.active, [&s](std::uint32_t slot) { return s.plasticStrain[slot]; });
   } else if (name == "material") {
-    addRows<std::uint16_t>(f, "material", "1", 1, [&](std::size_t i, std::uint16_t* to) { *to = p.material[i]; });
+    addRows<std::uint16_t>(f, "material", "1", 1, [&p](std::size_t i, std::uint16_t* to) { *to = p.material[i]; });
   } else if (name == "body") {
-    addRows<std::uint16_t>(f, "body", "1", 1, [&](std::size_t i, std::uint16_t* to) { *to = p.body[i]; });
+    addRows<std::uint16_t>(f, "body", "1", 1, [&p](std::size_t i, std::uint16_t* to) { *to = p.body[i]; });
   } else if (name == "rank") {
-    addRows<std::uint32_t>(f, "rank", "1", 1, [&](std::size_t, std::uint32_t* to) { *to = static_cast<std::uint32_t>(rank); });
+    addRows<std::uint32_t>(f, "rank", "1", 1, [rank](std::size_t, std::uint32_t* to) { *to = static_cast<std::uint32_t>(rank); });
   } else if (name == "neighbours") {
     // of a solid particle its bonds: they are its neighbours, and where there are only solids nothing is searched
-    addRows<std::uint16_t>(f, "neighbours", "1", 1, [&](std::size_t i, std::uint16_t* to) {
+    addRows<std::uint16_t>(f, "neighbours", "1", 1, [&w](std::size_t i, std::uint16_t* to) {
       const std::uint32_t slot = slotOf(w, i);
       *to = slot == noSlot ? (w.modules.neighbours && i < w.neighbours.neighbours.size() ? w.neighbours.neighbours[i] : std::uint16_t(0)) : bondsOf(w.bonds, slot);
     });
@@ -98,8 +98,8 @@ std::vector<std::string> knownFrameFields() {
   return {"velocity", "temperature", "liquid", "density", "pressure", "stress", "strain", "plastic_strain", "material", "body", "rank", "id", "neighbours"};
 }
 
-WorldFrame frameOf(const World& w, int rank) {
-  WorldFrame f = startFrame(w, w.particles);
+Frame frameOf(const World& w, int rank) {
+  Frame f = startFrame(w, w.particles);
   std::vector<std::string> done;
   for (const std::string& name : w.scene.output.fields) {
     if (std::find(done.begin(), done.end(), name) != done.end()) continue;  // named twice

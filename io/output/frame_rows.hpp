@@ -6,17 +6,16 @@
 
 namespace thaw {
 
-/// Adds a field whose row i is fill(i, T out[components]).
-template<class T, class Fill> void addRows(WorldFrame& f, const char* name, const char* unit, int components, Fill&& fill) {
-  const std::size_t width = static_cast<std::size_t>(components) * sizeof(T);
-  std::vector<std::byte> bytes(f.frame.count * width);
-  T row[9] = {};
-  for (std::size_t i = 0; i < f.frame.count; i++) {
-    fill(i, row);
-    std::memcpy(bytes.data() + i * width, row, width);
-  }
-  f.storage.push_back(std::move(bytes));
-  f.frame.fields.push_back({name, unit, FieldType<T>::scalar, components, f.storage.back().data()});
+/// Adds a field whose row i is fill(i, T out[components]), asked for when the frame is written: what it refers to has to be there till then.
+template<class T, class Fill> void addRows(Frame& f, const std::string& name, const char* unit, int components, Fill fill) {
+  f.fields.push_back({name, unit, FieldType<T>::scalar, components, nullptr, [components, fill](const RowRange& local, std::byte* to) {
+                        const std::size_t width = static_cast<std::size_t>(components) * sizeof(T);
+                        T row[9] = {};
+                        for (std::uint64_t i = local.first; i < local.first + local.count; i++, to += width) {
+                          fill(static_cast<std::size_t>(i), row);
+                          std::memcpy(to, row, width);
+                        }
+                      }});
 }
 
 template<class V> void put3(const V& v, float* to) {
@@ -24,15 +23,15 @@ template<class V> void put3(const V& v, float* to) {
 }
 
 /// A frame of now with the places and ids of a table's owned rows.
-template<class Rows> WorldFrame startFrame(const World& w, const Rows& rows) {
-  WorldFrame f;
-  f.frame.time = w.clock.time;
-  f.frame.step = w.clock.step;
-  f.frame.count = rows.owned;
-  addRows<float>(f, "position", "m", 3, [&](std::size_t i, float* to) { put3(rows.position[i], to); });
-  f.frame.positions = f.frame.fields[0];
-  f.frame.fields.clear();
-  addRows<std::uint64_t>(f, "id", "1", 1, [&](std::size_t i, std::uint64_t* to) { *to = rows.id[i]; });
+template<class Rows> Frame startFrame(const World& w, const Rows& rows) {
+  Frame f;
+  f.time = w.clock.time;
+  f.step = w.clock.step;
+  f.count = rows.owned;
+  addRows<float>(f, "position", "m", 3, [&rows](std::size_t i, float* to) { put3(rows.position[i], to); });
+  f.positions = std::move(f.fields[0]);
+  f.fields.clear();
+  addRows<std::uint64_t>(f, "id", "1", 1, [&rows](std::size_t i, std::uint64_t* to) { *to = rows.id[i]; });
   return f;
 }
 

@@ -4,11 +4,11 @@
 
 namespace thaw {
 
-WorldFrame kindFrameOf(const World& w, std::size_t kind) {
+Frame kindFrameOf(const World& w, std::size_t kind) {
   const KindRows& r = kind == orientedKind ? static_cast<const KindRows&>(w.oriented.rows) : w.sheets.rows;
-  WorldFrame f = startFrame(w, r);
-  addRows<float>(f, "velocity", "m/s", 3, [&](std::size_t i, float* to) { put3(r.velocity[i], to); });
-  addRows<std::uint16_t>(f, (std::string(kindNames[kind]) + "_body").c_str(), "1", 1, [&](std::size_t i, std::uint16_t* to) { *to = r.body[i]; });
+  Frame f = startFrame(w, r);
+  addRows<float>(f, "velocity", "m/s", 3, [&r](std::size_t i, float* to) { put3(r.velocity[i], to); });
+  addRows<std::uint16_t>(f, std::string(kindNames[kind]) + "_body", "1", 1, [&r](std::size_t i, std::uint16_t* to) { *to = r.body[i]; });
   if (kind == orientedKind) addOrientedFields(w, f);
   else addSheetFields(w, f);
   return f;

@@ -10,14 +10,14 @@ namespace thaw {
 inline std::string kindFrameName(const std::string& scene, std::size_t kind) { return scene + "_" + kindNames[kind]; }
 
 /// The owned rows of a kind: position, id, velocity, its body as <kind>_body, and what is the kind's own. In single precision.
-WorldFrame kindFrameOf(const World& world, std::size_t kind);
+Frame kindFrameOf(const World& world, std::size_t kind);
 
 /// What a kind adds (io/output/oriented_frame.cpp, io/output/sheet_frame.cpp).
-void addOrientedFields(const World& world, WorldFrame& frame);
-void addSheetFields(const World& world, WorldFrame& frame);
+void addOrientedFields(const World& world, Frame& frame);
+void addSheetFields(const World& world, Frame& frame);
 
 /// The triangles of the sheets; firstRow: number over all ranks of this rank's first row. Collective.
-void addSheetTriangles(World& world, BondHalo& edges, std::uint64_t firstRow, WorldFrame& frame);
+void addSheetTriangles(World& world, BondHalo& edges, std::uint64_t firstRow, Frame& frame);
 
 /// What the points of a frame are: "particles", "surfels", "oriented" or "sheet". A frame of a kind has a field "<kind>_body".
 std::string titleOfFrame(const H5File& file);

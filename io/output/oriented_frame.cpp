@@ -3,20 +3,20 @@
 
 namespace thaw {
 
-void addOrientedFields(const World& w, WorldFrame& f) {
+void addOrientedFields(const World& w, Frame& f) {
   const Oriented& o = w.oriented.rows;
-  addRows<float>(f, "normal", "1", 3, [&](std::size_t i, float* to) { put3(axisOf(o.orientation[i]), to); });
-  addRows<float>(f, "orientation", "1", 4, [&](std::size_t i, float* to) {
+  addRows<float>(f, "normal", "1", 3, [&o](std::size_t i, float* to) { put3(axisOf(o.orientation[i]), to); });
+  addRows<float>(f, "orientation", "1", 4, [&o](std::size_t i, float* to) {
     const Quat& q = o.orientation[i];
     to[0] = static_cast<float>(q.w), to[1] = static_cast<float>(q.x), to[2] = static_cast<float>(q.y), to[3] = static_cast<float>(q.z);
   });
-  addRows<float>(f, "radius", "m", 1, [&](std::size_t i, float* to) {  // as of surfels: neighbours at most this far apart leave no hole
+  addRows<float>(f, "radius", "m", 1, [&w, &o](std::size_t i, float* to) {  // as of surfels: neighbours at most this far apart leave no hole
     const OrientedBody& b = w.scene.oriented[o.body[i]];
     *to = static_cast<float>(b.spacing > 0 ? b.spacing : w.scene.spacing);
   });
-  addRows<std::uint32_t>(f, "group", "1", 1, [&](std::size_t i, std::uint32_t* to) { *to = o.group[i]; });
-  addRows<std::uint64_t>(f, "cut_sides", "1", 1, [&](std::size_t i, std::uint64_t* to) { *to = o.cutSides[i]; });
-  addRows<std::uint8_t>(f, "flags", "1", 1, [&](std::size_t i, std::uint8_t* to) { *to = o.flags[i]; });
+  addRows<std::uint32_t>(f, "group", "1", 1, [&o](std::size_t i, std::uint32_t* to) { *to = o.group[i]; });
+  addRows<std::uint64_t>(f, "cut_sides", "1", 1, [&o](std::size_t i, std::uint64_t* to) { *to = o.cutSides[i]; });
+  addRows<std::uint8_t>(f, "flags", "1", 1, [&o](std::size_t i, std::uint8_t* to) { *to = o.flags[i]; });
 }
 
 }  // namespace thaw

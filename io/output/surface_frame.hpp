@@ -9,7 +9,7 @@ std::string surfaceName(const std::string& scene);
 
 /// The owned surfels: position, id, normal, radius, color, component, detail; liquid and temperature where the scene has them. In single
 /// precision. "color" is what ParaView and VTK call it: red, green, blue.
-WorldFrame surfaceFrameOf(const World& world);
+Frame surfaceFrameOf(const World& world);
 
 /// Of a file that is a frame: are its points surfels?
 bool isSurfaceFrame(const H5File& file);

@@ -1,6 +1,6 @@
 #include <algorithm>
+#include <cstring>
 #include <limits>
-#include <numeric>
 
 #include "io/hdf5/parallel_file.hpp"
 #include "io/output/frame.hpp"
@@ -20,19 +20,17 @@ std::vector<std::int64_t> piecesOf(MPI_Comm comm, std::uint64_t count, std::uint
   return pieces;
 }
 
-/// One vertex cell a particle: connectivity 0..n-1 in each piece, offsets 0..n; or triangles. As int32 where that is enough.
-template<class Int> struct Topology {
-  std::vector<Int> connectivity, offsets;
-  std::vector<std::uint8_t> types;
-  Topology(const std::vector<std::uint64_t>& triangles, std::uint64_t first, bool last) : connectivity(triangles.begin(), triangles.end()), types(triangles.size() / 3, 5) {
-    for (std::uint64_t k = 0; k < triangles.size() / 3 + last; k++) offsets.push_back(static_cast<Int>(3 * (first + k)));
-  }
-  Topology(std::uint64_t count, std::uint64_t firstInPiece, bool endsPiece) : connectivity(count), offsets(count), types(count, 1) {
-    std::iota(connectivity.begin(), connectivity.end(), static_cast<Int>(firstInPiece));
-    std::iota(offsets.begin(), offsets.end(), static_cast<Int>(firstInPiece));
-    if (endsPiece) offsets.push_back(static_cast<Int>(firstInPiece + count));
-  }
-};
+using Fill = std::function<void(const RowRange&, std::byte*)>;
+
+/// Row i of a dataset of this rank's rows is value(i).
+template<class Int, class Value> Fill numbered(Value value) {
+  return [value](const RowRange& local, std::byte* to) {
+    for (std::uint64_t k = 0; k < local.count; k++) {
+      const Int v = static_cast<Int>(value(local.first + k));
+      std::memcpy(to + k * sizeof(Int), &v, sizeof(Int));
+    }
+  };
+}
 
 }  // namespace
 
@@ -56,21 +54,23 @@ template<class Int> void writeWith(const std::string& path, MPI_Comm comm, const
   const std::vector<std::int64_t> pieces = piecesOf(comm, frame.count, points.all, piecesByRank);
   const bool endsPiece = piecesByRank || rank == ranks - 1;
   const Spread cells = frame.meshed ? spreadRows(comm, frame.triangles.size() / 3) : points, ends = frame.meshed ? spreadRows(comm, frame.triangles.size()) : points;
-  const Topology<Int> topology = frame.meshed ? Topology<Int>(frame.triangles, cells.mine.first, endsPiece)
-                                              : Topology<Int>(frame.count, piecesByRank ? 0 : points.mine.first, endsPiece);
-  const Spread offsets = spreadRows(comm, topology.offsets.size());
+  // one vertex cell a particle: connectivity 0, 1, ... and offsets 0, 1, ... in each piece; or triangles: connectivity is theirs, offsets 0, 3, ...
+  const std::uint64_t corners = frame.meshed ? 3 : 1, firstPoint = piecesByRank ? 0 : points.mine.first, firstOffset = frame.meshed ? 3 * cells.mine.first : firstPoint;
+  const Spread offsets = spreadRows(comm, cells.mine.count + endsPiece);
 
   ParallelFileContent content;
   content.groups = {"/VTKHDF", "/VTKHDF/PointData", "/VTKHDF/CellData", "/VTKHDF/FieldData", "/run"};
-  const auto add = [&](const std::string& name, const DatasetShape& shape, const Spread& spread, const void* data, const std::string& unit) {
-    content.datasets.push_back({name, {shape.element, spread.all, shape.components}, spread.mine, data, unit, {}});
+  const auto addMade = [&](const std::string& name, Element element, const Spread& spread, Fill fill) {
+    content.datasets.push_back({name, {element, spread.all, 0}, spread.mine, nullptr, "", std::move(fill)});
   };
-  add("/VTKHDF/Points", {elementOf(frame.positions.scalar), 0, 3}, points, frame.positions.data, frame.positions.unit);
-  add("/VTKHDF/Connectivity", {integer, 0, 0}, ends, topology.connectivity.data(), "");
-  add("/VTKHDF/Offsets", {integer, 0, 0}, offsets, topology.offsets.data(), "");
-  add("/VTKHDF/Types", {Element::U8, 0, 0}, cells, topology.types.data(), "");
-  for (const FrameField& f : frame.fields)
-    add("/VTKHDF/PointData/" + f.name, {elementOf(f.scalar), 0, f.components > 1 ? f.components : 0}, points, f.data, f.unit);
+  const auto addField = [&](const std::string& name, const FrameField& f) {
+    content.datasets.push_back({name, {elementOf(f.scalar), points.all, f.components > 1 ? f.components : 0}, points.mine, f.data, f.unit, f.fill});
+  };
+  addField("/VTKHDF/Points", frame.positions);
+  addMade("/VTKHDF/Connectivity", integer, ends, numbered<Int>([&](std::uint64_t i) { return frame.meshed ? frame.triangles[i] : firstPoint + i; }));
+  addMade("/VTKHDF/Offsets", integer, offsets, numbered<Int>([&](std::uint64_t i) { return firstOffset + corners * i; }));
+  addMade("/VTKHDF/Types", Element::U8, cells, [&](const RowRange& local, std::byte* to) { std::memset(to, frame.meshed ? 5 : 1, local.count); });
+  for (const FrameField& f : frame.fields) addField("/VTKHDF/PointData/" + f.name, f);
   content.smallBytes = stamp.sceneText.size();
   content.small = [&](H5File& file) {
     file.setIntegers("/VTKHDF", "Version", {1, 0});

@@ -10,9 +10,9 @@ void writeKindFrames(Run& r) {
   World& w = r.world;
   eachKind(w, [&](std::size_t kind, const KindRows&, const CellTable&) {
     const std::string name = kindFrameName(r.name, kind), file = frameName(name, w.clock.frame);
-    WorldFrame f = kindFrameOf(w, kind);
-    if (kind == sheetKind) addSheetTriangles(w, *r.edges, spreadRows(r.comm.handle(), f.frame.count).mine.first, f);
-    writeFrame(frameFolder(r.options.out) + "/" + file, r.comm.handle(), f.frame, r.stamp());
+    Frame f = kindFrameOf(w, kind);
+    if (kind == sheetKind) addSheetTriangles(w, *r.edges, spreadRows(r.comm.handle(), f.count).mine.first, f);
+    writeFrame(frameFolder(r.options.out) + "/" + file, r.comm.handle(), f, r.stamp());
     onFirstRank(r.comm.handle(), [&] {
       r.kindSeries[kind].push_back({file, w.clock.time});
       writeSeries(seriesPath(r.options.out, name), r.kindSeries[kind]);

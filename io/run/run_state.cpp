@@ -30,9 +30,9 @@ void writeFrameOf(Run& r) {
   findElasticEnergy(w, r.tools);
   if (w.modules.solid && std::find(w.scene.output.fields.begin(), w.scene.output.fields.end(), "stress") != w.scene.output.fields.end())
     computeCauchyStress(r.tools.elastic, w.solids);
-  const WorldFrame f = frameOf(w, r.comm.rank());
+  const Frame f = frameOf(w, r.comm.rank());
   const std::string file = frameName(r.name, w.clock.frame);
-  writeFrame(frameFolder(r.options.out) + "/" + file, r.comm.handle(), f.frame, r.stamp());
+  writeFrame(frameFolder(r.options.out) + "/" + file, r.comm.handle(), f, r.stamp());
   onFirstRank(r.comm.handle(), [&] {
     r.series.push_back({file, w.clock.time});
     writeSeries(seriesPath(r.options.out, r.name), r.series);

@@ -38,8 +38,8 @@ void updateSurfaceOf(Run& r) {
 void writeSurfaceFrameOf(Run& r) {
   const World& w = r.world;
   const std::string name = surfaceName(r.name), file = frameName(name, w.clock.frame);
-  const WorldFrame f = surfaceFrameOf(w);
-  writeFrame(frameFolder(r.options.out) + "/" + file, r.comm.handle(), f.frame, r.stamp());
+  const Frame f = surfaceFrameOf(w);
+  writeFrame(frameFolder(r.options.out) + "/" + file, r.comm.handle(), f, r.stamp());
   onFirstRank(r.comm.handle(), [&] {
     r.surfaceSeries.push_back({file, w.clock.time});
     writeSeries(seriesPath(r.options.out, name), r.surfaceSeries);

@@ -157,7 +157,7 @@ TEST(Compare, FieldsInOneFileOnly) {
   Sample sample(MPI_COMM_WORLD, N);
   const auto write = [&](const std::string& name, const std::vector<std::string>& fields) {
     sample.w.scene.output.fields = fields;
-    writeFrame(folder.path + "/" + name, MPI_COMM_WORLD, frameOf(sample.w, rankOf()).frame, stamp);
+    writeFrame(folder.path + "/" + name, MPI_COMM_WORLD, frameOf(sample.w, rankOf()), stamp);
   };
   write("a.hdf", {"velocity", "rank"});
   write("b.hdf", {"velocity", "temperature"});
@@ -172,7 +172,7 @@ TEST(Compare, WhatCannotBeReadIsExitCode3) {
   const Folder folder;
   Sample sample(MPI_COMM_WORLD, N);
   const std::string frame = folder.path + "/f.hdf", bad = folder.path + "/bad.hdf";
-  writeFrame(frame, MPI_COMM_WORLD, frameOf(sample.w, rankOf()).frame, stamp);
+  writeFrame(frame, MPI_COMM_WORLD, frameOf(sample.w, rankOf()), stamp);
   if (rankOf() != 0) return;
   std::ofstream(bad) << "not HDF5";
   std::ofstream(folder.path + "/empty.hdf");
@@ -192,7 +192,7 @@ TEST(Compare, TruncatedAndDamagedFilesAreErrorsNotCrashes) {
   makeOutputFolders(folder.path);
   Sample sample(MPI_COMM_SELF, 60);
   const std::string frame = folder.path + "/f.hdf", bad = folder.path + "/bad.hdf";
-  writeFrame(frame, MPI_COMM_SELF, frameOf(sample.w, 0).frame, stamp);
+  writeFrame(frame, MPI_COMM_SELF, frameOf(sample.w, 0), stamp);
   const std::string checkpoint = writeCheckpoint(folder.path, MPI_COMM_SELF, sample.w, stamp);
   int errors = 0, read = 0;
   for (const std::string& good : {frame, checkpoint}) {
@@ -228,7 +228,7 @@ TEST(Info, SaysWhatIsThereAlsoAsJson) {
   Sample sample(MPI_COMM_WORLD, N);
   writeCheckpoint(folder.path, MPI_COMM_WORLD, sample.w, stamp);
   const std::string frame = frameFolder(folder.path) + "/" + frameName("wax", 3);
-  writeFrame(frame, MPI_COMM_WORLD, frameOf(sample.w, rankOf()).frame, stamp);
+  writeFrame(frame, MPI_COMM_WORLD, frameOf(sample.w, rankOf()), stamp);
   if (rankOf() != 0) return;
   writeSeries(seriesPath(folder.path, "wax"), {{frameName("wax", 3), 0.3}});
   const auto run = describePath(folder.path);

@@ -58,9 +58,9 @@ TEST(Frame, HasEveryFieldOfEveryParticle) {
   for (const bool pieces : {false, true}) {
     RunStamp s = stamp;
     s.piecesByRank = pieces;
-    const WorldFrame frame = frameOf(sample.w, rankOf());
+    const Frame frame = frameOf(sample.w, rankOf());
     const std::string path = folder.path + "/" + frameName("wax", pieces);
-    writeFrame(path, MPI_COMM_WORLD, frame.frame, s);
+    writeFrame(path, MPI_COMM_WORLD, frame, s);
     EXPECT_TRUE(fs::exists(path));
     EXPECT_FALSE(fs::exists(path + ".part"));
     const FrameData d = readFrame(path);  // on every rank
@@ -103,7 +103,7 @@ TEST(Frame, HasEveryFieldOfEveryParticle) {
 TEST(Frame, WithoutAnyParticle) {
   const Folder folder;
   Sample sample(MPI_COMM_WORLD, 0);
-  writeFrame(folder.path + "/f.hdf", MPI_COMM_WORLD, frameOf(sample.w, rankOf()).frame, stamp);
+  writeFrame(folder.path + "/f.hdf", MPI_COMM_WORLD, frameOf(sample.w, rankOf()), stamp);
   EXPECT_EQ(readFrame(folder.path + "/f.hdf").positions.size(), 0u);
 }
 
@@ -120,10 +120,14 @@ TEST(Frame, FieldsOfModulesThatAreOffStandForWhatTheyMean) {
                        static_cast<AnyColumn*>(&p.material), static_cast<AnyColumn*>(&p.body)})
     p.activate(*c);
   p.resize(1, 0);
-  const WorldFrame f = frameOf(w, 0);
+  const Frame f = frameOf(w, 0);
   const auto first = [&](const std::string& name) {
-    for (const FrameField& x : f.frame.fields)
-      if (x.name == name) return *static_cast<const float*>(x.data);
+    for (const FrameField& x : f.fields)
+      if (x.name == name) {
+        float value = 0;
+        x.fill({0, 1}, reinterpret_cast<std::byte*>(&value));
+        return value;
+      }
     return -1.0f;
   };
   EXPECT_EQ(first("temperature"), 333);
@@ -138,7 +142,7 @@ TEST(Frame, AFullDiskIsAnErrorOfAllRanksAndLeavesTheOldFile) {
   const Folder folder;
   const std::string path = folder.path + "/f.hdf";
   Sample small(MPI_COMM_WORLD, 20), large(MPI_COMM_WORLD, 4000);
-  writeFrame(path, MPI_COMM_WORLD, frameOf(small.w, rankOf()).frame, stamp);
+  writeFrame(path, MPI_COMM_WORLD, frameOf(small.w, rankOf()), stamp);
   const std::string before = bytesOfFile(path);
   for (int full : {0, sizeOf() - 1, -1}) {  // the first rank's disk, the last one's, everybody's
     MPI_Barrier(MPI_COMM_WORLD);
@@ -147,15 +151,15 @@ TEST(Frame, AFullDiskIsAnErrorOfAllRanksAndLeavesTheOldFile) {
     tight = old;
     tight.rlim_cur = 40000;
     if (full < 0 || full == rankOf()) setrlimit(RLIMIT_FSIZE, &tight);
-    const WorldFrame frame = frameOf(large.w, rankOf());
-    const std::string error = sameError([&] { writeFrame(path, MPI_COMM_WORLD, frame.frame, stamp); });
+    const Frame frame = frameOf(large.w, rankOf());
+    const std::string error = sameError([&] { writeFrame(path, MPI_COMM_WORLD, frame, stamp); });
     setrlimit(RLIMIT_FSIZE, &old);
     const bool wrote = full > 0 && large.w.particles.owned == 0;  // a rank that has nothing to write
     int any = wrote;
     MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
     if (error.empty()) {
       EXPECT_TRUE(full > 0) << full;
-      if (rankOf() == 0) writeFrame(path, MPI_COMM_SELF, frameOf(Sample(MPI_COMM_SELF, 20).w, 0).frame, stamp);
+      if (rankOf() == 0) writeFrame(path, MPI_COMM_SELF, frameOf(Sample(MPI_COMM_SELF, 20).w, 0), stamp);
       continue;
     }
     EXPECT_NE(error.find("f.hdf"), std::string::npos) << error;
@@ -167,7 +171,7 @@ TEST(Frame, AFullDiskIsAnErrorOfAllRanksAndLeavesTheOldFile) {
 
 TEST(Frame, AFolderThatIsNotThereIsAnErrorOfAllRanks) {
   Sample small(MPI_COMM_WORLD, 20);
-  const std::string error = sameError([&] { writeFrame("/tmp/thaw_there_is_no_such_folder/f.hdf", MPI_COMM_WORLD, frameOf(small.w, rankOf()).frame, stamp); });
+  const std::string error = sameError([&] { writeFrame("/tmp/thaw_there_is_no_such_folder/f.hdf", MPI_COMM_WORLD, frameOf(small.w, rankOf()), stamp); });
   EXPECT_NE(error.find("No such file or directory"), std::string::npos) << error;
 }
 
@@ -352,7 +356,7 @@ TEST(Series, IsMadeAnewFromTheFramesThatAreThere) {
   Sample sample(MPI_COMM_WORLD, 30);
   for (int k = 0; k < 4; k++) {
     sample.w.clock.time = 0.04 * k;
-    writeFrame(frameFolder(folder.path) + "/" + frameName("wax", k), MPI_COMM_WORLD, frameOf(sample.w, rankOf()).frame, stamp);
+    writeFrame(frameFolder(folder.path) + "/" + frameName("wax", k), MPI_COMM_WORLD, frameOf(sample.w, rankOf()), stamp);
   }
   if (rankOf() == 0) {
     std::ofstream(frameFolder(folder.path) + "/wax_000004.hdf") << "damaged";

@@ -160,7 +160,7 @@ TEST(SurfaceOutput, FramesAreComparedAsSurfels) {
   addSurface(w, MPI_COMM_WORLD, 150);
   const std::string a = folder.path + "/" + frameName(surfaceName("wax"), 3), b = folder.path + "/b.hdf";
   EXPECT_TRUE(a.ends_with("/wax_surface_000003.hdf"));
-  writeFrame(a, MPI_COMM_WORLD, surfaceFrameOf(w).frame, stamp);
+  writeFrame(a, MPI_COMM_WORLD, surfaceFrameOf(w), stamp);
   const FrameData d = readFrame(a);
   ASSERT_EQ(d.positions.size(), 150u);
   for (const char* name : {"id", "normal", "radius", "color", "component", "detail", "liquid", "temperature"}) ASSERT_NE(d.find(name), nullptr) << name;
@@ -170,7 +170,7 @@ TEST(SurfaceOutput, FramesAreComparedAsSurfels) {
   EXPECT_EQ(d.find("color")->value(5, 1), 20);
   // the first surfel of each rank dies in the other file
   if (w.surface.surfels.owned > 0) w.surface.surfels.resize(w.surface.surfels.owned - 1, 0);
-  writeFrame(b, MPI_COMM_WORLD, surfaceFrameOf(w).frame, stamp);
+  writeFrame(b, MPI_COMM_WORLD, surfaceFrameOf(w), stamp);
   if (rankOf() != 0) return;
   EXPECT_EQ(describe(compareSnapshots(openSnapshot(a), openSnapshot(a), {}))[0], "equal: 150 surfels, 8 fields");
   const std::vector<std::string> lines = describe(compareSnapshots(openSnapshot(a), openSnapshot(b), {}));
