@@ -121,13 +121,8 @@ int checkCommand(const CheckOptions& o) {
   };
   try {
     return checkAll(o);
-  } catch (const SceneErrors& e) {
-    return failed(e.what(), exitUsage);
-  } catch (const ShapeError& e) {
-    return failed(e.what(), exitUsage);
-  } catch (const IoError& e) {
-    return failed(std::string("error: ") + e.what(), exitInputOutput);
   } catch (const std::runtime_error& e) {
+    if (const auto refusal = refusalOf(e)) return failed(refusal->message, refusal->code);
     return failed(o.scene + ": error: " + e.what(), exitUsage);
   }
 }

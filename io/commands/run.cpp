@@ -166,13 +166,8 @@ int runCommand(const RunOptions& given) {
   };
   try {
     return simulate(run);
-  } catch (const SceneErrors& e) {
-    return failed(e.what(), exitUsage);
-  } catch (const ShapeError& e) {
-    return failed(e.what(), exitUsage);
-  } catch (const IoError& e) {
-    return failed(std::string("error: ") + e.what(), exitInputOutput);
   } catch (const std::exception& e) {
+    if (const auto refusal = refusalOf(e)) return failed(refusal->message, refusal->code);
     // set-up throws alike on all ranks; in the loop the others may be waiting: memory, a broken invariant
     const bool alike = !run.stepping && dynamic_cast<const std::runtime_error*>(&e) != nullptr;
     if (alike) return failed(options.scene + ": error: " + e.what(), exitUsage);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/geometry/shape_error.hpp"
+#include "io/hdf5/io_error.hpp"
 #include "io/meshes/read_mesh.hpp"
 #include "io/scene/read_scene.hpp"
 
@@ -17,6 +19,12 @@ void broadcast(const Communicator& comm, std::string& text) {
 }
 
 }  // namespace
+
+std::optional<Refusal> refusalOf(const std::exception& e) {
+  if (dynamic_cast<const SceneErrors*>(&e) || dynamic_cast<const ShapeError*>(&e)) return Refusal{e.what(), exitUsage};
+  if (dynamic_cast<const IoError*>(&e)) return Refusal{std::string("error: ") + e.what(), exitInputOutput};
+  return std::nullopt;
+}
 
 Scene sceneForAll(const Communicator& comm, const std::string& path, const std::vector<std::string>& overrides) {
   std::string files;
