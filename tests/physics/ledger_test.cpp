@@ -108,11 +108,8 @@ TEST(Ledger, FallsThroughPeriodicSides) {
 
 // A slow vent just above a floor: what has left backs up, and the vent pushes on as a piston. Its work is in the books.
 TEST(Ledger, EmitterIsAPiston) {
-  Scene s;
-  s.spacing = 0.01;
-  s.domain.min = {-0.2, -0.2, -0.02};
-  s.domain.max = {0.2, 0.2, 0.2};
-  s.output.every = 0;
+  Scene s = emptyScene(0.01, {-0.2, -0.2, -0.02}, {0.2, 0.2, 0.2});
+  s.domain.gravity = {0, 0, -9.81};
   s.materials.emplace_back();
   s.materials[0].viscosity = {30, 30};
   s.materials[0].soundSpeed = 15;
@@ -138,25 +135,11 @@ TEST(Ledger, EmitterIsAPiston) {
 // A solid that softens, sags and melts on a hot plate: what elasticity, pressure, tension and contacts lose to a changing liquid
 // fraction is booked, and so is what melting takes from bonds.
 TEST(Ledger, MeltingSolid) {
-  Scene s;
-  s.spacing = 0.01;
-  s.domain.min = {-0.2, -0.2, -0.02};
-  s.domain.max = {0.2, 0.2, 0.2};
-  s.output.every = 0;
-  s.materials.emplace_back();
-  Material& m = s.materials[0];
-  m.density = 900;
-  m.young = {3e5, 0};
-  m.law = ElasticLaw::NeoHookean;
-  m.damping = 4;
-  m.viscosity = {10, 10};
-  m.soundSpeed = 26;
-  m.surfaceTension = 0.03;
-  m.conductivity = {300, 300};
-  m.heatCapacity = {2000, 2000};
-  m.latentHeat = 3e4;
-  m.solidus = 313;
-  m.liquidus = 338;
+  Scene s = emptyScene(0.01, {-0.2, -0.2, -0.02}, {0.2, 0.2, 0.2});
+  s.domain.gravity = {0, 0, -9.81};
+  s.materials.push_back(wax());
+  s.materials[0].soundSpeed = 26;
+  s.materials[0].surfaceTension = 0.03;
   addBox(s, {-0.03, -0.03, 0.01}, {0.03, 0.03, 0.13}).temperature = 293;
   addFloor(s).temperature = 523;
   s.end = 0.6;

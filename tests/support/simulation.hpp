@@ -46,6 +46,22 @@ struct Simulation {
   LedgerReport books() { return reportLedger(w, tools, all); }
 };
 
+/// The wax of scenes/melt.toml: melts from 313 to 338 K.
+inline Material wax() {
+  Material m;
+  m.density = 900;
+  m.young = {3e5, 0};
+  m.law = ElasticLaw::NeoHookean;
+  m.damping = 4;
+  m.viscosity = {10, 10};
+  m.conductivity = {300, 300};
+  m.heatCapacity = {2000, 2000};
+  m.latentHeat = 3e4;
+  m.solidus = 313;
+  m.liquidus = 338;
+  return m;
+}
+
 inline Shape boxOf(const Vec3d& low, const Vec3d& high) {
   Shape s;
   s.size = high - low;
