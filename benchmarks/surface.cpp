@@ -68,7 +68,7 @@ void print(FILE* out, const Row& r) {
   std::fprintf(out, "%s,%.0f,%.0f,", r.name.c_str(), r.particles, r.surfels);
   figure(r.aroundParticles, "%.1f");
   figure(r.aroundSurfels, "%.1f");
-  std::fprintf(out, "%s,", forceKernels()->name);
+  std::fprintf(out, "%s,", surfaceKernels()->name);
   figure(r.rate / 1e3, "%.0f");
   figure(r.targetRate / 1e3, "%.0f");
   for (double v : {r.surfelSums, r.particleSums, r.finish, r.exchange}) figure(v, "%.1f");

@@ -61,8 +61,8 @@ void listGroups(const Surface& s, const std::vector<std::uint8_t>& free, const B
     };
     std::size_t end = k;
     const PlaceBox block = boxFrom(k, 64, 2 * longest, end);
-    surfels.find(surfelBins, block, radii.surfels);
-    particles.find(particleBins, block, radii.particles);
+    if (radii.surfels > 0) surfels.find(surfelBins, block, radii.surfels);
+    if (radii.particles > 0) particles.find(particleBins, block, radii.particles);
     while (k < end) {
       std::size_t last = k;
       const PlaceBox box = boxFrom(k, std::min<std::size_t>(8, end - k), longest, last);

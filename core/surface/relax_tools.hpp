@@ -5,7 +5,7 @@
 
 #include "core/particles/column.hpp"
 #include "core/surface/bins.hpp"
-#include "core/surface/force_sums.hpp"
+#include "core/surface/surface_kernels.hpp"
 #include "core/surface/gap_ceilings.hpp"
 #include "core/surface/group_lists.hpp"
 #include "core/surface/level_table.hpp"
@@ -28,11 +28,12 @@ struct FieldPoint {
 struct RelaxTools {
   bool particlesReady = false;  ///< readyParticles was called for the particles as they are; on all ranks or none
   LevelTable level;
-  const ForceKernels* kernels = forceKernels();
+  const SurfaceKernels* kernels = surfaceKernels();
   std::vector<RaisedComponent> raised;  ///< ascending by component
   Bins surfelBins, particleBins;
   std::vector<FieldPoint> field;      ///< beside particleBins.row, of readyParticles
   GroupLists lists;
+  AlignedVector<double> carried;      ///< carryRecord of each particle
   GapCeilings ceilings;
   AlignedVector<float> place, normal, particle, particleColour, overSurfels, overParticles;
   std::vector<std::uint8_t> free, core;  ///< of owned surfels: listed; and with a surfel that moves in reach

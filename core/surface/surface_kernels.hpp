@@ -1,5 +1,5 @@
-// The sums of an iteration over the particles and surfels around eight surfels at a time, one set for each instruction set
-// (forces_isa.cpp); every set gives the same bits. Only plain pointers here: code compiled for one instruction set must not leave copies of
+// What is worked out for eight surfels at a time, one set for each instruction set: the sums of an iteration over the particles and surfels around
+// them (forces_isa.cpp), and how particles carry them along (carry_isa.cpp); every set gives the same bits. Only plain pointers here: code compiled for one instruction set must not leave copies of
 // library functions to the linker.
 #pragma once
 #include <cstddef>
@@ -41,12 +41,25 @@ struct ForceSums {
   float* overSurfels = nullptr;           ///< sphereSums or planeSums channels
 };
 
-struct ForceKernels {
+/// Sums of displaceSurfels: of the weights, then of what CarrySums::values has, times the weight.
+inline constexpr std::size_t carryValues = 14, carrySums = 1 + carryValues;
+struct CarrySums {
+  const double* place = nullptr;          ///< m, of surfels: three a row
+  const double* particle = nullptr;       ///< carryRecord doubles a particle, in the order of the bins: x, y, z (m), one unused, values
+  const std::uint32_t* self = nullptr;    ///< as in ForceSums
+  const std::uint64_t* firstParticle = nullptr;
+  const std::uint32_t* particleRow = nullptr;
+  double perSupport2 = 0;                 ///< 1/m^2, 1 / h_ps^2
+};
+inline constexpr std::size_t carryRecord = 4 + carryValues;
+
+struct SurfaceKernels {
   const char* name;  ///< "avx512", "avx2", "base"
   void (*overParticles)(const ForceSums&);
   void (*overSurfels)(const ForceSums&);
+  void (*carry)(const CarrySums&, std::size_t group, double* sums);  ///< channel c of lane l at 8 c + l
 };
 /// By name, or the best for this processor where the name is empty. Unknown or unsupported names give nullptr.
-const ForceKernels* forceKernels(const char* name = "");
+const SurfaceKernels* surfaceKernels(const char* name = "");
 
 }  // namespace thaw
