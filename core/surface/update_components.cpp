@@ -25,7 +25,7 @@ void placeSurfels(Surface& s, SurfaceHalos halos, SurfaceTools& t) {
 
 /// Areas and components of where surfels are; needs ghosts.
 void measureAll(Surface& s, SurfaceHalos halos, TopologyTools& t, bool again = false) {
-  findSurfelAreas(s.surfels, t.areas, again);
+  findSurfelAreas(s, t.areas, again);
   measureComponents(s, halos.all);
 }
 
