@@ -1,6 +1,7 @@
 #include "core/surface/cover_bare.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/surface/birth_colours.hpp"
@@ -92,6 +93,10 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
   std::vector<Near> near;
   Over over(w), all(w);
   RowBlock block;
+  FieldProbe probe(w, t);
+  std::array<Vec3d, FieldProbe::most> direction;
+  std::array<int, FieldProbe::most> number;
+  std::array<std::optional<SurfacePoint>, FieldProbe::most> at;
   const Bins& bins = t.relax.particleBins;
   const auto looked = [&](std::uint32_t i) {
     if (i >= p.owned || p.component[i] == noComponent || p.colour[i] >= innerColour) return false;
@@ -116,23 +121,37 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
     over.clear();
     for (const Near& n : near) over.add(n.from, f.normal[n.row], f.radius[n.row]);
     bool gathered = false;
+    std::size_t n = 0;
+    const auto tryAll = [&] {
+      seedsOnSurface(w, probe, i, direction.data(), n, at.data());
+      for (std::size_t k = 0; k < n; k++) {
+        if (!at[k]) continue;
+        if (!gathered) {
+          gathered = true;
+          all.clear();
+          forRowsAround(t.relax.surfelBins, x, x, far2, [&](std::uint32_t j, const Vec3d& there) {
+            if (f.component[j] == p.component[i]) all.add(there - x, f.normal[j], f.radius[j]);
+          });
+        }
+        if (all.covers(at[k]->position - x, at[k]->normal)) continue;
+        const std::array<Vec3d, 2> places{at[k]->position, at[k]->position + at[k]->normal * (0.5 * dx)};
+        std::array<FieldHere, 2> field;
+        PlaceBox box{places[0], places[0]};
+        box.add(places[1]);
+        probe.around(box, p.component[i]);
+        probe.at(places.data(), 2, field.data());
+        if (field[1].value <= fallsTo * field[0].level) rows.push_back(seedSurfel(w, i, number[k], *at[k]));
+      }
+      n = 0;
+    };
     seeds.turn(p.id[i]);
     for (int k = 0; k < seeds.count(); k++) {
       const Vec3d u = seeds[k];
       if (std::any_of(beside.begin(), beside.end(), [&](const Vec3d& d) { return dot(d, u) > taken; }) || over.covers(u)) continue;
-      SurfacePoint at;
-      if (!seedOnSurface(w, t, i, u, at)) continue;
-      if (!gathered) {
-        gathered = true;
-        all.clear();
-        forRowsAround(t.relax.surfelBins, x, x, far2, [&](std::uint32_t j, const Vec3d& there) {
-          if (f.component[j] == p.component[i]) all.add(there - x, f.normal[j], f.radius[j]);
-        });
-      }
-      if (all.covers(at.position - x, at.normal)) continue;
-      if (colourAt(w, t, p.component[i], at.position + at.normal * (0.5 * dx)).value > fallsTo * colourAt(w, t, p.component[i], at.position).level) continue;
-      rows.push_back(seedSurfel(w, i, k, at));
+      direction[n] = u, number[n] = k;
+      if (++n == direction.size()) tryAll();
     }
+    if (n > 0) tryAll();
   };
   for (std::size_t b = 0; b < bins.size(); b++) {
     std::uint32_t asking = 0;
@@ -151,7 +170,7 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
 
 /// Surfels of solids that are not on the surface any more: rags that hang off the rim of a crack, or were in the middle of one while it opened.
 /// Of a mesh's, only those beside a face that was grown. Surfels have ghosts.
-void findRags(const World& w, const SurfaceTools& t, std::vector<std::uint8_t>& dead) {
+void findRags(const World& w, SurfaceTools& t, std::vector<std::uint8_t>& dead) {
   const Surfels& f = w.surface.surfels;
   const double reach = ragReach * w.scene.spacing;
   const auto solid = [&](std::size_t i) { return !f.liquid.active || f.liquid[i] < 0.5f; };
@@ -163,6 +182,7 @@ void findRags(const World& w, const SurfaceTools& t, std::vector<std::uint8_t>& 
   Bins bins;
   fillBins(grown.data(), grown.size(), reach, bins);
   dead.assign(f.owned, 0);
+  std::vector<std::uint8_t> asked(f.owned, 0);
   for (std::size_t i = 0; i < f.owned && !grown.empty(); i++) {
     if (!solid(i)) continue;
     const bool detail = f.detail[i] >= 0.5f;  // of a mesh: finer than the particles, up to a spacing off their surface
@@ -187,11 +207,13 @@ void findRags(const World& w, const SurfaceTools& t, std::vector<std::uint8_t>& 
         continue;
       }
     }
-    const FieldHere c = colourAt(w, t, f.component[i], f.position[i]);
+    asked[i] = 1;
+  }
+  forFieldAtSurfels(w, t, asked, [&](std::size_t i, const FieldHere& c) {
     const double slope = length(c.gradient), along = slope > 0 ? -dot(c.gradient, f.normal[i]) / slope : -1;
     const double under = c.value / c.level - 1;
-    dead[i] = detail ? under < -meshOver || along < -0.2 : under < -hangsOver || under > liesUnder || along < 0.5;
-  }
+    dead[i] = f.detail[i] >= 0.5f ? under < -meshOver || along < -0.2 : under < -hangsOver || under > liesUnder || along < 0.5;
+  });
 }
 
 /// Grown surfels of solids near loose ones settle with them: a crack that opens moves the surface beside what is born. Surfels have ghosts.

@@ -18,20 +18,12 @@ struct RaisedComponent { std::uint64_t component; double by; };
 /// Processor time spent (s), for benchmarks; no result depends on them.
 struct RelaxTimes { double ready = 0, place = 0, search = 0, surfelSums = 0, particleSums = 0, finish = 0, exchange = 0; std::int64_t surfels = 0, searches = 0; };
 
-/// A particle of the colour field, in the order of the bins.
-struct FieldPoint {
-  Vec3d at;                 ///< m
-  std::uint64_t component;
-  double volume, smooth;    ///< V c_j and V a_j over the lattice's sum of weights (level_table.hpp)
-};
-
 struct RelaxTools {
   bool particlesReady = false;  ///< readyParticles was called for the particles as they are; on all ranks or none
   LevelTable level;
   const SurfaceKernels* kernels = surfaceKernels();
   std::vector<RaisedComponent> raised;  ///< ascending by component
   Bins surfelBins, particleBins;
-  std::vector<FieldPoint> field;      ///< beside particleBins.row, of readyParticles
   GroupLists lists;
   AlignedVector<double> carried;      ///< carryRecord of each particle
   GapCeilings ceilings;
