@@ -119,7 +119,7 @@ void listNear(const Surface& s, double slack, AreaLists& l) {
   const Surfels& f = s.surfels;
   double largest = 0;
   for (std::size_t i = 0; i < f.owned; i++) largest = std::max(largest, f.radius[i]);
-  fillBins(s.grid, s.surfelCells, f.position.data(), 2.5 * largest, l.bins);
+  fillBins(s.grid, s.surfelCells, f.position.data(), 2.5 * s.spacing, l.bins);  // the order is the same on any number of ranks
   l.found.assign(f.position.data(), f.position.data() + f.size());
   l.asking.clear();
   l.first.assign(1, 0);
@@ -178,11 +178,12 @@ double cutAlone(const Surfels& f, std::size_t i, double slack, const Bins& bins,
 
 }  // namespace
 
-void findSurfelAreas(Surface& s, AreaLists& l, bool again) {
+void findSurfelAreas(Surface& s, Reducer& all, AreaLists& l, bool again) {
   Surfels& f = s.surfels;
-  double slack = 0;
-  for (std::size_t i = 0; i < f.size(); i++) slack = std::max(slack, 0.25 * f.radius[i]);
-  if (!again || !stillHolds(f, slack, l)) listNear(s, slack, l);
+  const double slack = 0.25 * s.spacing;
+  double anew = !again || !stillHolds(f, slack, l);
+  if (again) all.maximum({&anew, 1});  // all or none: lists of other places have another order
+  if (anew > 0) listNear(s, slack, l);
   pack(f, l);
   std::vector<Candidate> wide;
   std::array<std::uint32_t, 8> self;

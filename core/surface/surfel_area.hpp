@@ -1,5 +1,6 @@
 // A surfel's own share of the surface.
 #pragma once
+#include "core/halo/surface_halos.hpp"
 #include "core/surface/bins.hpp"
 #include "core/surface/surface.hpp"
 #include "core/surface/surface_kernels.hpp"
@@ -21,7 +22,7 @@ struct AreaLists {
 /// Surfels::area of all owned surfels: the area of the Voronoi cell among the neighbours of the same component (ghosts included), in the
 /// tangent plane. Neighbours with normals within pi/4 are laid into it at the length of the arc between the two; those beyond (over an edge)
 /// cut the cell where their own tangent plane does; those that look the other way (the far side of a sheet) are left out. Where neighbours
-/// are missing the cell ends at the surfel's radius. Needs ghosts. again: the table is that of the last call, but for places. Not collective.
-void findSurfelAreas(Surface& surface, AreaLists& lists, bool again = false);
+/// are missing the cell ends at the surfel's radius. Needs ghosts. again: the table is that of the last call, but for places. Collective.
+void findSurfelAreas(Surface& surface, Reducer& all, AreaLists& lists, bool again = false);
 
 }  // namespace thaw
