@@ -106,8 +106,7 @@ void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int
   readyParticles(w, halos, t);
   listRaised(w, t.relax.raised);
   FieldProbe probe(w, t);
-  resample(w, halos, t, rounds, [&](std::size_t i, SurfacePoint& p, bool border) {
-    const Surfels& f = w.surface.surfels;
+  resample(w, halos, t, rounds, [&](const Surfels& f, std::size_t i, SurfacePoint& p, bool border) {
     if (!border && keepsDetail(f, i)) {  // wherever the mesh's surface goes on, but not over a crack
       FieldHere c;
       probe.around({p.position, p.position}, f.component[i]);
