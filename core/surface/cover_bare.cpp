@@ -85,13 +85,10 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
   const double dx = w.scene.spacing, reach = surfelReach * dx, near2 = neighbourReach * neighbourReach * dx * dx;
   double largest = 0;
   for (std::size_t i = 0; i < f.size(); i++) largest = std::max(largest, f.radius[i]);
-  // seen half a spacing off, and from a seed's place, up to 1.2 spacings off
-  const double far1 = 0.5 * dx + std::hypot(reach, largest), far2 = 1.2 * dx + std::hypot(reach, largest);
+  const double far = 1.2 * dx + std::hypot(reach, largest);  // seen from a seed's place, up to 1.2 spacings off
   SeedDirections seeds(w);
   std::vector<Vec3d> beside;
-  struct Near { double d2; std::uint32_t row; Vec3d from; };
-  std::vector<Near> near;
-  Over over(w), all(w);
+  Over near(w), all(w);
   RowBlock block;
   FieldProbe probe(w, t);
   std::array<Vec3d, FieldProbe::most> direction;
@@ -111,29 +108,26 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
       const double r2 = dot(d, d);
       if (p.component[j] == p.component[i] && r2 > 0 && r2 < near2) beside.push_back(d / std::sqrt(r2));
     });
-    // the nearest ones first: they cover most directions
     near.clear();
     for (std::size_t k = 0; k < block.count; k++) {
+      const std::uint32_t j = block.row[k];
       const Vec3d d = block.at[k] - x;
-      if (const double d2 = dot(d, d); d2 < far1 * far1 && f.component[block.row[k]] == p.component[i]) near.push_back({d2, block.row[k], d});
+      if (dot(d, d) < dx * dx && f.component[j] == p.component[i]) near.add(d, f.normal[j], f.radius[j]);
     }
-    std::partition(near.begin(), near.end(), [&](const Near& n) { return n.d2 < dx * dx; });
-    over.clear();
-    for (const Near& n : near) over.add(n.from, f.normal[n.row], f.radius[n.row]);
     bool gathered = false;
+    const auto gather = [&] {
+      if (gathered) return;
+      gathered = true;
+      all.clear();
+      forRowsAround(t.relax.surfelBins, x, x, far, [&](std::uint32_t j, const Vec3d& there) {
+        if (f.component[j] == p.component[i]) all.add(there - x, f.normal[j], f.radius[j]);
+      });
+    };
     std::size_t n = 0;
     const auto tryAll = [&] {
       seedsOnSurface(w, probe, i, direction.data(), n, at.data());
       for (std::size_t k = 0; k < n; k++) {
-        if (!at[k]) continue;
-        if (!gathered) {
-          gathered = true;
-          all.clear();
-          forRowsAround(t.relax.surfelBins, x, x, far2, [&](std::uint32_t j, const Vec3d& there) {
-            if (f.component[j] == p.component[i]) all.add(there - x, f.normal[j], f.radius[j]);
-          });
-        }
-        if (all.covers(at[k]->position - x, at[k]->normal)) continue;
+        if (!at[k] || all.covers(at[k]->position - x, at[k]->normal)) continue;
         const std::array<Vec3d, 2> places{at[k]->position, at[k]->position + at[k]->normal * (0.5 * dx)};
         std::array<FieldHere, 2> field;
         PlaceBox box{places[0], places[0]};
@@ -147,7 +141,9 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
     seeds.turn(p.id[i]);
     for (int k = 0; k < seeds.count(); k++) {
       const Vec3d u = seeds[k];
-      if (std::any_of(beside.begin(), beside.end(), [&](const Vec3d& d) { return dot(d, u) > taken; }) || over.covers(u)) continue;
+      if (std::any_of(beside.begin(), beside.end(), [&](const Vec3d& d) { return dot(d, u) > taken; }) || near.covers(u)) continue;
+      gather();  // those near cover most directions
+      if (all.covers(u)) continue;
       direction[n] = u, number[n] = k;
       if (++n == direction.size()) tryAll();
     }
@@ -162,7 +158,7 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
         box.add(bins.at[k]);
       }
     if (asking == 0) continue;
-    block.find(t.relax.surfelBins, box, far1);
+    block.find(t.relax.surfelBins, box, dx);
     for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++)
       if (looked(bins.row[k])) seed(bins.row[k]);
   }
