@@ -24,7 +24,7 @@ namespace {
 /// A direction is taken by a particle within this many spacings ...
 constexpr double neighbourReach = 1.7;
 /// ... that lies less than 41 degrees off it.
-constexpr double taken = 0.75;
+constexpr double takenFrom = 0.75;
 /// Surfels are looked for within this many spacings of a particle or seed. A mesh may lie a spacing over the outermost particles.
 constexpr double surfelReach = 1.8;
 /// Over a true opening the colour falls below this share of its level half a spacing farther out.
@@ -77,6 +77,29 @@ class Over {
   std::vector<float> x_, y_, z_, nx_, ny_, nz_, r2_;
 };
 
+/// Which seeds of a particle have another particle before them.
+class FreeDirections {
+ public:
+  void begin(const SeedDirections& seeds) {
+    const auto n = static_cast<std::size_t>(seeds.count());
+    x_.resize(n), y_.resize(n), z_.resize(n);
+    nearest_.assign(n, -1);
+    for (std::size_t k = 0; k < n; k++) {
+      const Vec3d u = seeds[static_cast<int>(k)];
+      x_[k] = static_cast<float>(u.x), y_[k] = static_cast<float>(u.y), z_[k] = static_cast<float>(u.z);
+    }
+  }
+  /// By a particle in this direction.
+  void take(const Vec3d& d) {
+    const float dx = static_cast<float>(d.x), dy = static_cast<float>(d.y), dz = static_cast<float>(d.z);
+    for (std::size_t k = 0; k < x_.size(); k++) nearest_[k] = std::max(nearest_[k], dx * x_[k] + dy * y_[k] + dz * z_[k]);
+  }
+  bool taken(int k) const { return nearest_[static_cast<std::size_t>(k)] > static_cast<float>(takenFrom); }
+
+ private:
+  std::vector<float> x_, y_, z_, nearest_;  // nearest: cosine of the angle to the nearest particle's direction
+};
+
 /// Surfels around owned particles, in rows. Surfels have ghosts and bins.
 void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& rows) {
   const Surface& s = w.surface;
@@ -87,7 +110,7 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
   for (std::size_t i = 0; i < f.size(); i++) largest = std::max(largest, f.radius[i]);
   const double far = 1.2 * dx + std::hypot(reach, largest);  // seen from a seed's place, up to 1.2 spacings off
   SeedDirections seeds(w);
-  std::vector<Vec3d> beside;
+  FreeDirections free;
   Over near(w), all(w);
   RowBlock block;
   FieldProbe probe(w, t);
@@ -102,11 +125,12 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
   };
   const auto seed = [&](std::uint32_t i) {
     const Vec3d x = p.position[i];
-    beside.clear();
+    seeds.turn(p.id[i]);
+    free.begin(seeds);
     forRowsAround(bins, x, x, neighbourReach * dx, [&](std::uint32_t j, const Vec3d& at) {
       const Vec3d d = at - x;
       const double r2 = dot(d, d);
-      if (p.component[j] == p.component[i] && r2 > 0 && r2 < near2) beside.push_back(d / std::sqrt(r2));
+      if (p.component[j] == p.component[i] && r2 > 0 && r2 < near2) free.take(d / std::sqrt(r2));
     });
     near.clear();
     for (std::size_t k = 0; k < block.count; k++) {
@@ -138,10 +162,9 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
       }
       n = 0;
     };
-    seeds.turn(p.id[i]);
     for (int k = 0; k < seeds.count(); k++) {
       const Vec3d u = seeds[k];
-      if (std::any_of(beside.begin(), beside.end(), [&](const Vec3d& d) { return dot(d, u) > taken; }) || near.covers(u)) continue;
+      if (free.taken(k) || near.covers(u)) continue;
       gather();  // those near cover most directions
       if (all.covers(u)) continue;
       direction[n] = u, number[n] = k;
