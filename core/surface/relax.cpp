@@ -59,7 +59,9 @@ void search(World& w, SurfaceHalos halos, SurfaceTools& t, bool all, bool first,
   r.core.assign(r.free.begin(), r.free.end());
   if (!first) markActive(s, halos.surfels, r.surfelBins, s.surfelSupport + margin, r.free, r.core);
   listGroups(s, r.free, r.surfelBins, r.particleBins, radii, r.lists);
-  findCeilings(s, r.free, r.surfelBins, gapReach * s.particleSupport, !first);
+  const double gap = gapReach * s.particleSupport;
+  if (first) fillBins(s.grid, s.surfelCells, f.position.data(), gap / 3, r.gapBins);  // all pairs of bins within a gap are looked at
+  findCeilings(s, r.free, first ? r.gapBins : r.surfelBins, gap, !first);
   packCeilings(s, r.lists, r.ceilings);
   r.found.assign(f.position.data(), f.position.data() + f.owned);
   r.place.resize(4 * f.size());

@@ -23,7 +23,7 @@ struct RelaxTools {
   LevelTable level;
   const SurfaceKernels* kernels = surfaceKernels();
   std::vector<RaisedComponent> raised;  ///< ascending by component
-  Bins surfelBins, particleBins;
+  Bins surfelBins, particleBins, gapBins;
   GroupLists lists;
   AlignedVector<double> carried;      ///< carryRecord of each particle
   GapCeilings ceilings;
