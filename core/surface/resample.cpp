@@ -193,7 +193,7 @@ void placeOpen(Surface& surface, SurfaceHalos halos, SurfaceTools& t, OpenRegion
   CellTable& cells = region.taken ? region.cells : surface.surfelCells;
   placeRows(surface.grid, halos.surfels, s, cells, t.sort);
   addGhosts(halos.surfels, s, cells, ColumnList{&s.id, &s.position, &s.normal, &s.radius, &s.component, &s.colour, &s.detail, &s.calm, &s.liquid, &s.temperature});
-  fillBins(surface.grid, cells, s.position.data(), 0.5 * r.reach, t.relax.surfelBins);
+  fillBins(surface.grid, cells, s.position.data(), r.reach, t.relax.surfelBins);
   r.lookAtOpen();
 }
 

@@ -112,7 +112,7 @@ void cutCell(const Surfels& f, std::size_t i, std::span<const Candidate> near, C
 }
 
 constexpr double reach = 2.31;  // of what may cut a hexagon: twice its corners
-constexpr double usual = 1.5;   // most cells end within half of this
+constexpr double usual = 1.8;   // most cells end within half of this
 
 /// Who may cut the cells that are usual, as long as none comes `slack` (m) nearer.
 void listNear(const Surface& s, double slack, AreaLists& l) {
