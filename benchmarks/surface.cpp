@@ -1,10 +1,10 @@
-// surface [--surfels N] [--repeat R] [--csv FILE]: what an update of the surface costs on one core, and how true a ball's surface is.
+// surface [--surfels N] [--repeat R] [--only GROUP] [--csv FILE]: what an update of the surface costs on one core, and how true a ball's surface is.
 //   iteration: full iterations of all surfels of a ball, for several supports h_ss; ns a surfel and iteration, by phase
 //   update:    a whole update of a melting bust of 4,000 particles, from the copies of the particles to the blend, until the local stop
 //   whole updates: updateSurface with resampling, components and measures, of a solid and a molten bust (benchmarks/surface/whole_updates.hpp), with h_ss = 3 d,
 //              2.5 d and, of the molten one, the support radius of the particles; by phase
 //   ball:      surfels settled on a ball of lattice particles against the ball, for the same choices of h_ss
-// Times are processor time. Searches, placing and what is done once an update are beside the iterations, in ms.
+// --only: iterations, update, solid, molten (whole updates) or balls alone. Times are processor time. Searches, placing and what is done once an update are beside the iterations, in ms.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -55,20 +55,20 @@ struct Row {
   double particles = 0, surfels = 0, aroundParticles = 0, aroundSurfels = 0;
   double rate = 0, targetRate = 0, surfelSums = 0, particleSums = 0, finish = 0, exchange = 0;
   double placeMs = 0, searches = 0, searchMs = 0, updateS = 0, targetS = 0, displaceMs = 0, fieldsMs = 0, readyMs = 0;
-  double worstS = 0, startS = 0, finished = 0, resamplingMs = 0, componentsMs = 0, measuresMs = 0, iterationsMs = 0;
+  double worstS = 0, startS = 0, finished = 0, resamplingMs = 0, componentsMs = 0, growthMs = 0, measuresMs = 0, iterationsMs = 0;
   double iterations = 0, hausdorff = 0, normalMean = 0, normalMax = 0;
 };
 
 void printHead(FILE* out) {
   std::fprintf(out, "case,particles,surfels,particle_neighbours,surfel_neighbours,isa,k_surfels_per_s,target_k_surfels_per_s,ns_surfel_sums,ns_particle_sums,ns_move,ns_exchange,ms_search,"
-                    "update_s,update_s_target,ms_displace,ms_fields,ms_colours,ms_place,searches,iterations,update_s_worst,start_s,percent_to_local_stop,ms_components,ms_resampling,ms_iterations,ms_measures,hausdorff_percent,target_hausdorff_percent,normal_mean,target_normal_mean,normal_max,target_normal_max\n");
+                    "update_s,update_s_target,ms_displace,ms_fields,ms_colours,ms_place,searches,iterations,update_s_worst,start_s,percent_to_local_stop,ms_components,ms_growth,ms_resampling,ms_iterations,ms_measures,hausdorff_percent,target_hausdorff_percent,normal_mean,target_normal_mean,normal_max,target_normal_max\n");
 }
 void print(FILE* out, const Row& r) {
   const auto figure = [&](double v, const char* form) { v != 0 ? std::fprintf(out, form, v) : 0, std::fputc(',', out); };
   std::fprintf(out, "%s,%.0f,%.0f,", r.name.c_str(), r.particles, r.surfels);
   figure(r.aroundParticles, "%.1f");
   figure(r.aroundSurfels, "%.1f");
-  std::fprintf(out, "%s,", forceKernels()->name);
+  std::fprintf(out, "%s,", surfaceKernels()->name);
   figure(r.rate / 1e3, "%.0f");
   figure(r.targetRate / 1e3, "%.0f");
   for (double v : {r.surfelSums, r.particleSums, r.finish, r.exchange}) figure(v, "%.1f");
@@ -81,7 +81,7 @@ void print(FILE* out, const Row& r) {
   figure(r.worstS, "%.3f");
   figure(r.startS, "%.2f");
   figure(100 * r.finished, "%.0f");
-  for (double v : {r.componentsMs, r.resamplingMs, r.iterationsMs, r.measuresMs}) figure(v, "%.1f");
+  for (double v : {r.componentsMs, r.growthMs, r.resamplingMs, r.iterationsMs, r.measuresMs}) figure(v, "%.1f");
   const bool ball = r.hausdorff > 0;
   figure(r.hausdorff, "%.3f");
   figure(ball ? 1 : 0, "%.0f");
@@ -237,6 +237,7 @@ Row whole(bool molten, double surfels, double support, const std::string& choice
   r.fieldsMs = ms(SurfacePhase::Fields);
   r.placeMs = ms(SurfacePhase::Place);
   r.componentsMs = ms(SurfacePhase::Components);
+  r.growthMs = ms(SurfacePhase::Growth);
   r.resamplingMs = ms(SurfacePhase::Resampling);
   r.iterationsMs = ms(SurfacePhase::Iterations);
   r.measuresMs = ms(SurfacePhase::Measures);
@@ -260,18 +261,46 @@ Row ball(int R, SmoothingForm form, double support = 3) {
   return r;
 }
 
+/// The rows of a group, in their order; false where there is no such group.
+bool printGroup(FILE* out, const std::string& group, double surfels, int repeat) {
+  if (group == "iterations") {
+    print(out, iterations("iteration", surfels, repeat, [](Scene&, double) {}));
+    print(out, iterations("iteration smoothing to planes", surfels, repeat, [](Scene& s, double) { s.surface.smoothing = SmoothingForm::Plane; }));
+    for (int support : {4, 6}) print(out, iterations("iteration h_ss " + std::to_string(support) + " d", surfels, repeat, [&](Scene& s, double) { s.surface.support = support; }));
+    print(out, iterations("iteration h_ss = h (the paper)", surfels, 1, [](Scene& s, double d) { s.surface.support = 2 / d; }));
+  } else if (group == "update") {
+    print(out, update(surfels, repeat));
+  } else if (group == "solid" || group == "molten") {
+    const bool molten = group == "molten";
+    print(out, whole(molten, surfels, 3, "3 d", repeat));
+    print(out, whole(molten, surfels, 2.5, "2.5 d", repeat));
+    // the support radius of the particles is two of their spacings of 28.5 mm
+    if (molten) print(out, whole(true, surfels, 8, "8 d (the paper has h = 10.4 d: surface.support = 10.4)", 1));
+  } else if (group == "balls") {
+    for (int R : {8, 16, 24}) print(out, ball(R, SmoothingForm::Sphere));
+    for (const double support : {2.5, 4.0, 6.0}) print(out, ball(16, SmoothingForm::Sphere, support));
+    print(out, ball(16, SmoothingForm::Plane));
+  } else {
+    return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   double surfels = 60000;
   int repeat = 3;
   const char* csv = nullptr;
+  std::vector<std::string> groups{"iterations", "update", "solid", "molten", "balls"};
   for (int a = 1; a < argc; a += 2) {
     const std::string key = argv[a];
     const bool help = key == "-h" || key == "--help";
-    if (help || a + 1 == argc) return std::fprintf(help ? stdout : stderr, "scripts/bench surface [--surfels 60000] [--repeat 3] [--csv FILE]\n"), help ? 0 : 2;
+    if (help || a + 1 == argc)
+      return std::fprintf(help ? stdout : stderr, "scripts/bench surface [--surfels 60000] [--repeat 3] [--only iterations|update|solid|molten|balls] [--csv FILE]\n"), help ? 0 : 2;
     if (key == "--surfels") surfels = std::atof(argv[a + 1]);
     else if (key == "--repeat") repeat = std::atoi(argv[a + 1]);
+    else if (key == "--only") groups = {argv[a + 1]};
     else if (key == "--csv") csv = argv[a + 1];
     else return std::fprintf(stderr, "unknown option %s\n", argv[a]), 2;
   }
@@ -279,20 +308,8 @@ int main(int argc, char** argv) {
   FILE* out = csv ? std::fopen(csv, "w") : stdout;
   if (!out) return std::fprintf(stderr, "%s: cannot be written\n", csv), 3;
   printHead(out);
-  print(out, iterations("iteration", surfels, repeat, [](Scene&, double) {}));
-  print(out, iterations("iteration smoothing to planes", surfels, repeat, [](Scene& s, double) { s.surface.smoothing = SmoothingForm::Plane; }));
-  for (int support : {4, 6}) print(out, iterations("iteration h_ss " + std::to_string(support) + " d", surfels, repeat, [&](Scene& s, double) { s.surface.support = support; }));
-  print(out, iterations("iteration h_ss = h (the paper)", surfels, 1, [](Scene& s, double d) { s.surface.support = 2 / d; }));
-  print(out, update(surfels, repeat));
-  for (const bool molten : {false, true}) {
-    print(out, whole(molten, surfels, 3, "3 d", repeat));
-    print(out, whole(molten, surfels, 2.5, "2.5 d", repeat));
-  }
-  // the support radius of the particles is two of their spacings of 28.5 mm
-  print(out, whole(true, surfels, 8, "8 d (the paper has h = 10.4 d: surface.support = 10.4)", 1));
-  for (int R : {8, 16, 24}) print(out, ball(R, SmoothingForm::Sphere));
-  for (const double support : {2.5, 4.0, 6.0}) print(out, ball(16, SmoothingForm::Sphere, support));
-  print(out, ball(16, SmoothingForm::Plane));
+  for (const std::string& group : groups)
+    if (!printGroup(out, group, surfels, repeat)) return std::fprintf(stderr, "no group of cases is called %s\n", group.c_str()), 2;
   if (csv) std::fclose(out);
   return 0;
 }

@@ -38,6 +38,14 @@ void listBins(Bins& b) {
   b.firstBin.push_back(static_cast<std::uint32_t>(b.key.size()));
 }
 
+void roundPlaces(Bins& b) {
+  b.x.resize(b.at.size()), b.y.resize(b.at.size()), b.z.resize(b.at.size());
+  for (std::size_t k = 0; k < b.at.size(); k++) {
+    const Vec3d d = b.at[k] - b.base;
+    b.x[k] = static_cast<float>(d.x), b.y[k] = static_cast<float>(d.y), b.z[k] = static_cast<float>(d.z);
+  }
+}
+
 std::uint64_t keyOf(const Bins& b, const Vec3d& x) { return binKey(binOf(b, x.x, 0), binOf(b, x.y, 1), binOf(b, x.z, 2)); }
 std::uint64_t part(std::uint64_t key, int axis) { return key >> 21 * axis & 0x1fffff; }
 
@@ -59,6 +67,7 @@ void sortIntoBins(const Vec3d* position, Bins& b) {
   b.row.resize(b.sorting.size());
   b.at.resize(b.sorting.size());
   for (std::size_t k = 0; k < b.sorting.size(); k++) b.row[k] = b.sorting[k].second, b.at[k] = position[b.row[k]];
+  roundPlaces(b);
   listBins(b);
 }
 
@@ -101,6 +110,7 @@ void pickRows(const Bins& b, const std::uint8_t* keep, Bins& to) {
       to.row.push_back(b.row[k]);
       to.at.push_back(b.at[k]);
     }
+  roundPlaces(to);
   listBins(to);
 }
 

@@ -23,6 +23,7 @@ struct Bins {
   std::vector<std::uint32_t> firstBin;  ///< bins of line l: firstBin[l] ... firstBin[l + 1] - 1
   std::vector<std::uint32_t> row;
   std::vector<Vec3d> at;                ///< m, places of these rows when the bins were filled
+  std::vector<float> x, y, z;           ///< m, the same from the base on, rounded: what a RowBlock compares
   std::vector<std::pair<std::uint64_t, std::uint32_t>> sorting, sorted;
   std::size_t size() const { return key.size(); }
 };
@@ -118,18 +119,28 @@ struct RowBlock {
   std::size_t count = 0;
   std::vector<std::uint32_t> row;  // as long as any block was
   std::vector<Vec3d> at;
-  /// All within `radius` (m) of a box, in the order of the bins.
+  std::vector<float> away2;
+  /// All within `radius` (m) of a box, and some a rounding farther, in the order of the bins.
   void find(const Bins& bins, const PlaceBox& box, double radius) {
-    const double r2 = radius * radius;
+    const Vec3d middle = 0.5 * (box.low + box.high) - bins.base, half = 0.5 * (box.high - box.low);
+    const double rounding = 1e-6 * (std::abs(middle.x) + std::abs(middle.y) + std::abs(middle.z) + half.x + half.y + half.z + radius);
+    const float mx = static_cast<float>(middle.x), my = static_cast<float>(middle.y), mz = static_cast<float>(middle.z);
+    const float hx = static_cast<float>(half.x), hy = static_cast<float>(half.y), hz = static_cast<float>(half.z), most = static_cast<float>((radius + rounding) * (radius + rounding));
     count = 0;
     forBinRunsAround(bins, box.low, box.high, radius, [&](std::size_t from, std::size_t to) {
-      const std::uint32_t begin = bins.first[from], end = bins.first[to];
-      if (row.size() < count + (end - begin)) row.resize(2 * (count + end - begin)), at.resize(row.size());
+      const std::uint32_t begin = bins.first[from], many = bins.first[to] - begin;
+      if (row.size() < count + many) row.resize(2 * (count + many)), at.resize(row.size());
+      if (away2.size() < many) away2.resize(2 * many);
+      const float *x = &bins.x[begin], *y = &bins.y[begin], *z = &bins.z[begin];
+      for (std::uint32_t k = 0; k < many; k++) {
+        const float dx = std::max(std::abs(x[k] - mx) - hx, 0.0f), dy = std::max(std::abs(y[k] - my) - hy, 0.0f), dz = std::max(std::abs(z[k] - mz) - hz, 0.0f);
+        away2[k] = dx * dx + dy * dy + dz * dz;
+      }
       std::size_t n = count;
-      for (std::uint32_t k = begin; k < end; k++) {  // no branch: about half of them are within
-        row[n] = bins.row[k];
-        at[n] = bins.at[k];
-        n += box.distance2(bins.at[k]) <= r2;
+      for (std::uint32_t k = 0; k < many; k++) {  // no branch: about half of them are within
+        row[n] = bins.row[begin + k];
+        at[n] = bins.at[begin + k];
+        n += away2[k] <= most;
       }
       count = n;
     });

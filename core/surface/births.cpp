@@ -59,10 +59,10 @@ void appendSurfels(Surfels& s, const std::vector<SurfelRow>& rows) {
   }
 }
 
-void addSurfels(Surfels& s, const std::vector<SurfelRow>& rows, std::uint64_t seed, Reducer& all) {
+void addSurfels(Surfels& s, const std::vector<SurfelRow>& rows, std::uint64_t seed, Reducer& all, const Surfels* others) {
   const std::size_t first = s.owned;
   appendSurfels(s, rows);
-  renameTwins(s, first, seed, all);
+  renameTwins(s, first, seed, all, others);
 }
 
 }  // namespace thaw

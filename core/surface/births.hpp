@@ -24,7 +24,7 @@ SurfelRow blendedSurfel(const Patch& patch, const SurfacePoint& p);
 /// Appends rows behind the owned ones. The table must not have ghosts. Ids are not looked at: addSurfels does.
 void appendSurfels(Surfels& surfels, const std::vector<SurfelRow>& rows);
 
-/// The same for births on all ranks: those whose id is there already get another one (renameTwins). Collective.
-void addSurfels(Surfels& surfels, const std::vector<SurfelRow>& rows, std::uint64_t seed, Reducer& all);
+/// The same for births on all ranks: those whose id is there already, or among `others`, get another one (renameTwins). Collective.
+void addSurfels(Surfels& surfels, const std::vector<SurfelRow>& rows, std::uint64_t seed, Reducer& all, const Surfels* others = nullptr);
 
 }  // namespace thaw

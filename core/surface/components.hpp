@@ -7,6 +7,8 @@
 // - particles closer than settings.linkLength * spacing.
 // A component comes apart where no link is left.
 #pragma once
+#include <algorithm>
+
 #include "core/halo/surface_halos.hpp"
 #include "core/surface/bins.hpp"
 #include "core/world.hpp"
@@ -30,6 +32,10 @@ struct ComponentTools {
     friend auto operator<=>(const Piece&, const Piece&) = default;
   };
   std::vector<Piece> pieces;          ///< of the last split: what each part was, ascending, the same on all ranks
+  /// There are parts that may meet.
+  bool several() const {
+    return std::any_of(pieces.begin(), pieces.end(), [&](const Piece& p) { return p.part != pieces.front().part; });
+  }
 };
 
 /// Of how many nearest neighbours S_rest is taken.

@@ -1,6 +1,7 @@
 #include "core/surface/cover_bare.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/surface/birth_colours.hpp"
@@ -23,7 +24,7 @@ namespace {
 /// A direction is taken by a particle within this many spacings ...
 constexpr double neighbourReach = 1.7;
 /// ... that lies less than 41 degrees off it.
-constexpr double taken = 0.75;
+constexpr double takenFrom = 0.75;
 /// Surfels are looked for within this many spacings of a particle or seed. A mesh may lie a spacing over the outermost particles.
 constexpr double surfelReach = 1.8;
 /// Over a true opening the colour falls below this share of its level half a spacing farther out.
@@ -76,6 +77,29 @@ class Over {
   std::vector<float> x_, y_, z_, nx_, ny_, nz_, r2_;
 };
 
+/// Which seeds of a particle have another particle before them.
+class FreeDirections {
+ public:
+  void begin(const SeedDirections& seeds) {
+    const auto n = static_cast<std::size_t>(seeds.count());
+    x_.resize(n), y_.resize(n), z_.resize(n);
+    nearest_.assign(n, -1);
+    for (std::size_t k = 0; k < n; k++) {
+      const Vec3d u = seeds[static_cast<int>(k)];
+      x_[k] = static_cast<float>(u.x), y_[k] = static_cast<float>(u.y), z_[k] = static_cast<float>(u.z);
+    }
+  }
+  /// By a particle in this direction.
+  void take(const Vec3d& d) {
+    const float dx = static_cast<float>(d.x), dy = static_cast<float>(d.y), dz = static_cast<float>(d.z);
+    for (std::size_t k = 0; k < x_.size(); k++) nearest_[k] = std::max(nearest_[k], dx * x_[k] + dy * y_[k] + dz * z_[k]);
+  }
+  bool taken(int k) const { return nearest_[static_cast<std::size_t>(k)] > static_cast<float>(takenFrom); }
+
+ private:
+  std::vector<float> x_, y_, z_, nearest_;  // nearest: cosine of the angle to the nearest particle's direction
+};
+
 /// Surfels around owned particles, in rows. Surfels have ghosts and bins.
 void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& rows) {
   const Surface& s = w.surface;
@@ -84,14 +108,15 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
   const double dx = w.scene.spacing, reach = surfelReach * dx, near2 = neighbourReach * neighbourReach * dx * dx;
   double largest = 0;
   for (std::size_t i = 0; i < f.size(); i++) largest = std::max(largest, f.radius[i]);
-  // seen half a spacing off, and from a seed's place, up to 1.2 spacings off
-  const double far1 = 0.5 * dx + std::hypot(reach, largest), far2 = 1.2 * dx + std::hypot(reach, largest);
+  const double far = 1.2 * dx + std::hypot(reach, largest);  // seen from a seed's place, up to 1.2 spacings off
   SeedDirections seeds(w);
-  std::vector<Vec3d> beside;
-  struct Near { double d2; std::uint32_t row; Vec3d from; };
-  std::vector<Near> near;
-  Over over(w), all(w);
+  FreeDirections free;
+  Over near(w), all(w);
   RowBlock block;
+  FieldProbe probe(w, t);
+  std::array<Vec3d, FieldProbe::most> direction;
+  std::array<int, FieldProbe::most> number;
+  std::array<std::optional<SurfacePoint>, FieldProbe::most> at;
   const Bins& bins = t.relax.particleBins;
   const auto looked = [&](std::uint32_t i) {
     if (i >= p.owned || p.component[i] == noComponent || p.colour[i] >= innerColour) return false;
@@ -100,39 +125,52 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
   };
   const auto seed = [&](std::uint32_t i) {
     const Vec3d x = p.position[i];
-    beside.clear();
+    seeds.turn(p.id[i]);
+    free.begin(seeds);
     forRowsAround(bins, x, x, neighbourReach * dx, [&](std::uint32_t j, const Vec3d& at) {
       const Vec3d d = at - x;
       const double r2 = dot(d, d);
-      if (p.component[j] == p.component[i] && r2 > 0 && r2 < near2) beside.push_back(d / std::sqrt(r2));
+      if (p.component[j] == p.component[i] && r2 > 0 && r2 < near2) free.take(d / std::sqrt(r2));
     });
-    // the nearest ones first: they cover most directions
     near.clear();
     for (std::size_t k = 0; k < block.count; k++) {
+      const std::uint32_t j = block.row[k];
       const Vec3d d = block.at[k] - x;
-      if (const double d2 = dot(d, d); d2 < far1 * far1 && f.component[block.row[k]] == p.component[i]) near.push_back({d2, block.row[k], d});
+      if (dot(d, d) < dx * dx && f.component[j] == p.component[i]) near.add(d, f.normal[j], f.radius[j]);
     }
-    std::partition(near.begin(), near.end(), [&](const Near& n) { return n.d2 < dx * dx; });
-    over.clear();
-    for (const Near& n : near) over.add(n.from, f.normal[n.row], f.radius[n.row]);
     bool gathered = false;
-    seeds.turn(p.id[i]);
+    const auto gather = [&] {
+      if (gathered) return;
+      gathered = true;
+      all.clear();
+      forRowsAround(t.relax.surfelBins, x, x, far, [&](std::uint32_t j, const Vec3d& there) {
+        if (f.component[j] == p.component[i]) all.add(there - x, f.normal[j], f.radius[j]);
+      });
+    };
+    std::size_t n = 0;
+    const auto tryAll = [&] {
+      seedsOnSurface(w, probe, i, direction.data(), n, at.data());
+      for (std::size_t k = 0; k < n; k++) {
+        if (!at[k] || all.covers(at[k]->position - x, at[k]->normal)) continue;
+        const std::array<Vec3d, 2> places{at[k]->position, at[k]->position + at[k]->normal * (0.5 * dx)};
+        std::array<FieldHere, 2> field;
+        PlaceBox box{places[0], places[0]};
+        box.add(places[1]);
+        probe.around(box, p.component[i]);
+        probe.at(places.data(), 2, field.data());
+        if (field[1].value <= fallsTo * field[0].level) rows.push_back(seedSurfel(w, i, number[k], *at[k]));
+      }
+      n = 0;
+    };
     for (int k = 0; k < seeds.count(); k++) {
       const Vec3d u = seeds[k];
-      if (std::any_of(beside.begin(), beside.end(), [&](const Vec3d& d) { return dot(d, u) > taken; }) || over.covers(u)) continue;
-      SurfacePoint at;
-      if (!seedOnSurface(w, t, i, u, at)) continue;
-      if (!gathered) {
-        gathered = true;
-        all.clear();
-        forRowsAround(t.relax.surfelBins, x, x, far2, [&](std::uint32_t j, const Vec3d& there) {
-          if (f.component[j] == p.component[i]) all.add(there - x, f.normal[j], f.radius[j]);
-        });
-      }
-      if (all.covers(at.position - x, at.normal)) continue;
-      if (colourAt(w, t, p.component[i], at.position + at.normal * (0.5 * dx)).value > fallsTo * colourAt(w, t, p.component[i], at.position).level) continue;
-      rows.push_back(seedSurfel(w, i, k, at));
+      if (free.taken(k) || near.covers(u)) continue;
+      gather();  // those near cover most directions
+      if (all.covers(u)) continue;
+      direction[n] = u, number[n] = k;
+      if (++n == direction.size()) tryAll();
     }
+    if (n > 0) tryAll();
   };
   for (std::size_t b = 0; b < bins.size(); b++) {
     std::uint32_t asking = 0;
@@ -143,7 +181,7 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
         box.add(bins.at[k]);
       }
     if (asking == 0) continue;
-    block.find(t.relax.surfelBins, box, far1);
+    block.find(t.relax.surfelBins, box, dx);
     for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++)
       if (looked(bins.row[k])) seed(bins.row[k]);
   }
@@ -151,7 +189,7 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
 
 /// Surfels of solids that are not on the surface any more: rags that hang off the rim of a crack, or were in the middle of one while it opened.
 /// Of a mesh's, only those beside a face that was grown. Surfels have ghosts.
-void findRags(const World& w, const SurfaceTools& t, std::vector<std::uint8_t>& dead) {
+void findRags(const World& w, SurfaceTools& t, std::vector<std::uint8_t>& dead) {
   const Surfels& f = w.surface.surfels;
   const double reach = ragReach * w.scene.spacing;
   const auto solid = [&](std::size_t i) { return !f.liquid.active || f.liquid[i] < 0.5f; };
@@ -163,6 +201,7 @@ void findRags(const World& w, const SurfaceTools& t, std::vector<std::uint8_t>& 
   Bins bins;
   fillBins(grown.data(), grown.size(), reach, bins);
   dead.assign(f.owned, 0);
+  std::vector<std::uint8_t> asked(f.owned, 0);
   for (std::size_t i = 0; i < f.owned && !grown.empty(); i++) {
     if (!solid(i)) continue;
     const bool detail = f.detail[i] >= 0.5f;  // of a mesh: finer than the particles, up to a spacing off their surface
@@ -187,11 +226,13 @@ void findRags(const World& w, const SurfaceTools& t, std::vector<std::uint8_t>& 
         continue;
       }
     }
-    const FieldHere c = colourAt(w, t, f.component[i], f.position[i]);
+    asked[i] = 1;
+  }
+  forFieldAtSurfels(w, t, asked, [&](std::size_t i, const FieldHere& c) {
     const double slope = length(c.gradient), along = slope > 0 ? -dot(c.gradient, f.normal[i]) / slope : -1;
     const double under = c.value / c.level - 1;
-    dead[i] = detail ? under < -meshOver || along < -0.2 : under < -hangsOver || under > liesUnder || along < 0.5;
-  }
+    dead[i] = f.detail[i] >= 0.5f ? under < -meshOver || along < -0.2 : under < -hangsOver || under > liesUnder || along < 0.5;
+  });
 }
 
 /// Grown surfels of solids near loose ones settle with them: a crack that opens moves the surface beside what is born. Surfels have ghosts.

@@ -17,47 +17,30 @@ double weight(double r2, double h2) {
 /// Displacement and its gradient at a surfel.
 struct Carry { Vec3d move{}; Mat3d gradient{}; double weight = 0, liquid = 0, temperature = 0; };
 
-/// What a particle adds to the sums at a surfel x, times its weight: with u + G (x - x_j) = (u - G x_j) + G x the sums are the same for all x.
-struct CarryPoint {
-  Vec3d at;                 ///< m
-  std::uint64_t component;
-  std::array<double, 14> sum;  ///< u - G (x_j - origin), G, liquid fraction, temperature
-};
-
-/// In the order of the bins. origin: of the bins, which is the same on all ranks.
-std::vector<CarryPoint> carryPoints(const SurfaceParticles& p, const Bins& bins) {
-  std::vector<CarryPoint> points(bins.row.size());
-  for (std::size_t k = 0; k < points.size(); k++) {
-    const std::uint32_t j = bins.row[k];
+/// What particles add to the sums at surfels, by row: u - G (x_j - origin), G, liquid fraction, temperature. With u + G (x - x_j) = (u - G x_j) + G x
+/// the sums are the same for all x. origin: of the bins, which is the same on all ranks.
+void packParticles(const SurfaceParticles& p, const Vec3d& origin, AlignedVector<double>& records) {
+  records.resize(carryRecord * p.size());
+  for (std::size_t j = 0; j < p.size(); j++) {
     const Mat3d& g = p.gradient[j];
-    const Vec3d c = p.displacement[j] - g * (bins.at[k] - bins.base);
-    points[k] = {bins.at[k], p.component[j], {c.x, c.y, c.z, g.row[0].x, g.row[0].y, g.row[0].z, g.row[1].x, g.row[1].y, g.row[1].z, g.row[2].x, g.row[2].y, g.row[2].z,
-                 p.liquid.active ? static_cast<double>(p.liquid[j]) : 0, p.temperature.active ? static_cast<double>(p.temperature[j]) : 0}};
+    const Vec3d x = p.position[j], c = p.displacement[j] - g * (x - origin);
+    const std::array<double, carryRecord> r{x.x, x.y, x.z, 0, c.x, c.y, c.z, g.row[0].x, g.row[0].y, g.row[0].z, g.row[1].x, g.row[1].y, g.row[1].z, g.row[2].x, g.row[2].y, g.row[2].z,
+                                            p.liquid.active ? static_cast<double>(p.liquid[j]) : 0, p.temperature.active ? static_cast<double>(p.temperature[j]) : 0};
+    std::copy(r.begin(), r.end(), &records[carryRecord * j]);
   }
-  return points;
 }
 
-Carry carryAt(const std::vector<CarryPoint>& points, const Bins& bins, const Vec3d& x, std::uint64_t component, double h) {
+/// From the sums of one lane, at a place seen from the origin.
+Carry carryOf(const double* sums, std::size_t lane, const Vec3d& fromOrigin) {
   Carry c;
-  std::array<double, 14> sum{};
-  const double perH2 = 1 / (h * h);
-  forBinRunsAround(bins, x, x, h, [&](std::size_t from, std::size_t to) {
-    for (std::uint32_t k = bins.first[from]; k < bins.first[to]; k++) {
-      const CarryPoint& p = points[k];
-      const Vec3d d = x - p.at;
-      const double u = 1 - dot(d, d) * perH2;
-      if (!(u > 0) || p.component != component) continue;
-      const double w = u * u * u;
-      c.weight += w;
-      for (std::size_t a = 0; a < sum.size(); a++) sum[a] += w * p.sum[a];
-    }
-  });
+  c.weight = sums[lane];
   if (!(c.weight > 0)) return c;
-  for (double& s : sum) s /= c.weight;
-  c.gradient = {{{sum[3], sum[4], sum[5]}, {sum[6], sum[7], sum[8]}, {sum[9], sum[10], sum[11]}}};
-  c.move = Vec3d{sum[0], sum[1], sum[2]} + c.gradient * (x - bins.base);
-  c.liquid = sum[12];
-  c.temperature = sum[13];
+  std::array<double, carryValues> v;
+  for (std::size_t k = 0; k < carryValues; k++) v[k] = sums[8 * (1 + k) + lane] / c.weight;
+  c.gradient = {{{v[3], v[4], v[5]}, {v[6], v[7], v[8]}, {v[9], v[10], v[11]}}};
+  c.move = Vec3d{v[0], v[1], v[2]} + c.gradient * fromOrigin;
+  c.liquid = v[12];
+  c.temperature = v[13];
   return c;
 }
 
@@ -149,22 +132,41 @@ void displaceSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
   s.resize(s.owned, 0);
   s.activate(s.moving);   // here: no particles around
   s.activate(s.carried);  // here: how far
-  fillBins(w.surface.grid, w.surface.particleCells, p.position.data(), 0.5 * w.surface.particleSupport, t.relax.particleBins);
-  const std::vector<CarryPoint> points = carryPoints(p, t.relax.particleBins);
+  RelaxTools& r = t.relax;
+  const double h = w.surface.particleSupport;
+  fillBins(w.surface.grid, w.surface.particleCells, p.position.data(), 0.5 * h, r.particleBins);
+  fillBins(w.surface.grid, w.surface.surfelCells, s.position.data(), h, r.surfelBins);
+  packParticles(p, r.particleBins.base, r.carried);
+  r.free.assign(s.owned, 1);
+  listGroups(w.surface, r.free, r.surfelBins, r.particleBins, {0, h}, r.lists);
+  CarrySums in;
+  in.place = &s.position.data()->x;
+  in.particle = r.carried.data();
+  in.self = r.lists.self.data();
+  in.firstParticle = r.lists.firstParticle.data();
+  in.particleRow = r.lists.particle.data();
+  in.perSupport2 = 1 / (h * h);
+  alignas(32) std::array<double, 8 * carrySums> sums;
   std::int64_t told[2]{0, 0};  // without particles, frames kept
-  for (std::size_t i = 0; i < s.owned; i++) {
-    const Carry c = carryAt(points, t.relax.particleBins, s.position[i], s.component[i], w.surface.particleSupport);
+  const auto move = [&](std::size_t i, const Carry& c) {
     s.moving[i] = !(c.weight > 0);
     s.carried[i] = c.move;
     if (s.moving[i]) {
       told[0]++;
       s.calm[i] = 0;
-      continue;
+      return;
     }
     if (!turnFrame(c.gradient, s.normal[i], s.tangent[i])) told[1]++;
     s.calm[i] = std::max(0.0f, s.calm[i] - static_cast<float>(strainOf(c.gradient)));
     if (s.liquid.active) s.liquid[i] = static_cast<float>(c.liquid);
     if (s.temperature.active) s.temperature[i] = static_cast<float>(c.temperature);
+  };
+  for (std::size_t g = 0; g < r.lists.groups(); g++) {
+    r.kernels->carry(in, g, sums.data());
+    for (std::size_t lane = 0; lane < r.lists.lanes[g]; lane++) {
+      const std::size_t i = r.lists.self[8 * g + lane];
+      move(i, carryOf(sums.data(), lane, s.position[i] - r.particleBins.base));
+    }
   }
   halos.all.sum(told);
   count.keptNormals += told[1];

@@ -3,6 +3,7 @@
 
 #include "core/solid/id_table.hpp"
 #include "core/surface/components.hpp"
+#include "core/surface/mixed_bins.hpp"
 #include "core/surface/place_rows.hpp"
 
 namespace thaw {
@@ -93,27 +94,11 @@ template<class Rows> void listNear(const Rows& rows, std::uint32_t i, const RowB
 /// Most surfels have ten neighbours within this many times their radius.
 constexpr double usualReach = 2.2;
 
-/// Surfels::reach and ::nearest, what the other end of a link must know: the square of the distance to the k-th nearest surfel that is alike, and
-/// the nearest particle that is.
-void findReach(World& w, ComponentTools& t) {
+/// Surfels::nearest: the nearest particle that is alike.
+void findNearestParticles(World& w, ComponentTools& t) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
   const SurfaceParticles& p = s.particles;
-  const auto closer = [](const ComponentTools::Near& a, const ComponentTools::Near& b) { return a.d2 < b.d2; };
-  const double usual = std::min(usualReach * s.spacing, s.surfelSupport), all2 = s.surfelSupport * s.surfelSupport;
-  forBlocks(t.surfelBins, t.surfelBins, usual, t.block, [&](std::uint32_t i, const RowBlock& block) {
-    if (i >= f.owned) return;
-    listNear(f, i, block, usual * usual, t.near);
-    if (t.near.size() < nearestSurfels) {
-      t.near.clear();
-      forRowsWithin(t.surfelBins, f.position[i], s.surfelSupport, [&](std::uint32_t j, double d2) {
-        if (j != i && alike(f, i, j)) t.near.push_back({d2, j});
-      });
-    }
-    // fewer than ten: all within h_ss
-    if (t.near.size() < nearestSurfels) f.reach[i] = all2;
-    else std::nth_element(t.near.begin(), t.near.begin() + nearestSurfels - 1, t.near.end(), closer), f.reach[i] = t.near[nearestSurfels - 1].d2;
-  });
   const double first = std::min(w.scene.spacing, s.particleSupport);
   forBlocks(t.surfelBins, t.particleBins, first, t.block, [&](std::uint32_t i, const RowBlock& block) {
     if (i >= f.owned) return;
@@ -132,12 +117,37 @@ void findReach(World& w, ComponentTools& t) {
   });
 }
 
-/// Each surfel, ghosts included, with those within its reach: the links of both ends.
-void joinSurfels(const World& w, ComponentTools& t, Sets& sets) {
+/// Surfels::reach, what the other end of a link must know: the square of the distance to the k-th nearest surfel that is alike. 0 where all that hang together already are within h_ss.
+void findReach(Surface& s, ComponentTools& t, const std::vector<std::uint8_t>& mixed) {
+  Surfels& f = s.surfels;
+  const auto closer = [](const ComponentTools::Near& a, const ComponentTools::Near& b) { return a.d2 < b.d2; };
+  const double usual = std::min(usualReach * s.spacing, s.surfelSupport), all2 = s.surfelSupport * s.surfelSupport;
+  std::fill_n(f.reach.data(), f.owned, 0.0);
+  for (std::size_t b = 0; b < t.surfelBins.size(); b++) {
+    if (!mixed[b]) continue;
+    t.block.find(t.surfelBins, boxOf(t.surfelBins, b), usual);
+    for (std::uint32_t k = t.surfelBins.first[b]; k < t.surfelBins.first[b + 1]; k++) {
+      const std::uint32_t i = t.surfelBins.row[k];
+      if (i >= f.owned) continue;
+      listNear(f, i, t.block, usual * usual, t.near);
+      if (t.near.size() < nearestSurfels) {
+        t.near.clear();
+        forRowsWithin(t.surfelBins, f.position[i], s.surfelSupport, [&](std::uint32_t j, double d2) {
+          if (j != i && alike(f, i, j)) t.near.push_back({d2, j});
+        });
+      }
+      // fewer than ten: all within h_ss
+      if (t.near.size() < nearestSurfels) f.reach[i] = all2;
+      else std::nth_element(t.near.begin(), t.near.begin() + nearestSurfels - 1, t.near.end(), closer), f.reach[i] = t.near[nearestSurfels - 1].d2;
+    }
+  }
+}
+
+/// Surfels of these bins, ghosts included, with those within their reach: the links of both ends.
+void joinSurfels(const World& w, ComponentTools& t, const std::vector<std::uint8_t>& mixed, Sets& sets) {
   const Surface& s = w.surface;
   const Surfels& f = s.surfels;
   const double link1 = w.scene.surface.linkLength * w.scene.spacing, solid2 = solidSkin * solidSkin * link1 * link1, liquid2 = liquidSkin * liquidSkin * link1 * link1;
-  const double usual = std::min(usualReach * s.spacing, s.surfelSupport);
   // what is carried by particles too far apart is on two sides of a crack, or of a neck that has parted
   const auto held = [&](std::uint32_t i, std::uint32_t j) {
     if (f.nearest[i] == noParticle || f.nearest[j] == noParticle) return true;
@@ -145,18 +155,11 @@ void joinSurfels(const World& w, ComponentTools& t, Sets& sets) {
     const double d2 = dot(d, d);
     return d2 <= solid2 || (d2 <= liquid2 && f.liquid.active && f.liquid[i] + f.liquid[j] > 1);
   };
-  const auto link = [&](std::uint32_t i, std::uint32_t j) {
-    if (dot(f.normal[i], f.normal[j]) >= cosRest && held(i, j)) sets.join(i, j);
-  };
-  forBlocks(t.surfelBins, t.surfelBins, usual, t.block, [&](std::uint32_t i, const RowBlock& block) {
-    if (f.reach[i] <= usual * usual) {
-      listNear(f, i, block, f.reach[i], t.near);
-      for (const ComponentTools::Near& n : t.near) link(i, n.row);
-    } else {
-      forRowsWithin(t.surfelBins, f.position[i], std::sqrt(f.reach[i]) * (1 + 1e-12), [&](std::uint32_t j, double d2) {
-        if (j != i && d2 <= f.reach[i] && alike(f, i, j)) link(i, j);
-      });
-    }
+  forMixed(t.surfelBins, mixed, [&](std::uint32_t i) {
+    if (f.reach[i] == 0) return;
+    forRowsWithin(t.surfelBins, f.position[i], std::sqrt(f.reach[i]) * (1 + 1e-12), [&](std::uint32_t j, double d2) {
+      if (j != i && d2 <= f.reach[i] && alike(f, i, j) && dot(f.normal[i], f.normal[j]) >= cosRest && held(i, j)) sets.join(i, j);
+    });
   });
 }
 
@@ -182,6 +185,23 @@ void joinBoth(const Surface& s, Sets& sets) {
     if (f.nearest[i] == noParticle) continue;
     const std::uint32_t j = rows.find(f.nearest[i]);
     if (j != IdTable::none) sets.join(static_cast<std::uint32_t>(i), offset + j);
+  }
+}
+
+/// Parts of both tables: what this rank knows to hang together, and what others know.
+void settleParts(Surface& s, SurfaceHalos halos, Sets& sets) {
+  Surfels& f = s.surfels;
+  SurfaceParticles& p = s.particles;
+  const auto offset = static_cast<std::uint32_t>(f.size());
+  for (bool changed = true; changed;) {
+    for (std::size_t i = 0; i < f.owned; i++) f.part[i] = sets.least(static_cast<std::uint32_t>(i));
+    for (std::size_t i = 0; i < p.owned; i++) p.part[i] = sets.least(offset + static_cast<std::uint32_t>(i));
+    refreshGhosts(halos.surfels, f, ColumnList{&f.part});
+    refreshGhosts(halos.particles, p, ColumnList{&p.part});
+    bool lowered = false;
+    for (std::size_t i = f.owned; i < f.size(); i++) lowered |= sets.lower(static_cast<std::uint32_t>(i), f.part[i]);
+    for (std::size_t i = p.owned; i < p.size(); i++) lowered |= sets.lower(offset + static_cast<std::uint32_t>(i), p.part[i]);
+    changed = anywhere(halos.all, lowered);
   }
 }
 
@@ -235,35 +255,29 @@ void adoptFresh(World& w, SurfaceHalos halos, ComponentTools& t) {
   if (anywhere(halos.all, changed)) refreshGhosts(halos.surfels, f, ColumnList{&f.component});
 }
 
+// Most bodies hang together by their particles: surfels are asked only where parts meet that these have left.
 void findParts(World& w, SurfaceHalos halos, ComponentTools& t) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
   SurfaceParticles& p = s.particles;
   fillBins(f.position.data(), f.size(), std::min(usualReach * s.spacing, s.surfelSupport), t.surfelBins);
   fillBins(p.position.data(), p.size(), w.scene.surface.linkLength * w.scene.spacing, t.particleBins);
-  findReach(w, t);
-  refreshGhosts(halos.surfels, f, ColumnList{&f.reach, &f.nearest, &f.toNearest});
-
+  findNearestParticles(w, t);
+  refreshGhosts(halos.surfels, f, ColumnList{&f.nearest, &f.toNearest});
   t.parent.clear();
   t.least.clear();
   Sets sets(t);
   for (std::size_t i = 0; i < f.size(); i++) sets.add(f.id[i] | surfelsOnly);
   for (std::size_t i = 0; i < p.size(); i++) sets.add(p.id[i] + 1);
-  joinSurfels(w, t, sets);
   joinParticles(w, t, sets);
   joinBoth(s, sets);
-
-  const auto offset = static_cast<std::uint32_t>(f.size());
-  for (bool changed = true; changed;) {
-    for (std::size_t i = 0; i < f.owned; i++) f.part[i] = sets.least(static_cast<std::uint32_t>(i));
-    for (std::size_t i = 0; i < p.owned; i++) p.part[i] = sets.least(offset + static_cast<std::uint32_t>(i));
-    refreshGhosts(halos.surfels, f, ColumnList{&f.part});
-    refreshGhosts(halos.particles, p, ColumnList{&p.part});
-    bool lowered = false;
-    for (std::size_t i = f.owned; i < f.size(); i++) lowered |= sets.lower(static_cast<std::uint32_t>(i), f.part[i]);
-    for (std::size_t i = p.owned; i < p.size(); i++) lowered |= sets.lower(offset + static_cast<std::uint32_t>(i), p.part[i]);
-    changed = anywhere(halos.all, lowered);
-  }
+  settleParts(s, halos, sets);
+  const std::vector<std::uint8_t> mixed = mixedBins(t.surfelBins, f.part.data(), t.surfelBins, f.part.data(), s.surfelSupport);
+  if (!anywhere(halos.all, std::find(mixed.begin(), mixed.end(), 1) != mixed.end())) return;
+  findReach(s, t, mixed);
+  refreshGhosts(halos.surfels, f, ColumnList{&f.reach});
+  joinSurfels(w, t, mixed, sets);
+  settleParts(s, halos, sets);
 }
 
 }  // namespace thaw

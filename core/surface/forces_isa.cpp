@@ -3,7 +3,7 @@
 // lanes: with 130 particles a surfel that takes a third of the time of a list for each.
 #include "core/math/vec3.hpp"
 #include "core/simd/lanes.hpp"
-#include "core/surface/force_sums.hpp"
+#include "core/surface/surface_kernels.hpp"
 
 namespace thaw {
 namespace THAW_ISA {
@@ -127,9 +127,12 @@ void overSurfels(const ForceSums& in) { in.plane ? overSurfelsOf<true>(in) : ove
 
 }  // namespace
 
-const ForceKernels& forceKernelSet();
-const ForceKernels& forceKernelSet() {
-  static constexpr ForceKernels set{THAW_STRING(THAW_ISA) + 4, overParticles, overSurfels};
+void carry(const CarrySums&, std::size_t, double*);  // carry_isa.cpp
+void areas(const AreaCells&, double*, double*);        // areas_isa.cpp
+
+const SurfaceKernels& surfaceKernelSet();
+const SurfaceKernels& surfaceKernelSet() {
+  static constexpr SurfaceKernels set{THAW_STRING(THAW_ISA) + 4, overParticles, overSurfels, carry, areas};
   return set;
 }
 

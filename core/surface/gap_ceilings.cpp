@@ -38,6 +38,13 @@ double leastDot(const PlaceBox& n, const PlaceBox& m) {
   return sum;
 }
 
+/// The most of n.d for n and d each in a box.
+double mostDot(const PlaceBox& n, const PlaceBox& d) {
+  double sum = 0;
+  for (int a = 0; a < 3; a++) sum += std::max({n.low[a] * d.low[a], n.low[a] * d.high[a], n.high[a] * d.low[a], n.high[a] * d.high[a]});
+  return sum;
+}
+
 }  // namespace
 
 // Few surfels face another one: bins whose normals cannot be twoSheets from each other are left out before a surfel of them is looked at.
@@ -60,7 +67,8 @@ void findCeilings(Surface& s, const std::vector<std::uint8_t>& free, const Bins&
     const BinFrame& own = frames[b];
     facingBins.clear();
     forBinsAround(bins, own.place.low, own.place.high, reach, [&](std::size_t other) {
-      if (leastDot(own.normal, frames[other].normal) < twoSheets + rounding) facingBins.push_back(other);
+      const BinFrame& o = frames[other];  // what lies behind all of the bin is across a sheet
+      if (leastDot(own.normal, o.normal) < twoSheets + rounding && mostDot(own.normal, {o.place.low - own.place.high, o.place.high - own.place.low}) > 0) facingBins.push_back(other);
     });
     for (const std::uint32_t i : asking) {
       const Vec3d x = f.position[i], n = f.normal[i];

@@ -11,17 +11,44 @@ std::uint64_t spread(std::uint64_t v) {  // 21 bits, two zeros between them
   return (v | v << 2) & 0x1249249249249249ull;
 }
 
-/// Those of a block's rows within `radius` of a group's box and of its component. What is farther from all of its surfels than that adds nothing to their sums.
-void append(const RowBlock& block, const PlaceBox& box, double radius, const std::uint64_t* component, std::uint64_t wanted, std::vector<std::uint32_t>& rows) {
-  const double r2 = radius * radius;
-  std::size_t n = rows.size();
-  rows.resize(n + block.count);
-  for (std::size_t k = 0; k < block.count; k++) {
-    rows[n] = block.row[k];
-    n += (box.distance2(block.at[k]) < r2) & (component[block.row[k]] == wanted);
+/// The rows of a block that are of one component, seen from its middle, axis by axis, so that many are looked at together.
+struct BlockRows {
+  Vec3d from{};
+  std::vector<std::uint32_t> row;
+  std::vector<float> x, y, z, r2;
+  void take(const RowBlock& block, const Vec3d& middle, const std::uint64_t* component, std::uint64_t wanted) {
+    from = middle;
+    if (row.size() < block.count) row.resize(block.count), x.resize(block.count), y.resize(block.count), z.resize(block.count), r2.resize(block.count);
+    std::size_t n = 0;
+    for (std::size_t k = 0; k < block.count; k++) {
+      const Vec3d d = block.at[k] - from;
+      row[n] = block.row[k];
+      x[n] = static_cast<float>(d.x), y[n] = static_cast<float>(d.y), z[n] = static_cast<float>(d.z);
+      n += component[block.row[k]] == wanted;
+    }
+    count = n;
   }
-  rows.resize(n);
-}
+  /// Those within `radius` (m) of a group's box, or a little more. What is farther from all of its surfels than that adds nothing to their sums.
+  void append(const PlaceBox& box, double radius, std::vector<std::uint32_t>& rows) {
+    const Vec3d middle = 0.5 * (box.low + box.high) - from, half = 0.5 * (box.high - box.low);
+    const float mx = static_cast<float>(middle.x), my = static_cast<float>(middle.y), mz = static_cast<float>(middle.z), hx = static_cast<float>(half.x), hy = static_cast<float>(half.y), hz = static_cast<float>(half.z);
+    const float most = static_cast<float>(1.0001 * radius * radius);
+    for (std::size_t k = 0; k < count; k++) {
+      const float dx = std::max(std::abs(x[k] - mx) - hx, 0.0f), dy = std::max(std::abs(y[k] - my) - hy, 0.0f), dz = std::max(std::abs(z[k] - mz) - hz, 0.0f);
+      r2[k] = dx * dx + dy * dy + dz * dz;
+    }
+    std::size_t n = rows.size();
+    rows.resize(n + count);
+    for (std::size_t k = 0; k < count; k++) {
+      rows[n] = row[k];
+      n += r2[k] < most;
+    }
+    rows.resize(n);
+  }
+
+ private:
+  std::size_t count = 0;
+};
 
 }  // namespace
 
@@ -45,7 +72,8 @@ void listGroups(const Surface& s, const std::vector<std::uint8_t>& free, const B
   l.firstSurfel.assign(1, 0);
   l.firstParticle.assign(1, 0);
   const auto place = [&](std::size_t k) { return f.position[l.sorting[k].row]; };
-  RowBlock surfels, particles;
+  RowBlock found;
+  BlockRows surfels, particles;
   for (std::size_t k = 0; k < l.sorting.size();) {
     // a block of groups that lie together
     const std::uint64_t component = l.sorting[k].component;
@@ -61,15 +89,20 @@ void listGroups(const Surface& s, const std::vector<std::uint8_t>& free, const B
     };
     std::size_t end = k;
     const PlaceBox block = boxFrom(k, 64, 2 * longest, end);
-    surfels.find(surfelBins, block, radii.surfels);
-    particles.find(particleBins, block, radii.particles);
+    const auto take = [&](const Bins& bins, double radius, const std::uint64_t* of, BlockRows& rows) {
+      if (!(radius > 0)) return;
+      found.find(bins, block, radius);
+      rows.take(found, 0.5 * (block.low + block.high), of, component);
+    };
+    take(surfelBins, radii.surfels, f.component.data(), surfels);
+    take(particleBins, radii.particles, s.particles.component.data(), particles);
     while (k < end) {
       std::size_t last = k;
       const PlaceBox box = boxFrom(k, std::min<std::size_t>(8, end - k), longest, last);
       for (std::size_t n = 0; n < 8; n++) l.self.push_back(l.sorting[std::min(k + n, last - 1)].row);
       l.lanes.push_back(static_cast<std::uint8_t>(last - k));
-      append(surfels, box, radii.surfels, f.component.data(), component, l.surfel);
-      append(particles, box, radii.particles, s.particles.component.data(), component, l.particle);
+      surfels.append(box, radii.surfels, l.surfel);
+      particles.append(box, radii.particles, l.particle);
       l.firstSurfel.push_back(l.surfel.size());
       l.firstParticle.push_back(l.particle.size());
       k = last;

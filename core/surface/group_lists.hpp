@@ -21,7 +21,7 @@ struct GroupLists {
   std::size_t groups() const { return lanes.size(); }
 };
 
-struct ListRadii { double surfels, particles; };  // m, with their margins
+struct ListRadii { double surfels, particles; };  // m, with their margins; 0: no lists of these
 
 /// Groups of the owned rows with free[row] != 0. Needs bins of the surfels and of the particles, ghosts included.
 void listGroups(const Surface& surface, const std::vector<std::uint8_t>& free, const Bins& surfelBins, const Bins& particleBins, const ListRadii& radii, GroupLists& lists);

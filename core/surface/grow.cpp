@@ -1,6 +1,7 @@
 #include "core/surface/grow.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/math/hash_random.hpp"
@@ -34,11 +35,16 @@ constexpr double leastOver = 0.25;       // and of what follows the particles: o
 bool keepsDetail(const Surfels& f, std::size_t i) { return f.detail[i] > 0.5f && (!f.liquid.active || f.liquid[i] < 0.5f); }
 
 /// Surfels around one particle.
-void seedAround(const World& w, const SurfaceTools& t, std::size_t i, SeedDirections& seeds, std::vector<SurfelRow>& rows) {
+void seedAround(const World& w, FieldProbe& probe, std::size_t i, SeedDirections& seeds, std::vector<SurfelRow>& rows) {
+  std::array<Vec3d, FieldProbe::most> u;
+  std::array<std::optional<SurfacePoint>, FieldProbe::most> at;
   seeds.turn(w.surface.particles.id[i]);
-  for (int k = 0; k < seeds.count(); k++) {
-    SurfacePoint at;
-    if (seedOnSurface(w, t, i, seeds[k], at)) rows.push_back(seedSurfel(w, i, k, at));
+  for (int first = 0; first < seeds.count(); first += static_cast<int>(u.size())) {
+    const auto n = std::min(u.size(), static_cast<std::size_t>(seeds.count() - first));
+    for (std::size_t k = 0; k < n; k++) u[k] = seeds[first + static_cast<int>(k)];
+    seedsOnSurface(w, probe, i, u.data(), n, at.data());
+    for (std::size_t k = 0; k < n; k++)
+      if (at[k]) rows.push_back(seedSurfel(w, i, first + static_cast<int>(k), *at[k]));
   }
 }
 
@@ -46,8 +52,9 @@ void seedAround(const World& w, const SurfaceTools& t, std::size_t i, SeedDirect
 void seedAll(const World& w, const SurfaceTools& t, const std::function<bool(std::size_t)>& bare, std::vector<SurfelRow>& rows) {
   const SurfaceParticles& p = w.surface.particles;
   SeedDirections seeds(w);
+  FieldProbe probe(w, t);
   for (std::size_t i = 0; i < p.owned; i++)
-    if (bare(i) && p.component[i] != noComponent && p.colour[i] < innerColour) seedAround(w, t, i, seeds, rows);
+    if (bare(i) && p.component[i] != noComponent && p.colour[i] < innerColour) seedAround(w, probe, i, seeds, rows);
 }
 
 /// The sphere of the small drop that particle i gives its name to; the others of it are in reach.
@@ -98,21 +105,24 @@ void growSurfels(World& w, SurfaceHalos halos, SurfaceTools& t, const std::funct
 void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t rounds) {
   readyParticles(w, halos, t);
   listRaised(w, t.relax.raised);
-  resample(w, halos, t, rounds, [&](std::size_t i, SurfacePoint& p, bool border) {
-    const Surfels& f = w.surface.surfels;
+  FieldProbe probe(w, t);
+  resample(w, halos, t, rounds, [&](const Surfels& f, std::size_t i, SurfacePoint& p, bool border) {
     if (!border && keepsDetail(f, i)) {  // wherever the mesh's surface goes on, but not over a crack
-      const FieldHere c = colourAt(w, t, f.component[i], p.position);
+      FieldHere c;
+      probe.around({p.position, p.position}, f.component[i]);
+      probe.at(&p.position, 1, &c);
       return c.value > leastOverDetail * c.level;
     }
-    SurfacePoint at;
+    std::optional<SurfacePoint> at;
     const auto onto = [&](const Vec3d& x) {
-      return ontoIsoSurface(w, t, f.component[i], x, 0.6 * f.radius[i] + 0.1 * w.scene.spacing, at) && dot(at.normal, p.normal) >= 0.3;
+      ontoIsoSurface(w, probe, f.component[i], &x, 1, 0.6 * f.radius[i] + 0.1 * w.scene.spacing, &at);
+      return at && dot(at->normal, p.normal) >= 0.3;
     };
     if (!onto(p.position)) {  // what volume keeping holds off the level is as far off it beside itself; half solid surfels are where they were carried
       const double raised = f.liquid.active && f.liquid[i] > 0.9f ? raisedOf(t.relax.raised, f.component[i]) : 0;
       if (raised == 0 || !onto(p.position - raised * p.normal)) return false;
     }
-    p.normal = normalized(p.normal + at.normal);
+    p.normal = normalized(p.normal + at->normal);
     return true;
   });
 }
@@ -142,15 +152,14 @@ void renewSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
   SmallDrops small(s);
   std::vector<std::uint8_t> dead(f.owned, 0);
   std::int64_t gone = 0;
+  std::vector<std::uint8_t> asked(f.owned, 0);
   for (std::size_t i = 0; i < f.owned; i++) {
-    if (small(f.component[i])) {
-      dead[i] = 1;  // comes anew
-      continue;
-    }
-    if (keepsDetail(f, i)) continue;
-    const FieldHere c = colourAt(w, t, f.component[i], f.position[i]);
-    if (std::abs(c.value - c.level) > offSurface || c.value < leastOver * c.level) dead[i] = 2, gone++;
+    if (small(f.component[i])) dead[i] = 1;  // comes anew
+    else asked[i] = !keepsDetail(f, i);
   }
+  forFieldAtSurfels(w, t, asked, [&](std::size_t i, const FieldHere& c) {
+    if (std::abs(c.value - c.level) > offSurface || c.value < leastOver * c.level) dead[i] = 2, gone++;
+  });
   halos.all.sum({&gone, 1});
   if (gone > 0) openAround(s, halos.surfels, t, dead);
   std::vector<SurfelRow> rows;

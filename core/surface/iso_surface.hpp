@@ -1,18 +1,19 @@
 // The surface of the particles' colour field, away from surfels.
 #pragma once
+#include <optional>
+
+#include "core/surface/field_probe.hpp"
 #include "core/surface/local_surface.hpp"
-#include "core/world.hpp"
 
 namespace thaw {
 
-struct SurfaceTools;
+/// Newton's step from a place with this field onto the surface, or to `raised` (m) off it: the way out of the body there, and how far along it
+/// (m, at most `longest` to either side). None where there is no surface to be seen.
+struct IsoStep { Vec3d outward{}; double out = 0; };
+std::optional<IsoStep> isoStep(const FieldHere& field, double particleSupport, double raised, double longest);
 
-/// The colour field of one component at a place (the sum of readyParticles, 1 deep inside), and what it is on the surface (LevelTable).
-struct FieldHere { double value = 0, level = 0.5, tight = 1; Vec3d gradient{}; };  ///< 1, 1, 1: share of Newton's step, 1/m
-FieldHere colourAt(const World& world, const SurfaceTools& tools, std::uint64_t component, const Vec3d& x);
-
-/// The point of a component's surface that is reached from x along the gradient, and the normal there. False where there is none within
-/// `most` (m). Both need readyParticles.
-bool ontoIsoSurface(const World& world, const SurfaceTools& tools, std::uint64_t component, const Vec3d& x, double most, SurfacePoint& found);
+/// The points of a component's surface that are reached from n <= FieldProbe::most places along the gradient, and the normals there; none where there is
+/// none within `farthest` (m) of the place. Changes what the probe looks at.
+void ontoIsoSurface(const World& world, FieldProbe& probe, std::uint64_t component, const Vec3d* from, std::size_t n, double farthest, std::optional<SurfacePoint>* found);
 
 }  // namespace thaw

@@ -1,6 +1,7 @@
 #include "core/surface/leap.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "core/surface/iso_surface.hpp"
@@ -16,27 +17,38 @@ constexpr double nearEnough = 0.3;
 /// Of half a spacing of the particles each: so far around its cell the grid leaves room (prepareSurface).
 constexpr int legs = 5;
 
-/// One leg of Newton's way from where the surfel was sorted. True where it has ended: on the surface, or where there is none to be found.
-bool leapLeg(const World& w, const SurfaceTools& t, Surfels& f, std::size_t i, double raised) {
-  const double room = 0.5 * w.scene.spacing, enough = nearEnough * w.surface.spacing;
-  const Vec3d start = f.position[i];
-  Vec3d x = start;
-  for (int k = 0; k < 6; k++) {
-    const FieldHere c = colourAt(w, t, f.component[i], x);
-    const double slope = length(c.gradient);
-    if (!(slope * w.surface.particleSupport > 0.05 * c.level && c.value > 0)) return true;
-    const Vec3d outward = c.gradient * (-1 / slope);
-    if (dot(outward, f.normal[i]) < 0) return true;
-    const double step = std::clamp(c.tight * ((c.level - c.value) / slope - raised), -room, room);
-    x -= outward * step;
-    const double gone = length(x - start);
-    if (gone > room) x = start + (x - start) * (room / gone);
-    f.position[i] = outOfWalls(w, x, outward);
-    f.normal[i] = outward;
-    if (std::abs(step) <= enough) return true;
-    if (gone > room) return false;
+/// One leg of Newton's way for the surfels of a group, from where they were sorted: they have `room` (m). Those for which it has ended, on the surface or where there is
+/// none to be found, wait no more.
+void leapLeg(World& w, FieldProbe& probe, const std::uint32_t* rows, std::size_t n, double raised, double room) {
+  Surfels& f = w.surface.surfels;
+  const double enough = nearEnough * w.surface.spacing;
+  std::array<std::uint32_t, FieldProbe::most> row;
+  std::array<Vec3d, FieldProbe::most> start, x;
+  std::array<FieldHere, FieldProbe::most> field;
+  for (std::size_t k = 0; k < n; k++) row[k] = rows[k], start[k] = x[k] = f.position[rows[k]];
+  for (int round = 0; round < 6 && n > 0; round++) {
+    probe.at(x.data(), n, field.data());
+    std::size_t left = 0;
+    for (std::size_t k = 0; k < n; k++) {
+      const std::uint32_t i = row[k];
+      const std::optional<IsoStep> step = isoStep(field[k], w.surface.particleSupport, raised, room);
+      f.moving[i] = 1;
+      if (!step || dot(step->outward, f.normal[i]) < 0) continue;
+      Vec3d to = x[k] + step->outward * step->out;
+      const double gone = length(to - start[k]);
+      if (gone > room) to = start[k] + (to - start[k]) * (room / gone);
+      f.position[i] = outOfWalls(w, to, step->outward);
+      f.normal[i] = step->outward;
+      if (std::abs(step->out) <= enough) continue;
+      if (gone > room) {
+        f.moving[i] = heldAtMargin;
+        continue;
+      }
+      row[left] = i, start[left] = start[k], x[left] = to;
+      left++;
+    }
+    n = left;
   }
-  return true;
 }
 
 }  // namespace
@@ -44,20 +56,31 @@ bool leapLeg(const World& w, const SurfaceTools& t, Surfels& f, std::size_t i, d
 void leapOntoSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
+  RelaxTools& r = t.relax;
+  const double room = 0.5 * w.scene.spacing;
   f.resize(f.owned, 0);
+  FieldProbe probe(w, t);
   double going = 1;
   for (int leg = 0; leg < legs && going > 0; leg++) {
     placeRows(s.grid, halos.surfels, f, s.surfelCells, t.sort);
-    going = 0;
+    r.free.assign(f.owned, 0);
     for (std::size_t i = 0; i < f.owned; i++) {
       if (f.moving[i] != heldAtMargin) continue;
       f.pace[i] = 0;
-      if (f.ceiling[i] < std::numeric_limits<float>::infinity() || leapLeg(w, t, f, i, raisedOf(t.relax.raised, f.component[i]))) f.moving[i] = 1;
-      else going = 1;
+      r.free[i] = f.ceiling[i] == std::numeric_limits<float>::infinity();
+    }
+    listGroups(s, r.free, r.particleBins, r.particleBins, {0, s.particleSupport + room}, r.lists);
+    going = 0;
+    for (std::size_t g = 0; g < r.lists.groups(); g++) {
+      const std::uint32_t* rows = &r.lists.self[8 * g];
+      const std::size_t lanes = r.lists.lanes[g];
+      probe.among(r.lists.particle.data() + r.lists.firstParticle[g], r.lists.firstParticle[g + 1] - r.lists.firstParticle[g]);
+      leapLeg(w, probe, rows, lanes, raisedOf(r.raised, f.component[rows[0]]), room);
+      for (std::size_t k = 0; k < lanes; k++)
+        if (f.moving[rows[k]] == heldAtMargin) going = 1;
     }
     halos.all.maximum({&going, 1});
   }
-  for (std::size_t i = 0; i < f.owned; i++) f.moving[i] = std::min<std::uint8_t>(f.moving[i], 1);
 }
 
 }  // namespace thaw

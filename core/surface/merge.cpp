@@ -4,6 +4,7 @@
 
 #include "core/surface/drop_surfels.hpp"
 #include "core/surface/gather_words.hpp"
+#include "core/surface/mixed_bins.hpp"
 
 namespace thaw {
 namespace {
@@ -46,47 +47,6 @@ class Joined {
   std::vector<std::uint64_t> label_, into_;
 };
 
-/// For cells: whether all surfels in and around them are of one component, so that nothing there can meet.
-class OneComponent {
- public:
-  OneComponent(const Surfels& f, const CellTable& cells) : cells_(cells) {
-    for (std::size_t c = 0; c < cells.key.size(); c++) {
-      const std::uint64_t* first = f.component.data() + cells.first[c];
-      const auto [least, most] = std::minmax_element(first, first + cells.count[c]);
-      range_.push_back({*least, *most});
-    }
-  }
-  bool around(std::uint64_t key, std::uint64_t least, std::uint64_t most) const {
-    const Vec3i here = cellOfKey(key);
-    for (int z = -1; z <= 1; z++)
-      for (int y = -1; y <= 1; y++)
-        for (int x = -1; x <= 1; x++) {
-          const std::uint64_t k = cellKey({here.x + x, here.y + y, here.z + z});
-          const auto at = std::lower_bound(cells_.key.begin(), cells_.key.end(), k);
-          if (at == cells_.key.end() || *at != k) continue;
-          const Pair& r = range_[static_cast<std::size_t>(at - cells_.key.begin())];
-          least = std::min(least, r.a);
-          most = std::max(most, r.b);
-        }
-    return least == most;
-  }
-
- private:
-  const CellTable& cells_;
-  std::vector<Pair> range_;
-};
-
-/// f(row) for owned rows of a table near which there is another component.
-template<class Rows, class F> void forEachNearOthers(const Rows& rows, const CellTable& cells, const OneComponent& one, F&& f) {
-  for (std::size_t c = 0; c < cells.key.size(); c++) {
-    if (cells.first[c] >= rows.owned) continue;  // ghosts
-    const std::uint64_t* label = rows.component.data() + cells.first[c];
-    const auto [least, most] = std::minmax_element(label, label + cells.count[c]);
-    if (one.around(cells.key[c], *least, *most)) continue;
-    for (std::uint32_t i = cells.first[c]; i < cells.first[c] + cells.count[c]; i++) f(i);
-  }
-}
-
 /// Particles of two liquids that touch are this near, and the middle between them no farther from either surface, in spacings (.35 between two
 /// balls cut from a lattice). What parts is 1.5 times as far apart or more (components.hpp): a pair does not flicker.
 constexpr double touchLength = 1, touchGap = 0.4;
@@ -121,12 +81,14 @@ bool touches(const World& w, const ComponentTools& c, std::uint32_t i, std::uint
   return found;
 }
 
-std::vector<Pair> meetingPairs(const World& w, Reducer& all, const ComponentTools& c, const OneComponent& one, MergeTools& t) {
+/// Needs bins of surfels, and, where there are several parts, of particles.
+std::vector<Pair> meetingPairs(const World& w, Reducer& all, const ComponentTools& c, bool several, MergeTools& t) {
   const Surface& s = w.surface;
   const SurfaceParticles& p = s.particles;
   std::vector<Pair> pairs;
-  if (w.scene.surface.merge != MergeRule::None)
-    forEachNearOthers(p, s.particleCells, one, [&](std::uint32_t i) {
+  if (w.scene.surface.merge != MergeRule::None && several)
+    forMixed(c.particleBins, mixedBins(c.particleBins, p.component.data(), c.surfelBins, s.surfels.component.data(), meetingReach(w)), [&](std::uint32_t i) {
+      if (i >= p.owned) return;
       findSides(s.surfels, c.surfelBins, p.position[i], p.component[i], true, meetingReach(w), t.inside, t.sides);
       for (const SurfaceSide& side : t.sides) {
         if (side.asked < leastAsked || side.distance >= touchLength * w.scene.spacing) continue;
@@ -182,9 +144,9 @@ void mergeComponents(World& w, SurfaceHalos halos, ComponentTools& c, MergeTools
   Surface& s = w.surface;
   Surfels& f = s.surfels;
   SurfaceParticles& p = s.particles;
-  fillBins(f.position.data(), f.size(), s.surfelSupport, c.surfelBins);
-  const OneComponent one(f, s.surfelCells);
-  const std::vector<Pair> pairs = meetingPairs(w, halos.all, c, one, t);
+  const bool several = c.several();
+  if (several) fillBins(f.position.data(), f.size(), s.surfelSupport, c.surfelBins);
+  const std::vector<Pair> pairs = meetingPairs(w, halos.all, c, several, t);
   Joined joined(pairs);
   for (const Pair& m : pairs) {
     const std::uint64_t gone = joined.join(m.a, m.b);
@@ -195,7 +157,12 @@ void mergeComponents(World& w, SurfaceHalos halos, ComponentTools& c, MergeTools
   c.dead.assign(f.owned, 0);
   t.moved.assign(f.position.data(), f.position.data() + f.owned);
   t.open.assign(f.owned, 0);
-  forEachNearOthers(f, s.surfelCells, one, [&](std::uint32_t i) { judgeSurfel(w, i, joined, c, t); });
+  if (several) {
+    const double reach = pairs.empty() ? meetingReach(w) : std::max(meetingReach(w), s.particleSupport);
+    forMixed(c.surfelBins, mixedBins(c.surfelBins, f.component.data(), c.surfelBins, f.component.data(), reach), [&](std::uint32_t i) {
+      if (i < f.owned) judgeSurfel(w, i, joined, c, t);
+    });
+  }
   std::copy(t.moved.begin(), t.moved.end(), f.position.data());
   for (std::size_t i = 0; i < f.owned; i++)
     if (t.open[i] & Disturbed) f.calm[i] = 0;

@@ -82,12 +82,6 @@ void readyParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
     t.relax.particle[4 * j + 3] = volume * p.colour[j];
     t.relax.particleColour[j] = volume * p.smoothColour[j];
   }
-  const Bins& bins = t.relax.particleBins;
-  t.relax.field.resize(bins.row.size());
-  for (std::size_t k = 0; k < bins.row.size(); k++) {
-    const std::uint32_t j = bins.row[k];
-    t.relax.field[k] = {bins.at[k], p.component[j], static_cast<double>(t.relax.particle[4 * j + 3]), static_cast<double>(t.relax.particleColour[j])};
-  }
 }
 
 void sampleFields(World& w, SurfaceHalos halos, SurfaceTools& t) {

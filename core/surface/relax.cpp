@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "core/surface/active_surfels.hpp"
+#include "core/surface/field_probe.hpp"
 #include "core/surface/leap.hpp"
 #include "core/surface/near_sheets.hpp"
 #include "core/surface/place_rows.hpp"
@@ -58,7 +59,9 @@ void search(World& w, SurfaceHalos halos, SurfaceTools& t, bool all, bool first,
   r.core.assign(r.free.begin(), r.free.end());
   if (!first) markActive(s, halos.surfels, r.surfelBins, s.surfelSupport + margin, r.free, r.core);
   listGroups(s, r.free, r.surfelBins, r.particleBins, radii, r.lists);
-  findCeilings(s, r.free, r.surfelBins, gapReach * s.particleSupport, !first);
+  const double gap = gapReach * s.particleSupport;
+  if (first) fillBins(s.grid, s.surfelCells, f.position.data(), gap / 3, r.gapBins);  // all pairs of bins within a gap are looked at
+  findCeilings(s, r.free, first ? r.gapBins : r.surfelBins, gap, !first);
   packCeilings(s, r.lists, r.ceilings);
   r.found.assign(f.position.data(), f.position.data() + f.owned);
   r.place.resize(4 * f.size());
@@ -68,25 +71,19 @@ void search(World& w, SurfaceHalos halos, SurfaceTools& t, bool all, bool first,
   r.times.searches++;
 }
 
-ForceSums sumsOf(const World& w, RelaxTools& r) {
-  const Surface& s = w.surface;
-  ForceSums in;
+ForceSums sumsOf(const World& w, SurfaceTools& t) {
+  RelaxTools& r = t.relax;
+  ForceSums in = particleSumsOf(w, t);
   in.plane = w.scene.surface.smoothing == SmoothingForm::Plane;
   r.overSurfels.resize(r.lists.groups() * 8 * (in.plane ? planeSums : sphereSums));
   r.overParticles.resize(r.lists.groups() * 8 * particleSums);
   in.place = r.place.data();
   in.normal = r.normal.data();
-  in.particle = r.particle.data();
-  in.particleColour = r.particleColour.data();
   in.self = r.lists.self.data();
   in.firstSurfel = r.lists.firstSurfel.data();
   in.firstParticle = r.lists.firstParticle.data();
   in.surfel = r.lists.surfel.data();
   in.particleRow = r.lists.particle.data();
-  const double h = s.particleSupport / s.grid.support;
-  in.perParticleSupport2 = static_cast<float>(1 / (h * h));
-  const double narrow = nearSupport * w.scene.spacing / s.grid.support;
-  in.perNearSupport2 = static_cast<float>(1 / (narrow * narrow));
   in.support = static_cast<float>(w.scene.surface.support);
   in.repelRange = 1.5f;
   in.sameSide = 0.70710678f;
@@ -159,7 +156,7 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
       search(w, halos, t, all, false, margin, lap);
       nextSearch = done.iterations + 2 + done.iterations / 2;
     }
-    ForceSums in = sumsOf(w, r);
+    ForceSums in = sumsOf(w, t);
     const int channels = in.plane ? planeSums : sphereSums;
     listStirredGroups(r.lists, f, r.groups);
     in.groups = r.groups.data();

@@ -5,7 +5,7 @@
 
 #include "core/particles/column.hpp"
 #include "core/surface/bins.hpp"
-#include "core/surface/force_sums.hpp"
+#include "core/surface/surface_kernels.hpp"
 #include "core/surface/gap_ceilings.hpp"
 #include "core/surface/group_lists.hpp"
 #include "core/surface/level_table.hpp"
@@ -18,21 +18,14 @@ struct RaisedComponent { std::uint64_t component; double by; };
 /// Processor time spent (s), for benchmarks; no result depends on them.
 struct RelaxTimes { double ready = 0, place = 0, search = 0, surfelSums = 0, particleSums = 0, finish = 0, exchange = 0; std::int64_t surfels = 0, searches = 0; };
 
-/// A particle of the colour field, in the order of the bins.
-struct FieldPoint {
-  Vec3d at;                 ///< m
-  std::uint64_t component;
-  double volume, smooth;    ///< V c_j and V a_j over the lattice's sum of weights (level_table.hpp)
-};
-
 struct RelaxTools {
   bool particlesReady = false;  ///< readyParticles was called for the particles as they are; on all ranks or none
   LevelTable level;
-  const ForceKernels* kernels = forceKernels();
+  const SurfaceKernels* kernels = surfaceKernels();
   std::vector<RaisedComponent> raised;  ///< ascending by component
-  Bins surfelBins, particleBins;
-  std::vector<FieldPoint> field;      ///< beside particleBins.row, of readyParticles
+  Bins surfelBins, particleBins, gapBins;
   GroupLists lists;
+  AlignedVector<double> carried;      ///< carryRecord of each particle
   GapCeilings ceilings;
   AlignedVector<float> place, normal, particle, particleColour, overSurfels, overParticles;
   std::vector<std::uint8_t> free, core;  ///< of owned surfels: listed; and with a surfel that moves in reach

@@ -19,22 +19,28 @@ struct Born {
 };
 
 /// Ids of this rank that a new surfel has, other than that surfel itself, in any order. Goes through the new ones in pieces.
-std::vector<std::uint64_t> takenIds(const Surfels& s, std::size_t first, Reducer& all) {
+std::vector<std::uint64_t> takenIds(const Surfels& s, std::size_t first, Reducer& all, const Surfels* others) {
   constexpr std::size_t piece = std::size_t{1} << 16;
   const std::vector<std::uint64_t> mine(s.id.data() + first, s.id.data() + s.owned);
   const WordNumbers numbers = numberWords(all, mine.size());
   std::vector<std::uint64_t> taken;
   std::vector<Born> born;
+  std::vector<std::uint8_t> seen(piece);
   for (std::size_t from = 0; from < numbers.total; from += piece) {
     const std::vector<std::uint64_t> ids = gatherPiece(all, mine, numbers, from, std::min(numbers.total, from + piece));
     born.clear();
     for (std::size_t k = 0; k < ids.size(); k++) born.push_back({ids[k], from + k});
     std::sort(born.begin(), born.end());
+    std::fill(seen.begin(), seen.end(), 0);
+    for (const Born& b : born) seen[b.id % seen.size()] = 1;
     const auto among = [&](std::uint64_t id, std::size_t own) {
+      if (!seen[id % seen.size()]) return false;  // of nearly all
       auto at = std::lower_bound(born.begin(), born.end(), Born{id, 0});
       if (at != born.end() && at->id == id && at->number == own) ++at;
       return at != born.end() && at->id == id;
     };
+    for (std::size_t i = 0; others && i < others->owned; i++)
+      if (among(others->id[i], ~std::size_t{0})) taken.push_back(others->id[i]);
     for (std::size_t i = 0; i < s.owned; i++)
       if (among(s.id[i], i < first ? ~std::size_t{0} : numbers.before + i - first)) taken.push_back(s.id[i]);
   }
@@ -43,10 +49,10 @@ std::vector<std::uint64_t> takenIds(const Surfels& s, std::size_t first, Reducer
 
 }  // namespace
 
-std::int64_t renameTwins(Surfels& s, std::size_t first, std::uint64_t seed, Reducer& all) {
+std::int64_t renameTwins(Surfels& s, std::size_t first, std::uint64_t seed, Reducer& all, const Surfels* others) {
   std::int64_t renamed = 0;
   for (;;) {
-    std::vector<std::uint64_t> taken = gatherWords(all, takenIds(s, first, all));  // hardly ever any
+    std::vector<std::uint64_t> taken = gatherWords(all, takenIds(s, first, all, others));  // hardly ever any
     if (taken.empty()) return renamed;
     std::sort(taken.begin(), taken.end());
     std::int64_t count[1] = {0};

@@ -9,6 +9,7 @@
 #include "core/surface/births.hpp"
 #include "core/surface/empty_place.hpp"
 #include "core/surface/grow.hpp"
+#include "core/surface/open_region.hpp"
 #include "core/surface/place_rows.hpp"
 #include "core/surface/sample_mesh.hpp"
 #include "core/surface/small_drops.hpp"
@@ -23,7 +24,7 @@ constexpr double border = 3.6;  // rad: 206 degrees
 /// Surfels::calm within a call of one that is on a rim, until its surroundings change.
 constexpr float refused = -1;
 struct Round {
-  Surfels& s;
+  Surfels* table;
   const RowLists& lists;
   double reach;  ///< m, of the lists
   std::uint64_t seed, salt;
@@ -33,7 +34,19 @@ struct Round {
   std::vector<std::uint32_t> going{};
   std::vector<std::uint8_t> open{};                       ///< of all rows: it is looked at in this round
 
+  void lookAtOpen() {
+    open.resize(table->size());
+    for (std::size_t i = 0; i < table->size(); i++) open[i] = !(table->calm[i] > 0);
+  }
+  /// How many that are, on all ranks. Collective.
+  std::int64_t openRows(Reducer& all) const {
+    std::int64_t n[1] = {std::count(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(table->owned), 1)};
+    all.sum(n);
+    return n[0];
+  }
+
   void drawOrder() {
+    Surfels& s = *table;
     birthOrder.resize(s.size());
     deathOrder.resize(s.size());
     for (std::size_t i = 0; i < s.size(); i++) {
@@ -45,6 +58,7 @@ struct Round {
 
   /// Wishes of the surfels looked at. One that has a place where nothing may be born is left alone until its surroundings change.
   void makeWishes() {
+    Surfels& s = *table;
     drawOrder();
     closest.resize(s.owned);
     Patch patch;
@@ -70,7 +84,7 @@ struct Round {
       if (!place) continue;
       const bool beyond = widestGap(patch, *place, 2 * s.radius[i]) > border;
       s.calm[i] = 0;  // a rim stays under observation: the body may go on there
-      if ((mayBe ? !mayBe(i, *place, beyond) : beyond) || taken(i, *place)) {
+      if ((mayBe ? !mayBe(s, i, *place, beyond) : beyond) || taken(i, *place)) {
         s.calm[i] = refused;
         continue;
       }
@@ -82,6 +96,7 @@ struct Round {
 
   /// Is a surfel of its side so near that one of the two would have to die?
   bool taken(std::size_t i, const SurfacePoint& p) const {
+    const Surfels& s = *table;
     const double least = crowdedAtMany * s.radius[i];
     for (std::uint64_t k = lists.first[i]; k < lists.end[i]; k++) {
       const std::uint32_t j = lists.row[k];
@@ -92,11 +107,13 @@ struct Round {
   }
 
   bool before(const std::vector<std::uint64_t>& order, std::size_t i, std::size_t j) const {
+    const Surfels& s = *table;
     return order[i] != order[j] ? order[i] > order[j] : s.id[i] > s.id[j];
   }
 
   /// Of births that would stand in each other's way, only the first happens.
   bool givesBirth(std::size_t i) const {
+    const Surfels& s = *table;
     if (!(s.wish[i] & Birth)) return false;
     const Vec3d here = s.position[i] + s.offer[i];
     for (std::uint64_t k = lists.first[i]; k < lists.end[i]; k++) {
@@ -111,6 +128,7 @@ struct Round {
 
   /// A champion stays, and those too close to it die.
   bool dies(std::size_t i) const {
+    const Surfels& s = *table;
     if (!(s.wish[i] & Crowded)) return false;
     for (std::uint64_t k = lists.first[i]; k < lists.end[i]; k++) {
       const std::uint32_t j = lists.row[k];
@@ -122,6 +140,7 @@ struct Round {
   }
 
   std::vector<SurfelRow> births(const std::vector<std::uint32_t>& parents) const {
+    const Surfels& s = *table;
     std::vector<SurfelRow> born;
     Patch patch;
     for (const std::uint32_t i : parents) {
@@ -153,8 +172,7 @@ void relaxRadii(Surface& surface) {
 }
 
 /// Those of small drops, which are spheres (renewSurfels), are in order.
-void calmSmallDrops(Surface& surface) {
-  Surfels& s = surface.surfels;
+void calmSmallDrops(const Surface& surface, Surfels& s) {
   SmallDrops small(surface);
   for (std::size_t i = 0; i < s.owned; i++)
     if (small(s.component[i])) s.calm[i] = calmFor;
@@ -164,6 +182,19 @@ std::int64_t countOpen(const Surfels& s, Reducer& all) {
   std::int64_t open[1] = {std::count_if(s.calm.data(), s.calm.data() + s.owned, [](float calm) { return calm == 0; })};
   all.sum(open);
   return open[0];
+}
+
+/// Later rounds look at a table of what is open and around it where that is less than one in so many.
+constexpr std::int64_t fewOpen = 12;
+
+/// Sorted, with ghosts and bins: what this round looks at.
+void placeOpen(Surface& surface, SurfaceHalos halos, SurfaceTools& t, OpenRegion& region, Round& r) {
+  Surfels& s = *r.table;
+  CellTable& cells = region.taken ? region.cells : surface.surfelCells;
+  placeRows(surface.grid, halos.surfels, s, cells, t.sort);
+  addGhosts(halos.surfels, s, cells, ColumnList{&s.id, &s.position, &s.normal, &s.radius, &s.component, &s.colour, &s.detail, &s.calm, &s.liquid, &s.temperature});
+  fillBins(surface.grid, cells, s.position.data(), r.reach, t.relax.surfelBins);
+  r.lookAtOpen();
 }
 
 }  // namespace
@@ -184,31 +215,36 @@ void disturbAround(Surfels& s, const Bins& bins, const std::vector<std::uint8_t>
 
 Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t rounds, const BirthPlace& mayBe) {
   Surface& surface = w.surface;
-  Surfels& s = surface.surfels;
-  const double reach = std::min({3 * surface.spacing, surface.grid.edge.x, surface.grid.edge.y, surface.grid.edge.z});
+  Surfels& all = surface.surfels;
+  const double edge = std::min({surface.grid.edge.x, surface.grid.edge.y, surface.grid.edge.z}), reach = std::min(3 * surface.spacing, edge);
+  const double regionRadius = std::min(3 * reach, edge);
+  OpenRegion& region = t.openRegion;
   Resampled done;
-  std::int64_t cap = -1;
-  s.resize(s.owned, 0);
+  std::int64_t cap = -1, total = 0;
+  all.resize(all.owned, 0);
   const bool adapt = w.scene.surface.adapt > 0;
   if (!adapt) relaxRadii(surface);
   for (std::int64_t round = 0; round < rounds && !done.finished && !done.capped; round++) {
-    calmSmallDrops(surface);
-    if (!(adapt && round == 0) && countOpen(s, halos.all) == 0) {
+    if (region.taken && !regionHolds(region, halos.all)) returnRegion(surface, region);
+    Surfels* table = region.taken ? &region.surfels : &all;
+    calmSmallDrops(surface, *table);
+    if (!(adapt && round == 0) && countOpen(*table, halos.all) == 0) {
       done.finished = true;
       break;
     }
-    placeRows(surface.grid, halos.surfels, s, surface.surfelCells, t.sort);
-    addGhosts(halos.surfels, s, surface.surfelCells,
-              ColumnList{&s.id, &s.position, &s.normal, &s.radius, &s.component, &s.colour, &s.detail, &s.calm, &s.liquid, &s.temperature});
-    fillBins(surface.grid, surface.surfelCells, s.position.data(), 0.5 * reach, t.relax.surfelBins);
-    Round r{s, t.surfelsOf, reach, w.scene.seed, saltOf(w, done, round), mayBe};
+    Round r{table, t.surfelsOf, reach, w.scene.seed, saltOf(w, done, round), mayBe};
+    placeOpen(surface, halos, t, region, r);
     if (adapt && round == 0) {
-      r.open.assign(s.size(), 1);
-      findRows(t.relax.surfelBins, s.position.data(), s.owned, r.open, reach, t.surfelsOf);
+      r.open.assign(all.size(), 1);
+      findRows(t.relax.surfelBins, all.position.data(), all.owned, r.open, reach, t.surfelsOf);
       adaptDensity(surface, halos.surfels, t.surfelsOf, reach, w.scene.surface.adapt * surface.spacing);
+      r.lookAtOpen();
+    } else if (round > 0 && !region.taken && regionRadius >= 2 * reach && r.openRows(halos.all) * fewOpen < total) {
+      takeRegion(surface, t.relax.surfelBins, r.open, regionRadius, reach, region);
+      r.table = &region.surfels;
+      placeOpen(surface, halos, t, region, r);
     }
-    r.open.resize(s.size());
-    for (std::size_t i = 0; i < s.size(); i++) r.open[i] = !(s.calm[i] > 0);
+    Surfels& s = *r.table;
     if (!(adapt && round == 0)) findRows(t.relax.surfelBins, s.position.data(), s.owned, r.open, reach, t.surfelsOf);
     r.makeWishes();
     refreshGhosts(halos.surfels, s, ColumnList{&s.wish, &s.offer});
@@ -220,7 +256,7 @@ Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t r
     }
     std::array<std::int64_t, 3> count{static_cast<std::int64_t>(s.owned), static_cast<std::int64_t>(parents.size()), static_cast<std::int64_t>(s.owned - stay.size())};
     halos.all.sum(count);
-    if (cap < 0) cap = birthCap(count[0]);
+    if (cap < 0) cap = birthCap(total = count[0]);
     done.finished = count[1] + count[2] == 0;
     for (double share = 1; done.births + count[1] > cap;) {  // a share of them, chosen by hash; less where that is too many by chance
       share *= 0.98 * static_cast<double>(cap - done.births) / static_cast<double>(count[1]);
@@ -240,15 +276,20 @@ Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t r
     done.births += count[1];
     done.deaths += count[2];
     const std::vector<SurfelRow> born = r.births(parents);
+    std::vector<double> depth;
+    for (const std::uint32_t i : parents) depth.push_back(region.taken ? s.depth[i] + length(s.offer[i]) : 0);
     s.resize(s.owned, 0);
     if (stay.size() < s.owned) s.reorder(stay);
-    if (count[1] > 0) addSurfels(s, born, r.seed, halos.all);
+    if (count[1] == 0) continue;
+    addSurfels(s, born, r.seed, halos.all, region.taken ? &all : nullptr);
+    if (region.taken) std::copy(depth.begin(), depth.end(), s.depth.data() + s.owned - depth.size());
   }
-  for (std::size_t i = 0; i < s.owned; i++) s.calm[i] = std::max(0.0f, s.calm[i]);
+  returnRegion(surface, region);
+  for (std::size_t i = 0; i < all.owned; i++) all.calm[i] = std::max(0.0f, all.calm[i]);
   surface.counters.births += done.births;
   surface.counters.deaths += done.deaths;
   surface.counters.capped += done.capped;
-  placeRows(surface.grid, halos.surfels, s, surface.surfelCells, t.sort);
+  placeRows(surface.grid, halos.surfels, all, surface.surfelCells, t.sort);
   return done;
 }
 

@@ -27,9 +27,9 @@ inline constexpr double tooMany = 1.5, tooFew = 0.6;  ///< times the law
 inline constexpr float calmFor = 0.1f;
 inline constexpr double emptyAt = 0.8, emptyAtThin = 0.65, crowdedAt = 0.5, crowdedAtMany = 0.7;  ///< of the radius r_s of the surfel
 
-/// May surfel i (a row) have a birth at this point? border: there are no surfels on its other side, so that it follows from nothing but
+/// May surfel i (a row of a table that is Surface::surfels or a part of it) have a birth at this point? border: there are no surfels on its other side, so that it follows from nothing but
 /// extrapolation. May turn the normal.
-using BirthPlace = std::function<bool(std::size_t i, SurfacePoint& p, bool border)>;
+using BirthPlace = std::function<bool(const Surfels& surfels, std::size_t i, SurfacePoint& p, bool border)>;
 
 /// Up to `rounds` rounds, each of which lets surfels that are far enough apart act at the same time:
 /// - a surfel that has a place on the circle of emptyAt * r_s around it, on the surface between its neighbours, without a surfel of its side

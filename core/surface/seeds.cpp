@@ -30,12 +30,17 @@ void SeedDirections::turn(std::uint64_t id) {
   sine_ = std::sin(angle);
 }
 
-bool seedOnSurface(const World& w, const SurfaceTools& t, std::size_t i, const Vec3d& u, SurfacePoint& at) {
+void seedsOnSurface(const World& w, FieldProbe& probe, std::size_t i, const Vec3d* u, std::size_t n, std::optional<SurfacePoint>* found) {
   const SurfaceParticles& p = w.surface.particles;
   const double dx = w.scene.spacing;
-  if (!ontoIsoSurface(w, t, p.component[i], p.position[i] + u * (0.6 * dx), 1.2 * dx, at)) return false;
-  const Vec3d d = at.position - p.position[i];
-  return dot(d, d) <= 1.44 * dx * dx && dot(d, at.normal) > 0;
+  std::array<Vec3d, FieldProbe::most> from;
+  for (std::size_t k = 0; k < n; k++) from[k] = p.position[i] + u[k] * (0.6 * dx);
+  ontoIsoSurface(w, probe, p.component[i], from.data(), n, 1.2 * dx, found);
+  for (std::size_t k = 0; k < n; k++) {
+    if (!found[k]) continue;
+    const Vec3d d = found[k]->position - p.position[i];
+    if (!(dot(d, d) <= 1.44 * dx * dx && dot(d, found[k]->normal) > 0)) found[k] = {};
+  }
 }
 
 SurfelRow seedSurfel(const World& w, std::size_t i, int k, const SurfacePoint& at) {

@@ -3,12 +3,10 @@
 #include <vector>
 
 #include "core/surface/births.hpp"
-#include "core/surface/local_surface.hpp"
+#include "core/surface/iso_surface.hpp"
 #include "core/world.hpp"
 
 namespace thaw {
-
-struct SurfaceTools;
 
 /// Particles with a colour of at least this are inner ones: none of the surface is near them.
 inline constexpr float innerColour = 0.97f;
@@ -33,9 +31,8 @@ class SeedDirections {
   std::vector<Vec3d> at_;
 };
 
-/// The point of the component's surface that belongs to particle i (row of the copies) in direction u; false where there is none near it.
-/// Needs readyParticles.
-bool seedOnSurface(const World& world, const SurfaceTools& tools, std::size_t i, const Vec3d& u, SurfacePoint& found);
+/// The points of the component's surface that belong to particle i (row of the copies) in n <= FieldProbe::most directions u; none where there is none near it.
+void seedsOnSurface(const World& world, FieldProbe& probe, std::size_t i, const Vec3d* u, std::size_t n, std::optional<SurfacePoint>* found);
 
 /// A new surfel there, of particle i; its id follows from the particle, the step and k. Its colour is the material's: see inheritColours.
 SurfelRow seedSurfel(const World& world, std::size_t i, int k, const SurfacePoint& at);

@@ -74,10 +74,15 @@ class Cell {
   std::size_t n_ = 0;
 };
 
-using Candidate = AreaLists::Candidate;
+struct Candidate {
+  double d2;  // m^2
+  std::uint64_t id;
+  std::uint32_t row;
+  bool operator<(const Candidate& o) const { return d2 != o.d2 ? d2 < o.d2 : id < o.id; }
+};
 
-/// Cuts the cell by neighbours in their order until none farther away can reach it; 4 times the square of how far it extends at the end.
-double cutCell(const Surfels& f, std::size_t i, std::span<const Candidate> near, Cell& cell) {
+/// Cuts the cell by neighbours in their order until none farther away can reach it.
+void cutCell(const Surfels& f, std::size_t i, std::span<const Candidate> near, Cell& cell) {
   const Vec3d n = f.normal[i], e1 = normalized(f.tangent[i] - dot(f.tangent[i], n) * n), e2 = cross(n, e1);
   double reach2 = 4 * cell.farthest2();
   for (const Candidate& c : near) {
@@ -104,44 +109,42 @@ double cutCell(const Surfels& f, std::size_t i, std::span<const Candidate> near,
     }
     if (cell.cut({stretch * flat.x, stretch * flat.y}, 0.5 * stretch * stretch * flat2)) reach2 = 4 * cell.farthest2();
   }
-  return reach2;
 }
 
-}  // namespace
-
-namespace {
-
 constexpr double reach = 2.31;  // of what may cut a hexagon: twice its corners
-constexpr double usual = 1.75;  // most cells end within half of this
+constexpr double usual = 1.8;   // most cells end within half of this
 
-/// Who may cut whose cell, as long as none comes `slack` (m) nearer.
-void listNear(const Surfels& f, double slack, AreaLists& l) {
+/// Who may cut the cells that are usual, as long as none comes `slack` (m) nearer.
+void listNear(const Surface& s, double slack, AreaLists& l) {
+  const Surfels& f = s.surfels;
   double largest = 0;
   for (std::size_t i = 0; i < f.owned; i++) largest = std::max(largest, f.radius[i]);
-  fillBins(f.position.data(), f.size(), usual * largest, l.bins);
+  fillBins(s.grid, s.surfelCells, f.position.data(), 2.5 * s.spacing, l.bins);  // the order is the same on any number of ranks
   l.found.assign(f.position.data(), f.position.data() + f.size());
-  l.first.assign(f.owned, 0);
-  l.end.assign(f.owned, 0);
-  l.near.clear();
+  l.asking.clear();
+  l.first.assign(1, 0);
+  std::size_t n = 0;
   forBlocks(l.bins, l.bins, usual * largest + slack, l.block, [&](std::uint32_t i, const RowBlock& block) {
     if (i >= f.owned) return;
     const double r = usual * f.radius[i] + slack, r2 = r * r;
     const Vec3d x = f.position[i];
-    l.first[i] = l.near.size();
+    const std::uint64_t component = f.component[i];
+    if (l.near.size() < n + block.count) l.near.resize(2 * (n + block.count));
     for (std::size_t k = 0; k < block.count; k++) {
       const Vec3d d = block.at[k] - x;
-      const double d2 = dot(d, d);
       const std::uint32_t j = block.row[k];
-      if (d2 <= r2 && j != i && f.component[j] == f.component[i]) l.near.push_back({d2, f.id[j], j});
+      l.near[n] = j;
+      n += (dot(d, d) <= r2) & (j != i) & (f.component[j] == component);
     }
-    l.end[i] = l.near.size();
-    std::sort(l.near.begin() + static_cast<std::ptrdiff_t>(l.first[i]), l.near.end());
+    l.asking.push_back(i);
+    l.first.push_back(n);
   });
+  l.near.resize(n);
 }
 
 /// Is it the same surface as in the lists, but for moves of less than half the slack?
 bool stillHolds(const Surfels& f, double slack, const AreaLists& l) {
-  if (l.found.size() != f.size() || l.first.size() != f.owned) return false;
+  if (l.found.size() != f.size() || l.asking.size() != f.owned) return false;
   for (std::size_t i = 0; i < f.size(); i++) {
     const Vec3d d = f.position[i] - l.found[i];
     if (!(4 * dot(d, d) < slack * slack)) return false;
@@ -149,38 +152,70 @@ bool stillHolds(const Surfels& f, double slack, const AreaLists& l) {
   return true;
 }
 
+void pack(const Surfels& f, AreaLists& l) {
+  l.place.resize(4 * f.size());
+  l.normal.resize(4 * f.size());
+  for (std::size_t i = 0; i < f.size(); i++) {
+    const Vec3d x = f.position[i], n = f.normal[i];
+    double *place = &l.place[4 * i], *normal = &l.normal[4 * i];
+    place[0] = x.x, place[1] = x.y, place[2] = x.z, place[3] = f.radius[i];
+    normal[0] = n.x, normal[1] = n.y, normal[2] = n.z, normal[3] = 0;
+  }
+}
+
+/// The area of one that has a neighbour over an edge, or lies beside a hole or a rim.
+double cutAlone(const Surfels& f, std::size_t i, double slack, const Bins& bins, std::vector<Candidate>& near) {
+  near.clear();
+  forRowsWithin(bins, f.position[i], reach * f.radius[i] + slack, [&](std::uint32_t j, double) {
+    const Vec3d d = f.position[j] - f.position[i];
+    if (j != i && f.component[j] == f.component[i]) near.push_back({dot(d, d), f.id[j], j});
+  });
+  std::sort(near.begin(), near.end());
+  Cell cell(f.radius[i]);
+  cutCell(f, i, near, cell);
+  return cell.area();
+}
+
 }  // namespace
 
-void findSurfelAreas(Surfels& f, AreaLists& l, bool again) {
-  double slack = 0;
-  for (std::size_t i = 0; i < f.size(); i++) slack = std::max(slack, 0.25 * f.radius[i]);
-  if (!again || !stillHolds(f, slack, l)) listNear(f, slack, l);
+void findSurfelAreas(Surface& s, Reducer& all, AreaLists& l, bool again) {
+  Surfels& f = s.surfels;
+  const double slack = 0.25 * s.spacing;
+  double anew = !again || !stillHolds(f, slack, l);
+  if (again) all.maximum({&anew, 1});  // all or none: lists of other places have another order
+  if (anew > 0) listNear(s, slack, l);
+  pack(f, l);
   std::vector<Candidate> wide;
-  for (std::size_t i = 0; i < f.owned; i++) {
-    const std::span<Candidate> near(l.near.data() + l.first[i], l.end[i] - l.first[i]);
-    if (again) {
-      for (std::size_t k = 0; k < near.size(); k++) {  // almost in order
-        Candidate c = near[k];
-        const Vec3d d = f.position[c.row] - f.position[i];
-        c.d2 = dot(d, d);
-        std::size_t to = k;
-        for (; to > 0 && c < near[to - 1]; to--) near[to] = near[to - 1];
-        near[to] = c;
+  std::array<std::uint32_t, 8> self;
+  std::array<std::uint32_t, 8 * mostAreaNeighbours> near;
+  alignas(32) std::array<double, 8> area, farthest2;
+  AreaCells in{l.place.data(), l.normal.data(), self.data(), near.data(), 0, cosFlat, cosBack};
+  for (std::size_t from = 0; from < l.asking.size(); from += 8) {
+    const std::size_t lanes = std::min<std::size_t>(8, l.asking.size() - from);
+    std::array<bool, 8> many{};
+    in.count = 0;
+    for (std::size_t lane = 0; lane < 8; lane++) {
+      const std::size_t k = from + std::min(lane, lanes - 1);
+      const std::uint32_t i = self[lane] = l.asking[k];
+      const double most = usual * f.radius[i], most2 = most * most;
+      std::size_t n = 0;
+      for (std::uint64_t at = l.first[k]; at < l.first[k + 1] && !many[lane]; at++) {
+        const Vec3d d = f.position[l.near[at]] - f.position[i];
+        near[8 * n + lane] = l.near[at];
+        n += dot(d, d) <= most2;
+        many[lane] = n == mostAreaNeighbours;
       }
+      for (std::size_t m = in.count; m < n; m++)
+        for (std::size_t other = 0; other < lane; other++) near[8 * m + other] = self[other];
+      in.count = std::max(in.count, n);
+      for (std::size_t m = n; m < in.count; m++) near[8 * m + lane] = i;
     }
-    Cell cell(f.radius[i]);
-    const double left2 = cutCell(f, i, near, cell), known = usual * f.radius[i];
-    if (left2 > known * known) {  // beside a hole or a rim
-      wide.clear();
-      forRowsWithin(l.bins, f.position[i], reach * f.radius[i] + slack, [&](std::uint32_t j, double) {
-        const Vec3d d = f.position[j] - f.position[i];
-        if (j != i && f.component[j] == f.component[i]) wide.push_back({dot(d, d), f.id[j], j});
-      });
-      std::sort(wide.begin(), wide.end());
-      cell = Cell(f.radius[i]);
-      cutCell(f, i, wide, cell);
+    l.kernels->areas(in, area.data(), farthest2.data());
+    for (std::size_t lane = 0; lane < lanes; lane++) {
+      const std::uint32_t i = self[lane];
+      const double known = usual * f.radius[i];
+      f.area[i] = many[lane] || !(4 * farthest2[lane] <= known * known) ? cutAlone(f, i, slack, l.bins, wide) : area[lane];
     }
-    f.area[i] = cell.area();
   }
 }
 

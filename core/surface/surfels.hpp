@@ -37,6 +37,7 @@ struct Surfels : Table {
   Column<std::uint64_t> part{*this, "part", "1", Keep::Transient, "label of what hangs together; top bit set: no particle does"};
   Column<double> area{*this, "area", "m^2", Keep::Transient, "its own share of the surface, at the end of an update"};
   // of resampling
+  Column<double> depth{*this, "depth", "m", Keep::State, "only in an OpenRegion: at least its distance from what was open when that was taken"};
   Column<double> wanted{*this, "wanted", "m", Keep::Transient, "radius that curvature asks for"};
   Column<std::uint8_t> wish{*this, "wish", "1", Keep::Transient, "bits: 1 a new surfel beside it, 2 one is too close, 4 it comes before all that are, 8 it goes or gives birth"};
   Column<Vec3d> offer{*this, "offer", "m", Keep::Transient, "from it to the place of the new surfel"};

@@ -25,7 +25,7 @@ void placeSurfels(Surface& s, SurfaceHalos halos, SurfaceTools& t) {
 
 /// Areas and components of where surfels are; needs ghosts.
 void measureAll(Surface& s, SurfaceHalos halos, TopologyTools& t, bool again = false) {
-  findSurfelAreas(s.surfels, t.areas, again);
+  findSurfelAreas(s, halos.all, t.areas, again);
   measureComponents(s, halos.all);
 }
 
@@ -55,13 +55,6 @@ void inheritRaised(Surface& s, const std::vector<SurfaceComponent>& before, cons
   }
 }
 
-/// Of all ranks: there is something that may meet.
-bool severalParts(const ComponentTools& c) {
-  for (const ComponentTools::Piece& p : c.pieces)
-    if (p.part != c.pieces.front().part) return true;
-  return false;
-}
-
 }  // namespace
 
 void labelParticles(World& w, SurfaceHalos halos, SurfaceTools& tools) {
@@ -84,9 +77,10 @@ void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   const std::vector<SurfaceComponent> before = s.components;
   labelParticles(w, halos, tools);
   addSurfelGhosts(s, halos);  // splitting dropped them
-  const bool several = severalParts(t.components);
-  if (several) addGhosts(halos.particles, s.particles, s.particleCells, ColumnList{&s.particles.id, &s.particles.position, &s.particles.component});
-  if (several) fillBins(s.particles.position.data(), s.particles.size(), w.scene.surface.linkLength * w.scene.spacing, t.components.particleBins);
+  if (t.components.several()) {
+    addGhosts(halos.particles, s.particles, s.particleCells, ColumnList{&s.particles.id, &s.particles.position, &s.particles.component});
+    fillBins(s.particles.position.data(), s.particles.size(), w.scene.surface.linkLength * w.scene.spacing, t.components.particleBins);
+  }
   mergeComponents(w, halos, t.components, t.merge);
   dropGhosts(s.particles, s.particleCells);
   placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, tools.sort);  // contact has moved some

@@ -3,6 +3,7 @@
 #include "core/geometry/triangle_mesh.hpp"
 #include "core/halo/surface_halos.hpp"
 #include "core/neighbours/sort.hpp"
+#include "core/surface/open_region.hpp"
 #include "core/surface/relax_tools.hpp"
 #include "core/surface/row_lists.hpp"
 #include "core/surface/surface_times.hpp"
@@ -16,6 +17,7 @@ struct SurfaceTools {
   SortBuffers sort;
   MeshLoader load;                  ///< of the bodies' meshes; set before startSurface
   RowLists surfelsOf;               ///< surfels around the owned ones that resampling looks at
+  OpenRegion openRegion;            ///< where its later rounds look
   TopologyTools topology;
   RelaxTools relax;                 ///< of displacement and iterations
   SurfaceTimes times;               ///< of all updates of this process; the start is not in them

@@ -109,9 +109,9 @@ TEST(Relax, SameBitsForEveryInstructionSetAndGrouping) {
   for (SmoothingForm form : {SmoothingForm::Sphere, SmoothingForm::Plane}) {
     std::map<std::uint64_t, Vec3d> first;
     for (const char* isa : {"base", "avx2", "avx512"}) {
-      if (!forceKernels(isa)) continue;
+      if (!surfaceKernels(isa)) continue;
       SettleRig rig(0.5, 12, [&](Scene& s) { s.surface.smoothing = form; });
-      rig.tools.relax.kernels = forceKernels(isa);
+      rig.tools.relax.kernels = surfaceKernels(isa);
       addBall(rig, 5);
       rig.settle(12);
       const auto now = places(rig.w.surface.surfels);

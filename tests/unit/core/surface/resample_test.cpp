@@ -24,7 +24,7 @@ TEST(Resample, FillsABallFromOneCap) {
     if (p.position.z > 0.5) rig.add(p.position, p.normal);
   const std::size_t before = rig.surfels().owned;
   Resampled r;
-  const BirthPlace near = [&](std::size_t, SurfacePoint& p, bool) { return std::abs(length(p.position) - 1) < 0.05; };
+  const BirthPlace near = [&](const Surfels&, std::size_t, SurfacePoint& p, bool) { return std::abs(length(p.position) - 1) < 0.05; };
   for (int k = 0; k < 100 && !r.finished; k++) {
     rig.world.clock.step++;
     r = thaw::resample(rig.world, rig.ranks->halos(), rig.tools, 2, near);
@@ -102,7 +102,7 @@ TEST(Resample, BirthsOfACallAreCappedAndCounted) {  // B18
   for (int y = -3; y <= 3; y++)
     for (int x = -3; x <= 3; x++) rig.add({0.05 * x, 0.05 * y, 0}, {0, 0, 1});
   const auto before = static_cast<std::int64_t>(rig.surfels().owned), cap = birthCap(before);
-  const BirthPlace square = [](std::size_t, SurfacePoint& p, bool) { return std::max(std::abs(p.position.x), std::abs(p.position.y)) < 2; };  // room for 7,400
+  const BirthPlace square = [](const Surfels&, std::size_t, SurfacePoint& p, bool) { return std::max(std::abs(p.position.x), std::abs(p.position.y)) < 2; };  // room for 7,400
   const auto call = [&] {
     rig.world.clock.step++;
     return thaw::resample(rig.world, rig.ranks->halos(), rig.tools, 200, square);

@@ -1,5 +1,5 @@
-// The sums of an iteration over the particles and surfels around eight surfels at a time, one set for each instruction set
-// (forces_isa.cpp); every set gives the same bits. Only plain pointers here: code compiled for one instruction set must not leave copies of
+// What is worked out for eight surfels at a time, one set for each instruction set: the sums of an iteration over the particles and surfels around
+// them (forces_isa.cpp), how particles carry them along (carry_isa.cpp), and their own areas (areas_isa.cpp); every set gives the same bits. Only plain pointers here: code compiled for one instruction set must not leave copies of
 // library functions to the linker.
 #pragma once
 #include <cstddef>
@@ -41,12 +41,39 @@ struct ForceSums {
   float* overSurfels = nullptr;           ///< sphereSums or planeSums channels
 };
 
-struct ForceKernels {
+/// Sums of displaceSurfels: of the weights, then of what CarrySums::values has, times the weight.
+inline constexpr std::size_t carryValues = 14, carrySums = 1 + carryValues;
+struct CarrySums {
+  const double* place = nullptr;          ///< m, of surfels: three a row
+  const double* particle = nullptr;       ///< carryRecord doubles a particle, in the order of the bins: x, y, z (m), one unused, values
+  const std::uint32_t* self = nullptr;    ///< as in ForceSums
+  const std::uint64_t* firstParticle = nullptr;
+  const std::uint32_t* particleRow = nullptr;
+  double perSupport2 = 0;                 ///< 1/m^2, 1 / h_ps^2
+};
+inline constexpr std::size_t carryRecord = 4 + carryValues;
+
+/// Voronoi cells of eight surfels in their tangent planes (findSurfelAreas says among whom). Records are four doubles.
+struct AreaCells {
+  const double* place = nullptr;          ///< of all rows: x, y, z, radius; m
+  const double* normal = nullptr;         ///< normal, one unused
+  const std::uint32_t* self = nullptr;    ///< 8 rows
+  const std::uint32_t* near = nullptr;    ///< 8 rows each of `count` neighbours in an order that is the same on every rank; a lane that has fewer repeats itself
+  std::size_t count = 0;
+  double cosFlat = 0, cosBack = 0;        ///< of the angles of normals between which neighbours are over an edge, and beyond which on another sheet
+};
+/// Most neighbours of AreaCells.
+inline constexpr std::size_t mostAreaNeighbours = 24;
+
+struct SurfaceKernels {
   const char* name;  ///< "avx512", "avx2", "base"
   void (*overParticles)(const ForceSums&);
   void (*overSurfels)(const ForceSums&);
+  void (*carry)(const CarrySums&, std::size_t group, double* sums);  ///< channel c of lane l at 8 c + l
+  /// Areas (m^2), and the squares of the distances (m^2) to the farthest corners: infinite where a neighbour is over an edge.
+  void (*areas)(const AreaCells&, double* area, double* farthest2);
 };
 /// By name, or the best for this processor where the name is empty. Unknown or unsupported names give nullptr.
-const ForceKernels* forceKernels(const char* name = "");
+const SurfaceKernels* surfaceKernels(const char* name = "");
 
 }  // namespace thaw
