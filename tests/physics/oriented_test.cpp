@@ -175,6 +175,52 @@ TEST(Oriented, SurfaceDrawnOverABallGrowsAndKeepsItsBooks) {
   EXPECT_LT(std::abs(l.energyResidual), 0.05 * l.energyScale);
 }
 
+/// Births in a run to `end`, of particles that are off by .2 spacings and radians along each axis and are hardly damped: hotter than Lennard-Jones can hold.
+std::int64_t birthsOfAHotSurface(Scene s, double end) {
+  OrientedBody& b = s.oriented[0];
+  b.jitter = 0.2;
+  b.damping = b.spinDamping = 1;
+  b.density = 20;
+  b.cfl = 0.5;
+  b.growth = OrientedGrowth::Gaps;
+  b.most = 5000;
+  s.end = end;
+  test::Simulation x(s);
+  EXPECT_TRUE(x.run());
+  return x.w.counters.orientedBirths;
+}
+
+// What shakes, or flies apart, is not stretched: any two with room between them once counted as a gap, and each birth made more of them.
+TEST(Oriented, SurfacesThatShakeHaveNoGaps) {
+  EXPECT_LT(birthsOfAHotSurface(patchScene(0), 0.4), 15);  // 132 at the start
+  Scene s = patchScene(0);
+  s.oriented[0].source = OrientedSource::Surface;
+  s.oriented[0].shape.kind = ShapeKind::Sphere;
+  s.oriented[0].shape.radius = 0.3;
+  EXPECT_LT(birthsOfAHotSurface(s, 0.4), 50);  // 500 at the start
+}
+
+TEST(Oriented, AHoleIsFilledAndNothingElse) {
+  Scene s = patchScene(0);
+  OrientedBody& b = s.oriented[0];
+  b.source = OrientedSource::Points;
+  b.growth = OrientedGrowth::Gaps;
+  for (int j = -5; j <= 5; j++)
+    for (int i = -5; i <= 5; i++)
+      if (i != 0 || j != 0) {
+        b.points.push_back({0.05 * (i + 0.5 * (j & 1)), 0.05 * 0.8660254 * j, 0});
+        b.normals.push_back({0, 0, 1});
+      }
+  b.points.push_back({0, 0, 0.15});  // far over the hole: it cannot come back into it
+  b.normals.push_back({0, 0, 1});
+  s.end = 0.02;
+  test::Simulation x(s);
+  ASSERT_TRUE(x.run());
+  const Oriented& o = x.w.oriented.rows;
+  EXPECT_EQ(x.w.counters.orientedBirths, 1);
+  for (std::size_t i = 0; i < o.owned; i++) EXPECT_TRUE(!(o.id[i] >> 63) || length(o.position[i]) < 0.01);
+}
+
 // The step at whose end an anchor lets go was held to its end: its impulse is the anchor's.
 TEST(Oriented, AnchorsThatLetGoUnderLoadKeepTheBooks) {
   Scene s = patchScene(0);
