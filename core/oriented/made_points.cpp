@@ -46,9 +46,9 @@ MadePoints flatPatch(const OrientedBody& b, double spacing) {
   const bool disc = b.source == OrientedSource::Disc;
   Pose pose = poseOf(b.shape.move, b.shape.rotate);
   pose.moved = true;
-  const double width = disc ? 2 * b.radius : b.width, depth = disc ? 2 * b.radius : b.depth;
+  const double scale = b.shape.scale, radius = scale * b.radius, width = disc ? 2 * radius : scale * b.width, depth = disc ? width : scale * b.depth;
   eachOfLattice(width, depth, spacing, [&](double x, double y) {
-    if (!disc || x * x + y * y <= b.radius * b.radius * (1 + 1e-9)) add(m, fromRest(pose, {b.shape.scale * x, b.shape.scale * y, 0}), directionFromRest(pose, {0, 0, 1}));
+    if (!disc || x * x + y * y <= radius * radius * (1 + 1e-9)) add(m, fromRest(pose, {x, y, 0}), directionFromRest(pose, {0, 0, 1}));
   });
   return m;
 }
@@ -131,6 +131,39 @@ void spreadOut(const SignedDistance& shape, double spacing, MadePoints& m) {
   }
 }
 
+constexpr int mostAlong = 1 << 20;  // points of the lattice along an axis: bins of them have 21 bits
+
+Vec3i latticeOf(const Vec3d& size, double fine) {
+  Vec3i count;
+  for (int a = 0; a < 3; a++) {
+    const double points = std::ceil(size[a] / fine) + 3;
+    if (!(points < mostAlong)) throw std::invalid_argument("its spacing is too small for its size: it may be 300000 spacings long at most");
+    count[a] = static_cast<int>(points);
+  }
+  return count;
+}
+
+/// Calls use(i, j, k) for all points of a lattice [low, high) but for those that are certainly not within `fine` of the surface: blocks of points are cut in half
+/// as long as the distance of their middle does not rule them out.
+template<class At, class Use> void eachNearSurface(const SignedDistance& shape, double fine, const Vec3i& low, const Vec3i& high, const At& at, const Use& use) {
+  const Vec3i size{high.x - low.x, high.y - low.y, high.z - low.z};
+  const int longest = std::max({size.x, size.y, size.z});
+  if (longest > 4) {
+    const Vec3d a = at(low.x, low.y, low.z), b = at(high.x - 1, high.y - 1, high.z - 1);
+    const double reach = 0.5 * length(b - a) * (1 + 1e-9) + fine;
+    if (std::abs(shape.distanceWithin(0.5 * (a + b), reach)) >= reach) return;
+    Vec3i middleHigh = high, middleLow = low;
+    const int axis = size.x == longest ? 0 : size.y == longest ? 1 : 2;
+    middleHigh[axis] = middleLow[axis] = low[axis] + longest / 2;
+    eachNearSurface(shape, fine, low, middleHigh, at, use);
+    eachNearSurface(shape, fine, middleLow, high, at, use);
+    return;
+  }
+  for (int k = low.z; k < high.z; k++)
+    for (int j = low.y; j < high.y; j++)
+      for (int i = low.x; i < high.x; i++) use(i, j, k);
+}
+
 }  // namespace
 
 MadePoints coverSurface(const SignedDistance& shape, double spacing, std::uint64_t seed) {
@@ -138,26 +171,22 @@ MadePoints coverSurface(const SignedDistance& shape, double spacing, std::uint64
   const Bounds box = shape.bounds();
   const Vec3d size = box.max - box.min;
   if (!std::isfinite(size.x + size.y + size.z)) throw std::invalid_argument("a surface without end cannot be covered with particles");
-  std::int64_t count[3];
-  for (int a = 0; a < 3; a++) count[a] = static_cast<std::int64_t>(std::ceil(size[a] / fine)) + 3;
-  if (static_cast<double>(count[0]) * static_cast<double>(count[1]) * static_cast<double>(count[2]) > 2e8)
-    throw std::invalid_argument("its surface would take too many particles: make its spacing larger");
+  const Vec3i count = latticeOf(size, fine);
   struct Sample { std::uint64_t rank; Vec3d place, normal; };
   std::vector<Sample> samples;
-  for (std::int64_t k = 0; k < count[2]; k++)
-    for (std::int64_t j = 0; j < count[1]; j++)
-      for (std::int64_t i = 0; i < count[0]; i++) {
-        Vec3d x = box.min + Vec3d{(static_cast<double>(i) - 1) * fine, (static_cast<double>(j) - 1) * fine, (static_cast<double>(k) - 1) * fine}, n;
-        double d = shape.distanceWithin(x, fine, &n);
-        if (std::abs(d) >= fine) continue;
-        for (int pass = 0; pass < 4; pass++) {
-          x -= d * n;
-          d = shape.distanceWithin(x, fine, &n);
-        }
-        if (std::abs(d) > 0.05 * spacing) continue;
-        const std::uint64_t number = static_cast<std::uint64_t>((k * count[1] + j) * count[0] + i);
-        samples.push_back({randomBits(seed, Purpose::OrientedSample, number), x, n});
-      }
+  const auto at = [&](int i, int j, int k) { return box.min + Vec3d{(i - 1) * fine, (j - 1) * fine, (k - 1) * fine}; };
+  eachNearSurface(shape, fine, {0, 0, 0}, count, at, [&](int i, int j, int k) {
+    Vec3d x = at(i, j, k), n;
+    double d = shape.distanceWithin(x, fine, &n);
+    if (std::abs(d) >= fine) return;
+    for (int pass = 0; pass < 4; pass++) {
+      x -= d * n;
+      d = shape.distanceWithin(x, fine, &n);
+    }
+    if (std::abs(d) > 0.05 * spacing) return;
+    const std::uint64_t number = (static_cast<std::uint64_t>(k) * static_cast<std::uint64_t>(count.y) + static_cast<std::uint64_t>(j)) * static_cast<std::uint64_t>(count.x) + static_cast<std::uint64_t>(i);
+    samples.push_back({randomBits(seed, Purpose::OrientedSample, number), x, n});
+  });
   std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.rank < b.rank; });
   MadePoints m;
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> bins;

@@ -40,6 +40,7 @@ int checkAll(const CheckOptions& o) {
   World w;
   StepTools t;
   w.scene = sceneForAll(comm, o.scene, o.overrides);
+  requireRoomForKinds(comm, w.scene, meshLoader());
   prepareWorld(w, t, meshLoader());
   requireMemory(comm, w, meshLoader());
   MpiCellHalo cells(comm, w.grid);
@@ -129,6 +130,10 @@ int checkCommand(const CheckOptions& o) {
     return failed(std::string("error: ") + e.what(), exitInputOutput);
   } catch (const std::runtime_error& e) {
     return failed(o.scene + ": error: " + e.what(), exitUsage);
+  } catch (const std::exception& e) {  // memory, a broken invariant: on this rank alone
+    std::fprintf(stderr, "error: rank %d: %s\n", rank, e.what());
+    MPI_Abort(MPI_COMM_WORLD, 1);
+    return 1;
   }
 }
 

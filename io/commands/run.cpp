@@ -78,6 +78,7 @@ int simulate(Run& r) {
     std::error_code code;
     std::filesystem::remove(r.options.out + "/stop", code);  // of the run before
   });
+  requireRoomForKinds(r.comm, r.world.scene, load);
   prepareWorld(r.world, r.tools, load);
   requireMemory(r.comm, r.world, load);
   renewHalos(r);
