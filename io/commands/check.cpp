@@ -17,6 +17,7 @@
 #include "io/commands/scene_for_all.hpp"
 #include "io/hdf5/io_error.hpp"
 #include "io/scene/read_scene.hpp"
+#include "io/scene/scene_warnings.hpp"
 #include "parallel/bond_halo.hpp"
 #include "parallel/cell_halo.hpp"
 
@@ -72,6 +73,7 @@ int checkAll(const CheckOptions& o) {
   const Scene& s = w.scene;
   std::printf("%s: %s\n", o.scene.c_str(), s.title.c_str());
   std::printf("spacing %g m, support radius %g m, grid %d x %d x %d cells, end %g s, a frame every %g s\n", s.spacing, w.grid.support, w.grid.cells.x, w.grid.cells.y, w.grid.cells.z, s.end, s.output.every);
+  for (const std::string& line : sceneWarnings(s)) std::printf("warning: %s\n", line.c_str());
   std::printf("\nparticles\n");
   for (std::size_t b = 0; b < s.bodies.size(); b++)
     std::printf("  body '%s': %lld of %s\n", s.bodies[b].name.c_str(), static_cast<long long>(sampled.particles[b]), s.materials[static_cast<std::size_t>(s.bodies[b].material)].name.c_str());

@@ -16,6 +16,7 @@
 #include "io/run/signals.hpp"
 #include "io/run/surface_run.hpp"
 #include "io/scene/read_scene.hpp"
+#include "io/scene/scene_warnings.hpp"
 #include "parallel/balance.hpp"
 
 namespace thaw {
@@ -89,6 +90,10 @@ int simulate(Run& r) {
   }
   r.say(fmt::format("{}: {}", r.options.scene, r.world.scene.title));
   for (const std::string& why : r.world.modules.why) r.say("  " + why);
+  for (const std::string& line : sceneWarnings(r.world.scene)) {
+    r.summary.warnings.push_back(line);
+    r.say("warning: " + line);
+  }
   begin(r, load);
   beginRetries(r);
   const Clock& c = r.world.clock;

@@ -303,6 +303,68 @@ TEST(Oriented, CurveFollowsAPointThatIsLifted) {  // as scenes/oriented/curve2d.
   }
 }
 
+std::string problemOf(const Scene& s) {
+  try {
+    test::Simulation x(s);
+  } catch (const std::exception& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Oriented, BodiesAtOnePlaceAndPointsThatAreGivenTwiceAreRefused) {
+  Scene s = patchScene(0);
+  s.oriented.push_back(s.oriented[0]);
+  s.oriented[1].name = "second";
+  EXPECT_NE(problemOf(s).find("oriented body 'second': 132 of its particles are at places of 'patch'"), std::string::npos) << problemOf(s);
+  s.oriented[1].shape.move = {0, 0, 0.03};
+  EXPECT_EQ(problemOf(s), "");
+  s.oriented[0].source = OrientedSource::Points;
+  s.oriented[0].points = {{0, 0, 0}, {0.05, 0, 0}, {0, 0.05, 0}, {0, 0, 0}};
+  EXPECT_NE(problemOf(s).find("2 of its points are at the place of another one"), std::string::npos) << problemOf(s);
+}
+
+TEST(Sheets, WhatIsOutsideAndRegionsWithNothingInThemAreRefused) {
+  Scene s = test::emptyScene(0.05, {-1, -1, -1}, {1, 1, 1});
+  s.sheets.emplace_back().name = "cloth";
+  s.sheets[0].width = s.sheets[0].depth = 0.5;
+  EXPECT_EQ(problemOf(s), "");
+  Shape far = test::boxOf({0.8, 0.8, 0.8}, {0.9, 0.9, 0.9});
+  s.sheets[0].clamp.push_back(far);
+  EXPECT_NE(problemOf(s).find("there is no vertex in this clamp"), std::string::npos) << problemOf(s);
+  s.sheets[0].clamp.clear();
+  s.sheets[0].regions.emplace_back().shape = far;
+  EXPECT_NE(problemOf(s).find("there is no vertex in this region"), std::string::npos) << problemOf(s);
+  s.sheets[0].regions.clear();
+  s.sheets[0].shape.move = {1, 0, 0};
+  EXPECT_NE(problemOf(s).find("66 of its 121 vertices lie outside of the domain"), std::string::npos) << problemOf(s);
+}
+
+// The lattice particle nearest to a control point took its place, half a spacing from the next, and the plate flew apart where it was not relaxed.
+TEST(Oriented, AThinPlateThroughControlPointsHoldsWithoutRelaxation) {
+  Scene s = patchScene(0);
+  OrientedBody& b = s.oriented[0];
+  b.source = OrientedSource::Control;
+  b.points = {{-0.31, -0.3, 0}, {0.33, -0.28, 0.05}, {-0.3, 0.32, 0.06}, {0.29, 0.31, -0.02}, {0.024, 0.013, 0.12}, {0.17, -0.11, 0.07}};
+  b.damping = b.spinDamping = 5;
+  s.end = 0.5;
+  test::Simulation x(s);
+  const Oriented& o = x.w.oriented.rows;
+  const std::size_t before = o.owned;
+  double nearest = 1;
+  for (std::size_t i = 0; i < o.owned; i++)
+    for (std::size_t j = 0; j < i; j++) nearest = std::min(nearest, length(o.position[i] - o.position[j]));
+  EXPECT_GT(nearest, 0.75 * s.spacing);
+  ASSERT_TRUE(x.run());
+  ASSERT_EQ(o.owned, before);
+  for (std::size_t i = 0; i < o.owned; i++) {  // nobody is alone
+    nearest = 1;
+    for (std::size_t j = 0; j < o.owned; j++)
+      if (i != j) nearest = std::min(nearest, length(o.position[i] - o.position[j]));
+    EXPECT_TRUE((o.flags[i] & heldPlace) || nearest < 1.2 * s.spacing) << i;
+  }
+}
+
 TEST(Oriented, RestsOnAnObstacle) {
   Scene s = patchScene(0);
   s.domain.gravity = {0, 0, -9.81};
