@@ -33,9 +33,10 @@ struct HeldBooks {
       const Vec3d force = acting[i] + o.mass[i] * w.scene.domain.gravity, impulse = o.mass[i] * (o.velocity[i] - velocity[i]) - dt * force;
       for (int a = 0; a < 3; a++)
         if (impulse[a] != 0) w.ledger.wallImpulse[a].add(impulse[a]);
-      // these forces act over half of the way before and half of the way after them (trapezoids)
-      const Vec3d way = 0.5 * (o.position[i] - place[i] + w.clock.stepDt * velocity[i]);
-      const double work = 0.5 * o.mass[i] * (dot(o.velocity[i], o.velocity[i]) - dot(velocity[i], velocity[i])) - dot(force, way);
+      // these forces act over half of the way before and half of the way after them (trapezoids); the implicit ones change in proportion to the way of the step
+      const bool implicit = w.scene.oriented.front().integrator == OrientedIntegrator::SemiImplicit;
+      const Vec3d now = o.position[i] - place[i], way = implicit ? now : 0.5 * (now + w.clock.stepDt * velocity[i]), pull = implicit ? force + 0.5 * (o.force[i] - acting[i]) : force;
+      const double work = 0.5 * o.mass[i] * (dot(o.velocity[i], o.velocity[i]) - dot(velocity[i], velocity[i])) - dot(pull, way);
       if (work != 0) w.ledger.wallWork.add(work);
     }
   }
