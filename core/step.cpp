@@ -38,7 +38,7 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   if (w.modules.sleep) settleSleep(w, t, dt);  // solids at rest are held from here on
   StepOutcome here;
   here.finite = finishKick(w, dt, &here.bad);  // v += a dt/2
-  here.badHere = !here.finite;
+  here.badHere = !here.finite || w.oriented.overran;
   if (w.modules.sheet) kickSheets(w, dt);      // v += the push of forces at the new places
   if (w.modules.kinds() && !finiteKinds(w)) here.finite = false;
   t.times.lap(StepPhase::Drift);

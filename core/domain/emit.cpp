@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <cstdio>
 
 #include "core/fluid/cohesion.hpp"
 #include "core/fluid/surface_energy.hpp"
+#include "core/geometry/shape_error.hpp"
 
 namespace thaw {
 namespace {
@@ -113,6 +114,18 @@ std::vector<std::vector<double>> surfaceEnergyOf(const Scene& s, const Emitter& 
   return energy;
 }
 
+std::string text(double value) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.3g", value);
+  return digits;
+}
+
+ShapeError placed(const Emitter& e, const std::string& what) {
+  SceneProblems problem;
+  problem.add(e.where, "emitter '" + e.name + "': " + what);
+  return problem.lines();
+}
+
 }  // namespace
 
 std::vector<EmitterPlan> planEmitters(const Scene& s) {
@@ -123,7 +136,7 @@ std::vector<EmitterPlan> planEmitters(const Scene& s) {
     across(normalized(e.direction), u, v);
     const double dx = s.spacing, across1 = e.disc ? 2 * e.radius : e.width, across2 = e.disc ? across1 : e.depth;
     if (across1 / dx * (across2 / dx) > mostInLayer)
-      throw std::runtime_error("emitter '" + e.name + "': its opening has more than a million particles at this spacing");
+      throw placed(e, "its opening has " + text(across1 / dx * (across2 / dx)) + " places for particles at a spacing of " + text(dx) + " m, at most a million are possible: make it smaller or the spacing larger");
     for (double a : centred(across1, dx))
       for (double b : centred(across2, dx))
         if (!e.disc || a * a + b * b <= e.radius * e.radius) {
@@ -133,8 +146,8 @@ std::vector<EmitterPlan> planEmitters(const Scene& s) {
     plan.particleMass = s.materials[static_cast<std::size_t>(e.material)].density * dx * dx * dx;
     plan.interval = e.rate > 0 ? static_cast<double>(plan.layer.size()) * plan.particleMass / e.rate : dx / e.speed;
     if (plan.interval * e.speed < 0.95 * dx)
-      throw std::runtime_error("emitter '" + e.name + "': a rate of " + std::to_string(e.rate) + " kg/s does not fit through its opening at this speed; at most " +
-                               std::to_string(static_cast<double>(plan.layer.size()) * plan.particleMass * e.speed / dx) + " kg/s do");
+      throw placed(e, "a rate of " + std::to_string(e.rate) + " kg/s does not fit through its opening at this speed; at most " +
+                          std::to_string(static_cast<double>(plan.layer.size()) * plan.particleMass * e.speed / dx) + " kg/s do");
     plan.ahead = nozzleTime(s, e, plan);
     plan.cohesion = s.numerics.tension == TensionForm::SurfaceEnergy ? surfaceEnergyOf(s, e, plan) : cohesionOf(s, e, plan);
     plans.push_back(std::move(plan));

@@ -23,8 +23,9 @@ class SceneProblems {
   }
   /// Throws ShapeError where there are any.
   void raise() const {
-    if (!lines_.empty()) throw ShapeError(lines_);
+    if (!lines_.empty()) throw lines();
   }
+  ShapeError lines() const { return ShapeError(lines_); }
 
  private:
   std::string lines_;

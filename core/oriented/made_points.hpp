@@ -12,14 +12,17 @@ struct MadePoints {
   double reach = 0;                 ///< m, of thinned points: how far one is from any place of the surface at most; 0 for others
 };
 
+inline void addPoint(MadePoints& m, const Vec3d& x, const Vec3d& n, std::uint8_t held = 0) {
+  m.places.push_back(x);
+  m.normals.push_back(n);
+  m.held.push_back(held);
+}
+
 /// Of a body: samples of a shape's surface, a hexagonal patch or disc, points, a thin plate through control points, or a curve.
 /// Throws std::invalid_argument, ShapeError.
 MadePoints makePoints(const OrientedBody& body, double spacing, std::uint64_t seed, const MeshLoader& load);
 
 /// Evenly spread points of a mesh as it is, with its normals: see blueNoise. Throws ShapeError, or what the loader throws.
 MadePoints sampleMesh(const Shape& shape, double spacing, std::uint64_t seed, const MeshLoader& load);
-
-/// Points on the surface of a shape, taken in the order of a hash where there is room, then pushed apart.
-MadePoints coverSurface(const SignedDistance& shape, double spacing, std::uint64_t seed);
 
 }  // namespace thaw

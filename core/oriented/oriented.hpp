@@ -35,6 +35,7 @@ struct Oriented : KindRows {
 /// All of the oriented bodies on one rank.
 struct OrientedBodies {
   Oriented rows;
+  bool overran = false;  ///< one of this rank's went further in the last step than its forces reach: that is no simulation any more
   CellTable cells;
 };
 

@@ -20,6 +20,7 @@ struct OrientedWork {
   OrientedLists lists;
   std::vector<Vec3d> place, move, spinMove;                 // of integrators: by owned row
   std::vector<Quat> turn;
+  std::vector<Vec3d> acting;               // N, by owned row: the mean force over the step as the integrator has taken it, without gravity and damping
   std::vector<Vec3d> velocity, spin, sumForce, sumTorque, sumVelocity, sumSpin;
   std::vector<Vec3d> rest, restSpin, along, alongSpin, image, imageSpin;
   double fastest2 = 0;                     ///< 1/s^2, of this rank's continuum particles at oriented ones

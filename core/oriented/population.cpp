@@ -15,6 +15,14 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr double clearance = 0.86;      // spacings around the place of a birth that must be free: closer, Lennard-Jones would throw it out
+constexpr double widestGap = 2.9;       // spacings: what is further apart has another particle to look at first, or is a border
+constexpr double emptyShare = 0.45;     // of a gap's width: the radius around its middle with nobody in it (Gabriel's test, a little short of the ends)
+constexpr double steepest = 0.7;        // sine of the angle between the gap and the surface at its ends: what hovers over a surface makes no gap with it
+constexpr double column = 2;            // spacings above and below a gap in which nobody stands who could come back into it
+constexpr double ring = 1.5;            // spacings around a birth in which a lattice at rest has six
+constexpr int mostInRing = 6;
+constexpr int leastInRing = 3;          // around an end of a gap: with fewer it is a stray, not the edge of a surface
+constexpr double burst = 0.5;           // kinetic energy of the ends' relative motion, over the depth of Lennard-Jones' well: above, they fly apart
 constexpr double beside = 1.65;         // spacings within which neighbours count for an open border
 constexpr double openAngle = 1.95;      // rad between neighbours from which there is room for one more: 60 degrees in a hexagonal lattice
 constexpr std::uint64_t bornBit = std::uint64_t(1) << 63;
@@ -33,23 +41,53 @@ bool isFree(const Oriented& o, const OrientedLists& l, std::size_t i, const Vec3
 
 bool isNeighbour(const Oriented& o, const PairPotential& p, std::size_t i, std::size_t j) { return sameSurface(o, i, j) && (!p.facing || dot(o.normal[i], o.normal[j]) > 0); }
 
+/// Is the offered place a gap of width `far` between i and j: one where the surface is stretched or torn? A surface at rest, or one that shakes, has none: in
+/// the gap's sphere, or over or under it, there is somebody, or the ring around is full, or a birth would
+/// cost more than the energy of a bond. What flies apart is no surface.
+bool isGap(const Oriented& o, const OrientedLists& l, const PairPotential& p, std::size_t i, std::size_t j, const Offer& at, int leastBeside, bool planar) {
+  const Vec3d r = o.position[j] - o.position[i], apart = o.velocity[j] - o.velocity[i];
+  const double far = length(r), rise = steepest * far;
+  if (!planar && (std::abs(dot(o.normal[i], r)) > rise || std::abs(dot(o.normal[j], r)) > rise || std::abs(dot(at.normal, r)) > rise)) return false;
+  const double holds = p.scale * (p.attract > 0 ? p.attract : std::max({p.plane, p.normal, p.circle}));
+  if (0.25 * o.mass[i] * dot(apart, apart) > burst * holds) return false;
+  const double free = std::max(clearance * p.spacing, emptyShare * far), free2 = free * free, ring2 = ring * ring * p.spacing * p.spacing;
+  const Vec3d back = o.position[i] - at.place;
+  if (dot(back, back) < clearance * clearance * p.spacing * p.spacing) return false;
+  int around = 1, beside = 0;  // of the place, i among them; of i
+  double energy = pairForces(p, back, at.normal, o.normal[i]).energy;
+  for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
+    const std::uint32_t q = l.list[k];
+    if (!sameSurface(o, i, q)) continue;
+    const Vec3d d = o.position[q] - at.place, along = o.position[q] - o.position[i];
+    const double d2 = dot(d, d), height = dot(d, at.normal);
+    if (d2 < free2) return false;
+    if (!isNeighbour(o, p, i, q)) continue;
+    if (q != j && d2 - height * height < free2 && std::abs(height) < column * p.spacing) return false;
+    around += d2 < ring2;
+    beside += dot(along, along) < ring2;
+    energy += pairForces(p, d, at.normal, o.normal[q]).energy;
+  }
+  return beside >= leastBeside && around <= mostInRing && (energy < p.attract * p.scale || p.attract == 0);
+}
+
 /// Half way on the arc to the neighbour across the widest gap between the two: the lower rank of a pair offers.
 Offer offerInGap(const World& w, const StepTools& t, const OrientedBody& body, const PairPotential& p, std::size_t i) {
   const Oriented& o = w.oriented.rows;
   const OrientedLists& l = t.oriented.lists;
   Offer best;
+  // points that are given may stand alone, ends of a line have one beside them
+  const int leastBeside = body.planar || !t.oriented.given[o.body[i]].points.empty() ? 0 : leastInRing;
   double widest = body.gap * p.spacing;
   for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
     const std::uint32_t j = l.list[k];
     const Vec3d r = o.position[j] - o.position[i];
     const double far = length(r);
-    if (!isNeighbour(o, p, i, j) || o.id[i] > o.id[j] || far <= widest || far > 2.9 * p.spacing) continue;
+    if (!isNeighbour(o, p, i, j) || o.id[i] > o.id[j] || far <= widest || far > widestGap * p.spacing) continue;
     const Vec3d n = normalized(o.normal[i] + o.normal[j]);
-    const Vec3d place = o.position[i] + 0.5 * r + (0.125 * dot(o.normal[j] - o.normal[i], r)) * n;  // the arc's middle
-    // in a line a wide gap is one between these two only where nobody stands beside its middle (Gabriel's test): what has left the line has no gaps to fill
-    if (!isFree(o, l, i, place, body.planar ? std::max(clearance * p.spacing, 0.45 * far) : clearance * p.spacing)) continue;
+    const Offer offer{true, o.position[i] + 0.5 * r + (0.125 * dot(o.normal[j] - o.normal[i], r)) * n, n};  // the arc's middle
+    if (!isGap(o, l, p, i, j, offer, leastBeside, body.planar)) continue;
     widest = far;
-    best = {true, place, n};
+    best = offer;
   }
   return best;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "core/geometry/point_tree.hpp"
 #include "core/geometry/sampling.hpp"
 #include "core/geometry/shape_error.hpp"
 #include "core/oriented/held.hpp"
@@ -20,6 +21,30 @@ void keepGiven(const MadePoints& m, GivenPoints& g) {
   g.normals = m.normals;
   readyGiven(g);
   if (m.reach > 0) g.reach = m.reach / g.apart;
+}
+
+constexpr double samePlace = 0.1;  // spacings: nearer, particles of two bodies push each other apart out of nothing, or not at all
+
+/// Bodies that stand in each other, and points that are given twice. All ranks look at all places.
+void refuseSharedPlaces(const Scene& s, const std::vector<std::vector<Vec3d>>& places, SceneProblems& problems) {
+  for (std::size_t b = 0; b < places.size(); b++) {
+    if (places[b].empty()) continue;
+    const OrientedBody& body = s.oriented[b];
+    const PointTree tree(places[b]);
+    if (body.source == OrientedSource::Points) {
+      std::size_t twice = 0;
+      for (const Vec3d& x : places[b]) twice += tree.within(x, 1e-6 * spacingOf(s, body)).size() > 1;
+      if (twice > 0) problems.add(body.where, "oriented body '" + body.name + "': " + std::to_string(twice) + " of its points are at the place of another one; expected each place once");
+    }
+    for (std::size_t other = b + 1; other < places.size(); other++) {
+      const double near = samePlace * std::min(spacingOf(s, body), spacingOf(s, s.oriented[other]));
+      std::size_t count = 0;
+      for (const Vec3d& x : places[other]) count += !tree.within(x, near).empty();
+      if (count > 0)
+        problems.add(s.oriented[other].where, "oriented body '" + s.oriented[other].name + "': " + std::to_string(count) + " of its particles are at places of '" + body.name +
+                                                  "'; move them apart, or set numerics.overlap to \"keep\"");
+    }
+  }
 }
 
 }  // namespace
@@ -63,6 +88,7 @@ void sampleOriented(World& w, Halos halos, const MeshLoader& load) {
   Oriented& o = w.oriented.rows;
   SceneProblems problems;
   const auto ranks = static_cast<std::size_t>(halos.all.size()), rank = static_cast<std::size_t>(halos.all.rank());
+  std::vector<std::vector<Vec3d>> places(w.scene.oriented.size());
   for (std::size_t b = 0; b < w.scene.oriented.size(); b++) {
     const OrientedBody& body = w.scene.oriented[b];
     const double s = spacingOf(w.scene, body);
@@ -73,15 +99,14 @@ void sampleOriented(World& w, Halos halos, const MeshLoader& load) {
       problems.add(body.where, "oriented body '" + body.name + "': " + e.what());
       continue;
     }
+    places[b] = made.places;
     std::vector<std::shared_ptr<const SignedDistance>> regions;
     for (const OrientedAnchor& a : body.anchors) regions.push_back(makeSignedDistance(a.region, load));
     std::vector<std::size_t> holds(body.anchors.size(), 0);
     std::size_t outside = 0;
     for (std::size_t k = 0; k < made.places.size(); k++) {
       const Vec3d x = made.places[k];
-      bool inside = true;
-      for (int a = 0; a < 3; a++) inside = inside && x[a] >= w.scene.domain.min[a] && x[a] < w.scene.domain.max[a];
-      outside += !inside;
+      outside += !w.scene.domain.holds(x);
       std::uint8_t flags = made.held[k];
       std::uint16_t anchor = noAnchor;
       for (std::size_t a = regions.size(); a-- > 0;)  // the first that has it
@@ -113,6 +138,7 @@ void sampleOriented(World& w, Halos halos, const MeshLoader& load) {
       if (holds[a] == 0) problems.add(body.anchors[a].where, "oriented body '" + body.name + "': there is no particle in this anchor");
     if (outside > 0) problems.add(body.where, "oriented body '" + body.name + "': " + std::to_string(outside) + " of its particles lie outside of the domain; enlarge the domain or move the body");
   }
+  if (w.scene.numerics.overlap != OverlapRule::Keep) refuseSharedPlaces(w.scene, places, problems);
   problems.raise();
 }
 

@@ -79,6 +79,8 @@ void stepSemiImplicit(World& w, Halos halos, StepTools& t, double dt) {
   OrientedWork& work = t.oriented;
   const std::size_t n = o.owned;
   const Vec3d g = w.scene.domain.gravity;
+  bookObstacles(w, t, dt);
+  work.acting.assign(n, {});
   for (auto* v : {&work.rest, &work.restSpin, &work.along, &work.alongSpin, &work.image, &work.imageSpin, &work.velocity, &work.spin}) v->assign(n, {});
   const auto free = [&](std::size_t i, std::uint8_t flag) { return (o.flags[i] & flag) == 0; };
   const auto bodyOf = [&](std::size_t i) -> const OrientedBody& { return w.scene.oriented[o.body[i]]; };
@@ -137,11 +139,14 @@ void stepSemiImplicit(World& w, Halos halos, StepTools& t, double dt) {
   multiply(w, halos, t);
   for (std::size_t i = 0; i < n; i++) {
     const OrientedBody& body = bodyOf(i);
+    if (body.planar) work.image[i].y = 0;
+    work.acting[i] = o.force[i] - dt * work.image[i];
     if (free(i, heldPlace)) {
-      const Vec3d v = work.velocity[i], dv = v - o.velocity[i];
-      o.dissipated[i] += o.mass[i] * (body.damping * dt * dot(v, v) + 0.5 * dot(dv, dv)) + 0.5 * dt * dt * dot(v, work.image[i]);
+      // of the solution's forces, which are those of pairs: what the solver has left over would be momentum from nowhere
+      const Vec3d solved = work.velocity[i], v = o.velocity[i] + dt * (work.acting[i] / o.mass[i] + g - body.damping * solved), dv = v - o.velocity[i];
+      o.dissipated[i] += o.mass[i] * (body.damping * dt * dot(v, solved) + 0.5 * dot(dv, dv)) + 0.5 * dt * dt * dot(v, work.image[i]);
       for (int a = 0; a < 3; a++)
-        if (const double lost = -dt * body.damping * o.mass[i] * v[a]; lost != 0) w.ledger.wallImpulse[a].add(lost);
+        if (const double lost = -dt * body.damping * o.mass[i] * solved[a]; lost != 0) w.ledger.wallImpulse[a].add(lost);
       o.velocity[i] = v;
       o.position[i] += dt * v;
     }

@@ -9,6 +9,7 @@
 #include "core/oriented/operations.hpp"
 #include "core/oriented/oriented_forces.hpp"
 #include "core/oriented/population.hpp"
+#include "core/oriented/prepare_oriented.hpp"
 
 namespace thaw {
 namespace {
@@ -25,16 +26,17 @@ struct HeldBooks {
     place.assign(o.position.data(), o.position.data() + o.owned);
     flags.assign(o.flags.data(), o.flags.data() + o.owned);
   }
-  void close() {
+  void close(const std::vector<Vec3d>& acting) {
     const Oriented& o = w.oriented.rows;
     for (std::size_t i = 0; i < o.owned; i++) {
       if (!(flags[i] & heldPlace)) continue;
-      const Vec3d force = o.force[i] + o.mass[i] * w.scene.domain.gravity, impulse = o.mass[i] * (o.velocity[i] - velocity[i]) - dt * force;
+      const Vec3d force = acting[i] + o.mass[i] * w.scene.domain.gravity, impulse = o.mass[i] * (o.velocity[i] - velocity[i]) - dt * force;
       for (int a = 0; a < 3; a++)
         if (impulse[a] != 0) w.ledger.wallImpulse[a].add(impulse[a]);
-      // these forces act over half of the way before and half of the way after them (trapezoids)
-      const Vec3d way = 0.5 * (o.position[i] - place[i] + w.clock.stepDt * velocity[i]);
-      const double work = 0.5 * o.mass[i] * (dot(o.velocity[i], o.velocity[i]) - dot(velocity[i], velocity[i])) - dot(force, way);
+      // these forces act over half of the way before and half of the way after them (trapezoids); the implicit ones change in proportion to the way of the step
+      const bool implicit = w.scene.oriented.front().integrator == OrientedIntegrator::SemiImplicit;
+      const Vec3d now = o.position[i] - place[i], way = implicit ? now : 0.5 * (now + w.clock.stepDt * velocity[i]), pull = implicit ? force + 0.5 * (o.force[i] - acting[i]) : force;
+      const double work = 0.5 * o.mass[i] * (dot(o.velocity[i], o.velocity[i]) - dot(velocity[i], velocity[i])) - dot(pull, way);
       if (work != 0) w.ledger.wallWork.add(work);
     }
   }
@@ -48,18 +50,29 @@ void bookEnergy(World& w, const StepTools& t, double sign, double dt) {
   for (std::size_t i = 0; i < o.owned; i++) w.ledger.phaseJump.add(sign * (o.energy[i] + half * (dot(o.force[i] - fieldOn(w, t, i), o.velocity[i]) + dot(o.torque[i], o.spin[i]))));
 }
 
+/// Has a free row come further from its place of before than what it acts on? Before any of them can leave the domain unseen.
+bool goesTooFar(const World& w, const std::vector<Vec3d>& before) {
+  const Oriented& o = w.oriented.rows;
+  const double reach = orientedReach(w.scene), reach2 = reach * reach;
+  for (std::size_t i = 0; i < o.owned; i++) {
+    const Vec3d way = o.position[i] - before[i];
+    if (!(o.flags[i] & heldPlace) && !(dot(way, way) < reach2)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void stepOriented(World& w, Halos halos, StepTools& t, double dt) {
-  bookObstacles(w, t, dt);
   HeldBooks held(w, dt);
   // one integrator for all bodies: pairs may be of two
   const OrientedIntegrator how = w.scene.oriented.front().integrator;
   if (how == OrientedIntegrator::RungeKutta) stepRungeKutta(w, halos, t, dt);
   else if (how == OrientedIntegrator::SemiImplicit) stepSemiImplicit(w, halos, t, dt);
   else stepSymplectic(w, t, dt);
+  w.oriented.overran = goesTooFar(w, held.place);
   moveHeld(w, w.clock.time + dt, dt);
-  held.close();
+  held.close(t.oriented.acting);
   t.times.lap(StepPhase::Oriented);
 }
 

@@ -5,8 +5,10 @@
 
 namespace thaw {
 
-void stepSymplectic(World& w, const StepTools& t, double dt) {
+void stepSymplectic(World& w, StepTools& t, double dt) {
   Oriented& o = w.oriented.rows;
+  bookObstacles(w, t, dt);
+  t.oriented.acting.assign(o.force.data(), o.force.data() + o.owned);
   const Vec3d g = w.scene.domain.gravity;
   for (std::size_t i = 0; i < o.owned; i++) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];

@@ -4,21 +4,24 @@
 #include <cmath>
 
 #include "core/geometry/point_tree.hpp"
+#include "core/oriented/manifold.hpp"
 
 namespace thaw {
 namespace {
 
+constexpr std::size_t mostSides = 14;         // of a hole that is filled
 constexpr double longest = 2.0, widest = 1.25;  // spacings: edge of a triangle, radius of its sphere
 
-bool alike(const OrientedPoints& p, std::uint32_t i, std::uint32_t j) {
+bool sameSurface(const OrientedPoints& p, std::uint32_t i, std::uint32_t j) {
   constexpr std::uint64_t first = 0x5555555555555555ull;
   if (!p.groups.empty() && p.groups[i] != p.groups[j]) return false;
   if (!p.cutSides.empty()) {
     const std::uint64_t a = p.cutSides[i], b = p.cutSides[j];
     if ((a & first & (b >> 1)) | ((a >> 1) & first & b)) return false;
   }
-  return dot(p.normals[i], p.normals[j]) > 0;
+  return true;
 }
+bool alike(const OrientedPoints& p, std::uint32_t i, std::uint32_t j) { return sameSurface(p, i, j) && dot(p.normals[i], p.normals[j]) > 0; }
 
 }  // namespace
 
@@ -58,7 +61,33 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(const OrientedPoints& p) {
       }
     }
   }
+  // each by itself; where the surface is bent sharply they overlap, or leave a place out
+  triangles = keepManifold(p, std::move(triangles));
+  fillHoles(p, triangles, mostSides, longest);
+  for (auto& t : triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  std::sort(triangles.begin(), triangles.end());
   return triangles;
+}
+
+std::vector<std::array<std::uint32_t, 2>> joinLines(const OrientedPoints& p, std::span<const std::uint8_t> wanted) {
+  std::vector<std::array<std::uint32_t, 2>> lines;
+  const std::vector<Vec3d> places(p.positions.begin(), p.positions.end());
+  if (places.size() < 2) return lines;
+  const PointTree tree(places);
+  for (std::uint32_t i = 0; i < places.size(); i++) {
+    if (!wanted[i]) continue;
+    const std::vector<std::uint32_t> near = tree.within(places[i], longest * p.spacings[i]);
+    for (const std::uint32_t j : near) {
+      if (j <= i || !wanted[j] || !sameSurface(p, i, j)) continue;
+      const Vec3d centre = 0.5 * (places[i] + places[j]), half = 0.5 * (places[j] - places[i]);
+      const bool empty = std::none_of(near.begin(), near.end(), [&](std::uint32_t q) {
+        const Vec3d d = places[q] - centre;
+        return q != i && q != j && sameSurface(p, i, q) && dot(d, d) < dot(half, half) * (1 - 1e-7);
+      });
+      if (empty) lines.push_back({i, j});
+    }
+  }
+  return lines;
 }
 
 std::vector<std::array<std::uint32_t, 2>> edgesOf(std::span<const std::array<std::uint32_t, 3>> triangles) {

@@ -123,6 +123,11 @@ struct Domain {
   std::array<std::array<Side, 2>, 3> side{};  // [axis][0 low, 1 high]
   Vec3d gravity{0, 0, -9.81};            // m/s^2
   double ambient = 293.15;               // K, for convection and radiation
+  bool holds(const Vec3d& x) const {
+    for (int a = 0; a < 3; a++)
+      if (!(x[a] >= min[a] && x[a] < max[a])) return false;
+    return true;
+  }
 };
 
 // ---- numerics -----------------------------------------------------------------------------------------------------------
@@ -225,6 +230,7 @@ struct Camera {
 struct Output {
   double every = 0.04;            // s of simulated time between frames
   std::vector<std::string> fields{"velocity", "temperature", "liquid"};
+  SourcePlace fieldsWhere;        // no line: these are not from the scene
   double checkpoint = 600;        // s of wall-clock time
   bool piecesByRank = false;
   Camera camera;

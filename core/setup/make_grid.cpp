@@ -10,7 +10,13 @@
 
 namespace thaw {
 
-CellGrid makeGrid(const Scene& s, double least) { return makeGrid(s.domain, s.numerics.support * s.spacing, std::max({orientedReach(s), sheetReach(s), least})); }
+CellGrid makeGrid(const Scene& s, double least) {
+  const double reach = std::max({orientedReach(s), sheetReach(s), least});
+  double support = s.numerics.support * s.spacing;
+  // cells of the scene's particles, of which there are none, would each hold thousands of a body that is much finer
+  if (s.bodies.empty() && s.emitters.empty() && reach > 0 && reach < 0.25 * support) support = reach;
+  return makeGrid(s.domain, support, reach);
+}
 
 CellGrid makeGrid(const Domain& d, double support, double least) {
   CellGrid g;

@@ -177,8 +177,10 @@ SheetPlans planSheets(const Scene& s, const MeshLoader& load) {
         const SpringLaw law = lawOf(b, &r);
         checkLaw(b, law);
         const auto shape = makeSignedDistance(r.shape, load);
+        bool has = false;
         for (std::size_t v = 0; v < plan.law.size(); v++)
-          if (shape->inside(plan.mesh.vertices[v])) plan.law[v] = static_cast<std::uint16_t>(all.laws.size());
+          if (shape->inside(plan.mesh.vertices[v])) plan.law[v] = static_cast<std::uint16_t>(all.laws.size()), has = true;
+        if (!has) throw ShapeError("there is no vertex in this region at the start", r.where);
         all.laws.push_back({static_cast<std::uint16_t>(n), law});
       }
       double edges = 0;

@@ -1,5 +1,8 @@
 #include "core/sheet/prepare_sheets.hpp"
 
+#include <algorithm>
+
+#include "core/geometry/shape_error.hpp"
 #include "core/sheet/inner_forces.hpp"
 #include "core/sheet/sheet_contact.hpp"
 
@@ -40,6 +43,7 @@ void activateSheets(World& w) {
 
 void sampleSheets(World& w, Halos halos, const MeshLoader& load) {
   Sheets& s = w.sheets.rows;
+  SceneProblems problems;
   const auto rank = static_cast<std::size_t>(halos.all.rank()), ranks = static_cast<std::size_t>(halos.all.size());
   for (std::size_t n = 0; n < w.sheets.plans.size(); n++) {
     const SheetPlan& plan = w.sheets.plans[n];
@@ -47,6 +51,13 @@ void sampleSheets(World& w, Halos halos, const MeshLoader& load) {
     std::vector<std::shared_ptr<const SignedDistance>> clamps;
     for (const Shape& c : b.clamp) clamps.push_back(makeSignedDistance(c, load));
     const std::size_t all = plan.mesh.vertices.size(), begin = all * rank / ranks, end = all * (rank + 1) / ranks;
+    std::int64_t outside = 0;
+    for (const Vec3d& x : plan.mesh.vertices) outside += !w.scene.domain.holds(x);
+    if (outside > 0)
+      problems.add(b.where, "sheet '" + b.name + "': " + std::to_string(outside) + " of its " + std::to_string(all) + " vertices lie outside of the domain; enlarge the domain or move the sheet");
+    for (std::size_t c = 0; c < clamps.size(); c++)
+      if (std::none_of(plan.mesh.vertices.begin(), plan.mesh.vertices.end(), [&](const Vec3d& x) { return clamps[c]->inside(x); }))
+        problems.add(b.clamp[c].where, "sheet '" + b.name + "': there is no vertex in this clamp at the start");
     std::size_t i = s.owned;
     s.resize(i + end - begin, 0);
     for (std::size_t v = begin; v < end; v++, i++) {
@@ -65,6 +76,7 @@ void sampleSheets(World& w, Halos halos, const MeshLoader& load) {
       if (s.clamped.active && s.clamped[i]) s.velocity[i] = {};
     }
   }
+  problems.raise();
 }
 
 }  // namespace thaw

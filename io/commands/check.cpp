@@ -17,6 +17,7 @@
 #include "io/commands/scene_for_all.hpp"
 #include "io/hdf5/io_error.hpp"
 #include "io/scene/read_scene.hpp"
+#include "io/scene/scene_warnings.hpp"
 #include "parallel/bond_halo.hpp"
 #include "parallel/cell_halo.hpp"
 
@@ -40,6 +41,7 @@ int checkAll(const CheckOptions& o) {
   World w;
   StepTools t;
   w.scene = sceneForAll(comm, o.scene, o.overrides);
+  requireRoomForKinds(comm, w.scene, meshLoader());
   prepareWorld(w, t, meshLoader());
   requireMemory(comm, w, meshLoader());
   MpiCellHalo cells(comm, w.grid);
@@ -71,6 +73,7 @@ int checkAll(const CheckOptions& o) {
   const Scene& s = w.scene;
   std::printf("%s: %s\n", o.scene.c_str(), s.title.c_str());
   std::printf("spacing %g m, support radius %g m, grid %d x %d x %d cells, end %g s, a frame every %g s\n", s.spacing, w.grid.support, w.grid.cells.x, w.grid.cells.y, w.grid.cells.z, s.end, s.output.every);
+  for (const std::string& line : sceneWarnings(s)) std::printf("warning: %s\n", line.c_str());
   std::printf("\nparticles\n");
   for (std::size_t b = 0; b < s.bodies.size(); b++)
     std::printf("  body '%s': %lld of %s\n", s.bodies[b].name.c_str(), static_cast<long long>(sampled.particles[b]), s.materials[static_cast<std::size_t>(s.bodies[b].material)].name.c_str());
@@ -124,6 +127,10 @@ int checkCommand(const CheckOptions& o) {
   } catch (const std::runtime_error& e) {
     if (const auto refusal = refusalOf(e)) return failed(refusal->message, refusal->code);
     return failed(o.scene + ": error: " + e.what(), exitUsage);
+  } catch (const std::exception& e) {  // memory, a broken invariant: on this rank alone
+    std::fprintf(stderr, "error: rank %d: %s\n", rank, e.what());
+    MPI_Abort(MPI_COMM_WORLD, 1);
+    return 1;
   }
 }
 

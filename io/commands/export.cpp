@@ -7,13 +7,15 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
-#include <numeric>
+#include <set>
 #include <stdexcept>
 #include <thread>
 
 #include "io/export/export_surface.hpp"
 #include "io/hdf5/io_error.hpp"
+#include "core/oriented/manifold.hpp"
 #include "io/output/read_oriented_frame.hpp"
+#include "io/output/rows_by_id.hpp"
 #include "io/render/frame_source.hpp"
 #include "io/render/parallel_for.hpp"
 #include "io/render/scene_job.hpp"
@@ -81,25 +83,40 @@ MeshCount writeMesh(const fs::path& out, const SurfaceFrame& frame, const std::v
   return count;
 }
 
-/// Triangles of the smallest-sphere test, one mesh for each surface; vertices that are in none are left out.
-std::vector<ComponentMesh> meshesOf(const OrientedFrame& frame) {
-  std::map<std::uint32_t, ComponentMesh> byGroup;
-  std::map<std::uint32_t, std::uint32_t> vertexOf;
-  for (const auto& t : triangulate(frame.points())) {
-    ComponentMesh& m = byGroup[frame.groups[t[0]]];
-    m.component = frame.groups[t[0]];
-    std::array<std::uint32_t, 3> corners{};
-    for (std::size_t k = 0; k < 3; k++) {
-      const auto [at, fresh] = vertexOf.try_emplace(t[k], static_cast<std::uint32_t>(m.mesh.vertices.size()));
-      corners[k] = at->second;
-      if (!fresh) continue;
-      const Vec3d n = frame.normals[t[k]];
-      m.mesh.vertices.push_back(frame.positions[t[k]]);
-      m.normals.push_back({static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)});
-      m.colours.push_back({200, 200, 200});
-    }
-    m.mesh.triangles.push_back(corners);
+/// Triangles of the smallest-sphere test, one mesh for each surface, and lines of those that have no triangles; vertices that are in neither are left out.
+struct OrientedMesh {
+  std::vector<Corners> triangles;
+  std::vector<std::array<std::uint32_t, 2>> lines;
+  std::vector<std::uint8_t> used;
+  explicit OrientedMesh(const OrientedFrame& frame) : triangles(triangulate(frame.points())), used(frame.positions.size(), 0) {
+    std::set<std::uint32_t> meshed;
+    for (const Corners& t : triangles) meshed.insert(frame.groups[t[0]]);
+    std::vector<std::uint8_t> bare;
+    for (const std::uint32_t group : frame.groups) bare.push_back(!meshed.contains(group));
+    lines = joinLines(frame.points(), bare);
+    for (const Corners& t : triangles)
+      for (const std::uint32_t v : t) used[v] = 1;
+    for (const auto& l : lines)
+      for (const std::uint32_t v : l) used[v] = 1;
   }
+};
+
+std::vector<ComponentMesh> meshesOf(const OrientedFrame& frame, const OrientedMesh& made) {
+  std::map<std::uint32_t, ComponentMesh> byGroup;
+  std::vector<std::uint32_t> vertexOf(frame.positions.size());
+  for (std::uint32_t i = 0; i < frame.positions.size(); i++) {
+    if (!made.used[i]) continue;
+    ComponentMesh& m = byGroup[frame.groups[i]];
+    m.component = frame.groups[i];
+    vertexOf[i] = static_cast<std::uint32_t>(m.mesh.vertices.size());
+    const Vec3d n = frame.normals[i];
+    m.mesh.vertices.push_back(frame.positions[i]);
+    m.normals.push_back({static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)});
+    m.colours.push_back({200, 200, 200});
+    if (!frame.ids.empty()) m.ids.push_back(frame.ids[i]);
+  }
+  for (const Corners& t : made.triangles) byGroup[frame.groups[t[0]]].mesh.triangles.push_back({vertexOf[t[0]], vertexOf[t[1]], vertexOf[t[2]]});
+  for (const auto& l : made.lines) byGroup[frame.groups[l[0]]].lines.push_back({vertexOf[l[0]], vertexOf[l[1]]});
   std::vector<ComponentMesh> meshes;
   for (auto& [group, mesh] : byGroup) meshes.push_back(std::move(mesh));
   return meshes;
@@ -107,47 +124,32 @@ std::vector<ComponentMesh> meshesOf(const OrientedFrame& frame) {
 
 void exportOriented(const fs::path& file, const fs::path& out, const ExportOptions& options) {
   if (options.as != "ply" && options.as != "obj" && options.as != "vtp") throw std::invalid_argument("oriented particles are exported as ply, obj or vtp, not as " + options.as);
-  const OrientedFrame frame = readOrientedFrame(file.string());
+  FrameData all = readFrame(file.string());
+  orderById(all);
+  const OrientedFrame frame = orientedFrameOf(all, file.string());
+  const OrientedMesh made(frame);
   if (out.has_parent_path()) fs::create_directories(out.parent_path());
   if (options.as == "vtp") {
-    FrameData all = readFrame(file.string());
-    all.triangles = triangulate(frame.points());
-    writeTrianglesVtp(out, all);
-    fmt::print("{}: {} particles, {} triangles\n", out.string(), all.positions.size(), all.triangles.size());
-    return;
+    all.triangles = made.triangles;
+    writeTrianglesVtp(out, all, made.lines);
+  } else {
+    (options.as == "ply" ? writeMeshPly : writeMeshObj)(out, meshesOf(frame, made));
   }
-  const std::vector<ComponentMesh> meshes = meshesOf(frame);
-  std::size_t triangles = 0;
-  for (const ComponentMesh& m : meshes) triangles += m.mesh.triangles.size();
-  (options.as == "ply" ? writeMeshPly : writeMeshObj)(out, meshes);
-  fmt::print("{}: {} particles, {} surfaces, {} triangles\n", out.string(), frame.positions.size(), meshes.size(), triangles);
+  const auto alone = static_cast<std::size_t>(std::count(made.used.begin(), made.used.end(), std::uint8_t{0}));
+  fmt::print("{}: {} particles, {} triangles, {} lines (of what has no triangles: curves){}\n", out.string(), frame.positions.size(), made.triangles.size(), made.lines.size(),
+             alone > 0 ? fmt::format("; {} particles are joined to none: further from all others than twice their spacing", alone) : "");
 }
 
 bool isSheetFrame(const FrameInfo& info) {
   return std::any_of(info.fields.begin(), info.fields.end(), [](const FrameInfo::Field& f) { return f.name == "sheet_body"; });
 }
 
-/// Rows in the order of their ids, and triangles in that of theirs: the same order in all frames and on any number of ranks, so that they make an animation.
-void orderById(FrameData& frame, std::vector<std::uint32_t>& rows) {
-  const FrameColumn* id = frame.find("id");
-  rows.resize(frame.positions.size());
-  std::iota(rows.begin(), rows.end(), 0u);
-  if (!id) return;
-  std::sort(rows.begin(), rows.end(), [&](std::uint32_t a, std::uint32_t b) { return id->value(a) < id->value(b); });
-  std::vector<std::uint32_t> rank(rows.size());
-  for (std::uint32_t k = 0; k < rows.size(); k++) rank[rows[k]] = k;
-  for (auto& t : frame.triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end(), [&](auto a, auto b) { return rank[a] < rank[b]; }), t.end());
-  std::sort(frame.triangles.begin(), frame.triangles.end(), [&](const auto& a, const auto& b) {
-    for (int k = 0; k < 3; k++)
-      if (a[k] != b[k]) return rank[a[k]] < rank[b[k]];
-    return false;
-  });
-}
-
 /// The triangles of the frame, one mesh for each sheet, with its colours; normals are the means of the triangles around.
 void exportSheets(const fs::path& file, const fs::path& out, const ExportOptions& options) {
   if (options.as != "ply" && options.as != "obj" && options.as != "vtp") throw std::invalid_argument("sheets are exported as ply, obj or vtp, not as " + options.as);
   FrameData frame = readFrame(file.string());
+  orderById(frame);  // so that frames make an animation
+  const std::vector<std::uint64_t> ids = idsOf(frame);
   if (options.as == "vtp") {
     if (out.has_parent_path()) fs::create_directories(out.parent_path());
     writeTrianglesVtp(out, frame);
@@ -157,13 +159,13 @@ void exportSheets(const fs::path& file, const fs::path& out, const ExportOptions
   const FrameColumn *body = frame.find("sheet_body"), *colour = frame.find("color");
   if (!body || !colour) throw IoError(file.string(), "has no fields 'sheet_body' and 'color'");
   std::map<std::uint32_t, ComponentMesh> byBody;
-  std::vector<std::uint32_t> vertexOf(frame.positions.size()), rows;
-  orderById(frame, rows);
-  for (const std::uint32_t i : rows) {
+  std::vector<std::uint32_t> vertexOf(frame.positions.size());
+  for (std::size_t i = 0; i < frame.positions.size(); i++) {
     ComponentMesh& m = byBody[static_cast<std::uint32_t>(body->value(i))];
     vertexOf[i] = static_cast<std::uint32_t>(m.mesh.vertices.size());
     m.mesh.vertices.push_back(frame.positions[i]);
     m.normals.push_back({});
+    if (!ids.empty()) m.ids.push_back(ids[i]);
     m.colours.push_back({static_cast<float>(colour->value(i, 0)), static_cast<float>(colour->value(i, 1)), static_cast<float>(colour->value(i, 2))});
   }
   for (const auto& t : frame.triangles) {
@@ -210,13 +212,29 @@ fs::path exportFolder(const fs::path& input) {
   return folder / "export";
 }
 
+/// What was asked for, else what the run has.
+std::vector<fs::path> framesToExport(const ExportOptions& options) {
+  if (options.what == "oriented") return findFrames(options.input, FrameKind::Oriented);
+  if (options.what == "sheet") return findFrames(options.input, FrameKind::Sheet);
+  try {
+    return findFrames(options.input, FrameKind::Surface);
+  } catch (const IoError&) {
+    if (!options.what.empty() || !fs::is_directory(options.input)) throw;
+    for (const FrameKind kind : {FrameKind::Oriented, FrameKind::Sheet}) try {
+        return findFrames(options.input, kind);
+      } catch (const IoError&) {  // the message about the surface says it
+      }
+    throw;
+  }
+}
+
 }  // namespace
 
 void addExportOptions(CLI::App& command, ExportOptions& o) {
-  command.add_option("path", o.input, "frame of a surface (NAME_surface_000120.hdf), series index, or folder of a run (all its frames)")->required();
-  command.add_option("--as", o.as, "ply-discs: a polygon for each surfel (Blender); pov: a scene of POV-Ray; vtp: points with all fields, and the triangles of sheets and oriented particles (ParaView); ply, obj: a closed triangle mesh of each component")
+  command.add_option("path", o.input, "frame of a surface, of oriented particles or of sheets (NAME_surface_000120.hdf, NAME_oriented_..., NAME_sheet_...), series index, or folder of a run (all its frames)")->required();
+  command.add_option("--as", o.as, "ply-discs: a polygon for each surfel (Blender); pov: a scene of POV-Ray; vtp: points with all fields, and the triangles of sheets and oriented particles (ParaView); ply, obj: a closed triangle mesh of each component, or the triangles of each sheet or oriented surface, and of a curve its lines")
       ->required()->check(CLI::IsMember(formats));
-  command.add_option("--what", o.what, "of a folder: surface (surfels), oriented (oriented particles) or sheet (sheets), both with their triangles as ply, obj or vtp")->check(CLI::IsMember({"surface", "oriented", "sheet"}))->capture_default_str();
+  command.add_option("--what", o.what, "of a folder: surface (surfels), oriented (oriented particles) or sheet (sheets), both with their triangles as ply, obj or vtp (default: the first of these that the run has)")->check(CLI::IsMember({"surface", "oriented", "sheet"}));
   command.add_option("--out", o.out, "file for one frame, folder for several (default: export/ in the run's folder)");
   command.add_option("--field", o.field, "what colours: surface (its own colours) or a field: temperature, liquid, detail")->capture_default_str();
   command.add_option("--map", o.map, "colour map of a field: ember, sea, grey")->capture_default_str();
@@ -231,7 +249,7 @@ int exportCommand(const ExportOptions& options) {
     if (std::find(formats.begin(), formats.end(), options.as) == formats.end()) throw std::invalid_argument("there is no format '" + options.as + "'");
     if (options.min && options.max && !(*options.max > *options.min)) throw std::invalid_argument("the colours' range is empty: --max has to be above --min");
     colourMapNamed(options.map);
-    const std::vector<fs::path> frames = findFrames(options.input, options.what == "oriented" ? FrameKind::Oriented : options.what == "sheet" ? FrameKind::Sheet : FrameKind::Surface);
+    const std::vector<fs::path> frames = framesToExport(options);
     const bool one = frames.size() == 1 && !fs::is_directory(options.out) && options.out.has_extension();
     const fs::path folder = options.out.empty() ? exportFolder(options.input) : options.out;
     for (const fs::path& frame : frames)

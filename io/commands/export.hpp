@@ -11,7 +11,7 @@ namespace thaw {
 struct ExportOptions {
   std::filesystem::path input;         ///< frame, series index, or folder of a run
   std::filesystem::path out;           ///< file for one frame, folder for several; empty: export/ in the run's folder
-  std::string what = "surface";
+  std::string what;                    ///< of a folder: surface, oriented, sheet; empty: the first of these that it has
   std::string as;                      ///< ply-discs, pov, vtp, ply, obj
   std::string field = "surface";       ///< that colours: the surface's own colours, or a field
   std::string map = "ember";

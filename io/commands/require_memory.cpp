@@ -11,6 +11,8 @@
 #include <string>
 
 #include "core/setup/expected_particles.hpp"
+#include "core/setup/expected_rows.hpp"
+#include "io/scene/read_scene.hpp"
 
 namespace thaw {
 namespace {
@@ -27,6 +29,8 @@ double leastSurfelBytes(const Scene& s) {
   return 150 + 4 * (particles + surfels);
 }
 
+constexpr double mostRows = 2e9;  // of a body: numbers of points and vertices have 32 bits while it is made
+
 /// Memory of this machine, in bytes.
 double memoryHere() {
   double bytes = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
@@ -35,17 +39,45 @@ double memoryHere() {
   return bytes;
 }
 
+int ranksOfMachine(const Communicator& comm) {
+  MPI_Comm machine;
+  MPI_Comm_split_type(comm.handle(), MPI_COMM_TYPE_SHARED, comm.rank(), MPI_INFO_NULL, &machine);
+  int ranks = 1;
+  MPI_Comm_size(machine, &ranks);
+  MPI_Comm_free(&machine);
+  return ranks;
+}
+
 }  // namespace
+
+void requireRoomForKinds(const Communicator& comm, const Scene& scene, const MeshLoader& load) {
+  if (scene.oriented.empty() && scene.sheets.empty()) return;
+  const double ranksHere = ranksOfMachine(comm), here = memoryHere();
+  std::vector<std::string> lines;
+  for (const ExpectedRows& e : expectedRows(scene, load)) {
+    const double bytes = ranksHere * (e.bytesEverywhere + e.bytesShared / comm.size());
+    double worst[3] = {bytes / here, bytes, -here};
+    MPI_Allreduce(MPI_IN_PLACE, worst, 3, MPI_DOUBLE, MPI_MAX, comm.handle());
+    const bool many = e.rows > mostRows;
+    if (!(worst[0] > 1) && !many) continue;
+    const double fits = 1.1 * e.spacing * std::sqrt(std::max(worst[0], e.rows / mostRows));
+    lines.push_back(fmt::format("{}:{}:{}: error: {}: at a spacing of {:.3g} m it would have about {:.1e} {}, which take {:.3g} GB on a machine that has {:.3g} GB; expected a spacing of at least {:.2g} m, or a smaller body",
+                                e.where.file, e.where.line, e.where.column, e.name, e.spacing, e.rows, e.name.rfind("sheet", 0) == 0 ? "vertices" : "particles", worst[1] / 1e9, -worst[2] / 1e9, fits));
+  }
+  if (!lines.empty()) throw SceneErrors(std::move(lines));
+}
 
 void requireMemory(const Communicator& comm, const World& world, const MeshLoader& load) {
   std::vector<std::shared_ptr<const SignedDistance>> shapes;
   for (const Body& b : world.scene.bodies) shapes.push_back(makeSignedDistance(b.shape, load));
-  const double particles = expectedParticles(shapes, world.scene.spacing);
-  MPI_Comm machine;
-  MPI_Comm_split_type(comm.handle(), MPI_COMM_TYPE_SHARED, comm.rank(), MPI_INFO_NULL, &machine);
-  int ranksHere = 1;
-  MPI_Comm_size(machine, &ranksHere);
-  MPI_Comm_free(&machine);
+  double particles = 0, most = -1;
+  const Body* largest = nullptr;  // for the message
+  for (std::size_t b = 0; b < shapes.size(); b++) {
+    const double own = expectedParticles({shapes[b]}, world.scene.spacing);
+    particles += own;
+    if (own > most) most = own, largest = &world.scene.bodies[b];
+  }
+  const int ranksHere = ranksOfMachine(comm);
   const double kept = world.scene.numerics.retryEvery > 0 ? 1 : 0;
   const double all = particles * (leastBytes + kept * leastKeptBytes + (world.modules.solid ? leastSolidBytes + kept * leastKeptSolidBytes : 0)), here = memoryHere();
   const double surfels = world.modules.surface ? expectedSurfels(world.scene, shapes) : 0, surface = surfels * (leastSurfelBytes(world.scene) + kept * leastKeptBytes);
@@ -53,9 +85,11 @@ void requireMemory(const Communicator& comm, const World& world, const MeshLoade
   MPI_Allreduce(MPI_IN_PLACE, worst, 2, MPI_DOUBLE, MPI_MAX, comm.handle());
   if (!(worst[0] > 1)) return;
   const bool bySurface = surface > all;
-  throw std::runtime_error(fmt::format("{} and at least {:.3g} GB of memory, but a machine of this run has {:.3g} GB; make {} larger, or run on more machines",
+  const std::string text = fmt::format("{} and at least {:.3g} GB of memory, but a machine of this run has {:.3g} GB; make {} larger, or run on more machines",
                                        bySurface ? fmt::format("the surface would take about {:.1e} surfels", surfels) : fmt::format("the bodies would take about {:.1e} particles", particles),
-                                       (all + surface) / 1e9, -worst[1] / 1e9, bySurface ? "surface.spacing" : "the spacing"));
+                                       (all + surface) / 1e9, -worst[1] / 1e9, bySurface ? "surface.spacing" : "the spacing");
+  if (!largest) throw std::runtime_error(text);
+  throw SceneErrors({fmt::format("{}:{}:{}: error: {}", largest->where.file, largest->where.line, largest->where.column, text)});
 }
 
 double expectedSurfels(const Scene& s, const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {

@@ -13,6 +13,10 @@ namespace thaw {
 /// ranks. The estimate is low, so that nothing that fits is refused. Collective.
 void requireMemory(const Communicator& comm, const World& world, const MeshLoader& load);
 
+/// The same for oriented bodies and sheets, which are made while the world is prepared: to be called before that. Throws SceneErrors with a line for each
+/// body that cannot fit, at its place in the scene. Collective.
+void requireRoomForKinds(const Communicator& comm, const Scene& scene, const MeshLoader& load);
+
 /// About how many surfels the bodies of these shapes begin with.
 double expectedSurfels(const Scene& scene, const std::vector<std::shared_ptr<const SignedDistance>>& shapes);
 

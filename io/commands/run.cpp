@@ -16,6 +16,7 @@
 #include "io/run/signals.hpp"
 #include "io/run/surface_run.hpp"
 #include "io/scene/read_scene.hpp"
+#include "io/scene/scene_warnings.hpp"
 #include "parallel/balance.hpp"
 
 namespace thaw {
@@ -41,8 +42,8 @@ int loop(Run& r, std::string& why) {
     if (r.profile) r.profile->trace.beginStep(w.clock.step);
     StepOutcome o = step(w, r.halos(), r.tools, wanted);
     if (r.profile) r.profile->trace.add(TraceKind::Step, 0, begin, StepTrace::Clock::now());
-    const bool good = goodStateDue(r);
-    if (good && o.alarm == Alarm::None) o.alarm = lookAtBooks(r);
+    const bool good = goodStateDue(r), last = w.clock.time >= w.clock.end && w.scene.numerics.retryEvery > 0;  // a run shorter than that is looked at, too
+    if ((good || last) && o.alarm == Alarm::None) o.alarm = lookAtBooks(r);
     if (o.alarm != Alarm::None) {
       if (goBack(r, o, why)) continue;
       return exitBlewUp;
@@ -78,6 +79,7 @@ int simulate(Run& r) {
     std::error_code code;
     std::filesystem::remove(r.options.out + "/stop", code);  // of the run before
   });
+  requireRoomForKinds(r.comm, r.world.scene, load);
   prepareWorld(r.world, r.tools, load);
   requireMemory(r.comm, r.world, load);
   renewHalos(r);
@@ -88,6 +90,10 @@ int simulate(Run& r) {
   }
   r.say(fmt::format("{}: {}", r.options.scene, r.world.scene.title));
   for (const std::string& why : r.world.modules.why) r.say("  " + why);
+  for (const std::string& line : sceneWarnings(r.world.scene)) {
+    r.summary.warnings.push_back(line);
+    r.say("warning: " + line);
+  }
   begin(r, load);
   beginRetries(r);
   const Clock& c = r.world.clock;

@@ -17,14 +17,15 @@ void writePlyDiscs(const std::filesystem::path& file, const SurfaceFrame& frame,
 /// VTK's XML PolyData: points with all their fields, for ParaView.
 void writeVtp(const std::filesystem::path& file, const SurfaceFrame& frame, const std::vector<Rgb>& colours);
 
-/// The same of a frame with triangles (sheets, or triangulated oriented particles): points with all fields, and the triangles.
-void writeTrianglesVtp(const std::filesystem::path& file, const FrameData& frame);
+/// The same of a frame with triangles (sheets, or triangulated oriented particles): points with all fields, the triangles, and lines (of curves).
+void writeTrianglesVtp(const std::filesystem::path& file, const FrameData& frame, const std::vector<std::array<std::uint32_t, 2>>& lines = {});
 
 /// A scene of POV-Ray 3.7: discs, camera, sun, sky, and floors. Lengths are scaled so that the stage is ten units across.
 void writePov(const std::filesystem::path& file, const SurfaceFrame& frame, const std::vector<Rgb>& colours, const RenderStyle& style, double discs = 1);
 
 /// The closed meshes of components in one file, with normals and colours at the vertices. PLY: binary, each face with the number of
-/// its component in the list (0, 1, ...) ; OBJ: an object `component_LABEL` for each.
+/// its component in the list (0, 1, ...), with lines as edges and, where there are any, ids as two halves (id_high, id_low: PLY has no 64 bits); OBJ: an object
+/// `component_LABEL` for each, lines as `l`.
 void writeMeshPly(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes);
 void writeMeshObj(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes);
 

@@ -1,5 +1,6 @@
 // Closed triangle meshes of the components of a surface.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -14,6 +15,8 @@ struct ComponentMesh {
   TriangleMesh mesh;
   std::vector<Vec3f> colours;             ///< one a vertex, sRGB 0 to 255, of the surfels around
   std::vector<Vec3f> normals;             ///< one a vertex, unit, outward
+  std::vector<std::uint64_t> ids;         ///< one a vertex, of its row; empty for meshes that are made around others
+  std::vector<std::array<std::uint32_t, 2>> lines;  ///< vertices of a curve that are joined
 };
 
 /// Surfels of each component, ascending by its label; within one, in the order of the frame.

@@ -59,18 +59,27 @@ void writePlyDiscs(const std::filesystem::path& file, const SurfaceFrame& frame,
 }
 
 void writeMeshPly(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes) {
-  std::uint64_t vertices = 0, faces = 0;
-  for (const ComponentMesh& m : meshes) vertices += m.mesh.vertices.size(), faces += m.mesh.triangles.size();
+  std::uint64_t vertices = 0, faces = 0, edges = 0;
+  bool ids = !meshes.empty();
+  for (const ComponentMesh& m : meshes) {
+    vertices += m.mesh.vertices.size(), faces += m.mesh.triangles.size(), edges += m.lines.size();
+    ids = ids && m.ids.size() == m.mesh.vertices.size();
+  }
   checkCount(file, vertices);
   OutFile out(file);
   out.text(fmt::format("ply\nformat {} 1.0\ncomment surface of thaw, m; components in this order:\n", ending));
   for (const ComponentMesh& m : meshes) out.text(fmt::format("comment component {}\n", m.component));
-  out.text(fmt::format("element vertex {}\n{}element face {}\nproperty list uchar int vertex_indices\nproperty int component\nend_header\n", vertices, vertexProperties, faces));
+  out.text(fmt::format("element vertex {}\n{}{}element face {}\nproperty list uchar int vertex_indices\nproperty int component\n{}end_header\n", vertices, vertexProperties,
+                       ids ? "property uint id_high\nproperty uint id_low\n" : "", faces,
+                       edges > 0 ? fmt::format("element edge {}\nproperty int vertex1\nproperty int vertex2\n", edges) : ""));
   for (const ComponentMesh& m : meshes)
     for (std::size_t v = 0; v < m.mesh.vertices.size(); v++) {
       place(out, m.mesh.vertices[v]);
       out.number(m.normals[v]);
       for (int a = 0; a < 3; a++) out.number(byteOf(m.colours[v][a]));
+      if (!ids) continue;
+      out.number(static_cast<std::uint32_t>(m.ids[v] >> 32));
+      out.number(static_cast<std::uint32_t>(m.ids[v]));
     }
   std::int32_t first = 0, number = 0;
   for (const ComponentMesh& m : meshes) {
@@ -81,6 +90,12 @@ void writeMeshPly(const std::filesystem::path& file, const std::vector<Component
     }
     first += static_cast<std::int32_t>(m.mesh.vertices.size());
     number++;
+  }
+  first = 0;
+  for (const ComponentMesh& m : meshes) {
+    for (const auto& l : m.lines)
+      for (const std::uint32_t v : l) out.number(first + static_cast<std::int32_t>(v));
+    first += static_cast<std::int32_t>(m.mesh.vertices.size());
   }
   out.finish();
 }
@@ -100,6 +115,7 @@ void writeMeshObj(const std::filesystem::path& file, const std::vector<Component
     }
     for (const auto& t : m.mesh.triangles)
       fmt::format_to(std::back_inserter(lines), "f {0}//{0} {1}//{1} {2}//{2}\n", first + t[0], first + t[1], first + t[2]);
+    for (const auto& l : m.lines) fmt::format_to(std::back_inserter(lines), "l {} {}\n", first + l[0], first + l[1]);
     out.bytes(lines.data(), lines.size());
     first += m.mesh.vertices.size();
   }

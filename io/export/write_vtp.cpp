@@ -62,13 +62,15 @@ void addColumn(Appended& a, const FrameColumn& c) {
     a.add(fmt::format("type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"", type, escaped(c.name), c.components), c.bytes.size(), [&c](OutFile& out) { out.bytes(c.bytes.data(), c.bytes.size()); });
 }
 
-/// PolyData of points, with vertices or triangles as cells.
-void writePolyData(const std::filesystem::path& file, double time, std::uint64_t points, std::uint64_t vertices, std::uint64_t polygons, const Appended& a) {
+struct CellCounts { std::uint64_t vertices = 0, lines = 0, polygons = 0; };
+
+/// PolyData of points, with these cells.
+void writePolyData(const std::filesystem::path& file, double time, std::uint64_t points, const CellCounts& cells, const Appended& a) {
   OutFile out(file);
   out.text(fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"{}\" header_type=\"UInt64\">\n<PolyData>\n"
                        "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{:.17g}</DataArray>\n</FieldData>\n"
-                       "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n",
-                       std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian", time, points, vertices, polygons));
+                       "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n",
+                       std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian", time, points, cells.vertices, cells.lines, cells.polygons));
   out.text(a.xml);
   out.text("</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_");
   for (const auto& [bytes, write] : a.blocks) {
@@ -102,27 +104,43 @@ void writeVtp(const std::filesystem::path& file, const SurfaceFrame& frame, cons
   a.addVector("type=\"Int64\" Name=\"connectivity\"", connectivity);
   a.addVector("type=\"Int64\" Name=\"offsets\"", offsets);
   a.xml += "</Verts>\n";
-  writePolyData(file, frame.time, n, n, 0, a);
+  writePolyData(file, frame.time, n, {n, 0, 0}, a);
 }
 
-void writeTrianglesVtp(const std::filesystem::path& file, const FrameData& frame) {
+namespace {
+
+/// Cells of the same number of points.
+struct Cells {
+  std::vector<std::int64_t> connectivity, offsets;
+  template<class List> explicit Cells(const List& list) {
+    for (const auto& c : list) {
+      connectivity.insert(connectivity.end(), c.begin(), c.end());
+      offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+    }
+  }
+  void addTo(Appended& a, const char* name) const {
+    a.xml += fmt::format("<{}>\n", name);
+    a.addVector("type=\"Int64\" Name=\"connectivity\"", connectivity);
+    a.addVector("type=\"Int64\" Name=\"offsets\"", offsets);
+    a.xml += fmt::format("</{}>\n", name);
+  }
+};
+
+}  // namespace
+
+void writeTrianglesVtp(const std::filesystem::path& file, const FrameData& frame, const std::vector<std::array<std::uint32_t, 2>>& lines) {
   const std::uint64_t n = frame.positions.size();
   const std::vector<float> points = singlePoints(frame.positions);
-  std::vector<std::int64_t> connectivity, offsets;
-  for (const auto& t : frame.triangles) {
-    connectivity.insert(connectivity.end(), t.begin(), t.end());
-    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
-  }
+  const Cells polygons(frame.triangles), edges(lines);
   Appended a;
   a.xml = "<PointData>\n";
   for (const FrameColumn& c : frame.columns) addColumn(a, c);
   a.xml += "</PointData>\n<Points>\n";
   a.addVector("type=\"Float32\" Name=\"Points\" NumberOfComponents=\"3\"", points);
-  a.xml += "</Points>\n<Polys>\n";
-  a.addVector("type=\"Int64\" Name=\"connectivity\"", connectivity);
-  a.addVector("type=\"Int64\" Name=\"offsets\"", offsets);
-  a.xml += "</Polys>\n";
-  writePolyData(file, frame.time, n, 0, offsets.size(), a);
+  a.xml += "</Points>\n";
+  if (!lines.empty()) edges.addTo(a, "Lines");
+  polygons.addTo(a, "Polys");
+  writePolyData(file, frame.time, n, {0, lines.size(), frame.triangles.size()}, a);
 }
 
 }  // namespace thaw

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "core/math/quat.hpp"
+#include "io/output/rows_by_id.hpp"
 
 namespace thaw {
 
@@ -14,7 +15,11 @@ bool isOrientedFrame(const FrameInfo& info) {
 
 OrientedFrame readOrientedFrame(const std::string& path) {
   if (!isOrientedFrame(readFrameInfo(path))) throw IoError(path, "is not a frame of oriented particles (those are called NAME_oriented_000000.hdf)");
-  FrameData data = readFrame(path);
+  return orientedFrameOf(readFrame(path), path);
+}
+
+OrientedFrame orientedFrameOf(FrameData data, const std::string& path) {
+  orderById(data);
   const auto need = [&](const char* name) -> const FrameColumn& {
     const FrameColumn* c = data.find(name);
     if (!c) throw IoError(path, std::string("has no field '") + name + "'");
@@ -23,6 +28,7 @@ OrientedFrame readOrientedFrame(const std::string& path) {
   OrientedFrame f;
   f.time = data.time;
   f.step = data.step;
+  f.ids = idsOf(data);
   f.positions = std::move(data.positions);
   const std::size_t n = f.positions.size();
   const FrameColumn &turn = need("orientation"), &radius = need("radius"), &group = need("group"), &body = need("oriented_body"), &cut = need("cut_sides"), &flags = need("flags");

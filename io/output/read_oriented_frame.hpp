@@ -5,7 +5,7 @@
 
 namespace thaw {
 
-/// A frame of oriented particles in memory of one process. All vectors have one element a particle.
+/// A frame of oriented particles in memory of one process, in the order of their ids. All vectors have one element a particle.
 struct OrientedFrame {
   double time = 0;                        ///< s
   std::int64_t step = 0;
@@ -15,6 +15,7 @@ struct OrientedFrame {
   std::vector<std::uint32_t> groups, bodies;
   std::vector<std::uint64_t> cutSides;
   std::vector<std::uint8_t> flags;
+  std::vector<std::uint64_t> ids;         ///< empty where the frame has none
   OrientedPoints points() const { return {positions, normals, spacings, groups, cutSides}; }
 };
 
@@ -22,5 +23,6 @@ bool isOrientedFrame(const FrameInfo& info);
 
 /// IoError as readFrame, and for frames of something else.
 OrientedFrame readOrientedFrame(const std::string& path);
+OrientedFrame orientedFrameOf(FrameData data, const std::string& path);
 
 }  // namespace thaw

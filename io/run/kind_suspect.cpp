@@ -17,7 +17,9 @@ std::string kindSuspect(const World& w, Alarm alarm, Limit limitedBy, Reducer& a
   if (!w.modules.kinds()) return {};
   double continuum = static_cast<double>(w.particles.owned);
   all.maximum({&continuum, 1});
-  const bool byLimit = alarm == Alarm::Step && (limitedBy == Limit::Oriented || limitedBy == Limit::Sheet);
+  double overran = w.oriented.overran ? 1 : 0;
+  all.maximum({&overran, 1});
+  const bool byLimit = (alarm == Alarm::Step && (limitedBy == Limit::Oriented || limitedBy == Limit::Sheet)) || (alarm == Alarm::NotFinite && overran > 0);
   const KindRows* rows = nullptr;
   std::size_t row = 0, kind = 0;
   double most = -1;
@@ -44,7 +46,7 @@ std::string kindSuspect(const World& w, Alarm alarm, Limit limitedBy, Reducer& a
   if (!here) return {};
   const std::uint16_t body = rows->body[row];
   const bool oriented = kind == orientedKind;
-  return fmt::format("{}: {} {} of '{}' at {} m has a velocity of {} m/s", most < never ? "the fastest of its kind" : "a value that is not a finite number", oriented ? "oriented particle" : "vertex",
+  return fmt::format("{}: {} {} of '{}' at {} m has a velocity of {} m/s", most < never ? overran > 0 ? "oriented particles went further in a step than their forces reach; the fastest that is left" : "the fastest of its kind" : "a value that is not a finite number", oriented ? "oriented particle" : "vertex",
                      rows->id[row] & ((std::uint64_t(1) << 40) - 1), oriented ? w.scene.oriented[body].name : w.scene.sheets[body].name, text(rows->position[row]), text(rows->velocity[row]));
 }
 

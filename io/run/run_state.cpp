@@ -139,6 +139,10 @@ void begin(Run& r, const MeshLoader& load) {
       for (const std::string& d : differences) lines.push_back("  " + d);
       throw SceneErrors(lines);
     }
+    for (const std::string& change : coefficientChanges(slice->header.values, w.scene)) {
+      r.summary.warnings.push_back("changed at the restart: " + change);
+      r.say("warning: " + r.summary.warnings.back());
+    }
     std::vector<std::byte> records = restoreWorld(w, *slice, r.first());
     if (w.modules.solid) r.bonds->adopt(std::move(records));
     resumeWorld(w, r.halos(), r.tools);

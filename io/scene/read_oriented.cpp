@@ -39,6 +39,7 @@ void readAnchor(TableReader& r, OrientedBody& b) {
   r.flag("normal", a.normal, "holds their orientation");
   r.number("until", a.until, "s", orNever(notNegative()), "lets go then");
   readMotion(r, a.motion);
+  if (!r.describing() && !a.position && !a.normal) r.fail(r.place(), r.path() + ": it holds nothing: expected position = true, normal = true, or both");
   if (!r.describing()) b.anchors.push_back(std::move(a));
 }
 
@@ -65,6 +66,15 @@ void readEvent(TableReader& r, OrientedBody& b) {
     e.tool = CutTool::Box;
   }
   if (r.describing()) return;
+  const bool cut = e.kind == OrientedEventKind::Cut;
+  if (cut && r.has("plane") && r.has("stroke")) r.fail("stroke", "a second tool; expected one of plane, stroke and a shape, and two cuts for two");
+  const auto only = [&](const char* key, bool takes, const char* of) {
+    if (r.has(key) && !takes) r.fail(key, std::string("is of ") + of + " only");
+  };
+  only("other", e.kind == OrientedEventKind::Weld, "a weld");
+  only("plane", cut, "a cut");
+  only("stroke", cut, "a cut");
+  only("along", e.kind == OrientedEventKind::Crease, "a crease");
   if (e.kind == OrientedEventKind::Weld && e.other.empty()) r.fail("other", "is missing: the body to weld to this one");
   if (e.kind == OrientedEventKind::Crease && e.path.size() < 2) r.fail("along", "expected at least two points");
   if (e.kind == OrientedEventKind::Cut && e.tool == CutTool::Stroke && e.path.size() < 2) r.fail("stroke", "expected at least two points");
@@ -101,12 +111,15 @@ void readSource(TableReader& r, OrientedBody& b) {
     if (!t.describing() && length(b.to - b.from) == 0) t.fail("to", "must differ from from");
   });
   readPoints(r, "points", "m", b.points, "a surface through these points; with growth = \"borders\" they are held and holes between them are filled");
-  const bool points = !b.points.empty();
+  const bool points = r.has("points");
   readPoints(r, "normals", "", b.normals, "of `points`; none: of the plane of their neighbours, turned alike along a spanning tree");
   readPoints(r, "control", "m", b.points, "a thin plate through these few control points, which are held");
   const int given = r.has("patch") + r.has("disc") + r.has("curve") + r.has("points") + r.has("control");
   if (points) b.source = OrientedSource::Points;
   else if (r.has("control")) b.source = OrientedSource::Control;
+  if (points && b.points.empty()) r.fail("points", "expected at least one point [x, y, z]");
+  if (r.has("control") && b.points.size() < 3) r.fail("control", "expected at least three points that do not lie on a line");
+  if (r.has("place") && (points || r.has("control") || r.has("curve"))) r.fail("place", "is of shapes, patches and discs only: points, control and curve are where they say");
   if (given > 1) r.fail(r.place(), r.path() + ": give one of patch, disc, curve, points, control and a shape");
   if (points && !b.normals.empty() && b.normals.size() != b.points.size()) r.fail("normals", "there must be one for each point");
   for (const Vec3d& n : b.normals)

@@ -102,7 +102,8 @@ void readNumerics(TableReader& r, Numerics& n) {
 void readOutput(TableReader& r, Output& o) {
   const std::vector<std::string> known = knownFrameFields();
   r.number("every", o.every, "s", positive(), "simulated time between frames");
-  r.words("fields", o.fields, known, "fields of the frames");
+  r.words("fields", o.fields, known, "fields of the frames of bodies and emitters; those of oriented bodies and sheets have all theirs");
+  if (r.has("fields")) o.fieldsWhere = r.placeOf("fields");
   r.number("checkpoint", o.checkpoint, "s", positive(), "wall-clock time between checkpoints; the last two are kept");
   int pieces = o.piecesByRank ? 1 : 0;
   r.choice("pieces", pieces, {"one", "ranks"}, "parts of a frame's file: one, or one for each rank (for parallel ParaView)");

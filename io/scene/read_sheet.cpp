@@ -102,6 +102,7 @@ void readOuter(TableReader& r, SheetBody& b) {
       if (!g.motion.empty() && f.time <= g.motion.back().time) k.fail("time", "keyframes must ascend in time");
       g.motion.push_back(f);
     });
+    if (!t.describing() && length(g.pressure) == 0) t.fail("pressure", "is missing or zero: expected what it pushes with, [x, y, z]");
     if (!t.describing()) b.brushes.push_back(std::move(g));
   });
   r.number("thickness", b.thickness, "m", notNegative(), "distance at which it touches; 0: 0.8 of its spacing");

@@ -162,6 +162,21 @@ rejects "periodic and too short" 'periodic along x but shorter than three suppor
 rejects "more particles than ids" "body 'block' would take some .* particles" 2 run "$good" --set spacing=1e-9
 rejects "more particles than memory" 'particles.* memory' 2 run "$good" --set spacing=2e-5
 rejects "more particles than memory" 'particles.* memory' 2 check "$good" --set spacing=2e-5
+printf 'spacing = 0.05\nend = 0.01\n[domain]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\n' >"$work/kinds.toml"
+kinds() { { cat "$work/kinds.toml"; cat; } >"$work/$1.toml"; echo "$work/$1.toml"; }
+rejects "oriented surface of tiny spacing" "surface.toml:6:1: error: oriented body 'ball': at a spacing of 1e-05 m .* particles, .*expected a spacing of at least" 2 run "$(kinds surface <<<"[[oriented]]
+name = 'ball'
+sphere = { radius = 0.4 }
+spacing = 1e-5")"
+rejects "sheet of tiny spacing" "sheet.toml:6:1: error: sheet 'cloth': at a spacing of 1e-09 m .* vertices, .*expected a spacing of at least" 2 check "$(kinds sheet <<<"[[sheet]]
+name = 'cloth'
+grid = { width = 0.4, depth = 0.4 }
+spacing = 1e-9")"
+rejects "emitter of tiny spacing" "emitter.toml:7:1: error: emitter 'tap': its opening has 3.6e\\+07 places" 2 check "$(kinds emitter <<<"[material.water]
+[[emitter]]
+name = 'tap'
+material = 'water'
+disc = { radius = 0.3 }")" --set spacing=1e-4
 
 # the command line
 rejects "no such option" '--frobnicate' 2 run "$good" --frobnicate

@@ -29,6 +29,16 @@ expectMessage "^error: .*blew up at step [0-9]*, .* particle [0-9]* of body 'bea
 launch 2 run "$scenes/beam.toml" "${set[@]}" --set output.every=0.6 --restart --out "$out" >"$work/log" 2>&1; expectExit 0 "restart with a step of its own"
 [ "$(value "$out/summary.json" status)" = done ] || fail "absurd: restarted, the summary says '$(value "$out/summary.json" status)'"
 
+# oriented particles: they flew out of the domain within fewer steps than there are between two looks at the books, and the run was done
+for integrator in symplectic rk4; do
+  oriented=("$scenes/oriented/relax_plane.toml" --set spacing=0.03 --set end=0.2 --set output.every=0.1 --set oriented.patch.integrator=$integrator)
+  launch 3 run "${oriented[@]}" --set numerics.fixed_step=0.02 --set numerics.retries=0 --out "$work/oriented" >"$work/log" 2>&1; expectExit 4 "oriented, $integrator: a step far too long"
+  [ "$(grep -c '^error: ' "$work/log")" = 1 ] || { fail "oriented: not one error message"; cat "$work/log"; }
+  expectMessage "blew up at step [0-9]*, .* oriented particle [0-9]* of 'patch' at .*fixed_step may be too long" "oriented, $integrator"
+done
+launch 2 run "${oriented[@]}" --set numerics.fixed_step=0.005 --out "$work/oriented" >"$work/log" 2>&1; expectExit 0 "oriented: a retry at half the step helps"
+[ "$(value "$work/oriented/summary.json" retries)" -gt 0 ] || fail "oriented: no retry"
+
 # each watch, made to see something
 watch() {  # watch SCENE KEY=VALUE MESSAGE
   settings "$1"

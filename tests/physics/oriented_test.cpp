@@ -175,22 +175,75 @@ TEST(Oriented, SurfaceDrawnOverABallGrowsAndKeepsItsBooks) {
   EXPECT_LT(std::abs(l.energyResidual), 0.05 * l.energyScale);
 }
 
-// The step at whose end an anchor lets go was held to its end: its impulse is the anchor's.
-TEST(Oriented, AnchorsThatLetGoUnderLoadKeepTheBooks) {
-  Scene s = patchScene(0);
-  s.domain.gravity = {0, 0, -9.81};
+/// Births in a run to `end`, of particles that are off by .2 spacings and radians along each axis and are hardly damped: hotter than Lennard-Jones can hold.
+std::int64_t birthsOfAHotSurface(Scene s, double end) {
   OrientedBody& b = s.oriented[0];
-  b.damping = 2;
-  OrientedAnchor edge;
-  edge.region = test::boxOf({-0.3, -0.3, -0.1}, {-0.15, 0.3, 0.1});
-  edge.until = 0.05;
-  b.anchors.push_back(edge);
-  s.end = 0.1;
+  b.jitter = 0.2;
+  b.damping = b.spinDamping = 1;
+  b.density = 20;
+  b.cfl = 0.5;
+  b.growth = OrientedGrowth::Gaps;
+  b.most = 5000;
+  s.end = end;
+  test::Simulation x(s);
+  EXPECT_TRUE(x.run());
+  return x.w.counters.orientedBirths;
+}
+
+// What shakes, or flies apart, is not stretched: any two with room between them once counted as a gap, and each birth made more of them.
+TEST(Oriented, SurfacesThatShakeHaveNoGaps) {
+  EXPECT_LT(birthsOfAHotSurface(patchScene(0), 0.4), 15);  // 132 at the start
+  Scene s = patchScene(0);
+  s.oriented[0].source = OrientedSource::Surface;
+  s.oriented[0].shape.kind = ShapeKind::Sphere;
+  s.oriented[0].shape.radius = 0.3;
+  EXPECT_LT(birthsOfAHotSurface(s, 0.4), 50);  // 500 at the start
+}
+
+TEST(Oriented, AHoleIsFilledAndNothingElse) {
+  Scene s = patchScene(0);
+  OrientedBody& b = s.oriented[0];
+  b.source = OrientedSource::Points;
+  b.growth = OrientedGrowth::Gaps;
+  for (int j = -5; j <= 5; j++)
+    for (int i = -5; i <= 5; i++)
+      if (i != 0 || j != 0) {
+        b.points.push_back({0.05 * (i + 0.5 * (j & 1)), 0.05 * 0.8660254 * j, 0});
+        b.normals.push_back({0, 0, 1});
+      }
+  b.points.push_back({0, 0, 0.15});  // far over the hole: it cannot come back into it
+  b.normals.push_back({0, 0, 1});
+  s.end = 0.02;
   test::Simulation x(s);
   ASSERT_TRUE(x.run());
-  const LedgerReport r = x.books();
-  EXPECT_GT(length(r.gravityImpulse), 0);
-  EXPECT_LT(length(r.momentumResidual), 1e-12 * length(r.gravityImpulse));
+  const Oriented& o = x.w.oriented.rows;
+  EXPECT_EQ(x.w.counters.orientedBirths, 1);
+  for (std::size_t i = 0; i < o.owned; i++) EXPECT_TRUE(!(o.id[i] >> 63) || length(o.position[i]) < 0.01);
+}
+
+// The step at whose end an anchor lets go was held to its end: its impulse is the anchor's.
+TEST(Oriented, AnchorsThatLetGoUnderLoadKeepTheBooks) {
+  for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta, OrientedIntegrator::SemiImplicit}) {
+    Scene s = patchScene(0);
+    s.domain.gravity = {0, 0, -9.81};
+    OrientedBody& b = s.oriented[0];
+    b.integrator = how;
+    b.damping = 2;
+    b.pressure = 3;
+    b.push = {0.5, 0.2, 0};
+    OrientedAnchor edge;
+    edge.region = test::boxOf({-0.3, -0.3, -0.1}, {-0.15, 0.3, 0.1});
+    edge.motion = {{0, {}, {}}, {0.04, {0.01, 0, 0.02}, {0.1, 0, 0}}};
+    edge.until = 0.05;
+    b.anchors.push_back(edge);
+    test::addFloor(s).shape.move = {0, 0, -0.02};
+    s.end = 0.1;
+    test::Simulation x(s);
+    ASSERT_TRUE(x.run());
+    const LedgerReport r = x.books();
+    EXPECT_GT(length(r.gravityImpulse), 0);
+    EXPECT_LT(length(r.momentumResidual), 1e-12 * length(r.gravityImpulse)) << static_cast<int>(how);
+  }
 }
 
 TEST(Oriented, SheetAndPatchThatMeetKeepMomentumAndBooks) {
@@ -254,6 +307,68 @@ TEST(Oriented, CurveFollowsAPointThatIsLifted) {  // as scenes/oriented/curve2d.
   for (std::size_t k = 1; k < along.size(); k++) {
     EXPECT_GT(length(along[k] - along[k - 1]), 0.9 * 0.04);
     EXPECT_LT(length(along[k] - along[k - 1]), 1.1 * 0.04);
+  }
+}
+
+std::string problemOf(const Scene& s) {
+  try {
+    test::Simulation x(s);
+  } catch (const std::exception& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Oriented, BodiesAtOnePlaceAndPointsThatAreGivenTwiceAreRefused) {
+  Scene s = patchScene(0);
+  s.oriented.push_back(s.oriented[0]);
+  s.oriented[1].name = "second";
+  EXPECT_NE(problemOf(s).find("oriented body 'second': 132 of its particles are at places of 'patch'"), std::string::npos) << problemOf(s);
+  s.oriented[1].shape.move = {0, 0, 0.03};
+  EXPECT_EQ(problemOf(s), "");
+  s.oriented[0].source = OrientedSource::Points;
+  s.oriented[0].points = {{0, 0, 0}, {0.05, 0, 0}, {0, 0.05, 0}, {0, 0, 0}};
+  EXPECT_NE(problemOf(s).find("2 of its points are at the place of another one"), std::string::npos) << problemOf(s);
+}
+
+TEST(Sheets, WhatIsOutsideAndRegionsWithNothingInThemAreRefused) {
+  Scene s = test::emptyScene(0.05, {-1, -1, -1}, {1, 1, 1});
+  s.sheets.emplace_back().name = "cloth";
+  s.sheets[0].width = s.sheets[0].depth = 0.5;
+  EXPECT_EQ(problemOf(s), "");
+  Shape far = test::boxOf({0.8, 0.8, 0.8}, {0.9, 0.9, 0.9});
+  s.sheets[0].clamp.push_back(far);
+  EXPECT_NE(problemOf(s).find("there is no vertex in this clamp"), std::string::npos) << problemOf(s);
+  s.sheets[0].clamp.clear();
+  s.sheets[0].regions.emplace_back().shape = far;
+  EXPECT_NE(problemOf(s).find("there is no vertex in this region"), std::string::npos) << problemOf(s);
+  s.sheets[0].regions.clear();
+  s.sheets[0].shape.move = {1, 0, 0};
+  EXPECT_NE(problemOf(s).find("66 of its 121 vertices lie outside of the domain"), std::string::npos) << problemOf(s);
+}
+
+// The lattice particle nearest to a control point took its place, half a spacing from the next, and the plate flew apart where it was not relaxed.
+TEST(Oriented, AThinPlateThroughControlPointsHoldsWithoutRelaxation) {
+  Scene s = patchScene(0);
+  OrientedBody& b = s.oriented[0];
+  b.source = OrientedSource::Control;
+  b.points = {{-0.31, -0.3, 0}, {0.33, -0.28, 0.05}, {-0.3, 0.32, 0.06}, {0.29, 0.31, -0.02}, {0.024, 0.013, 0.12}, {0.17, -0.11, 0.07}};
+  b.damping = b.spinDamping = 5;
+  s.end = 0.5;
+  test::Simulation x(s);
+  const Oriented& o = x.w.oriented.rows;
+  const std::size_t before = o.owned;
+  double nearest = 1;
+  for (std::size_t i = 0; i < o.owned; i++)
+    for (std::size_t j = 0; j < i; j++) nearest = std::min(nearest, length(o.position[i] - o.position[j]));
+  EXPECT_GT(nearest, 0.75 * s.spacing);
+  ASSERT_TRUE(x.run());
+  ASSERT_EQ(o.owned, before);
+  for (std::size_t i = 0; i < o.owned; i++) {  // nobody is alone
+    nearest = 1;
+    for (std::size_t j = 0; j < o.owned; j++)
+      if (i != j) nearest = std::min(nearest, length(o.position[i] - o.position[j]));
+    EXPECT_TRUE((o.flags[i] & heldPlace) || nearest < 1.2 * s.spacing) << i;
   }
 }
 

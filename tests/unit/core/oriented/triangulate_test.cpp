@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "core/geometry/point_tree.hpp"
 #include "core/math/hash_random.hpp"
@@ -46,6 +47,61 @@ TEST(Triangulate, CutsAndGroupsSeparate) {
   EXPECT_EQ(whole.size(), 8u * 9 * 2 + 7);
   EXPECT_EQ(cut.size(), 8u * 8 * 2 + 14);
   for (const auto& t : cut) EXPECT_TRUE(sides[t[0]] == sides[t[1]] && sides[t[1]] == sides[t[2]]);
+}
+
+using Edges = std::map<std::pair<std::uint32_t, std::uint32_t>, int>;
+/// How often triangles run along each directed edge.
+Edges directed(const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  Edges sides;
+  for (const auto& t : triangles)
+    for (std::size_t k = 0; k < 3; k++) sides[{t[k], t[(k + 1) % 3]}]++;
+  return sides;
+}
+std::size_t borderOf(const Edges& sides) {
+  std::size_t border = 0;
+  for (const auto& [side, count] : sides) {
+    EXPECT_EQ(count, 1) << "two triangles run along an edge the same way";
+    border += !sides.contains({side.second, side.first});
+  }
+  return border;
+}
+
+// A fold as sharp as its spacing, all places off by a quarter of it: the test of each triangle by itself gives edges with three, and holes.
+TEST(Triangulate, AnEdgeHasTwoTrianglesAtMostAndHolesAreFilled) {
+  std::vector<Vec3d> points, normals;
+  constexpr int n = 24;
+  for (int j = 0; j < n; j++)
+    for (int i = 0; i < n; i++) {
+      const auto off = [&](std::uint64_t a) { return 0.5 * (randomUniform(9 + a, Purpose::Test, static_cast<std::uint64_t>(j * n + i)) - 0.5); };
+      const double x = i + 0.5 * (j % 2) - 0.5 * n + off(0), slope = x < 0 ? 1.4 : -1.4;
+      points.push_back({x, 0.866 * j + off(1), -std::abs(1.4 * x) + 0.4 * off(2)});
+      normals.push_back(normalized(Vec3d{std::abs(x) < 0.5 ? 0 : -slope, 0, 1}));
+    }
+  const std::vector<double> spacing(points.size(), 1.1);
+  const auto triangles = triangulate({points, normals, spacing, {}, {}});
+  const std::size_t border = borderOf(directed(triangles));
+  EXPECT_GT(triangles.size(), 1000u);
+  EXPECT_LT(border, 4u * n + 20);  // the rim alone
+}
+
+TEST(Triangulate, SquaresOfFourOnACircleAreTwoTriangles) {
+  std::vector<Vec3d> points, normals(100, Vec3d{0, 0, 1});
+  for (int k = 0; k < 100; k++) points.push_back({static_cast<double>(k % 10), static_cast<double>(k / 10), 0});
+  const auto triangles = triangulate({points, normals, std::vector<double>(100, 1.0), {}, {}});
+  EXPECT_EQ(triangles.size(), 2u * 81);
+  EXPECT_EQ(borderOf(directed(triangles)), 36u);
+}
+
+TEST(Triangulate, ACurveIsJoinedToALine) {
+  std::vector<Vec3d> points, normals;
+  for (int k = 0; k < 30; k++) {
+    points.push_back({std::cos(0.15 * k), 0, std::sin(0.15 * k)});
+    normals.push_back(points.back());
+  }
+  const std::vector<double> spacing(30, 0.15);
+  const auto lines = joinLines({points, normals, spacing, {}, {}}, std::vector<std::uint8_t>(30, 1));
+  ASSERT_EQ(lines.size(), 29u);
+  for (std::uint32_t k = 0; k < 29; k++) EXPECT_TRUE(lines[k][0] == k && lines[k][1] == k + 1);
 }
 
 TEST(PointTree, NearestAreThoseOfAPlainSearch) {

@@ -106,6 +106,50 @@ TEST_F(Export, SheetsWithTheirTriangles) {
   EXPECT_EQ(run(frame, "pov", folder / "cloth.pov"), 2);
 }
 
+/// Two flat rows and a curve of oriented particles, rows in another order: `turn` of them further.
+fs::path writeOriented(const fs::path& path, std::size_t turn) {
+  std::vector<Vec3d> places;
+  std::vector<std::uint32_t> groups;
+  std::vector<std::uint64_t> ids;
+  for (int k = 0; k < 12; k++) places.push_back({(k / 2) + 0.5 * (k % 2), 0.866 * (k % 2), 0}), groups.push_back(0), ids.push_back(static_cast<std::uint64_t>(k));
+  for (int k = 0; k < 5; k++) places.push_back({static_cast<double>(k), 9, 0}), groups.push_back(1), ids.push_back(std::uint64_t(1) << 63 | static_cast<std::uint64_t>(k));
+  const auto turned = [&](auto& v) { std::rotate(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(turn), v.end()); };
+  turned(places), turned(groups), turned(ids);
+  const std::size_t n = places.size();
+  std::vector<float> turns, radii(n, 1);
+  for (std::size_t k = 0; k < n; k++) turns.insert(turns.end(), {1, 0, 0, 0});
+  const std::vector<std::uint16_t> bodies(n, 0);
+  const std::vector<std::uint64_t> cuts(n, 0);
+  const std::vector<std::uint8_t> flags(n, 0);
+  Frame frame;
+  frame.count = n;
+  frame.positions = {"position", "m", Scalar::F64, 3, places.data()};
+  frame.fields = {{"id", "1", Scalar::U64, 1, ids.data()}, {"oriented_body", "1", Scalar::U16, 1, bodies.data()}, {"orientation", "1", Scalar::F32, 4, turns.data()},
+                  {"radius", "m", Scalar::F32, 1, radii.data()}, {"group", "1", Scalar::U32, 1, groups.data()}, {"cut_sides", "1", Scalar::U64, 1, cuts.data()},
+                  {"flags", "1", Scalar::U8, 1, flags.data()}};
+  startMpi();
+  writeFrame(path.string(), MPI_COMM_SELF, frame, {});
+  return path;
+}
+
+// Rows lie on the ranks in any order; a curve has no triangles.
+TEST_F(Export, OrientedInTheOrderOfIdsWithLinesOfCurves) {
+  for (const std::string as : {"ply", "obj", "vtp"}) {
+    std::string first;
+    for (const std::size_t turn : {0, 5, 13}) {
+      const fs::path out = folder / ("o" + std::to_string(turn) + "." + as);
+      ASSERT_EQ(run(writeOriented(folder / "frames" / "o_oriented_000001.hdf", turn), as, out), 0);
+      const std::string now = contentOf(out);
+      if (first.empty()) first = now;
+      EXPECT_EQ(now, first) << as << " " << turn;
+    }
+    const char* has = as == "ply" ? "property uint id_high\nproperty uint id_low\nelement face 10" : as == "obj" ? "\nl 13 14\n" : "NumberOfLines=\"4\" NumberOfStrips=\"0\" NumberOfPolys=\"10\"";
+    EXPECT_NE(first.find(has), std::string::npos) << as;
+  }
+  EXPECT_NE(contentOf(folder / "o0.ply").find("element edge 4\nproperty int vertex1"), std::string::npos);
+  EXPECT_EQ(readMesh((folder / "o0.obj").string()).triangles.size(), 10u);
+}
+
 TEST_F(Export, ReadsItsFrames) {
   const SurfaceFrame f = readSurfaceFrame(surfaceFrame(1).string());
   EXPECT_EQ(f.time, 0.1);

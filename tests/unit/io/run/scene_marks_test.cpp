@@ -51,6 +51,24 @@ TEST(SceneMarks, WhatMayNot) {
   EXPECT_TRUE(refused([](Scene& s) { s.emitters[0].rate = 2; }));
 }
 
+TEST(SceneMarks, CoefficientsOfKindsMayChangeAndAreTold) {
+  Scene s = sample();
+  s.sheets.emplace_back().name = "cloth";
+  s.oriented.emplace_back().name = "film";
+  const CheckpointValues then = sceneMarks(s);
+  EXPECT_TRUE(coefficientChanges(then, s).empty());
+  s.sheets[0].warp = 7;
+  s.sheets[0].brushes.emplace_back();
+  s.oriented[0].circle = 2;
+  EXPECT_TRUE(sceneDifferences(then, s).empty());
+  const std::vector<std::string> changes = coefficientChanges(then, s);
+  ASSERT_GE(changes.size(), 3u);
+  EXPECT_EQ(changes[0], "oriented.film.cocircular was 1, and is 2 now (SI, or place in its list)");
+  EXPECT_EQ(changes[1], "sheet.cloth.warp was 0, and is 7 now (SI, or place in its list)");
+  s.sheets[0].mass = 9;  // vertices keep theirs
+  EXPECT_FALSE(sceneDifferences(then, s).empty());
+}
+
 TEST(SceneMarks, TheMessageNamesTheKeyAndBothValues) {
   Scene s = sample();
   const CheckpointValues then = sceneMarks(s);

@@ -1,0 +1,99 @@
+#include "core/oriented/cover_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <unordered_map>
+
+#include "core/math/hash_random.hpp"
+#include "core/oriented/spread_points.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr int mostAlong = 1 << 20;  // points of the lattice along an axis: bins of them have 21 bits
+
+Vec3i latticeOf(const Vec3d& size, double fine) {
+  Vec3i count;
+  for (int a = 0; a < 3; a++) {
+    const double points = std::ceil(size[a] / fine) + 3;
+    if (!(points < mostAlong)) throw std::invalid_argument("its spacing is too small for its size: it may be 300000 spacings long at most");
+    count[a] = static_cast<int>(points);
+  }
+  return count;
+}
+
+/// Calls use(i, j, k) for all points of a lattice [low, high) but for those that are certainly not within `fine` of the surface: blocks of points are cut in half
+/// as long as the distance of their middle does not rule them out.
+template<class At, class Use> void eachNearSurface(const SignedDistance& shape, double fine, const Vec3i& low, const Vec3i& high, const At& at, const Use& use) {
+  const Vec3i size{high.x - low.x, high.y - low.y, high.z - low.z};
+  const int longest = std::max({size.x, size.y, size.z});
+  if (longest > 4) {
+    const Vec3d a = at(low.x, low.y, low.z), b = at(high.x - 1, high.y - 1, high.z - 1);
+    const double reach = 0.5 * length(b - a) * (1 + 1e-9) + fine;
+    if (std::abs(shape.distanceWithin(0.5 * (a + b), reach)) >= reach) return;
+    Vec3i middleHigh = high, middleLow = low;
+    const int axis = size.x == longest ? 0 : size.y == longest ? 1 : 2;
+    middleHigh[axis] = middleLow[axis] = low[axis] + longest / 2;
+    eachNearSurface(shape, fine, low, middleHigh, at, use);
+    eachNearSurface(shape, fine, middleLow, high, at, use);
+    return;
+  }
+  for (int k = low.z; k < high.z; k++)
+    for (int j = low.y; j < high.y; j++)
+      for (int i = low.x; i < high.x; i++) use(i, j, k);
+}
+
+}  // namespace
+
+MadePoints coverSurface(const SignedDistance& shape, double spacing, std::uint64_t seed) {
+  const double fine = spacing / 3, apart = 0.75 * spacing;
+  const Bounds box = shape.bounds();
+  const Vec3d size = box.max - box.min;
+  if (!std::isfinite(size.x + size.y + size.z)) throw std::invalid_argument("a surface without end cannot be covered with particles");
+  const Vec3i count = latticeOf(size, fine);
+  struct Sample { std::uint64_t rank; Vec3d place, normal; };
+  std::vector<Sample> samples;
+  const auto at = [&](int i, int j, int k) { return box.min + Vec3d{(i - 1) * fine, (j - 1) * fine, (k - 1) * fine}; };
+  eachNearSurface(shape, fine, {0, 0, 0}, count, at, [&](int i, int j, int k) {
+    Vec3d x = at(i, j, k), n;
+    double d = shape.distanceWithin(x, fine, &n);
+    if (std::abs(d) >= fine) return;
+    for (int pass = 0; pass < 4; pass++) {
+      x -= d * n;
+      d = shape.distanceWithin(x, fine, &n);
+    }
+    if (std::abs(d) > 0.05 * spacing) return;
+    const std::uint64_t number = (static_cast<std::uint64_t>(k) * static_cast<std::uint64_t>(count.y) + static_cast<std::uint64_t>(j)) * static_cast<std::uint64_t>(count.x) + static_cast<std::uint64_t>(i);
+    samples.push_back({randomBits(seed, Purpose::OrientedSample, number), x, n});
+  });
+  std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.rank < b.rank; });
+  MadePoints m;
+  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> bins;
+  const auto binOf = [&](const Vec3d& x, int a) { return static_cast<std::int64_t>(std::floor((x[a] - box.min[a]) / apart)) + 4; };
+  const auto key = [](std::int64_t x, std::int64_t y, std::int64_t z) { return static_cast<std::uint64_t>(z) << 42 | static_cast<std::uint64_t>(y) << 21 | static_cast<std::uint64_t>(x); };
+  for (const Sample& s : samples) {
+    const std::int64_t bx = binOf(s.place, 0), by = binOf(s.place, 1), bz = binOf(s.place, 2);
+    bool free = true;
+    for (std::int64_t z = bz - 1; z <= bz + 1 && free; z++)
+      for (std::int64_t y = by - 1; y <= by + 1 && free; y++)
+        for (std::int64_t x = bx - 1; x <= bx + 1 && free; x++) {
+          const auto there = bins.find(key(x, y, z));
+          if (there == bins.end()) continue;
+          for (const std::uint32_t q : there->second) {
+            const Vec3d d = m.places[q] - s.place;
+            if (dot(d, d) < apart * apart && dot(m.normals[q], s.normal) > 0) free = false;  // thin bodies have two sides
+          }
+        }
+    if (!free) continue;
+    bins[key(bx, by, bz)].push_back(static_cast<std::uint32_t>(m.places.size()));
+    addPoint(m, s.place, s.normal);
+  }
+  spreadOut(1.05 * spacing, m, [&](Vec3d& place, Vec3d& n) {
+    const double d = shape.distanceWithin(place, spacing, &n);
+    place -= d * n;
+  });
+  return m;
+}
+
+}  // namespace thaw

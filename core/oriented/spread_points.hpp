@@ -1,0 +1,35 @@
+// Points of a surface make room for each other along it.
+#pragma once
+#include "core/geometry/point_tree.hpp"
+#include "core/oriented/made_points.hpp"
+
+namespace thaw {
+
+/// Free points push each other, and held ones push them, apart along the surface, within `range`: all at once from their last places, so that their order does
+/// not matter. project(place, normal) brings a place back onto the surface and finds its normal.
+template<class Project> void spreadOut(double range, MadePoints& m, const Project& project) {
+  constexpr int passes = 60;
+  for (int pass = 0; pass < passes; pass++) {
+    const PointTree tree(m.places);
+    for (std::size_t i = 0; i < m.places.size(); i++) {
+      if (m.held[i]) continue;
+      Vec3d push{};
+      for (const std::uint32_t j : tree.within(tree.points()[i], range)) {
+        if (j == i || !(dot(m.normals[i], m.normals[j]) > 0)) continue;
+        const Vec3d r = tree.points()[i] - tree.points()[j];
+        const double far = length(r);
+        if (far > 0) push += ((range - far) / far) * r;
+      }
+      Vec3d n = m.normals[i];
+      m.places[i] += 0.25 * (push - dot(push, n) * n);
+      for (int k = 0; k < 2; k++) project(m.places[i], n);
+    }
+    for (std::size_t i = 0; i < m.places.size(); i++)
+      if (!m.held[i]) {
+        Vec3d place = m.places[i];
+        project(place, m.normals[i]);
+      }
+  }
+}
+
+}  // namespace thaw

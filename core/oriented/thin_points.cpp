@@ -1,0 +1,93 @@
+#include "core/oriented/thin_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/geometry/point_tree.hpp"
+#include "core/math/hash_random.hpp"
+#include "core/oriented/given_surface.hpp"
+#include "core/oriented/oriented.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr double evenReach = 0.95;      // of the mean distance to the nearest: of even points there is one this near to any place
+constexpr double chosenByError = 0.33;  // share of the kept points
+constexpr int rounds = 4;
+
+/// Of points in the order of a hash those that have none kept within a distance (Poisson discs), for which their number is right; ascending.
+std::vector<std::uint32_t> evenly(const MadePoints& m, const PointTree& tree, std::size_t wanted, std::uint64_t seed) {
+  std::vector<std::uint32_t> order(m.places.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::vector<std::uint64_t> rank;
+  for (std::size_t k = 0; k < order.size(); k++) rank.push_back(randomBits(seed, Purpose::OrientedSample, k, 1));
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return rank[a] < rank[b]; });
+  const auto keptAt = [&](double apart) {
+    std::vector<std::uint8_t> covered(m.places.size(), 0);
+    std::vector<std::uint32_t> kept;
+    for (const std::uint32_t k : order) {
+      if (covered[k]) continue;
+      kept.push_back(k);
+      for (const std::uint32_t q : tree.within(m.places[k], apart)) covered[q] |= dot(m.normals[k], m.normals[q]) > 0;  // thin bodies have two sides
+    }
+    return kept;
+  };
+  double low = 0, high = 1e-3;
+  for (const Vec3d& x : m.places) high = std::max(high, length(x - m.places[0]));
+  std::vector<std::uint32_t> kept = keptAt(low);
+  for (int k = 0; k < 40 && kept.size() != wanted; k++) {
+    const double apart = 0.5 * (low + high);
+    std::vector<std::uint32_t> these = keptAt(apart);
+    (these.size() > wanted ? low : high) = apart;
+    if (these.size() >= wanted || k == 39) kept = std::move(these);
+  }
+  std::sort(kept.begin(), kept.end());
+  return kept;
+}
+
+GivenPoints givenBy(const MadePoints& m, const std::vector<std::uint32_t>& kept) {
+  GivenPoints g;
+  for (const std::uint32_t k : kept) {
+    g.points.push_back(m.places[k]);
+    g.normals.push_back(m.normals[k]);
+  }
+  readyGiven(g);
+  return g;
+}
+
+}  // namespace
+
+MadePoints thinned(const MadePoints& m, double share, std::uint64_t seed) {
+  const PointTree tree(m.places);
+  const auto wanted = static_cast<std::size_t>(std::ceil(share * static_cast<double>(m.places.size()) - 1e-9));
+  std::vector<std::uint32_t> kept = evenly(m, tree, wanted - static_cast<std::size_t>(chosenByError * static_cast<double>(wanted)), seed);
+  MadePoints thin;
+  for (int round = rounds; round > 0 && kept.size() < wanted; round--) {
+    const GivenPoints given = givenBy(m, kept);
+    if (round == rounds) thin.reach = evenReach * given.apart;
+    std::vector<std::pair<double, std::uint32_t>> far;
+    for (std::uint32_t k = 0; k < m.places.size(); k++) {
+      Vec3d x = m.places[k], n = m.normals[k];
+      far.push_back({projectOnGiven(given, x, n) && dot(n, m.normals[k]) > 0 ? length(x - m.places[k]) : given.apart, k});
+    }
+    std::sort(far.begin(), far.end(), [](const auto& a, const auto& b) { return a.first != b.first ? a.first > b.first : a.second < b.second; });
+    // what is near to a new one waits until its surface is known
+    std::vector<std::uint8_t> waits(m.places.size(), 0);
+    std::size_t more = (wanted - kept.size() + static_cast<std::size_t>(round) - 1) / static_cast<std::size_t>(round);
+    for (const std::uint32_t k : kept) waits[k] = 1;
+    for (const auto& [error, k] : far) {
+      if (more == 0) break;
+      if (waits[k]) continue;
+      kept.push_back(k);
+      more--;
+      for (const std::uint32_t q : tree.within(m.places[k], 0.5 * given.apart)) waits[q] |= dot(m.normals[k], m.normals[q]) > 0;
+    }
+    std::sort(kept.begin(), kept.end());
+  }
+  if (thin.reach == 0) thin.reach = evenReach * givenBy(m, kept).apart;
+  for (const std::uint32_t k : kept) addPoint(thin, m.places[k], m.normals[k], heldPlace | heldNormal);
+  return thin;
+}
+
+}  // namespace thaw

@@ -1,0 +1,13 @@
+// What a scene says that has no effect: allowed, and told.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.hpp"
+
+namespace thaw {
+
+/// A line each, with file and line of the scene: events after its end, fields of frames that nothing in it has.
+std::vector<std::string> sceneWarnings(const Scene& scene);
+
+}  // namespace thaw

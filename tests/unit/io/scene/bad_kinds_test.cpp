@@ -1,0 +1,53 @@
+// What is said of oriented bodies and sheets that mean nothing: refused with its place, or, where it is only without effect, a warning.
+#include <gtest/gtest.h>
+
+#include "io/scene/read_scene.hpp"
+#include "io/scene/scene_files.hpp"
+#include "io/scene/scene_warnings.hpp"
+
+namespace thaw {
+namespace {
+
+const std::string head = "spacing = 0.05\nend = 1\n[domain]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\n";
+const std::string patch = "[[oriented]]\nname = \"a\"\npatch = { width = 0.5, depth = 0.5 }\n";
+const std::string cloth = "[[sheet]]\ngrid = { width = 0.5, depth = 0.5 }\n";
+
+std::string errorOf(const std::string& text) {
+  try {
+    readScene(sceneFilesOf("s.toml", head + text));
+  } catch (const SceneErrors& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(BadKinds, WhatMeansNothingIsRefusedAtItsPlace) {
+  const struct { std::string text, line; } table[] = {
+      {"[[oriented]]\npoints = []\n", "s.toml:7:10: error: oriented.0.points: expected at least one point [x, y, z]"},
+      {"[[oriented]]\ncontrol = [[0, 0, 0]]\n", "s.toml:7:11: error: oriented.0.control: expected at least three points that do not lie on a line"},
+      {"[[oriented]]\ncurve = { from = [0, 0, 0], to = [0.5, 0, 0] }\nplace = { move = [0, 0, 0.5] }\n",
+       "s.toml:8:9: error: oriented.0.place: is of shapes, patches and discs only: points, control and curve are where they say"},
+      {patch + "[[oriented.anchor]]\nsphere = { radius = 0.1 }\nposition = false\n", "s.toml:9:1: error: oriented.a.anchor.0: it holds nothing: expected position = true, normal = true, or both"},
+      {patch + "[[oriented.event]]\nkind = \"weld\"\nother = \"a\"\n", "s.toml:9:1: error: oriented body 'a': it cannot be welded to itself: expected the name of another oriented body"},
+      {patch + "[[oriented.event]]\nkind = \"cut\"\nplane = { point = [0, 0, 0] }\nstroke = [[0, 0, 0], [0.1, 0, 0]]\n",
+       "s.toml:12:10: error: oriented.a.event.0.stroke: a second tool; expected one of plane, stroke and a shape, and two cuts for two"},
+      {patch + "[[oriented.event]]\nkind = \"crease\"\nalong = [[0, 0, 0], [0.1, 0, 0]]\nplane = { point = [0, 0, 0] }\n", "s.toml:12:9: error: oriented.a.event.0.plane: is of a cut only"},
+      {patch + "[[oriented.event]]\nkind = \"smooth\"\n", "s.toml:9:1: error: oriented.a.event.0: its shape is missing: mesh, box, sphere, cylinder, torus, glass, plane, union, difference or intersection"},
+      {cloth + "[sheet.clamp]\n", "s.toml:8:1: error: sheet.0.clamp.0: its shape is missing: mesh, box, sphere, cylinder, torus, glass, plane, union, difference or intersection"},
+      {cloth + "[[sheet.brush]]\nradius = 0.1\n", "s.toml:8:1: error: sheet.0.brush.0.pressure: is missing or zero: expected what it pushes with, [x, y, z]"},
+  };
+  for (const auto& t : table) EXPECT_EQ(errorOf(t.text), t.line);
+  EXPECT_EQ(errorOf(patch + cloth), "");
+}
+
+TEST(BadKinds, WhatHasNoEffectIsAWarning) {
+  const Scene s = readScene(sceneFilesOf("s.toml", head + patch + "[[oriented.event]]\nkind = \"cut\"\ntime = 3\nplane = { point = [0, 0, 0] }\n[output]\nfields = [\"liquid\"]\n"));
+  const std::vector<std::string> lines = sceneWarnings(s);
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0], "s.toml:9:1: oriented body 'a': this event is at 3 s and the scene ends at 1 s: it does not happen");
+  EXPECT_EQ(lines[1].rfind("s.toml:14:10: output.fields (liquid) are of bodies and emitters", 0), 0u);
+  EXPECT_TRUE(sceneWarnings(readScene(sceneFilesOf("s.toml", head + patch + cloth))).empty());
+}
+
+}  // namespace
+}  // namespace thaw
