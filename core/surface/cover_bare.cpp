@@ -21,10 +21,8 @@
 namespace thaw {
 namespace {
 
-/// A direction is taken by a particle within this many spacings ...
+/// A direction is taken by a particle within this many spacings (FreeDirections).
 constexpr double neighbourReach = 1.7;
-/// ... that lies less than 41 degrees off it.
-constexpr double takenFrom = 0.75;
 /// Surfels are looked for within this many spacings of a particle or seed. A mesh may lie a spacing over the outermost particles.
 constexpr double surfelReach = 1.8;
 /// Over a true opening the colour falls below this share of its level half a spacing farther out.
@@ -75,29 +73,6 @@ class Over {
   float most_, half_;
   std::size_t size_ = 0;
   std::vector<float> x_, y_, z_, nx_, ny_, nz_, r2_;
-};
-
-/// Which seeds of a particle have another particle before them.
-class FreeDirections {
- public:
-  void begin(const SeedDirections& seeds) {
-    const auto n = static_cast<std::size_t>(seeds.count());
-    x_.resize(n), y_.resize(n), z_.resize(n);
-    nearest_.assign(n, -1);
-    for (std::size_t k = 0; k < n; k++) {
-      const Vec3d u = seeds[static_cast<int>(k)];
-      x_[k] = static_cast<float>(u.x), y_[k] = static_cast<float>(u.y), z_[k] = static_cast<float>(u.z);
-    }
-  }
-  /// By a particle in this direction.
-  void take(const Vec3d& d) {
-    const float dx = static_cast<float>(d.x), dy = static_cast<float>(d.y), dz = static_cast<float>(d.z);
-    for (std::size_t k = 0; k < x_.size(); k++) nearest_[k] = std::max(nearest_[k], dx * x_[k] + dy * y_[k] + dz * z_[k]);
-  }
-  bool taken(int k) const { return nearest_[static_cast<std::size_t>(k)] > static_cast<float>(takenFrom); }
-
- private:
-  std::vector<float> x_, y_, z_, nearest_;  // nearest: cosine of the angle to the nearest particle's direction
 };
 
 /// Surfels around owned particles, in rows. Surfels have ghosts and bins.

@@ -12,6 +12,7 @@ namespace thaw {
 /// holds all surfels within `radius` of what was open when it was taken, on the ranks that own them, and all that a round needs of
 /// those within radius less the reach of a look.
 struct OpenRegion {
+  std::int64_t few = 12;            ///< it is taken where less than one surfel in so many is open; 0: never
   bool taken = false;
   Surfels surfels;
   CellTable cells;

@@ -184,9 +184,6 @@ std::int64_t countOpen(const Surfels& s, Reducer& all) {
   return open[0];
 }
 
-/// Later rounds look at a table of what is open and around it where that is less than one in so many.
-constexpr std::int64_t fewOpen = 12;
-
 /// Sorted, with ghosts and bins: what this round looks at.
 void placeOpen(Surface& surface, SurfaceHalos halos, SurfaceTools& t, OpenRegion& region, Round& r) {
   Surfels& s = *r.table;
@@ -239,7 +236,7 @@ Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t r
       findRows(t.relax.surfelBins, all.position.data(), all.owned, r.open, reach, t.surfelsOf);
       adaptDensity(surface, halos.surfels, t.surfelsOf, reach, w.scene.surface.adapt * surface.spacing);
       r.lookAtOpen();
-    } else if (round > 0 && !region.taken && regionRadius >= 2 * reach && r.openRows(halos.all) * fewOpen < total) {
+    } else if (round > 0 && !region.taken && regionRadius >= 2 * reach && region.few > 0 && r.openRows(halos.all) * region.few < total) {
       takeRegion(surface, t.relax.surfelBins, r.open, regionRadius, reach, region);
       r.table = &region.surfels;
       placeOpen(surface, halos, t, region, r);

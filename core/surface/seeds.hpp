@@ -1,5 +1,6 @@
 // Places on the surface around a particle, from which surfels are grown.
 #pragma once
+#include <algorithm>
 #include <vector>
 
 #include "core/surface/births.hpp"
@@ -29,6 +30,30 @@ class SeedDirections {
   std::uint64_t seed_;
   double cosine_ = 1, sine_ = 0;
   std::vector<Vec3d> at_;
+};
+
+/// Which seeds of a particle have another particle before them.
+class FreeDirections {
+ public:
+  void begin(const SeedDirections& seeds) {
+    const auto n = static_cast<std::size_t>(seeds.count());
+    x_.resize(n), y_.resize(n), z_.resize(n);
+    nearest_.assign(n, -1);
+    for (std::size_t k = 0; k < n; k++) {
+      const Vec3d u = seeds[static_cast<int>(k)];
+      x_[k] = static_cast<float>(u.x), y_[k] = static_cast<float>(u.y), z_[k] = static_cast<float>(u.z);
+    }
+  }
+  /// By a particle in this direction.
+  void take(const Vec3d& d) {
+    const float dx = static_cast<float>(d.x), dy = static_cast<float>(d.y), dz = static_cast<float>(d.z);
+    for (std::size_t k = 0; k < x_.size(); k++) nearest_[k] = std::max(nearest_[k], dx * x_[k] + dy * y_[k] + dz * z_[k]);
+  }
+  bool taken(int k) const { return nearest_[static_cast<std::size_t>(k)] > takenFrom; }
+
+ private:
+  static constexpr float takenFrom = 0.75f;  // a particle that lies less than 41 degrees off it
+  std::vector<float> x_, y_, z_, nearest_;  // nearest: cosine of the angle to the nearest particle's direction
 };
 
 /// The points of the component's surface that belong to particle i (row of the copies) in n <= FieldProbe::most directions u; none where there is none near it.

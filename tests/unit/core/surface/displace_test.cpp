@@ -110,6 +110,24 @@ TEST(Displace, NobodyAtAll) {
   EXPECT_EQ(rig.w.surface.counters.lost, 1);
 }
 
+TEST(Displace, SameBitsForEveryInstructionSet) {
+  std::vector<Vec3d> first;
+  for (const char* isa : {"base", "avx2", "avx512"}) {
+    if (!surfaceKernels(isa)) continue;
+    SettleRig rig;
+    rig.tools.relax.kernels = surfaceKernels(isa);
+    rig.addLattice(4, {0.3, 0.1, 0.2}, [](const Vec3d& x) { return length(x) < 4; });
+    rig.addBallSurfels(4, 0.1);
+    SurfaceParticles& p = rig.w.surface.particles;
+    for (std::size_t i = 0; i < p.owned; i++) p.displacement[i] = 0.1 * Vec3d{std::sin(p.position[i].y), p.position[i].x * p.position[i].z, std::cos(p.position[i].x)};
+    carry(rig);
+    const Surfels& s = rig.w.surface.surfels;
+    const std::vector<Vec3d> now(s.position.data(), s.position.data() + s.owned);
+    if (first.empty()) first = now;
+    EXPECT_TRUE(first == now) << isa;
+  }
+}
+
 TEST(Displace, FreshParticlesAndOtherComponentsDoNotPull) {
   SettleRig rig;
   rig.addLattice(3, {}, [](const Vec3d& x) { return length(x) < 3; });

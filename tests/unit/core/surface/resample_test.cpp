@@ -178,5 +178,31 @@ TEST(Resample, DensityFollowsCurvature) {
     }
 }
 
+TEST(Resample, FewOpenSurfelsInATableOfTheirOwnGiveTheSameBits) {
+  std::vector<std::byte> state[2];
+  std::int64_t births[2];
+  for (const bool apart : {false, true}) {
+    SurfelRig rig(surfelScene(0.05));
+    for (const SurfacePoint& p : spherePoints(5800, 1))
+      if (std::abs(p.position.x) > 0.2 || p.position.z < 0) rig.add(p.position, p.normal);  // a slot, which closes from its rims
+    rig.tools.openRegion.few = apart ? 12 : 0;
+    const BirthPlace near = [](const Surfels&, std::size_t, SurfacePoint& p, bool) {
+      p.position = normalized(p.position), p.normal = p.position;
+      return true;
+    };
+    std::fill_n(rig.surfels().calm.data(), rig.surfels().owned, 0.0f);
+    births[apart] = thaw::resample(rig.world, rig.ranks->halos(), rig.tools, 30, near).births;
+    EXPECT_EQ(rig.tools.openRegion.rows.empty(), !apart);  // it was taken
+    EXPECT_FALSE(rig.tools.openRegion.taken);
+    const Surfels& s = rig.surfels();
+    const std::size_t bytes = s.stateBytes();
+    state[apart].resize(s.owned * bytes);
+    for (std::size_t i = 0; i < s.owned; i++) s.packState(i, &state[apart][i * bytes]);
+  }
+  EXPECT_GT(births[0], 300);
+  EXPECT_EQ(births[0], births[1]);
+  EXPECT_TRUE(state[0] == state[1]);
+}
+
 }  // namespace
 }  // namespace thaw
