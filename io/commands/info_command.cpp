@@ -123,6 +123,11 @@ Json folderInfo(const std::string& path) {
 std::string textOf(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
+  if (value.is_array()) {
+    std::string all;
+    for (const Json& item : value) all += (all.empty() ? "" : ", ") + textOf(item);
+    return "[" + all + "]";
+  }
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
