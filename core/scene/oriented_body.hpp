@@ -1,6 +1,8 @@
 // An oriented body as the scene says it ([[oriented]]): where its particles come from, how they act on each other, what happens to them.
 #pragma once
 #include <cstdint>
+#include <iterator>
+#include <optional>
 #include <vector>
 
 #include "core/scene/motion.hpp"
@@ -48,6 +50,7 @@ struct OrientedBody {
   Vec3d from{}, to{1, 0, 0};             // m, ends of a curve in y = 0
   double bulge = 0;                      // m, height of the curve's middle
   double thin = 1;                       // 1, share of the samples that is kept, held where they are; the rest grows again
+  std::optional<std::uint32_t> colour;   // red | green << 8 | blue << 16; none: orientedColours by its number
   double spacing = 0;                    // m, wanted distance of its particles; 0: the scene's
   double jitter = 0;                     // 1, spacings and rad by which places and normals are off at the start, at most along each axis
   Vec3d velocity{};                      // m/s
@@ -81,6 +84,12 @@ struct OrientedBody {
   std::vector<OrientedAnchor> anchors;
   std::vector<OrientedEvent> events;
 };
+
+/// Colours of bodies that are given none, by their number in the scene, over and over.
+inline constexpr std::uint32_t orientedColours[] = {0x60aae0, 0xd6a46e, 0x78be96, 0x7878ce, 0xc88caa, 0xbebe78};
+
+/// Colour of a body: red | green << 8 | blue << 16.
+inline std::uint32_t colourOf(const OrientedBody& b, std::size_t number) { return b.colour ? *b.colour : orientedColours[number % std::size(orientedColours)]; }
 
 /// kg, of a particle: its share of the surface is the cell of a hexagonal lattice.
 inline double orientedMass(const OrientedBody& b, double spacing) { return b.density * 0.86602540378443865 * spacing * spacing; }

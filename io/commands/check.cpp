@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -86,9 +87,11 @@ int checkAll(const CheckOptions& o) {
   if (!sampled.overlaps.empty()) std::printf("  %lld particles left out of overlaps\n", static_cast<long long>(sampled.removed));
   std::printf("\nmodules\n");
   for (const std::string& why : w.modules.why) std::printf("  %s\n", why.c_str());
-  std::printf("\ntime step %.3g s at the start, limited by %s%s; by the materials alone\n", dt, limitedBy.c_str(), substeps.c_str());
+  std::printf("\ntime step %.3g s at the start, limited by %s%s\n", dt, limitedBy.c_str(), substeps.c_str());
+  const auto ofMaterials = [](double limit) { return limit < never; };
+  if (std::any_of(t.fixedLimits.value.begin(), t.fixedLimits.value.end(), ofMaterials)) std::printf("by the materials alone\n");  // of sheets and oriented bodies nothing
   for (std::size_t k = 0; k < limitNames.size(); k++)
-    if (t.fixedLimits.value[k] < never) std::printf("  %-16s %.3g s\n", limitNames[k], t.fixedLimits.value[k]);
+    if (ofMaterials(t.fixedLimits.value[k])) std::printf("  %-16s %.3g s\n", limitNames[k], t.fixedLimits.value[k]);
   if (const std::vector<std::string> lines = frontierLines(s, w.modules); !lines.empty()) {
     std::printf("\nsettings on the frontier of error against time, in cases like this scene (docs/accuracy.md)\n");
     for (const std::string& line : lines) std::printf("  %s\n", line.c_str());

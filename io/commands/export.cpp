@@ -112,7 +112,8 @@ std::vector<ComponentMesh> meshesOf(const OrientedFrame& frame, const OrientedMe
     const Vec3d n = frame.normals[i];
     m.mesh.vertices.push_back(frame.positions[i]);
     m.normals.push_back({static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)});
-    m.colours.push_back({200, 200, 200});
+    const auto& c = frame.colours[i];
+    m.colours.push_back({static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])});
     if (!frame.ids.empty()) m.ids.push_back(frame.ids[i]);
   }
   for (const Corners& t : made.triangles) byGroup[frame.groups[t[0]]].mesh.triangles.push_back({vertexOf[t[0]], vertexOf[t[1]], vertexOf[t[2]]});

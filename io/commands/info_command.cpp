@@ -119,6 +119,18 @@ Json folderInfo(const std::string& path) {
   return j;
 }
 
+/// One value as people read it; --json has all digits.
+std::string textOf(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
+  if (value.is_array()) {
+    std::string all;
+    for (const Json& item : value) all += (all.empty() ? "" : ", ") + textOf(item);
+    return "[" + all + "]";
+  }
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 /// "name  value" lines; nested objects indented; a list of fields as a table.
 void print(const Json& j, int indent) {
   for (const auto& [key, value] : j.items()) {
@@ -140,7 +152,7 @@ void print(const Json& j, int indent) {
         }
       }
     } else if (!(value.is_array() && value.empty())) {
-      fmt::print("{}{:<16} {}\n", lead, key, value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, Json::error_handler_t::replace));
+      fmt::print("{}{:<16} {}\n", lead, key, textOf(value));
     }
   }
 }

@@ -14,6 +14,9 @@ void addOrientedFields(const World& w, Frame& f) {
     const OrientedBody& b = w.scene.oriented[o.body[i]];
     *to = static_cast<float>(b.spacing > 0 ? b.spacing : w.scene.spacing);
   });
+  addRows<std::uint8_t>(f, "color", "1", 3, [&w, &o](std::size_t i, std::uint8_t* to) {
+    for (int c = 0; c < 3; c++) to[c] = static_cast<std::uint8_t>(colourOf(w.scene.oriented[o.body[i]], o.body[i]) >> 8 * c & 255);
+  });
   addRows<std::uint32_t>(f, "group", "1", 1, [&o](std::size_t i, std::uint32_t* to) { *to = o.group[i]; });
   addRows<std::uint64_t>(f, "cut_sides", "1", 1, [&o](std::size_t i, std::uint64_t* to) { *to = o.cutSides[i]; });
   addRows<std::uint8_t>(f, "flags", "1", 1, [&o](std::size_t i, std::uint8_t* to) { *to = o.flags[i]; });

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "core/math/quat.hpp"
+#include "core/scene/oriented_body.hpp"
 #include "io/output/rows_by_id.hpp"
 
 namespace thaw {
@@ -32,6 +33,8 @@ OrientedFrame orientedFrameOf(FrameData data, const std::string& path) {
   f.positions = std::move(data.positions);
   const std::size_t n = f.positions.size();
   const FrameColumn &turn = need("orientation"), &radius = need("radius"), &group = need("group"), &body = need("oriented_body"), &cut = need("cut_sides"), &flags = need("flags");
+  const FrameColumn* colour = data.find("color");  // frames of before had none
+  if (colour && colour->components != 3) colour = nullptr;
   f.cutSides.resize(n);
   if (n > 0) std::memcpy(f.cutSides.data(), cut.bytes.data(), n * sizeof(std::uint64_t));
   for (std::size_t i = 0; i < n; i++) {
@@ -41,6 +44,10 @@ OrientedFrame orientedFrameOf(FrameData data, const std::string& path) {
     f.spacings.push_back(radius.value(i));
     f.groups.push_back(static_cast<std::uint32_t>(group.value(i)));
     f.bodies.push_back(static_cast<std::uint32_t>(body.value(i)));
+    const std::uint32_t plain = orientedColours[f.bodies.back() % std::size(orientedColours)];
+    std::array<std::uint8_t, 3> rgb{};
+    for (int c = 0; c < 3; c++) rgb[static_cast<std::size_t>(c)] = colour ? static_cast<std::uint8_t>(colour->value(i, c)) : static_cast<std::uint8_t>(plain >> 8 * c & 255);
+    f.colours.push_back(rgb);
     f.flags.push_back(static_cast<std::uint8_t>(flags.value(i)));
   }
   return f;

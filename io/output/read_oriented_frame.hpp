@@ -13,6 +13,7 @@ struct OrientedFrame {
   std::vector<Vec3d> tangents;            ///< where its orientation turns e_x
   std::vector<double> spacings;           ///< m
   std::vector<std::uint32_t> groups, bodies;
+  std::vector<std::array<std::uint8_t, 3>> colours;  ///< sRGB
   std::vector<std::uint64_t> cutSides;
   std::vector<std::uint8_t> flags;
   std::vector<std::uint64_t> ids;         ///< empty where the frame has none

@@ -12,7 +12,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr float golden = 2.39996323f;
-constexpr Rgb paints[] = {{224, 170, 96}, {110, 164, 214}, {150, 190, 120}, {206, 120, 120}, {170, 140, 200}, {120, 190, 190}};
+constexpr Rgb held{200, 60, 60};  // what is held is red
+
+Rgb paintOf(const OrientedFrame& f, std::size_t i) { return {f.colours[i][0], f.colours[i][1], f.colours[i][2]}; }
 
 Vec3f single(const Vec3d& v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
 
@@ -50,7 +52,7 @@ void addMesh(FrameView& view, const OrientedFrame& f, std::span<const std::array
     // along a crease the particles' normals are between those of the sides: there a triangle shows its own
     const bool folded = ((f.flags[t[0]] | f.flags[t[1]] | f.flags[t[2]]) & 1) != 0;
     const Vec3d flat = normalized(cross(x[1] - x[0], x[2] - x[0]));
-    const Rgb colour = paints[group % std::size(paints)];
+    const Rgb colour = paintOf(f, t[0]);
     for (int a = 0; a < parts; a++)
       for (int b = 0; a + b < parts; b++) {
         const double p = (a + 1.0 / 3) / parts, q = (b + 1.0 / 3) / parts, r = 1 - p - q;
@@ -108,7 +110,7 @@ void addOriented(FrameView& view, const fs::path& frame, OrientedLook look) {
   for (std::size_t i = 0; i < f.positions.size(); i++) {
     const auto component = static_cast<std::uint32_t>(5000 + i);
     const double s = f.spacings[i];
-    const Rgb colour = f.flags[i] & 2 ? Rgb{200, 60, 60} : paints[f.groups[i] % std::size(paints)];  // what is held is red
+    const Rgb colour = f.flags[i] & 2 ? held : paintOf(f, i);
     if (look == OrientedLook::Discs) {
       addDisc(view, single(f.positions[i]), single(f.normals[i]), static_cast<float>(0.36 * s), colour, component, true);
     } else if (look == OrientedLook::Axes) {
@@ -123,7 +125,7 @@ void addOriented(FrameView& view, const fs::path& frame, OrientedLook look) {
   if (triangles.size() * 3 < f.positions.size()) {  // a curve, or points far apart
     for (std::size_t i = 0; i < f.positions.size(); i++) {
       const double s = f.spacings[i];
-      addBall(view, single(f.positions[i]), static_cast<float>(0.22 * s), f.flags[i] & 2 ? Rgb{200, 60, 60} : paints[f.groups[i] % std::size(paints)], static_cast<std::uint32_t>(5000 + i));
+      addBall(view, single(f.positions[i]), static_cast<float>(0.22 * s), f.flags[i] & 2 ? held : paintOf(f, i), static_cast<std::uint32_t>(5000 + i));
       addRod(view, f.positions[i], f.positions[i] + (0.8 * s) * f.normals[i], 0.05 * s, {70, 110, 210}, static_cast<std::uint32_t>(5000 + i));
     }
     return;
@@ -131,7 +133,7 @@ void addOriented(FrameView& view, const fs::path& frame, OrientedLook look) {
   if (look == OrientedLook::Mesh) return addMesh(view, f, triangles);
   std::uint32_t number = 5000;
   for (const auto& e : edgesOf(triangles))
-    addRod(view, f.positions[e[0]], f.positions[e[1]], 0.05 * f.spacings[e[0]], paints[f.groups[e[0]] % std::size(paints)], number++);
+    addRod(view, f.positions[e[0]], f.positions[e[1]], 0.05 * f.spacings[e[0]], paintOf(f, e[0]), number++);
 }
 
 void addKindsBeside(FrameView& view, const fs::path& frame, OrientedLook look, float spacing) {

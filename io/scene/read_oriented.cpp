@@ -135,6 +135,12 @@ void readOriented(TableReader& r, SceneReading& x) {
   b.where = r.place();
   r.text("name", b.name, "for messages and `--set`; none: \"oriented\" and its number");
   readSource(r, b);
+  std::string colour;
+  r.text("colour", colour, "in pictures and exports; none: orange, blue, green, red, violet, turquoise by its place in the scene", "\"#rrggbb\"");
+  if (std::uint32_t value = 0; !colour.empty()) {
+    if (readColour(colour, value)) b.colour = value;
+    else r.fail("colour", "expected six hexadecimal digits such as \"#e8c890\"");
+  }
   r.number("thin", b.thin, "", between(1e-4, 1), "share of its particles that is kept, and held; with growth = \"borders\" the others grow again");
   r.number("spacing", b.spacing, "m", notNegative(), "wanted distance of its particles; 0: that of the scene");
   r.number("jitter", b.jitter, "", between(0, 1), "spacings, and radians, by which its particles are off at the start, at most along each axis, at random");

@@ -21,7 +21,7 @@ std::string cell(const std::string& s) {
 constexpr const char* introduction =
     "# Keys of a scene file\n\n"
     "Generated from the table of keys in `io/scene` by `thaw docs`; a test compares the two.\n\n"
-    "A scene is a TOML file. It needs a `[[body]]` or an `[[emitter]]` and its `[material.NAME]`; all other keys have defaults. A quantity\n"
+    "A scene is a TOML file. It needs a `[[body]]` or an `[[emitter]]` with its `[material.NAME]`, an `[[oriented]]` or a `[[sheet]]`; all other keys have defaults. A quantity\n"
     "is a number in the unit of the table below or a text with a unit: `\"15 cm\"`, `\"2 kJ/kg\"`, `\"0.25 W/(m K)\"`, `\"56 degC\"`, `\"30 deg\"`.\n"
     "Temperatures without a unit are in kelvin. Keys with a solid and a liquid value take `{ solid = ..., liquid = ... }` as well; in\n"
     "between, the value goes linearly with the liquid fraction. NaN and infinity are no values; where something is without limit, the word\n"

@@ -178,6 +178,21 @@ name = 'tap'
 material = 'water'
 disc = { radius = 0.3 }")" --set spacing=1e-4
 
+# what check and info say of a scene without continuum
+patch=$(kinds patch <<<"[[oriented]]
+patch = { width = 0.4, depth = 0.4 }")
+checked() {
+  isAccepted "check of oriented particles alone" check "$patch"
+  grep -q 'by the materials alone' "$place/log" && fail "check: limits of materials where there are none"
+}
+described() {
+  isAccepted "oriented particles alone" run "$patch" --steps 3
+  "$thaw" info "$place/out" >"$place/info" || fail "info of oriented particles"
+  grep -E -q '[1-9][0-9]*\.[0-9]{9}|\.0*[1-9][0-9]{8}' "$place/info" && fail "info: numbers of more than six digits"
+}
+started checked
+started described
+
 # the command line
 rejects "no such option" '--frobnicate' 2 run "$good" --frobnicate
 rejects "negative steps" '--steps' 2 run "$good" --steps -1

@@ -37,7 +37,15 @@ TEST(BadKinds, WhatMeansNothingIsRefusedAtItsPlace) {
       {cloth + "[[sheet.brush]]\nradius = 0.1\n", "s.toml:8:1: error: sheet.0.brush.0.pressure: is missing or zero: expected what it pushes with, [x, y, z]"},
   };
   for (const auto& t : table) EXPECT_EQ(errorOf(t.text), t.line);
+  EXPECT_EQ(errorOf(patch + "colour = \"blue\"\n"), "s.toml:9:10: error: oriented.a.colour: expected six hexadecimal digits such as \"#e8c890\"");
   EXPECT_EQ(errorOf(patch + cloth), "");
+}
+
+TEST(OrientedColours, AreThoseOfTheSceneOrFollowTheNumberOfTheBody) {
+  const Scene s = readScene(sceneFilesOf("s.toml", head + patch + "[[oriented]]\nname = \"b\"\ncurve = { from = [0, 0, 0.5], to = [0.5, 0, 0.5] }\ncolour = \"#102030\"\n"));
+  EXPECT_EQ(colourOf(s.oriented[0], 0), orientedColours[0]);
+  EXPECT_EQ(colourOf(s.oriented[1], 1), 0x302010u);
+  EXPECT_NE(colourOf(s.oriented[0], 0), colourOf(s.oriented[0], 1));
 }
 
 TEST(BadKinds, WhatHasNoEffectIsAWarning) {
