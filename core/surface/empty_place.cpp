@@ -14,14 +14,11 @@ constexpr std::size_t directions = 24;
 
 struct Circle {
   std::array<double, directions> cosine, sine;
-  std::array<float, directions> cosineF, sineF;
   Circle() {
     for (std::size_t k = 0; k < directions; k++) {
       const double angle = 2 * 3.14159265358979323846 * static_cast<double>(k) / directions;
       cosine[k] = std::cos(angle);
       sine[k] = std::sin(angle);
-      cosineF[k] = static_cast<float>(cosine[k]);
-      sineF[k] = static_cast<float>(sine[k]);
     }
   }
 };
@@ -44,7 +41,7 @@ std::array<float, directions> openDirections(const Patch& patch, double distance
   const std::array<float, 3> fn{static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)}, fu{static_cast<float>(u.x), static_cast<float>(u.y), static_cast<float>(u.z)},
       fv{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
   for (std::size_t k = 0; k < directions; k++) {
-    const float c = circle.cosineF[k], d = circle.sineF[k], curved = std::min(1.2f, std::max(-1.2f, c * c * ss + 2 * c * d * st + d * d * tt));
+    const float c = static_cast<float>(circle.cosine[k]), d = static_cast<float>(circle.sine[k]), curved = std::min(1.2f, std::max(-1.2f, c * c * ss + 2 * c * d * st + d * d * tt));
     const float sink = 0.5f * curved, flat = std::sqrt(1 - sink * sink), up = 1 - curved * sink, a = flat * (c * ss + d * st), b = flat * (c * st + d * tt);
     const float alongU = flat * c, alongV = flat * d, size = 1 / std::sqrt(up * up + a * a + b * b);
     x[k] = alongU * fu[0] + alongV * fv[0] - sink * fn[0];
