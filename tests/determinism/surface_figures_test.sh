@@ -26,6 +26,7 @@ try() {
 }
 [ -x "$suite" ] || fail "there is no $suite"
 try "1 3" surface_ball Hausdorff/R --spacing 0.0625
+try 1 surface_ball_relaxed none --spacing 0.0625
 try "1 3" surface_ball_mesh none --spacing 0.0625
 try "1 3" surface_cube none --spacing 0.0625
 # 18,000 steps: on one rank only
