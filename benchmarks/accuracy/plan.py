@@ -56,7 +56,7 @@ CASES = {
     "stefan_one_phase": (["0.02", "0.01", "0.005"], "0.01", {"kernel": ["mcg03"], **WIDE, "conduction": ["plain"], "cfl_heat": ["0.4"], **PRECISION}),
     "stefan_two_phase": (["0.02", "0.01", "0.005"], "0.01", {"kernel": ["mcg03"], **WIDE, "conduction": ["plain"], "cfl_heat": ["0.4"], **PRECISION}),
     # the surface; bars hold from R/dx = 16 on
-    "surface_ball": (["0.125", "0.0625", "0.0416666666666667"], "0.0625", {**SURFACE, "body.ball.packing": ["relaxed"], **FINE_SURFELS}),
+    "surface_ball": (["0.125", "0.0625", "0.0416666666666667"], "0.0625", {**SURFACE, **FINE_SURFELS}),
     "surface_ball_relaxed": (["0.125", "0.0625", "0.0416666666666667"], "0.0625", {}),
     "surface_ball_mesh": (["0.125", "0.0625", "0.0416666666666667"], "0.0625", {}),
     "surface_cube": (["0.125", "0.0625"], "0.0625", {"surface.source": ["particles"], "surface.source=particles surface.adapt": ["0.5"]}),
