@@ -25,22 +25,25 @@ void wrapPeriodic(const CellGrid& g, const Domain& d, Continuum& p, ExactSum& po
     if (const double more = wrapPlace(g, d, p.position[i]); more != 0) potential.add(p.mass[i] * more);
 }
 
+bool isOutside(const Domain& d, const Vec3d& x) {
+  bool gone = false;
+  for (int a = 0; a < 3; a++) gone = gone || (d.side[a][0] == Side::Open && x[a] < d.min[a]) || (d.side[a][1] == Side::Open && x[a] >= d.max[a]);
+  return gone;
+}
+
+bool hasOpenSide(const Domain& d) {
+  bool open = false;
+  for (const auto& side : d.side) open = open || side[0] == Side::Open || side[1] == Side::Open;
+  return open;
+}
+
 template<class Rows> void findLeaving(const CellGrid&, const Domain& d, Rows& p, std::vector<std::uint32_t>& rows) {
   rows.clear();
-  bool low[3], high[3];
-  for (int a = 0; a < 3; a++) {
-    low[a] = d.side[a][0] == Side::Open;
-    high[a] = d.side[a][1] == Side::Open;
-  }
-  for (std::size_t i = 0; i < p.owned; i++) {
-    const Vec3d& x = p.position[i];
-    bool gone = false;
-    for (int a = 0; a < 3; a++) gone = gone || (low[a] && x[a] < d.min[a]) || (high[a] && x[a] >= d.max[a]);
-    if (gone) {
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (isOutside(d, p.position[i])) {
       p.nextCell[i] = noCell;  // not its last cell: another rank may own that since the last rebalance
       rows.push_back(static_cast<std::uint32_t>(i));
     }
-  }
 }
 
 template void findLeaving(const CellGrid&, const Domain&, Continuum&, std::vector<std::uint32_t>&);

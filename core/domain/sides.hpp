@@ -17,6 +17,10 @@ double wrapPlace(const CellGrid& grid, const Domain& domain, Vec3d& place);
 /// fall round and round, is added to `potential`.
 void wrapPeriodic(const CellGrid& grid, const Domain& domain, Continuum& particles, ExactSum& potential);
 
+/// Is a place beyond an open side?
+bool isOutside(const Domain& domain, const Vec3d& place);
+bool hasOpenSide(const Domain& domain);
+
 /// Owned rows beyond an open side, ascending, into `rows`. Their nextCell is set to noCell, so that migration leaves them alone; the
 /// caller books and drops them.
 /// Particles: Continuum, KindRows.

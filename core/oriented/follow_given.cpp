@@ -30,6 +30,7 @@ std::int64_t findPlacesOnGiven(World& w, const StepTools& t) {
     letGo(w, i);
     dead++;
   }
+  w.counters.orientedDeaths += dead;
   return dead;
 }
 

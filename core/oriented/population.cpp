@@ -154,7 +154,6 @@ void letGo(World& w, std::size_t i) {
   o.energy[i] = 0;
   addKindRow(w, orientedKind, i, w.ledger.left);
   w.ledger.dissipated.add(o.dissipated[i]);
-  w.counters.orientedDeaths++;
   o.mass[i] = 0;  // placeOriented drops it
 }
 
@@ -218,6 +217,7 @@ bool changePopulation(World& w, Halos halos, StepTools& t) {
   o.resize(o.owned, 0);
   for (const std::uint32_t i : parents) giveBirth(w, t.oriented.potentials[o.body[i]], i, offers[i]);
   for (const std::uint32_t i : dead) letGo(w, i);
+  w.counters.orientedDeaths += static_cast<std::int64_t>(dead.size());
   return true;
 }
 

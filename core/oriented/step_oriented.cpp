@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/domain/sides.hpp"
 #include "core/kinds/place_kinds.hpp"
 #include "core/oriented/held.hpp"
 #include "core/oriented/integrators.hpp"
@@ -50,6 +51,25 @@ void bookEnergy(World& w, const StepTools& t, double sign, double dt) {
   for (std::size_t i = 0; i < o.owned; i++) w.ledger.phaseJump.add(sign * (o.energy[i] + half * (dot(o.force[i] - fieldOn(w, t, i), o.velocity[i]) + dot(o.torque[i], o.spin[i]))));
 }
 
+/// Has a row of any rank come through an open side? Collective, where there is one.
+bool anyLeaves(const World& w, Reducer& all) {
+  if (!hasOpenSide(w.scene.domain)) return false;
+  const Oriented& o = w.oriented.rows;
+  double gone = 0;
+  for (std::size_t i = 0; i < o.owned; i++) gone = std::max(gone, isOutside(w.scene.domain, o.position[i]) ? 1.0 : 0.0);
+  all.maximum({&gone, 1});
+  return gone > 0;
+}
+
+void letGoOutside(World& w) {
+  const Oriented& o = w.oriented.rows;
+  for (std::size_t i = 0; i < o.owned; i++)
+    if (isOutside(w.scene.domain, o.position[i])) {
+      letGo(w, i);
+      w.counters.left++;
+    }
+}
+
 /// Has a free row come further from its place of before than what it acts on? Before any of them can leave the domain unseen.
 bool goesTooFar(const World& w, const std::vector<Vec3d>& before) {
   const Oriented& o = w.oriented.rows;
@@ -80,10 +100,14 @@ void evaluateOriented(World& w, Halos halos, StepTools& t, double dt) {
   Oriented& o = w.oriented.rows;
   const double now = w.clock.time + dt;  // a step's clock still shows its beginning here
   readyOriented(w, halos, t);
-  const bool events = operationDue(w.scene, w.clock.time, now, dt), look = populationDue(w, dt);
-  if (events || look) {
+  const bool events = operationDue(w.scene, w.clock.time, now, dt), look = populationDue(w, dt), leaves = dt > 0 && anyLeaves(w, halos.all);
+  if (events || look || leaves) {
     addUpForces(w, t);
     if (dt > 0) bookEnergy(w, t, 1, dt);
+    if (leaves) {
+      letGoOutside(w);
+      readyAgain(w, halos, t);
+    }
     if (events) {
       operate(w, halos, t, dt > 0 ? w.clock.time : -never, now);
       readyAgain(w, halos, t);

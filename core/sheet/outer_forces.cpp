@@ -94,7 +94,10 @@ void addOuterForces(World& w, const SheetVelocities& now) {
     const SheetBody& b = w.scene.sheets[s.body[i]];
     const Pushes& p = pushes[s.body[i]];
     Vec3d out{};
-    if (b.windDensity > 0) out += windLoad(b, now.velocity[i], s.facing[i], s.area[i]);
+    if (b.windDensity > 0) {
+      out += windLoad(b, now.velocity[i], s.facing[i], s.area[i]);
+      if (s.mass[i] > 0) w.sheets.fastestDrag = std::max(w.sheets.fastestDrag, 2 * b.windDensity * length(b.wind - now.velocity[i]) * length(s.facing[i]) / s.mass[i]);
+    }
     if (p.wrap != 0) {
       if (p.target) {
         Vec3d n;

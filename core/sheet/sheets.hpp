@@ -51,6 +51,7 @@ struct SheetBodies {
   // of the last evaluation
   std::vector<double> slope;         ///< N/m^3, of each owned row: bound of the slope of neighbour forces and contacts, added up over them
   std::vector<double> stiffest;      ///< N/m^3, of each law: the largest slope of this rank's vertices. Of one vertex each: a sum of two vertices' would depend on what is on the same rank
+  double fastestDrag = 0;            ///< 1/s, of the wind: how fast it takes along a vertex, 2 rho |u_n| area / mass; the largest of this rank
   double stiffestParticle = 0;       ///< 1/s^2, contact with vertices over the mass of particles: the largest of this rank
   double fastest2 = 0;               ///< m^2/s^2, square of the largest speed of this rank's vertices that can touch anything
   std::vector<Vec3d> velocityRoom, impulseRoom;  ///< one a vertex, of an evaluation; kept, since fresh memory in every step costs as much as a force

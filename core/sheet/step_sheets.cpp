@@ -120,7 +120,7 @@ void loadSheets(World& w, Halos halos, StepTools& t, double dt) {
   Sheets& s = b.rows;
   b.stiffest.assign(b.laws.size(), 0);
   b.slope.assign(s.owned, 0);
-  b.fastest2 = b.stiffestParticle = 0;
+  b.fastest2 = b.stiffestParticle = b.fastestDrag = 0;
   // contacts want the velocity of now: what is missing is the push of the force after the step, for which that before stands
   std::vector<double> after(b.laws.size(), 0);
   for (std::size_t l = 0; dt > 0 && l < b.laws.size(); l++) after[l] = vertexMap(lawNow(w, b.laws[l], dt), dt).after;
@@ -159,6 +159,8 @@ double sheetStepLimit(const World& w) {
     const double part = std::frexp(b.stiffestParticle, &e);
     limit = std::min(limit, 4 * w.scene.numerics.cflElastic / std::sqrt(std::ldexp(std::ceil(part * 64) / 64, e)));
   }
+  // the wind acts by the velocity of before the step: as drag that is to take a vertex along by a fifth of the difference at most
+  if (b.fastestDrag > 0) limit = std::min(limit, 0.2 / b.fastestDrag);
   // nothing passes through anything in a step
   if (b.fastest2 > 0) {
     double thin = never;

@@ -140,7 +140,7 @@ void displaceSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
   r.free.assign(s.owned, 1);
   listGroups(w.surface, r.free, r.surfelBins, r.particleBins, {0, h}, r.lists);
   CarrySums in;
-  in.place = &s.position.data()->x;
+  in.place = reinterpret_cast<const double*>(s.position.data());  // null where there are none
   in.particle = r.carried.data();
   in.self = r.lists.self.data();
   in.firstParticle = r.lists.firstParticle.data();

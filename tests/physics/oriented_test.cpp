@@ -273,6 +273,25 @@ TEST(Oriented, SheetAndPatchThatMeetKeepMomentumAndBooks) {
   EXPECT_LT(std::abs(after.energyResidual), 0.01 * before.now.kinetic);
 }
 
+// A patch flies out of an open side, row by row: what its pairs with those that stay have is in the books.
+TEST(Oriented, APatchThatLeavesTheDomainKeepsItsBooks) {
+  Scene s = patchScene(0);
+  s.domain.gravity = {};
+  const Vec3d size = s.domain.max - s.domain.min;
+  s.oriented[0].velocity = {1.5 * size.x, 0, 0};
+  s.oriented[0].damping = 1;
+  s.end = 0.5;
+  test::Simulation x(s);
+  const double rows = static_cast<double>(x.w.oriented.rows.owned);
+  ASSERT_TRUE(x.run());
+  const LedgerReport r = x.books();
+  std::printf("%lld of %.0f left, residual %.2e of %.2e J\n", static_cast<long long>(x.w.counters.left), rows, r.energyResidual, r.energyScale);
+  EXPECT_GT(static_cast<double>(x.w.counters.left), 0.2 * rows);
+  EXPECT_EQ(x.w.counters.orientedDeaths, 0);
+  EXPECT_LT(std::abs(r.massResidual), 1e-15);
+  EXPECT_LT(std::abs(r.energyResidual), 0.02 * r.energyScale);
+}
+
 TEST(Oriented, CurveFollowsAPointThatIsLifted) {  // as scenes/oriented/curve2d.toml
   Scene s = patchScene(0);
   OrientedBody& b = s.oriented[0];

@@ -148,6 +148,29 @@ TEST(Sheets, PlasticityLeavesItsPartOfTheExcess) {
     }
 }
 
+// Light vertices without springs in a wind: the drag bounds the step, and they come to its speed and no further.
+TEST(Sheets, WindTakesLightVerticesAlongAndNoFaster) {
+  Scene s = test::emptyScene(0.02, {-1, -1, -1}, {1, 1, 1});
+  SheetBody b;
+  b.name = "leaf";
+  b.mesh = SheetMesh::Grid;
+  b.width = b.depth = 0.3;
+  b.spacing = 0.02;
+  b.mass = 0.01;
+  b.windDensity = 1.2;
+  b.wind = {0, 0, 1};
+  s.sheets.push_back(b);
+  s.end = 0.5;
+  test::Simulation x(s);
+  ASSERT_TRUE(x.run());
+  EXPECT_EQ(x.w.counters.left, 0);
+  const Sheets& v = x.w.sheets.rows;
+  for (std::size_t i = 0; i < v.owned; i++) {
+    EXPECT_GT(v.velocity[i].z, 0.7);
+    EXPECT_LT(v.velocity[i].z, 1.0);
+  }
+}
+
 TEST(Sheets, BooksOfAClothThatFallsOnTheFloorAndItself) {
   Scene s = sheetScene(SheetMesh::Grid);
   s.spacing = 0.025;
