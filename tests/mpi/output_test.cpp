@@ -1,4 +1,5 @@
 // Frames and checkpoints: written on some ranks, read on others; full disks, damaged files; comparison.
+#include <array>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -124,9 +125,9 @@ TEST(Frame, FieldsOfModulesThatAreOffStandForWhatTheyMean) {
   const auto first = [&](const std::string& name) {
     for (const FrameField& x : f.fields)
       if (x.name == name) {
-        float value = 0;
-        x.fill({0, 1}, reinterpret_cast<std::byte*>(&value));
-        return value;
+        std::array<float, 6> value{};  // a tensor
+        x.fill({0, 1}, reinterpret_cast<std::byte*>(value.data()));
+        return value[0];
       }
     return -1.0f;
   };
