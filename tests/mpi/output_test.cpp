@@ -1,9 +1,9 @@
 // Frames and checkpoints: written on some ranks, read on others; full disks, damaged files; comparison.
-#include <array>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
