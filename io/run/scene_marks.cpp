@@ -13,41 +13,41 @@ template<class List> void addNames(CheckpointValues& marks, const char* group, c
   for (std::size_t k = 0; k < list.size(); k++) marks[fmt::format("{}.{}", group, list[k].name)] = static_cast<double>(k);
 }
 
+using Numbers = std::initializer_list<std::pair<const char*, double>>;
+void addNumbers(CheckpointValues& marks, const std::string& at, Numbers numbers) {
+  for (const auto& [key, value] : numbers) marks[at + key] = value;
+}
+void addVector(CheckpointValues& marks, const std::string& key, const Vec3d& value) {
+  for (int a = 0; a < 3; a++) marks[key + "." + axes[a]] = value[a];
+}
+
 /// An emitter numbers its particles by what it has let out since its start, so that its schedule is part of the state.
 void addEmitter(CheckpointValues& marks, const Emitter& e) {
   const std::string at = "emitter." + e.name + ".";
-  marks[at + "radius"] = e.disc ? e.radius : 0;
-  marks[at + "width"] = e.disc ? 0 : e.width;
-  marks[at + "depth"] = e.disc ? 0 : e.depth;
-  marks[at + "speed"] = e.speed;
-  marks[at + "rate"] = e.rate;
-  marks[at + "start"] = e.start;
-  marks[at + "material"] = e.material;
-  for (int a = 0; a < 3; a++) {
-    marks[at + "centre." + axes[a]] = e.centre[a];
-    marks[at + "direction." + axes[a]] = e.direction[a];
-  }
+  addNumbers(marks, at, {{"radius", e.disc ? e.radius : 0}, {"width", e.disc ? 0 : e.width}, {"depth", e.disc ? 0 : e.depth}, {"speed", e.speed}, {"rate", e.rate}, {"start", e.start},
+                         {"material", static_cast<double>(e.material)}});
+  addVector(marks, at + "centre", e.centre);
+  addVector(marks, at + "direction", e.direction);
 }
 
 /// What a shape is made and placed by, and its parts'.
 void addShape(CheckpointValues& marks, const std::string& at, const Shape& s) {
-  marks[at + "kind"] = static_cast<double>(s.kind);
-  const std::pair<const char*, double> numbers[] = {{"radius", s.radius}, {"radius2", s.radius2}, {"height", s.height}, {"thickness", s.thickness}, {"scale", s.scale}, {"fit_height", s.fitHeight.value_or(0)}};
-  for (const auto& [key, value] : numbers) marks[at + key] = value;
-  const std::pair<const char*, Vec3d> vectors[] = {{"size", s.size}, {"rotate", s.rotate}, {"move", s.move}, {"bottom", s.bottom.value_or(Vec3d{})}};
-  for (const auto& [key, value] : vectors)
-    for (int a = 0; a < 3; a++) marks[at + key + "." + axes[a]] = value[a];
+  addNumbers(marks, at, {{"kind", static_cast<double>(s.kind)}, {"radius", s.radius}, {"radius2", s.radius2}, {"height", s.height}, {"thickness", s.thickness}, {"scale", s.scale},
+                         {"fit_height", s.fitHeight.value_or(0)}});
+  addVector(marks, at + "size", s.size);
+  addVector(marks, at + "rotate", s.rotate);
+  addVector(marks, at + "move", s.move);
+  addVector(marks, at + "bottom", s.bottom.value_or(Vec3d{}));
   for (std::size_t k = 0; k < s.parts.size(); k++) addShape(marks, fmt::format("{}part{}.", at, k), s.parts[k]);
 }
 
 /// A sheet's edges, triangles and places of rest are made anew from its mesh at a restart.
 void addSheet(CheckpointValues& marks, const SheetBody& b) {
   const std::string at = "sheet." + b.name + ".";
-  const std::pair<const char*, double> numbers[] = {{"mesh", static_cast<double>(b.mesh)}, {"width", b.width}, {"depth", b.depth}, {"height", b.height}, {"radius", b.radius}, {"spacing", b.spacing},
-                                                    {"ribs", b.ribs}, {"rib_height", b.ribHeight}, {"wrinkles", b.wrinkles}, {"wrinkle_height", b.wrinkleHeight},
-                                                    {"mass", b.mass}, {"regions", static_cast<double>(b.regions.size())}};  // vertices keep their mass and the number of their law
-  for (const auto& [key, value] : numbers) marks[at + key] = value;
-  for (int a = 0; a < 3; a++) marks[at + "warp_direction." + axes[a]] = b.warpDirection[a];
+  // vertices keep their mass and the number of their law
+  addNumbers(marks, at, {{"mesh", static_cast<double>(b.mesh)}, {"width", b.width}, {"depth", b.depth}, {"height", b.height}, {"radius", b.radius}, {"spacing", b.spacing}, {"ribs", b.ribs},
+                         {"rib_height", b.ribHeight}, {"wrinkles", b.wrinkles}, {"wrinkle_height", b.wrinkleHeight}, {"mass", b.mass}, {"regions", static_cast<double>(b.regions.size())}});
+  addVector(marks, at + "warp_direction", b.warpDirection);
   addShape(marks, at + "place.", b.shape);
   for (std::size_t k = 0; k < b.regions.size(); k++) {
     marks[fmt::format("{}region.{}.mass", at, k)] = b.regions[k].mass;
@@ -58,13 +58,6 @@ void addSheet(CheckpointValues& marks, const SheetBody& b) {
 constexpr const char* coefficient = "coefficient.";  // begins the marks that may change
 bool mayChange(const std::string& key) { return key.rfind(coefficient, 0) == 0; }
 
-using Numbers = std::initializer_list<std::pair<const char*, double>>;
-void addNumbers(CheckpointValues& marks, const std::string& at, Numbers numbers) {
-  for (const auto& [key, value] : numbers) marks[at + key] = value;
-}
-void addVector(CheckpointValues& marks, const std::string& key, const Vec3d& value) {
-  for (int a = 0; a < 3; a++) marks[key + "." + axes[a]] = value[a];
-}
 void addInTime(CheckpointValues& marks, const std::string& key, const FactorInTime& f) {
   for (std::size_t k = 0; k < f.points.size(); k++) {
     marks[fmt::format("{}.{}.time", key, k)] = f.points[k].first;
