@@ -4,7 +4,9 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <unordered_map>
+#include <unordered_set>
+
+#include "core/scene/shape.hpp"
 
 namespace thaw {
 namespace {
@@ -14,11 +16,11 @@ Side sideOf(std::uint32_t from, std::uint32_t to) { return static_cast<Side>(fro
 
 /// Directed sides of triangles that are in the surface. Each at most once: that is all a manifold needs along its edges.
 struct Sides {
-  std::unordered_map<Side, std::uint32_t> of;  // its triangle
-  bool has(std::uint32_t a, std::uint32_t b) const { return of.contains(sideOf(a, b)); }
+  std::unordered_set<Side> taken;
+  bool has(std::uint32_t a, std::uint32_t b) const { return taken.contains(sideOf(a, b)); }
   bool takes(const Corners& t) const { return !has(t[0], t[1]) && !has(t[1], t[2]) && !has(t[2], t[0]); }
-  void add(const Corners& t, std::size_t number) {
-    for (std::size_t k = 0; k < 3; k++) of[sideOf(t[k], t[(k + 1) % 3])] = static_cast<std::uint32_t>(number);
+  void add(const Corners& t) {
+    for (std::size_t k = 0; k < 3; k++) taken.insert(sideOf(t[k], t[(k + 1) % 3]));
   }
 };
 
@@ -26,7 +28,7 @@ struct Sides {
 double roundness(const OrientedPoints& p, const Corners& t) {
   const Vec3d u = p.positions[t[1]] - p.positions[t[0]], v = p.positions[t[2]] - p.positions[t[0]], w = v - u, n = cross(u, v);
   const double area2 = dot(n, n);
-  return area2 > 0 ? dot(u, u) * dot(v, v) * dot(w, w) / (4 * area2 * p.spacings[t[0]] * p.spacings[t[0]]) : 1e300;
+  return area2 > 0 ? dot(u, u) * dot(v, v) * dot(w, w) / (4 * area2 * p.spacings[t[0]] * p.spacings[t[0]]) : never;
 }
 
 /// Does it face as its particles do?
@@ -38,7 +40,7 @@ bool facesAlike(const OrientedPoints& p, const Corners& t) {
 /// Border sides of the surface, seen from the hole: of each particle where they lead. More than one only where the surface meets itself in that particle.
 std::map<std::uint32_t, std::vector<std::uint32_t>> bordersOf(const Sides& sides) {
   std::map<std::uint32_t, std::vector<std::uint32_t>> next;
-  for (const auto& [side, triangle] : sides.of) {
+  for (const Side side : sides.taken) {
     const auto from = static_cast<std::uint32_t>(side >> 32), to = static_cast<std::uint32_t>(side);
     if (!sides.has(to, from)) next[to].push_back(from);
   }
@@ -51,7 +53,7 @@ std::uint32_t wayOn(const OrientedPoints& p, const std::vector<std::uint32_t>& w
   if (ways.size() == 1) return ways[0];
   const Vec3d n = p.normals[at], back = p.positions[from] - p.positions[at], u = back - dot(back, n) * n, v = cross(n, u);
   std::uint32_t best = ways[0];
-  double least = 1e300;
+  double least = never;
   for (const std::uint32_t way : ways) {
     const Vec3d d = p.positions[way] - p.positions[at];
     double turn = -std::atan2(dot(d, v), dot(d, u));  // clockwise
@@ -77,7 +79,7 @@ bool closeHole(const OrientedPoints& p, std::vector<std::uint32_t> hole, const S
   made.clear();
   Sides fresh;
   while (hole.size() >= 3) {
-    double best = 1e300;
+    double best = never;
     std::size_t ear = hole.size();
     for (std::size_t k = 0; k < hole.size(); k++) {
       const Corners t{hole[k], hole[(k + 1) % hole.size()], hole[(k + 2) % hole.size()]};
@@ -88,7 +90,7 @@ bool closeHole(const OrientedPoints& p, std::vector<std::uint32_t> hole, const S
     }
     if (ear == hole.size()) return false;
     made.push_back({hole[ear], hole[(ear + 1) % hole.size()], hole[(ear + 2) % hole.size()]});
-    fresh.add(made.back(), 0);
+    fresh.add(made.back());
     if (hole.size() == 3) break;
     hole.erase(hole.begin() + static_cast<std::ptrdiff_t>((ear + 1) % hole.size()));
   }
@@ -107,7 +109,7 @@ std::vector<Corners> keepManifold(const OrientedPoints& p, std::vector<Corners> 
   std::vector<Corners> kept;
   for (const std::uint32_t k : order) {
     if (!sides.takes(triangles[k])) continue;
-    sides.add(triangles[k], kept.size());
+    sides.add(triangles[k]);
     kept.push_back(triangles[k]);
   }
   return kept;
@@ -115,7 +117,7 @@ std::vector<Corners> keepManifold(const OrientedPoints& p, std::vector<Corners> 
 
 void fillHoles(const OrientedPoints& p, std::vector<Corners>& triangles, std::size_t mostSides, double longest) {
   Sides sides;
-  for (std::size_t k = 0; k < triangles.size(); k++) sides.add(triangles[k], k);
+  for (std::size_t k = 0; k < triangles.size(); k++) sides.add(triangles[k]);
   const auto next = bordersOf(sides);
   std::vector<Corners> made;
   for (const auto& [start, ways] : next)
@@ -136,7 +138,7 @@ void fillHoles(const OrientedPoints& p, std::vector<Corners>& triangles, std::si
       if (!small || hole.size() < 3 || !facesAlike(p, hole)) continue;
       if (!closeHole(p, hole, sides, true, made) && !closeHole(p, hole, sides, false, made)) continue;  // in a sharp fold no ear may face alike
       for (const Corners& t : made) {
-        sides.add(t, triangles.size());
+        sides.add(t);
         triangles.push_back(t);
       }
     }

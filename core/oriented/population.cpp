@@ -182,9 +182,7 @@ bool changePopulation(World& w, Halos halos, StepTools& t) {
     offers[i] = offerInGap(w, t, body, p, i);
     if (!offers[i].there && body.growth == OrientedGrowth::Borders) offers[i] = offerAtBorder(w, t, p, i);
     if (!offers[i].there) continue;
-    bool inside = true;
-    for (int a = 0; a < 3; a++) inside = inside && offers[i].place[a] >= w.scene.domain.min[a] && offers[i].place[a] < w.scene.domain.max[a];
-    if (!inside && !w.grid.periodic[0] && !w.grid.periodic[1] && !w.grid.periodic[2]) continue;
+    if (!w.scene.domain.holds(offers[i].place) && !w.grid.periodic[0] && !w.grid.periodic[1] && !w.grid.periodic[2]) continue;
     o.offer[i] = offers[i].place - o.position[i];
     o.offerRank[i] = 1 + (randomBits(w.scene.seed, Purpose::OrientedBirth, o.id[i], step) >> 1);
   }
