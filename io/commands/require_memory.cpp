@@ -10,9 +10,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/geometry/shape_error.hpp"
 #include "core/setup/expected_particles.hpp"
 #include "core/setup/expected_rows.hpp"
-#include "io/scene/read_scene.hpp"
 
 namespace thaw {
 namespace {
@@ -53,7 +53,7 @@ int ranksOfMachine(const Communicator& comm) {
 void requireRoomForKinds(const Communicator& comm, const Scene& scene, const MeshLoader& load) {
   if (scene.oriented.empty() && scene.sheets.empty()) return;
   const double ranksHere = ranksOfMachine(comm), here = memoryHere();
-  std::vector<std::string> lines;
+  SceneProblems problems;
   for (const ExpectedRows& e : expectedRows(scene, load)) {
     const double bytes = ranksHere * (e.bytesEverywhere + e.bytesShared / comm.size());
     double worst[3] = {bytes / here, bytes, -here};
@@ -61,10 +61,10 @@ void requireRoomForKinds(const Communicator& comm, const Scene& scene, const Mes
     const bool many = e.rows > mostRows;
     if (!(worst[0] > 1) && !many) continue;
     const double fits = 1.1 * e.spacing * std::sqrt(std::max(worst[0], e.rows / mostRows));
-    lines.push_back(fmt::format("{}:{}:{}: error: {}: at a spacing of {:.3g} m it would have about {:.1e} {}, which take {:.3g} GB on a machine that has {:.3g} GB; expected a spacing of at least {:.2g} m, or a smaller body",
-                                e.where.file, e.where.line, e.where.column, e.name, e.spacing, e.rows, e.name.rfind("sheet", 0) == 0 ? "vertices" : "particles", worst[1] / 1e9, -worst[2] / 1e9, fits));
+    problems.add(e.where, fmt::format("{}: at a spacing of {:.3g} m it would have about {:.1e} {}, which take {:.3g} GB on a machine that has {:.3g} GB; expected a spacing of at least {:.2g} m, or a smaller body",
+                                      e.name, e.spacing, e.rows, e.name.rfind("sheet", 0) == 0 ? "vertices" : "particles", worst[1] / 1e9, -worst[2] / 1e9, fits));
   }
-  if (!lines.empty()) throw SceneErrors(std::move(lines));
+  problems.raise();
 }
 
 void requireMemory(const Communicator& comm, const World& world, const MeshLoader& load) {
@@ -89,7 +89,9 @@ void requireMemory(const Communicator& comm, const World& world, const MeshLoade
                                        bySurface ? fmt::format("the surface would take about {:.1e} surfels", surfels) : fmt::format("the bodies would take about {:.1e} particles", particles),
                                        (all + surface) / 1e9, -worst[1] / 1e9, bySurface ? "surface.spacing" : "the spacing");
   if (!largest) throw std::runtime_error(text);
-  throw SceneErrors({fmt::format("{}:{}:{}: error: {}", largest->where.file, largest->where.line, largest->where.column, text)});
+  SceneProblems problem;
+  problem.add(largest->where, text);
+  problem.raise();
 }
 
 double expectedSurfels(const Scene& s, const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {

@@ -9,11 +9,11 @@
 namespace thaw {
 
 /// Ends a run that cannot fit before it fills the memory: compares what the particles of its bodies and the surfels on them take, shared evenly by the ranks, with the
-/// memory of each machine (all of it, or what the control group allows). Throws std::runtime_error with one sentence, alike on all
+/// memory of each machine (all of it, or what the control group allows). Throws ShapeError with one sentence, alike on all
 /// ranks. The estimate is low, so that nothing that fits is refused. Collective.
 void requireMemory(const Communicator& comm, const World& world, const MeshLoader& load);
 
-/// The same for oriented bodies and sheets, which are made while the world is prepared: to be called before that. Throws SceneErrors with a line for each
+/// The same for oriented bodies and sheets, which are made while the world is prepared: to be called before that. Throws ShapeError with a line for each
 /// body that cannot fit, at its place in the scene. Collective.
 void requireRoomForKinds(const Communicator& comm, const Scene& scene, const MeshLoader& load);
 
