@@ -16,11 +16,12 @@ bool isOrientedFrame(const FrameInfo& info) {
 
 OrientedFrame readOrientedFrame(const std::string& path) {
   if (!isOrientedFrame(readFrameInfo(path))) throw IoError(path, "is not a frame of oriented particles (those are called NAME_oriented_000000.hdf)");
-  return orientedFrameOf(readFrame(path), path);
+  FrameData data = readFrame(path);
+  orderById(data);
+  return orientedFrameOf(std::move(data), path);
 }
 
 OrientedFrame orientedFrameOf(FrameData data, const std::string& path) {
-  orderById(data);
   const auto need = [&](const char* name) -> const FrameColumn& {
     const FrameColumn* c = data.find(name);
     if (!c) throw IoError(path, std::string("has no field '") + name + "'");

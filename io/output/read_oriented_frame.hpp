@@ -24,6 +24,7 @@ bool isOrientedFrame(const FrameInfo& info);
 
 /// IoError as readFrame, and for frames of something else.
 OrientedFrame readOrientedFrame(const std::string& path);
+/// Of a frame's rows as they stand: order them by id (io/output/rows_by_id.hpp) before where the order has to be the same on any ranks.
 OrientedFrame orientedFrameOf(FrameData data, const std::string& path);
 
 }  // namespace thaw

@@ -46,7 +46,10 @@ std::string kindSuspect(const World& w, Alarm alarm, Limit limitedBy, Reducer& a
   if (!here) return {};
   const std::uint16_t body = rows->body[row];
   const bool oriented = kind == orientedKind;
-  return fmt::format("{}: {} {} of '{}' at {} m has a velocity of {} m/s", most < never ? overran > 0 ? "oriented particles went further in a step than their forces reach; the fastest that is left" : "the fastest of its kind" : "a value that is not a finite number", oriented ? "oriented particle" : "vertex",
+  const char* what = "the fastest of its kind";
+  if (overran > 0) what = "oriented particles went further in a step than their forces reach; the fastest that is left";
+  if (most == never) what = "a value that is not a finite number";
+  return fmt::format("{}: {} {} of '{}' at {} m has a velocity of {} m/s", what, oriented ? "oriented particle" : "vertex",
                      rows->id[row] & ((std::uint64_t(1) << 40) - 1), oriented ? w.scene.oriented[body].name : w.scene.sheets[body].name, text(rows->position[row]), text(rows->velocity[row]));
 }
 
