@@ -37,7 +37,7 @@ difference = [ { box = { size = [1, 1, 0.1] } }, { box = { size = [0.44, 0.44, 0
 [output]
 every = "20 ms"
 EOF
-# A cloth falls on the same surface, a block on the cloth, all let go at once.
+# A cloth falls on the same surface, a block on the cloth, all let go at once; a patch flies out of the domain.
 { cat "$work/meeting.toml"; cat <<'EOF2'
 [[sheet]]
 name = "cloth"
@@ -54,6 +54,11 @@ name = "patch"
 patch = { width = 0.3, depth = 0.3 }
 place = { move = [0, 0, -0.05] }
 growth = "gaps"
+[[oriented]]
+name = "leaver"
+patch = { width = 0.1, depth = 0.1 }
+place = { move = [0.4, 0, 0.3] }
+velocity = [4, 0, 0]
 EOF2
 } >"$work/draping.toml"
 for which in ${SCENES:-meeting draping relax_plane relax_sphere open_cap weld cut crease interpolate curve2d rk4 implicit retry}; do

@@ -13,7 +13,7 @@ try() {
   sameOnAllRanks "$scene" "$steps" killed "$file" --set numerics.retry_every=10 "$@"  # so that a checkpoint may be written often
   rm -rf "${work:?}/$scene".*
 }
-# Water falls on a cloth that is coarser than it: contact by triangles.
+# Water falls on a cloth that is coarser than it: contact by triangles. Another hangs in the wind.
 cat >"$work/coarse.toml" <<'EOF'
 spacing = "2 cm"
 end = "1 s"
@@ -52,6 +52,8 @@ mass = 1
 warp = 200
 weft = 200
 place = { move = [0, 0, -0.1] }
+wind = [2, 0, 3]
+wind_density = 1.2
 [output]
 every = "20 ms"
 EOF
