@@ -128,7 +128,10 @@ void closeGroup(SearchBuffers& b, const std::uint32_t* which, int filled, Neighb
     from[l] = b.found[k].data();
     for (std::uint32_t n = b.length[k]; n < room; n += 8) __builtin_memcpy(from[l] + n, &padding, 32);
   }
-  for (std::uint32_t k = 0; k < room; k += 8) transpose8(from, k, to + 8ull * k);
+  for (std::uint32_t k = 0; k < room; k += 8) {
+    for (std::uint32_t line = 0; line < 64; line += 16) __builtin_prefetch(to + 8ull * k + listAhead + line, 1);
+    transpose8(from, k, to + 8ull * k);
+  }
   for (int l = filled; l < 8; l++)
     for (std::uint32_t k = 0; k < most; k++) to[8ull * k + static_cast<std::uint32_t>(l)] = d;
   lists.first[g] = first;

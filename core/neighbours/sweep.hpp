@@ -17,7 +17,10 @@ template<class Term> THAW_INLINE void sweep(const NeighbourLists& lists, GroupRa
     const typename Term::Data own = term.load(rows);
     typename Term::Sum sum{};
     const std::uint32_t* at = list + lists.first[g];
-    for (std::uint32_t n = lists.count[g]; n > 0; n--, at += 8) term.pair(own, term.load(at), at, sum);
+    for (std::uint32_t n = lists.count[g]; n > 0; n--, at += 8) {
+      __builtin_prefetch(at + listAhead);
+      term.pair(own, term.load(at), at, sum);
+    }
     term.finish(rows, own, sum, lists.dummy);
   }
 }

@@ -190,5 +190,9 @@ THAW_INLINE LanesF positionDifference(LanesF own, LanesF other) {
 /// In double precision the records hold positions in support radii.
 THAW_INLINE LanesD positionDifference(LanesD own, LanesD other) { return own - other; }
 
+/// Entries of a list (of neighbours, of bonds) from the one that is read to the one that is asked for: it streams from memory faster than many a
+/// processor foresees, above all a virtual one.
+inline constexpr std::size_t listAhead = 320;
+
 }  // namespace THAW_ISA
 }  // namespace thaw

@@ -123,6 +123,7 @@ template<class Real, bool periodic, bool vectors> struct BondLoader {
   THAW_INLINE void begin(const Rows& self) { own = loadEnds(records, self.row); }
   THAW_INLINE EightBonds<Real> operator()(std::size_t at) const {
     EightBonds<Real> b;
+    __builtin_prefetch(a.neighbour + at + listAhead);
     b.ends = loadEnds(records, a.neighbour + at);
     if constexpr (vectors) {
       Vec3<T> x = difference(own.displacement(), b.ends.displacement());
