@@ -101,7 +101,8 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.sleep)
     for (std::size_t i = before; i < p.owned; i++) t.sleep.findAll = t.sleep.findAll || p.sleep[i] == asleep;
   m.arrivals += emitted;
-  if (ordered || m.arrivals > 0 || !m.departed.empty()) sortByCell(p, m, t.sort, w.cells);
+  if (ordered) sortByCell(p, m, t.sort, w.cells);
+  else if (m.arrivals > 0 || !m.departed.empty()) closeGaps(p, m);
   t.times.lap(StepPhase::Sort);
   return leftSlots;
 }

@@ -5,6 +5,7 @@
 
 #include "core/kinds/kind_rows.hpp"
 #include "core/neighbours/list_cells.hpp"
+#include "core/particles/table_rows.hpp"
 #include "core/surface/surfels.hpp"
 
 namespace thaw {
@@ -62,6 +63,19 @@ template<class Rows> void sortByCell(Rows& p, const Migration& migration, SortBu
     p.resize(p.owned, 0);
   }
   listCells(p, cells);
+}
+
+void closeGaps(Continuum& p, const Migration& migration) {
+  std::fill(p.cell.data() + p.owned - migration.arrivals, p.cell.data() + p.owned, noCell);
+  std::size_t rows = p.owned;
+  for (std::size_t k = migration.departed.size(); k-- > 0;) {
+    const std::size_t gap = migration.departed[k];
+    if (gap != --rows) {  // from behind: what departed after it has gone already, so that the last row stays
+      copyRow(p, rows, gap);
+      p.cell[gap] = noCell;
+    }
+  }
+  p.resize(rows, 0);
 }
 
 template void computeCellKeys(const CellGrid&, Continuum&, std::size_t, std::size_t);

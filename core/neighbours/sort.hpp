@@ -24,4 +24,8 @@ template<class Rows> void computeCellKeys(const CellGrid& grid, Rows& particles)
 /// Guarantees: cell == nextCell, ascending, ids ascending within a cell; no ghosts; `cells` lists the occupied cells.
 template<class Rows> void sortByCell(Rows& particles, const Migration& migration, SortBuffers& buffers, CellTable& cells);
 
+/// Drops the departed rows where nobody asks for the order: the last ones take their places. What has a new place, and what has come, has noCell for its
+/// last cell, so that the next sort moves it.
+void closeGaps(Continuum& particles, const Migration& migration);
+
 }  // namespace thaw

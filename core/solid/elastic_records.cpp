@@ -20,10 +20,10 @@ template<class Real> void packMotionOf(AlignedVector<Real>& records, const Solid
 
 }  // namespace
 
-void packReferences(const ElasticWork& work, Solids& solids) {
+void packReferences(const ElasticWork& work, Solids& solids, std::size_t first, std::size_t last) {
   if (!solids.reference.active) return;
   const double scale = fixedUnitsPerSupport / work.support;
-  for (std::size_t s = 0; s < solids.size(); s++)
+  for (std::size_t s = first; s < last; s++)
     for (int a = 0; a < 3; a++) {
       if (work.precision == Precision::Single) solids.end[s].reference[a] = std::bit_cast<float>(fixedPoint(solids.reference[s][a] * scale));
       else solids.endDouble[s].reference[a] = solids.reference[s][a];

@@ -67,11 +67,14 @@ std::int64_t refreshReference(ElasticWork& work, Solids& solids, Bonds& bonds, b
     for (std::size_t s = first; s < end; s++) any = any || solids.changed[s];
     if (!any) continue;
     for (std::size_t s = first; s < end; s++)
-      if (all || solids.changed[s]) refreshSlot(work, solids, bonds, s);
+      if (all || solids.changed[s]) {
+        packReferences(work, solids, s, s + 1);
+        refreshSlot(work, solids, bonds, s);
+      }
     lookAtGroup(work, solids, bonds, g);
   }
   sortGroups(work);
-  packReferences(work, solids);
+  packReferences(work, solids, solids.owned, solids.size());  // which of the others are new is not told
   return countSingular(work, solids);
 }
 
