@@ -1,6 +1,7 @@
 #include "core/neighbours/sort.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <numeric>
 
 #include "core/kinds/kind_rows.hpp"
@@ -36,27 +37,38 @@ template<class Rows> void sortByCell(Rows& p, const Migration& migration, SortBu
   const auto before = [&](std::uint32_t i, std::uint32_t j) { return next[i] != next[j] ? next[i] < next[j] : id[i] < id[j]; };
 
   b.movers.clear();
-  b.order.clear();
-  b.order.reserve(p.owned + p.owned / 16);
-  std::size_t departed = 0;
+  if (b.order.capacity() < p.owned) b.order.reserve(p.owned + p.owned / 16);
+  b.order.resize(p.owned);
+  std::size_t departed = 0, stayers = 0;
   for (std::size_t i = 0; i < p.owned; i++) {
     const std::uint32_t row = static_cast<std::uint32_t>(i);
     if (departed < migration.departed.size() && migration.departed[departed] == row) {
       departed++;
       continue;
     }
-    (i < stayed && next[i] == p.cell[i] ? b.order : b.movers).push_back(row);
+    if (i < stayed && next[i] == p.cell[i]) b.order[stayers++] = row;
+    else b.movers.push_back(row);
   }
 
-  if (!b.movers.empty() || b.order.size() != p.owned) {
+  if (!b.movers.empty() || stayers != p.owned) {
     std::sort(b.movers.begin(), b.movers.end(), before);
-    // merge from behind, in place: the stayers are already in order
-    std::size_t a = b.order.size(), m = b.movers.size();
-    b.order.resize(a + m);
-    for (std::size_t to = a + m; m > 0; to--) {
-      if (a > 0 && before(b.movers[m - 1], b.order[a - 1])) b.order[to - 1] = b.order[--a];
-      else b.order[to - 1] = b.movers[--m];
+    // Merged from behind, in place: the stayers are already in order. Those behind a mover are looked for in strides that double, then moved at once.
+    std::uint32_t* const order = b.order.data();
+    std::size_t a = stayers;
+    for (std::size_t m = b.movers.size(); m-- > 0;) {
+      const std::uint32_t mover = b.movers[m];
+      std::size_t low = a, high = a, stride = 1;  // the first stayer behind the mover is in [low, high]
+      while (low > 0 && before(mover, order[low - 1])) {
+        high = low - 1;
+        low -= std::min(low, stride);
+        stride *= 2;
+      }
+      const std::size_t first = static_cast<std::size_t>(std::partition_point(order + low, order + high, [&](std::uint32_t row) { return before(row, mover); }) - order);
+      std::memmove(order + first + m + 1, order + first, (a - first) * sizeof *order);
+      order[first + m] = mover;
+      a = first;
     }
+    b.order.resize(stayers + b.movers.size());
     p.reorder(b.order);
     std::copy_n(p.nextCell.data(), p.owned, p.cell.data());
   } else {
