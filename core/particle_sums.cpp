@@ -103,6 +103,7 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
   m.arrivals += emitted;
   if (ordered) sortByCell(p, m, t.sort, w.cells);
   else if (m.arrivals > 0 || !m.departed.empty()) closeGaps(p, m);
+  if (m.arrivals > p.owned / 8) p.shrink();
   t.times.lap(StepPhase::Sort);
   return leftSlots;
 }

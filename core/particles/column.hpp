@@ -100,6 +100,8 @@ struct Table {
   std::size_t size() const { return owned + ghosts; }
   /// Sets the number of rows; rows that are kept keep their values, new rows are zero. Never shrinks capacity.
   void resize(std::size_t owned, std::size_t ghosts);
+  /// Gives back the memory of many more rows than there are: those that were here before a new partition.
+  void shrink();
   /// Switches a field on: allocates size() zeroed rows.
   void activate(AnyColumn& column);
   /// Row i of every Keep::State and Keep::Local column becomes old row order[i], for i < n = number of kept rows; owned = n, ghosts = 0.

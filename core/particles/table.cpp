@@ -38,6 +38,12 @@ void Table::resize(std::size_t newOwned, std::size_t newGhosts) {
     if (c->active) resizeColumn(*c, size());
 }
 
+void Table::shrink() {
+  spares_.clear();
+  for (AnyColumn* c : columns)
+    if (c->bytes.capacity() > c->bytes.size() + c->bytes.size() / 8) c->bytes = AlignedVector<std::byte>(c->bytes.begin(), c->bytes.end());
+}
+
 void Table::activate(AnyColumn& column) {
   if (column.active) return;
   column.active = true;
