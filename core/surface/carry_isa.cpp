@@ -7,12 +7,28 @@
 namespace thaw {
 namespace THAW_ISA {
 
-void carry(const CarrySums& in, std::size_t g, double* sums);
-void carry(const CarrySums& in, std::size_t g, double* sums) {
+namespace {
+
+/// Places of a group's surfels.
+THAW_INLINE void loadPlaces(const CarrySums& in, std::size_t g, LanesD* place) {
   alignas(32) double own[3][8];
   for (std::size_t lane = 0; lane < 8; lane++)
     for (std::size_t a = 0; a < 3; a++) own[a][lane] = in.place[3 * in.self[8 * g + lane] + a];
-  const LanesD x = loadRow(own[0]), y = loadRow(own[1]), z = loadRow(own[2]), zero(0.0), one(1.0), perSupport2(in.perSupport2);
+  for (std::size_t a = 0; a < 3; a++) place[a] = loadRow(own[a]);
+}
+
+THAW_INLINE void store(double* to, LanesD v) {
+  *reinterpret_cast<Vec4d*>(to) = v.lo;
+  *reinterpret_cast<Vec4d*>(to + 4) = v.hi;
+}
+
+}  // namespace
+
+void carry(const CarrySums& in, std::size_t g, double* sums);
+void carry(const CarrySums& in, std::size_t g, double* sums) {
+  LanesD place[3];
+  loadPlaces(in, g, place);
+  const LanesD x = place[0], y = place[1], z = place[2], zero(0.0), one(1.0), perSupport2(in.perSupport2);
   LanesD sum[carrySums];
   for (LanesD& s : sum) s = zero;
   for (std::uint64_t n = in.firstParticle[g]; n < in.firstParticle[g + 1]; n++) {
@@ -22,10 +38,30 @@ void carry(const CarrySums& in, std::size_t g, double* sums) {
     sum[0] += w;
     for (std::size_t k = 0; k < carryValues; k++) sum[1 + k] += w * LanesD(p[4 + k]);
   }
-  for (std::size_t k = 0; k < carrySums; k++) {
-    *reinterpret_cast<Vec4d*>(sums + 8 * k) = sum[k].lo;
-    *reinterpret_cast<Vec4d*>(sums + 8 * k + 4) = sum[k].hi;
+  for (std::size_t k = 0; k < carrySums; k++) store(sums + 8 * k, sum[k]);
+}
+
+void bend(const CarrySums& in, std::size_t g, double* sums);
+void bend(const CarrySums& in, std::size_t g, double* sums) {
+  LanesD place[3], from[3], mean[3], sum[bendSums];
+  loadPlaces(in, g, place);
+  const LanesD zero(0.0), one(1.0), perSupport2(in.perSupport2);
+  for (std::size_t a = 0; a < 3; a++) from[a] = place[a] - LanesD(in.origin[a]), mean[a] = loadRow(in.mean + 8 * a);
+  for (LanesD& s : sum) s = zero;
+  for (std::uint64_t n = in.firstParticle[g]; n < in.firstParticle[g + 1]; n++) {
+    const double* p = in.particle + carryRecord * in.particleRow[n];
+    const double* G = p + 7;
+    const LanesD dx = place[0] - LanesD(p[0]), dy = place[1] - LanesD(p[1]), dz = place[2] - LanesD(p[2]);
+    const LanesD u = max(one - (dx * dx + dy * dy + dz * dz) * perSupport2, zero), u2 = u * u;
+    const LanesD wx = u2 * dx, wy = u2 * dy, wz = u2 * dz;
+    for (std::size_t a = 0; a < 3; a++) {
+      const LanesD value = LanesD(p[4 + a]) - mean[a] + LanesD(G[3 * a]) * from[0] + LanesD(G[3 * a + 1]) * from[1] + LanesD(G[3 * a + 2]) * from[2];
+      sum[3 * a] += value * wx;
+      sum[3 * a + 1] += value * wy;
+      sum[3 * a + 2] += value * wz;
+    }
   }
+  for (std::size_t k = 0; k < bendSums; k++) store(sums + 8 * k, sum[k]);
 }
 
 }  // namespace THAW_ISA

@@ -1,5 +1,6 @@
 #include "core/surface/displace.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "core/solid/moment.hpp"
@@ -43,6 +44,28 @@ Carry carryOf(const double* sums, std::size_t lane, const Vec3d& fromOrigin) {
   c.temperature = v[13];
   return c;
 }
+
+/// The gradient of what carries the surfels, which is sum w (u + G (x - x_j)) / sum w: the mean of G, and what the weights' change adds. K05's mean of
+/// G alone has discs stand on edge in folds that bend and open: they turn otherwise than the places of those around them. Not of what is liquid,
+/// which gets its normals from the iterations.
+struct Bend {
+  CarrySums* in;
+  const SurfaceKernels* kernels;
+  alignas(32) std::array<double, 8 * 3> mean;
+  alignas(32) std::array<double, 8 * bendSums> sums;
+  void find(std::size_t g, const std::array<Carry, 8>& c) {
+    for (std::size_t lane = 0; lane < 8; lane++)
+      for (int a = 0; a < 3; a++) mean[8 * static_cast<std::size_t>(a) + lane] = c[lane].move[a];
+    in->mean = mean.data();
+    kernels->bend(*in, g, sums.data());
+  }
+  Mat3d added(std::size_t lane, double weight) const {
+    Mat3d m;
+    for (std::size_t a = 0; a < 3; a++)
+      for (std::size_t b = 0; b < 3; b++) m.row[a][static_cast<int>(b)] = -6 * in->perSupport2 / weight * sums[8 * (3 * a + b) + lane];
+    return m;
+  }
+};
 
 /// Magnitude of Green's strain, 1: none where a body turns.
 double strainOf(const Mat3d& g) {
@@ -161,12 +184,19 @@ void displaceSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
     if (s.liquid.active) s.liquid[i] = static_cast<float>(c.liquid);
     if (s.temperature.active) s.temperature[i] = static_cast<float>(c.temperature);
   };
+  for (std::size_t a = 0; a < 3; a++) in.origin[a] = r.particleBins.base[static_cast<int>(a)];
+  Bend bend{&in, r.kernels, {}, {}};
+  std::array<Carry, 8> found;
+  const auto bends = [](const Carry& c) { return c.weight > 0 && c.liquid < 1; };
   for (std::size_t g = 0; g < r.lists.groups(); g++) {
     r.kernels->carry(in, g, sums.data());
-    for (std::size_t lane = 0; lane < r.lists.lanes[g]; lane++) {
-      const std::size_t i = r.lists.self[8 * g + lane];
-      move(i, carryOf(sums.data(), lane, s.position[i] - r.particleBins.base));
+    for (std::size_t lane = 0; lane < 8; lane++) found[lane] = carryOf(sums.data(), lane, s.position[r.lists.self[8 * g + lane]] - r.particleBins.base);
+    if (std::any_of(found.begin(), found.end(), bends)) {
+      bend.find(g, found);
+      for (std::size_t lane = 0; lane < 8; lane++)
+        if (bends(found[lane])) found[lane].gradient = found[lane].gradient + bend.added(lane, found[lane].weight);
     }
+    for (std::size_t lane = 0; lane < r.lists.lanes[g]; lane++) move(r.lists.self[8 * g + lane], found[lane]);
   }
   halos.all.sum(told);
   count.keptNormals += told[1];

@@ -128,11 +128,12 @@ void overSurfels(const ForceSums& in) { in.plane ? overSurfelsOf<true>(in) : ove
 }  // namespace
 
 void carry(const CarrySums&, std::size_t, double*);  // carry_isa.cpp
+void bend(const CarrySums&, std::size_t, double*);
 void areas(const AreaCells&, double*, double*);        // areas_isa.cpp
 
 const SurfaceKernels& surfaceKernelSet();
 const SurfaceKernels& surfaceKernelSet() {
-  static constexpr SurfaceKernels set{THAW_STRING(THAW_ISA) + 4, overParticles, overSurfels, carry, areas};
+  static constexpr SurfaceKernels set{THAW_STRING(THAW_ISA) + 4, overParticles, overSurfels, carry, bend, areas};
   return set;
 }
 

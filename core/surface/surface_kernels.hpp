@@ -50,8 +50,13 @@ struct CarrySums {
   const std::uint64_t* firstParticle = nullptr;
   const std::uint32_t* particleRow = nullptr;
   double perSupport2 = 0;                 ///< 1/m^2, 1 / h_ps^2
+  // of the second pass
+  double origin[3] = {0, 0, 0};           ///< m: a particle's value at x is values[0..2] + G (x - origin), G = values[3..11] by rows
+  const double* mean = nullptr;           ///< m, weighted mean of these at the group's surfels: component a of lane l at 8 a + l
 };
 inline constexpr std::size_t carryRecord = 4 + carryValues;
+/// Sums of the second pass: (value of a particle - mean) x (surfel - particle) u^2, by rows, u = 1 - (r/h_ps)^2.
+inline constexpr std::size_t bendSums = 9;
 
 /// Voronoi cells of eight surfels in their tangent planes (findSurfelAreas says among whom). Records are four doubles.
 struct AreaCells {
@@ -70,6 +75,7 @@ struct SurfaceKernels {
   void (*overParticles)(const ForceSums&);
   void (*overSurfels)(const ForceSums&);
   void (*carry)(const CarrySums&, std::size_t group, double* sums);  ///< channel c of lane l at 8 c + l
+  void (*bend)(const CarrySums&, std::size_t group, double* sums);   ///< the second pass
   /// Areas (m^2), and the squares of the distances (m^2) to the farthest corners: infinite where a neighbour is over an edge.
   void (*areas)(const AreaCells&, double* area, double* farthest2);
 };
