@@ -169,10 +169,13 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests
   all.alarm = all.finite ? alarmOf(w, t.watch, limits, ballot.filling) : Alarm::NotFinite;
   w.watch.factor = nextFactor(w.watch);        // 1, or less after a retry
   const double fixed = w.scene.numerics.fixedStep, factor = w.watch.factor;
+  // where nothing limits the step frames cut it; after a retry it is to be a share of what they leave
+  const bool limited = limits[all.limitedBy] < never;
+  const double limit = limited || factor == 1 ? limits[all.limitedBy] : longestUnlimitedStep(w.clock);
   // growing by a tenth at most: leap-frog whose step jumps up and down pumps energy into what swings fast
-  w.clock.dt = fixed > 0 ? factor * fixed : std::min(factor * limits[all.limitedBy], w.clock.step > 0 ? 1.1 * w.clock.dt : never);
+  w.clock.dt = fixed > 0 ? factor * fixed : std::min(factor * limit, w.clock.step > 0 ? 1.1 * w.clock.dt : never);
   if (w.modules.substeps) chooseSubsteps(w, t, factor * longest);
-  w.clock.limitedBy = fixed > 0 ? "the scene's fixed step" : limitNames[static_cast<std::size_t>(all.limitedBy)];
+  w.clock.limitedBy = fixed > 0 ? "the scene's fixed step" : limited ? limitNames[static_cast<std::size_t>(all.limitedBy)] : "frames";
   return all;
 }
 

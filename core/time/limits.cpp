@@ -192,6 +192,8 @@ double nextStep(const Clock& c) {
   return kept ? same : clip(c, margin * c.dt);
 }
 
+double longestUnlimitedStep(const Clock& c) { return c.every > 0 ? c.every : c.end; }
+
 double timeAfter(const Clock& c, double dt) {
   const double t = target(c);
   return c.time + dt >= t || t - (c.time + dt) < 1e-9 * dt ? t : c.time + dt;

@@ -50,6 +50,9 @@ double clip(const Clock& clock, double dt);
 /// Where it is to change, it is cut so that frame times are hit. A function of the clock alone, which is in every checkpoint.
 double nextStep(const Clock& clock);
 
+/// The longest step (s) where no term limits it: from frame to frame, or to the end of a scene without frames.
+double longestUnlimitedStep(const Clock& clock);
+
 /// Time after a step of dt: exactly the frame time or the end where clip had cut.
 double timeAfter(const Clock& clock, double dt);
 

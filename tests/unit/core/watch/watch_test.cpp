@@ -51,6 +51,25 @@ TEST(Watch, HalvesWhatFramesHaveCut) {
   EXPECT_EQ(w.clock.dt, 0.125) << "half of the first power of two below 0.3";
 }
 
+// It halved 60 times, to no effect: half of an infinite step is one; and 1 << halvings overflowed in the message.
+TEST(Watch, HalvesTheWayBetweenFramesWhereNothingLimitsTheStep) {
+  World w;
+  w.clock.dt = never;
+  w.clock.every = 0.3;
+  halveStep(w, w.watch);
+  EXPECT_EQ(w.clock.dt, 0.15);
+  EXPECT_EQ(w.watch.halvings, 1);
+  const WatchState failed = w.watch;
+  w.clock.dt = never;
+  w.watch = {};
+  halveStep(w, failed);
+  EXPECT_EQ(w.clock.dt, 0.075);
+  WatchState often;
+  often.halvings = 100;
+  halveStep(w, often);
+  EXPECT_LT(w.watch.halvings, 63) << "the message says 1 << halvings";
+}
+
 TEST(Watch, ALongLimitOfHeatIsNoMeasureOfTheStep) {
   Scene s;
   s.spacing = 0.01;
