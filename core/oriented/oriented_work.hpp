@@ -1,6 +1,7 @@
 // What the step keeps for oriented bodies: made once from the scene, or found anew in every step. Nothing of it is part of the state.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/math/quat.hpp"
@@ -26,6 +27,8 @@ struct OrientedWork {
   double fastest2 = 0;                     ///< 1/s^2, of this rank's continuum particles at oriented ones
   double unrest = 0;                       ///< largest force left by it, over stiffness times spacing
   std::int64_t relaxed = 0;                ///< iterations of relaxation at the start
+  bool atRest = false, relaxStopped = false;  ///< how it ended, if not by its last iteration; on all ranks
+  std::function<bool(std::int64_t done)> stopRelaxing;  ///< asked on each rank before each of its iterations; one yes ends it. Empty: never
   std::int64_t solves = 0, iterations = 0; ///< of the implicit integrator
 };
 

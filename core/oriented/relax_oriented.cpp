@@ -72,7 +72,7 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
     addUpForces(w, t);
     force.assign(o.owned, {});
     torque.assign(o.owned, {});
-    double worst[3] = {0, 0, 0};  // largest force, largest stiffness, and a value that is not finite
+    double worst[3] = {0, 0, 0};  // largest force, largest stiffness, and whether someone wants to stop
     for (std::size_t i = 0; i < o.owned; i++) {
       const OrientedBody& body = w.scene.oriented[o.body[i]];
       if (!(o.flags[i] & heldPlace) && body.relax > 0) force[i] = o.force[i] + o.mass[i] * g;
@@ -85,9 +85,12 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
       worst[0] = std::max({worst[0], length(force[i]) / unit, length(torque[i]) / (unit * t.oriented.potentials[o.body[i]].spacing)});
       worst[1] = std::max(worst[1], o.stiffness[i]);
     }
+    if (t.oriented.stopRelaxing && t.oriented.stopRelaxing(done)) worst[2] = 1;
     halos.all.maximum(worst);
     t.oriented.unrest = worst[0];
-    if ((worst[0] < restForce && (!grows || calm >= 3)) || !(worst[1] > 0)) break;
+    t.oriented.atRest = (worst[0] < restForce && (!grows || calm >= 3)) || !(worst[1] > 0);
+    t.oriented.relaxStopped = !t.oriented.atRest && worst[2] > 0;
+    if (t.oriented.atRest || t.oriented.relaxStopped) break;
     const Sums s = sumsOf(o, force, torque, halos.all);
     if (s.power > 0) {
       const double mix = alpha * std::sqrt(s.speed / std::max(s.force, 1e-300));

@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "core/geometry/shape_error.hpp"
 #include "core/kinds/kinds.hpp"
 #include "core/ledger/report.hpp"
 #include "core/memory.hpp"
 #include "core/setup/setup.hpp"
+#include "core/time/limits.hpp"
 #include "io/commands/check_surface.hpp"
 #include "io/commands/frontier.hpp"
 #include "io/commands/require_memory.hpp"
@@ -26,6 +28,27 @@ namespace thaw {
 namespace {
 
 std::string bytesText(double b) { return b > 1e9 ? fmt::format("{:.2f} GB", b / 1e9) : fmt::format("{:.1f} MB", b / 1e6); }
+/// A line for each oriented body and each sheet.
+std::vector<std::string> linesOfKinds(const World& w, Reducer& all) {
+  std::vector<std::string> lines;
+  const auto count = [&](const KindRows& rows, const auto& bodies, const char* line) {
+    std::vector<std::int64_t> of(bodies.size(), 0);
+    for (std::size_t i = 0; i < rows.owned && !of.empty(); i++) of[rows.body[i]]++;
+    all.sum(of);
+    for (std::size_t b = 0; b < of.size(); b++) lines.push_back(fmt::format(fmt::runtime(line), bodies[b].name, of[b]));
+  };
+  count(w.oriented.rows, w.scene.oriented, "oriented body '{}': {} particles");
+  count(w.sheets.rows, w.scene.sheets, "sheet '{}': {} vertices");
+  return lines;
+}
+
+/// Leaves relaxation before the start out of a check: it may take minutes, or hours. Returns what to say of it.
+std::string leaveOutRelaxation(Scene& s) {
+  std::int64_t most = 0;
+  for (OrientedBody& b : s.oriented) most = std::max(most, std::exchange(b.relax, 0));
+  return most == 0 ? "" : fmt::format("oriented bodies are relaxed before the start, {} iterations at most: not done here; numbers, step and time are those before it", most);
+}
+
 std::string timeText(double s) { return s > 7200 ? fmt::format("{:.1f} h", s / 3600) : s > 120 ? fmt::format("{:.0f} min", s / 60) : fmt::format("{:.2g} s", s); }
 
 /// What the emitters let out until the end of the scene.
@@ -42,6 +65,7 @@ int checkAll(const CheckOptions& o) {
   World w;
   StepTools t;
   w.scene = sceneForAll(comm, o.scene, o.overrides);
+  const std::string notRelaxed = leaveOutRelaxation(w.scene);
   requireRoomForKinds(comm, w.scene, meshLoader());
   prepareWorld(w, t, meshLoader());
   requireMemory(comm, w, meshLoader());
@@ -63,7 +87,8 @@ int checkAll(const CheckOptions& o) {
   }
   const double perStep = steps > 0 ? std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / steps : 0;
   surface.update();
-  const double needed = w.scene.end / dt;
+  const double needed = w.scene.end / std::min(dt, longestUnlimitedStep(w.clock));
+  const std::vector<std::string> ofKinds = linesOfKinds(w, all);
   const SurfaceTrial::Forecast onSurface = surface.forecast(needed);
   const std::vector<std::string> surfaceLines = surface.lines(onSurface, o.ranks);
   const LedgerReport l = reportLedger(w, t, all);
@@ -78,8 +103,8 @@ int checkAll(const CheckOptions& o) {
   std::printf("\nparticles\n");
   for (std::size_t b = 0; b < s.bodies.size(); b++)
     std::printf("  body '%s': %lld of %s\n", s.bodies[b].name.c_str(), static_cast<long long>(sampled.particles[b]), s.materials[static_cast<std::size_t>(s.bodies[b].material)].name.c_str());
-  for (std::size_t k = 0; k < kindCount; k++)
-    if (l.rows[k] > 0) std::printf("  %s: %lld\n", kindNames[k], static_cast<long long>(l.rows[k]));
+  for (const std::string& line : ofKinds) std::printf("  %s\n", line.c_str());
+  if (!notRelaxed.empty()) std::printf("  %s\n", notRelaxed.c_str());
   const double emitted = emittedAtEnd(s, t);
   for (const Emitter& e : s.emitters) std::printf("  emitter '%s': of %s\n", e.name.c_str(), s.materials[static_cast<std::size_t>(e.material)].name.c_str());
   if (emitted > 0) std::printf("  emitted until the end: %.0f\n", emitted);
@@ -87,7 +112,8 @@ int checkAll(const CheckOptions& o) {
   if (!sampled.overlaps.empty()) std::printf("  %lld particles left out of overlaps\n", static_cast<long long>(sampled.removed));
   std::printf("\nmodules\n");
   for (const std::string& why : w.modules.why) std::printf("  %s\n", why.c_str());
-  std::printf("\ntime step %.3g s at the start, limited by %s%s\n", dt, limitedBy.c_str(), substeps.c_str());
+  if (dt < never) std::printf("\ntime step %.3g s at the start, limited by %s%s\n", dt, limitedBy.c_str(), substeps.c_str());
+  else std::printf("\ntime step: nothing limits it at the start; a step goes to the next frame, %g s\n", longestUnlimitedStep(w.clock));
   const auto ofMaterials = [](double limit) { return limit < never; };
   if (std::any_of(t.fixedLimits.value.begin(), t.fixedLimits.value.end(), ofMaterials)) std::printf("by the materials alone\n");  // of sheets and oriented bodies nothing
   for (std::size_t k = 0; k < limitNames.size(); k++)

@@ -25,12 +25,7 @@ namespace {
 /// The step loop. Returns the exit code; `why` says what ended it.
 int loop(Run& r, std::string& why) {
   World& w = r.world;
-  StopWatch watch;
-  if (r.first()) {  // one clock and one look at the disk for all
-    watch.stopFile = r.options.out + "/stop";
-    watch.timeLimit = r.options.timeLimit;
-    watch.start = r.start;
-  }
+  StopWatch watch = stopWatchOf(r);
   WorkMeter meter;
   while (w.clock.time < w.clock.end && (r.options.steps < 0 || w.clock.step < r.options.steps)) {
     Requests wanted;
@@ -95,6 +90,12 @@ int simulate(Run& r) {
     r.say("warning: " + line);
   }
   begin(r, load);
+  if (r.cutAtStart) {
+    const std::string why = fmt::format("stopped in the relaxation before the start, after {} iterations: nothing is written, the next run begins anew", r.tools.oriented.relaxed);
+    noteCutAtStart(r, why);
+    r.say(why);
+    return exitStopped;
+  }
   beginRetries(r);
   const Clock& c = r.world.clock;
   if (r.resumed && (c.time >= c.end || (r.options.steps >= 0 && c.step >= r.options.steps))) {
@@ -109,9 +110,15 @@ int simulate(Run& r) {
     r.profile = std::make_unique<Profile>(static_cast<std::size_t>(r.options.traceSteps));
     beginProfile(*r.profile, r.tools.times, r.comm);
   }
-  const int code = loop(r, why);
+  int code = loop(r, why);
   reportProfile(r);
-  if (code == exitDone && c.time < c.end) why = "--steps is reached; --restart goes on";
+  if (r.options.relax > 0) {  // no step was to be done
+    const OrientedWork& o = r.tools.oriented;
+    if (o.relaxStopped) code = exitStopped;
+    why = fmt::format("relaxation {} after {} iterations; `thaw run --restart` goes on from here", o.atRest ? "is at rest" : o.relaxStopped ? "was stopped" : "is not at rest", o.relaxed);
+  } else if (code == exitDone && c.time < c.end) {
+    why = "--steps is reached; --restart goes on";
+  }
   if (code == exitDone || code == exitStopped) {
     report(r);
     leaveGoodState(r);
@@ -157,6 +164,8 @@ void addRelaxOptions(CLI::App& c, RunOptions& o) {
   c.add_option("--out", o.out, "folder for the frame and a checkpoint from which `thaw run --restart` goes on (default: out/<scene>)");
   c.add_option("--set", o.overrides, "key=value in place of what the scene says; may be given several times")->allow_extra_args(false);
   c.add_option("--iterations", o.relax, "at most")->check(CLI::PositiveNumber);
+  c.add_option("--time-limit", o.timeLimit, "stop, with a frame and a checkpoint of what there is, after this many seconds of wall-clock time")->check(CLI::PositiveNumber);
+  c.add_option("--progress", o.reportEvery, "seconds between progress lines")->check(notBelowZero());
 }
 
 int runCommand(const RunOptions& given) {

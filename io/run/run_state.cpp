@@ -5,6 +5,7 @@
 
 #include "core/solid_step.hpp"
 #include "core/surface/resume_surface.hpp"
+#include "core/time/limits.hpp"
 #include "io/hdf5/agree.hpp"
 #include "io/output/earlier_run.hpp"
 #include "io/output/frame_fields.hpp"
@@ -15,6 +16,59 @@
 #include "io/scene/read_scene.hpp"
 
 namespace thaw {
+
+namespace {
+
+/// The summary of a run that has no state to gather from.
+void noteWithoutState(Run& r, const std::string& status, const std::string& message) {
+  if (!r.first()) return;
+  r.summary.status = status;
+  r.summary.message = message;
+  r.summary.ranks = r.comm.size();
+  r.summary.sceneFile = r.options.scene;
+  r.summary.clock = r.world.clock;
+  std::error_code code;
+  std::filesystem::create_directories(r.options.out, code);
+  const std::string summary = r.options.out + "/summary.json";
+  std::filesystem::rename(summary, r.options.out + "/summary.earlier.json", code);  // of a run that this one did not begin to replace
+  try {
+    writeSummary(r.options.out, r.summary);
+  } catch (const std::exception&) {
+  }
+}
+
+/// Lets the relaxation of oriented bodies be followed, and be stopped as the steps are.
+void watchRelaxation(Run& r) {
+  r.tools.oriented.stopRelaxing = [&r, watch = stopWatchOf(r), said = WallClock::now()](std::int64_t done) mutable {
+    if (r.first() && done > 0 && since(said) >= r.options.reportEvery) {
+      said = WallClock::now();
+      r.say(fmt::format("oriented: iteration {} of relaxation, largest force {:.2e} of stiffness times spacing, {:.1f} s", done, r.tools.oriented.unrest, since(r.start)));
+    }
+    return !watch.reason().empty();
+  };
+}
+
+/// How the relaxation ended; what is not at rest is a warning.
+void sayRelaxed(Run& r) {
+  const OrientedWork& o = r.tools.oriented;
+  if (o.relaxed == 0 && !o.relaxStopped) return;
+  const std::string line = fmt::format("oriented: {} iterations of relaxation; the largest force is {:.2e} of stiffness times spacing", o.relaxed, o.unrest);
+  if (o.atRest) return r.say(line);
+  r.summary.warnings.push_back(line + (o.relaxStopped ? ": it was stopped before all was at rest" : ": they are used up, and not all is at rest (1e-9, and no births)"));
+  r.say("warning: " + r.summary.warnings.back());
+}
+
+}  // namespace
+
+StopWatch stopWatchOf(const Run& r) {
+  StopWatch watch;
+  if (r.first()) {
+    watch.stopFile = r.options.out + "/stop";
+    watch.timeLimit = r.options.timeLimit;
+    watch.start = r.start;
+  }
+  return watch;
+}
 
 void renewHalos(Run& r) {
   r.cells = std::make_unique<MpiCellHalo>(r.comm, r.world.grid);
@@ -48,7 +102,7 @@ void report(Run& r) {
   const LedgerReport l = reportLedger(r.world, r.tools, r.all);
   const bool first = r.world.clock.step == r.stepAtReport;
   const double rate = static_cast<double>(r.world.clock.step - r.stepAtReport) / std::max(1e-9, since(r.lastReport));
-  double left = (r.world.clock.end - r.world.clock.time) / std::max(1e-300, r.world.clock.dt);
+  double left = (r.world.clock.end - r.world.clock.time) / std::max(1e-300, std::min(r.world.clock.dt, longestUnlimitedStep(r.world.clock)));
   if (r.options.steps >= 0) left = std::min(left, static_cast<double>(r.options.steps - r.world.clock.step));
   const std::string line = progressLine(r.world.clock, l, rate, first ? never : left / std::max(1e-9, rate));
   gatherSurface(r);
@@ -109,21 +163,10 @@ void noteFailure(Run& r, const std::string& message, bool together) {
   } catch (const std::exception&) {
     return;
   }
-  if (!r.first()) return;
-  r.summary.status = "failed";
-  r.summary.message = message;
-  r.summary.ranks = r.comm.size();
-  r.summary.sceneFile = r.options.scene;
-  r.summary.clock = r.world.clock;
-  std::error_code code;
-  std::filesystem::create_directories(r.options.out, code);
-  const std::string summary = r.options.out + "/summary.json";
-  std::filesystem::rename(summary, r.options.out + "/summary.earlier.json", code);  // of a run that this one did not begin to replace
-  try {
-    writeSummary(r.options.out, r.summary);
-  } catch (const std::exception&) {
-  }
+  noteWithoutState(r, "failed", message);
 }
+
+void noteCutAtStart(Run& r, const std::string& message) { noteWithoutState(r, "stopped", message); }
 
 void begin(Run& r, const MeshLoader& load) {
   World& w = r.world;
@@ -154,6 +197,8 @@ void begin(Run& r, const MeshLoader& load) {
     resumeKindFrames(r);
     r.say(fmt::format("continues at t {:.6g} s, step {}, from {}", w.clock.time, w.clock.step, slice->header.path));
   } else {
+    if (r.options.resume) r.say(fmt::format("{}: there is no checkpoint to resume from: the run begins anew", r.options.out));
+    watchRelaxation(r);
     const SamplingReport sampled = startWorld(w, r.halos(), r.tools, load);
     for (std::size_t b = 0; b < w.scene.bodies.size(); b++) r.say(fmt::format("body '{}': {} particles", w.scene.bodies[b].name, sampled.particles[b]));
     eachKind(w, [&](std::size_t kind, const KindRows& rows, const CellTable&) {
@@ -161,7 +206,11 @@ void begin(Run& r, const MeshLoader& load) {
       r.all.sum({&n, 1});
       r.say(fmt::format("{}: {} particles", kindNames[kind], n));
     });
-    if (r.tools.oriented.relaxed > 0) r.say(fmt::format("oriented: {} iterations of relaxation; the largest force is {:.2e} of stiffness times spacing", r.tools.oriented.relaxed, r.tools.oriented.unrest));
+    sayRelaxed(r);
+    if (r.tools.oriented.relaxStopped && r.options.relax == 0) {  // a run from here would be another one than the scene's
+      r.cutAtStart = true;
+      return;
+    }
     for (const std::string& pair : sampled.overlaps) {
       const std::string line = fmt::format("{}; {} particles left out in all", pair, sampled.removed);
       r.say("warning: " + line);

@@ -13,6 +13,7 @@
 #include "io/output/checkpoint.hpp"
 #include "io/output/series.hpp"
 #include "io/run/profile.hpp"
+#include "io/run/signals.hpp"
 #include "io/run/summary.hpp"
 #include "parallel/bond_halo.hpp"
 #include "parallel/cell_halo.hpp"
@@ -49,6 +50,7 @@ struct Run {
   std::unique_ptr<Profile> profile;      // with --profile, from the first step on
   bool resumed = false;                  // it goes on from a checkpoint
   bool begun = false;                    // the world holds its particles
+  bool cutAtStart = false;               // stopped in the relaxation before the start: nothing of the run is there
   bool stepping = false;                 // in the loop, where ranks wait for each other
 
   Run(const RunOptions& o, const Communicator& c) : options(o), comm(c), all(c) {}
@@ -78,11 +80,17 @@ void reportProfile(Run& run);
 /// With it a summary, so that also a run that is killed leaves one.
 void writeCheckpointOf(Run& run);
 
+/// What ends a run from outside, as this rank sees it: rank 0 has the clock and the look at the disk for all.
+StopWatch stopWatchOf(const Run& run);
+
 /// A summary for a run that failed; failures of this are not reported on top. `together`: all ranks are here, so that the state that they
 /// hold, if they hold one already, can be gathered.
 void noteFailure(Run& run, const std::string& message, bool together);
 
-/// Samples the scene's bodies, or goes on from the newest checkpoint. Throws SceneErrors, IoError.
+/// The same for a run that was stopped before it began.
+void noteCutAtStart(Run& run, const std::string& message);
+
+/// Samples the scene's bodies, or goes on from the newest checkpoint; or sets Run::cutAtStart. Throws SceneErrors, IoError.
 void begin(Run& run, const MeshLoader& load);
 
 }  // namespace thaw
