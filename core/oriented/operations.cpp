@@ -27,6 +27,14 @@ double shareAlong(const Vec3d& a, const Vec3d& b, const Vec3d& x) {
   return l2 > 0 ? dot(x - a, b - a) / l2 : 0;
 }
 
+/// Pairs of neighbours of two groups, counted from the first; cuts are left aside.
+std::int64_t pairsOf(const Oriented& o, const OrientedLists& lists, std::uint32_t group, std::uint32_t other) {
+  std::int64_t n = 0;
+  for (std::size_t i = 0; i < o.owned; i++)
+    for (std::uint32_t k = lists.first[i]; o.group[i] == group && k < lists.first[i + 1]; k++) n += o.group[lists.list[k]] == other;
+  return n;
+}
+
 }  // namespace
 
 double distanceToPath(const std::vector<Vec3d>& path, const Vec3d& x) {
@@ -70,7 +78,7 @@ int cutNumber(const Scene& s, std::size_t body, std::size_t event) {
 
 bool operationDue(const Scene& s, double from, double to, double dt) { return !dueBetween(s, dt > 0 ? from : -never, to).empty(); }
 
-void operate(World& w, Halos, StepTools& t, double from, double to) {
+void operate(World& w, Halos halos, StepTools& t, double from, double to) {
   Oriented& o = w.oriented.rows;
   for (const Due& due : dueBetween(w.scene, from, to)) {
     const OrientedBody& body = w.scene.oriented[due.body];
@@ -78,7 +86,9 @@ void operate(World& w, Halos, StepTools& t, double from, double to) {
     const bool shaped = (e.kind == OrientedEventKind::Cut && e.tool == CutTool::Box) || e.kind == OrientedEventKind::Smooth;
     const auto region = shaped ? makeSignedDistance(e.region) : nullptr;
     const PairPotential& p = t.oriented.potentials[due.body];
+    std::int64_t met[2] = {0, 0};  // of a cut on its two sides; of all else in the first: particles, or pairs that a weld joins
     const std::uint32_t group = static_cast<std::uint32_t>(due.body), other = static_cast<std::uint32_t>(e.otherIndex);
+    if (e.kind == OrientedEventKind::Weld) met[0] = pairsOf(o, t.oriented.lists, group, other);
     for (std::size_t i = 0; i < o.owned; i++) {
       const Vec3d x = o.position[i];
       if (e.kind == OrientedEventKind::Weld) {
@@ -87,14 +97,19 @@ void operate(World& w, Halos, StepTools& t, double from, double to) {
       }
       if (o.group[i] != group) continue;
       if (e.kind == OrientedEventKind::Crease) {
-        if (distanceToPath(e.path, x) < (e.radius > 0 ? e.radius : p.spacing)) o.flags[i] |= creased;
+        if (distanceToPath(e.path, x) < (e.radius > 0 ? e.radius : p.spacing)) o.flags[i] |= creased, met[0]++;
       } else if (e.kind == OrientedEventKind::Smooth) {
-        if (region->inside(x)) o.flags[i] = static_cast<std::uint8_t>(o.flags[i] & ~creased);
+        if (!region->inside(x)) continue;
+        met[0] += (o.flags[i] & creased) != 0;
+        o.flags[i] = static_cast<std::uint8_t>(o.flags[i] & ~creased);
       } else {
         const auto side = static_cast<std::uint64_t>(sideOfCut(e, region.get(), p.reach, x));
+        if (side > 0) met[side - 1]++;
         o.cutSides[i] |= side << (2 * cutNumber(w.scene, due.body, due.event));
       }
     }
+    halos.all.sum(met);
+    if (met[0] == 0 || (e.kind == OrientedEventKind::Cut && met[1] == 0)) t.oriented.idle.push_back({due.body, due.event});
   }
 }
 

@@ -29,6 +29,8 @@ struct OrientedWork {
   std::int64_t relaxed = 0;                ///< iterations of relaxation at the start
   bool atRest = false, relaxStopped = false;  ///< how it ended, if not by its last iteration; on all ranks
   std::function<bool(std::int64_t done)> stopRelaxing;  ///< asked on each rank before each of its iterations; one yes ends it. Empty: never
+  struct Event { std::size_t body, event; };
+  std::vector<Event> idle;                 ///< events that have met nothing, on all ranks; whoever tells of them clears it
   std::int64_t solves = 0, iterations = 0; ///< of the implicit integrator
 };
 

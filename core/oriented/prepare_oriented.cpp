@@ -100,6 +100,9 @@ void sampleOriented(World& w, Halos halos, const MeshLoader& load) {
       continue;
     }
     places[b] = made.places;
+    if (body.growth != OrientedGrowth::None && made.places.size() > static_cast<std::size_t>(body.most))
+      problems.add(body.where, "oriented body '" + body.name + "': it begins with " + std::to_string(made.places.size()) + " particles and is to grow to `most` = " + std::to_string(body.most) +
+                                   "; expected at least as many");
     std::vector<std::shared_ptr<const SignedDistance>> regions;
     for (const OrientedAnchor& a : body.anchors) regions.push_back(makeSignedDistance(a.region, load));
     std::vector<std::size_t> holds(body.anchors.size(), 0);

@@ -5,6 +5,7 @@
 
 #include "core/geometry/signed_distance.hpp"
 #include "core/halo/halo.hpp"
+#include "core/kinds/start_warnings.hpp"
 #include "core/world.hpp"
 
 namespace thaw {
@@ -17,6 +18,7 @@ struct SamplingReport {
   std::int64_t inObstacles = 0, outside = 0;
   std::string firstObstacle, firstOutside;  ///< names, for the message
   SourcePlace overlapWhere, outsideWhere, obstacleWhere;  ///< of the first body concerned
+  std::vector<SceneWarning> warnings;    ///< of oriented bodies and sheets
 };
 
 /// Appends this rank's share of all bodies' particles: the rows of each body's lattice are dealt out evenly, so that no rank samples

@@ -125,6 +125,7 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
   // a first partition by the number of particles; they are still where they were sampled
   Continuum& p = w.particles;
   sampleKinds(w, halos, t, load);
+  if (w.modules.kinds()) report.warnings = kindStartWarnings(w, shapes, halos.all);
   for (std::size_t i = 0; i < p.owned; i++) wrapPlace(w.grid, w.scene.domain, p.position[i]);  // jitter may reach over a seam by rounding
   computeCellKeys(w.grid, p);
   Migration all;

@@ -75,6 +75,7 @@ int checkAll(const CheckOptions& o) {
   eachKind(w, [&](std::size_t kind, const KindRows&, const CellTable&) { kinds[kind] = std::make_unique<MpiCellHalo>(comm, w.grid); });
   const Halos halos{all, cells, bonds, {kinds[orientedKind].get(), kinds[sheetKind].get()}, &edges};
   const SamplingReport sampled = startWorld(w, halos, t, meshLoader());
+  const std::vector<OrientedWork::Event> idle = t.oriented.idle;  // of the start
   SurfaceTrial surface(comm, w, meshLoader());
   // a few steps, to measure
   const auto start = std::chrono::steady_clock::now();
@@ -100,6 +101,8 @@ int checkAll(const CheckOptions& o) {
   std::printf("%s: %s\n", o.scene.c_str(), s.title.c_str());
   std::printf("spacing %g m, support radius %g m, grid %d x %d x %d cells, end %g s, a frame every %g s\n", s.spacing, w.grid.support, w.grid.cells.x, w.grid.cells.y, w.grid.cells.z, s.end, s.output.every);
   for (const std::string& line : sceneWarnings(s)) std::printf("warning: %s\n", line.c_str());
+  for (const SceneWarning& k : sampled.warnings) std::printf("warning: %s\n", warningLine(k.where, k.text).c_str());
+  for (const OrientedWork::Event& e : idle) std::printf("warning: %s\n", idleEventLine(s.oriented[e.body], s.oriented[e.body].events[e.event]).c_str());
   std::printf("\nparticles\n");
   for (std::size_t b = 0; b < s.bodies.size(); b++)
     std::printf("  body '%s': %lld of %s\n", s.bodies[b].name.c_str(), static_cast<long long>(sampled.particles[b]), s.materials[static_cast<std::size_t>(s.bodies[b].material)].name.c_str());

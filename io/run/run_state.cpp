@@ -14,6 +14,7 @@
 #include "io/run/surface_run.hpp"
 #include "io/run/trace_file.hpp"
 #include "io/scene/read_scene.hpp"
+#include "io/scene/scene_warnings.hpp"
 
 namespace thaw {
 
@@ -113,6 +114,14 @@ void report(Run& r) {
   r.tools.times.lap(StepPhase::Other);
 }
 
+void warnOfIdleEvents(Run& r) {
+  for (const OrientedWork::Event& e : r.tools.oriented.idle) {
+    const OrientedBody& body = r.world.scene.oriented[e.body];
+    r.warn(idleEventLine(body, body.events[e.event]));
+  }
+  r.tools.oriented.idle.clear();
+}
+
 void summarise(Run& r, const std::string& status, const std::string& message) {
   RunSummary& s = r.summary;
   s.status = status;
@@ -206,6 +215,8 @@ void begin(Run& r, const MeshLoader& load) {
       r.all.sum({&n, 1});
       r.say(fmt::format("{}: {} particles", kindNames[kind], n));
     });
+    for (const SceneWarning& line : sampled.warnings) r.warn(warningLine(line.where, line.text));
+    warnOfIdleEvents(r);
     sayRelaxed(r);
     if (r.tools.oriented.relaxStopped && r.options.relax == 0) {  // a run from here would be another one than the scene's
       r.cutAtStart = true;

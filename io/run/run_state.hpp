@@ -2,6 +2,7 @@
 #pragma once
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -56,6 +57,12 @@ struct Run {
   Run(const RunOptions& o, const Communicator& c) : options(o), comm(c), all(c) {}
   Halos halos() { return {all, *cells, *bonds, {kinds[orientedKind].get(), kinds[sheetKind].get()}, edges.get()}; }
   bool first() const { return comm.rank() == 0; }
+  /// To the terminal and the summary, once.
+  void warn(const std::string& line) {
+    if (std::find(summary.warnings.begin(), summary.warnings.end(), line) != summary.warnings.end()) return;
+    summary.warnings.push_back(line);
+    say("warning: " + line);
+  }
   void say(const std::string& line) const {
     if (first()) std::printf("%s\n", line.c_str()), std::fflush(stdout);
   }
@@ -70,6 +77,9 @@ void writeFrameOf(Run& run);
 
 /// A progress line with the ledger.
 void report(Run& run);
+
+/// Warns of events of oriented bodies that have met nothing.
+void warnOfIdleEvents(Run& run);
 
 /// Gathers and writes summary.json.
 void summarise(Run& run, const std::string& status, const std::string& message);

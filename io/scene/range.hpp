@@ -15,6 +15,7 @@ struct Range {
 inline Range anyNumber() { return {}; }
 inline Range positive() { return {0, std::numeric_limits<double>::infinity(), true, false, false}; }
 inline Range notNegative() { return {0, std::numeric_limits<double>::infinity(), false, false, false}; }
+inline Range atLeast(double low) { return {low, std::numeric_limits<double>::infinity(), false, false, false}; }
 inline Range between(double low, double high) { return {low, high, false, false, false}; }
 inline Range inside(double low, double high) { return {low, high, true, true, false}; }
 inline Range orNever(Range r) { return r.orNever = true, r; }

@@ -43,6 +43,15 @@ void readAnchor(TableReader& r, OrientedBody& b) {
   if (!r.describing()) b.anchors.push_back(std::move(a));
 }
 
+/// Is each piece of the stroke along the direction that it is drawn in?
+bool drawsNothing(const OrientedEvent& e) {
+  for (std::size_t k = 0; k + 1 < e.path.size(); k++) {
+    const Vec3d piece = e.path[k + 1] - e.path[k];
+    if (length(cross(piece, e.direction)) > 1e-9 * length(piece) * length(e.direction)) return false;
+  }
+  return true;
+}
+
 void readEvent(TableReader& r, OrientedBody& b) {
   OrientedEvent e;
   e.where = r.place();
@@ -79,6 +88,7 @@ void readEvent(TableReader& r, OrientedBody& b) {
   if (e.kind == OrientedEventKind::Crease && e.path.size() < 2) r.fail("along", "expected at least two points");
   if (e.kind == OrientedEventKind::Cut && e.tool == CutTool::Stroke && e.path.size() < 2) r.fail("stroke", "expected at least two points");
   if (length(e.direction) == 0) r.fail("direction", "must not be zero");
+  else if (cut && e.tool == CutTool::Stroke && e.path.size() > 1 && drawsNothing(e)) r.fail("stroke", "runs along its `direction`, so it cuts along no plane: expected a direction across the stroke");
   b.events.push_back(std::move(e));
 }
 
@@ -180,6 +190,8 @@ void readOriented(TableReader& r, SceneReading& x) {
   if (r.describing()) return;
   if (b.attractPower >= b.repelPower) r.fail("attract_power", "must be below repel_power");
   if (b.along > b.across) r.fail("along", "must not be above across");
+  if (r.has("integrator") && !x.scene->oriented.empty() && b.integrator != x.scene->oriented.front().integrator)
+    r.fail("integrator", "differs from that of the first oriented body, which is for all: expected the same, or none");
   if (b.name.empty()) b.name = "oriented " + std::to_string(x.scene->oriented.size());
   x.scene->oriented.push_back(std::move(b));
 }

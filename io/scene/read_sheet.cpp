@@ -73,7 +73,7 @@ void readInner(TableReader& r, SheetBody& b) {
   r.vector("warp_direction", b.warpDirection, "", "of the warp at the start");
   r.number("rest_length", b.restLength, "", positive(), "of the springs, over their length at the start");
   r.number("bending", b.bending, "N/m", notNegative(), "of springs between the vertices on both sides of each edge");
-  r.number("stretch_limit", b.stretchLimit, "", orNever(positive()), "length over that at rest beyond which springs are nearly rigid");
+  r.number("stretch_limit", b.stretchLimit, "", orNever(atLeast(1)), "length over that at rest beyond which springs are nearly rigid");
   r.number("rigid", b.rigid, "", notNegative(), "by how much they are stiffer then; the step pays for it");
   r.number("volume_stiffness", b.volumeStiffness, "Pa", notNegative(), "of a closed mesh: pressure per relative change of its volume");
   r.number("push", b.push, "N/m", notNegative(), "between vertices nearer than the thickness");
@@ -83,7 +83,7 @@ void readInner(TableReader& r, SheetBody& b) {
 
 void readOuter(TableReader& r, SheetBody& b) {
   r.vector("wind", b.wind, "m/s", "velocity of the air");
-  r.number("wind_density", b.windDensity, "kg/m^3", notNegative(), "of the air, times a coefficient of drag: pressure over squared velocity along the normal; 0: no air");
+  r.number("wind_density", b.windDensity, "kg/m^3", notNegative(), "of the air, times a coefficient of drag: pressure over squared velocity along the normal; 0: no air; without `wind` the air is at rest, and drags");
   r.number("wrap", b.wrap, "Pa", anyNumber(), "pressure that shrinks the sheet: against its normal, or toward an obstacle");
   r.text("wrap_to", b.wrapTo, "what wrap is toward; none: against the normal", "name of an obstacle");
   readInTime(r, "wrap_in_time", b.wrapInTime, "factor of wrap, linear in between", anyNumber());
@@ -141,6 +141,9 @@ void readSheet(TableReader& r, SceneReading& x) {
   });
   if (b.mass == 0 && b.damping == 0 && b.stiffness == 0) r.fail("mass", "a sheet needs mass, damping or stiffness: all three are 0");
   if (b.plasticity > 0 && b.stiffness == 0) r.fail("plasticity", "without stiffness there is no place of rest that could move");
+  if (b.plasticity > 0 && !r.has("elastic_limit")) r.fail("plasticity", "needs elastic_limit: without one all is elastic");
+  if (r.has("elastic_limit") && !r.has("plasticity")) r.fail("elastic_limit", "needs plasticity, which says what of what goes beyond it stays");
+  if (length(b.wind) > 0 && b.windDensity == 0) r.fail("wind", "needs wind_density: air without mass does not push");
   if (b.pull > 0 && b.pullReach == 0) r.fail("pull_reach", "pull needs a reach");
   if (length(b.warpDirection) == 0) r.fail("warp_direction", "must not be zero");
   if (!b.wrapTo.empty() && b.wrap == 0) r.fail("wrap_to", "without wrap there is nothing to be wrapped");

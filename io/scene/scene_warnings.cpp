@@ -11,6 +11,16 @@ std::string at(const SourcePlace& where) {
 
 }  // namespace
 
+std::string warningLine(const SourcePlace& where, const std::string& text) { return at(where) + ": " + text; }
+
+std::string idleEventLine(const OrientedBody& b, const OrientedEvent& e) {
+  const char* what = e.kind == OrientedEventKind::Weld     ? "weld has met nothing: no particles of the two are near each other"
+                     : e.kind == OrientedEventKind::Cut    ? "cut has met nothing: all particles that it reaches are on one side of it"
+                     : e.kind == OrientedEventKind::Crease ? "crease has met nothing: no particle is near its line"
+                                                           : "smoothing has met nothing: no particle in it is creased";
+  return warningLine(e.where, fmt::format("oriented body '{}': this {}", b.name, what));
+}
+
 std::vector<std::string> sceneWarnings(const Scene& s) {
   std::vector<std::string> lines;
   for (const OrientedBody& b : s.oriented)

@@ -10,4 +10,10 @@ namespace thaw {
 /// A line each, with file and line of the scene: events after its end, fields of frames that nothing in it has.
 std::vector<std::string> sceneWarnings(const Scene& scene);
 
+/// One line for a sentence about a place in the scene.
+std::string warningLine(const SourcePlace& where, const std::string& text);
+
+/// That an event of an oriented body has met nothing.
+std::string idleEventLine(const OrientedBody& body, const OrientedEvent& event);
+
 }  // namespace thaw

@@ -193,6 +193,48 @@ described() {
 started checked
 started described
 
+# what of oriented bodies and sheets has no effect, or hardly can be meant: a warning
+warns() { rejects "$1" "^warning: .*/$2" 0 check "$(kinds "$3" <<<"$4")"; }
+plate="[[oriented]]
+patch = { width = 0.4, depth = 0.4 }"
+warns "a cut beside the body" "cut.toml:8:1: oriented body 'oriented 0': this cut has met nothing" cut "$plate
+[[oriented.event]]
+kind = 'cut'
+plane = { point = [0.3, 0, 0], normal = [1, 0, 0] }"
+warns "a crease beside the body" "crease.toml:8:1: .*this crease has met nothing" crease "$plate
+[[oriented.event]]
+kind = 'crease'
+along = [[0, 0, 0.3], [0.1, 0, 0.3]]"
+warns "a weld with what is far" "weld.toml:8:1: .*this weld has met nothing" weld "$plate
+[[oriented.event]]
+kind = 'weld'
+other = 'far'
+[[oriented]]
+name = 'far'
+patch = { width = 0.1, depth = 0.1 }
+place = { move = [0, 0, 0.4] }"
+cloth="[[sheet]]
+grid = { width = 0.4, depth = 0.4 }"
+warns "a sheet that is clamped" "clamped.toml:6:1: sheet 'sheet 0': all of its [0-9]+ vertices are clamped" clamped "$cloth
+[[sheet.clamp]]
+sphere = { radius = 0.6 }"
+warns "a thick sheet" "thick.toml:6:1: sheet 'sheet 0': its thickness, 0.2 m, is more than three times the distance of its vertices, 0.056" thick "$cloth
+thickness = 0.2"
+warns "a sheet in an obstacle" "wall.toml:6:1: sheet 'sheet 0': [0-9]+ of its 81 vertices begin deeper than half of its thickness in the contact with obstacle 'ball'" wall "$cloth
+[[obstacle]]
+name = 'ball'
+sphere = { radius = 0.05 }"
+warns "a sheet in a body" "body.toml:6:1: sheet 'sheet 0': [0-9]+ of its 81 vertices begin inside body 'lump'" body "$cloth
+[material.jelly]
+young = '20 kPa'
+[[body]]
+name = 'lump'
+material = 'jelly'
+box = { size = [0.1, 0.1, 0.1] }"
+rejects "more particles than most" "most.toml:6:1: error: oriented body 'oriented 0': it begins with [0-9]+ particles and is to grow to .most. = 20; expected at least as many" 2 check "$(kinds most <<<"$plate
+growth = 'gaps'
+most = 20")"
+
 # the command line
 rejects "no such option" '--frobnicate' 2 run "$good" --frobnicate
 rejects "negative steps" '--steps' 2 run "$good" --steps -1

@@ -35,10 +35,20 @@ TEST(BadKinds, WhatMeansNothingIsRefusedAtItsPlace) {
       {patch + "[[oriented.event]]\nkind = \"smooth\"\n", "s.toml:9:1: error: oriented.a.event.0: its shape is missing: mesh, box, sphere, cylinder, torus, glass, plane, union, difference or intersection"},
       {cloth + "[sheet.clamp]\n", "s.toml:8:1: error: sheet.0.clamp.0: its shape is missing: mesh, box, sphere, cylinder, torus, glass, plane, union, difference or intersection"},
       {cloth + "[[sheet.brush]]\nradius = 0.1\n", "s.toml:8:1: error: sheet.0.brush.0.pressure: is missing or zero: expected what it pushes with, [x, y, z]"},
+      {patch + "[[oriented.event]]\nkind = \"cut\"\nstroke = [[0, 0, 0], [0, 0, 0.1], [0, 0, 0.3]]\ndirection = [0, 0, 2]\n",
+       "s.toml:11:10: error: oriented.a.event.0.stroke: runs along its `direction`, so it cuts along no plane: expected a direction across the stroke"},
+      {patch + "[[oriented]]\npatch = { width = 0.5, depth = 0.5 }\nintegrator = \"rk4\"\n",
+       "s.toml:11:14: error: oriented.1.integrator: differs from that of the first oriented body, which is for all: expected the same, or none"},
+      {cloth + "stretch_limit = 0.9\n", "s.toml:8:17: error: sheet.0.stretch_limit: must be >= 1 or \"never\", got 0.9"},
+      {cloth + "stiffness = 1\nplasticity = 0.5\n", "s.toml:9:14: error: sheet.0.plasticity: needs elastic_limit: without one all is elastic"},
+      {cloth + "stiffness = 1\nelastic_limit = 0.01\n", "s.toml:9:17: error: sheet.0.elastic_limit: needs plasticity, which says what of what goes beyond it stays"},
+      {cloth + "wind = [1, 0, 0]\n", "s.toml:8:8: error: sheet.0.wind: needs wind_density: air without mass does not push"},
   };
   for (const auto& t : table) EXPECT_EQ(errorOf(t.text), t.line);
   EXPECT_EQ(errorOf(patch + "colour = \"blue\"\n"), "s.toml:9:10: error: oriented.a.colour: expected six hexadecimal digits such as \"#e8c890\"");
   EXPECT_EQ(errorOf(patch + cloth), "");
+  EXPECT_EQ(errorOf(cloth + "wind_density = 1\n"), "") << "air at rest drags";
+  EXPECT_EQ(errorOf(cloth + "stiffness = 1\nelastic_limit = 0.01\nplasticity = 0\n"), "") << "as scenes/sheet/shell.toml is varied";
 }
 
 TEST(OrientedColours, AreThoseOfTheSceneOrFollowTheNumberOfTheBody) {

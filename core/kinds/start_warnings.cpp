@@ -1,0 +1,80 @@
+#include "core/kinds/start_warnings.hpp"
+
+#include <cstdio>
+
+#include "core/kinds/kinds.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr double thickest = 3;  // distances of vertices
+constexpr double deep = 0.5;    // of a thickness: contacts that are held are pressed in by less
+
+/// One body of a further kind: how its rows and their contact are called.
+struct Who {
+  SourcePlace where;
+  std::string name;
+  const char* rows;
+  double thickness;  // m, distance at which an obstacle touches it
+};
+
+std::string counted(std::int64_t n, std::int64_t all, const Who& who) { return who.name + ": " + std::to_string(n) + " of its " + std::to_string(all) + " " + who.rows; }
+
+/// Rows of each body for which `is(row, k)`, for each k of a list, over all ranks: [body][k], and at the end how many rows the body has.
+template<class Is> std::vector<std::vector<std::int64_t>> countRows(const KindRows& rows, std::size_t bodies, std::size_t things, Reducer& all, Is&& is) {
+  std::vector<std::int64_t> n(bodies * (things + 1), 0);
+  for (std::size_t i = 0; i < rows.owned; i++) {
+    std::int64_t* of = n.data() + rows.body[i] * (things + 1);
+    for (std::size_t k = 0; k < things; k++) of[k] += is(i, k);
+    of[things]++;
+  }
+  all.sum(n);
+  std::vector<std::vector<std::int64_t>> counts(bodies);
+  for (std::size_t b = 0; b < bodies; b++) counts[b].assign(n.begin() + static_cast<std::ptrdiff_t>(b * (things + 1)), n.begin() + static_cast<std::ptrdiff_t>((b + 1) * (things + 1)));
+  return counts;
+}
+
+void warnOfPlaces(const World& w, const KindRows& rows, const std::vector<Who>& whose, const std::vector<std::shared_ptr<const SignedDistance>>& shapes, Reducer& all,
+                  std::vector<SceneWarning>& warnings) {
+  const auto inBodies = countRows(rows, whose.size(), shapes.size(), all, [&](std::size_t i, std::size_t k) { return shapes[k] && shapes[k]->inside(rows.position[i]); });
+  const auto inWalls = countRows(rows, whose.size(), w.walls.list.size(), all, [&](std::size_t i, std::size_t k) {
+    const Wall& wall = w.walls.list[k];
+    const double near = deep * whose[rows.body[i]].thickness;
+    return wall.present && wall.shape->distanceWithin(toRest(wall.pose, rows.position[i]), near) < near;
+  });
+  for (std::size_t b = 0; b < whose.size(); b++) {
+    const std::int64_t n = inBodies[b].back();
+    for (std::size_t k = 0; k < shapes.size(); k++)
+      if (inBodies[b][k] > 0) warnings.push_back({whose[b].where, counted(inBodies[b][k], n, whose[b]) + " begin inside body '" + w.scene.bodies[k].name + "'"});
+    for (std::size_t k = 0; k < w.walls.list.size(); k++)
+      if (inWalls[b][k] > 0)
+        warnings.push_back({whose[b].where, counted(inWalls[b][k], n, whose[b]) + " begin deeper than half of its thickness in the contact with obstacle '" + w.walls.list[k].properties.name +
+                                                "': pushing them out adds energy"});
+  }
+}
+
+}  // namespace
+
+std::vector<SceneWarning> kindStartWarnings(const World& w, const std::vector<std::shared_ptr<const SignedDistance>>& shapes, Reducer& all) {
+  std::vector<SceneWarning> warnings;
+  std::vector<Who> whose;
+  for (const OrientedBody& b : w.scene.oriented) whose.push_back({b.where, "oriented body '" + b.name + "'", "particles", b.thickness * (b.spacing > 0 ? b.spacing : w.scene.spacing)});
+  if (w.modules.oriented) warnOfPlaces(w, w.oriented.rows, whose, shapes, all, warnings);
+  if (!w.modules.sheet) return warnings;
+  const Sheets& s = w.sheets.rows;
+  whose.clear();
+  for (std::size_t n = 0; n < w.scene.sheets.size(); n++) whose.push_back({w.scene.sheets[n].where, "sheet '" + w.scene.sheets[n].name + "'", "vertices", w.sheets.plans[n].thickness});
+  warnOfPlaces(w, s, whose, shapes, all, warnings);
+  const auto free = countRows(s, whose.size(), 1, all, [&](std::size_t i, std::size_t) { return !(s.clamped.active && s.clamped[i]); });
+  for (std::size_t n = 0; n < whose.size(); n++) {
+    if (free[n][0] == 0) warnings.push_back({whose[n].where, whose[n].name + ": all of its " + std::to_string(free[n][1]) + " vertices are clamped: it does not move"});
+    const double spacing = w.sheets.plans[n].spacing;
+    if (char text[240]; whose[n].thickness > thickest * spacing) {
+      std::snprintf(text, sizeof text, ": its thickness, %g m, is more than three times the distance of its vertices, %g m: contact is slow, and keeps it far from all that it touches", whose[n].thickness, spacing);
+      warnings.push_back({whose[n].where, whose[n].name + text});
+    }
+  }
+  return warnings;
+}
+
+}  // namespace thaw
