@@ -85,8 +85,8 @@ struct OrientedBody {
   std::vector<OrientedEvent> events;
 };
 
-/// Colours of bodies that are given none, by their number in the scene, over and over.
-inline constexpr std::uint32_t orientedColours[] = {0x60aae0, 0xd6a46e, 0x78be96, 0x7878ce, 0xc88caa, 0xbebe78};
+/// Colours of bodies that are given none, by their number in the scene, over and over: first what the scale of temperatures (ember) has not.
+inline constexpr std::uint32_t orientedColours[] = {0xd6a46e, 0x78be96, 0xbebe78, 0xc88caa, 0x60aae0, 0x7878ce};
 
 /// Colour of a body: red | green << 8 | blue << 16.
 inline std::uint32_t colourOf(const OrientedBody& b, std::size_t number) { return b.colour ? *b.colour : orientedColours[number % std::size(orientedColours)]; }

@@ -234,7 +234,7 @@ struct Output {
   double checkpoint = 600;        // s of wall-clock time
   bool piecesByRank = false;
   Camera camera;
-  std::string colour;             // field of the pictures; empty: temperature if the scene has heat, else speed
+  std::string colour;             // field of the pictures; empty: temperature if the scene has heat, own colours of sheets alone, else speed
   std::optional<double> colourMin, colourMax;  // SI
   int width = 1280, height = 960;
 };

@@ -8,7 +8,7 @@
 #include "io/output/read_oriented_frame.hpp"
 #include "io/output/read_surface_frame.hpp"
 #include "io/output/series.hpp"
-#include "io/render/mesh_discs.hpp"
+#include "io/render/mesh_faces.hpp"
 #include "io/render/scene_job.hpp"
 
 namespace thaw {
@@ -214,8 +214,7 @@ void addSheets(const fs::path& file, const std::string& field, FrameView& view) 
       colours[i] = {byte(0), byte(1), byte(2)};
     }
   view.time = data.time;
-  const int fine = data.triangles.size() < 3000 ? 3 : data.triangles.size() < 12000 ? 2 : 1;
-  addMeshDiscs({positions, data.triangles, values, colours}, fine, view);
+  addMeshFaces({positions, data.triangles, values, colours}, view);
 }
 
 /// Makes room in a view of surfels for discs that have all that discs can have.
@@ -260,7 +259,7 @@ FrameView readFrameView(const fs::path& frame, const std::string& field) {
   FrameView view = surfels ? surfaceView(frame, field) : particleView(frame, field, false);
   if (!surfels && !view.positions.empty()) {
     const KeptScene scene = keptSceneOf(frame);
-    ballsOfParticles(static_cast<float>(0.6 * sceneOfText(scene.text, scene.name).spacing), {188, 193, 200}, view);
+    spheresToDiscs(view, static_cast<float>(0.6 * sceneOfText(scene.text, scene.name).spacing));
   }
   fillUp(view);
   addSheets(sheets, field, view);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "io/output/read_oriented_frame.hpp"
+#include "io/render/mesh_faces.hpp"
 
 namespace thaw {
 namespace {
@@ -44,21 +45,15 @@ void addRod(FrameView& view, const Vec3d& from, const Vec3d& to, double radius, 
 }
 
 void addMesh(FrameView& view, const OrientedFrame& f, std::span<const std::array<std::uint32_t, 3>> triangles) {
-  constexpr int parts = 5;  // of an edge
   for (const auto& t : triangles) {
     const Vec3d x[3] = {f.positions[t[0]], f.positions[t[1]], f.positions[t[2]]};
-    const double edge = std::max({length(x[1] - x[0]), length(x[2] - x[1]), length(x[0] - x[2])});
-    const std::uint32_t group = f.groups[t[0]];
     // along a crease the particles' normals are between those of the sides: there a triangle shows its own
     const bool folded = ((f.flags[t[0]] | f.flags[t[1]] | f.flags[t[2]]) & 1) != 0;
     const Vec3d flat = normalized(cross(x[1] - x[0], x[2] - x[0]));
     const Rgb colour = paintOf(f, t[0]);
-    for (int a = 0; a < parts; a++)
-      for (int b = 0; a + b < parts; b++) {
-        const double p = (a + 1.0 / 3) / parts, q = (b + 1.0 / 3) / parts, r = 1 - p - q;
-        const Vec3d n = folded ? flat : normalized(p * f.normals[t[0]] + q * f.normals[t[1]] + r * f.normals[t[2]]);
-        addDisc(view, single(p * x[0] + q * x[1] + r * x[2]), single(n), static_cast<float>(0.62 * edge / parts), colour, 1000 + group, true);
-      }
+    std::array<FaceCorner, 3> corners;
+    for (std::size_t k = 0; k < 3; k++) corners[k] = {single(x[k]), single(folded ? flat : f.normals[t[k]]), colour, darker(colour, 0.72)};
+    addFace(corners, view);
   }
 }
 

@@ -100,7 +100,7 @@ Image sheetWithBar(std::span<const Image> cells, std::span<const std::string> la
 Image pictureOf(const FrameView& frame, const FrameJob& job, const RenderStyle& style, int threads) {
   if (!frame.normals.empty()) {
     SurfelStyle surfels{frame.paint, job.radius > 0 ? job.radius : SurfelStyle{}.discs, threads};
-    return renderSurfels({frame.positions, frame.normals, frame.radii, frame.values, frame.colours, frame.components}, style, surfels);
+    return renderSurfels({frame.positions, frame.normals, frame.radii, frame.values, frame.colours, frame.components, frame.faces}, style, surfels);
   }
   const float radius = (job.radius > 0 ? job.radius : 0.7f) * style.spacing;
   return render({frame.positions, frame.values, std::span<const float>(&radius, 1)}, style);

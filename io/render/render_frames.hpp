@@ -1,5 +1,6 @@
 // Pictures of many frames: the same camera and the same range of colours for all of them, several frames at once, and a contact sheet.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -23,6 +24,7 @@ struct FrameView {
   std::vector<float> radii;      ///< m
   std::vector<Rgb> colours;      ///< of the surface
   std::vector<std::uint32_t> components;
+  std::vector<std::array<std::uint32_t, 3>> faces;  ///< triangles between rows, seen from where these turn counterclockwise; such rows are no discs
   SurfelPaint paint = SurfelPaint::Plain;
 };
 

@@ -10,7 +10,7 @@
 #include "io/render/curved_discs.hpp"
 #include "io/render/glass.hpp"
 #include "io/render/parallel_for.hpp"
-#include "io/render/splat_surfels.hpp"
+#include "io/render/splat_faces.hpp"
 
 namespace thaw {
 
@@ -28,6 +28,9 @@ struct DrawnSurfels {
   std::vector<float> radii;
   std::vector<Light> colours;
   std::vector<std::uint32_t> components;
+  std::vector<std::array<std::uint32_t, 3>> faces;
+  std::vector<std::uint8_t> corner;  // of a face: no disc of its own; empty without faces
+  bool isDisc(std::size_t i) const { return corner.empty() || !corner[i]; }
   Discs discs() const { return {positions, radii, normals}; }
 };
 
@@ -64,18 +67,52 @@ class Painter {
 
 DrawnSurfels drawable(const SurfelInput& in, const RenderStyle& style, const SurfelStyle& how) {
   DrawnSurfels s;
+  constexpr std::uint32_t gone = 0xffffffffu;
+  std::vector<std::uint32_t> now(in.faces.empty() ? 0 : in.positions.size(), gone);
   const Painter paint(in, style, how.paint);
   for (std::size_t i = 0; i < in.positions.size(); i++) {
     const Vec3f &x = in.positions[i], &n = in.normals[i];
     const float l2 = dot(n, n), r = how.discs * in.radii[i];
     if (!finite(x) || !finite(n) || !(l2 > 0) || !(r > 0) || !std::isfinite(r)) continue;
+    if (!now.empty()) now[i] = static_cast<std::uint32_t>(s.positions.size());
     s.positions.push_back(x);
     s.normals.push_back(n / std::sqrt(l2));
     s.radii.push_back(r);
     s.colours.push_back(paint(i));
     if (!in.components.empty()) s.components.push_back(in.components[i]);
   }
+  if (!in.faces.empty()) s.corner.assign(s.positions.size(), 0);
+  for (const auto& f : in.faces) {
+    const std::array<std::uint32_t, 3> rows{now[f[0]], now[f[1]], now[f[2]]};
+    for (const std::uint32_t row : rows)
+      if (row != gone) s.corner[row] = 1;
+    if (std::find(rows.begin(), rows.end(), gone) == rows.end()) s.faces.push_back(rows);
+  }
   return s;
+}
+
+/// What throws shadows: discs, somewhat smaller than they are drawn, and one over each face.
+struct Casters {
+  std::vector<Vec3f> positions, normals;
+  std::vector<float> radii;
+  Discs discs() const { return {positions, radii, normals}; }
+};
+
+Casters castersOf(const DrawnSurfels& s) {
+  Casters all;
+  const auto add = [&](const Vec3f& x, const Vec3f& n, float radius) {
+    all.positions.push_back(x);
+    all.normals.push_back(n);
+    all.radii.push_back(radius);
+  };
+  for (std::size_t i = 0; i < s.positions.size(); i++)
+    if (s.isDisc(i)) add(s.positions[i], s.normals[i], castingDiscs * s.radii[i]);
+  for (const auto& f : s.faces) {
+    const Vec3f &a = s.positions[f[0]], &b = s.positions[f[1]], &c = s.positions[f[2]], n = cross(b - a, c - a), middle = (a + b + c) / 3.0f;
+    const float l2 = dot(n, n), r2 = std::max({dot(a - middle, a - middle), dot(b - middle, b - middle), dot(c - middle, c - middle)});
+    if (l2 > 0) add(middle, n / std::sqrt(l2), std::sqrt(r2));
+  }
+  return all;
 }
 
 constexpr float flatEnough = 2.5f;  // samples: how far a disc may be off the surface at its rim
@@ -90,6 +127,7 @@ struct SplatDiscs {
 };
 SplatDiscs splatDiscs(const DrawnSurfels& s, const View& view) {
   const std::vector<DiscPart> parts = curvedDiscs(s.discs(), s.components, [&](std::uint32_t i) {
+    if (!s.isDisc(i)) return std::numeric_limits<float>::infinity();
     const Vec3f ray = s.positions[i] - view.origin;
     const float depth = dot(ray, view.forward), away = dot(ray, s.normals[i]);
     if (!(depth > 0) || away > 0.5f * std::sqrt(dot(ray, ray))) return std::numeric_limits<float>::infinity();  // looks away from the camera
@@ -97,6 +135,7 @@ SplatDiscs splatDiscs(const DrawnSurfels& s, const View& view) {
   });
   SplatDiscs out;
   for (const DiscPart& p : parts) {
+    if (!s.isDisc(p.of)) continue;
     out.positions.push_back(p.position);
     out.normals.push_back(p.normal);
     out.radii.push_back(p.radius);
@@ -222,15 +261,17 @@ Image renderSurfels(const SurfelInput& input, const RenderStyle& style, const Su
   if (stage.empty())
     for (const Vec3f& p : surfels.positions) stage.add({p.x, p.y, p.z});
   const float near = stage.empty() ? 0 : static_cast<float>(1e-4 * length(stage.max - stage.min));
-  std::vector<float> casting = surfels.radii;
-  for (float& r : casting) r *= castingDiscs;
-  const Discs casters{surfels.positions, casting, surfels.normals};
+  const Casters casting = castersOf(surfels);
+  const Discs casters = casting.discs();
   const SurfelLights lights = makeSurfelLights(casters, view, how.threads);
   const Backdrop backdrop(style, view, stage, lights.lights, casters);
   const std::vector<std::uint8_t> seen = facingDiscs(discs, view, width, height, near);
   std::vector<std::uint8_t> lit(surfels.positions.size(), 0);
   for (std::size_t k = 0; k < seen.size(); k++)
     for (const DiscPart::Share& m : parts.mix[k]) lit[m.of] |= seen[k] && m.share > 0;
+  const CameraFaces faces = facesBefore(surfels.positions, surfels.faces, view, width, height, near);
+  for (const CameraFaces::Face& f : faces.faces)
+    for (const std::uint32_t row : f.shade) lit[row] = 1;
   const std::vector<SurfelShade> light = lightSurfels(surfels, lit, lights, backdrop, how.threads);
   std::vector<SurfelShade> shades;
   for (std::size_t k = 0; k < seen.size(); k++) {
@@ -259,7 +300,7 @@ Image renderSurfels(const SurfelInput& input, const RenderStyle& style, const Su
     const FloorLight* floor = backdrop.floorBefore(ray, depth);
     return floor ? backdrop.floorShade(*floor, ray, depth) : backdrop.sky(ray);
   };
-  splatSurfels({discs, clips, shades, parts.components}, seen, view, width, height, s == 3 ? 1 : how.threads, [&](const SurfelTile& tile) {
+  splatSurfels({discs, clips, shades, parts.components, faces, light}, seen, view, width, height, s == 3 ? 1 : how.threads, [&](const SurfelTile& tile) {
     const auto sample = [&](int x, int y) {
       const std::size_t at = static_cast<std::size_t>(y) * tile.width + x;
       const float px = static_cast<float>(tile.x + x) + 0.5f, py = static_cast<float>(tile.y + y) + 0.5f, depth = tile.depth[at];

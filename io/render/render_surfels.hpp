@@ -1,6 +1,7 @@
 // Draws surfels as one smooth lit surface: discs blended into each other where they overlap (elliptical weighted average splatting after
 // Zwicker, Pfister, van Baar, Gross 2001, in the two passes of Botsch, Hornung, Zwicker, Kobbelt 2005), with soft shadows and light from the sky.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -16,6 +17,7 @@ struct SurfelInput {
   std::span<const float> values;              ///< in the unit of the colour scale
   std::span<const Rgb> colours;               ///< of the surface
   std::span<const std::uint32_t> components;  ///< bodies do not blend into each other
+  std::span<const std::array<std::uint32_t, 3>> faces{};  ///< triangles between rows, drawn instead of these; seen from where the rows turn counterclockwise
 };
 
 /// What colours: nothing, the values by the style's colours, the surface's own colours, or those turning into the values' colours as

@@ -13,7 +13,7 @@ namespace thaw {
 FrameJob jobOfScene(const Scene& scene) {
   FrameJob job;
   job.title = scene.title;
-  job.field = !scene.output.colour.empty() ? scene.output.colour : modulesOf(scene).heat ? "temperature" : "speed";
+  job.field = !scene.output.colour.empty() ? scene.output.colour : modulesOf(scene).heat ? "temperature" : !scene.sheets.empty() && scene.bodies.empty() && scene.emitters.empty() ? "surface" : "speed";
   job.min = scene.output.colourMin;
   job.max = scene.output.colourMax;
   if (!scene.output.camera.fitted) job.camera = scene.output.camera;

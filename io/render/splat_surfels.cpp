@@ -1,4 +1,4 @@
-#include "io/render/splat_surfels.hpp"
+#include "io/render/splat_faces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -120,20 +120,21 @@ template<class Add> void forSphere(const CameraDisc& d, const View& view, const 
   }
 }
 
-/// Discs of each tile, ascending.
+/// Discs or faces of each tile, ascending.
 struct TileLists {
   int across = 0, down = 0;
   std::vector<std::uint32_t> first, members;
+  std::span<const std::uint32_t> of(std::size_t tile) const { return {members.data() + first[tile], first[tile + 1] - first[tile]}; }
 };
 
-TileLists tileLists(std::span<const Box> boxes, std::span<const std::uint32_t> which, int width, int height) {
+TileLists tileLists(std::span<const Box> boxes, int width, int height) {
   constexpr int side = SurfelTile::side;
   TileLists lists;
   lists.across = (width + side - 1) / side;
   lists.down = (height + side - 1) / side;
   lists.first.assign(static_cast<std::size_t>(lists.across) * lists.down + 1, 0);
   const auto each = [&](auto f) {
-    for (std::size_t k = 0; k < which.size(); k++)
+    for (std::size_t k = 0; k < boxes.size(); k++)
       for (int j = boxes[k].y0 / side; j <= boxes[k].y1 / side; j++)
         for (int i = boxes[k].x0 / side; i <= boxes[k].x1 / side; i++) f(static_cast<std::size_t>(j) * lists.across + i, static_cast<std::uint32_t>(k));
   };
@@ -175,7 +176,10 @@ void splatSurfels(const SurfelScene& scene, std::span<const std::uint8_t> seen, 
       clips.push_back({toCamera(view, scene.clips.list[c].normal), scene.clips.list[c].reach, toCamera(view, scene.clips.list[c].other), scene.clips.list[c].radius2});
     firstClip[k + 1] = static_cast<std::uint32_t>(clips.size());
   }
-  const TileLists lists = tileLists(balls, which, width, height);
+  const TileLists lists = tileLists(balls, width, height);
+  std::vector<Box> faceBoxes;
+  for (const CameraFaces::Face& f : scene.faces.faces) faceBoxes.push_back({f.x0, f.x1, f.y0, f.y1});
+  const TileLists faceLists = tileLists(faceBoxes, width, height);
   parallelFor(lists.first.size() - 1, threads, [&](std::size_t t) {
     SurfelTile tile;
     tile.x = static_cast<int>(t % static_cast<std::size_t>(lists.across)) * side;
@@ -184,8 +188,8 @@ void splatSurfels(const SurfelScene& scene, std::span<const std::uint8_t> seen, 
     tile.height = std::min(side, height - tile.y);
     const std::size_t samples = static_cast<std::size_t>(tile.width) * tile.height;
     tile.depth.assign(samples, none);
-    const std::span<const std::uint32_t> here(lists.members.data() + lists.first[t], lists.first[t + 1] - lists.first[t]);
-    if (here.empty()) {
+    const std::span<const std::uint32_t> here = lists.of(t), facesHere = faceLists.of(t);
+    if (here.empty() && facesHere.empty()) {
       take(tile);
       return;
     }
@@ -201,11 +205,14 @@ void splatSurfels(const SurfelScene& scene, std::span<const std::uint8_t> seen, 
     for (const std::size_t s : gapsOf(tile, depthCut)) tile.depth[s] = depthCut[s], front[s] = frontCut[s];
     // The mean of all surfels of the same face and body around the point that is seen.
     tile.shade.assign(samples, {{}, {}, {}, 0});
+    std::vector<std::uint8_t> ofFace(samples, 0);
+    drawFaces(scene.faces, facesHere, scene.corners, view, tile, ofFace);
     std::vector<float> weight(samples, 0.0f);
     for (std::uint32_t k : here) {
       const std::size_t i = which[k];
       const SurfelShade& own = scene.shades[i];
       forSphere(discs[k], view, balls[k], tile, [&](int s, float w) {
+        if (ofFace[s]) return;
         const std::uint32_t f = front[s];
         const float alike = dot(discs[f].normal, discs[k].normal);
         if (alike <= 0 || (!scene.components.empty() && scene.components[which[f]] != scene.components[i])) return;
@@ -219,7 +226,7 @@ void splatSurfels(const SurfelScene& scene, std::span<const std::uint8_t> seen, 
       });
     }
     for (std::size_t s = 0; s < samples; s++) {
-      if (!(tile.depth[s] < none)) continue;
+      if (!(tile.depth[s] < none) || ofFace[s]) continue;
       SurfelShade& sum = tile.shade[s];
       if (!(weight[s] > 0)) {
         sum = scene.shades[which[front[s]]];

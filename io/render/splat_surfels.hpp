@@ -1,5 +1,6 @@
 // The two passes of splatting: which surfel is in front at each sample, and the mean of those around it.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -19,11 +20,15 @@ struct SurfelShade {
   float sun = 1;         ///< part of the sun that is seen
 };
 
+struct CameraFaces;
+
 struct SurfelScene {
   Discs discs;                                ///< as they are drawn
   const DiscClips& clips;
   std::span<const SurfelShade> shades;
   std::span<const std::uint32_t> components;  ///< may be empty
+  const CameraFaces& faces;
+  std::span<const SurfelShade> corners;       ///< light of the faces' corners
 };
 
 /// A square of samples; depth infinite where there is no surface. Row by row.

@@ -146,7 +146,7 @@ void readOriented(TableReader& r, SceneReading& x) {
   r.text("name", b.name, "for messages and `--set`; none: \"oriented\" and its number");
   readSource(r, b);
   std::string colour;
-  r.text("colour", colour, "in pictures and exports; none: orange, blue, green, red, violet, turquoise by its place in the scene", "\"#rrggbb\"");
+  r.text("colour", colour, "in pictures and exports; none: blue, green, turquoise, violet, orange, red by its place in the scene", "\"#rrggbb\"");
   if (std::uint32_t value = 0; !colour.empty()) {
     if (readColour(colour, value)) b.colour = value;
     else r.fail("colour", "expected six hexadecimal digits such as \"#e8c890\"");

@@ -108,7 +108,7 @@ void readOutput(TableReader& r, Output& o) {
   int pieces = o.piecesByRank ? 1 : 0;
   r.choice("pieces", pieces, {"one", "ranks"}, "parts of a frame's file: one, or one for each rank (for parallel ParaView)");
   o.piecesByRank = pieces == 1;
-  r.text("colour", o.colour, "what colours the pictures; none: temperature, or speed where there is no heat", "\"speed\" or a field; of a surface also \"surface\" (its own colours) or \"glow\" (those turning into the temperature's)");
+  r.text("colour", o.colour, "what colours the pictures; none: temperature; where there is no heat speed, and of sheets alone their own colours", "\"speed\" or a field; of a surface also \"surface\" (its own colours) or \"glow\" (those turning into the temperature's)");
   std::set<std::string> words(known.begin(), known.end());
   words.insert({"speed", "surface", "glow", "detail"});
   if (!o.colour.empty() && !words.count(o.colour))
