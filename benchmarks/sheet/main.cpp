@@ -13,8 +13,11 @@ int main(int argc, char** argv) {
   using namespace thaw::bench;
   std::size_t vertices = 2000000, large = 1000000;
   std::string csv, only;
-  for (int k = 1; k + 1 < argc; k += 2) {
+  for (int k = 1; k < argc; k += 2) {
     const std::string key = argv[k];
+    const bool help = key == "--help" || key == "-h";
+    if (help || k + 1 == argc)
+      return std::fprintf(help ? stdout : stderr, "scripts/bench sheet [--vertices 2000000] [--large 1000000] [--csv FILE] [--only bandwidth|frames|accuracy]\n"), help ? 0 : 2;
     if (key == "--vertices") vertices = std::strtoull(argv[k + 1], nullptr, 10);
     else if (key == "--large") large = std::strtoull(argv[k + 1], nullptr, 10);
     else if (key == "--csv") csv = argv[k + 1];

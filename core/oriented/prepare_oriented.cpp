@@ -80,6 +80,7 @@ void prepareOriented(const Scene& s, OrientedWork& work, const MeshLoader& load)
     try {
       keepGiven(makePoints(s.oriented[b], spacingOf(s, s.oriented[b]), s.seed + b, load), work.given[b]);
     } catch (const std::invalid_argument&) {  // sampling says what is wrong
+    } catch (const std::runtime_error&) {
     }
   }
 }
@@ -96,6 +97,12 @@ void sampleOriented(World& w, Halos halos, const MeshLoader& load) {
     try {
       made = makePoints(body, s, w.scene.seed + b, load);
     } catch (const std::invalid_argument& e) {
+      problems.add(body.where, "oriented body '" + body.name + "': " + e.what());
+      continue;
+    } catch (const ShapeError& e) {
+      problems.add(e.where.line > 0 ? e.where : body.where, "oriented body '" + body.name + "': " + e.what());
+      continue;
+    } catch (const std::runtime_error& e) {  // a mesh that cannot be read
       problems.add(body.where, "oriented body '" + body.name + "': " + e.what());
       continue;
     }

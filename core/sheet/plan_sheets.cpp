@@ -226,6 +226,8 @@ SheetPlans planSheets(const Scene& s, const MeshLoader& load) {
       all.plans.push_back(std::move(plan));
     } catch (const ShapeError& e) {
       problems.add(e.where.line > 0 ? e.where : b.where, "sheet '" + b.name + "': " + e.what());
+    } catch (const std::runtime_error& e) {  // a mesh that cannot be read
+      problems.add(b.where, "sheet '" + b.name + "': " + e.what());
     }
   }
   problems.raise();

@@ -188,6 +188,8 @@ void exportSheets(const fs::path& file, const fs::path& out, const ExportOptions
 
 void exportFrame(const fs::path& file, const fs::path& out, const ExportOptions& options) {
   const FrameInfo info = readFrameInfo(file.string());
+  if ((isOrientedFrame(info) || isSheetFrame(info)) && options.field != "surface")
+    throw std::invalid_argument("sheets and oriented particles are exported in their own colours, --as vtp with all fields: expected no --field, got " + options.field);
   if (isOrientedFrame(info)) return exportOriented(file, out, options);
   if (isSheetFrame(info)) return exportSheets(file, out, options);
   const SurfaceFrame frame = readSurfaceFrame(file.string());

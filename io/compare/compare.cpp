@@ -9,9 +9,10 @@
 #include <limits>
 #include <map>
 
+#include "core/kinds/kinds.hpp"
+
 namespace thaw {
 namespace {
-
 
 template<class T> T load(const std::byte* at) {
   T v;
@@ -230,6 +231,7 @@ Comparison compareSnapshots(const Snapshot& a, const Snapshot& b, const CompareR
     }
     const std::vector<Match> both = matchIds(a, ta, b, *tb, result);
     if (result.rows == 0 && (&ta == a.tables.data() || !both.empty())) result.rows = both.size(), result.title = ta.title;  // the first that has any
+    else if (ta.title == kindNames[orientedKind] || ta.title == kindNames[sheetKind]) result.kinds.push_back({ta.title, both.size()});
     if (ta.ids.empty() && tb->ids.empty()) continue;
     eachColumn(ta.title, ta.columns, tb->columns, result, [&](const SnapshotColumn& x, const SnapshotColumn& y) {
       const ColumnPair pair(a, x, b, y, rule.tolerance);
@@ -248,7 +250,11 @@ Comparison compareSnapshots(const Snapshot& a, const Snapshot& b, const CompareR
 }
 
 std::vector<std::string> describe(const Comparison& c) {
-  if (c.equal()) return {fmt::format("equal: {} {}, {} fields", c.rows, c.title, c.columns)};
+  if (c.equal()) {
+    std::string kinds;
+    for (const auto& [title, rows] : c.kinds) kinds += fmt::format(", {} {}", rows, title);
+    return {fmt::format("equal: {} {}{}, {} fields", c.rows, c.title, kinds, c.columns)};
+  }
   std::vector<std::string> lines{"different"};
   for (const std::string& g : c.general) lines.push_back(g);
   if (!c.fields.empty()) {

@@ -231,6 +231,10 @@ young = '20 kPa'
 name = 'lump'
 material = 'jelly'
 box = { size = [0.1, 0.1, 0.1] }"
+rejects "a sheet's mesh that is missing" "lost.toml:6:1: error: sheet 'sheet 0': .*nowhere.obj: there is no such file" 2 check "$(kinds lost <<<"[[sheet]]
+mesh = 'nowhere.obj'")"
+rejects "an oriented body's mesh that is missing" "lost2.toml:6:1: error: oriented body 'oriented 0': .*nowhere.obj: there is no such file" 2 check "$(kinds lost2 <<<"[[oriented]]
+mesh = 'nowhere.obj'")"
 rejects "more particles than most" "most.toml:6:1: error: oriented body 'oriented 0': it begins with [0-9]+ particles and is to grow to .most. = 20; expected at least as many" 2 check "$(kinds most <<<"$plate
 growth = 'gaps'
 most = 20")"
