@@ -29,8 +29,6 @@ constexpr double surfelReach = 1.8;
 constexpr double fallsTo = 0.75;
 /// How far the colour at a grown surfel may be from its level, over that: a third of a spacing outward, half a spacing inward. A mesh's: .8 outward.
 constexpr double hangsOver = 0.2, liesUnder = 0.4, meshOver = 0.5;
-/// A mesh's surfels are looked at where grown ones are within this many spacings.
-constexpr double ragReach = 3.5;
 /// A fin at the rim of a grown face: a mesh's surfel that stands more than this many spacings over the nearest of the face's surfels within finReach, though the two meet in a
 /// convex edge, where each lies behind the other's plane. Of what is solid all through: where a mesh melts its detail fades beside what still has it.
 constexpr double finHeight = 0.2, finReach = 1.5, finTurn = 0.7;
@@ -131,7 +129,7 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
         std::array<FieldHere, 2> field;
         PlaceBox box{places[0], places[0]};
         box.add(places[1]);
-        probe.around(box, p.component[i]);
+        probe.around(box, p.component[i], x);
         probe.at(places.data(), 2, field.data());
         if (field[1].value <= fallsTo * field[0].level) rows.push_back(seedSurfel(w, i, number[k], *at[k]));
       }

@@ -9,6 +9,9 @@ namespace thaw {
 
 struct SurfaceTools;
 
+/// Surfels of a mesh that hang off are looked for where grown ones are within this many spacings of the particles.
+inline constexpr double ragReach = 3.5;
+
 /// Grows surfels around particles that look out of their component in a direction in which neither particles nor surfels are: the faces of a
 /// crack, once it is so wide that the colour field falls between them; on a part that came off, at once. Surfels that are there stay as they
 /// are, with what detail they carry, and new ones keep away from them: resampling closes the seam between the two. Old ones of a solid that hang

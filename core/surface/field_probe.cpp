@@ -1,5 +1,6 @@
 #include "core/surface/field_probe.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 #include "core/surface/surfel_move.hpp"
@@ -21,17 +22,19 @@ ForceSums particleSumsOf(const World& w, const SurfaceTools& t) {
 FieldProbe::FieldProbe(const World& w, const SurfaceTools& t)
     : world_(w), tools_(t), sums_(particleSumsOf(w, t)), slope_(6 * w.surface.grid.support / (w.surface.particleSupport * w.surface.particleSupport)) {}
 
-void FieldProbe::around(const PlaceBox& box, std::uint64_t component) {
+void FieldProbe::around(const PlaceBox& box, std::uint64_t component, const Vec3d& home) {
   const Bins& bins = tools_.relax.particleBins;
   const std::uint64_t* of = world_.surface.particles.component.data();
   const double h = world_.surface.particleSupport, h2 = (1 + 1e-9) * h * h;
+  const Vec3d& edges = world_.surface.grid.edge;
+  const double edge = std::min({edges.x, edges.y, edges.z}), edge2 = edge * edge;
   std::size_t n = 0;
   forBinRunsAround(bins, box.low, box.high, h, [&](std::size_t from, std::size_t to) {
     const std::uint32_t begin = bins.first[from], end = bins.first[to];
     if (listed_.size() < n + (end - begin)) listed_.resize(2 * (n + end - begin));
     for (std::uint32_t k = begin; k < end; k++) {
       listed_[n] = bins.row[k];
-      n += (box.distance2(bins.at[k]) <= h2) & (of[bins.row[k]] == component);
+      n += (box.distance2(bins.at[k]) <= h2) & (dot(bins.at[k] - home, bins.at[k] - home) <= edge2) & (of[bins.row[k]] == component);
     }
   });
   among(listed_.data(), n);

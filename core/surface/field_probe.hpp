@@ -23,8 +23,9 @@ class FieldProbe {
  public:
   static constexpr std::size_t most = 8;
   FieldProbe(const World& world, const SurfaceTools& tools);
-  /// The particles that act on places in a box: those of the component within h_ps of it, in the order of the bins.
-  void around(const PlaceBox& box, std::uint64_t component);
+  /// The particles that act on places in a box: those of the component within h_ps of it, in the order of the bins. Of them those within a cell's edge of `home`, where
+  /// a particle or surfel of this rank is: farther off it depends on ranks which there are. For what is asked half a spacing from home or nearer that is all of them.
+  void around(const PlaceBox& box, std::uint64_t component, const Vec3d& home);
   /// Or these rows of them, in that order.
   void among(const std::uint32_t* rows, std::size_t count) { rows_ = rows, count_ = count; }
   /// The field at n <= most places among them.

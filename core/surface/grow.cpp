@@ -109,13 +109,13 @@ void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int
   resample(w, halos, t, rounds, [&](const Surfels& f, std::size_t i, SurfacePoint& p, bool border) {
     if (!border && keepsDetail(f, i)) {  // wherever the mesh's surface goes on, but not over a crack
       FieldHere c;
-      probe.around({p.position, p.position}, f.component[i]);
+      probe.around({p.position, p.position}, f.component[i], f.position[i]);
       probe.at(&p.position, 1, &c);
       return c.value > leastOverDetail * c.level;
     }
     std::optional<SurfacePoint> at;
     const auto onto = [&](const Vec3d& x) {
-      ontoIsoSurface(w, probe, f.component[i], &x, 1, 0.6 * f.radius[i] + 0.1 * w.scene.spacing, &at);
+      ontoIsoSurface(w, probe, f.component[i], f.position[i], &x, 1, 0.6 * f.radius[i] + 0.1 * w.scene.spacing, &at);
       return at && dot(at->normal, p.normal) >= 0.3;
     };
     if (!onto(p.position)) {  // what volume keeping holds off the level is as far off it beside itself; half solid surfels are where they were carried

@@ -13,7 +13,7 @@ struct IsoStep { Vec3d outward{}; double out = 0; };
 std::optional<IsoStep> isoStep(const FieldHere& field, double particleSupport, double raised, double longest);
 
 /// The points of a component's surface that are reached from n <= FieldProbe::most places along the gradient, and the normals there; none where there is
-/// none within `farthest` (m) of the place. Changes what the probe looks at.
-void ontoIsoSurface(const World& world, FieldProbe& probe, std::uint64_t component, const Vec3d* from, std::size_t n, double farthest, std::optional<SurfacePoint>* found);
+/// none within `farthest` (m) of the place. home: FieldProbe::around. Changes what the probe looks at.
+void ontoIsoSurface(const World& world, FieldProbe& probe, std::uint64_t component, const Vec3d& home, const Vec3d* from, std::size_t n, double farthest, std::optional<SurfacePoint>* found);
 
 }  // namespace thaw

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/setup/make_grid.hpp"
+#include "core/surface/cover_bare.hpp"
 
 namespace thaw {
 
@@ -12,8 +13,9 @@ void prepareSurface(World& w) {
   s.spacing = set.spacing > 0 ? set.spacing : 0.5 * w.scene.spacing;
   s.surfelSupport = set.support * s.spacing;
   s.particleSupport = set.particleSupport * w.grid.support;
-  // a surfel may stray within a round of iterations before all is sorted anew: half a spacing of the particles
-  s.grid = makeGrid(w.scene.domain, std::max(s.surfelSupport + listMargin(s, w.scene.spacing), std::max({s.surfelSupport, s.particleSupport, 3 * s.spacing, set.linkLength * w.scene.spacing}) + 0.5 * w.scene.spacing));
+  // what is looked at around a particle or surfel of this rank is in the cells around its own: up to three spacings and a disc in the search for what is bare, too;
+  // and a surfel may stray within a round of iterations before all is sorted anew: half a spacing of the particles
+  s.grid = makeGrid(w.scene.domain, std::max(s.surfelSupport + listMargin(s, w.scene.spacing), std::max({s.surfelSupport, s.particleSupport, 3 * s.spacing, set.linkLength * w.scene.spacing, ragReach * w.scene.spacing}) + 0.5 * w.scene.spacing));
 }
 
 void activateSurfaceFields(Surface& s, const Modules& m) {

@@ -49,10 +49,47 @@ every_move = 0.5
 [output]
 every = "20 ms"
 END
-wanted=${SCENES:-melt drops freeze retry}
+# Two balls on a hot plane, the upper one liquid: its splash is thin, so surfels are sought far from where their particles are.
+cat >"$work/splash.toml" <<'END'
+spacing = "1 cm"
+end = "0.28 s"
+[domain]
+min = ["-20 cm", "-20 cm", "-10 cm"]
+max = ["20 cm", "20 cm", "40 cm"]
+gravity = [0, 0, -9.81]
+[material.w]
+density = "1000 kg/m^3"
+young = "100 kPa"
+viscosity = "1 Pa s"
+melts = ["20 degC", "30 degC"]
+heat_capacity = "1 kJ/(kg K)"
+conductivity = "100 W/(m K)"
+latent_heat = "10 kJ/kg"
+[[body]]
+name = "a"
+sphere = { radius = "5 cm" }
+place = { move = [0, 0, "8 cm"] }
+material = "w"
+temperature = "10 degC"
+[[body]]
+name = "b"
+sphere = { radius = "5 cm" }
+place = { move = ["3 cm", 0, "20 cm"] }
+material = "w"
+temperature = "40 degC"
+[[obstacle]]
+plane = { point = [0, 0, 0], normal = [0, 0, 1] }
+temperature = "100 degC"
+[surface]
+every_move = 1
+[output]
+every = "20 ms"
+END
+wanted=${SCENES:-melt drops freeze splash retry}
 for which in $wanted; do
   case $which in
     melt) settings melt; try melt "$scenes/melt.toml" 60 "${set[@]}" --set surface.every_steps=7 --set output.every=0.01 ;;
+    splash) scene=splash; sameOnAllRanks splash 900 - "$work/splash.toml" ;;
     drops) try drops "$work/drops.toml" 150 ;;
     freeze) settings freeze; try freeze "$scenes/freeze.toml" 300 "${set[@]}" --set surface.every_move=1 --set output.every=0.02 ;;
     retry)

@@ -25,10 +25,10 @@ TEST(FieldProbe, FindsTheSumOverParticlesWithItsGradient) {
     FieldProbe probe(rig.w, rig.tools);
     std::vector<Vec3d> x;
     std::vector<FieldHere> found(FieldProbe::most);
-    for (int k = 0; k < 7; k++) x.push_back({0.4 * k, 0.2, 6.1 - 0.3 * k});
+    for (int k = 0; k < 7; k++) x.push_back({0.1 * k, 0.2, 5.9 - 0.1 * k});
     PlaceBox box{x[0], x[0]};
     for (const Vec3d& at : x) box.add(at);
-    probe.around(box, 1);
+    probe.around(box, 1, 0.5 * (box.low + box.high));
     probe.at(x.data(), x.size(), found.data());
     for (std::size_t k = 0; k < x.size(); k++) {
       double value = 0;
@@ -54,19 +54,41 @@ TEST(FieldProbe, NewtonEndsOnTheSurfaceOrSaysThatThereIsNone) {
   rig.place();
   readyParticles(rig.w, rig.ranks->halos(), rig.tools);
   FieldProbe probe(rig.w, rig.tools);
-  const std::array<Vec3d, 4> from{{{0, 0, 5}, {0, 4, 4}, {5.8, 0, 0}, {0, 0, 12}}};
+  const std::array<Vec3d, 4> from{{{0, 0, 5}, {0, 0.4, 5}, {0.4, 0, 5.2}, {0, 0, 12}}};
   std::array<std::optional<SurfacePoint>, 4> found;
-  ontoIsoSurface(rig.w, probe, 1, from.data(), from.size(), 1.5, found.data());
+  ontoIsoSurface(rig.w, probe, 1, from[0], from.data(), from.size(), 1.5, found.data());
   EXPECT_FALSE(found[3]);
   for (std::size_t k = 0; k < 3; k++) {
     ASSERT_TRUE(found[k]);
     EXPECT_NEAR(length(found[k]->position), 5.5, 0.25);
     EXPECT_GT(dot(found[k]->normal, normalized(found[k]->position)), 0.95);
     std::optional<SurfacePoint> alone;
-    ontoIsoSurface(rig.w, probe, 1, &from[k], 1, 1.5, &alone);
+    ontoIsoSurface(rig.w, probe, 1, from[0], &from[k], 1, 1.5, &alone);
     ASSERT_TRUE(alone);
     EXPECT_TRUE(alone->position == found[k]->position && alone->normal == found[k]->normal);
   }
+}
+
+// Other ranks' particles are here as far as the cells around one's own go, and on fewer ranks farther: what is asked at places far from home must not tell.
+TEST(FieldProbe, SeesTheSameWhateverIsThereFarFromHome) {
+  std::vector<FieldHere> found;
+  for (const bool more : {false, true}) {
+    SettleRig rig;
+    rig.addLattice(9, {0.3, 0.1, 0.2}, [](const Vec3d& x) { return std::abs(x.z) < 2 && std::abs(x.y) < 5; });
+    rig.place();
+    readyParticles(rig.w, rig.ranks->halos(), rig.tools);
+    SurfaceParticles& p = rig.w.surface.particles;
+    const Vec3d home{0, 0, 1.5}, away{1.2, 0, 2.2};
+    const Vec3d& edge = rig.w.surface.grid.edge;
+    if (!more)
+      for (std::size_t j = 0; j < p.owned; j++)
+        if (length(p.position[j] - home) > std::min({edge.x, edge.y, edge.z})) p.component[j] = 9;
+    FieldProbe probe(rig.w, rig.tools);
+    probe.around({away, away}, 1, home);
+    probe.at(&away, 1, &found.emplace_back());
+  }
+  EXPECT_GT(found[0].value, 0);
+  EXPECT_TRUE(found[0].value == found[1].value && found[0].gradient == found[1].gradient && found[0].level == found[1].level);
 }
 
 }  // namespace
