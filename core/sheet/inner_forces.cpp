@@ -141,12 +141,18 @@ void addPressure(World& w, Reducer& all) {
     x.carry();
     digits.insert(digits.end(), x.digit.begin(), x.digit.end());
   }
+  const std::size_t counts = digits.size();
+  for (const std::uint32_t p : parts) digits.push_back(std::count(s.part.data(), s.part.data() + s.owned, p));
   all.sum(digits);
   for (std::size_t k = 0; k < sums.size(); k++) std::copy_n(digits.begin() + static_cast<std::ptrdiff_t>(k * ExactSum::digits), ExactSum::digits, sums[k].digit.begin());
 
   std::vector<double> pressure(b.parts.size(), 0), share(b.parts.size(), 0), slope(b.parts.size(), 0);
   for (std::size_t k = 0; k < parts.size(); k++) {
     SheetPart& p = b.parts[parts[k]];
+    if (digits[counts + k] < p.vertices) {  // some have left the domain: what is open holds no volume
+      p.now = 0;
+      continue;
+    }
     const double stiffness = w.scene.sheets[p.sheet].volumeStiffness;
     p.now = sums[2 * k].value();
     const double change = (p.now - p.volume) / p.volume;

@@ -214,6 +214,7 @@ SheetPlans planSheets(const Scene& s, const MeshLoader& load) {
         if (!seen[t.component[v]]) part.origin = plan.mesh.vertices[v];
         seen[t.component[v]] = 1;
         part.area += t.area[v];
+        part.vertices++;
       }
       if (b.volumeStiffness > 0)
         for (std::size_t c = 0; c < t.closed.size(); c++)

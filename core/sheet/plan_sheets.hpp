@@ -20,6 +20,7 @@ struct SheetPart {
   Vec3d origin{};      ///< m, of its first vertex: volumes are measured from there
   double area = 0;     ///< m^2
   double volume = 0;   ///< m^3, at the start
+  std::int64_t vertices = 0;  ///< at the start
   double now = 0;      ///< m^3, of the last evaluation, the same on all ranks; 0 where nobody asks for it
 };
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "io/scene/read_sections.hpp"
 #include "io/scene/read_shape.hpp"
 
@@ -29,6 +31,10 @@ void readMotion(TableReader& r, std::vector<Keyframe>& motion) {
     if (!motion.empty() && f.time <= motion.back().time) k.fail("time", "keyframes must ascend in time");
     motion.push_back(f);
   });
+}
+
+bool readsFile(const Shape& s) {
+  return (s.kind == ShapeKind::Mesh && s.mesh.rfind("builtin:", 0) != 0) || std::any_of(s.parts.begin(), s.parts.end(), [](const Shape& p) { return readsFile(p); });
 }
 
 void readAnchor(TableReader& r, OrientedBody& b) {
@@ -73,6 +79,7 @@ void readEvent(TableReader& r, OrientedBody& b) {
   if (shaped) {
     readShape(r, e.region);  // of smooth; of cut: what is in it comes off
     e.tool = CutTool::Box;
+    if (readsFile(e.region)) r.fail(r.place(), r.path() + ": regions of events are made of shapes, not of mesh files: expected a shape, \"builtin:bust\" or \"builtin:head\"");
   }
   if (r.describing()) return;
   const bool cut = e.kind == OrientedEventKind::Cut;

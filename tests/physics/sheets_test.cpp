@@ -95,6 +95,25 @@ TEST(Sheets, ForcesAreSlopesOfEnergies) {
   expectForcesFromEnergy(s);
 }
 
+/// What leaves takes its mass along; the rest of a closed mesh is open then, and not a hole with the pressure of one.
+TEST(Sheets, ABallThatLosesVerticesLosesItsPressure) {
+  Scene s = sheetScene(SheetMesh::Sphere);
+  SheetBody& b = s.sheets[0];
+  b.volumeStiffness = 500;
+  b.warp = b.weft = b.shear = 10;
+  b.velocity = {3, 0, 0};
+  s.domain.gravity = {};
+  s.end = 1;
+  s.numerics.retryEvery = 0;
+  test::Simulation sim(s);
+  const std::size_t whole = sim.w.sheets.rows.owned;
+  ASSERT_TRUE(sim.run());
+  const LedgerReport books = sim.books();
+  EXPECT_LT(sim.w.sheets.rows.owned, whole);
+  EXPECT_LT(std::abs(books.energyResidual), 0.01 * books.energyScale);
+  EXPECT_LT(length(books.momentumResidual), 1e-9);
+}
+
 /// A brush that crosses the sheet in one step, or acts for a part of one, gives it what it would give in many short ones.
 TEST(Sheets, BrushesActAlongTheirWayInStepsOfAnyLength) {
   for (const bool moves : {true, false}) {
