@@ -288,7 +288,10 @@ int main(int argc, char** argv) {
     if (key == "--strict") strict = true;
     else if (key == "--csv" && a + 1 < argc) csv = argv[++a];
     else if (key == "--only" && a + 1 < argc) only = argv[++a];
-    else if (const bool help = key == "--help" || key == "-h"; true) return std::fprintf(help ? stdout : stderr, "scripts/bench oriented [--strict] [--only plane|lattice|sphere|rebuilt|neighbours] [--csv FILE]\n"), help ? 0 : 2;
+    else {
+      const bool help = key == "--help" || key == "-h";
+      return std::fprintf(help ? stdout : stderr, "scripts/bench oriented [--strict] [--only plane|lattice|sphere|rebuilt|neighbours] [--csv FILE]\n"), help ? 0 : 2;
+    }
   }
   out = csv ? std::fopen(csv, "w") : std::fopen("/dev/null", "w");
   if (!out) return std::fprintf(stderr, "%s: cannot be written\n", csv), 3;

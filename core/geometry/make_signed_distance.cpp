@@ -20,7 +20,7 @@ void needPositive(const Shape& s, const char* what, double value) {
 ShapePart makeMesh(const Shape& s, const MeshLoader& load) {
   try {
     if (isBuiltin(s.mesh)) return std::make_shared<MeshDistance>(builtinMesh(s.mesh), s.mesh);
-    if (s.mesh.rfind("builtin:", 0) == 0) throw ShapeError("there is no mesh '" + s.mesh + "'; there is " + builtinList);
+    if (namesBuiltin(s.mesh)) throw ShapeError("there is no mesh '" + s.mesh + "'; there is " + builtinList);
     if (!load) throw ShapeError("mesh '" + s.mesh + "': nothing was given to read it with");
     return std::make_shared<MeshDistance>(load(s.mesh), s.mesh);
   } catch (const ShapeError& e) {

@@ -180,6 +180,10 @@ THAW_INLINE void store(const Lanes4<double>& v, int n, int stride, Record<double
 /// Eight consecutive values.
 THAW_INLINE LanesF loadRow(const float* p) { return LanesF(*reinterpret_cast<const Vec8f*>(p)); }
 THAW_INLINE LanesD loadRow(const double* p) { return {*reinterpret_cast<const Vec4d*>(p), *reinterpret_cast<const Vec4d*>(p + 4)}; }
+THAW_INLINE void toDoubles(LanesD a, double* p) {
+  *reinterpret_cast<Vec4d*>(p) = a.lo;
+  *reinterpret_cast<Vec4d*>(p + 4) = a.hi;
+}
 
 /// Difference own - other of fixed-point positions (their bits stand in float records), in support radii: exact before the
 /// one rounding to float.

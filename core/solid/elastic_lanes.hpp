@@ -17,10 +17,6 @@ template<class Real> THAW_INLINE Lanes<Real> fromDoubles(const double* p) {
   narrow(loadRow(p), r);
   return r;
 }
-THAW_INLINE void toDoubles(LanesD a, double* p) {
-  *reinterpret_cast<Vec4d*>(p) = a.lo;
-  *reinterpret_cast<Vec4d*>(p + 4) = a.hi;
-}
 
 /// Differences of places in units of ElasticArrays::unit: exact before one rounding, and antisymmetric.
 template<class Real, bool periodic> struct Places;

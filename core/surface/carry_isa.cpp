@@ -17,11 +17,6 @@ THAW_INLINE void loadPlaces(const CarrySums& in, std::size_t g, LanesD* place) {
   for (std::size_t a = 0; a < 3; a++) place[a] = loadRow(own[a]);
 }
 
-THAW_INLINE void store(double* to, LanesD v) {
-  *reinterpret_cast<Vec4d*>(to) = v.lo;
-  *reinterpret_cast<Vec4d*>(to + 4) = v.hi;
-}
-
 }  // namespace
 
 void carry(const CarrySums& in, std::size_t g, double* sums);
@@ -38,7 +33,7 @@ void carry(const CarrySums& in, std::size_t g, double* sums) {
     sum[0] += w;
     for (std::size_t k = 0; k < carryValues; k++) sum[1 + k] += w * LanesD(p[4 + k]);
   }
-  for (std::size_t k = 0; k < carrySums; k++) store(sums + 8 * k, sum[k]);
+  for (std::size_t k = 0; k < carrySums; k++) toDoubles(sum[k], sums + 8 * k);
 }
 
 void bend(const CarrySums& in, std::size_t g, double* sums);
@@ -61,7 +56,7 @@ void bend(const CarrySums& in, std::size_t g, double* sums) {
       sum[3 * a + 2] += value * wz;
     }
   }
-  for (std::size_t k = 0; k < bendSums; k++) store(sums + 8 * k, sum[k]);
+  for (std::size_t k = 0; k < bendSums; k++) toDoubles(sum[k], sums + 8 * k);
 }
 
 }  // namespace THAW_ISA

@@ -97,7 +97,7 @@ void halveStep(World& w, const WatchState& failed) {
   s.halvings = std::min(failed.halvings + 1, mostHalvings);
   s.patience = std::min(2 * failed.patience, longestPatience);
   s.calm = 0;
-  w.clock.dt = std::min(w.clock.dt, s.factor * (w.clock.dt < never ? never : longestUnlimitedStep(w.clock)));  // half of no limit would be none
+  if (!(w.clock.dt < never)) w.clock.dt = s.factor * longestUnlimitedStep(w.clock);  // half of no limit would be none
   // where frames cut the step, halving what was to be cut would change nothing
   for (double full = w.clock.dt / s.factor; w.clock.every > 0 && s.halvings < mostHalvings && std::ldexp(full, 1 - static_cast<int>(s.halvings)) > w.clock.every;) s.halvings++;
   const double factor = std::min(s.factor, std::ldexp(1.0, -static_cast<int>(s.halvings)));

@@ -28,6 +28,7 @@ namespace thaw {
 namespace {
 
 std::string bytesText(double b) { return b > 1e9 ? fmt::format("{:.2f} GB", b / 1e9) : fmt::format("{:.1f} MB", b / 1e6); }
+
 /// A line for each oriented body and each sheet.
 std::vector<std::string> linesOfKinds(const World& w, Reducer& all) {
   std::vector<std::string> lines;

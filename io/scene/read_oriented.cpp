@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/geometry/builtin_meshes.hpp"
 #include "io/scene/read_sections.hpp"
 #include "io/scene/read_shape.hpp"
 
@@ -34,7 +35,7 @@ void readMotion(TableReader& r, std::vector<Keyframe>& motion) {
 }
 
 bool readsFile(const Shape& s) {
-  return (s.kind == ShapeKind::Mesh && s.mesh.rfind("builtin:", 0) != 0) || std::any_of(s.parts.begin(), s.parts.end(), [](const Shape& p) { return readsFile(p); });
+  return (s.kind == ShapeKind::Mesh && !namesBuiltin(s.mesh)) || std::any_of(s.parts.begin(), s.parts.end(), [](const Shape& p) { return readsFile(p); });
 }
 
 void readAnchor(TableReader& r, OrientedBody& b) {

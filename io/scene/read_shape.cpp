@@ -37,7 +37,7 @@ void readMesh(TableReader& r, Shape& s) {
   r.text("mesh", s.mesh, "closed mesh: OBJ, PLY or STL, relative to the file that names it; or \"builtin:bust\" or \"builtin:head\", both 1 m tall", "path or \"builtin:bust\"");
   if (s.mesh.empty()) {
     if (r.has("mesh")) r.fail("mesh", "expected the path of an OBJ, PLY or STL file, or " + std::string(builtinList));
-  } else if (s.mesh.rfind("builtin:", 0) == 0) {
+  } else if (namesBuiltin(s.mesh)) {
     if (!isBuiltin(s.mesh)) r.fail("mesh", "there is no built-in mesh '" + s.mesh.substr(8) + "'; there is " + builtinList);
   } else if (!meshEnding(s.mesh)) {
     r.fail("mesh", "expected a file that ends in .obj, .ply or .stl, got \"" + s.mesh + "\"");

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <set>
 
+#include "core/geometry/builtin_meshes.hpp"
+
 namespace thaw {
 namespace {
 
@@ -70,7 +72,7 @@ void placeMeshes(toml::node& n, const std::string& base) {
       auto* s = key.str() == "mesh" ? node.as_string() : nullptr;
       if (!s) {
         placeMeshes(node, base);
-      } else if (!s->get().empty() && s->get().rfind("builtin:", 0) != 0) {
+      } else if (!s->get().empty() && !namesBuiltin(s->get())) {
         const std::string file = placeOfNode(node).file;
         const path folder = file.rfind("--set", 0) == 0 ? path(base) : path(base) / path(file).parent_path();
         s->get() = (folder / s->get()).lexically_normal().string();

@@ -35,6 +35,8 @@ TEST(BadKinds, WhatMeansNothingIsRefusedAtItsPlace) {
       {patch + "[[oriented.event]]\nkind = \"smooth\"\n", "s.toml:9:1: error: oriented.a.event.0: its shape is missing: mesh, box, sphere, cylinder, torus, glass, plane, union, difference or intersection"},
       {cloth + "[sheet.clamp]\n", "s.toml:8:1: error: sheet.0.clamp.0: its shape is missing: mesh, box, sphere, cylinder, torus, glass, plane, union, difference or intersection"},
       {cloth + "[[sheet.brush]]\nradius = 0.1\n", "s.toml:8:1: error: sheet.0.brush.0.pressure: is missing or zero: expected what it pushes with, [x, y, z]"},
+      {patch + "[[oriented.event]]\nkind = \"cut\"\nmesh = \"cube.obj\"\n",
+       "s.toml:9:1: error: oriented.a.event.0: regions of events are made of shapes, not of mesh files: expected a shape, \"builtin:bust\" or \"builtin:head\""},
       {patch + "[[oriented.event]]\nkind = \"cut\"\nstroke = [[0, 0, 0], [0, 0, 0.1], [0, 0, 0.3]]\ndirection = [0, 0, 2]\n",
        "s.toml:11:10: error: oriented.a.event.0.stroke: runs along its `direction`, so it cuts along no plane: expected a direction across the stroke"},
       {patch + "[[oriented]]\npatch = { width = 0.5, depth = 0.5 }\nintegrator = \"rk4\"\n",
