@@ -6,12 +6,11 @@
 #include "core/contact/solid_contact.hpp"
 #include "core/domain/sides.hpp"
 #include "core/fluid/implicit_viscosity/implicit_viscosity.hpp"
-#include "core/fluid/state_equation.hpp"
 #include "core/heat/enthalpy.hpp"
 #include "core/heat/heat.hpp"
 #include "core/ledger/report.hpp"
 #include "core/math/hash_random.hpp"
-#include "core/solid_step.hpp"
+#include "core/stored_energy.hpp"
 
 namespace thaw {
 namespace {
@@ -59,6 +58,24 @@ std::size_t emit(World& w, Halos& halos, const StepTools& t, double before, doub
 
 bool needsOrder(const World& w, const StepTools& t) { return needsNeighbours(w, t) || !w.walls.list.empty() || w.modules.kinds() || w.modules.surface; }
 
+namespace {
+
+/// Cells of all particles, where they are asked for, and what leaves the domain; a cache full of places at a time.
+void findCells(World& w, std::vector<std::uint32_t>& leaving, bool keys) {
+  constexpr std::size_t block = 1024;
+  Continuum& p = w.particles;
+  leaving.clear();
+  const bool open = hasOpenSide(w.scene.domain);
+  if (!keys && !open) return;
+  for (std::size_t begin = 0; begin < p.owned; begin += block) {
+    const std::size_t end = std::min(p.owned, begin + block);
+    if (keys) computeCellKeys(w.grid, p, begin, end);
+    if (open) findLeaving(w.scene.domain, p, begin, end, leaving);
+  }
+}
+
+}  // namespace
+
 bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
   Continuum& p = w.particles;
   if (p.ghosts > 0) p.resize(p.owned, 0);
@@ -74,13 +91,9 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
   addToBalance(w, fresh, w.ledger.entered);
 
   const bool ordered = needsOrder(w, t), placed = ordered || halos.all.size() > 1 || emitted > 0;
-  if (placed) computeCellKeys(w.grid, p, 0, p.owned);
-  findLeaving(w.grid, w.scene.domain, p, t.leaving);
-  if (!placed && !t.leaving.empty()) {
-    computeCellKeys(w.grid, p, 0, p.owned);
-    findLeaving(w.grid, w.scene.domain, p, t.leaving);
-  }
-  if (w.modules.solid) findElasticEnergy(w, t, t.leaving);
+  findCells(w, t.leaving, placed);
+  if (!placed && !t.leaving.empty()) findCells(w, t.leaving, true);
+  findStoredEnergy(w, t, t.leaving);
   addToBalance(w, t.leaving, w.ledger.left);
   w.counters.left += static_cast<std::int64_t>(t.leaving.size());
   bool leftSlots = false;
@@ -101,7 +114,10 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.sleep)
     for (std::size_t i = before; i < p.owned; i++) t.sleep.findAll = t.sleep.findAll || p.sleep[i] == asleep;
   m.arrivals += emitted;
-  if (ordered) sortByCell(p, m, t.sort, w.cells);
+  ColumnList stale{};  // what this step finds anew before anybody asks
+  if (dt > 0 && !w.modules.sheet) stale.push_back(&p.acceleration);
+  if (!w.modules.sleep) stale.push_back(&p.interaction);
+  if (ordered) sortByCell(p, m, t.sort, w.cells, stale);
   else if (m.arrivals > 0 || !m.departed.empty()) closeGaps(p, m);
   if (m.arrivals > p.owned / 8) p.shrink();
   t.times.lap(StepPhase::Sort);
@@ -162,6 +178,7 @@ PairSums pairSumsOf(World& w, StepTools& t) {
   s.conductionScale = t.conductionScale;
   s.support = w.grid.support;
   s.fillingScale = t.fillingScale;
+  s.selfExcess = t.selfExcess;
   s.place = n.precision == Precision::Single ? t.records.fixed.data() : t.records.place.data();
   s.motion = t.records.motion.data();
   s.state = t.records.state.data();
@@ -218,14 +235,6 @@ void search(World& w, StepTools& t, Part part) {
   t.kernels->search(in, part, t.search, w.neighbours);
 }
 
-/// Energy (J) stored in the compression of a liquid particle.
-double compressionOf(const RecordContext& x, const Continuum& p, std::size_t i) {
-  const Material& m = x.scene.materials[p.material[i]];
-  const double f = p.liquid.active ? static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? 1 : 0;
-  if (f == 0 || x.modules.incompressible) return 0;
-  return f * p.mass[i] / m.density * compressionEnergy(x.scene.numerics.eos, x.liquids[p.material[i]].stiffness, static_cast<double>(p.filling[i]), x.scene.numerics.tensileLimit);
-}
-
 }  // namespace
 
 void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass) {
@@ -256,8 +265,10 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass) {
     t.times.lap(StepPhase::Density);
     return;
   }
-  if (w.modules.fluid && !w.modules.incompressible)  // else pressure is found at the end of the step
+  if (w.modules.fluid && !w.modules.incompressible) {  // else pressure is found at the end of the step
     pass == NeighbourPass::InnerForces ? packPressure(x, p, 0, p.owned, t.records) : packPressure(x, p, p.owned, p.size(), t.records);
+    w.compressionKnown = !w.modules.uniform;
+  }
   const PairSums s = pairSumsOf(w, t);
   PairSums resisting = s;
   if (p.drag.active) resisting.force = p.drag.data();  // viscosity only: pressure is found at the end of the step
@@ -276,8 +287,6 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass) {
     if (pass == NeighbourPass::InnerForces) t.closePairs.list.clear();
     t.kernels->closePairs(s, range, t.closePairs);
   }
-  if (pass == NeighbourPass::InnerForces && w.modules.fluid)  // energy of compression
-    for (std::size_t i = 0; i < p.owned; i++) p.interaction[i] += compressionOf(x, p, i);
   if (pass == NeighbourPass::BoundaryForces && p.drag.active)
     for (std::size_t i = 0; i < p.owned; i++) p.force[i] += p.drag[i];
   t.times.lap(StepPhase::Forces);
@@ -341,7 +350,7 @@ void beginSoftening(World& w, const StepTools& t) {
   const RecordContext x = recordsOf(w, t);
   for (std::size_t i = 0; i < p.owned; i++) {
     const double f = static_cast<double>(p.liquid[i]);
-    p.softening[i] = f > 0 ? (w.modules.surfaceEnergy ? p.interaction[i] : 2 * p.interaction[i] - compressionOf(x, p, i)) / f : 0;
+    p.softening[i] = f > 0 ? (w.modules.surfaceEnergy ? p.interaction[i] : 2 * p.interaction[i] - compressionOf(x, p, i, f)) / f : 0;
   }
 }
 

@@ -21,8 +21,7 @@ void deform(World& world, Halos halos, StepTools& tools, double dt);
 /// Elastic forces, onto the particles.
 void addElasticForces(World& world, Halos halos, StepTools& tools, double dt);
 
-/// Solids::energy and Solids::deformation of all owned slots as of the last evaluation, where steps do not find them anyway. Before a checkpoint, a
-/// good state or a frame; the ledger's report sees to it by itself. The same bits whenever and however often it is asked for.
+/// Solids::energy and Solids::deformation of all owned slots as of the last evaluation, where steps do not find them anyway (core/stored_energy.hpp asks).
 void findElasticEnergy(World& world, const StepTools& tools);
 /// The same for the particles in these rows, which are about to leave.
 void findElasticEnergy(World& world, const StepTools& tools, std::span<const std::uint32_t> rows);

@@ -37,7 +37,9 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
 
   if (w.modules.sleep) settleSleep(w, t, dt);  // solids at rest are held from here on
   StepOutcome here;
-  here.finite = finishKick(w, dt, &here.bad);  // v += a dt/2
+  LargestRates largest;
+  here.finite = finishKick(w, dt, &here.bad, &largest);  // v += a dt/2
+  here.largest = largest;
   here.badHere = !here.finite || w.oriented.overran;
   if (w.modules.sheet) kickSheets(w, dt);      // v += the push of forces at the new places
   if (w.modules.kinds() && !finiteKinds(w)) here.finite = false;
@@ -91,7 +93,6 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
     sumOverNeighbours(w, t, NeighbourPass::BoundaryDensity);
   }
   if (w.modules.sleep) dropSkippedContacts(t);
-  if (w.modules.fluid) removeSelfWeight(w, t.selfWeight);
   if (w.modules.fluid) addWallFilling(walls, t.perLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
 
@@ -131,7 +132,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
 
 StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests wanted) {
   StepLimits limits = t.fixedLimits;
-  StepLimits own = particleLimits(w, t.stableViscousStep);
+  StepLimits own = particleLimits(w, here.largest ? *here.largest : largestRates(w), t.stableViscousStep);
   own[Limit::Sound] = limits[Limit::Sound] / soundStiffening(w);  // the shortest of all ranks is where some particle is compressed most
   // near a wall its push is stiffer than the lattice, for which cfl_sound stands: omega dt is 1.2 at most (2 is stable)
   if (t.wallContacts.stiffest > 0) own[Limit::Contact] = 3 * w.scene.numerics.cflSound / t.wallContacts.stiffest;

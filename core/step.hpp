@@ -1,6 +1,7 @@
 // One time step: the page to read first.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/domain/emit.hpp"
@@ -43,7 +44,7 @@ struct StepTools {
   ViscousWeight viscousWeight;       ///< of the pairwise viscosity
   double perLatticeSum = 1;          ///< what sums over V W are multiplied by to be fillings
   SurfaceMeasure surface;            ///< of surface tension as an energy
-  double selfWeight = 0;             ///< taken from the filling of a particle that has the volume of its lattice cell
+  double selfExcess = 0;             ///< taken from the filling of a particle, per V0 / h^3 of its own (terms/density.hpp)
   double stableViscousStep = 0;      ///< dt nu / h^2 that is just stable on the lattice
   double conductionScale = 1;        ///< of heat conduction, see kernels/lattice.hpp
   double fillingScale = 1;           ///< the same / h^3
@@ -86,6 +87,7 @@ struct StepOutcome {
   bool finite = true;                ///< false: some value is not; on the rank that has it `bad` is its row
   bool badHere = false;
   std::size_t bad = 0;
+  std::optional<LargestRates> largest;  ///< of this rank, where the kick has found them
   double surfaceMove2 = 0;           ///< m^2, farthest that a particle has come since the last update of the surface, squared; 0 without one
 };
 

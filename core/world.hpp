@@ -62,6 +62,7 @@ struct World {
   OrientedBodies oriented;
   SheetBodies sheets;
   PressureIterations lastIterations;
+  bool compressionKnown = true;  ///< the energy of compression is in Continuum::interaction; else findStoredEnergy (core/stored_energy.hpp) adds it
 };
 
 }  // namespace thaw

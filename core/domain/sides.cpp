@@ -37,16 +37,21 @@ bool hasOpenSide(const Domain& d) {
   return open;
 }
 
-template<class Rows> void findLeaving(const CellGrid&, const Domain& d, Rows& p, std::vector<std::uint32_t>& rows) {
-  rows.clear();
-  for (std::size_t i = 0; i < p.owned; i++)
-    if (isOutside(d, p.position[i])) {
+template<class Rows> void findLeaving(const Domain& d, Rows& p, std::size_t begin, std::size_t end, std::vector<std::uint32_t>& rows) {
+  Vec3d low, high;
+  for (int a = 0; a < 3; a++) {
+    low[a] = d.side[a][0] == Side::Open ? d.min[a] : -HUGE_VAL;
+    high[a] = d.side[a][1] == Side::Open ? d.max[a] : HUGE_VAL;
+  }
+  const Vec3d* position = p.position.data();
+  for (std::size_t i = begin; i < end; i++)
+    if (const Vec3d x = position[i]; (x.x < low.x) | (x.y < low.y) | (x.z < low.z) | (x.x >= high.x) | (x.y >= high.y) | (x.z >= high.z)) {
       p.nextCell[i] = noCell;  // not its last cell: another rank may own that since the last rebalance
       rows.push_back(static_cast<std::uint32_t>(i));
     }
 }
 
-template void findLeaving(const CellGrid&, const Domain&, Continuum&, std::vector<std::uint32_t>&);
-template void findLeaving(const CellGrid&, const Domain&, KindRows&, std::vector<std::uint32_t>&);
+template void findLeaving(const Domain&, Continuum&, std::size_t, std::size_t, std::vector<std::uint32_t>&);
+template void findLeaving(const Domain&, KindRows&, std::size_t, std::size_t, std::vector<std::uint32_t>&);
 
 }  // namespace thaw

@@ -21,9 +21,9 @@ void wrapPeriodic(const CellGrid& grid, const Domain& domain, Continuum& particl
 bool isOutside(const Domain& domain, const Vec3d& place);
 bool hasOpenSide(const Domain& domain);
 
-/// Owned rows beyond an open side, ascending, into `rows`. Their nextCell is set to noCell, so that migration leaves them alone; the
+/// Rows [begin, end) beyond an open side, ascending, are added to `rows`. Their nextCell is set to noCell, so that migration leaves them alone; the
 /// caller books and drops them.
 /// Particles: Continuum, KindRows.
-template<class Rows> void findLeaving(const CellGrid& grid, const Domain& domain, Rows& particles, std::vector<std::uint32_t>& rows);
+template<class Rows> void findLeaving(const Domain& domain, Rows& particles, std::size_t begin, std::size_t end, std::vector<std::uint32_t>& rows);
 
 }  // namespace thaw

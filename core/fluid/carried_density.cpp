@@ -62,16 +62,6 @@ void correct(World& w, const StepTools& t, double dt) {
 
 }  // namespace
 
-void removeSelfWeight(World& w, double selfWeight) {
-  if (selfWeight == 0) return;
-  Continuum& p = w.particles;
-  const double dx = w.scene.spacing;
-  for (std::size_t i = 0; i < p.owned; i++) {
-    const double V = p.mass[i] / (w.scene.materials[p.material[i]].density * dx * dx * dx);
-    p.filling[i] = static_cast<float>(static_cast<double>(p.filling[i]) - selfWeight * V);
-  }
-}
-
 void carryDensity(World& w, const StepTools& t, double dt) {
   Continuum& p = w.particles;
   const Numerics& n = w.scene.numerics;

@@ -40,6 +40,7 @@ struct PairSums {
   double conductionScale = 1; ///< factor of heat conduction (kernels/lattice.hpp)
   double support = 0;         ///< h, m
   double fillingScale = 0;    ///< h^-3 over the lattice sum: makes filling 1 on the lattice of the scene
+  double selfExcess = 0;      ///< taken from the filling of a particle, per V0 / h^3 of its own
   const void* place = nullptr;   ///< x, y, z (fixed point in single precision), V0 / h^3 (V / h^3 with the printed pressure)
   const void* motion = nullptr;  ///< velocity (m/s), viscosity (Pa s)
   const void* state = nullptr;   ///< pressure term (Pa): f p / filling^2, printed: f p; liquid fraction f; temperature (K); conductivity (W/(m K))

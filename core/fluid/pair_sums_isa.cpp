@@ -50,7 +50,7 @@ void density(const PairSums& in, GroupRange range) {
       CarriedDensity<Real, decltype(kernel), Carry::Nothing> term{records<Real>(in.place), nullptr, nullptr, &in, scale, {L(0.0), L(0.0), L(0.0)}};
       return sweep(*in.lists, range, term, true);
     }
-    Density<Real, decltype(kernel)> term{records<Real>(in.place), in.filling, in.coincident, in.fillingScale * in.support * in.support * in.support};
+    Density<Real, decltype(kernel)> term{records<Real>(in.place), in.filling, in.coincident, in.fillingScale * in.support * in.support * in.support, in.selfExcess};
     sweep(*in.lists, range, term, true);
   });
 }

@@ -19,8 +19,18 @@ void resizeBytes(AlignedVector<std::byte>& v, std::size_t bytes) {
 
 MaterialParameters localParameters(HeatModel model, const Material& m, double f, double T) { return {viscosityAt(m, f, T), conductivityOf(model, m, f)}; }
 
+/// V0 / h^3 of a particle of each material over its mass (1/kg).
+std::vector<double> volumesPerMass(const RecordContext& x) {
+  std::vector<double> v;
+  const double h = x.grid.support;
+  for (const Material& m : x.scene.materials) v.push_back(1 / (m.density * h * h * h));
+  return v;
+}
+
 template<class Real> void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
-  const double h = x.grid.support, perVolume = 1 / (h * h * h);
+  const CellGrid grid = x.grid;
+  const double h = grid.support;
+  const std::vector<double> perMass = volumesPerMass(x);
   const bool carried = x.modules.continuity;
   const bool heat = x.modules.heat, melting = x.modules.melting, surface = r.surface.size() > 0, uniform = x.modules.uniform;
   r.constant.clear();
@@ -30,12 +40,12 @@ template<class Real> void packAs(const RecordContext& x, const Continuum& p, std
     const std::uint16_t k = p.material[i];
     const Material& m = x.scene.materials[k];
     const Vec3d& at = p.position[i];
-    const double V = p.mass[i] / m.density * perVolume;
-    const std::uint32_t word[3] = {fixedPoint(x.grid, at.x, 0), fixedPoint(x.grid, at.y, 1), fixedPoint(x.grid, at.z, 2)};
+    const double V = p.mass[i] * perMass[k];
+    const std::uint32_t word[3] = {fixedPoint(grid, at.x, 0), fixedPoint(grid, at.y, 1), fixedPoint(grid, at.z, 2)};
     std::memcpy(&fixed[i], word, sizeof word);
     for (int a = 0; a < 3; a++) r.coarse[a][i] = coarsePlace(word[a]);
     fixed[i].d = static_cast<float>(V);
-    if constexpr (sizeof(Real) == 8) rows<double>(r.place)[i] = {(at.x - x.grid.origin.x) / h, (at.y - x.grid.origin.y) / h, (at.z - x.grid.origin.z) / h, V};
+    if constexpr (sizeof(Real) == 8) rows<double>(r.place)[i] = {(at.x - grid.origin.x) * (1 / h), (at.y - grid.origin.y) * (1 / h), (at.z - grid.origin.z) * (1 / h), V};
     if (uniform && !surface) {
       const Vec3d& v = p.velocity[i];
       rows<Real>(r.motion)[i] = {static_cast<Real>(v.x), static_cast<Real>(v.y), static_cast<Real>(v.z), Real(0)};
@@ -55,7 +65,7 @@ template<class Real> void packAs(const RecordContext& x, const Continuum& p, std
 
 template<class Real> void packPressureAs(const RecordContext& x, Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
   const Numerics& n = x.scene.numerics;
-  const bool uniform = x.modules.uniform;
+  const bool uniform = x.modules.uniform, books = !uniform && end <= p.owned;
   Four<Real>* state = rows<Real>(r.state);
   const bool corrected = x.modules.corrected;
   Four<Real>* place = rows<Real>(sizeof(Real) == 4 ? r.fixed : r.place);
@@ -70,6 +80,7 @@ template<class Real> void packPressureAs(const RecordContext& x, Continuum& p, s
     }
     const double pressure = pressureOf(n.eos, x.liquids[p.material[i]].stiffness, filling, n.tensileLimit);
     p.pressure[i] = static_cast<float>(f * pressure);
+    if (books) p.interaction[i] += compressionOf(x, p, i, f);
     if (n.pressure == PairForm::Consistent) {
       term = static_cast<Real>(f * pressure / (filling * filling));
       if (corrected) {
@@ -118,6 +129,13 @@ void packRecords(const RecordContext& x, const Continuum& p, std::size_t begin, 
 
 void packPressure(const RecordContext& x, Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
   x.scene.numerics.precision == Precision::Double ? packPressureAs<double>(x, p, begin, end, r) : packPressureAs<float>(x, p, begin, end, r);
+}
+
+double compressionOf(const RecordContext& x, const Continuum& p, std::size_t i, double f) {
+  if (f == 0 || x.modules.incompressible) return 0;
+  const Numerics& n = x.scene.numerics;
+  const std::uint16_t k = p.material[i];
+  return f * p.mass[i] / x.scene.materials[k].density * compressionEnergy(n.eos, x.liquids[k].stiffness, static_cast<double>(p.filling[i]), n.tensileLimit);
 }
 
 void packSurfacePull(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {

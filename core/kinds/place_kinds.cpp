@@ -37,9 +37,9 @@ void bringKindsHome(World& w, Halos halos, StepTools& t) {
     for (std::size_t i = 0; i < r.owned; i++)
       if (const double more = wrapPlace(w.grid, w.scene.domain, r.position[i]); more != 0) w.ledger.entered.potential.add(r.mass[i] * more);
     computeCellKeys(w.grid, r);
-    t.leaving.clear();
     // oriented rows go in evaluateOriented, which knows the energy of their pairs with those that stay
-    if (kind != orientedKind) findLeaving(w.grid, w.scene.domain, r, t.leaving);
+    t.leaving.clear();
+    if (kind != orientedKind) findLeaving(w.scene.domain, r, 0, r.owned, t.leaving);
     for (const std::uint32_t i : t.leaving) {
       addKindRow(w, kind, i, w.ledger.left);
       w.ledger.dissipated.add(r.dissipated[i]);

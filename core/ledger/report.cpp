@@ -8,7 +8,7 @@
 #include "core/fluid/state_equation.hpp"
 #include "core/kinds/kind_books.hpp"
 #include "core/kinds/kinds.hpp"
-#include "core/solid_step.hpp"
+#include "core/stored_energy.hpp"
 
 namespace thaw {
 namespace {
@@ -67,7 +67,7 @@ void addToBalance(const World& w, std::span<const std::uint32_t> rows, ExactBala
 }
 
 LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
-  findElasticEnergy(w, t);
+  findStoredEnergy(w, t);
   const Continuum& p = w.particles;
   ExactBalance now;
   ExactSum dissipated = w.ledger.dissipated, liquid;

@@ -22,10 +22,11 @@ struct CellGrid {
 
 inline constexpr int maxCellsPerAxis = (1 << 20);
 
-/// Cell of a place; places outside belong to the nearest cell (walls hold particles in, open sides remove them).
+/// Cell of a place; places outside belong to the nearest cell (walls hold particles in, open sides remove them). In loops the grid is copied first: then
+/// the quotients are found once.
 inline Vec3i cellOf(const CellGrid& g, const Vec3d& x) {
   Vec3i c;
-  for (int a = 0; a < 3; a++) c[a] = std::clamp(static_cast<int>((x[a] - g.origin[a]) / g.edge[a]), 0, g.cells[a] - 1);  // towards zero: what is below is 0 anyway
+  for (int a = 0; a < 3; a++) c[a] = std::clamp(static_cast<int>((x[a] - g.origin[a]) * (1 / g.edge[a])), 0, g.cells[a] - 1);  // towards zero: what is below is 0 anyway
   return c;
 }
 /// Key of a cell: z, y, x in 21 bits each, so that keys ascend along x first. One is added, for the images at -1.
@@ -44,7 +45,7 @@ inline constexpr std::uint64_t noCell = ~std::uint64_t{0};
 inline constexpr double fixedUnitsPerSupport = 16777216.0;
 inline std::uint32_t fixedPoint(const CellGrid& g, double x, int axis) {
   // the low bits of the mantissa once 1.5 * 2^52 is added: the nearest integer, for all below 2^51
-  return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>((x - g.origin[axis]) / g.support * fixedUnitsPerSupport + 6755399441055744.0));
+  return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>((x - g.origin[axis]) * (fixedUnitsPerSupport / g.support) + 6755399441055744.0));
 }
 
 /// The same in 2^14 units a support radius, modulo 2^16: what the search compares.

@@ -1,8 +1,7 @@
 #include "core/neighbours/sort.hpp"
 
 #include <algorithm>
-#include <cstring>
-#include <numeric>
+#include <array>
 
 #include "core/kinds/kind_rows.hpp"
 #include "core/neighbours/list_cells.hpp"
@@ -12,16 +11,21 @@
 namespace thaw {
 
 template<class Rows> void computeCellKeys(const CellGrid& grid, Rows& p, std::size_t begin, std::size_t end) {
-  for (std::size_t i = begin; i < end; i++) p.nextCell[i] = cellKey(cellOf(grid, p.position[i]));
+  const CellGrid g = grid;
+  const Vec3d* position = p.position.data();
+  std::uint64_t* next = p.nextCell.data();
+  for (std::size_t i = begin; i < end; i++) next[i] = cellKey(cellOf(g, position[i]));
 }
 
-template<class Rows> void listCells(const Rows& p, CellTable& cells) {
+namespace {
+
+void listRuns(const std::uint64_t* key, std::size_t rows, CellTable& cells) {
   cells.key.clear();
   cells.first.clear();
   cells.count.clear();
-  for (std::size_t i = 0; i < p.owned; i++) {
-    if (cells.key.empty() || cells.key.back() != p.nextCell[i]) {
-      cells.key.push_back(p.nextCell[i]);
+  for (std::size_t i = 0; i < rows; i++) {
+    if (cells.key.empty() || cells.key.back() != key[i]) {
+      cells.key.push_back(key[i]);
       cells.first.push_back(static_cast<std::uint32_t>(i));
       cells.count.push_back(0);
     }
@@ -30,51 +34,118 @@ template<class Rows> void listCells(const Rows& p, CellTable& cells) {
   cells.ownedCells = cells.key.size();
 }
 
-template<class Rows> void sortByCell(Rows& p, const Migration& migration, SortBuffers& b, CellTable& cells) {
-  const std::size_t stayed = p.owned - migration.arrivals;
-  const std::uint64_t* next = p.nextCell.data();
-  const std::uint64_t* id = p.id.data();
-  const auto before = [&](std::uint32_t i, std::uint32_t j) { return next[i] != next[j] ? next[i] < next[j] : id[i] < id[j]; };
+}  // namespace
 
+template<class Rows> void listCells(const Rows& p, CellTable& cells) { listRuns(p.nextCell.data(), p.owned, cells); }
+
+namespace {
+
+/// Rows that leave their place, and those that get another one. What has departed is told by nextCell from now on.
+template<class Rows> void findMovers(Rows& p, const Migration& migration, SortBuffers& b) {
+  const std::size_t stayed = p.owned - migration.arrivals;
+  b.gone.clear();
   b.movers.clear();
-  if (b.order.capacity() < p.owned) b.order.reserve(p.owned + p.owned / 16);
-  b.order.resize(p.owned);
-  std::size_t departed = 0, stayers = 0;
-  for (std::size_t i = 0; i < p.owned; i++) {
-    const std::uint32_t row = static_cast<std::uint32_t>(i);
-    if (departed < migration.departed.size() && migration.departed[departed] == row) {
-      departed++;
+  for (const std::uint32_t row : migration.departed) p.nextCell[row] = noCell;
+  const std::uint64_t *next = p.nextCell.data(), *last = p.cell.data();
+  for (std::size_t i = 0; i < stayed; i++)
+    if (next[i] != last[i] || next[i] == noCell) {
+      b.gone.push_back(static_cast<std::uint32_t>(i));
+      if (next[i] != noCell) b.movers.push_back(static_cast<std::uint32_t>(i));
+    }
+  for (std::size_t i = stayed; i < p.owned; i++)
+    if (next[i] != noCell) b.movers.push_back(static_cast<std::uint32_t>(i));
+}
+
+/// The row of those that keep their place which each of the sorted movers comes before; `stayed` behind all. Looked for in strides that double from
+/// the last mover's on.
+template<class Before> void findPlaces(SortBuffers& b, std::size_t stayed, const std::uint64_t* next, const std::uint64_t* last, const Before& before) {
+  const auto keeps = [&](std::size_t row) { return next[row] == last[row] && next[row] != noCell; };
+  b.before.resize(b.movers.size());
+  std::size_t from = 0;  // no row before it is behind the mover
+  for (std::size_t m = 0; m < b.movers.size(); m++) {
+    std::size_t low = from, high = stayed, stride = 1;  // the first row behind the mover is in [low, high]
+    const auto firstKept = [&](std::size_t row, std::size_t end) {
+      while (row < end && !keeps(row)) row++;
+      return row;
+    };
+    for (std::size_t probe = low; probe < stayed; probe = low + stride, stride *= 2) {
+      const std::size_t row = firstKept(probe, stayed);
+      if (row == stayed) break;
+      if (before(b.movers[m], static_cast<std::uint32_t>(row))) {
+        high = row;
+        break;
+      }
+      low = row + 1;
+    }
+    while (low < high) {
+      const std::size_t middle = low + (high - low) / 2, row = firstKept(middle, high);
+      if (row == high) high = middle;
+      else if (before(b.movers[m], static_cast<std::uint32_t>(row))) high = row;
+      else low = row + 1;
+    }
+    from = low;
+    b.before[m] = static_cast<std::uint32_t>(low);
+  }
+}
+
+/// Runs of rows between those that leave and the places of those that come.
+void listMoves(SortBuffers& b, std::size_t stayed) {
+  RowMoves& moves = b.moves;
+  moves.runs.clear();
+  moves.singles.clear();
+  std::size_t row = 0, to = 0, gone = 0, mover = 0;
+  while (row < stayed || mover < b.movers.size()) {
+    while (mover < b.movers.size() && b.before[mover] <= row) moves.singles.push_back({b.movers[mover++], static_cast<std::uint32_t>(to++)});
+    if (row == stayed) continue;
+    if (gone < b.gone.size() && b.gone[gone] == row) {
+      gone++, row++;
       continue;
     }
-    if (i < stayed && next[i] == p.cell[i]) b.order[stayers++] = row;
-    else b.movers.push_back(row);
+    const std::size_t end = std::min<std::size_t>(gone < b.gone.size() ? b.gone[gone] : stayed, mover < b.movers.size() ? b.before[mover] : stayed);
+    moves.runs.push_back({static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(to), static_cast<std::uint32_t>(end - row)});
+    to += end - row;
+    row = end;
   }
+  moves.rows = to;
+}
 
-  if (!b.movers.empty() || stayers != p.owned) {
-    std::sort(b.movers.begin(), b.movers.end(), before);
-    // Merged from behind, in place: the stayers are already in order. Those behind a mover are looked for in strides that double, then moved at once.
-    std::uint32_t* const order = b.order.data();
-    std::size_t a = stayers;
-    for (std::size_t m = b.movers.size(); m-- > 0;) {
-      const std::uint32_t mover = b.movers[m];
-      std::size_t low = a, high = a, stride = 1;  // the first stayer behind the mover is in [low, high]
-      while (low > 0 && before(mover, order[low - 1])) {
-        high = low - 1;
-        low -= std::min(low, stride);
-        stride *= 2;
-      }
-      const std::size_t first = static_cast<std::size_t>(std::partition_point(order + low, order + high, [&](std::uint32_t row) { return before(row, mover); }) - order);
-      std::memmove(order + first + m + 1, order + first, (a - first) * sizeof *order);
-      order[first + m] = mover;
-      a = first;
-    }
-    b.order.resize(stayers + b.movers.size());
-    p.reorder(b.order);
-    std::copy_n(p.nextCell.data(), p.owned, p.cell.data());
-  } else {
-    p.resize(p.owned, 0);
+/// The old row of each, where many move.
+template<class Before> void mergeAll(SortBuffers& b, std::size_t stayed, const Before& before) {
+  b.before.clear();  // here: the rows that keep their order
+  for (std::size_t row = 0, gone = 0; row < stayed; row++) {
+    if (gone < b.gone.size() && b.gone[gone] == row) gone++;
+    else b.before.push_back(static_cast<std::uint32_t>(row));
   }
-  listCells(p, cells);
+  b.order.resize(b.before.size() + b.movers.size());
+  std::merge(b.before.begin(), b.before.end(), b.movers.begin(), b.movers.end(), b.order.begin(), before);
+}
+
+}  // namespace
+
+template<class Rows> void sortByCell(Rows& p, const Migration& migration, SortBuffers& b, CellTable& cells, std::span<AnyColumn* const> stale) {
+  constexpr std::size_t shortRun = 8;  // rows between two that move: below it a gather of all columns is faster
+  const std::size_t stayed = p.owned - migration.arrivals;
+  if (p.ghosts > 0) p.resize(p.owned, 0);
+  findMovers(p, migration, b);
+  if (!b.movers.empty() || !b.gone.empty()) {
+    const std::uint64_t *next = p.nextCell.data(), *id = p.id.data();
+    const auto before = [&](std::uint32_t i, std::uint32_t j) { return next[i] != next[j] ? next[i] < next[j] : id[i] < id[j]; };
+    std::sort(b.movers.begin(), b.movers.end(), before);
+    std::array<AnyColumn*, 4> left{&p.nextCell};
+    const auto end = std::copy(stale.begin(), stale.end(), left.begin() + 1);
+    const std::span<AnyColumn* const> unmoved(left.begin(), end);
+    const bool few = (b.movers.size() + b.gone.size()) * shortRun < p.owned;
+    if (few) findPlaces(b, stayed, next, p.cell.data(), before);
+    else mergeAll(b, stayed, before);
+    for (const std::uint32_t row : b.movers) p.cell[row] = next[row];
+    if (few) {
+      listMoves(b, stayed);
+      p.rearrange(b.moves, unmoved);
+    } else {
+      p.reorder(b.order, unmoved);
+    }
+  }
+  listRuns(p.cell.data(), p.owned, cells);
 }
 
 void closeGaps(Continuum& p, const Migration& migration) {
@@ -95,9 +166,9 @@ template void computeCellKeys(const CellGrid&, Surfels&, std::size_t, std::size_
 template void computeCellKeys(const CellGrid&, SurfaceParticles&, std::size_t, std::size_t);
 template void computeCellKeys(const CellGrid&, KindRows&, std::size_t, std::size_t);
 template void listCells(const Continuum&, CellTable&);
-template void sortByCell(Continuum&, const Migration&, SortBuffers&, CellTable&);
-template void sortByCell(Surfels&, const Migration&, SortBuffers&, CellTable&);
-template void sortByCell(SurfaceParticles&, const Migration&, SortBuffers&, CellTable&);
-template void sortByCell(KindRows&, const Migration&, SortBuffers&, CellTable&);
+template void sortByCell(Continuum&, const Migration&, SortBuffers&, CellTable&, std::span<AnyColumn* const>);
+template void sortByCell(Surfels&, const Migration&, SortBuffers&, CellTable&, std::span<AnyColumn* const>);
+template void sortByCell(SurfaceParticles&, const Migration&, SortBuffers&, CellTable&, std::span<AnyColumn* const>);
+template void sortByCell(KindRows&, const Migration&, SortBuffers&, CellTable&, std::span<AnyColumn* const>);
 
 }  // namespace thaw

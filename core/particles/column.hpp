@@ -59,6 +59,15 @@ template<class S> struct FieldType<Mat3<S>> { static constexpr Scalar scalar = F
 
 struct Table;
 
+/// New places of the rows of a table, most of which keep their order: runs of those, and single rows that go elsewhere. Rows in neither are dropped.
+struct RowMoves {
+  struct Run { std::uint32_t from, to, count; };
+  struct Single { std::uint32_t from, to; };
+  std::vector<Run> runs;        ///< `from` and `to` ascending
+  std::vector<Single> singles;  ///< in any order
+  std::size_t rows = 0;         ///< that there are then: all places below it are taken, once
+};
+
 /// A field without its C++ type. Inactive columns hold no memory.
 struct AnyColumn {
   const char* name;
@@ -105,7 +114,10 @@ struct Table {
   /// Switches a field on: allocates size() zeroed rows.
   void activate(AnyColumn& column);
   /// Row i of every Keep::State and Keep::Local column becomes old row order[i], for i < n = number of kept rows; owned = n, ghosts = 0.
-  void reorder(std::span<const std::uint32_t> order);
+  /// But of stale ones, which nobody reads before they are written.
+  void reorder(std::span<const std::uint32_t> order, std::span<AnyColumn* const> stale = {});
+  /// The same by moves, in place: what does not change its row costs nothing, and no second column is needed. Stale columns are resized only.
+  void rearrange(const RowMoves& moves, std::span<AnyColumn* const> stale);
   AnyColumn* find(const char* name);
   /// Bytes of one row in the active State columns, and its packing; used by migration, ghosts and checkpoints.
   std::size_t stateBytes() const;
@@ -114,6 +126,7 @@ struct Table {
 
  private:
   std::vector<std::pair<std::size_t, AlignedVector<std::byte>>> spares_;  // targets of reorder by elementBytes, swapped with the columns
+  std::vector<std::byte> singles_;                                        // one column's, on their way
 };
 
 /// Some columns of a table, for an exchange; without memory of its own, since a step makes several.

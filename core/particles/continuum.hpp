@@ -23,7 +23,7 @@ struct Continuum : Table {
   Column<std::uint16_t> material{*this, "material", "1", Keep::State, "index into the scene's materials"};
   Column<std::uint16_t> body{*this, "body", "1", Keep::State, "index into bodies, then emitters"};
   Column<double> dissipated{*this, "dissipated", "J", Keep::State, "mechanical energy lost at this particle so far"};
-  Column<std::uint64_t> cell{*this, "cell", "1", Keep::Transient, "key of the cell at the last sort, which writes it"};
+  Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort"};
   Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now"};
   Column<u8> clamped{*this, "clamped", "1", Keep::State, "1: held where it is; 2: driven by its emitter, at constant velocity"};
   // fluid

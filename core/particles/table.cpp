@@ -28,6 +28,21 @@ template<class Word> void gather(const std::byte* from, std::byte* to, std::span
 }
 struct Three { std::uint64_t word[3]; };
 
+bool contains(std::span<AnyColumn* const> columns, const AnyColumn* c) { return std::find(columns.begin(), columns.end(), c) != columns.end(); }
+
+/// Runs of one column to their places. One that goes up may end where those behind it begin: these go first. One that goes down, or stays, ends before what is
+/// behind it begins, and begins behind what has gone before it.
+void moveRuns(std::span<const RowMoves::Run> runs, std::byte* column, std::size_t each) {
+  const auto move = [&](const RowMoves::Run& r) { std::memmove(column + r.to * each, column + r.from * each, r.count * each); };
+  for (std::size_t k = 0; k < runs.size();) {
+    std::size_t up = k;
+    while (up < runs.size() && runs[up].to > runs[up].from) up++;
+    for (std::size_t j = up; j-- > k;) move(runs[j]);
+    for (k = up; k < runs.size() && runs[k].to <= runs[k].from; k++)
+      if (runs[k].to < runs[k].from) move(runs[k]);
+  }
+}
+
 }  // namespace
 
 void Table::resize(std::size_t newOwned, std::size_t newGhosts) {
@@ -50,10 +65,10 @@ void Table::activate(AnyColumn& column) {
   resizeColumn(column, size());
 }
 
-void Table::reorder(std::span<const std::uint32_t> order) {
+void Table::reorder(std::span<const std::uint32_t> order, std::span<AnyColumn* const> stale) {
   for (AnyColumn* c : columns) {
     if (!c->active) continue;
-    if (c->keep != Keep::Transient) {
+    if (c->keep != Keep::Transient && !contains(stale, c)) {
       const std::size_t need = order.size() * c->elementBytes;
       // a buffer goes round among columns of one width only, or each would grow to the widest
       auto at = std::find_if(spares_.begin(), spares_.end(), [&](const auto& s) { return s.first == c->elementBytes; });
@@ -77,6 +92,21 @@ void Table::reorder(std::span<const std::uint32_t> order) {
   }
   owned = order.size();
   ghosts = 0;
+}
+
+void Table::rearrange(const RowMoves& moves, std::span<AnyColumn* const> stale) {
+  assert(ghosts == 0);
+  spares_.clear();
+  for (AnyColumn* c : columns) {
+    if (!c->active || c->keep == Keep::Transient || contains(stale, c)) continue;
+    const std::size_t each = c->elementBytes;
+    std::byte* const rows = c->bytes.data();
+    singles_.resize(std::max(singles_.size(), moves.singles.size() * each));
+    for (std::size_t k = 0; k < moves.singles.size(); k++) std::memcpy(singles_.data() + k * each, rows + moves.singles[k].from * each, each);
+    moveRuns(moves.runs, rows, each);
+    for (std::size_t k = 0; k < moves.singles.size(); k++) std::memcpy(rows + moves.singles[k].to * each, singles_.data() + k * each, each);
+  }
+  resize(moves.rows, 0);
 }
 
 AnyColumn* Table::find(const char* name) {

@@ -93,7 +93,8 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   const Numerics& n = w.scene.numerics;
   const bool plain = n.density == DensityForm::Plain || n.pressure == PairForm::Printed;
   t.perLatticeSum = 1 / (plain ? latticeSum(n) : latticeGradient(n));
-  t.selfWeight = latticeSum(n) * t.perLatticeSum - 1;
+  const double cellsInSupport = std::pow(h / w.scene.spacing, 3);
+  t.selfExcess = (latticeSum(n) * t.perLatticeSum - 1) * cellsInSupport;
   if (w.modules.incompressible) {
     double sound = 0;  // in proportion to the speed to expect
     for (const LiquidMaterial& l : t.liquids) sound = std::max(sound, l.soundSpeed);
@@ -176,7 +177,7 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   Continuum& p = w.particles;
   moveWalls(w.walls, w.clock.time);
   t.sleep = {};
-  w.solids.energyKnown = true;  // it is part of the state
+  w.solids.energyKnown = w.compressionKnown = true;  // they are part of the state
   if (p.slot.active) {
     for (std::size_t i = 0; i < p.owned; i++) p.slot[i] = noSlot;
     relinkSolids(w, halos, t, {{}, true});  // slots of the records that were read, where they were read

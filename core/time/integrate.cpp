@@ -41,7 +41,7 @@ void kickAndDrift(World& w, double dt) {
   }
 }
 
-bool finishKick(World& w, double dt, std::size_t* bad) {
+bool finishKick(World& w, double dt, std::size_t* bad, LargestRates* largest) {
   Continuum& p = w.particles;
   const Vec3d g = w.scene.domain.gravity;
   const double half = 0.5 * dt;
@@ -49,23 +49,33 @@ bool finishKick(World& w, double dt, std::size_t* bad) {
   const double lessFast = 1.0 / w.clock.substeps - 1;
   const double far2 = w.grid.support * w.grid.support / (dt * dt);
   bool finite = true;
+  double fastest = 0, hardest = 0;
+  const bool fast = p.fastAcceleration.active;
   bookImpulses(w, half);
   for (std::size_t i = p.owned; i-- > 0;) {
-    Vec3d a = p.force[i] / p.mass[i] + g;
-    if ((clamps && p.clamped[i]) || (sleeps && p.sleep[i] != awake)) a = {};
-    if (!std::isfinite(a.x + a.y + a.z + p.position[i].x + p.position[i].y + p.position[i].z + p.velocity[i].x + p.velocity[i].y + p.velocity[i].z)) {
+    const bool clamped = clamps && p.clamped[i];
+    const Vec3d x = p.position[i];
+    Vec3d v = p.velocity[i], a = p.force[i] * (1 / p.mass[i]) + g;
+    if (clamped || (sleeps && p.sleep[i] != awake)) a = {};
+    if (!std::isfinite(a.x + a.y + a.z + x.x + x.y + x.z + v.x + v.y + v.z)) {
       finite = false;
       *bad = i;
     }
     p.acceleration[i] = a;
-    p.velocity[i] += a * half;
-    if (lessFast != 0 && !(clamps && p.clamped[i])) p.velocity[i] += p.fastAcceleration[i] * (lessFast * half);
-    if (dot(p.velocity[i], p.velocity[i]) > far2) {  // only a fixed step is that long: the limit of speed forbids it
+    v += a * half;
+    if (lessFast != 0 && !clamped) v += p.fastAcceleration[i] * (lessFast * half);
+    p.velocity[i] = v;
+    const double speed2 = dot(v, v);
+    if (speed2 > far2) {  // only a fixed step is that long: the limit of speed forbids it
       finite = false;
       *bad = i;
     }
     p.dissipated[i] += p.dissipation[i] * dt;
+    fastest = std::max(fastest, speed2);
+    if (fast && !clamped) a -= p.fastAcceleration[i];
+    hardest = std::max(hardest, dot(a, a));
   }
+  *largest = {fastest, hardest};
   return finite;
 }
 

@@ -1,6 +1,6 @@
 // Leap-frog in its kick-drift-kick form (K05 3.4; Springel 2005 section 4): positions and velocities are known at the same time.
 #pragma once
-#include "core/world.hpp"
+#include "core/time/limits.hpp"
 
 namespace thaw {
 
@@ -9,7 +9,7 @@ void kickAndDrift(World& world, double dt);
 
 /// Accelerations from the summed forces and gravity, and the second half kick. Clamped particles stay. Adds up what was dissipated.
 /// Returns false where a position, velocity or force is not finite, or a particle would pass its support radius in such a step: *bad is
-/// then the row of the first such particle.
-bool finishKick(World& world, double dt, std::size_t* bad);
+/// then the row of the first such particle. *largest: what largestRates would find.
+bool finishKick(World& world, double dt, std::size_t* bad, LargestRates* largest);
 
 }  // namespace thaw

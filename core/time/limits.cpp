@@ -112,19 +112,24 @@ StepLimits materialLimits(const Scene& s, const Modules& modules, const std::vec
   return l;
 }
 
-StepLimits particleLimits(const World& w, double stableViscousStep) {
+LargestRates largestRates(const World& w) {
+  const Continuum& p = w.particles;
+  LargestRates largest;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    largest.speed2 = std::max(largest.speed2, dot(p.velocity[i], p.velocity[i]));
+    const Vec3d a = p.fastAcceleration.active && !(p.clamped.active && p.clamped[i]) ? p.acceleration[i] - p.fastAcceleration[i] : p.acceleration[i];
+    largest.acceleration2 = std::max(largest.acceleration2, dot(a, a));
+  }
+  return largest;
+}
+
+StepLimits particleLimits(const World& w, const LargestRates& largest, double stableViscousStep) {
   const Continuum& p = w.particles;
   const Numerics& n = w.scene.numerics;
   StepLimits l;
-  double fastest = 0, hardest = 0;
-  for (std::size_t i = 0; i < p.owned; i++) {
-    fastest = std::max(fastest, dot(p.velocity[i], p.velocity[i]));
-    const Vec3d a = p.fastAcceleration.active && !(p.clamped.active && p.clamped[i]) ? p.acceleration[i] - p.fastAcceleration[i] : p.acceleration[i];
-    hardest = std::max(hardest, dot(a, a));
-  }
   const double h = w.grid.support;
-  if (fastest > 0) l[Limit::Speed] = supportsPerStep * h / std::sqrt(fastest);
-  if (hardest > 0) l[Limit::Acceleration] = n.cflAcceleration * std::sqrt(h / std::sqrt(hardest));
+  if (largest.speed2 > 0) l[Limit::Speed] = supportsPerStep * h / std::sqrt(largest.speed2);
+  if (largest.acceleration2 > 0) l[Limit::Acceleration] = n.cflAcceleration * std::sqrt(h / std::sqrt(largest.acceleration2));
   for (std::size_t k = 0; k < w.scene.materials.size(); k++) {
     const Material& m = w.scene.materials[k];
     if (m.viscosityTable.empty() || w.modules.implicitViscosity) continue;

@@ -25,9 +25,16 @@ struct StepLimits {
 /// not change. Without particles, so that it can be printed before a run.
 StepLimits materialLimits(const Scene& scene, const Modules& modules, const std::vector<LiquidMaterial>& liquids);
 
+/// What limits the step of a rank's particles by their motion.
+struct LargestRates {
+  double speed2 = 0;         ///< m^2/s^2, square of the largest speed
+  double acceleration2 = 0;  ///< m^2/s^4, of the largest acceleration; without forces that substeps kick with
+};
+LargestRates largestRates(const World& world);
+
 /// The limits of this rank's particles: acceleration, speed, and viscosity that depends on temperature, stable on the lattice up to
 /// dt nu / h^2 = stableViscousStep. To be reduced over ranks.
-StepLimits particleLimits(const World& world, double stableViscousStep);
+StepLimits particleLimits(const World& world, const LargestRates& largest, double stableViscousStep);
 
 /// How many times faster than at rest sound is where this rank's liquid is compressed most, at least 1: the limit of sound is that of the
 /// materials divided by it. 1 with the linear equation of state.

@@ -53,7 +53,7 @@ void copyKinds(const World& from, World& to) {
 }  // namespace
 
 void keepState(const World& w, World& kept) {
-  if (!w.solids.energyKnown) throw std::logic_error("the elastic energy is to be found before a state is kept");
+  if (!w.solids.energyKnown || !w.compressionKnown) throw std::logic_error("stored energies are to be found before a state is kept");
   copyState(w.particles, kept.particles, w.particles.owned, 0, &w.particles.slot);
   copyState(w.solids, kept.solids, w.solids.owned, w.solids.ghosts, nullptr);  // remote rows: bonds name them, and they have an id
   kept.bonds = w.bonds;

@@ -133,7 +133,7 @@ void writeHeader(H5File& file, const CheckpointHeader& h) {
 
 /// The state as a file; the header's sums are of all ranks.
 void writeState(const std::string& path, std::int64_t sequence, MPI_Comm comm, const World& w, const RunStamp& stamp, const CheckpointValues& values) {
-  if (!w.solids.energyKnown) throw std::logic_error("the elastic energy is to be found before a checkpoint is written");
+  if (!w.solids.energyKnown || !w.compressionKnown) throw std::logic_error("stored energies are to be found before a checkpoint is written");
   const Communicator ours(comm);
   MpiReducer all(ours);
   CheckpointHeader h;

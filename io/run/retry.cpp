@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "core/solid_step.hpp"
+#include "core/stored_energy.hpp"
 #include "core/surface/resume_surface.hpp"
 #include "core/watch/good_state.hpp"
 #include "io/hdf5/agree.hpp"
@@ -69,7 +69,7 @@ void beginRetries(Run& r) {
     r.say("warning: " + r.summary.warnings.back());
   }
   if (good != step) acceptState(w, reportLedger(w, r.tools, r.all));
-  findElasticEnergy(w, r.tools);
+  findStoredEnergy(w, r.tools);
   keepState(w, r.good);
   r.goodInMemory = true;
 }
@@ -89,7 +89,7 @@ Alarm lookAtBooks(Run& r) {
 void acceptGoodState(Run& r) {
   r.tools.times.start();
   acceptState(r.world, r.books);
-  findElasticEnergy(r.world, r.tools);
+  findStoredEnergy(r.world, r.tools);
   keepState(r.world, r.good);
   r.goodInMemory = true;
   r.goodOnDisk = false;
@@ -113,7 +113,7 @@ bool goBack(Run& r, const StepOutcome& failed, std::string& why) {
   const Clock clock = w.clock;
   const WatchState watch = w.watch;
   const Numerics& n = w.scene.numerics;
-  findElasticEnergy(w, r.tools);
+  findStoredEnergy(w, r.tools);
   const Suspect s = findSuspect(w, failed.alarm, failed.limitedBy, r.all);
   const std::string ofKinds = kindSuspect(w, failed.alarm, failed.limitedBy, r.all);  // on one rank, if at all
   double kinds = ofKinds.empty() ? 0 : 1;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/solid_step.hpp"
+#include "core/stored_energy.hpp"
 #include "core/surface/resume_surface.hpp"
 #include "core/time/limits.hpp"
 #include "io/hdf5/agree.hpp"
@@ -82,7 +82,7 @@ void renewHalos(Run& r) {
 void writeFrameOf(Run& r) {
   World& w = r.world;
   r.tools.times.start();
-  findElasticEnergy(w, r.tools);
+  findStoredEnergy(w, r.tools);
   if (w.modules.solid && std::find(w.scene.output.fields.begin(), w.scene.output.fields.end(), "stress") != w.scene.output.fields.end())
     computeCauchyStress(r.tools.elastic, w.solids);
   const Frame f = frameOf(w, r.comm.rank());
@@ -158,7 +158,7 @@ void reportProfile(Run& r) {
 
 void writeCheckpointOf(Run& r) {
   r.tools.times.start();
-  findElasticEnergy(r.world, r.tools);
+  findStoredEnergy(r.world, r.tools);
   writeCheckpoint(r.options.out, r.comm.handle(), r.world, r.stamp(), sceneMarks(r.world.scene));
   onFirstRank(r.comm.handle(), [&] { dropUnusedGoodStates(r.options.out); });
   r.lastCheckpoint = WallClock::now();

@@ -93,7 +93,8 @@ struct WallRig {
     moveWalls(w.walls, w.clock.time + dt);
     evaluate(dt);
     std::size_t bad = 0;
-    finishKick(w, dt, &bad);
+    LargestRates largest;
+    finishKick(w, dt, &bad, &largest);
     w.clock.time += dt;
     w.clock.step++;
   }

@@ -68,7 +68,7 @@ template<class Real, class Kernel, Carry carry> struct CarriedDensity {
     for (int l = 0; l < 8; l++)
       if (rows[l] != dummy) {
         const std::uint32_t row = rows[l];
-        in->filling[row] = static_cast<float>(scale * static_cast<double>(total[l]));
+        in->filling[row] = static_cast<float>(scale * static_cast<double>(total[l]) - in->selfExcess * static_cast<double>(i.place.d[l]));
         if (touching && s.closest[l] < Real(1e-20)) ++*in->coincident;
         if (in->crowding) in->crowding[row] = {scale * static_cast<double>(s.x[l]), scale * static_cast<double>(s.y[l]), scale * static_cast<double>(s.z[l])};
         if constexpr (Carried) {

@@ -16,25 +16,53 @@ TEST(Sort, CellsAscendAndIdsAscendWithinACell) {
   }
 }
 
-TEST(Sort, MovedParticlesAreMergedToTheSameOrderAsAFullSort) {
-  Block b(10, 0.4);
+/// Shares of a spacing by which particles move: few change their cell (rows move in place), some, most (all are merged).
+class SortMoved : public testing::TestWithParam<double> {};
+
+TEST_P(SortMoved, ParticlesAreMergedToTheSameOrderAsAFullSort) {
+  Block b(14, 0.4);
   Continuum& p = b.particles;
-  for (std::size_t i = 0; i < p.owned; i++) p.position[i].x += 0.004 * hashed(p.id[i]);
-  computeCellKeys(b.grid, p);
-  std::vector<std::pair<std::uint64_t, std::uint64_t>> expected;
-  for (std::size_t i = 0; i < p.owned; i++) expected.push_back({p.nextCell[i], p.id[i]});
-  std::sort(expected.begin(), expected.end());
-  Migration m;
-  m.departed = {3, 17};
-  expected.erase(std::find(expected.begin(), expected.end(), std::pair{p.nextCell[3], p.id[3]}));
-  expected.erase(std::find(expected.begin(), expected.end(), std::pair{p.nextCell[17], p.id[17]}));
-  sortByCell(p, m, b.sort, b.cells);
-  ASSERT_EQ(p.owned, expected.size());
-  for (std::size_t i = 0; i < p.owned; i++) EXPECT_EQ(expected[i], std::pair(p.cell[i], p.id[i]));
-  std::size_t total = 0;
-  for (std::uint32_t c : b.cells.count) total += c;
-  EXPECT_EQ(total, p.owned);
+  for (int round = 0; round < 20; round++) {
+    for (std::size_t i = 0; i < p.owned; i++) {
+      p.position[i].x += GetParam() * 0.01 * (hashed(p.id[i] + 7919 * static_cast<std::uint64_t>(round)) - 0.5);
+      p.mass[i] = static_cast<double>(p.id[i]);  // the columns of all widths are to follow
+      p.velocity[i] = Vec3d{1, 2, 3} * p.mass[i];
+      p.material[i] = static_cast<std::uint16_t>(p.id[i] % 999);
+    }
+    computeCellKeys(b.grid, p);
+    Migration m;
+    m.departed = {3, 17, static_cast<std::uint32_t>(p.owned - 1 - round)};
+    const std::size_t last = p.owned;
+    if (round % 3 == 0) {  // two come
+      p.resize(last + 2, 0);
+      m.arrivals = 2;
+      for (std::size_t i = last; i < last + 2; i++) {
+        p.id[i] = 100000 + 10 * static_cast<std::uint64_t>(round) + i;
+        p.position[i] = p.position[i - 100 * static_cast<std::size_t>(round + 1)];
+        p.mass[i] = static_cast<double>(p.id[i]);
+        p.velocity[i] = Vec3d{1, 2, 3} * p.mass[i];
+        p.material[i] = static_cast<std::uint16_t>(p.id[i] % 999);
+      }
+      computeCellKeys(b.grid, p, last, p.owned);
+    }
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> expected;
+    for (std::size_t i = 0; i < p.owned; i++)
+      if (std::find(m.departed.begin(), m.departed.end(), i) == m.departed.end()) expected.push_back({p.nextCell[i], p.id[i]});
+    std::sort(expected.begin(), expected.end());
+    sortByCell(p, m, b.sort, b.cells);
+    ASSERT_EQ(p.owned, expected.size());
+    for (std::size_t i = 0; i < p.owned; i++) {
+      ASSERT_EQ(expected[i], std::pair(p.cell[i], p.id[i])) << "round " << round << ", row " << i;
+      ASSERT_EQ(p.mass[i], static_cast<double>(p.id[i]));
+      ASSERT_EQ(p.velocity[i].z, 3 * p.mass[i]);
+      ASSERT_EQ(p.material[i], p.id[i] % 999);
+    }
+    std::size_t total = 0;
+    for (std::uint32_t c : b.cells.count) total += c;
+    EXPECT_EQ(total, p.owned);
+  }
 }
+INSTANTIATE_TEST_SUITE_P(Moves, SortMoved, testing::Values(0.0, 1e-3, 0.02, 0.4, 3.0));
 
 class Search : public testing::TestWithParam<const char*> {};
 
