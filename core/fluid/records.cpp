@@ -19,28 +19,23 @@ void resizeBytes(AlignedVector<std::byte>& v, std::size_t bytes) {
 
 MaterialParameters localParameters(HeatModel model, const Material& m, double f, double T) { return {viscosityAt(m, f, T), conductivityOf(model, m, f)}; }
 
-/// V0 / h^3 of a particle of each material over its mass (1/kg).
-std::vector<double> volumesPerMass(const RecordContext& x) {
-  std::vector<double> v;
-  const double h = x.grid.support;
-  for (const Material& m : x.scene.materials) v.push_back(1 / (m.density * h * h * h));
-  return v;
-}
-
 template<class Real> void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
   const CellGrid grid = x.grid;
   const double h = grid.support;
-  const std::vector<double> perMass = volumesPerMass(x);
   const bool carried = x.modules.continuity;
   const bool heat = x.modules.heat, melting = x.modules.melting, surface = r.surface.size() > 0, uniform = x.modules.uniform;
   r.constant.clear();
-  for (const Material& m : x.scene.materials) r.constant.push_back(localParameters(x.scene.numerics.heat, m, restFraction(m), 293));
+  r.volumePerMass.clear();
+  for (const Material& m : x.scene.materials) {
+    r.constant.push_back(localParameters(x.scene.numerics.heat, m, restFraction(m), 293));
+    r.volumePerMass.push_back(1 / (m.density * h * h * h));
+  }
   Four<float>* fixed = rows<float>(r.fixed);
   for (std::size_t i = begin; i < end; i++) {
     const std::uint16_t k = p.material[i];
     const Material& m = x.scene.materials[k];
     const Vec3d& at = p.position[i];
-    const double V = p.mass[i] * perMass[k];
+    const double V = p.mass[i] * r.volumePerMass[k];
     const std::uint32_t word[3] = {fixedPoint(grid, at.x, 0), fixedPoint(grid, at.y, 1), fixedPoint(grid, at.z, 2)};
     std::memcpy(&fixed[i], word, sizeof word);
     for (int a = 0; a < 3; a++) r.coarse[a][i] = coarsePlace(word[a]);

@@ -19,6 +19,7 @@ struct PairRecords {
   AlignedVector<std::byte> fixed;    ///< fixed-point positions and V0 / h^3, float: place in single precision
   AlignedVector<std::uint16_t> coarse[3];  ///< x, y, z for the search (coarsePlace)
   AlignedVector<std::byte> place, motion, state, surface, diagonal, mixed, pull;
+  std::vector<double> volumePerMass;         ///< 1/kg, V0 / h^3 over the mass, by material
   std::vector<MaterialParameters> constant;  ///< by material, of those that do not change
 };
 
