@@ -4,126 +4,12 @@
 #include <cstring>
 
 #include "core/contact/solid_contact.hpp"
-#include "core/domain/sides.hpp"
 #include "core/fluid/implicit_viscosity/implicit_viscosity.hpp"
 #include "core/heat/enthalpy.hpp"
 #include "core/heat/heat.hpp"
-#include "core/ledger/report.hpp"
 #include "core/math/hash_random.hpp"
-#include "core/stored_energy.hpp"
 
 namespace thaw {
-namespace {
-
-/// Appends the particles of layers that leave in (before, after] whose cell is ours.
-std::size_t emit(World& w, Halos& halos, const StepTools& t, double before, double after, bool first) {
-  Continuum& p = w.particles;
-  const std::size_t had = p.owned;
-  for (std::size_t e = 0; e < w.scene.emitters.size(); e++) {
-    const Emitter& emitter = w.scene.emitters[e];
-    const EmitterPlan& plan = t.emitters[e];
-    const Material& m = w.scene.materials[static_cast<std::size_t>(emitter.material)];
-    const Vec3d direction = normalized(emitter.direction);
-    const std::int64_t begin = first ? 0 : layersUntil(emitter, plan, before), end = layersUntil(emitter, plan, after);
-    for (std::int64_t layer = begin; layer < end; layer++) {
-      const double age = after - leavingTime(emitter, plan, layer);  // negative in the nozzle
-      for (std::size_t k = 0; k < plan.layer.size(); k++) {
-        const Vec3d x = plan.layer[k] + direction * (emitter.speed * age);
-        const std::uint64_t cell = cellKey(cellOf(w.grid, x));
-        if (!halos.cells.owns(cell)) continue;
-        const std::size_t i = p.owned;
-        p.resize(i + 1, 0);
-        const std::uint64_t source = w.scene.bodies.size() + e;
-        p.id[i] = particleId(source, static_cast<std::uint64_t>(layer) * plan.layer.size() + k);
-        p.clamped[i] = age < 0 ? driven : 0;
-        p.position[i] = x;
-        p.velocity[i] = direction * emitter.speed;
-        p.mass[i] = plan.particleMass;
-        p.material[i] = static_cast<std::uint16_t>(emitter.material);
-        p.body[i] = static_cast<std::uint16_t>(source);
-        if (p.enthalpy.active) p.enthalpy[i] = enthalpyOf(m, emitter.temperature, 1);
-        if (p.temperature.active) p.temperature[i] = emitter.temperature;
-        p.cell[i] = p.nextCell[i] = cell;
-        if (p.slot.active) p.slot[i] = noSlot;
-        w.ledger.entered.potential.add(cohesionAtEntry(plan, layer, k));
-        w.counters.emitted++;
-      }
-    }
-  }
-  settlePhase(w.scene, w.modules, p, had, p.owned);
-  return p.owned - had;
-}
-
-}  // namespace
-
-bool needsOrder(const World& w, const StepTools& t) { return needsNeighbours(w, t) || !w.walls.list.empty() || w.modules.kinds() || w.modules.surface; }
-
-namespace {
-
-/// Cells of all particles, where they are asked for, and what leaves the domain; a cache full of places at a time.
-void findCells(World& w, std::vector<std::uint32_t>& leaving, bool keys) {
-  constexpr std::size_t block = 1024;
-  Continuum& p = w.particles;
-  leaving.clear();
-  const bool open = hasOpenSide(w.scene.domain);
-  if (!keys && !open) return;
-  for (std::size_t begin = 0; begin < p.owned; begin += block) {
-    const std::size_t end = std::min(p.owned, begin + block);
-    if (keys) computeCellKeys(w.grid, p, begin, end);
-    if (open) findLeaving(w.scene.domain, p, begin, end, leaving);
-  }
-}
-
-}  // namespace
-
-bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
-  Continuum& p = w.particles;
-  if (p.ghosts > 0) p.resize(p.owned, 0);
-  // a step's clock still shows its beginning here
-  if (w.modules.emitters) releaseDriven(w.scene, t.emitters, w.clock.time + dt, p);
-  const std::size_t emitted = w.modules.emitters ? emit(w, halos, t, w.clock.time, w.clock.time + dt, t.emitFirst) : 0;
-  t.emitFirst = false;
-  std::vector<std::uint32_t> fresh;
-  for (std::size_t i = p.owned - emitted; i < p.owned; i++) {
-    fresh.push_back(static_cast<std::uint32_t>(i));
-    if (p.phase[i] == Solid) t.phaseChangedHere = true;  // it came in cold: it wants a slot
-  }
-  addToBalance(w, fresh, w.ledger.entered);
-
-  const bool ordered = needsOrder(w, t), placed = ordered || halos.all.size() > 1 || emitted > 0;
-  findCells(w, t.leaving, placed);
-  if (!placed && !t.leaving.empty()) findCells(w, t.leaving, true);
-  findStoredEnergy(w, t, t.leaving);
-  addToBalance(w, t.leaving, w.ledger.left);
-  w.counters.left += static_cast<std::int64_t>(t.leaving.size());
-  bool leftSlots = false;
-  for (std::uint32_t i : t.leaving) {
-    w.ledger.dissipated.add(p.dissipated[i]);
-    leftSlots = leftSlots || (p.slot.active && p.slot[i] != noSlot);
-  }
-  const std::size_t before = p.owned;
-  Migration m = halos.cells.migrate(p, {p.nextCell.data(), p.owned});
-  computeCellKeys(w.grid, p, before, p.owned);
-  if (w.modules.solid) halos.bonds.migrate(p, w.solids, w.bonds, m);
-  t.times.lap(StepPhase::Migrate);
-  if (!t.leaving.empty()) {
-    std::vector<std::uint32_t> gone;
-    std::merge(m.departed.begin(), m.departed.end(), t.leaving.begin(), t.leaving.end(), std::back_inserter(gone));
-    m.departed = std::move(gone);
-  }
-  if (w.modules.sleep)
-    for (std::size_t i = before; i < p.owned; i++) t.sleep.findAll = t.sleep.findAll || p.sleep[i] == asleep;
-  m.arrivals += emitted;
-  ColumnList stale{};  // what this step finds anew before anybody asks
-  if (dt > 0 && !w.modules.sheet) stale.push_back(&p.acceleration);
-  if (!w.modules.sleep) stale.push_back(&p.interaction);
-  if (ordered) sortByCell(p, m, t.sort, w.cells, stale);
-  else if (m.arrivals > 0 || !m.departed.empty()) closeGaps(p, m);
-  if (m.arrivals > p.owned / 8) p.shrink();
-  t.times.lap(StepPhase::Sort);
-  return leftSlots;
-}
-
 ColumnList ghostColumns(World& w) {
   Continuum& p = w.particles;
   ColumnList c{&p.position, &p.velocity, &p.mass, &p.material, &p.phase};

@@ -1,14 +1,8 @@
-// The parts of a step that deal with neighbours: who is where, and the sums over pairs.
+// The parts of a step that are sums over pairs of neighbours.
 #pragma once
-#include <span>
-
 #include "core/step.hpp"
 
 namespace thaw {
-
-/// Emits particles, lets those beyond an open side go (booked in the ledger), sends the others to the rank that owns their
-/// cell and sorts by (cell, id). Returns whether a particle with bonds left the domain.
-bool bringHome(World& world, Halos halos, StepTools& tools, double dt);
 
 /// The columns that sums over neighbours read of ghosts, by the modules that are on.
 ColumnList ghostColumns(World& world);
@@ -28,13 +22,6 @@ void separateCoincident(World& world, const StepTools& tools, std::int64_t befor
 
 /// Searches and adds to Continuum::force the force of a pressure of 1 Pa everywhere, -2 V_i sum V_j grad W (N). Needs ghosts.
 void sumUnitPressure(World& world, StepTools& tools);
-
-/// Does this evaluation need neighbour lists? A scene of one solid needs them once, to make its bonds.
-inline bool needsNeighbours(const World& world, const StepTools& tools) { return world.modules.neighbours || tools.bondsAtStart; }
-
-/// Does this evaluation go through cells, or through what is in them in the order of (cell, id)? Where nobody does rows stay as they are while none
-/// comes or goes, and no bit of a result depends on it: sums over all particles are exact, and bonds have an order of their own.
-bool needsOrder(const World& world, const StepTools& tools);
 
 /// Inner passes work on particles whose neighbours are all owned; boundary passes on the others. Density passes search first.
 enum class NeighbourPass { InnerDensity, BoundaryDensity, InnerForces, BoundaryForces };

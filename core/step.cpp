@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/ballot.hpp"
+#include "core/bring_home.hpp"
 #include "core/contact/solid_contact.hpp"
 #include "core/domain/sides.hpp"
 #include "core/fluid/carried_density.hpp"

@@ -4,7 +4,7 @@
 
 #include "core/kinds/cell_costs.hpp"
 #include "core/neighbours/list_cells.hpp"
-#include "core/particle_sums.hpp"
+#include "core/bring_home.hpp"
 
 namespace thaw {
 

@@ -28,6 +28,7 @@ class MpiBondHalo : public BondHalo {
   const BondGraph& graph() const { return graph_; }
 
  private:
+  enum Kind { RecordKind = 40, NewsKind = 41, QueryKind = 42, AnswerKind = 43 };  // of messages
   /// Solid particles on their way into the table.
   struct Waiting {
     std::vector<std::byte> records;

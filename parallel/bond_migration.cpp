@@ -1,0 +1,156 @@
+// Bonds of solids that go to another rank.
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+
+#include "parallel/bond_halo.hpp"
+
+namespace thaw {
+
+void MpiBondHalo::listWaiting(const Solids& s) {
+  found_.clear();
+  SolidRecordView view;
+  for (std::size_t w = 0; w < waiting_.size(); w++) {
+    std::size_t owner = 0;
+    for (std::size_t at = 0; at < waiting_[w].records.size();) {
+      const std::size_t end = readRecord(s, waiting_[w].records, at, view);
+      found_.push_back({view.id, w, at, end, owner});
+      owner += view.bonds.size();
+      at = end;
+    }
+    if (!waiting_[w].adopted && owner != waiting_[w].owners.size()) throw std::runtime_error("the records of solid particles and their owners disagree");
+  }
+  std::sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) { return a.id < b.id; });
+}
+
+const MpiBondHalo::Found* MpiBondHalo::findWaiting(std::uint64_t id) const {
+  const auto at = std::lower_bound(found_.begin(), found_.end(), id, [](const Found& f, std::uint64_t i) { return f.id < i; });
+  return at != found_.end() && at->id == id ? &*at : nullptr;
+}
+
+void MpiBondHalo::migrate(const BondedRows& p, Solids& s, Bonds& b, const Migration& m) {
+  if (!p.active) return;
+  if (moved_) throw std::logic_error("solid particles migrate twice without a relink between");
+  for (std::size_t i = p.owned - m.arrivals; i < p.owned; i++) {
+    p.slot[i] = noSlot;
+    solidArrived_ = solidArrived_ || !p.liquid(i);  // perhaps frozen before it went, and nobody here would look for it
+  }
+  if (comm_.size() == 1) return;
+  int any = 0;
+  for (std::size_t k = 0; k < m.departed.size(); k++) {
+    if (m.departedTo[k] < 0) continue;  // left the domain: relink misses it
+    if (p.liquid(m.departed[k])) continue;  // melted before it went: the same
+    const std::uint32_t slot = p.slot[m.departed[k]];
+    if (slot != noSlot) departures_.push_back({slot, m.departedTo[k]});
+    else any = any || !waiting_.empty();
+  }
+  any = any || !departures_.empty();
+  any = anyRank(any);
+  if (!any) return;
+  moved_ = true;
+  tellDepartures();
+  sendRecords(p, s, b, m);
+}
+
+// To ranks that copy a particle, and to its entry in the directory: who owns it now. Before the records are sent, so that these
+// can say where the other ends of bonds are once all have moved.
+void MpiBondHalo::tellDepartures() {
+  for (const Departure& d : departures_) graph_.setOwner(d.slot, d.to);
+  WordMessages news;
+  for (const Departure& d : departures_) {
+    std::vector<std::uint64_t>& w = news.to(directoryRank(graph_.idOf(d.slot), comm_.size()));
+    w.push_back(graph_.idOf(d.slot));
+    w.push_back(static_cast<std::uint64_t>(d.to));
+  }
+  links_.announceDepartures(graph_, comm_.rank(), news);
+  applyNews(exchange(news.messages(), NewsKind), false);
+}
+
+void MpiBondHalo::applyNews(const std::vector<Message>& in, bool edit) {
+  for (const Message& m : in) {
+    const std::vector<std::uint64_t> w = wordsOf(m);
+    for (std::size_t k = 0; k + 1 < w.size(); k += 2) {
+      const std::uint64_t id = w[k], owner = w[k + 1];
+      if (directoryRank(id, comm_.size()) == comm_.rank()) directory_.set(id, owner, m.rank);
+      const std::uint32_t row = graph_.rowOf(id);
+      if (row == noRow || !graph_.isRemote(row)) continue;
+      if (owner == SolidDirectory::nobody) {
+        graph_.removeRemote(row);
+      } else if (!edit) {
+        graph_.setOwner(row, static_cast<int>(owner));
+        movedRows_.push_back(row);
+      }
+    }
+  }
+}
+
+void MpiBondHalo::sendRecords(const BondedRows& p, const Solids& s, const Bonds& b, const Migration& m) {
+  struct Parcel { int to; SolidRecords records; std::vector<std::int32_t> owners; bool adopted; };
+  std::vector<Parcel> parcels;
+  const auto parcelTo = [&](int to, bool adopted) -> Parcel& {
+    const auto at = std::find_if(parcels.begin(), parcels.end(),
+                                 [&](const Parcel& x) { return x.to == to && x.adopted == adopted; });
+    return at != parcels.end() ? *at : parcels.emplace_back(Parcel{to, {}, {}, adopted});
+  };
+  for (const Departure& d : departures_) {
+    Parcel& x = parcelTo(d.to, false);
+    appendRecord(s, b, d.slot, x.records);
+    for (int k = 0; k < b.capacity; k++)
+      if (b.there(d.slot, k)) x.owners.push_back(graph_.ownerOf(b.neighbour[b.at(d.slot, k)]));
+  }
+  if (!waiting_.empty()) {
+    listWaiting(s);
+    for (std::size_t k = 0; k < m.departed.size(); k++) {
+      if (m.departedTo[k] < 0 || p.slot[m.departed[k]] != noSlot) continue;
+      const Found* f = findWaiting(p.id[m.departed[k]]);
+      if (!f) continue;
+      std::vector<std::byte>& bytes = parcelTo(m.departedTo[k], true).records.bytes;
+      const std::vector<std::byte>& from = waiting_[f->waiting].records;
+      bytes.insert(bytes.end(), from.begin() + static_cast<std::ptrdiff_t>(f->at), from.begin() + static_cast<std::ptrdiff_t>(f->end));
+    }
+  }
+  std::vector<Message> out;
+  for (const Parcel& x : parcels) {
+    const std::uint64_t head[2] = {x.records.bytes.size(), x.adopted};
+    std::vector<std::byte> bytes(sizeof head + head[0] + x.owners.size() * sizeof(std::int32_t));
+    std::memcpy(bytes.data(), head, sizeof head);
+    std::memcpy(bytes.data() + sizeof head, x.records.bytes.data(), head[0]);
+    if (!x.owners.empty()) std::memcpy(bytes.data() + sizeof head + head[0], x.owners.data(), x.owners.size() * sizeof(std::int32_t));
+    out.push_back({x.to, std::move(bytes)});
+  }
+  for (const Message& message : exchange(out, RecordKind)) {
+    std::uint64_t head[2];
+    std::memcpy(head, message.bytes.data(), sizeof head);
+    Waiting w;
+    w.adopted = head[1] != 0;
+    const auto first = message.bytes.begin() + sizeof head, last = first + static_cast<std::ptrdiff_t>(head[0]);
+    w.records.assign(first, last);
+    w.owners.resize(static_cast<std::size_t>(message.bytes.end() - last) / sizeof(std::int32_t));
+    if (!w.owners.empty()) std::memcpy(w.owners.data(), &*last, w.owners.size() * sizeof(std::int32_t));
+    waiting_.push_back(std::move(w));
+  }
+}
+
+// Begins the edit of the graph: who leaves, who comes.
+void MpiBondHalo::leaveSlots(const Solids& s, const Bonds& b) {
+  for (const Departure& d : departures_) graph_.depart(b, d.slot);
+  removed_.clear();
+  for (std::uint32_t slot = 0; slot < s.owned; slot++)
+    if (s.particle[slot] == noParticle && !graph_.leaves(slot)) removed_.push_back(slot);
+  for (const std::uint32_t slot : removed_) graph_.remove(b, slot);
+}
+
+// Particles without a slot and the records that came for them.
+void MpiBondHalo::matchRecords(const BondedRows& p) {
+  std::vector<std::uint8_t> used(found_.size(), 0);
+  for (const std::uint32_t row : unslotted_) {
+    const Found* f = findWaiting(p.id[row]);
+    if (f) used[static_cast<std::size_t>(f - found_.data())] = 1;
+    recordOf_.push_back(f);
+    fresh_.push_back({row, nullptr});
+  }
+  for (std::size_t k = 0; k < found_.size(); k++)
+    if (!used[k] && !waiting_[found_[k].waiting].adopted) strangers_.push_back(found_[k].id);
+}
+
+}  // namespace thaw
