@@ -7,7 +7,7 @@ double bytesOf(const Table& t) {
   std::size_t n = 0;
   for (const AnyColumn* c : t.columns)
     if (c->active) n += c->bytes.capacity();
-  return static_cast<double>(n);
+  return static_cast<double>(n + t.bufferBytes());
 }
 
 template<class... Vectors> double bytesOf(const Vectors&... v) { return (0.0 + ... + static_cast<double>(v.capacity() * sizeof(v[0]))); }
@@ -36,7 +36,7 @@ std::vector<MemoryUse> memoryOf(const World& w, const StepTools& t) {
           {"surface", bytesOf(static_cast<const Table&>(f.surfels)) + bytesOf(static_cast<const Table&>(f.particles)) +
                           bytesOf(f.surfelCells.key, f.surfelCells.first, f.surfelCells.count, f.particleCells.key, f.particleCells.first, f.particleCells.count)},
           {"walls and contacts", bytesOf(t.wallContacts.list, t.closePairs.list)},
-          {"sort and search", bytesOf(t.sort.order, t.sort.movers, t.search.x, t.search.y, t.search.z, t.search.row)}};
+          {"sort and search", bytesOf(t.sort.gone, t.sort.movers, t.sort.before, t.sort.order, t.sort.moves.runs, t.sort.moves.singles, t.search.x, t.search.y, t.search.z, t.search.row)}};
 }
 
 double totalBytes(const std::vector<MemoryUse>& use) {

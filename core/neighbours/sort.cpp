@@ -120,6 +120,11 @@ template<class Before> void mergeAll(SortBuffers& b, std::size_t stayed, const B
   std::merge(b.before.begin(), b.before.end(), b.movers.begin(), b.movers.end(), b.order.begin(), before);
 }
 
+void shrink(SortBuffers& b) {
+  b.order = {};
+  for (auto* v : {&b.gone, &b.movers, &b.before}) v->shrink_to_fit();
+}
+
 }  // namespace
 
 template<class Rows> void sortByCell(Rows& p, const Migration& migration, SortBuffers& b, CellTable& cells, std::span<AnyColumn* const> stale) {
@@ -139,6 +144,7 @@ template<class Rows> void sortByCell(Rows& p, const Migration& migration, SortBu
     else mergeAll(b, stayed, before);
     for (const std::uint32_t row : b.movers) p.cell[row] = next[row];
     if (few) {
+      if (b.order.capacity() > 0) shrink(b);  // what the sort of all rows took, at the start
       listMoves(b, stayed);
       p.rearrange(b.moves, unmoved);
     } else {

@@ -118,6 +118,8 @@ struct Table {
   void reorder(std::span<const std::uint32_t> order, std::span<AnyColumn* const> stale = {});
   /// The same by moves, in place: what does not change its row costs nothing, and no second column is needed. Stale columns are resized only.
   void rearrange(const RowMoves& moves, std::span<AnyColumn* const> stale);
+  /// Of what rows are reordered by.
+  std::size_t bufferBytes() const;
   AnyColumn* find(const char* name);
   /// Bytes of one row in the active State columns, and its packing; used by migration, ghosts and checkpoints.
   std::size_t stateBytes() const;

@@ -109,6 +109,12 @@ void Table::rearrange(const RowMoves& moves, std::span<AnyColumn* const> stale) 
   resize(moves.rows, 0);
 }
 
+std::size_t Table::bufferBytes() const {
+  std::size_t n = singles_.capacity();
+  for (const auto& s : spares_) n += s.second.capacity();
+  return n;
+}
+
 AnyColumn* Table::find(const char* name) {
   for (AnyColumn* c : columns)
     if (std::strcmp(c->name, name) == 0) return c;
