@@ -51,11 +51,10 @@ std::size_t emit(World& w, Halos& halos, const StepTools& t, double before, doub
 }
 
 /// Cells of all particles, where they are asked for, and what leaves the domain; a cache full of places at a time.
-void findCells(World& w, std::vector<std::uint32_t>& leaving, bool keys) {
+void findCells(World& w, std::vector<std::uint32_t>& leaving, bool keys, bool open) {
   constexpr std::size_t block = 1024;
   Continuum& p = w.particles;
   leaving.clear();
-  const bool open = hasOpenSide(w.scene.domain);
   if (!keys && !open) return;
   for (std::size_t begin = 0; begin < p.owned; begin += block) {
     const std::size_t end = std::min(p.owned, begin + block);
@@ -83,8 +82,10 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
   addToBalance(w, fresh, w.ledger.entered);
 
   const bool ordered = needsOrder(w, t), placed = ordered || halos.all.size() > 1 || emitted > 0;
-  findCells(w, t.leaving, placed);
-  if (!placed && !t.leaving.empty()) findCells(w, t.leaving, true);
+  const bool open = hasOpenSide(w.scene.domain) && (t.mayLeave || emitted > 0);
+  t.mayLeave = true;
+  findCells(w, t.leaving, placed, open);
+  if (!placed && !t.leaving.empty()) findCells(w, t.leaving, true, open);
   findStoredEnergy(w, t, t.leaving);
   addToBalance(w, t.leaving, w.ledger.left);
   w.counters.left += static_cast<std::int64_t>(t.leaving.size());

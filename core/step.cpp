@@ -26,7 +26,7 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   t.times.start();
   const double dt = nextStep(w.clock), time = timeAfter(w.clock, dt);
   if (w.modules.incompressible) addPressureKick(w);  // found at the end of the last step
-  kickAndDrift(w, dt);                         // v += a dt/2, x += v dt
+  t.mayLeave = kickAndDrift(w, dt) || w.clock.substeps > 1;  // v += a dt/2, x += v dt
   substepSolids(w, halos, t, dt);              // stiff solids: bonds alone, in shorter steps
   wrapPeriodic(w.grid, w.scene.domain, w.particles, w.ledger.entered.potential);
   moveWalls(w.walls, time);

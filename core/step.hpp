@@ -68,6 +68,7 @@ struct StepTools {
   PhaseTimes times;
   // from one step to the next; found again after a restart
   bool bondsAtStart = false;         ///< the next evaluation bonds the solids of the scene
+  bool mayLeave = true;              ///< a particle may be beyond an open side; false: the drift has seen that none is
   bool emitFirst = false;            ///< the next evaluation also emits what leaves at time 0
   bool phaseChangedHere = false;     ///< on this rank, since the last relink
   bool frozeAnywhere = false;        ///< some particle of some rank has just frozen

@@ -25,11 +25,16 @@ void wrapPeriodic(const CellGrid& g, const Domain& d, Continuum& p, ExactSum& po
     if (const double more = wrapPlace(g, d, p.position[i]); more != 0) potential.add(p.mass[i] * more);
 }
 
-bool isOutside(const Domain& d, const Vec3d& x) {
-  bool gone = false;
-  for (int a = 0; a < 3; a++) gone = gone || (d.side[a][0] == Side::Open && x[a] < d.min[a]) || (d.side[a][1] == Side::Open && x[a] >= d.max[a]);
-  return gone;
+OpenBox openBox(const Domain& d) {
+  OpenBox box;
+  for (int a = 0; a < 3; a++) {
+    box.low[a] = d.side[a][0] == Side::Open ? d.min[a] : -HUGE_VAL;
+    box.high[a] = d.side[a][1] == Side::Open ? d.max[a] : HUGE_VAL;
+  }
+  return box;
 }
+
+bool isOutside(const Domain& d, const Vec3d& x) { return openBox(d).leaves(x); }
 
 bool hasOpenSide(const Domain& d) {
   bool open = false;
@@ -38,14 +43,10 @@ bool hasOpenSide(const Domain& d) {
 }
 
 template<class Rows> void findLeaving(const Domain& d, Rows& p, std::size_t begin, std::size_t end, std::vector<std::uint32_t>& rows) {
-  Vec3d low, high;
-  for (int a = 0; a < 3; a++) {
-    low[a] = d.side[a][0] == Side::Open ? d.min[a] : -HUGE_VAL;
-    high[a] = d.side[a][1] == Side::Open ? d.max[a] : HUGE_VAL;
-  }
+  const OpenBox box = openBox(d);
   const Vec3d* position = p.position.data();
   for (std::size_t i = begin; i < end; i++)
-    if (const Vec3d x = position[i]; (x.x < low.x) | (x.y < low.y) | (x.z < low.z) | (x.x >= high.x) | (x.y >= high.y) | (x.z >= high.z)) {
+    if (box.leaves(position[i])) {
       p.nextCell[i] = noCell;  // not its last cell: another rank may own that since the last rebalance
       rows.push_back(static_cast<std::uint32_t>(i));
     }

@@ -17,6 +17,14 @@ double wrapPlace(const CellGrid& grid, const Domain& domain, Vec3d& place);
 /// fall round and round, is added to `potential`.
 void wrapPeriodic(const CellGrid& grid, const Domain& domain, Continuum& particles, ExactSum& potential);
 
+/// What open sides enclose; without end along the others (m).
+struct OpenBox {
+  Vec3d low, high;
+  /// Is a place beyond an open side? Without branches, for loops over all particles.
+  bool leaves(const Vec3d& x) const { return (x.x < low.x) | (x.y < low.y) | (x.z < low.z) | (x.x >= high.x) | (x.y >= high.y) | (x.z >= high.z); }
+};
+OpenBox openBox(const Domain& domain);
+
 /// Is a place beyond an open side?
 bool isOutside(const Domain& domain, const Vec3d& place);
 bool hasOpenSide(const Domain& domain);

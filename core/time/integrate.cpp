@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/domain/sides.hpp"
 #include "core/sleep/sleep.hpp"
 
 namespace thaw {
@@ -22,13 +23,15 @@ void bookImpulses(World& w, double half) {
 
 }  // namespace
 
-void kickAndDrift(World& w, double dt) {
+bool kickAndDrift(World& w, double dt) {
   Continuum& p = w.particles;
   const double half = 0.5 * dt;
   bookImpulses(w, half);
   const double lessFast = 1.0 / w.clock.substeps - 1;  // fast forces get half a substep
   const bool smoothed = p.smoothing.active, shifted = w.modules.shifting, substeps = w.clock.substeps > 1;
   const Vec3d g = w.scene.domain.gravity;
+  const OpenBox box = openBox(w.scene.domain);
+  bool leaves = false;
   for (std::size_t i = 0; i < p.owned; i++) {
     if (shifted)  // against the forces that depend on where particles are: not pressure where the flow carries the density
       p.dissipated[i] += p.mass[i] * dt * dot(w.modules.continuity ? g : p.acceleration[i], p.smoothing[i]);
@@ -37,8 +40,11 @@ void kickAndDrift(World& w, double dt) {
       if (!(p.clamped.active && p.clamped[i])) p.velocity[i] += p.fastAcceleration[i] * (lessFast * half);
       if (takesSubsteps(p, i)) continue;
     }
-    p.position[i] += (smoothed && !(p.clamped.active && p.clamped[i]) ? p.velocity[i] + p.smoothing[i] : p.velocity[i]) * dt;
+    const Vec3d x = p.position[i] + (smoothed && !(p.clamped.active && p.clamped[i]) ? p.velocity[i] + p.smoothing[i] : p.velocity[i]) * dt;
+    p.position[i] = x;
+    leaves |= box.leaves(x);
   }
+  return leaves;
 }
 
 bool finishKick(World& w, double dt, std::size_t* bad, LargestRates* largest) {

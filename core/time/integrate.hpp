@@ -5,7 +5,8 @@
 namespace thaw {
 
 /// Half a kick with the last acceleration, then the drift over dt. Viscous forces are then evaluated at the half step's velocity.
-void kickAndDrift(World& world, double dt);
+/// Returns whether one of the particles that it moved is beyond an open side.
+bool kickAndDrift(World& world, double dt);
 
 /// Accelerations from the summed forces and gravity, and the second half kick. Clamped particles stay. Adds up what was dissipated.
 /// Returns false where a position, velocity or force is not finite, or a particle would pass its support radius in such a step: *bad is
