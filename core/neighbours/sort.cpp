@@ -132,7 +132,7 @@ template<class Rows> void sortByCell(Rows& p, const Migration& migration, SortBu
   const std::size_t stayed = p.owned - migration.arrivals;
   if (p.ghosts > 0) p.resize(p.owned, 0);
   findMovers(p, migration, b);
-  if (!b.movers.empty() || !b.gone.empty()) {
+  if (!b.movers.empty() || !b.gone.empty() || stayed != p.owned) {  // the last: what came has departed at once
     const std::uint64_t *next = p.nextCell.data(), *id = p.id.data();
     const auto before = [&](std::uint32_t i, std::uint32_t j) { return next[i] != next[j] ? next[i] < next[j] : id[i] < id[j]; };
     std::sort(b.movers.begin(), b.movers.end(), before);

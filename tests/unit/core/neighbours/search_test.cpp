@@ -62,6 +62,21 @@ TEST_P(SortMoved, ParticlesAreMergedToTheSameOrderAsAFullSort) {
     EXPECT_EQ(total, p.owned);
   }
 }
+// Born here in another rank's cell: it departs with the rows that came, and nothing else moves.
+TEST(Sort, WhatCameAndDepartedAtOnceIsDropped) {
+  Block b(6, 0.1);
+  Continuum& p = b.particles;
+  const std::size_t before = p.owned;
+  p.resize(before + 1, 0);
+  p.id[before] = 4711;
+  computeCellKeys(b.grid, p);
+  Migration m;
+  m.arrivals = 1;
+  m.departed = {static_cast<std::uint32_t>(before)};
+  sortByCell(p, m, b.sort, b.cells);
+  EXPECT_EQ(p.owned, before);
+}
+
 INSTANTIATE_TEST_SUITE_P(Moves, SortMoved, testing::Values(0.0, 1e-3, 0.02, 0.4, 3.0));
 
 class Search : public testing::TestWithParam<const char*> {};
