@@ -153,6 +153,8 @@ void takeStock(World& w, Halos halos, StepTools& t) {
   if (p.clamped.active)
     for (std::size_t i = 0; i < p.owned; i++)
       if (p.clamped[i]) p.acceleration[i] = {};
+  p.shrink();  // what the first sorts took
+  t.sort = {};
   t.mass = totalMass(w, halos.all);
   const LedgerReport now = reportLedger(w, t, halos.all);
   w.ledger.initial = now.now;
@@ -196,6 +198,8 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   halos.cells.rebalance(costs.cells, costs.cost, true);
   if (w.modules.kinds()) bringKindsHome(w, halos, t);  // with their ghosts they are as the last step has left them
   if (w.modules.oriented) readyOriented(w, halos, t);
+  p.shrink();  // what the first sorts took
+  t.sort = {};
   t.mass = totalMass(w, halos.all);
   double froze = 0;
   if (p.justFrozen.active)
