@@ -37,7 +37,7 @@ std::size_t emit(World& w, Halos& halos, const StepTools& t, double before, doub
         p.mass[i] = plan.particleMass;
         p.material[i] = static_cast<std::uint16_t>(emitter.material);
         p.body[i] = static_cast<std::uint16_t>(source);
-        if (p.enthalpy.active) p.enthalpy[i] = enthalpyOf(m, emitter.temperature, 1);
+        if (p.enthalpy.active) p.enthalpy[i] = bookedEnthalpy(w.scene.numerics.heat, m, emitter.temperature, 1);
         if (p.temperature.active) p.temperature[i] = emitter.temperature;
         p.cell[i] = p.nextCell[i] = cell;
         if (p.slot.active) p.slot[i] = noSlot;

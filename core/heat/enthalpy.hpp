@@ -45,6 +45,11 @@ inline double paperFraction(const Material& m, double T) {
   return width > 0 ? std::clamp((T - m.solidus) / width, 0.0, 1.0) : T >= m.solidus ? 1 : 0;
 }
 
+/// J/kg that the books hold at a temperature. K05's plain model has no latent heat: c T.
+inline double bookedEnthalpy(HeatModel model, const Material& m, double T, double fractionAtMelting = 0) {
+  return model == HeatModel::Paper ? m.heatCapacity.solid * T : enthalpyOf(m, T, fractionAtMelting);
+}
+
 /// J/(kg K) at a liquid fraction. K05's plain model knows one.
 inline double heatCapacityOf(HeatModel model, const Material& m, double liquidFraction) {
   return model == HeatModel::Paper ? m.heatCapacity.solid : m.heatCapacity.at(liquidFraction);

@@ -30,8 +30,7 @@ double surfaceConductance(const Material& m, double T, double ambient) {
 
 /// J/kg that a particle is to take up in the whole of a tempering that is under way.
 double missingHeat(const Scene& s, const Material& m, const Continuum& p, std::size_t i, double T) {
-  if (s.numerics.heat == HeatModel::Paper) return m.heatCapacity.solid * (T - p.temperature[i]);
-  return enthalpyOf(m, T, p.liquid.active ? static_cast<double>(p.liquid[i]) : 0) - p.enthalpy[i];
+  return bookedEnthalpy(s.numerics.heat, m, T, p.liquid.active ? static_cast<double>(p.liquid[i]) : 0) - p.enthalpy[i];
 }
 
 /// Share of what is left of a tempering that falls into the step of length dt (s) that begins at `time`; 0: it does not act.
@@ -115,7 +114,7 @@ void updateHeat(World& w, double dt) {
     const Material& m = s.materials[p.material[i]];
     if (paper) {
       p.temperature[i] += dt * p.heatFlow[i] / (p.mass[i] * m.heatCapacity.solid);
-      p.enthalpy[i] = m.heatCapacity.solid * p.temperature[i];
+      p.enthalpy[i] = bookedEnthalpy(s.numerics.heat, m, p.temperature[i]);
     } else {
       p.enthalpy[i] += dt * p.heatFlow[i] / p.mass[i];
     }

@@ -53,7 +53,7 @@ void addParticle(World& w, std::size_t b, std::int64_t number, const Vec3d& x, c
   p.body[i] = static_cast<std::uint16_t>(b);
   const double T = body.temperature + dot(body.temperatureGradient, x - centre);
   if (p.temperature.active) p.temperature[i] = T;
-  if (p.enthalpy.active) p.enthalpy[i] = enthalpyOf(m, T);
+  if (p.enthalpy.active) p.enthalpy[i] = bookedEnthalpy(w.scene.numerics.heat, m, T);
   if (p.slot.active) p.slot[i] = noSlot;
 }
 

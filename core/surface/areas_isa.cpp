@@ -66,6 +66,7 @@ void areas(const AreaCells& in, double* area, double* farthest2) {
     const Line& l = lines[k];
     const auto there = (l.to > l.from) & (l.height < none);
     sum += select(there, l.height * (l.to - l.from), zero);
+    store(in.turn + 8 * k, select(there, select(l.y < zero, LanesD(3.0) + l.x, one - l.x), -one));
     farthest = max(farthest, select(there, l.height * l.height + max(l.from * l.from, l.to * l.to), zero));
   }
   store(area, half * sum);

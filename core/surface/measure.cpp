@@ -18,7 +18,7 @@ struct Record {
   Vec3d reach{};        // m, largest distance from the anchor along each axis; only of periodic axes
 };
 
-enum Sum { Mass, ParticleVolume, WantedVolume, MomentX, MomentY, MomentZ, Area, VolumeX, VolumeY, VolumeZ, NormalX, NormalY, NormalZ, FreeArea, sums };
+enum Sum { Mass, ParticleVolume, WantedVolume, MomentX, MomentY, MomentZ, Area, VolumeX, VolumeY, VolumeZ, NormalX, NormalY, NormalZ, FreeArea, Bulge, Rim, RimX, RimY, RimZ, sums };
 
 /// Rows of one component on this rank.
 struct Group {
@@ -118,12 +118,15 @@ void addRows(const Surface& s, const Group& g, const std::vector<std::uint32_t>&
   }
   for (std::size_t k = g.surfelsFrom; k < g.surfelsTo; k++) {
     const std::uint32_t i = surfels[k];
-    const Vec3d d = fromAnchor(s.grid, r.anchor, f.position[i]), nA = f.area[i] * f.normal[i];
+    const Vec3d d = fromAnchor(s.grid, r.anchor, f.position[i]), nA = f.facets[i];
+    sum[Bulge].add(f.bulge[i]);
+    sum[Rim].add(f.rim[i]);
     sum[Area].add(f.area[i]);
     sum[FreeArea].add(f.liquid.active ? static_cast<double>(f.liquid[i]) * f.area[i] : 0.0);
     for (int a = 0; a < 3; a++) {
       sum[static_cast<std::size_t>(VolumeX + a)].add(d[a] * nA[a]);
       sum[static_cast<std::size_t>(NormalX + a)].add(nA[a]);
+      sum[static_cast<std::size_t>(RimX + a)].add(f.rim[i] * d[a]);
     }
     widen(d);
   }
@@ -139,16 +142,18 @@ void finish(const CellGrid& grid, Record& r, const std::array<double, sums>& v) 
   c.open = c.area > 0 ? length(Vec3d{v[NormalX], v[NormalY], v[NormalZ]}) / c.area : 0;
   const Vec3d centroid = c.mass > 0 ? Vec3d{v[MomentX], v[MomentY], v[MomentZ]} / c.mass : Vec3d{};
   c.centroid = r.anchor + centroid;
+  // seen from among the rims: a hole there adds the least
+  const Vec3d from = v[Rim] > 0 ? Vec3d{v[RimX], v[RimY], v[RimZ]} / v[Rim] : centroid;
   double volume = 0, any = 0;
   int axes = 0;
   for (int a = 0; a < 3; a++) {
-    const double along = v[static_cast<std::size_t>(VolumeX + a)] - centroid[a] * v[static_cast<std::size_t>(NormalX + a)];
+    const double along = v[static_cast<std::size_t>(VolumeX + a)] - from[a] * v[static_cast<std::size_t>(NormalX + a)];
     any += along / 3;
     if (grid.periodic[a] && r.reach[a] > 0.4 * grid.period[a]) continue;
     volume += along;
     axes++;
   }
-  c.volume = axes > 0 ? volume / axes : any;
+  c.volume = (axes > 0 ? volume / axes : any) + v[Bulge];
 }
 
 /// What the sums of a component on several ranks come to.

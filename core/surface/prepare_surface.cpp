@@ -20,7 +20,7 @@ void prepareSurface(World& w) {
 
 void activateSurfaceFields(Surface& s, const Modules& m) {
   Surfels& f = s.surfels;
-  for (AnyColumn* c : std::initializer_list<AnyColumn*>{&f.id, &f.position, &f.normal, &f.tangent, &f.radius, &f.component, &f.colour, &f.detail, &f.calm, &f.cell, &f.nextCell, &f.reach, &f.nearest, &f.toNearest, &f.part, &f.area, &f.wanted, &f.wish, &f.offer, &f.offerNormal}) f.activate(*c);
+  for (AnyColumn* c : std::initializer_list<AnyColumn*>{&f.id, &f.position, &f.normal, &f.tangent, &f.radius, &f.component, &f.colour, &f.detail, &f.calm, &f.cell, &f.nextCell, &f.reach, &f.nearest, &f.toNearest, &f.part, &f.area, &f.facets, &f.bulge, &f.rim, &f.wanted, &f.wish, &f.offer, &f.offerNormal}) f.activate(*c);
   SurfaceParticles& p = s.particles;
   for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.id, &p.position, &p.displacement, &p.component, &p.volume, &p.share, &p.mass, &p.body, &p.home, &p.cell, &p.nextCell, &p.gradient, &p.colour, &p.smoothColour, &p.part}) p.activate(*c);
   if (m.melting || m.fluid) {  // else the surface is carried along and nothing more

@@ -66,6 +66,7 @@ struct AreaCells {
   const std::uint32_t* near = nullptr;    ///< 8 rows each of `count` neighbours in an order that is the same on every rank; a lane that has fewer repeats itself
   std::size_t count = 0;
   double cosFlat = 0, cosBack = 0;        ///< of the angles of normals between which neighbours are over an edge, and beyond which on another sheet
+  double* turn = nullptr;                 ///< result, 8 a neighbour: ascends with the direction to it, from 0 to 4 round the normal; -1: the cell does not border on its
 };
 /// Most neighbours of AreaCells.
 inline constexpr std::size_t mostAreaNeighbours = 24;

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <span>
 
+#include "core/surface/facets.hpp"
+
 namespace thaw {
 namespace {
 
-constexpr double cosFlat = 0.5;  // 60 degrees: on the sphere of a single particle normals turn by up to 55 from surfel to surfel
 constexpr double cosBack = -0.5;
+constexpr std::uint32_t nobody = ~0u;
 
 struct Point2 { double x, y; };
 
@@ -26,7 +28,7 @@ class Cell {
       }
       return c;
     }();
-    for (std::size_t k = 0; k < corner.size(); k++) corner_[k] = {radius * corner[k].x, radius * corner[k].y};
+    for (std::size_t k = 0; k < corner.size(); k++) corner_[k] = {radius * corner[k].x, radius * corner[k].y}, beyond_[k] = nobody;
     n_ = corner.size();
   }
   double farthest2() const {
@@ -42,8 +44,18 @@ class Cell {
     }
     return 0.5 * twice;
   }
-  /// Keeps where a.p <= b; b >= 0. Returns whether anything went.
-  bool cut(const Point2& a, double b) {
+  /// The neighbours that it borders on, in turn, and the length of what is left of the hexagon.
+  double borders(std::vector<std::uint32_t>& ring) const {
+    double rim = 0;
+    for (std::size_t k = 0; k < n_; k++) {
+      const Point2 &a = corner_[k], &b = corner_[k + 1 < n_ ? k + 1 : 0];
+      if (beyond_[k] != nobody) ring.push_back(beyond_[k]);
+      else rim += std::hypot(b.x - a.x, b.y - a.y);
+    }
+    return rim;
+  }
+  /// Keeps where a.p <= b; b >= 0: beyond is `row`. Returns whether anything went.
+  bool cut(const Point2& a, double b, std::uint32_t row) {
     bool any = false;
     for (std::size_t k = 0; k < n_; k++) {
       over_[k] = a.x * corner_[k].x + a.y * corner_[k].y - b;
@@ -52,16 +64,20 @@ class Cell {
     if (!any) return false;
     std::size_t m = 0;
     std::array<Point2, most> kept;
+    std::array<std::uint32_t, most> beyond;
     for (std::size_t k = 0; k < n_; k++) {
       const std::size_t next = k + 1 < n_ ? k + 1 : 0;
-      if (over_[k] <= 0) kept[m++] = corner_[k];
-      if ((over_[k] <= 0) != (over_[next] <= 0)) {
+      const bool here = over_[k] <= 0;
+      if (here) beyond[m] = beyond_[k], kept[m++] = corner_[k];
+      if (here != (over_[next] <= 0)) {
         const double share = over_[k] / (over_[k] - over_[next]);
+        beyond[m] = here ? row : beyond_[k];
         kept[m++] = {corner_[k].x + share * (corner_[next].x - corner_[k].x), corner_[k].y + share * (corner_[next].y - corner_[k].y)};
       }
     }
     n_ = m;
     std::copy_n(kept.begin(), m, corner_.begin());
+    std::copy_n(beyond.begin(), m, beyond_.begin());
     return true;
   }
   /// Another cut may add a corner.
@@ -70,6 +86,7 @@ class Cell {
  private:
   static constexpr std::size_t most = 40;
   std::array<Point2, most> corner_;
+  std::array<std::uint32_t, most> beyond_;  // of the side from corner k to the next
   std::array<double, most> over_;
   std::size_t n_ = 0;
 };
@@ -81,8 +98,10 @@ struct Candidate {
   bool operator<(const Candidate& o) const { return d2 != o.d2 ? d2 < o.d2 : id < o.id; }
 };
 
-/// Cuts the cell by neighbours in their order until none farther away can reach it.
-void cutCell(const Surfels& f, std::size_t i, std::span<const Candidate> near, Cell& cell) {
+/// Cuts the cell by neighbours in their order until none farther away can reach it. atEdges: those over an edge cut where their plane meets ours, else halfway
+/// like all. Returns whether there are some over an edge.
+bool cutCell(const Surfels& f, std::size_t i, std::span<const Candidate> near, bool atEdges, Cell& cell) {
+  bool edges = false;
   const Vec3d n = f.normal[i], e1 = normalized(f.tangent[i] - dot(f.tangent[i], n) * n), e2 = cross(n, e1);
   double reach2 = 4 * cell.farthest2();
   for (const Candidate& c : near) {
@@ -94,21 +113,23 @@ void cutCell(const Surfels& f, std::size_t i, std::span<const Candidate> near, C
     if (flat2 < 1e-12 * f.radius[i] * f.radius[i]) continue;
     const Point2 flat{dot(d, e1), dot(d, e2)};
     double stretch = 1;  // arc over flat length
-    if (cosine < cosFlat) {  // over an edge: where its plane meets ours
+    edges = edges || cosine < cosFlat;
+    if (cosine < cosFlat && atEdges) {
       const double over = dot(d, other);
       const double sign = over < 0 ? -1 : 1;
       const Point2 a{sign * dot(other, e1), sign * dot(other, e2)};
       if (over * over <= (1 + 1e-9) * flat2 * (a.x * a.x + a.y * a.y)) {  // the same right over the edge
-        if (cell.cut(a, sign * over)) reach2 = 4 * cell.farthest2();
+        if (cell.cut(a, sign * over, c.row)) reach2 = 4 * cell.farthest2();
         continue;
       }
-    } else if (height * height > 0.5 * c.d2) {
+    } else if (cosine >= cosFlat && height * height > 0.5 * c.d2) {
       continue;  // above or below: another layer
     } else {
       stretch = std::sqrt(c.d2 / flat2) * (1 + (1 - cosine) / 12);
     }
-    if (cell.cut({stretch * flat.x, stretch * flat.y}, 0.5 * stretch * stretch * flat2)) reach2 = 4 * cell.farthest2();
+    if (cell.cut({stretch * flat.x, stretch * flat.y}, 0.5 * stretch * stretch * flat2, c.row)) reach2 = 4 * cell.farthest2();
   }
+  return edges;
 }
 
 constexpr double reach = 2.31;  // of what may cut a hexagon: twice its corners
@@ -163,20 +184,48 @@ void pack(const Surfels& f, AreaLists& l) {
   }
 }
 
-/// The area of one that has a neighbour over an edge, or lies beside a hole or a rim.
-double cutAlone(const Surfels& f, std::size_t i, double slack, const Bins& bins, std::vector<Candidate>& near) {
+/// One that has a neighbour over an edge, or lies beside a hole or a rim.
+void cutAlone(Surfels& f, std::size_t i, double slack, const Bins& bins, std::vector<Candidate>& near, std::vector<std::uint32_t>& ring) {
   near.clear();
+  ring.clear();
   forRowsWithin(bins, f.position[i], reach * f.radius[i] + slack, [&](std::uint32_t j, double) {
     const Vec3d d = f.position[j] - f.position[i];
     if (j != i && f.component[j] == f.component[i]) near.push_back({dot(d, d), f.id[j], j});
   });
   std::sort(near.begin(), near.end());
   Cell cell(f.radius[i]);
-  cutCell(f, i, near, cell);
-  return cell.area();
+  const bool edges = cutCell(f, i, near, true, cell);
+  f.area[i] = cell.area();
+  if (edges) {  // one plane beyond an edge is that of all surfels there: who is next to whom is told by what is halfway
+    cell = Cell(f.radius[i]);
+    cutCell(f, i, near, false, cell);
+  }
+  f.rim[i] = cell.borders(ring);
+  measureFan(f, i, ring);
+}
+
+/// The neighbours in one lane that the cell borders on, in turn round the normal.
+void ringOf(const std::uint32_t* near, const double* turn, std::size_t count, std::vector<std::uint32_t>& ring) {
+  std::array<std::pair<double, std::uint32_t>, mostAreaNeighbours> order;
+  std::size_t n = 0;
+  for (std::size_t k = 0; k < count; k++) {
+    if (turn[8 * k] < 0) continue;
+    std::size_t at = n++;
+    for (; at > 0 && order[at - 1].first > turn[8 * k]; at--) order[at] = order[at - 1];
+    order[at] = {turn[8 * k], near[8 * k]};
+  }
+  ring.clear();
+  for (std::size_t k = 0; k < n; k++) ring.push_back(order[k].second);
 }
 
 }  // namespace
+
+void clearAreas(Surfels& f) {
+  std::fill_n(f.area.data(), f.owned, 0.0);
+  std::fill_n(f.facets.data(), f.owned, Vec3d{});
+  std::fill_n(f.bulge.data(), f.owned, 0.0);
+  std::fill_n(f.rim.data(), f.owned, 0.0);
+}
 
 void findSurfelAreas(Surface& s, Reducer& all, AreaLists& l, bool again) {
   Surfels& f = s.surfels;
@@ -188,8 +237,10 @@ void findSurfelAreas(Surface& s, Reducer& all, AreaLists& l, bool again) {
   std::vector<Candidate> wide;
   std::array<std::uint32_t, 8> self;
   std::array<std::uint32_t, 8 * mostAreaNeighbours> near;
+  std::vector<std::uint32_t> ring;
   alignas(32) std::array<double, 8> area, farthest2;
-  AreaCells in{l.place.data(), l.normal.data(), self.data(), near.data(), 0, cosFlat, cosBack};
+  alignas(32) std::array<double, 8 * mostAreaNeighbours> turn;
+  AreaCells in{l.place.data(), l.normal.data(), self.data(), near.data(), 0, cosFlat, cosBack, turn.data()};
   for (std::size_t from = 0; from < l.asking.size(); from += 8) {
     const std::size_t lanes = std::min<std::size_t>(8, l.asking.size() - from);
     std::array<bool, 8> many{};
@@ -214,7 +265,14 @@ void findSurfelAreas(Surface& s, Reducer& all, AreaLists& l, bool again) {
     for (std::size_t lane = 0; lane < lanes; lane++) {
       const std::uint32_t i = self[lane];
       const double known = usual * f.radius[i];
-      f.area[i] = many[lane] || !(4 * farthest2[lane] <= known * known) ? cutAlone(f, i, slack, l.bins, wide) : area[lane];
+      if (many[lane] || !(4 * farthest2[lane] <= known * known)) {
+        cutAlone(f, i, slack, l.bins, wide, ring);
+        continue;
+      }
+      f.area[i] = area[lane];
+      f.rim[i] = 0;
+      ringOf(&near[lane], &turn[lane], in.count, ring);
+      measureFan(f, i, ring);
     }
   }
 }

@@ -19,10 +19,13 @@ struct AreaLists {
   AlignedVector<double> place, normal;    // records of the kernel
 };
 
-/// Surfels::area of all owned surfels: the area of the Voronoi cell among the neighbours of the same component (ghosts included), in the
+/// No areas, no volume.
+void clearAreas(Surfels& surfels);
+
+/// Surfels::area, facets, bulge and rim of all owned surfels: the area of the Voronoi cell among the neighbours of the same component (ghosts included), in the
 /// tangent plane. Neighbours with normals within pi/4 are laid into it at the length of the arc between the two; those beyond (over an edge)
 /// cut the cell where their own tangent plane does; those that look the other way (the far side of a sheet) are left out. Where neighbours
-/// are missing the cell ends at the surfel's radius. Needs ghosts. again: the table is that of the last call, but for places. Collective.
+/// are missing the cell ends at the surfel's radius. Facets are those between it and the neighbours that its cell borders on. Needs ghosts. again: the table is that of the last call, but for places. Collective.
 void findSurfelAreas(Surface& surface, Reducer& all, AreaLists& lists, bool again = false);
 
 }  // namespace thaw

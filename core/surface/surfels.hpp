@@ -36,6 +36,9 @@ struct Surfels : Table {
   Column<Vec3d> toNearest{*this, "toNearest", "m", Keep::Transient, "from it to that particle"};
   Column<std::uint64_t> part{*this, "part", "1", Keep::Transient, "label of what hangs together; top bit set: no particle does"};
   Column<double> area{*this, "area", "m^2", Keep::Transient, "its own share of the surface, at the end of an update"};
+  Column<Vec3d> facets{*this, "facets", "m^2", Keep::Transient, "its share of the vector areas of the facets between it and its neighbours (facets.hpp)"};
+  Column<double> bulge{*this, "bulge", "m^3", Keep::Transient, "its share of what the curved surface holds over those facets"};
+  Column<double> rim{*this, "rim", "m", Keep::Transient, "length of its cell's border that no neighbour cuts: beside a hole"};
   // of resampling
   Column<double> depth{*this, "depth", "m", Keep::State, "only in an OpenRegion: at least its distance from what was open when that was taken"};
   Column<double> wanted{*this, "wanted", "m", Keep::Transient, "radius that curvature asks for"};

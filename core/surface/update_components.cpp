@@ -84,7 +84,7 @@ void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   mergeComponents(w, halos, t.components, t.merge);
   dropGhosts(s.particles, s.particleCells);
   placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, tools.sort);  // contact has moved some
-  std::fill_n(s.surfels.area.data(), s.surfels.owned, 0.0);
+  clearAreas(s.surfels);  // for now components have counts and places alone
   measureComponents(s, halos.all);
   inheritRaised(s, before, t.components);
 }

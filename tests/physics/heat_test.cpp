@@ -91,4 +91,34 @@ TEST(Tempering, AtOnceTakesOneStep) {
   for (std::size_t i = 0; i < run.particles().owned; i++) EXPECT_NEAR(run.particles().temperature[i], 310, 1e-9);
 }
 
+// K05's model counts c T from 0 K on, also of what a scene starts with and what emitters bring.
+TEST(Tempering, OfThePapersModelLeavesNoResidual) {
+  Scene s = liquidColumn(12);
+  s.numerics.heat = HeatModel::Paper;
+  Material& m = s.materials[0];
+  m.solidus = 280;
+  m.liquidus = 320;
+  m.latentHeat = 1e4;
+  m.paperDiffusivity = 0.01f;
+  addBox(s, {0, 0, 0}, {6 * dx, 6 * dx, 6 * dx}).temperature = 330;
+  s.emitters.emplace_back();
+  Emitter& e = s.emitters[0];
+  e.radius = 2 * dx;
+  e.centre = {3 * dx, 3 * dx, 11 * dx};
+  e.speed = 1;
+  e.temperature = 350;
+  Tempering t;
+  t.start = 0.1;
+  t.over = 0.05;
+  t.temperature = 290;
+  s.temperings = {t};
+  s.end = 0.25;
+  Simulation run(s);
+  EXPECT_TRUE(run.run());
+  const LedgerReport r = run.books();
+  EXPECT_GT(run.w.counters.emitted, 30);
+  EXPECT_LT(r.heatIn, -1e3 * r.initial.mass);
+  EXPECT_LT(std::abs(r.heatResidual), 1e-12 * r.now.internal);
+}
+
 }  // namespace thaw::test
