@@ -33,21 +33,21 @@ Mat3d smallestRotation(const Vec3d& a, const Vec3d& b) {
 
 }  // namespace
 
-MomentInverse invertMoment(const Sym3d& a) {
+MomentInverse invertMoment(const Sym3d& a, double cutoff) {
   const double mean = trace(a) / 3;
   if (!(mean > 0)) return {};
   const Vec3d r0{a.xx, a.xy, a.xz}, r1{a.xy, a.yy, a.yz}, r2{a.xz, a.yz, a.zz};
   const Vec3d c0 = cross(r1, r2), c1 = cross(r2, r0), c2 = cross(r0, r1);
   const double determinant = dot(r0, c0);
   // with eigenvalues a >= b >= c: det/mean^3 <= 27 (c/a) a^2 b/(a + b)^3 <= 4 c/a, so here c/a is above the cutoff
-  if (determinant > 4 * momentCutoff * mean * mean * mean) {
+  if (determinant > 4 * cutoff * mean * mean * mean) {
     const double d = 1 / determinant;
     return {{c0.x * d, c1.y * d, c2.z * d, 0.5 * (c0.y + c1.x) * d, 0.5 * (c1.z + c2.y) * d, 0.5 * (c0.z + c2.x) * d}, 3};
   }
   const Eigen3 e = eigenOf(a);
   MomentInverse m;
   for (int k = 0; k < 3; k++) {
-    if (!(e.value[k] > momentCutoff * e.value[2])) continue;
+    if (!(e.value[k] > cutoff * e.value[2])) continue;
     m.rank++;
     m.inverse = m.inverse + (1 / e.value[k]) * symmetric(outer(e.vector[k], e.vector[k]));
   }

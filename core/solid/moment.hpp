@@ -15,7 +15,7 @@ struct MomentInverse {
 };
 
 /// Inverse of A (m^2).
-MomentInverse invertMoment(const Sym3d& a);
+MomentInverse invertMoment(const Sym3d& a, double cutoff = momentCutoff);
 
 /// Displacement gradient of a particle whose A has rank < 3. `gradU` is the plain sum (sum w u X^T) A^+, which lacks what
 /// lies across the plane or line. Completed so that these directions turn along without strain: by the cross product of the in-plane images

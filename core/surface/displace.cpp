@@ -15,6 +15,10 @@ double weight(double r2, double h2) {
   return u * u * u;
 }
 
+/// Particles that lie within a third of their distance of a plane say nothing of what goes on across it: a plate of one layer that is not quite flat would have
+/// its ripples tell how thick it is, and its two sides fall together as it turns and swings.
+constexpr double layerCutoff = 0.1;
+
 /// Displacement and its gradient at a surfel.
 struct Carry { Vec3d move{}; Mat3d gradient{}; double weight = 0, liquid = 0, temperature = 0; };
 
@@ -140,7 +144,7 @@ void findDisplacementGradients(World& w, SurfaceHalos halos, SurfaceTools& t) {
       moment = moment + v * Sym3d{d.x * d.x, d.y * d.y, d.z * d.z, d.x * d.y, d.y * d.z, d.x * d.z};
       sum = sum + outer(v * (p.displacement[j] - p.displacement[i]), d);
     });
-    const MomentInverse inverse = invertMoment(moment);
+    const MomentInverse inverse = invertMoment(moment, layerCutoff);
     p.gradient[i] = completeGradient(sum * full(inverse.inverse), inverse.inverse, inverse.rank);
   }
   ColumnList found{&p.gradient};

@@ -66,10 +66,11 @@ void patchAround(const World& w, const SurfaceTools& t, std::size_t i, std::vect
   forRowsAround(t.relax.particleBins, p.position[i], p.position[i], far, [&](std::uint32_t j, const Vec3d&) {
     const Vec3d d = p.position[j] - p.position[i];
     if (p.component[j] != p.component[i] || dot(d, d) > far * far) return;
-    volume += p.volume[j];
-    away += p.volume[j] * d;
-    if (p.temperature.active) temperature += p.volume[j] * static_cast<double>(p.temperature[j]);
-    if (p.liquid.active) liquid += p.volume[j] * static_cast<double>(p.liquid[j]);
+    const double held = p.share[j] * p.volume[j];
+    volume += held;
+    away += held * d;
+    if (p.temperature.active) temperature += held * static_cast<double>(p.temperature[j]);
+    if (p.liquid.active) liquid += held * static_cast<double>(p.liquid[j]);
   });
   for (SurfelRow& r : dropPatch(p.component[i], p.position[i] + away / volume, volume, w.surface.spacing)) {
     r.temperature = static_cast<float>(temperature / volume);

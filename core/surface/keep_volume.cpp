@@ -6,18 +6,31 @@
 
 #include "core/surface/measure.hpp"
 #include "core/surface/sample_mesh.hpp"
+#include "core/surface/small_drops.hpp"
 
 namespace thaw {
 
 namespace {
 
-/// Not the smallest ones, nor solids, nor those with a hole: a seam since a merge. A puddle of a few particles' height has .025 by its rim alone, drops of five to
-/// nine particles, whose areas are coarse, up to .09.
-bool kept(const SurfaceComponent& c) {
+constexpr double liquidOff = 1e-3, frozenOff = 5e-3;  // of the volume, that is let be
+
+/// What volume keeping may move of a component.
+struct Hold {
+  double area = 0;  // m^2; 0: it is left alone
+  bool frozen = false;
+};
+
+/// Not single particles and the like, which are spheres of their volume, nor those with a large hole, nor solids that were never held as liquids.
+Hold holdOf(const SurfaceComponent& c) {
   constexpr std::int64_t fewest = 12;
-  constexpr double leastFree = 0.05, closed = 0.04;
-  return c.surfels >= fewest && c.wantedVolume > 0 && c.freeArea > leastFree * c.area && c.open < std::max(closed, 1.5 / std::sqrt(static_cast<double>(c.surfels)));
+  constexpr double leastFree = 0.05, closed = 0.1;
+  if (c.surfels < fewest || c.particles <= smallDrop || !(c.wantedVolume > 0) || !(c.open < closed)) return {};
+  if (c.freeArea > leastFree * c.area) return {c.freeArea, false};
+  if (c.raised != 0 && c.plainArea > leastFree * c.area) return {c.plainArea, true};
+  return {};
 }
+
+double errorOf(const SurfaceComponent& c) { return std::abs(c.volume - c.wantedVolume) / c.wantedVolume; }
 
 }  // namespace
 
@@ -28,36 +41,40 @@ void keepStartVolumes(World& w, SurfaceHalos halos) {
   std::vector<std::uint64_t> shares(p.owned), here(home.owned, std::bit_cast<std::uint64_t>(1.0));
   for (std::size_t i = 0; i < p.owned; i++) {
     const SurfaceComponent* c = hasMesh(w.scene, p.body[i]) ? findComponent(w.surface, p.component[i]) : nullptr;
-    shares[i] = std::bit_cast<std::uint64_t>(c && c->volume > 0 ? c->volume / c->particleVolume : 1.0);
+    p.share[i] = c && c->volume > 0 ? c->volume / c->particleVolume : 1.0;
+    shares[i] = std::bit_cast<std::uint64_t>(p.share[i]);
   }
   halos.courier.sendHome({p.home.data(), p.owned}, shares, here);
   for (std::size_t i = 0; i < home.owned; i++) home.surfaceShare[i] = std::bit_cast<double>(here[i]);
 }
 
-double volumeError(const Surface& s) {
-  double error = 0;
-  for (const SurfaceComponent& c : s.components)
-    if (kept(c)) error = std::max(error, std::abs(c.volume - c.wantedVolume) / c.wantedVolume);
-  return error;
+bool volumesAreOff(const Surface& s, bool frozen) {
+  return std::any_of(s.components.begin(), s.components.end(), [&](const SurfaceComponent& c) {
+    const Hold hold = holdOf(c);
+    return hold.area > 0 && (hold.frozen ? frozen && errorOf(c) > frozenOff : errorOf(c) > liquidOff);
+  });
 }
 
-void offsetToVolume(Surface& s, double keepVolume, double particleSpacing) {
+void offsetToVolume(Surface& s, double keepVolume, double particleSpacing, bool frozen) {
   Surfels& f = s.surfels;
   if (!f.liquid.active) return;
-  const double longest = 0.5 * s.spacing, highest = mostRaised * particleSpacing;
-  std::vector<double> moves(s.components.size());  // the same on all ranks
+  const double longest = 0.5 * s.spacing, slowly = 0.1 * s.spacing, highest = mostRaised * particleSpacing;
+  struct Move { double by = 0; bool frozen = false; };
+  std::vector<Move> moves(s.components.size());  // the same on all ranks
   for (std::size_t k = 0; k < s.components.size(); k++) {
     SurfaceComponent& c = s.components[k];
-    if (!kept(c)) continue;
-    const double to = c.raised + std::clamp(keepVolume * (c.wantedVolume - c.volume) / c.freeArea, -longest, longest);
-    moves[k] = std::clamp(to, -highest, highest) - c.raised;
-    c.raised += moves[k];
+    const Hold hold = holdOf(c);
+    if (!(hold.area > 0) || (hold.frozen && (!frozen || errorOf(c) <= frozenOff))) continue;
+    const double most = hold.frozen ? slowly : longest, to = c.raised + std::clamp(keepVolume * (c.wantedVolume - c.volume) / hold.area, -most, most);
+    moves[k] = {std::clamp(to, std::min(-highest, c.raised), std::max(highest, c.raised)) - c.raised, hold.frozen};
+    c.raised += moves[k].by;
   }
   const SurfaceComponent* c = nullptr;
   for (std::size_t i = 0; i < f.owned; i++) {
     if (!c || c->label != f.component[i]) c = findComponent(s, f.component[i]);
     if (!c) continue;
-    const double move = static_cast<double>(f.liquid[i]) * moves[static_cast<std::size_t>(c - s.components.data())];
+    const Move& m = moves[static_cast<std::size_t>(c - s.components.data())];
+    const double move = static_cast<double>(m.frozen ? 1 - f.detail[i] : f.liquid[i]) * m.by;
     if (move == 0) continue;
     f.position[i] += move * f.normal[i];
     f.calm[i] = std::max(0.0f, f.calm[i] - static_cast<float>(std::abs(move) / f.radius[i]));

@@ -11,18 +11,19 @@ inline constexpr double mostRaised = 0.75;
 
 /// Moves every surfel along its normal by its liquid fraction times keepVolume (V_target - V) / sum of liquid fractions times areas of its
 /// component, at most half the wanted spacing, and SurfaceComponent::raised by as much: solid surfaces keep their place and detail. V_target is the
-/// volume of the particles, mass over density at rest, times what the mesh of their body held over it at the start. Needs Surface::components as
-/// measured. Components of fewer than twelve surfels, those of which less than a twentieth is liquid, and those with a hole are left alone. Not collective.
-void offsetToVolume(Surface& surface, double keepVolume, double particleSpacing);
+/// volume of the particles, mass over density at rest, times what the mesh of their body held over it at the start. A component of which less than a twentieth is liquid
+/// is moved, if it was held when it was liquid, by a tenth of a spacing at most, all that has no mesh's detail by the same: what froze keeps its shape. Only with `frozen`.
+/// Needs Surface::components as measured. Components of fewer than twelve surfels, solids that never were liquid, and those with a large hole are left alone. Not collective.
+void offsetToVolume(Surface& surface, double keepVolume, double particleSpacing, bool frozen);
+
+/// Is a liquid component that is not left alone off V_target by more than a thousandth, or, with `frozen`, one that has frozen by half a percent?
+bool volumesAreOff(const Surface& surface, bool frozen);
 
 /// For the iterations: what holds the liquid surface of each component at SurfaceComponent::raised (m) off the level. Without it they would draw
 /// the surface back to the level in each update, and all that volume keeping has to move it is done again.
 void listRaised(const World& world, std::vector<RaisedComponent>& raised);
 
-/// The largest |V - V_target| / V_target of components that are not left alone.
-double volumeError(const Surface& surface);
-
-/// Continuum::surfaceShare: what the surfaces of bodies with a mesh hold now over the volume of their particles; 1 of the others. At the start.
+/// Continuum::surfaceShare: what the surfaces of bodies with a mesh hold now over the volume of their particles; 1 of the others; and the share of the copies. At the start.
 /// Needs Surface::components as measured, and particle copies. Collective.
 void keepStartVolumes(World& world, SurfaceHalos halos);
 

@@ -18,7 +18,7 @@ struct Record {
   Vec3d reach{};        // m, largest distance from the anchor along each axis; only of periodic axes
 };
 
-enum Sum { Mass, ParticleVolume, WantedVolume, MomentX, MomentY, MomentZ, Area, VolumeX, VolumeY, VolumeZ, NormalX, NormalY, NormalZ, FreeArea, Bulge, Rim, RimX, RimY, RimZ, sums };
+enum Sum { Mass, ParticleVolume, WantedVolume, MomentX, MomentY, MomentZ, Area, VolumeX, VolumeY, VolumeZ, NormalX, NormalY, NormalZ, FreeArea, PlainArea, Bulge, Rim, RimX, RimY, RimZ, sums };
 
 /// Rows of one component on this rank.
 struct Group {
@@ -123,6 +123,7 @@ void addRows(const Surface& s, const Group& g, const std::vector<std::uint32_t>&
     sum[Rim].add(f.rim[i]);
     sum[Area].add(f.area[i]);
     sum[FreeArea].add(f.liquid.active ? static_cast<double>(f.liquid[i]) * f.area[i] : 0.0);
+    sum[PlainArea].add((1 - static_cast<double>(f.detail[i])) * f.area[i]);
     for (int a = 0; a < 3; a++) {
       sum[static_cast<std::size_t>(VolumeX + a)].add(d[a] * nA[a]);
       sum[static_cast<std::size_t>(NormalX + a)].add(nA[a]);
@@ -139,6 +140,7 @@ void finish(const CellGrid& grid, Record& r, const std::array<double, sums>& v) 
   c.wantedVolume = v[WantedVolume];
   c.area = v[Area];
   c.freeArea = v[FreeArea];
+  c.plainArea = v[PlainArea];
   c.open = c.area > 0 ? length(Vec3d{v[NormalX], v[NormalY], v[NormalZ]}) / c.area : 0;
   const Vec3d centroid = c.mass > 0 ? Vec3d{v[MomentX], v[MomentY], v[MomentZ]} / c.mass : Vec3d{};
   c.centroid = r.anchor + centroid;

@@ -16,13 +16,14 @@ struct SurfaceComponent {
   std::int64_t particles = 0, surfels = 0;
   double mass = 0;                    ///< kg, of its particles
   double particleVolume = 0;          ///< m^3, mass / density at rest
-  double volume = 0;                  ///< m^3, enclosed by the surfels: (1/3) sum x.n A
+  double volume = 0;                  ///< m^3, enclosed by the surfels (facets.hpp)
   double area = 0;                    ///< m^2
   Vec3d centroid{};                   ///< m, of its particles by mass
   double raised = 0;                  ///< m, how far volume keeping holds what is liquid of it off the level of the particles' colour; part of the state
   double wantedVolume = 0;            ///< m^3, that volume keeping holds: of its particles, times what their body's mesh held over that at the start; of the update
   double freeArea = 0;                ///< m^2, sum of the surfels' areas times their liquid fractions: what volume keeping may move; of the update
-  double open = 0;                    ///< |sum n A| / area: 0 where the surface is closed; of the update
+  double plainArea = 0;               ///< m^2, the same times what they lack of a mesh's detail: what it may move of what has frozen; of the update
+  double open = 0;                    ///< |sum of the facets' vector areas| / area: 0 where the surface is closed; of the update
 };
 
 /// What happens to components. Split: `other` came off `label`. Merge: two became `label`, which is the smaller one. Renamed: its smallest particle

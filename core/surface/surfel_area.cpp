@@ -10,6 +10,7 @@
 namespace thaw {
 namespace {
 
+constexpr double cosFlat = 0.5;  // 60 degrees: on the sphere of a single particle normals turn by up to 55 from surfel to surfel
 constexpr double cosBack = -0.5;
 constexpr std::uint32_t nobody = ~0u;
 

@@ -54,8 +54,9 @@ void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   keepStartVolumes(w, halos);
   placeAll(s, halos, t);
   sampleFields(w, halos, t);
-  returnParticles(w, halos);
   s.lastStep = w.clock.step;
+  measureSurface(w, halos, t);  // volume keeping: of what is grown from a few particles
+  returnParticles(w, halos);
 }
 
 void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
