@@ -12,12 +12,11 @@ namespace thaw {
 
 namespace {
 
-constexpr double liquidOff = 1e-3, frozenOff = 5e-3;  // of the volume, that is let be
-
 /// What volume keeping may move of a component.
 struct Hold {
-  double area = 0;  // m^2; 0: it is left alone
+  double area = 0;      // m^2; 0: it is left alone
   bool frozen = false;
+  double tolerance = 0; // of the volume, that is let be
 };
 
 /// Not single particles and the like, which are spheres of their volume, nor those with a large hole, nor solids that were never held as liquids.
@@ -25,8 +24,8 @@ Hold holdOf(const SurfaceComponent& c) {
   constexpr std::int64_t fewest = 12;
   constexpr double leastFree = 0.05, closed = 0.1;
   if (c.surfels < fewest || c.particles <= smallDrop || !(c.wantedVolume > 0) || !(c.open < closed)) return {};
-  if (c.freeArea > leastFree * c.area) return {c.freeArea, false};
-  if (c.raised != 0 && c.plainArea > leastFree * c.area) return {c.plainArea, true};
+  if (c.freeArea > leastFree * c.area) return {c.freeArea, false, 1e-3};
+  if (c.raised != 0 && c.plainArea > leastFree * c.area) return {c.plainArea, true, 5e-3};
   return {};
 }
 
@@ -48,24 +47,24 @@ void keepStartVolumes(World& w, SurfaceHalos halos) {
   for (std::size_t i = 0; i < home.owned; i++) home.surfaceShare[i] = std::bit_cast<double>(here[i]);
 }
 
-bool volumesAreOff(const Surface& s, bool frozen) {
+bool volumesAreOff(const Surface& s) {
   return std::any_of(s.components.begin(), s.components.end(), [&](const SurfaceComponent& c) {
     const Hold hold = holdOf(c);
-    return hold.area > 0 && (hold.frozen ? frozen && errorOf(c) > frozenOff : errorOf(c) > liquidOff);
+    return hold.area > 0 && errorOf(c) > hold.tolerance;
   });
 }
 
-void offsetToVolume(Surface& s, double keepVolume, double particleSpacing, bool frozen) {
+void offsetToVolume(Surface& s, double keepVolume, double particleSpacing) {
   Surfels& f = s.surfels;
   if (!f.liquid.active) return;
-  const double longest = 0.5 * s.spacing, slowly = 0.1 * s.spacing, highest = mostRaised * particleSpacing;
+  const double longest = 0.5 * s.spacing, highest = mostRaised * particleSpacing;
   struct Move { double by = 0; bool frozen = false; };
   std::vector<Move> moves(s.components.size());  // the same on all ranks
   for (std::size_t k = 0; k < s.components.size(); k++) {
     SurfaceComponent& c = s.components[k];
     const Hold hold = holdOf(c);
-    if (!(hold.area > 0) || (hold.frozen && (!frozen || errorOf(c) <= frozenOff))) continue;
-    const double most = hold.frozen ? slowly : longest, to = c.raised + std::clamp(keepVolume * (c.wantedVolume - c.volume) / hold.area, -most, most);
+    if (!(hold.area > 0) || errorOf(c) <= hold.tolerance) continue;
+    const double to = c.raised + std::clamp(keepVolume * (c.wantedVolume - c.volume) / hold.area, -longest, longest);
     moves[k] = {std::clamp(to, std::min(-highest, c.raised), std::max(highest, c.raised)) - c.raised, hold.frozen};
     c.raised += moves[k].by;
   }

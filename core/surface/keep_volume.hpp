@@ -11,13 +11,13 @@ inline constexpr double mostRaised = 0.75;
 
 /// Moves every surfel along its normal by its liquid fraction times keepVolume (V_target - V) / sum of liquid fractions times areas of its
 /// component, at most half the wanted spacing, and SurfaceComponent::raised by as much: solid surfaces keep their place and detail. V_target is the
-/// volume of the particles, mass over density at rest, times what the mesh of their body held over it at the start. A component of which less than a twentieth is liquid
-/// is moved, if it was held when it was liquid, by a tenth of a spacing at most, all that has no mesh's detail by the same: what froze keeps its shape. Only with `frozen`.
-/// Needs Surface::components as measured. Components of fewer than twelve surfels, solids that never were liquid, and those with a large hole are left alone. Not collective.
-void offsetToVolume(Surface& surface, double keepVolume, double particleSpacing, bool frozen);
+/// volume of the particles, mass over density at rest, times what the mesh of their body held over it at the start. If less than a twentieth of a component is liquid,
+/// and it was held when it was liquid, all that has no mesh's detail moves by the same: what froze keeps its shape. Those are moved that are off V_target by more than
+/// a thousandth, or by half a percent of what has frozen. Needs Surface::components as measured. Components of fewer than twelve surfels, solids that never were liquid, and those with a large hole are left alone. Not collective.
+void offsetToVolume(Surface& surface, double keepVolume, double particleSpacing);
 
-/// Is a liquid component that is not left alone off V_target by more than a thousandth, or, with `frozen`, one that has frozen by half a percent?
-bool volumesAreOff(const Surface& surface, bool frozen);
+/// Would it move any?
+bool volumesAreOff(const Surface& surface);
 
 /// For the iterations: what holds the liquid surface of each component at SurfaceComponent::raised (m) off the level. Without it they would draw
 /// the surface back to the level in each update, and all that volume keeping has to move it is done again.

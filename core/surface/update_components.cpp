@@ -29,11 +29,11 @@ void measureAll(Surface& s, SurfaceHalos halos, TopologyTools& t, bool again = f
   measureComponents(s, halos.all);
 }
 
-/// Offsets until the volumes are right, four times at most; what has frozen goes a little of its way.
+/// Offsets until the volumes are right, four times at most.
 void keepVolume(World& w, SurfaceHalos halos, TopologyTools& t) {
   Surface& s = w.surface;
-  for (int k = 0; k < 4 && volumesAreOff(s, k == 0); k++) {
-    offsetToVolume(s, w.scene.surface.keepVolume, w.scene.spacing, k == 0);
+  for (int k = 0; k < 4 && volumesAreOff(s); k++) {
+    offsetToVolume(s, w.scene.surface.keepVolume, w.scene.spacing);
     refreshGhosts(halos.surfels, s.surfels, ColumnList{&s.surfels.position});
     measureAll(s, halos, t, true);
   }
