@@ -47,7 +47,7 @@ void readyParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   SurfaceParticles& p = s.particles;
   p.resize(p.owned, 0);
-  ColumnList columns{&p.id, &p.position, &p.component, &p.volume, &p.body};
+  ColumnList columns{&p.id, &p.position, &p.component, &p.volume, &p.share, &p.body};
   if (p.liquid.active) columns.push_back(&p.liquid);
   if (p.temperature.active) columns.push_back(&p.temperature);
   addGhosts(halos.particles, p, s.particleCells, columns);

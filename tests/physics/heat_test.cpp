@@ -99,8 +99,9 @@ TEST(Tempering, OfThePapersModelLeavesNoResidual) {
   m.solidus = 280;
   m.liquidus = 320;
   m.latentHeat = 1e4;
-  m.paperDiffusivity = 0.01f;
-  addBox(s, {0, 0, 0}, {6 * dx, 6 * dx, 6 * dx}).temperature = 330;
+  m.paperDiffusivity = 1e-4f;
+  m.soundSpeed = 10;
+  addBox(s, {0, 0, 0}, {6 * dx, 6 * dx, 4 * dx}).temperature = 330;
   s.emitters.emplace_back();
   Emitter& e = s.emitters[0];
   e.radius = 2 * dx;

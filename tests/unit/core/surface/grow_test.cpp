@@ -64,6 +64,7 @@ TEST(Grow, UpdatesMakeTheSurfaceOfAFewParticlesASphere) {  // B21
       p.position[i] = all[i];
       p.component[i] = 1;
       p.volume[i] = 1e-3;
+      p.share[i] = 1;
       p.liquid[i] = 1;
       middle += all[i] / static_cast<double>(n);
     }
