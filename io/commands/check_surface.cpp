@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "core/fluid/liquid_materials.hpp"
+#include "core/surface/prepare_surface.hpp"
 #include "io/commands/require_memory.hpp"
 
 namespace thaw {
@@ -28,16 +29,32 @@ std::string bytesText(double b) { return b > 1e9 ? fmt::format("{:.2f} GB", b / 
 
 }  // namespace
 
-SurfaceTrial::SurfaceTrial(const Communicator& comm, World& w, const MeshLoader& load) : comm_(comm), world_(w), halos_(comm, w.modules.surface ? w.surface.grid : w.grid) {
-  if (!w.modules.surface) return;
+// Sets surface.spacing so that no more are made: `thaw check` is to answer in seconds.
+const CellGrid& SurfaceTrial::gridOfTrial(const MeshLoader& load) {
+  constexpr double most = 1e5;
+  World& w = world_;
+  if (!w.modules.surface) return w.grid;
   std::vector<std::shared_ptr<const SignedDistance>> shapes;
   for (const Body& b : w.scene.bodies) shapes.push_back(makeSignedDistance(b.shape, load));
   expected_ = expectedSurfels(w.scene, shapes);
+  spacing_ = w.surface.spacing;
+  advice_ = surfaceAdvice(w.scene);
+  if (expected_ > most) {
+    w.scene.surface.spacing = spacing_ * std::sqrt(expected_ / most);
+    prepareSurface(w);
+  }
+  return w.surface.grid;
+}
+
+SurfaceTrial::SurfaceTrial(const Communicator& comm, World& w, const MeshLoader& load) : comm_(comm), world_(w), halos_(comm, gridOfTrial(load)) {
+  if (!w.modules.surface) return;
   tools_.load = load;
   const double before = residentNow(), start = secondsNow();
   startSurface(w, halos_.halos(), tools_);
   start_ = secondsNow() - start;
   bytes_ += std::max(0.0, residentNow() - before);
+  const double coarser = w.surface.spacing / spacing_;
+  perMeasured_ = coarser * coarser;
 }
 
 void SurfaceTrial::update() {
@@ -57,11 +74,11 @@ SurfaceTrial::Forecast SurfaceTrial::forecast(double steps) const {
   MpiReducer all(comm_);
   all.sum(counts);
   all.maximum(times);
-  f.surfels = static_cast<double>(counts[0]);
-  f.bytes = static_cast<double>(counts[1]);
+  f.surfels = perMeasured_ * static_cast<double>(counts[0]);
+  f.bytes = perMeasured_ * static_cast<double>(counts[1]);
   f.frames = std::floor(w.scene.end / w.scene.output.every) + 1;
   f.updates = expectedUpdates(w, steps);
-  f.seconds = (times[0] + f.updates * times[1]) * comm_.size();
+  f.seconds = perMeasured_ * (times[0] + f.updates * times[1]) * comm_.size();
   return f;
 }
 
@@ -74,14 +91,16 @@ std::vector<std::string> SurfaceTrial::lines(const Forecast& f, int ranks) const
   const SurfaceSettings& set = w.scene.surface;
   std::vector<std::string> lines{
       fmt::format("{:.0f} surfels at the start ({:.0f} expected by the area of the bodies), {} component{}", f.surfels, expected_, s.components.size(), s.components.size() == 1 ? "" : "s"),
-      fmt::format("surfels {:g} m apart; they act on each other within {:g} m (about {:.0f} neighbours), particles on them within {:g} m (about {:.0f})", s.spacing, s.surfelSupport,
+      fmt::format("surfels {:g} m apart; they act on each other within {:g} m (about {:.0f} neighbours), particles on them within {:g} m (about {:.0f})", spacing_, set.support * spacing_,
                   1.15 * pi * set.support * set.support, s.particleSupport, 2.0 / 3 * pi * std::pow(s.particleSupport / w.scene.spacing, 3)),
       fmt::format("memory a rank: {} with {} ranks ({:.0f} bytes a surfel, work lists included)", bytesText(f.bytes / ranks), ranks, f.bytes / std::max(1.0, f.surfels)),
-      fmt::format("the start took {:.3g} s, one update after a few steps {:.3g} s, on {} rank{}", times[0], times[1], comm_.size(), comm_.size() == 1 ? "" : "s"),
+      fmt::format("the start {} {:.3g} s, one update after a few steps {:.3g} s, on {} rank{}", perMeasured_ > 1 ? "would take about" : "took", perMeasured_ * times[0], perMeasured_ * times[1], comm_.size(),
+                  comm_.size() == 1 ? "" : "s"),
       fmt::format("about {:.0f} updates until the end, {:.0f} of them at frames{}", f.updates, f.frames,
                   set.everyMove > 0 ? fmt::format("; the others as particles come {:g} m, at half of {:.3g} m/s, the largest speed expected", set.everyMove * w.grid.support, expectedSpeed(w.scene)) : "")};
+  if (perMeasured_ > 1) lines.push_back(fmt::format("these figures are scaled up from {:.0f} surfels {:.3g} m apart", f.surfels / perMeasured_, s.spacing));
   if (w.modules.melting || w.modules.fluid) lines.push_back("an update takes longer the more of the surface is liquid and moves: two to five times as long as of a solid");
-  for (const std::string& line : surfaceAdvice(w.scene)) lines.push_back("note: " + line);
+  for (const std::string& line : advice_) lines.push_back("note: " + line);
   return lines;
 }
 

@@ -11,7 +11,7 @@ namespace thaw {
 /// Starts the surface of a world that has just started, and measures.
 class SurfaceTrial {
  public:
-  /// Without the module it does nothing. Collective.
+  /// Without the module it does nothing. Where millions of surfels are expected fewer are made, farther apart. Collective.
   SurfaceTrial(const Communicator& comm, World& world, const MeshLoader& load);
   /// One update, after a few steps. Collective.
   void update();
@@ -25,9 +25,14 @@ class SurfaceTrial {
  private:
   const Communicator& comm_;
   World& world_;
+  double expected_ = 0, spacing_ = 0;  // m, that the scene wants
+  double perMeasured_ = 1;             // surfels that are expected, for each one that is measured
+  std::vector<std::string> advice_;    // on what the scene says
   SurfaceRanks halos_;
   SurfaceTools tools_;
-  double expected_ = 0, bytes_ = 0, start_ = 0, each_ = 0;
+  double bytes_ = 0, start_ = 0, each_ = 0;
+
+  const CellGrid& gridOfTrial(const MeshLoader& load);
 };
 
 /// About how many updates of the surface a run has: one at each frame, and between them as the scene says, for moves of particles at half of the largest

@@ -48,6 +48,18 @@ int ranksOfMachine(const Communicator& comm) {
   return ranks;
 }
 
+/// Surfels that are farther apart than half of a body's width are no surface of it.
+void refuseWideSurfels(const Scene& s, const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {
+  SceneProblems problems;
+  for (std::size_t b = 0; b < shapes.size(); b++) {
+    const Bounds box = shapes[b]->bounds();
+    const double widest = std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
+    if (s.surface.spacing > 0.5 * widest)
+      problems.add(s.bodies[b].where, fmt::format("surface.spacing ({:g} m) is more than half of what body '{}' is wide ({:.3g} m); expected less, or 0 for half the spacing of particles", s.surface.spacing, s.bodies[b].name, widest));
+  }
+  problems.raise();
+}
+
 }  // namespace
 
 void requireRoomForKinds(const Communicator& comm, const Scene& scene, const MeshLoader& load) {
@@ -70,6 +82,7 @@ void requireRoomForKinds(const Communicator& comm, const Scene& scene, const Mes
 void requireMemory(const Communicator& comm, const World& world, const MeshLoader& load) {
   std::vector<std::shared_ptr<const SignedDistance>> shapes;
   for (const Body& b : world.scene.bodies) shapes.push_back(makeSignedDistance(b.shape, load));
+  if (world.modules.surface) refuseWideSurfels(world.scene, shapes);
   double particles = 0, most = -1;
   const Body* largest = nullptr;  // for the message
   for (std::size_t b = 0; b < shapes.size(); b++) {

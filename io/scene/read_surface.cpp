@@ -20,9 +20,9 @@ void readSurface(TableReader& r, SurfaceSettings& s) {
   r.whole("iterations", s.iterations, 1, 10000, "of an update, at most");
   r.number("stop", s.stop, "", between(1e-6, 1), "surfels that move less than this share of their spacing across the surface and five times it along it, as do their neighbours, are left alone for the rest of the update");
   r.number("adapt", s.adapt, "", between(0, 1), "finest spacing over the wanted one, where the surface is curved: small drops and edges; 0: the same spacing everywhere");
-  r.number("keep_volume", s.keepVolume, "", between(0, 1), "weight of a force that keeps the volume in the surface at that of the particles; 0: none");
+  r.number("keep_volume", s.keepVolume, "", between(0, 1), "weight of a force that keeps the volume in the surface of what is liquid, or was and froze, at that of the particles, times what the mesh of their body held over it at the start. What never melted keeps its place. docs/pictures.md says what is held how well. 0: none");
   r.choice("merge", s.merge, {"liquid", "all", "none"}, "whose surfaces become one where they meet. liquid: of two components of which one at least is liquid there, when a particle of one is inside the other's surface or they are as near as particles of one liquid; all: of two solids as well, when a particle of one is inside the other's surface (contact forces mostly keep it out: solids that are to join need to weld or be pressed together); none: of no two. Surfaces that meet and do not join are kept apart. Particles feel nothing of it");
-  r.number("link_length", s.linkLength, "", between(1, 4), "spacings between particles over which they hold a component together");
+  r.number("link_length", s.linkLength, "", between(1.1, 4), "spacings between particles over which they hold a component together; near 1 a lattice that is hardly strained comes apart");
 }
 
 }  // namespace thaw
