@@ -73,7 +73,7 @@ void offsetToVolume(Surface& s, double keepVolume, double particleSpacing) {
     if (!c || c->label != f.component[i]) c = findComponent(s, f.component[i]);
     if (!c) continue;
     const Move& m = moves[static_cast<std::size_t>(c - s.components.data())];
-    const double move = static_cast<double>(m.frozen ? 1 - f.detail[i] : f.liquid[i]) * m.by;
+    const double move = (m.frozen ? frozenShare(f, i) : liquidShare(f, i)) * m.by;
     if (move == 0) continue;
     f.position[i] += move * f.normal[i];
     f.calm[i] = std::max(0.0f, f.calm[i] - static_cast<float>(std::abs(move) / f.radius[i]));

@@ -18,7 +18,7 @@ struct Record {
   Vec3d reach{};        // m, largest distance from the anchor along each axis; only of periodic axes
 };
 
-enum Sum { Mass, ParticleVolume, WantedVolume, MomentX, MomentY, MomentZ, Area, VolumeX, VolumeY, VolumeZ, NormalX, NormalY, NormalZ, FreeArea, PlainArea, Bulge, Rim, RimX, RimY, RimZ, sums };
+enum Sum { Mass, ParticleVolume, WantedVolume, MomentX, MomentY, MomentZ, Area, VolumeX, VolumeY, VolumeZ, NormalX, NormalY, NormalZ, FreeArea, PlainArea, Rim, RimX, RimY, RimZ, sums };
 
 /// Rows of one component on this rank.
 struct Group {
@@ -118,16 +118,17 @@ void addRows(const Surface& s, const Group& g, const std::vector<std::uint32_t>&
   }
   for (std::size_t k = g.surfelsFrom; k < g.surfelsTo; k++) {
     const std::uint32_t i = surfels[k];
-    const Vec3d d = fromAnchor(s.grid, r.anchor, f.position[i]), nA = f.facets[i];
-    sum[Bulge].add(f.bulge[i]);
-    sum[Rim].add(f.rim[i]);
+    const Vec3d d = fromAnchor(s.grid, r.anchor, f.position[i]), facets = f.facets[i];
     sum[Area].add(f.area[i]);
-    sum[FreeArea].add(f.liquid.active ? static_cast<double>(f.liquid[i]) * f.area[i] : 0.0);
-    sum[PlainArea].add((1 - static_cast<double>(f.detail[i])) * f.area[i]);
+    if (const double liquid = liquidShare(f, i); liquid > 0) sum[FreeArea].add(liquid * f.area[i]);
+    if (const double frozen = frozenShare(f, i); frozen > 0) sum[PlainArea].add(frozen * f.area[i]);
     for (int a = 0; a < 3; a++) {
-      sum[static_cast<std::size_t>(VolumeX + a)].add(d[a] * nA[a]);
-      sum[static_cast<std::size_t>(NormalX + a)].add(nA[a]);
-      sum[static_cast<std::size_t>(RimX + a)].add(f.rim[i] * d[a]);
+      sum[static_cast<std::size_t>(VolumeX + a)].add(d[a] * facets[a] + f.bulge[i]);
+      sum[static_cast<std::size_t>(NormalX + a)].add(facets[a]);
+    }
+    if (f.rim[i] > 0) {
+      sum[Rim].add(f.rim[i]);
+      for (int a = 0; a < 3; a++) sum[static_cast<std::size_t>(RimX + a)].add(f.rim[i] * d[a]);
     }
     widen(d);
   }
@@ -155,7 +156,7 @@ void finish(const CellGrid& grid, Record& r, const std::array<double, sums>& v) 
     volume += along;
     axes++;
   }
-  c.volume = (axes > 0 ? volume / axes : any) + v[Bulge];
+  c.volume = axes > 0 ? volume / axes : any;
 }
 
 /// What the sums of a component on several ranks come to.

@@ -50,6 +50,10 @@ struct Surfels : Table {
 /// Does a surfel move under the forces of an update? What is liquid does, and new faces once.
 inline bool settles(const Surfels& s, std::size_t i) { return (s.liquid.active && s.liquid[i] > 0) || (s.loose.active && s.loose[i]); }
 
+/// By what share of an offset volume keeping moves a surfel: of a component that is liquid, and of one that has frozen; a mesh's detail stays.
+inline double liquidShare(const Surfels& s, std::size_t i) { return s.liquid.active ? static_cast<double>(s.liquid[i]) : 0; }
+inline double frozenShare(const Surfels& s, std::size_t i) { return liquidShare(s, i) > 0.5 ? 0 : 1 - static_cast<double>(s.detail[i]); }
+
 /// Particles as a surface update sees them, on the rank that owns their cell of Surface::grid. Made anew for each update.
 struct SurfaceParticles : Table {
   SurfaceParticles() : Table("surface particles") {}
