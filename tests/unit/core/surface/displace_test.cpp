@@ -135,6 +135,42 @@ TEST(Displace, SheetsRowsAndSingleParticlesTurnAsRigidBodies) {
   }
 }
 
+// A plate of one layer turns by a right angle while its ripples swing through: they say nothing of how thick it is, and its sides stay apart.
+TEST(Displace, ARippledPlateKeepsItsThickness) {
+  SettleRig rig;
+  std::vector<double> ripple;
+  for (int y = -5; y <= 5; y++)
+    for (int x = -5; x <= 5; x++) {
+      ripple.push_back(((x + y) & 1 ? 0.15 : -0.15) + 0.05 * std::sin(1.7 * x + 2.3 * y));
+      rig.addParticle({static_cast<double>(x), static_cast<double>(y), ripple.back()});
+    }
+  for (int side = -1; side <= 1; side += 2)
+    for (int y = -6; y <= 6; y++)
+      for (int x = -6; x <= 6; x++) rig.addSurfel({0.5 * x, 0.5 * y, 0.5 * side}, {0, 0, static_cast<double>(side)});
+  freeze(rig);
+  const int updates = 12;
+  const auto placeAt = [&](const Vec3d& at, double swing, double share) {
+    const double a = share * M_PI / 2, z = at.z + swing;
+    return Vec3d{at.x, std::cos(a) * at.y - std::sin(a) * z, std::sin(a) * at.y + std::cos(a) * z};
+  };
+  SurfaceParticles& p = rig.w.surface.particles;
+  Surfels& s = rig.w.surface.surfels;
+  for (int k = 0; k < updates; k++) {
+    const double from = static_cast<double>(k) / updates, to = static_cast<double>(k + 1) / updates;
+    for (std::size_t i = 0; i < p.owned; i++) {
+      const std::size_t n = p.id[i];
+      const Vec3d flat{static_cast<double>(n % 11) - 5, static_cast<double>(n / 11) - 5, 0};
+      p.position[i] = placeAt(flat, std::cos(M_PI * from) * ripple[n], from);
+      p.displacement[i] = placeAt(flat, std::cos(M_PI * to) * ripple[n], to) - p.position[i];
+    }
+    carry(rig);
+  }
+  for (std::size_t i = 0; i < s.owned; i++) {
+    const double side = (s.id[i] - 1000) < s.owned / 2 ? -1 : 1;
+    EXPECT_NEAR(-side * s.position[i].y, 0.5, 0.15);  // its plane is x, z now
+  }
+}
+
 TEST(Displace, SurfelsWithoutParticlesFollowTheirNeighboursOrGo) {
   SettleRig rig;
   for (int k = -1; k <= 1; k++) rig.addParticle({double(k), 0, 0}, {0.5, 0, 0});

@@ -62,3 +62,19 @@ TEST(KeepVolume, ABallAndAFlattenedBall) {
     EXPECT_LT(std::abs(after), 0.01);
   }
 }
+
+TEST(KeepVolume, WhatFrozeIsDrawnToItsVolumeButNotWhatNeverMeltedNorAMeshsDetail) {
+  for (const int way : {0, 1, 2}) {  // frozen, never liquid, frozen under a mesh's detail
+    SerialSurfaceRig rig;
+    rig.liquid = false;
+    rig.ball({0, 0, 0}, 0.8);
+    rig.update();
+    for (std::size_t i = 0; i < rig.f().owned; i++) rig.f().position[i] = 0.95 * rig.f().position[i], rig.f().detail[i] = way == 2;
+    ASSERT_EQ(rig.components().size(), 1u);
+    if (way != 1) rig.world.surface.components[0].raised = 1e-3 * rig.dx;
+    rig.update();
+    const double off = rig.components()[0].volume / rig.components()[0].particleVolume - 1;
+    if (way == 0) EXPECT_LT(std::abs(off), 0.006);
+    else EXPECT_LT(off, -0.1);
+  }
+}

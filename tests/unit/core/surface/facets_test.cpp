@@ -1,0 +1,99 @@
+#include "core/surface/facets.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/surface/drop_patch.hpp"
+#include "core/surface/measure.hpp"
+#include "core/surface/surfel_area.hpp"
+#include "tests/unit/core/surface/surfel_rig.hpp"
+
+namespace thaw {
+namespace {
+
+using test::SurfelRig;
+using test::surfelScene;
+
+constexpr double pi = 3.14159265358979324;
+
+SurfaceComponent measured(SurfelRig& rig) {
+  Surface& s = rig.world.surface;
+  placeRows(s.grid, rig.ranks->surfels, s.surfels, s.surfelCells, rig.tools.sort);
+  AreaLists lists;
+  findSurfelAreas(s, rig.ranks->halos().all, lists);
+  measureComponents(s, rig.ranks->halos().all);
+  return s.components.at(0);
+}
+
+/// What sum x.n A / 3 says.
+double byNormals(const Surfels& f) {
+  double volume = 0;
+  for (std::size_t i = 0; i < f.owned; i++) volume += dot(f.position[i], f.normal[i]) * f.area[i] / 3;
+  return volume;
+}
+
+}  // namespace
+
+TEST(Facets, SpheresOfSmallDrops) {
+  for (const double particles : {1.0, 2.0, 3.0, 4.0, 20.0}) {
+    const double volume = particles * 1e-3;
+    SurfelRig rig(surfelScene(0.05));
+    appendSurfels(rig.surfels(), dropPatch(1, {0.3, -0.2, 0.1}, volume, 0.05));
+    const SurfaceComponent c = measured(rig);
+    EXPECT_NEAR(c.volume, volume, 2e-3 * volume) << c.surfels << " surfels";
+    EXPECT_LT(c.open, 0.01);
+  }
+}
+
+// A film with a round rim, whose normals begin to turn two spacings before it, as smoothing has them turn: most of sum x.n A is the rim's.
+TEST(Facets, AFilmWhoseNormalsAreSmooth) {
+  const double d = 0.05, t = 0.06, R = 1;
+  SurfelRig rig(surfelScene(d));
+  for (int y = -30; y <= 30; y++)
+    for (int x = -30; x <= 30; x++)
+      for (int side = -1; side <= 1; side += 2) {
+        const auto noise = [&](std::uint64_t k) { return 0.15 * d * (2 * randomUniform(5, Purpose::Test, static_cast<std::uint64_t>(200 * (y + 40) + 2 * (x + 40) + side), k) - 1); };
+        const Vec3d at{d * (x + 0.5 * (y & 1)) + noise(0), 0.8660254 * d * y + noise(1), side * t};
+        const double from = std::sqrt(at.x * at.x + at.y * at.y), turn = 0.4 * std::clamp((from - R) / (2 * d) + 1, 0.0, 1.0), out = from > 0 ? std::sin(turn) / from : 0;
+        if (from < R - 0.2 * d) rig.add(at, {out * at.x, out * at.y, side * std::cos(turn)});
+      }
+  for (int ring = 0; ring < 3; ring++)
+    for (int k = 0; k < 130; k++) {
+      const double a = 2 * pi * (k + 0.5 * ring) / 130, up = (ring - 1) * pi / 3.4;
+      const Vec3d n{std::cos(up) * std::cos(a), std::cos(up) * std::sin(a), std::sin(up)};
+      rig.add(R * Vec3d{std::cos(a), std::sin(a), 0} + t * n, n);
+    }
+  const double exact = 2 * t * pi * R * R + pi * pi * t * t * R + 4.0 / 3 * pi * t * t * t;
+  const SurfaceComponent c = measured(rig);
+  std::printf("film: by facets %+.1f %%, by normals %+.1f %%, open %.4f\n", 100 * (c.volume / exact - 1), 100 * (byNormals(rig.surfels()) / exact - 1), c.open);
+  EXPECT_NEAR(c.volume, exact, 0.03 * exact);
+  EXPECT_GT(std::abs(byNormals(rig.surfels()) / exact - 1), 0.15);  // else this is no trial
+}
+
+// Seen from its rim a hole of any width takes away what is over it, and no cone down to the middle.
+TEST(Facets, ABallWithAHole) {
+  const double angle = pi / 6, h = 1 - std::cos(angle), exact = 4.0 / 3 * pi - pi * h * h * (3 - h) / 3;
+  SurfelRig rig(surfelScene(0.08));
+  for (const SurfacePoint& p : test::spherePoints(2200, 1))
+    if (p.normal.x < std::cos(angle)) rig.add(p.position, p.normal);
+  const SurfaceComponent c = measured(rig);
+  EXPECT_NEAR(c.volume, exact, 0.01 * exact);
+  EXPECT_GT(c.open, 0.03);
+}
+
+// Edges bulge by what the planes that meet there hold over the facets.
+TEST(Facets, ABox) {
+  const double d = 0.1;
+  SurfelRig rig(surfelScene(d));
+  for (int a = 0; a < 3; a++)
+    for (int side = -1; side <= 1; side += 2)
+      for (int j = 0; j < 10; j++)
+        for (int k = 0; k < 10; k++) {
+          Vec3d x, n;
+          x[a] = 0.5 * side, n[a] = side;
+          x[(a + 1) % 3] = d * (j + 0.5) - 0.5, x[(a + 2) % 3] = d * (k + 0.5) - 0.5;
+          rig.add(x, n);
+        }
+  EXPECT_NEAR(measured(rig).volume, 1, 0.01);
+}
+
+}  // namespace thaw
