@@ -31,7 +31,7 @@ void leapLeg(World& w, FieldProbe& probe, const std::uint32_t* rows, std::size_t
     std::size_t left = 0;
     for (std::size_t k = 0; k < n; k++) {
       const std::uint32_t i = row[k];
-      const std::optional<IsoStep> step = isoStep(field[k], w.surface.particleSupport, liquidShare(f, i) > 0 ? raised : 0, room);
+      const std::optional<IsoStep> step = isoStep(field[k], w.surface.particleSupport, raised, room);
       f.moving[i] = 1;
       if (!step || dot(step->outward, f.normal[i]) < 0) continue;
       Vec3d to = x[k] + step->outward * step->out;

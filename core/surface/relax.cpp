@@ -180,7 +180,7 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
         const SurfelSums sums = sumsAt(in, g, lane);
         if (!(sums.surfel(Stirred) > 0)) continue;
         const std::size_t i = r.lists.self[8 * g + static_cast<std::size_t>(lane)];
-        moveSurfel(w, context, sums, liquidShare(f, i) > 0 ? raised : 0, i, counts);  // the new face of a crack lies on the level
+        moveSurfel(w, context, sums, raised, i, counts);
         if (f.moving[i] == 1) {
           state[0] = 1;
           if (!r.core[i]) state[1] = 1;
