@@ -21,6 +21,14 @@ Scene liquidColumn(int n) {
   return s;
 }
 
+Tempering temper(double start, double over, double temperature) {
+  Tempering t;
+  t.start = start;
+  t.over = over;
+  t.temperature = temperature;
+  return t;
+}
+
 }  // namespace
 
 TEST(HeatConduction, TwoSlabsInContactFollowTheErrorFunction) {
@@ -59,12 +67,8 @@ TEST(Tempering, BringsOneMaterialToItsTemperatureAndBooksTheHeat) {
   Scene s = liquidColumn(6);
   s.materials[0].conductivity = {0, 0};
   addBox(s, {0, 0, 0}, {6 * dx, 6 * dx, 6 * dx}).temperature = 300;
-  Tempering t;
-  t.material = 0;
-  t.start = 1;
-  t.over = 0.5;
-  t.temperature = 280;
-  s.temperings = {t};
+  s.temperings = {temper(1, 0.5, 280)};
+  s.temperings[0].material = 0;
   s.end = 1.25;
   Simulation run(s);
   EXPECT_TRUE(run.run());
@@ -81,10 +85,7 @@ TEST(Tempering, BringsOneMaterialToItsTemperatureAndBooksTheHeat) {
 TEST(Tempering, AtOnceTakesOneStep) {
   Scene s = liquidColumn(6);
   addBox(s, {0, 0, 0}, {6 * dx, 6 * dx, 6 * dx}).temperature = 300;
-  Tempering t;
-  t.start = 0.2;
-  t.temperature = 310;
-  s.temperings = {t};
+  s.temperings = {temper(0.2, 0, 310)};
   s.end = 1;
   Simulation run(s);
   EXPECT_TRUE(run.run());
@@ -108,11 +109,7 @@ TEST(Tempering, OfThePapersModelLeavesNoResidual) {
   e.centre = {3 * dx, 3 * dx, 11 * dx};
   e.speed = 1;
   e.temperature = 350;
-  Tempering t;
-  t.start = 0.1;
-  t.over = 0.05;
-  t.temperature = 290;
-  s.temperings = {t};
+  s.temperings = {temper(0.1, 0.05, 290)};
   s.end = 0.25;
   Simulation run(s);
   EXPECT_TRUE(run.run());
