@@ -23,7 +23,7 @@ struct Hold {
 /// with a mesh's detail left would have the faces of its cracks moved, and nothing else.
 Hold holdOf(const SurfaceComponent& c) {
   constexpr std::int64_t fewest = 12;
-  constexpr double leastFree = 0.05, leastFrozen = 0.9, closed = 0.1;
+  constexpr double leastFree = 0.03, leastFrozen = 0.9, closed = 0.1;
   if (c.surfels < fewest || c.particles <= smallDrop || !(c.wantedVolume > 0) || !(c.open < closed)) return {};
   if (c.freeArea > leastFree * c.area) return {c.freeArea, false, 1e-3};
   if (c.raised != 0 && c.plainArea > leastFrozen * c.area) return {c.plainArea, true, 5e-3};

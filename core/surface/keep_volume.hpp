@@ -11,7 +11,7 @@ inline constexpr double mostRaised = 0.75;
 
 /// Moves every surfel along its normal by its liquid fraction times keepVolume (V_target - V) / sum of liquid fractions times areas of its
 /// component, at most half the wanted spacing, and SurfaceComponent::raised by as much: solid surfaces keep their place and detail. V_target is the
-/// volume of the particles, mass over density at rest, times what the mesh of their body held over it at the start. If less than a twentieth of a component is liquid,
+/// volume of the particles, mass over density at rest, times what the mesh of their body held over it at the start. If less than three hundredths of a component are liquid,
 /// it was held when it was liquid, and hardly any of a mesh's detail is left on it, all that has none moves by the same: what froze keeps its shape. Those are moved that are off V_target by more than
 /// a thousandth, or by half a percent of what has frozen. Needs Surface::components as measured. Components of fewer than twelve surfels, solids that never were liquid, and those with a large hole are left alone. Not collective.
 void offsetToVolume(Surface& surface, double keepVolume, double particleSpacing);
