@@ -200,8 +200,8 @@ void sphere() {
 
 double seconds(const std::chrono::steady_clock::time_point& since) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count(); }
 
-void rebuilt() {
-  Scene s = bare(0.0125);
+void rebuilt(double spacing) {
+  Scene s = bare(spacing);
   OrientedBody& b = s.oriented[0];
   b.shape.kind = ShapeKind::Mesh;
   b.shape.mesh = "builtin:head";
@@ -235,8 +235,8 @@ void rebuilt() {
   }
   std::vector<Vec3d> normals;
   for (std::size_t i = 0; i < o.owned; i++) normals.push_back(o.normal[i]);
-  const std::vector<double> spacing(places.size(), s.spacing);
-  const auto triangles = triangulate({places, normals, spacing, {}, {}});
+  const std::vector<double> spacings(places.size(), s.spacing);
+  const auto triangles = triangulate({places, normals, spacings, {}, {}});
   row("rebuilt", "points that were given", n, static_cast<double>(x.tools.oriented.given[0].points.size()), 0);
   row("rebuilt", "largest distance from the original, spacings", n, most, 1);
   row("rebuilt", "mean distance from the original, spacings", n, mean, 0.2);
@@ -283,14 +283,16 @@ int main(int argc, char** argv) {
   const char* csv = nullptr;
   bool strict = false;
   std::string only;
+  double spacing = 0.0125;  // m, of the surface that is rebuilt
   for (int a = 1; a < argc; a++) {
     const std::string key = argv[a];
     if (key == "--strict") strict = true;
     else if (key == "--csv" && a + 1 < argc) csv = argv[++a];
     else if (key == "--only" && a + 1 < argc) only = argv[++a];
+    else if (key == "--spacing" && a + 1 < argc && std::atof(argv[a + 1]) > 0) spacing = std::atof(argv[++a]);
     else {
       const bool help = key == "--help" || key == "-h";
-      return std::fprintf(help ? stdout : stderr, "scripts/bench oriented [--strict] [--only plane|lattice|sphere|rebuilt|neighbours] [--csv FILE]\n"), help ? 0 : 2;
+      return std::fprintf(help ? stdout : stderr, "scripts/bench oriented [--strict] [--only plane|lattice|sphere|rebuilt|neighbours] [--spacing METRES of rebuilt] [--csv FILE]\n"), help ? 0 : 2;
     }
   }
   out = csv ? std::fopen(csv, "w") : std::fopen("/dev/null", "w");
@@ -301,7 +303,7 @@ int main(int argc, char** argv) {
   if (wanted("plane")) plane();
   if (wanted("sphere")) sphere();
   if (wanted("neighbours")) neighbours();
-  if (wanted("rebuilt")) rebuilt();
+  if (wanted("rebuilt")) rebuilt(spacing);
   std::fclose(out);
   return strict && missed > 0 ? 1 : 0;
 }

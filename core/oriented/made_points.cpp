@@ -29,15 +29,20 @@ template<class Use> void eachOfLattice(double width, double depth, double spacin
     }
 }
 
-MadePoints flatPatch(const OrientedBody& b, double spacing) {
-  MadePoints m;
+/// Of a patch or disc in its own plane: use(x, y).
+template<class Use> void eachOfFlat(const OrientedBody& b, double spacing, Use&& use) {
   const bool disc = b.source == OrientedSource::Disc;
-  Pose pose = poseOf(b.shape.move, b.shape.rotate);
-  pose.moved = true;
   const double scale = b.shape.scale, radius = scale * b.radius, width = disc ? 2 * radius : scale * b.width, depth = disc ? width : scale * b.depth;
   eachOfLattice(width, depth, spacing, [&](double x, double y) {
-    if (!disc || x * x + y * y <= radius * radius * (1 + 1e-9)) addPoint(m, fromRest(pose, {x, y, 0}), directionFromRest(pose, {0, 0, 1}));
+    if (!disc || x * x + y * y <= radius * radius * (1 + 1e-9)) use(x, y);
   });
+}
+
+MadePoints flatPatch(const OrientedBody& b, double spacing) {
+  MadePoints m;
+  Pose pose = poseOf(b.shape.move, b.shape.rotate);
+  pose.moved = true;
+  eachOfFlat(b, spacing, [&](double x, double y) { addPoint(m, fromRest(pose, {x, y, 0}), directionFromRest(pose, {0, 0, 1})); });
   return m;
 }
 
@@ -99,6 +104,14 @@ MadePoints curve(const OrientedBody& b, double spacing) {
 }
 
 }  // namespace
+
+double cellShareOf(const OrientedBody& b, double spacing) {
+  if (b.source != OrientedSource::Patch && b.source != OrientedSource::Disc) return 1;
+  std::int64_t count = 0;
+  eachOfFlat(b, spacing, [&](double, double) { count++; });
+  const double area = b.shape.scale * b.shape.scale * (b.source == OrientedSource::Disc ? 3.14159265358979323846 * b.radius * b.radius : b.width * b.depth);
+  return count > 0 ? area / (rowHeight * spacing * spacing * static_cast<double>(count)) : 1;
+}
 
 MadePoints sampleMesh(const Shape& shape, double spacing, std::uint64_t seed, const MeshLoader& load) {
   const PlacedMesh placed = makePlacedMesh(shape, load);

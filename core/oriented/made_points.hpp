@@ -22,6 +22,9 @@ inline void addPoint(MadePoints& m, const Vec3d& x, const Vec3d& n, std::uint8_t
 /// Throws std::invalid_argument, ShapeError.
 MadePoints makePoints(const OrientedBody& body, double spacing, std::uint64_t seed, const MeshLoader& load);
 
+/// OrientedBody::cellShare with which its particles have the area of the patch or disc together; 1 of other sources.
+double cellShareOf(const OrientedBody& body, double spacing);
+
 /// Evenly spread points of a mesh as it is, with its normals: see blueNoise. Throws ShapeError, or what the loader throws.
 MadePoints sampleMesh(const Shape& shape, double spacing, std::uint64_t seed, const MeshLoader& load);
 

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <unordered_set>
 
+#include "core/geometry/mesh_edges.hpp"
 #include "core/scene/shape.hpp"
 
 namespace thaw {
@@ -21,6 +22,9 @@ struct Sides {
   bool takes(const Corners& t) const { return !has(t[0], t[1]) && !has(t[1], t[2]) && !has(t[2], t[0]); }
   void add(const Corners& t) {
     for (std::size_t k = 0; k < 3; k++) taken.insert(sideOf(t[k], t[(k + 1) % 3]));
+  }
+  void remove(const Corners& t) {
+    for (std::size_t k = 0; k < 3; k++) taken.erase(sideOf(t[k], t[(k + 1) % 3]));
   }
 };
 
@@ -38,8 +42,9 @@ bool facesAlike(const OrientedPoints& p, const Corners& t) {
 }
 
 /// Border sides of the surface, seen from the hole: of each particle where they lead. More than one only where the surface meets itself in that particle.
-std::map<std::uint32_t, std::vector<std::uint32_t>> bordersOf(const Sides& sides) {
-  std::map<std::uint32_t, std::vector<std::uint32_t>> next;
+using Borders = std::map<std::uint32_t, std::vector<std::uint32_t>>;
+Borders bordersOf(const Sides& sides) {
+  Borders next;
   for (const Side side : sides.taken) {
     const auto from = static_cast<std::uint32_t>(side >> 32), to = static_cast<std::uint32_t>(side);
     if (!sides.has(to, from)) next[to].push_back(from);
@@ -63,15 +68,26 @@ std::uint32_t wayOn(const OrientedPoints& p, const std::vector<std::uint32_t>& w
   return best;
 }
 
-/// Does the hole as a whole face as its particles do? The rim around a small patch does not.
-bool facesAlike(const OrientedPoints& p, const std::vector<std::uint32_t>& hole) {
+/// Is it a hole, and not the rim around a small patch? It faces as its particles do, or, in a sharp fold, these look much the same way and belong to a large surface (`patch`: number of
+/// triangles of theirs). The end of a narrow tube, whose normals look all ways, is left to chance.
+bool isHole(const OrientedPoints& p, const std::vector<std::uint32_t>& hole, std::size_t patch) {
   Vec3d area{}, normal{};
   for (std::size_t k = 0; k < hole.size(); k++) {
     const Vec3d x = p.positions[hole[k]] - p.positions[hole[0]], y = p.positions[hole[(k + 1) % hole.size()]] - p.positions[hole[0]];
     area += cross(x, y);
     normal += p.normals[hole[k]];
   }
-  return dot(area, normal) > 0;
+  return dot(area, normal) > 0 || (patch > 6 * hole.size() && length(normal) > 0.5 * static_cast<double>(hole.size()));
+}
+
+/// Triangles of the connected part that each particle belongs to.
+std::vector<std::size_t> sizesOfParts(std::size_t particles, const std::vector<Corners>& triangles) {
+  DisjointSets sets(particles);
+  for (const Corners& t : triangles) sets.join(t[0], t[1]), sets.join(t[1], t[2]);
+  std::vector<std::size_t> count(particles, 0), sizes(particles);
+  for (const Corners& t : triangles) count[sets.find(t[0])]++;
+  for (std::uint32_t i = 0; i < particles; i++) sizes[i] = count[sets.find(i)];
+  return sizes;
 }
 
 /// Cuts ears off a hole until nothing is left; facing: only such as face as their particles do. False where a last ear would not do.
@@ -97,6 +113,54 @@ bool closeHole(const OrientedPoints& p, std::vector<std::uint32_t> hole, const S
   return true;
 }
 
+void addAll(const std::vector<Corners>& made, Sides& sides, std::vector<Corners>& triangles) {
+  for (const Corners& t : made) {
+    sides.add(t);
+    triangles.push_back(t);
+  }
+}
+
+/// The way round a hole from one of its border sides; empty where it has too many sides, or one too long (in spacings).
+std::vector<std::uint32_t> holeFrom(const OrientedPoints& p, const Borders& next, std::uint32_t start, std::uint32_t first, std::size_t mostSides, double longest) {
+  std::vector<std::uint32_t> hole{start};
+  for (std::uint32_t from = start, at = first; at != start;) {
+    hole.push_back(at);
+    const auto on = next.find(at);
+    const double length2 = dot(p.positions[at] - p.positions[from], p.positions[at] - p.positions[from]);
+    if (hole.size() > mostSides || on == next.end() || !(length2 < longest * longest * p.spacings[at] * p.spacings[at])) return {};
+    const std::uint32_t then = wayOn(p, on->second, from, at);
+    from = at;
+    at = then;
+  }
+  return hole;
+}
+
+/// A hole that cannot be closed, since triangles between its own corners take the sides that are needed: without these it may.
+void closeAnew(const OrientedPoints& p, const std::vector<std::uint32_t>& hole, Sides& sides, std::vector<Corners>& triangles) {
+  const auto inside = [&](const Corners& t) { return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return std::find(hole.begin(), hole.end(), v) != hole.end(); }); };
+  std::vector<Corners> kept, made, all;
+  Sides trial = sides;
+  for (const Corners& t : triangles) {
+    if (inside(t)) trial.remove(t);
+    else kept.push_back(t);
+  }
+  if (kept.size() == triangles.size()) return;
+  const Borders next = bordersOf(trial);
+  for (const std::uint32_t start : hole) {
+    const auto ways = next.find(start);
+    if (ways == next.end()) continue;
+    for (const std::uint32_t first : ways->second) {
+      if (trial.has(start, first)) continue;
+      const std::vector<std::uint32_t> loop = holeFrom(p, next, start, first, hole.size() + 2, never);
+      if (loop.size() < 3 || !(closeHole(p, loop, trial, true, made) || closeHole(p, loop, trial, false, made))) return;
+      addAll(made, trial, all);
+    }
+  }
+  sides = std::move(trial);
+  triangles = std::move(kept);
+  triangles.insert(triangles.end(), all.begin(), all.end());
+}
+
 }  // namespace
 
 std::vector<Corners> keepManifold(const OrientedPoints& p, std::vector<Corners> triangles) {
@@ -118,30 +182,20 @@ std::vector<Corners> keepManifold(const OrientedPoints& p, std::vector<Corners> 
 void fillHoles(const OrientedPoints& p, std::vector<Corners>& triangles, std::size_t mostSides, double longest) {
   Sides sides;
   for (std::size_t k = 0; k < triangles.size(); k++) sides.add(triangles[k]);
-  const auto next = bordersOf(sides);
+  const Borders next = bordersOf(sides);
+  const std::vector<std::size_t> part = sizesOfParts(p.positions.size(), triangles);
   std::vector<Corners> made;
+  std::vector<std::vector<std::uint32_t>> open;
   for (const auto& [start, ways] : next)
     for (const std::uint32_t first : ways) {
       if (sides.has(start, first)) continue;  // filled by now
-      std::vector<std::uint32_t> hole{start};
-      bool small = true;
-      for (std::uint32_t from = start, at = first; small && at != start;) {
-        hole.push_back(at);
-        const auto on = next.find(at);
-        const double length2 = dot(p.positions[at] - p.positions[from], p.positions[at] - p.positions[from]);
-        small = hole.size() <= mostSides && on != next.end() && length2 < longest * longest * p.spacings[at] * p.spacings[at];
-        if (!small) break;
-        const std::uint32_t then = wayOn(p, on->second, from, at);
-        from = at;
-        at = then;
-      }
-      if (!small || hole.size() < 3 || !facesAlike(p, hole)) continue;
-      if (!closeHole(p, hole, sides, true, made) && !closeHole(p, hole, sides, false, made)) continue;  // in a sharp fold no ear may face alike
-      for (const Corners& t : made) {
-        sides.add(t);
-        triangles.push_back(t);
-      }
+      const std::vector<std::uint32_t> hole = holeFrom(p, next, start, first, mostSides, longest);
+      if (hole.size() < 3 || !isHole(p, hole, part[start])) continue;
+      // in a sharp fold no ear may face alike
+      if (closeHole(p, hole, sides, true, made) || closeHole(p, hole, sides, false, made)) addAll(made, sides, triangles);
+      else if (std::none_of(open.begin(), open.end(), [&](const auto& other) { return std::is_permutation(other.begin(), other.end(), hole.begin(), hole.end()); })) open.push_back(hole);
     }
+  for (const std::vector<std::uint32_t>& hole : open) closeAnew(p, hole, sides, triangles);
 }
 
 }  // namespace thaw

@@ -11,7 +11,7 @@ using Corners = std::array<std::uint32_t, 3>;
 std::vector<Corners> keepManifold(const OrientedPoints& points, std::vector<Corners> triangles);
 
 /// Adds triangles in holes of at most `mostSides` sides, none longer than `longest` spacings: the roundest corner first (ears), where they face as the particles
-/// do. Needs triangles as keepManifold leaves them, and leaves them so.
+/// do. Of a hole that cannot be closed so the triangles between its own corners are made anew. Needs triangles as keepManifold leaves them, and leaves them so.
 void fillHoles(const OrientedPoints& points, std::vector<Corners>& triangles, std::size_t mostSides, double longest);
 
 }  // namespace thaw

@@ -11,7 +11,6 @@ namespace thaw {
 namespace {
 
 constexpr double reachOfContact = 0.9;  // spacings between particles of different surfaces
-constexpr double hexagon = 0.86602540378443865;  // area of a particle over the square of the spacing
 
 struct WallPush { Vec3d force{}, velocity{}; double energy = 0, loss = 0, stiffness = 0; };
 
@@ -106,7 +105,7 @@ void addUpForces(World& w, StepTools& t) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];
     const PairPotential& own = t.oriented.potentials[o.body[i]];
     const Vec3d x = o.position[i], n = o.normal[i];
-    Vec3d force = (o.external.active ? o.external[i] : Vec3d{}) + o.mass[i] * body.push + (body.pressure * hexagon * own.spacing * own.spacing) * n, torque{};
+    Vec3d force = (o.external.active ? o.external[i] : Vec3d{}) + o.mass[i] * body.push + (body.pressure * orientedArea(body, own.spacing)) * n, torque{};
     double energy = 0, stiff = 0, turn = 0;
     for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
       const std::uint32_t j = l.list[k];
@@ -151,7 +150,7 @@ Vec3d fieldOn(const World& w, const StepTools& t, std::size_t i) {
   const Oriented& o = w.oriented.rows;
   const OrientedBody& body = w.scene.oriented[o.body[i]];
   const double s = t.oriented.potentials[o.body[i]].spacing;
-  return o.mass[i] * body.push + (body.pressure * hexagon * s * s) * o.normal[i];
+  return o.mass[i] * body.push + (body.pressure * orientedArea(body, s)) * o.normal[i];
 }
 
 void bookObstacles(World& w, const StepTools& t, double dt) {

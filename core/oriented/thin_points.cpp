@@ -23,25 +23,33 @@ std::vector<std::uint32_t> evenly(const MadePoints& m, const PointTree& tree, st
   std::vector<std::uint64_t> rank;
   for (std::size_t k = 0; k < order.size(); k++) rank.push_back(randomBits(seed, Purpose::OrientedSample, k, 1));
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return rank[a] < rank[b]; });
-  const auto keptAt = [&](double apart) {
+  // with those that are kept already
+  const auto keptAt = [&](double apart, std::vector<std::uint32_t> kept) {
     std::vector<std::uint8_t> covered(m.places.size(), 0);
-    std::vector<std::uint32_t> kept;
+    const auto cover = [&](std::uint32_t k) {
+      covered[k] = 1;
+      for (const std::uint32_t q : tree.within(m.places[k], apart)) covered[q] |= dot(m.normals[k], m.normals[q]) > 0;  // thin bodies have two sides
+    };
+    for (const std::uint32_t k : kept) cover(k);
     for (const std::uint32_t k : order) {
       if (covered[k]) continue;
       kept.push_back(k);
-      for (const std::uint32_t q : tree.within(m.places[k], apart)) covered[q] |= dot(m.normals[k], m.normals[q]) > 0;  // thin bodies have two sides
+      cover(k);
     }
     return kept;
   };
   double low = 0, high = 1e-3;
   for (const Vec3d& x : m.places) high = std::max(high, length(x - m.places[0]));
-  std::vector<std::uint32_t> kept = keptAt(low);
+  std::vector<std::uint32_t> kept = keptAt(high, {}), these;
   for (int k = 0; k < 40 && kept.size() != wanted; k++) {
     const double apart = 0.5 * (low + high);
-    std::vector<std::uint32_t> these = keptAt(apart);
+    these = keptAt(apart, {});
     (these.size() > wanted ? low : high) = apart;
-    if (these.size() >= wanted || k == 39) kept = std::move(these);
+    if (these.size() <= wanted) kept = these;
   }
+  // of a lattice there are as many as of the next wider one or far too many: the rest are the first that come between those
+  if (kept.size() < wanted) kept = keptAt(low, std::move(kept));
+  if (kept.size() > wanted) kept.resize(wanted);
   std::sort(kept.begin(), kept.end());
   return kept;
 }

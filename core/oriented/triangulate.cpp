@@ -63,7 +63,7 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(const OrientedPoints& p) {
   }
   // each by itself; where the surface is bent sharply they overlap, or leave a place out
   triangles = keepManifold(p, std::move(triangles));
-  fillHoles(p, triangles, mostSides, longest);
+  fillHoles(p, triangles, mostSides, 2 * widest + 1e-9);  // no side of a triangle is longer than its circle
   for (auto& t : triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   std::sort(triangles.begin(), triangles.end());
   return triangles;

@@ -52,6 +52,7 @@ struct OrientedBody {
   double thin = 1;                       // 1, share of the samples that is kept, held where they are; the rest grows again
   std::optional<std::uint32_t> colour;   // red | green << 8 | blue << 16; none: orientedColours by its number
   double spacing = 0;                    // m, wanted distance of its particles; 0: the scene's
+  double cellShare = 1;                  // 1, area of a particle over that of the cell of a hexagonal lattice; set at set-up, of patches and discs
   double jitter = 0;                     // 1, spacings and rad by which places and normals are off at the start, at most along each axis
   Vec3d velocity{};                      // m/s
   double density = 1;                    // kg/m^2
@@ -91,7 +92,10 @@ inline constexpr std::uint32_t orientedColours[] = {0xd6a46e, 0x78be96, 0xbebe78
 /// Colour of a body: red | green << 8 | blue << 16.
 inline std::uint32_t colourOf(const OrientedBody& b, std::size_t number) { return b.colour ? *b.colour : orientedColours[number % std::size(orientedColours)]; }
 
-/// kg, of a particle: its share of the surface is the cell of a hexagonal lattice.
-inline double orientedMass(const OrientedBody& b, double spacing) { return b.density * 0.86602540378443865 * spacing * spacing; }
+/// m^2, of a particle: its share of the surface is the cell of a hexagonal lattice; of patches and discs, whose rims are half cells, a little less.
+inline double orientedArea(const OrientedBody& b, double spacing) { return b.cellShare * 0.86602540378443865 * spacing * spacing; }
+
+/// kg, of a particle.
+inline double orientedMass(const OrientedBody& b, double spacing) { return b.density * orientedArea(b, spacing); }
 
 }  // namespace thaw
