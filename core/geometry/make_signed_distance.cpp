@@ -108,4 +108,13 @@ std::shared_ptr<const SignedDistance> makeSignedDistance(const Shape& s, const M
   return std::make_shared<PlacedDistance>(part, p);
 }
 
+std::shared_ptr<const SignedDistance> makeSignedDistance(const Shape& shape, const MeshLoader& load, const std::string& whose, SceneProblems& problems) {
+  try {
+    return makeSignedDistance(shape, load);
+  } catch (const ShapeError& e) {
+    problems.add(e.where.line > 0 ? e.where : shape.where, whose + ": " + e.what());
+    return nullptr;
+  }
+}
+
 }  // namespace thaw

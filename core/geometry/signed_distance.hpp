@@ -52,4 +52,8 @@ struct ShapeError;
 /// (bust.hpp); all other meshes come from `load`. Throws ShapeError; what a loader throws becomes one, with its message.
 std::shared_ptr<const SignedDistance> makeSignedDistance(const Shape& shape, const MeshLoader& load = {});
 
+class SceneProblems;
+/// The same of a shape in a scene: where it cannot be used, the problem is added with its place and whose it is ("body 'bust'"), and there is none.
+std::shared_ptr<const SignedDistance> makeSignedDistance(const Shape& shape, const MeshLoader& load, const std::string& whose, SceneProblems& problems);
+
 }  // namespace thaw

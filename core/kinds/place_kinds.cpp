@@ -78,8 +78,10 @@ void activateKinds(World& w) {
   if (w.modules.sheet) activateSheets(w);
 }
 
-void sampleKinds(World& w, Halos halos, StepTools& t, const MeshLoader& load) {
-  if (w.modules.oriented) sampleOriented(w, halos, load);
+std::vector<std::vector<Vec3d>> sampleKinds(World& w, Halos halos, StepTools& t, const MeshLoader& load) {
+  t.oriented.begins = true;
+  std::vector<std::vector<Vec3d>> oriented;
+  if (w.modules.oriented) oriented = sampleOriented(w, halos, load);
   if (w.modules.sheet) sampleSheets(w, halos, load);
   eachKind(w, [&](std::size_t, KindRows& r, CellTable& cells) {
     for (std::size_t i = 0; i < r.owned; i++) wrapPlace(w.grid, w.scene.domain, r.position[i]);
@@ -88,6 +90,7 @@ void sampleKinds(World& w, Halos halos, StepTools& t, const MeshLoader& load) {
     all.arrivals = r.owned;
     sortByCell(r, all, t.sort, cells);
   });
+  return oriented;
 }
 
 bool finiteKinds(const World& w) {

@@ -13,8 +13,9 @@ void placeOriented(World& world, Halos halos, StepTools& tools);
 /// Activates the columns of the kinds that the scene has.
 void activateKinds(World& world);
 
-/// Appends this rank's share of the rows of all kinds at time 0. Throws as sampleBodies does. Collective.
-void sampleKinds(World& world, Halos halos, StepTools& tools, const MeshLoader& load);
+/// Appends this rank's share of the rows of all kinds at time 0. Returns the places of the particles of each oriented body, on all ranks. Throws as sampleBodies does.
+/// Collective.
+std::vector<std::vector<Vec3d>> sampleKinds(World& world, Halos halos, StepTools& tools, const MeshLoader& load);
 
 /// Are all places and velocities of this rank's rows finite numbers?
 bool finiteKinds(const World& world);

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "core/geometry/point_tree.hpp"
 #include "core/kinds/kinds.hpp"
 
 namespace thaw {
@@ -9,6 +10,7 @@ namespace {
 
 constexpr double thickest = 3;  // distances of vertices
 constexpr double deep = 0.5;    // of a thickness: contacts that are held are pressed in by less
+constexpr double close = 0.6;    // of the distance of contact of points: where surfaces cross hardly any two are nearer than half of it
 
 /// One body of a further kind: how its rows and their contact are called.
 struct Who {
@@ -39,8 +41,8 @@ void warnOfPlaces(const World& w, const KindRows& rows, const std::vector<Who>& 
   const auto inBodies = countRows(rows, whose.size(), shapes.size(), all, [&](std::size_t i, std::size_t k) { return shapes[k] && shapes[k]->inside(rows.position[i]); });
   const auto inWalls = countRows(rows, whose.size(), w.walls.list.size(), all, [&](std::size_t i, std::size_t k) {
     const Wall& wall = w.walls.list[k];
-    const double near = deep * whose[rows.body[i]].thickness;
-    return wall.present && wall.shape->distanceWithin(toRest(wall.pose, rows.position[i]), near) < near;
+    const double keep = deep * whose[rows.body[i]].thickness;
+    return wall.present && wall.shape->distanceWithin(toRest(wall.pose, rows.position[i]), keep) < keep;
   });
   for (std::size_t b = 0; b < whose.size(); b++) {
     const std::int64_t n = inBodies[b].back();
@@ -53,18 +55,47 @@ void warnOfPlaces(const World& w, const KindRows& rows, const std::vector<Who>& 
   }
 }
 
+/// A sheet or oriented body as another one meets it.
+struct Other {
+  const std::vector<Vec3d>* places;  // of all its rows
+  std::string name;
+  double width;                      // m: two are in contact at the mean of their widths
+};
+
+/// Rows of each body that begin deep in the contact with one of `others` before it in the list. first: of the body's place in the list.
+void warnOfOthers(const KindRows& rows, const std::vector<Who>& whose, const std::vector<Other>& others, std::size_t first, Reducer& all, std::vector<SceneWarning>& warnings) {
+  if (first + whose.size() < 2) return;
+  std::vector<std::unique_ptr<PointTree>> trees;
+  for (std::size_t k = 0; k + 1 < first + whose.size(); k++) trees.push_back(std::make_unique<PointTree>(*others[k].places));
+  const auto counts = countRows(rows, whose.size(), trees.size(), all, [&](std::size_t i, std::size_t k) {
+    const std::size_t own = first + rows.body[i];
+    return k < own && !trees[k]->within(rows.position[i], close * 0.5 * (others[own].width + others[k].width)).empty();
+  });
+  for (std::size_t b = 0; b < whose.size(); b++)
+    for (std::size_t k = 0; k < first + b; k++)
+      if (counts[b][k] > 0) warnings.push_back({whose[b].where, counted(counts[b][k], counts[b].back(), whose[b]) + " begin nearer to " + others[k].name + " than 0.6 of the distance of contact: pushing them apart adds energy"});
+}
+
 }  // namespace
 
-std::vector<SceneWarning> kindStartWarnings(const World& w, const std::vector<std::shared_ptr<const SignedDistance>>& shapes, Reducer& all) {
+std::vector<SceneWarning> kindStartWarnings(const World& w, const std::vector<std::shared_ptr<const SignedDistance>>& shapes, const std::vector<std::vector<Vec3d>>& oriented, Reducer& all) {
+  std::vector<Other> others;
+  for (std::size_t b = 0; b < oriented.size(); b++) {
+    const OrientedBody& body = w.scene.oriented[b];
+    others.push_back({&oriented[b], "oriented body '" + body.name + "'", body.spacing > 0 ? body.spacing : w.scene.spacing});
+  }
+  for (std::size_t n = 0; n < w.scene.sheets.size() && w.modules.sheet; n++) others.push_back({&w.sheets.plans[n].mesh.vertices, "sheet '" + w.scene.sheets[n].name + "'", w.sheets.plans[n].thickness});
   std::vector<SceneWarning> warnings;
   std::vector<Who> whose;
   for (const OrientedBody& b : w.scene.oriented) whose.push_back({b.where, "oriented body '" + b.name + "'", "particles", b.thickness * (b.spacing > 0 ? b.spacing : w.scene.spacing)});
   if (w.modules.oriented) warnOfPlaces(w, w.oriented.rows, whose, shapes, all, warnings);
+  if (w.modules.oriented) warnOfOthers(w.oriented.rows, whose, others, 0, all, warnings);
   if (!w.modules.sheet) return warnings;
   const Sheets& s = w.sheets.rows;
   whose.clear();
   for (std::size_t n = 0; n < w.scene.sheets.size(); n++) whose.push_back({w.scene.sheets[n].where, "sheet '" + w.scene.sheets[n].name + "'", "vertices", w.sheets.plans[n].thickness});
   warnOfPlaces(w, s, whose, shapes, all, warnings);
+  warnOfOthers(s, whose, others, oriented.size(), all, warnings);
   const auto free = countRows(s, whose.size(), 1, all, [&](std::size_t i, std::size_t) { return !(s.clamped.active && s.clamped[i]); });
   for (std::size_t n = 0; n < whose.size(); n++) {
     if (free[n][0] == 0) warnings.push_back({whose[n].where, whose[n].name + ": all of its " + std::to_string(free[n][1]) + " vertices are clamped: it does not move"});

@@ -17,7 +17,8 @@ struct SceneWarning {
 };
 
 /// Of sampled bodies, before the first step: sheets that are clamped as a whole, or far thicker than their vertices are apart; vertices and particles that begin
-/// inside a body (`shapes`: those of Scene::bodies) or deep in an obstacle's contact. Walls as at time 0. The same on any number of ranks. Collective.
-std::vector<SceneWarning> kindStartWarnings(const World& world, const std::vector<std::shared_ptr<const SignedDistance>>& shapes, Reducer& all);
+/// inside a body (`shapes`: those of Scene::bodies), deep in an obstacle's contact, or in the contact with another sheet or oriented body (`oriented`: the places of all their particles).
+/// Walls as at time 0. The same on any number of ranks. Collective.
+std::vector<SceneWarning> kindStartWarnings(const World& world, const std::vector<std::shared_ptr<const SignedDistance>>& shapes, const std::vector<std::vector<Vec3d>>& oriented, Reducer& all);
 
 }  // namespace thaw

@@ -35,6 +35,9 @@ struct SheetBrush {
   std::vector<Keyframe> motion;  // of the centre
 };
 
+/// Cosines of the angles to the warp's direction up to which an edge is warp, and from which it is weft.
+inline constexpr double warpCosine = 0.9, weftCosine = 0.3;
+
 struct SheetBody {
   std::string name;
   SourcePlace where;
@@ -56,7 +59,7 @@ struct SheetBody {
   double elasticLimit = never;  // m, displacement from rest
   // internal
   double warp = 0, weft = 0, shear = 0;  // N/m, along edges in the direction of the warp, across it, between
-  Vec3d warpDirection{1, 0, 0};
+  Vec3d warpDirection{1, 0, 0};          // in the mesh's own axes
   double restLength = 1;     // 1, of edges over their length at the start
   double bending = 0;        // N/m, between the vertices on both sides of an edge
   double stretchLimit = never;  // 1, beyond it edges are nearly rigid
@@ -72,7 +75,7 @@ struct SheetBody {
   FactorInTime wrapInTime;
   std::vector<SheetBrush> brushes;
   // contact
-  double thickness = 0;      // m, distance at which contact begins; 0: 0.7 of the spacing
+  double thickness = 0;      // m, distance at which contact begins; 0: 0.8 of the spacing
   double contactRate = 0;    // 1/s, how fast contact turns a vertex round; 0: from the speeds of the scene
   double friction = 0.3, restitution = 0.3;  // 1
   bool selfContact = false;

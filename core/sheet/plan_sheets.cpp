@@ -5,6 +5,7 @@
 
 #include "core/geometry/builtin_meshes.hpp"
 #include "core/geometry/placed_mesh.hpp"
+#include "core/geometry/pose.hpp"
 #include "core/geometry/shape_error.hpp"
 #include "core/geometry/weld_vertices.hpp"
 #include "core/sheet/face_contact.hpp"
@@ -129,14 +130,15 @@ double sheetReach(const Scene& s) {
     const double own = sheetThickness(s, b);
     reach = std::max({reach, own, own + (b.pull > 0 ? b.pullReach : 0), 0.5 * (own + s.spacing)});
     // where vertices look for nobody around, cells are what sums are taken over: some vertices each
-    if (s.bodies.empty() && s.emitters.empty() && s.oriented.empty() && !sheetsMeet(s)) reach = std::max(reach, 4 * spacingOf(s, b));
+    if (!hasContinuum(s) && s.oriented.empty() && !sheetsMeet(s)) reach = std::max(reach, 4 * spacingOf(s, b));
   }
   return reach;
 }
 
 double edgeStiffness(const SheetBody& b, const Vec3d& edge, double area) {
-  const double l2 = dot(edge, edge), along = std::abs(dot(edge, normalized(b.warpDirection))) / std::sqrt(l2);
-  const double modulus = along > 0.9 ? b.warp : along < 0.3 ? b.weft : b.shear;
+  const Pose pose = poseOf({}, b.shape.rotate);
+  const double l2 = dot(edge, edge), along = std::abs(dot(edge, directionFromRest(pose, normalized(b.warpDirection)))) / std::sqrt(l2);
+  const double modulus = along > warpCosine ? b.warp : along < weftCosine ? b.weft : b.shear;
   return modulus * area / l2;
 }
 

@@ -49,14 +49,14 @@ void sampleSheets(World& w, Halos halos, const MeshLoader& load) {
     const SheetPlan& plan = w.sheets.plans[n];
     const SheetBody& b = w.scene.sheets[n];
     std::vector<std::shared_ptr<const SignedDistance>> clamps;
-    for (const Shape& c : b.clamp) clamps.push_back(makeSignedDistance(c, load));
+    for (const Shape& c : b.clamp) clamps.push_back(makeSignedDistance(c, load, "sheet '" + b.name + "': a clamp", problems));
     const std::size_t all = plan.mesh.vertices.size(), begin = all * rank / ranks, end = all * (rank + 1) / ranks;
     std::int64_t outside = 0;
     for (const Vec3d& x : plan.mesh.vertices) outside += !w.scene.domain.holds(x);
     if (outside > 0)
       problems.add(b.where, "sheet '" + b.name + "': " + std::to_string(outside) + " of its " + std::to_string(all) + " vertices lie outside of the domain; enlarge the domain or move the sheet");
     for (std::size_t c = 0; c < clamps.size(); c++)
-      if (std::none_of(plan.mesh.vertices.begin(), plan.mesh.vertices.end(), [&](const Vec3d& x) { return clamps[c]->inside(x); }))
+      if (clamps[c] && std::none_of(plan.mesh.vertices.begin(), plan.mesh.vertices.end(), [&](const Vec3d& x) { return clamps[c]->inside(x); }))
         problems.add(b.clamp[c].where, "sheet '" + b.name + "': there is no vertex in this clamp at the start");
     std::size_t i = s.owned;
     s.resize(i + end - begin, 0);
@@ -72,7 +72,7 @@ void sampleSheets(World& w, Halos halos, const MeshLoader& load) {
       s.slot[i] = noSlot;
       if (s.temperature.active) s.temperature[i] = b.temperature;
       for (const auto& c : clamps)
-        if (c->inside(s.position[i])) s.clamped[i] = 1;
+        if (c && c->inside(s.position[i])) s.clamped[i] = 1;
       if (s.clamped.active && s.clamped[i]) s.velocity[i] = {};
     }
   }

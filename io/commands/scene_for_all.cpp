@@ -21,6 +21,11 @@ void broadcast(const Communicator& comm, std::string& text) {
 }  // namespace
 
 std::optional<Refusal> refusalOf(const std::exception& e) {
+  if (const auto* shape = dynamic_cast<const ShapeError*>(&e); shape && shape->where.line > 0) {
+    SceneProblems problem;
+    problem.add(shape->where, e.what());
+    return Refusal{problem.lines().what(), exitUsage};
+  }
   if (dynamic_cast<const SceneErrors*>(&e) || dynamic_cast<const ShapeError*>(&e)) return Refusal{e.what(), exitUsage};
   if (dynamic_cast<const IoError*>(&e)) return Refusal{std::string("error: ") + e.what(), exitInputOutput};
   return std::nullopt;

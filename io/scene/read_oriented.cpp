@@ -63,7 +63,7 @@ void readEvent(TableReader& r, OrientedBody& b) {
   OrientedEvent e;
   e.where = r.place();
   r.choice("kind", e.kind, {"weld", "cut", "crease", "smooth"}, "what is done: weld joins another body to this one; cut ends all action across it; crease takes the orientation out of the forces along a line; smooth puts it back");
-  r.number("time", e.time, "s", notNegative(), "when; 0: at the start, before relaxation");
+  r.number("time", e.time, "s", notNegative(), "when; 0: at the start, after relaxation");
   r.text("other", e.other, "of weld: the body that becomes one with this", "name of an oriented body");
   r.table("plane", "of cut: the plane", [&](TableReader& t) {
     e.tool = CutTool::Plane;
@@ -92,6 +92,11 @@ void readEvent(TableReader& r, OrientedBody& b) {
   only("plane", cut, "a cut");
   only("stroke", cut, "a cut");
   only("along", e.kind == OrientedEventKind::Crease, "a crease");
+  const bool stroke = cut && e.tool == CutTool::Stroke, crease = e.kind == OrientedEventKind::Crease;
+  only("direction", stroke, "the cut by a stroke");
+  only("radius", stroke || crease, "a crease and the cut by a stroke");
+  for (std::size_t k = 0; k + 1 < e.path.size(); k++)
+    if (length(e.path[k + 1] - e.path[k]) == 0) r.fail(crease ? "along" : "stroke", "two points that follow each other are the same; expected a line");
   if (e.kind == OrientedEventKind::Weld && e.other.empty()) r.fail("other", "is missing: the body to weld to this one");
   if (e.kind == OrientedEventKind::Crease && e.path.size() < 2) r.fail("along", "expected at least two points");
   if (e.kind == OrientedEventKind::Cut && e.tool == CutTool::Stroke && e.path.size() < 2) r.fail("stroke", "expected at least two points");
@@ -139,6 +144,8 @@ void readSource(TableReader& r, OrientedBody& b) {
   if (r.has("control") && b.points.size() < 3) r.fail("control", "expected at least three points that do not lie on a line");
   if (r.has("place") && (points || r.has("control") || r.has("curve"))) r.fail("place", "is of shapes, patches and discs only: points, control and curve are where they say");
   if (given > 1) r.fail(r.place(), r.path() + ": give one of patch, disc, curve, points, control and a shape");
+  if (given > 0) refuseShape(r, "a second source of particles; give one of patch, disc, curve, points, control and a shape");
+  if (r.has("normals") && !points) r.fail("normals", "is of points only");
   if (points && !b.normals.empty() && b.normals.size() != b.points.size()) r.fail("normals", "there must be one for each point");
   for (const Vec3d& n : b.normals)
     if (length(n) == 0) r.fail("normals", "must not be zero");
@@ -163,7 +170,7 @@ void readOriented(TableReader& r, SceneReading& x) {
   r.number("spacing", b.spacing, "m", notNegative(), "wanted distance of its particles; 0: that of the scene");
   r.number("jitter", b.jitter, "", between(0, 1), "spacings, and radians, by which its particles are off at the start, at most along each axis, at random");
   r.vector("velocity", b.velocity, "m/s", "at the start");
-  r.number("density", b.density, "kg/m^2", positive(), "of the surface");
+  r.number("density", b.density, "kg/m^2", positive(), "of the surface: the mass of a patch or a disc is this times its area, that of a particle of other sources this times the cell of a hexagonal lattice");
   r.number("inertia", b.inertia, "", positive(), "of a particle's rotation, over its mass and the square of the spacing");
   r.number("stiffness", b.stiffness, "N/m", positive(), "unit of its energies: weight times stiffness times the square of the spacing");
   r.number("attract", b.attract, "", notNegative(), "weight of the Lennard-Jones potential, which spaces particles evenly");

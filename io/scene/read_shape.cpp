@@ -117,6 +117,16 @@ void readShape(TableReader& r, Shape& s) {
   readPlace(r, s);
 }
 
+void refuseShape(TableReader& r, const char* why) {
+  const auto refuse = [&](const Key& k) {
+    if (!r.has(k.key)) return;
+    r.node(k.key, "", "", "");
+    r.fail(k.key, why);
+  };
+  for (const Key& k : solids) refuse(k);
+  for (const Key& k : parts) refuse(k);
+}
+
 void describeShape(TableReader& r) {
   Shape s;
   readMesh(r, s);

@@ -7,9 +7,12 @@ namespace thaw {
 /// that points to describeShape. Mesh paths are taken as they stand.
 void readShape(TableReader& reader, Shape& shape);
 
-/// Describes the keys of all shapes.
+/// Refuses all keys of shapes, where none is meant.
+void refuseShape(TableReader& reader, const char* why);
+
 /// The key `place` alone, of things that are no shapes but stand somewhere.
 void readPlace(TableReader& reader, Shape& shape);
+/// Describes the keys of all shapes.
 void describeShape(TableReader& reader);
 
 }  // namespace thaw

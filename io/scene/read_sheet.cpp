@@ -1,3 +1,7 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "io/scene/read_sections.hpp"
 #include "io/scene/read_shape.hpp"
 
@@ -41,6 +45,10 @@ void readSheetMesh(TableReader& r, SheetBody& b) {
     t.whole("wrinkles", wrinkles, 0, 1000, "furrows along x");
     t.number("wrinkle_height", b.wrinkleHeight, "m", notNegative(), "above the ball");
     b.wrinkles = static_cast<int>(wrinkles);
+    constexpr double pi = 3.14159265358979323846;
+    if (t.describing()) return;
+    if (!(b.width < 2 * pi * b.radius)) t.fail("width", fmt::format("must be less than once around the ball, {:.4g} m, got {:g}", 2 * pi * b.radius, b.width));
+    if (!(b.height < pi * b.radius)) t.fail("height", fmt::format("must be less than from pole to pole of the ball, {:.4g} m, got {:g}", pi * b.radius, b.height));
   });
   r.text("mesh", b.shape.mesh, "triangles of an OBJ, PLY or STL file, open or closed, in one piece or several; or \"builtin:bust\" or \"builtin:head\"", "path or \"builtin:bust\"");
   r.number("spacing", b.spacing, "m", notNegative(), "distance of vertices of meshes that are made here; 0: that of the scene's particles");
@@ -70,7 +78,7 @@ void readInner(TableReader& r, SheetBody& b) {
   r.number("warp", b.warp, "N/m", notNegative(), "of the springs along edges in the direction of the warp: tension per width and strain");
   r.number("weft", b.weft, "N/m", notNegative(), "of those across it");
   r.number("shear", b.shear, "N/m", notNegative(), "of those between, both diagonals of a square");
-  r.vector("warp_direction", b.warpDirection, "", "of the warp at the start");
+  r.vector("warp_direction", b.warpDirection, "", "of the warp, in the mesh's own axes: `place` turns it along; edges within 25 degrees of it are warp, beyond 72 degrees weft");
   r.number("rest_length", b.restLength, "", positive(), "of the springs, over their length at the start");
   r.number("bending", b.bending, "N/m", notNegative(), "of springs between the vertices on both sides of each edge");
   r.number("stretch_limit", b.stretchLimit, "", orNever(atLeast(1)), "length over that at rest beyond which springs are nearly rigid");
@@ -146,6 +154,9 @@ void readSheet(TableReader& r, SceneReading& x) {
   if (length(b.wind) > 0 && b.windDensity == 0) r.fail("wind", "needs wind_density: air without mass does not push");
   if (b.pull > 0 && b.pullReach == 0) r.fail("pull_reach", "pull needs a reach");
   if (length(b.warpDirection) == 0) r.fail("warp_direction", "must not be zero");
+  else if (b.mesh == SheetMesh::Grid && r.has("grid") && std::hypot(b.warpDirection.x, b.warpDirection.y) < warpCosine * length(b.warpDirection))
+    r.fail("warp_direction", "stands across the grid, which lies in its own plane z = 0: none of its edges would be warp");
+  else if (!(b.warp > 0 || b.weft > 0 || b.shear > 0) && r.has("warp_direction")) r.fail("warp_direction", "is of springs along edges: expected warp, weft or shear as well");
   if (!b.wrapTo.empty() && b.wrap == 0) r.fail("wrap_to", "without wrap there is nothing to be wrapped");
   if (b.name.empty()) b.name = "sheet " + std::to_string(x.scene->sheets.size());
   x.scene->sheets.push_back(std::move(b));

@@ -189,6 +189,10 @@ described() {
   isAccepted "oriented particles alone" run "$patch" --steps 3
   "$thaw" info "$place/out" >"$place/info" || fail "info of oriented particles"
   grep -E -q '[1-9][0-9]*\.[0-9]{9}|\.0*[1-9][0-9]{8}' "$place/info" && fail "info: numbers of more than six digits"
+  grep -q 'particles 0' "$place/log" && fail "progress shows particles that a scene without continuum has not"
+  ls "$place/out/frames" | grep -v oriented && fail "frames of particles that a scene without continuum has not"
+  "$thaw" render "$place/out" >"$place/log" 2>&1 || fail "render of oriented particles alone"
+  [ -s "$place/out/pictures/patch_oriented_000000.png" ] || fail "no picture of oriented particles alone"
 }
 started checked
 started described
@@ -231,10 +235,26 @@ young = '20 kPa'
 name = 'lump'
 material = 'jelly'
 box = { size = [0.1, 0.1, 0.1] }"
+warns "a sheet in another" "sheets.toml:8:1: sheet 'sheet 1': 81 of its 81 vertices begin nearer to sheet 'sheet 0' than 0.6 of the distance of contact" sheets "$cloth
+$cloth
+place = { move = [0.01, 0, 0.005] }"
+warns "a sheet in a surface" "film.toml:8:1: sheet 'sheet 0': [0-9]+ of its 81 vertices begin nearer to oriented body 'oriented 0' than" film "$plate
+$cloth
+place = { rotate_x = 0.3 }"
+warns "a surface in another" "films.toml:8:1: oriented body 'oriented 1': [0-9]+ of its [0-9]+ particles begin nearer to oriented body 'oriented 0' than" films "$plate
+$plate
+place = { move = [0, 0, 0.012] }"
 rejects "a sheet's mesh that is missing" "lost.toml:6:1: error: sheet 'sheet 0': .*nowhere.obj: there is no such file" 2 check "$(kinds lost <<<"[[sheet]]
 mesh = 'nowhere.obj'")"
 rejects "an oriented body's mesh that is missing" "lost2.toml:6:1: error: oriented body 'oriented 0': .*nowhere.obj: there is no such file" 2 check "$(kinds lost2 <<<"[[oriented]]
 mesh = 'nowhere.obj'")"
+rejects "an anchor's mesh that is missing" "lost3.toml:8:1: error: oriented body 'oriented 0': an anchor: .*nowhere.obj: there is no such file" 2 check "$(kinds lost3 <<<"$plate
+[[oriented.anchor]]
+mesh = 'nowhere.obj'")"
+rejects "a clamp's mesh that is missing" "lost4.toml:8:1: error: sheet 'sheet 0': a clamp: .*nowhere.obj: there is no such file" 2 run "$(kinds lost4 <<<"$cloth
+[[sheet.clamp]]
+mesh = 'nowhere.obj'")"
+rejects "the mesh of a body's clamp" "lost5.toml:[0-9]+:1: error: .*nowhere.obj" 2 check "$(scene lost5 '/^place/a [[body.clamp]]\nmesh = "nowhere.obj"')"
 rejects "more particles than most" "most.toml:6:1: error: oriented body 'oriented 0': it begins with [0-9]+ particles and is to grow to .most. = 20; expected at least as many" 2 check "$(kinds most <<<"$plate
 growth = 'gaps'
 most = 20")"

@@ -44,11 +44,23 @@ TEST(BadKinds, WhatMeansNothingIsRefusedAtItsPlace) {
       {cloth + "stretch_limit = 0.9\n", "s.toml:8:17: error: sheet.0.stretch_limit: must be >= 1 or \"never\", got 0.9"},
       {cloth + "stiffness = 1\nplasticity = 0.5\n", "s.toml:9:14: error: sheet.0.plasticity: needs elastic_limit: without one all is elastic"},
       {cloth + "stiffness = 1\nelastic_limit = 0.01\n", "s.toml:9:17: error: sheet.0.elastic_limit: needs plasticity, which says what of what goes beyond it stays"},
+      {patch + "normals = [[0, 0, 1]]\n", "s.toml:9:11: error: oriented.a.normals: is of points only"},
+      {patch + "sphere = { radius = 0.2 }\n", "s.toml:9:10: error: oriented.a.sphere: a second source of particles; give one of patch, disc, curve, points, control and a shape"},
+      {patch + "[[oriented.event]]\nkind = \"cut\"\nplane = { point = [0, 0, 0] }\nradius = 0.1\n", "s.toml:12:10: error: oriented.a.event.0.radius: is of a crease and the cut by a stroke only"},
+      {patch + "[[oriented.event]]\nkind = \"cut\"\nsphere = { radius = 0.1 }\ndirection = [0, 0, 1]\n", "s.toml:12:13: error: oriented.a.event.0.direction: is of the cut by a stroke only"},
+      {patch + "[[oriented.event]]\nkind = \"crease\"\nalong = [[0, 0, 0], [0, 0, 0]]\n", "s.toml:11:9: error: oriented.a.event.0.along: two points that follow each other are the same; expected a line"},
+      {cloth + "warp = 10\nwarp_direction = [0.1, 0, 2]\n",
+       "s.toml:9:18: error: sheet.0.warp_direction: stands across the grid, which lies in its own plane z = 0: none of its edges would be warp"},
+      {cloth + "warp_direction = [0, 1, 0]\n", "s.toml:8:18: error: sheet.0.warp_direction: is of springs along edges: expected warp, weft or shear as well"},
+      {"[[sheet]]\nforehead = { radius = 0.1, width = 0.7, height = 0.1 }\n", "s.toml:7:36: error: sheet.0.forehead.width: must be less than once around the ball, 0.6283 m, got 0.7"},
+      {cloth + "warp = \"3 kg\"\n", "s.toml:8:8: error: sheet.0.warp: expected a force per length such as \"0.03 N/m\", got \"3 kg\""},
+      {cloth + "mass = \"3 N/m\"\n", "s.toml:8:8: error: sheet.0.mass: expected a quantity in kg/m^2, got \"3 N/m\""},
       {cloth + "wind = [1, 0, 0]\n", "s.toml:8:8: error: sheet.0.wind: needs wind_density: air without mass does not push"},
   };
   for (const auto& t : table) EXPECT_EQ(errorOf(t.text), t.line);
   EXPECT_EQ(errorOf(patch + "colour = \"blue\"\n"), "s.toml:9:10: error: oriented.a.colour: expected six hexadecimal digits such as \"#e8c890\"");
   EXPECT_EQ(errorOf(patch + cloth), "");
+  EXPECT_EQ(errorOf(cloth + "warp = 10\nwarp_direction = [1, 1, 0]\n"), "") << "on the bias";
   EXPECT_EQ(errorOf(cloth + "wind_density = 1\n"), "") << "air at rest drags";
   EXPECT_EQ(errorOf(cloth + "stiffness = 1\nelastic_limit = 0.01\nplasticity = 0\n"), "") << "as scenes/sheet/shell.toml is varied";
 }
