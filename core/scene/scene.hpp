@@ -259,4 +259,7 @@ struct Scene {
   Output output;
 };
 
+/// Has it particles of the continuum, at the start or later? Else oriented bodies and sheets are all there is.
+inline bool hasContinuum(const Scene& s) { return !s.bodies.empty() || !s.emitters.empty(); }
+
 }  // namespace thaw

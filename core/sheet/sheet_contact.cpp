@@ -182,12 +182,12 @@ void meetOriented(World& w, const SheetVelocities& now) {
   for (std::size_t i = 0; i < s.owned; i++) b.slope[i] += 2 * slope[i] / s.area[i];
   eachNear(w.oriented.cells, o.owned, b.cells, [&](std::size_t j, std::size_t i) {
     if (!meet(i, j, touch)) return;
-    Vec3d force = touch.force;
-    if (w.scene.oriented[o.body[j]].planar) force.y = 0;
+    Vec3d force = touch.force, resisting = touch.resisting;
+    if (w.scene.oriented[o.body[j]].planar) force.y = resisting.y = 0;
     o.force[j] -= force;
     o.external[j] -= force;
+    o.resisting[j] -= resisting;
     o.energy[j] += 0.5 * touch.energy;
-    o.dissipated[j] += dot(touch.resisting, o.velocity[j]) * now.dt;  // with the vertex' share: what both lose together
     o.stiffness[j] += 2 * touch.slope / o.mass[j];
   });
 }
@@ -200,7 +200,7 @@ bool sheetsMeet(const Scene& s) {
   return s.sheets.size() > 1;
 }
 
-bool sheetsMeetContinuum(const Scene& s) { return !s.sheets.empty() && !(s.bodies.empty() && s.emitters.empty()); }
+bool sheetsMeetContinuum(const Scene& s) { return !s.sheets.empty() && hasContinuum(s); }
 
 double neverTouch(const SheetPlan& p) { return std::max(2 * p.spacing, 1.3 * p.thickness); }
 

@@ -79,8 +79,8 @@ std::string kindOfFrame(const fs::path& frame) {
 /// The frame of the same number of a scene's other kind; empty if there is none.
 fs::path companionOf(const fs::path& frame, const std::string& kind) {
   std::string scene = stemOf(frame);
-  const std::string stem = frame.stem().string(), number = stem.substr(scene.size());
-  if (ofSurface(frame)) scene.resize(scene.size() - std::string("_surface").size());
+  const std::string stem = frame.stem().string(), number = stem.substr(scene.size()), own = ofSurface(frame) ? "surface" : kindOfFrame(frame);
+  if (!own.empty()) scene.resize(scene.size() - own.size() - 1);
   const fs::path other = frame.parent_path() / (scene + "_" + kind + number + ".hdf");
   return other != frame && fs::exists(other) && kindOfFrame(other) == kind ? other : fs::path();
 }
@@ -140,6 +140,11 @@ std::vector<fs::path> findFrames(const fs::path& path, FrameKind kind) {
     if (!frames.empty()) return frames;
     particles = particles || !found.particles.empty();
   }
+  if (kind != FrameKind::Surface && !particles)  // a scene without continuum
+    for (const FrameKind other : {FrameKind::Sheet, FrameKind::Oriented}) try {
+        return findFrames(path, other);
+      } catch (const IoError&) {  // the message below
+      }
   if (kind == FrameKind::Surface && particles)
     throw IoError(path.string(), "there are no frames of a surface in this folder, only of particles: a scene has a surface if it has a table [surface]");
   throw IoError(path.string(), "there are no frames (.hdf) in this folder");
@@ -277,7 +282,7 @@ FrameView readWholeView(const fs::path& frame, const std::string& field, Oriente
   }
   // of a scene without particles there is no field to colour with
   FrameView view = readFrameView(frame, info.count > 0 || drawnAsSurface(frame) ? field : std::string());
-  addKindsBeside(view, frame, look, spacing);
+  if (const fs::path oriented = companionOf(frame, "oriented"); !oriented.empty()) addKindBeside(view, oriented, look, spacing);
   return view;
 }
 

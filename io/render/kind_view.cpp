@@ -131,15 +131,7 @@ void addOriented(FrameView& view, const fs::path& frame, OrientedLook look) {
     addRod(view, f.positions[e[0]], f.positions[e[1]], 0.05 * f.spacings[e[0]], paintOf(f, e[0]), number++);
 }
 
-void addKindsBeside(FrameView& view, const fs::path& frame, OrientedLook look, float spacing) {
-  std::string stem = frame.stem().string();
-  const std::size_t at = stem.find_last_of('_');
-  if (at == std::string::npos) return;
-  std::string base = stem.substr(0, at);
-  const std::string number = stem.substr(at);
-  if (base.ends_with("_surface")) base.resize(base.size() - 8);
-  const fs::path oriented = frame.parent_path() / (base + "_oriented" + number + ".hdf");
-  if (!fs::exists(oriented)) return;
+void addKindBeside(FrameView& view, const fs::path& oriented, OrientedLook look, float spacing) {
   if (view.normals.empty()) spheresToDiscs(view, 0.6f * spacing);
   if (view.values.empty()) view.values.assign(view.positions.size(), std::numeric_limits<float>::quiet_NaN());
   addOriented(view, oriented, look);

@@ -20,7 +20,7 @@ void addBall(FrameView& view, const Vec3f& place, float radius, Rgb colour, std:
 /// Adds a frame of oriented particles.
 void addOriented(FrameView& view, const std::filesystem::path& frame, OrientedLook look);
 
-/// Adds the frames of further kinds that lie beside a frame of particles or surfels, and are of the same number.
-void addKindsBeside(FrameView& view, const std::filesystem::path& frame, OrientedLook look, float spacing);
+/// The same, to a view of what else there is.
+void addKindBeside(FrameView& view, const std::filesystem::path& oriented, OrientedLook look, float spacing);
 
 }  // namespace thaw

@@ -72,7 +72,7 @@ struct Run {
 /// New halos for particles, bonds and surface: at the start, and as after a restart.
 void renewHalos(Run& run);
 
-/// The next frame, of particles and surface, and its lines in the series.
+/// The next frame, of all that the scene has (a scene without continuum has none of particles), and its lines in the series.
 void writeFrameOf(Run& run);
 
 /// A progress line with the ledger.

@@ -101,7 +101,9 @@ void writeSummary(const std::string& out, const RunSummary& s) {
   j["title"] = s.title;
   j["modules"] = s.modules;
   j["ranks"] = s.ranks;
-  j["particles"] = s.ledger.particles;
+  bool kinds = false;
+  for (const std::int64_t rows : s.ledger.rows) kinds = kinds || rows > 0;
+  if (s.ledger.particles > 0 || !kinds) j["particles"] = s.ledger.particles;
   for (std::size_t k = 0; k < kindCount; k++)
     if (s.ledger.rows[k] > 0) j[kindNames[k]] = s.ledger.rows[k];
   j["time_s"] = s.clock.time;
@@ -124,9 +126,9 @@ void writeSummary(const std::string& out, const RunSummary& s) {
   j["peak_memory_bytes"] = s.peakMemory;
   const LedgerReport& l = s.ledger;
   j["ledger"] = {{"initial", balance(l.initial)}, {"now", balance(l.now)}, {"entered", balance(l.entered)}, {"left", balance(l.left)},
-                 {"dissipated_J", l.dissipated}, {"wall_work_J", l.wallWork}, {"heat_in_J", l.heatIn}, {"phase_jump_J", l.phaseJump},
+                 {"dissipated_J", l.dissipated}, {"wall_work_J", l.wallWork}, {"heat_in_J", l.heatIn}, {"phase_jump_J", l.phaseJump}, {"restart_jump_J", l.restartJump},
                  {"wall_impulse_N_s", vec(l.wallImpulse)}, {"gravity_impulse_N_s", vec(l.gravityImpulse)},
-                 {"residual", {{"mass_kg", l.massResidual}, {"momentum_kg_m_per_s", vec(l.momentumResidual)}, {"mechanical_energy_J", l.energyResidual}, {"heat_J", l.heatResidual}}}};
+                 {"residual", {{"mass_kg", l.massResidual}, {"momentum_kg_m_per_s", vec(l.momentumResidual)}, {"mechanical_energy_J", l.energyResidual}, {"heat_J", l.heatResidual}, {"rounding_of_energy_J", l.energyRounding}}}};
   j["liquid_fraction"] = l.liquidFraction;
   for (const SolverUse& u : s.solvers) j["solvers"][u.name] = {{"iterations_of_last_step", u.last}, {"mean_iterations", u.mean}};
   j["counters"] = countersJson(s.counters);
@@ -137,18 +139,21 @@ void writeSummary(const std::string& out, const RunSummary& s) {
 }
 
 std::string progressLine(const Clock& c, const LedgerReport& l, double stepsPerSecond, double secondsLeft) {
-  const double scale = l.energyScale > 0 ? l.energyScale : 1, heatScale = std::abs(l.heatIn) > 0 ? std::abs(l.heatIn) : 1;
+  const double heatScale = std::abs(l.heatIn) > 0 ? std::abs(l.heatIn) : 1;
   std::string kinds;
   for (std::size_t k = 0; k < kindCount; k++)
     if (l.rows[k] > 0) kinds += fmt::format("  {} {}", kindNames[k], l.rows[k]);
+  const bool continuum = l.particles > 0 || kinds.empty();
+  if (continuum) kinds = fmt::format("  particles {}{}  liquid {:.1f} %", l.particles, kinds, 100 * l.liquidFraction);
+  const std::string share = isRounding(l) ? "all of it rounding" : fmt::format("{:+.1e}", l.energyScale > 0 ? l.energyResidual / l.energyScale : 0);
   // sheets without neighbour forces have no limit: a step goes to the next frame
   const std::string step = c.dt < never ? fmt::format("{:.2e} s ({}{})", c.dt, c.limitedBy, c.substeps > 1 ? fmt::format(", {} substeps of solids", c.substeps) : "") : "without limit";
   return fmt::format(
-      "t {:.5f} s  step {}  dt {}  {:.1f} steps/s  left {}  particles {}{}  liquid {:.1f} %  mass {:.6g} kg ({:+.1e})  |p| {:.3g} ({:.1e})  |L| {:.3g}  "
-      "kinetic {:.4g} J  elastic {:.4g} J  potential {:.4g} J  internal {:.5g} J  in {:.3g} kg {:.3g} J heat  out {:.3g} kg  dissipated {:.4g} J  residual {:+.2e} J ({:+.1e}) heat {:+.1e}",
-      c.time, c.step, step, stepsPerSecond, duration(secondsLeft), l.particles, kinds, 100 * l.liquidFraction, l.now.mass, l.massResidual, length(l.now.momentum),
+      "t {:.5f} s  step {}  dt {}  {:.1f} steps/s  left {}{}  mass {:.6g} kg ({:+.1e})  |p| {:.3g} ({:.1e})  |L| {:.3g}  "
+      "kinetic {:.4g} J  elastic {:.4g} J  potential {:.4g} J  internal {:.5g} J  in {:.3g} kg {:.3g} J heat  out {:.3g} kg  dissipated {:.4g} J  residual {:+.2e} J ({}) heat {:+.1e}",
+      c.time, c.step, step, stepsPerSecond, duration(secondsLeft), kinds, l.now.mass, l.massResidual, length(l.now.momentum),
       length(l.momentumResidual), length(l.now.angularMomentum), l.now.kinetic, l.now.elastic, l.now.potential, l.now.internal, l.entered.mass, l.heatIn, l.left.mass,
-      l.dissipated, l.energyResidual, l.energyResidual / scale, l.heatResidual / heatScale);
+      l.dissipated, l.energyResidual, share, l.heatResidual / heatScale);
 }
 
 std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
@@ -165,7 +170,7 @@ std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
   add(c.retries, "times a stretch of steps failed and was run again with shorter ones");
   add(c.unsolvedPressures, "times the pressure of incompressible liquid was not found within numerics.max_iterations");
   add(c.wallProjections, "times a particle was pushed out of an obstacle");
-  if (std::abs(l.energyResidual) > 0.05 * l.energyScale)
+  if (!isRounding(l) && std::abs(l.energyResidual) > 0.05 * l.energyScale)
     w.push_back(fmt::format("the ledger does not close: {:+.3g} J of mechanical energy ({:.0f} % of its largest term) are from nowhere; shorter steps (numerics.max_step) may show why", l.energyResidual,
                             100 * std::abs(l.energyResidual) / l.energyScale));
   return w;

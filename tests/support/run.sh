@@ -109,6 +109,6 @@ sameOnAllRanks() {
     same "$work/$name.1" "$work/$name.$ranks" "$name on 1 and $ranks ranks"
   done
   same "$work/$name.1" "$work/$name.parts" "$name, whole and in parts"
-  echo "$name: $(value "$work/$name.1/summary.json" particles) particles, $(value "$work/$name.1/summary.json" step) steps"
+  echo "$name: $(value "$work/$name.1/summary.json" particles | grep . || echo no) particles, $(value "$work/$name.1/summary.json" step) steps"
 }
 finish() { [ "$failures" -eq 0 ] && echo "all passed" || { echo "$failures failures"; exit 1; }; }
