@@ -29,6 +29,7 @@ struct Ledger {
   ExactSum gravityImpulse[3];          ///< N s, of mass that entered, less that of mass that left; initial.mass * g * time is to be added
   ExactSum heatIn;                     ///< J, through obstacles, sources and surfaces
   ExactSum phaseJump;                  ///< J, elastic energy that melting, freezing, breaking and re-referencing removed (> 0) or made
+  ExactSum restartJump;                ///< J, stored energy that new coefficients at a restart made (> 0) or took
   Balance initial;                     ///< global, at time 0
 };
 

@@ -60,35 +60,67 @@ struct Unpack {
 
 double mechanical(const Balance& b) { return b.kinetic + b.elastic + b.potential; }
 
+/// Energies are sums of terms that cancel: what is 1e-14 of the energy of all bodies at a strain of 1, of their fall through the domain, or of their motion
+/// through it in the scene's time, is rounding.
+double roundingOf(const World& w, const LedgerReport& r) {
+  const Scene& s = w.scene;
+  const Vec3d size = s.domain.max - s.domain.min;
+  double fall = 0, strained = 0;
+  for (int a = 0; a < 3; a++) fall += std::abs(s.domain.gravity[a]) * size[a];
+  for (const Material& m : s.materials)
+    if (m.canBeSolid() && r.particles > 0) strained = std::max(strained, m.young.solid / m.density * r.now.mass);
+  for (const OrientedBody& b : s.oriented) {
+    const double spacing = b.spacing > 0 ? b.spacing : s.spacing;
+    strained = std::max(strained, b.stiffness * spacing * spacing * static_cast<double>(r.rows[orientedKind]));
+  }
+  for (std::size_t n = 0; n < w.sheets.plans.size(); n++) {
+    const SheetBody& b = s.sheets[n];
+    double area = 0;
+    for (const double x : w.sheets.plans[n].topology.area) area += x;
+    strained = std::max(strained, area * std::max({b.warp, b.weft, b.shear, b.bending}));
+  }
+  const double speed = s.end > 0 ? length(size) / s.end : 0;
+  return 1e-14 * std::max({strained, r.now.mass * fall, 0.5 * r.now.mass * speed * speed});
+}
+
 }  // namespace
 
 void addToBalance(const World& w, std::span<const std::uint32_t> rows, ExactBalance& b) {
   for (std::uint32_t i : rows) addRow(w, i, b);
 }
 
+ExactBalance balanceHere(const World& w) {
+  ExactBalance now;
+  for (std::size_t i = 0; i < w.particles.owned; i++) addRow(w, i, now);
+  eachKind(w, [&](std::size_t kind, const KindRows& r, const CellTable&) {
+    for (std::size_t i = 0; i < r.owned; i++) addKindRow(w, kind, i, now);
+  });
+  return now;
+}
+
 LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
   findStoredEnergy(w, t);
   const Continuum& p = w.particles;
-  ExactBalance now;
-  ExactSum dissipated = w.ledger.dissipated, liquid;
+  const ExactBalance now = balanceHere(w);
+  ExactSum dissipated = w.ledger.dissipated, liquid, underWay[3];
   for (std::size_t i = 0; i < p.owned; i++) {
-    addRow(w, i, now);
     dissipated.add(p.dissipated[i]);
     liquid.add(p.liquid.active ? p.mass[i] * static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? p.mass[i] : 0.0);
   }
-  eachKind(w, [&](std::size_t kind, const KindRows& r, const CellTable&) {
-    for (std::size_t i = 0; i < r.owned; i++) {
-      addKindRow(w, kind, i, now);
-      dissipated.add(r.dissipated[i]);
-    }
+  eachKind(w, [&](std::size_t, const KindRows& r, const CellTable&) {
+    for (std::size_t i = 0; i < r.owned; i++) dissipated.add(r.dissipated[i]);
   });
+  const Oriented& o = w.oriented.rows;
+  for (std::size_t i = 0; i < o.owned && o.external.active; i++)
+    for (int a = 0; a < 3; a++) underWay[a].add(0.5 * w.clock.stepDt * o.external[i][a]);
   Pack pack;
   pack.add(now);
   pack.add(w.ledger.entered);
   pack.add(w.ledger.left);
-  for (const ExactSum& s : {dissipated, w.ledger.wallWork, w.ledger.heatIn, w.ledger.phaseJump, liquid}) pack.sums.push_back(s);
+  for (const ExactSum& s : {dissipated, w.ledger.wallWork, w.ledger.heatIn, w.ledger.phaseJump, w.ledger.restartJump, liquid}) pack.sums.push_back(s);
   for (const ExactSum& s : w.ledger.wallImpulse) pack.sums.push_back(s);
   for (const ExactSum& s : w.ledger.gravityImpulse) pack.sums.push_back(s);
+  for (const ExactSum& s : underWay) pack.sums.push_back(s);
   std::vector<std::int64_t> digits;
   for (ExactSum& s : pack.sums) {
     s.carry();
@@ -111,16 +143,19 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
   r.wallWork = u.next();
   r.heatIn = u.next();
   r.phaseJump = u.next();
+  r.restartJump = u.next();
   const double liquidMass = u.next();
   r.liquidFraction = r.now.mass > 0 ? liquidMass / r.now.mass : 0;
   r.wallImpulse = u.next3();
   r.initial = w.ledger.initial;
   r.gravityImpulse = u.next3() + w.scene.domain.gravity * (r.initial.mass * w.clock.time);
+  r.underWay = u.next3();
   r.massResidual = r.now.mass - (r.initial.mass + r.entered.mass - r.left.mass);
-  r.momentumResidual = r.now.momentum - (r.initial.momentum + r.entered.momentum - r.left.momentum + r.wallImpulse + r.gravityImpulse);
-  const double expected = mechanical(r.initial) + mechanical(r.entered) - mechanical(r.left) + r.wallWork - r.dissipated - r.phaseJump;
+  r.momentumResidual = r.now.momentum + r.underWay - (r.initial.momentum + r.entered.momentum - r.left.momentum + r.wallImpulse + r.gravityImpulse);
+  const double expected = mechanical(r.initial) + mechanical(r.entered) - mechanical(r.left) + r.wallWork - r.dissipated - r.phaseJump + r.restartJump;
   r.energyResidual = mechanical(r.now) - expected;
   r.energyScale = std::max({std::abs(r.now.kinetic), std::abs(r.initial.kinetic), std::abs(r.dissipated), std::abs(r.now.potential - r.initial.potential), std::abs(r.now.elastic), r.entered.kinetic, r.left.kinetic});
+  r.energyRounding = roundingOf(w, r);
   r.heatResidual = r.now.internal - (r.initial.internal + r.entered.internal - r.left.internal + r.heatIn);
   return r;
 }

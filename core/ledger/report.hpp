@@ -9,20 +9,28 @@ struct StepTools;
 
 struct LedgerReport {
   Balance now, initial, entered, left;
-  double dissipated = 0, wallWork = 0, heatIn = 0, phaseJump = 0;  // J
+  double dissipated = 0, wallWork = 0, heatIn = 0, phaseJump = 0, restartJump = 0;  // J
   Vec3d wallImpulse{}, gravityImpulse{};                          // N s
+  Vec3d underWay{};             ///< N s, that contacts have given to vertices and particles, and give to the oriented ones in the next step
   double massResidual = 0;      ///< kg
   Vec3d momentumResidual{};     ///< kg m/s
   double energyResidual = 0;    ///< J, mechanical: kinetic + elastic + potential against what entered, left, was done and dissipated
   double heatResidual = 0;      ///< J, internal against heat that came in
   double energyScale = 0;       ///< J, largest of the terms that went into energyResidual
+  double energyRounding = 0;    ///< J, below which energies of this scene are rounding, and shares of them mean nothing
   double liquidFraction = 0;    ///< of all mass
   std::int64_t particles = 0;
   std::int64_t rows[2] = {0, 0};  ///< of the further kinds (core/kinds/kinds.hpp)
 };
 
+/// Is this so little energy that a share of it means nothing?
+inline bool isRounding(const LedgerReport& r) { return r.energyScale < r.energyRounding; }
+
 /// Adds the particles of rows to a balance.
 void addToBalance(const World& world, std::span<const std::uint32_t> rows, ExactBalance& balance);
+
+/// Of all that this rank owns. Needs the elastic energy (core/solid_step.hpp).
+ExactBalance balanceHere(const World& world);
 
 /// Finds the elastic energy where the last step did not (core/solid_step.hpp). Collective.
 LedgerReport reportLedger(World& world, const StepTools& tools, Reducer& all);

@@ -3,7 +3,7 @@
 namespace thaw {
 namespace {
 
-constexpr std::size_t balanceSums = 11, ledgerSums = 2 * balanceSums + 13, worldCounts = sizeof(Counters) / sizeof(std::int64_t);
+constexpr std::size_t balanceSums = 11, ledgerSums = 2 * balanceSums + 14, worldCounts = sizeof(Counters) / sizeof(std::int64_t);
 static_assert(sizeof(ExactBalance) == balanceSums * sizeof(ExactSum), "list the new sum in addBalance, and in valuesOf");
 static_assert(sizeof(Ledger) == ledgerSums * sizeof(ExactSum) + sizeof(Balance), "list the new sum in sumsOf");
 static_assert(worldCounts == 21, "list the new counter in countsOf");
@@ -39,7 +39,8 @@ std::vector<NamedSum> sumsOf(Ledger& l) {
                              {"gravity_impulse_y", "N s", &l.gravityImpulse[1]},
                              {"gravity_impulse_z", "N s", &l.gravityImpulse[2]},
                              {"heat_in", "J", &l.heatIn},
-                             {"phase_jump", "J", &l.phaseJump}};
+                             {"phase_jump", "J", &l.phaseJump},
+                             {"restart_jump", "J", &l.restartJump}};
   list.insert(list.end(), std::begin(others), std::end(others));
   return list;
 }

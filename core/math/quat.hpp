@@ -22,6 +22,14 @@ inline Quat rotationBy(const Vec3d& r) {
   const double s = angle > 1e-4 ? std::sin(0.5 * angle) / angle : 0.5 - angle2 / 48;
   return unitQuat(Quat{angle > 1e-4 ? std::cos(0.5 * angle) : 1 - angle2 / 8, s * r.x, s * r.y, s * r.z});
 }
+/// The rotation vector (rad) that leads from one orientation to another, by the shorter way.
+inline Vec3d turnBetween(const Quat& from, const Quat& to) {
+  Quat q = to * Quat{from.w, -from.x, -from.y, -from.z};
+  if (q.w < 0) q = {-q.w, -q.x, -q.y, -q.z};
+  const Vec3d v{q.x, q.y, q.z};
+  const double s = length(v);
+  return s > 1e-8 ? (2 * std::atan2(s, q.w) / s) * v : 2.0 * v;
+}
 inline Vec3d rotated(const Quat& q, const Vec3d& v) {
   const Vec3d u{q.x, q.y, q.z}, t = 2.0 * cross(u, v);
   return v + q.w * t + cross(u, t);

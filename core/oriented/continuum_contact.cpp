@@ -23,7 +23,7 @@ template<class Use> void eachAround(const CellGrid& grid, const CellTable& cells
       }
 }
 
-struct Touch { Vec3d force{}; double energy = 0, loss = 0, stiffness = 0; };
+struct Touch { Vec3d force{}, resisting{}; double energy = 0, stiffness = 0; };  // on the continuum's; resisting: of the force, what takes energy away
 
 /// Of an oriented particle on one of the continuum; d from the first to the second, u how fast that grows.
 Touch touchOf(const Vec3d& d, const Vec3d& u, double far, double k, double mass) {
@@ -35,7 +35,7 @@ Touch touchOf(const Vec3d& d, const Vec3d& u, double far, double k, double mass)
   const double push = std::max(0.0, spring - c * apart);  // never pulls
   t.force = push * n;
   t.energy = 0.5 * k * (far - r) * (far - r);
-  t.loss = (spring - push) * apart;
+  t.resisting = (push - spring) * n;
   t.stiffness = k;
   return t;
 }
@@ -58,23 +58,24 @@ void meetContinuum(World& w, StepTools& t, double dt) {
       const Touch c = touch(j, i);
       p.force[i] += c.force;
       p.interaction[i] += 0.5 * c.energy;
-      p.dissipation[i] += 0.5 * c.loss;
+      p.dissipation[i] -= dot(c.resisting, p.velocity[i] + p.acceleration[i] * (0.5 * dt));  // half a kick of the last force stands for that of this one
       stiff += c.stiffness;
     });
     t.oriented.fastest2 = std::max(t.oriented.fastest2, 2 * stiff / p.mass[i]);
   }
   for (std::size_t j = 0; j < o.owned; j++) {
-    Vec3d force{};
+    Vec3d force{}, resisting{};
     eachAround(w.grid, w.cells, o.position[j], [&](std::uint32_t i) {
       const Touch c = touch(j, i);
       force -= c.force;
+      resisting -= c.resisting;
       o.energy[j] += 0.5 * c.energy;
-      o.dissipated[j] += 0.5 * c.loss * dt;
       o.stiffness[j] += 2 * c.stiffness / o.mass[j];
     });
-    if (w.scene.oriented[o.body[j]].planar) force.y = 0;
+    if (w.scene.oriented[o.body[j]].planar) force.y = resisting.y = 0;
     o.force[j] += force;
     o.external[j] += force;
+    o.resisting[j] += resisting;
   }
 }
 

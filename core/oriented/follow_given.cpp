@@ -27,7 +27,7 @@ std::int64_t findPlacesOnGiven(World& w, const StepTools& t) {
       o.homeTurn[i] = towards(normal);
       continue;
     }
-    letGo(w, i);
+    letGo(w, i, 0);
     dead++;
   }
   w.counters.orientedDeaths += dead;

@@ -35,7 +35,7 @@ void moveHeld(World& w, double time, double dt) {
     }
     if (o.flags[i] & heldNormal) {
       o.orientation[i] = pose.moved ? unitQuat(turnOf(pose.rotation) * o.homeTurn[i]) : o.homeTurn[i];
-      o.spin[i] = {};
+      o.spin[i] = pose.moved && dt > 0 ? pose.angularVelocity : Vec3d{};
     }
   }
 }

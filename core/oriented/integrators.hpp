@@ -1,5 +1,5 @@
 // The three ways of carrying oriented particles over a step. Each needs forces at the places now, and leaves the places (and ghosts' as they were). Each books
-// what obstacles, fields and damping give in its own quadrature, and leaves the mean force of all rows, held ones too, in OrientedWork::acting.
+// what obstacles, fields and damping give in its own quadrature, and leaves the mean force and torque of all rows, held ones too, in OrientedWork::acting and actingTorque.
 #pragma once
 #include "core/step.hpp"
 

@@ -76,7 +76,7 @@ int cutNumber(const Scene& s, std::size_t body, std::size_t event) {
   return number;
 }
 
-bool operationDue(const Scene& s, double from, double to, double dt) { return !dueBetween(s, dt > 0 ? from : -never, to).empty(); }
+bool operationDue(const Scene& s, double from, double to) { return !dueBetween(s, from, to).empty(); }
 
 void operate(World& w, Halos halos, StepTools& t, double from, double to) {
   Oriented& o = w.oriented.rows;

@@ -4,8 +4,8 @@
 
 namespace thaw {
 
-/// Does an event lie in (from, to], or, at the start (dt 0), at or before it?
-bool operationDue(const Scene& scene, double from, double to, double dt);
+/// Does an event lie in (from, to]?
+bool operationDue(const Scene& scene, double from, double to);
 
 /// Does the events of (from, to] (s) to the owned rows, in the order of time and then of the scene. The same on any number of ranks: each looks at
 /// the row's own place, group and normal alone.

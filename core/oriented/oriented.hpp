@@ -17,6 +17,7 @@ struct Oriented : KindRows {
   Column<Vec3d> force{*this, "force", "N", Keep::State, "of the last evaluation, without gravity; the next step uses it"};
   Column<Vec3d> torque{*this, "torque", "N m", Keep::State, "the same"};
   Column<Vec3d> external{*this, "external", "N", Keep::State, "its part by contact with the continuum and sheets, held over a step; only where there are any"};
+  Column<Vec3d> resisting{*this, "resisting", "N", Keep::State, "the part of external that takes mechanical energy away: dashpots, friction"};
   Column<std::uint32_t> group{*this, "group", "1", Keep::State, "number of the surface that it belongs to: its body's until a weld"};
   Column<std::uint64_t> cutSides{*this, "cutSides", "1", Keep::State, "two bits a cut of the scene: 0 not at it, 1 and 2 the sides, which do not act on each other"};
   Column<std::uint8_t> flags{*this, "flags", "1", Keep::State, "bits: 1 in a crease, 2 held in place, 4 held in orientation"};

@@ -22,10 +22,13 @@ struct OrientedWork {
   std::vector<Vec3d> place, move, spinMove;                 // of integrators: by owned row
   std::vector<Quat> turn;
   std::vector<Vec3d> acting;               // N, by owned row: the mean force over the step as the integrator has taken it, without gravity and damping
+  std::vector<Vec3d> actingTorque;         // N m, the same of torques
   std::vector<Vec3d> velocity, spin, sumForce, sumTorque, sumVelocity, sumSpin;
   std::vector<Vec3d> rest, restSpin, along, alongSpin, image, imageSpin;
   double fastest2 = 0;                     ///< 1/s^2, of this rank's continuum particles at oriented ones
   double unrest = 0;                       ///< largest force left by it, over stiffness times spacing
+  bool begins = false;                     ///< the next evaluation is that of the start: it does the events of time 0
+  std::int64_t relaxAtLeast = 0;           ///< iterations of relaxation at the start that a command asks of all bodies
   std::int64_t relaxed = 0;                ///< iterations of relaxation at the start
   bool atRest = false, relaxStopped = false;  ///< how it ended, if not by its last iteration; on all ranks
   std::function<bool(std::int64_t done)> stopRelaxing;  ///< asked on each rank before each of its iterations; one yes ends it. Empty: never

@@ -129,7 +129,39 @@ Offer offerAtBorder(const World& w, const StepTools& t, const PairPotential& p, 
   return offer;
 }
 
-void giveBirth(World& w, const PairPotential& p, std::size_t parent, const Offer& offer) {
+/// The weight of what entered and left is booked by halves of kicks (core/time/integrate.cpp), but oriented particles get theirs at once, at the beginning of a step: who is
+/// born in the midst of one has got nothing of it, and who dies all.
+void bookWeight(World& w, std::size_t i, double time) {
+  for (int a = 0; a < 3; a++)
+    if (const double impulse = w.oriented.rows.mass[i] * w.scene.domain.gravity[a] * time; impulse != 0) w.ledger.gravityImpulse[a].add(impulse);
+}
+
+/// Of a body that would have more than `most` after these births: the largest rank of an offer that stands (ranks are numbers of 63 bits), so that no more than its room are
+/// born on all ranks together. Of other bodies no limit.
+std::vector<std::uint64_t> rankLimits(const World& w, const std::vector<std::int64_t>& members, const std::vector<std::uint32_t>& parents, Reducer& all) {
+  const Oriented& o = w.oriented.rows;
+  const std::size_t bodies = members.size();
+  const auto born = [&](const std::vector<std::uint64_t>& limit) {
+    std::vector<std::int64_t> n(bodies, 0);
+    for (const std::uint32_t i : parents) n[o.body[i]] += o.offerRank[i] <= limit[o.body[i]];
+    all.sum(n);
+    return n;
+  };
+  std::vector<std::uint64_t> low(bodies, 0), high(bodies, std::uint64_t(1) << 63), limit = high;
+  std::vector<std::int64_t> n = born(limit);
+  std::vector<std::size_t> over;
+  for (std::size_t b = 0; b < bodies; b++)
+    if (members[b] + n[b] > w.scene.oriented[b].most) over.push_back(b);
+  for (int k = 0; k < 63 && !over.empty(); k++) {
+    for (const std::size_t b : over) limit[b] = low[b] + (high[b] - low[b]) / 2;
+    n = born(limit);
+    for (const std::size_t b : over) (members[b] + n[b] > w.scene.oriented[b].most ? high : low)[b] = limit[b];
+  }
+  for (const std::size_t b : over) limit[b] = low[b];
+  return limit;
+}
+
+void giveBirth(World& w, const PairPotential& p, std::size_t parent, const Offer& offer, double dt) {
   Oriented& o = w.oriented.rows;
   const std::size_t i = o.owned;
   o.resize(i + 1, 0);
@@ -144,16 +176,18 @@ void giveBirth(World& w, const PairPotential& p, std::size_t parent, const Offer
   o.orientation[i] = o.homeTurn[i] = towards(offer.normal);
   o.home[i] = offer.place;
   addKindRow(w, orientedKind, i, w.ledger.entered);
+  bookWeight(w, i, -0.5 * dt);
   w.counters.orientedBirths++;
 }
 
 }  // namespace
 
-void letGo(World& w, std::size_t i) {
+void letGo(World& w, std::size_t i, double dt) {
   Oriented& o = w.oriented.rows;
   o.energy[i] = 0;
   addKindRow(w, orientedKind, i, w.ledger.left);
   w.ledger.dissipated.add(o.dissipated[i]);
+  bookWeight(w, i, 0.5 * dt);
   o.mass[i] = 0;  // placeOriented drops it
 }
 
@@ -164,7 +198,7 @@ bool populationDue(const World& w, double dt) {
   return due;
 }
 
-bool changePopulation(World& w, Halos halos, StepTools& t) {
+bool changePopulation(World& w, Halos halos, StepTools& t, double dt) {
   Oriented& o = w.oriented.rows;
   const OrientedLists& l = t.oriented.lists;
   const std::uint64_t step = static_cast<std::uint64_t>(w.clock.step);
@@ -209,12 +243,16 @@ bool changePopulation(World& w, Halos halos, StepTools& t) {
     if (dies) dead.push_back(static_cast<std::uint32_t>(i));
     else if (wins) parents.push_back(static_cast<std::uint32_t>(i));
   }
+  if (std::any_of(w.scene.oriented.begin(), w.scene.oriented.end(), [](const OrientedBody& b) { return b.growth != OrientedGrowth::None; })) {
+    const std::vector<std::uint64_t> limit = rankLimits(w, members, parents, halos.all);
+    std::erase_if(parents, [&](std::uint32_t i) { return o.offerRank[i] > limit[o.body[i]]; });
+  }
   std::int64_t changed = static_cast<std::int64_t>(parents.size() + dead.size());
   halos.all.sum({&changed, 1});
   if (changed == 0) return false;
   o.resize(o.owned, 0);
-  for (const std::uint32_t i : parents) giveBirth(w, t.oriented.potentials[o.body[i]], i, offers[i]);
-  for (const std::uint32_t i : dead) letGo(w, i);
+  for (const std::uint32_t i : parents) giveBirth(w, t.oriented.potentials[o.body[i]], i, offers[i], dt);
+  for (const std::uint32_t i : dead) letGo(w, i, dt);
   w.counters.orientedDeaths += static_cast<std::int64_t>(dead.size());
   return true;
 }

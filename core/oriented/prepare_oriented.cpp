@@ -64,14 +64,16 @@ void activateOriented(World& w) {
     changes = changes || b.growth != OrientedGrowth::None || b.crowd > 0;
     implicit = implicit || b.integrator == OrientedIntegrator::SemiImplicit;
   }
-  if (w.modules.meeting || w.modules.draping) o.activate(o.external);
+  if (w.modules.meeting || w.modules.draping)
+    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.external, &o.resisting}) o.activate(*c);
   if (changes)
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.offer, &o.offerRank}) o.activate(*c);
   if (implicit)
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.search, &o.searchSpin}) o.activate(*c);
 }
 
-void prepareOriented(const Scene& s, OrientedWork& work, const MeshLoader& load) {
+void prepareOriented(Scene& s, OrientedWork& work, const MeshLoader& load) {
+  for (OrientedBody& b : s.oriented) b.cellShare = cellShareOf(b, spacingOf(s, b));
   work.potentials.clear();
   for (const OrientedBody& b : s.oriented) work.potentials.push_back(pairPotential(b, spacingOf(s, b)));
   work.given.assign(s.oriented.size(), {});
@@ -85,7 +87,7 @@ void prepareOriented(const Scene& s, OrientedWork& work, const MeshLoader& load)
   }
 }
 
-void sampleOriented(World& w, Halos halos, const MeshLoader& load) {
+std::vector<std::vector<Vec3d>> sampleOriented(World& w, Halos halos, const MeshLoader& load) {
   Oriented& o = w.oriented.rows;
   SceneProblems problems;
   const auto ranks = static_cast<std::size_t>(halos.all.size()), rank = static_cast<std::size_t>(halos.all.rank());
@@ -111,7 +113,7 @@ void sampleOriented(World& w, Halos halos, const MeshLoader& load) {
       problems.add(body.where, "oriented body '" + body.name + "': it begins with " + std::to_string(made.places.size()) + " particles and is to grow to `most` = " + std::to_string(body.most) +
                                    "; expected at least as many");
     std::vector<std::shared_ptr<const SignedDistance>> regions;
-    for (const OrientedAnchor& a : body.anchors) regions.push_back(makeSignedDistance(a.region, load));
+    for (const OrientedAnchor& a : body.anchors) regions.push_back(makeSignedDistance(a.region, load, "oriented body '" + body.name + "': an anchor", problems));
     std::vector<std::size_t> holds(body.anchors.size(), 0);
     std::size_t outside = 0;
     for (std::size_t k = 0; k < made.places.size(); k++) {
@@ -120,7 +122,7 @@ void sampleOriented(World& w, Halos halos, const MeshLoader& load) {
       std::uint8_t flags = made.held[k];
       std::uint16_t anchor = noAnchor;
       for (std::size_t a = regions.size(); a-- > 0;)  // the first that has it
-        if (regions[a]->inside(x)) {
+        if (regions[a] && regions[a]->inside(x)) {
           holds[a]++;
           anchor = static_cast<std::uint16_t>(a);
           flags = static_cast<std::uint8_t>((body.anchors[a].position ? heldPlace : 0) | (body.anchors[a].normal ? heldNormal : 0));
@@ -145,11 +147,12 @@ void sampleOriented(World& w, Halos halos, const MeshLoader& load) {
       o.anchor[i] = anchor;
     }
     for (std::size_t a = 0; a < holds.size(); a++)
-      if (holds[a] == 0) problems.add(body.anchors[a].where, "oriented body '" + body.name + "': there is no particle in this anchor");
+      if (regions[a] && holds[a] == 0) problems.add(body.anchors[a].where, "oriented body '" + body.name + "': there is no particle in this anchor");
     if (outside > 0) problems.add(body.where, "oriented body '" + body.name + "': " + std::to_string(outside) + " of its particles lie outside of the domain; enlarge the domain or move the body");
   }
   if (w.scene.numerics.overlap != OverlapRule::Keep) refuseSharedPlaces(w.scene, places, problems);
   problems.raise();
+  return places;
 }
 
 }  // namespace thaw

@@ -10,11 +10,12 @@ double orientedReach(const Scene& scene);
 
 void activateOriented(World& world);
 
-/// Constants of the potentials, and points that bodies are to go through. Throws ShapeError.
-void prepareOriented(const Scene& scene, OrientedWork& work, const MeshLoader& load);
+/// Constants of the potentials, the area of a particle (OrientedBody::cellShare), and points that bodies are to go through. Throws ShapeError.
+void prepareOriented(Scene& scene, OrientedWork& work, const MeshLoader& load);
 
-/// Appends this rank's share of the particles, held ones with their anchors. Throws ShapeError. Collective.
-void sampleOriented(World& world, Halos halos, const MeshLoader& load);
+/// Appends this rank's share of the particles, held ones with their anchors. Returns the places of all particles of each body, the same on all ranks. Throws ShapeError.
+/// Collective.
+std::vector<std::vector<Vec3d>> sampleOriented(World& world, Halos halos, const MeshLoader& load);
 
 /// Moves all bodies that ask for it to rest (FIRE: Bitzek et al. 2006), growing where they grow, until no force is above 1e-9 stiffness times
 /// spacing, for OrientedBody::relax iterations, or until OrientedWork::stopRelaxing says so on some rank. Velocities are then those of the scene. Returns the iterations done. Collective.

@@ -40,10 +40,11 @@ Sums sumsOf(const Oriented& o, const std::vector<Vec3d>& f, const std::vector<Ve
 
 std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
   Oriented& o = w.oriented.rows;
+  const auto iterationsOf = [&](const OrientedBody& b) { return std::max(b.relax, t.oriented.relaxAtLeast); };
   std::int64_t most = 0;
   bool grows = false;
   for (const OrientedBody& b : w.scene.oriented) {
-    most = std::max(most, b.relax);
+    most = std::max(most, iterationsOf(b));
     grows = grows || b.growth != OrientedGrowth::None || b.crowd > 0;
   }
   if (most == 0) return 0;
@@ -65,7 +66,7 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
       std::int64_t lost = given ? findPlacesOnGiven(w, t) : 0;
       halos.all.sum({&lost, 1});
       if (lost > 0) readyAgain(w, halos, t);
-      const bool changed = changePopulation(w, halos, t);
+      const bool changed = changePopulation(w, halos, t, 0);
       if (changed) readyAgain(w, halos, t);
       calm = changed || lost > 0 ? 0 : calm + 1;
     }
@@ -75,8 +76,8 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
     double worst[3] = {0, 0, 0};  // largest force, largest stiffness, and whether someone wants to stop
     for (std::size_t i = 0; i < o.owned; i++) {
       const OrientedBody& body = w.scene.oriented[o.body[i]];
-      if (!(o.flags[i] & heldPlace) && body.relax > 0) force[i] = o.force[i] + o.mass[i] * g;
-      if (!(o.flags[i] & heldNormal) && body.relax > 0) torque[i] = o.torque[i];
+      if (!(o.flags[i] & heldPlace) && iterationsOf(body) > 0) force[i] = o.force[i] + o.mass[i] * g;
+      if (!(o.flags[i] & heldNormal) && iterationsOf(body) > 0) torque[i] = o.torque[i];
     }
     if (given) followGiven(w, t, force, torque);
     for (std::size_t i = 0; i < o.owned; i++) {

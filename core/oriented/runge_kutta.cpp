@@ -23,6 +23,7 @@ void stepRungeKutta(World& w, Halos halos, StepTools& t, double dt) {
   work.sumForce.assign(n, {});
   work.sumTorque.assign(n, {});
   work.acting.assign(n, {});
+  work.actingTorque.assign(n, {});
   std::vector<Quat> sumTurn(n, Quat{0, 0, 0, 0});
   constexpr double share[4] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6}, next[4] = {0.5, 0.5, 1, 0};
   for (int stage = 0; stage < 4; stage++) {
@@ -39,6 +40,7 @@ void stepRungeKutta(World& w, Halos halos, StepTools& t, double dt) {
       const Vec3d a = place ? o.force[i] / o.mass[i] + g - body.damping * v : Vec3d{}, turn = turns ? o.torque[i] / o.inertia[i] - body.spinDamping * spin : Vec3d{};
       const Quat q = o.orientation[i], rate = turns ? Quat{0, 0.5 * spin.x, 0.5 * spin.y, 0.5 * spin.z} * q : Quat{0, 0, 0, 0};
       work.acting[i] += share[stage] * o.force[i];
+      work.actingTorque[i] += share[stage] * o.torque[i];
       work.sumVelocity[i] += share[stage] * v;
       work.sumForce[i] += share[stage] * a;
       work.sumSpin[i] += share[stage] * spin;

@@ -81,6 +81,7 @@ void stepSemiImplicit(World& w, Halos halos, StepTools& t, double dt) {
   const Vec3d g = w.scene.domain.gravity;
   bookObstacles(w, t, dt);
   work.acting.assign(n, {});
+  work.actingTorque.assign(n, {});
   for (auto* v : {&work.rest, &work.restSpin, &work.along, &work.alongSpin, &work.image, &work.imageSpin, &work.velocity, &work.spin}) v->assign(n, {});
   const auto free = [&](std::size_t i, std::uint8_t flag) { return (o.flags[i] & flag) == 0; };
   const auto bodyOf = [&](std::size_t i) -> const OrientedBody& { return w.scene.oriented[o.body[i]]; };
@@ -141,6 +142,7 @@ void stepSemiImplicit(World& w, Halos halos, StepTools& t, double dt) {
     const OrientedBody& body = bodyOf(i);
     if (body.planar) work.image[i].y = 0;
     work.acting[i] = o.force[i] - dt * work.image[i];
+    work.actingTorque[i] = o.torque[i] - dt * work.imageSpin[i];
     if (free(i, heldPlace)) {
       // of the solution's forces, which are those of pairs: what the solver has left over would be momentum from nowhere
       const Vec3d solved = work.velocity[i], v = o.velocity[i] + dt * (work.acting[i] / o.mass[i] + g - body.damping * solved), dv = v - o.velocity[i];

@@ -6,6 +6,7 @@
 #include "core/domain/sides.hpp"
 #include "core/kinds/place_kinds.hpp"
 #include "core/oriented/held.hpp"
+#include "core/oriented/held_books.hpp"
 #include "core/oriented/integrators.hpp"
 #include "core/oriented/operations.hpp"
 #include "core/oriented/oriented_forces.hpp"
@@ -15,40 +16,38 @@
 namespace thaw {
 namespace {
 
-/// What an anchor has to give its particle: change of momentum and energy less what the other forces do. Before and after the move of it.
-struct HeldBooks {
-  World& w;
-  double dt;
-  std::vector<Vec3d> velocity, place;
-  std::vector<std::uint8_t> flags;  // an anchor may let go at the end of the step that it still held
-  explicit HeldBooks(World& world, double step) : w(world), dt(step) {
-    const Oriented& o = w.oriented.rows;
-    velocity.assign(o.velocity.data(), o.velocity.data() + o.owned);
-    place.assign(o.position.data(), o.position.data() + o.owned);
-    flags.assign(o.flags.data(), o.flags.data() + o.owned);
-  }
-  void close(const std::vector<Vec3d>& acting) {
-    const Oriented& o = w.oriented.rows;
-    for (std::size_t i = 0; i < o.owned; i++) {
-      if (!(flags[i] & heldPlace)) continue;
-      const Vec3d force = acting[i] + o.mass[i] * w.scene.domain.gravity, impulse = o.mass[i] * (o.velocity[i] - velocity[i]) - dt * force;
-      for (int a = 0; a < 3; a++)
-        if (impulse[a] != 0) w.ledger.wallImpulse[a].add(impulse[a]);
-      // these forces act over half of the way before and half of the way after them (trapezoids); the implicit ones change in proportion to the way of the step
-      const bool implicit = w.scene.oriented.front().integrator == OrientedIntegrator::SemiImplicit;
-      const Vec3d now = o.position[i] - place[i], way = implicit ? now : 0.5 * (now + w.clock.stepDt * velocity[i]), pull = implicit ? force + 0.5 * (o.force[i] - acting[i]) : force;
-      const double work = 0.5 * o.mass[i] * (dot(o.velocity[i], o.velocity[i]) - dot(velocity[i], velocity[i])) - dot(pull, way);
-      if (work != 0) w.ledger.wallWork.add(work);
-    }
-  }
-};
-
-/// Adds the rows' energy to what changes without work: `sign` 1 before the change, -1 after it. Symplectic Euler gives a force the half of the way of the step
-/// (dt) that led to it only with the next kick (symplectic.cpp): that of a force that is another one by then belongs to the change.
+/// Adds the rows' energy to what changes without work: `sign` 1 before the change, -1 after it.
 void bookEnergy(World& w, const StepTools& t, double sign, double dt) {
   const Oriented& o = w.oriented.rows;
-  const double half = w.scene.oriented.front().integrator == OrientedIntegrator::SymplecticEuler ? 0.5 * dt : 0;
-  for (std::size_t i = 0; i < o.owned; i++) w.ledger.phaseJump.add(sign * (o.energy[i] + half * (dot(o.force[i] - fieldOn(w, t, i), o.velocity[i]) + dot(o.torque[i], o.spin[i]))));
+  for (std::size_t i = 0; i < o.owned; i++) w.ledger.phaseJump.add(sign * o.energy[i]);
+  bookLag(w, t, sign, dt, w.ledger.phaseJump);
+}
+
+/// The force of contacts with other kinds is held over a step, and its impulse is that of half of the step that led here and half of the one of dt (s) to come: what the
+/// other ends of the pairs, which move by leap-frog, have got and will get of the same force. Returns the weight of the force that this makes.
+double weighContacts(World& w, double dt) {
+  Oriented& o = w.oriented.rows;
+  const double weight = 0.5 * (w.clock.stepDt + dt) / dt;
+  for (std::size_t i = 0; i < o.owned && o.external.active; i++) {
+    const Vec3d weighed = weight * o.external[i];
+    o.force[i] += weighed - o.external[i];
+    o.external[i] = weighed;
+  }
+  return weight;
+}
+
+/// What contacts with other kinds take, and what the integrator makes of their force E. It acts over half of the way before it and half of the way after it (s v and d v', of the
+/// steps s and d); its impulse E (s + d)/2 has the work E (s + d)/2 . (v + v')/2, or, where the scheme's own loss has been booked as if all worked at the new velocity, . v'.
+void bookContacts(World& w, const HeldBefore& before, double weight) {
+  Oriented& o = w.oriented.rows;
+  if (!o.external.active) return;
+  const double s = w.clock.stepDt, d = before.dt;
+  const double share = w.scene.oriented.front().integrator == OrientedIntegrator::SemiImplicit ? 0.5 * s : 0.25 * (s - d);
+  for (std::size_t i = 0; i < o.owned; i++) {
+    const Vec3d v = before.velocity[i], now = o.velocity[i];
+    o.dissipated[i] -= 0.5 * dot(o.resisting[i], s * v + d * now);
+    if (!(before.flags[i] & heldPlace)) o.dissipated[i] -= share / weight * dot(o.external[i], now - v);
+  }
 }
 
 /// Has a row of any rank come through an open side? Collective, where there is one.
@@ -61,11 +60,11 @@ bool anyLeaves(const World& w, Reducer& all) {
   return gone > 0;
 }
 
-void letGoOutside(World& w) {
+void letGoOutside(World& w, double dt) {
   const Oriented& o = w.oriented.rows;
   for (std::size_t i = 0; i < o.owned; i++)
     if (isOutside(w.scene.domain, o.position[i])) {
-      letGo(w, i);
+      letGo(w, i, dt);
       w.counters.left++;
     }
 }
@@ -84,7 +83,8 @@ bool goesTooFar(const World& w, const std::vector<Vec3d>& before) {
 }  // namespace
 
 void stepOriented(World& w, Halos halos, StepTools& t, double dt) {
-  HeldBooks held(w, dt);
+  const HeldBefore held = rememberHeld(w, dt);
+  const double weight = weighContacts(w, dt);
   // one integrator for all bodies: pairs may be of two
   const OrientedIntegrator how = w.scene.oriented.front().integrator;
   if (how == OrientedIntegrator::RungeKutta) stepRungeKutta(w, halos, t, dt);
@@ -92,27 +92,53 @@ void stepOriented(World& w, Halos halos, StepTools& t, double dt) {
   else stepSymplectic(w, t, dt);
   w.oriented.overran = goesTooFar(w, held.place);
   moveHeld(w, w.clock.time + dt, dt);
-  held.close(t.oriented.acting);
+  bookHeld(w, held, t.oriented, weight);
+  bookContacts(w, held, weight);
   t.times.lap(StepPhase::Oriented);
+}
+
+void giveUnderWay(World& w) {
+  Oriented& o = w.oriented.rows;
+  for (std::size_t i = 0; i < o.owned && o.external.active; i++) {
+    const Vec3d impulse = (0.5 * w.clock.stepDt) * o.external[i];
+    o.dissipated[i] -= 0.5 * w.clock.stepDt * dot(o.resisting[i], o.velocity[i]);
+    if (!(o.flags[i] & heldPlace)) {
+      o.velocity[i] += impulse / o.mass[i];
+      continue;
+    }
+    for (int a = 0; a < 3; a++)
+      if (impulse[a] != 0) w.ledger.wallImpulse[a].add(-impulse[a]);
+  }
+  w.clock.stepDt = 0;
+}
+
+void bookLag(const World& w, const StepTools& t, double sign, double dt, ExactSum& to) {
+  const Oriented& o = w.oriented.rows;
+  if (w.scene.oriented.empty() || w.scene.oriented.front().integrator != OrientedIntegrator::SymplecticEuler) return;
+  for (std::size_t i = 0; i < o.owned; i++) {
+    const Vec3d contact = o.external.active ? o.external[i] : Vec3d{};
+    to.add(sign * 0.5 * dt * (dot(o.force[i] - fieldOn(w, t, i) - contact, o.velocity[i]) + dot(o.torque[i], o.spin[i])));
+  }
 }
 
 void evaluateOriented(World& w, Halos halos, StepTools& t, double dt) {
   Oriented& o = w.oriented.rows;
   const double now = w.clock.time + dt;  // a step's clock still shows its beginning here
   readyOriented(w, halos, t);
-  const bool events = operationDue(w.scene, w.clock.time, now, dt), look = populationDue(w, dt), leaves = dt > 0 && anyLeaves(w, halos.all);
+  const double since = t.oriented.begins ? -never : w.clock.time;
+  const bool events = operationDue(w.scene, since, now), look = populationDue(w, dt), leaves = dt > 0 && anyLeaves(w, halos.all);
   if (events || look || leaves) {
     addUpForces(w, t);
     if (dt > 0) bookEnergy(w, t, 1, dt);
     if (leaves) {
-      letGoOutside(w);
+      letGoOutside(w, dt);
       readyAgain(w, halos, t);
     }
     if (events) {
-      operate(w, halos, t, dt > 0 ? w.clock.time : -never, now);
+      operate(w, halos, t, since, now);
       readyAgain(w, halos, t);
     }
-    if (look && changePopulation(w, halos, t)) readyAgain(w, halos, t);
+    if (look && changePopulation(w, halos, t, dt)) readyAgain(w, halos, t);
     addUpForces(w, t);
     if (dt > 0) bookEnergy(w, t, -1, dt);
   } else {
@@ -122,9 +148,10 @@ void evaluateOriented(World& w, Halos halos, StepTools& t, double dt) {
     // contacts with other kinds follow in this evaluation; the forces so far held those of the last one
     for (std::size_t i = 0; i < o.owned; i++) {
       o.force[i] -= o.external[i];
-      o.external[i] = {};
+      o.external[i] = o.resisting[i] = {};
     }
   }
+  t.oriented.begins = false;
   t.times.lap(StepPhase::Oriented);
 }
 

@@ -9,6 +9,7 @@ void stepSymplectic(World& w, StepTools& t, double dt) {
   Oriented& o = w.oriented.rows;
   bookObstacles(w, t, dt);
   t.oriented.acting.assign(o.force.data(), o.force.data() + o.owned);
+  t.oriented.actingTorque.assign(o.torque.data(), o.torque.data() + o.owned);
   const Vec3d g = w.scene.domain.gravity;
   for (std::size_t i = 0; i < o.owned; i++) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];
@@ -16,8 +17,9 @@ void stepSymplectic(World& w, StepTools& t, double dt) {
     // way before was v dt: the difference is what the scheme makes of a step that changes.
     const double change = 0.5 * (dt - w.clock.stepDt);
     if (!(o.flags[i] & heldPlace)) {
-      const Vec3d before = o.velocity[i], field = fieldOn(w, t, i);
-      o.dissipated[i] -= change * dot(o.force[i] - field + o.mass[i] * g, before);
+      // (contacts with other kinds have the impulse of both halves already)
+      const Vec3d before = o.velocity[i], field = fieldOn(w, t, i), contact = o.external.active ? o.external[i] : Vec3d{};
+      o.dissipated[i] -= change * dot(o.force[i] - field - contact + o.mass[i] * g, before);
       // damping between two half kicks: what it takes is then what the forces give, where both balance
       const Vec3d kick = (0.5 * dt) * (o.force[i] / o.mass[i] + g);
       Vec3d v = o.velocity[i] + kick;

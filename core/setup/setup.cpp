@@ -13,6 +13,7 @@
 #include "core/ledger/report.hpp"
 #include "core/oriented/oriented_forces.hpp"
 #include "core/oriented/prepare_oriented.hpp"
+#include "core/oriented/step_oriented.hpp"
 #include "core/particle_sums.hpp"
 #include "core/scene/full_box.hpp"
 #include "core/setup/activate_fields.hpp"
@@ -22,11 +23,30 @@
 #include "core/setup/make_grid.hpp"
 #include "core/setup/relax_packing.hpp"
 #include "core/solid_step.hpp"
+#include "core/stored_energy.hpp"
 #include "core/surface/prepare_surface.hpp"
 #include "core/time/limits.hpp"
 
 namespace thaw {
 namespace {
+
+/// Forces and accelerations of now, without a step that led here.
+void evaluateNow(World& w, Halos halos, StepTools& t) {
+  Continuum& p = w.particles;
+  evaluate(w, halos, t, 0);
+  for (std::size_t i = 0; i < p.owned; i++) p.acceleration[i] = p.force[i] / p.mass[i] + w.scene.domain.gravity;
+  if (p.clamped.active)
+    for (std::size_t i = 0; i < p.owned; i++)
+      if (p.clamped[i]) p.acceleration[i] = {};
+}
+
+/// Adds `sign` times the energy that is stored on this rank, and what symplectic Euler has not given of it yet, to `to`.
+void bookStored(const World& w, const StepTools& t, double sign, ExactSum& to) {
+  const ExactBalance here = balanceHere(w);
+  to.addProduct(here.elastic, sign);
+  to.addProduct(here.potential, sign);
+  if (w.modules.oriented) bookLag(w, t, sign, w.clock.stepDt, to);
+}
 
 /// How far anything can fall: from the highest point of bodies and emitters to the lowest end of the domain.
 double fallHeightOf(const Scene& s, const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {
@@ -54,17 +74,9 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   w.clock.end = w.scene.end;
   w.clock.every = w.scene.output.every;
   SceneProblems problems;  // unreadable meshes: all of them at once, with their places in the scene
-  const auto shapeOf = [&](const auto& thing, const char* kind) -> std::shared_ptr<const SignedDistance> {
-    try {
-      return makeSignedDistance(thing.shape, load);
-    } catch (const ShapeError& e) {
-      problems.add(thing.where, std::string(kind) + " '" + thing.name + "': " + e.what());
-      return nullptr;
-    }
-  };
   for (const Obstacle& o : w.scene.obstacles) {
     Wall wall;
-    wall.shape = shapeOf(o, "obstacle");
+    wall.shape = makeSignedDistance(o.shape, load, "obstacle '" + o.name + "'", problems);
     if (!wall.shape) continue;
     wall.bounds = wall.shape->bounds();
     wall.properties = o;
@@ -72,7 +84,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   }
   addDomainWalls(w.scene.domain, w.walls);
   std::vector<std::shared_ptr<const SignedDistance>> shapes;
-  for (const Body& b : w.scene.bodies) shapes.push_back(shapeOf(b, "body"));
+  for (const Body& b : w.scene.bodies) shapes.push_back(makeSignedDistance(b.shape, load, "body '" + b.name + "'", problems));
   problems.raise();
   if (w.modules.sheet) prepareSheets(w, load);
   if (const double reach = faceContactReach(w.sheets.plans); reach > w.grid.edge.x) w.grid = makeGrid(w.scene, reach);
@@ -125,8 +137,8 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
   problems.raise();
   // a first partition by the number of particles; they are still where they were sampled
   Continuum& p = w.particles;
-  sampleKinds(w, halos, t, load);
-  if (w.modules.kinds()) report.warnings = kindStartWarnings(w, shapes, halos.all);
+  const std::vector<std::vector<Vec3d>> oriented = sampleKinds(w, halos, t, load);
+  if (w.modules.kinds()) report.warnings = kindStartWarnings(w, shapes, oriented, halos.all);
   for (std::size_t i = 0; i < p.owned; i++) wrapPlace(w.grid, w.scene.domain, p.position[i]);  // jitter may reach over a seam by rounding
   computeCellKeys(w.grid, p);
   Migration all;
@@ -143,16 +155,12 @@ void takeStock(World& w, Halos halos, StepTools& t) {
   t.times.start();
   const double fixed = w.scene.numerics.fixedStep;
   w.clock.dt = fixed > 0 ? fixed : t.fixedLimits[t.fixedLimits.smallest()];  // until the particles have had their say
-  evaluate(w, halos, t, 0);
+  evaluateNow(w, halos, t);
   if (!w.modules.neighbours) {  // they were for the bonds of the start
     w.neighbours = {};
     t.records = {};
     t.search = {};
   }
-  for (std::size_t i = 0; i < p.owned; i++) p.acceleration[i] = p.force[i] / p.mass[i] + w.scene.domain.gravity;
-  if (p.clamped.active)
-    for (std::size_t i = 0; i < p.owned; i++)
-      if (p.clamped[i]) p.acceleration[i] = {};
   p.shrink();  // what the first sorts took
   t.sort = {};
   t.mass = totalMass(w, halos.all);
@@ -212,6 +220,20 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   StepLimits limits = t.fixedLimits;
   if (w.modules.substeps) limits[Limit::Elastic] = w.modules.mostSubsteps * std::min(limits[Limit::Elastic], t.longestContact);
   w.clock.dt = fixed > 0 ? factor * fixed : std::min(w.clock.dt, factor * limits[limits.smallest()]);
+}
+
+void takeNewCoefficients(World& w, Halos halos, StepTools& t) {
+  ExactSum jump;
+  findStoredEnergy(w, t);
+  bookStored(w, t, -1, jump);
+  if (w.modules.oriented) giveUnderWay(w);
+  evaluateNow(w, halos, t);
+  findStoredEnergy(w, t);
+  bookStored(w, t, 1, jump);
+  w.ledger.restartJump += jump;
+  t.frozeAnywhere = false;  // who had just frozen has bonds now
+  vote(w, halos, t, {}, {});
+  if (w.modules.incompressible) findPressure(w, halos, t, nextStep(w.clock));
 }
 
 }  // namespace thaw

@@ -27,4 +27,8 @@ SamplingReport startWorld(World& world, Halos halos, StepTools& tools, const Mes
 /// After a restart: particles and solid records are on any rank; brings all home and makes ready for the next step. Collective.
 void resumeWorld(World& world, Halos halos, StepTools& tools);
 
+/// After resumeWorld, where the scene has other coefficients than the run had until then: forces, stored energies and the step anew, at the places and the time of now. What
+/// energy is stored now and was not before is Ledger::restartJump. Collective.
+void takeNewCoefficients(World& world, Halos halos, StepTools& tools);
+
 }  // namespace thaw

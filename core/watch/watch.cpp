@@ -60,9 +60,9 @@ Alarm alarmOf(const World& w, const WatchBounds& b, const StepLimits& limits, do
 
 Alarm checkBooks(const World& w, const WatchBounds& b, const LedgerReport& books, Reducer& all) {
   const double expected = 0.5 * books.now.mass * b.expected * b.expected;
-  if (b.energy < never && !(books.energyResidual - w.watch.residual <= b.energy * std::max(w.watch.scale, expected))) return Alarm::Energy;
+  if (b.energy < never && !(books.energyResidual - w.watch.residual <= b.energy * std::max({w.watch.scale, expected, books.energyRounding}))) return Alarm::Energy;
   // what grows slowly is never half of anything from one good state to the next
-  const double largest = std::max({w.watch.largest, books.energyScale, 0.01 * expected});
+  const double largest = std::max({w.watch.largest, books.energyScale, 0.01 * expected, books.energyRounding});
   if (b.energy < never && books.energyResidual > b.energy * largest && books.energyResidual > w.watch.residual) return Alarm::Growth;
   if (!w.modules.solid || !(b.inverted < never)) return Alarm::None;
   std::int64_t counts[2] = {0, 0};

@@ -67,7 +67,7 @@ int simulate(Run& r) {
   r.world.scene = sceneForAll(r.comm, r.options.scene, r.options.overrides);
   if (r.options.relax > 0) {
     if (r.world.scene.oriented.empty()) throw SceneErrors({r.options.scene + ": error: there is nothing to relax: the scene has no [[oriented]]"});
-    for (OrientedBody& b : r.world.scene.oriented) b.relax = std::max(b.relax, r.options.relax);
+    r.tools.oriented.relaxAtLeast = r.options.relax;
   }
   r.name = std::filesystem::path(r.options.scene).stem().string();
   onFirstRank(r.comm.handle(), [&] {

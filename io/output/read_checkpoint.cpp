@@ -11,8 +11,6 @@
 namespace thaw {
 namespace {
 
-constexpr std::int64_t formatRead = 2;
-
 /// Reads this rank's rows of datasets and remembers their checksums, to be compared when all ranks have read.
 struct CheckedReader {
   const H5File& file;
@@ -97,8 +95,8 @@ CheckpointHeader headerOf(const H5File& file) {
   const std::string at = "/checkpoint";
   CheckpointHeader h;
   h.path = file.path();
-  if (const std::int64_t format = file.integer(at, "format"); format != formatRead)
-    throw IoError(file.path(), "has format " + std::to_string(format) + " of checkpoints; this version of thaw reads format " + std::to_string(formatRead));
+  if (const std::int64_t format = file.integer(at, "format"); format != checkpointFormat)
+    throw IoError(file.path(), "has format " + std::to_string(format) + " of checkpoints; this version of thaw reads format " + std::to_string(checkpointFormat));
   h.sequence = file.integer(at, "sequence");
   h.clock.step = file.integer(at, "step");
   h.clock.frame = file.integer(at, "frame");

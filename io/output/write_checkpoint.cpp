@@ -98,7 +98,7 @@ void addBonds(ParallelFileContent& content, const World& w, const SolidOrder& or
 void writeHeader(H5File& file, const CheckpointHeader& h) {
   WatchState watch = h.watch;
   const std::string at = "/checkpoint";
-  file.setInteger(at, "format", 2);
+  file.setInteger(at, "format", checkpointFormat);
   file.setInteger(at, "sequence", h.sequence);
   file.setInteger(at, "step", h.clock.step);
   file.setInteger(at, "frame", h.clock.frame);

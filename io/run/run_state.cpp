@@ -79,9 +79,10 @@ void renewHalos(Run& r) {
   if (r.world.modules.surface) r.surface = std::make_unique<SurfaceRanks>(r.comm, r.world.surface.grid);
 }
 
-void writeFrameOf(Run& r) {
+namespace {
+
+void writeParticleFrame(Run& r) {
   World& w = r.world;
-  r.tools.times.start();
   findStoredEnergy(w, r.tools);
   if (w.modules.solid && std::find(w.scene.output.fields.begin(), w.scene.output.fields.end(), "stress") != w.scene.output.fields.end())
     computeCauchyStress(r.tools.elastic, w.solids);
@@ -92,6 +93,14 @@ void writeFrameOf(Run& r) {
     r.series.push_back({file, w.clock.time});
     writeSeries(seriesPath(r.options.out, r.name), r.series);
   });
+}
+
+}  // namespace
+
+void writeFrameOf(Run& r) {
+  World& w = r.world;
+  r.tools.times.start();
+  if (hasContinuum(w.scene)) writeParticleFrame(r);
   if (w.modules.surface) writeSurfaceFrameOf(r);
   writeKindFrames(r);
   w.clock.frame++;
@@ -191,13 +200,16 @@ void begin(Run& r, const MeshLoader& load) {
       for (const std::string& d : differences) lines.push_back("  " + d);
       throw SceneErrors(lines);
     }
-    for (const std::string& change : coefficientChanges(slice->header.values, w.scene)) {
-      r.summary.warnings.push_back("changed at the restart: " + change);
-      r.say("warning: " + r.summary.warnings.back());
-    }
+    const std::vector<std::string> changes = coefficientChanges(slice->header.values, w.scene);
+    for (const std::string& change : changes) r.warn("changed at the restart: " + change);
+    for (const std::string& change : changesOfTheStart(slice->header.values, w.scene)) r.warn("changed at the restart, without effect, since it says how the run begins: " + change);
     std::vector<std::byte> records = restoreWorld(w, *slice, r.first());
     if (w.modules.solid) r.bonds->adopt(std::move(records));
     resumeWorld(w, r.halos(), r.tools);
+    if (!changes.empty()) {
+      takeNewCoefficients(w, r.halos(), r.tools);
+      w.watch.goodStep = -1;  // those before have the energies of the old ones
+    }
     if (w.modules.surface) resumeSurface(w, r.surface->halos(), r.surfaceTools);
     w.clock.limitedBy = "the last run";
     r.resumed = true;
@@ -213,7 +225,7 @@ void begin(Run& r, const MeshLoader& load) {
     eachKind(w, [&](std::size_t kind, const KindRows& rows, const CellTable&) {
       std::int64_t n = static_cast<std::int64_t>(rows.owned);
       r.all.sum({&n, 1});
-      r.say(fmt::format("{}: {} particles", kindNames[kind], n));
+      r.say(fmt::format("{}: {} {}", kindNames[kind], n, kind == sheetKind ? "vertices" : "particles"));
     });
     for (const SceneWarning& line : sampled.warnings) r.warn(warningLine(line.where, line.text));
     warnOfIdleEvents(r);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace thaw {
@@ -55,8 +56,73 @@ void addSheet(CheckpointValues& marks, const SheetBody& b) {
   }
 }
 
-constexpr const char* coefficient = "coefficient.";  // begins the marks that may change
-bool mayChange(const std::string& key) { return key.rfind(coefficient, 0) == 0; }
+// beginnings of the marks that may change
+constexpr const char* coefficient = "coefficient.";
+constexpr const char* ofStart = "start.";
+bool hasPrefix(const std::string& key, const std::string& prefix) { return key.rfind(prefix, 0) == 0; }
+bool mayChange(const std::string& key) { return hasPrefix(key, coefficient) || hasPrefix(key, ofStart); }
+
+/// Particles are at places that follow from these; anchors and given points are found by them again.
+void addOriented(CheckpointValues& marks, const OrientedBody& b) {
+  const std::string at = "oriented." + b.name + ".";
+  // particles keep their mass and inertia, and name their anchors by place in the list
+  addNumbers(marks, at, {{"source", static_cast<double>(b.source)}, {"width", b.width}, {"depth", b.depth}, {"radius", b.radius}, {"bulge", b.bulge}, {"thin", b.thin}, {"spacing", b.spacing},
+                         {"density", b.density}, {"inertia", b.inertia}, {"anchors", static_cast<double>(b.anchors.size())}});
+  addVector(marks, at + "from", b.from);
+  addVector(marks, at + "to", b.to);
+  addShape(marks, at + "place.", b.shape);
+  for (const auto& [key, list] : {std::pair{"points", &b.points}, std::pair{"normals", &b.normals}}) {
+    Vec3d sum{};  // any change of one of them changes this, but by accident
+    for (std::size_t k = 0; k < list->size(); k++) sum += (1 + 0.5 * static_cast<double>(k)) * (*list)[k];
+    marks[at + key] = static_cast<double>(list->size());
+    addVector(marks, at + key + ".sum", sum);
+  }
+  for (std::size_t k = 0; k < b.anchors.size(); k++) {
+    const std::string anchor = fmt::format("{}anchor.{}.", at, k);
+    addNumbers(marks, anchor, {{"position", b.anchors[k].position}, {"normal", b.anchors[k].normal}});
+    addShape(marks, anchor, b.anchors[k].region);
+  }
+}
+
+constexpr std::size_t mostTold = 100;  // bodies: of more these marks would be longer than what they are good for
+
+void addStart(CheckpointValues& marks, const Scene& s) {
+  for (std::size_t k = 0; k < std::min(mostTold, s.bodies.size()); k++) {
+    const Body& b = s.bodies[k];
+    const std::string at = ofStart + ("body." + b.name + ".");
+    addNumbers(marks, at, {{"temperature", b.temperature}, {"material", b.material}, {"packing", static_cast<double>(b.packing)}, {"clamps", static_cast<double>(b.clamp.size())}});
+    addVector(marks, at + "velocity", b.velocity);
+    addVector(marks, at + "spin", b.spin);
+    addVector(marks, at + "temperature_gradient", b.temperatureGradient);
+    addShape(marks, at + "shape.", b.shape);
+  }
+  for (const OrientedBody& b : s.oriented) {
+    const std::string at = ofStart + ("oriented." + b.name + ".");
+    addNumbers(marks, at, {{"jitter", b.jitter}, {"relax", static_cast<double>(b.relax)}});
+    addVector(marks, at + "velocity", b.velocity);
+  }
+  for (const SheetBody& b : s.sheets) {
+    const std::string at = ofStart + ("sheet." + b.name + ".");
+    addNumbers(marks, at, {{"temperature", b.temperature}, {"clamps", static_cast<double>(b.clamp.size())}});
+    addVector(marks, at + "velocity", b.velocity);
+    for (std::size_t k = 0; k < b.clamp.size(); k++) addShape(marks, fmt::format("{}clamp.{}.", at, k), b.clamp[k]);
+  }
+}
+
+void addBlend(CheckpointValues& marks, const std::string& key, const Blend& b) {
+  marks[key + ".solid"] = b.solid;
+  marks[key + ".liquid"] = b.liquid;
+}
+
+void addCoefficients(CheckpointValues& marks, const Material& m) {
+  const std::string at = coefficient + ("material." + m.name + ".");
+  addNumbers(marks, at, {{"density", m.density}, {"surface_tension", m.surfaceTension}, {"sound_speed", m.soundSpeed}, {"law", static_cast<double>(m.law)}, {"volume_stiffness", m.volumeStiffness},
+                         {"hourglass", m.hourglass}, {"break_stretch", m.breakStretch}, {"damping", m.damping}, {"friction", m.friction}, {"restitution", m.restitution},
+                         {"latent_heat", m.latentHeat}, {"solidus", m.solidus}, {"liquidus", m.liquidus}});
+  for (const auto& [key, blend] : std::initializer_list<std::pair<const char*, const Blend*>>{
+           {"viscosity", &m.viscosity}, {"young", &m.young}, {"poisson", &m.poisson}, {"yield_strain", &m.yieldStrain}, {"creep_rate", &m.creepRate}, {"conductivity", &m.conductivity}, {"heat_capacity", &m.heatCapacity}})
+    addBlend(marks, at + key, *blend);
+}
 
 void addInTime(CheckpointValues& marks, const std::string& key, const FactorInTime& f) {
   for (std::size_t k = 0; k < f.points.size(); k++) {
@@ -88,12 +154,39 @@ void addCoefficients(CheckpointValues& marks, const SheetBody& b) {
 
 void addCoefficients(CheckpointValues& marks, const OrientedBody& b) {
   const std::string at = coefficient + ("oriented." + b.name + ".");
-  addNumbers(marks, at, {{"density", b.density}, {"inertia", b.inertia}, {"stiffness", b.stiffness}, {"attract", b.attract}, {"coplanar", b.plane}, {"conormal", b.normal}, {"cocircular", b.circle},
+  addNumbers(marks, at, {{"stiffness", b.stiffness}, {"attract", b.attract}, {"coplanar", b.plane}, {"conormal", b.normal}, {"cocircular", b.circle},
                          {"repel_power", static_cast<double>(b.repelPower)}, {"attract_power", static_cast<double>(b.attractPower)}, {"core", b.core}, {"across", b.across},
                          {"along", b.along}, {"support", b.support}, {"facing", b.facing}, {"planar", b.planar}, {"damping", b.damping}, {"spin_damping", b.spinDamping},
                          {"pressure", b.pressure}, {"contact", b.contact}, {"thickness", b.thickness}, {"friction", b.friction}, {"integrator", static_cast<double>(b.integrator)},
                          {"growth", static_cast<double>(b.growth)}, {"gap", b.gap}, {"crowd", b.crowd}, {"every", static_cast<double>(b.every)}, {"most", static_cast<double>(b.most)}});
   addVector(marks, at + "push", b.push);
+  for (std::size_t k = 0; k < b.anchors.size(); k++) {
+    const std::string anchor = fmt::format("{}anchor.{}.", at, k);
+    marks[anchor + "until"] = b.anchors[k].until;
+    for (std::size_t f = 0; f < b.anchors[k].motion.size(); f++) {
+      const Keyframe& frame = b.anchors[k].motion[f];
+      const std::string key = fmt::format("{}motion.{}.", anchor, f);
+      marks[key + "time"] = frame.time;
+      addVector(marks, key + "move", frame.move);
+      addVector(marks, key + "rotate", frame.rotate);
+    }
+  }
+}
+
+/// Marks of one prefix that differ, without it.
+std::vector<std::string> changesOf(const std::string& prefix, const CheckpointValues& stored, const Scene& scene) {
+  const CheckpointValues now = sceneMarks(scene);
+  std::vector<std::string> changes;
+  for (const auto& [key, value] : stored) {
+    if (!hasPrefix(key, prefix)) continue;
+    const auto it = now.find(key);
+    const std::string name = key.substr(prefix.size());
+    if (it == now.end()) changes.push_back(fmt::format("{} was {}, and is not in the scene any more", name, value));
+    else if (it->second != value) changes.push_back(fmt::format("{} was {}, and is {} now (SI, or place in its list)", name, value, it->second));
+  }
+  for (const auto& [key, value] : now)
+    if (hasPrefix(key, prefix) && !stored.contains(key)) changes.push_back(fmt::format("{} was not in the scene then, and is {} now", key.substr(prefix.size()), value));
+  return changes;
 }
 
 }  // namespace
@@ -124,11 +217,12 @@ CheckpointValues sceneMarks(const Scene& s) {
     addSheet(marks, b);
     addCoefficients(marks, b);
   }
-  for (const OrientedBody& b : s.oriented) {  // particles name their anchors by place in the list
+  for (const OrientedBody& b : s.oriented) {
+    addOriented(marks, b);
     addCoefficients(marks, b);
-    marks["oriented." + b.name + ".spacing"] = b.spacing;
-    marks["oriented." + b.name + ".anchors"] = static_cast<double>(b.anchors.size());
   }
+  for (const Material& m : s.materials) addCoefficients(marks, m);
+  addStart(marks, s);
   return marks;
 }
 
@@ -146,19 +240,8 @@ std::vector<std::string> sceneDifferences(const CheckpointValues& stored, const 
   return differences;
 }
 
-std::vector<std::string> coefficientChanges(const CheckpointValues& stored, const Scene& scene) {
-  const CheckpointValues now = sceneMarks(scene);
-  std::vector<std::string> changes;
-  const std::size_t skip = std::string(coefficient).size();
-  for (const auto& [key, value] : stored) {
-    if (!mayChange(key)) continue;
-    const auto it = now.find(key);
-    if (it == now.end()) changes.push_back(fmt::format("{} was {}, and is not in the scene any more", key.substr(skip), value));
-    else if (it->second != value) changes.push_back(fmt::format("{} was {}, and is {} now (SI, or place in its list)", key.substr(skip), value, it->second));
-  }
-  for (const auto& [key, value] : now)
-    if (mayChange(key) && !stored.contains(key)) changes.push_back(fmt::format("{} was not in the scene then, and is {} now", key.substr(skip), value));
-  return changes;
-}
+std::vector<std::string> coefficientChanges(const CheckpointValues& stored, const Scene& scene) { return changesOf(coefficient, stored, scene); }
+
+std::vector<std::string> changesOfTheStart(const CheckpointValues& stored, const Scene& scene) { return changesOf(ofStart, stored, scene); }
 
 }  // namespace thaw

@@ -16,7 +16,10 @@ CheckpointValues sceneMarks(const Scene& scene);
 /// What differs between a checkpoint's marks and those of a scene, a line each: "spacing was 0.01, and is 0.02 now". Empty: it can continue.
 std::vector<std::string> sceneDifferences(const CheckpointValues& stored, const Scene& scene);
 
-/// What may change and is told, since forces and energies jump there: the coefficients of sheets and oriented bodies. A line each, as above.
+/// What may change and is told, since forces and energies jump there: the coefficients of materials, sheets and oriented bodies. A line each, as above.
 std::vector<std::string> coefficientChanges(const CheckpointValues& stored, const Scene& scene);
+
+/// What has changed and says only how bodies begin, so that it is without effect now. A line each, as above.
+std::vector<std::string> changesOfTheStart(const CheckpointValues& stored, const Scene& scene);
 
 }  // namespace thaw

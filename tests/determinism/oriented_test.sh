@@ -10,45 +10,10 @@ try() {  # try NAME FILE STEPS SETTINGS
   echo "$1: $(value "$work/$1.1/summary.json" oriented) particles, $(value "$work/$1.1/summary.json" oriented_births) births, $(value "$work/$1.1/summary.json" oriented_deaths) deaths"
   rm -rf "${work:?}/$1".*
 }
-# A block falls on a surface that is held at its rim, and another surface shrinks around a ball.
-cat >"$work/meeting.toml" <<'EOF'
-spacing = "2 cm"
-end = "1 s"
-[domain]
-min = [-0.5, -0.5, -0.5]
-max = [0.5, 0.5, 0.5]
-[material.jelly]
-density = 200
-young = "2 kPa"
-[[body]]
-name = "block"
-box = { size = [0.1, 0.1, 0.1] }
-material = "jelly"
-place = { move = [0.02, 0, 0.08] }
-velocity = [0, 0, -1]
-[[oriented]]
-name = "net"
-patch = { width = 0.5, depth = 0.5 }
-density = 5
-stiffness = 50
-cfl = 0.5
-[[oriented.anchor]]
-difference = [ { box = { size = [1, 1, 0.1] } }, { box = { size = [0.44, 0.44, 0.2] } } ]
-[output]
-every = "20 ms"
-EOF
-# A cloth falls on the same surface, a block on the cloth, all let go at once; a patch flies out of the domain.
-{ cat "$work/meeting.toml"; cat <<'EOF2'
-[[sheet]]
-name = "cloth"
-grid = { width = 0.3, depth = 0.3 }
-spacing = "2 cm"
-mass = 0.4
-warp = 20
-weft = 20
-shear = 4
-place = { move = [-0.01, 0.01, 0.018] }
-velocity = [0.1, 0, -0.6]
+. "$(dirname "$0")/../support/meeting_scene.sh"
+# A block falls on a surface that is held at its rim; then also a cloth on the surface and the block on the cloth, while a patch flies out of the domain.
+meetingScene >"$work/meeting.toml"
+{ meetingScene; clothOver; cat <<'EOF'
 [[oriented]]
 name = "patch"
 patch = { width = 0.3, depth = 0.3 }
@@ -59,7 +24,7 @@ name = "leaver"
 patch = { width = 0.1, depth = 0.1 }
 place = { move = [0.4, 0, 0.3] }
 velocity = [4, 0, 0]
-EOF2
+EOF
 } >"$work/draping.toml"
 for which in ${SCENES:-meeting draping relax_plane relax_sphere open_cap weld cut crease interpolate curve2d rk4 implicit retry}; do
   case $which in

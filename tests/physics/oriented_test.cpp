@@ -137,7 +137,8 @@ TEST(Oriented, CutStopsForcesAcrossAndWeldMakesThem) {
   EXPECT_EQ(sideOfCut(stroke, nullptr, 0.15, {0, 0.2, 0}), 0);
 }
 
-TEST(Oriented, SurfaceDrawnOverABallGrowsAndKeepsItsBooks) {
+/// A disc that its rim draws down over a ball, and that grows in its gaps.
+Scene drawnOverABall() {
   Scene s = patchScene(0);
   OrientedBody& b = s.oriented[0];
   b.source = OrientedSource::Disc;
@@ -165,10 +166,15 @@ TEST(Oriented, SurfaceDrawnOverABallGrowsAndKeepsItsBooks) {
   s.obstacles[0].shape.radius = 0.18;
   s.obstacles[0].friction = 0;
   s.end = 2;
+  return s;
+}
+
+TEST(Oriented, SurfaceDrawnOverABallGrowsAndKeepsItsBooks) {
+  const Scene s = drawnOverABall();
   test::Simulation x(s);
   const std::size_t before = x.w.oriented.rows.owned;
   ASSERT_TRUE(x.run());
-  EXPECT_GT(x.w.oriented.rows.owned, before * 5 / 4);
+  EXPECT_GT(x.w.oriented.rows.owned, before * 9 / 8);  // 268 to 306 of 232 with a density 6 % lower or higher: which bond yields first is chance
   const LedgerReport l = x.books();
   EXPECT_LT(std::abs(l.massResidual), 1e-12 * l.now.mass);
   EXPECT_EQ(static_cast<std::int64_t>(x.w.oriented.rows.owned - before), x.w.counters.orientedBirths - x.w.counters.orientedDeaths);
@@ -263,14 +269,97 @@ TEST(Oriented, SheetAndPatchThatMeetKeepMomentumAndBooks) {
   s.end = 0.3;
   test::Simulation x(s);
   const LedgerReport before = x.books();
-  ASSERT_TRUE(x.run());
+  double underWay = 0;
+  while (x.w.clock.time < s.end) {
+    ASSERT_TRUE(x.step());
+    if (x.w.clock.step % 50 == 0) underWay = std::max(underWay, length(x.books().underWay));
+  }
   const LedgerReport after = x.books();
   double patch = 0;
   const Oriented& o = x.w.oriented.rows;
   for (std::size_t i = 0; i < o.owned; i++) patch += o.mass[i] * o.velocity[i].z;
   EXPECT_LT(patch, 0.2 * before.now.momentum.z);  // most of the way down together
-  EXPECT_LT(length(after.now.momentum - before.now.momentum), 0.01 * length(before.now.momentum));
+  // contact gives its impulses by halves to vertices and at once to oriented particles: what is under way is part of the sum, and steps that grow or shrink are none of it
+  EXPECT_GT(underWay, 1e-6 * length(before.now.momentum));
+  EXPECT_LT(length(after.now.momentum + after.underWay - before.now.momentum), 1e-12 * length(before.now.momentum));
   EXPECT_LT(std::abs(after.energyResidual), 0.01 * before.now.kinetic);
+}
+
+TEST(Oriented, BodyAndPatchThatMeetKeepMomentum) {
+  for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta, OrientedIntegrator::SemiImplicit}) {
+    Scene s = patchScene(0);
+    s.oriented[0].integrator = how;
+    s.oriented[0].density = 5;
+    s.materials.emplace_back();
+    s.materials[0].name = "jelly";
+    s.materials[0].density = 200;
+    s.materials[0].young = {2e3, 2e3};
+    test::addBox(s, {-0.1, -0.1, 0.06}, {0.15, 0.1, 0.16}).velocity = {0.2, 0, -1};
+    s.end = 0.15;
+    test::Simulation x(s);
+    ASSERT_TRUE(x.run());
+    const LedgerReport r = x.books();
+    EXPECT_GT(r.dissipated, 0);
+    EXPECT_LT(length(r.momentumResidual), 1e-12 * length(r.initial.momentum)) << static_cast<int>(how);
+    EXPECT_LT(std::abs(r.energyResidual), 0.02 * r.energyScale) << static_cast<int>(how);
+  }
+}
+
+// The weight of who is born or dies in the midst of a step is that of whole steps.
+TEST(Oriented, BirthsUnderGravityKeepTheBooksOfMomentum) {
+  Scene s = drawnOverABall();
+  s.domain.gravity = {0.3, 0, -1};
+  test::Simulation x(s);
+  ASSERT_TRUE(x.run());
+  EXPECT_GT(x.w.counters.orientedBirths, 20);
+  const LedgerReport r = x.books();
+  EXPECT_LT(length(r.momentumResidual), 1e-12 * length(r.gravityImpulse));
+}
+
+TEST(Oriented, ABodyNeverHasMoreThanMost) {
+  Scene s = drawnOverABall();
+  s.oriented[0].most = 232 + 11;
+  test::Simulation x(s);
+  while (x.w.clock.time < s.end) {
+    ASSERT_TRUE(x.step());
+    ASSERT_LE(static_cast<std::int64_t>(x.w.oriented.rows.owned), s.oriented[0].most);
+  }
+  EXPECT_EQ(static_cast<std::int64_t>(x.w.oriented.rows.owned), s.oriented[0].most);
+}
+
+TEST(Oriented, MassIsDensityTimesArea) {
+  Scene s = patchScene(0);
+  s.oriented[0].density = 3;
+  s.oriented[0].shape.scale = 1.3;
+  EXPECT_NEAR(test::Simulation(s).books().now.mass, 3 * 0.65 * 0.65, 1e-12);
+  s.oriented[0].source = OrientedSource::Disc;
+  s.oriented[0].radius = 0.4;
+  EXPECT_NEAR(test::Simulation(s).books().now.mass, 3 * 3.14159265358979 * 0.52 * 0.52, 1e-12);
+}
+
+// An anchor that turns normals bends the patch: its work is that of torques.
+TEST(Oriented, TheWorkOfAnchorsOfNormalsIsBooked) {
+  for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta}) {
+    Scene s = patchScene(0);
+    OrientedBody& b = s.oriented[0];
+    b.integrator = how;
+    b.cfl = 0.1;
+    b.facing = false;
+    OrientedAnchor edge;
+    edge.region = test::boxOf({-0.3, -0.3, -0.1}, {-0.15, 0.3, 0.1});
+    edge.position = false;
+    edge.normal = true;
+    edge.motion = {{0, {}, {}}, {0.2, {}, {0, 0.5, 0}}};
+    b.anchors.push_back(edge);
+    s.end = 0.2;
+    test::Simulation x(s);
+    ASSERT_TRUE(x.run());
+    const LedgerReport r = x.books();
+    const double change = r.now.kinetic + r.now.elastic - r.initial.elastic;
+    std::printf("work %.3e J, energy %.3e J more, residual %.1e J\n", r.wallWork, change, r.energyResidual);
+    EXPECT_GT(change, 0);
+    EXPECT_LT(std::abs(r.energyResidual), 0.02 * change) << static_cast<int>(how);
+  }
 }
 
 // A patch flies out of an open side, row by row: what its pairs with those that stay have is in the books.

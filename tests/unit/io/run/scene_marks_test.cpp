@@ -69,6 +69,49 @@ TEST(SceneMarks, CoefficientsOfKindsMayChangeAndAreTold) {
   EXPECT_FALSE(sceneDifferences(then, s).empty());
 }
 
+TEST(SceneMarks, WhatMakesOrientedBodiesMayNotChange) {
+  Scene s = sample();
+  s.oriented.emplace_back().name = "film";
+  s.oriented[0].points = {{0, 0, 0}, {1, 0, 0}};
+  s.oriented[0].anchors.emplace_back();
+  const CheckpointValues then = sceneMarks(s);
+  const auto refused = [&](auto&& change) {
+    Scene other = s;
+    change(other.oriented[0]);
+    return !sceneDifferences(then, other).empty();
+  };
+  EXPECT_FALSE(refused([](OrientedBody&) {}));
+  EXPECT_TRUE(refused([](OrientedBody& b) { b.width = 2; }));
+  EXPECT_TRUE(refused([](OrientedBody& b) { b.thin = 0.5; }));
+  EXPECT_TRUE(refused([](OrientedBody& b) { b.density = 2; }));  // particles keep theirs
+  EXPECT_TRUE(refused([](OrientedBody& b) { b.points[1].z = 1; }));
+  EXPECT_TRUE(refused([](OrientedBody& b) { b.shape.move.x = 1; }));
+  EXPECT_TRUE(refused([](OrientedBody& b) { b.anchors[0].region.move.x = 1; }));
+  EXPECT_TRUE(refused([](OrientedBody& b) { b.anchors[0].normal = true; }));
+}
+
+TEST(SceneMarks, WhatSaysHowBodiesBeginIsToldAsWithoutEffect) {
+  Scene s = sample();
+  s.oriented.emplace_back().name = "film";
+  const CheckpointValues then = sceneMarks(s);
+  EXPECT_TRUE(changesOfTheStart(then, s).empty());
+  s.oriented[0].relax = 7;
+  s.bodies[0].velocity.x = 3;
+  EXPECT_TRUE(sceneDifferences(then, s).empty());
+  EXPECT_TRUE(coefficientChanges(then, s).empty());
+  const std::vector<std::string> changes = changesOfTheStart(then, s);
+  ASSERT_EQ(changes.size(), 2u);
+  EXPECT_EQ(changes[0], "body.bust.velocity.x was 0, and is 3 now (SI, or place in its list)");
+  EXPECT_EQ(changes[1], "oriented.film.relax was 0, and is 7 now (SI, or place in its list)");
+}
+
+TEST(SceneMarks, CoefficientsOfMaterialsAreTold) {
+  Scene s = sample();
+  const CheckpointValues then = sceneMarks(s);
+  s.materials[0].young.solid = 2e5;
+  EXPECT_EQ(coefficientChanges(then, s), std::vector<std::string>{"material.wax.young.solid was 0, and is 200000 now (SI, or place in its list)"});
+}
+
 TEST(SceneMarks, TheMessageNamesTheKeyAndBothValues) {
   Scene s = sample();
   const CheckpointValues then = sceneMarks(s);
