@@ -20,13 +20,14 @@ struct Hold {
 };
 
 /// Not single particles and the like, which are spheres of their volume, nor those with a large hole, nor solids that were never held as liquids. A body
-/// with a mesh's detail left would have the faces of its cracks moved, and nothing else.
-Hold holdOf(const SurfaceComponent& c) {
+/// with a mesh's detail left would have the faces of its cracks moved, and nothing else. At the start solids without a mesh are held, too: the level of the
+/// particles' colour, which they were grown at, is half as far out again as it should be around plates of two layers.
+Hold holdOf(const SurfaceComponent& c, bool start) {
   constexpr std::int64_t fewest = 12;
   constexpr double leastFree = 0.03, leastFrozen = 0.9, closed = 0.1;
   if (c.surfels < fewest || c.particles <= smallDrop || !(c.wantedVolume > 0) || !(c.open < closed)) return {};
   if (c.freeArea > leastFree * c.area) return {c.freeArea, false, 1e-3};
-  if (c.raised != 0 && c.plainArea > leastFrozen * c.area) return {c.plainArea, true, 5e-3};
+  if ((start || c.raised != 0) && c.plainArea > leastFrozen * c.area) return {c.plainArea, true, 5e-3};
   return {};
 }
 
@@ -48,26 +49,26 @@ void keepStartVolumes(World& w, SurfaceHalos halos) {
   for (std::size_t i = 0; i < home.owned; i++) home.surfaceShare[i] = std::bit_cast<double>(here[i]);
 }
 
-bool volumesAreOff(const Surface& s) {
+bool volumesAreOff(const Surface& s, bool start) {
   return std::any_of(s.components.begin(), s.components.end(), [&](const SurfaceComponent& c) {
-    const Hold hold = holdOf(c);
+    const Hold hold = holdOf(c, start);
     return hold.area > 0 && errorOf(c) > hold.tolerance;
   });
 }
 
-void offsetToVolume(Surface& s, double keepVolume, double particleSpacing) {
+void offsetToVolume(Surface& s, double keepVolume, double particleSpacing, bool start) {
   Surfels& f = s.surfels;
-  if (!f.liquid.active) return;
+  if (!f.liquid.active && !start) return;
   const double longest = 0.5 * s.spacing, highest = mostRaised * particleSpacing;
   struct Move { double by = 0; bool frozen = false; };
   std::vector<Move> moves(s.components.size());  // the same on all ranks
   for (std::size_t k = 0; k < s.components.size(); k++) {
     SurfaceComponent& c = s.components[k];
-    const Hold hold = holdOf(c);
+    const Hold hold = holdOf(c, start);
     if (!(hold.area > 0) || errorOf(c) <= hold.tolerance) continue;
     const double to = c.raised + std::clamp(keepVolume * (c.wantedVolume - c.volume) / hold.area, -longest, longest);
     moves[k] = {std::clamp(to, std::min(-highest, c.raised), std::max(highest, c.raised)) - c.raised, hold.frozen};
-    c.raised += moves[k].by;
+    if (!(start && hold.frozen)) c.raised += moves[k].by;  // what begins as a solid keeps its place from now on
   }
   const SurfaceComponent* c = nullptr;
   for (std::size_t i = 0; i < f.owned; i++) {

@@ -30,10 +30,10 @@ void measureAll(Surface& s, SurfaceHalos halos, TopologyTools& t, bool again = f
 }
 
 /// Offsets until the volumes are right, four times at most.
-void keepVolume(World& w, SurfaceHalos halos, TopologyTools& t) {
+void keepVolume(World& w, SurfaceHalos halos, TopologyTools& t, bool start) {
   Surface& s = w.surface;
-  for (int k = 0; k < 4 && volumesAreOff(s); k++) {
-    offsetToVolume(s, w.scene.surface.keepVolume, w.scene.spacing);
+  for (int k = 0; k < 4 && volumesAreOff(s, start); k++) {
+    offsetToVolume(s, w.scene.surface.keepVolume, w.scene.spacing, start);
     refreshGhosts(halos.surfels, s.surfels, ColumnList{&s.surfels.position});
     measureAll(s, halos, t, true);
   }
@@ -89,13 +89,13 @@ void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   inheritRaised(s, before, t.components);
 }
 
-void measureSurface(World& w, SurfaceHalos halos, SurfaceTools& tools) {
+void measureSurface(World& w, SurfaceHalos halos, SurfaceTools& tools, bool start) {
   Surface& s = w.surface;
   TopologyTools& t = tools.topology;
   placeSurfels(s, halos, tools);
   placeRows(s.grid, halos.particles, s.particles, s.particleCells, tools.sort);
   measureAll(s, halos, t);
-  if (w.scene.surface.keepVolume > 0 && s.lastStep >= 0) keepVolume(w, halos, t);
+  if (w.scene.surface.keepVolume > 0 && s.lastStep >= 0) keepVolume(w, halos, t, start);
   dropGhosts(s.surfels, s.surfelCells);
 }
 

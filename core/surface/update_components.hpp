@@ -21,9 +21,9 @@ struct TopologyTools {
 /// the same bits on any number of ranks.
 void splitAndMerge(World& world, SurfaceHalos halos, SurfaceTools& tools);
 
-/// Surface::components of what there is, and Surfels::area; then volume keeping, where the scene wants it and the surface is not just starting.
+/// Surface::components of what there is, and Surfels::area; then volume keeping, where the scene wants it and the surface is not just being made; start: it has been, just now.
 /// Surfels may be on any rank, unsorted; afterwards both tables are placed, without ghosts. Collective.
-void measureSurface(World& world, SurfaceHalos halos, SurfaceTools& tools);
+void measureSurface(World& world, SurfaceHalos halos, SurfaceTools& tools, bool start = false);
 
 /// Both.
 void updateComponents(World& world, SurfaceHalos halos, SurfaceTools& tools);

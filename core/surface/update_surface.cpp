@@ -34,6 +34,17 @@ void orderStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
   else measureSurface(w, halos, t);
 }
 
+/// Volume keeping of what is grown from particles. Where that moves rims together, surfels are put in order once more.
+void holdStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
+  const bool off = w.scene.surface.keepVolume > 0 && volumesAreOff(w.surface, true);
+  measureSurface(w, halos, t, true);
+  if (!off) return;
+  const SurfaceCounters before = w.surface.counters;
+  resampleOnParticles(w, halos, t, 10);
+  w.surface.counters = before;
+  measureSurface(w, halos, t, true);
+}
+
 /// From where the particles were at the last update to where they are.
 void bringParticlesForward(Surface& s) {
   for (std::size_t i = 0; i < s.particles.owned; i++) s.particles.position[i] += s.particles.displacement[i];
@@ -55,7 +66,7 @@ void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   placeAll(s, halos, t);
   sampleFields(w, halos, t);
   s.lastStep = w.clock.step;
-  measureSurface(w, halos, t);  // volume keeping: of what is grown from a few particles
+  holdStart(w, halos, t);
   returnParticles(w, halos);
 }
 
