@@ -34,7 +34,7 @@ bool meshEnding(std::string path) {
 }
 
 void readMesh(TableReader& r, Shape& s) {
-  r.text("mesh", s.mesh, "closed mesh: OBJ, PLY or STL, relative to the file that names it; or \"builtin:bust\" or \"builtin:head\", both 1 m tall", "path or \"builtin:bust\"");
+  r.text("mesh", s.mesh, "closed mesh: OBJ, PLY or STL, relative to the file that names it; or \"builtin:bust\" or \"builtin:head\", both 1 m tall. Normals in the file are not read: smooth ones follow from the triangles", "path or \"builtin:bust\"");
   if (s.mesh.empty()) {
     if (r.has("mesh")) r.fail("mesh", "expected the path of an OBJ, PLY or STL file, or " + std::string(builtinList));
   } else if (namesBuiltin(s.mesh)) {

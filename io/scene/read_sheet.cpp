@@ -148,6 +148,10 @@ void readSheet(TableReader& r, SceneReading& x) {
     readShape(c, b.clamp.back());
   });
   if (b.mass == 0 && b.damping == 0 && b.stiffness == 0) r.fail("mass", "a sheet needs mass, damping or stiffness: all three are 0");
+  else if (b.mass == 0 && b.damping == 0 && (b.warp > 0 || b.weft > 0 || b.shear > 0 || b.bending > 0 || b.volumeStiffness > 0 || b.push > 0 || b.pull > 0))
+    r.fail("mass", "with neither mass nor damping nothing holds a vertex back that its neighbours pull at, and no step is short enough: expected one of both");
+  if (b.mass == 0 && b.windDensity > 0) r.fail("wind_density", "the air's drag on a sheet without mass has no stable step: expected mass > 0");
+  if (b.pullReach > 0 && b.pull == 0) r.fail("pull_reach", "needs pull: without it nothing acts there");
   if (b.plasticity > 0 && b.stiffness == 0) r.fail("plasticity", "without stiffness there is no place of rest that could move");
   if (b.plasticity > 0 && !r.has("elastic_limit")) r.fail("plasticity", "needs elastic_limit: without one all is elastic");
   if (r.has("elastic_limit") && !r.has("plasticity")) r.fail("elastic_limit", "needs plasticity, which says what of what goes beyond it stays");

@@ -172,6 +172,17 @@ rejects "sheet of tiny spacing" "sheet.toml:6:1: error: sheet 'cloth': at a spac
 name = 'cloth'
 grid = { width = 0.4, depth = 0.4 }
 spacing = 1e-9")"
+rejects "wind on a sheet without mass" "windy.toml:10:.*wind_density.*expected mass > 0" 2 check "$(kinds windy <<<"[[sheet]]
+grid = { width = 0.4, depth = 0.4 }
+mass = 0
+damping = 1
+wind_density = 1.2
+wind = [0, 0, 5]")"
+rejects "springs on a sheet without mass and damping" "slack.toml:8:.*mass.*neither mass nor damping" 2 check "$(kinds slack <<<"[[sheet]]
+grid = { width = 0.4, depth = 0.4 }
+mass = 0
+stiffness = 1000
+warp = 1")"
 rejects "emitter of tiny spacing" "emitter.toml:7:1: error: emitter 'tap': its opening has 3.6e\\+07 places" 2 check "$(kinds emitter <<<"[material.water]
 [[emitter]]
 name = 'tap'
