@@ -42,6 +42,12 @@ void addShape(CheckpointValues& marks, const std::string& at, const Shape& s) {
   for (std::size_t k = 0; k < s.parts.size(); k++) addShape(marks, fmt::format("{}part{}.", at, k), s.parts[k]);
 }
 
+/// What is held has been marked at the start, and a scene without clamps has no column for it.
+void addClamps(CheckpointValues& marks, const std::string& at, const std::vector<Shape>& clamps) {
+  marks[at + "clamps"] = static_cast<double>(clamps.size());
+  for (std::size_t k = 0; k < clamps.size(); k++) addShape(marks, fmt::format("{}clamp.{}.", at, k), clamps[k]);
+}
+
 /// A sheet's edges, triangles and places of rest are made anew from its mesh at a restart.
 void addSheet(CheckpointValues& marks, const SheetBody& b) {
   const std::string at = "sheet." + b.name + ".";
@@ -50,6 +56,7 @@ void addSheet(CheckpointValues& marks, const SheetBody& b) {
                          {"rib_height", b.ribHeight}, {"wrinkles", b.wrinkles}, {"wrinkle_height", b.wrinkleHeight}, {"mass", b.mass}, {"regions", static_cast<double>(b.regions.size())}});
   addVector(marks, at + "warp_direction", b.warpDirection);
   addShape(marks, at + "place.", b.shape);
+  addClamps(marks, at, b.clamp);
   for (std::size_t k = 0; k < b.regions.size(); k++) {
     marks[fmt::format("{}region.{}.mass", at, k)] = b.regions[k].mass;
     addShape(marks, fmt::format("{}region.{}.", at, k), b.regions[k].shape);
@@ -90,7 +97,7 @@ void addStart(CheckpointValues& marks, const Scene& s) {
   for (std::size_t k = 0; k < std::min(mostTold, s.bodies.size()); k++) {
     const Body& b = s.bodies[k];
     const std::string at = ofStart + ("body." + b.name + ".");
-    addNumbers(marks, at, {{"temperature", b.temperature}, {"material", b.material}, {"packing", static_cast<double>(b.packing)}, {"clamps", static_cast<double>(b.clamp.size())}});
+    addNumbers(marks, at, {{"temperature", b.temperature}, {"material", b.material}, {"packing", static_cast<double>(b.packing)}});
     addVector(marks, at + "velocity", b.velocity);
     addVector(marks, at + "spin", b.spin);
     addVector(marks, at + "temperature_gradient", b.temperatureGradient);
@@ -103,9 +110,8 @@ void addStart(CheckpointValues& marks, const Scene& s) {
   }
   for (const SheetBody& b : s.sheets) {
     const std::string at = ofStart + ("sheet." + b.name + ".");
-    addNumbers(marks, at, {{"temperature", b.temperature}, {"clamps", static_cast<double>(b.clamp.size())}});
+    marks[at + "temperature"] = b.temperature;
     addVector(marks, at + "velocity", b.velocity);
-    for (std::size_t k = 0; k < b.clamp.size(); k++) addShape(marks, fmt::format("{}clamp.{}.", at, k), b.clamp[k]);
   }
 }
 
@@ -122,6 +128,14 @@ void addCoefficients(CheckpointValues& marks, const Material& m) {
   for (const auto& [key, blend] : std::initializer_list<std::pair<const char*, const Blend*>>{
            {"viscosity", &m.viscosity}, {"young", &m.young}, {"poisson", &m.poisson}, {"yield_strain", &m.yieldStrain}, {"creep_rate", &m.creepRate}, {"conductivity", &m.conductivity}, {"heat_capacity", &m.heatCapacity}})
     addBlend(marks, at + key, *blend);
+}
+
+void addCoefficients(CheckpointValues& marks, const SurfaceSettings& s) {
+  addNumbers(marks, std::string(coefficient) + "surface.", {{"spacing", s.spacing}, {"support", s.support}, {"particle_support", s.particleSupport}, {"every_steps", static_cast<double>(s.everySteps)},
+             {"every_move", s.everyMove}, {"implicit", s.implicit}, {"attract", s.attract}, {"smooth", s.smooth}, {"repel", s.repel}, {"smoothing", static_cast<double>(s.smoothing)},
+             {"iso_level", s.isoLevel}, {"least_level", s.leastLevel}, {"damping", s.damping}, {"iterations", static_cast<double>(s.iterations)}, {"stop", s.stop}, {"adapt", s.adapt},
+             {"keep_volume", s.keepVolume}, {"merge", static_cast<double>(s.merge)}, {"link_length", s.linkLength}});
+  marks[std::string(ofStart) + "surface.source"] = static_cast<double>(s.source);
 }
 
 void addInTime(CheckpointValues& marks, const std::string& key, const FactorInTime& f) {
@@ -222,6 +236,9 @@ CheckpointValues sceneMarks(const Scene& s) {
     addCoefficients(marks, b);
   }
   for (const Material& m : s.materials) addCoefficients(marks, m);
+  if (s.surface.on) addCoefficients(marks, s.surface);
+  for (std::size_t k = 0; k < std::min(mostTold, s.bodies.size()); k++)
+    if (!s.bodies[k].clamp.empty()) addClamps(marks, "body." + s.bodies[k].name + ".", s.bodies[k].clamp);
   addStart(marks, s);
   return marks;
 }

@@ -112,6 +112,32 @@ TEST(SceneMarks, CoefficientsOfMaterialsAreTold) {
   EXPECT_EQ(coefficientChanges(then, s), std::vector<std::string>{"material.wax.young.solid was 0, and is 200000 now (SI, or place in its list)"});
 }
 
+TEST(SceneMarks, ClampsMayNotChange) {
+  Scene s = sample();
+  s.sheets.emplace_back().name = "cloth";
+  s.sheets[0].clamp.emplace_back();
+  const CheckpointValues then = sceneMarks(s);
+  Scene let = s;
+  let.sheets[0].clamp.clear();
+  EXPECT_FALSE(sceneDifferences(then, let).empty());
+  Scene held = s;
+  held.bodies[0].clamp.emplace_back();
+  EXPECT_FALSE(sceneDifferences(then, held).empty());
+  EXPECT_FALSE(sceneDifferences(sceneMarks(held), s).empty());
+  held.bodies[0].clamp[0].move.z = 1;
+  EXPECT_TRUE(changesOfTheStart(sceneMarks(held), held).empty());
+}
+
+TEST(SceneMarks, SettingsOfTheSurfaceAreTold) {
+  Scene s = sample();
+  s.surface.on = true;
+  const CheckpointValues then = sceneMarks(s);
+  s.surface.adapt = 0.5;
+  s.surface.source = SurfelSource::Particles;
+  EXPECT_EQ(coefficientChanges(then, s).size(), 1u);
+  EXPECT_EQ(changesOfTheStart(then, s).size(), 1u);
+}
+
 TEST(SceneMarks, TheMessageNamesTheKeyAndBothValues) {
   Scene s = sample();
   const CheckpointValues then = sceneMarks(s);
