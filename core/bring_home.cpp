@@ -108,7 +108,7 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
     for (std::size_t i = before; i < p.owned; i++) t.sleep.findAll = t.sleep.findAll || p.sleep[i] == asleep;
   m.arrivals += emitted;
   ColumnList stale{};  // what this step finds anew before anybody asks
-  if (dt > 0 && !w.modules.sheet) stale.push_back(&p.acceleration);
+  if (dt > 0 && !w.modules.sheet && !w.modules.meeting) stale.push_back(&p.acceleration);  // contacts with both read the last one
   if (!w.modules.sleep) stale.push_back(&p.interaction);
   if (ordered) sortByCell(p, m, t.sort, w.cells, stale);
   else if (m.arrivals > 0 || !m.departed.empty()) closeGaps(p, m);

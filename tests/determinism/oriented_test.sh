@@ -26,7 +26,8 @@ place = { move = [0.4, 0, 0.3] }
 velocity = [4, 0, 0]
 EOF
 } >"$work/draping.toml"
-for which in ${SCENES:-meeting draping relax_plane relax_sphere open_cap weld cut crease interpolate curve2d rk4 implicit retry}; do
+cp "$work/meeting.toml" "$work/tumbling.toml"
+for which in ${SCENES:-meeting tumbling draping relax_plane relax_sphere open_cap weld cut crease interpolate curve2d rk4 implicit retry}; do
   case $which in
     retry)  # a step that is too long: back to the last good state, with the same bits on all ranks, and stopped between that and the failure
       scene=relax_plane
@@ -42,6 +43,8 @@ for which in ${SCENES:-meeting draping relax_plane relax_sphere open_cap weld cu
       same "$work/retry.1" "$work/retry.parts" "relax_plane with long steps, stopped before it fails"
       echo "retry: $(value "$work/retry.1/summary.json" retries) retries, $(value "$work/retry.1/summary.json" step) steps" ;;
     meeting) try meeting "$work/meeting.toml" 150 ;;
+    tumbling)  # the block turns as it touches, so that its rows change places in the steps in which contacts read what they did in the last
+      try tumbling "$work/tumbling.toml" 150 --set body.block.velocity=[0.6,0.3,-1] --set body.block.spin=[9,12,6] --set body.block.box.size=[0.16,0.16,0.16] --set body.block.place.move=[0.02,0,0.11] ;;
     draping) try draping "$work/draping.toml" 150 ;;
     rk4) settings cut; try rk4 "$scenes/cut.toml" 40 "${set[@]}" --set 'oriented.cloth.integrator="rk4"' ;;
     implicit) settings weld; try implicit "$scenes/weld.toml" 30 "${set[@]}" --set 'oriented.left.integrator="semi-implicit"' ;;
