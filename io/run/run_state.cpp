@@ -201,7 +201,8 @@ void begin(Run& r, const MeshLoader& load) {
       throw SceneErrors(lines);
     }
     const std::vector<std::string> changes = coefficientChanges(slice->header.values, w.scene);
-    for (const std::string& change : changes) r.warn("changed at the restart: " + change);
+    for (const auto& told : {changes, settingChanges(slice->header.values, w.scene)})
+      for (const std::string& change : told) r.warn("changed at the restart: " + change);
     for (const std::string& change : changesOfTheStart(slice->header.values, w.scene)) r.warn("changed at the restart, without effect, since it says how the run begins: " + change);
     std::vector<std::byte> records = restoreWorld(w, *slice, r.first());
     if (w.modules.solid) r.bonds->adopt(std::move(records));

@@ -65,9 +65,10 @@ void addSheet(CheckpointValues& marks, const SheetBody& b) {
 
 // beginnings of the marks that may change
 constexpr const char* coefficient = "coefficient.";
+constexpr const char* setting = "setting.";
 constexpr const char* ofStart = "start.";
 bool hasPrefix(const std::string& key, const std::string& prefix) { return key.rfind(prefix, 0) == 0; }
-bool mayChange(const std::string& key) { return hasPrefix(key, coefficient) || hasPrefix(key, ofStart); }
+bool mayChange(const std::string& key) { return hasPrefix(key, coefficient) || hasPrefix(key, setting) || hasPrefix(key, ofStart); }
 
 /// Particles are at places that follow from these; anchors and given points are found by them again.
 void addOriented(CheckpointValues& marks, const OrientedBody& b) {
@@ -130,8 +131,8 @@ void addCoefficients(CheckpointValues& marks, const Material& m) {
     addBlend(marks, at + key, *blend);
 }
 
-void addCoefficients(CheckpointValues& marks, const SurfaceSettings& s) {
-  addNumbers(marks, std::string(coefficient) + "surface.", {{"spacing", s.spacing}, {"support", s.support}, {"particle_support", s.particleSupport}, {"every_steps", static_cast<double>(s.everySteps)},
+void addSettings(CheckpointValues& marks, const SurfaceSettings& s) {
+  addNumbers(marks, std::string(setting) + "surface.", {{"spacing", s.spacing}, {"support", s.support}, {"particle_support", s.particleSupport}, {"every_steps", static_cast<double>(s.everySteps)},
              {"every_move", s.everyMove}, {"implicit", s.implicit}, {"attract", s.attract}, {"smooth", s.smooth}, {"repel", s.repel}, {"smoothing", static_cast<double>(s.smoothing)},
              {"iso_level", s.isoLevel}, {"least_level", s.leastLevel}, {"damping", s.damping}, {"iterations", static_cast<double>(s.iterations)}, {"stop", s.stop}, {"adapt", s.adapt},
              {"keep_volume", s.keepVolume}, {"merge", static_cast<double>(s.merge)}, {"link_length", s.linkLength}});
@@ -171,8 +172,9 @@ void addCoefficients(CheckpointValues& marks, const OrientedBody& b) {
   addNumbers(marks, at, {{"stiffness", b.stiffness}, {"attract", b.attract}, {"coplanar", b.plane}, {"conormal", b.normal}, {"cocircular", b.circle},
                          {"repel_power", static_cast<double>(b.repelPower)}, {"attract_power", static_cast<double>(b.attractPower)}, {"core", b.core}, {"across", b.across},
                          {"along", b.along}, {"support", b.support}, {"facing", b.facing}, {"planar", b.planar}, {"damping", b.damping}, {"spin_damping", b.spinDamping},
-                         {"pressure", b.pressure}, {"contact", b.contact}, {"thickness", b.thickness}, {"friction", b.friction}, {"integrator", static_cast<double>(b.integrator)},
-                         {"growth", static_cast<double>(b.growth)}, {"gap", b.gap}, {"crowd", b.crowd}, {"every", static_cast<double>(b.every)}, {"most", static_cast<double>(b.most)}});
+                         {"pressure", b.pressure}, {"contact", b.contact}, {"thickness", b.thickness}, {"friction", b.friction}, {"integrator", static_cast<double>(b.integrator)}});
+  addNumbers(marks, setting + ("oriented." + b.name + "."),
+             {{"growth", static_cast<double>(b.growth)}, {"gap", b.gap}, {"crowd", b.crowd}, {"every", static_cast<double>(b.every)}, {"most", static_cast<double>(b.most)}});
   addVector(marks, at + "push", b.push);
   for (std::size_t k = 0; k < b.anchors.size(); k++) {
     const std::string anchor = fmt::format("{}anchor.{}.", at, k);
@@ -236,7 +238,7 @@ CheckpointValues sceneMarks(const Scene& s) {
     addCoefficients(marks, b);
   }
   for (const Material& m : s.materials) addCoefficients(marks, m);
-  if (s.surface.on) addCoefficients(marks, s.surface);
+  if (s.surface.on) addSettings(marks, s.surface);
   for (std::size_t k = 0; k < std::min(mostTold, s.bodies.size()); k++)
     if (!s.bodies[k].clamp.empty()) addClamps(marks, "body." + s.bodies[k].name + ".", s.bodies[k].clamp);
   addStart(marks, s);
@@ -258,6 +260,8 @@ std::vector<std::string> sceneDifferences(const CheckpointValues& stored, const 
 }
 
 std::vector<std::string> coefficientChanges(const CheckpointValues& stored, const Scene& scene) { return changesOf(coefficient, stored, scene); }
+
+std::vector<std::string> settingChanges(const CheckpointValues& stored, const Scene& scene) { return changesOf(setting, stored, scene); }
 
 std::vector<std::string> changesOfTheStart(const CheckpointValues& stored, const Scene& scene) { return changesOf(ofStart, stored, scene); }
 

@@ -19,6 +19,9 @@ std::vector<std::string> sceneDifferences(const CheckpointValues& stored, const 
 /// What may change and is told, since forces and energies jump there: the coefficients of materials, sheets and oriented bodies. A line each, as above.
 std::vector<std::string> coefficientChanges(const CheckpointValues& stored, const Scene& scene);
 
+/// What may change and is told, but leaves forces and energies as they are: how surfaces are kept, and how oriented bodies grow. A line each, as above.
+std::vector<std::string> settingChanges(const CheckpointValues& stored, const Scene& scene);
+
 /// What has changed and says only how bodies begin, so that it is without effect now. A line each, as above.
 std::vector<std::string> changesOfTheStart(const CheckpointValues& stored, const Scene& scene);
 
