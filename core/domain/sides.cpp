@@ -34,8 +34,6 @@ OpenBox openBox(const Domain& d) {
   return box;
 }
 
-bool isOutside(const Domain& d, const Vec3d& x) { return openBox(d).leaves(x); }
-
 bool hasOpenSide(const Domain& d) {
   bool open = false;
   for (const auto& side : d.side) open = open || side[0] == Side::Open || side[1] == Side::Open;

@@ -25,8 +25,6 @@ struct OpenBox {
 };
 OpenBox openBox(const Domain& domain);
 
-/// Is a place beyond an open side?
-bool isOutside(const Domain& domain, const Vec3d& place);
 bool hasOpenSide(const Domain& domain);
 
 /// Rows [begin, end) beyond an open side, ascending, are added to `rows`. Their nextCell is set to noCell, so that migration leaves them alone; the

@@ -82,12 +82,12 @@ std::vector<SceneWarning> kindStartWarnings(const World& w, const std::vector<st
   std::vector<Other> others;
   for (std::size_t b = 0; b < oriented.size(); b++) {
     const OrientedBody& body = w.scene.oriented[b];
-    others.push_back({&oriented[b], "oriented body '" + body.name + "'", body.spacing > 0 ? body.spacing : w.scene.spacing});
+    others.push_back({&oriented[b], "oriented body '" + body.name + "'", spacingOf(w.scene, body)});
   }
   for (std::size_t n = 0; n < w.scene.sheets.size() && w.modules.sheet; n++) others.push_back({&w.sheets.plans[n].mesh.vertices, "sheet '" + w.scene.sheets[n].name + "'", w.sheets.plans[n].thickness});
   std::vector<SceneWarning> warnings;
   std::vector<Who> whose;
-  for (const OrientedBody& b : w.scene.oriented) whose.push_back({b.where, "oriented body '" + b.name + "'", "particles", b.thickness * (b.spacing > 0 ? b.spacing : w.scene.spacing)});
+  for (const OrientedBody& b : w.scene.oriented) whose.push_back({b.where, "oriented body '" + b.name + "'", "particles", b.thickness * spacingOf(w.scene, b)});
   if (w.modules.oriented) warnOfPlaces(w, w.oriented.rows, whose, shapes, all, warnings);
   if (w.modules.oriented) warnOfOthers(w.oriented.rows, whose, others, 0, all, warnings);
   if (!w.modules.sheet) return warnings;

@@ -70,7 +70,7 @@ double roundingOf(const World& w, const LedgerReport& r) {
   for (const Material& m : s.materials)
     if (m.canBeSolid() && r.particles > 0) strained = std::max(strained, m.young.solid / m.density * r.now.mass);
   for (const OrientedBody& b : s.oriented) {
-    const double spacing = b.spacing > 0 ? b.spacing : s.spacing;
+    const double spacing = spacingOf(s, b);
     strained = std::max(strained, b.stiffness * spacing * spacing * static_cast<double>(r.rows[orientedKind]));
   }
   for (std::size_t n = 0; n < w.sheets.plans.size(); n++) {

@@ -29,10 +29,10 @@ inline bool isRounding(const LedgerReport& r) { return r.energyScale < r.energyR
 /// Adds the particles of rows to a balance.
 void addToBalance(const World& world, std::span<const std::uint32_t> rows, ExactBalance& balance);
 
-/// Of all that this rank owns. Needs the elastic energy (core/solid_step.hpp).
+/// Of all that this rank owns. Needs stored energies (core/stored_energy.hpp).
 ExactBalance balanceHere(const World& world);
 
-/// Finds the elastic energy where the last step did not (core/solid_step.hpp). Collective.
+/// Finds stored energies where the last step did not (core/stored_energy.hpp). Collective.
 LedgerReport reportLedger(World& world, const StepTools& tools, Reducer& all);
 
 }  // namespace thaw

@@ -1,7 +1,6 @@
 #include "core/neighbours/sort.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "core/kinds/kind_rows.hpp"
 #include "core/neighbours/list_cells.hpp"
@@ -136,9 +135,8 @@ template<class Rows> void sortByCell(Rows& p, const Migration& migration, SortBu
     const std::uint64_t *next = p.nextCell.data(), *id = p.id.data();
     const auto before = [&](std::uint32_t i, std::uint32_t j) { return next[i] != next[j] ? next[i] < next[j] : id[i] < id[j]; };
     std::sort(b.movers.begin(), b.movers.end(), before);
-    std::array<AnyColumn*, 4> left{&p.nextCell};
-    const auto end = std::copy(stale.begin(), stale.end(), left.begin() + 1);
-    const std::span<AnyColumn* const> unmoved(left.begin(), end);
+    ColumnList unmoved{&p.nextCell};
+    for (AnyColumn* c : stale) unmoved.push_back(c);
     const bool few = (b.movers.size() + b.gone.size()) * shortRun < p.owned;
     if (few) findPlaces(b, stayed, next, p.cell.data(), before);
     else mergeAll(b, stayed, before);

@@ -12,8 +12,6 @@
 namespace thaw {
 namespace {
 
-double spacingOf(const Scene& s, const OrientedBody& b) { return b.spacing > 0 ? b.spacing : s.spacing; }
-
 bool interpolates(const OrientedBody& b) { return b.growth == OrientedGrowth::Borders && (b.thin < 1 || b.source == OrientedSource::Points); }
 
 void keepGiven(const MadePoints& m, GivenPoints& g) {

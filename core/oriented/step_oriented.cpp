@@ -54,16 +54,18 @@ void bookContacts(World& w, const HeldBefore& before, double weight) {
 bool anyLeaves(const World& w, Reducer& all) {
   if (!hasOpenSide(w.scene.domain)) return false;
   const Oriented& o = w.oriented.rows;
+  const OpenBox box = openBox(w.scene.domain);
   double gone = 0;
-  for (std::size_t i = 0; i < o.owned; i++) gone = std::max(gone, isOutside(w.scene.domain, o.position[i]) ? 1.0 : 0.0);
+  for (std::size_t i = 0; i < o.owned; i++) gone = std::max(gone, box.leaves(o.position[i]) ? 1.0 : 0.0);
   all.maximum({&gone, 1});
   return gone > 0;
 }
 
 void letGoOutside(World& w, double dt) {
   const Oriented& o = w.oriented.rows;
+  const OpenBox box = openBox(w.scene.domain);
   for (std::size_t i = 0; i < o.owned; i++)
-    if (isOutside(w.scene.domain, o.position[i])) {
+    if (box.leaves(o.position[i])) {
       letGo(w, i, dt);
       w.counters.left++;
     }
@@ -160,7 +162,7 @@ double orientedStepLimit(const World& w, const StepTools& t) {
   double dt = t.oriented.fastest2 > 0 ? 0.5 / std::sqrt(t.oriented.fastest2) : never;
   for (std::size_t i = 0; i < o.owned; i++) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];
-    const double s = body.spacing > 0 ? body.spacing : w.scene.spacing;
+    const double s = spacingOf(w.scene, body);
     const double stable = body.integrator == OrientedIntegrator::SymplecticEuler ? 2 : body.integrator == OrientedIntegrator::RungeKutta ? 2.8 : 20;
     if (o.stiffness[i] > 0) dt = std::min(dt, body.cfl * stable / std::sqrt(o.stiffness[i]));
     const double speed = length(o.velocity[i]), pull = length(o.force[i]) / o.mass[i];

@@ -262,4 +262,10 @@ struct Scene {
 /// Has it particles of the continuum, at the start or later? Else oriented bodies and sheets are all there is.
 inline bool hasContinuum(const Scene& s) { return !s.bodies.empty() || !s.emitters.empty(); }
 
+/// Wanted distance (m) of an oriented body's particles, or of the vertices of a sheet that is made here: its own, or the scene's.
+inline double spacingOf(const Scene& s, const OrientedBody& b) { return b.spacing > 0 ? b.spacing : s.spacing; }
+inline double spacingOf(const Scene& s, const SheetBody& b) { return b.spacing > 0 ? b.spacing : s.spacing; }
+/// Of surfels.
+inline double surfelSpacing(const Scene& s) { return s.surface.spacing > 0 ? s.surface.spacing : 0.5 * s.spacing; }
+
 }  // namespace thaw

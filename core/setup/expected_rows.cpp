@@ -60,7 +60,7 @@ std::vector<ExpectedRows> expectedRows(const Scene& scene, const MeshLoader& loa
   std::vector<ExpectedRows> all;
   for (const OrientedBody& b : scene.oriented) {
     ExpectedRows e{"oriented body '" + b.name + "'", b.where};
-    e.spacing = b.spacing > 0 ? b.spacing : scene.spacing;
+    e.spacing = spacingOf(scene, b);
     try {
       e.rows = particlesOf(b, e.spacing, load);
     } catch (const std::exception&) {  // its set-up says so, with its place
@@ -71,7 +71,7 @@ std::vector<ExpectedRows> expectedRows(const Scene& scene, const MeshLoader& loa
   }
   for (const SheetBody& b : scene.sheets) {
     ExpectedRows e{"sheet '" + b.name + "'", b.where};
-    e.spacing = b.spacing > 0 ? b.spacing : scene.spacing;
+    e.spacing = spacingOf(scene, b);
     e.rows = verticesOf(b, e.spacing);
     e.bytesEverywhere = e.rows * vertexPlan;
     e.bytesShared = e.rows * vertexRow;

@@ -48,6 +48,12 @@ void bookStored(const World& w, const StepTools& t, double sign, ExactSum& to) {
   if (w.modules.oriented) bookLag(w, t, sign, w.clock.stepDt, to);
 }
 
+/// What the first sorts took, of all rows.
+void dropBuffersOfStart(World& w, StepTools& t) {
+  w.particles.shrink();
+  t.sort = {};
+}
+
 /// How far anything can fall: from the highest point of bodies and emitters to the lowest end of the domain.
 double fallHeightOf(const Scene& s, const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {
   const double g = length(s.domain.gravity);
@@ -161,8 +167,7 @@ void takeStock(World& w, Halos halos, StepTools& t) {
     t.records = {};
     t.search = {};
   }
-  p.shrink();  // what the first sorts took
-  t.sort = {};
+  dropBuffersOfStart(w, t);
   t.mass = totalMass(w, halos.all);
   const LedgerReport now = reportLedger(w, t, halos.all);
   w.ledger.initial = now.now;
@@ -206,8 +211,7 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   halos.cells.rebalance(costs.cells, costs.cost, true);
   if (w.modules.kinds()) bringKindsHome(w, halos, t);  // with their ghosts they are as the last step has left them
   if (w.modules.oriented) readyOriented(w, halos, t);
-  p.shrink();  // what the first sorts took
-  t.sort = {};
+  dropBuffersOfStart(w, t);
   t.mass = totalMass(w, halos.all);
   double froze = 0;
   if (p.justFrozen.active)

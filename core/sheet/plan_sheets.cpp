@@ -28,8 +28,6 @@ double FactorInTime::at(double time) const {
 
 namespace {
 
-double spacingOf(const Scene& s, const SheetBody& b) { return b.spacing > 0 ? b.spacing : s.spacing; }
-
 /// The speed (m/s) with which a vertex may meet anything: its own, of a fall through the domain, of obstacles.
 double speedOf(const Scene& s, const SheetBody& b) {
   double height = 0, fastest = length(b.velocity) + length(b.wind);

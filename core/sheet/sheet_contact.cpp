@@ -162,7 +162,7 @@ void meetOriented(World& w, const SheetVelocities& now) {
     const SheetPlan& plan = b.plans[s.body[i]];
     const OrientedBody& other = w.scene.oriented[o.body[j]];
     const SheetBody& sheet = w.scene.sheets[s.body[i]];
-    const double spacing = other.spacing > 0 ? other.spacing : w.scene.spacing;
+    const double spacing = spacingOf(w.scene, other);
     const Vec3d d = s.position[i] - o.position[j];
     const double reach = 0.5 * (plan.thickness + spacing), r2 = dot(d, d);
     if (!(r2 < reach * reach) || !(r2 > 0)) return false;

@@ -10,7 +10,7 @@ namespace thaw {
 void prepareSurface(World& w) {
   const SurfaceSettings& set = w.scene.surface;
   Surface& s = w.surface;
-  s.spacing = set.spacing > 0 ? set.spacing : 0.5 * w.scene.spacing;
+  s.spacing = surfelSpacing(w.scene);
   s.surfelSupport = set.support * s.spacing;
   s.particleSupport = set.particleSupport * w.grid.support;
   // what is looked at around a particle or surfel of this rank is in the cells around its own: up to three spacings and a disc in the search for what is bare, too;

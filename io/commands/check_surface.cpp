@@ -115,7 +115,7 @@ double expectedUpdates(const World& w, double steps) {
 std::vector<std::string> surfaceAdvice(const Scene& scene) {
   const SurfaceSettings& s = scene.surface;
   std::vector<std::string> notes;
-  const double spacing = s.spacing > 0 ? s.spacing : 0.5 * scene.spacing;
+  const double spacing = surfelSpacing(scene);
   if (spacing > scene.spacing) notes.push_back(fmt::format("surface.spacing ({:g} m) is above spacing ({:g} m): the surface is coarser than the particles", spacing, scene.spacing));
   if (s.everySteps == 0 && s.everyMove == 0) notes.push_back("surface.every_steps and surface.every_move are 0: the surface is updated at frames only, however far particles move in between");
   if (s.everyMove > 1) notes.push_back(fmt::format("surface.every_move is {:g}: particles come further than their neighbourhood between two updates, and the surface is carried less well", s.everyMove));

@@ -108,7 +108,7 @@ void requireMemory(const Communicator& comm, const World& world, const MeshLoade
 }
 
 double expectedSurfels(const Scene& s, const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {
-  const double spacing = s.surface.spacing > 0 ? s.surface.spacing : 0.5 * s.spacing;
+  const double spacing = surfelSpacing(s);
   return 1.15 * expectedArea(shapes) / (spacing * spacing);  // in hexagons
 }
 

@@ -11,8 +11,7 @@ void addOrientedFields(const World& w, Frame& f) {
     to[0] = static_cast<float>(q.w), to[1] = static_cast<float>(q.x), to[2] = static_cast<float>(q.y), to[3] = static_cast<float>(q.z);
   });
   addRows<float>(f, "radius", "m", 1, [&w, &o](std::size_t i, float* to) {  // as of surfels: neighbours at most this far apart leave no hole
-    const OrientedBody& b = w.scene.oriented[o.body[i]];
-    *to = static_cast<float>(b.spacing > 0 ? b.spacing : w.scene.spacing);
+    *to = static_cast<float>(spacingOf(w.scene, w.scene.oriented[o.body[i]]));
   });
   addRows<std::uint8_t>(f, "color", "1", 3, [&w, &o](std::size_t i, std::uint8_t* to) {
     for (int c = 0; c < 3; c++) to[c] = static_cast<std::uint8_t>(colourOf(w.scene.oriented[o.body[i]], o.body[i]) >> 8 * c & 255);
