@@ -76,10 +76,14 @@ void bondScene(World& w, Halos& halos, StepTools& t) {
   const BondForming forming = bondForming(w, t);
   constexpr std::size_t parts = 16;  // alike on all ranks
   std::vector<BondRequest> requests;
+  std::vector<BondPair> pairs;
   for (std::size_t k = 0; k < parts; k++) {
     requests.clear();
-    formBonds(w.particles, w.solids, w.bonds, w.neighbours, forming, requests, {k * w.neighbours.groups / parts, (k + 1) * w.neighbours.groups / parts});
-    halos.bonds.relink(w.particles, w.solids, w.bonds, {requests, true});
+    pairs.clear();
+    const ListedGroups part{k * w.neighbours.groups / parts, (k + 1) * w.neighbours.groups / parts};
+    if (w.bonds.vectors) formBonds(w.particles, w.solids, w.bonds, w.neighbours, forming, requests, part);
+    else pairAtStart(w.particles, w.neighbours, forming, pairs, part);
+    halos.bonds.relink(w.particles, w.solids, w.bonds, {requests, false, pairs});
   }
   renewSolids(w, halos, t);
   t.bondsAtStart = false;
@@ -114,8 +118,8 @@ void relinkSolids(World& w, Halos halos, StepTools& t, const Relink& work) {
 void findElasticEnergy(World& w, const StepTools& t) {
   if (w.solids.energyKnown) return;
   for (std::size_t s = 0; s < w.solids.owned; s++) {
-    const Mat3d gradU = slotGradient(t.elastic, w.solids, w.bonds, s);
-    w.solids.energy[s] = slotEnergy(t.elastic, w.solids, w.bonds, s, gradU);
+    const auto [gradU, energy] = slotStrain(t.elastic, w.solids, w.bonds, s);
+    w.solids.energy[s] = energy;
     if (!t.elastic.deformationInSteps) w.solids.deformation[s] = identity3<double>() + gradU;
   }
   w.solids.energyKnown = true;

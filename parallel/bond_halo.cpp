@@ -37,7 +37,7 @@ bool MpiBondHalo::relink(const BondedRows& p, Solids& s, Bonds& b, const Relink&
   recordOf_.clear();
   askedIds_.clear();
   const bool particlesChanged = moved_ || work.changedHere || solidArrived_ || !waiting_.empty();
-  const bool edit = particlesChanged || !work.requests.empty() || b.broken;
+  const bool edit = particlesChanged || work.asks() || b.broken;
   int flags = edit ? Changed : 0;
   std::vector<std::uint64_t> unknown;
   if (edit) {
@@ -101,8 +101,12 @@ std::vector<std::uint64_t> MpiBondHalo::unknownIds(const Solids& s, const Relink
     for (const BondRecord& r : view.bonds)
       if (graph_.rowOf(r.neighbourId) == noRow) ids.push_back(r.neighbourId);
   }
-  for (const BondRequest& q : work.requests)
-    if ((q.other == noSlot || graph_.leaves(q.other)) && graph_.rowOf(q.neighbourId) == noRow) ids.push_back(q.neighbourId);
+  const auto listUnknown = [&](const auto& asked) {
+    for (const auto& q : asked)
+      if ((q.other == noSlot || graph_.leaves(q.other)) && graph_.rowOf(q.neighbourId) == noRow) ids.push_back(q.neighbourId);
+  };
+  listUnknown(work.requests);
+  listUnknown(work.pairs);
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   return ids;
@@ -162,7 +166,7 @@ void MpiBondHalo::makeSlots(const SolidTables& t, const Relink& work) {
     fresh_[i].state = view.state;
     most = std::max(most, view.bonds.size());
   }
-  most = std::max(most, graph_.mostBonds(work.requests));
+  most = std::max({most, graph_.mostBonds(work.requests), graph_.mostBonds(work.pairs)});
   const auto before = static_cast<std::uint32_t>(graph_.rows());
   graph_.place(t, fresh_);
   graph_.reserve(t.bonds, static_cast<int>(most));
@@ -179,10 +183,9 @@ void MpiBondHalo::makeSlots(const SolidTables& t, const Relink& work) {
       graph_.bond(t, before + i, r, owner);
     }
   }
-  for (const BondRequest& q : work.requests) {
-    const bool here = q.other != noSlot && !graph_.leaves(q.other);
-    graph_.bond(t, q.slot, bondOf(q), here ? comm_.rank() : ownerOf(q.neighbourId), q.other);
-  }
+  const auto ownerOfEnd = [&](const auto& q) { return q.other != noSlot && !graph_.leaves(q.other) ? comm_.rank() : ownerOf(q.neighbourId); };
+  for (const BondRequest& q : work.requests) graph_.bond(t, q.slot, bondOf(q), ownerOfEnd(q), q.other);
+  for (const BondPair& q : work.pairs) graph_.bond(t, q.slot, {q.neighbourId, {}, {}, 0}, ownerOfEnd(q), q.other);
 }
 
 void MpiBondHalo::begin(Solids&, std::span<AnyColumn* const> columns) { links_.begin(comm_, columns); }

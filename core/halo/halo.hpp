@@ -90,10 +90,19 @@ struct BondRequest {
   std::uint32_t other = noSlot;  ///< slot of the other end, where it is owned here and the caller knows it: it need not be looked for
 };
 
+/// The same where a bond is its other end alone (Bonds::vectors): a scene makes all its bonds at once, and this is a fifth of the bytes.
+struct BondPair {
+  std::uint64_t neighbourId;
+  std::uint32_t slot, other = noSlot;
+};
+
 /// What a relink is to do beside what the tables say.
 struct Relink {
   std::span<const BondRequest> requests;  ///< bonds to make, appended to their slots in this order
   bool changedHere = false;               ///< a particle's phase changed, or a particle with a slot left the domain, on this rank
+  std::span<const BondPair> pairs = {};   ///< bonds to make as well, behind the requests; only where bonds have no vectors
+
+  bool asks() const { return !requests.empty() || !pairs.empty(); }
 };
 
 /// Bonds: follows solid particles in migration, keeps a copy ("remote row") of every solid particle that an owned one is

@@ -1,6 +1,7 @@
 #include "core/setup/sample_bodies.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include "core/domain/emit.hpp"
 #include "core/geometry/overlap.hpp"
@@ -36,25 +37,39 @@ void lookAt(const World& w, std::size_t body, const Vec3d& x, Offenders& o) {
   }
 }
 
-/// jitter: spacings, at most, along each axis.
-void addParticle(World& w, std::size_t b, std::int64_t number, const Vec3d& x, const Vec3d& centre, double jitter) {
+/// A point of a body's lattice that becomes a particle.
+struct Sample {
+  std::int64_t number;
+  Vec3d place;
+};
+
+/// Rows [first, first + samples) of the table. jitter: spacings, at most, along each axis.
+void fillRows(World& w, std::size_t b, std::span<const Sample> samples, std::size_t first, const Vec3d& centre, double jitter) {
   const Scene& s = w.scene;
   const Body& body = s.bodies[b];
   const Material& m = s.materials[static_cast<std::size_t>(body.material)];
   Continuum& p = w.particles;
   const double dx = s.spacing;
-  const std::size_t i = p.owned;
-  p.resize(i + 1, 0);
-  p.id[i] = particleId(b, static_cast<std::uint64_t>(number));
-  p.position[i] = jitter > 0 ? jittered(x, jitter, dx, s.seed, p.id[i]) : x;
-  p.velocity[i] = body.velocity + cross(body.spin, x - centre);
-  p.mass[i] = m.density * dx * dx * dx;
-  p.material[i] = static_cast<std::uint16_t>(body.material);
-  p.body[i] = static_cast<std::uint16_t>(b);
-  const double T = body.temperature + dot(body.temperatureGradient, x - centre);
-  if (p.temperature.active) p.temperature[i] = T;
-  if (p.enthalpy.active) p.enthalpy[i] = bookedEnthalpy(w.scene.numerics.heat, m, T);
-  if (p.slot.active) p.slot[i] = noSlot;
+  std::vector<std::shared_ptr<const SignedDistance>> clamps;
+  for (const Shape& c : body.clamp) clamps.push_back(makeSignedDistance(c));
+  for (std::size_t i = first; i < first + samples.size(); i++) {
+    const Vec3d x = samples[i - first].place;
+    p.id[i] = particleId(b, static_cast<std::uint64_t>(samples[i - first].number));
+    p.position[i] = jitter > 0 ? jittered(x, jitter, dx, s.seed, p.id[i]) : x;
+    p.velocity[i] = body.velocity + cross(body.spin, x - centre);
+    p.mass[i] = m.density * dx * dx * dx;
+    p.material[i] = static_cast<std::uint16_t>(body.material);
+    p.body[i] = static_cast<std::uint16_t>(b);
+    const double T = body.temperature + dot(body.temperatureGradient, x - centre);
+    if (p.temperature.active) p.temperature[i] = T;
+    if (p.enthalpy.active) p.enthalpy[i] = bookedEnthalpy(w.scene.numerics.heat, m, T);
+    if (p.slot.active) p.slot[i] = noSlot;
+    for (const auto& c : clamps)
+      if (c->inside(x)) {
+        p.clamped[i] = held;
+        p.velocity[i] = {};
+      }
+  }
 }
 
 /// This rank's rows of one body's lattice. Returns how many samples the overlap rule took away.
@@ -64,12 +79,11 @@ std::int64_t sampleBody(World& w, std::size_t b, const SignedDistance& shape, co
   const Bounds bounds = shape.bounds();
   const Vec3d centre = (bounds.min + bounds.max) * 0.5;
   const SampleLattice l = sampleLattice(shape, s.spacing);
-  std::vector<std::shared_ptr<const SignedDistance>> clamps;
-  for (const Shape& c : s.bodies[b].clamp) clamps.push_back(makeSignedDistance(c));
   // where there is no surface anywhere in its cell: relaxation leads back to the lattice from less (benchmark taylor_green)
   const double jitter = s.bodies[b].packing != Packing::Relaxed ? 0 : liquidFillsTheBox(s) ? 0.5 : 0.2;
   const SampleRange range = sampleRange(l, all.rank(), all.size());
   std::int64_t removed = 0;
+  std::vector<Sample> samples;  // first all, then their rows at once: columns that grow again and again get new pages of the system each time
   for (std::int64_t row = range.begin; row < range.end; row++)
     for (const std::int64_t k : insideOfRow(shape, l, row)) {
       const Vec3d x = l.at(k, row % l.count[1], row / l.count[1]);
@@ -78,13 +92,11 @@ std::int64_t sampleBody(World& w, std::size_t b, const SignedDistance& shape, co
         continue;
       }
       lookAt(w, b, x, offenders);
-      addParticle(w, b, row * l.count[0] + k, x, centre, jitter);
-      for (const auto& c : clamps)
-        if (c->inside(x)) {
-          p.clamped[p.owned - 1] = held;
-          p.velocity[p.owned - 1] = {};
-        }
+      samples.push_back({row * l.count[0] + k, x});
     }
+  const std::size_t first = p.owned;
+  p.resize(first + samples.size(), 0);
+  fillRows(w, b, samples, first, centre, jitter);
   return removed;
 }
 

@@ -90,4 +90,22 @@ std::int64_t formBonds(const Continuum& p, const Solids& solids, const Bonds& bo
   return welds;
 }
 
+void pairAtStart(const Continuum& p, const NeighbourLists& lists, const BondForming& forming, std::vector<BondPair>& pairs, ListedGroups range) {
+  const Vec3d* const place = p.home.active ? p.home.data() : p.position.data();  // as in formBonds
+  for (std::size_t g = range.first; g < std::min(range.last, lists.groups); g++)
+    for (std::size_t l = 0; l < lanes; l++) {
+      const std::size_t i = lists.self[g * lanes + l];
+      if (i >= p.owned || p.phase[i] != Solid || p.slot[i] == noSlot) continue;
+      const Vec3d at = place[i];
+      const std::uint64_t id = p.id[i];
+      const std::uint32_t slot = p.slot[i], body = p.body[i];
+      const std::uint32_t* const listed = lists.list.data() + lists.first[g] + l;
+      for (std::size_t n = 0; n < lists.count[g]; n++) {
+        const std::size_t j = listed[n * lanes];
+        if (j == lists.dummy || p.phase[j] != Solid || p.body[j] != body || p.id[j] == id) continue;
+        if (bondWeight(minimumImage(place[j] - at, forming.periods), forming.support) > 0) pairs.push_back({p.id[j], slot, j < p.owned ? p.slot[j] : noSlot});
+      }
+    }
+}
+
 }  // namespace thaw

@@ -47,5 +47,7 @@ struct ListedGroups { std::size_t first = 0, last = SIZE_MAX; };
 /// Returns the number of welds: bonds between different bodies, each counted at its end with the smaller id.
 std::int64_t formBonds(const Continuum& particles, const Solids& solids, const Bonds& bonds, const NeighbourLists& lists, const BondForming& forming,
                        std::vector<BondRequest>& requests, ListedGroups range = {});
+/// The same by BondRule::Start where a bond is its other end alone.
+void pairAtStart(const Continuum& particles, const NeighbourLists& lists, const BondForming& forming, std::vector<BondPair>& pairs, ListedGroups range);
 
 }  // namespace thaw

@@ -150,15 +150,18 @@ void BondGraph::place(const SolidTables& t, std::span<const NewSlot> fresh) {
   }
 }
 
-std::size_t BondGraph::mostBonds(std::span<const BondRequest> requests) const {
-  std::size_t most = 0, count = 0;
-  for (std::size_t k = 0; k < requests.size(); k++) {
-    const std::uint32_t slot = requests[k].slot;
-    count = k > 0 && requests[k - 1].slot == slot ? count + 1 : 1;
-    most = std::max(most, count + (slot < owned_ ? used_[slot] : 0));
+template<class Asked> std::size_t BondGraph::mostWith(std::span<const Asked> asked) const {
+  std::size_t most = 0, first = 0;
+  for (std::size_t k = 1; k <= asked.size(); k++) {
+    const std::uint32_t slot = asked[first].slot;
+    if (k < asked.size() && asked[k].slot == slot) continue;
+    most = std::max(most, k - first + (slot < owned_ ? used_[slot] : 0));
+    first = k;
   }
   return most;
 }
+std::size_t BondGraph::mostBonds(std::span<const BondRequest> requests) const { return mostWith(requests); }
+std::size_t BondGraph::mostBonds(std::span<const BondPair> pairs) const { return mostWith(pairs); }
 
 void BondGraph::reserve(Bonds& b, int capacity) const {
   if (capacity <= b.capacity) return;

@@ -63,6 +63,7 @@ class BondGraph {
   void place(const SolidTables& t, std::span<const NewSlot> fresh);
   /// The most bonds that a slot has with those that are asked for; requests of a slot follow each other.
   std::size_t mostBonds(std::span<const BondRequest> requests) const;
+  std::size_t mostBonds(std::span<const BondPair> pairs) const;
   /// Makes room for so many bonds a slot.
   void reserve(Bonds& bonds, int capacity) const;
   /// Appends a bond to a slot. The other end is owned here, or has a remote row, or gets one if owner is another rank (>= 0);
@@ -87,6 +88,7 @@ class BondGraph {
 
  private:
   struct Alias { std::uint32_t row, stands; };  // bonds that name `row` mean `stands`
+  template<class Asked> std::size_t mostWith(std::span<const Asked> asked) const;
   void forget(std::uint32_t row);
   void leave(const Bonds& bonds, std::uint32_t slot);
   void mark(std::size_t group);

@@ -10,7 +10,7 @@ void SerialBondHalo::migrate(const BondedRows& p, Solids&, Bonds&, const Migrati
 }
 
 bool SerialBondHalo::relink(const BondedRows& p, Solids& s, Bonds& b, const Relink& work) {
-  if (!p.active || !(work.changedHere || b.broken || !work.requests.empty() || !records_.empty())) return false;
+  if (!p.active || !(work.changedHere || b.broken || work.asks() || !records_.empty())) return false;
   const SolidTables tables{p, s, b};
   graph_.begin();
   if (b.broken) graph_.dropBroken(tables);
@@ -41,6 +41,7 @@ bool SerialBondHalo::relink(const BondedRows& p, Solids& s, Bonds& b, const Reli
     if (recordOf[i])
       for (const BondRecord& r : recordOf[i]->bonds) graph_.bond(tables, before + i, r, -1);
   for (const BondRequest& q : work.requests) graph_.bond(tables, q.slot, bondOf(q), -1, q.other);
+  for (const BondPair& q : work.pairs) graph_.bond(tables, q.slot, {q.neighbourId, {}, {}, 0}, -1, q.other);
   graph_.finish(tables);
   records_.clear();
   return true;

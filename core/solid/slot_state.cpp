@@ -1,5 +1,8 @@
 #include "core/solid/slot_state.hpp"
 
+#include <span>
+#include <vector>
+
 #include "core/solid/laws/response.hpp"
 
 namespace thaw {
@@ -18,14 +21,40 @@ BondVectors bondVectors(const ElasticWork& work, const Solids& solids, const Bon
           bonds.twoFrames ? Vec3d{bonds.rx[b], bonds.ry[b], bonds.rz[b]} : -r.vector, r.weight};
 }
 
+namespace {
+
+/// A slot's bonds one behind the other, in their order: each is looked up once, however many sums run over them.
+template<class Bond, class Look> std::span<const Bond> gatherBonds(const Bonds& bonds, std::size_t slot, Look&& look) {
+  thread_local std::vector<Bond> there;
+  there.clear();
+  for (int k = 0; k < bonds.capacity; k++)
+    if (bonds.there(slot, k)) there.push_back(look(k));
+  return there;
+}
+
+std::span<const BondVectors> vectorsOf(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot) {
+  return gatherBonds<BondVectors>(bonds, slot, [&](int k) { return bondVectors(work, solids, bonds, slot, k); });
+}
+
+Mat3d gradientOf(const ElasticWork& work, const Solids& solids, std::size_t slot, std::span<const BondVectors> bonds) {
+  Mat3d sum{};
+  for (const BondVectors& v : bonds) sum = sum + outer(v.current - v.reference, v.weight * v.reference);
+  const Mat3d gradU = sum * full(solids.momentInverse[slot]);
+  return work.rank[slot] < 3 ? completeGradient(gradU, solids.momentInverse[slot], work.rank[slot]) : gradU;
+}
+
+}  // namespace
+
 void refreshSlot(ElasticWork& work, Solids& solids, const Bonds& bonds, std::size_t slot) {
   Sym3d a{};
   double weights = 0;
   int last = 0;
-  for (int k = 0; k < bonds.capacity; k++) {
-    if (!bonds.there(slot, k)) continue;
+  const auto look = [&](int k) {
     last = k + 1;
-    const ReferenceBond b = referenceBond(work, solids, bonds, slot, k);
+    return referenceBond(work, solids, bonds, slot, k);
+  };
+  const std::span<const ReferenceBond> there = gatherBonds<ReferenceBond>(bonds, slot, look);
+  for (const ReferenceBond& b : there) {
     a = a + b.weight * symmetric(outer(b.vector, b.vector));
     weights += b.weight;
   }
@@ -40,10 +69,9 @@ void refreshSlot(ElasticWork& work, Solids& solids, const Bonds& bonds, std::siz
   work.perWeight[slot] = weights > 0 ? 1 / weights : 0;
   Vec3d all{};
   double lengths = 0;
-  for (int k = 0; k < last; k++) {
-    if (!bonds.there(slot, k)) continue;
-    const ReferenceBond b = referenceBond(work, solids, bonds, slot, k);
-    const Vec3d lever = b.weight * (full(m.inverse) * b.vector);
+  const Mat3d inverse = full(m.inverse);
+  for (const ReferenceBond& b : there) {
+    const Vec3d lever = b.weight * (inverse * b.vector);
     all += lever;
     lengths += length(lever);
   }
@@ -52,14 +80,7 @@ void refreshSlot(ElasticWork& work, Solids& solids, const Bonds& bonds, std::siz
 }
 
 Mat3d slotGradient(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot) {
-  Mat3d sum{};
-  for (int k = 0; k < bonds.capacity; k++) {
-    if (!bonds.there(slot, k)) continue;
-    const BondVectors v = bondVectors(work, solids, bonds, slot, k);
-    sum = sum + outer(v.current - v.reference, v.weight * v.reference);
-  }
-  const Mat3d gradU = sum * full(solids.momentInverse[slot]);
-  return work.rank[slot] < 3 ? completeGradient(gradU, solids.momentInverse[slot], work.rank[slot]) : gradU;
+  return gradientOf(work, solids, slot, vectorsOf(work, solids, bonds, slot));
 }
 
 ElasticConstants slotConstants(const ElasticWork& work, const Solids& solids, std::size_t slot) {
@@ -69,21 +90,21 @@ ElasticConstants slotConstants(const ElasticWork& work, const Solids& solids, st
 }
 
 double slotEnergy(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot) {
-  return slotEnergy(work, solids, bonds, slot, slotGradient(work, solids, bonds, slot));
+  return slotStrain(work, solids, bonds, slot).energy;
 }
 
-double slotEnergy(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot, const Mat3d& gradU) {
+SlotStrain slotStrain(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot) {
+  const std::span<const BondVectors> there = vectorsOf(work, solids, bonds, slot);
+  const Mat3d gradU = gradientOf(work, solids, slot, there);
   const ElasticConstants c = slotConstants(work, solids, slot);
   const Sym3d plastic = solids.plasticStrain.active ? solids.plasticStrain[slot] : Sym3d{};
   double errors = 0;
-  for (int k = 0; k < bonds.capacity; k++) {
-    if (!bonds.there(slot, k)) continue;
-    const BondVectors v = bondVectors(work, solids, bonds, slot, k);
+  for (const BondVectors& v : there) {
     const Vec3d e = v.current - v.reference - gradU * v.reference;
     errors += v.weight * dot(e, e);
   }
   const double volume = solids.volume[slot];
-  return volume * (elasticResponse(c, gradU, plastic).energy + 0.5 * c.hourglass * work.perTrace[slot] * errors);
+  return {gradU, volume * (elasticResponse(c, gradU, plastic).energy + 0.5 * c.hourglass * work.perTrace[slot] * errors)};
 }
 
 }  // namespace thaw

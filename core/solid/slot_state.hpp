@@ -21,8 +21,9 @@ Mat3d slotGradient(const ElasticWork& work, const Solids& solids, const Bonds& b
 
 /// Stored energy (J) of one owned slot at the positions in Solids::position: law, volume and hourglass.
 double slotEnergy(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot);
-/// The same with the slot's gradient, which is known already.
-double slotEnergy(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot, const Mat3d& gradU);
+/// Both.
+struct SlotStrain { Mat3d gradU; double energy; };
+SlotStrain slotStrain(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot);
 
 /// Constants of a slot's material at its liquid fraction.
 ElasticConstants slotConstants(const ElasticWork& work, const Solids& solids, std::size_t slot);
