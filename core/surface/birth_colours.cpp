@@ -22,6 +22,29 @@ struct Nearest {
 
 bool inherits(const World& w, const SurfelRow& r) { return r.particle != SurfelRow::none && hasMesh(w.scene, w.surface.particles.body[r.particle]); }
 
+/// Least and largest colour among surfels and rows that inherit: where they are equal there is nothing to choose.
+struct ColourRange {
+  std::uint32_t least = std::numeric_limits<std::uint32_t>::max(), most = 0;
+  void add(std::uint32_t c) { least = std::min(least, c), most = std::max(most, c); }
+  ColourRange(const World& w, const std::vector<SurfelRow>& rows) {
+    const Surfels& f = w.surface.surfels;
+    for (std::size_t i = 0; i < f.size(); i++) add(f.colour[i]);
+    for (const SurfelRow& r : rows)
+      if (inherits(w, r)) add(r.colour);
+  }
+  bool one() const { return least >= most; }
+};
+
+/// The nearest surfel of the row's component, and of any, of those within `reach` (m) of the row and `around` (m) of its particle.
+void findNearest(const World& w, const Bins& bins, const SurfelRow& r, double reach, double around, Nearest& own, Nearest& any) {
+  const Surfels& f = w.surface.surfels;
+  const Vec3d particle = w.surface.particles.position[r.particle];
+  forRowsWithin(bins, r.position, reach, [&](std::uint32_t j, double d2) {
+    const Vec3d p = f.position[j] - particle;
+    if (dot(p, p) <= around * around) (f.component[j] == r.component ? own : any).offer(d2, f.id[j], f.colour[j]);
+  });
+}
+
 }  // namespace
 
 bool hasMeshes(const Scene& scene) {
@@ -31,16 +54,14 @@ bool hasMeshes(const Scene& scene) {
 }
 
 void inheritColours(const World& w, const Bins& bins, std::vector<SurfelRow>& rows) {
+  if (ColourRange(w, rows).one()) return;
   const Surface& s = w.surface;
-  const Surfels& f = s.surfels;
-  const double reach = std::min({s.grid.edge.x, s.grid.edge.y, s.grid.edge.z});  // of the particle, whose cell is this rank's: all surfels there are known
+  const double around = std::min({s.grid.edge.x, s.grid.edge.y, s.grid.edge.z});  // of the particle, whose cell is this rank's: all surfels there are known
   for (SurfelRow& r : rows) {
     if (!inherits(w, r)) continue;
     Nearest own, any;
-    forRowsWithin(bins, s.particles.position[r.particle], reach, [&](std::uint32_t j, double) {
-      const Vec3d d = f.position[j] - r.position;
-      (f.component[j] == r.component ? own : any).offer(dot(d, d), f.id[j], f.colour[j]);
-    });
+    findNearest(w, bins, r, 2 * s.spacing, around, own, any);
+    if (!own.found()) findNearest(w, bins, r, around + length(r.position - s.particles.position[r.particle]), around, own, any);
     if (own.found()) r.colour = own.colour;
     else if (any.found()) r.colour = any.colour;
   }
@@ -48,11 +69,12 @@ void inheritColours(const World& w, const Bins& bins, std::vector<SurfelRow>& ro
 
 void inheritColours(World& w, SurfaceHalos halos, SurfaceTools& t, std::vector<SurfelRow>& rows) {
   if (!hasMeshes(w.scene)) return;
-  std::int64_t asking[1] = {std::count_if(rows.begin(), rows.end(), [&](const SurfelRow& r) { return inherits(w, r); })};
-  halos.all.sum(asking);
-  if (asking[0] == 0) return;
   Surface& s = w.surface;
   Surfels& f = s.surfels;
+  const ColourRange here(w, rows);
+  double all[3] = {std::any_of(rows.begin(), rows.end(), [&](const SurfelRow& r) { return inherits(w, r); }) ? 1.0 : 0.0, static_cast<double>(here.most), -static_cast<double>(here.least)};
+  halos.all.maximum(all);
+  if (all[0] == 0 || -all[2] >= all[1]) return;
   addGhosts(halos.surfels, f, s.surfelCells, ColumnList{&f.id, &f.position, &f.component, &f.colour});
   fillBins(s.grid, s.surfelCells, f.position.data(), 2 * s.spacing, t.relax.surfelBins);
   inheritColours(w, t.relax.surfelBins, rows);

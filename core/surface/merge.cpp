@@ -32,6 +32,7 @@ class Joined {
       label = to;
     }
   }
+  bool none() const { return label_.empty(); }
   bool joins(std::uint64_t label) const { return std::binary_search(label_.begin(), label_.end(), label); }
   /// The label that goes, or 0 if they are one already.
   std::uint64_t join(std::uint64_t a, std::uint64_t b) {
@@ -121,21 +122,53 @@ enum Seam : std::uint8_t { Disturbed = 1, Joint = 2 };
 void judgeSurfel(const World& w, std::uint32_t i, const Joined& joined, ComponentTools& c, MergeTools& t) {
   const Surface& s = w.surface;
   const Surfels& f = s.surfels;
-  const double reach = joined.joins(f.component[i]) ? s.particleSupport : meetingReach(w);
-  findSides(f, c.surfelBins, f.position[i], f.component[i], true, reach, t.inside, t.sides);
+  findSides(f, c.surfelBins, f.position[i], f.component[i], true, meetingReach(w), t.inside, t.sides);
   Vec3d push{};
   for (const SurfaceSide& side : t.sides) {
     if (side.asked < leastAsked) continue;
     if (joined.of(side.component) == joined.of(f.component[i])) {
       if (side.distance < 0.5 * s.spacing) c.dead[i] = 1;
       if (side.distance < 3 * s.spacing) t.open[i] |= Disturbed;  // beside those that die
-      t.open[i] |= Joint;                                          // the other's particles shape the common surface here
     } else if (side.distance < 0) {
       t.open[i] |= Disturbed;
       push += std::min(-0.5 * side.distance, w.scene.spacing) * side.normal;  // the other side does as much
     }
   }
   t.moved[i] = f.position[i] + push;
+}
+
+/// An owned surfel of what joins, some way from the other's surface: do the other's particles shape the common surface here, or is it deep in there?
+void judgeJoining(const Surface& s, std::uint32_t i, const Bins& joining, ComponentTools& c, MergeTools& t) {
+  const Surfels& f = s.surfels;
+  int seen = 0;
+  double nearest2 = never;
+  bool behind = false;  // the nearest
+  forRowsWithin(joining, f.position[i], s.particleSupport, [&](std::uint32_t j, double d2) {
+    if (t.into[j] != t.into[i] || f.component[j] == f.component[i]) return;
+    seen++;
+    const bool back = dot(f.position[i] - f.position[j], f.normal[j]) < 0;
+    behind = d2 < nearest2 ? back : d2 == nearest2 ? behind || back : behind;
+    nearest2 = std::min(nearest2, d2);
+  });
+  if (seen < leastAsked) return;
+  t.open[i] |= Joint;
+  if (!behind || c.dead[i]) return;
+  findSides(f, joining, f.position[i], f.component[i], true, s.particleSupport, t.inside, t.sides);
+  for (const SurfaceSide& side : t.sides)
+    if (side.asked >= leastAsked && side.distance < 0 && t.into[side.nearest] == t.into[i]) c.dead[i] = 1;
+}
+
+void judgeAllJoining(const Surface& s, const Joined& joined, ComponentTools& c, MergeTools& t) {
+  const Surfels& f = s.surfels;
+  if (joined.none()) return;
+  std::vector<std::uint8_t> joins(f.size());
+  t.into.resize(f.size());
+  for (std::size_t i = 0; i < f.size(); i++) joins[i] = joined.joins(f.component[i]), t.into[i] = joined.of(f.component[i]);
+  Bins joining;
+  pickRows(c.surfelBins, joins.data(), joining);
+  forMixed(joining, mixedBins(joining, f.component.data(), joining, f.component.data(), s.particleSupport), [&](std::uint32_t i) {
+    if (i < f.owned) judgeJoining(s, i, joining, c, t);
+  });
 }
 
 }  // namespace
@@ -158,10 +191,10 @@ void mergeComponents(World& w, SurfaceHalos halos, ComponentTools& c, MergeTools
   t.moved.assign(f.position.data(), f.position.data() + f.owned);
   t.open.assign(f.owned, 0);
   if (several) {
-    const double reach = pairs.empty() ? meetingReach(w) : std::max(meetingReach(w), s.particleSupport);
-    forMixed(c.surfelBins, mixedBins(c.surfelBins, f.component.data(), c.surfelBins, f.component.data(), reach), [&](std::uint32_t i) {
+    forMixed(c.surfelBins, mixedBins(c.surfelBins, f.component.data(), c.surfelBins, f.component.data(), meetingReach(w)), [&](std::uint32_t i) {
       if (i < f.owned) judgeSurfel(w, i, joined, c, t);
     });
+    judgeAllJoining(s, joined, c, t);
   }
   std::copy(t.moved.begin(), t.moved.end(), f.position.data());
   for (std::size_t i = 0; i < f.owned; i++)

@@ -12,6 +12,7 @@ struct MergeTools {
   std::vector<SurfaceSide> sides, touching;
   std::vector<Vec3d> moved;
   std::vector<std::uint8_t> open;  ///< surfels that resampling is to look at
+  std::vector<std::uint64_t> into; ///< labels of surfels, ghosts included, when all have joined
 };
 
 /// Joins components of which at least one has a particle inside the other's surface, or, of liquids, which are as near
