@@ -55,6 +55,9 @@ constexpr double touchLength = 1, touchGap = 0.4;
 /// How far surfaces are seen from others, m: what comes closer from update to update is met long before it is that deep.
 double meetingReach(const World& w) { return std::min(w.surface.particleSupport, std::max(2 * w.scene.spacing, 4 * w.surface.spacing)); }
 
+/// And by other surfels, m: not as far, since particles of two bodies keep a spacing apart; what is deeper in joins (judgeJoining).
+double judgingReach(const World& w) { return std::min(w.surface.particleSupport, std::max(w.scene.spacing, 4 * w.surface.spacing)); }
+
 /// What a part of the last split was before; noComponent of fresh ones and of parts of several.
 std::uint64_t before(const ComponentTools& c, std::uint64_t label) {
   std::uint64_t from = noComponent;
@@ -122,7 +125,7 @@ enum Seam : std::uint8_t { Disturbed = 1, Joint = 2 };
 void judgeSurfel(const World& w, std::uint32_t i, const Joined& joined, ComponentTools& c, MergeTools& t) {
   const Surface& s = w.surface;
   const Surfels& f = s.surfels;
-  findSides(f, c.surfelBins, f.position[i], f.component[i], true, meetingReach(w), t.inside, t.sides);
+  findSides(f, c.surfelBins, f.position[i], f.component[i], true, judgingReach(w), t.inside, t.sides);
   Vec3d push{};
   for (const SurfaceSide& side : t.sides) {
     if (side.asked < leastAsked) continue;
@@ -191,7 +194,7 @@ void mergeComponents(World& w, SurfaceHalos halos, ComponentTools& c, MergeTools
   t.moved.assign(f.position.data(), f.position.data() + f.owned);
   t.open.assign(f.owned, 0);
   if (several) {
-    forMixed(c.surfelBins, mixedBins(c.surfelBins, f.component.data(), c.surfelBins, f.component.data(), meetingReach(w)), [&](std::uint32_t i) {
+    forMixed(c.surfelBins, mixedBins(c.surfelBins, f.component.data(), c.surfelBins, f.component.data(), judgingReach(w)), [&](std::uint32_t i) {
       if (i < f.owned) judgeSurfel(w, i, joined, c, t);
     });
     judgeAllJoining(s, joined, c, t);
