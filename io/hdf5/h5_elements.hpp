@@ -1,0 +1,12 @@
+// Types of elements as HDF5 has them. Private to io/hdf5.
+#pragma once
+#include <hdf5.h>
+
+#include "io/hdf5/h5_file.hpp"
+
+namespace thaw {
+
+hid_t typeOf(Element element);  ///< in memory; -1 for Other
+Element elementOfType(hid_t type);
+
+}  // namespace thaw
