@@ -41,7 +41,7 @@ BondForming bondForming(const World& w, const StepTools& t) {
 
 /// What follows from a relink that has changed something on any rank.
 void renewSolids(World& w, Halos& halos, StepTools& t) {
-  fillNewSlots(w.particles, w.solids, t.elastic);
+  fillNewSlots(w.particles, w.solids, t.elastic, t.bondsAtStart);
   if (w.modules.sleep) forgetChangedSlots(w, t);
   const ColumnList columns = remoteColumnsAfterRelink(w.solids);
   halos.bonds.begin(w.solids, columns);

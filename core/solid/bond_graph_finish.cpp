@@ -68,6 +68,7 @@ std::int64_t BondGraph::walkGroup(const SolidTables& t, std::size_t g) {
     clearPlaces(b, s, kept, used_[s]);
     used_[s] = static_cast<std::uint16_t>(kept);
     t.solids.changed[s] = 1;
+    if (t.solids.bared.active) t.solids.bared[s] = 1;
   }
   return met;
 }

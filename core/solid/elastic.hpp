@@ -100,7 +100,7 @@ void takeReferences(const Continuum& particles, Solids& solids);
 /// Copies position (and velocity, liquid fraction where they are active) of the owned slots' particles.
 void copyToSolids(const Continuum& particles, Solids& solids);
 /// Volume at rest (mass over the material's density) of owned slots that have none: of particles that have just become solid.
-void fillNewSlots(const Continuum& particles, Solids& solids, const ElasticWork& work);
+void fillNewSlots(const Continuum& particles, Solids& solids, const ElasticWork& work, bool atStart);
 /// Adds the elastic force (and what was dissipated in the step, divided by dt) to the particles of the owned slots.
 void addSolidForces(const Solids& solids, Continuum& particles, double dt);
 

@@ -48,6 +48,7 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
   if (work.plastic) solids.activate(solids.plasticStrain);
   if (work.plastic || work.damping) solids.activate(solids.dissipated);
   if (rereferences) solids.activate(solids.rereferenced);
+  if (modules.surface) solids.activate(solids.bared);
   if (modules.melting) {
     solids.activate(solids.liquid);
     solids.activate(solids.melted);
@@ -89,9 +90,12 @@ void copyToSolids(const Continuum& particles, Solids& solids) {
   }
 }
 
-void fillNewSlots(const Continuum& particles, Solids& solids, const ElasticWork& work) {
-  for (std::size_t s = 0; s < solids.owned; s++)
-    if (!(solids.volume[s] > 0)) solids.volume[s] = particles.mass[solids.particle[s]] / work.materials[solids.material[s]].density;
+void fillNewSlots(const Continuum& particles, Solids& solids, const ElasticWork& work, bool atStart) {
+  for (std::size_t s = 0; s < solids.owned; s++) {
+    if (solids.volume[s] > 0) continue;
+    solids.volume[s] = particles.mass[solids.particle[s]] / work.materials[solids.material[s]].density;
+    if (solids.bared.active) solids.bared[s] = !atStart;
+  }
 }
 
 void addSolidForces(const Solids& solids, Continuum& particles, double dt) {

@@ -41,6 +41,7 @@ struct Solids : Table {
   Column<Vec3d> force{*this, "force", "N", Keep::Transient, "elastic force on the particle"};
   Column<double> energy{*this, "energy", "J", Keep::State, "stored elastic, volume and hourglass energy; what leaves takes it along, also right after a restart"};
   Column<double> dissipated{*this, "dissipated", "J", Keep::Transient, "lost to plastic flow and bond damping in this step"};
+  Column<std::uint8_t> bared{*this, "bared", "1", Keep::State, "it has lost a bond, has frozen, or was beside liquid: the surface that it had at the start need not cover it; only with a surface"};
   Column<std::uint8_t> melted{*this, "melted", "1", Keep::Transient, "its particle has melted in this step (melting.hpp)"};
   Column<std::uint8_t> rereferenced{*this, "rereferenced", "1", Keep::Transient, "took a new reference in this step (rereference.hpp)"};
   Column<std::uint8_t> changed{*this, "changed", "1", Keep::Local, "what is derived from its bonds (momentInverse, ElasticWork) is to be computed anew"};

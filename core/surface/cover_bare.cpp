@@ -35,6 +35,8 @@ constexpr double finHeight = 0.2, finReach = 1.5, finTurn = 0.7;
 /// Surfels within this many spacings of new ones settle with them.
 constexpr double looseReach = 2.5;
 constexpr int mostRounds = 3;
+/// Liquid of the same component is beside a solid particle within this many spacings.
+constexpr double wetReach = 2;
 
 /// The surfels around a particle, as seen from it (m): field by field, so that a direction is compared with several at once.
 class Over {
@@ -73,7 +75,25 @@ class Over {
   std::vector<float> x_, y_, z_, nx_, ny_, nz_, r2_;
 };
 
-/// Surfels around owned particles, in rows. Surfels have ghosts and bins.
+/// What is solid beside liquid may lose its surface to it, or share one with it, and stands bare when that flows off: it is not covered from now on.
+void bareBesideLiquid(const World& w, const SurfaceTools& t, SurfaceParticles& p) {
+  if (!p.covered.active || !p.liquid.active) return;
+  constexpr float wet = 0.02f;
+  std::vector<std::uint8_t> flows(p.size());
+  for (std::size_t i = 0; i < p.size(); i++) flows[i] = p.liquid[i] >= wet;
+  if (std::find(flows.begin(), flows.end(), 1) == flows.end()) return;
+  Bins liquid;
+  pickRows(t.relax.particleBins, flows.data(), liquid);
+  for (std::uint32_t i = 0; i < p.owned; i++) {
+    if (!p.covered[i]) continue;
+    bool beside = flows[i];
+    if (!beside) forRowsWithin(liquid, p.position[i], wetReach * w.scene.spacing, [&](std::uint32_t j, double) { beside = beside || p.component[j] == p.component[i]; });
+    p.covered[i] = !beside;
+  }
+}
+
+/// Surfels around owned particles, in rows. Surfels have ghosts and bins. Particles that the surface of the start still covers are not asked: where a solid
+/// is bent or squeezed that is not where the particles' colour would have it, and what grew beside it would be a second skin.
 void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& rows) {
   const Surface& s = w.surface;
   const Surfels& f = s.surfels;
@@ -92,7 +112,7 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
   std::array<std::optional<SurfacePoint>, FieldProbe::most> at;
   const Bins& bins = t.relax.particleBins;
   const auto looked = [&](std::uint32_t i) {
-    if (i >= p.owned || p.component[i] == noComponent || p.colour[i] >= innerColour) return false;
+    if (i >= p.owned || p.component[i] == noComponent || p.colour[i] >= innerColour || (p.covered.active && p.covered[i])) return false;
     const SurfaceComponent* c = findComponent(s, p.component[i]);
     return c && c->particles > smallDrop;
   };
@@ -229,6 +249,7 @@ std::int64_t coverBare(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
   readyParticles(w, halos, t);
+  bareBesideLiquid(w, t, s.particles);
   const bool meshes = hasMeshes(w.scene);
   const auto look = [&] {
     placeRows(s.grid, halos.surfels, f, s.surfelCells, t.sort);

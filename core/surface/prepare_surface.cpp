@@ -27,6 +27,7 @@ void activateSurfaceFields(Surface& s, const Modules& m) {
     f.activate(f.liquid);
     p.activate(p.liquid);
   }
+  if (m.solid) p.activate(p.covered);
   if (m.heat) {
     f.activate(f.temperature);
     p.activate(p.temperature);

@@ -67,6 +67,7 @@ struct SurfaceParticles : Table {
   Column<float> liquid{*this, "liquid", "1", Keep::State, "liquid fraction"};
   Column<float> temperature{*this, "temperature", "K", Keep::State, "only with heat"};
   Column<std::uint16_t> body{*this, "body", "1", Keep::State, "index into bodies, then emitters"};
+  Column<std::uint8_t> covered{*this, "covered", "1", Keep::State, "solid with all its bonds of the start, and without liquid beside it since then; only where there are solids"};
   Column<float> colour{*this, "colour", "1", Keep::Transient, "colour field of its component at the particle (readyParticles)"};
   Column<float> smoothColour{*this, "smoothColour", "1", Keep::Transient, "the same, of particles weighted by their colour"};
   Column<std::uint64_t> home{*this, "home", "1", Keep::State, "rank << 32 | row of the particle itself"};

@@ -28,7 +28,7 @@
 namespace thaw {
 
 /// Of the layout of the files; other ones are refused.
-inline constexpr std::int64_t checkpointFormat = 3;
+inline constexpr std::int64_t checkpointFormat = 4;
 
 /// Further numbers of a run that are not in a World, by name.
 using CheckpointValues = std::map<std::string, double>;

@@ -14,21 +14,21 @@ namespace {
 
 using namespace test;
 
-Scene barScene(bool mesh) {
+Scene barScene(bool mesh, double spacing) {
   Scene s = emptyScene(0.1, {-3, -2, -2}, {3, 2, 2});
   s.materials.emplace_back();
   s.materials[0].name = "rubber";
   s.materials[0].young = {1e5, 0};
   s.surface.on = true;
-  s.surface.spacing = 0.05;
+  s.surface.spacing = spacing;
   addBox(s, {-1, -0.4, -0.4}, {1, 0.4, 0.4});
   if (mesh) s.bodies[0].shape = Shape{}, s.bodies[0].shape.kind = ShapeKind::Mesh, s.bodies[0].shape.mesh = "bar";
   return s;
 }
 
 struct TornBar : SurfaceWorld {
-  explicit TornBar(bool mesh, bool coloured = false)
-      : SurfaceWorld(barScene(mesh), [coloured](const std::string&) {
+  explicit TornBar(bool mesh, bool coloured = false, double spacing = 0.05)
+      : SurfaceWorld(barScene(mesh, spacing), [coloured](const std::string&) {
           TriangleMesh bar = boxMesh({-1, -0.4, -0.4}, {1, 0.4, 0.4});
           if (coloured) bar.colours.assign(bar.vertices.size(), 0x2030c0);
           return bar;
@@ -48,8 +48,16 @@ struct TornBar : SurfaceWorld {
         const Vec3d& y = w.particles.position[k];
         side[w.particles.id[k]] = y.x > 0.2 * std::sin(5 * y.y) + 0.3 * y.z;
       }
+      cut();
     }
     return side[w.particles.id[i]];
+  }
+  /// What a crack does to those who had bonds across it (bond_graph.cpp).
+  void cut() {
+    const Continuum& p = w.particles;
+    for (std::size_t i = 0; i < p.owned; i++)
+      for (std::size_t j = 0; j < p.owned; j++)
+        if (side[p.id[i]] != side[p.id[j]] && length(p.position[i] - p.position[j]) < w.scene.numerics.bondSupport * w.scene.spacing) w.solids.bared[p.slot[i]] = 1;
   }
   std::vector<char> side;
 };
@@ -147,6 +155,30 @@ TEST(CoverBare, FacesOfACrackInheritTheColoursOfTheMesh) {
   ASSERT_NE(small, bar.w.surface.components.end());
   EXPECT_GT(small->surfels, 20);
   for (std::size_t i = 0; i < f.owned; i++) EXPECT_EQ(f.colour[i], 0x2030c0u) << i;
+}
+
+/// A bar that is squeezed across until its particles' colour has its surface elsewhere keeps its own, since no bond is lost: no second skin grows.
+TEST(CoverBare, WhatIsSqueezedAndHoldsTogetherGrowsNoSecondSkin) {
+  for (const bool intact : {true, false}) {
+    TornBar bar(true, false, 0.02);
+    if (!intact) std::fill_n(bar.w.solids.bared.data(), bar.w.solids.owned, std::uint8_t{1});
+    for (int k = 0; k < 10; k++) {
+      for (std::size_t i = 0; i < bar.w.particles.owned; i++) {
+        const Vec3d x = bar.place(i);
+        bar.place(i) = {x.x + 0.06 * x.z, x.y, x.z * (x.x > 0 ? 0.96 : 1.05)};
+      }
+      bar.update();
+    }
+    const Surfels& f = bar.w.surface.surfels;
+    std::size_t grown = 0;
+    for (std::size_t i = 0; i < f.owned; i++) grown += f.detail[i] < 0.5f;
+    std::printf("%s: %zu of %zu surfels are grown\n", intact ? "all bonds" : "bonds lost", grown, f.owned);
+    if (intact) {
+      EXPECT_EQ(grown, 0u);
+    } else {
+      EXPECT_GT(grown, 100u);
+    }
+  }
 }
 
 TEST(CoverBare, AChipOfSixParticlesHasASurface) {
