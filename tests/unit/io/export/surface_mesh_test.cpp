@@ -26,7 +26,7 @@ SurfaceFrame frameOf(const SurfelSamples& s) {
 
 ComponentMesh only(const SurfelSamples& s, double cell = 1) {
   const SurfaceFrame f = frameOf(s);
-  return meshOfComponent(f, rowsByComponent(f).at(0), f.colours, cell);
+  return meshOfComponent(f, rowsByComponent(f).at(0), f.colours, {}, cell);
 }
 
 /// Every edge has two triangles, which run along it in opposite directions.
