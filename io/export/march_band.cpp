@@ -139,7 +139,7 @@ MarchedBand marchBand(const BandGrid& grid, const BandField& field, const PlaneF
   return std::move(marcher.out);
 }
 
-void dropCrumbs(MarchedBand& band, double spacing) {
+void dropCrumbs(MarchedBand& band, const PlaneField& planes, double spacing) {
   ComponentMesh& m = band.mesh;
   TriangleMesh& mesh = m.mesh;
   DisjointSets sets(mesh.vertices.size());
@@ -148,17 +148,30 @@ void dropCrumbs(MarchedBand& band, double spacing) {
   const Vec3d from = mesh.vertices.empty() ? Vec3d{} : mesh.vertices[0];
   for (const auto& t : mesh.triangles)
     volume[sets.find(t[0])] += dot(mesh.vertices[t[0]] - from, cross(mesh.vertices[t[1]] - from, mesh.vertices[t[2]] - from)) / 6;
+  std::vector<double> area(volume.size(), 0.0), onDiscs(volume.size(), 0.0);
+  for (const auto& t : mesh.triangles) {
+    if (band.held[t[0]] & band.held[t[1]] & band.held[t[2]]) continue;  // of a cut
+    const std::uint32_t shell = sets.find(t[0]);
+    const double size = length(cross(mesh.vertices[t[1]] - mesh.vertices[t[0]], mesh.vertices[t[2]] - mesh.vertices[t[0]]));
+    area[shell] += 3 * size;
+    for (const std::uint32_t v : t)
+      if (planes.onDisc(mesh.vertices[v], m.normals[v])) onDiscs[shell] += size;
+  }
   double largest = 0;
   for (const double v : volume) largest = std::max(largest, std::abs(v));
   const double least = std::min(largest, 2 * spacing * spacing * spacing);
+  const auto isCrumb = [&](std::uint32_t v) {
+    const std::uint32_t shell = sets.find(v);
+    return std::abs(volume[shell]) < least || (std::abs(volume[shell]) < largest && onDiscs[shell] < 0.5 * area[shell]);
+  };
   std::vector<std::uint32_t> number(mesh.vertices.size());
   std::uint32_t kept = 0;
   for (std::uint32_t v = 0; v < number.size(); v++) {
-    if (std::abs(volume[sets.find(v)]) < least) continue;
+    if (isCrumb(v)) continue;
     mesh.vertices[kept] = mesh.vertices[v], m.colours[kept] = m.colours[v], m.normals[kept] = m.normals[v], band.held[kept] = band.held[v];
     number[v] = kept++;
   }
-  std::erase_if(mesh.triangles, [&](const auto& t) { return std::abs(volume[sets.find(t[0])]) < least; });
+  std::erase_if(mesh.triangles, [&](const auto& t) { return isCrumb(t[0]); });
   for (auto& t : mesh.triangles)
     for (std::uint32_t& v : t) v = number[v];
   mesh.vertices.resize(kept), m.colours.resize(kept), m.normals.resize(kept), band.held.resize(kept);

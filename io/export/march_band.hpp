@@ -25,7 +25,8 @@ struct MarchedBand {
 /// inside; corners far from all surfels have the colour `deep` (sRGB 0 to 255).
 MarchedBand marchBand(const BandGrid& grid, const BandField& field, const PlaneField& planes, const Vec3f& deep);
 
-/// Leaves out closed shells of less than two cubes' volume beside a larger one: at sharp edges nearest surfels may disagree for a corner or two.
-void dropCrumbs(MarchedBand& band, double spacing);
+/// Leaves out closed shells beside a larger one that are no surface: those of less than two cubes' volume (at sharp edges nearest surfels may disagree for a corner or two), and those
+/// less than half of which lies on discs (bubbles and lumps where the sides of a narrow crease disagree: a tenth mostly does; of what surfels go round, nearly all).
+void dropCrumbs(MarchedBand& band, const PlaneField& planes, double spacing);
 
 }  // namespace thaw

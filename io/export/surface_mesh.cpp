@@ -174,7 +174,7 @@ ComponentMesh meshAt(const Patch& p, double spacing) {
   grid.settle(isInside);
   const PlaneField planes(p.frame, p.rows, grid.spacing());
   MarchedBand band = marchBand(grid, field, planes, p.meanColour);
-  dropCrumbs(band, grid.spacing());
+  dropCrumbs(band, planes, grid.spacing());
   straddle(band, 0.1 * grid.spacing());
   return std::move(band.mesh);
 }
