@@ -3,8 +3,8 @@
 
 #include <numbers>
 
-#include "core/geometry/mesh_edges.hpp"
 #include "io/export/surface_mesh.hpp"
+#include "tests/support/closed_mesh.hpp"
 #include "tests/support/surfel_samples.hpp"
 
 using namespace thaw;
@@ -17,25 +17,8 @@ PeriodicSides sidesOf(bool x, bool y, bool z) { return {{x, y, z}, {-0.1, 0, 0.2
 
 struct Surfaces {
   SurfaceFrame frame;
-  /// Surfels of a mesh, wrapped into the domain as a run has them; those on no side of the body (keep) are left out.
-  template<class Keep> void add(const TriangleMesh& mesh, const PeriodicSides& sides, bool smooth, Keep keep) {
-    SurfelSamples s;
-    sampleMesh(s, mesh, spacing, smooth, 5);
-    for (std::size_t i = 0; i < s.size(); i++) {
-      Vec3d x{s.positions[i].x, s.positions[i].y, s.positions[i].z};
-      if (!keep(x)) continue;
-      for (int a = 0; a < 3; a++)
-        if (sides.is[static_cast<std::size_t>(a)]) x[a] -= sides.period[a] * std::floor((x[a] - sides.min[a]) / sides.period[a]);
-      frame.positions.push_back(x);
-      frame.normals.push_back(s.normals[i]);
-      frame.radii.push_back(s.radii[i]);
-      frame.components.push_back(5);
-      frame.colours.push_back({10, 20, 30});
-    }
-  }
-  void addBall(const Vec3d& centre, double radius, const PeriodicSides& sides, bool inward = false) {
-    SurfelSamples s;
-    sampleBall(s, centre, radius, spacing, 5);
+  /// Surfels, wrapped into the domain as a run has them.
+  void put(const SurfelSamples& s, const PeriodicSides& sides, bool inward = false) {
     for (std::size_t i = 0; i < s.size(); i++) {
       Vec3d x{s.positions[i].x, s.positions[i].y, s.positions[i].z};
       for (int a = 0; a < 3; a++)
@@ -47,26 +30,29 @@ struct Surfaces {
       frame.colours.push_back({10, 20, 30});
     }
   }
+  /// Of the faces of a box, where `keep` says so.
+  template<class Keep> void addBox(const TriangleMesh& box, const PeriodicSides& sides, Keep keep) {
+    SurfelSamples all, kept;
+    sampleMesh(all, box, spacing, false, 5);
+    for (std::size_t i = 0; i < all.size(); i++) {
+      const Vec3d x{all.positions[i].x, all.positions[i].y, all.positions[i].z};
+      if (keep(x)) kept.add(x, {all.normals[i].x, all.normals[i].y, all.normals[i].z}, spacing, 5);
+    }
+    put(kept, sides);
+  }
+  void addBall(const Vec3d& centre, double radius, const PeriodicSides& sides, bool inward = false) {
+    SurfelSamples s;
+    sampleBall(s, centre, radius, spacing, 5);
+    put(s, sides, inward);
+  }
   ComponentMesh mesh(const PeriodicSides& sides) const { return meshOfComponent(frame, rowsByComponent(frame).at(0), frame.colours, sides); }
 };
 
 double ballVolume(double r) { return 4 * std::numbers::pi / 3 * r * r * r; }
 
-void expectClosed(const TriangleMesh& mesh) {
-  ASSERT_FALSE(mesh.triangles.empty());
-  const std::vector<EdgeSide> sides = edgeSides(mesh);
-  std::size_t wrong = 0;
-  forEachEdge(sides, [&](std::size_t first, std::size_t last) { wrong += last - first != 2 || sides[first].sign + sides[first + 1].sign != 0; });
-  EXPECT_EQ(wrong, 0u);
-  for (const auto& t : mesh.triangles) EXPECT_TRUE(t[0] != t[1] && t[1] != t[2] && t[2] != t[0]);
-}
-
-std::size_t shellsOf(const TriangleMesh& mesh) {
-  DisjointSets sets(mesh.vertices.size());
-  for (const auto& t : mesh.triangles) sets.join(t[0], t[1]), sets.join(t[1], t[2]);
-  std::size_t shells = 0;
-  for (std::uint32_t v = 0; v < mesh.vertices.size(); v++) shells += sets.find(v) == v;
-  return shells;
+void expectShells(const TriangleMesh& mesh, std::size_t shells) {
+  EXPECT_EQ(shellVolumes(mesh).size(), shells);
+  expectClosed(mesh);
 }
 
 std::array<double, 2> rangeOf(const TriangleMesh& mesh, int axis) {
@@ -83,8 +69,7 @@ TEST(PeriodicMesh, ABallOverACornerIsInOnePiece) {
     Surfaces s;
     s.addBall(centre, 0.3, sides);
     const ComponentMesh m = s.mesh(sides);
-    expectClosed(m.mesh);
-    EXPECT_EQ(shellsOf(m.mesh), 1u);
+    expectShells(m.mesh, 1);
     EXPECT_EQ(m.cut, (std::array<bool, 3>{}));
     EXPECT_NEAR(volumeOf(m.mesh), ballVolume(0.3), 0.01 * ballVolume(0.3));
     Vec3d middle;
@@ -105,10 +90,9 @@ TEST(PeriodicMesh, WhatGoesRoundIsCutAtTheSidesAndCapped) {
   const PeriodicSides sides = sidesOf(true, false, false);
   const TriangleMesh rod = boxMesh({-1.5, 0.4, 0.5}, {1.9, 0.7, 0.8});  // longer than the domain: its ends are left out
   Surfaces s;
-  s.add(rod, sides, false, [](const Vec3d& x) { return x.x >= -0.1 && x.x < 0.9; });
+  s.addBox(rod, sides, [](const Vec3d& x) { return x.x >= -0.1 && x.x < 0.9; });
   const ComponentMesh m = s.mesh(sides);
-  expectClosed(m.mesh);
-  EXPECT_EQ(shellsOf(m.mesh), 1u);
+  expectShells(m.mesh, 1);
   EXPECT_EQ(m.cut, (std::array<bool, 3>{true, false, false}));
   EXPECT_NEAR(volumeOf(m.mesh), 0.09, 0.01 * 0.09);
   EXPECT_NEAR(rangeOf(m.mesh, 0)[0], -0.1, 1e-12);
@@ -128,10 +112,10 @@ TEST(PeriodicMesh, APoolIsOneBlockWithItsBubblesAndDrops) {
   const PeriodicSides sides = sidesOf(true, true, false);
   const TriangleMesh pool = boxMesh({-2, -2, 0.3}, {3, 3, 0.8});
   Surfaces s;
-  s.add(pool, sides, false, [](const Vec3d& x) { return x.x >= -0.1 && x.x < 0.9 && x.y >= 0 && x.y < 1.3; });
+  s.addBox(pool, sides, [](const Vec3d& x) { return x.x >= -0.1 && x.x < 0.9 && x.y >= 0 && x.y < 1.3; });
   s.addBall({-0.12, 1.25, 0.55}, 0.15, sides, true);
   const ComponentMesh m = s.mesh(sides);
-  expectClosed(m.mesh);
+  expectShells(m.mesh, 1);
   EXPECT_EQ(m.cut, (std::array<bool, 3>{true, true, false}));
   const double volume = 1.3 * 0.5 - ballVolume(0.15);
   EXPECT_NEAR(volumeOf(m.mesh), volume, 0.005 * volume);
@@ -143,8 +127,7 @@ TEST(PeriodicMesh, AHollowIsPlacedInItsBody) {
   s.addBall({0.4, 1.2, 0.6}, 0.35, sides);
   s.addBall({0.4, 1.32, 0.6}, 0.15, sides, true);
   const ComponentMesh m = s.mesh(sides);
-  expectClosed(m.mesh);
-  EXPECT_EQ(shellsOf(m.mesh), 2u);
+  expectShells(m.mesh, 2);
   EXPECT_EQ(m.cut, (std::array<bool, 3>{}));
   EXPECT_NEAR(rangeOf(m.mesh, 1)[1] - rangeOf(m.mesh, 1)[0], 0.7, 0.01);
   EXPECT_NEAR(volumeOf(m.mesh), ballVolume(0.35) - ballVolume(0.15), 0.01 * ballVolume(0.35));
@@ -155,7 +138,7 @@ TEST(PeriodicMesh, AroundAHollowAloneTheBodyFillsTheDomain) {
   Surfaces s;
   s.addBall({0.9, 0, 0.6}, 0.3, sides, true);
   const ComponentMesh m = s.mesh(sides);
-  expectClosed(m.mesh);
+  expectShells(m.mesh, 1);
   EXPECT_EQ(m.cut, (std::array<bool, 3>{true, true, true}));
   const double volume = 1.3 * 0.9 - ballVolume(0.3);
   EXPECT_NEAR(volumeOf(m.mesh), volume, 0.005 * volume);
@@ -164,9 +147,9 @@ TEST(PeriodicMesh, AroundAHollowAloneTheBodyFillsTheDomain) {
 TEST(PeriodicMesh, NearItsOwnImageIsNotRound) {
   const PeriodicSides sides = sidesOf(true, false, false);
   Surfaces s;
-  s.add(boxMesh({0.2, 0.4, 0.5}, {1.13, 0.7, 0.8}), sides, false, [](const Vec3d&) { return true; });  // a gap of 2.3 spacings: under two it would be cut, and as right
+  s.addBox(boxMesh({0.2, 0.4, 0.5}, {1.13, 0.7, 0.8}), sides, [](const Vec3d&) { return true; });  // a gap of 2.3 spacings: under two it would be cut, and as right
   const ComponentMesh m = s.mesh(sides);
-  expectClosed(m.mesh);
+  expectShells(m.mesh, 1);
   EXPECT_EQ(m.cut, (std::array<bool, 3>{}));
   EXPECT_NEAR(volumeOf(m.mesh), 0.93 * 0.09, 0.01 * 0.09);
 }

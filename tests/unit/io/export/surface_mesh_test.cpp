@@ -6,7 +6,7 @@
 #include <map>
 #include <numbers>
 
-#include "core/geometry/mesh_edges.hpp"
+#include "tests/support/closed_mesh.hpp"
 #include "tests/support/surfel_samples.hpp"
 
 using namespace thaw;
@@ -27,15 +27,6 @@ SurfaceFrame frameOf(const SurfelSamples& s) {
 ComponentMesh only(const SurfelSamples& s, double cell = 1) {
   const SurfaceFrame f = frameOf(s);
   return meshOfComponent(f, rowsByComponent(f).at(0), f.colours, {}, cell);
-}
-
-/// Every edge has two triangles, which run along it in opposite directions.
-void expectClosed(const TriangleMesh& mesh) {
-  const std::vector<EdgeSide> sides = edgeSides(mesh);
-  std::size_t wrong = 0;
-  forEachEdge(sides, [&](std::size_t first, std::size_t last) { wrong += last - first != 2 || sides[first].sign + sides[first + 1].sign != 0; });
-  EXPECT_EQ(wrong, 0u);
-  for (const auto& t : mesh.triangles) EXPECT_TRUE(t[0] != t[1] && t[1] != t[2] && t[2] != t[0]);
 }
 
 /// The largest and the mean distance (m) from the vertices to a mesh.
@@ -142,11 +133,7 @@ TEST(SurfaceMesh, BehindACrackNarrowerThanSurfelsAreApartThereAreNoBubbles) {
     sampleMesh(s, boxMesh({0, 0, 0.405}, {1, 1, 0.8}), 0.05, false, 1, seed + 10);
     const ComponentMesh m = only(s);
     expectClosed(m.mesh);
-    DisjointSets sets(m.mesh.vertices.size());
-    for (const auto& t : m.mesh.triangles) sets.join(t[0], t[1]), sets.join(t[1], t[2]);
-    std::map<std::uint32_t, double> shells;
-    for (const auto& t : m.mesh.triangles) shells[sets.find(t[0])] += dot(m.mesh.vertices[t[0]], cross(m.mesh.vertices[t[1]], m.mesh.vertices[t[2]])) / 6;
-    for (const auto& [first, volume] : shells) EXPECT_GT(volume, 0.1) << seed << ' ' << shells.size();
+    for (const double volume : shellVolumes(m.mesh)) EXPECT_GT(volume, 0.1) << seed;
     EXPECT_NEAR(volumeOf(m.mesh), 0.795, 0.01 * 0.795) << seed;
   }
 }
