@@ -56,6 +56,23 @@ cores() {
   printf '%s\n' "$((n > 0 ? n : 1))"
 }
 
+# optionsToContinue RANKS OPTIONS...: what a run that was stopped goes on with, each option behind a blank and quoted: all that the scene was changed by, and the ranks where they are not the
+# default. How long it was to run, and how it began, is another matter.
+optionsToContinue() {
+  local again=()
+  [ "$1" -eq "$(cores)" ] || again+=(--ranks "$1")
+  shift
+  while [ $# -gt 0 ]; do
+    case "$1" in
+      --steps | --time-limit) [ $# -lt 2 ] || shift ;;
+      --steps=* | --time-limit=* | --restart | --resume) ;;
+      *) again+=("$1") ;;
+    esac
+    shift
+  done
+  [ ${#again[@]} -eq 0 ] || printf ' %q' "${again[@]}"
+}
+
 # configureAndBuild PRESET [TARGET...]: quiet unless something fails or a terminal looks on.
 configureAndBuild() {
   local preset=$1 target args=()

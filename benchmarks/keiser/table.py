@@ -1,19 +1,18 @@
 #!/usr/bin/env python3
 """Runs scenes/keiser/*.toml, each on one core, and prints the paper's Table 1 beside what they took.
 
-  scripts/bench keiser [--until SECONDS] [--seconds SECONDS] [--scenes fluid,freezing] [--out FOLDER] [--set key=value]
+  scripts/bench keiser [options below; --csv is given by scripts/bench]
 
---until  simulated seconds of each scene; default: all of it
---seconds  wall-clock seconds that a scene may take; default 1200. One that is stopped before its end counts as far as it got, and the last column says
-         how far: the paper's melting scenes with their 60,000 surfels take hours
---out    where the runs go; default out/keiser
-A run that is there already, of the same version and scene, is not repeated. Frames and pictures stay: out/keiser/NAME.
+A scene that is stopped by --seconds before its end counts as far as it got, and the last column says how far: the paper's melting scenes with their 60,000
+surfels may take longer than the default (`thaw check` estimates it). A run that is there already, of the same version of thaw, scene and options, is not repeated. Frames and
+pictures stay in OUT/NAME.
 Columns: particles and surfels are means over the frames; a physics step is all that is no surface, no output and no set-up; an iteration is the whole
 surface update (displacement, resampling, components and all) over its number of iterations; frames a second as in the paper, where a frame is one
 step and one iteration, and as simulated frames over the time of the whole run.
 """
 import argparse
 import csv
+import hashlib
 import json
 import os
 import subprocess
@@ -48,7 +47,8 @@ def run(name, options):
     """Runs a scene, unless it is there; its summary. Ends the program where the run fails."""
     out = os.path.join(options.out, name)
     scene = os.path.join(ROOT, "scenes", "keiser", name + ".toml")
-    stamp = json.dumps([options.commit, options.until, options.seconds, options.set])
+    texts = [open(os.path.join(os.path.dirname(scene), file)).read() for file in (name + ".toml", "bust.toml")]
+    stamp = json.dumps([options.commit, options.until, options.seconds, options.set, hashlib.sha256("".join(texts).encode()).hexdigest()])
     mark = os.path.join(out, "benchmark.json")
     done = os.path.exists(mark) and open(mark).read() == stamp
     if not done:
@@ -92,13 +92,15 @@ def ours(name, summary, out):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--csv", required=True)
-    parser.add_argument("--until", type=float)
-    parser.add_argument("--seconds", type=float, default=1200)
-    parser.add_argument("--scenes", default=",".join(PAPER))
-    parser.add_argument("--out", default=os.path.join(ROOT, "out", "keiser"))
-    parser.add_argument("--set", action="append", default=[])
+    parser.add_argument("--csv", required=True, help="the table goes to this file as well")
+    parser.add_argument("--until", type=float, help="simulated seconds of each scene (default: all of it)")
+    parser.add_argument("--seconds", type=float, default=1200, help="wall-clock seconds that a scene may take (default: %(default)g)")
+    parser.add_argument("--scenes", default=",".join(PAPER), help="some of %(default)s (default: all)")
+    parser.add_argument("--out", default=os.path.join(ROOT, "out", "keiser"), help="where the runs go (default: %(default)s)")
+    parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="for all scenes; may be given several times")
     options = parser.parse_args()
+    if "THAW_BUILD" not in os.environ:
+        parser.error("THAW_BUILD is not set to the build folder: use scripts/bench keiser")
     unknown = [s for s in options.scenes.split(",") if s not in PAPER]
     if unknown:
         parser.error(f"unknown scene '{unknown[0]}': there are {', '.join(PAPER)}")

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -219,6 +220,8 @@ struct SurfaceSettings {
   double keepVolume = 1;          // 1, weight of the force that keeps the volume of what is liquid at that of its particles; 0: none
   MergeRule merge = MergeRule::Liquid;
   double linkLength = 1.5;        // 1, spacings: particles of one component further apart hold it together no longer
+  SourcePlace where;              // of the table
+  std::map<std::string, SourcePlace> places;  // of the keys that the scene has
 };
 
 struct Camera {

@@ -6,6 +6,7 @@
 
 #include "core/math/exact_sum.hpp"
 #include "core/surface/gather_words.hpp"
+#include "core/surface/one_piece.hpp"
 
 namespace thaw {
 namespace {
@@ -15,7 +16,8 @@ struct Record {
   SurfaceComponent measured;
   Vec3d anchor{};       // place of the particle that names it
   int ranks = 0;        // that have rows of it
-  Vec3d reach{};        // m, largest distance from the anchor along each axis; only of periodic axes
+  Sectors sectors{};    // of periodic axes, with rows of it
+  OnePiece piece;       // how it lies across periodic sides
 };
 
 enum Sum { Mass, ParticleVolume, WantedVolume, MomentX, MomentY, MomentZ, Area, VolumeX, VolumeY, VolumeZ, NormalX, NormalY, NormalZ, FreeArea, PlainArea, Rim, RimX, RimY, RimZ, sums };
@@ -51,9 +53,12 @@ std::vector<Group> groupsOf(const Surface& s, const std::vector<std::uint32_t>& 
   return groups;
 }
 
-/// All components of all ranks, with counts and anchors, ascending by label.
-std::vector<Record> recordsOf(const Surface& s, const std::vector<std::uint32_t>& particles, const std::vector<Group>& groups, Reducer& all) {
-  constexpr std::size_t words = 7;
+/// m, least width of sectors without rows beside which a component is cut open.
+double gapOf(const Surface& s) { return 2 * s.spacing; }
+
+/// All components of all ranks, with counts, anchors and how they lie across periodic sides, ascending by label.
+std::vector<Record> recordsOf(const Surface& s, const std::vector<std::uint32_t>& particles, const std::vector<std::uint32_t>& surfels, const std::vector<Group>& groups, Reducer& all) {
+  constexpr std::size_t words = 10;
   std::vector<std::uint64_t> mine;
   for (const Group& g : groups) {
     Vec3d anchor{};
@@ -63,8 +68,11 @@ std::vector<Record> recordsOf(const Surface& s, const std::vector<std::uint32_t>
         anchor = s.particles.position[particles[k]];
         has = true;
       }
+    Sectors sectors{};
+    for (std::size_t k = g.particlesFrom; k < g.particlesTo; k++) addToSectors(s.grid, gapOf(s), s.particles.position[particles[k]], sectors);
+    for (std::size_t k = g.surfelsFrom; k < g.surfelsTo; k++) addToSectors(s.grid, gapOf(s), s.surfels.position[surfels[k]], sectors);
     mine.insert(mine.end(), {g.label, g.particlesTo - g.particlesFrom, g.surfelsTo - g.surfelsFrom, has ? 1ull : 0ull, std::bit_cast<std::uint64_t>(anchor.x),
-                             std::bit_cast<std::uint64_t>(anchor.y), std::bit_cast<std::uint64_t>(anchor.z)});
+                             std::bit_cast<std::uint64_t>(anchor.y), std::bit_cast<std::uint64_t>(anchor.z), sectors[0], sectors[1], sectors[2]});
   }
   const std::vector<std::uint64_t> theirs = gatherWords(all, mine);
   std::vector<std::size_t> order(theirs.size() / words);
@@ -81,7 +89,12 @@ std::vector<Record> recordsOf(const Surface& s, const std::vector<std::uint32_t>
     r.measured.particles += static_cast<std::int64_t>(w[1]);
     r.measured.surfels += static_cast<std::int64_t>(w[2]);
     if (w[3]) r.anchor = {std::bit_cast<double>(w[4]), std::bit_cast<double>(w[5]), std::bit_cast<double>(w[6])};
+    for (std::size_t a = 0; a < 3; a++) r.sectors[a] |= w[7 + a];
     r.ranks++;
+  }
+  for (Record& r : records) {
+    r.piece = onePiece(s.grid, gapOf(s), r.sectors);
+    r.anchor = placeIn(s.grid, r.piece, r.anchor);
   }
   return records;
 }
@@ -90,35 +103,23 @@ std::size_t indexOf(const std::vector<Record>& records, std::uint64_t label) {
   return static_cast<std::size_t>(std::lower_bound(records.begin(), records.end(), label, [](const Record& r, std::uint64_t l) { return r.measured.label < l; }) - records.begin());
 }
 
-/// From the anchor to x, the shortest way round periodic sides.
-Vec3d fromAnchor(const CellGrid& g, const Vec3d& anchor, const Vec3d& x) {
-  Vec3d d = x - anchor;
-  for (int a = 0; a < 3; a++)
-    if (g.periodic[a]) d[a] -= g.period[a] * std::nearbyint(d[a] / g.period[a]);
-  return d;
-}
-
-/// A component's exact sums over this rank's rows, and how far it reaches.
-void addRows(const Surface& s, const Group& g, const std::vector<std::uint32_t>& particles, const std::vector<std::uint32_t>& surfels, Record& r,
+/// A component's exact sums over this rank's rows.
+void addRows(const Surface& s, const Group& g, const std::vector<std::uint32_t>& particles, const std::vector<std::uint32_t>& surfels, const Record& r,
              std::array<ExactSum, sums>& sum) {
   const SurfaceParticles& p = s.particles;
   const Surfels& f = s.surfels;
   sum.fill({});
-  const auto widen = [&](const Vec3d& d) {
-    for (int a = 0; a < 3; a++) r.reach[a] = std::max(r.reach[a], std::abs(d[a]));
-  };
   for (std::size_t k = g.particlesFrom; k < g.particlesTo; k++) {
     const std::uint32_t i = particles[k];
-    const Vec3d d = fromAnchor(s.grid, r.anchor, p.position[i]);
+    const Vec3d d = placeIn(s.grid, r.piece, p.position[i]) - r.anchor;
     sum[Mass].add(p.mass[i]);
     sum[ParticleVolume].add(p.volume[i]);
     sum[WantedVolume].add(p.share[i] * p.volume[i]);
     for (std::size_t a = 0; a < 3; a++) sum[MomentX + a].add(p.mass[i] * d[static_cast<int>(a)]);
-    widen(d);
   }
   for (std::size_t k = g.surfelsFrom; k < g.surfelsTo; k++) {
     const std::uint32_t i = surfels[k];
-    const Vec3d d = fromAnchor(s.grid, r.anchor, f.position[i]), facets = f.facets[i];
+    const Vec3d d = placeIn(s.grid, r.piece, f.position[i]) - r.anchor, facets = f.facets[i];
     sum[Area].add(f.area[i]);
     if (const double liquid = liquidShare(f, i); liquid > 0) sum[FreeArea].add(liquid * f.area[i]);
     if (const double frozen = frozenShare(f, i); frozen > 0) sum[PlainArea].add(frozen * f.area[i]);
@@ -130,7 +131,6 @@ void addRows(const Surface& s, const Group& g, const std::vector<std::uint32_t>&
       sum[Rim].add(f.rim[i]);
       for (int a = 0; a < 3; a++) sum[static_cast<std::size_t>(RimX + a)].add(f.rim[i] * d[a]);
     }
-    widen(d);
   }
 }
 
@@ -145,6 +145,8 @@ void finish(const CellGrid& grid, Record& r, const std::array<double, sums>& v) 
   c.open = c.area > 0 ? length(Vec3d{v[NormalX], v[NormalY], v[NormalZ]}) / c.area : 0;
   const Vec3d centroid = c.mass > 0 ? Vec3d{v[MomentX], v[MomentY], v[MomentZ]} / c.mass : Vec3d{};
   c.centroid = r.anchor + centroid;
+  for (int a = 0; a < 3; a++)
+    if (grid.periodic[a]) c.centroid[a] = grid.origin[a] + withinPeriod(grid, a, c.centroid[a]);
   // seen from among the rims: a hole there adds the least
   const Vec3d from = v[Rim] > 0 ? Vec3d{v[RimX], v[RimY], v[RimZ]} / v[Rim] : centroid;
   double volume = 0, any = 0;
@@ -152,7 +154,7 @@ void finish(const CellGrid& grid, Record& r, const std::array<double, sums>& v) 
   for (int a = 0; a < 3; a++) {
     const double along = v[static_cast<std::size_t>(VolumeX + a)] - from[a] * v[static_cast<std::size_t>(NormalX + a)];
     any += along / 3;
-    if (grid.periodic[a] && r.reach[a] > 0.4 * grid.period[a]) continue;
+    if (r.piece.round[static_cast<std::size_t>(a)]) continue;
     volume += along;
     axes++;
   }
@@ -205,7 +207,7 @@ void measureComponents(Surface& s, Reducer& all) {
   const std::vector<std::uint32_t> particles = orderByLabel(s.particles.component.data(), s.particles.owned);
   const std::vector<std::uint32_t> surfels = orderByLabel(s.surfels.component.data(), s.surfels.owned);
   const std::vector<Group> groups = groupsOf(s, particles, surfels);
-  std::vector<Record> records = recordsOf(s, particles, groups, all);
+  std::vector<Record> records = recordsOf(s, particles, surfels, groups, all);
 
   // components of this rank alone are finished here
   std::vector<std::uint64_t> finished;
@@ -219,12 +221,6 @@ void measureComponents(Surface& s, Reducer& all) {
   }
   const std::vector<std::uint64_t> results = gatherWords(all, finished);
   const std::vector<SharedValues> shared = sumShared(s, particles, surfels, groups, records, all);
-  if (s.grid.periodic[0] || s.grid.periodic[1] || s.grid.periodic[2]) {
-    std::vector<double> reach;
-    for (const Record& r : records) reach.insert(reach.end(), {r.reach.x, r.reach.y, r.reach.z});
-    if (!reach.empty()) all.maximum(reach);
-    for (std::size_t k = 0; k < records.size(); k++) records[k].reach = {reach[3 * k], reach[3 * k + 1], reach[3 * k + 2]};
-  }
 
   std::array<double, sums> value;
   for (std::size_t at = 0; at < results.size(); at += 1 + sums) {

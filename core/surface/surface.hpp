@@ -18,7 +18,7 @@ struct SurfaceComponent {
   double particleVolume = 0;          ///< m^3, mass / density at rest
   double volume = 0;                  ///< m^3, enclosed by the surfels (facets.hpp)
   double area = 0;                    ///< m^2
-  Vec3d centroid{};                   ///< m, of its particles by mass
+  Vec3d centroid{};                   ///< m, of its particles by mass; across periodic sides in one piece, and put into the domain (measure.hpp)
   double raised = 0;                  ///< m, how far volume keeping holds what is liquid of it off the level of the particles' colour; part of the state
   double wantedVolume = 0;            ///< m^3, that volume keeping holds: of its particles, times what their body's mesh held over that at the start; of the update
   double freeArea = 0;                ///< m^2, sum of the surfels' areas times their liquid fractions: what volume keeping may move; of the update

@@ -38,7 +38,6 @@ const CellGrid& SurfaceTrial::gridOfTrial(const MeshLoader& load) {
   for (const Body& b : w.scene.bodies) shapes.push_back(makeSignedDistance(b.shape, load));
   expected_ = expectedSurfels(w.scene, shapes);
   spacing_ = w.surface.spacing;
-  advice_ = surfaceAdvice(w.scene);
   if (expected_ > most) {
     w.scene.surface.spacing = spacing_ * std::sqrt(expected_ / most);
     prepareSurface(w);
@@ -97,10 +96,9 @@ std::vector<std::string> SurfaceTrial::lines(const Forecast& f, int ranks) const
       fmt::format("the start {} {:.3g} s, one update after a few steps {:.3g} s, on {} rank{}", perMeasured_ > 1 ? "would take about" : "took", perMeasured_ * times[0], perMeasured_ * times[1], comm_.size(),
                   comm_.size() == 1 ? "" : "s"),
       fmt::format("about {:.0f} updates until the end, {:.0f} of them at frames{}", f.updates, f.frames,
-                  set.everyMove > 0 ? fmt::format("; the others as particles come {:g} m, at half of {:.3g} m/s, the largest speed expected", set.everyMove * w.grid.support, expectedSpeed(w.scene)) : "")};
+                  set.everyMove > 0 ? fmt::format("; the others as particles come {:g} m, at half of {:.3g} m/s, the largest speed expected", set.everyMove * w.grid.support, expectedSpeed(w.scene)) : set.everySteps > 0 ? "" : ", however far particles move in between")};
   if (perMeasured_ > 1) lines.push_back(fmt::format("these figures are scaled up from {:.0f} surfels {:.3g} m apart", f.surfels / perMeasured_, s.spacing));
   if (w.modules.melting || w.modules.fluid) lines.push_back("an update takes longer the more of the surface is liquid and moves: two to five times as long as of a solid");
-  for (const std::string& line : advice_) lines.push_back("note: " + line);
   return lines;
 }
 
@@ -110,17 +108,6 @@ double expectedUpdates(const World& w, double steps) {
   if (s.everySteps > 0) updates += steps / static_cast<double>(s.everySteps);
   else if (s.everyMove > 0) updates += 0.5 * expectedSpeed(w.scene) * w.scene.end / (s.everyMove * w.grid.support);
   return std::min(updates, steps + 1);
-}
-
-std::vector<std::string> surfaceAdvice(const Scene& scene) {
-  const SurfaceSettings& s = scene.surface;
-  std::vector<std::string> notes;
-  const double spacing = surfelSpacing(scene);
-  if (spacing > scene.spacing) notes.push_back(fmt::format("surface.spacing ({:g} m) is above spacing ({:g} m): the surface is coarser than the particles", spacing, scene.spacing));
-  if (s.everySteps == 0 && s.everyMove == 0) notes.push_back("surface.every_steps and surface.every_move are 0: the surface is updated at frames only, however far particles move in between");
-  if (s.everyMove > 1) notes.push_back(fmt::format("surface.every_move is {:g}: particles come further than their neighbourhood between two updates, and the surface is carried less well", s.everyMove));
-  if (s.support > 5) notes.push_back(fmt::format("surface.support is {:g}: about {:.0f} surfels act on each surfel, and time and memory grow with it", s.support, 1.15 * pi * s.support * s.support));
-  return notes;
 }
 
 }  // namespace thaw

@@ -27,7 +27,6 @@ class SurfaceTrial {
   World& world_;
   double expected_ = 0, spacing_ = 0;  // m, that the scene wants
   double perMeasured_ = 1;             // surfels that are expected, for each one that is measured
-  std::vector<std::string> advice_;    // on what the scene says
   SurfaceRanks halos_;
   SurfaceTools tools_;
   double bytes_ = 0, start_ = 0, each_ = 0;
@@ -38,8 +37,5 @@ class SurfaceTrial {
 /// About how many updates of the surface a run has: one at each frame, and between them as the scene says, for moves of particles at half of the largest
 /// speed that is expected of the scene.
 double expectedUpdates(const World& world, double steps);
-
-/// What looks unwise in [surface], a line each.
-std::vector<std::string> surfaceAdvice(const Scene& scene);
 
 }  // namespace thaw

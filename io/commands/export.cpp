@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <thread>
@@ -50,12 +51,23 @@ std::vector<Rgb> coloursOf(const SurfaceFrame& frame, const ExportOptions& optio
   return colours;
 }
 
+/// The scene that a frame keeps; none where it has none, or one that cannot be read: then `what` is without it.
+std::optional<Scene> sceneOf(const SurfaceFrame& frame, const fs::path& file, const char* what) {
+  if (frame.sceneText.empty()) return {};
+  try {
+    return sceneOfText(frame.sceneText, frame.sceneName);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "thaw export: the scene in {} is not used for {}: {}\n", file.string(), what, error.what());
+    return {};
+  }
+}
+
 /// Camera, size and floors as the pictures of `thaw render` have them.
 RenderStyle styleOf(const SurfaceFrame& frame, const fs::path& file) {
   RenderStyle style;
   FrameJob job;
-  if (!frame.sceneText.empty()) try {
-      job = jobOfScene(sceneOfText(frame.sceneText, frame.sceneName));
+  if (const auto scene = sceneOf(frame, file, "the camera")) try {
+      job = jobOfScene(*scene);
     } catch (const std::exception& error) {
       fmt::print(stderr, "thaw export: the scene in {} is not used for the camera: {}\n", file.string(), error.what());
     }
@@ -71,15 +83,25 @@ RenderStyle styleOf(const SurfaceFrame& frame, const fs::path& file) {
 
 struct MeshCount { std::size_t components = 0, empty = 0, triangles = 0; };
 
-MeshCount writeMesh(const fs::path& out, const SurfaceFrame& frame, const std::vector<Rgb>& colours, const ExportOptions& options) {
+MeshCount writeMesh(const fs::path& file, const fs::path& out, const SurfaceFrame& frame, const std::vector<Rgb>& colours, const ExportOptions& options) {
   const std::vector<ComponentRows> components = rowsByComponent(frame);
   std::vector<ComponentMesh> meshes(components.size());
   const int threads = options.threads > 0 ? options.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  parallelFor(components.size(), threads, [&](std::size_t c) { meshes[c] = meshOfComponent(frame, components[c], colours, options.cell); });
+  const auto scene = sceneOf(frame, file, "periodic sides");
+  const PeriodicSides sides = scene ? periodicSidesOf(scene->domain) : PeriodicSides{};
+  parallelFor(components.size(), threads, [&](std::size_t c) { meshes[c] = meshOfComponent(frame, components[c], colours, sides, options.cell); });
   MeshCount count{meshes.size(), 0, 0};
   count.empty = static_cast<std::size_t>(std::erase_if(meshes, [](const ComponentMesh& m) { return m.mesh.triangles.empty(); }));
   for (const ComponentMesh& m : meshes) count.triangles += m.mesh.triangles.size();
   (options.as == "ply" ? writeMeshPly : writeMeshObj)(out, meshes);
+  std::size_t finer = 0;
+  for (const ComponentMesh& m : meshes) {
+    finer += m.edge < m.asked;
+    if (const std::string note = cutNote(m); !note.empty()) fmt::print("component {}{}\n", m.component, note);
+  }
+  if (options.cell > 1 && finer > 0)
+    fmt::print(stderr, "thaw export: warning: {}: --cell {:g}: cubes of {:.3g} m are too wide for {} of {} components, which are made with finer ones; 0.5 to 2 is sensible\n", file.string(),
+               options.cell, meshes[0].asked, finer, meshes.size());
   return count;
 }
 
@@ -200,7 +222,7 @@ void exportFrame(const fs::path& file, const fs::path& out, const ExportOptions&
   else if (options.as == "vtp") writeVtp(out, frame, colours);
   else if (options.as == "pov") writePov(out, frame, colours, styleOf(frame, file));
   else {
-    const MeshCount count = writeMesh(out, frame, colours, options);
+    const MeshCount count = writeMesh(file, out, frame, colours, options);
     more = fmt::format("{} components, {} triangles", count.components - count.empty, count.triangles);
     if (count.empty > 0) more += fmt::format("; {} components enclose nothing and are left out", count.empty);
   }

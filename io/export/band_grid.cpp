@@ -11,8 +11,12 @@ using Corner = BandGrid::Corner;
 
 }  // namespace
 
-BandGrid::BandGrid(const Vec3d& origin, double spacing, const Corner& count) : origin_(origin), spacing_(spacing), count_(count) {
-  for (int a = 0; a < 3; a++) blocks_[a] = (count[a] + side - 1) / side;
+BandGrid::BandGrid(const Vec3d& origin, const Vec3d& spacing, const Corner& count, const std::array<bool, 3>& cut) : origin_(origin), spacing_(spacing), count_(count) {
+  for (std::size_t a = 0; a < 3; a++) {
+    blocks_[a] = (count[a] + side - 1) / side;
+    first_[a] = cut[a] ? 1 : 0;
+    last_[a] = count[a] - (cut[a] ? 2 : 1);
+  }
   table_.assign(static_cast<std::size_t>(blocks_[0] * blocks_[1] * blocks_[2]), open);
 }
 
@@ -37,6 +41,7 @@ std::int32_t BandGrid::makeSlot(const Corner& c) {
 }
 
 std::int32_t BandGrid::at(const Corner& c) const {
+  if (beyond(c)) return outside;
   const std::int32_t block = table_[static_cast<std::size_t>(blockOf(c))];
   return block < 0 ? block : kept_[static_cast<std::size_t>(block)].slot[within(c)];
 }
@@ -49,9 +54,9 @@ void BandGrid::settle(const std::vector<std::uint8_t>& isInside) {
   bool border = false;
   // Takes a corner into the set as `mark`, once; slots vote.
   const auto reach = [&](const Corner& c, std::int32_t mark) {
-    for (int a = 0; a < 3; a++)
-      if (c[a] < 0 || c[a] >= count_[a]) {
-        border = true;
+    for (std::size_t a = 0; a < 3; a++)
+      if (c[a] < first_[a] || c[a] > last_[a]) {
+        border = border || first_[a] == 0;
         return;
       }
     std::int32_t& block = table_[static_cast<std::size_t>(blockOf(c))];
@@ -106,7 +111,7 @@ void BandGrid::settle(const std::vector<std::uint8_t>& isInside) {
       for (const int step : {-1, 1}) {
         Corner next = corners_[s];
         next[a] += step;
-        if (next[a] >= 0 && next[a] < count_[a] && at(next) == open) settleFrom(next);
+        if (next[a] >= first_[a] && next[a] <= last_[a] && at(next) == open) settleFrom(next);
       }
   if (corners_.empty()) std::fill(table_.begin(), table_.end(), outside);
 }

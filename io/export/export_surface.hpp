@@ -1,6 +1,7 @@
 // A frame of a surface as files that other programs read.
 #pragma once
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "io/export/surface_mesh.hpp"
@@ -26,7 +27,9 @@ void writePov(const std::filesystem::path& file, const SurfaceFrame& frame, cons
 /// The closed meshes of components in one file, with normals and colours at the vertices. PLY: binary, each face with the number of
 /// its component in the list (0, 1, ...), with lines as edges and, where there are any, ids as two halves (id_high, id_low: PLY has no 64 bits); OBJ: an object
 /// `component_LABEL` for each, lines as `l`.
+/// Where a mesh is cut, its line in the file says ", which goes round ..." (cutNote; empty for others).
 void writeMeshPly(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes);
 void writeMeshObj(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes);
+std::string cutNote(const ComponentMesh& mesh);
 
 }  // namespace thaw

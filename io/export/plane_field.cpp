@@ -14,6 +14,18 @@ PlaneField::PlaneField(const SurfaceFrame& frame, const std::vector<std::uint32_
   fillBins(places.data(), places.size(), farthest_, bins_);
 }
 
+bool PlaneField::onDisc(const Vec3d& x, const Vec3f& normal) const {
+  bool on = false;
+  forRowsWithin(bins_, x, farthest_, [&](std::uint32_t k, double) {
+    const std::uint32_t i = rows_[k];
+    const Vec3f& m = frame_.normals[i];
+    const Vec3d away = x - frame_.positions[i];
+    const double r = frame_.radii[i], along = dot(away, Vec3d{m.x, m.y, m.z}), beside2 = dot(away, away) - along * along;
+    on = on || (dot(m, normal) > 0.5f && std::abs(along) < 0.3 * r && beside2 < r * r);
+  });
+  return on;
+}
+
 PlaneHeight PlaneField::at(const Vec3d& x) const {
   const auto forNear = [&](auto use) {
     forRowsWithin(bins_, x, farthest_, [&](std::uint32_t k, double d2) {

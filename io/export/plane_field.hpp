@@ -22,6 +22,8 @@ class PlaneField {
  public:
   PlaneField(const SurfaceFrame& frame, const std::vector<std::uint32_t>& rows, double margin);
   PlaneHeight at(const Vec3d& x) const;
+  /// Is a disc there that looks the same way, rather than only the plane of one farther off, or of one that looks elsewhere?
+  bool onDisc(const Vec3d& x, const Vec3f& normal) const;
 
  private:
   const SurfaceFrame& frame_;

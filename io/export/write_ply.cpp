@@ -32,6 +32,13 @@ constexpr const char* vertexProperties =
 
 }  // namespace
 
+std::string cutNote(const ComponentMesh& mesh) {
+  std::string axes;
+  for (std::size_t a = 0; a < 3; a++)
+    if (mesh.cut[a]) axes += (axes.empty() ? "" : ", ") + std::string(1, static_cast<char>('x' + a));
+  return axes.empty() ? "" : ", which goes round the periodic sides along " + axes + ", is cut there and capped";
+}
+
 void writePlyDiscs(const std::filesystem::path& file, const SurfaceFrame& frame, const std::vector<Rgb>& colours, double discs, int corners) {
   const std::uint64_t n = frame.positions.size();
   checkCount(file, n * static_cast<std::uint64_t>(corners));
@@ -68,7 +75,7 @@ void writeMeshPly(const std::filesystem::path& file, const std::vector<Component
   checkCount(file, vertices);
   OutFile out(file);
   out.text(fmt::format("ply\nformat {} 1.0\ncomment surface of thaw, m; components in this order:\n", ending));
-  for (const ComponentMesh& m : meshes) out.text(fmt::format("comment component {}\n", m.component));
+  for (const ComponentMesh& m : meshes) out.text(fmt::format("comment component {}{}\n", m.component, cutNote(m)));
   out.text(fmt::format("element vertex {}\n{}{}element face {}\nproperty list uchar int vertex_indices\nproperty int component\n{}end_header\n", vertices, vertexProperties,
                        ids ? "property uint id_high\nproperty uint id_low\n" : "", faces,
                        edges > 0 ? fmt::format("element edge {}\nproperty int vertex1\nproperty int vertex2\n", edges) : ""));
@@ -107,6 +114,7 @@ void writeMeshObj(const std::filesystem::path& file, const std::vector<Component
   fmt::memory_buffer lines;
   for (const ComponentMesh& m : meshes) {
     lines.clear();
+    if (const std::string note = cutNote(m); !note.empty()) fmt::format_to(std::back_inserter(lines), "# component {}{}\n", m.component, note);
     fmt::format_to(std::back_inserter(lines), "o component_{}\n", m.component);
     for (std::size_t v = 0; v < m.mesh.vertices.size(); v++) {
       const Vec3d& x = m.mesh.vertices[v];

@@ -11,14 +11,21 @@
 namespace thaw {
 namespace {
 
-constexpr const char* head = "frame,step,time_s,component,particles,surfels,mass_kg,particle_volume_m3,volume_m3,area_m2,x_m,y_m,z_m\n";
+constexpr const char* head = "frame,step,time_s,component,particles,surfels,mass_kg,particle_volume_m3,volume_m3,area_m2,x_m,y_m,z_m,wanted_volume_m3\n";
 
-/// The second field of a line; -1 if there is none.
-std::int64_t stepOf(const std::string& line) {
-  const std::size_t comma = line.find(',');
-  std::int64_t step = -1;
-  if (comma != std::string::npos) std::from_chars(line.data() + comma + 1, line.data() + line.size(), step);
-  return step;
+namespace column { enum { step = 1, time, component, particles, surfels, particleVolume = 7, volume, wanted = 13 }; }
+
+std::vector<std::string> fieldsOf(const std::string& line) {
+  std::vector<std::string> fields;
+  std::istringstream in(line);
+  for (std::string field; std::getline(in, field, ',');) fields.push_back(field);
+  return fields;
+}
+
+/// A field as a number; `none` where there is none.
+template<class T> T numberIn(const std::vector<std::string>& fields, std::size_t k, T none) {
+  if (k < fields.size()) std::from_chars(fields[k].data(), fields[k].data() + fields[k].size(), none);
+  return none;
 }
 
 }  // namespace
@@ -31,23 +38,40 @@ void beginComponentLog(const std::string& out) { replaceTextFile(componentLogPat
 void addToComponentLog(const std::string& out, const World& w) {
   std::string lines;  // numbers in as many digits as make them unique
   for (const SurfaceComponent& c : w.surface.components)
-    lines += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", w.clock.frame, w.clock.step, w.clock.time, c.label, c.particles, c.surfels, c.mass, c.particleVolume, c.volume, c.area, c.centroid.x,
-                         c.centroid.y, c.centroid.z);
+    lines += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", w.clock.frame, w.clock.step, w.clock.time, c.label, c.particles, c.surfels, c.mass, c.particleVolume, c.volume, c.area, c.centroid.x,
+                         c.centroid.y, c.centroid.z, c.wantedVolume);
   std::ofstream file(componentLogPath(out), std::ios::app);
   file << lines;
   file.close();
   if (!file) throw IoError(componentLogPath(out), "cannot be written");
 }
 
-void cutComponentLog(const std::string& out, std::int64_t step) {
+VolumeHeld cutComponentLog(const std::string& out, std::int64_t step) {
+  VolumeHeld held;
   std::ifstream file(componentLogPath(out));
-  if (!file) return beginComponentLog(out);
+  if (!file) {
+    beginComponentLog(out);
+    return held;
+  }
   std::stringstream all;
   all << file.rdbuf();
   std::string kept = head, line;
-  for (std::getline(all, line); std::getline(all, line);)
-    if (!all.eof() && stepOf(line) >= 0 && stepOf(line) <= step) kept += line + "\n";
+  for (std::getline(all, line); std::getline(all, line);) {
+    const std::vector<std::string> fields = fieldsOf(line);
+    const std::int64_t at = numberIn<std::int64_t>(fields, column::step, -1);
+    if (all.eof() || at < 0 || at > step) continue;
+    kept += line + (fields.size() == column::wanted && line.back() != ',' ? ",\n" : "\n");
+    SurfaceComponent c;
+    c.label = numberIn<std::uint64_t>(fields, column::component, noComponent);
+    c.particles = numberIn<std::int64_t>(fields, column::particles, 0);
+    c.surfels = numberIn<std::int64_t>(fields, column::surfels, 0);
+    c.particleVolume = numberIn(fields, column::particleVolume, 0.0);
+    c.volume = numberIn(fields, column::volume, 0.0);
+    c.wantedVolume = numberIn(fields, column::wanted, 0.0);
+    noteVolume(held, c, numberIn(fields, column::time, 0.0));
+  }
   if (kept != all.str()) replaceTextFile(componentLogPath(out), kept);
+  return held;
 }
 
 void writeEventLog(const std::string& out, const std::vector<SurfaceEvent>& events) {

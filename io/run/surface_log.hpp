@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/world.hpp"
+#include "io/run/volume_held.hpp"
 
 namespace thaw {
 
@@ -18,8 +19,9 @@ void beginComponentLog(const std::string& out);
 void addToComponentLog(const std::string& out, const World& world);
 
 /// Drops lines of after `step`, and one that was not finished; a log that is not there begins anew. Of a run that goes back, or on from a
-/// checkpoint: lines of frames up to it were written before it.
-void cutComponentLog(const std::string& out, std::int64_t step);
+/// checkpoint: lines of frames up to it were written before it. Returns what the frames that are left say of volumes. Lines of earlier versions, without the
+/// volume that was to be held, are kept with that field empty.
+VolumeHeld cutComponentLog(const std::string& out, std::int64_t step);
 
 /// The whole log, which is part of the state, in place of the one that is there.
 void writeEventLog(const std::string& out, const std::vector<SurfaceEvent>& events);

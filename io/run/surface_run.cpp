@@ -20,7 +20,7 @@ void beginSurface(Run& r, const MeshLoader& load) {
 void resumeSurfaceOutput(Run& r) {
   onFirstRank(r.comm.handle(), [&] {
     r.surfaceSeries = framesPresent(r.options.out, surfaceName(r.name), r.world.clock.time);
-    cutComponentLog(r.options.out, r.world.clock.step);
+    r.summary.surface.held = cutComponentLog(r.options.out, r.world.clock.step);
     writeEventLog(r.options.out, r.world.surface.events);
   });
 }
@@ -44,12 +44,13 @@ void writeSurfaceFrameOf(Run& r) {
     r.surfaceSeries.push_back({file, w.clock.time});
     writeSeries(seriesPath(r.options.out, name), r.surfaceSeries);
     addToComponentLog(r.options.out, w);
+    for (const SurfaceComponent& c : w.surface.components) noteVolume(r.summary.surface.held, c, w.clock.time);
   });
 }
 
 void forgetSurfaceFrames(Run& r) {
   forgetSeries(r.options.out, surfaceName(r.name), r.surfaceSeries, r.world.clock.time);
-  cutComponentLog(r.options.out, r.world.clock.step);
+  r.summary.surface.held = cutComponentLog(r.options.out, r.world.clock.step);
   writeEventLog(r.options.out, r.world.surface.events);
 }
 
@@ -67,6 +68,7 @@ void gatherSurface(Run& r) {
   s.surfels = surfels;
   s.seconds = seconds;
   s.spacing = w.surface.spacing;
+  s.keepsVolume = w.scene.surface.keepVolume > 0;
   s.lastStep = w.surface.lastStep;
   s.counters = w.surface.counters;
   s.components = w.surface.components;

@@ -28,10 +28,11 @@ Json surfaceJson(const SurfaceSummary& s) {
     for (std::size_t k = 0; k < surfacePhases; k++) j["seconds_per_update_by_phase"][phaseName(static_cast<SurfacePhase>(k))] = s.phases[k] / static_cast<double>(s.updatesHere);
   SurfaceCounters counters = s.counters;
   for (const NamedCount& c : countsOf(counters)) j["counters"][c.name] = *c.count;
+  j["volume_held"] = volumeHeldJson(s.held);
   j["components"] = Json::array();
   for (const SurfaceComponent& c : s.components)
     j["components"].push_back({{"component", c.label}, {"particles", c.particles}, {"surfels", c.surfels}, {"mass_kg", c.mass}, {"particle_volume_m3", c.particleVolume},
-                               {"volume_m3", c.volume}, {"area_m2", c.area}, {"centroid_m", {c.centroid.x, c.centroid.y, c.centroid.z}}});
+                               {"volume_m3", c.volume}, {"wanted_volume_m3", c.wantedVolume}, {"area_m2", c.area}, {"centroid_m", {c.centroid.x, c.centroid.y, c.centroid.z}}});
   j["events"] = Json::array();
   for (std::size_t k = s.events.size() - std::min(s.events.size(), mostEvents); k < s.events.size(); k++) {
     const SurfaceEvent& e = s.events[k];
@@ -57,6 +58,7 @@ std::vector<std::string> surfaceLines(const SurfaceSummary& s) {
       line += fmt::format("{} {} {:.3g} ms", k > 0 ? "," : "", phaseName(static_cast<SurfacePhase>(k)), 1e3 * s.phases[k] / static_cast<double>(s.updatesHere));
     lines.push_back(line);
   }
+  if (const std::string line = volumeHeldLine(s.held); !line.empty()) lines.push_back(line);
   std::vector<SurfaceComponent> largest = s.components;
   std::stable_sort(largest.begin(), largest.end(), [](const SurfaceComponent& a, const SurfaceComponent& b) { return a.particles > b.particles; });
   for (std::size_t k = 0; k < std::min(mostLines, largest.size()); k++)
@@ -75,6 +77,7 @@ std::vector<std::string> surfaceWarnings(const SurfaceSummary& s) {
   add(s.counters.flipped, "times a surfel's normal stood against the particles and was turned round");
   add(s.counters.capped, "updates of the surface reached the most births and deaths that one may have");
   add(s.counters.unfinished, "updates of the surface ended at surface.iterations with surfels that still moved");
+  if (const std::string line = volumeHeldWarning(s.held); s.keepsVolume && !line.empty()) w.push_back(line);
   return w;
 }
 

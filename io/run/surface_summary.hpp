@@ -7,6 +7,7 @@
 
 #include "core/surface/surface.hpp"
 #include "core/surface/surface_times.hpp"
+#include "io/run/volume_held.hpp"
 
 namespace thaw {
 
@@ -18,6 +19,8 @@ struct SurfaceSummary {
   std::int64_t updatesHere = 0;     ///< by this process
   double seconds = 0;               ///< of them, largest of a rank
   std::array<double, surfacePhases> phases{};  ///< s, of them by phase, largest of a rank
+  bool keepsVolume = false;         ///< the scene wants that
+  VolumeHeld held;                  ///< of all frames of the run so far; first rank only
   SurfaceCounters counters;
   std::vector<SurfaceComponent> components;
   std::vector<SurfaceEvent> events;
@@ -28,7 +31,7 @@ nlohmann::ordered_json surfaceJson(const SurfaceSummary& summary);
 /// "  surfels 60123 in 3 components of 0.0123 m^3  update 0.81 s", to be appended to a progress line; empty without a surface.
 std::string surfaceProgress(const SurfaceSummary& summary);
 
-/// Counters and the largest components, a line each.
+/// Counters, how well volumes were held, and the largest components, a line each.
 std::vector<std::string> surfaceLines(const SurfaceSummary& summary);
 
 /// In words, with counts.

@@ -3,9 +3,12 @@
 namespace thaw {
 
 void readSurface(TableReader& r, SurfaceSettings& s) {
+  if (!r.describing()) s.where = r.place();
+  for (const char* key : {"spacing", "support", "particle_support", "every_steps", "every_move", "implicit", "attract", "smooth", "repel", "iso_level", "damping", "iterations", "stop", "adapt", "keep_volume", "link_length"})
+    if (r.has(key)) s.places[key] = r.placeOf(key);
   r.number("spacing", s.spacing, "m", notNegative(), "wanted distance of surfels, and the radius of their discs; 0: half the spacing of particles");
   r.number("support", s.support, "", between(1.5, 12), "radius within which surfels act on each other (h_ss), over their spacing; the paper's h_ss = h means hundreds of neighbours on a detailed body");
-  r.number("particle_support", s.particleSupport, "", between(1, 4), "radius within which particles act on surfels (h_ps), over the support radius of the particles");
+  r.number("particle_support", s.particleSupport, "", between(1, 3), "radius within which particles act on surfels (h_ps), over the support radius of the particles");
   r.choice("source", s.source, {"automatic", "particles"}, "where the first surfels come from: the mesh of a body that has one, or always grown from the particles");
   r.whole("every_steps", s.everySteps, 0, INT64_MAX, "steps between updates of the surface; 0: as the other rules say. Every frame has an update of its own");
   r.number("every_move", s.everyMove, "", between(0, 10), "update when some particle has moved this share of the support radius since the last one; 0: never for that");
@@ -14,7 +17,7 @@ void readSurface(TableReader& r, SurfaceSettings& s) {
   r.number("smooth", s.smooth, "", between(0, 1), "weight of the smoothing force");
   r.number("repel", s.repel, "", between(0, 1), "weight of the force that spaces surfels evenly");
   r.choice("smoothing", s.smoothing, {"sphere", "plane"}, "to where neighbours and their normals lie on a common sphere, which does not shrink curved surfaces; or to the plane of the neighbours (the paper)");
-  r.number("iso_level", s.isoLevel, "", between(0.05, 0.95), "of the colour field, for the implicit force");
+  r.number("iso_level", s.isoLevel, "", between(0.2, 0.8), "of the colour field, for the implicit force; at .5 the surface lies where its particles end");
   r.number("least_level", s.leastLevel, "", between(0.01, 0.9), "no surfel is where the colour field is below this: stretched bodies split (I_min)");
   r.number("damping", s.damping, "", {0, 2, true, false, false}, "factor of every move of the update (alpha)");
   r.whole("iterations", s.iterations, 1, 10000, "of an update, at most");

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "io/scene/surface_advice.hpp"
+
 namespace thaw {
 namespace {
 
@@ -31,6 +33,7 @@ std::vector<std::string> sceneWarnings(const Scene& s) {
     for (const std::string& name : s.output.fields) names += (names.empty() ? "" : ", ") + name;
     lines.push_back(fmt::format("{}: output.fields ({}) are of bodies and emitters, and the scene has none; frames of oriented bodies and sheets have all their fields", at(s.output.fieldsWhere), names));
   }
+  for (const std::string& line : surfaceAdvice(s)) lines.push_back(line);
   return lines;
 }
 

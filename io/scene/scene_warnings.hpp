@@ -1,4 +1,4 @@
-// What a scene says that has no effect: allowed, and told.
+// What a scene says that has no effect, or is far from all use: allowed, and told.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace thaw {
 
-/// A line each, with file and line of the scene: events after its end, fields of frames that nothing in it has.
+/// A line each, with file and line of the scene: events after its end, fields of frames that nothing in it has, settings of the surface (surface_advice.hpp).
 std::vector<std::string> sceneWarnings(const Scene& scene);
 
 /// One line for a sentence about a place in the scene.

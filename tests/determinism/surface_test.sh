@@ -11,6 +11,11 @@ try() {
   "$thaw" info "$work/$name.parts" >/dev/null 2>"$work/log" || { fail "$name: no information"; cat "$work/log"; }
   echo "$name: $(counted "$work/$name.1" surfels) surfels, $(counted "$work/$name.1" updates) updates, $(counted "$work/$name.1" births) births," \
        "$(counted "$work/$name.1" deaths) deaths, $(counted "$work/$name.1" splits) splits, $(counted "$work/$name.1" merges) merges"
+  if [ "$name" = drops ]; then  # the pool goes round both periodic axes
+    local last
+    last=$(tail -n 1 "$work/drops.1/surface.csv" | cut -d, -f1)
+    volumeHeld "$work/drops.1" "$work/drops.1/frames/drops_surface_$(printf %06d "$last").hdf" "$last"
+  fi
   rm -rf "${work:?}/$name".*
 }
 # A drop falls into a pool over periodic sides, and an emitter pours beside it.

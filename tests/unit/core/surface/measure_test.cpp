@@ -39,6 +39,61 @@ TEST(Measure, ABallAcrossAPeriodicSide) {
   EXPECT_NEAR(area[1], area[0], 1e-9);
 }
 
+namespace {
+
+/// A box along x in a domain of 4 m, from `low` on, measured with periodic sides along x.
+SurfaceComponent measuredBox(double low, int cells) {
+  SurfaceRig rig;
+  rig.world.scene.surface.keepVolume = 0;
+  rig.world.scene.domain.side[0] = {Side::Periodic, Side::Periodic};
+  prepareSurface(rig.world);
+  SerialSurfaceRanks halos(rig.world.surface.grid);
+  rig.box({low, 0.3, -0.2}, {cells, 4, 6});
+  const auto wrap = [](Vec3d& x) { x.x -= 4 * std::floor((x.x + 2) / 4); };
+  for (std::size_t i = 0; i < rig.p().owned; i++) wrap(rig.p().position[i]);
+  for (std::size_t i = 0; i < rig.f().owned; i++) wrap(rig.f().position[i]);
+  rig.update(halos.halos());
+  EXPECT_EQ(rig.components().size(), 1u);
+  return rig.components()[0];
+}
+
+}  // namespace
+
+// Taken the shortest way from the particle that names it, at one end, the far end of a body longer than half the domain was thought on the other side.
+TEST(Measure, ALongBodyAcrossAPeriodicSideIsTakenInOnePiece) {
+  const SurfaceComponent whole = measuredBox(-1.5, 28);
+  EXPECT_NEAR(whole.centroid.x, -0.1, 1e-9);
+  for (const double low : {-0.3, 0.9, 1.7}) {
+    const SurfaceComponent c = measuredBox(low, 28);
+    const double middle = low + 1.4 - (low + 1.4 >= 2 ? 4 : 0);
+    EXPECT_NEAR(c.centroid.x, middle, 1e-9) << low;
+    EXPECT_NEAR(c.centroid.y, 0.5, 1e-9);
+    EXPECT_NEAR(c.centroid.z, 0.1, 1e-9);
+    EXPECT_NEAR(c.volume, whole.volume, 1e-9);
+  }
+}
+
+TEST(Measure, WhatGoesRoundHasItsCentroidInTheMiddleAndItsVolume) {
+  SurfaceRig rig;
+  rig.world.scene.surface.keepVolume = 0;
+  for (int a = 0; a < 2; a++) rig.world.scene.domain.side[static_cast<std::size_t>(a)] = {Side::Periodic, Side::Periodic};
+  prepareSurface(rig.world);
+  SerialSurfaceRanks halos(rig.world.surface.grid);
+  for (int y = 0; y < 40; y++)
+    for (int x = 0; x < 40; x++)
+      for (int z = 0; z < 4; z++) rig.particle({-2 + 0.1 * (x + 0.5), -2 + 0.1 * (y + 0.5), 0.1 * (z + 0.5)});
+  for (int y = 0; y < 80; y++)
+    for (int x = 0; x < 80; x++)
+      for (const int up : {0, 1}) rig.surfel({-2 + 0.05 * (x + 0.5), -2 + 0.05 * (y + 0.5), 0.4 * up}, {0, 0, up ? 1.0 : -1.0});
+  rig.update(halos.halos());
+  ASSERT_EQ(rig.components().size(), 1u);
+  const SurfaceComponent& c = rig.components()[0];
+  EXPECT_NEAR(c.centroid.x, 0, 1e-9);
+  EXPECT_NEAR(c.centroid.y, 0, 1e-9);
+  EXPECT_NEAR(c.centroid.z, 0.2, 1e-9);
+  EXPECT_NEAR(c.volume / 6.4 - 1, 0, 1e-6);
+}
+
 TEST(KeepVolume, ABallAndAFlattenedBall) {
   for (const double flat : {1.0, 0.5}) {
     const double wide = 1 / std::sqrt(flat);

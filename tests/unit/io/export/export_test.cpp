@@ -200,6 +200,50 @@ TEST_F(Export, MeshesAreReadBack) {
   EXPECT_NE(text.find("o component_9\n"), std::string::npos);
 }
 
+// The sides are those of the scene that the frame keeps.
+TEST_F(Export, MeshesAcrossPeriodicSidesAreWholeOrTold) {
+  const auto across = [&](const std::string& name, auto addSurfels) {
+    SurfelSamples s;
+    addSurfels(s);
+    for (Vec3f& x : s.positions) x.x -= std::floor(x.x);
+    const std::string scene = "# ---- x.toml\nspacing = 0.1\nend = 1\n[domain]\nmin = [0, 0, 0]\nmax = [1, 1, 1]\nsides = { x = \"periodic\" }\n[material.oil]\n[[body]]\nmaterial = \"oil\"\nsphere = { radius = 0.2 }\nplace = { move = [0.5, 0.5, 0.5] }\n";
+    const fs::path frame = folder / "frames" / (name + "_surface_000001.hdf");
+    writeSurfaceFrame(frame.string(), s, 0.1, true, scene);
+    testing::internal::CaptureStdout();
+    EXPECT_EQ(run(frame, "ply", folder / (name + ".ply")), 0);
+    return testing::internal::GetCapturedStdout();
+  };
+  EXPECT_EQ(across("ball", [](SurfelSamples& s) { sampleBall(s, {0.95, 0.5, 0.5}, 0.3, 0.05, 3); }).find("periodic"), std::string::npos);
+  const TriangleMesh ball = readMesh((folder / "ball.ply").string());
+  EXPECT_NEAR(volumeOf(ball), 4.18879 * 0.027, 0.01 * 0.113);
+  double high = 0;
+  for (const Vec3d& v : ball.vertices) high = std::max(high, v.x);
+  EXPECT_NEAR(high, 1.25, 0.01);
+  const std::string said = across("rod", [](SurfelSamples& s) {
+    SurfelSamples rod;
+    sampleMesh(rod, boxMesh({-1, 0.3, 0.3}, {2, 0.6, 0.7}), 0.05, false, 3);
+    for (std::size_t i = 0; i < rod.size(); i++)
+      if (rod.positions[i].x >= 0 && rod.positions[i].x < 1)
+        s.add({rod.positions[i].x, rod.positions[i].y, rod.positions[i].z}, {rod.normals[i].x, rod.normals[i].y, rod.normals[i].z}, 0.05, 3);
+  });
+  EXPECT_NE(said.find("component 3, which goes round the periodic sides along x, is cut there and capped"), std::string::npos) << said;
+  EXPECT_NE(contentOf(folder / "rod.ply").find("comment component 3, which goes round"), std::string::npos);
+  EXPECT_NEAR(volumeOf(readMesh((folder / "rod.ply").string())), 0.12, 0.01 * 0.12);
+}
+
+TEST_F(Export, CubesWiderThanABodyAreTold) {
+  ExportOptions o;
+  o.input = surfaceFrame(1), o.as = "ply";
+  for (const double cell : {1.0, 10.0}) {
+    o.cell = cell;
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(exportCommand(o), 0);
+    const std::string said = testing::internal::GetCapturedStderr();
+    if (cell == 1) EXPECT_EQ(said, "");
+    else EXPECT_NE(said.find("--cell 10: cubes of 0.5 m are too wide for 2 of 2 components, which are made with finer ones; 0.5 to 2 is sensible"), std::string::npos) << said;
+  }
+}
+
 TEST_F(Export, DiscsAreWhereTheSurfelsAre) {
   const fs::path frame = surfaceFrame(1);
   ASSERT_EQ(run(frame, "ply-discs"), 0);

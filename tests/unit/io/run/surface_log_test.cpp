@@ -39,7 +39,7 @@ TEST_F(Log, IsCutAtAStep) {
   frame(0, 0);
   frame(1, 12);
   const std::string whole = text(componentLogPath(out));
-  EXPECT_NE(whole.find("1,12,0.1,5,10,20,1.5,2.5,0.30000000000000004,4.5,1,2,3\n"), std::string::npos) << whole;
+  EXPECT_NE(whole.find("1,12,0.1,5,10,20,1.5,2.5,0.30000000000000004,4.5,1,2,3,0\n"), std::string::npos) << whole;
   frame(2, 25);
   std::ofstream(componentLogPath(out), std::ios::app) << "3,4";  // killed while it wrote
   cutComponentLog(out, 24);
@@ -50,6 +50,48 @@ TEST_F(Log, IsCutAtAStep) {
   std::filesystem::remove(componentLogPath(out));
   cutComponentLog(out, 25);
   EXPECT_EQ(text(componentLogPath(out)).find("frame,step,time_s,component"), 0u);
+}
+
+TEST_F(Log, TellsTheWorstVolumeOfTheFramesThatAreLeft) {
+  World w;
+  VolumeHeld noted;
+  beginComponentLog(out);
+  const double off[] = {0.004, -0.03, 0.2};
+  for (int k = 0; k < 3; k++) {
+    w.clock.frame = k, w.clock.step = 10 * k, w.clock.time = 0.1 * k;
+    SurfaceComponent c{7, 400, 900, 1, 2, 2 * (1 + off[k]), 4, {1, 2, 3}}, small{9, 29, 60, 1, 2, 5, 4, {}}, bare{10, 400, 11, 1, 2, 5, 4, {}};
+    c.wantedVolume = 1.96;
+    w.surface.components = {c, small, bare};
+    addToComponentLog(out, w);
+    if (k < 2)
+      for (const SurfaceComponent& s : w.surface.components) noteVolume(noted, s, w.clock.time);
+  }
+  const VolumeHeld held = cutComponentLog(out, 10);
+  ASSERT_TRUE(held.any);
+  EXPECT_EQ(held.ofParticles.off, noted.ofParticles.off);  // the same bits as of a run that was not cut
+  EXPECT_EQ(held.ofWanted.off, noted.ofWanted.off);
+  EXPECT_NEAR(held.ofParticles.off, -0.03, 1e-12);
+  EXPECT_EQ(held.ofParticles.time, 0.1);
+  EXPECT_NEAR(held.ofWanted.off, 2.008 / 1.96 - 1, 1e-12);
+  EXPECT_EQ(held.ofWanted.label, 7u);
+  EXPECT_EQ(held.ofWanted.time, 0);
+  EXPECT_NE(volumeHeldLine(held).find("at worst -3.00 % off that of the particles (component 7 of 400 particles, t 0.1 s), +2.45 % off what is to be held"), std::string::npos) << volumeHeldLine(held);
+  EXPECT_NE(volumeHeldWarning(held).find("+2.4 % off the volume that it is to hold (component 7"), std::string::npos) << volumeHeldWarning(held);
+  VolumeHeld good;
+  noteVolume(good, {7, 400, 900, 1, 2, 2.02, 4, {}, 0, 2.02}, 0);
+  EXPECT_EQ(volumeHeldWarning(good), "");
+  EXPECT_EQ(volumeHeldLine({}), "");
+}
+
+TEST_F(Log, KeepsLinesOfEarlierVersions) {
+  std::ofstream(componentLogPath(out)) << "an older head\n0,0,0,5,40,30,1,2,2.1,4,1,2,3\n1,5,0.1,5,40,30,1,2,2,4,1,2,3\n";
+  const VolumeHeld held = cutComponentLog(out, 0);
+  EXPECT_NE(text(componentLogPath(out)).find("wanted_volume_m3\n0,0,0,5,40,30,1,2,2.1,4,1,2,3,\n"), std::string::npos) << text(componentLogPath(out));
+  EXPECT_NEAR(held.ofParticles.off, 0.05, 1e-12);
+  EXPECT_EQ(held.ofWanted.label, noComponent);
+  const std::string once = text(componentLogPath(out));
+  cutComponentLog(out, 0);
+  EXPECT_EQ(text(componentLogPath(out)), once);
 }
 
 TEST_F(Log, OfEventsIsTheState) {
