@@ -17,8 +17,8 @@ void clearLoads(World& world);
 /// Adds wind, wrap, brushes and the contact with obstacles: spring, dashpot and Coulomb friction within the thickness of a surface.
 void addOuterForces(World& world, const SheetVelocities& now);
 
-/// Adds the energy of the springs to the places of rest.
-void addRestEnergy(World& world);
+/// Adds the energy of the springs to the places of rest, as stiff as they are at this time (s).
+void addRestEnergy(World& world, double time);
 
 /// Momentum that springs to the places of rest, damping and clamps have given: before the step sign -1, after it 1.
 void bookHolding(World& world, double sign, double dt);

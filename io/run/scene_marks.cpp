@@ -58,7 +58,7 @@ void addSheet(CheckpointValues& marks, const SheetBody& b) {
   addShape(marks, at + "place.", b.shape);
   addClamps(marks, at, b.clamp);
   for (std::size_t k = 0; k < b.regions.size(); k++) {
-    marks[fmt::format("{}region.{}.mass", at, k)] = b.regions[k].mass;
+    marks[fmt::format("{}region.{}.mass", at, k)] = b.regions[k].factor[placeOf(SheetFactor::Mass)];
     addShape(marks, fmt::format("{}region.{}.", at, k), b.regions[k].shape);
   }
 }
@@ -148,16 +148,18 @@ void addInTime(CheckpointValues& marks, const std::string& key, const FactorInTi
 
 void addCoefficients(CheckpointValues& marks, const SheetBody& b) {
   const std::string at = coefficient + ("sheet." + b.name + ".");
-  addNumbers(marks, at, {{"damping", b.damping}, {"stiffness", b.stiffness}, {"plasticity", b.plasticity}, {"elastic_limit", b.elasticLimit}, {"warp", b.warp}, {"weft", b.weft},
-                         {"shear", b.shear}, {"rest_length", b.restLength}, {"bending", b.bending}, {"stretch_limit", b.stretchLimit}, {"rigid", b.rigid},
-                         {"volume_stiffness", b.volumeStiffness}, {"push", b.push}, {"pull", b.pull}, {"pull_reach", b.pullReach}, {"wind_density", b.windDensity}, {"wrap", b.wrap},
+  addNumbers(marks, at, {{"plasticity", b.plasticity}, {"elastic_limit", b.elasticLimit}, {"rest_length", b.restLength}, {"stretch_limit", b.stretchLimit}, {"rigid", b.rigid},
+                         {"pull_reach", b.pullReach},
                          {"thickness", b.thickness}, {"contact_rate", b.contactRate}, {"friction", b.friction}, {"restitution", b.restitution},
                          {"self_contact", b.selfContact}, {"heat_capacity", b.heatCapacity}, {"conductance", b.conductance}});
   addVector(marks, at + "wind", b.wind);
-  addInTime(marks, at + "stiffness_in_time", b.stiffnessInTime);
-  addInTime(marks, at + "damping_in_time", b.dampingInTime);
-  addInTime(marks, at + "wrap_in_time", b.wrapInTime);
-  for (std::size_t k = 0; k < b.regions.size(); k++) addNumbers(marks, fmt::format("{}region.{}.", at, k), {{"damping", b.regions[k].damping}, {"stiffness", b.regions[k].stiffness}});
+  for (std::size_t f = 0; f < sheetFactors; f++) {
+    if (static_cast<SheetFactor>(f) == SheetFactor::Mass) continue;  // vertices keep theirs
+    const auto& [key, value] = sheetCoefficients[f];
+    marks[at + key] = b.*value;
+    addInTime(marks, fmt::format("{}{}_in_time", at, key), b.inTime[f]);
+    for (std::size_t k = 0; k < b.regions.size(); k++) marks[fmt::format("{}region.{}.{}", at, k, key)] = b.regions[k].factor[f];
+  }
   for (std::size_t k = 0; k < b.brushes.size(); k++) {
     const std::string brush = fmt::format("{}brush.{}.", at, k);
     marks[brush + "radius"] = b.brushes[k].radius;
