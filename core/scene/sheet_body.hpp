@@ -60,6 +60,7 @@ struct SheetBody {
   double wrinkleHeight = 0.01;  // m
   // of the exact step
   double mass = 0.3;         // kg/m^2
+  SourcePlace massWhere;     // of its key, or of the sheet
   double damping = 0;        // kg/(m^2 s)
   double stiffness = 0;      // N/m^3, of the springs to the places of rest
   std::array<FactorInTime, sheetFactors> inTime;  // of coefficients

@@ -84,9 +84,10 @@ void addOuterForces(World& w, const SheetVelocities& now) {
   if (!walls && !s.outside.active) return;
   struct Pushes { double wrap; const Wall* target; std::vector<std::vector<BrushTouch>> brush; };
   std::vector<Pushes> pushes;
-  for (const SheetBody& b : w.scene.sheets) {
-    pushes.push_back({b.wrap * b.factorAt(SheetFactor::Wrap, time), b.wrapTo.empty() ? nullptr : wallNamed(w, b.wrapTo), {}});
-    if (!b.wrapTo.empty() && !pushes.back().target) pushes.back().wrap = 0;  // what it was to be wrapped round has gone
+  for (std::size_t n = 0; n < w.scene.sheets.size(); n++) {
+    const SheetBody& b = w.scene.sheets[n];
+    pushes.push_back({b.wrap * sheets.factors[n].now[placeOf(SheetFactor::Wrap)], b.wrapTo.empty() ? nullptr : wallNamed(w, b.wrapTo), {}});
+    if (!b.wrapTo.empty() && !pushes.back().target) pushes.back().wrap = 0;  // that of addBodyWrap, or what it was to be wrapped round has gone
     for (const SheetBrush& brush : b.brushes) pushes.back().brush.push_back(brushStroke(brush, time, now.dt));
   }
   std::vector<Vec3d>& impulse = sheets.impulseRoom;

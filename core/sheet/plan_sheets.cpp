@@ -239,6 +239,7 @@ SheetPlans planSheets(const Scene& s, const MeshLoader& load) {
       if (plan.byFaces) planFaces(s, b, plan);
       plan.edgeForces = b.warp > 0 || b.weft > 0 || b.shear > 0 || b.bending > 0;
       plan.normals = b.volumeStiffness > 0 || (b.wrap != 0 && b.wrapTo.empty()) || b.windDensity > 0;
+      if (b.wrap != 0) plan.wrapTarget = wrapTarget(s, n);
       plan.firstPart = static_cast<std::uint32_t>(all.parts.size());
       for (std::size_t c = 0; c < t.closed.size(); c++) {
         SheetPart part;

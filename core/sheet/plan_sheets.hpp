@@ -6,6 +6,7 @@
 #include "core/scene/scene.hpp"
 #include "core/sheet/exact_step.hpp"
 #include "core/sheet/topology.hpp"
+#include "core/sheet/wrap_target.hpp"
 
 namespace thaw {
 
@@ -53,6 +54,7 @@ struct SheetPlan {
   double faceRate = 0;            ///< 1/s, as contactRate
   double faceMass = 0;            ///< kg, of a vertex in the mean, that its stiffness goes by
   std::vector<std::uint32_t> faceFirst, faceOf;  ///< triangles whose first corner is vertex v: faceOf[faceFirst[v]] ..
+  WrapTarget wrapTarget;
   bool edgeForces = false;        ///< springs along edges or across them
   bool normals = false;           ///< some force needs them
   bool touches = false;           ///< something is in the scene that it can touch

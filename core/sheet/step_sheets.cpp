@@ -10,6 +10,7 @@
 #include "core/sheet/move_vertices.hpp"
 #include "core/sheet/outer_forces.hpp"
 #include "core/sheet/sheet_contact.hpp"
+#include "core/sheet/wrap_bodies.hpp"
 
 namespace thaw {
 namespace {
@@ -167,6 +168,7 @@ void loadSheets(World& w, Halos halos, StepTools& t, double dt) {
   clearLoads(w);
   addInnerForces(w, halos);
   addOuterForces(w, now);
+  addBodyWrap(w, halos, now);
   addSheetContacts(w, halos, now);
   addRestEnergy(w, w.clock.time + dt);
   if (dt > 0) bookChanging(w, w.clock.time, w.clock.time + dt);

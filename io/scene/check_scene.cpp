@@ -79,11 +79,7 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   unique(s.oriented, "oriented body");
   unique(s.sheets, "sheet");
   unique(s.obstacles, "obstacle");
-  std::set<std::string> obstacles;
-  for (const Obstacle& o : s.obstacles) obstacles.insert(o.name);
-  for (const SheetBody& b : s.sheets)
-    if (!b.wrapTo.empty() && !obstacles.contains(b.wrapTo))
-      errors.push_back({b.where, "sheet '" + b.name + "': wrap_to: there is no obstacle '" + b.wrapTo + "'" + suggestion(b.wrapTo, obstacles)});
+  checkSheets(s, errors);
   int cuts = 0;
   for (OrientedBody& b : s.oriented)
     for (OrientedEvent& e : b.events) {

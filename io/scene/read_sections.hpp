@@ -33,5 +33,7 @@ void readObstacle(TableReader& reader, SceneReading& reading);
 
 /// What no single table can tell: references, duplicates, sizes. Adds to errors.
 void checkScene(SceneReading& reading, std::vector<SceneError>& errors);
+/// The same of sheets.
+void checkSheets(const Scene& scene, std::vector<SceneError>& errors);
 
 }  // namespace thaw

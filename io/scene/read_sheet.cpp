@@ -99,8 +99,8 @@ void readInner(TableReader& r, SheetBody& b) {
 void readOuter(TableReader& r, SheetBody& b) {
   r.vector("wind", b.wind, "m/s", "velocity of the air");
   r.number("wind_density", b.windDensity, "kg/m^3", notNegative(), "of the air, times a coefficient of drag: pressure over squared velocity along the normal; 0: no air; without `wind` the air is at rest, and drags");
-  r.number("wrap", b.wrap, "Pa", anyNumber(), "pressure that shrinks the sheet: against its normal, or toward an obstacle");
-  r.text("wrap_to", b.wrapTo, "what wrap is toward; none: against the normal", "name of an obstacle");
+  r.number("wrap", b.wrap, "Pa", anyNumber(), "pressure that shrinks the sheet: against its normal, or toward what wrap_to names");
+  r.text("wrap_to", b.wrapTo, "what wrap is toward, and what is drawn toward the sheet as strongly, if it moves; none: against the normal", "name of an obstacle, a body, an emitter, an oriented body or another sheet");
   r.tables("brush", "pushes at a place", [&](TableReader& t) {
     SheetBrush g;
     g.where = t.place();
@@ -166,10 +166,7 @@ void readSheet(TableReader& r, SceneReading& x) {
     b.clamp.emplace_back();
     readShape(c, b.clamp.back());
   });
-  if (b.mass == 0 && b.damping == 0 && b.stiffness == 0) r.fail("mass", "a sheet needs mass, damping or stiffness: all three are 0");
-  else if (b.mass == 0 && b.damping == 0 && (b.warp > 0 || b.weft > 0 || b.shear > 0 || b.bending > 0 || b.volumeStiffness > 0 || b.push > 0 || b.pull > 0))
-    r.fail("mass", "with neither mass nor damping nothing holds a vertex back that its neighbours pull at, and no step is short enough: expected one of both");
-  if (b.mass == 0 && b.windDensity > 0) r.fail("wind_density", "the air's drag on a sheet without mass has no stable step: expected mass > 0");
+  b.massWhere = r.placeOf("mass");
   if (b.pullReach > 0 && b.pull == 0) r.fail("pull_reach", "needs pull: without it nothing acts there");
   if (b.plasticity > 0 && b.stiffness == 0) r.fail("plasticity", "without stiffness there is no place of rest that could move");
   if (b.plasticity > 0 && !r.has("elastic_limit")) r.fail("plasticity", "needs elastic_limit: without one all is elastic");
