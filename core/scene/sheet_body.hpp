@@ -4,23 +4,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "core/scene/factor_in_time.hpp"
 #include "core/scene/motion.hpp"
 #include "core/scene/shape.hpp"
 
 namespace thaw {
 
 enum class SheetMesh { Grid, Sphere, Head, Dome, Forehead, File };
-
-/// A factor that changes in time: (s, 1), linear in between, constant before and after; 1 where empty.
-struct FactorInTime {
-  std::vector<std::pair<double, double>> points;
-  double at(double time) const;
-  double least(double from, double to) const;  ///< over these times, `to` may be infinite
-  double most(double from, double to) const;   ///< of its size, without its sign
-};
 
 /// Coefficients of a sheet that regions may change, and all but the mass also time: places in lists of factors, and in sheetCoefficients.
 enum class SheetFactor : std::uint8_t { Mass, Damping, Stiffness, Warp, Weft, Shear, Bending, Volume, Push, Pull, Wrap, Wind };

@@ -178,6 +178,15 @@ void addCoefficients(CheckpointValues& marks, const OrientedBody& b) {
   addNumbers(marks, setting + ("oriented." + b.name + "."),
              {{"growth", static_cast<double>(b.growth)}, {"gap", b.gap}, {"crowd", b.crowd}, {"every", static_cast<double>(b.every)}, {"most", static_cast<double>(b.most)}});
   addVector(marks, at + "push", b.push);
+  for (std::size_t k = 0; k < b.fields.size(); k++) {
+    const OrientedField& f = b.fields[k];
+    const std::string field = fmt::format("{}field.{}.", at, k);
+    addNumbers(marks, field, {{"pull", f.pull}, {"radius", f.radius}, {"pressure", f.pressure}, {"from", f.from}, {"until", f.until}, {"everywhere", f.everywhere}});
+    addVector(marks, field + "push", f.push);
+    addVector(marks, field + "point", f.point);
+    addInTime(marks, field + "in_time", f.inTime);
+    if (!f.everywhere) addShape(marks, field, f.region);
+  }
   for (std::size_t k = 0; k < b.anchors.size(); k++) {
     const std::string anchor = fmt::format("{}anchor.{}.", at, k);
     marks[anchor + "until"] = b.anchors[k].until;

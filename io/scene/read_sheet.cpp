@@ -8,11 +8,6 @@
 namespace thaw {
 namespace {
 
-void readInTime(TableReader& r, const char* key, FactorInTime& f, const char* about, const Range& factor = notNegative()) {
-  r.node(key, "", "list of pairs [time, factor]", about);
-  if (!r.describing()) r.pairs({key, "s", "", notNegative(), factor}, f.points);
-}
-
 Range factorRange(std::size_t f) { return static_cast<SheetFactor>(f) == SheetFactor::Wrap ? anyNumber() : notNegative(); }
 
 const char* aboutInRegion(std::size_t f) {
