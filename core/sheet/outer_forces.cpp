@@ -100,7 +100,6 @@ void addOuterForces(World& w, const SheetVelocities& now) {
     const double wrap = p.wrap * factor[placeOf(SheetFactor::Wrap)];
     if (const double density = b.windDensity * factor[placeOf(SheetFactor::Wind)] * sheets.factors[s.body[i]].now[placeOf(SheetFactor::Wind)]; density > 0) {
       out += windLoad(b, density, now.velocity[i], s.facing[i], s.area[i]);
-      if (s.mass[i] > 0) w.sheets.fastestDrag = std::max(w.sheets.fastestDrag, 2 * density * length(b.wind - now.velocity[i]) * length(s.facing[i]) / s.mass[i]);
     }
     if (wrap != 0) {
       if (p.target) {
@@ -119,6 +118,19 @@ void addOuterForces(World& w, const SheetVelocities& now) {
     if (walls) s.load[i] += wallLoad(w, i, now, impulse[i]);
   }
   addByCell3(sheets.cells, s.owned, w.ledger.wallForce, [&](std::size_t i) { return impulse[i]; });
+}
+
+double fastestDrag(const World& w, const SheetVelocities& now) {
+  const Sheets& s = w.sheets.rows;
+  double fastest = 0;
+  for (std::size_t i = 0; i < s.owned && s.facing.active; i++) {
+    const SheetBody& b = w.scene.sheets[s.body[i]];
+    const double density = b.windDensity * w.sheets.laws[s.law[i]].factor[placeOf(SheetFactor::Wind)] * w.sheets.factors[s.body[i]].most[placeOf(SheetFactor::Wind)];
+    if (!(density > 0) || !(s.mass[i] > 0)) continue;
+    const double perSpeed = 2 * density * length(s.facing[i]) / s.mass[i], rate = perSpeed * length(b.wind - now.velocity[i]), faster = perSpeed * length(s.load[i]) * s.area[i] / s.mass[i];
+    fastest = std::max(fastest, 0.5 * (rate + std::sqrt(rate * rate + 4 * dragInAStep * faster)));
+  }
+  return fastest;
 }
 
 void addRestEnergy(World& w, double time) {

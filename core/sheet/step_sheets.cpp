@@ -152,7 +152,7 @@ void loadSheets(World& w, Halos halos, StepTools& t, double dt) {
   Sheets& s = b.rows;
   b.stiffest.assign(b.laws.size(), 0);
   b.slope.assign(s.owned, 0);
-  b.fastest2 = b.stiffestParticle = b.fastestDrag = 0;
+  b.fastest2 = b.stiffestParticle = 0;
   // contacts want the velocity of now: what is missing is the push of the force after the step, for which that before stands
   std::vector<double> after(b.laws.size(), 0);
   for (std::size_t l = 0; dt > 0 && l < b.laws.size(); l++) after[l] = vertexMap(lawNow(w, b.laws[l], dt), dt).after;
@@ -170,6 +170,7 @@ void loadSheets(World& w, Halos halos, StepTools& t, double dt) {
   addOuterForces(w, now);
   addBodyWrap(w, halos, now);
   addSheetContacts(w, halos, now);
+  b.fastestDrag = fastestDrag(w, now);
   addRestEnergy(w, w.clock.time + dt);
   if (dt > 0) bookChanging(w, w.clock.time, w.clock.time + dt);
   for (std::size_t i = 0; i < s.owned; i++) b.stiffest[s.law[i]] = std::max(b.stiffest[s.law[i]], b.slope[i]);
@@ -194,8 +195,7 @@ double sheetStepLimit(const World& w) {
     const double part = std::frexp(b.stiffestParticle, &e);
     limit = std::min(limit, 4 * w.scene.numerics.cflElastic / std::sqrt(std::ldexp(std::ceil(part * 64) / 64, e)));
   }
-  // the wind acts by the velocity of before the step: as drag that is to take a vertex along by a fifth of the difference at most
-  if (b.fastestDrag > 0) limit = std::min(limit, 0.2 / b.fastestDrag);
+  if (b.fastestDrag > 0) limit = std::min(limit, dragInAStep / b.fastestDrag);
   // nothing passes through anything in a step
   if (b.fastest2 > 0) {
     double thin = never;

@@ -144,6 +144,30 @@ TEST(Sheets, WindTakesLightVerticesAlongAndNoFaster) {
   }
 }
 
+/// What falls from rest has no drag yet: its first step is not so long that the drag at its end throws it back.
+TEST(Sheets, FallsFromRestToItsSpeedInAir) {
+  Scene s = sheetScene(SheetMesh::Grid);
+  s.domain.min.z = -20;
+  s.domain.gravity = {0, 0, -9.81};
+  SheetBody& b = s.sheets[0];
+  b.mass = 0.01;
+  b.windDensity = 1.2;
+  s.output.every = 0.5;
+  s.end = 2;
+  test::Simulation x(s);
+  const double terminal = std::sqrt(0.01 * 9.81 / 1.2);
+  while (x.w.clock.time < s.end) {
+    ASSERT_TRUE(x.step());
+    const Sheets& v = x.w.sheets.rows;
+    for (std::size_t i = 0; i < v.owned; i++) ASSERT_LT(std::abs(v.velocity[i].z), 1.3 * terminal);
+    const LedgerReport books = x.books();
+    ASSERT_LT(std::abs(books.energyResidual), 0.3 * books.energyScale);
+  }
+  for (std::size_t i = 0; i < x.w.sheets.rows.owned; i++) EXPECT_NEAR(x.w.sheets.rows.velocity[i].z, -terminal, 0.01 * terminal);
+  const LedgerReport books = x.books();
+  EXPECT_LT(std::abs(books.energyResidual), 0.01 * books.energyScale);
+}
+
 TEST(Sheets, BooksOfAClothThatFallsOnTheFloorAndItself) {
   Scene s = sheetScene(SheetMesh::Grid);
   s.spacing = 0.025;
