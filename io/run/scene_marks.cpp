@@ -169,6 +169,16 @@ void addCoefficients(CheckpointValues& marks, const SheetBody& b) {
   }
 }
 
+/// Those to come; of those that have been, changes are told as well, and have no effect any more.
+void addEvent(CheckpointValues& marks, const std::string& at, const OrientedEvent& e) {
+  addNumbers(marks, at, {{"kind", static_cast<double>(e.kind)}, {"time", e.time}, {"tool", static_cast<double>(e.tool)}, {"radius", e.radius}, {"other", static_cast<double>(e.otherIndex)}});
+  const bool cut = e.kind == OrientedEventKind::Cut;
+  if (cut && e.tool == CutTool::Plane) addVector(marks, at + "point", e.point), addVector(marks, at + "normal", e.normal);
+  if (cut && e.tool == CutTool::Stroke) addVector(marks, at + "direction", e.direction);
+  for (std::size_t k = 0; k < e.path.size(); k++) addVector(marks, fmt::format("{}path.{}", at, k), e.path[k]);
+  if (e.tool == CutTool::Box) addShape(marks, at + "region.", e.region);
+}
+
 void addCoefficients(CheckpointValues& marks, const OrientedBody& b) {
   const std::string at = coefficient + ("oriented." + b.name + ".");
   addNumbers(marks, at, {{"stiffness", b.stiffness}, {"attract", b.attract}, {"coplanar", b.plane}, {"conormal", b.normal}, {"cocircular", b.circle},
@@ -177,6 +187,8 @@ void addCoefficients(CheckpointValues& marks, const OrientedBody& b) {
                          {"pressure", b.pressure}, {"contact", b.contact}, {"thickness", b.thickness}, {"friction", b.friction}, {"integrator", static_cast<double>(b.integrator)}});
   addNumbers(marks, setting + ("oriented." + b.name + "."),
              {{"growth", static_cast<double>(b.growth)}, {"gap", b.gap}, {"crowd", b.crowd}, {"every", static_cast<double>(b.every)}, {"most", static_cast<double>(b.most)}});
+  const std::string events = setting + ("oriented." + b.name + ".");
+  for (std::size_t k = 0; k < b.events.size(); k++) addEvent(marks, fmt::format("{}event.{}.", events, k), b.events[k]);
   addVector(marks, at + "push", b.push);
   for (std::size_t k = 0; k < b.fields.size(); k++) {
     const OrientedField& f = b.fields[k];
