@@ -197,7 +197,7 @@ void readOriented(TableReader& r, SceneReading& x) {
   r.number("spacing", b.spacing, "m", notNegative(), "wanted distance of its particles; 0: that of the scene");
   r.number("jitter", b.jitter, "", between(0, 1), "spacings, and radians, by which its particles are off at the start, at most along each axis, at random");
   r.vector("velocity", b.velocity, "m/s", "at the start");
-  r.number("density", b.density, "kg/m^2", positive(), "of the surface: the mass of a patch or a disc is this times its area, that of a particle of other sources this times the cell of a hexagonal lattice");
+  r.number("density", b.density, "kg/m^2", positive(), "of the surface: the mass of a patch or a disc is this times its area (of all of it, with thin below 1 less is there until it has grown), that of a particle of other sources this times the cell of a hexagonal lattice");
   r.number("inertia", b.inertia, "", positive(), "of a particle's rotation, over its mass and the square of the spacing");
   r.number("stiffness", b.stiffness, "N/m", positive(), "unit of its energies: weight times stiffness times the square of the spacing");
   r.number("attract", b.attract, "", notNegative(), "weight of the Lennard-Jones potential, which spaces particles evenly");

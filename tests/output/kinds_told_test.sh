@@ -10,7 +10,8 @@ max = [1, 1, 1]
 [[oriented]]
 name = "net"
 patch = { width = 0.5, depth = 0.5 }
-growth = "gaps"
+growth = "borders"
+most = 300
 every = 1
 velocity = [0, 0, 1]
 [[oriented.anchor]]
