@@ -121,7 +121,10 @@ EOF
 wanted=${SCENES:-skin head jack shell cloth together coarse wrapped retry}
 for which in $wanted; do
   case $which in
-    skin) try skin 60 --set sheet.skin.spacing=0.004 --set output.every=0.01 ;;
+    skin)
+      try skin 60 --set sheet.skin.spacing=0.004 --set output.every=0.01
+      launch 2 run "$scenes/sheet/skin.toml" --out "$work/whole" >"$work/log" 2>&1; expectExit 0 "skin to its end"  # 3 s
+      grep "ledger does not close" "$work/log" && fail "skin: the books do not close" ;;
     head) try head 60 --set sheet.head.spacing=0.016 --set output.every=0.02 ;;
     jack) try jack 150 --set sheet.membrane.spacing=0.02 --set output.every=0.02 ;;
     shell) try shell 40 --set sheet.shell.spacing=0.008 ;;
