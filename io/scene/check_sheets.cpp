@@ -56,7 +56,7 @@ void checkInertia(const Scene& s, const SheetBody& b, const SheetRegion* r, std:
   }
   if (const std::string pulls = whatPulls(s, b); !damped && !pulls.empty())
     errors.push_back({where, who + ": with neither mass nor damping (at all times) nothing holds a vertex back that " + pulls + ", and no step is short enough: expected one of both"});
-  if (b.windDensity * factor(SheetFactor::Wind) > 0) errors.push_back({where, who + ": the air's drag on vertices without mass has no stable step: expected mass > 0, or wind_density = 0 there"});
+  if (r && b.windDensity * factor(SheetFactor::Wind) > 0) errors.push_back({where, who + ": the air's drag on vertices without mass has no stable step: expected mass > 0, or wind_density = 0 there"});
 }
 
 }  // namespace

@@ -162,6 +162,7 @@ void readSheet(TableReader& r, SceneReading& x) {
     readShape(c, b.clamp.back());
   });
   b.massWhere = r.placeOf("mass");
+  if (b.mass == 0 && b.windDensity > 0) r.fail("wind_density", "the air's drag on a sheet without mass has no stable step: expected mass > 0");
   if (b.pullReach > 0 && b.pull == 0) r.fail("pull_reach", "needs pull: without it nothing acts there");
   if (b.plasticity > 0 && b.stiffness == 0) r.fail("plasticity", "without stiffness there is no place of rest that could move");
   if (b.plasticity > 0 && !r.has("elastic_limit")) r.fail("plasticity", "needs elastic_limit: without one all is elastic");
