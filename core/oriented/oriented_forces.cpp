@@ -5,6 +5,7 @@
 
 #include "core/math/hash_random.hpp"
 #include "core/oriented/crease_pair.hpp"
+#include "core/oriented/fields.hpp"
 #include "core/oriented/prepare_oriented.hpp"
 
 namespace thaw {
@@ -103,9 +104,9 @@ void addUpForces(World& w, StepTools& t) {
   const OrientedLists& l = t.oriented.lists;
   for (std::size_t i = 0; i < o.owned; i++) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];
-    const PairPotential& own = t.oriented.potentials[o.body[i]];
     const Vec3d x = o.position[i], n = o.normal[i];
-    Vec3d force = (o.external.active ? o.external[i] : Vec3d{}) + o.mass[i] * body.push + (body.pressure * orientedArea(body, own.spacing)) * n, torque{};
+    const FieldForce field = fieldForce(w, t.oriented, i);
+    Vec3d force = (o.external.active ? o.external[i] : Vec3d{}) + field.force, torque{};
     double energy = 0, stiff = 0, turn = 0;
     for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
       const std::uint32_t j = l.list[k];
@@ -142,21 +143,14 @@ void addUpForces(World& w, StepTools& t) {
     o.force[i] = force;
     o.torque[i] = torque;
     o.energy[i] = energy;
-    o.stiffness[i] = 2 * stiff / o.mass[i] + 2 * turn / o.inertia[i];
+    o.stiffness[i] = 2 * stiff / o.mass[i] + 2 * turn / o.inertia[i] + field.slope;
   }
-}
-
-Vec3d fieldOn(const World& w, const StepTools& t, std::size_t i) {
-  const Oriented& o = w.oriented.rows;
-  const OrientedBody& body = w.scene.oriented[o.body[i]];
-  const double s = t.oriented.potentials[o.body[i]].spacing;
-  return o.mass[i] * body.push + (body.pressure * orientedArea(body, s)) * o.normal[i];
 }
 
 void bookObstacles(World& w, const StepTools& t, double dt) {
   Oriented& o = w.oriented.rows;
   for (std::size_t i = 0; i < o.owned; i++) {
-    const Vec3d field = fieldOn(w, t, i);
+    const Vec3d field = fieldForce(w, t.oriented, i).force;
     const bool booked = w.scene.oriented.front().integrator == OrientedIntegrator::SymplecticEuler && !(o.flags[i] & heldPlace);
     Vec3d impulse = field * dt;
     double work = booked ? 0 : dot(field, o.velocity[i]) * dt;

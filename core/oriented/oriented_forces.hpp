@@ -26,15 +26,12 @@ void findNormals(Oriented& rows);
 /// Sends places and normals of the same ghosts again. Collective.
 void refreshPlaces(World& world, Halos halos);
 
-/// Force, torque, energy and stiffness of all owned rows, of pairs, obstacles, pressure and push; Oriented::external is added. Books
+/// Force, torque, energy and stiffness of all owned rows, of pairs, obstacles and fields, these as they are at OrientedWork::time; Oriented::external is added. Books
 /// nothing. Needs ghosts whose places and normals are up to date.
 void addUpForces(World& world, StepTools& tools);
 
-/// N, what comes from outside: pressure along the normal, and push.
-Vec3d fieldOn(const World& world, const StepTools& tools, std::size_t i);
-
 /// What obstacles do in a step of dt (s): impulse, work and loss by friction, of the forces at the rows' places now, into the ledger; the
-/// same of pressure and push, but for their work where the symplectic step books it.
+/// same of fields (fields.hpp), but for their work where the symplectic step books it.
 void bookObstacles(World& world, const StepTools& tools, double dt);
 
 }  // namespace thaw

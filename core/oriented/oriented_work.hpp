@@ -2,8 +2,10 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
+#include "core/geometry/signed_distance.hpp"
 #include "core/math/quat.hpp"
 #include "core/oriented/given_surface.hpp"
 #include "core/oriented/pair_potential.hpp"
@@ -18,6 +20,8 @@ struct OrientedLists {
 struct OrientedWork {
   std::vector<PairPotential> potentials;   ///< of each body
   std::vector<GivenPoints> given;          ///< of each body; empty without any
+  std::vector<std::vector<std::shared_ptr<const SignedDistance>>> fieldRegions;  ///< of each body's fields; null: everywhere
+  double time = 0;                         ///< s, of the forces at hand
   OrientedLists lists;
   std::vector<Vec3d> place, move, spinMove;                 // of integrators: by owned row
   std::vector<Quat> turn;

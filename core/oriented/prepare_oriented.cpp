@@ -6,6 +6,7 @@
 #include "core/geometry/point_tree.hpp"
 #include "core/geometry/sampling.hpp"
 #include "core/geometry/shape_error.hpp"
+#include "core/oriented/fields.hpp"
 #include "core/oriented/held.hpp"
 #include "core/oriented/made_points.hpp"
 
@@ -74,6 +75,7 @@ void prepareOriented(Scene& s, OrientedWork& work, const MeshLoader& load) {
   for (OrientedBody& b : s.oriented) b.cellShare = cellShareOf(b, spacingOf(s, b));
   work.potentials.clear();
   for (const OrientedBody& b : s.oriented) work.potentials.push_back(pairPotential(b, spacingOf(s, b)));
+  work.fieldRegions = fieldRegions(s, load);
   work.given.assign(s.oriented.size(), {});
   for (std::size_t b = 0; b < s.oriented.size(); b++) {
     if (!interpolates(s.oriented[b])) continue;

@@ -70,6 +70,7 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
       if (changed) readyAgain(w, halos, t);
       calm = changed || lost > 0 ? 0 : calm + 1;
     }
+    t.oriented.time = w.clock.time;
     addUpForces(w, t);
     force.assign(o.owned, {});
     torque.assign(o.owned, {});

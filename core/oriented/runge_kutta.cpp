@@ -30,6 +30,7 @@ void stepRungeKutta(World& w, Halos halos, StepTools& t, double dt) {
     if (stage > 0) {
       findNormals(o);
       refreshPlaces(w, halos);
+      work.time = w.clock.time + next[stage - 1] * dt;
       addUpForces(w, t);
     }
     bookObstacles(w, t, share[stage] * dt);

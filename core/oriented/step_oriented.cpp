@@ -5,6 +5,7 @@
 
 #include "core/domain/sides.hpp"
 #include "core/kinds/place_kinds.hpp"
+#include "core/oriented/fields.hpp"
 #include "core/oriented/held.hpp"
 #include "core/oriented/held_books.hpp"
 #include "core/oriented/integrators.hpp"
@@ -87,6 +88,7 @@ bool goesTooFar(const World& w, const std::vector<Vec3d>& before) {
 void stepOriented(World& w, Halos halos, StepTools& t, double dt) {
   const HeldBefore held = rememberHeld(w, dt);
   const double weight = weighContacts(w, dt);
+  t.oriented.time = w.clock.time;  // of the forces that the step begins with
   // one integrator for all bodies: pairs may be of two
   const OrientedIntegrator how = w.scene.oriented.front().integrator;
   if (how == OrientedIntegrator::RungeKutta) stepRungeKutta(w, halos, t, dt);
@@ -119,13 +121,14 @@ void bookLag(const World& w, const StepTools& t, double sign, double dt, ExactSu
   if (w.scene.oriented.empty() || w.scene.oriented.front().integrator != OrientedIntegrator::SymplecticEuler) return;
   for (std::size_t i = 0; i < o.owned; i++) {
     const Vec3d contact = o.external.active ? o.external[i] : Vec3d{};
-    to.add(sign * 0.5 * dt * (dot(o.force[i] - fieldOn(w, t, i) - contact, o.velocity[i]) + dot(o.torque[i], o.spin[i])));
+    to.add(sign * 0.5 * dt * (dot(o.force[i] - fieldForce(w, t.oriented, i).force - contact, o.velocity[i]) + dot(o.torque[i], o.spin[i])));
   }
 }
 
 void evaluateOriented(World& w, Halos halos, StepTools& t, double dt) {
   Oriented& o = w.oriented.rows;
   const double now = w.clock.time + dt;  // a step's clock still shows its beginning here
+  t.oriented.time = now;
   readyOriented(w, halos, t);
   const double since = t.oriented.begins ? -never : w.clock.time;
   const bool events = operationDue(w.scene, since, now), look = populationDue(w, dt), leaves = dt > 0 && anyLeaves(w, halos.all);

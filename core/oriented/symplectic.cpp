@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "core/oriented/fields.hpp"
 #include "core/oriented/integrators.hpp"
 #include "core/oriented/oriented_forces.hpp"
 
@@ -18,7 +19,7 @@ void stepSymplectic(World& w, StepTools& t, double dt) {
     const double change = 0.5 * (dt - w.clock.stepDt);
     if (!(o.flags[i] & heldPlace)) {
       // (contacts with other kinds have the impulse of both halves already)
-      const Vec3d before = o.velocity[i], field = fieldOn(w, t, i), contact = o.external.active ? o.external[i] : Vec3d{};
+      const Vec3d before = o.velocity[i], field = fieldForce(w, t.oriented, i).force, contact = o.external.active ? o.external[i] : Vec3d{};
       o.dissipated[i] -= change * dot(o.force[i] - field - contact + o.mass[i] * g, before);
       // damping between two half kicks: what it takes is then what the forces give, where both balance
       const Vec3d kick = (0.5 * dt) * (o.force[i] / o.mass[i] + g);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/scene/factor_in_time.hpp"
 #include "core/scene/motion.hpp"
 #include "core/scene/shape.hpp"
 
@@ -23,6 +24,20 @@ struct OrientedAnchor {
   bool position = true, normal = false;
   std::vector<Keyframe> motion;          // of what it holds
   double until = never;                  // s, lets go then
+};
+
+/// What acts from outside on particles that are in a region, over a time: a push, a pull to a point, a pressure, or more than one of them.
+struct OrientedField {
+  SourcePlace where;
+  bool everywhere = true;
+  Shape region;                          // where not
+  Vec3d push{};                          // N/kg, the same for all
+  Vec3d point{};                         // m
+  double pull = 0;                       // N/kg, toward the point, below 0 away from it: the largest, at radius / sqrt(5)
+  double radius = 0.1;                   // m, where it ends
+  double pressure = 0;                   // Pa, along the normals
+  double from = 0, until = never;        // s
+  FactorInTime inTime;                   // of all three
 };
 
 struct OrientedEvent {
@@ -82,6 +97,7 @@ struct OrientedBody {
   double crowd = 0;                      // 1, spacings below which one of two goes; 0: never
   std::int64_t every = 10;               // steps between looks at that
   std::int64_t most = 1000000;           // particles
+  std::vector<OrientedField> fields;
   std::vector<OrientedAnchor> anchors;
   std::vector<OrientedEvent> events;
 };

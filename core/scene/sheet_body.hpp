@@ -1,10 +1,12 @@
 // A sheet body as the scene says it ([[sheet]]): vertices on exact damped springs (DS; method.md section 4).
 #pragma once
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "core/scene/factor_in_time.hpp"
 #include "core/scene/motion.hpp"
 #include "core/scene/shape.hpp"
 
@@ -12,17 +14,16 @@ namespace thaw {
 
 enum class SheetMesh { Grid, Sphere, Head, Dome, Forehead, File };
 
-/// A factor that changes in time: (s, 1), linear in between, constant before and after; 1 where empty.
-struct FactorInTime {
-  std::vector<std::pair<double, double>> points;
-  double at(double time) const;
-};
+/// Coefficients of a sheet that regions may change, and all but the mass also time: places in lists of factors, and in sheetCoefficients.
+enum class SheetFactor : std::uint8_t { Mass, Damping, Stiffness, Warp, Weft, Shear, Bending, Volume, Push, Pull, Wrap, Wind };
+inline constexpr std::size_t sheetFactors = 12;
+constexpr std::size_t placeOf(SheetFactor f) { return static_cast<std::size_t>(f); }
 
 /// Part of a sheet, by where its vertices are at the start, with other coefficients.
 struct SheetRegion {
   SourcePlace where;
   Shape shape;
-  double mass = 1, damping = 1, stiffness = 1;  // 1, times the sheet's
+  std::array<double, sheetFactors> factor{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};  // 1, times the sheet's
 };
 
 /// Pushes at a place: a pressure that is largest there and falls to nothing at a radius.
@@ -51,9 +52,10 @@ struct SheetBody {
   double wrinkleHeight = 0.01;  // m
   // of the exact step
   double mass = 0.3;         // kg/m^2
+  SourcePlace massWhere;     // of its key, or of the sheet
   double damping = 0;        // kg/(m^2 s)
   double stiffness = 0;      // N/m^3, of the springs to the places of rest
-  FactorInTime stiffnessInTime, dampingInTime;
+  std::array<FactorInTime, sheetFactors> inTime;  // of coefficients
   std::vector<SheetRegion> regions;
   double plasticity = 0;     // 1, 0 elastic to 1 plastic
   double elasticLimit = never;  // m, displacement from rest
@@ -72,7 +74,6 @@ struct SheetBody {
   double windDensity = 0;    // kg/m^3, of the air times a coefficient of drag; 0: no wind
   double wrap = 0;           // Pa
   std::string wrapTo;        // name of an obstacle; empty: against the sheet's own normal
-  FactorInTime wrapInTime;
   std::vector<SheetBrush> brushes;
   // contact
   double thickness = 0;      // m, distance at which contact begins; 0: 0.8 of the spacing
@@ -86,6 +87,19 @@ struct SheetBody {
   double heatCapacity = 500; // J/(m^2 K)
   double conductance = 0;    // W/(m^2 K), to continuum bodies that it touches
   std::uint32_t colour = 0xdfe6ebu;  // red | green << 8 | blue << 16
+  double factorAt(SheetFactor f, double time) const { return inTime[placeOf(f)].at(time); }
 };
+
+/// What SheetFactor names: its key in scenes, and its value in a sheet.
+struct SheetCoefficient {
+  const char* key;
+  double SheetBody::*value;
+};
+inline constexpr std::array<SheetCoefficient, sheetFactors> sheetCoefficients{{{"mass", &SheetBody::mass}, {"damping", &SheetBody::damping}, {"stiffness", &SheetBody::stiffness},
+    {"warp", &SheetBody::warp}, {"weft", &SheetBody::weft}, {"shear", &SheetBody::shear}, {"bending", &SheetBody::bending}, {"volume_stiffness", &SheetBody::volumeStiffness},
+    {"push", &SheetBody::push}, {"pull", &SheetBody::pull}, {"wrap", &SheetBody::wrap}, {"wind_density", &SheetBody::windDensity}}};
+
+/// The largest factor, without its sign, that time and some region give a coefficient from a time on.
+double largestFactor(const SheetBody& body, SheetFactor f, double from = 0);
 
 }  // namespace thaw

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/sheet/cell_sums.hpp"
+#include "core/sheet/changing_factors.hpp"
 
 namespace thaw {
 
@@ -39,8 +40,7 @@ std::vector<BondRequest> edgeRequests(const SheetBodies& b) {
       const RingEdge& r = t.ring[k];
       ask(r.to, plan.edgeLength[k], plan.edgeStiffness[k], r.triangle ? 1.0 + r.next : 0.0);
     }
-    const auto first = std::lower_bound(plan.hinges.begin(), plan.hinges.end(), v, [](const SheetHinge& h, std::uint32_t x) { return h.from < x; });
-    for (auto h = first; h != plan.hinges.end() && h->from == v; ++h) ask(h->to, h->length, h->stiffness, 0);
+    for (const SheetHinge& h : hingesAt(plan, v)) ask(h.to, h.length, h.stiffness, 0);
   }
   return requests;
 }
@@ -79,6 +79,9 @@ void addBonds(World& w, std::size_t slot, bool springs, bool normals) {
   const SheetBody& body = w.scene.sheets[s.body[i]];
   const Bonds& bonds = b.edges.bonds;
   const bool limited = body.stretchLimit < never;
+  std::vector<SheetFactor> kinds;  // where some change in time
+  if (springs && s.changing.active) kinds = springKinds(b.plans[s.body[i]], static_cast<std::uint32_t>(s.id[i] & ((1ull << 40) - 1)));
+  const FactorsNow& factors = b.factors[s.body[i]];
   Vec3d force{};
   double energy = 0, slope = 0;
   constexpr int room = 64;
@@ -89,20 +92,26 @@ void addBonds(World& w, std::size_t slot, bool springs, bool normals) {
     if (!(bonds.weight[at] > 0)) break;
     const Vec3d d = b.edges.ends.position[bonds.neighbour[at]] - b.edges.ends.position[slot];
     if (count < room) edge[count] = d;
-    const double stiffness = bonds.y[at];
+    double stiffness = bonds.y[at], later = stiffness;
     if (!springs || !(stiffness > 0)) continue;
-    const double l = length(d), stretch = l - bonds.x[at];
-    double pull = stiffness * stretch;
-    energy += 0.25 * stiffness * stretch * stretch;  // the other end has the other half
-    slope += stiffness;
-    if (limited) {
-      const double beyond = l - body.stretchLimit * bonds.x[at], more = body.rigid * stiffness;
-      if (beyond > 0) {
-        pull += more * beyond;
-        energy += 0.25 * more * beyond * beyond;
-      }
-      slope += more;
+    const SheetFactor kind = kinds.empty() ? SheetFactor::Warp : kinds[static_cast<std::size_t>(bonds.weight[at]) - 1];
+    if (!kinds.empty()) {
+      stiffness *= factors.now[placeOf(kind)];
+      later *= factors.most[placeOf(kind)];
     }
+    const double l = length(d), stretch = l - bonds.x[at];
+    double pull = stiffness * stretch, squares = stretch * stretch;
+    slope += later;
+    if (limited) {
+      const double beyond = l - body.stretchLimit * bonds.x[at];
+      if (beyond > 0) {
+        pull += body.rigid * stiffness * beyond;
+        squares += body.rigid * beyond * beyond;
+      }
+      slope += body.rigid * later;
+    }
+    energy += 0.25 * stiffness * squares;  // the other end has the other half
+    if (!kinds.empty()) changingOf(s, i, kind) += 0.25 * bonds.y[at] * squares;
     if (l > 0) force += d * (pull / l);
   }
   if (springs) {
@@ -127,7 +136,7 @@ void addPressure(World& w, Reducer& all) {
   Sheets& s = b.rows;
   std::vector<std::uint32_t> parts;
   for (std::uint32_t p = 0; p < b.parts.size(); p++)
-    if (w.scene.sheets[b.parts[p].sheet].volumeStiffness > 0) parts.push_back(p);
+    if (b.parts[p].stiffness > 0) parts.push_back(p);
   if (parts.empty()) return;
   // volume, and of the gradient its square per area: how stiff the pressure is
   std::vector<ExactSum> sums(2 * parts.size());
@@ -146,27 +155,31 @@ void addPressure(World& w, Reducer& all) {
   all.sum(digits);
   for (std::size_t k = 0; k < sums.size(); k++) std::copy_n(digits.begin() + static_cast<std::ptrdiff_t>(k * ExactSum::digits), ExactSum::digits, sums[k].digit.begin());
 
-  std::vector<double> pressure(b.parts.size(), 0), share(b.parts.size(), 0), slope(b.parts.size(), 0);
+  std::vector<double> pressure(b.parts.size(), 0), share(b.parts.size(), 0), whole(b.parts.size(), 0), turning(b.parts.size(), 0), slope(b.parts.size(), 0);
   for (std::size_t k = 0; k < parts.size(); k++) {
     SheetPart& p = b.parts[parts[k]];
     if (digits[counts + k] < p.vertices) {  // some have left the domain: what is open holds no volume
       p.now = 0;
       continue;
     }
-    const double stiffness = w.scene.sheets[p.sheet].volumeStiffness;
+    const FactorsNow& factors = b.factors[p.sheet];
+    const double stiffness = p.stiffness * factors.now[placeOf(SheetFactor::Volume)], later = p.stiffness * factors.most[placeOf(SheetFactor::Volume)];
     p.now = sums[2 * k].value();
     const double change = (p.now - p.volume) / p.volume;
     pressure[parts[k]] = -stiffness * change;
     share[parts[k]] = 0.5 * stiffness * change * change * p.volume / p.area;  // energy per area
-    slope[parts[k]] = stiffness / p.volume * sums[2 * k + 1].value();
+    whole[parts[k]] = 0.5 * p.stiffness * change * change * p.volume / p.area;
+    slope[parts[k]] = later / p.volume * sums[2 * k + 1].value();
+    turning[parts[k]] = later * std::abs(change);
   }
   for (std::size_t i = 0; i < s.owned; i++) {
     const std::uint32_t p = s.part[i];
     if (slope[p] == 0) continue;
     s.load[i] += s.facing[i] * (pressure[p] / s.area[i]);
     s.energy[i] += share[p] * s.area[i];
+    if (s.changing.active) changingOf(s, i, SheetFactor::Volume) += whole[p] * s.area[i];
     // the area vector turns with the neighbours: each third of a triangle's edge per vertex
-    const double turn = 2 * std::abs(pressure[p]) / std::sqrt(s.area[i]);
+    const double turn = 2 * turning[p] / std::sqrt(s.area[i]);
     b.slope[i] += slope[p] + turn;
   }
 }

@@ -11,12 +11,12 @@ namespace thaw {
 namespace {
 
 /// Pressure on the side that the wind blows at: density (v . n)^2, along the normal; of the relative velocity.
-Vec3d windLoad(const SheetBody& b, const Vec3d& v, const Vec3d& facing, double area) {
+Vec3d windLoad(const SheetBody& b, double density, const Vec3d& v, const Vec3d& facing, double area) {
   const double size = length(facing);
   if (!(size > 0)) return {};
   const Vec3d n = facing / size;
   const double un = dot(b.wind - v, n);
-  return n * (b.windDensity * un * std::abs(un) * size / area);
+  return n * (density * un * std::abs(un) * size / area);
 }
 
 const Wall* wallNamed(const World& w, const std::string& name) {
@@ -72,6 +72,7 @@ void clearLoads(World& w) {
   if (s.outside.active) std::fill_n(s.outside.data(), s.owned, Vec3d{});
   if (s.resisting.active) std::fill_n(s.resisting.data(), s.owned, Vec3d{});
   if (s.heatFlow.active) std::fill_n(s.heatFlow.data(), s.owned, 0.0);
+  if (s.changing.active) std::fill_n(s.changing.data(), s.owned, Mat3d{});
 }
 
 void addOuterForces(World& w, const SheetVelocities& now) {
@@ -83,9 +84,10 @@ void addOuterForces(World& w, const SheetVelocities& now) {
   if (!walls && !s.outside.active) return;
   struct Pushes { double wrap; const Wall* target; std::vector<std::vector<BrushTouch>> brush; };
   std::vector<Pushes> pushes;
-  for (const SheetBody& b : w.scene.sheets) {
-    pushes.push_back({b.wrap * b.wrapInTime.at(time), b.wrapTo.empty() ? nullptr : wallNamed(w, b.wrapTo), {}});
-    if (!b.wrapTo.empty() && !pushes.back().target) pushes.back().wrap = 0;  // what it was to be wrapped round has gone
+  for (std::size_t n = 0; n < w.scene.sheets.size(); n++) {
+    const SheetBody& b = w.scene.sheets[n];
+    pushes.push_back({b.wrap * sheets.factors[n].now[placeOf(SheetFactor::Wrap)], b.wrapTo.empty() ? nullptr : wallNamed(w, b.wrapTo), {}});
+    if (!b.wrapTo.empty() && !pushes.back().target) pushes.back().wrap = 0;  // that of addBodyWrap, or what it was to be wrapped round has gone
     for (const SheetBrush& brush : b.brushes) pushes.back().brush.push_back(brushStroke(brush, time, now.dt));
   }
   std::vector<Vec3d>& impulse = sheets.impulseRoom;
@@ -94,17 +96,18 @@ void addOuterForces(World& w, const SheetVelocities& now) {
     const SheetBody& b = w.scene.sheets[s.body[i]];
     const Pushes& p = pushes[s.body[i]];
     Vec3d out{};
-    if (b.windDensity > 0) {
-      out += windLoad(b, now.velocity[i], s.facing[i], s.area[i]);
-      if (s.mass[i] > 0) w.sheets.fastestDrag = std::max(w.sheets.fastestDrag, 2 * b.windDensity * length(b.wind - now.velocity[i]) * length(s.facing[i]) / s.mass[i]);
+    const auto& factor = sheets.laws[s.law[i]].factor;
+    const double wrap = p.wrap * factor[placeOf(SheetFactor::Wrap)];
+    if (const double density = b.windDensity * factor[placeOf(SheetFactor::Wind)] * sheets.factors[s.body[i]].now[placeOf(SheetFactor::Wind)]; density > 0) {
+      out += windLoad(b, density, now.velocity[i], s.facing[i], s.area[i]);
     }
-    if (p.wrap != 0) {
+    if (wrap != 0) {
       if (p.target) {
         Vec3d n;
         p.target->shape->distance(toRest(p.target->pose, s.position[i]), &n);
-        out -= p.wrap * directionFromRest(p.target->pose, n);
+        out -= wrap * directionFromRest(p.target->pose, n);
       } else {
-        out -= (p.wrap / s.area[i]) * s.facing[i];
+        out -= (wrap / s.area[i]) * s.facing[i];
       }
     }
     for (std::size_t k = 0; k < p.brush.size(); k++)
@@ -117,16 +120,28 @@ void addOuterForces(World& w, const SheetVelocities& now) {
   addByCell3(sheets.cells, s.owned, w.ledger.wallForce, [&](std::size_t i) { return impulse[i]; });
 }
 
-void addRestEnergy(World& w) {
+double fastestDrag(const World& w, const SheetVelocities& now) {
+  const Sheets& s = w.sheets.rows;
+  double fastest = 0;
+  for (std::size_t i = 0; i < s.owned && s.facing.active; i++) {
+    const SheetBody& b = w.scene.sheets[s.body[i]];
+    const double density = b.windDensity * w.sheets.laws[s.law[i]].factor[placeOf(SheetFactor::Wind)] * w.sheets.factors[s.body[i]].most[placeOf(SheetFactor::Wind)];
+    if (!(density > 0) || !(s.mass[i] > 0)) continue;
+    const double perSpeed = 2 * density * length(s.facing[i]) / s.mass[i], rate = perSpeed * length(b.wind - now.velocity[i]), faster = perSpeed * length(s.load[i]) * s.area[i] / s.mass[i];
+    fastest = std::max(fastest, 0.5 * (rate + std::sqrt(rate * rate + 4 * dragInAStep * faster)));
+  }
+  return fastest;
+}
+
+void addRestEnergy(World& w, double time) {
   Sheets& s = w.sheets.rows;
-  const double time = w.clock.time;
   for (std::size_t i = 0; i < s.owned; i++) {
     const SheetBody& b = w.scene.sheets[s.body[i]];
     const double k = w.sheets.laws[s.law[i]].law.stiffness;
     if (!(k > 0)) continue;
     Vec3d z = s.position[i] - s.rest[i];
     if (s.flow.active) z -= s.flow[i];
-    s.energy[i] += 0.5 * k * b.stiffnessInTime.at(time) * s.area[i] * dot(z, z);
+    s.energy[i] += 0.5 * k * b.factorAt(SheetFactor::Stiffness, time) * s.area[i] * dot(z, z);
   }
 }
 

@@ -17,8 +17,15 @@ void clearLoads(World& world);
 /// Adds wind, wrap, brushes and the contact with obstacles: spring, dashpot and Coulomb friction within the thickness of a surface.
 void addOuterForces(World& world, const SheetVelocities& now);
 
-/// Adds the energy of the springs to the places of rest.
-void addRestEnergy(World& world);
+/// Part of the difference of velocities that the air's drag may take away in a step: it acts by the velocity of before the step.
+inline constexpr double dragInAStep = 0.2;
+
+/// 1/s, how fast the air takes vertices along, 2 rho |u_n| area / mass, the largest of this rank; with the speed that they have when a step ends in which they are taken along by
+/// dragInAStep. Needs all loads.
+double fastestDrag(const World& world, const SheetVelocities& now);
+
+/// Adds the energy of the springs to the places of rest, as stiff as they are at this time (s).
+void addRestEnergy(World& world, double time);
 
 /// Momentum that springs to the places of rest, damping and clamps have given: before the step sign -1, after it 1.
 void bookHolding(World& world, double sign, double dt);

@@ -14,16 +14,10 @@
 
 namespace thaw {
 
-double FactorInTime::at(double time) const {
-  if (points.empty()) return 1;
-  if (time <= points.front().first) return points.front().second;
-  for (std::size_t k = 1; k < points.size(); k++)
-    if (time < points[k].first) {
-      const auto& [t0, f0] = points[k - 1];
-      const auto& [t1, f1] = points[k];
-      return f0 + (f1 - f0) * ((time - t0) / (t1 - t0));
-    }
-  return points.back().second;
+double largestFactor(const SheetBody& b, SheetFactor f, double from) {
+  double region = 1;
+  for (const SheetRegion& r : b.regions) region = std::max(region, std::abs(r.factor[placeOf(f)]));
+  return region * b.inTime[placeOf(f)].most(from, never);
 }
 
 namespace {
@@ -42,15 +36,21 @@ double speedOf(const Scene& s, const SheetBody& b) {
 /// How fast contact has to turn a vertex round, so that it goes no deeper than half of the thickness at the scene's speeds and a tenth
 /// under the scene's pressures.
 double contactRateOf(const Scene& s, const SheetBody& b, double thickness) {
-  double pressure = b.mass * length(s.domain.gravity) + std::abs(b.wrap) + b.windDensity * dot(b.wind, b.wind), factor = 1;
-  for (const auto& [time, f] : b.wrapInTime.points) factor = std::max(factor, std::abs(f));
-  pressure *= factor;
-  for (const SheetBrush& brush : b.brushes) pressure += length(brush.pressure);
+  const auto most = [&](SheetFactor f) { return std::abs(b.*sheetCoefficients[placeOf(f)].value) * largestFactor(b, f); };
+  double pressure = b.mass * length(s.domain.gravity) + most(SheetFactor::Wrap) + most(SheetFactor::Wind) * dot(b.wind, b.wind);
+  for (const SheetBrush& brush : b.brushes) pressure += length(brush.pressure) * brush.inTime.most(0, never);
   const double mass = b.mass > 0 ? b.mass : 1;
-  return std::max({2 * speedOf(s, b) / thickness, std::sqrt(10 * pressure / (mass * thickness)), 2 * std::sqrt(b.stiffness / mass), 1.0});
+  return std::max({2 * speedOf(s, b) / thickness, std::sqrt(10 * pressure / (mass * thickness)), 2 * std::sqrt(most(SheetFactor::Stiffness) / mass), 1.0});
 }
 
-std::vector<SheetHinge> hingesOf(const SheetBody& b, const SheetPlan& plan) {
+/// Of a spring between two vertices.
+struct SpringFactors {
+  const std::vector<SheetLaw>& laws;
+  const std::vector<std::uint16_t>& law;  // of each vertex
+  double operator()(SheetFactor f, std::uint32_t a, std::uint32_t b) const { return 0.5 * (laws[law[a]].factor[placeOf(f)] + laws[law[b]].factor[placeOf(f)]); }
+};
+
+std::vector<SheetHinge> hingesOf(const SheetBody& b, const SheetPlan& plan, const SpringFactors& factor) {
   std::vector<SheetHinge> all;
   if (b.bending <= 0 && b.shear <= 0) return all;
   const auto& x = plan.mesh.vertices;
@@ -61,10 +61,11 @@ std::vector<SheetHinge> hingesOf(const SheetBody& b, const SheetPlan& plan) {
       if (t.ring[k].to == c) area = t.ring[k].area;
     const double span = length(x[beyond] - x[across]), edge = length(x[c] - x[a]);
     const bool second = span < 1.2 * edge;  // the second diagonal of a square
-    const double stiffness = second ? edgeStiffness(b, x[beyond] - x[across], area) : b.bending * area / (span * span);
+    const SheetFactor kind = second ? edgeKind(b, x[beyond] - x[across]) : SheetFactor::Bending;
+    const double stiffness = (second ? edgeStiffness(b, x[beyond] - x[across], area) : b.bending * area / (span * span)) * factor(kind, across, beyond);
     if (!(stiffness > 0) || !(span > 0)) continue;
-    all.push_back({across, beyond, b.restLength * span, stiffness});
-    all.push_back({beyond, across, b.restLength * span, stiffness});
+    all.push_back({across, beyond, b.restLength * span, stiffness, kind});
+    all.push_back({beyond, across, b.restLength * span, stiffness, kind});
   }
   std::sort(all.begin(), all.end(), [](const SheetHinge& p, const SheetHinge& q) { return p.from != q.from ? p.from < q.from : p.to < q.to; });
   // two edges of a very coarse mesh may have the same vertices across: one bond
@@ -93,13 +94,13 @@ void planFaces(const Scene& s, const SheetBody& b, SheetPlan& plan) {
   for (std::uint32_t k = 0; k < plan.mesh.triangles.size(); k++) plan.faceOf[next[plan.mesh.triangles[k][0]]++] = k;
 }
 
-SpringLaw lawOf(const SheetBody& b, const SheetRegion* r) {
-  return r ? SpringLaw{b.mass * r->mass, b.damping * r->damping, b.stiffness * r->stiffness} : SpringLaw{b.mass, b.damping, b.stiffness};
+SheetLaw lawOf(std::size_t sheet, const SheetBody& b, const SheetRegion& r) {
+  const auto& f = r.factor;
+  return {static_cast<std::uint16_t>(sheet), {b.mass * f[placeOf(SheetFactor::Mass)], b.damping * f[placeOf(SheetFactor::Damping)], b.stiffness * f[placeOf(SheetFactor::Stiffness)]}, f};
 }
 
-void checkLaw(const SheetBody& b, const SpringLaw& law) {
-  if (law.mass == 0 && law.damping == 0 && law.stiffness == 0)
-    throw ShapeError("a sheet needs mass, damping or stiffness: all three are 0", b.where);
+void checkLaw(const SheetLaw& l, const SourcePlace& where) {
+  if (l.law.mass == 0 && l.law.damping == 0 && l.law.stiffness == 0) throw ShapeError("a sheet needs mass, damping or stiffness: all three are 0", where);
 }
 
 }  // namespace
@@ -109,15 +110,10 @@ double sheetThickness(const Scene& s, const SheetBody& b) { return b.thickness >
 double expectedSheetSpeed(const Scene& s) {
   double most = 0;
   for (const SheetBody& b : s.sheets) {
-    const auto largest = [](const FactorInTime& f) {
-      double most = f.points.empty() ? 1 : 0;
-      for (const auto& [time, factor] : f.points) most = std::max(most, std::abs(factor));
-      return most;
-    };
     // of a pressure that pushes over a length
     const auto pushed = [&](double pressure, double over) { return b.mass > 0 ? std::sqrt(2 * pressure * over / b.mass) : b.damping > 0 ? pressure / b.damping : 0; };
-    most = std::max({most, speedOf(s, b), b.windDensity > 0 ? length(b.wind) : 0, pushed(std::abs(b.wrap) * largest(b.wrapInTime), spacingOf(s, b))});
-    for (const SheetBrush& brush : b.brushes) most = std::max(most, pushed(length(brush.pressure) * largest(brush.inTime), brush.radius));
+    most = std::max({most, speedOf(s, b), b.windDensity > 0 ? length(b.wind) : 0, pushed(std::abs(b.wrap) * largestFactor(b, SheetFactor::Wrap), spacingOf(s, b))});
+    for (const SheetBrush& brush : b.brushes) most = std::max(most, pushed(length(brush.pressure) * brush.inTime.most(0, never), brush.radius));
   }
   return most;
 }
@@ -133,11 +129,26 @@ double sheetReach(const Scene& s) {
   return reach;
 }
 
-double edgeStiffness(const SheetBody& b, const Vec3d& edge, double area) {
+SheetFactor edgeKind(const SheetBody& b, const Vec3d& edge) {
   const Pose pose = poseOf({}, b.shape.rotate);
-  const double l2 = dot(edge, edge), along = std::abs(dot(edge, directionFromRest(pose, normalized(b.warpDirection)))) / std::sqrt(l2);
-  const double modulus = along > warpCosine ? b.warp : along < weftCosine ? b.weft : b.shear;
-  return modulus * area / l2;
+  const double along = std::abs(dot(edge, directionFromRest(pose, normalized(b.warpDirection)))) / length(edge);
+  return along > warpCosine ? SheetFactor::Warp : along < weftCosine ? SheetFactor::Weft : SheetFactor::Shear;
+}
+
+double edgeStiffness(const SheetBody& b, const Vec3d& edge, double area) { return b.*sheetCoefficients[placeOf(edgeKind(b, edge))].value * area / dot(edge, edge); }
+
+std::span<const SheetHinge> hingesAt(const SheetPlan& plan, std::uint32_t vertex) {
+  const auto first = std::lower_bound(plan.hinges.begin(), plan.hinges.end(), vertex, [](const SheetHinge& h, std::uint32_t x) { return h.from < x; });
+  auto last = first;
+  while (last != plan.hinges.end() && last->from == vertex) ++last;
+  return {first, last};
+}
+
+std::vector<SheetFactor> springKinds(const SheetPlan& plan, std::uint32_t vertex) {
+  const SheetTopology& t = plan.topology;
+  std::vector<SheetFactor> kinds(plan.edgeKind.begin() + t.first[vertex], plan.edgeKind.begin() + t.first[vertex + 1]);
+  for (const SheetHinge& h : hingesAt(plan, vertex)) kinds.push_back(h.kind);
+  return kinds;
 }
 
 TriangleMesh sheetMesh(const Scene& s, const SheetBody& b, const MeshLoader& load) {
@@ -170,19 +181,20 @@ SheetPlans planSheets(const Scene& s, const MeshLoader& load) {
       plan.topology = sheetTopology(plan.mesh);
       const SheetTopology& t = plan.topology;
       const auto base = static_cast<std::uint16_t>(all.laws.size());
-      checkLaw(b, lawOf(b, nullptr));
-      all.laws.push_back({static_cast<std::uint16_t>(n), lawOf(b, nullptr)});
+      all.laws.push_back(lawOf(n, b, {}));
+      checkLaw(all.laws.back(), b.where);
       plan.law.assign(plan.mesh.vertices.size(), base);
       for (const SheetRegion& r : b.regions) {
-        const SpringLaw law = lawOf(b, &r);
-        checkLaw(b, law);
+        const SheetLaw law = lawOf(n, b, r);
+        checkLaw(law, r.where);
         const auto shape = makeSignedDistance(r.shape, load);
         bool has = false;
         for (std::size_t v = 0; v < plan.law.size(); v++)
           if (shape->inside(plan.mesh.vertices[v])) plan.law[v] = static_cast<std::uint16_t>(all.laws.size()), has = true;
         if (!has) throw ShapeError("there is no vertex in this region at the start", r.where);
-        all.laws.push_back({static_cast<std::uint16_t>(n), law});
+        all.laws.push_back(law);
       }
+      const SpringFactors factor{all.laws, plan.law};
       double edges = 0;
       for (std::uint32_t v = 0; v + 1 < t.first.size(); v++)
         for (std::uint32_t k = t.first[v]; k < t.first[v + 1]; k++) {
@@ -190,7 +202,8 @@ SheetPlans planSheets(const Scene& s, const MeshLoader& load) {
           const Vec3d d = plan.mesh.vertices[c] - plan.mesh.vertices[a];
           edges += length(d);
           plan.edgeLength.push_back(b.restLength * length(d));
-          plan.edgeStiffness.push_back(edgeStiffness(b, d, t.ring[k].area));
+          plan.edgeKind.push_back(edgeKind(b, d));
+          plan.edgeStiffness.push_back(edgeStiffness(b, d, t.ring[k].area) * factor(plan.edgeKind.back(), a, c));
         }
       plan.spacing = edges / static_cast<double>(t.ring.size());
       plan.thickness = sheetThickness(s, b);
@@ -200,6 +213,7 @@ SheetPlans planSheets(const Scene& s, const MeshLoader& load) {
       if (plan.byFaces) planFaces(s, b, plan);
       plan.edgeForces = b.warp > 0 || b.weft > 0 || b.shear > 0 || b.bending > 0;
       plan.normals = b.volumeStiffness > 0 || (b.wrap != 0 && b.wrapTo.empty()) || b.windDensity > 0;
+      if (b.wrap != 0) plan.wrapTarget = wrapTarget(s, n);
       plan.firstPart = static_cast<std::uint32_t>(all.parts.size());
       for (std::size_t c = 0; c < t.closed.size(); c++) {
         SheetPart part;
@@ -214,13 +228,15 @@ SheetPlans planSheets(const Scene& s, const MeshLoader& load) {
         if (!seen[t.component[v]]) part.origin = plan.mesh.vertices[v];
         seen[t.component[v]] = 1;
         part.area += t.area[v];
+        part.stiffness += b.volumeStiffness * all.laws[plan.law[v]].factor[placeOf(SheetFactor::Volume)] * t.area[v];
         part.vertices++;
       }
+      for (std::size_t p = plan.firstPart; p < all.parts.size(); p++) all.parts[p].stiffness /= all.parts[p].area;
       if (b.volumeStiffness > 0)
         for (std::size_t c = 0; c < t.closed.size(); c++)
           if (!(t.volume[c] > 0))
             throw ShapeError(t.closed[c] ? "volume_stiffness needs a mesh whose triangles face outward" : "volume_stiffness needs a closed mesh, and this one has a border", b.where);
-      plan.hinges = hingesOf(b, plan);
+      plan.hinges = hingesOf(b, plan, factor);
       plan.touches = b.selfContact || s.sheets.size() > 1 || !s.obstacles.empty() || !s.bodies.empty() || !s.emitters.empty() || !s.oriented.empty() || b.push > 0 || b.pull > 0;
       for (const auto& axis : s.domain.side)
         for (const Side side : axis) plan.touches = plan.touches || side == Side::Wall;

@@ -1,9 +1,12 @@
 // What the scene's sheets are made of: meshes, coefficients, pieces. Every rank works it out for itself, from the scene alone.
 #pragma once
+#include <span>
+
 #include "core/geometry/signed_distance.hpp"
 #include "core/scene/scene.hpp"
 #include "core/sheet/exact_step.hpp"
 #include "core/sheet/topology.hpp"
+#include "core/sheet/wrap_target.hpp"
 
 namespace thaw {
 
@@ -11,6 +14,7 @@ namespace thaw {
 struct SheetLaw {
   std::uint16_t sheet = 0;
   SpringLaw law;
+  std::array<double, sheetFactors> factor{};  ///< of its region; what springs between two vertices have is the mean of both
 };
 
 /// A connected piece of a sheet.
@@ -21,6 +25,7 @@ struct SheetPart {
   double area = 0;     ///< m^2
   double volume = 0;   ///< m^3, at the start
   std::int64_t vertices = 0;  ///< at the start
+  double stiffness = 0;       ///< Pa, of its volume at a factor in time of 1: the mean of its regions over its area
   double now = 0;      ///< m^3, of the last evaluation, the same on all ranks; 0 where nobody asks for it
 };
 
@@ -28,6 +33,7 @@ struct SheetPart {
 struct SheetHinge {
   std::uint32_t from, to;
   double length, stiffness;  ///< m, N/m
+  SheetFactor kind;          ///< Bending, or, for the second diagonal of a square, that of an edge
 };
 
 struct SheetPlan {
@@ -35,6 +41,7 @@ struct SheetPlan {
   SheetTopology topology;
   std::vector<std::uint16_t> law; ///< of each vertex
   std::vector<double> edgeLength, edgeStiffness;  ///< m, N/m, beside SheetTopology::ring: lengths at rest
+  std::vector<SheetFactor> edgeKind;              ///< beside them: Warp, Weft or Shear
   std::vector<SheetHinge> hinges; ///< both directions, by `from`
   std::uint32_t firstPart = 0;
   double spacing = 0;             ///< m, mean length of edges
@@ -47,6 +54,7 @@ struct SheetPlan {
   double faceRate = 0;            ///< 1/s, as contactRate
   double faceMass = 0;            ///< kg, of a vertex in the mean, that its stiffness goes by
   std::vector<std::uint32_t> faceFirst, faceOf;  ///< triangles whose first corner is vertex v: faceOf[faceFirst[v]] ..
+  WrapTarget wrapTarget;
   bool edgeForces = false;        ///< springs along edges or across them
   bool normals = false;           ///< some force needs them
   bool touches = false;           ///< something is in the scene that it can touch
@@ -64,8 +72,16 @@ SheetPlans planSheets(const Scene& scene, const MeshLoader& load);
 /// The mesh of a sheet where the scene puts it.
 TriangleMesh sheetMesh(const Scene& scene, const SheetBody& body, const MeshLoader& load);
 
+/// Warp, Weft or Shear, of an edge along this direction: warp within 25 degrees of its direction, weft beyond 72.
+SheetFactor edgeKind(const SheetBody& body, const Vec3d& edge);
+
+/// Springs by the number of their bond of a vertex (from 0): first its ring, then the vertices across edges.
+std::vector<SheetFactor> springKinds(const SheetPlan& plan, std::uint32_t vertex);
+/// The hinges of a vertex.
+std::span<const SheetHinge> hingesAt(const SheetPlan& plan, std::uint32_t vertex);
+
 /// N/m, of an edge along this direction whose triangles have this area (m^2): (van Gelder 1998) stiffness * area / length^2, a strip of
-/// cloth is as stiff as its width says. Warp within 25 degrees of its direction, weft beyond 72.
+/// cloth is as stiff as its width says.
 double edgeStiffness(const SheetBody& body, const Vec3d& edge, double area);
 
 /// Radius (m) within which the scene's sheets act on anything by distance.

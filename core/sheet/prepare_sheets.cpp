@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/geometry/shape_error.hpp"
+#include "core/sheet/changing_factors.hpp"
 #include "core/sheet/inner_forces.hpp"
 #include "core/sheet/sheet_contact.hpp"
 
@@ -38,6 +39,7 @@ void activateSheets(World& w) {
   for (const SheetPlan& p : w.sheets.plans)
     if (p.touches) s.activate(s.resisting);
   if (sheetsMeet(w.scene) || sheetsMeetContinuum(w.scene) || w.modules.draping) s.activate(s.moving);
+  activateChanging(w);
   activateEdges(w.sheets.edges);
 }
 

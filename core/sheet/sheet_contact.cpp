@@ -5,6 +5,7 @@
 
 #include "core/heat/enthalpy.hpp"
 #include "core/kinds/kinds.hpp"
+#include "core/sheet/changing_factors.hpp"
 #include "core/sheet/face_contact.hpp"
 #include "core/sheet/rows_around.hpp"
 #include "core/sheet/touch.hpp"
@@ -30,6 +31,23 @@ double pairMass(double a, double b) { return a * b / (a + b); }
 double massOf(const World& w, std::size_t i) {  // that contact goes by
   const Sheets& s = w.sheets.rows;
   return w.sheets.plans[s.body[i]].contactMass * s.area[i];
+}
+
+/// N/m, push or pull of a vertex at a factor in time of 1.
+double ownOf(const World& w, SheetFactor f, std::size_t i) {
+  const Sheets& s = w.sheets.rows;
+  return w.scene.sheets[s.body[i]].*sheetCoefficients[placeOf(f)].value * w.sheets.laws[s.law[i]].factor[placeOf(f)];
+}
+
+/// Half of each end's, as it is now; of the largest until the end of the next step for the slope.
+struct PairSpring { double own, stiffness, later; };
+PairSpring pairSpring(const World& w, SheetFactor f, std::size_t i, std::size_t j) {
+  const Sheets& s = w.sheets.rows;
+  const double own = 0.5 * ownOf(w, f, i), other = 0.5 * ownOf(w, f, j);
+  if (!(own > 0) && !(other > 0)) return {};
+  const FactorsNow &p = w.sheets.factors[s.body[i]], &q = w.sheets.factors[s.body[j]];
+  const std::size_t k = placeOf(f);
+  return {own, own * p.now[k] + other * q.now[k], own * p.most[k] + other * q.most[k]};
 }
 
 void meetSheets(World& w, const SheetVelocities& now) {
@@ -69,17 +87,20 @@ void meetSheets(World& w, const SheetVelocities& now) {
       s.resisting[i] += t.resisting / s.area[i];
       slope[i] += t.slope;
     }
-    const double push = 0.5 * (x.push + y.push), pull = 0.5 * (x.pull + y.pull), beyond = -depth, reach = std::max(x.pullReach, y.pullReach);
-    if (push > 0 && depth > 0) {
-      force += n * (push * depth);
-      energy += 0.5 * push * depth * depth;
-      slope[i] += push;
+    const double beyond = -depth, reach = std::max(x.pullReach, y.pullReach);
+    if (const PairSpring push = pairSpring(w, SheetFactor::Push, i, j); push.later > 0 && depth > 0) {
+      const double unit = 0.5 * depth * depth;
+      force += n * (push.stiffness * depth);
+      energy += push.stiffness * unit;
+      slope[i] += push.later;
+      if (s.changing.active) changingOf(s, i, SheetFactor::Push) += push.own * unit;
     }
-    if (pull > 0 && beyond > 0 && beyond < reach) {
-      const double u = beyond / reach;
-      force -= n * (pull * beyond * (1 - u) * (1 - u));
-      energy += pull * reach * reach * (u * u * (0.5 - u * (2.0 / 3) + 0.25 * u * u) - 1.0 / 12);
-      slope[i] += pull;
+    if (const PairSpring pull = pairSpring(w, SheetFactor::Pull, i, j); pull.later > 0 && beyond < reach) {
+      const double u = std::max(beyond, 0.0) / reach, unit = reach * reach * (u * u * (0.5 - u * (2.0 / 3) + 0.25 * u * u) - 1.0 / 12);
+      force -= n * (pull.stiffness * reach * u * (1 - u) * (1 - u));
+      energy += pull.stiffness * unit;
+      slope[i] += pull.later;
+      if (s.changing.active) changingOf(s, i, SheetFactor::Pull) += pull.own * unit;
     }
     s.load[i] += force / s.area[i];
     s.energy[i] += 0.5 * energy;
@@ -212,7 +233,7 @@ void addSheetContacts(World& w, Halos halos, const SheetVelocities& now) {
   for (const SheetPlan& p : b.plans) (p.byFaces ? faces : points) = true;
   if (!sheets && !continuum && !oriented) return;
   std::copy(now.velocity.begin(), now.velocity.end(), s.moving.data());
-  ColumnList columns{&s.position, &s.moving, &s.rest, &s.area, &s.body};
+  ColumnList columns{&s.position, &s.moving, &s.rest, &s.area, &s.body, &s.law};
   if (s.temperature.active) columns.push_back(&s.temperature);
   if (faces) columns.push_back(&s.id);
   CellHalo& halo = *halos.kinds[sheetKind];

@@ -1,5 +1,6 @@
 // The fields of the vertices of sheets (DS; method.md section 4): one line a field.
 #pragma once
+#include <array>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct Sheets : KindRows {
   Column<double> hardening{*this, "hardening", "m", Keep::State, "what the elastic limit has grown by: 1 - plasticity of what went beyond it"};
   Column<Vec3d> load{*this, "load", "N/m^2", Keep::State, "force per area of the last evaluation, all but the spring to the place of rest and its damping"};
   Column<Vec3d> outside{*this, "outside", "N/m^2", Keep::State, "its part that does work from outside: wind, wrap, brushes; only where a sheet has one"};
+  Column<Mat3d> changing{*this, "changing", "J", Keep::State, "stored by coefficients that change in time, each at a factor of 1: warp, weft, shear; bending, volume, push; pull; only where one does"};
   Column<Vec3d> moved{*this, "moved", "m", Keep::State, "over the last step: work of what pushes, losses of damping; only where there is either"};
   Column<Vec3d> resisting{*this, "resisting", "N/m^2", Keep::Transient, "part of the load that takes mechanical energy away: dashpots, friction; only where a sheet touches anything"};
   Column<double> area{*this, "area", "m^2", Keep::State, "of the sheet at the start, a third of the vertex' triangles"};
@@ -39,6 +41,9 @@ struct SheetEdges {
   Bonds bonds;
 };
 
+/// Factors in time of a sheet's coefficients, beside sheetCoefficients: at the forces of now, and the largest until the end of the next step, for its limit.
+struct FactorsNow { std::array<double, sheetFactors> now, most; };
+
 /// All of the sheets on one rank.
 struct SheetBodies {
   Sheets rows;
@@ -49,6 +54,7 @@ struct SheetBodies {
   std::vector<SheetLaw> laws;
   std::vector<SheetPart> parts;
   // of the last evaluation
+  std::vector<FactorsNow> factors;   ///< of each sheet
   std::vector<double> slope;         ///< N/m^3, of each owned row: bound of the slope of neighbour forces and contacts, added up over them
   std::vector<double> stiffest;      ///< N/m^3, of each law: the largest slope of this rank's vertices. Of one vertex each: a sum of two vertices' would depend on what is on the same rank
   double fastestDrag = 0;            ///< 1/s, of the wind: how fast it takes along a vertex, 2 rho |u_n| area / mass; the largest of this rank

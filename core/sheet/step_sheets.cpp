@@ -5,10 +5,12 @@
 #include <cmath>
 
 #include "core/sheet/cell_sums.hpp"
+#include "core/sheet/changing_factors.hpp"
 #include "core/sheet/inner_forces.hpp"
 #include "core/sheet/move_vertices.hpp"
 #include "core/sheet/outer_forces.hpp"
 #include "core/sheet/sheet_contact.hpp"
+#include "core/sheet/wrap_bodies.hpp"
 
 namespace thaw {
 namespace {
@@ -17,7 +19,32 @@ namespace {
 SpringLaw lawNow(const World& w, const SheetLaw& l, double dt) {
   const SheetBody& b = w.scene.sheets[l.sheet];
   const double time = w.clock.time + 0.5 * dt;
-  return {l.law.mass, l.law.damping * b.dampingInTime.at(time), l.law.stiffness * b.stiffnessInTime.at(time)};
+  return {l.law.mass, l.law.damping * b.factorAt(SheetFactor::Damping, time), l.law.stiffness * b.factorAt(SheetFactor::Stiffness, time)};
+}
+
+/// The one of the least stable next step: damping falls, and stiffness grows.
+SpringLaw lawToCome(const World& w, const SheetLaw& l) {
+  const SheetBody& b = w.scene.sheets[l.sheet];
+  const double until = w.clock.time + 1.1 * w.clock.dt;
+  return {l.law.mass, l.law.damping * b.inTime[placeOf(SheetFactor::Damping)].least(w.clock.time, until), l.law.stiffness * b.inTime[placeOf(SheetFactor::Stiffness)].most(w.clock.time, until)};
+}
+
+/// Work of a change of the springs to the places of rest, from one time (s) to another, at the places of now.
+void bookRestChange(World& w, double from, double to) {
+  std::vector<double> half;
+  bool any = false;
+  for (const SheetLaw& l : w.sheets.laws) {
+    const SheetBody& b = w.scene.sheets[l.sheet];
+    half.push_back(0.5 * l.law.stiffness * (b.factorAt(SheetFactor::Stiffness, to) - b.factorAt(SheetFactor::Stiffness, from)));
+    any = any || half.back() != 0;
+  }
+  if (!any) return;
+  const Sheets& s = w.sheets.rows;
+  addByCell(w.sheets.cells, s.owned, w.ledger.wallWork, [&](std::size_t i) {
+    Vec3d z = s.position[i] - s.rest[i];
+    if (s.flow.active) z -= s.flow[i];
+    return half[s.law[i]] * s.area[i] * dot(z, z);
+  });
 }
 
 std::vector<SpringLaw> lawsNow(const World& w, double dt) {
@@ -34,7 +61,7 @@ Vec3d restOf(const World& w, std::size_t i) {
 
 /// What goes beyond the elastic limit: plasticity times it moves the place of rest, and by the rest of it the limit grows. Then the vertex is at the
 /// limit, and the same deformation in more steps comes to the same; let go, it keeps plasticity times the excess.
-void yieldPlastic(World& w) {
+void yieldPlastic(World& w, double time) {
   Sheets& s = w.sheets.rows;
   for (std::size_t i = 0; i < s.owned; i++) {
     const SheetBody& b = w.scene.sheets[s.body[i]];
@@ -42,7 +69,7 @@ void yieldPlastic(World& w) {
     const Vec3d before = s.position[i] - restOf(w, i);
     const double far = length(before), excess = far - b.elasticLimit - s.hardening[i];
     if (!(excess > 0)) continue;
-    const double k = w.sheets.laws[s.law[i]].law.stiffness * b.stiffnessInTime.at(w.clock.time) * s.area[i];
+    const double k = w.sheets.laws[s.law[i]].law.stiffness * b.factorAt(SheetFactor::Stiffness, time) * s.area[i];
     s.flow[i] += before * (b.plasticity * excess / far);
     s.hardening[i] += (1 - b.plasticity) * excess;
     const Vec3d after = s.position[i] - restOf(w, i);
@@ -58,9 +85,13 @@ void moveSheets(World& w, double dt) {
   std::vector<VertexMap> maps;
   for (const SpringLaw& l : laws) maps.push_back(vertexMap(l, dt));
   bookHolding(w, -1, dt);
+  const double begin = w.clock.time, middle = begin + 0.5 * dt, end = begin + dt;
+  bookRestChange(w, begin, middle);  // over the step they are those of its middle
+  bookChanging(w, begin, end);
   const bool simple = !s.flow.active && !s.clamped.active && !s.moved.active;
   if (simple) {
     moveVertices(maps, {s.position.data(), s.velocity.data(), s.rest.data(), s.load.data(), s.law.data()}, 0, s.owned);
+    bookRestChange(w, middle, end);
     return;
   }
   for (std::size_t i = 0; i < s.owned; i++) {
@@ -78,7 +109,8 @@ void moveSheets(World& w, double dt) {
     if (law.damping > 0) s.dissipated[i] += s.area[i] * (0.5 * law.mass * dot(v, v) + 0.5 * law.stiffness * (dot(z, z) - dot(z1, z1)) + 0.5 * dot(s.load[i], moved));
   }
   if (s.outside.active) bookOutsideWork(w);
-  if (s.flow.active) yieldPlastic(w);
+  bookRestChange(w, middle, end);
+  if (s.flow.active) yieldPlastic(w, end);
 }
 
 void kickSheets(World& w, double dt) {
@@ -120,7 +152,7 @@ void loadSheets(World& w, Halos halos, StepTools& t, double dt) {
   Sheets& s = b.rows;
   b.stiffest.assign(b.laws.size(), 0);
   b.slope.assign(s.owned, 0);
-  b.fastest2 = b.stiffestParticle = b.fastestDrag = 0;
+  b.fastest2 = b.stiffestParticle = 0;
   // contacts want the velocity of now: what is missing is the push of the force after the step, for which that before stands
   std::vector<double> after(b.laws.size(), 0);
   for (std::size_t l = 0; dt > 0 && l < b.laws.size(); l++) after[l] = vertexMap(lawNow(w, b.laws[l], dt), dt).after;
@@ -132,11 +164,15 @@ void loadSheets(World& w, Halos halos, StepTools& t, double dt) {
   now.span = dt > 0 ? dt : nextStep(w.clock);
   now.dt = dt;
 
+  findFactors(w, dt);
   clearLoads(w);
   addInnerForces(w, halos);
   addOuterForces(w, now);
+  addBodyWrap(w, halos, now);
   addSheetContacts(w, halos, now);
-  addRestEnergy(w);
+  b.fastestDrag = fastestDrag(w, now);
+  addRestEnergy(w, w.clock.time + dt);
+  if (dt > 0) bookChanging(w, w.clock.time, w.clock.time + dt);
   for (std::size_t i = 0; i < s.owned; i++) b.stiffest[s.law[i]] = std::max(b.stiffest[s.law[i]], b.slope[i]);
   for (std::size_t i = 0; i < s.owned; i++)
     if (w.sheets.plans[s.body[i]].touches) b.fastest2 = std::max(b.fastest2, dot(now.velocity[i], now.velocity[i]));
@@ -152,15 +188,14 @@ double sheetStepLimit(const World& w) {
     // rounded up to one of 32 values an octave: equal on all ranks that are about as stiff, and the step does not waver
     int e = 0;
     const double part = std::frexp(b.stiffest[l], &e), kappa = std::ldexp(std::ceil(part * 64) / 64, e);
-    limit = std::min(limit, 2 * w.scene.numerics.cflElastic * stableStep(lawNow(w, b.laws[l], 0), kappa));
+    limit = std::min(limit, 2 * w.scene.numerics.cflElastic * stableStep(lawToCome(w, b.laws[l]), kappa));
   }
   if (b.stiffestParticle > 0) {
     int e = 0;
     const double part = std::frexp(b.stiffestParticle, &e);
     limit = std::min(limit, 4 * w.scene.numerics.cflElastic / std::sqrt(std::ldexp(std::ceil(part * 64) / 64, e)));
   }
-  // the wind acts by the velocity of before the step: as drag that is to take a vertex along by a fifth of the difference at most
-  if (b.fastestDrag > 0) limit = std::min(limit, 0.2 / b.fastestDrag);
+  if (b.fastestDrag > 0) limit = std::min(limit, dragInAStep / b.fastestDrag);
   // nothing passes through anything in a step
   if (b.fastest2 > 0) {
     double thin = never;

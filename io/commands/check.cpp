@@ -77,6 +77,7 @@ int checkAll(const CheckOptions& o) {
   const Halos halos{all, cells, bonds, {kinds[orientedKind].get(), kinds[sheetKind].get()}, &edges};
   const SamplingReport sampled = startWorld(w, halos, t, meshLoader());
   const std::vector<OrientedWork::Event> idle = t.oriented.idle;  // of the start
+  const std::vector<std::string> ofKinds = linesOfKinds(w, all);  // before the steps below, which may make some
   SurfaceTrial surface(comm, w, meshLoader());
   // a few steps, to measure
   const auto start = std::chrono::steady_clock::now();
@@ -90,7 +91,6 @@ int checkAll(const CheckOptions& o) {
   const double perStep = steps > 0 ? std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / steps : 0;
   surface.update();
   const double needed = w.scene.end / std::min(dt, longestUnlimitedStep(w.clock));
-  const std::vector<std::string> ofKinds = linesOfKinds(w, all);
   const SurfaceTrial::Forecast onSurface = surface.forecast(needed);
   const std::vector<std::string> surfaceLines = surface.lines(onSurface, o.ranks);
   const LedgerReport l = reportLedger(w, t, all);

@@ -32,6 +32,16 @@ std::string fieldFor(const RenderOptions& options, const std::string& ofScene, c
   return surface ? "surface" : "";
 }
 
+/// Also of frames of sheets and of oriented particles alone, which colours could be made without.
+void refuseUnknownField(const std::string& field, const fs::path& frame, const std::vector<std::string>& fields) {
+  const bool surface = drawnAsSurface(frame);
+  if (field.empty() || field == "none" || (surface && (field == "surface" || field == "glow"))) return;
+  if (std::find(fields.begin(), fields.end(), field == "speed" ? "velocity" : field) != fields.end()) return;
+  std::string names;
+  for (const std::string& name : fields) names += (names.empty() ? "" : ", ") + name;
+  throw IoError(frame.string(), "no field '" + field + "'; there are: " + names + (surface ? "; and surface, glow" : ""));
+}
+
 /// pictures/ in the run's folder, whether that, its frames/ or a file in there was named.
 fs::path picturesFolder(const fs::path& input) {
   fs::path folder = fs::is_directory(input) ? input : input.parent_path();
@@ -84,7 +94,9 @@ FrameJob jobOf(const RenderOptions& options) {
   job.sheet = options.sheet;
   job.columns = options.columns;
   job.cells = options.cells;
-  job.field = fieldFor(options, job.field, fieldsOf(frames.back()), drawnAsSurface(frames.back()));
+  const std::vector<std::string> fields = fieldsOf(frames.back());
+  refuseUnknownField(options.field, frames.back(), fields);
+  job.field = fieldFor(options, job.field, fields, drawnAsSurface(frames.back()));
   if (options.min) job.min = options.min;
   if (options.max) job.max = options.max;
   if (job.min && job.max && !(*job.max > *job.min)) throw std::invalid_argument("the colours' range is empty: --max has to be above --min");

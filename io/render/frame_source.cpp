@@ -140,13 +140,15 @@ std::vector<fs::path> findFrames(const fs::path& path, FrameKind kind) {
     if (!frames.empty()) return frames;
     particles = particles || !found.particles.empty();
   }
-  if (kind != FrameKind::Surface && !particles)  // a scene without continuum
+  if (!particles)  // a scene without continuum
     for (const FrameKind other : {FrameKind::Sheet, FrameKind::Oriented}) try {
-        return findFrames(path, other);
+        const std::vector<fs::path> frames = findFrames(path, other);
+        if (kind != FrameKind::Surface) return frames;
+        particles = true;
       } catch (const IoError&) {  // the message below
       }
   if (kind == FrameKind::Surface && particles)
-    throw IoError(path.string(), "there are no frames of a surface in this folder, only of particles: a scene has a surface if it has a table [surface]");
+    throw IoError(path.string(), "there are no frames of a surface in this folder, only of particles, sheets or oriented particles: a scene has a surface if it has a table [surface]");
   throw IoError(path.string(), "there are no frames (.hdf) in this folder");
 }
 

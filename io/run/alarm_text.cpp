@@ -21,17 +21,32 @@ std::string seen(const World& w, const StepTools& t, const StepOutcome& o, const
       return s.value < never ? fmt::format("a speed of {:.4g} m/s, more than a support radius in a step", s.value) : "a value that is not a finite number";
     case Alarm::Speed: return fmt::format("a speed of {:.4g} m/s, where the scene makes {:.3g} m/s and numerics.watch_speed allows {:.3g} m/s", s.value, b.expected, b.speed);
     case Alarm::Density: return fmt::format("a density of {:.3g} times that at rest (numerics.watch_density allows {:.3g})", s.value, b.filling);
+    case Alarm::Inverted: return fmt::format("more than {:.3g} of the solid particles are inside out (numerics.watch_inverted), to det F {:.3g}", b.inverted, s.value);
+    case Alarm::Energy:
+    case Alarm::Growth: return fmt::format("{}; most of it, {:.4g} J/kg, has one particle", exceeded(w, t, o), s.value);
+    case Alarm::Step:
+    case Alarm::None: break;
+  }
+  return exceeded(w, t, o);
+}
+
+}  // namespace
+
+std::string exceeded(const World& w, const StepTools& t, const StepOutcome& o) {
+  const WatchBounds& b = t.watch;
+  switch (o.alarm) {
+    case Alarm::NotFinite: return "a value that is not a finite number, or a way beyond the reach of forces in a step";
+    case Alarm::Speed: return fmt::format("a speed that numerics.watch_speed, which allows {:.3g} m/s, does not", b.speed);
+    case Alarm::Density: return fmt::format("a density of more than {:.3g} times that at rest (numerics.watch_density)", b.filling);
     case Alarm::Step:
       return fmt::format("the step's limit by {} fell to {:.3g} s (numerics.watch_step allows {:.3g} s)", limitNames[static_cast<std::size_t>(o.limitedBy)], w.clock.dt, b.step);
-    case Alarm::Inverted: return fmt::format("more than {:.3g} of the solid particles are inside out (numerics.watch_inverted), to det F {:.3g}", b.inverted, s.value);
-    case Alarm::Energy: return fmt::format("mechanical energy from nowhere since step {} (numerics.watch_energy); most of it, {:.4g} J/kg, has one particle", w.watch.goodStep, s.value);
-    case Alarm::Growth: return fmt::format("mechanical energy from nowhere since the run began, more than {:.3g} times the largest term of the ledger (numerics.watch_energy), little by little; most of it, {:.4g} J/kg, has one particle", b.energy, s.value);
+    case Alarm::Inverted: return fmt::format("more than {:.3g} of the solid particles are inside out (numerics.watch_inverted)", b.inverted);
+    case Alarm::Energy: return fmt::format("mechanical energy from nowhere since step {}, more than {:.3g} times the largest term of the ledger (numerics.watch_energy)", w.watch.goodStep, b.energy);
+    case Alarm::Growth: return fmt::format("mechanical energy from nowhere since the run began, more than {:.3g} times the largest term of the ledger (numerics.watch_energy), little by little", b.energy);
     case Alarm::None: break;
   }
   return "nothing";
 }
-
-}  // namespace
 
 std::string alarmText(World& w, StepTools& t, const StepOutcome& o, const Suspect& s) {
   const Continuum& p = w.particles;
@@ -63,7 +78,7 @@ std::string alarmText(World& w, StepTools& t, const StepOutcome& o, const Suspec
 std::string fromOwner(const Communicator& comm, const std::string& mine) {
   int owner = mine.empty() ? -1 : comm.rank(), length = static_cast<int>(mine.size());
   MPI_Allreduce(MPI_IN_PLACE, &owner, 1, MPI_INT, MPI_MAX, comm.handle());
-  if (owner < 0) return "no particle to name";
+  if (owner < 0) return {};
   MPI_Bcast(&length, 1, MPI_INT, owner, comm.handle());
   std::string text = mine;
   text.resize(static_cast<std::size_t>(length));

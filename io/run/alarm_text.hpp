@@ -11,6 +11,9 @@ namespace thaw {
 /// On the rank that owns the suspect. Forces are summed anew (force_shares.hpp).
 std::string alarmText(World& world, StepTools& tools, const StepOutcome& failed, const Suspect& suspect);
 
+/// What the watch saw, and which bound it is beyond, without the particle that it may be seen at.
+std::string exceeded(const World& world, const StepTools& tools, const StepOutcome& failed);
+
 /// The text of the one rank where it is not empty, on all. Collective.
 std::string fromOwner(const Communicator& comm, const std::string& text);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/kinds/kinds.hpp"
+#include "io/run/alarm_text.hpp"
 
 namespace thaw {
 namespace {
@@ -13,7 +14,9 @@ std::string text(const Vec3d& v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})"
 
 }  // namespace
 
-std::string kindSuspect(const World& w, Alarm alarm, Limit limitedBy, Reducer& all) {
+std::string kindSuspect(const World& w, const StepTools& t, const StepOutcome& failed, Reducer& all) {
+  const Alarm alarm = failed.alarm;
+  const Limit limitedBy = failed.limitedBy;
   if (!w.modules.kinds()) return {};
   double continuum = static_cast<double>(w.particles.owned);
   all.maximum({&continuum, 1});
@@ -46,7 +49,7 @@ std::string kindSuspect(const World& w, Alarm alarm, Limit limitedBy, Reducer& a
   if (!here) return {};
   const std::uint16_t body = rows->body[row];
   const bool oriented = kind == orientedKind;
-  const char* what = "the fastest of its kind";
+  std::string what = exceeded(w, t, failed) + "; the fastest of its kind";
   if (overran > 0) what = "oriented particles went further in a step than their forces reach; the fastest that is left";
   if (most == never) what = "a value that is not a finite number";
   return fmt::format("{}: {} {} of '{}' at {} m has a velocity of {} m/s", what, oriented ? "oriented particle" : "vertex",

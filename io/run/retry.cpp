@@ -115,10 +115,11 @@ bool goBack(Run& r, const StepOutcome& failed, std::string& why) {
   const Numerics& n = w.scene.numerics;
   findStoredEnergy(w, r.tools);
   const Suspect s = findSuspect(w, failed.alarm, failed.limitedBy, r.all);
-  const std::string ofKinds = kindSuspect(w, failed.alarm, failed.limitedBy, r.all);  // on one rank, if at all
+  const std::string ofKinds = kindSuspect(w, r.tools, failed, r.all);  // on one rank, if at all
   double kinds = ofKinds.empty() ? 0 : 1;
   r.all.maximum({&kinds, 1});
-  const std::string what = fromOwner(r.comm, kinds > 0 ? ofKinds : s.here ? alarmText(w, r.tools, failed, s) : std::string());
+  std::string what = fromOwner(r.comm, kinds > 0 ? ofKinds : s.here ? alarmText(w, r.tools, failed, s) : std::string());
+  if (what.empty()) what = exceeded(w, r.tools, failed) + "; no particle to name";
   const std::string when = fmt::format("step {}, t {:.9g} s, dt {:.3g} s", clock.step, clock.time, clock.stepDt);
   std::string problem;
   if (retries(r) && watch.failures < n.retries) {

@@ -58,7 +58,7 @@ void addSheet(CheckpointValues& marks, const SheetBody& b) {
   addShape(marks, at + "place.", b.shape);
   addClamps(marks, at, b.clamp);
   for (std::size_t k = 0; k < b.regions.size(); k++) {
-    marks[fmt::format("{}region.{}.mass", at, k)] = b.regions[k].mass;
+    marks[fmt::format("{}region.{}.mass", at, k)] = b.regions[k].factor[placeOf(SheetFactor::Mass)];
     addShape(marks, fmt::format("{}region.{}.", at, k), b.regions[k].shape);
   }
 }
@@ -148,16 +148,18 @@ void addInTime(CheckpointValues& marks, const std::string& key, const FactorInTi
 
 void addCoefficients(CheckpointValues& marks, const SheetBody& b) {
   const std::string at = coefficient + ("sheet." + b.name + ".");
-  addNumbers(marks, at, {{"damping", b.damping}, {"stiffness", b.stiffness}, {"plasticity", b.plasticity}, {"elastic_limit", b.elasticLimit}, {"warp", b.warp}, {"weft", b.weft},
-                         {"shear", b.shear}, {"rest_length", b.restLength}, {"bending", b.bending}, {"stretch_limit", b.stretchLimit}, {"rigid", b.rigid},
-                         {"volume_stiffness", b.volumeStiffness}, {"push", b.push}, {"pull", b.pull}, {"pull_reach", b.pullReach}, {"wind_density", b.windDensity}, {"wrap", b.wrap},
+  addNumbers(marks, at, {{"plasticity", b.plasticity}, {"elastic_limit", b.elasticLimit}, {"rest_length", b.restLength}, {"stretch_limit", b.stretchLimit}, {"rigid", b.rigid},
+                         {"pull_reach", b.pullReach},
                          {"thickness", b.thickness}, {"contact_rate", b.contactRate}, {"friction", b.friction}, {"restitution", b.restitution},
                          {"self_contact", b.selfContact}, {"heat_capacity", b.heatCapacity}, {"conductance", b.conductance}});
   addVector(marks, at + "wind", b.wind);
-  addInTime(marks, at + "stiffness_in_time", b.stiffnessInTime);
-  addInTime(marks, at + "damping_in_time", b.dampingInTime);
-  addInTime(marks, at + "wrap_in_time", b.wrapInTime);
-  for (std::size_t k = 0; k < b.regions.size(); k++) addNumbers(marks, fmt::format("{}region.{}.", at, k), {{"damping", b.regions[k].damping}, {"stiffness", b.regions[k].stiffness}});
+  for (std::size_t f = 0; f < sheetFactors; f++) {
+    if (static_cast<SheetFactor>(f) == SheetFactor::Mass) continue;  // vertices keep theirs
+    const auto& [key, value] = sheetCoefficients[f];
+    marks[at + key] = b.*value;
+    addInTime(marks, fmt::format("{}{}_in_time", at, key), b.inTime[f]);
+    for (std::size_t k = 0; k < b.regions.size(); k++) marks[fmt::format("{}region.{}.{}", at, k, key)] = b.regions[k].factor[f];
+  }
   for (std::size_t k = 0; k < b.brushes.size(); k++) {
     const std::string brush = fmt::format("{}brush.{}.", at, k);
     marks[brush + "radius"] = b.brushes[k].radius;
@@ -165,6 +167,16 @@ void addCoefficients(CheckpointValues& marks, const SheetBody& b) {
     addVector(marks, brush + "pressure", b.brushes[k].pressure);
     addInTime(marks, brush + "in_time", b.brushes[k].inTime);
   }
+}
+
+/// Those to come; of those that have been, changes are told as well, and have no effect any more.
+void addEvent(CheckpointValues& marks, const std::string& at, const OrientedEvent& e) {
+  addNumbers(marks, at, {{"kind", static_cast<double>(e.kind)}, {"time", e.time}, {"tool", static_cast<double>(e.tool)}, {"radius", e.radius}, {"other", static_cast<double>(e.otherIndex)}});
+  const bool cut = e.kind == OrientedEventKind::Cut;
+  if (cut && e.tool == CutTool::Plane) addVector(marks, at + "point", e.point), addVector(marks, at + "normal", e.normal);
+  if (cut && e.tool == CutTool::Stroke) addVector(marks, at + "direction", e.direction);
+  for (std::size_t k = 0; k < e.path.size(); k++) addVector(marks, fmt::format("{}path.{}", at, k), e.path[k]);
+  if (e.tool == CutTool::Box) addShape(marks, at + "region.", e.region);
 }
 
 void addCoefficients(CheckpointValues& marks, const OrientedBody& b) {
@@ -175,7 +187,18 @@ void addCoefficients(CheckpointValues& marks, const OrientedBody& b) {
                          {"pressure", b.pressure}, {"contact", b.contact}, {"thickness", b.thickness}, {"friction", b.friction}, {"integrator", static_cast<double>(b.integrator)}});
   addNumbers(marks, setting + ("oriented." + b.name + "."),
              {{"growth", static_cast<double>(b.growth)}, {"gap", b.gap}, {"crowd", b.crowd}, {"every", static_cast<double>(b.every)}, {"most", static_cast<double>(b.most)}});
+  const std::string events = setting + ("oriented." + b.name + ".");
+  for (std::size_t k = 0; k < b.events.size(); k++) addEvent(marks, fmt::format("{}event.{}.", events, k), b.events[k]);
   addVector(marks, at + "push", b.push);
+  for (std::size_t k = 0; k < b.fields.size(); k++) {
+    const OrientedField& f = b.fields[k];
+    const std::string field = fmt::format("{}field.{}.", at, k);
+    addNumbers(marks, field, {{"pull", f.pull}, {"radius", f.radius}, {"pressure", f.pressure}, {"from", f.from}, {"until", f.until}, {"everywhere", f.everywhere}});
+    addVector(marks, field + "push", f.push);
+    addVector(marks, field + "point", f.point);
+    addInTime(marks, field + "in_time", f.inTime);
+    if (!f.everywhere) addShape(marks, field, f.region);
+  }
   for (std::size_t k = 0; k < b.anchors.size(); k++) {
     const std::string anchor = fmt::format("{}anchor.{}.", at, k);
     marks[anchor + "until"] = b.anchors[k].until;

@@ -79,11 +79,7 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   unique(s.oriented, "oriented body");
   unique(s.sheets, "sheet");
   unique(s.obstacles, "obstacle");
-  std::set<std::string> obstacles;
-  for (const Obstacle& o : s.obstacles) obstacles.insert(o.name);
-  for (const SheetBody& b : s.sheets)
-    if (!b.wrapTo.empty() && !obstacles.contains(b.wrapTo))
-      errors.push_back({b.where, "sheet '" + b.name + "': wrap_to: there is no obstacle '" + b.wrapTo + "'" + suggestion(b.wrapTo, obstacles)});
+  checkSheets(s, errors);
   int cuts = 0;
   for (OrientedBody& b : s.oriented)
     for (OrientedEvent& e : b.events) {
@@ -92,7 +88,7 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
       for (std::size_t k = 0; k < s.oriented.size(); k++)
         if (s.oriented[k].name == e.other) e.otherIndex = static_cast<int>(k);
       if (e.other == b.name && !b.name.empty()) errors.push_back({e.where, fmt::format("oriented body '{}': it cannot be welded to itself: expected the name of another oriented body", b.name)});
-      if (e.otherIndex < 0) errors.push_back({e.where, fmt::format("oriented body '{}': there is no oriented body '{}' to weld to it", b.name, e.other)});
+      if (e.otherIndex < 0 && !e.other.empty()) errors.push_back({e.where, fmt::format("oriented body '{}': there is no oriented body '{}' to weld to it", b.name, e.other)});
     }
   if (cuts > 32) errors.push_back({x.start, fmt::format("{} cuts; at most 32 are possible", cuts)});
   if (s.bodies.empty() && s.emitters.empty() && s.oriented.empty() && s.sheets.empty())

@@ -50,6 +50,33 @@ void readAnchor(TableReader& r, OrientedBody& b) {
   if (!r.describing()) b.anchors.push_back(std::move(a));
 }
 
+void readField(TableReader& r, OrientedBody& b) {
+  OrientedField f;
+  f.where = r.place();
+  r.vector("push", f.push, "m/s^2", "uniform acceleration");
+  r.vector("point", f.point, "m", "what pull is toward");
+  r.number("pull", f.pull, "m/s^2", anyNumber(), "acceleration toward the point, below 0: away from it. With u = distance / radius it is 3.494 u (1 - u^2)^2 of this: the slope of an energy, largest at u = 0.447");
+  r.number("radius", f.radius, "m", positive(), "of pull: where it ends");
+  r.number("pressure", f.pressure, "Pa", anyNumber(), "along the normals");
+  r.number("from", f.from, "s", notNegative(), "when it begins");
+  r.number("until", f.until, "s", orNever(notNegative()), "when it ends");
+  readInTime(r, "in_time", f.inTime, "factor of all of it, linear in between", anyNumber());
+  if (r.describing() || hasShape(r)) {
+    readShape(r, f.region);  // where it acts, as particles come and go; none: everywhere
+    f.everywhere = false;
+  } else if (r.has("place")) {
+    r.fail("place", "is of a shape, and there is none: this field acts everywhere");
+  }
+  if (r.describing()) return;
+  if (length(f.push) == 0 && f.pull == 0 && f.pressure == 0) r.fail(r.place(), r.path() + ": it does nothing: expected push, pull or pressure");
+  if (f.pull != 0 && !r.has("point")) r.fail("pull", "needs the point that it is toward");
+  if (f.pull != 0 && !r.has("radius")) r.fail("pull", "needs the radius at which it ends");
+  for (const char* key : {"point", "radius"})
+    if (r.has(key) && f.pull == 0) r.fail(key, "is of pull, which is missing");
+  if (!(f.until > f.from)) r.fail("until", "must be after `from`");
+  b.fields.push_back(std::move(f));
+}
+
 /// Is each piece of the stroke along the direction that it is drawn in?
 bool drawsNothing(const OrientedEvent& e) {
   for (std::size_t k = 0; k + 1 < e.path.size(); k++) {
@@ -170,7 +197,7 @@ void readOriented(TableReader& r, SceneReading& x) {
   r.number("spacing", b.spacing, "m", notNegative(), "wanted distance of its particles; 0: that of the scene");
   r.number("jitter", b.jitter, "", between(0, 1), "spacings, and radians, by which its particles are off at the start, at most along each axis, at random");
   r.vector("velocity", b.velocity, "m/s", "at the start");
-  r.number("density", b.density, "kg/m^2", positive(), "of the surface: the mass of a patch or a disc is this times its area, that of a particle of other sources this times the cell of a hexagonal lattice");
+  r.number("density", b.density, "kg/m^2", positive(), "of the surface: the mass of a patch or a disc is this times its area (of all of it, with thin below 1 less is there until it has grown), that of a particle of other sources this times the cell of a hexagonal lattice");
   r.number("inertia", b.inertia, "", positive(), "of a particle's rotation, over its mass and the square of the spacing");
   r.number("stiffness", b.stiffness, "N/m", positive(), "unit of its energies: weight times stiffness times the square of the spacing");
   r.number("attract", b.attract, "", notNegative(), "weight of the Lennard-Jones potential, which spaces particles evenly");
@@ -201,6 +228,7 @@ void readOriented(TableReader& r, SceneReading& x) {
   r.whole("every", b.every, 1, 100000, "steps between looks at gaps, borders and crowds");
   r.whole("most", b.most, 1, INT64_C(1) << 32, "particles of this body from which it grows no more");
   r.tables("anchor", "holds the particles that lie in its SHAPE at the start", [&](TableReader& a) { readAnchor(a, b); });
+  r.tables("field", "what acts from outside, beside push and pressure, on the particles that are in its SHAPE (none: on all) at that time", [&](TableReader& f) { readField(f, b); });
   r.tables("event", "something that is done to the body", [&](TableReader& e) { readEvent(e, b); });
   if (r.describing()) return;
   if (b.attractPower >= b.repelPower) r.fail("attract_power", "must be below repel_power");

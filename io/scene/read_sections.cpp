@@ -5,6 +5,11 @@
 
 namespace thaw {
 
+void readInTime(TableReader& r, const char* key, FactorInTime& f, const char* about, const Range& factor) {
+  r.node(key, "", "list of pairs [time, factor]", about);
+  if (!r.describing()) r.pairs({key, "s", "", notNegative(), factor}, f.points);
+}
+
 void readSections(TableReader& top, SceneReading& x) {
   Scene& s = *x.scene;
   top.text("title", s.title, "one line for pictures and listings");

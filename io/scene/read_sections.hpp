@@ -22,6 +22,8 @@ void readNumerics(TableReader& reader, Numerics& numerics);
 void readSurface(TableReader& reader, SurfaceSettings& surface);
 void readOutput(TableReader& reader, Output& output);
 void readMaterial(TableReader& reader, Material& material);
+/// A list of pairs of a time and a factor.
+void readInTime(TableReader& reader, const char* key, FactorInTime& factor, const char* about, const Range& range = notNegative());
 /// "#rrggbb" into red | green << 8 | blue << 16; false if it is something else.
 bool readColour(const std::string& text, std::uint32_t& colour);
 void readBody(TableReader& reader, SceneReading& reading);
@@ -33,5 +35,7 @@ void readObstacle(TableReader& reader, SceneReading& reading);
 
 /// What no single table can tell: references, duplicates, sizes. Adds to errors.
 void checkScene(SceneReading& reading, std::vector<SceneError>& errors);
+/// The same of sheets.
+void checkSheets(const Scene& scene, std::vector<SceneError>& errors);
 
 }  // namespace thaw

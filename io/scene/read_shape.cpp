@@ -117,6 +117,11 @@ void readShape(TableReader& r, Shape& s) {
   readPlace(r, s);
 }
 
+bool hasShape(const TableReader& r) {
+  const auto there = [&](const Key& k) { return r.has(k.key); };
+  return std::any_of(std::begin(solids), std::end(solids), there) || std::any_of(std::begin(parts), std::end(parts), there);
+}
+
 void refuseShape(TableReader& r, const char* why) {
   const auto refuse = [&](const Key& k) {
     if (!r.has(k.key)) return;

@@ -7,6 +7,9 @@ namespace thaw {
 /// that points to describeShape. Mesh paths are taken as they stand.
 void readShape(TableReader& reader, Shape& shape);
 
+/// Is there a key of a shape?
+bool hasShape(const TableReader& reader);
+
 /// Refuses all keys of shapes, where none is meant.
 void refuseShape(TableReader& reader, const char* why);
 

@@ -8,9 +8,15 @@
 namespace thaw {
 namespace {
 
-void readInTime(TableReader& r, const char* key, FactorInTime& f, const char* about, const Range& factor = notNegative()) {
-  r.node(key, "", "list of pairs [time, factor]", about);
-  if (!r.describing()) r.pairs({key, "s", "", notNegative(), factor}, f.points);
+Range factorRange(std::size_t f) { return static_cast<SheetFactor>(f) == SheetFactor::Wrap ? anyNumber() : notNegative(); }
+
+const char* aboutInRegion(std::size_t f) {
+  switch (static_cast<SheetFactor>(f)) {
+    case SheetFactor::Warp: case SheetFactor::Weft: case SheetFactor::Shear: case SheetFactor::Bending:
+    case SheetFactor::Push: case SheetFactor::Pull: return "times the sheet's; of what acts between two vertices the mean of both counts";
+    case SheetFactor::Volume: return "times the sheet's; a closed piece has one pressure: the mean over its area counts";
+    default: return "times the sheet's";
+  }
 }
 
 void readSheetMesh(TableReader& r, SheetBody& b) {
@@ -59,17 +65,13 @@ void readExactStep(TableReader& r, SheetBody& b) {
   r.number("mass", b.mass, "kg/m^2", notNegative(), "per area; 0: it creeps, without inertia");
   r.number("damping", b.damping, "kg/(m^2 s)", notNegative(), "resistance against velocity, per area");
   r.number("stiffness", b.stiffness, "N/m^3", notNegative(), "of the springs that pull every vertex to its place of rest, per area");
-  readInTime(r, "stiffness_in_time", b.stiffnessInTime, "factor of the stiffness, linear in between");
-  readInTime(r, "damping_in_time", b.dampingInTime, "factor of the damping, linear in between");
   r.number("plasticity", b.plasticity, "", between(0, 1), "part of what goes beyond the elastic limit that stays; 0: elastic, 1: plastic");
   r.number("elastic_limit", b.elasticLimit, "m", orNever(positive()), "displacement from rest; \"never\": none");
   r.tables("region", "part of the sheet, where its vertices are in a SHAPE at the start, with other coefficients", [&](TableReader& t) {
     SheetRegion g;
     g.where = t.place();
     readShape(t, g.shape);
-    t.number("mass", g.mass, "", notNegative(), "times the sheet's");
-    t.number("damping", g.damping, "", notNegative(), "times the sheet's");
-    t.number("stiffness", g.stiffness, "", notNegative(), "times the sheet's");
+    for (std::size_t f = 0; f < sheetFactors; f++) t.number(sheetCoefficients[f].key, g.factor[f], "", factorRange(f), aboutInRegion(f));
     if (!t.describing()) b.regions.push_back(std::move(g));
   });
 }
@@ -92,9 +94,8 @@ void readInner(TableReader& r, SheetBody& b) {
 void readOuter(TableReader& r, SheetBody& b) {
   r.vector("wind", b.wind, "m/s", "velocity of the air");
   r.number("wind_density", b.windDensity, "kg/m^3", notNegative(), "of the air, times a coefficient of drag: pressure over squared velocity along the normal; 0: no air; without `wind` the air is at rest, and drags");
-  r.number("wrap", b.wrap, "Pa", anyNumber(), "pressure that shrinks the sheet: against its normal, or toward an obstacle");
-  r.text("wrap_to", b.wrapTo, "what wrap is toward; none: against the normal", "name of an obstacle");
-  readInTime(r, "wrap_in_time", b.wrapInTime, "factor of wrap, linear in between", anyNumber());
+  r.number("wrap", b.wrap, "Pa", anyNumber(), "pressure that shrinks the sheet: against its normal, or toward what wrap_to names");
+  r.text("wrap_to", b.wrapTo, "what wrap is toward, and what is drawn toward the sheet as strongly, if it moves; none: against the normal", "name of an obstacle, a body, an emitter, an oriented body or another sheet");
   r.tables("brush", "pushes at a place", [&](TableReader& t) {
     SheetBrush g;
     g.where = t.place();
@@ -120,6 +121,18 @@ void readOuter(TableReader& r, SheetBody& b) {
   r.flag("self_contact", b.selfContact, "it touches itself");
 }
 
+/// Of all coefficients but the mass, which a vertex keeps.
+void readCoefficientsInTime(TableReader& r, SheetBody& b) {
+  for (std::size_t f = 0; f < sheetFactors; f++) {
+    const auto& [coefficient, value] = sheetCoefficients[f];
+    if (static_cast<SheetFactor>(f) == SheetFactor::Mass) continue;
+    const std::string key = std::string(coefficient) + "_in_time";
+    readInTime(r, key.c_str(), b.inTime[f], ("factor of " + std::string(coefficient) + ", linear in between").c_str(), factorRange(f));
+    if (r.describing() || b.*value != 0) continue;
+    if (r.has(key)) r.fail(key, "is a factor of " + std::string(coefficient) + ", which is 0");
+  }
+}
+
 }  // namespace
 
 void readSheet(TableReader& r, SceneReading& x) {
@@ -133,6 +146,7 @@ void readSheet(TableReader& r, SceneReading& x) {
   readExactStep(r, b);
   readInner(r, b);
   readOuter(r, b);
+  readCoefficientsInTime(r, b);
   r.vector("velocity", b.velocity, "m/s", "at the start");
   r.text("colour", colour, "in pictures and exports; a pale one", "\"#rrggbb\"");
   if (!colour.empty() && !readColour(colour, b.colour)) r.fail("colour", "expected six hexadecimal digits such as \"#e8c890\"");
@@ -147,9 +161,7 @@ void readSheet(TableReader& r, SceneReading& x) {
     b.clamp.emplace_back();
     readShape(c, b.clamp.back());
   });
-  if (b.mass == 0 && b.damping == 0 && b.stiffness == 0) r.fail("mass", "a sheet needs mass, damping or stiffness: all three are 0");
-  else if (b.mass == 0 && b.damping == 0 && (b.warp > 0 || b.weft > 0 || b.shear > 0 || b.bending > 0 || b.volumeStiffness > 0 || b.push > 0 || b.pull > 0))
-    r.fail("mass", "with neither mass nor damping nothing holds a vertex back that its neighbours pull at, and no step is short enough: expected one of both");
+  b.massWhere = r.placeOf("mass");
   if (b.mass == 0 && b.windDensity > 0) r.fail("wind_density", "the air's drag on a sheet without mass has no stable step: expected mass > 0");
   if (b.pullReach > 0 && b.pull == 0) r.fail("pull_reach", "needs pull: without it nothing acts there");
   if (b.plasticity > 0 && b.stiffness == 0) r.fail("plasticity", "without stiffness there is no place of rest that could move");

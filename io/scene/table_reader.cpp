@@ -200,13 +200,14 @@ void TableReader::pairs(const PairsKey& k, std::vector<std::pair<double, double>
   const toml::node* n = get(k.key);
   const toml::array* a = n ? n->as_array() : nullptr;
   if (!n) return;
-  if (!a || a->size() < 2) return fail(k.key, fmt::format("expected a list of at least two pairs [{}, {}]", k.unit1, k.unit2));
+  const std::string pair = fmt::format("[{}, {}]", *k.unit1 ? k.unit1 : "number", *k.unit2 ? k.unit2 : "number");
+  if (!a || a->size() < 2) return fail(k.key, "expected a list of at least two pairs " + pair);
   value.clear();
   for (const toml::node& e : *a) {
     const toml::array* p = e.as_array();
     std::pair<double, double> v;
     if (!p || p->size() != 2) {
-      fail(placeOfNode(e), fmt::format("{}: expected a pair [{}, {}], got {}", named(k.key), k.unit1, k.unit2, shown(e)));
+      fail(placeOfNode(e), fmt::format("{}: expected a pair {}, got {}", named(k.key), pair, shown(e)));
       continue;
     }
     const bool first = quantity(*p->get(0), k.key, k.unit1, k.range1, v.first), second = quantity(*p->get(1), k.key, k.unit2, k.range2, v.second);

@@ -55,6 +55,27 @@ TEST(BadKinds, WhatMeansNothingIsRefusedAtItsPlace) {
       {"[[sheet]]\nforehead = { radius = 0.1, width = 0.7, height = 0.1 }\n", "s.toml:7:36: error: sheet.0.forehead.width: must be less than once around the ball, 0.6283 m, got 0.7"},
       {cloth + "warp = \"3 kg\"\n", "s.toml:8:8: error: sheet.0.warp: expected a force per length such as \"0.03 N/m\", got \"3 kg\""},
       {cloth + "mass = \"3 N/m\"\n", "s.toml:8:8: error: sheet.0.mass: expected a quantity in kg/m^2, got \"3 N/m\""},
+      {cloth + "wrap = 1\nwrap_to = \"bal\"\n[[obstacle]]\nname = \"ball\"\nsphere = { radius = 0.1 }\n",
+       "s.toml:6:1: error: sheet 'sheet 0': wrap_to: there is no obstacle or body 'bal'; did you mean 'ball'?"},
+      {cloth + "name = \"b\"\nwrap = 1\nwrap_to = \"b\"\n", "s.toml:6:1: error: sheet 'b': wrap_to: a sheet is not wrapped round itself: expected another name, or none: then it is drawn against its own normals"},
+      {cloth + "wrap = 1\nwrap_to = \"a\"\n" + patch + "[[obstacle]]\nname = \"a\"\nsphere = { radius = 0.1 }\n",
+       "s.toml:6:1: error: sheet 'sheet 0': wrap_to: 'a' is the name of two things in this scene: expected another name for one of them"},
+      {cloth + "wrap = 1\nwrap_in_time = [[0, 1]]\n", "s.toml:9:16: error: sheet.0.wrap_in_time: expected a list of at least two pairs [s, number]"},
+      {cloth + "warp_in_time = [[0, 1], [1, 2]]\n", "s.toml:8:16: error: sheet.0.warp_in_time: is a factor of warp, which is 0"},
+      {cloth + "warp = 1\nwarp_in_time = [[0, 1], [1, -2]]\n", "s.toml:9:29: error: sheet.0.warp_in_time: must be >= 0, got -2"},
+      {cloth + "mass = 0\nstiffness = 1\n[[sheet.brush]]\npressure = [0, 0, 1]\n",
+       "s.toml:8:8: error: sheet 'sheet 0': mass: with neither mass nor damping (at all times) nothing holds a vertex back that a brush pushes, and no step is short enough: expected one of both"},
+      {cloth + "mass = 0\nstiffness = 1\n[[obstacle]]\nsphere = { radius = 0.1 }\n",
+       "s.toml:8:8: error: sheet 'sheet 0': mass: with neither mass nor damping (at all times) nothing holds a vertex back that obstacles can touch, and no step is short enough: expected one of both"},
+      {cloth + "mass = 0\ndamping = 1\nwarp = 1\ndamping_in_time = [[0, 1], [1, 0]]\n", "s.toml:8:8: error: sheet 'sheet 0': mass: a vertex needs mass, damping or stiffness at all times: all three are 0 at some"},
+      {cloth + "stiffness = 1\nwarp = 2\n[[sheet.region]]\nsphere = { radius = 0.1 }\nmass = 0\n",
+       "s.toml:10:1: error: sheet 'sheet 0': this region: with neither mass nor damping (at all times) nothing holds a vertex back that its neighbours pull at, and no step is short enough: expected one of both"},
+      {cloth + "damping = 1\nwind_density = 1\n[[sheet.region]]\nsphere = { radius = 0.1 }\nmass = 0\n",
+       "s.toml:10:1: error: sheet 'sheet 0': this region: the air's drag on vertices without mass has no stable step: expected mass > 0, or wind_density = 0 there"},
+      {patch + "[[oriented.event]]\nkind = \"weld\"\n", "s.toml:9:1: error: oriented.a.event.0.other: is missing: the body to weld to this one"},
+      {patch + "[[oriented.field]]\nfrom = 1\n", "s.toml:9:1: error: oriented.a.field.0: it does nothing: expected push, pull or pressure"},
+      {patch + "[[oriented.field]]\npull = 3\nradius = 1\n", "s.toml:10:8: error: oriented.a.field.0.pull: needs the point that it is toward"},
+      {patch + "[[oriented.field]]\npressure = 3\nfrom = 1\nuntil = 1\n", "s.toml:12:9: error: oriented.a.field.0.until: must be after `from`"},
       {cloth + "wind = [1, 0, 0]\n", "s.toml:8:8: error: sheet.0.wind: needs wind_density: air without mass does not push"},
   };
   for (const auto& t : table) EXPECT_EQ(errorOf(t.text), t.line);
@@ -62,6 +83,8 @@ TEST(BadKinds, WhatMeansNothingIsRefusedAtItsPlace) {
   EXPECT_EQ(errorOf(patch + cloth), "");
   EXPECT_EQ(errorOf(cloth + "warp = 10\nwarp_direction = [1, 1, 0]\n"), "") << "on the bias";
   EXPECT_EQ(errorOf(cloth + "wind_density = 1\n"), "") << "air at rest drags";
+  EXPECT_EQ(errorOf(cloth + "mass = 0\nstiffness = 1\n"), "") << "nothing but its springs";
+  EXPECT_EQ(errorOf(cloth + "damping = 1\n[[sheet.region]]\nsphere = { radius = 0.1 }\nmass = 0\n[[obstacle]]\nsphere = { radius = 0.1 }\n"), "") << "it creeps there";
   EXPECT_EQ(errorOf(cloth + "stiffness = 1\nelastic_limit = 0.01\nplasticity = 0\n"), "") << "as scenes/sheet/shell.toml is varied";
 }
 

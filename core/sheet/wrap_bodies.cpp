@@ -1,0 +1,186 @@
+#include "core/sheet/wrap_bodies.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "core/geometry/point_tree.hpp"
+#include "core/kinds/kinds.hpp"
+#include "core/sheet/cell_sums.hpp"
+#include "core/surface/gather_words.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr double blunt = 0.2;  // of sum w r: least that a direction is divided by
+
+/// The rows of a body on this rank, of whatever kind, and what the wrap wants of them.
+struct Wrapped {
+  World& w;
+  WrapTarget target;
+  const CellTable& cells() const { return target.kind == WrapKind::Continuum ? w.cells : target.kind == WrapKind::Oriented ? w.oriented.cells : w.sheets.cells; }
+  std::size_t owned() const { return target.kind == WrapKind::Continuum ? w.particles.owned : target.kind == WrapKind::Oriented ? w.oriented.rows.owned : w.sheets.rows.owned; }
+  bool has(std::size_t j) const { return (target.kind == WrapKind::Continuum ? w.particles.body[j] : target.kind == WrapKind::Oriented ? w.oriented.rows.body[j] : w.sheets.rows.body[j]) == target.index; }
+  Vec3d place(std::size_t j) const { return target.kind == WrapKind::Continuum ? w.particles.position[j] : target.kind == WrapKind::Oriented ? w.oriented.rows.position[j] : w.sheets.rows.position[j]; }
+  /// By which it shares in what its cell feels: its mass, or of a vertex, which may have none, its area.
+  double share(std::size_t j) const { return target.kind == WrapKind::Continuum ? w.particles.mass[j] : target.kind == WrapKind::Oriented ? w.oriented.rows.mass[j] : w.sheets.rows.area[j]; }
+
+  void pull(std::size_t j, Vec3d force, double dt) const {
+    if (target.kind == WrapKind::Continuum) {
+      Continuum& p = w.particles;
+      p.force[j] += force;
+      if (dt > 0) w.ledger.wallWork.add(dt * dot(force, p.velocity[j] + p.acceleration[j] * (0.5 * dt)));  // half a kick of the last force stands for that of this one
+    } else if (target.kind == WrapKind::Oriented) {
+      Oriented& o = w.oriented.rows;
+      if (w.scene.oriented[target.index].planar) force.y = 0;
+      o.force[j] += force;
+      o.external[j] += force;
+      o.resisting[j] += force;  // no energy stands for it: its work is booked as what it takes
+    } else {
+      Sheets& s = w.sheets.rows;
+      s.load[j] += force / s.area[j];
+      s.outside[j] += force / s.area[j];
+    }
+  }
+};
+
+/// A cell of the body.
+struct Part {
+  std::uint64_t key;
+  double share;
+  Vec3d middle;
+};
+
+/// All of its cells that have an empty one beside them, ascending by key, the same on all ranks.
+std::vector<Part> surfaceOf(const Wrapped& body, Reducer& all) {
+  std::vector<std::uint64_t> words;
+  const CellTable& t = body.cells();
+  for (std::size_t c = 0; c < t.key.size(); c++) {
+    if (t.first[c] >= body.owned()) continue;
+    Part p{t.key[c], 0, {}};
+    for (std::size_t j = t.first[c]; j < t.first[c] + t.count[c]; j++)
+      if (body.has(j)) {
+        p.share += body.share(j);
+        p.middle += body.share(j) * body.place(j);
+      }
+    if (!(p.share > 0)) continue;
+    p.middle = p.middle / p.share;
+    for (const std::uint64_t word : {p.key, std::bit_cast<std::uint64_t>(p.share), std::bit_cast<std::uint64_t>(p.middle.x), std::bit_cast<std::uint64_t>(p.middle.y), std::bit_cast<std::uint64_t>(p.middle.z)})
+      words.push_back(word);
+  }
+  words = gatherWords(all, words);
+  std::vector<Part> parts;
+  for (std::size_t k = 0; k + 4 < words.size(); k += 5) parts.push_back({words[k], std::bit_cast<double>(words[k + 1]), {std::bit_cast<double>(words[k + 2]), std::bit_cast<double>(words[k + 3]), std::bit_cast<double>(words[k + 4])}});
+  std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.key < b.key; });
+  const auto taken = [&](const Vec3i& c) {
+    const auto at = std::lower_bound(parts.begin(), parts.end(), cellKey(c), [](const Part& p, std::uint64_t key) { return p.key < key; });
+    return at != parts.end() && at->key == cellKey(c);
+  };
+  std::vector<Part> surface;
+  for (const Part& p : parts) {
+    const Vec3i c = cellOfKey(p.key);
+    bool inside = true;
+    for (int a = 0; a < 3 && inside; a++)
+      for (const int side : {-1, 1}) {
+        Vec3i beside = c;
+        beside[a] += side;
+        inside = inside && taken(beside);
+      }
+    if (!inside) surface.push_back(p);
+  }
+  return surface;
+}
+
+/// One sheet and the body that it is wrapped round.
+struct Wrap {
+  World& w;
+  std::size_t sheet;
+  const std::vector<Part>& parts;
+  const PointTree& tree;
+  double unit;    // N, of which all forces are multiples
+  double twoCells;
+  std::vector<std::int64_t>& pulls;  // of each part, three units each
+
+  /// In units, on vertex i of the force `size` (N).
+  Vec3<std::int64_t> draw(std::size_t i, double size) {
+    const Vec3d x = w.sheets.rows.position[i];
+    const double reach = length(parts[tree.nearest(x, 1)[0]].middle - x) + twoCells;
+    const std::vector<std::uint32_t> near = tree.within(x, reach);
+    Vec3d sum{};
+    double sizes = 0;
+    const auto weighed = [&](std::uint32_t k) {
+      const Vec3d d = parts[k].middle - x;
+      const double q = std::max(0.0, 1 - dot(d, d) / (reach * reach));
+      return (parts[k].share * q * q) * d;
+    };
+    for (const std::uint32_t k : near) {
+      const Vec3d d = weighed(k);
+      sum += d;
+      sizes += length(d);
+    }
+    Vec3<std::int64_t> force{};
+    const double per = size / std::max(length(sum), blunt * sizes);
+    if (!(sizes > 0)) return force;
+    for (const std::uint32_t k : near) {
+      const Vec3d term = per * weighed(k);
+      for (int a = 0; a < 3; a++) {
+        const auto units = static_cast<std::int64_t>(std::llrint(term[a] / unit));
+        force[a] += units;
+        pulls[3 * k + static_cast<std::size_t>(a)] -= units;
+      }
+    }
+    return force;
+  }
+};
+
+void wrapRound(World& w, Halos halos, const SheetVelocities& now, std::size_t n) {
+  SheetBodies& b = w.sheets;
+  Sheets& s = b.rows;
+  const SheetBody& body = w.scene.sheets[n];
+  const FactorsNow& factors = b.factors[n];
+  const std::size_t f = placeOf(SheetFactor::Wrap);
+  if (factors.now[f] == 0 && factors.most[f] == 0) return;
+  const Wrapped wrapped{w, b.plans[n].wrapTarget};
+  const std::vector<Part> parts = surfaceOf(wrapped, halos.all);
+  if (parts.empty()) return;  // what it was to be wrapped round has gone
+  std::vector<Vec3d> middles;
+  for (const Part& p : parts) middles.push_back(p.middle);
+  const PointTree tree(middles);
+  double area = 0;
+  for (const double a : b.plans[n].topology.area) area += a;
+  // all terms together have room in 62 bits
+  const double unit = std::ldexp(std::exp2(std::ceil(std::log2(area * std::abs(body.wrap) * largestFactor(body, SheetFactor::Wrap) / blunt))), -61);
+  const double cell = std::max({w.grid.edge.x, w.grid.edge.y, w.grid.edge.z});
+  std::vector<std::int64_t> pulls(3 * parts.size(), 0);
+  Wrap wrap{w, n, parts, tree, unit, 2 * cell, pulls};
+  for (std::size_t i = 0; i < s.owned; i++) {
+    if (s.body[i] != n) continue;
+    const double pressure = body.wrap * b.laws[s.law[i]].factor[f];
+    b.slope[i] += 2 / blunt * std::abs(pressure) * factors.most[f] / cell;  // a direction turns within a cell
+    if (pressure * factors.now[f] == 0) continue;
+    const Vec3<std::int64_t> units = wrap.draw(i, pressure * factors.now[f] * s.area[i]);
+    const Vec3d load = (unit / s.area[i]) * Vec3d{static_cast<double>(units.x), static_cast<double>(units.y), static_cast<double>(units.z)};
+    s.load[i] += load;
+    s.outside[i] += load;
+  }
+  halos.all.sum(pulls);
+  const CellTable& t = wrapped.cells();
+  for (std::size_t k = 0; k < parts.size(); k++) {
+    const auto at = std::lower_bound(t.key.begin(), t.key.end(), parts[k].key);
+    if (at == t.key.end() || *at != parts[k].key) continue;
+    const auto c = static_cast<std::size_t>(at - t.key.begin());
+    if (t.first[c] >= wrapped.owned()) continue;
+    const Vec3d force = unit * Vec3d{static_cast<double>(pulls[3 * k]), static_cast<double>(pulls[3 * k + 1]), static_cast<double>(pulls[3 * k + 2])};
+    for (std::size_t j = t.first[c]; j < t.first[c] + t.count[c]; j++)
+      if (wrapped.has(j)) wrapped.pull(j, (wrapped.share(j) / parts[k].share) * force, now.dt);
+  }
+}
+
+}  // namespace
+
+void addBodyWrap(World& w, Halos halos, const SheetVelocities& now) {
+  for (std::size_t n = 0; n < w.sheets.plans.size(); n++)
+    if (const WrapKind kind = w.sheets.plans[n].wrapTarget.kind; kind != WrapKind::Normal && kind != WrapKind::Obstacle) wrapRound(w, halos, now, n);
+}
+
+}  // namespace thaw

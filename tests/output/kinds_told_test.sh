@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# What commands say of scenes of oriented particles and sheets alone: what a failure exceeded, how many particles there are, which fields, what a restart has changed.
+. "$(dirname "$0")/../support/run.sh"
+cat >"$work/net.toml" <<'END'
+spacing = 0.05
+end = 0.05
+[domain]
+min = [-1, -1, -1]
+max = [1, 1, 1]
+[[oriented]]
+name = "net"
+patch = { width = 0.5, depth = 0.5 }
+growth = "borders"
+most = 300
+every = 1
+velocity = [0, 0, 1]
+[[oriented.anchor]]
+box = { size = [0.06, 1, 1] }
+place = { move = [-0.25, 0, 0] }
+[[oriented.anchor.motion]]
+time = 0
+[[oriented.anchor.motion]]
+time = 0.05
+move = [-0.3, 0, 0]
+[[oriented.event]]
+kind = "cut"
+time = 0.04
+plane = { point = [0.1, 0, 0] }
+[output]
+every = 0.01
+END
+launch 2 check "$work/net.toml" >"$work/log" 2>&1; expectExit 0 "check"
+start=$(sed -n "s/.*oriented body 'net': \([0-9]*\) particles/\1/p" "$work/log")
+launch 2 run "$work/net.toml" --steps 20 --out "$work/net" >"$work/log" 2>&1; expectExit 0 "run"
+[ -n "$start" ] && grep -q "oriented: $start particles" "$work/log" || fail "check counts $start particles, and the run begins with $(grep 'oriented:' "$work/log")"
+launch 2 run "$work/net.toml" --restart --set oriented.net.event.0.time=0.045 --out "$work/net" >"$work/log" 2>&1; expectExit 0 "restart with another event"
+expectMessage "changed at the restart: oriented.net.event.0.time was 0.04, and is 0.045 now" "restart with another event"
+"$thaw" render "$work/net" --field warmth >"$work/log" 2>&1; expectExit 3 "a field that is not there"
+expectMessage "no field 'warmth'; there are: .*velocity" "a field that is not there"
+"$thaw" render "$work/net" --what surface >"$work/log" 2>&1; expectExit 3 "no surface"
+expectMessage "no frames of a surface in this folder, only of particles, sheets or oriented particles: a scene has a surface if it has a table .surface." "no surface"
+
+cat >"$work/leaf.toml" <<'END'
+spacing = 0.05
+end = 2
+[domain]
+min = [-1, -1, -1]
+max = [1, 1, 1]
+[[sheet]]
+name = "leaf"
+grid = { width = 0.5, depth = 0.5 }
+warp = 20000
+weft = 20000
+rest_length = 0.9
+[output]
+every = 0.5
+END
+launch 2 run "$work/leaf.toml" --set numerics.fixed_step=0.002 --set numerics.retry_every=5 --set numerics.retries=0 --out "$work/leaf" >"$work/log" 2>&1; expectExit 4 "a step far too long"
+expectMessage "blew up at step .*energy from nowhere since .*numerics.watch_energy.*; the fastest of its kind: vertex [0-9]* of 'leaf' at" "a step far too long"
+launch 2 run "$work/leaf.toml" --steps 2 --out "$work/leaf" >"$work/log" 2>&1; expectExit 0 "leaf"
+"$thaw" render "$work/leaf" --field warmth >"$work/log" 2>&1; expectExit 3 "a field that sheets have not"
+expectMessage "no field 'warmth'; there are: .*velocity" "a field that sheets have not"
+finish

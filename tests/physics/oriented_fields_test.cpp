@@ -1,0 +1,97 @@
+// Fields of oriented bodies: what they give, where and when, and that it is in the books.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/oriented/fields.hpp"
+#include "tests/support/simulation.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr OrientedIntegrator integrators[] = {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta, OrientedIntegrator::SemiImplicit};
+
+/// Particles that hardly act on each other.
+Scene looseScene() {
+  Scene s = test::emptyScene(0.05, {-1, -1, -1}, {1, 1, 1});
+  s.oriented.emplace_back();
+  OrientedBody& b = s.oriented.back();
+  b.name = "patch";
+  b.source = OrientedSource::Patch;
+  b.width = b.depth = 0.4;
+  b.stiffness = 1e-9;
+  b.damping = b.spinDamping = 0;
+  b.velocity = {0, 0, 0.01};
+  s.numerics.retryEvery = 0;
+  s.numerics.maxStep = 1e-3;
+  s.output.every = 0.1;
+  return s;
+}
+
+TEST(OrientedFields, ActInTheirRegionForTheirTime) {
+  for (const auto how : integrators) {
+    Scene s = looseScene();
+    s.oriented[0].integrator = how;
+    OrientedField f;
+    f.everywhere = false;
+    f.region = test::boxOf({0.001, -1, -1}, {1, 1, 1});
+    f.push = {0, 2, 0};
+    f.pressure = 3;
+    f.from = 0.1;
+    f.until = 0.3;
+    s.oriented[0].fields = {f};
+    f = {};
+    f.push = {0.5, 0, 0};
+    f.inTime.points = {{0, 0}, {0.4, 1}};
+    s.oriented[0].fields.push_back(f);
+    s.end = 0.4;
+    test::Simulation x(s);
+    ASSERT_TRUE(x.run());
+    const Oriented& o = x.w.oriented.rows;
+    for (std::size_t i = 0; i < o.owned; i++) {
+      const Vec3d moved = o.position[i] - Vec3d{0.5 * 0.4 * 0.4 / 6, 0, 0};
+      if (std::abs(moved.x) < 0.02) continue;  // comes into the region
+      const bool in = moved.x > 0;
+      EXPECT_NEAR(o.velocity[i].y, in ? 2 * 0.2 : 0, 0.005);
+      EXPECT_NEAR(o.velocity[i].z, 0.01 + (in ? 3 * 0.2 : 0), 0.01);
+      EXPECT_NEAR(o.velocity[i].x, 0.5 * 0.5 * 0.4, 0.001);
+    }
+    const LedgerReport books = x.books();
+    EXPECT_LT(length(books.momentumResidual), 1e-12);
+    EXPECT_LT(std::abs(books.energyResidual), 0.01 * books.energyScale) << static_cast<int>(how);
+  }
+}
+
+/// What a point gives is the slope of an energy: it pulls inside its radius alone, and a particle that has passed through is as fast as before.
+TEST(OrientedFields, APointGivesBackWhatItTakes) {
+  for (const auto how : integrators)
+    for (const double pull : {30.0, -30.0}) {
+      Scene s = looseScene();
+      OrientedBody& b = s.oriented[0];
+      b.integrator = how;
+      b.shape.move = {0, 0, -0.5};
+      b.velocity = {0, 0, 4};
+      OrientedField f;
+      f.point = {0.03, 0.01, 0};
+      f.pull = pull;
+      f.radius = 0.25;
+      b.fields = {f};
+      s.end = 0.25;
+      s.numerics.maxStep = 2e-4;
+      test::Simulation x(s);
+      const double before = x.books().now.kinetic;
+      double most = 0, largest = 0;
+      while (x.w.clock.time < s.end) {
+        ASSERT_TRUE(x.step());
+        const LedgerReport books = x.books();
+        most = std::max(most, std::abs(books.now.kinetic - before));
+        largest = std::max(largest, std::abs(books.energyResidual));
+      }
+      EXPECT_GT(most, 0.05 * before);
+      EXPECT_LT(largest, 0.02 * most) << static_cast<int>(how);
+      EXPECT_NEAR(x.books().now.kinetic, before, 0.005 * most + (how == OrientedIntegrator::SemiImplicit ? 0.05 * most : 0)) << static_cast<int>(how) << " " << pull;
+    }
+}
+
+}  // namespace
+}  // namespace thaw

@@ -1,0 +1,124 @@
+// Coefficients of sheets that change in time and by region: forces, books, steps.
+#include "tests/support/sheet_samples.hpp"
+
+namespace thaw {
+namespace {
+
+using F = SheetFactor;
+using test::expectForcesFromEnergy, test::sheetScene;
+
+/// The half of a sheet beyond x = 0.
+SheetRegion& addHalf(SheetBody& b) {
+  b.regions.emplace_back();
+  b.regions.back().shape = test::boxOf({0.01, -2, -2}, {2, 2, 2});
+  return b.regions.back();
+}
+
+Scene clothOfAll() {
+  Scene s = sheetScene(SheetMesh::Grid);
+  SheetBody& b = s.sheets[0];
+  b.warp = 30, b.weft = 12, b.shear = 4, b.bending = 2;
+  b.push = 2, b.pull = 1, b.pullReach = 0.1, b.thickness = 0.25;
+  b.stretchLimit = 1.02;
+  return s;
+}
+
+Scene ball() {
+  Scene s = sheetScene(SheetMesh::Sphere);
+  s.sheets[0].volumeStiffness = 500;
+  s.sheets[0].warp = s.sheets[0].weft = s.sheets[0].shear = 10;
+  return s;
+}
+
+TEST(SheetCoefficients, ForcesAreSlopesOfEnergiesAtAnyTimeAndInRegions) {
+  for (Scene s : {clothOfAll(), ball()}) {
+    SheetBody& b = s.sheets[0];
+    SheetRegion& half = addHalf(b);
+    double k = 1;
+    for (const F f : {F::Warp, F::Weft, F::Shear, F::Bending, F::Volume, F::Push, F::Pull, F::Stiffness}) {
+      half.factor[placeOf(f)] = k += 0.5;
+      b.inTime[placeOf(f)].points = {{0, 1}, {1, 1 + k}};
+    }
+    expectForcesFromEnergy(s, 0.7);
+  }
+}
+
+/// Pulls at a strip of two materials and changes one coefficient after the other: the energy that this makes is in the books, and what is missing falls with the square of
+/// the step.
+TEST(SheetCoefficients, WorkOfAChangeIsInTheBooks) {
+  for (const F f : {F::Warp, F::Shear, F::Bending, F::Volume, F::Push, F::Pull, F::Stiffness}) {
+    double residual[2], scale = 0;
+    for (int k = 0; k < 2; k++) {
+      Scene s = f == F::Volume ? ball() : clothOfAll();
+      SheetBody& b = s.sheets[0];
+      b.stiffness = 3;
+      b.restLength = 0.97;  // all of it is stretched
+      b.stretchLimit = never;
+      if (f == F::Volume) b.wrap = 40;
+      addHalf(b).factor[placeOf(f)] = 2;
+      b.inTime[placeOf(f)].points = {{0.05, 1}, {0.2, 3}, {0.3, 0.2}};
+      if (f == F::Push || f == F::Pull) {  // of a second sheet
+        b.restLength = 1;
+        b.contactRate = 1, b.friction = 0, b.restitution = 1;
+        s.sheets.push_back(b);
+        s.sheets[1].name = "other";
+        s.sheets[1].shape.move = {0.03, 0.02, f == F::Push ? 0.2 : 0.3};
+      }
+      s.end = 0.4;
+      s.numerics.fixedStep = k == 0 ? 4e-4 : 2e-4;
+      s.numerics.retryEvery = 0;
+      test::Simulation sim(s);
+      ASSERT_TRUE(sim.run());
+      const LedgerReport books = sim.books();
+      residual[k] = std::abs(books.energyResidual), scale = books.energyScale;
+      EXPECT_GT(std::abs(books.wallWork), 100 * residual[k]) << placeOf(f);
+    }
+    EXPECT_LT(residual[1], 1e-3 * scale) << placeOf(f);
+    EXPECT_LT(residual[1], 0.35 * residual[0] + 1e-6 * scale) << placeOf(f);
+  }
+}
+
+/// Springs that come into being: the step is short before they are stiff, and not after they have thrown everything about.
+TEST(SheetCoefficients, StepsAreShortBeforeSpringsGrowStiff) {
+  Scene s = sheetScene(SheetMesh::Grid);
+  SheetBody& b = s.sheets[0];
+  b.warp = b.weft = b.shear = 4000;
+  b.restLength = 0.98;
+  for (const F f : {F::Warp, F::Weft, F::Shear}) b.inTime[placeOf(f)].points = {{0.5, 0}, {0.502, 1}};
+  s.output.every = 0.1;
+  s.end = 0.6;
+  s.numerics.retryEvery = 0;
+  test::Simulation sim(s);
+  double most = 0;
+  while (sim.w.clock.time < s.end) {
+    ASSERT_TRUE(sim.step());
+    const LedgerReport books = sim.books();
+    most = std::max(most, std::abs(books.energyResidual) / std::max(books.energyScale, 1e-9));
+  }
+  EXPECT_LT(most, 0.02);
+  EXPECT_LT(sim.shortest, 0.002);
+}
+
+TEST(SheetCoefficients, WindAndWrapGoByTheirRegionAndTime) {
+  Scene s = sheetScene(SheetMesh::Grid);
+  SheetBody& b = s.sheets[0];
+  b.wrap = 2;
+  b.windDensity = 1.2;
+  b.wind = {0, 0, 1};
+  SheetRegion& half = addHalf(b);
+  half.factor[placeOf(F::Wrap)] = -0.5;
+  half.factor[placeOf(F::Wind)] = 3;
+  b.inTime[placeOf(F::Wrap)].points = {{0, 1}, {1, 3}};
+  b.inTime[placeOf(F::Wind)].points = {{0, 0}, {1, 1}};
+  test::Simulation sim(s);
+  sim.w.clock.time = 0.5;
+  test::energyOf(sim);
+  const Sheets& v = sim.w.sheets.rows;
+  for (std::size_t i = 0; i < v.owned; i++) {
+    const bool there = v.position[i].x > 0.01;
+    EXPECT_NEAR(v.load[i].z, there ? -2 * 2 * -0.5 + 1.2 * 3 * 0.5 : -2 * 2 + 1.2 * 0.5, 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace thaw

@@ -1,0 +1,104 @@
+// Sheets that are drawn toward bodies: from afar, with the body's answer, in the books.
+#include "tests/support/sheet_samples.hpp"
+
+namespace thaw {
+namespace {
+
+/// A sheet of 60 cm over what is to be wrapped, 30 cm away. No gravity.
+Scene clothOver() {
+  Scene s = test::sheetScene(SheetMesh::Grid);
+  SheetBody& b = s.sheets[0];
+  b.width = b.depth = 0.6;
+  b.spacing = 0.05;
+  b.shape.move = {0.01, 0.02, 0.3};
+  b.wrap = 20;
+  b.wrapTo = "target";
+  s.end = 0.06;
+  s.numerics.retryEvery = 0;
+  return s;
+}
+
+void expectDrawn(const Scene& s, double share) {
+  test::Simulation sim(s);
+  const Vec3d before = sim.books().now.momentum;
+  ASSERT_TRUE(sim.run());
+  const Sheets& v = sim.w.sheets.rows;
+  Vec3d sheet{};
+  double area = 0;
+  for (std::size_t i = 0; i < v.owned; i++)
+    if (v.body[i] == 0) sheet += v.mass[i] * v.velocity[i], area += v.area[i];
+  const LedgerReport books = sim.books();
+  EXPECT_LT(sheet.z, -share * 20 * area * s.end);
+  EXPECT_LT(length(books.momentumResidual), 1e-12 * length(sheet));
+  EXPECT_LT(length(books.now.momentum + books.underWay - before), 1e-12 * length(sheet)) << "the body has what the sheet has lost";
+  EXPECT_LT(length(books.now.angularMomentum - books.initial.angularMomentum), 0.02 * 0.3 * length(sheet));
+  EXPECT_GT(books.wallWork, 0);
+  EXPECT_LT(std::abs(books.energyResidual), 0.01 * books.energyScale);
+}
+
+TEST(SheetWrap, TowardABodyOfTheContinuum) {
+  Scene s = clothOver();
+  s.spacing = 0.03;
+  s.materials.emplace_back();
+  s.materials[0].name = "rubber";
+  s.materials[0].young = {2e4, 2e4};
+  test::addBox(s, {-0.15, -0.15, -0.15}, {0.15, 0.15, 0.1}).name = "target";
+  expectDrawn(s, 0.5);
+}
+
+TEST(SheetWrap, TowardAnOrientedBody) {
+  Scene s = clothOver();
+  s.oriented.emplace_back();
+  OrientedBody& o = s.oriented[0];
+  o.name = "target";
+  o.source = OrientedSource::Patch;
+  o.width = o.depth = 0.4;
+  o.spacing = 0.05;
+  o.density = 3;
+  o.damping = o.spinDamping = 0;
+  expectDrawn(s, 0.5);
+}
+
+TEST(SheetWrap, TowardAnotherSheet) {
+  Scene s = clothOver();
+  SheetBody b = s.sheets[0];
+  b.name = "target";
+  b.wrap = 0;
+  b.wrapTo.clear();
+  b.shape.move = {};
+  b.warp = b.weft = b.shear = 50;
+  s.sheets.push_back(b);
+  expectDrawn(s, 0.5);
+}
+
+/// A closed membrane comes to lie on a ball all round, and presses it together: nothing moves away.
+TEST(SheetWrap, AMembraneComesToLieRoundABall) {
+  Scene s = test::sheetScene(SheetMesh::Sphere);
+  s.spacing = 0.04;
+  s.materials.emplace_back();
+  s.materials[0].name = "rubber";
+  s.materials[0].young = {1e5, 1e5};
+  s.bodies.emplace_back();
+  s.bodies[0].name = "ball";
+  s.bodies[0].shape.kind = ShapeKind::Sphere;
+  s.bodies[0].shape.radius = 0.2;
+  SheetBody& b = s.sheets[0];
+  b.radius = 0.4;
+  b.spacing = 0.05;
+  b.damping = 40;
+  b.warp = b.weft = b.shear = 30;
+  b.restLength = 0.5;  // of the ball
+  b.wrap = 20;
+  b.wrapTo = "ball";
+  s.end = 1;
+  test::Simulation sim(s);
+  ASSERT_TRUE(sim.run());
+  const Sheets& v = sim.w.sheets.rows;
+  for (std::size_t i = 0; i < v.owned; i++) {
+    EXPECT_GT(length(v.position[i]), 0.17);
+    EXPECT_LT(length(v.position[i]), 0.27);
+  }
+}
+
+}  // namespace
+}  // namespace thaw
