@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/surface/iso_surface.hpp"
+#include "core/surface/keep_out.hpp"
 #include "core/surface/place_rows.hpp"
 #include "core/surface/surfel_move.hpp"
 #include "core/surface/update_surface.hpp"

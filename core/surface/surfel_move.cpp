@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/math/hash_random.hpp"
+#include "core/surface/keep_out.hpp"
 
 namespace thaw {
 namespace {
@@ -55,34 +56,6 @@ Smooth smoothToSphere(const SurfelSums& s) {
 }
 
 }  // namespace
-
-Vec3d outOfWalls(const World& w, Vec3d x, const Vec3d& outward) {
-  for (const Wall& wall : w.walls.list) {
-    if (!wall.present) continue;
-    const Vec3d rest = toRest(wall.pose, x);
-    const Bounds& b = wall.bounds;
-    bool outside = false;
-    for (int a = 0; a < 3; a++) outside = outside || rest[a] < b.min[a] || rest[a] > b.max[a];
-    if (outside) continue;
-    Vec3d n;
-    const double d = wall.shape->distanceWithin(rest, w.grid.support, &n);
-    if (!(d < 0)) continue;
-    if (n = directionFromRest(wall.pose, n); dot(n, outward) <= 0.5) {
-      x -= d * n;
-      continue;
-    }
-    Vec3d back = x;  // into the body, until it is out of the wall
-    double inside = d, gone = 0;
-    for (const double longest = 2 * w.scene.spacing; inside < 0 && gone < longest;) {
-      const double step = 1e-3 * w.scene.spacing - inside;
-      gone += step;
-      back -= step * outward;
-      inside = wall.shape->distanceWithin(toRest(wall.pose, back), w.grid.support, nullptr);
-    }
-    x = inside < 0 ? x - d * n : back;
-  }
-  return x;
-}
 
 MoveContext moveContext(const World& w, const RelaxTools& tools, const ForceWeights& weights) {
   const Surface& s = w.surface;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/surface/keep_out.hpp"
 #include "core/surface/keep_volume.hpp"
 #include "core/surface/measure.hpp"
 #include "core/surface/place_rows.hpp"
@@ -34,6 +35,7 @@ void keepVolume(World& w, SurfaceHalos halos, TopologyTools& t, bool start) {
   Surface& s = w.surface;
   for (int k = 0; k < 4 && volumesAreOff(s, start); k++) {
     offsetToVolume(s, w.scene.surface.keepVolume, w.scene.spacing, start);
+    keepOutAgain(w);
     refreshGhosts(halos.surfels, s.surfels, ColumnList{&s.surfels.position});
     measureAll(s, halos, t, true);
   }
@@ -92,7 +94,9 @@ void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
 void measureSurface(World& w, SurfaceHalos halos, SurfaceTools& tools, bool start) {
   Surface& s = w.surface;
   TopologyTools& t = tools.topology;
-  placeSurfels(s, halos, tools);
+  placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, tools.sort);
+  keepOutAgain(w);  // across periodic sides
+  addSurfelGhosts(s, halos);
   placeRows(s.grid, halos.particles, s.particles, s.particleCells, tools.sort);
   measureAll(s, halos, t);
   if (w.scene.surface.keepVolume > 0 && s.lastStep >= 0) keepVolume(w, halos, t, start);
