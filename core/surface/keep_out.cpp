@@ -89,7 +89,18 @@ class ThinWalls {
   double reach_;
 };
 
-/// Is it on a wall that it faces? `into`: that way.
+}  // namespace
+
+Vec3d outOfWalls(const World& w, const Vec3d& at, const Vec3d& outward) {
+  Vec3d x = at;
+  for (int round = 0, pushes = 1; round < mostPushes && pushes > 0; round++) {
+    pushes = 0;
+    for (const Wall& wall : w.walls.list) pushes += wall.present && outOf(w, wall, outward, x);
+    if (w.walls.list.size() < 2) break;
+  }
+  return x;
+}
+
 bool facesWall(const World& w, const Vec3d& x, const Vec3d& normal, Vec3d& into) {
   const double near = onIt * w.surface.spacing;
   for (const Wall& wall : w.walls.list) {
@@ -103,27 +114,16 @@ bool facesWall(const World& w, const Vec3d& x, const Vec3d& normal, Vec3d& into)
   return false;
 }
 
-}  // namespace
-
-Vec3d outOfWalls(const World& w, const Vec3d& at, const Vec3d& outward) {
-  Vec3d x = at;
-  for (int round = 0, pushes = 1; round < mostPushes && pushes > 0; round++) {
-    pushes = 0;
-    for (const Wall& wall : w.walls.list) pushes += wall.present && outOf(w, wall, outward, x);
-    if (w.walls.list.size() < 2) break;
-  }
-  return x;
-}
-
 void keepOutOfWalls(World& w, const Bins& particleBins) {
   Surfels& f = w.surface.surfels;
   if (!f.pressed.active) return;
   const ThinWalls thinWalls(w, particleBins);
   for (std::size_t i = 0; i < f.owned; i++) {
     const Vec3d from = f.position[i], to = thinWalls.back(i, outOfWalls(w, from, f.normal[i])), push = to - from;
-    if (!(dot(push, push) > 0)) continue;
-    f.position[i] = to;
-    f.pressed[i] = (1 - liquidShare(f, i)) * push;
+    if (dot(push, push) > 0) {
+      f.position[i] = to;
+      f.pressed[i] = (1 - liquidShare(f, i)) * push;
+    }
     Vec3d into;
     if (!(liquidShare(f, i) > 0.5) || !facesWall(w, to, f.normal[i], into)) continue;
     f.normal[i] = into;

@@ -9,6 +9,9 @@ namespace thaw {
 /// way out may be the far side, where the surface would enclose the wall. `outward`: of the body there. Where walls meet it is pushed some times over.
 Vec3d outOfWalls(const World& world, const Vec3d& x, const Vec3d& outward);
 
+/// Does what has this place and normal lie on a wall that it faces? `into`: that way.
+bool facesWall(const World& world, const Vec3d& x, const Vec3d& normal, Vec3d& into);
+
 /// The constraint at the end of an update, of all owned surfels, whatever has moved or borne them: none is in a wall afterwards. One that has come through a thin wall,
 /// as seen from the nearest particle of its component, goes back to that one's side. What is liquid lies on the wall from then on, with its normal into it; what is solid is held off where its body
 /// would have it (Surfels::pressed), since it keeps its shape: bodies dip into walls while these push them. Needs placed surfels, and bins of the particle copies and their ghosts.
