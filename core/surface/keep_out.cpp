@@ -101,6 +101,14 @@ Vec3d outOfWalls(const World& w, const Vec3d& at, const Vec3d& outward) {
   return x;
 }
 
+bool inWall(const World& w, const Vec3d& x) {
+  for (const Wall& wall : w.walls.list) {
+    const Vec3d rest = toRest(wall.pose, x);
+    if (wall.present && nearBounds(wall.bounds, rest, 0) && wall.shape->distanceWithin(rest, w.grid.support, nullptr) < 0) return true;
+  }
+  return false;
+}
+
 bool facesWall(const World& w, const Vec3d& x, const Vec3d& normal, Vec3d& into) {
   const double near = onIt * w.surface.spacing;
   for (const Wall& wall : w.walls.list) {

@@ -9,6 +9,9 @@ namespace thaw {
 /// way out may be the far side, where the surface would enclose the wall. `outward`: of the body there. Where walls meet it is pushed some times over.
 Vec3d outOfWalls(const World& world, const Vec3d& x, const Vec3d& outward);
 
+/// Is this place in a wall?
+bool inWall(const World& world, const Vec3d& x);
+
 /// Does what has this place and normal lie on a wall that it faces? `into`: that way.
 bool facesWall(const World& world, const Vec3d& x, const Vec3d& normal, Vec3d& into);
 

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "core/surface/film_room.hpp"
 #include "core/surface/measure.hpp"
 #include "core/surface/sample_mesh.hpp"
 #include "core/surface/small_drops.hpp"
@@ -27,8 +28,8 @@ Hold holdOf(const SurfaceComponent& c, bool start) {
   constexpr std::int64_t fewest = 12;
   constexpr double leastFree = 0.03, leastFrozen = 0.9, closed = 0.1;
   if (c.surfels < fewest || !(c.wantedVolume > 0) || !(c.open < closed)) return {};
-  // what lies on a wall cannot go into it; where nearly all does, the little that is free cannot make up for it
-  const auto area = [&](double all) { return c.volume < c.wantedVolume ? std::max(all - c.heldArea, 0.2 * all) : all; };
+  // what lies on a wall stays there; where nearly all does, the little that is free cannot make up for it
+  const auto area = [&](double all) { return std::max(all - c.heldArea, 0.2 * all); };
   if (c.particles <= smallDrop) return c.heldArea > 0 ? Hold{area(c.area), Held::Drop, 5e-3} : Hold{};
   if (c.freeArea > leastFree * c.area) return {area(c.freeArea), Held::Liquid, 1e-3};
   if ((start || c.raised != 0) && c.plainArea > leastFrozen * c.area) return {area(c.plainArea), Held::Frozen, 5e-3};
@@ -65,7 +66,7 @@ bool volumesAreOff(const Surface& s, bool start) {
   });
 }
 
-void offsetToVolume(Surface& s, double keepVolume, double particleSpacing, bool start) {
+void offsetToVolume(Surface& s, const Bins& surfelBins, double keepVolume, double particleSpacing, bool start) {
   Surfels& f = s.surfels;
   if (!f.liquid.active && !start) return;
   const double longest = 0.5 * s.spacing, highest = mostRaised * particleSpacing;
@@ -84,12 +85,19 @@ void offsetToVolume(Surface& s, double keepVolume, double particleSpacing, bool 
     if (!(start && hold.what == Held::Frozen)) c.raised += moves[k].by;  // what begins as a solid keeps its place from now on
   }
   const SurfaceComponent* c = nullptr;
+  std::vector<double> offset(f.owned, 0.0);  // all of them before any moves
   for (std::size_t i = 0; i < f.owned; i++) {
     if (!c || c->label != f.component[i]) c = findComponent(s, f.component[i]);
     if (!c) continue;
     const Move& m = moves[static_cast<std::size_t>(c - s.components.data())];
-    const double move = shareOf(f, i, m.what) * m.by;
-    if (move == 0 || (move > 0 && liesOnWall(f, i))) continue;
+    double move = shareOf(f, i, m.what) * m.by;
+    if (move == 0 || liesOnWall(f, i)) continue;
+    if (move < 0) move = std::max(move, -std::max(0.0, filmRoom(f, surfelBins, i, s.spacing, 0.25 * s.spacing)));
+    offset[i] = move;
+  }
+  for (std::size_t i = 0; i < f.owned; i++) {
+    const double move = offset[i];
+    if (move == 0) continue;
     f.position[i] += move * f.normal[i];
     f.calm[i] = std::max(0.0f, f.calm[i] - static_cast<float>(std::abs(move) / f.radius[i]));
   }

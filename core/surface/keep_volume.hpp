@@ -15,7 +15,7 @@ inline constexpr double mostRaised = 0.75;
 /// it was held when it was liquid, and hardly any of a mesh's detail is left on it, all that has none moves by the same: what froze keeps its shape. Those are moved that are off V_target by more than
 /// a thousandth, or by half a percent of what has frozen. Needs Surface::components as measured. Components of fewer than twelve surfels, solids that never were liquid, and those with a large hole are left alone. Not collective.
 /// start: solids that were grown from their particles are moved likewise, by what the level of the colour is off, and keep their place from then on.
-void offsetToVolume(Surface& surface, double keepVolume, double particleSpacing, bool start);
+void offsetToVolume(Surface& surface, const Bins& surfelBins, double keepVolume, double particleSpacing, bool start);
 
 /// Would it move any?
 bool volumesAreOff(const Surface& surface, bool start);

@@ -84,20 +84,25 @@ Pull pullOn(const World& w, const MoveContext& c, const SurfelSums& s, double ra
   Pull p;
   Vec3d normal = w.surface.surfels.normal[i], force{};
   // the colour field: out of the body is down its gradient
-  const double colour = s.particle(Colour);
+  const double colour = s.particle(Colour), dx = w.scene.spacing;
+  const Tightening tight = tighteningOf(raised / dx);
+  raised = dx * offsetOf(raised / dx);
   if (colour > 0) {
     const Vec3d gradient = three(s, Gradient, true);  // of minus the colour field, over c.slope
     const double size = length(gradient), slope = c.slope * size;
     p.known = slope * c.support > 1e-2 * colour;
     if (p.known) {
       p.outward = gradient / size;
-      const double fullness = s.particle(SmoothColour) / colour, flat = c.level->level(fullness), level = tightened(flat, s.particle(Near));
+      const double fullness = s.particle(SmoothColour) / colour, flat = c.level->level(fullness), level = tightened(flat, s.particle(Near), tight);
       // the level changes along the normal, too, on a stream almost as fast as the colour: the distance to where they are the same follows
       // from the slope of their difference
       const double turn = (dot(three(s, SmoothGradient, true), gradient) / (size * size) - fullness) / colour;
-      const double thins = s.particle(Near) < nearFull ? flat * tightest / nearFull * c.nearSlope / c.slope * dot(three(s, NearGradient, true), gradient) / (size * size) : 0;
+      const double thins = s.particle(Near) < tight.full ? flat * tight.most / tight.full * c.nearSlope / c.slope * dot(three(s, NearGradient, true), gradient) / (size * size) : 0;
       const double steep = std::clamp(1 - c.isoScale * (level / flat * c.level->slope(fullness) * turn - thins), flattest, steepest);
-      const double height = std::clamp((colour - c.isoScale * level) / (slope * steep) + raised, -c.longest, c.longest);
+      const double out = (colour - c.isoScale * level) / (slope * steep);
+      // what lies on a wall stays there when the component is drawn in
+      const bool held = raised < 0 && out > 0 && inWall(w, w.surface.surfels.position[i] + std::min(out, c.longest) * p.outward);
+      const double height = std::clamp(held ? out : out + raised, -c.longest, c.longest);
       force += c.weights.implicit * height * p.outward;
       if (c.weights.attract > 0) {  // beyond what the kernel's mean particle is from any surface, that the iso-surface may stay
         const Vec3d away = (c.unit / colour) * three(s, Attraction, true);
@@ -152,7 +157,8 @@ void moveSurfel(World& w, const MoveContext& c, const SurfelSums& s, double rais
   const double wanted = std::clamp(c.step * pull.along, -c.longest, c.longest), last = static_cast<double>(f.pace[i]);
   const double share = last == 0 ? 1 : wanted * last < 0 ? std::max(0.5 * std::abs(last), 0.1) : std::min(1.25 * std::abs(last), longestPace);
   f.pace[i] = static_cast<float>(wanted < 0 ? -share : share);
-  const Vec3d normalMove = w.scene.surface.damping * share * wanted * normal;
+  const double across = w.scene.surface.damping * share * wanted;
+  const Vec3d normalMove = (c.room ? std::max(across, -c.room[i]) : across) * normal;
   Vec3d move = normalMove + w.scene.surface.damping * tangential;
   if (pull.least > 0) {  // below the least level: onto it
     const double inward = -dot(move, pull.outward);

@@ -87,6 +87,7 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   placeAll(s, halos, t);
   t.times.lap(SurfacePhase::Place);
   splitAndMerge(w, halos, t);     // before resampling, which closes seams
+  listRaised(w, t.relax.raised);
   t.times.lap(SurfacePhase::Components);
   readyParticles(w, halos, t);
   t.times.lap(SurfacePhase::Fields);
