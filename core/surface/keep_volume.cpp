@@ -69,7 +69,7 @@ bool volumesAreOff(const Surface& s, bool start) {
 void offsetToVolume(Surface& s, const Bins& surfelBins, double keepVolume, double particleSpacing, bool start) {
   Surfels& f = s.surfels;
   if (!f.liquid.active && !start) return;
-  const double longest = 0.5 * s.spacing, highest = mostRaised * particleSpacing;
+  const double longest = 0.5 * s.spacing, highest = mostRaised * particleSpacing, lowest = -mostDrawnIn * particleSpacing;
   struct Move { double by = 0; Held what = Held::Nothing; };
   std::vector<Move> moves(s.components.size());  // the same on all ranks
   for (std::size_t k = 0; k < s.components.size(); k++) {
@@ -81,7 +81,7 @@ void offsetToVolume(Surface& s, const Bins& surfelBins, double keepVolume, doubl
       moves[k] = {by, Held::Drop};
       continue;
     }
-    moves[k] = {std::clamp(c.raised + by, std::min(-highest, c.raised), std::max(highest, c.raised)) - c.raised, hold.what};
+    moves[k] = {std::clamp(c.raised + by, std::min(lowest, c.raised), std::max(highest, c.raised)) - c.raised, hold.what};
     if (!(start && hold.what == Held::Frozen)) c.raised += moves[k].by;  // what begins as a solid keeps its place from now on
   }
   const SurfaceComponent* c = nullptr;

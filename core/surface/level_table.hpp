@@ -46,7 +46,7 @@ inline double tightened(double level, double near, const Tightening& t) { return
 /// more than that is tightening. On lattices stretched in two or three directions it takes about as much volume as the offset would.
 inline constexpr double leastOffset = -0.15;
 inline Tightening tighteningOf(double raised) {
-  const double more = std::clamp(leastOffset - raised, 0.0, 0.6);
+  const double more = std::max(leastOffset - raised, 0.0);
   return {0.5 + 3 * more, 0.6 + more};
 }
 inline double offsetOf(double raised) { return std::max(raised, leastOffset); }

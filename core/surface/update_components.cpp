@@ -1,8 +1,6 @@
 #include "core/surface/update_components.hpp"
 
 #include <algorithm>
-#include <cstdio> //DBG
-#include <cstdlib> //DBG
 
 #include "core/surface/keep_out.hpp"
 #include "core/surface/keep_volume.hpp"
@@ -102,7 +100,6 @@ void measureSurface(World& w, SurfaceHalos halos, SurfaceTools& tools, bool star
   placeRows(s.grid, halos.particles, s.particles, s.particleCells, tools.sort);
   measureAll(s, halos, t);
   if (w.scene.surface.keepVolume > 0 && s.lastStep >= 0) keepVolume(w, halos, t, start);
-  if (getenv("DBG")) for (auto& c : s.components) if (c.volume>0 && std::abs(c.volume/c.wantedVolume-1)>.02) printf("DBG t %.4f c %lu n %ld f %ld err %+.3f open %.3f raised %.3f held %.2f free %.2f\n", w.clock.time, c.label, c.particles, c.surfels, c.volume/c.wantedVolume-1, c.open, c.raised/w.scene.spacing, c.heldArea/c.area, c.freeArea/c.area); //DBG
   dropGhosts(s.surfels, s.surfelCells);
 }
 
