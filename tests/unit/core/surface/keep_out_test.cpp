@@ -50,7 +50,7 @@ void keepParticlesOut(World& w) {
 TEST(KeepOut, LiquidThatFlattensRoundAPegOnTheFloor) {
   Scene s = aboveFloor(0);
   addBox(s, {-0.4, -0.4, 0.1}, {0.4, 0.4, 0.8});
-  addBoxObstacle(s, {0.05, -0.1, 0}, {0.25, 0.1, 0.3});
+  addBoxObstacle(s, {0.05, -0.1, 0}, {0.25, 0.1, 0.09});
   SurfaceWorld world(s);
   for (int k = 0; k < 12; k++) {
     for (std::size_t i = 0; i < world.w.particles.owned; i++) {
