@@ -86,13 +86,14 @@ void offsetToVolume(Surface& s, const Bins& surfelBins, double keepVolume, doubl
   }
   const SurfaceComponent* c = nullptr;
   std::vector<double> offset(f.owned, 0.0);  // all of them before any moves
+  const double small = 0.05 * s.spacing;     // less than this changes nothing about films
   for (std::size_t i = 0; i < f.owned; i++) {
     if (!c || c->label != f.component[i]) c = findComponent(s, f.component[i]);
     if (!c) continue;
     const Move& m = moves[static_cast<std::size_t>(c - s.components.data())];
     double move = shareOf(f, i, m.what) * m.by;
     if (move == 0 || liesOnWall(f, i)) continue;
-    if (move < 0) move = std::max(move, -std::max(0.0, filmRoom(f, surfelBins, i, s.spacing, 0.25 * s.spacing)));
+    if (move < -small) move = std::max(move, -std::max(0.0, filmRoom(f, surfelBins, i, s.spacing, 0.25 * s.spacing)));
     offset[i] = move;
   }
   for (std::size_t i = 0; i < f.owned; i++) {

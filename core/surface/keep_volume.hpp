@@ -7,7 +7,7 @@
 namespace thaw {
 
 /// Volume keeping may hold a surface this many spacings of the particles off their level at most: what has gone apart farther than that is spray.
-inline constexpr double mostRaised = 0.75, mostDrawnIn = 0.95;
+inline constexpr double mostRaised = 0.75, mostDrawnIn = 1.15;
 
 /// Moves every surfel along its normal by its liquid fraction times keepVolume (V_target - V) / sum of liquid fractions times areas of its
 /// component, at most half the wanted spacing, and SurfaceComponent::raised by as much: solid surfaces keep their place and detail. V_target is the

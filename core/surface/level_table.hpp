@@ -44,7 +44,7 @@ inline double tightened(double level, double near, const Tightening& t) { return
 
 /// What volume keeping asks of a component (SurfaceComponent::raised over the spacing of the particles, negative: less than the level holds): offsets up to leastOffset inward, what is
 /// more than that is tightening. On lattices stretched in two or three directions it takes about as much volume as the offset would.
-inline constexpr double leastOffset = -0.15;
+inline constexpr double leastOffset = -0.35;
 inline Tightening tighteningOf(double raised) {
   const double more = std::max(leastOffset - raised, 0.0);
   return {0.5 + 3 * more, 0.6 + more};

@@ -6,7 +6,6 @@
 
 #include "core/surface/active_surfels.hpp"
 #include "core/surface/field_probe.hpp"
-#include "core/surface/film_room.hpp"
 #include "core/surface/leap.hpp"
 #include "core/surface/near_sheets.hpp"
 #include "core/surface/place_rows.hpp"
@@ -115,23 +114,6 @@ void keepStirred(const GroupLists& l, const float* sums, int channels, std::vect
   });
 }
 
-/// Is the surface of the group's component drawn in so far that films need to be looked at?
-bool drawnIn(const World& w, double raised) { return raised < -0.1 * w.scene.spacing; }
-
-/// filmRoom of the surfels of these groups whose component is drawn in. Before any of them moves: it is that of the last iteration for all.
-void findRoom(const World& w, RelaxTools& r, double slack) {
-  const Surfels& f = w.surface.surfels;
-  if (std::none_of(r.raised.begin(), r.raised.end(), [&](const RaisedComponent& c) { return drawnIn(w, c.by); })) return;
-  r.room.resize(f.owned);
-  for (const std::uint32_t g : r.groups) {
-    if (!drawnIn(w, raisedOf(r.raised, f.component[r.lists.self[8 * g]]))) continue;
-    for (int lane = 0; lane < r.lists.lanes[g]; lane++) {
-      const std::size_t i = r.lists.self[8 * g + static_cast<std::size_t>(lane)];
-      r.room[i] = filmRoom(f, r.surfelBins, i, w.surface.spacing, slack);
-    }
-  }
-}
-
 /// Sums of a surfel's group and lane.
 SurfelSums sumsAt(const ForceSums& in, std::uint32_t g, int lane) {
   const std::size_t channels = in.plane ? planeSums : sphereSums;
@@ -190,12 +172,10 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
     spread *= 0.95;
     context.stray = 0.5 * margin;
     context.found = r.found.data();
-    findRoom(w, r, margin);
     double state[3]{0, 0, 0};  // of those that move: free to, where lists end, held
     // those of groups without work have not moved in the last iteration
     for (const std::uint32_t g : r.groups) {
       const double raised = raisedOf(r.raised, f.component[r.lists.self[8 * g]]);
-      context.room = drawnIn(w, raised) ? r.room.data() : nullptr;
       for (int lane = 0; lane < r.lists.lanes[g]; lane++) {
         const SurfelSums sums = sumsAt(in, g, lane);
         if (!(sums.surfel(Stirred) > 0)) continue;

@@ -30,7 +30,6 @@ struct RelaxTools {
   AlignedVector<float> place, normal, particle, particleColour, overSurfels, overParticles;
   std::vector<std::uint8_t> free, core;  ///< of owned surfels: listed; and with a surfel that moves in reach
   std::vector<std::uint32_t> groups;
-  std::vector<double> room;           ///< m, filmRoom of owned surfels whose component is drawn in
   std::vector<Vec3d> found;           ///< where owned surfels were at the search
   RelaxTimes times;
 };

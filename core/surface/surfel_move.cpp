@@ -157,8 +157,7 @@ void moveSurfel(World& w, const MoveContext& c, const SurfelSums& s, double rais
   const double wanted = std::clamp(c.step * pull.along, -c.longest, c.longest), last = static_cast<double>(f.pace[i]);
   const double share = last == 0 ? 1 : wanted * last < 0 ? std::max(0.5 * std::abs(last), 0.1) : std::min(1.25 * std::abs(last), longestPace);
   f.pace[i] = static_cast<float>(wanted < 0 ? -share : share);
-  const double across = w.scene.surface.damping * share * wanted;
-  const Vec3d normalMove = (c.room ? std::max(across, -c.room[i]) : across) * normal;
+  const Vec3d normalMove = w.scene.surface.damping * share * wanted * normal;
   Vec3d move = normalMove + w.scene.surface.damping * tangential;
   if (pull.least > 0) {  // below the least level: onto it
     const double inward = -dot(move, pull.outward);

@@ -36,7 +36,6 @@ struct MoveContext {
   double spread = 1;    ///< factor of moves along the surface
   double stray = 0;     ///< m, that a surfel may be from where the last search found it
   const Vec3d* found = nullptr;
-  const double* room = nullptr;  ///< m, filmRoom of owned surfels; null: their component is not drawn in
   bool plane;
 };
 MoveContext moveContext(const World& world, const RelaxTools& tools, const ForceWeights& weights);
