@@ -6,7 +6,7 @@
 
 namespace thaw {
 
-/// Volume keeping may hold a surface this many spacings of the particles off their level at most: what has gone apart farther than that is spray.
+/// Volume keeping may hold a surface this many spacings of the particles outside their level at most, and ask for this much less than it holds (tighteningOf).
 inline constexpr double mostRaised = 0.75, mostDrawnIn = 1.15;
 
 /// Moves every surfel along its normal by its liquid fraction times keepVolume (V_target - V) / sum of liquid fractions times areas of its
