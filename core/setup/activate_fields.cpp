@@ -40,7 +40,7 @@ void activateFields(World& w, StepTools& t) {
   bool faces = false;
   for (const SheetPlan& s : w.sheets.plans) faces = faces || s.byFaces;
   on(faces, {&p.sheetFace, &p.sheetShares, &p.sheetPush, &p.sheetResisting, &p.sheetNumbers});
-  if (m.surface) activateSurfaceFields(w.surface, m);
+  if (m.surface) activateSurfaceFields(w.surface, m, !w.walls.list.empty());
   if (m.solid) activateSolidFields(p, w.solids, w.bonds, t.elastic, w.scene, m, w.grid);
 }
 

@@ -52,6 +52,7 @@ void appendSurfels(Surfels& s, const std::vector<SurfelRow>& rows) {
     s.colour[i] = r.colour;
     s.detail[i] = r.detail;
     s.calm[i] = 0;
+    if (s.pressed.active) s.pressed[i] = {};
     if (s.loose.active) s.loose[i] = r.detail < 0.5f;
     if (s.liquid.active) s.liquid[i] = r.liquid;
     if (s.temperature.active) s.temperature[i] = r.temperature;

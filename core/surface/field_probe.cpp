@@ -37,7 +37,12 @@ void FieldProbe::around(const PlaceBox& box, std::uint64_t component, const Vec3
       n += (box.distance2(bins.at[k]) <= h2) & (dot(bins.at[k] - home, bins.at[k] - home) <= edge2) & (of[bins.row[k]] == component);
     }
   });
-  among(listed_.data(), n);
+  among(listed_.data(), n, component);
+}
+
+void FieldProbe::among(const std::uint32_t* rows, std::size_t count, std::uint64_t component) {
+  rows_ = rows, count_ = count;
+  tight_ = tighteningOf(raisedOf(tools_.relax.raised, component) / world_.scene.spacing);
 }
 
 void FieldProbe::at(const Vec3d* x, std::size_t n, FieldHere* found) {
@@ -65,8 +70,8 @@ void FieldProbe::at(const Vec3d* x, std::size_t n, FieldHere* found) {
     c.gradient = -slope_ * Vec3d{s.particle(Gradient), s.particle(Gradient + 1), s.particle(Gradient + 2)};
     if (!(c.value > 0)) continue;
     const double near = s.particle(Near);
-    c.tight = near < nearFull ? 0.5 : 1;
-    c.level = tightened(tools_.relax.level.level(s.particle(SmoothColour) / c.value), near) * world_.scene.surface.isoLevel / 0.5;
+    c.tight = near < tight_.full ? 0.5 : 1;
+    c.level = tightened(tools_.relax.level.level(s.particle(SmoothColour) / c.value), near, tight_) * world_.scene.surface.isoLevel / 0.5;
   }
 }
 
@@ -80,7 +85,7 @@ void forFieldAtSurfels(const World& w, SurfaceTools& t, const std::vector<std::u
   for (std::size_t g = 0; g < l.groups(); g++) {
     const std::uint32_t* rows = &l.self[8 * g];
     for (std::size_t k = 0; k < l.lanes[g]; k++) x[k] = s.surfels.position[rows[k]];
-    probe.among(l.particle.data() + l.firstParticle[g], l.firstParticle[g + 1] - l.firstParticle[g]);
+    probe.among(l.particle.data() + l.firstParticle[g], l.firstParticle[g + 1] - l.firstParticle[g], s.surfels.component[rows[0]]);
     probe.at(x.data(), l.lanes[g], field.data());
     for (std::size_t k = 0; k < l.lanes[g]; k++) found(rows[k], field[k]);
   }

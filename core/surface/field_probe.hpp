@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/surface/bins.hpp"
+#include "core/surface/level_table.hpp"
 #include "core/surface/surface_kernels.hpp"
 #include "core/world.hpp"
 
@@ -27,7 +28,7 @@ class FieldProbe {
   /// a particle or surfel of this rank is: farther off it depends on ranks which there are. For what is asked half a spacing from home or nearer that is all of them.
   void around(const PlaceBox& box, std::uint64_t component, const Vec3d& home);
   /// Or these rows of them, in that order.
-  void among(const std::uint32_t* rows, std::size_t count) { rows_ = rows, count_ = count; }
+  void among(const std::uint32_t* rows, std::size_t count, std::uint64_t component);
   /// The field at n <= most places among them.
   void at(const Vec3d* x, std::size_t n, FieldHere* found);
 
@@ -36,6 +37,7 @@ class FieldProbe {
   const SurfaceTools& tools_;
   ForceSums sums_;
   double slope_;
+  Tightening tight_;
   std::vector<std::uint32_t> listed_;
   const std::uint32_t* rows_ = nullptr;
   std::size_t count_ = 0;

@@ -10,6 +10,7 @@
 #include "core/surface/drop_patch.hpp"
 #include "core/surface/drop_surfels.hpp"
 #include "core/surface/iso_surface.hpp"
+#include "core/surface/keep_out.hpp"
 #include "core/surface/keep_volume.hpp"
 #include "core/surface/measure.hpp"
 #include "core/surface/place_rows.hpp"
@@ -83,6 +84,20 @@ void patchAround(const World& w, const SurfaceTools& t, std::size_t i, std::vect
   }
 }
 
+/// On a wall the level of the colour field is somewhere in it: the surface goes on there wherever there is body over the wall.
+bool goesOnAtWall(const World& w, FieldProbe& probe, const Surfels& f, std::size_t i, SurfacePoint& p) {
+  if (!f.pressed.active || liquidShare(f, i) < 0.5) return false;
+  const Vec3d x = outOfWalls(w, p.position, p.normal);
+  Vec3d into;
+  if (!facesWall(w, x, p.normal, into)) return false;
+  FieldHere c;
+  probe.around({x, x}, f.component[i], f.position[i]);
+  probe.at(&x, 1, &c);
+  if (!(c.value > c.level)) return false;
+  p = {x, into};
+  return true;
+}
+
 /// Takes the calm of the surfels around those marked with 2. Needs placed surfels.
 void openAround(Surface& s, CellHalo& halo, SurfaceTools& t, const std::vector<std::uint8_t>& dead) {
   Surfels& f = s.surfels;
@@ -114,6 +129,7 @@ void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int
       probe.at(&p.position, 1, &c);
       return c.value > leastOverDetail * c.level;
     }
+    if (goesOnAtWall(w, probe, f, i, p)) return true;
     std::optional<SurfacePoint> at;
     const auto onto = [&](const Vec3d& x) {
       ontoIsoSurface(w, probe, f.component[i], f.position[i], &x, 1, 0.6 * f.radius[i] + 0.1 * w.scene.spacing, &at);
@@ -159,7 +175,9 @@ void renewSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
     else asked[i] = !keepsDetail(f, i);
   }
   forFieldAtSurfels(w, t, asked, [&](std::size_t i, const FieldHere& c) {
-    if (std::abs(c.value - c.level) > offSurface || c.value < leastOver * c.level) dead[i] = 2, gone++;
+    if (std::abs(c.value - c.level) <= offSurface && c.value >= leastOver * c.level) return;
+    if (Vec3d into; f.pressed.active && c.value > c.level && facesWall(w, f.position[i], f.normal[i], into)) return;
+    dead[i] = 2, gone++;
   });
   halos.all.sum({&gone, 1});
   if (gone > 0) openAround(s, halos.surfels, t, dead);

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "core/surface/film_room.hpp"
 #include "core/surface/measure.hpp"
 #include "core/surface/sample_mesh.hpp"
 #include "core/surface/small_drops.hpp"
@@ -13,25 +14,34 @@ namespace thaw {
 namespace {
 
 /// What volume keeping may move of a component.
+enum class Held { Nothing, Liquid, Frozen, Drop };
 struct Hold {
   double area = 0;      // m^2; 0: it is left alone
-  bool frozen = false;
+  Held what = Held::Nothing;
   double tolerance = 0; // of the volume, that is let be
 };
 
-/// Not single particles and the like, which are spheres of their volume, nor those with a large hole, nor solids that were never held as liquids. A body
+/// Not single particles and the like, which are spheres of their volume, but where a wall flattens them, nor those with a large hole, nor solids that were never held as liquids. A body
 /// with a mesh's detail left would have the faces of its cracks moved, and nothing else. At the start solids without a mesh are held, too: the level of the
 /// particles' colour, which they were grown at, is half as far out again as it should be around plates of two layers.
 Hold holdOf(const SurfaceComponent& c, bool start) {
   constexpr std::int64_t fewest = 12;
   constexpr double leastFree = 0.03, leastFrozen = 0.9, closed = 0.1;
-  if (c.surfels < fewest || c.particles <= smallDrop || !(c.wantedVolume > 0) || !(c.open < closed)) return {};
-  if (c.freeArea > leastFree * c.area) return {c.freeArea, false, 1e-3};
-  if ((start || c.raised != 0) && c.plainArea > leastFrozen * c.area) return {c.plainArea, true, 5e-3};
+  if (c.surfels < fewest || !(c.wantedVolume > 0) || !(c.open < closed)) return {};
+  // what lies on a wall stays there; where nearly all does, the little that is free cannot make up for it
+  const auto area = [&](double all) { return std::max(all - c.heldArea, 0.2 * all); };
+  if (c.particles <= smallDrop) return c.heldArea > 0 ? Hold{area(c.area), Held::Drop, 5e-3} : Hold{};
+  if (c.freeArea > leastFree * c.area) return {area(c.freeArea), Held::Liquid, 1e-3};
+  if ((start || c.raised != 0) && c.plainArea > leastFrozen * c.area) return {area(c.plainArea), Held::Frozen, 5e-3};
   return {};
 }
 
 double errorOf(const SurfaceComponent& c) { return std::abs(c.volume - c.wantedVolume) / c.wantedVolume; }
+
+/// How much of its component's offset surfel i takes.
+double shareOf(const Surfels& f, std::size_t i, Held what) {
+  return what == Held::Drop ? 1 : what == Held::Frozen ? frozenShare(f, i) : what == Held::Liquid ? liquidShare(f, i) : 0;
+}
 
 }  // namespace
 
@@ -56,26 +66,38 @@ bool volumesAreOff(const Surface& s, bool start) {
   });
 }
 
-void offsetToVolume(Surface& s, double keepVolume, double particleSpacing, bool start) {
+void offsetToVolume(Surface& s, const Bins& surfelBins, double keepVolume, double particleSpacing, bool start) {
   Surfels& f = s.surfels;
   if (!f.liquid.active && !start) return;
-  const double longest = 0.5 * s.spacing, highest = mostRaised * particleSpacing;
-  struct Move { double by = 0; bool frozen = false; };
+  const double longest = 0.5 * s.spacing, highest = mostRaised * particleSpacing, lowest = -mostDrawnIn * particleSpacing;
+  struct Move { double by = 0; Held what = Held::Nothing; };
   std::vector<Move> moves(s.components.size());  // the same on all ranks
   for (std::size_t k = 0; k < s.components.size(); k++) {
     SurfaceComponent& c = s.components[k];
     const Hold hold = holdOf(c, start);
     if (!(hold.area > 0) || errorOf(c) <= hold.tolerance) continue;
-    const double to = c.raised + std::clamp(keepVolume * (c.wantedVolume - c.volume) / hold.area, -longest, longest);
-    moves[k] = {std::clamp(to, std::min(-highest, c.raised), std::max(highest, c.raised)) - c.raised, hold.frozen};
-    if (!(start && hold.frozen)) c.raised += moves[k].by;  // what begins as a solid keeps its place from now on
+    const double by = std::clamp(keepVolume * (c.wantedVolume - c.volume) / hold.area, -longest, longest);
+    if (hold.what == Held::Drop) {  // its sphere is made anew in each update
+      moves[k] = {by, Held::Drop};
+      continue;
+    }
+    moves[k] = {std::clamp(c.raised + by, std::min(lowest, c.raised), std::max(highest, c.raised)) - c.raised, hold.what};
+    if (!(start && hold.what == Held::Frozen)) c.raised += moves[k].by;  // what begins as a solid keeps its place from now on
   }
   const SurfaceComponent* c = nullptr;
+  std::vector<double> offset(f.owned, 0.0);  // all of them before any moves
+  const double small = 0.05 * s.spacing;     // less than this changes nothing about films
   for (std::size_t i = 0; i < f.owned; i++) {
     if (!c || c->label != f.component[i]) c = findComponent(s, f.component[i]);
     if (!c) continue;
     const Move& m = moves[static_cast<std::size_t>(c - s.components.data())];
-    const double move = (m.frozen ? frozenShare(f, i) : liquidShare(f, i)) * m.by;
+    double move = shareOf(f, i, m.what) * m.by;
+    if (move == 0 || liesOnWall(f, i)) continue;
+    if (move < -small) move = std::max(move, -std::max(0.0, filmRoom(f, surfelBins, i, s.spacing, 0.25 * s.spacing)));
+    offset[i] = move;
+  }
+  for (std::size_t i = 0; i < f.owned; i++) {
+    const double move = offset[i];
     if (move == 0) continue;
     f.position[i] += move * f.normal[i];
     f.calm[i] = std::max(0.0f, f.calm[i] - static_cast<float>(std::abs(move) / f.radius[i]));

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/surface/iso_surface.hpp"
+#include "core/surface/keep_out.hpp"
 #include "core/surface/place_rows.hpp"
 #include "core/surface/surfel_move.hpp"
 #include "core/surface/update_surface.hpp"
@@ -74,8 +75,8 @@ void leapOntoSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
     for (std::size_t g = 0; g < r.lists.groups(); g++) {
       const std::uint32_t* rows = &r.lists.self[8 * g];
       const std::size_t lanes = r.lists.lanes[g];
-      probe.among(r.lists.particle.data() + r.lists.firstParticle[g], r.lists.firstParticle[g + 1] - r.lists.firstParticle[g]);
-      leapLeg(w, probe, rows, lanes, raisedOf(r.raised, f.component[rows[0]]), room);
+      probe.among(r.lists.particle.data() + r.lists.firstParticle[g], r.lists.firstParticle[g + 1] - r.lists.firstParticle[g], f.component[rows[0]]);
+      leapLeg(w, probe, rows, lanes, w.scene.spacing * offsetOf(raisedOf(r.raised, f.component[rows[0]]) / w.scene.spacing), room);
       for (std::size_t k = 0; k < lanes; k++)
         if (f.moving[rows[k]] == heldAtMargin) going = 1;
     }

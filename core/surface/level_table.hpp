@@ -36,7 +36,19 @@ class LevelTable {
 /// together, as below a spout, or a splash. Its surface would keep the extent of the particles, and hold up to twice their volume. So the
 /// level rises where few particles are near: the sum of (1 - (r/nearSupport)^2)^3 over particles (lengths in spacings) is 2.6 on a plane of
 /// the lattice half a spacing above it, 1.4 on a row of particles one spacing apart, .7 on a drop of one particle: those stay.
-inline constexpr double nearSupport = 2, nearFull = 0.5, tightest = 0.6;
-inline double tightened(double level, double near) { return level * (1 + tightest * std::max(0.0, 1 - near / nearFull)); }
+/// How much so is a matter of the component (Tightening): a cloud of liquid that has gone apart in all directions, as a splash without surface tension does, is drawn in by volume keeping, and
+/// least where it is dense. An offset by the same everywhere would draw its thin rims in until their sides pass each other.
+inline constexpr double nearSupport = 2;
+struct Tightening { double full = 0.5, most = 0.6; };  ///< below which sum the level rises, and by what share where there is nothing near
+inline double tightened(double level, double near, const Tightening& t) { return level * (1 + t.most * std::max(0.0, 1 - near / t.full)); }
+
+/// What volume keeping asks of a component (SurfaceComponent::raised over the spacing of the particles, negative: less than the level holds): offsets up to leastOffset inward, what is
+/// more than that is tightening. On lattices stretched in two or three directions it takes about as much volume as the offset would.
+inline constexpr double leastOffset = -0.35;
+inline Tightening tighteningOf(double raised) {
+  const double more = std::max(leastOffset - raised, 0.0);
+  return {0.5 + 3 * more, 0.6 + more};
+}
+inline double offsetOf(double raised) { return std::max(raised, leastOffset); }
 
 }  // namespace thaw

@@ -20,7 +20,7 @@ struct Record {
   OnePiece piece;       // how it lies across periodic sides
 };
 
-enum Sum { Mass, ParticleVolume, WantedVolume, MomentX, MomentY, MomentZ, Area, VolumeX, VolumeY, VolumeZ, NormalX, NormalY, NormalZ, FreeArea, PlainArea, Rim, RimX, RimY, RimZ, sums };
+enum Sum { Mass, ParticleVolume, WantedVolume, MomentX, MomentY, MomentZ, Area, VolumeX, VolumeY, VolumeZ, NormalX, NormalY, NormalZ, FreeArea, PlainArea, HeldArea, Rim, RimX, RimY, RimZ, sums };
 
 /// Rows of one component on this rank.
 struct Group {
@@ -123,6 +123,7 @@ void addRows(const Surface& s, const Group& g, const std::vector<std::uint32_t>&
     sum[Area].add(f.area[i]);
     if (const double liquid = liquidShare(f, i); liquid > 0) sum[FreeArea].add(liquid * f.area[i]);
     if (const double frozen = frozenShare(f, i); frozen > 0) sum[PlainArea].add(frozen * f.area[i]);
+    if (liesOnWall(f, i)) sum[HeldArea].add(f.area[i]);
     for (int a = 0; a < 3; a++) {
       sum[static_cast<std::size_t>(VolumeX + a)].add(d[a] * facets[a] + f.bulge[i]);
       sum[static_cast<std::size_t>(NormalX + a)].add(facets[a]);
@@ -142,6 +143,7 @@ void finish(const CellGrid& grid, Record& r, const std::array<double, sums>& v) 
   c.area = v[Area];
   c.freeArea = v[FreeArea];
   c.plainArea = v[PlainArea];
+  c.heldArea = v[HeldArea];
   c.open = c.area > 0 ? length(Vec3d{v[NormalX], v[NormalY], v[NormalZ]}) / c.area : 0;
   const Vec3d centroid = c.mass > 0 ? Vec3d{v[MomentX], v[MomentY], v[MomentZ]} / c.mass : Vec3d{};
   c.centroid = r.anchor + centroid;

@@ -18,7 +18,7 @@ void prepareSurface(World& w) {
   s.grid = makeGrid(w.scene.domain, std::max(s.surfelSupport + listMargin(s, w.scene.spacing), std::max({s.surfelSupport, s.particleSupport, 3 * s.spacing, set.linkLength * w.scene.spacing, ragReach * w.scene.spacing}) + 0.5 * w.scene.spacing));
 }
 
-void activateSurfaceFields(Surface& s, const Modules& m) {
+void activateSurfaceFields(Surface& s, const Modules& m, bool walls) {
   Surfels& f = s.surfels;
   for (AnyColumn* c : std::initializer_list<AnyColumn*>{&f.id, &f.position, &f.normal, &f.tangent, &f.radius, &f.component, &f.colour, &f.detail, &f.calm, &f.cell, &f.nextCell, &f.reach, &f.nearest, &f.toNearest, &f.part, &f.area, &f.facets, &f.bulge, &f.rim, &f.wanted, &f.wish, &f.offer, &f.offerNormal}) f.activate(*c);
   SurfaceParticles& p = s.particles;
@@ -28,6 +28,10 @@ void activateSurfaceFields(Surface& s, const Modules& m) {
     p.activate(p.liquid);
   }
   if (m.solid) p.activate(p.covered);
+  if (walls) {
+    f.activate(f.pressed);
+    f.activate(f.onWall);
+  }
   if (m.heat) {
     f.activate(f.temperature);
     p.activate(p.temperature);

@@ -8,6 +8,6 @@ namespace thaw {
 void prepareSurface(World& world);
 
 /// Switches on what the modules need of a surface's tables.
-void activateSurfaceFields(Surface& surface, const Modules& modules);
+void activateSurfaceFields(Surface& surface, const Modules& modules, bool walls);
 
 }  // namespace thaw

@@ -23,6 +23,7 @@ struct SurfaceComponent {
   double wantedVolume = 0;            ///< m^3, that volume keeping holds: of its particles, times what their body's mesh held over that at the start; of the update
   double freeArea = 0;                ///< m^2, sum of the surfels' areas times their liquid fractions: what volume keeping may move; of the update
   double plainArea = 0;               ///< m^2, the same times their frozenShare (surfels.hpp): what it may move of what has frozen; of the update
+  double heldArea = 0;                ///< m^2, of the surfels that lie on walls: they cannot move out; of the update
   double open = 0;                    ///< |sum of the facets' vector areas| / area: 0 where the surface is closed; of the update
 };
 

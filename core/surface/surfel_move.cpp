@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/math/hash_random.hpp"
+#include "core/surface/keep_out.hpp"
 
 namespace thaw {
 namespace {
@@ -56,34 +57,6 @@ Smooth smoothToSphere(const SurfelSums& s) {
 
 }  // namespace
 
-Vec3d outOfWalls(const World& w, Vec3d x, const Vec3d& outward) {
-  for (const Wall& wall : w.walls.list) {
-    if (!wall.present) continue;
-    const Vec3d rest = toRest(wall.pose, x);
-    const Bounds& b = wall.bounds;
-    bool outside = false;
-    for (int a = 0; a < 3; a++) outside = outside || rest[a] < b.min[a] || rest[a] > b.max[a];
-    if (outside) continue;
-    Vec3d n;
-    const double d = wall.shape->distanceWithin(rest, w.grid.support, &n);
-    if (!(d < 0)) continue;
-    if (n = directionFromRest(wall.pose, n); dot(n, outward) <= 0.5) {
-      x -= d * n;
-      continue;
-    }
-    Vec3d back = x;  // into the body, until it is out of the wall
-    double inside = d, gone = 0;
-    for (const double longest = 2 * w.scene.spacing; inside < 0 && gone < longest;) {
-      const double step = 1e-3 * w.scene.spacing - inside;
-      gone += step;
-      back -= step * outward;
-      inside = wall.shape->distanceWithin(toRest(wall.pose, back), w.grid.support, nullptr);
-    }
-    x = inside < 0 ? x - d * n : back;
-  }
-  return x;
-}
-
 MoveContext moveContext(const World& w, const RelaxTools& tools, const ForceWeights& weights) {
   const Surface& s = w.surface;
   MoveContext c;
@@ -111,20 +84,25 @@ Pull pullOn(const World& w, const MoveContext& c, const SurfelSums& s, double ra
   Pull p;
   Vec3d normal = w.surface.surfels.normal[i], force{};
   // the colour field: out of the body is down its gradient
-  const double colour = s.particle(Colour);
+  const double colour = s.particle(Colour), dx = w.scene.spacing;
+  const Tightening tight = tighteningOf(raised / dx);
+  raised = dx * offsetOf(raised / dx);
   if (colour > 0) {
     const Vec3d gradient = three(s, Gradient, true);  // of minus the colour field, over c.slope
     const double size = length(gradient), slope = c.slope * size;
     p.known = slope * c.support > 1e-2 * colour;
     if (p.known) {
       p.outward = gradient / size;
-      const double fullness = s.particle(SmoothColour) / colour, flat = c.level->level(fullness), level = tightened(flat, s.particle(Near));
+      const double fullness = s.particle(SmoothColour) / colour, flat = c.level->level(fullness), level = tightened(flat, s.particle(Near), tight);
       // the level changes along the normal, too, on a stream almost as fast as the colour: the distance to where they are the same follows
       // from the slope of their difference
       const double turn = (dot(three(s, SmoothGradient, true), gradient) / (size * size) - fullness) / colour;
-      const double thins = s.particle(Near) < nearFull ? flat * tightest / nearFull * c.nearSlope / c.slope * dot(three(s, NearGradient, true), gradient) / (size * size) : 0;
+      const double thins = s.particle(Near) < tight.full ? flat * tight.most / tight.full * c.nearSlope / c.slope * dot(three(s, NearGradient, true), gradient) / (size * size) : 0;
       const double steep = std::clamp(1 - c.isoScale * (level / flat * c.level->slope(fullness) * turn - thins), flattest, steepest);
-      const double height = std::clamp((colour - c.isoScale * level) / (slope * steep) + raised, -c.longest, c.longest);
+      const double out = (colour - c.isoScale * level) / (slope * steep);
+      // what lies on a wall stays there when the component is drawn in
+      const bool held = raised < 0 && out > 0 && inWall(w, w.surface.surfels.position[i] + std::min(out, c.longest) * p.outward);
+      const double height = std::clamp(held ? out : out + raised, -c.longest, c.longest);
       force += c.weights.implicit * height * p.outward;
       if (c.weights.attract > 0) {  // beyond what the kernel's mean particle is from any surface, that the iso-surface may stay
         const Vec3d away = (c.unit / colour) * three(s, Attraction, true);

@@ -52,10 +52,6 @@ struct Pull {
 };
 Pull pullOn(const World& world, const MoveContext& context, const SurfelSums& sums, double raised, std::size_t i);
 
-/// Pushes a place out of walls and obstacles; the surface then lies on them, on the body's side: of thin ones (the bottom of a glass) the nearest
-/// way out may be the far side, where the surface would enclose the wall. `outward`: of the body there.
-Vec3d outOfWalls(const World& world, Vec3d x, const Vec3d& outward);
-
 /// Moves surfel i and turns its frame and sets Surfels::moving.
 void moveSurfel(World& world, const MoveContext& context, const SurfelSums& sums, double raised, std::size_t i, MoveCounts& counts);
 

@@ -21,6 +21,7 @@ struct Surfels : Table {
   Column<float> liquid{*this, "liquid", "1", Keep::State, "liquid fraction of the particles around: the share of the surface update (K05 4.5)"};
   Column<float> temperature{*this, "temperature", "K", Keep::State, "of the particles around; only with heat"};
   Column<float> calm{*this, "calm", "1", Keep::State, "strain and moves in radii that it may still undergo before resampling looks at its surroundings; 0: at once"};
+  Column<Vec3d> pressed{*this, "pressed", "m", Keep::State, "by how far walls hold it off where its body has it: of what is solid; only with walls"};
   Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort"};
   Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now"};
   // of the update under way: active within it only, so that they are in no checkpoint
@@ -39,6 +40,7 @@ struct Surfels : Table {
   Column<Vec3d> facets{*this, "facets", "m^2", Keep::Transient, "its share of the vector areas of the facets between it and its neighbours (facets.hpp)"};
   Column<double> bulge{*this, "bulge", "m^3", Keep::Transient, "its share of what the curved surface holds over those facets"};
   Column<double> rim{*this, "rim", "m", Keep::Transient, "length of its cell's border that no neighbour cuts: beside a hole"};
+  Column<std::uint8_t> onWall{*this, "onWall", "1", Keep::Transient, "it lies on a wall that it faces; only with walls"};
   // of resampling
   Column<double> depth{*this, "depth", "m", Keep::State, "only in an OpenRegion: at least its distance from what was open when that was taken"};
   Column<double> wanted{*this, "wanted", "m", Keep::Transient, "radius that curvature asks for"};
@@ -53,6 +55,8 @@ inline bool settles(const Surfels& s, std::size_t i) { return (s.liquid.active &
 /// By what share of an offset volume keeping moves a surfel: of a component that is liquid, and of one that has frozen; a mesh's detail stays.
 inline double liquidShare(const Surfels& s, std::size_t i) { return s.liquid.active ? static_cast<double>(s.liquid[i]) : 0; }
 inline double frozenShare(const Surfels& s, std::size_t i) { return liquidShare(s, i) > 0.5 ? 0 : 1 - static_cast<double>(s.detail[i]); }
+
+inline bool liesOnWall(const Surfels& s, std::size_t i) { return s.onWall.active && s.onWall[i]; }
 
 /// Particles as a surface update sees them, on the rank that owns their cell of Surface::grid. Made anew for each update.
 struct SurfaceParticles : Table {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/surface/keep_out.hpp"
 #include "core/surface/keep_volume.hpp"
 #include "core/surface/measure.hpp"
 #include "core/surface/place_rows.hpp"
@@ -33,14 +34,15 @@ void measureAll(Surface& s, SurfaceHalos halos, TopologyTools& t, bool again = f
 void keepVolume(World& w, SurfaceHalos halos, TopologyTools& t, bool start) {
   Surface& s = w.surface;
   for (int k = 0; k < 4 && volumesAreOff(s, start); k++) {
-    offsetToVolume(s, w.scene.surface.keepVolume, w.scene.spacing, start);
+    offsetToVolume(s, t.areas.bins, w.scene.surface.keepVolume, w.scene.spacing, start);
+    keepOutAgain(w);
     refreshGhosts(halos.surfels, s.surfels, ColumnList{&s.surfels.position});
     measureAll(s, halos, t, true);
   }
 }
 
-/// What came off a component is as far off its level as that was.
-void inheritRaised(Surface& s, const std::vector<SurfaceComponent>& before, const ComponentTools& c) {
+/// What came off a component is as far off its level as that was; what it holds more than its particles by tightening is its own.
+void inheritRaised(Surface& s, double spacing, const std::vector<SurfaceComponent>& before, const ComponentTools& c) {
   const auto find = [&](std::uint64_t label) {
     const auto at = std::lower_bound(before.begin(), before.end(), label, [](const SurfaceComponent& x, std::uint64_t l) { return x.label < l; });
     return at != before.end() && at->label == label ? &*at : nullptr;
@@ -49,7 +51,7 @@ void inheritRaised(Surface& s, const std::vector<SurfaceComponent>& before, cons
     if (find(k.label)) continue;
     for (const ComponentTools::Piece& p : c.pieces)
       if (const SurfaceComponent* from = p.part == k.label ? find(p.from) : nullptr) {
-        k.raised = from->raised;
+        k.raised = std::max(from->raised, leastOffset * spacing);
         break;
       }
   }
@@ -86,13 +88,15 @@ void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, tools.sort);  // contact has moved some
   clearAreas(s.surfels);  // for now components have counts and places alone
   measureComponents(s, halos.all);
-  inheritRaised(s, before, t.components);
+  inheritRaised(s, w.scene.spacing, before, t.components);
 }
 
 void measureSurface(World& w, SurfaceHalos halos, SurfaceTools& tools, bool start) {
   Surface& s = w.surface;
   TopologyTools& t = tools.topology;
-  placeSurfels(s, halos, tools);
+  placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, tools.sort);
+  keepOutAgain(w);  // across periodic sides
+  addSurfelGhosts(s, halos);
   placeRows(s.grid, halos.particles, s.particles, s.particleCells, tools.sort);
   measureAll(s, halos, t);
   if (w.scene.surface.keepVolume > 0 && s.lastStep >= 0) keepVolume(w, halos, t, start);

@@ -6,6 +6,7 @@
 #include "core/surface/gather_particles.hpp"
 #include "core/surface/keep_volume.hpp"
 #include "core/surface/grow.hpp"
+#include "core/surface/keep_out.hpp"
 #include "core/surface/place_rows.hpp"
 #include "core/surface/resume_surface.hpp"
 #include "core/surface/sample_mesh.hpp"
@@ -66,6 +67,7 @@ void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   placeAll(s, halos, t);
   sampleFields(w, halos, t);
   s.lastStep = w.clock.step;
+  keepOutOfWalls(w, t.relax.particleBins);
   holdStart(w, halos, t);
   returnParticles(w, halos);
 }
@@ -75,6 +77,7 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   t.times.start();
   balanceSurface(w, halos, t, false);
   gatherParticles(w, halos.all.rank());
+  releasePressed(s.surfels);
   placeAll(s, halos, t);
   t.times.lap(SurfacePhase::Place);
   findDisplacementGradients(w, halos, t);
@@ -84,6 +87,7 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   placeAll(s, halos, t);
   t.times.lap(SurfacePhase::Place);
   splitAndMerge(w, halos, t);     // before resampling, which closes seams
+  listRaised(w, t.relax.raised);
   t.times.lap(SurfacePhase::Components);
   readyParticles(w, halos, t);
   t.times.lap(SurfacePhase::Fields);
@@ -102,6 +106,7 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   t.times.lap(SurfacePhase::Iterations);
   resampleOnParticles(w, halos, t, 8);
   t.times.lap(SurfacePhase::Resampling);
+  keepOutOfWalls(w, t.relax.particleBins);
   measureSurface(w, halos, t);
   t.times.lap(SurfacePhase::Measures);
   returnParticles(w, halos);

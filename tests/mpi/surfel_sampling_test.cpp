@@ -37,7 +37,7 @@ template<class Ranks> void play(World& w, SurfaceTools& t, Ranks& ranks) {
   w.grid.support = 2 * w.scene.spacing;
   Modules m;
   m.fluid = true;
-  activateSurfaceFields(w.surface, m);
+  activateSurfaceFields(w.surface, m, false);
   Surfels& s = w.surface.surfels;
   const auto load = [](const std::string&) {
     TriangleMesh mesh = ballMesh({}, 0.5, 0.07);

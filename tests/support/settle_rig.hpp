@@ -30,7 +30,7 @@ struct SettleRig {
     prepareSurface(w);
     Modules m;
     m.fluid = true;
-    activateSurfaceFields(w.surface, m);
+    activateSurfaceFields(w.surface, m, false);
     ranks = std::make_unique<SerialSurfaceRanks>(w.surface.grid);
   }
   void addParticle(const Vec3d& x, const Vec3d& u = {}, std::uint64_t component = 1, float liquid = 1) {

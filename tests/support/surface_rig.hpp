@@ -31,7 +31,7 @@ struct SurfaceRig {
     prepareSurface(world);
     Modules m;
     m.fluid = true;
-    activateSurfaceFields(world.surface, m);
+    activateSurfaceFields(world.surface, m, false);
     world.surface.lastStep = 0;  // not the start
   }
   Surfels& f() { return world.surface.surfels; }

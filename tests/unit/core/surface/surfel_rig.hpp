@@ -39,7 +39,7 @@ struct SurfelRig {
     prepareSurface(world);
     Modules m;
     m.fluid = true;
-    activateSurfaceFields(world.surface, m);
+    activateSurfaceFields(world.surface, m, false);
     ranks = std::make_unique<SerialSurfaceRanks>(world.surface.grid);
   }
   Surfels& surfels() { return world.surface.surfels; }

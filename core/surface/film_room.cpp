@@ -1,0 +1,29 @@
+#include "core/surface/film_room.hpp"
+
+#include <limits>
+
+#include "core/surface/near_sheets.hpp"
+
+namespace thaw {
+namespace {
+
+/// Spacings of the surfels, how far behind the other side is looked for, how far it may have come past, and how far it may lie to the side.
+constexpr double deepest = 1.5, past = 0.2, beside = 0.8;
+
+}  // namespace
+
+double filmRoom(const Surfels& f, const Bins& bins, std::size_t i, double spacing, double slack) {
+  const double reach = spacing * std::hypot(deepest, beside) + slack, most = deepest * spacing, widest2 = beside * beside * spacing * spacing;
+  double least = std::numeric_limits<double>::infinity();
+  const Vec3d x = f.position[i], n = f.normal[i];
+  forRowsWithin(bins, x, reach, [&](std::uint32_t j, double) {
+    if (dot(n, f.normal[j]) >= twoSheets || f.component[j] != f.component[i]) return;
+    const Vec3d d = f.position[j] - x;
+    const double depth = -dot(d, n);
+    if (depth > most || depth < -past * spacing || dot(d, d) - depth * depth > widest2) return;
+    least = std::min(least, depth);
+  });
+  return 0.5 * (least - thinnestFilm * spacing);
+}
+
+}  // namespace thaw
