@@ -58,6 +58,7 @@ struct Continuum : Table {
   Column<u8> phase{*this, "phase", "1", Keep::State, "Solid: has or may have bonds; Liquid: has none"};
   // surface (core/surface/)
   Column<Vec3d> surfacePlace{*this, "surfacePlace", "m", Keep::State, "position at the last update of the surface"};
+  Column<Vec3d> surfaceStart{*this, "surfaceStart", "m", Keep::State, "place when the surface was made; only where there are solids"};
   Column<std::uint64_t> component{*this, "component", "1", Keep::State, "label: 1 + the smallest id of a particle of its component; 0: came after the last update"};
   Column<double> surfaceShare{*this, "surfaceShare", "1", Keep::State, "volume that the surface is to hold for it over its own: that of its body's mesh at the start; 0: its own"};
   // contact with sheets by triangles (core/sheet/face_contact.hpp): what the particle's owner found

@@ -26,6 +26,7 @@ void activateFields(World& w, StepTools& t) {
   on(m.heat, {&p.enthalpy, &p.temperature, &p.heatFlow});
   on(m.melting, {&p.liquid, &p.softening});
   on(m.surface, {&p.surfacePlace, &p.component});
+  on(m.surface && m.solid, {&p.surfaceStart});
   on(m.surface && w.scene.surface.keepVolume > 0, {&p.surfaceShare});
   on(m.solid, {&p.slot});
   on(m.substeps, {&p.fastAcceleration});

@@ -3,10 +3,48 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/surface/follow_start.hpp"
 #include "core/surface/rename_twins.hpp"
 #include "core/surface/tangent.hpp"
 
 namespace thaw {
+
+namespace {
+
+/// Where and how a surfel between some that follow their places of the start would have been there: as each of them sees it from its own frame, in the mean. Without their strain, so
+/// that it is off by that times their distance, along the surface mostly.
+void placeAtStart(const Patch& patch, SurfelRow& born) {
+  const Surfels& s = *patch.surfels;
+  const std::size_t i = patch.centre;
+  if (!follows(s, i)) return;
+  const double reach = 2.5 * s.radius[i];
+  Vec3d place{}, normal{}, tangent{};
+  double sum = 0;
+  const auto add = [&](std::size_t j) {
+    const Vec3d d = born.position - s.position[j];
+    const double u = 1 - dot(d, d) / (reach * reach);
+    if (!follows(s, j) || !(u > 0)) return;
+    const double w = u * u * u;
+    const Mat3d now{{s.normal[j], s.tangent[j], cross(s.normal[j], s.tangent[j])}};  // rows: what turns a vector into the frame
+    const Mat3d then{{s.startNormal[j], s.startTangent[j], cross(s.startNormal[j], s.startTangent[j])}};
+    const auto back = [&](const Vec3d& v) { return transpose(then) * (now * v); };
+    sum += w;
+    place += w * (s.startPlace[j] + back(d));
+    normal += w * back(born.normal);
+    tangent += w * back(born.tangent);
+  };
+  add(i);
+  for (const std::uint32_t j : patch.rows) add(j);
+  normal = normalized(normal);
+  const Vec3d across = tangent - dot(tangent, normal) * normal;
+  if (!(sum > 0) || !(dot(normal, normal) > 0.5) || !(dot(across, across) > 0)) return;
+  born.follows = true;
+  born.startPlace = place / sum;
+  born.startNormal = normal;
+  born.startTangent = normalized(across);
+}
+
+}  // namespace
 
 SurfelRow blendedSurfel(const Patch& patch, const SurfacePoint& p) {
   const Surfels& s = *patch.surfels;
@@ -36,6 +74,7 @@ SurfelRow blendedSurfel(const Patch& patch, const SurfacePoint& p) {
   born.liquid = static_cast<float>(liquid / sum);
   born.temperature = static_cast<float>(temperature / sum);
   for (int c = 0; c < 3; c++) born.colour |= static_cast<std::uint32_t>(std::clamp(std::lround(colour[c] / sum), 0l, 255l)) << 8 * c;
+  placeAtStart(patch, born);
   return born;
 }
 
@@ -53,6 +92,7 @@ void appendSurfels(Surfels& s, const std::vector<SurfelRow>& rows) {
     s.detail[i] = r.detail;
     s.calm[i] = 0;
     if (s.pressed.active) s.pressed[i] = {};
+    if (s.follows.active) s.follows[i] = r.follows, s.startPlace[i] = r.startPlace, s.startNormal[i] = r.startNormal, s.startTangent[i] = r.startTangent;
     if (s.loose.active) s.loose[i] = r.detail < 0.5f;
     if (s.liquid.active) s.liquid[i] = r.liquid;
     if (s.temperature.active) s.temperature[i] = r.temperature;

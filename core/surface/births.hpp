@@ -14,6 +14,8 @@ struct SurfelRow {
   double radius = 0;                                    ///< m
   std::uint32_t colour = 0;
   float detail = 0, liquid = 0, temperature = 0;
+  bool follows = false;                                 ///< as it would have been at the start (follow_start.hpp):
+  Vec3d startPlace{}, startNormal{}, startTangent{};    ///< m, unit, unit
   static constexpr std::uint32_t none = 0xffffffffu;
   std::uint32_t particle = none;                        ///< row of the particle copy that it is grown around; none: of surfels
 };

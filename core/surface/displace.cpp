@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/solid/moment.hpp"
+#include "core/surface/follow_start.hpp"
 #include "core/surface/place_rows.hpp"
 #include "core/surface/update_surface.hpp"
 
@@ -128,6 +129,7 @@ void findDisplacementGradients(World& w, SurfaceHalos halos, SurfaceTools& t) {
   ColumnList columns{&p.id, &p.position, &p.displacement, &p.component};
   if (p.liquid.active) columns.push_back(&p.liquid);
   if (p.temperature.active) columns.push_back(&p.temperature);
+  if (p.startPlace.active) columns.push_back(&p.startPlace), columns.push_back(&p.covered);
   addGhosts(halos.particles, p, w.surface.particleCells, columns);
   const double h = w.grid.support, h2 = h * h;
   fillBins(w.surface.grid, w.surface.particleCells, p.position.data(), 0.5 * h, t.relax.particleBins);
@@ -206,6 +208,7 @@ void displaceSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
   count.keptNormals += told[1];
   std::vector<std::uint32_t> lost;
   if (told[0] > 0) lost = followNeighbours(w, halos, t);
+  followStart(w, r.particleBins);
   for (std::size_t i = 0; i < s.owned; i++) s.position[i] += s.carried[i];
   if (told[0] > 0) {
     std::int64_t gone[1]{static_cast<std::int64_t>(lost.size())};

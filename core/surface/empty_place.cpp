@@ -107,7 +107,7 @@ Crowding crowdingOf(const Patch& patch, double reach) {
   const double r = s.radius[i], law = neighboursPerArea * (reach / r) * (reach / r), count = static_cast<double>(patch.rows.size());
   Crowding c;
   c.thin = count < tooFew * law;
-  c.closest = count > tooMany * law ? crowdedAtMany : crowdedAt;
+  c.closest = follows(s, i) ? crowdedAtSolid : count > tooMany * law ? crowdedAtMany : crowdedAt;
   for (const std::uint32_t j : patch.rows) c.crowded = c.crowded || tooClose(s, i, j, c.closest);
   return c;
 }

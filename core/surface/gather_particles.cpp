@@ -24,6 +24,7 @@ void gatherParticles(World& w, int rank) {
     c.volume[i] = p.mass[i] / w.scene.materials[p.material[i]].density;
     if (c.liquid.active) c.liquid[i] = p.liquid.active ? p.liquid[i] : static_cast<float>(p.phase[i] == Liquid);
     if (c.temperature.active) c.temperature[i] = static_cast<float>(p.temperature[i]);
+    if (c.startPlace.active) c.startPlace[i] = p.surfaceStart[i];
     if (c.covered.active) c.covered[i] = p.slot[i] != noSlot && !w.solids.bared[p.slot[i]];
     c.body[i] = p.body[i];
     c.home[i] = static_cast<std::uint64_t>(rank) << 32 | i;

@@ -27,7 +27,10 @@ void activateSurfaceFields(Surface& s, const Modules& m, bool walls) {
     f.activate(f.liquid);
     p.activate(p.liquid);
   }
-  if (m.solid) p.activate(p.covered);
+  if (m.solid) {
+    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.covered, &p.startPlace}) p.activate(*c);
+    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&f.follows, &f.startPlace, &f.startNormal, &f.startTangent}) f.activate(*c);
+  }
   if (walls) {
     f.activate(f.pressed);
     f.activate(f.onWall);

@@ -80,7 +80,7 @@ struct Round {
       if (s.calm[i] == refused) continue;
       s.calm[i] = calmFor;
       patch.fitCurvature();
-      std::optional<SurfacePoint> place = emptyPlace(patch, (c.thin ? emptyAtThin : emptyAt) * s.radius[i]);
+      std::optional<SurfacePoint> place = emptyPlace(patch, (follows(s, i) ? emptyAtSolid : c.thin ? emptyAtThin : emptyAt) * s.radius[i]);
       if (!place) continue;
       const bool beyond = widestGap(patch, *place, 2 * s.radius[i]) > border;
       s.calm[i] = 0;  // a rim stays under observation: the body may go on there
@@ -189,7 +189,10 @@ void placeOpen(Surface& surface, SurfaceHalos halos, SurfaceTools& t, OpenRegion
   Surfels& s = *r.table;
   CellTable& cells = region.taken ? region.cells : surface.surfelCells;
   placeRows(surface.grid, halos.surfels, s, cells, t.sort);
-  addGhosts(halos.surfels, s, cells, ColumnList{&s.id, &s.position, &s.normal, &s.radius, &s.component, &s.colour, &s.detail, &s.calm, &s.liquid, &s.temperature});
+  ColumnList columns{&s.id, &s.position, &s.normal, &s.radius, &s.component, &s.colour, &s.detail, &s.calm, &s.liquid, &s.temperature};
+  if (s.follows.active)
+    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&s.follows, &s.tangent, &s.startPlace, &s.startNormal, &s.startTangent}) columns.push_back(c);
+  addGhosts(halos.surfels, s, cells, columns);
   fillBins(surface.grid, cells, s.position.data(), r.reach, t.relax.surfelBins);
   r.lookAtOpen();
 }

@@ -4,6 +4,7 @@
 
 #include "core/halo/surface_halos.hpp"
 #include "core/surface/bins.hpp"
+#include "core/surface/follow_start.hpp"
 #include "core/surface/local_surface.hpp"
 #include "core/world.hpp"
 
@@ -26,6 +27,9 @@ inline constexpr double tooMany = 1.5, tooFew = 0.6;  ///< times the law
 /// neighbour may each have come so far, and a hole of emptyAt is still none of more than a radius.
 inline constexpr float calmFor = 0.1f;
 inline constexpr double emptyAt = 0.8, emptyAtThin = 0.65, crowdedAt = 0.5, crowdedAtMany = 0.7;  ///< of the radius r_s of the surfel
+/// The same of what follows its place at the start. A solid that bends and comes back would lose a mark with each death, and get a guess for it: it has all the surfels that its
+/// surface needs, until it is stretched so far that discs no longer meet.
+inline constexpr double emptyAtSolid = 1.2, crowdedAtSolid = 0.2;
 
 /// May surfel i (a row of a table that is Surface::surfels or a part of it) have a birth at this point? border: there are no surfels on its other side, so that it follows from nothing but
 /// extrapolation. May turn the normal.

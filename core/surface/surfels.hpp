@@ -21,6 +21,10 @@ struct Surfels : Table {
   Column<float> liquid{*this, "liquid", "1", Keep::State, "liquid fraction of the particles around: the share of the surface update (K05 4.5)"};
   Column<float> temperature{*this, "temperature", "K", Keep::State, "of the particles around; only with heat"};
   Column<float> calm{*this, "calm", "1", Keep::State, "strain and moves in radii that it may still undergo before resampling looks at its surroundings; 0: at once"};
+  Column<std::uint8_t> follows{*this, "follows", "1", Keep::State, "its place follows from that at the start (follow_start.hpp); only with solids"};
+  Column<Vec3d> startPlace{*this, "startPlace", "m", Keep::State, "of what follows: place at the start"};
+  Column<Vec3d> startNormal{*this, "startNormal", "1", Keep::State, "of what follows: normal at the start"};
+  Column<Vec3d> startTangent{*this, "startTangent", "1", Keep::State, "of what follows: tangent at the start"};
   Column<Vec3d> pressed{*this, "pressed", "m", Keep::State, "by how far walls hold it off where its body has it: of what is solid; only with walls"};
   Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort"};
   Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now"};
@@ -72,6 +76,7 @@ struct SurfaceParticles : Table {
   Column<float> temperature{*this, "temperature", "K", Keep::State, "only with heat"};
   Column<std::uint16_t> body{*this, "body", "1", Keep::State, "index into bodies, then emitters"};
   Column<std::uint8_t> covered{*this, "covered", "1", Keep::State, "solid with all its bonds of the start, and without liquid beside it since then; only where there are solids"};
+  Column<Vec3d> startPlace{*this, "startPlace", "m", Keep::State, "where it was when the surface was made; only with solids"};
   Column<float> colour{*this, "colour", "1", Keep::Transient, "colour field of its component at the particle (readyParticles)"};
   Column<float> smoothColour{*this, "smoothColour", "1", Keep::Transient, "the same, of particles weighted by their colour"};
   Column<std::uint64_t> home{*this, "home", "1", Keep::State, "rank << 32 | row of the particle itself"};

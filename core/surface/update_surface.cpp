@@ -6,6 +6,7 @@
 #include "core/surface/gather_particles.hpp"
 #include "core/surface/keep_volume.hpp"
 #include "core/surface/grow.hpp"
+#include "core/surface/follow_start.hpp"
 #include "core/surface/keep_out.hpp"
 #include "core/surface/place_rows.hpp"
 #include "core/surface/resume_surface.hpp"
@@ -46,6 +47,13 @@ void holdStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
   measureSurface(w, halos, t, true);
 }
 
+/// What settled beside a seam or a crack has another place than it had at the start.
+void letLooseGo(Surfels& f) {
+  if (!f.loose.active || !f.follows.active) return;
+  for (std::size_t i = 0; i < f.owned; i++)
+    if (f.loose[i]) f.follows[i] = 0;
+}
+
 /// From where the particles were at the last update to where they are.
 void bringParticlesForward(Surface& s) {
   for (std::size_t i = 0; i < s.particles.owned; i++) s.particles.position[i] += s.particles.displacement[i];
@@ -69,6 +77,7 @@ void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   s.lastStep = w.clock.step;
   keepOutOfWalls(w, t.relax.particleBins);
   holdStart(w, halos, t);
+  keepStart(w);
   returnParticles(w, halos);
 }
 
@@ -99,6 +108,7 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   t.times.lap(SurfacePhase::Resampling);
   listRaised(w, t.relax.raised);
   const Settled settled = settle(w, halos, t, forceWeights(w.scene.surface), w.scene.surface.iterations, false);
+  letLooseGo(s.surfels);
   deactivate(s.surfels.loose);
   s.counters.iterations += settled.iterations;
   s.counters.unfinished += !settled.finished;

@@ -1,0 +1,102 @@
+#include "core/surface/follow_start.hpp"
+
+#include "core/solid/moment.hpp"
+#include "core/solid/weight.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr float wet = 0.02f;
+/// Where places of the start lie nearer to a plane than this share of the squares of their distances, what goes on across it follows from that plane's turn.
+constexpr double flat = 0.03;
+
+/// A particle, as seen from the surfel: at the start and now.
+struct Partner { Vec3d then, now; double weight; };
+
+enum class Found { Map, TooFew, Bare };
+
+/// x = now + gradient (X - then), weighted means and least squares.
+struct AffineMap { Vec3d then{}, now{}; Mat3d gradient{}; };
+
+Found findPartners(const World& w, const Bins& bins, std::size_t i, const Periods& periods, std::vector<Partner>& partners) {
+  const Surfels& s = w.surface.surfels;
+  const SurfaceParticles& p = w.surface.particles;
+  const double reach = followReach * w.scene.spacing, reach2 = reach * reach;
+  partners.clear();
+  bool bare = false;
+  forRowsWithin(bins, s.position[i], w.surface.particleSupport, [&](std::uint32_t j, double) {
+    if (p.component[j] != s.component[i] || (!p.covered[j] && p.startPlace[j] == Vec3d{})) return;  // else it came later
+    const Vec3d then = minimumImage(p.startPlace[j] - s.startPlace[i], periods);
+    const double share = 1 - dot(then, then) / reach2;
+    if (!(share > 0)) return;
+    bare = bare || !p.covered[j];
+    partners.push_back({then, p.position[j] + p.displacement[j] - s.position[i], share * share * share});
+  });
+  return bare ? Found::Bare : partners.size() < 3 ? Found::TooFew : Found::Map;
+}
+
+bool fit(const std::vector<Partner>& partners, AffineMap& map) {
+  map = {};
+  double sum = 0;
+  for (const Partner& q : partners) sum += q.weight, map.then += q.weight * q.then, map.now += q.weight * q.now;
+  if (!(sum > 0)) return false;
+  map.then = map.then / sum;
+  map.now = map.now / sum;
+  Sym3d moment;
+  Mat3d moved{};
+  for (const Partner& q : partners) {
+    const Vec3d d = q.then - map.then;
+    moment = moment + q.weight * symmetric(outer(d, d));
+    moved = moved + outer(q.weight * (q.now - map.now - d), d);
+  }
+  const MomentInverse inverse = invertMoment(moment, flat);
+  if (inverse.rank < 2) return false;
+  map.gradient = identity3<double>() + completeGradient(moved * full(inverse.inverse), inverse.inverse, inverse.rank);
+  return true;
+}
+
+/// False where the frame becomes a line: it is kept.
+bool turnFrame(const Mat3d& gradient, const Vec3d& startNormal, const Vec3d& startTangent, Vec3d& normal, Vec3d& tangent) {
+  const Vec3d a = gradient * startTangent, b = gradient * cross(startNormal, startTangent), n = cross(a, b);
+  const double size = length(n);
+  if (!(size > 1e-6 * length(a) * length(b))) return false;
+  normal = n / size;
+  tangent = normalized(a - dot(a, normal) * normal);
+  return true;
+}
+
+}  // namespace
+
+void keepStart(World& w) {
+  Surfels& s = w.surface.surfels;
+  if (!s.follows.active) return;
+  for (std::size_t i = 0; i < w.particles.owned; i++) w.particles.surfaceStart[i] = w.particles.position[i];
+  for (std::size_t i = 0; i < s.owned; i++) {
+    s.follows[i] = !(s.liquid.active && s.liquid[i] >= wet);
+    s.startPlace[i] = s.position[i];
+    s.startNormal[i] = s.normal[i];
+    s.startTangent[i] = s.tangent[i];
+  }
+}
+
+void followStart(World& w, const Bins& bins) {
+  Surfels& s = w.surface.surfels;
+  if (!s.follows.active) return;
+  const Periods periods = periodsOf(w.surface.grid);
+  std::vector<Partner> partners;
+  AffineMap map;
+  for (std::size_t i = 0; i < s.owned; i++) {
+    if (!s.follows[i]) continue;
+    const Found found = s.liquid.active && s.liquid[i] >= wet ? Found::Bare : findPartners(w, bins, i, periods, partners);
+    if (found == Found::Bare) {
+      s.follows[i] = 0;
+      s.startPlace[i] = s.startNormal[i] = s.startTangent[i] = {};
+      continue;
+    }
+    if (found == Found::TooFew || !fit(partners, map)) continue;
+    s.carried[i] = map.now - map.gradient * map.then;
+    turnFrame(map.gradient, s.startNormal[i], s.startTangent[i], s.normal[i], s.tangent[i]);
+  }
+}
+
+}  // namespace thaw
