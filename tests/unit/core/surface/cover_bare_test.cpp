@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <numbers>
+
 #include "core/surface/grow.hpp"
 #include "core/surface/measure.hpp"
 #include "tests/support/meshes.hpp"
@@ -179,6 +182,37 @@ TEST(CoverBare, WhatIsSqueezedAndHoldsTogetherGrowsNoSecondSkin) {
       EXPECT_GT(grown, 100u);
     }
   }
+}
+
+/// Swung through strains of a fifth and back in ten updates a turn, its surfels are where they began: nothing is added up.
+TEST(FollowStart, WhatSwingsAndComesBackHasItsMarks) {
+  TornBar bar(true);
+  const Surfels& f = bar.w.surface.surfels;
+  const std::vector<Vec3d> start(bar.w.particles.position.data(), bar.w.particles.position.data() + bar.w.particles.owned);
+  std::map<std::uint64_t, std::pair<Vec3d, Vec3d>> before;
+  for (std::size_t i = 0; i < f.owned; i++) before[f.id[i]] = {f.position[i], f.normal[i]};
+  for (int k = 1; k <= 30; k++) {
+    const double a = 0.2 * std::sin(k * std::numbers::pi / 5);
+    for (std::size_t i = 0; i < start.size(); i++) {
+      const Vec3d x = start[i];
+      bar.place(i) = {x.x * (1 + a), x.y + a * x.x * x.x, x.z * (1 - 0.5 * a) + a * x.x * x.y};
+    }
+    bar.update();
+  }
+  double worst = 0, turned = 0;
+  std::size_t old = 0;
+  for (std::size_t i = 0; i < f.owned; i++) {
+    if (!before.contains(f.id[i])) continue;  // born where it was stretched most
+    old++;
+    const auto& [place, normal] = before[f.id[i]];
+    worst = std::max(worst, length(f.position[i] - place) / 0.05);
+    turned = std::max(turned, length(f.normal[i] - normal));
+  }
+  std::printf("%.2e spacings off, normals %.2e\n", worst, turned);
+  EXPECT_EQ(old, before.size());
+  EXPECT_LT(f.owned - old, 5u);
+  EXPECT_LT(worst, 1e-9);
+  EXPECT_LT(turned, 1e-9);
 }
 
 TEST(CoverBare, AChipOfSixParticlesHasASurface) {
