@@ -81,11 +81,13 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
   }
   addToBalance(w, fresh, w.ledger.entered);
 
-  const bool ordered = needsOrder(w, t), placed = ordered || halos.all.size() > 1 || emitted > 0;
+  // where nobody looks for neighbours a particle may stay with the rank that it began with: bonds, which know their ends wherever these are, need not be sent after it
+  const bool ordered = needsOrder(w, t), moves = ordered || t.newPartition || w.modules.emitters;
+  t.newPartition = false;
   const bool open = hasOpenSide(w.scene.domain) && (t.mayLeave || emitted > 0);
   t.mayLeave = true;
-  findCells(w, t.leaving, placed, open);
-  if (!placed && !t.leaving.empty()) findCells(w, t.leaving, true, open);
+  findCells(w, t.leaving, moves, open);
+  if (!moves && !t.leaving.empty()) findCells(w, t.leaving, true, open);
   findStoredEnergy(w, t, t.leaving);
   addToBalance(w, t.leaving, w.ledger.left);
   w.counters.left += static_cast<std::int64_t>(t.leaving.size());
@@ -95,9 +97,10 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
     leftSlots = leftSlots || (p.slot.active && p.slot[i] != noSlot);
   }
   const std::size_t before = p.owned;
-  Migration m = halos.cells.migrate(p, {p.nextCell.data(), p.owned});
+  Migration m;
+  if (moves) m = halos.cells.migrate(p, {p.nextCell.data(), p.owned});
   computeCellKeys(w.grid, p, before, p.owned);
-  if (w.modules.solid) halos.bonds.migrate(p, w.solids, w.bonds, m);
+  if (w.modules.solid && moves) halos.bonds.migrate(p, w.solids, w.bonds, m);
   t.times.lap(StepPhase::Migrate);
   if (!t.leaving.empty()) {
     std::vector<std::uint32_t> gone;

@@ -69,6 +69,7 @@ struct StepTools {
   // from one step to the next; found again after a restart
   bool bondsAtStart = false;         ///< the next evaluation bonds the solids of the scene
   bool mayLeave = true;              ///< a particle may be beyond an open side; false: the drift has seen that none is
+  bool newPartition = true;          ///< cells may have other owners than at the last evaluation
   bool emitFirst = false;            ///< the next evaluation also emits what leaves at time 0
   bool phaseChangedHere = false;     ///< on this rank, since the last relink
   bool frozeAnywhere = false;        ///< some particle of some rank has just frozen
@@ -97,7 +98,8 @@ StepTools makeTools(const World& world);
 
 /// Forces, heat flows and all else that follows from positions, velocities and temperatures; migrates, sorts and finds neighbours
 /// first. dt (s) is the step that led here, 0 at the start.
-/// Needs: particles in any order, on any rank. Guarantees: each on the rank that owns its cell, sorted by (cell, id).
+/// Needs: particles in any order, on any rank. Guarantees: each on the rank that owns its cell, sorted by (cell, id), where
+/// anybody asks for cells (needsOrder).
 void evaluate(World& world, Halos halos, StepTools& tools, double dt);
 
 /// The next step's dt, from all ranks' limits, into the clock. Collective.

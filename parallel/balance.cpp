@@ -15,7 +15,7 @@ double workOf(const PhaseTimes& t) {
   return sum;
 }
 
-bool balance(World& w, CellHalo& halo, const StepTools& t, WorkMeter& meter) {
+bool balance(World& w, CellHalo& halo, StepTools& t, WorkMeter& meter) {
   const auto per = [](double seconds, double& before, std::size_t rows) {
     const double spent = seconds - before;
     before = seconds;
@@ -24,10 +24,14 @@ bool balance(World& w, CellHalo& halo, const StepTools& t, WorkMeter& meter) {
   const double perParticle = per(workOf(t.times), meter.seconds, w.particles.owned);
   std::array<double, kindCount> perRow{};
   eachKind(w, [&](std::size_t kind, const KindRows& r, const CellTable&) { perRow[kind] = per(t.times[kind == orientedKind ? StepPhase::Oriented : StepPhase::Sheet], meter.kinds[kind], r.owned); });
-  if (!needsOrder(w, t)) listCells(w.particles, w.cells);  // rows may have left the cells of the last sort
+  if (!needsOrder(w, t)) {  // rows may have left the cells of the last sort
+    computeCellKeys(w.grid, w.particles);
+    listCells(w.particles, w.cells);
+  }
   CellCosts costs = costOfCells(w, perParticle, perRow);
   for (double& c : costs.cost) c = std::max(1e-12, c);
-  return halo.rebalance(costs.cells, costs.cost, false);
+  t.newPartition = halo.rebalance(costs.cells, costs.cost, false) || t.newPartition;
+  return t.newPartition;
 }
 
 }  // namespace thaw

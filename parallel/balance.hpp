@@ -12,6 +12,6 @@ double workOf(const PhaseTimes& times);
 
 /// Gives cells a cost of this rank's time per particle since the last call and lets the halo decide whether to cut anew. Particles move at
 /// the next evaluation. Collective.
-bool balance(World& world, CellHalo& halo, const StepTools& tools, WorkMeter& meter);
+bool balance(World& world, CellHalo& halo, StepTools& tools, WorkMeter& meter);
 
 }  // namespace thaw

@@ -152,6 +152,7 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
   sortByCell(p, all, t.sort, w.cells);
   const CellCosts costs = countCells(w);
   halos.cells.rebalance(costs.cells, costs.cost, true);
+  t.newPartition = true;
   relaxPacking(w, halos, t, shapes);
   return report;
 }
@@ -209,6 +210,7 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   });
   const CellCosts costs = countCells(w);
   halos.cells.rebalance(costs.cells, costs.cost, true);
+  t.newPartition = true;
   if (w.modules.kinds()) bringKindsHome(w, halos, t);  // with their ghosts they are as the last step has left them
   if (w.modules.oriented) readyOriented(w, halos, t);
   dropBuffersOfStart(w, t);
