@@ -15,6 +15,7 @@
 #include "core/surface/blend.hpp"
 #include "core/surface/displace.hpp"
 #include "core/surface/ready_particles.hpp"
+#include "benchmarks/surface/row.hpp"
 #include "benchmarks/surface/whole_updates.hpp"
 #include "tests/support/settle_rig.hpp"
 
@@ -22,6 +23,7 @@ namespace {
 
 using namespace thaw;
 using test::SettleRig;
+using Row = SurfaceRow;
 
 /// Processor time, which depends less on what else runs.
 double seconds(const std::function<void()>& work) {
@@ -48,58 +50,6 @@ void neighbours(const SettleRig& rig, double& particles, double& surfels) {
   }
   particles = static_cast<double>(counted[0]) / static_cast<double>(n);
   surfels = static_cast<double>(counted[1]) / static_cast<double>(n);
-}
-
-struct Row {
-  std::string name;
-  double particles = 0, surfels = 0, aroundParticles = 0, aroundSurfels = 0;
-  double rate = 0, targetRate = 0, surfelSums = 0, particleSums = 0, finish = 0, exchange = 0;
-  double placeMs = 0, searches = 0, searchMs = 0, updateS = 0, targetS = 0, displaceMs = 0, fieldsMs = 0, readyMs = 0;
-  double worstS = 0, startS = 0, finished = 0, resamplingMs = 0, componentsMs = 0, growthMs = 0, measuresMs = 0, iterationsMs = 0;
-  double iterations = 0, hausdorff = 0, normalMean = 0, normalMax = 0;
-};
-
-void printHead(FILE* out) {
-  std::fprintf(out, "case,particles,surfels,particle_neighbours,surfel_neighbours,isa,k_surfels_per_s,target_k_surfels_per_s,ns_surfel_sums,ns_particle_sums,ns_move,ns_exchange,ms_search,"
-                    "update_s,update_s_target,ms_displace,ms_fields,ms_colours,ms_place,searches,iterations,update_s_worst,start_s,percent_to_local_stop,ms_components,ms_growth,ms_resampling,ms_iterations,ms_measures,hausdorff_percent,target_hausdorff_percent,normal_mean,target_normal_mean,normal_max,target_normal_max\n");
-}
-void print(FILE* out, const Row& r) {
-  const auto figure = [&](double v, const char* form) { v != 0 ? std::fprintf(out, form, v) : 0, std::fputc(',', out); };
-  std::fprintf(out, "%s,%.0f,%.0f,", r.name.c_str(), r.particles, r.surfels);
-  figure(r.aroundParticles, "%.1f");
-  figure(r.aroundSurfels, "%.1f");
-  std::fprintf(out, "%s,", surfaceKernels()->name);
-  figure(r.rate / 1e3, "%.0f");
-  figure(r.targetRate / 1e3, "%.0f");
-  for (double v : {r.surfelSums, r.particleSums, r.finish, r.exchange}) figure(v, "%.1f");
-  figure(r.searchMs, "%.1f");
-  figure(r.updateS, "%.3f");
-  figure(r.targetS, "%.3f");
-  for (double v : {r.displaceMs, r.fieldsMs, r.readyMs, r.placeMs}) figure(v, "%.1f");
-  figure(r.searches, "%.0f");
-  figure(r.iterations, "%.1f");
-  figure(r.worstS, "%.3f");
-  figure(r.startS, "%.2f");
-  figure(100 * r.finished, "%.0f");
-  for (double v : {r.componentsMs, r.growthMs, r.resamplingMs, r.iterationsMs, r.measuresMs}) figure(v, "%.1f");
-  const bool ball = r.hausdorff > 0;
-  figure(r.hausdorff, "%.3f");
-  figure(ball ? 1 : 0, "%.0f");
-  figure(r.normalMean, "%.2f");
-  figure(ball ? 1.5 : 0, "%.1f");
-  figure(r.normalMax, "%.2f");
-  if (ball) std::fprintf(out, "6");
-  std::fprintf(out, "\n");
-  std::fflush(out);
-}
-
-void fillPhases(Row& r, const RelaxTimes& t) {
-  const double n = static_cast<double>(t.surfels);
-  r.surfelSums = 1e9 * t.surfelSums / n;
-  r.particleSums = 1e9 * t.particleSums / n;
-  r.finish = 1e9 * t.finish / n;
-  r.exchange = 1e9 * t.exchange / n;
-  r.rate = n / (t.surfelSums + t.particleSums + t.finish + t.exchange);
 }
 
 /// Twelve full iterations on a ball of 4,000 particles with `surfels` surfels. Of a ball so small a surfel has 114 particles within twice their support

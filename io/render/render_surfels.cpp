@@ -11,6 +11,7 @@
 #include "io/render/glass.hpp"
 #include "io/render/parallel_for.hpp"
 #include "io/render/splat_faces.hpp"
+#include "io/render/surfel_lights.hpp"
 
 namespace thaw {
 
@@ -18,7 +19,6 @@ namespace {
 
 constexpr Rgb plain{188, 193, 200};
 constexpr float castingDiscs = 0.7f;  // of the drawn radius: in shadows a small gap does not show, but a rim at an edge does
-constexpr int sunDirections = 16, skyDirections = 40;
 
 bool finite(const Vec3f& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 
@@ -162,51 +162,6 @@ DiscClips clipsOfWholes(const DrawnSurfels& s, const SplatDiscs& parts, std::spa
   return clips;
 }
 
-/// The sun's disc and the sky, as seen by surfels.
-struct SurfelLights {
-  Lights lights;               // its sun has a direction only
-  std::vector<DepthMap> sun;
-};
-
-SurfelLights makeSurfelLights(const Discs& discs, const View& view, int threads) {
-  SurfelLights all;
-  double sum = 0;
-  for (float r : discs.radii) sum += r;
-  all.lights.radius = discs.radii.empty() ? 0 : static_cast<float>(sum / static_cast<double>(discs.radii.size()));
-  all.lights.sun.toLight = sunDirection(view);
-  const std::vector<Vec3f> sun = sunDisc(all.lights.sun.toLight, sunDirections), sky = skyDome(skyDirections);
-  all.sun.resize(sun.size());
-  all.lights.sky.resize(sky.size());
-  parallelFor(sun.size() + sky.size(), threads, [&](std::size_t k) {
-    if (k < sun.size()) all.sun[k] = makeDepthMap(discs, sun[k], 2.0f, 1024);
-    else all.lights.sky[k - sun.size()] = makeDepthMap(discs, sky[k - sun.size()], 1.3f, 512);
-  });
-  return all;
-}
-
-/// Part of the sun's disc that a surfel sees: soft at the edge of a shadow by as much as what casts it is away.
-float sunSeen(const SurfelLights& lights, const Vec3f& point, const Vec3f& normal, float radius) {
-  float seen = 0;
-  for (const DepthMap& map : lights.sun) seen += map.visible(point + (0.5f * radius) * normal, 0.6f * radius, 0);
-  return seen / static_cast<float>(lights.sun.size());
-}
-
-/// Light of the sky on a surfel, and what the floor throws back.
-float skySeen(const SurfelLights& lights, const Backdrop& backdrop, const Vec3f& point, const Vec3f& normal, float radius) {
-  float light = 0, full = 0, open = 0;
-  const Vec3f from = point + (0.5f * radius) * normal;
-  for (const DepthMap& map : lights.lights.sky) {
-    const float facing = dot(normal, map.toLight) + 0.15f;  // a little round the edge, as a sky is
-    full += map.toLight.z + 0.15f;
-    if (facing <= 0) continue;
-    const float visible = map.visible(from, 0.9f * radius, 0);
-    light += facing * visible;
-    open += visible;
-  }
-  const float below = 0.24f * (1 - normal.z) * (0.35f + 0.65f * open / static_cast<float>(lights.lights.sky.size()));
-  return light / full + below * backdrop.bounce(point);
-}
-
 std::vector<SurfelShade> lightSurfels(const DrawnSurfels& s, std::span<const std::uint8_t> seen, const SurfelLights& lights, const Backdrop& backdrop, int threads) {
   std::vector<SurfelShade> shades(s.positions.size());
   constexpr std::size_t piece = 4096;
@@ -221,19 +176,6 @@ std::vector<SurfelShade> lightSurfels(const DrawnSurfels& s, std::span<const std
     }
   });
   return shades;
-}
-
-/// The surface of a sample as the camera sees it.
-Light surfaceLight(const SurfelShade& s, const Vec3f& ray, const Vec3f& toSun) {
-  const Vec3f back = ray * (-1 / std::sqrt(dot(ray, ray))), sum = toSun + back;
-  const float facing = std::max(0.0f, dot(s.normal, toSun)) * s.sun;
-  const float half = std::max(0.0f, dot(s.normal, sum)) / std::sqrt(std::max(1e-12f, dot(sum, sum)));
-  float shine = half * half;  // half^48
-  shine *= shine * shine;
-  shine *= shine, shine *= shine, shine *= shine;
-  const float edge = 1 - std::max(0.0f, dot(s.normal, back)), rim = 0.05f * edge * edge * edge * edge;  // more is mirrored where seen edge on
-  const float white = (facing > 0 ? 0.10f * s.sun * shine : 0.0f) + rim;
-  return s.fromSky + facing * s.ofSun + Light{white, white, white};
 }
 
 void check(const SurfelInput& in, const RenderStyle& style, const SurfelStyle& how) {
