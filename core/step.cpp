@@ -67,7 +67,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   const bool leftSlots = bringHome(w, halos, t, dt);     // emit, let go, migrate, sort by (cell, id)
   if (w.modules.solid) relinkSolids(w, halos, t, {{}, t.phaseChangedHere || leftSlots || t.bondsAtStart});
   t.phaseChangedHere = false;
-  if (w.modules.kinds()) bringKindsHome(w, halos, t);
+  if (w.modules.kinds()) bringKindsHome(w, halos, t, dt);
   if (w.modules.sheet) linkSheets(w, halos, t);
   if (w.modules.oriented) evaluateOriented(w, halos, t, dt);
 
@@ -120,13 +120,14 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   addWallForces(walls, t.perLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
   if (w.modules.sheet) loadSheets(w, halos, t, dt);      // forces on vertices, and of vertices on particles
+  if (w.modules.meeting) meetContinuum(w, t, dt);        // oriented particles and the continuum
+  bookClamps(walls, t.wallContacts);
   if (w.modules.implicitViscosity) solveViscosity(w, halos, t, walls);  // knows all other forces
   if (w.modules.heat) {
     addWallHeat(walls, t.wallContacts);
     addOuterHeat(w, dt, walls.deep);
     addTempering(w, dt);
   }
-  if (w.modules.meeting) meetContinuum(w, t, dt);
   if (w.modules.neighbours) separateCoincident(w, t, coincident);
   t.times.lap(StepPhase::Heat);
 }

@@ -9,6 +9,7 @@
 #include "core/oriented/prepare_oriented.hpp"
 #include "core/sheet/inner_forces.hpp"
 #include "core/sheet/prepare_sheets.hpp"
+#include "core/sheet/step_sheets.hpp"
 
 namespace thaw {
 
@@ -30,7 +31,7 @@ void placeRows(World& w, Halos& halos, StepTools& t, std::size_t kind, KindRows&
 
 }  // namespace
 
-void bringKindsHome(World& w, Halos halos, StepTools& t) {
+void bringKindsHome(World& w, Halos halos, StepTools& t, double dt) {
   eachKind(w, [&](std::size_t kind, KindRows& r, CellTable& cells) {
     halos.kinds[kind]->follow(halos.cells);
     if (r.ghosts > 0) r.resize(r.owned, 0);
@@ -40,6 +41,7 @@ void bringKindsHome(World& w, Halos halos, StepTools& t) {
     // oriented rows go in evaluateOriented, which knows the energy of their pairs with those that stay
     t.leaving.clear();
     if (kind != orientedKind) findLeaving(w.scene.domain, r, 0, r.owned, t.leaving);
+    if (kind == sheetKind) closeLeavers(w, t.leaving, dt);
     for (const std::uint32_t i : t.leaving) {
       addKindRow(w, kind, i, w.ledger.left);
       w.ledger.dissipated.add(r.dissipated[i]);

@@ -4,8 +4,9 @@
 
 namespace thaw {
 
-/// Wraps positions at periodic sides, books and drops what left through open ones, migrates and sorts by (cell, id); ghosts are dropped. Collective.
-void bringKindsHome(World& world, Halos halos, StepTools& tools);
+/// Wraps positions at periodic sides, books and drops what left through open ones, migrates and sorts by (cell, id); ghosts are dropped. dt (s): of the step that led here.
+/// Collective.
+void bringKindsHome(World& world, Halos halos, StepTools& tools, double dt = 0);
 
 /// The same of oriented particles after births (appended, with cell 0) and deaths (mass 0): nothing is wrapped or booked. Collective.
 void placeOriented(World& world, Halos halos, StepTools& tools);

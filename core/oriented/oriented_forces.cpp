@@ -151,7 +151,7 @@ void bookObstacles(World& w, const StepTools& t, double dt) {
   Oriented& o = w.oriented.rows;
   for (std::size_t i = 0; i < o.owned; i++) {
     const Vec3d field = fieldForce(w, t.oriented, i).force;
-    const bool booked = w.scene.oriented.front().integrator == OrientedIntegrator::SymplecticEuler && !(o.flags[i] & heldPlace);
+    const bool booked = w.scene.oriented.front().integrator != OrientedIntegrator::RungeKutta && !(o.flags[i] & heldPlace);
     Vec3d impulse = field * dt;
     double work = booked ? 0 : dot(field, o.velocity[i]) * dt;
     for (const Wall& wall : w.walls.list) {

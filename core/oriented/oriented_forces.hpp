@@ -31,7 +31,7 @@ void refreshPlaces(World& world, Halos halos);
 void addUpForces(World& world, StepTools& tools);
 
 /// What obstacles do in a step of dt (s): impulse, work and loss by friction, of the forces at the rows' places now, into the ledger; the
-/// same of fields (fields.hpp), but for their work where the symplectic step books it.
+/// same of fields (fields.hpp), but for their work, which the symplectic and the semi-implicit step book, as they know by what velocity they move.
 void bookObstacles(World& world, const StepTools& tools, double dt);
 
 }  // namespace thaw

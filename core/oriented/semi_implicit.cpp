@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/math/exact_sum.hpp"
+#include "core/oriented/fields.hpp"
 #include "core/oriented/integrators.hpp"
 #include "core/oriented/oriented_forces.hpp"
 
@@ -149,6 +150,7 @@ void stepSemiImplicit(World& w, Halos halos, StepTools& t, double dt) {
       o.dissipated[i] += o.mass[i] * (body.damping * dt * dot(v, solved) + 0.5 * dot(dv, dv)) + 0.5 * dt * dt * dot(v, work.image[i]);
       for (int a = 0; a < 3; a++)
         if (const double lost = -dt * body.damping * o.mass[i] * solved[a]; lost != 0) w.ledger.wallImpulse[a].add(lost);
+      if (const double given = dt * dot(fieldForce(w, t.oriented, i).force, v); given != 0) w.ledger.wallWork.add(given);  // at the places of before: they have not moved yet
       o.velocity[i] = v;
       o.position[i] += dt * v;
     }

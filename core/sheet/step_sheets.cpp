@@ -132,6 +132,27 @@ void kickSheets(World& w, double dt) {
     for (std::size_t i = 0; i < s.owned; i++) s.temperature[i] += s.heatFlow[i] * dt / (s.area[i] * w.scene.sheets[s.body[i]].heatCapacity);
 }
 
+void closeLeavers(World& w, std::span<const std::uint32_t> rows, double dt) {
+  Sheets& s = w.sheets.rows;
+  if (rows.empty() || !(dt > 0)) return;
+  const std::vector<SpringLaw> laws = lawsNow(w, dt);
+  for (const std::uint32_t i : rows) {
+    const SpringLaw& law = laws[s.law[i]];
+    const bool held = s.clamped.active && s.clamped[i];
+    if (held || (!(law.damping > 0) && !(law.stiffness > 0))) continue;
+    Vec3d& v = s.velocity[i];
+    v += vertexMap(law, dt).after * s.load[i];
+    const Vec3d impulse = s.mass[i] * v;
+    for (int a = 0; a < 3; a++) w.ledger.wallImpulse[a].add(impulse[a]);
+    if (!s.moved.active) continue;
+    const Vec3d moved = s.moved[i], z1 = s.position[i] - restOf(w, i), z = z1 - moved;
+    s.energy[i] += 0.5 * law.stiffness * s.area[i] * (dot(z1, z1) - dot(z, z));
+    if (s.outside.active) w.ledger.wallWork.add(0.5 * dot(s.outside[i], moved) * s.area[i]);
+    if (s.resisting.active) s.dissipated[i] -= s.area[i] * dt * dot(s.resisting[i], v);
+    if (law.damping > 0) s.dissipated[i] += s.area[i] * (0.5 * dot(s.load[i], moved) - 0.5 * law.mass * dot(v, v));
+  }
+}
+
 void linkSheets(World& w, Halos halos, StepTools& t) {
   SheetBodies& b = w.sheets;
   Sheets& s = b.rows;

@@ -7,6 +7,10 @@ namespace thaw {
 /// First part: places after dt (s), velocities but for the forces there. Needs the loads of the last evaluation. Plastic flow follows.
 void moveSheets(World& world, double dt);
 
+/// Rows that are about to leave the domain, after moveSheets by dt (s): what the end of the step would have booked of them, with the loads of its beginning for those of its end. Nothing
+/// at dt 0.
+void closeLeavers(World& world, std::span<const std::uint32_t> rows, double dt);
+
 /// Brings the edges' table up to date after rows went home, and makes all bonds at the start. Collective.
 void linkSheets(World& world, Halos halos, StepTools& tools);
 

@@ -94,24 +94,6 @@ void addContactForces(const WallContext& x, const Meeting& at, Continuum& p, Wal
   act.resist(tangential * -rub, at.velocity);
 }
 
-/// What holds clamped particles, or drives them, balances all that acts on them.
-void bookClamps(World& w, double dt, double fast, WallContacts& contacts) {
-  const Continuum& p = w.particles;
-  if (!p.clamped.active) return;
-  const Vec3d g = w.scene.domain.gravity;
-  for (std::size_t i = 0; i < p.owned; i++)
-    if (p.clamped[i]) {
-      Vec3d balance = -(p.force[i] + g * p.mass[i]);
-      if (p.fastAcceleration.active) {
-        const Vec3d often = p.fastAcceleration[i] * -p.mass[i];
-        for (int a = 0; a < 3; a++) contacts.fast[a].add(often[a]);
-        balance += often * (fast - 1);
-      }
-      for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(balance[a]);
-      if (p.clamped[i] == driven) w.ledger.wallWork.add(dot(balance, p.velocity[i]) * dt);
-    }
-}
-
 }  // namespace
 
 double wallDrag(const WallContext& x, const WallContact& contact) {
@@ -175,7 +157,24 @@ void addWallForces(const WallContext& x, double perLatticeSum, WallContacts& con
       w.ledger.wallForce[a].add(often.force[a] * (x.fast - 1));
     }
   }
-  bookClamps(w, x.dt, x.fast, contacts);
+}
+
+void bookClamps(const WallContext& x, WallContacts& contacts) {
+  World& w = x.world;
+  const Continuum& p = w.particles;
+  if (!p.clamped.active) return;
+  const Vec3d g = w.scene.domain.gravity;
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (p.clamped[i]) {
+      Vec3d balance = -(p.force[i] + g * p.mass[i]);
+      if (p.fastAcceleration.active) {
+        const Vec3d often = p.fastAcceleration[i] * -p.mass[i];
+        for (int a = 0; a < 3; a++) contacts.fast[a].add(often[a]);
+        balance += often * (x.fast - 1);
+      }
+      for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(balance[a]);
+      if (p.clamped[i] == driven) w.ledger.wallWork.add(dot(balance, p.velocity[i]) * x.dt);
+    }
 }
 
 void addSubstepContacts(const WallContext& x, std::vector<WallContact>& contacts) {

@@ -29,6 +29,9 @@ void addWallFilling(const WallContext& context, double perLatticeSum, WallContac
 /// spring with dashpot and Coulomb friction within half a spacing of the wall. Work and impulse go to the ledger.
 void addWallForces(const WallContext& context, double perLatticeSum, WallContacts& contacts);
 
+/// What holds clamped particles, or drives them, balances all that acts on them: after all forces but those of the viscous solver, which books its own.
+void bookClamps(const WallContext& context, WallContacts& contacts);
+
 /// Substeps: contacts of slots that may touch a wall before the step ends, at the places of now, by row; and their springs, dashpots and
 /// friction at a later place, added to Solids::force. Work, impulse and losses over context.dt go to the ledger and the particles.
 void findSubstepContacts(const World& world, std::vector<WallContact>& contacts);
