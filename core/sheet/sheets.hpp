@@ -21,7 +21,7 @@ struct Sheets : KindRows {
   Column<Vec3d> outside{*this, "outside", "N/m^2", Keep::State, "its part that does work from outside: wind, wrap, brushes; only where a sheet has one"};
   Column<Mat3d> changing{*this, "changing", "J", Keep::State, "stored by coefficients that change in time, each at a factor of 1: warp, weft, shear; bending, volume, push; pull; only where one does"};
   Column<Vec3d> moved{*this, "moved", "m", Keep::State, "over the last step: work of what pushes, losses of damping; only where there is either"};
-  Column<Vec3d> resisting{*this, "resisting", "N/m^2", Keep::Transient, "part of the load that takes mechanical energy away: dashpots, friction; only where a sheet touches anything"};
+  Column<Vec3d> resisting{*this, "resisting", "N/m^2", Keep::State, "part of the load that takes mechanical energy away: dashpots, friction; only where a sheet touches anything"};
   Column<double> area{*this, "area", "m^2", Keep::State, "of the sheet at the start, a third of the vertex' triangles"};
   Column<std::uint16_t> law{*this, "law", "1", Keep::State, "index into SheetBodies::laws"};
   Column<std::uint32_t> part{*this, "part", "1", Keep::State, "index into SheetBodies::parts: the connected piece it belongs to"};

@@ -77,6 +77,17 @@ void yieldPlastic(World& w, double time) {
   }
 }
 
+/// The load whose work over the way is in what damping takes. Of what has no mass dashpots and friction are left out, as this is all that it loses: its velocity follows their force at once, to
+/// and fro from step to step, and force times velocity would say nothing of their work.
+Vec3d workingLoad(const Sheets& s, std::size_t i, const SpringLaw& law) { return s.resisting.active && !(law.mass > 0) ? s.load[i] - s.resisting[i] : s.load[i]; }
+
+/// What a vertex loses, at the end of a step: dashpots and friction; and with damping what is missing of the energy and of the work of the load.
+void bookKick(Sheets& s, std::size_t i, const SpringLaw& law, double dt) {
+  const Vec3d& v = s.velocity[i];
+  if (s.resisting.active && law.mass > 0) s.dissipated[i] -= s.area[i] * dt * dot(s.resisting[i], v);
+  if (law.damping > 0) s.dissipated[i] += s.area[i] * (0.5 * dot(workingLoad(s, i, law), s.moved[i]) - 0.5 * law.mass * dot(v, v));
+}
+
 }  // namespace
 
 void moveSheets(World& w, double dt) {
@@ -106,7 +117,7 @@ void moveSheets(World& w, double dt) {
     const Vec3d z1 = s.position[i] - rest, moved = z1 - z;
     s.moved[i] = moved;
     // what drag takes over the step is what is missing of the energy and of the work of the load; kickSheets knows the rest
-    if (law.damping > 0) s.dissipated[i] += s.area[i] * (0.5 * law.mass * dot(v, v) + 0.5 * law.stiffness * (dot(z, z) - dot(z1, z1)) + 0.5 * dot(s.load[i], moved));
+    if (law.damping > 0) s.dissipated[i] += s.area[i] * (0.5 * law.mass * dot(v, v) + 0.5 * law.stiffness * (dot(z, z) - dot(z1, z1)) + 0.5 * dot(workingLoad(s, i, law), moved));
   }
   if (s.outside.active) bookOutsideWork(w);
   bookRestChange(w, middle, end);
@@ -122,9 +133,7 @@ void kickSheets(World& w, double dt) {
     if (s.clamped.active && s.clamped[i]) continue;
     Vec3d& v = s.velocity[i];
     v += after[s.law[i]] * s.load[i];
-    if (s.resisting.active) s.dissipated[i] -= s.area[i] * dt * dot(s.resisting[i], v);
-    const SpringLaw& law = laws[s.law[i]];
-    if (law.damping > 0) s.dissipated[i] += s.area[i] * (0.5 * dot(s.load[i], s.moved[i]) - 0.5 * law.mass * dot(v, v));
+    bookKick(s, i, laws[s.law[i]], dt);
   }
   bookHolding(w, 1, dt);
   if (s.outside.active) bookOutsideWork(w);
@@ -148,8 +157,7 @@ void closeLeavers(World& w, std::span<const std::uint32_t> rows, double dt) {
     const Vec3d moved = s.moved[i], z1 = s.position[i] - restOf(w, i), z = z1 - moved;
     s.energy[i] += 0.5 * law.stiffness * s.area[i] * (dot(z1, z1) - dot(z, z));
     if (s.outside.active) w.ledger.wallWork.add(0.5 * dot(s.outside[i], moved) * s.area[i]);
-    if (s.resisting.active) s.dissipated[i] -= s.area[i] * dt * dot(s.resisting[i], v);
-    if (law.damping > 0) s.dissipated[i] += s.area[i] * (0.5 * dot(s.load[i], moved) - 0.5 * law.mass * dot(v, v));
+    bookKick(s, i, law, dt);
   }
 }
 
