@@ -154,7 +154,7 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
   r.momentumResidual = r.now.momentum + r.underWay - (r.initial.momentum + r.entered.momentum - r.left.momentum + r.wallImpulse + r.gravityImpulse);
   const double expected = mechanical(r.initial) + mechanical(r.entered) - mechanical(r.left) + r.wallWork - r.dissipated - r.phaseJump + r.restartJump;
   r.energyResidual = mechanical(r.now) - expected;
-  r.energyScale = std::max({std::abs(r.now.kinetic), std::abs(r.initial.kinetic), std::abs(r.dissipated), std::abs(r.now.potential - r.initial.potential), std::abs(r.now.elastic), r.entered.kinetic, r.left.kinetic});
+  r.energyScale = std::max({std::abs(r.now.kinetic), std::abs(r.initial.kinetic), std::abs(r.dissipated), std::abs(r.now.potential - r.initial.potential), std::abs(r.now.elastic), std::abs(r.wallWork), r.entered.kinetic, r.left.kinetic});
   r.energyRounding = roundingOf(w, r);
   r.heatResidual = r.now.internal - (r.initial.internal + r.entered.internal - r.left.internal + r.heatIn);
   return r;

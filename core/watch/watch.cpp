@@ -60,7 +60,7 @@ Alarm alarmOf(const World& w, const WatchBounds& b, const StepLimits& limits, do
 
 Alarm checkBooks(const World& w, const WatchBounds& b, const LedgerReport& books, Reducer& all) {
   const double expected = 0.5 * books.now.mass * b.expected * b.expected;
-  if (b.energy < never && !(books.energyResidual - w.watch.residual <= b.energy * std::max({w.watch.scale, expected, books.energyRounding}))) return Alarm::Energy;
+  if (b.energy < never && !(books.energyResidual - w.watch.residual <= b.energy * std::max({w.watch.scale, std::abs(books.wallWork), expected, books.energyRounding}))) return Alarm::Energy;
   // what grows slowly is never half of anything from one good state to the next
   const double largest = std::max({w.watch.largest, books.energyScale, 0.01 * expected, books.energyRounding});
   if (b.energy < never && books.energyResidual > b.energy * largest && books.energyResidual > w.watch.residual) return Alarm::Growth;

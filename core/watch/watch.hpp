@@ -36,7 +36,7 @@ double largestFilling(const World& world);
 Alarm alarmOf(const World& world, const WatchBounds& bounds, const StepLimits& limits, double filling);
 
 /// At what may become a good state: energy that no entry of the ledger explains, since the last good state, above WatchBounds::energy times
-/// the largest of the ledger's terms then and the kinetic energy of all mass at the expected speed; the same since the run began, where the
+/// the largest of the ledger's terms then, the work of what pushes from outside until now, and the kinetic energy of all mass at the expected speed; the same since the run began, where the
 /// measure is the largest of the ledger's terms that there was, and at least the kinetic energy at a tenth of the expected speed; and the share of solid particles with det F <= 0 whose law (Green strain
 /// without a volume force) has no force that turns them back. Only energy that is too much: what is lost makes no run unstable, and is in the
 /// ledger's residual. Collective.

@@ -1,4 +1,5 @@
 // The books where sheets and oriented bodies leave the domain, act on what is held, and are pushed.
+#include "core/watch/watch.hpp"
 #include "tests/support/sheet_samples.hpp"
 
 namespace thaw {
@@ -81,6 +82,43 @@ TEST(KindBooks, WorkOfPressureIsThatOfTheMovementInSemiImplicitSteps) {
   const LedgerReport books = sim.books();
   EXPECT_GT(books.wallWork, 0);
   EXPECT_LT(std::abs(books.energyResidual), 1e-3 * books.wallWork);  // as much again as the scheme loses where work went by the velocity before
+}
+
+/// A sphere without mass that is pressed, or pushed onto a ball.
+Scene weightless(bool ball) {
+  Scene s = test::emptyScene(0.02, {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
+  s.sheets = test::sheetScene(SheetMesh::Sphere).sheets;
+  SheetBody& b = s.sheets[0];
+  b.spacing = 0.02;
+  b.radius = 0.12;
+  b.mass = 0, b.damping = 3, b.warp = b.weft = b.shear = 20, b.wrap = 40;
+  if (ball) {
+    s.obstacles.emplace_back();
+    s.obstacles.back().name = "ball";
+    s.obstacles.back().shape.kind = ShapeKind::Sphere;
+    s.obstacles.back().shape.radius = 0.1;
+  }
+  s.end = 0.02;
+  s.output.every = 0.01;
+  return s;
+}
+
+TEST(KindBooks, ContactOfASheetWithoutMassMakesNoEnergy) {
+  test::Simulation sim(weightless(true));
+  ASSERT_TRUE(sim.run());
+  const LedgerReport books = sim.books();
+  EXPECT_GT(books.dissipated, 0.05);
+  EXPECT_LT(std::abs(books.energyResidual), 1e-3 * books.energyScale);
+}
+
+TEST(KindBooks, WorkFromOutsideIsNoAlarmWhereNothingWasBefore) {
+  test::Simulation sim(weightless(false));
+  while (sim.w.clock.step < 20) ASSERT_TRUE(sim.step());
+  const LedgerReport books = sim.books();
+  EXPECT_GT(books.wallWork, 0);
+  WatchBounds bounds;
+  bounds.energy = 0.5;
+  EXPECT_EQ(checkBooks(sim.w, bounds, books, sim.all), Alarm::None);
 }
 
 }  // namespace
