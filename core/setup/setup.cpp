@@ -18,6 +18,7 @@
 #include "core/scene/full_box.hpp"
 #include "core/setup/activate_fields.hpp"
 #include "core/sheet/face_contact.hpp"
+#include "core/sheet/mesh_contact.hpp"
 #include "core/sheet/prepare_sheets.hpp"
 #include "core/fluid/surface_energy.hpp"
 #include "core/setup/make_grid.hpp"
@@ -93,7 +94,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   for (const Body& b : w.scene.bodies) shapes.push_back(makeSignedDistance(b.shape, load, "body '" + b.name + "'", problems));
   problems.raise();
   if (w.modules.sheet) prepareSheets(w, load);
-  if (const double reach = faceContactReach(w.sheets.plans); reach > w.grid.edge.x) w.grid = makeGrid(w.scene, reach);
+  if (const double reach = std::max(faceContactReach(w.sheets.plans), meshContactReach(w.scene, w.sheets.plans)); reach > w.grid.edge.x) w.grid = makeGrid(w.scene, reach);
   w.scene.fallHeight = fallHeightOf(w.scene, shapes);
 
   if (w.modules.oriented) prepareOriented(w.scene, t.oriented, load);

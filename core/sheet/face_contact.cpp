@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "core/heat/enthalpy.hpp"
+#include "core/sheet/mesh_pairs.hpp"
+#include "core/sheet/nearest_points.hpp"
 #include "core/sheet/rows_around.hpp"
 #include "core/sheet/touch.hpp"
 
@@ -11,9 +13,6 @@ namespace thaw {
 namespace {
 
 constexpr double coarser = 1.25;    // spacings of particles between vertices
-constexpr double stretched = 1.3;   // of edges, for which the cells have room
-
-constexpr std::uint32_t nobody = 0xffffffffu;
 
 /// A triangle near a cell, its corners as rows and places.
 struct Face {
@@ -23,15 +22,10 @@ struct Face {
   Vec3d low, high;   ///< of what touches it
 };
 
-bool inOrBeside(std::uint64_t a, std::uint64_t b) {
-  const Vec3i p = cellOfKey(a), q = cellOfKey(b);
-  return std::abs(p.x - q.x) <= 1 && std::abs(p.y - q.y) <= 1 && std::abs(p.z - q.z) <= 1;
-}
-
-/// Calls use(cell of the table, row) for all rows, ghosts too, ascending by (cell, id).
+/// Calls use(row) for all rows, ghosts too, ascending by (cell, id).
 template<class Use> void eachRow(const CellTable& t, Use&& use) {
   for (std::size_t c = 0; c < t.key.size(); c++)
-    for (std::uint32_t i = t.first[c]; i < t.first[c] + t.count[c]; i++) use(t.key[c], i);
+    for (std::uint32_t i = t.first[c]; i < t.first[c] + t.count[c]; i++) use(i);
 }
 
 /// One sheet against all particles.
@@ -41,19 +35,11 @@ struct FaceContact {
   std::size_t sheet;
   const SheetPlan& plan;
   const SheetBody& body;
-  std::vector<std::uint32_t> rowOf;        // of each vertex of the sheet, ghosts too
-  std::vector<std::uint64_t> cellOfRow;
+  const MeshRows& rows;
   std::vector<double> slope;               // N/m, of owned vertices
 
   FaceContact(World& world, const SheetVelocities& velocities, std::size_t n)
-      : w(world), now(velocities), sheet(n), plan(world.sheets.plans[n]), body(world.scene.sheets[n]), rowOf(plan.mesh.vertices.size(), nobody), slope(world.sheets.rows.owned, 0) {
-    const Sheets& s = w.sheets.rows;
-    cellOfRow.resize(s.owned + s.ghosts);
-    eachRow(w.sheets.cells, [&](std::uint64_t key, std::uint32_t i) {
-      cellOfRow[i] = key;
-      if (s.body[i] == sheet) rowOf[s.id[i] & ((1ull << 40) - 1)] = i;
-    });
-  }
+      : w(world), now(velocities), sheet(n), plan(world.sheets.plans[n]), body(world.scene.sheets[n]), rows(world.sheets.search->rows), slope(world.sheets.rows.owned, 0) {}
 
   std::vector<RowRange> ranges;
   std::vector<Face> faces;
@@ -62,17 +48,17 @@ struct FaceContact {
   void facesNear(std::uint64_t key) {
     faces.clear();
     const Sheets& s = w.sheets.rows;
+    const Vec3i cell = cellOfKey(key);
     rowsAround(w.sheets.cells, key, ranges);
     for (const RowRange& r : ranges)
       for (std::uint32_t i = r.begin; i < r.end; i++) {
         if (s.body[i] != sheet) continue;
-        const std::uint64_t v = s.id[i] & ((1ull << 40) - 1);
+        const std::uint32_t v = vertexOf(s.id[i]);
         for (std::uint32_t k = plan.faceFirst[v]; k < plan.faceFirst[v + 1]; k++) {
-          Face f{plan.faceOf[k], {}, {}, {}, {}};
+          Face f{plan.faceOf[k], rowsOfTriangle(rows, plan, sheet, plan.faceOf[k]), {}, {}, {}};
           bool here = true;
           for (std::size_t q = 0; q < 3 && here; q++) {
-            f.row[q] = rowOf[plan.mesh.triangles[f.number][q]];
-            here = f.row[q] != nobody && inOrBeside(cellOfRow[f.row[q]], key);
+            here = f.row[q] != notHere && beside(rows.cell[f.row[q]], cell);
             if (here) f.x[q] = s.position[f.row[q]];
           }
           if (!here) continue;
@@ -148,11 +134,12 @@ struct FaceContact {
   void pushVertices() {
     const Continuum& p = w.particles;
     Sheets& s = w.sheets.rows;
-    eachRow(w.cells, [&](std::uint64_t, std::uint32_t j) {
+    eachRow(w.cells, [&](std::uint32_t j) {
       if (p.sheetFace[j] == 0) return;
       const Vec3d shares = p.sheetShares[j], numbers = p.sheetNumbers[j];
+      const auto corners = rowsOfTriangle(rows, plan, sheet, p.sheetFace[j] - 1);
       for (std::size_t k = 0; k < 3; k++) {
-        const std::uint32_t i = rowOf[plan.mesh.triangles[p.sheetFace[j] - 1][k]];
+        const std::uint32_t i = corners[k];
         const double share = shares[static_cast<int>(k)];
         if (i >= s.owned || share == 0) continue;
         s.load[i] += (share / s.area[i]) * p.sheetPush[j];
@@ -172,45 +159,9 @@ bool coarserThanParticles(const Scene& s, const SheetPlan& plan) { return !(s.bo
 
 double faceContactReach(const std::vector<SheetPlan>& plans) {
   double reach = 0;
-  for (const SheetPlan& p : plans) {
-    if (!p.byFaces) continue;
-    double longest = 0;
-    for (const auto& t : p.mesh.triangles)
-      for (std::size_t k = 0; k < 3; k++) longest = std::max(longest, length(p.mesh.vertices[t[(k + 1) % 3]] - p.mesh.vertices[t[k]]));
-    reach = std::max(reach, p.faceReach + stretched * longest);
-  }
+  for (const SheetPlan& p : plans)
+    if (p.byFaces) reach = std::max(reach, p.faceReach + stretchedEdges * p.longestEdge);
   return reach;
-}
-
-Vec3d sharesOfNearest(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& x) {  // Ericson 2005, 5.1.5
-  const Vec3d ab = b - a, ac = c - a, ap = x - a;
-  const double d1 = dot(ab, ap), d2 = dot(ac, ap);
-  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
-  const Vec3d bp = x - b;
-  const double d3 = dot(ab, bp), d4 = dot(ac, bp);
-  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0 && d1 - d3 > 0) {
-    const double t = d1 / (d1 - d3);
-    return {1 - t, t, 0};
-  }
-  const Vec3d cp = x - c;
-  const double d5 = dot(ab, cp), d6 = dot(ac, cp);
-  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0 && d2 - d6 > 0) {
-    const double t = d2 / (d2 - d6);
-    return {1 - t, 0, t};
-  }
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 >= d3 && d5 >= d6 && (d4 - d3) + (d5 - d6) > 0) {
-    const double t = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    return {0, 1 - t, t};
-  }
-  const double all = va + vb + vc;
-  if (!(all > 0)) return {1, 0, 0};  // without area
-  const double v = vb / all, q = vc / all;
-  return {1 - v - q, v, q};
 }
 
 void meetFaces(World& w, Halos halos, const SheetVelocities& now) {

@@ -13,9 +13,6 @@ bool coarserThanParticles(const Scene& scene, const SheetPlan& plan);
 /// How far (m) around a particle all corners of a triangle that it touches lie: cells must not be smaller. 0 without such sheets.
 double faceContactReach(const std::vector<SheetPlan>& plans);
 
-/// The nearest point of a triangle: its shares of the corners (they add up to 1).
-Vec3d sharesOfNearest(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& x);
-
 /// Adds to Sheets::load, energy, resisting, heatFlow, slope, and to force, interaction, dissipation and heatFlow of particles. The owner of a particle finds its
 /// triangle, among those whose corners all lie in the 27 cells around the particle's, and the force; the owners of the corners take their shares in the order
 /// (cell, id) of the particles. Needs ghosts of vertices with their ids, and of particles. Collective.

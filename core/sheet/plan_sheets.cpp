@@ -9,6 +9,7 @@
 #include "core/geometry/shape_error.hpp"
 #include "core/geometry/weld_vertices.hpp"
 #include "core/sheet/face_contact.hpp"
+#include "core/sheet/mesh_contact.hpp"
 #include "core/sheet/sheet_contact.hpp"
 #include "core/sheet/sheet_meshes.hpp"
 
@@ -86,6 +87,10 @@ void planFaces(const Scene& s, const SheetBody& b, SheetPlan& plan) {
   double area = 0;
   for (const double a : plan.topology.area) area += a;
   plan.faceMass = plan.contactMass * area / static_cast<double>(plan.topology.area.size());
+}
+
+/// Triangles by their first corners.
+void listFaces(SheetPlan& plan) {
   plan.faceFirst.assign(plan.mesh.vertices.size() + 1, 0);
   for (const auto& t : plan.mesh.triangles) plan.faceFirst[t[0] + 1]++;
   for (std::size_t v = 0; v + 1 < plan.faceFirst.size(); v++) plan.faceFirst[v + 1] += plan.faceFirst[v];
@@ -201,6 +206,7 @@ SheetPlans planSheets(const Scene& s, const MeshLoader& load) {
           const std::uint32_t a = std::min(v, t.ring[k].to), c = std::max(v, t.ring[k].to);  // both ends find the same bits
           const Vec3d d = plan.mesh.vertices[c] - plan.mesh.vertices[a];
           edges += length(d);
+          plan.longestEdge = std::max(plan.longestEdge, std::max(1.0, b.restLength) * length(d));
           plan.edgeLength.push_back(b.restLength * length(d));
           plan.edgeKind.push_back(edgeKind(b, d));
           plan.edgeStiffness.push_back(edgeStiffness(b, d, t.ring[k].area) * factor(plan.edgeKind.back(), a, c));
@@ -211,6 +217,7 @@ SheetPlans planSheets(const Scene& s, const MeshLoader& load) {
       plan.contactMass = b.mass > 0 ? b.mass : b.damping > 0 ? b.damping / plan.contactRate : b.stiffness / (plan.contactRate * plan.contactRate);
       plan.byFaces = coarserThanParticles(s, plan);
       if (plan.byFaces) planFaces(s, b, plan);
+      if (plan.byFaces || meshTouches(s, n)) listFaces(plan);
       plan.edgeForces = b.warp > 0 || b.weft > 0 || b.shear > 0 || b.bending > 0;
       plan.normals = b.volumeStiffness > 0 || (b.wrap != 0 && b.wrapTo.empty()) || b.windDensity > 0;
       if (b.wrap != 0) plan.wrapTarget = wrapTarget(s, n);

@@ -45,10 +45,11 @@ struct SheetPlan {
   std::vector<SheetHinge> hinges; ///< both directions, by `from`
   std::uint32_t firstPart = 0;
   double spacing = 0;             ///< m, mean length of edges
+  double longestEdge = 0;         ///< m, at the start and at rest
   double thickness = 0;           ///< m, where contact begins
   double contactRate = 0;         ///< 1/s
   double contactMass = 0;         ///< kg/m^2, that contact's stiffness goes by: the sheet's, unless that is 0
-  // of contact with the continuum by triangles (face_contact.hpp)
+  // of contact by triangles: with the continuum (face_contact.hpp), and of sheets (mesh_contact.hpp)
   bool byFaces = false;
   double faceReach = 0;           ///< m, distance of a particle's centre at which it begins
   double faceRate = 0;            ///< 1/s, as contactRate
@@ -59,6 +60,9 @@ struct SheetPlan {
   bool normals = false;           ///< some force needs them
   bool touches = false;           ///< something is in the scene that it can touch
 };
+
+/// Part of its length that an edge may be stretched to and still be where contact by triangles looks for it: cells have room for so much.
+inline constexpr double stretchedEdges = 1.3;
 
 struct SheetPlans {
   std::vector<SheetPlan> plans;

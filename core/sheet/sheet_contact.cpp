@@ -7,6 +7,8 @@
 #include "core/kinds/kinds.hpp"
 #include "core/sheet/changing_factors.hpp"
 #include "core/sheet/face_contact.hpp"
+#include "core/sheet/mesh_contact.hpp"
+#include "core/sheet/mesh_pairs.hpp"
 #include "core/sheet/rows_around.hpp"
 #include "core/sheet/touch.hpp"
 
@@ -50,7 +52,8 @@ PairSpring pairSpring(const World& w, SheetFactor f, std::size_t i, std::size_t 
   return {own, own * p.now[k] + other * q.now[k], own * p.most[k] + other * q.most[k]};
 }
 
-void meetSheets(World& w, const SheetVelocities& now) {
+/// Pushes and pulls by distance.
+void pushVertices(World& w) {
   SheetBodies& b = w.sheets;
   Sheets& s = b.rows;
   std::vector<double> slope(s.owned, 0);
@@ -69,7 +72,7 @@ void meetSheets(World& w, const SheetVelocities& now) {
     const SheetBody &x = w.scene.sheets[s.body[i]], &y = w.scene.sheets[s.body[j]];
     const bool same = s.body[i] == s.body[j];
     if (same) {
-      if (!x.selfContact && !(x.push > 0) && !(x.pull > 0)) return;
+      if (!(x.push > 0) && !(x.pull > 0)) return;
       const Vec3d apart = s.rest[i] - s.rest[j];
       const double never2 = neverTouch(p) * neverTouch(p);
       if (dot(apart, apart) < never2) return;
@@ -78,15 +81,6 @@ void meetSheets(World& w, const SheetVelocities& now) {
     const Vec3d n = d / r;
     Vec3d force{};
     double energy = 0;
-    if (depth > 0 && (!same || x.selfContact)) {
-      const Touch t = touchOf({std::max(p.contactRate, q.contactRate), pairMass(massOf(w, i), massOf(w, j)), std::min(x.restitution, y.restitution),
-                               std::max(x.friction, y.friction), now.span},
-                              depth, n, s.moving[i] - s.moving[j]);
-      force += t.force;
-      energy += t.energy;
-      s.resisting[i] += t.resisting / s.area[i];
-      slope[i] += t.slope;
-    }
     const double beyond = -depth, reach = std::max(x.pullReach, y.pullReach);
     if (const PairSpring push = pairSpring(w, SheetFactor::Push, i, j); push.later > 0 && depth > 0) {
       const double unit = 0.5 * depth * depth;
@@ -215,11 +209,15 @@ void meetOriented(World& w, const SheetVelocities& now) {
 
 }  // namespace
 
-bool sheetsMeet(const Scene& s) {
-  for (const SheetBody& b : s.sheets)
-    if (b.selfContact || b.push > 0 || b.pull > 0) return true;
-  return s.sheets.size() > 1;
+namespace {
+
+bool pushOrPull(const Scene& s) {
+  return std::any_of(s.sheets.begin(), s.sheets.end(), [](const SheetBody& b) { return b.push > 0 || b.pull > 0; });
 }
+
+}  // namespace
+
+bool sheetsMeet(const Scene& s) { return pushOrPull(s) || meshesTouch(s); }
 
 bool sheetsMeetContinuum(const Scene& s) { return !s.sheets.empty() && hasContinuum(s); }
 
@@ -228,18 +226,23 @@ double neverTouch(const SheetPlan& p) { return std::max(2 * p.spacing, 1.3 * p.t
 void addSheetContacts(World& w, Halos halos, const SheetVelocities& now) {
   SheetBodies& b = w.sheets;
   Sheets& s = b.rows;
-  const bool sheets = sheetsMeet(w.scene), continuum = sheetsMeetContinuum(w.scene), oriented = w.modules.draping;
+  const bool meshes = meshesTouch(w.scene), pushes = pushOrPull(w.scene), continuum = sheetsMeetContinuum(w.scene), oriented = w.modules.draping;
   bool points = false, faces = false;  // of contact with the continuum
   for (const SheetPlan& p : b.plans) (p.byFaces ? faces : points) = true;
-  if (!sheets && !continuum && !oriented) return;
+  if (!meshes && !pushes && !continuum && !oriented) return;
   std::copy(now.velocity.begin(), now.velocity.end(), s.moving.data());
   ColumnList columns{&s.position, &s.moving, &s.rest, &s.area, &s.body, &s.law};
   if (s.temperature.active) columns.push_back(&s.temperature);
-  if (faces) columns.push_back(&s.id);
+  if (faces || meshes) columns.push_back(&s.id);
   CellHalo& halo = *halos.kinds[sheetKind];
   halo.beginGhosts(s, b.cells, columns);
   halo.finishGhosts(s, b.cells);
-  if (sheets) meetSheets(w, now);
+  if (faces || meshes) {
+    if (!b.search) b.search = std::make_shared<MeshSearch>();
+    findMeshRows(s, b.cells, b.plans, b.search->rows);
+  }
+  if (meshes) meetMeshes(w, now);
+  if (pushes) pushVertices(w);
   if (continuum && points) meetParticles(w, now);
   if (continuum && faces) meetFaces(w, halos, now);
   if (oriented) meetOriented(w, now);

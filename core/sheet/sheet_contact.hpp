@@ -1,14 +1,15 @@
-// Contact by distance: of vertices with vertices of other sheets, and of the same where it may touch itself, and with particles of the continuum.
+// What acts on vertices by distance: pushes and pulls between them, contact with particles of the continuum and with oriented ones; and the way to the contacts of
+// sheets with each other (mesh_contact.hpp).
 #pragma once
 #include "core/sheet/outer_forces.hpp"
 
 namespace thaw {
 
-/// Do vertices of the scene's sheets act on each other by distance, or on particles of the continuum?
+/// Do the scene's sheets act on each other or on themselves by distance, or on particles of the continuum?
 bool sheetsMeet(const Scene& scene);
 bool sheetsMeetContinuum(const Scene& scene);
 
-/// Vertices of one sheet that are nearer than this at the start (m) never touch: their edges hold them apart.
+/// Vertices of one sheet that are nearer than this at the start (m) neither push nor pull: their edges hold them apart.
 double neverTouch(const SheetPlan& plan);
 
 /// Adds to Sheets::load, energy, dissipated, heatFlow, and to force, interaction, dissipation and heatFlow of particles. Both ends of a pair

@@ -181,7 +181,7 @@ void loadSheets(World& w, Halos halos, StepTools& t, double dt) {
   Sheets& s = b.rows;
   b.stiffest.assign(b.laws.size(), 0);
   b.slope.assign(s.owned, 0);
-  b.fastest2 = b.stiffestParticle = 0;
+  b.fastest2 = b.stiffestParticle = b.closing = 0;
   // contacts want the velocity of now: what is missing is the push of the force after the step, for which that before stands
   std::vector<double> after(b.laws.size(), 0);
   for (std::size_t l = 0; dt > 0 && l < b.laws.size(); l++) after[l] = vertexMap(lawNow(w, b.laws[l], dt), dt).after;
@@ -232,6 +232,7 @@ double sheetStepLimit(const World& w) {
       if (p.touches) thin = std::min({thin, p.thickness, p.byFaces ? p.faceReach : never});
     limit = std::min(limit, 0.5 * thin / std::sqrt(b.fastest2));
   }
+  if (b.closing > 0) limit = std::min(limit, 0.5 / b.closing);
   return limit;
 }
 

@@ -57,6 +57,41 @@ wind_density = 1.2
 [output]
 every = "20 ms"
 EOF
+# A cloth comes down on its edge, folds and falls on a ribbon that slides under it.
+cat >"$work/folded.toml" <<'EOF'
+spacing = "2 cm"
+end = "1 s"
+[domain]
+min = [-0.5, -0.5, -0.02]
+max = [0.5, 0.5, 0.5]
+[[obstacle]]
+name = "floor"
+plane = { point = [0, 0, 0], normal = [0, 0, 1] }
+[[sheet]]
+name = "cloth"
+grid = { width = 0.3, depth = 0.3 }
+spacing = "2 cm"
+mass = 0.3
+warp = 100
+weft = 100
+shear = 5
+bending = 0.05
+self_contact = true
+place = { rotate_x = "86 deg", rotate_z = "25 deg", move = [0, 0, 0.165] }
+velocity = [0, 0.3, -1]
+[[sheet]]
+name = "ribbon"
+grid = { width = 0.2, depth = 0.06 }
+spacing = "15 mm"
+mass = 0.2
+warp = 50
+weft = 50
+shear = 5
+place = { rotate_z = "40 deg", move = [0.05, 0.1, 0.03] }
+velocity = [-0.5, 0, 0]
+[output]
+every = "20 ms"
+EOF
 # Sheets are wrapped round a block, a net and another sheet, with coefficients that change in time and by region.
 cat >"$work/wrapped.toml" <<'EOF'
 spacing = "3 cm"
@@ -118,7 +153,7 @@ place = { rotate_y = "90 deg", move = [0.45, 0.01, 0] }
 [output]
 every = "20 ms"
 EOF
-wanted=${SCENES:-skin head jack shell cloth together coarse wrapped retry}
+wanted=${SCENES:-skin head jack shell cloth together coarse folded wrapped retry}
 for which in $wanted; do
   case $which in
     skin)
@@ -130,6 +165,7 @@ for which in $wanted; do
     shell) try shell 40 --set sheet.shell.spacing=0.008 ;;
     cloth) try cloth 900 --set sheet.cloth.spacing=0.03 --set spacing=0.012 --set sheet.cloth.thickness=0.02 --set output.every=0.05 ;;
     coarse) try coarse 250 ;;
+    folded) try folded 1500 ;;
     wrapped) try wrapped 120 ;;
     together) try together 60 --set spacing=0.02 --set output.every=0.02 ;;
     retry)  # a step that is too long for the springs

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/sheet/face_contact.hpp"
+#include "core/sheet/nearest_points.hpp"
 #include "core/sheet/step_sheets.hpp"
 #include "tests/support/sheet_samples.hpp"
 

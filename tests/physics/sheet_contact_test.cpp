@@ -1,0 +1,134 @@
+// Contact of sheets with themselves and with each other, of vertices with triangles and of edges with edges: nothing crosses, and the books close.
+#include <gtest/gtest.h>
+
+#include "core/math/hash_random.hpp"
+#include "core/sheet/mesh_pairs.hpp"
+#include "tests/support/crossings.hpp"
+#include "tests/support/sheet_samples.hpp"
+
+namespace thaw {
+namespace {
+
+using test::countCrossings, test::sheetScene;
+
+/// A cloth that stands nearly upright on its edge and comes down in folds, or drapes a ball and the floor under it.
+Scene foldingScene(bool ball) {
+  Scene s = test::emptyScene(0.01, {-0.5, -0.5, -0.02}, {0.5, 0.5, 0.6});
+  s.domain.gravity = {0, 0, -9.81};
+  test::addFloor(s).friction = 0.5;
+  if (ball) {
+    s.obstacles.emplace_back();
+    s.obstacles.back().name = "ball";
+    s.obstacles.back().shape.kind = ShapeKind::Sphere;
+    s.obstacles.back().shape.radius = 0.05;
+    s.obstacles.back().shape.move = {0, 0, 0.13};
+  }
+  s.sheets.emplace_back();
+  SheetBody& b = s.sheets.back();
+  b.name = "cloth";
+  b.mesh = SheetMesh::Grid;
+  b.width = 0.3;
+  b.depth = 0.36;
+  b.spacing = 0.015;
+  b.mass = 0.25;
+  b.damping = 0.3;
+  b.warp = b.weft = 200;
+  b.shear = 8;
+  b.bending = 0.1;
+  b.selfContact = true;
+  b.shape.rotate = ball ? Vec3d{0, 0, 0.3} : Vec3d{1.53, 0, 0.2};
+  b.shape.move = {0.01, 0.005, ball ? 0.2 : 0.2};
+  s.end = 1;
+  return s;
+}
+
+TEST(SheetContact, FoldsDoNotCross) {
+  for (const auto& [ball, thickness] : {std::pair{false, 0.0}, {true, 0.0}, {false, 0.004}}) {
+    Scene scene = foldingScene(ball);
+    scene.sheets[0].thickness = thickness;  // a quarter of the spacing: it takes contact of edges
+    if (thickness > 0) scene.end = 0.6;
+    test::Simulation sim(scene);
+    int most = 0;
+    while (sim.w.clock.time < sim.w.clock.end) {
+      ASSERT_TRUE(sim.step());
+      if (sim.w.clock.step % 100 == 0) most = std::max(most, countCrossings(sim.w, 0, 0));
+    }
+    EXPECT_EQ(most, 0) << ball;
+    double layers = 0, low = 1;  // it does lie in folds: over the area that it covers there is more of it
+    std::set<std::pair<long, long>> covered;
+    const Sheets& v = sim.w.sheets.rows;
+    for (std::size_t i = 0; i < v.owned; i++) {
+      covered.insert({std::lround(v.position[i].x / 0.02), std::lround(v.position[i].y / 0.02)});
+      low = std::min(low, v.position[i].z);
+    }
+    layers = 0.3 * 0.36 / (static_cast<double>(covered.size()) * 0.0004);
+    EXPECT_GT(layers, ball ? 1.5 : 1.3) << ball;
+    EXPECT_GT(low, 0);
+    const LedgerReport books = sim.books();
+    EXPECT_LT(std::abs(books.energyResidual), (thickness > 0 ? 0.04 : 0.01) * books.energyScale) << ball;  // the thinner, the stiffer
+    EXPECT_LT(length(books.momentumResidual), 1e-12);
+  }
+}
+
+/// Crumples a sheet until its parts touch, and lays a second one across it.
+Scene crumpled() {
+  Scene s = sheetScene(SheetMesh::Grid);
+  SheetBody& b = s.sheets[0];
+  b.width = b.depth = 0.6;
+  b.warp = b.weft = 5;
+  b.thickness = 0.13;  // more than what lies between vertices
+  b.selfContact = true;
+  s.sheets.push_back(b);
+  s.sheets[1].name = "second";
+  s.sheets[1].selfContact = false;
+  s.sheets[1].shape.rotate = {0.2, 0.1, 0.4};
+  s.sheets[1].shape.move = {0.02, 0.01, 0.09};
+  return s;
+}
+
+TEST(SheetContact, ForcesAreSlopesOfEnergies) { test::expectForcesFromEnergy(crumpled()); }
+
+/// Neither momentum nor angular momentum comes of contact; dashpots and friction take what they take of both ends.
+TEST(SheetContact, MomentaAreKept) {
+  Scene s = crumpled();
+  s.sheets[1].velocity = {0.3, 0.1, -0.5};
+  s.sheets[0].friction = s.sheets[1].friction = 0;  // which turns what lies on each other at a distance
+  s.end = 0.2;
+  test::Simulation sim(s);
+  const LedgerReport before = sim.books();
+  ASSERT_TRUE(sim.run());
+  const LedgerReport books = sim.books();
+  EXPECT_LT(length(books.now.momentum - before.now.momentum), 1e-13);
+  EXPECT_LT(length(books.now.angularMomentum - before.now.angularMomentum), 1e-13);
+  EXPECT_GT(books.dissipated, 0);
+}
+
+/// What is found by lists with a margin is what is there: all pairs, asked anew.
+TEST(SheetContact, ListsMissNothing) {
+  Scene s = foldingScene(true);
+  s.sheets[0].spacing = 0.03;
+  s.sheets.push_back(s.sheets[0]);
+  s.sheets[1].name = "second";
+  s.sheets[1].shape.move.z += 0.05;
+  test::Simulation sim(s);
+  std::size_t seen = 0;
+  for (int k = 0; k < 1500; k++) {
+    ASSERT_TRUE(sim.step());
+    if (k % 50 != 0) continue;
+    MeshSearch anew;
+    anew.rows = sim.w.sheets.search->rows;
+    const MeshSearch& kept = *sim.w.sheets.search;
+    findMeshPairs(sim.w, {}, anew);
+    const auto same = [&](const std::vector<MeshPair>& a, const std::vector<MeshPair>& b) {
+      ASSERT_EQ(a.size(), b.size());
+      for (std::size_t n = 0; n < a.size(); n++) ASSERT_EQ(a[n].row, b[n].row);
+    };
+    same(anew.faces, kept.faces);
+    same(anew.edges, kept.edges);
+    seen += anew.faces.size() + anew.edges.size();
+  }
+  EXPECT_GT(seen, 1000u);
+}
+
+}  // namespace
+}  // namespace thaw
