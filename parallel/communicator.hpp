@@ -118,6 +118,7 @@ class MpiReducer : public Reducer {
     reduce(values, MPI_DOUBLE, MPI_MAX);
   }
   void sum(std::span<std::int64_t> values) override { reduce(values, MPI_INT64_T, MPI_SUM); }
+  std::vector<WordList> deliver(std::vector<WordList> lists) override;
 
  private:
   template<class T> void reduce(std::span<T> values, MPI_Datatype type, MPI_Op operation) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/halo/word_lists.hpp"
 #include "core/neighbours/grid.hpp"
 #include "core/particles/continuum.hpp"
 #include "core/solid/solids.hpp"
@@ -18,7 +19,7 @@ struct Migration {
   std::size_t arrivals = 0;             ///< the last `arrivals` owned rows are new
 };
 
-/// Collective sums, minima and maxima that are exact, so that they do not depend on the number of ranks.
+/// Collective sums, minima and maxima that are exact, so that they do not depend on the number of ranks; and lists from some ranks to others.
 class Reducer {
  public:
   virtual ~Reducer() = default;
@@ -26,6 +27,7 @@ class Reducer {
   virtual int size() const = 0;
   virtual void maximum(std::span<double> values) = 0;        ///< element by element over ranks (minima: of negated values)
   virtual void sum(std::span<std::int64_t> values) = 0;      ///< element by element over ranks
+  virtual std::vector<WordList> deliver(std::vector<WordList> lists) = 0;  ///< to their ranks, one for each at most; returns what came, ascending by rank. Collective
 };
 
 /// Cells: who owns which, migration of particles, copies of the cells around a rank's own ("ghosts").

@@ -1,13 +1,12 @@
 #include "core/sheet/wrap_bodies.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "core/geometry/point_tree.hpp"
 #include "core/kinds/kinds.hpp"
 #include "core/sheet/cell_sums.hpp"
-#include "core/surface/gather_words.hpp"
+#include "core/sheet/wrap_parts.hpp"
 
 namespace thaw {
 namespace {
@@ -44,20 +43,13 @@ struct Wrapped {
   }
 };
 
-/// A cell of the body.
-struct Part {
-  std::uint64_t key;
-  double share;
-  Vec3d middle;
-};
-
-/// All of its cells that have an empty one beside them, ascending by key, the same on all ranks.
-std::vector<Part> surfaceOf(const Wrapped& body, Reducer& all) {
-  std::vector<std::uint64_t> words;
+/// Its cells on this rank, ascending by key.
+std::vector<WrapPart> cellsOf(const Wrapped& body) {
+  std::vector<WrapPart> parts;
   const CellTable& t = body.cells();
   for (std::size_t c = 0; c < t.key.size(); c++) {
     if (t.first[c] >= body.owned()) continue;
-    Part p{t.key[c], 0, {}};
+    WrapPart p{t.key[c], 0, {}};
     for (std::size_t j = t.first[c]; j < t.first[c] + t.count[c]; j++)
       if (body.has(j)) {
         p.share += body.share(j);
@@ -65,37 +57,16 @@ std::vector<Part> surfaceOf(const Wrapped& body, Reducer& all) {
       }
     if (!(p.share > 0)) continue;
     p.middle = p.middle / p.share;
-    for (const std::uint64_t word : {p.key, std::bit_cast<std::uint64_t>(p.share), std::bit_cast<std::uint64_t>(p.middle.x), std::bit_cast<std::uint64_t>(p.middle.y), std::bit_cast<std::uint64_t>(p.middle.z)})
-      words.push_back(word);
+    parts.push_back(p);
   }
-  words = gatherWords(all, words);
-  std::vector<Part> parts;
-  for (std::size_t k = 0; k + 4 < words.size(); k += 5) parts.push_back({words[k], std::bit_cast<double>(words[k + 1]), {std::bit_cast<double>(words[k + 2]), std::bit_cast<double>(words[k + 3]), std::bit_cast<double>(words[k + 4])}});
-  std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.key < b.key; });
-  const auto taken = [&](const Vec3i& c) {
-    const auto at = std::lower_bound(parts.begin(), parts.end(), cellKey(c), [](const Part& p, std::uint64_t key) { return p.key < key; });
-    return at != parts.end() && at->key == cellKey(c);
-  };
-  std::vector<Part> surface;
-  for (const Part& p : parts) {
-    const Vec3i c = cellOfKey(p.key);
-    bool inside = true;
-    for (int a = 0; a < 3 && inside; a++)
-      for (const int side : {-1, 1}) {
-        Vec3i beside = c;
-        beside[a] += side;
-        inside = inside && taken(beside);
-      }
-    if (!inside) surface.push_back(p);
-  }
-  return surface;
+  return parts;
 }
 
 /// One sheet and the body that it is wrapped round.
 struct Wrap {
   World& w;
   std::size_t sheet;
-  const std::vector<Part>& parts;
+  const std::vector<WrapPart>& parts;
   const PointTree& tree;
   double unit;    // N, of which all forces are multiples
   double twoCells;
@@ -141,16 +112,21 @@ void wrapRound(World& w, Halos halos, const SheetVelocities& now, std::size_t n)
   const std::size_t f = placeOf(SheetFactor::Wrap);
   if (factors.now[f] == 0 && factors.most[f] == 0) return;
   const Wrapped wrapped{w, b.plans[n].wrapTarget};
-  const std::vector<Part> parts = surfaceOf(wrapped, halos.all);
-  if (parts.empty()) return;  // what it was to be wrapped round has gone
+  const double cell = std::max({w.grid.edge.x, w.grid.edge.y, w.grid.edge.z});
+  std::vector<Vec3d> places;
+  for (std::size_t i = 0; i < s.owned; i++)
+    if (s.body[i] == n) places.push_back(s.position[i]);
+  const std::vector<WrapPart> cells = cellsOf(wrapped);
+  const WrapSurface surface = findWrapSurface(halos.all, w.grid, cells, places, 2 * cell);
+  if (!surface.any) return;  // what it was to be wrapped round has gone
+  const std::vector<WrapPart>& parts = surface.near;
   std::vector<Vec3d> middles;
-  for (const Part& p : parts) middles.push_back(p.middle);
+  for (const WrapPart& p : parts) middles.push_back(p.middle);
   const PointTree tree(middles);
   double area = 0;
   for (const double a : b.plans[n].topology.area) area += a;
   // all terms together have room in 62 bits
   const double unit = std::ldexp(std::exp2(std::ceil(std::log2(area * std::abs(body.wrap) * largestFactor(body, SheetFactor::Wrap) / blunt))), -61);
-  const double cell = std::max({w.grid.edge.x, w.grid.edge.y, w.grid.edge.z});
   std::vector<std::int64_t> pulls(3 * parts.size(), 0);
   Wrap wrap{w, n, parts, tree, unit, 2 * cell, pulls};
   for (std::size_t i = 0; i < s.owned; i++) {
@@ -163,16 +139,13 @@ void wrapRound(World& w, Halos halos, const SheetVelocities& now, std::size_t n)
     s.load[i] += load;
     s.outside[i] += load;
   }
-  halos.all.sum(pulls);
   const CellTable& t = wrapped.cells();
-  for (std::size_t k = 0; k < parts.size(); k++) {
-    const auto at = std::lower_bound(t.key.begin(), t.key.end(), parts[k].key);
-    if (at == t.key.end() || *at != parts[k].key) continue;
-    const auto c = static_cast<std::size_t>(at - t.key.begin());
-    if (t.first[c] >= wrapped.owned()) continue;
-    const Vec3d force = unit * Vec3d{static_cast<double>(pulls[3 * k]), static_cast<double>(pulls[3 * k + 1]), static_cast<double>(pulls[3 * k + 2])};
+  for (const WrapPull& p : returnPulls(halos.all, surface, pulls)) {
+    const auto c = static_cast<std::size_t>(std::lower_bound(t.key.begin(), t.key.end(), p.key) - t.key.begin());
+    const double share = std::lower_bound(cells.begin(), cells.end(), p.key, [](const WrapPart& x, std::uint64_t key) { return x.key < key; })->share;
+    const Vec3d force = unit * Vec3d{static_cast<double>(p.units.x), static_cast<double>(p.units.y), static_cast<double>(p.units.z)};
     for (std::size_t j = t.first[c]; j < t.first[c] + t.count[c]; j++)
-      if (wrapped.has(j)) wrapped.pull(j, (wrapped.share(j) / parts[k].share) * force, now.dt);
+      if (wrapped.has(j)) wrapped.pull(j, (wrapped.share(j) / share) * force, now.dt);
   }
 }
 

@@ -71,6 +71,24 @@ TEST(SheetWrap, TowardAnotherSheet) {
   expectDrawn(s, 0.5);
 }
 
+/// A sheet that got into a thick body is drawn out to the nearest side, but within a cell of the middle, where no side is the nearest.
+TEST(SheetWrap, DrawsOutOfABody) {
+  Scene s = clothOver();
+  s.spacing = 0.03;
+  s.materials.emplace_back();
+  s.materials[0].name = "rubber";
+  s.materials[0].young = {2e4, 2e4};
+  test::addBox(s, {-0.6, -0.6, -0.3}, {0.6, 0.6, 0.3}).name = "target";
+  s.sheets[0].width = s.sheets[0].depth = 0.4;
+  for (const double z : {0.22, 0.12, -0.12}) {
+    s.sheets[0].shape.move = {0.01, 0.02, z};
+    test::Simulation sim(s);
+    ASSERT_GT(std::abs(z), sim.w.grid.edge.x);
+    const Sheets& v = sim.w.sheets.rows;
+    for (std::size_t i = 0; i < v.owned; i++) EXPECT_GT(v.outside[i].z * (z > 0 ? 1 : -1), 0.8 * 20) << z;
+  }
+}
+
 /// A closed membrane comes to lie on a ball all round, and presses it together: nothing moves away.
 TEST(SheetWrap, AMembraneComesToLieRoundABall) {
   Scene s = test::sheetScene(SheetMesh::Sphere);
