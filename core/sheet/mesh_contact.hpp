@@ -19,7 +19,7 @@ double meshContactReach(const Scene& scene, const std::vector<SheetPlan>& plans)
 /// pairs within reach count, so that E has a slope everywhere: no nearest one is chosen. Dashpot and friction act between the nearest points. The four vertices have the force by
 /// their shares of these points, which add up to nothing: momentum is kept, and angular momentum too. h is the mean thickness, or, within a sheet, half of the distance that the pair has at
 /// rest where that is less: what is joined at a vertex does not touch, what lies beside each other does where it is pressed together to half. Each rank finds all
-/// pairs that one of its vertices is in, and adds them in an order that is the same on all (that of (cell, id)). Needs ghosts of vertices with their ids.
+/// pairs that one of its vertices is in, and adds them ascending by the numbers of both in their meshes. Needs ghosts of vertices with their ids.
 void meetMeshes(World& world, const SheetVelocities& now);
 
 }  // namespace thaw

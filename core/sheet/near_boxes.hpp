@@ -16,9 +16,6 @@ struct Box {
       high[a] = std::max(high[a], x[a]);
     }
   }
-  bool meets(const Box& b) const {
-    return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y && low.z <= b.high.z && b.low.z <= high.z;
-  }
 };
 
 /// Around all corners, and further by a margin (m).
@@ -29,10 +26,10 @@ template<std::size_t n> Box boxAround(const std::array<Vec3d, n>& corners, doubl
   return b;
 }
 
-/// Boxes sorted by the bin of their middles.
+/// Boxes sorted by the bin of their middles; their sides in single precision, rounded outward, axis by axis, so that several are compared at once.
 struct BinnedBoxes {
   CellTable bins;
-  std::vector<Box> box;
+  std::vector<float> low[3], high[3];
   std::vector<std::uint32_t> number;  ///< of each, in the list that was given
   std::vector<std::pair<std::uint64_t, std::uint32_t>> room;
 };
@@ -42,16 +39,23 @@ struct BoxBins { Vec3d origin; double edge; };
 BoxBins binsFor(const std::vector<Box>& boxes);
 void binBoxes(const std::vector<Box>& boxes, const BoxBins& bins, BinnedBoxes& binned);
 
-/// Calls use(number in a, number in b) for all pairs that overlap.
+/// hit[k]: does box i of a overlap with box rows.begin + k of b?
+void overlaps(const BinnedBoxes& a, std::uint32_t i, const BinnedBoxes& b, const RowRange& rows, std::int32_t* hit);
+
+/// Calls use(number in a, number in b) for all pairs that overlap, and for some that only nearly do.
 template<class Use> void eachNearPair(const BinnedBoxes& a, const BinnedBoxes& b, Use&& use) {
   std::vector<RowRange> ranges;
+  std::vector<std::int32_t> hit;
   for (std::size_t c = 0; c < a.bins.key.size(); c++) {
     rowsAround(b.bins, a.bins.key[c], ranges);
     for (std::uint32_t i = a.bins.first[c]; i < a.bins.first[c] + a.bins.count[c]; i++) {
-      const Box own = a.box[i];
-      for (const RowRange& r : ranges)
-        for (std::uint32_t j = r.begin; j < r.end; j++)
-          if (own.meets(b.box[j])) use(a.number[i], b.number[j]);
+      for (const RowRange& r : ranges) {
+        const std::uint32_t n = r.end - r.begin;
+        hit.resize(n);
+        overlaps(a, i, b, r, hit.data());
+        for (std::uint32_t k = 0; k < n; k++)
+          if (hit[k]) use(a.number[i], b.number[r.begin + k]);
+      }
     }
   }
 }

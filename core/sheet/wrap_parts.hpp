@@ -18,7 +18,7 @@ struct WrapPull {
 };
 
 /// Blocks of cells are dealt out to the ranks by a hash of their place: who has one knows its surface, and where its cells are. What all ranks know are the boxes of the
-/// blocks on the surface, 64 bytes each: with 10^9 particles in a cube, 8 in a cell, some 23,000 of them, 1.5 MB.
+/// blocks on the surface, 56 bytes each: with 10^9 particles in a cube, 8 in a cell, some 23,000 of them, 1.3 MB.
 struct WrapSurface {
   struct Listed { WrapPart part; int home; };
   std::vector<Listed> listed;    ///< of this rank's blocks, with the rank whose rows they are; ascending by key
