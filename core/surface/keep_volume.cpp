@@ -26,7 +26,7 @@ struct Hold {
 /// particles' colour, which they were grown at, is half as far out again as it should be around plates of two layers.
 Hold holdOf(const SurfaceComponent& c, bool start) {
   constexpr std::int64_t fewest = 12;
-  constexpr double leastFree = 0.03, leastFrozen = 0.9, closed = 0.1;
+  constexpr double leastFree = 0.03, leastFrozen = 0.9, closed = 0.25;
   if (c.surfels < fewest || !(c.wantedVolume > 0) || !(c.open < closed)) return {};
   // what lies on a wall stays there; where nearly all does, the little that is free cannot make up for it
   const auto area = [&](double all) { return std::max(all - c.heldArea, 0.2 * all); };
