@@ -118,6 +118,22 @@ TEST(KeepVolume, ABallAndAFlattenedBall) {
   }
 }
 
+// A flat drop answers to an offset by twice its area: the next one knows.
+TEST(KeepVolume, OffsetsFollowHowTheVolumeAnswered) {
+  SerialSurfaceRig rig;
+  Surface& s = rig.world.surface;
+  s.spacing = 1;
+  s.components.resize(1);
+  SurfaceComponent& c = s.components[0];
+  c.label = 1, c.particles = 10, c.surfels = 100, c.area = c.freeArea = 1, c.wantedVolume = 1, c.volume = 0.9;
+  std::vector<VolumeMove> moves;
+  offsetToVolume(s, {}, 1, 1, false, moves);
+  EXPECT_NEAR(c.raised, 0.1, 1e-12);
+  c.volume = 1.1;
+  offsetToVolume(s, {}, 1, 1, false, moves);
+  EXPECT_NEAR(c.raised, 0.05, 1e-12);
+}
+
 // Where the level of the iterations can follow no farther the surface is moved all the same.
 TEST(KeepVolume, BeyondWhatTheLevelMayFollow) {
   for (const double swollen : {1.2, 0.85}) {  // particles that have come apart, or closer
