@@ -83,6 +83,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.solid) beginDeformation(w, halos);
   t.times.lap(StepPhase::Exchange);
   clearRates(w);
+  const bool justFrozen = t.frozeAnywhere && w.modules.freezing && dt > 0;  // of an evaluation with new coefficients the jump of all is booked
   if (neighbours) {
     markInner(w, halos.cells, t);
     if (w.modules.sleep) markAsleep(w, t, false);
@@ -114,7 +115,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.neighbours) sumOverNeighbours(w, t, NeighbourPass::BoundaryForces);
   if (p.softening.active && w.modules.fluid) beginSoftening(w, t);          // how the energy of pairs and contacts depends on what melts
   if (w.modules.solid) addElasticForces(w, halos, t, dt);
-  if (w.modules.contact) addSolidContacts({w.scene, w.grid, w.solids, w.bonds, walls.span, w.modules.fluid ? nullptr : &w.counters.coincidentPairs}, t.closePairs, p);
+  if (w.modules.contact) addSolidContacts({w.scene, w.grid, w.solids, w.bonds, walls.span, justFrozen ? &w.ledger.phaseJump : nullptr, w.modules.fluid ? nullptr : &w.counters.coincidentPairs}, t.closePairs, p);
   t.times.lap(StepPhase::Contact);
   if (w.modules.sleep) noteHolds(w, t);
   addWallForces(walls, t.perLatticeSum, t.wallContacts);

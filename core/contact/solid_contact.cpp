@@ -45,7 +45,9 @@ void addSolidContacts(const ContactContext& x, const ClosePairs& pairs, Continuu
     if (r >= d0) continue;
     const Elastic a = elasticOf(x.scene, p, i), b = elasticOf(x.scene, p, j);
     const double k = 2 * a.stiffness * b.stiffness / (a.stiffness + b.stiffness);
-    p.interaction[i] += 0.25 * k * (d0 - r) * (d0 - r);
+    const double energy = 0.25 * k * (d0 - r) * (d0 - r);  // half of the pair's
+    p.interaction[i] += energy;
+    if (x.frozen && (p.justFrozen[i] || p.justFrozen[j])) x.frozen->add(-energy);
     if (p.softening.active) {
       const double share = b.stiffness / (a.stiffness + b.stiffness);
       p.softening[i] += a.softening * share * share * (d0 - r) * (d0 - r);

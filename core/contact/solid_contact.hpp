@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/fluid/pair_sums.hpp"
+#include "core/math/exact_sum.hpp"
 #include "core/neighbours/grid.hpp"
 #include "core/particles/continuum.hpp"
 #include "core/scene/scene.hpp"
@@ -21,6 +22,7 @@ struct ContactContext {
   const Solids& solids;
   const Bonds& bonds;
   double step;                         ///< s, of the step at hand: dashpots and friction take a fifth of a pair's velocity in it at most
+  ExactSum* frozen = nullptr;          ///< Ledger::phaseJump where some particle of some rank has just frozen: what contacts of such make of nothing is taken from it (J)
   std::int64_t* coincident = nullptr;  ///< counts pairs at the same place, each at both ends; nullptr where the sum of density does
 };
 

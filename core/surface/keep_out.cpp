@@ -12,6 +12,9 @@ constexpr double thin = 1.5;
 /// Spacings of the surfels from a wall within which one that faces it is on it.
 constexpr double onIt = 0.02;
 
+/// The same of those that stand on it, and the cosine of how far their normals may have turned off it with the particles.
+constexpr double standsOn = 0.1, squarely = 0.7;
+
 /// Out of one wall; false: it was not in it.
 bool outOf(const World& w, const Wall& wall, const Vec3d& outward, Vec3d& x) {
   const Vec3d rest = toRest(wall.pose, x);
@@ -89,6 +92,26 @@ class ThinWalls {
   double reach_;
 };
 
+/// Is there a wall within `near` (m) that this normal faces, by more than this cosine?
+bool facesWallWithin(const World& w, const Vec3d& x, const Vec3d& normal, double near, double cosine, Vec3d& into) {
+  for (const Wall& wall : w.walls.list) {
+    const Vec3d rest = toRest(wall.pose, x);
+    if (!wall.present || !nearBounds(wall.bounds, rest, near)) continue;
+    Vec3d n;
+    if (!(wall.shape->distanceWithin(rest, w.grid.support, &n) < near)) continue;
+    into = -1.0 * directionFromRest(wall.pose, n);
+    if (dot(into, normal) > cosine) return true;
+  }
+  return false;
+}
+
+/// A surfel's frame with another normal.
+void turnTo(Surfels& f, std::size_t i, const Vec3d& normal) {
+  f.normal[i] = normal;
+  const Vec3d across = f.tangent[i] - dot(f.tangent[i], normal) * normal;
+  f.tangent[i] = dot(across, across) > 1e-6 ? normalized(across) : anyTangent(normal);
+}
+
 }  // namespace
 
 Vec3d outOfWalls(const World& w, const Vec3d& at, const Vec3d& outward) {
@@ -109,17 +132,17 @@ bool inWall(const World& w, const Vec3d& x) {
   return false;
 }
 
-bool facesWall(const World& w, const Vec3d& x, const Vec3d& normal, Vec3d& into) {
-  const double near = onIt * w.surface.spacing;
-  for (const Wall& wall : w.walls.list) {
-    const Vec3d rest = toRest(wall.pose, x);
-    if (!wall.present || !nearBounds(wall.bounds, rest, near)) continue;
-    Vec3d n;
-    if (!(wall.shape->distanceWithin(rest, w.grid.support, &n) < near)) continue;
-    into = -1.0 * directionFromRest(wall.pose, n);
-    if (dot(into, normal) > 0.3) return true;
+bool facesWall(const World& w, const Vec3d& x, const Vec3d& normal, Vec3d& into) { return facesWallWithin(w, x, normal, onIt * w.surface.spacing, 0.3, into); }
+
+void findStanding(World& w, const std::vector<std::uint8_t>& listed) {
+  Surfels& f = w.surface.surfels;
+  if (!f.pressed.active) return;
+  f.activate(f.standing);
+  for (std::size_t i = 0; i < f.owned; i++) {
+    Vec3d into;
+    f.standing[i] = listed[i] && facesWallWithin(w, f.position[i], f.normal[i], standsOn * w.surface.spacing, squarely, into);
+    if (f.standing[i]) turnTo(f, i, into);
   }
-  return false;
 }
 
 void keepOutOfWalls(World& w, const Bins& particleBins) {
@@ -134,9 +157,7 @@ void keepOutOfWalls(World& w, const Bins& particleBins) {
     }
     Vec3d into;
     if (!(liquidShare(f, i) > 0.5) || !facesWall(w, to, f.normal[i], into)) continue;
-    f.normal[i] = into;
-    const Vec3d across = f.tangent[i] - dot(f.tangent[i], into) * into;
-    f.tangent[i] = dot(across, across) > 1e-6 ? normalized(across) : anyTangent(into);
+    turnTo(f, i, into);
   }
 }
 

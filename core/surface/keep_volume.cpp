@@ -26,7 +26,7 @@ struct Hold {
 /// particles' colour, which they were grown at, is half as far out again as it should be around plates of two layers.
 Hold holdOf(const SurfaceComponent& c, bool start) {
   constexpr std::int64_t fewest = 12;
-  constexpr double leastFree = 0.03, leastFrozen = 0.9, closed = 0.1;
+  constexpr double leastFree = 0.03, leastFrozen = 0.9, closed = 0.25;
   if (c.surfels < fewest || !(c.wantedVolume > 0) || !(c.open < closed)) return {};
   // what lies on a wall stays there; where nearly all does, the little that is free cannot make up for it
   const auto area = [&](double all) { return std::max(all - c.heldArea, 0.2 * all); };
@@ -41,6 +41,12 @@ double errorOf(const SurfaceComponent& c) { return std::abs(c.volume - c.wantedV
 /// How much of its component's offset surfel i takes.
 double shareOf(const Surfels& f, std::size_t i, Held what) {
   return what == Held::Drop ? 1 : what == Held::Frozen ? frozenShare(f, i) : what == Held::Liquid ? liquidShare(f, i) : 0;
+}
+
+/// m^2, by which an offset changes the volume: as the last one of this update has, if there was one. What the flat floor of a drop leaves free of it bends, and gives way by up to twice its area.
+double areaMoved(double free, double volume, const VolumeMove& last) {
+  constexpr double least = 0.25, most = 4;
+  return last.by != 0 ? std::clamp((volume - last.volume) / last.by, least * free, most * free) : free;
 }
 
 }  // namespace
@@ -66,23 +72,23 @@ bool volumesAreOff(const Surface& s, bool start) {
   });
 }
 
-void offsetToVolume(Surface& s, const Bins& surfelBins, double keepVolume, double particleSpacing, bool start) {
+void offsetToVolume(Surface& s, const Bins& surfelBins, double keepVolume, double particleSpacing, bool start, std::vector<VolumeMove>& last) {
   Surfels& f = s.surfels;
   if (!f.liquid.active && !start) return;
   const double longest = 0.5 * s.spacing, highest = mostRaised * particleSpacing, lowest = -mostDrawnIn * particleSpacing;
   struct Move { double by = 0; Held what = Held::Nothing; };
   std::vector<Move> moves(s.components.size());  // the same on all ranks
+  last.resize(moves.size());
   for (std::size_t k = 0; k < s.components.size(); k++) {
     SurfaceComponent& c = s.components[k];
     const Hold hold = holdOf(c, start);
     if (!(hold.area > 0) || errorOf(c) <= hold.tolerance) continue;
-    const double by = std::clamp(keepVolume * (c.wantedVolume - c.volume) / hold.area, -longest, longest);
-    if (hold.what == Held::Drop) {  // its sphere is made anew in each update
-      moves[k] = {by, Held::Drop};
-      continue;
-    }
-    moves[k] = {std::clamp(c.raised + by, std::min(lowest, c.raised), std::max(highest, c.raised)) - c.raised, hold.what};
-    if (!(start && hold.what == Held::Frozen)) c.raised += moves[k].by;  // what begins as a solid keeps its place from now on
+    const double by = std::clamp(keepVolume * (c.wantedVolume - c.volume) / areaMoved(hold.area, c.volume, last[k]), -longest, longest);
+    last[k] = {c.volume, by};
+    moves[k] = {by, hold.what};  // also what the level of the iterations cannot follow: they undo it, and the next update does it again
+    if (hold.what == Held::Drop) continue;                 // its sphere is made anew in each update
+    if (start && hold.what == Held::Frozen) continue;      // what begins as a solid keeps its place from now on
+    c.raised = std::clamp(c.raised + by, std::min(lowest, c.raised), std::max(highest, c.raised));
   }
   const SurfaceComponent* c = nullptr;
   std::vector<double> offset(f.owned, 0.0);  // all of them before any moves

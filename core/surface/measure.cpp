@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/math/exact_sum.hpp"
+#include "core/surface/enclosed_volume.hpp"
 #include "core/surface/gather_words.hpp"
 #include "core/surface/one_piece.hpp"
 
@@ -20,7 +21,8 @@ struct Record {
   OnePiece piece;       // how it lies across periodic sides
 };
 
-enum Sum { Mass, ParticleVolume, WantedVolume, MomentX, MomentY, MomentZ, Area, VolumeX, VolumeY, VolumeZ, NormalX, NormalY, NormalZ, FreeArea, PlainArea, HeldArea, Rim, RimX, RimY, RimZ, sums };
+enum Sum { Mass, ParticleVolume, WantedVolume, MomentX, MomentY, MomentZ, Area, VolumeX, VolumeY, VolumeZ, MixedX, MixedY, MixedZ, NormalX, NormalY, NormalZ, FreeArea, PlainArea, HeldArea, Rim, RimX, RimY, RimZ,
+           RimXX, RimYY, RimZZ, RimYZ, RimZX, RimXY, sums };
 
 /// Rows of one component on this rank.
 struct Group {
@@ -103,6 +105,10 @@ std::size_t indexOf(const std::vector<Record>& records, std::uint64_t label) {
   return static_cast<std::size_t>(std::lower_bound(records.begin(), records.end(), label, [](const Record& r, std::uint64_t l) { return r.measured.label < l; }) - records.begin());
 }
 
+/// The axes after and before one.
+int next(int axis) { return (axis + 1) % 3; }
+int last(int axis) { return (axis + 2) % 3; }
+
 /// A component's exact sums over this rank's rows.
 void addRows(const Surface& s, const Group& g, const std::vector<std::uint32_t>& particles, const std::vector<std::uint32_t>& surfels, const Record& r,
              std::array<ExactSum, sums>& sum) {
@@ -126,16 +132,22 @@ void addRows(const Surface& s, const Group& g, const std::vector<std::uint32_t>&
     if (liesOnWall(f, i)) sum[HeldArea].add(f.area[i]);
     for (int a = 0; a < 3; a++) {
       sum[static_cast<std::size_t>(VolumeX + a)].add(d[a] * facets[a] + f.bulge[i]);
+      sum[static_cast<std::size_t>(MixedX + a)].add(d[next(a)] * facets[last(a)] + d[last(a)] * facets[next(a)]);
       sum[static_cast<std::size_t>(NormalX + a)].add(facets[a]);
     }
     if (f.rim[i] > 0) {
       sum[Rim].add(f.rim[i]);
-      for (int a = 0; a < 3; a++) sum[static_cast<std::size_t>(RimX + a)].add(f.rim[i] * d[a]);
+      for (int a = 0; a < 3; a++) {
+        sum[static_cast<std::size_t>(RimX + a)].add(f.rim[i] * d[a]);
+        sum[static_cast<std::size_t>(RimXX + a)].add(f.rim[i] * d[a] * d[a]);
+        sum[static_cast<std::size_t>(RimYZ + a)].add(f.rim[i] * d[next(a)] * d[last(a)]);
+      }
     }
   }
 }
 
-void finish(const CellGrid& grid, Record& r, const std::array<double, sums>& v) {
+void finish(const Surface& s, Record& r, const std::array<double, sums>& v) {
+  const CellGrid& grid = s.grid;
   SurfaceComponent& c = r.measured;
   c.mass = v[Mass];
   c.particleVolume = v[ParticleVolume];
@@ -149,18 +161,9 @@ void finish(const CellGrid& grid, Record& r, const std::array<double, sums>& v) 
   c.centroid = r.anchor + centroid;
   for (int a = 0; a < 3; a++)
     if (grid.periodic[a]) c.centroid[a] = grid.origin[a] + withinPeriod(grid, a, c.centroid[a]);
-  // seen from among the rims: a hole there adds the least
-  const Vec3d from = v[Rim] > 0 ? Vec3d{v[RimX], v[RimY], v[RimZ]} / v[Rim] : centroid;
-  double volume = 0, any = 0;
-  int axes = 0;
-  for (int a = 0; a < 3; a++) {
-    const double along = v[static_cast<std::size_t>(VolumeX + a)] - from[a] * v[static_cast<std::size_t>(NormalX + a)];
-    any += along / 3;
-    if (r.piece.round[static_cast<std::size_t>(a)]) continue;
-    volume += along;
-    axes++;
-  }
-  c.volume = axes > 0 ? volume / axes : any;
+  const auto three = [&](Sum first) { return Vec3d{v[first], v[first + 1], v[first + 2]}; };
+  FacetSums facets{three(VolumeX), three(MixedX), three(NormalX), v[Rim], three(RimX), {v[RimXX], v[RimYY], v[RimZZ], v[RimXY], v[RimYZ], v[RimZX]}};
+  c.volume = enclosedVolume(facets, centroid, r.piece.round, s.spacing);
 }
 
 /// What the sums of a component on several ranks come to.
@@ -227,9 +230,9 @@ void measureComponents(Surface& s, Reducer& all) {
   std::array<double, sums> value;
   for (std::size_t at = 0; at < results.size(); at += 1 + sums) {
     for (std::size_t q = 0; q < sums; q++) value[q] = std::bit_cast<double>(results[at + 1 + q]);
-    finish(s.grid, records[indexOf(records, results[at])], value);
+    finish(s, records[indexOf(records, results[at])], value);
   }
-  for (const SharedValues& v : shared) finish(s.grid, records[v.record], v.value);
+  for (const SharedValues& v : shared) finish(s, records[v.record], v.value);
   const std::vector<SurfaceComponent> before = std::move(s.components);
   s.components.clear();
   std::size_t old = 0;

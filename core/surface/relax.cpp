@@ -6,6 +6,7 @@
 
 #include "core/surface/active_surfels.hpp"
 #include "core/surface/field_probe.hpp"
+#include "core/surface/keep_out.hpp"
 #include "core/surface/leap.hpp"
 #include "core/surface/near_sheets.hpp"
 #include "core/surface/place_rows.hpp"
@@ -139,6 +140,7 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
   f.activate(f.pace);
   f.activate(f.ceiling);
   for (std::size_t i = 0; i < f.owned; i++) f.moving[i] = r.free[i], f.pace[i] = 0;
+  findStanding(w, r.free);
   // a surfel may move by half the margin before lists are stale; the cells of the grid leave room for half a spacing of the particles
   const double margin = listMargin(s, w.scene.spacing);
   search(w, halos, t, all, true, margin, lap);
@@ -210,6 +212,7 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
   deactivate(f.moving);
   deactivate(f.pace);
   deactivate(f.ceiling);
+  deactivate(f.standing);
   return done;
 }
 

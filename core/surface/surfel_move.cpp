@@ -91,9 +91,15 @@ Pull pullOn(const World& w, const MoveContext& c, const SurfelSums& s, double ra
     const Vec3d gradient = three(s, Gradient, true);  // of minus the colour field, over c.slope
     const double size = length(gradient), slope = c.slope * size;
     p.known = slope * c.support > 1e-2 * colour;
+    const double fullness = s.particle(SmoothColour) / colour, flat = c.level->level(fullness), level = tightened(flat, s.particle(Near), tight);
+    if (const Surfels& f = w.surface.surfels; f.standing.active && f.standing[i] && colour > c.isoScale * level) {
+      p.outward = p.normal = normal;
+      p.along = c.weights.implicit * std::min((colour - c.isoScale * level) / std::max(slope, 1 / c.support), c.longest);
+      p.known = true;
+      return p;
+    }
     if (p.known) {
       p.outward = gradient / size;
-      const double fullness = s.particle(SmoothColour) / colour, flat = c.level->level(fullness), level = tightened(flat, s.particle(Near), tight);
       // the level changes along the normal, too, on a stream almost as fast as the colour: the distance to where they are the same follows
       // from the slope of their difference
       const double turn = (dot(three(s, SmoothGradient, true), gradient) / (size * size) - fullness) / colour;

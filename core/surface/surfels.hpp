@@ -32,6 +32,7 @@ struct Surfels : Table {
   Column<std::uint8_t> moving{*this, "moving", "1", Keep::State, "it moved in the last iteration (2: and has to wait for a search): it and its neighbours are worked on"};
   Column<float> pace{*this, "pace", "1", Keep::State, "share taken of the last step along its normal; negative: into the body; 0: none yet"};
   Column<float> ceiling{*this, "ceiling", "m", Keep::State, "height over its plane from which on particles are across a gap (gap_ceilings.hpp); infinity: there is none"};
+  Column<std::uint8_t> standing{*this, "standing", "1", Keep::State, "the iterations found it on a wall that it faces (findStanding); only with walls"};
   Column<Vec3d> carried{*this, "carried", "m", Keep::State, "where the particles' displacement has carried it (displaceSurfels)"};
   Column<Vec3d> carriedNormal{*this, "carriedNormal", "1", Keep::State, "its normal there; 0: born in this update"};
   Column<std::uint8_t> loose{*this, "loose", "1", Keep::State, "new on the face of a crack, or beside a seam of what has joined: it settles in this update, solid or not"};

@@ -33,8 +33,9 @@ void measureAll(Surface& s, SurfaceHalos halos, TopologyTools& t, bool again = f
 /// Offsets until the volumes are right, four times at most.
 void keepVolume(World& w, SurfaceHalos halos, TopologyTools& t, bool start) {
   Surface& s = w.surface;
+  std::vector<VolumeMove> moves;
   for (int k = 0; k < 4 && volumesAreOff(s, start); k++) {
-    offsetToVolume(s, t.areas.bins, w.scene.surface.keepVolume, w.scene.spacing, start);
+    offsetToVolume(s, t.areas.bins, w.scene.surface.keepVolume, w.scene.spacing, start, moves);
     keepOutAgain(w);
     refreshGhosts(halos.surfels, s.surfels, ColumnList{&s.surfels.position});
     measureAll(s, halos, t, true);

@@ -35,7 +35,7 @@ ForceShares forceShares(World& w, StepTools& t, std::size_t i) {
     rest -= part;
   };
   if (w.modules.contact)
-    take(f.contact, forceOf(p, i, [&] { addSolidContacts({w.scene, w.grid, w.solids, w.bonds, dt > 0 ? dt : w.clock.dt, nullptr}, t.closePairs, p); }));
+    take(f.contact, forceOf(p, i, [&] { addSolidContacts({w.scene, w.grid, w.solids, w.bonds, dt > 0 ? dt : w.clock.dt}, t.closePairs, p); }));
   const WallContext walls{w, t.wallTables, t.liquids, dt, dt > 0 ? dt : w.clock.dt, 1.0 / w.clock.substeps};
   take(f.walls, forceOf(p, i, [&] { addWallForces(walls, t.perLatticeSum, t.wallContacts); }));
   if (w.modules.fluid) {

@@ -56,11 +56,19 @@ VolumeHeld cutComponentLog(const std::string& out, std::int64_t step) {
   std::stringstream all;
   all << file.rdbuf();
   std::string kept = head, line;
+  std::vector<SurfaceComponent> frame;
+  std::int64_t frameStep = -1;
+  double time = 0;
   for (std::getline(all, line); std::getline(all, line);) {
     const std::vector<std::string> fields = fieldsOf(line);
     const std::int64_t at = numberIn<std::int64_t>(fields, column::step, -1);
     if (all.eof() || at < 0 || at > step) continue;
     kept += line + (fields.size() == column::wanted && line.back() != ',' ? ",\n" : "\n");
+    if (at != frameStep) {
+      noteVolumes(held, frame, time);
+      frame.clear();
+      frameStep = at;
+    }
     SurfaceComponent c;
     c.label = numberIn<std::uint64_t>(fields, column::component, noComponent);
     c.particles = numberIn<std::int64_t>(fields, column::particles, 0);
@@ -68,8 +76,10 @@ VolumeHeld cutComponentLog(const std::string& out, std::int64_t step) {
     c.particleVolume = numberIn(fields, column::particleVolume, 0.0);
     c.volume = numberIn(fields, column::volume, 0.0);
     c.wantedVolume = numberIn(fields, column::wanted, 0.0);
-    noteVolume(held, c, numberIn(fields, column::time, 0.0));
+    frame.push_back(c);
+    time = numberIn(fields, column::time, 0.0);
   }
+  noteVolumes(held, frame, time);
   if (kept != all.str()) replaceTextFile(componentLogPath(out), kept);
   return held;
 }

@@ -44,7 +44,7 @@ void writeSurfaceFrameOf(Run& r) {
     r.surfaceSeries.push_back({file, w.clock.time});
     writeSeries(seriesPath(r.options.out, name), r.surfaceSeries);
     addToComponentLog(r.options.out, w);
-    for (const SurfaceComponent& c : w.surface.components) noteVolume(r.summary.surface.held, c, w.clock.time);
+    noteVolumes(r.summary.surface.held, w.surface.components, w.clock.time);
   });
 }
 

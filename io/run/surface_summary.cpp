@@ -58,7 +58,7 @@ std::vector<std::string> surfaceLines(const SurfaceSummary& s) {
       line += fmt::format("{} {} {:.3g} ms", k > 0 ? "," : "", phaseName(static_cast<SurfacePhase>(k)), 1e3 * s.phases[k] / static_cast<double>(s.updatesHere));
     lines.push_back(line);
   }
-  if (const std::string line = volumeHeldLine(s.held); !line.empty()) lines.push_back(line);
+  for (const std::string& line : volumeHeldLines(s.held)) lines.push_back(line);
   std::vector<SurfaceComponent> largest = s.components;
   std::stable_sort(largest.begin(), largest.end(), [](const SurfaceComponent& a, const SurfaceComponent& b) { return a.particles > b.particles; });
   for (std::size_t k = 0; k < std::min(mostLines, largest.size()); k++)

@@ -8,7 +8,7 @@
 namespace thaw {
 namespace {
 
-constexpr double mostOff = 0.01;
+constexpr double mostOff = 0.01, mostSmallOff = 0.1, mostMissed = 0.01;
 
 void note(VolumeOff& worst, const SurfaceComponent& c, double volume, double time) {
   if (!(volume > 0)) return;
@@ -16,38 +16,74 @@ void note(VolumeOff& worst, const SurfaceComponent& c, double volume, double tim
   if (worst.label == noComponent || std::abs(off) > std::abs(worst.off)) worst = {off, c.label, c.particles, time};
 }
 
+/// Logs of earlier versions do not say what is to be held.
+double wantedOf(const SurfaceComponent& c) { return c.wantedVolume > 0 ? c.wantedVolume : c.particleVolume; }
+
+bool there(const VolumeOff& w) { return w.label != noComponent; }
 std::string placeOf(const VolumeOff& w) { return fmt::format("component {} of {} particles, t {:.5g} s", w.label, w.particles, w.time); }
+std::string worstOf(const VolumeOff& w) { return fmt::format("{:+.2f} % ({})", 100 * w.off, placeOf(w)); }
+double shareOf(const VolumeHeld& h) { return h.particles > 0 ? static_cast<double>(h.missed) / static_cast<double>(h.particles) : 0; }
 
 nlohmann::ordered_json jsonOf(const VolumeOff& w) { return {{"off", w.off}, {"component", w.label}, {"particles", w.particles}, {"time_s", w.time}}; }
 
 }  // namespace
 
-void noteVolume(VolumeHeld& held, const SurfaceComponent& c, double time) {
-  if (c.particles < leastHeldParticles || c.surfels < leastHeldSurfels) return;
+void noteVolumes(VolumeHeld& held, const std::vector<SurfaceComponent>& components, double time) {
+  if (components.empty()) return;
+  VolumeSums frame;
+  frame.time = time;
+  for (const SurfaceComponent& c : components) {
+    const double wanted = wantedOf(c);
+    frame.volume += c.volume;
+    frame.wanted += wanted;
+    frame.particles += c.particles;
+    if (wanted > 0 && std::abs(c.volume / wanted - 1) > mostOff) frame.missed += c.particles;
+    if (c.particles < leastSmallParticles) continue;
+    if (c.particles < leastHeldParticles) {
+      note(held.small, c, wanted, time);
+    } else if (c.surfels >= leastHeldSurfels) {
+      note(held.ofParticles, c, c.particleVolume, time);
+      note(held.ofWanted, c, c.wantedVolume, time);
+    }
+  }
+  if (!held.any || std::abs(frame.off()) > std::abs(held.sum.off())) held.sum = frame;
+  if (!held.any || frame.missedShare() > held.missing.missedShare()) held.missing = frame;
+  held.particles += frame.particles;
+  held.missed += frame.missed;
   held.any = true;
-  note(held.ofParticles, c, c.particleVolume, time);
-  note(held.ofWanted, c, c.wantedVolume, time);
 }
 
-std::string volumeHeldLine(const VolumeHeld& h) {
+std::vector<std::string> volumeHeldLines(const VolumeHeld& h) {
   if (!h.any) return {};
-  std::string line = fmt::format("  volume, at all frames, of components of {} particles and more: at worst {:+.2f} % off that of the particles ({})", leastHeldParticles, 100 * h.ofParticles.off, placeOf(h.ofParticles));
-  if (h.ofWanted.label != noComponent && h.ofWanted.off != h.ofParticles.off)
-    line += fmt::format(", {:+.2f} % off what is to be held, which is what meshes held at the start ({})", 100 * h.ofWanted.off, placeOf(h.ofWanted));
-  return line;
+  std::vector<std::string> lines{fmt::format("  volume, at all frames: the sum at worst {:+.2f} % off what is to be held (t {:.5g} s); {:.2g} % of the particles are in components that are off by more than 1 % (at worst {:.2g} %, t {:.5g} s)",
+                                             100 * h.sum.off(), h.sum.time, 100 * shareOf(h), 100 * h.missing.missedShare(), h.missing.time)};
+  if (there(h.ofParticles)) {
+    lines.push_back(fmt::format("    of components of {} particles and more at worst {} off that of the particles", leastHeldParticles, worstOf(h.ofParticles)));
+    if (there(h.ofWanted) && h.ofWanted.off != h.ofParticles.off) lines.back() += fmt::format(", {} off what is to be held, which is what meshes held at the start", worstOf(h.ofWanted));
+  }
+  if (there(h.small)) lines.push_back(fmt::format("    of components of {} to {} particles at worst {}", leastSmallParticles, leastHeldParticles - 1, worstOf(h.small)));
+  return lines;
 }
 
 nlohmann::ordered_json volumeHeldJson(const VolumeHeld& h) {
   nlohmann::ordered_json j = {{"least_particles", leastHeldParticles}};
   if (!h.any) return j;
-  j["worst_against_particles"] = jsonOf(h.ofParticles);
-  if (h.ofWanted.label != noComponent) j["worst_against_wanted"] = jsonOf(h.ofWanted);
+  if (there(h.ofParticles)) j["worst_against_particles"] = jsonOf(h.ofParticles);
+  if (there(h.ofWanted)) j["worst_against_wanted"] = jsonOf(h.ofWanted);
+  if (there(h.small)) j["worst_of_small"] = jsonOf(h.small);
+  j["worst_sum"] = {{"off", h.sum.off()}, {"time_s", h.sum.time}};
+  j["share_of_particles_off"] = shareOf(h);
+  j["worst_share_of_particles_off"] = {{"share", h.missing.missedShare()}, {"time_s", h.missing.time}};
   return j;
 }
 
 std::string volumeHeldWarning(const VolumeHeld& h) {
-  if (h.ofWanted.label == noComponent || std::abs(h.ofWanted.off) <= mostOff) return {};
-  return fmt::format("surface.keep_volume: a surface was {:+.1f} % off the volume that it is to hold ({}); docs/pictures.md says what is held how well", 100 * h.ofWanted.off, placeOf(h.ofWanted));
+  const bool component = std::abs(h.ofWanted.off) > mostOff, sum = std::abs(h.sum.off()) > mostOff, small = std::abs(h.small.off) > mostSmallOff, share = shareOf(h) > mostMissed;
+  if (!component && !sum && !small && !share) return {};
+  const VolumeOff& worst = component || !there(h.small) ? h.ofWanted : h.small;
+  std::string line = fmt::format("surface.keep_volume: {:.2g} % of the particles are in components that are more than 1 % off the volume that they are to hold, the sum is at worst {:+.2g} % off", 100 * shareOf(h), 100 * h.sum.off());
+  if (there(worst)) line += fmt::format(", a surface was {:+.1f} % off ({})", 100 * worst.off, placeOf(worst));
+  return line + "; docs/pictures.md says what is held how well";
 }
 
 }  // namespace thaw

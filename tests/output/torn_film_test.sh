@@ -28,11 +28,11 @@ worst() { awk -F, 'NR > 1 { p[$1] += $8; v[$1] += $9 } END { for (f in p) { d = 
 launch 2 run "$work/film.toml" --out "$work/film" >"$work/log" 2>&1
 expectExit 0 "the film"
 off=$(worst "$work/film")
-[ "$off" -le 20 ] || fail "the film's volume is off by $off thousandths"
+[ "$off" -le 5 ] || fail "the film's volume is off by $off thousandths"
 settings keiser/freezing
 launch 2 run "$scenes/keiser/freezing.toml" --out "$work/frozen" "${set[@]}" --set surface.adapt=0.45 >"$work/log" 2>&1
 expectExit 0 "the frozen stream"
 frozen=$(worst "$work/frozen")
-[ "$frozen" -le 40 ] || fail "the frozen plates' volume is off by $frozen thousandths"
+[ "$frozen" -le 10 ] || fail "the frozen plates' volume is off by $frozen thousandths"
 echo "off by $off and $frozen thousandths"
 finish

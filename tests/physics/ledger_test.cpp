@@ -151,6 +151,34 @@ TEST(Ledger, MeltingSolid) {
   EXPECT_LT(std::abs(r.energyResidual), 0.005 * r.energyScale);
 }
 
+// Liquids of two bodies that do not weld come closer than solids may; where they freeze their contacts are there at once, and push.
+TEST(Ledger, ContactsOfWhatHasJustFrozenAreBooked) {
+  Scene s;
+  s.spacing = dx;
+  s.domain.gravity = {};
+  s.output.every = 0;
+  s.numerics.precision = Precision::Double;
+  s.numerics.overlap = OverlapRule::Keep;
+  s.materials.push_back(wax());
+  s.materials[0].soundSpeed = 1;
+  for (int k = 0; k < 2; k++) addBox(s, {k * 3.8 * dx, 0, 0}, {(k * 3.8 + 4) * dx, 4 * dx, 4 * dx}).temperature = 350;
+  s.numerics.maxStep = 1e-4;
+  s.temperings.emplace_back();  // in one step
+  s.temperings[0].start = 0.01;
+  s.temperings[0].temperature = 300;
+  s.end = 1;
+  Simulation run(s);
+  while (run.w.counters.frozen == 0) ASSERT_TRUE(run.step());
+  const LedgerReport before = run.books();  // they push from the next evaluation on
+  for (int k = 0; k < 4; k++) ASSERT_TRUE(run.step());
+  const LedgerReport r = run.books();
+  EXPECT_EQ(run.w.counters.frozen, 128);
+  const auto mechanical = [](const Balance& b) { return b.kinetic + b.elastic + b.potential; };
+  const double made = mechanical(r.now) - mechanical(before.now);
+  EXPECT_GT(made, 100 * mechanical(before.now));
+  EXPECT_LT(std::abs(r.energyResidual), 0.01 * made);
+}
+
 TEST(StepLimits, AStretchedSolidNeedsSmallerSteps) {
   Scene s = freeBlock(ElasticLaw::Green);
   s.materials[0].hourglass = 0.1;  // hardly a part of the modulus

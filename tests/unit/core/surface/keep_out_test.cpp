@@ -147,5 +147,27 @@ TEST(KeepOut, FilmsThatHaveGoneApartKeepTheirVolume) {
   EXPECT_LT(c.open, 0.03);
 }
 
+/// A few particles that lie flat: on the floor below them their colour falls off to the side. They are too far apart for a level of their volume, so that offsets draw them in.
+TEST(KeepOut, FlatDropsKeepTheirFloor) {
+  for (const double apart : {1.0, 1.3}) {
+    Scene s = aboveFloor(0);
+    addBox(s, {-0.1, -0.1, 0}, {0.1, 0.2, 0.1});  // six
+    SurfaceWorld world(s);
+    std::vector<Vec3d> start;
+    for (std::size_t i = 0; i < world.w.particles.owned; i++) start.push_back(world.place(i));
+    ASSERT_EQ(start.size(), 6u);
+    for (int k = 1; k <= 12; k++) {
+      const double share = std::min(1.0, k / 6.0), wide = 1 + (apart - 1) * share;
+      for (std::size_t i = 0; i < start.size(); i++) world.place(i) = {wide * start[i].x, wide * start[i].y, 0.05 - 0.025 * share};
+      world.update();
+      ASSERT_EQ(world.components().size(), 1u);
+      const SurfaceComponent& c = world.components()[0];
+      EXPECT_LT(c.open, 0.05) << "update " << k << ", " << apart << " spacings apart";
+      EXPECT_NEAR(c.volume / c.particleVolume, 1, 0.01) << "update " << k << ", " << apart << " spacings apart";
+      EXPECT_LT(deepest(world.w), 0.05);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace thaw

@@ -118,6 +118,41 @@ TEST(KeepVolume, ABallAndAFlattenedBall) {
   }
 }
 
+// A flat drop answers to an offset by twice its area: the next one knows.
+TEST(KeepVolume, OffsetsFollowHowTheVolumeAnswered) {
+  SerialSurfaceRig rig;
+  Surface& s = rig.world.surface;
+  s.spacing = 1;
+  s.components.resize(1);
+  SurfaceComponent& c = s.components[0];
+  c.label = 1, c.particles = 10, c.surfels = 100, c.area = c.freeArea = 1, c.wantedVolume = 1, c.volume = 0.9;
+  std::vector<VolumeMove> moves;
+  offsetToVolume(s, {}, 1, 1, false, moves);
+  EXPECT_NEAR(c.raised, 0.1, 1e-12);
+  c.volume = 1.1;
+  offsetToVolume(s, {}, 1, 1, false, moves);
+  EXPECT_NEAR(c.raised, 0.05, 1e-12);
+}
+
+// Where the level of the iterations can follow no farther the surface is moved all the same.
+TEST(KeepVolume, BeyondWhatTheLevelMayFollow) {
+  for (const double swollen : {1.2, 0.85}) {  // particles that have come apart, or closer
+    const double end = swollen > 1 ? -mostDrawnIn : mostRaised;
+    SerialSurfaceRig rig;
+    rig.ball({0, 0, 0}, 0.8);
+    for (std::size_t i = 0; i < rig.p().owned; i++) rig.p().position[i] = swollen * rig.p().position[i];
+    for (std::size_t i = 0; i < rig.f().owned; i++) rig.f().position[i] = swollen * rig.f().position[i];
+    rig.update();
+    for (int k = 0; k < 2; k++) {
+      rig.world.surface.components[0].raised = end * rig.dx;
+      rig.update();
+      const SurfaceComponent& c = rig.components()[0];
+      EXPECT_NEAR(c.volume / c.particleVolume, 1, 2e-3) << swollen;
+      EXPECT_NEAR(c.raised, end * rig.dx, 0.1 * rig.dx);  // it did not need less
+    }
+  }
+}
+
 TEST(KeepVolume, WhatFrozeIsDrawnToItsVolumeButNotWhatNeverMeltedNorAMeshsDetail) {
   for (const int way : {0, 1, 2}) {  // frozen, never liquid, frozen under a mesh's detail
     SerialSurfaceRig rig;

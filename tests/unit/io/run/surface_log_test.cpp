@@ -59,12 +59,12 @@ TEST_F(Log, TellsTheWorstVolumeOfTheFramesThatAreLeft) {
   const double off[] = {0.004, -0.03, 0.2};
   for (int k = 0; k < 3; k++) {
     w.clock.frame = k, w.clock.step = 10 * k, w.clock.time = 0.1 * k;
-    SurfaceComponent c{7, 400, 900, 1, 2, 2 * (1 + off[k]), 4, {1, 2, 3}}, small{9, 29, 60, 1, 2, 5, 4, {}}, bare{10, 400, 11, 1, 2, 5, 4, {}};
+    SurfaceComponent c{7, 400, 900, 1, 2, 2 * (1 + off[k]), 4, {1, 2, 3}}, small{9, 29, 60, 1, 2, 2 - 0.6 * k, 4, {}}, drop{10, 4, 11, 1, 1, 1.005, 4, {}};
     c.wantedVolume = 1.96;
-    w.surface.components = {c, small, bare};
+    small.wantedVolume = 2;
+    w.surface.components = {c, small, drop};
     addToComponentLog(out, w);
-    if (k < 2)
-      for (const SurfaceComponent& s : w.surface.components) noteVolume(noted, s, w.clock.time);
+    if (k < 2) noteVolumes(noted, w.surface.components, w.clock.time);
   }
   const VolumeHeld held = cutComponentLog(out, 10);
   ASSERT_TRUE(held.any);
@@ -75,12 +75,38 @@ TEST_F(Log, TellsTheWorstVolumeOfTheFramesThatAreLeft) {
   EXPECT_NEAR(held.ofWanted.off, 2.008 / 1.96 - 1, 1e-12);
   EXPECT_EQ(held.ofWanted.label, 7u);
   EXPECT_EQ(held.ofWanted.time, 0);
-  EXPECT_NE(volumeHeldLine(held).find("at worst -3.00 % off that of the particles (component 7 of 400 particles, t 0.1 s), +2.45 % off what is to be held"), std::string::npos) << volumeHeldLine(held);
-  EXPECT_NE(volumeHeldWarning(held).find("+2.4 % off the volume that it is to hold (component 7"), std::string::npos) << volumeHeldWarning(held);
-  VolumeHeld good;
-  noteVolume(good, {7, 400, 900, 1, 2, 2.02, 4, {}, 0, 2.02}, 0);
-  EXPECT_EQ(volumeHeldWarning(good), "");
-  EXPECT_EQ(volumeHeldLine({}), "");
+  EXPECT_EQ(held.small.off, noted.small.off);
+  EXPECT_NEAR(held.small.off, -0.3, 1e-12);
+  EXPECT_EQ(held.small.label, 9u);
+  EXPECT_EQ(held.sum.off(), noted.sum.off());
+  EXPECT_NEAR(held.sum.off(), (1.94 + 1.4 + 1.005) / 4.96 - 1, 1e-12);
+  EXPECT_EQ(held.sum.time, 0.1);
+  EXPECT_EQ(held.missing.missed, 429);
+  EXPECT_EQ(held.missed, 829);  // 400 at the first frame
+  EXPECT_EQ(held.particles, 866);
+  const std::vector<std::string> lines = volumeHeldLines(held);
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_NE(lines[0].find("the sum at worst -12.40 % off what is to be held (t 0.1 s); 96 % of the particles are in components that are off by more than 1 % (at worst 99 %, t 0.1 s)"), std::string::npos) << lines[0];
+  EXPECT_NE(lines[1].find("at worst -3.00 % (component 7 of 400 particles, t 0.1 s) off that of the particles, +2.45 % (component 7"), std::string::npos) << lines[1];
+  EXPECT_NE(lines[2].find("of 5 to 29 particles at worst -30.00 % (component 9 of 29 particles, t 0.1 s)"), std::string::npos) << lines[2];
+  EXPECT_NE(volumeHeldWarning(held).find("a surface was +2.4 % off (component 7"), std::string::npos) << volumeHeldWarning(held);
+}
+
+TEST(VolumeHeld, WarnsOfSmallPiecesAndOfTheSum) {
+  const auto warning = [](std::vector<SurfaceComponent> components) {
+    for (SurfaceComponent& c : components) c.wantedVolume = c.particleVolume;
+    VolumeHeld held;
+    noteVolumes(held, components, 0);
+    return volumeHeldWarning(held);
+  };
+  const SurfaceComponent body{7, 10000, 900, 1, 100, 100.5, 4, {}};
+  EXPECT_EQ(warning({body}), "");
+  EXPECT_EQ(warning({body, {9, 5, 60, 1, 0.05, 0.046, 4, {}}}), "");
+  EXPECT_NE(warning({body, {9, 5, 60, 1, 0.05, 0.025, 4, {}}}).find("a surface was -50.0 % off (component 9 of 5 particles"), std::string::npos);
+  std::vector<SurfaceComponent> spray{{7, 100, 900, 1, 1, 1, 4, {}}};
+  for (std::uint64_t k = 0; k < 10; k++) spray.push_back({9 + k, 3, 24, 1, 0.03, 0.029, 4, {}});
+  EXPECT_NE(warning(spray).find("23 % of the particles are in components that are more than 1 % off"), std::string::npos) << warning(spray);
+  EXPECT_TRUE(volumeHeldLines({}).empty());
 }
 
 TEST_F(Log, KeepsLinesOfEarlierVersions) {
@@ -88,6 +114,7 @@ TEST_F(Log, KeepsLinesOfEarlierVersions) {
   const VolumeHeld held = cutComponentLog(out, 0);
   EXPECT_NE(text(componentLogPath(out)).find("wanted_volume_m3\n0,0,0,5,40,30,1,2,2.1,4,1,2,3,\n"), std::string::npos) << text(componentLogPath(out));
   EXPECT_NEAR(held.ofParticles.off, 0.05, 1e-12);
+  EXPECT_NEAR(held.sum.off(), 0.05, 1e-12);
   EXPECT_EQ(held.ofWanted.label, noComponent);
   const std::string once = text(componentLogPath(out));
   cutComponentLog(out, 0);
