@@ -90,13 +90,14 @@ struct FaceContact {
     const Vec3d n = r > 0 ? off / r : normalized(cross(nearest->x[1] - nearest->x[0], nearest->x[2] - nearest->x[0]));
     const Sheets& s = w.sheets.rows;
     Vec3d v{};
-    double temperature = 0;
+    double temperature = 0, massPerArea = 0;
     for (int k = 0; k < 3; k++) {
+      massPerArea += shares[k] * w.sheets.laws[s.law[nearest->row[static_cast<std::size_t>(k)]]].contactMass;
       v += shares[k] * s.moving[nearest->row[static_cast<std::size_t>(k)]];
       if (s.temperature.active) temperature += shares[k] * s.temperature[nearest->row[static_cast<std::size_t>(k)]];
     }
     const Material& material = w.scene.materials[p.material[j]];
-    const double liquid = p.liquid.active ? static_cast<double>(p.liquid[j]) : p.phase[j] == Liquid ? 1 : 0, mass = plan.faceMass * p.mass[j] / (plan.faceMass + p.mass[j]);
+    const double liquid = p.liquid.active ? static_cast<double>(p.liquid[j]) : p.phase[j] == Liquid ? 1 : 0, face = plan.faceArea * massPerArea, mass = face * p.mass[j] / (face + p.mass[j]);
     const Touch t = touchOf({plan.faceRate, mass, std::min(body.restitution, material.restitution), (1 - liquid) * std::max(body.friction, material.friction), now.span}, plan.faceReach - r, n,
                             v - p.velocity[j]);
     double heat = 0;

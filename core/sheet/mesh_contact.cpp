@@ -20,7 +20,7 @@ struct MeshContact {
   Sheets& s;
   std::vector<double>& slope;  // N/m, of owned vertices
 
-  double massOf(std::uint32_t i) const { return w.sheets.plans[s.body[i]].contactMass * s.area[i]; }
+  double massOf(std::uint32_t i) const { return w.sheets.laws[s.law[i]].contactMass * s.area[i]; }
 
   /// The law between two bodies of these masses (kg), one of so many pairs more for a reach of an edge.
   TouchLaw lawOf(const MeshPair& p, double first, double second, double more) const {

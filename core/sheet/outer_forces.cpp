@@ -41,7 +41,7 @@ Vec3d wallLoad(World& w, std::size_t i, const SheetVelocities& now, Vec3d& impul
     if (!(d < plan.thickness)) continue;
     n = directionFromRest(wall.pose, n);
     const Vec3d u = wallVelocity(wall, s.position[i]);
-    const Touch touch = touchOf({plan.contactRate, plan.contactMass, std::min(wall.properties.restitution, b.restitution), std::max(wall.properties.friction, b.friction), now.span},
+    const Touch touch = touchOf({plan.contactRate, sheets.laws[s.law[i]].contactMass, std::min(wall.properties.restitution, b.restitution), std::max(wall.properties.friction, b.friction), now.span},
                                 plan.thickness - d, n, now.velocity[i] - u);
     load += touch.force;
     s.energy[i] += touch.energy * s.area[i];

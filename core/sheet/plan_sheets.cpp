@@ -86,8 +86,11 @@ void planFaces(const Scene& s, const SheetBody& b, SheetPlan& plan) {
   plan.faceRate = b.contactRate > 0 ? b.contactRate : contactRateOf(s, b, plan.faceReach);
   double area = 0;
   for (const double a : plan.topology.area) area += a;
-  plan.faceMass = plan.contactMass * area / static_cast<double>(plan.topology.area.size());
+  plan.faceArea = area / static_cast<double>(plan.topology.area.size());
 }
+
+/// kg/m^2: what has no mass turns round as fast by its damping or its spring.
+double contactMassOf(const SpringLaw& l, double rate) { return l.mass > 0 ? l.mass : l.damping > 0 ? l.damping / rate : l.stiffness / (rate * rate); }
 
 /// Triangles by their first corners.
 void listFaces(SheetPlan& plan) {
@@ -101,7 +104,7 @@ void listFaces(SheetPlan& plan) {
 
 SheetLaw lawOf(std::size_t sheet, const SheetBody& b, const SheetRegion& r) {
   const auto& f = r.factor;
-  return {static_cast<std::uint16_t>(sheet), {b.mass * f[placeOf(SheetFactor::Mass)], b.damping * f[placeOf(SheetFactor::Damping)], b.stiffness * f[placeOf(SheetFactor::Stiffness)]}, f};
+  return {static_cast<std::uint16_t>(sheet), {b.mass * f[placeOf(SheetFactor::Mass)], b.damping * f[placeOf(SheetFactor::Damping)], b.stiffness * f[placeOf(SheetFactor::Stiffness)]}, 0, f};
 }
 
 void checkLaw(const SheetLaw& l, const SourcePlace& where) {
@@ -214,7 +217,7 @@ SheetPlans planSheets(const Scene& s, const MeshLoader& load) {
       plan.spacing = edges / static_cast<double>(t.ring.size());
       plan.thickness = sheetThickness(s, b);
       plan.contactRate = b.contactRate > 0 ? b.contactRate : contactRateOf(s, b, plan.thickness);
-      plan.contactMass = b.mass > 0 ? b.mass : b.damping > 0 ? b.damping / plan.contactRate : b.stiffness / (plan.contactRate * plan.contactRate);
+      for (std::size_t l = base; l < all.laws.size(); l++) all.laws[l].contactMass = contactMassOf(all.laws[l].law, plan.contactRate);
       plan.byFaces = coarserThanParticles(s, plan);
       if (plan.byFaces) planFaces(s, b, plan);
       if (plan.byFaces || meshTouches(s, n)) listFaces(plan);

@@ -14,6 +14,7 @@ namespace thaw {
 struct SheetLaw {
   std::uint16_t sheet = 0;
   SpringLaw law;
+  double contactMass = 0;                     ///< kg/m^2, that contact's stiffness goes by: the law's, unless that is 0
   std::array<double, sheetFactors> factor{};  ///< of its region; what springs between two vertices have is the mean of both
 };
 
@@ -48,12 +49,11 @@ struct SheetPlan {
   double longestEdge = 0;         ///< m, at the start and at rest
   double thickness = 0;           ///< m, where contact begins
   double contactRate = 0;         ///< 1/s
-  double contactMass = 0;         ///< kg/m^2, that contact's stiffness goes by: the sheet's, unless that is 0
   // of contact by triangles: with the continuum (face_contact.hpp), and of sheets (mesh_contact.hpp)
   bool byFaces = false;
   double faceReach = 0;           ///< m, distance of a particle's centre at which it begins
   double faceRate = 0;            ///< 1/s, as contactRate
-  double faceMass = 0;            ///< kg, of a vertex in the mean, that its stiffness goes by
+  double faceArea = 0;            ///< m^2, of a vertex in the mean: times SheetLaw::contactMass it is what the stiffness goes by
   std::vector<std::uint32_t> faceFirst, faceOf;  ///< triangles whose first corner is vertex v: faceOf[faceFirst[v]] ..
   WrapTarget wrapTarget;
   bool edgeForces = false;        ///< springs along edges or across them

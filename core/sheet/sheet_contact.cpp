@@ -32,7 +32,7 @@ double pairMass(double a, double b) { return a * b / (a + b); }
 
 double massOf(const World& w, std::size_t i) {  // that contact goes by
   const Sheets& s = w.sheets.rows;
-  return w.sheets.plans[s.body[i]].contactMass * s.area[i];
+  return w.sheets.laws[s.law[i]].contactMass * s.area[i];
 }
 
 /// N/m, push or pull of a vertex at a factor in time of 1.

@@ -121,5 +121,29 @@ TEST(KindBooks, WorkFromOutsideIsNoAlarmWhereNothingWasBefore) {
   EXPECT_EQ(checkBooks(sim.w, bounds, books, sim.all), Alarm::None);
 }
 
+/// A cloth whose middle has another mass falls onto a floor.
+TEST(KindBooks, ContactGoesByTheMassOfARegion) {
+  for (const double factor : {0.01, 1.0, 30.0, 100.0}) {
+    Scene s = test::sheetScene(SheetMesh::Grid);
+    s.domain.gravity = {0, 0, -9.81};
+    SheetBody& b = s.sheets[0];
+    b.mass = 0.3, b.damping = 1, b.warp = b.weft = 50, b.shear = 10;
+    b.shape.move = {0, 0, 0.1};
+    b.regions.emplace_back();
+    b.regions.back().shape = test::boxOf({-0.25, -0.25, -1}, {0.25, 0.25, 1});
+    b.regions.back().factor[placeOf(SheetFactor::Mass)] = factor;
+    s.obstacles.emplace_back();
+    s.obstacles.back().name = "floor";
+    s.obstacles.back().shape.kind = ShapeKind::HalfSpace;
+    s.end = 0.4;
+    test::Simulation sim(s);
+    ASSERT_TRUE(sim.run());
+    const LedgerReport books = sim.books();
+    EXPECT_GT(books.dissipated, 0) << factor;
+    EXPECT_LT(std::abs(books.energyResidual), 0.02 * books.energyScale) << factor;
+    for (std::size_t i = 0; i < sim.w.sheets.rows.owned; i++) ASSERT_GT(sim.w.sheets.rows.position[i].z, 0) << factor;
+  }
+}
+
 }  // namespace
 }  // namespace thaw
