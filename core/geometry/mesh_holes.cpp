@@ -75,6 +75,7 @@ std::int64_t closeHoles(TriangleMesh& mesh) {
       for (const std::uint32_t v : path) placeOnPath[v] = 0;
     }
   }
+  if (!mesh.normals.empty()) mesh.normals.resize(mesh.triangles.size());
   return holes;
 }
 

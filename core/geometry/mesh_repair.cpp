@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include "core/geometry/file_normals.hpp"
 #include "core/geometry/mesh_edges.hpp"
 #include "core/geometry/mesh_holes.hpp"
 #include "core/geometry/shape_error.hpp"
@@ -28,7 +29,10 @@ double volumeOf(const TriangleMesh& m, const std::array<std::uint32_t, 3>& t, co
   return dot(m.vertices[t[0]] - origin, cross(m.vertices[t[1]] - origin, m.vertices[t[2]] - origin)) / 6;
 }
 
-void turn(std::array<std::uint32_t, 3>& t) { std::swap(t[1], t[2]); }
+void turn(TriangleMesh& m, std::size_t t) {
+  std::swap(m.triangles[t][1], m.triangles[t][2]);
+  if (!m.normals.empty()) std::swap(m.normals[t][1], m.normals[t][2]);
+}
 
 void check(const TriangleMesh& mesh) {
   if (mesh.triangles.empty()) throw ShapeError("the mesh has no triangles; expected the closed surface of a solid");
@@ -82,7 +86,7 @@ std::int64_t orientPatches(TriangleMesh& m, const std::vector<EdgeSide>& sides) 
     }
     const std::uint8_t wrong = other > kept ? Kept : Turned;
     for (const std::uint32_t t : patch)
-      if (state[t] == wrong) turn(m.triangles[t]), turned++;
+      if (state[t] == wrong) turn(m, t), turned++;
   }
   return turned;
 }
@@ -142,7 +146,7 @@ std::int64_t turnShells(TriangleMesh& m, const std::vector<Shell>& shells) {
   std::vector<char> decided(shells.size(), 0);
   std::int64_t turned = 0;
   const auto turnShell = [&](std::size_t s) {
-    for (const std::uint32_t t : shells[s].triangles) turn(m.triangles[t]);
+    for (const std::uint32_t t : shells[s].triangles) turn(m, t);
     turned++;
   };
   for (std::size_t k = 0; k < order.size(); k++) {
@@ -206,13 +210,14 @@ TriangleMesh repairMesh(const TriangleMesh& mesh, MeshReport& report) {
   }
   for (const auto& t : m.triangles) report.volume += volumeOf(m, t, 0.5 * (low + high));
   if (!report.closed && report.volume < 0) {
-    for (auto& t : m.triangles) turn(t);
+    for (std::size_t t = 0; t < m.triangles.size(); t++) turn(m, t);
     report.volume = -report.volume;
     report.turnedShells = 1;
   }
   if (!(report.volume > flat * std::pow(report.area, 1.5)))
     throw ShapeError("the mesh encloses no volume (its " + std::to_string(report.triangles) + " triangles have " + std::to_string(open) + " open edges of " +
                      std::to_string(edges) + "); expected the closed surface of a solid");
+  settleNormals(m, report);
   return m;
 }
 
@@ -227,6 +232,9 @@ std::string describeRepairs(const std::string& name, const MeshReport& r) {
   }
   if (r.turnedTriangles > 0) say(std::to_string(r.turnedTriangles) + " triangles turned to agree with their neighbours");
   if (r.turnedShells > 0) say(std::to_string(r.turnedShells) + (r.turnedShells == 1 ? " shell" : " shells") + " turned the right side out");
+  if (r.turnedNormals > 0) say(std::to_string(r.turnedNormals) + " normals turned outward");
+  if (r.unusedNormals > 0)
+    say(std::to_string(r.unusedNormals) + " of its " + std::to_string(r.normals) + " normals are missing, 0 or point to the other side of their triangle: those that follow from the triangles are taken there");
   return s;
 }
 

@@ -14,6 +14,9 @@ struct MeshReport {
   std::int64_t turnedTriangles = 0;          ///< turned to agree with their neighbours
   std::int64_t turnedShells = 0;             ///< were inside out
   std::int64_t holes = 0;                    ///< closed
+  std::int64_t normals = 0;                  ///< that the file gives corners of triangles
+  std::int64_t turnedNormals = 0;            ///< of shells most of whose normals pointed inward
+  std::int64_t unusedNormals = 0;            ///< 0, or against their triangle's side
   double area = 0, holeArea = 0;             ///< m^2, of the file's triangles, of those that close holes
   double volume = 0;                         ///< m^3, signed volumes of the shells added up
   bool closed = true;                        ///< false: so many open edges that nothing was closed; a soup, as it came
@@ -28,6 +31,7 @@ struct MeshReport {
 ///    balanced and winding numbers are integers off the surface;
 /// 4. a shell (triangles joined by any edges) with negative volume was inside out and is turned, unless it lies within another one:
 ///    the outermost shell decides for all within it, so that hollows stay hollows.
+/// 5. normals of the file are settled (file_normals.hpp).
 /// If more than 30 % of the edges are open, steps 3 and 4 are left out; only the total volume decides about the direction, and
 /// inside is where the generalised winding number is more than 1/2.
 /// Throws ShapeError: no triangles, an index out of range, a coordinate that is not finite, no volume enclosed.

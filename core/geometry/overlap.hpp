@@ -21,15 +21,20 @@ struct OverlapCounts {
 /// Which bodies' bounding boxes meet, so that only those are asked.
 class OverlapTest {
  public:
-  explicit OverlapTest(std::vector<std::shared_ptr<const SignedDistance>> bodies);
+  /// period: m, of the domain along its periodic axes, 0 along others; bodies meet across periodic sides, too.
+  explicit OverlapTest(std::vector<std::shared_ptr<const SignedDistance>> bodies, const Vec3d& period = {});
   /// Counts the bodies that contain a sample of body a at x (m), and returns whether the rule keeps it: Error and Keep keep all,
   /// RemoveLater takes a sample away if an earlier body contains it, RemoveEarlier if a later one does. With Error the caller
   /// stops the run if the counts over all ranks are not zero.
   bool keeps(std::size_t a, const Vec3d& x, OverlapRule rule, OverlapCounts& counts) const;
+  /// Does an image of a sample of body a lie inside that body again, which reaches round the domain?
+  bool meetsItself(std::size_t a, const Vec3d& x) const;
 
  private:
+  template<class Is> bool anyImage(std::size_t b, const Vec3d& x, Is&& is) const;
   std::vector<std::shared_ptr<const SignedDistance>> bodies_;
   std::vector<Bounds> bounds_;
+  Vec3d period_;
   std::vector<std::vector<std::size_t>> near_;  ///< other bodies whose boxes meet that of each body
 };
 

@@ -38,6 +38,8 @@ PlacedMesh makePlacedMesh(const Shape& s, const MeshLoader& load) {
 Placement placeMesh(const Shape& s, TriangleMesh& mesh) {
   const Placement p = placementOf(s, std::make_shared<MeshReach>(mesh));
   for (Vec3d& v : mesh.vertices) v = p.move + p.rotation * (p.scale * v);
+  for (auto& corners : mesh.normals)
+    for (Vec3d& n : corners) n = p.rotation * n;
   return p;
 }
 

@@ -14,6 +14,7 @@ struct TriangleMesh {
   std::vector<Vec3d> vertices;                          // m
   std::vector<std::array<std::uint32_t, 3>> triangles;  // indices of vertices, counter-clockwise seen from outside
   std::vector<std::uint32_t> colours{};                 // of vertices, red | green << 8 | blue << 16; empty where the file has none
+  std::vector<std::array<Vec3d, 3>> normals{};          // of the corners of triangles, unit ones, or 0 where the file says nothing; empty where it has none
 };
 
 /// Reads the mesh of a path; throws a std::exception whose what() names file, place and what was expected there.

@@ -61,10 +61,12 @@ TriangleMesh weldVertices(const TriangleMesh& mesh, double tolerance) {
   std::vector<Index> number(mesh.vertices.size(), none);
   TriangleMesh out;
   std::vector<std::array<Index, 3>> sorted;
-  for (const auto& t : mesh.triangles) {
+  for (std::size_t n = 0; n < mesh.triangles.size(); n++) {
+    const auto& t = mesh.triangles[n];
     const std::array<Index, 3> c{first[t[0]], first[t[1]], first[t[2]]};
     if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) continue;
     out.triangles.push_back(c);
+    if (!mesh.normals.empty()) out.normals.push_back(mesh.normals[n]);
     sorted.push_back(c);
     std::sort(sorted.back().begin(), sorted.back().end());
   }
@@ -85,9 +87,11 @@ TriangleMesh weldVertices(const TriangleMesh& mesh, double tolerance) {
       }
       v = number[v];
     }
+    if (!out.normals.empty()) out.normals[kept] = out.normals[t];
     out.triangles[kept++] = c;
   }
   out.triangles.resize(kept);
+  if (!out.normals.empty()) out.normals.resize(kept);
   return out;
 }
 

@@ -30,6 +30,13 @@ void kernelGradients(World& w, Halos& halos, StepTools& t) {
   sumUnitPressure(w, t);
 }
 
+/// The image of x, across periodic sides, that is nearest to a body's middle: where the body has it that reaches over a side.
+Vec3d imageIn(const CellGrid& g, const Vec3d& middle, Vec3d x) {
+  for (int a = 0; a < 3; a++)
+    if (g.periodic[a]) x[a] -= g.period[a] * std::round((x[a] - middle[a]) / g.period[a]);
+  return x;
+}
+
 }  // namespace
 
 int relaxPacking(World& w, Halos halos, StepTools& t, const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {
@@ -37,6 +44,8 @@ int relaxPacking(World& w, Halos halos, StepTools& t, const std::vector<std::sha
   for (const Body& b : w.scene.bodies) wanted = wanted || b.packing == Packing::Relaxed;
   if (!wanted) return 0;
   Continuum& p = w.particles;
+  std::vector<Vec3d> middle;
+  for (const auto& s : shapes) middle.push_back(0.5 * (s->bounds().min + s->bounds().max));
   const bool everywhere = liquidFillsTheBox(w.scene);  // then what crosses a side comes back on the other
   const double dx = w.scene.spacing, V = dx * dx * dx;
   for (int k = 0; k < iterations; k++) {
@@ -49,8 +58,8 @@ int relaxPacking(World& w, Halos halos, StepTools& t, const std::vector<std::sha
       const double length2 = dot(move, move), most = 0.1 * dx;
       if (length2 > most * most) move = move * (most / std::sqrt(length2));
       p.position[i] += move;
-      if (everywhere) wrapPlace(w.grid, w.scene.domain, p.position[i]);
-      else p.position[i] = pullInside(*shapes[body], p.position[i], 0.45 * dx);
+      if (!everywhere) p.position[i] = pullInside(*shapes[body], imageIn(w.grid, middle[body], p.position[i]), 0.45 * dx);
+      wrapPlace(w.grid, w.scene.domain, p.position[i]);
     }
   }
   p.resize(p.owned, 0);

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "core/domain/emit.hpp"
+#include "core/domain/sides.hpp"
 #include "core/geometry/overlap.hpp"
 #include "core/geometry/sampling.hpp"
 #include "core/geometry/shape_error.hpp"
@@ -17,11 +18,12 @@ namespace {
 /// What is wrong with places of samples, on this rank; of the first offender of each kind (by body) the names are kept, as a number that
 /// can be reduced: the maximum of negated numbers, -never where there is none.
 struct Offenders {
-  std::int64_t outside = 0, inObstacles = 0;
-  double firstOutside = -never, firstObstacle = -never;
+  std::int64_t outside = 0, inObstacles = 0, inItself = 0;
+  double firstOutside = -never, firstObstacle = -never, firstItself = -never;
 };
 constexpr std::size_t codes = 65536;
 
+/// x: of a sample, brought in where it was beyond a periodic side.
 void lookAt(const World& w, std::size_t body, const Vec3d& x, Offenders& o) {
   const Domain& d = w.scene.domain;
   if (x.x < d.min.x || x.x >= d.max.x || x.y < d.min.y || x.y >= d.max.y || x.z < d.min.z || x.z >= d.max.z) {
@@ -52,6 +54,9 @@ void fillRows(World& w, std::size_t b, std::span<const Sample> samples, std::siz
   const double dx = s.spacing;
   std::vector<std::shared_ptr<const SignedDistance>> clamps;
   for (const Shape& c : body.clamp) clamps.push_back(makeSignedDistance(c));
+  const auto inClamp = [&](const SignedDistance& c, Vec3d x) {  // as the body is placed, or where it comes in at the other side
+    return c.inside(x) || (wrapPlace(w.grid, s.domain, x), c.inside(x));
+  };
   for (std::size_t i = first; i < first + samples.size(); i++) {
     const Vec3d x = samples[i - first].place;
     p.id[i] = particleId(b, static_cast<std::uint64_t>(samples[i - first].number));
@@ -65,7 +70,7 @@ void fillRows(World& w, std::size_t b, std::span<const Sample> samples, std::siz
     if (p.enthalpy.active) p.enthalpy[i] = bookedEnthalpy(w.scene.numerics.heat, m, T);
     if (p.slot.active) p.slot[i] = noSlot;
     for (const auto& c : clamps)
-      if (c->inside(x)) {
+      if (inClamp(*c, x)) {
         p.clamped[i] = held;
         p.velocity[i] = {};
       }
@@ -91,7 +96,10 @@ std::int64_t sampleBody(World& w, std::size_t b, const SignedDistance& shape, co
         removed++;
         continue;
       }
-      lookAt(w, b, x, offenders);
+      if (overlap.meetsItself(b, x)) offenders.inItself++, offenders.firstItself = std::max(offenders.firstItself, -static_cast<double>(b));
+      Vec3d in = x;
+      wrapPlace(w.grid, s.domain, in);
+      lookAt(w, b, in, offenders);
       samples.push_back({row * l.count[0] + k, x});
     }
   const std::size_t first = p.owned;
@@ -106,7 +114,8 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
   const Scene& s = w.scene;
   Continuum& p = w.particles;
   const std::size_t n = s.bodies.size();
-  const OverlapTest overlap(shapes);
+  const auto periodOf = [&](int a) { return w.grid.periodic[a] ? w.grid.period[a] : 0; };
+  const OverlapTest overlap(shapes, {periodOf(0), periodOf(1), periodOf(2)});
   OverlapCounts overlaps(n);
   Offenders offenders;
   std::vector<std::int64_t> counts;
@@ -118,10 +127,10 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
   }
   settlePhase(s, w.modules, p, 0, p.owned);
 
-  counts.insert(counts.end(), {removed, offenders.outside, offenders.inObstacles});
+  counts.insert(counts.end(), {removed, offenders.outside, offenders.inObstacles, offenders.inItself});
   all.sum(counts);
   all.sum(overlaps.count);
-  double first[2] = {offenders.firstOutside, offenders.firstObstacle};
+  double first[3] = {offenders.firstOutside, offenders.firstObstacle, offenders.firstItself};
   all.maximum(first);
   SamplingReport report;
   report.particles.assign(counts.begin(), counts.begin() + static_cast<std::ptrdiff_t>(n));
@@ -133,6 +142,11 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
   for (std::size_t b = 0; b < n; b++)
     if (report.particles[b] == 0 && report.removed == 0)
       problems.add(s.bodies[b].where, "body '" + s.bodies[b].name + "' has no particle: it is too small or too thin for the spacing, or empty");
+  if (const std::int64_t inItself = counts[n + 3]; inItself > 0) {
+    const Body& b = s.bodies[static_cast<std::size_t>(-first[2])];
+    problems.add(b.where, "body '" + b.name + "' reaches round the domain into itself: " + std::to_string(inItself) +
+                              " of its particles lie inside its image across a periodic side; make it shorter than the domain along its periodic axes, or the domain longer");
+  }
   problems.raise();
   for (std::size_t k = overlaps.count.size(); k-- > 0;)
     if (overlaps.count[k] > 0) report.overlapWhere = s.bodies[k / n].where;

@@ -18,7 +18,7 @@ struct SamplingReport {
   std::int64_t inObstacles = 0, outside = 0;
   std::string firstObstacle, firstOutside;  ///< names, for the message
   SourcePlace overlapWhere, outsideWhere, obstacleWhere;  ///< of the first body concerned
-  std::vector<SceneWarning> warnings;    ///< of oriented bodies and sheets
+  std::vector<SceneWarning> warnings;    ///< of oriented bodies and sheets; what was mended of meshes
 };
 
 /// Appends this rank's share of all bodies' particles: the rows of each body's lattice are dealt out evenly, so that no rank samples

@@ -146,6 +146,11 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
   Continuum& p = w.particles;
   const std::vector<std::vector<Vec3d>> oriented = sampleKinds(w, halos, t, load);
   if (w.modules.kinds()) report.warnings = kindStartWarnings(w, shapes, oriented, halos.all);
+  for (std::size_t b = 0; b < shapes.size(); b++) {  // what was mended of meshes
+    std::vector<std::string> notes;
+    shapes[b]->addNotes(notes);
+    for (const std::string& note : notes) report.warnings.push_back({w.scene.bodies[b].where, "body '" + w.scene.bodies[b].name + "': " + note});
+  }
   for (std::size_t i = 0; i < p.owned; i++) wrapPlace(w.grid, w.scene.domain, p.position[i]);  // jitter may reach over a seam by rounding
   computeCellKeys(w.grid, p);
   Migration all;

@@ -250,13 +250,13 @@ std::int64_t coverBare(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surfels& f = s.surfels;
   readyParticles(w, halos, t);
   bareBesideLiquid(w, t, s.particles);
-  const bool meshes = hasMeshes(w.scene);
+  const bool coloured = coloursMayDiffer(w.scene);
   const auto look = [&] {
     placeRows(s.grid, halos.surfels, f, s.surfelCells, t.sort);
     ColumnList columns{&f.id, &f.position, &f.normal, &f.radius, &f.component, &f.detail};
     if (f.liquid.active) columns.push_back(&f.liquid);
     if (f.loose.active) columns.push_back(&f.loose);
-    if (meshes) columns.push_back(&f.colour);
+    if (coloured) columns.push_back(&f.colour);
     addGhosts(halos.surfels, f, s.surfelCells, columns);
     fillBins(s.grid, s.surfelCells, f.position.data(), surfelReach * w.scene.spacing, t.relax.surfelBins);
   };
@@ -273,7 +273,7 @@ std::int64_t coverBare(World& w, SurfaceHalos halos, SurfaceTools& t) {
     }
     std::vector<SurfelRow> rows;
     if (round == 0 || count[1] > 0) seedBare(w, t, rows);  // else all places are as they were refused
-    if (meshes) inheritColours(w, t.relax.surfelBins, rows);
+    if (coloured) inheritColours(w, t.relax.surfelBins, rows);
     count[0] = static_cast<std::int64_t>(rows.size());
     halos.all.sum({count, 1});
     f.resize(f.owned, 0);

@@ -80,23 +80,28 @@ std::array<double, 3> MeshNormals::sharesOf(const Vec3d& x, std::uint32_t triang
 Vec3d MeshNormals::at(const Vec3d& x, std::uint32_t triangle) const {
   const auto& t = mesh_.triangles[triangle];
   const std::array<double, 3> share = sharesOf(x, triangle);
-  const double crease = std::sqrt(0.5);
   Vec3d n;
   for (std::size_t k = 0; k < 3; k++) {
-    Vec3d corner;
-    for (std::uint32_t i = first_[t[k]]; i < first_[t[k] + 1]; i++) {
-      const std::uint32_t u = around_[i];
-      if (doubtful_[u] || dot(face_[u], face_[triangle]) < crease) continue;
-      const auto& c = mesh_.triangles[u];
-      const std::size_t at = c[0] == t[k] ? 0 : c[1] == t[k] ? 1 : 2;
-      const Vec3d here = mesh_.vertices[t[k]];
-      const Vec3d p = normalized(mesh_.vertices[c[(at + 1) % 3]] - here), q = normalized(mesh_.vertices[c[(at + 2) % 3]] - here);
-      corner += std::sqrt(std::max(0.0, 0.5 - 0.5 * dot(p, q))) * face_[u];  // sine of half the angle there: as good a weight, and the same bits everywhere
-    }
-    n += share[k] * (dot(corner, corner) > 0 ? normalized(corner) : face_[triangle]);
+    const Vec3d given = mesh_.normals.empty() ? Vec3d{} : mesh_.normals[triangle][k];
+    n += share[k] * (dot(given, given) > 0 ? given : cornerNormal(triangle, t[k]));
   }
   n = normalized(n);
   return dot(n, n) > 0 ? n : face_[triangle];
+}
+
+Vec3d MeshNormals::cornerNormal(std::uint32_t triangle, std::uint32_t vertex) const {
+  const double crease = std::sqrt(0.5);
+  const Vec3d here = mesh_.vertices[vertex];
+  Vec3d sum;
+  for (std::uint32_t i = first_[vertex]; i < first_[vertex + 1]; i++) {
+    const std::uint32_t u = around_[i];
+    if (doubtful_[u] || dot(face_[u], face_[triangle]) < crease) continue;
+    const auto& c = mesh_.triangles[u];
+    const std::size_t at = c[0] == vertex ? 0 : c[1] == vertex ? 1 : 2;
+    const Vec3d p = normalized(mesh_.vertices[c[(at + 1) % 3]] - here), q = normalized(mesh_.vertices[c[(at + 2) % 3]] - here);
+    sum += std::sqrt(std::max(0.0, 0.5 - 0.5 * dot(p, q))) * face_[u];  // sine of half the angle there: as good a weight, and the same bits everywhere
+  }
+  return dot(sum, sum) > 0 ? normalized(sum) : face_[triangle];
 }
 
 std::uint32_t MeshNormals::colourAt(const Vec3d& x, std::uint32_t triangle) const {

@@ -11,7 +11,7 @@ namespace thaw {
 class MeshNormals {
  public:
   explicit MeshNormals(const TriangleMesh& mesh);
-  /// Unit normal at a point of a triangle: between those of its corners, each the mean of the triangles around it by their angle there,
+  /// Unit normal at a point of a triangle: between those of its corners, each as the file has it, or where that says nothing the mean of the triangles around it by their angle there,
   /// as far as they turn less than 45 degrees from this one. Slivers whose normal differs from that across their longest edge say nothing.
   Vec3d at(const Vec3d& x, std::uint32_t triangle) const;
   /// Colour between those of the corners; the mesh has to have some.
@@ -19,6 +19,7 @@ class MeshNormals {
 
  private:
   std::array<double, 3> sharesOf(const Vec3d& x, std::uint32_t triangle) const;
+  Vec3d cornerNormal(std::uint32_t triangle, std::uint32_t vertex) const;
   void mendSlivers();
   const TriangleMesh& mesh_;
   std::vector<Vec3d> face_;                    // unit normals

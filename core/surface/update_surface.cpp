@@ -1,6 +1,7 @@
 #include "core/surface/update_surface.hpp"
 
 #include "core/surface/blend.hpp"
+#include "core/surface/clear_specks.hpp"
 #include "core/surface/cover_bare.hpp"
 #include "core/surface/displace.hpp"
 #include "core/surface/gather_particles.hpp"
@@ -115,6 +116,7 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   blendSurfels(w);
   t.times.lap(SurfacePhase::Iterations);
   resampleOnParticles(w, halos, t, 8);
+  clearSpecks(w, halos, t);
   t.times.lap(SurfacePhase::Resampling);
   keepOutOfWalls(w, t.relax.particleBins);
   measureSurface(w, halos, t);

@@ -49,10 +49,11 @@ class ByteCursor {
     }
     return 0;
   }
-  double finite(ScalarType type, bool bigEndian) {
+  /// what: "a coordinate", for the message.
+  double finite(ScalarType type, bool bigEndian, const char* what = "a coordinate") {
     const std::size_t begin = at_;
     const double x = number(type, bigEndian);
-    if (!std::isfinite(x)) at_ = begin, fail("expected a coordinate, found one that is not a finite number");
+    if (!std::isfinite(x)) at_ = begin, fail("expected " + std::string(what) + ", found a number that is not finite");
     return x;
   }
   [[noreturn]] void fail(const std::string& message) const { throw MeshError(file_ + ": byte " + std::to_string(at_) + ": " + message); }

@@ -1,8 +1,9 @@
-// Wavefront OBJ: vertices (with colours where they have any) and faces; texture coordinates, normals, groups, materials, lines and points are passed over.
+// Wavefront OBJ: vertices (with colours where they have any), normals and faces; texture coordinates, groups, materials, lines and points are passed over.
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "core/geometry/file_normals.hpp"
 #include "io/meshes/text_cursor.hpp"
 
 namespace thaw {
@@ -13,8 +14,12 @@ constexpr std::int64_t mostVertices = 0xfffffff0;
 struct ObjReader {
   TextCursor text;
   TriangleMesh mesh;
-  std::int64_t largest = 0, largestLine = 0;  // index, 1-based: faces may come before their vertices
-  std::vector<std::uint32_t> polygon;
+  /// Largest index of a list, 1-based, and its line: faces may come before what they name.
+  struct Largest { std::int64_t index = 0, line = 0; };
+  Largest largest, largestNormal;
+  std::vector<Vec3d> normals;
+  std::vector<std::uint32_t> polygon, polygonNormals;           // of the face that is read; 0: none, else 1-based
+  std::vector<std::array<std::uint32_t, 3>> normalsOf;          // of all triangles
 
   /// Next word of the statement, which goes on in the next line after a backslash.
   std::string_view word() {
@@ -48,46 +53,80 @@ struct ObjReader {
     mesh.colours.push_back(packed);
   }
 
-  void corner(std::string_view w) {
-    const std::string_view index = w.substr(0, w.find('/'));
-    std::int64_t n = text.integer(index, "a vertex index (v, v/vt, v/vt/vn or v//vn)");
-    const auto count = static_cast<std::int64_t>(mesh.vertices.size());
-    if (n == 0) text.fail("vertex index 0; they begin with 1, or with -1 for the last one");
+  void normal() {
+    Vec3d n;
+    for (int a = 0; a < 3; a++) n[a] = text.number(word(), "a part of a normal (vn x y z)");
+    if (static_cast<std::int64_t>(normals.size()) >= mostVertices) text.fail("more normals than 32 bits can count");
+    normals.push_back(unitNormal(n));
+  }
+
+  /// An index of a list of `count` so far, 1-based; kind: "vertex" or "normal".
+  std::uint32_t index(std::string_view w, const std::string& kind, std::size_t had, Largest& most) const {
+    const std::string what = "a " + kind + " index (v, v/vt, v/vt/vn or v//vn)";
+    std::int64_t n = text.integer(w, what.c_str());
+    const auto count = static_cast<std::int64_t>(had);
+    if (n == 0) text.fail(kind + " index 0; they begin with 1, or with -1 for the last one");
     if (n < 0) {
-      if (n < -count) text.fail("vertex index " + std::to_string(n) + ", but only " + std::to_string(count) + " vertices came before");
+      if (n < -count) text.fail(kind + " index " + std::to_string(n) + ", but only " + std::to_string(count) + (kind == "vertex" ? " vertices" : " normals") + " came before");
       n += count + 1;
     }
-    if (n > largest) largest = n, largestLine = text.line();
-    if (n > mostVertices) text.fail("vertex index " + std::to_string(n) + " is larger than 32 bits can count");
-    polygon.push_back(static_cast<std::uint32_t>(n - 1));
+    if (n > most.index) most = {n, text.line()};
+    if (n > mostVertices) text.fail(kind + " index " + std::to_string(n) + " is larger than 32 bits can count");
+    return static_cast<std::uint32_t>(n);
+  }
+
+  void corner(std::string_view w) {
+    const std::size_t slash = w.find('/'), second = slash == std::string_view::npos ? slash : w.find('/', slash + 1);
+    polygon.push_back(index(w.substr(0, slash), "vertex", mesh.vertices.size(), largest) - 1);
+    const std::string_view last = second == std::string_view::npos ? std::string_view() : w.substr(second + 1);
+    polygonNormals.push_back(last.empty() ? 0 : index(last, "normal", normals.size(), largestNormal));
   }
 
   void face() {
     polygon.clear();
+    polygonNormals.clear();
     for (std::string_view w = word(); !w.empty() && w[0] != '#'; w = word()) corner(w);
     if (polygon.size() < 3) text.fail("a face with " + std::to_string(polygon.size()) + " corners; expected at least 3");
-    for (std::size_t k = 2; k < polygon.size(); k++) mesh.triangles.push_back({polygon[0], polygon[k - 1], polygon[k]});
+    for (std::size_t k = 2; k < polygon.size(); k++) {
+      mesh.triangles.push_back({polygon[0], polygon[k - 1], polygon[k]});
+      normalsOf.push_back({polygonNormals[0], polygonNormals[k - 1], polygonNormals[k]});
+    }
+  }
+
+  void expectAll(const Largest& most, std::size_t count, const char* kind, const char* plural) const {
+    if (most.index > static_cast<std::int64_t>(count))
+      text.failAt(most.line, std::string(kind) + " index " + std::to_string(most.index) + ", but the file has " + std::to_string(count) + " " + plural);
+  }
+
+  void takeNormals() {
+    if (largestNormal.index == 0) return;
+    mesh.normals.resize(normalsOf.size());
+    for (std::size_t t = 0; t < normalsOf.size(); t++)
+      for (std::size_t k = 0; k < 3; k++)
+        if (normalsOf[t][k] > 0) mesh.normals[t][k] = normals[normalsOf[t][k] - 1];
   }
 
   void read() {
     while (!text.atEnd()) {
       const std::string_view keyword = text.wordOnLine();
       if (keyword == "v") vertex();
+      else if (keyword == "vn") normal();
       else if (keyword == "f") face();
       text.restOfLine();
     }
     if (mesh.vertices.empty()) text.failAt(1, "no vertices found; expected an OBJ (lines 'v x y z' and 'f a b c'), PLY or STL mesh");
     if (mesh.triangles.empty()) text.failAt(text.line(), "no faces found; expected lines 'f a b c'");
     if (!mesh.colours.empty()) mesh.colours.resize(mesh.vertices.size(), 0xffffffu);
-    if (largest > static_cast<std::int64_t>(mesh.vertices.size()))
-      text.failAt(largestLine, "vertex index " + std::to_string(largest) + ", but the file has " + std::to_string(mesh.vertices.size()) + " vertices");
+    expectAll(largest, mesh.vertices.size(), "vertex", "vertices");
+    expectAll(largestNormal, normals.size(), "normal", "normals");
+    takeNormals();
   }
 };
 
 }  // namespace
 
 TriangleMesh parseObj(std::string_view content, const std::string& file) {
-  ObjReader reader{TextCursor(content, file), {}, 0, 0, {}};
+  ObjReader reader{TextCursor(content, file), {}, {}, {}, {}, {}, {}, {}};
   reader.read();
   return std::move(reader.mesh);
 }

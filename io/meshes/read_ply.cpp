@@ -1,9 +1,11 @@
-// PLY: x, y, z of the element 'vertex' and the list vertex_indices (or vertex_index) of 'face', and where they are there red, green, blue; everything else is passed over.
+// PLY: x, y, z of the element 'vertex' and the list vertex_indices (or vertex_index) of 'face', and where they are there nx, ny, nz and red, green, blue; everything else is passed over.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include "core/geometry/file_normals.hpp"
 #include "io/meshes/ply_header.hpp"
 
 namespace thaw {
@@ -19,8 +21,9 @@ class PlyValues {
     if (format_ != PlyFormat::Ascii) return bytes_.number(type, format_ == PlyFormat::BigEndian);
     return text_.number(text_.word(), "a number");
   }
-  double coordinate(ScalarType type) {
-    return format_ != PlyFormat::Ascii ? bytes_.finite(type, format_ == PlyFormat::BigEndian) : text_.number(text_.word(), "a coordinate");
+  /// A finite number; what: "a coordinate", for the message.
+  double finite(ScalarType type, const char* what) {
+    return format_ != PlyFormat::Ascii ? bytes_.finite(type, format_ == PlyFormat::BigEndian, what) : text_.number(text_.word(), what);
   }
   /// Length of a list, with room for its values in what is left of the file.
   std::uint64_t length(const PlyProperty& p) {
@@ -56,6 +59,7 @@ struct PlyReader {
   TriangleMesh mesh;
   std::uint64_t vertices = 0;  // as the header says; faces may come first
   std::vector<std::uint32_t> polygon;
+  std::vector<Vec3d> normals;  // of vertices
 
   /// Reserves what the file can hold, not what the header promises.
   template<class T> void reserve(std::vector<T>& v, const PlyElement& e) const {
@@ -66,14 +70,21 @@ struct PlyReader {
     v.reserve(static_cast<std::size_t>(e.count));
   }
 
-  /// 0, 1, 2 for the properties red, green, blue, else -1.
-  static std::vector<int> colourProperties(const PlyElement& e) {
-    const char* names[] = {"red", "green", "blue"};
-    std::vector<int> part(e.properties.size(), -1);
+  /// Which of three parts each property is: 0, 1, 2 by its name, else -1.
+  struct Parts {
+    std::vector<int> of;
+    bool all = false;  ///< each part is there, once
+  };
+  static Parts partsOf(const PlyElement& e, const std::array<const char*, 3>& names, const std::string& prefix = "") {
+    Parts p{std::vector<int>(e.properties.size(), -1)};
+    int found[3] = {0, 0, 0};
     for (std::size_t k = 0; k < e.properties.size(); k++)
-      for (int c = 0; c < 3; c++)
-        if (!e.properties[k].list && (e.properties[k].name == names[c] || e.properties[k].name == std::string("diffuse_") + names[c])) part[k] = c;
-    return part;
+      for (int c = 0; c < 3; c++) {
+        const std::string name = names[static_cast<std::size_t>(c)];
+        if (!e.properties[k].list && (e.properties[k].name == name || e.properties[k].name == prefix + name)) p.of[k] = c, found[c]++;
+      }
+    p.all = found[0] == 1 && found[1] == 1 && found[2] == 1;
+    return p;
   }
 
   /// Bytes as they are, floating point numbers from 0 to 1, wider integers by their largest value.
@@ -84,26 +95,22 @@ struct PlyReader {
   }
 
   void readVertices(const PlyElement& e) {
-    int axisOf[3] = {-1, -1, -1};
-    for (std::size_t k = 0; k < e.properties.size(); k++)
-      for (int a = 0; a < 3; a++)
-        if (e.properties[k].name == std::string(1, static_cast<char>('x' + a)) && !e.properties[k].list) axisOf[a] = static_cast<int>(k);
-    if (*std::min_element(axisOf, axisOf + 3) < 0) header.failAt(e.line, "the element 'vertex' needs the properties x, y and z");
-    const std::vector<int> colourOf = colourProperties(e);
-    const bool coloured = std::count(colourOf.begin(), colourOf.end(), -1) == static_cast<std::ptrdiff_t>(colourOf.size()) - 3;
+    const Parts place = partsOf(e, {"x", "y", "z"}), normal = partsOf(e, {"nx", "ny", "nz"}), colour = partsOf(e, {"red", "green", "blue"}, "diffuse_");
+    if (!place.all) header.failAt(e.line, "the element 'vertex' needs the properties x, y and z");
     reserve(mesh.vertices, e);
-    for (std::uint64_t n = 0; n < e.count; n++) {
-      Vec3d v;
-      std::uint32_t colour = 0;
+    for (std::uint64_t i = 0; i < e.count; i++) {
+      Vec3d v, n;
+      std::uint32_t rgb = 0;
       for (std::size_t k = 0; k < e.properties.size(); k++) {
         const PlyProperty& p = e.properties[k];
-        const int* axis = std::find(axisOf, axisOf + 3, static_cast<int>(k));
-        if (axis != axisOf + 3) v[static_cast<int>(axis - axisOf)] = values.coordinate(p.type);
-        else if (coloured && colourOf[k] >= 0) colour |= colourByte(values.number(p.type), p.type) << 8 * colourOf[k];
+        if (place.of[k] >= 0) v[place.of[k]] = values.finite(p.type, "a coordinate");
+        else if (normal.all && normal.of[k] >= 0) n[normal.of[k]] = values.finite(p.type, "a part of a normal");
+        else if (colour.all && colour.of[k] >= 0) rgb |= colourByte(values.number(p.type), p.type) << 8 * colour.of[k];
         else values.skip(p);
       }
       mesh.vertices.push_back(v);
-      if (coloured) mesh.colours.push_back(colour);
+      if (normal.all) normals.push_back(unitNormal(n));
+      if (colour.all) mesh.colours.push_back(rgb);
     }
   }
 
@@ -131,6 +138,12 @@ struct PlyReader {
       }
   }
 
+  void giveNormals() {
+    if (normals.empty()) return;
+    mesh.normals.reserve(mesh.triangles.size());
+    for (const auto& t : mesh.triangles) mesh.normals.push_back({normals[t[0]], normals[t[1]], normals[t[2]]});
+  }
+
   void skipElement(const PlyElement& e) {
     if (e.properties.empty()) return;
     for (std::uint64_t n = 0; n < e.count; n++)  // every turn reads something, so it ends with the file
@@ -143,7 +156,7 @@ struct PlyReader {
 TriangleMesh parsePly(std::string_view content, const std::string& file) {
   TextCursor text(content, file);
   const PlyHeader header = readPlyHeader(text);
-  PlyReader reader{PlyValues(content, file, text, header.format), text, header.format, {}, 0, {}};
+  PlyReader reader{PlyValues(content, file, text, header.format), text, header.format, {}, 0, {}, {}};
   const auto named = [&](const char* name) {
     const auto e = std::find_if(header.elements.begin(), header.elements.end(), [&](const PlyElement& x) { return x.name == name; });
     if (e == header.elements.end() || e->count == 0) text.fail("the file has no " + std::string(name) + " elements; expected a mesh of vertices and faces");
@@ -157,6 +170,7 @@ TriangleMesh parsePly(std::string_view content, const std::string& file) {
     else if (&e == faces) reader.readFaces(e);
     else reader.skipElement(e);
   }
+  reader.giveNormals();
   return std::move(reader.mesh);
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "io/run/mark_words.hpp"
+
 namespace thaw {
 namespace {
 
@@ -212,19 +214,25 @@ void addCoefficients(CheckpointValues& marks, const OrientedBody& b) {
   }
 }
 
+/// The same word for another number is a material or body that has another place in its list, which is told by itself.
+void tellChange(std::vector<std::string>& changes, const std::string& key, const std::string& was, const std::string& is, const std::string& unit) {
+  if (was != is) changes.push_back(fmt::format("{} was {}, and is {} now{}", key, was, is, unit));
+}
+
 /// Marks of one prefix that differ, without it.
 std::vector<std::string> changesOf(const std::string& prefix, const CheckpointValues& stored, const Scene& scene) {
   const CheckpointValues now = sceneMarks(scene);
+  const MarkWords then(stored), words(now);
   std::vector<std::string> changes;
   for (const auto& [key, value] : stored) {
     if (!hasPrefix(key, prefix)) continue;
     const auto it = now.find(key);
     const std::string name = key.substr(prefix.size());
-    if (it == now.end()) changes.push_back(fmt::format("{} was {}, and is not in the scene any more", name, value));
-    else if (it->second != value) changes.push_back(fmt::format("{} was {}, and is {} now (SI, or place in its list)", name, value, it->second));
+    if (it == now.end()) changes.push_back(fmt::format("{} was {}, and is not in the scene any more", name, then.text(name, value)));
+    else if (it->second != value) tellChange(changes, name, then.text(name, value), words.text(name, it->second), then.unit(name));
   }
   for (const auto& [key, value] : now)
-    if (hasPrefix(key, prefix) && !stored.contains(key)) changes.push_back(fmt::format("{} was not in the scene then, and is {} now", key.substr(prefix.size()), value));
+    if (hasPrefix(key, prefix) && !stored.contains(key)) changes.push_back(fmt::format("{} was not in the scene then, and is {} now", key.substr(prefix.size()), words.text(key.substr(prefix.size()), value)));
   return changes;
 }
 
@@ -270,12 +278,13 @@ CheckpointValues sceneMarks(const Scene& s) {
 
 std::vector<std::string> sceneDifferences(const CheckpointValues& stored, const Scene& scene) {
   const CheckpointValues now = sceneMarks(scene);
+  const MarkWords then(stored), words(now);
   std::vector<std::string> differences;
   for (const auto& [key, value] : stored) {
     if (mayChange(key)) continue;
     const auto it = now.find(key);
     if (it == now.end()) differences.push_back(fmt::format("{} is not in the scene any more", key));
-    else if (it->second != value) differences.push_back(fmt::format("{} was {}, and is {} now (SI, or place in its list)", key, value, it->second));
+    else if (it->second != value) tellChange(differences, key, then.text(key, value), words.text(key, it->second), then.unit(key));
   }
   for (const auto& [key, value] : now)
     if (!mayChange(key) && !stored.contains(key)) differences.push_back(fmt::format("{} was not in the scene then", key));

@@ -16,6 +16,10 @@ struct SceneReading {
 
 /// All keys of a scene file.
 void readSections(TableReader& top, SceneReading& reading);
+/// What they are.
+std::vector<KeyDescription> sceneKeys();
+/// The keys that say what a sheet's mesh is, by SheetMesh.
+const std::vector<std::string>& sheetMeshWords();
 
 void readDomain(TableReader& reader, Domain& domain);
 void readNumerics(TableReader& reader, Numerics& numerics);

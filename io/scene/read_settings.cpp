@@ -18,7 +18,7 @@ bool sideOf(const toml::node* n, Side& side) {
 }
 
 void readSides(TableReader& r, const char* key, std::array<Side, 2>& sides) {
-  const toml::node* n = r.node(key, "", "\"open\", \"wall\", \"periodic\" or a pair [low, high]", "what the two sides across this axis are; open: what leaves is counted and booked");
+  const toml::node* n = r.node(key, "", "\"open\", \"wall\", \"periodic\" or a pair [low, high]", "what the two sides across this axis are; open: what leaves is counted and booked; periodic: what leaves comes in at the other side, at the start, too: a body may be placed across it, with its mesh and surface, if it does not reach round into itself (a sheet or an oriented body may not)");
   if (r.describing() || !n) return;
   const toml::array* pair = n->as_array();
   const bool good = pair ? pair->size() == 2 && sideOf(pair->get(0), sides[0]) && sideOf(pair->get(1), sides[1]) : sideOf(n, sides[0]) && sideOf(n, sides[1]);

@@ -34,7 +34,7 @@ bool meshEnding(std::string path) {
 }
 
 void readMesh(TableReader& r, Shape& s) {
-  r.text("mesh", s.mesh, "closed mesh: OBJ, PLY or STL, relative to the file that names it; or \"builtin:bust\" or \"builtin:head\", both 1 m tall. Normals in the file are not read: smooth ones follow from the triangles", "path or \"builtin:bust\"");
+  r.text("mesh", s.mesh, "closed mesh: OBJ, PLY or STL, relative to the file that names it; or \"builtin:bust\" or \"builtin:head\", both 1 m tall. Its surfels have the normals of the file (PLY nx ny nz, OBJ vn); where it has none, those are 0, or point to the other side of their triangle (the run tells how many), smooth ones follow from the triangles", "path or \"builtin:bust\"");
   if (s.mesh.empty()) {
     if (r.has("mesh")) r.fail("mesh", "expected the path of an OBJ, PLY or STL file, or " + std::string(builtinList));
   } else if (namesBuiltin(s.mesh)) {
@@ -92,6 +92,13 @@ constexpr Key solids[] = {{"mesh", ShapeKind::Mesh, ""},   {"box", ShapeKind::Bo
                           {"torus", ShapeKind::Torus, ""}, {"glass", ShapeKind::Glass, ""}, {"plane", ShapeKind::HalfSpace, ""}};
 
 }  // namespace
+
+std::vector<std::string> shapeWords() {
+  std::vector<std::string> words(std::size(solids) + std::size(parts));
+  for (const Key& k : solids) words[static_cast<std::size_t>(k.kind)] = k.key;
+  for (const Key& k : parts) words[static_cast<std::size_t>(k.kind)] = k.key;
+  return words;
+}
 
 void readShape(TableReader& r, Shape& s) {
   if (r.describing()) {

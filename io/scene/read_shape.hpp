@@ -6,6 +6,8 @@ namespace thaw {
 /// Reads the one shape key of a table (mesh, box, sphere, ..., union) and its `place`; none is an error. Describes it by a single line
 /// that points to describeShape. Mesh paths are taken as they stand.
 void readShape(TableReader& reader, Shape& shape);
+/// The keys of shapes, by ShapeKind.
+std::vector<std::string> shapeWords();
 
 /// Is there a key of a shape?
 bool hasShape(const TableReader& reader);

@@ -20,13 +20,11 @@ const char* aboutInRegion(std::size_t f) {
 }
 
 void readSheetMesh(TableReader& r, SheetBody& b) {
-  struct Key { const char* key; SheetMesh mesh; };
-  constexpr Key keys[] = {{"grid", SheetMesh::Grid}, {"sphere", SheetMesh::Sphere}, {"head", SheetMesh::Head}, {"dome", SheetMesh::Dome}, {"forehead", SheetMesh::Forehead}, {"mesh", SheetMesh::File}};
   int given = 0;
-  for (const Key& k : keys)
-    if (r.has(k.key)) {
-      b.mesh = k.mesh;
-      if (++given == 2) r.fail(k.key, "a second mesh; give one, and two sheets for two");
+  for (std::size_t k = 0; k < sheetMeshWords().size(); k++)
+    if (const char* key = sheetMeshWords()[k].c_str(); r.has(key)) {
+      b.mesh = static_cast<SheetMesh>(k);
+      if (++given == 2) r.fail(key, "a second mesh; give one, and two sheets for two");
     }
   if (given == 0 && !r.describing()) r.fail(r.place(), r.path() + ": its mesh is missing: grid, sphere, head, dome, forehead or mesh");
   r.table("grid", "rectangle in the plane z = 0 of threads along x and y", [&](TableReader& t) {
@@ -134,6 +132,11 @@ void readCoefficientsInTime(TableReader& r, SheetBody& b) {
 }
 
 }  // namespace
+
+const std::vector<std::string>& sheetMeshWords() {
+  static const std::vector<std::string> words{"grid", "sphere", "head", "dome", "forehead", "mesh"};
+  return words;
+}
 
 void readSheet(TableReader& r, SceneReading& x) {
   SheetBody b;

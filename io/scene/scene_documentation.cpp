@@ -63,13 +63,18 @@ const char* exampleScene() {
          "every = \"20 ms\"\n";
 }
 
-std::string sceneDocumentation() {
+std::vector<KeyDescription> sceneKeys() {
   std::vector<KeyDescription> keys;
   Scene s;
   SceneReading reading;
   reading.scene = &s;
   TableReader top("", keys);
   readSections(top, reading);
+  return keys;
+}
+
+std::string sceneDocumentation() {
+  const std::vector<KeyDescription> keys = sceneKeys();
   std::string text = std::string(introduction) + exampleScene() + afterExample;
   std::vector<std::string> tables;
   for (const KeyDescription& k : keys)

@@ -142,6 +142,7 @@ void TableReader::vector(const char* key, std::optional<Vec3d>& value, const cha
 
 void TableReader::flag(const char* key, bool& value, const char* about) {
   describe(key, "", "true, false", value ? "true" : "false", about);
+  if (descriptions_) descriptions_->back().words = {"false", "true"};
   const toml::node* n = get(key);
   if (!n) return;
   if (const auto* b = n->as_boolean()) value = b->get();
@@ -173,6 +174,7 @@ void TableReader::words(const char* key, std::vector<std::string>& value, const 
 
 void TableReader::choice(const char* key, int& value, const std::vector<std::string>& words, const char* about) {
   describe(key, "", listOf(words), "\"" + words[static_cast<std::size_t>(value)] + "\"", about);
+  if (descriptions_) descriptions_->back().words = words;
   const toml::node* n = get(key);
   if (!n) return;
   const auto* s = n->as_string();

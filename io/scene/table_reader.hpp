@@ -20,7 +20,10 @@ namespace thaw {
 struct SceneError { SourcePlace where; std::string text; };
 
 /// A key as docs/scene.md shows it.
-struct KeyDescription { std::string table, key, unit, range, standard, about; };
+struct KeyDescription {
+  std::string table, key, unit, range, standard, about;
+  std::vector<std::string> words{};  ///< of a choice, by its number; of a flag
+};
 
 class TableReader {
  public:

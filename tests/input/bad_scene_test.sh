@@ -92,6 +92,8 @@ rejects "endless frames" 'more than ten million frames' 2 run "$good" --set outp
 
 # B27: particles outside of the domain
 rejects "body outside" "lie outside of the domain.*'block'" 2 run "$good" --set 'body.block.place.move=[0, 0, 9]'
+rejects "body round the domain" "body 'block' reaches round the domain into itself: 20 of its particles lie inside its image" 2 run "$good" --set 'domain.sides.x=periodic' --set 'body.block.box.size=[1.04, 0.1, 0.02]'
+rejects "body over a side that is not periodic" "lie outside of the domain.*'block'" 2 run "$good" --set 'domain.sides.y=periodic' --set 'body.block.place.move=[0.5, 0, 0.2]'
 rejects "body half outside" "lie outside of the domain.*'block'" 2 check "$good" --set 'body.block.place.move=[0.5, 0, 0.2]'
 
 # B28: values that spread

@@ -40,5 +40,33 @@ TEST(Overlap, rulesAndCounts) {
   }
 }
 
+TEST(Overlap, AcrossPeriodicSides) {
+  std::vector<std::shared_ptr<const SignedDistance>> shapes;
+  Shape s;  // boxes of 10 x 10 x 10 in a domain of 2.4 m: the second reaches over the side into the first by 2 layers, the third round the domain into itself by 4
+  for (const double x : {0.5, 2.1, 1.2}) {
+    s.move = {x, x == 1.2 ? 5.0 : 0.0, 0};
+    s.size = {x == 1.2 ? 2.6 : 1.0, 1, 1};
+    shapes.push_back(makeSignedDistance(s));
+  }
+  const OverlapTest test(shapes, {2.4, 0, 0}), open(shapes);
+  OverlapCounts counts(3), none(3);
+  std::vector<std::size_t> itself(3, 0), never(3, 0);
+  for (std::size_t a = 0; a < 3; a++) {
+    const SampleLattice l = sampleLattice(*shapes[a], 0.1);
+    for (const Vec3d& x : sampleShape(*shapes[a], l, {0, l.rows()}).position) {
+      test.keeps(a, x, OverlapRule::Keep, counts);
+      open.keeps(a, x, OverlapRule::Keep, none);
+      itself[a] += test.meetsItself(a, x);
+      never[a] += open.meetsItself(a, x);
+    }
+  }
+  EXPECT_EQ(counts.of(0, 1), 200);
+  EXPECT_EQ(counts.of(1, 0), 200);
+  EXPECT_EQ(counts.total(), 400);
+  EXPECT_EQ(none.total(), 0);
+  EXPECT_EQ(itself, (std::vector<std::size_t>{0, 0, 400}));
+  EXPECT_EQ(never, (std::vector<std::size_t>{0, 0, 0}));
+}
+
 }  // namespace
 }  // namespace thaw

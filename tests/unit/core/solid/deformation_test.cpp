@@ -100,6 +100,32 @@ TEST(Deformation, periodicBodyFeelsNoSeam) {
   }
 }
 
+/// Across the sides at the start, and turned there by half a turn: some particles cross a side one way and some the other.
+TEST(Deformation, aBodyAcrossPeriodicSidesMayTurn) {
+  for (const Precision precision : {Precision::Double, Precision::Single}) {
+    BodyOptions options;
+    options.precision = precision;
+    options.period = {0.9, 0.9, 0};
+    const auto wrapped = [](Vec3d x) {
+      for (int a = 0; a < 2; a++) x[a] -= 0.9 * std::floor(x[a] / 0.9);
+      return x;
+    };
+    std::vector<Vec3d> points = lattice({6, 6, 3}, 0.1);
+    const Vec3d middle{0.25, 0.25, 0.1};
+    for (Vec3d& x : points) x = wrapped(x - middle);
+    const auto b = makeBody(points, {elasticMaterial()}, options);
+    for (const double angle : {0.7, 1.6, 3.14159, 4.4}) {
+      const Mat3d turn = rotation({0, 0, 1}, angle);
+      moveAll(*b, points, [&](const Vec3d& x) {
+        const Vec3d from{x.x > 0.45 ? x.x - 0.9 : x.x, x.y > 0.45 ? x.y - 0.9 : x.y, x.z};
+        return wrapped(turn * from);
+      });
+      computeForces(*b);
+      for (std::size_t s = 0; s < points.size(); s++) EXPECT_LT(largest(b->solids.deformation[s] - turn), precision == Precision::Double ? 1e-13 : 2e-6) << angle;
+    }
+  }
+}
+
 TEST(Deformation, singularNeighbourhoodsAreCountedAndStayFinite) {
   const auto count = [](SolidBody& b) { return refreshReference(b.work, b.solids, b.bonds, true); };
   // sheet: stretch in its plane and rotate

@@ -51,14 +51,17 @@ std::string asciiStl(const TriangleMesh& m) {
 }
 
 /// Quads, extra properties and elements.
-std::string ply(bool ascii, bool big) {
+std::string ply(bool ascii, bool big, bool normals = false) {
   const std::string format = ascii ? "ascii" : big ? "binary_big_endian" : "binary_little_endian";
-  std::string s = "ply\nformat " + format + " 1.0\ncomment a box\nobj_info x\nelement vertex 8\nproperty double x\nproperty uchar red\nproperty float y\nproperty float z\n"
+  std::string s = "ply\nformat " + format + " 1.0\ncomment a box\nobj_info x\nelement vertex 8\nproperty double x\nproperty uchar red\nproperty float y\nproperty float z\n" + std::string(normals ? "property float nx\nproperty double ny\nproperty float nz\n" : "") +
                   "element extra 2\nproperty list uchar short numbers\nproperty int n\nelement face 6\nproperty float quality\nproperty list uchar int vertex_indices\nend_header\n";
   const int quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
   for (int c = 0; c < 8; c++) {
-    if (ascii) s += std::to_string(c & 1) + " 255 " + std::to_string(c >> 1 & 1) + ".0 " + std::to_string(c >> 2) + "e0\n";
-    else s += raw<double>(c & 1, big) + '\xff' + raw<float>(static_cast<float>(c >> 1 & 1), big) + raw<float>(static_cast<float>(c >> 2), big);
+    const double n[3] = {c & 1 ? 2.0 : -2.0, c & 2 ? 2.0 : -2.0, c & 4 ? 2.0 : -2.0};  // not of length 1
+    if (ascii) s += std::to_string(c & 1) + " 255 " + std::to_string(c >> 1 & 1) + ".0 " + std::to_string(c >> 2) + "e0" +
+                    (normals ? " " + std::to_string(n[0]) + " " + std::to_string(n[1]) + " " + std::to_string(n[2]) : "") + "\n";
+    else s += raw<double>(c & 1, big) + '\xff' + raw<float>(static_cast<float>(c >> 1 & 1), big) + raw<float>(static_cast<float>(c >> 2), big) +
+                   (normals ? raw<float>(static_cast<float>(n[0]), big) + raw<double>(n[1], big) + raw<float>(static_cast<float>(n[2]), big) : "");
   }
   for (int e = 0; e < 2; e++) s += ascii ? std::string("2 7 8 9\n") : std::string(1, '\2') + raw<short>(7, big) + raw<short>(8, big) + raw<int>(9, big);
   for (const auto& q : quads) {
@@ -106,6 +109,48 @@ TEST(ReadMesh, plyOfEveryKind) {
     EXPECT_EQ(m.triangles.size(), 12u);
     EXPECT_EQ(volume(m), 1);
   }
+}
+
+TEST(ReadMesh, NormalsOfPlyOfEveryKind) {
+  for (const auto& [ascii, big] : {std::pair{true, false}, {false, false}, {false, true}}) {
+    const TriangleMesh m = parseMesh(ply(ascii, big, true), "m.ply");
+    ASSERT_EQ(m.normals.size(), 12u);
+    for (std::size_t t = 0; t < 12; t++)
+      for (std::size_t k = 0; k < 3; k++) {
+        const Vec3d x = m.vertices[m.triangles[t][k]], n = m.normals[t][k];
+        EXPECT_NEAR(length(n - normalized(x - Vec3d{0.5, 0.5, 0.5})), 0, 1e-15);
+      }
+    EXPECT_EQ(volume(m), 1);
+    EXPECT_TRUE(parseMesh(ply(ascii, big), "m.ply").normals.empty());
+  }
+}
+
+TEST(ReadMesh, NormalsOfObjAreOfCorners) {
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  const TriangleMesh m = parseMesh(points + "vn 0 0 -3\nvn 1e200 1e200 1e200\nf 1//1 3//1 2//1\nf 1 2 4\nf 2/7/-1 3//-1 4\nf 1//1 4//2 3//-2\n", "m.obj");
+  ASSERT_EQ(m.normals.size(), 4u);
+  EXPECT_EQ(m.normals[0][2], (Vec3d{0, 0, -1}));
+  EXPECT_EQ(m.normals[1][0], Vec3d{});  // says nothing
+  EXPECT_NEAR(length(m.normals[2][0] - normalized(Vec3d{1, 1, 1})), 0, 1e-15);
+  EXPECT_EQ(m.normals[2][2], Vec3d{});
+  EXPECT_EQ(m.normals[3][2], (Vec3d{0, 0, -1}));
+  EXPECT_TRUE(parseMesh(points + "vn 0 0 1\nf 1 2 3\n", "m.obj").normals.empty());
+  EXPECT_SAYS(message(points + "vn 0 0\n"), "m.obj:5: expected a part of a normal (vn x y z), found the end");
+  EXPECT_SAYS(message(points + "vn 0 0 nan\n"), "m.obj:5: expected a part of a normal (vn x y z), found 'nan', which is not a finite number");
+  EXPECT_SAYS(message(points + "vn 0 0 1\nf 1//2 2//1 3//1\n"), "m.obj:6: normal index 2, but the file has 1 normals");
+  EXPECT_SAYS(message(points + "f 1//-1 2//1 3//1\n"), "m.obj:5: normal index -1, but only 0 normals came before");
+  EXPECT_SAYS(message(points + "f 1//x 2 3\n"), "m.obj:5: expected a normal index");
+}
+
+TEST(ReadMesh, NormalsOfPlyThatAreNotFinite) {
+  const std::string head = " 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+                           "element face 1\nproperty list uchar int vertex_index\nend_header\n";
+  EXPECT_SAYS(message("ply\nformat ascii" + head + "0 0 0 0 0 1\n1 0 0 0 inf 1\n0 1 0 0 0 1\n3 0 1 2\n"), "m.obj:14: expected a part of a normal, found 'inf', which is not a finite number");
+  std::string binary = "ply\nformat binary_little_endian" + head;
+  const std::size_t begin = binary.size();
+  for (int k = 0; k < 18; k++) binary += raw<float>(k == 10 ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(k == 6 || k == 13));
+  binary += '\3' + raw<int>(0) + raw<int>(1) + raw<int>(2);
+  EXPECT_SAYS(message(binary), "m.obj: byte " + std::to_string(begin + 40) + ": expected a part of a normal, found a number that is not finite");
 }
 
 TEST(ReadMesh, stlOfBothKinds) {
@@ -206,7 +251,7 @@ TEST(ReadMesh, brokenStl) {
 /// Whatever a file is cut to or whatever byte of it changes: a mesh or a message, and no crash.
 TEST(ReadMesh, damagedFilesNeverCrash) {
   const TriangleMesh box = boxMesh({0, 0, 0}, {1, 2, 3});
-  for (const std::string& s : {goodObj, ply(true, false), ply(false, false), ply(false, true), binaryStl(box), asciiStl(box)}) {
+  for (const std::string& s : {goodObj, ply(true, false), ply(false, false), ply(false, true), ply(true, false, true), ply(false, true, true), binaryStl(box), asciiStl(box)}) {
     for (std::size_t n = 0; n < s.size(); n++)
       for (const char* file : {"m.obj", "m.stl", "m.ply"}) {
         const std::string said = message(s.substr(0, n), file);

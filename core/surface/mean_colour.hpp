@@ -1,0 +1,24 @@
+// Means of the colours of surfels.
+#pragma once
+#include <cmath>
+#include <cstdint>
+
+namespace thaw {
+
+/// Mean of colours, in whole numbers: the same in any order.
+struct MeanColour {
+  std::int64_t weight = 0, part[3]{};
+  /// u: 0 at the end of the reach to 1.
+  void add(double u, std::uint32_t colour) {
+    const std::int64_t w = std::llround(65536 * u * u * u);
+    weight += w;
+    for (int c = 0; c < 3; c++) part[c] += w * static_cast<std::int64_t>(colour >> 8 * c & 255);
+  }
+  std::uint32_t colour() const {
+    std::uint32_t packed = 0;
+    for (int c = 0; c < 3; c++) packed |= static_cast<std::uint32_t>((part[c] + weight / 2) / weight) << 8 * c;
+    return packed;
+  }
+};
+
+}  // namespace thaw

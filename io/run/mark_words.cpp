@@ -1,0 +1,74 @@
+#include "io/run/mark_words.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+#include "io/scene/read_sections.hpp"
+#include "io/scene/read_shape.hpp"
+
+namespace thaw {
+namespace {
+
+/// Up to the first dot and behind the last one: names of bodies between them may have dots themselves.
+std::string firstOf(const std::string& key) { return key.substr(0, key.find('.')); }
+std::string lastOf(const std::string& key) { return key.substr(key.rfind('.') + 1); }
+
+/// Of the event itself, and not of a shape that is its region: "oriented.film.event.0.kind".
+bool ofEvent(const std::string& key) {
+  std::size_t at = key.rfind('.');
+  while (at != std::string::npos && at > 0 && std::isdigit(static_cast<unsigned char>(key[at - 1]))) at--;
+  return at != std::string::npos && at >= 7 && key.compare(at - 7, 7, ".event.") == 0;
+}
+
+}  // namespace
+
+MarkWords::MarkWords(const CheckpointValues& marks) : marks_(marks) {
+  for (const KeyDescription& k : sceneKeys())
+    if (!k.words.empty()) words_[firstOf(k.table) + " " + k.key] = k.words;
+  words_["oriented source"] = {"a shape", "patch", "disc", "points", "control", "curve"};  // keys, of which a body has one
+  words_["oriented tool"] = {"plane", "stroke", "a shape"};
+  words_["oriented everywhere"] = {"false", "true"};
+  words_["sheet mesh"] = sheetMeshWords();
+}
+
+/// "material.wax", whose mark is its place in the list of materials: nothing but a group and a name. Coefficients of a material are marked with a prefix.
+bool MarkWords::named(const std::string& key) {
+  const std::string group = firstOf(key);
+  if (group.size() == key.size()) return false;
+  if (group == "material") return true;
+  return (group == "body" || group == "emitter" || group == "oriented" || group == "sheet") && key.find('.', group.size() + 1) == std::string::npos;
+}
+
+const std::vector<std::string>* MarkWords::wordsOf(const std::string& key) const {
+  static const std::vector<std::string> flags{"false", "true"}, shapes = shapeWords();
+  if (isName(key)) return nullptr;
+  if (key.starts_with("domain.periodic.")) return &flags;
+  const std::string last = lastOf(key);
+  if (last == "kind" && !ofEvent(key)) return &shapes;
+  const auto it = words_.find(firstOf(key) + " " + last);
+  return it == words_.end() ? nullptr : &it->second;
+}
+
+std::string MarkWords::nameOf(const std::string& group, double place) const {
+  for (const auto& [key, value] : marks_)
+    if (value == place && key.starts_with(group + ".") && named(key)) return "\"" + key.substr(group.size() + 1) + "\"";
+  return place < 0 ? "none" : fmt::format("number {} of the list", place);
+}
+
+std::string MarkWords::text(const std::string& key, double value) const {
+  const std::string last = lastOf(key);
+  if (!isName(key) && (last == "material" || (last == "other" && ofEvent(key)))) return nameOf(last == "material" ? "material" : "oriented", value);
+  const std::vector<std::string>* words = wordsOf(key);
+  if (!words || !(value >= 0 && value < static_cast<double>(words->size()))) return fmt::format("{}", value);
+  const std::string& word = (*words)[static_cast<std::size_t>(value)];
+  return word == "false" || word == "true" ? word : "\"" + word + "\"";
+}
+
+std::string MarkWords::unit(const std::string& key) const {
+  if (isName(key)) return " (place in the list)";
+  const std::string last = lastOf(key);
+  return wordsOf(key) || last == "material" || (last == "other" && ofEvent(key)) ? "" : " (SI)";
+}
+
+}  // namespace thaw
