@@ -15,6 +15,9 @@ inline constexpr double never = std::numeric_limits<double>::infinity();
 /// Place in a file, for messages about what was read there.
 struct SourcePlace { std::string file; int line = 0, column = 0; };
 
+/// What is in the file of a mesh, so that another one under the same name is known from it (io/run/mesh_marks.hpp).
+struct MeshMark { double vertices = 0, triangles = 0, checksum = 0; };
+
 enum class ShapeKind { Box, Sphere, Cylinder, Torus, HalfSpace, Glass, Mesh, Union, Difference, Intersection };
 
 /// Shape in its own frame, then scaled, rotated and moved. Signed distance is negative inside.
@@ -28,6 +31,7 @@ struct Shape {
   double thickness = 0.01;   // m, Glass: wall and floor
   Vec3d point{}, normal{0, 0, 1};  // HalfSpace: solid on the side against the normal
   std::string mesh;          // Mesh: absolute path
+  MeshMark meshMark;         // Mesh: set where a run begins
   std::vector<Shape> parts;  // Union: all; Difference: first minus the others; Intersection
   // placement: x = move + R(axis, angle) * (scale * x_shape); rotations about x, then y, then z
   double scale = 1;

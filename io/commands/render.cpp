@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "io/hdf5/io_error.hpp"
+#include "io/output/read_surface_frame.hpp"
 #include "io/render/frame_source.hpp"
 #include "io/render/movie.hpp"
 #include "io/render/scene_job.hpp"
@@ -96,7 +97,9 @@ FrameJob jobOf(const RenderOptions& options) {
   job.cells = options.cells;
   const std::vector<std::string> fields = fieldsOf(frames.back());
   refuseUnknownField(options.field, frames.back(), fields);
-  job.field = fieldFor(options, job.field, fields, drawnAsSurface(frames.back()));
+  // by default what all has that is drawn: a surface has fewer fields than the sheets beside it
+  const bool surfels = isSurfaceFrame(readFrameInfo(frames.back().string()));
+  job.field = fieldFor(options, job.field, fieldsOf(frames.back(), !surfels), drawnAsSurface(frames.back()));
   if (options.min) job.min = options.min;
   if (options.max) job.max = options.max;
   if (job.min && job.max && !(*job.max > *job.min)) throw std::invalid_argument("the colours' range is empty: --max has to be above --min");

@@ -156,14 +156,14 @@ bool drawnAsSurface(const fs::path& frame) {
   return isSurfaceFrame(readFrameInfo(frame.string())) || kindOfFrame(frame) == "sheet" || !companionOf(frame, "sheet").empty();
 }
 
-std::vector<std::string> fieldsOf(const fs::path& frame) {
+std::vector<std::string> fieldsOf(const fs::path& frame, bool withSheets) {
   std::vector<std::string> names;
   const auto add = [&](const fs::path& file) {
     for (const FrameInfo::Field& field : readFrameInfo(file.string()).fields)
       if (field.name != "position" && std::find(names.begin(), names.end(), field.name) == names.end()) names.push_back(field.name);
   };
   add(frame);
-  if (const fs::path sheets = companionOf(frame, "sheet"); !sheets.empty()) add(sheets);
+  if (const fs::path sheets = companionOf(frame, "sheet"); withSheets && !sheets.empty()) add(sheets);
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -189,7 +189,8 @@ void setValues(FrameView& view, const FrameColumn* column, const fs::path& frame
   for (std::size_t i = 0; i < view.values.size(); i++) view.values[i] = lengthOfRow(*column, i);
 }
 
-FrameView surfaceView(const fs::path& file, const std::string& field) {
+/// Not alone: beside sheets, of which the field may be; the surface then has its own colours.
+FrameView surfaceView(const fs::path& file, const std::string& field, bool alone) {
   const std::string name = field == "speed" ? "velocity" : field == "glow" ? "temperature" : field;
   SurfaceFrame frame = readSurfaceFrame(file.string(), [&](const std::string& n) { return n == name; });
   FrameView view;
@@ -200,6 +201,7 @@ FrameView surfaceView(const fs::path& file, const std::string& field) {
   view.colours = std::move(frame.colours);
   for (const std::uint64_t c : frame.components) view.components.push_back(static_cast<std::uint32_t>(c ^ c >> 32));
   view.paint = field.empty() ? SurfelPaint::Plain : field == "surface" ? SurfelPaint::Surface : field == "glow" ? SurfelPaint::Glow : SurfelPaint::Values;
+  if (!alone && !frame.find(name)) return view;
   if (view.paint == SurfelPaint::Values || view.paint == SurfelPaint::Glow) setValues(view, frame.find(name), file, field, "; and surface, glow");
   return view;
 }
@@ -262,8 +264,8 @@ FrameView readFrameView(const fs::path& frame, const std::string& field) {
   }
   const bool surfels = isSurfaceFrame(readFrameInfo(frame.string()));
   const fs::path sheets = companionOf(frame, "sheet");
-  if (sheets.empty()) return surfels ? surfaceView(frame, field) : particleView(frame, field, true);
-  FrameView view = surfels ? surfaceView(frame, field) : particleView(frame, field, false);
+  if (sheets.empty()) return surfels ? surfaceView(frame, field, true) : particleView(frame, field, true);
+  FrameView view = surfels ? surfaceView(frame, field, false) : particleView(frame, field, false);
   if (!surfels && !view.positions.empty()) {
     const KeptScene scene = keptSceneOf(frame);
     spheresToDiscs(view, static_cast<float>(0.6 * sceneOfText(scene.text, scene.name).spacing));

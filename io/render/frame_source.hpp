@@ -22,7 +22,7 @@ std::vector<std::filesystem::path> findFrames(const std::filesystem::path& path,
 bool drawnAsSurface(const std::filesystem::path& frame);
 
 /// Names of the fields that a frame has, and those of the sheets beside it, ascending. Throws IoError naming the file and the cause.
-std::vector<std::string> fieldsOf(const std::filesystem::path& frame);
+std::vector<std::string> fieldsOf(const std::filesystem::path& frame, bool withSheets = true);
 
 /// ReadFrame for VTKHDF frames. The field "speed" is the length of "velocity". Of surfels, "surface" asks for the surface's own colours and
 /// "glow" for those turning into the temperature's. Sheets of the same moment (NAME_sheet_000120.hdf) are drawn with a frame of surfels or particles, these then as

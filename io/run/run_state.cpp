@@ -7,9 +7,13 @@
 #include "core/surface/resume_surface.hpp"
 #include "core/time/limits.hpp"
 #include "io/hdf5/agree.hpp"
+#include "io/hdf5/io_error.hpp"
 #include "io/output/earlier_run.hpp"
 #include "io/output/frame_fields.hpp"
+#include "io/run/fits_scene.hpp"
 #include "io/run/kind_run.hpp"
+#include "io/run/mark_places.hpp"
+#include "io/run/mesh_marks.hpp"
 #include "io/run/scene_marks.hpp"
 #include "io/run/surface_run.hpp"
 #include "io/run/trace_file.hpp"
@@ -186,8 +190,20 @@ void noteFailure(Run& r, const std::string& message, bool together) {
 
 void noteCutAtStart(Run& r, const std::string& message) { noteWithoutState(r, "stopped", message); }
 
+namespace {
+
+/// The run in the folder goes on with a scene that it cannot have: a line of why, and what it is about, a line each that begins with a key.
+[[noreturn]] void refuseScene(const Run& r, const std::string& why, const std::vector<std::string>& about) {
+  std::vector<std::string> lines{fmt::format("{}: error: the run in {} cannot be continued with this scene, {}:", r.options.scene, r.options.out, why)};
+  for (const std::string& line : about) lines.push_back("  " + line + placeOfMark(r.world.scene, line));
+  throw SceneErrors(lines);
+}
+
+}  // namespace
+
 void begin(Run& r, const MeshLoader& load) {
   World& w = r.world;
+  markMeshes(w.scene, load);
   const auto slice = r.options.restart || r.options.resume ? readNewestCheckpoint(r.options.out, r.comm.handle()) : nullptr;
   if (r.options.restart && !slice) throw SceneErrors({r.options.out + ": error: --restart needs a checkpoint in its folder checkpoint/, and there is none"});
   if (slice) {
@@ -195,16 +211,23 @@ void begin(Run& r, const MeshLoader& load) {
       r.say("warning: " + warning);
       r.summary.warnings.push_back(warning);
     }
-    if (const std::vector<std::string> differences = sceneDifferences(slice->header.values, w.scene); !differences.empty()) {
-      std::vector<std::string> lines{fmt::format("{}: error: the run in {} cannot be continued with this scene, it began with another:", r.options.scene, r.options.out)};
-      for (const std::string& d : differences) lines.push_back("  " + d);
-      throw SceneErrors(lines);
+    const CheckpointValues& then = slice->header.values;
+    if (const std::vector<std::string> differences = sceneDifferences(then, w.scene); !differences.empty()) refuseScene(r, "it began with another", differences);
+    const std::vector<std::string> changes = coefficientChanges(then, w.scene), settings = settingChanges(then, w.scene, slice->header.clock.time);
+    std::vector<std::byte> records;
+    try {
+      records = restoreWorld(w, *slice, r.first());
+    } catch (const IoError& e) {  // the same on all ranks; without a change the file is to blame
+      if (changes.empty() && settings.empty()) throw;
+      std::vector<std::string> lines = changes;
+      lines.insert(lines.end(), settings.begin(), settings.end());
+      refuseScene(r, std::string("what has changed needs what the run has not kept: ") + e.what(), lines);
     }
-    const std::vector<std::string> changes = coefficientChanges(slice->header.values, w.scene);
-    for (const auto& told : {changes, settingChanges(slice->header.values, w.scene)})
+    if (const std::vector<std::string> strange = misfits(w, r.all); !strange.empty()) refuseScene(r, "what the checkpoint holds is not of it", strange);
+    for (const auto& told : {changes, settings})
       for (const std::string& change : told) r.warn("changed at the restart: " + change);
-    for (const std::string& change : changesOfTheStart(slice->header.values, w.scene)) r.warn("changed at the restart, without effect, since it says how the run begins: " + change);
-    std::vector<std::byte> records = restoreWorld(w, *slice, r.first());
+    for (const std::string& change : changesOfPastEvents(then, w.scene, slice->header.clock.time)) r.warn("changed at the restart, without effect, since its time is over: " + change);
+    for (const std::string& change : changesOfTheStart(then, w.scene)) r.warn("changed at the restart, without effect, since it says how the run begins: " + change);
     if (w.modules.solid) r.bonds->adopt(std::move(records));
     resumeWorld(w, r.halos(), r.tools);
     if (!changes.empty()) {

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "io/run/checksum.hpp"
+#include "io/run/coefficient_marks.hpp"
+#include "io/run/mark_values.hpp"
 #include "io/run/mark_words.hpp"
 
 namespace thaw {
@@ -16,14 +19,6 @@ template<class List> void addNames(CheckpointValues& marks, const char* group, c
   for (std::size_t k = 0; k < list.size(); k++) marks[fmt::format("{}.{}", group, list[k].name)] = static_cast<double>(k);
 }
 
-using Numbers = std::initializer_list<std::pair<const char*, double>>;
-void addNumbers(CheckpointValues& marks, const std::string& at, Numbers numbers) {
-  for (const auto& [key, value] : numbers) marks[at + key] = value;
-}
-void addVector(CheckpointValues& marks, const std::string& key, const Vec3d& value) {
-  for (int a = 0; a < 3; a++) marks[key + "." + axes[a]] = value[a];
-}
-
 /// An emitter numbers its particles by what it has let out since its start, so that its schedule is part of the state.
 void addEmitter(CheckpointValues& marks, const Emitter& e) {
   const std::string at = "emitter." + e.name + ".";
@@ -31,17 +26,6 @@ void addEmitter(CheckpointValues& marks, const Emitter& e) {
                          {"material", static_cast<double>(e.material)}});
   addVector(marks, at + "centre", e.centre);
   addVector(marks, at + "direction", e.direction);
-}
-
-/// What a shape is made and placed by, and its parts'.
-void addShape(CheckpointValues& marks, const std::string& at, const Shape& s) {
-  addNumbers(marks, at, {{"kind", static_cast<double>(s.kind)}, {"radius", s.radius}, {"radius2", s.radius2}, {"height", s.height}, {"thickness", s.thickness}, {"scale", s.scale},
-                         {"fit_height", s.fitHeight.value_or(0)}});
-  addVector(marks, at + "size", s.size);
-  addVector(marks, at + "rotate", s.rotate);
-  addVector(marks, at + "move", s.move);
-  addVector(marks, at + "bottom", s.bottom.value_or(Vec3d{}));
-  for (std::size_t k = 0; k < s.parts.size(); k++) addShape(marks, fmt::format("{}part{}.", at, k), s.parts[k]);
 }
 
 /// What is held has been marked at the start, and a scene without clamps has no column for it.
@@ -65,10 +49,6 @@ void addSheet(CheckpointValues& marks, const SheetBody& b) {
   }
 }
 
-// beginnings of the marks that may change
-constexpr const char* coefficient = "coefficient.";
-constexpr const char* setting = "setting.";
-constexpr const char* ofStart = "start.";
 bool hasPrefix(const std::string& key, const std::string& prefix) { return key.rfind(prefix, 0) == 0; }
 bool mayChange(const std::string& key) { return hasPrefix(key, coefficient) || hasPrefix(key, setting) || hasPrefix(key, ofStart); }
 
@@ -82,10 +62,10 @@ void addOriented(CheckpointValues& marks, const OrientedBody& b) {
   addVector(marks, at + "to", b.to);
   addShape(marks, at + "place.", b.shape);
   for (const auto& [key, list] : {std::pair{"points", &b.points}, std::pair{"normals", &b.normals}}) {
-    Vec3d sum{};  // any change of one of them changes this, but by accident
-    for (std::size_t k = 0; k < list->size(); k++) sum += (1 + 0.5 * static_cast<double>(k)) * (*list)[k];
+    Checksum sum;
+    for (const Vec3d& x : *list) sum.add(x);
     marks[at + key] = static_cast<double>(list->size());
-    addVector(marks, at + key + ".sum", sum);
+    marks[at + key + ".checksum"] = sum.held();
   }
   for (std::size_t k = 0; k < b.anchors.size(); k++) {
     const std::string anchor = fmt::format("{}anchor.{}.", at, k);
@@ -96,16 +76,35 @@ void addOriented(CheckpointValues& marks, const OrientedBody& b) {
 
 constexpr std::size_t mostTold = 100;  // bodies: of more these marks would be longer than what they are good for
 
-void addStart(CheckpointValues& marks, const Scene& s) {
-  for (std::size_t k = 0; k < std::min(mostTold, s.bodies.size()); k++) {
-    const Body& b = s.bodies[k];
-    const std::string at = ofStart + ("body." + b.name + ".");
-    addNumbers(marks, at, {{"temperature", b.temperature}, {"material", b.material}, {"packing", static_cast<double>(b.packing)}});
-    addVector(marks, at + "velocity", b.velocity);
-    addVector(marks, at + "spin", b.spin);
-    addVector(marks, at + "temperature_gradient", b.temperatureGradient);
-    addShape(marks, at + "shape.", b.shape);
+/// What a body's particles are made of, and those of all that fall: the automatic sound speed goes by its shape, too.
+void addBody(CheckpointValues& marks, const Body& b) {
+  const std::string at = "body." + b.name + ".";
+  addNumbers(marks, at, {{"material", b.material}, {"packing", static_cast<double>(b.packing)}});
+  addShape(marks, at + "shape.", b.shape);
+  if (!b.clamp.empty()) addClamps(marks, at, b.clamp);
+}
+
+void addStart(CheckpointValues& marks, const Body& b) {
+  const std::string at = ofStart + ("body." + b.name + ".");
+  marks[at + "temperature"] = b.temperature;
+  addVector(marks, at + "velocity", b.velocity);
+  addVector(marks, at + "spin", b.spin);
+  addVector(marks, at + "temperature_gradient", b.temperatureGradient);
+}
+
+/// The first of them one by one, the others by a checksum.
+void addBodies(CheckpointValues& marks, const std::vector<Body>& bodies) {
+  CheckpointValues made, start;
+  for (std::size_t k = 0; k < bodies.size(); k++) {
+    addBody(k < mostTold ? marks : made, bodies[k]);
+    addStart(k < mostTold ? marks : start, bodies[k]);
   }
+  if (bodies.size() <= mostTold) return;
+  marks["body.others_checksum"] = checksumOf(made);
+  marks[std::string(ofStart) + "body.others_checksum"] = checksumOf(start);
+}
+
+void addStart(CheckpointValues& marks, const Scene& s) {
   for (const OrientedBody& b : s.oriented) {
     const std::string at = ofStart + ("oriented." + b.name + ".");
     addNumbers(marks, at, {{"jitter", b.jitter}, {"relax", static_cast<double>(b.relax)}});
@@ -118,100 +117,29 @@ void addStart(CheckpointValues& marks, const Scene& s) {
   }
 }
 
-void addBlend(CheckpointValues& marks, const std::string& key, const Blend& b) {
-  marks[key + ".solid"] = b.solid;
-  marks[key + ".liquid"] = b.liquid;
-}
-
-void addCoefficients(CheckpointValues& marks, const Material& m) {
-  const std::string at = coefficient + ("material." + m.name + ".");
-  addNumbers(marks, at, {{"density", m.density}, {"surface_tension", m.surfaceTension}, {"sound_speed", m.soundSpeed}, {"law", static_cast<double>(m.law)}, {"volume_stiffness", m.volumeStiffness},
-                         {"hourglass", m.hourglass}, {"break_stretch", m.breakStretch}, {"damping", m.damping}, {"friction", m.friction}, {"restitution", m.restitution},
-                         {"latent_heat", m.latentHeat}, {"solidus", m.solidus}, {"liquidus", m.liquidus}});
-  for (const auto& [key, blend] : std::initializer_list<std::pair<const char*, const Blend*>>{
-           {"viscosity", &m.viscosity}, {"young", &m.young}, {"poisson", &m.poisson}, {"yield_strain", &m.yieldStrain}, {"creep_rate", &m.creepRate}, {"conductivity", &m.conductivity}, {"heat_capacity", &m.heatCapacity}})
-    addBlend(marks, at + key, *blend);
-}
-
-void addSettings(CheckpointValues& marks, const SurfaceSettings& s) {
-  addNumbers(marks, std::string(setting) + "surface.", {{"spacing", s.spacing}, {"support", s.support}, {"particle_support", s.particleSupport}, {"every_steps", static_cast<double>(s.everySteps)},
-             {"every_move", s.everyMove}, {"implicit", s.implicit}, {"attract", s.attract}, {"smooth", s.smooth}, {"repel", s.repel}, {"smoothing", static_cast<double>(s.smoothing)},
-             {"iso_level", s.isoLevel}, {"least_level", s.leastLevel}, {"damping", s.damping}, {"iterations", static_cast<double>(s.iterations)}, {"stop", s.stop}, {"adapt", s.adapt},
-             {"keep_volume", s.keepVolume}, {"merge", static_cast<double>(s.merge)}, {"link_length", s.linkLength}});
-  marks[std::string(ofStart) + "surface.source"] = static_cast<double>(s.source);
-}
-
-void addInTime(CheckpointValues& marks, const std::string& key, const FactorInTime& f) {
-  for (std::size_t k = 0; k < f.points.size(); k++) {
-    marks[fmt::format("{}.{}.time", key, k)] = f.points[k].first;
-    marks[fmt::format("{}.{}.factor", key, k)] = f.points[k].second;
-  }
-}
-
-void addCoefficients(CheckpointValues& marks, const SheetBody& b) {
-  const std::string at = coefficient + ("sheet." + b.name + ".");
-  addNumbers(marks, at, {{"plasticity", b.plasticity}, {"elastic_limit", b.elasticLimit}, {"rest_length", b.restLength}, {"stretch_limit", b.stretchLimit}, {"rigid", b.rigid},
-                         {"pull_reach", b.pullReach},
-                         {"thickness", b.thickness}, {"contact_rate", b.contactRate}, {"friction", b.friction}, {"restitution", b.restitution},
-                         {"self_contact", b.selfContact}, {"heat_capacity", b.heatCapacity}, {"conductance", b.conductance}});
-  addVector(marks, at + "wind", b.wind);
-  for (std::size_t f = 0; f < sheetFactors; f++) {
-    if (static_cast<SheetFactor>(f) == SheetFactor::Mass) continue;  // vertices keep theirs
-    const auto& [key, value] = sheetCoefficients[f];
-    marks[at + key] = b.*value;
-    addInTime(marks, fmt::format("{}{}_in_time", at, key), b.inTime[f]);
-    for (std::size_t k = 0; k < b.regions.size(); k++) marks[fmt::format("{}region.{}.{}", at, k, key)] = b.regions[k].factor[f];
-  }
-  for (std::size_t k = 0; k < b.brushes.size(); k++) {
-    const std::string brush = fmt::format("{}brush.{}.", at, k);
-    marks[brush + "radius"] = b.brushes[k].radius;
-    addVector(marks, brush + "centre", b.brushes[k].centre);
-    addVector(marks, brush + "pressure", b.brushes[k].pressure);
-    addInTime(marks, brush + "in_time", b.brushes[k].inTime);
-  }
-}
-
-/// Those to come; of those that have been, changes are told as well, and have no effect any more.
-void addEvent(CheckpointValues& marks, const std::string& at, const OrientedEvent& e) {
-  addNumbers(marks, at, {{"kind", static_cast<double>(e.kind)}, {"time", e.time}, {"tool", static_cast<double>(e.tool)}, {"radius", e.radius}, {"other", static_cast<double>(e.otherIndex)}});
-  const bool cut = e.kind == OrientedEventKind::Cut;
-  if (cut && e.tool == CutTool::Plane) addVector(marks, at + "point", e.point), addVector(marks, at + "normal", e.normal);
-  if (cut && e.tool == CutTool::Stroke) addVector(marks, at + "direction", e.direction);
-  for (std::size_t k = 0; k < e.path.size(); k++) addVector(marks, fmt::format("{}path.{}", at, k), e.path[k]);
-  if (e.tool == CutTool::Box) addShape(marks, at + "region.", e.region);
-}
-
-void addCoefficients(CheckpointValues& marks, const OrientedBody& b) {
-  const std::string at = coefficient + ("oriented." + b.name + ".");
-  addNumbers(marks, at, {{"stiffness", b.stiffness}, {"attract", b.attract}, {"coplanar", b.plane}, {"conormal", b.normal}, {"cocircular", b.circle},
-                         {"repel_power", static_cast<double>(b.repelPower)}, {"attract_power", static_cast<double>(b.attractPower)}, {"core", b.core}, {"across", b.across},
-                         {"along", b.along}, {"support", b.support}, {"facing", b.facing}, {"planar", b.planar}, {"damping", b.damping}, {"spin_damping", b.spinDamping},
-                         {"pressure", b.pressure}, {"contact", b.contact}, {"thickness", b.thickness}, {"friction", b.friction}, {"integrator", static_cast<double>(b.integrator)}});
-  addNumbers(marks, setting + ("oriented." + b.name + "."),
-             {{"growth", static_cast<double>(b.growth)}, {"gap", b.gap}, {"crowd", b.crowd}, {"every", static_cast<double>(b.every)}, {"most", static_cast<double>(b.most)}});
-  const std::string events = setting + ("oriented." + b.name + ".");
-  for (std::size_t k = 0; k < b.events.size(); k++) addEvent(marks, fmt::format("{}event.{}.", events, k), b.events[k]);
-  addVector(marks, at + "push", b.push);
-  for (std::size_t k = 0; k < b.fields.size(); k++) {
-    const OrientedField& f = b.fields[k];
-    const std::string field = fmt::format("{}field.{}.", at, k);
-    addNumbers(marks, field, {{"pull", f.pull}, {"radius", f.radius}, {"pressure", f.pressure}, {"from", f.from}, {"until", f.until}, {"everywhere", f.everywhere}});
-    addVector(marks, field + "push", f.push);
-    addVector(marks, field + "point", f.point);
-    addInTime(marks, field + "in_time", f.inTime);
-    if (!f.everywhere) addShape(marks, field, f.region);
-  }
-  for (std::size_t k = 0; k < b.anchors.size(); k++) {
-    const std::string anchor = fmt::format("{}anchor.{}.", at, k);
-    marks[anchor + "until"] = b.anchors[k].until;
-    for (std::size_t f = 0; f < b.anchors[k].motion.size(); f++) {
-      const Keyframe& frame = b.anchors[k].motion[f];
-      const std::string key = fmt::format("{}motion.{}.", anchor, f);
-      marks[key + "time"] = frame.time;
-      addVector(marks, key + "move", frame.move);
-      addVector(marks, key + "rotate", frame.rotate);
+/// Beginnings of the keys of events, as "setting.oriented.net.event.0.", that were before a time, where they are in the marks of both.
+std::vector<std::string> pastEvents(const CheckpointValues& stored, const CheckpointValues& now, double time) {
+  const std::string last = "time";
+  std::vector<std::string> past;
+  for (const CheckpointValues* marks : {&stored, &now})
+    for (const auto& [key, value] : *marks) {
+      if (!hasPrefix(key, std::string(setting) + "oriented.") || key.find(".event.") == std::string::npos || !key.ends_with("." + last) || value > time) continue;
+      const auto other = marks == &stored ? now.find(key) : stored.find(key);
+      if (other == (marks == &stored ? now : stored).end() || other->second <= time) past.push_back(key.substr(0, key.size() - last.size()));
     }
-  }
+  return past;
+}
+
+bool ofOne(const std::string& key, const std::vector<std::string>& beginnings) {
+  return std::any_of(beginnings.begin(), beginnings.end(), [&](const std::string& b) { return hasPrefix(key, b); });
+}
+
+/// Without the settings whose keys begin like one of these, or without all other settings.
+CheckpointValues chosen(const CheckpointValues& marks, const std::vector<std::string>& beginnings, bool those) {
+  CheckpointValues some;
+  for (const auto& [key, value] : marks)
+    if (!hasPrefix(key, setting) || ofOne(key, beginnings) == those) some[key] = value;
+  return some;
 }
 
 /// The same word for another number is a material or body that has another place in its list, which is told by itself.
@@ -220,8 +148,7 @@ void tellChange(std::vector<std::string>& changes, const std::string& key, const
 }
 
 /// Marks of one prefix that differ, without it.
-std::vector<std::string> changesOf(const std::string& prefix, const CheckpointValues& stored, const Scene& scene) {
-  const CheckpointValues now = sceneMarks(scene);
+std::vector<std::string> changesOf(const std::string& prefix, const CheckpointValues& stored, const CheckpointValues& now) {
   const MarkWords then(stored), words(now);
   std::vector<std::string> changes;
   for (const auto& [key, value] : stored) {
@@ -259,7 +186,7 @@ CheckpointValues sceneMarks(const Scene& s) {
   addNames(marks, "emitter", s.emitters);
   addNames(marks, "oriented", s.oriented);
   addNames(marks, "sheet", s.sheets);
-  for (const Emitter& e : s.emitters) addEmitter(marks, e);
+  for (const Emitter& e : s.emitters) addEmitter(marks, e), addSettings(marks, e);
   for (const SheetBody& b : s.sheets) {
     addSheet(marks, b);
     addCoefficients(marks, b);
@@ -270,8 +197,11 @@ CheckpointValues sceneMarks(const Scene& s) {
   }
   for (const Material& m : s.materials) addCoefficients(marks, m);
   if (s.surface.on) addSettings(marks, s.surface);
-  for (std::size_t k = 0; k < std::min(mostTold, s.bodies.size()); k++)
-    if (!s.bodies[k].clamp.empty()) addClamps(marks, "body." + s.bodies[k].name + ".", s.bodies[k].clamp);
+  for (const Obstacle& o : s.obstacles) addCoefficients(marks, o);
+  for (std::size_t k = 0; k < s.temperings.size(); k++) addSettings(marks, s.temperings[k], k);
+  addCoefficients(marks, s.domain);
+  addCoefficients(marks, s.numerics);
+  addBodies(marks, s.bodies);
   addStart(marks, s);
   return marks;
 }
@@ -291,10 +221,20 @@ std::vector<std::string> sceneDifferences(const CheckpointValues& stored, const 
   return differences;
 }
 
-std::vector<std::string> coefficientChanges(const CheckpointValues& stored, const Scene& scene) { return changesOf(coefficient, stored, scene); }
+std::vector<std::string> coefficientChanges(const CheckpointValues& stored, const Scene& scene) { return changesOf(coefficient, stored, sceneMarks(scene)); }
 
-std::vector<std::string> settingChanges(const CheckpointValues& stored, const Scene& scene) { return changesOf(setting, stored, scene); }
+std::vector<std::string> settingChanges(const CheckpointValues& stored, const Scene& scene, double time) {
+  const CheckpointValues now = sceneMarks(scene);
+  const std::vector<std::string> past = pastEvents(stored, now, time);
+  return changesOf(setting, chosen(stored, past, false), chosen(now, past, false));
+}
 
-std::vector<std::string> changesOfTheStart(const CheckpointValues& stored, const Scene& scene) { return changesOf(ofStart, stored, scene); }
+std::vector<std::string> changesOfPastEvents(const CheckpointValues& stored, const Scene& scene, double time) {
+  const CheckpointValues now = sceneMarks(scene);
+  const std::vector<std::string> past = pastEvents(stored, now, time);
+  return changesOf(setting, chosen(stored, past, true), chosen(now, past, true));
+}
+
+std::vector<std::string> changesOfTheStart(const CheckpointValues& stored, const Scene& scene) { return changesOf(ofStart, stored, sceneMarks(scene)); }
 
 }  // namespace thaw

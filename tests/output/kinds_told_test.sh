@@ -60,4 +60,32 @@ expectMessage "blew up at step .*energy from nowhere since .*numerics.watch_ener
 launch 2 run "$work/leaf.toml" --steps 2 --out "$work/leaf" >"$work/log" 2>&1; expectExit 0 "leaf"
 "$thaw" render "$work/leaf" --field warmth >"$work/log" 2>&1; expectExit 3 "a field that sheets have not"
 expectMessage "no field 'warmth'; there are: .*velocity" "a field that sheets have not"
+
+cat >"$work/skin.toml" <<'END'
+spacing = 0.02
+end = 0.002
+[domain]
+min = [-0.3, -0.3, -0.3]
+max = [0.3, 0.3, 0.3]
+[material.jelly]
+density = 1000
+young = "40 kPa"
+[[body]]
+name = "ball"
+sphere = { radius = 0.06 }
+material = "jelly"
+[[sheet]]
+name = "cloth"
+grid = { width = 0.2, depth = 0.2 }
+place = { move = [0, 0, 0.15] }
+[surface]
+[output]
+every = 0.001
+END
+launch 2 run "$work/skin.toml" --out "$work/skin" >"$work/log" 2>&1; expectExit 0 "a surface beside a sheet"
+for field in "" "--field velocity" "--field surface" "--field none"; do  # shellcheck disable=SC2086
+  "$thaw" render "$work/skin" $field >"$work/log" 2>&1; expectExit 0 "pictures of a surface beside a sheet, $field"
+done
+"$thaw" render "$work/skin" --field warmth >"$work/log" 2>&1; expectExit 3 "a field that neither has"
+expectMessage "no field 'warmth'; there are: .*velocity" "a field that neither has"
 finish

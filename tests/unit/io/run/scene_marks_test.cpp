@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "io/run/mesh_marks.hpp"
+
 namespace thaw {
 namespace {
 
@@ -134,7 +136,7 @@ TEST(SceneMarks, SettingsOfTheSurfaceAreTold) {
   const CheckpointValues then = sceneMarks(s);
   s.surface.adapt = 0.5;
   s.surface.source = SurfelSource::Particles;
-  EXPECT_EQ(settingChanges(then, s).size(), 1u);
+  EXPECT_EQ(settingChanges(then, s, 0).size(), 1u);
   EXPECT_TRUE(coefficientChanges(then, s).empty());  // forces are not found anew for it
   EXPECT_EQ(changesOfTheStart(then, s).size(), 1u);
 }
@@ -199,6 +201,95 @@ TEST(SceneMarks, TheMessageNamesTheKeyAndBothValues) {
   s.spacing = 0.02;
   ASSERT_EQ(sceneDifferences(then, s).size(), 1u);
   EXPECT_EQ(sceneDifferences(then, s)[0].rfind("spacing was 0.01, and is 0.02 now", 0), 0u);
+}
+
+TEST(SceneMarks, HalfSpacesGoByPointAndNormal) {
+  Scene s = sample();
+  s.sheets.emplace_back().name = "cloth";
+  s.sheets[0].regions.emplace_back().shape.kind = ShapeKind::HalfSpace;
+  s.bodies[0].shape.kind = ShapeKind::Difference;
+  s.bodies[0].shape.parts.resize(2);
+  s.bodies[0].shape.parts[1].kind = ShapeKind::HalfSpace;
+  const CheckpointValues then = sceneMarks(s);
+  Scene other = s;
+  other.sheets[0].regions[0].shape.point.x = 0.1;
+  EXPECT_EQ(sceneDifferences(then, other).size(), 1u);
+  other = s;
+  other.bodies[0].shape.parts[1].normal = {1, 0, 0};
+  EXPECT_EQ(sceneDifferences(then, other).size(), 2u);
+}
+
+TEST(SceneMarks, MeshesGoByTheirContents) {
+  TriangleMesh cloth{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, moved = cloth, turned = cloth;
+  moved.vertices[2].y = 1.1;
+  turned.triangles[0] = {0, 2, 1};
+  const auto sceneOf = [](const std::string& path, const TriangleMesh& mesh) {
+    Scene s = sample();
+    s.sheets.emplace_back().name = "cloth";
+    s.sheets[0].mesh = SheetMesh::File;
+    s.sheets[0].shape.kind = ShapeKind::Mesh;
+    s.sheets[0].shape.mesh = path;
+    markMeshes(s, [&](const std::string&) { return mesh; });
+    return s;
+  };
+  const CheckpointValues then = sceneMarks(sceneOf("/a/cloth.obj", cloth));
+  EXPECT_TRUE(sceneDifferences(then, sceneOf("/b/cloth.obj", cloth)).empty());
+  EXPECT_EQ(sceneDifferences(then, sceneOf("/a/cloth.obj", moved)).size(), 1u);
+  EXPECT_EQ(sceneDifferences(then, sceneOf("/a/cloth.obj", turned)).size(), 1u);
+}
+
+TEST(SceneMarks, WhatActsFromOutsideIsTold) {
+  Scene s = sample();
+  s.sheets.emplace_back().name = "cloth";
+  s.sheets[0].brushes.emplace_back();
+  s.oriented.emplace_back().name = "film";
+  s.oriented[0].fields.emplace_back().everywhere = false;
+  s.obstacles.emplace_back().name = "pan";
+  const CheckpointValues then = sceneMarks(s);
+  const auto told = [&](auto&& change) {
+    Scene other = s;
+    change(other);
+    EXPECT_TRUE(sceneDifferences(then, other).empty());
+    return coefficientChanges(then, other).size() + settingChanges(then, other, 0).size();
+  };
+  EXPECT_EQ(told([](Scene&) {}), 0u);
+  EXPECT_EQ(told([](Scene& o) { o.sheets[0].wrapTo = "pan"; }), 1u);
+  EXPECT_EQ(told([](Scene& o) { o.sheets[0].brushes[0].motion.push_back({1, {1, 0, 0}, {}}); }), 7u);
+  EXPECT_EQ(told([](Scene& o) { o.oriented[0].cfl = 1; }), 1u);
+  EXPECT_EQ(told([](Scene& o) { o.oriented[0].fields[0].radius = 7; }), 1u);  // its region has one, too
+  EXPECT_EQ(told([](Scene& o) { o.oriented[0].fields[0].region.radius = 7; }), 1u);
+  EXPECT_EQ(told([](Scene& o) { o.obstacles[0].shape.move.z = 1; }), 1u);
+  EXPECT_EQ(told([](Scene& o) { o.obstacles[0].temperature = 500; }), 1u);
+  EXPECT_EQ(told([](Scene& o) { o.domain.side[2] = {Side::Wall, Side::Open}; }), 1u);
+  EXPECT_EQ(told([](Scene& o) { o.numerics.kernel = KernelKind::Mcg03; }), 1u);
+  EXPECT_EQ(told([](Scene& o) { o.materials[0].emissivity = 1; }), 1u);
+}
+
+TEST(SceneMarks, EventsThatHaveBeenAreToldAsWithoutEffect) {
+  Scene s = sample();
+  s.oriented.emplace_back().name = "film";
+  const CheckpointValues then = sceneMarks(s);
+  s.oriented[0].events.emplace_back().time = 1;
+  EXPECT_TRUE(changesOfPastEvents(then, s, 0.9).empty());
+  EXPECT_FALSE(settingChanges(then, s, 0.9).empty());
+  EXPECT_FALSE(changesOfPastEvents(then, s, 1).empty());
+  EXPECT_TRUE(settingChanges(then, s, 1).empty());
+  Scene later = s;
+  later.oriented[0].events[0].time = 2;  // it has been, and will be once more
+  EXPECT_FALSE(settingChanges(sceneMarks(s), later, 1.5).empty());
+  EXPECT_FALSE(settingChanges(sceneMarks(later), s, 1.5).empty());  // it was to be, and will not be
+}
+
+TEST(SceneMarks, OfManyBodiesAnyChangeIsSeen) {
+  Scene s = sample();
+  for (int k = 0; k < 150; k++) s.bodies.emplace_back().name = "ball " + std::to_string(k);
+  const CheckpointValues then = sceneMarks(s);
+  Scene other = s;
+  other.bodies.back().shape.move.x = 1;
+  EXPECT_EQ(sceneDifferences(then, other).size(), 1u);
+  other = s;
+  other.bodies.back().velocity.x = 1;
+  EXPECT_EQ(changesOfTheStart(then, other).size(), 1u);
 }
 
 TEST(SceneMarks, ACheckpointWithoutMarksIsRefused) { EXPECT_FALSE(sceneDifferences({}, sample()).empty()); }
