@@ -22,6 +22,7 @@ struct OrientedWork {
   std::vector<GivenPoints> given;          ///< of each body; empty without any
   std::vector<std::vector<std::shared_ptr<const SignedDistance>>> fieldRegions;  ///< of each body's fields; null: everywhere
   double time = 0;                         ///< s, of the forces at hand
+  double over = 0;                         ///< s, length of the step that is under way, of which forces of fields are the means; 0: they are those at `time`
   OrientedLists lists;
   std::vector<Vec3d> place, move, spinMove;                 // of integrators: by owned row
   std::vector<Quat> turn;
@@ -38,6 +39,8 @@ struct OrientedWork {
   std::function<bool(std::int64_t done)> stopRelaxing;  ///< asked on each rank before each of its iterations; one yes ends it. Empty: never
   struct Event { std::size_t body, event; };
   std::vector<Event> idle;                 ///< events that have met nothing, on all ranks; whoever tells of them clears it
+  struct Field { std::size_t body, field; };
+  std::vector<Field> idleFields;           ///< fields that no particle is in as they begin, as `idle`
   std::int64_t solves = 0, iterations = 0; ///< of the implicit integrator
 };
 

@@ -89,6 +89,7 @@ void stepOriented(World& w, Halos halos, StepTools& t, double dt) {
   const HeldBefore held = rememberHeld(w, dt);
   const double weight = weighContacts(w, dt);
   t.oriented.time = w.clock.time;  // of the forces that the step begins with
+  takeMeanFields(w, t.oriented, dt);
   // one integrator for all bodies: pairs may be of two
   const OrientedIntegrator how = w.scene.oriented.front().integrator;
   if (how == OrientedIntegrator::RungeKutta) stepRungeKutta(w, halos, t, dt);
@@ -129,8 +130,10 @@ void evaluateOriented(World& w, Halos halos, StepTools& t, double dt) {
   Oriented& o = w.oriented.rows;
   const double now = w.clock.time + dt;  // a step's clock still shows its beginning here
   t.oriented.time = now;
+  t.oriented.over = 0;
   readyOriented(w, halos, t);
   const double since = t.oriented.begins ? -never : w.clock.time;
+  noteIdleFields(w, halos.all, t.oriented, since, now);
   const bool events = operationDue(w.scene, since, now), look = populationDue(w, dt), leaves = dt > 0 && anyLeaves(w, halos.all);
   if (events || look || leaves) {
     addUpForces(w, t);

@@ -20,6 +20,7 @@
 #include "core/sheet/face_contact.hpp"
 #include "core/sheet/mesh_contact.hpp"
 #include "core/sheet/prepare_sheets.hpp"
+#include "core/sheet/region_overlaps.hpp"
 #include "core/fluid/surface_energy.hpp"
 #include "core/setup/make_grid.hpp"
 #include "core/setup/relax_packing.hpp"
@@ -151,6 +152,7 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
     shapes[b]->addNotes(notes);
     for (const std::string& note : notes) report.warnings.push_back({w.scene.bodies[b].where, "body '" + w.scene.bodies[b].name + "': " + note});
   }
+  for (SceneWarning& warning : overlapsOfRegions(w, load)) report.warnings.push_back(std::move(warning));
   for (std::size_t i = 0; i < p.owned; i++) wrapPlace(w.grid, w.scene.domain, p.position[i]);  // jitter may reach over a seam by rounding
   computeCellKeys(w.grid, p);
   Migration all;
@@ -219,6 +221,7 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   t.newPartition = true;
   if (w.modules.kinds()) bringKindsHome(w, halos, t);  // with their ghosts they are as the last step has left them
   if (w.modules.oriented) readyOriented(w, halos, t);
+  t.oriented.time = w.clock.time;
   dropBuffersOfStart(w, t);
   t.mass = totalMass(w, halos.all);
   double froze = 0;

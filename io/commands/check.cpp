@@ -77,6 +77,7 @@ int checkAll(const CheckOptions& o) {
   const Halos halos{all, cells, bonds, {kinds[orientedKind].get(), kinds[sheetKind].get()}, &edges};
   const SamplingReport sampled = startWorld(w, halos, t, meshLoader());
   const std::vector<OrientedWork::Event> idle = t.oriented.idle;  // of the start
+  const std::vector<OrientedWork::Field> idleFields = t.oriented.idleFields;
   const std::vector<std::string> ofKinds = linesOfKinds(w, all);  // before the steps below, which may make some
   SurfaceTrial surface(comm, w, meshLoader());
   // a few steps, to measure
@@ -104,6 +105,7 @@ int checkAll(const CheckOptions& o) {
   for (const std::string& line : sceneWarnings(s)) std::printf("warning: %s\n", line.c_str());
   for (const SceneWarning& k : sampled.warnings) std::printf("warning: %s\n", warningLine(k.where, k.text).c_str());
   for (const OrientedWork::Event& e : idle) std::printf("warning: %s\n", idleEventLine(s.oriented[e.body], s.oriented[e.body].events[e.event]).c_str());
+  for (const OrientedWork::Field& f : idleFields) std::printf("warning: %s\n", idleFieldLine(s.oriented[f.body], s.oriented[f.body].fields[f.field]).c_str());
   std::printf("\nparticles\n");
   for (std::size_t b = 0; b < s.bodies.size(); b++)
     std::printf("  body '%s': %lld of %s\n", s.bodies[b].name.c_str(), static_cast<long long>(sampled.particles[b]), s.materials[static_cast<std::size_t>(s.bodies[b].material)].name.c_str());

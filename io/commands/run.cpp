@@ -39,7 +39,7 @@ int loop(Run& r, std::string& why) {
     if (r.profile) r.profile->trace.add(TraceKind::Step, 0, begin, StepTrace::Clock::now());
     const bool good = goodStateDue(r), last = w.clock.time >= w.clock.end && w.scene.numerics.retryEvery > 0;  // a run shorter than that is looked at, too
     if ((good || last) && o.alarm == Alarm::None) o.alarm = lookAtBooks(r);
-    if (!r.tools.oriented.idle.empty()) warnOfIdleEvents(r);
+    warnOfIdle(r);
     if (o.alarm != Alarm::None) {
       if (goBack(r, o, why)) continue;
       return exitBlewUp;

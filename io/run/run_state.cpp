@@ -127,12 +127,17 @@ void report(Run& r) {
   r.tools.times.lap(StepPhase::Other);
 }
 
-void warnOfIdleEvents(Run& r) {
+void warnOfIdle(Run& r) {
   for (const OrientedWork::Event& e : r.tools.oriented.idle) {
     const OrientedBody& body = r.world.scene.oriented[e.body];
     r.warn(idleEventLine(body, body.events[e.event]));
   }
+  for (const OrientedWork::Field& f : r.tools.oriented.idleFields) {
+    const OrientedBody& body = r.world.scene.oriented[f.body];
+    r.warn(idleFieldLine(body, body.fields[f.field]));
+  }
   r.tools.oriented.idle.clear();
+  r.tools.oriented.idleFields.clear();
 }
 
 void summarise(Run& r, const std::string& status, const std::string& message) {
@@ -252,7 +257,7 @@ void begin(Run& r, const MeshLoader& load) {
       r.say(fmt::format("{}: {} {}", kindNames[kind], n, kind == sheetKind ? "vertices" : "particles"));
     });
     for (const SceneWarning& line : sampled.warnings) r.warn(warningLine(line.where, line.text));
-    warnOfIdleEvents(r);
+    warnOfIdle(r);
     sayRelaxed(r);
     if (r.tools.oriented.relaxStopped && r.options.relax == 0) {  // a run from here would be another one than the scene's
       r.cutAtStart = true;

@@ -78,8 +78,8 @@ void writeFrameOf(Run& run);
 /// A progress line with the ledger.
 void report(Run& run);
 
-/// Warns of events of oriented bodies that have met nothing.
-void warnOfIdleEvents(Run& run);
+/// Warns of events and fields of oriented bodies that have met nothing.
+void warnOfIdle(Run& run);
 
 /// Gathers and writes summary.json.
 void summarise(Run& run, const std::string& status, const std::string& message);

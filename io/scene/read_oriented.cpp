@@ -151,9 +151,9 @@ void readSource(TableReader& r, OrientedBody& b) {
     b.source = OrientedSource::Disc;
     t.number("radius", b.radius, "m", positive(), "radius");
   });
-  r.table("curve", "2D: particles along a parabola in the plane y = constant; it stays in it", [&](TableReader& t) {
+  r.table("curve", "2D: particles along a parabola in the plane y = constant; it stays in it (planar)", [&](TableReader& t) {
     b.source = OrientedSource::Curve;
-    b.planar = true;
+    if (!t.describing()) b.planar = true;
     t.vector("from", b.from, "m", "first end");
     t.vector("to", b.to, "m", "last end");
     t.number("bulge", b.bulge, "m", anyNumber(), "height of its middle over the chord");
@@ -211,7 +211,7 @@ void readOriented(TableReader& r, SceneReading& x) {
   r.number("along", b.along, "", positive(), "and along it, at most as long");
   r.number("support", b.support, "", between(1.5, 12), "radius within which particles act on each other, over their spacing");
   r.flag("facing", b.facing, "particles whose normals stand against each other do not act on each other, so that the sides of a thin body stay apart");
-  r.flag("planar", b.planar, "moves and turns in its plane y = constant only");
+  r.flag("planar", b.planar, "moves and turns in its plane y = constant only; of a `curve` true by default");
   r.number("damping", b.damping, "1/s", notNegative(), "rate at which velocities decay");
   r.number("spin_damping", b.spinDamping, "1/s", notNegative(), "rate at which rotations decay");
   r.number("pressure", b.pressure, "Pa", anyNumber(), "along the normals; below 0: pulls the surface together around what it encloses");

@@ -65,7 +65,7 @@ void readExactStep(TableReader& r, SheetBody& b) {
   r.number("stiffness", b.stiffness, "N/m^3", notNegative(), "of the springs that pull every vertex to its place of rest, per area");
   r.number("plasticity", b.plasticity, "", between(0, 1), "part of what goes beyond the elastic limit that stays; 0: elastic, 1: plastic");
   r.number("elastic_limit", b.elasticLimit, "m", orNever(positive()), "displacement from rest; \"never\": none");
-  r.tables("region", "part of the sheet, where its vertices are in a SHAPE at the start, with other coefficients", [&](TableReader& t) {
+  r.tables("region", "part of the sheet, where its vertices are in a SHAPE at the start, with other coefficients; where regions overlap the last one's factors hold, all of them", [&](TableReader& t) {
     SheetRegion g;
     g.where = t.place();
     readShape(t, g.shape);
@@ -131,6 +131,15 @@ void readCoefficientsInTime(TableReader& r, SheetBody& b) {
   }
 }
 
+/// After the coefficients: a factor of nothing is nothing.
+void checkRegions(TableReader& r, const SheetBody& b) {
+  for (std::size_t k = 0; k < b.regions.size(); k++)
+    for (std::size_t f = 0; f < sheetFactors; f++) {
+      const auto& [coefficient, value] = sheetCoefficients[f];
+      if (b.regions[k].factor[f] != 1 && b.*value == 0) r.fail(b.regions[k].where, fmt::format("{}.region.{}.{}: is a factor of {}, which is 0", r.path(), k, coefficient, coefficient));
+    }
+}
+
 }  // namespace
 
 const std::vector<std::string>& sheetMeshWords() {
@@ -165,6 +174,7 @@ void readSheet(TableReader& r, SceneReading& x) {
     readShape(c, b.clamp.back());
   });
   b.massWhere = r.placeOf("mass");
+  checkRegions(r, b);
   if (b.mass == 0 && b.windDensity > 0) r.fail("wind_density", "the air's drag on a sheet without mass has no stable step: expected mass > 0");
   if (b.pullReach > 0 && b.pull == 0) r.fail("pull_reach", "needs pull: without it nothing acts there");
   if (b.plasticity > 0 && b.stiffness == 0) r.fail("plasticity", "without stiffness there is no place of rest that could move");

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "io/scene/surface_advice.hpp"
 
 namespace thaw {
@@ -9,6 +11,13 @@ namespace {
 
 std::string at(const SourcePlace& where) {
   return where.line > 0 && where.file.rfind("--set", 0) != 0 ? fmt::format("{}:{}:{}", where.file, where.line, where.column) : where.file;
+}
+
+/// Is it no curve, nor points in the plane of one?
+bool leavesItsPlane(const OrientedBody& b) {
+  if (b.source == OrientedSource::Curve) return false;
+  if (b.source != OrientedSource::Points) return true;
+  return std::any_of(b.points.begin(), b.points.end(), [&](const Vec3d& x) { return x.y != b.points.front().y; });
 }
 
 }  // namespace
@@ -23,8 +32,17 @@ std::string idleEventLine(const OrientedBody& b, const OrientedEvent& e) {
   return warningLine(e.where, fmt::format("oriented body '{}': this {}", b.name, what));
 }
 
+std::string idleFieldLine(const OrientedBody& b, const OrientedField& f) {
+  return warningLine(f.where, fmt::format("oriented body '{}': no particle is in this field as it begins, at {:g} s", b.name, f.from));
+}
+
 std::vector<std::string> sceneWarnings(const Scene& s) {
   std::vector<std::string> lines;
+  for (const OrientedBody& b : s.oriented)
+    if (b.planar && leavesItsPlane(b)) lines.push_back(fmt::format("{}: oriented body '{}': planar keeps each particle at its own y, and this body is not in one plane y = constant: it is meant for curves", at(b.where), b.name));
+  for (const OrientedBody& b : s.oriented)
+    for (const OrientedField& f : b.fields)
+      if (f.from >= s.end) lines.push_back(fmt::format("{}: oriented body '{}': this field begins at {:g} s and the scene ends at {:g} s: it does not act", at(f.where), b.name, f.from, s.end));
   for (const OrientedBody& b : s.oriented)
     for (const OrientedEvent& e : b.events)
       if (e.time > s.end) lines.push_back(fmt::format("{}: oriented body '{}': this event is at {:g} s and the scene ends at {:g} s: it does not happen", at(e.where), b.name, e.time, s.end));

@@ -7,7 +7,7 @@
 
 namespace thaw {
 
-/// A line each, with file and line of the scene: events after its end, fields of frames that nothing in it has, settings of the surface (surface_advice.hpp).
+/// A line each, with file and line of the scene: events and fields of oriented bodies after its end, fields of frames that nothing in it has, settings of the surface (surface_advice.hpp).
 std::vector<std::string> sceneWarnings(const Scene& scene);
 
 /// One line for a sentence about a place in the scene.
@@ -15,5 +15,8 @@ std::string warningLine(const SourcePlace& where, const std::string& text);
 
 /// That an event of an oriented body has met nothing.
 std::string idleEventLine(const OrientedBody& body, const OrientedEvent& event);
+
+/// That a field of an oriented body begins where no particle is.
+std::string idleFieldLine(const OrientedBody& body, const OrientedField& field);
 
 }  // namespace thaw

@@ -35,6 +35,8 @@ launch 2 run "$work/net.toml" --steps 20 --out "$work/net" >"$work/log" 2>&1; ex
 [ -n "$start" ] && grep -q "oriented: $start particles" "$work/log" || fail "check counts $start particles, and the run begins with $(grep 'oriented:' "$work/log")"
 launch 2 run "$work/net.toml" --restart --set oriented.net.event.0.time=0.045 --out "$work/net" >"$work/log" 2>&1; expectExit 0 "restart with another event"
 expectMessage "changed at the restart: oriented.net.event.0.time was 0.04, and is 0.045 now" "restart with another event"
+launch 2 run "$work/net.toml" --steps 2 --set 'oriented.net.field=[{push=[0,0,1],box={size=[0.1,0.1,0.1]},place={move=[0,0,0.8]}}]' --out "$work/idle" >"$work/log" 2>&1; expectExit 0 "a field where nobody is"
+expectMessage "warning: .*oriented body 'net': no particle is in this field as it begins, at 0 s" "a field where nobody is"
 "$thaw" render "$work/net" --field warmth >"$work/log" 2>&1; expectExit 3 "a field that is not there"
 expectMessage "no field 'warmth'; there are: .*velocity" "a field that is not there"
 "$thaw" render "$work/net" --what surface >"$work/log" 2>&1; expectExit 3 "no surface"
@@ -57,6 +59,9 @@ every = 0.5
 END
 launch 2 run "$work/leaf.toml" --set numerics.fixed_step=0.002 --set numerics.retry_every=5 --set numerics.retries=0 --out "$work/leaf" >"$work/log" 2>&1; expectExit 4 "a step far too long"
 expectMessage "blew up at step .*energy from nowhere since .*numerics.watch_energy.*; the fastest of its kind: vertex [0-9]* of 'leaf' at" "a step far too long"
+regions='sheet.leaf.region=[{box={size=[0.2,0.2,0.1]},weft=3},{box={size=[0.3,0.3,0.1]},warp=2}]'
+launch 2 run "$work/leaf.toml" --steps 2 --set "$regions" --out "$work/regions" >"$work/log" 2>&1; expectExit 0 "regions on each other"
+expectMessage "warning: .*sheet 'leaf': [0-9]* vertices of its region 0 are in region 1 as well.*: weft of the earlier one is lost" "regions on each other"
 launch 2 run "$work/leaf.toml" --steps 2 --out "$work/leaf" >"$work/log" 2>&1; expectExit 0 "leaf"
 "$thaw" render "$work/leaf" --field warmth >"$work/log" 2>&1; expectExit 3 "a field that sheets have not"
 expectMessage "no field 'warmth'; there are: .*velocity" "a field that sheets have not"

@@ -62,6 +62,63 @@ TEST(OrientedFields, ActInTheirRegionForTheirTime) {
   }
 }
 
+/// Times of fields and corners of their factors lie within steps; what they give is that of their whole time all the same.
+TEST(OrientedFields, GiveTheSameByWhateverSteps) {
+  for (const auto how : integrators)
+    for (const double step : {1e-3, 0.0171, 0.09}) {
+      Scene s = looseScene();
+      OrientedBody& b = s.oriented[0];
+      b.integrator = how;
+      b.velocity = {};
+      OrientedField f;
+      f.push = {0.05, 0, 0};
+      f.from = 0.0333;
+      f.until = 0.2777;
+      b.fields = {f};
+      f = {};
+      f.push = {0, 0.1, 0};
+      f.inTime.points = {{0, 0}, {0.1, 1}, {0.17, 0}};
+      b.fields.push_back(f);
+      f = {};
+      f.pressure = 0.03;
+      f.from = 0.1;
+      f.until = 0.11;
+      f.inTime.points = {{0, 3}, {0.2, 1}};
+      b.fields.push_back(f);
+      s.numerics.maxStep = step;
+      s.output.every = s.end = 0.4;
+      test::Simulation x(s);
+      ASSERT_TRUE(x.run());
+      const Oriented& o = x.w.oriented.rows;
+      const double perMass = orientedArea(x.w.scene.oriented[0], 0.05) / o.mass[0];
+      Vec3d mean{};  // what particles give each other cancels
+      for (std::size_t i = 0; i < o.owned; i++) mean += o.velocity[i] / static_cast<double>(o.owned);
+      EXPECT_NEAR(mean.x, 0.05 * (0.2777 - 0.0333), 1e-15) << step;
+      EXPECT_NEAR(mean.y, 0.1 * 0.085, 1e-15) << step;
+      EXPECT_NEAR(mean.z, 0.03 * 0.01 * (3 - 2 * 0.105 / 0.2) * perMass, 1e-10) << step;  // normals turn a little
+      const LedgerReport books = x.books();
+      EXPECT_LT(length(books.momentumResidual), 1e-12);
+      EXPECT_LT(std::abs(books.energyResidual), 1e-7 * books.energyScale) << static_cast<int>(how) << " " << step;
+    }
+}
+
+TEST(OrientedFields, ThatBeginWhereNobodyIsAreNoted) {
+  Scene s = looseScene();
+  OrientedField f;
+  f.push = {0, 0, 1};
+  f.everywhere = false;
+  f.region = test::boxOf({-1, -1, 0.5}, {1, 1, 1});
+  s.oriented[0].fields = {f, f, f};
+  s.oriented[0].fields[1].from = 0.05;
+  s.oriented[0].fields[2].region = test::boxOf({-1, -1, -1}, {1, 1, 1});
+  s.end = 0.1;
+  test::Simulation x(s);
+  ASSERT_EQ(x.tools.oriented.idleFields.size(), 1u);
+  ASSERT_TRUE(x.run());
+  ASSERT_EQ(x.tools.oriented.idleFields.size(), 2u);
+  EXPECT_EQ(x.tools.oriented.idleFields[1].field, 1u);
+}
+
 /// What a point gives is the slope of an energy: it pulls inside its radius alone, and a particle that has passed through is as fast as before.
 TEST(OrientedFields, APointGivesBackWhatItTakes) {
   for (const auto how : integrators)

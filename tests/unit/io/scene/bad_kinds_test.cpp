@@ -62,6 +62,7 @@ TEST(BadKinds, WhatMeansNothingIsRefusedAtItsPlace) {
        "s.toml:6:1: error: sheet 'sheet 0': wrap_to: 'a' is the name of two things in this scene: expected another name for one of them"},
       {cloth + "wrap = 1\nwrap_in_time = [[0, 1]]\n", "s.toml:9:16: error: sheet.0.wrap_in_time: expected a list of at least two pairs [s, number]"},
       {cloth + "warp_in_time = [[0, 1], [1, 2]]\n", "s.toml:8:16: error: sheet.0.warp_in_time: is a factor of warp, which is 0"},
+      {cloth + "damping = 1\n[[sheet.region]]\nsphere = { radius = 0.1 }\nbending = 3\n", "s.toml:9:1: error: sheet.0.region.0.bending: is a factor of bending, which is 0"},
       {cloth + "warp = 1\nwarp_in_time = [[0, 1], [1, -2]]\n", "s.toml:9:29: error: sheet.0.warp_in_time: must be >= 0, got -2"},
       {cloth + "mass = 0\nstiffness = 1\n[[sheet.brush]]\npressure = [0, 0, 1]\n",
        "s.toml:8:8: error: sheet 'sheet 0': mass: with neither mass nor damping (at all times) nothing holds a vertex back that a brush pushes, and no step is short enough: expected one of both"},
@@ -93,6 +94,21 @@ TEST(OrientedColours, AreThoseOfTheSceneOrFollowTheNumberOfTheBody) {
   EXPECT_EQ(colourOf(s.oriented[0], 0), orientedColours[0]);
   EXPECT_EQ(colourOf(s.oriented[1], 1), 0x302010u);
   EXPECT_NE(colourOf(s.oriented[0], 0), colourOf(s.oriented[0], 1));
+}
+
+TEST(OrientedFields, ThatBeginAtTheEndAreWarnedOf) {
+  const std::string field = "[[oriented.field]]\npush = [1, 0, 0]\nfrom = ";
+  EXPECT_TRUE(sceneWarnings(readScene(sceneFilesOf("s.toml", head + patch + field + "0.9\n"))).empty());
+  EXPECT_EQ(sceneWarnings(readScene(sceneFilesOf("s.toml", head + patch + field + "1\n"))),
+            std::vector<std::string>{"s.toml:9:1: oriented body 'a': this field begins at 1 s and the scene ends at 1 s: it does not act"});
+}
+
+TEST(Planar, IsForCurves) {
+  EXPECT_EQ(sceneWarnings(readScene(sceneFilesOf("s.toml", head + patch + "planar = true\n"))).size(), 1u);
+  const std::string flat = "[[oriented]]\nname = \"a\"\nplanar = true\npoints = [[0, 0.1, 0], [0.05, 0.1, 0], [0.1, 0.1, 0.01]]\nnormals = [[0, 0, 1], [0, 0, 1], [0, 0, 1]]\n";
+  EXPECT_TRUE(sceneWarnings(readScene(sceneFilesOf("s.toml", head + flat))).empty());
+  const std::string doc = sceneDocumentation();
+  EXPECT_NE(doc.find("| `planar` |  | true, false | false |"), std::string::npos);
 }
 
 TEST(BadKinds, WhatHasNoEffectIsAWarning) {

@@ -1,0 +1,39 @@
+#include "core/sheet/region_overlaps.hpp"
+
+#include <algorithm>
+
+namespace thaw {
+namespace {
+
+/// The coefficients of which a region has a factor, and a later one has none: "warp, damping".
+std::string lostFactors(const SheetRegion& earlier, const SheetRegion& later) {
+  std::string lost;
+  for (std::size_t f = 0; f < sheetFactors; f++)
+    if (earlier.factor[f] != 1 && later.factor[f] == 1) lost += (lost.empty() ? "" : ", ") + std::string(sheetCoefficients[f].key);
+  return lost;
+}
+
+}  // namespace
+
+std::vector<SceneWarning> overlapsOfRegions(const World& w, const MeshLoader& load) {
+  std::vector<SceneWarning> warnings;
+  for (std::size_t n = 0; n < w.sheets.plans.size(); n++) {
+    const SheetBody& b = w.scene.sheets[n];
+    std::vector<std::shared_ptr<const SignedDistance>> shapes;
+    for (const SheetRegion& r : b.regions)
+      if (b.regions.size() > 1) shapes.push_back(makeSignedDistance(r.shape, load));
+    const auto& places = w.sheets.plans[n].mesh.vertices;
+    for (std::size_t later = 1; later < shapes.size(); later++)
+      for (std::size_t earlier = 0; earlier < later; earlier++) {
+        const std::string lost = lostFactors(b.regions[earlier], b.regions[later]);
+        if (lost.empty()) continue;
+        const auto shared = std::count_if(places.begin(), places.end(), [&](const Vec3d& x) { return shapes[earlier]->inside(x) && shapes[later]->inside(x); });
+        if (shared > 0)
+          warnings.push_back({b.regions[later].where, "sheet '" + b.name + "': " + std::to_string(shared) + " vertices of its region " + std::to_string(earlier) + " are in region " + std::to_string(later) +
+                                                          " as well, and the later one's factors hold there: " + lost + " of the earlier one is lost, unless the later one says it again"});
+      }
+  }
+  return warnings;
+}
+
+}  // namespace thaw
