@@ -208,7 +208,6 @@ namespace {
 
 void begin(Run& r, const MeshLoader& load) {
   World& w = r.world;
-  markMeshes(w.scene, load);
   const auto slice = r.options.restart || r.options.resume ? readNewestCheckpoint(r.options.out, r.comm.handle()) : nullptr;
   if (r.options.restart && !slice) throw SceneErrors({r.options.out + ": error: --restart needs a checkpoint in its folder checkpoint/, and there is none"});
   if (slice) {
@@ -216,6 +215,7 @@ void begin(Run& r, const MeshLoader& load) {
       r.say("warning: " + warning);
       r.summary.warnings.push_back(warning);
     }
+    markMeshes(w.scene, load);
     const CheckpointValues& then = slice->header.values;
     if (const std::vector<std::string> differences = sceneDifferences(then, w.scene); !differences.empty()) refuseScene(r, "it began with another", differences);
     const std::vector<std::string> changes = coefficientChanges(then, w.scene), settings = settingChanges(then, w.scene, slice->header.clock.time);
@@ -250,6 +250,7 @@ void begin(Run& r, const MeshLoader& load) {
     if (r.options.resume) r.say(fmt::format("{}: there is no checkpoint to resume from: the run begins anew", r.options.out));
     watchRelaxation(r);
     const SamplingReport sampled = startWorld(w, r.halos(), r.tools, load);
+    markMeshes(w.scene, load);  // what cannot be read has been told with whose it is
     for (std::size_t b = 0; b < w.scene.bodies.size(); b++) r.say(fmt::format("body '{}': {} particles", w.scene.bodies[b].name, sampled.particles[b]));
     eachKind(w, [&](std::size_t kind, const KindRows& rows, const CellTable&) {
       std::int64_t n = static_cast<std::int64_t>(rows.owned);
