@@ -170,7 +170,7 @@ TEST(SceneMarks, ChoicesAreToldByTheirWords) {
   other.surface.smoothing = SmoothingForm::Plane;
   other.oriented[0].growth = OrientedGrowth::Borders;
   other.oriented[0].events[0].kind = OrientedEventKind::Crease;
-  EXPECT_EQ(settingChanges(then, other), (std::vector<std::string>{
+  EXPECT_EQ(settingChanges(then, other, -1), (std::vector<std::string>{
     "oriented.film.event.0.kind was \"weld\", and is \"crease\" now", "oriented.film.growth was \"none\", and is \"borders\" now",
     "surface.merge was \"liquid\", and is \"none\" now", "surface.smoothing was \"sphere\", and is \"plane\" now"}));
   other = s;
@@ -190,9 +190,10 @@ TEST(SceneMarks, ChoicesAreToldByTheirWords) {
   other.bodies[0].packing = Packing::Relaxed;
   other.bodies[0].material = 1;
   other.bodies[0].shape.kind = ShapeKind::Torus;
-  EXPECT_EQ(changesOfTheStart(then, other), (std::vector<std::string>{
+  EXPECT_EQ(changesOfTheStart(then, other), std::vector<std::string>{"surface.source was \"automatic\", and is \"particles\" now"});
+  EXPECT_EQ(sceneDifferences(then, other), (std::vector<std::string>{
     "body.bust.material was \"wax\", and is \"oil\" now", "body.bust.packing was \"lattice\", and is \"relaxed\" now",
-    "body.bust.shape.kind was \"box\", and is \"torus\" now", "surface.source was \"automatic\", and is \"particles\" now"}));
+    "body.bust.shape.kind was \"box\", and is \"torus\" now"}));
 }
 
 TEST(SceneMarks, TheMessageNamesTheKeyAndBothValues) {
