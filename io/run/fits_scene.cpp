@@ -19,8 +19,8 @@ std::int64_t strangeParticles(const World& w) {
 std::int64_t strangeOriented(const World& w) {
   const Oriented& o = w.oriented.rows;
   std::int64_t n = 0;
-  for (std::size_t i = 0; i < o.owned; i++)
-    n += o.body[i] >= w.scene.oriented.size() || (o.anchor[i] != noAnchor && o.anchor[i] >= w.scene.oriented[o.body[i]].anchors.size());
+  for (std::size_t i = 0; i < o.owned; i++)  // what was born later has no anchor, and is held by none
+    n += o.body[i] >= w.scene.oriented.size() || ((o.flags[i] & (heldPlace | heldNormal)) && o.anchor[i] != noAnchor && o.anchor[i] >= w.scene.oriented[o.body[i]].anchors.size());
   return n;
 }
 

@@ -33,6 +33,7 @@ struct Restored {
     for (std::size_t i = 0; i < 9; i++) s.id[i] = i;
     w.oriented.rows.resize(1, 0);
     w.oriented.rows.anchor[0] = 0;
+    w.oriented.rows.flags[0] = heldPlace;
   }
   std::size_t strange() { return misfits(w, all).size(); }
 };
@@ -61,6 +62,9 @@ TEST(FitsScene, AnchorsAndBodiesThatAreNotThere) {
   Restored r;
   r.w.oriented.rows.anchor[0] = 1;
   EXPECT_EQ(r.strange(), 1u);
+  r.w.oriented.rows.flags[0] = 0;  // as of what was born: no anchor holds it, whatever the column says
+  EXPECT_EQ(r.strange(), 0u);
+  r.w.oriented.rows.flags[0] = heldPlace;
   r.w.oriented.rows.anchor[0] = noAnchor;
   EXPECT_EQ(r.strange(), 0u);
   r.w.oriented.rows.body[0] = 1;
