@@ -43,7 +43,7 @@ Scene sceneOf(const Case& c) {
 }
 
 Targets targetsOf(const Case& c) {
-  const bool wide = c.support > 2.3, big = c.particles > 300000, real64 = c.precision == Precision::Double;
+  const bool wide = c.support > support33 + 0.1, big = c.particles > 300000, real64 = c.precision == Precision::Double;
   const double yard = wide ? 0.61 : 1.08;
   if (c.kind == Kind::Mixed || (wide && real64)) return {};
   if (c.kind == Kind::Elastic) {
@@ -56,7 +56,7 @@ Targets targetsOf(const Case& c) {
 }
 
 std::vector<double> limitPhases(const Case& c) {
-  if ((c.kind != Kind::Fluid && c.kind != Kind::Heat) || c.support > 2.3 || c.precision == Precision::Double) return {};
+  if ((c.kind != Kind::Fluid && c.kind != Kind::Heat) || c.support > support33 + 0.1 || c.precision == Precision::Double) return {};
   std::vector<double> all{10.5, 39, 20, 54};
   for (double& ns : all) ns *= 1.08e-3;
   return all;

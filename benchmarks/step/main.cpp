@@ -1,5 +1,5 @@
 // step: particle-steps a second and core of whole steps, MPI, halos and all, on the ranks it is started with; benchmarks/step/run starts it on 1, 2 and 4.
-//   step [--cases fluid,heat,elastic,mixed] [--precisions single,double] [--supports 2,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1] [--memory 1]
+//   step [--cases fluid,heat,elastic,mixed] [--precisions single,double] [--supports 2.13,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1] [--memory 1]
 // Beside each case, in turn with it and on as many ranks, runs a plain scalar neighbour-list code (yardstick): the ratio means the same on any
 // machine, and on a busy one. Rows come with the bytes that a step moves and what a copy moves in the same time.
 #include <malloc.h>
@@ -92,7 +92,7 @@ double bytesMoved(const Rig& rig) {
 struct Options {
   std::vector<Kind> kinds{Kind::Fluid, Kind::Heat, Kind::Elastic, Kind::Mixed};
   std::vector<Precision> precisions{Precision::Single};
-  std::vector<double> supports{2};
+  std::vector<double> supports{support33};
   std::vector<std::size_t> sizes{100000};
   int repeat = 7;
   double seconds = 0.6;  ///< of steps between two looks at the yardstick
@@ -174,7 +174,7 @@ void measure(const Communicator& comm, const Case& c, const Options& o, FILE* ou
   goal.excellent > 0 ? std::fprintf(out, "%.2f,%.2f,", goal.excellent, goal.limit) : std::fprintf(out, ",,");
   std::fprintf(out, "%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,", ns({P::Sort}), ns({P::Search}), ns({P::Density}), ns({P::Forces}), ns({P::Elastic, P::Bonds}), ns({P::Walls, P::Contact}),
                ns({P::Heat}), ns({P::Drift, P::Domain, P::Kick, P::Phase}), ns({P::Migrate, P::Exchange, P::Reduce}));
-  const double goalBytes = c.kind == Kind::Elastic ? 800 : c.kind == Kind::Fluid && c.support < 2.3 && c.precision == Precision::Single ? 350 : 0;
+  const double goalBytes = c.kind == Kind::Elastic ? 800 : c.kind == Kind::Fluid && c.support < support33 + 0.1 && c.precision == Precision::Single ? 350 : 0;
   std::fprintf(out, "%.0f,%.0f,", accounted / N, resident / N);
   goalBytes > 0 ? std::fprintf(out, "%.0f,", goalBytes) : std::fprintf(out, ",");
   std::fprintf(out, "%.0f,%.2f,%.2f,%.2f,%s,%d\n", moved / N, 1e-9 * moved / (N / (rate * 1e6 * ranks)) / ranks / 1.0, 1e-9 * copied, setUpSeconds / median(total),
@@ -202,7 +202,7 @@ int main(int argc, char** argv) {
     const std::string key = argv[a];
     if (a + 1 == argc || key == "--help") {
       if (comm.rank() == 0)
-        std::fprintf(stderr, "step [--cases fluid,heat,elastic,mixed] [--precisions single,double] [--supports 2,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1] [--memory 1]\n");
+        std::fprintf(stderr, "step [--cases fluid,heat,elastic,mixed] [--precisions single,double] [--supports 2.13,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1] [--memory 1]\n");
       return 2;
     }
     const std::string value = argv[a + 1];

@@ -13,7 +13,7 @@ template<class Real> struct Four { Real a, b, c, d; };
 template<class Real> Four<Real>* rows(AlignedVector<std::byte>& bytes) { return reinterpret_cast<Four<Real>*>(bytes.data()); }
 
 void resizeBytes(AlignedVector<std::byte>& v, std::size_t bytes) {
-  if (v.capacity() < bytes) v.reserve(bytes + bytes / 16);
+  if (v.capacity() < bytes) v.reserve(v.capacity() == 0 ? bytes : bytes + bytes / 16);  // as in particles/table.cpp
   v.resize(bytes);
 }
 
@@ -97,7 +97,7 @@ void resizeRecords(const RecordContext& x, std::size_t n, PairRecords& r) {
   const std::size_t bytes = (n + 1) * (real64 ? 32 : 16);
   resizeBytes(r.fixed, (n + 1) * 16);
   for (auto& c : r.coarse) {
-    if (c.capacity() < n + 32) c.reserve(n + n / 16 + 32);  // the search reads up to 31 too many
+    if (c.capacity() < n + 32) c.reserve(c.capacity() == 0 ? n + 32 : n + n / 16 + 32);  // the search reads up to 31 too many
     c.resize(n + 32);
   }
   if (real64) resizeBytes(r.place, bytes);

@@ -14,9 +14,14 @@ AnyColumn::AnyColumn(Table& table, const char* name, const char* unit, Keep keep
 
 namespace {
 
+/// A rank alone keeps the rows that it begins with, to the byte; one whose rows come and go takes head room: no allocation in a steady step.
+void makeRoom(AlignedVector<std::byte>& v, std::size_t bytes) {
+  if (bytes > v.capacity()) v.reserve(v.capacity() == 0 ? bytes : bytes + bytes / 16);
+}
+
 void resizeColumn(AnyColumn& c, std::size_t rows) {
   const std::size_t before = c.bytes.size(), after = rows * c.elementBytes;
-  if (after > c.bytes.capacity()) c.bytes.reserve(after + after / 16);  // head room: no allocation in a steady step
+  makeRoom(c.bytes, after);
   c.bytes.resize(after);
   if (after > before) std::memset(c.bytes.data() + before, 0, after - before);
 }
@@ -74,7 +79,7 @@ void Table::reorder(std::span<const std::uint32_t> order, std::span<AnyColumn* c
       auto at = std::find_if(spares_.begin(), spares_.end(), [&](const auto& s) { return s.first == c->elementBytes; });
       if (at == spares_.end()) at = spares_.insert(at, {c->elementBytes, {}});
       AlignedVector<std::byte>& spare = at->second;
-      if (spare.capacity() < need) spare.reserve(need + need / 16);
+      makeRoom(spare, need);
       spare.resize(need);
       switch (c->elementBytes) {
         case 24: gather<Three>(c->bytes.data(), spare.data(), order); break;

@@ -1,0 +1,187 @@
+// Checkpoints: written on some ranks, read on others; full disks, damaged files, other scenes.
+#include <cstring>
+#include <map>
+
+#include "core/ledger/totals.hpp"
+#include "io/output/checkpoint.hpp"
+#include "io/output/series.hpp"
+#include "parallel/communicator.hpp"
+#include "tests/support/output_files.hpp"
+
+using namespace thaw;
+using namespace thaw::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// All that a checkpoint says, by id: state bytes, and a solid's state with its bonds.
+struct Content {
+  std::map<std::uint64_t, std::string> particles, solids;
+};
+
+void addRows(std::map<std::uint64_t, std::string>& to, const Table& table, std::size_t row, std::uint64_t id) {
+  std::string bytes(table.stateBytes(), '\0');
+  table.packState(row, reinterpret_cast<std::byte*>(bytes.data()));
+  to[id] = bytes;
+}
+
+}  // namespace
+
+TEST(Checkpoint, IsReadOnAnyNumberOfRanks) {
+  const std::uint64_t N = 300;
+  for (const bool twoFrames : {true, false})
+    for (int writers : {1, sizeOf()}) {
+      const Folder folder;
+      if (rankOf() == 0) makeOutputFolders(folder.path);
+      MPI_Barrier(MPI_COMM_WORLD);
+      const Some some(writers);
+      if (some.in()) {
+        const Sample sample(some.comm, N, twoFrames);
+        EXPECT_EQ(writeCheckpoint(folder.path, some.comm, sample.w, stamp, {{"fall height", 1.25}}), folder.path + "/checkpoint/a.hdf");
+      }
+      MPI_Barrier(MPI_COMM_WORLD);
+      const auto slice = readNewestCheckpoint(folder.path, MPI_COMM_WORLD);
+      ASSERT_NE(slice, nullptr);
+      const CheckpointHeader& h = slice->header;
+      EXPECT_EQ(h.particles, N);
+      EXPECT_EQ(h.clock.time, 0.1 + 0.2);
+      EXPECT_EQ(h.clock.dt, 1e-5 / 3);
+      EXPECT_EQ(h.limitedBy, "sound");
+      EXPECT_EQ(h.values.at("fall height"), 1.25);
+      EXPECT_EQ(h.sceneText, stamp.sceneText);
+      EXPECT_EQ(h.ranks, writers);
+      // even shares
+      EXPECT_LE(slice->particles.owned, (N + static_cast<std::uint64_t>(sizeOf()) - 1) / static_cast<std::uint64_t>(sizeOf()));
+      std::int64_t found[2] = {static_cast<std::int64_t>(slice->particles.owned), static_cast<std::int64_t>(slice->bonds.size())};
+      MPI_Allreduce(MPI_IN_PLACE, found, 2, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
+      EXPECT_EQ(found[0], static_cast<std::int64_t>(N));
+      EXPECT_EQ(found[1], static_cast<std::int64_t>(h.bonds));
+
+      // the whole of it, made anew on one rank
+      Sample whole(MPI_COMM_SELF, N, twoFrames);
+      Content expected, got;
+      for (std::size_t i = 0; i < N; i++) {
+        addRows(expected.particles, whole.w.particles, i, whole.w.particles.id[i]);
+        if (const std::uint32_t slot = whole.w.particles.slot[i]; slot != noSlot) {
+          SolidRecords r;
+          appendRecord(whole.w.solids, whole.w.bonds, slot, r);
+          expected.solids[whole.w.solids.id[slot]] = {reinterpret_cast<const char*>(r.bytes.data()), r.bytes.size()};
+        }
+      }
+      World restored;
+      for (AnyColumn* c : restored.particles.columns) restored.particles.activate(*c);
+      for (AnyColumn* c : restored.solids.columns) restored.solids.activate(*c);
+      restored.bonds.choose(twoFrames, twoFrames, false);
+      restored.clock.every = 0.04;
+      restored.clock.end = 9;
+      const std::vector<std::byte> records = restoreWorld(restored, *slice, rankOf() == 0);
+      for (std::size_t i = 0; i < restored.particles.owned; i++) {
+        addRows(got.particles, restored.particles, i, restored.particles.id[i]);
+        EXPECT_EQ(restored.particles.slot[i], noSlot);
+      }
+      for (const auto& [id, bytes] : got.particles) EXPECT_EQ(bytes, expected.particles.at(id)) << id;
+      for (std::size_t at = 0; at < records.size();) {
+        SolidRecordView view;
+        const std::size_t next = readRecord(restored.solids, records, at, view);
+        EXPECT_TRUE(got.particles.count(view.id)) << "a solid is read by the rank that reads its particle";
+        EXPECT_EQ(std::string(reinterpret_cast<const char*>(records.data() + at), next - at), expected.solids.at(view.id)) << view.id;
+        at = next;
+      }
+      EXPECT_EQ(restored.clock.frame, 7);
+      EXPECT_EQ(restored.clock.end, 9);
+      const Communicator comm;
+      MpiReducer all(comm);
+      Ledger ledger = globalLedger(restored.ledger, all), ledgerExpected = whole.w.ledger;
+      EXPECT_EQ(ledger.heatIn.value(), ledgerExpected.heatIn.value());
+      EXPECT_EQ(ledger.left.momentum[1].value(), ledgerExpected.left.momentum[1].value());
+      EXPECT_EQ(ledger.initial.mass, 42.5);
+      EXPECT_EQ(globalCounters(restored.counters, all).melted, static_cast<std::int64_t>(N * (N - 1) / 2));
+    }
+}
+
+TEST(Checkpoint, AlternatesBetweenTwoFilesAndFallsBackToTheWholeOne) {
+  const Folder folder;
+  if (rankOf() == 0) makeOutputFolders(folder.path);
+  MPI_Barrier(MPI_COMM_WORLD);
+  EXPECT_EQ(readNewestCheckpoint(folder.path, MPI_COMM_WORLD), nullptr);
+  Sample sample(MPI_COMM_WORLD, 200);
+  const std::string a = folder.path + "/checkpoint/a.hdf", b = folder.path + "/checkpoint/b.hdf";
+  for (const std::string& expected : {a, b, a, b}) {
+    sample.w.clock.step++;
+    EXPECT_EQ(writeCheckpoint(folder.path, MPI_COMM_WORLD, sample.w, stamp), expected);
+  }
+  EXPECT_EQ(readNewestCheckpoint(folder.path, MPI_COMM_WORLD)->header.clock.step, 127);
+  // what a killed run leaves does not count
+  if (rankOf() == 0) std::ofstream(a + ".part") << "half";
+  const std::string whole = bytesOfFile(b);
+  const auto damage = [&](const std::string& bytes) {
+    MPI_Barrier(MPI_COMM_WORLD);
+    if (rankOf() == 0) std::ofstream(b, std::ios::binary) << bytes;
+    MPI_Barrier(MPI_COMM_WORLD);
+  };
+  std::string flipped = whole;
+  const double y = sample.w.particles.owned > 0 ? sample.w.particles.position[0].y : 0;
+  double first = y;
+  MPI_Bcast(&first, 1, MPI_DOUBLE, 0, MPI_COMM_WORLD);
+  char pattern[8];
+  std::memcpy(pattern, &first, 8);
+  const std::size_t at = whole.find(std::string(pattern, 8));
+  ASSERT_NE(at, std::string::npos);
+  flipped[at] = static_cast<char>(flipped[at] ^ 1);  // one bit of one position
+  for (const std::string& bytes : {flipped, whole.substr(0, whole.size() / 2), whole.substr(0, 100), std::string(), std::string(5000, 'x')}) {
+    damage(bytes);
+    const auto slice = readNewestCheckpoint(folder.path, MPI_COMM_WORLD);
+    ASSERT_NE(slice, nullptr);
+    EXPECT_EQ(slice->header.clock.step, 126);
+    if (rankOf() == 0) {
+      ASSERT_EQ(slice->warnings.size(), 1u);
+      EXPECT_NE(slice->warnings[0].find("b.hdf"), std::string::npos);
+    }
+  }
+  // the damaged one is the next to be replaced
+  sample.w.clock.step = 500;
+  EXPECT_EQ(writeCheckpoint(folder.path, MPI_COMM_WORLD, sample.w, stamp), b);
+  EXPECT_EQ(readNewestCheckpoint(folder.path, MPI_COMM_WORLD)->header.clock.step, 500);
+  damage("x");
+  MPI_Barrier(MPI_COMM_WORLD);
+  if (rankOf() == 0) fs::resize_file(a, 3000);
+  MPI_Barrier(MPI_COMM_WORLD);
+  const std::string error = sameError([&] { readNewestCheckpoint(folder.path, MPI_COMM_WORLD); });
+  EXPECT_EQ(error.find("no checkpoint can be read: "), 0u) << error;
+}
+
+TEST(Checkpoint, AFullDiskKeepsTheOldOnes) {
+  const Folder folder;
+  if (rankOf() == 0) makeOutputFolders(folder.path);
+  MPI_Barrier(MPI_COMM_WORLD);
+  Sample sample(MPI_COMM_WORLD, 300);
+  writeCheckpoint(folder.path, MPI_COMM_WORLD, sample.w, stamp);
+  sample.w.clock.step++;
+  writeCheckpoint(folder.path, MPI_COMM_WORLD, sample.w, stamp);
+  struct rlimit old {}, tight {};
+  getrlimit(RLIMIT_FSIZE, &old);
+  tight = old;
+  tight.rlim_cur = 30000;
+  setrlimit(RLIMIT_FSIZE, &tight);
+  sample.w.clock.step++;
+  const std::string error = sameError([&] { writeCheckpoint(folder.path, MPI_COMM_WORLD, sample.w, stamp); });
+  setrlimit(RLIMIT_FSIZE, &old);
+  EXPECT_NE(error, "");
+  EXPECT_EQ(readNewestCheckpoint(folder.path, MPI_COMM_WORLD)->header.clock.step, 124);
+}
+
+TEST(Checkpoint, OfAnotherSceneIsRefused) {
+  const Folder folder;
+  if (rankOf() == 0) makeOutputFolders(folder.path);
+  MPI_Barrier(MPI_COMM_WORLD);
+  World without;
+  without.particles.activate(without.particles.id);
+  without.particles.activate(without.particles.position);
+  writeCheckpoint(folder.path, MPI_COMM_WORLD, without, stamp);
+  const auto slice = readNewestCheckpoint(folder.path, MPI_COMM_WORLD);
+  EXPECT_EQ(slice->header.particles, 0u);
+  World w;
+  w.particles.activate(w.particles.temperature);
+  const std::string error = sameError([&] { restoreWorld(w, *slice, true); });
+  EXPECT_NE(error.find("has no field 'temperature'"), std::string::npos) << error;
+}

@@ -1,0 +1,126 @@
+// Oriented bodies that grow: in gaps that anchors draw open, never in what shakes, with their books.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/oriented_samples.hpp"
+
+namespace thaw {
+namespace {
+
+using test::patchScene;
+
+/// A disc that its rim draws down over a ball, and that grows in its gaps.
+Scene drawnOverABall() {
+  Scene s = patchScene(0);
+  OrientedBody& b = s.oriented[0];
+  b.source = OrientedSource::Disc;
+  b.radius = 0.4;
+  b.shape.move = {0, 0, 0.24};
+  b.growth = OrientedGrowth::Gaps;
+  b.gap = 1.75;
+  b.damping = b.spinDamping = 10;
+  b.density = 5;
+  b.cfl = 0.5;
+  b.friction = 0;
+  OrientedAnchor rim;
+  rim.region.kind = ShapeKind::Difference;
+  for (const double radius : {0.6, 0.34}) {
+    Shape part;
+    part.kind = ShapeKind::Cylinder;
+    part.radius = radius;
+    part.height = radius > 0.5 ? 0.6 : 0.8;
+    part.move = {0, 0, 0.24};
+    rim.region.parts.push_back(part);
+  }
+  rim.motion = {{0, {}, {}}, {2, {0, 0, -0.4}, {}}};
+  b.anchors.push_back(rim);
+  test::addFloor(s).shape.kind = ShapeKind::Sphere;
+  s.obstacles[0].shape.radius = 0.18;
+  s.obstacles[0].friction = 0;
+  s.end = 2;
+  return s;
+}
+
+TEST(Oriented, SurfaceDrawnOverABallGrowsAndKeepsItsBooks) {
+  const Scene s = drawnOverABall();
+  test::Simulation x(s);
+  const std::size_t before = x.w.oriented.rows.owned;
+  ASSERT_TRUE(x.run());
+  EXPECT_GT(x.w.oriented.rows.owned, before * 9 / 8);  // 268 to 306 of 232 with a density 6 % lower or higher: which bond yields first is chance
+  const LedgerReport l = x.books();
+  EXPECT_LT(std::abs(l.massResidual), 1e-12 * l.now.mass);
+  EXPECT_EQ(static_cast<std::int64_t>(x.w.oriented.rows.owned - before), x.w.counters.orientedBirths - x.w.counters.orientedDeaths);
+  EXPECT_LT(std::abs(l.energyResidual), 0.05 * l.energyScale);
+}
+
+/// Births in a run to `end`, of particles that are off by .2 spacings and radians along each axis and are hardly damped: hotter than Lennard-Jones can hold.
+std::int64_t birthsOfAHotSurface(Scene s, double end) {
+  OrientedBody& b = s.oriented[0];
+  b.jitter = 0.2;
+  b.damping = b.spinDamping = 1;
+  b.density = 20;
+  b.cfl = 0.5;
+  b.growth = OrientedGrowth::Gaps;
+  b.most = 5000;
+  s.end = end;
+  test::Simulation x(s);
+  EXPECT_TRUE(x.run());
+  return x.w.counters.orientedBirths;
+}
+
+// What shakes, or flies apart, is not stretched: any two with room between them once counted as a gap, and each birth made more of them.
+TEST(Oriented, SurfacesThatShakeHaveNoGaps) {
+  EXPECT_LT(birthsOfAHotSurface(patchScene(0), 0.4), 15);  // 132 at the start
+  Scene s = patchScene(0);
+  s.oriented[0].source = OrientedSource::Surface;
+  s.oriented[0].shape.kind = ShapeKind::Sphere;
+  s.oriented[0].shape.radius = 0.3;
+  EXPECT_LT(birthsOfAHotSurface(s, 0.4), 50);  // 500 at the start
+}
+
+TEST(Oriented, AHoleIsFilledAndNothingElse) {
+  Scene s = patchScene(0);
+  OrientedBody& b = s.oriented[0];
+  b.source = OrientedSource::Points;
+  b.growth = OrientedGrowth::Gaps;
+  for (int j = -5; j <= 5; j++)
+    for (int i = -5; i <= 5; i++)
+      if (i != 0 || j != 0) {
+        b.points.push_back({0.05 * (i + 0.5 * (j & 1)), 0.05 * 0.8660254 * j, 0});
+        b.normals.push_back({0, 0, 1});
+      }
+  b.points.push_back({0, 0, 0.15});  // far over the hole: it cannot come back into it
+  b.normals.push_back({0, 0, 1});
+  s.end = 0.02;
+  test::Simulation x(s);
+  ASSERT_TRUE(x.run());
+  const Oriented& o = x.w.oriented.rows;
+  EXPECT_EQ(x.w.counters.orientedBirths, 1);
+  for (std::size_t i = 0; i < o.owned; i++) EXPECT_TRUE(!(o.id[i] >> 63) || length(o.position[i]) < 0.01);
+}
+
+// The weight of who is born or dies in the midst of a step is that of whole steps.
+TEST(Oriented, BirthsUnderGravityKeepTheBooksOfMomentum) {
+  Scene s = drawnOverABall();
+  s.domain.gravity = {0.3, 0, -1};
+  test::Simulation x(s);
+  ASSERT_TRUE(x.run());
+  EXPECT_GT(x.w.counters.orientedBirths, 20);
+  const LedgerReport r = x.books();
+  EXPECT_LT(length(r.momentumResidual), 1e-12 * length(r.gravityImpulse));
+}
+
+TEST(Oriented, ABodyNeverHasMoreThanMost) {
+  Scene s = drawnOverABall();
+  s.oriented[0].most = 232 + 11;
+  test::Simulation x(s);
+  while (x.w.clock.time < s.end) {
+    ASSERT_TRUE(x.step());
+    ASSERT_LE(static_cast<std::int64_t>(x.w.oriented.rows.owned), s.oriented[0].most);
+  }
+  EXPECT_EQ(static_cast<std::int64_t>(x.w.oriented.rows.owned), s.oriented[0].most);
+}
+
+}  // namespace
+}  // namespace thaw
