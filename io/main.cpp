@@ -1,6 +1,7 @@
 // The command line of thaw.
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -27,10 +28,21 @@ void sayOnce(CLI::App& app, const CLI::ParseError& e, int* argc, char*** argv) {
   if (rank == 0) app.exit(e);
 }
 
+/// The arguments but the program's name, from the last to the first, as CLI11 takes them. It takes -.5 for an option: with a zero before the point it is a number.
+std::vector<std::string> reversedArguments(int argc, char** argv) {
+  std::vector<std::string> all;
+  for (int a = argc; a-- > 1;) {
+    const std::string text = argv[a];
+    const bool bare = text.size() > 2 && text[0] == '-' && text[1] == '.' && text[2] >= '0' && text[2] <= '9';
+    all.push_back(bare ? "-0" + text.substr(1) : text);
+  }
+  return all;
+}
+
 /// CLI11's own exit codes for wrong usage are all 2 here.
 bool parsed(CLI::App& app, int argc, char** argv, int& code) {
   try {
-    app.parse(argc, argv);
+    app.parse(reversedArguments(argc, argv));
     return true;
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e), code = 0, false;  // --help, --version
@@ -44,7 +56,7 @@ bool parsed(CLI::App& app, int argc, char** argv, int& code) {
 
 int main(int argc, char** argv) {
   using namespace thaw;
-  CLI::App app("thaw simulates solids and fluids that deform, melt, flow, freeze and break, over MPI.");
+  CLI::App app("thaw simulates solids and fluids that deform, melt, flow, freeze and break, over MPI.", "thaw");
   app.set_version_flag("--version", std::string("thaw ") + versionNumber() + " (" + versionCommit() + ")");
   app.require_subcommand(1);
   RunOptions run;

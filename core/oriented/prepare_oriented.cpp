@@ -58,16 +58,13 @@ void activateOriented(World& w) {
   Oriented& o = w.oriented.rows;
   activateKind(o);
   for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.orientation, &o.spin, &o.inertia, &o.force, &o.torque, &o.group, &o.cutSides, &o.flags, &o.anchor, &o.home, &o.homeTurn, &o.normal, &o.stiffness}) o.activate(*c);
-  bool changes = false, implicit = false;
-  for (const OrientedBody& b : w.scene.oriented) {
-    changes = changes || b.growth != OrientedGrowth::None || b.crowd > 0;
-    implicit = implicit || b.integrator == OrientedIntegrator::SemiImplicit;
-  }
+  bool changes = false;
+  for (const OrientedBody& b : w.scene.oriented) changes = changes || b.growth != OrientedGrowth::None || b.crowd > 0;
   if (w.modules.meeting || w.modules.draping)
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.external, &o.resisting}) o.activate(*c);
   if (changes)
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.offer, &o.offerRank}) o.activate(*c);
-  if (implicit)
+  if (!w.scene.oriented.empty() && w.scene.oriented.front().integrator == OrientedIntegrator::SemiImplicit)
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.search, &o.searchSpin}) o.activate(*c);
 }
 

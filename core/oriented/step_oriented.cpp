@@ -165,11 +165,13 @@ void evaluateOriented(World& w, Halos halos, StepTools& t, double dt) {
 
 double orientedStepLimit(const World& w, const StepTools& t) {
   const Oriented& o = w.oriented.rows;
+  if (w.scene.oriented.empty()) return never;
+  const OrientedIntegrator how = w.scene.oriented.front().integrator;  // for all, as in the step
+  const double stable = how == OrientedIntegrator::SymplecticEuler ? 2 : how == OrientedIntegrator::RungeKutta ? 2.8 : 20;
   double dt = t.oriented.fastest2 > 0 ? 0.5 / std::sqrt(t.oriented.fastest2) : never;
   for (std::size_t i = 0; i < o.owned; i++) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];
     const double s = spacingOf(w.scene, body);
-    const double stable = body.integrator == OrientedIntegrator::SymplecticEuler ? 2 : body.integrator == OrientedIntegrator::RungeKutta ? 2.8 : 20;
     if (o.stiffness[i] > 0) dt = std::min(dt, body.cfl * stable / std::sqrt(o.stiffness[i]));
     const double speed = length(o.velocity[i]), pull = length(o.force[i]) / o.mass[i];
     if (speed > 0) dt = std::min(dt, 0.1 * s / speed);

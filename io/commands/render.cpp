@@ -157,7 +157,7 @@ int renderCommand(const RenderOptions& options) {
   try {
     const FrameJob job = jobOf(options);
     const OrientedLook look = orientedLookNamed(options.look);
-    const std::vector<fs::path> written = renderFrames(job, [&](const std::filesystem::path& file, const std::string& field) { return readWholeView(file, field, look, job.spacing); });
+    const std::vector<fs::path> written = renderFrames(job, [&](const std::filesystem::path& file, const std::string& field) { return readWholeView(file, field, look, job.spacing, job.periodic); });
     const std::size_t pictures = written.size() - (job.sheet.empty() ? 0 : 1);
     if (!job.sheet.empty()) fmt::print("{}\n", job.sheet.string());
     if (pictures == 1) fmt::print("{}\n", written[0].string());

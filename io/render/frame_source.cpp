@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "io/export/surface_mesh.hpp"
 #include "io/output/frame.hpp"
 #include "io/output/read_oriented_frame.hpp"
 #include "io/output/read_surface_frame.hpp"
@@ -189,10 +190,20 @@ void setValues(FrameView& view, const FrameColumn* column, const fs::path& frame
   for (std::size_t i = 0; i < view.values.size(); i++) view.values[i] = lengthOfRow(*column, i);
 }
 
+/// Components that cross periodic sides, each in one piece: cut by the sides they would show their insides.
+void makeWhole(SurfaceFrame& frame, const PeriodicSides& sides) {
+  if (!sides.any()) return;
+  for (const ComponentRows& c : rowsByComponent(frame)) {
+    const WholeComponent whole = wholeComponent(frame, c.rows, sides);
+    for (std::size_t k = 0; k < c.rows.size(); k++) frame.positions[c.rows[k]] = whole.positions[k];
+  }
+}
+
 /// Not alone: beside sheets, of which the field may be; the surface then has its own colours.
-FrameView surfaceView(const fs::path& file, const std::string& field, bool alone) {
+FrameView surfaceView(const fs::path& file, const std::string& field, const PeriodicSides& sides, bool alone) {
   const std::string name = field == "speed" ? "velocity" : field == "glow" ? "temperature" : field;
   SurfaceFrame frame = readSurfaceFrame(file.string(), [&](const std::string& n) { return n == name; });
+  makeWhole(frame, sides);
   FrameView view;
   view.time = frame.time;
   view.positions = inSinglePrecision(frame.positions);
@@ -254,7 +265,7 @@ FrameView particleView(const fs::path& frame, const std::string& field, bool alo
 
 }  // namespace
 
-FrameView readFrameView(const fs::path& frame, const std::string& field) {
+FrameView readFrameView(const fs::path& frame, const std::string& field, const PeriodicSides& sides) {
   const std::string kind = kindOfFrame(frame);
   if (kind == "sheet") {
     FrameView view;
@@ -264,8 +275,8 @@ FrameView readFrameView(const fs::path& frame, const std::string& field) {
   }
   const bool surfels = isSurfaceFrame(readFrameInfo(frame.string()));
   const fs::path sheets = companionOf(frame, "sheet");
-  if (sheets.empty()) return surfels ? surfaceView(frame, field, true) : particleView(frame, field, true);
-  FrameView view = surfels ? surfaceView(frame, field, false) : particleView(frame, field, false);
+  if (sheets.empty()) return surfels ? surfaceView(frame, field, sides, true) : particleView(frame, field, true);
+  FrameView view = surfels ? surfaceView(frame, field, sides, false) : particleView(frame, field, false);
   if (!surfels && !view.positions.empty()) {
     const KeptScene scene = keptSceneOf(frame);
     spheresToDiscs(view, static_cast<float>(0.6 * sceneOfText(scene.text, scene.name).spacing));
@@ -276,7 +287,7 @@ FrameView readFrameView(const fs::path& frame, const std::string& field) {
   return view;
 }
 
-FrameView readWholeView(const fs::path& frame, const std::string& field, OrientedLook look, float spacing) {
+FrameView readWholeView(const fs::path& frame, const std::string& field, OrientedLook look, float spacing, const PeriodicSides& sides) {
   const FrameInfo info = readFrameInfo(frame.string());
   if (isOrientedFrame(info)) {
     FrameView view;
@@ -285,7 +296,7 @@ FrameView readWholeView(const fs::path& frame, const std::string& field, Oriente
     return view;
   }
   // of a scene without particles there is no field to colour with
-  FrameView view = readFrameView(frame, info.count > 0 || drawnAsSurface(frame) ? field : std::string());
+  FrameView view = readFrameView(frame, info.count > 0 || drawnAsSurface(frame) ? field : std::string(), sides);
   if (const fs::path oriented = companionOf(frame, "oriented"); !oriented.empty()) addKindBeside(view, oriented, look, spacing);
   return view;
 }

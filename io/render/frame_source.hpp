@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "io/export/whole_component.hpp"
 #include "io/render/kind_view.hpp"
 #include "io/render/render_frames.hpp"
 
@@ -26,13 +27,13 @@ std::vector<std::string> fieldsOf(const std::filesystem::path& frame, bool withS
 
 /// ReadFrame for VTKHDF frames. The field "speed" is the length of "velocity". Of surfels, "surface" asks for the surface's own colours and
 /// "glow" for those turning into the temperature's. Sheets of the same moment (NAME_sheet_000120.hdf) are drawn with a frame of surfels or particles, these then as
-/// balls of discs. Throws IoError naming the file and the cause:
+/// balls of discs. What crosses periodic sides of the domain is in one piece, moved by whole periods (whole_component.hpp), but for what goes round. Throws IoError naming the file and the cause:
 /// not HDF5, truncated, not a frame, no such field (with those there are).
-FrameView readFrameView(const std::filesystem::path& frame, const std::string& field);
+FrameView readFrameView(const std::filesystem::path& frame, const std::string& field, const PeriodicSides& sides = {});
 
 /// The same with the further kinds of the run that lie beside it in the folder, drawn as discs. spacing: m, of the particles. Of a frame of such a
 /// kind itself, that one alone.
-FrameView readWholeView(const std::filesystem::path& frame, const std::string& field, OrientedLook look, float spacing);
+FrameView readWholeView(const std::filesystem::path& frame, const std::string& field, OrientedLook look, float spacing, const PeriodicSides& sides = {});
 
 /// The scene as text that the run kept in the frame, and its name; empty if it has none.
 struct KeptScene { std::string name, text; };

@@ -57,6 +57,20 @@ void addMesh(FrameView& view, const OrientedFrame& f, std::span<const std::array
   }
 }
 
+/// What no triangle shows: curves, points far apart, particles that got loose. A ball and the normal each.
+void addAlone(FrameView& view, const OrientedFrame& f, std::span<const std::array<std::uint32_t, 3>> triangles) {
+  std::vector<bool> shown(f.positions.size());
+  for (const auto& t : triangles)
+    for (const std::uint32_t corner : t) shown[corner] = true;
+  for (std::size_t i = 0; i < f.positions.size(); i++) {
+    if (shown[i]) continue;
+    const double s = f.spacings[i];
+    const auto component = static_cast<std::uint32_t>(5000 + i);
+    addBall(view, single(f.positions[i]), static_cast<float>(0.22 * s), f.flags[i] & 2 ? held : paintOf(f, i), component);
+    addRod(view, f.positions[i], f.positions[i] + (0.8 * s) * f.normals[i], 0.05 * s, {70, 110, 210}, component);
+  }
+}
+
 }  // namespace
 
 OrientedLook orientedLookNamed(const std::string& name) {
@@ -117,14 +131,7 @@ void addOriented(FrameView& view, const fs::path& frame, OrientedLook look) {
   }
   if (look == OrientedLook::Discs || look == OrientedLook::Axes) return;
   const auto triangles = triangulate(f.points());
-  if (triangles.size() * 3 < f.positions.size()) {  // a curve, or points far apart
-    for (std::size_t i = 0; i < f.positions.size(); i++) {
-      const double s = f.spacings[i];
-      addBall(view, single(f.positions[i]), static_cast<float>(0.22 * s), f.flags[i] & 2 ? held : paintOf(f, i), static_cast<std::uint32_t>(5000 + i));
-      addRod(view, f.positions[i], f.positions[i] + (0.8 * s) * f.normals[i], 0.05 * s, {70, 110, 210}, static_cast<std::uint32_t>(5000 + i));
-    }
-    return;
-  }
+  addAlone(view, f, triangles);
   if (look == OrientedLook::Mesh) return addMesh(view, f, triangles);
   std::uint32_t number = 5000;
   for (const auto& e : edgesOf(triangles))

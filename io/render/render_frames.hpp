@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/walls/walls.hpp"
+#include "io/export/whole_component.hpp"
 #include "io/render/render_surfels.hpp"
 
 namespace thaw {
@@ -44,6 +45,7 @@ struct FrameJob {
   std::optional<Camera> camera;               ///< without: fitted to the particles of all frames
   int width = 1280, height = 960, samples = 2;
   float spacing = 0;                          ///< m
+  PeriodicSides periodic;                     ///< of the domain: surfaces that cross them are drawn in one piece
   float radius = 0;                           ///< of the spheres, in spacings; of surfels' discs, in their radii; 0: what looks well
   Walls walls;                                ///< at their rest poses: planes become floors, other things glass
   int threads = 0;                            ///< 0: one a core

@@ -20,6 +20,7 @@ FrameJob jobOfScene(const Scene& scene) {
   job.width = scene.output.width;
   job.height = scene.output.height;
   job.spacing = static_cast<float>(scene.spacing);
+  job.periodic = periodicSidesOf(scene.domain);
   const MeshLoader load = meshLoader();
   for (const Obstacle& obstacle : scene.obstacles) {
     Wall wall;

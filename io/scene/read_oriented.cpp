@@ -233,8 +233,11 @@ void readOriented(TableReader& r, SceneReading& x) {
   if (r.describing()) return;
   if (b.attractPower >= b.repelPower) r.fail("attract_power", "must be below repel_power");
   if (b.along > b.across) r.fail("along", "must not be above across");
-  if (r.has("integrator") && !x.scene->oriented.empty() && b.integrator != x.scene->oriented.front().integrator)
-    r.fail("integrator", "differs from that of the first oriented body, which is for all: expected the same, or none");
+  if (!x.scene->oriented.empty()) {
+    const OrientedIntegrator first = x.scene->oriented.front().integrator;
+    if (r.has("integrator") && b.integrator != first) r.fail("integrator", "differs from that of the first oriented body, which is for all: expected the same, or none");
+    b.integrator = first;
+  }
   if (b.name.empty()) b.name = "oriented " + std::to_string(x.scene->oriented.size());
   x.scene->oriented.push_back(std::move(b));
 }

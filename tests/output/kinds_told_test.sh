@@ -66,6 +66,25 @@ launch 2 run "$work/leaf.toml" --steps 2 --out "$work/leaf" >"$work/log" 2>&1; e
 "$thaw" render "$work/leaf" --field warmth >"$work/log" 2>&1; expectExit 3 "a field that sheets have not"
 expectMessage "no field 'warmth'; there are: .*velocity" "a field that sheets have not"
 
+# A curve beside a surface is drawn, though no triangle shows it; a number below 0 may begin with its point.
+cat >"$work/curve.toml" <<'END'
+spacing = 0.05
+end = 1
+[domain]
+min = [-1, -1, -1]
+max = [1, 1, 1]
+[[oriented]]
+name = "patch"
+patch = { width = 0.4, depth = 0.4 }
+END
+cp "$work/curve.toml" "$work/patch.toml"
+printf '[[oriented]]\nname = "line"\ncurve = { from = [-0.4, 0.5, 0], to = [0.4, 0.5, 0] }\n' >>"$work/curve.toml"
+for scene in patch curve; do
+  launch 1 run "$work/$scene.toml" --steps 0 --out "$work/$scene" >"$work/log" 2>&1; expectExit 0 "$scene"
+  "$thaw" render "$work/$scene" --from -.2 -1.5 .9 --at 0 .2 0 --width 160 --height 120 --out "$work/$scene.pictures" >"$work/log" 2>&1; expectExit 0 "picture of $scene"
+done
+cmp -s "$work"/patch.pictures/*.png "$work"/curve.pictures/*.png && fail "the curve beside the patch is not in the picture"
+
 cat >"$work/skin.toml" <<'END'
 spacing = 0.02
 end = 0.002

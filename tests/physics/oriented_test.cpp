@@ -6,6 +6,7 @@
 
 #include "core/oriented/operations.hpp"
 #include "core/oriented/oriented_forces.hpp"
+#include "core/oriented/step_oriented.hpp"
 #include "tests/support/oriented_samples.hpp"
 
 namespace thaw {
@@ -72,6 +73,20 @@ TEST(Oriented, SemiImplicitIsStableFarBeyondTheExplicitStep) {
   ASSERT_TRUE(x.run());
   EXPECT_LT(pairEnergy(x), before);
   EXPECT_LT(x.books().now.kinetic, 1e-3 * std::abs(before));
+}
+
+// The integrator of the first body is for all, and so is the step that it bears: a second body of its own did not say so and had it cut to a tenth.
+TEST(Oriented, TheStepIsThatOfTheFirstIntegrator) {
+  double dt[2];
+  for (const bool both : {false, true}) {
+    Scene s = patchScene(0.1);
+    s.oriented.push_back(s.oriented[0]);
+    s.oriented[1].shape.move = {0, 0, 0.5};
+    s.oriented[0].integrator = OrientedIntegrator::SemiImplicit;
+    if (both) s.oriented[1].integrator = OrientedIntegrator::SemiImplicit;
+    dt[both] = orientedStepLimit(test::Simulation(s).w, StepTools{});
+  }
+  EXPECT_EQ(dt[0], dt[1]);
 }
 
 TEST(Oriented, PatchRelaxesToAPlane) {

@@ -87,6 +87,23 @@ template<class F> std::string errorOf(F what) {
 
 }  // namespace
 
+TEST_F(Export, PicturesShowInOnePieceWhatCrossesAPeriodicSide) {
+  PeriodicSides sides;
+  sides.is[0] = true;
+  sides.min = {0, -1, 0}, sides.period = {3, 2, 2};
+  for (auto& x : surfels.positions)
+    if (x.x < 0) x.x += 3;  // half of the first ball
+  const fs::path frame = surfaceFrame(1);
+  const auto widest = [](const FrameView& view) {
+    float least = 10, most = -10;
+    for (std::size_t i = 0; i < view.positions.size(); i++)
+      if (view.components[i] == 3) least = std::min(least, view.positions[i].x), most = std::max(most, view.positions[i].x);
+    return most - least;
+  };
+  EXPECT_GT(widest(readFrameView(frame, "surface")), 2.9f);
+  EXPECT_LT(widest(readFrameView(frame, "surface", sides)), 1.01f);
+}
+
 TEST_F(Export, SheetsWithTheirTriangles) {
   const fs::path frame = writeSheets(folder / "frames" / "cloth_sheet_000001.hdf");
   for (const std::string as : {"ply", "obj"}) {
