@@ -1,10 +1,7 @@
 // Compiled once for each instruction set (see core/simd/dispatch.hpp).
 #include "core/simd/lanes.hpp"
+#include "core/simd/pack.hpp"
 #include "core/simd/pair_kernels.hpp"
-
-#if defined(__AVX2__)
-#include <immintrin.h>
-#endif
 
 namespace thaw {
 namespace THAW_ISA {
@@ -19,22 +16,6 @@ struct CellRow {
 /// Squares of coarse distances, without their low 16 bits, summed over the axes: what is below this is within the support radius, or up to
 /// 0.0006 of it beyond, where kernels are zero.
 constexpr int reach2 = 4097;
-
-#if defined(__AVX2__) && !defined(__AVX512BW__)
-struct CompressTable {
-  alignas(32) std::int32_t lane[256][8];
-};
-constexpr CompressTable makeCompressTable() {
-  CompressTable t{};
-  for (int m = 0; m < 256; m++) {
-    int n = 0;
-    for (int l = 0; l < 8; l++)
-      if (m >> l & 1) t.lane[m][n++] = l;
-  }
-  return t;
-}
-constexpr CompressTable compressTable = makeCompressTable();
-#endif
 
 /// Appends the candidates within the support radius of candidate `self`, but not itself; returns how many. Writes up to 15 more.
 std::uint32_t pick(const SearchBuffers& b, std::uint32_t candidates, std::uint32_t self, std::uint32_t* out) {
@@ -67,11 +48,7 @@ std::uint32_t pick(const SearchBuffers& b, std::uint32_t candidates, std::uint32
     std::uint32_t m = static_cast<std::uint32_t>(_mm256_movemask_epi8(near));
     const std::uint32_t own = self - c, left = candidates - c;
     m &= ~(own < 16 ? 1u << (own & 31) : 0u) & (left < 16 ? (1u << (left & 31)) - 1 : ~0u);
-    for (std::uint32_t half = 0; half < 2; half++, m >>= 8) {
-      const __m256i lane = at(compressTable.lane[m & 255]);
-      _mm256_storeu_si256(reinterpret_cast<__m256i*>(out + n), _mm256_permutevar8x32_epi32(at(row + c + 8 * half), lane));
-      n += static_cast<std::uint32_t>(__builtin_popcount(m & 255));
-    }
+    for (std::uint32_t half = 0; half < 2; half++, m >>= 8) n += pack8(reinterpret_cast<Vec8u>(at(row + c + 8 * half)), m & 255, out + n);
   }
 #else
   const auto square = [](int a, int b) {

@@ -1,15 +1,14 @@
 #include "core/surface/bins.hpp"
 
 #include <array>
+#include <bit>
+
+#include "core/surface/surface_kernels.hpp"
 
 namespace thaw {
-namespace {
 
-using Sorting = std::vector<std::pair<std::uint64_t, std::uint32_t>>;
-
-/// By key, rows of one key as they stand: digit by digit, for numbers below 2^bits.
-void sortByKey(Sorting& v, Sorting& other, int bits) {
-  constexpr int digit = 12;
+void sortByKey(SortedRows& v, SortedRows& other, int bits) {
+  constexpr int digit = 11;
   std::array<std::uint32_t, 1 << digit> count;
   other.resize(v.size());
   for (int shift = 0; shift < bits; shift += digit) {
@@ -21,6 +20,8 @@ void sortByKey(Sorting& v, Sorting& other, int bits) {
     v.swap(other);
   }
 }
+
+namespace {
 
 void listBins(Bins& b) {
   b.key.clear();
@@ -39,7 +40,7 @@ void listBins(Bins& b) {
 }
 
 void roundPlaces(Bins& b) {
-  b.x.resize(b.at.size()), b.y.resize(b.at.size()), b.z.resize(b.at.size());
+  for (auto* v : {&b.x, &b.y, &b.z}) v->resize(b.at.size() + nearBoxMore);
   for (std::size_t k = 0; k < b.at.size(); k++) {
     const Vec3d d = b.at[k] - b.base;
     b.x[k] = static_cast<float>(d.x), b.y[k] = static_cast<float>(d.y), b.z[k] = static_cast<float>(d.z);
@@ -54,13 +55,14 @@ void sortIntoBins(const Vec3d* position, Bins& b) {
   std::uint64_t low[3]{~0ull, ~0ull, ~0ull}, high[3]{};
   for (const auto& entry : b.sorting)
     for (int a = 0; a < 3; a++) low[a] = std::min(low[a], part(entry.first, a)), high[a] = std::max(high[a], part(entry.first, a));
-  const std::uint64_t nx = high[0] - low[0] + 1, ny = high[1] - low[1] + 1, nz = high[2] - low[2] + 1;
-  if (b.sorting.size() > 64 && static_cast<double>(nx) * static_cast<double>(ny) * static_cast<double>(nz) < 1e13) {
-    for (auto& [key, row] : b.sorting) key = ((part(key, 2) - low[2]) * ny + part(key, 1) - low[1]) * nx + part(key, 0) - low[0];
-    int bits = 0;
-    while ((nx * ny * nz - 1) >> bits) bits++;
-    sortByKey(b.sorting, b.sorted, bits);
-    for (auto& [key, row] : b.sorting) key = binKey(key % nx + low[0], key / nx % ny + low[1], key / nx / ny + low[2]);
+  std::array<int, 3> bits{};  // that numbers from the lowest one on take
+  for (std::size_t a = 0; a < 3; a++) bits[a] = std::bit_width(high[a] - low[a]);
+  if (b.sorting.size() > 64) {
+    const int y = bits[0], z = bits[0] + bits[1];
+    for (auto& [key, row] : b.sorting) key = (part(key, 2) - low[2]) << z | (part(key, 1) - low[1]) << y | (part(key, 0) - low[0]);
+    sortByKey(b.sorting, b.sorted, z + bits[2]);
+    const auto cut = [](std::uint64_t v, int n) { return v & ((std::uint64_t{1} << n) - 1); };
+    for (auto& [key, row] : b.sorting) key = binKey(cut(key, y) + low[0], cut(key >> y, bits[1]) + low[1], (key >> z) + low[2]);
   } else {
     std::stable_sort(b.sorting.begin(), b.sorting.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
   }
@@ -71,7 +73,43 @@ void sortIntoBins(const Vec3d* position, Bins& b) {
   listBins(b);
 }
 
+/// The box and its distance in floats, which are rounded from the base of the bins on: a little more.
+NearBox nearBoxOf(const PlaceBox& box, const Vec3d& base, double radius) {
+  const Vec3d middle = 0.5 * (box.low + box.high) - base, half = 0.5 * (box.high - box.low);
+  const double rounding = 1e-6 * (std::abs(middle.x) + std::abs(middle.y) + std::abs(middle.z) + half.x + half.y + half.z + radius), reach = radius + rounding;
+  NearBox near{};
+  for (int a = 0; a < 3; a++) near.middle[a] = static_cast<float>(middle[a]), near.half[a] = static_cast<float>(half[a]);
+  near.reach2 = static_cast<float>(reach * reach);
+  return near;
+}
+
 }  // namespace
+
+void RowBlock::find(const Bins& bins, const PlaceBox& box, double radius) {
+  const NearBox near = nearBoxOf(box, bins.base, radius);
+  base_ = bins.base;
+  count = 0;
+  forBinRunsAround(bins, box.low, box.high, radius, [&](std::size_t from, std::size_t to) {
+    const std::uint32_t begin = bins.first[from], many = bins.first[to] - begin;
+    if (row.size() < count + many + nearBoxMore) {
+      row.resize(2 * (count + many) + nearBoxMore), at.resize(row.size());
+      for (auto* v : {&x, &y, &z}) v->resize(row.size());
+    }
+    const std::size_t end = count + bestSurfaceKernels().nearBox(near, &bins.x[begin], &bins.y[begin], &bins.z[begin], many, &row[count]);
+    for (; count < end; count++) {
+      const std::uint32_t k = begin + row[count];
+      row[count] = bins.row[k];
+      at[count] = bins.at[k];
+      x[count] = bins.x[k], y[count] = bins.y[k], z[count] = bins.z[k];
+    }
+  });
+}
+
+std::span<const std::uint32_t> RowBlock::around(const Vec3d& place, double radius) {
+  if (picked_.size() < row.size() + nearBoxMore) picked_.resize(row.size() + nearBoxMore);
+  if (count == 0) return {};
+  return {picked_.data(), bestSurfaceKernels().nearBox(nearBoxOf({place, place}, base_, radius), x.data(), y.data(), z.data(), static_cast<std::uint32_t>(count), picked_.data())};
+}
 
 void fillBins(const CellGrid& grid, const CellTable& cells, const Vec3d* position, double edge, Bins& b) {
   double longest = 0;

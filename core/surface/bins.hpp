@@ -1,8 +1,8 @@
 // Rows by fine bins: what finds surfels around surfels, hundreds of which may lie in one cell of the grid.
 #pragma once
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -10,6 +10,11 @@
 #include "core/neighbours/grid.hpp"
 
 namespace thaw {
+
+/// Rows with what they are sorted by.
+using SortedRows = std::vector<std::pair<std::uint64_t, std::uint32_t>>;
+/// By key, rows of one key as they stand: digit by digit, for keys below 2^bits. `other` is a buffer.
+void sortByKey(SortedRows& rows, SortedRows& other, int bits);
 
 /// Rows (ghosts included) sorted by bin, and within a bin as they are in the grid: by (cell, id). The order depends on places alone, not on
 /// which rank holds a row, so sums over rows in this order have the same bits on any number of ranks. Only bins with rows are listed, and lines
@@ -23,14 +28,14 @@ struct Bins {
   std::vector<std::uint32_t> firstBin;  ///< bins of line l: firstBin[l] ... firstBin[l + 1] - 1
   std::vector<std::uint32_t> row;
   std::vector<Vec3d> at;                ///< m, places of these rows when the bins were filled
-  std::vector<float> x, y, z;           ///< m, the same from the base on, rounded: what a RowBlock compares
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> sorting, sorted;
+  std::vector<float> x, y, z;           ///< m, the same from the base on, rounded: what a RowBlock compares; nearBoxMore longer
+  SortedRows sorting, sorted;
   std::size_t size() const { return key.size(); }
 };
 
 inline constexpr double binsPerAxis = 2097151;
 inline std::uint64_t binKey(std::uint64_t x, std::uint64_t y, std::uint64_t z) { return z << 42 | y << 21 | x; }
-inline std::uint64_t binOf(const Bins& b, double x, int axis) { return static_cast<std::uint64_t>(std::clamp(std::floor((x - b.base[axis]) * b.perLength), 0.0, binsPerAxis)); }
+inline std::uint64_t binOf(const Bins& b, double x, int axis) { return static_cast<std::uint64_t>(std::clamp((x - b.base[axis]) * b.perLength, 0.0, binsPerAxis)); }
 
 /// Bins of about `edge` (m) for all rows that `cells` lists.
 void fillBins(const CellGrid& grid, const CellTable& cells, const Vec3d* position, double edge, Bins& bins);
@@ -114,37 +119,20 @@ inline PlaceBox boxOf(const Bins& b, std::size_t bin) {
   return box;
 }
 
-/// Rows around a bin, found once for all of its rows: row[k] at the place at[k], for k < count.
+/// Rows around a box, found once for many that ask: row[k] at the place at[k], for k < count.
 struct RowBlock {
   std::size_t count = 0;
   std::vector<std::uint32_t> row;  // as long as any block was
   std::vector<Vec3d> at;
-  std::vector<float> away2;
+  std::vector<float> x, y, z;      // m, the same from the bins' base on, rounded
   /// All within `radius` (m) of a box, and some a rounding farther, in the order of the bins.
-  void find(const Bins& bins, const PlaceBox& box, double radius) {
-    const Vec3d middle = 0.5 * (box.low + box.high) - bins.base, half = 0.5 * (box.high - box.low);
-    const double rounding = 1e-6 * (std::abs(middle.x) + std::abs(middle.y) + std::abs(middle.z) + half.x + half.y + half.z + radius);
-    const float mx = static_cast<float>(middle.x), my = static_cast<float>(middle.y), mz = static_cast<float>(middle.z);
-    const float hx = static_cast<float>(half.x), hy = static_cast<float>(half.y), hz = static_cast<float>(half.z), most = static_cast<float>((radius + rounding) * (radius + rounding));
-    count = 0;
-    forBinRunsAround(bins, box.low, box.high, radius, [&](std::size_t from, std::size_t to) {
-      const std::uint32_t begin = bins.first[from], many = bins.first[to] - begin;
-      if (row.size() < count + many) row.resize(2 * (count + many)), at.resize(row.size());
-      if (away2.size() < many) away2.resize(2 * many);
-      const float *x = &bins.x[begin], *y = &bins.y[begin], *z = &bins.z[begin];
-      for (std::uint32_t k = 0; k < many; k++) {
-        const float dx = std::max(std::abs(x[k] - mx) - hx, 0.0f), dy = std::max(std::abs(y[k] - my) - hy, 0.0f), dz = std::max(std::abs(z[k] - mz) - hz, 0.0f);
-        away2[k] = dx * dx + dy * dy + dz * dz;
-      }
-      std::size_t n = count;
-      for (std::uint32_t k = 0; k < many; k++) {  // no branch: about half of them are within
-        row[n] = bins.row[begin + k];
-        at[n] = bins.at[begin + k];
-        n += away2[k] <= most;
-      }
-      count = n;
-    });
-  }
+  void find(const Bins& bins, const PlaceBox& box, double radius);
+  /// Of these all within `radius` (m) of a place, and some a rounding farther: their k, ascending, until the next call.
+  std::span<const std::uint32_t> around(const Vec3d& place, double radius);
+
+ private:
+  Vec3d base_{};
+  std::vector<std::uint32_t> picked_;
 };
 
 /// Calls found(row, square of the distance) for all rows within `radius` (m) of x, that of x itself included.

@@ -6,6 +6,7 @@
 
 #include "core/surface/birth_colours.hpp"
 #include "core/surface/births.hpp"
+#include "core/surface/discs_over.hpp"
 #include "core/surface/drop_surfels.hpp"
 #include "core/surface/grow.hpp"
 #include "core/surface/iso_surface.hpp"
@@ -38,43 +39,6 @@ constexpr int mostRounds = 3;
 /// Liquid of the same component is beside a solid particle within this many spacings.
 constexpr double wetReach = 2;
 
-/// The surfels around a particle, as seen from it (m): field by field, so that a direction is compared with several at once.
-class Over {
- public:
-  Over(const World& w) : most_(static_cast<float>(surfelReach * w.scene.spacing)), half_(static_cast<float>(0.5 * w.scene.spacing)) {}
-  void clear() { x_.clear(), y_.clear(), z_.clear(), nx_.clear(), ny_.clear(), nz_.clear(), r2_.clear(), size_ = 0; }
-  void add(const Vec3d& d, const Vec3d& n, double r) {
-    const auto put = [](std::vector<float>& to, double v) { to.push_back(static_cast<float>(v)); };
-    put(x_, d.x), put(y_, d.y), put(z_, d.z), put(nx_, n.x), put(ny_, n.y), put(nz_, n.z), put(r2_, r * r);
-    size_++;
-  }
-  /// Is a disc of the surface above or below the place half a spacing in direction u? Or anywhere, at `place` seen from the particle.
-  bool covers(const Vec3d& u) const { return covers(static_cast<double>(half_) * u, u); }
-  bool covers(const Vec3d& place, const Vec3d& normal) const {
-    const float px = static_cast<float>(place.x), py = static_cast<float>(place.y), pz = static_cast<float>(place.z);
-    const float ux = static_cast<float>(normal.x), uy = static_cast<float>(normal.y), uz = static_cast<float>(normal.z), side = static_cast<float>(oneSide), most = most_;
-    const auto hit = [&](std::size_t j) {
-      const float dx = x_[j] - px, dy = y_[j] - py, dz = z_[j] - pz, r2 = r2_[j];
-      const float facing = nx_[j] * ux + ny_[j] * uy + nz_[j] * uz, along = dx * ux + dy * uy + dz * uz, off2 = dx * dx + dy * dy + dz * dz;
-      return static_cast<int>((facing > 0.2f) & (along < most) & (-along < most) & (off2 - along * along < r2)) | static_cast<int>((facing > side) & (off2 < 0.8f * r2));
-    };
-    std::size_t j = 0;
-    for (constexpr std::size_t together = 16; j + together <= size_; j += together) {
-      int any = 0;
-      for (std::size_t k = 0; k < together; k++) any |= hit(j + k);
-      if (any) return true;
-    }
-    for (; j < size_; j++)
-      if (hit(j)) return true;
-    return false;
-  }
-
- private:
-  float most_, half_;
-  std::size_t size_ = 0;
-  std::vector<float> x_, y_, z_, nx_, ny_, nz_, r2_;
-};
-
 /// What is solid beside liquid may lose its surface to it, or share one with it, and stands bare when that flows off: it is not covered from now on.
 void bareBesideLiquid(const World& w, const SurfaceTools& t, SurfaceParticles& p) {
   if (!p.covered.active || !p.liquid.active) return;
@@ -104,7 +68,7 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
   const double far = 1.2 * dx + std::hypot(reach, largest);  // seen from a seed's place, up to 1.2 spacings off
   SeedDirections seeds(w);
   FreeDirections free;
-  Over near(w), all(w);
+  DiscsOver near(w.scene.spacing, surfelReach), all(w.scene.spacing, surfelReach);
   RowBlock block;
   FieldProbe probe(w, t);
   std::array<Vec3d, FieldProbe::most> direction;
@@ -126,7 +90,7 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
       if (p.component[j] == p.component[i] && r2 > 0 && r2 < near2) free.take(d / std::sqrt(r2));
     });
     near.clear();
-    for (std::size_t k = 0; k < block.count; k++) {
+    for (const std::uint32_t k : block.around(x, dx)) {
       const std::uint32_t j = block.row[k];
       const Vec3d d = block.at[k] - x;
       if (dot(d, d) < dx * dx && f.component[j] == p.component[i]) near.add(d, f.normal[j], f.radius[j]);
@@ -195,32 +159,35 @@ void findRags(const World& w, SurfaceTools& t, std::vector<std::uint8_t>& dead) 
   fillBins(grown.data(), grown.size(), reach, bins);
   dead.assign(f.owned, 0);
   std::vector<std::uint8_t> asked(f.owned, 0);
-  for (std::size_t i = 0; i < f.owned && !grown.empty(); i++) {
-    if (!solid(i)) continue;
+  RowBlock block;
+  if (!grown.empty()) forBlocks(t.relax.surfelBins, bins, reach, block, [&](std::uint32_t i, RowBlock& around) {
+    if (i >= f.owned || !solid(i)) return;
     const bool detail = f.detail[i] >= 0.5f;  // of a mesh: finer than the particles, up to a spacing off their surface
     bool beside = !detail;
     double nearest2 = finReach * finReach * w.scene.spacing * w.scene.spacing;
     std::uint32_t face = 0xffffffffu;
     if (detail)
-      forRowsWithin(bins, f.position[i], reach, [&](std::uint32_t k, double d2) {
-        const std::uint32_t j = row[k];
-        if (f.component[j] != f.component[i]) return;
+      for (const std::uint32_t k : around.around(f.position[i], reach)) {
+        const std::uint32_t j = row[around.row[k]];
+        const Vec3d d = around.at[k] - f.position[i];
+        const double d2 = dot(d, d);
+        if (d2 > reach * reach || f.component[j] != f.component[i]) continue;
         beside = true;
-        if (!(f.id[j] & birthBit) || !cold(j) || !cold(i)) return;
-        if (dot(f.normal[i], f.normal[j]) > finTurn || d2 > nearest2 || (d2 == nearest2 && face != 0xffffffffu && f.id[j] > f.id[face])) return;
+        if (!(f.id[j] & birthBit) || !cold(j) || !cold(i)) continue;
+        if (dot(f.normal[i], f.normal[j]) > finTurn || d2 > nearest2 || (d2 == nearest2 && face != 0xffffffffu && f.id[j] > f.id[face])) continue;
         nearest2 = d2;
         face = j;
-      });
-    if (!beside) continue;
+      }
+    if (!beside) return;
     if (face != 0xffffffffu) {
       const Vec3d d = f.position[i] - f.position[face];
       if (dot(d, f.normal[face]) > finHeight * w.scene.spacing && dot(d, f.normal[i]) > 0) {  // the face lies behind it: a convex edge
         dead[i] = 1;
-        continue;
+        return;
       }
     }
     asked[i] = 1;
-  }
+  });
   forFieldAtSurfels(w, t, asked, [&](std::size_t i, const FieldHere& c) {
     const double slope = length(c.gradient), along = slope > 0 ? -dot(c.gradient, f.normal[i]) / slope : -1;
     const double under = c.value / c.level - 1;

@@ -5,20 +5,23 @@
 #include <cmath>
 
 #include "core/surface/resample.hpp"
+#include "core/surface/surface_kernels.hpp"
 #include "core/surface/tangent.hpp"
 
 namespace thaw {
 namespace {
 
-constexpr std::size_t directions = 24;
+constexpr std::size_t directions = circlePlaces;
 
 struct Circle {
   std::array<double, directions> cosine, sine;
+  std::array<float, directions> cosineF, sineF;
   Circle() {
     for (std::size_t k = 0; k < directions; k++) {
       const double angle = 2 * 3.14159265358979323846 * static_cast<double>(k) / directions;
       cosine[k] = std::cos(angle);
       sine[k] = std::sin(angle);
+      cosineF[k] = static_cast<float>(cosine[k]), sineF[k] = static_cast<float>(sine[k]);
     }
   }
 };
@@ -33,37 +36,24 @@ bool covered(const Patch& patch, const SurfacePoint& p, double distance) {
 }
 
 /// 1 for directions whose point (pointAround) no surfel of the patch covers, else 0. All directions at once, in units of `distance`: most surfels have none.
-std::array<float, directions> openDirections(const Patch& patch, double distance, const Circle& circle) {
+std::array<float, directions> openDirections(Patch& patch, double distance, const Circle& circle) {
   const Surfels& s = *patch.surfels;
   const Vec3d centre = s.position[patch.centre], n = s.normal[patch.centre], u = s.tangent[patch.centre], v = cross(n, u);
-  std::array<float, directions> x, y, z, nx, ny, nz, open;
-  const float ss = static_cast<float>(patch.curvature[0] * distance), st = static_cast<float>(patch.curvature[1] * distance), tt = static_cast<float>(patch.curvature[2] * distance);
-  const std::array<float, 3> fn{static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)}, fu{static_cast<float>(u.x), static_cast<float>(u.y), static_cast<float>(u.z)},
-      fv{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-  for (std::size_t k = 0; k < directions; k++) {
-    const float c = static_cast<float>(circle.cosine[k]), d = static_cast<float>(circle.sine[k]), curved = std::min(1.2f, std::max(-1.2f, c * c * ss + 2 * c * d * st + d * d * tt));
-    const float sink = 0.5f * curved, flat = std::sqrt(1 - sink * sink), up = 1 - curved * sink, a = flat * (c * ss + d * st), b = flat * (c * st + d * tt);
-    const float alongU = flat * c, alongV = flat * d, size = 1 / std::sqrt(up * up + a * a + b * b);
-    x[k] = alongU * fu[0] + alongV * fv[0] - sink * fn[0];
-    y[k] = alongU * fu[1] + alongV * fv[1] - sink * fn[1];
-    z[k] = alongU * fu[2] + alongV * fv[2] - sink * fn[2];
-    nx[k] = size * (up * fn[0] + a * fu[0] + b * fv[0]);
-    ny[k] = size * (up * fn[1] + a * fu[1] + b * fv[1]);
-    nz[k] = size * (up * fn[2] + a * fu[2] + b * fv[2]);
-    open[k] = 1;
+  CirclePlaces at{circle.cosineF.data(), circle.sineF.data(), {}, {}, {}, {}, static_cast<float>(oneSide)};
+  for (int a = 0; a < 3; a++) {
+    at.normal[a] = static_cast<float>(n[a]), at.tangent[a] = static_cast<float>(u[a]), at.across[a] = static_cast<float>(v[a]);
+    at.curvature[a] = static_cast<float>(patch.curvature[a] * distance);
   }
   const double perDistance = 1 / distance;
-  const float side = static_cast<float>(oneSide);
+  patch.seen.resize(6 * patch.rows.size());
+  float* disc = patch.seen.data();
   for (const std::uint32_t j : patch.rows) {
     const Vec3d d = perDistance * (s.position[j] - centre), m = s.normal[j];
     if (dot(d, d) > 4.1) continue;
-    const float dx = static_cast<float>(d.x), dy = static_cast<float>(d.y), dz = static_cast<float>(d.z), mx = static_cast<float>(m.x), my = static_cast<float>(m.y), mz = static_cast<float>(m.z);
-    for (std::size_t k = 0; k < directions; k++) {
-      const float ex = x[k] - dx, ey = y[k] - dy, ez = z[k] - dz;
-      const float off = ex * ex + ey * ey + ez * ez < 1 ? 0.0f : 1.0f, other = nx[k] * mx + ny[k] * my + nz[k] * mz > side ? 0.0f : 1.0f;
-      open[k] *= std::max(off, other);
-    }
+    for (const double v : {d.x, d.y, d.z, m.x, m.y, m.z}) *disc++ = static_cast<float>(v);
   }
+  std::array<float, directions> open;
+  bestSurfaceKernels().openPlaces(at, patch.seen.data(), static_cast<std::size_t>(disc - patch.seen.data()) / 6, open.data());
   return open;
 }
 
@@ -112,7 +102,7 @@ Crowding crowdingOf(const Patch& patch, double reach) {
   return c;
 }
 
-std::optional<SurfacePoint> emptyPlace(const Patch& patch, double distance) {
+std::optional<SurfacePoint> emptyPlace(Patch& patch, double distance) {
   static const Circle circle;
   const Vec3d centre = patch.surfels->position[patch.centre];
   const std::array<float, directions> open = openDirections(patch, distance, circle);
@@ -120,15 +110,26 @@ std::optional<SurfacePoint> emptyPlace(const Patch& patch, double distance) {
   std::array<SurfacePoint, directions> around;
   std::array<bool, directions> empty{};
   std::size_t count = 0;
+  std::array<std::size_t, 8> of;
+  std::array<SurfacePoint, 8> some;
+  std::size_t n = 0;
+  const auto look = [&] {
+    ontoSurface(patch, some.data(), n, 2.5 * distance);  // they may have left the surface: at edges, where curvature changes
+    for (std::size_t m = 0; m < n; m++) {
+      const SurfacePoint& p = around[of[m]] = some[m];
+      const Vec3d d = p.position - centre;
+      empty[of[m]] = dot(d, d) > 0.81 * distance * distance && dot(d, d) < 1.44 * distance * distance && !covered(patch, p, 0.95 * distance) && !pastEdge(patch, p, distance);
+      count += empty[of[m]];
+    }
+    n = 0;
+  };
   for (std::size_t k = 0; k < directions; k++) {
     if (!(open[k] > 0)) continue;
-    around[k] = pointAround(patch, distance, circle.cosine[k], circle.sine[k]);
-    around[k] = ontoSurface(patch, around[k], 2.5 * distance);  // it may have left the surface: at edges, where curvature changes
-    const Vec3d d = around[k].position - centre;
-    empty[k] = dot(d, d) > 0.81 * distance * distance && dot(d, d) < 1.44 * distance * distance && !covered(patch, around[k], 0.95 * distance) &&
-               !pastEdge(patch, around[k], distance);
-    count += empty[k];
+    of[n] = k;
+    some[n] = pointAround(patch, distance, circle.cosine[k], circle.sine[k]);
+    if (++n == some.size()) look();
   }
+  if (n > 0) look();
   if (count == 0) return {};
   std::size_t longest = 0, middle = 0;
   for (std::size_t k = 0; k < directions && count < directions; k++) {

@@ -28,15 +28,14 @@ void FieldProbe::around(const PlaceBox& box, std::uint64_t component, const Vec3
   const double h = world_.surface.particleSupport, h2 = (1 + 1e-9) * h * h;
   const Vec3d& edges = world_.surface.grid.edge;
   const double edge = std::min({edges.x, edges.y, edges.z}), edge2 = edge * edge;
+  block_.find(bins, box, h);
+  if (listed_.size() < block_.count) listed_.resize(2 * block_.count);
   std::size_t n = 0;
-  forBinRunsAround(bins, box.low, box.high, h, [&](std::size_t from, std::size_t to) {
-    const std::uint32_t begin = bins.first[from], end = bins.first[to];
-    if (listed_.size() < n + (end - begin)) listed_.resize(2 * (n + end - begin));
-    for (std::uint32_t k = begin; k < end; k++) {
-      listed_[n] = bins.row[k];
-      n += (box.distance2(bins.at[k]) <= h2) & (dot(bins.at[k] - home, bins.at[k] - home) <= edge2) & (of[bins.row[k]] == component);
-    }
-  });
+  for (std::size_t k = 0; k < block_.count; k++) {
+    const Vec3d& at = block_.at[k];
+    listed_[n] = block_.row[k];
+    n += (box.distance2(at) <= h2) & (dot(at - home, at - home) <= edge2) & (of[block_.row[k]] == component);
+  }
   among(listed_.data(), n, component);
 }
 

@@ -38,6 +38,7 @@ class FieldProbe {
   ForceSums sums_;
   double slope_;
   Tightening tight_;
+  RowBlock block_;
   std::vector<std::uint32_t> listed_;
   const std::uint32_t* rows_ = nullptr;
   std::size_t count_ = 0;

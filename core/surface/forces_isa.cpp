@@ -70,7 +70,7 @@ void overParticles(const ForceSums& in) {
 
 template<bool plane> THAW_INLINE void overSurfelsOf(const ForceSums& in) {
   constexpr int channels = plane ? planeSums : sphereSums;
-  const LanesF zero(0.0f), one(1.0f), two(2.0f), half(0.5f), tiny(1e-30f);
+  const LanesF zero(0.0f), one(1.0f), two(2.0f), half(0.5f), tiny(1e-30f), beyond(1.0001f);
   for (std::size_t k = 0; k < in.groupCount; k++) {
     const std::size_t g = in.groups[k];
     const Lanes4<float> own = load(records(in.place), in.self + 8 * g), frame = load(records(in.normal), in.self + 8 * g);
@@ -83,7 +83,9 @@ template<bool plane> THAW_INLINE void overSurfelsOf(const ForceSums& in) {
       const Record<float>& x = records(in.place)[j];
       const Record<float>& f = records(in.normal)[j];
       const V d = apart(own, x), other{LanesF(f.a), LanesF(f.b), LanesF(f.c)};
-      const LanesF r2 = dot(d, d), sides = dot(normal, other), u = max(one - r2 * perReach2, zero);
+      const LanesF r2 = dot(d, d), span = range * (frame.d + LanesF(f.d));
+      if (!any(r2 < max(reach2, span * span * beyond))) continue;  // in the list for its margin: half of them
+      const LanesF sides = dot(normal, other), u = max(one - r2 * perReach2, zero);
       const auto distinct = r2 > zero;
       const LanesF like = max(min((sides - LanesF(in.sameSide)) * LanesF(in.perSide), one), zero);  // continuous: else normals flip to and fro
       const LanesF w = select(distinct, like * u * u * u, zero);
@@ -98,7 +100,7 @@ template<bool plane> THAW_INLINE void overSurfelsOf(const ForceSums& in) {
         height += w * half * (dot(d, normal) + along);
         mean += w * (other - fold * d);
       }
-      const LanesF r = sqrt(r2), span = range * (frame.d + LanesF(f.d)), near = max(span - r, zero);
+      const LanesF near = max(span - sqrt(r2), zero);
       const LanesF push = select((sides > LanesF(in.apart)) & distinct, near, zero);
       const LanesF perR2 = span / max(two * r2, tiny);
       repulsion += (push * perR2) * d;
@@ -130,10 +132,14 @@ void overSurfels(const ForceSums& in) { in.plane ? overSurfelsOf<true>(in) : ove
 void carry(const CarrySums&, std::size_t, double*);  // carry_isa.cpp
 void bend(const CarrySums&, std::size_t, double*);
 void areas(const AreaCells&, double*, double*);        // areas_isa.cpp
+void openPlaces(const CirclePlaces&, const float*, std::size_t, float*);  // patch_isa.cpp
+bool covered(const DiscsAround&, const float*, const float*);
+void betweenDiscs(const PatchPlaces&, double*);
+std::uint32_t nearBox(const NearBox&, const float*, const float*, const float*, std::uint32_t, std::uint32_t*);  // near_box_isa.cpp
 
 const SurfaceKernels& surfaceKernelSet();
 const SurfaceKernels& surfaceKernelSet() {
-  static constexpr SurfaceKernels set{THAW_STRING(THAW_ISA) + 4, overParticles, overSurfels, carry, bend, areas};
+  static constexpr SurfaceKernels set{THAW_STRING(THAW_ISA) + 4, overParticles, overSurfels, carry, bend, areas, openPlaces, covered, betweenDiscs, nearBox};
   return set;
 }
 

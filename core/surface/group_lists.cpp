@@ -1,5 +1,9 @@
 #include "core/surface/group_lists.hpp"
 
+#include <bit>
+
+#include "core/surface/surface_kernels.hpp"
+
 namespace thaw {
 namespace {
 
@@ -15,39 +19,37 @@ std::uint64_t spread(std::uint64_t v) {  // 21 bits, two zeros between them
 struct BlockRows {
   Vec3d from{};
   std::vector<std::uint32_t> row;
-  std::vector<float> x, y, z, r2;
+  std::vector<float> x, y, z;
   void take(const RowBlock& block, const Vec3d& middle, const std::uint64_t* component, std::uint64_t wanted) {
     from = middle;
-    if (row.size() < block.count) row.resize(block.count), x.resize(block.count), y.resize(block.count), z.resize(block.count), r2.resize(block.count);
-    std::size_t n = 0;
+    if (row.size() < block.count + nearBoxMore) {
+      row.resize(block.count + nearBoxMore);
+      for (auto* v : {&x, &y, &z}) v->resize(row.size());
+    }
+    count = 0;
     for (std::size_t k = 0; k < block.count; k++) {
       const Vec3d d = block.at[k] - from;
-      row[n] = block.row[k];
-      x[n] = static_cast<float>(d.x), y[n] = static_cast<float>(d.y), z[n] = static_cast<float>(d.z);
-      n += component[block.row[k]] == wanted;
+      row[count] = block.row[k];
+      x[count] = static_cast<float>(d.x), y[count] = static_cast<float>(d.y), z[count] = static_cast<float>(d.z);
+      count += component[block.row[k]] == wanted;
     }
-    count = n;
   }
   /// Those within `radius` (m) of a group's box, or a little more. What is farther from all of its surfels than that adds nothing to their sums.
   void append(const PlaceBox& box, double radius, std::vector<std::uint32_t>& rows) {
+    if (count == 0) return;
     const Vec3d middle = 0.5 * (box.low + box.high) - from, half = 0.5 * (box.high - box.low);
-    const float mx = static_cast<float>(middle.x), my = static_cast<float>(middle.y), mz = static_cast<float>(middle.z), hx = static_cast<float>(half.x), hy = static_cast<float>(half.y), hz = static_cast<float>(half.z);
-    const float most = static_cast<float>(1.0001 * radius * radius);
-    for (std::size_t k = 0; k < count; k++) {
-      const float dx = std::max(std::abs(x[k] - mx) - hx, 0.0f), dy = std::max(std::abs(y[k] - my) - hy, 0.0f), dz = std::max(std::abs(z[k] - mz) - hz, 0.0f);
-      r2[k] = dx * dx + dy * dy + dz * dz;
-    }
-    std::size_t n = rows.size();
-    rows.resize(n + count);
-    for (std::size_t k = 0; k < count; k++) {
-      rows[n] = row[k];
-      n += r2[k] < most;
-    }
-    rows.resize(n);
+    NearBox near{};
+    for (int a = 0; a < 3; a++) near.middle[a] = static_cast<float>(middle[a]), near.half[a] = static_cast<float>(half[a]);
+    near.reach2 = static_cast<float>(1.0001 * radius * radius);
+    const std::size_t before = rows.size();
+    rows.resize(before + count + nearBoxMore);
+    const std::size_t end = before + bestSurfaceKernels().nearBox(near, x.data(), y.data(), z.data(), count, &rows[before]);
+    rows.resize(end);
+    for (std::size_t n = before; n < end; n++) rows[n] = row[rows[n]];
   }
 
  private:
-  std::size_t count = 0;
+  std::uint32_t count = 0;
 };
 
 }  // namespace
@@ -56,30 +58,33 @@ void listGroups(const Surface& s, const std::vector<std::uint8_t>& free, const B
   const Surfels& f = s.surfels;
   const double curveEdge = 2.5 * s.spacing, longest = 6 * s.spacing;  // eight surfels of a smooth surface cover about a block's side
   l.sorting.clear();
+  std::uint64_t used = 0;
+  bool several = false;
   for (std::uint32_t i = 0; i < f.owned; i++) {
     if (!free[i]) continue;
     std::uint64_t curve = 0;
     for (int a = 0; a < 3; a++) curve |= spread(static_cast<std::uint64_t>(std::clamp((f.position[i][a] - surfelBins.base[a]) / curveEdge, 0.0, binsPerAxis))) << a;
-    l.sorting.push_back({f.component[i], curve, i});
+    used |= curve;
+    l.sorting.emplace_back(curve, i);
+    several = several || f.component[i] != f.component[l.sorting[0].second];
   }
-  std::sort(l.sorting.begin(), l.sorting.end(), [](const auto& a, const auto& b) {
-    return a.component != b.component ? a.component < b.component : a.curve != b.curve ? a.curve < b.curve : a.row < b.row;
-  });
+  sortByKey(l.sorting, l.sorted, std::bit_width(used));
+  if (several) std::stable_sort(l.sorting.begin(), l.sorting.end(), [&](const auto& a, const auto& b) { return f.component[a.second] < f.component[b.second]; });
   l.self.clear();
   l.lanes.clear();
   l.surfel.clear();
   l.particle.clear();
   l.firstSurfel.assign(1, 0);
   l.firstParticle.assign(1, 0);
-  const auto place = [&](std::size_t k) { return f.position[l.sorting[k].row]; };
+  const auto place = [&](std::size_t k) { return f.position[l.sorting[k].second]; };
   RowBlock found;
   BlockRows surfels, particles;
   for (std::size_t k = 0; k < l.sorting.size();) {
     // a block of groups that lie together
-    const std::uint64_t component = l.sorting[k].component;
+    const std::uint64_t component = f.component[l.sorting[k].second];
     const auto boxFrom = [&](std::size_t from, std::size_t most, double side, std::size_t& to) {
       PlaceBox box{place(from), place(from)};
-      for (to = from + 1; to < l.sorting.size() && to < from + most && l.sorting[to].component == component; to++) {
+      for (to = from + 1; to < l.sorting.size() && to < from + most && f.component[l.sorting[to].second] == component; to++) {
         PlaceBox more = box;
         more.add(place(to));
         if (more.longest() > side) break;
@@ -99,7 +104,7 @@ void listGroups(const Surface& s, const std::vector<std::uint8_t>& free, const B
     while (k < end) {
       std::size_t last = k;
       const PlaceBox box = boxFrom(k, std::min<std::size_t>(8, end - k), longest, last);
-      for (std::size_t n = 0; n < 8; n++) l.self.push_back(l.sorting[std::min(k + n, last - 1)].row);
+      for (std::size_t n = 0; n < 8; n++) l.self.push_back(l.sorting[std::min(k + n, last - 1)].second);
       l.lanes.push_back(static_cast<std::uint8_t>(last - k));
       surfels.append(box, radii.surfels, l.surfel);
       particles.append(box, radii.particles, l.particle);

@@ -16,8 +16,7 @@ struct GroupLists {
   std::vector<std::uint8_t> lanes;                        ///< rows of each group
   std::vector<std::uint64_t> firstSurfel, firstParticle;  ///< of each group, and one behind
   std::vector<std::uint32_t> surfel, particle;
-  struct Place { std::uint64_t component, curve; std::uint32_t row; };
-  std::vector<Place> sorting;
+  SortedRows sorting, sorted;                             ///< by their places along a curve
   std::size_t groups() const { return lanes.size(); }
 };
 

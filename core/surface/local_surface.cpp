@@ -1,7 +1,10 @@
 #include "core/surface/local_surface.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "core/surface/surface_kernels.hpp"
 
 namespace thaw {
 
@@ -20,14 +23,15 @@ void Patch::gather(const Surfels& s, std::size_t i, const RowLists& lists, doubl
 void Patch::fitCurvature() {
   const Surfels& s = *surfels;
   const Vec3d u = s.tangent[centre], v = cross(s.normal[centre], u);
-  Mat3d m{};
+  double aa = 0, ab = 0, bb = 0;
   Vec3d right{};
   for (const std::uint32_t j : rows) {
     const Vec3d d = s.position[j] - s.position[centre];
     const double a = dot(d, u), b = dot(d, v), p = dot(s.normal[j], u), q = dot(s.normal[j], v), weight = 1 / std::max(dot(d, d), 1e-300);
-    m = m + weight * Mat3d{{{a * a, a * b, 0}, {a * b, a * a + b * b, a * b}, {0, a * b, b * b}}};
+    aa += weight * (a * a), ab += weight * (a * b), bb += weight * (b * b);
     right += weight * Vec3d{p * a, p * b + q * a, q * b};
   }
+  const Mat3d m{{{aa, ab, 0}, {ab, aa + bb, ab}, {0, ab, bb}}};
   // each weighted term is at most 1: a determinant far below that of neighbours all around means a direction is missing
   const double n = static_cast<double>(rows.size()), det = determinant(m);
   if (!(det > 1e-3 * n * n * n / 27)) return;
@@ -50,31 +54,37 @@ SurfacePoint pointAround(const Patch& p, double distance, double c, double s) {
   return {f.position[p.centre] + flat * along - sink * n, normalized(n * (1 - k * sink) + flat * turned)};
 }
 
-SurfacePoint ontoSurface(const Patch& p, SurfacePoint x, double reach) {
+void ontoSurface(Patch& p, SurfacePoint* points, std::size_t n, double reach) {
   const Surfels& s = *p.surfels;
-  const double reach2 = reach * reach, back2 = 1 / reach2;
-  for (int round = 0; round < 4; round++) {
-    double sum = 0, along = 0;  // of weights w, and of w n_j . d
-    Vec3d normal{}, away{};     // of w n_j, and of w d
-    const auto add = [&](std::size_t j) {
-      const Vec3d d = x.position - s.position[j], n = s.normal[j];
-      const double r2 = dot(d, d);
-      if (r2 >= reach2) return;
-      const double u = 1 - r2 * back2, w = u * u * u;
-      sum += w;
-      normal += w * n;
-      away += w * d;
-      along += w * dot(n, d);
-    };
-    add(p.centre);
-    for (const std::uint32_t j : p.rows) add(j);
-    if (!(sum > 0) || !(dot(normal, normal) > 0.01 * sum * sum)) return x;
-    x.normal = normalized(normal);
-    const double height = 0.5 * (dot(x.normal, away) + along) / sum;
-    x.position -= x.normal * height;
-    if (std::abs(height) < 1e-5 * reach) break;
+  const std::size_t discs = 1 + p.rows.size();
+  p.disc.resize(6 * discs);
+  for (std::size_t k = 0; k < discs; k++) {
+    const std::size_t j = k == 0 ? p.centre : p.rows[k - 1];
+    for (std::size_t a = 0; a < 3; a++) p.disc[6 * k + a] = s.position[j][static_cast<int>(a)], p.disc[6 * k + 3 + a] = s.normal[j][static_cast<int>(a)];
   }
-  return x;
+  alignas(32) std::array<double, 24> place{};
+  alignas(32) std::array<double, 8 * patchSums> sums;
+  std::array<std::size_t, 8> of;  // which point each lane is
+  for (std::size_t k = 0; k < n; k++) of[k] = k;
+  const double reach2 = reach * reach;
+  for (int round = 0; round < 4 && n > 0; round++) {
+    for (std::size_t k = 0; k < n; k++)
+      for (std::size_t a = 0; a < 3; a++) place[8 * a + k] = points[of[k]].position[static_cast<int>(a)];
+    bestSurfaceKernels().betweenDiscs({p.disc.data(), discs, place.data(), reach2, 1 / reach2}, sums.data());
+    std::size_t left = 0;
+    for (std::size_t k = 0; k < n; k++) {
+      const auto three = [&](std::size_t sum) { return Vec3d{sums[8 * sum + k], sums[8 * (sum + 1) + k], sums[8 * (sum + 2) + k]}; };
+      const double weight = sums[8 * PatchWeight + k];
+      const Vec3d normal = three(PatchNormal);
+      if (!(weight > 0) || !(dot(normal, normal) > 0.01 * weight * weight)) continue;
+      SurfacePoint& x = points[of[k]];
+      x.normal = normalized(normal);
+      const double height = 0.5 * (dot(x.normal, three(PatchAway)) + sums[8 * PatchAlong + k]) / weight;
+      x.position -= x.normal * height;
+      if (std::abs(height) >= 1e-5 * reach) of[left++] = of[k];
+    }
+    n = left;
+  }
 }
 
 }  // namespace thaw

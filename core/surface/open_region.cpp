@@ -50,7 +50,7 @@ void takeRegion(Surface& s, const Bins& bins, const std::vector<std::uint8_t>& o
 bool regionHolds(const OpenRegion& r, Reducer& all) {
   double out = 0;
   for (std::size_t i = 0; i < r.surfels.owned; i++)
-    if (!(r.surfels.calm[i] > 0) && r.surfels.depth[i] > r.deepest) out = 1;
+    if (r.surfels.calm[i] == 0 && r.surfels.depth[i] > r.deepest) out = 1;
   all.maximum({&out, 1});
   return out == 0;
 }

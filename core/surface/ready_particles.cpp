@@ -57,16 +57,20 @@ void readyParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
   // the colour at each particle, then the same with each particle weighted by its colour
   for (int pass = 0; pass < 2; pass++) {
     Column<float>& to = pass == 0 ? p.colour : p.smoothColour;
-    for (std::size_t i = 0; i < p.owned; i++) {
+    RowBlock block;
+    forBlocks(t.relax.particleBins, t.relax.particleBins, h, block, [&](std::uint32_t i, RowBlock& around) {
+      if (i >= p.owned) return;
       double sum = 0;
+      const Vec3d x = p.position[i];
       if (p.component[i] != noComponent)
-        forRowsAround(t.relax.particleBins, p.position[i], p.position[i], h, [&](std::uint32_t j, const Vec3d& at) {
-          const Vec3d d = at - p.position[i];
+        for (const std::uint32_t k : around.around(x, h)) {
+          const std::uint32_t j = around.row[k];
+          const Vec3d d = around.at[k] - x;
           const double u = 1 - dot(d, d) / h2;
           if (u > 0 && p.component[j] == p.component[i]) sum += p.volume[j] * (j == i ? lattice.self : u * u * u) * (pass == 0 ? 1.0 : static_cast<double>(p.colour[j]));
-        });
+        }
       to[i] = static_cast<float>(perVolume * lattice.perOwnSum * sum);
-    }
+    });
     ColumnList found{&to};
     refreshGhosts(halos.particles, p, found);
   }

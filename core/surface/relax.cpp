@@ -55,7 +55,7 @@ void search(World& w, SurfaceHalos halos, SurfaceTools& t, bool all, bool first,
   addGhosts(halos.surfels, f, s.surfelCells, columns);
   lap(r.times.place);
   const ListRadii radii{s.surfelSupport + margin, s.particleSupport + 0.5 * margin};
-  fillBins(s.grid, s.surfelCells, f.position.data(), 0.5 * radii.surfels, r.surfelBins);
+  fillBins(s.grid, s.surfelCells, f.position.data(), radii.surfels, r.surfelBins);
   markFree(s, all, r.free);
   r.core.assign(r.free.begin(), r.free.end());
   if (!first) markActive(s, halos.surfels, r.surfelBins, s.surfelSupport + margin, r.free, r.core);

@@ -36,7 +36,7 @@ struct Round {
 
   void lookAtOpen() {
     open.resize(table->size());
-    for (std::size_t i = 0; i < table->size(); i++) open[i] = !(table->calm[i] > 0);
+    for (std::size_t i = 0; i < table->size(); i++) open[i] = table->calm[i] == 0;
   }
   /// How many that are, on all ranks. Collective.
   std::int64_t openRows(Reducer& all) const {
@@ -77,7 +77,6 @@ struct Round {
         s.wish[i] |= Crowded;
         continue;
       }
-      if (s.calm[i] == refused) continue;
       s.calm[i] = calmFor;
       patch.fitCurvature();
       std::optional<SurfacePoint> place = emptyPlace(patch, (follows(s, i) ? emptyAtSolid : c.thin ? emptyAtThin : emptyAt) * s.radius[i]);

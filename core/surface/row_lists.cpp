@@ -19,8 +19,9 @@ void findRows(const Bins& bins, const Vec3d* position, std::size_t owned, const 
     for (const std::uint32_t i : asking) {
       const Vec3d x = position[i];
       std::size_t n = lists.first[i] = lists.row.size();
-      lists.row.resize(n + lists.block.count);
-      for (std::size_t k = 0; k < lists.block.count; k++) {
+      const std::span<const std::uint32_t> near = lists.block.around(x, radius);
+      lists.row.resize(n + near.size());
+      for (const std::uint32_t k : near) {
         const Vec3d d = lists.block.at[k] - x;
         lists.row[n] = lists.block.row[k];
         n += (dot(d, d) < r2) & (lists.block.row[k] != i);

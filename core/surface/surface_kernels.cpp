@@ -5,4 +5,9 @@ namespace thaw {
 
 THAW_CHOOSE(SurfaceKernels, surfaceKernelSet, surfaceKernels)
 
+const SurfaceKernels& bestSurfaceKernels() {
+  static const SurfaceKernels& best = *surfaceKernels();
+  return best;
+}
+
 }  // namespace thaw

@@ -1,5 +1,6 @@
 // What is worked out for eight surfels at a time, one set for each instruction set: the sums of an iteration over the particles and surfels around
-// them (forces_isa.cpp), how particles carry them along (carry_isa.cpp), and their own areas (areas_isa.cpp); every set gives the same bits. Only plain pointers here: code compiled for one instruction set must not leave copies of
+// them (forces_isa.cpp), how particles carry them along (carry_isa.cpp), their own areas (areas_isa.cpp), what lies near a box (near_box_isa.cpp), and the surface of a patch
+// (patch_isa.cpp); every set gives the same bits. Only plain pointers here: code compiled for one instruction set must not leave copies of
 // library functions to the linker.
 #pragma once
 #include <cstddef>
@@ -71,6 +72,41 @@ struct AreaCells {
 /// Most neighbours of AreaCells.
 inline constexpr std::size_t mostAreaNeighbours = 24;
 
+/// Places on the surface round a surfel, at a distance that is the unit of length.
+inline constexpr std::size_t circlePlaces = 24;
+struct CirclePlaces {
+  const float *cosine, *sine;          ///< of their directions, from the tangent on
+  float normal[3], tangent[3], across[3];
+  float curvature[3];                  ///< along tangent and tangent, tangent and across, across and across
+  float side;                          ///< cosine of the angle between normals below which a disc is not of their side
+};
+
+/// Discs of the surface around a particle, field by field; behind the last one there are seven of radius 0.
+struct DiscsAround {
+  const float *x, *y, *z, *nx, *ny, *nz, *radius2;  ///< m, 1, m^2
+  std::size_t count;
+  float most;  ///< m: what is farther above or below is not asked
+  float side;  ///< as in CirclePlaces
+};
+
+/// The discs of a patch around eight places.
+struct PatchPlaces {
+  const double* disc = nullptr;   ///< six a disc: place (m), normal
+  std::size_t discs = 0;
+  const double* place = nullptr;  ///< m; axis a of lane l at 8 a + l
+  double reach2 = 0, back2 = 0;   ///< m^2, square of the distance at which weights end; its inverse
+};
+/// Sums of weights (1 - r^2 / reach^2)^3, of weight x normal . d, weight x normal, weight x d; d from the disc to the place.
+enum PatchSum { PatchWeight, PatchAlong, PatchNormal, PatchAway = PatchNormal + 3, patchSums = PatchAway + 3 };
+
+/// A box grown by a distance, in floats.
+struct NearBox {
+  float middle[3], half[3];
+  float reach2;  ///< square of the distance
+};
+/// nearBox reads up to so many places behind the last one, and writes so many words behind the last it finds.
+inline constexpr std::size_t nearBoxMore = 8;
+
 struct SurfaceKernels {
   const char* name;  ///< "avx512", "avx2", "base"
   void (*overParticles)(const ForceSums&);
@@ -79,8 +115,16 @@ struct SurfaceKernels {
   void (*bend)(const CarrySums&, std::size_t group, double* sums);   ///< the second pass
   /// Areas (m^2), and the squares of the distances (m^2) to the farthest corners: infinite where a neighbour is over an edge.
   void (*areas)(const AreaCells&, double* area, double* farthest2);
+  /// open[k]: 1 where no disc of the side of place k is within the circle's radius of it, else 0. Discs: six floats each, place and normal.
+  void (*openPlaces)(const CirclePlaces&, const float* disc, std::size_t discs, float* open);
+  bool (*covered)(const DiscsAround&, const float* place, const float* normal);  ///< is a disc that faces the same way above, below or beside a place?
+  void (*betweenDiscs)(const PatchPlaces&, double* sums);            ///< sum c of lane l at 8 c + l
+  /// Those of `count` places nearer to the box than its distance, ascending; returns how many.
+  std::uint32_t (*nearBox)(const NearBox&, const float* x, const float* y, const float* z, std::uint32_t count, std::uint32_t* found);
 };
 /// By name, or the best for this processor where the name is empty. Unknown or unsupported names give nullptr.
 const SurfaceKernels* surfaceKernels(const char* name = "");
+/// The best for this processor.
+const SurfaceKernels& bestSurfaceKernels();
 
 }  // namespace thaw

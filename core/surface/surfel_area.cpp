@@ -146,13 +146,14 @@ void listNear(const Surface& s, double slack, AreaLists& l) {
   l.asking.clear();
   l.first.assign(1, 0);
   std::size_t n = 0;
-  forBlocks(l.bins, l.bins, usual * largest + slack, l.block, [&](std::uint32_t i, const RowBlock& block) {
+  forBlocks(l.bins, l.bins, usual * largest + slack, l.block, [&](std::uint32_t i, RowBlock& block) {
     if (i >= f.owned) return;
     const double r = usual * f.radius[i] + slack, r2 = r * r;
     const Vec3d x = f.position[i];
     const std::uint64_t component = f.component[i];
-    if (l.near.size() < n + block.count) l.near.resize(2 * (n + block.count));
-    for (std::size_t k = 0; k < block.count; k++) {
+    const std::span<const std::uint32_t> around = block.around(x, r);
+    if (l.near.size() < n + around.size()) l.near.resize(2 * (n + around.size()));
+    for (const std::uint32_t k : around) {
       const Vec3d d = block.at[k] - x;
       const std::uint32_t j = block.row[k];
       l.near[n] = j;
