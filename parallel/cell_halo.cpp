@@ -13,8 +13,14 @@ namespace {
 
 enum Tag { GhostTag = 11, GhostRestTag = 12, RefreshTag = 13, MigrateKind = 20 };
 
-void grow(std::vector<std::byte>& buffer, std::size_t bytes) {
-  if (bytes > buffer.size()) buffer.resize(bytes + bytes / 4);
+/// Messages of the next steps may be longer.
+std::size_t withRoom(std::size_t bytes) { return bytes + bytes / 8; }
+
+/// What is in it is lost: it has been sent or read.
+void fit(std::vector<std::byte>& buffer, std::size_t bytes, std::size_t room) {
+  if (bytes <= buffer.size()) return;
+  buffer = {};
+  buffer.resize(room);
 }
 
 // A message of ghosts: its bytes, the number of cells; their keys; their counts of particles; the columns.
@@ -37,6 +43,7 @@ MpiCellHalo::MpiCellHalo(const Communicator& comm, const CellGrid& grid, const B
 
 void MpiCellHalo::usePartition(Partition partition) {
   partition_ = std::move(partition);
+  newPartition_ = true;
   box_ = partition_.box(comm_.rank());
   neighbours_.clear();
   for (int r = 0; r < comm_.size(); r++) {
@@ -46,6 +53,17 @@ void MpiCellHalo::usePartition(Partition partition) {
     n.copies.links = imageLinks(grid_, box_, partition_.box(r), r == comm_.rank());
     if (!n.copies.links.empty()) neighbours_.push_back(std::move(n));
   }
+}
+
+std::size_t MpiCellHalo::bufferBytes() const {
+  std::size_t n = boundary_.capacity() * sizeof(std::uint32_t);
+  for (const Neighbour& x : neighbours_) {
+    n += x.out.capacity() + x.in.capacity();
+    n += x.copies.keys.capacity() * sizeof(std::uint64_t) + x.copies.counts.capacity() * sizeof(std::uint32_t) + x.copies.runs.capacity() * sizeof(RowRun);
+  }
+  for (const Message& x : movers_) n += x.bytes.capacity();
+  for (const Message& x : inbox_.messages()) n += x.bytes.capacity();
+  return n;
 }
 
 Migration MpiCellHalo::migrate(Table& p, std::span<const std::uint64_t> keys) {
@@ -82,31 +100,31 @@ Migration MpiCellHalo::migrate(Table& p, std::span<const std::uint64_t> keys) {
   sparseExchange(comm_, {movers_.data(), used}, inbox_, MigrateKind, MessagesFor::Migration);
   const std::size_t before = p.owned;
   for (const Message& x : inbox_.messages()) m.arrivals += x.bytes.size() / bytes;
-  if (m.arrivals == 0) return m;
-  p.resize(before + m.arrivals, 0);
-  std::size_t row = before;
-  for (const Message& x : inbox_.messages())
-    for (std::size_t at = 0; at < x.bytes.size(); at += bytes) p.unpackState(row++, x.bytes.data() + at);
-  if (AnyColumn* slot = p.find("slot"); slot != nullptr && slot->active)  // a slot is an index into tables of the old owner
-    std::fill_n(reinterpret_cast<std::uint32_t*>(slot->bytes.data()) + before, m.arrivals, noSlot);
+  if (m.arrivals > 0) {
+    p.resize(before + m.arrivals, 0);
+    std::size_t row = before;
+    for (const Message& x : inbox_.messages())
+      for (std::size_t at = 0; at < x.bytes.size(); at += bytes) p.unpackState(row++, x.bytes.data() + at);
+    if (AnyColumn* slot = p.find("slot"); slot != nullptr && slot->active)  // a slot is an index into tables of the old owner
+      std::fill_n(reinterpret_cast<std::uint32_t*>(slot->bytes.data()) + before, m.arrivals, noSlot);
+  }
+  if (newPartition_) {  // never again so many at once
+    movers_ = {};
+    inbox_ = {};
+    newPartition_ = false;
+  }
   return m;
 }
 
-void MpiCellHalo::chooseColumns(std::span<AnyColumn* const> columns) {
-  columns_.clear();
-  for (AnyColumn* c : columns)
-    if (c->active) columns_.push_back(c);
-}
-
 /// Bytes that are received in one go once a message had so many: one piece at most, since nobody knows how many pieces the next will have.
-std::size_t MpiCellHalo::roomFor(std::size_t bytes) const { return std::min(bytes + bytes / 4, comm_.piece()); }
+std::size_t MpiCellHalo::roomFor(std::size_t bytes) const { return std::min(withRoom(bytes), comm_.piece()); }
 
 void MpiCellHalo::beginGhosts(Table&, const CellTable& cells, std::span<AnyColumn* const> columns) {
   mark_.begin(comm_, MessagesFor::Ghosts);
-  chooseColumns(columns);
+  chooseColumns(columns, columns_);
   for (Neighbour& n : neighbours_) {
     if (n.rank == comm_.rank()) continue;
-    grow(n.in, n.receiveRoom);
+    fit(n.in, n.receiveRoom, n.receiveRoom);
     startReceive(comm_, n.in.data(), n.receiveRoom, n.rank, GhostTag, n.receiving);
   }
   if (neighbours_.empty()) return;
@@ -119,7 +137,7 @@ void MpiCellHalo::sendGhosts(Neighbour& n, const CellTable& cells) {
   CellCopies& c = n.copies;
   listCopies(grid_, cells, boundary_, c);
   const GhostHead head{sizeof(GhostHead) + c.keys.size() * bytesPerCell + c.rows * bytesOfColumns(columns_), c.keys.size()};
-  grow(n.out, head.bytes);
+  fit(n.out, head.bytes, withRoom(head.bytes));
   std::byte* to = n.out.data();
   std::memcpy(to, &head, sizeof head);
   to += sizeof head;
@@ -147,7 +165,7 @@ void MpiCellHalo::receiveGhosts(Neighbour& n) {
     finishAll(n.receiving);
     const std::size_t bytes = headOf(n.in).bytes;
     if (bytes > n.receiveRoom) {
-      grow(n.in, bytes);
+      fit(n.in, bytes, withRoom(bytes));
       startReceive(comm_, n.in.data(), bytes, n.rank, GhostRestTag, n.receiving);
       finishAll(n.receiving);
       n.receiveRoom = roomFor(bytes);
@@ -195,14 +213,14 @@ void MpiCellHalo::finishGhosts(Table& p, CellTable& cells) {
 
 void MpiCellHalo::beginRefresh(Table&, std::span<AnyColumn* const> columns) {
   mark_.begin(comm_, MessagesFor::Refresh);
-  chooseColumns(columns);
+  chooseColumns(columns, columns_);
   const std::size_t row = bytesOfColumns(columns_);
   for (Neighbour& n : neighbours_) {
-    grow(n.in, n.ghostCount * row);
+    fit(n.in, n.ghostCount * row, withRoom(n.ghostCount * row));
     if (n.rank != comm_.rank()) startReceive(comm_, n.in.data(), n.ghostCount * row, n.rank, RefreshTag, n.receiving);
   }
   for (Neighbour& n : neighbours_) {
-    grow(n.out, n.copies.rows * row);
+    fit(n.out, n.copies.rows * row, withRoom(n.copies.rows * row));
     packColumns(grid_, n.copies, columns_, n.out.data());
     if (n.rank != comm_.rank()) startSend(comm_, n.out.data(), n.copies.rows * row, n.rank, RefreshTag, MessagesFor::Refresh, n.sending);
   }

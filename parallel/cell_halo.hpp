@@ -21,6 +21,7 @@ class MpiCellHalo : public CellHalo {
   /// Throws std::invalid_argument for a periodic axis of fewer than three cells, where images would overlap.
   MpiCellHalo(const Communicator& comm, const CellGrid& grid, const BalanceRule& rule = {});
 
+  std::size_t bufferBytes() const override;
   Migration migrate(Table& particles, std::span<const std::uint64_t> keys) override;
   void beginGhosts(Table& particles, const CellTable& cells, std::span<AnyColumn* const> columns) override;
   void finishGhosts(Table& particles, CellTable& cells) override;
@@ -46,7 +47,6 @@ class MpiCellHalo : public CellHalo {
     std::vector<MPI_Request> receiving, sending;
   };
   void usePartition(Partition partition);
-  void chooseColumns(std::span<AnyColumn* const> columns);
   void sendGhosts(Neighbour& n, const CellTable& cells);
   void receiveGhosts(Neighbour& n);
   std::size_t roomFor(std::size_t bytes) const;
@@ -64,6 +64,7 @@ class MpiCellHalo : public CellHalo {
   std::vector<Message> movers_;      // kept for their buffers
   std::vector<int> messageTo_;       // for each rank the message under way to it, -1: none
   Inbox inbox_;
+  bool newPartition_ = false;        // since the last migration
   int pause_ = 0;
   double imbalance_ = 1;
   ExchangeMark mark_;                // of the exchange under way

@@ -150,7 +150,8 @@ void measure(const Communicator& comm, const Case& c, const Options& o, FILE* ou
   }
   PhaseTimes times;
   for (std::size_t k = 0; k < stepPhases; k++) times.seconds[k] = sumOver(comm, rig.tools.times.seconds[k]) / ranks;
-  const double accounted = sumOver(comm, totalBytes(memoryOf(rig.w, rig.tools))), moved = sumOver(comm, bytesMoved(rig));
+  const double messages = sumOver(comm, static_cast<double>(rig.cells->bufferBytes()));
+  const double accounted = messages + sumOver(comm, totalBytes(memoryOf(rig.w, rig.tools))), moved = sumOver(comm, bytesMoved(rig));
   const double copied = copySpeed(comm);  // of the first rank
   double neighbours = 0;
   for (std::size_t i = 0; i < rig.w.neighbours.neighbours.size() && c.kind != Kind::Elastic; i++) neighbours += rig.w.neighbours.neighbours[i];
@@ -158,9 +159,11 @@ void measure(const Communicator& comm, const Case& c, const Options& o, FILE* ou
     for (int k = 0; k < rig.w.bonds.capacity; k++) neighbours += rig.w.bonds.there(s, k);
   neighbours = sumOver(comm, neighbours) / N;
   if (comm.rank() != 0) return;
-  if (o.memory)
+  if (o.memory) {
     for (const MemoryUse& u : memoryOf(rig.w, rig.tools))
       if (u.bytes > 0) std::fprintf(stderr, "  %-20s %6.0f bytes a particle\n", u.what, u.bytes * ranks / N);
+    std::fprintf(stderr, "  %-20s %6.0f bytes a particle\n", "messages", messages / N);
+  }
   const Targets goal = targetsOf(c);
   const double perNs = 1e9 * ranks / (N * done), rate = N / (median(total) * ranks) / 1e6;
   const auto ns = [&](std::initializer_list<StepPhase> phases) {

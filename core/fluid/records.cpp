@@ -12,9 +12,9 @@ template<class Real> struct Four { Real a, b, c, d; };
 
 template<class Real> Four<Real>* rows(AlignedVector<std::byte>& bytes) { return reinterpret_cast<Four<Real>*>(bytes.data()); }
 
-void resizeBytes(AlignedVector<std::byte>& v, std::size_t bytes) {
-  if (v.capacity() < bytes) v.reserve(v.capacity() == 0 ? bytes : bytes + bytes / 16);  // as in particles/table.cpp
-  v.resize(bytes);
+void resizeBytes(AlignedVector<std::byte>& v, std::size_t rows, std::size_t each) {
+  makeRoom(v, rows, each);
+  v.resize(rows * each);
 }
 
 MaterialParameters localParameters(HeatModel model, const Material& m, double f, double T) { return {viscosityAt(m, f, T), conductivityOf(model, m, f)}; }
@@ -94,24 +94,24 @@ template<class Real> void packPressureAs(const RecordContext& x, Continuum& p, s
 
 void resizeRecords(const RecordContext& x, std::size_t n, PairRecords& r) {
   const bool real64 = x.scene.numerics.precision == Precision::Double;
-  const std::size_t bytes = (n + 1) * (real64 ? 32 : 16);
-  resizeBytes(r.fixed, (n + 1) * 16);
+  const std::size_t each = real64 ? 32 : 16;
+  resizeBytes(r.fixed, n + 1, 16);
   for (auto& c : r.coarse) {
-    if (c.capacity() < n + 32) c.reserve(c.capacity() == 0 ? n + 32 : n + n / 16 + 32);  // the search reads up to 31 too many
+    makeRoom(c, n + 32);  // the search reads up to 31 too many
     c.resize(n + 32);
   }
-  if (real64) resizeBytes(r.place, bytes);
-  resizeBytes(r.motion, bytes);
-  if (!x.modules.uniform || x.modules.heat) resizeBytes(r.state, bytes);
+  if (real64) resizeBytes(r.place, n + 1, each);
+  resizeBytes(r.motion, n + 1, each);
+  if (!x.modules.uniform || x.modules.heat) resizeBytes(r.state, n + 1, each);
   else r.state.clear();  // the packing of bodies may have needed what the run does not
   const bool surface = x.modules.tension || x.modules.contact || (x.modules.artificialViscosity && !x.modules.uniform) || x.modules.xsph;
-  if (surface) resizeBytes(r.surface, bytes);
+  if (surface) resizeBytes(r.surface, n + 1, each);
   else r.surface.clear();
   if (x.modules.corrected) {
-    resizeBytes(r.diagonal, bytes);
-    resizeBytes(r.mixed, bytes);
+    resizeBytes(r.diagonal, n + 1, each);
+    resizeBytes(r.mixed, n + 1, each);
   }
-  if (x.modules.surfaceEnergy) resizeBytes(r.pull, bytes);
+  if (x.modules.surfaceEnergy) resizeBytes(r.pull, n + 1, each);
   for (AlignedVector<std::byte>* v : {&r.fixed, &r.place, &r.motion, &r.state, &r.surface, &r.diagonal, &r.mixed, &r.pull}) {
     const std::size_t record = v == &r.fixed ? 16 : real64 ? 32 : 16;
     if (!v->empty()) std::memset(v->data() + n * record, 0, record);

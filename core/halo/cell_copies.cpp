@@ -74,6 +74,14 @@ void listCopies(const CellGrid& grid, const CellTable& cells, std::span<const st
   }
 }
 
+void chooseColumns(std::span<AnyColumn* const> columns, std::vector<AnyColumn*>& active) {
+  active.clear();
+  for (AnyColumn* c : columns) {
+    if (c->rows == Rows::Owned) throw std::logic_error(std::string("ghosts have no field ") + c->name);
+    if (c->active) active.push_back(c);
+  }
+}
+
 std::size_t bytesOfColumns(std::span<AnyColumn* const> columns) {
   std::size_t bytes = 0;
   for (const AnyColumn* c : columns) bytes += c->elementBytes;

@@ -38,6 +38,9 @@ void listCopies(const CellGrid& grid, const CellTable& cells, std::span<const st
 /// Indices of the owned cells that have copies somewhere: those of `box` that are not inner.
 void listBoundary(const CellGrid& grid, const CellBox& box, const CellTable& cells, std::vector<std::uint32_t>& boundary);
 
+/// Those that are active, for an exchange. Throws std::logic_error for one that ghosts do not have.
+void chooseColumns(std::span<AnyColumn* const> columns, std::vector<AnyColumn*>& active);
+
 /// Bytes of one row in these columns.
 std::size_t bytesOfColumns(std::span<AnyColumn* const> columns);
 

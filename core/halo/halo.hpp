@@ -35,6 +35,9 @@ class CellHalo {
  public:
   virtual ~CellHalo() = default;
 
+  /// Bytes of the messages' buffers.
+  virtual std::size_t bufferBytes() const { return 0; }
+
   /// Sends particles whose cell another rank owns to that rank. keys[row]: cell key of each owned row, or noCell. Collective.
   /// Guarantees: ghosts dropped, arrivals appended (particles.owned grows), departed rows listed and still in place. Arrivals have
   /// their State columns; Local and Transient ones are zero (slot: noSlot), so their cell keys are to be computed before the sort.

@@ -39,9 +39,7 @@ void SerialCellHalo::finishGhosts(Table& particles, CellTable& cells) {
 }
 
 void SerialCellHalo::beginRefresh(Table&, std::span<AnyColumn* const> columns) {
-  columns_.clear();
-  for (AnyColumn* c : columns)
-    if (c->active) columns_.push_back(c);
+  chooseColumns(columns, columns_);
   packed_.resize(images_.rows * bytesOfColumns(columns_));
   packColumns(grid_, images_, columns_, packed_.data());
 }

@@ -6,6 +6,9 @@
 #if defined(__linux__)
 #include <sys/mman.h>
 #endif
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 namespace thaw {
 namespace {
@@ -25,5 +28,11 @@ void* allocateAligned(std::size_t bytes) {
 }
 
 void freeAligned(void* block, std::size_t bytes) { ::operator delete(block, alignmentOf(bytes)); }
+
+void giveBackFreed() {
+#if defined(__GLIBC__)
+  malloc_trim(0);
+#endif
+}
 
 }  // namespace thaw

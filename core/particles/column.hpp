@@ -20,6 +20,8 @@ namespace thaw {
 /// the table of pages so often that it takes a twentieth longer.
 void* allocateAligned(std::size_t bytes);
 void freeAligned(void* block, std::size_t bytes);
+/// Gives freed memory that the library keeps for later back to the system, where it can be: what the start took is not asked for again.
+void giveBackFreed();
 
 /// Allocator of aligned memory that leaves new elements uninitialised (columns zero them explicitly).
 template<class T> struct AlignedAllocator {
@@ -45,6 +47,19 @@ enum class Keep {
   Local,     ///< sorted with the particles, but valid on this rank only (indices); not migrated, not in a checkpoint
   Transient  ///< computed anew in each step before it is read; only resized
 };
+
+/// Which rows a field has.
+enum class Rows {
+  All,
+  Owned  ///< no ghosts: nobody asks for it there, and it is in no exchange of ghosts
+};
+
+/// Rows to make room for where there are so many now. What comes and goes does so through faces: of small tables a sixteenth, of large ones about a layer of particles.
+std::size_t withHeadRoom(std::size_t rows);
+/// Room for so many rows of `each` elements. A rank alone keeps those that it begins with, to the byte; one whose rows come and go takes head room: no allocation in a steady step.
+template<class T> void makeRoom(AlignedVector<T>& v, std::size_t rows, std::size_t each = 1) {
+  if (rows * each > v.capacity()) v.reserve((v.capacity() == 0 ? rows : withHeadRoom(rows)) * each);
+}
 
 template<class T> struct FieldType;  // scalar type and number of components of T
 template<> struct FieldType<double> { static constexpr Scalar scalar = Scalar::F64; static constexpr int components = 1; };
@@ -77,18 +92,19 @@ struct AnyColumn {
   Scalar scalar;
   int components;
   std::size_t elementBytes;
+  Rows rows;
   bool active = false;
-  AlignedVector<std::byte> bytes;  ///< size() * elementBytes
+  AlignedVector<std::byte> bytes;  ///< of all its rows, elementBytes each
 
-  AnyColumn(Table& table, const char* name, const char* unit, Keep keep, const char* about, Scalar scalar, int components);
+  AnyColumn(Table& table, const char* name, const char* unit, Keep keep, const char* about, Scalar scalar, int components, Rows rows);
   AnyColumn(const AnyColumn&) = delete;
   AnyColumn& operator=(const AnyColumn&) = delete;
 };
 
 template<class T> struct Column : AnyColumn {
   static_assert(std::is_trivially_copyable_v<T>);
-  Column(Table& table, const char* name, const char* unit, Keep keep, const char* about)
-      : AnyColumn(table, name, unit, keep, about, FieldType<T>::scalar, FieldType<T>::components) {}
+  Column(Table& table, const char* name, const char* unit, Keep keep, const char* about, Rows rows = Rows::All)
+      : AnyColumn(table, name, unit, keep, about, FieldType<T>::scalar, FieldType<T>::components, rows) {}
   T* data() { return reinterpret_cast<T*>(bytes.data()); }
   const T* data() const { return reinterpret_cast<const T*>(bytes.data()); }
   T& operator[](std::size_t i) { return data()[i]; }
@@ -107,11 +123,12 @@ struct Table {
   Table& operator=(const Table&) = delete;
 
   std::size_t size() const { return owned + ghosts; }
+  std::size_t rowsOf(const AnyColumn& column) const { return column.rows == Rows::Owned ? owned : size(); }
   /// Sets the number of rows; rows that are kept keep their values, new rows are zero. Never shrinks capacity.
   void resize(std::size_t owned, std::size_t ghosts);
   /// Gives back the memory of many more rows than there are: those that were here before a new partition.
   void shrink();
-  /// Switches a field on: allocates size() zeroed rows.
+  /// Switches a field on: allocates zeroed rows.
   void activate(AnyColumn& column);
   /// Row i of every Keep::State and Keep::Local column becomes old row order[i], for i < n = number of kept rows; owned = n, ghosts = 0.
   /// But of stale ones, which nobody reads before they are written.

@@ -17,14 +17,14 @@ struct Continuum : Table {
   Column<std::uint64_t> id{*this, "id", "1", Keep::State, "body or emitter number << 40 | number of the sample in it"};
   Column<Vec3d> position{*this, "position", "m", Keep::State, "centre"};
   Column<Vec3d> velocity{*this, "velocity", "m/s", Keep::State, "at the same time as the position"};
-  Column<Vec3d> acceleration{*this, "acceleration", "m/s^2", Keep::State, "of the last force evaluation; the next half kick uses it"};
-  Column<Vec3d> fastAcceleration{*this, "fastAcceleration", "m/s^2", Keep::State, "its part that substeps kick with: of bonds, and of a solid's contacts with walls"};
+  Column<Vec3d> acceleration{*this, "acceleration", "m/s^2", Keep::State, "of the last force evaluation; the next half kick uses it", Rows::Owned};
+  Column<Vec3d> fastAcceleration{*this, "fastAcceleration", "m/s^2", Keep::State, "its part that substeps kick with: of bonds, and of a solid's contacts with walls", Rows::Owned};
   Column<double> mass{*this, "mass", "kg", Keep::State, "constant"};
   Column<std::uint16_t> material{*this, "material", "1", Keep::State, "index into the scene's materials"};
   Column<std::uint16_t> body{*this, "body", "1", Keep::State, "index into bodies, then emitters"};
-  Column<double> dissipated{*this, "dissipated", "J", Keep::State, "mechanical energy lost at this particle so far"};
-  Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort"};
-  Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now"};
+  Column<double> dissipated{*this, "dissipated", "J", Keep::State, "mechanical energy lost at this particle so far", Rows::Owned};
+  Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort", Rows::Owned};
+  Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now", Rows::Owned};
   Column<u8> clamped{*this, "clamped", "1", Keep::State, "1: held where it is; 2: driven by its emitter, at constant velocity"};
   // fluid
   Column<float> filling{*this, "filling", "1", Keep::Transient, "delta = sum V0_j W_ij over its lattice value; density = delta * rest density"};
@@ -79,11 +79,11 @@ struct Continuum : Table {
   Column<float> standoff{*this, "standoff", "1", Keep::State, "spacings from a wall at which a solid rests; less than 1/2 where it froze closer to it"};
   Column<Vec3d> home{*this, "home", "m", Keep::Transient, "position, not shifted in periodic images; only with periodic sides"};
   // rates of the current step
-  Column<Vec3d> force{*this, "force", "N", Keep::Transient, "sum of all forces"};
-  Column<double> heatFlow{*this, "heatFlow", "W", Keep::Transient, "sum of all heat flows into the particle"};
-  Column<double> dissipation{*this, "dissipation", "W", Keep::Transient, "rate of loss of mechanical energy at this particle"};
-  Column<double> interaction{*this, "interaction", "J", Keep::State, "potential energy of pair and wall contacts, this particle's half; what leaves takes it along, also right after a restart"};
-  Column<double> softening{*this, "softening", "J", Keep::Transient, "d(interaction of all)/d(liquid fraction of this one), places held; only where a material melts"};
+  Column<Vec3d> force{*this, "force", "N", Keep::Transient, "sum of all forces", Rows::Owned};
+  Column<double> heatFlow{*this, "heatFlow", "W", Keep::Transient, "sum of all heat flows into the particle", Rows::Owned};
+  Column<double> dissipation{*this, "dissipation", "W", Keep::Transient, "rate of loss of mechanical energy at this particle", Rows::Owned};
+  Column<double> interaction{*this, "interaction", "J", Keep::State, "potential energy of pair and wall contacts, this particle's half; what leaves takes it along, also right after a restart", Rows::Owned};
+  Column<double> softening{*this, "softening", "J", Keep::Transient, "d(interaction of all)/d(liquid fraction of this one), places held; only where a material melts", Rows::Owned};
 };
 
 /// Does a particle take substeps (core/solid_substeps.hpp)? Not what has melted or frozen at the end of the last step: it has no bonds.

@@ -1,27 +1,28 @@
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstring>
 
 #include "core/particles/column.hpp"
 
 namespace thaw {
 
-AnyColumn::AnyColumn(Table& table, const char* name, const char* unit, Keep keep, const char* about, Scalar scalar, int components)
+AnyColumn::AnyColumn(Table& table, const char* name, const char* unit, Keep keep, const char* about, Scalar scalar, int components, Rows rows)
     : name(name), unit(unit), about(about), keep(keep), scalar(scalar), components(components),
-      elementBytes(bytesOf(scalar) * static_cast<std::size_t>(components)) {
+      elementBytes(bytesOf(scalar) * static_cast<std::size_t>(components)), rows(rows) {
   table.columns.push_back(this);
+}
+
+std::size_t withHeadRoom(std::size_t rows) {
+  const double layer = std::cbrt(static_cast<double>(rows)) * std::cbrt(static_cast<double>(rows));
+  return rows + std::min(rows / 16, static_cast<std::size_t>(layer));
 }
 
 namespace {
 
-/// A rank alone keeps the rows that it begins with, to the byte; one whose rows come and go takes head room: no allocation in a steady step.
-void makeRoom(AlignedVector<std::byte>& v, std::size_t bytes) {
-  if (bytes > v.capacity()) v.reserve(v.capacity() == 0 ? bytes : bytes + bytes / 16);
-}
-
 void resizeColumn(AnyColumn& c, std::size_t rows) {
   const std::size_t before = c.bytes.size(), after = rows * c.elementBytes;
-  makeRoom(c.bytes, after);
+  makeRoom(c.bytes, rows, c.elementBytes);
   c.bytes.resize(after);
   if (after > before) std::memset(c.bytes.data() + before, 0, after - before);
 }
@@ -55,7 +56,7 @@ void Table::resize(std::size_t newOwned, std::size_t newGhosts) {
   owned = newOwned;
   ghosts = newGhosts;
   for (AnyColumn* c : columns)
-    if (c->active) resizeColumn(*c, size());
+    if (c->active) resizeColumn(*c, rowsOf(*c));
 }
 
 void Table::shrink() {
@@ -67,7 +68,7 @@ void Table::shrink() {
 void Table::activate(AnyColumn& column) {
   if (column.active) return;
   column.active = true;
-  resizeColumn(column, size());
+  resizeColumn(column, rowsOf(column));
 }
 
 void Table::reorder(std::span<const std::uint32_t> order, std::span<AnyColumn* const> stale) {
@@ -79,7 +80,7 @@ void Table::reorder(std::span<const std::uint32_t> order, std::span<AnyColumn* c
       auto at = std::find_if(spares_.begin(), spares_.end(), [&](const auto& s) { return s.first == c->elementBytes; });
       if (at == spares_.end()) at = spares_.insert(at, {c->elementBytes, {}});
       AlignedVector<std::byte>& spare = at->second;
-      makeRoom(spare, need);
+      makeRoom(spare, order.size(), c->elementBytes);
       spare.resize(need);
       switch (c->elementBytes) {
         case 24: gather<Three>(c->bytes.data(), spare.data(), order); break;

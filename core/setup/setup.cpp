@@ -54,6 +54,7 @@ void bookStored(const World& w, const StepTools& t, double sign, ExactSum& to) {
 void dropBuffersOfStart(World& w, StepTools& t) {
   w.particles.shrink();
   t.sort = {};
+  giveBackFreed();
 }
 
 /// How far anything can fall: from the highest point of bodies and emitters to the lowest end of the domain.
