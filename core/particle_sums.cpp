@@ -1,6 +1,7 @@
 #include "core/particle_sums.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "core/contact/solid_contact.hpp"
@@ -180,11 +181,30 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass) {
 
 void solveViscosity(World& w, Halos halos, StepTools& t, const WallContext& walls) { addImplicitViscosity(w, halos, t, pairSumsOf(w, t), walls); }
 
+namespace {
+
+/// The modules that the packing of bodies has, whatever the scene's are.
+Modules packingModules(const World& w) {
+  Modules m = w.modules;
+  m.fluid = m.neighbours = true;
+  m.heat = m.melting = m.uniform = false;
+  return m;
+}
+
+PairSums packingSums(World& w, StepTools& t) {
+  PairSums s = pairSumsOf(w, t);
+  s.heat = s.uniform = s.carried = false;
+  s.pressureForm = PairForm::Consistent;
+  s.moment = nullptr;
+  s.crowding = nullptr;
+  return s;
+}
+
+}  // namespace
+
 void sumUnitPressure(World& w, StepTools& t) {
   Continuum& p = w.particles;
-  Modules modules = w.modules;
-  modules.fluid = modules.neighbours = true;
-  modules.heat = modules.melting = modules.uniform = false;
+  const Modules modules = packingModules(w);
   const RecordContext x{w.scene, modules, w.grid, t.liquids};
   resizeRecords(x, p.size(), t.records);
   packRecords(x, p, 0, p.size(), t.records);
@@ -197,11 +217,22 @@ void sumUnitPressure(World& w, StepTools& t) {
   in.inner = t.inner.data();
   in.owned = static_cast<std::uint32_t>(p.owned);
   t.kernels->search(in, Part::Inner, t.search, w.neighbours);
-  PairSums s = pairSumsOf(w, t);
-  s.heat = s.uniform = false;
-  s.pressureForm = PairForm::Consistent;
+  PairSums s = packingSums(w, t);
   s.fillingScale = 1 / (w.grid.support * w.grid.support * w.grid.support);
   t.kernels->forces(s, {0, w.neighbours.groups});
+}
+
+void sumExcessPressure(World& w, CellHalo& halo, StepTools& t) {
+  Continuum& p = w.particles;
+  const GroupRange all{0, w.neighbours.groups};
+  const PairSums s = packingSums(w, t);
+  t.kernels->density(s, all);
+  halo.beginRefresh(p, std::array<AnyColumn*, 1>{&p.filling});
+  halo.finishRefresh(p);
+  const Modules modules = packingModules(w);
+  setExcessPressure({w.scene, modules, w.grid, t.liquids}, p, t.records);
+  std::fill_n(p.force.data(), p.owned, Vec3d{});
+  t.kernels->forces(s, all);
 }
 
 void markInner(const World& w, const CellHalo& halo, StepTools& t) {

@@ -23,6 +23,10 @@ void separateCoincident(World& world, const StepTools& tools, std::int64_t befor
 /// Searches and adds to Continuum::force the force of a pressure of 1 Pa everywhere, -2 V_i sum V_j grad W (N). Needs ghosts.
 void sumUnitPressure(World& world, StepTools& tools);
 
+/// After sumUnitPressure, at the same places: the filling (without walls), and in Continuum::force that of pressures of 1 Pa times what the filling of
+/// liquids has above 1: -V_i times the slope (1/m) by the place of i of half the sum of its squares. Collective.
+void sumExcessPressure(World& world, CellHalo& halo, StepTools& tools);
+
 /// Inner passes work on particles whose neighbours are all owned; boundary passes on the others. Density passes search first.
 enum class NeighbourPass { InnerDensity, BoundaryDensity, InnerForces, BoundaryForces };
 void sumOverNeighbours(World& world, StepTools& tools, NeighbourPass pass);

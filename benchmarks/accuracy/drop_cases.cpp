@@ -115,6 +115,9 @@ std::vector<Figure> measureLaplace(Trial& r) {
   const Within in = pressureWithin(r, std::max(R - 1.5 * h, 0.4 * R));
   const Vec3d centre = centreOf(r);
   const double extent = largest(r, [&](const World& x, std::size_t i) { return length(x.particles.position[i] - centre); });
+  // m, of the ball with the particles' radius of gyration, each of them a cube: the drop is to keep its volume
+  const double spread = rootMeanSquare(r, [&](const World& x, std::size_t i) { return length(x.particles.position[i] - centre); });
+  const double gyration = std::sqrt(5.0 / 3 * (spread * spread + 0.25 * w.scene.spacing * w.scene.spacing));
   const double speed = rootMeanSquare(r, [](const World& x, std::size_t i) { return length(x.particles.velocity[i]); });
   const auto inside = [&](const World& x, std::size_t i) { return length(x.particles.position[i] - centre) < R - 1.5 * h; };
   const double core = sum(r, [&](const World& x, std::size_t i) { return inside(x, i) ? 1.0 : 0.0; });
@@ -128,6 +131,8 @@ std::vector<Figure> measureLaplace(Trial& r) {
           {"pressure jump / exact", jump / exact},
           {"virial / exact", in.pairs / exact},
           {"all forces / exact", in.all / exact},
+          {"radius", std::abs(gyration / R - 1), 0.01},
+          {"radius / exact", gyration / R},
           {"extent / R", (extent + 0.5 * w.scene.spacing) / R},
           {"filling inside", filling},
           {"speed / sqrt(sigma/(rho R))", speed / std::sqrt(sigma / (w.scene.materials[0].density * R))},

@@ -37,7 +37,7 @@ CASES = {
     "thick_channel": (["0.05"], "0.05", {"viscosity_solver": ["implicit"], "cfl_viscous": ["0.4"]}),
     "stiff_in_soft": (["0.02"], "0.02", {"elastic_substeps": ["2", "4", "8", "16"], "pressure_solver": ["incompressible"]}),
     "spinning_drop": (["0.25", "0.125"], "0.125", {**PRECISION, "viscosity": ["laplacian"], "viscosity_solver": ["implicit"], "support": ["3"]}),
-    "drop_laplace": (["0.2", "0.125", "0.0833333333333333", "0.0625"], "0.125", {"tension": ["pairwise"], "support": ["2.5", "3"], **PRECISION}),
+    "drop_laplace": (["0.2", "0.125", "0.0833333333333333", "0.0625"], "0.125", {"tension": ["pairwise"], "body.0.packing": ["lattice"], "support": ["2.5", "3"], **PRECISION}),
     "drop_oscillation": (["0.125", "0.0833333333333333"], "0.125", {"tension": ["pairwise"], "support": ["2.5", "3"], **PRECISION}),
     "patch": (["0.1"], "0.1", {"elastic_precision": ["single"], "bond_support": ["1.5", "2"]}),
     "rotation": (["0.1"], "0.1", {"elastic_precision": ["single"], "bond_support": ["1.5", "2"]}),

@@ -1,5 +1,6 @@
 #include "core/fluid/records.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 #include "core/fluid/state_equation.hpp"
@@ -151,6 +152,14 @@ void setUnitPressure(const RecordContext& x, std::size_t n, PairRecords& r) {
       rows<Real>(r.state)[i] = {Real(1), Real(1), Real(0), Real(0)};
       rows<Real>(r.motion)[i].d = Real(0);
     }
+  };
+  x.scene.numerics.precision == Precision::Double ? set(double{}) : set(float{});
+}
+
+void setExcessPressure(const RecordContext& x, const Continuum& p, PairRecords& r) {
+  const auto set = [&](auto real) {
+    using Real = decltype(real);
+    for (std::size_t i = 0; i < p.size(); i++) rows<Real>(r.state)[i].a = p.phase[i] == Liquid ? std::max(static_cast<Real>(p.filling[i]) - Real(1), Real(0)) : Real(0);
   };
   x.scene.numerics.precision == Precision::Double ? set(double{}) : set(float{});
 }

@@ -52,4 +52,7 @@ void packSurfacePull(const RecordContext& context, const Continuum& particles, s
 /// Pressure terms of 1 Pa, all liquid, no viscosity: for the packing of bodies.
 void setUnitPressure(const RecordContext& context, std::size_t rows, PairRecords& records);
 
+/// Pressure terms (Pa) after that: what the filling of a liquid particle has above 1; nothing for others. For the settling of bodies.
+void setExcessPressure(const RecordContext& context, const Continuum& particles, PairRecords& records);
+
 }  // namespace thaw

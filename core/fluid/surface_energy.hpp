@@ -1,19 +1,21 @@
 // Surface tension as an energy of the surface, for liquids with a free surface. A particle of volume V has
-//   E = sigma V C (A / h n^2 / fill^4 + B / dx (1 - cover)^2),
+//   E = sigma V (A / h n^2 / fill^2 + B / dx o^2 / (1 + 2 o^2)), o = 1 - cover,
 // n = h |sum V grad W|, cover = sum V W of its neighbours over that of the full lattice (0 alone, 1 inside; more counts as 1), fill the same with
-// the particle itself. The first term is the surface: the square of n, not n itself, because disorder inside the liquid, where n is small, must
-// cost nothing. Without the power of the filling the energy goes like density^2 times area and blows drops up; the second power makes it depend
-// on area alone; the fourth lets it hold the liquid together, too. The second term is for those that n does not see: a film of one
-// layer, a thread, a drop of one particle. It is also what holds the liquid at rest density where no pressure does.
+// the particle itself. The first term sees where the surface is: the square of n, not n itself, because disorder inside the liquid, where n is small,
+// must cost nothing; its power of the filling makes it depend on area and not on density. The second is most of the energy, and holds the liquid
+// together: a single layer has no n at all, so the first alone parts a liquid into layers like an onion's, 1.6 spacings apart, of particles .78
+// spacings apart. Their filling is 1, since the kernel's sum counts clumps more, their density is not: with less than a tenth of the energy in the second term,
+// and the fourth power, drops of R / dx = 8 and 12 swelled by 3.5 and 2 % in radius. It is also what films of one layer, threads and single particles have.
 // Forces are the slopes of the sum of E by the places, volumes held: the pair's is V_i V_j (H (u_i - u_j) + (s_i + s_j) grad W), with H the Hessian
 // of W, u = dE/dn and s = dE/dcover per volume. So momentum, angular momentum and energy are kept. The kernel is surface_kernel.hpp's.
-// Calibration: A makes the surface of the lattice cost sigma; C and B are such that packed drops (seeds 1 to 4, R / dx = 8 and 12) have Laplace's
-// pressure in their equation of state and swing in the period of the second mode, both; with B = 3 the two differ. Not from a lattice: a drop cut
-// out of one keeps the symmetry of the cube and rests with a pressure 16 to 20 % off that of packed ones, to either side. At supports other than 2,
-// C is from the pressure alone. The power is measured, too.
+// Calibration: A and B are such that of the energy C sigma of the lattice's surface three quarters are in the second term, and packed drops (seeds 1 to 5,
+// R / dx = 8 and 12) have Laplace's pressure in their equation of state and swing in the period of the second mode, both; with less in the second
+// term swings are too fast where the pressure is right. At a third of it drops swell by a hundredth, from half on by less than .002.
+// At supports other than 2, C and the share are from the pressure alone.
 // What it does not do: the energy depends on how the particles lie. Those at the surface arrange themselves in shells, and the energy falls to a
 // third of sigma times the area; inside, disorder leaves some cover open, which pulls, so that the pressure of all forces is about a third of the
-// equation of state's. Shells resist as a soft solid does: waves are damped three times as much as viscosity would.
+// equation of state's, which falls as the inside gets its order (docs/accuracy.md). Shells resist as a soft solid does: waves are damped two to three times as
+// much as viscosity would.
 // Walls are as liquid: they cover the surface and pull on nothing but its gradient, a contact angle of 90 degrees. Solids likewise.
 #pragma once
 #include "core/walls/wall_forces.hpp"
@@ -23,7 +25,7 @@ namespace thaw {
 /// What is the same for all particles of a scene.
 struct SurfaceMeasure {
   double support = 0, spacing = 0;  ///< m, h and dx
-  double area = 0, thin = 0;        ///< 1, C A and C B
+  double area = 0, thin = 0;        ///< 1, A and B
   double self = 0, full = 1;        ///< 1, V W of a particle itself, and of the others on the lattice
 };
 SurfaceMeasure surfaceMeasure(const Numerics& numerics, double spacing);

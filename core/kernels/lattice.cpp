@@ -117,7 +117,12 @@ double slidingLatticeSum(const Numerics& n) {
   });
 }
 
-double largestPressureResponse(const Numerics& n) {
+namespace {
+
+/// Sums of squares of the kernel's slopes (h^-8, of lattice volumes 1): of one pressure, and the largest of a plane wave of pressures.
+struct PressureResponse { double diagonal = 0, largest = 0; };
+
+PressureResponse pressureResponse(const Numerics& n) {
   return withKernel(n, [&](auto kernel) {
     double diagonal = 0, largest = 0;
     overNeighbours(n.support, [&](const Eigen::Vector3d&, double q2) { diagonal += kernel.slope(q2) * kernel.slope(q2) * q2; });
@@ -130,9 +135,18 @@ double largestPressureResponse(const Numerics& n) {
           overNeighbours(n.support, [&](const Eigen::Vector3d& d, double q2) { sum += kernel.slope(q2) * std::sin(k.dot(d)) * d; });
           largest = std::max(largest, sum.squaredNorm());
         }
-    return largest / diagonal;
+    return PressureResponse{diagonal, largest};
   });
 }
+
+}  // namespace
+
+double largestPressureResponse(const Numerics& n) {
+  const PressureResponse r = pressureResponse(n);
+  return r.largest / r.diagonal;
+}
+
+double largestFillingSlope(const Numerics& n) { return std::sqrt(pressureResponse(n).largest) / std::pow(n.support, 3); }
 
 double latticeGradient(const Numerics& n) {
   return withKernel(n, [&](auto kernel) {

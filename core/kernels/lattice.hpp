@@ -37,4 +37,7 @@ double stableHeatStep(const Numerics& numerics);
 /// Jacobi step of one over it does not overshoot.
 double largestPressureResponse(const Numerics& numerics);
 
+/// Largest change of sum V W (1/h) under a plane wave of displacements of amplitude 1 on the lattice.
+double largestFillingSlope(const Numerics& numerics);
+
 }  // namespace thaw

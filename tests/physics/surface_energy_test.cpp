@@ -41,7 +41,16 @@ Vec3d total(const Continuum& p) {
   return sum;
 }
 
-// A slab of the lattice: a column has the energy .88 sigma A on either side (what drops need to have sigma, surface_energy.hpp); nothing pulls along
+/// m, of the ball that has the particles' radius of gyration, each of them a cube.
+double radiusOfGyration(const Continuum& p, double spacing) {
+  Vec3d centre;
+  for (std::size_t i = 0; i < p.owned; i++) centre += p.position[i] / static_cast<double>(p.owned);
+  double square = 0;
+  for (std::size_t i = 0; i < p.owned; i++) square += dot(p.position[i] - centre, p.position[i] - centre) / static_cast<double>(p.owned);
+  return std::sqrt(5.0 / 3 * (square + 0.25 * spacing * spacing));
+}
+
+// A slab of the lattice: a column has the energy .81 sigma A on either side (what drops need to have sigma, surface_energy.hpp); nothing pulls along
 // the surface, nothing at all inside.
 TEST(SurfaceEnergy, FlatLattice) {
   const double dx = 0.1;
@@ -55,7 +64,7 @@ TEST(SurfaceEnergy, FlatLattice) {
     along = std::max({along, std::abs(p.force[i].x), std::abs(p.force[i].y)});
     if (std::abs(p.position[i].z) < 2 * dx) inside = std::max(inside, length(p.force[i]));
   }
-  EXPECT_NEAR(energy, 0.88 * 2 * 36 * dx * dx, 1e-3 * energy);
+  EXPECT_NEAR(energy, 0.81 * 2 * 36 * dx * dx, 1e-3 * energy);
   EXPECT_LT(along, 1e-5 * dx);
   EXPECT_LT(inside, 1e-5 * dx);
   EXPECT_LT(length(total(p)), 1e-12 * dx);
@@ -111,11 +120,11 @@ TEST(SurfaceEnergy, ForcesAreItsSlope) {
     const Vec3d f = p.force[row];
     double scale = 0;
     for (std::size_t i = 0; i < p.owned; i++) scale = std::max(scale, length(p.force[i]));
-    const double step = 1e-5;
+    const double step = 2e-4;  // shorter: the rounding of the filling, which is in single precision
     for (int a = 0; a < 3; a++) {
       Vec3d d{};
       d[a] = step;
-      EXPECT_NEAR((energyWith(row, d * -1.0) - energyWith(row, d)) / (2 * step), f[a], 2e-3 * scale) << row << " " << a;
+      EXPECT_NEAR((energyWith(row, d * -1.0) - energyWith(row, d)) / (2 * step), f[a], 5e-4 * scale) << row << " " << a;
     }
   }
 }
@@ -158,6 +167,43 @@ TEST(SurfaceEnergy, PressureInADrop) {
   const double R = std::cbrt(3 * mass / (4 * M_PI));
   EXPECT_NEAR(pressure / count, 2 / R, 0.1 * 2 / R);
   EXPECT_LT(farthest, 1.05 * R);  // none has left
+}
+
+// A drop keeps its volume while its particles find their places: those that part into shells, or in clumps, fill space as the kernel's sum sees it,
+// and take more of it (2 to 3.5 % in radius, with less energy in the cover that is missing).
+TEST(SurfaceEnergy, DropsKeepTheirVolume) {
+  for (const Packing packing : {Packing::Relaxed, Packing::Lattice})
+    for (const double spacing : {0.125, 1.0 / 12}) {
+      if (packing == Packing::Lattice && spacing < 0.1) continue;  // seconds
+      Scene s = drop(spacing);
+      s.bodies[0].packing = packing;
+      s.end = 2;
+      Simulation run(s);
+      ASSERT_TRUE(run.run());
+      EXPECT_NEAR(radiusOfGyration(run.particles(), spacing) / std::cbrt(3.0 * static_cast<double>(run.particles().owned) / (4 * M_PI)) / spacing, 1, 0.01) << spacing;
+      // inside, too: as many particles as at rest density, in a weight that falls to nothing at .8 of the radius, since they lie in shells
+      double inside = 0;
+      const double radius = 0.8;
+      for (std::size_t i = 0; i < run.particles().owned; i++) inside += std::max(0.0, 1 - dot(run.particles().position[i], run.particles().position[i]) / (radius * radius));
+      EXPECT_NEAR(inside / (8 * M_PI / 15 * std::pow(radius / spacing, 3)), 1, 0.03) << spacing;
+    }
+}
+
+// A relaxed ball of liquid without tension stays where it is: no place is filled too much, no pressure drives it apart (it swelled by .6 % in this
+// time, and went on).
+TEST(RelaxedPacking, BallWithoutTensionStaysAsItIs) {
+  Scene s = drop(0.125);
+  s.materials[0].surfaceTension = 0;
+  s.materials[0].soundSpeed = 10;
+  s.end = 2;
+  Simulation run(s);
+  double filling = 0;
+  for (std::size_t i = 0; i < run.particles().owned; i++) filling = std::max(filling, static_cast<double>(run.particles().filling[i]));
+  EXPECT_LT(filling, 1 + 1.1e-4);
+  const double before = radiusOfGyration(run.particles(), s.spacing);
+  EXPECT_NEAR(before / std::cbrt(3.0 * static_cast<double>(run.particles().owned) / (4 * M_PI)) / s.spacing, 1, 0.01);
+  ASSERT_TRUE(run.run());
+  EXPECT_NEAR(radiusOfGyration(run.particles(), s.spacing) / before, 1, 1e-4);
 }
 
 }  // namespace
