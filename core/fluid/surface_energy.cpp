@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/fluid/surface_kernel.hpp"
+#include "core/kernels/kernels.hpp"
 
 namespace thaw {
 namespace {
@@ -26,6 +27,20 @@ struct Opening { double cost, slope; };
 Opening openingOf(double open) {
   const double square = open * open, d = 1 / (1 + 2 * square);
   return {square * d, 2 * open * d * d};
+}
+
+/// Of the filling of a flat face of the lattice: below this share of it there is less than a surface (an edge has as much).
+constexpr double ofSparse = 0.8;
+
+/// How the energy depends on the filling, and how that changes with it: of the square of the gradient, and of what is alone.
+struct ByFilling { double area = 0, areaSlope = 0, alone = 0, aloneSlope = 0; };
+
+ByFilling byFilling(const SurfaceMeasure& m, double fill) {
+  const double least = std::max(fill, m.sparse), power = 1 / (least * least);
+  if (fill >= m.sparse) return {power, -2 * power / fill, 0, 0};
+  const double width = m.sparse - m.least, t = (fill - m.least) / width;  // 0 alone, 1 where the power begins
+  const double a = 2 + 2 * width / m.sparse;                              // so that the slope goes on
+  return {power * t * (a + (1 - a) * t), power * (a + 2 * (1 - a) * t) / width, (1 - t) * (1 - t), -2 * (1 - t) / width};
 }
 
 }  // namespace
@@ -60,23 +75,27 @@ SurfaceMeasure surfaceMeasure(const Numerics& numerics, double spacing) {
     for (int k = depth + 1; k <= n; k++) g += slope[static_cast<std::size_t>(k)], c -= cover[static_cast<std::size_t>(k)];
     const double open = 1 - c / m.full;
     const double fill = (c + m.self) / (m.full + m.self);
+    if (depth == 0) m.sparse = ofSparse * fill;
     sum += e * g * g / (fill * fill);
     opened += openingOf(open).cost;
   }
   const Calibration of = calibrationOf(numerics.support);
   m.area = of.rest * (1 - of.open) / sum;
   m.thin = of.rest * of.open / opened;
+  m.least = m.self / (m.full + m.self);
+  m.alone = std::cbrt(36 * isa_base::pi) - m.thin * openingOf(1).cost;
   return m;
 }
 
 SurfaceState surfaceState(const SurfaceMeasure& m, double tension, const Vec3d& gradient, double cover) {
-  const double fill = (cover + m.self) / (m.full + m.self), byArea = tension * m.area / m.support / (fill * fill);
+  const double fill = (cover + m.self) / (m.full + m.self), square = dot(gradient, gradient);
+  const ByFilling by = byFilling(m, fill);
   const Opening open = openingOf(std::max(0.0, 1 - cover / m.full));
-  const double byCover = tension * m.thin / m.spacing, square = dot(gradient, gradient);
+  const double byArea = tension * m.area / m.support, byCover = tension * m.thin / m.spacing, byAlone = tension * m.alone / m.spacing;
   SurfaceState s;
-  s.energy = byArea * square + byCover * open.cost;
-  s.pull = gradient * (2 * byArea);
-  s.draw = -2 * byArea * square / (cover + m.self) - byCover * open.slope / m.full;
+  s.energy = byArea * by.area * square + byCover * open.cost + byAlone * by.alone;
+  s.pull = gradient * (2 * byArea * by.area);
+  s.draw = (byArea * by.areaSlope * square + byAlone * by.aloneSlope) / (m.full + m.self) - byCover * open.slope / m.full;
   return s;
 }
 

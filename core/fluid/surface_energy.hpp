@@ -1,11 +1,14 @@
 // Surface tension as an energy of the surface, for liquids with a free surface. A particle of volume V has
 //   E = sigma V (A / h n^2 / fill^2 + B / dx o^2 / (1 + 2 o^2)), o = 1 - cover,
 // n = h |sum V grad W|, cover = sum V W of its neighbours over that of the full lattice (0 alone, 1 inside; more counts as 1), fill the same with
-// the particle itself. The first term sees where the surface is: the square of n, not n itself, because disorder inside the liquid, where n is small,
-// must cost nothing; its power of the filling makes it depend on area and not on density. The second is most of the energy, and holds the liquid
+// the particle itself; and where fill is less than at the edge of a lattice, see below. The first term sees where the surface is: the square of n, not n itself, because disorder
+// inside the liquid, where n is small, must cost nothing; its power of the filling makes it depend on area and not on density. The second is most of the energy, and holds the liquid
 // together: a single layer has no n at all, so the first alone parts a liquid into layers like an onion's, 1.6 spacings apart, of particles .78
 // spacings apart. Their filling is 1, since the kernel's sum counts clumps more, their density is not: with less than a tenth of the energy in the second term,
 // and the fourth power, drops of R / dx = 8 and 12 swelled by 3.5 and 2 % in radius. It is also what films of one layer, threads and single particles have.
+// Where there is less than at an edge of the lattice, n^2 / fill^2 of a particle that comes to a liquid would climb before it falls, and drops of one particle hang
+// over a puddle and hop on floors. There the power goes over into a parabola in fill that is 0 for the particle alone, and what is alone costs the surface of a
+// sphere of its volume, (36 pi)^(1/3) sigma dx^2: what the second term has not of it, by a square that ends at the same fill.
 // Forces are the slopes of the sum of E by the places, volumes held: the pair's is V_i V_j (H (u_i - u_j) + (s_i + s_j) grad W), with H the Hessian
 // of W, u = dE/dn and s = dE/dcover per volume. So momentum, angular momentum and energy are kept. The kernel is surface_kernel.hpp's.
 // Calibration: A and B are such that of the energy C sigma of the lattice's surface three quarters are in the second term, and packed drops (seeds 1 to 5,
@@ -27,6 +30,8 @@ struct SurfaceMeasure {
   double support = 0, spacing = 0;  ///< m, h and dx
   double area = 0, thin = 0;        ///< 1, A and B
   double self = 0, full = 1;        ///< 1, V W of a particle itself, and of the others on the lattice
+  double least = 0, sparse = 0;     ///< 1, fill of a particle alone, and that below which there is less than a surface
+  double alone = 0;                 ///< 1, what a particle alone costs beyond `thin`
 };
 SurfaceMeasure surfaceMeasure(const Numerics& numerics, double spacing);
 
