@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/fluid/surface_kernel.hpp"
+#include "core/kernels/kernels.hpp"
 
 namespace thaw {
 namespace {
@@ -18,7 +19,21 @@ double ofRest(double support) {
   return at[k] + (x - k) * (at[k + 1] - at[k]);
 }
 
+/// Of the filling of a flat face of the lattice: below this share of it there is less than a surface (an edge has as much).
+constexpr double ofSparse = 0.8;
+
 double power4(double a) { return (a * a) * (a * a); }
+
+/// How the energy depends on the filling, and how that changes with it: of the square of the gradient, and of what is alone.
+struct ByFilling { double area = 0, areaSlope = 0, alone = 0, aloneSlope = 0; };
+
+ByFilling byFilling(const SurfaceMeasure& m, double fill) {
+  const double power = 1 / power4(std::max(fill, m.sparse));
+  if (fill >= m.sparse) return {power, -4 * power / fill, 0, 0};
+  const double width = m.sparse - m.least, t = (fill - m.least) / width;  // 0 alone, 1 where the power begins
+  const double a = 2 + 4 * width / m.sparse;                              // so that the slope goes on
+  return {power * t * (a + (1 - a) * t), power * (a + 2 * (1 - a) * t) / width, (1 - t) * (1 - t), -2 * (1 - t) / width};
+}
 
 }  // namespace
 
@@ -51,21 +66,26 @@ SurfaceMeasure surfaceMeasure(const Numerics& numerics, double spacing) {
     double g = 0, c = m.full;
     for (int k = depth + 1; k <= n; k++) g += slope[static_cast<std::size_t>(k)], c -= cover[static_cast<std::size_t>(k)];
     const double open = 1 - c / m.full;
+    if (depth == 0) m.sparse = ofSparse * (c + m.self) / (m.full + m.self);
     sum += e * g * g / power4((c + m.self) / (m.full + m.self));
     rest += ofThin * open * open;
   }
   m.area = ofRest(numerics.support) * (1 - rest) / sum;
   m.thin = ofRest(numerics.support) * ofThin;
+  m.least = m.self / (m.full + m.self);
+  m.alone = std::cbrt(36 * isa_base::pi) - m.thin;
   return m;
 }
 
 SurfaceState surfaceState(const SurfaceMeasure& m, double tension, const Vec3d& gradient, double cover) {
-  const double fill = (cover + m.self) / (m.full + m.self), byArea = tension * m.area / m.support / power4(fill);
-  const double open = std::max(0.0, 1 - cover / m.full), byCover = tension * m.thin / m.spacing, square = dot(gradient, gradient);
+  const double fill = (cover + m.self) / (m.full + m.self), square = dot(gradient, gradient);
+  const ByFilling by = byFilling(m, fill);
+  const double byArea = tension * m.area / m.support, byCover = tension * m.thin / m.spacing, byAlone = tension * m.alone / m.spacing;
+  const double open = std::max(0.0, 1 - cover / m.full);
   SurfaceState s;
-  s.energy = byArea * square + byCover * open * open;
-  s.pull = gradient * (2 * byArea);
-  s.draw = -4 * byArea * square / (cover + m.self) - 2 * byCover * open / m.full;
+  s.energy = byArea * by.area * square + byCover * open * open + byAlone * by.alone;
+  s.pull = gradient * (2 * byArea * by.area);
+  s.draw = (byArea * by.areaSlope * square + byAlone * by.aloneSlope) / (m.full + m.self) - 2 * byCover * open / m.full;
   return s;
 }
 
