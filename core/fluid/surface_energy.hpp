@@ -11,9 +11,9 @@
 // sphere of its volume, (36 pi)^(1/3) sigma dx^2: what the second term has not of it, by a square that ends at the same fill.
 // Forces are the slopes of the sum of E by the places, volumes held: the pair's is V_i V_j (H (u_i - u_j) + (s_i + s_j) grad W), with H the Hessian
 // of W, u = dE/dn and s = dE/dcover per volume. So momentum, angular momentum and energy are kept. The kernel is surface_kernel.hpp's.
-// Calibration: A and B are such that of the energy C sigma of the lattice's surface three quarters are in the second term, and packed drops (seeds 1 to 5,
-// R / dx = 8 and 12) have Laplace's pressure in their equation of state and swing in the period of the second mode, both; with less in the second
-// term swings are too fast where the pressure is right. At a third of it drops swell by a hundredth, from half on by less than .002.
+// Calibration: A and B are such that of the energy C sigma of the lattice's surface .73 are in the second term, and packed drops (R / dx = 8 and 12)
+// have Laplace's pressure in their equation of state and swing in the period of the second mode, both; with less in the second term swings are too
+// fast where the pressure is right. With the plain square of o drops swell by a hundredth at a third, and by less than .002 from half on.
 // At supports other than 2, C and the share are from the pressure alone.
 // What it does not do: the energy depends on how the particles lie. Those at the surface arrange themselves in shells, and the energy falls to a
 // third of sigma times the area; inside, disorder leaves some cover open, which pulls, so that the pressure of all forces is about a third of the
