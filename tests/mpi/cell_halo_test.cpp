@@ -144,6 +144,18 @@ TEST(CellHalo, AHugeSparseGrid) {  // nothing may be sized by it
   EXPECT_LT(measuredImbalance(costs(rig, 1), all), 1.15);
 }
 
+TEST(CellHalo, BuffersOfTheFirstMigrationAreNotKept) {
+  const Communicator comm;
+  MpiReducer all(comm);
+  const Cloud cloud{plainGrid({12, 9, 10}, 0), 20000};
+  MpiCellHalo halo(comm, cloud.grid);
+  HaloRig rig(cloud, halo, all);
+  rig.start(false);  // all particles go out from one rank
+  computeCellKeys(cloud.grid, rig.particles);
+  halo.migrate(rig.particles, {rig.particles.nextCell.data(), rig.particles.owned});
+  EXPECT_LT(halo.bufferBytes(), 10000u);
+}
+
 TEST(CellHalo, MessagesThatOutgrowTheirBuffers) {
   Cloud cloud{plainGrid({4, 3, 3}, 1), 20000};
   const Communicator comm;
