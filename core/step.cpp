@@ -25,13 +25,13 @@ namespace thaw {
 StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   t.times.start();
   const double dt = nextStep(w.clock), time = timeAfter(w.clock, dt);
+  if (w.modules.oriented) stepOriented(w, halos, t, dt);  // by an integrator of their own, past obstacles where forces were found
   if (w.modules.incompressible) addPressureKick(w);  // found at the end of the last step
   t.mayLeave = kickAndDrift(w, dt) || w.clock.substeps > 1;  // v += a dt/2, x += v dt
   substepSolids(w, halos, t, dt);              // stiff solids: bonds alone, in shorter steps
   wrapPeriodic(w.grid, w.scene.domain, w.particles, w.ledger.entered.potential);
   moveWalls(w.walls, time);
   t.times.lap(StepPhase::Drift);
-  if (w.modules.oriented) stepOriented(w, halos, t, dt);  // by an integrator of their own, to the same time
   if (w.modules.sheet) moveSheets(w, dt);      // the exact solution over the step
 
   evaluate(w, halos, t, dt);                   // forces at the new places

@@ -99,6 +99,9 @@ std::vector<SceneWarning> kindStartWarnings(const World& w, const std::vector<st
   const auto free = countRows(s, whose.size(), 1, all, [&](std::size_t i, std::size_t) { return !(s.clamped.active && s.clamped[i]); });
   for (std::size_t n = 0; n < whose.size(); n++) {
     if (free[n][0] == 0) warnings.push_back({whose[n].where, whose[n].name + ": all of its " + std::to_string(free[n][1]) + " vertices are clamped: it does not move"});
+    if (const LeftOut& out = w.sheets.plans[n].leftOut; out.triangles + out.vertices > 0)
+      warnings.push_back({whose[n].where, whose[n].name + ": " + std::to_string(out.triangles) + " triangles of its mesh (without area, or there twice) and " + std::to_string(out.vertices) +
+                                              " vertices (of no triangle) are left out: the numbers of the others are not the file's"});
     const double spacing = w.sheets.plans[n].spacing;
     if (char text[240]; whose[n].thickness > thickest * spacing) {
       std::snprintf(text, sizeof text, ": its thickness, %g m, is more than three times the distance of its vertices, %g m: contact is slow, and keeps it far from all that it touches", whose[n].thickness, spacing);

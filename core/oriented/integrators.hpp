@@ -9,7 +9,7 @@ namespace thaw {
 /// loses as the step grows or shrinks is booked as dissipated, the work of pressure and push as theirs.
 void stepSymplectic(World& world, StepTools& tools, double dt);
 
-/// Runge-Kutta of fourth order, of quaternions too. Obstacles stand where they are at the end of the step; contact with the continuum is held. Collective.
+/// Runge-Kutta of fourth order, of quaternions too. Obstacles stand where they are at the beginning of the step; contact with the continuum is held. Collective.
 void stepRungeKutta(World& world, Halos halos, StepTools& tools, double dt);
 
 /// Backward Euler, linearised: (M (1 + c dt) + dt^2 K) v = M v + dt f with the positive part K of the pairs' stiffness (Gauss-Newton, weights

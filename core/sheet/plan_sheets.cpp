@@ -159,7 +159,18 @@ std::vector<SheetFactor> springKinds(const SheetPlan& plan, std::uint32_t vertex
   return kinds;
 }
 
-TriangleMesh sheetMesh(const Scene& s, const SheetBody& b, const MeshLoader& load) {
+namespace {
+
+LeftOut leftOutOf(const TriangleMesh& file, const TriangleMesh& kept) {
+  std::vector<std::uint8_t> used(file.vertices.size(), 0);
+  for (const auto& t : file.triangles)
+    for (const std::uint32_t v : t) used[v] = 1;
+  return {file.triangles.size() - kept.triangles.size(), static_cast<std::size_t>(std::count(used.begin(), used.end(), 0))};
+}
+
+}  // namespace
+
+TriangleMesh sheetMesh(const Scene& s, const SheetBody& b, const MeshLoader& load, LeftOut* leftOut) {
   TriangleMesh m;
   const double spacing = spacingOf(s, b);
   switch (b.mesh) {
@@ -168,9 +179,12 @@ TriangleMesh sheetMesh(const Scene& s, const SheetBody& b, const MeshLoader& loa
     case SheetMesh::Head: m = headSheet(b.height, spacing); break;
     case SheetMesh::Dome: m = domeSheet(b.radius, b.height, spacing, b.ribs, b.ribHeight); break;
     case SheetMesh::Forehead: m = foreheadSheet(b.radius, b.width, b.height, spacing, b.wrinkleHeight, b.wrinkles); break;
-    case SheetMesh::File:
+    case SheetMesh::File: {
       if (!load && !isBuiltin(b.shape.mesh)) throw ShapeError("mesh '" + b.shape.mesh + "': nothing was given to read it with", b.where);
-      m = weldVertices(isBuiltin(b.shape.mesh) ? builtinMesh(b.shape.mesh) : load(b.shape.mesh), 0);
+      const TriangleMesh file = isBuiltin(b.shape.mesh) ? builtinMesh(b.shape.mesh) : load(b.shape.mesh);
+      m = weldVertices(file, 0);
+      if (leftOut) *leftOut = leftOutOf(file, m);
+    }
   }
   placeMesh(b.shape, m);
   return m;
@@ -185,7 +199,7 @@ SheetPlans planSheets(const Scene& s, const MeshLoader& load) {
     const SheetBody& b = s.sheets[n];
     try {
       SheetPlan plan;
-      plan.mesh = sheetMesh(s, b, load);
+      plan.mesh = sheetMesh(s, b, load, &plan.leftOut);
       plan.topology = sheetTopology(plan.mesh);
       const SheetTopology& t = plan.topology;
       const auto base = static_cast<std::uint16_t>(all.laws.size());

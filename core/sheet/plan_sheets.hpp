@@ -37,8 +37,15 @@ struct SheetHinge {
   SheetFactor kind;          ///< Bending, or, for the second diagonal of a square, that of an edge
 };
 
+/// Of a mesh file what is of no use in a sheet, and is left out.
+struct LeftOut {
+  std::size_t triangles = 0;      ///< without area, or there a second time
+  std::size_t vertices = 0;       ///< of no triangle
+};
+
 struct SheetPlan {
   TriangleMesh mesh;              ///< in the scene
+  LeftOut leftOut;
   SheetTopology topology;
   std::vector<std::uint16_t> law; ///< of each vertex
   std::vector<double> edgeLength, edgeStiffness;  ///< m, N/m, beside SheetTopology::ring: lengths at rest
@@ -74,7 +81,7 @@ struct SheetPlans {
 SheetPlans planSheets(const Scene& scene, const MeshLoader& load);
 
 /// The mesh of a sheet where the scene puts it.
-TriangleMesh sheetMesh(const Scene& scene, const SheetBody& body, const MeshLoader& load);
+TriangleMesh sheetMesh(const Scene& scene, const SheetBody& body, const MeshLoader& load, LeftOut* leftOut = nullptr);
 
 /// Warp, Weft or Shear, of an edge along this direction: warp within 25 degrees of its direction, weft beyond 72.
 SheetFactor edgeKind(const SheetBody& body, const Vec3d& edge);

@@ -170,7 +170,10 @@ int renderCommand(const RenderOptions& options) {
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "thaw render: {}: not enough memory\n", options.input.string());
     return exitInputOutput;
-  } catch (const std::runtime_error& error) {  // IoError, and the file system's
+  } catch (const fs::filesystem_error& error) {
+    fmt::print(stderr, "thaw render: {}: {}\n", error.path1().string(), error.code().message());
+    return exitInputOutput;
+  } catch (const std::runtime_error& error) {  // IoError
     fmt::print(stderr, "thaw render: {}\n", error.what());
     return exitInputOutput;
   }

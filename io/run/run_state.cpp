@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <span>
 
 #include "core/stored_energy.hpp"
 #include "core/surface/resume_surface.hpp"
@@ -200,7 +201,9 @@ namespace {
 /// The run in the folder goes on with a scene that it cannot have: a line of why, and what it is about, a line each that begins with a key.
 [[noreturn]] void refuseScene(const Run& r, const std::string& why, const std::vector<std::string>& about) {
   std::vector<std::string> lines{fmt::format("{}: error: the run in {} cannot be continued with this scene, {}:", r.options.scene, r.options.out, why)};
-  for (const std::string& line : about) lines.push_back("  " + line + placeOfMark(r.world.scene, line));
+  constexpr std::size_t most = 12;  // of another scene altogether all is different
+  for (const std::string& line : std::span(about).first(std::min(most, about.size()))) lines.push_back("  " + line + placeOfMark(r.world.scene, line));
+  if (about.size() > most) lines.push_back(fmt::format("  and {} more; the checkpoint may be of another scene", about.size() - most));
   throw SceneErrors(lines);
 }
 

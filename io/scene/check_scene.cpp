@@ -44,12 +44,17 @@ void checkSizes(const SceneReading& x, std::vector<SceneError>& errors) {
   if (s.bodies.size() + s.emitters.size() > 65000) errors.push_back({x.start, "more than 65000 bodies and emitters"});
 }
 
-void checkSurface(const Scene& scene, const SourcePlace& where, std::vector<SceneError>& errors) {
+void checkSurface(const Scene& scene, std::vector<SceneError>& errors) {
   const SurfaceSettings& s = scene.surface;
+  const auto placeOf = [&](std::initializer_list<const char*> keys) {
+    for (const char* key : keys)
+      if (const auto at = s.places.find(key); at != s.places.end()) return at->second;
+    return s.where;
+  };
   if (s.leastLevel >= s.isoLevel)
-    errors.push_back({where, fmt::format("surface.least_level ({:g}) must be below surface.iso_level ({:g}), where the surface is to lie", s.leastLevel, s.isoLevel)});
+    errors.push_back({placeOf({"least_level", "iso_level"}), fmt::format("surface.least_level ({:g}) must be below surface.iso_level ({:g}), where the surface is to lie", s.leastLevel, s.isoLevel)});
   if (s.spacing > 0 && s.spacing < 1e-3 * scene.spacing)
-    errors.push_back({where, fmt::format("surface.spacing ({:g} m) is less than a thousandth of spacing ({:g} m)", s.spacing, scene.spacing)});
+    errors.push_back({placeOf({"spacing"}), fmt::format("surface.spacing ({:g} m) is less than a thousandth of spacing ({:g} m)", s.spacing, scene.spacing)});
 }
 
 }  // namespace
@@ -114,7 +119,7 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
     errors.push_back({x.start, "numerics.pressure_solver = \"incompressible\" needs numerics.pressure = \"consistent\": the printed form has no potential to solve for"});
   if (n.solver == PressureSolver::Incompressible && n.tensileLimit > 0 && n.tensileLimit < 1)
     errors.push_back({x.start, "with numerics.pressure_solver = \"incompressible\" numerics.tensile_limit is 0 (liquid never pulls) or 1 (it always does, for boxes that are full)"});
-  if (s.surface.on) checkSurface(s, x.start, errors);
+  if (s.surface.on) checkSurface(s, errors);
   if (n.support < 2)
     for (const Material& m : s.materials)
       if (m.convection > 0 || m.emissivity > 0)

@@ -4,7 +4,7 @@ namespace thaw {
 
 void readSurface(TableReader& r, SurfaceSettings& s) {
   if (!r.describing()) s.where = r.place();
-  for (const char* key : {"spacing", "support", "particle_support", "every_steps", "every_move", "implicit", "attract", "smooth", "repel", "iso_level", "damping", "iterations", "stop", "adapt", "keep_volume", "link_length"})
+  for (const char* key : {"spacing", "support", "particle_support", "every_steps", "every_move", "implicit", "attract", "smooth", "repel", "iso_level", "least_level", "damping", "iterations", "stop", "adapt", "keep_volume", "link_length"})
     if (r.has(key)) s.places[key] = r.placeOf(key);
   r.number("spacing", s.spacing, "m", notNegative(), "wanted distance of surfels, and the radius of their discs; 0: half the spacing of particles");
   r.number("support", s.support, "", between(1.5, 12), "radius within which surfels act on each other (h_ss), over their spacing; the paper's h_ss = h means hundreds of neighbours on a detailed body");

@@ -114,6 +114,31 @@ TEST(Oriented, BodyAndPatchThatMeetKeepMomentum) {
   }
 }
 
+// Impulse and work of an obstacle that moves, and goes, are those of where it was when the forces were found.
+TEST(Oriented, AMovingObstacleIsInTheBooks) {
+  for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta, OrientedIntegrator::SemiImplicit}) {
+    Scene s = patchScene(0);
+    s.oriented[0].integrator = how;
+    s.oriented[0].damping = s.oriented[0].spinDamping = 4;
+    s.oriented[0].stiffness = 10;
+    Obstacle& ball = test::addFloor(s);
+    ball.shape.kind = ShapeKind::Sphere;
+    ball.shape.radius = 0.12;
+    ball.shape.move = {0, 0, -0.15};
+    ball.motion = {{0, {}, {}}, {0.5, {0, 0, 0.25}, {}}};
+    ball.until = 0.25;
+    s.end = 0.3;
+    test::Simulation x(s);
+    ASSERT_TRUE(x.run());
+    const LedgerReport l = x.books();
+    double highest = 0;
+    for (std::size_t i = 0; i < x.w.oriented.rows.owned; i++) highest = std::max(highest, x.w.oriented.rows.position[i].z);
+    EXPECT_GT(highest, 0.05);  // it was pushed
+    EXPECT_LT(length(l.momentumResidual), 1e-12);
+    EXPECT_LT(std::abs(l.energyResidual), 0.02 * l.energyScale) << static_cast<int>(how);
+  }
+}
+
 TEST(Oriented, RestsOnAnObstacle) {
   Scene s = patchScene(0);
   s.domain.gravity = {0, 0, -9.81};
