@@ -39,14 +39,20 @@ std::vector<std::string> reversedArguments(int argc, char** argv) {
   return all;
 }
 
+/// CLI11 would only say that a command is missing.
+void checkCommand(const CLI::App& app, const std::string& given) {
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == given) return;
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  throw CLI::ValidationError(given, "there is no such command; expected one of " + names);
+}
+
 /// CLI11's own exit codes for wrong usage are all 2 here.
 bool parsed(CLI::App& app, int argc, char** argv, int& code) {
   try {
-    if (argc > 1 && argv[1][0] != '-' && !app.get_subcommand_no_throw(argv[1])) {
-      std::string names;
-      for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) names += (names.empty() ? "" : ", ") + command->get_name();
-      throw CLI::ValidationError(argv[1], "there is no such command; expected one of " + names);
-    }
+    if (argc > 1 && argv[1][0] != '-') checkCommand(app, argv[1]);
     app.parse(reversedArguments(argc, argv));
     return true;
   } catch (const CLI::ParseError& e) {
