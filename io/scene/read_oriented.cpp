@@ -89,7 +89,7 @@ bool drawsNothing(const OrientedEvent& e) {
 void readEvent(TableReader& r, OrientedBody& b) {
   OrientedEvent e;
   e.where = r.place();
-  r.choice("kind", e.kind, {"weld", "cut", "crease", "smooth"}, "what is done: weld joins another body to this one; cut ends all action across it; crease takes the orientation out of the forces along a line; smooth puts it back");
+  r.choice("kind", e.kind, {"weld", "cut", "crease", "smooth"}, "what is done: weld joins another body to this one; cut ends all action across it; crease takes the orientation out of the forces along a line; smooth puts it back within its SHAPE");
   r.number("time", e.time, "s", notNegative(), "when; 0: at the start, after relaxation");
   r.text("other", e.other, "of weld: the body that becomes one with this", "name of an oriented body");
   r.table("plane", "of cut: the plane", [&](TableReader& t) {
