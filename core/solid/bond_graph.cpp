@@ -58,6 +58,7 @@ void BondGraph::dropBroken(const SolidTables& t) {
 }
 
 void BondGraph::leave(const Bonds& b, std::uint32_t slot) {
+  if (slot >= owned_) throw std::logic_error("rows of the table of solids were added outside of relink");
   for (int k = 0; k < used_[slot]; k++) {
     const std::uint32_t n = b.neighbour[b.at(slot, k)];
     if (--references_[n] == 0 && n >= owned_) unnamed_.push_back(n);
