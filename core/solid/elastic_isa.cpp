@@ -139,8 +139,9 @@ template<class Real> THAW_INLINE Vec3<Lanes<Real>> apply(const Mat3<Lanes<Real>>
   return {m.row[0].x * v.x + m.row[0].y * v.y + m.row[0].z * v.z, m.row[1].x * v.x + m.row[1].y * v.y + m.row[1].z * v.z, m.row[2].x * v.x + m.row[2].y * v.y + m.row[2].z * v.z};
 }
 
-template<class Real, bool periodic, bool vectors> void forcesOf(const ElasticArrays& a) {
+template<class Real, bool periodic, bool vectors, bool more> void forcesOf(const ElasticArrays& a) {
   using T = Lanes<Real>;
+  const bool damping = more && a.damping, energy = more && a.energy;
   const auto* motion = static_cast<const Record<Real>*>(a.motion);
   BondLoader<Real, periodic, vectors> bonds(a);
   const double scale = bonds.scale();
@@ -153,9 +154,9 @@ template<class Real, bool periodic, bool vectors> void forcesOf(const ElasticArr
     bonds.begin(self);
     const EightFluxes<Real> i = loadFluxes(bonds.own, bonds.records, self.row);
     Lanes4<Real> vi{};
-    if (a.damping) vi = load(motion, self.row);
+    if (damping) vi = load(motion, self.row);
     Mat3<T> gradient{};
-    if (a.energy) {
+    if (energy) {
       alignas(64) double gradU[9][8];
       for (int l = 0; l < 8; l++)
         for (int r = 0; r < 3; r++) {
@@ -182,7 +183,7 @@ template<class Real, bool periodic, bool vectors> void forcesOf(const ElasticArr
         const Mat3<T>&f = i.flux, &g = j.flux;
         t = {sumTimes<Real>(f.row[0], g.row[0], ref) + k * u.x, sumTimes<Real>(f.row[1], g.row[1], ref) + k * u.y, sumTimes<Real>(f.row[2], g.row[2], ref) + k * u.z};
       }
-      if (a.damping) {
+      if (damping) {
         const Lanes4<Real> vj = load(motion, rows);
         const Vec3<T> x = b.current();
         const T length2 = square<Real>(x), some = select(length2 > T(Real(0)), length2, T(Real(1)));
@@ -191,7 +192,7 @@ template<class Real, bool periodic, bool vectors> void forcesOf(const ElasticArr
         t = {t.x + c * x.x, t.y + c * x.y, t.z + c * x.z};
         lost += wide(b.weight * c * along);
       }
-      if (a.energy) {
+      if (energy) {
         const Vec3<T> e{u.x - dot(gradient.row[0], ref), u.y - dot(gradient.row[1], ref), u.z - dot(gradient.row[2], ref)};
         errors += b.weight * (e.x * e.x + e.y * e.y + e.z * e.z);
       }
@@ -201,9 +202,9 @@ template<class Real, bool periodic, bool vectors> void forcesOf(const ElasticArr
     }
     toDoubles(fx, out[0]), toDoubles(fy, out[1]), toDoubles(fz, out[2]), toDoubles(lost, out[3]);
     for (int l = 0; l < n; l++) a.force[s0 + static_cast<std::size_t>(l)] = {scale * out[0][l], scale * out[1][l], scale * out[2][l]};
-    if (a.damping)
+    if (damping)
       for (int l = 0; l < n; l++) a.dissipated[s0 + static_cast<std::size_t>(l)] += 0.5 * scale * out[3][l] * a.dt;  // half of each bond at each end
-    if (a.energy)
+    if (energy)
       for (int l = 0; l < n; l++) a.energyColumn[s0 + static_cast<std::size_t>(l)] += 0.5 * scale * scale * static_cast<double>(i.k[l]) * static_cast<double>(errors[l]);
   }
 }
@@ -213,7 +214,8 @@ void deformation(ElasticArrays& a) {
   if (a.precision == Precision::Single) return a.periodic ? deformationIn<float, true>(a) : deformationIn<float, false>(a);
   return a.periodic ? deformationIn<double, true>(a) : deformationIn<double, false>(a);
 }
-template<class Real, bool periodic> void forcesIn(const ElasticArrays& a) { a.vectors ? forcesOf<Real, periodic, true>(a) : forcesOf<Real, periodic, false>(a); }
+template<class Real, bool periodic, bool more> void forcesWith(const ElasticArrays& a) { a.vectors ? forcesOf<Real, periodic, true, more>(a) : forcesOf<Real, periodic, false, more>(a); }
+template<class Real, bool periodic> void forcesIn(const ElasticArrays& a) { a.damping || a.energy ? forcesWith<Real, periodic, true>(a) : forcesWith<Real, periodic, false>(a); }
 void forces(const ElasticArrays& a) {
   if (a.precision == Precision::Single) return a.periodic ? forcesIn<float, true>(a) : forcesIn<float, false>(a);
   return a.periodic ? forcesIn<double, true>(a) : forcesIn<double, false>(a);
