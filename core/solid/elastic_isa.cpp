@@ -7,6 +7,27 @@ namespace THAW_ISA {
 
 namespace {
 
+/// sum += w u (x) X of bonds [at, end); tears: excess becomes the largest (x^2 - stretch2 X^2), > 0 where one is to break.
+template<bool tears, class Real, bool periodic, bool vectors>
+THAW_INLINE void sumGradient(const BondLoader<Real, periodic, vectors>& bonds, std::size_t at, std::size_t end, const Lanes<Real>& stretch2, Mat3<Lanes<Real>>& sum, Lanes<Real>& excess) {
+  const ElasticArrays& a = bonds.a;
+  Vec3<Lanes<Real>> x = sum.row[0], y = sum.row[1], z = sum.row[2];  // in registers, where the matrix would stay in memory
+  for (; at < end; at += 8) {
+    const EightBonds<Real> b = bonds(at);
+    const Vec3<Lanes<Real>>& X = b.reference;
+    const Vec3<Lanes<Real>> wX{b.weight * X.x, b.weight * X.y, b.weight * X.z};
+    x = {x.x + b.u.x * wX.x, x.y + b.u.x * wX.y, x.z + b.u.x * wX.z};
+    y = {y.x + b.u.y * wX.x, y.y + b.u.y * wX.y, y.z + b.u.y * wX.z};
+    z = {z.x + b.u.z * wX.x, z.y + b.u.z * wX.y, z.z + b.u.z * wX.z};
+    if constexpr (tears) {
+      Lanes<Real> reference = square<Real>(X);
+      if constexpr (vectors) reference = max(reference, square<Real>(loadVector<Real>(a.rx, a.ry, a.rz, at)));
+      excess = max(excess, square<Real>(b.current()) - stretch2 * reference);
+    }
+  }
+  sum = {{x, y, z}};
+}
+
 template<class Real, bool periodic, bool vectors> void deformationOf(ElasticArrays& a) {
   using T = Lanes<Real>;
   BondLoader<Real, periodic, vectors> bonds(a);
@@ -19,18 +40,11 @@ template<class Real, bool periodic, bool vectors> void deformationOf(ElasticArra
     const std::size_t g = a.groups[gi], s0 = 8 * g, base = g * a.capacity * 8;
     const int n = a.owned - s0 < 8 ? static_cast<int>(a.owned - s0) : 8;
     bonds.begin(slotsOf(s0, n));
+    const std::size_t end = base + std::size_t(a.bondCount[g]) * 8;
     Mat3<T> sum{};
     T excess(Real(0));
-    for (std::size_t at = base, end = base + std::size_t(a.bondCount[g]) * 8; at < end; at += 8) {
-      const EightBonds<Real> b = bonds(at);
-      const Vec3<T>& X = b.reference;
-      addOuter<Real>(sum, b.u, {b.weight * X.x, b.weight * X.y, b.weight * X.z});
-      if (a.stretched) {
-        T reference = square<Real>(X);
-        if constexpr (vectors) reference = max(reference, square<Real>(loadVector<Real>(a.rx, a.ry, a.rz, at)));
-        excess = max(excess, square<Real>(b.current()) - breakStretch2 * reference);
-      }
-    }
+    if (a.stretched) sumGradient<true>(bonds, base, end, breakStretch2, sum, excess);
+    else sumGradient<false>(bonds, base, end, breakStretch2, sum, excess);
     if constexpr (!vectors && sizeof(Real) == 4) sum = scale2 * sum;
     if (a.stretched) a.stretched[g] = any(T(Real(0)) < excess);
     for (int l = 0; l < 8; l++) {
@@ -135,8 +149,9 @@ template<class Real, bool periodic, bool vectors> void deformationOf(ElasticArra
 template<class Real> THAW_INLINE Lanes<Real> sumTimes(const Vec3<Lanes<Real>>& a, const Vec3<Lanes<Real>>& b, const Vec3<Lanes<Real>>& v) {
   return (a.x + b.x) * v.x + (a.y + b.y) * v.y + (a.z + b.z) * v.z;
 }
+template<class Real> THAW_INLINE Lanes<Real> times3(const Vec3<Lanes<Real>>& a, const Vec3<Lanes<Real>>& v) { return a.x * v.x + a.y * v.y + a.z * v.z; }
 template<class Real> THAW_INLINE Vec3<Lanes<Real>> apply(const Mat3<Lanes<Real>>& m, const Vec3<Lanes<Real>>& v) {
-  return {m.row[0].x * v.x + m.row[0].y * v.y + m.row[0].z * v.z, m.row[1].x * v.x + m.row[1].y * v.y + m.row[1].z * v.z, m.row[2].x * v.x + m.row[2].y * v.y + m.row[2].z * v.z};
+  return {times3<Real>(m.row[0], v), times3<Real>(m.row[1], v), times3<Real>(m.row[2], v)};
 }
 
 template<class Real, bool periodic, bool vectors, bool more> void forcesOf(const ElasticArrays& a) {
@@ -171,17 +186,18 @@ template<class Real, bool periodic, bool vectors, bool more> void forcesOf(const
       const std::uint32_t* rows = a.neighbour + at;
       const EightBonds<Real> b = bonds(at);
       const Vec3<T>&ref = b.reference, &u = b.u;
-      const EightFluxes<Real> j = loadFluxes(b.ends, bonds.records, rows);
+      const Lanes4<Real> third = load<4>(bonds.records + 2, rows), fourth = load<4>(bonds.records + 3, rows);  // as loadFluxes, whose struct would go to memory
+      const T k = b.ends.second.c;
+      const Vec3<T> j0{b.ends.second.d, third.a, third.b}, j1{third.c, third.d, fourth.a}, j2{fourth.b, fourth.c, fourth.d};
       Vec3<T> t;
       if constexpr (vectors) {
         const Vec3<T> x = b.current(), back = loadVector<Real>(a.rx, a.ry, a.rz, at), v{x.x + back.x, x.y + back.y, x.z + back.z};
-        const Vec3<T> ours = apply<Real>(i.flux, ref), theirs = apply<Real>(j.flux, back);
+        const Vec3<T> ours = apply<Real>(i.flux, ref), theirs{times3<Real>(j0, back), times3<Real>(j1, back), times3<Real>(j2, back)};
         // (term of i) - (term of j): the other end computes exactly the negative
-        t = {(ours.x + i.k * u.x) - (theirs.x - j.k * v.x), (ours.y + i.k * u.y) - (theirs.y - j.k * v.y), (ours.z + i.k * u.z) - (theirs.z - j.k * v.z)};
+        t = {(ours.x + i.k * u.x) - (theirs.x - k * v.x), (ours.y + i.k * u.y) - (theirs.y - k * v.y), (ours.z + i.k * u.z) - (theirs.z - k * v.z)};
       } else {
-        const T k = i.k + j.k;
-        const Mat3<T>&f = i.flux, &g = j.flux;
-        t = {sumTimes<Real>(f.row[0], g.row[0], ref) + k * u.x, sumTimes<Real>(f.row[1], g.row[1], ref) + k * u.y, sumTimes<Real>(f.row[2], g.row[2], ref) + k * u.z};
+        const T both = i.k + k;
+        t = {sumTimes<Real>(i.flux.row[0], j0, ref) + both * u.x, sumTimes<Real>(i.flux.row[1], j1, ref) + both * u.y, sumTimes<Real>(i.flux.row[2], j2, ref) + both * u.z};
       }
       if (damping) {
         const Lanes4<Real> vj = load(motion, rows);
