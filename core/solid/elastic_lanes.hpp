@@ -112,14 +112,15 @@ template<class Real, bool periodic, bool vectors> struct BondLoader {
   Places<Real, periodic> difference;
   T unit, perSupport2;
   EightEnds<Real> own;
+  std::size_t ahead;  ///< places from a bond to the one that is asked for: the same of the next group, as what a group has room for is not read to its end
   explicit BondLoader(const ElasticArrays& a)
-      : a(a), records(static_cast<const Record<Real>*>(a.end)), difference(a), unit(static_cast<Real>(a.unit)), perSupport2(static_cast<Real>(a.perSupport2 * scale() * scale())) {}
+      : a(a), records(static_cast<const Record<Real>*>(a.end)), difference(a), unit(static_cast<Real>(a.unit)), perSupport2(static_cast<Real>(a.perSupport2 * scale() * scale())), ahead(8 * a.capacity) {}
   /// m, of the lengths that it gives.
   double scale() const { return vectors || sizeof(Real) == 8 ? 1 : a.unit; }
   THAW_INLINE void begin(const Rows& self) { own = loadEnds(records, self.row); }
   THAW_INLINE EightBonds<Real> operator()(std::size_t at) const {
     EightBonds<Real> b;
-    __builtin_prefetch(a.neighbour + at + listAhead);
+    __builtin_prefetch(a.neighbour + at + ahead);
     b.ends = loadEnds(records, a.neighbour + at);
     if constexpr (vectors) {
       Vec3<T> x = difference(own.displacement(), b.ends.displacement());
@@ -137,14 +138,6 @@ template<class Real, bool periodic, bool vectors> struct BondLoader {
   }
 };
 
-template<class Real> THAW_INLINE void addOuter(Mat3<Lanes<Real>>& m, const Vec3<Lanes<Real>>& a, const Vec3<Lanes<Real>>& b) {
-  for (int r = 0; r < 3; r++) {
-    const Lanes<Real>& s = r == 0 ? a.x : r == 1 ? a.y : a.z;
-    m.row[r].x += s * b.x;
-    m.row[r].y += s * b.y;
-    m.row[r].z += s * b.z;
-  }
-}
 template<class Real> THAW_INLINE void storeMatrix(const Mat3<Lanes<Real>>& m, double out[9][8]) {
   for (int r = 0; r < 3; r++) {
     toDoubles(widen(m.row[r].x), out[3 * r]);
