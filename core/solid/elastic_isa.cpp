@@ -39,6 +39,12 @@ template<class Real, bool periodic, bool vectors> void deformationOf(ElasticArra
   for (std::size_t gi = 0; gi < a.groupCount; gi++) {
     const std::size_t g = a.groups[gi], s0 = 8 * g, base = g * a.capacity * 8;
     const int n = a.owned - s0 < 8 ? static_cast<int>(a.owned - s0) : 8;
+    // what is written lane by lane and read eight lanes at a time: before the loop, so that nobody waits for it to arrive
+    loadLaneConstants(a, s0, n, c);
+    for (int l = 0; l < 8; l++) {
+      const Sym3d m = l < n ? a.momentInverse[s0 + static_cast<std::size_t>(l)] : Sym3d{};
+      inverse[0][l] = m.xx, inverse[1][l] = m.yy, inverse[2][l] = m.zz, inverse[3][l] = m.xy, inverse[4][l] = m.yz, inverse[5][l] = m.xz;
+    }
     bonds.begin(slotsOf(s0, n));
     const std::size_t end = base + std::size_t(a.bondCount[g]) * 8;
     Mat3<T> sum{};
@@ -47,13 +53,8 @@ template<class Real, bool periodic, bool vectors> void deformationOf(ElasticArra
     else sumGradient<false>(bonds, base, end, breakStretch2, sum, excess);
     if constexpr (!vectors && sizeof(Real) == 4) sum = scale2 * sum;
     if (a.stretched) a.stretched[g] = any(T(Real(0)) < excess);
-    for (int l = 0; l < 8; l++) {
-      const Sym3d m = l < n ? a.momentInverse[s0 + static_cast<std::size_t>(l)] : Sym3d{};
-      inverse[0][l] = m.xx, inverse[1][l] = m.yy, inverse[2][l] = m.zz, inverse[3][l] = m.xy, inverse[4][l] = m.yz, inverse[5][l] = m.xz;
-    }
     const Sym3<T> momentInverse = loadTensor<Real>(inverse);
     Mat3<T> gradient = times(sum, momentInverse);
-    loadLaneConstants(a, s0, n, c);
     if (a.deformation || a.singularLanes[g] != 0) storeMatrix<Real>(gradient, gradU);
     if (a.singularLanes[g] != 0) {
       for (int l = 0; l < n; l++)
