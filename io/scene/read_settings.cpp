@@ -73,7 +73,7 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.choice("conduction", n.conduction, {"normalised", "plain"}, "the sum for heat conduction: exact for a quadratic temperature on the lattice, or with the kernel's own constant");
   r.flag("self_contact", n.selfContact, "pieces of one body collide with each other");
   r.number("max_density_error", n.maxDensityError, "", {0, 0.2, true, false, false}, "compression that the automatic sound speed allows");
-  r.choice("overlap", n.overlap, {"error", "keep", "remove later", "remove earlier"}, "what happens to particles of two bodies that overlap");
+  r.choice("overlap", n.overlap, {"error", "keep", "remove later", "remove earlier"}, "what happens to particles of two bodies that overlap; a sheet or an oriented body that begins inside a solid one is an error but with \"keep\"");
   r.number("fixed_step", n.fixedStep, "s", notNegative(), "longest time step, at most `end`, cut so that a whole number leads to each frame; 0: as large as the limits allow");
   r.number("max_step", n.maxStep, "s", orNever(positive()), "largest time step");
   r.number("cfl_sound", n.cflSound, "", factor(), "times h / c, h the support radius");
