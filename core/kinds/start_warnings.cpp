@@ -19,6 +19,7 @@ struct Who {
   std::string name;
   const char* rows;
   double thickness;  // m, distance at which an obstacle touches it
+  std::string drawnTo;  // what wrap draws it to, out of it as well as onto it
 };
 
 std::string counted(std::int64_t n, std::int64_t all, const Who& who) { return who.name + ": " + std::to_string(n) + " of its " + std::to_string(all) + " " + who.rows; }
@@ -48,6 +49,7 @@ void warnOfPlaces(const World& w, const KindRows& rows, const std::vector<Who>& 
   // a cloth through a ball is held by it for good: contact pushes what is inside to whatever side is near
   const auto tellInside = [&](const Who& who, const std::string& text, const Body& body) {
     if (!solidAt(w.scene.materials[static_cast<std::size_t>(body.material)], body.temperature)) warnings.push_back({who.where, text + ", whose liquid is pushed off them"});
+    else if (who.drawnTo == body.name) return;
     else if (w.scene.numerics.overlap == OverlapRule::Keep) warnings.push_back({who.where, text + ", where they stay caught"});
     else problems.add(who.where, text + ", where they would stay caught; move them apart, or set numerics.overlap to \"keep\"");
   };
@@ -95,13 +97,13 @@ std::vector<SceneWarning> kindStartWarnings(const World& w, const std::vector<st
   for (std::size_t n = 0; n < w.scene.sheets.size() && w.modules.sheet; n++) others.push_back({&w.sheets.plans[n].mesh.vertices, "sheet '" + w.scene.sheets[n].name + "'", w.sheets.plans[n].thickness});
   std::vector<SceneWarning> warnings;
   std::vector<Who> whose;
-  for (const OrientedBody& b : w.scene.oriented) whose.push_back({b.where, "oriented body '" + b.name + "'", "particles", b.thickness * spacingOf(w.scene, b)});
+  for (const OrientedBody& b : w.scene.oriented) whose.push_back({b.where, "oriented body '" + b.name + "'", "particles", b.thickness * spacingOf(w.scene, b), ""});
   if (w.modules.oriented) warnOfPlaces(w, w.oriented.rows, whose, shapes, all, problems, warnings);
   if (w.modules.oriented) warnOfOthers(w.oriented.rows, whose, others, 0, all, warnings);
   if (!w.modules.sheet) return warnings;
   const Sheets& s = w.sheets.rows;
   whose.clear();
-  for (std::size_t n = 0; n < w.scene.sheets.size(); n++) whose.push_back({w.scene.sheets[n].where, "sheet '" + w.scene.sheets[n].name + "'", "vertices", w.sheets.plans[n].thickness});
+  for (std::size_t n = 0; n < w.scene.sheets.size(); n++) whose.push_back({w.scene.sheets[n].where, "sheet '" + w.scene.sheets[n].name + "'", "vertices", w.sheets.plans[n].thickness, w.scene.sheets[n].wrap != 0 ? w.scene.sheets[n].wrapTo : ""});
   warnOfPlaces(w, s, whose, shapes, all, problems, warnings);
   warnOfOthers(s, whose, others, oriented.size(), all, warnings);
   const auto free = countRows(s, whose.size(), 1, all, [&](std::size_t i, std::size_t) { return !(s.clamped.active && s.clamped[i]); });
