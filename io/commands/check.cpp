@@ -67,7 +67,7 @@ std::string leaveOutRelaxation(Scene& s) {
   return most == 0 ? "" : fmt::format("oriented bodies are relaxed before the start, {} iterations at most: not done here; numbers, step and time are those before it", most);
 }
 
-std::string timeText(double s) { return s > 7200 ? fmt::format("{:.1f} h", s / 3600) : s > 120 ? fmt::format("{:.0f} min", s / 60) : fmt::format("{:.2g} s", s); }
+std::string timeText(double s) { return s > 7200 ? fmt::format("{:.1f} h", s / 3600) : s > 120 ? fmt::format("{:.0f} min", s / 60) : s >= 10 ? fmt::format("{:.0f} s", s) : fmt::format("{:.2g} s", s); }
 
 /// What the emitters let out until the end of the scene.
 double emittedAtEnd(const Scene& s, const StepTools& t) {

@@ -108,7 +108,7 @@ SurfaceTrial::Forecast SurfaceTrial::forecast(double steps, double particles) co
   most = std::max(most, surfels);
   f.surfelsTogether = surfels;
   f.surfelsMost = most;
-  f.bytes = perMeasured_ * static_cast<double>(bytes);
+  f.bytes = perMeasured_ * static_cast<double>(bytes) * std::max(1.0, f.surfelsTogether / std::max(1.0, f.surfels));  // what emitters add
   f.frames = std::floor(w.scene.end / w.scene.output.every) + 1;
   f.updates = expectedUpdates(w, steps);
   const double perSurfel = surfels_ > 500 ? times[1] * comm_.size() / static_cast<double>(surfels_) : secondsPerSurfel, start = perMeasured_ * times[0] * comm_.size();
