@@ -23,6 +23,7 @@
 #include "core/sheet/region_overlaps.hpp"
 #include "core/fluid/surface_energy.hpp"
 #include "core/setup/make_grid.hpp"
+#include "core/setup/pressed_liquid.hpp"
 #include "core/setup/relax_packing.hpp"
 #include "core/setup/size_hint.hpp"
 #include "core/solid_step.hpp"
@@ -194,11 +195,12 @@ void takeStock(World& w, Halos halos, StepTools& t) {
 }
 
 SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader& load) {
-  const SamplingReport report = sampleWorld(w, halos, t, load);
+  SamplingReport report = sampleWorld(w, halos, t, load);
   if (w.modules.oriented) t.oriented.relaxed = relaxOriented(w, halos, t);
   t.bondsAtStart = w.modules.solid;
   t.emitFirst = true;
   takeStock(w, halos, t);
+  for (SceneWarning& warning : pressedLiquids(w, t, halos.all)) report.warnings.push_back(std::move(warning));
   return report;
 }
 

@@ -36,4 +36,24 @@ rejects "periodic and too short" 'periodic along x but shorter than three suppor
 rejects "more particles than ids" "body 'block' would take some .* particles" 2 run "$good" --set spacing=1e-9
 rejects "more particles than memory" 'particles.* memory' 2 run "$good" --set spacing=2e-5
 rejects "more particles than memory" 'particles.* memory' 2 check "$good" --set spacing=2e-5
+# a bath of 7.2 spacings in a tank as wide: its 8 layers are pressed into the walls; one of 8 spacings fits
+tank() {
+  kinds "$1" <<SCENE
+[material.water]
+[[body]]
+name = 'bath'
+material = 'water'
+box = { size = [$2, $2, $2] }
+[[obstacle]]
+name = 'tank'
+difference = [ { box = { size = [0.8, 0.8, 0.8] } }, { box = { size = [$2, $2, 1] } } ]
+SCENE
+}
+rejects "a bath that is pressed into its tank" "^warning: .*bath.toml:7:1: body 'bath': its liquid begins compressed, by [0-9]+ % where it is densest, and would fly apart at some [0-9.]+ m/s, where" 0 check "$(tank bath 0.36)"
+fits() {
+  isAccepted "a bath that fits" check "$(tank fits 0.4)"
+  grep 'begins compressed' "$place/log" && fail "a bath that fits is told to be compressed"
+}
+started fits
+
 allCases
