@@ -15,6 +15,7 @@
 #include "core/memory.hpp"
 #include "core/setup/setup.hpp"
 #include "core/time/limits.hpp"
+#include "io/commands/bytes_text.hpp"
 #include "io/commands/check_surface.hpp"
 #include "io/commands/frontier.hpp"
 #include "io/commands/require_memory.hpp"
@@ -27,8 +28,6 @@
 
 namespace thaw {
 namespace {
-
-std::string bytesText(double b) { return b > 1e9 ? fmt::format("{:.2f} GB", b / 1e9) : fmt::format("{:.1f} MB", b / 1e6); }
 
 /// A line for each oriented body and each sheet.
 std::vector<std::string> linesOfKinds(const World& w, Reducer& all) {

@@ -8,6 +8,7 @@
 
 #include "core/fluid/liquid_materials.hpp"
 #include "core/surface/prepare_surface.hpp"
+#include "io/commands/bytes_text.hpp"
 #include "io/commands/require_memory.hpp"
 
 namespace thaw {
@@ -42,8 +43,6 @@ void meltAll(World& w) {
     p.position[i] += 0.1 * h * Vec3d{std::sin(k * x.y), std::sin(k * x.z), std::sin(k * x.x)};
   }
 }
-
-std::string bytesText(double b) { return b > 1e9 ? fmt::format("{:.2f} GB", b / 1e9) : fmt::format("{:.1f} MB", b / 1e6); }
 
 }  // namespace
 

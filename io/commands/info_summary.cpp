@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/kinds/kinds.hpp"
+#include "io/commands/bytes_text.hpp"
 
 using Json = nlohmann::ordered_json;
 
@@ -15,7 +16,6 @@ constexpr std::size_t mostWarnings = 6, longest = 200;  // lines of warnings; ch
 
 double numberOf(const Json& j, const char* key) { return j.contains(key) && j[key].is_number() ? j[key].get<double>() : 0; }
 std::string textOf(const Json& j, const char* key) { return j.contains(key) && j[key].is_string() ? j[key].get<std::string>() : std::string(); }
-std::string bytesText(double b) { return b > 1e9 ? fmt::format("{:.2f} GB", b / 1e9) : fmt::format("{:.1f} MB", b / 1e6); }
 std::string named(const char* what, const std::string& text) { return fmt::format("  {:<12} {}", what, text); }
 
 /// "melted 12, frozen 3", of those that are not 0.
@@ -65,7 +65,7 @@ std::vector<std::string> summaryOfRun(const Json& run) {
   const std::string title = textOf(s, "title"), message = textOf(s, "message");
   lines.push_back(fmt::format("{}: a run of {}{}", textOf(run, "path"), s.contains("scene") ? textOf(s, "scene") : "a scene that left no summary.json", title.empty() ? "" : ": " + title));
   if (s.contains("status"))
-    lines.push_back(named("status", fmt::format("{} at t {:.6g} of {:.6g} s, step {}{}", textOf(s, "status"), numberOf(s, "time_s"), numberOf(s, "end_s"), s.value("step", std::int64_t(0)),
+    lines.push_back(named("status", fmt::format("{} at t {:.6g} of {:.6g} s, step {}{}", textOf(s, "status") == "running" ? "running, or killed," : textOf(s, "status"), numberOf(s, "time_s"), numberOf(s, "end_s"), s.value("step", std::int64_t(0)),
                                                 message.empty() ? "" : ": " + message)));
   addCheckpoints(run, lines);
   addFrames(run, lines);

@@ -37,6 +37,15 @@ bool isWork(StepPhase p) {
          p == StepPhase::Heat || p == StepPhase::Drift || p == StepPhase::Sort;
 }
 
+/// ", 12 through its side of high z, 3 through that of low x", as far as it is known: the counts of a run that began before they were made are less.
+std::string sidesLeft(const Counters& c) {
+  std::string text;
+  for (int a = 0; a < 3; a++)
+    for (int high = 0; high < 2; high++)
+      if (const std::int64_t n = c.leftThrough[a][high]; n > 0) text += fmt::format(", {} through its side of {} {}", n, high ? "high" : "low", "xyz"[a]);
+  return text;
+}
+
 }  // namespace
 
 double peakMemory() {
@@ -136,7 +145,7 @@ std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
   const auto add = [&](std::int64_t n, const char* what) {
     if (n > 0) w.push_back(fmt::format("{} {}", n, what));
   };
-  add(c.left, "particles left the domain (their mass, momentum and heat are in the ledger)");
+  if (c.left > 0) w.push_back(fmt::format("{} particles left the domain{} (their mass, momentum and heat are in the ledger)", c.left, sidesLeft(c)));
   add(c.singularNeighbourhoods, "solid particles have a flat, thin or lonely neighbourhood (rank of their moment matrix < 3)");
   add(c.inverted, "times a solid particle was turned inside out (det F <= 0)");
   add(c.squeezed, "times a solid particle of law = \"green\" was squeezed below .577 of its length, from where that law weakens: law = \"corotated\" or \"neo-hookean\" stiffens");

@@ -76,6 +76,13 @@ TEST(Stability, B27_ParticlesThatLeave) {
   EXPECT_GT(run.w.counters.left, 50);
   EXPECT_LE(std::abs(r.massResidual), 1e-15 * r.initial.mass);  // exact sums, but for their rounding in the report
   EXPECT_NEAR(r.left.mass, static_cast<double>(run.w.counters.left) * m, 1e-12);
+  std::int64_t through = 0;
+  for (int a = 0; a < 3; a++)
+    for (int high = 0; high < 2; high++) {
+      through += run.w.counters.leftThrough[a][high];
+      EXPECT_EQ(run.w.counters.leftThrough[a][high] > 0, s.domain.side[static_cast<std::size_t>(a)][static_cast<std::size_t>(high)] == Side::Open) << a << high;
+    }
+  EXPECT_EQ(through, run.w.counters.left);
   EXPECT_EQ(static_cast<std::int64_t>(p.owned) + run.w.counters.left, 216);
   EXPECT_LE(beyond, 0);
   EXPECT_LT(length(r.momentumResidual), 1e-5 * length(r.left.momentum));
