@@ -43,7 +43,7 @@ void addContents(const Json& s, std::vector<std::string>& lines) {
   if (s.contains("particles")) text = fmt::format("{} particles, {:.1f} % liquid", s["particles"].get<std::int64_t>(), 100 * numberOf(s, "liquid_fraction"));
   for (const char* kind : kindNames)
     if (s.contains(kind)) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", kind, s[kind].get<std::int64_t>());
-  if (s.contains("surface")) text += fmt::format(", {} surfels in {} components", s["surface"].at("surfels").get<std::int64_t>(), s["surface"].at("components").size());
+  if (s.contains("surface")) text += fmt::format(", {} surfels in {} component{}", s["surface"].at("surfels").get<std::int64_t>(), s["surface"].at("components").size(), s["surface"].at("components").size() == 1 ? "" : "s");
   lines.push_back(named("holds", text));
   lines.push_back(named("time step", fmt::format("{:.3g} s, limited by {}", numberOf(s, "dt_s"), textOf(s, "dt_limited_by"))));
 }
