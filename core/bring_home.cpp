@@ -90,10 +90,10 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
   if (!moves && !t.leaving.empty()) findCells(w, t.leaving, true, open);
   findStoredEnergy(w, t, t.leaving);
   addToBalance(w, t.leaving, w.ledger.left);
-  w.counters.left += static_cast<std::int64_t>(t.leaving.size());
   bool leftSlots = false;
   for (std::uint32_t i : t.leaving) {
     w.ledger.dissipated.add(p.dissipated[i]);
+    countLeaving(w.scene.domain, p.position[i], w.counters);
     leftSlots = leftSlots || (p.slot.active && p.slot[i] != noSlot);
   }
   const std::size_t before = p.owned;

@@ -32,6 +32,7 @@ struct Counters {
   std::int64_t rereferenced = 0;
   std::int64_t wallProjections = 0;         ///< particles pushed out of an obstacle by position
   std::int64_t left = 0, emitted = 0;
+  std::int64_t leftThrough[3][2] = {};      ///< of those that left: the open side that each was farthest beyond, [axis][low, high]
   std::int64_t viscousIterations = 0;       ///< of implicit viscosity, all steps; on the first rank only
   std::int64_t viscousUnfinished = 0;       ///< steps in which they were not enough; on the first rank only
   std::int64_t retries = 0;                 ///< stretches that failed and were run again with shorter steps

@@ -26,7 +26,7 @@ def keyed(settings):
         return None
     if text.startswith("material."):
         return "material.*." + text.split(".", 2)[2]
-    return text if text.startswith("quality=") else "numerics." + text
+    return text if text.startswith(("quality=", "body.")) else "numerics." + text
 
 
 def failed(rows, settings):

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/kinds/kind_rows.hpp"
+#include "core/world.hpp"
 
 namespace thaw {
 
@@ -38,6 +39,18 @@ bool hasOpenSide(const Domain& d) {
   bool open = false;
   for (const auto& side : d.side) open = open || side[0] == Side::Open || side[1] == Side::Open;
   return open;
+}
+
+void countLeaving(const Domain& d, const Vec3d& x, Counters& counters) {
+  std::int64_t* through = nullptr;
+  double farthest = -HUGE_VAL;
+  for (int a = 0; a < 3; a++)
+    for (int high = 0; high < 2; high++) {
+      const double beyond = high ? x[a] - d.max[a] : d.min[a] - x[a];
+      if (d.side[static_cast<std::size_t>(a)][static_cast<std::size_t>(high)] == Side::Open && beyond > farthest) farthest = beyond, through = &counters.leftThrough[a][high];
+    }
+  counters.left++;
+  if (through) ++*through;
 }
 
 template<class Rows> void findLeaving(const Domain& d, Rows& p, std::size_t begin, std::size_t end, std::vector<std::uint32_t>& rows) {

@@ -10,6 +10,8 @@
 
 namespace thaw {
 
+struct Counters;
+
 /// Brings a place beyond a periodic side back into the domain. Returns the potential of gravity (J/kg) that this gives.
 double wrapPlace(const CellGrid& grid, const Domain& domain, Vec3d& place);
 
@@ -26,6 +28,9 @@ struct OpenBox {
 OpenBox openBox(const Domain& domain);
 
 bool hasOpenSide(const Domain& domain);
+
+/// Counts one that leaves at x: at the open side that it is farthest beyond.
+void countLeaving(const Domain& domain, const Vec3d& x, Counters& counters);
 
 /// Rows [begin, end) beyond an open side, ascending, are added to `rows`. Their nextCell is set to noCell, so that migration leaves them alone; the
 /// caller books and drops them.

@@ -45,8 +45,8 @@ void bringKindsHome(World& w, Halos halos, StepTools& t, double dt) {
     for (const std::uint32_t i : t.leaving) {
       addKindRow(w, kind, i, w.ledger.left);
       w.ledger.dissipated.add(r.dissipated[i]);
+      countLeaving(w.scene.domain, r.position[i], w.counters);
     }
-    w.counters.left += static_cast<std::int64_t>(t.leaving.size());
     if (kind == sheetKind) forgetSlotsAtStart(w.sheets, !t.leaving.empty());
     placeRows(w, halos, t, kind, r, cells);
   });

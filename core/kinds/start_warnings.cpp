@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "core/geometry/point_tree.hpp"
+#include "core/geometry/shape_error.hpp"
 #include "core/kinds/kinds.hpp"
 
 namespace thaw {
@@ -18,6 +19,7 @@ struct Who {
   std::string name;
   const char* rows;
   double thickness;  // m, distance at which an obstacle touches it
+  std::string drawnTo;  // what wrap draws it to, out of it as well as onto it
 };
 
 std::string counted(std::int64_t n, std::int64_t all, const Who& who) { return who.name + ": " + std::to_string(n) + " of its " + std::to_string(all) + " " + who.rows; }
@@ -37,17 +39,24 @@ template<class Is> std::vector<std::vector<std::int64_t>> countRows(const KindRo
 }
 
 void warnOfPlaces(const World& w, const KindRows& rows, const std::vector<Who>& whose, const std::vector<std::shared_ptr<const SignedDistance>>& shapes, Reducer& all,
-                  std::vector<SceneWarning>& warnings) {
+                  SceneProblems& problems, std::vector<SceneWarning>& warnings) {
   const auto inBodies = countRows(rows, whose.size(), shapes.size(), all, [&](std::size_t i, std::size_t k) { return shapes[k] && shapes[k]->inside(rows.position[i]); });
   const auto inWalls = countRows(rows, whose.size(), w.walls.list.size(), all, [&](std::size_t i, std::size_t k) {
     const Wall& wall = w.walls.list[k];
     const double keep = deep * whose[rows.body[i]].thickness;
     return wall.present && wall.shape->distanceWithin(toRest(wall.pose, rows.position[i]), keep) < keep;
   });
+  // a cloth through a ball is held by it for good: contact pushes what is inside to whatever side is near
+  const auto tellInside = [&](const Who& who, const std::string& text, const Body& body) {
+    if (!solidAt(w.scene.materials[static_cast<std::size_t>(body.material)], body.temperature)) warnings.push_back({who.where, text + ", whose liquid is pushed off them"});
+    else if (who.drawnTo == body.name) return;
+    else if (w.scene.numerics.overlap == OverlapRule::Keep) warnings.push_back({who.where, text + ", where they stay caught"});
+    else problems.add(who.where, text + ", where they would stay caught; move them apart, or set numerics.overlap to \"keep\"");
+  };
   for (std::size_t b = 0; b < whose.size(); b++) {
     const std::int64_t n = inBodies[b].back();
     for (std::size_t k = 0; k < shapes.size(); k++)
-      if (inBodies[b][k] > 0) warnings.push_back({whose[b].where, counted(inBodies[b][k], n, whose[b]) + " begin inside body '" + w.scene.bodies[k].name + "'"});
+      if (inBodies[b][k] > 0) tellInside(whose[b], counted(inBodies[b][k], n, whose[b]) + " begin inside body '" + w.scene.bodies[k].name + "'", w.scene.bodies[k]);
     for (std::size_t k = 0; k < w.walls.list.size(); k++)
       if (inWalls[b][k] > 0)
         warnings.push_back({whose[b].where, counted(inWalls[b][k], n, whose[b]) + " begin deeper than half of its thickness in the contact with obstacle '" + w.walls.list[k].properties.name +
@@ -78,7 +87,8 @@ void warnOfOthers(const KindRows& rows, const std::vector<Who>& whose, const std
 
 }  // namespace
 
-std::vector<SceneWarning> kindStartWarnings(const World& w, const std::vector<std::shared_ptr<const SignedDistance>>& shapes, const std::vector<std::vector<Vec3d>>& oriented, Reducer& all) {
+std::vector<SceneWarning> kindStartWarnings(const World& w, const std::vector<std::shared_ptr<const SignedDistance>>& shapes, const std::vector<std::vector<Vec3d>>& oriented, Reducer& all,
+                                            SceneProblems& problems) {
   std::vector<Other> others;
   for (std::size_t b = 0; b < oriented.size(); b++) {
     const OrientedBody& body = w.scene.oriented[b];
@@ -87,14 +97,14 @@ std::vector<SceneWarning> kindStartWarnings(const World& w, const std::vector<st
   for (std::size_t n = 0; n < w.scene.sheets.size() && w.modules.sheet; n++) others.push_back({&w.sheets.plans[n].mesh.vertices, "sheet '" + w.scene.sheets[n].name + "'", w.sheets.plans[n].thickness});
   std::vector<SceneWarning> warnings;
   std::vector<Who> whose;
-  for (const OrientedBody& b : w.scene.oriented) whose.push_back({b.where, "oriented body '" + b.name + "'", "particles", b.thickness * spacingOf(w.scene, b)});
-  if (w.modules.oriented) warnOfPlaces(w, w.oriented.rows, whose, shapes, all, warnings);
+  for (const OrientedBody& b : w.scene.oriented) whose.push_back({b.where, "oriented body '" + b.name + "'", "particles", b.thickness * spacingOf(w.scene, b), ""});
+  if (w.modules.oriented) warnOfPlaces(w, w.oriented.rows, whose, shapes, all, problems, warnings);
   if (w.modules.oriented) warnOfOthers(w.oriented.rows, whose, others, 0, all, warnings);
   if (!w.modules.sheet) return warnings;
   const Sheets& s = w.sheets.rows;
   whose.clear();
-  for (std::size_t n = 0; n < w.scene.sheets.size(); n++) whose.push_back({w.scene.sheets[n].where, "sheet '" + w.scene.sheets[n].name + "'", "vertices", w.sheets.plans[n].thickness});
-  warnOfPlaces(w, s, whose, shapes, all, warnings);
+  for (std::size_t n = 0; n < w.scene.sheets.size(); n++) whose.push_back({w.scene.sheets[n].where, "sheet '" + w.scene.sheets[n].name + "'", "vertices", w.sheets.plans[n].thickness, w.scene.sheets[n].wrap != 0 ? w.scene.sheets[n].wrapTo : ""});
+  warnOfPlaces(w, s, whose, shapes, all, problems, warnings);
   warnOfOthers(s, whose, others, oriented.size(), all, warnings);
   const auto free = countRows(s, whose.size(), 1, all, [&](std::size_t i, std::size_t) { return !(s.clamped.active && s.clamped[i]); });
   for (std::size_t n = 0; n < whose.size(); n++) {

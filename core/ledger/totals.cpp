@@ -6,7 +6,7 @@ namespace {
 constexpr std::size_t balanceSums = 11, ledgerSums = 2 * balanceSums + 14, worldCounts = sizeof(Counters) / sizeof(std::int64_t);
 static_assert(sizeof(ExactBalance) == balanceSums * sizeof(ExactSum), "list the new sum in addBalance, and in valuesOf");
 static_assert(sizeof(Ledger) == ledgerSums * sizeof(ExactSum) + sizeof(Balance), "list the new sum in sumsOf");
-static_assert(worldCounts == 21, "list the new counter in countsOf");
+static_assert(worldCounts == 27, "list the new counter in countsOf");
 static_assert(sizeof(SurfaceCounters) == 11 * sizeof(std::int64_t), "list the new counter in countsOf");
 static_assert(sizeof(WatchState) == 9 * sizeof(double), "list the new member in realsOf or countsOf");
 
@@ -58,6 +58,12 @@ std::vector<NamedCount> countsOf(Counters& c) {
           {"wall_projections", &c.wallProjections},
           {"left", &c.left},
           {"emitted", &c.emitted},
+          {"left_x_low", &c.leftThrough[0][0]},
+          {"left_x_high", &c.leftThrough[0][1]},
+          {"left_y_low", &c.leftThrough[1][0]},
+          {"left_y_high", &c.leftThrough[1][1]},
+          {"left_z_low", &c.leftThrough[2][0]},
+          {"left_z_high", &c.leftThrough[2][1]},
           {"viscous_iterations", &c.viscousIterations},
           {"viscous_unfinished", &c.viscousUnfinished},
           {"density_iterations", &c.densityIterations},

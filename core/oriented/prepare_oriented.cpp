@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "core/domain/outside.hpp"
 #include "core/geometry/point_tree.hpp"
 #include "core/geometry/sampling.hpp"
 #include "core/geometry/shape_error.hpp"
@@ -112,10 +113,10 @@ std::vector<std::vector<Vec3d>> sampleOriented(World& w, Halos halos, const Mesh
     std::vector<std::shared_ptr<const SignedDistance>> regions;
     for (const OrientedAnchor& a : body.anchors) regions.push_back(makeSignedDistance(a.region, load, "oriented body '" + body.name + "': an anchor", problems));
     std::vector<std::size_t> holds(body.anchors.size(), 0);
-    std::size_t outside = 0;
+    Outside outside;
     for (std::size_t k = 0; k < made.places.size(); k++) {
       const Vec3d x = made.places[k];
-      outside += !w.scene.domain.holds(x);
+      outside.look(w.scene.domain, x);
       std::uint8_t flags = made.held[k];
       std::uint16_t anchor = noAnchor;
       for (std::size_t a = regions.size(); a-- > 0;)  // the first that has it
@@ -145,7 +146,7 @@ std::vector<std::vector<Vec3d>> sampleOriented(World& w, Halos halos, const Mesh
     }
     for (std::size_t a = 0; a < holds.size(); a++)
       if (regions[a] && holds[a] == 0) problems.add(body.anchors[a].where, "oriented body '" + body.name + "': there is no particle in this anchor");
-    if (outside > 0) problems.add(body.where, "oriented body '" + body.name + "': " + std::to_string(outside) + " of its particles lie outside of the domain; enlarge the domain or move the body");
+    if (outside.count > 0) problems.add(body.where, "oriented body '" + body.name + "': " + outsideText(outside, w.scene.domain, static_cast<std::int64_t>(made.places.size()), "particles", "body"));
   }
   if (w.scene.numerics.overlap != OverlapRule::Keep) refuseSharedPlaces(w.scene, places, problems);
   problems.raise();

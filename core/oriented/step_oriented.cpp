@@ -67,8 +67,8 @@ void letGoOutside(World& w, double dt) {
   const OpenBox box = openBox(w.scene.domain);
   for (std::size_t i = 0; i < o.owned; i++)
     if (box.leaves(o.position[i])) {
+      countLeaving(w.scene.domain, o.position[i], w.counters);
       letGo(w, i, dt);
-      w.counters.left++;
     }
 }
 

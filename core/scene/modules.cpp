@@ -3,12 +3,13 @@
 #include <cmath>
 
 namespace thaw {
+
+bool solidAt(const Material& m, double T) { return m.canBeSolid() && (m.melts() ? T < m.liquidus : !m.liquidAtStart); }
+
 namespace {
 
 std::string quoted(const std::string& name) { return "'" + name + "'"; }
 
-/// Is the material solid at this temperature?
-bool solidAt(const Material& m, double T) { return m.canBeSolid() && (m.melts() ? T < m.liquidus : !m.liquidAtStart); }
 bool liquidAt(const Material& m, double T) { return !m.canBeSolid() || (m.melts() ? T > m.solidus : m.liquidAtStart); }
 
 struct Finder {

@@ -43,4 +43,7 @@ struct Modules {
 
 Modules modulesOf(const Scene& scene);
 
+/// Is a body of the material solid at the start, at this temperature (K)?
+bool solidAt(const Material& material, double T);
+
 }  // namespace thaw

@@ -11,6 +11,7 @@
 #include "core/heat/enthalpy.hpp"
 #include "core/heat/heat.hpp"
 #include "core/scene/full_box.hpp"
+#include "core/setup/size_hint.hpp"
 
 namespace thaw {
 namespace {
@@ -18,18 +19,16 @@ namespace {
 /// What is wrong with places of samples, on this rank; of the first offender of each kind (by body) the names are kept, as a number that
 /// can be reduced: the maximum of negated numbers, -never where there is none.
 struct Offenders {
-  std::int64_t outside = 0, inObstacles = 0, inItself = 0;
-  double firstOutside = -never, firstObstacle = -never, firstItself = -never;
+  explicit Offenders(std::size_t bodies) : outside(bodies) {}
+  std::vector<Outside> outside;  // by body
+  std::int64_t inObstacles = 0, inItself = 0;
+  double firstObstacle = -never, firstItself = -never;
 };
 constexpr std::size_t codes = 65536;
 
 /// x: of a sample, brought in where it was beyond a periodic side.
 void lookAt(const World& w, std::size_t body, const Vec3d& x, Offenders& o) {
-  const Domain& d = w.scene.domain;
-  if (x.x < d.min.x || x.x >= d.max.x || x.y < d.min.y || x.y >= d.max.y || x.z < d.min.z || x.z >= d.max.z) {
-    o.outside++;
-    o.firstOutside = std::max(o.firstOutside, -static_cast<double>(body));
-  }
+  o.outside[body].look(w.scene.domain, x);
   const double dx = w.scene.spacing;
   for (std::size_t k = 0; k < w.walls.list.size(); k++) {
     const Wall& wall = w.walls.list[k];
@@ -117,7 +116,7 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
   const auto periodOf = [&](int a) { return w.grid.periodic[a] ? w.grid.period[a] : 0; };
   const OverlapTest overlap(shapes, {periodOf(0), periodOf(1), periodOf(2)});
   OverlapCounts overlaps(n);
-  Offenders offenders;
+  Offenders offenders(n);
   std::vector<std::int64_t> counts;
   std::int64_t removed = 0;
   for (std::size_t b = 0; b < n; b++) {
@@ -127,35 +126,36 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
   }
   settlePhase(s, w.modules, p, 0, p.owned);
 
-  counts.insert(counts.end(), {removed, offenders.outside, offenders.inObstacles, offenders.inItself});
+  counts.insert(counts.end(), {removed, offenders.inObstacles, offenders.inItself});
   all.sum(counts);
   all.sum(overlaps.count);
-  double first[3] = {offenders.firstOutside, offenders.firstObstacle, offenders.firstItself};
+  addUp(offenders.outside, all);
+  double first[2] = {offenders.firstObstacle, offenders.firstItself};
   all.maximum(first);
   SamplingReport report;
   report.particles.assign(counts.begin(), counts.begin() + static_cast<std::ptrdiff_t>(n));
   report.removed = counts[n];
-  report.outside = counts[n + 1];
-  report.inObstacles = counts[n + 2];
+  report.outside = std::move(offenders.outside);
+  report.inObstacles = counts[n + 1];
   report.overlaps = describeOverlaps(overlaps, s.bodies);
   SceneProblems problems;
   for (std::size_t b = 0; b < n; b++)
     if (report.particles[b] == 0 && report.removed == 0)
-      problems.add(s.bodies[b].where, "body '" + s.bodies[b].name + "' has no particle: it is too small or too thin for the spacing, or empty");
-  if (const std::int64_t inItself = counts[n + 3]; inItself > 0) {
-    const Body& b = s.bodies[static_cast<std::size_t>(-first[2])];
+      problems.add(s.bodies[b].where, "body '" + s.bodies[b].name + "' has no particle: it is too small or too thin for the spacing, or empty" + sizeHint(s, s.bodies[b].shape, shapes[b]->bounds()));
+  if (const std::int64_t inItself = counts[n + 2]; inItself > 0) {
+    const Body& b = s.bodies[static_cast<std::size_t>(-first[1])];
     problems.add(b.where, "body '" + b.name + "' reaches round the domain into itself: " + std::to_string(inItself) +
                               " of its particles lie inside its image across a periodic side; make it shorter than the domain along its periodic axes, or the domain longer");
   }
   problems.raise();
+  for (std::size_t b = 0; b < n; b++)
+    if (const std::string narrow = narrowAxes(shapes[b]->bounds(), s.spacing); !narrow.empty())
+      report.warnings.push_back({s.bodies[b].where, "body '" + s.bodies[b].name + "' is narrower than the spacing of " + lengthText(s.spacing) + " (" + narrow + "): it is one layer of particles there, a spacing thick, and as heavy" +
+                                                         sizeHint(s, s.bodies[b].shape, shapes[b]->bounds())});
   for (std::size_t k = overlaps.count.size(); k-- > 0;)
     if (overlaps.count[k] > 0) report.overlapWhere = s.bodies[k / n].where;
-  if (report.outside > 0) {
-    report.firstOutside = "'" + s.bodies[static_cast<std::size_t>(-first[0])].name + "'";
-    report.outsideWhere = s.bodies[static_cast<std::size_t>(-first[0])].where;
-  }
   if (report.inObstacles > 0) {
-    const std::size_t code = static_cast<std::size_t>(-first[1]);
+    const std::size_t code = static_cast<std::size_t>(-first[0]);
     report.obstacleWhere = s.bodies[code / codes].where;
     report.firstObstacle = "'" + s.bodies[code / codes].name + "' and '" + w.walls.list[code % codes].properties.name + "'";
   }

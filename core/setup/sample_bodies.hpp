@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/domain/outside.hpp"
 #include "core/geometry/signed_distance.hpp"
 #include "core/halo/halo.hpp"
 #include "core/kinds/start_warnings.hpp"
@@ -15,10 +16,11 @@ struct SamplingReport {
   std::vector<std::int64_t> particles;   ///< by body
   std::vector<std::string> overlaps;     ///< a sentence for each pair of bodies that overlap, with the counts
   std::int64_t removed = 0;              ///< samples left out of them, as the scene says
-  std::int64_t inObstacles = 0, outside = 0;
-  std::string firstObstacle, firstOutside;  ///< names, for the message
-  SourcePlace overlapWhere, outsideWhere, obstacleWhere;  ///< of the first body concerned
-  std::vector<SceneWarning> warnings;    ///< of oriented bodies and sheets; what was mended of meshes
+  std::vector<Outside> outside;          ///< of the domain, by body
+  std::int64_t inObstacles = 0;
+  std::string firstObstacle;             ///< names, for the message
+  SourcePlace overlapWhere, obstacleWhere;  ///< of the first body concerned
+  std::vector<SceneWarning> warnings;    ///< of narrow bodies, of oriented bodies and sheets; what was mended of meshes
 };
 
 /// Appends this rank's share of all bodies' particles: the rows of each body's lattice are dealt out evenly, so that no rank samples

@@ -23,7 +23,9 @@
 #include "core/sheet/region_overlaps.hpp"
 #include "core/fluid/surface_energy.hpp"
 #include "core/setup/make_grid.hpp"
+#include "core/setup/pressed_liquid.hpp"
 #include "core/setup/relax_packing.hpp"
+#include "core/setup/size_hint.hpp"
 #include "core/solid_step.hpp"
 #include "core/stored_energy.hpp"
 #include "core/surface/prepare_surface.hpp"
@@ -138,8 +140,9 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
   if (w.scene.numerics.overlap == OverlapRule::Error)
     for (const std::string& pair : report.overlaps)
       problems.add(report.overlapWhere, pair + "; move them apart, or set numerics.overlap to \"keep\", \"remove later\" or \"remove earlier\"");
-  if (report.outside > 0)
-    problems.add(report.outsideWhere, std::to_string(report.outside) + " particles lie outside of the domain (first: body " + report.firstOutside + "); enlarge the domain or move the body");
+  for (std::size_t b = 0; b < shapes.size(); b++)
+    if (const Body& body = w.scene.bodies[b]; report.outside[b].count > 0)
+      problems.add(body.where, "body '" + body.name + "': " + outsideText(report.outside[b], w.scene.domain, report.particles[b], "particles", "body") + sizeHint(w.scene, body.shape, shapes[b]->bounds()));
   if (report.inObstacles > 0 && w.scene.numerics.overlap != OverlapRule::Keep)
     problems.add(report.obstacleWhere, std::to_string(report.inObstacles) + " particles lie inside an obstacle (first: body and obstacle " + report.firstObstacle +
                                            "); move them apart, or set numerics.overlap to \"keep\"");
@@ -147,7 +150,9 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
   // a first partition by the number of particles; they are still where they were sampled
   Continuum& p = w.particles;
   const std::vector<std::vector<Vec3d>> oriented = sampleKinds(w, halos, t, load);
-  if (w.modules.kinds()) report.warnings = kindStartWarnings(w, shapes, oriented, halos.all);
+  if (w.modules.kinds())
+    for (SceneWarning& warning : kindStartWarnings(w, shapes, oriented, halos.all, problems)) report.warnings.push_back(std::move(warning));
+  problems.raise();
   for (std::size_t b = 0; b < shapes.size(); b++) {  // what was mended of meshes
     std::vector<std::string> notes;
     shapes[b]->addNotes(notes);
@@ -190,11 +195,12 @@ void takeStock(World& w, Halos halos, StepTools& t) {
 }
 
 SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader& load) {
-  const SamplingReport report = sampleWorld(w, halos, t, load);
+  SamplingReport report = sampleWorld(w, halos, t, load);
   if (w.modules.oriented) t.oriented.relaxed = relaxOriented(w, halos, t);
   t.bondsAtStart = w.modules.solid;
   t.emitFirst = true;
   takeStock(w, halos, t);
+  for (SceneWarning& warning : pressedLiquids(w, t, halos.all)) report.warnings.push_back(std::move(warning));
   return report;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/domain/outside.hpp"
 #include "core/geometry/shape_error.hpp"
 #include "core/sheet/changing_factors.hpp"
 #include "core/sheet/inner_forces.hpp"
@@ -53,10 +54,9 @@ void sampleSheets(World& w, Halos halos, const MeshLoader& load) {
     std::vector<std::shared_ptr<const SignedDistance>> clamps;
     for (const Shape& c : b.clamp) clamps.push_back(makeSignedDistance(c, load, "sheet '" + b.name + "': a clamp", problems));
     const std::size_t all = plan.mesh.vertices.size(), begin = all * rank / ranks, end = all * (rank + 1) / ranks;
-    std::int64_t outside = 0;
-    for (const Vec3d& x : plan.mesh.vertices) outside += !w.scene.domain.holds(x);
-    if (outside > 0)
-      problems.add(b.where, "sheet '" + b.name + "': " + std::to_string(outside) + " of its " + std::to_string(all) + " vertices lie outside of the domain; enlarge the domain or move the sheet");
+    Outside outside;
+    for (const Vec3d& x : plan.mesh.vertices) outside.look(w.scene.domain, x);
+    if (outside.count > 0) problems.add(b.where, "sheet '" + b.name + "': " + outsideText(outside, w.scene.domain, static_cast<std::int64_t>(all), "vertices", "sheet"));
     for (std::size_t c = 0; c < clamps.size(); c++)
       if (clamps[c] && std::none_of(plan.mesh.vertices.begin(), plan.mesh.vertices.end(), [&](const Vec3d& x) { return clamps[c]->inside(x); }))
         problems.add(b.clamp[c].where, "sheet '" + b.name + "': there is no vertex in this clamp at the start");

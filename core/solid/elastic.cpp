@@ -119,6 +119,14 @@ void completeLane(const ElasticArrays& a, std::size_t slot, int lane, double gra
     for (int c = 0; c < 3; c++) gradU[3 * r + c][lane] = g.row[r][c];
 }
 
+void turnNormalOfLane(const ElasticArrays& a, const LaneConstants& c, std::size_t slot, int lane, const FlatLane& of) {
+  if (a.rank[slot] != 2 || !(a.perTrace[slot] > 0)) return;
+  const Mat3d more = stressOfNormal({laneMatrix(of.gradU, lane), a.momentInverse[slot], 1 / a.perTrace[slot], laneMatrix(of.sum, lane), c.volume[lane] * laneMatrix(of.stress, lane), c.hourglass[lane]}) *
+                     full(a.momentInverse[slot]);
+  for (int r = 0; r < 3; r++)
+    for (int q = 0; q < 3; q++) of.flux[3 * r + q][lane] += more.row[r][q];
+}
+
 void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const double strain[6][8], int lane, double plastic[6][8]) {
   Sym3d& p = a.plasticStrain[slot];
   if (a.flow && c.yield < never && !(a.held && a.held[slot])) {

@@ -124,7 +124,14 @@ template<class Real, bool periodic, bool vectors> void deformationOf(ElasticArra
     }
 
     // flux = V P A^-1 - k grad u
-    const Mat3<T> flux = volume * times(piola, momentInverse) - fromDoubles<Real>(c.hourglass) * gradient;
+    Mat3<T> flux = volume * times(piola, momentInverse) - fromDoubles<Real>(c.hourglass) * gradient;
+    if (a.singularLanes[g] != 0) {
+      alignas(64) double sums[9][8], fluxes[9][8];
+      storeMatrix<Real>(sum, sums), storeMatrix<Real>(piola, stress), storeMatrix<Real>(flux, fluxes);
+      for (int l = 0; l < n; l++)
+        if (a.singularLanes[g] >> l & 1) turnNormalOfLane(a, c, s0 + static_cast<std::size_t>(l), l, {sums, gradU, stress, fluxes});
+      flux = loadMatrix<Real>(fluxes);
+    }
     const T j = determinant(f);
     const T size = dot(f.row[0], f.row[0]) + dot(f.row[1], f.row[1]) + dot(f.row[2], f.row[2]);
     const T stretch2 = size - T(Real(2));

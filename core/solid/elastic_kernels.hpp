@@ -64,6 +64,9 @@ struct alignas(64) LaneConstants {
 void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneConstants& out);
 /// completeGradient in place; gradU by [row][column][lane].
 void completeLane(const ElasticArrays& a, std::size_t slot, int lane, double gradU[9][8]);
+/// stressOfNormal of one lane that is flat, added to its flux (V P A^-1 - k grad u).
+struct FlatLane { const double (*sum)[8], (*gradU)[8], (*stress)[8]; double (*flux)[8]; };
+void turnNormalOfLane(const ElasticArrays& a, const LaneConstants& c, std::size_t slot, int lane, const FlatLane& of);
 /// Plastic flow of one lane: updates Solids::plasticStrain and books the loss; gives the plastic strain.
 void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const double strain[6][8], int lane, double plastic[6][8]);
 /// Natural logarithms in place: those of the one library that all instruction sets share.

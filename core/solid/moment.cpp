@@ -1,6 +1,7 @@
 #include "core/solid/moment.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 
 namespace thaw {
 
@@ -71,6 +72,16 @@ Mat3d completeGradient(const Mat3d& gradU, const Sym3d& momentInverse, int rank)
   const Mat3d turn = smallestRotation(t, image / stretch);
   const Mat3d along = outer(t, t), across = identity3<double>() - along;
   return outer(image, t) + turn * across - identity3<double>();
+}
+
+Mat3d stressOfNormal(const FlatNeighbourhood& flat) {
+  const Eigen3 e = eigenOf(flat.momentInverse);
+  const Vec3d n = e.vector[0], image = n + flat.gradU * n, a = e.vector[1] + flat.gradU * e.vector[1], b = e.vector[2] + flat.gradU * e.vector[2], across = cross(a, b);
+  const double size = length(across), lost = std::max(0.0, flat.trace - 1 / e.value[1] - 1 / e.value[2]);  // n A n
+  if (!(size > 0)) return {};
+  const Vec3d y = flat.stress * n - flat.penalty * (flat.sum * n + lost * (n - image));
+  const Vec3d turning = ((dot(across, image) < 0 ? -1 : 1) / size) * (y - dot(y, image) * image);
+  return outer(cross(b, turning), e.vector[1]) + outer(cross(turning, a), e.vector[2]);
 }
 
 }  // namespace thaw

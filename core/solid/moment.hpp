@@ -22,4 +22,18 @@ MomentInverse invertMoment(const Sym3d& a, double cutoff = momentCutoff);
 /// (rank 2), by the smallest rotation of the line (rank 1), zero (rank 0).
 Mat3d completeGradient(const Mat3d& gradU, const Sym3d& momentInverse, int rank);
 
+/// A neighbourhood of rank 2 whose gradient is completed, and what its energy does with that.
+struct FlatNeighbourhood {
+  Mat3d gradU{};          ///< completed
+  Sym3d momentInverse{};
+  double trace = 0;       ///< m^2, of A
+  Mat3d sum{};            ///< m^2, sum w u X^T over all bonds
+  Mat3d stress{};         ///< J, V P of the completed gradient
+  double penalty = 0;     ///< N/m, k of the hourglass control
+};
+/// J, to be added to V P: the completed normal n' turns with the plane, so that the energy depends on the plane's images by it, too. With y = dE/dn' = V P n - k sum_j w_j (X_j n)
+/// (x_j - F X_j) this is y dn'/dF. The fit makes the penalty stationary for what A measures, not for n'; neighbours that lie off their plane by up to a tenth of
+/// their distance pull at it. Without this their forces are no derivative: frozen crumbs got energy and spin from nowhere.
+Mat3d stressOfNormal(const FlatNeighbourhood& flat);
+
 }  // namespace thaw

@@ -65,7 +65,9 @@ void refreshSlot(ElasticWork& work, Solids& solids, const Bonds& bonds, std::siz
   const auto bit = static_cast<std::uint8_t>(1u << slot % lanes);
   work.singularLanes[g] = static_cast<std::uint8_t>(m.rank < 3 ? work.singularLanes[g] | bit : work.singularLanes[g] & ~bit);
   work.bondCount[g] = std::max(work.bondCount[g], static_cast<std::uint16_t>(last));
-  work.perTrace[slot] = trace(a) > 0 ? 1 / trace(a) : 0;
+  // neighbours beside their line say nothing of a turn about it: a row that is not straight has no hourglass control, which would hold that turn
+  const bool bent = m.rank == 1 && trace(a) - 1 / trace(m.inverse) > 1e-9 * trace(a);
+  work.perTrace[slot] = trace(a) > 0 && !bent ? 1 / trace(a) : 0;
   work.perWeight[slot] = weights > 0 ? 1 / weights : 0;
   Vec3d all{};
   double lengths = 0;

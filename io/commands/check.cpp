@@ -9,11 +9,13 @@
 #include <utility>
 
 #include "core/geometry/shape_error.hpp"
+#include "core/geometry/shape_volume.hpp"
 #include "core/kinds/kinds.hpp"
 #include "core/ledger/report.hpp"
 #include "core/memory.hpp"
 #include "core/setup/setup.hpp"
 #include "core/time/limits.hpp"
+#include "io/commands/bytes_text.hpp"
 #include "io/commands/check_surface.hpp"
 #include "io/commands/frontier.hpp"
 #include "io/commands/require_memory.hpp"
@@ -26,8 +28,6 @@
 
 namespace thaw {
 namespace {
-
-std::string bytesText(double b) { return b > 1e9 ? fmt::format("{:.2f} GB", b / 1e9) : fmt::format("{:.1f} MB", b / 1e6); }
 
 /// A line for each oriented body and each sheet.
 std::vector<std::string> linesOfKinds(const World& w, Reducer& all) {
@@ -43,6 +43,22 @@ std::vector<std::string> linesOfKinds(const World& w, Reducer& all) {
   return lines;
 }
 
+/// A line for each continuum body; where its particles are by more than a hundredth lighter or heavier than its shape, by how much. Collective.
+std::vector<std::string> linesOfBodies(const World& w, const SamplingReport& sampled, Reducer& all) {
+  std::vector<std::string> lines;
+  for (std::size_t b = 0; b < w.scene.bodies.size(); b++) {
+    const Body& body = w.scene.bodies[b];
+    const Material& m = w.scene.materials[static_cast<std::size_t>(body.material)];
+    const double mass = m.density * std::pow(w.scene.spacing, 3) * static_cast<double>(sampled.particles[b]);
+    const double shape = m.density * shapeVolume(*makeSignedDistance(body.shape, meshLoader()), all), ratio = shape > 0 ? mass / shape : 1;
+    std::string line = fmt::format("body '{}': {} of {}, {:.4g} kg", body.name, sampled.particles[b], m.name, mass);
+    if (std::abs(ratio - 1) > 0.01 && sampled.removed == 0)
+      line += fmt::format("; its shape holds {:.4g} kg: the particles are {:.1f} % too {} (a finer spacing, or a density times {:.4g}, makes up for it)", shape, 100 * std::abs(ratio - 1), ratio > 1 ? "heavy" : "light", 1 / ratio);
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
 /// Leaves relaxation before the start out of a check: it may take minutes, or hours. Returns what to say of it.
 std::string leaveOutRelaxation(Scene& s) {
   std::int64_t most = 0;
@@ -50,7 +66,7 @@ std::string leaveOutRelaxation(Scene& s) {
   return most == 0 ? "" : fmt::format("oriented bodies are relaxed before the start, {} iterations at most: not done here; numbers, step and time are those before it", most);
 }
 
-std::string timeText(double s) { return s > 7200 ? fmt::format("{:.1f} h", s / 3600) : s > 120 ? fmt::format("{:.0f} min", s / 60) : fmt::format("{:.2g} s", s); }
+std::string timeText(double s) { return s > 7200 ? fmt::format("{:.1f} h", s / 3600) : s > 120 ? fmt::format("{:.0f} min", s / 60) : s >= 10 ? fmt::format("{:.0f} s", s) : fmt::format("{:.2g} s", s); }
 
 /// What the emitters let out until the end of the scene.
 double emittedAtEnd(const Scene& s, const StepTools& t) {
@@ -78,7 +94,7 @@ int checkAll(const CheckOptions& o) {
   const SamplingReport sampled = startWorld(w, halos, t, meshLoader());
   const std::vector<OrientedWork::Event> idle = t.oriented.idle;  // of the start
   const std::vector<OrientedWork::Field> idleFields = t.oriented.idleFields;
-  const std::vector<std::string> ofKinds = linesOfKinds(w, all);  // before the steps below, which may make some
+  const std::vector<std::string> ofKinds = linesOfKinds(w, all), ofBodies = linesOfBodies(w, sampled, all);  // before the steps below, which may make some
   SurfaceTrial surface(comm, w, meshLoader());
   // a few steps, to measure
   const auto start = std::chrono::steady_clock::now();
@@ -90,13 +106,15 @@ int checkAll(const CheckOptions& o) {
     steps++;
   }
   const double perStep = steps > 0 ? std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / steps : 0;
-  surface.update();
   const double needed = w.scene.end / std::min(dt, longestUnlimitedStep(w.clock));
-  const SurfaceTrial::Forecast onSurface = surface.forecast(needed);
-  const std::vector<std::string> surfaceLines = surface.lines(onSurface, o.ranks);
   const LedgerReport l = reportLedger(w, t, all);
+  const double particles = std::max<double>(1, static_cast<double>(l.particles + l.rows[0] + l.rows[1])), total = particles + std::max(0.0, emittedAtEnd(w.scene, t) - static_cast<double>(w.counters.emitted));
   double memory = totalBytes(memoryOf(w, t));
   all.maximum({&memory, 1});
+  surface.update();  // the last: it leaves a world of melt
+  const SurfaceTrial::Forecast onSurface = surface.forecast(needed, total);
+  const int ranks = o.ranks > 0 ? o.ranks : comm.size();
+  const std::vector<std::string> surfaceLines = surface.lines(onSurface, ranks);
   if (comm.rank() != 0) return exitDone;
 
   const Scene& s = w.scene;
@@ -107,8 +125,7 @@ int checkAll(const CheckOptions& o) {
   for (const OrientedWork::Event& e : idle) std::printf("warning: %s\n", idleEventLine(s.oriented[e.body], s.oriented[e.body].events[e.event]).c_str());
   for (const OrientedWork::Field& f : idleFields) std::printf("warning: %s\n", idleFieldLine(s.oriented[f.body], s.oriented[f.body].fields[f.field]).c_str());
   std::printf("\nparticles\n");
-  for (std::size_t b = 0; b < s.bodies.size(); b++)
-    std::printf("  body '%s': %lld of %s\n", s.bodies[b].name.c_str(), static_cast<long long>(sampled.particles[b]), s.materials[static_cast<std::size_t>(s.bodies[b].material)].name.c_str());
+  for (const std::string& line : ofBodies) std::printf("  %s\n", line.c_str());
   for (const std::string& line : ofKinds) std::printf("  %s\n", line.c_str());
   if (!notRelaxed.empty()) std::printf("  %s\n", notRelaxed.c_str());
   const double emitted = emittedAtEnd(s, t);
@@ -124,21 +141,21 @@ int checkAll(const CheckOptions& o) {
   if (std::any_of(t.fixedLimits.value.begin(), t.fixedLimits.value.end(), ofMaterials)) std::printf("by the materials alone\n");  // of sheets and oriented bodies nothing
   for (std::size_t k = 0; k < limitNames.size(); k++)
     if (ofMaterials(t.fixedLimits.value[k])) std::printf("  %-16s %.3g s\n", limitNames[k], t.fixedLimits.value[k]);
-  if (const std::vector<std::string> lines = frontierLines(s, w.modules); !lines.empty()) {
-    std::printf("\nsettings on the frontier of error against time, in cases like this scene (docs/accuracy.md)\n");
-    for (const std::string& line : lines) std::printf("  %s\n", line.c_str());
-  }
+  const std::vector<std::string> advice = o.settings ? frontierLines(s, w.modules) : frontierAdvice(s, w.modules);
+  if (!advice.empty()) std::printf(o.settings ? "\nsettings on the frontier of error against time, in cases like this scene (docs/accuracy.md)\n" : "\nsettings that paid in cases like this scene, one at a time (all: --settings; docs/accuracy.md)\n");
+  for (const std::string& line : advice) std::printf("  %s\n", line.c_str());
   if (!surfaceLines.empty()) std::printf("\nsurface\n");
   for (const std::string& line : surfaceLines) std::printf("  %s\n", line.c_str());
-  const double particles = std::max<double>(1, static_cast<double>(l.particles + l.rows[0] + l.rows[1])), total = particles + std::max(0.0, emitted - static_cast<double>(w.counters.emitted));
-  const double most = total / particles / o.ranks, mean = (0.5 + 0.5 * total / particles) / o.ranks;  // what emitters add
-  const double ofParticles = memory * comm.size() * most, ofSurface = onSurface.bytes * most, stepping = needed * perStep * comm.size() * mean, updating = onSurface.seconds * mean;
-  const bool two = w.modules.surface;
-  std::printf("\nmemory a rank: %s with %d ranks (%.0f bytes a particle%s)\n", bytesText(ofParticles + ofSurface).c_str(), o.ranks, memory * comm.size() / particles,
+  const double most = total / particles / ranks, mean = (0.5 + 0.5 * total / particles) / ranks;  // what emitters add
+  const double ofParticles = memory * comm.size() * most, ofSurface = onSurface.bytes / ranks, stepping = needed * perStep * comm.size() * mean;
+  const double updating[2] = {onSurface.seconds / ranks, onSurface.secondsMost / ranks};
+  const bool two = w.modules.surface, range = updating[1] > 1.2 * updating[0];
+  const auto rangeText = [&](double before) { return timeText(before + updating[0]) + (range ? " to " + timeText(before + updating[1]) : ""); };
+  std::printf("\nmemory a rank: %s with %d rank%s (%.0f bytes a particle%s)\n", bytesText(ofParticles + ofSurface).c_str(), ranks, ranks == 1 ? "" : "s", memory * comm.size() / particles,
               two ? (", and " + bytesText(ofSurface) + " for the surface").c_str() : "");
-  std::printf("run time: about %s with %d ranks (%.0f steps at %.3g M particle-steps/s and rank, measured here over %d steps%s)\n", timeText(stepping + updating).c_str(),
-              o.ranks, needed, perStep > 0 ? particles / perStep / comm.size() / 1e6 : 0, steps,
-              two ? (": " + timeText(stepping) + ", and " + timeText(updating) + " for the surface").c_str() : "");
+  std::printf("run time: about %s with %d rank%s (%.0f steps at %.3g M particle-steps/s and rank, measured here over %d steps%s)\n", rangeText(stepping).c_str(), ranks, ranks == 1 ? "" : "s", needed,
+              perStep > 0 ? particles / perStep / comm.size() / 1e6 : 0, steps, two ? (": " + timeText(stepping) + ", and " + rangeText(0) + " for the surface").c_str() : "");
+  std::printf("steps become shorter or longer, and particles more or fewer, as the scene goes: within a factor of two it is a good guess%s\n", range ? "; of the surface the higher figure is for a splash" : "");
   return exitDone;
 }
 
@@ -147,7 +164,8 @@ int checkAll(const CheckOptions& o) {
 void addCheckOptions(CLI::App& c, CheckOptions& o) {
   c.add_option("scene", o.scene, "scene file (TOML)")->required();
   c.add_option("--set", o.overrides, "key=value in place of what the scene says; may be given several times")->allow_extra_args(false);
-  c.add_option("--ranks", o.ranks, "ranks that the estimates are for")->check(CLI::PositiveNumber);
+  c.add_flag("--settings", o.settings, "all settings of the accuracy suite on the frontier of error against time, in place of those that pay");
+  c.add_option("--ranks", o.ranks, "ranks that the estimates are for; without it those that this runs on")->check(CLI::PositiveNumber);
 }
 
 int checkCommand(const CheckOptions& o) {

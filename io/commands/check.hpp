@@ -10,7 +10,8 @@ namespace thaw {
 struct CheckOptions {
   std::string scene;
   std::vector<std::string> overrides;
-  int ranks = 1;            ///< for the estimates
+  int ranks = 0;            ///< for the estimates; 0: as many as there are
+  bool settings = false;    ///< all on the frontier of error against time
 };
 
 void addCheckOptions(CLI::App& command, CheckOptions& options);

@@ -8,10 +8,13 @@
 
 #include "core/fluid/liquid_materials.hpp"
 #include "core/surface/prepare_surface.hpp"
+#include "io/commands/bytes_text.hpp"
 #include "io/commands/require_memory.hpp"
 
 namespace thaw {
 namespace {
+
+constexpr double pi = 3.14159265358979323846;
 
 double secondsNow() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -23,9 +26,23 @@ double residentNow() {
   return resident * static_cast<double>(::sysconf(_SC_PAGESIZE));
 }
 
-constexpr double pi = 3.14159265358979323846;
+// Of a run of an hour (keiser/melting_fast): core-seconds of an update of melt for each surfel, for scenes that have none at the start.
+constexpr double secondsPerSurfel = 2e-5;
 
-std::string bytesText(double b) { return b > 1e9 ? fmt::format("{:.2f} GB", b / 1e9) : fmt::format("{:.1f} MB", b / 1e6); }
+/// Makes all that can be liquid of a world so, and moves it as between two updates: by a tenth of the support radius, to and fro over four of them.
+void meltAll(World& w) {
+  Continuum& p = w.particles;
+  const double h = w.grid.support, k = 0.5 * pi / h;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const Material& m = w.scene.materials[p.material[i]];
+    if (m.canBeSolid() && !m.melts() && !m.liquidAtStart) continue;
+    p.phase[i] = Liquid;
+    if (p.liquid.active) p.liquid[i] = 1;
+    if (p.slot.active) p.slot[i] = noSlot;
+    const Vec3d x = p.position[i];
+    p.position[i] += 0.1 * h * Vec3d{std::sin(k * x.y), std::sin(k * x.z), std::sin(k * x.x)};
+  }
+}
 
 }  // namespace
 
@@ -56,35 +73,53 @@ SurfaceTrial::SurfaceTrial(const Communicator& comm, World& w, const MeshLoader&
   perMeasured_ = coarser * coarser;
 }
 
-void SurfaceTrial::update() {
-  if (!world_.modules.surface) return;
+double SurfaceTrial::timeOfUpdate() {
   const double before = residentNow(), start = secondsNow();
   updateSurface(world_, halos_.halos(), tools_);
-  each_ = secondsNow() - start;
   bytes_ += std::max(0.0, residentNow() - before);
+  return secondsNow() - start;
 }
 
-SurfaceTrial::Forecast SurfaceTrial::forecast(double steps) const {
+void SurfaceTrial::update() {
+  if (!world_.modules.surface) return;
+  surfels_ = static_cast<std::int64_t>(world_.surface.surfels.owned);
+  MpiReducer(comm_).sum({&surfels_, 1});
+  each_ = flowing_ = timeOfUpdate();
+  if (!world_.modules.fluid) return;
+  meltAll(world_);
+  flowing_ = timeOfUpdate();
+}
+
+SurfaceTrial::Forecast SurfaceTrial::forecast(double steps, double particles) const {
   const World& w = world_;
   Forecast f;
   if (!w.modules.surface) return f;
-  std::int64_t counts[2] = {static_cast<std::int64_t>(w.surface.surfels.owned), std::llround(bytes_)};
-  double times[2] = {start_, each_};
+  std::int64_t bytes = std::llround(bytes_);
+  double times[2] = {start_, flowing_};
   MpiReducer all(comm_);
-  all.sum(counts);
+  all.sum({&bytes, 1});
   all.maximum(times);
-  f.surfels = perMeasured_ * static_cast<double>(counts[0]);
-  f.bytes = perMeasured_ * static_cast<double>(counts[1]);
+  const double spacing = w.scene.spacing, perArea = 1.15 / (spacing_ * spacing_);  // in hexagons
+  f.surfels = perMeasured_ * static_cast<double>(surfels_);
+  double most = f.surfels, surfels = f.surfels;
+  if (w.modules.fluid) most = std::max(most, perArea * pi * spacing * spacing * particles);  // each particle a drop
+  if (w.modules.emitters) surfels = std::max(surfels, perArea * 2 * 4.84 * spacing * spacing * std::cbrt(particles * particles));  // a puddle: twice a ball
+  most = std::max(most, surfels);
+  f.surfelsTogether = surfels;
+  f.surfelsMost = most;
+  f.bytes = perMeasured_ * static_cast<double>(bytes) * std::max(1.0, f.surfelsTogether / std::max(1.0, f.surfels));  // what emitters add
   f.frames = std::floor(w.scene.end / w.scene.output.every) + 1;
   f.updates = expectedUpdates(w, steps);
-  f.seconds = perMeasured_ * (times[0] + f.updates * times[1]) * comm_.size();
+  const double perSurfel = surfels_ > 500 ? times[1] * comm_.size() / static_cast<double>(surfels_) : secondsPerSurfel, start = perMeasured_ * times[0] * comm_.size();
+  f.seconds = start + f.updates * surfels * perSurfel;
+  f.secondsMost = start + f.updates * most * perSurfel;
   return f;
 }
 
 std::vector<std::string> SurfaceTrial::lines(const Forecast& f, int ranks) const {
   const World& w = world_;
   if (!w.modules.surface) return {};
-  double times[2] = {start_, each_};
+  double times[3] = {start_, each_, flowing_};
   MpiReducer(comm_).maximum(times);
   const Surface& s = w.surface;
   const SurfaceSettings& set = w.scene.surface;
@@ -93,12 +128,12 @@ std::vector<std::string> SurfaceTrial::lines(const Forecast& f, int ranks) const
       fmt::format("surfels {:g} m apart; they act on each other within {:g} m (about {:.0f} neighbours), particles on them within {:g} m (about {:.0f})", spacing_, set.support * spacing_,
                   1.15 * pi * set.support * set.support, s.particleSupport, 2.0 / 3 * pi * std::pow(s.particleSupport / w.scene.spacing, 3)),
       fmt::format("memory a rank: {} with {} ranks ({:.0f} bytes a surfel, work lists included)", bytesText(f.bytes / ranks), ranks, f.bytes / std::max(1.0, f.surfels)),
-      fmt::format("the start {} {:.3g} s, one update after a few steps {:.3g} s, on {} rank{}", perMeasured_ > 1 ? "would take about" : "took", perMeasured_ * times[0], perMeasured_ * times[1], comm_.size(),
-                  comm_.size() == 1 ? "" : "s"),
+      fmt::format("the start {} {:.3g} s, one update of it {:.3g} s{}, on {} rank{}", perMeasured_ > 1 ? "would take about" : "took", perMeasured_ * times[0], perMeasured_ * times[1],
+                  w.modules.fluid ? fmt::format(", one of it as liquid that flows {:.3g} s", perMeasured_ * times[2]) : "", comm_.size(), comm_.size() == 1 ? "" : "s"),
       fmt::format("about {:.0f} updates until the end, {:.0f} of them at frames{}", f.updates, f.frames,
                   set.everyMove > 0 ? fmt::format("; the others as particles come {:g} m, at half of {:.3g} m/s, the largest speed expected", set.everyMove * w.grid.support, expectedSpeed(w.scene)) : set.everySteps > 0 ? "" : ", however far particles move in between")};
   if (perMeasured_ > 1) lines.push_back(fmt::format("these figures are scaled up from {:.0f} surfels {:.3g} m apart", f.surfels / perMeasured_, s.spacing));
-  if (w.modules.melting || w.modules.fluid) lines.push_back("an update takes longer the more of the surface is liquid and moves: two to five times as long as of a solid");
+  if (w.modules.fluid) lines.push_back(fmt::format("time and memory go with the number of surfels: {:.0f} where what flows stays together, up to {:.0f} where all of it falls apart into drops", f.surfelsTogether, f.surfelsMost));
   return lines;
 }
 

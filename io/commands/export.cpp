@@ -223,7 +223,7 @@ void exportFrame(const fs::path& file, const fs::path& out, const ExportOptions&
   else if (options.as == "pov") writePov(out, frame, colours, styleOf(frame, file));
   else {
     const MeshCount count = writeMesh(file, out, frame, colours, options);
-    more = fmt::format("{} components, {} triangles", count.components - count.empty, count.triangles);
+    more = fmt::format("{} component{}, {} triangles", count.components - count.empty, count.components - count.empty == 1 ? "" : "s", count.triangles);
     if (count.empty > 0) more += fmt::format("; {} components enclose nothing and are left out", count.empty);
   }
   fmt::print("{}: {}\n", out.string(), more);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "io/commands/chosen_numerics.hpp"
+
 namespace thaw {
 namespace {
 
@@ -37,6 +39,7 @@ std::string keyOf(const std::string& setting) { return setting.substr(0, setting
 /// Can the scene use it? Where solids can meet their contact sets the step of all, and substeps gain nothing.
 bool usable(const std::string& setting, const Scene& s, const Modules& m) {
   if (keyOf(setting) == "numerics.elastic_substeps") return !m.contact;
+  if (keyOf(setting) == "body.0.packing") return !s.bodies.empty() && s.bodies[0].packing == Packing::Relaxed;
   if (keyOf(setting) == "numerics.support") return std::stod(setting.substr(setting.find('=') + 1)) >= (m.surfaceHeat ? 2 : m.solid ? s.numerics.bondSupport : 0);
   return true;
 }
@@ -57,14 +60,21 @@ std::string joined(const std::vector<std::string>& words, const std::string& bef
   return text;
 }
 
-/// What a setting did in the cases at hand, over the defaults.
+/// What a setting did in one case, over the defaults.
+struct Gain { const char* part = ""; double error = never, cost = never; };
+
+/// What it did in the cases at hand.
 struct Record {
-  double worst = 0, least = never, product = 1, slowest = 0, fastest = never, time = 1;
-  void add(double error, double cost) {
-    worst = std::max(worst, error), least = std::min(least, error), product *= error;
-    slowest = std::max(slowest, cost), fastest = std::min(fastest, cost), time *= cost;
+  double worst = 0, product = 1, slowest = 0, time = 1;
+  Gain closest, fastest;  // where it gained most
+  void add(const Gain& g) {
+    worst = std::max(worst, g.error), product *= g.error;
+    slowest = std::max(slowest, g.cost), time *= g.cost;
+    if (g.error < closest.error) closest = g;
+    if (g.cost < fastest.cost) fastest = g;
   }
 };
+using Records = std::map<std::string, Record>;
 
 /// The incompressible solver has no use for what belongs to the equation of state.
 bool together(const std::string& a, const std::string& b) {
@@ -77,7 +87,7 @@ bool together(const std::string& a, const std::string& b) {
 }
 
 /// The settings that `score` likes best (least; below 1), one of a key and all of them together possible.
-template<class Score> std::vector<std::string> choose(const std::map<std::string, Record>& records, Score score) {
+template<class Score> std::vector<std::string> choose(const Records& records, Score score) {
   std::vector<std::pair<double, std::string>> ranked;
   for (const auto& [setting, r] : records)
     if (const double x = score(r); x < 1) ranked.push_back({x, setting});
@@ -88,35 +98,51 @@ template<class Score> std::vector<std::string> choose(const std::map<std::string
   return chosen;
 }
 
+/// Those of the cases that the scene resembles.
+Records recordsOf(const Scene& s, const Modules& m) {
+  Records records;
+  for (const Likeness& like : likenesses()) {
+    if (!like.has(s, m)) continue;
+    double usual = 0;
+    for (const FrontierPoint& p : frontierPoints()) {
+      if (like.cases != p.cases) continue;
+      const std::string set = p.settings;
+      if (set.empty()) usual = p.error;  // the first of its case
+      else if (usable(set, s, m) && keyOf(set) != "quality" && !isChosen(keyOf(set), s.numerics)) records[set].add({like.part, p.error < 0 ? never : usual > 0 ? p.error / usual : 1, p.cost});
+    }
+  }
+  return records;
+}
+
 }  // namespace
 
 std::vector<std::string> frontierLines(const Scene& s, const Modules& m) {
   std::vector<std::string> lines;
-  std::map<std::string, Record> records;
   for (const Likeness& like : likenesses()) {
     if (!like.has(s, m)) continue;
     std::string line;
-    double usual = 0;
     for (const FrontierPoint& p : frontierPoints()) {
-      if (like.cases != p.cases) continue;
-      const std::string setting = p.settings;
-      if (setting.empty()) usual = p.error;  // the first of its case
-      if (!usable(setting, s, m)) continue;
-      if (p.best)
-        line += fmt::format("{}{} {:.2g} % ({:.2g} times the time)", line.empty() ? "" : "; ", setting.empty() ? "defaults" : joined(ofScene(setting, s), "", " "), 100 * p.error, p.cost);
-      if (!setting.empty() && keyOf(setting) != "quality") records[setting].add(p.error < 0 ? never : usual > 0 ? p.error / usual : 1, p.cost);
+      const std::string set = p.settings;
+      if (like.cases != p.cases || !p.best || !usable(set, s, m)) continue;
+      line += fmt::format("{}{} {:.2g} % ({:.2g} times the time)", line.empty() ? "" : "; ", set.empty() ? "defaults" : joined(ofScene(set, s), "", " "), 100 * p.error, p.cost);
     }
     if (!line.empty()) lines.push_back(fmt::format("{} ({}): {}", like.part, like.cases, line));
   }
-  const auto suggest = [&](const char* what, const std::vector<std::string>& settings) {
-    std::vector<std::string> all;
-    for (const std::string& setting : settings)
-      for (const std::string& own : ofScene(setting, s)) all.push_back(own);
-    if (!all.empty()) lines.push_back(fmt::format("{}: {}{}", what, joined(all, "--set ", " "), all.size() > 1 ? " (measured one at a time)" : ""));
+  return lines;
+}
+
+std::vector<std::string> frontierAdvice(const Scene& s, const Modules& m) {
+  const Records records = recordsOf(s, m);
+  std::vector<std::string> lines;
+  const auto suggest = [&](const char* what, const std::vector<std::string>& settings, Gain Record::*gain) {
+    for (const std::string& set : settings) {
+      const Gain& g = records.at(set).*gain;
+      lines.push_back(fmt::format("{} {} ({}: {:.2g} times the error, {:.2g} times the time)", what, joined(ofScene(set, s), "--set ", " "), g.part, g.error, g.cost));
+    }
   };
   // of what no case loses by (2 %; of time 5 %), those that gain a tenth in one
-  suggest("more accurate in some of these and worse in none", choose(records, [](const Record& r) { return r.worst <= 1.02 && r.least < 0.9 ? r.product : never; }));
-  suggest("faster in some of these, as accurate in all", choose(records, [](const Record& r) { return r.worst <= 1.02 && r.slowest <= 1.05 && r.fastest < 0.9 ? r.time : never; }));
+  suggest("more accurate:", choose(records, [](const Record& r) { return r.worst <= 1.02 && r.closest.error < 0.9 ? r.product : never; }), &Record::closest);
+  suggest("faster:       ", choose(records, [](const Record& r) { return r.worst <= 1.02 && r.slowest <= 1.05 && r.fastest.cost < 0.9 ? r.time : never; }), &Record::fastest);
   return lines;
 }
 

@@ -19,8 +19,12 @@ struct FrontierPoint {
 /// Those of the cases that stand for a part of the model. Written by benchmarks/accuracy/frontier.py.
 std::span<const FrontierPoint> frontierPoints();
 
-/// Lines for the cases whose physics the scene has, and what of it all goes together; empty where the suite has none. Keys are those of
+/// A line for each case whose physics the scene has, with all settings on its frontier; empty where the suite has none. Keys are those of
 /// the scene: of its own materials, and without what it cannot use.
 std::vector<std::string> frontierLines(const Scene& scene, const Modules& modules);
+
+/// A line for each setting that gains accuracy or time in one of these cases and loses in none, measured one at a time; without keys that the scene has chosen
+/// itself. What of it excludes each other is left out.
+std::vector<std::string> frontierAdvice(const Scene& scene, const Modules& modules);
 
 }  // namespace thaw

@@ -50,7 +50,7 @@ constexpr FrontierPoint points[] = {
     {"poiseuille", "L2(u)", "quality=reference", 0.00327, 3.6, false},
     {"drop_laplace", "pressure jump", "", 0.0612, 1, true},
     {"drop_laplace", "pressure jump", "numerics.tension=pairwise", 0.248, 0.42, true},
-    {"drop_laplace", "pressure jump", "numerics.body.0.packing=lattice", 0.0305, 0.92, true},
+    {"drop_laplace", "pressure jump", "body.0.packing=lattice", 0.0305, 0.92, true},
     {"drop_laplace", "pressure jump", "numerics.support=2.5", 0.0272, 1.2, true},
     {"drop_laplace", "pressure jump", "numerics.support=3", 0.0536, 1.4, false},
     {"drop_laplace", "pressure jump", "numerics.precision=double", 0.0612, 0.99, false},

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "core/ledger/totals.hpp"
+#include "io/commands/info_summary.hpp"
 #include "io/output/checkpoint.hpp"
 #include "io/output/series.hpp"
 #include "io/output/kind_frame.hpp"
@@ -157,12 +158,22 @@ void print(const Json& j, int indent) {
   }
 }
 
+void printShort(const Json& j) {
+  if (j["kind"] == "run") {
+    for (const std::string& line : summaryOfRun(j)) fmt::print("{}\n", line);
+  } else {
+    print(j["kind"] == "checkpoint" ? shortCheckpoint(j) : j, 0);
+  }
+  if (j["kind"] == "run" || j["kind"] == "checkpoint") fmt::print("all that is known: --all, or --json\n");
+}
+
 }  // namespace
 
 CLI::App* addInfoCommand(CLI::App& app, InfoArguments& arguments) {
   CLI::App* command = app.add_subcommand("info", "Says what is in a frame, a checkpoint, an index of frames or the folder of a run");
   command->add_option("PATH", arguments.path, "a file that thaw wrote, or the folder of a run")->required();
-  command->add_flag("--json", arguments.json, "as JSON");
+  command->add_flag("--all", arguments.all, "all that is known, in place of what fits on a screen");
+  command->add_flag("--json", arguments.json, "all that is known, as JSON");
   return command;
 }
 
@@ -180,10 +191,13 @@ int infoCommand(const InfoArguments& arguments) {
   try {
     const Json j = describePath(arguments.path);
     if (arguments.json) fmt::print("{}\n", j.dump(2, ' ', false, Json::error_handler_t::replace));
-    else print(j, 0);
+    else if (arguments.all) print(j, 0);
+    else printShort(j);
     return 0;
   } catch (const IoError& e) {
     fmt::print(stderr, "thaw info: {}\n", e.what());
+  } catch (const Json::exception& e) {
+    fmt::print(stderr, "thaw info: {}: its summary.json is not of this program: {}\n", arguments.path, e.what());
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "thaw info: out of memory\n");
   }

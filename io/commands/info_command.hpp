@@ -8,7 +8,7 @@ namespace thaw {
 
 struct InfoArguments {
   std::string path;
-  bool json = false;
+  bool json = false, all = false;
 };
 
 CLI::App* addInfoCommand(CLI::App& app, InfoArguments& arguments);

@@ -13,6 +13,7 @@
 #include "core/geometry/shape_error.hpp"
 #include "core/setup/expected_particles.hpp"
 #include "core/setup/expected_rows.hpp"
+#include "core/setup/size_hint.hpp"
 
 namespace thaw {
 namespace {
@@ -55,7 +56,7 @@ void refuseWideSurfels(const Scene& s, const std::vector<std::shared_ptr<const S
     const Bounds box = shapes[b]->bounds();
     const double widest = std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
     if (s.surface.spacing > 0.5 * widest)
-      problems.add(s.bodies[b].where, fmt::format("surface.spacing ({:g} m) is more than half of what body '{}' is wide ({:.3g} m); expected less, or 0 for half the spacing of particles", s.surface.spacing, s.bodies[b].name, widest));
+      problems.add(s.bodies[b].where, fmt::format("surface.spacing ({:g} m) is more than half of what body '{}' is wide ({:.3g} m); expected less, or 0 for half the spacing of particles", s.surface.spacing, s.bodies[b].name, widest) + sizeHint(s, s.bodies[b].shape, box));
   }
   problems.raise();
 }
@@ -84,11 +85,11 @@ void requireMemory(const Communicator& comm, const World& world, const MeshLoade
   for (const Body& b : world.scene.bodies) shapes.push_back(makeSignedDistance(b.shape, load));
   if (world.modules.surface) refuseWideSurfels(world.scene, shapes);
   double particles = 0, most = -1;
-  const Body* largest = nullptr;  // for the message
+  std::size_t largest = 0;  // for the message
   for (std::size_t b = 0; b < shapes.size(); b++) {
     const double own = expectedParticles({shapes[b]}, world.scene.spacing);
     particles += own;
-    if (own > most) most = own, largest = &world.scene.bodies[b];
+    if (own > most) most = own, largest = b;
   }
   const int ranksHere = ranksOfMachine(comm);
   const double kept = world.scene.numerics.retryEvery > 0 ? 1 : 0;
@@ -101,9 +102,10 @@ void requireMemory(const Communicator& comm, const World& world, const MeshLoade
   const std::string text = fmt::format("{} and at least {:.3g} GB of memory, but a machine of this run has {:.3g} GB; make {} larger, or run on more machines",
                                        bySurface ? fmt::format("the surface would take about {:.1e} surfels", surfels) : fmt::format("the bodies would take about {:.1e} particles", particles),
                                        (all + surface) / 1e9, -worst[1] / 1e9, bySurface ? "surface.spacing" : "the spacing");
-  if (!largest) throw std::runtime_error(text);
+  if (shapes.empty()) throw std::runtime_error(text);
+  const Body& body = world.scene.bodies[largest];
   SceneProblems problem;
-  problem.add(largest->where, text);
+  problem.add(body.where, "body '" + body.name + "': " + text + sizeHint(world.scene, body.shape, shapes[largest]->bounds()));
   problem.raise();
 }
 

@@ -15,6 +15,7 @@
 #include "io/run/kind_run.hpp"
 #include "io/run/mark_places.hpp"
 #include "io/run/mesh_marks.hpp"
+#include "io/run/progress.hpp"
 #include "io/run/scene_marks.hpp"
 #include "io/run/surface_run.hpp"
 #include "io/run/trace_file.hpp"
@@ -119,12 +120,14 @@ void report(Run& r) {
   const double rate = static_cast<double>(r.world.clock.step - r.stepAtReport) / std::max(1e-9, since(r.lastReport));
   double left = (r.world.clock.end - r.world.clock.time) / std::max(1e-300, std::min(r.world.clock.dt, longestUnlimitedStep(r.world.clock)));
   if (r.options.steps >= 0) left = std::min(left, static_cast<double>(r.options.steps - r.world.clock.step));
-  const std::string line = progressLine(r.world.clock, l, rate, first ? never : left / std::max(1e-9, rate));
+  const Progress progress{r.world.clock, rate, first ? never : left / std::max(1e-9, rate)};
   gatherSurface(r);
-  r.say(line + solverProgress(solversOf(r.world, r.tools)) + surfaceProgress(r.summary.surface));
+  r.summary.ledger = l;
+  r.summary.solvers = solversOf(r.world, r.tools);
+  r.say(progressLine(progress, l) + progressOf(r.summary.solvers) + progressOf(r.summary.surface));
+  onFirstRank(r.comm.handle(), [&] { addToProgressLog(r.options.out, progress, r.summary); });
   r.lastReport = WallClock::now();
   r.stepAtReport = r.world.clock.step;
-  r.summary.ledger = l;
   r.tools.times.lap(StepPhase::Other);
 }
 
@@ -282,6 +285,7 @@ void begin(Run& r, const MeshLoader& load) {
     writeFrameOf(r);
   }
   r.begun = true;
+  onFirstRank(r.comm.handle(), [&] { r.resumed ? cutProgressLog(r.options.out, w.clock.step) : beginProgressLog(r.options.out); });
   r.firstStep = r.stepAtReport = w.clock.step;
 }
 

@@ -75,7 +75,7 @@ void renewHalos(Run& run);
 /// The next frame, of all that the scene has (a scene without continuum has none of particles), and its lines in the series.
 void writeFrameOf(Run& run);
 
-/// A progress line with the ledger.
+/// A progress line, and one with all books in OUT/progress.csv.
 void report(Run& run);
 
 /// Warns of events and fields of oriented bodies that have met nothing.

@@ -1,7 +1,5 @@
 #include "io/run/solver_use.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace thaw {
@@ -17,12 +15,6 @@ std::vector<SolverUse> solversOf(const World& w, const StepTools& t) {
   }
   if (w.modules.implicitViscosity) used.push_back({"viscosity", t.viscous.iterations, mean(c.viscousIterations)});
   return used;
-}
-
-std::string solverProgress(const std::vector<SolverUse>& solvers) {
-  std::string line;
-  for (const SolverUse& s : solvers) line += fmt::format("  {} {} iterations (mean {:.1f})", s.name, s.last, s.mean);
-  return line;
 }
 
 }  // namespace thaw

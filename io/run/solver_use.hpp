@@ -14,7 +14,4 @@ struct SolverUse { const char* name; std::int64_t last; double mean; };
 /// Of the solvers that the scene has. On the first rank, whose counters have them.
 std::vector<SolverUse> solversOf(const World& world, const StepTools& tools);
 
-/// "  viscosity 7 iterations (mean 6.2)" for each, to be appended to a progress line.
-std::string solverProgress(const std::vector<SolverUse>& solvers);
-
 }  // namespace thaw

@@ -37,11 +37,13 @@ bool isWork(StepPhase p) {
          p == StepPhase::Heat || p == StepPhase::Drift || p == StepPhase::Sort;
 }
 
-std::string duration(double s) {
-  if (!std::isfinite(s)) return "?";
-  if (s < 100) return fmt::format("{:.0f} s", s);
-  if (s < 6000) return fmt::format("{:.0f} min {:.0f} s", std::floor(s / 60), std::fmod(s, 60));
-  return fmt::format("{:.0f} h {:.0f} min", std::floor(s / 3600), std::floor(std::fmod(s, 3600) / 60));
+/// ", 12 through its side of high z, 3 through that of low x", as far as it is known: the counts of a run that began before they were made are less.
+std::string sidesLeft(const Counters& c) {
+  std::string text;
+  for (int a = 0; a < 3; a++)
+    for (int high = 0; high < 2; high++)
+      if (const std::int64_t n = c.leftThrough[a][high]; n > 0) text += fmt::format(", {} through its side of {} {}", n, high ? "high" : "low", "xyz"[a]);
+  return text;
 }
 
 }  // namespace
@@ -138,30 +140,12 @@ void writeSummary(const std::string& out, const RunSummary& s) {
   replaceTextFile(path, j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-std::string progressLine(const Clock& c, const LedgerReport& l, double stepsPerSecond, double secondsLeft) {
-  const double heatScale = std::abs(l.heatIn) > 0 ? std::abs(l.heatIn) : 1;
-  std::string kinds;
-  for (std::size_t k = 0; k < kindCount; k++)
-    if (l.rows[k] > 0) kinds += fmt::format("  {} {}", kindNames[k], l.rows[k]);
-  const bool continuum = l.particles > 0 || kinds.empty();
-  if (continuum) kinds = fmt::format("  particles {}{}  liquid {:.1f} %", l.particles, kinds, 100 * l.liquidFraction);
-  const std::string share = isRounding(l) ? "all of it rounding" : fmt::format("{:+.1e}", l.energyScale > 0 ? l.energyResidual / l.energyScale : 0);
-  // sheets without neighbour forces have no limit: a step goes to the next frame
-  const std::string step = c.dt < never ? fmt::format("{:.2e} s ({}{})", c.dt, c.limitedBy, c.substeps > 1 ? fmt::format(", {} substeps of solids", c.substeps) : "") : "without limit";
-  return fmt::format(
-      "t {:.5f} s  step {}  dt {}  {:.1f} steps/s  left {}{}  mass {:.6g} kg ({:+.1e})  |p| {:.3g} ({:.1e})  |L| {:.3g}  "
-      "kinetic {:.4g} J  elastic {:.4g} J  potential {:.4g} J  internal {:.5g} J  in {:.3g} kg {:.3g} J heat  out {:.3g} kg  dissipated {:.4g} J  residual {:+.2e} J ({}) heat {:+.1e}",
-      c.time, c.step, step, stepsPerSecond, duration(secondsLeft), kinds, l.now.mass, l.massResidual, length(l.now.momentum),
-      length(l.momentumResidual), length(l.now.angularMomentum), l.now.kinetic, l.now.elastic, l.now.potential, l.now.internal, l.entered.mass, l.heatIn, l.left.mass,
-      l.dissipated, l.energyResidual, share, l.heatResidual / heatScale);
-}
-
 std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
   std::vector<std::string> w;
   const auto add = [&](std::int64_t n, const char* what) {
     if (n > 0) w.push_back(fmt::format("{} {}", n, what));
   };
-  add(c.left, "particles left the domain (their mass, momentum and heat are in the ledger)");
+  if (c.left > 0) w.push_back(fmt::format("{} particles left the domain{} (their mass, momentum and heat are in the ledger)", c.left, sidesLeft(c)));
   add(c.singularNeighbourhoods, "solid particles have a flat, thin or lonely neighbourhood (rank of their moment matrix < 3)");
   add(c.inverted, "times a solid particle was turned inside out (det F <= 0)");
   add(c.squeezed, "times a solid particle of law = \"green\" was squeezed below .577 of its length, from where that law weakens: law = \"corotated\" or \"neo-hookean\" stiffens");

@@ -1,4 +1,4 @@
-// What a run leaves behind as summary.json, also when it fails; and its progress lines.
+// What a run leaves behind as summary.json, also when it fails.
 #pragma once
 #include <map>
 #include <string>
@@ -42,9 +42,6 @@ void gatherSummary(RunSummary& summary, const World& world, const PhaseTimes& ti
 
 /// Writes OUT/summary.json by rename; IoError. One process only.
 void writeSummary(const std::string& out, const RunSummary& summary);
-
-/// "t 0.4321 s  step 1234  dt 1.2e-4 s (sound)  812 steps/s  left 1 min 20 s  liquid 12.3 %  mass ...  energy ..."
-std::string progressLine(const Clock& clock, const LedgerReport& ledger, double stepsPerSecond, double secondsLeft);
 
 /// Warnings with counts, in words, of what was mended or looks wrong.
 std::vector<std::string> warningsOf(const Counters& counters, const LedgerReport& ledger);

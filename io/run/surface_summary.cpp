@@ -13,12 +13,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 constexpr std::size_t mostEvents = 1000, mostLines = 8;  // of the last ones in the summary (events.csv has all); of components at the end
 
-double volumeOf(const SurfaceSummary& s) {
-  double sum = 0;
-  for (const SurfaceComponent& c : s.components) sum += c.volume;
-  return sum;
-}
-
 }  // namespace
 
 Json surfaceJson(const SurfaceSummary& s) {
@@ -39,12 +33,6 @@ Json surfaceJson(const SurfaceSummary& s) {
     j["events"].push_back({{"step", e.step}, {"time_s", e.time}, {"kind", eventName(e.kind)}, {"component", e.label}, {"other", e.other}});
   }
   return j;
-}
-
-std::string surfaceProgress(const SurfaceSummary& s) {
-  if (!s.there) return {};
-  const std::string each = s.updatesHere > 0 ? fmt::format("  update {:.3g} s", s.seconds / static_cast<double>(s.updatesHere)) : std::string();
-  return fmt::format("  surfels {} in {} component{} of {:.5g} m^3{}", s.surfels, s.components.size(), s.components.size() == 1 ? "" : "s", volumeOf(s), each);
 }
 
 std::vector<std::string> surfaceLines(const SurfaceSummary& s) {

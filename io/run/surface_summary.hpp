@@ -1,4 +1,4 @@
-// The surface of a run in summary.json, progress lines and the lines at the end.
+// The surface of a run in summary.json and the lines at the end.
 #pragma once
 #include <array>
 #include <nlohmann/json_fwd.hpp>
@@ -27,9 +27,6 @@ struct SurfaceSummary {
 };
 
 nlohmann::ordered_json surfaceJson(const SurfaceSummary& summary);
-
-/// "  surfels 60123 in 3 components of 0.0123 m^3  update 0.81 s", to be appended to a progress line; empty without a surface.
-std::string surfaceProgress(const SurfaceSummary& summary);
 
 /// Counters, how well volumes were held, and the largest components, a line each.
 std::vector<std::string> surfaceLines(const SurfaceSummary& summary);

@@ -63,16 +63,16 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   Scene& s = *x.scene;
   std::set<std::string> names;
   for (const Material& m : s.materials) names.insert(m.name);
-  const auto resolve = [&](const std::pair<std::string, SourcePlace>& material, const std::string& who, int& index) {
+  const auto resolve = [&](const MaterialName& m, const std::string& who, int& index) {
     for (std::size_t k = 0; k < s.materials.size(); k++)
-      if (s.materials[k].name == material.first) return static_cast<void>(index = static_cast<int>(k));
-    const std::string what = material.first.empty() ? "its material is missing" : "there is no material '" + material.first + "'" + suggestion(material.first, names);
-    errors.push_back({material.second, who + ": " + what});
+      if (s.materials[k].name == m.name) return static_cast<void>(index = static_cast<int>(k));
+    const std::string what = m.name.empty() ? "its material is missing" : "there is no material '" + m.name + "'" + suggestion(m.name, names);
+    if (!m.told && x.materials) errors.push_back({m.where, who + ": " + what});
   };
   for (std::size_t b = 0; b < s.bodies.size(); b++) resolve(x.bodyMaterials[b], "body '" + s.bodies[b].name + "'", s.bodies[b].material);
   for (std::size_t e = 0; e < s.emitters.size(); e++) resolve(x.emitterMaterials[e], "emitter '" + s.emitters[e].name + "'", s.emitters[e].material);
   for (std::size_t t = 0; t < s.temperings.size(); t++)
-    if (!x.temperingMaterials[t].first.empty()) resolve(x.temperingMaterials[t], "tempering", s.temperings[t].material);
+    if (!x.temperingMaterials[t].name.empty()) resolve(x.temperingMaterials[t], "tempering", s.temperings[t].material);
 
   const auto unique = [&](const auto& list, const char* kind) {
     std::set<std::string> seen;

@@ -28,7 +28,7 @@ void readBody(TableReader& r, SceneReading& x) {
   if (b.name.empty()) b.name = "body " + std::to_string(x.scene->bodies.size());
   if (b.shape.kind == ShapeKind::HalfSpace) r.fail("plane", "a body has an end on every side; use the plane in an intersection");
   x.scene->bodies.push_back(std::move(b));
-  x.bodyMaterials.push_back({material, r.placeOf("material")});
+  x.bodyMaterials.push_back({material, r.placeOf("material"), r.refused("material")});
 }
 
 void readEmitter(TableReader& r, SceneReading& x) {
@@ -53,10 +53,10 @@ void readEmitter(TableReader& r, SceneReading& x) {
   r.number("end", e.end, "s", orNever(notNegative()), "ends then");
   if (r.describing()) return;
   if (length(e.direction) == 0) r.fail("direction", "must not be zero");
-  if (e.end < e.start) r.fail("end", "must not be before start");
+  if (e.end < e.start) r.fail("end", "must not be before start", {"start"});
   if (e.name.empty()) e.name = "emitter " + std::to_string(x.scene->emitters.size());
   x.scene->emitters.push_back(std::move(e));
-  x.emitterMaterials.push_back({material, r.placeOf("material")});
+  x.emitterMaterials.push_back({material, r.placeOf("material"), r.refused("material")});
 }
 
 void readObstacle(TableReader& r, SceneReading& x) {
@@ -79,7 +79,7 @@ void readObstacle(TableReader& r, SceneReading& x) {
     o.motion.push_back(f);
   });
   if (r.describing()) return;
-  if (o.conductance < never && !o.temperature) r.fail("conductance", "an obstacle without a temperature passes no heat: give temperature, too");
+  if (o.conductance < never && !o.temperature) r.fail("conductance", "an obstacle without a temperature passes no heat: give temperature, too", {"temperature"});
   if (o.name.empty()) o.name = "obstacle " + std::to_string(x.scene->obstacles.size());
   x.scene->obstacles.push_back(std::move(o));
 }
@@ -95,7 +95,7 @@ void readTempering(TableReader& r, SceneReading& x) {
   if (r.describing()) return;
   if (!r.has("temperature")) r.fail("temperature", "is missing");
   x.scene->temperings.push_back(t);
-  x.temperingMaterials.push_back({material, r.placeOf("material")});
+  x.temperingMaterials.push_back({material, r.placeOf("material"), r.refused("material")});
 }
 
 }  // namespace thaw

@@ -72,8 +72,8 @@ void readField(TableReader& r, OrientedBody& b) {
   if (f.pull != 0 && !r.has("point")) r.fail("pull", "needs the point that it is toward");
   if (f.pull != 0 && !r.has("radius")) r.fail("pull", "needs the radius at which it ends");
   for (const char* key : {"point", "radius"})
-    if (r.has(key) && f.pull == 0) r.fail(key, "is of pull, which is missing");
-  if (!(f.until > f.from)) r.fail("until", "must be after `from`");
+    if (r.has(key) && f.pull == 0) r.fail(key, "is of pull, which is missing", {"pull"});
+  if (!(f.until > f.from)) r.fail("until", "must be after `from`", {"from"});
   b.fields.push_back(std::move(f));
 }
 
@@ -231,8 +231,8 @@ void readOriented(TableReader& r, SceneReading& x) {
   r.tables("field", "what acts from outside, beside push and pressure, on the particles that are in its SHAPE (none: on all) at that time", [&](TableReader& f) { readField(f, b); });
   r.tables("event", "something that is done to the body", [&](TableReader& e) { readEvent(e, b); });
   if (r.describing()) return;
-  if (b.attractPower >= b.repelPower) r.fail("attract_power", "must be below repel_power");
-  if (b.along > b.across) r.fail("along", "must not be above across");
+  if (b.attractPower >= b.repelPower) r.fail("attract_power", "must be below repel_power", {"repel_power"});
+  if (b.along > b.across) r.fail("along", "must not be above across", {"across"});
   if (!x.scene->oriented.empty()) {
     const OrientedIntegrator first = x.scene->oriented.front().integrator;
     if (r.has("integrator") && b.integrator != first) r.fail("integrator", "differs from that of the first oriented body, which is for all: expected the same, or none");

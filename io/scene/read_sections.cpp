@@ -44,6 +44,7 @@ void readSections(TableReader& top, SceneReading& x) {
       r.fail("melts", "with numerics.heat = \"paper\" solidus and liquidus must differ");
     s.materials.push_back(std::move(m));
   });
+  x.materials = !top.refused("material");
   top.tables("body", "something made of particles", [&](TableReader& r) { readBody(r, x); });
   top.tables("oriented", "a surface of oriented particles (Szeliski & Tonnesen 1992)", [&](TableReader& r) { readOriented(r, x); });
   top.tables("sheet", "a sheet whose vertices are exact damped springs", [&](TableReader& r) { readSheet(r, x); });

@@ -5,13 +5,17 @@
 
 namespace thaw {
 
+/// The name of a material that something is made of. told: a message has said that it is no name.
+struct MaterialName { std::string name; SourcePlace where; bool told = false; };
+
 /// What reading needs beside the scene: names that refer to what is defined elsewhere, resolved by checkScene.
 struct SceneReading {
   Scene* scene = nullptr;
   SourcePlace start;                                                          ///< of the file, for what has no place of its own
   SourcePlace domain, spacing;
+  bool materials = true;                                                      ///< all of them are tables: a name without one is a mistake of its own
   OpenChoices open;                                                           ///< of [numerics], that the scene leaves to us
-  std::vector<std::pair<std::string, SourcePlace>> bodyMaterials, emitterMaterials, temperingMaterials;  ///< beside Scene::bodies, emitters, temperings
+  std::vector<MaterialName> bodyMaterials, emitterMaterials, temperingMaterials;  ///< beside Scene::bodies, emitters, temperings
 };
 
 /// All keys of a scene file.

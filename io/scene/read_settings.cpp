@@ -41,7 +41,7 @@ void readDomain(TableReader& r, Domain& d) {
   r.vector("gravity", d.gravity, "m/s^2", "acceleration of everything");
   r.number("ambient", d.ambient, "K", positive(), "temperature around, for convection and radiation");
   for (int a = 0; a < 3; a++)
-    if (!(d.max[a] > d.min[a])) r.fail(r.has("max") ? "max" : "min", fmt::format("max must be above min along {}", static_cast<char>('x' + a)));
+    if (!(d.max[a] > d.min[a])) r.fail(r.has("max") ? "max" : "min", fmt::format("max must be above min along {}", static_cast<char>('x' + a)), {"min", "max"});
 }
 
 void readNumerics(TableReader& r, Numerics& n) {
@@ -73,7 +73,7 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.choice("conduction", n.conduction, {"normalised", "plain"}, "the sum for heat conduction: exact for a quadratic temperature on the lattice, or with the kernel's own constant");
   r.flag("self_contact", n.selfContact, "pieces of one body collide with each other");
   r.number("max_density_error", n.maxDensityError, "", {0, 0.2, true, false, false}, "compression that the automatic sound speed allows");
-  r.choice("overlap", n.overlap, {"error", "keep", "remove later", "remove earlier"}, "what happens to particles of two bodies that overlap");
+  r.choice("overlap", n.overlap, {"error", "keep", "remove later", "remove earlier"}, "what happens to particles of two bodies that overlap; a sheet or an oriented body that begins inside a solid one is an error but with \"keep\"");
   r.number("fixed_step", n.fixedStep, "s", notNegative(), "longest time step, at most `end`, cut so that a whole number leads to each frame; 0: as large as the limits allow");
   r.number("max_step", n.maxStep, "s", orNever(positive()), "largest time step");
   r.number("cfl_sound", n.cflSound, "", factor(), "times h / c, h the support radius");
@@ -115,7 +115,7 @@ void readOutput(TableReader& r, Output& o) {
     r.fail("colour", "there is no field '" + o.colour + "'" + suggestion(o.colour, words));
   r.number("colour_min", o.colourMin, "", anyNumber(), "SI value of the lowest colour; none: the lowest of all frames");
   r.number("colour_max", o.colourMax, "", anyNumber(), "SI value of the highest colour; none: the highest of all frames");
-  if (o.colourMin && o.colourMax && !(*o.colourMax > *o.colourMin)) r.fail("colour_max", "must be above colour_min");
+  if (o.colourMin && o.colourMax && !(*o.colourMax > *o.colourMin)) r.fail("colour_max", "must be above colour_min", {"colour_min"});
   std::int64_t width = o.width, height = o.height;
   r.whole("width", width, 64, 16384, "of pictures, in pixels");
   r.whole("height", height, 64, 16384, "of pictures, in pixels");

@@ -127,7 +127,7 @@ void readCoefficientsInTime(TableReader& r, SheetBody& b) {
     const std::string key = std::string(coefficient) + "_in_time";
     readInTime(r, key.c_str(), b.inTime[f], ("factor of " + std::string(coefficient) + ", linear in between").c_str(), factorRange(f));
     if (r.describing() || b.*value != 0) continue;
-    if (r.has(key)) r.fail(key, "is a factor of " + std::string(coefficient) + ", which is 0");
+    if (r.has(key)) r.fail(key, "is a factor of " + std::string(coefficient) + ", which is 0", {coefficient});
   }
 }
 
@@ -175,18 +175,18 @@ void readSheet(TableReader& r, SceneReading& x) {
   });
   b.massWhere = r.placeOf("mass");
   checkRegions(r, b);
-  if (b.mass == 0 && b.windDensity > 0) r.fail("wind_density", "the air's drag on a sheet without mass has no stable step: expected mass > 0");
-  if (b.pullReach > 0 && b.pull == 0) r.fail("pull_reach", "needs pull: without it nothing acts there");
-  if (b.plasticity > 0 && b.stiffness == 0) r.fail("plasticity", "without stiffness there is no place of rest that could move");
+  if (b.mass == 0 && b.windDensity > 0) r.fail("wind_density", "the air's drag on a sheet without mass has no stable step: expected mass > 0", {"mass"});
+  if (b.pullReach > 0 && b.pull == 0) r.fail("pull_reach", "needs pull: without it nothing acts there", {"pull"});
+  if (b.plasticity > 0 && b.stiffness == 0) r.fail("plasticity", "without stiffness there is no place of rest that could move", {"stiffness"});
   if (b.plasticity > 0 && !r.has("elastic_limit")) r.fail("plasticity", "needs elastic_limit: without one all is elastic");
   if (r.has("elastic_limit") && !r.has("plasticity")) r.fail("elastic_limit", "needs plasticity, which says what of what goes beyond it stays");
-  if (length(b.wind) > 0 && b.windDensity == 0) r.fail("wind", "needs wind_density: air without mass does not push");
-  if (b.pull > 0 && b.pullReach == 0) r.fail("pull_reach", "pull needs a reach");
+  if (length(b.wind) > 0 && b.windDensity == 0) r.fail("wind", "needs wind_density: air without mass does not push", {"wind_density"});
+  if (b.pull > 0 && b.pullReach == 0) r.fail("pull_reach", "pull needs a reach", {"pull"});
   if (length(b.warpDirection) == 0) r.fail("warp_direction", "must not be zero");
   else if (b.mesh == SheetMesh::Grid && r.has("grid") && std::hypot(b.warpDirection.x, b.warpDirection.y) < warpCosine * length(b.warpDirection))
     r.fail("warp_direction", "stands across the grid, which lies in its own plane z = 0: none of its edges would be warp");
-  else if (!(b.warp > 0 || b.weft > 0 || b.shear > 0) && r.has("warp_direction")) r.fail("warp_direction", "is of springs along edges: expected warp, weft or shear as well");
-  if (!b.wrapTo.empty() && b.wrap == 0) r.fail("wrap_to", "without wrap there is nothing to be wrapped");
+  else if (!(b.warp > 0 || b.weft > 0 || b.shear > 0) && r.has("warp_direction")) r.fail("warp_direction", "is of springs along edges: expected warp, weft or shear as well", {"warp", "weft", "shear"});
+  if (!b.wrapTo.empty() && b.wrap == 0) r.fail("wrap_to", "without wrap there is nothing to be wrapped", {"wrap"});
   if (b.name.empty()) b.name = "sheet " + std::to_string(x.scene->sheets.size());
   x.scene->sheets.push_back(std::move(b));
 }

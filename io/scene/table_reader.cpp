@@ -7,33 +7,12 @@
 
 #include "io/scene/nearest_word.hpp"
 #include "io/scene/units.hpp"
+#include "io/scene/value_text.hpp"
 
 namespace thaw {
 namespace {
 
 std::string numberText(double v) { return v == never ? "\"never\"" : fmt::format("{}", v); }
-
-/// A text as it is repeated in a message: on one line, and not too much of it.
-std::string quoted(const std::string& text) {
-  std::string s;
-  for (const char c : text.substr(0, 60)) s += static_cast<unsigned char>(c) < 32 ? ' ' : c;
-  while (text.size() > 60 && !s.empty() && (s.back() & 0x80)) s.pop_back();  // not half a character
-  return "\"" + s + (text.size() > 60 ? "...\"" : "\"");
-}
-
-std::string shown(const toml::node& n) {
-  if (const auto* s = n.as_string()) return quoted(s->get());
-  if (const auto* i = n.as_integer()) return fmt::format("{}", i->get());
-  if (const auto* f = n.as_floating_point()) return fmt::format("{}", f->get());
-  if (const auto* b = n.as_boolean()) return b->get() ? "true" : "false";
-  return n.is_array() ? "a list" : n.is_table() ? "a table" : "a date or time";
-}
-
-std::string listOf(const std::vector<std::string>& words) {
-  std::string all;
-  for (const std::string& w : words) all += (all.empty() ? "\"" : ", \"") + w + "\"";
-  return all;
-}
 
 std::string withUnit(const std::string& range, const char* unit) {
   const bool none = unit[0] == 0 || std::string(unit) == "1";
@@ -62,7 +41,16 @@ std::string TableReader::textOf(const std::string& key) const {
 void TableReader::fail(const SourcePlace& where, const std::string& text) {
   if (errors_) errors_->push_back({where, text});
 }
-void TableReader::fail(const std::string& key, const std::string& text) { fail(placeOf(key), named(key) + ": " + text); }
+void TableReader::fail(const std::string& key, const std::string& text, std::initializer_list<const char*> others) {
+  if (refused(key) || std::any_of(others.begin(), others.end(), [&](const char* other) { return refused(other); })) return;
+  refused_.insert(key);
+  fail(placeOf(key), named(key) + ": " + text);
+}
+/// At a node of the key's value, of which several may be wrong.
+void TableReader::refuse(const std::string& key, const toml::node& n, const std::string& text) {
+  refused_.insert(key);
+  fail(placeOfNode(n), named(key) + ": " + text);
+}
 
 const toml::node* TableReader::get(const std::string& key) {
   known_.insert(key);
@@ -92,15 +80,15 @@ bool TableReader::quantity(const toml::node& n, const char* key, const char* uni
     good = false;
   }
   if (!good) {
-    fail(placeOfNode(n), fmt::format("{}: expected {}{}, got {}{}", named(key), kindOfUnit(unit), range.orNever ? " or \"never\"" : "", shown(n), why));
+    refuse(key, n, fmt::format("expected {}{}, got {}{}", kindOfUnit(unit), range.orNever ? " or \"never\"" : "", shown(n), why));
     return false;
   }
   if (!std::isfinite(v)) {
-    fail(placeOfNode(n), fmt::format("{}: must be a finite number, got {}", named(key), shown(n)));
+    refuse(key, n, fmt::format("must be a finite number, got {}", shown(n)));
     return false;
   }
   if (!range.holds(v)) {
-    fail(placeOfNode(n), fmt::format("{}: must be {}, got {}", named(key), withUnit(range.text(), unit), shown(n)));
+    refuse(key, n, fmt::format("must be {}, got {}", withUnit(range.text(), unit), shown(n)));
     return false;
   }
   return value = v, true;
@@ -167,8 +155,8 @@ void TableReader::words(const char* key, std::vector<std::string>& value, const 
   for (const toml::node& e : *a) {
     const auto* s = e.as_string();
     if (s && std::find(allowed.begin(), allowed.end(), s->get()) != allowed.end()) value.push_back(s->get());
-    else if (s) fail(placeOfNode(e), fmt::format("{}: there is no {}{}; there are {}", named(key), quoted(s->get()), suggestion(s->get(), {allowed.begin(), allowed.end()}), listOf(allowed)));
-    else fail(placeOfNode(e), fmt::format("{}: expected a text in quotes, got {}", named(key), shown(e)));
+    else if (s) refuse(key, e, fmt::format("there is no {}{}; there are {}", quoted(s->get()), suggestion(s->get(), {allowed.begin(), allowed.end()}), listOf(allowed)));
+    else refuse(key, e, "expected a text in quotes, got " + shown(e));
   }
 }
 
@@ -189,10 +177,12 @@ void TableReader::blend(const BlendKey& k, Blend& value) {
   const toml::node* n = get(k.key);
   if (!n) return;
   if (n->is_table()) {
+    const std::size_t before = errors_->size();
     readTable(*n, named(k.key), [&](TableReader& r) {
       r.number("solid", value.solid, k.unit, k.range, "");
       r.number("liquid", value.liquid, k.unit, k.range, "");
     });
+    if (errors_->size() > before) refused_.insert(k.key);
   } else if (quantity(*n, k.key, k.unit, k.range, value.solid) && k.liquid == Liquid::Same) {
     value.liquid = value.solid;
   }
@@ -209,12 +199,12 @@ void TableReader::pairs(const PairsKey& k, std::vector<std::pair<double, double>
     const toml::array* p = e.as_array();
     std::pair<double, double> v;
     if (!p || p->size() != 2) {
-      fail(placeOfNode(e), fmt::format("{}: expected a pair {}, got {}", named(k.key), pair, shown(e)));
+      refuse(k.key, e, fmt::format("expected a pair {}, got {}", pair, shown(e)));
       continue;
     }
     const bool first = quantity(*p->get(0), k.key, k.unit1, k.range1, v.first), second = quantity(*p->get(1), k.key, k.unit2, k.range2, v.second);
     if (!first || !second) continue;
-    if (!value.empty() && v.first <= value.back().first) fail(placeOfNode(e), fmt::format("{}: the first quantities of the pairs must ascend", named(k.key)));
+    if (!value.empty() && v.first <= value.back().first) refuse(k.key, e, "the first quantities of the pairs must ascend");
     value.push_back(v);
   }
 }
@@ -276,6 +266,7 @@ void TableReader::namedTables(const char* key, const char* about, const std::fun
   if (!t) return fail(key, fmt::format("expected tables such as [{}.NAME], got {}", key, shown(*n)));
   for (const auto& [name, node] : *t) {
     const std::string word(name.str());
+    if (!node.is_table()) refused_.insert(key);
     readTable(node, named(key) + "." + word, [&](TableReader& r) { read(word, r); });
   }
 }

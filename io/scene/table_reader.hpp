@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <set>
 #include <string>
@@ -40,7 +41,10 @@ class TableReader {
   bool hasList(const std::string& key) const { return table_ != nullptr && table_->get_as<toml::array>(key) != nullptr; }
   std::string textOf(const std::string& key) const;                  ///< a text that is there, else ""
   void fail(const SourcePlace& where, const std::string& text);
-  void fail(const std::string& key, const std::string& text);        ///< at the key, with its path
+  /// At the key, with its path. A key has one message: nothing is said of one that was refused before, nor of how it goes together with such `others`,
+  /// whose values are not what the scene means.
+  void fail(const std::string& key, const std::string& text, std::initializer_list<const char*> others = {});
+  bool refused(const std::string& key) const { return refused_.count(key) > 0; }
 
   // Each reads a key into `value` if it is there, else leaves it; `value` before is the default that is described.
   void number(const char* key, double& value, const char* unit, const Range& range, const char* about);
@@ -85,12 +89,13 @@ class TableReader {
   std::string named(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
   void describe(const char* key, const std::string& unit, const std::string& range, const std::string& standard, const char* about);
   void readTable(const toml::node& node, const std::string& path, const std::function<void(TableReader&)>& read);
+  void refuse(const std::string& key, const toml::node& node, const std::string& text);
 
   const toml::table* table_ = nullptr;
   std::string path_;
   std::vector<SceneError>* errors_ = nullptr;
   std::vector<KeyDescription>* descriptions_ = nullptr;
-  std::set<std::string> known_;
+  std::set<std::string> known_, refused_;
 };
 
 /// Where a node stands. Nodes of an override have the file "--set key=value".

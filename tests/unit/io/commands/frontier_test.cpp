@@ -41,6 +41,28 @@ TEST(Frontier, KeysAreThoseThatSetTakes) {
     const std::string key = text.substr(start, at - start);
     EXPECT_TRUE(key == "quality" || key.rfind("numerics.", 0) == 0 || key.rfind("material.", 0) == 0) << key;
   }
+  EXPECT_EQ(linesOf(body("a", "water", 0) + "[material.oil]\nsurface_tension = 0.03\n").find("packing"), std::string::npos);  // it is on a lattice
+  const std::string drop = linesOf(body("a", "water", 0) + "packing = 'relaxed'\n");
+  EXPECT_EQ(drop.find("numerics.body"), std::string::npos) << drop;
+}
+
+TEST(Frontier, AdviceIsShortAndLeavesAloneWhatTheSceneHasChosen) {
+  const auto adviceOf = [](const std::string& rest) {
+    const Scene s = readScene(sceneFilesOf("test.toml", "spacing = 0.1\nend = 1\n[material.steel]\nyoung = 1e5\n" + rest));
+    return frontierAdvice(s, modulesOf(s));
+  };
+  const std::string solid = body("a", "steel", 0);
+  const std::vector<std::string> lines = adviceOf(solid);
+  ASSERT_GE(lines.size(), 2u);
+  EXPECT_LE(lines.size(), 8u);
+  std::string all;
+  for (const std::string& line : lines) {
+    EXPECT_LE(line.size(), 160u) << line;
+    EXPECT_TRUE(line.rfind("more accurate: --set ", 0) == 0 || line.rfind("faster:        --set ", 0) == 0) << line;
+    all += line + "\n";
+  }
+  EXPECT_NE(all.find("faster:        --set numerics.cfl_elastic=0.6 (solids: 1 times the error, 0.69 times the time)"), std::string::npos) << all;
+  for (const std::string& line : adviceOf(solid + "[numerics]\ncfl_elastic = 0.5\n")) EXPECT_EQ(line.find("cfl_elastic"), std::string::npos) << line;
 }
 
 TEST(Frontier, SubstepsAreForSolidsThatCannotMeet) {

@@ -1,0 +1,45 @@
+#include "core/setup/pressed_liquid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/fluid/records.hpp"
+#include "core/step.hpp"
+
+namespace thaw {
+
+std::vector<SceneWarning> pressedLiquids(const World& w, const StepTools& t, Reducer& all) {
+  std::vector<SceneWarning> warnings;
+  const std::size_t bodies = w.scene.bodies.size();
+  const double speed = expectedSpeed(w.scene);
+  if (!w.modules.fluid || w.modules.incompressible || !(speed > 0) || bodies == 0) return warnings;
+  constexpr double unit = 1e-6, share = 0.1;  // of speed^2; of the speed
+  const Continuum& p = w.particles;
+  std::vector<std::int64_t> sums(2 * bodies, 0);  // particles, their energy of compression per mass: whole numbers, whose sums have no order
+  std::vector<double> densest(bodies, 0);
+  for (std::size_t i = 0; i < p.owned; i++) {
+    if (p.phase[i] != Liquid || p.body[i] >= bodies) continue;
+    sums[2 * p.body[i]]++;
+    if (!(p.filling[i] > 1)) continue;
+    const double energy = compressionOf({w.scene, w.modules, w.grid, t.liquids}, p, i, 1) / (p.mass[i] * speed * speed);
+    sums[2 * p.body[i] + 1] += std::llround(std::min(energy, 1e6) / unit);
+    densest[p.body[i]] = std::max(densest[p.body[i]], static_cast<double>(p.filling[i]));
+  }
+  all.sum(sums);
+  all.maximum(densest);
+  for (std::size_t b = 0; b < bodies; b++) {
+    if (sums[2 * b] == 0) continue;
+    const double burst = std::sqrt(2 * unit * static_cast<double>(sums[2 * b + 1]) / static_cast<double>(sums[2 * b]));
+    if (!(burst > share)) continue;
+    char text[400];
+    std::snprintf(text, sizeof text,
+                  "': its liquid begins compressed, by %.2g %% where it is densest, and would fly apart at some %.2g m/s, where the scene makes %.2g m/s: its particles, on a lattice of whole spacings, "
+                  "come nearer to walls or bodies than half a spacing to each side; make sizes whole numbers of spacings, or leave more room",
+                  100 * (densest[b] - 1), burst * speed, speed);
+    warnings.push_back({w.scene.bodies[b].where, "body '" + w.scene.bodies[b].name + text});
+  }
+  return warnings;
+}
+
+}  // namespace thaw

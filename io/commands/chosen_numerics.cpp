@@ -1,0 +1,19 @@
+#include "io/commands/chosen_numerics.hpp"
+
+#include "io/run/coefficient_marks.hpp"
+
+namespace thaw {
+
+bool isChosen(const std::string& key, const Numerics& n) {
+  const Numerics usual;
+  if (key == "numerics.support") return n.support != usual.support;
+  if (key == "numerics.bond_support") return n.bondSupport != usual.bondSupport;
+  CheckpointValues own, defaults;
+  addCoefficients(own, n);
+  addCoefficients(defaults, usual);
+  for (const char* kind : {coefficient, setting})
+    if (const auto at = own.find(kind + key); at != own.end()) return at->second != defaults[kind + key];
+  return false;
+}
+
+}  // namespace thaw

@@ -1,0 +1,118 @@
+#!/usr/bin/env bash
+# Oriented bodies, sheets and emitters that make no sense, or hardly can be meant.
+. "$(dirname "$0")/../support/bad_input.sh"
+
+rejects "oriented surface of tiny spacing" "surface.toml:6:1: error: oriented body 'ball': at a spacing of 1e-05 m .* particles, .*expected a spacing of at least" 2 run "$(kinds surface <<<"[[oriented]]
+name = 'ball'
+sphere = { radius = 0.4 }
+spacing = 1e-5")"
+rejects "sheet of tiny spacing" "sheet.toml:6:1: error: sheet 'cloth': at a spacing of 1e-09 m .* vertices, .*expected a spacing of at least" 2 check "$(kinds sheet <<<"[[sheet]]
+name = 'cloth'
+grid = { width = 0.4, depth = 0.4 }
+spacing = 1e-9")"
+rejects "wind on a sheet without mass" "windy.toml:10:.*wind_density.*expected mass > 0" 2 check "$(kinds windy <<<"[[sheet]]
+grid = { width = 0.4, depth = 0.4 }
+mass = 0
+damping = 1
+wind_density = 1.2
+wind = [0, 0, 5]")"
+rejects "springs on a sheet without mass and damping" "slack.toml:8:.*mass.*neither mass nor damping" 2 check "$(kinds slack <<<"[[sheet]]
+grid = { width = 0.4, depth = 0.4 }
+mass = 0
+stiffness = 1000
+warp = 1")"
+rejects "emitter of tiny spacing" "emitter.toml:7:1: error: emitter 'tap': its opening has 3.6e\\+07 places" 2 check "$(kinds emitter <<<"[material.water]
+[[emitter]]
+name = 'tap'
+material = 'water'
+disc = { radius = 0.3 }")" --set spacing=1e-4
+
+# what check and info say of a scene without continuum
+patch=$(kinds patch <<<"[[oriented]]
+patch = { width = 0.4, depth = 0.4 }")
+checked() {
+  isAccepted "check of oriented particles alone" check "$patch"
+  grep -q 'by the materials alone' "$place/log" && fail "check: limits of materials where there are none"
+}
+described() {
+  isAccepted "oriented particles alone" run "$patch" --steps 3
+  "$thaw" info "$place/out" >"$place/info" || fail "info of oriented particles"
+  grep -E -q '[1-9][0-9]*\.[0-9]{9}|\.0*[1-9][0-9]{8}' "$place/info" && fail "info: numbers of more than six digits"
+  grep -q 'particles 0' "$place/log" && fail "progress shows particles that a scene without continuum has not"
+  ls "$place/out/frames" | grep -v oriented && fail "frames of particles that a scene without continuum has not"
+  "$thaw" render "$place/out" >"$place/log" 2>&1 || fail "render of oriented particles alone"
+  [ -s "$place/out/pictures/patch_oriented_000000.png" ] || fail "no picture of oriented particles alone"
+}
+started checked
+started described
+
+# what of oriented bodies and sheets has no effect, or hardly can be meant: a warning
+plate="[[oriented]]
+patch = { width = 0.4, depth = 0.4 }"
+warns "a cut beside the body" "cut.toml:8:1: oriented body 'oriented 0': this cut has met nothing" cut "$plate
+[[oriented.event]]
+kind = 'cut'
+plane = { point = [0.3, 0, 0], normal = [1, 0, 0] }"
+warns "a crease beside the body" "crease.toml:8:1: .*this crease has met nothing" crease "$plate
+[[oriented.event]]
+kind = 'crease'
+along = [[0, 0, 0.3], [0.1, 0, 0.3]]"
+warns "a weld with what is far" "weld.toml:8:1: .*this weld has met nothing" weld "$plate
+[[oriented.event]]
+kind = 'weld'
+other = 'far'
+[[oriented]]
+name = 'far'
+patch = { width = 0.1, depth = 0.1 }
+place = { move = [0, 0, 0.4] }"
+cloth="[[sheet]]
+grid = { width = 0.4, depth = 0.4 }"
+warns "a sheet that is clamped" "clamped.toml:6:1: sheet 'sheet 0': all of its [0-9]+ vertices are clamped" clamped "$cloth
+[[sheet.clamp]]
+sphere = { radius = 0.6 }"
+warns "a thick sheet" "thick.toml:6:1: sheet 'sheet 0': its thickness, 0.2 m, is more than three times the distance of its vertices, 0.056" thick "$cloth
+thickness = 0.2"
+warns "a sheet in an obstacle" "wall.toml:6:1: sheet 'sheet 0': [0-9]+ of its 81 vertices begin deeper than half of its thickness in the contact with obstacle 'ball'" wall "$cloth
+[[obstacle]]
+name = 'ball'
+sphere = { radius = 0.05 }"
+lump="$cloth
+[material.jelly]
+young = '20 kPa'
+melts = '350 K'
+heat_capacity = 1000
+[[body]]
+name = 'lump'
+material = 'jelly'
+box = { size = [0.1, 0.1, 0.1] }"
+rejects "a sheet in a body" "body.toml:6:1: error: sheet 'sheet 0': [0-9]+ of its 81 vertices begin inside body 'lump', where they would stay caught; move them apart, or set numerics.overlap" 2 check "$(kinds body <<<"$lump")"
+warns "a sheet in a body that is to be" "kept.toml:6:1: sheet 'sheet 0': [0-9]+ of its 81 vertices begin inside body 'lump', where they stay caught" kept "$lump
+[numerics]
+overlap = 'keep'"
+warns "a sheet in a liquid" "bath.toml:6:1: sheet 'sheet 0': [0-9]+ of its 81 vertices begin inside body 'lump', whose liquid is pushed off them" bath "$lump
+temperature = 400"
+warns "a sheet in another" "sheets.toml:8:1: sheet 'sheet 1': 81 of its 81 vertices begin nearer to sheet 'sheet 0' than 0.6 of the distance of contact" sheets "$cloth
+$cloth
+place = { move = [0.01, 0, 0.005] }"
+warns "a sheet in a surface" "film.toml:8:1: sheet 'sheet 0': [0-9]+ of its 81 vertices begin nearer to oriented body 'oriented 0' than" film "$plate
+$cloth
+place = { rotate_x = 0.3 }"
+warns "a surface in another" "films.toml:8:1: oriented body 'oriented 1': [0-9]+ of its [0-9]+ particles begin nearer to oriented body 'oriented 0' than" films "$plate
+$plate
+place = { move = [0, 0, 0.012] }"
+rejects "a sheet's mesh that is missing" "lost.toml:6:1: error: sheet 'sheet 0': .*nowhere.obj: there is no such file" 2 check "$(kinds lost <<<"[[sheet]]
+mesh = 'nowhere.obj'")"
+rejects "an oriented body's mesh that is missing" "lost2.toml:6:1: error: oriented body 'oriented 0': .*nowhere.obj: there is no such file" 2 check "$(kinds lost2 <<<"[[oriented]]
+mesh = 'nowhere.obj'")"
+rejects "an anchor's mesh that is missing" "lost3.toml:8:1: error: oriented body 'oriented 0': an anchor: .*nowhere.obj: there is no such file" 2 check "$(kinds lost3 <<<"$plate
+[[oriented.anchor]]
+mesh = 'nowhere.obj'")"
+rejects "a clamp's mesh that is missing" "lost4.toml:8:1: error: sheet 'sheet 0': a clamp: .*nowhere.obj: there is no such file" 2 run "$(kinds lost4 <<<"$cloth
+[[sheet.clamp]]
+mesh = 'nowhere.obj'")"
+rejects "the mesh of a body's clamp" "lost5.toml:[0-9]+:1: error: .*nowhere.obj" 2 check "$(scene lost5 '/^place/a [[body.clamp]]\nmesh = "nowhere.obj"')"
+rejects "more particles than most" "most.toml:6:1: error: oriented body 'oriented 0': it begins with [0-9]+ particles and is to grow to .most. = 20; expected at least as many" 2 check "$(kinds most <<<"$plate
+growth = 'gaps'
+most = 20")"
+
+allCases

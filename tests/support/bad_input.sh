@@ -1,0 +1,86 @@
+# Shared by the tests of bad input, after run.sh: $1 is the build folder. Cases run on three ranks, beside each other; each wants the documented exit code, one clear
+# message (once, not once a rank), no crash, no hang. Ends with `allCases`.
+. "$(dirname "${BASH_SOURCE[0]}")/run.sh"
+limit=${LIMIT:-60}  # seconds a case may take
+
+# A small scene that works; every case below breaks it in one place.
+cat >"$work/good.toml" <<'SCENE'
+title = "a block"
+spacing = "2 cm"
+end = "20 ms"
+[domain]
+min = [-0.5, -0.5, -0.1]
+max = [0.5, 0.5, 0.5]
+[material.jelly]
+young = "20 kPa"
+[[body]]
+name = "block"
+box = { size = [0.1, 0.1, 0.1] }
+material = "jelly"
+place = { move = [0, 0, 0.1] }
+[[obstacle]]
+name = "floor"
+plane = { point = [0, 0, 0], normal = [0, 0, 1] }
+SCENE
+
+# Cases run beside each other, each in a folder of its own: most of a call is the start of three processes.
+cases=0
+started() {  # a further case in the background: started COMMAND ARGUMENTS
+  while [ "$(jobs -rp | wc -l)" -ge "${JOBS:-$(nproc)}" ]; do wait -n; done
+  cases=$((cases + 1))
+  ( place=$work/case.$cases; mkdir "$place"; failures=0; "$@" >"$place/said"; exit "$failures" ) &
+  pids+=($!)
+}
+pids=()
+allEnded() {
+  local pid i=0
+  for pid in "${pids[@]}"; do
+    i=$((i + 1))
+    wait "$pid" || { failures=$((failures + 1)); cat "$work/case.$i/said"; }
+  done
+}
+
+# calls thaw on three ranks: call COMMAND SCENE [options]; leaves the code in $code and what was said in $place/log
+call() {
+  local command=$1 scene=$2
+  shift 2
+  local out=()
+  [ "$command" = run ] && out=(--out "$place/out")
+  timeout -k 5 "$limit" mpirun --allow-run-as-root --oversubscribe --bind-to none -n 3 "$thaw" "$command" "$scene" "${out[@]}" "$@" >"$place/log" 2>&1
+  code=$?
+}
+
+# rejects CASE PATTERN CODE COMMAND SCENE [options]: that code, and the pattern in exactly one line
+rejects() { started isRejected "$@"; }
+isRejected() {
+  local name=$1 pattern=$2 wanted=$3
+  shift 3
+  call "$@"
+  local times
+  times=$(grep -a -c -E -- "$pattern" "$place/log")
+  if [ "$code" = 124 ] || [ "$code" = 137 ]; then fail "$name: hangs (no end after $limit s)"
+  elif [ "$code" != "$wanted" ]; then fail "$name: exit code $code instead of $wanted"; head -n 5 "$place/log"
+  elif [ "$times" != 1 ]; then fail "$name: '$pattern' in $times lines instead of 1"; head -n 8 "$place/log"
+  elif grep -a -q -E 'terminate called|Segmentation|Signal:|MPI_ABORT' "$place/log"; then fail "$name: crashed"; head -n 8 "$place/log"
+  fi
+}
+
+# accepts CASE COMMAND SCENE [options]: exit code 0
+accepts() { started isAccepted "$@"; }
+isAccepted() {
+  local name=$1
+  shift
+  call "$@"
+  [ "$code" = 0 ] || { fail "$name: exit code $code"; head -n 8 "$place/log"; }
+}
+
+# scene NAME SED-SCRIPT: a copy of the scene that works, edited
+scene() { sed -E "$2" "$work/good.toml" >"$work/$1.toml"; echo "$work/$1.toml"; }
+good=$work/good.toml
+
+# A scene without continuum, to which tables are added: kinds NAME <<<TABLES. They begin in line 6.
+printf 'spacing = 0.05\nend = 0.01\n[domain]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\n' >"$work/kinds.toml"
+kinds() { { cat "$work/kinds.toml"; cat; } >"$work/$1.toml"; echo "$work/$1.toml"; }
+# warns CASE PATTERN NAME TABLES: such a scene is accepted, with one warning
+warns() { rejects "$1" "^warning: .*/$2" 0 check "$(kinds "$3" <<<"$4")"; }
+allCases() { allEnded; echo "$cases cases"; finish; }
