@@ -22,6 +22,7 @@ void gatherParticles(World& w, int rank) {
     c.mass[i] = p.mass[i];
     c.share[i] = p.surfaceShare.active && p.surfaceShare[i] > 0 ? p.surfaceShare[i] : 1;
     c.volume[i] = p.mass[i] / w.scene.materials[p.material[i]].density;
+    if (c.fill.active) c.fill[i] = p.surfaceFill[i];
     if (c.liquid.active) c.liquid[i] = p.liquid.active ? p.liquid[i] : static_cast<float>(p.phase[i] == Liquid);
     if (c.temperature.active) c.temperature[i] = static_cast<float>(p.temperature[i]);
     if (c.startPlace.active) c.startPlace[i] = p.surfaceStart[i];
