@@ -8,6 +8,7 @@ namespace {
 
 constexpr int across = 4;  // samples along an edge
 constexpr double halfDiagonal = 0.8661;
+constexpr double rounding = 1e-6;  // spacings: what is as near as that is the same wherever the body lies
 
 /// A cell by its place in the lattice.
 struct Cell { std::int64_t at[3]; };
@@ -58,7 +59,7 @@ class CellShares {
     for (int z = 0; z < across; z++)
       for (int y = 0; y < across; y++)
         for (int x = 0; x < across; x++)
-          if (const Vec3d at = middle(c) + Vec3d{off(x), off(y), off(z)}; shape_.distanceWithin(at, l_.spacing) < 0) in.push_back(at);
+          if (const Vec3d at = middle(c) + Vec3d{off(x), off(y), off(z)}; shape_.distanceWithin(at, l_.spacing) < -rounding * l_.spacing) in.push_back(at);
     return in;
   }
 
@@ -72,8 +73,9 @@ class CellShares {
     });
     for (const Vec3d& x : samplesIn(c)) {
       std::size_t nearest = 0;
+      const auto away = [&](std::size_t k) { return length(places[k] - x); };
       for (std::size_t k = 1; k < places.size(); k++)
-        if (dot(places[k] - x, places[k] - x) < dot(places[nearest] - x, places[nearest] - x)) nearest = k;
+        if (away(k) < away(nearest) - rounding * l_.spacing) nearest = k;
       if (!places.empty()) pieces[nearest].samples++;
     }
     return pieces;
