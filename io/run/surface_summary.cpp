@@ -32,7 +32,7 @@ Json surfaceJson(const SurfaceSummary& s) {
   j["components"] = Json::array();
   for (const SurfaceComponent& c : s.components)
     j["components"].push_back({{"component", c.label}, {"particles", c.particles}, {"surfels", c.surfels}, {"mass_kg", c.mass}, {"particle_volume_m3", c.particleVolume},
-                               {"volume_m3", c.volume}, {"wanted_volume_m3", c.wantedVolume}, {"area_m2", c.area}, {"centroid_m", {c.centroid.x, c.centroid.y, c.centroid.z}}});
+                               {"volume_m3", c.volume}, {"wanted_volume_m3", c.wantedVolume}, {"area_m2", c.area}, {"open", c.open}, {"centroid_m", {c.centroid.x, c.centroid.y, c.centroid.z}}});
   j["events"] = Json::array();
   for (std::size_t k = s.events.size() - std::min(s.events.size(), mostEvents); k < s.events.size(); k++) {
     const SurfaceEvent& e = s.events[k];
