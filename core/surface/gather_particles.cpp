@@ -1,5 +1,6 @@
 #include "core/surface/gather_particles.hpp"
 
+#include <bit>
 #include <cmath>
 #include <vector>
 
@@ -32,6 +33,21 @@ void gatherParticles(World& w, int rank) {
   }
 }
 
+void fadeFill(SurfaceParticles& p) {
+  constexpr double lasts = 0.3;
+  if (!p.fill.active || !p.liquid.active) return;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    if (!(p.fill[i] > 0) || !(p.liquid[i] > 0)) continue;
+    double strain2 = 0;
+    for (std::size_t a = 0; a < 3; a++)
+      for (std::size_t b = 0; b < 3; b++) {
+        const double e = 0.5 * (p.gradient[i].row[a][static_cast<int>(b)] + p.gradient[i].row[b][static_cast<int>(a)]);
+        strain2 += e * e;
+      }
+    p.fill[i] = static_cast<float>(1 + (static_cast<double>(p.fill[i]) - 1) * std::exp(-static_cast<double>(p.liquid[i]) * std::sqrt(strain2) / lasts));
+  }
+}
+
 void returnParticles(World& w, SurfaceHalos halos) {
   Continuum& p = w.particles;
   SurfaceParticles& c = w.surface.particles;
@@ -41,6 +57,12 @@ void returnParticles(World& w, SurfaceHalos halos) {
     halos.courier.sendHome({c.home.data(), c.owned}, there, here);
     for (std::size_t i = 0; i < p.owned; i++)
       if (p.slot[i] != noSlot && here[i] == 0) w.solids.bared[p.slot[i]] = 1;
+  }
+  if (c.fill.active) {
+    std::vector<std::uint64_t> there(c.owned), here(p.owned);
+    for (std::size_t i = 0; i < c.owned; i++) there[i] = std::bit_cast<std::uint32_t>(c.fill[i]);
+    halos.courier.sendHome({c.home.data(), c.owned}, there, here);
+    for (std::size_t i = 0; i < p.owned; i++) p.surfaceFill[i] = std::bit_cast<float>(static_cast<std::uint32_t>(here[i]));
   }
   for (std::size_t i = 0; i < p.owned; i++) p.surfacePlace[i] = p.position[i];
   c.resize(c.owned, 0);
