@@ -167,13 +167,14 @@ void growAndSettle(World& w, SurfaceHalos halos, SurfaceTools& t, const std::fun
 
 }  // namespace
 
-// Where the field of twice the particles' support makes one lump of two sheets, that of their own support tells them apart: layers of particles two spacings from each other.
+// Liquids are to close. Where the field of twice the particles' support makes one lump of two sheets, that of their own support tells them apart: layers of particles two spacings from each other.
 void growBodies(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   const double wide = s.particleSupport, narrow = std::min({wide, w.grid.support, nearSupport * w.scene.spacing});
   readyParticles(w, halos, t);
-  std::vector<std::uint64_t> near;
-  if (narrow < wide) near = componentsWithGaps(w, t.relax.particleBins, halos.all);
+  const NearGaps gaps = narrow < wide ? findNearGaps(w, t.relax.particleBins, halos.all) : NearGaps{};
+  const std::vector<std::uint64_t>& near = gaps.solid;
+  t.lumps = gaps.liquid;
   const auto bare = [&](std::size_t i, bool isNear) {
     return !hasMesh(w.scene, s.particles.body[i]) && std::binary_search(near.begin(), near.end(), s.particles.component[i]) == isNear;
   };

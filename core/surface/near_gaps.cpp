@@ -77,28 +77,29 @@ class Around {
   }
 };
 
-void sortUnique(std::vector<std::uint64_t>& labels) {
+/// Of all ranks, each once.
+std::vector<std::uint64_t> ofAll(Reducer& all, const std::vector<std::uint64_t>& mine) {
+  std::vector<std::uint64_t> labels = gatherWords(all, mine);
   std::sort(labels.begin(), labels.end());
   labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+  return labels;
 }
 
 }  // namespace
 
-std::vector<std::uint64_t> componentsWithGaps(const World& w, const Bins& bins, Reducer& all) {
+NearGaps findNearGaps(const World& w, const Bins& bins, Reducer& all) {
   const SurfaceParticles& p = w.surface.particles;
-  std::vector<std::uint64_t> mine;
+  NearGaps mine;
   Around around(w);
   SeedDirections seeds(w);
   for (std::size_t i = 0; i < p.owned; i++) {
-    if (hasMesh(w.scene, p.body[i]) || p.component[i] == noComponent || p.colour[i] >= innerColour || (p.liquid.active && p.liquid[i] >= 0.5f)) continue;
-    if (std::find(mine.begin(), mine.end(), p.component[i]) != mine.end()) continue;
+    if (hasMesh(w.scene, p.body[i]) || p.component[i] == noComponent || p.colour[i] >= innerColour) continue;
+    std::vector<std::uint64_t>& known = p.liquid.active && p.liquid[i] >= 0.5f ? mine.liquid : mine.solid;
+    if (std::find(known.begin(), known.end(), p.component[i]) != known.end()) continue;
     seeds.turn(p.id[i]);
-    if (around.acrossAGap(i, bins, seeds)) mine.push_back(p.component[i]);
+    if (around.acrossAGap(i, bins, seeds)) known.push_back(p.component[i]);
   }
-  sortUnique(mine);
-  std::vector<std::uint64_t> labels = gatherWords(all, mine);
-  sortUnique(labels);
-  return labels;
+  return {ofAll(all, mine.solid), ofAll(all, mine.liquid)};
 }
 
 }  // namespace thaw

@@ -9,9 +9,12 @@
 
 namespace thaw {
 
-/// Sheets nearer to each other than the colour field is wide are one lump to it. Labels, ascending, of the components with a solid particle, of a body whose surface is grown, that has another one across a gap
-/// within h_ps: it lies behind an empty place, and the way to it from particle to particle, none farther apart than neighbours of a lattice are, is half as long again as the straight one, or
-/// there is none so near. Liquids have no gaps, since they are to close. Needs the particles' colours, bins and ghosts (readyParticles). Collective.
-std::vector<std::uint64_t> componentsWithGaps(const World& world, const Bins& particleBins, Reducer& all);
+/// Labels, ascending: of components with a solid or a liquid particle across a gap from another of theirs.
+struct NearGaps { std::vector<std::uint64_t> solid, liquid; };
+
+/// Sheets nearer to each other than the colour field is wide are one lump to it. A particle, of a body whose surface is grown, is across a gap from another one of its component within h_ps that lies behind an
+/// empty place, if the way to it from particle to particle, none farther apart than neighbours of a lattice are, is half as long again as the straight one, or there is none so near.
+/// Needs the particles' colours, bins and ghosts (readyParticles). Collective.
+NearGaps findNearGaps(const World& world, const Bins& particleBins, Reducer& all);
 
 }  // namespace thaw

@@ -19,6 +19,7 @@ class SurfaceTrial {
   struct Forecast { double surfels = 0, bytes = 0, updates = 0, frames = 0, seconds = 0; };
   /// Collective.
   Forecast forecast(double steps) const;
+  const std::vector<std::uint64_t>& lumps() const { return tools_.lumps; }
   /// What `thaw check` prints, for this many ranks. Collective.
   std::vector<std::string> lines(const Forecast& forecast, int ranks) const;
 

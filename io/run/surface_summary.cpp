@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/domain/emit.hpp"
 #include "core/ledger/totals.hpp"
 
 namespace thaw {
@@ -66,6 +67,19 @@ std::vector<std::string> surfaceLines(const SurfaceSummary& s) {
                                 largest[k].surfels, largest[k].volume, largest[k].area));
   if (largest.size() > mostLines) lines.push_back(fmt::format("  and {} smaller ones (surface.csv)", largest.size() - mostLines));
   return lines;
+}
+
+std::vector<std::string> lumpWarnings(const Scene& scene, const std::vector<std::uint64_t>& lumps) {
+  std::vector<std::string> w;
+  std::uint64_t last = ~std::uint64_t{0};
+  for (const std::uint64_t label : lumps) {  // 1 + the smallest id of its particles
+    const std::uint64_t body = (label - 1) >> idBits;
+    if (body == last || body >= scene.bodies.size()) continue;
+    last = body;
+    w.push_back(fmt::format("the surface of the liquid body '{}' is one lump where sheets of it are nearer to each other than some {} spacings: surface.particle_support = 1 tells layers of particles apart that are two spacings from each other", scene.bodies[body].name,
+                            std::lround(scene.numerics.support * scene.surface.particleSupport) - 1));
+  }
+  return w;
 }
 
 std::vector<std::string> surfaceWarnings(const SurfaceSummary& s) {

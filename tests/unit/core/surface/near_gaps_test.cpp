@@ -70,22 +70,24 @@ TEST(NearGaps, AreThoseOfSolidsThatTheFieldDoesNotSee) {
     labelParticles(world.w, world.ranks->halos(), world.tools);
     world.tools.relax.particlesReady = false;
     readyParticles(world.w, world.ranks->halos(), world.tools);
-    return componentsWithGaps(world.w, world.tools.relax.particleBins, world.all).size();
+    return findNearGaps(world.w, world.tools.relax.particleBins, world.all);
   };
-  EXPECT_EQ(gaps(slotted(1)), 1u);
-  EXPECT_EQ(gaps(slotted(2)), 1u);
-  EXPECT_EQ(gaps(slotted(4)), 0u) << "five spacings from layer to layer";
-  EXPECT_EQ(gaps(slotted(2, false)), 0u) << "a liquid closes";
+  EXPECT_EQ(gaps(slotted(1)).solid.size(), 1u);
+  EXPECT_EQ(gaps(slotted(2)).solid.size(), 1u);
+  EXPECT_EQ(gaps(slotted(4)).solid.size(), 0u) << "five spacings from layer to layer";
+  EXPECT_EQ(gaps(slotted(2, false)).solid.size(), 0u);
+  EXPECT_EQ(gaps(slotted(2, false)).liquid, std::vector<std::uint64_t>{1});
+  EXPECT_EQ(SurfaceWorld(slotted(2, false)).tools.lumps, std::vector<std::uint64_t>{1}) << "a liquid closes, and that is told";
   Scene ball = slotted(2);
   ball.bodies[0].shape = Shape{};
   ball.bodies[0].shape.kind = ShapeKind::Sphere;
   ball.bodies[0].shape.radius = 0.7;
-  EXPECT_EQ(gaps(ball), 0u);
+  EXPECT_EQ(gaps(ball).solid.size(), 0u);
   Scene bowl = ball;  // concave, but nothing of it is across
   bowl.bodies[0].shape.kind = ShapeKind::Difference;
   bowl.bodies[0].shape.parts = {ball.bodies[0].shape, ball.bodies[0].shape};
   bowl.bodies[0].shape.parts[1].move = {0, 0, 0.9};
-  EXPECT_EQ(gaps(bowl), 0u);
+  EXPECT_EQ(gaps(bowl).solid.size(), 0u);
 }
 
 }  // namespace
