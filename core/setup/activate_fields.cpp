@@ -1,6 +1,7 @@
 #include "core/setup/activate_fields.hpp"
 
 #include "core/kinds/place_kinds.hpp"
+#include "core/setup/fill_shares.hpp"
 #include "core/surface/prepare_surface.hpp"
 
 namespace thaw {
@@ -28,6 +29,7 @@ void activateFields(World& w, StepTools& t) {
   on(m.surface, {&p.surfacePlace, &p.component});
   on(m.surface && m.solid, {&p.surfaceStart});
   on(m.surface && w.scene.surface.keepVolume > 0, {&p.surfaceShare});
+  on(m.surface && anyBodyFills(w.scene), {&p.surfaceFill});
   on(m.solid, {&p.slot});
   on(m.substeps, {&p.fastAcceleration});
   on(m.freezing, {&p.standoff});
@@ -42,6 +44,7 @@ void activateFields(World& w, StepTools& t) {
   for (const SheetPlan& s : w.sheets.plans) faces = faces || s.byFaces;
   on(faces, {&p.sheetFace, &p.sheetShares, &p.sheetPush, &p.sheetResisting, &p.sheetNumbers});
   if (m.surface) activateSurfaceFields(w.surface, m, !w.walls.list.empty());
+  if (p.surfaceFill.active) w.surface.particles.activate(w.surface.particles.fill);
   if (m.solid) activateSolidFields(p, w.solids, w.bonds, t.elastic, w.scene, m, w.grid);
 }
 

@@ -1,6 +1,7 @@
 #include "core/setup/sample_bodies.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <span>
 
 #include "core/domain/emit.hpp"
@@ -11,6 +12,8 @@
 #include "core/heat/enthalpy.hpp"
 #include "core/heat/heat.hpp"
 #include "core/scene/full_box.hpp"
+#include "core/setup/cell_shares.hpp"
+#include "core/setup/fill_shares.hpp"
 #include "core/setup/size_hint.hpp"
 
 namespace thaw {
@@ -76,8 +79,8 @@ void fillRows(World& w, std::size_t b, std::span<const Sample> samples, std::siz
   }
 }
 
-/// This rank's rows of one body's lattice. Returns how many samples the overlap rule took away.
-std::int64_t sampleBody(World& w, std::size_t b, const SignedDistance& shape, const Reducer& all, const OverlapTest& overlap, OverlapCounts& counts, Offenders& offenders) {
+/// This rank's rows of one body's lattice; filled: grows by their 64ths of cells (cellShares). Returns how many samples the overlap rule took away.
+std::int64_t sampleBody(World& w, std::size_t b, const SignedDistance& shape, const Reducer& all, const OverlapTest& overlap, OverlapCounts& counts, Offenders& offenders, std::int64_t& filled) {
   const Scene& s = w.scene;
   Continuum& p = w.particles;
   const Bounds bounds = shape.bounds();
@@ -104,6 +107,13 @@ std::int64_t sampleBody(World& w, std::size_t b, const SignedDistance& shape, co
   const std::size_t first = p.owned;
   p.resize(first + samples.size(), 0);
   fillRows(w, b, samples, first, centre, jitter);
+  if (bodyFills(s, b)) {
+    std::vector<std::int64_t> points;
+    for (const Sample& x : samples) points.push_back(x.number);
+    const std::vector<std::int32_t> shares = cellShares(shape, l, points);
+    std::copy(shares.begin(), shares.end(), p.surfaceFill.data() + first);
+    filled = std::accumulate(shares.begin(), shares.end(), filled);
+  }
   return removed;
 }
 
@@ -117,11 +127,11 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
   const OverlapTest overlap(shapes, {periodOf(0), periodOf(1), periodOf(2)});
   OverlapCounts overlaps(n);
   Offenders offenders(n);
-  std::vector<std::int64_t> counts;
+  std::vector<std::int64_t> counts, filled(n, 0);
   std::int64_t removed = 0;
   for (std::size_t b = 0; b < n; b++) {
     const std::size_t had = p.owned;
-    removed += sampleBody(w, b, *shapes[b], all, overlap, overlaps, offenders);
+    removed += sampleBody(w, b, *shapes[b], all, overlap, overlaps, offenders, filled[b]);
     counts.push_back(static_cast<std::int64_t>(p.owned - had));
   }
   settlePhase(s, w.modules, p, 0, p.owned);
@@ -130,6 +140,8 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
   all.sum(counts);
   all.sum(overlaps.count);
   addUp(offenders.outside, all);
+  all.sum(filled);
+  if (p.surfaceFill.active) finishFill(s, p, filled, counts);
   double first[2] = {offenders.firstObstacle, offenders.firstItself};
   all.maximum(first);
   SamplingReport report;

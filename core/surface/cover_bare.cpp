@@ -163,6 +163,7 @@ void findRags(const World& w, SurfaceTools& t, std::vector<std::uint8_t>& dead) 
   if (!grown.empty()) forBlocks(t.relax.surfelBins, bins, reach, block, [&](std::uint32_t i, RowBlock& around) {
     if (i >= f.owned || !solid(i)) return;
     const bool detail = f.detail[i] >= 0.5f;  // of a mesh: finer than the particles, up to a spacing off their surface
+    if (!detail && f.follows.active && f.follows[i]) return;  // where its body of the start has it, whatever the colour says of the sheet beside it
     bool beside = !detail;
     double nearest2 = finReach * finReach * w.scene.spacing * w.scene.spacing;
     std::uint32_t face = 0xffffffffu;

@@ -30,6 +30,15 @@ bool alike(const Surfels& f, std::size_t i, const SurfaceParticles& p, std::size
   return f.component[i] == p.component[j] && (f.component[i] != noComponent || bodyOf(f.id[i]) == p.body[j]);
 }
 
+/// May a fresh particle take the component of another one? As where surfaces meet (merge.cpp): what the scene keeps apart is not joined by what is added to it.
+bool mayTake(const World& w, std::size_t fresh, std::size_t j) {
+  const SurfaceParticles& p = w.surface.particles;
+  if (p.body[fresh] == p.body[j]) return true;
+  const auto liquid = [&](std::size_t i) { return p.liquid.active && p.liquid[i] > 0.5f; };
+  const MergeRule rule = w.scene.surface.merge;
+  return rule == MergeRule::All || (rule == MergeRule::Liquid && (liquid(fresh) || liquid(j)));
+}
+
 /// The least of two distances, the smaller id where they are the same.
 struct Nearest {
   double d2 = std::numeric_limits<double>::infinity();
@@ -223,7 +232,7 @@ void adoptFresh(World& w, SurfaceHalos halos, ComponentTools& t) {
     for (std::size_t k = 0; k < fresh.size(); k++) {
       Nearest best;
       forRowsWithin(t.particleBins, p.position[fresh[k]], link, [&](std::uint32_t j, double d2) {
-        if (p.component[j] != noComponent) best.offer(d2, p.id[j], j);
+        if (p.component[j] != noComponent && mayTake(w, fresh[k], j)) best.offer(d2, p.id[j], j);
       });
       if (!best.found()) continue;
       found[k] = p.component[best.row];

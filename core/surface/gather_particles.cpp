@@ -1,5 +1,6 @@
 #include "core/surface/gather_particles.hpp"
 
+#include <bit>
 #include <cmath>
 #include <vector>
 
@@ -22,12 +23,28 @@ void gatherParticles(World& w, int rank) {
     c.mass[i] = p.mass[i];
     c.share[i] = p.surfaceShare.active && p.surfaceShare[i] > 0 ? p.surfaceShare[i] : 1;
     c.volume[i] = p.mass[i] / w.scene.materials[p.material[i]].density;
+    if (c.fill.active) c.fill[i] = p.surfaceFill[i];
     if (c.liquid.active) c.liquid[i] = p.liquid.active ? p.liquid[i] : static_cast<float>(p.phase[i] == Liquid);
     if (c.temperature.active) c.temperature[i] = static_cast<float>(p.temperature[i]);
     if (c.startPlace.active) c.startPlace[i] = p.surfaceStart[i];
     if (c.covered.active) c.covered[i] = p.slot[i] != noSlot && !w.solids.bared[p.slot[i]];
     c.body[i] = p.body[i];
     c.home[i] = static_cast<std::uint64_t>(rank) << 32 | i;
+  }
+}
+
+void fadeFill(SurfaceParticles& p) {
+  constexpr double lasts = 0.3;
+  if (!p.fill.active || !p.liquid.active) return;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    if (!(p.fill[i] > 0) || !(p.liquid[i] > 0)) continue;
+    double strain2 = 0;
+    for (std::size_t a = 0; a < 3; a++)
+      for (std::size_t b = 0; b < 3; b++) {
+        const double e = 0.5 * (p.gradient[i].row[a][static_cast<int>(b)] + p.gradient[i].row[b][static_cast<int>(a)]);
+        strain2 += e * e;
+      }
+    p.fill[i] = static_cast<float>(1 + (static_cast<double>(p.fill[i]) - 1) * std::exp(-static_cast<double>(p.liquid[i]) * std::sqrt(strain2) / lasts));
   }
 }
 
@@ -40,6 +57,12 @@ void returnParticles(World& w, SurfaceHalos halos) {
     halos.courier.sendHome({c.home.data(), c.owned}, there, here);
     for (std::size_t i = 0; i < p.owned; i++)
       if (p.slot[i] != noSlot && here[i] == 0) w.solids.bared[p.slot[i]] = 1;
+  }
+  if (c.fill.active) {
+    std::vector<std::uint64_t> there(c.owned), here(p.owned);
+    for (std::size_t i = 0; i < c.owned; i++) there[i] = std::bit_cast<std::uint32_t>(c.fill[i]);
+    halos.courier.sendHome({c.home.data(), c.owned}, there, here);
+    for (std::size_t i = 0; i < p.owned; i++) p.surfaceFill[i] = std::bit_cast<float>(static_cast<std::uint32_t>(here[i]));
   }
   for (std::size_t i = 0; i < p.owned; i++) p.surfacePlace[i] = p.position[i];
   c.resize(c.owned, 0);

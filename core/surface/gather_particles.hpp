@@ -9,7 +9,11 @@ namespace thaw {
 /// periodic sides). Fresh particles are where they are. Not collective.
 void gatherParticles(World& world, int rank);
 
-/// Sends the components of the copies to the particles and takes their positions as those of the last update; drops the copies. Collective.
+/// What was around a particle at the start is less and less so as liquid deforms: the copies' fill goes to 1 by e for each .3 of strain. Kept for ever it would roughen the surface of a splash. Needs
+/// the gradients of the displacement.
+void fadeFill(SurfaceParticles& particles);
+
+/// Sends the components (and what is left of the fills) of the copies to the particles and takes their positions as those of the last update; drops the copies. Collective.
 void returnParticles(World& world, SurfaceHalos halos);
 
 }  // namespace thaw

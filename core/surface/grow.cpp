@@ -13,6 +13,7 @@
 #include "core/surface/keep_out.hpp"
 #include "core/surface/keep_volume.hpp"
 #include "core/surface/measure.hpp"
+#include "core/surface/near_gaps.hpp"
 #include "core/surface/place_rows.hpp"
 #include "core/surface/ready_particles.hpp"
 #include "core/surface/relax.hpp"
@@ -144,8 +145,11 @@ void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int
   });
 }
 
-void growBodies(World& w, SurfaceHalos halos, SurfaceTools& t) {
-  growSurfels(w, halos, t, [&](std::size_t i) { return !hasMesh(w.scene, w.surface.particles.body[i]); });
+namespace {
+
+/// Grows and settles the surfaces of the particles that `bare` names.
+void growAndSettle(World& w, SurfaceHalos halos, SurfaceTools& t, const std::function<bool(std::size_t)>& bare) {
+  growSurfels(w, halos, t, bare);
   std::int64_t grown = static_cast<std::int64_t>(w.surface.surfels.owned);
   halos.all.sum({&grown, 1});
   if (grown == 0) return;
@@ -161,6 +165,30 @@ void growBodies(World& w, SurfaceHalos halos, SurfaceTools& t) {
   w.surface.counters = before;  // the start is no change
 }
 
+}  // namespace
+
+// Liquids are to close. Where the field of twice the particles' support makes one lump of two sheets, that of their own support tells them apart: layers of particles two spacings from each other.
+void growBodies(World& w, SurfaceHalos halos, SurfaceTools& t) {
+  Surface& s = w.surface;
+  const double wide = s.particleSupport, narrow = std::min({wide, w.grid.support, nearSupport * w.scene.spacing});
+  readyParticles(w, halos, t);
+  const NearGaps gaps = narrow < wide ? findNearGaps(w, t.relax.particleBins, halos.all) : NearGaps{};
+  const std::vector<std::uint64_t>& near = gaps.solid;
+  t.lumps = gaps.liquid;
+  const auto bare = [&](std::size_t i, bool isNear) {
+    return !hasMesh(w.scene, s.particles.body[i]) && std::binary_search(near.begin(), near.end(), s.particles.component[i]) == isNear;
+  };
+  growAndSettle(w, halos, t, [&](std::size_t i) { return bare(i, false); });
+  if (near.empty()) return;
+  t.relax.only = near;
+  s.particleSupport = narrow;
+  t.relax.particlesReady = false;
+  growAndSettle(w, halos, t, [&](std::size_t i) { return bare(i, true); });
+  s.particleSupport = wide;
+  t.relax.particlesReady = false;
+  t.relax.only.clear();
+}
+
 void renewSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
@@ -172,7 +200,7 @@ void renewSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
   std::vector<std::uint8_t> asked(f.owned, 0);
   for (std::size_t i = 0; i < f.owned; i++) {
     if (small(f.component[i])) dead[i] = 1;  // comes anew
-    else asked[i] = !keepsDetail(f, i);
+    else asked[i] = !keepsDetail(f, i) && !(f.follows.active && f.follows[i]);
   }
   forFieldAtSurfels(w, t, asked, [&](std::size_t i, const FieldHere& c) {
     if (std::abs(c.value - c.level) <= offSurface && c.value >= leastOver * c.level) return;

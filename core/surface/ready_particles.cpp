@@ -1,6 +1,7 @@
 #include "core/surface/ready_particles.hpp"
 
 #include <cstring>
+#include <vector>
 
 #include "core/surface/place_rows.hpp"
 #include "core/surface/update_surface.hpp"
@@ -38,6 +39,15 @@ Lattice latticeOf(double h, const LevelTable& table) {
   return l;
 }
 
+/// m^3, what the colour field counts of each particle, ghosts included. Of one cut from a lattice: what of its body was around it, so that a ball is no staircase.
+std::vector<double> weightsOf(const SurfaceParticles& p) {
+  std::vector<double> weight(p.volume.data(), p.volume.data() + p.size());
+  if (p.fill.active)
+    for (std::size_t j = 0; j < weight.size(); j++)
+      if (p.fill[j] > 0) weight[j] *= static_cast<double>(p.fill[j]);
+  return weight;
+}
+
 }  // namespace
 
 void readyParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
@@ -48,12 +58,14 @@ void readyParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
   SurfaceParticles& p = s.particles;
   p.resize(p.owned, 0);
   ColumnList columns{&p.id, &p.position, &p.component, &p.volume, &p.share, &p.body};
+  if (p.fill.active) columns.push_back(&p.fill);
   if (p.liquid.active) columns.push_back(&p.liquid);
   if (p.temperature.active) columns.push_back(&p.temperature);
   addGhosts(halos.particles, p, s.particleCells, columns);
   const double h = s.particleSupport, h2 = h * h, dx = w.scene.spacing, perVolume = 1 / (dx * dx * dx);
   const Lattice lattice = latticeOf(h / dx, t.relax.level);
   fillBins(s.grid, s.particleCells, p.position.data(), 0.5 * h, t.relax.particleBins);
+  const std::vector<double> weight = weightsOf(p);
   // the colour at each particle, then the same with each particle weighted by its colour
   for (int pass = 0; pass < 2; pass++) {
     Column<float>& to = pass == 0 ? p.colour : p.smoothColour;
@@ -67,7 +79,7 @@ void readyParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
           const std::uint32_t j = around.row[k];
           const Vec3d d = around.at[k] - x;
           const double u = 1 - dot(d, d) / h2;
-          if (u > 0 && p.component[j] == p.component[i]) sum += p.volume[j] * (j == i ? lattice.self : u * u * u) * (pass == 0 ? 1.0 : static_cast<double>(p.colour[j]));
+          if (u > 0 && p.component[j] == p.component[i]) sum += weight[j] * (j == i ? lattice.self : u * u * u) * (pass == 0 ? 1.0 : static_cast<double>(p.colour[j]));
         }
       to[i] = static_cast<float>(perVolume * lattice.perOwnSum * sum);
     });
@@ -82,7 +94,7 @@ void readyParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
       const std::uint32_t bits = fixedPoint(s.grid, p.position[j][a], a);
       std::memcpy(&t.relax.particle[4 * j + static_cast<std::size_t>(a)], &bits, 4);
     }
-    const float volume = static_cast<float>(perVolume * lattice.perSum * p.volume[j]);
+    const float volume = static_cast<float>(perVolume * lattice.perSum * weight[j]);
     t.relax.particle[4 * j + 3] = volume * p.colour[j];
     t.relax.particleColour[j] = volume * p.smoothColour[j];
   }

@@ -45,6 +45,11 @@ void packSurfel(const Surface& s, RelaxTools& r, std::size_t i) {
 /// Gaps wider than this times h_ps do not matter: a sheet's particles lie half a spacing behind its surface.
 constexpr double gapReach = 0.75;
 
+void markMovable(const Surface& s, bool all, RelaxTools& r) {
+  markFree(s, all, r.free);
+  for (std::size_t i = 0; i < r.free.size() && !r.only.empty(); i++) r.free[i] = r.free[i] && std::binary_search(r.only.begin(), r.only.end(), s.surfels.component[i]);
+}
+
 /// Surfels to their ranks and sorted, their ghosts, and all lists. Collective.
 void search(World& w, SurfaceHalos halos, SurfaceTools& t, bool all, bool first, double margin, Lap& lap) {
   Surface& s = w.surface;
@@ -56,7 +61,7 @@ void search(World& w, SurfaceHalos halos, SurfaceTools& t, bool all, bool first,
   lap(r.times.place);
   const ListRadii radii{s.surfelSupport + margin, s.particleSupport + 0.5 * margin};
   fillBins(s.grid, s.surfelCells, f.position.data(), radii.surfels, r.surfelBins);
-  markFree(s, all, r.free);
+  markMovable(s, all, r);
   r.core.assign(r.free.begin(), r.free.end());
   if (!first) markActive(s, halos.surfels, r.surfelBins, s.surfelSupport + margin, r.free, r.core);
   listGroups(s, r.free, r.surfelBins, r.particleBins, radii, r.lists);
@@ -131,7 +136,7 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
   readyParticles(w, halos, t);
   lap(r.times.ready);
   f.resize(f.owned, 0);
-  markFree(s, all, r.free);
+  markMovable(s, all, r);
   std::int64_t free[1] = {std::count(r.free.begin(), r.free.end(), 1)};
   halos.all.sum(free);
   if (free[0] == 0) return {0, true};

@@ -22,6 +22,7 @@ struct RelaxTools {
   bool particlesReady = false;  ///< readyParticles was called for the particles as they are; on all ranks or none
   LevelTable level;
   const SurfaceKernels* kernels = surfaceKernels();
+  std::vector<std::uint64_t> only;      ///< components, ascending, that iterations move; none: all
   std::vector<RaisedComponent> raised;  ///< ascending by component
   Bins surfelBins, particleBins, gapBins;
   GroupLists lists;

@@ -71,6 +71,7 @@ struct SurfaceParticles : Table {
   Column<Vec3d> displacement{*this, "displacement", "m", Keep::State, "since the last update; 0 of fresh ones"};
   Column<std::uint64_t> component{*this, "component", "1", Keep::State, "label, noComponent: fresh, since the last update"};
   Column<double> volume{*this, "volume", "m^3", Keep::State, "mass / density at rest"};
+  Column<float> fill{*this, "fill", "1", Keep::State, "what of its body was around it at the start, over the mean (Continuum::surfaceFill); 0: as much as of any"};
   Column<double> share{*this, "share", "1", Keep::State, "volume that the surface is to hold for it over its own"};
   Column<double> mass{*this, "mass", "kg", Keep::State, "of the particle"};
   Column<float> liquid{*this, "liquid", "1", Keep::State, "liquid fraction"};

@@ -65,7 +65,9 @@ void labelParticles(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   TopologyTools& t = tools.topology;
   placeSurfels(s, halos, tools);
   placeRows(s.grid, halos.particles, s.particles, s.particleCells, tools.sort);
-  addGhosts(halos.particles, s.particles, s.particleCells, ColumnList{&s.particles.id, &s.particles.position, &s.particles.component, &s.particles.body});
+  ColumnList columns{&s.particles.id, &s.particles.position, &s.particles.component, &s.particles.body};
+  if (s.particles.liquid.active) columns.push_back(&s.particles.liquid);
+  addGhosts(halos.particles, s.particles, s.particleCells, columns);
   adoptFresh(w, halos, t.components);
   findParts(w, halos, t.components);
   keepEnclosed(w, halos, t.components);

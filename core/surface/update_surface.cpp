@@ -91,6 +91,7 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   placeAll(s, halos, t);
   t.times.lap(SurfacePhase::Place);
   findDisplacementGradients(w, halos, t);
+  fadeFill(s.particles);
   displaceSurfels(w, halos, t);
   t.times.lap(SurfacePhase::Displacement);
   bringParticlesForward(s);

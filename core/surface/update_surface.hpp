@@ -20,6 +20,7 @@ struct SurfaceTools {
   OpenRegion openRegion;            ///< where its later rounds look
   TopologyTools topology;
   RelaxTools relax;                 ///< of displacement and iterations
+  std::vector<std::uint64_t> lumps; ///< labels, ascending: of liquids that startSurface has grown as one lump though they have sheets near each other
   SurfaceTimes times;               ///< of all updates of this process; the start is not in them
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <sstream>
@@ -11,9 +12,9 @@
 namespace thaw {
 namespace {
 
-constexpr const char* head = "frame,step,time_s,component,particles,surfels,mass_kg,particle_volume_m3,volume_m3,area_m2,x_m,y_m,z_m,wanted_volume_m3\n";
+constexpr const char* head = "frame,step,time_s,component,particles,surfels,mass_kg,particle_volume_m3,volume_m3,area_m2,x_m,y_m,z_m,wanted_volume_m3,open\n";
 
-namespace column { enum { step = 1, time, component, particles, surfels, particleVolume = 7, volume, wanted = 13 }; }
+namespace column { enum { step = 1, time, component, particles, surfels, particleVolume = 7, volume, wanted = 13, open, count }; }
 
 std::vector<std::string> fieldsOf(const std::string& line) {
   std::vector<std::string> fields;
@@ -28,6 +29,12 @@ template<class T> T numberIn(const std::vector<std::string>& fields, std::size_t
   return none;
 }
 
+/// Lines of earlier versions have fewer columns: what they do not say is left empty.
+std::string missingCommas(const std::string& line) {
+  const auto has = static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')) + 1;
+  return std::string(has < column::count ? column::count - has : 0, ',');
+}
+
 }  // namespace
 
 std::string componentLogPath(const std::string& out) { return out + "/surface.csv"; }
@@ -38,8 +45,8 @@ void beginComponentLog(const std::string& out) { replaceTextFile(componentLogPat
 void addToComponentLog(const std::string& out, const World& w) {
   std::string lines;  // numbers in as many digits as make them unique
   for (const SurfaceComponent& c : w.surface.components)
-    lines += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", w.clock.frame, w.clock.step, w.clock.time, c.label, c.particles, c.surfels, c.mass, c.particleVolume, c.volume, c.area, c.centroid.x,
-                         c.centroid.y, c.centroid.z, c.wantedVolume);
+    lines += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", w.clock.frame, w.clock.step, w.clock.time, c.label, c.particles, c.surfels, c.mass, c.particleVolume, c.volume, c.area, c.centroid.x,
+                         c.centroid.y, c.centroid.z, c.wantedVolume, c.open);
   std::ofstream file(componentLogPath(out), std::ios::app);
   file << lines;
   file.close();
@@ -63,7 +70,7 @@ VolumeHeld cutComponentLog(const std::string& out, std::int64_t step) {
     const std::vector<std::string> fields = fieldsOf(line);
     const std::int64_t at = numberIn<std::int64_t>(fields, column::step, -1);
     if (all.eof() || at < 0 || at > step) continue;
-    kept += line + (fields.size() == column::wanted && line.back() != ',' ? ",\n" : "\n");
+    kept += line + missingCommas(line) + "\n";
     if (at != frameStep) {
       noteVolumes(held, frame, time);
       frame.clear();
@@ -76,6 +83,7 @@ VolumeHeld cutComponentLog(const std::string& out, std::int64_t step) {
     c.particleVolume = numberIn(fields, column::particleVolume, 0.0);
     c.volume = numberIn(fields, column::volume, 0.0);
     c.wantedVolume = numberIn(fields, column::wanted, 0.0);
+    c.open = numberIn(fields, column::open, 0.0);
     frame.push_back(c);
     time = numberIn(fields, column::time, 0.0);
   }

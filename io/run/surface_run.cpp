@@ -3,6 +3,7 @@
 #include "io/hdf5/agree.hpp"
 #include "io/output/surface_frame.hpp"
 #include "io/run/surface_log.hpp"
+#include "io/run/surface_summary.hpp"
 
 namespace thaw {
 
@@ -11,6 +12,10 @@ void beginSurface(Run& r, const MeshLoader& load) {
   r.tools.times.start();
   startSurface(r.world, r.surface->halos(), r.surfaceTools);
   r.tools.times.lap(StepPhase::Setup);
+  for (const std::string& line : lumpWarnings(r.world.scene, r.surfaceTools.lumps)) {
+    r.summary.warnings.push_back(line);
+    r.say("warning: " + line);
+  }
   onFirstRank(r.comm.handle(), [&] {
     beginComponentLog(r.options.out);
     writeEventLog(r.options.out, r.world.surface.events);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/domain/emit.hpp"
 #include "core/ledger/totals.hpp"
 
 namespace thaw {
@@ -26,7 +27,7 @@ Json surfaceJson(const SurfaceSummary& s) {
   j["components"] = Json::array();
   for (const SurfaceComponent& c : s.components)
     j["components"].push_back({{"component", c.label}, {"particles", c.particles}, {"surfels", c.surfels}, {"mass_kg", c.mass}, {"particle_volume_m3", c.particleVolume},
-                               {"volume_m3", c.volume}, {"wanted_volume_m3", c.wantedVolume}, {"area_m2", c.area}, {"centroid_m", {c.centroid.x, c.centroid.y, c.centroid.z}}});
+                               {"volume_m3", c.volume}, {"wanted_volume_m3", c.wantedVolume}, {"area_m2", c.area}, {"open", c.open}, {"centroid_m", {c.centroid.x, c.centroid.y, c.centroid.z}}});
   j["events"] = Json::array();
   for (std::size_t k = s.events.size() - std::min(s.events.size(), mostEvents); k < s.events.size(); k++) {
     const SurfaceEvent& e = s.events[k];
@@ -54,6 +55,19 @@ std::vector<std::string> surfaceLines(const SurfaceSummary& s) {
                                 largest[k].surfels, largest[k].volume, largest[k].area));
   if (largest.size() > mostLines) lines.push_back(fmt::format("  and {} smaller ones (surface.csv)", largest.size() - mostLines));
   return lines;
+}
+
+std::vector<std::string> lumpWarnings(const Scene& scene, const std::vector<std::uint64_t>& lumps) {
+  std::vector<std::string> w;
+  std::uint64_t last = ~std::uint64_t{0};
+  for (const std::uint64_t label : lumps) {  // 1 + the smallest id of its particles
+    const std::uint64_t body = (label - 1) >> idBits;
+    if (body == last || body >= scene.bodies.size()) continue;
+    last = body;
+    w.push_back(fmt::format("the surface of the liquid body '{}' is one lump where sheets of it are nearer to each other than some {} spacings: surface.particle_support = 1 tells layers of particles apart that are two spacings from each other", scene.bodies[body].name,
+                            std::lround(scene.numerics.support * scene.surface.particleSupport) - 1));
+  }
+  return w;
 }
 
 std::vector<std::string> surfaceWarnings(const SurfaceSummary& s) {

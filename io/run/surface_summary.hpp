@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/scene/scene.hpp"
 #include "core/surface/surface.hpp"
 #include "core/surface/surface_times.hpp"
 #include "io/run/volume_held.hpp"
@@ -30,6 +31,9 @@ nlohmann::ordered_json surfaceJson(const SurfaceSummary& summary);
 
 /// Counters, how well volumes were held, and the largest components, a line each.
 std::vector<std::string> surfaceLines(const SurfaceSummary& summary);
+
+/// Of a start: a line for each body with a label in SurfaceTools::lumps.
+std::vector<std::string> lumpWarnings(const Scene& scene, const std::vector<std::uint64_t>& lumps);
 
 /// In words, with counts.
 std::vector<std::string> surfaceWarnings(const SurfaceSummary& summary);

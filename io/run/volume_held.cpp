@@ -44,6 +44,8 @@ void noteVolumes(VolumeHeld& held, const std::vector<SurfaceComponent>& componen
     } else if (c.surfels >= leastHeldSurfels) {
       note(held.ofParticles, c, c.particleVolume, time);
       note(held.ofWanted, c, c.wantedVolume, time);
+      if (c.open > surelyClosed) held.unsure += c.particles;
+      if (c.open > held.open.off) held.open = {c.open, c.label, c.particles, time};
     }
   }
   if (!held.any || std::abs(frame.off()) > std::abs(held.sum.off())) held.sum = frame;
@@ -61,6 +63,9 @@ std::vector<std::string> volumeHeldLines(const VolumeHeld& h) {
     lines.push_back(fmt::format("    of components of {} particles and more at worst {} off that of the particles", leastHeldParticles, worstOf(h.ofParticles)));
     if (there(h.ofWanted) && h.ofWanted.off != h.ofParticles.off) lines.back() += fmt::format(", {} off what is to be held, which is what meshes held at the start", worstOf(h.ofWanted));
   }
+  if (h.unsure > 0)
+    lines.push_back(fmt::format("    {:.2g} % of the particles are in components of {} and more whose surface does not close, by more than 1 % of its area (at worst {:.2g} %: {}): what is told of their volume may be off by more than that",
+                                100 * static_cast<double>(h.unsure) / static_cast<double>(h.particles), leastHeldParticles, 100 * h.open.off, placeOf(h.open)));
   if (there(h.small)) lines.push_back(fmt::format("    of components of {} to {} particles at worst {}", leastSmallParticles, leastHeldParticles - 1, worstOf(h.small)));
   return lines;
 }
@@ -71,6 +76,8 @@ nlohmann::ordered_json volumeHeldJson(const VolumeHeld& h) {
   if (there(h.ofParticles)) j["worst_against_particles"] = jsonOf(h.ofParticles);
   if (there(h.ofWanted)) j["worst_against_wanted"] = jsonOf(h.ofWanted);
   if (there(h.small)) j["worst_of_small"] = jsonOf(h.small);
+  if (there(h.open)) j["worst_open"] = {{"share_of_area", h.open.off}, {"component", h.open.label}, {"particles", h.open.particles}, {"time_s", h.open.time}};
+  j["share_of_particles_unsure"] = h.particles > 0 ? static_cast<double>(h.unsure) / static_cast<double>(h.particles) : 0;
   j["worst_sum"] = {{"off", h.sum.off()}, {"time_s", h.sum.time}};
   j["share_of_particles_off"] = shareOf(h);
   j["worst_share_of_particles_off"] = {{"share", h.missing.missedShare()}, {"time_s", h.missing.time}};

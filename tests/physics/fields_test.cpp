@@ -115,9 +115,11 @@ TEST(Fields, TheSurfaceAddsTwoToParticlesAndTablesOfItsOwn) {
     return names;
   };
   s.surface.keepVolume = 0;
-  EXPECT_EQ(ofParticles(), (Names{"continuum.surfacePlace", "continuum.component"}));
+  EXPECT_EQ(ofParticles(), (Names{"continuum.surfacePlace", "continuum.component", "continuum.surfaceFill"}));
   s.surface.keepVolume = 1;
-  EXPECT_EQ(ofParticles(), (Names{"continuum.surfacePlace", "continuum.component", "continuum.surfaceShare"}));
+  EXPECT_EQ(ofParticles(), (Names{"continuum.surfacePlace", "continuum.component", "continuum.surfaceShare", "continuum.surfaceFill"}));
+  s.bodies[0].packing = Packing::Relaxed;
+  EXPECT_EQ(ofParticles(), (Names{"continuum.surfacePlace", "continuum.component", "continuum.surfaceShare"})) << "a relaxed packing is no staircase";
 }
 
 TEST(Fields, MemoryOfWhatIsNotThereIsNone) {

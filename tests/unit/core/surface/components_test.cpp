@@ -137,6 +137,27 @@ TEST(Components, FreshParticlesTakeTheComponentThatTheyTouch) {
   EXPECT_EQ(rig.world.surface.counters.splits, 0);
 }
 
+TEST(Components, FreshParticlesTakeWhatTheSceneLetsJoin) {  // four of another body that come beside a ball
+  struct Rule { MergeRule merge; bool ballIsLiquid, theyAreLiquid, join; };
+  for (const Rule& r : {Rule{MergeRule::None, true, true, false}, Rule{MergeRule::Liquid, true, true, true}, Rule{MergeRule::Liquid, false, true, true}, Rule{MergeRule::Liquid, false, false, false},
+                        Rule{MergeRule::All, false, false, true}}) {
+    SerialSurfaceRig rig;
+    rig.world.scene.surface.merge = r.merge;
+    rig.liquid = r.ballIsLiquid;
+    rig.ball({0, 0, 0}, 0.5, 1);
+    rig.particle({0, 0, -0.55});  // and one of its own
+    rig.body = 1;
+    rig.liquid = r.theyAreLiquid;
+    const std::uint64_t first = rig.particles;
+    for (int k = 0; k < 4; k++) rig.particle({0, 0, 0.55 + 0.1 * k});
+    rig.update();
+    const std::vector<std::uint64_t> label = rig.labels();
+    ASSERT_EQ(rig.components().size(), r.join ? 1u : 2u);
+    EXPECT_EQ(label[first - 1], 1u);
+    for (std::size_t k = first; k < label.size(); k++) EXPECT_EQ(label[k], r.join ? 1u : 1 + first);
+  }
+}
+
 TEST(Components, AThinSheetIsOneBody) {  // B20: two layers of particles, sides closer than 2 h
   SerialSurfaceRig rig;
   rig.box({-1, -1, 0}, {20, 20, 2});

@@ -39,7 +39,7 @@ TEST_F(Log, IsCutAtAStep) {
   frame(0, 0);
   frame(1, 12);
   const std::string whole = text(componentLogPath(out));
-  EXPECT_NE(whole.find("1,12,0.1,5,10,20,1.5,2.5,0.30000000000000004,4.5,1,2,3,0\n"), std::string::npos) << whole;
+  EXPECT_NE(whole.find("1,12,0.1,5,10,20,1.5,2.5,0.30000000000000004,4.5,1,2,3,0,0\n"), std::string::npos) << whole;
   frame(2, 25);
   std::ofstream(componentLogPath(out), std::ios::app) << "3,4";  // killed while it wrote
   cutComponentLog(out, 24);
@@ -62,6 +62,7 @@ TEST_F(Log, TellsTheWorstVolumeOfTheFramesThatAreLeft) {
     SurfaceComponent c{7, 400, 900, 1, 2, 2 * (1 + off[k]), 4, {1, 2, 3}}, small{9, 29, 60, 1, 2, 2 - 0.6 * k, 4, {}}, drop{10, 4, 11, 1, 1, 1.005, 4, {}};
     c.wantedVolume = 1.96;
     small.wantedVolume = 2;
+    c.open = 0.004 * (k + 1), small.open = 0.2;
     w.surface.components = {c, small, drop};
     addToComponentLog(out, w);
     if (k < 2) noteVolumes(noted, w.surface.components, w.clock.time);
@@ -84,6 +85,9 @@ TEST_F(Log, TellsTheWorstVolumeOfTheFramesThatAreLeft) {
   EXPECT_EQ(held.missing.missed, 429);
   EXPECT_EQ(held.missed, 829);  // 400 at the first frame
   EXPECT_EQ(held.particles, 866);
+  EXPECT_EQ(held.open.off, 0.008);  // of a piece of 29 nobody asks
+  EXPECT_EQ(held.open.label, 7u);
+  EXPECT_EQ(held.unsure, 0);
   const std::vector<std::string> lines = volumeHeldLines(held);
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_NE(lines[0].find("the sum at worst -12.40 % off what is to be held (t 0.1 s); 96 % of the particles are in components that are off by more than 1 % (at worst 99 %, t 0.1 s)"), std::string::npos) << lines[0];
@@ -109,10 +113,23 @@ TEST(VolumeHeld, WarnsOfSmallPiecesAndOfTheSum) {
   EXPECT_TRUE(volumeHeldLines({}).empty());
 }
 
+TEST(VolumeHeld, TellsOfSurfacesThatDoNotClose) {
+  SurfaceComponent body{7, 100, 900, 1, 1, 1, 4, {}}, sure{9, 300, 900, 1, 3, 3, 4, {}};
+  body.wantedVolume = 1, body.open = 0.03;
+  sure.wantedVolume = 3, sure.open = 0.002;
+  VolumeHeld held;
+  noteVolumes(held, {body, sure}, 0.5);
+  EXPECT_EQ(held.unsure, 100);
+  const std::vector<std::string> lines = volumeHeldLines(held);
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_NE(lines[2].find("25 % of the particles are in components of 30 and more whose surface does not close, by more than 1 % of its area (at worst 3 %: component 7 of 100 particles, t 0.5 s)"), std::string::npos) << lines[2];
+  EXPECT_EQ(volumeHeldWarning(held), "");
+}
+
 TEST_F(Log, KeepsLinesOfEarlierVersions) {
   std::ofstream(componentLogPath(out)) << "an older head\n0,0,0,5,40,30,1,2,2.1,4,1,2,3\n1,5,0.1,5,40,30,1,2,2,4,1,2,3\n";
   const VolumeHeld held = cutComponentLog(out, 0);
-  EXPECT_NE(text(componentLogPath(out)).find("wanted_volume_m3\n0,0,0,5,40,30,1,2,2.1,4,1,2,3,\n"), std::string::npos) << text(componentLogPath(out));
+  EXPECT_NE(text(componentLogPath(out)).find("wanted_volume_m3,open\n0,0,0,5,40,30,1,2,2.1,4,1,2,3,,\n"), std::string::npos) << text(componentLogPath(out));
   EXPECT_NEAR(held.ofParticles.off, 0.05, 1e-12);
   EXPECT_NEAR(held.sum.off(), 0.05, 1e-12);
   EXPECT_EQ(held.ofWanted.label, noComponent);
