@@ -14,6 +14,8 @@ struct TouchLaw {
   double restitution;  ///< 1
   double friction;     ///< 1, Coulomb
   double span;         ///< s, of a step: friction does not stop what slides earlier
+  double barrier = 0;  ///< N/m (or N/m^3), beside the spring a force 2 barrier depth^3 / reach^2: at full depth it has stored barrier reach^2 / 2, and what lies on it lightly does not feel it
+  double reach = 1;    ///< m, depth at which all is lost
 };
 
 struct Touch {
@@ -26,13 +28,14 @@ struct Touch {
 /// depth > 0 (m): how far within the thickness; n: out of what is touched; v: relative velocity (m/s).
 inline Touch touchOf(const TouchLaw& law, double depth, const Vec3d& n, const Vec3d& v) {
   Touch t;
-  const double ratio = dashpotRatio(law.restitution), k = law.mass * law.rate * law.rate, spring = k * depth, vn = dot(v, n);
+  const double ratio = dashpotRatio(law.restitution), k = law.mass * law.rate * law.rate, steep = 2 * law.barrier / (law.reach * law.reach), spring = (k + steep * depth * depth) * depth, vn = dot(v, n);
   const double dash = std::max(-2 * ratio * law.mass * law.rate * vn, -spring);  // a contact never pulls
   t.force = n * (spring + dash);
-  t.energy = 0.5 * k * depth * depth;
+  t.energy = (0.5 * k + 0.25 * steep * depth * depth) * depth * depth;
   t.resisting = n * dash;
   const double stiffer = 1 + ratio * (2.2 + 1.1 * ratio);  // of steps that know the dashpot's velocity by the force before: a fit to the eigenvalues, within 3 %
-  t.slope = k * stiffer * stiffer;
+  const double deeper = std::min(law.reach, depth + std::max(0.0, -vn) * 1.1 * law.span), root = std::sqrt(k + 3 * steep * deeper * deeper) + std::sqrt(k) * (stiffer - 1);  // after the next step, too
+  t.slope = root * root;
   const Vec3d slide = v - n * vn;
   const double speed = length(slide);
   if (speed > 0 && law.friction > 0) {
