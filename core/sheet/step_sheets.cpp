@@ -81,16 +81,16 @@ void yieldPlastic(World& w, double time) {
 /// and fro from step to step, and force times velocity would say nothing of their work.
 Vec3d workingLoad(const Sheets& s, std::size_t i, const SpringLaw& law) { return s.resisting.active && !(law.mass > 0) ? s.load[i] - s.resisting[i] : s.load[i]; }
 
-/// Dashpots and friction over a half of a step of dt (s), by the velocity that the force is of: each acts for half of the step that ends with it and for half of the next one, and what is booked before it has
-/// acted is missing for a step.
-void bookResisting(Sheets& s, std::size_t i, const SpringLaw& law, double dt) {
-  if (s.resisting.active && law.mass > 0) s.dissipated[i] -= 0.5 * s.area[i] * dt * dot(s.resisting[i], s.velocity[i]);
+/// Dashpots and friction over half of a step, by the way (m) of that half: each acts for half of the step that ends with it and for half of the next one, and what is booked before it has acted
+/// is missing for a step.
+void bookResisting(Sheets& s, std::size_t i, const SpringLaw& law, const Vec3d& way) {
+  if (s.resisting.active && law.mass > 0) s.dissipated[i] -= s.area[i] * dot(s.resisting[i], way);
 }
 
 /// What a vertex loses, at the end of a step: dashpots and friction; and with damping what is missing of the energy and of the work of the load.
 void bookKick(Sheets& s, std::size_t i, const SpringLaw& law, double dt) {
   const Vec3d& v = s.velocity[i];
-  bookResisting(s, i, law, dt);
+  bookResisting(s, i, law, law.damping > 0 ? 0.5 * s.moved[i] : 0.5 * dt * v);  // damping takes what is missing of the work over the same way
   if (law.damping > 0) s.dissipated[i] += s.area[i] * (0.5 * dot(workingLoad(s, i, law), s.moved[i]) - 0.5 * law.mass * dot(v, v));
 }
 
@@ -117,11 +117,11 @@ void moveSheets(World& w, double dt) {
     const VertexMap& m = maps[s.law[i]];
     const SpringLaw& law = laws[s.law[i]];
     const Vec3d rest = restOf(w, i), z = s.position[i] - rest, v = s.velocity[i];
-    bookResisting(s, i, law, dt);
     const VertexArrays one{&s.position[i], &s.velocity[i], &rest, &s.load[i], nullptr};
     moveVertices({&m, 1}, one, 0, 1);
-    if (!s.moved.active) continue;
     const Vec3d z1 = s.position[i] - rest, moved = z1 - z;
+    bookResisting(s, i, law, law.damping > 0 ? 0.5 * moved : 0.5 * dt * v);
+    if (!s.moved.active) continue;
     s.moved[i] = moved;
     // what drag takes over the step is what is missing of the energy and of the work of the load; kickSheets knows the rest
     if (law.damping > 0) s.dissipated[i] += s.area[i] * (0.5 * law.mass * dot(v, v) + 0.5 * law.stiffness * (dot(z, z) - dot(z1, z1)) + 0.5 * dot(workingLoad(s, i, law), moved));

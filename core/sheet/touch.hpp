@@ -50,8 +50,8 @@ inline Touch touchOf(const TouchLaw& law, double depth, const Vec3d& n, const Ve
 }
 
 /// 1/s, over which a step is to follow a blow. What comes into contact within a step, or out of it, has its energy off by (rate step)^2 / 6 of itself: so steps are short for what comes fast, and rest as
-/// stability says. The speed (m/s) is that of approach or leaving; a quarter of the one that contact is made for (rate * reach / 2) has steps of a quarter of a radian.
-inline double blowRate(double rate, double reach, double speed) { return 4 * rate * speed / (0.125 * rate * reach); }
+/// stability says. The speed (m/s) is that of approach or leaving; an eighth of the one that contact is made for (rate * reach / 2) has steps of a quarter of a radian.
+inline double blowRate(double rate, double reach, double speed) { return 4 * rate * speed / (0.0625 * rate * reach); }
 
 /// A rate (1/s) of approach as its average over a step (s): never beyond what it approaches.
 inline double averaged(double rate, double span) { return rate * span > 0 ? -std::expm1(-rate * span) / span : 0; }

@@ -148,7 +148,7 @@ TEST(Oriented, AWeldOfRimsThatOverlapHolds) {
   s.oriented[0].density = 20;
   s.oriented.push_back(s.oriented[0]);
   s.oriented[1].name = "other";
-  s.oriented[1].shape.move = {0.5, 0, 0};
+  s.oriented[1].shape.move = {0.6, 0, 0};
   test::Simulation apart(s);
   const Oriented& at = apart.w.oriented.rows;
   double nearest = 1, closer = 0;  // until some are half of a spacing apart
