@@ -16,6 +16,9 @@ struct LiquidMaterial {
 /// Largest speed (m/s) to expect: what is given, and free fall over the height that bodies, emitters and domain leave.
 double expectedSpeed(const Scene& scene);
 
+/// Is it liquid from the start, or does it melt?
+inline bool canBeLiquid(const Material& m) { return !m.canBeSolid() || m.melts() || m.liquidAtStart; }
+
 /// One for each material. The automatic sound speed keeps compression below Numerics::maxDensityError: c = v / sqrt(error), at
 /// least ten times v for the default of 1 % (Monaghan 1994); and not less than what surface tension needs at one spacing.
 std::vector<LiquidMaterial> liquidMaterials(const Scene& scene);

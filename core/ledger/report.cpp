@@ -102,9 +102,10 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
   findStoredEnergy(w, t);
   const Continuum& p = w.particles;
   const ExactBalance now = balanceHere(w);
-  ExactSum dissipated = w.ledger.dissipated, liquid, underWay[3];
+  ExactSum dissipated = w.ledger.dissipated, liquid, continuum, underWay[3];
   for (std::size_t i = 0; i < p.owned; i++) {
     dissipated.add(p.dissipated[i]);
+    continuum.add(p.mass[i]);
     liquid.add(p.liquid.active ? p.mass[i] * static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? p.mass[i] : 0.0);
   }
   eachKind(w, [&](std::size_t, const KindRows& r, const CellTable&) {
@@ -117,7 +118,7 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
   pack.add(now);
   pack.add(w.ledger.entered);
   pack.add(w.ledger.left);
-  for (const ExactSum& s : {dissipated, w.ledger.wallWork, w.ledger.heatIn, w.ledger.phaseJump, w.ledger.restartJump, liquid}) pack.sums.push_back(s);
+  for (const ExactSum& s : {dissipated, w.ledger.wallWork, w.ledger.heatIn, w.ledger.phaseJump, w.ledger.restartJump, liquid, continuum}) pack.sums.push_back(s);
   for (const ExactSum& s : w.ledger.wallImpulse) pack.sums.push_back(s);
   for (const ExactSum& s : w.ledger.gravityImpulse) pack.sums.push_back(s);
   for (const ExactSum& s : underWay) pack.sums.push_back(s);
@@ -144,8 +145,8 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
   r.heatIn = u.next();
   r.phaseJump = u.next();
   r.restartJump = u.next();
-  const double liquidMass = u.next();
-  r.liquidFraction = r.now.mass > 0 ? liquidMass / r.now.mass : 0;
+  const double liquidMass = u.next(), continuumMass = u.next();
+  r.liquidFraction = continuumMass > 0 ? liquidMass / continuumMass : 0;
   r.wallImpulse = u.next3();
   r.initial = w.ledger.initial;
   r.gravityImpulse = u.next3() + w.scene.domain.gravity * (r.initial.mass * w.clock.time);

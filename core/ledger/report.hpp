@@ -18,7 +18,7 @@ struct LedgerReport {
   double heatResidual = 0;      ///< J, internal against heat that came in
   double energyScale = 0;       ///< J, largest of the terms that went into energyResidual
   double energyRounding = 0;    ///< J, below which energies of this scene are rounding, and shares of them mean nothing
-  double liquidFraction = 0;    ///< of all mass
+  double liquidFraction = 0;    ///< of the continuum's mass: sheets and oriented particles are neither liquid nor solid
   std::int64_t particles = 0;
   std::int64_t rows[2] = {0, 0};  ///< of the further kinds (core/kinds/kinds.hpp)
 };

@@ -13,16 +13,27 @@ bool follows(const World& w, const StepTools& t, std::size_t i) {
   return !t.oriented.given[o.body[i]].points.empty() && !(o.flags[i] & heldPlace);
 }
 
+/// Where the given surface is nearest; false where it is further off than what belongs to it may be.
+bool placeOnGiven(const World& w, const StepTools& t, std::size_t i, Vec3d& place, Vec3d& normal) {
+  const Oriented& o = w.oriented.rows;
+  place = o.position[i], normal = axisOf(o.orientation[i]);
+  const double far = lost * t.oriented.potentials[o.body[i]].spacing;
+  return projectOnGiven(t.oriented.given[o.body[i]], place, normal) && dot(place - o.position[i], place - o.position[i]) < far * far;
+}
+
 }  // namespace
+
+bool strayed(const World& w, const StepTools& t, std::size_t i) {
+  Vec3d place, normal;
+  return follows(w, t, i) && !placeOnGiven(w, t, i, place, normal);
+}
 
 std::int64_t findPlacesOnGiven(World& w, const StepTools& t) {
   Oriented& o = w.oriented.rows;
   std::int64_t dead = 0;
   for (std::size_t i = 0; i < o.owned; i++) {
     if (!follows(w, t, i)) continue;
-    Vec3d place = o.position[i], normal = axisOf(o.orientation[i]);
-    const double far = lost * t.oriented.potentials[o.body[i]].spacing;
-    if (projectOnGiven(t.oriented.given[o.body[i]], place, normal) && dot(place - o.position[i], place - o.position[i]) < far * far) {
+    if (Vec3d place, normal; placeOnGiven(w, t, i, place, normal)) {
       o.home[i] = place;
       o.homeTurn[i] = towards(normal);
       continue;

@@ -6,9 +6,12 @@
 
 #include "core/kinds/place_kinds.hpp"
 #include "core/oriented/oriented_forces.hpp"
+#include "core/oriented/population.hpp"
 
 namespace thaw {
 namespace {
+
+constexpr double weldApart = 0.75;  // spacings: rows of a lattice are .87 apart; nearer, Lennard-Jones would throw a weld apart again
 
 struct Due { double time; std::size_t body, event; };
 
@@ -33,6 +36,21 @@ std::int64_t pairsOf(const Oriented& o, const OrientedLists& lists, std::uint32_
   for (std::size_t i = 0; i < o.owned; i++)
     for (std::uint32_t k = lists.first[i]; o.group[i] == group && k < lists.first[i + 1]; k++) n += o.group[lists.list[k]] == other;
   return n;
+}
+
+/// Where rims that are welded overlap: particles of `other` that are nearer to one of `group` than rows of a lattice would be, and are not held.
+std::vector<std::uint32_t> crowdedOut(const World& w, const OrientedLists& lists, std::uint32_t group, std::uint32_t other, double apart) {
+  const Oriented& o = w.oriented.rows;
+  std::vector<std::uint32_t> rows;
+  for (std::size_t i = 0; i < o.owned; i++) {
+    bool crowded = false;
+    for (std::uint32_t k = lists.first[i]; o.group[i] == other && !(o.flags[i] & heldPlace) && k < lists.first[i + 1]; k++) {
+      const Vec3d r = o.position[lists.list[k]] - o.position[i];
+      crowded = crowded || (o.group[lists.list[k]] == group && dot(r, r) < apart * apart);
+    }
+    if (crowded) rows.push_back(static_cast<std::uint32_t>(i));
+  }
+  return rows;
 }
 
 }  // namespace
@@ -80,7 +98,8 @@ bool operationDue(const Scene& s, double from, double to) { return !dueBetween(s
 
 void operate(World& w, Halos halos, StepTools& t, double from, double to) {
   Oriented& o = w.oriented.rows;
-  for (const Due& due : dueBetween(w.scene, from, to)) {
+  const std::vector<Due> list = dueBetween(w.scene, from, to);
+  for (const Due& due : list) {
     const OrientedBody& body = w.scene.oriented[due.body];
     const OrientedEvent& e = body.events[due.event];
     const bool shaped = (e.kind == OrientedEventKind::Cut && e.tool == CutTool::Box) || e.kind == OrientedEventKind::Smooth;
@@ -88,7 +107,11 @@ void operate(World& w, Halos halos, StepTools& t, double from, double to) {
     const PairPotential& p = t.oriented.potentials[due.body];
     std::int64_t met[2] = {0, 0};  // of a cut on its two sides; of all else in the first: particles, or pairs that a weld joins
     const std::uint32_t group = static_cast<std::uint32_t>(due.body), other = static_cast<std::uint32_t>(e.otherIndex);
-    if (e.kind == OrientedEventKind::Weld) met[0] = pairsOf(o, t.oriented.lists, group, other);
+    std::vector<std::uint32_t> dead;
+    if (e.kind == OrientedEventKind::Weld) {
+      met[0] = pairsOf(o, t.oriented.lists, group, other);
+      dead = crowdedOut(w, t.oriented.lists, group, other, weldApart * p.spacing);
+    }
     for (std::size_t i = 0; i < o.owned; i++) {
       const Vec3d x = o.position[i];
       if (e.kind == OrientedEventKind::Weld) {
@@ -108,6 +131,9 @@ void operate(World& w, Halos halos, StepTools& t, double from, double to) {
         o.cutSides[i] |= side << (2 * cutNumber(w.scene, due.body, due.event));
       }
     }
+    for (const std::uint32_t i : dead) letGo(w, i, from > -never ? to - from : 0);
+    w.counters.orientedDeaths += static_cast<std::int64_t>(dead.size());
+    if (e.kind == OrientedEventKind::Weld && &due != &list.back()) readyAgain(w, halos, t);  // the next event sees what this one has left, on all ranks
     halos.all.sum(met);
     if (met[0] == 0 || (e.kind == OrientedEventKind::Cut && met[1] == 0)) t.oriented.idle.push_back({due.body, due.event});
   }

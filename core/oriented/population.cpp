@@ -7,6 +7,7 @@
 #include "core/kinds/kind_books.hpp"
 #include "core/kinds/kinds.hpp"
 #include "core/math/hash_random.hpp"
+#include "core/oriented/follow_given.hpp"
 #include "core/oriented/given_surface.hpp"
 #include "core/oriented/oriented_forces.hpp"
 
@@ -227,7 +228,7 @@ bool changePopulation(World& w, Halos halos, StepTools& t, double dt) {
   for (std::size_t i = 0; i < o.owned; i++) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];
     const PairPotential& p = t.oriented.potentials[o.body[i]];
-    bool wins = o.offerRank[i] > 0, dies = false;
+    bool wins = o.offerRank[i] > 0, dies = strayed(w, t, i);
     const std::uint64_t own = randomBits(w.scene.seed, Purpose::OrientedDeath, o.id[i], step);
     for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
       const std::uint32_t j = l.list[k];

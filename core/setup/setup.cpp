@@ -19,6 +19,7 @@
 #include "core/setup/activate_fields.hpp"
 #include "core/sheet/face_contact.hpp"
 #include "core/sheet/mesh_contact.hpp"
+#include "core/sheet/particle_contact.hpp"
 #include "core/sheet/prepare_sheets.hpp"
 #include "core/sheet/region_overlaps.hpp"
 #include "core/fluid/surface_energy.hpp"
@@ -104,6 +105,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   if (w.modules.oriented) prepareOriented(w.scene, t.oriented, load);
   t.kernels = pairKernels();
   t.liquids = liquidMaterials(w.scene);
+  if (w.modules.sheet) planParticleContact(w.scene, t.liquids, w.sheets.plans);
   t.fixedLimits = materialLimits(w.scene, w.modules, t.liquids);
   if (w.modules.substeps && !w.modules.contact) std::swap(t.longestContact, t.fixedLimits[Limit::Contact]);
   t.watch = watchBounds(w.scene, w.modules, t.liquids, t.fixedLimits);

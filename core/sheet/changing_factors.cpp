@@ -1,13 +1,48 @@
 #include "core/sheet/changing_factors.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/sheet/cell_sums.hpp"
 
 namespace thaw {
 namespace {
 
 constexpr double growth = 1.1;  // of a step over the one before at most (core/step.cpp)
+constexpr double partOfChange = 0.04, leastOfChange = 0.001;  // of a change from nothing to the largest factor, in a step: the second where that is already shorter than a swing asks for
+constexpr double partOfSwing = 0.25;                          // rad
+
+double limitOf(const FactorInTime& f, double now, double rate) {
+  double limit = never;
+  for (std::size_t k = 1; k < f.points.size(); k++) {
+    const auto& [t0, f0] = f.points[k - 1];
+    const auto& [t1, f1] = f.points[k];
+    if (f0 == f1 || !(t1 > now)) continue;
+    const double unit = (t1 - t0) * std::max(std::abs(f0), std::abs(f1)) / std::abs(f1 - f0);
+    const double part = std::min(partOfChange * unit, std::max(rate > 0 ? partOfSwing / rate : never, leastOfChange * unit));
+    limit = std::min(limit, std::max(t0 - now, part));
+  }
+  return limit;
+}
 
 }  // namespace
+
+double fastestRate(const SheetBody& b, const SpringLaw& l, double from) {
+  const double k = l.stiffness * b.inTime[placeOf(SheetFactor::Stiffness)].most(from, never), c = l.damping * b.inTime[placeOf(SheetFactor::Damping)].most(from, never);
+  if (l.mass > 0) return std::max(std::sqrt(k / l.mass), c / l.mass);
+  return c > 0 ? k / c : 0;
+}
+
+double changeLimit(const SheetBody& b, double now, double swing, double of) {
+  double limit = never;
+  for (std::size_t f = 0; f < sheetFactors; f++) {
+    if (b.inTime[f].points.empty() || !(b.*sheetCoefficients[f].value != 0)) continue;
+    const auto kind = static_cast<SheetFactor>(f);
+    const bool alone = kind == SheetFactor::Damping || kind == SheetFactor::Stiffness;
+    limit = std::min(limit, limitOf(b.inTime[f], now, alone ? swing : f >= firstChanging && f <= lastChanging ? of : 0));
+  }
+  return limit;
+}
 
 void findFactors(World& w, double dt) {
   const double time = w.clock.time + dt, until = time + growth * w.clock.dt;  // of the next step

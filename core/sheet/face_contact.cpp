@@ -6,13 +6,14 @@
 #include "core/heat/enthalpy.hpp"
 #include "core/sheet/mesh_pairs.hpp"
 #include "core/sheet/nearest_points.hpp"
+#include "core/sheet/particle_contact.hpp"
 #include "core/sheet/rows_around.hpp"
 #include "core/sheet/touch.hpp"
 
 namespace thaw {
 namespace {
 
-constexpr double coarser = 1.25;    // spacings of particles between vertices
+constexpr double coarser = 0.75;    // spacings of particles between vertices
 
 /// A triangle near a cell, its corners as rows and places.
 struct Face {
@@ -98,7 +99,7 @@ struct FaceContact {
     }
     const Material& material = w.scene.materials[p.material[j]];
     const double liquid = p.liquid.active ? static_cast<double>(p.liquid[j]) : p.phase[j] == Liquid ? 1 : 0, face = plan.faceArea * massPerArea, mass = face * p.mass[j] / (face + p.mass[j]);
-    const Touch t = touchOf({plan.faceRate, mass, std::min(body.restitution, material.restitution), (1 - liquid) * std::max(body.friction, material.friction), now.span}, plan.faceReach - r, n,
+    const Touch t = touchOf({plan.faceRate, mass, std::min(body.restitution, material.restitution), (1 - liquid) * std::max(body.friction, material.friction), now.span, particleBarrier(plan, p.material[j], p.mass[j]), plan.faceReach}, plan.faceReach - r, n,
                             v - p.velocity[j]);
     double heat = 0;
     if (s.temperature.active && p.temperature.active && p.heatFlow.active && body.conductance > 0) {

@@ -1,4 +1,4 @@
-// Contact of particles of the continuum with the triangles of a sheet whose vertices are too far apart to hold them: each particle with the nearest point of the
+// Contact of particles of the continuum with the triangles of a sheet whose vertices are about as far apart as the particles or further: each particle with the nearest point of the
 // sheet. Pairs of vertex and particle (sheet_contact.hpp) do for finer sheets, whose vertices would slip through between particles otherwise.
 #pragma once
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace thaw {
 
-/// Is the sheet so much coarser than the particles that they could pass between its vertices?
+/// Could particles pass between its vertices, or press them apart?
 bool coarserThanParticles(const Scene& scene, const SheetPlan& plan);
 
 /// How far (m) around a particle all corners of a triangle that it touches lie: cells must not be smaller. 0 without such sheets.

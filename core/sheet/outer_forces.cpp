@@ -10,6 +10,8 @@
 namespace thaw {
 namespace {
 
+constexpr double comesNear = 1.5;  // steps: who may be in contact at the end of the next one, which is longer by a tenth at most
+
 /// Pressure on the side that the wind blows at: density (v . n)^2, along the normal; of the relative velocity.
 Vec3d windLoad(const SheetBody& b, double density, const Vec3d& v, const Vec3d& facing, double area) {
   const double size = length(facing);
@@ -35,12 +37,16 @@ Vec3d wallLoad(World& w, std::size_t i, const SheetVelocities& now, Vec3d& impul
   for (const Wall& wall : w.walls.list) {
     if (!wall.present) continue;
     const Vec3d rest = toRest(wall.pose, s.position[i]);
-    if (!nearBounds(wall.bounds, rest, plan.thickness)) continue;
-    Vec3d n;
-    const double d = wall.shape->distanceWithin(rest, plan.thickness, &n);
-    if (!(d < plan.thickness)) continue;
-    n = directionFromRest(wall.pose, n);
     const Vec3d u = wallVelocity(wall, s.position[i]);
+    const double ahead = std::isfinite(now.span) ? comesNear * now.span * length(now.velocity[i] - u) : 0, near = plan.thickness + ahead;
+    if (!nearBounds(wall.bounds, rest, near)) continue;
+    Vec3d n;
+    const double d = wall.shape->distanceWithin(rest, near, &n);
+    if (!(d < near)) continue;
+    n = directionFromRest(wall.pose, n);
+    const double rise = dot(now.velocity[i] - u, n);
+    if (d - plan.thickness < std::max(0.0, -rise) * comesNear * now.span || d < plan.thickness) sheets.blows = std::max(sheets.blows, blowRate(plan.contactRate, plan.thickness, std::abs(rise)));
+    if (!(d < plan.thickness)) continue;
     const Touch touch = touchOf({plan.contactRate, sheets.laws[s.law[i]].contactMass, std::min(wall.properties.restitution, b.restitution), std::max(wall.properties.friction, b.friction), now.span},
                                 plan.thickness - d, n, now.velocity[i] - u);
     load += touch.force;

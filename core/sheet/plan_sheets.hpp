@@ -56,6 +56,7 @@ struct SheetPlan {
   double longestEdge = 0;         ///< m, at the start and at rest
   double thickness = 0;           ///< m, where contact begins
   double contactRate = 0;         ///< 1/s
+  std::vector<double> particleRate; ///< 1/s, of the continuum's materials: of the barrier that holds their particles (particle_contact.hpp); 0 where the scene gives contactRate
   // of contact by triangles: with the continuum (face_contact.hpp), and of sheets (mesh_contact.hpp)
   bool byFaces = false;
   double faceReach = 0;           ///< m, distance of a particle's centre at which it begins

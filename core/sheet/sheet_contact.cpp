@@ -9,6 +9,7 @@
 #include "core/sheet/face_contact.hpp"
 #include "core/sheet/mesh_contact.hpp"
 #include "core/sheet/mesh_pairs.hpp"
+#include "core/sheet/particle_contact.hpp"
 #include "core/sheet/rows_around.hpp"
 #include "core/sheet/touch.hpp"
 
@@ -123,8 +124,9 @@ struct Particles {
     const SheetBody& b = w.scene.sheets[s.body[i]];
     const Material& material = w.scene.materials[p.material[j]];
     const double r = std::sqrt(r2), liquid = p.liquid.active ? static_cast<double>(p.liquid[j]) : p.phase[j] == Liquid ? 1 : 0;
-    m.touch = touchOf({plan.contactRate, pairMass(massOf(w, i), p.mass[j]), std::min(b.restitution, material.restitution),
-                       (1 - liquid) * std::max(b.friction, material.friction), now.span},
+    const double mass = pairMass(massOf(w, i), p.mass[j]), part = std::min(1.0, s.area[i] / (w.scene.spacing * w.scene.spacing));  // of the particle that this vertex has to hold
+    m.touch = touchOf({plan.contactRate, mass, std::min(b.restitution, material.restitution),
+                       (1 - liquid) * std::max(b.friction, material.friction), now.span, part * particleBarrier(plan, p.material[j], p.mass[j]), reach},
                       reach - r, d / r, s.moving[i] - p.velocity[j]);
     m.heat = 0;
     if (heat && b.conductance > 0) {

@@ -63,6 +63,8 @@ struct SheetBodies {
   double fastestDrag = 0;            ///< 1/s, of the wind: how fast it takes along a vertex, 2 rho |u_n| area / mass; the largest of this rank
   double stiffestParticle = 0;       ///< 1/s^2, contact with vertices over the mass of particles: the largest of this rank
   double fastest2 = 0;               ///< m^2/s^2, square of the largest speed of this rank's vertices that can touch anything
+  double hardest = 0;                ///< m/s^2, the largest acceleration of these by their loads
+  double blows = 0;                  ///< 1/s, rate of contact over the step that blows allow it (blowRate in touch.hpp): the largest of this rank
   double closing = 0;                ///< 1/s, how fast vertices, triangles and edges that touch come together, over their distance: the largest of this rank
   std::shared_ptr<MeshSearch> search;  ///< of contact by triangles, in the evaluation at hand (mesh_pairs.hpp); kept for its memory, not part of the state
   std::vector<Vec3d> velocityRoom, impulseRoom;  ///< one a vertex, of an evaluation; kept, since fresh memory in every step costs as much as a force

@@ -81,10 +81,16 @@ void yieldPlastic(World& w, double time) {
 /// and fro from step to step, and force times velocity would say nothing of their work.
 Vec3d workingLoad(const Sheets& s, std::size_t i, const SpringLaw& law) { return s.resisting.active && !(law.mass > 0) ? s.load[i] - s.resisting[i] : s.load[i]; }
 
+/// Dashpots and friction over half of a step, by the way (m) of that half: each acts for half of the step that ends with it and for half of the next one, and what is booked before it has acted
+/// is missing for a step.
+void bookResisting(Sheets& s, std::size_t i, const SpringLaw& law, const Vec3d& way) {
+  if (s.resisting.active && law.mass > 0) s.dissipated[i] -= s.area[i] * dot(s.resisting[i], way);
+}
+
 /// What a vertex loses, at the end of a step: dashpots and friction; and with damping what is missing of the energy and of the work of the load.
 void bookKick(Sheets& s, std::size_t i, const SpringLaw& law, double dt) {
   const Vec3d& v = s.velocity[i];
-  if (s.resisting.active && law.mass > 0) s.dissipated[i] -= s.area[i] * dt * dot(s.resisting[i], v);
+  bookResisting(s, i, law, law.damping > 0 ? 0.5 * s.moved[i] : 0.5 * dt * v);  // damping takes what is missing of the work over the same way
   if (law.damping > 0) s.dissipated[i] += s.area[i] * (0.5 * dot(workingLoad(s, i, law), s.moved[i]) - 0.5 * law.mass * dot(v, v));
 }
 
@@ -99,7 +105,7 @@ void moveSheets(World& w, double dt) {
   const double begin = w.clock.time, middle = begin + 0.5 * dt, end = begin + dt;
   bookRestChange(w, begin, middle);  // over the step they are those of its middle
   bookChanging(w, begin, end);
-  const bool simple = !s.flow.active && !s.clamped.active && !s.moved.active;
+  const bool simple = !s.flow.active && !s.clamped.active && !s.moved.active && !s.resisting.active;
   if (simple) {
     moveVertices(maps, {s.position.data(), s.velocity.data(), s.rest.data(), s.load.data(), s.law.data()}, 0, s.owned);
     bookRestChange(w, middle, end);
@@ -113,8 +119,9 @@ void moveSheets(World& w, double dt) {
     const Vec3d rest = restOf(w, i), z = s.position[i] - rest, v = s.velocity[i];
     const VertexArrays one{&s.position[i], &s.velocity[i], &rest, &s.load[i], nullptr};
     moveVertices({&m, 1}, one, 0, 1);
-    if (!s.moved.active) continue;
     const Vec3d z1 = s.position[i] - rest, moved = z1 - z;
+    bookResisting(s, i, law, law.damping > 0 ? 0.5 * moved : 0.5 * dt * v);
+    if (!s.moved.active) continue;
     s.moved[i] = moved;
     // what drag takes over the step is what is missing of the energy and of the work of the load; kickSheets knows the rest
     if (law.damping > 0) s.dissipated[i] += s.area[i] * (0.5 * law.mass * dot(v, v) + 0.5 * law.stiffness * (dot(z, z) - dot(z1, z1)) + 0.5 * dot(workingLoad(s, i, law), moved));
@@ -181,7 +188,7 @@ void loadSheets(World& w, Halos halos, StepTools& t, double dt) {
   Sheets& s = b.rows;
   b.stiffest.assign(b.laws.size(), 0);
   b.slope.assign(s.owned, 0);
-  b.fastest2 = b.stiffestParticle = b.closing = 0;
+  b.fastest2 = b.hardest = b.stiffestParticle = b.closing = b.blows = 0;
   // contacts want the velocity of now: what is missing is the push of the force after the step, for which that before stands
   std::vector<double> after(b.laws.size(), 0);
   for (std::size_t l = 0; dt > 0 && l < b.laws.size(); l++) after[l] = vertexMap(lawNow(w, b.laws[l], dt), dt).after;
@@ -204,7 +211,10 @@ void loadSheets(World& w, Halos halos, StepTools& t, double dt) {
   if (dt > 0) bookChanging(w, w.clock.time, w.clock.time + dt);
   for (std::size_t i = 0; i < s.owned; i++) b.stiffest[s.law[i]] = std::max(b.stiffest[s.law[i]], b.slope[i]);
   for (std::size_t i = 0; i < s.owned; i++)
-    if (w.sheets.plans[s.body[i]].touches) b.fastest2 = std::max(b.fastest2, dot(now.velocity[i], now.velocity[i]));
+    if (w.sheets.plans[s.body[i]].touches) {
+      b.fastest2 = std::max(b.fastest2, dot(now.velocity[i], now.velocity[i]));
+      if (s.mass[i] > 0 && !(s.clamped.active && s.clamped[i])) b.hardest = std::max(b.hardest, length(s.load[i]) * s.area[i] / s.mass[i]);
+    }
   now.velocity.swap(b.velocityRoom);
   t.times.lap(StepPhase::Sheet);
 }
@@ -219,6 +229,12 @@ double sheetStepLimit(const World& w) {
     const double part = std::frexp(b.stiffest[l], &e), kappa = std::ldexp(std::ceil(part * 64) / 64, e);
     limit = std::min(limit, 2 * w.scene.numerics.cflElastic * stableStep(lawToCome(w, b.laws[l]), kappa));
   }
+  for (std::size_t l = 0; l < b.laws.size(); l++) {
+    const SpringLaw& law = b.laws[l].law;
+    const double kappa = l < b.stiffest.size() ? b.stiffest[l] : 0, of = law.mass > 0 ? 0.5 * std::sqrt(kappa / law.mass) : law.damping > 0 ? kappa / law.damping : 0;  // kappa is a bound, of some four times what most swing with
+    const SheetBody& body = w.scene.sheets[b.laws[l].sheet];
+    limit = std::min(limit, changeLimit(body, w.clock.time, fastestRate(body, law, w.clock.time), of));
+  }
   if (b.stiffestParticle > 0) {
     int e = 0;
     const double part = std::frexp(b.stiffestParticle, &e);
@@ -226,12 +242,13 @@ double sheetStepLimit(const World& w) {
   }
   if (b.fastestDrag > 0) limit = std::min(limit, dragInAStep / b.fastestDrag);
   // nothing passes through anything in a step
-  if (b.fastest2 > 0) {
+  if (b.fastest2 > 0 || b.hardest > 0) {
     double thin = never;
     for (const SheetPlan& p : b.plans)
       if (p.touches) thin = std::min({thin, p.thickness, p.byFaces ? p.faceReach : never});
-    limit = std::min(limit, 0.5 * thin / std::sqrt(b.fastest2));
+    limit = std::min({limit, 0.5 * thin / std::sqrt(b.fastest2), b.hardest > 0 ? std::sqrt(thin / b.hardest) : never});
   }
+  if (b.blows > 0) limit = std::min(limit, 1 / b.blows);
   if (b.closing > 0) limit = std::min(limit, 0.5 / b.closing);
   return limit;
 }

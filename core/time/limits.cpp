@@ -22,8 +22,6 @@ bool inUse(const Scene& s, std::size_t material) {
   return std::any_of(s.bodies.begin(), s.bodies.end(), has) || std::any_of(s.emitters.begin(), s.emitters.end(), has);
 }
 
-bool canBeLiquid(const Material& m) { return !m.canBeSolid() || m.melts() || m.liquidAtStart; }
-
 /// Pa, of the liquids of these materials.
 double stiffestLiquid(const Scene& s, const std::vector<LiquidMaterial>& liquids) {
   double stiffest = 0;

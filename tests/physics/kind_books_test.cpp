@@ -123,7 +123,7 @@ TEST(KindBooks, WorkFromOutsideIsNoAlarmWhereNothingWasBefore) {
 
 /// A cloth whose middle has another mass falls onto a floor.
 TEST(KindBooks, ContactGoesByTheMassOfARegion) {
-  for (const double factor : {0.01, 100.0}) {
+  for (const double factor : {1.0, 0.01, 100.0}) {
     Scene s = test::sheetScene(SheetMesh::Grid);
     s.domain.gravity = {0, 0, -9.81};
     SheetBody& b = s.sheets[0];
@@ -140,7 +140,7 @@ TEST(KindBooks, ContactGoesByTheMassOfARegion) {
     ASSERT_TRUE(sim.run());
     const LedgerReport books = sim.books();
     EXPECT_GT(books.dissipated, 0) << factor;
-    EXPECT_LT(std::abs(books.energyResidual), 0.25 * books.energyScale) << factor;  // 14 % without a region: the blow on a coarse cloth
+    EXPECT_LT(std::abs(books.energyResidual), 0.05 * books.energyScale) << factor;  // 28 % where a step did not follow blows
     for (std::size_t i = 0; i < sim.w.sheets.rows.owned; i++) ASSERT_GT(sim.w.sheets.rows.position[i].z, 0) << factor;
   }
 }

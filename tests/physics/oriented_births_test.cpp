@@ -100,6 +100,32 @@ TEST(Oriented, AHoleIsFilledAndNothingElse) {
   for (std::size_t i = 0; i < o.owned; i++) EXPECT_TRUE(!(o.id[i] >> 63) || length(o.position[i]) < 0.01);
 }
 
+// What has come off the surface that given points say goes, in a run too, and nothing else.
+TEST(Oriented, WhoStraysOffGivenPointsGoes) {
+  Scene s = patchScene(0);
+  OrientedBody& b = s.oriented[0];
+  b.source = OrientedSource::Surface;
+  b.shape.kind = ShapeKind::Sphere;
+  b.shape.radius = 0.3;
+  b.thin = 0.3;
+  b.growth = OrientedGrowth::Borders;
+  b.damping = b.spinDamping = 20;
+  b.relax = 100;
+  b.every = 1;
+  s.end = 0.005;
+  test::Simulation x(s);
+  Oriented& o = x.w.oriented.rows;
+  std::size_t stray = 0;
+  while (stray < o.owned && (o.flags[stray] & heldPlace)) stray++;
+  ASSERT_LT(stray, o.owned);
+  const std::uint64_t id = o.id[stray];
+  const std::int64_t dead = x.w.counters.orientedDeaths;
+  o.position[stray] = 1.2 * o.position[stray];  // 1.2 spacings
+  ASSERT_TRUE(x.run());
+  EXPECT_EQ(x.w.counters.orientedDeaths, dead + 1);
+  for (std::size_t i = 0; i < o.owned; i++) EXPECT_NE(o.id[i], id);
+}
+
 // The weight of who is born or dies in the midst of a step is that of whole steps.
 TEST(Oriented, BirthsUnderGravityKeepTheBooksOfMomentum) {
   Scene s = drawnOverABall();

@@ -99,6 +99,34 @@ TEST(SheetCoefficients, StepsAreShortBeforeSpringsGrowStiff) {
   EXPECT_LT(sim.shortest, 0.002);
 }
 
+/// What changes fast is followed by the steps that thaw chooses: a step without limit went from frame to frame over the change, and places were off by 27 % (damping) to 160 % (stiffness).
+TEST(SheetCoefficients, FastChangesAreFollowed) {
+  for (const double ramp : {0.1, 0.01, 0.001})
+    for (const F f : {F::Stiffness, F::Damping}) {
+      std::vector<Vec3d> at[2];
+      double size = 0, off = 0;
+      for (const double dt : {0.0, 1e-4}) {
+        Scene s = sheetScene(SheetMesh::Grid);
+        SheetBody& b = s.sheets[0];
+        b.stiffness = 300;
+        if (f == F::Damping) b.damping = 5;
+        b.velocity = {0, 0, 1};
+        b.inTime[placeOf(f)].points = {{0.05, 1}, {0.05 + ramp, 3}, {0.05 + 2 * ramp, 0.2}};
+        s.end = 0.4;
+        s.output.every = 0.1;
+        s.numerics.fixedStep = dt;
+        s.numerics.retryEvery = 0;
+        test::Simulation sim(s);
+        ASSERT_TRUE(sim.run());
+        if (dt == 0) { EXPECT_LT(sim.w.clock.step, 200); }
+        const Sheets& v = sim.w.sheets.rows;
+        for (std::size_t i = 0; i < v.owned; i++) at[dt > 0].push_back(v.position[i] - v.rest[i]);
+      }
+      for (std::size_t i = 0; i < at[0].size(); i++) size = std::max(size, length(at[1][i])), off = std::max(off, length(at[0][i] - at[1][i]));
+      EXPECT_LT(off, 0.005 * size) << ramp << " " << placeOf(f);
+    }
+}
+
 TEST(SheetCoefficients, WindAndWrapGoByTheirRegionAndTime) {
   Scene s = sheetScene(SheetMesh::Grid);
   SheetBody& b = s.sheets[0];

@@ -65,7 +65,7 @@ TEST(SheetContact, FoldsDoNotCross) {
     EXPECT_GT(layers, ball ? 1.5 : 1.3) << ball;
     EXPECT_GT(low, 0);
     const LedgerReport books = sim.books();
-    EXPECT_LT(std::abs(books.energyResidual), (thickness > 0 ? 0.04 : 0.01) * books.energyScale) << ball;  // the thinner, the stiffer
+    EXPECT_LT(std::abs(books.energyResidual), 0.005 * books.energyScale) << ball;
     EXPECT_LT(length(books.momentumResidual), 1e-12);
   }
 }
@@ -91,16 +91,54 @@ TEST(SheetContact, ForcesAreSlopesOfEnergies) { test::expectForcesFromEnergy(cru
 /// Neither momentum nor angular momentum comes of contact; dashpots and friction take what they take of both ends.
 TEST(SheetContact, MomentaAreKept) {
   Scene s = crumpled();
-  s.sheets[1].velocity = {0.3, 0.1, -0.5};
-  s.sheets[0].friction = s.sheets[1].friction = 0;  // which turns what lies on each other at a distance
-  s.end = 0.2;
-  test::Simulation sim(s);
-  const LedgerReport before = sim.books();
-  ASSERT_TRUE(sim.run());
-  const LedgerReport books = sim.books();
-  EXPECT_LT(length(books.now.momentum - before.now.momentum), 1e-13);
-  EXPECT_LT(length(books.now.angularMomentum - before.now.angularMomentum), 1e-13);
-  EXPECT_GT(books.dissipated, 0);
+  for (const double friction : {0.0, 0.5}) {
+    s.sheets[1].velocity = {0.3, 0.1, -0.5};
+    s.sheets[0].friction = s.sheets[1].friction = friction;  // at nearest points that are apart
+    s.end = 0.2;
+    test::Simulation sim(s);
+    const LedgerReport before = sim.books();
+    ASSERT_TRUE(sim.run());
+    const LedgerReport books = sim.books();
+    EXPECT_LT(length(books.now.momentum - before.now.momentum), 1e-13);
+    EXPECT_LT(length(books.now.angularMomentum - before.now.angularMomentum), 1e-13);
+    EXPECT_GT(books.dissipated, 0);
+  }
+}
+
+/// A cloth whose steps nothing else limits falls on the floor, flat and aslant: the step is short where it comes fast. Energies were off by up to 164 % (flat, elastic) and 83 % (aslant, with dashpots).
+TEST(SheetContact, BlowsOfCoarseClothsKeepTheBooks) {
+  for (const double restitution : {1.0, 0.3})
+    for (const double tilt : {0.0, 0.2})
+      for (const double warp : {0.0, 50.0}) {
+        Scene s = test::emptyScene(0.05, {-1, -1, -0.2}, {1, 1, 1});
+        s.domain.gravity = {0, 0, -9.81};
+        test::addFloor(s);
+        s.obstacles[0].restitution = restitution;
+        s.sheets.emplace_back();
+        SheetBody& b = s.sheets[0];
+        b.name = "cloth";
+        b.width = b.depth = 0.6;
+        b.spacing = 0.1;
+        b.mass = 0.5;
+        b.warp = b.weft = warp;
+        b.shear = 0.2 * warp;
+        b.restitution = restitution;
+        b.friction = s.obstacles[0].friction = 0;
+        b.shape.move = {0, 0, 0.3};
+        b.shape.rotate = {0, tilt, 0};
+        b.velocity = {0, 0, -1};
+        s.end = 0.4;
+        s.numerics.retryEvery = 0;
+        test::Simulation sim(s);
+        double most = 0;
+        while (sim.w.clock.time < s.end) {
+          ASSERT_TRUE(sim.step());
+          const LedgerReport books = sim.books();
+          most = std::max(most, std::abs(books.energyResidual) / books.energyScale);
+        }
+        EXPECT_LT(most, tilt > 0 ? 0.006 : 0.015) << restitution << " " << warp;
+        EXPECT_LT(sim.w.clock.step, 300);
+      }
 }
 
 /// All pairs that touch, asked of every vertex with every triangle and of every edge with every other.

@@ -53,8 +53,28 @@ TEST(Sheets, MeetTheContinuumAndTakeItsHeat) {
   EXPECT_LT(std::abs(books.heatResidual), 1e-9 * std::abs(books.now.internal));
 }
 
-/// Water on a cloth whose vertices are three of its spacings apart, held at its border: none passes through, and the books close.
-TEST(Sheets, CoarseClothHoldsFinerParticles) {
+/// The particles of a liquid that are under a sheet, each asked of the triangle that it is over; all those that are over none.
+std::size_t underSheet(const World& w) {
+  const Sheets& v = w.sheets.rows;
+  std::vector<Vec3d> at(v.owned);
+  for (std::size_t i = 0; i < v.owned; i++) at[v.id[i]] = v.position[i];
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < w.particles.owned; i++) {
+    double under = never;
+    for (const auto& t : w.sheets.plans[0].mesh.triangles) {
+      Vec3d a = at[t[0]], c = at[t[1]], d = at[t[2]], x = w.particles.position[i];
+      const double heights[3] = {a.z, c.z, d.z};
+      a.z = c.z = d.z = x.z = 0;
+      const Vec3d share = sharesOfNearest(a, c, d, x), off = share.x * a + share.y * c + share.z * d - x;
+      if (length(off) < 1e-9) under = share.x * heights[0] + share.y * heights[1] + share.z * heights[2];
+    }
+    n += !(w.particles.position[i].z > under);
+  }
+  return n;
+}
+
+/// A box of water over a cloth that is held at its border.
+Scene waterOnACloth(double spacing, const Vec3d& low, const Vec3d& high) {
   Scene s;
   s.spacing = 0.02;
   s.domain.min = {-0.5, -0.5, -1};
@@ -67,12 +87,12 @@ TEST(Sheets, CoarseClothHoldsFinerParticles) {
   m.soundSpeed = 20;
   m.viscosity = {0.5, 0.5};
   m.conductivity = {10, 10};
-  test::addBox(s, {-0.1, -0.1, 0.05}, {0.1, 0.1, 0.17}).temperature = 350;
+  test::addBox(s, low, high).temperature = 350;
   s.sheets.emplace_back();
   SheetBody& b = s.sheets[0];
   b.name = "cloth";
   b.width = b.depth = 0.9;
-  b.spacing = 0.06;
+  b.spacing = spacing;
   b.mass = 1;
   b.damping = 2;
   b.warp = b.weft = 2000, b.shear = 300;
@@ -83,37 +103,38 @@ TEST(Sheets, CoarseClothHoldsFinerParticles) {
   rim.parts = {all, hole};
   b.clamp.push_back(rim);
   s.end = 0.4;
-  test::Simulation sim(s);
-  ASSERT_TRUE(sim.w.sheets.plans[0].byFaces);
-  ASSERT_TRUE(sim.run());
-  const Continuum& p = sim.w.particles;
-  const Sheets& v = sim.w.sheets.rows;
-  double lowest = 1, hottest = 0;
-  std::vector<Vec3d> at(v.owned);
-  for (std::size_t i = 0; i < v.owned; i++) {
-    at[v.id[i]] = v.position[i];
-    lowest = std::min(lowest, v.position[i].z);
-    hottest = std::max(hottest, v.temperature[i]);
-  }
-  EXPECT_EQ(p.owned, 600u);
-  EXPECT_LT(lowest, -0.01);  // it bears the water
-  for (std::size_t i = 0; i < p.owned; i++) {  // above the triangle that it is over
-    double under = -1;
-    for (const auto& t : sim.w.sheets.plans[0].mesh.triangles) {
-      Vec3d a = at[t[0]], c = at[t[1]], d = at[t[2]], x = p.position[i];
-      const double heights[3] = {a.z, c.z, d.z};
-      a.z = c.z = d.z = x.z = 0;
-      const Vec3d share = sharesOfNearest(a, c, d, x), off = share.x * a + share.y * c + share.z * d - x;
-      if (length(off) < 1e-9) under = share.x * heights[0] + share.y * heights[1] + share.z * heights[2];
+  return s;
+}
+
+/// Water on a cloth whose vertices are three of its spacings apart, as many, or half of one: none passes through at the automatic rate of contact, and the books close. With the
+/// stiffness of contact from the mass of the vertices 372 of 512 had left through a light cloth and the others followed.
+TEST(Sheets, ClothHoldsWaterWhateverItsVertices) {
+  for (const double spacing : {0.06, 0.02, 0.01}) {
+    Scene s = waterOnACloth(spacing, {-0.1, -0.1, 0.05}, {0.1, 0.1, 0.17});
+    if (spacing < 0.06) {
+      s.sheets[0].mass = 0.3;
+      s.sheets[0].width = s.sheets[0].depth = 0.6;
+      s.sheets[0].clamp[0].parts[1] = test::boxOf({-0.25, -0.25, -1}, {0.25, 0.25, 1});
+      s.bodies[0].shape = test::boxOf({-0.08, -0.08, 0.03}, {0.08, 0.08, 0.19});
+      s.end = 0.3;  // before any splashes over the border
     }
-    ASSERT_GT(p.position[i].z, under) << i;
-    ASSERT_GT(under, -1) << i << " at " << p.position[i].x << " " << p.position[i].y << " " << p.position[i].z;
+    test::Simulation sim(s);
+    ASSERT_EQ(sim.w.sheets.plans[0].byFaces, spacing > 0.015);
+    const std::size_t all = sim.w.particles.owned;
+    ASSERT_TRUE(sim.run());
+    const Sheets& v = sim.w.sheets.rows;
+    double lowest = 1, hottest = 0;
+    for (std::size_t i = 0; i < v.owned; i++) lowest = std::min(lowest, v.position[i].z), hottest = std::max(hottest, v.temperature[i]);
+    EXPECT_EQ(sim.w.particles.owned, all) << spacing;
+    EXPECT_LT(lowest, -0.003) << spacing;  // it bears the water
+    EXPECT_EQ(underSheet(sim.w), 0u) << spacing;
+    EXPECT_GT(hottest, 301) << spacing;
+    const LedgerReport books = sim.books();
+    EXPECT_LT(length(books.momentumResidual), 1e-9);
+    EXPECT_LT(std::abs(books.energyResidual), 0.003 * books.energyScale) << spacing;
+    EXPECT_LT(std::abs(books.heatResidual), 1e-9 * std::abs(books.now.internal));
+    EXPECT_EQ(books.liquidFraction, 1);  // of the continuum: a cloth is no part of what is liquid or solid
   }
-  EXPECT_GT(hottest, 301);
-  const LedgerReport books = sim.books();
-  EXPECT_LT(length(books.momentumResidual), 1e-9);
-  EXPECT_LT(std::abs(books.energyResidual), 0.02 * books.energyScale);
-  EXPECT_LT(std::abs(books.heatResidual), 1e-9 * std::abs(books.now.internal));
 }
 
 }  // namespace
