@@ -1,4 +1,5 @@
 // Surface tension against exact solutions (accuracy.md A, fluid): Laplace's pressure and the second mode of a drop.
+#include "core/fluid/particle_pressure.hpp"
 #include "benchmarks/accuracy/drop_cases.hpp"
 
 #include <algorithm>
@@ -40,7 +41,7 @@ struct PairForce {
   const StepTools& t;
   double term(std::size_t i) const {
     const double filling = static_cast<double>(w.particles.filling[i]);
-    return static_cast<double>(w.particles.pressure[i]) / (filling * filling);
+    return static_cast<double>(pressureOfParticle(w, t.liquids, i)) / (filling * filling);
   }
   double operator()(std::size_t i, std::size_t j, double distance) const {
     const Continuum& p = w.particles;
@@ -125,7 +126,7 @@ std::vector<Figure> measureLaplace(Trial& r) {
   // a particle's force from the sums: against sigma h, that of a few pairs; viscosity is left out, and is nothing at rest
   // cohesion is in the pairs: their virial is the pressure. Other forms act at the surface alone, and the liquid inside has the pressure of its
   // equation of state; the virial of the pressure's pairs, and that of all forces, are printed beside it
-  const double mean = sum(r, [&](const World& x, std::size_t i) { return inside(x, i) ? static_cast<double>(x.particles.pressure[i]) : 0.0; }) / std::max(core, 1.0);
+  const double mean = sum(r, [&](const World& x, std::size_t i) { return inside(x, i) ? static_cast<double>(pressureOfParticle(x, r.tools.liquids, i)) : 0.0; }) / std::max(core, 1.0);
   const double jump = w.scene.numerics.tension == TensionForm::Pairwise ? in.pairs : mean;
   return {{"pressure jump", std::abs(jump / exact - 1), 0.05},
           {"pressure jump / exact", jump / exact},

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/fluid/particle_pressure.hpp"
 #include "benchmarks/accuracy/trial.hpp"
 #include "core/math/hash_random.hpp"
 
@@ -42,7 +43,7 @@ void jitterColumn(Trial& r) {
 }
 
 std::vector<Figure> measureColumn(Trial& r) {
-  const auto error = [](const World& w, std::size_t i) { return static_cast<double>(w.particles.pressure[i]) - (1 - w.particles.position[i].z); };
+  const auto error = [&r](const World& w, std::size_t i) { return static_cast<double>(pressureOfParticle(w, r.tools.liquids, i)) - (1 - w.particles.position[i].z); };
   std::vector<Figure> f{{"L2(p)", rootMeanSquare(r, error), 0.02},
                         {"Linf(p)", largest(r, [&](const World& w, std::size_t i) { return std::abs(error(w, i)); })},
                         {"kinetic energy left", kineticEnergy(r) / (0.5 * r.tools.mass)}};  // of the m g H / 2 that it has in height

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 
-#include "core/fluid/state_equation.hpp"
+#include "core/fluid/particle_pressure.hpp"
 
 namespace thaw {
 namespace {
-
-double liquidFraction(const Continuum& p, std::size_t i) { return p.liquid.active ? static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? 1 : 0; }
 
 /// A wall takes part as the liquid's pressure sees it (wall_forces.cpp): the same slope, so that the two are adjoint.
 void addWalls(World& w, const StepTools& t) {

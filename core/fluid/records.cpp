@@ -71,11 +71,9 @@ template<class Real> void packPressureAs(const RecordContext& x, Continuum& p, s
     if (f == 0 || filling <= 0) {
       term = Real(0);
       if (corrected) rows<Real>(r.diagonal)[i] = rows<Real>(r.mixed)[i] = {};
-      p.pressure[i] = 0;
       continue;
     }
     const double pressure = pressureOf(n.eos, x.liquids[p.material[i]].stiffness, filling, n.tensileLimit);
-    p.pressure[i] = static_cast<float>(f * pressure);
     if (books) p.interaction[i] += compressionOf(x, p, i, f);
     if (n.pressure == PairForm::Consistent) {
       term = static_cast<Real>(f * pressure / (filling * filling));

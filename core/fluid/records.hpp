@@ -41,7 +41,7 @@ void resizeRecords(const RecordContext& context, std::size_t rows, PairRecords& 
 /// Energy (J) stored in the compression of a particle that is liquid to the fraction f.
 double compressionOf(const RecordContext& context, const Continuum& particles, std::size_t row, double f);
 
-/// Pressure of rows [begin, end) from their filling, into Continuum::pressure and the state records (with the printed pressure
+/// Pressure of rows [begin, end) from their filling, into the state records (with the printed pressure
 /// form also the volume V0 / filling); adds the energy of compression to Continuum::interaction of those that are owned, but where
 /// all is one liquid (Modules::uniform): there it is found when it is asked for (core/stored_energy.hpp).
 void packPressure(const RecordContext& context, Continuum& particles, std::size_t begin, std::size_t end, PairRecords& records);

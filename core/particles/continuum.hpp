@@ -28,7 +28,6 @@ struct Continuum : Table {
   Column<u8> clamped{*this, "clamped", "1", Keep::State, "1: held where it is; 2: driven by its emitter, at constant velocity"};
   // fluid
   Column<float> filling{*this, "filling", "1", Keep::Transient, "delta = sum V0_j W_ij over its lattice value; density = delta * rest density"};
-  Column<float> pressure{*this, "pressure", "Pa", Keep::Transient, "from the equation of state"};
   Column<double> compression{*this, "compression", "1", Keep::State, "filling - 1, where the continuity equation carries it"};
   Column<double> densityRate{*this, "densityRate", "1/s", Keep::Transient, "rate of compression by the flow"};
   Column<double> spreading{*this, "spreading", "1/s", Keep::Transient, "rate of compression by diffusion"};

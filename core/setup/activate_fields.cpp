@@ -15,7 +15,7 @@ void activateFields(World& w, StepTools& t) {
   };
   on(true, {&p.id, &p.position, &p.velocity, &p.acceleration, &p.mass, &p.material, &p.body, &p.dissipated, &p.cell, &p.nextCell, &p.phase, &p.force,
             &p.dissipation, &p.interaction});
-  on(m.fluid, {&p.filling, &p.pressure});
+  on(m.fluid, {&p.filling});
   on(m.implicitViscosity, {&p.viscousAcceleration, &p.viscousSearch});
   on(m.continuity, {&p.compression, &p.densityRate, &p.spreading});
   on(m.corrected, {&p.moment, &p.flow});
@@ -35,7 +35,7 @@ void activateFields(World& w, StepTools& t) {
   on(m.freezing, {&p.standoff});
   on(m.sleep, {&p.calm, &p.sleep, &p.hold});
   if (m.sleep)  // of rows that are skipped they stay, so that they move with their rows
-    for (AnyColumn* c : {static_cast<AnyColumn*>(&p.filling), static_cast<AnyColumn*>(&p.pressure), static_cast<AnyColumn*>(&p.exposure)}) c->keep = Keep::Local;
+    for (AnyColumn* c : {static_cast<AnyColumn*>(&p.filling), static_cast<AnyColumn*>(&p.exposure)}) c->keep = Keep::Local;
   bool clamped = m.emitters;
   for (const Body& b : w.scene.bodies) clamped = clamped || !b.clamp.empty();
   on(clamped, {&p.clamped});

@@ -5,15 +5,11 @@
 
 #include "core/contact/dashpot.hpp"
 #include "core/fluid/surface_energy.hpp"
-#include "core/fluid/state_equation.hpp"
+#include "core/fluid/particle_pressure.hpp"
 #include "core/heat/enthalpy.hpp"
 
 namespace thaw {
 namespace {
-
-double liquidFraction(const Continuum& p, std::size_t i) {
-  return p.liquid.active ? static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? 1 : 0;
-}
 
 /// The rate of a decay (1/s) as a step dt may take it: itself up to half of what is there in a step, then less, so that it never overshoots.
 /// The average over the step, (1 - exp(-r dt)) / dt, is too low by r dt / 2 where the neighbours' pull is not averaged: a tenth, as slip.
@@ -51,9 +47,10 @@ void addLiquidForces(const WallContext& x, const Meeting& at, double perLatticeS
   const Continuum& p = w.particles;
   const double h = w.grid.support;
   const WallIntegrals t = x.tables(at.contact.distance / h);
-  const double pressure = static_cast<double>(p.pressure[at.row]), filling = static_cast<double>(p.filling[at.row]);
+  const double filling = static_cast<double>(p.filling[at.row]);
+  const double pressure = w.modules.incompressible ? 0 : static_cast<double>(pressureOfParticle(w, x.liquids, at.row));
   const Vec3d& n = at.contact.normal;
-  if (!w.modules.incompressible && pressure != 0 && filling > 0) {
+  if (pressure != 0 && filling > 0) {
     const double term = w.scene.numerics.pressure == PairForm::Printed ? 0.5 * pressure / filling : perLatticeSum * pressure / (filling * filling);
     act.force += n * (at.volume * term * t.push / h * at.contact.share);
     stiffest = std::max(stiffest, x.liquids[p.material[at.row]].soundSpeed * soundSpeedFactor(w.scene.numerics.eos, filling) * perLatticeSum * t.push / h);

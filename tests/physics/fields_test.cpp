@@ -48,7 +48,7 @@ Names sorted(Names n) { return std::sort(n.begin(), n.end()), n; }
 
 }  // namespace
 
-TEST(Fields, OfALiquid) { EXPECT_EQ(sorted(fields(block(false))), with(always, {"continuum.filling", "continuum.pressure"})); }
+TEST(Fields, OfALiquid) { EXPECT_EQ(sorted(fields(block(false))), with(always, {"continuum.filling"})); }
 
 TEST(Fields, OfASolid) {
   EXPECT_EQ(sorted(fields(block(true))),
@@ -101,7 +101,7 @@ TEST(Fields, OfWhatMelts) {
   EXPECT_EQ(added(s, block(true)), Names{}) << "without heat nothing melts";
   m.conductivity = {1, 1};
   s.bodies[0].temperatureGradient = {1, 0, 0};
-  EXPECT_EQ(added(s, block(true)), (Names{"continuum.filling", "continuum.pressure", "continuum.enthalpy", "continuum.temperature", "continuum.liquid", "continuum.frame", "continuum.justFrozen",
+  EXPECT_EQ(added(s, block(true)), (Names{"continuum.filling", "continuum.enthalpy", "continuum.temperature", "continuum.liquid", "continuum.frame", "continuum.justFrozen",
                                           "continuum.standoff", "continuum.heatFlow", "continuum.softening", "solid.liquid", "solid.melted"}));
 }
 

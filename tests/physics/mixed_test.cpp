@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/fluid/particle_pressure.hpp"
 #include "core/walls/walls.hpp"
 #include "tests/support/simulation.hpp"
 
@@ -79,7 +80,7 @@ TEST(Mixed, LiquidRestsOnASolid) {
     }
     bottom = std::min(bottom, z);
     if (z < 0.08 || z > 0.16) continue;
-    pressure += static_cast<double>(p.pressure[i]);
+    pressure += static_cast<double>(pressureOfParticle(run.w, run.tools.liquids, i));
     exact += 1000 * 9.81 * (top - z);
   }
   EXPECT_NEAR(pressure, exact, 0.02 * exact);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/fluid/particle_pressure.hpp"
 #include "core/fluid/surface_energy.hpp"
 #include "tests/support/simulation.hpp"
 
@@ -214,7 +215,7 @@ TEST(SurfaceEnergy, PressureInADrop) {
     mass += p.mass[i];
     farthest = std::max(farthest, length(p.position[i]));
     if (length(p.position[i]) > 0.6) continue;
-    pressure += static_cast<double>(p.pressure[i]);
+    pressure += static_cast<double>(pressureOfParticle(run.w, run.tools.liquids, i));
     count++;
   }
   const double R = std::cbrt(3 * mass / (4 * M_PI));

@@ -213,7 +213,7 @@ struct HaloRig {
         p.filling[i] = static_cast<float>(p.id[i] % 4096) + 0.5f * static_cast<float>(round);
         p.velocity[i] = Cloud::velocity(p.id[i]) + Vec3d{1.0 + round, 0, 0};
       }
-      std::vector<AnyColumn*> columns{&p.filling, &p.pressure, &p.velocity};
+      std::vector<AnyColumn*> columns{&p.filling, &p.exposure, &p.velocity};
       halo.beginRefresh(p, columns);
       halo.finishRefresh(p);
       for (std::size_t i = p.owned; i < p.size(); i++) {

@@ -206,7 +206,6 @@ void findPressure(World& w, Halos halos, StepTools& t, double dt) {
   stopCompression(system, dt, next, share);
   keepVolume(system, next, share);
   bookResistance(w, before, dt, next);
-  for (std::size_t i = 0; i < p.owned; i++) p.pressure[i] = p.holding[i] + p.steadying[i];
   if (halos.all.rank() == 0) {
     w.counters.densityIterations += w.lastIterations.density;
     w.counters.divergenceIterations += w.lastIterations.divergence;

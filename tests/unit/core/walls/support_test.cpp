@@ -60,10 +60,9 @@ TEST(WallPressure, CoincidingWallsPushOnce) {
     r.w.scene.domain.gravity = {};
     for (int k = 0; k < copies; k++) r.add(std::make_shared<Plane>(Vec3d{0, 0, 1}, -0.05));
     r.addParticle({0, 0, 0}, {}, Liquid);
-    r.w.particles.pressure[0] = 1000;
+    r.w.particles.filling[0] = 1.01f;
     r.start();
-    r.w.particles.pressure[0] = 1000;
-    r.w.particles.filling[0] = 1;
+    r.w.particles.filling[0] = 1.01f;
     r.evaluate(1e-3);
     return r.w.particles.force[0].z;
   };
