@@ -56,7 +56,7 @@ SurfelRow blendedSurfel(const Patch& patch, const SurfacePoint& p) {
   const Vec3d across = s.tangent[i] - p.normal * dot(p.normal, s.tangent[i]);
   born.tangent = dot(across, across) > 0.01 ? normalized(across) : anyTangent(p.normal);
   const double reach = 1.5 * s.radius[i];
-  double sum = 0, radius = 0, detail = 0, liquid = 0, temperature = 0, colour[3]{};
+  double sum = 0, radius = 0, detail = 0, liquid = 0, temperature = 0, colour[3]{}, soft = 0, softened = 0, mark = 0;
   const auto add = [&](std::size_t j) {
     const Vec3d d = s.position[j] - p.position;
     const double u = std::max(1 - dot(d, d) / (reach * reach), j == i ? 1e-3 : 0.0), w = u * u * u;  // the parent counts in any case
@@ -65,6 +65,7 @@ SurfelRow blendedSurfel(const Patch& patch, const SurfacePoint& p) {
     detail += w * static_cast<double>(s.detail[j]);
     if (s.liquid.active) liquid += w * static_cast<double>(s.liquid[j]);
     if (s.temperature.active) temperature += w * static_cast<double>(s.temperature[j]);
+    if (s.softened.active && s.softened[j] > 0) soft += w, softened += w * static_cast<double>(s.softened[j]), mark += w * static_cast<double>(s.mark[j]);
     for (int c = 0; c < 3; c++) colour[c] += w * static_cast<double>(s.colour[j] >> 8 * c & 255);
   };
   add(i);
@@ -73,6 +74,7 @@ SurfelRow blendedSurfel(const Patch& patch, const SurfacePoint& p) {
   born.detail = static_cast<float>(detail / sum);
   born.liquid = static_cast<float>(liquid / sum);
   born.temperature = static_cast<float>(temperature / sum);
+  if (s.softened.active && s.softened[i] > 0) born.softened = static_cast<float>(softened / soft), born.mark = static_cast<float>(mark / soft);
   for (int c = 0; c < 3; c++) born.colour |= static_cast<std::uint32_t>(std::clamp(std::lround(colour[c] / sum), 0l, 255l)) << 8 * c;
   placeAtStart(patch, born);
   return born;
@@ -95,6 +97,7 @@ void appendSurfels(Surfels& s, const std::vector<SurfelRow>& rows) {
     if (s.follows.active) s.follows[i] = r.follows, s.startPlace[i] = r.startPlace, s.startNormal[i] = r.startNormal, s.startTangent[i] = r.startTangent;
     if (s.loose.active) s.loose[i] = r.detail < 0.5f;
     if (s.liquid.active) s.liquid[i] = r.liquid;
+    if (s.softened.active) s.softened[i] = r.softened, s.mark[i] = r.mark;
     if (s.temperature.active) s.temperature[i] = r.temperature;
     i++;
   }

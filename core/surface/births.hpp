@@ -13,7 +13,7 @@ struct SurfelRow {
   Vec3d position{}, normal{0, 0, 1}, tangent{1, 0, 0};  ///< m, unit, unit
   double radius = 0;                                    ///< m
   std::uint32_t colour = 0;
-  float detail = 0, liquid = 0, temperature = 0;
+  float detail = 0, liquid = 0, temperature = 0, softened = 0, mark = 0;
   bool follows = false;                                 ///< as it would have been at the start (follow_start.hpp):
   Vec3d startPlace{}, startNormal{}, startTangent{};    ///< m, unit, unit
   static constexpr std::uint32_t none = 0xffffffffu;

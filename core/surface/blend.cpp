@@ -3,30 +3,59 @@
 #include "core/surface/relax_tools.hpp"
 
 namespace thaw {
+namespace {
+
+/// What surfel i does in this update of its way from where it was carried to onto the smooth surface.
+struct Way {
+  double down = 0;   // m, against the settled normal
+  double share = 0;  // of the rest: along the surface, and of the turn
+};
+
+/// Its height over the smooth surface is a mark and what the motion has added. The mark fades to 1 - b of itself, the largest b since it was solid counts; the motion's part by b in each
+/// update, as in the paper: what the update takes away does not come back. A slow part of the motion's goes over to the mark, since what is hardly liquid is carried rather than settled.
+Way wayOf(Surfels& s, std::size_t i, double b, double height) {
+  const bool told = s.softened.active;
+  const double before = told ? static_cast<double>(s.softened[i]) : 0, mark = before > 0 ? static_cast<double>(s.mark[i]) : height;
+  const double left = b >= 1 ? 0 : b > before ? (1 - b) / (1 - before) : 1, added = height - mark;
+  if (told) {
+    const double solid = (1 - b) * (1 - b);
+    s.softened[i] = static_cast<float>(std::max(before, b));
+    s.mark[i] = static_cast<float>(mark * left + solid * solid * added);
+  }
+  const double off = std::min(1.0, added * added / (s.radius[i] * s.radius[i]));
+  const double down = std::clamp(mark * (1 - left) + b * added, std::min(height, 0.0), std::max(height, 0.0));  // never away from the surface
+  return {down, 1 - left * (1 - b * off)};
+}
+
+}  // namespace
 
 void blendSurfels(World& w) {
   Surfels& s = w.surface.surfels;
   if (!s.carriedNormal.active) return;
   s.resize(s.owned, 0);
   for (std::size_t i = 0; i < s.owned; i++) {
-    const Vec3d before = s.carriedNormal[i];
+    const Vec3d before = s.carriedNormal[i], settled = s.normal[i];
     if (dot(before, before) == 0) {  // born in this update
       s.calm[i] = 0;
       continue;
     }
     const double b = std::clamp(static_cast<double>(s.liquid[i]), 0.0, 1.0);
-    const Vec3d move = b * (s.position[i] - s.carried[i]);
+    Vec3d move = s.position[i] - s.carried[i];
+    const double height = -dot(move, settled);
+    Way way;
+    if (b > 0) way = wayOf(s, i, b, height);
+    else if (s.softened.active) s.softened[i] = s.mark[i] = 0;
     if (b < 1) {
+      move = way.share * (move + height * settled) - way.down * settled;
       s.position[i] = s.carried[i] + move;
-      Vec3d d = s.position[i] - s.carried[i];
-      const Vec3d n = (1 - b) * before + b * s.normal[i];
+      const Vec3d n = (1 - way.share) * before + way.share * settled;
       const double size = length(n);
       s.normal[i] = size > 1e-6 ? n / size : before;  // opposite ones have no middle
-      d = s.tangent[i] - dot(s.tangent[i], s.normal[i]) * s.normal[i];
+      const Vec3d d = s.tangent[i] - dot(s.tangent[i], s.normal[i]) * s.normal[i];
       if (dot(d, d) > 1e-12) s.tangent[i] = normalized(d);
     }
     s.calm[i] = std::max(0.0f, s.calm[i] - static_cast<float>(length(move) / s.radius[i]));
-    if (length(move) > w.scene.surface.stop * s.radius[i]) s.detail[i] = static_cast<float>(static_cast<double>(s.detail[i]) * (1 - b));
+    s.detail[i] = static_cast<float>(static_cast<double>(s.detail[i]) * (1 - way.share));
   }
   deactivate(s.carried);
   deactivate(s.carriedNormal);

@@ -26,6 +26,7 @@ void activateSurfaceFields(Surface& s, const Modules& m, bool walls) {
   if (m.melting || m.fluid) {  // else the surface is carried along and nothing more
     f.activate(f.liquid);
     p.activate(p.liquid);
+    if (m.solid) f.activate(f.softened), f.activate(f.mark);
   }
   if (m.solid) {
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.covered, &p.startPlace}) p.activate(*c);

@@ -188,7 +188,7 @@ void placeOpen(Surface& surface, SurfaceHalos halos, SurfaceTools& t, OpenRegion
   Surfels& s = *r.table;
   CellTable& cells = region.taken ? region.cells : surface.surfelCells;
   placeRows(surface.grid, halos.surfels, s, cells, t.sort);
-  ColumnList columns{&s.id, &s.position, &s.normal, &s.radius, &s.component, &s.colour, &s.detail, &s.calm, &s.liquid, &s.temperature};
+  ColumnList columns{&s.id, &s.position, &s.normal, &s.radius, &s.component, &s.colour, &s.detail, &s.calm, &s.liquid, &s.softened, &s.mark, &s.temperature};
   if (s.follows.active)
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&s.follows, &s.tangent, &s.startPlace, &s.startNormal, &s.startTangent}) columns.push_back(c);
   addGhosts(halos.surfels, s, cells, columns);

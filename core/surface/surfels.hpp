@@ -19,6 +19,8 @@ struct Surfels : Table {
   Column<std::uint32_t> colour{*this, "colour", "1", Keep::State, "of the surface, red | green << 8 | blue << 16"};
   Column<float> detail{*this, "detail", "1", Keep::State, "height of the mesh's detail that the surfel still carries, 1 at the start, 0 where it has melted"};
   Column<float> liquid{*this, "liquid", "1", Keep::State, "liquid fraction of the particles around: the share of the surface update (K05 4.5)"};
+  Column<float> softened{*this, "softened", "1", Keep::State, "largest liquid fraction since it was solid, to which its marks have faded (blend.hpp); 0: none yet. Only with solids that melt"};
+  Column<float> mark{*this, "mark", "m", Keep::State, "height over the smooth surface that it keeps, where softened > 0"};
   Column<float> temperature{*this, "temperature", "K", Keep::State, "of the particles around; only with heat"};
   Column<float> calm{*this, "calm", "1", Keep::State, "strain and moves in radii that it may still undergo before resampling looks at its surroundings; 0: at once"};
   Column<std::uint8_t> follows{*this, "follows", "1", Keep::State, "its place follows from that at the start (follow_start.hpp); only with solids"};

@@ -28,7 +28,7 @@
 namespace thaw {
 
 /// Of the layout of the files, and of what their values say; other ones are refused.
-inline constexpr std::int64_t checkpointFormat = 5;
+inline constexpr std::int64_t checkpointFormat = 6;
 
 /// Further numbers of a run that are not in a World, by name.
 using CheckpointValues = std::map<std::string, double>;

@@ -35,6 +35,8 @@ std::unique_ptr<SettleRig> ball(bool periodic) {
     p.position[i] = x + middle;
   }
   Surfels& s = rig.w.surface.surfels;
+  s.activate(s.softened);
+  s.activate(s.mark);
   for (std::size_t i = 0; i < s.owned; i++) s.position[i] += middle;
   return made;
 }
@@ -60,8 +62,8 @@ void update(World& w, SurfaceHalos halos, SurfaceTools& t) {
   }
 }
 
-struct Row { Vec3d position, normal, tangent; float liquid, detail; };
-Row rowOf(const Surfels& s, std::size_t i) { return {s.position[i], s.normal[i], s.tangent[i], s.liquid[i], s.detail[i]}; }
+struct Row { Vec3d position, normal, tangent; float liquid, detail, softened, mark; };
+Row rowOf(const Surfels& s, std::size_t i) { return {s.position[i], s.normal[i], s.tangent[i], s.liquid[i], s.detail[i], s.softened[i], s.mark[i]}; }
 
 void keepShare(Table& rows, int rank, int size) {
   std::vector<std::uint32_t> kept;
