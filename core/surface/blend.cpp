@@ -1,9 +1,15 @@
 #include "core/surface/blend.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/surface/relax_tools.hpp"
 
 namespace thaw {
 namespace {
+
+/// Half-molten, a strain of 1 leaves 1/e of a mark.
+constexpr double wipes = 2;
 
 /// What surfel i does in this update of its way from where it was carried to onto the smooth surface.
 struct Way {
@@ -11,12 +17,13 @@ struct Way {
   double share = 0;  // of the rest: along the surface, and of the turn
 };
 
-/// Its height over the smooth surface is a mark and what the motion has added. The mark fades to 1 - b of itself, the largest b since it was solid counts; the motion's part by b in each
+/// Its height over the smooth surface is a mark and what the motion has added. The mark fades to 1 - b of itself, the largest b since it was solid counts, and as it is kneaded, by e^(-wipes b strain); the motion's part by b in each
 /// update, as in the paper: what the update takes away does not come back. A slow part of the motion's goes over to the mark, since what is hardly liquid is carried rather than settled.
 Way wayOf(Surfels& s, std::size_t i, double b, double height) {
   const bool told = s.softened.active;
   const double before = told ? static_cast<double>(s.softened[i]) : 0, mark = before > 0 ? static_cast<double>(s.mark[i]) : height;
-  const double left = b >= 1 ? 0 : b > before ? (1 - b) / (1 - before) : 1, added = height - mark;
+  const double strain = s.strain.active ? static_cast<double>(s.strain[i]) : 0, added = height - mark;
+  const double left = b >= 1 ? 0 : (b > before ? (1 - b) / (1 - before) : 1) * std::exp(-wipes * b * strain);
   if (told) {
     const double solid = (1 - b) * (1 - b);
     s.softened[i] = static_cast<float>(std::max(before, b));
@@ -59,6 +66,7 @@ void blendSurfels(World& w) {
   }
   deactivate(s.carried);
   deactivate(s.carriedNormal);
+  deactivate(s.strain);
 }
 
 }  // namespace thaw

@@ -161,6 +161,7 @@ void displaceSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
   s.resize(s.owned, 0);
   s.activate(s.moving);   // here: no particles around
   s.activate(s.carried);  // here: how far
+  if (blend) s.activate(s.strain);
   RelaxTools& r = t.relax;
   const double h = w.surface.particleSupport;
   fillBins(w.surface.grid, w.surface.particleCells, p.position.data(), 0.5 * h, r.particleBins);
@@ -186,7 +187,9 @@ void displaceSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
       return;
     }
     if (!turnFrame(c.gradient, s.normal[i], s.tangent[i])) told[1]++;
-    s.calm[i] = std::max(0.0f, s.calm[i] - static_cast<float>(strainOf(c.gradient)));
+    const auto strain = static_cast<float>(strainOf(c.gradient));
+    s.calm[i] = std::max(0.0f, s.calm[i] - strain);
+    if (blend) s.strain[i] = strain;
     if (s.liquid.active) s.liquid[i] = static_cast<float>(c.liquid);
     if (s.temperature.active) s.temperature[i] = static_cast<float>(c.temperature);
   };

@@ -37,6 +37,7 @@ struct Surfels : Table {
   Column<std::uint8_t> standing{*this, "standing", "1", Keep::State, "the iterations found it on a wall that it faces (findStanding); only with walls"};
   Column<Vec3d> carried{*this, "carried", "m", Keep::State, "where the particles' displacement has carried it (displaceSurfels)"};
   Column<Vec3d> carriedNormal{*this, "carriedNormal", "1", Keep::State, "its normal there; 0: born in this update"};
+  Column<float> strain{*this, "strain", "1", Keep::State, "magnitude of the strain since the last update (displaceSurfels)"};
   Column<std::uint8_t> loose{*this, "loose", "1", Keep::State, "new on the face of a crack, or beside a seam of what has joined: it settles in this update, solid or not"};
   // of its components and measures
   Column<double> reach{*this, "reach", "m^2", Keep::Transient, "square of the distance to the farthest of the nearest surfels that it hangs together with"};

@@ -58,8 +58,9 @@ void drawColourBar(Image& image, const ColourScale& scale) {
   for (int y = -1; y <= tall; y++)
     for (int x = -1; x <= wide; x++) {
       const bool edge = y < 0 || x < 0 || y == tall || x == wide;
-      const double t = 1 - (y + 0.5) / tall;
-      mix(image, left + x, top + y, edge ? ink : palette[static_cast<std::size_t>(std::clamp(std::lround(255 * t), 0L, 255L))], edge ? 0.5 : 1);
+      // where there is no range, the one colour that everything has
+      const double value = scale.max > scale.min ? scale.min + (1 - (y + 0.5) / tall) * (scale.max - scale.min) : scale.min;
+      mix(image, left + x, top + y, edge ? ink : palette[static_cast<std::size_t>(paletteIndex(scale, value))], edge ? 0.5 : 1);
     }
   for (std::size_t i = 0; i < ticks.values.size(); i++) {
     const double t = scale.max > scale.min ? (ticks.values[i] - scale.min) / (scale.max - scale.min) : 0.5;

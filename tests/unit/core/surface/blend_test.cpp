@@ -96,5 +96,27 @@ TEST(Blend, WhatFreezesKeepsTheDetailThatItHas) {
   for (std::size_t i = 0; i < s.owned; i++) EXPECT_EQ(s.detail[i], 0);
 }
 
+/// What is half-molten and flows loses the marks that were carried along with it, at any rate of updates; what is solid does not.
+TEST(Blend, KneadingWipesMarksOfWhatIsMolten) {
+  const auto knead = [](double liquid, int updates) {
+    Bumpy ball;
+    Surfels& s = ball.rig.w.surface.surfels;
+    ball.update(liquid);
+    for (int k = 0; k < updates; k++) {  // a strain of 1 in all, without the motion
+      s.activate(s.carried);
+      s.activate(s.carriedNormal);
+      s.activate(s.strain);
+      for (std::size_t i = 0; i < s.owned; i++) s.carried[i] = s.position[i], s.carriedNormal[i] = s.normal[i], s.strain[i] = static_cast<float>(1.0 / updates);
+      ball.rig.settle(60, false);
+      blendSurfels(ball.rig.w);
+    }
+    return ball.left();
+  };
+  EXPECT_NEAR(knead(0, 5), 1, 1e-9);
+  const double once = knead(0.5, 1);
+  EXPECT_NEAR(once, 0.5 * std::exp(-1), 0.05);
+  EXPECT_NEAR(knead(0.5, 10), once, 0.02);
+}
+
 }  // namespace
 }  // namespace thaw

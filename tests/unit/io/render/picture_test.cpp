@@ -116,6 +116,18 @@ TEST(Ticks, AreRoundNumbersInsideTheRange) {
   }
 }
 
+TEST(ColourBar, OfAConstantFieldHasTheColourThatThePictureHas) {
+  for (const double value : {0.0, 5.0}) {
+    const ColourScale scale{value, value, ColourMap::Sea, "", ""};
+    Image image(120, 400, {255, 255, 255});
+    drawColourBar(image, scale);
+    const Rgb wanted = paletteOf(scale.map)[static_cast<std::size_t>(paletteIndex(scale, value))];
+    int bar = 0;
+    for (int y = 70; y < 260; y++) bar += std::find(&image.at(0, y), &image.at(0, y) + image.width, wanted) != &image.at(0, y) + image.width;
+    EXPECT_EQ(bar, 190);
+  }
+}
+
 TEST(Text, LeavesInkWhereItShould) {
   Image image(200, 40, {255, 255, 255});
   drawText(image, 100, 30, "1 W/(m K)", {14, {0, 0, 0}, Align::Centre});
