@@ -5,6 +5,7 @@
 
 #include "benchmarks/accuracy/made_meshes.hpp"
 #include "core/math/exact_sum.hpp"
+#include "core/solid_step.hpp"
 #include "core/surface/surface_due.hpp"
 #include "io/commands/scene_for_all.hpp"
 #include "parallel/balance.hpp"
@@ -44,6 +45,7 @@ void surfaceAfterStep(Trial& r, double move2) {
   World& w = r.world;
   if (!frameDue(w.clock) && !surfaceDue(w, move2) && w.clock.time < w.clock.end) return;
   const double begin = processorSeconds();
+  if (w.modules.solid) findElasticEnergy(w, r.tools);
   updateSurface(w, r.surface->halos(), r.surfaceTools);
   r.updateSeconds += processorSeconds() - begin;
   passFrames(w.clock);

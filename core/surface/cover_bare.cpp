@@ -192,7 +192,8 @@ void findRags(const World& w, SurfaceTools& t, std::vector<std::uint8_t>& dead) 
   forFieldAtSurfels(w, t, asked, [&](std::size_t i, const FieldHere& c) {
     const double slope = length(c.gradient), along = slope > 0 ? -dot(c.gradient, f.normal[i]) / slope : -1;
     const double under = c.value / c.level - 1;
-    dead[i] = f.detail[i] >= 0.5f ? under < -meshOver || along < -0.2 : under < -hangsOver || under > liesUnder || along < 0.5;
+    // a mesh may begin half a spacing farther in than particles have their surface: what softens there is carried out by the iterations
+    dead[i] = f.detail[i] >= 0.5f ? under < -meshOver || along < -0.2 : under < -hangsOver || (under > liesUnder && cold(i)) || along < 0.5;
   });
 }
 

@@ -1,5 +1,6 @@
 #include "io/run/surface_run.hpp"
 
+#include "core/solid_step.hpp"
 #include "io/hdf5/agree.hpp"
 #include "io/output/surface_frame.hpp"
 #include "io/run/surface_log.hpp"
@@ -34,6 +35,7 @@ void updateSurfaceOf(Run& r) {
   Surface& s = r.world.surface;
   const std::size_t events = s.events.size();
   r.tools.times.start();
+  if (r.world.modules.solid) findElasticEnergy(r.world, r.tools);  // and F: the volume that solids have now (gather_particles.cpp)
   updateSurface(r.world, r.surface->halos(), r.surfaceTools);
   r.tools.times.lap(StepPhase::Surface);
   r.summary.surface.updatesHere++;
