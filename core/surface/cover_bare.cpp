@@ -26,6 +26,9 @@ namespace {
 constexpr double neighbourReach = 1.7;
 /// Surfels are looked for within this many spacings of a particle or seed. A mesh may lie a spacing over the outermost particles.
 constexpr double surfelReach = 1.8;
+/// A face is begun where no surfel is over or under a circle of this radius, in spacings: one seed in the crease of a groove, past which discs leave a slit, would grow to a
+/// second skin over it. What is narrower is closed from its rims (resample).
+constexpr double seedRoom = 0.6;
 /// Over a true opening the colour falls below this share of its level half a spacing farther out.
 constexpr double fallsTo = 0.75;
 /// How far the colour at a grown surfel may be from its level, over that: a third of a spacing outward, half a spacing inward. A mesh's: .8 outward.
@@ -65,7 +68,7 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
   const double dx = w.scene.spacing, reach = surfelReach * dx, near2 = neighbourReach * neighbourReach * dx * dx;
   double largest = 0;
   for (std::size_t i = 0; i < f.size(); i++) largest = std::max(largest, f.radius[i]);
-  const double far = 1.2 * dx + std::hypot(reach, largest);  // seen from a seed's place, up to 1.2 spacings off
+  const double far = 1.2 * dx + std::hypot(reach, std::max(largest, seedRoom * dx));  // seen from a seed's place, up to 1.2 spacings off
   SeedDirections seeds(w);
   FreeDirections free;
   DiscsOver near(w.scene.spacing, surfelReach), all(w.scene.spacing, surfelReach);
@@ -101,7 +104,7 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
       gathered = true;
       all.clear();
       forRowsAround(t.relax.surfelBins, x, x, far, [&](std::uint32_t j, const Vec3d& there) {
-        if (f.component[j] == p.component[i]) all.add(there - x, f.normal[j], f.radius[j]);
+        if (f.component[j] == p.component[i]) all.add(there - x, f.normal[j], std::max(f.radius[j], seedRoom * dx));
       });
     };
     std::size_t n = 0;
@@ -154,7 +157,7 @@ void findRags(const World& w, SurfaceTools& t, std::vector<std::uint8_t>& dead) 
   std::vector<Vec3d> grown;
   std::vector<std::uint32_t> row;
   for (std::uint32_t i = 0; i < f.size(); i++)
-    if (f.detail[i] < 0.5f && solid(i)) grown.push_back(f.position[i]), row.push_back(i);
+    if (f.detail[i] < 0.5f && cold(i)) grown.push_back(f.position[i]), row.push_back(i);
   Bins bins;
   fillBins(grown.data(), grown.size(), reach, bins);
   dead.assign(f.owned, 0);

@@ -71,6 +71,18 @@ bool pastEdge(const Patch& patch, const SurfacePoint& p, double distance) {
   return false;
 }
 
+/// Does p lie on none of the discs around it, nor near the plane of any? Between faces that meet in an edge the mean of their planes (ontoSurface) may lie deep under both; what is born there
+/// goes on as a second sheet behind the surface.
+bool offAllDiscs(const Patch& patch, const SurfacePoint& p, double distance) {
+  constexpr double highest = 0.4;
+  const Surfels& s = *patch.surfels;
+  const auto on = [&](std::size_t j) {
+    const Vec3d d = p.position - s.position[j];
+    return dot(d, d) < 2.25 * distance * distance && std::abs(dot(d, s.normal[j])) < highest * distance;
+  };
+  return !on(patch.centre) && std::none_of(patch.rows.begin(), patch.rows.end(), on);
+}
+
 }  // namespace
 
 double widestGap(const Patch& patch, const SurfacePoint& p, double reach) {
@@ -118,7 +130,7 @@ std::optional<SurfacePoint> emptyPlace(Patch& patch, double distance) {
     for (std::size_t m = 0; m < n; m++) {
       const SurfacePoint& p = around[of[m]] = some[m];
       const Vec3d d = p.position - centre;
-      empty[of[m]] = dot(d, d) > 0.81 * distance * distance && dot(d, d) < 1.44 * distance * distance && !covered(patch, p, 0.95 * distance) && !pastEdge(patch, p, distance);
+      empty[of[m]] = dot(d, d) > 0.81 * distance * distance && dot(d, d) < 1.44 * distance * distance && !covered(patch, p, 0.95 * distance) && !pastEdge(patch, p, distance) && !offAllDiscs(patch, p, distance);
       count += empty[of[m]];
     }
     n = 0;
