@@ -8,6 +8,7 @@
 #include "core/surface/births.hpp"
 #include "core/surface/discs_over.hpp"
 #include "core/surface/drop_surfels.hpp"
+#include "core/surface/follow_start.hpp"
 #include "core/surface/grow.hpp"
 #include "core/surface/iso_surface.hpp"
 #include "core/surface/local_surface.hpp"
@@ -41,9 +42,13 @@ constexpr double looseReach = 2.5;
 constexpr int mostRounds = 3;
 /// Liquid of the same component is beside a solid particle within this many spacings.
 constexpr double wetReach = 2;
+/// The surface of the start is over a particle within this many spacings.
+constexpr double keptWithin = 1.2;
 
-/// What is solid beside liquid may lose its surface to it, or share one with it, and stands bare when that flows off: it is not covered from now on.
+/// What is solid beside liquid may lose its surface to it, or share one with it, and stands bare when that flows off: it is not covered from now on, unless surfels that follow the solid
+/// are over it. Those stay as long as it is cold. Surfels have ghosts and bins.
 void bareBesideLiquid(const World& w, const SurfaceTools& t, SurfaceParticles& p) {
+  const Surfels& f = w.surface.surfels;
   if (!p.covered.active || !p.liquid.active) return;
   constexpr float wet = 0.02f;
   std::vector<std::uint8_t> flows(p.size());
@@ -55,7 +60,10 @@ void bareBesideLiquid(const World& w, const SurfaceTools& t, SurfaceParticles& p
     if (!p.covered[i]) continue;
     bool beside = flows[i];
     if (!beside) forRowsWithin(liquid, p.position[i], wetReach * w.scene.spacing, [&](std::uint32_t j, double) { beside = beside || p.component[j] == p.component[i]; });
-    p.covered[i] = !beside;
+    if (!beside) continue;
+    bool kept = false;
+    if (!flows[i]) forRowsWithin(t.relax.surfelBins, p.position[i], keptWithin * w.scene.spacing, [&](std::uint32_t j, double) { kept = kept || (f.component[j] == p.component[i] && follows(f, j)); });
+    p.covered[i] = kept;
   }
 }
 
@@ -221,13 +229,13 @@ std::int64_t coverBare(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
   readyParticles(w, halos, t);
-  bareBesideLiquid(w, t, s.particles);
   const bool coloured = coloursMayDiffer(w.scene);
   const auto look = [&] {
     placeRows(s.grid, halos.surfels, f, s.surfelCells, t.sort);
     ColumnList columns{&f.id, &f.position, &f.normal, &f.radius, &f.component, &f.detail};
     if (f.liquid.active) columns.push_back(&f.liquid);
     if (f.loose.active) columns.push_back(&f.loose);
+    if (f.follows.active) columns.push_back(&f.follows);
     if (coloured) columns.push_back(&f.colour);
     addGhosts(halos.surfels, f, s.surfelCells, columns);
     fillBins(s.grid, s.surfelCells, f.position.data(), surfelReach * w.scene.spacing, t.relax.surfelBins);
@@ -235,6 +243,7 @@ std::int64_t coverBare(World& w, SurfaceHalos halos, SurfaceTools& t) {
   std::int64_t all = 0;
   for (int round = 0; round < mostRounds; round++) {
     look();
+    if (round == 0) bareBesideLiquid(w, t, s.particles);
     std::vector<std::uint8_t> dead;
     findRags(w, t, dead);
     std::int64_t count[2] = {0, std::count(dead.begin(), dead.end(), 1)};

@@ -130,6 +130,7 @@ void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int
       probe.at(&p.position, 1, &c);
       return c.value > leastOverDetail * c.level;
     }
+    if (border && f.follows.active && f.follows[i]) return false;  // the surface of the start has no rim: past a crease it would go on as a skin over the groove
     if (goesOnAtWall(w, probe, f, i, p)) return true;
     std::optional<SurfacePoint> at;
     const auto onto = [&](const Vec3d& x) {

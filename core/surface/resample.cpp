@@ -8,6 +8,7 @@
 #include "core/surface/adapt_density.hpp"
 #include "core/surface/births.hpp"
 #include "core/surface/empty_place.hpp"
+#include "core/surface/follow_start.hpp"
 #include "core/surface/grow.hpp"
 #include "core/surface/open_region.hpp"
 #include "core/surface/place_rows.hpp"
@@ -20,6 +21,9 @@ namespace {
 
 enum Wish : std::uint8_t { Birth = 1, Crowded = 2, Champion = 4, Changed = 8 };  // Champion: comes before all that are too close to it
 
+/// Beside what melts a mesh's surfels are carried, and still stand as the mesh had them.
+bool carriesDetail(const Surfels& s, std::size_t i) { return s.detail[i] > 0.9f && s.liquid.active && s.liquid[i] < 0.05f; }
+
 constexpr double border = 3.6;  // rad: 206 degrees
 /// Surfels::calm within a call of one that is on a rim, until its surroundings change.
 constexpr float refused = -1;
@@ -29,6 +33,7 @@ struct Round {
   double reach;  ///< m, of the lists
   std::uint64_t seed, salt;
   const BirthPlace& mayBe;
+  bool start;    ///< nothing has moved yet
   std::vector<std::uint64_t> birthOrder{}, deathOrder{};  ///< of all rows, ghosts too
   std::vector<float> closest{};                           ///< of owned rows
   std::vector<std::uint32_t> going{};
@@ -79,8 +84,12 @@ struct Round {
       }
       s.calm[i] = calmFor;
       patch.fitCurvature();
-      std::optional<SurfacePoint> place = emptyPlace(patch, (follows(s, i) ? emptyAtSolid : c.thin ? emptyAtThin : emptyAt) * s.radius[i]);
+      std::optional<SurfacePoint> place = emptyPlace(patch, (follows(s, i) || (!start && carriesDetail(s, i)) ? emptyAtSolid : c.thin ? emptyAtThin : emptyAt) * s.radius[i]);
       if (!place) continue;
+      if (follows(s, i) && !stretched(patch)) {
+        s.calm[i] = refused;
+        continue;
+      }
       const bool beyond = widestGap(patch, *place, 2 * s.radius[i]) > border;
       s.calm[i] = 0;  // a rim stays under observation: the body may go on there
       if ((mayBe ? !mayBe(s, i, *place, beyond) : beyond) || taken(i, *place)) {
@@ -91,6 +100,21 @@ struct Round {
       s.offer[i] = place->position - s.position[i];
       s.offerNormal[i] = place->normal;
     }
+  }
+
+  /// Are some of those beside the centre, which follows, farther from it than they were at the start? Where none is, what looks like a hole is the crease of a groove that closes, whose
+  /// faces do not see each other.
+  bool stretched(const Patch& patch) const {
+    constexpr double least = 1.15;
+    const Surfels& s = *table;
+    const std::size_t i = patch.centre;
+    const double far = 2.5 * s.radius[i];
+    for (const std::uint32_t j : patch.rows) {
+      if (!follows(s, j)) return true;
+      const Vec3d now = s.position[j] - s.position[i], then = s.startPlace[j] - s.startPlace[i];
+      if (dot(then, then) < far * far && dot(now, now) > least * least * dot(then, then)) return true;
+    }
+    return false;
   }
 
   /// Is a surfel of its side so near that one of the two would have to die?
@@ -231,7 +255,7 @@ Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t r
       done.finished = true;
       break;
     }
-    Round r{table, t.surfelsOf, reach, w.scene.seed, saltOf(w, done, round), mayBe};
+    Round r{table, t.surfelsOf, reach, w.scene.seed, saltOf(w, done, round), mayBe, w.clock.step == 0};
     placeOpen(surface, halos, t, region, r);
     if (adapt && round == 0) {
       r.open.assign(all.size(), 1);
