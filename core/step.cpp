@@ -122,6 +122,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   t.times.lap(StepPhase::Walls);
   if (w.modules.sheet) loadSheets(w, halos, t, dt);      // forces on vertices, and of vertices on particles
   if (w.modules.meeting) meetContinuum(w, t, dt);        // oriented particles and the continuum
+  if (w.modules.oriented) bookBornContacts(w, t);        // of those born in this step
   bookClamps(walls, t.wallContacts);
   if (w.modules.implicitViscosity) solveViscosity(w, halos, t, walls);  // knows all other forces
   if (w.modules.heat) {

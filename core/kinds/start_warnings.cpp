@@ -5,6 +5,7 @@
 #include "core/geometry/point_tree.hpp"
 #include "core/geometry/shape_error.hpp"
 #include "core/kinds/kinds.hpp"
+#include "core/kinds/start_contacts.hpp"
 
 namespace thaw {
 namespace {
@@ -39,7 +40,7 @@ template<class Is> std::vector<std::vector<std::int64_t>> countRows(const KindRo
 }
 
 void warnOfPlaces(const World& w, const KindRows& rows, const std::vector<Who>& whose, const std::vector<std::shared_ptr<const SignedDistance>>& shapes, Reducer& all,
-                  SceneProblems& problems, std::vector<SceneWarning>& warnings) {
+                  SceneProblems& problems, std::vector<SceneWarning>& warnings, ToldPairs& told) {
   const auto inBodies = countRows(rows, whose.size(), shapes.size(), all, [&](std::size_t i, std::size_t k) { return shapes[k] && shapes[k]->inside(rows.position[i]); });
   const auto inWalls = countRows(rows, whose.size(), w.walls.list.size(), all, [&](std::size_t i, std::size_t k) {
     const Wall& wall = w.walls.list[k];
@@ -56,11 +57,17 @@ void warnOfPlaces(const World& w, const KindRows& rows, const std::vector<Who>& 
   for (std::size_t b = 0; b < whose.size(); b++) {
     const std::int64_t n = inBodies[b].back();
     for (std::size_t k = 0; k < shapes.size(); k++)
-      if (inBodies[b][k] > 0) tellInside(whose[b], counted(inBodies[b][k], n, whose[b]) + " begin inside body '" + w.scene.bodies[k].name + "'", w.scene.bodies[k]);
-    for (std::size_t k = 0; k < w.walls.list.size(); k++)
-      if (inWalls[b][k] > 0)
-        warnings.push_back({whose[b].where, counted(inWalls[b][k], n, whose[b]) + " begin deeper than half of its thickness in the contact with obstacle '" + w.walls.list[k].properties.name +
-                                                "': pushing them out adds energy"});
+      if (inBodies[b][k] > 0) {
+        const std::string body = "body '" + w.scene.bodies[k].name + "'";
+        told.insert({whose[b].name, body});
+        tellInside(whose[b], counted(inBodies[b][k], n, whose[b]) + " begin inside " + body, w.scene.bodies[k]);
+      }
+    for (std::size_t k = 0; k < w.walls.list.size(); k++) {
+      if (inWalls[b][k] == 0) continue;
+      const std::string wall = "obstacle '" + w.walls.list[k].properties.name + "'";
+      told.insert({whose[b].name, wall});
+      warnings.push_back({whose[b].where, counted(inWalls[b][k], n, whose[b]) + " begin deeper than half of its thickness in the contact with " + wall + ": pushing them out adds energy"});
+    }
   }
 }
 
@@ -72,7 +79,7 @@ struct Other {
 };
 
 /// Rows of each body that begin deep in the contact with one of `others` before it in the list. first: of the body's place in the list.
-void warnOfOthers(const KindRows& rows, const std::vector<Who>& whose, const std::vector<Other>& others, std::size_t first, Reducer& all, std::vector<SceneWarning>& warnings) {
+void warnOfOthers(const KindRows& rows, const std::vector<Who>& whose, const std::vector<Other>& others, std::size_t first, Reducer& all, std::vector<SceneWarning>& warnings, ToldPairs& told) {
   if (first + whose.size() < 2) return;
   std::vector<std::unique_ptr<PointTree>> trees;
   for (std::size_t k = 0; k + 1 < first + whose.size(); k++) trees.push_back(std::make_unique<PointTree>(*others[k].places));
@@ -82,7 +89,10 @@ void warnOfOthers(const KindRows& rows, const std::vector<Who>& whose, const std
   });
   for (std::size_t b = 0; b < whose.size(); b++)
     for (std::size_t k = 0; k < first + b; k++)
-      if (counts[b][k] > 0) warnings.push_back({whose[b].where, counted(counts[b][k], counts[b].back(), whose[b]) + " begin nearer to " + others[k].name + " than 0.6 of the distance of contact: pushing them apart adds energy"});
+      if (counts[b][k] > 0) {
+        told.insert({whose[b].name, others[k].name});
+        warnings.push_back({whose[b].where, counted(counts[b][k], counts[b].back(), whose[b]) + " begin nearer to " + others[k].name + " than 0.6 of the distance of contact: pushing them apart adds energy"});
+      }
 }
 
 }  // namespace
@@ -96,16 +106,18 @@ std::vector<SceneWarning> kindStartWarnings(const World& w, const std::vector<st
   }
   for (std::size_t n = 0; n < w.scene.sheets.size() && w.modules.sheet; n++) others.push_back({&w.sheets.plans[n].mesh.vertices, "sheet '" + w.scene.sheets[n].name + "'", w.sheets.plans[n].thickness});
   std::vector<SceneWarning> warnings;
+  ToldPairs told;
   std::vector<Who> whose;
   for (const OrientedBody& b : w.scene.oriented) whose.push_back({b.where, "oriented body '" + b.name + "'", "particles", b.thickness * spacingOf(w.scene, b), ""});
-  if (w.modules.oriented) warnOfPlaces(w, w.oriented.rows, whose, shapes, all, problems, warnings);
-  if (w.modules.oriented) warnOfOthers(w.oriented.rows, whose, others, 0, all, warnings);
+  if (w.modules.oriented) warnOfPlaces(w, w.oriented.rows, whose, shapes, all, problems, warnings, told);
+  if (w.modules.oriented) warnOfOthers(w.oriented.rows, whose, others, 0, all, warnings, told);
   if (!w.modules.sheet) return warnings;
   const Sheets& s = w.sheets.rows;
   whose.clear();
   for (std::size_t n = 0; n < w.scene.sheets.size(); n++) whose.push_back({w.scene.sheets[n].where, "sheet '" + w.scene.sheets[n].name + "'", "vertices", w.sheets.plans[n].thickness, w.scene.sheets[n].wrap != 0 ? w.scene.sheets[n].wrapTo : ""});
-  warnOfPlaces(w, s, whose, shapes, all, problems, warnings);
-  warnOfOthers(s, whose, others, oriented.size(), all, warnings);
+  warnOfPlaces(w, s, whose, shapes, all, problems, warnings, told);
+  warnOfOthers(s, whose, others, oriented.size(), all, warnings, told);
+  warnOfStartContacts(w, oriented, told, all, warnings);
   const auto free = countRows(s, whose.size(), 1, all, [&](std::size_t i, std::size_t) { return !(s.clamped.active && s.clamped[i]); });
   for (std::size_t n = 0; n < whose.size(); n++) {
     if (free[n][0] == 0) warnings.push_back({whose[n].where, whose[n].name + ": all of its " + std::to_string(free[n][1]) + " vertices are clamped: it does not move"});

@@ -7,7 +7,7 @@
 namespace thaw {
 
 /// Bits of Oriented::flags.
-inline constexpr std::uint8_t creased = 1, heldPlace = 2, heldNormal = 4;
+inline constexpr std::uint8_t creased = 1, heldPlace = 2, heldNormal = 4, newborn = 8;  // newborn: until it has its neighbours, within an evaluation
 
 struct Oriented : KindRows {
   Oriented() : KindRows("oriented") {}

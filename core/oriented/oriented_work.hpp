@@ -37,6 +37,8 @@ struct OrientedWork {
   std::int64_t relaxed = 0;                ///< iterations of relaxation at the start
   bool atRest = false, relaxStopped = false;  ///< how it ended, if not by its last iteration; on all ranks
   std::function<bool(std::int64_t done)> stopRelaxing;  ///< asked on each rank before each of its iterations; one yes ends it. Empty: never
+  struct Born { std::uint32_t row; double energy; };  // J, without contacts of kinds
+  std::vector<Born> born;                  ///< in this evaluation
   struct Event { std::size_t body, event; };
   std::vector<Event> idle;                 ///< events that have met nothing, on all ranks; whoever tells of them clears it
   struct Field { std::size_t body, field; };

@@ -176,6 +176,7 @@ void giveBirth(World& w, const PairPotential& p, std::size_t parent, const Offer
   o.cutSides[i] = o.cutSides[parent];
   o.orientation[i] = o.homeTurn[i] = towards(offer.normal);
   o.home[i] = offer.place;
+  o.flags[i] |= newborn;
   addKindRow(w, orientedKind, i, w.ledger.entered);
   bookWeight(w, i, -0.5 * dt);
   w.counters.orientedBirths++;

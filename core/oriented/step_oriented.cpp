@@ -131,6 +131,7 @@ void evaluateOriented(World& w, Halos halos, StepTools& t, double dt) {
   const double now = w.clock.time + dt;  // a step's clock still shows its beginning here
   t.oriented.time = now;
   t.oriented.over = 0;
+  t.oriented.born.clear();
   readyOriented(w, halos, t);
   const double since = t.oriented.begins ? -never : w.clock.time;
   noteIdleFields(w, halos.all, t.oriented, since, now);
@@ -149,6 +150,11 @@ void evaluateOriented(World& w, Halos halos, StepTools& t, double dt) {
     if (look && changePopulation(w, halos, t, dt)) readyAgain(w, halos, t);
     addUpForces(w, t);
     if (dt > 0) bookEnergy(w, t, -1, dt);
+    for (std::uint32_t i = 0; i < o.owned; i++) {
+      if (!(o.flags[i] & newborn)) continue;
+      o.flags[i] = static_cast<std::uint8_t>(o.flags[i] & ~newborn);
+      t.oriented.born.push_back({i, o.energy[i]});
+    }
   } else {
     addUpForces(w, t);
   }
@@ -161,6 +167,10 @@ void evaluateOriented(World& w, Halos halos, StepTools& t, double dt) {
   }
   t.oriented.begins = false;
   t.times.lap(StepPhase::Oriented);
+}
+
+void bookBornContacts(World& w, const StepTools& t) {
+  for (const OrientedWork::Born& b : t.oriented.born) w.ledger.phaseJump.add(-2 * (w.oriented.rows.energy[b.row] - b.energy));  // the other half is at the other ends
 }
 
 double orientedStepLimit(const World& w, const StepTools& t) {

@@ -12,6 +12,9 @@ void stepOriented(World& world, Halos halos, StepTools& tools, double dt);
 /// Needs rows at home. Collective.
 void evaluateOriented(World& world, Halos halos, StepTools& tools, double dt);
 
+/// Behind all contacts with other kinds: those of particles born in this evaluation begin pressed in, with energy that no motion has brought.
+void bookBornContacts(World& world, const StepTools& tools);
+
 /// Gives at once what contacts with other kinds have under way, and forgets the last step: before forces of other coefficients follow, of which the other ends get the first half.
 void giveUnderWay(World& world);
 

@@ -66,6 +66,7 @@ struct Continuum : Table {
   Column<Vec3d> sheetShares{*this, "sheetShares", "1", Keep::Transient, "of the triangle's corners in the nearest point"};
   Column<Vec3d> sheetPush{*this, "sheetPush", "N", Keep::Transient, "force on the sheet"};
   Column<Vec3d> sheetResisting{*this, "sheetResisting", "N", Keep::Transient, "its part that takes energy away"};
+  Column<Mat3d> sheetRubs{*this, "sheetRubs", "N", Keep::Transient, "friction on the corners of the sheet's triangle that it touches, a row each"};
   Column<Vec3d> sheetNumbers{*this, "sheetNumbers", "J, N/m, W", Keep::Transient, "energy, slope and heat to the sheet"};
   // solid
   Column<std::uint32_t> slot{*this, "slot", "1", Keep::Local, "row in the table of solids, noSlot for liquids"};

@@ -1,6 +1,8 @@
 #include "core/scene/modules.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace thaw {
 
@@ -11,6 +13,13 @@ namespace {
 std::string quoted(const std::string& name) { return "'" + name + "'"; }
 
 bool liquidAt(const Material& m, double T) { return !m.canBeSolid() || (m.melts() ? T > m.solidus : m.liquidAtStart); }
+
+/// "sheet 'a'", or "sheets 'a', 'b' and 'c'".
+template<class Body> std::string namesOf(const char* one, const char* more, const std::vector<Body>& bodies) {
+  std::string text = std::string(bodies.size() > 1 ? more : one) + " ";
+  for (std::size_t k = 0; k < bodies.size(); k++) text += (k == 0 ? "" : k + 1 == bodies.size() ? " and " : ", ") + quoted(bodies[k].name);
+  return text;
+}
 
 struct Finder {
   const Scene& s;
@@ -64,12 +73,13 @@ Modules modulesOf(const Scene& s) {
   Modules& m = f.m;
   findHeat(f);
   if (s.surface.on) f.on(m.surface, "surface", "the scene has a table [surface]");
-  if (!s.oriented.empty()) f.on(m.oriented, "oriented particles", "oriented body " + quoted(s.oriented.front().name));
-  if (!s.sheets.empty()) f.on(m.sheet, "sheets", "sheet " + quoted(s.sheets.front().name));
+  if (!s.oriented.empty()) f.on(m.oriented, "oriented particles", namesOf("oriented body", "oriented bodies", s.oriented));
+  if (!s.sheets.empty()) f.on(m.sheet, "sheets", namesOf("sheet", "sheets", s.sheets));
   if (!s.sheets.empty() && !(s.bodies.empty() && s.emitters.empty())) f.on(m.neighbours, "neighbour search", "sheets can meet bodies");
-  for (const SheetBody& b : s.sheets)
-    if (b.conductance > 0) f.on(m.heat, "heat", "sheet " + quoted(b.name) + " takes heat from what it touches");
-  if (!s.emitters.empty()) f.on(m.emitters, "emitters", "emitter " + quoted(s.emitters.front().name));
+  std::vector<SheetBody> warmed;
+  std::copy_if(s.sheets.begin(), s.sheets.end(), std::back_inserter(warmed), [](const SheetBody& b) { return b.conductance > 0; });
+  if (!warmed.empty()) f.on(m.heat, "heat", namesOf("sheet", "sheets", warmed) + (warmed.size() > 1 ? " take" : " takes") + " heat from what " + (warmed.size() > 1 ? "they touch" : "it touches"));
+  if (!s.emitters.empty()) f.on(m.emitters, "emitters", namesOf("emitter", "emitters", s.emitters));
 
   std::vector<bool> used(s.materials.size(), false);
   int solidBodies = 0;

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "core/heat/enthalpy.hpp"
+#include "core/sheet/friction.hpp"
 #include "core/sheet/mesh_pairs.hpp"
 #include "core/sheet/nearest_points.hpp"
 #include "core/sheet/particle_contact.hpp"
 #include "core/sheet/rows_around.hpp"
-#include "core/sheet/touch.hpp"
 
 namespace thaw {
 namespace {
@@ -72,6 +72,24 @@ struct FaceContact {
       }
   }
 
+  /// Friction (N) on the three corners of a face and the particle j.
+  std::array<Vec3d, 4> rubFace(std::size_t j, const Face& f, const Vec3d& shares, const Vec3d& off, const Vec3d& n, const Vec3d& v, const TouchLaw& law, double normal) const {
+    if (!(law.friction > 0)) return {};
+    const Sheets& s = w.sheets.rows;
+    const Continuum& p = w.particles;
+    std::array<Vec3d, 4> place{}, velocity{};
+    std::array<double, 4> mass{}, share{};
+    for (std::size_t k = 0; k < 3; k++) {
+      const std::uint32_t i = f.row[k];
+      place[k] = f.x[k] - p.position[j];
+      velocity[k] = s.moving[i];
+      mass[k] = w.sheets.laws[s.law[i]].contactMass * s.area[i];
+      share[k] = shares[static_cast<int>(k)];
+    }
+    velocity[3] = p.velocity[j], mass[3] = p.mass[j], share[3] = -1;
+    return rub(turningOf(place, mass), velocity, share, off, n, v, law, normal);
+  }
+
   void touchParticle(std::size_t j, double& stiffest) {
     Continuum& p = w.particles;
     const Vec3d x = p.position[j];
@@ -99,8 +117,10 @@ struct FaceContact {
     }
     const Material& material = w.scene.materials[p.material[j]];
     const double liquid = p.liquid.active ? static_cast<double>(p.liquid[j]) : p.phase[j] == Liquid ? 1 : 0, face = plan.faceArea * massPerArea, mass = face * p.mass[j] / (face + p.mass[j]);
-    const Touch t = touchOf({plan.faceRate, mass, std::min(body.restitution, material.restitution), (1 - liquid) * std::max(body.friction, material.friction), now.span, particleBarrier(plan, p.material[j], p.mass[j]), plan.faceReach}, plan.faceReach - r, n,
-                            v - p.velocity[j]);
+    TouchLaw law{plan.faceRate, mass, std::min(body.restitution, material.restitution), 0, now.span, particleBarrier(plan, p.material[j], p.mass[j]), plan.faceReach};
+    const Touch t = touchOf(law, plan.faceReach - r, n, v - p.velocity[j]);
+    law.friction = (1 - liquid) * std::max(body.friction, material.friction);
+    const std::array<Vec3d, 4> rubs = rubFace(j, *nearest, shares, off, n, v - p.velocity[j], law, dot(t.force, n));
     double heat = 0;
     if (s.temperature.active && p.temperature.active && p.heatFlow.active && body.conductance > 0) {
       const double flow = body.conductance * w.scene.spacing * w.scene.spacing;
@@ -109,15 +129,17 @@ struct FaceContact {
       p.heatFlow[j] -= heat;
       w.ledger.heatIn.add(-heat * now.dt);
     }
-    p.force[j] -= t.force;
+    const Vec3d resisting = rubs[3] - t.resisting;
+    p.force[j] += rubs[3] - t.force;
     p.interaction[j] += 0.5 * t.energy;
-    p.dissipation[j] += dot(t.resisting, p.velocity[j] + p.acceleration[j] * (0.5 * now.dt));  // as in sheet_contact.cpp
+    p.dissipation[j] -= dot(resisting, p.velocity[j] + p.acceleration[j] * (0.5 * now.dt));  // as in sheet_contact.cpp
     stiffest = std::max(stiffest, 2 * t.slope / p.mass[j]);
     p.sheetFace[j] = nearest->number + 1;
     p.sheetShares[j] = shares;
     p.sheetPush[j] = t.force;
     p.sheetResisting[j] = t.resisting;
     p.sheetNumbers[j] = {t.energy, t.slope, heat};
+    p.sheetRubs[j] = {rubs[0], rubs[1], rubs[2]};
   }
 
   void touchParticles() {
@@ -143,7 +165,9 @@ struct FaceContact {
       for (std::size_t k = 0; k < 3; k++) {
         const std::uint32_t i = corners[k];
         const double share = shares[static_cast<int>(k)];
-        if (i >= s.owned || share == 0) continue;
+        if (i >= s.owned) continue;
+        if (const Vec3d rubs = p.sheetRubs[j].row[k] / s.area[i]; body.friction > 0) s.load[i] += rubs, s.resisting[i] += rubs;
+        if (share == 0) continue;
         s.load[i] += (share / s.area[i]) * p.sheetPush[j];
         s.energy[i] += 0.5 * share * numbers.x;
         s.resisting[i] += (share / s.area[i]) * p.sheetResisting[j];
@@ -172,7 +196,7 @@ void meetFaces(World& w, Halos halos, const SheetVelocities& now) {
     if (!w.sheets.plans[n].byFaces) continue;
     FaceContact contact(w, now, n);
     contact.touchParticles();
-    halos.cells.beginRefresh(p, ColumnList{&p.sheetFace, &p.sheetShares, &p.sheetPush, &p.sheetResisting, &p.sheetNumbers});
+    halos.cells.beginRefresh(p, ColumnList{&p.sheetFace, &p.sheetShares, &p.sheetPush, &p.sheetResisting, &p.sheetNumbers, &p.sheetRubs});
     halos.cells.finishRefresh(p);
     contact.pushVertices();
   }

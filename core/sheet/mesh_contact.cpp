@@ -3,9 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/math/mat3.hpp"
+#include "core/sheet/friction.hpp"
 #include "core/sheet/mesh_pairs.hpp"
-#include "core/sheet/touch.hpp"
 
 namespace thaw {
 namespace {
@@ -14,7 +13,6 @@ namespace {
 // about as stiff as one contact. What reaches less far than edges are long meets few, and each has to hold alone.
 constexpr double moreTriangles = 5, moreEdges = 16;  // for a reach of the mean length of edges
 constexpr double ahead = 2;          // pairs come into reach within a step: what bounds it is taken for so much stiffer, which halves what contact costs the books
-constexpr double inLine = 1e-12;     // of the inertia of vertices that are: they cannot take a torque
 constexpr double deepest = 0.1;      // of the reach: what is nearer does not shorten the step further
 
 struct MeshContact {
@@ -39,46 +37,21 @@ struct MeshContact {
     return v;
   }
 
-  /// Four vertices as a rigid body, about their centre of mass.
-  struct Turning { std::array<Vec3d, 4> lever; std::array<double, 4> mass; Mat3d inverse; bool there = false; };
-  Turning turningOf(const MeshPair& p) const {
-    Turning t;
-    double all = 0;
-    Vec3d centre{};
-    for (std::size_t k = 0; k < 4; k++) {
-      t.mass[k] = massOf(p.row[k]);
-      t.lever[k] = s.position[p.row[k]] - s.position[p.row[0]];
-      centre += t.mass[k] * t.lever[k];
-      all += t.mass[k];
-    }
-    centre = centre / all;
-    Mat3d inertia{};
-    for (std::size_t k = 0; k < 4; k++) {
-      const Vec3d r = t.lever[k] -= centre;
-      for (int a = 0; a < 3; a++)
-        for (int b = 0; b < 3; b++) inertia.row[static_cast<std::size_t>(a)][b] += t.mass[k] * ((a == b ? dot(r, r) : 0) - r[a] * r[b]);
-    }
-    const double trace = inertia.row[0][0] + inertia.row[1][1] + inertia.row[2][2];
-    t.there = determinant(inertia) > inLine * trace * trace * trace;
-    if (t.there) t.inverse = inverse(inertia);
-    return t;
-  }
-
-  /// Friction between nearest points that are apart. Two opposite forces there would be a torque out of nothing: the four vertices take it back as a rigid body, and what they turn as one is no
-  /// sliding. So angular momentum is kept, and the power is friction times sliding: never a gain.
-  void rub(const MeshPair& p, const TouchLaw& law, double normal, const Vec3d& n, const Vec3d& v) {
+  /// Friction of a pair to its vertices.
+  void rubPair(const MeshPair& p, const TouchLaw& law, double normal, const Vec3d& n, const Vec3d& v) {
     if (!(law.friction > 0)) return;
-    const Turning t = turningOf(p);
-    Vec3d slide = v - dot(v, n) * n, spin{};
-    if (t.there) {
-      for (std::size_t k = 0; k < 4; k++) spin += t.mass[k] * cross(t.lever[k], s.moving[p.row[k]]);
-      slide -= cross(t.inverse * spin, p.apart);
+    std::array<Vec3d, 4> place, velocity;
+    std::array<double, 4> mass;
+    for (std::size_t k = 0; k < 4; k++) {
+      place[k] = s.position[p.row[k]] - s.position[p.row[0]];
+      velocity[k] = s.moving[p.row[k]];
+      mass[k] = massOf(p.row[k]);
     }
-    const Vec3d force = frictionOf(law, normal, slide), back = t.there ? t.inverse * cross(force, p.apart) : Vec3d{};
+    const std::array<Vec3d, 4> forces = rub(turningOf(place, mass), velocity, p.share, p.apart, n, v, law, normal);
     for (std::size_t k = 0; k < 4; k++) {
       const std::uint32_t i = p.row[k];
       if (i >= s.owned) continue;
-      const Vec3d load = (p.share[k] * force + t.mass[k] * cross(back, t.lever[k])) / s.area[i];
+      const Vec3d load = forces[k] / s.area[i];
       s.load[i] += load;
       s.resisting[i] += load;
     }
@@ -90,7 +63,7 @@ struct MeshContact {
     TouchLaw smooth = law;
     smooth.friction = 0;
     const Touch t = touchOf(smooth, p.reach - p.distance, n, v);
-    rub(p, law, dot(t.force, n), n, v);
+    rubPair(p, law, dot(t.force, n), n, v);
     w.sheets.closing = std::max(w.sheets.closing, -dot(v, n) / std::max(p.distance, deepest * p.reach));
     w.sheets.blows = std::max(w.sheets.blows, blowRate(law.rate, p.reach, std::abs(dot(v, n))));
     for (std::size_t k = 0; k < 4; k++) {

@@ -6,6 +6,7 @@
 
 #include "core/kinds/kinds.hpp"
 #include "io/commands/bytes_text.hpp"
+#include "io/run/process_mark.hpp"
 
 using Json = nlohmann::ordered_json;
 
@@ -65,7 +66,7 @@ std::vector<std::string> summaryOfRun(const Json& run) {
   const std::string title = textOf(s, "title"), message = textOf(s, "message");
   lines.push_back(fmt::format("{}: a run of {}{}", textOf(run, "path"), s.contains("scene") ? textOf(s, "scene") : "a scene that left no summary.json", title.empty() ? "" : ": " + title));
   if (s.contains("status"))
-    lines.push_back(named("status", fmt::format("{} at t {:.6g} of {:.6g} s, step {}{}", textOf(s, "status") == "running" ? "running, or killed," : textOf(s, "status"), numberOf(s, "time_s"), numberOf(s, "end_s"), s.value("step", std::int64_t(0)),
+    lines.push_back(named("status", fmt::format("{} at t {:.6g} of {:.6g} s, step {}{}", textOf(s, "status") == "running" ? runningText(s) : textOf(s, "status"), numberOf(s, "time_s"), numberOf(s, "end_s"), s.value("step", std::int64_t(0)),
                                                 message.empty() ? "" : ": " + message)));
   addCheckpoints(run, lines);
   addFrames(run, lines);

@@ -11,6 +11,7 @@
 #include "io/commands/require_memory.hpp"
 #include "io/commands/scene_for_all.hpp"
 #include "io/hdf5/agree.hpp"
+#include "io/run/progress.hpp"
 #include "io/run/retry.hpp"
 #include "io/run/run_state.hpp"
 #include "io/run/signals.hpp"
@@ -103,6 +104,7 @@ int simulate(Run& r) {
     r.say(fmt::format("nothing left to do: {} is reached; the folder is as it was", c.time >= c.end ? "the end of the scene" : "the number of steps"));
     return exitDone;
   }
+  if (r.resumed) onFirstRank(r.comm.handle(), [&] { cutProgressLog(r.options.out, c.step - 1); });  // the line of this step comes anew, with what the restart has changed
   report(r);
   summarise(r, "running", "");
   std::string why;
@@ -121,17 +123,18 @@ int simulate(Run& r) {
     why = "--steps is reached; --restart goes on";
   }
   if (code == exitDone || code == exitStopped) {
-    report(r);
+    if (c.step != r.stepAtReport) report(r);
     leaveGoodState(r);
     writeCheckpointOf(r);
   }
   summarise(r, code == exitDone ? "done" : code == exitStopped ? "stopped" : "failed", why);
-  for (const std::string& w : warningsOf(r.summary.counters, r.summary.ledger)) r.summary.warnings.push_back(w);
-  for (const std::string& w : surfaceWarnings(r.summary.surface)) r.summary.warnings.push_back(w);
+  const std::size_t told = r.summary.warnings.size();
   r.say(fmt::format("{} at t {:.6g} s, step {}{}; {:.3g} M particle-steps/s with {} ranks, {:.1f} s", r.summary.status, r.world.clock.time, r.world.clock.step, why.empty() ? "" : " (" + why + ")",
                     r.summary.particleSteps / r.summary.wall / 1e6, r.comm.size(), r.summary.wall));
   for (const std::string& line : surfaceLines(r.summary.surface)) r.say(line);
-  for (const std::string& w : r.summary.warnings) r.say("warning: " + w);
+  for (const std::string& w : warningsOf(r.summary.counters, r.summary.ledger)) r.warn(w);
+  for (const std::string& w : surfaceWarnings(r.summary.surface)) r.warn(w);
+  if (told > 0) r.say(fmt::format("{} warning{} told above {} in {}/summary.json as well", told, told == 1 ? "" : "s", told == 1 ? "is" : "are", r.options.out));
   return code;
 }
 

@@ -10,6 +10,7 @@
 #include "core/kinds/kinds.hpp"
 #include "core/ledger/totals.hpp"
 #include "io/hdf5/parallel_file.hpp"
+#include "io/run/process_mark.hpp"
 #include "io/version.hpp"
 
 namespace thaw {
@@ -99,6 +100,7 @@ void writeSummary(const std::string& out, const RunSummary& s) {
   j["commit"] = versionCommit();
   j["status"] = s.status;
   j["message"] = s.message;
+  if (s.status == "running") j["process"] = processJson();
   j["scene"] = s.sceneFile;
   j["title"] = s.title;
   j["modules"] = s.modules;

@@ -76,6 +76,27 @@ warns "a sheet in an obstacle" "wall.toml:6:1: sheet 'sheet 0': [0-9]+ of its 81
 [[obstacle]]
 name = 'ball'
 sphere = { radius = 0.05 }"
+warns "a sheet that touches a floor" "floor.toml:6:1: sheet 'sheet 0': 81 of its 81 vertices begin within the reach of its contact, 0.04 m, with obstacle 'floor': they will be pushed apart" floor "$cloth
+thickness = 0.04
+[[obstacle]]
+name = 'floor'
+plane = { point = [0, 0, -0.03], normal = [0, 0, 1] }"
+warns "a sheet that touches another" "near.toml:9:1: sheet 'sheet 1': [0-9]+ of its 81 vertices begin within the reach of its contact, 0.04 m, with sheet 'sheet 0': they will be pushed apart" near "$cloth
+thickness = 0.04
+$cloth
+thickness = 0.04
+place = { move = [0.02, 0.02, 0.03] }"
+warns "a sheet that touches a body" "lies.toml:6:1: sheet 'sheet 0': [0-9]+ particles begin within the reach of its contact, [0-9.]+ m, with body 'cube': they will be pushed apart" lies "$cloth
+[material.jelly]
+young = '20 kPa'
+[[body]]
+name = 'cube'
+material = 'jelly'
+box = { size = [0.1, 0.1, 0.1] }
+place = { move = [0, 0, -0.06] }"
+warns "a sheet that touches a surface" "rests.toml:8:1: sheet 'sheet 0': [0-9]+ of its 81 vertices begin within the reach of its contact, [0-9.]+ m, with oriented body 'oriented 0': they will be pushed apart" rests "$plate
+$cloth
+place = { move = [0, 0, 0.035] }"
 lump="$cloth
 [material.jelly]
 young = '20 kPa'

@@ -66,6 +66,10 @@ launch 2 run "$work/leaf.toml" --steps 2 --out "$work/leaf" >"$work/log" 2>&1; e
 "$thaw" render "$work/leaf" --field warmth >"$work/log" 2>&1; expectExit 3 "a field that sheets have not"
 expectMessage "no field 'warmth'; there are: .*velocity" "a field that sheets have not"
 
+printf '[[sheet]]\nname = "twig"\ngrid = { width = 0.1, depth = 0.1 }\nplace = { move = [0, 0, 0.5] }\n' | cat "$work/leaf.toml" - >"$work/leaves.toml"
+launch 1 check "$work/leaves.toml" >"$work/log" 2>&1; expectExit 0 "check of two sheets"
+expectMessage "^  sheets: sheets 'leaf' and 'twig'" "check of two sheets"
+
 # A curve beside a surface is drawn, though no triangle shows it; a number below 0 may begin with its point.
 cat >"$work/curve.toml" <<'END'
 spacing = 0.05

@@ -11,11 +11,15 @@ long=$(grep '^t ' "$work/log" | awk '{ if (length > most) most = length } END { 
 launchInBackground 3 run "$scene" "${set[@]}" --resume --progress 0 --set output.checkpoint=0.05 --out "$work/run" >"$work/log" 2>&1
 for _ in $(seq 200); do grep -q '^t ' "$work/log" && break; sleep 0.02; done
 sleep 0.3
+"$thaw" info "$work/run" >"$work/info" || fail "info of a run that runs"
+grep -q '^  status  *running (process [0-9]* on .*; wrote last at 2.*Z), at t ' "$work/info" || fail "info: a run that runs is '$(grep status "$work/info")'"
 killAll -9 "$work/run"
+"$thaw" info "$work/run" >"$work/info" || fail "info of a run that was killed"
+grep -q '^  status  *killed (process [0-9]* on .* is gone; wrote last at 2.*Z), known at t ' "$work/info" || fail "info: a run that was killed is '$(grep status "$work/info")'"
 at=$("$thaw" info "$work/run" --json 2>"$work/log" | value - step)
 printf '%s' "$((at + 1)),0.1" >>"$work/run/progress.csv"  # killed as it wrote
 launch 1 run "$scene" "${set[@]}" --resume --progress 0 --steps $((at + 20)) --out "$work/run" >"$work/log" 2>&1; expectExit 0 "last part"
-awk -F, 'NR == 1 { n = NF; next } NF != n { print "line " NR ": " NF " fields of " n; bad = 1 } $1 < last { print "step " $1 " after " last; bad = 1 } { last = $1 } END { exit bad }' "$work/run/progress.csv" ||
+awk -F, 'NR == 1 { n = NF; next } NF != n { print "line " NR ": " NF " fields of " n; bad = 1 } NR > 2 && $1 <= last { print "step " $1 " after " last; bad = 1 } { last = $1 } END { exit bad }' "$work/run/progress.csv" ||
   fail "progress.csv is not whole"
 [ "$(tail -n 1 "$work/run/progress.csv" | cut -d, -f1)" = $((at + 20)) ] || fail "progress.csv does not end with the last step"
 "$thaw" info "$work/run" >"$work/log" || fail "info"

@@ -137,6 +137,38 @@ TEST(Oriented, BirthsUnderGravityKeepTheBooksOfMomentum) {
   EXPECT_LT(length(r.momentumResidual), 1e-12 * length(r.gravityImpulse));
 }
 
+/// Who is born where a sheet lies is pressed into it from the first moment: energy that no motion has brought.
+TEST(Oriented, BirthsOnASheetKeepTheBooks) {
+  Scene s = test::emptyScene(0.05, {-1, -1, -1}, {1, 1, 1});
+  s.oriented.emplace_back();
+  OrientedBody& o = s.oriented[0];
+  o.name = "film";
+  o.source = OrientedSource::Patch;
+  o.width = o.depth = 0.3;
+  o.spacing = 0.05;
+  o.stiffness = 2;
+  o.growth = OrientedGrowth::Borders;
+  o.every = 1;
+  o.most = 150;
+  s.sheets.emplace_back();
+  SheetBody& b = s.sheets[0];
+  b.name = "cloth";
+  b.width = b.depth = 0.9;
+  b.spacing = 0.05;
+  b.thickness = 0.05;
+  b.shape.move = {0.01, 0.02, -0.035};
+  b.warp = b.weft = 20, b.shear = 5;
+  b.contactRate = 200;
+  s.end = 0.02;
+  s.numerics.retryEvery = 0;
+  test::Simulation sim(s);
+  const std::size_t before = sim.w.oriented.rows.owned;
+  ASSERT_TRUE(sim.run());
+  const LedgerReport l = sim.books();
+  EXPECT_GT(sim.w.oriented.rows.owned, before + 20);
+  EXPECT_LT(std::abs(l.energyResidual), 0.001 * l.energyScale);
+}
+
 TEST(Oriented, ABodyNeverHasMoreThanMost) {
   Scene s = drawnOverABall();
   s.oriented[0].most = 232 + 11;

@@ -53,6 +53,46 @@ TEST(Sheets, MeetTheContinuumAndTakeItsHeat) {
   EXPECT_LT(std::abs(books.heatResidual), 1e-9 * std::abs(books.now.internal));
 }
 
+/// A block slides over a free coarse cloth: friction at nearest points that are apart turns nothing that was not turning.
+TEST(Sheets, FrictionWithTrianglesKeepsAngularMomentum) {
+  Vec3d way[2];
+  for (const bool rough : {false, true}) {
+    Scene s;
+    s.spacing = 0.05;
+    s.domain.min = {-1, -1, -1};
+    s.domain.max = {1, 1, 1};
+    s.domain.gravity = {};
+    s.output.every = 0;
+    s.materials.emplace_back();
+    s.materials[0].name = "rubber";
+    s.materials[0].young = {1e5, 1e5};
+    s.materials[0].friction = rough ? 0.8 : 0;
+    Body& block = test::addBox(s, {-0.1, -0.1, 0.06}, {0.1, 0.1, 0.26});
+    block.velocity = {0.6, 0.2, -0.5};
+    s.sheets.emplace_back();
+    SheetBody& b = s.sheets[0];
+    b.name = "cloth";
+    b.width = b.depth = 0.8;
+    b.spacing = 0.1;
+    b.mass = 2;
+    b.warp = b.weft = 50, b.shear = 10;
+    b.friction = s.materials[0].friction;
+    s.end = 0.2;
+    test::Simulation sim(s);
+    ASSERT_TRUE(sim.w.sheets.plans[0].byFaces);
+    const LedgerReport before = sim.books();
+    ASSERT_TRUE(sim.run());
+    const LedgerReport books = sim.books();
+    const double scale = length(before.now.angularMomentum) + before.now.mass * 0.1;
+    EXPECT_LT(length(books.now.momentum - before.now.momentum), 1e-11 * scale) << rough;
+    EXPECT_LT(length(books.now.angularMomentum - before.now.angularMomentum), 1e-11 * scale) << rough;
+    EXPECT_LT(std::abs(books.energyResidual), 0.02 * books.energyScale) << rough;
+    const Sheets& v = sim.w.sheets.rows;
+    for (std::size_t i = 0; i < v.owned; i++) way[rough] += (v.area[i] / 0.64) * v.velocity[i];
+  }
+  EXPECT_GT(way[1].x, way[0].x + 0.02);  // it takes the cloth along
+}
+
 /// The particles of a liquid that are under a sheet, each asked of the triangle that it is over; all those that are over none.
 std::size_t underSheet(const World& w) {
   const Sheets& v = w.sheets.rows;

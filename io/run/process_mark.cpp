@@ -1,0 +1,77 @@
+#include "io/run/process_mark.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+using Json = nlohmann::ordered_json;
+
+namespace thaw {
+namespace {
+
+struct Stat { char state = '?'; long long began = 0; };
+
+/// Of /proc/PID/stat fields 3 and 22; the second one is a name in brackets that may hold anything.
+Stat statOf(long pid) {
+  std::ifstream file(fmt::format("/proc/{}/stat", pid));
+  const std::string all{std::istreambuf_iterator<char>(file), {}};
+  const std::size_t name = all.rfind(')');
+  Stat s;
+  if (name == all.npos) return s;
+  std::istringstream fields(all.substr(name + 1));
+  std::string skipped;
+  fields >> s.state;
+  for (int k = 4; k < 22; k++) fields >> skipped;
+  if (!(fields >> s.began)) s.began = 0;
+  return s;
+}
+
+std::string hostName() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? std::string(name.data()) : std::string();
+}
+
+}  // namespace
+
+ProcessMark ownProcess() { return {hostName(), getpid(), statOf(getpid()).began}; }
+
+Presence presenceOf(const ProcessMark& p) {
+  if (p.pid <= 0 || p.host.empty() || p.host != hostName()) return Presence::Unknown;
+  if (kill(static_cast<pid_t>(p.pid), 0) != 0 && errno == ESRCH) return Presence::Gone;
+  const Stat s = statOf(p.pid);
+  const bool ended = s.state == 'Z' || s.state == 'X', another = p.began > 0 && s.began > 0 && s.began != p.began;
+  return ended || another ? Presence::Gone : Presence::Here;
+}
+
+Json processJson() {
+  const ProcessMark p = ownProcess();
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return {{"host", p.host}, {"pid", p.pid}, {"began_ticks", p.began}, {"written", text.data()}};
+}
+
+std::string runningText(const Json& summary) {
+  if (!summary.contains("process")) return "running, or killed,";  // of an earlier version
+  const Json& j = summary["process"];
+  const ProcessMark p{j.at("host").get<std::string>(), j.at("pid").get<long>(), j.at("began_ticks").get<long long>()};
+  const std::string who = fmt::format("process {} on {}", p.pid, p.host), written = "wrote last at " + j.at("written").get<std::string>();
+  switch (presenceOf(p)) {
+    case Presence::Here: return fmt::format("running ({}; {}),", who, written);
+    case Presence::Gone: return fmt::format("killed ({} is gone; {}), known", who, written);
+    case Presence::Unknown: break;
+  }
+  return fmt::format("running, or killed, on another host ({}; {}),", who, written);
+}
+
+}  // namespace thaw
