@@ -37,7 +37,7 @@ Names added(const Scene& with, const Scene& without) {
 }
 
 const Names always{"continuum.id", "continuum.position", "continuum.velocity", "continuum.acceleration", "continuum.mass", "continuum.material", "continuum.body", "continuum.dissipated",
-                   "continuum.cell", "continuum.nextCell", "continuum.phase", "continuum.force", "continuum.dissipation", "continuum.interaction"};
+                   "continuum.cell", "continuum.phase", "continuum.dissipation", "continuum.interaction"};
 
 Names with(Names base, const Names& more) {
   base.insert(base.end(), more.begin(), more.end());
