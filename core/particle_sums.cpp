@@ -137,7 +137,7 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass) {
     t.times.lap(StepPhase::Search);
   } else if (pass == NeighbourPass::BoundaryDensity) {
     if (p.ghosts > t.ghostRoom) {  // more than ever: the padding of the inner lists points where ghosts are now
-      t.ghostRoom = p.ghosts + p.ghosts / 2;
+      t.ghostRoom = p.ghosts + p.ghosts / 8;
       sumOverNeighbours(w, t, NeighbourPass::InnerDensity);
     }
     packRecords(x, p, p.owned, p.size(), t.records);

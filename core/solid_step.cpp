@@ -77,13 +77,15 @@ void bondScene(World& w, Halos& halos, StepTools& t) {
   constexpr std::size_t parts = 16;  // alike on all ranks
   std::vector<BondRequest> requests;
   std::vector<BondPair> pairs;
+  int mostNeighbours = 0;
+  for (const std::uint16_t n : w.neighbours.neighbours) mostNeighbours = std::max<int>(mostNeighbours, n);
   for (std::size_t k = 0; k < parts; k++) {
     requests.clear();
     pairs.clear();
     const ListedGroups part{k * w.neighbours.groups / parts, (k + 1) * w.neighbours.groups / parts};
     if (w.bonds.vectors) formBonds(w.particles, w.solids, w.bonds, w.neighbours, forming, requests, part);
     else pairAtStart(w.particles, w.neighbours, forming, pairs, part);
-    halos.bonds.relink(w.particles, w.solids, w.bonds, {requests, false, pairs});
+    halos.bonds.relink(w.particles, w.solids, w.bonds, {requests, false, pairs, mostNeighbours});
   }
   renewSolids(w, halos, t);
   t.bondsAtStart = false;
@@ -117,8 +119,9 @@ void relinkSolids(World& w, Halos halos, StepTools& t, const Relink& work) {
 
 void findElasticEnergy(World& w, const StepTools& t) {
   if (w.solids.energyKnown) return;
+  const bool still = atReference(w.solids);
   for (std::size_t s = 0; s < w.solids.owned; s++) {
-    const auto [gradU, energy] = slotStrain(t.elastic, w.solids, w.bonds, s);
+    const auto [gradU, energy] = still ? slotStrainAtReference(t.elastic, w.solids, w.bonds, s) : slotStrain(t.elastic, w.solids, w.bonds, s);
     w.solids.energy[s] = energy;
     if (!t.elastic.deformationInSteps) w.solids.deformation[s] = identity3<double>() + gradU;
   }

@@ -1,6 +1,7 @@
 // One time step: the page to read first.
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "core/fluid/incompressible/pressure_work.hpp"
 #include "core/fluid/records.hpp"
 #include "core/fluid/surface_energy.hpp"
+#include "core/geometry/signed_distance.hpp"
 #include "core/halo/halo.hpp"
 #include "core/neighbours/search.hpp"
 #include "core/neighbours/sort.hpp"
@@ -40,6 +42,7 @@ struct StepTools {
   StepLimits fixedLimits;            ///< of materials
   WatchBounds watch;
   std::vector<EmitterPlan> emitters;
+  std::vector<std::shared_ptr<const SignedDistance>> shapes;  ///< of the bodies, until they have been sampled: those of meshes take long to make
   WallTables wallTables;
   ViscousWeight viscousWeight;       ///< of the pairwise viscosity
   double perLatticeSum = 1;          ///< what sums over V W are multiplied by to be fillings

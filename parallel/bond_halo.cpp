@@ -167,6 +167,9 @@ void MpiBondHalo::makeSlots(const SolidTables& t, const Relink& work) {
     most = std::max(most, view.bonds.size());
   }
   most = std::max({most, graph_.mostBonds(work.requests), graph_.mostBonds(work.pairs)});
+  // where later parts of a start need little more, all room is made at once: each time it is made it is new memory for all bonds
+  constexpr int little = 4;
+  if (work.mostToCome > t.bonds.capacity && work.mostToCome <= static_cast<int>(most + 3) / 4 * 4 + little) most = std::max<std::size_t>(most, static_cast<std::size_t>(work.mostToCome));
   const auto before = static_cast<std::uint32_t>(graph_.rows());
   graph_.place(t, fresh_);
   graph_.reserve(t.bonds, static_cast<int>(most));

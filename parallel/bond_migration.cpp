@@ -143,6 +143,8 @@ void MpiBondHalo::leaveSlots(const Solids& s, const Bonds& b) {
 // Particles without a slot and the records that came for them.
 void MpiBondHalo::matchRecords(const BondedRows& p) {
   std::vector<std::uint8_t> used(found_.size(), 0);
+  recordOf_.reserve(unslotted_.size());
+  fresh_.reserve(unslotted_.size());
   for (const std::uint32_t row : unslotted_) {
     const Found* f = findWaiting(p.id[row]);
     if (f) used[static_cast<std::size_t>(f - found_.data())] = 1;

@@ -14,7 +14,7 @@ namespace {
 enum Tag { GhostTag = 11, GhostRestTag = 12, RefreshTag = 13, MigrateKind = 20 };
 
 /// Messages of the next steps may be longer.
-std::size_t withRoom(std::size_t bytes) { return bytes + bytes / 8; }
+std::size_t withRoom(std::size_t bytes) { return bytes + bytes / 16; }
 
 /// What is in it is lost: it has been sent or read.
 void fit(std::vector<std::byte>& buffer, std::size_t bytes, std::size_t room) {

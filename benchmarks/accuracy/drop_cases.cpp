@@ -8,6 +8,7 @@
 #include "core/fluid/cohesion.hpp"
 #include "core/fluid/surface_kernel.hpp"
 #include "core/kernels/kernels.hpp"
+#include "core/time/integrate.hpp"
 
 namespace thaw::accuracy {
 namespace {
@@ -104,7 +105,7 @@ Within pressureWithin(Trial& r, double radius) {
   const double volume = 4 * pi / 3 * radius * radius * radius;
   const double moving = sum(r, [&](const World& x, std::size_t i) { return length(p.position[i] - centre) < radius ? x.particles.mass[i] * dot(p.velocity[i], p.velocity[i]) : 0; });
   Within in{};
-  in.mismatch = rootMeanSquare(r, [&](const World&, std::size_t i) { return length(p.force[i] - force[i]); });
+  in.mismatch = rootMeanSquare(r, [&](const World&, std::size_t i) { return length(forceOf(w, i) - force[i]); });
   in.pairs = (sum(r, [&](const World&, std::size_t i) { return virial[i]; }) + moving) / (3 * volume);
   in.all = in.pairs + sum(r, [&](const World&, std::size_t i) { return surface[i]; }) / (3 * volume);
   return in;

@@ -2,6 +2,7 @@
 #include "benchmarks/accuracy/solid_trials.hpp"
 
 #include "core/solid/laws/green.hpp"
+#include "core/time/integrate.hpp"
 
 namespace thaw::accuracy {
 namespace {
@@ -42,7 +43,7 @@ void turnRound(Trial& r) {
       const Sym3d e = greenStrain(gradientOf(x, i));
       return largestEntry(full(e));
     });
-    const double pull = largest(r, [&](const World& x, std::size_t i) { return length(x.particles.force[i]) / force; });
+    const double pull = largest(r, [&](const World& x, std::size_t i) { return length(forceOf(x, i)) / force; });
     r.notes["strain"] = std::max(r.notes["strain"], strain);
     r.notes["force"] = std::max(r.notes["force"], pull);
   }
@@ -62,7 +63,7 @@ void launch(Trial& r) {
 void watchFlight(Trial& r) {
   World& w = r.world;
   const LedgerReport l = reportLedger(w, r.tools, r.all);
-  const double forces = sum(r, [](const World& x, std::size_t i) { return length(x.particles.force[i]); });
+  const double forces = sum(r, [](const World& x, std::size_t i) { return length(forceOf(x, i)); });
   r.notes["impulse"] += forces * w.clock.stepDt;
   r.notes["energy"] = std::max(r.notes["energy"], std::abs(l.energyResidual) / (l.initial.kinetic + l.initial.elastic));
   r.notes["angular momentum"] = std::max(r.notes["angular momentum"], length(l.now.angularMomentum - l.initial.angularMomentum) / length(l.initial.angularMomentum));

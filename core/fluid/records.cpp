@@ -20,10 +20,14 @@ void resizeBytes(AlignedVector<std::byte>& v, std::size_t rows, std::size_t each
 
 MaterialParameters localParameters(HeatModel model, const Material& m, double f, double T) { return {viscosityAt(m, f, T), conductivityOf(model, m, f)}; }
 
+/// Do sums over neighbours ask for more than places? Else they are listed for the bonds of the start alone.
+bool sumsOverPairs(const Modules& m) { return m.fluid || m.heat || m.contact; }
+
 template<class Real> void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
   const CellGrid grid = x.grid;
   const double h = grid.support;
   const bool carried = x.modules.continuity;
+  const bool sums = sumsOverPairs(x.modules);
   const bool heat = x.modules.heat, melting = x.modules.melting, surface = r.surface.size() > 0, uniform = x.modules.uniform;
   r.constant.clear();
   r.volumePerMass.clear();
@@ -42,6 +46,7 @@ template<class Real> void packAs(const RecordContext& x, const Continuum& p, std
     for (int a = 0; a < 3; a++) r.coarse[a][i] = coarsePlace(word[a]);
     fixed[i].d = static_cast<float>(V);
     if constexpr (sizeof(Real) == 8) rows<double>(r.place)[i] = {(at.x - grid.origin.x) * (1 / h), (at.y - grid.origin.y) * (1 / h), (at.z - grid.origin.z) * (1 / h), V};
+    if (!sums) continue;
     if (uniform && !surface) {
       const Vec3d& v = p.velocity[i];
       rows<Real>(r.motion)[i] = {static_cast<Real>(v.x), static_cast<Real>(v.y), static_cast<Real>(v.z), Real(0)};
@@ -100,8 +105,10 @@ void resizeRecords(const RecordContext& x, std::size_t n, PairRecords& r) {
     c.resize(n + 32);
   }
   if (real64) resizeBytes(r.place, n + 1, each);
-  resizeBytes(r.motion, n + 1, each);
-  if (!x.modules.uniform || x.modules.heat) resizeBytes(r.state, n + 1, each);
+  const bool sums = sumsOverPairs(x.modules);
+  if (sums) resizeBytes(r.motion, n + 1, each);
+  else r.motion.clear();
+  if (sums && (!x.modules.uniform || x.modules.heat)) resizeBytes(r.state, n + 1, each);
   else r.state.clear();  // the packing of bodies may have needed what the run does not
   const bool surface = x.modules.tension || x.modules.contact || (x.modules.artificialViscosity && !x.modules.uniform) || x.modules.xsph;
   if (surface) resizeBytes(r.surface, n + 1, each);

@@ -44,13 +44,14 @@ DistanceOctree::DistanceOctree(const TriangleBvh& near, const TriangleBvh& all) 
   const Vec3d size = b.max - b.min;
   half_ = 0.51 * std::max({size.x, size.y, size.z});
   const double diagonal = std::sqrt(3.0) * (1 + 1e-9);
-  struct Task { std::int32_t cube; Vec3d middle; double half, bound; int depth; };
+  struct Task { std::int32_t cube; Vec3d middle; double half, bound; int depth; };  // bound: a little more than the distance
   std::vector<Task> tasks{{0, middle_, half_, 4 * half_, 0}};
   cubes_.resize(1);
   while (!tasks.empty()) {
     const Task t = tasks.back();
     tasks.pop_back();
-    const double d = std::sqrt(near.closest(t.middle, t.bound).distance2);
+    const ClosestPoint closest = near.closest(t.middle, t.bound);
+    const double d = std::sqrt(closest.distance2);
     Cube& cube = cubes_[static_cast<std::size_t>(t.cube)];
     cube.clear = d > diagonal * t.half;
     if (cube.clear) cube.distance = all.winding(t.middle) > 0.5 ? -d : d;
@@ -58,8 +59,10 @@ DistanceOctree::DistanceOctree(const TriangleBvh& near, const TriangleBvh& all) 
     const auto children = static_cast<std::int32_t>(cubes_.size());
     cube.children = children;
     cubes_.resize(cubes_.size() + 8);
-    for (int c = 0; c < 8; c++)
-      tasks.push_back({children + c, childMiddle(t.middle, t.half, c), 0.5 * t.half, (d + diagonal * 0.5 * t.half) * (1 + 1e-9), t.depth + 1});
+    for (int c = 0; c < 8; c++) {
+      const Vec3d middle = childMiddle(t.middle, t.half, c);
+      tasks.push_back({children + c, middle, 0.5 * t.half, length(middle - closest.point) * (1 + 1e-9) + 1e-9 * t.half, t.depth + 1});  // that point is as near
+    }
   }
 }
 

@@ -47,7 +47,8 @@ std::vector<std::int64_t> insideOfRow(const SignedDistance& shape, const SampleL
     if (gaps) {
       in = shape.inside(x);
     } else {
-      const double d = shape.distanceWithin(x, 8 * l.spacing);
+      // of a mesh the sign, and far from its surface how far it is at least, are known without a look for the nearest triangle
+      const double d = shape.distanceWithin(x, 0.01 * l.spacing);
       in = d < 0;
       same += static_cast<std::int64_t>(std::min(std::abs(d) / l.spacing * (1 - 1e-9), 1e9));
     }

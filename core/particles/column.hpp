@@ -111,6 +111,24 @@ template<class T> struct Column : AnyColumn {
   const T& operator[](std::size_t i) const { return data()[i]; }
 };
 
+/// A field that may live in the memory of another one of rows as wide, which is not asked for while it is (then it is not active, has no memory and is in no
+/// exchange). What is in it is lost when the other one is written.
+template<class T> struct GuestColumn : Column<T> {
+  using Column<T>::Column;
+  void shareWith(AnyColumn& other) {
+    if (other.elementBytes != sizeof(T) || other.rows != this->rows) throw std::logic_error("a field shares the memory of another one of like rows only");
+    host_ = &other;
+  }
+  bool shares() const { return host_ != nullptr; }
+  T* data() { return host_ ? reinterpret_cast<T*>(host_->bytes.data()) : Column<T>::data(); }
+  const T* data() const { return host_ ? reinterpret_cast<const T*>(host_->bytes.data()) : Column<T>::data(); }
+  T& operator[](std::size_t i) { return data()[i]; }
+  const T& operator[](std::size_t i) const { return data()[i]; }
+
+ private:
+  AnyColumn* host_ = nullptr;
+};
+
 /// Base of every table of fields. Rows [0, owned) belong to this rank, [owned, owned + ghosts) are copies of other ranks' rows
 /// (or periodic images). Columns register themselves here, in the order of their declaration.
 struct Table {

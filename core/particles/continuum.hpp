@@ -24,7 +24,7 @@ struct Continuum : Table {
   Column<std::uint16_t> body{*this, "body", "1", Keep::State, "index into bodies, then emitters"};
   Column<double> dissipated{*this, "dissipated", "J", Keep::State, "mechanical energy lost at this particle so far", Rows::Owned};
   Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort", Rows::Owned};
-  Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now", Rows::Owned};
+  GuestColumn<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now: from the drift to the sort, in the memory of `dissipation`", Rows::Owned};
   Column<u8> clamped{*this, "clamped", "1", Keep::State, "1: held where it is; 2: driven by its emitter, at constant velocity"};
   // fluid
   Column<float> filling{*this, "filling", "1", Keep::Transient, "delta = sum V0_j W_ij over its lattice value; density = delta * rest density"};
@@ -80,7 +80,7 @@ struct Continuum : Table {
   Column<float> standoff{*this, "standoff", "1", Keep::State, "spacings from a wall at which a solid rests; less than 1/2 where it froze closer to it"};
   Column<Vec3d> home{*this, "home", "m", Keep::Transient, "position, not shifted in periodic images; only with periodic sides"};
   // rates of the current step
-  Column<Vec3d> force{*this, "force", "N", Keep::Transient, "sum of all forces", Rows::Owned};
+  GuestColumn<Vec3d> force{*this, "force", "N", Keep::Transient, "sum of all forces; where nobody asks for both it is in the memory of `acceleration` until the kick makes that of it (forceOf, core/time/integrate.hpp)", Rows::Owned};
   Column<double> heatFlow{*this, "heatFlow", "W", Keep::Transient, "sum of all heat flows into the particle", Rows::Owned};
   Column<double> dissipation{*this, "dissipation", "W", Keep::Transient, "rate of loss of mechanical energy at this particle", Rows::Owned};
   Column<double> interaction{*this, "interaction", "J", Keep::State, "potential energy of pair and wall contacts, this particle's half; what leaves takes it along, also right after a restart", Rows::Owned};

@@ -87,6 +87,7 @@ void Table::reorder(std::span<const std::uint32_t> order, std::span<AnyColumn* c
         case 8: gather<std::uint64_t>(c->bytes.data(), spare.data(), order); break;
         case 4: gather<std::uint32_t>(c->bytes.data(), spare.data(), order); break;
         case 2: gather<std::uint16_t>(c->bytes.data(), spare.data(), order); break;
+        case 1: gather<std::uint8_t>(c->bytes.data(), spare.data(), order); break;
         default:
           for (std::size_t i = 0; i < order.size(); i++)
             std::memcpy(spare.data() + i * c->elementBytes, c->bytes.data() + order[i] * c->elementBytes, c->elementBytes);

@@ -13,7 +13,7 @@ void activateFields(World& w, StepTools& t) {
     if (needed)
       for (AnyColumn* c : columns) p.activate(*c);
   };
-  on(true, {&p.id, &p.position, &p.velocity, &p.acceleration, &p.mass, &p.material, &p.body, &p.dissipated, &p.cell, &p.nextCell, &p.phase, &p.force,
+  on(true, {&p.id, &p.position, &p.velocity, &p.acceleration, &p.mass, &p.material, &p.body, &p.dissipated, &p.cell, &p.phase,
             &p.dissipation, &p.interaction});
   on(m.fluid, {&p.filling});
   on(m.implicitViscosity, {&p.viscousAcceleration, &p.viscousSearch});
@@ -39,6 +39,10 @@ void activateFields(World& w, StepTools& t) {
   bool clamped = m.emitters;
   for (const Body& b : w.scene.bodies) clamped = clamped || !b.clamp.empty();
   on(clamped, {&p.clamped});
+  p.nextCell.shareWith(p.dissipation);  // found after the drift and stale after the sort, when that is summed anew until the kick
+  // contacts with sheets and oriented bodies read the last acceleration while forces are summed; of what is held or sleeps it is not that of the force
+  if (clamped || m.sheet || m.meeting || m.sleep) on(true, {&p.force});
+  else p.force.shareWith(p.acceleration);
   activateKinds(w);
   bool faces = false;
   for (const SheetPlan& s : w.sheets.plans) faces = faces || s.byFaces;

@@ -41,14 +41,12 @@ void lookAt(const World& w, std::size_t body, const Vec3d& x, Offenders& o) {
   }
 }
 
-/// A point of a body's lattice that becomes a particle.
-struct Sample {
-  std::int64_t number;
-  Vec3d place;
-};
+/// How a body is filled: its lattice, its centre, and how far points are moved off the lattice at most, spacings along each axis.
+struct Filling { SampleLattice lattice; Vec3d centre; double jitter; };
 
-/// Rows [first, first + samples) of the table. jitter: spacings, at most, along each axis.
-void fillRows(World& w, std::size_t b, std::span<const Sample> samples, std::size_t first, const Vec3d& centre, double jitter) {
+/// Rows from `first` on of the table, of these points of body b's lattice.
+void fillRows(World& w, std::size_t b, const Filling& filling, std::span<const std::int64_t> points, std::size_t first) {
+  const auto& [l, centre, jitter] = filling;
   const Scene& s = w.scene;
   const Body& body = s.bodies[b];
   const Material& m = s.materials[static_cast<std::size_t>(body.material)];
@@ -59,9 +57,10 @@ void fillRows(World& w, std::size_t b, std::span<const Sample> samples, std::siz
   const auto inClamp = [&](const SignedDistance& c, Vec3d x) {  // as the body is placed, or where it comes in at the other side
     return c.inside(x) || (wrapPlace(w.grid, s.domain, x), c.inside(x));
   };
-  for (std::size_t i = first; i < first + samples.size(); i++) {
-    const Vec3d x = samples[i - first].place;
-    p.id[i] = particleId(b, static_cast<std::uint64_t>(samples[i - first].number));
+  for (std::size_t i = first; i < first + points.size(); i++) {
+    const std::int64_t point = points[i - first], row = point / l.count[0];
+    const Vec3d x = l.at(point % l.count[0], row % l.count[1], row / l.count[1]);
+    p.id[i] = particleId(b, static_cast<std::uint64_t>(point));
     p.position[i] = jitter > 0 ? jittered(x, jitter, dx, s.seed, p.id[i]) : x;
     p.velocity[i] = body.velocity + cross(body.spin, x - centre);
     p.mass[i] = m.density * dx * dx * dx;
@@ -84,13 +83,14 @@ std::int64_t sampleBody(World& w, std::size_t b, const SignedDistance& shape, co
   const Scene& s = w.scene;
   Continuum& p = w.particles;
   const Bounds bounds = shape.bounds();
-  const Vec3d centre = (bounds.min + bounds.max) * 0.5;
   const SampleLattice l = sampleLattice(shape, s.spacing);
   // where there is no surface anywhere in its cell: relaxation leads back to the lattice from less (benchmark taylor_green)
   const double jitter = s.bodies[b].packing != Packing::Relaxed ? 0 : liquidFillsTheBox(s) ? 0.5 : 0.2;
   const SampleRange range = sampleRange(l, all.rank(), all.size());
   std::int64_t removed = 0;
-  std::vector<Sample> samples;  // first all, then their rows at once: columns that grow again and again get new pages of the system each time
+  constexpr std::int64_t mostAtOnce = 1 << 24;
+  std::vector<std::int64_t> points;  // first all, then their rows at once: columns that grow again and again get new pages of the system each time
+  points.reserve(static_cast<std::size_t>(std::min(mostAtOnce, (range.end - range.begin) * l.count[0])));
   for (std::int64_t row = range.begin; row < range.end; row++)
     for (const std::int64_t k : insideOfRow(shape, l, row)) {
       const Vec3d x = l.at(k, row % l.count[1], row / l.count[1]);
@@ -102,14 +102,12 @@ std::int64_t sampleBody(World& w, std::size_t b, const SignedDistance& shape, co
       Vec3d in = x;
       wrapPlace(w.grid, s.domain, in);
       lookAt(w, b, in, offenders);
-      samples.push_back({row * l.count[0] + k, x});
+      points.push_back(row * l.count[0] + k);
     }
   const std::size_t first = p.owned;
-  p.resize(first + samples.size(), 0);
-  fillRows(w, b, samples, first, centre, jitter);
+  p.resize(first + points.size(), 0);
+  fillRows(w, b, {l, (bounds.min + bounds.max) * 0.5, jitter}, points, first);
   if (bodyFills(s, b)) {
-    std::vector<std::int64_t> points;
-    for (const Sample& x : samples) points.push_back(x.number);
     const std::vector<std::int32_t> shares = cellShares(shape, l, points);
     std::copy(shares.begin(), shares.end(), p.surfaceFill.data() + first);
     filled = std::accumulate(shares.begin(), shares.end(), filled);

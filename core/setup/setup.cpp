@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "core/domain/sides.hpp"
 #include "core/fluid/incompressible/pressure_solver.hpp"
@@ -98,6 +99,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   std::vector<std::shared_ptr<const SignedDistance>> shapes;
   for (const Body& b : w.scene.bodies) shapes.push_back(makeSignedDistance(b.shape, load, "body '" + b.name + "'", problems));
   problems.raise();
+  t.shapes = shapes;
   if (w.modules.sheet) prepareSheets(w, load);
   if (const double reach = std::max(faceContactReach(w.sheets.plans), meshContactReach(w.scene, w.sheets.plans)); reach > w.grid.edge.x) w.grid = makeGrid(w.scene, reach);
   w.scene.fallHeight = fallHeightOf(w.scene, shapes);
@@ -134,8 +136,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
 }
 
 SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader& load) {
-  std::vector<std::shared_ptr<const SignedDistance>> shapes;
-  for (const Body& b : w.scene.bodies) shapes.push_back(makeSignedDistance(b.shape, load));
+  const std::vector<std::shared_ptr<const SignedDistance>> shapes = std::exchange(t.shapes, {});
   moveWalls(w.walls, 0);
   SamplingReport report = sampleBodies(w, shapes, halos.all);
   SceneProblems problems;
@@ -209,6 +210,7 @@ SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader&
 void resumeWorld(World& w, Halos halos, StepTools& t) {
   Continuum& p = w.particles;
   moveWalls(w.walls, w.clock.time);
+  t.shapes = {};
   t.sleep = {};
   w.solids.energyKnown = w.compressionKnown = true;  // they are part of the state
   if (p.slot.active) {

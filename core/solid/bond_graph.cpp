@@ -135,6 +135,14 @@ void BondGraph::place(const SolidTables& t, std::span<const NewSlot> fresh) {
   }
   resizeBonds(b, newOwned_, b.capacity);
   used_.resize(groupsOf(newOwned_) * lanes, 0);
+  if (owned_ == 0) {  // a start: what grows by doubling takes twice the new memory
+    const std::size_t rows = ids_.size() + fresh.size();
+    rowOf_.reserve(rows);
+    ids_.reserve(rows);
+    owner_.reserve(rows);
+    references_.reserve(rows);
+    now_.reserve(rows);
+  }
   for (std::size_t i = 0; i < fresh.size(); i++) {
     const std::size_t slot = i < refilled ? leaving_[i] : owned_ + (i - refilled);
     const std::uint64_t id = t.particles.id[fresh[i].particle];
@@ -222,6 +230,7 @@ void BondGraph::placeRemotes() {
 
 void findUnslotted(const BondedRows& p, Solids& s, std::vector<std::uint32_t>& unslotted) {
   unslotted.clear();
+  if (s.owned == 0) unslotted.reserve(p.owned);  // a start
   std::fill_n(s.particle.data(), s.owned, noParticle);
   for (std::size_t i = 0; i < p.owned; i++) {
     const std::uint32_t slot = p.slot[i];

@@ -65,7 +65,7 @@ void resizeBonds(Bonds& b, std::size_t slots, int capacity) {
   const std::size_t before = b.capacity > 0 ? b.neighbour.size() / (static_cast<std::size_t>(b.capacity) * lanes) : 0;
   if (capacity <= b.capacity && groups <= before) return;
   capacity = std::max(capacity, b.capacity);
-  const std::size_t room = groups <= before ? before : groups + groups / 16 + 8, block = static_cast<std::size_t>(capacity) * lanes;
+  const std::size_t room = groups <= before ? before : before == 0 ? groups : groups + groups / 16 + 8, block = static_cast<std::size_t>(capacity) * lanes;
   const auto grow = [&](auto& v) {
     using T = typename std::remove_reference_t<decltype(v)>::value_type;
     AlignedVector<T> bigger(room * block, T(0));

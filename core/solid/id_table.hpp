@@ -31,12 +31,18 @@ class IdTable {
   }
   /// Gives the id this number, whether or not it had one.
   void insert(std::uint64_t id, std::uint32_t value) {
-    if (2 * (size_ + 1) > key_.size()) grow();
+    if (2 * (size_ + 1) > key_.size()) grow(key_.empty() ? 64 : 2 * key_.size());
     std::size_t at = home(id);
     while (key_[at] != free_ && key_[at] != id) at = (at + 1) & mask_;
     size_ += key_[at] == free_;
     key_[at] = id;
     value_[at] = value;
+  }
+  /// Room for so many ids in all.
+  void reserve(std::size_t ids) {
+    std::size_t places = 64;
+    while (places < 2 * ids) places *= 2;
+    if (places > key_.size()) grow(places);
   }
   /// False if it had no number.
   bool erase(std::uint64_t id) {
@@ -61,8 +67,8 @@ class IdTable {
  private:
   static constexpr std::uint64_t free_ = ~0ull;
   std::size_t home(std::uint64_t id) const { return spreadBits(id) & mask_; }
-  void grow() {
-    std::vector<std::uint64_t> keys(key_.empty() ? 64 : 2 * key_.size(), free_);
+  void grow(std::size_t places) {  // a power of two
+    std::vector<std::uint64_t> keys(places, free_);
     std::vector<std::uint32_t> values(keys.size());
     keys.swap(key_);
     values.swap(value_);

@@ -7,16 +7,23 @@
 
 namespace thaw {
 
-ReferenceBond referenceBond(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot, int k) {
+namespace {
+
+/// As referenceBond; in loops over slots, which this is most of.
+inline ReferenceBond lookAtReference(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot, int k) {
   const std::size_t b = bonds.at(slot, k);
   if (bonds.vectors) return {{bonds.x[b], bonds.y[b], bonds.z[b]}, bonds.weight[b]};
   const Vec3d x = minimumImage(solids.reference[bonds.neighbour[b]] - solids.reference[slot], work.periods);
   return {x, bondWeight(x, work.support)};
 }
 
+}  // namespace
+
+ReferenceBond referenceBond(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot, int k) { return lookAtReference(work, solids, bonds, slot, k); }
+
 BondVectors bondVectors(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot, int k) {
   const std::size_t b = bonds.at(slot, k);
-  const ReferenceBond r = referenceBond(work, solids, bonds, slot, k);
+  const ReferenceBond r = lookAtReference(work, solids, bonds, slot, k);
   return {minimumImage(solids.position[bonds.neighbour[b]] - solids.position[slot], work.periods), r.vector,
           bonds.twoFrames ? Vec3d{bonds.rx[b], bonds.ry[b], bonds.rz[b]} : -r.vector, r.weight};
 }
@@ -26,10 +33,12 @@ namespace {
 /// A slot's bonds one behind the other, in their order: each is looked up once, however many sums run over them.
 template<class Bond, class Look> std::span<const Bond> gatherBonds(const Bonds& bonds, std::size_t slot, Look&& look) {
   thread_local std::vector<Bond> there;
-  there.clear();
+  if (there.size() < static_cast<std::size_t>(bonds.capacity)) there.resize(static_cast<std::size_t>(bonds.capacity));
+  Bond* const first = there.data();
+  std::size_t n = 0;
   for (int k = 0; k < bonds.capacity; k++)
-    if (bonds.there(slot, k)) there.push_back(look(k));
-  return there;
+    if (bonds.there(slot, k)) first[n++] = look(k);
+  return {first, n};
 }
 
 std::span<const BondVectors> vectorsOf(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot) {
@@ -51,7 +60,7 @@ void refreshSlot(ElasticWork& work, Solids& solids, const Bonds& bonds, std::siz
   int last = 0;
   const auto look = [&](int k) {
     last = k + 1;
-    return referenceBond(work, solids, bonds, slot, k);
+    return lookAtReference(work, solids, bonds, slot, k);
   };
   const std::span<const ReferenceBond> there = gatherBonds<ReferenceBond>(bonds, slot, look);
   for (const ReferenceBond& b : there) {
@@ -95,18 +104,37 @@ double slotEnergy(const ElasticWork& work, const Solids& solids, const Bonds& bo
   return slotStrain(work, solids, bonds, slot).energy;
 }
 
+namespace {
+
+SlotStrain strainWith(const ElasticWork& work, const Solids& solids, std::size_t slot, const Mat3d& gradU, double errors) {
+  const ElasticConstants c = slotConstants(work, solids, slot);
+  const Sym3d plastic = solids.plasticStrain.active ? solids.plasticStrain[slot] : Sym3d{};
+  return {gradU, solids.volume[slot] * (elasticResponse(c, gradU, plastic).energy + 0.5 * c.hourglass * work.perTrace[slot] * errors)};
+}
+
+}  // namespace
+
 SlotStrain slotStrain(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot) {
   const std::span<const BondVectors> there = vectorsOf(work, solids, bonds, slot);
   const Mat3d gradU = gradientOf(work, solids, slot, there);
-  const ElasticConstants c = slotConstants(work, solids, slot);
-  const Sym3d plastic = solids.plasticStrain.active ? solids.plasticStrain[slot] : Sym3d{};
   double errors = 0;
   for (const BondVectors& v : there) {
     const Vec3d e = v.current - v.reference - gradU * v.reference;
     errors += v.weight * dot(e, e);
   }
-  const double volume = solids.volume[slot];
-  return {gradU, volume * (elasticResponse(c, gradU, plastic).energy + 0.5 * c.hourglass * work.perTrace[slot] * errors)};
+  return strainWith(work, solids, slot, gradU, errors);
+}
+
+SlotStrain slotStrainAtReference(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot) {
+  if (work.rank[slot] < 3) return slotStrain(work, solids, bonds, slot);  // what completes its gradient rounds
+  return strainWith(work, solids, slot, Mat3d{} * full(solids.momentInverse[slot]), 0);
+}
+
+bool atReference(const Solids& solids) {
+  if (!solids.reference.active) return false;
+  for (std::size_t s = 0; s < solids.size(); s++)
+    if (solids.position[s] != solids.reference[s]) return false;
+  return true;
 }
 
 }  // namespace thaw

@@ -24,6 +24,10 @@ double slotEnergy(const ElasticWork& work, const Solids& solids, const Bonds& bo
 /// Both.
 struct SlotStrain { Mat3d gradU; double energy; };
 SlotStrain slotStrain(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot);
+/// The same bits without a look at the bonds, where all ends are at their places of the reference configuration (atReference).
+SlotStrain slotStrainAtReference(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot);
+/// Is every row, remote ones as well, where its reference is? So it is when a scene starts.
+bool atReference(const Solids& solids);
 
 /// Constants of a slot's material at its liquid fraction.
 ElasticConstants slotConstants(const ElasticWork& work, const Solids& solids, std::size_t slot);

@@ -23,6 +23,11 @@ void bookImpulses(World& w, double half) {
 
 }  // namespace
 
+Vec3d forceOf(const World& w, std::size_t i) {
+  const Continuum& p = w.particles;
+  return p.force.shares() ? (p.acceleration[i] - w.scene.domain.gravity) * p.mass[i] : p.force[i];
+}
+
 bool kickAndDrift(World& w, double dt) {
   Continuum& p = w.particles;
   const double half = 0.5 * dt;
@@ -58,10 +63,11 @@ bool finishKick(World& w, double dt, std::size_t* bad, LargestRates* largest) {
   double fastest = 0, hardest = 0;
   const bool fast = p.fastAcceleration.active;
   bookImpulses(w, half);
+  const Vec3d* const force = p.force.data();
   for (std::size_t i = p.owned; i-- > 0;) {
     const bool clamped = clamps && p.clamped[i];
     const Vec3d x = p.position[i];
-    Vec3d v = p.velocity[i], a = p.force[i] * (1 / p.mass[i]) + g;
+    Vec3d v = p.velocity[i], a = force[i] * (1 / p.mass[i]) + g;
     if (clamped || (sleeps && p.sleep[i] != awake)) a = {};
     if (!std::isfinite(a.x + a.y + a.z + x.x + x.y + x.z + v.x + v.y + v.z)) {
       finite = false;

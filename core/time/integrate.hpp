@@ -13,4 +13,7 @@ bool kickAndDrift(World& world, double dt);
 /// then the row of the first such particle. *largest: what largestRates would find.
 bool finishKick(World& world, double dt, std::size_t* bad, LargestRates* largest);
 
+/// The sum of all forces (N) on an owned particle that the last kick was of, weight excluded; between steps, where Continuum::force may be the acceleration by now.
+Vec3d forceOf(const World& world, std::size_t row);
+
 }  // namespace thaw

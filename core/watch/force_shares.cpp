@@ -4,6 +4,7 @@
 
 #include "core/contact/solid_contact.hpp"
 #include "core/particle_sums.hpp"
+#include "core/time/integrate.hpp"
 
 namespace thaw {
 namespace {
@@ -23,7 +24,7 @@ ForceShares forceShares(World& w, StepTools& t, std::size_t i) {
   const std::vector<Vec3d> force(p.force.data(), p.force.data() + p.owned), velocity(p.velocity.data(), p.velocity.data() + p.size());
   const Ledger ledger = w.ledger;
   const Counters counters = w.counters;
-  Vec3d rest = force[i];
+  Vec3d rest = forceOf(w, i);
   ForceShares f;
   if (p.slot.active && p.slot[i] != noSlot && p.slot[i] < w.solids.owned) {
     f.elastic = length(w.solids.force[p.slot[i]]);

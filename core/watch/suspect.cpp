@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/time/integrate.hpp"
+
 namespace thaw {
 namespace {
 
@@ -11,7 +13,7 @@ double guilt(const World& w, Alarm alarm, Limit limitedBy, std::size_t i) {
   const Continuum& p = w.particles;
   const bool solid = p.slot.active && p.slot[i] != noSlot && p.slot[i] < w.solids.owned;
   const double speed2 = dot(p.velocity[i], p.velocity[i]);
-  const Vec3d &x = p.position[i], &f = p.force[i];
+  const Vec3d x = p.position[i], f = forceOf(w, i);
   double g = speed2;
   if (alarm == Alarm::NotFinite && !std::isfinite(x.x + x.y + x.z + f.x + f.y + f.z)) g = never;
   if (alarm == Alarm::Density) g = p.phase[i] == Liquid && p.filling.active ? static_cast<double>(p.filling[i]) : 0;

@@ -86,7 +86,7 @@ int checkAll(const CheckOptions& o) {
   const std::string notRelaxed = leaveOutRelaxation(w.scene);
   requireRoomForKinds(comm, w.scene, meshLoader());
   prepareWorld(w, t, meshLoader());
-  requireMemory(comm, w, meshLoader());
+  requireMemory(comm, w, t.shapes);
   MpiCellHalo cells(comm, w.grid);
   MpiBondHalo bonds(comm), edges(comm);
   std::unique_ptr<MpiCellHalo> kinds[kindCount];

@@ -80,9 +80,7 @@ void requireRoomForKinds(const Communicator& comm, const Scene& scene, const Mes
   problems.raise();
 }
 
-void requireMemory(const Communicator& comm, const World& world, const MeshLoader& load) {
-  std::vector<std::shared_ptr<const SignedDistance>> shapes;
-  for (const Body& b : world.scene.bodies) shapes.push_back(makeSignedDistance(b.shape, load));
+void requireMemory(const Communicator& comm, const World& world, const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {
   if (world.modules.surface) refuseWideSurfels(world.scene, shapes);
   double particles = 0, most = -1;
   std::size_t largest = 0;  // for the message

@@ -12,7 +12,8 @@ namespace thaw {
 /// memory of each machine (all of it, or what the control group allows). Throws ShapeError with one sentence, alike on all
 /// ranks. The estimate is low, so that nothing that fits is refused. A surface whose surfels
 /// are farther apart than half of a body's width is refused likewise. Collective.
-void requireMemory(const Communicator& comm, const World& world, const MeshLoader& load);
+/// shapes: of the scene's bodies.
+void requireMemory(const Communicator& comm, const World& world, const std::vector<std::shared_ptr<const SignedDistance>>& shapes);
 
 /// The same for oriented bodies and sheets, which are made while the world is prepared: to be called before that. Throws ShapeError with a line for each
 /// body that cannot fit, at its place in the scene. Collective.

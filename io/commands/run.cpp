@@ -78,7 +78,7 @@ int simulate(Run& r) {
   });
   requireRoomForKinds(r.comm, r.world.scene, load);
   prepareWorld(r.world, r.tools, load);
-  requireMemory(r.comm, r.world, load);
+  requireMemory(r.comm, r.world, r.tools.shapes);
   renewHalos(r);
   const char* launched = std::getenv("OMPI_COMM_WORLD_SIZE");
   if (launched && std::atoi(launched) != r.comm.size()) {

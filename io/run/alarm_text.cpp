@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/domain/emit.hpp"
+#include "core/time/integrate.hpp"
 #include "core/time/limits.hpp"
 #include "core/watch/force_shares.hpp"
 
@@ -53,7 +54,7 @@ std::string alarmText(World& w, StepTools& t, const StepOutcome& o, const Suspec
   const std::size_t i = s.row, source = sourceOf(p.id[i]), bodies = w.scene.bodies.size();
   const std::string name = source < bodies ? "body '" + w.scene.bodies[source].name : "emitter '" + w.scene.emitters[source - bodies].name;
   std::string line = fmt::format("{}: particle {} of {}' at {} m has a velocity of {} m/s and a force of {} N", seen(w, t, o, s), numberOf(p.id[i]), name, text(p.position[i]),
-                                 text(p.velocity[i]), text(p.force[i]));
+                                 text(p.velocity[i]), text(forceOf(w, i)));
   const ForceShares f = forceShares(w, t, i);
   std::vector<std::pair<double, std::string>> terms;
   const auto add = [&](bool has, const char* term, double size) {

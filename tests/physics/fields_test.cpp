@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/memory.hpp"
+#include "core/time/integrate.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace thaw::test {
@@ -37,7 +38,7 @@ Names added(const Scene& with, const Scene& without) {
 }
 
 const Names always{"continuum.id", "continuum.position", "continuum.velocity", "continuum.acceleration", "continuum.mass", "continuum.material", "continuum.body", "continuum.dissipated",
-                   "continuum.cell", "continuum.nextCell", "continuum.phase", "continuum.force", "continuum.dissipation", "continuum.interaction"};
+                   "continuum.cell", "continuum.phase", "continuum.dissipation", "continuum.interaction"};
 
 Names with(Names base, const Names& more) {
   base.insert(base.end(), more.begin(), more.end());
@@ -54,6 +55,30 @@ TEST(Fields, OfASolid) {
   EXPECT_EQ(sorted(fields(block(true))),
             with(always, {"continuum.slot", "solid.id", "solid.particle", "solid.material", "solid.reference", "solid.volume", "solid.position", "solid.momentInverse", "solid.deformation", "solid.endDouble",
                           "solid.force", "solid.energy", "solid.changed"}));
+}
+
+// Forces are summed where accelerations are kept, but not where both are read, or where what is held has no acceleration of its force.
+TEST(Fields, ForcesOfTheirOwnWhereAskedFor) {
+  Scene clamped = block(true);
+  clamped.domain.gravity = {0, 0, -9.81};
+  Scene free = clamped;
+  clamped.bodies[0].clamp.emplace_back();
+  clamped.bodies[0].clamp[0].size = {2, 2, 0.2};
+  clamped.bodies[0].clamp[0].move = {0, 0, -0.3};
+  EXPECT_EQ(added(clamped, block(true)), (Names{"continuum.clamped", "continuum.force"}));
+  for (const bool own : {false, true}) {
+    Simulation run(own ? clamped : free);
+    Continuum& p = run.particles();
+    EXPECT_EQ(p.force.shares(), !own);
+    for (int k = 0; k < 20; k++) ASSERT_TRUE(run.step());
+    double largest = 0;
+    for (std::size_t i = 0; i < p.owned; i++) {
+      largest = std::max(largest, length(forceOf(run.w, i)));
+      if (own && p.clamped[i]) continue;
+      EXPECT_LT(length(forceOf(run.w, i) / p.mass[i] + free.domain.gravity - p.acceleration[i]), 1e-10 * length(free.domain.gravity)) << i;
+    }
+    EXPECT_EQ(largest > 1e-3 * p.mass[0], own) << "what falls freely has no force";
+  }
 }
 
 TEST(Fields, HeatAddsThree) {

@@ -1,27 +1,30 @@
-// Counts calls of operator new. For one source file of a program of its own.
+// Counts calls of operator new, and bytes. For one source file of a program of its own.
 #pragma once
 #include <atomic>
 #include <cstdlib>
 #include <new>
 
 namespace {
-std::atomic<long> allocations{0};
+std::atomic<long> allocations{0}, allocatedBytes{0};
 }
 
 // not inline: the compiler would take malloc and free for a mismatch with new and delete
 [[gnu::noinline]] void* operator new(std::size_t n) {
   allocations++;
+  allocatedBytes += static_cast<long>(n);
   if (void* p = std::malloc(n > 0 ? n : 1)) return p;
   throw std::bad_alloc();
 }
 [[gnu::noinline]] void* operator new(std::size_t n, std::align_val_t a) {
   allocations++;
+  allocatedBytes += static_cast<long>(n);
   const std::size_t align = static_cast<std::size_t>(a);
   if (void* p = std::aligned_alloc(align, (n + align - 1) / align * align)) return p;
   throw std::bad_alloc();
 }
 [[gnu::noinline]] void* operator new(std::size_t n, const std::nothrow_t&) noexcept {  // what std::inplace_merge asks for
   allocations++;
+  allocatedBytes += static_cast<long>(n);
   return std::malloc(n > 0 ? n : 1);
 }
 [[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }

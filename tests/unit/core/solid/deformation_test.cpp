@@ -1,8 +1,11 @@
 // MLS gradient: exact for linear fields, blind to rotation, sound where neighbourhoods are singular.
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 #include "core/solid/elastic_kernels.hpp"
 #include "core/solid/moment.hpp"
+#include "core/solid/slot_state.hpp"
 #include "tests/support/solid_body.hpp"
 
 using namespace thaw;
@@ -207,4 +210,25 @@ TEST(Moment, completionKeepsHandedness) {
   EXPECT_EQ(invertMoment({1, 1, 1e-4, 0, 0, 0}).rank, 2);
   EXPECT_EQ(invertMoment({1, 1, 0.05, 0, 0, 0}).rank, 3);
   EXPECT_EQ(invertMoment({}).rank, 0);
+}
+
+// What a start books of bodies that rest in their reference is found without a look at the bonds: the same bits.
+TEST(Deformation, atTheReferenceTheShortWayHasTheSameBits) {
+  auto points = lattice({5, 4, 5}, 0.1, 0.2);
+  points.push_back({2, 0, 0});  // alone
+  points.push_back({3, 0, 0});  // a row of two
+  points.push_back({3.1, 0, 0.02});
+  for (const ElasticLaw law : {ElasticLaw::Green, ElasticLaw::NeoHookean, ElasticLaw::Corotated}) {
+    Material m = elasticMaterial();
+    m.law = law;
+    const auto b = makeBody(points, {m});
+    computeForces(*b);
+    ASSERT_TRUE(atReference(b->solids));
+    for (std::size_t s = 0; s < b->solids.owned; s++) {
+      const SlotStrain bonds = slotStrain(b->work, b->solids, b->bonds, s), none = slotStrainAtReference(b->work, b->solids, b->bonds, s);
+      EXPECT_EQ(std::memcmp(&bonds, &none, sizeof bonds), 0) << s;
+    }
+    b->solids.position[7].x += 1e-9;
+    EXPECT_FALSE(atReference(b->solids));
+  }
 }

@@ -1,0 +1,64 @@
+// What a start asks of the system: new memory is a third of its time (docs/performance.md), so it is asked for once.
+#include <gtest/gtest.h>
+
+#include "core/math/hash_random.hpp"
+#include "core/setup/setup.hpp"
+#include "parallel/bond_halo.hpp"
+#include "parallel/cell_halo.hpp"
+#include "tests/support/count_allocations.hpp"
+#include "tests/support/measured.hpp"
+#include "tests/support/simulation.hpp"
+
+using namespace thaw;
+using namespace thaw::test;
+
+namespace {
+
+Scene block(bool solid) {
+  Scene s;
+  s.spacing = 0.01;
+  s.numerics.support = s.numerics.bondSupport = 2.13;
+  s.numerics.precision = s.numerics.elasticPrecision = Precision::Single;
+  s.numerics.selfContact = false;
+  s.domain.min = {-0.5, -0.5, -0.5};
+  s.domain.max = {0.5, 0.5, 0.5};
+  s.domain.gravity = {};
+  s.output.every = 0;
+  s.materials.emplace_back();
+  s.materials[0].soundSpeed = 10;
+  if (solid) s.materials[0].young = {1e5, 0};
+  addBox(s, {-0.15, -0.15, -0.15}, {0.15, 0.15, 0.15});
+  return s;
+}
+
+/// Bytes a particle that a start allocates on one rank, whether it keeps them or not. The particles are moved off their lattice, so that some have more bonds than most.
+double askedFor(bool solid) {
+  const Communicator comm;
+  MpiReducer all(comm);
+  const long before = allocatedBytes;
+  World w;
+  w.scene = block(solid);
+  StepTools tools;
+  prepareWorld(w, tools, {});
+  MpiCellHalo cells(comm, w.grid);
+  MpiBondHalo bonds(comm);
+  const Halos halos{all, cells, bonds};
+  sampleWorld(w, halos, tools, {});
+  Continuum& p = w.particles;
+  for (std::size_t i = 0; i < p.owned; i++)
+    for (int a = 0; a < 3; a++) p.position[i][a] += 0.1 * w.scene.spacing * (2 * randomUniform(1, Purpose::Separate, p.id[i], static_cast<std::uint64_t>(a)) - 1);
+  tools.bondsAtStart = solid;
+  takeStock(w, halos, tools);
+  return static_cast<double>(allocatedBytes - before) / static_cast<double>(p.owned);
+}
+
+}  // namespace
+
+// With room for bonds made twice, columns, ids and lists that double, and places kept beside the numbers they follow from it was 1491 and 710.
+TEST(Start, AsksTheSystemOnce) {
+  if (Communicator().size() > 1) GTEST_SKIP() << "messages of the first partition come on top";
+  const double solid = askedFor(true), fluid = askedFor(false);
+  measured("bytes a particle that a start asks for: solid %.0f, fluid %.0f", solid, fluid);
+  EXPECT_LT(solid, 1300);
+  EXPECT_LT(fluid, 630);
+}
