@@ -64,7 +64,8 @@ CASES = {
     "surface_spin": (["0.25", "0.125"], "0.125", {}),
     "surface_melt": (["0.00833333333333333", "0.00625"], "0.00833333333333333", {"surface.keep_volume": ["0"]}),
     "surface_merge": (["0.166666666666667", "0.125", "0.1"], "0.125", {"surface.keep_volume": ["1"], "surface.particle_support": ["1.5"]}),
-    "surface_split": (["0.166666666666667", "0.125", "0.1"], "0.125", {"material.oil.surface_tension": ["0"], "surface.keep_volume": ["1"], "surface.particle_support": ["1.5"]}),
+    "surface_split": (["0.166666666666667", "0.125", "0.1"], "0.125", {"material.oil.surface_tension": ["0", "0.03"], "body.0.packing": ["lattice"], "body.0.packing=lattice material.oil.surface_tension": ["0"]}),
+    "surface_held": (["0.166666666666667", "0.125", "0.1"], "0.125", {}),
 }
 
 

@@ -55,6 +55,6 @@ double surfaceArea(const World& world);
 void addCost(Trial& trial, const SurfelCloud& cloud, std::vector<Figure>& figures);
 
 std::vector<Case> restingSurfaceCases();  ///< ball, cube, sheet
-std::vector<Case> movingSurfaceCases();   ///< spin, melt, merge, split
+std::vector<Case> movingSurfaceCases();   ///< spin, melt, merge, split, held
 
 }  // namespace thaw::accuracy
