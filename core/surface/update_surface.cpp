@@ -26,6 +26,22 @@ void placeAll(Surface& s, SurfaceHalos halos, SurfaceTools& t) {
   t.relax.particlesReady = false;
 }
 
+bool anyGrown(const Scene& s) {
+  for (std::size_t b = 0; b < s.bodies.size(); b++)
+    if (!isSampled(s, b)) return true;
+  return !s.emitters.empty() || s.bodies.empty();
+}
+
+/// The surfaces of bodies that are not sampled, while the others' surfels are away: these say what hangs together of a thin body, and would be moved here.
+void growBeside(World& w, SurfaceHalos halos, SurfaceTools& t) {
+  Surface& s = w.surface;
+  s.surfels.resize(s.surfels.owned, 0);
+  s.surfels.resize(0, 0);
+  placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, t.sort);
+  growBodies(w, halos, t);
+  sampleMeshes(w.scene, s, t.load, halos.all);
+}
+
 /// Surfels that came with meshes are to be in order before anything moves: else the first update would bear and delete some of a body that is at rest.
 /// Their density follows the curvature, where it is to: it goes half of the way in a call.
 void orderStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
@@ -66,10 +82,10 @@ void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   gatherParticles(w, halos.all.rank());
   cutByParticles(w, halos, t);
+  sampleMeshes(w.scene, s, t.load, halos.all);
   labelParticles(w, halos, t);
   t.relax.particlesReady = false;
-  growBodies(w, halos, t);
-  sampleMeshes(w.scene, s, t.load, halos.all);
+  if (anyGrown(w.scene)) growBeside(w, halos, t);
   updateComponents(w, halos, t);
   orderStart(w, halos, t);
   keepStartVolumes(w, halos);
