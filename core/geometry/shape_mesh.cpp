@@ -55,14 +55,6 @@ TriangleMesh squareOf(const Shape& s, const Ball& seen) {
   return {{middle - u - v, middle + u - v, middle + u + v, middle - u + v}, {{0, 1, 2}, {0, 2, 3}}};
 }
 
-Shape withoutPlacement(Shape s) {
-  s.scale = 1;
-  s.rotate = s.move = {};
-  s.fitHeight.reset();
-  s.bottom.reset();
-  return s;
-}
-
 TriangleMesh placedParts(const Shape& s, double sag, const Ball& seen, const MeshLoader& load);
 
 TriangleMesh unplaced(const Shape& s, double sag, const Ball& seen, const MeshLoader& load) {
@@ -103,6 +95,14 @@ TriangleMesh placedParts(const Shape& s, double sag, const Ball& seen, const Mes
 }
 
 }  // namespace
+
+Shape withoutPlacement(Shape s) {
+  s.scale = 1;
+  s.rotate = s.move = {};
+  s.fitHeight.reset();
+  s.bottom.reset();
+  return s;
+}
 
 TriangleMesh revolvedMesh(const Outline& outline, bool closed, int around) {
   TriangleMesh m;

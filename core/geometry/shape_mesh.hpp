@@ -11,6 +11,9 @@ namespace thaw {
 /// neither colours nor normals are kept. Throws ShapeError; std::invalid_argument for a body without end.
 TriangleMesh shapeMesh(const Shape& shape, double sag, const MeshLoader& load);
 
+/// The same shape in its own frame.
+Shape withoutPlacement(Shape shape);
+
 /// Turns an outline about z in `around` steps: corners on the axis are one vertex. closed: the last point is joined to the first. The solid is on the left of the outline (RevolvedDistance).
 TriangleMesh revolvedMesh(const std::vector<RevolvedDistance::Point>& outline, bool closed, int around);
 

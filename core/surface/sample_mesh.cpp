@@ -66,11 +66,14 @@ std::vector<SurfaceSample> sampleMesh(const Shape& shape, const MeshLoader& load
   return samples;
 }
 
-std::vector<SurfaceSample> sampleExact(const Shape& shape, const MeshLoader& load, double spacing, std::uint64_t seed) {
+/// In the shape's own frame, so that the same body has the same samples wherever it is placed.
+std::vector<SurfaceSample> sampleExact(const Shape& placed, const MeshLoader& load, double apart, std::uint64_t seed) {
+  const Shape shape = withoutPlacement(placed);
+  const std::shared_ptr<const SignedDistance> solid = makeSignedDistance(shape, load);
+  const Placement to = placementOf(placed, solid);
+  const double spacing = apart / to.scale, off = beside * spacing;
   const TriangleMesh mesh = shapeMesh(shape, chord * spacing, load);
   const MeshNormals normals(mesh);
-  const std::shared_ptr<const SignedDistance> solid = makeSignedDistance(shape, load);
-  const double off = beside * spacing;
   const MeshPart shown{[&](const Vec3d& middle, double reach) { return std::abs(solid->distanceWithin(middle, reach + off)) <= reach + off; },
                        [&](const Vec3d& x, std::uint32_t triangle) {
                          const Vec3d n = off * outwardOf(mesh, triangle);
@@ -79,11 +82,10 @@ std::vector<SurfaceSample> sampleExact(const Shape& shape, const MeshLoader& loa
   const bool combined = !shape.parts.empty();
   std::vector<SurfaceSample> samples;
   for (const MeshSample& m : blueNoise(mesh, spacing, seed, combined ? &shown : nullptr)) {
-    SurfaceSample s{m.position, normals.at(m.position, m.triangle)};
-    Vec3d gradient;
-    const double d = solid->distanceWithin(s.position, 2 * off, &gradient);
-    if (std::abs(d) < off) s.position -= d * gradient;
-    samples.push_back(s);
+    Vec3d x = m.position, gradient;
+    const double d = solid->distanceWithin(x, 2 * off, &gradient);
+    if (std::abs(d) < off) x -= d * gradient;
+    samples.push_back({to.move + to.rotation * (to.scale * x), to.rotation * normals.at(m.position, m.triangle)});
   }
   return samples;
 }
@@ -110,6 +112,12 @@ bool isSampled(const Scene& scene, std::size_t body) {
   return m.canBeSolid() && paperFraction(m, b.temperature) == 0;
 }
 
+bool anyFromShape(const Scene& scene) {
+  for (std::size_t b = 0; b < scene.bodies.size(); b++)
+    if (isSampled(scene, b) && !hasMesh(scene, b)) return true;
+  return false;
+}
+
 std::vector<SurfaceSample> sampleShape(const Shape& shape, const MeshLoader& load, double spacing, std::uint64_t seed) {
   return shape.kind == ShapeKind::Mesh ? sampleMesh(shape, load, spacing, seed) : sampleExact(shape, load, spacing, seed);
 }
@@ -134,6 +142,24 @@ void sampleMeshes(const Scene& scene, Surface& surface, const MeshLoader& load, 
       s.detail[i] = 1;
       if (s.temperature.active) s.temperature[i] = static_cast<float>(scene.bodies[b].temperature);
     }
+  }
+}
+
+void putBirthsOnShapes(const Scene& scene, Surface& surface, const MeshLoader& load) {
+  std::vector<std::shared_ptr<const SignedDistance>> shapes(scene.bodies.size());
+  for (std::size_t b = 0; b < shapes.size(); b++)
+    if (isSampled(scene, b) && !hasMesh(scene, b)) shapes[b] = makeSignedDistance(scene.bodies[b].shape, load);
+  Surfels& s = surface.surfels;
+  const double near = 0.5 * surface.spacing, off = beside * surface.spacing;
+  for (std::size_t i = 0; i < s.owned; i++) {
+    const std::uint64_t body = sourceOf(s.component[i] - 1);  // a component has the name of a particle
+    if (!(s.id[i] & birthBit) || body >= shapes.size() || !shapes[body]) continue;
+    Vec3d gradient;
+    const double d = shapes[body]->distanceWithin(s.position[i], near, &gradient);
+    if (!(std::abs(d) < near) || dot(gradient, s.normal[i]) < -0.5) continue;
+    s.position[i] -= d * gradient;
+    shapes[body]->distanceWithin(s.position[i] - off * gradient, near, &s.normal[i]);  // beyond an edge the gradient is that of neither face
+    s.tangent[i] = anyTangent(s.normal[i]);
   }
 }
 

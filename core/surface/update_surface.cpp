@@ -26,28 +26,26 @@ void placeAll(Surface& s, SurfaceHalos halos, SurfaceTools& t) {
   t.relax.particlesReady = false;
 }
 
-bool anyGrown(const Scene& s) {
-  for (std::size_t b = 0; b < s.bodies.size(); b++)
-    if (!isSampled(s, b)) return true;
-  return !s.emitters.empty() || s.bodies.empty();
-}
-
-/// The surfaces of bodies that are not sampled, while the others' surfels are away: these say what hangs together of a thin body, and would be moved here.
-void growBeside(World& w, SurfaceHalos halos, SurfaceTools& t) {
+/// The components of the particles, before there are surfels. What hangs together of a body that is too thin for its particles its surfels say: they are sampled for that alone, and taken away.
+void labelStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
+  t.pieces = findStartPieces(w, halos, t);
+  const SurfaceCounters before = s.counters;
+  if (!t.pieces.empty()) sampleMeshes(w.scene, s, t.load, halos.all);
+  labelParticles(w, halos, t);
+  s.counters = before;
   s.surfels.resize(s.surfels.owned, 0);
   s.surfels.resize(0, 0);
   placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, t.sort);
-  growBodies(w, halos, t);
-  sampleMeshes(w.scene, s, t.load, halos.all);
 }
 
-/// Surfels that came with meshes are to be in order before anything moves: else the first update would bear and delete some of a body that is at rest.
+/// Surfels that were sampled are to be in order before anything moves: else the first update would bear and delete some of a body that is at rest.
 /// Their density follows the curvature, where it is to: it goes half of the way in a call.
 void orderStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
   const SurfaceCounters before = w.surface.counters;
   const bool adapt = w.scene.surface.adapt > 0;
   for (int k = 0; k < (adapt ? 4 : 2); k++) resampleOnParticles(w, halos, t, 10);
+  putBirthsOnShapes(w.scene, w.surface, t.load);
   w.surface.counters = before;  // the start is no change
   if (adapt) updateComponents(w, halos, t);
   else measureSurface(w, halos, t);
@@ -82,10 +80,10 @@ void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   gatherParticles(w, halos.all.rank());
   cutByParticles(w, halos, t);
-  sampleMeshes(w.scene, s, t.load, halos.all);
-  labelParticles(w, halos, t);
+  labelStart(w, halos, t);
   t.relax.particlesReady = false;
-  if (anyGrown(w.scene)) growBeside(w, halos, t);
+  growBodies(w, halos, t);
+  sampleMeshes(w.scene, s, t.load, halos.all);
   updateComponents(w, halos, t);
   orderStart(w, halos, t);
   keepStartVolumes(w, halos);
@@ -108,6 +106,7 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   t.times.lap(SurfacePhase::Place);
   findDisplacementGradients(w, halos, t);
   fadeFill(s.particles);
+  settleShares(w.scene, s.particles);
   displaceSurfels(w, halos, t);
   t.times.lap(SurfacePhase::Displacement);
   bringParticlesForward(s);
