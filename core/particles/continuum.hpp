@@ -59,7 +59,7 @@ struct Continuum : Table {
   Column<Vec3d> surfacePlace{*this, "surfacePlace", "m", Keep::State, "position at the last update of the surface"};
   Column<Vec3d> surfaceStart{*this, "surfaceStart", "m", Keep::State, "place when the surface was made; only where there are solids"};
   Column<std::uint64_t> component{*this, "component", "1", Keep::State, "label: 1 + the smallest id of a particle of its component; 0: came after the last update"};
-  Column<double> surfaceShare{*this, "surfaceShare", "1", Keep::State, "volume that the surface is to hold for it over its own: that of its body's mesh at the start; 0: its own"};
+  Column<double> surfaceShare{*this, "surfaceShare", "1", Keep::State, "volume that the surface is to hold for it over its own: that of its body's mesh or shape at the start; 0: its own"};
   Column<float> surfaceFill{*this, "surfaceFill", "1", Keep::State, "what of its body was around it at the start, over the mean (cell_shares.hpp); 0: as much as of any"};
   // contact with sheets by triangles (core/sheet/face_contact.hpp): what the particle's owner found
   Column<std::uint32_t> sheetFace{*this, "sheetFace", "1", Keep::Transient, "1 + number of the triangle that it touches; 0: none"};

@@ -197,7 +197,7 @@ struct Numerics {
 // ---- surface (K05 section 4) --------------------------------------------------------------------------------------------
 enum class SmoothingForm { Sphere, Plane };        // Plane: as in K05; Sphere: no force where surfels lie on a sphere (co-circularity, ST92)
 enum class MergeRule { Liquid, All, None };        // which components join where they meet; the others' surfaces are kept apart
-enum class SurfelSource { Automatic, Particles };  // Automatic: from the mesh of a body that has one
+enum class SurfelSource { Automatic, Particles };  // Automatic: from the mesh or shape of what has one (isSampled)
 
 struct SurfaceSettings {
   bool on = false;                // the scene has a table [surface]

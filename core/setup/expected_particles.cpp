@@ -1,5 +1,7 @@
 #include "core/setup/expected_particles.hpp"
 
+#include <cmath>
+
 namespace thaw {
 namespace {
 
@@ -32,23 +34,27 @@ double expectedParticles(const std::vector<std::shared_ptr<const SignedDistance>
 double expectedArea(const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {
   constexpr int n = 32;
   std::vector<char> in(n * n * n);
-  const auto at = [](int x, int y, int z) { return static_cast<std::size_t>((z * n + y) * n + x); };
+  const auto at = [](const int (&c)[3]) { return static_cast<std::size_t>((c[2] * n + c[1]) * n + c[0]); };
   double sum = 0;
   for (const auto& shape : shapes) {
     const Bounds b = shape->bounds();
     const Vec3d size = b.max - b.min, cell = size * (1.0 / (n - 2));  // a margin of one cell, which is outside
+    const auto place = [&](double x, double y, double z) { return b.min + Vec3d{(x - 0.5) * cell.x, (y - 0.5) * cell.y, (z - 0.5) * cell.z}; };
     for (int z = 0; z < n; z++)
       for (int y = 0; y < n; y++)
-        for (int x = 0; x < n; x++) in[at(x, y, z)] = shape->inside({b.min.x + (x - 0.5) * cell.x, b.min.y + (y - 0.5) * cell.y, b.min.z + (z - 0.5) * cell.z});
-    double crossed = 0;
-    for (int a = 0; a < n; a++)
-      for (int c = 0; c < n; c++)
-        for (int k = 0; k + 1 < n; k++) {
-          crossed += (in[at(k, a, c)] != in[at(k + 1, a, c)]) * cell.y * cell.z;
-          crossed += (in[at(a, k, c)] != in[at(a, k + 1, c)]) * cell.x * cell.z;
-          crossed += (in[at(a, c, k)] != in[at(a, c, k + 1)]) * cell.x * cell.y;
-        }
-    sum += 2.0 / 3 * crossed;  // a line along an axis meets a surface of area A |n_a| A times; the mean of |n_a| over directions is 1/2
+        for (int x = 0; x < n; x++) in[at({x, y, z})] = shape->inside(place(x, y, z));
+    // A piece of area A and normal n is crossed by |n_a| A / (area of a cell across a) lines along axis a. A crossing that counts that area over |n_x| + |n_y| + |n_z| gives A.
+    for (int z = 0; z < n; z++)
+      for (int y = 0; y < n; y++)
+        for (int x = 0; x < n; x++)
+          for (int a = 0; a < 3; a++) {
+            int next[3] = {x, y, z};
+            if (++next[a] == n || in[at({x, y, z})] == in[at(next)]) continue;
+            Vec3d g;
+            shape->distanceWithin(place(0.5 * (x + next[0]), 0.5 * (y + next[1]), 0.5 * (z + next[2])), length(cell), &g);
+            const double lines = std::abs(g.x) + std::abs(g.y) + std::abs(g.z), across = cell[(a + 1) % 3] * cell[(a + 2) % 3];
+            sum += across / (lines > 0 ? lines : 1.5);  // 3/2: the mean over all directions
+          }
   }
   return sum;
 }

@@ -10,8 +10,8 @@ namespace thaw {
 /// lattice over the bounding box that lies inside, or by the bounding box alone where that is not much.
 double expectedParticles(const std::vector<std::shared_ptr<const SignedDistance>>& shapes, double spacing);
 
-/// About the area (m^2) of these shapes, by how often lines along the axes cross them (Cauchy and Crofton); what is finer than a 32nd of a
-/// shape's size is not seen. No less than two thirds of the area of what is not, exact in the mean over directions.
+/// About the area (m^2) of these shapes, by how often lines along the axes cross them, and at what angle; what is finer than a 32nd of a
+/// shape's size is not seen. Exact for boxes along the axes, else to some per cent.
 double expectedArea(const std::vector<std::shared_ptr<const SignedDistance>>& shapes);
 
 }  // namespace thaw

@@ -24,7 +24,7 @@ struct Candidates {
 };
 
 /// Halves a triangle across its longest edge until it is small; a candidate in each piece.
-void addPieces(const std::array<Vec3d, 3>& t, std::uint32_t triangle, double size2, std::uint64_t seed, Candidates& c) {
+void addPieces(const std::array<Vec3d, 3>& t, std::uint32_t triangle, double size2, std::uint64_t seed, const MeshPart* part, Candidates& c) {
   int longest = 0;
   double most = -1;
   for (int k = 0; k < 3; k++) {
@@ -34,8 +34,9 @@ void addPieces(const std::array<Vec3d, 3>& t, std::uint32_t triangle, double siz
   const Vec3d &a = t[longest], &b = t[(longest + 1) % 3], &o = t[(longest + 2) % 3];
   if (most > size2) {
     const Vec3d m = 0.5 * (a + b);
-    addPieces({a, m, o}, triangle, size2, seed, c);
-    addPieces({m, b, o}, triangle, size2, seed, c);
+    if (part && !part->near(m, std::sqrt(most))) return;  // no corner is farther from the middle of the longest edge
+    addPieces({a, m, o}, triangle, size2, seed, part, c);
+    addPieces({m, b, o}, triangle, size2, seed, part, c);
     return;
   }
   const double area = 0.5 * length(cross(b - a, o - a));
@@ -43,7 +44,9 @@ void addPieces(const std::array<Vec3d, 3>& t, std::uint32_t triangle, double siz
   const std::uint64_t n = c.position.size();
   double u = randomUniform(seed, Purpose::SurfelSample, n, 1), v = randomUniform(seed, Purpose::SurfelSample, n, 2);
   if (u + v > 1) u = 1 - u, v = 1 - v;
-  c.position.push_back(a + u * (b - a) + v * (o - a));
+  const Vec3d place = a + u * (b - a) + v * (o - a);
+  if (part && !part->isThere(place, triangle)) return;
+  c.position.push_back(place);
   c.triangle.push_back(triangle);
   c.area.push_back(static_cast<float>(area));
 }
@@ -162,15 +165,16 @@ struct Sampler {
 
 }  // namespace
 
-std::vector<MeshSample> blueNoise(const TriangleMesh& mesh, double spacing, std::uint64_t seed) {
+std::vector<MeshSample> blueNoise(const TriangleMesh& mesh, double spacing, std::uint64_t seed, const MeshPart* part) {
   Sampler s{mesh, spacing, seed, {}, {}, {}, {}};
   s.normal.reserve(mesh.triangles.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); t++) {
     const auto& c = mesh.triangles[t];
     const Vec3d n = normalized(cross(mesh.vertices[c[1]] - mesh.vertices[c[0]], mesh.vertices[c[2]] - mesh.vertices[c[0]]));
     s.normal.push_back({static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)});
-    addPieces({mesh.vertices[c[0]], mesh.vertices[c[1]], mesh.vertices[c[2]]}, t, pieceSize * pieceSize * spacing * spacing, seed, s.all);
+    addPieces({mesh.vertices[c[0]], mesh.vertices[c[1]], mesh.vertices[c[2]]}, t, pieceSize * pieceSize * spacing * spacing, seed, part, s.all);
   }
+  if (s.all.position.empty()) return {};
   const PointCells cells(s.all.position, closest * spacing);
   sortByCells(s.all, cells);
   s.throwDarts(cells, closest * spacing);

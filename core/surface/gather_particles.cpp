@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/surface/sample_mesh.hpp"
+
 namespace thaw {
 namespace {
 
@@ -62,6 +64,12 @@ void fadeFill(SurfaceParticles& p) {
   }
 }
 
+void settleShares(const Scene& scene, SurfaceParticles& p) {
+  if (!p.liquid.active) return;
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (p.liquid[i] >= 1 && p.share[i] != 1 && !hasMesh(scene, p.body[i])) p.share[i] = 1;
+}
+
 void returnParticles(World& w, SurfaceHalos halos) {
   Continuum& p = w.particles;
   SurfaceParticles& c = w.surface.particles;
@@ -77,6 +85,12 @@ void returnParticles(World& w, SurfaceHalos halos) {
     for (std::size_t i = 0; i < c.owned; i++) there[i] = std::bit_cast<std::uint32_t>(c.fill[i]);
     halos.courier.sendHome({c.home.data(), c.owned}, there, here);
     for (std::size_t i = 0; i < p.owned; i++) p.surfaceFill[i] = std::bit_cast<float>(static_cast<std::uint32_t>(here[i]));
+  }
+  if (p.surfaceShare.active && c.liquid.active && anyFromShape(w.scene)) {
+    std::vector<std::uint64_t> there(c.owned), here(p.owned);
+    for (std::size_t i = 0; i < c.owned; i++) there[i] = std::bit_cast<std::uint64_t>(c.share[i]);
+    halos.courier.sendHome({c.home.data(), c.owned}, there, here);
+    for (std::size_t i = 0; i < p.owned; i++) p.surfaceShare[i] = std::bit_cast<double>(here[i]);
   }
   for (std::size_t i = 0; i < p.owned; i++) p.surfacePlace[i] = p.position[i];
   c.resize(c.owned, 0);

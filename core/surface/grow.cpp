@@ -177,7 +177,7 @@ void growBodies(World& w, SurfaceHalos halos, SurfaceTools& t) {
   const std::vector<std::uint64_t>& near = gaps.solid;
   t.lumps = gaps.liquid;
   const auto bare = [&](std::size_t i, bool isNear) {
-    return !hasMesh(w.scene, s.particles.body[i]) && std::binary_search(near.begin(), near.end(), s.particles.component[i]) == isNear;
+    return !isSampled(w.scene, s.particles.body[i]) && std::binary_search(near.begin(), near.end(), s.particles.component[i]) == isNear;
   };
   growAndSettle(w, halos, t, [&](std::size_t i) { return bare(i, false); });
   if (near.empty()) return;

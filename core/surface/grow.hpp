@@ -1,4 +1,4 @@
-// Surfaces where there were none: around the particles of bodies without a mesh, of drops, of what emitters let out (K05 4.3).
+// Surfaces where there were none: around the particles of bodies that are not sampled, of drops, of what emitters let out (K05 4.3).
 #pragma once
 #include <functional>
 
@@ -15,7 +15,7 @@ struct SurfaceTools;
 /// no forces. Collective.
 void growSurfels(World& world, SurfaceHalos halos, SurfaceTools& tools, const std::function<bool(std::size_t)>& bare);
 
-/// At the start, before there are other surfels: grows the surfaces of all particles whose body has no mesh, lets them settle by the
+/// At the start, before there are other surfels: grows the surfaces of all particles whose body is not sampled (isSampled), lets them settle by the
 /// implicit force alone and then by the scene's, with resampling in between. Collective.
 void growBodies(World& world, SurfaceHalos halos, SurfaceTools& tools);
 

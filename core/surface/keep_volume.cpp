@@ -57,7 +57,7 @@ void keepStartVolumes(World& w, SurfaceHalos halos) {
   if (!home.surfaceShare.active) return;
   std::vector<std::uint64_t> shares(p.owned), here(home.owned, std::bit_cast<std::uint64_t>(1.0));
   for (std::size_t i = 0; i < p.owned; i++) {
-    const SurfaceComponent* c = hasMesh(w.scene, p.body[i]) ? findComponent(w.surface, p.component[i]) : nullptr;
+    const SurfaceComponent* c = isSampled(w.scene, p.body[i]) ? findComponent(w.surface, p.component[i]) : nullptr;
     p.share[i] = c && c->volume > 0 ? c->volume / c->particleVolume : 1.0;
     shares[i] = std::bit_cast<std::uint64_t>(p.share[i]);
   }

@@ -93,7 +93,7 @@ NearGaps findNearGaps(const World& w, const Bins& bins, Reducer& all) {
   Around around(w);
   SeedDirections seeds(w);
   for (std::size_t i = 0; i < p.owned; i++) {
-    if (hasMesh(w.scene, p.body[i]) || p.component[i] == noComponent || p.colour[i] >= innerColour) continue;
+    if (isSampled(w.scene, p.body[i]) || p.component[i] == noComponent || p.colour[i] >= innerColour) continue;
     std::vector<std::uint64_t>& known = p.liquid.active && p.liquid[i] >= 0.5f ? mine.liquid : mine.solid;
     if (std::find(known.begin(), known.end(), p.component[i]) != known.end()) continue;
     seeds.turn(p.id[i]);

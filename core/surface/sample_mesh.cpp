@@ -5,7 +5,11 @@
 
 #include "core/domain/emit.hpp"
 #include "core/geometry/bust.hpp"
+#include "core/geometry/overlap.hpp"
 #include "core/geometry/placed_mesh.hpp"
+#include "core/geometry/shape_mesh.hpp"
+#include "core/heat/enthalpy.hpp"
+#include "core/solid/weight.hpp"
 #include "core/surface/blue_noise.hpp"
 #include "core/surface/mesh_normals.hpp"
 #include "core/surface/tangent.hpp"
@@ -37,13 +41,16 @@ void refineOnBust(const Placement& placed, SurfaceSample& s) {
   s.normal = n;
 }
 
-}  // namespace
+constexpr double chord = 0.01;  // spacings that triangles are off curved faces, at most
+constexpr double beside = 0.05; // spacings: a face of a body has it on one side there, and not on the other
 
-bool hasMesh(const Scene& scene, std::size_t body) {
-  return scene.surface.source == SurfelSource::Automatic && body < scene.bodies.size() && scene.bodies[body].shape.kind == ShapeKind::Mesh;
+/// Of a mesh's triangle.
+Vec3d outwardOf(const TriangleMesh& m, std::uint32_t triangle) {
+  const auto& t = m.triangles[triangle];
+  return normalized(cross(m.vertices[t[1]] - m.vertices[t[0]], m.vertices[t[2]] - m.vertices[t[0]]));
 }
 
-std::vector<SurfaceSample> sampleShape(const Shape& shape, const MeshLoader& load, double spacing, std::uint64_t seed) {
+std::vector<SurfaceSample> sampleMesh(const Shape& shape, const MeshLoader& load, double spacing, std::uint64_t seed) {
   const PlacedMesh placed = makePlacedMesh(shape, load);
   const MeshNormals normals(placed.mesh);
   std::shared_ptr<const SignedDistance> solid;
@@ -59,11 +66,69 @@ std::vector<SurfaceSample> sampleShape(const Shape& shape, const MeshLoader& loa
   return samples;
 }
 
+/// In the shape's own frame, so that the same body has the same samples wherever it is placed.
+std::vector<SurfaceSample> sampleExact(const Shape& placed, const MeshLoader& load, double apart, std::uint64_t seed) {
+  const Shape shape = withoutPlacement(placed);
+  const std::shared_ptr<const SignedDistance> solid = makeSignedDistance(shape, load);
+  const Placement to = placementOf(placed, solid);
+  const double spacing = apart / to.scale, off = beside * spacing;
+  const TriangleMesh mesh = shapeMesh(shape, chord * spacing, load);
+  const MeshNormals normals(mesh);
+  const MeshPart shown{[&](const Vec3d& middle, double reach) { return std::abs(solid->distanceWithin(middle, reach + off)) <= reach + off; },
+                       [&](const Vec3d& x, std::uint32_t triangle) {
+                         const Vec3d n = off * outwardOf(mesh, triangle);
+                         return solid->inside(x - n) && !solid->inside(x + n);
+                       }};
+  const bool combined = !shape.parts.empty();
+  std::vector<SurfaceSample> samples;
+  for (const MeshSample& m : blueNoise(mesh, spacing, seed, combined ? &shown : nullptr)) {
+    Vec3d x = m.position, gradient;
+    const double d = solid->distanceWithin(x, 2 * off, &gradient);
+    if (std::abs(d) < off) x -= d * gradient;
+    samples.push_back({to.move + to.rotation * (to.scale * x), to.rotation * normals.at(m.position, m.triangle)});
+  }
+  return samples;
+}
+
+/// Faces of a body that goes on behind them, across a periodic side.
+void dropBuried(const OverlapTest& body, double off, std::vector<SurfaceSample>& samples) {
+  std::erase_if(samples, [&](const SurfaceSample& s) { return body.meetsItself(0, s.position + off * s.normal); });
+}
+
+}  // namespace
+
+bool hasMesh(const Scene& scene, std::size_t body) {
+  return scene.surface.source == SurfelSource::Automatic && body < scene.bodies.size() && scene.bodies[body].shape.kind == ShapeKind::Mesh;
+}
+
+bool isSampled(const Scene& scene, std::size_t body) {
+  if (hasMesh(scene, body)) return true;
+  if (scene.surface.source != SurfelSource::Automatic || body >= scene.bodies.size()) return false;
+  const OverlapRule rule = scene.numerics.overlap;
+  const Body& b = scene.bodies[body];
+  const auto material = static_cast<std::size_t>(b.material);
+  if (material >= scene.materials.size() || rule == OverlapRule::RemoveLater || rule == OverlapRule::RemoveEarlier) return false;
+  const Material& m = scene.materials[material];
+  return m.canBeSolid() && paperFraction(m, b.temperature) == 0;
+}
+
+bool anyFromShape(const Scene& scene) {
+  for (std::size_t b = 0; b < scene.bodies.size(); b++)
+    if (isSampled(scene, b) && !hasMesh(scene, b)) return true;
+  return false;
+}
+
+std::vector<SurfaceSample> sampleShape(const Shape& shape, const MeshLoader& load, double spacing, std::uint64_t seed) {
+  return shape.kind == ShapeKind::Mesh ? sampleMesh(shape, load, spacing, seed) : sampleExact(shape, load, spacing, seed);
+}
+
 void sampleMeshes(const Scene& scene, Surface& surface, const MeshLoader& load, const Reducer& all) {
   Surfels& s = surface.surfels;
+  const Vec3d period = periodsOf(surface.grid).length;
   for (std::size_t b = 0; b < scene.bodies.size(); b++) {
-    if (!hasMesh(scene, b)) continue;
-    const std::vector<SurfaceSample> samples = sampleShape(scene.bodies[b].shape, load, surface.spacing, scene.seed + b);
+    if (!isSampled(scene, b)) continue;
+    std::vector<SurfaceSample> samples = sampleShape(scene.bodies[b].shape, load, surface.spacing, scene.seed + b);
+    if (!(period == Vec3d{})) dropBuried(OverlapTest({makeSignedDistance(scene.bodies[b].shape, load)}, period), beside * surface.spacing, samples);
     for (std::size_t k = static_cast<std::size_t>(all.rank()); k < samples.size(); k += static_cast<std::size_t>(all.size())) {
       const std::size_t i = s.owned;
       s.resize(i + 1, 0);
@@ -77,6 +142,24 @@ void sampleMeshes(const Scene& scene, Surface& surface, const MeshLoader& load, 
       s.detail[i] = 1;
       if (s.temperature.active) s.temperature[i] = static_cast<float>(scene.bodies[b].temperature);
     }
+  }
+}
+
+void putBirthsOnShapes(const Scene& scene, Surface& surface, const MeshLoader& load) {
+  std::vector<std::shared_ptr<const SignedDistance>> shapes(scene.bodies.size());
+  for (std::size_t b = 0; b < shapes.size(); b++)
+    if (isSampled(scene, b) && !hasMesh(scene, b)) shapes[b] = makeSignedDistance(scene.bodies[b].shape, load);
+  Surfels& s = surface.surfels;
+  const double near = 0.5 * surface.spacing, off = beside * surface.spacing;
+  for (std::size_t i = 0; i < s.owned; i++) {
+    const std::uint64_t body = sourceOf(s.component[i] - 1);  // a component has the name of a particle
+    if (!(s.id[i] & birthBit) || body >= shapes.size() || !shapes[body]) continue;
+    Vec3d gradient;
+    const double d = shapes[body]->distanceWithin(s.position[i], near, &gradient);
+    if (!(std::abs(d) < near) || dot(gradient, s.normal[i]) < -0.5) continue;
+    s.position[i] -= d * gradient;
+    shapes[body]->distanceWithin(s.position[i] - off * gradient, near, &s.normal[i]);  // beyond an edge the gradient is that of neither face
+    s.tangent[i] = anyTangent(s.normal[i]);
   }
 }
 

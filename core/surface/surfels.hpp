@@ -10,7 +10,7 @@ inline constexpr std::uint64_t noComponent = 0;
 /// Oriented discs on the surface of continuum bodies. Rows are owned by the rank that owns their cell of Surface::grid.
 struct Surfels : Table {
   Surfels() : Table("surfels") {}
-  Column<std::uint64_t> id{*this, "id", "1", Keep::State, "of a body's mesh: body << 40 | sample, with the top bit set; of births: a hash of parent, step and place"};
+  Column<std::uint64_t> id{*this, "id", "1", Keep::State, "of a body's mesh or shape: body << 40 | sample, with the top bit set; of births: a hash of parent, step and place"};
   Column<Vec3d> position{*this, "position", "m", Keep::State, "centre"};
   Column<Vec3d> normal{*this, "normal", "1", Keep::State, "unit, out of the body"};
   Column<Vec3d> tangent{*this, "tangent", "1", Keep::State, "unit, across the normal; the second one is normal x tangent"};

@@ -26,12 +26,26 @@ void placeAll(Surface& s, SurfaceHalos halos, SurfaceTools& t) {
   t.relax.particlesReady = false;
 }
 
-/// Surfels that came with meshes are to be in order before anything moves: else the first update would bear and delete some of a body that is at rest.
+/// The components of the particles, before there are surfels. What hangs together of a body that is too thin for its particles its surfels say: they are sampled for that alone, and taken away.
+void labelStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
+  Surface& s = w.surface;
+  t.pieces = findStartPieces(w, halos, t);
+  const SurfaceCounters before = s.counters;
+  if (!t.pieces.empty()) sampleMeshes(w.scene, s, t.load, halos.all);
+  labelParticles(w, halos, t);
+  s.counters = before;
+  s.surfels.resize(s.surfels.owned, 0);
+  s.surfels.resize(0, 0);
+  placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, t.sort);
+}
+
+/// Surfels that were sampled are to be in order before anything moves: else the first update would bear and delete some of a body that is at rest.
 /// Their density follows the curvature, where it is to: it goes half of the way in a call.
 void orderStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
   const SurfaceCounters before = w.surface.counters;
   const bool adapt = w.scene.surface.adapt > 0;
   for (int k = 0; k < (adapt ? 4 : 2); k++) resampleOnParticles(w, halos, t, 10);
+  putBirthsOnShapes(w.scene, w.surface, t.load);
   w.surface.counters = before;  // the start is no change
   if (adapt) updateComponents(w, halos, t);
   else measureSurface(w, halos, t);
@@ -66,7 +80,7 @@ void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   gatherParticles(w, halos.all.rank());
   cutByParticles(w, halos, t);
-  labelParticles(w, halos, t);
+  labelStart(w, halos, t);
   t.relax.particlesReady = false;
   growBodies(w, halos, t);
   sampleMeshes(w.scene, s, t.load, halos.all);
@@ -92,6 +106,7 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   t.times.lap(SurfacePhase::Place);
   findDisplacementGradients(w, halos, t);
   fadeFill(s.particles);
+  settleShares(w.scene, s.particles);
   displaceSurfels(w, halos, t);
   t.times.lap(SurfacePhase::Displacement);
   bringParticlesForward(s);

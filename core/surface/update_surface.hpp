@@ -6,6 +6,7 @@
 #include "core/surface/open_region.hpp"
 #include "core/surface/relax_tools.hpp"
 #include "core/surface/row_lists.hpp"
+#include "core/surface/start_pieces.hpp"
 #include "core/surface/surface_times.hpp"
 #include "core/surface/update_components.hpp"
 #include "core/world.hpp"
@@ -21,6 +22,7 @@ struct SurfaceTools {
   TopologyTools topology;
   RelaxTools relax;                 ///< of displacement and iterations
   std::vector<std::uint64_t> lumps; ///< labels, ascending: of liquids that startSurface has grown as one lump though they have sheets near each other
+  std::vector<BodyPieces> pieces;   ///< of bodies that are several pieces at the start, though no layer is missing between them
   SurfaceTimes times;               ///< of all updates of this process; the start is not in them
 };
 

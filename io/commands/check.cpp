@@ -123,6 +123,7 @@ int checkAll(const CheckOptions& o) {
   std::printf("spacing %g m, support radius %g m, grid %d x %d x %d cells, end %g s, a frame every %g s\n", s.spacing, w.grid.support, w.grid.cells.x, w.grid.cells.y, w.grid.cells.z, s.end, s.output.every);
   for (const std::string& line : sceneWarnings(s)) std::printf("warning: %s\n", line.c_str());
   for (const std::string& line : lumpWarnings(s, surface.lumps())) std::printf("warning: %s\n", line.c_str());
+  for (const std::string& line : pieceWarnings(s, surface.pieces())) std::printf("warning: %s\n", line.c_str());
   for (const SceneWarning& k : sampled.warnings) std::printf("warning: %s\n", warningLine(k.where, k.text).c_str());
   for (const OrientedWork::Event& e : idle) std::printf("warning: %s\n", idleEventLine(s.oriented[e.body], s.oriented[e.body].events[e.event]).c_str());
   for (const OrientedWork::Field& f : idleFields) std::printf("warning: %s\n", idleFieldLine(s.oriented[f.body], s.oriented[f.body].fields[f.field]).c_str());

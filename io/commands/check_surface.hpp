@@ -24,6 +24,7 @@ class SurfaceTrial {
   /// particles: at the end, with those of emitters. Collective.
   Forecast forecast(double steps, double particles) const;
   const std::vector<std::uint64_t>& lumps() const { return tools_.lumps; }
+  const std::vector<BodyPieces>& pieces() const { return tools_.pieces; }
   /// What `thaw check` prints, for this many ranks. Collective.
   std::vector<std::string> lines(const Forecast& forecast, int ranks) const;
 

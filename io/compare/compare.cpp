@@ -231,7 +231,7 @@ Comparison compareSnapshots(const Snapshot& a, const Snapshot& b, const CompareR
     }
     const std::vector<Match> both = matchIds(a, ta, b, *tb, result);
     if (result.rows == 0 && (&ta == a.tables.data() || !both.empty())) result.rows = both.size(), result.title = ta.title;  // the first that has any
-    else if (ta.title == kindNames[orientedKind] || ta.title == kindNames[sheetKind]) result.kinds.push_back({ta.title, both.size()});
+    else if (ta.title == "surfels" || ta.title == kindNames[orientedKind] || ta.title == kindNames[sheetKind]) result.kinds.push_back({ta.title, both.size()});
     if (ta.ids.empty() && tb->ids.empty()) continue;
     eachColumn(ta.title, ta.columns, tb->columns, result, [&](const SnapshotColumn& x, const SnapshotColumn& y) {
       const ColumnPair pair(a, x, b, y, rule.tolerance);
@@ -250,11 +250,10 @@ Comparison compareSnapshots(const Snapshot& a, const Snapshot& b, const CompareR
 }
 
 std::vector<std::string> describe(const Comparison& c) {
-  if (c.equal()) {
-    std::string kinds;
-    for (const auto& [title, rows] : c.kinds) kinds += fmt::format(", {} {}", rows, title);
-    return {fmt::format("equal: {} {}{}, {} fields", c.rows, c.title, kinds, c.columns)};
-  }
+  std::string compared = fmt::format("{} {}", c.rows, c.title);
+  for (const auto& [title, rows] : c.kinds) compared += fmt::format(", {} {}", rows, title);
+  compared += fmt::format(", {} fields", c.columns);
+  if (c.equal()) return {"equal: " + compared};
   std::vector<std::string> lines{"different"};
   for (const std::string& g : c.general) lines.push_back(g);
   if (!c.fields.empty()) {
@@ -263,6 +262,7 @@ std::vector<std::string> describe(const Comparison& c) {
     for (const FieldDifference& d : c.fields)
       lines.push_back(fmt::format("{} {}: {} of {} ids differ, by at most {:.3g} {} at id {}", d.table, d.field, d.rows, d.ids, d.largest, d.unit, d.largestId));
   }
+  if (c.columns > 0) lines.push_back("compared, of ids in both: " + compared);
   return lines;
 }
 

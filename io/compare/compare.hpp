@@ -29,7 +29,7 @@ struct Comparison {
   std::vector<FieldDifference> fields;   ///< those that differ
   std::uint64_t rows = 0, columns = 0;   ///< ids in both (of the first table), fields compared
   std::string title = "particles";       ///< of the first table
-  std::vector<std::pair<std::string, std::uint64_t>> kinds;  ///< title and ids in both, of oriented particles and sheets that are not the first table
+  std::vector<std::pair<std::string, std::uint64_t>> kinds;  ///< title and ids in both, of surfels, oriented particles and sheets that are not the first table
   bool equal() const { return general.empty() && fields.empty(); }
 };
 

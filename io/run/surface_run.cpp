@@ -13,7 +13,9 @@ void beginSurface(Run& r, const MeshLoader& load) {
   r.tools.times.start();
   startSurface(r.world, r.surface->halos(), r.surfaceTools);
   r.tools.times.lap(StepPhase::Setup);
-  for (const std::string& line : lumpWarnings(r.world.scene, r.surfaceTools.lumps)) {
+  std::vector<std::string> warnings = lumpWarnings(r.world.scene, r.surfaceTools.lumps);
+  for (std::string& line : pieceWarnings(r.world.scene, r.surfaceTools.pieces)) warnings.push_back(std::move(line));
+  for (const std::string& line : warnings) {
     r.summary.warnings.push_back(line);
     r.say("warning: " + line);
   }

@@ -70,6 +70,15 @@ std::vector<std::string> lumpWarnings(const Scene& scene, const std::vector<std:
   return w;
 }
 
+std::vector<std::string> pieceWarnings(const Scene& scene, const std::vector<BodyPieces>& pieces) {
+  std::vector<std::string> w;
+  for (const BodyPieces& p : pieces)
+    if (p.body < scene.bodies.size())
+      w.push_back(fmt::format("body '{}' begins in {} pieces: between them its particles are farther apart than surface.link_length = {:g} spacings{}, though less than two; a finer spacing joins them", scene.bodies[p.body].name, p.pieces,
+                              scene.surface.linkLength, scene.numerics.bondSupport < 1.732 ? fmt::format(" and numerics.bond_support = {:g}", scene.numerics.bondSupport) : ""));
+  return w;
+}
+
 std::vector<std::string> surfaceWarnings(const SurfaceSummary& s) {
   std::vector<std::string> w;
   const auto add = [&](std::int64_t n, const char* what) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/surface/start_pieces.hpp"
 #include "core/scene/scene.hpp"
 #include "core/surface/surface.hpp"
 #include "core/surface/surface_times.hpp"
@@ -34,6 +35,9 @@ std::vector<std::string> surfaceLines(const SurfaceSummary& summary);
 
 /// Of a start: a line for each body with a label in SurfaceTools::lumps.
 std::vector<std::string> lumpWarnings(const Scene& scene, const std::vector<std::uint64_t>& lumps);
+
+/// Of a start: a line for each body in SurfaceTools::pieces.
+std::vector<std::string> pieceWarnings(const Scene& scene, const std::vector<BodyPieces>& pieces);
 
 /// In words, with counts.
 std::vector<std::string> surfaceWarnings(const SurfaceSummary& summary);

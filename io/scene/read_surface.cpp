@@ -9,7 +9,7 @@ void readSurface(TableReader& r, SurfaceSettings& s) {
   r.number("spacing", s.spacing, "m", notNegative(), "wanted distance of surfels, and the radius of their discs; 0: half the spacing of particles");
   r.number("support", s.support, "", between(1.5, 12), "radius within which surfels act on each other (h_ss), over their spacing; the paper's h_ss = h means hundreds of neighbours on a detailed body");
   r.number("particle_support", s.particleSupport, "", between(1, 3), "radius within which particles act on surfels (h_ps), over the support radius of the particles");
-  r.choice("source", s.source, {"automatic", "particles"}, "where the first surfels come from: the mesh of a body that has one, or always grown from the particles");
+  r.choice("source", s.source, {"automatic", "particles"}, "where the first surfels come from: sampled from the mesh of a body that has one and from the shape of what begins solid (unless numerics.overlap removes particles), grown from the particles elsewhere; or always grown from the particles");
   r.whole("every_steps", s.everySteps, 0, INT64_MAX, "steps between updates of the surface; 0: as the other rules say. Every frame has an update of its own");
   r.number("every_move", s.everyMove, "", between(0, 10), "update when some particle has moved this share of the support radius since the last one; 0: never for that");
   r.number("implicit", s.implicit, "", between(0, 1), "weight of the force to the iso-surface of the particles' colour field");

@@ -25,6 +25,7 @@ Scene barScene(bool mesh, double spacing) {
   s.surface.on = true;
   s.surface.spacing = spacing;
   addBox(s, {-1, -0.4, -0.4}, {1, 0.4, 0.4});
+  if (!mesh) s.surface.source = SurfelSource::Particles;
   if (mesh) s.bodies[0].shape = Shape{}, s.bodies[0].shape.kind = ShapeKind::Mesh, s.bodies[0].shape.mesh = "bar";
   return s;
 }

@@ -21,6 +21,7 @@ Scene slotted(int layers, bool solid = true) {
   if (solid) s.materials[0].young = {1e5, 0};
   else s.materials[0].viscosity = {1, 1};
   s.surface.on = true;
+  s.surface.source = SurfelSource::Particles;
   addBox(s, {-0.6, -0.4, -0.3}, {0.6, 0.4, 0.3});
   Shape block = s.bodies[0].shape;
   Shape& cut = s.bodies[0].shape = Shape{};
