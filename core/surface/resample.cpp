@@ -117,14 +117,20 @@ struct Round {
     return false;
   }
 
-  /// Is a surfel of its side so near that one of the two would have to die?
+  /// Is a surfel of its side so near that one of the two would have to die, or a sheet that faces the same way straight over or under the place? Between two such sheets there would be room for
+  /// neither particles nor a gap: what is born there goes on as a second skin.
   bool taken(std::size_t i, const SurfacePoint& p) const {
+    constexpr double sameWay = 0.5, beside = 0.4;
     const Surfels& s = *table;
-    const double least = crowdedAtMany * s.radius[i];
+    const double least = crowdedAtMany * s.radius[i], column = beside * s.radius[i];
     for (std::uint64_t k = lists.first[i]; k < lists.end[i]; k++) {
       const std::uint32_t j = lists.row[k];
       const Vec3d d = s.position[j] - p.position;
-      if (dot(d, d) < least * least && s.component[j] == s.component[i] && dot(s.normal[j], p.normal) > oneSide) return true;
+      const double d2 = dot(d, d), facing = dot(s.normal[j], p.normal);
+      if (!(facing > oneSide) || s.component[j] != s.component[i]) continue;
+      if (d2 < least * least) return true;
+      const double along = dot(d, p.normal);
+      if (facing > sameWay && d2 - along * along < column * column) return true;
     }
     return false;
   }
