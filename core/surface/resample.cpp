@@ -34,6 +34,8 @@ struct Round {
   std::uint64_t seed, salt;
   const BirthPlace& mayBe;
   bool start;    ///< nothing has moved yet
+  const Bins& bins;
+  double particleSpacing;  ///< m
   std::vector<std::uint64_t> birthOrder{}, deathOrder{};  ///< of all rows, ghosts too
   std::vector<float> closest{};                           ///< of owned rows
   std::vector<std::uint32_t> going{};
@@ -92,6 +94,10 @@ struct Round {
       }
       const bool beyond = widestGap(patch, *place, 2 * s.radius[i]) > border;
       s.calm[i] = 0;  // a rim stays under observation: the body may go on there
+      if (beyond && overSkin(i, *place)) {
+        s.calm[i] = refused;
+        continue;
+      }
       if ((mayBe ? !mayBe(s, i, *place, beyond) : beyond) || taken(i, *place)) {
         s.calm[i] = refused;
         continue;
@@ -133,6 +139,20 @@ struct Round {
       if (facing > sameWay && d2 - along * along < column * column) return true;
     }
     return false;
+  }
+
+  /// Beyond a rim, where the body's colour bridges a groove: is the sheet of the groove under the place, as far down as a particle is thick?
+  bool overSkin(std::size_t i, const SurfacePoint& p) const {
+    constexpr double sameWay = 0.3, beside = 0.8;
+    const Surfels& s = *table;
+    bool over = false;
+    forRowsAround(bins, p.position, p.position, particleSpacing, [&](std::uint32_t j, const Vec3d& at) {
+      const Vec3d d = at - p.position;
+      const double along = dot(d, p.normal), d2 = dot(d, d), column = beside * s.radius[j];
+      over = over || (d2 < particleSpacing * particleSpacing && std::abs(along) > s.radius[i] && d2 - along * along < column * column && s.component[j] == s.component[i] &&
+                      dot(s.normal[j], p.normal) > sameWay);
+    });
+    return over;
   }
 
   bool before(const std::vector<std::uint64_t>& order, std::size_t i, std::size_t j) const {
@@ -261,7 +281,7 @@ Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t r
       done.finished = true;
       break;
     }
-    Round r{table, t.surfelsOf, reach, w.scene.seed, saltOf(w, done, round), mayBe, w.clock.step == 0};
+    Round r{table, t.surfelsOf, reach, w.scene.seed, saltOf(w, done, round), mayBe, w.clock.step == 0, t.relax.surfelBins, w.scene.spacing};
     placeOpen(surface, halos, t, region, r);
     if (adapt && round == 0) {
       r.open.assign(all.size(), 1);
