@@ -171,25 +171,24 @@ void findRags(const World& w, SurfaceTools& t, std::vector<std::uint8_t>& dead) 
   dead.assign(f.owned, 0);
   std::vector<std::uint8_t> asked(f.owned, 0);
   RowBlock block;
+  for (std::uint32_t i = 0; i < f.owned; i++)  // whatever is grown on this rank; not where its body of the start has it, whatever the colour says of the sheet beside it
+    if (f.detail[i] < 0.5f && solid(i) && !(f.follows.active && f.follows[i])) asked[i] = 1;
   if (!grown.empty()) forBlocks(t.relax.surfelBins, bins, reach, block, [&](std::uint32_t i, RowBlock& around) {
-    if (i >= f.owned || !solid(i)) return;
-    const bool detail = f.detail[i] >= 0.5f;  // of a mesh: finer than the particles, up to a spacing off their surface
-    if (!detail && f.follows.active && f.follows[i]) return;  // where its body of the start has it, whatever the colour says of the sheet beside it
-    bool beside = !detail;
+    if (i >= f.owned || !solid(i) || f.detail[i] < 0.5f) return;
+    bool beside = false;  // of a mesh: finer than the particles, up to a spacing off their surface
     double nearest2 = finReach * finReach * w.scene.spacing * w.scene.spacing;
     std::uint32_t face = 0xffffffffu;
-    if (detail)
-      for (const std::uint32_t k : around.around(f.position[i], reach)) {
-        const std::uint32_t j = row[around.row[k]];
-        const Vec3d d = around.at[k] - f.position[i];
-        const double d2 = dot(d, d);
-        if (d2 > reach * reach || f.component[j] != f.component[i]) continue;
-        beside = true;
-        if (!(f.id[j] & birthBit) || !cold(j) || !cold(i)) continue;
-        if (dot(f.normal[i], f.normal[j]) > finTurn || d2 > nearest2 || (d2 == nearest2 && face != 0xffffffffu && f.id[j] > f.id[face])) continue;
-        nearest2 = d2;
-        face = j;
-      }
+    for (const std::uint32_t k : around.around(f.position[i], reach)) {
+      const std::uint32_t j = row[around.row[k]];
+      const Vec3d d = around.at[k] - f.position[i];
+      const double d2 = dot(d, d);
+      if (d2 > reach * reach || f.component[j] != f.component[i]) continue;
+      beside = true;
+      if (!(f.id[j] & birthBit) || !cold(i)) continue;
+      if (dot(f.normal[i], f.normal[j]) > finTurn || d2 > nearest2 || (d2 == nearest2 && face != 0xffffffffu && f.id[j] > f.id[face])) continue;
+      nearest2 = d2;
+      face = j;
+    }
     if (!beside) return;
     if (face != 0xffffffffu) {
       const Vec3d d = f.position[i] - f.position[face];

@@ -22,7 +22,7 @@ namespace {
 enum Wish : std::uint8_t { Birth = 1, Crowded = 2, Champion = 4, Changed = 8 };  // Champion: comes before all that are too close to it
 
 /// Beside what melts a mesh's surfels are carried, and still stand as the mesh had them.
-bool carriesDetail(const Surfels& s, std::size_t i) { return s.detail[i] > 0.9f && s.liquid.active && s.liquid[i] < 0.05f; }
+bool carriesDetail(const Surfels& s, std::size_t i) { return s.softened.active && s.detail[i] > 0.9f && s.liquid[i] < 0.05f; }
 
 constexpr double border = 3.6;  // rad: 206 degrees
 /// Surfels::calm within a call of one that is on a rim, until its surroundings change.
