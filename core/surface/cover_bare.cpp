@@ -27,9 +27,6 @@ namespace {
 constexpr double neighbourReach = 1.7;
 /// Surfels are looked for within this many spacings of a particle or seed. A mesh may lie a spacing over the outermost particles.
 constexpr double surfelReach = 1.8;
-/// A face is begun where no surfel is over or under a circle of this radius, in spacings: one seed in the crease of a groove, past which discs leave a slit, would grow to a
-/// second skin over it. What is narrower is closed from its rims (resample).
-constexpr double seedRoom = 0.6;
 /// Over a true opening the colour falls below this share of its level half a spacing farther out.
 constexpr double fallsTo = 0.75;
 /// How far the colour at a grown surfel may be from its level, over that: a third of a spacing outward, half a spacing inward. A mesh's: .8 outward.
@@ -76,7 +73,7 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
   const double dx = w.scene.spacing, reach = surfelReach * dx, near2 = neighbourReach * neighbourReach * dx * dx;
   double largest = 0;
   for (std::size_t i = 0; i < f.size(); i++) largest = std::max(largest, f.radius[i]);
-  const double far = 1.2 * dx + std::hypot(reach, std::max(largest, seedRoom * dx));  // seen from a seed's place, up to 1.2 spacings off
+  const double far = 1.2 * dx + std::hypot(reach, largest);  // seen from a seed's place, up to 1.2 spacings off
   SeedDirections seeds(w);
   FreeDirections free;
   DiscsOver near(w.scene.spacing, surfelReach), all(w.scene.spacing, surfelReach);
@@ -112,7 +109,7 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
       gathered = true;
       all.clear();
       forRowsAround(t.relax.surfelBins, x, x, far, [&](std::uint32_t j, const Vec3d& there) {
-        if (f.component[j] == p.component[i]) all.add(there - x, f.normal[j], std::max(f.radius[j], seedRoom * dx));
+        if (f.component[j] == p.component[i]) all.add(there - x, f.normal[j], f.radius[j]);
       });
     };
     std::size_t n = 0;
@@ -162,6 +159,7 @@ void findRags(const World& w, SurfaceTools& t, std::vector<std::uint8_t>& dead) 
   const double reach = ragReach * w.scene.spacing;
   const auto solid = [&](std::size_t i) { return !f.liquid.active || f.liquid[i] < 0.5f; };
   const auto cold = [&](std::size_t i) { return !f.liquid.active || f.liquid[i] < 0.02f; };
+  const auto softens = [&](std::size_t i) { return !cold(i) && f.softened.active && f.softened[i] > 0; };
   std::vector<Vec3d> grown;
   std::vector<std::uint32_t> row;
   for (std::uint32_t i = 0; i < f.size(); i++)
@@ -203,7 +201,7 @@ void findRags(const World& w, SurfaceTools& t, std::vector<std::uint8_t>& dead) 
     const double slope = length(c.gradient), along = slope > 0 ? -dot(c.gradient, f.normal[i]) / slope : -1;
     const double under = c.value / c.level - 1;
     // a mesh may begin half a spacing farther in than particles have their surface: what softens there is carried out by the iterations
-    dead[i] = f.detail[i] >= 0.5f ? under < -meshOver || along < -0.2 : under < -hangsOver || (under > liesUnder && cold(i)) || along < 0.5;
+    dead[i] = f.detail[i] >= 0.5f ? under < -meshOver || along < -0.2 : under < -hangsOver || (under > liesUnder && !softens(i)) || along < 0.5;
   });
 }
 

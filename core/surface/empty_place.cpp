@@ -72,10 +72,11 @@ bool pastEdge(const Patch& patch, const SurfacePoint& p, double distance) {
 }
 
 /// Does p lie on none of the discs around it, nor near the plane of any? Between faces that meet in an edge the mean of their planes (ontoSurface) may lie deep under both; what is born there
-/// goes on as a second sheet behind the surface.
+/// goes on as a second sheet behind the surface. Of what has a mesh's detail: rims of thin plates that are grown are rounder than their discs.
 bool offAllDiscs(const Patch& patch, const SurfacePoint& p, double distance) {
   constexpr double highest = 0.4;
   const Surfels& s = *patch.surfels;
+  if (s.detail[patch.centre] < 0.5f) return false;
   const auto on = [&](std::size_t j) {
     const Vec3d d = p.position - s.position[j];
     return dot(d, d) < 2.25 * distance * distance && std::abs(dot(d, s.normal[j])) < highest * distance;

@@ -11,11 +11,11 @@ namespace thaw {
 namespace {
 
 /// Volume of a solid particle now over its own at rest: det F. A body that a blow presses together is smaller all over; volume keeping must not make up for that
-/// with the little of it that has melted. Held to what a surface can follow, whatever a torn neighbourhood says.
+/// with the little of it that has melted. Of bodies that began as solids: plates that a stream freezes to are too thin for a det F. Held to what a surface can follow, whatever a torn neighbourhood says.
 double squeezeOf(const World& w, std::size_t i) {
   constexpr double least = 0.5, most = 2;
   const Continuum& p = w.particles;
-  if (!w.modules.solid || w.clock.step == 0 || !takesSubsteps(p, i)) return 1;
+  if (!w.modules.solid || w.clock.step == 0 || !isSampled(w.scene, p.body[i]) || !takesSubsteps(p, i)) return 1;
   return std::clamp(determinant(w.solids.deformation[p.slot[i]]), least, most);
 }
 
