@@ -16,6 +16,9 @@ Vec3d three(const SurfelSums& s, int channel, bool particles) {
 /// What the slope of colour less level may be, over that of the colour: flatter ones, on stretched streams, would send surfels far; steeper ones come
 /// where the last particles of a splash end.
 constexpr double flattest = 0.25, steepest = 4;
+/// Tangents of angles between the two slopes. Small ones are the lattice's, whose steps the colour's slope shows less (on a ball of R / dx = 16 normals are then within .3 degrees, within .4 with all of
+/// them); and where little is left of the difference its direction says nothing.
+constexpr double leastTilt = 0.05, steepestTilt = 1.0;
 /// Tolerance along the surface over the one across it: its shape does not depend on where surfels lie in it, and resampling leaves no hole.
 constexpr double evenEnough = 5;
 /// Share of a step up to which one grows that goes on the same way: waves of many surfels come to rest sooner; where single ones overshoot it halves.
@@ -99,13 +102,18 @@ Pull pullOn(const World& w, const MoveContext& c, const SurfelSums& s, double ra
       return p;
     }
     if (p.known) {
-      p.outward = gradient / size;
-      // the level changes along the normal, too, on a stream almost as fast as the colour: the distance to where they are the same follows
-      // from the slope of their difference
-      const double turn = (dot(three(s, SmoothGradient, true), gradient) / (size * size) - fullness) / colour;
-      const double thins = s.particle(Near) < tight.full ? flat * tight.most / tight.full * c.nearSlope / c.slope * dot(three(s, NearGradient, true), gradient) / (size * size) : 0;
-      const double steep = std::clamp(1 - c.isoScale * (level / flat * c.level->slope(fullness) * turn - thins), flattest, steepest);
-      const double out = (colour - c.isoScale * level) / (slope * steep);
+      // The surface is where the colour is the level, which changes from place to place, too: on streams and at rims almost as fast as the
+      // colour. So its normal is down the slope of their difference, and the distance follows from that slope.
+      const Vec3d down = gradient / size;
+      const double byFullness = c.isoScale * level / flat * c.level->slope(fullness) / colour;
+      const double byNear = s.particle(Near) < tight.full ? c.isoScale * flat * tight.most / tight.full * c.nearSlope / c.slope : 0;
+      const Vec3d slopes = gradient - byFullness * (three(s, SmoothGradient, true) - fullness * gradient) + byNear * three(s, NearGradient, true);
+      const double steep = std::clamp(dot(slopes, down) / size, flattest, steepest);
+      const Vec3d off = slopes / size - dot(slopes, down) / size * down;
+      const double tilt = length(off) / steep, trusted = tilt * tilt / (tilt * tilt + leastTilt * leastTilt) * std::min(1.0, steepestTilt / std::max(tilt, steepestTilt));
+      const Vec3d whole = steep * down + trusted * off;
+      p.outward = normalized(whole);
+      const double out = (colour - c.isoScale * level) / (slope * length(whole));
       // what lies on a wall stays there when the component is drawn in
       const bool held = raised < 0 && out > 0 && inWall(w, w.surface.surfels.position[i] + std::min(out, c.longest) * p.outward);
       const double height = std::clamp(held ? out : out + raised, -c.longest, c.longest);

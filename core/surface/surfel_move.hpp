@@ -45,7 +45,7 @@ double raisedOf(const std::vector<RaisedComponent>& raised, std::uint64_t compon
 
 /// What the forces across the surface ask of a surfel.
 struct Pull {
-  Vec3d normal{}, outward{};  ///< its new normal; down the colour field's gradient, where that is known
+  Vec3d normal{}, outward{};  ///< its new normal; that of the iso-surface through it, where that is known
   double along = 0;           ///< m, along the new normal
   double least = 0;           ///< m, how far into the body at least
   bool known = false, flipped = false, keptNormal = false;
