@@ -7,8 +7,8 @@
 namespace thaw {
 namespace {
 
-constexpr double spare = 1.5;   // of the way that a vertex comes within the time ahead: it may get faster before lists are made anew
-constexpr double slow = 0.01;   // of the greatest thickness, beside that
+constexpr double spare = 1.3;   // of the way that a vertex comes within the time ahead: it may get faster before lists are made anew
+constexpr double slow = 0.01;   // of the greatest thickness, at least
 constexpr double margin = 0.3;  // of the greatest thickness: less than lies between neighbours of a flat sheet and their reach
 
 /// A vertex, an edge or a triangle that is here whole.
@@ -176,7 +176,7 @@ void findMeshCandidates(const World& w, const MeshRows& m, const MeshMotion& mot
   for (std::uint32_t i = 0; i < m.numberOf.size(); i++)
     if (const std::uint32_t v = m.numberOf[i]; all || !m.wasHere[v]) {
       c.listed[v] = s.position[i] - c.shift;
-      c.room[v] = spare * comes(i) + slow * thickest;
+      c.room[v] = std::max(spare * comes(i), slow * thickest);
     }
   listing.findElements(all);
   listing.findPairs();
