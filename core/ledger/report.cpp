@@ -156,6 +156,7 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
   const double expected = mechanical(r.initial) + mechanical(r.entered) - mechanical(r.left) + r.wallWork - r.dissipated - r.phaseJump + r.restartJump;
   r.energyResidual = mechanical(r.now) - expected;
   r.energyScale = std::max({std::abs(r.now.kinetic), std::abs(r.initial.kinetic), std::abs(r.dissipated), std::abs(r.now.potential - r.initial.potential), std::abs(r.now.elastic), std::abs(r.wallWork), r.entered.kinetic, r.left.kinetic});
+  r.energyLargest = std::max(r.energyScale, w.watch.largest);
   r.energyRounding = roundingOf(w, r);
   r.heatResidual = r.now.internal - (r.initial.internal + r.entered.internal - r.left.internal + r.heatIn);
   return r;

@@ -17,6 +17,7 @@ struct LedgerReport {
   double energyResidual = 0;    ///< J, mechanical: kinetic + elastic + potential against what entered, left, was done and dissipated
   double heatResidual = 0;      ///< J, internal against heat that came in
   double energyScale = 0;       ///< J, largest of the terms that went into energyResidual
+  double energyLargest = 0;     ///< J, largest energyScale of now and of all good states since the run began
   double energyRounding = 0;    ///< J, below which energies of this scene are rounding, and shares of them mean nothing
   double liquidFraction = 0;    ///< of the continuum's mass: sheets and oriented particles are neither liquid nor solid
   std::int64_t particles = 0;

@@ -62,12 +62,10 @@ struct Continuum : Table {
   Column<double> surfaceShare{*this, "surfaceShare", "1", Keep::State, "volume that the surface is to hold for it over its own: that of its body's mesh or shape at the start; 0: its own"};
   Column<float> surfaceFill{*this, "surfaceFill", "1", Keep::State, "what of its body was around it at the start, over the mean (cell_shares.hpp); 0: as much as of any"};
   // contact with sheets by triangles (core/sheet/face_contact.hpp): what the particle's owner found
-  Column<std::uint32_t> sheetFace{*this, "sheetFace", "1", Keep::Transient, "1 + number of the triangle that it touches; 0: none"};
-  Column<Vec3d> sheetShares{*this, "sheetShares", "1", Keep::Transient, "of the triangle's corners in the nearest point"};
-  Column<Vec3d> sheetPush{*this, "sheetPush", "N", Keep::Transient, "force on the sheet"};
-  Column<Vec3d> sheetResisting{*this, "sheetResisting", "N", Keep::Transient, "its part that takes energy away"};
+  Column<std::uint32_t> sheetFace{*this, "sheetFace", "1", Keep::Transient, "1 + number of the triangle of the sheet that it is deepest in; 0: it touches none"};
+  Column<Vec3d> sheetPush{*this, "sheetPush", "N, N, N/m", Keep::Transient, "force along the slope of its depth in the sheet, what of it takes energy away, and their own slope, for a triangle at a depth of 1 (face_contact.cpp)"};
   Column<Mat3d> sheetRubs{*this, "sheetRubs", "N", Keep::Transient, "friction on the corners of the sheet's triangle that it touches, a row each"};
-  Column<Vec3d> sheetNumbers{*this, "sheetNumbers", "J, N/m, W", Keep::Transient, "energy, slope and heat to the sheet"};
+  Column<Vec3d> sheetNumbers{*this, "sheetNumbers", "J, W, 0", Keep::Transient, "energy and heat to the sheet, for a triangle at a depth of 1"};
   // solid
   Column<std::uint32_t> slot{*this, "slot", "1", Keep::Local, "row in the table of solids, noSlot for liquids"};
   // at rest (core/sleep/sleep.hpp)

@@ -46,7 +46,7 @@ void activateFields(World& w, StepTools& t) {
   activateKinds(w);
   bool faces = false;
   for (const SheetPlan& s : w.sheets.plans) faces = faces || s.byFaces;
-  on(faces, {&p.sheetFace, &p.sheetShares, &p.sheetPush, &p.sheetResisting, &p.sheetNumbers, &p.sheetRubs});
+  on(faces, {&p.sheetFace, &p.sheetPush, &p.sheetNumbers, &p.sheetRubs});
   if (m.surface) activateSurfaceFields(w.surface, m, !w.walls.list.empty());
   if (p.surfaceFill.active) w.surface.particles.activate(w.surface.particles.fill);
   if (m.solid) activateSolidFields(p, w.solids, w.bonds, t.elastic, w.scene, m, w.grid);

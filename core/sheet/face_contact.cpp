@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/heat/enthalpy.hpp"
+#include "core/sheet/face_depth.hpp"
 #include "core/sheet/friction.hpp"
 #include "core/sheet/mesh_pairs.hpp"
 #include "core/sheet/nearest_points.hpp"
@@ -23,12 +24,6 @@ struct Face {
   Vec3d low, high;   ///< of what touches it
 };
 
-/// Calls use(row) for all rows, ghosts too, ascending by (cell, id).
-template<class Use> void eachRow(const CellTable& t, Use&& use) {
-  for (std::size_t c = 0; c < t.key.size(); c++)
-    for (std::uint32_t i = t.first[c]; i < t.first[c] + t.count[c]; i++) use(i);
-}
-
 /// One sheet against all particles.
 struct FaceContact {
   World& w;
@@ -45,7 +40,7 @@ struct FaceContact {
   std::vector<RowRange> ranges;
   std::vector<Face> faces;
 
-  /// The triangles that a particle of this cell can touch.
+  /// The triangles that a particle of this cell can touch: those whose corners are all beside it and beside each other, so that the owner of each sees all.
   void facesNear(std::uint64_t key) {
     faces.clear();
     const Sheets& s = w.sheets.rows;
@@ -62,7 +57,7 @@ struct FaceContact {
             here = f.row[q] != notHere && beside(rows.cell[f.row[q]], cell);
             if (here) f.x[q] = s.position[f.row[q]];
           }
-          if (!here) continue;
+          if (!here || !allBeside(rows, f.row)) continue;
           for (int a = 0; a < 3; a++) {
             f.low[a] = std::min({f.x[0][a], f.x[1][a], f.x[2][a]}) - plan.faceReach;
             f.high[a] = std::max({f.x[0][a], f.x[1][a], f.x[2][a]}) + plan.faceReach;
@@ -90,37 +85,61 @@ struct FaceContact {
     return rub(turningOf(place, mass), velocity, share, off, n, v, law, normal);
   }
 
+  /// What a face and a particle at x have with each other; false where they are not within reach.
+  struct Near {
+    const Face* face;
+    Vec3d shares, off;  ///< of the corners in the nearest point; m, from the particle to it
+    double depth;       ///< parts of the reach
+    Vec3d n;
+  };
+  bool near(const Face& f, const Vec3d& x, Near& found) const {
+    if (x.x < f.low.x || x.y < f.low.y || x.z < f.low.z || x.x > f.high.x || x.y > f.high.y || x.z > f.high.z) return false;
+    // places of corners from the particle, so that the bits are those of differences
+    const Vec3d a = f.x[0] - x, b = f.x[1] - x, c = f.x[2] - x, u = sharesOfNearest(a, b, c, {}), d = u.x * a + u.y * b + u.z * c;
+    const double r = length(d), depth = 1 - r / plan.faceReach;
+    if (!(depth > 0)) return false;
+    found = {&f, u, d, depth, r > 0 ? d / r : normalized(cross(f.x[1] - f.x[0], f.x[2] - f.x[0]))};
+    return true;
+  }
+
+  std::vector<Near> within;
+
   void touchParticle(std::size_t j, double& stiffest) {
     Continuum& p = w.particles;
-    const Vec3d x = p.position[j];
-    const Face* nearest = nullptr;
-    double least = plan.faceReach * plan.faceReach;
-    Vec3d shares{}, off{};
-    for (const Face& f : faces) {
-      if (x.x < f.low.x || x.y < f.low.y || x.z < f.low.z || x.x > f.high.x || x.y > f.high.y || x.z > f.high.z) continue;
-      // places of corners from the particle, so that the bits are those of differences
-      const Vec3d a = f.x[0] - x, b = f.x[1] - x, c = f.x[2] - x, u = sharesOfNearest(a, b, c, {}), d = u.x * a + u.y * b + u.z * c;
-      const double r2 = dot(d, d);
-      if (!(r2 < least) && !(nearest && r2 == least && f.number < nearest->number)) continue;
-      nearest = &f, least = r2, shares = u, off = d;
+    const Sheets& s = w.sheets.rows;
+    FaceDepth all;
+    const Near* nearest = nullptr;
+    within.clear();
+    for (const Face& f : faces)
+      if (Near n; near(f, p.position[j], n)) within.push_back(n);
+    for (const Near& n : within) {
+      all.add(n.depth, n.n);
+      if (!nearest || n.depth > nearest->depth || (n.depth == nearest->depth && n.face->number < nearest->face->number)) nearest = &n;
     }
     if (!nearest) return;
-    const double r = std::sqrt(least);
-    const Vec3d n = r > 0 ? off / r : normalized(cross(nearest->x[1] - nearest->x[0], nearest->x[2] - nearest->x[0]));
-    const Sheets& s = w.sheets.rows;
-    Vec3d v{};
-    double temperature = 0, massPerArea = 0;
-    for (int k = 0; k < 3; k++) {
-      massPerArea += shares[k] * w.sheets.laws[s.law[nearest->row[static_cast<std::size_t>(k)]]].contactMass;
-      v += shares[k] * s.moving[nearest->row[static_cast<std::size_t>(k)]];
-      if (s.temperature.active) temperature += shares[k] * s.temperature[nearest->row[static_cast<std::size_t>(k)]];
+    const double perPush = all.perPush(), steep = all.pushes * perPush;
+    double approach = 0, temperature = 0, massPerArea = 0;
+    for (const Near& n : within) {
+      const double part = FaceDepth::push(n.depth) * perPush, weight = part * n.depth / all.depth();
+      Vec3d v{};
+      for (std::size_t k = 0; k < 3; k++) {
+        const double share = n.shares[static_cast<int>(k)];
+        massPerArea += weight * share * w.sheets.laws[s.law[n.face->row[k]]].contactMass;
+        v += share * s.moving[n.face->row[k]];
+        if (s.temperature.active) temperature += weight * share * s.temperature[n.face->row[k]];
+      }
+      approach += part * dot(v - p.velocity[j], n.n);
     }
     const Material& material = w.scene.materials[p.material[j]];
     const double liquid = p.liquid.active ? static_cast<double>(p.liquid[j]) : p.phase[j] == Liquid ? 1 : 0, face = plan.faceArea * massPerArea, mass = face * p.mass[j] / (face + p.mass[j]);
     TouchLaw law{plan.faceRate, mass, std::min(body.restitution, material.restitution), 0, now.span, particleBarrier(plan, p.material[j], p.mass[j]), plan.faceReach};
-    const Touch t = touchOf(law, plan.faceReach - r, n, v - p.velocity[j]);
+    const double depth = all.depth() * plan.faceReach;
+    const Touch t = touchOf(law, depth, {1, 0, 0}, {approach, 0, 0});  // along the slope of the depth
+    const double push = t.force.x, dash = t.resisting.x, slope = t.slope * steep + all.bend() * push / plan.faceReach;
     law.friction = (1 - liquid) * std::max(body.friction, material.friction);
-    const std::array<Vec3d, 4> rubs = rubFace(j, *nearest, shares, off, n, v - p.velocity[j], law, dot(t.force, n));
+    Vec3d v = -p.velocity[j];
+    for (std::size_t k = 0; k < 3; k++) v += nearest->shares[static_cast<int>(k)] * s.moving[nearest->face->row[k]];
+    const std::array<Vec3d, 4> rubs = rubFace(j, *nearest->face, nearest->shares, nearest->off, nearest->n, v, law, push);
     double heat = 0;
     if (s.temperature.active && p.temperature.active && p.heatFlow.active && body.conductance > 0) {
       const double flow = body.conductance * w.scene.spacing * w.scene.spacing;
@@ -129,16 +148,14 @@ struct FaceContact {
       p.heatFlow[j] -= heat;
       w.ledger.heatIn.add(-heat * now.dt);
     }
-    const Vec3d resisting = rubs[3] - t.resisting;
-    p.force[j] += rubs[3] - t.force;
+    const Vec3d g = all.slope(), resisting = rubs[3] - dash * g;
+    p.force[j] += rubs[3] - push * g;
     p.interaction[j] += 0.5 * t.energy;
     p.dissipation[j] -= dot(resisting, p.velocity[j] + p.acceleration[j] * (0.5 * now.dt));  // as in sheet_contact.cpp
-    stiffest = std::max(stiffest, 2 * t.slope / p.mass[j]);
-    p.sheetFace[j] = nearest->number + 1;
-    p.sheetShares[j] = shares;
-    p.sheetPush[j] = t.force;
-    p.sheetResisting[j] = t.resisting;
-    p.sheetNumbers[j] = {t.energy, t.slope, heat};
+    stiffest = std::max(stiffest, 2 * slope * steep / p.mass[j]);
+    p.sheetFace[j] = nearest->face->number + 1;
+    p.sheetPush[j] = {push * perPush, dash * perPush, slope * perPush};
+    p.sheetNumbers[j] = {t.energy / all.sum, heat / all.sum, 0};
     p.sheetRubs[j] = {rubs[0], rubs[1], rubs[2]};
   }
 
@@ -155,26 +172,45 @@ struct FaceContact {
     w.sheets.stiffestParticle = std::max(w.sheets.stiffestParticle, stiffest);
   }
 
-  void pushVertices() {
+  /// To the corners their shares of what the particle's owner has found: forces by the triangles' parts of the slope of the depth, energy and heat by those of its eighth power.
+  void pushCorners(std::uint32_t j) {
     const Continuum& p = w.particles;
     Sheets& s = w.sheets.rows;
-    eachRow(w.cells, [&](std::uint32_t j) {
-      if (p.sheetFace[j] == 0) return;
-      const Vec3d shares = p.sheetShares[j], numbers = p.sheetNumbers[j];
-      const auto corners = rowsOfTriangle(rows, plan, sheet, p.sheetFace[j] - 1);
+    const Vec3d push = p.sheetPush[j], numbers = p.sheetNumbers[j];
+    Near n;
+    for (const Face& f : faces) {
+      if (!near(f, p.position[j], n)) continue;
+      const double part = FaceDepth::push(n.depth);
       for (std::size_t k = 0; k < 3; k++) {
-        const std::uint32_t i = corners[k];
-        const double share = shares[static_cast<int>(k)];
+        const std::uint32_t i = f.row[k];
         if (i >= s.owned) continue;
-        if (const Vec3d rubs = p.sheetRubs[j].row[k] / s.area[i]; body.friction > 0) s.load[i] += rubs, s.resisting[i] += rubs;
+        if (body.friction > 0 && f.number + 1 == p.sheetFace[j]) {
+          const Vec3d rubs = p.sheetRubs[j].row[k] / s.area[i];
+          s.load[i] += rubs, s.resisting[i] += rubs;
+        }
+        const double share = part * n.shares[static_cast<int>(k)];
         if (share == 0) continue;
-        s.load[i] += (share / s.area[i]) * p.sheetPush[j];
-        s.energy[i] += 0.5 * share * numbers.x;
-        s.resisting[i] += (share / s.area[i]) * p.sheetResisting[j];
-        slope[i] += share * numbers.y;
-        if (s.heatFlow.active) s.heatFlow[i] += share * numbers.z;
+        s.load[i] += n.n * (share * push.x / s.area[i]);
+        s.resisting[i] += n.n * (share * push.y / s.area[i]);
+        slope[i] += share * push.z;
+        s.energy[i] += 0.5 * share * n.depth * numbers.x;
+        if (s.heatFlow.active) s.heatFlow[i] += share * n.depth * numbers.y;
       }
-    });
+    }
+  }
+
+  void pushVertices() {
+    const Continuum& p = w.particles;
+    for (std::size_t c = 0; c < w.cells.key.size(); c++) {
+      bool found = false;
+      for (std::uint32_t j = w.cells.first[c]; j < w.cells.first[c] + w.cells.count[c]; j++) {
+        if (p.sheetFace[j] == 0) continue;
+        if (!found) facesNear(w.cells.key[c]);
+        found = true;
+        pushCorners(j);
+      }
+    }
+    const Sheets& s = w.sheets.rows;
     for (std::size_t i = 0; i < s.owned; i++) w.sheets.slope[i] += 2 * slope[i] / s.area[i];
   }
 };
@@ -196,7 +232,7 @@ void meetFaces(World& w, Halos halos, const SheetVelocities& now) {
     if (!w.sheets.plans[n].byFaces) continue;
     FaceContact contact(w, now, n);
     contact.touchParticles();
-    halos.cells.beginRefresh(p, ColumnList{&p.sheetFace, &p.sheetShares, &p.sheetPush, &p.sheetResisting, &p.sheetNumbers, &p.sheetRubs});
+    halos.cells.beginRefresh(p, ColumnList{&p.sheetFace, &p.sheetPush, &p.sheetNumbers, &p.sheetRubs});
     halos.cells.finishRefresh(p);
     contact.pushVertices();
   }

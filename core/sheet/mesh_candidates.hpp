@@ -15,16 +15,27 @@ struct MeshCandidate {
   double reach;                         ///< m, at which they begin to touch
 };
 
+/// How the vertices move, on this rank.
+struct MeshMotion {
+  Vec3d mean{};      ///< m/s: what is common to all costs no new search
+  double dt = 0;     ///< s, since the last time
+  double ahead = 0;  ///< s: pairs that come into reach within it are to be listed, too
+};
+
 struct MeshCandidates {
   std::vector<MeshCandidate> faces, edges;  ///< ascending by order
   Vec3d shift{};                            ///< m, that all are taken to have moved by since the start
   std::vector<Vec3d> listed;                ///< m, place of each vertex without the shift when pairs were last sought for it
+  std::vector<double> room;                 ///< m, for what it may come beside the mean within MeshMotion::ahead, in these pairs
 };
+
+/// m, of the sheets; what comes further within MeshMotion::ahead is not looked for.
+double thickestSheet(const World& world);
 
 /// Part of the distance at rest within which the parts of one sheet touch, where that is less than the thickness.
 inline constexpr double nearAtRest = 0.5;
 
-/// Brings the lists up to date. moved: as in findMeshPairs.
-void findMeshCandidates(const World& world, const MeshRows& rows, const Vec3d& moved, MeshCandidates& candidates);
+/// Brings the lists up to date. Needs Sheets::moving, of ghosts too.
+void findMeshCandidates(const World& world, const MeshRows& rows, const MeshMotion& motion, MeshCandidates& candidates);
 
 }  // namespace thaw

@@ -123,7 +123,8 @@ void meetMeshes(World& w, const SheetVelocities& now) {
   Vec3d mean{};
   for (std::size_t i = 0; i < s.owned; i++) mean += s.moving[i];
   MeshSearch& pairs = *w.sheets.search;
-  findMeshPairs(w, mean * (now.dt / static_cast<double>(std::max<std::size_t>(1, s.owned))), pairs);
+  findMeshPairs(w, {mean / static_cast<double>(std::max<std::size_t>(1, s.owned)), now.dt, std::isfinite(now.span) ? comesNear * now.span : 0}, pairs);
+  if (pairs.coming > 0) w.sheets.blows = std::max(w.sheets.blows, blowRate(1, 1, pairs.coming));
   std::vector<double> slope(s.owned, 0);
   MeshContact contact{w, now, s, slope};
   for (const MeshPair& p : pairs.faces) contact.vertexAndTriangle(p);

@@ -6,8 +6,9 @@
 namespace thaw {
 namespace {
 
-/// Of the candidates those that touch. pairOf: what they are, vertex and triangle or two edges.
-template<class PairOf> void pick(const Sheets& s, const MeshRows& m, const std::vector<MeshCandidate>& candidates, std::vector<MeshPair>& found, PairOf&& pairOf) {
+/// Of the candidates those that touch; and how fast (1/s, over their reach) those come that will within `ahead` (s) and are no further (m) from it than what candidates have room for. pairOf: what they are, vertex and triangle or two edges.
+template<class PairOf> double pick(const Sheets& s, const MeshRows& m, const std::vector<MeshCandidate>& candidates, double ahead, double farthest, std::vector<MeshPair>& found, PairOf&& pairOf) {
+  double coming = 0;
   found.clear();
   for (const MeshCandidate& c : candidates) {
     const std::array<std::uint32_t, 4> rows{m.rowOf[c.vertex[0]], m.rowOf[c.vertex[1]], m.rowOf[c.vertex[2]], m.rowOf[c.vertex[3]]};
@@ -18,10 +19,18 @@ template<class PairOf> void pick(const Sheets& s, const MeshRows& m, const std::
     }
     if (!all || !ours) continue;
     MeshPair p = pairOf(s.position, rows);
-    if (!(p.distance < c.reach) || !(p.distance > 0) || !allBeside(m, rows)) continue;
+    if (!(p.distance > 0)) continue;
+    double rate = 0;  // m/s, of approach
+    if (p.distance >= c.reach) {
+      for (std::size_t k = 0; k < 4; k++) rate -= p.share[k] * dot(s.moving[rows[k]], p.apart) / p.distance;
+      if (!(p.distance - std::min(rate * ahead, farthest) < c.reach)) continue;
+    }
+    if (!allBeside(m, rows)) continue;
     p.reach = c.reach;
-    found.push_back(p);
+    if (p.distance < c.reach) found.push_back(p);
+    else coming = std::max(coming, rate / c.reach);
   }
+  return coming;
 }
 
 }  // namespace
@@ -39,11 +48,12 @@ MeshPair edgeAndEdge(const Column<Vec3d>& x, const std::array<std::uint32_t, 4>&
   return {rows, {1 - at.first, at.first, at.second - 1, -at.second}, d, length(d), 0};
 }
 
-void findMeshPairs(const World& w, const Vec3d& moved, MeshSearch& search) {
+void findMeshPairs(const World& w, const MeshMotion& motion, MeshSearch& search) {
   const Sheets& s = w.sheets.rows;
-  findMeshCandidates(w, search.rows, moved, search.candidates);
-  pick(s, search.rows, search.candidates.faces, search.faces, vertexAndTriangle);
-  pick(s, search.rows, search.candidates.edges, search.edges, edgeAndEdge);
+  findMeshCandidates(w, search.rows, motion, search.candidates);
+  const double farthest = thickestSheet(w);
+  search.coming = std::max(pick(s, search.rows, search.candidates.faces, motion.ahead, farthest, search.faces, vertexAndTriangle),
+                           pick(s, search.rows, search.candidates.edges, motion.ahead, farthest, search.edges, edgeAndEdge));
 }
 
 }  // namespace thaw

@@ -17,11 +17,12 @@ struct MeshSearch {
   MeshRows rows;
   MeshCandidates candidates;
   std::vector<MeshPair> faces, edges;
+  double coming = 0;   ///< 1/s, speed over reach of what will be within reach soon: the largest
 };
 
 /// Finds MeshSearch::faces and edges, all that one of this rank's vertices is in, ascending by the numbers of both: an order that is the same on all ranks. Needs
-/// MeshSearch::rows. moved: how far (m) all have come since the last time, about; what is common to all costs no new search.
-void findMeshPairs(const World& world, const Vec3d& moved, MeshSearch& search);
+/// MeshSearch::rows, and Sheets::moving of ghosts too.
+void findMeshPairs(const World& world, const MeshMotion& motion, MeshSearch& search);
 
 /// The pair of these rows, with any `reach`.
 MeshPair vertexAndTriangle(const Column<Vec3d>& place, const std::array<std::uint32_t, 4>& rows);

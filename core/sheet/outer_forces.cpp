@@ -10,8 +10,6 @@
 namespace thaw {
 namespace {
 
-constexpr double comesNear = 1.5;  // steps: who may be in contact at the end of the next one, which is longer by a tenth at most
-
 /// Pressure on the side that the wind blows at: density (v . n)^2, along the normal; of the relative velocity.
 Vec3d windLoad(const SheetBody& b, double density, const Vec3d& v, const Vec3d& facing, double area) {
   const double size = length(facing);

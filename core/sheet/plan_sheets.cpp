@@ -31,6 +31,7 @@ double speedOf(const Scene& s, const SheetBody& b) {
     for (std::size_t k = 1; k < o.motion.size(); k++)
       if (const double over = o.motion[k].time - o.motion[k - 1].time; over > 0) fastest = std::max(fastest, length(o.motion[k].move - o.motion[k - 1].move) / over + length(b.velocity));
   for (const Body& body : s.bodies) fastest = std::max(fastest, length(body.velocity) + length(b.velocity));
+  for (const SheetBody& other : s.sheets) fastest = std::max(fastest, length(other.velocity - b.velocity));
   return fastest + std::sqrt(2 * height);
 }
 

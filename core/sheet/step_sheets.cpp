@@ -7,6 +7,7 @@
 #include "core/sheet/cell_sums.hpp"
 #include "core/sheet/changing_factors.hpp"
 #include "core/sheet/inner_forces.hpp"
+#include "core/sheet/mesh_contact.hpp"
 #include "core/sheet/move_vertices.hpp"
 #include "core/sheet/outer_forces.hpp"
 #include "core/sheet/sheet_contact.hpp"
@@ -245,7 +246,7 @@ double sheetStepLimit(const World& w) {
   if (b.fastest2 > 0 || b.hardest > 0) {
     double thin = never;
     for (const SheetPlan& p : b.plans)
-      if (p.touches) thin = std::min({thin, p.thickness, p.byFaces ? p.faceReach : never});
+      if (p.touches) thin = std::min({thin, (meshesTouch(w.scene) ? 0.5 : 1) * p.thickness, p.byFaces ? p.faceReach : never});  // both of two sheets may come
     limit = std::min({limit, 0.5 * thin / std::sqrt(b.fastest2), b.hardest > 0 ? std::sqrt(thin / b.hardest) : never});
   }
   if (b.blows > 0) limit = std::min(limit, 1 / b.blows);

@@ -49,6 +49,9 @@ inline Touch touchOf(const TouchLaw& law, double depth, const Vec3d& n, const Ve
   return t;
 }
 
+/// Steps: who may be in contact at the end of the next one, which is longer by a tenth at most.
+inline constexpr double comesNear = 1.5;
+
 /// 1/s, over which a step is to follow a blow. What comes into contact within a step, or out of it, has its energy off by (rate step)^2 / 6 of itself: so steps are short for what comes fast, and rest as
 /// stability says. The speed (m/s) is that of approach or leaving; an eighth of the one that contact is made for (rate * reach / 2) has steps of a quarter of a radian.
 inline double blowRate(double rate, double reach, double speed) { return 4 * rate * speed / (0.0625 * rate * reach); }

@@ -156,9 +156,10 @@ std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
   add(c.retries, "times a stretch of steps failed and was run again with shorter ones");
   add(c.unsolvedPressures, "times the pressure of incompressible liquid was not found within numerics.max_iterations");
   add(c.wallProjections, "times a particle was pushed out of an obstacle");
-  if (!isRounding(l) && std::abs(l.energyResidual) > 0.05 * l.energyScale)
-    w.push_back(fmt::format("the ledger does not close: {:+.3g} J of mechanical energy ({:.0f} % of its largest term) are from nowhere; shorter steps (numerics.max_step) may show why", l.energyResidual,
-                            100 * std::abs(l.energyResidual) / l.energyScale));
+  const double largest = std::max(l.energyScale, l.energyLargest);  // what has come to rest has little left to set it against
+  if (!isRounding(l) && std::abs(l.energyResidual) > 0.05 * largest)
+    w.push_back(fmt::format("the ledger does not close: {:+.3g} J of mechanical energy ({:.0f} % of its largest term of this run) are from nowhere; shorter steps (numerics.max_step) may show why", l.energyResidual,
+                            100 * std::abs(l.energyResidual) / largest));
   return w;
 }
 

@@ -141,6 +141,39 @@ TEST(SheetContact, BlowsOfCoarseClothsKeepTheBooks) {
       }
 }
 
+/// Two free sheets meet at 16 m/s: they are seen to come, so that steps are short when they do. Energies were off by 22 and 49 %; at restitution 1 without friction by 2 %.
+TEST(SheetContact, SheetsThatClapKeepTheBooks) {
+  for (const double restitution : {1.0, 0.3})
+    for (const double below : {0.015, 0.02}) {
+      Scene s = test::emptyScene(0.02, {-1, -1, -1}, {1, 1, 1});
+      for (const int side : {1, -1}) {
+        s.sheets.emplace_back();
+        SheetBody& b = s.sheets.back();
+        b.name = side > 0 ? "upper" : "lower";
+        b.width = b.depth = 0.2;
+        b.spacing = side > 0 ? 0.015 : below;
+        b.mass = 0.5;
+        b.warp = b.weft = 300, b.shear = 50;
+        b.restitution = restitution;
+        b.friction = restitution < 1 ? 0.4 : 0;
+        b.shape.move = {0, 0, 0.05 * side};
+        b.shape.rotate = {0, 0, side > 0 ? 0.35 : 0};
+        b.velocity = {0, 0, -8.0 * side};
+      }
+      s.end = 0.012;
+      s.numerics.retryEvery = 0;
+      test::Simulation sim(s);
+      double most = 0;
+      while (sim.w.clock.time < s.end) {
+        ASSERT_TRUE(sim.step());
+        const LedgerReport books = sim.books();
+        most = std::max(most, std::abs(books.energyResidual) / books.energyScale);
+      }
+      EXPECT_LT(most, 0.004) << restitution << " " << below;
+      EXPECT_LT(sim.w.clock.step, 600);
+    }
+}
+
 /// All pairs that touch, asked of every vertex with every triangle and of every edge with every other.
 std::set<std::array<std::uint32_t, 4>> allPairs(const World& w) {
   const MeshRows& m = w.sheets.search->rows;

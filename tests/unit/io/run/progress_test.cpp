@@ -35,6 +35,8 @@ TEST(ProgressLine, SharesOfNothingAreNoPercentages) {
   l.energyScale = l.energyResidual = 6.9e-3;
   EXPECT_TRUE(has(progressLine({}, l), "residual +6.9e-03 J (+1.0e+00)"));
   EXPECT_EQ(warningsOf({}, l).size(), 1u);
+  l.energyLargest = 100 * l.energyScale;  // it was livelier before
+  EXPECT_TRUE(warningsOf({}, l).empty());
 }
 
 TEST(ProgressLine, FitsOnATerminal) {
