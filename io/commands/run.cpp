@@ -118,7 +118,7 @@ int simulate(Run& r) {
   if (r.options.relax > 0) {  // no step was to be done
     const OrientedWork& o = r.tools.oriented;
     if (o.relaxStopped) code = exitStopped;
-    why = fmt::format("relaxation {} after {} iterations; `thaw run --restart` goes on from here", o.atRest ? "is at rest" : o.relaxStopped ? "was stopped" : "is not at rest", o.relaxed);
+    why = fmt::format("relaxation {} after {} iterations; `thaw run --restart` goes on from here", o.atRest ? "is at rest" : o.relaxStopped ? "was stopped" : o.gotNowhere ? "got no nearer to rest, and ended" : "is not at rest", o.relaxed);
   } else if (code == exitDone && c.time < c.end) {
     why = "--steps is reached; --restart goes on";
   }
