@@ -99,7 +99,8 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
     t.oriented.unrest = worst[0];
     t.oriented.atRest = (worst[0] < restForce && (!grows || calm >= 3)) || !(worst[1] > 0);
     t.oriented.relaxStopped = !t.oriented.atRest && worst[2] > 0;
-    t.oriented.gotNowhere = !t.oriented.atRest && !t.oriented.relaxStopped && !getsAnywhere(t.oriented.relaxProgress, done, worst[0], t.oriented.relaxing);
+    // who comes and who goes may disturb the others without end; of a population that stays as it is the force goes to 0 in the end, however slowly
+    t.oriented.gotNowhere = grows && !t.oriented.atRest && !t.oriented.relaxStopped && !getsAnywhere(t.oriented.relaxProgress, done, worst[0], t.oriented.relaxing);
     if (t.oriented.atRest || t.oriented.relaxStopped || t.oriented.gotNowhere) break;
     const Sums s = sumsOf(o, force, torque, halos.all);
     if (s.power > 0) {

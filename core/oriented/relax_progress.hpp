@@ -1,4 +1,4 @@
-// Does a relaxation still get anywhere?
+// Does a relaxation in which particles come and go still get anywhere?
 #pragma once
 #include <cstdint>
 
@@ -16,8 +16,8 @@ struct RelaxProgress {
 /// Iterations without a gain after which none is to be expected: a disturbance crosses a surface of so many particles in some multiple of their number along it.
 std::int64_t relaxPatience(std::int64_t particles);
 
-/// Notes what iteration `done` has found, and says whether to go on: false after relaxPatience without the largest force having halved and without the surface
-/// having grown by a hundredth. So there is an end, at `least` = 1e-9 or before, for any number of particles that is bounded.
+/// Notes what iteration `done` has found, and says whether to go on: false after relaxPatience without the largest force having become less by a tenth and without
+/// the surface having grown by a fiftieth. So there is an end for any number of particles that is bounded: each size has some 200 tenths to go to 1e-9.
 bool getsAnywhere(RelaxProgress& progress, std::int64_t done, double force, std::int64_t particles);
 
 }  // namespace thaw

@@ -94,9 +94,9 @@ void requireMemory(const Communicator& comm, const World& world, const std::vect
   MPI_Allreduce(MPI_IN_PLACE, worst, 2, MPI_DOUBLE, MPI_MAX, comm.handle());
   if (!(worst[0] > 1)) return;
   const bool bySurface = surface > all;
-  const std::string text = fmt::format("{} and at least {:.3g} GB of memory, but a machine of this run has {:.3g} GB; make {} larger, or run on more machines",
+  const std::string text = fmt::format("{} and at least {:.3g} GB of memory, but a machine of this run has {:.3g} GB; make {}, or run on more machines",
                                        bySurface ? fmt::format("the surface would take about {:.1e} surfels", surfels) : fmt::format("the bodies would take about {:.1e} particles", particles),
-                                       (all + surface) / 1e9, -worst[1] / 1e9, bySurface ? "surface.spacing" : "the spacing");
+                                       (all + surface) / 1e9, -worst[1] / 1e9, bySurface ? "surface.spacing larger" : fmt::format("the spacing ({:.3g} m) larger (at least {:.2g} m)", world.scene.spacing, 1.1 * world.scene.spacing * std::cbrt(worst[0])));
   if (shapes.empty()) throw std::runtime_error(text);
   const Body& body = world.scene.bodies[largest];
   SceneProblems problem;

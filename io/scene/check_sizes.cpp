@@ -1,6 +1,7 @@
 // Spacings that no machine has room for, told before anything is made: the memory of this one is looked at later (io/commands/require_memory.hpp).
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <optional>
@@ -58,7 +59,8 @@ std::string tooFineForBodies(const Scene& s, bool noGrid) {
                      largest->name, most < sum ? " and others" : "", sum, sum * leastParticleBytes / 1e9, s.spacing * std::cbrt(sum / modest));
 }
 
-/// The same of oriented bodies and sheets, of what needs no file: at its place where a body has a spacing of its own, at the scene's for the largest of those that take that one.
+/// The same of oriented bodies and sheets for which the domain cannot be divided, of what needs no file: at its place where a body has a spacing of its own, at the scene's for the
+/// largest of those that take that one.
 bool tooFineForKinds(const SceneReading& x, std::vector<SceneError>& errors) {
   const std::size_t before = errors.size();
   const auto refuse = [&](const ExpectedRows& e, const SourcePlace& where, const char* key) {
@@ -67,12 +69,22 @@ bool tooFineForKinds(const SceneReading& x, std::vector<SceneError>& errors) {
   };
   std::optional<ExpectedRows> largest;
   for (const ExpectedRows& e : expectedRows(*x.scene, [](const std::string& path) -> TriangleMesh { throw std::runtime_error(path); })) {
-    if (!(e.rows > mostRowsOfKind)) continue;
+    if (!(e.rows > 100 * modest)) continue;
     if (e.ownSpacing) refuse(e, e.where, "");
     else if (!largest || e.rows > largest->rows) largest = e;
   }
   if (largest) refuse(*largest, x.spacing, "spacing: ");
   return errors.size() > before;
+}
+
+/// How many particles there might be in the domain: of meshes in files nothing is known yet.
+std::string roomIn(const Scene& s) {
+  double finest = s.spacing;
+  for (const OrientedBody& b : s.oriented) finest = std::min(finest, spacingOf(s, b));
+  for (const SheetBody& b : s.sheets) finest = std::min(finest, spacingOf(s, b));
+  const Vec3d n = (s.domain.max - s.domain.min) * (1 / finest);
+  if (hasContinuum(s)) return fmt::format("; at {:.3g} m it has room for some {:.0e} particles", finest, n.x * n.y * n.z);
+  return fmt::format("; at {:.3g} m a surface as large as its sides would have some {:.0e} particles", finest, 2 * (n.x * n.y + n.y * n.z + n.z * n.x));
 }
 
 /// Why the domain cannot be divided into cells; an empty text where it can be.
@@ -96,9 +108,7 @@ void checkSizes(const SceneReading& x, std::vector<SceneError>& errors) {
   // what is too fine for its body is too fine for the domain, too, and one message is enough
   if (const std::string text = tooFineForBodies(s, !noGrid.empty()); !text.empty()) return errors.push_back({x.spacing, text});
   if (noGrid.empty() || tooFineForKinds(x, errors)) return;
-  const Vec3d size = s.domain.max - s.domain.min;
-  const std::string room = hasContinuum(s) ? fmt::format("; at {:.3g} m it has room for some {:.0e} particles", s.spacing, size.x / s.spacing * (size.y / s.spacing) * (size.z / s.spacing)) : "";
-  errors.push_back({x.domain.line > 0 ? x.domain : x.spacing, noGrid + room});
+  errors.push_back({x.domain.line > 0 ? x.domain : x.spacing, noGrid + roomIn(s)});
 }
 
 }  // namespace thaw
