@@ -27,7 +27,7 @@ std::string textOf(const Scene& s, const EventOfWelded& found) {
   const std::string since = fmt::format("part of '{}' by the weld at {:g} s{}", into, found.weld->time, line ? fmt::format(" (line {})", found.weld->where.line) : "");
   if (found.named == found.body)
     return fmt::format("oriented body '{}': it is {}, and has no particle left for this {} at {:g} s: expected this event as one of '{}', or before that weld", gone, since, nameOf(e.kind), e.time, into);
-  return fmt::format("oriented body '{}': this weld at {:g} s names '{}', which is {} and has no particle left: expected {}", body.name, e.time, gone, since,
+  return fmt::format("oriented body '{}': this weld at {:g} s names '{}', which is {}, and has no particle left: expected {}", body.name, e.time, gone, since,
                      found.into == found.body ? "one weld of the two" : "other = \"" + into + "\", or a time before that weld");
 }
 
