@@ -13,17 +13,6 @@ namespace {
 
 constexpr double weldApart = 0.75;  // spacings: rows of a lattice are .87 apart; nearer, Lennard-Jones would throw a weld apart again
 
-struct Due { double time; std::size_t body, event; };
-
-std::vector<Due> dueBetween(const Scene& s, double from, double to) {
-  std::vector<Due> list;
-  for (std::size_t b = 0; b < s.oriented.size(); b++)
-    for (std::size_t e = 0; e < s.oriented[b].events.size(); e++)
-      if (const double time = s.oriented[b].events[e].time; time > from && time <= to) list.push_back({time, b, e});
-  std::stable_sort(list.begin(), list.end(), [](const Due& a, const Due& b) { return a.time < b.time; });
-  return list;
-}
-
 /// Nearest point of a piece of a line: its share 0 to 1, not clamped.
 double shareAlong(const Vec3d& a, const Vec3d& b, const Vec3d& x) {
   const double l2 = dot(b - a, b - a);
@@ -94,12 +83,21 @@ int cutNumber(const Scene& s, std::size_t body, std::size_t event) {
   return number;
 }
 
-bool operationDue(const Scene& s, double from, double to) { return !dueBetween(s, from, to).empty(); }
+std::vector<EventDue> eventsBetween(const Scene& s, double from, double to) {
+  std::vector<EventDue> list;
+  for (std::size_t b = 0; b < s.oriented.size(); b++)
+    for (std::size_t e = 0; e < s.oriented[b].events.size(); e++)
+      if (const double time = s.oriented[b].events[e].time; time > from && time <= to) list.push_back({time, b, e});
+  std::stable_sort(list.begin(), list.end(), [](const EventDue& a, const EventDue& b) { return a.time < b.time; });
+  return list;
+}
+
+bool operationDue(const Scene& s, double from, double to) { return !eventsBetween(s, from, to).empty(); }
 
 void operate(World& w, Halos halos, StepTools& t, double from, double to) {
   Oriented& o = w.oriented.rows;
-  const std::vector<Due> list = dueBetween(w.scene, from, to);
-  for (const Due& due : list) {
+  const std::vector<EventDue> list = eventsBetween(w.scene, from, to);
+  for (const EventDue& due : list) {
     const OrientedBody& body = w.scene.oriented[due.body];
     const OrientedEvent& e = body.events[due.event];
     const bool shaped = (e.kind == OrientedEventKind::Cut && e.tool == CutTool::Box) || e.kind == OrientedEventKind::Smooth;

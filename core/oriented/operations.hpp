@@ -4,6 +4,11 @@
 
 namespace thaw {
 
+struct EventDue { double time; std::size_t body, event; };
+
+/// The events of (from, to] (s) in the order in which they are done: by time, then as in the scene.
+std::vector<EventDue> eventsBetween(const Scene& scene, double from, double to);
+
 /// Does an event lie in (from, to]?
 bool operationDue(const Scene& scene, double from, double to);
 

@@ -9,6 +9,7 @@
 #include "core/math/quat.hpp"
 #include "core/oriented/given_surface.hpp"
 #include "core/oriented/pair_potential.hpp"
+#include "core/oriented/relax_progress.hpp"
 
 namespace thaw {
 
@@ -31,11 +32,13 @@ struct OrientedWork {
   std::vector<Vec3d> velocity, spin, sumForce, sumTorque, sumVelocity, sumSpin;
   std::vector<Vec3d> rest, restSpin, along, alongSpin, image, imageSpin;
   double fastest2 = 0;                     ///< 1/s^2, of this rank's continuum particles at oriented ones
-  double unrest = 0;                       ///< largest force left by it, over stiffness times spacing
+  double unrest = 0;                       ///< largest force left by relaxation, over stiffness times spacing
   bool begins = false;                     ///< the next evaluation is that of the start: it does the events of time 0
   std::int64_t relaxAtLeast = 0;           ///< iterations of relaxation at the start that a command asks of all bodies
   std::int64_t relaxed = 0;                ///< iterations of relaxation at the start
-  bool atRest = false, relaxStopped = false;  ///< how it ended, if not by its last iteration; on all ranks
+  std::int64_t relaxing = 0;               ///< particles in it, on all ranks
+  RelaxProgress relaxProgress;             ///< what it has come to
+  bool atRest = false, relaxStopped = false, gotNowhere = false;  ///< how it ended, if not by its last iteration; on all ranks
   std::function<bool(std::int64_t done)> stopRelaxing;  ///< asked on each rank before each of its iterations; one yes ends it. Empty: never
   struct Born { std::uint32_t row; double energy; };  // J, without contacts of kinds
   std::vector<Born> born;                  ///< in this evaluation

@@ -18,7 +18,7 @@ void prepareOriented(Scene& scene, OrientedWork& work, const MeshLoader& load);
 std::vector<std::vector<Vec3d>> sampleOriented(World& world, Halos halos, const MeshLoader& load);
 
 /// Moves all bodies that ask for it to rest (FIRE: Bitzek et al. 2006), growing where they grow, until no force is above 1e-9 stiffness times
-/// spacing, for OrientedBody::relax iterations, or until OrientedWork::stopRelaxing says so on some rank. Velocities are then those of the scene. Returns the iterations done. Collective.
+/// spacing, for OrientedBody::relax iterations, until it gets nowhere (core/oriented/relax_progress.hpp), or until OrientedWork::stopRelaxing says so on some rank. Velocities are then those of the scene. Returns the iterations done. Collective.
 std::int64_t relaxOriented(World& world, Halos halos, StepTools& tools);
 
 }  // namespace thaw

@@ -58,6 +58,12 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
   std::int64_t done = 0;
   const std::int64_t stepBefore = w.clock.step;
   std::int64_t calm = 0;  // looks at the population in a row that changed nothing
+  const auto countRows = [&] {
+    t.oriented.relaxing = static_cast<std::int64_t>(o.owned);
+    halos.all.sum({&t.oriented.relaxing, 1});
+  };
+  t.oriented.relaxProgress = {};
+  countRows();
   for (; done < most; done++) {
     bringKindsHome(w, halos, t);
     readyOriented(w, halos, t);
@@ -69,6 +75,7 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
       const bool changed = changePopulation(w, halos, t, 0);
       if (changed) readyAgain(w, halos, t);
       calm = changed || lost > 0 ? 0 : calm + 1;
+      if (calm == 0) countRows();
     }
     t.oriented.time = w.clock.time;
     addUpForces(w, t);
@@ -92,7 +99,9 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
     t.oriented.unrest = worst[0];
     t.oriented.atRest = (worst[0] < restForce && (!grows || calm >= 3)) || !(worst[1] > 0);
     t.oriented.relaxStopped = !t.oriented.atRest && worst[2] > 0;
-    if (t.oriented.atRest || t.oriented.relaxStopped) break;
+    // who comes and who goes may disturb the others without end; of a population that stays as it is the force goes to 0 in the end, however slowly
+    t.oriented.gotNowhere = grows && !t.oriented.atRest && !t.oriented.relaxStopped && !getsAnywhere(t.oriented.relaxProgress, done, worst[0], t.oriented.relaxing);
+    if (t.oriented.atRest || t.oriented.relaxStopped || t.oriented.gotNowhere) break;
     const Sums s = sumsOf(o, force, torque, halos.all);
     if (s.power > 0) {
       const double mix = alpha * std::sqrt(s.speed / std::max(s.force, 1e-300));

@@ -6,6 +6,8 @@
 
 namespace thaw {
 
+inline constexpr double leastParticleBytes = 400;  ///< of a particle: columns and neighbour list
+
 /// About how many particles the bodies of these shapes take at this spacing (m), found without sampling them: by the share of a coarse
 /// lattice over the bounding box that lies inside, or by the bounding box alone where that is not much.
 double expectedParticles(const std::vector<std::shared_ptr<const SignedDistance>>& shapes, double spacing);

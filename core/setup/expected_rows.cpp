@@ -61,6 +61,7 @@ std::vector<ExpectedRows> expectedRows(const Scene& scene, const MeshLoader& loa
   for (const OrientedBody& b : scene.oriented) {
     ExpectedRows e{"oriented body '" + b.name + "'", b.where};
     e.spacing = spacingOf(scene, b);
+    e.ownSpacing = b.spacing > 0;
     try {
       e.rows = particlesOf(b, e.spacing, load);
     } catch (const std::exception&) {  // its set-up says so, with its place
@@ -71,7 +72,9 @@ std::vector<ExpectedRows> expectedRows(const Scene& scene, const MeshLoader& loa
   }
   for (const SheetBody& b : scene.sheets) {
     ExpectedRows e{"sheet '" + b.name + "'", b.where};
+    e.word = "vertices";
     e.spacing = spacingOf(scene, b);
+    e.ownSpacing = b.spacing > 0;
     e.rows = verticesOf(b, e.spacing);
     e.bytesEverywhere = e.rows * vertexPlan;
     e.bytesShared = e.rows * vertexRow;

@@ -8,6 +8,8 @@
 
 namespace thaw {
 
+inline constexpr double mostRowsOfKind = 2e9;  ///< of a body: numbers of its points and vertices have 32 bits while it is made
+
 struct ExpectedRows {
   std::string name;           ///< "oriented body 'skin'"
   SourcePlace where;
@@ -15,6 +17,8 @@ struct ExpectedRows {
   double bytesEverywhere = 0; ///< least memory (bytes) on each rank: all of them sample the body whole
   double bytesShared = 0;     ///< of all rows on their owners
   double spacing = 0;         ///< m, of the body
+  bool ownSpacing = false;    ///< and not the scene's
+  const char* word = "particles";  ///< or "vertices"
 };
 
 /// Of every oriented body and sheet of the scene, in 64-bit floating point, so that no spacing overflows. A body whose shape or mesh cannot be made counts

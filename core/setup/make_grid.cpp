@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 
@@ -9,6 +10,15 @@
 #include "core/sheet/plan_sheets.hpp"
 
 namespace thaw {
+namespace {
+
+std::string inDigits(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+}  // namespace
 
 CellGrid makeGrid(const Scene& s, double least) {
   const double reach = std::max({orientedReach(s), sheetReach(s), least});
@@ -27,7 +37,7 @@ CellGrid makeGrid(const Domain& d, double support, double least) {
     const double extent = d.max[a] - d.min[a];
     if (!(extent > 0)) throw std::runtime_error("the domain has no extent along " + axis + ": max must be above min");
     if (extent / cell > maxCellsPerAxis - 8)
-      throw std::runtime_error("the domain is " + std::to_string(extent / cell) + " support radii long along " + axis + ", at most " +
+      throw std::runtime_error("the domain is " + inDigits(extent / cell) + " support radii long along " + axis + ", at most " +
                                std::to_string(maxCellsPerAxis) + " are possible: make the domain smaller or the spacing larger");
     g.periodic[a] = d.side[a][0] == Side::Periodic;
     if (g.periodic[a]) {

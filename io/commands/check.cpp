@@ -21,6 +21,7 @@
 #include "io/commands/frontier.hpp"
 #include "io/commands/require_memory.hpp"
 #include "io/commands/scene_for_all.hpp"
+#include "io/commands/short_text.hpp"
 #include "io/hdf5/io_error.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/scene/scene_warnings.hpp"
@@ -119,7 +120,7 @@ int checkAll(const CheckOptions& o) {
   if (comm.rank() != 0) return exitDone;
 
   const Scene& s = w.scene;
-  std::printf("%s: %s\n", o.scene.c_str(), s.title.c_str());
+  std::printf("%s: %s\n", o.scene.c_str(), shortText(s.title, longestTitle).c_str());
   std::printf("spacing %g m, support radius %g m, grid %d x %d x %d cells, end %g s, a frame every %g s\n", s.spacing, w.grid.support, w.grid.cells.x, w.grid.cells.y, w.grid.cells.z, s.end, s.output.every);
   for (const std::string& line : sceneWarnings(s)) std::printf("warning: %s\n", line.c_str());
   for (const std::string& line : lumpWarnings(s, surface.lumps())) std::printf("warning: %s\n", line.c_str());

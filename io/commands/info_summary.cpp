@@ -6,6 +6,7 @@
 
 #include "core/kinds/kinds.hpp"
 #include "io/commands/bytes_text.hpp"
+#include "io/commands/short_text.hpp"
 #include "io/run/process_mark.hpp"
 
 using Json = nlohmann::ordered_json;
@@ -64,7 +65,7 @@ std::vector<std::string> summaryOfRun(const Json& run) {
   std::vector<std::string> lines;
   const Json none = Json::object(), &s = run.contains("summary") ? run["summary"] : none;
   const std::string title = textOf(s, "title"), message = textOf(s, "message");
-  lines.push_back(fmt::format("{}: a run of {}{}", textOf(run, "path"), s.contains("scene") ? textOf(s, "scene") : "a scene that left no summary.json", title.empty() ? "" : ": " + title));
+  lines.push_back(fmt::format("{}: a run of {}{}", textOf(run, "path"), s.contains("scene") ? textOf(s, "scene") : "a scene that left no summary.json", title.empty() ? "" : ": " + shortText(title, longestTitle)));
   if (s.contains("status"))
     lines.push_back(named("status", fmt::format("{} at t {:.6g} of {:.6g} s, step {}{}", textOf(s, "status") == "running" ? runningText(s) : textOf(s, "status"), numberOf(s, "time_s"), numberOf(s, "end_s"), s.value("step", std::int64_t(0)),
                                                 message.empty() ? "" : ": " + message)));
@@ -84,7 +85,7 @@ std::vector<std::string> summaryOfRun(const Json& run) {
     const Json& all = from[list];
     for (std::size_t k = 0; k < std::min(mostWarnings, all.size()); k++) {
       const std::string text = all[k].get<std::string>();
-      lines.push_back(named(k == 0 ? list : "", text.size() > longest ? text.substr(0, longest) + "..." : text));
+      lines.push_back(named(k == 0 ? list : "", shortText(text, longest)));
     }
     if (all.size() > mostWarnings) lines.push_back(named("", fmt::format("and {} more", all.size() - mostWarnings)));
   }

@@ -18,8 +18,7 @@
 namespace thaw {
 namespace {
 
-// Least bytes of a particle: columns and neighbour list; and its solid record with the bonds.
-constexpr double leastBytes = 400, leastSolidBytes = 600;
+constexpr double leastSolidBytes = 600;  // of a solid particle's record with its bonds
 // The same of the good state that is kept for retries (core/watch/good_state.hpp).
 constexpr double pi = 3.14159265358979323846;
 constexpr double leastKeptBytes = 120, leastKeptSolidBytes = 400;
@@ -29,8 +28,6 @@ double leastSurfelBytes(const Scene& s) {
   const double particles = 2.0 / 3 * pi * std::pow(s.surface.particleSupport * s.numerics.support, 3), surfels = pi * s.surface.support * s.surface.support;
   return 150 + 4 * (particles + surfels);
 }
-
-constexpr double mostRows = 2e9;  // of a body: numbers of points and vertices have 32 bits while it is made
 
 /// Memory of this machine, in bytes.
 double memoryHere() {
@@ -71,11 +68,11 @@ void requireRoomForKinds(const Communicator& comm, const Scene& scene, const Mes
     const double bytes = ranksHere * (e.bytesEverywhere + e.bytesShared / comm.size());
     double worst[3] = {bytes / here, bytes, -here};
     MPI_Allreduce(MPI_IN_PLACE, worst, 3, MPI_DOUBLE, MPI_MAX, comm.handle());
-    const bool many = e.rows > mostRows;
+    const bool many = e.rows > mostRowsOfKind;
     if (!(worst[0] > 1) && !many) continue;
-    const double fits = 1.1 * e.spacing * std::sqrt(std::max(worst[0], e.rows / mostRows));
+    const double fits = 1.1 * e.spacing * std::sqrt(std::max(worst[0], e.rows / mostRowsOfKind));
     problems.add(e.where, fmt::format("{}: at a spacing of {:.3g} m it would have about {:.1e} {}, which take {:.3g} GB on a machine that has {:.3g} GB; expected a spacing of at least {:.2g} m, or a smaller body",
-                                      e.name, e.spacing, e.rows, e.name.rfind("sheet", 0) == 0 ? "vertices" : "particles", worst[1] / 1e9, -worst[2] / 1e9, fits));
+                                      e.name, e.spacing, e.rows, e.word, worst[1] / 1e9, -worst[2] / 1e9, fits));
   }
   problems.raise();
 }
@@ -91,15 +88,15 @@ void requireMemory(const Communicator& comm, const World& world, const std::vect
   }
   const int ranksHere = ranksOfMachine(comm);
   const double kept = world.scene.numerics.retryEvery > 0 ? 1 : 0;
-  const double all = particles * (leastBytes + kept * leastKeptBytes + (world.modules.solid ? leastSolidBytes + kept * leastKeptSolidBytes : 0)), here = memoryHere();
+  const double all = particles * (leastParticleBytes + kept * leastKeptBytes + (world.modules.solid ? leastSolidBytes + kept * leastKeptSolidBytes : 0)), here = memoryHere();
   const double surfels = world.modules.surface ? expectedSurfels(world.scene, shapes) : 0, surface = surfels * (leastSurfelBytes(world.scene) + kept * leastKeptBytes);
   double worst[2] = {(all + surface) * ranksHere / comm.size() / here, -here};
   MPI_Allreduce(MPI_IN_PLACE, worst, 2, MPI_DOUBLE, MPI_MAX, comm.handle());
   if (!(worst[0] > 1)) return;
   const bool bySurface = surface > all;
-  const std::string text = fmt::format("{} and at least {:.3g} GB of memory, but a machine of this run has {:.3g} GB; make {} larger, or run on more machines",
+  const std::string text = fmt::format("{} and at least {:.3g} GB of memory, but a machine of this run has {:.3g} GB; make {}, or run on more machines",
                                        bySurface ? fmt::format("the surface would take about {:.1e} surfels", surfels) : fmt::format("the bodies would take about {:.1e} particles", particles),
-                                       (all + surface) / 1e9, -worst[1] / 1e9, bySurface ? "surface.spacing" : "the spacing");
+                                       (all + surface) / 1e9, -worst[1] / 1e9, bySurface ? "surface.spacing larger" : fmt::format("the spacing ({:.3g} m) larger (at least {:.2g} m)", world.scene.spacing, 1.1 * world.scene.spacing * std::cbrt(worst[0])));
   if (shapes.empty()) throw std::runtime_error(text);
   const Body& body = world.scene.bodies[largest];
   SceneProblems problem;

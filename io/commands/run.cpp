@@ -9,7 +9,9 @@
 #include "core/surface/surface_due.hpp"
 #include "core/time/limits.hpp"
 #include "io/commands/require_memory.hpp"
+#include "io/commands/resolution_line.hpp"
 #include "io/commands/scene_for_all.hpp"
+#include "io/commands/short_text.hpp"
 #include "io/hdf5/agree.hpp"
 #include "io/run/progress.hpp"
 #include "io/run/retry.hpp"
@@ -85,7 +87,8 @@ int simulate(Run& r) {
     r.summary.warnings.push_back(fmt::format("the launcher started {} processes but MPI sees {}: launcher and library do not match", launched, r.comm.size()));
     r.say("warning: " + r.summary.warnings.back());
   }
-  r.say(fmt::format("{}: {}", r.options.scene, r.world.scene.title));
+  r.say(fmt::format("{}: {}", r.options.scene, shortText(r.world.scene.title, longestTitle)));
+  r.say("  " + resolutionLine(r.world.scene, r.options.overrides));
   for (const std::string& why : r.world.modules.why) r.say("  " + why);
   for (const std::string& line : sceneWarnings(r.world.scene)) {
     r.summary.warnings.push_back(line);
@@ -118,7 +121,7 @@ int simulate(Run& r) {
   if (r.options.relax > 0) {  // no step was to be done
     const OrientedWork& o = r.tools.oriented;
     if (o.relaxStopped) code = exitStopped;
-    why = fmt::format("relaxation {} after {} iterations; `thaw run --restart` goes on from here", o.atRest ? "is at rest" : o.relaxStopped ? "was stopped" : "is not at rest", o.relaxed);
+    why = fmt::format("relaxation {} after {} iterations; `thaw run --restart` goes on from here", o.atRest ? "is at rest" : o.relaxStopped ? "was stopped" : o.gotNowhere ? "got no nearer to rest, and ended" : "is not at rest", o.relaxed);
   } else if (code == exitDone && c.time < c.end) {
     why = "--steps is reached; --restart goes on";
   }

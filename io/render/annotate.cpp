@@ -72,9 +72,10 @@ void drawColourBar(Image& image, const ColourScale& scale) {
   drawText(image, image.width - margin, top - 1.4 * text, title, {1.05 * text, ink, Align::Right});
 }
 
-void drawCaption(Image& image, const std::string& caption) {
-  const double unit = image.height / 960.0, text = std::max(9.0, 18 * unit);
-  drawText(image, 28 * unit, 28 * unit + text, caption, {text, ink, Align::Left});
+void drawCaption(Image& image, const std::string& title, const std::string& time) {
+  const double unit = image.height / 960.0, text = std::max(9.0, 18 * unit), margin = 28 * unit;
+  const std::string behind = "   t = " + time, begins = fittedText(title, text, image.width - 2 * margin - textWidth(behind, text));
+  drawText(image, margin, margin + text, begins.empty() ? "t = " + time : begins + behind, {text, ink, Align::Left});
 }
 
 Image contactSheet(std::span<const Image> pictures, int columns, std::span<const std::string> labels) {

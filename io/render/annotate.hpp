@@ -16,8 +16,8 @@ Ticks ticksBetween(double min, double max, int most);
 /// A vertical bar of the scale's colours at the right edge, with title, unit and tick numbers.
 void drawColourBar(Image& image, const ColourScale& scale);
 
-/// One line of text in the upper left corner.
-void drawCaption(Image& image, const std::string& caption);
+/// One line in the upper left corner: a title, of which there is as much as has room, and the time behind it.
+void drawCaption(Image& image, const std::string& title, const std::string& time);
 
 /// Pictures of one size in rows of `columns`, each with its label below, on a light ground. Throws std::invalid_argument if sizes differ
 /// or labels are not as many as the pictures.

@@ -174,7 +174,7 @@ std::vector<fs::path> renderFrames(const FrameJob& job, const ReadFrame& read) {
         labels[k] = label;
       }
     if (coloured) drawColourBar(picture, style.colours);
-    drawCaption(picture, job.title.empty() ? "t = " + label : job.title + "   t = " + label);
+    drawCaption(picture, job.title, label);
     written[f] = job.out / job.frames[f].filename().replace_extension(".png");
     writePng(picture, written[f]);
   });

@@ -180,6 +180,22 @@ double textWidth(std::string_view text, double height) {
   return std::max(0.0, dots * height / 6);
 }
 
+std::string fittedText(std::string_view text, double height, double width) {
+  if (textWidth(text, height) <= width) return std::string(text);
+  const std::string more = "...";
+  const double room = width - textWidth(more, height);
+  double dots = 0;
+  std::size_t end = 0;  // of what has room
+  for (std::size_t k = 0; k < text.size(); k++) {
+    if ((static_cast<unsigned char>(text[k]) & 0xC0) == 0x80) continue;  // within a character
+    if (dots * height / 6 > room) break;
+    end = k;
+    dots += extentOf(static_cast<unsigned char>(text[k]) < 128 ? text[k] : '?').width + gap;
+  }
+  while (end > 0 && text[end - 1] == ' ') end--;
+  return end > 0 ? std::string(text.substr(0, end)) + more : "";
+}
+
 void drawText(Image& image, double x, double y, std::string_view text, const TextStyle& style) {
   const double width = textWidth(text, style.height);
   double at = style.align == Align::Left ? x : style.align == Align::Centre ? x - width / 2 : x - width;

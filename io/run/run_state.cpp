@@ -49,11 +49,13 @@ void watchRelaxation(Run& r) {
   r.tools.oriented.stopRelaxing = [&r, watch = stopWatchOf(r), said = WallClock::now()](std::int64_t done) mutable {
     if (r.first() && done > 0 && since(said) >= r.options.reportEvery) {
       said = WallClock::now();
-      r.say(fmt::format("oriented: iteration {} of relaxation, largest force {:.2e} of stiffness times spacing, {:.1f} s", done, r.tools.oriented.unrest, since(r.start)));
+      r.say(fmt::format("oriented: iteration {} of relaxation, largest force {:.2e} of stiffness times spacing, {} particles, {:.1f} s", done, r.tools.oriented.unrest, r.tools.oriented.relaxing, since(r.start)));
     }
     return !watch.reason().empty();
   };
 }
+
+bool interpolates(const Scene& s) { return std::any_of(s.oriented.begin(), s.oriented.end(), [](const OrientedBody& b) { return b.growth == OrientedGrowth::Borders; }); }
 
 /// How the relaxation ended; what is not at rest is a warning.
 void sayRelaxed(Run& r) {
@@ -61,8 +63,12 @@ void sayRelaxed(Run& r) {
   if (o.relaxed == 0 && !o.relaxStopped) return;
   const std::string line = fmt::format("oriented: {} iterations of relaxation; the largest force is {:.2e} of stiffness times spacing", o.relaxed, o.unrest);
   if (o.atRest) return r.say(line);
-  r.summary.warnings.push_back(line + (o.relaxStopped ? ": it was stopped before all was at rest" : ": they are used up, and not all is at rest (1e-9, and no births)"));
-  r.say("warning: " + r.summary.warnings.back());
+  std::string why = ": they are used up, and not all is at rest (1e-9, and no births)";
+  if (o.relaxStopped) why = ": it was stopped before all was at rest";
+  if (o.gotNowhere)
+    why = fmt::format(": it was ended there, not at rest (1e-9, and no births), since for {} iterations neither the force ({:.2e} at least) nor the number of particles ({}) got any further{}",
+                      o.relaxed - o.relaxProgress.gained, o.relaxProgress.least, o.relaxing, interpolates(r.world.scene) ? "; expected points on one smooth surface, with normals that agree, no farther apart than some spacings" : "");
+  r.warn(line + why);
 }
 
 }  // namespace

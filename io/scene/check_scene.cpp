@@ -1,48 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
 
-#include "core/setup/make_grid.hpp"
 #include "io/scene/nearest_word.hpp"
 #include "io/scene/read_sections.hpp"
 
 namespace thaw {
 namespace {
-
-constexpr double mostLatticePoints = 1099511627776.0;  // 2^40, what the ids of a body have room for
-
-/// Largest distance of the shape's points from its own origin (m), for shapes whose size the scene says; 0 for others.
-double reach(const Shape& s) {
-  switch (s.kind) {
-    case ShapeKind::Box: return 0.5 * length(s.size);
-    case ShapeKind::Sphere: return s.radius;
-    case ShapeKind::Cylinder: return std::hypot(s.radius, 0.5 * s.height);
-    case ShapeKind::Torus: return s.radius + s.radius2;
-    case ShapeKind::Glass: return std::hypot(s.radius, s.height);
-    default: return 0;
-  }
-}
-
-void checkSizes(const SceneReading& x, std::vector<SceneError>& errors) {
-  const Scene& s = *x.scene;
-  bool fits = true;
-  for (int a = 0; a < 3; a++) fits = fits && s.domain.max[a] > s.domain.min[a];
-  if (fits) {  // else it is reported
-    try {
-      makeGrid(s);
-    } catch (const std::runtime_error& e) {
-      errors.push_back({x.domain.line > 0 ? x.domain : x.spacing, e.what()});
-    }
-  }
-  for (const Body& b : s.bodies) {
-    const double scale = b.shape.fitHeight ? 1 : b.shape.scale, points = std::pow(2 * scale * reach(b.shape) / s.spacing, 3);
-    if (points > 16 * mostLatticePoints)
-      errors.push_back({b.where, fmt::format("body '{}' would take some {:.0e} particles; make it smaller or the spacing larger", b.name, points)});
-  }
-  if (s.bodies.size() + s.emitters.size() > 65000) errors.push_back({x.start, "more than 65000 bodies and emitters"});
-}
 
 void checkSurface(const Scene& scene, std::vector<SceneError>& errors) {
   const SurfaceSettings& s = scene.surface;
@@ -85,17 +49,7 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   unique(s.sheets, "sheet");
   unique(s.obstacles, "obstacle");
   checkSheets(s, errors);
-  int cuts = 0;
-  for (OrientedBody& b : s.oriented)
-    for (OrientedEvent& e : b.events) {
-      cuts += e.kind == OrientedEventKind::Cut;
-      if (e.kind != OrientedEventKind::Weld) continue;
-      for (std::size_t k = 0; k < s.oriented.size(); k++)
-        if (s.oriented[k].name == e.other) e.otherIndex = static_cast<int>(k);
-      if (e.other == b.name && !b.name.empty()) errors.push_back({e.where, fmt::format("oriented body '{}': it cannot be welded to itself: expected the name of another oriented body", b.name)});
-      if (e.otherIndex < 0 && !e.other.empty()) errors.push_back({e.where, fmt::format("oriented body '{}': there is no oriented body '{}' to weld to it", b.name, e.other)});
-    }
-  if (cuts > 32) errors.push_back({x.start, fmt::format("{} cuts; at most 32 are possible", cuts)});
+  checkOrientedEvents(x, errors);
   if (s.bodies.empty() && s.emitters.empty() && s.oriented.empty() && s.sheets.empty())
     errors.push_back({x.start, "there is nothing to simulate: a scene needs a [[body]] or an [[emitter]] and its [material.NAME], an [[oriented]] or a [[sheet]]; all else has defaults"});
   if (s.numerics.heat == HeatModel::Paper)

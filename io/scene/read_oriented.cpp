@@ -89,7 +89,7 @@ bool drawsNothing(const OrientedEvent& e) {
 void readEvent(TableReader& r, OrientedBody& b) {
   OrientedEvent e;
   e.where = r.place();
-  r.choice("kind", e.kind, {"weld", "cut", "crease", "smooth"}, "what is done: weld joins another body to this one; cut ends all action across it; crease takes the orientation out of the forces along a line; smooth puts it back within its SHAPE");
+  r.choice("kind", e.kind, {"weld", "cut", "crease", "smooth"}, "what is done: weld joins another body to this one, whose name later events take; cut ends all action across it; crease takes the orientation out of the forces along a line; smooth puts it back within its SHAPE");
   r.number("time", e.time, "s", notNegative(), "when; 0: at the start, after relaxation");
   r.text("other", e.other, "of weld: the body that becomes one with this", "name of an oriented body");
   r.table("plane", "of cut: the plane", [&](TableReader& t) {
@@ -221,7 +221,7 @@ void readOriented(TableReader& r, SceneReading& x) {
   r.number("friction", b.friction, "", between(0, 10), "Coulomb friction on obstacles, if theirs is not larger");
   r.choice("integrator", b.integrator, {"symplectic", "rk4", "semi-implicit"}, "that of the first oriented body is for all: symplectic Euler, Runge-Kutta of fourth order, or linearised backward Euler, which takes far longer steps");
   r.number("cfl", b.cfl, "", between(1e-4, 10), "step over the longest that is stable for the stiffest particle (semi-implicit: over ten times that of symplectic Euler)");
-  r.whole("relax", b.relax, 0, 10000000, "iterations of relaxation to rest before the start, at most");
+  r.whole("relax", b.relax, 0, 10000000, "iterations of relaxation to rest before the start, at most; fewer, with a warning, where what grows or goes gets no nearer to it");
   r.choice("growth", b.growth, {"none", "gaps", "borders"}, "where particles are made: nowhere, in gaps between neighbours, or at open borders as well; at these without end, unless \"thin\", \"points\" or \"most\" bound it");
   r.number("gap", b.gap, "", between(1.1, 2.1), "distance of neighbours, in spacings, from which one is put between them");
   r.number("crowd", b.crowd, "", between(0, 0.95), "distance, in spacings, below which one of two goes; 0: never");

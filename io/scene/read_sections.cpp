@@ -12,7 +12,8 @@ void readInTime(TableReader& r, const char* key, FactorInTime& f, const char* ab
 
 void readSections(TableReader& top, SceneReading& x) {
   Scene& s = *x.scene;
-  top.text("title", s.title, "one line for pictures and listings");
+  top.text("title", s.title, "one line for pictures and listings, which have room for about 100 characters of it");
+  if (s.title.find_first_of("\n\r") != std::string::npos) top.fail("title", "expected one line, got a text of several");
   top.number("spacing", s.spacing, "m", positive(), "distance of particles: the one resolution knob");
   top.number("end", s.end, "s", notNegative(), "simulated time");
   top.choice("quality", s.quality, {"preview", "standard", "reference"},

@@ -45,5 +45,9 @@ void readObstacle(TableReader& reader, SceneReading& reading);
 void checkScene(SceneReading& reading, std::vector<SceneError>& errors);
 /// The same of sheets.
 void checkSheets(const Scene& scene, std::vector<SceneError>& errors);
+/// Of events of oriented bodies: the bodies that welds name, which it looks up, and what is left of them by then.
+void checkOrientedEvents(SceneReading& reading, std::vector<SceneError>& errors);
+/// A spacing far too fine for any machine, or a domain too large for its cells: one message, with the number of particles where it is they that are too many.
+void checkSizes(const SceneReading& reading, std::vector<SceneError>& errors);
 
 }  // namespace thaw

@@ -2,6 +2,7 @@
 # Oriented bodies, sheets and emitters that make no sense, or hardly can be meant.
 . "$(dirname "$0")/../support/bad_input.sh"
 
+printf 'v 0 0 0\nv 0.5 0 0\nv 0 0.5 0\nv 0 0 0.5\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >"$work/box.obj"
 rejects "oriented surface of tiny spacing" "surface.toml:6:1: error: oriented body 'ball': at a spacing of 1e-05 m .* particles, .*expected a spacing of at least" 2 run "$(kinds surface <<<"[[oriented]]
 name = 'ball'
 sphere = { radius = 0.4 }
@@ -10,6 +11,47 @@ rejects "sheet of tiny spacing" "sheet.toml:6:1: error: sheet 'cloth': at a spac
 name = 'cloth'
 grid = { width = 0.4, depth = 0.4 }
 spacing = 1e-9")"
+rejects "oriented surface far too fine for the domain's cells, too" "far.toml:6:1: error: oriented body 'ball': at a spacing of 1e-09 m .* particles, which take at least .* GB" 2 check "$(kinds far <<<"[[oriented]]
+name = 'ball'
+sphere = { radius = 0.4 }
+spacing = 1e-9")"
+rejects "oriented surface of a file far too fine" "far2.toml:6:1: error: oriented body 'ball': at a spacing of 1e-05 m .* particles, which take .* GB on a machine" 2 check "$(kinds far2 <<<"[[oriented]]
+name = 'ball'
+mesh = '$work/box.obj'
+spacing = 1e-5")"
+rejects "sheet of the scene's tiny spacing" "^--set spacing=1e-9: error: spacing: sheet 'cloth': at a spacing of 1e-09 m .* vertices, which take at least .* GB" 2 run "$(kinds sheet2 <<<"[[sheet]]
+name = 'cloth'
+grid = { width = 0.4, depth = 0.4 }")" --set spacing=1e-9
+welded="[[oriented]]
+name = 'a'
+patch = { width = 0.4, depth = 0.4 }
+[[oriented.event]]
+kind = 'weld'
+time = 0.001
+other = 'b'
+[[oriented]]
+name = 'b'
+patch = { width = 0.1, depth = 0.4 }
+place = { move = [0.3, 0, 0] }"
+welds() { rejects "$1" "$2" 2 "$3" "$(kinds "$4" <<<"$welded
+$5")"; }
+after="is part of 'a' by the weld at 0.001 s .line 9., and has no particle left"
+cut="[[oriented.event]]
+kind = 'cut'
+plane = { point = [0.3, 0, 0] }"
+welds "a cut of what was welded away" "late.toml:17:1: error: oriented body 'b': it $after for this cut at 0.002 s: expected this event as one of 'a', or before that weld" check late "$cut
+time = 0.002"
+welds "the same in a run" "late2.toml:17:1: error: oriented body 'b': it $after" run late2 "$cut
+time = 0.002"
+welds "a weld of what was welded away" "late3.toml:20:1: error: oriented body 'c': this weld at 0.002 s names 'b', which $after: expected other = .a., or a time before that weld" check late3 "[[oriented]]
+name = 'c'
+patch = { width = 0.1, depth = 0.4 }
+[[oriented.event]]
+kind = 'weld'
+other = 'b'
+time = 0.002"
+accepts "a cut before the weld" check "$(kinds early <<<"$welded
+$cut")"
 rejects "wind on a sheet without mass" "windy.toml:10:.*wind_density.*expected mass > 0" 2 check "$(kinds windy <<<"[[sheet]]
 grid = { width = 0.4, depth = 0.4 }
 mass = 0

@@ -33,7 +33,7 @@ rejects "a mesh that is too large in any unit" "body 'block': .* lie outside of 
 rejects "a body that is narrower than the spacing" "^warning: .*good.toml:9:1: body 'block' is narrower than the spacing of 0.02 m .0.01 m along z.: it is one layer of particles there" 0 check "$good" --set body.block.box.size='[0.1, 0.1, 0.01]'
 rejects "obstacle over everything" "inside an obstacle.*'block' and 'floor'" 2 run "$good" --set 'obstacle.floor.plane.point=[0, 0, 0.4]'
 rejects "periodic and too short" 'periodic along x but shorter than three support radii' 2 check "$good" --set 'domain.sides.x=periodic' --set 'spacing=0.2'
-rejects "more particles than ids" "body 'block' would take some .* particles" 2 run "$good" --set spacing=1e-9
+rejects "more particles than ids" "^--set spacing=1e-9: error: spacing: at 1e-09 m body 'block' would take some 1.0e.24 particles, at least 4.0e.17 GB of memory; expected a coarser spacing" 2 run "$good" --set spacing=1e-9
 rejects "more particles than memory" 'particles.* memory' 2 run "$good" --set spacing=2e-5
 rejects "more particles than memory" 'particles.* memory' 2 check "$good" --set spacing=2e-5
 # a bath of 7.2 spacings in a tank as wide: its 8 layers are pressed into the walls; one of 8 spacings fits

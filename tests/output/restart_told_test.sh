@@ -59,6 +59,7 @@ plane = { point = [0.1, 0, 0] }
 every = 0.1
 END
 launch 2 run "$work/all.toml" --steps 60 --out "$work/first" >"$work/log" 2>&1; expectExit 0 "first part"
+expectMessage '^  spacing 0.05 m; quality standard$' "first part"
 again() {  # again RANKS EXIT WHAT OPTIONS...: a restart of a copy of the first part
   local ranks=$1 code=$2 what=$3
   shift 3
@@ -68,6 +69,7 @@ again() {  # again RANKS EXIT WHAT OPTIONS...: a restart of a copy of the first 
   expectExit "$code" "$what"
 }
 again 2 0 "the same scene"
+expectMessage '^  spacing 0.05 m; quality standard$' "the same scene"
 grep -q '^warning: changed' "$work/log" && fail "the same scene: something is told as changed"
 mkdir "$work/elsewhere" && cp "$work/cloth.obj" "$work/elsewhere/moved.obj"
 again 2 0 "the mesh in another folder" --set "sheet.cloth.mesh=\"$work/elsewhere/moved.obj\""
@@ -89,6 +91,10 @@ expectMessage '^  sheet.cloth.conductance was 0, and is 5 now' "heat, where ther
 grep -q '^warning: changed at the restart' "$work/log" && fail "heat, where there was none: told before it is refused"
 
 tells() { again "${3:-2}" 0 "$2" --set "$2"; expectMessage "^warning: changed at the restart: $1" "$2"; }
+again 2 0 "another quality" --set quality=preview
+expectMessage '^  spacing 0.05 m; quality preview (--set quality=preview)$' "another quality"
+again 2 2 "another spacing" --set spacing=0.04
+expectMessage '^  spacing 0.04 m; quality standard (--set spacing=0.04)$' "another spacing"
 tells 'sheet.cloth.wrap_to.net was not in the scene then' 'sheet.cloth.wrap_to="net"'
 tells 'sheet.cloth.brush.0.motion.1.move.x was 0.3, and is 0.2 now' 'sheet.cloth.brush.0.motion=[{time=0},{time=0.5,move=[0.2,0,0]}]'
 tells 'oriented.net.cfl was 0.25, and is 0.2 now' 'oriented.net.cfl=0.2'

@@ -141,6 +141,33 @@ TEST(Text, LeavesInkWhereItShould) {
   EXPECT_EQ(textWidth("", 14), 0);
 }
 
+TEST(Text, IsFittedToWhatRoomThereIs) {
+  EXPECT_EQ(fittedText("a title", 14, 1000), "a title");
+  const std::string text = "one of a good many words, with \xC3\xA9\xC3\xA9\xC3\xA9 in it, and then some more of them";
+  for (double width = 0; width < textWidth(text, 14); width += 3.3) {
+    const std::string fitted = fittedText(text, 14, width);
+    EXPECT_LE(textWidth(fitted, 14), width + 1e-9);
+    if (fitted.empty()) continue;
+    ASSERT_TRUE(fitted.ends_with("..."));
+    const std::string begins = fitted.substr(0, fitted.size() - 3);
+    EXPECT_TRUE(text.starts_with(begins) && (static_cast<unsigned char>(text[begins.size()]) & 0xC0) != 0x80) << fitted;
+  }
+  EXPECT_GT(textWidth(fittedText(text, 14, 300), 14), 280) << "as much as there is room for";
+}
+
+// A title of a thousand characters drew the time far beyond the picture's edge.
+TEST(Caption, TellsTheTimeHoweverLongTheTitleIs) {
+  const auto drawn = [](const std::string& title, const std::string& time) {
+    Image image(640, 480, {255, 255, 255});
+    drawCaption(image, title, time);
+    return image.pixels;
+  };
+  const std::string title(1000, 'w');
+  EXPECT_NE(drawn(title, "0.10 s"), drawn(title, "0.20 s"));
+  EXPECT_NE(drawn(title, "0.10 s"), drawn("", "0.10 s"));
+  EXPECT_EQ(drawn(title, "0.10 s"), drawn(title + title, "0.10 s"));
+}
+
 TEST(ContactSheet, HoldsAllPictures) {
   const std::vector<Image> pictures(5, Image(80, 60, {255, 0, 0}));
   const std::vector<std::string> labels(5, "0 s");

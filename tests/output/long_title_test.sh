@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# A title of a thousand characters: whole in summary.json, cut short in lines that people read, and pictures are made.
+. "$(dirname "$0")/../support/run.sh"
+title=$(printf 'a very long title of a scene %.0s' $(seq 35))
+cat >"$work/long.toml" <<END
+title = "$title"
+spacing = 0.05
+end = 0.01
+[domain]
+min = [-1, -1, -1]
+max = [1, 1, 1]
+[material.jelly]
+young = "20 kPa"
+[[body]]
+name = "block"
+material = "jelly"
+box = { size = [0.2, 0.2, 0.2] }
+[output]
+every = 0.01
+END
+short() {  # of the last command, whose output is in $work/log
+  grep -q 'a very long title of a scene a very.*\.\.\.$' "$work/log" || fail "$1 does not show the beginning of the title"
+  [ "$(awk '{ if (length > most) most = length } END { print most }' "$work/log")" -le 200 ] || fail "$1: a line of more than 200 characters"
+}
+cd "$work" || exit 1
+launch 2 run long.toml --progress 0 >"$work/log" 2>&1; expectExit 0 "run"; short run
+[ "$(value out/long/summary.json title)" = "$title" ] || fail "summary.json has not the whole title"
+launch 2 check long.toml >"$work/log" 2>&1; expectExit 0 "check"; short check
+"$thaw" info out/long >"$work/log" 2>&1; expectExit 0 "info"; short info
+"$thaw" render out/long >"$work/log" 2>&1; expectExit 0 "render"
+cmp -s out/long/pictures/long_000000.png out/long/pictures/long_000001.png && fail "no time in the pictures"
+launch 2 run long.toml --restart --set end=0.02 >"$work/log" 2>&1; expectExit 0 "restart"; short restart
+cd / && finish

@@ -1,0 +1,50 @@
+// Relaxation before the start comes to an end, of whatever points it is to go through.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/math/hash_random.hpp"
+#include "tests/support/oriented_samples.hpp"
+
+namespace thaw {
+namespace {
+
+/// Points of a ball of .2 m, with a share of their normals inward, that a surface is to be grown through.
+Scene pointsOfABall(int count, double inward) {
+  Scene s = test::patchScene(0);
+  OrientedBody& b = s.oriented[0];
+  b.source = OrientedSource::Points;
+  b.growth = OrientedGrowth::Borders;
+  b.crowd = 0.6;
+  b.attract = 0.1;
+  b.circle = 1.5;
+  b.relax = 10000000;
+  for (int k = 0; k < count; k++) {
+    const double z = 1 - 2 * (k + 0.5) / count, r = std::sqrt(1 - z * z), a = 2.399963229728653 * k;
+    const Vec3d n{r * std::cos(a), r * std::sin(a), z};
+    b.points.push_back(0.2 * n);
+    b.normals.push_back(randomUniform(3, Purpose::Test, static_cast<std::uint64_t>(k)) < inward ? -n : n);
+  }
+  return s;
+}
+
+// A third of the normals stand the wrong way: some come to be and go again for as long as it is looked at.
+TEST(OrientedRelaxation, EndsWherePointsSuggestNoSurface) {
+  test::Simulation x(pointsOfABall(100, 0.33));
+  const OrientedWork& o = x.tools.oriented;
+  EXPECT_TRUE(o.gotNowhere);
+  EXPECT_FALSE(o.atRest);
+  EXPECT_GT(o.unrest, 1e-9);
+  EXPECT_EQ(o.relaxing, static_cast<std::int64_t>(x.w.oriented.rows.owned));
+  EXPECT_EQ(o.relaxed - o.relaxProgress.gained, relaxPatience(o.relaxProgress.most));
+  EXPECT_LT(o.relaxed, 10 * relaxPatience(o.relaxProgress.most));
+}
+
+TEST(OrientedRelaxation, OfGoodPointsIsNotCutShort) {
+  test::Simulation x(pointsOfABall(100, 0));
+  EXPECT_TRUE(x.tools.oriented.atRest);
+  EXPECT_FALSE(x.tools.oriented.gotNowhere);
+}
+
+}  // namespace
+}  // namespace thaw
