@@ -93,8 +93,10 @@ TEST(OrientedObstacle, ABlanketStaysOutOfWhatItFallsOn) {
   b.name = "blanket";
   b.source = OrientedSource::Disc;
   b.radius = 0.107;
+  b.density = 20;  // as heavy as the block
   b.shape.move = {0.003, 0.002, 0.12};
-  s.end = 0.3;
+  b.velocity = {0, 0, -1.5};
+  s.end = 0.12;
   const Outcome o = runBlock(s);
   EXPECT_EQ(o.most, 0);
 }
