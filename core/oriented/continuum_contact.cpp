@@ -1,82 +1,83 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/contact/dashpot.hpp"
 #include "core/oriented/step_oriented.hpp"
+#include "core/sheet/rows_around.hpp"
 
 namespace thaw {
 namespace {
 
-constexpr double restitution = 0.3;
-
-/// Calls use(row of `other`) for rows in the 27 cells around a place, in their order.
-template<class Use> void eachAround(const CellGrid& grid, const CellTable& cells, const Vec3d& x, Use&& use) {
-  const Vec3i at = cellOf(grid, x);
-  for (int dz = -1; dz <= 1; dz++)
-    for (int dy = -1; dy <= 1; dy++)
-      for (int dx = -1; dx <= 1; dx++) {
-        const std::uint64_t key = cellKey({at.x + dx, at.y + dy, at.z + dz});
-        const auto it = std::lower_bound(cells.key.begin(), cells.key.end(), key);
-        if (it == cells.key.end() || *it != key) continue;
-        const std::size_t c = static_cast<std::size_t>(it - cells.key.begin());
-        for (std::uint32_t k = cells.first[c]; k < cells.first[c] + cells.count[c]; k++) use(k);
-      }
+/// Calls pair(i, j) for all owned rows i of one table and rows j of the other in the cells around, those of a row in the order (cell, id).
+template<class Pair> void eachNear(const CellTable& own, std::size_t owned, const CellTable& others, Pair&& pair) {
+  std::vector<RowRange> ranges;
+  for (std::size_t c = 0; c < own.key.size(); c++) {
+    if (own.first[c] >= owned) continue;
+    rowsAround(others, own.key[c], ranges);
+    if (ranges.empty()) continue;
+    for (std::uint32_t i = own.first[c]; i < own.first[c] + own.count[c]; i++)
+      for (const RowRange& r : ranges)
+        for (std::uint32_t j = r.begin; j < r.end; j++) pair(i, j);
+  }
 }
 
-struct Touch { Vec3d force{}, resisting{}; double energy = 0, stiffness = 0; };  // on the continuum's; resisting: of the force, what takes energy away
-
-/// Of an oriented particle on one of the continuum; d from the first to the second, u how fast that grows.
-Touch touchOf(const Vec3d& d, const Vec3d& u, double far, double k, double mass) {
-  Touch t;
-  const double r = length(d);
-  if (!(r < far) || !(r > 0)) return t;
-  const Vec3d n = d / r;
-  const double c = 2 * dashpotRatio(restitution) * std::sqrt(k * mass), spring = k * (far - r), apart = dot(u, n);
-  const double push = std::max(0.0, spring - c * apart);  // never pulls
-  t.force = push * n;
-  t.energy = 0.5 * k * (far - r) * (far - r);
-  t.resisting = (push - spring) * n;
-  t.stiffness = k;
-  return t;
-}
+/// Of an oriented particle on one of the continuum; false where they do not touch and will not at the end of the next step.
+struct Pairs {
+  const World& w;
+  const StepTools& t;
+  double span;
+  bool meet(std::size_t oriented, std::size_t particle, Touch& touch) const {
+    const Oriented& o = w.oriented.rows;
+    const Continuum& p = w.particles;
+    const OrientedContact& contact = t.oriented.contacts[o.body[oriented]];
+    const Vec3d d = p.position[particle] - o.position[oriented];
+    const double r2 = dot(d, d), most = 2 * contact.reach;  // a step goes a tenth of a spacing
+    if (!(r2 < most * most) || !(r2 > 0)) return false;
+    const double r = std::sqrt(r2), depth = contact.reach - r;
+    const Vec3d n = d / r, u = p.velocity[particle] - o.velocity[oriented];
+    if (!(depth - 1.1 * span * dot(u, n) > 0) && !(depth > 0)) return false;
+    const TouchLaw law = contactLaw(contact, p.material[particle], p.mass[particle], span);
+    if (depth > 0) touch = touchOf(law, depth, n, u);
+    else touch = {{}, 0, {}, slopeAhead(law, depth, dot(u, n))};
+    return true;
+  }
+};
 
 }  // namespace
 
 void meetContinuum(World& w, StepTools& t, double dt) {
   Oriented& o = w.oriented.rows;
   Continuum& p = w.particles;
-  const auto touch = [&](std::size_t oriented, std::size_t particle) {
-    const OrientedBody& body = w.scene.oriented[o.body[oriented]];
-    const double s = t.oriented.potentials[o.body[oriented]].spacing, mass = orientedMass(body, s);  // its mass, of ghosts too
-    return touchOf(p.position[particle] - o.position[oriented], p.velocity[particle] - o.velocity[oriented], 0.55 * (s + w.scene.spacing), body.contact * body.stiffness,
-                   mass * p.mass[particle] / (mass + p.mass[particle]));
-  };
+  const Pairs pairs{w, t, dt > 0 ? dt : nextStep(w.clock)};
+  std::vector<double> stiff(std::max(p.owned, o.owned), 0);
+  Touch c;
   t.oriented.fastest2 = 0;
-  for (std::size_t i = 0; i < p.owned; i++) {
-    double stiff = 0;
-    eachAround(w.grid, w.oriented.cells, p.position[i], [&](std::uint32_t j) {
-      const Touch c = touch(j, i);
-      p.force[i] += c.force;
-      p.interaction[i] += 0.5 * c.energy;
-      p.dissipation[i] -= dot(c.resisting, p.velocity[i] + p.acceleration[i] * (0.5 * dt));  // half a kick of the last force stands for that of this one
-      stiff += c.stiffness;
-    });
-    t.oriented.fastest2 = std::max(t.oriented.fastest2, 2 * stiff / p.mass[i]);
-  }
-  for (std::size_t j = 0; j < o.owned; j++) {
-    Vec3d force{}, resisting{};
-    eachAround(w.grid, w.cells, o.position[j], [&](std::uint32_t i) {
-      const Touch c = touch(j, i);
-      force -= c.force;
-      resisting -= c.resisting;
-      o.energy[j] += 0.5 * c.energy;
-      o.stiffness[j] += 2 * c.stiffness / o.mass[j];
-    });
-    if (w.scene.oriented[o.body[j]].planar) force.y = resisting.y = 0;
-    o.force[j] += force;
-    o.external[j] += force;
-    o.resisting[j] += resisting;
-  }
+  const auto noteStiffest = [&](const auto& rows) {
+    for (std::size_t i = 0; i < rows.owned; i++) t.oriented.fastest2 = std::max(t.oriented.fastest2, 2 * stiff[i] / rows.mass[i]);
+  };
+  eachNear(w.cells, p.owned, w.oriented.cells, [&](std::size_t i, std::size_t j) {
+    if (!pairs.meet(j, i, c)) return;
+    p.force[i] += c.force;
+    p.interaction[i] += 0.5 * c.energy;
+    p.dissipation[i] -= dot(c.resisting, p.velocity[i] + p.acceleration[i] * (0.5 * dt));  // half a kick of the last force stands for that of this one
+    stiff[i] += c.slope;
+  });
+  noteStiffest(p);
+  std::fill(stiff.begin(), stiff.end(), 0.0);
+  eachNear(w.oriented.cells, o.owned, w.cells, [&](std::size_t j, std::size_t i) {
+    if (!pairs.meet(j, i, c)) return;
+    const bool planar = w.scene.oriented[o.body[j]].planar;
+    const auto off = [&](Vec3d f) {
+      if (planar) f.y = 0;
+      return f;
+    };
+    o.force[j] -= off(c.force);
+    o.external[j] -= off(c.force);
+    o.resisting[j] -= off(c.resisting);
+    o.energy[j] += 0.5 * c.energy;
+    o.stiffness[j] += 2 * c.slope / o.mass[j];
+    stiff[j] += c.slope;
+  });
+  noteStiffest(o);  // held over a step: no integrator is stable beyond what an explicit one is
 }
 
 }  // namespace thaw

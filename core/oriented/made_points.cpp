@@ -18,6 +18,7 @@ namespace thaw {
 namespace {
 
 constexpr double rowHeight = 0.86602540378443865;
+constexpr double heldAround = 2.2;  // spacings: of a control point, two rings of particles. A bent surface pulls one, or one and its neighbours, out of itself
 
 /// Hexagonal lattice over a rectangle around the origin, of points that `wanted` takes: use(x, y).
 template<class Use> void eachOfLattice(double width, double depth, double spacing, Use&& use) {
@@ -56,8 +57,8 @@ bool inHull(const std::vector<double>& x, const std::vector<double>& y, double p
   return true;
 }
 
-/// A thin plate through the points, over their hull; the particle nearest to a control point takes its place and is held, and the others make room for it: at
-/// half a spacing from it they would be thrown out.
+/// A thin plate through the points, over their hull; the particle nearest to a control point takes its place, and the others make room for it: at half a spacing from it they would be
+/// thrown out. What is then near to it is held with it, place and normal: the rest of the plate, whose potentials would have it flat, hangs from there.
 MadePoints plateThrough(const OrientedBody& b, double spacing) {
   const ThinPlate plate = thinPlate(b.points);
   MadePoints m;
@@ -81,6 +82,9 @@ MadePoints plateThrough(const OrientedBody& b, double spacing) {
     place = plate.at(x, y);
     n = plate.normal(x, y);
   });
+  for (std::size_t i = 0; i < m.places.size(); i++)
+    for (const Vec3d& point : b.points)
+      if (length(m.places[i] - point) < heldAround * spacing) m.held[i] = heldPlace | heldNormal;
   return m;
 }
 

@@ -9,6 +9,7 @@
 #include "core/math/quat.hpp"
 #include "core/oriented/given_surface.hpp"
 #include "core/oriented/pair_potential.hpp"
+#include "core/oriented/plan_contact.hpp"
 #include "core/oriented/relax_progress.hpp"
 
 namespace thaw {
@@ -20,6 +21,7 @@ struct OrientedLists {
 
 struct OrientedWork {
   std::vector<PairPotential> potentials;   ///< of each body
+  std::vector<OrientedContact> contacts;   ///< of each body, with the continuum; empty where they do not meet
   std::vector<GivenPoints> given;          ///< of each body; empty without any
   std::vector<std::vector<std::shared_ptr<const SignedDistance>>> fieldRegions;  ///< of each body's fields; null: everywhere
   double time = 0;                         ///< s, of the forces at hand
@@ -31,7 +33,7 @@ struct OrientedWork {
   std::vector<Vec3d> actingTorque;         // N m, the same of torques
   std::vector<Vec3d> velocity, spin, sumForce, sumTorque, sumVelocity, sumSpin;
   std::vector<Vec3d> rest, restSpin, along, alongSpin, image, imageSpin;
-  double fastest2 = 0;                     ///< 1/s^2, of this rank's continuum particles at oriented ones
+  double fastest2 = 0;                     ///< 1/s^2, of this rank's continuum particles at oriented ones, and of these at those
   double unrest = 0;                       ///< largest force left by relaxation, over stiffness times spacing
   bool begins = false;                     ///< the next evaluation is that of the start: it does the events of time 0
   std::int64_t relaxAtLeast = 0;           ///< iterations of relaxation at the start that a command asks of all bodies

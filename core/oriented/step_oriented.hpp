@@ -25,8 +25,8 @@ void bookLag(const World& world, const StepTools& tools, double sign, double dt,
 /// The longest step (s) that is stable for this rank's particles; `never` without any. To be reduced over ranks.
 double orientedStepLimit(const World& world, const StepTools& tools);
 
-/// Contact of oriented particles with the continuum: springs and dashpots between centres, from 0.55 of the sum of their spacings on; half of the
-/// energy is booked at each end. Needs forces and ghosts of both. Not collective.
+/// Contact of oriented particles with the continuum: springs, dashpots and barriers between centres (plan_contact.hpp); half of the energy is booked at each end. Notes how
+/// short the next step has to be for them (OrientedWork::fastest2), also for what comes into contact in it. Needs forces and ghosts of both. Not collective.
 void meetContinuum(World& world, StepTools& tools, double dt);
 
 }  // namespace thaw

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/math/mat3.hpp"
-#include "core/sheet/touch.hpp"
+#include "core/contact/touch.hpp"
 
 namespace thaw {
 

@@ -5,7 +5,7 @@
 
 #include "core/sheet/brush_strokes.hpp"
 #include "core/sheet/cell_sums.hpp"
-#include "core/sheet/touch.hpp"
+#include "core/contact/touch.hpp"
 
 namespace thaw {
 namespace {

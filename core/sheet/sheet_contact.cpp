@@ -11,7 +11,7 @@
 #include "core/sheet/mesh_pairs.hpp"
 #include "core/sheet/particle_contact.hpp"
 #include "core/sheet/rows_around.hpp"
-#include "core/sheet/touch.hpp"
+#include "core/contact/touch.hpp"
 
 namespace thaw {
 namespace {

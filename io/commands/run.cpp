@@ -49,6 +49,7 @@ int loop(Run& r, std::string& why) {
     }
     if (w.modules.surface && (frameDue(w.clock) || surfaceDue(w, o.surfaceMove2))) updateSurfaceOf(r);
     while (frameDue(w.clock)) writeFrameOf(r);
+    if (good || w.clock.time >= w.clock.end) warnOfSunken(r);
     if (good) acceptGoodState(r);
     if (o.wanted.report) report(r);
     if (o.wanted.stop) {

@@ -7,6 +7,7 @@
 #include "core/stored_energy.hpp"
 #include "core/surface/resume_surface.hpp"
 #include "core/time/limits.hpp"
+#include "core/watch/sunken.hpp"
 #include "io/hdf5/agree.hpp"
 #include "io/hdf5/io_error.hpp"
 #include "io/output/earlier_run.hpp"
@@ -148,6 +149,13 @@ void warnOfIdle(Run& r) {
   }
   r.tools.oriented.idle.clear();
   r.tools.oriented.idleFields.clear();
+}
+
+void warnOfSunken(Run& r) {
+  const World& w = r.world;
+  if (!w.modules.meeting || !w.modules.solid || r.sunkenTold.size() == w.scene.oriented.size() * w.scene.bodies.size()) return;
+  for (const Sunken& s : findSunken(r.world, r.halos()))
+    if (r.sunkenTold.insert({s.oriented, s.body}).second) r.warn(sunkenLine(w.scene.oriented[s.oriented], w.scene.bodies[s.body], s.count, w.clock.time));
 }
 
 void summarise(Run& r, const std::string& status, const std::string& message) {

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <set>
+#include <utility>
 
 #include "core/kinds/kinds.hpp"
 #include "core/setup/setup.hpp"
@@ -52,6 +54,7 @@ struct Run {
   bool resumed = false;                  // it goes on from a checkpoint
   bool begun = false;                    // the world holds its particles
   bool cutAtStart = false;               // stopped in the relaxation before the start: nothing of the run is there
+  std::set<std::pair<std::size_t, std::size_t>> sunkenTold;  // oriented bodies and bodies that warnOfSunken has told of
   bool stepping = false;                 // in the loop, where ranks wait for each other
 
   Run(const RunOptions& o, const Communicator& c) : options(o), comm(c), all(c) {}
@@ -80,6 +83,9 @@ void report(Run& run);
 
 /// Warns of events and fields of oriented bodies that have met nothing.
 void warnOfIdle(Run& run);
+
+/// Warns once of each oriented body and body of which particles of the first have come into the second. Between two steps, where good states are due, and at the end. Collective.
+void warnOfSunken(Run& run);
 
 /// Gathers and writes summary.json.
 void summarise(Run& run, const std::string& status, const std::string& message);

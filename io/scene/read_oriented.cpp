@@ -163,7 +163,7 @@ void readSource(TableReader& r, OrientedBody& b) {
   readPoints(r, "points", "m", b.points, "a surface through these points; with growth = \"borders\" they are held and holes between them are filled");
   const bool points = r.has("points");
   readPoints(r, "normals", "", b.normals, "of `points`; none: of the plane of their neighbours, turned alike along a spanning tree");
-  readPoints(r, "control", "m", b.points, "a thin plate through these few control points, which are held");
+  readPoints(r, "control", "m", b.points, "a thin plate through these few control points; what of it is within 2.2 spacings of one is held, place and normal, and the rest hangs from there");
   const int given = r.has("patch") + r.has("disc") + r.has("curve") + r.has("points") + r.has("control");
   if (points) b.source = OrientedSource::Points;
   else if (r.has("control")) b.source = OrientedSource::Control;

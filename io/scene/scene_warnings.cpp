@@ -36,6 +36,11 @@ std::string idleFieldLine(const OrientedBody& b, const OrientedField& f) {
   return warningLine(f.where, fmt::format("oriented body '{}': no particle is in this field as it begins, at {:g} s", b.name, f.from));
 }
 
+std::string sunkenLine(const OrientedBody& b, const Body& body, std::int64_t count, double time) {
+  return warningLine(b.where, fmt::format("oriented body '{}': {} of its particles {} inside body '{}' at {:.6g} s: contact has not held them off, or '{}' is going through it; a larger `contact` is stiffer",
+                                          b.name, count, count == 1 ? "is" : "are", body.name, time, body.name));
+}
+
 std::vector<std::string> sceneWarnings(const Scene& s) {
   std::vector<std::string> lines;
   for (const OrientedBody& b : s.oriented)

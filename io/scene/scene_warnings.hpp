@@ -19,4 +19,7 @@ std::string idleEventLine(const OrientedBody& body, const OrientedEvent& event);
 /// That a field of an oriented body begins where no particle is.
 std::string idleFieldLine(const OrientedBody& body, const OrientedField& field);
 
+/// That particles of an oriented body have come into a body, by this time (s).
+std::string sunkenLine(const OrientedBody& oriented, const Body& body, std::int64_t count, double time);
+
 }  // namespace thaw

@@ -1,4 +1,4 @@
-// What happens where a vertex touches something: a spring with dashpot (Cundall & Strack 1979) and Coulomb friction, per area of sheet.
+// What happens where a vertex of a sheet, or an oriented particle, touches something: a spring with dashpot (Cundall & Strack 1979), a barrier, and Coulomb friction; of sheets per area.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -32,6 +32,16 @@ inline Vec3d frictionOf(const TouchLaw& law, double normal, const Vec3d& slide) 
   return slide * -std::min(law.friction * normal / speed, 0.5 * law.mass / law.span);
 }
 
+/// N/m^3 (or N/m), slope of the force at the depth (m; below 0: not yet touching) that is come to within the next step, at a speed of separation of vn (m/s).
+inline double slopeAhead(const TouchLaw& law, double depth, double vn) {
+  const double ratio = dashpotRatio(law.restitution), k = law.mass * law.rate * law.rate, steep = 2 * law.barrier / (law.reach * law.reach);
+  const double stiffer = 1 + ratio * (2.2 + 1.1 * ratio);  // of steps that know the dashpot's velocity by the force before: a fit to the eigenvalues, within 3 %
+  const double deeper = std::min(law.reach, depth + std::max(0.0, -vn) * 1.1 * law.span);
+  if (!(deeper > 0)) return 0;
+  const double root = std::sqrt(k + 3 * steep * deeper * deeper) + std::sqrt(k) * (stiffer - 1);
+  return root * root;
+}
+
 /// depth > 0 (m): how far within the thickness; n: out of what is touched; v: relative velocity (m/s).
 inline Touch touchOf(const TouchLaw& law, double depth, const Vec3d& n, const Vec3d& v) {
   Touch t;
@@ -40,9 +50,7 @@ inline Touch touchOf(const TouchLaw& law, double depth, const Vec3d& n, const Ve
   t.force = n * (spring + dash);
   t.energy = (0.5 * k + 0.25 * steep * depth * depth) * depth * depth;
   t.resisting = n * dash;
-  const double stiffer = 1 + ratio * (2.2 + 1.1 * ratio);  // of steps that know the dashpot's velocity by the force before: a fit to the eigenvalues, within 3 %
-  const double deeper = std::min(law.reach, depth + std::max(0.0, -vn) * 1.1 * law.span), root = std::sqrt(k + 3 * steep * deeper * deeper) + std::sqrt(k) * (stiffer - 1);  // after the next step, too
-  t.slope = root * root;
+  t.slope = slopeAhead(law, depth, vn);
   const Vec3d rub = frictionOf(law, spring + dash, v - n * vn);
   t.force += rub;
   t.resisting += rub;

@@ -1,0 +1,65 @@
+#include "core/oriented/plan_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thaw {
+namespace {
+
+constexpr double touching = 0.55;      // of the sum of the spacings
+constexpr double restitution = 0.3;    // of the spring; the barrier gives all back
+constexpr double leastRoom = 0.1;      // of the reach, where one lattice's gaps are as wide as that
+constexpr double bondPull = 4;         // of attract stiffness spacing: one and a half times the largest force of a bond of Lennard-Jones 12-6
+
+/// The speed (m/s) at which a surface and the continuum may meet.
+double meetingSpeed(const Scene& s) {
+  const auto ofFrames = [](const std::vector<Keyframe>& motion) {
+    double fastest = 0;
+    for (std::size_t k = 1; k < motion.size(); k++)
+      if (const double over = motion[k].time - motion[k - 1].time; over > 0) fastest = std::max(fastest, length(motion[k].move - motion[k - 1].move) / over);
+    return fastest;
+  };
+  double height = 0, surface = 0, other = 0;
+  for (int a = 0; a < 3; a++) height += std::abs(s.domain.gravity[a]) * (s.domain.max[a] - s.domain.min[a]);
+  for (const OrientedBody& b : s.oriented) {
+    surface = std::max(surface, length(b.velocity));
+    for (const OrientedAnchor& a : b.anchors) surface = std::max(surface, ofFrames(a.motion));
+  }
+  for (const Body& b : s.bodies) other = std::max(other, length(b.velocity));
+  for (const Emitter& e : s.emitters) other = std::max(other, e.speed);
+  for (const Obstacle& o : s.obstacles) other = std::max(other, ofFrames(o.motion));
+  return surface + other + std::sqrt(2 * height);
+}
+
+/// 1/s, c / s of what the material is, or becomes.
+double soundRate(const Material& m, const LiquidMaterial& liquid, double spacing) {
+  const double solid = m.canBeSolid() ? std::sqrt(std::max(m.young.solid, m.young.liquid) / m.density) : 0;
+  return std::max(solid, canBeLiquid(m) ? liquid.soundSpeed : 0) / spacing;
+}
+
+}  // namespace
+
+std::vector<OrientedContact> planOrientedContact(const Scene& s, std::span<const LiquidMaterial> liquids) {
+  const double speed = meetingSpeed(s);
+  std::vector<OrientedContact> all;
+  for (const OrientedBody& b : s.oriented) {
+    const double own = spacingOf(s, b);
+    OrientedContact c;
+    c.reach = touching * (own + s.spacing);
+    // the middle of three of a hexagonal lattice, and of four of a square one
+    c.room = std::max(leastRoom * c.reach, c.reach - std::max(own / std::sqrt(3.0), s.spacing / std::sqrt(2.0)));
+    c.spring = b.contact * b.stiffness;
+    c.bonds = bondPull * b.attract * b.stiffness * own / c.room;
+    c.mass = orientedMass(b, own);
+    for (std::size_t m = 0; m < s.materials.size(); m++) c.rate.push_back(std::max(2 * speed / c.room, soundRate(s.materials[m], liquids[m], s.spacing)));
+    all.push_back(std::move(c));
+  }
+  return all;
+}
+
+TouchLaw contactLaw(const OrientedContact& c, std::size_t material, double mass, double span) {
+  const double both = c.mass * mass / (c.mass + mass), barrier = std::max(c.bonds, mass * c.rate[material] * c.rate[material]), deep = c.reach / c.room;
+  return {std::sqrt(c.spring / both), both, restitution, 0, span, barrier * deep * deep, c.reach};
+}
+
+}  // namespace thaw

@@ -1,0 +1,105 @@
+// An oriented surface is an obstacle to solids, and a solid one to it, with the contact that is the default: what is to hold is not said by the scene.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/watch/sunken.hpp"
+#include "tests/support/oriented_samples.hpp"
+
+namespace thaw {
+namespace {
+
+Body& addElastic(Scene& s, double young, const Vec3d& low, const Vec3d& high) {
+  s.materials.emplace_back();
+  s.materials[0].name = "rubber";
+  s.materials[0].density = 1000;
+  s.materials[0].young = {young, young};
+  return test::addBox(s, low, high);
+}
+
+std::int64_t sunkenNow(test::Simulation& x) {
+  std::int64_t n = 0;
+  for (const Sunken& s : findSunken(x.w, x.halos())) n += s.count;
+  return n;
+}
+
+/// A block of 4 cm falls at 2 m/s on a surface that is held at its edge. `held`: all of it.
+Scene blockOnFilm(bool held) {
+  Scene s = test::emptyScene(0.01, {-0.25, -0.25, -0.3}, {0.25, 0.25, 0.3});
+  s.domain.gravity = {0, 0, -9.81};
+  addElastic(s, 1e5, {-0.017, -0.018, 0.02}, {0.023, 0.022, 0.06}).velocity = {0, 0, -2};
+  s.oriented.emplace_back();
+  OrientedBody& b = s.oriented.back();
+  b.name = "film";
+  b.source = OrientedSource::Patch;
+  b.width = b.depth = held ? 0.12 : 0.24;
+  OrientedAnchor edge;
+  edge.region = test::boxOf({-0.5, -0.5, -0.1}, {0.5, 0.5, 0.1});
+  if (!held) {
+    Shape middle = test::boxOf({-0.11, -0.11, -0.2}, {0.11, 0.11, 0.2}), whole = edge.region;
+    edge.region = Shape{};
+    edge.region.kind = ShapeKind::Difference;
+    edge.region.parts = {whole, middle};
+  }
+  b.anchors.push_back(edge);
+  s.end = 0.06;
+  return s;
+}
+
+struct Outcome { std::int64_t most = 0; double bodyLow = 0, bodySpeed = 0, filmLow = 0, residual = 0, momentum = 0; std::int64_t steps = 0; };
+
+Outcome runBlock(const Scene& s) {
+  test::Simulation x(s);
+  Outcome out;
+  double worst = 0;
+  while (x.w.clock.time < x.w.clock.end) {
+    EXPECT_TRUE(x.step());
+    if (x.w.clock.step % 20 == 0) out.most = std::max(out.most, sunkenNow(x)), worst = std::max(worst, std::abs(x.books().energyResidual));
+  }
+  const Continuum& p = x.w.particles;
+  out.bodyLow = 1, out.filmLow = 1;
+  for (std::size_t i = 0; i < p.owned; i++) out.bodyLow = std::min(out.bodyLow, p.position[i].z), out.bodySpeed += p.velocity[i].z / static_cast<double>(p.owned);
+  for (std::size_t i = 0; i < x.w.oriented.rows.owned; i++) out.filmLow = std::min(out.filmLow, x.w.oriented.rows.position[i].z);
+  const LedgerReport l = x.books();
+  out.residual = worst / l.energyScale;
+  out.momentum = length(l.momentumResidual) / length(l.initial.momentum + l.gravityImpulse);
+  out.steps = x.w.clock.step;
+  std::printf("most inside %lld, lowest of the body %.4f, mean speed %.3f, lowest of the film %.4f m; residual %.2e of the scale, momentum %.1e; %lld steps\n", static_cast<long long>(out.most), out.bodyLow,
+              out.bodySpeed, out.filmLow, out.residual, out.momentum, static_cast<long long>(out.steps));
+  return out;
+}
+
+TEST(OrientedObstacle, ABlockDoesNotSinkThroughASurfaceThatIsHeld) {
+  const Outcome o = runBlock(blockOnFilm(true));
+  EXPECT_EQ(o.most, 0);
+  EXPECT_GT(o.bodyLow, 0.003);
+  EXPECT_GT(o.bodySpeed, 0);  // it has come back
+}
+
+TEST(OrientedObstacle, ABlockTakesASurfaceThatIsHeldAtItsEdgeAlong) {
+  const Outcome o = runBlock(blockOnFilm(false));
+  EXPECT_EQ(o.most, 0);
+}
+
+TEST(OrientedObstacle, ABlanketStaysOutOfWhatItFallsOn) {
+  Scene s = test::emptyScene(0.01, {-0.25, -0.25, -0.05}, {0.25, 0.25, 0.3});
+  s.domain.gravity = {0, 0, -9.81};
+  test::addFloor(s);
+  addElastic(s, 2e4, {-0.04, -0.04, 0}, {0.04, 0.04, 0.08});
+  s.materials[0].damping = 5;
+  s.oriented.emplace_back();
+  OrientedBody& b = s.oriented.back();
+  b.name = "blanket";
+  b.source = OrientedSource::Disc;
+  b.radius = 0.107;
+  b.density = 20;  // as heavy as the block
+  b.shape.move = {0.003, 0.002, 0.12};
+  b.velocity = {0, 0, -1.5};
+  s.end = 0.12;
+  const Outcome o = runBlock(s);
+  EXPECT_EQ(o.most, 0);
+}
+
+}  // namespace
+}  // namespace thaw
