@@ -68,6 +68,7 @@ std::vector<ExpectedRows> expectedRows(const Scene& scene, const MeshLoader& loa
     }
     e.bytesEverywhere = e.rows * (pointBytes + (b.source == OrientedSource::Surface ? sampleBytes : 0));
     e.bytesShared = b.thin * e.rows * orientedRow;
+    e.spread = b.source == OrientedSource::Control || (b.source == OrientedSource::Surface && (b.thin == 1 || b.shape.kind != ShapeKind::Mesh));  // as in core/oriented/made_points.cpp
     all.push_back(std::move(e));
   }
   for (const SheetBody& b : scene.sheets) {

@@ -18,6 +18,7 @@ struct ExpectedRows {
   double bytesShared = 0;     ///< of all rows on their owners
   double spacing = 0;         ///< m, of the body
   bool ownSpacing = false;    ///< and not the scene's
+  bool spread = false;        ///< its points make room for each other, in passes: some tenths of a millisecond each
   const char* word = "particles";  ///< or "vertices"
 };
 

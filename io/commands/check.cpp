@@ -85,7 +85,8 @@ int checkAll(const CheckOptions& o) {
   StepTools t;
   w.scene = sceneForAll(comm, o.scene, o.overrides);
   const std::string notRelaxed = leaveOutRelaxation(w.scene);
-  requireRoomForKinds(comm, w.scene, meshLoader());
+  for (const std::string& line : requireRoomForKinds(comm, w.scene, meshLoader()))
+    if (comm.rank() == 0) std::printf("%s\n", line.c_str()), std::fflush(stdout);
   prepareWorld(w, t, meshLoader());
   requireMemory(comm, w, t.shapes);
   MpiCellHalo cells(comm, w.grid);

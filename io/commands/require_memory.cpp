@@ -18,6 +18,7 @@
 namespace thaw {
 namespace {
 
+constexpr double manyToSpread = 5e4;    // particles over a surface: some 20 s
 constexpr double leastSolidBytes = 600;  // of a solid particle's record with its bonds
 // The same of the good state that is kept for retries (core/watch/good_state.hpp).
 constexpr double pi = 3.14159265358979323846;
@@ -60,11 +61,13 @@ void refuseWideSurfels(const Scene& s, const std::vector<std::shared_ptr<const S
 
 }  // namespace
 
-void requireRoomForKinds(const Communicator& comm, const Scene& scene, const MeshLoader& load) {
-  if (scene.oriented.empty() && scene.sheets.empty()) return;
+std::vector<std::string> requireRoomForKinds(const Communicator& comm, const Scene& scene, const MeshLoader& load) {
+  std::vector<std::string> slow;
+  if (scene.oriented.empty() && scene.sheets.empty()) return slow;
   const double ranksHere = ranksOfMachine(comm), here = memoryHere();
   SceneProblems problems;
   for (const ExpectedRows& e : expectedRows(scene, load)) {
+    if (e.spread && e.rows > manyToSpread) slow.push_back(fmt::format("{}: about {:.1e} {} are spread over its surface first, which takes a while", e.name, e.rows, e.word));
     const double bytes = ranksHere * (e.bytesEverywhere + e.bytesShared / comm.size());
     double worst[3] = {bytes / here, bytes, -here};
     MPI_Allreduce(MPI_IN_PLACE, worst, 3, MPI_DOUBLE, MPI_MAX, comm.handle());
@@ -75,6 +78,7 @@ void requireRoomForKinds(const Communicator& comm, const Scene& scene, const Mes
                                       e.name, e.spacing, e.rows, e.word, worst[1] / 1e9, -worst[2] / 1e9, fits));
   }
   problems.raise();
+  return slow;
 }
 
 void requireMemory(const Communicator& comm, const World& world, const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {

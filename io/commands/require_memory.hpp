@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/geometry/signed_distance.hpp"
@@ -16,8 +17,8 @@ namespace thaw {
 void requireMemory(const Communicator& comm, const World& world, const std::vector<std::shared_ptr<const SignedDistance>>& shapes);
 
 /// The same for oriented bodies and sheets, which are made while the world is prepared: to be called before that. Throws ShapeError with a line for each
-/// body that cannot fit, at its place in the scene. Collective.
-void requireRoomForKinds(const Communicator& comm, const Scene& scene, const MeshLoader& load);
+/// body that cannot fit, at its place in the scene. Returns a line for each body that takes a while to make. Collective.
+std::vector<std::string> requireRoomForKinds(const Communicator& comm, const Scene& scene, const MeshLoader& load);
 
 /// About how many surfels the bodies of these shapes begin with.
 double expectedSurfels(const Scene& scene, const std::vector<std::shared_ptr<const SignedDistance>>& shapes);

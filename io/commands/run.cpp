@@ -79,7 +79,7 @@ int simulate(Run& r) {
     std::error_code code;
     std::filesystem::remove(r.options.out + "/stop", code);  // of the run before
   });
-  requireRoomForKinds(r.comm, r.world.scene, load);
+  const std::vector<std::string> slow = requireRoomForKinds(r.comm, r.world.scene, load);
   prepareWorld(r.world, r.tools, load);
   requireMemory(r.comm, r.world, r.tools.shapes);
   renewHalos(r);
@@ -95,6 +95,8 @@ int simulate(Run& r) {
     r.summary.warnings.push_back(line);
     r.say("warning: " + line);
   }
+  if (!r.options.restart && !r.options.resume)
+    for (const std::string& line : slow) r.say(line);
   begin(r, load);
   if (r.cutAtStart) {
     const std::string why = fmt::format("stopped in the relaxation before the start, after {} iterations: nothing is written, the next run begins anew", r.tools.oriented.relaxed);

@@ -37,6 +37,7 @@ TEST(ExpectedRows, OfOrientedBodiesAreAboutThoseThatAreMade) {
     const double made = static_cast<double>(makePoints(s.oriented[k], s.spacing, 1, {}).places.size());
     EXPECT_GT(expected[k].rows, 0.65 * made) << k;
     EXPECT_LT(expected[k].rows, (k == 3 ? 2.2 : 1.4) * made) << k;  // 3: the square around the hull
+    EXPECT_EQ(expected[k].spread, k >= 3) << k;
   }
 }
 
