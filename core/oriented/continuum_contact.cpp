@@ -1,24 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/neighbours/rows_around.hpp"
 #include "core/oriented/step_oriented.hpp"
-#include "core/sheet/rows_around.hpp"
 
 namespace thaw {
 namespace {
-
-/// Calls pair(i, j) for all owned rows i of one table and rows j of the other in the cells around, those of a row in the order (cell, id).
-template<class Pair> void eachNear(const CellTable& own, std::size_t owned, const CellTable& others, Pair&& pair) {
-  std::vector<RowRange> ranges;
-  for (std::size_t c = 0; c < own.key.size(); c++) {
-    if (own.first[c] >= owned) continue;
-    rowsAround(others, own.key[c], ranges);
-    if (ranges.empty()) continue;
-    for (std::uint32_t i = own.first[c]; i < own.first[c] + own.count[c]; i++)
-      for (const RowRange& r : ranges)
-        for (std::uint32_t j = r.begin; j < r.end; j++) pair(i, j);
-  }
-}
 
 /// Of an oriented particle on one of the continuum; false where they do not touch and will not at the end of the next step.
 struct Pairs {

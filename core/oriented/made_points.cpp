@@ -1,11 +1,14 @@
 #include "core/oriented/made_points.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include "core/geometry/placed_mesh.hpp"
 #include "core/geometry/pose.hpp"
+#include "core/math/hash_random.hpp"
 #include "core/oriented/cover_surface.hpp"
 #include "core/oriented/given_surface.hpp"
 #include "core/oriented/oriented.hpp"
@@ -57,26 +60,39 @@ bool inHull(const std::vector<double>& x, const std::vector<double>& y, double p
   return true;
 }
 
-/// A thin plate through the points, over their hull; the particle nearest to a control point takes its place, and the others make room for it: at half a spacing from it they would be
-/// thrown out. What is then near to it is held with it, place and normal: the rest of the plate, whose potentials would have it flat, hangs from there.
-MadePoints plateThrough(const OrientedBody& b, double spacing) {
+/// A thin plate through the points, over their hull: the points themselves, and places of the plate in a random order, none nearer than .75 spacings to one that is there, which then make
+/// room for each other. (A lattice that is lifted onto the plate is stretched where that is steep, and tears there.) What is near to a control point is held with it, place and normal: the
+/// rest of the plate, whose potentials would have it flat, hangs from there.
+MadePoints plateThrough(const OrientedBody& b, double spacing, std::uint64_t seed) {
   const ThinPlate plate = thinPlate(b.points);
   MadePoints m;
   double reach = 0;
-  for (std::size_t k = 0; k < plate.x.size(); k++) reach = std::max({reach, std::abs(plate.x[k]), std::abs(plate.y[k])});
-  eachOfLattice(2 * reach + spacing, 2 * reach + spacing, spacing, [&](double x, double y) {
-    if (inHull(plate.x, plate.y, x, y)) addPoint(m, plate.at(x, y), plate.normal(x, y));
-  });
-  for (std::size_t k = 0; k < b.points.size(); k++) {
-    std::size_t nearest = m.places.size();
-    double least = 0.6 * spacing;
-    for (std::size_t i = 0; i < m.places.size(); i++)
-      if (const double far = length(m.places[i] - b.points[k]); far < least && !m.held[i]) least = far, nearest = i;
-    const Vec3d n = plate.normal(plate.x[k], plate.y[k]);
-    if (nearest == m.places.size()) addPoint(m, b.points[k], n, heldPlace);
-    else m.places[nearest] = b.points[k], m.normals[nearest] = n, m.held[nearest] = heldPlace;
+  for (std::size_t k = 0; k < plate.x.size(); k++) {
+    reach = std::max({reach, std::abs(plate.x[k]), std::abs(plate.y[k])});
+    addPoint(m, b.points[k], plate.normal(plate.x[k], plate.y[k]), heldPlace);
   }
-  spreadOut(spacing, m, [&](Vec3d& place, Vec3d& n) {
+  struct Sample { std::uint64_t rank; Vec3d place, normal; };
+  std::vector<Sample> samples;
+  eachOfLattice(2 * reach + spacing, 2 * reach + spacing, spacing / 4, [&](double x, double y) {
+    if (inHull(plate.x, plate.y, x, y)) samples.push_back({randomBits(seed, Purpose::OrientedSample, samples.size()), plate.at(x, y), plate.normal(x, y)});
+  });
+  std::stable_sort(samples.begin(), samples.end(), [](const Sample& p, const Sample& q) { return p.rank < q.rank; });
+  const double apart = 0.75 * spacing;
+  std::map<std::array<std::int64_t, 3>, std::vector<Vec3d>> bins;
+  const auto binOf = [&](const Vec3d& x) { return std::array<std::int64_t, 3>{std::llround(x.x / apart), std::llround(x.y / apart), std::llround(x.z / apart)}; };
+  for (const Vec3d& x : m.places) bins[binOf(x)].push_back(x);
+  for (const Sample& s : samples) {
+    const auto at = binOf(s.place);
+    bool free = true;
+    for (std::int64_t k = 0; k < 27 && free; k++) {
+      const auto there = bins.find({at[0] + k % 3 - 1, at[1] + k / 3 % 3 - 1, at[2] + k / 9 - 1});
+      free = there == bins.end() || std::none_of(there->second.begin(), there->second.end(), [&](const Vec3d& x) { return length(x - s.place) < apart; });
+    }
+    if (!free) continue;
+    bins[at].push_back(s.place);
+    addPoint(m, s.place, s.normal);
+  }
+  spreadOut(1.05 * spacing, m, [&](Vec3d& place, Vec3d& n) {
     const Vec3d d = place - plate.origin;
     const double x = dot(d, plate.u), y = dot(d, plate.v);
     place = plate.at(x, y);
@@ -134,7 +150,7 @@ MadePoints makePoints(const OrientedBody& b, double spacing, std::uint64_t seed,
       break;
     case OrientedSource::Patch:
     case OrientedSource::Disc: m = flatPatch(b, spacing); break;
-    case OrientedSource::Control: m = plateThrough(b, spacing); break;
+    case OrientedSource::Control: m = plateThrough(b, spacing, seed); break;
     case OrientedSource::Curve: m = curve(b, spacing); break;
     case OrientedSource::Points: {
       const std::vector<Vec3d> normals = b.normals.empty() ? normalsOf(b.points) : b.normals;

@@ -31,10 +31,10 @@ double meetingSpeed(const Scene& s) {
   return surface + other + std::sqrt(2 * height);
 }
 
-/// 1/s, c / s of what the material is, or becomes.
-double soundRate(const Material& m, const LiquidMaterial& liquid, double spacing) {
+/// m/s, of what the material is, or becomes.
+double soundOf(const Material& m, const LiquidMaterial& liquid) {
   const double solid = m.canBeSolid() ? std::sqrt(std::max(m.young.solid, m.young.liquid) / m.density) : 0;
-  return std::max(solid, canBeLiquid(m) ? liquid.soundSpeed : 0) / spacing;
+  return std::max(solid, canBeLiquid(m) ? liquid.soundSpeed : 0);
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ std::vector<OrientedContact> planOrientedContact(const Scene& s, std::span<const
     c.spring = b.contact * b.stiffness;
     c.bonds = bondPull * b.attract * b.stiffness * own / c.room;
     c.mass = orientedMass(b, own);
-    for (std::size_t m = 0; m < s.materials.size(); m++) c.rate.push_back(std::max(2 * speed / c.room, soundRate(s.materials[m], liquids[m], s.spacing)));
+    for (std::size_t m = 0; m < s.materials.size(); m++) c.rate.push_back(std::max(2 * speed / c.room, std::sqrt(soundOf(s.materials[m], liquids[m]) * speed / (2 * s.spacing * c.room))));
     all.push_back(std::move(c));
   }
   return all;

@@ -21,7 +21,7 @@ struct OrientedContact {
 
 /// Of each oriented body. The barrier pushes with b at `room`, 2 b room, and has stored b room^2 / 2 there. b is the largest of
 /// m (2 v / room)^2, which stops a particle of mass m at the speed v of the scene (falls through the domain, starts, obstacles, anchors) four times over;
-/// m (c / s)^2 with the speed of sound c and the spacing s of its material, so that contact is as stiff as the body itself and its pressure does not press through;
+/// m c v / (2 s room) with the speed of sound c of its material and the spacing s, three times what bears the pressure rho c v of a body that a held surface stops at once;
 /// and what bonds ask for that drag the surface's particles into a body.
 std::vector<OrientedContact> planOrientedContact(const Scene& scene, std::span<const LiquidMaterial> liquids);
 

@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "core/heat/enthalpy.hpp"
+#include "core/neighbours/rows_around.hpp"
 #include "core/sheet/face_depth.hpp"
 #include "core/sheet/friction.hpp"
 #include "core/sheet/mesh_pairs.hpp"
 #include "core/sheet/nearest_points.hpp"
 #include "core/sheet/particle_contact.hpp"
-#include "core/sheet/rows_around.hpp"
 
 namespace thaw {
 namespace {

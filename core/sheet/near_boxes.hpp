@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/neighbours/grid.hpp"
-#include "core/sheet/rows_around.hpp"
+#include "core/neighbours/rows_around.hpp"
 
 namespace thaw {
 

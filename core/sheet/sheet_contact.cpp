@@ -3,31 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contact/touch.hpp"
 #include "core/heat/enthalpy.hpp"
 #include "core/kinds/kinds.hpp"
+#include "core/neighbours/rows_around.hpp"
 #include "core/sheet/changing_factors.hpp"
 #include "core/sheet/face_contact.hpp"
 #include "core/sheet/mesh_contact.hpp"
 #include "core/sheet/mesh_pairs.hpp"
 #include "core/sheet/particle_contact.hpp"
-#include "core/sheet/rows_around.hpp"
-#include "core/contact/touch.hpp"
 
 namespace thaw {
 namespace {
-
-/// Calls pair(i, j) for all owned rows i of one table and rows j of the other in the cells around.
-template<class Pair> void eachNear(const CellTable& own, std::size_t owned, const CellTable& others, Pair&& pair) {
-  std::vector<RowRange> ranges;
-  for (std::size_t c = 0; c < own.key.size(); c++) {
-    if (own.first[c] >= owned) continue;
-    rowsAround(others, own.key[c], ranges);
-    if (ranges.empty()) continue;
-    for (std::size_t i = own.first[c]; i < own.first[c] + own.count[c]; i++)
-      for (const RowRange& r : ranges)
-        for (std::size_t j = r.begin; j < r.end; j++) pair(i, j);
-  }
-}
 
 double pairMass(double a, double b) { return a * b / (a + b); }
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/sheet/rows_around.hpp"
+#include "core/neighbours/rows_around.hpp"
 
 namespace thaw {
 namespace {

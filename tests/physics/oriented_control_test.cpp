@@ -85,6 +85,16 @@ TEST(OrientedControl, KeepsThemAsItRelaxesAndAfterIt) {
   }
 }
 
+// On finer particles a plate that has too few of them for its area tore off around what is held.
+TEST(OrientedControl, KeepsThemWhereThePlateIsSteepAndFine) {
+  const Figure f = figures()[0];
+  Scene s = controlScene(f.points);
+  s.spacing = 0.028;
+  s.oriented[0].relax = 400;
+  test::Simulation x(s);
+  EXPECT_LT(farthestFromBody(x.w.oriented.rows, f.points, s.spacing), 0.5);
+}
+
 TEST(OrientedControl, KeepsThemWithoutRelaxation) {
   for (const Figure& f : figures()) {
     Scene s = controlScene(f.points);

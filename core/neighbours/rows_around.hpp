@@ -24,4 +24,17 @@ inline void rowsAround(const CellTable& t, std::uint64_t key, std::vector<RowRan
     }
 }
 
+/// Calls pair(i, j) for all owned rows i of one table and rows j of the other in the cells around, those of a row in the order (cell, id).
+template<class Pair> void eachNear(const CellTable& own, std::size_t owned, const CellTable& others, Pair&& pair) {
+  std::vector<RowRange> ranges;
+  for (std::size_t c = 0; c < own.key.size(); c++) {
+    if (own.first[c] >= owned) continue;
+    rowsAround(others, own.key[c], ranges);
+    if (ranges.empty()) continue;
+    for (std::uint32_t i = own.first[c]; i < own.first[c] + own.count[c]; i++)
+      for (const RowRange& r : ranges)
+        for (std::uint32_t j = r.begin; j < r.end; j++) pair(i, j);
+  }
+}
+
 }  // namespace thaw
