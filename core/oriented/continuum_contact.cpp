@@ -7,12 +7,14 @@
 namespace thaw {
 namespace {
 
-/// Of an oriented particle on one of the continuum; false where they do not touch and will not at the end of the next step.
+/// Of an oriented particle on one of the continuum; false where they do not touch and will not at the end of the next step. Who is born within reach has the spring alone until it has come out:
+/// places of births are found among the surface's own particles, and the barrier goes by the mass of the body's, which would throw a light newborn out of the scene.
 struct Pairs {
   const World& w;
   const StepTools& t;
   double span;
-  bool meet(std::size_t oriented, std::size_t particle, Touch& touch) const {
+  struct Meeting { Touch touch; bool within; };
+  bool meet(std::size_t oriented, std::size_t particle, Meeting& m) const {
     const Oriented& o = w.oriented.rows;
     const Continuum& p = w.particles;
     const OrientedContact& contact = t.oriented.contacts[o.body[oriented]];
@@ -22,9 +24,10 @@ struct Pairs {
     const double r = std::sqrt(r2), depth = contact.reach - r;
     const Vec3d n = d / r, u = p.velocity[particle] - o.velocity[oriented];
     if (!(depth - 1.1 * span * dot(u, n) > 0) && !(depth > 0)) return false;
-    const TouchLaw law = contactLaw(contact, p.material[particle], p.mass[particle], span);
-    if (depth > 0) touch = touchOf(law, depth, n, u);
-    else touch = {{}, 0, {}, slopeAhead(law, depth, dot(u, n))};
+    TouchLaw law = contactLaw(contact, p.material[particle], p.mass[particle], span);
+    if (o.flags[oriented] & emerging) law.barrier = 0;
+    m.within = depth > 0;
+    m.touch = m.within ? touchOf(law, depth, n, u) : Touch{{}, 0, {}, slopeAhead(law, depth, dot(u, n))};
     return true;
   }
 };
@@ -36,13 +39,14 @@ void meetContinuum(World& w, StepTools& t, double dt) {
   Continuum& p = w.particles;
   const Pairs pairs{w, t, dt > 0 ? dt : nextStep(w.clock)};
   std::vector<double> stiff(std::max(p.owned, o.owned), 0);
-  Touch c;
+  Pairs::Meeting m;
+  const Touch& c = m.touch;
   t.oriented.fastest2 = 0;
   const auto noteStiffest = [&](const auto& rows) {
     for (std::size_t i = 0; i < rows.owned; i++) t.oriented.fastest2 = std::max(t.oriented.fastest2, 2 * stiff[i] / rows.mass[i]);
   };
   eachNear(w.cells, p.owned, w.oriented.cells, [&](std::size_t i, std::size_t j) {
-    if (!pairs.meet(j, i, c)) return;
+    if (!pairs.meet(j, i, m)) return;
     p.force[i] += c.force;
     p.interaction[i] += 0.5 * c.energy;
     p.dissipation[i] -= dot(c.resisting, p.velocity[i] + p.acceleration[i] * (0.5 * dt));  // half a kick of the last force stands for that of this one
@@ -50,8 +54,9 @@ void meetContinuum(World& w, StepTools& t, double dt) {
   });
   noteStiffest(p);
   std::fill(stiff.begin(), stiff.end(), 0.0);
+  std::vector<std::uint8_t> out(o.owned, 1);
   eachNear(w.oriented.cells, o.owned, w.cells, [&](std::size_t j, std::size_t i) {
-    if (!pairs.meet(j, i, c)) return;
+    if (!pairs.meet(j, i, m)) return;
     const bool planar = w.scene.oriented[o.body[j]].planar;
     const auto off = [&](Vec3d f) {
       if (planar) f.y = 0;
@@ -63,7 +68,10 @@ void meetContinuum(World& w, StepTools& t, double dt) {
     o.energy[j] += 0.5 * c.energy;
     o.stiffness[j] += 2 * c.slope / o.mass[j];
     stiff[j] += c.slope;
+    if (m.within) out[j] = 0;
   });
+  for (std::size_t j = 0; j < o.owned; j++)
+    if (out[j]) o.flags[j] = static_cast<std::uint8_t>(o.flags[j] & ~emerging);
   noteStiffest(o);  // held over a step: no integrator is stable beyond what an explicit one is
 }
 

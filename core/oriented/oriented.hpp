@@ -7,7 +7,7 @@
 namespace thaw {
 
 /// Bits of Oriented::flags.
-inline constexpr std::uint8_t creased = 1, heldPlace = 2, heldNormal = 4, newborn = 8;  // newborn: until it has its neighbours, within an evaluation
+inline constexpr std::uint8_t creased = 1, heldPlace = 2, heldNormal = 4, newborn = 8, emerging = 16;  // newborn: until it has its neighbours, within an evaluation; emerging: born within reach of the continuum, and not yet out of it
 
 struct Oriented : KindRows {
   Oriented() : KindRows("oriented") {}
@@ -20,7 +20,7 @@ struct Oriented : KindRows {
   Column<Vec3d> resisting{*this, "resisting", "N", Keep::State, "the part of external that takes mechanical energy away: dashpots, friction"};
   Column<std::uint32_t> group{*this, "group", "1", Keep::State, "number of the surface that it belongs to: its body's until a weld"};
   Column<std::uint64_t> cutSides{*this, "cutSides", "1", Keep::State, "two bits a cut of the scene: 0 not at it, 1 and 2 the sides, which do not act on each other"};
-  Column<std::uint8_t> flags{*this, "flags", "1", Keep::State, "bits: 1 in a crease, 2 held in place, 4 held in orientation"};
+  Column<std::uint8_t> flags{*this, "flags", "1", Keep::State, "bits: 1 in a crease, 2 held in place, 4 held in orientation, 16 born in contact"};
   Column<std::uint16_t> anchor{*this, "anchor", "1", Keep::State, "number of the anchor that holds it in its body"};
   Column<Vec3d> home{*this, "home", "m", Keep::State, "place at the start, of what is anchored"};
   Column<Quat> homeTurn{*this, "homeTurn", "1", Keep::State, "orientation at the start, of what is anchored"};

@@ -176,7 +176,7 @@ void giveBirth(World& w, const PairPotential& p, std::size_t parent, const Offer
   o.cutSides[i] = o.cutSides[parent];
   o.orientation[i] = o.homeTurn[i] = towards(offer.normal);
   o.home[i] = offer.place;
-  o.flags[i] |= newborn;
+  o.flags[i] |= w.modules.meeting ? newborn | emerging : newborn;
   addKindRow(w, orientedKind, i, w.ledger.entered);
   bookWeight(w, i, -0.5 * dt);
   w.counters.orientedBirths++;
