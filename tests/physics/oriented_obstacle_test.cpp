@@ -101,5 +101,50 @@ TEST(OrientedObstacle, ABlanketStaysOutOfWhatItFallsOn) {
   EXPECT_EQ(o.most, 0);
 }
 
+/// A film that grows where it is stretched falls on a ball: its newborn are found within reach of the ball's particles. With the barrier from their first step they flew off at up to 48 m/s.
+TEST(OrientedObstacle, BirthsInContactAreNotThrown) {
+  Scene s = test::emptyScene(0.02, {-0.3, -0.3, -0.02}, {0.3, 0.3, 0.3});
+  s.domain.gravity = {0, 0, -9.81};
+  test::addFloor(s);
+  s.materials.emplace_back();
+  s.materials[0].name = "wax";
+  s.materials[0].density = 900;
+  s.materials[0].young = {1.5e5, 1.5e5};
+  s.materials[0].law = ElasticLaw::NeoHookean;
+  s.materials[0].damping = 4;
+  Body& ball = test::addBox(s, {}, {});
+  ball.shape = Shape{};
+  ball.shape.kind = ShapeKind::Sphere;
+  ball.shape.radius = 0.07;
+  ball.shape.move = {0, 0, 0.074};
+  s.oriented.emplace_back();
+  OrientedBody& b = s.oriented.back();
+  b.name = "film";
+  b.source = OrientedSource::Disc;
+  b.radius = 0.19;
+  b.shape.move = {0, 0, 0.18};
+  b.velocity = {0, 0, -1.5};
+  b.density = 1;
+  b.stiffness = 2;
+  b.contact = 4;
+  b.integrator = OrientedIntegrator::SymplecticEuler;
+  b.pressure = -10;
+  b.growth = OrientedGrowth::Gaps;
+  b.gap = 1.75;
+  b.damping = 6;
+  b.spinDamping = 20;
+  s.end = 0.15;
+  test::Simulation x(s);
+  double fastest = 0;
+  while (x.w.clock.time < x.w.clock.end) {
+    ASSERT_TRUE(x.step());
+    const Oriented& o = x.w.oriented.rows;
+    for (std::size_t i = 0; i < o.owned; i++) fastest = std::max(fastest, length(o.velocity[i]));
+  }
+  EXPECT_GT(x.w.counters.orientedBirths, 10);
+  EXPECT_EQ(x.w.counters.left, 0);
+  EXPECT_LT(fastest, 6);
+}
+
 }  // namespace
 }  // namespace thaw
