@@ -140,11 +140,12 @@ struct FaceContact {
     Vec3d v = -p.velocity[j];
     for (std::size_t k = 0; k < 3; k++) v += nearest->shares[static_cast<int>(k)] * s.moving[nearest->face->row[k]];
     const std::array<Vec3d, 4> rubs = rubFace(j, *nearest->face, nearest->shares, nearest->off, nearest->n, v, law, push);
-    double heat = 0;
+    double conducts = 0;  // W/K
     if (s.temperature.active && p.temperature.active && p.heatFlow.active && body.conductance > 0) {
       const double flow = body.conductance * w.scene.spacing * w.scene.spacing;
       const double rate = 2 * (body.conductance / body.heatCapacity + flow / (p.mass[j] * heatCapacityOf(w.scene.numerics.heat, material, liquid)));  // of twice as many as lie side by side
-      heat = flow * (averaged(rate, now.span) / rate) * (p.temperature[j] - temperature);
+      conducts = flow * (averaged(rate, now.span) / rate);
+      const double heat = conducts * (p.temperature[j] - temperature);
       p.heatFlow[j] -= heat;
       w.ledger.heatIn.add(-heat * now.dt);
     }
@@ -155,7 +156,7 @@ struct FaceContact {
     stiffest = std::max(stiffest, 2 * slope * steep / p.mass[j]);
     p.sheetFace[j] = nearest->face->number + 1;
     p.sheetPush[j] = {push * perPush, dash * perPush, slope * perPush};
-    p.sheetNumbers[j] = {t.energy / all.sum, heat / all.sum, 0};
+    p.sheetNumbers[j] = {t.energy / all.sum, conducts / all.sum, p.temperature.active ? p.temperature[j] : 0};
     p.sheetRubs[j] = {rubs[0], rubs[1], rubs[2]};
   }
 
@@ -194,7 +195,8 @@ struct FaceContact {
         s.resisting[i] += n.n * (share * push.y / s.area[i]);
         slope[i] += share * push.z;
         s.energy[i] += 0.5 * share * n.depth * numbers.x;
-        if (s.heatFlow.active) s.heatFlow[i] += share * n.depth * numbers.y;
+        // each corner by its own temperature: dealt out by shares of what goes over, a corner that stays cold would have the others get hotter than all that heats them
+        if (s.heatFlow.active) s.heatFlow[i] += share * n.depth * numbers.y * (numbers.z - s.temperature[i]);
       }
     }
   }
