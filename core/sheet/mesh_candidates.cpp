@@ -7,7 +7,7 @@
 namespace thaw {
 namespace {
 
-constexpr double spare = 1.3;   // of the way that a vertex comes within the time ahead: it may get faster before lists are made anew
+constexpr double spare = 1.3;   // of the way that the fastest vertex comes within the time ahead: it may get faster before lists are made anew
 constexpr double slow = 0.01;   // of the greatest thickness, at least
 constexpr double margin = 0.3;  // of the greatest thickness: less than lies between neighbours of a flat sheet and their reach
 
@@ -27,18 +27,17 @@ template<std::size_t n> struct Elements {
     isFresh.push_back(isNew);
     if (isNew) fresh.push_back(e);
   }
-  /// around(rows): m, of the box beyond them.
-  template<class Around> void bin(const Column<Vec3d>& x, Around&& around, const BoxBins& bins) {
+  void bin(const Column<Vec3d>& x, double around, const BoxBins& bins) {
     binBoxes(boxes(x, all, around), bins, allBoxes);
     binBoxes(boxes(x, fresh, around), bins, freshBoxes);
   }
-  template<class Around> static std::vector<Box> boxes(const Column<Vec3d>& x, const std::vector<Element<n>>& list, Around&& around) {
+  static std::vector<Box> boxes(const Column<Vec3d>& x, const std::vector<Element<n>>& list, double around) {
     std::vector<Box> b;
     b.reserve(list.size());
     for (const Element<n>& e : list) {
       std::array<Vec3d, n> corners;
       for (std::size_t k = 0; k < n; k++) corners[k] = x[e.row[k]];
-      b.push_back(boxAround(corners, around(e.row)));
+      b.push_back(boxAround(corners, around));
     }
     return b;
   }
@@ -88,32 +87,27 @@ struct Listing {
     }
   }
 
-  /// m, how far the fastest of n of these rows may come.
-  template<std::size_t n, std::size_t all> double roomOf(const std::array<std::uint32_t, all>& rows, std::size_t begin) const {
-    double most = 0;
-    for (std::size_t k = begin; k < begin + n; k++) most = std::max(most, list.room[m.numberOf[rows[k]]]);
-    return most;
-  }
-
-  template<std::size_t first1, class PairOf> void add(std::uint32_t first, std::uint32_t second, const std::array<std::uint32_t, 4>& rows, std::vector<MeshCandidate>& to, PairOf&& pairOf) const {
+  template<class PairOf> void add(std::uint32_t first, std::uint32_t second, const std::array<std::uint32_t, 4>& rows, std::vector<MeshCandidate>& to, PairOf&& pairOf) const {
     const std::size_t a = s.body[rows[0]], b = s.body[rows[3]];
     if (a == b && !w.scene.sheets[a].selfContact) return;
     double reach = 0.5 * (w.sheets.plans[a].thickness + w.sheets.plans[b].thickness);
-    const double now = pairOf(s.position, rows).distance, least = now - beyond - roomOf<first1>(rows, 0) - roomOf<4 - first1>(rows, first1);
+    const double now = pairOf(s.position, rows).distance, least = now - beyond - 2 * list.room;
     if (!(least < reach)) return;
-    if (a == b) reach = std::min(reach, nearAtRest * std::min(1.0, w.scene.sheets[a].restLength) * pairOf(s.rest, rows).distance);
-    if (!(least < reach)) return;
-    to.push_back({static_cast<std::uint64_t>(first) << 32 | second, {m.numberOf[rows[0]], m.numberOf[rows[1]], m.numberOf[rows[2]], m.numberOf[rows[3]]}, reach});
+    const double atRest = a == b ? nearAtRest * std::min(1.0, w.scene.sheets[a].restLength) * pairOf(s.rest, rows).distance : reach;
+    const bool comes = !(atRest < reach);
+    reach = std::min(reach, atRest);
+    if (!((comes ? least : now - beyond) < reach)) return;
+    to.push_back({static_cast<std::uint64_t>(first) << 32 | second, {m.numberOf[rows[0]], m.numberOf[rows[1]], m.numberOf[rows[2]], m.numberOf[rows[3]]}, reach, comes});
   }
   void addFace(const Element<1>& v, const Element<3>& t) const {
     const std::uint32_t i = v.row[0];
     if (i == t.row[0] || i == t.row[1] || i == t.row[2]) return;
-    add<1>(v.number, t.number, {i, t.row[0], t.row[1], t.row[2]}, list.faces, vertexAndTriangle);
+    add(v.number, t.number, {i, t.row[0], t.row[1], t.row[2]}, list.faces, vertexAndTriangle);
   }
   void addEdges(const Element<2>& e, const Element<2>& f) const {
     if (e.row[0] == f.row[0] || e.row[0] == f.row[1] || e.row[1] == f.row[0] || e.row[1] == f.row[1]) return;
     const Element<2>&a = e.number < f.number ? e : f, &b = e.number < f.number ? f : e;
-    add<2>(a.number, b.number, {a.row[0], a.row[1], b.row[0], b.row[1]}, list.edges, edgeAndEdge);
+    add(a.number, b.number, {a.row[0], a.row[1], b.row[0], b.row[1]}, list.edges, edgeAndEdge);
   }
 
   /// All pairs with a fresh element in them.
@@ -121,7 +115,7 @@ struct Listing {
     double reach = 0;
     for (std::size_t n = 0; n < w.sheets.plans.size(); n++)
       if (meshTouches(w.scene, n)) reach = std::max(reach, w.sheets.plans[n].thickness);
-    const auto around = [&]<std::size_t n>(const std::array<std::uint32_t, n>& rows) { return 0.5 * (reach + beyond) + roomOf<n>(rows, 0); };
+    const double around = 0.5 * (reach + beyond) + list.room;
     const BoxBins forFaces = binsFor(Elements<3>::boxes(s.position, triangles.all, around)), forEdges = binsFor(Elements<2>::boxes(s.position, edges.all, around));
     vertices.bin(s.position, around, forFaces);
     triangles.bin(s.position, around, forFaces);
@@ -157,27 +151,30 @@ void findMeshCandidates(const World& w, const MeshRows& m, const MeshMotion& mot
   const double room = margin * thickest;
   bool all = c.listed.empty(), some = all;
   c.listed.resize(m.rowOf.size());
-  c.room.resize(m.rowOf.size());
   c.shift += motion.mean * motion.dt;
-  const auto comes = [&](std::uint32_t i) { return std::min(length(s.moving[i] - motion.mean) * motion.ahead, thickest); };
+  double fastest2 = 0;
+  for (std::uint32_t i = 0; i < m.numberOf.size(); i++) {
+    const Vec3d v = s.moving[i] - motion.mean;
+    fastest2 = std::max(fastest2, dot(v, v));
+  }
+  const double comes = std::min(std::sqrt(fastest2) * motion.ahead, thickest);
+  all = all || comes > c.room;
   for (std::uint32_t i = 0; i < m.numberOf.size(); i++) {
     const std::uint32_t v = m.numberOf[i];
     some = some || !m.wasHere[v];
     const Vec3d d = s.position[i] - c.shift - c.listed[v];
-    all = all || (m.wasHere[v] && (dot(d, d) > 0.25 * room * room || comes(i) > c.room[v]));
+    all = all || (m.wasHere[v] && dot(d, d) > 0.25 * room * room);
   }
   if (!all && !some) return;
   // those listed before may be half of the room away already, and may come back as far on the other side
   Listing listing{w, m, c, all ? room : 1.5 * room, {}, {}, {}};
   if (all) {
+    c.room = std::max(spare * comes, slow * thickest);
     c.faces.clear();
     c.edges.clear();
   }
   for (std::uint32_t i = 0; i < m.numberOf.size(); i++)
-    if (const std::uint32_t v = m.numberOf[i]; all || !m.wasHere[v]) {
-      c.listed[v] = s.position[i] - c.shift;
-      c.room[v] = std::max(spare * comes(i), slow * thickest);
-    }
+    if (const std::uint32_t v = m.numberOf[i]; all || !m.wasHere[v]) c.listed[v] = s.position[i] - c.shift;
   listing.findElements(all);
   listing.findPairs();
   sortOnce(c.faces);

@@ -22,6 +22,7 @@ template<class PairOf> double pick(const Sheets& s, const MeshRows& m, const std
     if (!(p.distance > 0)) continue;
     double rate = 0;  // m/s, of approach
     if (p.distance >= c.reach) {
+      if (!c.comes) continue;
       for (std::size_t k = 0; k < 4; k++) rate -= p.share[k] * dot(s.moving[rows[k]], p.apart) / p.distance;
       if (!(p.distance - std::min(rate * ahead, farthest) < c.reach)) continue;
     }
