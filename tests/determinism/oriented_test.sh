@@ -26,7 +26,7 @@ place = { move = [0.4, 0, 0.3] }
 velocity = [4, 0, 0]
 EOF
 } >"$work/draping.toml"
-cp "$work/meeting.toml" "$work/tumbling.toml"
+for copy in blow sunken tumbling; do cp "$work/meeting.toml" "$work/$copy.toml"; done  # each goes with its runs
 for which in ${SCENES:-meeting blow sunken tumbling draping control relax_plane relax_sphere open_cap weld cut crease interpolate curve2d rk4 implicit retry}; do
   case $which in
     retry)  # a step that is too long: back to the last good state, with the same bits on all ranks, and stopped between that and the failure
@@ -44,11 +44,11 @@ for which in ${SCENES:-meeting blow sunken tumbling draping control relax_plane 
       echo "retry: $(value "$work/retry.1/summary.json" retries) retries, $(value "$work/retry.1/summary.json" step) steps" ;;
     meeting) try meeting "$work/meeting.toml" 150 ;;
     blow)  # stiff, heavy and fast on a light surface: the barrier of contact, and steps that follow it
-      try blow "$work/meeting.toml" 150 --set material.jelly.density=1000 --set material.jelly.young=1e5 --set oriented.net.density=1 --set oriented.net.stiffness=10 --set body.block.velocity=[0.2,0,-2] --set body.block.place.move=[0.02,0,0.075] ;;
+      try blow "$work/blow.toml" 150 --set material.jelly.density=1000 --set material.jelly.young=1e5 --set oriented.net.density=1 --set oriented.net.stiffness=10 --set body.block.velocity=[0.2,0,-2] --set body.block.place.move=[0.02,0,0.075] ;;
     sunken)  # a block that begins in the surface: told once, in the same words
-      scene=meeting
+      scene=sunken
       for ranks in 1 3 7; do
-        launch $ranks run "$work/meeting.toml" --set 'numerics.overlap="keep"' --set body.block.velocity=[0,0,0] --set body.block.place.move=[0.02,0,0.01] --set numerics.retry_every=5 --steps 20 --out "$work/sunken.$ranks" >"$work/log" 2>&1
+        launch $ranks run "$work/sunken.toml" --set 'numerics.overlap="keep"' --set body.block.velocity=[0,0,0] --set body.block.place.move=[0.02,0,0.01] --set numerics.retry_every=5 --steps 20 --out "$work/sunken.$ranks" >"$work/log" 2>&1
         expectExit 0 "a block in a surface on $ranks ranks"
         grep '^warning: .*are inside body' "$work/log" | sort -u >"$work/sunken.$ranks.told"
         [ "$(wc -l <"$work/sunken.$ranks.told")" = 1 ] || fail "a block in a surface on $ranks ranks: told $(wc -l <"$work/sunken.$ranks.told") times"
