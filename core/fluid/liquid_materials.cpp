@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene/expected_speeds.hpp"
+
 namespace thaw {
 
 double expectedSpeed(const Scene& s) {
@@ -10,10 +12,7 @@ double expectedSpeed(const Scene& s) {
   double height = 0, given = 0;
   for (const Body& b : s.bodies) given = std::max(given, length(b.velocity));
   for (const Emitter& e : s.emitters) given = std::max(given, e.speed);
-  for (const Obstacle& o : s.obstacles)
-    for (std::size_t k = 1; k < o.motion.size(); k++)
-      if (o.motion[k].time > o.motion[k - 1].time)
-        given = std::max(given, length(o.motion[k].move - o.motion[k - 1].move) / (o.motion[k].time - o.motion[k - 1].time));
+  for (const Obstacle& o : s.obstacles) given = std::max(given, fastestMove(o.motion));
   if (g > 0) {
     const Vec3d down = normalized(s.domain.gravity), size = s.domain.max - s.domain.min;
     height = std::abs(down.x) * size.x + std::abs(down.y) * size.y + std::abs(down.z) * size.z;

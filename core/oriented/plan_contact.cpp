@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene/expected_speeds.hpp"
+
 namespace thaw {
 namespace {
 
@@ -13,22 +15,15 @@ constexpr double bondPull = 4;         // of attract stiffness spacing: one and 
 
 /// The speed (m/s) at which a surface and the continuum may meet.
 double meetingSpeed(const Scene& s) {
-  const auto ofFrames = [](const std::vector<Keyframe>& motion) {
-    double fastest = 0;
-    for (std::size_t k = 1; k < motion.size(); k++)
-      if (const double over = motion[k].time - motion[k - 1].time; over > 0) fastest = std::max(fastest, length(motion[k].move - motion[k - 1].move) / over);
-    return fastest;
-  };
-  double height = 0, surface = 0, other = 0;
-  for (int a = 0; a < 3; a++) height += std::abs(s.domain.gravity[a]) * (s.domain.max[a] - s.domain.min[a]);
+  double surface = 0, other = 0;
   for (const OrientedBody& b : s.oriented) {
     surface = std::max(surface, length(b.velocity));
-    for (const OrientedAnchor& a : b.anchors) surface = std::max(surface, ofFrames(a.motion));
+    for (const OrientedAnchor& a : b.anchors) surface = std::max(surface, fastestMove(a.motion));
   }
   for (const Body& b : s.bodies) other = std::max(other, length(b.velocity));
   for (const Emitter& e : s.emitters) other = std::max(other, e.speed);
-  for (const Obstacle& o : s.obstacles) other = std::max(other, ofFrames(o.motion));
-  return surface + other + std::sqrt(2 * height);
+  for (const Obstacle& o : s.obstacles) other = std::max(other, fastestMove(o.motion));
+  return surface + other + fallSpeed(s.domain);
 }
 
 /// m/s, of what the material is, or becomes.

@@ -8,6 +8,7 @@
 #include "core/geometry/pose.hpp"
 #include "core/geometry/shape_error.hpp"
 #include "core/geometry/weld_vertices.hpp"
+#include "core/scene/expected_speeds.hpp"
 #include "core/sheet/face_contact.hpp"
 #include "core/sheet/mesh_contact.hpp"
 #include "core/sheet/sheet_contact.hpp"
@@ -25,14 +26,11 @@ namespace {
 
 /// The speed (m/s) with which a vertex may meet anything: its own, of a fall through the domain, of obstacles.
 double speedOf(const Scene& s, const SheetBody& b) {
-  double height = 0, fastest = length(b.velocity) + length(b.wind);
-  for (int a = 0; a < 3; a++) height += std::abs(s.domain.gravity[a]) * (s.domain.max[a] - s.domain.min[a]);
-  for (const Obstacle& o : s.obstacles)
-    for (std::size_t k = 1; k < o.motion.size(); k++)
-      if (const double over = o.motion[k].time - o.motion[k - 1].time; over > 0) fastest = std::max(fastest, length(o.motion[k].move - o.motion[k - 1].move) / over + length(b.velocity));
+  double fastest = length(b.velocity) + length(b.wind);
+  for (const Obstacle& o : s.obstacles) fastest = std::max(fastest, fastestMove(o.motion) + length(b.velocity));
   for (const Body& body : s.bodies) fastest = std::max(fastest, length(body.velocity) + length(b.velocity));
   for (const SheetBody& other : s.sheets) fastest = std::max(fastest, length(other.velocity - b.velocity));
-  return fastest + std::sqrt(2 * height);
+  return fastest + fallSpeed(s.domain);
 }
 
 /// How fast contact has to turn a vertex round, so that it goes no deeper than half of the thickness at the scene's speeds and a tenth
