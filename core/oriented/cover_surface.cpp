@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <unordered_map>
 
 #include "core/math/hash_random.hpp"
+#include "core/oriented/add_apart.hpp"
 #include "core/oriented/spread_points.hpp"
 
 namespace thaw {
 namespace {
 
-constexpr int mostAlong = 1 << 20;  // points of the lattice along an axis: bins of them have 21 bits
+constexpr int mostAlong = 1 << 20;  // points of the lattice along an axis: bins of their samples have 21 bits (add_apart.cpp)
 
 Vec3i latticeOf(const Vec3d& size, double fine) {
   Vec3i count;
@@ -52,8 +52,7 @@ MadePoints coverSurface(const SignedDistance& shape, double spacing, std::uint64
   const Vec3d size = box.max - box.min;
   if (!std::isfinite(size.x + size.y + size.z)) throw std::invalid_argument("a surface without end cannot be covered with particles");
   const Vec3i count = latticeOf(size, fine);
-  struct Sample { std::uint64_t rank; Vec3d place, normal; };
-  std::vector<Sample> samples;
+  std::vector<SurfaceSample> samples;
   const auto at = [&](int i, int j, int k) { return box.min + Vec3d{(i - 1) * fine, (j - 1) * fine, (k - 1) * fine}; };
   eachNearSurface(shape, fine, {0, 0, 0}, count, at, [&](int i, int j, int k) {
     Vec3d x = at(i, j, k), n;
@@ -67,28 +66,8 @@ MadePoints coverSurface(const SignedDistance& shape, double spacing, std::uint64
     const std::uint64_t number = (static_cast<std::uint64_t>(k) * static_cast<std::uint64_t>(count.y) + static_cast<std::uint64_t>(j)) * static_cast<std::uint64_t>(count.x) + static_cast<std::uint64_t>(i);
     samples.push_back({randomBits(seed, Purpose::OrientedSample, number), x, n});
   });
-  std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.rank < b.rank; });
   MadePoints m;
-  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> bins;
-  const auto binOf = [&](const Vec3d& x, int a) { return static_cast<std::int64_t>(std::floor((x[a] - box.min[a]) / apart)) + 4; };
-  const auto key = [](std::int64_t x, std::int64_t y, std::int64_t z) { return static_cast<std::uint64_t>(z) << 42 | static_cast<std::uint64_t>(y) << 21 | static_cast<std::uint64_t>(x); };
-  for (const Sample& s : samples) {
-    const std::int64_t bx = binOf(s.place, 0), by = binOf(s.place, 1), bz = binOf(s.place, 2);
-    bool free = true;
-    for (std::int64_t z = bz - 1; z <= bz + 1 && free; z++)
-      for (std::int64_t y = by - 1; y <= by + 1 && free; y++)
-        for (std::int64_t x = bx - 1; x <= bx + 1 && free; x++) {
-          const auto there = bins.find(key(x, y, z));
-          if (there == bins.end()) continue;
-          for (const std::uint32_t q : there->second) {
-            const Vec3d d = m.places[q] - s.place;
-            if (dot(d, d) < apart * apart && dot(m.normals[q], s.normal) > 0) free = false;  // thin bodies have two sides
-          }
-        }
-    if (!free) continue;
-    bins[key(bx, by, bz)].push_back(static_cast<std::uint32_t>(m.places.size()));
-    addPoint(m, s.place, s.normal);
-  }
+  addApart(samples, apart, m);
   spreadOut(1.05 * spacing, m, [&](Vec3d& place, Vec3d& n) {
     const double d = shape.distanceWithin(place, spacing, &n);
     place -= d * n;

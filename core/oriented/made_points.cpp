@@ -1,14 +1,13 @@
 #include "core/oriented/made_points.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <stdexcept>
 
 #include "core/geometry/placed_mesh.hpp"
 #include "core/geometry/pose.hpp"
 #include "core/math/hash_random.hpp"
+#include "core/oriented/add_apart.hpp"
 #include "core/oriented/cover_surface.hpp"
 #include "core/oriented/given_surface.hpp"
 #include "core/oriented/oriented.hpp"
@@ -71,27 +70,11 @@ MadePoints plateThrough(const OrientedBody& b, double spacing, std::uint64_t see
     reach = std::max({reach, std::abs(plate.x[k]), std::abs(plate.y[k])});
     addPoint(m, b.points[k], plate.normal(plate.x[k], plate.y[k]), heldPlace);
   }
-  struct Sample { std::uint64_t rank; Vec3d place, normal; };
-  std::vector<Sample> samples;
+  std::vector<SurfaceSample> samples;
   eachOfLattice(2 * reach + spacing, 2 * reach + spacing, spacing / 4, [&](double x, double y) {
     if (inHull(plate.x, plate.y, x, y)) samples.push_back({randomBits(seed, Purpose::OrientedSample, samples.size()), plate.at(x, y), plate.normal(x, y)});
   });
-  std::stable_sort(samples.begin(), samples.end(), [](const Sample& p, const Sample& q) { return p.rank < q.rank; });
-  const double apart = 0.75 * spacing;
-  std::map<std::array<std::int64_t, 3>, std::vector<Vec3d>> bins;
-  const auto binOf = [&](const Vec3d& x) { return std::array<std::int64_t, 3>{std::llround(x.x / apart), std::llround(x.y / apart), std::llround(x.z / apart)}; };
-  for (const Vec3d& x : m.places) bins[binOf(x)].push_back(x);
-  for (const Sample& s : samples) {
-    const auto at = binOf(s.place);
-    bool free = true;
-    for (std::int64_t k = 0; k < 27 && free; k++) {
-      const auto there = bins.find({at[0] + k % 3 - 1, at[1] + k / 3 % 3 - 1, at[2] + k / 9 - 1});
-      free = there == bins.end() || std::none_of(there->second.begin(), there->second.end(), [&](const Vec3d& x) { return length(x - s.place) < apart; });
-    }
-    if (!free) continue;
-    bins[at].push_back(s.place);
-    addPoint(m, s.place, s.normal);
-  }
+  addApart(samples, 0.75 * spacing, m);
   spreadOut(1.05 * spacing, m, [&](Vec3d& place, Vec3d& n) {
     const Vec3d d = place - plate.origin;
     const double x = dot(d, plate.u), y = dot(d, plate.v);
