@@ -185,7 +185,7 @@ struct FaceContact {
       for (std::size_t k = 0; k < 3; k++) {
         const std::uint32_t i = f.row[k];
         if (i >= s.owned) continue;
-        if (body.friction > 0 && f.number + 1 == p.sheetFace[j]) {
+        if (f.number + 1 == p.sheetFace[j]) {
           const Vec3d rubs = p.sheetRubs[j].row[k] / s.area[i];
           s.load[i] += rubs, s.resisting[i] += rubs;
         }

@@ -130,12 +130,7 @@ TEST(SheetContact, BlowsOfCoarseClothsKeepTheBooks) {
         s.end = 0.4;
         s.numerics.retryEvery = 0;
         test::Simulation sim(s);
-        double most = 0;
-        while (sim.w.clock.time < s.end) {
-          ASSERT_TRUE(sim.step());
-          const LedgerReport books = sim.books();
-          most = std::max(most, std::abs(books.energyResidual) / books.energyScale);
-        }
+        const double most = test::worstOfBooks(sim, s.end);
         EXPECT_LT(most, tilt > 0 ? 0.006 : 0.015) << restitution << " " << warp;
         EXPECT_LT(sim.w.clock.step, 300);
       }
@@ -163,12 +158,7 @@ TEST(SheetContact, SheetsThatClapKeepTheBooks) {
       s.end = 0.012;
       s.numerics.retryEvery = 0;
       test::Simulation sim(s);
-      double most = 0;
-      while (sim.w.clock.time < s.end) {
-        ASSERT_TRUE(sim.step());
-        const LedgerReport books = sim.books();
-        most = std::max(most, std::abs(books.energyResidual) / books.energyScale);
-      }
+      const double most = test::worstOfBooks(sim, s.end);
       EXPECT_LT(most, 0.004) << restitution << " " << below;
       EXPECT_LT(sim.w.clock.step, 600);
     }

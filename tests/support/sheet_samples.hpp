@@ -20,6 +20,18 @@ inline Scene sheetScene(SheetMesh mesh) {
   return s;
 }
 
+/// Runs to the end of the scene; the largest residual of the energy over the largest term, of all steps.
+inline double worstOfBooks(Simulation& sim, double end) {
+  double most = 0;
+  while (sim.w.clock.time < end) {
+    EXPECT_TRUE(sim.step());
+    if (testing::Test::HasFailure()) return never;
+    const LedgerReport books = sim.books();
+    most = std::max(most, std::abs(books.energyResidual) / books.energyScale);
+  }
+  return most;
+}
+
 /// Sum of all vertices' energies as forces see the places of now.
 inline double energyOf(Simulation& sim) {
   sim.w.sheets.rows.resize(sim.w.sheets.rows.owned, 0);
