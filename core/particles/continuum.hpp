@@ -65,7 +65,7 @@ struct Continuum : Table {
   Column<std::uint32_t> sheetFace{*this, "sheetFace", "1", Keep::Transient, "1 + number of the triangle of the sheet that it is deepest in; 0: it touches none"};
   Column<Vec3d> sheetPush{*this, "sheetPush", "N, N, N/m", Keep::Transient, "force along the slope of its depth in the sheet, what of it takes energy away, and their own slope, for a triangle at a depth of 1 (face_contact.cpp)"};
   Column<Mat3d> sheetRubs{*this, "sheetRubs", "N", Keep::Transient, "friction on the corners of the sheet's triangle that it touches, a row each"};
-  Column<Vec3d> sheetNumbers{*this, "sheetNumbers", "J, W, 0", Keep::Transient, "energy and heat to the sheet, for a triangle at a depth of 1"};
+  Column<Vec3d> sheetNumbers{*this, "sheetNumbers", "J, W/K, K", Keep::Transient, "energy and conductance to the sheet, for a triangle at a depth of 1, and the temperature of the particle"};
   // solid
   Column<std::uint32_t> slot{*this, "slot", "1", Keep::Local, "row in the table of solids, noSlot for liquids"};
   // at rest (core/sleep/sleep.hpp)
