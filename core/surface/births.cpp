@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "core/surface/follow_start.hpp"
 #include "core/surface/rename_twins.hpp"
@@ -11,13 +13,40 @@ namespace thaw {
 
 namespace {
 
-/// Where and how a surfel between some that follow their places of the start would have been there: as each of them sees it from its own frame, in the mean. Without their strain, so
-/// that it is off by that times their distance, along the surface mostly.
-void placeAtStart(const Patch& patch, SurfelRow& born) {
+/// A surfel that follows its place of the start, as seen from what is born beside it.
+struct Follower { std::size_t row; Vec3d d; double weight; };
+
+/// Where the place was at the start: by the affine map, in the least squares of weights, from the followers' places in the tangent plane of `frame` (rows) now to those of the start; what is across the
+/// plane is as long as it is now. A strain that is left out here would have the newborn jump by that times its distance when it follows. Empty where they lie in a line.
+std::optional<Vec3d> placeAtStart(const Surfels& s, const std::vector<Follower>& followers, const Mat3d& frame, const Vec3d& startNormal) {
+  constexpr double line = 0.02;  // of the larger moment
+  double sum = 0, across = 0, a = 0, b = 0, c = 0;
+  Vec3d mean{}, now{};
+  for (const Follower& f : followers) sum += f.weight, now += f.weight * f.d, mean += f.weight * s.startPlace[f.row];
+  now = now / sum;
+  mean = mean / sum;
+  Vec3d along1{}, along2{};
+  for (const Follower& f : followers) {
+    const Vec3d d = f.d - now, then = s.startPlace[f.row] - mean;
+    const double u = dot(d, frame.row[1]), v = dot(d, frame.row[2]);
+    a += f.weight * u * u, b += f.weight * u * v, c += f.weight * v * v;
+    along1 += f.weight * u * then;
+    along2 += f.weight * v * then;
+  }
+  across = dot(now, frame.row[0]);  // from the place to the followers
+  const double det = a * c - b * b;
+  if (!(det > line * std::max(a, c) * std::max(a, c))) return {};
+  const double u = -dot(now, frame.row[1]), v = -dot(now, frame.row[2]);
+  return mean + ((c * u - b * v) / det) * along1 + ((a * v - b * u) / det) * along2 - across * startNormal;
+}
+
+/// Where and how a surfel between some that follow their places of the start would have been there: its frame as each of them sees it from its own, in the mean.
+void startOf(const Patch& patch, SurfelRow& born) {
   const Surfels& s = *patch.surfels;
   const std::size_t i = patch.centre;
   if (!follows(s, i)) return;
   const double reach = 2.5 * s.radius[i];
+  std::vector<Follower> followers;
   Vec3d place{}, normal{}, tangent{};
   double sum = 0;
   const auto add = [&](std::size_t j) {
@@ -28,6 +57,7 @@ void placeAtStart(const Patch& patch, SurfelRow& born) {
     const Mat3d now{{s.normal[j], s.tangent[j], cross(s.normal[j], s.tangent[j])}};  // rows: what turns a vector into the frame
     const Mat3d then{{s.startNormal[j], s.startTangent[j], cross(s.startNormal[j], s.startTangent[j])}};
     const auto back = [&](const Vec3d& v) { return transpose(then) * (now * v); };
+    followers.push_back({j, -d, w});
     sum += w;
     place += w * (s.startPlace[j] + back(d));
     normal += w * back(born.normal);
@@ -39,7 +69,7 @@ void placeAtStart(const Patch& patch, SurfelRow& born) {
   const Vec3d across = tangent - dot(tangent, normal) * normal;
   if (!(sum > 0) || !(dot(normal, normal) > 0.5) || !(dot(across, across) > 0)) return;
   born.follows = true;
-  born.startPlace = place / sum;
+  born.startPlace = placeAtStart(s, followers, {{born.normal, born.tangent, cross(born.normal, born.tangent)}}, normal).value_or(place / sum);
   born.startNormal = normal;
   born.startTangent = normalized(across);
 }
@@ -76,7 +106,7 @@ SurfelRow blendedSurfel(const Patch& patch, const SurfacePoint& p) {
   born.temperature = static_cast<float>(temperature / sum);
   if (s.softened.active && s.softened[i] > 0) born.softened = static_cast<float>(softened / soft), born.mark = static_cast<float>(mark / soft);
   for (int c = 0; c < 3; c++) born.colour |= static_cast<std::uint32_t>(std::clamp(std::lround(colour[c] / sum), 0l, 255l)) << 8 * c;
-  placeAtStart(patch, born);
+  startOf(patch, born);
   return born;
 }
 
@@ -96,6 +126,7 @@ void appendSurfels(Surfels& s, const std::vector<SurfelRow>& rows) {
     if (s.pressed.active) s.pressed[i] = {};
     if (s.follows.active) s.follows[i] = r.follows, s.startPlace[i] = r.startPlace, s.startNormal[i] = r.startNormal, s.startTangent[i] = r.startTangent;
     if (s.loose.active) s.loose[i] = r.detail < 0.5f;
+    if (s.carriedNormal.active && !(s.loose.active && s.loose[i])) s.carried[i] = r.position, s.carriedNormal[i] = r.normal;  // what settles of it is what settles of those around it (blendSurfels)
     if (s.liquid.active) s.liquid[i] = r.liquid;
     if (s.softened.active) s.softened[i] = r.softened, s.mark[i] = r.mark;
     if (s.temperature.active) s.temperature[i] = r.temperature;

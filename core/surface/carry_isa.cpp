@@ -17,6 +17,18 @@ THAW_INLINE void loadPlaces(const CarrySums& in, std::size_t g, LanesD* place) {
   for (std::size_t a = 0; a < 3; a++) place[a] = loadRow(own[a]);
 }
 
+THAW_INLINE LanesD loadLiquid(const CarrySums& in, std::size_t g) {
+  if (!in.liquid) return LanesD(1.0);
+  alignas(32) double own[8];
+  for (std::size_t lane = 0; lane < 8; lane++) own[lane] = static_cast<double>(in.liquid[in.self[8 * g + lane]]);
+  return loadRow(own);
+}
+
+/// How much of its weight counts in the motion.
+THAW_INLINE LanesD carrying(double particle, const LanesD& surfel) {
+  return max(LanesD(1.0) - max(LanesD(particle) - surfel, LanesD(0.0)), LanesD(leastCarry));
+}
+
 }  // namespace
 
 void carry(const CarrySums& in, std::size_t g, double* sums);
@@ -24,14 +36,18 @@ void carry(const CarrySums& in, std::size_t g, double* sums) {
   LanesD place[3];
   loadPlaces(in, g, place);
   const LanesD x = place[0], y = place[1], z = place[2], zero(0.0), one(1.0), perSupport2(in.perSupport2);
+  const LanesD liquid = loadLiquid(in, g);
   LanesD sum[carrySums];
   for (LanesD& s : sum) s = zero;
   for (std::uint64_t n = in.firstParticle[g]; n < in.firstParticle[g + 1]; n++) {
     const double* p = in.particle + carryRecord * in.particleRow[n];
     const LanesD dx = x - LanesD(p[0]), dy = y - LanesD(p[1]), dz = z - LanesD(p[2]);
     const LanesD u = max(one - (dx * dx + dy * dy + dz * dz) * perSupport2, zero), w = u * u * u;
+    const LanesD moves = w * carrying(p[3], liquid);
     sum[0] += w;
-    for (std::size_t k = 0; k < carryValues; k++) sum[1 + k] += w * LanesD(p[4 + k]);
+    sum[1 + carryValues] += moves;
+    for (std::size_t k = 0; k < carryMotion; k++) sum[1 + k] += moves * LanesD(p[4 + k]);
+    for (std::size_t k = carryMotion; k < carryValues; k++) sum[1 + k] += w * LanesD(p[4 + k]);
   }
   for (std::size_t k = 0; k < carrySums; k++) toDoubles(sum[k], sums + 8 * k);
 }
@@ -40,14 +56,14 @@ void bend(const CarrySums& in, std::size_t g, double* sums);
 void bend(const CarrySums& in, std::size_t g, double* sums) {
   LanesD place[3], from[3], mean[3], sum[bendSums];
   loadPlaces(in, g, place);
-  const LanesD zero(0.0), one(1.0), perSupport2(in.perSupport2);
+  const LanesD zero(0.0), one(1.0), perSupport2(in.perSupport2), liquid = loadLiquid(in, g);
   for (std::size_t a = 0; a < 3; a++) from[a] = place[a] - LanesD(in.origin[a]), mean[a] = loadRow(in.mean + 8 * a);
   for (LanesD& s : sum) s = zero;
   for (std::uint64_t n = in.firstParticle[g]; n < in.firstParticle[g + 1]; n++) {
     const double* p = in.particle + carryRecord * in.particleRow[n];
     const double* G = p + 7;
     const LanesD dx = place[0] - LanesD(p[0]), dy = place[1] - LanesD(p[1]), dz = place[2] - LanesD(p[2]);
-    const LanesD u = max(one - (dx * dx + dy * dy + dz * dz) * perSupport2, zero), u2 = u * u;
+    const LanesD u = max(one - (dx * dx + dy * dy + dz * dz) * perSupport2, zero), u2 = u * u * carrying(p[3], liquid);
     const LanesD wx = u2 * dx, wy = u2 * dy, wz = u2 * dz;
     for (std::size_t a = 0; a < 3; a++) {
       const LanesD value = LanesD(p[4 + a]) - mean[a] + LanesD(G[3 * a]) * from[0] + LanesD(G[3 * a + 1]) * from[1] + LanesD(G[3 * a + 2]) * from[2];

@@ -21,7 +21,7 @@ double weight(double r2, double h2) {
 constexpr double layerCutoff = 0.1;
 
 /// Displacement and its gradient at a surfel.
-struct Carry { Vec3d move{}; Mat3d gradient{}; double weight = 0, liquid = 0, temperature = 0; };
+struct Carry { Vec3d move{}; Mat3d gradient{}; double weight = 0, moved = 0, liquid = 0, temperature = 0; };
 
 /// What particles add to the sums at surfels, by row: u - G (x_j - origin), G, liquid fraction, temperature. With u + G (x - x_j) = (u - G x_j) + G x
 /// the sums are the same for all x. origin: of the bins, which is the same on all ranks.
@@ -30,7 +30,7 @@ void packParticles(const SurfaceParticles& p, const Vec3d& origin, AlignedVector
   for (std::size_t j = 0; j < p.size(); j++) {
     const Mat3d& g = p.gradient[j];
     const Vec3d x = p.position[j], c = p.displacement[j] - g * (x - origin);
-    const std::array<double, carryRecord> r{x.x, x.y, x.z, 0, c.x, c.y, c.z, g.row[0].x, g.row[0].y, g.row[0].z, g.row[1].x, g.row[1].y, g.row[1].z, g.row[2].x, g.row[2].y, g.row[2].z,
+    const std::array<double, carryRecord> r{x.x, x.y, x.z, p.liquid.active ? static_cast<double>(p.liquid[j]) : 1, c.x, c.y, c.z, g.row[0].x, g.row[0].y, g.row[0].z, g.row[1].x, g.row[1].y, g.row[1].z, g.row[2].x, g.row[2].y, g.row[2].z,
                                             p.liquid.active ? static_cast<double>(p.liquid[j]) : 0, p.temperature.active ? static_cast<double>(p.temperature[j]) : 0};
     std::copy(r.begin(), r.end(), &records[carryRecord * j]);
   }
@@ -42,7 +42,8 @@ Carry carryOf(const double* sums, std::size_t lane, const Vec3d& fromOrigin) {
   c.weight = sums[lane];
   if (!(c.weight > 0)) return c;
   std::array<double, carryValues> v;
-  for (std::size_t k = 0; k < carryValues; k++) v[k] = sums[8 * (1 + k) + lane] / c.weight;
+  c.moved = sums[8 * (1 + carryValues) + lane];
+  for (std::size_t k = 0; k < carryValues; k++) v[k] = sums[8 * (1 + k) + lane] / (k < carryMotion ? c.moved : c.weight);
   c.gradient = {{{v[3], v[4], v[5]}, {v[6], v[7], v[8]}, {v[9], v[10], v[11]}}};
   c.move = Vec3d{v[0], v[1], v[2]} + c.gradient * fromOrigin;
   c.liquid = v[12];
@@ -142,7 +143,7 @@ void findDisplacementGradients(World& w, SurfaceHalos halos, SurfaceTools& t) {
       const Vec3d d = at - p.position[i];
       const double r2 = dot(d, d);
       if (r2 >= h2 || p.component[j] != p.component[i] || r2 == 0) return;
-      const double v = weight(r2, h2);
+      const double v = weight(r2, h2) * (p.liquid.active ? std::max(leastCarry, 1 - std::max(0.0, static_cast<double>(p.liquid[j]) - static_cast<double>(p.liquid[i]))) : 1);
       moment = moment + v * Sym3d{d.x * d.x, d.y * d.y, d.z * d.z, d.x * d.y, d.y * d.z, d.x * d.z};
       sum = sum + outer(v * (p.displacement[j] - p.displacement[i]), d);
     });
@@ -171,6 +172,7 @@ void displaceSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
   listGroups(w.surface, r.free, r.surfelBins, r.particleBins, {0, h}, r.lists);
   CarrySums in;
   in.place = reinterpret_cast<const double*>(s.position.data());  // null where there are none
+  in.liquid = s.liquid.active ? s.liquid.data() : nullptr;
   in.particle = r.carried.data();
   in.self = r.lists.self.data();
   in.firstParticle = r.lists.firstParticle.data();
@@ -203,7 +205,7 @@ void displaceSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
     if (std::any_of(found.begin(), found.end(), bends)) {
       bend.find(g, found);
       for (std::size_t lane = 0; lane < 8; lane++)
-        if (bends(found[lane])) found[lane].gradient = found[lane].gradient + bend.added(lane, found[lane].weight);
+        if (bends(found[lane])) found[lane].gradient = found[lane].gradient + bend.added(lane, found[lane].moved);
     }
     for (std::size_t lane = 0; lane < r.lists.lanes[g]; lane++) move(r.lists.self[8 * g + lane], found[lane]);
   }

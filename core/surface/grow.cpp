@@ -99,6 +99,32 @@ bool goesOnAtWall(const World& w, FieldProbe& probe, const Surfels& f, std::size
   return true;
 }
 
+/// Would a surfel at p stand in the air before its component's own surface? So it is where a sheet behind it sees it, with no particle between the two: above an edge, or where the colour of the
+/// body bridges a groove that the surface goes into. What is born there goes on as a skin over the groove.
+bool beforeOwnSheet(const World& w, const SurfaceTools& t, const Surfels& f, std::size_t i, const SurfacePoint& p) {
+  constexpr double seen = 0.35, behind = 0.2, thick = 0.6;
+  const double dx = w.scene.spacing, r = f.radius[i], reach = std::min(2 * dx, std::min({w.surface.grid.edge.x, w.surface.grid.edge.y, w.surface.grid.edge.z}) - r);
+  const SurfaceParticles& q = w.surface.particles;
+  const auto between = [&](const Vec3d& d) {  // from p to p + d
+    const double far2 = dot(d, d);
+    bool found = false;
+    forRowsAround(t.relax.particleBins, p.position, p.position + d, thick * dx, [&](std::uint32_t k, const Vec3d& at) {
+      const Vec3d c = at - p.position;
+      const double along = dot(c, d) / far2;
+      found = found || (q.component[k] == f.component[i] && along > 0 && along < 1 && dot(c, c) - along * along * far2 < thick * thick * dx * dx);
+    });
+    return found;
+  };
+  bool before = false;
+  forRowsAround(t.relax.surfelBins, p.position, p.position, reach, [&](std::uint32_t j, const Vec3d& at) {
+    if (before || j == i || f.component[j] != f.component[i]) return;
+    const Vec3d d = at - p.position;
+    const double far = length(d), front = -dot(f.normal[j], d);
+    if (far < reach && front > 0.5 * r && front > seen * far && dot(p.normal, d) < -behind * far && !between(d)) before = true;
+  });
+  return before;
+}
+
 /// Takes the calm of the surfels around those marked with 2. Needs placed surfels.
 void openAround(Surface& s, CellHalo& halo, SurfaceTools& t, const std::vector<std::uint8_t>& dead) {
   Surfels& f = s.surfels;
@@ -132,6 +158,7 @@ void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int
     }
     if (border && f.follows.active && f.follows[i]) return false;  // the surface of the start has no rim: past a crease it would go on as a skin over the groove
     if (goesOnAtWall(w, probe, f, i, p)) return true;
+    if (border && liquidShare(f, i) < 0.5 && beforeOwnSheet(w, t, f, i, p)) return false;
     std::optional<SurfacePoint> at;
     const auto onto = [&](const Vec3d& x) {
       ontoIsoSurface(w, probe, f.component[i], f.position[i], &x, 1, 0.6 * f.radius[i] + 0.1 * w.scene.spacing, &at);

@@ -86,7 +86,7 @@ struct Round {
       }
       s.calm[i] = calmFor;
       patch.fitCurvature();
-      std::optional<SurfacePoint> place = emptyPlace(patch, (follows(s, i) || (!start && carriesDetail(s, i)) ? emptyAtSolid : c.thin ? emptyAtThin : emptyAt) * s.radius[i]);
+      std::optional<SurfacePoint> place = emptyPlace(patch, ((follows(s, i) || (!start && carriesDetail(s, i))) && !atSeam(patch) ? emptyAtSolid : c.thin ? emptyAtThin : emptyAt) * s.radius[i]);
       if (!place) continue;
       if (follows(s, i) && !stretched(patch)) {
         s.calm[i] = refused;
@@ -94,7 +94,7 @@ struct Round {
       }
       const bool beyond = widestGap(patch, *place, 2 * s.radius[i]) > border;
       s.calm[i] = 0;  // a rim stays under observation: the body may go on there
-      if (beyond && overSkin(i, *place)) {
+      if ((beyond || liquidShare(s, i) < 0.5) && overSkin(i, *place, beyond)) {
         s.calm[i] = refused;
         continue;
       }
@@ -106,6 +106,16 @@ struct Round {
       s.offer[i] = place->position - s.position[i];
       s.offerNormal[i] = place->normal;
     }
+  }
+
+  /// Between what follows its places of the start and what is carried along the surface may end up in a step, which is seen through from the side where discs just meet.
+  bool atSeam(const Patch& patch) const {
+    const Surfels& s = *table;
+    const double far = 2.5 * s.radius[patch.centre];
+    return std::any_of(patch.rows.begin(), patch.rows.end(), [&](std::uint32_t j) {
+      const Vec3d d = s.position[j] - s.position[patch.centre];
+      return follows(s, j) != follows(s, patch.centre) && dot(d, d) < far * far;
+    });
   }
 
   /// Are some of those beside the centre, which follows, farther from it than they were at the start? Where none is, what looks like a hole is the crease of a groove that closes, whose
@@ -141,9 +151,11 @@ struct Round {
     return false;
   }
 
-  /// Beyond a rim, where the body's colour bridges a groove: is the sheet of the groove under the place, as far down as a particle is thick?
-  bool overSkin(std::size_t i, const SurfacePoint& p) const {
-    constexpr double sameWay = 0.3, beside = 0.8;
+  /// Is a sheet under or over the place that faces the same way, as far off as a particle is thick? Beyond a rim the body's colour bridges grooves, and the sheet of the groove is there. Between
+  /// surfels of what is solid: where a second sheet has begun it would go on, as those of the first fill the angles around it. A sheet that is bent by less than 45 degrees is not met.
+  bool overSkin(std::size_t i, const SurfacePoint& p, bool beyond) const {
+    const double sameWay = beyond ? 0.3 : 0.7;
+    constexpr double beside = 0.8;
     const Surfels& s = *table;
     bool over = false;
     forRowsAround(bins, p.position, p.position, particleSpacing, [&](std::uint32_t j, const Vec3d& at) {

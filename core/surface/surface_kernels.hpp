@@ -42,11 +42,14 @@ struct ForceSums {
   float* overSurfels = nullptr;           ///< sphereSums or planeSums channels
 };
 
-/// Sums of displaceSurfels: of the weights, then of what CarrySums::values has, times the weight.
-inline constexpr std::size_t carryValues = 14, carrySums = 1 + carryValues;
+/// Sums of displaceSurfels: of the weights, then of what a particle's values are, times the weight, then of the weights of its motion. In the values of the motion (carryMotion of them) what is
+/// more molten than the surfel counts less: the surface of a solid goes with the solid, whatever melt tears off it. What the surfel is warmed and melted by are all alike.
+inline constexpr std::size_t carryValues = 14, carryMotion = 12, carrySums = 2 + carryValues;
+inline constexpr double leastCarry = 0.02;  ///< of its weight, what is molten by 1 beside a surfel that is not at all
 struct CarrySums {
   const double* place = nullptr;          ///< m, of surfels: three a row
-  const double* particle = nullptr;       ///< carryRecord doubles a particle, in the order of the bins: x, y, z (m), one unused, values
+  const float* liquid = nullptr;          ///< 1, of surfels; null: all are liquid
+  const double* particle = nullptr;       ///< carryRecord doubles a particle, in the order of the bins: x, y, z (m), liquid fraction, values
   const std::uint32_t* self = nullptr;    ///< as in ForceSums
   const std::uint64_t* firstParticle = nullptr;
   const std::uint32_t* particleRow = nullptr;

@@ -36,7 +36,7 @@ struct Surfels : Table {
   Column<float> ceiling{*this, "ceiling", "m", Keep::State, "height over its plane from which on particles are across a gap (gap_ceilings.hpp); infinity: there is none"};
   Column<std::uint8_t> standing{*this, "standing", "1", Keep::State, "the iterations found it on a wall that it faces (findStanding); only with walls"};
   Column<Vec3d> carried{*this, "carried", "m", Keep::State, "where the particles' displacement has carried it (displaceSurfels)"};
-  Column<Vec3d> carriedNormal{*this, "carriedNormal", "1", Keep::State, "its normal there; 0: born in this update"};
+  Column<Vec3d> carriedNormal{*this, "carriedNormal", "1", Keep::State, "its normal there; 0: born in this update on the face of a crack"};
   Column<float> strain{*this, "strain", "1", Keep::State, "magnitude of the strain since the last update (displaceSurfels)"};
   Column<std::uint8_t> loose{*this, "loose", "1", Keep::State, "new on the face of a crack, or beside a seam of what has joined: it settles in this update, solid or not"};
   // of its components and measures
