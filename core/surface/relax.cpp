@@ -45,6 +45,10 @@ void packSurfel(const Surface& s, RelaxTools& r, std::size_t i) {
 /// Gaps wider than this times h_ps do not matter: a sheet's particles lie half a spacing behind its surface.
 constexpr double gapReach = 0.75;
 
+/// Iterations before moves across the surface are damped, and by what in each from then on.
+constexpr std::int64_t easeAfter = 8;
+constexpr double easing = 0.8;
+
 void markMovable(const Surface& s, bool all, RelaxTools& r) {
   markFree(s, all, r.free);
   for (std::size_t i = 0; i < r.free.size() && !r.only.empty(); i++) r.free[i] = r.free[i] && std::binary_search(r.only.begin(), r.only.end(), s.surfels.component[i]);
@@ -151,8 +155,9 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
   search(w, halos, t, all, true, margin, lap);
   Settled done;
   MoveCounts counts;
-  // across the surface they are at rest after a few iterations; along it a long wave of crowding would have them shuffle on, hence K05's damping
-  double spread = 1;
+  // across the surface most are at rest after a few iterations; along it a long wave of crowding would have them shuffle on, hence K05's damping. So would the rims of a splash across it: what
+  // is left there after easeAfter goes on in the next update, with the particles
+  double spread = 1, ease = 1;
   bool spreads = false, held = false, running = true;
   std::int64_t nextSearch = 1;
   while (done.iterations < iterations && !done.finished) {
@@ -176,7 +181,9 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
     lap(r.times.particleSums);
     MoveContext context = moveContext(w, r, weights);
     context.spread = spread;
+    context.ease = ease;
     spread *= 0.95;
+    if (done.iterations >= easeAfter) ease *= easing;
     context.stray = 0.5 * margin;
     context.found = r.found.data();
     double state[3]{0, 0, 0};  // of those that move: free to, where lists end, held

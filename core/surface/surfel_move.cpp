@@ -22,7 +22,9 @@ constexpr double leastTilt = 0.05, steepestTilt = 1.0;
 /// Tolerance along the surface over the one across it: its shape does not depend on where surfels lie in it, and resampling leaves no hole.
 constexpr double evenEnough = 5;
 /// Share of a step up to which one grows that goes on the same way: waves of many surfels come to rest sooner; where single ones overshoot it halves.
-constexpr double longestPace = 1.6;
+/// Where the force jumps, as where the level of a component that is drawn in ends to follow its particles, it halves with each turn until the surfel stops there; a share that ends at a tenth has
+/// thousands of surfels of a splash swing for ever.
+constexpr double longestPace = 1.6, leastPace = 0.002;
 /// Of what is solid in part the update keeps its liquid share of the way (blendSurfels), at least this much counts: so much coarser is its stop.
 constexpr double leastKept = 0.05;
 
@@ -169,9 +171,9 @@ void moveSurfel(World& w, const MoveContext& c, const SurfelSums& s, double rais
   }
   // the integration is damped where it goes to and fro: each time that the force turns round the step halves
   const double wanted = std::clamp(c.step * pull.along, -c.longest, c.longest), last = static_cast<double>(f.pace[i]);
-  const double share = last == 0 ? 1 : wanted * last < 0 ? std::max(0.5 * std::abs(last), 0.1) : std::min(1.25 * std::abs(last), longestPace);
+  const double share = last == 0 ? 1 : wanted * last < 0 ? std::max(0.5 * std::abs(last), leastPace) : std::min(1.25 * std::abs(last), longestPace);
   f.pace[i] = static_cast<float>(wanted < 0 ? -share : share);
-  const Vec3d normalMove = w.scene.surface.damping * share * wanted * normal;
+  const Vec3d normalMove = w.scene.surface.damping * c.ease * share * wanted * normal;
   Vec3d move = normalMove + w.scene.surface.damping * tangential;
   if (pull.least > 0) {  // below the least level: onto it
     const double inward = -dot(move, pull.outward);
@@ -185,6 +187,7 @@ void moveSurfel(World& w, const MoveContext& c, const SurfelSums& s, double rais
     const double onto = std::clamp(-2 * dot(normal, n) - 0.8, 0.0, 1.0);
     x = outOfWalls(w, x - onto * creep, facing);
   }
+  const Vec3d gone = x - before;  // what the margin cuts off included
   const Vec3d off = x - c.found[i];
   const bool held = dot(off, off) > c.stray * c.stray;
   if (held) x = c.found[i] + (c.stray / length(off)) * off;
@@ -193,11 +196,10 @@ void moveSurfel(World& w, const MoveContext& c, const SurfelSums& s, double rais
   Vec3d tangent = f.tangent[i] - dot(f.tangent[i], normal) * normal;
   if (!(dot(tangent, tangent) > 1e-6)) tangent = cross(normal, std::abs(normal.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0});
   f.tangent[i] = normalized(tangent);
-  const Vec3d gone = x - before;
   const double kept = f.liquid.active && !(f.loose.active && f.loose[i]) ? std::clamp(static_cast<double>(f.liquid[i]), leastKept, 1.0) : 1;
   const double height = dot(gone, normal), stop = w.scene.surface.stop * f.radius[i] / kept;
   const bool moving = std::abs(height) > stop || length(gone - height * normal) > evenEnough * stop;
-  f.moving[i] = held ? heldAtMargin : moving ? 1 : 0;
+  f.moving[i] = !moving ? 0 : held ? heldAtMargin : 1;
 }
 
 }  // namespace thaw

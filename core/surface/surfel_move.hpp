@@ -34,6 +34,7 @@ struct MoveContext {
   double longest;       ///< m, of a move
   double step;          ///< move over the force across the surface
   double spread = 1;    ///< factor of moves along the surface
+  double ease = 1;      ///< and of those across it
   double stray = 0;     ///< m, that a surfel may be from where the last search found it
   const Vec3d* found = nullptr;
   bool plane;
