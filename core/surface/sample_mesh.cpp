@@ -8,6 +8,7 @@
 #include "core/geometry/overlap.hpp"
 #include "core/geometry/placed_mesh.hpp"
 #include "core/geometry/shape_mesh.hpp"
+#include "core/geometry/triangle_bvh.hpp"
 #include "core/heat/enthalpy.hpp"
 #include "core/solid/weight.hpp"
 #include "core/surface/blue_noise.hpp"
@@ -145,21 +146,51 @@ void sampleMeshes(const Scene& scene, Surface& surface, const MeshLoader& load, 
   }
 }
 
+namespace {
+
+/// What births are put onto, of a sampled body; made when the first one asks.
+struct BirthShape {
+  std::shared_ptr<const SignedDistance> shape;
+  std::unique_ptr<TriangleBvh> mesh;
+  void load(const Body& b, const MeshLoader& load) {
+    if (shape || mesh) return;
+    if (b.shape.kind == ShapeKind::Mesh) mesh = std::make_unique<TriangleBvh>(makePlacedMesh(b.shape, load).mesh);
+    else shape = makeSignedDistance(b.shape, load);
+  }
+};
+
+/// The mean of the planes around is a smooth face's surface, and its normal that of the mesh's vertices; beside an edge it is neither face's.
+void putOnMesh(const TriangleBvh& mesh, double near, Surfels& s, std::size_t i) {
+  constexpr double smooth = 0.95;
+  const ClosestPoint at = mesh.closest(s.position[i], near);
+  const double facing = dot(at.normal, s.normal[i]);
+  if (!(at.distance2 < near * near) || facing < -0.5) return;
+  s.position[i] = at.point;
+  if (facing < smooth) s.normal[i] = at.normal, s.tangent[i] = anyTangent(at.normal);
+}
+
+void putOnShape(const SignedDistance& shape, double near, double off, Surfels& s, std::size_t i) {
+  Vec3d gradient;
+  const double d = shape.distanceWithin(s.position[i], near, &gradient);
+  if (!(std::abs(d) < near) || dot(gradient, s.normal[i]) < -0.5) return;
+  s.position[i] -= d * gradient;
+  shape.distanceWithin(s.position[i] - off * gradient, near, &s.normal[i]);  // beyond an edge the gradient is that of neither face
+  s.tangent[i] = anyTangent(s.normal[i]);
+}
+
+}  // namespace
+
 void putBirthsOnShapes(const Scene& scene, Surface& surface, const MeshLoader& load) {
-  std::vector<std::shared_ptr<const SignedDistance>> shapes(scene.bodies.size());
-  for (std::size_t b = 0; b < shapes.size(); b++)
-    if (isSampled(scene, b) && !hasMesh(scene, b)) shapes[b] = makeSignedDistance(scene.bodies[b].shape, load);
+  std::vector<BirthShape> shapes(scene.bodies.size());
   Surfels& s = surface.surfels;
   const double near = 0.5 * surface.spacing, off = beside * surface.spacing;
   for (std::size_t i = 0; i < s.owned; i++) {
     const std::uint64_t body = sourceOf(s.component[i] - 1);  // a component has the name of a particle
-    if (!(s.id[i] & birthBit) || body >= shapes.size() || !shapes[body]) continue;
-    Vec3d gradient;
-    const double d = shapes[body]->distanceWithin(s.position[i], near, &gradient);
-    if (!(std::abs(d) < near) || dot(gradient, s.normal[i]) < -0.5) continue;
-    s.position[i] -= d * gradient;
-    shapes[body]->distanceWithin(s.position[i] - off * gradient, near, &s.normal[i]);  // beyond an edge the gradient is that of neither face
-    s.tangent[i] = anyTangent(s.normal[i]);
+    if (!(s.id[i] & birthBit) || body >= shapes.size() || !isSampled(scene, body) || scene.bodies[body].shape.mesh == builtinBust) continue;
+    BirthShape& to = shapes[body];
+    to.load(scene.bodies[body], load);
+    if (to.mesh) putOnMesh(*to.mesh, near, s, i);
+    else putOnShape(*to.shape, near, off, s, i);
   }
 }
 

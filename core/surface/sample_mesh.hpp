@@ -43,7 +43,7 @@ std::vector<SurfaceSample> sampleShape(const Shape& shape, const MeshLoader& loa
 /// finds it. Every rank samples every body, so that nothing depends on who does what.
 void sampleMeshes(const Scene& scene, Surface& surface, const MeshLoader& load, const Reducer& all);
 
-/// What resampling has born on the surfaces of sampled shapes, past their edges, back onto them.
+/// What resampling has born on the surfaces of sampled bodies, past their edges, back onto them. The bust's mesh is none: its sculpture is finer.
 void putBirthsOnShapes(const Scene& scene, Surface& surface, const MeshLoader& load);
 
 }  // namespace thaw

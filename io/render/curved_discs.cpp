@@ -26,12 +26,13 @@ Vec3f anyAcross(const Vec3f& n) {
   return a / std::sqrt(dot(a, a));
 }
 
-/// Sine, about, of the angle by which the normals around a disc turn within its radius. 0 beside a sharp edge between flat faces, which stays one: discs are cut there (disc_clips.hpp).
-float turnOf(const Discs& discs, std::span<const std::uint32_t> components, std::uint32_t i, std::span<const std::uint32_t> near) {
+/// sine: about, of the angle by which the normals around a disc turn within its radius. 0 beside a sharp edge between flat faces, which stays one: discs are cut there (disc_clips.hpp).
+struct Turn { float sine = 0; bool edge = false; };
+Turn turnOf(const Discs& discs, std::span<const std::uint32_t> components, std::uint32_t i, std::span<const std::uint32_t> near) {
   const Vec3f x = discs.positions[i], n = discs.normals[i];
   const float r = discs.radius(i);
   float most = 0;
-  bool flat = true;
+  bool flat = true, edge = false;
   int same = 0;
   for (const std::uint32_t j : near) {
     const float cosine = dot(n, discs.normals[j]);
@@ -39,10 +40,12 @@ float turnOf(const Discs& discs, std::span<const std::uint32_t> components, std:
     const Vec3f d = discs.positions[j] - x;
     same += j != i && cosine > flatFace;
     flat = flat && (cosine > flatFace || cosine < sharp);
+    edge = edge || cosine < sharp;
     const float sine2 = std::max(0.0f, 1 - cosine * std::max(0.0f, cosine)), d2 = dot(d, d);
     most = std::max(most, sine2 * std::min(1.0f, r * r / std::max(1e-30f, d2)));
   }
-  return flat && same > 1 ? 0 : std::sqrt(most);
+  if (flat && same > 1) return {0, edge};
+  return {std::sqrt(most), false};
 }
 
 /// Moves a part of disc i onto the surface between the discs around, where the mean of their planes and of the plane across the mean normal vanishes
@@ -157,13 +160,15 @@ std::vector<DiscPart> curvedDiscs(const Discs& discs, std::span<const std::uint3
   const auto draw = [&](std::uint32_t i, float most, const RowBlock& beside) {
     const Vec3f x = discs.positions[i], n = discs.normals[i];
     const float r = discs.radius(i);
-    const auto whole = [&] { parts.push_back({x, n, r, i, {{{i, 1}}}}); };
+    const auto whole = [&](bool edge = false) { parts.push_back({x, n, r, i, edge, {{{i, 1}}}}); };
     if (!(0.5f * r > most)) return whole();  // even at a right angle
     near.clear();
     const double far2 = static_cast<double>(around * around * r * r);
     for (std::size_t k = 0; k < beside.count; k++)
       if (const Vec3d d = beside.at[k] - places[i]; dot(d, d) < far2) near.push_back(beside.row[k]);
-    const float rise = 0.5f * r * turnOf(discs, components, i, near);
+    const Turn turn = turnOf(discs, components, i, near);
+    if (turn.edge) return whole(true);
+    const float rise = 0.5f * r * turn.sine;
     int rings = 0;
     while (rings < 3 && rise * (rings == 0 ? 1.0f : partOf * spacingOf[rings] * partOf * spacingOf[rings]) > most) rings++;
     if (rings == 0) return whole();
@@ -178,7 +183,7 @@ std::vector<DiscPart> curvedDiscs(const Discs& discs, std::span<const std::uint3
         const float bend = a * a * c.uu + 2 * a * b * c.uv + b * b * c.vv;
         const float angle = std::clamp(bend * away, -1.6f, 1.6f), flat = std::abs(angle) > 1e-4f ? std::sin(angle) / angle * away : away;
         const float sunk = std::abs(angle) > 1e-4f ? (1 - std::cos(angle)) / angle * away : 0;
-        DiscPart part{x + flat * (a * u + b * v) - sunk * n, n, partOf * step, i, {}};
+        DiscPart part{x + flat * (a * u + b * v) - sunk * n, n, partOf * step, i, false, {}};
         if (ontoDiscs(discs, components, i, near, part)) parts.push_back(part);
       }
   };

@@ -15,6 +15,7 @@ struct DiscPart {
   Vec3f position, normal;
   float radius = 0;
   std::uint32_t of = 0;
+  bool atEdge = false;  ///< whole, on a flat face beside a sharp edge
   struct Share { std::uint32_t of = 0; float share = 0; };
   std::array<Share, 4> mix{};  ///< shares make 1
 };

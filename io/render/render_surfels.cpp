@@ -115,6 +115,9 @@ Casters castersOf(const DrawnSurfels& s) {
   return all;
 }
 
+/// Of its radius, how far a disc on a flat face goes beside a sharp edge, where it is cut: surfels keep their distance across the edge, too, so that a corner of a face may be 1.63 of their spacing from the
+/// nearest one of its own.
+constexpr float toCorner = 1.4f;
 constexpr float flatEnough = 2.5f;  // samples: how far a disc may be off the surface at its rim
 
 /// What is splatted: surfels, those that bend so much that it shows as several discs each.
@@ -122,6 +125,7 @@ struct SplatDiscs {
   std::vector<Vec3f> positions, normals;
   std::vector<float> radii;
   std::vector<std::uint32_t> components, of;  // of: the surfel
+  std::vector<float> whole;                   // radii of the surfels, those at edges as far as they go
   std::vector<std::array<DiscPart::Share, 4>> mix;
   Discs discs() const { return {positions, radii, normals}; }
 };
@@ -134,11 +138,13 @@ SplatDiscs splatDiscs(const DrawnSurfels& s, const View& view) {
     return flatEnough * depth / view.focal;
   });
   SplatDiscs out;
+  out.whole = s.radii;
   for (const DiscPart& p : parts) {
     if (!s.isDisc(p.of)) continue;
+    if (p.atEdge) out.whole[p.of] *= toCorner;
     out.positions.push_back(p.position);
     out.normals.push_back(p.normal);
-    out.radii.push_back(p.radius);
+    out.radii.push_back(p.atEdge ? out.whole[p.of] : p.radius);
     out.of.push_back(p.of);
     out.mix.push_back(p.mix);
     if (!s.components.empty()) out.components.push_back(s.components[p.of]);
@@ -149,10 +155,10 @@ SplatDiscs splatDiscs(const DrawnSurfels& s, const View& view) {
 /// Discs that are drawn whole end at edges; parts lie on the surface and need no cuts.
 DiscClips clipsOfWholes(const DrawnSurfels& s, const SplatDiscs& parts, std::span<const std::uint8_t> seen) {
   std::vector<std::uint8_t> wanted(s.positions.size(), 0);
-  const auto whole = [&](std::size_t k) { return parts.radii[k] == s.radii[parts.of[k]]; };
+  const auto whole = [&](std::size_t k) { return parts.radii[k] == parts.whole[parts.of[k]]; };
   for (std::size_t k = 0; k < seen.size(); k++)
     if (whole(k)) wanted[parts.of[k]] = seen[k];
-  const DiscClips of = clipDiscs(s.discs(), wanted, s.components);
+  const DiscClips of = clipDiscs({s.positions, parts.whole, s.normals}, wanted, s.components);
   DiscClips clips;
   for (std::size_t k = 0; k < seen.size(); k++) {
     clips.first.push_back(static_cast<std::uint32_t>(clips.list.size()));
