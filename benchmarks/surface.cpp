@@ -3,7 +3,8 @@
 //   update:    a whole update of a melting bust of 4,000 particles, from the copies of the particles to the blend, until the local stop
 //   whole updates: updateSurface with resampling, components and measures, of a solid and a molten bust (benchmarks/surface/whole_updates.hpp), with h_ss = 3 d,
 //              2.5 d and, of the molten one, the support radius of the particles; by phase
-//   ball:      surfels settled on a ball of lattice particles against the ball, for the same choices of h_ss
+//   ball:      surfels settled on a ball of whole cells of a lattice against the ball, for the same choices of h_ss: its staircase is in it. A scene's ball, whose outer
+//              particles count with what of the ball is around them, is a case of the accuracy suite (surface_ball), which has the targets
 // --only: iterations, update, solid, molten (whole updates) or balls alone. Times are processor time. Searches, placing and what is done once an update are beside the iterations, in ms.
 #include <cstdio>
 #include <cstdlib>
@@ -201,7 +202,7 @@ Row ball(int R, SmoothingForm form, double support = 3) {
   rig.place();
   Row r;
   r.iterations = static_cast<double>(rig.settle(60).iterations);
-  r.name = std::string("ball R/dx ") + std::to_string(R) + (form == SmoothingForm::Plane ? " smoothing to planes" : "") + (support != 3 ? " h_ss " + std::to_string(support).substr(0, 3) + " d" : "");
+  r.name = std::string("ball of whole lattice cells R/dx ") + std::to_string(R) + (form == SmoothingForm::Plane ? " smoothing to planes" : "") + (support != 3 ? " h_ss " + std::to_string(support).substr(0, 3) + " d" : "");
   r.particles = static_cast<double>(rig.w.surface.particles.owned);
   r.surfels = static_cast<double>(rig.w.surface.surfels.owned);
   const test::BallErrors e = test::ballErrors(rig.w.surface.surfels, R);

@@ -6,7 +6,7 @@ namespace thaw {
 
 void printHead(FILE* out) {
   std::fprintf(out, "case,particles,surfels,particle_neighbours,surfel_neighbours,isa,k_surfels_per_s,target_k_surfels_per_s,ns_surfel_sums,ns_particle_sums,ns_move,ns_exchange,ms_search,"
-                    "update_s,update_s_target,ms_displace,ms_fields,ms_colours,ms_place,searches,iterations,update_s_worst,start_s,percent_to_local_stop,ms_components,ms_growth,ms_resampling,ms_iterations,ms_measures,hausdorff_percent,target_hausdorff_percent,normal_mean,target_normal_mean,normal_max,target_normal_max\n");
+                    "update_s,update_s_target,ms_displace,ms_fields,ms_colours,ms_place,searches,iterations,update_s_worst,start_s,percent_to_local_stop,ms_components,ms_growth,ms_resampling,ms_iterations,ms_measures,hausdorff_percent,normal_mean,normal_max\n");
 }
 
 void print(FILE* out, const SurfaceRow& r) {
@@ -28,13 +28,9 @@ void print(FILE* out, const SurfaceRow& r) {
   figure(r.startS, "%.2f");
   figure(100 * r.finished, "%.0f");
   for (double v : {r.componentsMs, r.growthMs, r.resamplingMs, r.iterationsMs, r.measuresMs}) figure(v, "%.1f");
-  const bool ball = r.hausdorff > 0;
   figure(r.hausdorff, "%.3f");
-  figure(ball ? 1 : 0, "%.0f");
   figure(r.normalMean, "%.2f");
-  figure(ball ? 1.5 : 0, "%.1f");
-  figure(r.normalMax, "%.2f");
-  if (ball) std::fprintf(out, "6");
+  if (r.normalMax != 0) std::fprintf(out, "%.2f", r.normalMax);
   std::fprintf(out, "\n");
   std::fflush(out);
 }

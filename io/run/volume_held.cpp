@@ -57,7 +57,7 @@ void noteVolumes(VolumeHeld& held, const std::vector<SurfaceComponent>& componen
 
 std::vector<std::string> volumeHeldLines(const VolumeHeld& h) {
   if (!h.any) return {};
-  std::vector<std::string> lines{fmt::format("  volume, at all frames: the sum at worst {:+.2f} % off what is to be held (t {:.5g} s); {:.2g} % of the particles are in components that are off by more than 1 % (at worst {:.2g} %, t {:.5g} s)",
+  std::vector<std::string> lines{fmt::format("  volume, at all frames: the sum at worst {:+.2f} % off what is to be held (t {:.5g} s); {:.2g} % of the particles are in components that are off by more than 1 % ({:.3g} % in the worst frame, t {:.5g} s)",
                                              100 * h.sum.off(), h.sum.time, 100 * shareOf(h), 100 * h.missing.missedShare(), h.missing.time)};
   if (there(h.ofParticles)) {
     lines.push_back(fmt::format("    of components of {} particles and more at worst {} off that of the particles", leastHeldParticles, worstOf(h.ofParticles)));
