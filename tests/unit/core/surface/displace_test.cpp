@@ -214,6 +214,27 @@ TEST(Displace, SameBitsForEveryInstructionSet) {
   }
 }
 
+// Melt falls off a solid: what covers the solid stays with it. By the mean of all particles it sank into the solid, here by a tenth of what the melt falls, and so in each update.
+TEST(Displace, TheSurfaceOfASolidGoesWithTheSolid) {
+  SettleRig rig;
+  rig.addLattice(5, {}, [](const Vec3d& x) { return std::abs(x.x) < 5 && std::abs(x.y) < 5 && std::abs(x.z) < 3; });
+  SurfaceParticles& p = rig.w.surface.particles;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const bool melt = p.position[i].z < 0;
+    p.liquid[i] = melt ? 1 : 0;
+    p.displacement[i] = {0, 0, melt ? -0.5 : 0};
+  }
+  rig.addSurfel({4.5, 0, 0.5}, {1, 0, 0});
+  rig.addSurfel({4.5, 0, -1}, {1, 0, 0});
+  Surfels& s = rig.w.surface.surfels;
+  for (std::size_t i = 0; i < s.owned; i++) s.liquid[i] = s.position[i].z < 0 ? 1 : 0;
+  carry(rig);
+  for (std::size_t i = 0; i < s.owned; i++) {
+    if (s.id[i] == 1000) EXPECT_NEAR(s.position[i].z, 0.5, 0.02);
+    else EXPECT_LT(s.position[i].z, -1.2);
+  }
+}
+
 TEST(Displace, FreshParticlesAndOtherComponentsDoNotPull) {
   SettleRig rig;
   rig.addLattice(3, {}, [](const Vec3d& x) { return length(x) < 3; });

@@ -1,0 +1,93 @@
+// Surfels that are born among those of a solid that bends, melts or tears.
+#include "core/surface/births.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/surface/follow_start.hpp"
+#include "tests/support/settle_rig.hpp"
+#include "tests/unit/core/surface/surfel_rig.hpp"
+
+namespace thaw {
+namespace {
+
+using test::SettleRig;
+using test::SurfelRig;
+
+/// A flat sheet of surfels .1 apart that follow their places of the start, and have been stretched, sheared and turned since.
+struct Stretched {
+  SurfelRig rig{test::surfelScene(0.1)};
+  Mat3d map{};
+  explicit Stretched(const Mat3d& by) : map(by) {
+    Surfels& s = rig.surfels();
+    const Vec3d n = normalized(cross(by * Vec3d{1, 0, 0}, by * Vec3d{0, 1, 0}));
+    for (int i = -4; i <= 4; i++)
+      for (int j = -4; j <= 4; j++) rig.add(by * Vec3d{0.1 * i, 0.1 * j, 0}, n);
+    s.activate(s.follows);
+    s.activate(s.startPlace);
+    s.activate(s.startNormal);
+    s.activate(s.startTangent);
+    const Mat3d back = inverse(by);
+    for (std::size_t i = 0; i < s.owned; i++) {
+      s.follows[i] = 1;
+      s.startPlace[i] = back * s.position[i];
+      s.startNormal[i] = {0, 0, 1};
+      s.startTangent[i] = {1, 0, 0};
+      s.tangent[i] = normalized(by * Vec3d{1, 0, 0});
+    }
+  }
+  SurfelRow bornAt(const Vec3d& start) {
+    const Surfels& s = rig.surfels();
+    Patch patch;
+    patch.surfels = &s;
+    patch.centre = s.owned / 2;
+    for (std::uint32_t j = 0; j < s.owned; j++)
+      if (j != patch.centre && length(s.position[j] - s.position[patch.centre]) < 0.3) patch.rows.push_back(j);
+    return blendedSurfel(patch, {map * start, s.normal[patch.centre]});
+  }
+};
+
+// It was placed as if nothing were strained: in the next update it was carried from there, by the strain times its distance off where it was born.
+TEST(Births, WhatFollowsKnowsWhereItWouldHaveBeenAtTheStart) {
+  const Mat3d turned{{{0.6, 0, 0.8}, {0, 1, 0}, {-0.8, 0, 0.6}}}, strained{{{2.1, 0.7, 0}, {-0.3, 0.8, 0}, {0, 0, 1}}};
+  Stretched sheet(turned * strained);
+  for (const Vec3d& start : {Vec3d{0.04, 0.03, 0}, Vec3d{-0.05, 0.05, 0}, Vec3d{0.02, -0.06, 0}}) {
+    const SurfelRow born = sheet.bornAt(start);
+    ASSERT_TRUE(born.follows);
+    EXPECT_LT(length(born.startPlace - start), 1e-12);
+  }
+}
+
+// Half molten surfels stand off the particles' surface by what is left of their marks: what is born among them before the iterations settled wholly, and was a rag under or over their sheet.
+TEST(Births, WhatIsBornInAnUpdateSettlesAsThoseAroundIt) {
+  SurfelRig rig(test::surfelScene(0.1));
+  Surfels& s = rig.surfels();
+  s.activate(s.liquid);
+  s.activate(s.carried);
+  s.activate(s.carriedNormal);
+  rig.add({0, 0, 0.3}, {0, 0, 1});
+  EXPECT_EQ(s.carried[0], (Vec3d{0, 0, 0.3}));
+  EXPECT_EQ(s.carriedNormal[0], (Vec3d{0, 0, 1}));
+  s.activate(s.loose);  // the face of a crack settles
+  rig.add({0.1, 0, 0.3}, {0, 0, 1});
+  EXPECT_EQ(s.loose[1], 1);
+  EXPECT_EQ(s.carriedNormal[1], Vec3d{});
+}
+
+// Newborns of the start go back onto the body: the mean of the planes of two faces is on neither.
+TEST(Births, OfTheStartAreOnTheMesh) {
+  Scene scene = test::surfelScene(0.1);
+  scene.bodies.emplace_back();
+  scene.bodies[0].shape.kind = ShapeKind::Mesh;
+  scene.bodies[0].shape.mesh = "cube";
+  const TriangleMesh cube = boxMesh({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
+  SurfelRig rig(scene);
+  rig.add({0.46, 0.1, 0.46}, normalized(Vec3d{1, 0, 1.2}), 1);
+  Surfels& s = rig.surfels();
+  s.id[0] |= birthBit;
+  putBirthsOnShapes(rig.world.scene, rig.world.surface, [&](const std::string&) { return cube; });
+  EXPECT_LT(length(s.position[0] - Vec3d{0.46, 0.1, 0.5}) * length(s.position[0] - Vec3d{0.5, 0.1, 0.46}), 1e-12);
+  EXPECT_GT(std::max(s.normal[0].x, s.normal[0].z), 1 - 1e-12);
+}
+
+}  // namespace
+}  // namespace thaw
