@@ -81,9 +81,11 @@ TEST(BadKinds, WhatMeansNothingIsRefusedAtItsPlace) {
       {patch + "[[oriented.field]]\nfrom = 1\n", "s.toml:9:1: error: oriented.a.field.0: it does nothing: expected push, pull or pressure"},
       {patch + "[[oriented.field]]\npull = 3\nradius = 1\n", "s.toml:10:8: error: oriented.a.field.0.pull: needs the point that it is toward"},
       {patch + "[[oriented.field]]\npressure = 3\nfrom = 1\nuntil = 1\n", "s.toml:12:9: error: oriented.a.field.0.until: must be after `from`"},
+      {"[[sheet]]\nmesh = \"builtin:cat\"\n", "s.toml:7:8: error: sheet.0.mesh: there is no built-in mesh 'cat'; there is \"builtin:bust\" or \"builtin:head\""},
       {cloth + "wind = [1, 0, 0]\n", "s.toml:8:8: error: sheet.0.wind: needs wind_density: air without mass does not push"},
   };
   for (const auto& t : table) EXPECT_EQ(errorOf(t.text), t.line);
+  EXPECT_EQ(errorOf("[[sheet]]\nmesh = \"bowl.xyz\"\n").rfind("s.toml:7:8: error: sheet.0.mesh: expected a file that ends in .obj, .ply or .stl, got ", 0), 0u);
   EXPECT_EQ(errorOf(patch + "colour = \"blue\"\n"), "s.toml:9:10: error: oriented.a.colour: expected six hexadecimal digits such as \"#e8c890\"");
   EXPECT_EQ(errorOf(patch + "growth = \"borders\"\nmost = 500\n"), "");
   EXPECT_EQ(errorOf(patch + "growth = \"borders\"\nthin = 0.1\n"), "");
