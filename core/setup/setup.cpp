@@ -108,6 +108,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   t.kernels = pairKernels();
   t.liquids = liquidMaterials(w.scene);
   if (w.modules.sheet) planParticleContact(w.scene, t.liquids, w.sheets.plans);
+  if (w.modules.oriented) t.oriented.obstacles = planObstacleContact(w.scene);
   if (w.modules.meeting) t.oriented.contacts = planOrientedContact(w.scene, t.liquids);
   t.fixedLimits = materialLimits(w.scene, w.modules, t.liquids);
   if (w.modules.substeps && !w.modules.contact) std::swap(t.longestContact, t.fixedLimits[Limit::Contact]);

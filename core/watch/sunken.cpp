@@ -9,6 +9,7 @@ namespace thaw {
 namespace {
 
 constexpr double inside = 0.7;  // of the kernel
+constexpr double inObstacle = 0.25;  // spacings: surfaces without thickness lie as deep in it as its spring lets them
 
 }  // namespace
 
@@ -39,6 +40,27 @@ std::vector<Sunken> findSunken(World& w, Halos halos) {
   std::vector<Sunken> found;
   for (std::size_t k = 0; k < count.size(); k++)
     if (count[k] > 0) found.push_back({k / bodies, k % bodies, count[k]});
+  return found;
+}
+
+std::vector<Sunken> findSunkenInObstacles(const World& w, Reducer& all) {
+  const Oriented& o = w.oriented.rows;
+  const std::size_t walls = w.walls.list.size();
+  std::vector<std::int64_t> count(w.scene.oriented.size() * walls, 0);
+  for (std::size_t i = 0; i < o.owned; i++) {
+    if (o.flags[i] & heldPlace) continue;
+    const double deep = inObstacle * spacingOf(w.scene, w.scene.oriented[o.body[i]]);
+    for (std::size_t k = 0; k < walls; k++) {
+      const Wall& wall = w.walls.list[k];
+      if (!wall.present) continue;
+      const Vec3d rest = toRest(wall.pose, o.position[i]);
+      count[o.body[i] * walls + k] += nearBounds(wall.bounds, rest, 0) && wall.shape->distanceWithin(rest, 2 * deep) < -deep;
+    }
+  }
+  if (!count.empty()) all.sum(count);
+  std::vector<Sunken> found;
+  for (std::size_t k = 0; k < count.size(); k++)
+    if (count[k] > 0) found.push_back({k / walls, k % walls, count[k]});
   return found;
 }
 

@@ -216,7 +216,7 @@ void readOriented(TableReader& r, SceneReading& x) {
   r.number("spin_damping", b.spinDamping, "1/s", notNegative(), "rate at which rotations decay");
   r.number("pressure", b.pressure, "Pa", anyNumber(), "along the normals; below 0: pulls the surface together around what it encloses");
   r.vector("push", b.push, "m/s^2", "uniform acceleration beside gravity");
-  r.number("contact", b.contact, "", positive(), "stiffness of contacts over `stiffness`; toward bodies a barrier that follows from the scene's speeds and masses is beside it. There is no restitution: `damping` takes motion away");
+  r.number("contact", b.contact, "", positive(), "stiffness of contacts over `stiffness`; toward bodies and obstacles a barrier that follows from the scene's speeds and masses is beside it. There is no restitution: `damping` takes motion away");
   r.number("thickness", b.thickness, "", notNegative(), "distance kept from obstacles, spacings");
   r.number("friction", b.friction, "", between(0, 10), "Coulomb friction on obstacles, if theirs is not larger");
   r.choice("integrator", b.integrator, {"symplectic", "rk4", "semi-implicit"}, "that of the first oriented body is for all: symplectic Euler, Runge-Kutta of fourth order, or linearised backward Euler, which takes far longer steps");
