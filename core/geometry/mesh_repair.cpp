@@ -177,30 +177,42 @@ std::int64_t turnShells(TriangleMesh& m, const std::vector<Shell>& shells) {
   return turned;
 }
 
-}  // namespace
+/// A mesh after steps 1 and 2.
+struct Welded {
+  TriangleMesh mesh;
+  std::size_t edges = 0, open = 0;
+  Vec3d low{never, never, never}, high{-never, -never, -never};
+};
 
-TriangleMesh repairMesh(const TriangleMesh& mesh, MeshReport& report) {
+Welded weldAndAgree(const TriangleMesh& mesh, MeshReport& report) {
   check(mesh);
   report = {};
-  TriangleMesh m = weldVertices(mesh, 0);
+  Welded w;
+  TriangleMesh& m = w.mesh = weldVertices(mesh, 0);
   if (m.triangles.empty()) throw ShapeError("every triangle of the mesh has two equal corners; expected the closed surface of a solid");
   std::vector<EdgeSide> sides = edgeSides(m);
-  std::size_t edges = 0, open = openEdges(sides, edges);
-  Vec3d low{never, never, never}, high{-never, -never, -never};
+  w.open = openEdges(sides, w.edges);
   for (const Vec3d& v : m.vertices)
-    for (int a = 0; a < 3; a++) low[a] = std::min(low[a], v[a]), high[a] = std::max(high[a], v[a]);
-  if (open > 0) {
-    TriangleMesh welded = weldVertices(m, weldTolerance * length(high - low));
+    for (int a = 0; a < 3; a++) w.low[a] = std::min(w.low[a], v[a]), w.high[a] = std::max(w.high[a], v[a]);
+  if (w.open > 0) {
+    TriangleMesh welded = weldVertices(m, weldTolerance * length(w.high - w.low));
     std::vector<EdgeSide> weldedSides = edgeSides(welded);
     std::size_t weldedEdges = 0;
     const std::size_t stillOpen = openEdges(weldedSides, weldedEdges);
-    if (!welded.triangles.empty() && stillOpen < open) m = std::move(welded), sides = std::move(weldedSides), open = stillOpen, edges = weldedEdges;
+    if (!welded.triangles.empty() && stillOpen < w.open) m = std::move(welded), sides = std::move(weldedSides), w.open = stillOpen, w.edges = weldedEdges;
   }
   report.triangles = static_cast<std::int64_t>(m.triangles.size());
   report.vertices = static_cast<std::int64_t>(m.vertices.size());
-  report.closed = static_cast<double>(open) <= soupFraction * static_cast<double>(edges);
+  report.closed = static_cast<double>(w.open) <= soupFraction * static_cast<double>(w.edges);
+  forEachEdge(sides, [&](std::size_t first, std::size_t last) { report.branched += last - first > 2; });
   report.turnedTriangles = orientPatches(m, sides);
   for (const auto& t : m.triangles) report.area += areaOf(m, t);
+  return w;
+}
+
+/// Steps 3 to 5.
+TriangleMesh closeMesh(Welded w, MeshReport& report) {
+  TriangleMesh& m = w.mesh;
   if (report.closed) {
     report.holes = closeHoles(m);
     for (std::size_t t = static_cast<std::size_t>(report.triangles); t < m.triangles.size(); t++) report.holeArea += areaOf(m, m.triangles[t]);
@@ -208,29 +220,44 @@ TriangleMesh repairMesh(const TriangleMesh& mesh, MeshReport& report) {
     report.shells = static_cast<std::int64_t>(shells.size());
     report.turnedShells = turnShells(m, shells);
   }
-  for (const auto& t : m.triangles) report.volume += volumeOf(m, t, 0.5 * (low + high));
+  for (const auto& t : m.triangles) report.volume += volumeOf(m, t, 0.5 * (w.low + w.high));
   if (!report.closed && report.volume < 0) {
     for (std::size_t t = 0; t < m.triangles.size(); t++) turn(m, t);
     report.volume = -report.volume;
     report.turnedShells = 1;
   }
   if (!(report.volume > flat * std::pow(report.area, 1.5)))
-    throw ShapeError("the mesh encloses no volume (its " + std::to_string(report.triangles) + " triangles have " + std::to_string(open) + " open edges of " +
-                     std::to_string(edges) + "); expected the closed surface of a solid");
+    throw ShapeError("the mesh encloses no volume (its " + std::to_string(report.triangles) + " triangles have " + std::to_string(w.open) + " open edges of " +
+                     std::to_string(w.edges) + "); expected the closed surface of a solid");
   settleNormals(m, report);
-  return m;
+  return std::move(m);
+}
+
+}  // namespace
+
+TriangleMesh repairMesh(const TriangleMesh& mesh, MeshReport& report) { return closeMesh(weldAndAgree(mesh, report), report); }
+
+TriangleMesh repairSurface(const TriangleMesh& mesh, MeshReport& report) {
+  Welded w = weldAndAgree(mesh, report);
+  if (w.open == 0) return closeMesh(std::move(w), report);
+  report.border = static_cast<std::int64_t>(w.open);
+  report.closed = true;  // nothing asks for its inside
+  settleNormals(w.mesh, report);
+  return std::move(w.mesh);
 }
 
 std::string describeRepairs(const std::string& name, const MeshReport& r) {
   std::string s;
   const auto say = [&](const std::string& what) { s += (s.empty() ? "mesh '" + name + "': " : ", ") + what; };
+  if (r.border > 0) say("open (" + std::to_string(r.border) + (r.border == 1 ? " edge" : " edges") + " at its border), and taken as it is");
   if (!r.closed) say("not closed; inside is where the winding number is more than 1/2");
   if (r.holes > 0) {
     char share[32];
     std::snprintf(share, sizeof share, "%.3g", 100 * r.holeArea / r.area);
     say(std::to_string(r.holes) + (r.holes == 1 ? " hole closed (" : " holes closed (") + share + " % of the surface)");
   }
-  if (r.turnedTriangles > 0) say(std::to_string(r.turnedTriangles) + " triangles turned to agree with their neighbours");
+  if (r.branched > 0) say(std::to_string(r.branched) + (r.branched == 1 ? " edge has" : " edges have") + " more than two triangles");
+  if (r.turnedTriangles > 0) say(std::to_string(r.turnedTriangles) + std::string(r.turnedTriangles == 1 ? " triangle" : " triangles") + " turned to agree with their neighbours");
   if (r.turnedShells > 0) say(std::to_string(r.turnedShells) + (r.turnedShells == 1 ? " shell" : " shells") + " turned the right side out");
   if (r.turnedNormals > 0) say(std::to_string(r.turnedNormals) + " normals turned outward");
   if (r.unusedNormals > 0)

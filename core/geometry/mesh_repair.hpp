@@ -1,4 +1,4 @@
-// From triangles as a file has them to the surface of a solid.
+// From triangles as a file has them to the surface of a solid, or to one that is open.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -19,6 +19,8 @@ struct MeshReport {
   std::int64_t unusedNormals = 0;            ///< 0, or against their triangle's side
   double area = 0, holeArea = 0;             ///< m^2, of the file's triangles, of those that close holes
   double volume = 0;                         ///< m^3, signed volumes of the shells added up
+  std::int64_t border = 0;                   ///< open edges of a surface that is left open (repairSurface)
+  std::int64_t branched = 0;                 ///< edges of more than two triangles, as the file has them
   bool closed = true;                        ///< false: so many open edges that nothing was closed; a soup, as it came
 };
 
@@ -36,6 +38,10 @@ struct MeshReport {
 /// inside is where the generalised winding number is more than 1/2.
 /// Throws ShapeError: no triangles, an index out of range, a coordinate that is not finite, no volume enclosed.
 TriangleMesh repairMesh(const TriangleMesh& mesh, MeshReport& report);
+
+/// Of a surface that need not enclose anything: one without open edges as repairMesh does; of another steps 1, 2 and 5 alone, so that it stays open, with the sides
+/// that its triangles have. Throws ShapeError as repairMesh, but for what encloses no volume.
+TriangleMesh repairSurface(const TriangleMesh& mesh, MeshReport& report);
 
 /// One sentence about what was mended; empty if nothing was.
 std::string describeRepairs(const std::string& name, const MeshReport& report);

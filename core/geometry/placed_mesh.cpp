@@ -25,15 +25,19 @@ class MeshReach final : public SignedDistance {
   Bounds bounds_;
 };
 
-}  // namespace
-
-PlacedMesh makePlacedMesh(const Shape& s, const MeshLoader& load) {
+PlacedMesh placed(const Shape& s, const MeshLoader& load, TriangleMesh repair(const TriangleMesh&, MeshReport&)) {
   if (!isBuiltin(s.mesh) && !load) throw ShapeError("mesh '" + s.mesh + "': nothing was given to read it with", s.where);
   PlacedMesh m;
-  m.mesh = repairMesh(isBuiltin(s.mesh) ? builtinMesh(s.mesh) : load(s.mesh), m.report);
+  m.mesh = repair(isBuiltin(s.mesh) ? builtinMesh(s.mesh) : load(s.mesh), m.report);
   m.placement = placeMesh(s, m.mesh);
   return m;
 }
+
+}  // namespace
+
+PlacedMesh makePlacedMesh(const Shape& s, const MeshLoader& load) { return placed(s, load, repairMesh); }
+
+PlacedMesh makePlacedSurface(const Shape& s, const MeshLoader& load) { return placed(s, load, repairSurface); }
 
 Placement placeMesh(const Shape& s, TriangleMesh& mesh) {
   const Placement p = placementOf(s, std::make_shared<MeshReach>(mesh));

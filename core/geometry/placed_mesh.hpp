@@ -15,6 +15,9 @@ struct PlacedMesh {
 /// Of a shape of kind Mesh. Throws ShapeError, or what the loader throws.
 PlacedMesh makePlacedMesh(const Shape& shape, const MeshLoader& load);
 
+/// The same of a surface that may be open, and then stays so (repairSurface).
+PlacedMesh makePlacedSurface(const Shape& shape, const MeshLoader& load);
+
 /// Moves a mesh to where the shape, of any kind, puts it. Throws ShapeError.
 Placement placeMesh(const Shape& shape, TriangleMesh& mesh);
 

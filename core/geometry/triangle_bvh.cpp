@@ -94,6 +94,7 @@ struct TriangleBvh::Builder {
     for (std::uint32_t k = first; k < last; k++) {
       const Corners t = corners(order[k]);
       tree.triangles_.push_back(t);
+      tree.numbers_.push_back(order[k]);
       const Vec3d moment = 0.5 * cross(t.b - t.a, t.c - t.a);
       dipole.moment += moment;
       dipole.centre += (t.a + t.b + t.c) * (length(moment) / 3);
@@ -146,13 +147,14 @@ TriangleBvh::TriangleBvh(const TriangleMesh& mesh) {
   }
   std::iota(builder.order.begin(), builder.order.end(), 0u);
   triangles_.reserve(n);
+  numbers_.reserve(n);
   nodes_.reserve(n);
   dipoles_.reserve(n);
   builder.make(0, n, 0);
 }
 
 std::size_t TriangleBvh::memory() const {
-  return nodes_.capacity() * sizeof(Node) + dipoles_.capacity() * sizeof(Dipole) + triangles_.capacity() * sizeof(Corners);
+  return nodes_.capacity() * sizeof(Node) + dipoles_.capacity() * sizeof(Dipole) + triangles_.capacity() * sizeof(Corners) + numbers_.capacity() * sizeof(std::uint32_t);
 }
 
 }  // namespace thaw

@@ -14,6 +14,7 @@ struct ClosestPoint {
   Vec3d point{};            ///< m, on the surface
   Vec3d normal{};           ///< unit normal of the triangle it is on, 0 for a triangle without area
   double distance2 = std::numeric_limits<double>::infinity();  ///< m^2; infinite: nothing within reach
+  std::uint32_t triangle = 0;  ///< number of that triangle in the mesh
 };
 
 class TriangleBvh {
@@ -43,6 +44,7 @@ class TriangleBvh {
   std::vector<Node> nodes_;  ///< depth first
   std::vector<Dipole> dipoles_;
   std::vector<Corners> triangles_;
+  std::vector<std::uint32_t> numbers_;  ///< of these in the mesh
 };
 
 /// Solid angle over 4 pi of a triangle seen from x, positive from behind (Van Oosterom and Strackee 1983).

@@ -79,6 +79,7 @@ ClosestPoint TriangleBvh::closest(const Vec3d& x, double reach) const {
   }
   if (nearest) {
     result.distance2 = best;
+    result.triangle = numbers_[static_cast<std::size_t>(nearest - triangles_.data())];
     result.normal = normalized(cross(nearest->b - nearest->a, nearest->c - nearest->a));
   }
   return result;

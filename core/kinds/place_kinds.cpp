@@ -80,10 +80,10 @@ void activateKinds(World& w) {
   if (w.modules.sheet) activateSheets(w);
 }
 
-std::vector<std::vector<Vec3d>> sampleKinds(World& w, Halos halos, StepTools& t, const MeshLoader& load) {
+std::vector<std::vector<Vec3d>> sampleKinds(World& w, Halos halos, StepTools& t, const MeshLoader& load, std::vector<SceneWarning>& warnings) {
   t.oriented.begins = true;
   std::vector<std::vector<Vec3d>> oriented;
-  if (w.modules.oriented) oriented = sampleOriented(w, halos, load);
+  if (w.modules.oriented) oriented = sampleOriented(w, halos, load, warnings);
   if (w.modules.sheet) sampleSheets(w, halos, load);
   eachKind(w, [&](std::size_t, KindRows& r, CellTable& cells) {
     for (std::size_t i = 0; i < r.owned; i++) wrapPlace(w.grid, w.scene.domain, r.position[i]);

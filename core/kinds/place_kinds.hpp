@@ -1,5 +1,6 @@
 // Brings the rows of the further kinds to the ranks that own their cells: which rank owns which cell is the continuum's business.
 #pragma once
+#include "core/kinds/start_warnings.hpp"
 #include "core/step.hpp"
 
 namespace thaw {
@@ -16,7 +17,7 @@ void activateKinds(World& world);
 
 /// Appends this rank's share of the rows of all kinds at time 0. Returns the places of the particles of each oriented body, on all ranks. Throws as sampleBodies does.
 /// Collective.
-std::vector<std::vector<Vec3d>> sampleKinds(World& world, Halos halos, StepTools& tools, const MeshLoader& load);
+std::vector<std::vector<Vec3d>> sampleKinds(World& world, Halos halos, StepTools& tools, const MeshLoader& load, std::vector<SceneWarning>& warnings);
 
 /// Are all places and velocities of this rank's rows finite numbers?
 bool finiteKinds(const World& world);

@@ -4,9 +4,12 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/geometry/triangle_bvh.hpp"
 #include "core/math/hash_random.hpp"
 #include "core/oriented/add_apart.hpp"
 #include "core/oriented/spread_points.hpp"
+#include "core/surface/blue_noise.hpp"
+#include "core/surface/mesh_normals.hpp"
 
 namespace thaw {
 namespace {
@@ -71,6 +74,19 @@ MadePoints coverSurface(const SignedDistance& shape, double spacing, std::uint64
   spreadOut(1.05 * spacing, m, [&](Vec3d& place, Vec3d& n) {
     const double d = shape.distanceWithin(place, spacing, &n);
     place -= d * n;
+  });
+  return m;
+}
+
+MadePoints coverMesh(const TriangleMesh& mesh, double spacing, std::uint64_t seed) {
+  const MeshNormals normals(mesh);
+  const TriangleBvh tree(mesh);
+  MadePoints m;
+  for (const MeshSample& s : blueNoise(mesh, spacing, seed)) addPoint(m, s.position, normals.at(s.position, s.triangle));
+  spreadOut(1.05 * spacing, m, [&](Vec3d& place, Vec3d& n) {
+    const ClosestPoint there = tree.closest(place);
+    place = there.point;
+    n = normals.at(place, there.triangle);
   });
   return m;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "core/geometry/placed_mesh.hpp"
@@ -106,6 +107,32 @@ MadePoints curve(const OrientedBody& b, double spacing) {
   return m;
 }
 
+void noteRepairs(const Shape& shape, const MeshReport& report, MadePoints& m) {
+  if (std::string text = describeRepairs(shape.mesh, report); !text.empty()) m.notes.push_back(std::move(text));
+}
+
+/// The mesh of a shape, if it is one and open; that of another, or of one that cannot be used, is asked for its distance, which says what is wrong.
+std::optional<PlacedMesh> openMesh(const Shape& shape, const MeshLoader& load) {
+  if (shape.kind != ShapeKind::Mesh) return {};
+  try {
+    if (PlacedMesh placed = makePlacedSurface(shape, load); placed.report.border > 0) return placed;
+  } catch (const std::exception&) {
+  }
+  return {};
+}
+
+MadePoints coverShape(const Shape& shape, double spacing, std::uint64_t seed, const MeshLoader& load) {
+  if (const std::optional<PlacedMesh> open = openMesh(shape, load)) {
+    MadePoints m = coverMesh(open->mesh, spacing, seed);
+    noteRepairs(shape, open->report, m);
+    return m;
+  }
+  const std::shared_ptr<const SignedDistance> solid = makeSignedDistance(shape, load);
+  MadePoints m = coverSurface(*solid, spacing, seed);
+  solid->addNotes(m.notes);
+  return m;
+}
+
 }  // namespace
 
 double cellShareOf(const OrientedBody& b, double spacing) {
@@ -117,9 +144,10 @@ double cellShareOf(const OrientedBody& b, double spacing) {
 }
 
 MadePoints sampleMesh(const Shape& shape, double spacing, std::uint64_t seed, const MeshLoader& load) {
-  const PlacedMesh placed = makePlacedMesh(shape, load);
+  const PlacedMesh placed = makePlacedSurface(shape, load);
   const MeshNormals normals(placed.mesh);
   MadePoints m;
+  noteRepairs(shape, placed.report, m);
   for (const MeshSample& s : blueNoise(placed.mesh, spacing, seed)) addPoint(m, s.position, normals.at(s.position, s.triangle));
   return m;
 }
@@ -129,7 +157,7 @@ MadePoints makePoints(const OrientedBody& b, double spacing, std::uint64_t seed,
   switch (b.source) {
     case OrientedSource::Surface:
       if (b.thin < 1 && b.shape.kind == ShapeKind::Mesh) m = sampleMesh(b.shape, spacing, seed, load);
-      else m = coverSurface(*makeSignedDistance(b.shape, load), spacing, seed);
+      else m = coverShape(b.shape, spacing, seed, load);
       break;
     case OrientedSource::Patch:
     case OrientedSource::Disc: m = flatPatch(b, spacing); break;
@@ -140,7 +168,11 @@ MadePoints makePoints(const OrientedBody& b, double spacing, std::uint64_t seed,
       for (std::size_t k = 0; k < b.points.size(); k++) addPoint(m, b.points[k], normalized(normals[k]), b.growth != OrientedGrowth::None ? heldPlace | heldNormal : 0);
     }
   }
-  if (b.thin < 1 && !m.places.empty()) m = thinned(m, b.thin, seed);
+  if (b.thin < 1 && !m.places.empty()) {
+    std::vector<std::string> notes = std::move(m.notes);
+    m = thinned(m, b.thin, seed);
+    m.notes = std::move(notes);
+  }
   if (m.places.empty()) throw std::invalid_argument("it has no particle: it is too small for its spacing, or empty");
   return m;
 }

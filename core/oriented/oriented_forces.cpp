@@ -13,16 +13,17 @@ namespace {
 
 constexpr double reachOfContact = 0.9;  // spacings between particles of different surfaces
 
-struct WallPush { Vec3d force{}, velocity{}; double energy = 0, loss = 0, stiffness = 0; };
+struct WallPush { Vec3d force{}, velocity{}; double energy = 0, loss = 0, stiffness = 0, slope = 0; };
 
-/// Of one obstacle on row i: a spring that begins `thickness` spacings before the surface, and friction (Coulomb, viscous below the speed at which that is larger).
+/// Of one obstacle on row i: a spring and a barrier that begin `thickness` spacings before the surface, and friction (Coulomb, viscous below the speed at which that is larger).
 WallPush pushOf(const World& w, const StepTools& t, const Wall& wall, std::size_t i) {
   const Oriented& o = w.oriented.rows;
   const OrientedBody& body = w.scene.oriented[o.body[i]];
   const PairPotential& p = t.oriented.potentials[o.body[i]];
   WallPush push;
   if (!wall.present) return push;
-  const double keep = body.thickness * p.spacing, deepest = 4 * p.spacing;
+  const ObstacleContact& contact = t.oriented.obstacles[o.body[i]];
+  const double keep = contact.keep, deepest = 4 * p.spacing;
   const Vec3d rest = toRest(wall.pose, o.position[i]);
   for (int a = 0; a < 3; a++)
     if (rest[a] < wall.bounds.min[a] - keep || rest[a] > wall.bounds.max[a] + keep) return push;
@@ -30,11 +31,13 @@ WallPush pushOf(const World& w, const StepTools& t, const Wall& wall, std::size_
   const double d = wall.shape->distanceWithin(rest, std::max(keep, deepest), &n), depth = std::min(keep - d, deepest);
   if (!(depth > 0)) return push;
   n = directionFromRest(wall.pose, n);
-  const double k = body.contact * body.stiffness, normalForce = k * depth;
+  const ObstaclePush at = pushAt(contact, depth);
+  const double k = contact.spring, normalForce = at.force;
   push.velocity = wallVelocity(wall, o.position[i]);
-  push.energy = 0.5 * k * depth * depth;
-  push.stiffness = k;
+  push.energy = at.energy;
   const Vec3d slip = o.velocity[i] - push.velocity, along = slip - dot(slip, n) * n;
+  push.slope = pushAt(contact, std::min(contact.room * (1 - 1e-9), depth + std::clamp(-1.1 * nextStep(w.clock) * dot(slip, n), 0.0, 0.1 * p.spacing))).slope;  // where the next step ends
+  push.stiffness = k + push.slope;
   const double speed = length(along), drag = 0.5 * std::sqrt(k * o.mass[i]), friction = std::max(body.friction, wall.properties.friction);
   const double tangential = std::min(friction * normalForce, drag * speed);
   push.force = normalForce * n;
@@ -102,6 +105,7 @@ void refreshPlaces(World& w, Halos halos) {
 void addUpForces(World& w, StepTools& t) {
   Oriented& o = w.oriented.rows;
   const OrientedLists& l = t.oriented.lists;
+  t.oriented.atObstacles2 = 0;
   for (std::size_t i = 0; i < o.owned; i++) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];
     const Vec3d x = o.position[i], n = o.normal[i];
@@ -135,6 +139,7 @@ void addUpForces(World& w, StepTools& t) {
       force += push.force;
       energy += push.energy;
       stiff += push.stiffness;
+      if (push.slope > 0) t.oriented.atObstacles2 = std::max(t.oriented.atObstacles2, push.slope / o.mass[i]);
     }
     if (body.planar) {
       force.y = 0;

@@ -22,6 +22,8 @@ struct OrientedLists {
 struct OrientedWork {
   std::vector<PairPotential> potentials;   ///< of each body
   std::vector<OrientedContact> contacts;   ///< of each body, with the continuum; empty where they do not meet
+  std::vector<ObstacleContact> obstacles;  ///< of each body, with obstacles
+  double atObstacles2 = 0;                 ///< 1/s^2, the fastest of this rank's rows on the barrier of an obstacle
   std::vector<GivenPoints> given;          ///< of each body; empty without any
   std::vector<std::vector<std::shared_ptr<const SignedDistance>>> fieldRegions;  ///< of each body's fields; null: everywhere
   double time = 0;                         ///< s, of the forces at hand

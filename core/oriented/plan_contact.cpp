@@ -11,15 +11,23 @@ namespace {
 constexpr double touching = 0.55;      // of the sum of the spacings
 constexpr double restitution = 0.3;    // of the spring; the barrier gives all back
 constexpr double leastRoom = 0.1;      // of the reach, where one lattice's gaps are as wide as that
+constexpr double leastKeep = 0.25;     // of the spacing, where a surface keeps no distance from obstacles: so far in it is held
 constexpr double bondPull = 4;         // of attract stiffness spacing: one and a half times the largest force of a bond of Lennard-Jones 12-6
 
-/// The speed (m/s) at which a surface and the continuum may meet.
-double meetingSpeed(const Scene& s) {
-  double surface = 0, other = 0;
+/// m/s, of all surfaces, falls left out.
+double surfaceSpeed(const Scene& s) {
+  double surface = 0;
   for (const OrientedBody& b : s.oriented) {
     surface = std::max(surface, length(b.velocity));
     for (const OrientedAnchor& a : b.anchors) surface = std::max(surface, fastestMove(a.motion));
   }
+  return surface;
+}
+
+/// The speed (m/s) at which a surface and the continuum may meet.
+double meetingSpeed(const Scene& s) {
+  const double surface = surfaceSpeed(s);
+  double other = 0;
   for (const Body& b : s.bodies) other = std::max(other, length(b.velocity));
   for (const Emitter& e : s.emitters) other = std::max(other, e.speed);
   for (const Obstacle& o : s.obstacles) other = std::max(other, fastestMove(o.motion));
@@ -50,6 +58,23 @@ std::vector<OrientedContact> planOrientedContact(const Scene& s, std::span<const
     all.push_back(std::move(c));
   }
   return all;
+}
+
+std::vector<ObstacleContact> planObstacleContact(const Scene& s) {
+  double speed = surfaceSpeed(s) + fallSpeed(s.domain), obstacles = 0;
+  for (const Obstacle& o : s.obstacles) obstacles = std::max(obstacles, fastestMove(o.motion));
+  speed += obstacles;
+  std::vector<ObstacleContact> all;
+  for (const OrientedBody& b : s.oriented) {
+    const double own = spacingOf(s, b), keep = b.thickness * own, room = std::max(keep, leastKeep * own);
+    all.push_back({keep, room, b.contact * b.stiffness, std::max(bondPull * b.attract * b.stiffness * own / room, orientedMass(b, own) * std::pow(2 * speed / room, 2))});
+  }
+  return all;
+}
+
+ObstaclePush pushAt(const ObstacleContact& c, double depth) {
+  const double d = std::min(depth, c.room), cube = 2 * c.barrier * d * d * d / (c.room * c.room);
+  return {c.spring * depth + cube, 0.5 * c.spring * depth * depth + 0.25 * cube * d + cube * (depth - d), depth < c.room ? 6 * c.barrier * d * d / (c.room * c.room) : 0};
 }
 
 TouchLaw contactLaw(const OrientedContact& c, std::size_t material, double mass, double span) {

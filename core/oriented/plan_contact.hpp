@@ -25,6 +25,25 @@ struct OrientedContact {
 /// and what bonds ask for that drag the surface's particles into a body.
 std::vector<OrientedContact> planOrientedContact(const Scene& scene, std::span<const LiquidMaterial> liquids);
 
+/// Contact of an oriented body with obstacles: a spring of OrientedBody::contact times its stiffness from its `thickness` on, and beside it a barrier with the energy b depth^4 / (2 room^2).
+struct ObstacleContact {
+  double keep = 0;     ///< m, distance at which it begins
+  double room = 0;     ///< m, depth up to which the barrier grows: there a particle is in the obstacle. Deeper the barrier's force stays as it is
+  double spring = 0;   ///< N/m
+  double barrier = 0;  ///< N/m, b
+};
+
+/// Of each oriented body. b is the larger of m (2 v / room)^2, of a particle's mass and the speed of the scene, and of what its bonds ask for that drag it into an obstacle, as with bodies.
+std::vector<ObstacleContact> planObstacleContact(const Scene& scene);
+
+struct ObstaclePush {
+  double force = 0;   ///< N
+  double energy = 0;  ///< J
+  double slope = 0;   ///< N/m, of the barrier's force
+};
+/// At a depth (m) above 0.
+ObstaclePush pushAt(const ObstacleContact& contact, double depth);
+
 /// The law of a pair with a particle of this material and mass (kg); span: s, of the step at hand.
 TouchLaw contactLaw(const OrientedContact& contact, std::size_t material, double mass, double span);
 

@@ -7,6 +7,7 @@
 #include "core/kinds/kind_books.hpp"
 #include "core/kinds/kinds.hpp"
 #include "core/math/hash_random.hpp"
+#include "core/oriented/birth_room.hpp"
 #include "core/oriented/follow_given.hpp"
 #include "core/oriented/given_surface.hpp"
 #include "core/oriented/oriented_forces.hpp"
@@ -26,6 +27,7 @@ constexpr int leastInRing = 3;          // around an end of a gap: with fewer it
 constexpr double burst = 0.5;           // kinetic energy of the ends' relative motion, over the depth of Lennard-Jones' well: above, they fly apart
 constexpr double beside = 1.65;         // spacings within which neighbours count for an open border
 constexpr double openAngle = 1.95;      // rad between neighbours from which there is room for one more: 60 degrees in a hexagonal lattice
+constexpr double fromObstacles = 0.5;   // of a thickness, at a border: what lies on an obstacle is pressed in by less, if it is not drawn into it, as a gap over one may be
 constexpr std::uint64_t bornBit = std::uint64_t(1) << 63;
 
 struct Offer { bool there = false; Vec3d place{}, normal{}; };
@@ -209,6 +211,8 @@ bool changePopulation(World& w, Halos halos, StepTools& t, double dt) {
   halos.all.sum(members);
   // searching for rows that a ghost does not have is no use: all that decides is among what ghosts carry
   std::vector<Offer> offers(o.owned);
+  std::vector<std::uint32_t> parents, dead;
+  std::vector<BirthPlace> places;
   for (std::size_t i = 0; i < o.owned; i++) {
     o.offerRank[i] = 0;
     o.offer[i] = {};
@@ -216,16 +220,27 @@ bool changePopulation(World& w, Halos halos, StepTools& t, double dt) {
     if (body.growth == OrientedGrowth::None || members[o.body[i]] >= body.most) continue;
     const PairPotential& p = t.oriented.potentials[o.body[i]];
     offers[i] = offerInGap(w, t, body, p, i);
-    if (!offers[i].there && body.growth == OrientedGrowth::Borders) offers[i] = offerAtBorder(w, t, p, i);
+    double apart = 0;
+    if (!offers[i].there && body.growth == OrientedGrowth::Borders) {
+      offers[i] = offerAtBorder(w, t, p, i);
+      apart = fromObstacles * body.thickness * p.spacing;
+    }
     if (!offers[i].there) continue;
     if (!w.scene.domain.holds(offers[i].place) && !w.grid.periodic[0] && !w.grid.periodic[1] && !w.grid.periodic[2]) continue;
+    parents.push_back(static_cast<std::uint32_t>(i));
+    places.push_back({o.body[i], offers[i].place, apart});
+  }
+  const std::vector<char> taken = takenPlaces(w, places, halos.all);
+  for (std::size_t k = 0; k < parents.size(); k++) {
+    const std::uint32_t i = parents[k];
+    if (taken[k]) continue;
     o.offer[i] = offers[i].place - o.position[i];
     o.offerRank[i] = 1 + (randomBits(w.scene.seed, Purpose::OrientedBirth, o.id[i], step) >> 1);
   }
   halos.kinds[orientedKind]->beginRefresh(o, ColumnList{&o.offer, &o.offerRank});
   halos.kinds[orientedKind]->finishRefresh(o);
 
-  std::vector<std::uint32_t> parents, dead;
+  parents.clear();
   for (std::size_t i = 0; i < o.owned; i++) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];
     const PairPotential& p = t.oriented.potentials[o.body[i]];

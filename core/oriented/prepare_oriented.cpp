@@ -85,7 +85,7 @@ void prepareOriented(Scene& s, OrientedWork& work, const MeshLoader& load) {
   }
 }
 
-std::vector<std::vector<Vec3d>> sampleOriented(World& w, Halos halos, const MeshLoader& load) {
+std::vector<std::vector<Vec3d>> sampleOriented(World& w, Halos halos, const MeshLoader& load, std::vector<SceneWarning>& warnings) {
   Oriented& o = w.oriented.rows;
   SceneProblems problems;
   const auto ranks = static_cast<std::size_t>(halos.all.size()), rank = static_cast<std::size_t>(halos.all.rank());
@@ -107,11 +107,21 @@ std::vector<std::vector<Vec3d>> sampleOriented(World& w, Halos halos, const Mesh
       continue;
     }
     places[b] = made.places;
+    const auto tell = [&](const SourcePlace& where, const std::string& whose, const std::vector<std::string>& notes) {
+      for (const std::string& note : notes) warnings.push_back({where, whose + ": " + note});
+    };
+    tell(body.where, "oriented body '" + body.name + "'", made.notes);
     if (body.growth != OrientedGrowth::None && made.places.size() > static_cast<std::size_t>(body.most))
       problems.add(body.where, "oriented body '" + body.name + "': it begins with " + std::to_string(made.places.size()) + " particles and is to grow to `most` = " + std::to_string(body.most) +
                                    "; expected at least as many");
     std::vector<std::shared_ptr<const SignedDistance>> regions;
-    for (const OrientedAnchor& a : body.anchors) regions.push_back(makeSignedDistance(a.region, load, "oriented body '" + body.name + "': an anchor", problems));
+    for (const OrientedAnchor& a : body.anchors) {
+      const std::string whose = "oriented body '" + body.name + "': an anchor";
+      regions.push_back(makeSignedDistance(a.region, load, whose, problems));
+      std::vector<std::string> notes;
+      if (regions.back()) regions.back()->addNotes(notes);
+      tell(a.where, whose, notes);
+    }
     std::vector<std::size_t> holds(body.anchors.size(), 0);
     Outside outside;
     for (std::size_t k = 0; k < made.places.size(); k++) {

@@ -17,6 +17,8 @@
 namespace thaw {
 namespace {
 
+constexpr double perObstacle = 0.5;  // of a step for the barrier of obstacles, a radian twice
+
 constexpr double perContact = 0.25;  // of a step for contacts, whose force grows with the cube of the depth: twice as long a surface that is pressed on a body gains 1 % of its energy
 
 /// Adds the rows' energy to what changes without work: `sign` 1 before the change, -1 after it.
@@ -181,6 +183,7 @@ double orientedStepLimit(const World& w, const StepTools& t) {
   const OrientedIntegrator how = w.scene.oriented.front().integrator;  // for all, as in the step
   const double stable = how == OrientedIntegrator::SymplecticEuler ? 2 : how == OrientedIntegrator::RungeKutta ? 2.8 : 20;
   double dt = t.oriented.fastest2 > 0 ? perContact / std::sqrt(t.oriented.fastest2) : never;
+  if (t.oriented.atObstacles2 > 0) dt = std::min(dt, perObstacle / std::sqrt(t.oriented.atObstacles2));  // explicit in all integrators
   for (std::size_t i = 0; i < o.owned; i++) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];
     const double s = spacingOf(w.scene, body);

@@ -108,6 +108,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   t.kernels = pairKernels();
   t.liquids = liquidMaterials(w.scene);
   if (w.modules.sheet) planParticleContact(w.scene, t.liquids, w.sheets.plans);
+  if (w.modules.oriented) t.oriented.obstacles = planObstacleContact(w.scene);
   if (w.modules.meeting) t.oriented.contacts = planOrientedContact(w.scene, t.liquids);
   t.fixedLimits = materialLimits(w.scene, w.modules, t.liquids);
   if (w.modules.substeps && !w.modules.contact) std::swap(t.longestContact, t.fixedLimits[Limit::Contact]);
@@ -153,11 +154,16 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
   problems.raise();
   // a first partition by the number of particles; they are still where they were sampled
   Continuum& p = w.particles;
-  const std::vector<std::vector<Vec3d>> oriented = sampleKinds(w, halos, t, load);
+  const std::vector<std::vector<Vec3d>> oriented = sampleKinds(w, halos, t, load, report.warnings);
   if (w.modules.kinds())
     for (SceneWarning& warning : kindStartWarnings(w, shapes, oriented, halos.all, problems)) report.warnings.push_back(std::move(warning));
   problems.raise();
-  for (std::size_t b = 0; b < shapes.size(); b++) {  // what was mended of meshes
+  for (const Wall& wall : w.walls.list) {  // what was mended of meshes
+    std::vector<std::string> notes;
+    wall.shape->addNotes(notes);
+    for (const std::string& note : notes) report.warnings.push_back({wall.properties.where, "obstacle '" + wall.properties.name + "': " + note});
+  }
+  for (std::size_t b = 0; b < shapes.size(); b++) {
     std::vector<std::string> notes;
     shapes[b]->addNotes(notes);
     for (const std::string& note : notes) report.warnings.push_back({w.scene.bodies[b].where, "body '" + w.scene.bodies[b].name + "': " + note});

@@ -3,18 +3,13 @@
 #include <cmath>
 
 #include "core/neighbours/rows_around.hpp"
+#include "core/oriented/solid_share.hpp"
 
 namespace thaw {
 namespace {
 
 constexpr double inside = 0.7;  // of the kernel
-
-/// 1/m^3, cubic spline of a support of two spacings: over the places of a lattice its sum is the lattice's 1/s^3 to 1 %.
-double kernelOf(double r, double s) {
-  const double q = r / s, far = 2 - q;
-  if (!(q < 2)) return 0;
-  return (q < 1 ? 1 - q * q * (1.5 - 0.75 * q) : 0.25 * far * far * far) / (3.14159265358979323846 * s * s * s);
-}
+constexpr double inObstacle = 0.25;  // spacings: surfaces without thickness lie as deep in it as its spring lets them
 
 }  // namespace
 
@@ -24,7 +19,7 @@ std::vector<Sunken> findSunken(World& w, Halos halos) {
   const Oriented& o = w.oriented.rows;
   halos.cells.beginRefresh(p, ColumnList{&p.phase});  // what has melted or frozen since
   halos.cells.finishRefresh(p);
-  const double s = w.scene.spacing, volume = s * s * s;
+  const double s = w.scene.spacing;
   std::vector<std::int64_t> count(w.scene.oriented.size() * bodies, 0);
   std::vector<RowRange> ranges;
   std::vector<double> full(bodies);
@@ -37,7 +32,7 @@ std::vector<Sunken> findSunken(World& w, Halos halos) {
       std::fill(full.begin(), full.end(), 0.0);
       for (const RowRange& r : ranges)
         for (std::uint32_t j = r.begin; j < r.end; j++)
-          if (p.phase[j] == Solid && p.body[j] < bodies) full[p.body[j]] += volume * kernelOf(length(p.position[j] - o.position[i]), s);
+          if (p.phase[j] == Solid && p.body[j] < bodies) full[p.body[j]] += solidShare(length(p.position[j] - o.position[i]), s);
       for (std::size_t b = 0; b < bodies; b++) count[o.body[i] * bodies + b] += full[b] > inside;
     }
   }
@@ -45,6 +40,27 @@ std::vector<Sunken> findSunken(World& w, Halos halos) {
   std::vector<Sunken> found;
   for (std::size_t k = 0; k < count.size(); k++)
     if (count[k] > 0) found.push_back({k / bodies, k % bodies, count[k]});
+  return found;
+}
+
+std::vector<Sunken> findSunkenInObstacles(const World& w, Reducer& all) {
+  const Oriented& o = w.oriented.rows;
+  const std::size_t walls = w.walls.list.size();
+  std::vector<std::int64_t> count(w.scene.oriented.size() * walls, 0);
+  for (std::size_t i = 0; i < o.owned; i++) {
+    if (o.flags[i] & heldPlace) continue;
+    const double deep = inObstacle * spacingOf(w.scene, w.scene.oriented[o.body[i]]);
+    for (std::size_t k = 0; k < walls; k++) {
+      const Wall& wall = w.walls.list[k];
+      if (!wall.present) continue;
+      const Vec3d rest = toRest(wall.pose, o.position[i]);
+      count[o.body[i] * walls + k] += nearBounds(wall.bounds, rest, 0) && wall.shape->distanceWithin(rest, 2 * deep) < -deep;
+    }
+  }
+  if (!count.empty()) all.sum(count);
+  std::vector<Sunken> found;
+  for (std::size_t k = 0; k < count.size(); k++)
+    if (count[k] > 0) found.push_back({k / walls, k % walls, count[k]});
   return found;
 }
 

@@ -1,4 +1,4 @@
-// Oriented particles that have come into a solid, where contact holds them no more on one side of it.
+// Oriented particles that have come into an obstacle, or into a solid, where contact holds them no more on one side of it.
 #pragma once
 #include "core/step.hpp"
 
@@ -14,5 +14,8 @@ struct Sunken {
 /// holds them off). Where a solid goes through a surface, particles of the surface are in it meanwhile. The same on any number of ranks. Needs a world between two steps, with the ghosts of the
 /// last one; sends their phase again. Collective.
 std::vector<Sunken> findSunken(World& world, Halos halos);
+
+/// Free oriented particles more than a quarter of their spacing inside an obstacle (`body`: its number among the walls): drawn into it, or there from the start. Collective.
+std::vector<Sunken> findSunkenInObstacles(const World& world, Reducer& all);
 
 }  // namespace thaw

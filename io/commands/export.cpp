@@ -145,6 +145,15 @@ std::vector<ComponentMesh> meshesOf(const OrientedFrame& frame, const OrientedMe
   return meshes;
 }
 
+/// Of particles that no triangle or line has: how many, and the id of the first.
+std::string aloneText(const OrientedFrame& frame, const std::vector<std::uint8_t>& used) {
+  const auto alone = std::count(used.begin(), used.end(), std::uint8_t{0});
+  if (alone == 0) return "";
+  const std::uint64_t first = frame.ids.empty() ? 0 : frame.ids[static_cast<std::size_t>(std::find(used.begin(), used.end(), std::uint8_t{0}) - used.begin())];
+  return alone == 1 ? fmt::format("; 1 particle (id {}) is joined to none: further from all others than twice its spacing", first)
+                    : fmt::format("; {} particles (the first: id {}) are joined to none: further from all others than twice their spacing", alone, first);
+}
+
 void exportOriented(const fs::path& file, const fs::path& out, const ExportOptions& options) {
   if (options.as != "ply" && options.as != "obj" && options.as != "vtp") throw std::invalid_argument("oriented particles are exported as ply, obj or vtp, not as " + options.as);
   FrameData all = readFrame(file.string());
@@ -158,9 +167,8 @@ void exportOriented(const fs::path& file, const fs::path& out, const ExportOptio
   } else {
     (options.as == "ply" ? writeMeshPly : writeMeshObj)(out, meshesOf(frame, made));
   }
-  const auto alone = static_cast<std::size_t>(std::count(made.used.begin(), made.used.end(), std::uint8_t{0}));
   fmt::print("{}: {} particles, {} triangles, {} lines (of what has no triangles: curves){}\n", out.string(), frame.positions.size(), made.triangles.size(), made.lines.size(),
-             alone > 0 ? fmt::format("; {} particles are joined to none: further from all others than twice their spacing", alone) : "");
+             aloneText(frame, made.used));
 }
 
 bool isSheetFrame(const FrameInfo& info) {
@@ -205,7 +213,7 @@ void exportSheets(const fs::path& file, const fs::path& out, const ExportOptions
   }
   if (out.has_parent_path()) fs::create_directories(out.parent_path());
   (options.as == "ply" ? writeMeshPly : writeMeshObj)(out, meshes);
-  fmt::print("{}: {} vertices, {} sheets, {} triangles\n", out.string(), frame.positions.size(), meshes.size(), frame.triangles.size());
+  fmt::print("{}: {} vertices, {} {}, {} triangles\n", out.string(), frame.positions.size(), meshes.size(), meshes.size() == 1 ? "sheet" : "sheets", frame.triangles.size());
 }
 
 void exportFrame(const fs::path& file, const fs::path& out, const ExportOptions& options) {

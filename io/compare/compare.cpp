@@ -214,6 +214,18 @@ void compareNumbers(const Snapshot& a, const Snapshot& b, const CompareRule& rul
       result.general.push_back(fmt::format("{} is in B only", y.name));
 }
 
+constexpr std::size_t mostOfAKind = 4;
+
+/// By the first word, in the order of the first of each kind: two scenes that have little in common differ in hundreds of marks.
+void addFewOfEachKind(const std::vector<std::string>& all, std::vector<std::string>& lines) {
+  const auto kindOf = [](const std::string& line) { return line.substr(0, line.find_first_of(".: ") + 1); };
+  std::map<std::string, std::size_t> told;
+  for (const std::string& line : all)
+    if (told[kindOf(line)]++ < mostOfAKind) lines.push_back(line);
+  for (const auto& [kind, count] : told)
+    if (count > mostOfAKind) lines.push_back(fmt::format("... and {} more of {}", count - mostOfAKind, kind.substr(0, kind.size() - 1)));
+}
+
 }  // namespace
 
 Comparison compareSnapshots(const Snapshot& a, const Snapshot& b, const CompareRule& rule) {
@@ -255,7 +267,7 @@ std::vector<std::string> describe(const Comparison& c) {
   compared += fmt::format(", {} fields", c.columns);
   if (c.equal()) return {"equal: " + compared};
   std::vector<std::string> lines{"different"};
-  for (const std::string& g : c.general) lines.push_back(g);
+  addFewOfEachKind(c.general, lines);
   if (!c.fields.empty()) {
     const auto first = std::min_element(c.fields.begin(), c.fields.end(), [](const FieldDifference& a, const FieldDifference& b) { return a.firstId < b.firstId; });
     lines.push_back("first difference: " + first->first);

@@ -60,9 +60,17 @@ std::string MarkWords::text(const std::string& key, double value) const {
   const std::string last = lastOf(key);
   if (!isName(key) && (last == "material" || (last == "other" && ofEvent(key)))) return nameOf(last == "material" ? "material" : "oriented", value);
   const std::vector<std::string>* words = wordsOf(key);
+  if (value == never) return "\"never\"";
   if (!words || !(value >= 0 && value < static_cast<double>(words->size()))) return fmt::format("{}", value);
   const std::string& word = (*words)[static_cast<std::size_t>(value)];
   return word == "false" || word == "true" ? word : "\"" + word + "\"";
+}
+
+std::string MarkWords::key(const std::string& mark) const {
+  const std::size_t at = mark.rfind(".points");
+  if (at == std::string::npos || firstOf(mark) != "oriented" || (mark.substr(at) != ".points" && mark.substr(at) != ".points.checksum")) return mark;
+  const auto source = marks_.find(mark.substr(0, at) + ".source");
+  return source != marks_.end() && source->second == static_cast<double>(OrientedSource::Control) ? mark.substr(0, at) + ".control" + mark.substr(at + 7) : mark;
 }
 
 std::string MarkWords::unit(const std::string& key) const {

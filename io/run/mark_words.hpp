@@ -12,8 +12,10 @@ namespace thaw {
 class MarkWords {
  public:
   explicit MarkWords(const CheckpointValues& marks);
-  /// The value of a mark: the word of a choice in quotes, true or false, the name of a material or an oriented body, else the number.
+  /// The value of a mark: the word of a choice in quotes, true or false, the name of a material or an oriented body, "never", else the number.
   std::string text(const std::string& key, double value) const;
+  /// A mark's key as the scene file has it: the points of a body that is made of `control` are that.
+  std::string key(const std::string& mark) const;
   /// What stands behind numbers in a message: " (SI)", or " (place in the list)"; nothing behind words.
   std::string unit(const std::string& key) const;
 

@@ -153,6 +153,9 @@ void warnOfIdle(Run& r) {
 
 void warnOfSunken(Run& r) {
   const World& w = r.world;
+  if (w.modules.oriented && r.inObstaclesTold.size() < w.scene.oriented.size() * w.walls.list.size())
+    for (const Sunken& s : findSunkenInObstacles(w, r.all))
+      if (r.inObstaclesTold.insert({s.oriented, s.body}).second) r.warn(sunkenLine(w.scene.oriented[s.oriented], w.walls.list[s.body].properties, s.count, w.clock.time));
   if (!w.modules.meeting || !w.modules.solid || r.sunkenTold.size() == w.scene.oriented.size() * w.scene.bodies.size()) return;
   for (const Sunken& s : findSunken(r.world, r.halos()))
     if (r.sunkenTold.insert({s.oriented, s.body}).second) r.warn(sunkenLine(w.scene.oriented[s.oriented], w.scene.bodies[s.body], s.count, w.clock.time));

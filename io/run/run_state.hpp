@@ -55,6 +55,7 @@ struct Run {
   bool begun = false;                    // the world holds its particles
   bool cutAtStart = false;               // stopped in the relaxation before the start: nothing of the run is there
   std::set<std::pair<std::size_t, std::size_t>> sunkenTold;  // oriented bodies and bodies that warnOfSunken has told of
+  std::set<std::pair<std::size_t, std::size_t>> inObstaclesTold;  // the same of oriented bodies and walls
   bool stepping = false;                 // in the loop, where ranks wait for each other
 
   Run(const RunOptions& o, const Communicator& c) : options(o), comm(c), all(c) {}

@@ -213,8 +213,8 @@ std::vector<std::string> sceneDifferences(const CheckpointValues& stored, const 
   for (const auto& [key, value] : stored) {
     if (mayChange(key)) continue;
     const auto it = now.find(key);
-    if (it == now.end()) differences.push_back(fmt::format("{} is not in the scene any more", key));
-    else if (it->second != value) tellChange(differences, key, then.text(key, value), words.text(key, it->second), then.unit(key));
+    if (it == now.end()) differences.push_back(fmt::format("{} is not in the scene any more", then.key(key)));
+    else if (it->second != value) tellChange(differences, then.key(key), then.text(key, value), words.text(key, it->second), then.unit(key));
   }
   for (const auto& [key, value] : now)
     if (!mayChange(key) && !stored.contains(key)) differences.push_back(fmt::format("{} was not in the scene then", key));

@@ -216,13 +216,13 @@ void readOriented(TableReader& r, SceneReading& x) {
   r.number("spin_damping", b.spinDamping, "1/s", notNegative(), "rate at which rotations decay");
   r.number("pressure", b.pressure, "Pa", anyNumber(), "along the normals; below 0: pulls the surface together around what it encloses");
   r.vector("push", b.push, "m/s^2", "uniform acceleration beside gravity");
-  r.number("contact", b.contact, "", positive(), "stiffness of contacts over `stiffness`; toward bodies a barrier that follows from the scene's speeds and masses is beside it. There is no restitution: `damping` takes motion away");
+  r.number("contact", b.contact, "", positive(), "stiffness of contacts over `stiffness`; toward bodies and obstacles a barrier that follows from the scene's speeds and masses is beside it. There is no restitution: `damping` takes motion away");
   r.number("thickness", b.thickness, "", notNegative(), "distance kept from obstacles, spacings");
   r.number("friction", b.friction, "", between(0, 10), "Coulomb friction on obstacles, if theirs is not larger");
   r.choice("integrator", b.integrator, {"symplectic", "rk4", "semi-implicit"}, "that of the first oriented body is for all: symplectic Euler, Runge-Kutta of fourth order, or linearised backward Euler, which takes far longer steps");
   r.number("cfl", b.cfl, "", between(1e-4, 10), "step over the longest that is stable for the stiffest particle (semi-implicit: over ten times that of symplectic Euler)");
   r.whole("relax", b.relax, 0, 10000000, "iterations of relaxation to rest before the start, at most; fewer, with a warning, where what grows or goes gets no nearer to it");
-  r.choice("growth", b.growth, {"none", "gaps", "borders"}, "where particles are made: nowhere, in gaps between neighbours, or at open borders as well; at these without end, unless \"thin\", \"points\" or \"most\" bound it");
+  r.choice("growth", b.growth, {"none", "gaps", "borders"}, "where particles are made: nowhere, in gaps between neighbours, or at open borders as well; at these without end, unless \"thin\", \"points\" or \"most\" bound it; points of a surface with an open rim do not say where it ends, and want \"most\"");
   r.number("gap", b.gap, "", between(1.1, 2.1), "distance of neighbours, in spacings, from which one is put between them");
   r.number("crowd", b.crowd, "", between(0, 0.95), "distance, in spacings, below which one of two goes; 0: never");
   r.whole("every", b.every, 1, 100000, "steps between looks at gaps, borders and crowds");
@@ -232,8 +232,8 @@ void readOriented(TableReader& r, SceneReading& x) {
   r.tables("event", "something that is done to the body", [&](TableReader& e) { readEvent(e, b); });
   if (r.describing()) return;
   if (b.attractPower >= b.repelPower) r.fail("attract_power", "must be below repel_power", {"repel_power"});
-  if (b.growth == OrientedGrowth::Borders && b.thin == 1 && b.points.empty() && !r.has("most"))
-    r.fail("growth", "at open borders a body grows for as long as there is one, beyond its holes and without end, unless points of `thin` below 1 or `points` say where its surface is: expected one of these, \"gaps\", or `most`, the number of its particles at which it ends");
+  if (b.growth == OrientedGrowth::Borders && b.thin == 1 && b.source != OrientedSource::Points && !r.has("most"))
+    r.fail("growth", "at open borders a body grows for as long as there is one, beyond its holes and without end, unless points of `thin` below 1 or `points` of a closed surface say where it is: expected one of these, \"gaps\", or `most`, the number of its particles at which it ends");
   if (b.along > b.across) r.fail("along", "must not be above across", {"across"});
   if (!x.scene->oriented.empty()) {
     const OrientedIntegrator first = x.scene->oriented.front().integrator;

@@ -35,13 +35,7 @@ bool meshEnding(std::string path) {
 
 void readMesh(TableReader& r, Shape& s) {
   r.text("mesh", s.mesh, "closed mesh: OBJ, PLY or STL, relative to the file that names it; or \"builtin:bust\" or \"builtin:head\", both 1 m tall. Its surfels have the normals of the file (PLY nx ny nz, OBJ vn); where it has none, those are 0, or point to the other side of their triangle (the run tells how many), smooth ones follow from the triangles", "path or \"builtin:bust\"");
-  if (s.mesh.empty()) {
-    if (r.has("mesh")) r.fail("mesh", "expected the path of an OBJ, PLY or STL file, or " + std::string(builtinList));
-  } else if (namesBuiltin(s.mesh)) {
-    if (!isBuiltin(s.mesh)) r.fail("mesh", "there is no built-in mesh '" + s.mesh.substr(8) + "'; there is " + builtinList);
-  } else if (!meshEnding(s.mesh)) {
-    r.fail("mesh", "expected a file that ends in .obj, .ply or .stl, got \"" + s.mesh + "\"");
-  }
+  checkMeshPath(r, s.mesh);
 }
 
 void readSolids(TableReader& r, Shape& s) {
@@ -92,6 +86,16 @@ constexpr Key solids[] = {{"mesh", ShapeKind::Mesh, ""},   {"box", ShapeKind::Bo
                           {"torus", ShapeKind::Torus, ""}, {"glass", ShapeKind::Glass, ""}, {"plane", ShapeKind::HalfSpace, ""}};
 
 }  // namespace
+
+void checkMeshPath(TableReader& r, const std::string& path) {
+  if (path.empty()) {
+    if (r.has("mesh")) r.fail("mesh", "expected the path of an OBJ, PLY or STL file, or " + std::string(builtinList));
+  } else if (namesBuiltin(path)) {
+    if (!isBuiltin(path)) r.fail("mesh", "there is no built-in mesh '" + path.substr(8) + "'; there is " + builtinList);
+  } else if (!meshEnding(path)) {
+    r.fail("mesh", "expected a file that ends in .obj, .ply or .stl, got \"" + path + "\"");
+  }
+}
 
 std::vector<std::string> shapeWords() {
   std::vector<std::string> words(std::size(solids) + std::size(parts));

@@ -15,6 +15,9 @@ bool hasShape(const TableReader& reader);
 /// Refuses all keys of shapes, where none is meant.
 void refuseShape(TableReader& reader, const char* why);
 
+/// Says what is wrong with the path of a mesh that the key `mesh` of a table has, if anything is: it is to be a file that ends in .obj, .ply or .stl, or one that is built in.
+void checkMeshPath(TableReader& reader, const std::string& path);
+
 /// The key `place` alone, of things that are no shapes but stand somewhere.
 void readPlace(TableReader& reader, Shape& shape);
 /// Describes the keys of all shapes.

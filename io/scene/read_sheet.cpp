@@ -55,6 +55,7 @@ void readSheetMesh(TableReader& r, SheetBody& b) {
     if (!(b.height < pi * b.radius)) t.fail("height", fmt::format("must be less than from pole to pole of the ball, {:.4g} m, got {:g}", pi * b.radius, b.height));
   });
   r.text("mesh", b.shape.mesh, "triangles of an OBJ, PLY or STL file, open or closed, in one piece or several; or \"builtin:bust\" or \"builtin:head\"", "path or \"builtin:bust\"");
+  if (!r.describing()) checkMeshPath(r, b.shape.mesh);
   r.number("spacing", b.spacing, "m", notNegative(), "distance of vertices of meshes that are made here; 0: that of the scene's particles");
   readPlace(r, b.shape);
 }

@@ -41,6 +41,11 @@ std::string sunkenLine(const OrientedBody& b, const Body& body, std::int64_t cou
                                           b.name, count, count == 1 ? "is" : "are", body.name, time, body.name));
 }
 
+std::string sunkenLine(const OrientedBody& b, const Obstacle& obstacle, std::int64_t count, double time) {
+  return warningLine(b.where, fmt::format("oriented body '{}': {} of its particles {} inside obstacle '{}' at {:.6g} s: they began there, or are drawn into it harder than contact holds; a larger `contact` is stiffer",
+                                          b.name, count, count == 1 ? "is" : "are", obstacle.name, time));
+}
+
 std::vector<std::string> sceneWarnings(const Scene& s) {
   std::vector<std::string> lines;
   for (const OrientedBody& b : s.oriented)

@@ -21,5 +21,6 @@ std::string idleFieldLine(const OrientedBody& body, const OrientedField& field);
 
 /// That particles of an oriented body have come into a body, by this time (s).
 std::string sunkenLine(const OrientedBody& oriented, const Body& body, std::int64_t count, double time);
+std::string sunkenLine(const OrientedBody& oriented, const Obstacle& obstacle, std::int64_t count, double time);
 
 }  // namespace thaw

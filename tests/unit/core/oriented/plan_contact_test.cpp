@@ -58,5 +58,23 @@ TEST(OrientedContactPlan, SeesContactComing) {
   EXPECT_EQ(slopeAhead(law, -1e-3, 20), 0);       // it leaves
 }
 
+// Toward obstacles: the push is the slope of its energy, the slope that of the push; at full depth it is more than bonds can pull and has stored more than a particle comes with.
+TEST(OrientedContactPlan, HoldsASurfaceOffObstacles) {
+  for (const double density : {0.1, 100.0}) {
+    Scene s = sceneOf(0.01, 1e5, 10);
+    s.oriented[0].density = density;
+    const ObstacleContact c = planObstacleContact(s)[0];
+    EXPECT_EQ(c.keep, 0.005);
+    for (const double depth : {0.2 * c.room, 0.7 * c.room, 1.5 * c.room}) {
+      const double d = 1e-6 * c.room, force = (pushAt(c, depth + d).energy - pushAt(c, depth - d).energy) / (2 * d);
+      EXPECT_NEAR(pushAt(c, depth).force, force, 1e-6 * force);
+      EXPECT_NEAR(pushAt(c, depth).slope + c.spring, (pushAt(c, depth + d).force - pushAt(c, depth - d).force) / (2 * d), 1e-5 * (pushAt(c, depth).slope + c.spring));
+    }
+    const double v = std::sqrt(2 * 9.81 * 0.5);
+    EXPECT_GT(pushAt(c, c.room).energy, 4 * 0.5 * orientedMass(s.oriented[0], 0.01) * v * v * (1 - 1e-9));
+    EXPECT_GT(pushAt(c, c.room).force, 8 * s.oriented[0].attract * s.oriented[0].stiffness * 0.01 * (1 - 1e-9));
+  }
+}
+
 }  // namespace
 }  // namespace thaw

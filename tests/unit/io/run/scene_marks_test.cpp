@@ -92,6 +92,24 @@ TEST(SceneMarks, WhatMakesOrientedBodiesMayNotChange) {
   EXPECT_TRUE(refused([](OrientedBody& b) { b.anchors[0].normal = true; }));
 }
 
+TEST(SceneMarks, AreToldInTheWordsOfTheScene) {
+  Scene s = sample();
+  s.oriented.emplace_back().name = "film";
+  s.oriented[0].source = OrientedSource::Control;
+  s.oriented[0].points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  s.sheets.emplace_back().name = "shell";
+  s.sheets.back().elasticLimit = 0.01;
+  const CheckpointValues then = sceneMarks(s);
+  s.oriented[0].points.push_back({1, 1, 0});
+  s.sheets.back().elasticLimit = never;
+  const std::vector<std::string> made = sceneDifferences(then, s), changes = coefficientChanges(then, s);
+  ASSERT_EQ(made.size(), 2u);
+  EXPECT_EQ(made[0], "oriented.film.control was 3, and is 4 now (SI)");
+  EXPECT_EQ(made[1].rfind("oriented.film.control.checksum was ", 0), 0u) << made[1];
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0], "sheet.shell.elastic_limit was 0.01, and is \"never\" now (SI)");
+}
+
 TEST(SceneMarks, WhatSaysHowBodiesBeginIsToldAsWithoutEffect) {
   Scene s = sample();
   s.oriented.emplace_back().name = "film";

@@ -75,16 +75,21 @@ TEST(BadKinds, WhatMeansNothingIsRefusedAtItsPlace) {
        "s.toml:10:1: error: sheet 'sheet 0': this region: the air's drag on vertices without mass has no stable step: expected mass > 0, or wind_density = 0 there"},
       {patch + "[[oriented.event]]\nkind = \"weld\"\n", "s.toml:9:1: error: oriented.a.event.0.other: is missing: the body to weld to this one"},
       {patch + "growth = \"borders\"\n", "s.toml:9:10: error: oriented.a.growth: at open borders a body grows for as long as there is one, beyond its holes and without end, unless points of `thin` below 1 or "
-                                          "`points` say where its surface is: expected one of these, \"gaps\", or `most`, the number of its particles at which it ends"},
+                                          "`points` of a closed surface say where it is: expected one of these, \"gaps\", or `most`, the number of its particles at which it ends"},
+      {"[[oriented]]\ncontrol = [[0, 0, 0], [0.4, 0, 0], [0, 0.4, 0]]\ngrowth = \"borders\"\n", "s.toml:8:10: error: oriented.0.growth: at open borders a body grows for as long as there is one, beyond its holes and without end, unless points of `thin` below 1 or "
+                                          "`points` of a closed surface say where it is: expected one of these, \"gaps\", or `most`, the number of its particles at which it ends"},
       {patch + "[[oriented.field]]\nfrom = 1\n", "s.toml:9:1: error: oriented.a.field.0: it does nothing: expected push, pull or pressure"},
       {patch + "[[oriented.field]]\npull = 3\nradius = 1\n", "s.toml:10:8: error: oriented.a.field.0.pull: needs the point that it is toward"},
       {patch + "[[oriented.field]]\npressure = 3\nfrom = 1\nuntil = 1\n", "s.toml:12:9: error: oriented.a.field.0.until: must be after `from`"},
+      {"[[sheet]]\nmesh = \"builtin:cat\"\n", "s.toml:7:8: error: sheet.0.mesh: there is no built-in mesh 'cat'; there is \"builtin:bust\" or \"builtin:head\""},
       {cloth + "wind = [1, 0, 0]\n", "s.toml:8:8: error: sheet.0.wind: needs wind_density: air without mass does not push"},
   };
   for (const auto& t : table) EXPECT_EQ(errorOf(t.text), t.line);
+  EXPECT_EQ(errorOf("[[sheet]]\nmesh = \"bowl.xyz\"\n").rfind("s.toml:7:8: error: sheet.0.mesh: expected a file that ends in .obj, .ply or .stl, got ", 0), 0u);
   EXPECT_EQ(errorOf(patch + "colour = \"blue\"\n"), "s.toml:9:10: error: oriented.a.colour: expected six hexadecimal digits such as \"#e8c890\"");
   EXPECT_EQ(errorOf(patch + "growth = \"borders\"\nmost = 500\n"), "");
   EXPECT_EQ(errorOf(patch + "growth = \"borders\"\nthin = 0.1\n"), "");
+  EXPECT_EQ(errorOf("[[oriented]]\ncontrol = [[0, 0, 0], [0.4, 0, 0], [0, 0.4, 0]]\ngrowth = \"borders\"\nmost = 500\n"), "") << "points that are not what the surface is filled up to";
   EXPECT_EQ(errorOf(patch + cloth), "");
   EXPECT_EQ(errorOf(cloth + "warp = 10\nwarp_direction = [1, 1, 0]\n"), "") << "on the bias";
   EXPECT_EQ(errorOf(cloth + "wind_density = 1\n"), "") << "air at rest drags";
