@@ -25,8 +25,7 @@ WallPush pushOf(const World& w, const StepTools& t, const Wall& wall, std::size_
   const ObstacleContact& contact = t.oriented.obstacles[o.body[i]];
   const double keep = contact.keep, deepest = 4 * p.spacing;
   const Vec3d rest = toRest(wall.pose, o.position[i]);
-  for (int a = 0; a < 3; a++)
-    if (rest[a] < wall.bounds.min[a] - keep || rest[a] > wall.bounds.max[a] + keep) return push;
+  if (!nearBounds(wall.bounds, rest, keep)) return push;
   Vec3d n;
   const double d = wall.shape->distanceWithin(rest, std::max(keep, deepest), &n), depth = std::min(keep - d, deepest);
   if (!(depth > 0)) return push;

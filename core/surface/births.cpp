@@ -20,7 +20,7 @@ struct Follower { std::size_t row; Vec3d d; double weight; };
 /// plane is as long as it is now. A strain that is left out here would have the newborn jump by that times its distance when it follows. Empty where they lie in a line.
 std::optional<Vec3d> placeAtStart(const Surfels& s, const std::vector<Follower>& followers, const Mat3d& frame, const Vec3d& startNormal) {
   constexpr double line = 0.02;  // of the larger moment
-  double sum = 0, across = 0, a = 0, b = 0, c = 0;
+  double sum = 0, a = 0, b = 0, c = 0;
   Vec3d mean{}, now{};
   for (const Follower& f : followers) sum += f.weight, now += f.weight * f.d, mean += f.weight * s.startPlace[f.row];
   now = now / sum;
@@ -33,7 +33,7 @@ std::optional<Vec3d> placeAtStart(const Surfels& s, const std::vector<Follower>&
     along1 += f.weight * u * then;
     along2 += f.weight * v * then;
   }
-  across = dot(now, frame.row[0]);  // from the place to the followers
+  const double across = dot(now, frame.row[0]);  // from the place to the followers
   const double det = a * c - b * b;
   if (!(det > line * std::max(a, c) * std::max(a, c))) return {};
   const double u = -dot(now, frame.row[1]), v = -dot(now, frame.row[2]);
