@@ -36,7 +36,7 @@ std::vector<MemoryUse> memoryOf(const World& w, const StepTools& t) {
           {"surface", bytesOf(static_cast<const Table&>(f.surfels)) + bytesOf(static_cast<const Table&>(f.particles)) +
                           bytesOf(f.surfelCells.key, f.surfelCells.first, f.surfelCells.count, f.particleCells.key, f.particleCells.first, f.particleCells.count)},
           {"walls and contacts", bytesOf(t.wallContacts.list, t.closePairs.list)},
-          {"sort and search", bytesOf(t.sort.gone, t.sort.movers, t.sort.before, t.sort.order, t.sort.moves.runs, t.sort.moves.singles, t.search.x, t.search.y, t.search.z, t.search.row)}};
+          {"sort and search", bytesOf(t.sort.gone, t.sort.movers, t.sort.before, t.sort.order, t.sort.moves.runs, t.sort.moves.singles, t.search.x, t.search.y, t.search.z, t.search.entry)}};
 }
 
 double totalBytes(const std::vector<MemoryUse>& use) {

@@ -251,7 +251,7 @@ void separateCoincident(World& w, const StepTools& t, std::int64_t before) {
       if (i == lists.dummy) continue;
       bool together = false;
       for (std::uint32_t k = 0; k < lists.count[g] && !together; k++) {
-        const std::uint32_t j = lists.list[lists.first[g] + 8ull * k + l];
+        const std::uint32_t j = lists.row(g, k, l);
         together = j != lists.dummy && std::memcmp(place + 4ull * i, place + 4ull * j, 12) == 0;
       }
       if (!together) continue;

@@ -63,7 +63,7 @@ template<class Action> void overPairs(const World& w, Action action) {
       const std::uint32_t i = n.self[8 * g + l];
       if (i == n.dummy) continue;
       for (std::uint32_t k = 0; k < n.count[g]; k++) {
-        const std::uint32_t j = n.list[n.first[g] + 8ull * k + l];
+        const std::uint32_t j = n.row(g, k, l);
         if (j == n.dummy) continue;
         const Vec3d d = w.particles.position[i] - w.particles.position[j];
         const double distance = length(d);

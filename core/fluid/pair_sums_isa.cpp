@@ -60,7 +60,7 @@ template<bool Viscous, bool Laplacian, bool Heat> void forcesOf(const PairSums& 
     using Real = decltype(real);
     const double h = in.support;
     const double pressure = in.pressureForm == PairForm::Printed ? 0.5 : in.fillingScale * h * h * h;
-    Forces<Real, decltype(kernel), Viscous, Laplacian, Heat> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, Lanes<Real>(pressure * h * h), Lanes<Real>(h),
+    Forces<Real, decltype(kernel), Viscous, Laplacian, Heat> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, Lanes<Real>(pressure * h * h), Lanes<Real>(h / lengthUnit<Real>),
                                                                   Lanes<Real>(in.viscousWeight.scale), in.conductionScale * h};
     sweep(*in.lists, range, term, !Heat);
   });
@@ -73,7 +73,7 @@ template<class Real, bool Heat, bool Shocks> void uniformOf(const PairSums& in, 
     const L v = L(static_cast<Real>(value));
     return L(2.0) * v * v / max(v + v, L(1e-30));
   };
-  UniformForces<Real, WendlandC2, Heat, Shocks> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, L(pressure * h * h), L(h), L(in.viscousWeight.scale),
+  UniformForces<Real, WendlandC2, Heat, Shocks> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, L(pressure * h * h), L(h / lengthUnit<Real>), L(in.viscousWeight.scale),
                                                      mean(in.viscosity), mean(in.conductivity), mean(in.artificial), in.conductionScale * h, 10 * h};
   sweep(*in.lists, range, term, !Heat);
 }

@@ -11,7 +11,9 @@ struct ViscousWeight { double scale = 225 / 3.14159265358979323846; };
 
 namespace THAW_ISA {
 
-template<class T> THAW_INLINE T alongPair(T scale, T q2) { return scale * max(T(1.0) - sqrt(q2), T(0.0)); }
+template<class T> THAW_INLINE T weightAt(T scale, T q) { return scale * max(T(1.0) - q, T(0.0)); }
+/// Of q^2.
+template<class T> THAW_INLINE T alongPair(T scale, T q2) { return weightAt(scale, sqrt(q2)); }
 
 }  // namespace THAW_ISA
 }  // namespace thaw

@@ -1,4 +1,5 @@
-// Smoothing kernels in units of the support radius: q = r / h, zero for q >= 1, in 3D. T is double or Lanes<Real>.
+// Smoothing kernels in units of the support radius: q = r / h, zero for q >= 1, in 3D. T is double or Lanes<Real>. Each is given q and its square, and
+// what it does not use costs nothing.
 //   w(q)       W   = w(q) / h^3
 //   slope(q)   grad W = slope(q) * x_hat_q / h^4 with x in units of h: slope = w'(q) / q, negative
 //   laplace(q) kernel of the Laplacian of a field, sum_j V_j (a_j - a_i) laplace(q) / h^5 (times h^3 / h^3): see each kernel
@@ -14,47 +15,58 @@ namespace THAW_ISA {
 THAW_INLINE double sqrt(double a) { return __builtin_sqrt(a); }
 THAW_INLINE double max(double a, double b) { return a > b ? a : b; }
 THAW_INLINE double select(bool m, double a, double b) { return m ? a : b; }
+THAW_INLINE double fma(double a, double b, double c) { return __builtin_fma(a, b, c); }
 
 inline constexpr double pi = 3.14159265358979323846;
 
+/// The same of the square alone.
+template<class Kernel> struct OfSquare {
+  template<class T> static THAW_INLINE T w(T q2) { return Kernel::w(sqrt(q2), q2); }
+  template<class T> static THAW_INLINE T slope(T q2) { return Kernel::slope(sqrt(q2), q2); }
+  template<class T> static THAW_INLINE T laplace(T q2) { return Kernel::laplace(sqrt(q2), q2); }
+};
+
 /// Wendland 1995 C2 function, support h: positive Fourier transform, no pairing (accuracy.md B6). The default.
-struct WendlandC2 {
-  template<class T> static THAW_INLINE T w(T q2) {
-    const T q = sqrt(q2), u = max(T(1.0) - q, T(0.0)), u2 = u * u;
-    return T(21 / (2 * pi)) * (u2 * u2) * (T(4.0) * q + T(1.0));
+struct WendlandC2 : OfSquare<WendlandC2> {
+  using OfSquare<WendlandC2>::w, OfSquare<WendlandC2>::slope, OfSquare<WendlandC2>::laplace;
+  template<class T> static THAW_INLINE T w(T q, T) {
+    const T u = max(T(1.0) - q, T(0.0)), u2 = u * u;
+    return T(21 / (2 * pi)) * (u2 * u2) * fma(T(4.0), q, T(1.0));
   }
-  template<class T> static THAW_INLINE T slope(T q2) {
-    const T u = max(T(1.0) - sqrt(q2), T(0.0));
+  template<class T> static THAW_INLINE T slope(T q, T) {
+    const T u = max(T(1.0) - q, T(0.0));
     return T(-210 / pi) * (u * u * u);
   }
   /// Brookshaw's form 2 |w'| / q: second derivative from first ones
-  template<class T> static THAW_INLINE T laplace(T q2) { return T(-2.0) * slope(q2); }
+  template<class T> static THAW_INLINE T laplace(T q, T q2) { return T(-2.0) * slope(q, q2); }
 };
 
 /// Mueller, Charypar, Gross 2003 (MCG03): poly6 for densities, spiky for gradients, their viscosity kernel for Laplacians.
-struct Mcg03 {
-  template<class T> static THAW_INLINE T w(T q2) {
+struct Mcg03 : OfSquare<Mcg03> {
+  using OfSquare<Mcg03>::w, OfSquare<Mcg03>::slope, OfSquare<Mcg03>::laplace;
+  template<class T> static THAW_INLINE T w(T, T q2) {
     const T u = max(T(1.0) - q2, T(0.0));
     return T(315 / (64 * pi)) * (u * u * u);
   }
-  template<class T> static THAW_INLINE T slope(T q2) {
-    const T q = sqrt(q2), u = max(T(1.0) - q, T(0.0));
+  template<class T> static THAW_INLINE T slope(T q, T) {
+    const T u = max(T(1.0) - q, T(0.0));
     return T(-45 / pi) * (u * u) / max(q, T(1e-6));
   }
-  template<class T> static THAW_INLINE T laplace(T q2) { return T(45 / pi) * max(T(1.0) - sqrt(q2), T(0.0)); }
+  template<class T> static THAW_INLINE T laplace(T q, T) { return T(45 / pi) * max(T(1.0) - q, T(0.0)); }
 };
 
 /// Cubic spline of Monaghan & Lattanzio 1985 with its support scaled to h.
-struct CubicSpline {
-  template<class T> static THAW_INLINE T w(T q2) {
-    const T q = sqrt(q2), u = max(T(1.0) - q, T(0.0)), v = max(T(0.5) - q, T(0.0));
+struct CubicSpline : OfSquare<CubicSpline> {
+  using OfSquare<CubicSpline>::w, OfSquare<CubicSpline>::slope, OfSquare<CubicSpline>::laplace;
+  template<class T> static THAW_INLINE T w(T q, T) {
+    const T u = max(T(1.0) - q, T(0.0)), v = max(T(0.5) - q, T(0.0));
     return T(16 / pi) * (u * u * u - T(4.0) * (v * v * v));
   }
-  template<class T> static THAW_INLINE T slope(T q2) {
-    const T q = sqrt(q2), u = max(T(1.0) - q, T(0.0)), v = max(T(0.5) - q, T(0.0));
+  template<class T> static THAW_INLINE T slope(T q, T) {
+    const T u = max(T(1.0) - q, T(0.0)), v = max(T(0.5) - q, T(0.0));
     return T(-48 / pi) * (u * u - T(4.0) * (v * v)) / max(q, T(1e-6));
   }
-  template<class T> static THAW_INLINE T laplace(T q2) { return T(-2.0) * slope(q2); }
+  template<class T> static THAW_INLINE T laplace(T q, T q2) { return T(-2.0) * slope(q, q2); }
 };
 
 }  // namespace THAW_ISA

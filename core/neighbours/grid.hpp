@@ -43,9 +43,10 @@ inline constexpr std::uint64_t noCell = ~std::uint64_t{0};
 /// Positions for pairs: 32-bit fixed point, 2^24 units a support radius, modulo 2^32. Differences of neighbours are exact,
 /// antisymmetric and independent of where the pair is (speed.md).
 inline constexpr double fixedUnitsPerSupport = 16777216.0;
+/// The nearest integer is in the low bits of the mantissa once this is added (1.5 * 2^52), for all below 2^51.
+inline constexpr double fixedPointMagic = 6755399441055744.0;
 inline std::uint32_t fixedPoint(const CellGrid& g, double x, int axis) {
-  // the low bits of the mantissa once 1.5 * 2^52 is added: the nearest integer, for all below 2^51
-  return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>((x - g.origin[axis]) * (fixedUnitsPerSupport / g.support) + 6755399441055744.0));
+  return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>((x - g.origin[axis]) * (fixedUnitsPerSupport / g.support) + fixedPointMagic));
 }
 
 /// The same in 2^14 units a support radius, modulo 2^16: what the search compares.

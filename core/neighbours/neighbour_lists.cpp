@@ -27,12 +27,14 @@ void growList(NeighbourLists& lists, std::size_t n) {
   lists.list.resize(room + 4096);
 }
 
+void growRounds(SearchBuffers& b) { b.rounds.resize(b.rounds.empty() ? 64 : 2 * b.rounds.size()); }
+
 void growSearch(SearchBuffers& b, std::size_t n) {
   const std::size_t room = n + n / 2 + 64;
   b.x.resize(room);
   b.y.resize(room);
   b.z.resize(room);
-  b.row.resize(room);
+  b.entry.resize(room);
   for (AlignedVector<std::uint32_t>& found : b.found) found.resize(room + 32);
 }
 

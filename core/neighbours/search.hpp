@@ -8,10 +8,18 @@
 
 namespace thaw {
 
+/// Up to 32 rows that follow each other, of the cells around one.
+struct SearchRound {
+  std::uint32_t first, count;
+  std::uint32_t entry;  ///< of the first row (NeighbourLists)
+  std::uint32_t keep;   ///< bits of the rows that may be neighbours
+};
+
 /// Buffers of a search, reused from step to step.
 struct SearchBuffers {
   AlignedVector<std::uint16_t> x, y, z;      ///< candidates around a cell, as in SearchInput
-  AlignedVector<std::uint32_t> row;
+  AlignedVector<std::uint32_t> entry;        ///< of their rows (NeighbourLists)
+  AlignedVector<SearchRound> rounds;         ///< of the cells around one
   static constexpr int window = 32;          ///< lists that are put together by their length, so that groups need little padding
   AlignedVector<std::uint32_t> found[window];  ///< neighbours of as many particles
   std::uint32_t length[window]{};
@@ -22,6 +30,8 @@ struct SearchBuffers {
 
 /// Room for n candidates around one cell.
 void growSearch(SearchBuffers& buffers, std::size_t n);
+/// Room for twice as many rounds; 64 at first.
+void growRounds(SearchBuffers& buffers);
 
 /// Where the candidates are, in 2^-14 support radii, modulo 4 support radii: what is farther is wrapped, but cells that touch are no longer
 /// than the difference that stays unique, or what comes back from beyond meets kernels that are zero (coarsePlace, grid.hpp).

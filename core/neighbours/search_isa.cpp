@@ -1,4 +1,5 @@
 // Compiled once for each instruction set (see core/simd/dispatch.hpp).
+#include "core/neighbours/pick_direct.hpp"
 #include "core/simd/lanes.hpp"
 #include "core/simd/pack.hpp"
 #include "core/simd/pair_kernels.hpp"
@@ -13,14 +14,10 @@ struct CellRow {
   std::size_t at = 0;
 };
 
-/// Squares of coarse distances, without their low 16 bits, summed over the axes: what is below this is within the support radius, or up to
-/// 0.0006 of it beyond, where kernels are zero.
-constexpr int reach2 = 4097;
-
-/// Appends the candidates within the support radius of candidate `self`, but not itself; returns how many. Writes up to 15 more.
+/// Lists the candidates within the support radius of candidate `self`, but not itself; returns how many. Writes up to 15 more.
 std::uint32_t pick(const SearchBuffers& b, std::uint32_t candidates, std::uint32_t self, std::uint32_t* out) {
   const std::uint16_t *x = b.x.data(), *y = b.y.data(), *z = b.z.data();
-  const std::uint32_t* row = b.row.data();
+  const std::uint32_t* entry = b.entry.data();
   std::uint32_t n = 0;
 #if defined(__AVX512BW__)
   const __m512i X = _mm512_set1_epi16(static_cast<short>(x[self])), Y = _mm512_set1_epi16(static_cast<short>(y[self])), Z = _mm512_set1_epi16(static_cast<short>(z[self]));
@@ -32,9 +29,9 @@ std::uint32_t pick(const SearchBuffers& b, std::uint32_t candidates, std::uint32
     const std::uint32_t own = self - c, left = candidates - c;
     m &= ~(own < 32 ? 1u << (own & 31) : 0u) & (left < 32 ? (1u << (left & 31)) - 1 : ~0u);
     const __mmask16 low = static_cast<__mmask16>(m), high = static_cast<__mmask16>(m >> 16);
-    _mm512_storeu_si512(out + n, _mm512_maskz_compress_epi32(low, _mm512_load_si512(row + c)));
+    _mm512_storeu_si512(out + n, _mm512_maskz_compress_epi32(low, _mm512_load_si512(entry + c)));
     n += static_cast<std::uint32_t>(__builtin_popcount(low));
-    _mm512_storeu_si512(out + n, _mm512_maskz_compress_epi32(high, _mm512_load_si512(row + c + 16)));
+    _mm512_storeu_si512(out + n, _mm512_maskz_compress_epi32(high, _mm512_load_si512(entry + c + 16)));
     n += static_cast<std::uint32_t>(__builtin_popcount(high));
   }
 #elif defined(__AVX2__)
@@ -48,7 +45,7 @@ std::uint32_t pick(const SearchBuffers& b, std::uint32_t candidates, std::uint32
     std::uint32_t m = static_cast<std::uint32_t>(_mm256_movemask_epi8(near));
     const std::uint32_t own = self - c, left = candidates - c;
     m &= ~(own < 16 ? 1u << (own & 31) : 0u) & (left < 16 ? (1u << (left & 31)) - 1 : ~0u);
-    for (std::uint32_t half = 0; half < 2; half++, m >>= 8) n += pack8(reinterpret_cast<Vec8u>(at(row + c + 8 * half)), m & 255, out + n);
+    for (std::uint32_t half = 0; half < 2; half++, m >>= 8) n += pack8(reinterpret_cast<Vec8u>(at(entry + c + 8 * half)), m & 255, out + n);
   }
 #else
   const auto square = [](int a, int b) {
@@ -57,7 +54,7 @@ std::uint32_t pick(const SearchBuffers& b, std::uint32_t candidates, std::uint32
   };
   const int X = x[self], Y = y[self], Z = z[self];
   for (std::uint32_t c = 0; c < candidates; c++) {
-    out[n] = row[c];
+    out[n] = entry[c];
     n += square(x[c], X) + square(y[c], Y) + square(z[c], Z) < reach2 && c != self;
   }
 #endif
@@ -94,14 +91,14 @@ void closeGroup(SearchBuffers& b, const std::uint32_t* which, int filled, Neighb
   const std::uint32_t room = (most + 7) / 8 * 8;
   if (lists.list.size() < first + 8ull * room) growList(lists, first + 8ull * room);
   std::uint32_t* to = lists.list.data() + first;
-  const std::uint32_t d = lists.dummy;
+  const std::uint32_t d = 2 * lists.dummy;
   const Vec8u padding = {d, d, d, d, d, d, d, d};
   std::uint32_t* from[8];
   std::uint8_t wet = 0;
   for (int l = 0; l < 8; l++) {
     const std::uint32_t k = which[l < filled ? l : 0];
     wet |= b.wet[k];
-    lists.self[8 * g + static_cast<std::size_t>(l)] = l < filled ? b.self[k] : d;
+    lists.self[8 * g + static_cast<std::size_t>(l)] = l < filled ? b.self[k] : lists.dummy;
     from[l] = b.found[k].data();
     for (std::uint32_t n = b.length[k]; n < room; n += 8) __builtin_memcpy(from[l] + n, &padding, 32);
   }
@@ -135,19 +132,65 @@ void closeWindow(SearchBuffers& b, NeighbourLists& lists) {
   b.filled = 0;
 }
 
-/// Copies `count` rows from `first` on behind the candidates. Reads and writes up to 31 too many, which the next ones overwrite.
-THAW_INLINE std::uint32_t addCandidates(const SearchInput& in, std::uint32_t first, std::uint32_t count, SearchBuffers& b, std::uint32_t candidates) {
-  if (b.row.size() < candidates + count + 32) growSearch(b, candidates + count + 32);
-  for (std::uint32_t k = 0; k < count; k += 16) {
-    __builtin_memcpy(b.x.data() + candidates + k, in.x + first + k, 32);
-    __builtin_memcpy(b.y.data() + candidates + k, in.y + first + k, 32);
-    __builtin_memcpy(b.z.data() + candidates + k, in.z + first + k, 32);
-    const std::uint32_t at = first + k;
-    const Vec8u rows = Vec8u{0, 1, 2, 3, 4, 5, 6, 7} + at, more = rows + 8;
-    __builtin_memcpy(b.row.data() + candidates + k, &rows, 32);
-    __builtin_memcpy(b.row.data() + candidates + k + 8, &more, 32);
+/// Copies the rows of a round behind the candidates. Reads and writes up to 31 too many, which the next ones overwrite.
+THAW_INLINE std::uint32_t addCandidates(const SearchInput& in, const SearchRound& round, SearchBuffers& b, std::uint32_t candidates) {
+  for (std::uint32_t k = 0; k < round.count; k += 16) {
+    __builtin_memcpy(b.x.data() + candidates + k, in.x + round.first + k, 32);
+    __builtin_memcpy(b.y.data() + candidates + k, in.y + round.first + k, 32);
+    __builtin_memcpy(b.z.data() + candidates + k, in.z + round.first + k, 32);
+    const Vec8u entries = Vec8u{0, 2, 4, 6, 8, 10, 12, 14} + (round.entry + 2 * k), more = entries + 16;
+    __builtin_memcpy(b.entry.data() + candidates + k, &entries, 32);
+    __builtin_memcpy(b.entry.data() + candidates + k + 8, &more, 32);
   }
-  return candidates + count;
+  return candidates + round.count;
+}
+
+/// The rows in the 27 cells around one cell are the rounds of the buffers; and where its own particles are among them.
+struct Surroundings {
+  std::uint32_t rounds, candidates;
+  std::uint32_t ownRound, ownPlace, ownStart;  ///< the round where the cell's own run of rows begins; its first particle's place in that run, and among all
+  std::uint8_t wet;
+};
+/// Adds a run of rows that follow each other in memory.
+THAW_INLINE void addRun(SearchBuffers& b, Surroundings& s, std::uint32_t first, std::uint32_t count) {
+  s.candidates += count;
+  for (; count > 32; first += 32, count -= 32) {
+    b.rounds[s.rounds++] = {first, 32, 2 * first, ~0u};
+    if (s.rounds + 1 >= b.rounds.size()) growRounds(b);
+  }
+  b.rounds[s.rounds++] = {first, count, 2 * first, ~0u >> (32 - count)};
+  if (s.rounds + 1 >= b.rounds.size()) growRounds(b);
+}
+THAW_INLINE Surroundings findSurroundings(const SearchInput& in, std::size_t c, CellRow (&rows)[9], SearchBuffers& b) {
+  const std::uint64_t* const keys = in.cells->key.data();
+  const std::uint32_t *const first = in.cells->first.data(), *const count = in.cells->count.data();
+  const std::size_t n = in.cells->key.size();
+  const std::uint64_t key = keys[c];
+  Surroundings s{};
+  s.wet = in.liquid == nullptr;
+  const auto ownIsIn = [&](std::size_t d) {  // the run that begins with cell d and is added next
+    s.ownRound = s.rounds;
+    s.ownPlace = first[c] - first[d];
+    s.ownStart = s.candidates + s.ownPlace;
+  };
+  for (CellRow& r : rows) {
+    const std::uint64_t low = key + r.offset - 1;  // keys count from 1 on along each axis: never below zero
+    std::size_t d = r.at;
+    while (d < n && keys[d] < low) d++;
+    r.at = d;
+    if (d + 2 < n && keys[d + 2] == low + 2 && first[d] + count[d] == first[d + 1] && first[d + 1] + count[d + 1] == first[d + 2]) {  // three cells in a row: most
+      if (d + 1 == c) ownIsIn(d);
+      if (in.liquid != nullptr) s.wet |= in.liquid[d] | in.liquid[d + 1] | in.liquid[d + 2];
+      addRun(b, s, first[d], first[d + 2] + count[d + 2] - first[d]);
+      continue;
+    }
+    for (; d < n && keys[d] <= low + 2; d++) {
+      if (d == c) ownIsIn(d);
+      if (in.liquid != nullptr) s.wet |= in.liquid[d];
+      if (count[d] > 0) addRun(b, s, first[d], count[d]);
+    }
+  }
+  return s;
 }
 
 }  // namespace
@@ -159,32 +202,33 @@ void searchNeighbours(const SearchInput& in, Part part, SearchBuffers& b, Neighb
     rows[k].offset = static_cast<std::uint64_t>(static_cast<std::int64_t>(k / 3 - 1) * (1ll << 42) + static_cast<std::int64_t>(k % 3 - 1) * (1ll << 21));
   const std::size_t n = cells.key.size();
   b.filled = 0;
+  if (b.rounds.size() == 0) growRounds(b);
+  const bool canPickDirect = hasPickDirect();
   for (std::size_t c = 0; c < n; c++) {
     if (cells.first[c] >= in.owned || in.inner[c] == skippedCell || (in.inner[c] != 0) != (part == Part::Inner)) continue;
-    const std::uint64_t key = cells.key[c];
-    std::uint32_t candidates = 0, ownStart = 0, run = 0, length = 0;  // run: rows that follow each other, of one cell or more
-    std::uint8_t wet = in.liquid == nullptr;
-    for (CellRow& r : rows) {
-      const std::uint64_t low = key + r.offset - 1;  // keys count from 1 on along each axis: never below zero
-      while (r.at < n && cells.key[r.at] < low) r.at++;
-      for (std::size_t d = r.at; d < n && cells.key[d] <= low + 2; d++) {
-        if (d == c) ownStart = candidates + length;
-        if (in.liquid != nullptr) wet |= in.liquid[d];
-        if (cells.first[d] != run + length) {
-          candidates = addCandidates(in, run, length, b, candidates);
-          run = cells.first[d];
-          length = 0;
-        }
-        length += cells.count[d];
-      }
+    const Surroundings around = findSurroundings(in, c, rows, b);
+    if (b.entry.size() < around.candidates + 32) growSearch(b, around.candidates + 32);
+    const bool direct = canPickDirect && around.rounds <= around.candidates / 32 + 6;  // many short rounds are quicker to copy together
+    if (!direct) {
+      std::uint32_t candidates = 0;
+      for (std::uint32_t k = 0; k < around.rounds; k++) candidates = addCandidates(in, b.rounds[k], b, candidates);
     }
-    candidates = addCandidates(in, run, length, b, candidates);
     for (std::uint32_t k = 0; k < cells.count[c]; k++) {
       const std::uint32_t row = cells.first[c] + k;
-      const std::uint32_t m = pick(b, candidates, ownStart + k, b.found[b.filled].data());
+      std::uint32_t* const found = b.found[b.filled].data();
+      std::uint32_t m;
+      if (direct) {
+        std::uint32_t& keep = b.rounds[around.ownRound + (around.ownPlace + k) / 32].keep;
+        const std::uint32_t self = 1u << ((around.ownPlace + k) & 31);
+        keep &= ~self;
+        m = pickDirect(in, b.rounds.data(), around.rounds, row, found);
+        keep |= self;
+      } else {
+        m = pick(b, around.candidates, around.ownStart + k, found);
+      }
       b.length[b.filled] = m;
       b.self[b.filled] = row;
-      b.wet[b.filled] = wet;
+      b.wet[b.filled] = around.wet;
       lists.neighbours[row] = static_cast<std::uint16_t>(m < 65535 ? m : 65535);
       if (++b.filled == SearchBuffers::window) closeWindow(b, lists);
     }

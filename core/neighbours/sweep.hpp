@@ -7,21 +7,24 @@
 namespace thaw {
 namespace THAW_ISA {
 
-/// Term: Data load(const uint32_t rows[8]) const; struct Sum; pair(own, other, sum) const; finish(rows, own, sum, dummy).
+/// Term: Data load(const uint32_t entries[8]) const; struct Sum; pair(own, other, entries, sum) const; finish(rows, own, sum, dummy).
 template<class Term> THAW_INLINE void sweep(const NeighbourLists& lists, GroupRange range, Term& term, bool wetOnly) {
   const std::uint32_t* const list = lists.list.data();
   const std::uint32_t* const self = lists.self.data();
   for (std::size_t g = range.begin; g < range.end; g++) {
     if (wetOnly && lists.wet[g] == 0) continue;
     const std::uint32_t* rows = self + 8 * g;
-    const typename Term::Data own = term.load(rows);
+    alignas(32) std::uint32_t ownEntries[8];
+    for (int l = 0; l < 8; l++) ownEntries[l] = 2 * rows[l];
+    const typename Term::Data own = term.load(ownEntries);
     typename Term::Sum sum{};
     const std::uint32_t* at = list + lists.first[g];
     for (std::uint32_t n = lists.count[g]; n > 0; n--, at += 8) {
       __builtin_prefetch(at + listAhead);
       term.pair(own, term.load(at), at, sum);
     }
-    term.finish(rows, own, sum, lists.dummy);
+    const typename Term::Sum total = sum;  // read lane by lane, from memory; sum itself stays in registers
+    term.finish(rows, own, total, lists.dummy);
   }
 }
 

@@ -11,7 +11,7 @@ template<class Kernels> struct KernelSets { const Kernels& (*base)(); const Kern
 template<class Kernels> const Kernels* chooseKernels(const KernelSets<Kernels>& sets, const char* name) {
   const bool any = *name == 0;
 #if defined(__x86_64__)
-  const bool avx2 = __builtin_cpu_supports("avx2"), avx512 = avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
+  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2"), avx512 = avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
   if (avx512 && (any || std::strcmp(name, "avx512") == 0)) return &sets.avx512();
   if (avx2 && (any || std::strcmp(name, "avx2") == 0)) return &sets.avx2();
 #endif

@@ -56,7 +56,7 @@ bool touchesToWeld(const Continuum& p, const Solids& solids, const Bonds& bonds,
       const std::size_t i = lists.self[g * lanes + l];
       if (i >= p.owned || p.phase[i] != Solid || p.slot[i] == noSlot || !(*f.materials)[p.material[i]].weld) continue;
       for (std::uint32_t n = 0; n < lists.count[g]; n++) {
-        const std::size_t j = lists.list[lists.first[g] + std::size_t(n) * lanes + l];
+        const std::size_t j = lists.row(g, n, l);
         if (j == lists.dummy || p.phase[j] != Solid || p.id[j] == p.id[i] || !mayWeld(p, f, i, j)) continue;
         const Vec3d x = p.position[j] - p.position[i];
         if (dot(x, x) < f.touch * f.touch && !bonded(solids, bonds, p.slot[i], p.id[j])) return true;
@@ -76,7 +76,7 @@ std::int64_t formBonds(const Continuum& p, const Solids& solids, const Bonds& bo
       const std::size_t i = lists.self[g * lanes + l];
       if (i >= p.owned || p.phase[i] != Solid || p.slot[i] == noSlot) continue;
       for (std::uint32_t n = 0; n < lists.count[g]; n++) {
-        const std::size_t j = lists.list[lists.first[g] + std::size_t(n) * lanes + l];
+        const std::size_t j = lists.row(g, n, l);
         if (j == lists.dummy || p.phase[j] != Solid || p.id[j] == p.id[i] || !wanted(p, forming, i, j)) continue;
         const Vec3d x = minimumImage(place[j] - place[i], forming.periods);
         const double weight = bondWeight(x, forming.support);
@@ -99,9 +99,8 @@ void pairAtStart(const Continuum& p, const NeighbourLists& lists, const BondForm
       const Vec3d at = place[i];
       const std::uint64_t id = p.id[i];
       const std::uint32_t slot = p.slot[i], body = p.body[i];
-      const std::uint32_t* const listed = lists.list.data() + lists.first[g] + l;
       for (std::size_t n = 0; n < lists.count[g]; n++) {
-        const std::size_t j = listed[n * lanes];
+        const std::size_t j = lists.row(g, n, l);
         if (j == lists.dummy || p.phase[j] != Solid || p.body[j] != body || p.id[j] == id) continue;
         if (bondWeight(minimumImage(place[j] - at, forming.periods), forming.support) > 0) pairs.push_back({p.id[j], slot, j < p.owned ? p.slot[j] : noSlot});
       }

@@ -16,9 +16,9 @@ THAW_INLINE void sumGradient(const BondLoader<Real, periodic, vectors>& bonds, s
     const EightBonds<Real> b = bonds(at);
     const Vec3<Lanes<Real>>& X = b.reference;
     const Vec3<Lanes<Real>> wX{b.weight * X.x, b.weight * X.y, b.weight * X.z};
-    x = {x.x + b.u.x * wX.x, x.y + b.u.x * wX.y, x.z + b.u.x * wX.z};
-    y = {y.x + b.u.y * wX.x, y.y + b.u.y * wX.y, y.z + b.u.y * wX.z};
-    z = {z.x + b.u.z * wX.x, z.y + b.u.z * wX.y, z.z + b.u.z * wX.z};
+    x = {fma(b.u.x, wX.x, x.x), fma(b.u.x, wX.y, x.y), fma(b.u.x, wX.z, x.z)};
+    y = {fma(b.u.y, wX.x, y.x), fma(b.u.y, wX.y, y.y), fma(b.u.y, wX.z, y.z)};
+    z = {fma(b.u.z, wX.x, z.x), fma(b.u.z, wX.y, z.y), fma(b.u.z, wX.z, z.z)};
     if constexpr (tears) {
       Lanes<Real> reference = square<Real>(X);
       if constexpr (vectors) reference = max(reference, square<Real>(loadVector<Real>(a.rx, a.ry, a.rz, at)));
@@ -155,9 +155,9 @@ template<class Real, bool periodic, bool vectors> void deformationOf(ElasticArra
 
 
 template<class Real> THAW_INLINE Lanes<Real> sumTimes(const Vec3<Lanes<Real>>& a, const Vec3<Lanes<Real>>& b, const Vec3<Lanes<Real>>& v) {
-  return (a.x + b.x) * v.x + (a.y + b.y) * v.y + (a.z + b.z) * v.z;
+  return dot3(a.x + b.x, a.y + b.y, a.z + b.z, v.x, v.y, v.z);
 }
-template<class Real> THAW_INLINE Lanes<Real> times3(const Vec3<Lanes<Real>>& a, const Vec3<Lanes<Real>>& v) { return a.x * v.x + a.y * v.y + a.z * v.z; }
+template<class Real> THAW_INLINE Lanes<Real> times3(const Vec3<Lanes<Real>>& a, const Vec3<Lanes<Real>>& v) { return dot3(a.x, a.y, a.z, v.x, v.y, v.z); }
 template<class Real> THAW_INLINE Vec3<Lanes<Real>> apply(const Mat3<Lanes<Real>>& m, const Vec3<Lanes<Real>>& v) {
   return {times3<Real>(m.row[0], v), times3<Real>(m.row[1], v), times3<Real>(m.row[2], v)};
 }
@@ -202,10 +202,10 @@ template<class Real, bool periodic, bool vectors, bool more> void forcesOf(const
         const Vec3<T> x = b.current(), back = loadVector<Real>(a.rx, a.ry, a.rz, at), v{x.x + back.x, x.y + back.y, x.z + back.z};
         const Vec3<T> ours = apply<Real>(i.flux, ref), theirs{times3<Real>(j0, back), times3<Real>(j1, back), times3<Real>(j2, back)};
         // (term of i) - (term of j): the other end computes exactly the negative
-        t = {(ours.x + i.k * u.x) - (theirs.x - k * v.x), (ours.y + i.k * u.y) - (theirs.y - k * v.y), (ours.z + i.k * u.z) - (theirs.z - k * v.z)};
+        t = {fma(i.k, u.x, ours.x) - fma(-k, v.x, theirs.x), fma(i.k, u.y, ours.y) - fma(-k, v.y, theirs.y), fma(i.k, u.z, ours.z) - fma(-k, v.z, theirs.z)};
       } else {
         const T both = i.k + k;
-        t = {sumTimes<Real>(i.flux.row[0], j0, ref) + both * u.x, sumTimes<Real>(i.flux.row[1], j1, ref) + both * u.y, sumTimes<Real>(i.flux.row[2], j2, ref) + both * u.z};
+        t = {fma(both, u.x, sumTimes<Real>(i.flux.row[0], j0, ref)), fma(both, u.y, sumTimes<Real>(i.flux.row[1], j1, ref)), fma(both, u.z, sumTimes<Real>(i.flux.row[2], j2, ref))};
       }
       if (damping) {
         const Lanes4<Real> vj = load(motion, rows);

@@ -67,7 +67,7 @@ THAW_INLINE Rows slotsOf(std::size_t first, int n) {
 template<class Real> THAW_INLINE Vec3<Lanes<Real>> loadVector(const void* x, const void* y, const void* z, std::size_t at) {
   return {loadRow(static_cast<const Real*>(x) + at), loadRow(static_cast<const Real*>(y) + at), loadRow(static_cast<const Real*>(z) + at)};
 }
-template<class Real> THAW_INLINE Lanes<Real> square(const Vec3<Lanes<Real>>& v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
+template<class Real> THAW_INLINE Lanes<Real> square(const Vec3<Lanes<Real>>& v) { return dot3(v.x, v.y, v.z, v.x, v.y, v.z); }
 
 /// A BondEnd of eight rows: four records of four values. What is not used of them is not loaded.
 template<class Real> struct EightEnds {
@@ -131,7 +131,7 @@ template<class Real, bool periodic, bool vectors> struct BondLoader {
     } else {
       b.u = difference(own.displacement(), b.ends.displacement());
       b.reference = difference(own.reference(), b.ends.reference());
-      const T q = T(Real(1)) - square(b.reference) * perSupport2;
+      const T q = fma(square(b.reference), -perSupport2, T(Real(1)));
       b.weight = q * q * q;
     }
     return b;

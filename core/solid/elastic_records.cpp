@@ -32,7 +32,7 @@ void packReferences(const ElasticWork& work, Solids& solids, std::size_t first, 
 
 namespace {
 
-template<bool periodic> void packPlacesOf(const ElasticWork& work, Solids& solids, std::size_t first, std::size_t last) {
+template<bool periodic, bool single> void packPlacesOf(const ElasticWork& work, Solids& solids, std::size_t first, std::size_t last) {
   const double unit = work.support / fixedUnitsPerSupport, scale = fixedUnitsPerSupport / work.support;
   std::uint32_t units[3];  // of a period, as Places has it
   for (int a = 0; a < 3; a++) units[a] = static_cast<std::uint32_t>(static_cast<std::uint64_t>(work.periods.length[a] / unit + 0.5));
@@ -40,19 +40,23 @@ template<bool periodic> void packPlacesOf(const ElasticWork& work, Solids& solid
     const double period = work.periods.length[a], d = solids.position[s][a] - solids.reference[s][a];
     return !(period > 0) ? 0 : d > period / 2 ? 1 : d < -period / 2 ? -1 : 0;
   };
+  const Vec3d* const position = solids.position.data();
+  BondEnd<float>* const end = solids.end.data();
   for (std::size_t s = first; s < last; s++)
     for (int a = 0; a < 3; a++) {
-      if (work.precision == Precision::Single) {
-        BondEnd<float>& end = solids.end[s];
-        std::uint32_t u = fixedPoint(solids.position[s][a] * scale) - std::bit_cast<std::uint32_t>(end.reference[a]);
+      if constexpr (single) {
+        std::uint32_t u = fixedPoint(position[s][a] * scale) - std::bit_cast<std::uint32_t>(end[s].reference[a]);
         if constexpr (periodic) u -= static_cast<std::uint32_t>(periodsAway(s, a)) * units[a];
-        end.displacement[a] = std::bit_cast<float>(u);
+        end[s].displacement[a] = std::bit_cast<float>(u);
       } else {
         double& u = solids.endDouble[s].displacement[a];
-        u = solids.position[s][a] - solids.endDouble[s].reference[a];
+        u = position[s][a] - solids.endDouble[s].reference[a];
         if constexpr (periodic) u -= static_cast<double>(periodsAway(s, a)) * work.periods.length[a];
       }
     }
+}
+template<bool periodic> void packPlacesIn(const ElasticWork& work, Solids& solids, std::size_t first, std::size_t last) {
+  work.precision == Precision::Single ? packPlacesOf<periodic, true>(work, solids, first, last) : packPlacesOf<periodic, false>(work, solids, first, last);
 }
 
 }  // namespace
@@ -61,8 +65,8 @@ template<bool periodic> void packPlacesOf(const ElasticWork& work, Solids& solid
 /// and some the other, so that x - X of neighbours differ by up to two periods, of which their difference (Places) takes one. Without references (vectors) they
 /// are places, which differ by one period at most.
 void packPlaces(const ElasticWork& work, Solids& solids, std::size_t first, std::size_t last) {
-  if (work.periodic && solids.reference.active) packPlacesOf<true>(work, solids, first, last);
-  else packPlacesOf<false>(work, solids, first, last);
+  if (work.periodic && solids.reference.active) packPlacesIn<true>(work, solids, first, last);
+  else packPlacesIn<false>(work, solids, first, last);
 }
 
 void packMotion(ElasticWork& work, const Solids& solids, std::size_t first, std::size_t last) {

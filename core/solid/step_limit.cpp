@@ -6,9 +6,13 @@
 namespace thaw {
 
 double largestGrip(const ElasticWork& work, const Solids& solids) {
-  double grip = 0;
-  for (std::size_t s = 0; s < solids.owned; s++) grip = std::max(grip, work.grip[s]);
-  return grip;
+  double grip[8]{};  // eight chains, as one waits for each comparison
+  const double* const of = work.grip.data();
+  const std::size_t n = solids.owned;
+  for (std::size_t s = 0; s + 8 <= n; s += 8)
+    for (std::size_t k = 0; k < 8; k++) grip[k] = std::max(grip[k], of[s + k]);
+  for (std::size_t s = n / 8 * 8; s < n; s++) grip[0] = std::max(grip[0], of[s]);
+  return *std::max_element(grip, grip + 8);
 }
 
 std::int64_t countSingular(const ElasticWork& work, const Solids& solids) {

@@ -113,7 +113,7 @@ struct Block {
       for (std::size_t l = 0; l < 8; l++)
         if (lists.self[8 * g + l] == row)
           for (std::uint32_t k = 0; k < lists.count[g]; k++) {
-            const std::uint32_t j = lists.list[lists.first[g] + 8 * k + l];
+            const std::uint32_t j = lists.row(g, k, l);
             if (j != lists.dummy) all.push_back(j);
           }
     return all;

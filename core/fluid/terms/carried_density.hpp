@@ -21,9 +21,9 @@ template<class Real, class Kernel, Carry carry> struct CarriedDensity {
   L weight[3];  ///< h g
   struct Data { Lanes4<Real> place, motion, state; };
   struct Sum { L filling = L(0.0), closest = L(1.0), x = L(0.0), y = L(0.0), z = L(0.0), rate = L(0.0), spread = L(0.0), column = L(0.0), moment[6] = {L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0)}, flow[9] = {L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0)}; };
-  THAW_INLINE Data load(const std::uint32_t* rows) const {
-    if constexpr (Carried) return {thaw::THAW_ISA::load(place, rows), thaw::THAW_ISA::load(motion, rows), thaw::THAW_ISA::load(state, rows)};
-    else return {thaw::THAW_ISA::load(place, rows), {}, {}};
+  THAW_INLINE Data load(const std::uint32_t* entries) const {
+    if constexpr (Carried) return {loadListed(place, entries), loadListed(motion, entries), loadListed(state, entries)};
+    else return {loadListed(place, entries), {}, {}};
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
     const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);

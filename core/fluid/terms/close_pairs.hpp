@@ -12,15 +12,15 @@ template<class Real> struct Close {
   const Record<Real>*place, *surface;
   ClosePairs* pairs;
   L limit2;
-  struct Data { Lanes4<Real> place, surface; const std::uint32_t* rows; };
+  struct Data { Lanes4<Real> place, surface; const std::uint32_t* entries; };
   struct Sum {};
-  THAW_INLINE Data load(const std::uint32_t* rows) const { return {thaw::THAW_ISA::load(place, rows), thaw::THAW_ISA::load(surface, rows), rows}; }
+  THAW_INLINE Data load(const std::uint32_t* entries) const { return {loadListed(place, entries), loadListed(surface, entries), entries}; }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t* at, Sum&) const {
     const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);
     const auto m = (dx * dx + dy * dy + dz * dz < limit2) & (i.surface.b * j.surface.b > L(0.0));
     if (any(m))
       for (int l = 0; l < 8; l++)
-        if (laneOf(m, l)) ClosePairs::append(*pairs, i.rows[l], at[l]);
+        if (laneOf(m, l)) ClosePairs::append(*pairs, i.entries[l] / 2, at[l] / 2);
   }
   THAW_INLINE void finish(const std::uint32_t*, const Data&, const Sum&, std::uint32_t) const {}
 };

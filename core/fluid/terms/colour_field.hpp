@@ -14,8 +14,8 @@ template<class Real> struct ColourField {
   const PairSums* in;
   struct Data { Lanes4<Real> place, surface, state; };
   struct Sum { L x = L(0.0), y = L(0.0), z = L(0.0), laplacian = L(0.0); };
-  THAW_INLINE Data load(const std::uint32_t* rows) const {
-    return {thaw::THAW_ISA::load(place, rows), thaw::THAW_ISA::load(surface, rows), thaw::THAW_ISA::load(state, rows)};
+  THAW_INLINE Data load(const std::uint32_t* entries) const {
+    return {loadListed(place, entries), loadListed(surface, entries), loadListed(state, entries)};
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
     const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);

@@ -15,8 +15,8 @@ template<class Real, class Kernel> struct CorrectPressure {
   double scale;
   struct Data { Lanes4<Real> place, diagonal, mixed; };
   struct Sum { L x = L(0.0), y = L(0.0), z = L(0.0); };
-  THAW_INLINE Data load(const std::uint32_t* rows) const {
-    return {thaw::THAW_ISA::load(place, rows), thaw::THAW_ISA::load(diagonal, rows), thaw::THAW_ISA::load(mixed, rows)};
+  THAW_INLINE Data load(const std::uint32_t* entries) const {
+    return {loadListed(place, entries), loadListed(diagonal, entries), loadListed(mixed, entries)};
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
     const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);

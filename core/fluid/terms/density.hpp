@@ -16,20 +16,22 @@ template<class Real, class Kernel> struct Density {
   std::int64_t* coincident;
   double scale, selfExcess;
   using Data = Lanes4<Real>;
-  struct Sum { L filling = L(0.0), closest = L(1.0); };
-  THAW_INLINE Data load(const std::uint32_t* rows) const { return thaw::THAW_ISA::load(place, rows); }
+  static constexpr double unit = lengthUnit<Real>;
+  struct Sum { L filling = L(0.0), closest = L(1 / (unit * unit)); };  ///< the closest other one's r^2, in unit^2
+  THAW_INLINE Data load(const std::uint32_t* entries) const { return loadListed(place, entries); }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L q2 = square(positionDifference(i.a, j.a)) + square(positionDifference(i.b, j.b)) + square(positionDifference(i.c, j.c));
-    s.filling += j.d * Kernel::w(q2);
-    s.closest = select(j.d > L(0.0), min(s.closest, q2), s.closest);
+    const L dx = unitDifference(i.a, j.a), dy = unitDifference(i.b, j.b), dz = unitDifference(i.c, j.c), r2 = dot3(dx, dy, dz, dx, dy, dz);
+    s.filling = fma(j.d, Kernel::w(L(unit) * sqrt(r2), L(unit * unit) * r2), s.filling);
+    s.closest = select(j.d > L(0.0), min(s.closest, r2), s.closest);
   }
   THAW_INLINE void finish(const std::uint32_t* rows, const Data& i, const Sum& s, std::uint32_t dummy) const {
     const L total = s.filling + i.d * Kernel::w(L(0.0));
-    const bool touching = any(s.closest < L(1e-20));
+    const L touch(1e-20 / (unit * unit));
+    const bool touching = any(s.closest < touch);
     for (int l = 0; l < 8; l++)
       if (rows[l] != dummy) {
         filling[rows[l]] = static_cast<float>(scale * static_cast<double>(total[l]) - selfExcess * static_cast<double>(i.d[l]));
-        if (touching && s.closest[l] < Real(1e-20)) ++*coincident;
+        if (touching && s.closest[l] < touch[l]) ++*coincident;
       }
   }
 };

@@ -13,7 +13,7 @@ template<class Real, class Kernel> struct Exposure {
   const PairSums* in;
   using Data = Lanes4<Real>;
   struct Sum { L x = L(0.0), y = L(0.0), z = L(0.0); };
-  THAW_INLINE Data load(const std::uint32_t* rows) const { return thaw::THAW_ISA::load(place, rows); }
+  THAW_INLINE Data load(const std::uint32_t* entries) const { return loadListed(place, entries); }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
     const L dx = positionDifference(i.a, j.a), dy = positionDifference(i.b, j.b), dz = positionDifference(i.c, j.c);
     const L g = j.d * Kernel::slope(dx * dx + dy * dy + dz * dz);

@@ -15,19 +15,21 @@ template<class Real, class Kernel, bool Viscous, bool Laplacian, bool Heat> stru
   using L = Lanes<Real>;
   const Record<Real>*place, *motion, *state;
   const PairSums* in;
-  L pressureScale, viscousScale, viscousWeight;
+  L pressureScale, viscousScale, viscousWeight;  ///< viscousScale: per lengthUnit
   double heatScale;
+  static constexpr double unit = lengthUnit<Real>;
   struct Data { Lanes4<Real> place, motion, state; };
   using Wide = Lanes<double>;
   struct Sum { Wide x = Wide(0.0), y = Wide(0.0), z = Wide(0.0); L lost = L(0.0); Wide heat = Lanes<double>(0.0); };
-  THAW_INLINE Data load(const std::uint32_t* rows) const {
-    return {thaw::THAW_ISA::load(place, rows), thaw::THAW_ISA::load(motion, rows), thaw::THAW_ISA::load(state, rows)};
+  THAW_INLINE Data load(const std::uint32_t* entries) const {
+    return {loadListed(place, entries), loadListed(motion, entries), loadListed(state, entries)};
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);
-    const L q2 = dx * dx + dy * dy + dz * dz;
+    // places and what follows from them in lengthUnit: what that leaves is in viscousScale, and taken in by finish
+    const L dx = unitDifference(i.place.a, j.place.a), dy = unitDifference(i.place.b, j.place.b), dz = unitDifference(i.place.c, j.place.c);
+    const L r2 = dot3(dx, dy, dz, dx, dy, dz), q = L(unit) * sqrt(r2), q2 = L(unit * unit) * r2;
     const L VV = i.place.d * j.place.d;
-    const L slope = Kernel::slope(q2);
+    const L slope = Kernel::slope(q, q2);
     const L fi = i.state.b, fj = j.state.b;
     // Every factor below is the same for j, or of the other sign, to the last bit: summed in double precision, no momentum is lost to rounding.
     const L pressure = pressureScale * VV * slope * (i.state.a + j.state.a);
@@ -39,35 +41,35 @@ template<class Real, class Kernel, bool Viscous, bool Laplacian, bool Heat> stru
       s.y -= wide(pressure * dy);
       s.z -= wide(pressure * dz);
     } else if constexpr (Laplacian) {
-      const L mu = L(0.5) * (mui + muj) * wet * VV * Kernel::laplace(q2), m = viscousScale * mu;
+      const L mu = L(0.5) * (mui + muj) * wet * VV * Kernel::laplace(q, q2), m = viscousScale * mu;
       s.x -= wide(pressure * dx + m * ux);
       s.y -= wide(pressure * dy + m * uy);
       s.z -= wide(pressure * dz + m * uz);
       s.lost += mu * (ux * ux + uy * uy + uz * uz);
     } else {
       const L mean = L(2.0) * mui * muj / max(mui + muj, L(1e-30));
-      const L approach = ux * dx + uy * dy + uz * dz;
-      const L mu = wet * mean * VV * alongPair(viscousWeight, q2) * approach / (q2 + L(1e-6));
-      const L f = pressure + viscousScale * mu;
+      const L approach = dot3(ux, uy, uz, dx, dy, dz);
+      const L mu = wet * mean * VV * weightAt(viscousWeight, q) * approach / (r2 + L(1e-6 / (unit * unit)));
+      const L f = fma(viscousScale, mu, pressure);
       s.x -= wide(f * dx);
       s.y -= wide(f * dy);
       s.z -= wide(f * dz);
-      s.lost += mu * approach;
+      s.lost = fma(mu, approach, s.lost);
     }
     if constexpr (Heat) {
       const L ki = i.state.d, kj = j.state.d;
       const L k = L(2.0) * ki * kj / max(ki + kj, L(1e-30));
       // the same for j but for its sign, to the last bit; summed in double precision so that no heat is lost to rounding
-      s.heat += wide(VV * k * Kernel::laplace(q2) * (j.state.c - i.state.c));
+      s.heat += wide(VV * k * Kernel::laplace(q, q2) * (j.state.c - i.state.c));
     }
   }
   THAW_INLINE void finish(const std::uint32_t* rows, const Data&, const Sum& s, std::uint32_t dummy) const {
     for (int l = 0; l < 8; l++)
       if (rows[l] != dummy) {
         Vec3d& f = in->force[rows[l]];
-        f.x += s.x[l];
-        f.y += s.y[l];
-        f.z += s.z[l];
+        f.x += unit * s.x[l];
+        f.y += unit * s.y[l];
+        f.z += unit * s.z[l];
         in->dissipation[rows[l]] += 0.5 * in->support * static_cast<double>(s.lost[l]);
         if constexpr (Heat) in->heatFlow[rows[l]] += heatScale * s.heat[l];
       }

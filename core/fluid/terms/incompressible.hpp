@@ -15,7 +15,7 @@ template<class Real, class Kernel> struct Compression {
   double scale;
   struct Data { Lanes4<Real> place, motion; };
   struct Sum { L rate = L(0.0); };
-  THAW_INLINE Data load(const std::uint32_t* rows) const { return {thaw::THAW_ISA::load(place, rows), thaw::THAW_ISA::load(motion, rows)}; }
+  THAW_INLINE Data load(const std::uint32_t* entries) const { return {loadListed(place, entries), loadListed(motion, entries)}; }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
     const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);
     const L approach = (i.motion.a - j.motion.a) * dx + (i.motion.b - j.motion.b) * dy + (i.motion.c - j.motion.c) * dz;
@@ -35,7 +35,7 @@ template<class Real, class Kernel> struct Impulse {
   double scale;
   struct Data { Lanes4<Real> place, state; };
   struct Sum { L x = L(0.0), y = L(0.0), z = L(0.0); };
-  THAW_INLINE Data load(const std::uint32_t* rows) const { return {thaw::THAW_ISA::load(place, rows), thaw::THAW_ISA::load(state, rows)}; }
+  THAW_INLINE Data load(const std::uint32_t* entries) const { return {loadListed(place, entries), loadListed(state, entries)}; }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
     const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);
     const L k = j.place.d * Kernel::slope(dx * dx + dy * dy + dz * dz) * (i.state.a + j.state.a);
@@ -62,7 +62,7 @@ template<class Real, class Kernel> struct Response {
   double slopeScale;
   struct Data { Lanes4<Real> place, state; };
   struct Sum { L x = L(0.0), y = L(0.0), z = L(0.0), others = L(0.0); };
-  THAW_INLINE Data load(const std::uint32_t* rows) const { return {thaw::THAW_ISA::load(place, rows), thaw::THAW_ISA::load(state, rows)}; }
+  THAW_INLINE Data load(const std::uint32_t* entries) const { return {loadListed(place, entries), loadListed(state, entries)}; }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
     const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);
     const L q2 = dx * dx + dy * dy + dz * dz, k = j.place.d * Kernel::slope(q2);

@@ -14,7 +14,7 @@ template<class Real> struct SurfaceSeen {
   const PairSums* in;
   using Data = Lanes4<Real>;
   struct Sum { L x = L(0.0), y = L(0.0), z = L(0.0), cover = L(0.0); };
-  THAW_INLINE Data load(const std::uint32_t* rows) const { return thaw::THAW_ISA::load(place, rows); }
+  THAW_INLINE Data load(const std::uint32_t* entries) const { return loadListed(place, entries); }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
     const L dx = positionDifference(i.a, j.a), dy = positionDifference(i.b, j.b), dz = positionDifference(i.c, j.c);
     const L q2 = dx * dx + dy * dy + dz * dz, g = j.d * SurfaceKernel::slope(q2);
@@ -42,7 +42,7 @@ template<class Real> struct SurfaceForces {
   struct Data { Lanes4<Real> place, pull; };
   using Wide = Lanes<double>;
   struct Sum { Wide x = Wide(0.0), y = Wide(0.0), z = Wide(0.0); };
-  THAW_INLINE Data load(const std::uint32_t* rows) const { return {thaw::THAW_ISA::load(place, rows), thaw::THAW_ISA::load(pull, rows)}; }
+  THAW_INLINE Data load(const std::uint32_t* entries) const { return {loadListed(place, entries), loadListed(pull, entries)}; }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
     const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);
     const L q2 = dx * dx + dy * dy + dz * dz, VV = i.place.d * j.place.d;

@@ -16,36 +16,38 @@ template<class Real, class Kernel, bool Heat, bool Shocks> struct UniformForces 
   const PairSums* in;
   L pressureScale, viscousScale, viscousWeight, viscosity, conductivity, artificial;
   double heatScale, artificialScale;
+  static constexpr double unit = lengthUnit<Real>;
   struct Data { Lanes4<Real> place, motion, state; };
   using Wide = Lanes<double>;
   struct Sum {
     Wide x = Wide(0.0), y = Wide(0.0), z = Wide(0.0), heat = Wide(0.0);
     L lost = L(0.0), sx = L(0.0), sy = L(0.0), sz = L(0.0), shocked = L(0.0);
   };
-  THAW_INLINE Data load(const std::uint32_t* rows) const {
+  THAW_INLINE Data load(const std::uint32_t* entries) const {
     Data d;
-    d.place = thaw::THAW_ISA::load(place, rows);
-    d.motion = thaw::THAW_ISA::load(motion, rows);
-    if constexpr (Heat) d.state = thaw::THAW_ISA::load(state, rows);
+    d.place = loadListed(place, entries);
+    d.motion = loadListed(motion, entries);
+    if constexpr (Heat) d.state = loadListed(state, entries);
     return d;
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);
-    const L q2 = dx * dx + dy * dy + dz * dz;
+    // places and what follows from them in lengthUnit: what that leaves is in viscousScale, and taken in by finish
+    const L dx = unitDifference(i.place.a, j.place.a), dy = unitDifference(i.place.b, j.place.b), dz = unitDifference(i.place.c, j.place.c);
+    const L r2 = dot3(dx, dy, dz, dx, dy, dz), q = L(unit) * sqrt(r2), q2 = L(unit * unit) * r2;
     const L VV = i.place.d * j.place.d;
-    const L slope = Kernel::slope(q2);
+    const L slope = Kernel::slope(q, q2);
     const L pressure = pressureScale * VV * slope * (i.motion.d + j.motion.d);
     const L ux = i.motion.a - j.motion.a, uy = i.motion.b - j.motion.b, uz = i.motion.c - j.motion.c;
-    const L approach = ux * dx + uy * dy + uz * dz;
-    const L mu = viscosity * VV * alongPair(viscousWeight, q2) * approach / (q2 + L(1e-6));
-    const L f = pressure + viscousScale * mu;
+    const L approach = dot3(ux, uy, uz, dx, dy, dz);
+    const L mu = viscosity * VV * weightAt(viscousWeight, q) * approach / (r2 + L(1e-6 / (unit * unit)));
+    const L f = fma(viscousScale, mu, pressure);
     s.x -= wide(f * dx);
     s.y -= wide(f * dy);
     s.z -= wide(f * dz);
-    s.lost += mu * approach;
-    if constexpr (Heat) s.heat += wide(VV * conductivity * Kernel::laplace(q2) * (j.state.c - i.state.c));
+    s.lost = fma(mu, approach, s.lost);
+    if constexpr (Heat) s.heat += wide(VV * conductivity * Kernel::laplace(q, q2) * (j.state.c - i.state.c));
     if constexpr (Shocks) {
-      const L closing = min(approach, L(0.0)), nu = artificial * j.place.d * slope * closing / (q2 + L(0.01));
+      const L closing = min(approach, L(0.0)), nu = artificial * j.place.d * slope * closing / (r2 + L(0.01 / (unit * unit)));
       s.sx += nu * dx;
       s.sy += nu * dy;
       s.sz += nu * dz;
@@ -57,9 +59,9 @@ template<class Real, class Kernel, bool Heat, bool Shocks> struct UniformForces 
       if (rows[l] != dummy) {
         Vec3d& f = in->force[rows[l]];
         double& dissipation = in->dissipation[rows[l]];
-        f.x += s.x[l];
-        f.y += s.y[l];
-        f.z += s.z[l];
+        f.x += unit * s.x[l];
+        f.y += unit * s.y[l];
+        f.z += unit * s.z[l];
         dissipation += 0.5 * in->support * static_cast<double>(s.lost[l]);
         if constexpr (Heat) in->heatFlow[rows[l]] += heatScale * s.heat[l];
         if constexpr (Shocks) {

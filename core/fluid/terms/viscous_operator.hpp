@@ -34,11 +34,11 @@ template<class Real, ViscousPass pass> struct ViscousOperator {
     LanesD x = LanesD(0.0), y = LanesD(0.0), z = LanesD(0.0), lost = LanesD(0.0);
     L xx = L(0.0), yy = L(0.0), zz = L(0.0), xy = L(0.0), yz = L(0.0), xz = L(0.0);
   };
-  THAW_INLINE Data load(const std::uint32_t* rows) const {
+  THAW_INLINE Data load(const std::uint32_t* entries) const {
     Data d;
-    d.place = thaw::THAW_ISA::load(place, rows);
-    d.velocity = thaw::THAW_ISA::load(velocity, rows);
-    if constexpr (lost) d.middle = thaw::THAW_ISA::load(middle, rows);
+    d.place = loadListed(place, entries);
+    d.velocity = loadListed(velocity, entries);
+    if constexpr (lost) d.middle = loadListed(middle, entries);
     splitFloats(d.velocity.d, d.viscosity, d.liquid);
     return d;
   }

@@ -6,7 +6,7 @@
 namespace thaw {
 
 /// eps = (F^T F - 1)/2 of F = 1 + grad u, from grad u, so that small strains do not cancel.
-template<class T> Sym3<T> greenStrain(const Mat3<T>& gradU) {
+template<class T> [[gnu::always_inline]] inline Sym3<T> greenStrain(const Mat3<T>& gradU) {
   const Vec3<T>&a = gradU.row[0], &b = gradU.row[1], &c = gradU.row[2];
   const T h(0.5);
   return {a.x + h * (a.x * a.x + b.x * b.x + c.x * c.x),
@@ -24,7 +24,7 @@ template<class T> Sym3<T> hooke(const Sym3<T>& e, const T& lambda, const T& mu) 
 }
 
 /// a s for a symmetric s.
-template<class T> Mat3<T> times(const Mat3<T>& a, const Sym3<T>& s) { return {{s * a.row[0], s * a.row[1], s * a.row[2]}}; }
+template<class T> [[gnu::always_inline]] inline Mat3<T> times(const Mat3<T>& a, const Sym3<T>& s) { return {{s * a.row[0], s * a.row[1], s * a.row[2]}}; }
 
 /// psi = e : hooke(e) / 2, Pa.
 template<class T> T greenEnergy(const Sym3<T>& strain, const T& lambda, const T& mu) {

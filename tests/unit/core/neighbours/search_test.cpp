@@ -81,14 +81,11 @@ INSTANTIATE_TEST_SUITE_P(Moves, SortMoved, testing::Values(0.0, 1e-3, 0.02, 0.4,
 
 class Search : public testing::TestWithParam<const char*> {};
 
-TEST_P(Search, FindsWhatBruteForceFindsInCellAndIdOrder) {
-  const PairKernels* k = pairKernels(GetParam());
-  if (k == nullptr) GTEST_SKIP() << "this processor has no " << GetParam();
-  Block b(11, 0.45, 2.3);
-  b.findNeighbours(*k);
+/// Lists of every `stride`th row against all pairs.
+void expectBruteForce(const Block& b, std::uint32_t stride) {
   const Continuum& p = b.particles;
   const double h = b.grid.support;
-  for (std::uint32_t i = 0; i < p.owned; i += 13) {
+  for (std::uint32_t i = 0; i < p.owned; i += stride) {
     std::vector<std::uint32_t> expected;
     for (std::uint32_t j = 0; j < p.owned; j++)
       if (j != i && length(p.position[i] - p.position[j]) < h) expected.push_back(j);  // rows are in (cell, id) order
@@ -97,6 +94,28 @@ TEST_P(Search, FindsWhatBruteForceFindsInCellAndIdOrder) {
     std::erase_if(found, [&](std::uint32_t j) { return length(p.position[i] - p.position[j]) >= h; });
     ASSERT_EQ(found, expected) << "row " << i;
   }
+}
+
+TEST_P(Search, FindsWhatBruteForceFindsInCellAndIdOrder) {
+  const PairKernels* k = pairKernels(GetParam());
+  if (k == nullptr) GTEST_SKIP() << "this processor has no " << GetParam();
+  Block b(11, 0.45, 2.3);
+  b.findNeighbours(*k);
+  expectBruteForce(b, 13);
+}
+
+// Hundreds of rows in a cell: many rounds of 32 for a particle, and more of them than there was room for.
+TEST_P(Search, FindsWhatBruteForceFindsInCrowdedCells) {
+  const PairKernels* k = pairKernels(GetParam());
+  if (k == nullptr) GTEST_SKIP() << "this processor has no " << GetParam();
+  Block b(17, 0.45);
+  for (std::size_t i = 0; i < b.particles.owned; i++) b.particles.position[i] = b.particles.position[i] * 0.25 + Vec3d{0.03, 0.05, 0.04};
+  computeCellKeys(b.grid, b.particles);
+  sortByCell(b.particles, {}, b.sort, b.cells);
+  ASSERT_GT(*std::max_element(b.cells.count.begin(), b.cells.count.end()), 256u);
+  b.findNeighbours(*k);
+  EXPECT_GT(b.search.rounds.size(), 64u);
+  expectBruteForce(b, 29);
 }
 INSTANTIATE_TEST_SUITE_P(InstructionSets, Search, testing::Values("base", "avx2", "avx512"));
 

@@ -24,7 +24,7 @@ NeighbourLists allPairs(std::size_t n) {
     lists.first.push_back(lists.list.size());
     lists.count.push_back(static_cast<std::uint32_t>(n));
     for (std::size_t j = 0; j < n; j++)
-      for (std::size_t l = 0; l < 8; l++) lists.list.push_back(j == g * 8 + l ? lists.dummy : static_cast<std::uint32_t>(j));
+      for (std::size_t l = 0; l < 8; l++) lists.list.push_back(2 * (j == g * 8 + l ? lists.dummy : static_cast<std::uint32_t>(j)));
   }
   for (std::size_t i = 0; i < n; i++) lists.self[i] = static_cast<std::uint32_t>(i);
   return lists;
