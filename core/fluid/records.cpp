@@ -1,6 +1,7 @@
 #include "core/fluid/records.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 #include "core/fluid/state_equation.hpp"
@@ -10,6 +11,42 @@ namespace thaw {
 namespace {
 
 template<class Real> struct Four { Real a, b, c, d; };
+
+// Two values at once, as every processor of the kind has them: packing a million particles is a tenth of a step.
+typedef double Pair __attribute__((vector_size(16)));
+typedef float Quad __attribute__((vector_size(16)));
+typedef std::uint32_t Words __attribute__((vector_size(16)));
+Pair pairAt(const double* p) {
+  Pair v;
+  std::memcpy(&v, p, sizeof v);
+  return v;
+}
+
+/// Fixed-point places: fixedPoint() of x and y at once. The fourth word is 0.
+struct FixedPlaces {
+  Pair originXY, scaleXY;
+  double originZ, scaleZ;
+  explicit FixedPlaces(const CellGrid& g) : originXY{g.origin.x, g.origin.y}, originZ(g.origin.z) {
+    scaleZ = fixedUnitsPerSupport / g.support;
+    scaleXY = Pair{scaleZ, scaleZ};
+  }
+  Words operator()(const Vec3d& at) const {
+    const Pair xy = (pairAt(&at.x) - originXY) * scaleXY + fixedPointMagic, z = Pair{(at.z - originZ) * scaleZ + fixedPointMagic, 0};
+    return __builtin_shufflevector(reinterpret_cast<Words>(xy), reinterpret_cast<Words>(z), 0, 2, 4, 6);
+  }
+};
+
+/// Velocity and one more, in single precision.
+Quad quad(const Vec3d& v, float last) {
+  typedef float Two __attribute__((vector_size(8)));
+  const Two xy = __builtin_convertvector(pairAt(&v.x), Two);
+  return Quad{xy[0], xy[1], static_cast<float>(v.z), last};
+}
+void put(Four<float>& to, const Vec3d& v, float last) {
+  const Quad q = quad(v, last);
+  std::memcpy(&to, &q, sizeof q);
+}
+void put(Four<double>& to, const Vec3d& v, double last) { to = {v.x, v.y, v.z, last}; }
 
 template<class Real> Four<Real>* rows(AlignedVector<std::byte>& bytes) { return reinterpret_cast<Four<Real>*>(bytes.data()); }
 
@@ -36,27 +73,27 @@ template<class Real> void packAs(const RecordContext& x, const Continuum& p, std
     r.volumePerMass.push_back(1 / (m.density * h * h * h));
   }
   Four<float>* fixed = rows<float>(r.fixed);
+  const FixedPlaces fixedPlace(grid);
+  std::uint16_t* const coarse[3] = {r.coarse[0].data(), r.coarse[1].data(), r.coarse[2].data()};
   for (std::size_t i = begin; i < end; i++) {
     const std::uint16_t k = p.material[i];
     const Material& m = x.scene.materials[k];
     const Vec3d& at = p.position[i];
     const double V = p.mass[i] * r.volumePerMass[k];
-    const std::uint32_t word[3] = {fixedPoint(grid, at.x, 0), fixedPoint(grid, at.y, 1), fixedPoint(grid, at.z, 2)};
-    std::memcpy(&fixed[i], word, sizeof word);
-    for (int a = 0; a < 3; a++) r.coarse[a][i] = coarsePlace(word[a]);
-    fixed[i].d = static_cast<float>(V);
+    Words place = fixedPlace(at);
+    for (int a = 0; a < 3; a++) coarse[a][i] = coarsePlace(place[a]);
+    place[3] = std::bit_cast<std::uint32_t>(static_cast<float>(V));
+    std::memcpy(&fixed[i], &place, sizeof place);
     if constexpr (sizeof(Real) == 8) rows<double>(r.place)[i] = {(at.x - grid.origin.x) * (1 / h), (at.y - grid.origin.y) * (1 / h), (at.z - grid.origin.z) * (1 / h), V};
     if (!sums) continue;
     if (uniform && !surface) {
-      const Vec3d& v = p.velocity[i];
-      rows<Real>(r.motion)[i] = {static_cast<Real>(v.x), static_cast<Real>(v.y), static_cast<Real>(v.z), Real(0)};
+      put(rows<Real>(r.motion)[i], p.velocity[i], Real(0));
       if (heat) rows<Real>(r.state)[i] = {Real(0), Real(1), static_cast<Real>(p.temperature[i]), Real(0)};
       continue;
     }
     const double f = melting ? static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? 1 : 0, T = heat ? p.temperature[i] : 0;
     const MaterialParameters local = m.melts() || (heat && !m.viscosityTable.empty()) ? localParameters(x.scene.numerics.heat, m, f, T) : r.constant[k];
-    const Vec3d& v = p.velocity[i];
-    rows<Real>(r.motion)[i] = {static_cast<Real>(v.x), static_cast<Real>(v.y), static_cast<Real>(v.z), static_cast<Real>(local.viscosity)};
+    put(rows<Real>(r.motion)[i], p.velocity[i], static_cast<Real>(local.viscosity));
     if (!r.state.empty()) rows<Real>(r.state)[i] = {carried && f > 0 ? static_cast<Real>(p.compression[i]) : Real(0), static_cast<Real>(f), static_cast<Real>(T), static_cast<Real>(local.conductivity)};
     if (surface)
       rows<Real>(r.surface)[i] = {static_cast<Real>(x.liquids[k].rootTension * f), Real(p.phase[i] == Solid), static_cast<Real>(x.liquids[k].artificial * f),
@@ -64,11 +101,28 @@ template<class Real> void packAs(const RecordContext& x, const Continuum& p, std
   }
 }
 
+/// Of one liquid (Modules::uniform), whose pressure is not corrected.
+template<class Real> void packUniformPressure(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
+  const Numerics& n = x.scene.numerics;
+  const double stiffness = x.liquids[0].stiffness, tensileLimit = n.tensileLimit;
+  const float* const filling = p.filling.data();
+  Four<Real>* const motion = rows<Real>(r.motion);
+  const auto loop = [&](EquationOfState eos) {
+    for (std::size_t i = begin; i < end; i++) {
+      const double f = static_cast<double>(filling[i]), term = pressureOf(eos, stiffness, f, tensileLimit) / (f * f);
+      motion[i].d = f > 0 ? static_cast<Real>(term) : Real(0);
+    }
+  };
+  if (n.eos == EquationOfState::Linear) loop(EquationOfState::Linear);
+  else loop(EquationOfState::Tait);
+}
+
 template<class Real> void packPressureAs(const RecordContext& x, Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
   const Numerics& n = x.scene.numerics;
   const bool uniform = x.modules.uniform, books = !uniform && end <= p.owned;
   Four<Real>* state = rows<Real>(r.state);
   const bool corrected = x.modules.corrected;
+  if (uniform && !corrected && n.pressure == PairForm::Consistent) return packUniformPressure<Real>(x, p, begin, end, r);
   Four<Real>* place = rows<Real>(sizeof(Real) == 4 ? r.fixed : r.place);
   for (std::size_t i = begin; i < end; i++) {
     const double f = uniform ? 1 : static_cast<double>(state[i].b), filling = static_cast<double>(p.filling[i]);

@@ -69,6 +69,8 @@ double latticeSurfaceExposure(const Numerics& n) { return 2 / n.support * wallIn
 void addOuterHeat(World& w, double dt, const std::vector<std::uint8_t>* deep) {
   Continuum& p = w.particles;
   const Scene& s = w.scene;
+  const auto heats = [](const Material& m) { return m.heatSource != 0; };
+  if (!w.modules.surfaceHeat && std::none_of(s.materials.begin(), s.materials.end(), heats)) return;
   const double face = s.spacing * s.spacing, flat = w.modules.surfaceHeat ? latticeSurfaceExposure(s.numerics) : 1;
   for (std::size_t i = 0; i < p.owned; i++) {
     if (deep && (*deep)[i]) continue;
