@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
-"""Prints the rows of the step benchmark beside their targets and charts them: chart.py FILE.csv PICTURE.png"""
+"""Prints the rows of the step benchmark beside their targets and charts them: chart.py FILE.csv PICTURE.png. The table of docs/performance.md comes from it,
+too: PICTURE.md beside the picture."""
 import csv
+import os
 import sys
 
 import matplotlib
@@ -28,6 +30,19 @@ def show(rows):
         memory = f"{float(r['bytes_per_particle']):6.0f} ({r['target_bytes_per_particle'] or '-':>4s})"
         print(f"{label(r):44s}  {float(r['msteps_per_s']):8.2f}  {float(r['ratio']):10.2f}  {goal}   {memory:>14s}   {float(r['moved_gb_per_s']):5.1f} of {float(r['copy_gb_per_s']):5.1f}   "
               f"{float(r['setup_steps']):15.1f}   {r['held_back_by']}")
+
+
+def table(rows, path):
+    """The same as a table of docs/performance.md; bold: excellent is reached."""
+    with open(path, "w", encoding="utf-8") as out:
+        out.write("| case | ranks | particles | M/s and core | times the scalar code | excellent | limit | bytes a particle | set-up, steps | held back by |\n|---|---|---|---|---|---|---|---|---|---|\n")
+        for r in rows:
+            ratio, excellent = number(r["ratio"]), number(r["target_ratio"])
+            times = f"**{ratio:.2f}**" if excellent and ratio >= excellent else f"{ratio:.2f}"
+            goal = f"{excellent:.2f} | {number(r['limit_ratio']):.1f}" if excellent else " | "
+            nominal = 33 if float(r["neighbours"]) < 50 else 74
+            out.write(f"| {r['case']}, {r['precision']}, {nominal} neighbours | {r['ranks']} | {float(r['particles']):,.0f} | {float(r['msteps_per_s']):.2f} | {times} | {goal} | "
+                      f"{float(r['bytes_per_particle']):.0f} | {float(r['setup_steps']):.0f} | {r['held_back_by']} |\n")
 
 
 def draw(rows, picture):
@@ -59,4 +74,5 @@ def draw(rows, picture):
 
 rows = list(csv.DictReader(open(sys.argv[1], newline="")))
 show(rows)
+table(rows, os.path.splitext(sys.argv[2])[0] + ".md")
 draw(rows, sys.argv[2])
