@@ -69,7 +69,8 @@ bool isCalm(const World& w, std::size_t i, const Vec3d& acceleration) {
   const Continuum& p = w.particles;
   const Numerics& n = w.scene.numerics;
   if (p.phase[i] != Solid || p.slot[i] == noSlot || (p.liquid.active && p.liquid[i] > 0)) return false;
-  const double slow = n.sleepSpeed, weak = slow / n.sleepAfter;
+  // less than half of gravity, or whoever falls freely would be calm with a large sleep_speed, and be held in the air
+  const double slow = n.sleepSpeed, g = length(w.scene.domain.gravity), weak = std::min(slow / n.sleepAfter, g > 0 ? 0.5 * g : never);
   if (!(dot(p.velocity[i], p.velocity[i]) < slow * slow) || !(dot(acceleration, acceleration) < weak * weak)) return false;
   if (!p.heatFlow.active) return true;
   return std::abs(p.heatFlow[i]) < n.sleepHeating * p.mass[i] * heatCapacityOf(n.heat, w.scene.materials[p.material[i]], 0);

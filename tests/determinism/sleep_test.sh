@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Solids that sleep and are woken (core/sleep/) have the same bits on 1, 2, 3, 4 and 7 ranks and when the run is cut and resumed on another number of ranks:
-# blocks come to rest, one falls on another much later, a hot one melts a corner, a wall moves up to the last.
+# blocks come to rest, one falls on another much later, a wall moves up to the last.
 . "$(dirname "$0")/../support/run.sh"
 scene=sleepers
 cat >"$work/sleepers.toml" <<'SCENE'

@@ -1,4 +1,4 @@
-// Solids at rest sleep (core/sleep/): the same motion within what is allowed, nearly no work, and waking by contact, a wall and heat.
+// Solids at rest sleep (core/sleep/): the same motion within what is allowed, nearly no work, and waking by contact, a wall that pushes and heat. None in the air.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -71,6 +71,72 @@ TEST(Sleep, ABlockThatFallsOnASleeperWakesItAndNotTheOther) {
   }
   EXPECT_TRUE(slept);
   EXPECT_TRUE(hit);
+}
+
+/// Particles of a body that sleep.
+std::size_t sleepers(const Continuum& p, std::uint16_t body) {
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < p.owned; i++) n += p.body[i] == body && p.sleep[i] != awake;
+  return n;
+}
+
+TEST(Sleep, NobodyIsHeldInTheAirHoweverLargeTheSpeed) {
+  Scene s = blocks(4);
+  s.numerics.sleepSpeed = 1;  // which free fall takes .1 s to reach, and sleep_after .05 s
+  s.end = 1;
+  test::Simulation x(s);
+  while (x.w.clock.time < 0.3) {
+    ASSERT_TRUE(x.step());
+    ASSERT_EQ(sleepers(x.particles(), 1), 0u) << x.w.clock.time;
+  }
+  EXPECT_NEAR(lowest(x.particles(), 1), 4.7 - 0.5 * 9.81 * x.w.clock.time * x.w.clock.time, 0.01);
+}
+
+TEST(Sleep, AWallThatPushesWakesWhomItPushesAndNotTheOther) {
+  Scene s = blocks(4);
+  s.numerics.sleepSpeed = s.numerics.sleepAfter = 0.02;
+  s.bodies.erase(s.bodies.begin() + 1);
+  s.obstacles.emplace_back();
+  s.obstacles.back().name = "ram";
+  s.obstacles.back().shape.size = {0.4, 1, 0.6};
+  s.obstacles.back().shape.move = {-1.2, 0, 0.4};
+  s.obstacles.back().motion = {{1.0, {0, 0, 0}, {}}, {1.4, {0.8, 0, 0}, {}}};
+  test::Simulation x(s);
+  bool slept = false, woken = false;
+  while (x.w.clock.time < 1.35) {
+    ASSERT_TRUE(x.step());
+    const std::size_t near = sleepers(x.particles(), 0), far = sleepers(x.particles(), 1);
+    if (x.w.clock.time > 0.9 && x.w.clock.time < 1 && near > 0 && far > 0) slept = true;
+    if (slept && x.w.clock.time > 1.3) {
+      woken = near == 0;
+      EXPECT_GT(far, 0u);
+      break;
+    }
+  }
+  EXPECT_TRUE(slept);
+  EXPECT_TRUE(woken);
+}
+
+TEST(Sleep, HeatWakes) {
+  Scene s = blocks(4);
+  s.numerics.sleepSpeed = s.numerics.sleepAfter = 0.02;
+  s.bodies.erase(s.bodies.begin() + 1);
+  s.materials[0].conductivity = {1, 1};
+  s.temperings.push_back({});
+  s.temperings.back().start = 1;
+  s.temperings.back().over = 0.1;
+  s.temperings.back().temperature = 400;
+  test::Simulation x(s);
+  bool slept = false, woken = false;
+  while (x.w.clock.time < 1.3) {
+    ASSERT_TRUE(x.step());
+    const std::size_t n = sleepers(x.particles(), 0);
+    if (x.w.clock.time < 1) slept = slept || n > 0;
+    if (x.w.clock.time > 1.02 && x.w.clock.time < 1.09) woken = woken || n == 0;
+  }
+  EXPECT_TRUE(slept);
+  EXPECT_TRUE(woken);
+  for (std::size_t i = 0; i < x.particles().owned; i++) ASSERT_NEAR(x.particles().temperature[i], 400, 0.5);  // and nobody slept through it
 }
 
 }  // namespace
