@@ -32,7 +32,10 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   wrapPeriodic(w.grid, w.scene.domain, w.particles, w.ledger.entered.potential);
   moveWalls(w.walls, time);
   t.times.lap(StepPhase::Drift);
-  if (w.modules.sheet) moveSheets(w, dt);      // the exact solution over the step
+  if (w.modules.sheet) {
+    moveSheets(w, dt);                         // the exact solution over the step
+    t.times.lap(StepPhase::SheetMotion);
+  }
 
   evaluate(w, halos, t, dt);                   // forces at the new places
 
@@ -42,7 +45,11 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   here.finite = finishKick(w, dt, &here.bad, &largest);  // v += a dt/2
   here.largest = largest;
   here.badHere = !here.finite || w.oriented.overran;
-  if (w.modules.sheet) kickSheets(w, dt);      // v += the push of forces at the new places
+  if (w.modules.sheet) {
+    t.times.lap(StepPhase::Drift);
+    kickSheets(w, dt);                         // v += the push of forces at the new places
+    t.times.lap(StepPhase::SheetMotion);
+  }
   if (w.modules.kinds() && !finiteKinds(w)) here.finite = false;
   t.times.lap(StepPhase::Drift);
   if (w.modules.heat) updateHeat(w, dt);       // H += heat dt, T and liquid fraction follow

@@ -36,12 +36,12 @@ bool bandwidth(std::size_t n, const Out& out) {
     copy = std::min(copy, std::chrono::duration<double>(end - middle).count());
   }
   const double share = copy / update;
-  std::printf("vertex update   %6.2f GB/s   %.2f ns a vertex\ncopy            %6.2f GB/s   (%.4g)\nshare           %6.1f %%      target: 60 %% at least, %zu vertices\n", bytes / update / 1e9,
+  std::printf("vertex update   %6.2f GB/s   %.2f ns a vertex\ncopy            %6.2f GB/s   (%.4g)\nshare           %6.1f %%      target: 120 %% (twice the 60 that were first asked for), %zu vertices\n", bytes / update / 1e9,
               1e9 * update / static_cast<double>(n), bytes / copy / 1e9, to[n], 100 * share, n);
   out.line("bandwidth", "vertices", "update", 1, static_cast<double>(n), update, bytes / update / 1e9, "GB/s");
   out.line("bandwidth", "vertices", "copy", 1, static_cast<double>(n), copy, bytes / copy / 1e9, "GB/s");
   out.line("bandwidth", "vertices", "share", 1, static_cast<double>(n), 0, 100 * share, "%");
-  return share >= 0.6;
+  return share >= 1.2;
 }
 
 }  // namespace thaw::bench

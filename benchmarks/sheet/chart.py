@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Error against cost, from the CSV of benchmarks/sheet: chart.py FILE.csv FILE.png"""
+"""Error against cost, and phases of a step, from the CSV of benchmarks/sheet: chart.py FILE.csv FILE.png"""
 import csv
 import sys
 
@@ -8,9 +8,11 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-rows = [r for r in csv.DictReader(open(sys.argv[1])) if r["test"] == "accuracy"]
+every = list(csv.DictReader(open(sys.argv[1])))
+rows = [r for r in every if r["test"] == "accuracy"]
+phases = [r for r in every if r["test"] == "phases"]
 cases = list(dict.fromkeys(r["case"] for r in rows))
-figure, axes = plt.subplots(1, max(1, len(cases)), figsize=(11, 4.4), squeeze=False)
+figure, axes = plt.subplots(1, len(cases) + 1, figsize=(5.5 * (len(cases) + 1), 4.4), squeeze=False)
 titles = {"oscillator": "damped oscillator, ten periods", "head": "the head, let go from a press"}
 for axis, case in zip(axes[0], cases):
     for method, mark in zip(("exact step", "symplectic Euler", "RK4", "implicit Euler"), "osD^"):
@@ -22,5 +24,15 @@ for axis, case in zip(axes[0], cases):
     axis.set_ylabel("relative error of the places")
     axis.grid(True, which="major", alpha=0.3)
     axis.legend(fontsize=8)
+axis = axes[0][-1]
+bars = list(dict.fromkeys((r["case"], r["evaluations"]) for r in phases))
+left = [0.0] * len(bars)
+for name in ("motion", "forces", "contact", "rest"):
+    values = [sum(float(r["value"]) for r in phases if (r["case"], r["evaluations"]) == b and r["method"] == name) for b in bars]
+    axis.barh(range(len(bars)), values, left=left, label=name)
+    left = [a + b for a, b in zip(left, values)]
+axis.set_yticks(range(len(bars)), [f"{c}, {float(n):,.0f} vertices" for c, n in bars], fontsize=8)
+axis.set_xlabel("ns a vertex and step")
+axis.legend(fontsize=8)
 figure.tight_layout()
 figure.savefig(sys.argv[2], dpi=110)

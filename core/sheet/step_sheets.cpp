@@ -204,9 +204,11 @@ void loadSheets(World& w, Halos halos, StepTools& t, double dt) {
   findFactors(w, dt);
   clearLoads(w);
   addInnerForces(w, halos);
+  t.times.lap(StepPhase::Sheet);
   addOuterForces(w, now);
   addBodyWrap(w, halos, now);
   addSheetContacts(w, halos, now);
+  t.times.lap(StepPhase::SheetContact);
   b.fastestDrag = fastestDrag(w, now);
   addRestEnergy(w, w.clock.time + dt);
   if (dt > 0) bookChanging(w, w.clock.time, w.clock.time + dt);

@@ -11,14 +11,14 @@ namespace thaw {
 /// Phases of a step and of a run. None: time that no timer covers.
 enum class StepPhase : std::size_t {
   Setup, Drift, Domain, Migrate, Sort, Search, Density, Forces, Viscosity, Walls, Contact, Elastic, Bonds, Heat, Phase, Kick,
-  Exchange, Reduce, Pressure, Surface, Oriented, Sheet, Balance, Frames, Checkpoint, Other, None
+  Exchange, Reduce, Pressure, Surface, Oriented, SheetMotion, Sheet, SheetContact, Balance, Frames, Checkpoint, Other, None
 };
 inline constexpr std::size_t stepPhases = static_cast<std::size_t>(StepPhase::None);
 
 /// Name of a phase in summaries and progress lines.
 inline const char* phaseName(StepPhase phase) {
   constexpr const char* names[stepPhases + 1] = {"setup", "drift", "domain", "migrate", "sort", "search", "density", "forces", "viscosity", "walls",
-                                                 "contact", "elastic", "bonds", "heat", "phase_change", "kick", "exchange", "reduce", "pressure", "surface", "oriented", "sheet",
+                                                 "contact", "elastic", "bonds", "heat", "phase_change", "kick", "exchange", "reduce", "pressure", "surface", "oriented", "sheet_motion", "sheet", "sheet_contact",
                                                  "balance", "frames", "checkpoint", "other", "none"};
   return names[static_cast<std::size_t>(phase)];
 }
