@@ -11,12 +11,12 @@
 #SBATCH --output=thaw-%j.log
 set -u
 scene=${1:-scenes/melt_large.toml}
-out=${SCRATCH:-$PWD/out}/$(basename "$scene" .toml)
+out=${OUT:-${SCRATCH:-$PWD/out}/$(basename "$scene" .toml)}
 thaw=${THAW:-build/release/thaw}
 
-# srun hands the signal to all ranks. Open MPI of Debian is built with PMIx; elsewhere see `srun --mpi=list`.
+# srun hands the signal to all ranks. Open MPI of Debian is built with PMIx; elsewhere see `srun --mpi=list` and set PMI.
 code=0
-srun --mpi=pmix --kill-on-bad-exit=1 "$thaw" run "$scene" --out "$out" --resume || code=$?
+srun --mpi="${PMI:-pmix}" --kill-on-bad-exit=1 "$thaw" run "$scene" --out "$out" --resume || code=$?
 case $code in
   0) "$thaw" render "$out" --sheet "$out/pictures/sheet.png" ;;
   75) sbatch "$0" "$scene" ;;
