@@ -59,8 +59,9 @@ void frames(std::size_t large, const Out& out) {
     for (const double n : {c.vertices, static_cast<double>(large)}) {
       const bool small = n == c.vertices;
       const Frames f = framesPerSecond(c.scene, std::sqrt(c.perSpacing / n), n > 1e5 ? 30 : 6);
-      const std::string target = small ? std::to_string(c.target).substr(0, 3) : "-";
-      std::printf("%-6s %10zu %10.3f %8s %12.1f   %11.1f %11.1f %11.1f %11.1f      %s\n", c.scene, f.vertices, f.perSecond, target.c_str(), f.steps, f.motion, f.forces, f.contact, f.rest, small ? c.paper : "");
+      char target[8] = "-";
+      if (small) std::snprintf(target, sizeof target, "%.1f", c.target);
+      std::printf("%-6s %10zu %10.3f %8s %12.1f   %11.1f %11.1f %11.1f %11.1f      %s\n", c.scene, f.vertices, f.perSecond, target, f.steps, f.motion, f.forces, f.contact, f.rest, small ? c.paper : "");
       out.line("frames", c.scene, "exact", static_cast<std::int64_t>(f.steps), static_cast<double>(f.vertices), 0, f.perSecond, "frames/s");
       for (const auto& [phase, ns] : {std::pair{"motion", f.motion}, {"forces", f.forces}, {"contact", f.contact}, {"rest", f.rest}})
         out.line("phases", c.scene, phase, static_cast<std::int64_t>(f.steps), static_cast<double>(f.vertices), 0, ns, "ns");

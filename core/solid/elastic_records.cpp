@@ -7,7 +7,7 @@ namespace thaw {
 namespace {
 
 // Nearest integer modulo 2^32, |x| < 2^51: the low bits of the mantissa after 1.5 * 2^52 is added.
-std::uint32_t fixedPoint(double x) { return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(x + 6755399441055744.0)); }
+std::uint32_t fixedPoint(double x) { return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(x + fixedPointMagic)); }
 
 template<class Real> void packMotionOf(AlignedVector<Real>& records, const Solids& solids, std::size_t first, std::size_t last) {
   const std::size_t values = 4 * solids.size();

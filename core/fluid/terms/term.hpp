@@ -12,7 +12,6 @@ namespace THAW_ISA {
 namespace {
 
 template<class Real> const Record<Real>* records(const void* p) { return static_cast<const Record<Real>*>(p); }
-template<class L> THAW_INLINE L square(L a) { return a * a; }
 
 }  // namespace
 }  // namespace THAW_ISA
