@@ -69,6 +69,7 @@ PairSums pairSumsOf(World& w, StepTools& t) {
   s.place = n.precision == Precision::Single ? t.records.fixed.data() : t.records.place.data();
   s.motion = t.records.motion.data();
   s.state = t.records.state.data();
+  s.temperature = t.records.temperature.data();
   s.surface = t.records.surface.data();
   s.closeDistance = contactDistance * w.scene.spacing / w.grid.support;
   s.exposureScale = 2 * w.scene.spacing;

@@ -34,7 +34,7 @@ struct PairSums {
   bool viscous = true;          ///< forces also sum viscosity; not where it is solved implicitly
   ViscousWeight viscousWeight;  ///< of the pairwise form
   bool printedTension = false;  ///< colour field as in K05 instead of cohesion between pairs
-  bool uniform = false;         ///< one liquid (Modules::uniform): motion's fourth value is the pressure term, state holds temperatures or nothing
+  bool uniform = false;         ///< one liquid (Modules::uniform): motion's fourth value is the pressure term, there is no state but the temperature
   double viscosity = 0, conductivity = 0, artificial = 0;  ///< of that liquid, Pa s, W/(m K), Pa s; 0: no artificial viscosity
   bool heat = false;          ///< forces also sum heat conduction
   double conductionScale = 1; ///< factor of heat conduction (kernels/lattice.hpp)
@@ -44,6 +44,7 @@ struct PairSums {
   const void* place = nullptr;   ///< x, y, z (fixed point in single precision), V0 / h^3 (V / h^3 with the printed pressure)
   const void* motion = nullptr;  ///< velocity (m/s), viscosity (Pa s)
   const void* state = nullptr;   ///< pressure term (Pa): f p / filling^2, printed: f p; liquid fraction f; temperature (K); conductivity (W/(m K))
+  const void* temperature = nullptr;  ///< K, one value a row, float or double; where `uniform` and `heat`
   const void* surface = nullptr; ///< square root of the surface tension of the liquid (N/m)^1/2; 1 if solid, else 0; artificial viscosity (Pa s); XSPH factor
   bool carried = false;          ///< density also sums its rate
   double diffusion = 0;          ///< 1, of carried densities

@@ -86,9 +86,9 @@ template<class Real> void packAs(const RecordContext& x, const Continuum& p, std
     std::memcpy(&fixed[i], &place, sizeof place);
     if constexpr (sizeof(Real) == 8) rows<double>(r.place)[i] = {(at.x - grid.origin.x) * (1 / h), (at.y - grid.origin.y) * (1 / h), (at.z - grid.origin.z) * (1 / h), V};
     if (!sums) continue;
+    if (uniform && heat) reinterpret_cast<Real*>(r.temperature.data())[i] = static_cast<Real>(p.temperature[i]);
     if (uniform && !surface) {
       put(rows<Real>(r.motion)[i], p.velocity[i], Real(0));
-      if (heat) rows<Real>(r.state)[i] = {Real(0), Real(1), static_cast<Real>(p.temperature[i]), Real(0)};
       continue;
     }
     const double f = melting ? static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? 1 : 0, T = heat ? p.temperature[i] : 0;
@@ -162,8 +162,12 @@ void resizeRecords(const RecordContext& x, std::size_t n, PairRecords& r) {
   const bool sums = sumsOverPairs(x.modules);
   if (sums) resizeBytes(r.motion, n + 1, each);
   else r.motion.clear();
-  if (sums && (!x.modules.uniform || x.modules.heat)) resizeBytes(r.state, n + 1, each);
-  else r.state.clear();  // the packing of bodies may have needed what the run does not
+  if (sums && !x.modules.uniform) resizeBytes(r.state, n + 1, each);
+  else r.state = {};  // the packing of bodies may have needed what the run does not
+  if (sums && x.modules.uniform && x.modules.heat) {
+    resizeBytes(r.temperature, n + 1, each / 4);
+    std::memset(r.temperature.data() + n * each / 4, 0, each / 4);
+  }
   const bool surface = x.modules.tension || x.modules.contact || (x.modules.artificialViscosity && !x.modules.uniform) || x.modules.xsph;
   if (surface) resizeBytes(r.surface, n + 1, each);
   else r.surface.clear();

@@ -11,19 +11,23 @@
 namespace thaw {
 namespace {
 
-/// State columns (and this one) of `from`'s first rows, into the columns of the same names. Both tables list the same columns in the same order.
-void copyState(const Table& from, Table& to, std::size_t owned, std::size_t ghosts, const AnyColumn* also) {
-  const std::size_t n = owned + ghosts;
-  if (to.size() != n) {
+void setRows(Table& to, std::size_t owned, std::size_t ghosts) {
+  if (to.size() != owned + ghosts) {
     to.resize(to.owned, 0);
     to.resize(0, 0);
     to.resize(owned, ghosts);
   }
   to.owned = owned;
   to.ghosts = ghosts;
+}
+
+/// State columns of `from`'s first rows, into the columns of the same names. Both tables list the same columns in the same order.
+void copyState(const Table& from, Table& to, std::size_t owned, std::size_t ghosts) {
+  const std::size_t n = owned + ghosts;
+  setRows(to, owned, ghosts);
   for (std::size_t c = 0; c < from.columns.size(); c++) {
     const AnyColumn& column = *from.columns[c];
-    if (!column.active || (column.keep != Keep::State && &column != also)) continue;
+    if (!column.active || column.keep != Keep::State) continue;
     to.activate(*to.columns[c]);
     if (n > 0) std::memcpy(to.columns[c]->bytes.data(), column.bytes.data(), n * column.elementBytes);
   }
@@ -38,7 +42,7 @@ void copyBooks(const World& from, World& to) {
 
 void copySurface(const Surface& from, Surface& to) {
   if (!from.surfels.id.active) return;
-  copyState(from.surfels, to.surfels, from.surfels.owned, 0, nullptr);
+  copyState(from.surfels, to.surfels, from.surfels.owned, 0);
   to.components = from.components;
   to.events = from.events;
   to.counters = from.counters;
@@ -46,16 +50,22 @@ void copySurface(const Surface& from, Surface& to) {
 }
 
 void copyKinds(const World& from, World& to) {
-  if (from.oriented.rows.id.active) copyState(from.oriented.rows, to.oriented.rows, from.oriented.rows.owned, 0, nullptr);
-  if (from.sheets.rows.id.active) copyState(from.sheets.rows, to.sheets.rows, from.sheets.rows.owned, 0, nullptr);
+  if (from.oriented.rows.id.active) copyState(from.oriented.rows, to.oriented.rows, from.oriented.rows.owned, 0);
+  if (from.sheets.rows.id.active) copyState(from.sheets.rows, to.sheets.rows, from.sheets.rows.owned, 0);
 }
 
 }  // namespace
 
-void keepState(const World& w, World& kept) {
+void keepState(const World& w, GoodState& good) {
   if (!w.solids.energyKnown || !w.compressionKnown) throw std::logic_error("stored energies are to be found before a state is kept");
-  copyState(w.particles, kept.particles, w.particles.owned, 0, &w.particles.slot);
-  copyState(w.solids, kept.solids, w.solids.owned, w.solids.ghosts, nullptr);  // remote rows: bonds name them, and they have an id
+  World& kept = good.world;
+  packState(w.particles, good.particles);
+  setRows(kept.particles, w.particles.owned, 0);
+  if (w.particles.slot.active) {
+    kept.particles.activate(kept.particles.slot);
+    std::copy_n(w.particles.slot.data(), w.particles.owned, kept.particles.slot.data());
+  }
+  copyState(w.solids, kept.solids, w.solids.owned, w.solids.ghosts);  // remote rows: bonds name them, and they have an id
   kept.bonds = w.bonds;
   copySurface(w.surface, kept.surface);
   copyKinds(w, kept);
@@ -78,9 +88,10 @@ void emptyWorld(World& w, StepTools& t) {
   t.maxStretch2 = 1;
 }
 
-std::vector<std::byte> bringBack(const World& kept, World& w) {
+std::vector<std::byte> bringBack(const GoodState& good, World& w) {
+  const World& kept = good.world;
   Continuum& p = w.particles;
-  copyState(kept.particles, p, kept.particles.owned, 0, nullptr);
+  unpackState(good.particles, p);
   if (p.slot.active) std::fill_n(p.slot.data(), p.owned, noSlot);
   copySurface(kept.surface, w.surface);
   copyKinds(kept, w);

@@ -22,7 +22,7 @@ constexpr double manyToSpread = 5e4;    // particles over a surface: some 20 s
 constexpr double leastSolidBytes = 600;  // of a solid particle's record with its bonds
 // The same of the good state that is kept for retries (core/watch/good_state.hpp).
 constexpr double pi = 3.14159265358979323846;
-constexpr double leastKeptBytes = 120, leastKeptSolidBytes = 400;
+constexpr double leastKeptBytes = 75, leastKeptSolidBytes = 400;
 
 /// Least bytes of a surfel: its columns, and the lists of particles and surfels around it (4 bytes each).
 double leastSurfelBytes(const Scene& s) {

@@ -22,6 +22,7 @@
 
 #include "core/kinds/kinds.hpp"
 #include "core/solid/bond_records.hpp"
+#include "core/watch/good_state.hpp"
 #include "core/world.hpp"
 #include "io/output/frame.hpp"
 
@@ -80,9 +81,11 @@ struct CheckpointSlice {
 /// ranks, and the checkpoints that were there are still there. Needs Continuum::slot to be right. Collective.
 std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const World& world, const RunStamp& stamp, const CheckpointValues& values = {});
 
-/// Writes the good state that a checkpoint between two good states goes back to, OUT/checkpoint/good_<step>.hdf, in the same format: of a
-/// world that keepState (core/watch/good_state.hpp) has filled. Before that checkpoint, so that this never names a file that is not there.
-std::string writeGoodState(const std::string& out, MPI_Comm comm, const World& kept, const RunStamp& stamp, const CheckpointValues& values = {});
+std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const GoodState& kept, const RunStamp& stamp, const CheckpointValues& values = {});
+
+/// Writes the good state that a checkpoint between two good states goes back to, OUT/checkpoint/good_<step>.hdf, in the same format.
+/// Before that checkpoint, so that this never names a file that is not there.
+std::string writeGoodState(const std::string& out, MPI_Comm comm, const GoodState& kept, const RunStamp& stamp, const CheckpointValues& values = {});
 std::string goodStatePath(const std::string& out, std::int64_t step);
 
 /// Removes good states that neither checkpoint of a run's folder goes back to. One process only.

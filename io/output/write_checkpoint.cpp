@@ -45,17 +45,20 @@ template<class Use> void eachBond(const Bonds& bonds, const SolidOrder& order, c
     }
 }
 
-void addColumns(ParallelFileContent& content, const std::string& group, const Table& table, const Spread& spread, const SolidOrder* order) {
+/// State columns of a table, or those of its pack.
+void addColumns(ParallelFileContent& content, const std::string& group, const Table& table, const PackedTable* packed, const Spread& spread, const SolidOrder* order) {
   content.groups.push_back(group);
-  for (const AnyColumn* c : table.columns) {
-    if (!c->active || c->keep != Keep::State) continue;
+  for (std::size_t k = 0; k < table.columns.size(); k++) {
+    const AnyColumn* c = table.columns[k];
+    if (packed ? !packed->columns[k].there : !c->active || c->keep != Keep::State) continue;
     SpreadDataset d;
     d.name = group + "/" + c->name;
     d.shape = {elementOf(c->scalar), spread.all, c->components > 1 ? c->components : 0};
     d.mine = spread.mine;
     d.unit = c->unit;
     const std::size_t bytes = c->elementBytes;
-    if (order == nullptr) d.data = c->bytes.data();
+    if (packed) d.fill = [c, k, packed](const RowRange& local, std::byte* to) { unpackRows(*packed, *c, k, local.first, local.count, to); };
+    else if (order == nullptr) d.data = c->bytes.data();
     else
       d.fill = [c, order, bytes](const RowRange& local, std::byte* to) {
         for (std::uint64_t k = 0; k < local.count; k++) std::memcpy(to + k * bytes, c->bytes.data() + order->slots[local.first + k] * bytes, bytes);
@@ -131,8 +134,8 @@ void writeHeader(H5File& file, const CheckpointHeader& h) {
   if (h.surface.there) writeSurfaceRecord(file, h.surface);
 }
 
-/// The state as a file; the header's sums are of all ranks.
-void writeState(const std::string& path, std::int64_t sequence, MPI_Comm comm, const World& w, const RunStamp& stamp, const CheckpointValues& values) {
+/// The state as a file, its particles from the pack if there is one; the header's sums are of all ranks.
+void writeState(const std::string& path, std::int64_t sequence, MPI_Comm comm, const World& w, const PackedTable* packed, const RunStamp& stamp, const CheckpointValues& values) {
   if (!w.solids.energyKnown || !w.compressionKnown) throw std::logic_error("stored energies are to be found before a checkpoint is written");
   const Communicator ours(comm);
   MpiReducer all(ours);
@@ -152,14 +155,14 @@ void writeState(const std::string& path, std::int64_t sequence, MPI_Comm comm, c
   ParallelFileContent content;
   content.checked = true;
   content.groups = {"/checkpoint", "/run", "/order"};
-  addColumns(content, "/particles", w.particles, particles, nullptr);
-  addColumns(content, "/solids", w.solids, solids, &order);
+  addColumns(content, "/particles", w.particles, packed, particles, nullptr);
+  addColumns(content, "/solids", w.solids, nullptr, solids, &order);
   addBonds(content, w, order, bonds);
   if (h.surface.there) {
     content.groups.push_back("/surface");
-    addColumns(content, "/surfels", w.surface.surfels, spreadRows(comm, w.surface.surfels.owned), nullptr);
+    addColumns(content, "/surfels", w.surface.surfels, nullptr, spreadRows(comm, w.surface.surfels.owned), nullptr);
   }
-  eachKind(w, [&](std::size_t kind, const KindRows& r, const CellTable&) { addColumns(content, std::string("/") + kindNames[kind], r, spreadRows(comm, r.owned), nullptr); });
+  eachKind(w, [&](std::size_t kind, const KindRows& r, const CellTable&) { addColumns(content, std::string("/") + kindNames[kind], r, nullptr, spreadRows(comm, r.owned), nullptr); });
   std::vector<std::uint64_t> firstBond(order.firstBond.begin(), order.firstBond.end() - 1);
   for (std::uint64_t& f : firstBond) f += bonds.mine.first;
   content.datasets.push_back({"/order/solid_particle", {Element::U64, solids.all, 0}, solids.mine, order.particle.data(), "1", {}});
@@ -172,11 +175,8 @@ void writeState(const std::string& path, std::int64_t sequence, MPI_Comm comm, c
   writeParallelFile(path, comm, content);
 }
 
-}  // namespace
-
-std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const World& w, const RunStamp& stamp, const CheckpointValues& values) {
-  // the older file is replaced, or one that cannot be read
-  std::int64_t sequence = 1;
+/// The file that the next checkpoint replaces: the older one, or one that cannot be read.
+std::string nextPath(const std::string& out, MPI_Comm comm, std::int64_t& sequence) {
   int second = 0;
   onFirstRank(comm, [&] {
     const std::vector<CheckpointHeader> there = findCheckpoints(out);
@@ -184,16 +184,31 @@ std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const World& 
     second = !there.empty() && there[0].path.ends_with("/a.hdf");
   });
   MPI_Bcast(&second, 1, MPI_INT, 0, comm);
-  const std::string path = out + "/checkpoint/" + (second ? "b.hdf" : "a.hdf");
-  writeState(path, sequence, comm, w, stamp, values);
+  return out + "/checkpoint/" + (second ? "b.hdf" : "a.hdf");
+}
+
+std::string writeNext(const std::string& out, MPI_Comm comm, const World& w, const PackedTable* packed, const RunStamp& stamp, const CheckpointValues& values) {
+  std::int64_t sequence = 1;
+  const std::string path = nextPath(out, comm, sequence);
+  writeState(path, sequence, comm, w, packed, stamp, values);
   return path;
+}
+
+}  // namespace
+
+std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const World& w, const RunStamp& stamp, const CheckpointValues& values) {
+  return writeNext(out, comm, w, nullptr, stamp, values);
+}
+
+std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const GoodState& kept, const RunStamp& stamp, const CheckpointValues& values) {
+  return writeNext(out, comm, kept.world, &kept.particles, stamp, values);
 }
 
 std::string goodStatePath(const std::string& out, std::int64_t step) { return out + "/checkpoint/good_" + std::to_string(step) + ".hdf"; }
 
-std::string writeGoodState(const std::string& out, MPI_Comm comm, const World& kept, const RunStamp& stamp, const CheckpointValues& values) {
-  const std::string path = goodStatePath(out, kept.clock.step);
-  writeState(path, 0, comm, kept, stamp, values);
+std::string writeGoodState(const std::string& out, MPI_Comm comm, const GoodState& kept, const RunStamp& stamp, const CheckpointValues& values) {
+  const std::string path = goodStatePath(out, kept.world.clock.step);
+  writeState(path, 0, comm, kept.world, &kept.particles, stamp, values);
   return path;
 }
 

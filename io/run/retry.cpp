@@ -144,7 +144,7 @@ bool goBack(Run& r, const StepOutcome& failed, std::string& why) {
   }
   if (r.goodInMemory && !r.goodOnDisk) {
     writeCheckpoint(r.options.out, r.comm.handle(), r.good, r.stamp(), sceneMarks(w.scene));
-    problem += fmt::format("; the checkpoint is of step {}, before it failed", r.good.clock.step);
+    problem += fmt::format("; the checkpoint is of step {}, before it failed", r.good.world.clock.step);
   } else {
     problem += "; the last checkpoint is from before";
   }

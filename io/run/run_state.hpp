@@ -12,6 +12,7 @@
 #include "core/kinds/kinds.hpp"
 #include "core/setup/setup.hpp"
 #include "core/surface/update_surface.hpp"
+#include "core/watch/good_state.hpp"
 #include "io/commands/run.hpp"
 #include "io/output/checkpoint.hpp"
 #include "io/output/series.hpp"
@@ -47,7 +48,7 @@ struct Run {
   RunSummary summary;
   WallClock::time_point start = WallClock::now(), lastReport = start, lastCheckpoint = start;
   std::int64_t firstStep = 0, stepAtReport = 0;
-  World good;                            // the last good state: of it only what keepState fills (core/watch/good_state.hpp)
+  GoodState good;                        // the last one
   LedgerReport books;                    // of the state that is about to become it
   bool goodInMemory = false, goodOnDisk = false;
   std::unique_ptr<Profile> profile;      // with --profile, from the first step on

@@ -132,13 +132,14 @@ TEST(SurfaceOutput, ACheckpointWithoutOneIsReadWhereTheSceneHasNone) {
 
 TEST(SurfaceOutput, AGoodStateHasAllOfIt) {
   Sample sample(MPI_COMM_WORLD, 100);
-  World &w = sample.w, kept;
+  World& w = sample.w;
+  GoodState kept;
   addSurface(w, MPI_COMM_WORLD, 200);
   World before;
   addSurface(before, MPI_COMM_WORLD, 200);
   keepState(w, kept);
-  expectSame(kept.surface, before.surface);
-  EXPECT_EQ(rowsOf(kept.surface.surfels), rowsOf(before.surface.surfels));
+  expectSame(kept.world.surface, before.surface);
+  EXPECT_EQ(rowsOf(kept.world.surface.surfels), rowsOf(before.surface.surfels));
   w.surface.surfels.resize(w.surface.surfels.owned / 2, 0);
   w.surface.events.push_back({});
   w.surface.components.clear();

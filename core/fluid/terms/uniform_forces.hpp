@@ -1,5 +1,5 @@
-// Pressure, viscosity, heat and artificial viscosity of one liquid whose parameters are the same everywhere: two records a neighbour, not three,
-// and no means to take. One term of the pair sums (term.hpp).
+// Pressure, viscosity, heat and artificial viscosity of one liquid whose parameters are the same everywhere: two records a neighbour and
+// with heat the temperature, not three records, and no means to take. One term of the pair sums (term.hpp).
 #pragma once
 #include "core/fluid/terms/term.hpp"
 #include "core/fluid/viscous_weight.hpp"
@@ -9,15 +9,19 @@ namespace THAW_ISA {
 namespace {
 
 /// To the last bit what Forces (forces.hpp) with the pairwise viscosity gives, and then Artificial (artificial_viscosity.hpp), where all
-/// particles are liquid of one material (Modules::uniform). motion.d is the pressure term; of state only the temperature is read.
+/// particles are liquid of one material (Modules::uniform). motion.d is the pressure term.
 template<class Real, class Kernel, bool Heat, bool Shocks> struct UniformForces {
   using L = Lanes<Real>;
-  const Record<Real>*place, *motion, *state;
+  const Record<Real>*place, *motion;
+  const Real* temperature;
   const PairSums* in;
   L pressureScale, viscousScale, viscousWeight, viscosity, conductivity, artificial;
   double heatScale, artificialScale;
   static constexpr double unit = lengthUnit<Real>;
-  struct Data { Lanes4<Real> place, motion, state; };
+  struct Data {
+    Lanes4<Real> place, motion;
+    L temperature;
+  };
   using Wide = Lanes<double>;
   struct Sum {
     Wide x = Wide(0.0), y = Wide(0.0), z = Wide(0.0), heat = Wide(0.0);
@@ -27,7 +31,7 @@ template<class Real, class Kernel, bool Heat, bool Shocks> struct UniformForces 
     Data d;
     d.place = loadListed(place, entries);
     d.motion = loadListed(motion, entries);
-    if constexpr (Heat) d.state = loadListed(state, entries);
+    if constexpr (Heat) d.temperature = loadListed(temperature, entries);
     return d;
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
@@ -45,7 +49,7 @@ template<class Real, class Kernel, bool Heat, bool Shocks> struct UniformForces 
     s.y -= wide(f * dy);
     s.z -= wide(f * dz);
     s.lost = fma(mu, approach, s.lost);
-    if constexpr (Heat) s.heat += wide(VV * conductivity * Kernel::laplace(q, q2) * (j.state.c - i.state.c));
+    if constexpr (Heat) s.heat += wide(VV * conductivity * Kernel::laplace(q, q2) * (j.temperature - i.temperature));
     if constexpr (Shocks) {
       const L closing = min(approach, L(0.0)), nu = artificial * j.place.d * slope * closing / (r2 + L(0.01 / (unit * unit)));
       s.sx += nu * dx;
