@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,8 @@ struct RunStamp {
 };
 
 /// Writes the frame, one with triangles in one piece; the file is there, whole, afterwards on all ranks, or nothing changed and the same IoError is thrown on all.
-/// Collective.
-void writeFrame(const std::string& path, MPI_Comm comm, const Frame& frame, const RunStamp& stamp);
+/// Collective. Connectivity and offsets are 32-bit numbers where there are fewer points and corners than `wideFrom`, else 64-bit ones.
+void writeFrame(const std::string& path, MPI_Comm comm, const Frame& frame, const RunStamp& stamp, std::uint64_t wideFrom = std::numeric_limits<std::int32_t>::max());
 
 /// Group /run: code, commit, ranks, scene_name, scene_toml. Rank 0 only.
 void writeStamp(H5File& file, const RunStamp& stamp, int ranks);

@@ -91,9 +91,9 @@ template<class Int> void writeWith(const std::string& path, MPI_Comm comm, const
 
 }  // namespace
 
-void writeFrame(const std::string& path, MPI_Comm comm, const Frame& frame, const RunStamp& stamp) {
+void writeFrame(const std::string& path, MPI_Comm comm, const Frame& frame, const RunStamp& stamp, std::uint64_t wideFrom) {
   const std::uint64_t largest = std::max<std::uint64_t>(spreadRows(comm, frame.count).all, spreadRows(comm, frame.triangles.size()).all);
-  if (largest < static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max())) writeWith<std::int32_t>(path, comm, frame, stamp);
+  if (largest < wideFrom) writeWith<std::int32_t>(path, comm, frame, stamp);
   else writeWith<std::int64_t>(path, comm, frame, stamp);
 }
 

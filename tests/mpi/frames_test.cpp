@@ -63,6 +63,28 @@ TEST(Frame, HasEveryFieldOfEveryParticle) {
   }
 }
 
+TEST(Frame, OfMoreThan31BitsHasWideConnectivity) {
+  const Folder folder;
+  const std::size_t N = 200;
+  Sample sample(MPI_COMM_WORLD, N);
+  const std::string narrow = folder.path + "/narrow.hdf", wide = folder.path + "/wide.hdf", edge = folder.path + "/edge.hdf";
+  const Frame frame = frameOf(sample.w, rankOf());
+  writeFrame(narrow, MPI_COMM_WORLD, frame, stamp, N + 1);
+  writeFrame(edge, MPI_COMM_WORLD, frame, stamp, N);
+  writeFrame(wide, MPI_COMM_WORLD, frame, stamp, 1);  // as of two billion
+  const FrameData a = readFrame(narrow), b = readFrame(wide);
+  ASSERT_EQ(a.positions.size(), b.positions.size());
+  for (std::size_t i = 0; i < a.positions.size(); i++) EXPECT_EQ(a.positions[i].y, b.positions[i].y);
+  if (rankOf() != 0) return;
+  const H5File n = H5File::openToRead(narrow), w = H5File::openToRead(wide);
+  for (const char* name : {"/VTKHDF/Connectivity", "/VTKHDF/Offsets"}) {
+    EXPECT_EQ(n.shape(name).element, Element::I32);
+    EXPECT_EQ(w.shape(name).element, Element::I64);
+    EXPECT_EQ(H5File::openToRead(edge).shape(name).element, Element::I64) << "2^31 - 1 rows have 2^31 offsets";
+    EXPECT_EQ(readRows<std::int64_t>(n, name, Element::I64), readRows<std::int64_t>(w, name, Element::I64));
+  }
+}
+
 TEST(Frame, WithoutAnyParticle) {
   const Folder folder;
   Sample sample(MPI_COMM_WORLD, 0);
