@@ -25,13 +25,15 @@ ColumnList ghostColumns(World& w) {
   return c;
 }
 
-void clearRates(World& w) {
+void clearRates(World& w, bool pairsSet) {
   Continuum& p = w.particles;
-  std::fill_n(p.force.data(), p.owned, Vec3d{});
-  std::fill_n(p.dissipation.data(), p.owned, 0.0);
   std::fill_n(p.interaction.data(), p.owned, 0.0);
+  if (!pairsSet) {
+    std::fill_n(p.force.data(), p.owned, Vec3d{});
+    std::fill_n(p.dissipation.data(), p.owned, 0.0);
+    if (p.heatFlow.active) std::fill_n(p.heatFlow.data(), p.owned, 0.0);
+  }
   if (p.fastAcceleration.active) std::fill_n(p.fastAcceleration.data(), p.owned, Vec3d{});
-  if (p.heatFlow.active) std::fill_n(p.heatFlow.data(), p.owned, 0.0);
   if (p.softening.active) std::fill_n(p.softening.data(), p.owned, 0.0);
   if (p.drag.active) std::fill_n(p.drag.data(), p.owned, Vec3d{});
 }

@@ -10,8 +10,8 @@ ColumnList ghostColumns(World& world);
 /// What a sum over neighbours reads and writes, of this world.
 PairSums pairSumsOf(World& world, StepTools& tools);
 
-/// Zero for everything that a step adds up.
-void clearRates(World& world);
+/// Zero for everything that a step adds up. pairsSet: but not for what the sums over pairs set, where those of one liquid (Modules::uniform) come first.
+void clearRates(World& world, bool pairsSet = false);
 
 /// StepTools::inner of the cells known by now: 1 where sums need no ghosts.
 void markInner(const World& world, const CellHalo& halo, StepTools& tools);

@@ -34,7 +34,7 @@ struct PairSums {
   bool viscous = true;          ///< forces also sum viscosity; not where it is solved implicitly
   ViscousWeight viscousWeight;  ///< of the pairwise form
   bool printedTension = false;  ///< colour field as in K05 instead of cohesion between pairs
-  bool uniform = false;         ///< one liquid (Modules::uniform): motion's fourth value is the pressure term, there is no state but the temperature
+  bool uniform = false;         ///< one liquid (Modules::uniform): motion's fourth value is the pressure term, there is no state but the temperature; forces set what they find, others add to it
   double viscosity = 0, conductivity = 0, artificial = 0;  ///< of that liquid, Pa s, W/(m K), Pa s; 0: no artificial viscosity
   bool heat = false;          ///< forces also sum heat conduction
   double conductionScale = 1; ///< factor of heat conduction (kernels/lattice.hpp)

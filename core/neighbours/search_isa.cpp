@@ -61,8 +61,16 @@ std::uint32_t pick(const SearchBuffers& b, std::uint32_t candidates, std::uint32
   return n;
 }
 
+/// Eight entries to a list; past the caches where it is so long that they could not keep it until it is read, without reading what is written over.
+template<bool past> THAW_INLINE void put(std::uint32_t* to, Vec8u v) {
+#if defined(__AVX__)
+  if constexpr (past) return _mm256_stream_si256(reinterpret_cast<__m256i*>(to), reinterpret_cast<__m256i>(v));
+#endif
+  __builtin_memcpy(to, &v, 32);
+}
+
 /// Row r of `to` becomes column r of the eight rows in `from`.
-THAW_INLINE void transpose8(std::uint32_t* const from[8], std::uint32_t k, std::uint32_t* to) {
+template<bool past> THAW_INLINE void transpose8(std::uint32_t* const from[8], std::uint32_t k, std::uint32_t* to) {
   Vec8u r[8], s[8];
   for (int l = 0; l < 8; l++) __builtin_memcpy(&r[l], from[l] + k, 32);
   for (int l = 0; l < 8; l += 2) {  // pairs of rows
@@ -77,10 +85,12 @@ THAW_INLINE void transpose8(std::uint32_t* const from[8], std::uint32_t k, std::
   }
   for (int l = 0; l < 4; l++) {
     const Vec8u low = __builtin_shufflevector(r[l], r[l + 4], 0, 1, 2, 3, 8, 9, 10, 11), high = __builtin_shufflevector(r[l], r[l + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    __builtin_memcpy(to + 8 * l, &low, 32);
-    __builtin_memcpy(to + 8 * (l + 4), &high, 32);
+    put<past>(to + 8 * l, low);
+    put<past>(to + 8 * (l + 4), high);
   }
 }
+
+constexpr std::size_t beyondCaches = std::size_t(64) << 20;  // bytes
 
 /// Interleaves these lists of the window into a group of lists.list; writes up to seven rows of eight behind it.
 void closeGroup(SearchBuffers& b, const std::uint32_t* which, int filled, NeighbourLists& lists) {
@@ -102,10 +112,13 @@ void closeGroup(SearchBuffers& b, const std::uint32_t* which, int filled, Neighb
     from[l] = b.found[k].data();
     for (std::uint32_t n = b.length[k]; n < room; n += 8) __builtin_memcpy(from[l] + n, &padding, 32);
   }
-  for (std::uint32_t k = 0; k < room; k += 8) {
-    for (std::uint32_t line = 0; line < 64; line += 16) __builtin_prefetch(to + 8ull * k + listAhead + line, 1);
-    transpose8(from, k, to + 8ull * k);
-  }
+  if (lists.list.size() * sizeof(lists.list[0]) > beyondCaches)
+    for (std::uint32_t k = 0; k < room; k += 8) transpose8<true>(from, k, to + 8ull * k);
+  else
+    for (std::uint32_t k = 0; k < room; k += 8) {
+      for (std::uint32_t line = 0; line < 64; line += 16) __builtin_prefetch(to + 8ull * k + listAhead + line, 1);
+      transpose8<false>(from, k, to + 8ull * k);
+    }
   for (int l = filled; l < 8; l++)
     for (std::uint32_t k = 0; k < most; k++) to[8ull * k + static_cast<std::uint32_t>(l)] = d;
   lists.first[g] = first;

@@ -44,10 +44,17 @@ WatchBounds watchBounds(const Scene& s, const Modules& modules, const std::vecto
 
 double largestFilling(const World& w) {
   const Continuum& p = w.particles;
-  float most = 0;
-  for (std::size_t i = 0; i < p.owned; i++)
-    if (p.phase[i] == Liquid && p.filling[i] > most) most = p.filling[i];
-  return static_cast<double>(most);
+  constexpr std::size_t lanes = 16;  // one after another they would wait for each other
+  float most[lanes] = {};
+  const auto see = [&](std::size_t i, std::size_t l) {
+    const float f = p.phase[i] == Liquid ? p.filling[i] : 0.0f;
+    most[l] = f > most[l] ? f : most[l];
+  };
+  const std::size_t whole = p.owned - p.owned % lanes;
+  for (std::size_t i = 0; i < whole; i += lanes)
+    for (std::size_t l = 0; l < lanes; l++) see(i + l, l);
+  for (std::size_t i = whole; i < p.owned; i++) see(i, i - whole);
+  return static_cast<double>(*std::max_element(most, most + lanes));
 }
 
 Alarm alarmOf(const World& w, const WatchBounds& b, const StepLimits& limits, double filling) {

@@ -60,14 +60,10 @@ template<class Real, class Kernel, bool Heat, bool Shocks> struct UniformForces 
   }
   THAW_INLINE void finish(const std::uint32_t* rows, const Data& i, const Sum& s, std::uint32_t dummy) const {
     for (int l = 0; l < 8; l++)
-      if (rows[l] != dummy) {
-        Vec3d& f = in->force[rows[l]];
-        double& dissipation = in->dissipation[rows[l]];
-        f.x += unit * s.x[l];
-        f.y += unit * s.y[l];
-        f.z += unit * s.z[l];
-        dissipation += 0.5 * in->support * static_cast<double>(s.lost[l]);
-        if constexpr (Heat) in->heatFlow[rows[l]] += heatScale * s.heat[l];
+      if (rows[l] != dummy) {  // the first that a step finds: set, not added, so that nothing has to be cleared
+        Vec3d f{unit * s.x[l], unit * s.y[l], unit * s.z[l]};
+        double dissipation = 0.5 * in->support * static_cast<double>(s.lost[l]);
+        if constexpr (Heat) in->heatFlow[rows[l]] = heatScale * s.heat[l];
         if constexpr (Shocks) {
           const double v = artificialScale * static_cast<double>(i.place.d[l]);
           f.x += v * static_cast<double>(s.sx[l]);
@@ -75,6 +71,8 @@ template<class Real, class Kernel, bool Heat, bool Shocks> struct UniformForces 
           f.z += v * static_cast<double>(s.sz[l]);
           dissipation += 0.5 * v * static_cast<double>(s.shocked[l]);
         }
+        in->force[rows[l]] = f;
+        in->dissipation[rows[l]] = dissipation;
       }
   }
 };
