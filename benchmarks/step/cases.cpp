@@ -9,7 +9,8 @@ Scene sceneOf(const Case& c) {
   s.spacing = 0.01;
   s.numerics.support = c.support;
   s.numerics.bondSupport = c.support;
-  s.numerics.precision = s.numerics.elasticPrecision = c.precision;
+  s.numerics.precision = c.precision;
+  s.numerics.elasticPrecision = c.elastic;
   s.numerics.selfContact = false;
   const double edge = std::round(std::cbrt(static_cast<double>(c.particles))), L = edge * s.spacing;
   s.domain.min = {-0.6 * L, -0.6 * L, -0.6 * L};
@@ -43,7 +44,7 @@ Scene sceneOf(const Case& c) {
 }
 
 Targets targetsOf(const Case& c) {
-  const bool wide = c.support > support33 + 0.1, big = c.particles > 300000, real64 = c.precision == Precision::Double;
+  const bool wide = c.support > support33 + 0.1, big = c.particles > 300000, real64 = c.precision == Precision::Double || (c.kind == Kind::Elastic && c.elastic == Precision::Double);
   const double yard = wide ? 0.61 : 1.08;
   if (c.kind == Kind::Mixed || (wide && real64)) return {};
   if (c.kind == Kind::Elastic) {

@@ -17,7 +17,7 @@ inline constexpr double support33 = 2.13, support74 = 2.6;
 /// One measurement. support: of sums and of bonds, in spacings.
 struct Case {
   Kind kind = Kind::Fluid;
-  Precision precision = Precision::Single;
+  Precision precision = Precision::Single, elastic = Precision::Single;  ///< elastic: of bonds
   double support = support33;
   std::size_t particles = 100000;
 };

@@ -1,5 +1,6 @@
 // step: particle-steps a second and core of whole steps, MPI, halos and all, on the ranks it is started with; benchmarks/step/run starts it on 1, 2 and 4.
-//   step [--cases fluid,heat,elastic,mixed] [--precisions single,double] [--supports 2.13,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1] [--memory 1]
+// default: as scenes have it where they say nothing, sums over neighbours in single precision and bonds in double.
+//   step [--cases fluid,heat,elastic,mixed] [--precisions single,double,default] [--supports 2.13,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1] [--memory 1]
 // Beside each case, in turn with it and on as many ranks, runs a plain scalar neighbour-list code (yardstick): the ratio means the same on any
 // machine, and on a busy one. Rows come with the bytes that a step moves and what a copy moves in the same time.
 #include <malloc.h>
@@ -91,7 +92,7 @@ double bytesMoved(const Rig& rig) {
 
 struct Options {
   std::vector<Kind> kinds{Kind::Fluid, Kind::Heat, Kind::Elastic, Kind::Mixed};
-  std::vector<Precision> precisions{Precision::Single};
+  std::vector<std::pair<Precision, Precision>> precisions{{Precision::Single, Precision::Single}};  ///< of sums over neighbours, of bonds
   std::vector<double> supports{support33};
   std::vector<std::size_t> sizes{100000};
   int repeat = 7;
@@ -172,7 +173,7 @@ void measure(const Communicator& comm, const Case& c, const Options& o, FILE* ou
     return sum;
   };
   using P = StepPhase;
-  std::fprintf(out, "%s,%s,%d,%.0f,%.1f,%s,%.3f,%.3f,%.2f,", kindNames[static_cast<int>(c.kind)], c.precision == Precision::Single ? "single" : "double", comm.size(), N, neighbours,
+  std::fprintf(out, "%s,%s,%d,%.0f,%.1f,%s,%.3f,%.3f,%.2f,", kindNames[static_cast<int>(c.kind)], c.precision == Precision::Double ? "double" : c.elastic == Precision::Double ? "default" : "single", comm.size(), N, neighbours,
                rig.tools.kernels->name, rate, 1e-6 / median(yard), median(ratio));
   goal.excellent > 0 ? std::fprintf(out, "%.2f,%.2f,", goal.excellent, goal.limit) : std::fprintf(out, ",,");
   std::fprintf(out, "%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,", ns({P::Sort}), ns({P::Search}), ns({P::Density}), ns({P::Forces}), ns({P::Elastic, P::Bonds}), ns({P::Walls, P::Contact}),
@@ -205,7 +206,7 @@ int main(int argc, char** argv) {
     const std::string key = argv[a];
     if (a + 1 == argc || key == "--help") {
       if (comm.rank() == 0)
-        std::fprintf(stderr, "step [--cases fluid,heat,elastic,mixed] [--precisions single,double] [--supports 2.13,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1] [--memory 1]\n");
+        std::fprintf(stderr, "step [--cases fluid,heat,elastic,mixed] [--precisions single,double,default] [--supports 2.13,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1] [--memory 1]\n");
       return 2;
     }
     const std::string value = argv[a + 1];
@@ -216,7 +217,10 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "there is no case '%s': fluid, heat, elastic, mixed\n", name.c_str());
         std::exit(2);
       });
-    else if (key == "--precisions") o.precisions = listOf<Precision>(value, [](const std::string& name) { return name == "double" ? Precision::Double : Precision::Single; });
+    else if (key == "--precisions")
+      o.precisions = listOf<std::pair<Precision, Precision>>(value, [](const std::string& name) {
+        return std::pair{name == "double" ? Precision::Double : Precision::Single, name == "single" ? Precision::Single : Precision::Double};
+      });
     else if (key == "--supports") o.supports = listOf<double>(value, [](const std::string& x) { return std::max(1.5, std::atof(x.c_str())); });
     else if (key == "--sizes") o.sizes = listOf<std::size_t>(value, [](const std::string& x) { return std::max<std::size_t>(1000, std::strtoull(x.c_str(), nullptr, 10)); });
     else if (key == "--repeat") o.repeat = std::max(1, std::atoi(argv[a + 1]));
@@ -233,8 +237,8 @@ int main(int argc, char** argv) {
                       "ns_walls,ns_heat,ns_move,ns_ranks,bytes_per_particle,resident_per_particle,target_bytes_per_particle,bytes_moved,moved_gb_per_s,copy_gb_per_s,setup_steps,held_back_by,repeats\n");
   for (const std::size_t size : o.sizes)
     for (const double support : o.supports)
-      for (const Precision precision : o.precisions)
-        for (const Kind kind : o.kinds) measure(comm, {kind, precision, support, size}, o, out);
+      for (const auto& [sums, bonds] : o.precisions)
+        for (const Kind kind : o.kinds) measure(comm, {kind, sums, bonds, support, size}, o, out);
   if (out && o.csv) std::fclose(out);
   return 0;
 }
