@@ -70,23 +70,52 @@ void bookEnergy(World& w, StepTools& t, double sign) {
   for (const std::uint32_t row : t.rebonded) w.ledger.phaseJump.add(sign * slotEnergy(t.elastic, w.solids, w.bonds, w.particles.slot[row]));
 }
 
+/// Solid particles among the ghosts: no bond of the start goes farther.
+std::size_t solidGhosts(const Continuum& p) {
+  std::size_t n = 0;
+  for (std::size_t i = p.owned; i < p.size(); i++) n += p.phase[i] == Solid;
+  return n;
+}
+
+/// In how many parts all ranks make the bonds of the start: what asks for one of them is to stay in a cache.
+std::size_t partsOfStart(const World& w, Halos& halos) {
+  double listed = 0;
+  for (const std::uint16_t n : w.neighbours.neighbours) listed += n;
+  halos.all.maximum({&listed, 1});
+  constexpr double together = 1 << 18;
+  return static_cast<std::size_t>(std::clamp(listed / together, 8.0, 64.0));
+}
+
 /// All bonds of the start, in parts: asked for at once the requests would be many times what the bonds themselves take.
 void bondScene(World& w, Halos& halos, StepTools& t) {
   takeReferences(w.particles, w.solids);
   const BondForming forming = bondForming(w, t);
-  constexpr std::size_t parts = 16;  // alike on all ranks
   std::vector<BondRequest> requests;
   std::vector<BondPair> pairs;
   int mostNeighbours = 0;
   for (const std::uint16_t n : w.neighbours.neighbours) mostNeighbours = std::max<int>(mostNeighbours, n);
+  const std::size_t remotes = solidGhosts(w.particles);
+  w.solids.reserve(w.solids.owned + remotes);
+  const std::size_t parts = partsOfStart(w, halos);
+  const auto part = [&](std::size_t k) { return ListedGroups{k * w.neighbours.groups / parts, (k + 1) * w.neighbours.groups / parts}; };
+  if (!w.bonds.vectors) {  // of the largest part, or twice the memory is asked for
+    std::size_t most = 0;
+    for (std::size_t k = 0; k < parts; k++) {
+      std::size_t places = 0;
+      for (std::size_t g = part(k).first; g < part(k).last; g++) places += std::size_t(lanes) * w.neighbours.count[g];
+      most = std::max(most, places);
+    }
+    pairs.reserve(most);
+  }
   for (std::size_t k = 0; k < parts; k++) {
     requests.clear();
     pairs.clear();
-    const ListedGroups part{k * w.neighbours.groups / parts, (k + 1) * w.neighbours.groups / parts};
-    if (w.bonds.vectors) formBonds(w.particles, w.solids, w.bonds, w.neighbours, forming, requests, part);
-    else pairAtStart(w.particles, w.neighbours, forming, pairs, part);
-    halos.bonds.relink(w.particles, w.solids, w.bonds, {requests, false, pairs, mostNeighbours});
+    if (w.bonds.vectors) formBonds(w.particles, w.solids, w.bonds, w.neighbours, forming, requests, part(k));
+    else pairAtStart(w.particles, w.neighbours, forming, pairs, part(k));
+    halos.bonds.relink(w.particles, w.solids, w.bonds, {requests, false, pairs, mostNeighbours, remotes});
   }
+  if (fieldsToCome(w, t))
+    for (AnyColumn* c : columnsOfSteps(w.solids, t.elastic)) w.solids.activate(*c);
   renewSolids(w, halos, t);
   t.bondsAtStart = false;
 }
@@ -113,7 +142,7 @@ void makeBonds(World& w, Halos& halos, StepTools& t) {
 void relinkSolids(World& w, Halos halos, StepTools& t, const Relink& work) {
   t.times.lap(StepPhase::Sort);
   linkSlots(w.particles, w.solids);
-  if (halos.bonds.relink(w.particles, w.solids, w.bonds, work)) renewSolids(w, halos, t);
+  if (halos.bonds.relink(w.particles, w.solids, w.bonds, work) && !fieldsToCome(w, t)) renewSolids(w, halos, t);
   t.times.lap(StepPhase::Bonds);
 }
 
@@ -143,7 +172,8 @@ void melt(World& w, Halos halos, StepTools& t) {
   t.times.lap(StepPhase::Bonds);
 }
 
-void beginDeformation(World& w, Halos halos) {
+void beginDeformation(World& w, Halos halos, const StepTools& t) {
+  if (fieldsToCome(w, t)) return;
   copyToSolids(w.particles, w.solids);
   const ColumnList columns = remoteColumnsBeforeDeformation(w.solids);
   halos.bonds.begin(w.solids, columns);
@@ -152,12 +182,12 @@ void beginDeformation(World& w, Halos halos) {
 void deform(World& w, Halos halos, StepTools& t, double dt) {
   dt /= w.clock.substeps;  // the last of them
   ElasticStep now = elasticStep(t, dt);
-  deformAll(w, halos, t, now);
+  if (!fieldsToCome(w, t)) deformAll(w, halos, t, now);
   if (bondsForm(w, halos, t)) {
     const bool start = t.bondsAtStart;
     makeBonds(w, halos, t);
     t.frozeAnywhere = false;
-    beginDeformation(w, halos);
+    beginDeformation(w, halos, t);
     now.dt = 0;  // plastic flow is done
     deformAll(w, halos, t, now);
     if (!start) bookEnergy(w, t, -1);

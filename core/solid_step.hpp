@@ -11,8 +11,12 @@ void relinkSolids(World& world, Halos halos, StepTools& tools, const Relink& wor
 /// Drops the bonds of what has melted in this step and books the elastic energy they held. Collective.
 void melt(World& world, Halos halos, StepTools& tools);
 
+/// The start of a scene whose bonds are their ends: until they are made nobody asks for what each step finds from them (columnsOfSteps), and its memory is
+/// better taken when the lists of the start are gone and remote rows are known. Where bonds have vectors, forming them looks at F of their ends.
+inline bool fieldsToCome(const World& world, const StepTools& tools) { return tools.bondsAtStart && !world.bonds.vectors; }
+
 /// Copies places (velocities, liquid fractions) to the slots and sends them along the bonds.
-void beginDeformation(World& world, Halos halos);
+void beginDeformation(World& world, Halos halos, const StepTools& tools);
 
 /// Deformation, plastic flow, stress; then bonds break, form (at the start and where something froze) and large plastic flow is
 /// taken into the reference. Ends with the stress on its way along the bonds. Collective. Needs neighbour lists where bonds form.

@@ -87,7 +87,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   const std::int64_t coincident = w.counters.coincidentPairs;
   const bool neighbours = needsNeighbours(w, t);
   if (neighbours) halos.cells.beginGhosts(p, w.cells, ghostColumns(w));  // copies of the cells around ours are on their way ...
-  if (w.modules.solid) beginDeformation(w, halos);
+  if (w.modules.solid) beginDeformation(w, halos, t);
   t.times.lap(StepPhase::Exchange);
   clearRates(w, w.modules.uniform);
   const bool justFrozen = t.frozeAnywhere && w.modules.freezing && dt > 0;  // of an evaluation with new coefficients the jump of all is booked

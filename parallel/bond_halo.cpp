@@ -171,7 +171,7 @@ void MpiBondHalo::makeSlots(const SolidTables& t, const Relink& work) {
   constexpr int little = 4;
   if (work.mostToCome > t.bonds.capacity && work.mostToCome <= static_cast<int>(most + 3) / 4 * 4 + little) most = std::max<std::size_t>(most, static_cast<std::size_t>(work.mostToCome));
   const auto before = static_cast<std::uint32_t>(graph_.rows());
-  graph_.place(t, fresh_);
+  graph_.place(t, fresh_, work.remotesToCome);
   graph_.reserve(t.bonds, static_cast<int>(most));
   for (std::uint32_t i = 0; i < fresh_.size(); i++) {
     const Found* f = recordOf_[i];
@@ -188,7 +188,7 @@ void MpiBondHalo::makeSlots(const SolidTables& t, const Relink& work) {
   }
   const auto ownerOfEnd = [&](const auto& q) { return q.other != noSlot && !graph_.leaves(q.other) ? comm_.rank() : ownerOf(q.neighbourId); };
   for (const BondRequest& q : work.requests) graph_.bond(t, q.slot, bondOf(q), ownerOfEnd(q), q.other);
-  for (const BondPair& q : work.pairs) graph_.bond(t, q.slot, {q.neighbourId, {}, {}, 0}, ownerOfEnd(q), q.other);
+  graph_.bond(t, work.pairs, ownerOfEnd);
 }
 
 void MpiBondHalo::begin(Solids&, std::span<AnyColumn* const> columns) { links_.begin(comm_, columns); }

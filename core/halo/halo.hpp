@@ -107,6 +107,7 @@ struct Relink {
   bool changedHere = false;               ///< a particle's phase changed, or a particle with a slot left the domain, on this rank
   std::span<const BondPair> pairs = {};   ///< bonds to make as well, behind the requests; only where bonds have no vectors
   int mostToCome = 0;                     ///< more bonds than this no slot will have when all parts of a start are made; 0: not known
+  std::size_t remotesToCome = 0;          ///< remote rows of all parts of a start, at most; 0: not known
 
   bool asks() const { return !requests.empty() || !pairs.empty(); }
 };

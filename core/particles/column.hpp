@@ -148,6 +148,10 @@ struct Table {
   void shrink();
   /// Switches a field on: allocates zeroed rows.
   void activate(AnyColumn& column);
+  /// Switches a field off and gives back its memory.
+  void deactivate(AnyColumn& column);
+  /// Makes room for so many rows, to the byte: rows that come later need no new memory.
+  void reserve(std::size_t rows);
   /// Row i of every Keep::State and Keep::Local column becomes old row order[i], for i < n = number of kept rows; owned = n, ghosts = 0.
   /// But of stale ones, which nobody reads before they are written.
   void reorder(std::span<const std::uint32_t> order, std::span<AnyColumn* const> stale = {});

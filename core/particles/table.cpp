@@ -71,6 +71,16 @@ void Table::activate(AnyColumn& column) {
   resizeColumn(column, rowsOf(column));
 }
 
+void Table::deactivate(AnyColumn& column) {
+  column.active = false;
+  column.bytes = {};
+}
+
+void Table::reserve(std::size_t rows) {
+  for (AnyColumn* c : columns)
+    if (c->active) c->bytes.reserve((c->rows == Rows::Owned ? std::min(owned, rows) : rows) * c->elementBytes);
+}
+
 void Table::reorder(std::span<const std::uint32_t> order, std::span<AnyColumn* const> stale) {
   for (AnyColumn* c : columns) {
     if (!c->active) continue;

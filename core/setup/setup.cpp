@@ -186,6 +186,8 @@ void takeStock(World& w, Halos halos, StepTools& t) {
   t.times.start();
   const double fixed = w.scene.numerics.fixedStep;
   w.clock.dt = fixed > 0 ? fixed : t.fixedLimits[t.fixedLimits.smallest()];  // until the particles have had their say
+  if (fieldsToCome(w, t))
+    for (AnyColumn* c : columnsOfSteps(w.solids, t.elastic)) w.solids.deactivate(*c);
   evaluateNow(w, halos, t);
   if (!w.modules.neighbours) {  // they were for the bonds of the start
     w.neighbours = {};

@@ -97,7 +97,7 @@ void BondGraph::markOthers(const Bonds& b, std::uint32_t slot) {
   }
 }
 
-void BondGraph::place(const SolidTables& t, std::span<const NewSlot> fresh) {
+void BondGraph::place(const SolidTables& t, std::span<const NewSlot> fresh, std::size_t remotesToCome) {
   Bonds& b = t.bonds;
   if (t.solids.owned != owned_ || t.solids.size() != before_) throw std::logic_error("rows of the table of solids were added or removed outside of relink");
   std::sort(leaving_.begin(), leaving_.end());
@@ -135,8 +135,8 @@ void BondGraph::place(const SolidTables& t, std::span<const NewSlot> fresh) {
   }
   resizeBonds(b, newOwned_, b.capacity);
   used_.resize(groupsOf(newOwned_) * lanes, 0);
-  if (owned_ == 0) {  // a start: what grows by doubling takes twice the new memory
-    const std::size_t rows = ids_.size() + fresh.size();
+  if (owned_ == 0 || remotesToCome > 0) {  // a start: what grows by doubling takes twice the new memory
+    const std::size_t rows = std::max(ids_.size() + fresh.size(), owned_ + remotesToCome);
     rowOf_.reserve(rows);
     ids_.reserve(rows);
     owner_.reserve(rows);
@@ -197,6 +197,26 @@ void BondGraph::bond(const SolidTables& t, std::uint32_t from, const BondRecord&
   references_[other]++;
   if (from < owned_) t.solids.changed[slot] = 1;  // new slots get it when their columns are made
   mark(slot / lanes);
+}
+
+/// Bonds from pairs[first] on as far as they are of one slot that stays to owned ones that are known and stay: most of a start. Returns the first that is not.
+std::size_t BondGraph::bondOwned(const SolidTables& t, std::span<const BondPair> pairs, std::size_t first) {
+  const std::uint32_t from = pairs[first].slot, slot = now_[from];
+  if (slot == noRow || t.bonds.vectors) return first;
+  const std::size_t place = t.bonds.at(slot, 0), room = static_cast<std::size_t>(t.bonds.capacity);
+  std::uint32_t* const ends = t.bonds.neighbour.data();
+  std::size_t i = first, used = used_[slot];
+  for (; i < pairs.size() && pairs[i].slot == from && used < room; i++, used++) {
+    const std::uint32_t other = pairs[i].other;
+    if (other >= owned_ || other == from || now_[other] == noRow) break;
+    ends[place + used * lanes] = other;
+    references_[other]++;
+  }
+  if (i == first) return first;
+  used_[slot] = static_cast<std::uint16_t>(used);
+  if (from < owned_) t.solids.changed[slot] = 1;
+  mark(slot / lanes);
+  return i;
 }
 
 void BondGraph::placeRemotes() {

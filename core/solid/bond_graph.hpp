@@ -59,8 +59,8 @@ class BondGraph {
   void remove(const Bonds& bonds, std::uint32_t slot);
   void removeRemote(std::uint32_t row) { forget(row); }
   bool leaves(std::uint32_t slot) const { return now_[slot] == noRow; }
-  /// Fills the holes and makes the new slots, in the order given. BondedRows::slot follows.
-  void place(const SolidTables& t, std::span<const NewSlot> fresh);
+  /// Fills the holes and makes the new slots, in the order given. BondedRows::slot follows. Makes room for so many remote rows, if more than there are.
+  void place(const SolidTables& t, std::span<const NewSlot> fresh, std::size_t remotesToCome = 0);
   /// The most bonds that a slot has with those that are asked for; requests of a slot follow each other.
   std::size_t mostBonds(std::span<const BondRequest> requests) const;
   std::size_t mostBonds(std::span<const BondPair> pairs) const;
@@ -70,6 +70,13 @@ class BondGraph {
   /// else there is no bond, as there is none to itself or of a slot that leaves.
   /// known: the owned slot of the other end, if the caller knows it.
   void bond(const SolidTables& t, std::uint32_t slot, const BondRecord& record, int owner, std::uint32_t known = noRow);
+  /// The same for many at once, of bonds without vectors; ownerOf(pair) of an end that has no row here, and of one that leaves.
+  template<class OwnerOf> void bond(const SolidTables& t, std::span<const BondPair> pairs, OwnerOf&& ownerOf) {
+    for (std::size_t i = 0; i < pairs.size();) {
+      i = bondOwned(t, pairs, i);
+      if (i < pairs.size()) bond(t, pairs[i].slot, {pairs[i].neighbourId, {}, {}, 0}, ownerOf(pairs[i]), pairs[i].other), i++;
+    }
+  }
   /// Renumbers. Afterwards the tables are as BondHalo promises; Solids::changed is set where bonds changed, where a slot is new or has
   /// moved, and where the other end of a bond became remote or owned.
   void finish(const SolidTables& t);
@@ -89,6 +96,7 @@ class BondGraph {
  private:
   struct Alias { std::uint32_t row, stands; };  // bonds that name `row` mean `stands`
   template<class Asked> std::size_t mostWith(std::span<const Asked> asked) const;
+  std::size_t bondOwned(const SolidTables& t, std::span<const BondPair> pairs, std::size_t first);
   void forget(std::uint32_t row);
   void leave(const Bonds& bonds, std::uint32_t slot);
   void mark(std::size_t group);

@@ -27,6 +27,7 @@
 namespace thaw {
 
 struct ElasticKernels;
+struct ReferenceKernels;
 
 /// Inner groups of 8 slots have no bonds to remote rows: their sums need nothing from other ranks.
 enum class SolidPart { Inner, Boundary };
@@ -34,6 +35,7 @@ enum class SolidPart { Inner, Boundary };
 /// What the elastic step keeps between calls beside the tables. Not part of the state: all of it is recomputed from bonds.
 struct ElasticWork {
   const ElasticKernels* kernels = nullptr;       ///< the loops over bonds; nullptr: the best for this processor
+  const ReferenceKernels* referenceKernels = nullptr;  ///< the same of what is found from bonds alone
   // of the scene
   std::vector<Material> materials;
   std::vector<ElasticConstants> solidConstants;  ///< by material, liquid fraction 0
@@ -86,6 +88,8 @@ struct ElasticResult {
 /// Switches on the fields of Solids, Bonds and Continuum that the scene's solids need, and fills the constants of `work`.
 /// Once, before the first bond is made.
 void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, ElasticWork& work, const Scene& scene, const Modules& modules, const CellGrid& grid);
+/// Of these fields those that each step finds anew from places and bonds, two thirds of the bytes: nobody asks for them before there are bonds.
+std::vector<AnyColumn*> columnsOfSteps(Solids& solids, const ElasticWork& work);
 
 /// Columns that remote rows need: after relink and before refreshReference (what does not change while bonds stay), before phase 1 (computeDeformationAndStress),
 /// and before phase 2 (computeElasticForces). A step is:

@@ -62,15 +62,20 @@ std::int64_t refreshReference(ElasticWork& work, Solids& solids, Bonds& bonds, b
   resizeWork(work, solids, bonds);
   padLastGroup(work, solids, bonds);
   for (std::size_t g = 0; g < groupsOf(solids); g++) {
-    bool any = all;
+    bool any = all, each = true;
     const std::size_t first = g * lanes, end = std::min(first + lanes, solids.owned);
-    for (std::size_t s = first; s < end; s++) any = any || solids.changed[s];
+    for (std::size_t s = first; s < end; s++) any = any || solids.changed[s], each = each && (all || solids.changed[s]);
     if (!any) continue;
-    for (std::size_t s = first; s < end; s++)
-      if (all || solids.changed[s]) {
-        packReferences(work, solids, s, s + 1);
-        refreshSlot(work, solids, bonds, s);
-      }
+    if (each && end == first + lanes && !bonds.vectors) {
+      packReferences(work, solids, first, end);
+      refreshGroup(work, solids, bonds, g);
+    } else {
+      for (std::size_t s = first; s < end; s++)
+        if (all || solids.changed[s]) {
+          packReferences(work, solids, s, s + 1);
+          refreshSlot(work, solids, bonds, s);
+        }
+    }
     lookAtGroup(work, solids, bonds, g);
   }
   sortGroups(work);

@@ -35,13 +35,13 @@ bool SerialBondHalo::relink(const BondedRows& p, Solids& s, Bonds& b, const Reli
     fresh.push_back({row, recordOf.back() ? recordOf.back()->state : nullptr});
   }
   const auto before = static_cast<std::uint32_t>(graph_.rows());
-  graph_.place(tables, fresh);
+  graph_.place(tables, fresh, work.remotesToCome);
   graph_.reserve(b, static_cast<int>(most));
   for (std::uint32_t i = 0; i < fresh.size(); i++)
     if (recordOf[i])
       for (const BondRecord& r : recordOf[i]->bonds) graph_.bond(tables, before + i, r, -1);
   for (const BondRequest& q : work.requests) graph_.bond(tables, q.slot, bondOf(q), -1, q.other);
-  for (const BondPair& q : work.pairs) graph_.bond(tables, q.slot, {q.neighbourId, {}, {}, 0}, -1, q.other);
+  graph_.bond(tables, work.pairs, [](const BondPair&) { return -1; });
   graph_.finish(tables);
   records_.clear();
   return true;

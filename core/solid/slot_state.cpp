@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/solid/laws/response.hpp"
+#include "core/solid/reference_kernels.hpp"
 
 namespace thaw {
 
@@ -54,6 +55,48 @@ Mat3d gradientOf(const ElasticWork& work, const Solids& solids, std::size_t slot
 
 }  // namespace
 
+namespace {
+
+/// A, the sum of weights and A^-1 of a slot are known.
+void setMoment(ElasticWork& work, Solids& solids, std::size_t slot, const Sym3d& a, double weights, const MomentInverse& m) {
+  const std::size_t g = slot / lanes;
+  solids.momentInverse[slot] = m.inverse;
+  work.rank[slot] = static_cast<std::uint8_t>(m.rank);
+  const auto bit = static_cast<std::uint8_t>(1u << slot % lanes);
+  work.singularLanes[g] = static_cast<std::uint8_t>(m.rank < 3 ? work.singularLanes[g] | bit : work.singularLanes[g] & ~bit);
+  // neighbours beside their line say nothing of a turn about it: a row that is not straight has no hourglass control, which would hold that turn
+  const bool bent = m.rank == 1 && trace(a) - 1 / trace(m.inverse) > 1e-9 * trace(a);
+  work.perTrace[slot] = trace(a) > 0 && !bent ? 1 / trace(a) : 0;
+  work.perWeight[slot] = weights > 0 ? 1 / weights : 0;
+  solids.changed[slot] = 0;
+}
+
+double gripOf(int rank, double lengths, const Vec3d& levers) { return (rank < 3 ? flatGrip : 1) * (lengths + length(levers)); }
+
+}  // namespace
+
+void refreshGroup(ElasticWork& work, Solids& solids, const Bonds& bonds, std::size_t group) {
+  const std::size_t first = group * lanes;
+  thread_local AlignedVector<double> gathered;
+  thread_local GroupMoments sums;
+  if (!work.referenceKernels) work.referenceKernels = referenceKernels();
+  const std::size_t room = 4 * lanes * static_cast<std::size_t>(bonds.capacity);
+  if (gathered.size() < room) gathered.resize(room);
+  ReferenceArrays a{bonds.neighbour.data(), static_cast<std::size_t>(bonds.capacity), solids.reference.data(), work.support, {}, gathered.data()};
+  for (int k = 0; k < 3; k++) a.period[k] = work.periods.length[k];
+  work.referenceKernels->moments(a, group, sums);
+  const auto& s = sums.moment;
+  for (std::size_t l = 0; l < lanes; l++) {
+    const Sym3d moment{s[0][l], s[1][l], s[2][l], s[3][l], s[4][l], s[5][l]};
+    const MomentInverse m = invertMoment(moment);
+    setMoment(work, solids, first + l, moment, sums.weights[l], m);
+    const double* const parts[6] = {&m.inverse.xx, &m.inverse.yy, &m.inverse.zz, &m.inverse.xy, &m.inverse.yz, &m.inverse.xz};
+    for (int c = 0; c < 6; c++) sums.inverse[c][l] = *parts[c];
+  }
+  work.referenceKernels->levers(a, group, sums);
+  for (std::size_t l = 0; l < lanes; l++) work.grip[first + l] = gripOf(work.rank[first + l], sums.lengths[l], {sums.sum[0][l], sums.sum[1][l], sums.sum[2][l]});
+}
+
 void refreshSlot(ElasticWork& work, Solids& solids, const Bonds& bonds, std::size_t slot) {
   Sym3d a{};
   double weights = 0;
@@ -68,16 +111,9 @@ void refreshSlot(ElasticWork& work, Solids& solids, const Bonds& bonds, std::siz
     weights += b.weight;
   }
   const MomentInverse m = invertMoment(a);
-  const std::size_t g = slot / lanes;
-  solids.momentInverse[slot] = m.inverse;
-  work.rank[slot] = static_cast<std::uint8_t>(m.rank);
-  const auto bit = static_cast<std::uint8_t>(1u << slot % lanes);
-  work.singularLanes[g] = static_cast<std::uint8_t>(m.rank < 3 ? work.singularLanes[g] | bit : work.singularLanes[g] & ~bit);
-  work.bondCount[g] = std::max(work.bondCount[g], static_cast<std::uint16_t>(last));
-  // neighbours beside their line say nothing of a turn about it: a row that is not straight has no hourglass control, which would hold that turn
-  const bool bent = m.rank == 1 && trace(a) - 1 / trace(m.inverse) > 1e-9 * trace(a);
-  work.perTrace[slot] = trace(a) > 0 && !bent ? 1 / trace(a) : 0;
-  work.perWeight[slot] = weights > 0 ? 1 / weights : 0;
+  setMoment(work, solids, slot, a, weights, m);
+  std::uint16_t& count = work.bondCount[slot / lanes];
+  count = std::max(count, static_cast<std::uint16_t>(last));
   Vec3d all{};
   double lengths = 0;
   const Mat3d inverse = full(m.inverse);
@@ -86,8 +122,7 @@ void refreshSlot(ElasticWork& work, Solids& solids, const Bonds& bonds, std::siz
     all += lever;
     lengths += length(lever);
   }
-  work.grip[slot] = (m.rank < 3 ? flatGrip : 1) * (lengths + length(all));
-  solids.changed[slot] = 0;
+  work.grip[slot] = gripOf(m.rank, lengths, all);
 }
 
 Mat3d slotGradient(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot) {

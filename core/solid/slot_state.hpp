@@ -15,6 +15,8 @@ BondVectors bondVectors(const ElasticWork& work, const Solids& solids, const Bon
 
 /// Recomputes A^-1, rank and what else `work` keeps of one owned slot.
 void refreshSlot(ElasticWork& work, Solids& solids, const Bonds& bonds, std::size_t slot);
+/// The same, to the last bit, of the eight slots of a group, all of them owned, at once; not where bonds have vectors. ElasticWork::bondCount stays.
+void refreshGroup(ElasticWork& work, Solids& solids, const Bonds& bonds, std::size_t group);
 
 /// grad u of one owned slot from the positions in Solids::position, completed where A is singular.
 Mat3d slotGradient(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot);

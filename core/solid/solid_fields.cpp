@@ -39,11 +39,8 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
   }
   if (work.periodic) particles.activate(particles.home);
   for (AnyColumn* c : {static_cast<AnyColumn*>(&solids.id), static_cast<AnyColumn*>(&solids.particle), static_cast<AnyColumn*>(&solids.material),
-                       static_cast<AnyColumn*>(&solids.volume), static_cast<AnyColumn*>(&solids.position), static_cast<AnyColumn*>(&solids.momentInverse),
-                       static_cast<AnyColumn*>(&solids.deformation), static_cast<AnyColumn*>(&solids.force), static_cast<AnyColumn*>(&solids.energy), static_cast<AnyColumn*>(&solids.changed)})
+                       static_cast<AnyColumn*>(&solids.volume), static_cast<AnyColumn*>(&solids.energy), static_cast<AnyColumn*>(&solids.changed)})
     solids.activate(*c);
-  if (work.precision == Precision::Single) solids.activate(solids.end);
-  else solids.activate(solids.endDouble);
   if (!vectors) solids.activate(solids.reference);
   if (work.plastic) solids.activate(solids.plasticStrain);
   if (work.plastic || work.damping) solids.activate(solids.dissipated);
@@ -53,10 +50,14 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
     solids.activate(solids.liquid);
     solids.activate(solids.melted);
   }
-  if (work.damping) {
-    solids.activate(solids.velocity);
-    solids.activate(solids.drag);
-  }
+  for (AnyColumn* c : columnsOfSteps(solids, work)) solids.activate(*c);
+}
+
+std::vector<AnyColumn*> columnsOfSteps(Solids& solids, const ElasticWork& work) {
+  std::vector<AnyColumn*> columns{&solids.position, &solids.momentInverse, &solids.deformation, &solids.force};
+  columns.push_back(work.precision == Precision::Single ? static_cast<AnyColumn*>(&solids.end) : &solids.endDouble);
+  if (work.damping) columns.insert(columns.end(), {&solids.velocity, &solids.drag});
+  return columns;
 }
 
 ColumnList remoteColumnsAfterRelink(Solids& solids) {

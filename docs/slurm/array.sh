@@ -24,7 +24,19 @@ name=$(basename "${run[0]}" .toml)
 out=${OUT:-${SCRATCH:-$PWD/out}}/$name.$number
 thaw=${THAW:-build/release/thaw}
 
+# Asks for the next job as this one was asked for, sbatch's command line included.
+again() {
+  local same=() o variable limit
+  for o in ntasks=SLURM_NTASKS account=SLURM_JOB_ACCOUNT partition=SLURM_JOB_PARTITION qos=SLURM_JOB_QOS reservation=SLURM_JOB_RESERVATION \
+    mem=SLURM_MEM_PER_NODE mem-per-cpu=SLURM_MEM_PER_CPU cpus-per-task=SLURM_CPUS_PER_TASK; do
+    variable=${o#*=}
+    [ -z "${!variable:-}" ] || same+=("--${o%%=*}=${!variable}")
+  done
+  limit=$(squeue --noheader --job "${SLURM_JOB_ID:-0}" --format %l 2>/dev/null) && [ -n "$limit" ] && same+=("--time=$limit")
+  sbatch "${same[@]}" "$@"
+}
+
 code=0
 srun --mpi="${PMI:-pmix}" --kill-on-bad-exit=1 "$thaw" run "${run[@]}" --out "$out" --resume || code=$?
-[ "$code" -ne 75 ] || sbatch --array="$number" "$0" "$list"
+[ "$code" -ne 75 ] || again --array="$number" "$0" "$list"
 exit "$code"

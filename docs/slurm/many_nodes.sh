@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Many nodes under SLURM; hand in with: sbatch --nodes=16 docs/slurm/many_nodes.sh [SCENE]
 # --out has to be on a parallel file system that all nodes see: OUT, else $SCRATCH, else ./out. Ten minutes before the time is up SLURM sends USR1;
-# thaw then writes a checkpoint and exits with 75, and the job hands itself in again, with the same number of nodes, to go on from there. A run
-# that a node's failure has ended (any other code) is handed in again at most RETRIES times in a row: it goes on from its last checkpoint, so give
-# the scene a short [output] checkpoint. A failure that comes back with the same step is not the machine's, and ends the chain.
+# thaw then writes a checkpoint and exits with 75, and the job hands itself in again, with the nodes, account, partition and time of this one, to go on
+# from there. A run that a node's failure has ended (any other code) is handed in again at most RETRIES times in a row: it goes on from its last
+# checkpoint, so give the scene a short [output] checkpoint. A failure that comes back with the same step is not the machine's, and ends the chain.
 #SBATCH --job-name=thaw
 #SBATCH --nodes=4
 #SBATCH --ntasks-per-node=64
@@ -25,15 +25,26 @@ if command -v lfs >/dev/null; then
   lfs setstripe --stripe-count "${STRIPES:-16}" --stripe-size 16M "$out/frames" "$out/checkpoint" 2>/dev/null || true
 fi
 
+# Asks for the next job as this one was asked for, sbatch's command line included.
+again() {
+  local same=() o variable limit
+  for o in nodes=SLURM_JOB_NUM_NODES ntasks-per-node=SLURM_NTASKS_PER_NODE account=SLURM_JOB_ACCOUNT partition=SLURM_JOB_PARTITION qos=SLURM_JOB_QOS reservation=SLURM_JOB_RESERVATION \
+    mem=SLURM_MEM_PER_NODE mem-per-cpu=SLURM_MEM_PER_CPU cpus-per-task=SLURM_CPUS_PER_TASK; do
+    variable=${o#*=}
+    [ -z "${!variable:-}" ] || same+=("--${o%%=*}=${!variable}")
+  done
+  limit=$(squeue --noheader --job "${SLURM_JOB_ID:-0}" --format %l 2>/dev/null) && [ -n "$limit" ] && same+=("--time=$limit")
+  sbatch "${same[@]}" "$@"
+}
+
 code=0
 srun --mpi="${PMI:-pmix}" --cpu-bind=cores --kill-on-bad-exit=1 "$thaw" run "$scene" --out "$out" --resume || code=$?
-again() { sbatch --nodes="$SLURM_JOB_NUM_NODES" "$0" "$scene" "$@"; }
 case $code in
   0) "$thaw" render "$out" --sheet "$out/pictures/sheet.png" ;;
-  75) again ;;
+  75) again "$0" "$scene" ;;
   2 | 3 | 4) ;;  # a mistake in the scene, a full disk, a simulation that blew up: the same again would end the same
   *)
     step=$("$thaw" info "$out" --json 2>/dev/null | sed -n 's/.*"step": *\([0-9]*\).*/\1/p' | head -n 1)
-    if [ "$failed" -lt "${RETRIES:-3}" ] && [ "${step:-none}" != "$failedAt" ]; then again $((failed + 1)) "${step:-none}"; fi ;;
+    if [ "$failed" -lt "${RETRIES:-3}" ] && [ "${step:-none}" != "$failedAt" ]; then again "$0" "$scene" $((failed + 1)) "${step:-none}"; fi ;;
 esac
 exit "$code"

@@ -20,6 +20,10 @@ case $1 in
   info) echo '{ "step": 120 }' ;;
 esac
 END_THAW
+cat >"$work/bin/squeue" <<'END_SQUEUE'
+#!/usr/bin/env bash
+[ "$*" = "--noheader --job 77 --format %l" ] && echo 1-00:00:00
+END_SQUEUE
 chmod +x "$work/bin/"*
 export SAID=$work THAW=thaw OUT=$work/out SLURM_JOB_NUM_NODES=3 SLURM_ARRAY_TASK_ID=2
 printf '%s\n' "scenes/pour.toml" "scenes/drop.toml --set 'spacing=\"2 mm\"'" >"$work/list"
@@ -42,11 +46,20 @@ script many_nodes.sh 137 "--nodes=3 docs/slurm/many_nodes.sh scenes/melt.toml 1 
 script many_nodes.sh 137 "--nodes=3 docs/slurm/many_nodes.sh scenes/melt.toml 3 120" scenes/melt.toml 2 80
 script many_nodes.sh 137 "" scenes/melt.toml 3 80   # RETRIES are used up
 script many_nodes.sh 137 "" scenes/melt.toml 1 120  # it failed at that step before
+# what was said on sbatch's command line holds for the next job as well
+(
+  export SLURM_JOB_ID=77 SLURM_JOB_ACCOUNT=ice SLURM_JOB_PARTITION=long SLURM_JOB_QOS=normal SLURM_NTASKS_PER_NODE=32 SLURM_NTASKS=8 SLURM_CPUS_PER_TASK=1 SLURM_MEM_PER_NODE=64000
+  common="--account=ice --partition=long --qos=normal --mem=64000 --cpus-per-task=1 --time=1-00:00:00"
+  script one_node.sh 75 "--nodes=3 --ntasks-per-node=32 $common docs/slurm/one_node.sh scenes/melt.toml" scenes/melt.toml
+  script many_nodes.sh 75 "--nodes=3 --ntasks-per-node=32 $common docs/slurm/many_nodes.sh scenes/melt.toml" scenes/melt.toml
+  script array.sh 75 "--ntasks=8 $common --array=2 docs/slurm/array.sh $work/list" "$work/list"
+  [ "${failures:-0}" -eq 0 ]
+) || fail "options of the command line"
 script array.sh 75 "--array=2 docs/slurm/array.sh $work/list" "$work/list"
 grep -qxF "run scenes/drop.toml --set spacing=\"2 mm\" --out $work/out/drop.2 --resume" "$work/thaw" || { fail "array.sh: thaw was called as"; cat "$work/thaw"; }
 SLURM_ARRAY_TASK_ID=3 script array.sh 0 "" "$work/list"
 [ ! -e "$work/thaw" ] || fail "array.sh runs something for a line that is not there"
-OUT='' SCRATCH=$work/scratch script one_node.sh 75 "docs/slurm/one_node.sh scenes/melt.toml" scenes/melt.toml
+OUT='' SCRATCH=$work/scratch script one_node.sh 75 "--nodes=3 docs/slurm/one_node.sh scenes/melt.toml" scenes/melt.toml
 for file in "$source_dir"/docs/slurm/*.sh; do
   bash -n "$file" || fail "$file"
   ! command -v shellcheck >/dev/null || shellcheck "$file" || fail "shellcheck $file"

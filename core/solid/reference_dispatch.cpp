@@ -1,0 +1,8 @@
+#include "core/simd/choose.hpp"
+#include "core/solid/reference_kernels.hpp"
+
+namespace thaw {
+
+THAW_CHOOSE(ReferenceKernels, referenceKernelSet, referenceKernels)
+
+}  // namespace thaw
