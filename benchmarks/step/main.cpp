@@ -1,6 +1,6 @@
 // step: particle-steps a second and core of whole steps, MPI, halos and all, on the ranks it is started with; benchmarks/step/run starts it on 1, 2 and 4.
 // default: as scenes have it where they say nothing, sums over neighbours in single precision and bonds in double.
-//   step [--cases fluid,heat,elastic,mixed] [--precisions single,double,default] [--supports 2.13,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1] [--memory 1]
+//   step [--cases fluid,heat,elastic,mixed,mesh] [--precisions single,double,default] [--supports 2.13,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1] [--memory 1]
 // Beside each case, in turn with it and on as many ranks, runs a plain scalar neighbour-list code (yardstick): the ratio means the same on any
 // machine, and on a busy one. Rows come with the bytes that a step moves and what a copy moves in the same time.
 #include <malloc.h>
@@ -15,11 +15,13 @@
 #include <string>
 #include <vector>
 
+#include "benchmarks/step/ball.hpp"
 #include "benchmarks/step/cases.hpp"
 #include "benchmarks/support/rig.hpp"
 #include "benchmarks/support/yardstick.hpp"
 #include "core/math/hash_random.hpp"
 #include "core/memory.hpp"
+#include "io/commands/scene_for_all.hpp"
 
 namespace {
 
@@ -120,12 +122,12 @@ std::string heldBackBy(const Case& c, const PhaseTimes& t, double perNs, double 
   return most;
 }
 
-void measure(const Communicator& comm, const Case& c, const Options& o, FILE* out) {
+void measure(const Communicator& comm, const Case& c, const Options& o, const std::string& ball, FILE* out) {
   malloc_trim(0);  // what the case before has left
   const double before = residentBytes();
   const auto setUp = Watch::now();
-  const Scene scene = sceneOf(c);
-  Rig rig(comm, scene, [&](Continuum& p) { jitter(p, scene); });
+  const Scene scene = sceneOf(c, ball);
+  Rig rig(comm, scene, [&](Continuum& p) { jitter(p, scene); }, meshLoader());
   const double setUpSeconds = mostOf(comm, secondsSince(setUp));
   const double ranks = comm.size(), N = sumOver(comm, static_cast<double>(rig.w.particles.owned));
   const auto steps = [&](int n) {
@@ -134,6 +136,7 @@ void measure(const Communicator& comm, const Case& c, const Options& o, FILE* ou
     for (int k = 0; k < n; k++) thaw::step(rig.w, rig.halos(), rig.tools, {});
     return mostOf(comm, secondsSince(t)) / n;
   };
+  rig.settle();
   const double warm = steps(3);
   const int some = std::max(1, static_cast<int>(std::lround(o.seconds / warm)));
   rig.tools.times = {};
@@ -155,8 +158,8 @@ void measure(const Communicator& comm, const Case& c, const Options& o, FILE* ou
   const double accounted = messages + sumOver(comm, totalBytes(memoryOf(rig.w, rig.tools))), moved = sumOver(comm, bytesMoved(rig));
   const double copied = copySpeed(comm);  // of the first rank
   double neighbours = 0;
-  for (std::size_t i = 0; i < rig.w.neighbours.neighbours.size() && c.kind != Kind::Elastic; i++) neighbours += rig.w.neighbours.neighbours[i];
-  for (std::size_t s = 0; s < rig.w.solids.owned && c.kind == Kind::Elastic; s++)
+  for (std::size_t i = 0; i < rig.w.neighbours.neighbours.size() && !isElastic(c.kind); i++) neighbours += rig.w.neighbours.neighbours[i];
+  for (std::size_t s = 0; s < rig.w.solids.owned && isElastic(c.kind); s++)
     for (int k = 0; k < rig.w.bonds.capacity; k++) neighbours += rig.w.bonds.there(s, k);
   neighbours = sumOver(comm, neighbours) / N;
   if (comm.rank() != 0) return;
@@ -165,7 +168,7 @@ void measure(const Communicator& comm, const Case& c, const Options& o, FILE* ou
       if (u.bytes > 0) std::fprintf(stderr, "  %-20s %6.0f bytes a particle\n", u.what, u.bytes * ranks / N);
     std::fprintf(stderr, "  %-20s %6.0f bytes a particle\n", "messages", messages / N);
   }
-  const Targets goal = targetsOf(c);
+  const Targets goal = targetsOf(c, std::strcmp(rig.tools.kernels->name, "avx512") == 0);
   const double perNs = 1e9 * ranks / (N * done), rate = N / (median(total) * ranks) / 1e6;
   const auto ns = [&](std::initializer_list<StepPhase> phases) {
     double sum = 0;
@@ -178,7 +181,7 @@ void measure(const Communicator& comm, const Case& c, const Options& o, FILE* ou
   goal.excellent > 0 ? std::fprintf(out, "%.2f,%.2f,", goal.excellent, goal.limit) : std::fprintf(out, ",,");
   std::fprintf(out, "%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,", ns({P::Sort}), ns({P::Search}), ns({P::Density}), ns({P::Forces}), ns({P::Elastic, P::Bonds}), ns({P::Walls, P::Contact}),
                ns({P::Heat}), ns({P::Drift, P::Domain, P::Kick, P::Phase}), ns({P::Migrate, P::Exchange, P::Reduce}));
-  const double goalBytes = c.kind == Kind::Elastic ? 800 : c.kind == Kind::Fluid && c.support < support33 + 0.1 && c.precision == Precision::Single ? 350 : 0;
+  const double goalBytes = isElastic(c.kind) ? 800 : c.kind == Kind::Fluid && c.support < support33 + 0.1 && c.precision == Precision::Single ? 350 : 0;
   std::fprintf(out, "%.0f,%.0f,", accounted / N, resident / N);
   goalBytes > 0 ? std::fprintf(out, "%.0f,", goalBytes) : std::fprintf(out, ",");
   std::fprintf(out, "%.0f,%.2f,%.2f,%.2f,%s,%d\n", moved / N, 1e-9 * moved / (N / (rate * 1e6 * ranks)) / ranks / 1.0, 1e-9 * copied, setUpSeconds / median(total),
@@ -206,15 +209,15 @@ int main(int argc, char** argv) {
     const std::string key = argv[a];
     if (a + 1 == argc || key == "--help") {
       if (comm.rank() == 0)
-        std::fprintf(stderr, "step [--cases fluid,heat,elastic,mixed] [--precisions single,double,default] [--supports 2.13,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1] [--memory 1]\n");
+        std::fprintf(stderr, "step [--cases fluid,heat,elastic,mixed,mesh] [--precisions single,double,default] [--supports 2.13,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1] [--memory 1]\n");
       return 2;
     }
     const std::string value = argv[a + 1];
     if (key == "--cases")
       o.kinds = listOf<Kind>(value, [](const std::string& name) {
-        for (int k = 0; k < 4; k++)
+        for (int k = 0; k < static_cast<int>(std::size(kindNames)); k++)
           if (name == kindNames[k]) return static_cast<Kind>(k);
-        std::fprintf(stderr, "there is no case '%s': fluid, heat, elastic, mixed\n", name.c_str());
+        std::fprintf(stderr, "there is no case '%s': fluid, heat, elastic, mixed, mesh\n", name.c_str());
         std::exit(2);
       });
     else if (key == "--precisions")
@@ -235,10 +238,11 @@ int main(int argc, char** argv) {
   if (out && !o.append)
     std::fprintf(out, "case,precision,ranks,particles,neighbours,isa,msteps_per_s,yardstick_msteps_per_s,ratio,target_ratio,limit_ratio,ns_sort,ns_search,ns_density,ns_force,ns_elastic,"
                       "ns_walls,ns_heat,ns_move,ns_ranks,bytes_per_particle,resident_per_particle,target_bytes_per_particle,bytes_moved,moved_gb_per_s,copy_gb_per_s,setup_steps,held_back_by,repeats\n");
+  const BallFile ball(comm);
   for (const std::size_t size : o.sizes)
     for (const double support : o.supports)
       for (const auto& [sums, bonds] : o.precisions)
-        for (const Kind kind : o.kinds) measure(comm, {kind, sums, bonds, support, size}, o, out);
+        for (const Kind kind : o.kinds) measure(comm, {kind, sums, bonds, support, size}, o, ball.path(), out);
   if (out && o.csv) std::fclose(out);
   return 0;
 }

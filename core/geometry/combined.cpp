@@ -66,6 +66,13 @@ double PlacedDistance::distance(const Vec3d& x, Vec3d* gradient) const {
   return d * placement_.scale;
 }
 
+void PlacedDistance::insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in) const {
+  std::vector<Vec3d> placed;
+  placed.reserve(points.size());
+  for (const Vec3d& x : points) placed.push_back(toPart(x));
+  part_->insideAlong(placed, in);
+}
+
 double PlacedDistance::distanceWithin(const Vec3d& x, double reach, Vec3d* gradient) const {
   const double d = part_->distanceWithin(toPart(x), reach / placement_.scale, gradient);
   if (gradient && rotated_) *gradient = placement_.rotation * *gradient;

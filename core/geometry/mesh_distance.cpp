@@ -1,6 +1,8 @@
 #include "core/geometry/mesh_distance.hpp"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
 
 namespace thaw {
@@ -38,49 +40,50 @@ Vec3d childMiddle(const Vec3d& middle, double half, int child) {
 
 }  // namespace
 
-DistanceOctree::DistanceOctree(const TriangleBvh& near, const TriangleBvh& all) {
+struct DistanceOctree::Cube {
+  enum State : std::uint8_t { Unknown, Clear, Passed };
+  std::atomic<State> state{Unknown};  // all else is written before it is known, and then no more
+  double distance = 0;                // m, of the middle; signed where it is clear
+  Vec3d closest{};                    // m, point of the surface that is closest to the middle
+  std::unique_ptr<std::array<Cube, 8>> children;  // of a cube that the surface passes and that is not the smallest
+};
+
+DistanceOctree::DistanceOctree(const TriangleBvh& near, const TriangleBvh& all) : near_(near), all_(all), root_(std::make_unique<Cube>()) {
   const Bounds b = all.bounds();
   middle_ = 0.5 * (b.min + b.max);
   const Vec3d size = b.max - b.min;
   half_ = 0.51 * std::max({size.x, size.y, size.z});
-  const double diagonal = std::sqrt(3.0) * (1 + 1e-9);
-  struct Task { std::int32_t cube; Vec3d middle; double half, bound; int depth; };  // bound: a little more than the distance
-  std::vector<Task> tasks{{0, middle_, half_, 4 * half_, 0}};
-  cubes_.resize(1);
-  while (!tasks.empty()) {
-    const Task t = tasks.back();
-    tasks.pop_back();
-    const ClosestPoint closest = near.closest(t.middle, t.bound);
-    const double d = std::sqrt(closest.distance2);
-    Cube& cube = cubes_[static_cast<std::size_t>(t.cube)];
-    cube.clear = d > diagonal * t.half;
-    if (cube.clear) cube.distance = all.winding(t.middle) > 0.5 ? -d : d;
-    if (cube.clear || t.depth == deepestCube) continue;
-    const auto children = static_cast<std::int32_t>(cubes_.size());
-    cube.children = children;
-    cubes_.resize(cubes_.size() + 8);
-    for (int c = 0; c < 8; c++) {
-      const Vec3d middle = childMiddle(t.middle, t.half, c);
-      tasks.push_back({children + c, middle, 0.5 * t.half, length(middle - closest.point) * (1 + 1e-9) + 1e-9 * t.half, t.depth + 1});  // that point is as near
-    }
-  }
 }
 
-bool DistanceOctree::covers(const Vec3d& x) const {
-  return !cubes_.empty() && std::abs(x.x - middle_.x) <= half_ && std::abs(x.y - middle_.y) <= half_ && std::abs(x.z - middle_.z) <= half_;
+DistanceOctree::~DistanceOctree() = default;
+
+void DistanceOctree::look(Cube& cube, const Vec3d& middle, double half, double bound, int depth) const {
+  const std::lock_guard lock(looking_);
+  if (cube.state.load(std::memory_order_relaxed) != Cube::Unknown) return;  // another thread was first
+  const ClosestPoint closest = near_.closest(middle, bound);
+  cube.closest = closest.point;
+  cube.distance = std::sqrt(closest.distance2);
+  const bool clear = cube.distance > std::sqrt(3.0) * (1 + 1e-9) * half;
+  if (clear && all_.winding(middle) > 0.5) cube.distance = -cube.distance;
+  if (!clear && depth < deepestCube) cube.children = std::make_unique<std::array<Cube, 8>>();
+  cube.state.store(clear ? Cube::Clear : Cube::Passed, std::memory_order_release);
 }
+
+bool DistanceOctree::covers(const Vec3d& x) const { return std::abs(x.x - middle_.x) <= half_ && std::abs(x.y - middle_.y) <= half_ && std::abs(x.z - middle_.z) <= half_; }
 
 DistanceOctree::Leaf DistanceOctree::leafAt(const Vec3d& x) const {
   Vec3d middle = middle_;
-  double half = half_;
-  const Cube* cube = &cubes_[0];
-  while (cube->children >= 0) {
+  double half = half_, bound = 4 * half_;
+  Cube* cube = root_.get();
+  for (int depth = 0;; depth++) {
+    if (cube->state.load(std::memory_order_acquire) == Cube::Unknown) look(*cube, middle, half, bound, depth);
+    if (!cube->children) return {middle, cube->distance, cube->state.load(std::memory_order_relaxed) == Cube::Clear};
     const int child = (x.x >= middle.x) | (x.y >= middle.y) << 1 | (x.z >= middle.z) << 2;
     middle = childMiddle(middle, half, child);
     half *= 0.5;
-    cube = &cubes_[static_cast<std::size_t>(cube->children + child)];
+    bound = length(middle - cube->closest) * (1 + 1e-9) + 2e-9 * half;  // that point is as near
+    cube = &(*cube->children)[static_cast<std::size_t>(child)];
   }
-  return {middle, cube->distance, cube->clear};
 }
 
 MeshDistance::MeshDistance(const TriangleMesh& mesh, std::string name) : name_(std::move(name)) {
@@ -91,7 +94,7 @@ MeshDistance::MeshDistance(const TriangleMesh& mesh, std::string name) : name_(s
     TriangleMesh outside = withoutBuried(solid, *surface_);
     if (outside.triangles.size() < solid.triangles.size() && !outside.triangles.empty()) visible_ = std::make_unique<const TriangleBvh>(outside);
   }
-  if (report_.closed) octree_ = DistanceOctree(visible(), *surface_);
+  if (report_.closed) octree_ = std::make_unique<const DistanceOctree>(visible(), *surface_);
 }
 
 double MeshDistance::signedFrom(const ClosestPoint& c, const Vec3d& x, bool inside, Vec3d* gradient) const {
@@ -114,8 +117,7 @@ double MeshDistance::distanceWithin(const Vec3d& x, double reach, Vec3d* gradien
   if (box >= reach) return box;
   bool in = false;
   if (box == 0) {
-    const bool covered = octree_.covers(x);
-    const DistanceOctree::Leaf leaf = covered ? octree_.leafAt(x) : DistanceOctree::Leaf{};
+    const DistanceOctree::Leaf leaf = octree_ && octree_->covers(x) ? octree_->leafAt(x) : DistanceOctree::Leaf{};
     if (leaf.clear) {
       const double least = std::abs(leaf.distance) - length(x - leaf.middle);
       in = leaf.distance < 0;
@@ -131,11 +133,35 @@ double MeshDistance::distanceWithin(const Vec3d& x, double reach, Vec3d* gradien
 
 bool MeshDistance::inside(const Vec3d& x) const {
   if (distanceToBox(surface_->bounds(), x) > 0) return false;
-  if (octree_.covers(x)) {
-    const DistanceOctree::Leaf leaf = octree_.leafAt(x);
+  if (octree_ && octree_->covers(x)) {
+    const DistanceOctree::Leaf leaf = octree_->leafAt(x);
     if (leaf.clear) return leaf.distance < 0;
   }
   return surface_->winding(x) > 0.5;
+}
+
+/// The sign changes only where a triangle is between: of two points whose box meets none it is the same. Where it changes is looked for by halves.
+void MeshDistance::insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in) const {
+  if (!report_.closed) return SignedDistance::insideAlong(points, in);
+  const std::size_t n = points.size();
+  const Bounds b = surface_->bounds();
+  const double margin = 1e-9 * length(b.max - b.min);
+  const auto divided = [&](const Vec3d& from, const Vec3d& to) {
+    Bounds box;
+    for (int a = 0; a < 3; a++) box.min[a] = std::min(from[a], to[a]) - margin, box.max[a] = std::max(from[a], to[a]) + margin;
+    return surface_->meets(box);
+  };
+  for (std::size_t k = 0; k < n;) {
+    const Vec3d& x = points[k];
+    const bool here = distanceToBox(b, x) == 0 && surface_->winding(x) > 0.5 && visible().closest(x, margin).distance2 > 0;
+    std::size_t same = k, other = n - 1;  // as here; with a triangle between
+    if (!divided(x, points[other])) same = other;
+    while (other - same > 1) {
+      const std::size_t middle = same + (other - same) / 2;
+      (divided(points[same], points[middle]) ? other : same) = middle;
+    }
+    for (; k <= same; k++) in[k] = here;
+  }
 }
 
 double MeshDistance::extent(const Vec3d& direction) const {

@@ -1,6 +1,7 @@
 // Signed distance from a triangle mesh.
 #pragma once
 #include <memory>
+#include <mutex>
 #include <string>
 
 #include "core/geometry/mesh_repair.hpp"
@@ -10,19 +11,24 @@
 namespace thaw {
 
 /// Cubes that the surface does not pass, with the signed distance at their middle: answers most questions far from the surface
-/// without looking at a triangle, and bounds the rest.
+/// without looking at a triangle, and bounds the rest. A cube is looked at when somebody asks for a point in it first, so that a rank
+/// which samples its part of a body pays for that part; what is found does not depend on who asks when. Threads may ask at once.
 class DistanceOctree {
  public:
   struct Leaf { Vec3d middle; double distance = 0; bool clear = false; };  ///< clear: no surface within
-  DistanceOctree() = default;
-  /// Distances are to `near`, signs from the winding numbers of `all`.
+  /// Distances are to `near`, signs from the winding numbers of `all`; both must outlive this.
   DistanceOctree(const TriangleBvh& near, const TriangleBvh& all);
+  ~DistanceOctree();
   bool covers(const Vec3d& x) const;
   Leaf leafAt(const Vec3d& x) const;  ///< of a point that is covered
 
  private:
-  struct Cube { std::int32_t children = -1; bool clear = false; double distance = 0; };
-  std::vector<Cube> cubes_;  ///< the 8 children of a cube stand together
+  struct Cube;
+  /// Looks at a cube with this middle and half edge; `bound` (m) is a little more than the distance of the middle.
+  void look(Cube& cube, const Vec3d& middle, double half, double bound, int depth) const;
+  const TriangleBvh &near_, &all_;
+  std::unique_ptr<Cube> root_;
+  mutable std::mutex looking_;
   Vec3d middle_{};
   double half_ = 0;
 };
@@ -36,6 +42,7 @@ class MeshDistance final : public SignedDistance {
   double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;
   double distanceWithin(const Vec3d& x, double reach, Vec3d* gradient = nullptr) const override;
   bool inside(const Vec3d& x) const override;
+  void insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in) const override;
   Bounds bounds() const override { return surface_->bounds(); }
   double extent(const Vec3d& direction) const override;
   bool hasGaps() const override { return !report_.closed; }
@@ -50,7 +57,7 @@ class MeshDistance final : public SignedDistance {
   MeshReport report_;
   std::vector<Vec3d> corners_;  ///< of the mesh, for extents
   std::unique_ptr<const TriangleBvh> surface_, visible_;
-  DistanceOctree octree_;
+  std::unique_ptr<const DistanceOctree> octree_;  ///< nullptr: the mesh is not closed
 };
 
 }  // namespace thaw

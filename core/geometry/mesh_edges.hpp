@@ -14,6 +14,7 @@ struct EdgeSide {
   std::uint32_t triangle = 0;
   std::int8_t sign = 0;    ///< +1: the triangle runs from the smaller to the larger vertex
 };
+/// The indices of the mesh have to be valid.
 std::vector<EdgeSide> edgeSides(const TriangleMesh& mesh);
 
 /// Calls f(first, last) for the range of sides of each edge.

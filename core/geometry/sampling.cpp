@@ -38,23 +38,17 @@ SampleRange sampleRange(const SampleLattice& lattice, int rank, int ranks) {
 
 std::vector<std::int64_t> insideOfRow(const SignedDistance& shape, const SampleLattice& l, std::int64_t row) {
   const std::int64_t j = row % l.count[1], k = row / l.count[1];
-  const bool gaps = shape.hasGaps();
+  constexpr std::int64_t atOnce = 4096;
+  std::vector<Vec3d> points;
+  std::vector<std::uint8_t> in;
   std::vector<std::int64_t> inside;
-  for (std::int64_t i = 0; i < l.count[0];) {
-    const Vec3d x = l.at(i, j, k);
-    std::int64_t same = 1;  // where the surface is farther away than the next points, they are as this one
-    bool in = false;
-    if (gaps) {
-      in = shape.inside(x);
-    } else {
-      // of a mesh the sign, and far from its surface how far it is at least, are known without a look for the nearest triangle
-      const double d = shape.distanceWithin(x, 0.01 * l.spacing);
-      in = d < 0;
-      same += static_cast<std::int64_t>(std::min(std::abs(d) / l.spacing * (1 - 1e-9), 1e9));
-    }
-    const std::int64_t end = std::min(l.count[0], i + same);
-    if (!in) i = end;
-    for (; i < end; i++) inside.push_back(i);
+  for (std::int64_t first = 0; first < l.count[0]; first += atOnce) {
+    points.clear();
+    for (std::int64_t i = first; i < std::min(l.count[0], first + atOnce); i++) points.push_back(l.at(i, j, k));
+    in.resize(points.size());
+    shape.insideAlong(points, in);
+    for (std::size_t i = 0; i < in.size(); i++)
+      if (in[i]) inside.push_back(first + static_cast<std::int64_t>(i));
   }
   return inside;
 }

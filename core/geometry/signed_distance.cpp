@@ -1,6 +1,26 @@
 #include "core/geometry/signed_distance.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace thaw {
+
+void SignedDistance::insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in) const {
+  const std::size_t n = points.size();
+  const double spacing = n > 1 ? length(points[1] - points[0]) : 1;
+  for (std::size_t k = 0; k < n;) {
+    if (hasGaps()) {
+      in[k] = inside(points[k]);
+      k++;
+      continue;
+    }
+    // where the surface is farther away than the next points, they are as this one; the sign, and far from a surface how far it is at least, come cheaper than the distance
+    const double d = distanceWithin(points[k], 0.01 * spacing);
+    const auto same = 1 + static_cast<std::size_t>(std::min(std::abs(d) / spacing * (1 - 1e-9), 1e9));
+    const std::size_t end = std::min(n, k + same);
+    for (; k < end; k++) in[k] = d < 0;
+  }
+}
 
 double SignedDistance::extent(const Vec3d& direction) const {
   const Bounds b = bounds();

@@ -106,28 +106,31 @@ struct TriangleBvh::Builder {
 
   /// Makes the node of order[first, last) and all below it; returns its area.
   double make(std::uint32_t first, std::uint32_t last, int depth) {
-    const std::size_t self = tree.nodes_.size();
+    const std::size_t self = tree.nodes_.size(), begin = tree.triangles_.size();
     tree.nodes_.emplace_back();
     tree.dipoles_.emplace_back();
-    Box box;
-    for (std::uint32_t k = first; k < last; k++) box.add(boxes[order[k]]);
-    Node node{box.low, box.high, 0, 0};
+    Node node{};
     Dipole dipole{};
     double area = 0;
     if (last - first <= leafSize) {
+      Box box;
+      for (std::uint32_t k = first; k < last; k++) box.add(boxes[order[k]]);
+      node.low = box.low, node.high = box.high;
       area = makeLeaf(node, dipole, first, last);
     } else {
       const std::uint32_t middle = part(first, last, depth);
       const double a = make(first, middle, depth + 1);
       node.first = static_cast<std::uint32_t>(tree.nodes_.size());
       const double b = make(middle, last, depth + 1);
+      const Node &left = tree.nodes_[self + 1], &right = tree.nodes_[node.first];
+      node.low = lower(left.low, right.low), node.high = upper(left.high, right.high);
       const Dipole &l = tree.dipoles_[self + 1], &r = tree.dipoles_[node.first];
       area = a + b;
       dipole.moment = l.moment + r.moment;
       dipole.centre = area > 0 ? (l.centre * a + r.centre * b) / area : 0.5 * (node.low + node.high);
     }
-    for (std::uint32_t k = first; k < last; k++) {
-      const Corners t = corners(order[k]);
+    for (std::size_t k = begin; k < tree.triangles_.size(); k++) {  // of the tree and not of the mesh: they lie side by side
+      const Corners& t = tree.triangles_[k];
       for (const Vec3d& x : {t.a, t.b, t.c}) dipole.radius2 = std::max(dipole.radius2, dot(x - dipole.centre, x - dipole.centre));
     }
     tree.nodes_[self] = node;

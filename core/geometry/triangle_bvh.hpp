@@ -26,6 +26,7 @@ class TriangleBvh {
   /// How often the surface winds around x: 1 inside and 0 outside a closed, outward surface, within 0.1 by the expansion;
   /// `accuracy` is the distance in radii of a group of triangles from which it counts as a dipole.
   double winding(const Vec3d& x, double accuracy = 2.0) const;
+  bool meets(const Bounds& box) const;  ///< Does the box of any triangle touch this one?
   Bounds bounds() const { return nodes_.empty() ? Bounds{} : Bounds{nodes_[0].low, nodes_[0].high}; }
   std::size_t memory() const;  ///< bytes
 

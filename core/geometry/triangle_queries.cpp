@@ -85,6 +85,33 @@ ClosestPoint TriangleBvh::closest(const Vec3d& x, double reach) const {
   return result;
 }
 
+bool TriangleBvh::meets(const Bounds& box) const {
+  if (nodes_.empty()) return false;
+  const auto apart = [&](const Vec3d& low, const Vec3d& high) {
+    return low.x > box.max.x || high.x < box.min.x || low.y > box.max.y || high.y < box.min.y || low.z > box.max.z || high.z < box.min.z;
+  };
+  std::array<std::uint32_t, deepest> stack;
+  std::size_t top = 0;
+  stack[top++] = 0;
+  while (top > 0) {
+    const std::uint32_t index = stack[--top];
+    const Node& node = nodes_[index];
+    if (apart(node.low, node.high)) continue;
+    if (node.count == 0) {
+      stack[top++] = node.first;
+      stack[top++] = index + 1;
+      continue;
+    }
+    for (std::uint32_t k = node.first; k < node.first + node.count; k++) {
+      const auto& [a, b, c] = triangles_[k];
+      const auto least = [](double p, double q, double r) { return std::min(std::min(p, q), r); };
+      const auto most = [](double p, double q, double r) { return std::max(std::max(p, q), r); };
+      if (!apart({least(a.x, b.x, c.x), least(a.y, b.y, c.y), least(a.z, b.z, c.z)}, {most(a.x, b.x, c.x), most(a.y, b.y, c.y), most(a.z, b.z, c.z)})) return true;
+    }
+  }
+  return false;
+}
+
 double TriangleBvh::winding(const Vec3d& x, double accuracy) const {
   if (nodes_.empty()) return 0;
   double sum = 0;

@@ -70,9 +70,12 @@ TriangleMesh weldVertices(const TriangleMesh& mesh, double tolerance) {
     sorted.push_back(c);
     std::sort(sorted.back().begin(), sorted.back().end());
   }
-  std::vector<Index> order(sorted.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return sorted[a] != sorted[b] ? sorted[a] < sorted[b] : a < b; });
+  std::vector<Index> order(sorted.size()), end(mesh.vertices.size() + 1, 0);  // by the smallest corner in one pass, as they are few at each
+  for (const auto& t : sorted) end[t[0] + 1]++;
+  for (std::size_t v = 1; v < end.size(); v++) end[v] += end[v - 1];
+  for (Index t = 0; t < sorted.size(); t++) order[end[sorted[t][0]]++] = t;
+  for (std::size_t v = 0; v + 1 < end.size(); v++)
+    std::sort(order.begin() + (v > 0 ? end[v - 1] : 0), order.begin() + end[v], [&](Index a, Index b) { return sorted[a] != sorted[b] ? sorted[a] < sorted[b] : a < b; });
   std::vector<char> twice(sorted.size(), 0);
   for (std::size_t k = 1; k < order.size(); k++) twice[order[k]] = sorted[order[k]] == sorted[order[k - 1]];
   std::size_t kept = 0;

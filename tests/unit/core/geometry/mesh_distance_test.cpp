@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "core/geometry/bust.hpp"
 #include "tests/support/meshes.hpp"
 
@@ -87,6 +89,48 @@ TEST(MeshDistance, gradientIsTheSlope) {
     }
   }
   EXPECT_GT(checked, 700);
+}
+
+TEST(MeshDistance, alongALineItIsInsideWhereAskedPointByPoint) {
+  TriangleMesh two = ballMesh({}, 0.5, 0.08), hollow = ballMesh({}, 0.6, 0.1), within = ballMesh({0.05, 0, 0}, 0.4, 0.1);
+  append(two, ballMesh({0.4, 0.1, 0}, 0.45, 0.11));  // they overlap
+  turnAll(within);
+  append(hollow, within);
+  const TriangleMesh meshes[] = {two, hollow, boxMesh({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5})};
+  int inside = 0, outside = 0;
+  for (const TriangleMesh& mesh : meshes) {
+    const MeshDistance d(mesh, "mesh");
+    for (std::uint64_t line = 0; line < 300; line++) {
+      // a quarter of the lines run on the lattice of the box's faces and edges, where points lie on triangles
+      const Vec3d from = line % 4 == 0 ? Vec3d{-1, 0.25 * static_cast<double>(line / 4 % 9) - 1, 0.25 * static_cast<double>(line / 36) - 1} : randomPoint({{-1, -1, -1}, {1, 1, 1}}, line);
+      const Vec3d step = line % 4 == 0 ? Vec3d{0.125, 0, 0} : randomPoint({{-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}}, 1000 + line);
+      std::vector<Vec3d> points;
+      for (int k = 0; k < 1 + static_cast<int>(line % 40); k++) points.push_back(from + step * static_cast<double>(k));
+      std::vector<std::uint8_t> in(points.size(), 2);
+      d.insideAlong(points, in);
+      for (std::size_t k = 0; k < points.size(); k++) {
+        ASSERT_EQ(in[k] != 0, d.distanceWithin(points[k], 1e-3) < 0) << "point " << k << " of line " << line;
+        in[k] ? inside++ : outside++;
+      }
+    }
+  }
+  EXPECT_GT(inside, 500);
+  EXPECT_GT(outside, 1000);
+}
+
+TEST(MeshDistance, threadsMayAskAtOnce) {
+  const TriangleMesh mesh = ballMesh({}, 0.5, 0.05);
+  const MeshDistance one(mesh, "ball"), many(mesh, "ball");
+  constexpr std::size_t points = 4000, threads = 4;
+  std::vector<double> found[threads];
+  std::vector<std::thread> asking;
+  for (std::vector<double>& f : found)
+    asking.emplace_back([&] {
+      for (std::uint64_t k = 0; k < points; k++) f.push_back(many.distanceWithin(randomPoint({{-0.6, -0.6, -0.6}, {0.6, 0.6, 0.6}}, k), 0.02));
+    });
+  for (std::thread& t : asking) t.join();
+  for (std::uint64_t k = points; k-- > 0;)
+    for (const std::vector<double>& f : found) ASSERT_EQ(f[k], one.distanceWithin(randomPoint({{-0.6, -0.6, -0.6}, {0.6, 0.6, 0.6}}, k), 0.02));  // whatever was asked first
 }
 
 TEST(Bust, isAClosedSolidOneMetreTall) {
