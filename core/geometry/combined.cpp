@@ -1,6 +1,7 @@
 #include "core/geometry/combined.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace thaw {
@@ -67,10 +68,13 @@ double PlacedDistance::distance(const Vec3d& x, Vec3d* gradient) const {
 }
 
 void PlacedDistance::insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in) const {
-  std::vector<Vec3d> placed;
-  placed.reserve(points.size());
-  for (const Vec3d& x : points) placed.push_back(toPart(x));
-  part_->insideAlong(placed, in);
+  constexpr std::size_t pointsAtOnce = 256;
+  std::array<Vec3d, pointsAtOnce> placed;
+  for (std::size_t first = 0; first < points.size(); first += pointsAtOnce) {
+    const std::size_t n = std::min(points.size() - first, pointsAtOnce);
+    for (std::size_t k = 0; k < n; k++) placed[k] = toPart(points[first + k]);
+    part_->insideAlong({placed.data(), n}, in.subspan(first, n));
+  }
 }
 
 double PlacedDistance::distanceWithin(const Vec3d& x, double reach, Vec3d* gradient) const {

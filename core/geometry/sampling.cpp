@@ -1,6 +1,7 @@
 #include "core/geometry/sampling.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/geometry/shape_error.hpp"
@@ -10,6 +11,7 @@ namespace thaw {
 namespace {
 
 constexpr double mostPoints = 1099511627776.0;  // 2^40
+constexpr std::size_t pointsAtOnce = 256;       // of a row
 
 }  // namespace
 
@@ -38,16 +40,14 @@ SampleRange sampleRange(const SampleLattice& lattice, int rank, int ranks) {
 
 std::vector<std::int64_t> insideOfRow(const SignedDistance& shape, const SampleLattice& l, std::int64_t row) {
   const std::int64_t j = row % l.count[1], k = row / l.count[1];
-  constexpr std::int64_t atOnce = 4096;
-  std::vector<Vec3d> points;
-  std::vector<std::uint8_t> in;
+  std::array<Vec3d, pointsAtOnce> points;
+  std::array<std::uint8_t, pointsAtOnce> in;
   std::vector<std::int64_t> inside;
-  for (std::int64_t first = 0; first < l.count[0]; first += atOnce) {
-    points.clear();
-    for (std::int64_t i = first; i < std::min(l.count[0], first + atOnce); i++) points.push_back(l.at(i, j, k));
-    in.resize(points.size());
-    shape.insideAlong(points, in);
-    for (std::size_t i = 0; i < in.size(); i++)
+  for (std::int64_t first = 0; first < l.count[0]; first += static_cast<std::int64_t>(pointsAtOnce)) {
+    const auto n = static_cast<std::size_t>(std::min(l.count[0] - first, static_cast<std::int64_t>(pointsAtOnce)));
+    for (std::size_t i = 0; i < n; i++) points[i] = l.at(first + static_cast<std::int64_t>(i), j, k);
+    shape.insideAlong({points.data(), n}, {in.data(), n});
+    for (std::size_t i = 0; i < n; i++)
       if (in[i]) inside.push_back(first + static_cast<std::int64_t>(i));
   }
   return inside;
