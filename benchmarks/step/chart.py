@@ -79,7 +79,7 @@ def draw(rows, picture):
         values = [float(r["ns_" + phase]) for r in rows]
         axes[1].barh(at, values, left=left, label=phase, color=plt.get_cmap("tab10")(k))
         left = [a + b for a, b in zip(left, values)]
-    axes[1].legend(fontsize=7, loc="lower right")
+    axes[1].legend(fontsize=7, loc="upper center", bbox_to_anchor=(0.5, -0.03), ncols=len(PHASES), columnspacing=0.8, handlelength=1)  # no bar is behind it
     axes[1].set_title("ns a particle, step and core", fontsize=9)
     axes[2].barh(at, [float(r["bytes_per_particle"]) for r in rows], color="#7a9e6f")
     marks = [(number(r["target_bytes_per_particle"]), i) for i, r in enumerate(rows) if r["target_bytes_per_particle"]]
