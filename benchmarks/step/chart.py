@@ -86,6 +86,7 @@ def draw(rows, picture):
     axes[2].plot([m for m, _ in marks], [i for _, i in marks], "|", color="#c0392b", markersize=11, markeredgewidth=2)
     axes[2].set_title("bytes a particle", fontsize=9)
     axes[0].set_yticks(list(at), [label(r) for r in rows], fontsize=7)
+    axes[0].margins(y=0.01)
     axes[0].invert_yaxis()
     figure.tight_layout()
     figure.savefig(picture, dpi=110)
