@@ -42,7 +42,9 @@ CellGrid makeGrid(const Domain& d, double support, double least) {
     g.periodic[a] = d.side[a][0] == Side::Periodic;
     if (g.periodic[a]) {
       g.cells[a] = static_cast<int>(std::floor(extent / cell * (1 + 1e-12)));
-      if (g.cells[a] < 3) throw std::runtime_error("the domain is periodic along " + axis + " but shorter than three support radii");
+      if (g.cells[a] < 3)
+        throw std::runtime_error("the domain is periodic along " + axis + " but shorter than three support radii: it is " + inDigits(extent) + " m long; expected at least " + inDigits(3 * cell) +
+                                 " m, three times the farthest that anything in it reaches (numerics.support; of surfels surface.particle_support)");
       g.edge[a] = extent / g.cells[a];
       g.origin[a] = d.min[a];
       g.period[a] = extent;

@@ -25,6 +25,7 @@ bool fits(const Scene& s, const Vec3d& size, double factor) {
 
 std::string sizeHint(const Scene& s, const Shape& shape, const Bounds& b) {
   const Vec3d size = b.max - b.min;
+  if (size.x < 0 || size.y < 0 || size.z < 0) return "; nothing of its shape is left: what is taken away covers it, or its parts do not meet";
   std::string hint = written("; it is %.3g x %.3g x %.3g m large", size.x, size.y, size.z);
   if (shape.kind != ShapeKind::Mesh || namesBuiltin(shape.mesh) || fits(s, size, 1)) return hint;
   const struct { double factor; const char* unit; } units[] = {{1e-3, "millimetres"}, {1e-2, "centimetres"}, {0.0254, "inches"}};

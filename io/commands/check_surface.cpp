@@ -127,7 +127,7 @@ std::vector<std::string> SurfaceTrial::lines(const Forecast& f, int ranks) const
       fmt::format("{:.0f} surfels at the start ({:.0f} expected by the area of the bodies), {} component{}", f.surfels, expected_, s.components.size(), s.components.size() == 1 ? "" : "s"),
       fmt::format("surfels {:g} m apart; they act on each other within {:g} m (about {:.0f} neighbours), particles on them within {:g} m (about {:.0f})", spacing_, set.support * spacing_,
                   1.15 * pi * set.support * set.support, s.particleSupport, 2.0 / 3 * pi * std::pow(s.particleSupport / w.scene.spacing, 3)),
-      fmt::format("memory a rank: {} with {} ranks ({:.0f} bytes a surfel, work lists included)", bytesText(f.bytes / ranks), ranks, f.bytes / std::max(1.0, f.surfels)),
+      fmt::format("memory a rank: {} with {} rank{} ({:.0f} bytes a surfel, work lists included)", bytesText(f.bytes / ranks), ranks, ranks == 1 ? "" : "s", f.bytes / std::max(1.0, f.surfels)),
       fmt::format("the start {} {:.3g} s, one update of it {:.3g} s{}, on {} rank{}", perMeasured_ > 1 ? "would take about" : "took", perMeasured_ * times[0], perMeasured_ * times[1],
                   w.modules.fluid ? fmt::format(", one of it as liquid that flows {:.3g} s", perMeasured_ * times[2]) : "", comm_.size(), comm_.size() == 1 ? "" : "s"),
       fmt::format("about {:.0f} updates until the end, {:.0f} of them at frames{}", f.updates, f.frames,

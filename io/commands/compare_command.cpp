@@ -33,10 +33,10 @@ std::set<std::string> framesOf(const std::string& run) {
 bool compareFrames(const std::string& runA, const std::string& runB, double tolerance) {
   const std::set<std::string> a = framesOf(runA), b = framesOf(runB);
   bool equal = true;
-  std::size_t both = 0;
+  std::size_t both = 0, alone = 0;
   const auto missing = [&](const std::string& name, const std::string& run) {
     fmt::print("frame {} is not in {}\n", name, run);
-    equal = false;
+    alone++;
   };
   for (const std::string& name : b)
     if (!a.count(name)) missing(name, runA);
@@ -49,8 +49,8 @@ bool compareFrames(const std::string& runA, const std::string& runB, double tole
     const bool same = compareFiles(runA + "/frames/" + name, runB + "/frames/" + name, tolerance, false);
     equal = equal && same;
   }
-  fmt::print("frames: {} in both, {}\n", both, equal ? "equal" : "different");
-  return equal;
+  fmt::print("frames: {} in both, {}{}\n", both, equal ? "equal" : "different", alone > 0 ? fmt::format("; {} in one alone", alone) : "");
+  return equal && alone == 0;
 }
 
 }  // namespace

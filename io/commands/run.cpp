@@ -135,8 +135,8 @@ int simulate(Run& r) {
   }
   summarise(r, code == exitDone ? "done" : code == exitStopped ? "stopped" : "failed", why);
   const std::size_t told = r.summary.warnings.size();
-  r.say(fmt::format("{} at t {:.6g} s, step {}{}; {:.3g} M particle-steps/s with {} ranks, {:.1f} s", r.summary.status, r.world.clock.time, r.world.clock.step, why.empty() ? "" : " (" + why + ")",
-                    r.summary.particleSteps / r.summary.wall / 1e6, r.comm.size(), r.summary.wall));
+  r.say(fmt::format("{} at t {:.6g} s, step {}{}; {:.3g} M particle-steps/s with {} rank{}, {:.1f} s", r.summary.status, r.world.clock.time, r.world.clock.step, why.empty() ? "" : " (" + why + ")",
+                    r.summary.particleSteps / r.summary.wall / 1e6, r.comm.size(), r.comm.size() == 1 ? "" : "s", r.summary.wall));
   for (const std::string& line : surfaceLines(r.summary.surface)) r.say(line);
   for (const std::string& w : warningsOf(r.summary.counters, r.summary.ledger)) r.warn(w);
   for (const std::string& w : surfaceWarnings(r.summary.surface)) r.warn(w);

@@ -7,10 +7,15 @@
 namespace thaw {
 namespace fs = std::filesystem;
 
-bool setAsideEarlierRun(const std::string& out) {
+bool holdsRun(const std::string& out) {
   std::error_code error;
   const auto filled = [&](const char* folder) { return fs::exists(out + "/" + folder, error) && !fs::is_empty(out + "/" + folder, error); };
-  if (!filled("frames") && !filled("checkpoint")) return false;
+  return filled("frames") || filled("checkpoint");
+}
+
+bool setAsideEarlierRun(const std::string& out) {
+  if (!holdsRun(out)) return false;
+  std::error_code error;
   const std::string aside = out + "/" + earlierRunFolder;
   fs::remove_all(aside, error);
   fs::create_directories(aside, error);

@@ -39,7 +39,7 @@ std::vector<std::string> profileLines(const Profile& p, const PhaseTimes& times,
   const TrafficSummary t = gatherTraffic(comm.traffic(), p.traffic, all);
   const double steps = static_cast<double>(std::max<std::int64_t>(1, stepsDone)), wall = over(wallHere, all).mean;
   std::vector<std::string> lines;
-  lines.push_back(fmt::format("profile of {} steps of {} particles on {} ranks; ms a step and rank", stepsDone, particles, comm.size()));
+  lines.push_back(fmt::format("profile of {} steps of {} particles on {} rank{}; ms a step and rank", stepsDone, particles, comm.size(), comm.size() == 1 ? "" : "s"));
   lines.push_back(fmt::format("  {:<14}{:>10}{:>10}{:>10}{:>9}", "phase", "min", "mean", "max", "share"));
   const auto row = [&](const char* name, const RankSpread& s) {
     lines.push_back(fmt::format("  {:<14}{:>10.3f}{:>10.3f}{:>10.3f}{:>8.1f}%", name, 1e3 * s.least / steps, 1e3 * s.mean / steps, 1e3 * s.most / steps, wall > 0 ? 100 * s.mean / wall : 0));

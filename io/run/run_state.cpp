@@ -37,10 +37,8 @@ void noteWithoutState(Run& r, const std::string& status, const std::string& mess
   r.summary.clock = r.world.clock;
   std::error_code code;
   std::filesystem::create_directories(r.options.out, code);
-  const std::string summary = r.options.out + "/summary.json";
-  std::filesystem::rename(summary, r.options.out + "/summary.earlier.json", code);  // of a run that this one did not begin to replace
   try {
-    writeSummary(r.options.out, r.summary);
+    writeSummary(r.options.out, r.summary, holdsRun(r.options.out) ? refusedName : summaryName);  // the summary there is of the run that is there
   } catch (const std::exception&) {
   }
 }
@@ -302,7 +300,11 @@ void begin(Run& r, const MeshLoader& load) {
     writeFrameOf(r);
   }
   r.begun = true;
-  onFirstRank(r.comm.handle(), [&] { r.resumed ? cutProgressLog(r.options.out, w.clock.step) : beginProgressLog(r.options.out); });
+  onFirstRank(r.comm.handle(), [&] {
+    r.resumed ? cutProgressLog(r.options.out, w.clock.step) : beginProgressLog(r.options.out);
+    std::error_code code;
+    std::filesystem::remove(r.options.out + "/" + refusedName, code);  // that is over
+  });
   r.firstStep = r.stepAtReport = w.clock.step;
 }
 

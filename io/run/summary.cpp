@@ -93,7 +93,7 @@ void gatherSummary(RunSummary& s, const World& w, const PhaseTimes& times, const
   s.title = w.scene.title;
 }
 
-void writeSummary(const std::string& out, const RunSummary& s) {
+void writeSummary(const std::string& out, const RunSummary& s, const std::string& name) {
   Json j;
   j["code"] = "thaw";
   j["version"] = versionNumber();
@@ -138,8 +138,7 @@ void writeSummary(const std::string& out, const RunSummary& s) {
   j["counters"] = countersJson(s.counters);
   if (s.surface.there) j["surface"] = surfaceJson(s.surface);
   j["warnings"] = s.warnings;
-  const std::string path = out + "/summary.json";
-  replaceTextFile(path, j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  replaceTextFile(out + "/" + name, j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {

@@ -40,8 +40,12 @@ struct RunSummary {
 /// Fills in what has to be gathered from all ranks: phases, imbalance, bytes, memory, counters. Collective.
 void gatherSummary(RunSummary& summary, const World& world, const PhaseTimes& times, const Traffic& traffic, Reducer& all);
 
-/// Writes OUT/summary.json by rename; IoError. One process only.
-void writeSummary(const std::string& out, const RunSummary& summary);
+inline constexpr const char* summaryName = "summary.json";
+/// Where a start that is refused says why, in a folder that holds a run: the summary of that run stays as it is.
+inline constexpr const char* refusedName = "summary.refused.json";
+
+/// Writes OUT/NAME by rename; IoError. One process only.
+void writeSummary(const std::string& out, const RunSummary& summary, const std::string& name = summaryName);
 
 /// Warnings with counts, in words, of what was mended or looks wrong.
 std::vector<std::string> warningsOf(const Counters& counters, const LedgerReport& ledger);

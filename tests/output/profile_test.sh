@@ -5,7 +5,7 @@ check() { /usr/bin/env python3 "$(dirname "$0")/../support/check_trace.py" "$@" 
 settings melt
 for ranks in 1 3; do
   launch $ranks run "$scenes/melt.toml" "${set[@]}" --steps 40 --profile --trace-steps 7 --out "$work/run.$ranks" >"$work/log" 2>&1; expectExit 0 "on $ranks ranks"
-  expectMessage "^profile of 40 steps of .* particles on $ranks ranks" "on $ranks ranks"
+  expectMessage "^profile of 40 steps of .* particles on $ranks rank" "on $ranks ranks"
   for row in search forces elastic "in no phase" "all work" waiting; do expectMessage "^  $row .*%" "table on $ranks ranks"; done
   [ "$ranks" = 1 ] || expectMessage "^  ghosts  *[1-9]" "table of messages"
   [ "$ranks" = 1 ] || expectMessage "collectives a step" "table of messages"

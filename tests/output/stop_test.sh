@@ -82,7 +82,10 @@ rm "$last"
 # what cannot be continued
 run nothing --restart; expectExit 2 "--restart without a checkpoint"; expectMessage "needs a checkpoint" "--restart without a checkpoint"
 run steps --restart --set spacing=0.002; expectExit 2 "another spacing"; expectMessage "spacing was 0.0008" "another spacing"
+before=$(cksum <"$work/steps/summary.json")
 launch 2 run "$scenes/beam.toml" --restart --out "$work/steps" >"$work/log" 2>&1; expectExit 2 "another scene"; expectMessage "cannot be continued" "another scene"
+launch 2 run "$scenes/beam.toml" --set spacing=0 --out "$work/steps" >"$work/log" 2>&1; expectExit 2 "a mistake in the scene"
+[ "$(cksum <"$work/steps/summary.json")" = "$before" ] && [ "$(value "$work/steps/summary.refused.json" status)" = failed ] || fail "what is refused changes the summary of the run that is there"
 run steps --restart --resume; expectExit 2 "--restart and --resume"
 
 # damaged checkpoints
@@ -95,5 +98,6 @@ run steps --restart --steps 8; expectExit 0 "newest is truncated"; expectMessage
 grep -q "$(basename "$newest")" "$work/steps/summary.json" || fail "a damaged checkpoint is not among the warnings of the summary"
 for file in "$work/steps/checkpoint"/?.hdf; do truncate -s 3000 "$file"; done
 run steps --restart; expectExit 3 "both are truncated"; expectMessage "no checkpoint can be read" "both are truncated"
-[ "$(value "$work/steps/summary.json" status)" = failed ] || fail "both are truncated: the summary says '$(value "$work/steps/summary.json" status)'"
+[ "$(value "$work/steps/summary.refused.json" status)" = failed ] || fail "both are truncated: summary.refused.json says '$(value "$work/steps/summary.refused.json" status)'"
+[ "$(value "$work/steps/summary.json" status)" != failed ] || fail "both are truncated: the summary of the run is lost"
 finish
