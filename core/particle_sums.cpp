@@ -60,6 +60,8 @@ PairSums pairSumsOf(World& w, StepTools& t) {
   s.uniform = w.modules.uniform;
   if (s.uniform) {
     const Material& m = w.scene.materials[0];
+    const double dx = w.scene.spacing, h = w.grid.support;
+    s.volume = m.density * dx * dx * dx * (1 / (m.density * h * h * h));  // as packRecords has it
     s.viscosity = viscosityAt(m, 1, 293);
     s.conductivity = conductivityOf(n.heat, m, 1);
     s.artificial = w.modules.artificialViscosity ? t.liquids[0].artificial : 0;
@@ -71,7 +73,6 @@ PairSums pairSumsOf(World& w, StepTools& t) {
   s.place = n.precision == Precision::Single ? t.records.fixed.data() : t.records.place.data();
   s.motion = t.records.motion.data();
   s.state = t.records.state.data();
-  s.temperature = t.records.temperature.data();
   s.surface = t.records.surface.data();
   s.closeDistance = contactDistance * w.scene.spacing / w.grid.support;
   s.exposureScale = 2 * w.scene.spacing;

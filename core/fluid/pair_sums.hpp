@@ -23,6 +23,9 @@ struct ClosePairs {
   static void append(ClosePairs& pairs, std::uint32_t own, std::uint32_t other);  ///< out of line, see neighbour_lists.hpp
 };
 
+/// The dummy's temperature (K) where records have no volume to tell it by: one liquid (Modules::uniform) with heat.
+inline constexpr double dummyTemperature = -1e30;
+
 /// What a sum reads and writes. Records are four values a row, float or double by `precision`; all rows, owned and ghost, and
 /// the dummy row behind them. Lengths in records are in support radii h.
 struct PairSums {
@@ -34,7 +37,8 @@ struct PairSums {
   bool viscous = true;          ///< forces also sum viscosity; not where it is solved implicitly
   ViscousWeight viscousWeight;  ///< of the pairwise form
   bool printedTension = false;  ///< colour field as in K05 instead of cohesion between pairs
-  bool uniform = false;         ///< one liquid (Modules::uniform): motion's fourth value is the pressure term, there is no state but the temperature; forces set what they find, others add to it
+  bool uniform = false;         ///< one liquid (Modules::uniform): no state; motion's fourth value is the pressure term, with heat the temperature, and from the pressure on place's the pressure term; forces set what they find, others add to it
+  double volume = 0;            ///< V0 / h^3 of all particles of that liquid
   double viscosity = 0, conductivity = 0, artificial = 0;  ///< of that liquid, Pa s, W/(m K), Pa s; 0: no artificial viscosity
   bool heat = false;          ///< forces also sum heat conduction
   double conductionScale = 1; ///< factor of heat conduction (kernels/lattice.hpp)
@@ -44,7 +48,6 @@ struct PairSums {
   const void* place = nullptr;   ///< x, y, z (fixed point in single precision), V0 / h^3 (V / h^3 with the printed pressure)
   const void* motion = nullptr;  ///< velocity (m/s), viscosity (Pa s)
   const void* state = nullptr;   ///< pressure term (Pa): f p / filling^2, printed: f p; liquid fraction f; temperature (K); conductivity (W/(m K))
-  const void* temperature = nullptr;  ///< K, one value a row, float or double; where `uniform` and `heat`
   const void* surface = nullptr; ///< square root of the surface tension of the liquid (N/m)^1/2; 1 if solid, else 0; artificial viscosity (Pa s); XSPH factor
   bool carried = false;          ///< density also sums its rate
   double diffusion = 0;          ///< 1, of carried densities

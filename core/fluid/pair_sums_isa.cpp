@@ -73,8 +73,8 @@ template<class Real, bool Heat, bool Shocks> void uniformOf(const PairSums& in, 
     const L v = L(static_cast<Real>(value));
     return L(2.0) * v * v / max(v + v, L(1e-30));
   };
-  UniformForces<Real, WendlandC2, Heat, Shocks> term{records<Real>(in.place), records<Real>(in.motion), static_cast<const Real*>(in.temperature), &in, L(pressure * h * h), L(h / lengthUnit<Real>), L(in.viscousWeight.scale),
-                                                     mean(in.viscosity), mean(in.conductivity), mean(in.artificial), in.conductionScale * h, 10 * h};
+  UniformForces<Real, WendlandC2, Heat, Shocks> term{records<Real>(in.place), records<Real>(in.motion), &in, L(pressure * h * h), L(h / lengthUnit<Real>), L(in.viscousWeight.scale),
+                                                     mean(in.viscosity), mean(in.conductivity), mean(in.artificial), L(in.volume), in.conductionScale * h, 10 * h};
   sweep(*in.lists, range, term, !Heat);
 }
 template<class Real> void uniform(const PairSums& in, GroupRange range) {

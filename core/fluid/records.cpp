@@ -86,9 +86,8 @@ template<class Real> void packAs(const RecordContext& x, const Continuum& p, std
     std::memcpy(&fixed[i], &place, sizeof place);
     if constexpr (sizeof(Real) == 8) rows<double>(r.place)[i] = {(at.x - grid.origin.x) * (1 / h), (at.y - grid.origin.y) * (1 / h), (at.z - grid.origin.z) * (1 / h), V};
     if (!sums) continue;
-    if (uniform && heat) reinterpret_cast<Real*>(r.temperature.data())[i] = static_cast<Real>(p.temperature[i]);
     if (uniform && !surface) {
-      put(rows<Real>(r.motion)[i], p.velocity[i], Real(0));
+      put(rows<Real>(r.motion)[i], p.velocity[i], heat ? static_cast<Real>(p.temperature[i]) : Real(0));
       continue;
     }
     const double f = melting ? static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? 1 : 0, T = heat ? p.temperature[i] : 0;
@@ -101,16 +100,18 @@ template<class Real> void packAs(const RecordContext& x, const Continuum& p, std
   }
 }
 
+template<class Real> Four<Real>* places(PairRecords& r) { return rows<Real>(sizeof(Real) == 4 ? r.fixed : r.place); }
+
 /// Of one liquid (Modules::uniform), whose pressure is not corrected.
 template<class Real> void packUniformPressure(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
   const Numerics& n = x.scene.numerics;
   const double stiffness = x.liquids[0].stiffness, tensileLimit = n.tensileLimit;
   const float* const filling = p.filling.data();
-  Four<Real>* const motion = rows<Real>(r.motion);
+  Four<Real>* const to = x.modules.heat ? places<Real>(r) : rows<Real>(r.motion);
   const auto loop = [&](EquationOfState eos) {
     for (std::size_t i = begin; i < end; i++) {
       const double f = static_cast<double>(filling[i]), term = pressureOf(eos, stiffness, f, tensileLimit) / (f * f);
-      motion[i].d = f > 0 ? static_cast<Real>(term) : Real(0);
+      to[i].d = f > 0 ? static_cast<Real>(term) : Real(0);
     }
   };
   if (n.eos == EquationOfState::Linear) loop(EquationOfState::Linear);
@@ -123,7 +124,7 @@ template<class Real> void packPressureAs(const RecordContext& x, Continuum& p, s
   Four<Real>* state = rows<Real>(r.state);
   const bool corrected = x.modules.corrected;
   if (uniform && !corrected && n.pressure == PairForm::Consistent) return packUniformPressure<Real>(x, p, begin, end, r);
-  Four<Real>* place = rows<Real>(sizeof(Real) == 4 ? r.fixed : r.place);
+  Four<Real>* place = places<Real>(r);
   for (std::size_t i = begin; i < end; i++) {
     const double f = uniform ? 1 : static_cast<double>(state[i].b), filling = static_cast<double>(p.filling[i]);
     Real& term = uniform ? rows<Real>(r.motion)[i].d : state[i].a;
@@ -164,10 +165,6 @@ void resizeRecords(const RecordContext& x, std::size_t n, PairRecords& r) {
   else r.motion.clear();
   if (sums && !x.modules.uniform) resizeBytes(r.state, n + 1, each);
   else r.state = {};  // the packing of bodies may have needed what the run does not
-  if (sums && x.modules.uniform && x.modules.heat) {
-    resizeBytes(r.temperature, n + 1, each / 4);
-    std::memset(r.temperature.data() + n * each / 4, 0, each / 4);
-  }
   const bool surface = x.modules.tension || x.modules.contact || (x.modules.artificialViscosity && !x.modules.uniform) || x.modules.xsph;
   if (surface) resizeBytes(r.surface, n + 1, each);
   else r.surface.clear();
@@ -180,6 +177,7 @@ void resizeRecords(const RecordContext& x, std::size_t n, PairRecords& r) {
     const std::size_t record = v == &r.fixed ? 16 : real64 ? 32 : 16;
     if (!v->empty()) std::memset(v->data() + n * record, 0, record);
   }
+  if (sums && x.modules.uniform && x.modules.heat) real64 ? void(rows<double>(r.motion)[n].d = dummyTemperature) : void(rows<float>(r.motion)[n].d = static_cast<float>(dummyTemperature));
 }
 
 void packRecords(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {

@@ -19,13 +19,12 @@ struct PairRecords {
   AlignedVector<std::byte> fixed;    ///< fixed-point positions and V0 / h^3, float: place in single precision
   AlignedVector<std::uint16_t> coarse[3];  ///< x, y, z for the search (coarsePlace)
   AlignedVector<std::byte> place, motion, state, surface, diagonal, mixed, pull;
-  AlignedVector<std::byte> temperature;      ///< one value a row; with Modules::uniform, in place of state
   std::vector<double> volumePerMass;         ///< 1/kg, V0 / h^3 over the mass, by material
   std::vector<MaterialParameters> constant;  ///< by material, of those that do not change
 };
 
-/// What packing needs to know of the run. With Modules::uniform, motion gets the pressure term in place of the viscosity, and of state
-/// there is the temperature alone, if there is heat.
+/// What packing needs to know of the run. With Modules::uniform there is no state, and motion gets the pressure term in place of the viscosity; with heat it gets the
+/// temperature, and place the pressure term in place of the volume, once the densities are found.
 struct RecordContext {
   const Scene& scene;
   const Modules& modules;

@@ -59,10 +59,12 @@ void findHeat(Finder& f) {
   }
 }
 
-/// Is everything liquid of one material with constant parameters, with nothing that reads other records than places and motion?
+/// Is everything liquid of one material with constant parameters, with nothing that reads other records than places and motion? With heat, nothing may ask for
+/// volumes after the densities (terms/uniform_forces.hpp).
 bool isUniform(const Scene& s, const Modules& m) {
   const bool other = m.solid || m.melting || m.incompressible || m.implicitViscosity || m.continuity || m.tension || m.kinds();
-  return m.fluid && !other && s.materials.size() == 1 && s.materials[0].viscosityTable.empty() && s.numerics.kernel == KernelKind::WendlandC2 &&
+  const bool volumes = m.heat && (m.xsph || m.surfaceHeat || s.numerics.pressure != PairForm::Consistent);
+  return m.fluid && !other && !volumes && s.materials.size() == 1 && s.materials[0].viscosityTable.empty() && s.numerics.kernel == KernelKind::WendlandC2 &&
          s.numerics.viscosity == ViscosityForm::Pairwise;
 }
 

@@ -205,29 +205,6 @@ template<std::size_t stride = 1, class Real> THAW_INLINE Lanes4<Real> load(const
 /// Of eight entries of a neighbour list.
 template<class Real> THAW_INLINE Lanes4<Real> loadListed(const Record<Real>* at, const std::uint32_t* entries) { return loadBy<ByEntry>(at, entries); }
 
-THAW_INLINE Vec4d fourListed(const double* at, const std::uint32_t* entries) {
-  const auto value = [&](int l) { return ByEntry::of(at, entries[l]); };
-#if defined(__AVX__)  // a load into all lanes and a blend: neither asks for the port of shuffles
-  const __m256d low = _mm256_blend_pd(_mm256_broadcast_sd(value(0)), _mm256_broadcast_sd(value(1)), 2), high = _mm256_blend_pd(_mm256_broadcast_sd(value(2)), _mm256_broadcast_sd(value(3)), 8);
-  return reinterpret_cast<Vec4d>(_mm256_blend_pd(low, high, 12));
-#else
-  return Vec4d{*value(0), *value(1), *value(2), *value(3)};
-#endif
-}
-/// One value of each of eight entries: where a sum asks for a single one, a record of four would be four times the memory.
-THAW_INLINE LanesD loadListed(const double* at, const std::uint32_t* entries) { return {fourListed(at, entries), fourListed(at, entries + 4)}; }
-THAW_INLINE LanesF loadListed(const float* at, const std::uint32_t* entries) {
-  const auto value = [&](int l) { return ByEntry::of(at, entries[l]); };
-#if defined(__AVX__)
-  const auto two = [&]<int odd>(int l) { return _mm256_blend_ps(_mm256_broadcast_ss(value(l)), _mm256_broadcast_ss(value(l + 1)), odd); };
-  const __m256 low = _mm256_blend_ps(two.template operator()<0x02>(0), two.template operator()<0x08>(2), 0x0c);
-  const __m256 high = _mm256_blend_ps(two.template operator()<0x20>(4), two.template operator()<0x80>(6), 0xc0);
-  return LanesF(reinterpret_cast<Vec8f>(_mm256_blend_ps(low, high, 0xf0)));
-#else
-  return LanesF(Vec8f{*value(0), *value(1), *value(2), *value(3), *value(4), *value(5), *value(6), *value(7)});
-#endif
-}
-
 /// The reverse of load: four values of lanes [0, n), as records `stride` records apart.
 THAW_INLINE void store(const Lanes4<float>& v, int n, int stride, Record<float>* to) {
   const Vec8f ab0 = __builtin_shufflevector(v.a.v, v.b.v, 0, 8, 1, 9, 4, 12, 5, 13), ab2 = __builtin_shufflevector(v.a.v, v.b.v, 2, 10, 3, 11, 6, 14, 7, 15);

@@ -1,5 +1,5 @@
-// Pressure, viscosity, heat and artificial viscosity of one liquid whose parameters are the same everywhere: two records a neighbour and
-// with heat the temperature, not three records, and no means to take. One term of the pair sums (term.hpp).
+// Pressure, viscosity, heat and artificial viscosity of one liquid whose parameters are the same everywhere: two records a neighbour, not three, and no
+// means to take. One term of the pair sums (term.hpp).
 #pragma once
 #include "core/fluid/terms/term.hpp"
 #include "core/fluid/viscous_weight.hpp"
@@ -8,19 +8,19 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// To the last bit what Forces (forces.hpp) with the pairwise viscosity gives, and then Artificial (artificial_viscosity.hpp), where all
-/// particles are liquid of one material (Modules::uniform). motion.d is the pressure term.
+/// To the last bit what Forces (forces.hpp) with the pairwise viscosity gives where all particles are liquid of one material (Modules::uniform), and to rounding
+/// what Artificial (artificial_viscosity.hpp) adds. motion.d is the pressure term; with heat it is the temperature, and place.d the pressure term: the volume
+/// of all particles is the same, and the dummy is known by its temperature.
 template<class Real, class Kernel, bool Heat, bool Shocks> struct UniformForces {
   using L = Lanes<Real>;
   const Record<Real>*place, *motion;
-  const Real* temperature;
   const PairSums* in;
-  L pressureScale, viscousScale, viscousWeight, viscosity, conductivity, artificial;
+  L pressureScale, viscousScale, viscousWeight, viscosity, conductivity, artificial, volume;
   double heatScale, artificialScale;
   static constexpr double unit = lengthUnit<Real>;
   struct Data {
     Lanes4<Real> place, motion;
-    L temperature;
+    THAW_INLINE L pressure() const { return Heat ? place.d : motion.d; }
   };
   using Wide = Lanes<double>;
   struct Sum {
@@ -31,16 +31,18 @@ template<class Real, class Kernel, bool Heat, bool Shocks> struct UniformForces 
     Data d;
     d.place = loadListed(place, entries);
     d.motion = loadListed(motion, entries);
-    if constexpr (Heat) d.temperature = loadListed(temperature, entries);
     return d;
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
     // places and what follows from them in lengthUnit: what that leaves is in viscousScale, and taken in by finish
     const L dx = unitDifference(i.place.a, j.place.a), dy = unitDifference(i.place.b, j.place.b), dz = unitDifference(i.place.c, j.place.c);
     const L r2 = dot3(dx, dy, dz, dx, dy, dz), q = L(unit) * sqrt(r2), q2 = L(unit * unit) * r2;
-    const L VV = i.place.d * j.place.d;
+    const L Vi = Heat ? volume : i.place.d;
+    L Vj = j.place.d;
+    if constexpr (Heat) Vj = select(j.motion.d > L(0.5 * dummyTemperature), volume, L(0.0));
+    const L VV = Vi * Vj;
     const L slope = Kernel::slope(q, q2);
-    const L pressure = pressureScale * VV * slope * (i.motion.d + j.motion.d);
+    const L pressure = pressureScale * VV * slope * (i.pressure() + j.pressure());
     const L ux = i.motion.a - j.motion.a, uy = i.motion.b - j.motion.b, uz = i.motion.c - j.motion.c;
     const L approach = dot3(ux, uy, uz, dx, dy, dz);
     const L mu = viscosity * VV * weightAt(viscousWeight, q) * approach / (r2 + L(1e-6 / (unit * unit)));
@@ -49,9 +51,9 @@ template<class Real, class Kernel, bool Heat, bool Shocks> struct UniformForces 
     s.y -= wide(f * dy);
     s.z -= wide(f * dz);
     s.lost = fma(mu, approach, s.lost);
-    if constexpr (Heat) s.heat += wide(VV * conductivity * Kernel::laplace(q, q2) * (j.temperature - i.temperature));
+    if constexpr (Heat) s.heat += wide(VV * conductivity * Kernel::laplace(q, q2) * (j.motion.d - i.motion.d));
     if constexpr (Shocks) {
-      const L closing = min(approach, L(0.0)), nu = artificial * j.place.d * slope * closing / (r2 + L(0.01 / (unit * unit)));
+      const L closing = min(approach, L(0.0)), nu = artificial * Vj * slope * closing / (r2 + L(0.01 / (unit * unit)));
       s.sx += nu * dx;
       s.sy += nu * dy;
       s.sz += nu * dz;
@@ -65,7 +67,7 @@ template<class Real, class Kernel, bool Heat, bool Shocks> struct UniformForces 
         double dissipation = 0.5 * in->support * static_cast<double>(s.lost[l]);
         if constexpr (Heat) in->heatFlow[rows[l]] = heatScale * s.heat[l];
         if constexpr (Shocks) {
-          const double v = artificialScale * static_cast<double>(i.place.d[l]);
+          const double v = artificialScale * static_cast<double>(Heat ? volume[l] : i.place.d[l]);
           f.x += v * static_cast<double>(s.sx[l]);
           f.y += v * static_cast<double>(s.sy[l]);
           f.z += v * static_cast<double>(s.sz[l]);

@@ -72,6 +72,41 @@ TEST_P(PairSumsTest, AgreeWithBruteForce) {
   EXPECT_LT(std::abs(heat), (GetParam() == Precision::Single ? 1e-5 : 1e-12) * heatScale);
   EXPECT_EQ(coincident, 0);
 }
+
+// One liquid whose parameters are the same everywhere reads less (terms/uniform_forces.hpp): to the same bits.
+TEST_P(PairSumsTest, OfOneLiquidAreThoseOfAnyOther) {
+  for (const bool heat : {false, true}) {
+    std::vector<Vec3d> force[2];
+    std::vector<double> flow[2], lost[2];
+    for (const bool uniform : {false, true}) {
+      Block b(9, 0.2, 2, GetParam());
+      b.modules.heat = heat;
+      b.modules.uniform = uniform;
+      Continuum& p = b.particles;
+      const std::size_t n = p.owned;
+      for (std::size_t i = 0; i < n; i++) p.force[i] = {}, p.heatFlow[i] = p.dissipation[i] = p.interaction[i] = 0;
+      b.findNeighbours(*pairKernels());
+      std::int64_t coincident = 0;
+      PairSums s = b.sums(&coincident);
+      const double h = b.grid.support, dx = b.scene.spacing;
+      const Material& m = b.scene.materials[0];
+      s.heat = heat;
+      s.uniform = uniform;
+      s.volume = m.density * dx * dx * dx * (1 / (m.density * h * h * h));
+      s.viscosity = s.conductivity = 1;
+      pairKernels()->density(s, b.groups());
+      packPressure({b.scene, b.modules, b.grid, b.liquids}, p, 0, n, b.records);
+      pairKernels()->forces(s, b.groups());
+      force[uniform].assign(p.force.data(), p.force.data() + n);
+      lost[uniform].assign(p.dissipation.data(), p.dissipation.data() + n);
+      if (heat) flow[uniform].assign(p.heatFlow.data(), p.heatFlow.data() + n);
+    }
+    const auto equal = [](const auto& a, const auto& b) { return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0; };
+    EXPECT_TRUE(equal(force[0], force[1])) << "heat " << heat;
+    EXPECT_TRUE(equal(lost[0], lost[1])) << "heat " << heat;
+    EXPECT_TRUE(equal(flow[0], flow[1])) << "heat " << heat;
+  }
+}
 INSTANTIATE_TEST_SUITE_P(Precisions, PairSumsTest, testing::Values(Precision::Single, Precision::Double));
 
 TEST(PairSums, AreTheSameBitsForEveryInstructionSet) {
