@@ -32,7 +32,7 @@ std::vector<MemoryUse> memoryOf(const World& w, const StepTools& t) {
           {"neighbour lists", bytesOf(n.self, n.first, n.count, n.list, n.wet, n.neighbours)},
           {"pair records", bytesOf(r.fixed, r.coarse[0], r.coarse[1], r.coarse[2], r.place, r.motion, r.state, r.surface, r.diagonal, r.mixed, r.pull)},
           {"bonds", static_cast<double>(b.bytes())},
-          {"elastic work", bytesOf(e.remoteGroup, e.inner, e.boundary, e.bondCount, e.rank, e.singularLanes, e.stretched, e.perTrace, e.perWeight, e.grip, e.motion4, e.motion4d)},
+          {"elastic work", bytesOf(e.remoteGroup, e.ownFrames, e.inner, e.boundary, e.bondCount, e.rank, e.singularLanes, e.stretched, e.perTrace, e.perWeight, e.grip, e.motion4, e.motion4d)},
           {"surface", bytesOf(static_cast<const Table&>(f.surfels)) + bytesOf(static_cast<const Table&>(f.particles)) +
                           bytesOf(f.surfelCells.key, f.surfelCells.first, f.surfelCells.count, f.particleCells.key, f.particleCells.first, f.particleCells.count)},
           {"walls and contacts", bytesOf(t.wallContacts.list, t.closePairs.list)},

@@ -4,6 +4,7 @@
 #include "core/fluid/terms/carried_density.hpp"
 #include "core/fluid/terms/close_pairs.hpp"
 #include "core/fluid/terms/colour_field.hpp"
+#include "core/fluid/terms/conduction.hpp"
 #include "core/fluid/terms/correct_pressure.hpp"
 #include "core/fluid/terms/density.hpp"
 #include "core/fluid/terms/exposure.hpp"
@@ -40,18 +41,18 @@ void density(const PairSums& in, GroupRange range) {
     const double scale = in.fillingScale * in.support * in.support * in.support;
     if (in.moment) {
       CarriedDensity<Real, decltype(kernel), Carry::Corrected> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, scale, {L(in.weight.x), L(in.weight.y), L(in.weight.z)}};
-      return sweep(*in.lists, range, term, true);
+      return sweep(*in.lists, range, term, Groups::Wet);
     }
     if (in.carried) {
       CarriedDensity<Real, decltype(kernel), Carry::Density> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, scale, {L(in.weight.x), L(in.weight.y), L(in.weight.z)}};
-      return sweep(*in.lists, range, term, true);
+      return sweep(*in.lists, range, term, Groups::Wet);
     }
     if (in.crowding) {
       CarriedDensity<Real, decltype(kernel), Carry::Nothing> term{records<Real>(in.place), nullptr, nullptr, &in, scale, {L(0.0), L(0.0), L(0.0)}};
-      return sweep(*in.lists, range, term, true);
+      return sweep(*in.lists, range, term, Groups::Wet);
     }
     Density<Real, decltype(kernel)> term{records<Real>(in.place), in.filling, in.coincident, in.fillingScale * in.support * in.support * in.support, in.selfExcess};
-    sweep(*in.lists, range, term, true);
+    sweep(*in.lists, range, term, Groups::Wet);
   });
 }
 
@@ -62,7 +63,11 @@ template<bool Viscous, bool Laplacian, bool Heat> void forcesOf(const PairSums& 
     const double pressure = in.pressureForm == PairForm::Printed ? 0.5 : in.fillingScale * h * h * h;
     Forces<Real, decltype(kernel), Viscous, Laplacian, Heat> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, Lanes<Real>(pressure * h * h), Lanes<Real>(h / lengthUnit<Real>),
                                                                   Lanes<Real>(in.viscousWeight.scale), in.conductionScale * h};
-    sweep(*in.lists, range, term, !Heat);
+    sweep(*in.lists, range, term, Groups::Wet);
+    if constexpr (Heat) {
+      Conduction<Real, decltype(kernel)> dry{records<Real>(in.place), records<Real>(in.state), &in, in.conductionScale * h};
+      sweep(*in.lists, range, dry, Groups::Dry);
+    }
   });
 }
 template<class Real, bool Heat, bool Shocks> void uniformOf(const PairSums& in, GroupRange range) {
@@ -75,7 +80,7 @@ template<class Real, bool Heat, bool Shocks> void uniformOf(const PairSums& in, 
   };
   UniformForces<Real, WendlandC2, Heat, Shocks> term{records<Real>(in.place), records<Real>(in.motion), &in, L(pressure * h * h), L(h / lengthUnit<Real>), L(in.viscousWeight.scale),
                                                      mean(in.viscosity), mean(in.conductivity), mean(in.artificial), L(in.volume), in.conductionScale * h, 10 * h};
-  sweep(*in.lists, range, term, !Heat);
+  sweep(*in.lists, range, term, Heat ? Groups::All : Groups::Wet);
 }
 template<class Real> void uniform(const PairSums& in, GroupRange range) {
   if (in.artificial > 0) in.heat ? uniformOf<Real, true, true>(in, range) : uniformOf<Real, false, true>(in, range);
@@ -92,7 +97,7 @@ void forces(const PairSums& in, GroupRange range) {
 template<class Real, ViscousPass pass> void viscousOf(const PairSums& in, const ViscousSums& out, GroupRange range) {
   const auto velocities = [](const ViscousRecord* r) { return reinterpret_cast<const Record<double>*>(r); };
   ViscousOperator<Real, pass> term{records<Real>(in.place), velocities(out.velocity), velocities(out.middle), &out, in.support, Lanes<Real>(in.viscousWeight.scale)};
-  sweep(*in.lists, range, term, true);
+  sweep(*in.lists, range, term, Groups::Wet);
 }
 template<class Real> void viscousPass(const PairSums& in, const ViscousSums& out, GroupRange range) {
   switch (out.pass) {
@@ -110,17 +115,17 @@ void correctPressure(const PairSums& in, GroupRange range) {
     using Real = decltype(real);
     const double h = in.support, scale = in.fillingScale * h * h * h * h * h;
     CorrectPressure<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.diagonal), records<Real>(in.mixed), &in, scale};
-    sweep(*in.lists, range, term, true);
+    sweep(*in.lists, range, term, Groups::Wet);
   });
 }
 
 template<class Real> void tensionOf(const PairSums& in, GroupRange range, bool colour) {
   if (colour) {
     ColourField<Real> term{records<Real>(in.place), records<Real>(in.surface), records<Real>(in.state), &in};
-    sweep(*in.lists, range, term, true);
+    sweep(*in.lists, range, term, Groups::Wet);
   } else {
     Tension<Real> term{records<Real>(in.place), records<Real>(in.surface), &in, Cohesion::scale};
-    sweep(*in.lists, range, term, true);
+    sweep(*in.lists, range, term, Groups::Wet);
   }
 }
 void tension(const PairSums& in, GroupRange range) {
@@ -129,13 +134,13 @@ void tension(const PairSums& in, GroupRange range) {
 
 template<class Real> void surfaceSeenOf(const PairSums& in, GroupRange range) {
   SurfaceSeen<Real> term{records<Real>(in.place), &in};
-  sweep(*in.lists, range, term, true);
+  sweep(*in.lists, range, term, Groups::Wet);
 }
 void surfaceSeen(const PairSums& in, GroupRange range) { in.precision == Precision::Single ? surfaceSeenOf<float>(in, range) : surfaceSeenOf<double>(in, range); }
 
 template<class Real> void surfaceForcesOf(const PairSums& in, GroupRange range) {
   SurfaceForces<Real> term{records<Real>(in.place), records<Real>(in.pull), &in, in.support * in.support};
-  sweep(*in.lists, range, term, true);
+  sweep(*in.lists, range, term, Groups::Wet);
 }
 void surfaceForces(const PairSums& in, GroupRange range) { in.precision == Precision::Single ? surfaceForcesOf<float>(in, range) : surfaceForcesOf<double>(in, range); }
 
@@ -143,7 +148,7 @@ void artificialViscosity(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     Artificial<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.surface), &in, 10 * in.support};
-    sweep(*in.lists, range, term, true);
+    sweep(*in.lists, range, term, Groups::Wet);
   });
 }
 
@@ -151,7 +156,7 @@ void smoothing(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     Smoothing<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.surface), &in};
-    sweep(*in.lists, range, term, false);
+    sweep(*in.lists, range, term, Groups::All);
   });
 }
 
@@ -159,13 +164,13 @@ void exposure(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     Exposure<Real, decltype(kernel)> term{records<Real>(in.place), &in};
-    sweep(*in.lists, range, term, false);
+    sweep(*in.lists, range, term, Groups::All);
   });
 }
 
 template<class Real> void closePairsOf(const PairSums& in, GroupRange range, ClosePairs& pairs) {
   Close<Real> term{records<Real>(in.place), records<Real>(in.surface), &pairs, Lanes<Real>(in.closeDistance * in.closeDistance)};
-  sweep(*in.lists, range, term, false);
+  sweep(*in.lists, range, term, Groups::All);
 }
 void closePairs(const PairSums& in, GroupRange range, ClosePairs& pairs) {
   in.precision == Precision::Single ? closePairsOf<float>(in, range, pairs) : closePairsOf<double>(in, range, pairs);
@@ -176,7 +181,7 @@ void compression(const PairSums& in, GroupRange range) {
     using Real = decltype(real);
     const double h = in.support;
     Compression<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.motion), in.compression, in.fillingScale * h * h};
-    sweep(*in.lists, range, term, true);
+    sweep(*in.lists, range, term, Groups::Wet);
   });
 }
 
@@ -185,7 +190,7 @@ void impulse(const PairSums& in, GroupRange range) {
     using Real = decltype(real);
     const double h = in.support;
     Impulse<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.state), in.impulse, in.fillingScale * h * h * h * h * h};
-    sweep(*in.lists, range, term, true);
+    sweep(*in.lists, range, term, Groups::Wet);
   });
 }
 
@@ -194,7 +199,7 @@ void response(const PairSums& in, GroupRange range) {
     using Real = decltype(real);
     const double h = in.support;
     Response<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.state), in.impulse, in.compression, in.fillingScale * h * h};
-    sweep(*in.lists, range, term, true);
+    sweep(*in.lists, range, term, Groups::Wet);
   });
 }
 

@@ -7,12 +7,15 @@
 namespace thaw {
 namespace THAW_ISA {
 
+/// Which groups a sum is over. Wet: in the cells around some of its particles is liquid; what a dry group adds to a sum that liquids alone have is nothing.
+enum class Groups { All, Wet, Dry };
+
 /// Term: Data load(const uint32_t entries[8]) const; struct Sum; pair(own, other, entries, sum) const; finish(rows, own, sum, dummy).
-template<class Term> THAW_INLINE void sweep(const NeighbourLists& lists, GroupRange range, Term& term, bool wetOnly) {
+template<class Term> THAW_INLINE void sweep(const NeighbourLists& lists, GroupRange range, Term& term, Groups groups) {
   const std::uint32_t* const list = lists.list.data();
   const std::uint32_t* const self = lists.self.data();
   for (std::size_t g = range.begin; g < range.end; g++) {
-    if (wetOnly && lists.wet[g] == 0) continue;
+    if (groups != Groups::All && (lists.wet[g] != 0) != (groups == Groups::Wet)) continue;
     const std::uint32_t* rows = self + 8 * g;
     alignas(32) std::uint32_t ownEntries[8];
     for (int l = 0; l < 8; l++) ownEntries[l] = 2 * rows[l];

@@ -28,6 +28,7 @@ ElasticArrays arraysOf(ElasticWork& work, Solids& solids, const Bonds& bonds, co
   a.groupCount = groups.size();
   a.bondCount = work.bondCount.data();
   a.singularLanes = work.singularLanes.data();
+  a.ownFrames = work.ownFrames.data();
   a.neighbour = bonds.neighbour.data();
   const auto pick = [&](const AlignedVector<float>& f, const AlignedVector<double>& d) { return single ? static_cast<const void*>(f.data()) : d.data(); };
   a.x = bonds.x.data();
@@ -74,8 +75,11 @@ Mat3d laneMatrix(const double m[9][8], int l) { return {{{m[0][l], m[1][l], m[2]
 void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneConstants& out) {
   const Solids& solids = *a.solids;
   // most groups are of the material of the group before, and of one alone
-  bool same = n == 8 && !solids.liquid.active && out.material >= 0;
-  for (int l = 0; same && l < 8; l++) same = solids.material[slot0 + static_cast<std::size_t>(l)] == out.material;
+  bool same = n == 8 && out.material >= 0;
+  for (int l = 0; same && l < 8; l++) {
+    const std::size_t s = slot0 + static_cast<std::size_t>(l);
+    same = solids.material[s] == out.material && !(solids.liquid.active && solids.liquid[s] > 0);
+  }
   if (!same) {
     out.anyVolumeStiffness = out.anyGreen = out.anyNeoHookean = out.anyCorotated = false;
     out.material = solids.material[slot0];
@@ -89,7 +93,7 @@ void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneCon
         continue;
       }
       const ElasticConstants c = slotConstants(*a.work, solids, s);
-      if (solids.material[s] != out.material) out.material = -1;
+      if (solids.material[s] != out.material || (solids.liquid.active && solids.liquid[s] > 0)) out.material = -1;
       out.constants[l] = c;
       out.lambda[l] = c.lambda;
       out.mu[l] = c.mu;

@@ -52,6 +52,7 @@ struct ElasticWork {
   std::vector<std::uint8_t> remoteGroup;         ///< by group: some bond has a remote end
   std::vector<std::uint32_t> inner, boundary;    ///< groups of owned slots
   std::vector<std::uint16_t> bondCount;          ///< by group: bonds of its longest row
+  std::vector<std::uint8_t> ownFrames;           ///< by group: of some bond each end has a reference of its own, X_ji != -X_ij (only where bonds have vectors)
   std::vector<std::uint8_t> rank;                ///< by owned slot: rank of A
   std::vector<std::uint8_t> singularLanes;       ///< by group: bit l: rank of slot l < 3
   std::vector<std::uint8_t> stretched;           ///< by group, by phase 1: some bond may be beyond its limit (fracture.hpp)

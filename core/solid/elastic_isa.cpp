@@ -188,6 +188,7 @@ template<class Real, bool periodic, bool vectors, bool more> void forcesOf(const
         }
       gradient = loadMatrix<Real>(gradU);
     }
+    const bool oneFrame = vectors && a.ownFrames[g] == 0;  // of most groups: the vector back is not read
     LanesD fx(0.0), fy(0.0), fz(0.0), lost(0.0);  // sums in double: momentum is conserved to its rounding in single precision, too
     T errors(Real(0));
     for (std::size_t at = base, end = base + std::size_t(a.bondCount[g]) * 8; at < end; at += 8) {
@@ -198,7 +199,10 @@ template<class Real, bool periodic, bool vectors, bool more> void forcesOf(const
       const T k = b.ends.second.c;
       const Vec3<T> j0{b.ends.second.d, third.a, third.b}, j1{third.c, third.d, fourth.a}, j2{fourth.b, fourth.c, fourth.d};
       Vec3<T> t;
-      if constexpr (vectors) {
+      if (oneFrame) {  // what the next branch gives with back = -ref, to the last bit
+        const Vec3<T> ours = apply<Real>(i.flux, ref), theirs{times3<Real>(j0, ref), times3<Real>(j1, ref), times3<Real>(j2, ref)};
+        t = {fma(i.k, u.x, ours.x) + fma(k, u.x, theirs.x), fma(i.k, u.y, ours.y) + fma(k, u.y, theirs.y), fma(i.k, u.z, ours.z) + fma(k, u.z, theirs.z)};
+      } else if constexpr (vectors) {
         const Vec3<T> x = b.current(), back = loadVector<Real>(a.rx, a.ry, a.rz, at), v{x.x + back.x, x.y + back.y, x.z + back.z};
         const Vec3<T> ours = apply<Real>(i.flux, ref), theirs{times3<Real>(j0, back), times3<Real>(j1, back), times3<Real>(j2, back)};
         // (term of i) - (term of j): the other end computes exactly the negative

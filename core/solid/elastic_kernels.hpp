@@ -22,6 +22,7 @@ struct ElasticArrays {
   std::size_t groupCount = 0;
   const std::uint16_t* bondCount = nullptr;
   const std::uint8_t* singularLanes = nullptr;
+  const std::uint8_t* ownFrames = nullptr;       ///< by group, as ElasticWork::ownFrames
   const std::uint32_t* neighbour = nullptr;
   const void *x = nullptr, *y = nullptr, *z = nullptr, *rx = nullptr, *ry = nullptr, *rz = nullptr, *weight = nullptr;  ///< Real; null but where vectors
   void* end = nullptr;              ///< BondEnd<Real> by row; places of float in units of `unit`
@@ -57,7 +58,7 @@ struct alignas(64) LaneConstants {
   double neoHookean[8], corotated[8];  // 1: that law, else 0
   ElasticConstants constants[8];
   bool anyVolumeStiffness, anyGreen, anyNeoHookean, anyCorotated;
-  int material = -1;  // of all lanes, without liquid fractions; -1: of none alone
+  int material = -1;  // of all lanes, none of them part liquid; -1: of none alone
 };
 
 // Out of line, in elastic.cpp.

@@ -123,6 +123,7 @@ template<class Real, bool periodic, bool vectors> struct BondLoader {
     __builtin_prefetch(a.neighbour + at + ahead);
     b.ends = loadEnds(records, a.neighbour + at);
     if constexpr (vectors) {
+      for (const void* array : {a.x, a.y, a.z, a.weight}) __builtin_prefetch(static_cast<const Real*>(array) + at + ahead);
       Vec3<T> x = difference(own.displacement(), b.ends.displacement());
       if constexpr (sizeof(Real) == 4) x = {x.x * unit, x.y * unit, x.z * unit};
       b.reference = loadVector<Real>(a.x, a.y, a.z, at);

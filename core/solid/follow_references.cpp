@@ -13,6 +13,7 @@ void followReferences(ElasticWork& work, const Solids& solids, Bonds& bonds, std
         const std::size_t b = bonds.at(s, k);
         const std::size_t other = bonds.neighbour[b];
         if (!bonds.there(s, k) || other < flagged.begin || other >= flagged.end || solids.rereferenced[other] == 0) continue;
+        work.ownFrames[g] = 1;
         const Vec3d back = -bondVectors(work, solids, bonds, s, k).current;
         bonds.rx.set(b, back.x);
         bonds.ry.set(b, back.y);

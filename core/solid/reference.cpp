@@ -17,6 +17,7 @@ void resizeWork(ElasticWork& work, const Solids& solids, const Bonds& bonds) {
   work.bondCount.resize(groups, 0);
   work.singularLanes.resize(groups, 0);
   work.remoteGroup.resize(groups, 0);
+  work.ownFrames.resize(groups, 0);
   work.stretched.resize(groups, 0);
   work.rank.resize(groups * lanes, 0);
   work.perTrace.resize(groups * lanes, 0.0);
@@ -35,7 +36,20 @@ void padLastGroup(ElasticWork& work, const Solids& solids, Bonds& bonds) {
   }
 }
 
-/// Number of places that the group's bonds take, and whether one of them has a remote end.
+/// Has some bond of the group two references? Places without a bond have none.
+bool haveOwnFrames(const Bonds& b, std::size_t begin, std::size_t end) {
+  if (!b.twoFrames) return false;
+  bool own = false;
+  const auto look = [&](const BondReals& there, const BondReals& back) {
+    for (std::size_t at = begin; at < end; at++) own = own || back[at] != -there[at];
+  };
+  look(b.x, b.rx);
+  look(b.y, b.ry);
+  look(b.z, b.rz);
+  return own;
+}
+
+/// Number of places that the group's bonds take, whether one of them has a remote end, and whether one has two references.
 void lookAtGroup(ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t g) {
   std::size_t last = 0;
   bool remote = false;
@@ -47,6 +61,7 @@ void lookAtGroup(ElasticWork& work, const Solids& solids, const Bonds& bonds, st
     }
   work.bondCount[g] = static_cast<std::uint16_t>(last);
   work.remoteGroup[g] = remote;
+  work.ownFrames[g] = haveOwnFrames(bonds, bonds.at(g * lanes, 0), bonds.at(g * lanes, 0) + last * lanes);
 }
 
 void sortGroups(ElasticWork& work) {

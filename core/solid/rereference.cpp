@@ -28,6 +28,7 @@ void takeReference(ElasticWork& work, Solids& solids, Bonds& bonds, std::size_t 
     bonds.y.set(b, x.y);
     bonds.z.set(b, x.z);
   }
+  work.ownFrames[slot / lanes] = 1;
   refreshSlot(work, solids, bonds, slot);
 }
 

@@ -57,10 +57,8 @@ template<class Real, class Kernel, bool Viscous, bool Laplacian, bool Heat> stru
       s.lost = fma(mu, approach, s.lost);
     }
     if constexpr (Heat) {
-      const L ki = i.state.d, kj = j.state.d;
-      const L k = L(2.0) * ki * kj / max(ki + kj, L(1e-30));
-      // the same for j but for its sign, to the last bit; summed in double precision so that no heat is lost to rounding
-      s.heat += wide(VV * k * Kernel::laplace(q, q2) * (j.state.c - i.state.c));
+      // summed in double precision so that no heat is lost to rounding
+      s.heat += wide(conducted(VV, i.state, j.state, Kernel::laplace(q, q2)));
     }
   }
   THAW_INLINE void finish(const std::uint32_t* rows, const Data&, const Sum& s, std::uint32_t dummy) const {
