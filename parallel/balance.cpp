@@ -8,27 +8,50 @@
 
 namespace thaw {
 
-double workOf(const PhaseTimes& t) {
+namespace {
+
+// Whose work a phase is: of all particles, of those that sums over liquids are about, of solids.
+constexpr std::array ofAll{StepPhase::Drift, StepPhase::Sort, StepPhase::Search, StepPhase::Walls, StepPhase::Contact, StepPhase::Heat};
+constexpr std::array ofLiquids{StepPhase::Density, StepPhase::Forces, StepPhase::Pressure};
+constexpr std::array ofSolids{StepPhase::Elastic};
+
+template<class Phases> double secondsOf(const PhaseTimes& t, const Phases& phases) {
   double sum = 0;
-  for (StepPhase p : {StepPhase::Drift, StepPhase::Sort, StepPhase::Search, StepPhase::Density, StepPhase::Forces, StepPhase::Pressure, StepPhase::Walls, StepPhase::Contact, StepPhase::Elastic, StepPhase::Heat})
-    sum += t[p];
+  for (const StepPhase p : phases) sum += t[p];
   return sum;
 }
 
+/// s a row, by what the phases took since the last look.
+RowCosts costsOf(const World& w, const PhaseTimes& spent) {
+  const Continuum& p = w.particles;
+  const double n = static_cast<double>(p.owned);
+  RowCosts costs;
+  eachKind(w, [&](std::size_t kind, const KindRows& r, const CellTable&) { costs.kind[kind] = r.owned > 0 ? spent[kind == orientedKind ? StepPhase::Oriented : StepPhase::Sheet] / static_cast<double>(r.owned) : 0; });
+  if (p.owned == 0) {
+    costs.liquid = costs.solid = 0;
+    return costs;
+  }
+  const double solids = static_cast<double>(std::count(p.phase.data(), p.phase.data() + p.owned, Solid));
+  // a solid far from liquids takes half of a liquid's sums where they conduct heat (terms/conduction.hpp), else only what lies beside liquids takes part
+  const double share = w.modules.heat ? 0.5 : 0.1, sums = secondsOf(spent, ofLiquids) / (n - solids + share * solids), each = secondsOf(spent, ofAll) / n;
+  costs.liquid = each + sums;
+  costs.solid = each + share * sums + (solids > 0 ? secondsOf(spent, ofSolids) / solids : 0);
+  return costs;
+}
+
+}  // namespace
+
+double workOf(const PhaseTimes& t) { return secondsOf(t, ofAll) + secondsOf(t, ofLiquids) + secondsOf(t, ofSolids); }
+
 bool balance(World& w, CellHalo& halo, StepTools& t, WorkMeter& meter) {
-  const auto per = [](double seconds, double& before, std::size_t rows) {
-    const double spent = seconds - before;
-    before = seconds;
-    return rows > 0 ? spent / static_cast<double>(rows) : 0;
-  };
-  const double perParticle = per(workOf(t.times), meter.seconds, w.particles.owned);
-  std::array<double, kindCount> perRow{};
-  eachKind(w, [&](std::size_t kind, const KindRows& r, const CellTable&) { perRow[kind] = per(t.times[kind == orientedKind ? StepPhase::Oriented : StepPhase::Sheet], meter.kinds[kind], r.owned); });
+  PhaseTimes spent;
+  for (std::size_t k = 0; k < stepPhases; k++) spent.seconds[k] = t.times.seconds[k] - meter.seconds[k];
+  meter.seconds = t.times.seconds;
   if (!needsOrder(w, t)) {  // rows may have left the cells of the last sort
     computeCellKeys(w.grid, w.particles);
     listCells(w.particles, w.cells);
   }
-  CellCosts costs = costOfCells(w, perParticle, perRow);
+  CellCosts costs = costOfCells(w, costsOf(w, spent));
   for (double& c : costs.cost) c = std::max(1e-12, c);
   t.newPartition = halo.rebalance(costs.cells, costs.cost, false) || t.newPartition;
   return t.newPartition;

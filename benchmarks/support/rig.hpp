@@ -32,7 +32,7 @@ struct Rig {
   /// Some steps and looks at the balance, so that what is timed then has its cells where a run of some length has them.
   void settle() {
     if (all.size() == 1) return;
-    meter.seconds = workOf(tools.times);
+    meter.seconds = tools.times.seconds;
     for (int look = 0; look < 8; look++) {  // twice: after a new partition three looks are let go by
       for (int k = 0; k < 3; k++) thaw::step(w, halos(), tools, {});
       balance(w, *cells, tools, meter);

@@ -12,14 +12,15 @@ struct CellCosts {
   std::vector<double> cost;   ///< beside cells.key
 };
 
-/// perParticle, perRow: cost of one row of the continuum and of each kind, in any unit, > 0.
-CellCosts costOfCells(const World& world, double perParticle, const std::array<double, kindCount>& perRow);
+/// Cost of one row, in any unit, > 0: of a liquid and of a solid particle of the continuum, and of each kind.
+struct RowCosts {
+  double liquid = 1, solid = 1;
+  std::array<double, kindCount> kind;
+  RowCosts() { kind.fill(1); }
+};
+CellCosts costOfCells(const World& world, const RowCosts& costs);
 
 /// Every row costs the same.
-inline CellCosts countCells(const World& world) {
-  std::array<double, kindCount> one;
-  one.fill(1);
-  return costOfCells(world, 1, one);
-}
+inline CellCosts countCells(const World& world) { return costOfCells(world, {}); }
 
 }  // namespace thaw
