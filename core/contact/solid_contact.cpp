@@ -8,10 +8,15 @@
 namespace thaw {
 namespace {
 
-bool bonded(const ContactContext& x, std::uint32_t slot, std::uint64_t other) {
+bool bonded(const ContactContext& x, const Continuum& p, std::uint32_t i, std::uint32_t j) {
+  const std::uint32_t slot = p.slot[i];
   if (slot == noSlot) return false;
+  const bool here = j < p.owned;  // then bonds name its slot, and no id of another needs to be read
+  const std::uint32_t other = here ? p.slot[j] : noSlot;
+  if (here && other == noSlot) return false;
   for (int k = 0; k < x.bonds.capacity; k++) {
-    if (x.bonds.there(slot, k) && x.solids.id[x.bonds.neighbour[x.bonds.at(slot, k)]] == other) return true;
+    const std::uint32_t n = x.bonds.neighbour[x.bonds.at(slot, k)];
+    if ((here ? n == other : x.solids.id[n] == p.id[j]) && x.bonds.there(slot, k)) return true;
   }
   return false;
 }
@@ -39,7 +44,7 @@ void addSolidContacts(const ContactContext& x, const ClosePairs& pairs, Continuu
   const double d0 = contactDistance * x.scene.spacing;
   for (const ClosePair& pair : pairs.list) {
     const std::uint32_t i = pair.own, j = pair.other;
-    if (bonded(x, p.slot[i], p.id[j])) continue;
+    if (bonded(x, p, i, j)) continue;
     const Vec3d d = between(x.grid, p.position[i], p.position[j]);
     const double r = length(d);
     if (r >= d0) continue;
