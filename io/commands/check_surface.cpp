@@ -46,7 +46,7 @@ void meltAll(World& w) {
 
 }  // namespace
 
-// Sets surface.spacing so that no more are made: `thaw check` is to answer in seconds.
+// Sets Surface::spacing so that no more are made: `thaw check` is to answer in seconds.
 const CellGrid& SurfaceTrial::gridOfTrial(const MeshLoader& load) {
   constexpr double most = 1e5;
   World& w = world_;
@@ -56,8 +56,10 @@ const CellGrid& SurfaceTrial::gridOfTrial(const MeshLoader& load) {
   expected_ = expectedSurfels(w.scene, shapes);
   spacing_ = w.surface.spacing;
   if (expected_ > most) {
+    const double wanted = w.scene.surface.spacing;
     w.scene.surface.spacing = spacing_ * std::sqrt(expected_ / most);
     prepareSurface(w);
+    w.scene.surface.spacing = wanted;  // what is said of the scene is said of this one
   }
   return w.surface.grid;
 }

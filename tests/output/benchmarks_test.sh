@@ -36,6 +36,9 @@ does time_to_solution mpirun -n 2 "$build/time_to_solution" --only beam --end 0.
 rows time_to_solution "$work/time.csv" 3
 does surface "$build/surface" --surfels 2000 --repeat 1 --only iterations --csv "$work/surface.csv"
 rows surface "$work/surface.csv" 1
+if /usr/bin/python3 -c 'import matplotlib' 2>/dev/null; then  # not on a machine that only tests
+  does "chart of surfaces" /usr/bin/python3 "$here/surface_chart.py" "$work/surface.csv" "$work/surface.png"
+fi
 does sheet "$build/sheet" --only accuracy --csv "$work/sheet.csv"
 rows sheet "$work/sheet.csv" 3
 does sleep python3 "$here/sleep/gain.py" --across 5 --steps 2 --repeats 1 --csv "$work/sleep.csv"
