@@ -13,8 +13,8 @@ void gatherParticles(World& world, int rank);
 /// the gradients of the displacement.
 void fadeFill(SurfaceParticles& particles);
 
-/// What has melted of a body that was sampled from its shape has its own volume from then on: a ball of R/dx = 5 holds 5 % less than its particles. Of meshes it keeps what the mesh held.
-void settleShares(const Scene& scene, SurfaceParticles& p);
+/// Continuum::surfaceShare of what has melted of a body that was sampled from its shape: 1, its own volume, from then on. Before the particles are gathered for an update.
+void settleShares(World& world);
 
 /// Sends the components (and what is left of the fills) of the copies to the particles and takes their positions as those of the last update; drops the copies. Collective.
 void returnParticles(World& world, SurfaceHalos halos);

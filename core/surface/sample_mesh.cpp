@@ -113,12 +113,6 @@ bool isSampled(const Scene& scene, std::size_t body) {
   return m.canBeSolid() && paperFraction(m, b.temperature) == 0;
 }
 
-bool anyFromShape(const Scene& scene) {
-  for (std::size_t b = 0; b < scene.bodies.size(); b++)
-    if (isSampled(scene, b) && !hasMesh(scene, b)) return true;
-  return false;
-}
-
 std::vector<SurfaceSample> sampleShape(const Shape& shape, const MeshLoader& load, double spacing, std::uint64_t seed) {
   return shape.kind == ShapeKind::Mesh ? sampleMesh(shape, load, spacing, seed) : sampleExact(shape, load, spacing, seed);
 }

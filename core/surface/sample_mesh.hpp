@@ -32,7 +32,6 @@ bool hasMesh(const Scene& scene, std::size_t body);
 /// Is the surface of this body sampled from its mesh or its shape, rather than grown from its particles? Shapes are, of what begins solid: liquids would leave them at once for the level of the colour
 /// field. Where overlapping bodies are cut by others, surfaces follow the particles that are left.
 bool isSampled(const Scene& scene, std::size_t body);
-bool anyFromShape(const Scene& scene);  ///< is any sampled that has no mesh?
 
 /// Blue noise on the placed mesh of a shape of kind Mesh, `spacing` (m) apart, with its normals and colours; on the built-in bust the places
 /// are moved onto the sculpture that its mesh only comes near to, and have its normals. Parts buried in other parts are left out. Of other shapes the same on their parts (shapeMesh), moved onto the exact

@@ -100,13 +100,13 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   t.times.start();
   balanceSurface(w, halos, t, false);
+  settleShares(w);
   gatherParticles(w, halos.all.rank());
   releasePressed(s.surfels);
   placeAll(s, halos, t);
   t.times.lap(SurfacePhase::Place);
   findDisplacementGradients(w, halos, t);
   fadeFill(s.particles);
-  settleShares(w.scene, s.particles);
   displaceSurfels(w, halos, t);
   t.times.lap(SurfacePhase::Displacement);
   bringParticlesForward(s);
