@@ -22,7 +22,7 @@ THAW_INLINE void sumGradient(const BondLoader<Real, periodic, vectors>& bonds, s
     if constexpr (tears) {
       Lanes<Real> reference = square<Real>(X);
       if constexpr (vectors) reference = max(reference, square<Real>(loadVector<Real>(a.rx, a.ry, a.rz, at)));
-      excess = max(excess, square<Real>(b.current()) - stretch2 * reference);
+      excess = max(excess, square<Real>(b.current) - stretch2 * reference);
     }
   }
   sum = {{x, y, z}};
@@ -203,7 +203,7 @@ template<class Real, bool periodic, bool vectors, bool more> void forcesOf(const
         const Vec3<T> ours = apply<Real>(i.flux, ref), theirs{times3<Real>(j0, ref), times3<Real>(j1, ref), times3<Real>(j2, ref)};
         t = {fma(i.k, u.x, ours.x) + fma(k, u.x, theirs.x), fma(i.k, u.y, ours.y) + fma(k, u.y, theirs.y), fma(i.k, u.z, ours.z) + fma(k, u.z, theirs.z)};
       } else if constexpr (vectors) {
-        const Vec3<T> x = b.current(), back = loadVector<Real>(a.rx, a.ry, a.rz, at), v{x.x + back.x, x.y + back.y, x.z + back.z};
+        const Vec3<T> x = b.current, back = loadVector<Real>(a.rx, a.ry, a.rz, at), v{x.x + back.x, x.y + back.y, x.z + back.z};
         const Vec3<T> ours = apply<Real>(i.flux, ref), theirs{times3<Real>(j0, back), times3<Real>(j1, back), times3<Real>(j2, back)};
         // (term of i) - (term of j): the other end computes exactly the negative
         t = {fma(i.k, u.x, ours.x) - fma(-k, v.x, theirs.x), fma(i.k, u.y, ours.y) - fma(-k, v.y, theirs.y), fma(i.k, u.z, ours.z) - fma(-k, v.z, theirs.z)};
@@ -213,7 +213,7 @@ template<class Real, bool periodic, bool vectors, bool more> void forcesOf(const
       }
       if (damping) {
         const Lanes4<Real> vj = load(motion, rows);
-        const Vec3<T> x = b.current();
+        const Vec3<T> x = b.current;
         const T length2 = square<Real>(x), some = select(length2 > T(Real(0)), length2, T(Real(1)));
         const T along = (vj.a - vi.a) * x.x + (vj.b - vi.b) * x.y + (vj.c - vi.c) * x.z;
         const T c = (vi.d + vj.d) * perScale * along / some;  // per weight

@@ -94,12 +94,11 @@ template<class Real> THAW_INLINE void storeFluxes(const EightEnds<Real>& ends, c
   store({m.row[1].z, m.row[2].x, m.row[2].y, m.row[2].z}, n, 4, to + 3);
 }
 
-/// Eight bonds: reference X_ij, displacement u_ij = x_ij - X_ij, weight, and what was loaded of the other ends.
+/// Eight bonds: reference X_ij, place x_ij now, displacement u_ij = x_ij - X_ij, weight, and what was loaded of the other ends.
 template<class Real> struct EightBonds {
-  Vec3<Lanes<Real>> reference, u;
+  Vec3<Lanes<Real>> reference, current, u;
   Lanes<Real> weight;
   EightEnds<Real> ends;
-  THAW_INLINE Vec3<Lanes<Real>> current() const { return {reference.x + u.x, reference.y + u.y, reference.z + u.z}; }
 };
 
 /// Loads the bonds of a group's slots. vectors: they have references and weights of their own, in m; else these are differences of
@@ -127,11 +126,13 @@ template<class Real, bool periodic, bool vectors> struct BondLoader {
       Vec3<T> x = difference(own.displacement(), b.ends.displacement());
       if constexpr (sizeof(Real) == 4) x = {x.x * unit, x.y * unit, x.z * unit};
       b.reference = loadVector<Real>(a.x, a.y, a.z, at);
+      b.current = x;  // not X + u, which is rounded where a bond is stretched far: with X_ji = -X_ij both ends have the same u, to the last bit
       b.u = {x.x - b.reference.x, x.y - b.reference.y, x.z - b.reference.z};
       b.weight = loadRow(static_cast<const Real*>(a.weight) + at);
     } else {
       b.u = difference(own.displacement(), b.ends.displacement());
       b.reference = difference(own.reference(), b.ends.reference());
+      b.current = {b.reference.x + b.u.x, b.reference.y + b.u.y, b.reference.z + b.u.z};
       const T q = fma(square(b.reference), -perSupport2, T(Real(1)));
       b.weight = q * q * q;
     }
