@@ -80,6 +80,27 @@ void step(std::vector<SolidBody*> parts, Counts& counts) {
   for (SolidBody* b : parts) computeElasticForces(b->work, b->solids, b->bonds, b->step, SolidPart::Boundary);
 }
 
+// Groups whose bonds have one reference do not read the way back (ElasticWork::ownFrames). Which groups these are depends on who shares them, so it may change no bit,
+// however far a body is deformed.
+TEST(SolidParts, TheWayBackOfOneReferenceChangesNoBit) {
+  for (const Precision precision : {Precision::Single, Precision::Double}) {
+    BodyOptions options;
+    options.precision = precision;
+    options.freezing = true;
+    const auto body = makeBody(lattice({7, 6, 5}, 0.1, 0.1), {elasticMaterial()}, options);
+    SolidBody& b = *body;
+    ASSERT_TRUE(b.bonds.twoFrames);
+    for (std::size_t i = 0; i < b.solids.owned; i++) b.solids.position[i] += 0.3 * noise3(i, 11);  // three spacings: bonds of any length and direction
+    std::vector<Vec3d> force[2];
+    for (const std::uint8_t reads : {0, 1}) {
+      std::fill(b.work.ownFrames.begin(), b.work.ownFrames.end(), reads);
+      computeForces(b);
+      force[reads].assign(b.solids.force.data(), b.solids.force.data() + b.solids.owned);
+    }
+    for (std::size_t i = 0; i < b.solids.owned; i++) ASSERT_EQ(std::memcmp(&force[0][i], &force[1][i], sizeof(Vec3d)), 0) << i;
+  }
+}
+
 }  // namespace
 
 TEST(SolidParts, sameBitsInOneAndInTwo) {
