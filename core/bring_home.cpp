@@ -1,6 +1,7 @@
 #include "core/bring_home.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/domain/sides.hpp"
 #include "core/heat/enthalpy.hpp"
@@ -63,6 +64,15 @@ void findCells(World& w, std::vector<std::uint32_t>& leaving, bool keys, bool op
   }
 }
 
+/// After a new partition: what was made for the rows of the old one is made anew for those that there are.
+void fitMemory(World& w, StepTools& t) {
+  w.particles.shrink(1.0 / 64);
+  w.neighbours = {};
+  t.records = {};
+  t.sort = {};
+  giveBackFreed();
+}
+
 }  // namespace
 
 bool needsOrder(const World& w, const StepTools& t) { return needsNeighbours(w, t) || !w.walls.list.empty() || w.modules.kinds() || w.modules.surface; }
@@ -83,7 +93,7 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
 
   // where nobody looks for neighbours a particle may stay with the rank that it began with: bonds, which know their ends wherever these are, need not be sent after it
   const bool ordered = needsOrder(w, t), moves = ordered || t.newPartition || w.modules.emitters;
-  t.newPartition = false;
+  const bool partitioned = std::exchange(t.newPartition, false);
   const bool open = hasOpenSide(w.scene.domain) && (t.mayLeave || emitted > 0);
   t.mayLeave = true;
   findCells(w, t.leaving, moves, open);
@@ -115,7 +125,7 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
   if (!w.modules.sleep) stale.push_back(&p.interaction);
   if (ordered) sortByCell(p, m, t.sort, w.cells, stale);
   else if (m.arrivals > 0 || !m.departed.empty()) closeGaps(p, m);
-  if (m.arrivals > p.owned / 8) p.shrink();
+  if (partitioned) fitMemory(w, t);
   t.times.lap(StepPhase::Sort);
   return leftSlots;
 }

@@ -162,10 +162,14 @@ void measure(const Communicator& comm, const Case& c, const Options& o, const st
   for (std::size_t s = 0; s < rig.w.solids.owned && isElastic(c.kind); s++)
     for (int k = 0; k < rig.w.bonds.capacity; k++) neighbours += rig.w.bonds.there(s, k);
   neighbours = sumOver(comm, neighbours) / N;
+  std::vector<MemoryUse> use = memoryOf(rig.w, rig.tools);
+  for (MemoryUse& u : use) u.bytes = sumOver(comm, u.bytes);
+  const double ghosts = sumOver(comm, static_cast<double>(rig.w.particles.ghosts)), most = mostOf(comm, static_cast<double>(rig.w.particles.owned));
   if (comm.rank() != 0) return;
   if (o.memory) {
-    for (const MemoryUse& u : memoryOf(rig.w, rig.tools))
-      if (u.bytes > 0) std::fprintf(stderr, "  %-20s %6.0f bytes a particle\n", u.what, u.bytes * ranks / N);
+    std::fprintf(stderr, "  %.3f ghosts a particle, the fullest rank has %.3f of the mean\n", ghosts / N, most * ranks / N);
+    for (const MemoryUse& u : use)
+      if (u.bytes > 0) std::fprintf(stderr, "  %-20s %6.0f bytes a particle\n", u.what, u.bytes / N);
     std::fprintf(stderr, "  %-20s %6.0f bytes a particle\n", "messages", messages / N);
   }
   const Targets goal = targetsOf(c, std::strcmp(rig.tools.kernels->name, "avx512") == 0);

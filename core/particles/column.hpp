@@ -144,8 +144,8 @@ struct Table {
   std::size_t rowsOf(const AnyColumn& column) const { return column.rows == Rows::Owned ? owned : size(); }
   /// Sets the number of rows; rows that are kept keep their values, new rows are zero. Never shrinks capacity.
   void resize(std::size_t owned, std::size_t ghosts);
-  /// Gives back the memory of many more rows than there are: those that were here before a new partition.
-  void shrink();
+  /// Gives back the memory of more rows than there are, where it is more than this part of theirs: those that were here before a new partition.
+  void shrink(double part = 0.125);
   /// Switches a field on: allocates zeroed rows.
   void activate(AnyColumn& column);
   /// Switches a field off and gives back its memory.

@@ -59,10 +59,10 @@ void Table::resize(std::size_t newOwned, std::size_t newGhosts) {
     if (c->active) resizeColumn(*c, rowsOf(*c));
 }
 
-void Table::shrink() {
+void Table::shrink(double part) {
   spares_.clear();
   for (AnyColumn* c : columns)
-    if (c->bytes.capacity() > c->bytes.size() + c->bytes.size() / 8) c->bytes = AlignedVector<std::byte>(c->bytes.begin(), c->bytes.end());
+    if (static_cast<double>(c->bytes.capacity()) > (1 + part) * static_cast<double>(c->bytes.size())) c->bytes = AlignedVector<std::byte>(c->bytes.begin(), c->bytes.end());
 }
 
 void Table::activate(AnyColumn& column) {
