@@ -91,7 +91,7 @@ PairSums pairSumsOf(World& w, StepTools& t) {
   s.liquids = t.liquids.data();
   s.densityRate = p.densityRate.data();
   s.spreading = p.spreading.data();
-  if (w.modules.corrected) s.moment = p.moment.data(), s.flow = p.flow.data();
+  if (w.modules.corrected) s.moment = p.moment.data(), s.flow = p.flow.data(), s.correction = p.correction.data();
   s.pull = t.records.pull.data();
   s.surfaceGradient = p.surfaceGradient.data();
   s.surfaceCover = p.surfaceCover.data();
@@ -128,7 +128,7 @@ void search(World& w, StepTools& t, Part part) {
 
 }  // namespace
 
-void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass) {
+void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapsed) {
   Continuum& p = w.particles;
   const RecordContext x = recordsOf(w, t);
   NeighbourLists& lists = w.neighbours;
@@ -142,7 +142,7 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass) {
   } else if (pass == NeighbourPass::BoundaryDensity) {
     if (p.ghosts > t.ghostRoom) {  // more than ever: the padding of the inner lists points where ghosts are now
       t.ghostRoom = p.ghosts + p.ghosts / 8;
-      sumOverNeighbours(w, t, NeighbourPass::InnerDensity);
+      sumOverNeighbours(w, t, NeighbourPass::InnerDensity, elapsed);
     }
     packRecords(x, p, p.owned, p.size(), t.records);
     search(w, t, Part::Boundary);
@@ -151,7 +151,11 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass) {
   const GroupRange inner{0, lists.innerGroups}, boundary{lists.innerGroups, lists.groups};
   const GroupRange range = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::InnerForces ? inner : boundary;
   if (density) {
-    if (w.modules.fluid) t.kernels->density(pairSumsOf(w, t), range);
+    if (w.modules.fluid) {
+      PairSums sums = pairSumsOf(w, t);
+      sums.elapsed = elapsed;
+      t.kernels->density(sums, range);
+    }
     if (w.modules.surfaceEnergy) t.kernels->surfaceSeen(pairSumsOf(w, t), range);
     t.times.lap(StepPhase::Density);
     return;

@@ -29,7 +29,8 @@ void sumExcessPressure(World& world, CellHalo& halo, StepTools& tools);
 
 /// Inner passes work on particles whose neighbours are all owned; boundary passes on the others. Density passes search first.
 enum class NeighbourPass { InnerDensity, BoundaryDensity, InnerForces, BoundaryForces };
-void sumOverNeighbours(World& world, StepTools& tools, NeighbourPass pass);
+/// elapsed: s, of the step that led here, over which liquids carry their density.
+void sumOverNeighbours(World& world, StepTools& tools, NeighbourPass pass, double elapsed = 0);
 
 /// Viscous forces of the implicit solver (fluid/implicit_viscosity/), after all others.
 void solveViscosity(World& world, Halos halos, StepTools& tools, const WallContext& walls);

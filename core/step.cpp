@@ -94,12 +94,12 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (neighbours) {
     markInner(w, halos.cells, t);
     if (w.modules.sleep) markAsleep(w, t, false);
-    sumOverNeighbours(w, t, NeighbourPass::InnerDensity);  // ... while particles inside find neighbours and density
+    sumOverNeighbours(w, t, NeighbourPass::InnerDensity, dt);  // ... while particles inside find neighbours and density
     halos.cells.finishGhosts(p, w.cells);
     t.times.lap(StepPhase::Exchange);
     markInner(w, halos.cells, t);
     if (w.modules.sleep) markAsleep(w, t, true);
-    sumOverNeighbours(w, t, NeighbourPass::BoundaryDensity);
+    sumOverNeighbours(w, t, NeighbourPass::BoundaryDensity, dt);
   }
   if (w.modules.sleep) dropSkippedContacts(t);
   if (w.modules.fluid) addWallFilling(walls, t.perLatticeSum, t.wallContacts);
@@ -108,7 +108,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.continuity || w.modules.shifting) carryDensity(w, t, dt);
   if (w.modules.surfaceEnergy) findSurfaceEnergy(walls, t.surface, t.wallContacts);
   ColumnList toGhosts{&p.filling};
-  if (w.modules.corrected) toGhosts.push_back(&p.moment);
+  if (w.modules.corrected) toGhosts.push_back(&p.correction);
   if (w.modules.surfaceEnergy) {
     toGhosts.push_back(&p.surfacePull);
     toGhosts.push_back(&p.surfaceDraw);

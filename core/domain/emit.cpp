@@ -1,10 +1,11 @@
 #include "core/domain/emit.hpp"
 
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
+#include "core/domain/outside.hpp"
+#include "core/domain/sides.hpp"
 #include "core/fluid/cohesion.hpp"
 #include "core/fluid/surface_energy.hpp"
 #include "core/geometry/shape_error.hpp"
@@ -153,6 +154,19 @@ std::vector<EmitterPlan> planEmitters(const Scene& s) {
     plans.push_back(std::move(plan));
   }
   return plans;
+}
+
+std::string misplacedOpening(const Domain& d, const Emitter& e, const EmitterPlan& plan) {
+  const std::string who = "emitter '" + e.name + "': ";
+  Outside opening;
+  for (const Vec3d& x : plan.layer) opening.look(d, x);
+  if (opening.count > 0) return who + outsideText(opening, d, static_cast<std::int64_t>(plan.layer.size()), "places of a layer", "emitter");
+  const OpenBox box = openBox(d);
+  const Vec3d back = normalized(e.direction) * (e.speed * plan.ahead);
+  for (const Vec3d& x : plan.layer)
+    if (box.leaves(x - back))
+      return who + "its particles are made " + text(e.speed * plan.ahead) + " m behind its opening, and this is beyond an open side of the domain, where they would leave it: move the emitter further in, enlarge the domain, or make that side a wall";
+  return {};
 }
 
 std::int64_t layersUntil(const Emitter& e, const EmitterPlan& plan, double time) {

@@ -50,6 +50,7 @@ struct PairSums {
   const void* state = nullptr;   ///< pressure term (Pa): f p / filling^2, printed: f p; liquid fraction f; temperature (K); conductivity (W/(m K))
   const void* surface = nullptr; ///< square root of the surface tension of the liquid (N/m)^1/2; 1 if solid, else 0; artificial viscosity (Pa s); XSPH factor
   bool carried = false;          ///< density also sums its rate
+  double elapsed = 0;            ///< s, of the step that led here, whose rate is found
   double diffusion = 0;          ///< 1, of carried densities
   Vec3d weight{};                ///< m^2/s^2, h g
   const std::uint16_t* material = nullptr;
@@ -67,6 +68,7 @@ struct PairSums {
   Vec3d* surfaceGradient = nullptr;  ///< 1 (overwritten)
   double* surfaceCover = nullptr;    ///< 1 (overwritten)
   Mat3d *moment = nullptr, *flow = nullptr;  ///< 1, 1/s; none: gradients are not corrected
+  const Mat3d* correction = nullptr;  ///< 1, of gradients, less 1, where the step began
   const void *diagonal = nullptr, *mixed = nullptr;  ///< records of correct_pressure.hpp
   double *densityRate = nullptr, *spreading = nullptr;  ///< 1/s
   Vec3d* crowding = nullptr;     ///< 1, h grad filling; none: not wanted

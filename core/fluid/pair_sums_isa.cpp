@@ -40,15 +40,15 @@ void density(const PairSums& in, GroupRange range) {
     using L = Lanes<Real>;
     const double scale = in.fillingScale * in.support * in.support * in.support;
     if (in.moment) {
-      CarriedDensity<Real, decltype(kernel), Carry::Corrected> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, scale, {L(in.weight.x), L(in.weight.y), L(in.weight.z)}};
+      CarriedDensity<Real, decltype(kernel), Carry::Corrected> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, scale, {L(in.weight.x), L(in.weight.y), L(in.weight.z)}, L(in.elapsed / in.support)};
       return sweep(*in.lists, range, term, Groups::Wet);
     }
     if (in.carried) {
-      CarriedDensity<Real, decltype(kernel), Carry::Density> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, scale, {L(in.weight.x), L(in.weight.y), L(in.weight.z)}};
+      CarriedDensity<Real, decltype(kernel), Carry::Density> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, scale, {L(in.weight.x), L(in.weight.y), L(in.weight.z)}, L(in.elapsed / in.support)};
       return sweep(*in.lists, range, term, Groups::Wet);
     }
     if (in.crowding) {
-      CarriedDensity<Real, decltype(kernel), Carry::Nothing> term{records<Real>(in.place), nullptr, nullptr, &in, scale, {L(0.0), L(0.0), L(0.0)}};
+      CarriedDensity<Real, decltype(kernel), Carry::Nothing> term{records<Real>(in.place), nullptr, nullptr, &in, scale, {L(0.0), L(0.0), L(0.0)}, {}};
       return sweep(*in.lists, range, term, Groups::Wet);
     }
     Density<Real, decltype(kernel)> term{records<Real>(in.place), in.filling, in.coincident, in.fillingScale * in.support * in.support * in.support, in.selfExcess};

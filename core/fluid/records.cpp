@@ -138,7 +138,7 @@ template<class Real> void packPressureAs(const RecordContext& x, Continuum& p, s
     if (n.pressure == PairForm::Consistent) {
       term = static_cast<Real>(f * pressure / (filling * filling));
       if (corrected) {
-        const auto of = [&](int a, int b) { return static_cast<Real>(f * pressure / (filling * filling) * p.moment[i].row[a][b]); };
+        const auto of = [&](int a, int b) { return static_cast<Real>(f * pressure / (filling * filling) * p.correction[i].row[a][b]); };
         rows<Real>(r.diagonal)[i] = {of(0, 0), of(1, 1), of(2, 2), Real(0)};
         rows<Real>(r.mixed)[i] = {of(0, 1), of(0, 2), of(1, 2), Real(0)};
       }

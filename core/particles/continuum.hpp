@@ -31,7 +31,8 @@ struct Continuum : Table {
   Column<double> compression{*this, "compression", "1", Keep::State, "filling - 1, where the continuity equation carries it"};
   Column<double> densityRate{*this, "densityRate", "1/s", Keep::Transient, "rate of compression by the flow"};
   Column<double> spreading{*this, "spreading", "1/s", Keep::Transient, "rate of compression by diffusion"};
-  Column<Mat3d> moment{*this, "moment", "1", Keep::Transient, "of the neighbourhood; then what corrects gradients, less 1"};
+  Column<Mat3d> moment{*this, "moment", "1", Keep::Transient, "of the neighbourhood"};
+  Column<Mat3d> correction{*this, "correction", "1", Keep::State, "what corrects gradients, less 1; the next step's mean has those of its beginning, too"};
   Column<Mat3d> flow{*this, "flow", "1/s", Keep::Transient, "minus the gradient of the velocity, not yet corrected: a row for each derivative"};
   Column<Vec3d> smoothing{*this, "smoothing", "m/s", Keep::State, "XSPH and shifting: the particle moves with velocity + smoothing"};
   Column<Vec3d> crowding{*this, "crowding", "1", Keep::Transient, "h grad of the filling by places"};

@@ -18,7 +18,7 @@ void activateFields(World& w, StepTools& t) {
   on(m.fluid, {&p.filling});
   on(m.implicitViscosity, {&p.viscousAcceleration, &p.viscousSearch});
   on(m.continuity, {&p.compression, &p.densityRate, &p.spreading});
-  on(m.corrected, {&p.moment, &p.flow});
+  on(m.corrected, {&p.moment, &p.correction, &p.flow});
   on(m.xsph || m.shifting, {&p.smoothing});
   on(m.shifting, {&p.crowding});
   on(m.incompressible, {&p.holding, &p.steadying, &p.pressureKick, &p.drag, &p.trialPressure, &p.trialVelocity});

@@ -167,7 +167,7 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
   if (report.inObstacles > 0) {
     const std::size_t code = static_cast<std::size_t>(-first[0]);
     report.obstacleWhere = s.bodies[code / codes].where;
-    report.firstObstacle = "'" + s.bodies[code / codes].name + "' and '" + w.walls.list[code % codes].properties.name + "'";
+    report.firstObstacle = "of body '" + s.bodies[code / codes].name + "' in obstacle '" + w.walls.list[code % codes].properties.name + "'";
   }
   return report;
 }

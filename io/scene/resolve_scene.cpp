@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/geometry/builtin_meshes.hpp"
+#include "io/scene/syntax_hint.hpp"
 
 namespace thaw {
 namespace {
@@ -54,7 +55,8 @@ struct Resolver {
       t = toml::parse(text->second, file);
     } catch (const toml::parse_error& e) {
       const auto& at = e.source().begin;
-      return errors.push_back({{file, static_cast<int>(at.line), static_cast<int>(at.column)}, std::string(e.description())});
+      const std::string complaint(e.description());
+      return errors.push_back({{file, static_cast<int>(at.line), static_cast<int>(at.column)}, complaint + syntaxHint(text->second, static_cast<int>(at.line), complaint)});
     }
     open.push_back(file);
     for (const auto& [other, where] : includesOf(t, file, &errors)) read(other, where);

@@ -9,7 +9,9 @@ namespace {
 
 /// Filling by places as Density has it, h times its gradient (for shifting) and, if Carried, the rate of the filling: sum V0_j (u_i - u_j).grad W,
 /// whose adjoint is the pressure force of Forces, so that pairs keep energy (Bonet & Lok 1999); and diffusion of it (Molteni & Colagrossi
-/// 2009 eq. 11) of what is not the weight of the liquid (Fourtakas 2019 eq. 10).
+/// 2009 eq. 11) of what is not the weight of the liquid (Fourtakas 2019 eq. 10). The rate is the mean of those with the gradients at the two ends of the step,
+/// from each of which its pressure has its force: so the work of pressure is what the energy of compression loses. Gradients of the end alone give the flow
+/// a power of dt/2 int |grad p|^2 / rho.
 enum class Carry { Nothing, Density, Corrected };
 
 template<class Real, class Kernel, Carry carry> struct CarriedDensity {
@@ -19,8 +21,9 @@ template<class Real, class Kernel, Carry carry> struct CarriedDensity {
   const PairSums* in;
   double scale;
   L weight[3];  ///< h g
+  L ago;        ///< s/m, the step that led here over h
   struct Data { Lanes4<Real> place, motion, state; };
-  struct Sum { L filling = L(0.0), closest = L(1.0), x = L(0.0), y = L(0.0), z = L(0.0), rate = L(0.0), spread = L(0.0), column = L(0.0), moment[6] = {L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0)}, flow[9] = {L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0)}; };
+  struct Sum { L filling = L(0.0), closest = L(1.0), x = L(0.0), y = L(0.0), z = L(0.0), rate = L(0.0), spread = L(0.0), column = L(0.0), moment[6] = {L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0)}, flow[9] = {L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0)}, begun[9] = {L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0)}; };
   THAW_INLINE Data load(const std::uint32_t* entries) const {
     if constexpr (Carried) return {loadListed(place, entries), loadListed(motion, entries), loadListed(state, entries)};
     else return {loadListed(place, entries), {}, {}};
@@ -56,6 +59,21 @@ template<class Real, class Kernel, Carry carry> struct CarriedDensity {
       } else {
         s.rate += g * (ux * dx + uy * dy + uz * dz);
       }
+      const L ox = dx - ago * ux, oy = dy - ago * uy, oz = dz - ago * uz, b = V * Kernel::slope(ox * ox + oy * oy + oz * oz);
+      if constexpr (Corrected) {
+        const L bx = b * ox, by = b * oy, bz = b * oz;
+        s.begun[0] += bx * ux;
+        s.begun[1] += bx * uy;
+        s.begun[2] += bx * uz;
+        s.begun[3] += by * ux;
+        s.begun[4] += by * uy;
+        s.begun[5] += by * uz;
+        s.begun[6] += bz * ux;
+        s.begun[7] += bz * uy;
+        s.begun[8] += bz * uz;
+      } else {
+        s.begun[0] += b * (ux * ox + uy * oy + uz * oz);
+      }
       const L both = V * Kernel::laplace(q2) * i.state.b * j.state.b;
       s.spread += both * (j.state.a - i.state.a);
       s.column += both * (weight[0] * dx + weight[1] * dy + weight[2] * dz);
@@ -78,9 +96,12 @@ template<class Real, class Kernel, Carry carry> struct CarriedDensity {
             in->moment[row] = {{{scale * of(m[0]), scale * of(m[3]), scale * of(m[4])}, {scale * of(m[3]), scale * of(m[1]), scale * of(m[5])}, {scale * of(m[4]), scale * of(m[5]), scale * of(m[2])}}};
             const double k = scale / h;
             in->flow[row] = {{{k * of(u[0]), k * of(u[1]), k * of(u[2])}, {k * of(u[3]), k * of(u[4]), k * of(u[5])}, {k * of(u[6]), k * of(u[7]), k * of(u[8])}}};
-            in->densityRate[row] = k * (of(u[0]) + of(u[4]) + of(u[8]));
+            double begun = 0;  // the other half is the end's, of which correct knows the correction
+            for (int a = 0; a < 3; a++)
+              for (int b = 0; b < 3; b++) begun += ((a == b ? 1 : 0) + in->correction[row].row[a][b]) * of(s.begun[3 * a + b]);
+            in->densityRate[row] = 0.5 * k * begun;
           } else {
-            in->densityRate[row] = scale / h * of(s.rate);
+            in->densityRate[row] = 0.5 * scale / h * (of(s.rate) + of(s.begun[0]));
           }
           const double c = in->liquids[in->material[row]].soundSpeed;
           in->spreading[row] = in->diffusion * 0.5 * c / h * (static_cast<double>(s.spread[l]) + static_cast<double>(s.column[l]) / (c * c));
