@@ -40,6 +40,10 @@ void correct(World& w, const StepTools& t) {
   std::vector<std::uint8_t> atWall(p.owned, 0);
   for (const WallContact& c : t.wallContacts.list) atWall[c.row] = 1;
   for (std::size_t i = 0; i < p.owned; i++) {
+    if (liquidFraction(p, i) == 0) {  // whether its cell has liquid beside it, and so any sums, depends on ranks
+      p.correction[i] = {};
+      continue;
+    }
     const double weight = std::min(1.0, (static_cast<double>(p.filling[i]) - 0.9) / 0.05);
     Mat3d d{};
     if (weight > 0 && !atWall[i] && determinant(p.moment[i]) > 0.2) {
@@ -68,7 +72,7 @@ void carryDensity(World& w, const StepTools& t, double dt) {
   if (w.modules.corrected) correct(w, t);
   for (std::size_t i = 0; i < p.owned; i++) {
     const double f = liquidFraction(p, i);
-    if (f == 0) {  // whether its cell has liquid beside it, and so any sums, depends on ranks
+    if (f == 0) {  // as above
       p.compression[i] = 0;
       p.filling[i] = 1;
       continue;
