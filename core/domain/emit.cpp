@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "core/domain/outside.hpp"
-#include "core/domain/sides.hpp"
 #include "core/fluid/cohesion.hpp"
 #include "core/fluid/surface_energy.hpp"
 #include "core/geometry/shape_error.hpp"
@@ -157,16 +156,9 @@ std::vector<EmitterPlan> planEmitters(const Scene& s) {
 }
 
 std::string misplacedOpening(const Domain& d, const Emitter& e, const EmitterPlan& plan) {
-  const std::string who = "emitter '" + e.name + "': ";
   Outside opening;
   for (const Vec3d& x : plan.layer) opening.look(d, x);
-  if (opening.count > 0) return who + outsideText(opening, d, static_cast<std::int64_t>(plan.layer.size()), "places of a layer", "emitter");
-  const OpenBox box = openBox(d);
-  const Vec3d back = normalized(e.direction) * (e.speed * plan.ahead);
-  for (const Vec3d& x : plan.layer)
-    if (box.leaves(x - back))
-      return who + "its particles are made " + text(e.speed * plan.ahead) + " m behind its opening, and this is beyond an open side of the domain, where they would leave it: move the emitter further in, enlarge the domain, or make that side a wall";
-  return {};
+  return opening.count == 0 ? "" : "emitter '" + e.name + "': " + outsideText(opening, d, static_cast<std::int64_t>(plan.layer.size()), "places of a layer", "emitter");
 }
 
 std::int64_t layersUntil(const Emitter& e, const EmitterPlan& plan, double time) {

@@ -26,8 +26,7 @@ struct EmitterPlan {
 /// Throws std::runtime_error (one sentence) where the rate asks for more particles than the opening lets through.
 std::vector<EmitterPlan> planEmitters(const Scene& scene);
 
-/// One sentence on an emitter whose opening lies outside of the domain, or whose nozzle reaches over an open side, where what it makes would leave
-/// before it is let go; empty: there is nothing to say.
+/// One sentence on an emitter whose opening is not all in the domain; empty: there is nothing to say. (A nozzle ends where the domain does.)
 std::string misplacedOpening(const Domain& domain, const Emitter& emitter, const EmitterPlan& plan);
 
 /// Number of the first layer that is made after `time` (s); layers [layersUntil(a), layersUntil(b)) are made in (a, b].

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
+#include "io/scene/nearest_word.hpp"
 #include "io/scene/surface_advice.hpp"
 
 namespace thaw {
@@ -18,6 +20,32 @@ bool leavesItsPlane(const OrientedBody& b) {
   if (b.source == OrientedSource::Curve) return false;
   if (b.source != OrientedSource::Points) return true;
   return std::any_of(b.points.begin(), b.points.end(), [&](const Vec3d& x) { return x.y != b.points.front().y; });
+}
+
+/// Materials that nothing is made of: a name that is spelt otherwise in --set makes one.
+void addIdleMaterials(const Scene& s, std::vector<std::string>& lines) {
+  std::set<int> used;
+  std::set<std::string> names;
+  for (const Body& b : s.bodies) used.insert(b.material);
+  for (const Emitter& e : s.emitters) used.insert(e.material);
+  for (int k : used) names.insert(s.materials[static_cast<std::size_t>(k)].name);
+  for (std::size_t k = 0; k < s.materials.size(); k++)
+    if (!used.count(static_cast<int>(k)))
+      lines.push_back(fmt::format("{}: material '{}' is of no body and of no emitter{}", at(s.materials[k].where), s.materials[k].name, suggestion(s.materials[k].name, names)));
+}
+
+/// Below any temperature that somebody is likely to mean: a number of degrees Celsius without its unit.
+void addColdPlaces(const Scene& s, std::vector<std::string>& lines) {
+  constexpr double likely = 100;
+  const auto look = [&](const SourcePlace& where, const std::string& what, double kelvin) {
+    if (kelvin < likely) lines.push_back(fmt::format("{}: {} is {:g} K; a temperature without a unit is in kelvin, degrees Celsius are written \"{:g} degC\"", at(where), what, kelvin, kelvin));
+  };
+  for (const Material& m : s.materials)
+    if (m.melts()) look(m.where, "material '" + m.name + "': its solidus", m.solidus);
+  for (const Body& b : s.bodies) look(b.where, "body '" + b.name + "': its temperature", b.temperature);
+  for (const Emitter& e : s.emitters) look(e.where, "emitter '" + e.name + "': its temperature", e.temperature);
+  for (const Obstacle& o : s.obstacles)
+    if (o.temperature) look(o.where, "obstacle '" + o.name + "': its temperature", *o.temperature);
 }
 
 }  // namespace
@@ -61,6 +89,8 @@ std::vector<std::string> sceneWarnings(const Scene& s) {
     for (const std::string& name : s.output.fields) names += (names.empty() ? "" : ", ") + name;
     lines.push_back(fmt::format("{}: output.fields ({}) are of bodies and emitters, and the scene has none; frames of oriented bodies and sheets have all their fields", at(s.output.fieldsWhere), names));
   }
+  addIdleMaterials(s, lines);
+  addColdPlaces(s, lines);
   for (const std::string& line : surfaceAdvice(s)) lines.push_back(line);
   return lines;
 }

@@ -7,7 +7,8 @@
 
 namespace thaw {
 
-/// A line each, with file and line of the scene: events and fields of oriented bodies after its end, fields of frames that nothing in it has, settings of the surface (surface_advice.hpp).
+/// A line each, with file and line of the scene: events and fields of oriented bodies after its end, fields of frames that nothing in it has, materials of
+/// nothing, temperatures near 0 K, settings of the surface (surface_advice.hpp).
 std::vector<std::string> sceneWarnings(const Scene& scene);
 
 /// One line for a sentence about a place in the scene.

@@ -68,6 +68,12 @@ rejects "emitter of tiny spacing" "emitter.toml:7:1: error: emitter 'tap': its o
 name = 'tap'
 material = 'water'
 disc = { radius = 0.3 }")" --set spacing=1e-4
+rejects "emitter outside" "above.toml:7:1: error: emitter 'tap': [0-9]+ of its [0-9]+ places of a layer lie outside of the domain, up to 0.5 m beyond its side z = 1 m; enlarge the domain or move the emitter" 2 run "$(kinds above <<<"[material.water]
+[[emitter]]
+name = 'tap'
+material = 'water'
+centre = [0, 0, 1.5]
+disc = { radius = 0.3 }")"
 
 # what check and info say of a scene without continuum
 patch=$(kinds patch <<<"[[oriented]]

@@ -42,6 +42,15 @@ rejects "no such material" "there is no material 'jely'; did you mean 'jelly'\?"
 rejects "same name twice" "a second obstacle is called 'floor'" 2 check "$(scene twice '$a [[obstacle]]\nname = "floor"\nsphere = { radius = 0.01 }')"
 rejects "nothing to do" 'there is nothing to simulate' 2 run "$(scene nothing '/\[\[body/,/^place/d')"
 
+# what the parser's complaint usually means
+rejects "a quote forgotten" 'quote\.toml:2:[0-9]+: error: .*; is there a closing quote missing on this line\?' 2 run "$(scene quote 's/^spacing.*/spacing = "2 cm/')"
+rejects "a unit without quotes" 'unit\.toml:2:[0-9]+: error: .*; a quantity with a unit is a text: "2 cm"' 2 run "$(scene unit 's/^spacing.*/spacing = 2 cm/')"
+rejects "single brackets" 'single\.toml:[0-9]+:1: error: .*; each of several is written \[\[body\]\]' 2 check "$(scene single '$a [body]\nname = "other"')"
+
+# allowed, and told
+rejects "a material of nothing" "^warning: --set material\.jely\.young=2e5: material 'jely' is of no body and of no emitter; did you mean 'jelly'\?" 0 check "$good" --set 'material.jely.young=2e5'
+rejects "degrees without their unit" "^warning: .*body 'block': its temperature is 30 K; a temperature without a unit is in kelvin" 0 check "$good" --set body.block.temperature=30
+
 # files
 rejects "no such scene" 'missing\.toml: error: no such file' 2 run "$work/missing.toml"
 rejects "a folder" 'a folder, not a file' 2 check "$work"
