@@ -37,8 +37,7 @@ void shift(World& w, const StepTools& t) {
 /// the gradients of the end of the step; that of its beginning is there.
 void correct(World& w, const StepTools& t) {
   Continuum& p = w.particles;
-  std::vector<std::uint8_t> atWall(p.owned, 0);
-  for (const WallContact& c : t.wallContacts.list) atWall[c.row] = 1;
+  for (const WallContact& c : t.wallContacts.list) p.moment[c.row] = {};
   for (std::size_t i = 0; i < p.owned; i++) {
     if (liquidFraction(p, i) == 0) {  // whether its cell has liquid beside it, and so any sums, depends on ranks
       p.correction[i] = {};
@@ -46,7 +45,7 @@ void correct(World& w, const StepTools& t) {
     }
     const double weight = std::min(1.0, (static_cast<double>(p.filling[i]) - 0.9) / 0.05);
     Mat3d d{};
-    if (weight > 0 && !atWall[i] && determinant(p.moment[i]) > 0.2) {
+    if (weight > 0 && determinant(p.moment[i]) > 0.2) {
       d = inverse(p.moment[i]);
       for (int a = 0; a < 3; a++) d.row[a][a] -= 1;
     }
