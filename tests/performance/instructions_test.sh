@@ -23,7 +23,7 @@ count() {
 }
 
 failed=0 known=0
-for case in fluid elastic mixed; do
+for case in fluid heat carried elastic mixed; do
   now=$(count "$case") || { code=$?; echo "$now"; exit "$code"; }
   [ "${now:-0}" -gt 1000000 ] || { echo "$case: callgrind counted '$now' instructions: the steps were not seen"; exit 1; }
   if [ "${2:-}" = --update ]; then

@@ -1,4 +1,4 @@
-// small_step fluid|elastic|mixed: a few steps of a small block on one rank without MPI, for counting instructions (instructions_test.sh).
+// small_step fluid|heat|carried|elastic|mixed: a few steps of a small block on one rank without MPI, for counting instructions (instructions_test.sh).
 #include <cstdio>
 #include <cstring>
 
@@ -24,20 +24,30 @@ Scene block(const char* what) {
   b.velocity = {1, 0.5, 0.3};
   b.spin = {0, 0, 3};
   if (std::strcmp(what, "fluid") == 0) return s;
-  m.young = {1e5, 0};
-  if (std::strcmp(what, "elastic") == 0) return s;
+  if (std::strcmp(what, "carried") == 0) {
+    s.numerics.density = DensityForm::Continuity;
+    return s;
+  }
   m.conductivity = {1, 1};
-  m.solidus = 330, m.liquidus = 340;
-  m.latentHeat = 1e5;
   b.temperature = 335;
   b.temperatureGradient = {0, 0, 30 / L};
+  if (std::strcmp(what, "heat") == 0) return s;
+  m.young = {1e5, 0};
+  if (std::strcmp(what, "elastic") == 0) {
+    m.conductivity = {0, 0};
+    b.temperature = 293.15;
+    b.temperatureGradient = {};
+    return s;
+  }
+  m.solidus = 330, m.liquidus = 340;
+  m.latentHeat = 1e5;
   return s;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) return std::fprintf(stderr, "small_step fluid|elastic|mixed\n"), 2;
+  if (argc != 2) return std::fprintf(stderr, "small_step fluid|heat|carried|elastic|mixed\n"), 2;
   test::Simulation s(block(argv[1]));
   for (int k = 0; k < 4; k++)
     if (!s.step()) return 1;
