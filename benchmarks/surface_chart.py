@@ -48,10 +48,10 @@ if updates:
 for axis, shown in zip(axes, (iterations, updates)):
     axis.set_visible(bool(shown))
 figure.tight_layout()
-figure.savefig(sys.argv[2], dpi=110)
 for r in every:
     print("\n" + r[name])
     for column, value in r.items():
         if value and column not in (name, "isa") and "target" not in column:
             goal = r.get("target_" + column) or r.get(column + "_target")
             print(f"  {column:28s} {number(value):10.4g}" + (f"   target {goal}" if goal else ""))
+figure.savefig(sys.argv[2], dpi=110)

@@ -70,7 +70,6 @@ void fitMemory(World& w, StepTools& t) {
   w.neighbours = {};
   t.records = {};
   t.sort = {};
-  giveBackFreed();
 }
 
 }  // namespace
@@ -94,6 +93,7 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
   // where nobody looks for neighbours a particle may stay with the rank that it began with: bonds, which know their ends wherever these are, need not be sent after it
   const bool ordered = needsOrder(w, t), moves = ordered || t.newPartition || w.modules.emitters;
   const bool partitioned = std::exchange(t.newPartition, false);
+  if (std::exchange(t.looseMemory, partitioned)) giveBackFreed();
   const bool open = hasOpenSide(w.scene.domain) && (t.mayLeave || emitted > 0);
   t.mayLeave = true;
   findCells(w, t.leaving, moves, open);

@@ -73,6 +73,7 @@ struct StepTools {
   bool bondsAtStart = false;         ///< the next evaluation bonds the solids of the scene
   bool mayLeave = true;              ///< a particle may be beyond an open side; false: the drift has seen that none is
   bool newPartition = true;          ///< cells may have other owners than at the last evaluation
+  bool looseMemory = false;          ///< the last evaluation had a new partition: what it needed for once is free
   bool emitFirst = false;            ///< the next evaluation also emits what leaves at time 0
   bool phaseChangedHere = false;     ///< on this rank, since the last relink
   bool frozeAnywhere = false;        ///< some particle of some rank has just frozen

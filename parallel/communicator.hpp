@@ -7,6 +7,7 @@
 #include <exception>
 
 #include "core/halo/halo.hpp"
+#include "core/particles/column.hpp"
 #include "core/time/step_trace.hpp"
 #include "parallel/traffic.hpp"
 
@@ -18,6 +19,7 @@ namespace thaw {
 class MpiSession {
  public:
   MpiSession(int* argc, char*** argv) : exceptions_(std::uncaught_exceptions()) {
+    returnLargeBlocks();
     int provided = 0;
     MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &provided);
   }

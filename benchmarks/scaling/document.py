@@ -129,7 +129,7 @@ def machineLine(path):
 def provisional(path):
     """Said where the figures are not those of the full study."""
     rows = [r for s in ("strong", "weak", "corner", "counts") for r in model.read(path, s, "corner" if s == "corner" else "fluid")]
-    return "" if all(r["level"] == "full" for r in rows) else "\n\n**Provisional: times of short runs on a machine that was busy with other work. Counts do not depend on that.**"
+    return "" if all(r["level"] == "full" for r in rows) else "\n\n**Provisional: times of short runs on a machine that was busy with other work. Counts do not depend on that: where they are measured, cells stay where the start puts them.**"
 
 
 def write(path):

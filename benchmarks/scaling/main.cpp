@@ -27,7 +27,7 @@ struct Options {
   std::string name = "fluid";
   double particles = 100000;
   int steps = 50, warm = 25;
-  bool copies = false;
+  bool copies = false, counts = false;
 };
 
 std::string vec(double x, double y, double z) { return "[" + std::to_string(x) + "," + std::to_string(y) + "," + std::to_string(z) + "]"; }
@@ -71,13 +71,14 @@ struct Run {
   Communicator comm;
   World w;
   StepTools tools;
+  bool byTime;    // cells are shared out anew by what they have taken
   bool prepared;  // before the halos, which need the grid
   MpiReducer all;
   MpiCellHalo cells;
   MpiBondHalo bonds;
   WorkMeter meter;
 
-  Run(MPI_Comm ranks, const Options& o) : comm(ranks), prepared(prepare(o)), all(comm), cells(comm, w.grid), bonds(comm) { startWorld(w, {all, cells, bonds}, tools, meshLoader()); }
+  Run(MPI_Comm ranks, const Options& o) : comm(ranks), byTime(!o.counts), prepared(prepare(o)), all(comm), cells(comm, w.grid), bonds(comm) { startWorld(w, {all, cells, bonds}, tools, meshLoader()); }
 
   bool prepare(const Options& o) {
     w.scene = sceneForAll(comm, std::string(THAW_BENCHMARK_FOLDER) + "/scenes/" + o.name + ".toml", sizes(o));
@@ -89,7 +90,7 @@ struct Run {
       std::fprintf(stderr, "scaling: the scene blew up\n");
       MPI_Abort(MPI_COMM_WORLD, 4);
     }
-    if (!balanceAfter) return;
+    if (!balanceAfter || !byTime) return;
     tools.times.start();
     balance(w, cells, tools, meter);
     tools.times.lap(StepPhase::Balance);
@@ -183,7 +184,7 @@ int measure(const Options& o, const Communicator& world) {
 }
 
 int usage() {
-  std::fprintf(stderr, "scaling --case fluid|corner --particles N [--copies] [--steps 50] [--warm 25] | --head\n");
+  std::fprintf(stderr, "scaling --case fluid|corner --particles N [--copies | --counts] [--steps 50] [--warm 25] | --head\n");
   return 2;
 }
 
@@ -196,6 +197,10 @@ int main(int argc, char** argv) {
     if (key == "--head") return std::puts(head) < 0;
     if (key == "--copies") {
       o.copies = true;
+      continue;
+    }
+    if (key == "--counts") {
+      o.counts = true;
       continue;
     }
     if (a + 1 == argc) return usage();

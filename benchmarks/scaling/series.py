@@ -3,13 +3,14 @@
 
 strong   1M particles on 1 ... N ranks        weak     500k particles a rank on 1 ... N ranks, N: the cores of this machine
 corner   a melting scene with most of the work in one corner, on N ranks
-counts   few particles a rank on up to 64 ranks, many more than there are cores: messages, bytes, collectives; its times mean nothing
+counts   few particles a rank on up to 64 ranks, many more than there are cores: messages, bytes, collectives; its times mean nothing, and cells are not
+         shared out anew by them: the same counts in every run
 trace    `thaw run --profile` of the melting bust on N ranks: the table to the terminal, the trace beside the CSV file; no line in it
 
 The efficiency of P ranks is their rate over that of P independent simulations of one rank each that run at the same time, of as many particles a
 rank: what the machine's shared memory and clock take from copies is not the program's. Both are stepped in turn, ten steps each, in one call; the efficiency
 is the median over these pairs of blocks, so that it bears a machine whose speed changes; of repeated calls the one with the median efficiency counts.
---quick takes about two minutes and leaves docs/ alone.
+--quick takes about two minutes. docs/ is written with THAW_SCALING_DOCS=1 only (chart.py).
 """
 import argparse
 import csv
@@ -46,16 +47,16 @@ class Bench:
         self.cores = cores
         self.head = subprocess.run([binary(), "--head"], capture_output=True, text=True, check=True).stdout.strip().split(",")
 
-    def measure(self, ranks, case, particles, steps, warm, copies=False):
+    def measure(self, ranks, case, particles, steps, warm, *flags):
         env = dict(os.environ)
         if ranks > self.cores:
             env["OMPI_MCA_mpi_yield_when_idle"] = "1"
-        command = ["mpirun", "-q", "-n", str(ranks), binary(), "--case", case, "--particles", str(int(particles)), "--steps", str(steps), "--warm", str(warm)] + (["--copies"] if copies else [])
+        command = ["mpirun", "-q", "-n", str(ranks), binary(), "--case", case, "--particles", str(int(particles)), "--steps", str(steps), "--warm", str(warm), *flags]
         done = subprocess.run(command, capture_output=True, text=True, env=env)
         if done.returncode != 0:
             sys.exit(f"{' '.join(command)}: exit {done.returncode}\n{done.stderr[-2000:]}")
         row = dict(zip(self.head, done.stdout.strip().splitlines()[-1].split(",")))
-        against = f", {row['copies_msteps_per_s']} M of copies, efficiency {row['efficiency']}" if copies else ""
+        against = f", {row['copies_msteps_per_s']} M of copies, efficiency {row['efficiency']}" if "--copies" in flags else ""
         print(f"  {case} on {ranks} ranks, {row['particles']} particles: {row['ms_step']} ms a step, imbalance {row['imbalance']}, {row['msteps_per_s']} M particle-steps/s{against}", flush=True)
         return row
 
@@ -68,7 +69,7 @@ def scaled(bench, series, perRank, steps, warm, repeats, target):
     """Rows of one series; perRank(ranks): particles of each."""
     rows = []
     for ranks in range(1, bench.cores + 1):
-        row = middle([bench.measure(ranks, "fluid", perRank(ranks) * ranks, steps, warm, copies=ranks > 1) for _ in range(repeats)], "efficiency" if ranks > 1 else "msteps_per_s")
+        row = middle([bench.measure(ranks, "fluid", perRank(ranks) * ranks, steps, warm, *(["--copies"] if ranks > 1 else [])) for _ in range(repeats)], "efficiency" if ranks > 1 else "msteps_per_s")
         if ranks == 1:
             row.update(copies_msteps_per_s=row["msteps_per_s"], efficiency="1.0000")
         alone = rows[0] if rows else row
@@ -88,7 +89,7 @@ def counts(bench, most, perRank, steps):
     rows, ranks = [], 1
     while ranks <= most:
         for case, particles in (("fluid", perRank * ranks), ("corner", perRank * ranks * 0.5)):
-            row = bench.measure(ranks, case, particles, steps, 25 if case == "corner" else 10)
+            row = bench.measure(ranks, case, particles, steps, 25 if case == "corner" else 10, "--counts")
             row.update(series="counts", repeats=1)
             for time in ("ms_step", "ms_step_mean", "ms_work", "ms_wait", "ms_balance", "msteps_per_s", "start_s", "imbalance", "imbalance_worst", "efficiency", "copies_msteps_per_s"):
                 row[time] = ""  # more ranks than cores

@@ -52,6 +52,10 @@ def table(rows, path):
     def over(row, shown):
         return " / ".join(shown(row[p]) if p in row else "-" for p in ranks)
 
+    def held(row):
+        names = [row[p]["held_back_by"] for p in ranks if p in row]
+        return names[0] if len(set(names)) == 1 else " / ".join(row[p]["held_back_by"] if p in row else "-" for p in ranks)
+
     heads = " / ".join(str(p) for p in ranks)
     with open(path, "w", encoding="utf-8") as out:
         out.write(f"| case, precision, neighbours | particles | M/s and core on {heads} ranks | times the scalar code | excellent | limit | bytes a particle | set-up, steps | held back by |\n|---|---|---|---|---|---|---|---|---|\n")
@@ -59,7 +63,7 @@ def table(rows, path):
             first = row[min(row)]
             goal = f"{number(first['target_ratio']):.2f} | {number(first['limit_ratio']):.1f}" if first["target_ratio"] else " | "
             out.write(f"| {case} | {float(particles):,.0f} | {over(row, lambda r: format(float(r['msteps_per_s']), '.2f'))} | {over(row, times)} | {goal} | "
-                      f"{over(row, lambda r: format(float(r['bytes_per_particle']), '.0f'))} | {over(row, lambda r: format(float(r['setup_steps']), '.0f'))} | {first['held_back_by']} |\n")
+                      f"{over(row, lambda r: format(float(r['bytes_per_particle']), '.0f'))} | {over(row, lambda r: format(float(r['setup_steps']), '.0f'))} | {held(row)} |\n")
 
 
 def draw(rows, picture):

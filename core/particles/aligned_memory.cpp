@@ -29,6 +29,12 @@ void* allocateAligned(std::size_t bytes) {
 
 void freeAligned(void* block, std::size_t bytes) { ::operator delete(block, alignmentOf(bytes)); }
 
+void returnLargeBlocks() {
+#if defined(__GLIBC__)
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);
+#endif
+}
+
 void giveBackFreed() {
 #if defined(__GLIBC__)
   malloc_trim(0);
