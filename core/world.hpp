@@ -38,6 +38,7 @@ struct Counters {
   std::int64_t retries = 0;                 ///< stretches that failed and were run again with shorter steps
   std::int64_t densityIterations = 0, divergenceIterations = 0;  ///< of the incompressible solver; on the first rank only
   std::int64_t orientedBirths = 0, orientedDeaths = 0;
+  std::int64_t crowded = 0;                 ///< liquid particles that are, in the last step, much more crowded than the density says that they carry
   std::int64_t asleep = 0;                  ///< particles whose sums were not formed in the last step
   std::int64_t unsolvedPressures = 0;       ///< solves that ended at the most iterations allowed; on the first rank only
 };

@@ -143,6 +143,7 @@ std::vector<EmitterPlan> planEmitters(const Scene& s) {
           plan.layer.push_back(e.centre + u * a + v * b);
           plan.along.push_back(a);
         }
+    plan.spacing = dx;
     plan.particleMass = s.materials[static_cast<std::size_t>(e.material)].density * dx * dx * dx;
     plan.interval = e.rate > 0 ? static_cast<double>(plan.layer.size()) * plan.particleMass / e.rate : dx / e.speed;
     if (plan.interval * e.speed < 0.95 * dx)
@@ -155,10 +156,24 @@ std::vector<EmitterPlan> planEmitters(const Scene& s) {
   return plans;
 }
 
-std::string misplacedOpening(const Domain& d, const Emitter& e, const EmitterPlan& plan) {
+std::string misplacedOpening(const Domain& d, const Walls& walls, const Emitter& e, const EmitterPlan& plan) {
+  const auto all = static_cast<std::int64_t>(plan.layer.size());
   Outside opening;
   for (const Vec3d& x : plan.layer) opening.look(d, x);
-  return opening.count == 0 ? "" : "emitter '" + e.name + "': " + outsideText(opening, d, static_cast<std::int64_t>(plan.layer.size()), "places of a layer", "emitter");
+  if (opening.count > 0) return "emitter '" + e.name + "': " + outsideText(opening, d, all, "places of a layer", "emitter");
+  for (const Wall& wall : walls.list) {
+    if (!wall.present) continue;
+    const auto in = std::count_if(plan.layer.begin(), plan.layer.end(), [&](const Vec3d& x) { return wall.shape->distanceWithin(toRest(wall.pose, x), plan.spacing) < -0.25 * plan.spacing; });
+    if (in > 0) return "emitter '" + e.name + "': " + std::to_string(in) + " of its " + std::to_string(all) + " places of a layer lie in obstacle '" + wall.properties.name + "'; move the emitter";
+  }
+  return {};
+}
+
+std::string unevenOutflow(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
+  const double area = e.disc ? 3.14159265358979323846 * e.radius * e.radius : e.width * e.depth;
+  const double is = static_cast<double>(plan.layer.size()) * plan.particleMass / plan.interval, meant = s.materials[static_cast<std::size_t>(e.material)].density * area * e.speed;
+  if (e.rate > 0 || std::abs(is / meant - 1) < 0.25) return {};
+  return "emitter '" + e.name + "' lets out " + text(is) + " kg/s, where opening, speed and density make " + text(meant) + ": its layers have " + std::to_string(plan.layer.size()) + " particles, whole spacings apart; a smaller spacing or `rate` mends it";
 }
 
 std::int64_t layersUntil(const Emitter& e, const EmitterPlan& plan, double time) {

@@ -69,6 +69,8 @@ void carryDensity(World& w, const StepTools& t, double dt) {
   if (w.modules.shifting) shift(w, t);
   if (!w.modules.continuity) return;
   if (w.modules.corrected) correct(w, t);
+  constexpr double tooCrowded = 1.3;
+  w.counters.crowded = 0;
   for (std::size_t i = 0; i < p.owned; i++) {
     const double f = liquidFraction(p, i);
     if (f == 0) {  // as above
@@ -76,6 +78,7 @@ void carryDensity(World& w, const StepTools& t, double dt) {
       p.filling[i] = 1;
       continue;
     }
+    w.counters.crowded += static_cast<double>(p.filling[i]) > tooCrowded * (1 + p.compression[i]);
     const double flow = p.compression[i] + p.densityRate[i] * dt, spread = p.spreading[i] * dt;
     if (spread != 0) {
       const Material& m = w.scene.materials[p.material[i]];

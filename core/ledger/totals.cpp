@@ -6,7 +6,7 @@ namespace {
 constexpr std::size_t balanceSums = 11, ledgerSums = 2 * balanceSums + 14, worldCounts = sizeof(Counters) / sizeof(std::int64_t);
 static_assert(sizeof(ExactBalance) == balanceSums * sizeof(ExactSum), "list the new sum in addBalance, and in valuesOf");
 static_assert(sizeof(Ledger) == ledgerSums * sizeof(ExactSum) + sizeof(Balance), "list the new sum in sumsOf");
-static_assert(worldCounts == 27, "list the new counter in countsOf");
+static_assert(worldCounts == 28, "list the new counter in countsOf");
 static_assert(sizeof(SurfaceCounters) == 11 * sizeof(std::int64_t), "list the new counter in countsOf");
 static_assert(sizeof(WatchState) == 9 * sizeof(double), "list the new member in realsOf or countsOf");
 
@@ -51,6 +51,7 @@ std::vector<NamedCount> countsOf(Counters& c) {
           {"inverted", &c.inverted},
           {"squeezed", &c.squeezed},
           {"coincident_pairs", &c.coincidentPairs},
+          {"crowded", &c.crowded},
           {"melted", &c.melted},
           {"frozen", &c.frozen},
           {"welds", &c.welds},

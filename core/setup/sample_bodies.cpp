@@ -140,6 +140,10 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
   addUp(offenders.outside, all);
   all.sum(filled);
   if (p.surfaceFill.active) finishFill(s, p, filled, counts);
+  std::vector<std::int64_t> clamped(n, 0);
+  if (p.clamped.active)
+    for (std::size_t i = 0; i < p.owned; i++) clamped[p.body[i]] += p.clamped[i] == held;
+  all.sum(clamped);
   double first[2] = {offenders.firstObstacle, offenders.firstItself};
   all.maximum(first);
   SamplingReport report;
@@ -158,6 +162,8 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
                               " of its particles lie inside its image across a periodic side; make it shorter than the domain along its periodic axes, or the domain longer");
   }
   problems.raise();
+  for (std::size_t b = 0; b < n; b++)
+    if (!s.bodies[b].clamp.empty() && clamped[b] == 0) report.warnings.push_back({s.bodies[b].where, "body '" + s.bodies[b].name + "': its clamp holds none of its particles: nothing holds it"});
   for (std::size_t b = 0; b < n; b++)
     if (const std::string narrow = narrowAxes(shapes[b]->bounds(), s.spacing); !narrow.empty())
       report.warnings.push_back({s.bodies[b].where, "body '" + s.bodies[b].name + "' is narrower than the spacing of " + lengthText(s.spacing) + " (" + narrow + "): it is one layer of particles there, a spacing thick, and as heavy" +

@@ -149,11 +149,13 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
     if (const Body& body = w.scene.bodies[b]; report.outside[b].count > 0)
       problems.add(body.where, "body '" + body.name + "': " + outsideText(report.outside[b], w.scene.domain, report.particles[b], "particles", "body") + sizeHint(w.scene, body.shape, shapes[b]->bounds()));
   for (std::size_t e = 0; e < t.emitters.size(); e++)
-    if (const std::string why = misplacedOpening(w.scene.domain, w.scene.emitters[e], t.emitters[e]); !why.empty()) problems.add(w.scene.emitters[e].where, why);
+    if (const std::string why = misplacedOpening(w.scene.domain, w.walls, w.scene.emitters[e], t.emitters[e]); !why.empty()) problems.add(w.scene.emitters[e].where, why);
   if (report.inObstacles > 0 && w.scene.numerics.overlap != OverlapRule::Keep)
     problems.add(report.obstacleWhere, std::to_string(report.inObstacles) + " particles lie inside obstacles (first: " + report.firstObstacle +
                                            "); move them apart, or set numerics.overlap to \"keep\"");
   problems.raise();
+  for (std::size_t e = 0; e < t.emitters.size(); e++)
+    if (const std::string much = unevenOutflow(w.scene, w.scene.emitters[e], t.emitters[e]); !much.empty()) report.warnings.push_back({w.scene.emitters[e].where, much});
   // a first partition by the number of particles; they are still where they were sampled
   Continuum& p = w.particles;
   const std::vector<std::vector<Vec3d>> oriented = sampleKinds(w, halos, t, load, report.warnings);

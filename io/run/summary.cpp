@@ -154,6 +154,8 @@ std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
   add(c.viscousUnfinished, "steps needed more than numerics.viscosity_iterations for viscosity");
   add(c.retries, "times a stretch of steps failed and was run again with shorter ones");
   add(c.unsolvedPressures, "times the pressure of incompressible liquid was not found within numerics.max_iterations");
+  if (static_cast<double>(c.crowded) > 0.01 * static_cast<double>(l.particles))
+    w.push_back(fmt::format("{} particles are more than 1.3 times as crowded as the density that they carry says: it drifts where liquid is poured or splashes for long; numerics.density = \"summation\" does not", c.crowded));
   add(c.wallProjections, "times a particle was pushed out of an obstacle");
   const double largest = std::max(l.energyScale, l.energyLargest);  // what has come to rest has little left to set it against
   if (!isRounding(l) && std::abs(l.energyResidual) > 0.05 * largest)

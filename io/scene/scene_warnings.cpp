@@ -48,6 +48,14 @@ void addColdPlaces(const Scene& s, std::vector<std::string>& lines) {
     if (o.temperature) look(o.where, "obstacle '" + o.name + "': its temperature", *o.temperature);
 }
 
+/// What melts in a scene where no heat gets to it.
+void addHeatless(const Scene& s, std::vector<std::string>& lines) {
+  if (s.numerics.heat == HeatModel::Paper || !s.temperings.empty()) return;
+  for (const Material& m : s.materials)
+    if (m.melts() && m.conductivity.solid == 0 && m.conductivity.liquid == 0 && m.convection == 0 && m.emissivity == 0 && m.heatSource == 0)
+      lines.push_back(fmt::format("{}: material '{}' melts, but nothing changes its temperature: give it a conductivity, convection, emissivity or heat_source", at(m.where), m.name));
+}
+
 }  // namespace
 
 std::string warningLine(const SourcePlace& where, const std::string& text) { return at(where) + ": " + text; }
@@ -91,6 +99,7 @@ std::vector<std::string> sceneWarnings(const Scene& s) {
   }
   addIdleMaterials(s, lines);
   addColdPlaces(s, lines);
+  addHeatless(s, lines);
   for (const std::string& line : surfaceAdvice(s)) lines.push_back(line);
   return lines;
 }

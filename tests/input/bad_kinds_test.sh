@@ -75,6 +75,37 @@ material = 'water'
 centre = [0, 0, 1.5]
 disc = { radius = 0.3 }")"
 
+rejects "emitter in an obstacle" "sunk.toml:7:1: error: emitter 'tap': [0-9]+ of its [0-9]+ places of a layer lie in obstacle 'block'; move the emitter" 2 check "$(kinds sunk <<<"[material.water]
+[[emitter]]
+name = 'tap'
+material = 'water'
+disc = { radius = 0.2 }
+[[obstacle]]
+name = 'block'
+box = { size = [0.5, 0.5, 0.5] }")"
+warns "a narrow emitter" "thin.toml:7:1: emitter 'tap' lets out [0-9.]+ kg/s, where opening, speed and density make [0-9.]+" thin "[material.water]
+[[emitter]]
+name = 'tap'
+material = 'water'
+rectangle = { width = 0.4, depth = 0.01 }"
+warns "a clamp that holds nothing" "loose.toml:8:1: body 'bar': its clamp holds none of its particles" loose "[material.rubber]
+young = '1 MPa'
+[[body]]
+name = 'bar'
+material = 'rubber'
+box = { size = [0.3, 0.1, 0.1] }
+[[body.clamp]]
+box = { size = [0.1, 0.1, 0.1] }
+place = { move = [0.6, 0, 0] }"
+warns "what melts without heat" "ice.toml:6:1: material 'ice' melts, but nothing changes its temperature" ice "[material.ice]
+young = '1 MPa'
+melts = '0 degC'
+[[body]]
+name = 'block'
+material = 'ice'
+box = { size = [0.2, 0.2, 0.2] }
+temperature = '-5 degC'"
+
 # what check and info say of a scene without continuum
 patch=$(kinds patch <<<"[[oriented]]
 patch = { width = 0.4, depth = 0.4 }")

@@ -42,6 +42,15 @@ TEST(Quality, ReferenceWithTheIncompressibleSolver) {
   EXPECT_EQ(sceneOf("quality = 'reference'", "pressure_solver = 'incompressible'\ndensity = 'plain'").numerics.density, DensityForm::Plain);
 }
 
+TEST(Quality, ReferenceDoesNotCarryTheDensityOfWhatIsPoured) {
+  const std::string spout = "[[emitter]]\ndisc = { radius = 0.02 }\nmaterial = 'oil'\n";
+  const auto densityOf = [&](const std::string& numerics) {
+    return readScene(sceneFilesOf("poured.toml", "spacing = 0.01\nquality = 'reference'\n[domain]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\n[material.oil]\n[numerics]\n" + numerics + "\n" + spout)).numerics.density;
+  };
+  EXPECT_EQ(densityOf(""), DensityForm::Summation);
+  EXPECT_EQ(densityOf("density = 'continuity'"), DensityForm::Continuity);
+}
+
 TEST(Quality, UnknownWordIsAnError) { EXPECT_THROW(sceneOf("quality = 'best'"), SceneErrors); }
 
 TEST(FullBox, LiquidThatFillsAPeriodicBox) {
