@@ -100,6 +100,7 @@ place = { move = [0.6, 0, 0] }"
 warns "what melts without heat" "ice.toml:6:1: material 'ice' melts, but nothing changes its temperature" ice "[material.ice]
 young = '1 MPa'
 melts = '0 degC'
+heat_capacity = '2 kJ/(kg K)'
 [[body]]
 name = 'block'
 material = 'ice'
