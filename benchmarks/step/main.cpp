@@ -157,15 +157,15 @@ void measure(const Communicator& comm, const Case& c, const Options& o, const st
   PhaseTimes times;
   for (std::size_t k = 0; k < stepPhases; k++) times.seconds[k] = sumOver(comm, rig.tools.times.seconds[k]) / ranks;
   const double messages = sumOver(comm, static_cast<double>(rig.cells->bufferBytes()));
-  const double accounted = messages + sumOver(comm, totalBytes(memoryOf(rig.w, rig.tools))), moved = sumOver(comm, bytesMoved(rig));
+  std::vector<MemoryUse> use = memoryOf(rig.w, rig.tools);
+  for (MemoryUse& u : use) u.bytes = sumOver(comm, u.bytes);
+  const double accounted = messages + totalBytes(use), moved = sumOver(comm, bytesMoved(rig));
   const double copied = copySpeed(comm);  // of the first rank
   double neighbours = 0;
   for (std::size_t i = 0; i < rig.w.neighbours.neighbours.size() && !isElastic(c.kind); i++) neighbours += rig.w.neighbours.neighbours[i];
   for (std::size_t s = 0; s < rig.w.solids.owned && isElastic(c.kind); s++)
     for (int k = 0; k < rig.w.bonds.capacity; k++) neighbours += rig.w.bonds.there(s, k);
   neighbours = sumOver(comm, neighbours) / N;
-  std::vector<MemoryUse> use = memoryOf(rig.w, rig.tools);
-  for (MemoryUse& u : use) u.bytes = sumOver(comm, u.bytes);
   const double ghosts = sumOver(comm, static_cast<double>(rig.w.particles.ghosts)), most = mostOf(comm, static_cast<double>(rig.w.particles.owned));
   if (comm.rank() != 0) return;
   if (o.memory) {

@@ -143,7 +143,6 @@ std::vector<EmitterPlan> planEmitters(const Scene& s) {
           plan.layer.push_back(e.centre + u * a + v * b);
           plan.along.push_back(a);
         }
-    plan.spacing = dx;
     plan.particleMass = s.materials[static_cast<std::size_t>(e.material)].density * dx * dx * dx;
     plan.interval = e.rate > 0 ? static_cast<double>(plan.layer.size()) * plan.particleMass / e.rate : dx / e.speed;
     if (plan.interval * e.speed < 0.95 * dx)
@@ -156,14 +155,13 @@ std::vector<EmitterPlan> planEmitters(const Scene& s) {
   return plans;
 }
 
-std::string misplacedOpening(const Domain& d, const Walls& walls, const Emitter& e, const EmitterPlan& plan) {
+std::string misplacedOpening(const Scene& s, const Walls& walls, const Emitter& e, const EmitterPlan& plan) {
   const auto all = static_cast<std::int64_t>(plan.layer.size());
   Outside opening;
-  for (const Vec3d& x : plan.layer) opening.look(d, x);
-  if (opening.count > 0) return "emitter '" + e.name + "': " + outsideText(opening, d, all, "places of a layer", "emitter");
+  for (const Vec3d& x : plan.layer) opening.look(s.domain, x);
+  if (opening.count > 0) return "emitter '" + e.name + "': " + outsideText(opening, s.domain, all, "places of a layer", "emitter");
   for (const Wall& wall : walls.list) {
-    if (!wall.present) continue;
-    const auto in = std::count_if(plan.layer.begin(), plan.layer.end(), [&](const Vec3d& x) { return wall.shape->distanceWithin(toRest(wall.pose, x), plan.spacing) < -0.25 * plan.spacing; });
+    const auto in = std::count_if(plan.layer.begin(), plan.layer.end(), [&](const Vec3d& x) { return holdsSample(wall, x, s.spacing); });
     if (in > 0) return "emitter '" + e.name + "': " + std::to_string(in) + " of its " + std::to_string(all) + " places of a layer lie in obstacle '" + wall.properties.name + "'; move the emitter";
   }
   return {};

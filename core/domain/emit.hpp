@@ -20,7 +20,6 @@ struct EmitterPlan {
   double interval = 0;        ///< s between layers
   double ahead = 0;           ///< s that a layer spends in the nozzle
   double particleMass = 0;    ///< kg
-  double spacing = 0;         ///< m, of a layer's places
   std::vector<std::vector<double>> cohesion;  ///< J, [m][k]: of surface tension between particle k of a layer and the layer m before it (0: half of its own);
                                               ///< as a stress: what stacks of more than m layers gain beyond the stack before
 };
@@ -30,7 +29,7 @@ std::vector<EmitterPlan> planEmitters(const Scene& scene);
 
 /// One sentence on an emitter whose opening is not all in the domain, or is in an obstacle; empty: there is nothing to say. (A nozzle ends where the domain
 /// does, and may lie in an obstacle.)
-std::string misplacedOpening(const Domain& domain, const Walls& walls, const Emitter& emitter, const EmitterPlan& plan);
+std::string misplacedOpening(const Scene& scene, const Walls& walls, const Emitter& emitter, const EmitterPlan& plan);
 
 /// One sentence on an emitter that lets out far more or less than opening, speed and density say, since its layers have whole spacings; empty: it does not.
 std::string unevenOutflow(const Scene& scene, const Emitter& emitter, const EmitterPlan& plan);

@@ -32,10 +32,8 @@ constexpr std::size_t codes = 65536;
 /// x: of a sample, brought in where it was beyond a periodic side.
 void lookAt(const World& w, std::size_t body, const Vec3d& x, Offenders& o) {
   o.outside[body].look(w.scene.domain, x);
-  const double dx = w.scene.spacing;
   for (std::size_t k = 0; k < w.walls.list.size(); k++) {
-    const Wall& wall = w.walls.list[k];
-    if (!wall.present || !(wall.shape->distanceWithin(toRest(wall.pose, x), dx) < -0.25 * dx)) continue;
+    if (!holdsSample(w.walls.list[k], x, w.scene.spacing)) continue;
     o.inObstacles++;
     o.firstObstacle = std::max(o.firstObstacle, -static_cast<double>(body * codes + k));
   }

@@ -149,7 +149,7 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
     if (const Body& body = w.scene.bodies[b]; report.outside[b].count > 0)
       problems.add(body.where, "body '" + body.name + "': " + outsideText(report.outside[b], w.scene.domain, report.particles[b], "particles", "body") + sizeHint(w.scene, body.shape, shapes[b]->bounds()));
   for (std::size_t e = 0; e < t.emitters.size(); e++)
-    if (const std::string why = misplacedOpening(w.scene.domain, w.walls, w.scene.emitters[e], t.emitters[e]); !why.empty()) problems.add(w.scene.emitters[e].where, why);
+    if (const std::string why = misplacedOpening(w.scene, w.walls, w.scene.emitters[e], t.emitters[e]); !why.empty()) problems.add(w.scene.emitters[e].where, why);
   if (report.inObstacles > 0 && w.scene.numerics.overlap != OverlapRule::Keep)
     problems.add(report.obstacleWhere, std::to_string(report.inObstacles) + " particles lie inside obstacles (first: " + report.firstObstacle +
                                            "); move them apart, or set numerics.overlap to \"keep\"");

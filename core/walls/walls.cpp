@@ -48,6 +48,8 @@ void moveWalls(Walls& walls, double time) {
   }
 }
 
+bool holdsSample(const Wall& wall, const Vec3d& x, double spacing) { return wall.present && wall.shape->distanceWithin(toRest(wall.pose, x), spacing) < -0.25 * spacing; }
+
 Vec3d wallVelocity(const Wall& w, const Vec3d& x) { return velocityAt(w.pose, x); }
 
 }  // namespace thaw

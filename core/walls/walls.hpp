@@ -32,6 +32,9 @@ void moveWalls(Walls& walls, double time);
 /// Velocity (m/s) of the wall at a place.
 Vec3d wallVelocity(const Wall& wall, const Vec3d& x);
 
+/// Does a present wall hold a place by more than a quarter of a spacing (m)? What is sampled there cannot begin.
+bool holdsSample(const Wall& wall, const Vec3d& x, double spacing);
+
 /// A particle near a wall. The shares leave out what another wall has filled already, at corners and where walls coincide.
 struct WallContact {
   std::uint32_t row, wall;

@@ -39,7 +39,7 @@ std::string keyOf(const std::string& setting) { return setting.substr(0, setting
 /// Can the scene use it? Where solids can meet their contact sets the step of all, and substeps gain nothing.
 bool usable(const std::string& setting, const Scene& s, const Modules& m) {
   if (keyOf(setting) == "numerics.elastic_substeps") return !m.contact;
-  if (setting == "numerics.density=continuity") return s.emitters.empty() && !m.melting;  // it drifts where liquid is poured and where it drips: no case of the suite is like that
+  if (setting.rfind("numerics.density=continuity", 0) == 0) return s.emitters.empty() && !m.melting;  // it drifts where liquid is poured and where it drips: no case of the suite is like that
   if (keyOf(setting) == "body.0.packing") return !s.bodies.empty() && s.bodies[0].packing == Packing::Relaxed;
   if (keyOf(setting) == "numerics.support") return std::stod(setting.substr(setting.find('=') + 1)) >= (m.surfaceHeat ? 2 : m.solid ? s.numerics.bondSupport : 0);
   return true;

@@ -79,8 +79,9 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
       if (m.convection > 0 || m.emissivity > 0)
         errors.push_back({m.where, fmt::format("material.{}: convection and emissivity need numerics.support of 2 at least, got {:g}: with fewer neighbours particles inside cannot be told from those of the surface, and would cool, too", m.name, n.support)});
   checkSizes(x, errors);
-  // what is poured joins and parts all the time, and a density that is carried along drifts from what the places say: pools were 1.3 times too dense
-  if (x.open.density && s.quality == Quality::Reference && !s.emitters.empty()) s.numerics.density = Numerics().density;
+  // the quality's density is that of the equation of state in its consistent form, and not of what is poured: that joins and parts all the time, and a density
+  // that is carried along drifts from what the places say (pools were 1.3 times too dense)
+  if (x.open.density && (n.solver == PressureSolver::Incompressible || n.pressure == PairForm::Printed || !s.emitters.empty())) s.numerics.density = Numerics().density;
   if (errors.empty()) chooseForFullBox(s, x.open);
 }
 

@@ -31,8 +31,6 @@ void readSections(TableReader& top, SceneReading& x) {
   x.spacing = top.placeOf("spacing");
   top.table("numerics", "choices of the method", [&](TableReader& r) {
     readNumerics(r, s.numerics);
-    // the quality's density is that of the equation of state in its consistent form
-    if (!r.has("density") && (s.numerics.solver == PressureSolver::Incompressible || s.numerics.pressure == PairForm::Printed)) s.numerics.density = Numerics().density;
     x.open = {!r.has("density"), !r.has("tensile_limit"), !r.has("shifting"), true};
     if (s.numerics.fixedStep > s.end) r.fail("fixed_step", "must not be longer than the simulated time (end)");
   });

@@ -28,6 +28,18 @@ template<class Real, class Kernel, Carry carry> struct CarriedDensity {
     if constexpr (Carried) return {loadListed(place, entries), loadListed(motion, entries), loadListed(state, entries)};
     else return {loadListed(place, entries), {}, {}};
   }
+  /// Of a vector with another one, a row for each component of the first.
+  static THAW_INLINE void addProducts(L* to, L x, L y, L z, L ux, L uy, L uz) {
+    to[0] += x * ux;
+    to[1] += x * uy;
+    to[2] += x * uz;
+    to[3] += y * ux;
+    to[4] += y * uy;
+    to[5] += y * uz;
+    to[6] += z * ux;
+    to[7] += z * uy;
+    to[8] += z * uz;
+  }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
     const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);
     const L q2 = dx * dx + dy * dy + dz * dz, V = j.place.d;
@@ -47,30 +59,13 @@ template<class Real, class Kernel, Carry carry> struct CarriedDensity {
         s.moment[3] -= gx * dy;
         s.moment[4] -= gx * dz;
         s.moment[5] -= gy * dz;
-        s.flow[0] += gx * ux;
-        s.flow[1] += gx * uy;
-        s.flow[2] += gx * uz;
-        s.flow[3] += gy * ux;
-        s.flow[4] += gy * uy;
-        s.flow[5] += gy * uz;
-        s.flow[6] += gz * ux;
-        s.flow[7] += gz * uy;
-        s.flow[8] += gz * uz;
+        addProducts(s.flow, gx, gy, gz, ux, uy, uz);
       } else {
         s.rate += g * (ux * dx + uy * dy + uz * dz);
       }
       const L ox = dx - ago * ux, oy = dy - ago * uy, oz = dz - ago * uz, b = V * Kernel::slope(ox * ox + oy * oy + oz * oz);
       if constexpr (Corrected) {
-        const L bx = b * ox, by = b * oy, bz = b * oz;
-        s.begun[0] += bx * ux;
-        s.begun[1] += bx * uy;
-        s.begun[2] += bx * uz;
-        s.begun[3] += by * ux;
-        s.begun[4] += by * uy;
-        s.begun[5] += by * uz;
-        s.begun[6] += bz * ux;
-        s.begun[7] += bz * uy;
-        s.begun[8] += bz * uz;
+        addProducts(s.begun, b * ox, b * oy, b * oz, ux, uy, uz);
       } else {
         s.begun[0] += b * (ux * ox + uy * oy + uz * oz);
       }
