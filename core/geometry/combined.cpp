@@ -67,13 +67,13 @@ double PlacedDistance::distance(const Vec3d& x, Vec3d* gradient) const {
   return d * placement_.scale;
 }
 
-void PlacedDistance::insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in) const {
+void PlacedDistance::insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in, KnownSides& known) const {
   constexpr std::size_t pointsAtOnce = 256;
   std::array<Vec3d, pointsAtOnce> placed;
   for (std::size_t first = 0; first < points.size(); first += pointsAtOnce) {
     const std::size_t n = std::min(points.size() - first, pointsAtOnce);
     for (std::size_t k = 0; k < n; k++) placed[k] = toPart(points[first + k]);
-    part_->insideAlong({placed.data(), n}, in.subspan(first, n));
+    part_->insideAlong({placed.data(), n}, in.subspan(first, n), known);
   }
 }
 

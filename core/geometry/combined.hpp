@@ -46,7 +46,7 @@ class PlacedDistance final : public SignedDistance {
   double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;
   double distanceWithin(const Vec3d& x, double reach, Vec3d* gradient = nullptr) const override;
   bool inside(const Vec3d& x) const override { return part_->inside(toPart(x)); }
-  void insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in) const override;
+  void insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in, KnownSides& known) const override;
   Bounds bounds() const override { return bounds_; }
   double extent(const Vec3d& direction) const override;
   double outerExtent(const Vec3d& direction) const override;

@@ -140,9 +140,10 @@ bool MeshDistance::inside(const Vec3d& x) const {
   return surface_->winding(x) > 0.5;
 }
 
-/// The sign changes only where a triangle is between: of two points whose box meets none it is the same. Where it changes is looked for by halves.
-void MeshDistance::insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in) const {
-  if (!report_.closed) return SignedDistance::insideAlong(points, in);
+/// The sign changes only where a triangle is between: of two points whose box meets none it is the same. Where it changes is looked for by halves; which one it
+/// is on a stretch without triangles, a place known from the line before mostly tells.
+void MeshDistance::insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in, KnownSides& known) const {
+  if (!report_.closed) return SignedDistance::insideAlong(points, in, known);
   const std::size_t n = points.size();
   const Bounds b = surface_->bounds();
   const double margin = 1e-9 * length(b.max - b.min);
@@ -151,14 +152,28 @@ void MeshDistance::insideAlong(std::span<const Vec3d> points, std::span<std::uin
     for (int a = 0; a < 3; a++) box.min[a] = std::min(from[a], to[a]) - margin, box.max[a] = std::max(from[a], to[a]) + margin;
     return surface_->meets(box);
   };
+  const auto sideOf = [&](const Vec3d& x) {
+    if (distanceToBox(b, x) > 0) return false;
+    const KnownSides::Place* nearest = nullptr;
+    const auto away2 = [&](const KnownSides::Place& p) { return dot(p.x - x, p.x - x); };
+    for (std::size_t k = 0; k < std::min(known.count, known.place.size()); k++)
+      if (!nearest || away2(known.place[k]) < away2(*nearest)) nearest = &known.place[k];
+    return nearest && !divided(nearest->x, x) ? nearest->in : surface_->winding(x) > 0.5;
+  };
   for (std::size_t k = 0; k < n;) {
-    const Vec3d& x = points[k];
-    const bool here = distanceToBox(b, x) == 0 && surface_->winding(x) > 0.5 && visible().closest(x, margin).distance2 > 0;
     std::size_t same = k, other = n - 1;  // as here; with a triangle between
-    if (!divided(x, points[other])) same = other;
+    if (!divided(points[k], points[other])) same = other;
     while (other - same > 1) {
       const std::size_t middle = same + (other - same) / 2;
       (divided(points[same], points[middle]) ? other : same) = middle;
+    }
+    bool here = false;
+    if (same > k) {
+      const Vec3d& middle = points[k + (same - k) / 2];
+      here = sideOf(middle);
+      known.note(middle, here);
+    } else {  // maybe on a triangle
+      here = sideOf(points[k]) && visible().closest(points[k], margin).distance2 > 0;
     }
     for (; k <= same; k++) in[k] = here;
   }

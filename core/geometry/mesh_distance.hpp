@@ -42,7 +42,7 @@ class MeshDistance final : public SignedDistance {
   double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;
   double distanceWithin(const Vec3d& x, double reach, Vec3d* gradient = nullptr) const override;
   bool inside(const Vec3d& x) const override;
-  void insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in) const override;
+  void insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in, KnownSides& known) const override;
   Bounds bounds() const override { return surface_->bounds(); }
   double extent(const Vec3d& direction) const override;
   bool hasGaps() const override { return !report_.closed; }

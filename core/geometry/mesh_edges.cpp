@@ -4,7 +4,7 @@
 
 namespace thaw {
 
-std::vector<EdgeSide> edgeSides(const TriangleMesh& mesh) {
+AlignedVector<EdgeSide> edgeSides(const TriangleMesh& mesh) {
   // by the smaller vertex in one pass, as they are few at each vertex
   std::vector<std::uint32_t> next(mesh.vertices.size() + 1, 0);
   const auto forEachSide = [&](auto&& f) {
@@ -16,7 +16,7 @@ std::vector<EdgeSide> edgeSides(const TriangleMesh& mesh) {
   };
   forEachSide([&](const EdgeSide& s) { next[(s.edge >> 32) + 1]++; });
   for (std::size_t v = 1; v < next.size(); v++) next[v] += next[v - 1];
-  std::vector<EdgeSide> sides(mesh.triangles.size() * 3);
+  AlignedVector<EdgeSide> sides(mesh.triangles.size() * 3);
   forEachSide([&](const EdgeSide& s) { sides[next[s.edge >> 32]++] = s; });
   std::uint32_t first = 0;
   for (std::size_t v = 0; v + 1 < next.size(); v++) {

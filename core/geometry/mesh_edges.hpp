@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/geometry/triangle_mesh.hpp"
+#include "core/particles/aligned_memory.hpp"
 
 namespace thaw {
 
@@ -15,10 +16,10 @@ struct EdgeSide {
   std::int8_t sign = 0;    ///< +1: the triangle runs from the smaller to the larger vertex
 };
 /// The indices of the mesh have to be valid.
-std::vector<EdgeSide> edgeSides(const TriangleMesh& mesh);
+AlignedVector<EdgeSide> edgeSides(const TriangleMesh& mesh);
 
 /// Calls f(first, last) for the range of sides of each edge.
-template<class F> void forEachEdge(const std::vector<EdgeSide>& sides, F&& f) {
+template<class F> void forEachEdge(const AlignedVector<EdgeSide>& sides, F&& f) {
   for (std::size_t first = 0; first < sides.size();) {
     std::size_t last = first + 1;
     while (last < sides.size() && sides[last].edge == sides[first].edge) last++;

@@ -2,16 +2,13 @@
 
 #include <algorithm>
 
-#include "core/geometry/mesh_edges.hpp"
-
 namespace thaw {
 namespace {
 
 struct BorderEdge { std::uint32_t from, to; };
 
 /// Edges, in the direction that their triangles lack, that balance the mesh.
-std::vector<BorderEdge> lackingEdges(const TriangleMesh& mesh) {
-  const std::vector<EdgeSide> sides = edgeSides(mesh);
+std::vector<BorderEdge> lackingEdges(const AlignedVector<EdgeSide>& sides) {
   std::vector<BorderEdge> border;
   forEachEdge(sides, [&](std::size_t first, std::size_t last) {
     int net = 0;
@@ -39,8 +36,9 @@ void closeLoop(TriangleMesh& mesh, const std::vector<std::uint32_t>& loop) {
 
 }  // namespace
 
-std::int64_t closeHoles(TriangleMesh& mesh) {
-  const std::vector<BorderEdge> border = lackingEdges(mesh);
+std::int64_t closeHoles(TriangleMesh& mesh, const AlignedVector<EdgeSide>& sides) {
+  const std::vector<BorderEdge> border = lackingEdges(sides);
+  if (border.empty()) return 0;
   const std::size_t vertices = mesh.vertices.size();
   std::vector<std::uint32_t> next(vertices + 1, 0);  // first edge from each vertex that was not used yet
   for (const BorderEdge& e : border) next[e.from + 1]++;

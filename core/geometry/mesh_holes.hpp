@@ -2,12 +2,12 @@
 #pragma once
 #include <cstdint>
 
-#include "core/geometry/triangle_mesh.hpp"
+#include "core/geometry/mesh_edges.hpp"
 
 namespace thaw {
 
 /// Adds triangles (and vertices) so that every edge is run through as often one way as the other: follows the border around each
-/// hole and joins it to the middle of its vertices. Returns the number of holes.
-std::int64_t closeHoles(TriangleMesh& mesh);
+/// hole and joins it to the middle of its vertices. sides: edgeSides of the mesh as it comes in. Returns the number of holes.
+std::int64_t closeHoles(TriangleMesh& mesh, const AlignedVector<EdgeSide>& sides);
 
 }  // namespace thaw

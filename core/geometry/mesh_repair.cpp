@@ -45,15 +45,15 @@ void check(const TriangleMesh& mesh) {
         throw ShapeError("a triangle of the mesh names vertex " + std::to_string(v) + " of " + std::to_string(mesh.vertices.size()));
 }
 
-std::size_t openEdges(const std::vector<EdgeSide>& sides, std::size_t& edges) {
+std::size_t openEdges(const AlignedVector<EdgeSide>& sides, std::size_t& edges) {
   std::size_t open = 0;
   edges = 0;
   forEachEdge(sides, [&](std::size_t first, std::size_t last) { edges++, open += last - first == 1; });
   return open;
 }
 
-/// Step 2. Returns how many triangles were turned.
-std::int64_t orientPatches(TriangleMesh& m, const std::vector<EdgeSide>& sides) {
+/// Step 2. Returns how many triangles were turned; their sides are then as well.
+std::int64_t orientPatches(TriangleMesh& m, AlignedVector<EdgeSide>& sides) {
   const std::size_t n = m.triangles.size();
   struct Link { std::uint32_t other = 0xffffffffu; bool opposed = false; };
   std::vector<std::array<Link, 3>> links(n);
@@ -85,9 +85,14 @@ std::int64_t orientPatches(TriangleMesh& m, const std::vector<EdgeSide>& sides) 
       }
     }
     const std::uint8_t wrong = other > kept ? Kept : Turned;
-    for (const std::uint32_t t : patch)
-      if (state[t] == wrong) turn(m, t), turned++;
+    for (const std::uint32_t t : patch) {
+      state[t] = state[t] == wrong ? Turned : Kept;
+      if (state[t] == Turned) turn(m, t), turned++;
+    }
   }
+  if (turned > 0)
+    for (EdgeSide& s : sides)
+      if (state[s.triangle] == Turned) s.sign = static_cast<std::int8_t>(-s.sign);
   return turned;
 }
 
@@ -98,8 +103,7 @@ struct Shell {
   bool solid() const { return std::abs(volume) > flat * std::pow(area, 1.5); }
 };
 
-std::vector<Shell> findShells(const TriangleMesh& m) {
-  const std::vector<EdgeSide> sides = edgeSides(m);
+std::vector<Shell> findShells(const TriangleMesh& m, const AlignedVector<EdgeSide>& sides) {
   DisjointSets sets(m.triangles.size());
   for (std::size_t k = 1; k < sides.size(); k++)
     if (sides[k].edge == sides[k - 1].edge) sets.join(sides[k].triangle, sides[k - 1].triangle);
@@ -180,6 +184,7 @@ std::int64_t turnShells(TriangleMesh& m, const std::vector<Shell>& shells) {
 /// A mesh after steps 1 and 2.
 struct Welded {
   TriangleMesh mesh;
+  AlignedVector<EdgeSide> sides;
   std::size_t edges = 0, open = 0;
   Vec3d low{never, never, never}, high{-never, -never, -never};
 };
@@ -190,13 +195,13 @@ Welded weldAndAgree(const TriangleMesh& mesh, MeshReport& report) {
   Welded w;
   TriangleMesh& m = w.mesh = weldVertices(mesh, 0);
   if (m.triangles.empty()) throw ShapeError("every triangle of the mesh has two equal corners; expected the closed surface of a solid");
-  std::vector<EdgeSide> sides = edgeSides(m);
+  AlignedVector<EdgeSide>& sides = w.sides = edgeSides(m);
   w.open = openEdges(sides, w.edges);
   for (const Vec3d& v : m.vertices)
     for (int a = 0; a < 3; a++) w.low[a] = std::min(w.low[a], v[a]), w.high[a] = std::max(w.high[a], v[a]);
   if (w.open > 0) {
     TriangleMesh welded = weldVertices(m, weldTolerance * length(w.high - w.low));
-    std::vector<EdgeSide> weldedSides = edgeSides(welded);
+    AlignedVector<EdgeSide> weldedSides = edgeSides(welded);
     std::size_t weldedEdges = 0;
     const std::size_t stillOpen = openEdges(weldedSides, weldedEdges);
     if (!welded.triangles.empty() && stillOpen < w.open) m = std::move(welded), sides = std::move(weldedSides), w.open = stillOpen, w.edges = weldedEdges;
@@ -214,9 +219,10 @@ Welded weldAndAgree(const TriangleMesh& mesh, MeshReport& report) {
 TriangleMesh closeMesh(Welded w, MeshReport& report) {
   TriangleMesh& m = w.mesh;
   if (report.closed) {
-    report.holes = closeHoles(m);
+    report.holes = closeHoles(m, w.sides);
+    if (report.holes > 0) w.sides = edgeSides(m);
     for (std::size_t t = static_cast<std::size_t>(report.triangles); t < m.triangles.size(); t++) report.holeArea += areaOf(m, m.triangles[t]);
-    const std::vector<Shell> shells = findShells(m);
+    const std::vector<Shell> shells = findShells(m, w.sides);
     report.shells = static_cast<std::int64_t>(shells.size());
     report.turnedShells = turnShells(m, shells);
   }

@@ -38,7 +38,7 @@ SampleRange sampleRange(const SampleLattice& lattice, int rank, int ranks) {
   return {begin(rank), begin(rank + 1)};
 }
 
-std::vector<std::int64_t> insideOfRow(const SignedDistance& shape, const SampleLattice& l, std::int64_t row) {
+std::vector<std::int64_t> insideOfRow(const SignedDistance& shape, const SampleLattice& l, std::int64_t row, KnownSides& known) {
   const std::int64_t j = row % l.count[1], k = row / l.count[1];
   std::array<Vec3d, pointsAtOnce> points;
   std::array<std::uint8_t, pointsAtOnce> in;
@@ -46,7 +46,7 @@ std::vector<std::int64_t> insideOfRow(const SignedDistance& shape, const SampleL
   for (std::int64_t first = 0; first < l.count[0]; first += static_cast<std::int64_t>(pointsAtOnce)) {
     const auto n = static_cast<std::size_t>(std::min(l.count[0] - first, static_cast<std::int64_t>(pointsAtOnce)));
     for (std::size_t i = 0; i < n; i++) points[i] = l.at(first + static_cast<std::int64_t>(i), j, k);
-    shape.insideAlong({points.data(), n}, {in.data(), n});
+    shape.insideAlong({points.data(), n}, {in.data(), n}, known);
     for (std::size_t i = 0; i < n; i++)
       if (in[i]) inside.push_back(first + static_cast<std::int64_t>(i));
   }

@@ -30,8 +30,8 @@ SampleLattice sampleLattice(const SignedDistance& shape, double spacing);
 SampleRange sampleRange(const SampleLattice& lattice, int rank, int ranks);
 
 /// Places i along a row, ascending, of its points that are inside the shape. The number of such a point is i + count[0] * row, unique
-/// within the body and below 2^40.
-std::vector<std::int64_t> insideOfRow(const SignedDistance& shape, const SampleLattice& lattice, std::int64_t row);
+/// within the body and below 2^40. known: one for all rows of a body.
+std::vector<std::int64_t> insideOfRow(const SignedDistance& shape, const SampleLattice& lattice, std::int64_t row, KnownSides& known);
 
 /// Start of a relaxed packing: a lattice point moved by up to `amount` spacings along each axis, at random as a function of seed and
 /// id (unique over all bodies).

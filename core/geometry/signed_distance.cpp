@@ -5,7 +5,7 @@
 
 namespace thaw {
 
-void SignedDistance::insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in) const {
+void SignedDistance::insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in, KnownSides&) const {
   const std::size_t n = points.size();
   const double spacing = n > 1 ? length(points[1] - points[0]) : 1;
   for (std::size_t k = 0; k < n;) {

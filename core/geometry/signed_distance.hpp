@@ -1,5 +1,6 @@
 // A shape made ready for questions: signed distance (negative inside), gradient, bounds. Thread-safe, immutable.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -20,6 +21,14 @@ inline bool nearBounds(const Bounds& b, const Vec3d& x, double reach) {
   return true;
 }
 
+/// Some of the places that insideAlong() has found inside or outside, for the lines after it; of one shape.
+struct KnownSides {
+  struct Place { Vec3d x; bool in = false; };
+  std::array<Place, 8> place;
+  std::size_t count = 0;  ///< that were ever noted; the oldest are overwritten
+  void note(const Vec3d& x, bool in) { place[count++ % place.size()] = {x, in}; }
+};
+
 class SignedDistance {
  public:
   virtual ~SignedDistance() = default;
@@ -34,8 +43,8 @@ class SignedDistance {
   }
   virtual bool inside(const Vec3d& x) const { return distance(x) < 0; }
   /// Of points that follow each other along a line, evenly: in[k] becomes 1 where inside(points[k]), else 0. For a mesh this is many times faster than asking
-  /// point by point.
-  virtual void insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in) const;
+  /// point by point, the more so where `known` comes from lines near this one.
+  virtual void insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in, KnownSides& known) const;
   virtual Bounds bounds() const = 0;  ///< HalfSpace: infinite
   /// Largest dot(direction, x) over the shape (or an upper bound of it); direction of any length. Infinite for most of a HalfSpace.
   virtual double extent(const Vec3d& direction) const;

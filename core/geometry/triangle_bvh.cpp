@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
+#include <cmath>
 
 namespace thaw {
 namespace {
 
-constexpr int binCount = 16;
+constexpr int mostBins = 16;
 constexpr std::uint32_t leafSize = 4;
+constexpr std::uint32_t exactRadius = 64;  // triangles of the largest group whose radius is that of its farthest corner
 constexpr int fairDepth = 40;  // below it halves are made by count, so that no input makes the tree deep
 
 Vec3d lower(const Vec3d& a, const Vec3d& b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
@@ -27,63 +28,74 @@ struct Box {
 }  // namespace
 
 struct TriangleBvh::Builder {
+  struct Item { Box box; std::uint32_t triangle = 0; };  // parted themselves, not by their numbers: they lie side by side
   TriangleBvh& tree;
   const TriangleMesh& mesh;
-  std::vector<Box> boxes;
-  std::vector<Vec3d> middles;
-  std::vector<std::uint32_t> order;
+  AlignedVector<Item> items, second;  // second: of the upper halves, while they are parted
 
+  static Vec3d middleOf(const Item& i) { return 0.5 * (i.box.low + i.box.high); }
   Corners corners(std::uint32_t t) const {
     const auto& v = mesh.triangles[t];
     return {mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]};
   }
 
-  /// Where to part order[first, last): by the surface area heuristic over bins along the longest axis of the middles.
+  /// Where to part items[first, last): by the surface area heuristic over bins along the longest axis of the middles.
   std::uint32_t part(std::uint32_t first, std::uint32_t last, int depth) {
     Box spread;
-    for (std::uint32_t k = first; k < last; k++) spread.add(middles[order[k]]);
+    for (std::uint32_t k = first; k < last; k++) spread.add(middleOf(items[k]));
     const Vec3d size = spread.high - spread.low;
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const std::uint32_t half = first + (last - first) / 2;
     if (!(size[axis] > 0)) return half;
-    const auto begin = order.begin() + first, end = order.begin() + last;
+    const auto along = [&](const Item& i) { return 0.5 * (i.box.low[axis] + i.box.high[axis]); };
     if (depth < fairDepth) {
-      const double low = spread.low[axis], scale = binCount / size[axis];
-      const auto binOf = [&](std::uint32_t t) { return std::min(binCount - 1, static_cast<int>((middles[t][axis] - low) * scale)); };
-      std::array<Box, binCount> box;
-      std::array<std::uint32_t, binCount> count{};
-      for (auto t = begin; t != end; ++t) {
-        const auto b = static_cast<std::size_t>(binOf(*t));
-        box[b].add(boxes[*t]);
-        count[b]++;
-      }
-      std::array<double, binCount> after{};
-      Box running;
-      std::uint32_t n = 0;
-      for (std::size_t b = binCount - 1; b > 0; b--) {
-        running.add(box[b]);
-        n += count[b];
-        after[b] = n > 0 ? running.area() * n : never;
-      }
-      running = {};
-      n = 0;
-      double best = never;
-      int split = 0;
-      for (std::size_t b = 0; b + 1 < binCount; b++) {
-        running.add(box[b]);
-        n += count[b];
-        const double cost = n > 0 ? running.area() * n + after[b + 1] : never;
-        if (cost < best) best = cost, split = static_cast<int>(b) + 1;
-      }
-      if (best < never) {
-        const auto middle = std::stable_partition(begin, end, [&](std::uint32_t t) { return binOf(t) < split; });
-        return static_cast<std::uint32_t>(middle - order.begin());
+      const int bins = static_cast<int>(std::min<std::uint32_t>(mostBins, last - first));
+      const double low = spread.low[axis], scale = bins / size[axis];
+      const auto binOf = [&](const Item& i) { return std::min(bins - 1, static_cast<int>((along(i) - low) * scale)); };
+      if (const int split = splitOf(first, last, bins, binOf); split > 0) {
+        std::uint32_t kept = first;
+        std::size_t above = 0;
+        for (std::uint32_t k = first; k < last; k++) (binOf(items[k]) < split ? items[kept++] : second[above++]) = items[k];
+        std::copy_n(second.begin(), above, items.begin() + kept);
+        return kept;
       }
     }
-    std::nth_element(begin, order.begin() + half, end, [&](std::uint32_t s, std::uint32_t t) {
-      return middles[s][axis] != middles[t][axis] ? middles[s][axis] < middles[t][axis] : s < t;
+    std::nth_element(items.begin() + first, items.begin() + half, items.begin() + last, [&](const Item& s, const Item& t) {
+      return along(s) != along(t) ? along(s) < along(t) : s.triangle < t.triangle;
     });
     return half;
+  }
+
+  /// The bin before which to part, 0: none is better than another.
+  template<class BinOf> int splitOf(std::uint32_t first, std::uint32_t last, int bins, const BinOf& binOf) const {
+    std::array<Box, mostBins> box;
+    std::array<std::uint32_t, mostBins> count;
+    const auto n = static_cast<std::size_t>(bins);
+    for (std::size_t b = 0; b < n; b++) box[b] = {}, count[b] = 0;
+    for (std::uint32_t k = first; k < last; k++) {
+      const auto b = static_cast<std::size_t>(binOf(items[k]));
+      box[b].add(items[k].box);
+      count[b]++;
+    }
+    std::array<double, mostBins> after;
+    Box running;
+    std::uint32_t those = 0;
+    for (std::size_t b = n - 1; b > 0; b--) {
+      running.add(box[b]);
+      those += count[b];
+      after[b] = those > 0 ? running.area() * those : never;
+    }
+    running = {};
+    those = 0;
+    double best = never;
+    int split = 0;
+    for (std::size_t b = 0; b + 1 < n; b++) {
+      running.add(box[b]);
+      those += count[b];
+      const double cost = those > 0 ? running.area() * those + after[b + 1] : never;
+      if (cost < best) best = cost, split = static_cast<int>(b) + 1;
+    }
+    return split;
   }
 
   /// Returns the area.
@@ -92,19 +104,20 @@ struct TriangleBvh::Builder {
     node.count = last - first;
     double area = 0;
     for (std::uint32_t k = first; k < last; k++) {
-      const Corners t = corners(order[k]);
+      const Corners t = corners(items[k].triangle);
       tree.triangles_.push_back(t);
-      tree.numbers_.push_back(order[k]);
+      tree.numbers_.push_back(items[k].triangle);
       const Vec3d moment = 0.5 * cross(t.b - t.a, t.c - t.a);
+      const double size = length(moment);
       dipole.moment += moment;
-      dipole.centre += (t.a + t.b + t.c) * (length(moment) / 3);
-      area += length(moment);
+      dipole.centre += (t.a + t.b + t.c) * (size / 3);
+      area += size;
     }
     dipole.centre = area > 0 ? dipole.centre / area : 0.5 * (node.low + node.high);
     return area;
   }
 
-  /// Makes the node of order[first, last) and all below it; returns its area.
+  /// Makes the node of items[first, last) and all below it; returns its area.
   double make(std::uint32_t first, std::uint32_t last, int depth) {
     const std::size_t self = tree.nodes_.size(), begin = tree.triangles_.size();
     tree.nodes_.emplace_back();
@@ -114,7 +127,7 @@ struct TriangleBvh::Builder {
     double area = 0;
     if (last - first <= leafSize) {
       Box box;
-      for (std::uint32_t k = first; k < last; k++) box.add(boxes[order[k]]);
+      for (std::uint32_t k = first; k < last; k++) box.add(items[k].box);
       node.low = box.low, node.high = box.high;
       area = makeLeaf(node, dipole, first, last);
     } else {
@@ -129,26 +142,39 @@ struct TriangleBvh::Builder {
       dipole.moment = l.moment + r.moment;
       dipole.centre = area > 0 ? (l.centre * a + r.centre * b) / area : 0.5 * (node.low + node.high);
     }
-    for (std::size_t k = begin; k < tree.triangles_.size(); k++) {  // of the tree and not of the mesh: they lie side by side
-      const Corners& t = tree.triangles_[k];
-      for (const Vec3d& x : {t.a, t.b, t.c}) dipole.radius2 = std::max(dipole.radius2, dot(x - dipole.centre, x - dipole.centre));
-    }
+    dipole.radius2 = last - first <= exactRadius ? radius2Of(begin, dipole.centre) : radius2Above(node, dipole.centre, tree.dipoles_[self + 1], tree.dipoles_[node.first]);
     tree.nodes_[self] = node;
     tree.dipoles_[self] = dipole;
     return area;
+  }
+
+  /// Of the triangles of the tree from `begin` on.
+  double radius2Of(std::size_t begin, const Vec3d& centre) const {
+    double r2 = 0;
+    for (std::size_t k = begin; k < tree.triangles_.size(); k++) {
+      const Corners& t = tree.triangles_[k];
+      for (const Vec3d& x : {t.a, t.b, t.c}) r2 = std::max(r2, dot(x - centre, x - centre));
+    }
+    return r2;
+  }
+
+  /// No less than that: as far as the corners of the box, or as the balls of the halves.
+  static double radius2Above(const Node& node, const Vec3d& centre, const Dipole& l, const Dipole& r) {
+    const Vec3d corner = upper(centre - node.low, node.high - centre);
+    const double balls = std::max(length(l.centre - centre) + std::sqrt(l.radius2), length(r.centre - centre) + std::sqrt(r.radius2));
+    return std::min(dot(corner, corner), balls * balls * (1 + 1e-12));
   }
 };
 
 TriangleBvh::TriangleBvh(const TriangleMesh& mesh) {
   const auto n = static_cast<std::uint32_t>(mesh.triangles.size());
   if (n == 0) return;
-  Builder builder{*this, mesh, std::vector<Box>(n), std::vector<Vec3d>(n), std::vector<std::uint32_t>(n)};
+  Builder builder{*this, mesh, AlignedVector<Builder::Item>(n), AlignedVector<Builder::Item>(n)};
   for (std::uint32_t t = 0; t < n; t++) {
     const Corners c = builder.corners(t);
-    for (const Vec3d& x : {c.a, c.b, c.c}) builder.boxes[t].add(x);
-    builder.middles[t] = 0.5 * (builder.boxes[t].low + builder.boxes[t].high);
+    for (const Vec3d& x : {c.a, c.b, c.c}) builder.items[t].box.add(x);
+    builder.items[t].triangle = t;
   }
-  std::iota(builder.order.begin(), builder.order.end(), 0u);
   triangles_.reserve(n);
   numbers_.reserve(n);
   nodes_.reserve(n);

@@ -3,10 +3,10 @@
 #pragma once
 #include <cstdint>
 #include <limits>
-#include <vector>
 
 #include "core/geometry/signed_distance.hpp"
 #include "core/geometry/triangle_mesh.hpp"
+#include "core/particles/aligned_memory.hpp"
 
 namespace thaw {
 
@@ -42,10 +42,10 @@ class TriangleBvh {
     double radius2 = 0;    ///< m^2, no vertex is farther from the centre
   };
   struct Builder;
-  std::vector<Node> nodes_;  ///< depth first
-  std::vector<Dipole> dipoles_;
-  std::vector<Corners> triangles_;
-  std::vector<std::uint32_t> numbers_;  ///< of these in the mesh
+  AlignedVector<Node> nodes_;  ///< depth first
+  AlignedVector<Dipole> dipoles_;
+  AlignedVector<Corners> triangles_;
+  AlignedVector<std::uint32_t> numbers_;  ///< of these in the mesh
 };
 
 /// Solid angle over 4 pi of a triangle seen from x, positive from behind (Van Oosterom and Strackee 1983).

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
+#include <bit>
 #include <unordered_map>
 
 #include "core/math/hash_random.hpp"
@@ -13,16 +13,16 @@ namespace {
 using Index = std::uint32_t;
 constexpr Index none = 0xffffffffu;
 
-/// For each vertex the first one equal to it.
+/// For each vertex the first one equal to it, by a hash table with open addresses.
 std::vector<Index> firstEqual(const std::vector<Vec3d>& v) {
-  std::vector<Index> order(v.size()), first(v.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-    if (v[a].x != v[b].x) return v[a].x < v[b].x;
-    if (v[a].y != v[b].y) return v[a].y < v[b].y;
-    return v[a].z != v[b].z ? v[a].z < v[b].z : a < b;
-  });
-  for (std::size_t k = 0; k < order.size(); k++) first[order[k]] = k > 0 && v[order[k]] == v[order[k - 1]] ? first[order[k - 1]] : order[k];
+  std::vector<Index> first(v.size()), table(std::bit_ceil(2 * v.size() + 1), none);
+  const auto bits = [](double c) { return std::bit_cast<std::uint64_t>(c + 0.0); };  // -0 is 0
+  for (Index n = 0; n < v.size(); n++) {
+    std::size_t at = mixBits(mixBits(mixBits(bits(v[n].x)) + bits(v[n].y)) + bits(v[n].z)) & (table.size() - 1);
+    while (table[at] != none && !(v[table[at]] == v[n])) at = (at + 1) & (table.size() - 1);
+    if (table[at] == none) table[at] = n;
+    first[n] = table[at];
+  }
   return first;
 }
 

@@ -1,7 +1,6 @@
-// Memory of fields, lists and records.
-#include <new>
+#include "core/particles/aligned_memory.hpp"
 
-#include "core/particles/column.hpp"
+#include <new>
 
 #if defined(__linux__)
 #include <sys/mman.h>

@@ -89,8 +89,9 @@ std::int64_t sampleBody(World& w, std::size_t b, const SignedDistance& shape, co
   constexpr std::int64_t mostAtOnce = 1 << 24;
   std::vector<std::int64_t> points;  // first all, then their rows at once: columns that grow again and again get new pages of the system each time
   points.reserve(static_cast<std::size_t>(std::min(mostAtOnce, (range.end - range.begin) * l.count[0])));
+  KnownSides known;
   for (std::int64_t row = range.begin; row < range.end; row++)
-    for (const std::int64_t k : insideOfRow(shape, l, row)) {
+    for (const std::int64_t k : insideOfRow(shape, l, row, known)) {
       const Vec3d x = l.at(k, row % l.count[1], row / l.count[1]);
       if (!overlap.keeps(b, x, s.numerics.overlap, counts)) {
         removed++;

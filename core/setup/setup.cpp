@@ -113,8 +113,10 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   t.fixedLimits = materialLimits(w.scene, w.modules, t.liquids);
   if (w.modules.substeps && !w.modules.contact) std::swap(t.longestContact, t.fixedLimits[Limit::Contact]);
   t.watch = watchBounds(w.scene, w.modules, t.liquids, t.fixedLimits);
-  t.viscousWeight = viscousWeight(w.scene.numerics);
-  t.stableViscousStep = stableViscousStep(w.scene.numerics);
+  if (w.modules.fluid) {
+    t.viscousWeight = viscousWeight(w.scene.numerics);
+    t.stableViscousStep = stableViscousStep(w.scene.numerics);
+  }
   t.conductionScale = conductionScale(w.scene.numerics);
   t.emitters = planEmitters(w.scene);
   t.wallTables = makeWallTables(w.scene.numerics);

@@ -12,7 +12,7 @@ namespace {
 
 std::string corners(std::uint64_t edge) { return "vertices " + std::to_string(edge >> 32) + " and " + std::to_string(edge & 0xffffffffu); }
 
-void checkEdges(const std::vector<EdgeSide>& sides) {
+void checkEdges(const AlignedVector<EdgeSide>& sides) {
   forEachEdge(sides, [&](std::size_t first, std::size_t last) {
     if (last - first > 2) throw ShapeError("a sheet's edge may have two triangles, but the one between " + corners(sides[first].edge) + " has " + std::to_string(last - first));
     if (last - first == 2 && sides[first].sign == sides[first + 1].sign)
@@ -76,7 +76,7 @@ SheetTopology sheetTopology(const TriangleMesh& mesh) {
     if (first[v + 1] == 0) throw ShapeError("vertex " + std::to_string(v) + " of a sheet's mesh has no triangle");
     first[v + 1] += first[v];
   }
-  const std::vector<EdgeSide> sides = edgeSides(mesh);
+  const AlignedVector<EdgeSide> sides = edgeSides(mesh);
   checkEdges(sides);
 
   std::vector<Corner> all(3 * mesh.triangles.size());

@@ -9,7 +9,7 @@ namespace thaw {
 
 /// Every edge has two triangles, which run along it in opposite directions.
 inline void expectClosed(const TriangleMesh& mesh) {
-  const std::vector<EdgeSide> sides = edgeSides(mesh);
+  const AlignedVector<EdgeSide> sides = edgeSides(mesh);
   std::size_t wrong = 0;
   forEachEdge(sides, [&](std::size_t first, std::size_t last) { wrong += last - first != 2 || sides[first].sign + sides[first + 1].sign != 0; });
   EXPECT_EQ(wrong, 0u);

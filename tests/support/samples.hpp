@@ -11,8 +11,9 @@ struct Samples {
 
 inline Samples sampleShape(const SignedDistance& shape, const SampleLattice& l, SampleRange range) {
   Samples s;
+  KnownSides known;
   for (std::int64_t row = range.begin; row < range.end; row++)
-    for (const std::int64_t i : insideOfRow(shape, l, row)) {
+    for (const std::int64_t i : insideOfRow(shape, l, row, known)) {
       s.position.push_back(l.at(i, row % l.count[1], row / l.count[1]));
       s.number.push_back(static_cast<std::uint64_t>(i + l.count[0] * row));
     }

@@ -100,6 +100,7 @@ TEST(MeshDistance, alongALineItIsInsideWhereAskedPointByPoint) {
   int inside = 0, outside = 0;
   for (const TriangleMesh& mesh : meshes) {
     const MeshDistance d(mesh, "mesh");
+    KnownSides known;
     for (std::uint64_t line = 0; line < 300; line++) {
       // a quarter of the lines run on the lattice of the box's faces and edges, where points lie on triangles
       const Vec3d from = line % 4 == 0 ? Vec3d{-1, 0.25 * static_cast<double>(line / 4 % 9) - 1, 0.25 * static_cast<double>(line / 36) - 1} : randomPoint({{-1, -1, -1}, {1, 1, 1}}, line);
@@ -107,7 +108,7 @@ TEST(MeshDistance, alongALineItIsInsideWhereAskedPointByPoint) {
       std::vector<Vec3d> points;
       for (int k = 0; k < 1 + static_cast<int>(line % 40); k++) points.push_back(from + step * static_cast<double>(k));
       std::vector<std::uint8_t> in(points.size(), 2);
-      d.insideAlong(points, in);
+      d.insideAlong(points, in, known);
       for (std::size_t k = 0; k < points.size(); k++) {
         ASSERT_EQ(in[k] != 0, d.distanceWithin(points[k], 1e-3) < 0) << "point " << k << " of line " << line;
         in[k] ? inside++ : outside++;

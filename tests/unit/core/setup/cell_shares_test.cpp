@@ -12,8 +12,9 @@ namespace {
 
 std::vector<std::int64_t> pointsOf(const SignedDistance& shape, const SampleLattice& l) {
   std::vector<std::int64_t> points;
+  KnownSides known;
   for (std::int64_t row = 0; row < l.rows(); row++)
-    for (const std::int64_t i : insideOfRow(shape, l, row)) points.push_back(i + l.count[0] * row);
+    for (const std::int64_t i : insideOfRow(shape, l, row, known)) points.push_back(i + l.count[0] * row);
   return points;
 }
 
