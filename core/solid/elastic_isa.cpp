@@ -28,7 +28,7 @@ THAW_INLINE void sumGradient(const BondLoader<Real, periodic, vectors>& bonds, s
   sum = {{x, y, z}};
 }
 
-template<class Real, bool periodic, bool vectors> void deformationOf(ElasticArrays& a) {
+template<class Real, bool periodic, bool vectors> __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
   using T = Lanes<Real>;
   BondLoader<Real, periodic, vectors> bonds(a);
   const T scale2(static_cast<Real>(bonds.scale() * bonds.scale()));
