@@ -35,7 +35,7 @@ std::vector<MemoryUse> memoryOf(const World& w, const StepTools& t) {
           {"elastic work", bytesOf(e.remoteGroup, e.ownFrames, e.inner, e.boundary, e.bondCount, e.rank, e.singularLanes, e.stretched, e.perTrace, e.perWeight, e.grip, e.motion4, e.motion4d)},
           {"surface", bytesOf(static_cast<const Table&>(f.surfels)) + bytesOf(static_cast<const Table&>(f.particles)) +
                           bytesOf(f.surfelCells.key, f.surfelCells.first, f.surfelCells.count, f.particleCells.key, f.particleCells.first, f.particleCells.count)},
-          {"walls and contacts", bytesOf(t.wallContacts.list, t.closePairs.list)},
+          {"walls and contacts", bytesOf(t.wallContacts.list, t.closePairs.list, t.contactResistance)},
           {"sort and search", bytesOf(t.sort.gone, t.sort.movers, t.sort.before, t.sort.order, t.sort.moves.runs, t.sort.moves.singles, t.search.x, t.search.y, t.search.z, t.search.entry)}};
 }
 

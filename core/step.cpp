@@ -122,7 +122,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.neighbours) sumOverNeighbours(w, t, NeighbourPass::BoundaryForces);
   if (p.softening.active && w.modules.fluid) beginSoftening(w, t);          // how the energy of pairs and contacts depends on what melts
   if (w.modules.solid) addElasticForces(w, halos, t, dt);
-  if (w.modules.contact) addSolidContacts({w.scene, w.grid, w.solids, w.bonds, walls.span, justFrozen ? &w.ledger.phaseJump : nullptr, w.modules.fluid ? nullptr : &w.counters.coincidentPairs}, t.closePairs, p);
+  if (w.modules.contact) addSolidContacts({w.scene, w.grid, w.solids, w.bonds, walls.span, justFrozen ? &w.ledger.phaseJump : nullptr, &t.contactResistance, w.modules.fluid ? nullptr : &w.counters.coincidentPairs}, t.closePairs, p);
   t.times.lap(StepPhase::Contact);
   if (w.modules.sleep) noteHolds(w, t);
   addWallForces(walls, t.perLatticeSum, t.wallContacts);
@@ -130,6 +130,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.sheet) loadSheets(w, halos, t, dt);      // forces on vertices, and of vertices on particles
   if (w.modules.meeting) meetContinuum(w, t, dt);        // oriented particles and the continuum
   if (w.modules.oriented) bookBornContacts(w, t);        // of those born in this step
+  if (w.modules.contact) bookResistance(walls, t.contactResistance);
   bookClamps(walls, t.wallContacts);
   if (w.modules.implicitViscosity) solveViscosity(w, halos, t, walls);  // knows all other forces
   if (w.modules.heat) {

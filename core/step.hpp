@@ -57,6 +57,7 @@ struct StepTools {
   std::vector<std::uint8_t> inner, liquidCells;
   std::size_t ghostRoom = 1024;      ///< rows kept for ghosts between the owned rows and the dummy
   ClosePairs closePairs;
+  std::vector<ContactResistance> contactResistance;
   WallContacts wallContacts;
   std::vector<WallContact> substepContacts;  ///< of the solids that may touch a wall in this step
   double longestContact = never;     ///< s, of a substep: contact of solids with walls where substeps do it, of materials

@@ -42,6 +42,7 @@ Elastic elasticOf(const Scene& s, const Continuum& p, std::uint32_t row) {
 
 void addSolidContacts(const ContactContext& x, const ClosePairs& pairs, Continuum& p) {
   const double d0 = contactDistance * x.scene.spacing;
+  if (x.resisting) x.resisting->clear();
   for (const ClosePair& pair : pairs.list) {
     const std::uint32_t i = pair.own, j = pair.other;
     if (bonded(x, p, i, j)) continue;
@@ -72,9 +73,13 @@ void addSolidContacts(const ContactContext& x, const ClosePairs& pairs, Continuu
     const double slip = length(tangential), normalForce = spring + dash;
     const double cut = std::min(std::sqrt(k * mass), most);  // the same scale as the dashpot: friction stops sliding without reversing it
     const double rub = slip > 0 ? std::min(std::min(a.friction, b.friction) * normalForce, cut * slip) : 0;
-    Vec3d f = n * normalForce;
-    if (slip > 0) f -= tangential * (rub / slip);
-    p.force[i] += f;
+    Vec3d resisting = n * dash;
+    if (slip > 0) resisting -= tangential * (rub / slip);
+    p.force[i] += n * spring + resisting;
+    if (x.resisting) {
+      if (x.resisting->empty() || x.resisting->back().row != i) x.resisting->push_back({i, {}});
+      x.resisting->back().force += resisting;
+    }
     p.dissipation[i] += 0.5 * (-dash * un + rub * slip);
   }
 }

@@ -16,6 +16,9 @@ namespace thaw {
 /// that were never bonded do not repel each other at rest.
 inline constexpr double contactDistance = 0.9;
 
+/// The part of a row's contact forces (N) that takes energy away.
+struct ContactResistance { std::uint32_t row = 0; Vec3d force; };
+
 struct ContactContext {
   const Scene& scene;
   const CellGrid& grid;
@@ -23,6 +26,7 @@ struct ContactContext {
   const Bonds& bonds;
   double step;                         ///< s, of the step at hand: dashpots and friction take a fifth of a pair's velocity in it at most
   ExactSum* frozen = nullptr;          ///< Ledger::phaseJump where some particle of some rank has just frozen: what contacts of such make of nothing is taken from it (J)
+  std::vector<ContactResistance>* resisting = nullptr;  ///< takes those of all rows, by row
   std::int64_t* coincident = nullptr;  ///< counts pairs at the same place, each at both ends; nullptr where the sum of density does
 };
 
@@ -31,6 +35,7 @@ struct ContactContext {
 /// coefficient of restitution says (Cundall & Strack 1979), and Coulomb friction, regularised by the same dashpot.
 /// Two at the same place have an energy but no direction: they are counted, and separateCoincident moves them.
 /// Pairs that are bonded are left out, so intact solids feel nothing of it. Conserves momentum; both ends compute the same force.
+/// What is dissipated is booked by the velocities that the forces are found with; to the square of the step it is with what the kick around now adds (bookResistance).
 void addSolidContacts(const ContactContext& context, const ClosePairs& pairs, Continuum& particles);
 
 }  // namespace thaw

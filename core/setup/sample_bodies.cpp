@@ -174,6 +174,7 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
     report.obstacleWhere = s.bodies[code / codes].where;
     report.firstObstacle = "of body '" + s.bodies[code / codes].name + "' in obstacle '" + w.walls.list[code % codes].properties.name + "'";
   }
+  report.clamped = std::move(clamped);
   return report;
 }
 

@@ -14,6 +14,7 @@ namespace thaw {
 /// What was found while sampling, summed over ranks.
 struct SamplingReport {
   std::vector<std::int64_t> particles;   ///< by body
+  std::vector<std::int64_t> clamped;     ///< of them, by body
   std::vector<std::string> overlaps;     ///< a sentence for each pair of bodies that overlap, with the counts
   std::int64_t removed = 0;              ///< samples left out of them, as the scene says
   std::vector<Outside> outside;          ///< of the domain, by body

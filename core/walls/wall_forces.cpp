@@ -7,6 +7,7 @@
 #include "core/fluid/surface_energy.hpp"
 #include "core/fluid/particle_pressure.hpp"
 #include "core/heat/enthalpy.hpp"
+#include "core/sleep/sleep.hpp"
 
 namespace thaw {
 namespace {
@@ -91,7 +92,27 @@ void addContactForces(const WallContext& x, const Meeting& at, Continuum& p, Wal
   act.resist(tangential * -rub, at.velocity);
 }
 
+/// m/s, what is between the velocity that forces are found with and the one by which they change energy: half a kick lies on either side of now (at the start only after
+/// it). With drag the pressure solver books it, but for what substeps add.
+Vec3d halfKick(const WallContext& x, std::size_t i, bool substeps) {
+  const Continuum& p = x.world.particles;
+  if ((p.clamped.active && p.clamped[i]) || (p.sleep.active && p.sleep[i] != awake)) return {};
+  const double half = x.dt > 0 ? 0.5 * x.dt : 0.25 * x.span;
+  Vec3d kick{};
+  if (!p.drag.active) kick = (p.force[i] / p.mass[i] + x.world.scene.domain.gravity) * half;
+  if (substeps) kick += p.fastAcceleration[i] * ((x.fast - 1) * half);
+  return kick;
+}
+
 }  // namespace
+
+void bookResistance(const WallContext& x, std::span<const ContactResistance> resisting) {
+  Continuum& p = x.world.particles;
+  for (const ContactResistance& r : resisting) {
+    if (p.drag.active) p.drag[r.row] += r.force;
+    p.dissipation[r.row] -= dot(r.force, halfKick(x, r.row, p.fastAcceleration.active && p.slot[r.row] != noSlot));
+  }
+}
 
 double wallDrag(const WallContext& x, const WallContact& contact) {
   const World& w = x.world;
@@ -140,11 +161,7 @@ void addWallForces(const WallContext& x, double perLatticeSum, WallContacts& con
     p.force[i] += act.force;
     if (substeps) p.fastAcceleration[i] += often.force / p.mass[i];
     if (p.drag.active) p.drag[i] += act.resisting;
-    // Half a kick lies on either side of now (at the start only after it): energy changes as if by the velocity between them.
-    Vec3d half{};
-    const bool moves = !(p.clamped.active && p.clamped[i]);
-    if (moves && !p.drag.active) half = (p.force[i] / p.mass[i] + w.scene.domain.gravity) * (x.dt > 0 ? 0.5 * x.dt : 0.25 * x.span);  // with drag the pressure solver books it
-    if (substeps && moves) half += p.fastAcceleration[i] * ((x.fast - 1) * (x.dt > 0 ? 0.5 * x.dt : 0.25 * x.span));
+    const Vec3d half = halfKick(x, i, substeps);
     p.dissipation[i] += act.lost - dot(act.resisting, half);
     for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(act.force[a]);
     if (!substeps) continue;

@@ -1,5 +1,8 @@
 // How walls act on particles: support of liquids (filling, pressure, drag), contact of solids, heat.
 #pragma once
+#include <span>
+
+#include "core/contact/solid_contact.hpp"
 #include "core/fluid/liquid_materials.hpp"
 #include "core/walls/tables.hpp"
 #include "core/world.hpp"
@@ -28,6 +31,9 @@ void addWallFilling(const WallContext& context, double perLatticeSum, WallContac
 /// Pressure on liquids, drag where the wall does not let slip, and for solids a
 /// spring with dashpot and Coulomb friction within half a spacing of the wall. Work and impulse go to the ledger.
 void addWallForces(const WallContext& context, double perLatticeSum, WallContacts& contacts);
+
+/// What contacts of solids take away beyond what they booked: half a kick lies on either side of now, and energy changes as if by the velocity between them. After all forces.
+void bookResistance(const WallContext& context, std::span<const ContactResistance> resisting);
 
 /// What holds clamped particles, or drives them, balances all that acts on them: after all forces but those of the viscous solver, which books its own.
 void bookClamps(const WallContext& context, WallContacts& contacts);

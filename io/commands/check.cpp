@@ -54,6 +54,7 @@ std::vector<std::string> linesOfBodies(const World& w, const SamplingReport& sam
     const double mass = m.density * std::pow(w.scene.spacing, 3) * static_cast<double>(sampled.particles[b]);
     const double shape = m.density * shapeVolume(*makeSignedDistance(body.shape, meshLoader()), all), ratio = shape > 0 ? mass / shape : 1;
     std::string line = fmt::format("body '{}': {} of {}, {:.4g} kg", body.name, sampled.particles[b], m.name, mass);
+    if (!body.clamp.empty()) line += fmt::format(", {} of them clamped", sampled.clamped[b]);
     if (std::abs(ratio - 1) > 0.01 && sampled.removed == 0)
       line += fmt::format("; its shape holds {:.4g} kg: the particles are {:.1f} % too {} (a finer spacing, or a density times {:.4g}, makes up for it)", shape, 100 * std::abs(ratio - 1), ratio > 1 ? "heavy" : "light", 1 / ratio);
     lines.push_back(std::move(line));
@@ -134,7 +135,9 @@ int checkAll(const CheckOptions& o) {
   for (const std::string& line : ofKinds) std::printf("  %s\n", line.c_str());
   if (!notRelaxed.empty()) std::printf("  %s\n", notRelaxed.c_str());
   const double emitted = emittedAtEnd(s, t);
-  for (const Emitter& e : s.emitters) std::printf("  emitter '%s': of %s\n", e.name.c_str(), s.materials[static_cast<std::size_t>(e.material)].name.c_str());
+  for (std::size_t e = 0; e < s.emitters.size(); e++)
+    std::printf("  emitter '%s': of %s, %.4g kg/s, layers of %zu particles\n", s.emitters[e].name.c_str(), s.materials[static_cast<std::size_t>(s.emitters[e].material)].name.c_str(),
+                t.emitters[e].particleMass * static_cast<double>(t.emitters[e].layer.size()) / t.emitters[e].interval, t.emitters[e].layer.size());
   if (emitted > 0) std::printf("  emitted until the end: %.0f\n", emitted);
   for (const std::string& pair : sampled.overlaps) std::printf("  %s\n", pair.c_str());
   if (!sampled.overlaps.empty()) std::printf("  %lld particles left out of overlaps\n", static_cast<long long>(sampled.removed));

@@ -1,5 +1,7 @@
 #include "io/run/run_state.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <span>
@@ -106,6 +108,14 @@ void writeParticleFrame(Run& r) {
   });
 }
 
+/// "  asleep 8000": particles whose sums were not formed in the last step; empty where none may sleep. Collective.
+std::string sleepersOf(Run& r) {
+  if (!r.world.modules.sleep) return "";
+  std::int64_t asleep[1] = {r.world.counters.asleep};
+  r.all.sum(asleep);
+  return fmt::format("  asleep {}", asleep[0]);
+}
+
 }  // namespace
 
 void writeFrameOf(Run& r) {
@@ -129,7 +139,7 @@ void report(Run& r) {
   gatherSurface(r);
   r.summary.ledger = l;
   r.summary.solvers = solversOf(r.world, r.tools);
-  r.say(progressLine(progress, l) + progressOf(r.summary.solvers) + progressOf(r.summary.surface));
+  r.say(progressLine(progress, l) + sleepersOf(r) + progressOf(r.summary.solvers) + progressOf(r.summary.surface));
   onFirstRank(r.comm.handle(), [&] { addToProgressLog(r.options.out, progress, r.summary); });
   r.lastReport = WallClock::now();
   r.stepAtReport = r.world.clock.step;
