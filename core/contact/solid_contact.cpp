@@ -76,10 +76,7 @@ void addSolidContacts(const ContactContext& x, const ClosePairs& pairs, Continuu
     Vec3d resisting = n * dash;
     if (slip > 0) resisting -= tangential * (rub / slip);
     p.force[i] += n * spring + resisting;
-    if (x.resisting) {
-      if (x.resisting->empty() || x.resisting->back().row != i) x.resisting->push_back({i, {}});
-      x.resisting->back().force += resisting;
-    }
+    if (x.resisting) x.resisting->push_back({i, resisting});
     p.dissipation[i] += 0.5 * (-dash * un + rub * slip);
   }
 }

@@ -16,7 +16,7 @@ namespace thaw {
 /// that were never bonded do not repel each other at rest.
 inline constexpr double contactDistance = 0.9;
 
-/// The part of a row's contact forces (N) that takes energy away.
+/// The part of a contact's force (N) on a row that takes energy away.
 struct ContactResistance { std::uint32_t row = 0; Vec3d force; };
 
 struct ContactContext {
@@ -26,7 +26,7 @@ struct ContactContext {
   const Bonds& bonds;
   double step;                         ///< s, of the step at hand: dashpots and friction take a fifth of a pair's velocity in it at most
   ExactSum* frozen = nullptr;          ///< Ledger::phaseJump where some particle of some rank has just frozen: what contacts of such make of nothing is taken from it (J)
-  std::vector<ContactResistance>* resisting = nullptr;  ///< takes those of all rows, by row
+  std::vector<ContactResistance>* resisting = nullptr;  ///< takes those of all pairs: their order is that of the list, where rows of a group take turns, so none are added up
   std::int64_t* coincident = nullptr;  ///< counts pairs at the same place, each at both ends; nullptr where the sum of density does
 };
 

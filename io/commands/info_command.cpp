@@ -8,12 +8,14 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <map>
 
 #include "core/ledger/totals.hpp"
 #include "io/commands/info_summary.hpp"
 #include "io/output/checkpoint.hpp"
 #include "io/output/series.hpp"
 #include "io/output/kind_frame.hpp"
+#include "io/run/progress.hpp"
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
@@ -114,6 +116,12 @@ Json folderInfo(const std::string& path) {
     if (s.is_discarded()) problems.push_back(path + "/summary.json: is not JSON");
     else j["summary"] = std::move(s);
   }
+  if (const std::map<std::string, std::string> last = lastProgress(path); !last.empty())
+    for (const char* name : {"step", "time_s", "dt_s", "dt_limited_by", "steps_per_second", "seconds_left"})
+      if (const auto at = last.find(name); at != last.end()) {
+        const Json value = Json::parse(at->second, nullptr, false);
+        j["progress"][name] = value.is_number() ? value : Json(at->second);
+      }
   if (!problems.empty()) j["problems"] = problems;
   if (checkpoints.empty() && j["series"].empty() && !j.contains("summary") && problems.empty())
     throw IoError(path, "is not the folder of a run: it has no checkpoint, no frames and no summary.json");

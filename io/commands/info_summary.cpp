@@ -69,6 +69,11 @@ std::vector<std::string> summaryOfRun(const Json& run) {
   if (s.contains("status"))
     lines.push_back(named("status", fmt::format("{} at t {:.6g} of {:.6g} s, step {}{}", textOf(s, "status") == "running" ? runningText(s) : textOf(s, "status"), numberOf(s, "time_s"), numberOf(s, "end_s"), s.value("step", std::int64_t(0)),
                                                 message.empty() ? "" : ": " + message)));
+  if (textOf(s, "status") == "running" && run.contains("progress") && numberOf(run["progress"], "step") > numberOf(s, "step")) {  // summary.json is of the last checkpoint or frame
+    const Json& p = run["progress"];
+    lines.push_back(named("since then", fmt::format("t {:.6g} s, step {}, dt {:.3g} s (limited by {}), {:.3g} steps/s", numberOf(p, "time_s"), static_cast<std::int64_t>(numberOf(p, "step")), numberOf(p, "dt_s"), textOf(p, "dt_limited_by"),
+                                                     numberOf(p, "steps_per_second"))));
+  }
   addCheckpoints(run, lines);
   addFrames(run, lines);
   if (s.contains("status")) {

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -121,6 +122,27 @@ void addToProgressLog(const std::string& out, const Progress& p, const RunSummar
   file << line << '\n';
   file.close();
   if (!file) throw IoError(progressLogPath(out), "cannot be written");
+}
+
+std::map<std::string, std::string> lastProgress(const std::string& out) {
+  std::ifstream file(progressLogPath(out), std::ios::binary);
+  std::string first, last, line;
+  if (!std::getline(file, first)) return {};
+  constexpr std::streamoff tail = 1 << 16;  // many lines
+  file.seekg(0, std::ios::end);
+  const std::streamoff size = file.tellg();
+  if (size > tail) {
+    file.seekg(size - tail);
+    std::getline(file, line);  // the rest of one
+  } else {
+    file.seekg(static_cast<std::streamoff>(first.size()) + 1);
+  }
+  while (std::getline(file, line))
+    if (!file.eof()) last = line;
+  std::map<std::string, std::string> columns;
+  std::istringstream names(first), values(last);
+  for (std::string name, value; std::getline(names, name, ',') && std::getline(values, value, ',');) columns[name] = value;
+  return columns;
 }
 
 void cutProgressLog(const std::string& out, std::int64_t step) {

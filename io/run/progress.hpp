@@ -1,5 +1,6 @@
 // How far a run is: a line for the terminal, and all books for OUT/progress.csv, which any program reads.
 #pragma once
+#include <map>
 #include <string>
 
 #include "core/ledger/report.hpp"
@@ -26,6 +27,8 @@ std::string progressLogPath(const std::string& out);
 void beginProgressLog(const std::string& out);
 /// One line: clock, books, solvers, surface.
 void addToProgressLog(const std::string& out, const Progress& progress, const RunSummary& summary);
+/// The last whole line of the log, by column; empty where there is none.
+std::map<std::string, std::string> lastProgress(const std::string& out);
 /// Drops lines of after `step`, and one that was not finished, of a run that goes back, or on from a checkpoint; a log that is not there, or has other columns, begins anew.
 void cutProgressLog(const std::string& out, std::int64_t step);
 

@@ -13,6 +13,8 @@ for _ in $(seq 200); do grep -q '^t ' "$work/log" && break; sleep 0.02; done
 sleep 0.3
 "$thaw" info "$work/run" >"$work/info" || fail "info of a run that runs"
 grep -q '^  status  *running (process [0-9]* on .*; wrote last at 2.*Z), at t ' "$work/info" || fail "info: a run that runs is '$(grep status "$work/info")'"
+for _ in $(seq 50); do grep -q '^  since then  *t .* s, step [0-9]*, dt .* s (limited by .*), .* steps/s$' "$work/info" && break; "$thaw" info "$work/run" >"$work/info"; done  # not where summary.json is of this very step
+grep -q '^  since then ' "$work/info" || fail "info does not tell how far a run is that runs: $(cat "$work/info")"
 killAll -9 "$work/run"
 "$thaw" info "$work/run" >"$work/info" || fail "info of a run that was killed"
 grep -q '^  status  *killed (process [0-9]* on .* is gone; wrote last at 2.*Z), known at t ' "$work/info" || fail "info: a run that was killed is '$(grep status "$work/info")'"
