@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Prints the scaling study's figures beside their targets and charts them: chart.py SCALING.csv PICTURE.png [TRACE.json]
 
-After a full run (or with THAW_SCALING_DOCS=1) it also writes docs/scaling.md from text.md and docs/pictures/scaling/, and copies the CSV file to docs/scaling/.
+With THAW_SCALING_DOCS=1 it also writes docs/scaling.md from text.md and docs/pictures/scaling/, and copies the CSV file to docs/scaling/.
 """
 import json
 import os

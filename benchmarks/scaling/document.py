@@ -123,7 +123,10 @@ def summary(path):
 
 def machineLine(path):
     rows = [r for s in ("strong", "weak", "corner", "counts") for r in model.read(path, s, "corner" if s == "corner" else "fluid")]
-    return f"{rows[0]['machine']}, thaw {' and '.join(dict.fromkeys(r['version'] for r in rows))}"
+    where = {}
+    for r in rows:
+        where.setdefault((r["machine"], r["version"]), []).append(r["series"])
+    return "; ".join(f"{' and '.join(dict.fromkeys(series))} on {machine} with thaw {version}" for (machine, version), series in where.items())
 
 
 def provisional(path):

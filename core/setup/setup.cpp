@@ -224,6 +224,7 @@ SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader&
 
 void resumeWorld(World& w, Halos halos, StepTools& t) {
   Continuum& p = w.particles;
+  t.times.start();
   moveWalls(w.walls, w.clock.time);
   t.shapes = {};
   t.sleep = {};
