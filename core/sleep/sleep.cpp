@@ -109,7 +109,8 @@ void markAsleep(World& w, StepTools& t, bool ghosts) {
   s.skipped.assign(p.owned, 0);
   for (std::size_t c = 0; c < n; c++) {
     if (w.cells.first[c] >= p.owned) continue;
-    const bool deep = (s.cell[c] & Asleep) && (s.around[c] & (Calm | Held)) == (Calm | Held), skip = deep && !s.findAll;
+    // not only held around: bonds bring what is two cells away, in the stress of their other end, and around what is asleep all is held
+    const bool deep = (s.around[c] & (Calm | Asleep)) == (Calm | Asleep), skip = deep && !s.findAll;
     if (skip && (ghosts || t.inner[c] == 1)) t.inner[c] = skippedCell;
     std::fill_n(s.deep.begin() + w.cells.first[c], w.cells.count[c], deep);
     std::fill_n(s.skipped.begin() + w.cells.first[c], w.cells.count[c], skip);
@@ -154,7 +155,7 @@ void chooseAwakeGroups(World& w, StepTools& t) {
 void noteHolds(World& w, const StepTools& t) {
   Continuum& p = w.particles;
   for (std::size_t i = 0; i < p.owned; i++)
-    if (p.sleep[i] != awake && !t.sleep.skipped[i]) p.hold[i] = balancing(w, i);
+    if (p.sleep[i] != awake && !t.sleep.deep[i]) p.hold[i] = balancing(w, i);  // whether a rank looks again or not
 }
 
 void settleSleep(World& w, StepTools& t, double dt) {
@@ -192,8 +193,11 @@ void settleSleep(World& w, StepTools& t, double dt) {
         for (int a = 0; a < 3; a++) w.ledger.wallImpulse[a].add(-m * v[a]);
         p.velocity[i] = {};
       }
-      if (fixed) hold = s.deep[i] ? hold + p.force[i] + g * m : Vec3d{};  // booked with what is clamped, by the forces that are known
+      if (fixed && !s.deep[i]) continue;  // booked with what is clamped
       for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(hold[a]);
+      if (!fixed) continue;
+      const Vec3d booked = p.force[i] + g * m;  // by the forces that are known, which may be all or none: taken out to the last bit
+      for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(booked[a]);
     }
   }
   s.findAll = false;

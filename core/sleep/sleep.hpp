@@ -5,11 +5,11 @@
 // than sleep_heating; Continuum::calm is for how long. Where everything in the 27 cells around has been calm for sleep_after, it falls asleep:
 //   1  its velocity is taken (booked as dissipated); place and temperature are held from now on, forces are still found and can wake it
 //   2  forces were found with everything at its final place and velocity
-//   3  the same with all in the 27 cells asleep: nothing that enters its sums changes any more. If all in the 27 cells are at least at 2, its cell
-//      is skipped: what a step would find is what is there already.
+//   3  the same with all in the 27 cells at least at 2: nothing that enters its sums changes any more. If all in the 27 cells are at 3, its cell
+//      is skipped: what a step would find is what is there already, the stress at the other ends of its bonds included.
 // Whatever is not calm wakes all cells around it within a step, which is faster than any wave (a cell is at least a support radius wide).
 // Since what is skipped would give the same bits, who is skipped may depend on the rank (after a migration nothing is known, so all is found anew),
-// while who sleeps follows from State columns alone.
+// while who sleeps, and the force that holds it, follow from State columns alone: in the step in which something two cells away wakes, what is found anew differs.
 #pragma once
 #include <cstdint>
 #include <vector>
