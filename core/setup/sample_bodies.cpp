@@ -42,8 +42,8 @@ void lookAt(const World& w, std::size_t body, const Vec3d& x, Offenders& o) {
 /// How a body is filled: its lattice, its centre, and how far points are moved off the lattice at most, spacings along each axis.
 struct Filling { SampleLattice lattice; Vec3d centre; double jitter; };
 
-/// Rows from `first` on of the table, of these points of body b's lattice.
-void fillRows(World& w, std::size_t b, const Filling& filling, std::span<const std::int64_t> points, std::size_t first) {
+/// Rows from `first` on of the table, of these points of body b's lattice. inEach: grows by how many each of its clamps holds.
+void fillRows(World& w, std::size_t b, const Filling& filling, std::span<const std::int64_t> points, std::size_t first, std::vector<std::int64_t>& inEach) {
   const auto& [l, centre, jitter] = filling;
   const Scene& s = w.scene;
   const Body& body = s.bodies[b];
@@ -68,16 +68,17 @@ void fillRows(World& w, std::size_t b, const Filling& filling, std::span<const s
     if (p.temperature.active) p.temperature[i] = T;
     if (p.enthalpy.active) p.enthalpy[i] = bookedEnthalpy(w.scene.numerics.heat, m, T);
     if (p.slot.active) p.slot[i] = noSlot;
-    for (const auto& c : clamps)
-      if (inClamp(*c, x)) {
+    for (std::size_t k = 0; k < clamps.size(); k++)
+      if (inClamp(*clamps[k], x)) {
         p.clamped[i] = held;
         p.velocity[i] = {};
+        inEach[k]++;
       }
   }
 }
 
-/// This rank's rows of one body's lattice; filled: grows by their 64ths of cells (cellShares). Returns how many samples the overlap rule took away.
-std::int64_t sampleBody(World& w, std::size_t b, const SignedDistance& shape, const Reducer& all, const OverlapTest& overlap, OverlapCounts& counts, Offenders& offenders, std::int64_t& filled) {
+/// This rank's rows of one body's lattice; inEach: see fillRows; filled: grows by their 64ths of cells (cellShares). Returns how many samples the overlap rule took away.
+std::int64_t sampleBody(World& w, std::size_t b, const SignedDistance& shape, const Reducer& all, const OverlapTest& overlap, OverlapCounts& counts, Offenders& offenders, std::int64_t& filled, std::vector<std::int64_t>& inEach) {
   const Scene& s = w.scene;
   Continuum& p = w.particles;
   const Bounds bounds = shape.bounds();
@@ -105,7 +106,7 @@ std::int64_t sampleBody(World& w, std::size_t b, const SignedDistance& shape, co
     }
   const std::size_t first = p.owned;
   p.resize(first + points.size(), 0);
-  fillRows(w, b, {l, (bounds.min + bounds.max) * 0.5, jitter}, points, first);
+  fillRows(w, b, {l, (bounds.min + bounds.max) * 0.5, jitter}, points, first, inEach);
   if (bodyFills(s, b)) {
     const std::vector<std::int32_t> shares = cellShares(shape, l, points);
     std::copy(shares.begin(), shares.end(), p.surfaceFill.data() + first);
@@ -126,9 +127,11 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
   Offenders offenders(n);
   std::vector<std::int64_t> counts, filled(n, 0);
   std::int64_t removed = 0;
+  std::vector<std::vector<std::int64_t>> inEach;  // by body and clamp
   for (std::size_t b = 0; b < n; b++) {
     const std::size_t had = p.owned;
-    removed += sampleBody(w, b, *shapes[b], all, overlap, overlaps, offenders, filled[b]);
+    inEach.emplace_back(s.bodies[b].clamp.size(), 0);
+    removed += sampleBody(w, b, *shapes[b], all, overlap, overlaps, offenders, filled[b], inEach.back());
     counts.push_back(static_cast<std::int64_t>(p.owned - had));
   }
   settlePhase(s, w.modules, p, 0, p.owned);
@@ -161,8 +164,14 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
                               " of its particles lie inside its image across a periodic side; make it shorter than the domain along its periodic axes, or the domain longer");
   }
   problems.raise();
-  for (std::size_t b = 0; b < n; b++)
-    if (!s.bodies[b].clamp.empty() && clamped[b] == 0) report.warnings.push_back({s.bodies[b].where, "body '" + s.bodies[b].name + "': its clamp holds none of its particles: nothing holds it"});
+  for (std::size_t b = 0; b < n; b++) {
+    all.sum(inEach[b]);
+    const std::size_t clamps = inEach[b].size();
+    for (std::size_t k = 0; k < clamps; k++)
+      if (inEach[b][k] == 0)
+        report.warnings.push_back({s.bodies[b].where, "body '" + s.bodies[b].name + "': its clamp " + (clamps > 1 ? std::to_string(k + 1) + " of " + std::to_string(clamps) + " " : "") + "holds none of its particles" +
+                                                          (clamped[b] == 0 ? ": nothing holds it" : "")});
+  }
   for (std::size_t b = 0; b < n; b++)
     if (const std::string narrow = narrowAxes(shapes[b]->bounds(), s.spacing); !narrow.empty())
       report.warnings.push_back({s.bodies[b].where, "body '" + s.bodies[b].name + "' is narrower than the spacing of " + lengthText(s.spacing) + " (" + narrow + "): it is one layer of particles there, a spacing thick, and as heavy" +

@@ -1,6 +1,7 @@
 #include "core/time/limits.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "core/fluid/state_equation.hpp"
@@ -157,9 +158,22 @@ double fastAccelerationLimit(const World& w) {
   return hardest > 0 ? w.scene.numerics.cflAcceleration * std::sqrt(w.grid.support / std::sqrt(hardest)) : never;
 }
 
+namespace {
+
+/// The double next to it that has 15 digits: 12 * .05 is not .6, and a run that ends there, and later goes on, is to be the one that did not stop.
+double inDecimals(double t) {
+  char digits[32];
+  const auto written = std::to_chars(digits, digits + sizeof digits, t, std::chars_format::general, 15);
+  double read = t;
+  std::from_chars(digits, written.ptr, read);
+  return read;
+}
+
+}  // namespace
+
 double frameTime(const Clock& c, std::int64_t frame) {
-  const double t = static_cast<double>(frame) * c.every;
-  return std::abs(t - c.end) < 1e-9 * c.every ? c.end : t;  // 25 * 0.04 is not 1
+  const double t = inDecimals(static_cast<double>(frame) * c.every);
+  return std::abs(t - c.end) < 1e-9 * c.every ? c.end : t;
 }
 
 bool frameDue(const Clock& c) { return c.every > 0 && c.time >= frameTime(c, c.frame); }

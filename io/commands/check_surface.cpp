@@ -28,6 +28,8 @@ double residentNow() {
 
 // Of a run of an hour (keiser/melting_fast): core-seconds of an update of melt for each surfel, for scenes that have none at the start.
 constexpr double secondsPerSurfel = 2e-5;
+constexpr double bytesPerSurfel = 2800;  // of scenes/melt: with work lists; where there are few at the start, what they take is mostly what any number takes
+constexpr std::int64_t few = 500;
 
 /// Makes all that can be liquid of a world so, and moves it as between two updates: by a tenth of the support radius, to and fro over four of them.
 void meltAll(World& w) {
@@ -109,10 +111,11 @@ SurfaceTrial::Forecast SurfaceTrial::forecast(double steps, double particles) co
   most = std::max(most, surfels);
   f.surfelsTogether = surfels;
   f.surfelsMost = most;
-  f.bytes = perMeasured_ * static_cast<double>(bytes) * std::max(1.0, f.surfelsTogether / std::max(1.0, f.surfels));  // what emitters add
+  if (surfels_ > few) f.bytes = perMeasured_ * static_cast<double>(bytes) * std::max(1.0, f.surfelsTogether / f.surfels);  // what emitters add
+  else f.bytes = static_cast<double>(bytes) + bytesPerSurfel * f.surfelsTogether;
   f.frames = std::floor(w.scene.end / w.scene.output.every) + 1;
   f.updates = expectedUpdates(w, steps);
-  const double perSurfel = surfels_ > 500 ? times[1] * comm_.size() / static_cast<double>(surfels_) : secondsPerSurfel, start = perMeasured_ * times[0] * comm_.size();
+  const double perSurfel = surfels_ > few ? times[1] * comm_.size() / static_cast<double>(surfels_) : secondsPerSurfel, start = perMeasured_ * times[0] * comm_.size();
   f.seconds = start + f.updates * surfels * perSurfel;
   f.secondsMost = start + f.updates * most * perSurfel;
   return f;
@@ -129,7 +132,7 @@ std::vector<std::string> SurfaceTrial::lines(const Forecast& f, int ranks) const
       fmt::format("{:.0f} surfels at the start ({:.0f} expected by the area of the bodies), {} component{}", f.surfels, expected_, s.components.size(), s.components.size() == 1 ? "" : "s"),
       fmt::format("surfels {:g} m apart; they act on each other within {:g} m (about {:.0f} neighbours), particles on them within {:g} m (about {:.0f})", spacing_, set.support * spacing_,
                   1.15 * pi * set.support * set.support, s.particleSupport, 2.0 / 3 * pi * std::pow(s.particleSupport / w.scene.spacing, 3)),
-      fmt::format("memory a rank: {} with {} rank{} ({:.0f} bytes a surfel, work lists included)", bytesText(f.bytes / ranks), ranks, ranks == 1 ? "" : "s", f.bytes / std::max(1.0, f.surfels)),
+      fmt::format("memory a rank: {} with {} rank{} ({:.0f} bytes a surfel, work lists included)", bytesText(f.bytes / ranks), ranks, ranks == 1 ? "" : "s", f.bytes / std::max(1.0, f.surfelsTogether)),
       fmt::format("the start {} {:.3g} s, one update of it {:.3g} s{}, on {} rank{}", perMeasured_ > 1 ? "would take about" : "took", perMeasured_ * times[0], perMeasured_ * times[1],
                   w.modules.fluid ? fmt::format(", one of it as liquid that flows {:.3g} s", perMeasured_ * times[2]) : "", comm_.size(), comm_.size() == 1 ? "" : "s"),
       fmt::format("about {:.0f} updates until the end, {:.0f} of them at frames{}", f.updates, f.frames,

@@ -34,6 +34,12 @@ name = "pushed"
 material = "rubber"
 box = { size = [0.8, 0.8, 0.4] }
 place = { move = [4.5, 0, 0.25] }
+[[body]]
+name = "shelf"  # falls asleep from its clamp on, while its end still creeps
+material = "rubber"
+box = { size = [2, 0.4, 0.4] }
+place = { move = [3, 0, 3] }
+clamp = [ { box = { size = [0.3, 0.5, 0.5] }, place = { move = [2, 0, 3] } } ]
 [[obstacle]]
 name = "floor"
 plane = { }
@@ -53,4 +59,6 @@ same() { sameRuns "$1" "$2" "$3" "frames/$scene.hdf.series"; }
 sameOnAllRanks $scene 1000000 "320 960 1280" "$work/sleepers.toml" --set numerics.retry_every=10
 slept=$(value "$work/$scene.1/summary.json" asleep)
 [ "${slept:-0}" -gt 0 ] || fail "nothing sleeps at the end"
+residual=$(awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) if ($k ~ /^momentum_residual/) of[k] = 1; next } { for (k in of) { a = $k < 0 ? -$k : $k; if (a > most) most = a } } END { print most + 0 }' "$work/$scene.1/progress.csv")
+awk -v r="$residual" 'BEGIN { exit !(r < 1e-7) }' || fail "momentum from nowhere: $residual kg m/s"
 finish

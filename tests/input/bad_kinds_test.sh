@@ -97,6 +97,13 @@ box = { size = [0.3, 0.1, 0.1] }
 [[body.clamp]]
 box = { size = [0.1, 0.1, 0.1] }
 place = { move = [0.6, 0, 0] }"
+warns "one of two clamps that holds nothing" "half.toml:4:1: body 'bar': its clamp 2 of 2 holds none of its particles$" half "[material.rubber]
+young = '1 MPa'
+[[body]]
+name = 'bar'
+material = 'rubber'
+box = { size = [0.3, 0.1, 0.1] }
+clamp = [ { box = { size = [0.2, 0.1, 0.1] }, place = { move = [-0.1, 0, 0] } }, { box = { size = [0.1, 0.1, 0.1] }, place = { move = [0.6, 0, 0] } } ]"
 warns "what melts without heat" "ice.toml:6:1: material 'ice' melts, but nothing changes its temperature" ice "[material.ice]
 young = '1 MPa'
 melts = '0 degC'

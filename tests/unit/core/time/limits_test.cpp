@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 #include "core/kernels/lattice.hpp"
 #include "core/time/limits.hpp"
@@ -52,10 +54,24 @@ TEST(Clock, FrameTimesAndTheEndAreHitExactly) {
       ASSERT_EQ(hits.size(), frames) << every << " " << dt;
       for (std::size_t k = 0; k < frames; k++) {
         const double due = static_cast<double>(k) * every;
-        EXPECT_TRUE(hits[k] == due || (hits[k] == 1.0 && std::abs(due - 1) < 1e-12));
+        EXPECT_NEAR(hits[k], due, 1e-14 * due) << every;
       }
       const double last = 1 - static_cast<double>(frames - 1) * every;  // between the last frame and the end
       EXPECT_GE(shortest, 0.49 * std::min({dt, every, last > 1e-9 ? last : 1.0})) << every << " " << dt;  // no tiny steps
+    }
+}
+
+TEST(Clock, FrameTimesDoNotDependOnTheEnd) {
+  Clock until, beyond;
+  for (double every : {0.05, 0.1, 0.2, 0.04, 1e-3})
+    for (std::int64_t k = 1; k < 400; k++) {
+      until.every = beyond.every = every;
+      char text[32];
+      std::snprintf(text, sizeof text, "%.10g", static_cast<double>(k) * every);
+      until.end = std::strtod(text, nullptr);  // as a scene file has it
+      beyond.end = 1000;
+      ASSERT_EQ(frameTime(until, k), frameTime(beyond, k)) << text;
+      ASSERT_EQ(frameTime(until, k), until.end) << text;
     }
 }
 
