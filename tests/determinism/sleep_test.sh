@@ -34,12 +34,6 @@ name = "pushed"
 material = "rubber"
 box = { size = [0.8, 0.8, 0.4] }
 place = { move = [4.5, 0, 0.25] }
-[[body]]
-name = "shelf"  # falls asleep from its clamp on, while its end still creeps
-material = "rubber"
-box = { size = [2, 0.4, 0.4] }
-place = { move = [3, 0, 3] }
-clamp = [ { box = { size = [0.3, 0.5, 0.5] }, place = { move = [2, 0, 3] } } ]
 [[obstacle]]
 name = "floor"
 plane = { }
@@ -59,6 +53,48 @@ same() { sameRuns "$1" "$2" "$3" "frames/$scene.hdf.series"; }
 sameOnAllRanks $scene 1000000 "320 960 1280" "$work/sleepers.toml" --set numerics.retry_every=10
 slept=$(value "$work/$scene.1/summary.json" asleep)
 [ "${slept:-0}" -gt 0 ] || fail "nothing sleeps at the end"
+# a rod leans on a ring: parts fall asleep while others creep, whose stress bonds bring two cells far into what sleeps. The force that holds that once depended on who had looked, and when
+scene=leaning
+cat >"$work/leaning.toml" <<'SCENE'
+spacing = 0.02
+end = 2.4
+[domain]
+min = [-0.5, -0.5, -0.1]
+max = [0.5, 0.5, 0.7]
+[material.soft]
+density = 1100
+young = 3e5
+law = "neo-hookean"
+damping = 20
+friction = 0.7
+[material.hard]
+density = 1300
+young = 1e6
+damping = 10
+friction = 0.4
+[[body]]
+name = "ring"
+torus = { radius = 0.08, tube = 0.03 }
+material = "soft"
+place = { rotate_x = "30 deg", move = [0, 0, 0.15] }
+[[body]]
+name = "rod"
+cylinder = { radius = 0.04, height = 0.24 }
+material = "hard"
+place = { rotate_y = "80 deg", move = [0, 0.03, 0.3] }
+[[obstacle]]
+name = "floor"
+plane = { }
+friction = 0.6
+[numerics]
+sleep_speed = 0.01
+sleep_after = 0.05
+[output]
+every = 0.4
+SCENE
+sameOnAllRanks $scene 1000000 "4000 8000 10000" "$work/leaning.toml"
+slept=$(value "$work/$scene.1/summary.json" asleep)
+[ "${slept:-0}" -gt 0 ] || fail "nothing of what leans sleeps at the end"
 residual=$(awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) if ($k ~ /^momentum_residual/) of[k] = 1; next } { for (k in of) { a = $k < 0 ? -$k : $k; if (a > most) most = a } } END { print most + 0 }' "$work/$scene.1/progress.csv")
-awk -v r="$residual" 'BEGIN { exit !(r < 1e-7) }' || fail "momentum from nowhere: $residual kg m/s"
+awk -v r="$residual" 'BEGIN { exit !(r < 1e-9) }' || fail "momentum from nowhere: $residual kg m/s"
 finish
