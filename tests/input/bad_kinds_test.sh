@@ -97,7 +97,7 @@ box = { size = [0.3, 0.1, 0.1] }
 [[body.clamp]]
 box = { size = [0.1, 0.1, 0.1] }
 place = { move = [0.6, 0, 0] }"
-warns "one of two clamps that holds nothing" "half.toml:4:1: body 'bar': its clamp 2 of 2 holds none of its particles$" half "[material.rubber]
+warns "one of two clamps that holds nothing" "half.toml:8:1: body 'bar': its clamp 2 of 2 holds none of its particles$" half "[material.rubber]
 young = '1 MPa'
 [[body]]
 name = 'bar'
