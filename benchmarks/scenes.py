@@ -20,9 +20,9 @@ import sys
 root = pathlib.Path(__file__).resolve().parent.parent
 build = pathlib.Path(os.environ.get("THAW_BUILD", root / "build/release"))
 
-# scene, overrides, (case, precision, support) of the step benchmark
 # 80 degC at its foot, 5 at half its height, -70 at its top; it melts from 40 to 65
 MELTING = ['body.bust.temperature="5 degC"', "body.bust.temperature_gradient=[0, 0, -500]"]
+# scene, overrides, (case, precision, support) of the step benchmark
 SCENES = [
     ("dam_break", ["spacing=0.005"], ("fluid", "single", "2")),
     ("beam", [], ("elastic", "double", "1.7")),

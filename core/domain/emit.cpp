@@ -169,7 +169,7 @@ std::string misplacedOpening(const Scene& s, const Walls& walls, const Emitter& 
 
 std::string unevenOutflow(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
   const double area = e.disc ? 3.14159265358979323846 * e.radius * e.radius : e.width * e.depth;
-  const double is = static_cast<double>(plan.layer.size()) * plan.particleMass / plan.interval, meant = s.materials[static_cast<std::size_t>(e.material)].density * area * e.speed;
+  const double is = outflowOf(plan), meant = s.materials[static_cast<std::size_t>(e.material)].density * area * e.speed;
   if (e.rate > 0 || std::abs(is / meant - 1) < 0.25) return {};
   return "emitter '" + e.name + "' lets out " + text(is) + " kg/s, where opening, speed and density make " + text(meant) + ": its layers have " + std::to_string(plan.layer.size()) + " particles, whole spacings apart; a smaller spacing or `rate` mends it";
 }

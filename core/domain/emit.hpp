@@ -31,6 +31,9 @@ std::vector<EmitterPlan> planEmitters(const Scene& scene);
 /// does, and may lie in an obstacle.)
 std::string misplacedOpening(const Scene& scene, const Walls& walls, const Emitter& emitter, const EmitterPlan& plan);
 
+/// kg/s that it lets out while it is open.
+inline double outflowOf(const EmitterPlan& plan) { return static_cast<double>(plan.layer.size()) * plan.particleMass / plan.interval; }
+
 /// One sentence on an emitter that lets out far more or less than opening, speed and density say, since its layers have whole spacings; empty: it does not.
 std::string unevenOutflow(const Scene& scene, const Emitter& emitter, const EmitterPlan& plan);
 

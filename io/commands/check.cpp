@@ -137,7 +137,7 @@ int checkAll(const CheckOptions& o) {
   const double emitted = emittedAtEnd(s, t);
   for (std::size_t e = 0; e < s.emitters.size(); e++)
     std::printf("  emitter '%s': of %s, %.4g kg/s, layers of %zu particles\n", s.emitters[e].name.c_str(), s.materials[static_cast<std::size_t>(s.emitters[e].material)].name.c_str(),
-                t.emitters[e].particleMass * static_cast<double>(t.emitters[e].layer.size()) / t.emitters[e].interval, t.emitters[e].layer.size());
+                outflowOf(t.emitters[e]), t.emitters[e].layer.size());
   if (emitted > 0) std::printf("  emitted until the end: %.0f\n", emitted);
   for (const std::string& pair : sampled.overlaps) std::printf("  %s\n", pair.c_str());
   if (!sampled.overlaps.empty()) std::printf("  %lld particles left out of overlaps\n", static_cast<long long>(sampled.removed));

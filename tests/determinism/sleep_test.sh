@@ -51,8 +51,8 @@ SCENE
 same() { sameRuns "$1" "$2" "$3" "frames/$scene.hdf.series"; }
 # cut in the midst of sleep, before and after what falls has come down
 sameOnAllRanks $scene 1000000 "320 960 1280" "$work/sleepers.toml" --set numerics.retry_every=10
-slept=$(value "$work/$scene.1/summary.json" asleep)
-[ "${slept:-0}" -gt 0 ] || fail "nothing sleeps at the end"
+expectSleepers() { slept=$(value "$work/$scene.1/summary.json" asleep); [ "${slept:-0}" -gt 0 ] || fail "$scene: nothing sleeps at the end"; }
+expectSleepers
 # a rod leans on a ring: parts fall asleep while others creep, whose stress bonds bring two cells far into what sleeps. The force that holds that once depended on who had looked, and when
 scene=leaning
 cat >"$work/leaning.toml" <<'SCENE'
@@ -93,8 +93,7 @@ sleep_after = 0.05
 every = 0.4
 SCENE
 sameOnAllRanks $scene 1000000 "4000 8000 10000" "$work/leaning.toml"
-slept=$(value "$work/$scene.1/summary.json" asleep)
-[ "${slept:-0}" -gt 0 ] || fail "nothing of what leans sleeps at the end"
+expectSleepers
 residual=$(awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) if ($k ~ /^momentum_residual/) of[k] = 1; next } { for (k in of) { a = $k < 0 ? -$k : $k; if (a > most) most = a } } END { print most + 0 }' "$work/$scene.1/progress.csv")
 awk -v r="$residual" 'BEGIN { exit !(r < 1e-9) }' || fail "momentum from nowhere: $residual kg m/s"
 finish

@@ -54,6 +54,7 @@ TEST(Clock, FrameTimesAndTheEndAreHitExactly) {
       ASSERT_EQ(hits.size(), frames) << every << " " << dt;
       for (std::size_t k = 0; k < frames; k++) {
         const double due = static_cast<double>(k) * every;
+        EXPECT_EQ(hits[k], frameTime(c, static_cast<std::int64_t>(k))) << every;
         EXPECT_NEAR(hits[k], due, 1e-14 * due) << every;
       }
       const double last = 1 - static_cast<double>(frames - 1) * every;  // between the last frame and the end
