@@ -49,10 +49,19 @@ void checkCommand(const CLI::App& app, const std::string& given) {
   throw CLI::ValidationError(given, "there is no such command; expected one of " + names);
 }
 
+/// What other commands take as --ranks: CLI11 would only say that it was not expected.
+void checkRanks(int argc, char** argv) {
+  const std::string command = argv[1];
+  if (command != "run" && command != "relax") return;
+  for (int a = 2; a < argc; a++)
+    if (const std::string text = argv[a]; text.rfind("--ranks", 0) == 0 || text == "-n" || text == "-np")
+      throw CLI::ValidationError(text, "ranks are started by mpirun: mpirun -n 4 thaw " + command + " SCENE");
+}
+
 /// CLI11's own exit codes for wrong usage are all 2 here.
 bool parsed(CLI::App& app, int argc, char** argv, int& code) {
   try {
-    if (argc > 1 && argv[1][0] != '-') checkCommand(app, argv[1]);
+    if (argc > 1 && argv[1][0] != '-') checkCommand(app, argv[1]), checkRanks(argc, argv);
     app.parse(reversedArguments(argc, argv));
     return true;
   } catch (const CLI::ParseError& e) {

@@ -6,13 +6,14 @@
 
 namespace thaw {
 
-void Outside::look(const Domain& d, const Vec3d& x) {
-  if (d.holds(x)) return;
+bool Outside::look(const Domain& d, const Vec3d& x) {
+  if (d.holds(x)) return false;
   count++;
   for (int a = 0; a < 3; a++) {
     if (x[a] < d.min[a]) beyond[a][0] = std::max(beyond[a][0], d.min[a] - x[a]);
     if (x[a] >= d.max[a]) beyond[a][1] = std::max(beyond[a][1], x[a] - d.max[a]);
   }
+  return true;
 }
 
 void addUp(std::span<Outside> all, Reducer& reducer) {

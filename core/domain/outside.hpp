@@ -11,8 +11,8 @@ namespace thaw {
 struct Outside {
   std::int64_t count = 0;
   double beyond[3][2] = {{-1, -1}, {-1, -1}, {-1, -1}};  ///< m, [axis][low, high], of the farthest; below 0: none
-  /// Notes a place.
-  void look(const Domain& domain, const Vec3d& x);
+  /// Notes a place that is outside, and says whether it is.
+  bool look(const Domain& domain, const Vec3d& x);
 };
 
 /// Over all ranks, for each of a list. Collective.

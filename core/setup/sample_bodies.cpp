@@ -31,7 +31,7 @@ constexpr std::size_t codes = 65536;
 
 /// x: of a sample, brought in where it was beyond a periodic side.
 void lookAt(const World& w, std::size_t body, const Vec3d& x, Offenders& o) {
-  o.outside[body].look(w.scene.domain, x);
+  if (o.outside[body].look(w.scene.domain, x)) return;  // a walled side is an obstacle as well: once is enough
   for (std::size_t k = 0; k < w.walls.list.size(); k++) {
     if (!holdsSample(w.walls.list[k], x, w.scene.spacing)) continue;
     o.inObstacles++;

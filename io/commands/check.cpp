@@ -69,6 +69,8 @@ std::string leaveOutRelaxation(Scene& s) {
   return most == 0 ? "" : fmt::format("oriented bodies are relaxed before the start, {} iterations at most: not done here; numbers, step and time are those before it", most);
 }
 
+constexpr double longestSensibleRun = 30 * 86400.0;  // s
+
 std::string timeText(double s) { return s > 7200 ? fmt::format("{:.1f} h", s / 3600) : s > 120 ? fmt::format("{:.0f} min", s / 60) : s >= 10 ? fmt::format("{:.0f} s", s) : fmt::format("{:.2g} s", s); }
 
 /// What the emitters let out until the end of the scene.
@@ -163,6 +165,7 @@ int checkAll(const CheckOptions& o) {
               two ? (", and " + bytesText(ofSurface) + " for the surface").c_str() : "");
   std::printf("run time: about %s with %d rank%s (%.0f steps at %.3g M particle-steps/s and rank, measured here over %d steps%s)\n", rangeText(stepping).c_str(), ranks, ranks == 1 ? "" : "s", needed,
               perStep > 0 ? particles / perStep / comm.size() / 1e6 : 0, steps, two ? (": " + timeText(stepping) + ", and " + rangeText(0) + " for the surface").c_str() : "");
+  if (stepping > longestSensibleRun) std::printf("warning: that is more than a month: are the end (%g s), the spacing (%g m) and the stiffness of the materials (sound_speed, young) what is meant?\n", s.end, s.spacing);
   std::printf("steps become shorter or longer, and particles more or fewer, as the scene goes: within a factor of two it is a good guess%s\n", range ? "; of the surface the higher figure is for a splash" : "");
   return exitDone;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <set>
@@ -11,12 +12,12 @@
 namespace thaw {
 namespace {
 
-bool compareFiles(const std::string& pathA, const std::string& pathB, double tolerance, bool alwaysTell) {
+bool compareFiles(const std::string& pathA, const std::string& pathB, const CompareArguments& how, bool alwaysTell) {
   const Snapshot a = openSnapshot(pathA), b = openSnapshot(pathB);
-  const Comparison result = compareSnapshots(a, b, {tolerance});
+  const Comparison result = compareSnapshots(a, b, {how.tolerance});
   if (!alwaysTell && result.equal()) return true;
   fmt::print("A: {}\nB: {}\n", a.file.path(), b.file.path());
-  for (const std::string& line : describe(result)) fmt::print("{}\n", line);
+  for (const std::string& line : describe(result, how.all)) fmt::print("{}\n", line);
   return result.equal();
 }
 
@@ -30,8 +31,14 @@ std::set<std::string> framesOf(const std::string& run) {
   return names;
 }
 
-bool compareFrames(const std::string& runA, const std::string& runB, double tolerance) {
+bool compareFrames(const CompareArguments& how) {
+  const std::string &runA = how.a, &runB = how.b;
   const std::set<std::string> a = framesOf(runA), b = framesOf(runB);
+  if (std::none_of(a.begin(), a.end(), [&](const std::string& name) { return b.count(name) > 0; })) {
+    const auto first = [](const std::set<std::string>& names) { return names.empty() ? std::string("none") : *names.begin(); };
+    fmt::print("frames: no name is in both, so none are compared (the first of A: {}, of B: {})\n", first(a), first(b));
+    return a.empty() && b.empty();
+  }
   bool equal = true;
   std::size_t both = 0, alone = 0;
   const auto missing = [&](const std::string& name, const std::string& run) {
@@ -46,7 +53,7 @@ bool compareFrames(const std::string& runA, const std::string& runB, double tole
       continue;
     }
     both++;
-    const bool same = compareFiles(runA + "/frames/" + name, runB + "/frames/" + name, tolerance, false);
+    const bool same = compareFiles(runA + "/frames/" + name, runB + "/frames/" + name, how, false);
     equal = equal && same;
   }
   fmt::print("frames: {} in both, {}{}\n", both, equal ? "equal" : "different", alone > 0 ? fmt::format("; {} in one alone", alone) : "");
@@ -62,14 +69,15 @@ CLI::App* addCompareCommand(CLI::App& app, CompareArguments& arguments) {
   command->add_option("--tolerance", arguments.tolerance, "allowed difference, relative to the largest magnitude in each field; without it, bits count")
       ->check(CLI::NonNegativeNumber);
   command->add_flag("--frames", arguments.frames, "of two runs: compare all their frames as well");
+  command->add_flag("--all", arguments.all, "tell all that differs in general, not a few of each kind");
   command->footer("Exit code: 0 equal, 1 different, 3 a file cannot be read.");
   return command;
 }
 
 int compareCommand(const CompareArguments& arguments) {
   try {
-    const bool equal = compareFiles(arguments.a, arguments.b, arguments.tolerance, true);
-    const bool equalFrames = !arguments.frames || compareFrames(arguments.a, arguments.b, arguments.tolerance);
+    const bool equal = compareFiles(arguments.a, arguments.b, arguments, true);
+    const bool equalFrames = !arguments.frames || compareFrames(arguments);
     return equal && equalFrames ? 0 : 1;
   } catch (const IoError& e) {
     fmt::print(stderr, "thaw compare: {}\n", e.what());

@@ -223,7 +223,7 @@ void addFewOfEachKind(const std::vector<std::string>& all, std::vector<std::stri
   for (const std::string& line : all)
     if (told[kindOf(line)]++ < mostOfAKind) lines.push_back(line);
   for (const auto& [kind, count] : told)
-    if (count > mostOfAKind) lines.push_back(fmt::format("... and {} more of {}", count - mostOfAKind, kind.substr(0, kind.size() - 1)));
+    if (count > mostOfAKind) lines.push_back(fmt::format("... and {} more of {} (--all tells them)", count - mostOfAKind, kind.substr(0, kind.size() - 1)));
 }
 
 }  // namespace
@@ -261,13 +261,14 @@ Comparison compareSnapshots(const Snapshot& a, const Snapshot& b, const CompareR
   return result;
 }
 
-std::vector<std::string> describe(const Comparison& c) {
+std::vector<std::string> describe(const Comparison& c, bool all) {
   std::string compared = fmt::format("{} {}", c.rows, c.title);
   for (const auto& [title, rows] : c.kinds) compared += fmt::format(", {} {}", rows, title);
   compared += fmt::format(", {} fields", c.columns);
   if (c.equal()) return {"equal: " + compared};
   std::vector<std::string> lines{"different"};
-  addFewOfEachKind(c.general, lines);
+  if (all) lines.insert(lines.end(), c.general.begin(), c.general.end());
+  else addFewOfEachKind(c.general, lines);
   if (!c.fields.empty()) {
     const auto first = std::min_element(c.fields.begin(), c.fields.end(), [](const FieldDifference& a, const FieldDifference& b) { return a.firstId < b.firstId; });
     lines.push_back("first difference: " + first->first);

@@ -36,7 +36,7 @@ struct Comparison {
 /// IoError for files that cannot be read.
 Comparison compareSnapshots(const Snapshot& a, const Snapshot& b, const CompareRule& rule);
 
-/// Lines for people: what is different in general, a few lines of each kind and a count of the others; the first difference of fields, then the largest of each.
-std::vector<std::string> describe(const Comparison& comparison);
+/// Lines for people: what is different in general, unless `all` a few lines of each kind and a count of the others; the first difference of fields, then the largest of each.
+std::vector<std::string> describe(const Comparison& comparison, bool all = false);
 
 }  // namespace thaw

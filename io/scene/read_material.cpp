@@ -76,7 +76,7 @@ void readHeat(TableReader& r, Material& m) {
 /// Combinations of keys that mean nothing.
 void checkMaterial(TableReader& r, const Material& m) {
   if (r.has("melts") && !m.canBeSolid()) r.fail("melts", "a material that melts is a solid below its melting temperature: give it a Young's modulus (young)", {"young"});
-  if (r.has("melts") && !r.has("heat_capacity")) r.fail("melts", "a material that melts needs a heat_capacity");
+  if (r.has("melts") && !r.has("heat_capacity")) r.fail("heat_capacity", "is missing: a material that melts needs one");
   if (r.has("phase") && r.has("melts")) r.fail("phase", "the temperature decides the phase of a material that melts; leave phase out");
   if (r.textOf("phase") == "solid" && !m.canBeSolid()) r.fail("phase", "a solid needs a Young's modulus (young)", {"young"});
   if (m.latentHeat > 0 && !r.has("melts")) r.fail("latent_heat", "only a material that melts has a latent heat: give melts, too");

@@ -118,6 +118,7 @@ void readShape(TableReader& r, Shape& s) {
   };
   for (const Key& k : solids) one(k);
   for (const Key& k : parts) one(k);
+  if (s.kind == ShapeKind::Mesh && r.has("mesh")) s.where = r.placeOf("mesh");  // what is wrong with a file is told where it is named
   if (given == 0) r.fail(r.place(), r.path() + ": its shape is missing: " + allShapes);
   readMesh(r, s);
   readSolids(r, s);

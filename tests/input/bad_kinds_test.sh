@@ -212,13 +212,13 @@ rejects "a sheet's mesh that is missing" "lost.toml:6:1: error: sheet 'sheet 0':
 mesh = 'nowhere.obj'")"
 rejects "an oriented body's mesh that is missing" "lost2.toml:6:1: error: oriented body 'oriented 0': .*nowhere.obj: there is no such file" 2 check "$(kinds lost2 <<<"[[oriented]]
 mesh = 'nowhere.obj'")"
-rejects "an anchor's mesh that is missing" "lost3.toml:8:1: error: oriented body 'oriented 0': an anchor: .*nowhere.obj: there is no such file" 2 check "$(kinds lost3 <<<"$plate
+rejects "an anchor's mesh that is missing" "lost3.toml:9:8: error: oriented body 'oriented 0': an anchor: .*nowhere.obj: there is no such file" 2 check "$(kinds lost3 <<<"$plate
 [[oriented.anchor]]
 mesh = 'nowhere.obj'")"
-rejects "a clamp's mesh that is missing" "lost4.toml:8:1: error: sheet 'sheet 0': a clamp: .*nowhere.obj: there is no such file" 2 run "$(kinds lost4 <<<"$cloth
+rejects "a clamp's mesh that is missing" "lost4.toml:9:8: error: sheet 'sheet 0': a clamp: .*nowhere.obj: there is no such file" 2 run "$(kinds lost4 <<<"$cloth
 [[sheet.clamp]]
 mesh = 'nowhere.obj'")"
-rejects "the mesh of a body's clamp" "lost5.toml:[0-9]+:1: error: .*nowhere.obj" 2 check "$(scene lost5 '/^place/a [[body.clamp]]\nmesh = "nowhere.obj"')"
+rejects "the mesh of a body's clamp" "lost5.toml:[0-9]+:8: error: .*nowhere.obj" 2 check "$(scene lost5 '/^place/a [[body.clamp]]\nmesh = "nowhere.obj"')"
 rejects "more particles than most" "most.toml:6:1: error: oriented body 'oriented 0': it begins with [0-9]+ particles and is to grow to .most. = 20; expected at least as many" 2 check "$(kinds most <<<"$plate
 growth = 'gaps'
 most = 20")"

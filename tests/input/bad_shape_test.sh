@@ -4,7 +4,7 @@
 
 # meshes
 mesh() { scene "$1" "s|^box.*|mesh = \"$1.$2\"|"; }
-rejects "no such mesh" 'nomesh\.obj: there is no such file' 2 run "$(mesh nomesh obj)"
+rejects "no such mesh" 'nomesh\.toml:[0-9]+:8: error: .*nomesh\.obj: there is no such file' 2 run "$(mesh nomesh obj)"
 : >"$work/emptymesh.ply"
 rejects "empty mesh" 'emptymesh\.ply: the file is empty' 2 check "$(mesh emptymesh ply)"
 head -c 5000 "$thaw" >"$work/garbage.stl"

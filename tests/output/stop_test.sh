@@ -77,6 +77,8 @@ cp "$work/copy/frames/drop_000000.hdf" "$last"
 "$thaw" compare --frames "$work/done" "$work/copy" >"$work/log" 2>&1; expectExit 1 "compare --frames, another frame"
 rm "$last"
 "$thaw" compare --frames "$work/done" "$work/copy" >"$work/log" 2>&1; expectExit 1 "compare --frames, a frame less"; expectMessage "is not in $work/copy" "compare --frames"
+for path in "$work/copy/frames"/drop*; do mv "$path" "${path/frames\/drop/frames\/other}"; done
+"$thaw" compare --frames "$work/done" "$work/copy" >"$work/log" 2>&1; expectExit 1 "compare --frames, other names"; expectMessage "no name is in both" "compare --frames, other names"
 "$thaw" compare --frames "$work/done" "$work/copy/checkpoint" >"$work/log" 2>&1; expectExit 3 "compare --frames, not a run"
 
 # what cannot be continued
