@@ -135,7 +135,7 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
   const bool density = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::BoundaryDensity;
   if (pass == NeighbourPass::InnerDensity) {
     resizeRecords(x, p.owned + t.ghostRoom, t.records);
-    packRecords(x, p, 0, p.owned, t.records);
+    for (const RowSpan& rows : rowsToSee(w, t)) packRecords(x, p, rows.begin, rows.end, t.records);
     clearLists(lists, static_cast<std::uint32_t>(p.owned), static_cast<std::uint32_t>(p.owned + t.ghostRoom));
     search(w, t, Part::Inner);
     t.times.lap(StepPhase::Search);

@@ -209,7 +209,7 @@ void addElasticForces(World& w, Halos halos, StepTools& t, double dt) {
   t.times.lap(StepPhase::Bonds);
   computeElasticForces(t.elastic, w.solids, w.bonds, now, SolidPart::Boundary);
   w.solids.energyKnown = now.energy;
-  addSolidForces(w.solids, w.particles, dt);
+  addSolidForces(t.elastic, w.solids, w.particles, dt);
   if (w.particles.fastAcceleration.active)
     for (std::size_t s = 0; s < w.solids.owned; s++) {
       const std::uint32_t i = w.solids.particle[s];

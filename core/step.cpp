@@ -27,7 +27,7 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   const double dt = nextStep(w.clock), time = timeAfter(w.clock, dt);
   if (w.modules.oriented) stepOriented(w, halos, t, dt);  // by an integrator of their own, past obstacles where forces were found
   if (w.modules.incompressible) addPressureKick(w);  // found at the end of the last step
-  t.mayLeave = kickAndDrift(w, dt) || w.clock.substeps > 1;  // v += a dt/2, x += v dt
+  t.mayLeave = kickAndDrift(w, dt, awakeRows(w, t)) || w.clock.substeps > 1;  // v += a dt/2, x += v dt
   substepSolids(w, halos, t, dt);              // stiff solids: bonds alone, in shorter steps
   wrapPeriodic(w.grid, w.scene.domain, w.particles, w.ledger.entered.potential);
   moveWalls(w.walls, time);
@@ -42,7 +42,7 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   if (w.modules.sleep) settleSleep(w, t, dt);  // solids at rest are held from here on
   StepOutcome here;
   LargestRates largest;
-  here.finite = finishKick(w, dt, &here.bad, &largest);  // v += a dt/2
+  here.finite = finishKick(w, dt, awakeRows(w, t), &here.bad, &largest);  // v += a dt/2
   here.largest = largest;
   here.badHere = !here.finite || w.oriented.overran;
   if (w.modules.sheet) {
@@ -93,12 +93,12 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   const bool justFrozen = t.frozeAnywhere && w.modules.freezing && dt > 0;  // of an evaluation with new coefficients the jump of all is booked
   if (neighbours) {
     markInner(w, halos.cells, t);
-    if (w.modules.sleep) markAsleep(w, t, false);
+    if (w.modules.sleep) markAsleep(w, t);
     sumOverNeighbours(w, t, NeighbourPass::InnerDensity, dt);  // ... while particles inside find neighbours and density
     halos.cells.finishGhosts(p, w.cells);
     t.times.lap(StepPhase::Exchange);
     markInner(w, halos.cells, t);
-    if (w.modules.sleep) markAsleep(w, t, true);
+    if (w.modules.sleep) markAllAsleep(w, t);
     sumOverNeighbours(w, t, NeighbourPass::BoundaryDensity, dt);
   }
   if (w.modules.sleep) dropSkippedContacts(t);

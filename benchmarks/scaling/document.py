@@ -48,10 +48,14 @@ def corner(path):
     rows = model.read(path, "corner", "corner")
     if not rows:
         return "not measured"
-    r = rows[-1]
-    return (f"{r['particles']:,.0f} particles on {r['ranks']:.0f} ranks over {r['steps']:.0f} steps: imbalance {r['imbalance']:.3f} (largest over mean work of a rank), in the worst 25 steps {r['imbalance_worst']:.3f}; "
-            f"target below {r['target_imbalance']}: over the run {reached(r['imbalance'], r['target_imbalance'], False)}, in its worst window {reached(r['imbalance_worst'], r['target_imbalance'], False)}. The largest share of particles is {r['particles_max_over_mean']:.2f} times the mean. "
-            f"The balance takes {r['ms_balance']:.3f} ms a step of {r['ms_step']:.1f} ms.")
+    said = []
+    for r in rows:
+        shared = r.get("clock") == "cpu"
+        said.append(f"{r['particles']:,.0f} particles on {r['ranks']:.0f} ranks{' that share ' + format(r['cores'], '.0f') + ' cores, work by the CPU time of each,' if shared else ''} over {r['steps']:.0f} steps: "
+                    f"imbalance {r['imbalance']:.3f} (largest over mean work of a rank), in the worst 25 steps {r['imbalance_worst']:.3f}; "
+                    f"target below {r['target_imbalance']}: over the run {reached(r['imbalance'], r['target_imbalance'], False)}, in its worst window {reached(r['imbalance_worst'], r['target_imbalance'], False)}. "
+                    f"The largest share of particles is {r['particles_max_over_mean']:.2f} times the mean." + ("" if shared else f" The balance takes {r['ms_balance']:.3f} ms a step of {r['ms_step']:.1f} ms."))
+    return "\n\n".join(said)
 
 
 def counts(path, case):

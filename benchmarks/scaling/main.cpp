@@ -1,7 +1,7 @@
-// scaling --case fluid|corner --particles N [--copies] [--steps S] [--warm W]: one measurement of the scaling study, on the ranks that mpirun has
+// scaling --case fluid|corner --particles N [--copies] [--cpu-time] [--steps S] [--warm W]: one measurement of the scaling study, on the ranks that mpirun has
 // started; prints one line of CSV (--head: the names of its columns). --copies: in turn with it, ten steps each, every rank runs a simulation of N / ranks
 // particles of its own, all at the same time: what the machine does without any parallel program. So both see the same minutes of a machine whose
-// speed changes. The series are in benchmarks/scaling/series.py.
+// speed changes. --cpu-time: phases by the time that each rank had a core, for more ranks than cores. The series are in benchmarks/scaling/series.py.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -27,7 +27,7 @@ struct Options {
   std::string name = "fluid";
   double particles = 100000;
   int steps = 50, warm = 25;
-  bool copies = false, counts = false;
+  bool copies = false, counts = false, cpuTime = false;
 };
 
 std::string vec(double x, double y, double z) { return "[" + std::to_string(x) + "," + std::to_string(y) + "," + std::to_string(z) + "]"; }
@@ -127,6 +127,7 @@ int measure(const Options& o, const Communicator& world) {
   const auto begin = WallClock::now();
   Run r(world.handle(), o);
   const double startSeconds = since(begin);
+  r.tools.times.onCore = o.cpuTime;
   r.warm(o.warm);
   std::unique_ptr<Run> copy;
   if (o.copies) {
@@ -184,7 +185,7 @@ int measure(const Options& o, const Communicator& world) {
 }
 
 int usage() {
-  std::fprintf(stderr, "scaling --case fluid|corner --particles N [--copies | --counts] [--steps 50] [--warm 25] | --head\n");
+  std::fprintf(stderr, "scaling --case fluid|corner --particles N [--copies | --counts] [--cpu-time] [--steps 50] [--warm 25] | --head\n");
   return 2;
 }
 
@@ -197,6 +198,10 @@ int main(int argc, char** argv) {
     if (key == "--head") return std::puts(head) < 0;
     if (key == "--copies") {
       o.copies = true;
+      continue;
+    }
+    if (key == "--cpu-time") {
+      o.cpuTime = true;
       continue;
     }
     if (key == "--counts") {

@@ -127,7 +127,7 @@ def read(path, series="counts", case="fluid"):
     with open(path, newline="") as f:
         rows = [r for r in csv.DictReader(f) if r["series"] == series and r["case"] == case]
     number = lambda text: float(text) if text else 0.0
-    return [{k: (v if k in ("series", "case", "level", "machine", "version") else number(v)) for k, v in r.items()} for r in rows]
+    return [{k: (v if k in ("series", "case", "level", "clock", "machine", "version") else number(v)) for k, v in r.items()} for r in rows]
 
 
 def main():

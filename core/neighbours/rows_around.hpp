@@ -4,13 +4,12 @@
 #include <vector>
 
 #include "core/neighbours/grid.hpp"
+#include "core/particles/row_span.hpp"
 
 namespace thaw {
 
-struct RowRange { std::uint32_t begin, end; };
-
 /// Rows in the 27 cells around a cell, ascending by (cell, id).
-inline void rowsAround(const CellTable& t, std::uint64_t key, std::vector<RowRange>& ranges) {
+inline void rowsAround(const CellTable& t, std::uint64_t key, std::vector<RowSpan>& ranges) {
   ranges.clear();
   const Vec3i c = cellOfKey(key);
   for (int z = -1; z <= 1; z++)
@@ -26,13 +25,13 @@ inline void rowsAround(const CellTable& t, std::uint64_t key, std::vector<RowRan
 
 /// Calls pair(i, j) for all owned rows i of one table and rows j of the other in the cells around, those of a row in the order (cell, id).
 template<class Pair> void eachNear(const CellTable& own, std::size_t owned, const CellTable& others, Pair&& pair) {
-  std::vector<RowRange> ranges;
+  std::vector<RowSpan> ranges;
   for (std::size_t c = 0; c < own.key.size(); c++) {
     if (own.first[c] >= owned) continue;
     rowsAround(others, own.key[c], ranges);
     if (ranges.empty()) continue;
     for (std::uint32_t i = own.first[c]; i < own.first[c] + own.count[c]; i++)
-      for (const RowRange& r : ranges)
+      for (const RowSpan& r : ranges)
         for (std::uint32_t j = r.begin; j < r.end; j++) pair(i, j);
   }
 }

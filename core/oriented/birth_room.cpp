@@ -57,10 +57,10 @@ template<class Use> void eachImage(const CellGrid& g, const Domain& d, const Vec
 void addShares(const World& w, const Vec3d& place, std::int64_t* shares) {
   const Continuum& p = w.particles;
   const double s = w.scene.spacing;
-  std::vector<RowRange> ranges;
+  std::vector<RowSpan> ranges;
   eachImage(w.grid, w.scene.domain, place, 2 * s, [&](const Vec3d& x) {
     rowsAround(w.cells, cellKey(cellOf(w.grid, x)), ranges);
-    for (const RowRange& r : ranges)
+    for (const RowSpan& r : ranges)
       for (std::uint32_t j = r.begin; j < std::min(r.end, static_cast<std::uint32_t>(p.owned)); j++)
         if (p.phase[j] == Solid && p.body[j] < w.scene.bodies.size()) shares[p.body[j]] += std::llround(solidShare(length(p.position[j] - x), s) / unit);
   });

@@ -37,7 +37,7 @@ struct FaceContact {
   FaceContact(World& world, const SheetVelocities& velocities, std::size_t n)
       : w(world), now(velocities), sheet(n), plan(world.sheets.plans[n]), body(world.scene.sheets[n]), rows(world.sheets.search->rows), slope(world.sheets.rows.owned, 0) {}
 
-  std::vector<RowRange> ranges;
+  std::vector<RowSpan> ranges;
   std::vector<Face> faces;
 
   /// The triangles that a particle of this cell can touch: those whose corners are all beside it and beside each other, so that the owner of each sees all.
@@ -46,7 +46,7 @@ struct FaceContact {
     const Sheets& s = w.sheets.rows;
     const Vec3i cell = cellOfKey(key);
     rowsAround(w.sheets.cells, key, ranges);
-    for (const RowRange& r : ranges)
+    for (const RowSpan& r : ranges)
       for (std::uint32_t i = r.begin; i < r.end; i++) {
         if (s.body[i] != sheet) continue;
         const std::uint32_t v = vertexOf(s.id[i]);

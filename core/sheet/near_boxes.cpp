@@ -49,7 +49,7 @@ void binBoxes(const std::vector<Box>& boxes, const BoxBins& bins, BinnedBoxes& b
   }
 }
 
-void overlaps(const BinnedBoxes& a, std::uint32_t i, const BinnedBoxes& b, const RowRange& rows, std::int32_t* hit) {
+void overlaps(const BinnedBoxes& a, std::uint32_t i, const BinnedBoxes& b, const RowSpan& rows, std::int32_t* hit) {
   const float x0 = a.low[0][i], x1 = a.high[0][i], y0 = a.low[1][i], y1 = a.high[1][i], z0 = a.low[2][i], z1 = a.high[2][i];
   const float *lx = b.low[0].data() + rows.begin, *ly = b.low[1].data() + rows.begin, *lz = b.low[2].data() + rows.begin;
   const float *hx = b.high[0].data() + rows.begin, *hy = b.high[1].data() + rows.begin, *hz = b.high[2].data() + rows.begin;

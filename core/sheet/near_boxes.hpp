@@ -40,16 +40,16 @@ BoxBins binsFor(const std::vector<Box>& boxes);
 void binBoxes(const std::vector<Box>& boxes, const BoxBins& bins, BinnedBoxes& binned);
 
 /// hit[k]: does box i of a overlap with box rows.begin + k of b?
-void overlaps(const BinnedBoxes& a, std::uint32_t i, const BinnedBoxes& b, const RowRange& rows, std::int32_t* hit);
+void overlaps(const BinnedBoxes& a, std::uint32_t i, const BinnedBoxes& b, const RowSpan& rows, std::int32_t* hit);
 
 /// Calls use(number in a, number in b) for all pairs that overlap, and for some that only nearly do.
 template<class Use> void eachNearPair(const BinnedBoxes& a, const BinnedBoxes& b, Use&& use) {
-  std::vector<RowRange> ranges;
+  std::vector<RowSpan> ranges;
   std::vector<std::int32_t> hit;
   for (std::size_t c = 0; c < a.bins.key.size(); c++) {
     rowsAround(b.bins, a.bins.key[c], ranges);
     for (std::uint32_t i = a.bins.first[c]; i < a.bins.first[c] + a.bins.count[c]; i++) {
-      for (const RowRange& r : ranges) {
+      for (const RowSpan& r : ranges) {
         const std::uint32_t n = r.end - r.begin;
         hit.resize(n);
         overlaps(a, i, b, r, hit.data());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/heat/enthalpy.hpp"
 #include "core/solid/plasticity.hpp"
@@ -14,15 +15,20 @@ enum : std::uint8_t { Calm = 1, Held = 2, Asleep = 4, Everything = 7 };
 
 /// Bits that all of the cell's particles have.
 std::uint8_t bitsOf(const Continuum& p, const CellTable& cells, std::size_t c, double after) {
-  std::uint8_t bits = Everything;
-  for (std::size_t i = cells.first[c]; i < cells.first[c] + cells.count[c] && bits != 0; i++) {
-    std::uint8_t own = static_cast<double>(p.calm[i]) >= after ? Calm : 0;
-    if (p.sleep[i] >= heldBefore) own |= Held;
-    if (p.sleep[i] == asleep) own |= Asleep;
-    bits &= own;
+  const std::size_t first = cells.first[c], count = cells.count[c];
+  const float* const calm = p.calm.data() + first;
+  const std::uint8_t* const sleep = p.sleep.data() + first;
+  float shortest = std::numeric_limits<float>::infinity();
+  std::uint8_t lightest = asleep;
+  for (std::size_t k = 0; k < count; k++) {
+    shortest = calm[k] < shortest ? calm[k] : shortest;
+    lightest = sleep[k] < lightest ? sleep[k] : lightest;
   }
-  return bits;
+  return static_cast<std::uint8_t>((static_cast<double>(shortest) >= after ? Calm : 0) | (lightest >= heldBefore ? Held : 0) | (lightest == asleep ? Asleep : 0));
 }
+
+/// Not only held around: bonds bring what is two cells away, in the stress of their other end, and around what is asleep all is held.
+bool isDeep(std::uint8_t around) { return (around & (Calm | Asleep)) == (Calm | Asleep); }
 
 /// The bits that the 27 cells around each have in common. Keys ascend, so nine places move along the table.
 void lookAround(const CellTable& cells, const std::vector<std::uint8_t>& own, std::vector<std::uint8_t>& around) {
@@ -97,24 +103,72 @@ void beginSleep(World& w, StepTools& t, double dt) {
   }
 }
 
-void markAsleep(World& w, StepTools& t, bool ghosts) {
-  const Continuum& p = w.particles;
-  SleepWork& s = t.sleep;
+namespace {
+
+/// SleepWork::cell and around, of the cells that there are.
+void lookAtCells(const World& w, SleepWork& s) {
   const std::size_t n = w.cells.key.size();
   s.cell.resize(n);
   s.around.resize(n);
-  for (std::size_t c = 0; c < n; c++) s.cell[c] = bitsOf(p, w.cells, c, w.scene.numerics.sleepAfter);
+  for (std::size_t c = 0; c < n; c++) s.cell[c] = bitsOf(w.particles, w.cells, c, w.scene.numerics.sleepAfter);
   lookAround(w.cells, s.cell, s.around);
+}
+
+}  // namespace
+
+void markAsleep(World& w, StepTools& t) {
+  const Continuum& p = w.particles;
+  SleepWork& s = t.sleep;
+  lookAtCells(w, s);
+  const std::size_t n = w.cells.key.size();
+  bool any = false;
+  s.known.assign(n, 0);
+  for (std::size_t c = 0; c < n; c++) {
+    if (s.findAll || t.inner[c] != 1 || !isDeep(s.around[c])) continue;
+    t.inner[c] = skippedCell;
+    s.known[c] = 1;
+    any = true;
+  }
+  s.seen.assign(any ? 0 : 1, RowSpan{0, static_cast<std::uint32_t>(p.owned)});
+  if (!any) return;
+  s.quiet.resize(n);
+  lookAround(w.cells, s.known, s.quiet);
+  for (std::size_t c = 0; c < n; c++)
+    if (!s.quiet[c] && w.cells.first[c] < p.owned) addRows(s.seen, w.cells.first[c], w.cells.count[c]);
+}
+
+void markAllAsleep(World& w, StepTools& t) {
+  const Continuum& p = w.particles;
+  SleepWork& s = t.sleep;
+  const std::size_t n = w.cells.key.size();
+  if (n != s.around.size()) lookAtCells(w, s);  // else there are no ghosts
   s.deep.assign(p.owned, 0);
   s.skipped.assign(p.owned, 0);
+  s.rows.clear();
+  s.deepCells.clear();
   for (std::size_t c = 0; c < n; c++) {
-    if (w.cells.first[c] >= p.owned) continue;
-    // not only held around: bonds bring what is two cells away, in the stress of their other end, and around what is asleep all is held
-    const bool deep = (s.around[c] & (Calm | Asleep)) == (Calm | Asleep), skip = deep && !s.findAll;
-    if (skip && (ghosts || t.inner[c] == 1)) t.inner[c] = skippedCell;
-    std::fill_n(s.deep.begin() + w.cells.first[c], w.cells.count[c], deep);
-    std::fill_n(s.skipped.begin() + w.cells.first[c], w.cells.count[c], skip);
+    const std::size_t first = w.cells.first[c], count = w.cells.count[c];
+    if (first >= p.owned) continue;
+    const bool deep = isDeep(s.around[c]), skip = deep && !s.findAll;
+    if (skip) t.inner[c] = skippedCell;
+    else addRows(s.rows, first, count);
+    if (!deep) continue;
+    s.deepCells.push_back(w.cells.key[c]);
+    std::fill_n(s.deep.begin() + static_cast<std::ptrdiff_t>(first), count, std::uint8_t{1});
+    std::fill_n(s.skipped.begin() + static_cast<std::ptrdiff_t>(first), count, static_cast<std::uint8_t>(skip));
   }
+}
+
+std::span<const RowSpan> awakeRows(const World& w, StepTools& t) {
+  const Continuum& p = w.particles;
+  const bool all = !w.modules.sleep || t.sleep.findAll || p.smoothing.active || p.fastAcceleration.active;  // the last two move, or count, what is held as well
+  if (all) t.sleep.rows.assign(1, RowSpan{0, static_cast<std::uint32_t>(p.owned)});
+  return t.sleep.rows;
+}
+
+std::span<const RowSpan> rowsToSee(const World& w, StepTools& t) {
+  if (!w.modules.sleep) t.sleep.seen.assign(1, RowSpan{0, static_cast<std::uint32_t>(w.particles.owned)});
+  return t.sleep.seen;
 }
 
 void dropSkippedContacts(StepTools& t) {
@@ -158,46 +212,69 @@ void noteHolds(World& w, const StepTools& t) {
     if (p.sleep[i] != awake && !t.sleep.deep[i]) p.hold[i] = balancing(w, i);  // whether a rank looks again or not
 }
 
+namespace {
+
+/// What holds those that are deep asleep: its sum is found anew where they lie in other cells than in the last step. Nobody comes into a cell, or leaves it, while it is deep.
+void bookDeep(World& w, SleepWork& s) {
+  if (s.findAll || s.deepCells != s.deepBefore) {
+    s.deepHold = {};
+    for (std::size_t i = 0; i < w.particles.owned; i++)
+      for (int a = 0; s.deep[i] && a < 3; a++) s.deepHold[static_cast<std::size_t>(a)].add(w.particles.hold[i][a]);
+    s.deepBefore = s.deepCells;
+  }
+  for (int a = 0; a < 3; a++) w.ledger.wallForce[a] += s.deepHold[static_cast<std::size_t>(a)];
+}
+
+/// The rows of a cell that are deep asleep: as the last step has left them.
+void keepDeep(World& w, const SleepWork& s, std::size_t first, std::size_t count) {
+  Continuum& p = w.particles;
+  std::copy_n(s.interaction.data() + first, count, p.interaction.data() + first);
+  std::fill_n(p.dissipation.data() + first, count, 0.0);
+  std::fill_n(w.neighbours.neighbours.data() + first, count, decltype(w.neighbours.neighbours)::value_type{0});
+  w.counters.asleep += static_cast<std::int64_t>(count);
+  for (std::size_t i = first; p.clamped.active && i < first + count; i++) {
+    if (!p.clamped[i]) continue;
+    const Vec3d booked = p.force[i] + w.scene.domain.gravity * p.mass[i];  // by the forces that are known, which may be all or none: taken out to the last bit
+    for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(booked[a]);
+  }
+}
+
+}  // namespace
+
 void settleSleep(World& w, StepTools& t, double dt) {
   Continuum& p = w.particles;
   SleepWork& s = t.sleep;
   const Vec3d g = w.scene.domain.gravity;
   const bool clamps = p.clamped.active;
   w.counters.asleep = 0;
+  bookDeep(w, s);
   for (std::size_t c = 0; c < w.cells.key.size(); c++) {
-    if (w.cells.first[c] >= p.owned) continue;
+    const std::size_t first = w.cells.first[c], count = w.cells.count[c];
+    if (first >= p.owned) continue;
     const std::uint8_t around = s.around[c];
-    for (std::size_t i = w.cells.first[c]; i < w.cells.first[c] + w.cells.count[c]; i++) {
+    if (isDeep(around)) {
+      keepDeep(w, s, first, count);
+      continue;
+    }
+    for (std::size_t i = first; i < first + count; i++) {
       const bool fixed = clamps && p.clamped[i];
       const double m = p.mass[i];
-      Vec3d hold = p.hold[i];
-      if (s.deep[i]) {
-        p.interaction[i] = s.interaction[i];
-        p.dissipation[i] = 0;
-        w.neighbours.neighbours[i] = 0;
-      } else {
-        const Vec3d a = fixed ? Vec3d{} : p.force[i] / m + g;
-        hold = balancing(w, i);
-        const bool calm = isCalm(w, i, a);
-        p.calm[i] = calm ? static_cast<float>(static_cast<double>(p.calm[i]) + dt) : 0.0f;
-        if (!calm || !(around & Calm)) p.sleep[i] = awake;
-        else if (p.sleep[i] == awake) p.sleep[i] = heldNow;
-        else if (p.sleep[i] == heldNow) p.sleep[i] = heldBefore;
-        else p.sleep[i] = (around & Held) && mayBeSkipped(w, p.slot[i]) ? asleep : heldBefore;
-      }
+      const Vec3d acceleration = fixed ? Vec3d{} : p.force[i] / m + g, hold = balancing(w, i);
+      const bool calm = isCalm(w, i, acceleration);
+      p.calm[i] = calm ? static_cast<float>(static_cast<double>(p.calm[i]) + dt) : 0.0f;
+      if (!calm || !(around & Calm)) p.sleep[i] = awake;
+      else if (p.sleep[i] == awake) p.sleep[i] = heldNow;
+      else if (p.sleep[i] == heldNow) p.sleep[i] = heldBefore;
+      else p.sleep[i] = (around & Held) && mayBeSkipped(w, p.slot[i]) ? asleep : heldBefore;
       if (p.sleep[i] == awake) continue;
-      w.counters.asleep += s.deep[i];
       if (p.sleep[i] == heldNow) {
         const Vec3d v = p.velocity[i];
         p.dissipated[i] += 0.5 * m * dot(v, v);
         for (int a = 0; a < 3; a++) w.ledger.wallImpulse[a].add(-m * v[a]);
         p.velocity[i] = {};
       }
-      if (fixed && !s.deep[i]) continue;  // booked with what is clamped
+      if (fixed) continue;  // booked with what is clamped
       for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(hold[a]);
-      if (!fixed) continue;
-      const Vec3d booked = p.force[i] + g * m;  // by the forces that are known, which may be all or none: taken out to the last bit
-      for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(booked[a]);
     }
   }
   s.findAll = false;

@@ -155,7 +155,7 @@ double respondLane(const ElasticConstants& c, const double gradU[9][8], const do
 }
 
 ElasticResult computeDeformationAndStress(ElasticWork& work, Solids& solids, const Bonds& bonds, const ElasticStep& step, SolidPart part) {
-  if (part == SolidPart::Inner) packPlaces(work, solids, 0, solids.owned);
+  if (part == SolidPart::Inner) forEachAwake(work, solids, [&](std::size_t first, std::size_t last) { packPlaces(work, solids, first, last); });
   else packPlaces(work, solids, solids.owned, solids.size());
   ElasticArrays a = arraysOf(work, solids, bonds, step, part);
   kernelsOf(work).deformation(a);

@@ -12,6 +12,7 @@
 // second order, and with bonds of 1.7 spacings and alpha = 1.25 bending has next to none (benchmarks/accuracy: p_wave, cantilever).
 // With bonds of 1.5 spacings alpha = 1 does, but what froze unevenly then needs steps half as long.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -68,6 +69,13 @@ struct ElasticWork {
   AlignedVector<double> motion4d;
 };
 
+/// Calls work(first, last) for owned slots that are worked on: all, or those of groups that are awake.
+template<class Work> void forEachAwake(const ElasticWork& elastic, const Solids& solids, const Work& work) {
+  if (!elastic.sleeping) return work(std::size_t{0}, solids.owned);
+  for (const std::vector<std::uint32_t>* groups : {&elastic.innerAwake, &elastic.boundaryAwake})
+    for (const std::uint32_t g : *groups) work(std::size_t{g} * lanes, std::min<std::size_t>((std::size_t{g} + 1) * lanes, solids.owned));
+}
+
 struct ElasticStep {
   double dt = 0;        ///< s, for plastic flow and damping; 0: none
   bool energy = true;   ///< also sum Solids::energy; needs deformation
@@ -106,8 +114,8 @@ void takeReferences(const Continuum& particles, Solids& solids);
 void copyToSolids(const Continuum& particles, Solids& solids);
 /// Volume at rest (mass over the material's density) of owned slots that have none: of particles that have just become solid.
 void fillNewSlots(const Continuum& particles, Solids& solids, const ElasticWork& work, bool atStart);
-/// Adds the elastic force (and what was dissipated in the step, divided by dt) to the particles of the owned slots.
-void addSolidForces(const Solids& solids, Continuum& particles, double dt);
+/// Adds the elastic force (and what was dissipated in the step, divided by dt) to the particles of the owned slots; of groups that sleep nothing.
+void addSolidForces(const ElasticWork& work, const Solids& solids, Continuum& particles, double dt);
 
 /// A^-1 of slots with `changed` set (of all slots if all: where bonds were made by hand), and what else `work` keeps of bonds.
 /// After every relink and the exchange of remoteColumnsAfterRelink, which sets `changed` also where a slot got another number, or a bond's other end became remote or owned.

@@ -56,7 +56,8 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
 std::vector<AnyColumn*> columnsOfSteps(Solids& solids, const ElasticWork& work) {
   std::vector<AnyColumn*> columns{&solids.position, &solids.momentInverse, &solids.deformation, &solids.force};
   columns.push_back(work.precision == Precision::Single ? static_cast<AnyColumn*>(&solids.end) : &solids.endDouble);
-  if (work.damping) columns.insert(columns.end(), {&solids.velocity, &solids.drag});
+  if (work.damping || work.minBreakStretch < never) columns.push_back(&solids.velocity);
+  if (work.damping) columns.push_back(&solids.drag);
   return columns;
 }
 
@@ -99,13 +100,15 @@ void fillNewSlots(const Continuum& particles, Solids& solids, const ElasticWork&
   }
 }
 
-void addSolidForces(const Solids& solids, Continuum& particles, double dt) {
+void addSolidForces(const ElasticWork& work, const Solids& solids, Continuum& particles, double dt) {
   const bool losses = solids.dissipated.active && particles.dissipation.active && dt > 0;
-  for (std::size_t s = 0; s < solids.owned; s++) {
-    const std::uint32_t p = solids.particle[s];
-    particles.force[p] += solids.force[s];
-    if (losses) particles.dissipation[p] += solids.dissipated[s] / dt;
-  }
+  forEachAwake(work, solids, [&](std::size_t first, std::size_t last) {
+    for (std::size_t s = first; s < last; s++) {
+      const std::uint32_t p = solids.particle[s];
+      particles.force[p] += solids.force[s];
+      if (losses) particles.dissipation[p] += solids.dissipated[s] / dt;
+    }
+  });
 }
 
 }  // namespace thaw

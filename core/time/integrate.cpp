@@ -1,5 +1,6 @@
 #include "core/time/integrate.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/domain/sides.hpp"
@@ -28,7 +29,7 @@ Vec3d forceOf(const World& w, std::size_t i) {
   return p.force.shares() ? (p.acceleration[i] - w.scene.domain.gravity) * p.mass[i] : p.force[i];
 }
 
-bool kickAndDrift(World& w, double dt) {
+bool kickAndDrift(World& w, double dt, std::span<const RowSpan> rows) {
   Continuum& p = w.particles;
   const double half = 0.5 * dt;
   bookImpulses(w, half);
@@ -37,22 +38,23 @@ bool kickAndDrift(World& w, double dt) {
   const Vec3d g = w.scene.domain.gravity;
   const OpenBox box = openBox(w.scene.domain);
   bool leaves = false;
-  for (std::size_t i = 0; i < p.owned; i++) {
-    if (shifted)  // against the forces that depend on where particles are: not pressure where the flow carries the density
-      p.dissipated[i] += p.mass[i] * dt * dot(w.modules.continuity ? g : p.acceleration[i], p.smoothing[i]);
-    p.velocity[i] += p.acceleration[i] * half;
-    if (substeps) {
-      if (!(p.clamped.active && p.clamped[i])) p.velocity[i] += p.fastAcceleration[i] * (lessFast * half);
-      if (takesSubsteps(p, i)) continue;
+  for (const RowSpan& range : rows)
+    for (std::size_t i = range.begin; i < range.end; i++) {
+      if (shifted)  // against the forces that depend on where particles are: not pressure where the flow carries the density
+        p.dissipated[i] += p.mass[i] * dt * dot(w.modules.continuity ? g : p.acceleration[i], p.smoothing[i]);
+      p.velocity[i] += p.acceleration[i] * half;
+      if (substeps) {
+        if (!(p.clamped.active && p.clamped[i])) p.velocity[i] += p.fastAcceleration[i] * (lessFast * half);
+        if (takesSubsteps(p, i)) continue;
+      }
+      const Vec3d x = p.position[i] + (smoothed && !(p.clamped.active && p.clamped[i]) ? p.velocity[i] + p.smoothing[i] : p.velocity[i]) * dt;
+      p.position[i] = x;
+      leaves |= box.leaves(x);
     }
-    const Vec3d x = p.position[i] + (smoothed && !(p.clamped.active && p.clamped[i]) ? p.velocity[i] + p.smoothing[i] : p.velocity[i]) * dt;
-    p.position[i] = x;
-    leaves |= box.leaves(x);
-  }
   return leaves;
 }
 
-bool finishKick(World& w, double dt, std::size_t* bad, LargestRates* largest) {
+bool finishKick(World& w, double dt, std::span<const RowSpan> rows, std::size_t* bad, LargestRates* largest) {
   Continuum& p = w.particles;
   const Vec3d g = w.scene.domain.gravity;
   const double half = 0.5 * dt;
@@ -64,29 +66,35 @@ bool finishKick(World& w, double dt, std::size_t* bad, LargestRates* largest) {
   const bool fast = p.fastAcceleration.active;
   bookImpulses(w, half);
   const Vec3d* const force = p.force.data();
-  for (std::size_t i = p.owned; i-- > 0;) {
-    const bool clamped = clamps && p.clamped[i];
-    const Vec3d x = p.position[i];
-    Vec3d v = p.velocity[i], a = force[i] * (1 / p.mass[i]) + g;
-    if (clamped || (sleeps && p.sleep[i] != awake)) a = {};
-    if (!std::isfinite(a.x + a.y + a.z + x.x + x.y + x.z + v.x + v.y + v.z)) {
-      finite = false;
-      *bad = i;
+  std::size_t behind = p.owned;  // rows from here on are done
+  const auto rest = [&](std::size_t from) { std::fill(p.acceleration.data() + from, p.acceleration.data() + behind, Vec3d{}); };
+  for (std::size_t k = rows.size(); k-- > 0; behind = rows[k].begin) {
+    rest(rows[k].end);
+    for (std::size_t i = rows[k].end; i-- > rows[k].begin;) {
+      const bool clamped = clamps && p.clamped[i];
+      const Vec3d x = p.position[i];
+      Vec3d v = p.velocity[i], a = force[i] * (1 / p.mass[i]) + g;
+      if (clamped || (sleeps && p.sleep[i] != awake)) a = {};
+      if (!std::isfinite(a.x + a.y + a.z + x.x + x.y + x.z + v.x + v.y + v.z)) {
+        finite = false;
+        *bad = i;
+      }
+      p.acceleration[i] = a;
+      v += a * half;
+      if (lessFast != 0 && !clamped) v += p.fastAcceleration[i] * (lessFast * half);
+      p.velocity[i] = v;
+      const double speed2 = dot(v, v);
+      if (speed2 > far2) {  // only a fixed step is that long: the limit of speed forbids it
+        finite = false;
+        *bad = i;
+      }
+      p.dissipated[i] += p.dissipation[i] * dt;
+      fastest = std::max(fastest, speed2);
+      if (fast && !clamped) a -= p.fastAcceleration[i];
+      hardest = std::max(hardest, dot(a, a));
     }
-    p.acceleration[i] = a;
-    v += a * half;
-    if (lessFast != 0 && !clamped) v += p.fastAcceleration[i] * (lessFast * half);
-    p.velocity[i] = v;
-    const double speed2 = dot(v, v);
-    if (speed2 > far2) {  // only a fixed step is that long: the limit of speed forbids it
-      finite = false;
-      *bad = i;
-    }
-    p.dissipated[i] += p.dissipation[i] * dt;
-    fastest = std::max(fastest, speed2);
-    if (fast && !clamped) a -= p.fastAcceleration[i];
-    hardest = std::max(hardest, dot(a, a));
   }
+  rest(0);
   *largest = {fastest, hardest};
   return finite;
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <ctime>
 
 #include "core/time/step_trace.hpp"
 
@@ -30,6 +31,7 @@ struct PhaseTimes {
   StepPhase current = StepPhase::None;
   Clock::time_point since{};
   StepTrace* trace = nullptr;  ///< laps are kept there; null: nowhere
+  bool onCore = false;         ///< by the time that this thread had a core: work is told where ranks share cores
 
   double& operator[](StepPhase phase) { return seconds[static_cast<std::size_t>(phase)]; }
   double operator[](StepPhase phase) const { return seconds[static_cast<std::size_t>(phase)]; }
@@ -39,21 +41,28 @@ struct PhaseTimes {
     return sum;
   }
 
+  Clock::time_point now() const {
+    if (!onCore) return Clock::now();
+    timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return Clock::time_point(std::chrono::seconds(t.tv_sec) + std::chrono::nanoseconds(t.tv_nsec));
+  }
+
   /// For code that reads as a sequence: what follows is not counted before the first lap; lap books the time since the last one.
-  void start() { since = Clock::now(); }
+  void start() { since = now(); }
   void lap(StepPhase phase) {
-    const auto now = Clock::now();
-    (*this)[phase] += std::chrono::duration<double>(now - since).count();
-    if (trace != nullptr) trace->add(TraceKind::Phase, static_cast<std::uint8_t>(phase), since, now);
-    since = now;
+    const auto end = now();
+    (*this)[phase] += std::chrono::duration<double>(end - since).count();
+    if (trace != nullptr) trace->add(TraceKind::Phase, static_cast<std::uint8_t>(phase), since, end);
+    since = end;
   }
 
   /// Books the time since the last call to the phase that was current, and makes `next` current. Returns the one that was.
   StepPhase change(StepPhase next) {
-    const Clock::time_point now = Clock::now();
+    const Clock::time_point end = now();
     const StepPhase before = current;
-    if (before != StepPhase::None) (*this)[before] += std::chrono::duration<double>(now - since).count();
-    since = now;
+    if (before != StepPhase::None) (*this)[before] += std::chrono::duration<double>(end - since).count();
+    since = end;
     current = next;
     return before;
   }

@@ -21,7 +21,7 @@ std::vector<Sunken> findSunken(World& w, Halos halos) {
   halos.cells.finishRefresh(p);
   const double s = w.scene.spacing;
   std::vector<std::int64_t> count(w.scene.oriented.size() * bodies, 0);
-  std::vector<RowRange> ranges;
+  std::vector<RowSpan> ranges;
   std::vector<double> full(bodies);
   for (std::size_t c = 0; c < w.oriented.cells.key.size(); c++) {
     const CellTable& cells = w.oriented.cells;
@@ -30,7 +30,7 @@ std::vector<Sunken> findSunken(World& w, Halos halos) {
     if (ranges.empty()) continue;
     for (std::uint32_t i = cells.first[c]; i < cells.first[c] + cells.count[c]; i++) {
       std::fill(full.begin(), full.end(), 0.0);
-      for (const RowRange& r : ranges)
+      for (const RowSpan& r : ranges)
         for (std::uint32_t j = r.begin; j < r.end; j++)
           if (p.phase[j] == Solid && p.body[j] < bodies) full[p.body[j]] += solidShare(length(p.position[j] - o.position[i]), s);
       for (std::size_t b = 0; b < bodies; b++) count[o.body[i] * bodies + b] += full[b] > inside;

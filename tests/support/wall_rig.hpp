@@ -89,12 +89,13 @@ struct WallRig {
 
   void step(double dt) {
     for (std::size_t i = 0; i < w.particles.owned && w.clock.step == 0; i++) w.particles.dissipated[i] += w.particles.dissipation[i] * 0.5 * dt;
-    kickAndDrift(w, dt);
+    const RowSpan all[1] = {{0, static_cast<std::uint32_t>(w.particles.owned)}};
+    kickAndDrift(w, dt, all);
     moveWalls(w.walls, w.clock.time + dt);
     evaluate(dt);
     std::size_t bad = 0;
     LargestRates largest;
-    finishKick(w, dt, &bad, &largest);
+    finishKick(w, dt, all, &bad, &largest);
     w.clock.time += dt;
     w.clock.step++;
   }

@@ -1,0 +1,19 @@
+// Rows of a table that a pass goes over, where it leaves some out.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace thaw {
+
+struct RowSpan { std::uint32_t begin, end; };  ///< [begin, end)
+
+/// Appends rows behind those of the list. What lies between is taken along where it is little: going over it costs less than another range.
+inline void addRows(std::vector<RowSpan>& ranges, std::size_t first, std::size_t count) {
+  constexpr std::size_t little = 32;
+  const auto begin = static_cast<std::uint32_t>(first), end = static_cast<std::uint32_t>(first + count);
+  if (!ranges.empty() && begin <= ranges.back().end + little) ranges.back().end = end;
+  else ranges.push_back({begin, end});
+}
+
+}  // namespace thaw
