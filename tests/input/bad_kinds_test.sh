@@ -210,7 +210,7 @@ $plate
 place = { move = [0, 0, 0.012] }"
 rejects "a sheet's mesh that is missing" "lost.toml:6:1: error: sheet 'sheet 0': .*nowhere.obj: there is no such file" 2 check "$(kinds lost <<<"[[sheet]]
 mesh = 'nowhere.obj'")"
-rejects "an oriented body's mesh that is missing" "lost2.toml:6:1: error: oriented body 'oriented 0': .*nowhere.obj: there is no such file" 2 check "$(kinds lost2 <<<"[[oriented]]
+rejects "an oriented body's mesh that is missing" "lost2.toml:7:8: error: oriented body 'oriented 0': .*nowhere.obj: there is no such file" 2 check "$(kinds lost2 <<<"[[oriented]]
 mesh = 'nowhere.obj'")"
 rejects "an anchor's mesh that is missing" "lost3.toml:9:8: error: oriented body 'oriented 0': an anchor: .*nowhere.obj: there is no such file" 2 check "$(kinds lost3 <<<"$plate
 [[oriented.anchor]]
