@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <ctime>
 
 #include "io/render/render_surfels.hpp"
@@ -225,8 +226,9 @@ TEST(Surfels, LeavesOutWhatIsNotFiniteAndRefusesWhatDoesNotFit) {
   EXPECT_THROW(renderSurfels(inputOf(s), style, {SurfelPaint::Values}), std::invalid_argument);
 }
 
-/// The bar: 60,000 surfels at 1280 x 960 in under a second of one core.
+/// The bar: 60,000 surfels at 1280 x 960 in under a second of one core. Seconds are those of a machine and its other guests: told where they are asked for.
 TEST(Surfels, SixtyThousandTakeLessThanASecond) {
+  if (std::getenv("THAW_TIMES") == nullptr) GTEST_SKIP() << "looks at seconds where THAW_TIMES=1 says that the machine is idle";
   const SurfelSamples s = bust(0.0046);
   EXPECT_GT(s.size(), 58000u);
   RenderStyle style = styleFor(s, 1280, 960);
