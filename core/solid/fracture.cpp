@@ -20,16 +20,15 @@ bool beyondLimit(const ElasticWork& work, const Solids& solids, const Bonds& bon
   return length2 > work.touch * work.touch && length2 > limit * limit * std::max(dot(v.reference, v.reference), dot(v.reverse, v.reverse));
 }
 
-/// J, what the slot's bonds have stored since their ends were where the drift of this step has found them.
-double storedInStep(const ElasticWork& work, Solids& solids, const Bonds& bonds, std::size_t slot, double dt) {
+/// J, what the slot's bonds stored where the drift of this step has found their ends.
+double energyBeforeDrift(const ElasticWork& work, Solids& solids, const Bonds& bonds, std::size_t slot, double dt) {
   std::vector<std::pair<std::uint32_t, Vec3d>> places{{static_cast<std::uint32_t>(slot), solids.position[slot]}};
   for (int k = 0; k < bonds.capacity; k++)
     if (const std::uint32_t other = bonds.neighbour[bonds.at(slot, k)]; bonds.there(slot, k)) places.emplace_back(other, solids.position[other]);
-  const double now = slotEnergy(work, solids, bonds, slot);
   for (const auto& [row, place] : places) solids.position[row] = place - solids.velocity[row] * dt;
-  const double before = slotEnergy(work, solids, bonds, slot);
+  const double energy = slotEnergy(work, solids, bonds, slot);
   for (const auto& [row, place] : places) solids.position[row] = place;
-  return now - before;
+  return energy;
 }
 
 }  // namespace
@@ -47,7 +46,7 @@ std::int64_t breakBonds(ElasticWork& work, Solids& solids, Bonds& bonds, const E
       for (int k = 0; k < work.bondCount[g]; k++)
         if (bonds.there(s, k) && beyondLimit(work, solids, bonds, s, k)) lost.push_back(k);
       if (lost.empty()) continue;
-      const double before = slotEnergy(work, solids, bonds, s), storedBefore = storedInStep(work, solids, bonds, s, step.dt);
+      const double before = slotEnergy(work, solids, bonds, s), stored = before - energyBeforeDrift(work, solids, bonds, s, step.dt);
       for (const int k : lost) {
         count += solids.id[s] < solids.id[bonds.neighbour[bonds.at(s, k)]];
         bonds.cut(s, k);
@@ -57,10 +56,11 @@ std::int64_t breakBonds(ElasticWork& work, Solids& solids, Bonds& bonds, const E
       // never adds energy. Without this one crack sets off the next until all is dust.
       const double after = slotEnergy(work, solids, bonds, s);
       if (after > before) solids.volume[s] *= before / after;
-      phaseJump.add(before - (after > before ? slotEnergy(work, solids, bonds, s) : after));
+      const double left = after > before ? slotEnergy(work, solids, bonds, s) : after;
+      phaseJump.add(before - left);
       // The half kick that ends this step is of the forces of what is left, where the drift was against those of what there was: without the difference of
       // their work the books are of first order in dt.
-      phaseJump.add(-0.5 * (storedBefore - storedInStep(work, solids, bonds, s, step.dt)));
+      phaseJump.add(-0.5 * (stored - (left - energyBeforeDrift(work, solids, bonds, s, step.dt))));
       any = true;
     }
     if (any) broken.push_back(static_cast<std::uint32_t>(g));
