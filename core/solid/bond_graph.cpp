@@ -14,7 +14,7 @@ void BondGraph::begin() {
   before_ = ids_.size();
   now_.resize(before_);
   std::iota(now_.begin(), now_.end(), 0u);
-  for (auto* v : {&leaving_, &departed_, &unnamed_, &movers_, &relocated_, &newRemotes_, &marked_}) v->clear();
+  for (auto* v : {&leaving_, &departed_, &unnamed_, &movers_, &relocated_, &newRemotes_, &marked_, &bereft_}) v->clear();
   aliases_.clear();
   released_.clear();
   fresh_.clear();
@@ -187,7 +187,10 @@ void BondGraph::bond(const SolidTables& t, std::uint32_t from, const BondRecord&
   std::uint32_t other = known < owned_ && now_[known] != noRow ? known : rowOf_.find(record.neighbourId);
   if (other == from) return;
   if (other == noRow) {
-    if (owner < 0 || owner == rank_) return;
+    if (owner < 0 || owner == rank_) {
+      if (from >= before_) bereft_.push_back(from);
+      return;
+    }
     other = addRemote(record.neighbourId, owner);
   }
   const int k = used_[slot];

@@ -67,7 +67,8 @@ class BondGraph {
   /// Makes room for so many bonds a slot.
   void reserve(Bonds& bonds, int capacity) const;
   /// Appends a bond to a slot. The other end is owned here, or has a remote row, or gets one if owner is another rank (>= 0);
-  /// else there is no bond, as there is none to itself or of a slot that leaves.
+  /// else there is no bond, as there is none to itself or of a slot that leaves. A new slot
+  /// that brings a bond to nobody has lost it, as it would have where it came from: Solids::bared.
   /// known: the owned slot of the other end, if the caller knows it.
   void bond(const SolidTables& t, std::uint32_t slot, const BondRecord& record, int owner, std::uint32_t known = noRow);
   /// The same for many at once, of bonds without vectors; ownerOf(pair) of an end that has no row here, and of one that leaves.
@@ -122,6 +123,7 @@ class BondGraph {
   std::size_t newOwned_ = 0, newRows_ = 0, before_ = 0;  // before_: rows before it
   std::vector<std::uint32_t> now_;         // new number of each old one; of remote rows made in the edit at the end of it
   std::vector<std::uint32_t> leaving_, departed_, movers_, unnamed_, relocated_, newRemotes_;
+  std::vector<std::uint32_t> bereft_;      // new slots, as `bond` knows them, that came with a bond to a particle that is solid no more
   std::vector<Alias> aliases_;
   std::vector<Released> released_;
   std::vector<NewSlot> fresh_;

@@ -28,6 +28,8 @@ void BondGraph::moveColumns(const SolidTables& t) {
     s.changed[slot] = 1;
     t.particles.slot[row] = slot;
   }
+  if (s.bared.active)
+    for (const std::uint32_t r : bereft_) s.bared[now_[r]] = 1;
   s.owned = newOwned_;
   s.resize(newOwned_, newRows_ - newOwned_);
 }
@@ -132,7 +134,7 @@ void BondGraph::finish(const SolidTables& t) {
 
 std::size_t BondGraph::bytes() const {
   const auto of = [](const auto&... v) { return (std::size_t(0) + ... + (v.capacity() * sizeof(v[0]))); };
-  return rowOf_.bytes() + of(ids_, owner_, references_, used_, boundary_, now_, leaving_, departed_, movers_, unnamed_, relocated_, newRemotes_, aliases_, released_, fresh_, marked_,
+  return rowOf_.bytes() + of(ids_, owner_, references_, used_, boundary_, now_, leaving_, departed_, movers_, unnamed_, relocated_, newRemotes_, bereft_, aliases_, released_, fresh_, marked_,
                              isMarked_, touched_, isAlias_, turned_, renumbered_);
 }
 
