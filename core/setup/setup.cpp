@@ -269,6 +269,7 @@ void takeNewCoefficients(World& w, Halos halos, StepTools& t) {
   findStoredEnergy(w, t);
   bookStored(w, t, -1, jump);
   if (w.modules.oriented) giveUnderWay(w);
+  if (w.modules.sleep) wakeEverything(w.particles);
   evaluateNow(w, halos, t);
   findStoredEnergy(w, t);
   bookStored(w, t, 1, jump);

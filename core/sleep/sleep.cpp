@@ -116,6 +116,11 @@ void lookAtCells(const World& w, SleepWork& s) {
 
 }  // namespace
 
+void wakeEverything(Continuum& p) {
+  wakeAll(p);
+  std::fill_n(p.sleep.data(), p.owned, awake);
+}
+
 void markAsleep(World& w, StepTools& t) {
   const Continuum& p = w.particles;
   SleepWork& s = t.sleep;

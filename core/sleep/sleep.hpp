@@ -49,6 +49,9 @@ struct SleepWork {
 /// a tempering acts in the step that ends now. dt: s, of that step.
 void beginSleep(World& world, StepTools& tools, double dt);
 
+/// Nothing sleeps, or has been calm, any more: other coefficients are other forces, and what was found of sleepers is of the old ones.
+void wakeEverything(Continuum& particles);
+
 /// Before ghosts are there: marks inner cells that are skipped in StepTools::inner.
 void markAsleep(World& world, StepTools& tools);
 /// With the ghosts: marks all cells that are skipped, and rows in SleepWork.

@@ -50,7 +50,6 @@ void BondGraph::dropBroken(const SolidTables& t) {
     clearPlaces(b, s, kept, used);
     used_[s] = static_cast<std::uint16_t>(kept);
     t.solids.changed[s] = 1;
-    if (t.solids.bared.active) t.solids.bared[s] = 1;
     mark(s / lanes);
   }
   for (std::size_t r = owned_; r < before_; r++)

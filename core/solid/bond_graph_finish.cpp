@@ -28,8 +28,7 @@ void BondGraph::moveColumns(const SolidTables& t) {
     s.changed[slot] = 1;
     t.particles.slot[row] = slot;
   }
-  if (s.bared.active)
-    for (const std::uint32_t r : bereft_) s.bared[now_[r]] = 1;
+  for (const std::uint32_t r : bereft_) s.bare(now_[r]);
   s.owned = newOwned_;
   s.resize(newOwned_, newRows_ - newOwned_);
 }
@@ -70,7 +69,7 @@ std::int64_t BondGraph::walkGroup(const SolidTables& t, std::size_t g) {
     clearPlaces(b, s, kept, used_[s]);
     used_[s] = static_cast<std::uint16_t>(kept);
     t.solids.changed[s] = 1;
-    if (t.solids.bared.active) t.solids.bared[s] = 1;
+    t.solids.bare(s);
   }
   return met;
 }

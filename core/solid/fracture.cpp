@@ -46,6 +46,7 @@ std::int64_t breakBonds(ElasticWork& work, Solids& solids, Bonds& bonds, const E
       for (int k = 0; k < work.bondCount[g]; k++)
         if (bonds.there(s, k) && beyondLimit(work, solids, bonds, s, k)) lost.push_back(k);
       if (lost.empty()) continue;
+      solids.bare(s);
       const double before = slotEnergy(work, solids, bonds, s), stored = before - energyBeforeDrift(work, solids, bonds, s, step.dt);
       for (const int k : lost) {
         count += solids.id[s] < solids.id[bonds.neighbour[bonds.at(s, k)]];

@@ -6,13 +6,14 @@ namespace thaw {
 
 namespace {
 
-bool dropBonds(const Solids& solids, Bonds& bonds, std::size_t slot, int most) {
+bool dropBonds(Solids& solids, Bonds& bonds, std::size_t slot, int most) {
   bool any = false;
   for (int k = 0; k < most; k++) {
     if (!bonds.there(slot, k) || !(solids.melted[slot] || solids.melted[bonds.neighbour[bonds.at(slot, k)]])) continue;
     bonds.cut(slot, k);
     any = true;
   }
+  if (any) solids.bare(slot);
   return any;
 }
 

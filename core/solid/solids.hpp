@@ -45,6 +45,11 @@ struct Solids : Table {
   Column<std::uint8_t> melted{*this, "melted", "1", Keep::Transient, "its particle has melted in this step (melting.hpp)"};
   Column<std::uint8_t> rereferenced{*this, "rereferenced", "1", Keep::Transient, "took a new reference in this step (rereference.hpp)"};
   Column<std::uint8_t> changed{*this, "changed", "1", Keep::Local, "what is derived from its bonds (momentInverse, ElasticWork) is to be computed anew"};
+
+  /// A slot has lost a bond: told where it is lost, since a slot that migrates takes its bonds along but not those that are lost.
+  void bare(std::size_t slot) {
+    if (bared.active) bared[slot] = 1;
+  }
 };
 
 }  // namespace thaw

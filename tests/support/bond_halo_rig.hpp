@@ -17,7 +17,7 @@ struct ModelBond {
 };
 struct ModelParticle {
   int owner = 0;
-  bool gone = false, solid = false;
+  bool gone = false, solid = false, bare = false;
   std::vector<ModelBond> bonds;
 };
 
@@ -50,7 +50,7 @@ struct Rig {
 
   Rig(std::size_t particles, std::uint64_t seed, std::size_t piece = largestPiece) : comm(MPI_COMM_WORLD, piece), dice{seed} {
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.id, &p.phase, &p.material, &p.slot}) p.activate(*c);
-    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&s.id, &s.particle, &s.material, &s.volume, &s.plasticStrain, &s.position, &s.liquid, &s.changed})
+    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&s.id, &s.particle, &s.material, &s.volume, &s.plasticStrain, &s.position, &s.liquid, &s.bared, &s.changed})
       s.activate(*c);
     b.twoFrames = true;
     model.resize(particles);
@@ -110,8 +110,15 @@ struct Rig {
   }
   void remove(std::size_t i) {
     model[i].solid = false;
+    model[i].bare = false;
     model[i].bonds.clear();
-    for (ModelParticle& x : model) std::erase_if(x.bonds, [&](const ModelBond& y) { return y.to == idOf(i); });
+    erase([&](std::uint64_t, std::uint64_t to) { return to == idOf(i); });
+  }
+
+  /// Bonds (id, id of the other end) that are so go, and leave their end bare.
+  template<class Is> void erase(Is is) {
+    for (std::size_t i = 0; i < model.size(); i++)
+      if (std::erase_if(model[i].bonds, [&](const ModelBond& x) { return is(idOf(i), x.to); }) > 0) model[i].bare = true;
   }
 
   void meltAndFreeze(double melt, double freeze) {
@@ -142,14 +149,14 @@ struct Rig {
     for (std::size_t i = 0; i < model.size(); i++)
       for (const ModelBond& x : model[i].bonds)
         if (dice.chance(chance)) broken.insert(key(idOf(i), x.to));
-    for (std::size_t i = 0; i < model.size(); i++)
-      std::erase_if(model[i].bonds, [&](const ModelBond& x) { return broken.count(key(idOf(i), x.to)) > 0; });
+    erase([&](std::uint64_t from, std::uint64_t to) { return broken.count(key(from, to)) > 0; });
     for (std::size_t slot = 0; slot < s.owned; slot++)
       for (int k = 0; k < b.capacity; k++) {
         const std::size_t at = b.at(slot, k);
         if (!(b.weight[at] > 0) || broken.count(key(s.id[slot], s.id[b.neighbour[at]])) == 0) continue;
         b.weight.set(at, 0);
         b.broken = true;
+        s.bare(slot);
         s.changed[slot] = 1;
       }
   }
@@ -207,6 +214,7 @@ struct Rig {
       }
       ASSERT_EQ(s.volume[slot], volumeOf(id));
       ASSERT_EQ(s.plasticStrain[slot].xy, -volumeOf(id));
+      ASSERT_EQ(s.bared[slot] != 0, m.bare) << "particle " << indexOf(id);
       std::size_t n = 0;
       std::uint64_t sum = 0;
       for (int k = 0; k < b.capacity; k++) {
