@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "benchmarks/support/options.hpp"
 #include "benchmarks/support/rig.hpp"
 #include "core/stored_energy.hpp"
 #include "io/output/checkpoint.hpp"
@@ -81,15 +82,15 @@ int run(int argc, char** argv) {
   double particles = 1e6;
   int repeat = 5;
   std::string folder = "out/bench/output", csv;
-  for (int k = 1; k + 1 < argc; k += 2) {
+  for (int k = 1; k < argc; k += 2) {
     const std::string key = argv[k];
-    if (key == "--particles") particles = std::atof(argv[k + 1]);
-    else if (key == "--repeat") repeat = std::atoi(argv[k + 1]);
+    if (k + 1 == argc) throw std::invalid_argument("output [--particles N] [--repeat R] [--folder F] [--csv FILE]");
+    if (key == "--particles") particles = numberOf(key, argv[k + 1], 1, 1e9);
+    else if (key == "--repeat") repeat = static_cast<int>(countOf(key, argv[k + 1], 1, 10000));
     else if (key == "--folder") folder = argv[k + 1];
     else if (key == "--csv") csv = argv[k + 1];
-    else throw std::invalid_argument("unknown option " + key);
+    else throw std::invalid_argument("there is no option " + key);
   }
-  if (argc % 2 == 0 || !(particles >= 1) || repeat < 1) throw std::invalid_argument("output [--particles N] [--repeat R] [--folder F] [--csv FILE]");
   const Communicator comm;
   const Folder there(comm, folder);
   Rig rig(comm, block(particles), [](Continuum&) {});
@@ -134,6 +135,10 @@ int main(int argc, char** argv) {
   int code = 0;
   try {
     code = run(argc, argv);
+  } catch (const std::invalid_argument& e) {  // an option: alike on all ranks
+    if (Communicator().rank() == 0) std::fprintf(stderr, "output: %s\n", e.what());
+    MPI_Finalize();
+    return 2;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "output: %s\n", e.what());
     code = 1;

@@ -179,13 +179,13 @@ void BondLinks::finish(const Communicator& comm) {
   for (Partner& p : partners_) {
     if (!p.receiving.empty()) {
       const WaitMark waiting(comm, MessagesFor::Bonds);
-      finishAll(comm, p.receiving);
+      finishAll(p.receiving);
     }
     const std::byte* from = p.in.data();
     for (AnyColumn* c : columns_) from = scatter(*c, p.receives, from);
   }
   const WaitMark waiting(comm, MessagesFor::Bonds);
-  for (Partner& p : partners_) finishAll(comm, p.sending);
+  for (Partner& p : partners_) finishAll(p.sending);
   mark_.end(comm, MessagesFor::Bonds);
 }
 

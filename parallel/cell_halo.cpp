@@ -162,12 +162,12 @@ void MpiCellHalo::receiveGhosts(Neighbour& n) {
   if (n.rank == comm_.rank()) {
     n.in.swap(n.out);
   } else {
-    finishAll(comm_, n.receiving);
+    finishAll(n.receiving);
     const std::size_t bytes = headOf(n.in).bytes;
     if (bytes > n.receiveRoom) {
       fit(n.in, bytes, withRoom(bytes));
       startReceive(comm_, n.in.data(), bytes, n.rank, GhostRestTag, n.receiving);
-      finishAll(comm_, n.receiving);
+      finishAll(n.receiving);
       n.receiveRoom = roomFor(bytes);
     }
   }
@@ -205,7 +205,7 @@ void MpiCellHalo::finishGhosts(Table& p, CellTable& cells) {
   p.resize(p.owned, row - p.owned);
   for (Neighbour& n : neighbours_) {
     unpackColumns(columns_, n.ghostFirst, n.ghostCount, n.in.data() + sizeof(GhostHead) + headOf(n.in).cells * bytesPerCell);
-    finishAll(comm_, n.sending);
+    finishAll(n.sending);
   }
   mark_.end(comm_, MessagesFor::Ghosts);
   merge_.merge(cells);
@@ -232,8 +232,8 @@ void MpiCellHalo::finishRefresh(Table&) {
       n.in.swap(n.out);
     } else {
       const WaitMark waiting(comm_, MessagesFor::Refresh);
-      finishAll(comm_, n.receiving);
-      finishAll(comm_, n.sending);
+      finishAll(n.receiving);
+      finishAll(n.sending);
     }
     unpackColumns(columns_, n.ghostFirst, n.ghostCount, n.in.data());
   }

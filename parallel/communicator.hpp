@@ -10,7 +10,6 @@
 #include "core/particles/column.hpp"
 #include "core/time/step_trace.hpp"
 #include "parallel/traffic.hpp"
-#include "parallel/waiting.hpp"
 
 namespace thaw {
 
@@ -47,7 +46,6 @@ class Communicator {
     MPI_Comm_dup(from, &handle_);
     MPI_Comm_rank(handle_, &rank_);
     MPI_Comm_size(handle_, &size_);
-    crowded_ = size_ > 1 && ranksExceedCores(handle_);
   }
   ~Communicator() { MPI_Comm_free(&handle_); }
   Communicator(const Communicator&) = delete;
@@ -56,8 +54,6 @@ class Communicator {
   int rank() const { return rank_; }
   int size() const { return size_; }
   std::size_t piece() const { return piece_; }
-  /// Ranks of this machine share cores.
-  bool crowded() const { return crowded_; }
   /// Alternates at each sparse exchange: a rank that is one exchange ahead must not be heard in the last one.
   int nextTag(int tag) const { return 2 * tag + static_cast<int>(exchanges_++ & 1u); }
   /// What was done over this communicator so far, by this rank. To be added to by whoever sends.
@@ -72,7 +68,6 @@ class Communicator {
   mutable StepTrace* trace_ = nullptr;
   MPI_Comm handle_ = MPI_COMM_NULL;
   int rank_ = 0, size_ = 1;
-  bool crowded_ = false;
   std::size_t piece_;
 };
 
@@ -93,26 +88,6 @@ class WaitMark {
   MessagesFor purpose_;
   StepTrace::Clock::time_point start_;
 };
-
-/// Waits for all of them (n >= 0).
-inline void waitForAll(const Communicator& comm, MPI_Request* requests, int n) {
-  Patience patience(comm.crowded());
-  for (int done = 0;; patience.pause()) {
-    MPI_Testall(n, requests, &done, MPI_STATUSES_IGNORE);
-    if (done) return;
-  }
-}
-
-/// MPI_Allreduce in place. One that blocks would hold the core that another rank needs.
-inline void allReduce(const Communicator& comm, void* values, int n, MPI_Datatype type, MPI_Op operation) {
-  if (!comm.crowded()) {
-    MPI_Allreduce(MPI_IN_PLACE, values, n, type, operation, comm.handle());
-    return;
-  }
-  MPI_Request request = MPI_REQUEST_NULL;
-  MPI_Iallreduce(MPI_IN_PLACE, values, n, type, operation, comm.handle(), &request);
-  waitForAll(comm, &request, 1);
-}
 
 /// From the first message of an exchange to its end; what was sent between is its size. Only looks at clock and counters with a trace.
 class ExchangeMark {
@@ -153,7 +128,7 @@ class MpiReducer : public Reducer {
     const WaitMark waiting(comm_, MessagesFor::Reduction);
     while (!values.empty()) {
       const std::size_t n = std::min(values.size(), comm_.piece());
-      allReduce(comm_, values.data(), static_cast<int>(n), type, operation);
+      MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(n), type, operation, comm_.handle());
       comm_.traffic().collectives++;
       values = values.subspan(n);
     }

@@ -130,7 +130,7 @@ void exchangeHalves(const Group& g, const Cut& cut, std::vector<WeightedCell>& c
   std::vector<MPI_Request> sent = sendCells(g, give, partner(g.self));
   for (int i = mineIsLeft ? left : 0; i < (mineIsLeft ? g.count : left); i++)
     if (partner(i) == g.self) receiveCells(g, i, keep);
-  finishAll(*g.all, sent);
+  finishAll(sent);
   cells = std::move(keep);
 }
 

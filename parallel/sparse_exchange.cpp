@@ -65,13 +65,12 @@ void sparseExchange(const Communicator& comm, std::span<const Message> out, Inbo
   const WaitMark untilAllAreIn(comm, purpose);
   MPI_Request barrier = MPI_REQUEST_NULL;
   bool waiting = false;
-  for (Patience patience(comm.crowded());;) {
+  for (;;) {
     int found = 0;
     MPI_Message handle;
     MPI_Status status;
     MPI_Improbe(MPI_ANY_SOURCE, tag, comm.handle(), &found, &handle, &status);
     if (found) receivePiece(comm, handle, status, in, open);
-    else patience.pause();
     int done = 0;
     if (!waiting) {
       MPI_Testall(static_cast<int>(sends.size()), sends.data(), &done, MPI_STATUSES_IGNORE);

@@ -15,8 +15,8 @@ void startReceive(const Communicator& comm, std::byte* to, std::size_t bytes, in
     MPI_Irecv(to + done, static_cast<int>(std::min(comm.piece(), bytes - done)), MPI_BYTE, from, tag, comm.handle(), &requests.emplace_back());
 }
 
-void finishAll(const Communicator& comm, std::vector<MPI_Request>& requests) {
-  if (!requests.empty()) waitForAll(comm, requests.data(), static_cast<int>(requests.size()));
+void finishAll(std::vector<MPI_Request>& requests) {
+  if (!requests.empty()) MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
   requests.clear();
 }
 

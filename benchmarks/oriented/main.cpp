@@ -7,6 +7,7 @@
 #include <string>
 
 #include "benchmarks/oriented/tests.hpp"
+#include "benchmarks/support/options.hpp"
 
 int main(int argc, char** argv) {
   using namespace thaw::bench;
@@ -14,16 +15,18 @@ int main(int argc, char** argv) {
   bool strict = false;
   std::string only;
   double spacing = 0.0125;  // m, of the surface that is rebuilt
-  for (int a = 1; a < argc; a++) {
+  for (int a = 1; a < argc; a++) try {
     const std::string key = argv[a];
     if (key == "--strict") strict = true;
     else if (key == "--csv" && a + 1 < argc) csv = argv[++a];
-    else if (key == "--only" && a + 1 < argc) only = argv[++a];
-    else if (key == "--spacing" && a + 1 < argc && std::atof(argv[a + 1]) > 0) spacing = std::atof(argv[++a]);
+    else if (key == "--only" && a + 1 < argc) oneOf(key, only = argv[++a], {"plane", "lattice", "sphere", "rebuilt", "neighbours"});
+    else if (key == "--spacing" && a + 1 < argc) spacing = numberOf(key, argv[++a], 1e-4, 1);
     else {
       const bool help = key == "--help" || key == "-h";
       return std::fprintf(help ? stdout : stderr, "scripts/bench oriented [--strict] [--only plane|lattice|sphere|rebuilt|neighbours] [--spacing METRES of rebuilt] [--csv FILE]\n"), help ? 0 : 2;
     }
+  } catch (const std::invalid_argument& e) {
+    return std::fprintf(stderr, "oriented: %s\n", e.what()), 2;
   }
   Figures figures;
   figures.csv = std::fopen(csv ? csv : "/dev/null", "w");

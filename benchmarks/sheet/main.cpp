@@ -9,21 +9,24 @@
 #include <string>
 
 #include "benchmarks/sheet/tests.hpp"
+#include "benchmarks/support/options.hpp"
 
 int main(int argc, char** argv) {
   using namespace thaw::bench;
   std::size_t vertices = 2000000, large = 1000000;
   std::string csv, only;
-  for (int k = 1; k < argc; k += 2) {
+  for (int k = 1; k < argc; k += 2) try {
     const std::string key = argv[k];
     const bool help = key == "--help" || key == "-h";
     if (help || k + 1 == argc)
       return std::fprintf(help ? stdout : stderr, "scripts/bench sheet [--vertices 2000000] [--large 1000000] [--csv FILE] [--only bandwidth|frames|accuracy]\n"), help ? 0 : 2;
-    if (key == "--vertices") vertices = std::strtoull(argv[k + 1], nullptr, 10);
-    else if (key == "--large") large = std::strtoull(argv[k + 1], nullptr, 10);
+    if (key == "--vertices") vertices = countOf(key, argv[k + 1], 1000, 1000000000);
+    else if (key == "--large") large = countOf(key, argv[k + 1], 1000, 1000000000);
     else if (key == "--csv") csv = argv[k + 1];
-    else if (key == "--only") only = argv[k + 1];
-    else return std::fprintf(stderr, "sheet: there is no option %s\n", argv[k]), 2;
+    else if (key == "--only") oneOf(key, only = argv[k + 1], {"bandwidth", "frames", "accuracy"});
+    else throw std::invalid_argument("there is no option " + key);
+  } catch (const std::invalid_argument& e) {
+    return std::fprintf(stderr, "sheet: %s\n", e.what()), 2;
   }
   std::FILE* file = csv.empty() ? nullptr : std::fopen(csv.c_str(), "w");
   if (!csv.empty() && !file) return std::fprintf(stderr, "sheet: %s cannot be written\n", csv.c_str()), 2;

@@ -17,6 +17,7 @@
 
 #include "benchmarks/step/ball.hpp"
 #include "benchmarks/step/cases.hpp"
+#include "benchmarks/support/options.hpp"
 #include "benchmarks/support/rig.hpp"
 #include "benchmarks/support/yardstick.hpp"
 #include "core/math/hash_random.hpp"
@@ -100,7 +101,7 @@ struct Options {
   int repeat = 7;
   double seconds = 0.6;  ///< of steps between two looks at the yardstick
   const char* csv = nullptr;
-  bool append = false, memory = false;
+  bool append = false, memory = false, help = false;
 };
 
 /// The phase that stands furthest above its limit where the prototypes' phases are known (forces with leap-frog), else the one with most time.
@@ -205,40 +206,49 @@ template<class T, class Read> std::vector<T> listOf(const std::string& text, Rea
   return all;
 }
 
+constexpr const char* usage =
+    "step [--cases fluid,heat,elastic,mixed,mesh] [--precisions single,double,default] [--supports 2.13,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1] [--memory 1]\n";
+
+Options optionsOf(int argc, char** argv) {
+  Options o;
+  for (int a = 1; a < argc; a += 2) {
+    const std::string key = argv[a];
+    o.help = o.help || key == "--help" || key == "-h";
+    if (o.help) return o;
+    if (a + 1 == argc) throw std::invalid_argument(key + ": expected a value behind it");
+    const std::string value = argv[a + 1];
+    if (key == "--cases")
+      o.kinds = listOf<Kind>(value, [&](const std::string& name) { return static_cast<Kind>(oneOf(key, name, {"fluid", "heat", "elastic", "mixed", "mesh"})); });
+    else if (key == "--precisions")
+      o.precisions = listOf<std::pair<Precision, Precision>>(value, [&](const std::string& name) {
+        const std::size_t k = oneOf(key, name, {"single", "double", "default"});
+        return std::pair{k == 1 ? Precision::Double : Precision::Single, k == 0 ? Precision::Single : Precision::Double};
+      });
+    else if (key == "--supports") o.supports = listOf<double>(value, [&](const std::string& x) { return numberOf(key, x, 1.5, 4); });
+    else if (key == "--sizes") o.sizes = listOf<std::size_t>(value, [&](const std::string& x) { return countOf(key, x, 1000, 1000000000); });
+    else if (key == "--repeat") o.repeat = static_cast<int>(countOf(key, value, 1, 10000));
+    else if (key == "--seconds") o.seconds = numberOf(key, value, 0, 3600);
+    else if (key == "--csv") o.csv = argv[a + 1];
+    else if (key == "--append") o.append = oneOf(key, value, {"0", "1"}) == 1;
+    else if (key == "--memory") o.memory = oneOf(key, value, {"0", "1"}) == 1;
+    else throw std::invalid_argument("there is no option " + key);
+  }
+  return o;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   MpiSession session(&argc, &argv);
   Communicator comm;
   Options o;
-  for (int a = 1; a < argc; a += 2) {
-    const std::string key = argv[a];
-    if (a + 1 == argc || key == "--help") {
-      if (comm.rank() == 0)
-        std::fprintf(stderr, "step [--cases fluid,heat,elastic,mixed,mesh] [--precisions single,double,default] [--supports 2.13,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1] [--memory 1]\n");
-      return 2;
-    }
-    const std::string value = argv[a + 1];
-    if (key == "--cases")
-      o.kinds = listOf<Kind>(value, [](const std::string& name) {
-        for (int k = 0; k < static_cast<int>(std::size(kindNames)); k++)
-          if (name == kindNames[k]) return static_cast<Kind>(k);
-        std::fprintf(stderr, "there is no case '%s': fluid, heat, elastic, mixed, mesh\n", name.c_str());
-        std::exit(2);
-      });
-    else if (key == "--precisions")
-      o.precisions = listOf<std::pair<Precision, Precision>>(value, [](const std::string& name) {
-        return std::pair{name == "double" ? Precision::Double : Precision::Single, name == "single" ? Precision::Single : Precision::Double};
-      });
-    else if (key == "--supports") o.supports = listOf<double>(value, [](const std::string& x) { return std::max(1.5, std::atof(x.c_str())); });
-    else if (key == "--sizes") o.sizes = listOf<std::size_t>(value, [](const std::string& x) { return std::max<std::size_t>(1000, std::strtoull(x.c_str(), nullptr, 10)); });
-    else if (key == "--repeat") o.repeat = std::max(1, std::atoi(argv[a + 1]));
-    else if (key == "--seconds") o.seconds = std::atof(argv[a + 1]);
-    else if (key == "--csv") o.csv = argv[a + 1];
-    else if (key == "--append") o.append = value == "1";
-    else if (key == "--memory") o.memory = value == "1";
-    else return std::fprintf(stderr, "unknown option %s\n", argv[a]), 2;
+  try {
+    o = optionsOf(argc, argv);
+  } catch (const std::invalid_argument& e) {
+    if (comm.rank() == 0) std::fprintf(stderr, "step: %s\n%s", e.what(), usage);
+    return 2;
   }
+  if (o.help) return comm.rank() == 0 ? std::printf("%s", usage), 0 : 0;
   FILE* out = comm.rank() != 0 ? nullptr : o.csv ? std::fopen(o.csv, o.append ? "a" : "w") : stdout;
   if (comm.rank() == 0 && !out) return std::fprintf(stderr, "%s: cannot be written\n", o.csv), 3;
   if (out && !o.append)

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "benchmarks/support/options.hpp"
 #include "benchmarks/support/rig.hpp"
 #include "io/scene/read_scene.hpp"
 
@@ -156,14 +157,21 @@ int main(int argc, char** argv) {
   std::string only, csv;
   double end = 1;
   bool reference = false;
-  for (int a = 1; a < argc; a += 2) {
+  for (int a = 1; a < argc; a += 2) try {
     const std::string key = argv[a];
-    if (a + 1 == argc) return std::fprintf(stderr, "time_to_solution [--only cube|beam] [--end 1] [--csv FILE] [--reference 1]\n"), 2;
-    if (key == "--only") only = argv[a + 1];
-    else if (key == "--end") end = std::atof(argv[a + 1]);
+    const bool help = key == "--help" || key == "-h";
+    if (help || a + 1 == argc) {
+      if (comm.rank() == 0) std::fprintf(help ? stdout : stderr, "time_to_solution [--only cube|beam] [--end 1] [--csv FILE] [--reference 1]\n");
+      return help ? 0 : 2;
+    }
+    if (key == "--only") oneOf(key, only = argv[a + 1], {"cube", "beam"});
+    else if (key == "--end") end = numberOf(key, argv[a + 1], 1e-4, 1000);
     else if (key == "--csv") csv = argv[a + 1];
-    else if (key == "--reference") reference = std::string(argv[a + 1]) == "1";
-    else return std::fprintf(stderr, "unknown option %s\n", argv[a]), 2;
+    else if (key == "--reference") reference = oneOf(key, argv[a + 1], {"0", "1"}) == 1;
+    else throw std::invalid_argument("there is no option " + key);
+  } catch (const std::invalid_argument& e) {
+    if (comm.rank() == 0) std::fprintf(stderr, "time_to_solution: %s\n", e.what());
+    return 2;
   }
   const bool first = comm.rank() == 0;
   if (reference) {

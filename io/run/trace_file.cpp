@@ -128,7 +128,7 @@ void writeTrace(const std::string& path, const Communicator& comm, const StepTra
   if (comm.rank() > 0) {
     MPI_Send(head, 2, MPI_INT64_T, 0, CountTag, comm.handle());
     startSend(comm, reinterpret_cast<const std::byte*>(events.data()), events.size() * sizeof(TraceEvent), 0, EventsTag, MessagesFor::Rows, requests);
-    finishAll(comm, requests);
+    finishAll(requests);
     return agree(comm.handle(), "");
   }
   Lines out(path + ".part");
@@ -138,7 +138,7 @@ void writeTrace(const std::string& path, const Communicator& comm, const StepTra
       MPI_Recv(head, 2, MPI_INT64_T, r, CountTag, comm.handle(), MPI_STATUS_IGNORE);
       events.resize(static_cast<std::size_t>(head[0]));
       startReceive(comm, reinterpret_cast<std::byte*>(events.data()), events.size() * sizeof(TraceEvent), r, EventsTag, requests);
-      finishAll(comm, requests);
+      finishAll(requests);
     }
     putRank(out, r, events, head[1], zero);
   }

@@ -97,8 +97,8 @@ TEST(Transfer, PiecesArriveInOrder) {
     startReceive(comm, theirs.data(), bytes, from, 7, receiving);
     startSend(comm, mine.data(), bytes, to, 7, MessagesFor::Rows, sending);
     EXPECT_EQ(sending.size(), (bytes + 63) / 64);
-    finishAll(comm, receiving);
-    finishAll(comm, sending);
+    finishAll(receiving);
+    finishAll(sending);
     for (std::size_t i = 0; i < bytes; i++) ASSERT_EQ(theirs[i], content(i, from, 1));
   }
 }
