@@ -51,6 +51,7 @@ class PlacedDistance final : public SignedDistance {
   double extent(const Vec3d& direction) const override;
   double outerExtent(const Vec3d& direction) const override;
   bool hasGaps() const override { return part_->hasGaps(); }
+  double area() const override { return part_->area() * placement_.scale * placement_.scale; }
   void addNotes(std::vector<std::string>& notes) const override { part_->addNotes(notes); }
 
  private:

@@ -90,9 +90,13 @@ MeshDistance::MeshDistance(const TriangleMesh& mesh, std::string name) : name_(s
   const TriangleMesh solid = repairMesh(mesh, report_);
   surface_ = std::make_unique<const TriangleBvh>(solid);
   corners_ = solid.vertices;
+  area_ = areaOf(solid);
   if (report_.closed && report_.shells > 1) {
     TriangleMesh outside = withoutBuried(solid, *surface_);
-    if (outside.triangles.size() < solid.triangles.size() && !outside.triangles.empty()) visible_ = std::make_unique<const TriangleBvh>(outside);
+    if (outside.triangles.size() < solid.triangles.size() && !outside.triangles.empty()) {
+      visible_ = std::make_unique<const TriangleBvh>(outside);
+      area_ = areaOf(outside);
+    }
   }
   if (report_.closed) octree_ = std::make_unique<const DistanceOctree>(visible(), *surface_);
 }

@@ -46,6 +46,7 @@ class MeshDistance final : public SignedDistance {
   Bounds bounds() const override { return surface_->bounds(); }
   double extent(const Vec3d& direction) const override;
   bool hasGaps() const override { return !report_.closed; }
+  double area() const override { return area_; }
   void addNotes(std::vector<std::string>& notes) const override;
   const MeshReport& report() const { return report_; }
   const TriangleBvh& surface() const { return *surface_; }  ///< all triangles
@@ -55,6 +56,7 @@ class MeshDistance final : public SignedDistance {
   double signedFrom(const ClosestPoint& closest, const Vec3d& x, bool inside, Vec3d* gradient) const;
   std::string name_;
   MeshReport report_;
+  double area_ = 0;
   std::vector<Vec3d> corners_;  ///< of the mesh, for extents
   std::unique_ptr<const TriangleBvh> surface_, visible_;
   std::unique_ptr<const DistanceOctree> octree_;  ///< nullptr: the mesh is not closed

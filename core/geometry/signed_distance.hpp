@@ -52,6 +52,8 @@ class SignedDistance {
   virtual double outerExtent(const Vec3d& direction) const;
   /// Can inside() change its answer within |distance| of a point? Only for soups of triangles that are not closed.
   virtual bool hasGaps() const { return false; }
+  /// m^2, of the surface, where it is known without looking for it: of meshes; else negative.
+  virtual double area() const { return -1; }
   /// Adds a sentence for everything that was mended in the shape's meshes, for the warnings of a run.
   virtual void addNotes(std::vector<std::string>& notes) const { (void)notes; }
 };

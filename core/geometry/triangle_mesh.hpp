@@ -17,6 +17,13 @@ struct TriangleMesh {
   std::vector<std::array<Vec3d, 3>> normals{};          // of the corners of triangles, unit ones, or 0 where the file says nothing; empty where it has none
 };
 
+/// m^2, of all triangles.
+inline double areaOf(const TriangleMesh& mesh) {
+  double area = 0;
+  for (const auto& t : mesh.triangles) area += 0.5 * length(cross(mesh.vertices[t[1]] - mesh.vertices[t[0]], mesh.vertices[t[2]] - mesh.vertices[t[0]]));
+  return area;
+}
+
 /// Reads the mesh of a path; throws a std::exception whose what() names file, place and what was expected there.
 /// io/meshes has the one for files, so that core reads none.
 using MeshLoader = std::function<TriangleMesh(const std::string& path)>;

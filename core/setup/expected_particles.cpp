@@ -37,6 +37,10 @@ double expectedArea(const std::vector<std::shared_ptr<const SignedDistance>>& sh
   const auto at = [](const int (&c)[3]) { return static_cast<std::size_t>((c[2] * n + c[1]) * n + c[0]); };
   double sum = 0;
   for (const auto& shape : shapes) {
+    if (const double known = shape->area(); known >= 0) {
+      sum += known;
+      continue;
+    }
     const Bounds b = shape->bounds();
     const Vec3d size = b.max - b.min, cell = size * (1.0 / (n - 2));  // a margin of one cell, which is outside
     const auto place = [&](double x, double y, double z) { return b.min + Vec3d{(x - 0.5) * cell.x, (y - 0.5) * cell.y, (z - 0.5) * cell.z}; };

@@ -17,10 +17,7 @@ constexpr double orientedRow = 500, pointBytes = 49, sampleBytes = 21 * 56, vert
 
 double areaOf(const Shape& shape, const MeshLoader& load) {
   if (shape.kind != ShapeKind::Mesh) return expectedArea({makeSignedDistance(shape, load)});
-  const TriangleMesh mesh = makePlacedSurface(shape, load).mesh;
-  double area = 0;
-  for (const auto& t : mesh.triangles) area += 0.5 * length(cross(mesh.vertices[t[1]] - mesh.vertices[t[0]], mesh.vertices[t[2]] - mesh.vertices[t[0]]));
-  return area;
+  return thaw::areaOf(makePlacedSurface(shape, load).mesh);
 }
 
 double particlesOf(const OrientedBody& b, double s, const MeshLoader& load) {

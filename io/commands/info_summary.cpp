@@ -32,7 +32,7 @@ void addCheckpoints(const Json& run, std::vector<std::string>& lines) {
   std::string text;
   for (const Json& c : run["checkpoints"])
     text += fmt::format("{}step {} at t {:.6g} s ({})", text.empty() ? "" : ", ", c["step"].get<std::int64_t>(), c["time"].get<double>(), bytesText(numberOf(c, "bytes")));
-  lines.push_back(named("checkpoints", text.empty() ? "none" : text));
+  lines.push_back(named("checkpoints", !text.empty() ? text : run.contains("problems") ? "none that can be read" : "none"));
 }
 
 void addFrames(const Json& run, std::vector<std::string>& lines) {

@@ -53,6 +53,15 @@ same() { sameRuns "$1" "$2" "$3" "frames/$scene.hdf.series"; }
 sameOnAllRanks $scene 1000000 "320 960 1280" "$work/sleepers.toml" --set numerics.retry_every=10
 expectSleepers() { slept=$(value "$work/$scene.1/summary.json" asleep); [ "${slept:-0}" -gt 0 ] || fail "$scene: nothing sleeps at the end"; }
 expectSleepers
+# a coefficient that changes at a restart wakes all: held as they were, sleepers would be pushed by forces without their contacts
+for ranks in 1 3; do
+  cp -r "$work/$scene.1" "$work/changed.$ranks"
+  launch $ranks run "$work/sleepers.toml" --set numerics.retry_every=10 --set end=1.8 --set material.rubber.damping=301 --restart --out "$work/changed.$ranks" >"$work/log" 2>&1
+  expectExit 0 "$scene with another damping on $ranks ranks"
+  grep -q 'ledger does not close' "$work/log" && fail "$scene: with another damping energy comes from nowhere"
+done
+same "$work/changed.1" "$work/changed.3" "$scene with another damping on 1 and 3 ranks"
+[ "$(value "$work/changed.1/summary.json" asleep)" -gt 0 ] || fail "$scene: nothing sleeps again after the change"
 # a rod leans on a ring: parts fall asleep while others creep, whose stress bonds bring two cells far into what sleeps. The force that holds that once depended on who had looked, and when
 scene=leaning
 cat >"$work/leaning.toml" <<'SCENE'

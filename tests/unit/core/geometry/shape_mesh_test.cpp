@@ -10,12 +10,6 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-double areaOf(const TriangleMesh& m) {
-  double a = 0;
-  for (const auto& t : m.triangles) a += 0.5 * length(cross(m.vertices[t[1]] - m.vertices[t[0]], m.vertices[t[2]] - m.vertices[t[0]]));
-  return a;
-}
-
 /// What it encloses; negative where it looks inward.
 double volumeOf(const TriangleMesh& m) {
   double v = 0;

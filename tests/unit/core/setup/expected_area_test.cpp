@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/geometry/builtin_meshes.hpp"
+
 namespace thaw {
 namespace {
 
@@ -25,6 +27,12 @@ TEST(ExpectedArea, IsThatOfBoxesAndNearlyThatOfOthers) {
   cut.parts[0].size = {12, 10, 8};
   cut.parts[0].rotate = {};
   EXPECT_NEAR(areaOf(cut) / (592 + 36 * pi), 1, 0.02);
+  Shape bust;  // of a mesh it is known
+  bust.kind = ShapeKind::Mesh;
+  bust.mesh = "builtin:bust";
+  EXPECT_EQ(areaOf(bust), thaw::areaOf(builtinMesh(bust.mesh)));
+  bust.scale = 3;
+  EXPECT_NEAR(areaOf(bust), 9 * thaw::areaOf(builtinMesh(bust.mesh)), 1e-9);
 }
 
 }  // namespace
