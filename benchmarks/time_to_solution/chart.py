@@ -8,9 +8,14 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
+
+def errorText(r):
+    return f"error {100 * float(r['error']):6.2f} %" if float(r["error"]) >= 0 else "error unknown (too short a run)"
+
+
 rows = list(csv.DictReader(open(sys.argv[1], newline="")))
 for r in rows:
-    print(f"{r['case']:5s} {r['solver']:36s} {float(r['wall_s_per_s']):7.1f} s (target {r['target_wall_s_per_s']}, goal 10, best peer {r['best_peer_wall_s_per_s']})   error {100 * float(r['error']):6.2f} %   "
+    print(f"{r['case']:5s} {r['solver']:36s} {float(r['wall_s_per_s']):7.1f} s (target {r['target_wall_s_per_s']}, goal 10, best peer {r['best_peer_wall_s_per_s']})   {errorText(r)}   "
           f"{r['steps']} steps on {r['ranks']} ranks")
 problems = list(dict.fromkeys(r["case"] for r in rows))
 figure, axes = plt.subplots(1, len(problems), figsize=(5.5 * len(problems), 4), squeeze=False)
