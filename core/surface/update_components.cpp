@@ -73,6 +73,7 @@ void labelParticles(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   keepEnclosed(w, halos, t.components);
   splitComponents(w, halos, t.components);
   dropGhosts(s.particles, s.particleCells);
+  tools.relax.particlesReady = false;  // of other components, and without their ghosts
 }
 
 void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
@@ -101,6 +102,7 @@ void measureSurface(World& w, SurfaceHalos halos, SurfaceTools& tools, bool star
   keepOutAgain(w);  // across periodic sides
   addSurfelGhosts(s, halos);
   placeRows(s.grid, halos.particles, s.particles, s.particleCells, tools.sort);
+  tools.relax.particlesReady = false;
   measureAll(s, halos, t);
   if (w.scene.surface.keepVolume > 0 && s.lastStep >= 0) keepVolume(w, halos, t, start);
   dropGhosts(s.surfels, s.surfelCells);

@@ -137,8 +137,23 @@ std::string solvers(Dice& d, bool laplacian, bool printed) {
   return t;
 }
 
+/// A surface, of some scenes, and sleep, of some that it goes together with: `solving` and `more` (dice of their own, so that the rest of a seed's scene stays).
+std::string surfaceOf(Dice& more, double spacing) {
+  if (!more.chance(0.4)) return "";
+  std::string t = "[surface]\n";
+  if (more.chance(0.5)) t += fmt::format("spacing = {:.6g}\n", spacing * more.between(0.6, 1.2));
+  if (more.chance(0.5)) t += fmt::format("every_move = {:.3g}\n", more.between(0.3, 1));
+  return t + "\n";
+}
+std::string sleepOf(Dice& more, const std::string& solving, double speed, double radius) {
+  for (const char* other : {"incompressible", "implicit", "elastic_substeps"})
+    if (solving.find(other) != std::string::npos) return "";
+  if (!more.chance(0.4)) return "";
+  return fmt::format("sleep_speed = {:.6g}\nsleep_after = {:.6g}\n", speed * more.decades(1e-3, 0.3), radius / speed * more.decades(1e-3, 0.1));
+}
+
 std::string scene(std::uint64_t seed) {
-  Dice d{seed};
+  Dice d{seed}, more{seed + (std::uint64_t{1} << 40)};
   const double radius = d.decades(0.01, 1), gravity = d.chance(0.1) ? 0 : 9.81, speed = std::sqrt(9.81 * radius) * d.decades(0.1, 8);
   const int bodies = 1 + d.below(4), emitters = d.chance(0.2);
   const double pitch = 2.3 * radius, particles = d.decades(200, 3000);
@@ -231,7 +246,8 @@ std::string scene(std::uint64_t seed) {
   const bool incompressible = solving.find("incompressible") != std::string::npos;  // which knows all or nothing
   if (pulls) head += fmt::format("tensile_limit = {:.4g}\n", incompressible ? std::round(pull) : pull);
   head += solving;
-  return head + "\n" + text;
+  head += sleepOf(more, solving, speed, radius);
+  return head + "\n" + surfaceOf(more, spacing) + text;
 }
 
 }  // namespace

@@ -3,13 +3,13 @@
 #   exit 0  a finite summary with the residual of the ledger;
 #   exit 4  one message that names the particle, the step and the time, a summary that says so, and a checkpoint of the last good state, from
 #           which the run can be taken up;
-# Anything else is a failure: a scene that is refused (exit 2: a mistake of the generator), a crash, an abort, a hang, an error of MPI, several messages. Every tenth seed also runs on 1 and on 3 ranks,
-# which must give the same bits. 30 seeds; 500 with THAW_NIGHTLY=1. KEEP=FOLDER keeps what was run, with report.txt: one line a seed,
+# Anything else is a failure: a scene that is refused (exit 2: a mistake of the generator), a crash, an abort, a hang, an error of MPI, several messages. Every tenth seed (EVERY) also runs on 1 and on
+# 3 ranks, in two parts on 2 and 4, and from there on with another coefficient on 1 and 3, which must give the same bits, frames included. 30 seeds; 500 with THAW_NIGHTLY=1. KEEP=FOLDER keeps what was run, with report.txt: one line a seed,
 # "seed ranks particles exit residual step what" (the residual is a share of the largest term of the energy).
 . "$(dirname "$0")/../support/run.sh"
 count=${2:-$([ "${THAW_NIGHTLY:-0}" = 1 ] && echo 500 || echo 30)}
 first=${3:-1}
-export build thaw steps=${STEPS:-400} limit=${LIMIT:-120}
+export build thaw steps=${STEPS:-400} limit=${LIMIT:-120} every=${EVERY:-10}
 export folder=${KEEP:-$work}
 mkdir -p "$folder"
 
@@ -17,7 +17,8 @@ oneScene() {  # oneScene SEED: a line of the report
   local seed=$1 ranks=$((1 + $1 % 4)) code here=$folder/$1 what=ok residual=- particles=- step=-
   mkdir -p "$here"
   "$build/tests/random_scene" "$seed" >"$here/scene.toml"
-  run() { timeout -k 5 "$limit" mpirun --allow-run-as-root --oversubscribe --bind-to none -n "$1" "$thaw" run "$here/scene.toml" --steps "$steps" --out "$here/$2" >"$here/$2.log" 2>&1; }
+  run() { timeout -k 5 "$limit" mpirun --allow-run-as-root --oversubscribe --bind-to none -n "$1" "$thaw" run "$here/scene.toml" --steps "$steps" --out "$here/$2" "${@:3}" >"$here/$2.log" 2>&1; }
+  equal() { "$thaw" compare --frames "$here/$1" "$here/$2" >"$here/compare.log" 2>&1 || what="$3 DIFFER: $(head -n 3 "$here/compare.log" | tr '\n' ' ')"; }
   field() { sed -n 's/.*"'"$1"'": *"\{0,1\}\([^",]*\)"\{0,1\}.*/\1/p' "$here/out/summary.json" 2>/dev/null | head -n 1; }
   run "$ranks" out
   code=$?
@@ -41,12 +42,24 @@ oneScene() {  # oneScene SEED: a line of the report
     *) what="EXIT CODE $code: $(grep -a -m1 'error\|signal\|rror' "$here/out.log")" ;;
   esac
   grep -a -q 'terminate called\|Segmentation\|Signal:\|MPI_ABORT\|Assertion' "$here/out.log" && what="CRASHED: $what"
-  if [ $((seed % 10)) = 0 ] && [ "$code" = 0 ]; then
+  if [ $((seed % every)) = 0 ] && [ "$code" = 0 ]; then
     rm -rf "$here/out"
     run 1 one
     run 3 three
-    "$thaw" compare "$here/one" "$here/three" >"$here/compare.log" 2>&1 || what="1 AND 3 RANKS DIFFER: $(head -n 3 "$here/compare.log" | tr '\n' ' ')"
-    rm -rf "$here/one" "$here/three"
+    equal one three "1 AND 3 RANKS"
+    if run 2 parts --steps $((step / 2)); then
+      cp -r "$here/parts" "$here/change.1"
+      cp -r "$here/parts" "$here/change.3"
+      run 4 parts --resume
+      equal one parts "WHOLE AND IN PARTS"
+      run 1 change.1 --restart --set numerics.cfl_elastic=0.35 --set numerics.cfl_sound=0.35
+      code=$?
+      run 3 change.3 --restart --set numerics.cfl_elastic=0.35 --set numerics.cfl_sound=0.35
+      [ $? = $code ] || what="OTHER COEFFICIENTS, 1 AND 3 RANKS END DIFFERENTLY"
+      [ $code = 4 ] || equal change.1 change.3 "OTHER COEFFICIENTS, 1 AND 3 RANKS"
+      code=0
+    fi
+    [ "$what" = ok ] && rm -rf "$here"/{one,three,parts,change.?}
   fi
   rm -rf "$here/out"
   echo "$seed $ranks $particles $code $residual $step $what"
