@@ -18,7 +18,7 @@ constexpr float uneven = 0.12f;      // of the square of how normals turn: what 
 constexpr std::size_t fewest = 4;
 constexpr float flatFace = 0.995f, sharp = 0.5f;  // cosines: of one flat face; of another one beyond a sharp edge
 /// A disc of radius 1 is covered by 1 + 3 k (k + 1) discs on a hexagonal lattice of this spacing; each covers .6 of it.
-constexpr float spacingOf[4] = {0, 0.81f, 0.476f, 0.34f};
+constexpr float ringSpacing[4] = {0, 0.81f, 0.476f, 0.34f};
 constexpr float partOf = 0.62f;
 
 Vec3f anyAcross(const Vec3f& n) {
@@ -170,11 +170,11 @@ std::vector<DiscPart> curvedDiscs(const Discs& discs, std::span<const std::uint3
     if (turn.edge) return whole(true);
     const float rise = 0.5f * r * turn.sine;
     int rings = 0;
-    while (rings < 3 && rise * (rings == 0 ? 1.0f : partOf * spacingOf[rings] * partOf * spacingOf[rings]) > most) rings++;
+    while (rings < 3 && rise * (rings == 0 ? 1.0f : partOf * ringSpacing[rings] * partOf * ringSpacing[rings]) > most) rings++;
     if (rings == 0) return whole();
     const DiscCurvature c = curvatureOf(discs, components, i, near);
     const Vec3f u = c.u, v = cross(n, u);
-    const float step = spacingOf[rings] * r;
+    const float step = ringSpacing[rings] * r;
     for (int row = -rings; row <= rings; row++)
       for (int column = std::max(-rings, -rings - row); column <= std::min(rings, rings - row); column++) {
         const float away = step * std::sqrt(static_cast<float>(row * row + row * column + column * column));

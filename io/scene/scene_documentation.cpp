@@ -78,7 +78,9 @@ std::vector<KeyDescription> sceneKeys() {
 
 std::string sceneDocumentation() {
   const std::vector<KeyDescription> keys = sceneKeys();
-  std::string text = std::string(introduction) + exampleScene() + afterExample;
+  std::string text(introduction);
+  text += exampleScene();
+  text += afterExample;
   std::vector<std::string> tables;
   for (const KeyDescription& k : keys)
     if (std::find(tables.begin(), tables.end(), k.table) == tables.end()) tables.push_back(k.table);
