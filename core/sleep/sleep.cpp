@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/heat/enthalpy.hpp"
+#include "core/sleep/unrest.hpp"
 #include "core/solid/plasticity.hpp"
 #include "core/step.hpp"
 
@@ -71,15 +72,16 @@ bool mayBeSkipped(const World& w, std::uint32_t slot) {
   return size2 < largest * largest && determinant(f) > 0 && !(s.plasticStrain.active && norm(s.plasticStrain[slot]) > 0.5);
 }
 
-bool isCalm(const World& w, std::size_t i, const Vec3d& acceleration) {
+Unrest unrestOf(const World& w, std::size_t i, const Vec3d& acceleration) {
   const Continuum& p = w.particles;
   const Numerics& n = w.scene.numerics;
-  if (p.phase[i] != Solid || p.slot[i] == noSlot || (p.liquid.active && p.liquid[i] > 0)) return false;
+  if (p.phase[i] != Solid || p.slot[i] == noSlot || (p.liquid.active && p.liquid[i] > 0)) return Unrest::NotSolid;
   // less than half of gravity, or whoever falls freely would be calm with a large sleep_speed, and be held in the air
   const double slow = n.sleepSpeed, g = length(w.scene.domain.gravity), weak = std::min(slow / n.sleepAfter, g > 0 ? 0.5 * g : never);
-  if (!(dot(p.velocity[i], p.velocity[i]) < slow * slow) || !(dot(acceleration, acceleration) < weak * weak)) return false;
-  if (!p.heatFlow.active) return true;
-  return std::abs(p.heatFlow[i]) < n.sleepHeating * p.mass[i] * heatCapacityOf(n.heat, w.scene.materials[p.material[i]], 0);
+  if (!(dot(p.velocity[i], p.velocity[i]) < slow * slow)) return Unrest::Moves;
+  if (!(dot(acceleration, acceleration) < weak * weak)) return Unrest::Accelerates;
+  if (!p.heatFlow.active || std::abs(p.heatFlow[i]) < n.sleepHeating * p.mass[i] * heatCapacityOf(n.heat, w.scene.materials[p.material[i]], 0)) return Unrest::None;
+  return Unrest::Warms;
 }
 
 /// N, what balances the particle's weight and the forces known by now.
@@ -115,6 +117,14 @@ void lookAtCells(const World& w, SleepWork& s) {
 }
 
 }  // namespace
+
+std::array<std::int64_t, unrests> countAwake(const World& w) {
+  const Continuum& p = w.particles;
+  std::array<std::int64_t, unrests> count{};
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (p.sleep[i] == awake) count[static_cast<std::size_t>(unrestOf(w, i, p.clamped.active && p.clamped[i] ? Vec3d{} : p.acceleration[i]))]++;
+  return count;
+}
 
 void wakeEverything(Continuum& p) {
   wakeAll(p);
@@ -265,7 +275,7 @@ void settleSleep(World& w, StepTools& t, double dt) {
       const bool fixed = clamps && p.clamped[i];
       const double m = p.mass[i];
       const Vec3d acceleration = fixed ? Vec3d{} : p.force[i] / m + g, hold = balancing(w, i);
-      const bool calm = isCalm(w, i, acceleration);
+      const bool calm = unrestOf(w, i, acceleration) == Unrest::None;
       p.calm[i] = calm ? static_cast<float>(static_cast<double>(p.calm[i]) + dt) : 0.0f;
       if (!calm || !(around & Calm)) p.sleep[i] = awake;
       else if (p.sleep[i] == awake) p.sleep[i] = heldNow;

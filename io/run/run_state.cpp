@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <span>
 
+#include "core/sleep/unrest.hpp"
 #include "core/stored_energy.hpp"
 #include "core/surface/resume_surface.hpp"
 #include "core/time/limits.hpp"
@@ -108,12 +110,17 @@ void writeParticleFrame(Run& r) {
   });
 }
 
-/// "  asleep 8000": particles whose sums were not formed in the last step; empty where none may sleep. Collective.
+/// "  asleep 8000 (awake: 12 move, 340 wait)": particles whose sums were not formed in the last step, and what keeps the others from it; empty where none may sleep. Collective.
 std::string sleepersOf(Run& r) {
   if (!r.world.modules.sleep) return "";
-  std::int64_t asleep[1] = {r.world.counters.asleep};
-  r.all.sum(asleep);
-  return fmt::format("  asleep {}", asleep[0]);
+  std::array<std::int64_t, 1 + unrests> counts{r.world.counters.asleep};
+  std::ranges::copy(countAwake(r.world), counts.begin() + 1);
+  r.all.sum(counts);
+  constexpr const char* words[unrests] = {"wait for what is around them", "are not solid", "move", "accelerate", "are warmed"};
+  std::string why;
+  for (const std::size_t k : {1u, 2u, 3u, 4u, 0u})
+    if (counts[1 + k] > 0) why += fmt::format("{}{} {}", why.empty() ? " (awake: " : ", ", counts[1 + k], words[k]);
+  return fmt::format("  asleep {}{}", counts[0], why.empty() ? "" : why + ")");
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.whole("elastic_substeps", substeps, 0, 64,
           "largest number of steps that solids take within one of all else, where their elastic limit is the shortest; 0: 4 where there is liquid and solids cannot meet, else 1. Above 8 the liquid may pump energy into solids without damping");
   n.elasticSubsteps = static_cast<int>(substeps);
-  r.number("sleep_speed", n.sleepSpeed, "m/s", notNegative(), "solids slower than that for sleep_after, with all that is around them, are held where they are until something wakes them, and cost little; 0: never. Not with sheets, oriented bodies, elastic_substeps, an incompressible or an implicit solver");
+  r.number("sleep_speed", n.sleepSpeed, "m/s", notNegative(), "solids slower than that for sleep_after, with all that is around them, are held where they are until something wakes them, and cost little; lines of progress say how many do, and what keeps the others awake; 0: never. Not with sheets, oriented bodies, elastic_substeps, an incompressible or an implicit solver");
   r.number("sleep_after", n.sleepAfter, "s", positive(), "rest until a solid sleeps; what would make it reach sleep_speed within that time, or half of gravity, keeps it awake, or wakes it: what still rings, however little, sleeps sooner with less");
   r.number("sleep_heating", n.sleepHeating, "K/s", positive(), "change of temperature that keeps a solid awake, or wakes it");
   r.whole("retry_every", n.retryEvery, 0, 1000000000, "steps between the states kept in memory, to which a run that fails goes back and goes on with half the step; 0: none, and the run stops");

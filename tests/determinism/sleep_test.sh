@@ -53,6 +53,7 @@ same() { sameRuns "$1" "$2" "$3" "frames/$scene.hdf.series"; }
 sameOnAllRanks $scene 1000000 "320 960 1280" "$work/sleepers.toml" --set numerics.retry_every=10
 expectSleepers() { slept=$(value "$work/$scene.1/summary.json" asleep); [ "${slept:-0}" -gt 0 ] || fail "$scene: nothing sleeps at the end"; }
 expectSleepers
+grep -q 'asleep 0 (awake: [0-9]* accelerate)' "$work/$scene.log.1" || fail "$scene: what keeps blocks awake is not told at the start"
 # a coefficient that changes at a restart wakes all: held as they were, sleepers would be pushed by forces without their contacts
 for ranks in 1 3; do
   cp -r "$work/$scene.1" "$work/changed.$ranks"
