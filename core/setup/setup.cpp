@@ -78,6 +78,16 @@ double fallHeightOf(const Scene& s, const std::vector<std::shared_ptr<const Sign
   return std::max(0.0, top - low);
 }
 
+/// The axis along which an obstacle reaches beyond one periodic side, and so is cut: obstacles have no images. 0: none; one that reaches from side to side is whole.
+char cutBySide(const Domain& d, const Bounds& b) {
+  for (int a = 0; a < 3; a++) {
+    const double least = 1e-9 * (d.max[a] - d.min[a]);
+    const bool low = b.min[a] < d.min[a] - least, high = b.max[a] > d.max[a] + least;
+    if (d.side[static_cast<std::size_t>(a)][0] == Side::Periodic && low != high) return "xyz"[a];
+  }
+  return 0;
+}
+
 }  // namespace
 
 void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
@@ -164,8 +174,10 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
   if (w.modules.kinds())
     for (SceneWarning& warning : kindStartWarnings(w, shapes, oriented, halos.all, problems)) report.warnings.push_back(std::move(warning));
   problems.raise();
-  for (const Wall& wall : w.walls.list) {  // what was mended of meshes
-    std::vector<std::string> notes;
+  for (const Wall& wall : w.walls.list) {
+    if (const char axis = cutBySide(w.scene.domain, wall.bounds))
+      report.warnings.push_back({wall.properties.where, "obstacle '" + wall.properties.name + "' reaches beyond the periodic side " + axis + ": what is beyond does not act on the other side; write it a second time there, a period away"});
+    std::vector<std::string> notes;  // what was mended of meshes
     wall.shape->addNotes(notes);
     for (const std::string& note : notes) report.warnings.push_back({wall.properties.where, "obstacle '" + wall.properties.name + "': " + note});
   }

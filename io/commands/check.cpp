@@ -15,6 +15,7 @@
 #include "core/memory.hpp"
 #include "core/setup/setup.hpp"
 #include "core/time/limits.hpp"
+#include "io/commands/above_zero.hpp"
 #include "io/commands/bytes_text.hpp"
 #include "io/commands/check_surface.hpp"
 #include "io/run/surface_summary.hpp"
@@ -176,7 +177,7 @@ void addCheckOptions(CLI::App& c, CheckOptions& o) {
   c.add_option("scene", o.scene, "scene file (TOML)")->required();
   c.add_option("--set", o.overrides, "key=value in place of what the scene says; may be given several times")->allow_extra_args(false);
   c.add_flag("--settings", o.settings, "all settings of the accuracy suite on the frontier of error against time, in place of those that pay");
-  c.add_option("--ranks", o.ranks, "ranks that the estimates are for; without it those that this runs on")->check(CLI::PositiveNumber);
+  c.add_option("--ranks", o.ranks, "ranks that the estimates are for; without it those that this runs on")->check(aboveZero());
 }
 
 int checkCommand(const CheckOptions& o) {

@@ -8,6 +8,7 @@
 #include "core/geometry/shape_error.hpp"
 #include "core/surface/surface_due.hpp"
 #include "core/time/limits.hpp"
+#include "io/commands/above_zero.hpp"
 #include "io/commands/require_memory.hpp"
 #include "io/commands/resolution_line.hpp"
 #include "io/commands/scene_for_all.hpp"
@@ -161,7 +162,7 @@ void addRunOptions(CLI::App& c, RunOptions& o) {
   c.add_option("--out", o.out, "folder for frames, checkpoints and the summary (default: out/<scene>)");
   c.add_option("--set", o.overrides, "key=value in place of what the scene says; may be given several times")->allow_extra_args(false);
   c.add_option("--steps", o.steps, "stop when this many steps are done in all")->check(notBelowZero());
-  c.add_option("--time-limit", o.timeLimit, "stop, with a checkpoint, after this many seconds of wall-clock time")->check(CLI::PositiveNumber);
+  c.add_option("--time-limit", o.timeLimit, "stop, with a checkpoint, after this many seconds of wall-clock time")->check(aboveZero());
   c.add_option("--progress", o.reportEvery, "seconds between progress lines")->check(notBelowZero());
   auto* profile = c.add_flag("--profile", o.profile, "print where the time of the steps goes on all ranks, and write a trace of the last ones to trace.json in --out");
   c.add_option("--trace-steps", o.traceSteps, "steps that the trace shows: the last ones")->check(CLI::Range(1, 10000))->needs(profile)->capture_default_str();
@@ -173,8 +174,8 @@ void addRelaxOptions(CLI::App& c, RunOptions& o) {
   c.add_option("scene", o.scene, "scene file (TOML) with oriented bodies")->required();
   c.add_option("--out", o.out, "folder for the frame and a checkpoint from which `thaw run --restart` goes on (default: out/<scene>)");
   c.add_option("--set", o.overrides, "key=value in place of what the scene says; may be given several times")->allow_extra_args(false);
-  c.add_option("--iterations", o.relax, "at most")->check(CLI::PositiveNumber);
-  c.add_option("--time-limit", o.timeLimit, "stop, with a frame and a checkpoint of what there is, after this many seconds of wall-clock time")->check(CLI::PositiveNumber);
+  c.add_option("--iterations", o.relax, "at most")->check(aboveZero());
+  c.add_option("--time-limit", o.timeLimit, "stop, with a frame and a checkpoint of what there is, after this many seconds of wall-clock time")->check(aboveZero());
   c.add_option("--progress", o.reportEvery, "seconds between progress lines")->check(notBelowZero());
 }
 

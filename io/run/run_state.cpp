@@ -113,13 +113,17 @@ void writeParticleFrame(Run& r) {
 /// "  asleep 8000 (awake: 12 move, 340 wait)": particles whose sums were not formed in the last step, and what keeps the others from it; empty where none may sleep. Collective.
 std::string sleepersOf(Run& r) {
   if (!r.world.modules.sleep) return "";
-  std::array<std::int64_t, 1 + unrests> counts{r.world.counters.asleep};
-  std::ranges::copy(countAwake(r.world), counts.begin() + 1);
+  std::array<std::int64_t, 2 + unrests> counts{r.world.counters.asleep, static_cast<std::int64_t>(r.world.particles.owned)};
+  std::ranges::copy(countAwake(r.world), counts.begin() + 2);
   r.all.sum(counts);
   constexpr const char* words[unrests] = {"wait for what is around them", "are not solid", "move", "accelerate", "are warmed"};
   std::string why;
-  for (const std::size_t k : {1u, 2u, 3u, 4u, 0u})
-    if (counts[1 + k] > 0) why += fmt::format("{}{} {}", why.empty() ? " (awake: " : ", ", counts[1 + k], words[k]);
+  std::int64_t held = counts[1] - counts[0];
+  for (const std::size_t k : {1u, 2u, 3u, 4u, 0u}) {
+    held -= counts[2 + k];
+    if (counts[2 + k] > 0) why += fmt::format("{}{} {}", why.empty() ? " (awake: " : ", ", counts[2 + k], words[k]);
+  }
+  if (held > 0) why += fmt::format("{}{} held, but not yet asleep", why.empty() ? " (" : "; ", held);
   return fmt::format("  asleep {}{}", counts[0], why.empty() ? "" : why + ")");
 }
 

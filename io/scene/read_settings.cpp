@@ -33,7 +33,7 @@ Range factor() { return {0, 2, true, false, false}; }
 void readDomain(TableReader& r, Domain& d) {
   r.vector("min", d.min, "m", "low corner");
   r.vector("max", d.max, "m", "high corner, above the low one");
-  r.table("sides", "what the domain's sides are; open where nothing is said", [&](TableReader& s) {
+  r.table("sides", "what the domain's sides are; open where nothing is said. Bodies may lie across periodic sides; obstacles have no images beyond them", [&](TableReader& s) {
     readSides(s, "x", d.side[0]);
     readSides(s, "y", d.side[1]);
     readSides(s, "z", d.side[2]);
