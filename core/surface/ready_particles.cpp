@@ -50,6 +50,12 @@ std::vector<double> weightsOf(const SurfaceParticles& p) {
 
 }  // namespace
 
+void placeParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
+  Surface& s = w.surface;
+  placeRows(s.grid, halos.particles, s.particles, s.particleCells, t.sort);
+  t.relax.particlesReady = false;
+}
+
 void readyParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
   if (t.relax.particlesReady) return;
   t.relax.particlesReady = true;

@@ -7,6 +7,9 @@ namespace thaw {
 
 struct SurfaceTools;
 
+/// The surface's copies of particles on the ranks that own their cells, without ghosts: what readyParticles found of them is stale. Collective.
+void placeParticles(World& world, SurfaceHalos halos, SurfaceTools& tools);
+
 /// Ghosts of the particles, their bins, and the colour field of their own component at each, once and twice smoothed (level_table.hpp), 1 in the
 /// middle of the lattice. Does nothing where tools.relax.particlesReady says that it is done. Needs particles placed. Collective.
 void readyParticles(World& world, SurfaceHalos halos, SurfaceTools& tools);

@@ -6,6 +6,7 @@
 #include "core/surface/keep_volume.hpp"
 #include "core/surface/measure.hpp"
 #include "core/surface/place_rows.hpp"
+#include "core/surface/ready_particles.hpp"
 #include "core/surface/surfel_area.hpp"
 #include "core/surface/update_surface.hpp"
 
@@ -64,7 +65,7 @@ void labelParticles(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   Surface& s = w.surface;
   TopologyTools& t = tools.topology;
   placeSurfels(s, halos, tools);
-  placeRows(s.grid, halos.particles, s.particles, s.particleCells, tools.sort);
+  placeParticles(w, halos, tools);
   ColumnList columns{&s.particles.id, &s.particles.position, &s.particles.component, &s.particles.body};
   if (s.particles.liquid.active) columns.push_back(&s.particles.liquid);
   addGhosts(halos.particles, s.particles, s.particleCells, columns);
@@ -101,8 +102,7 @@ void measureSurface(World& w, SurfaceHalos halos, SurfaceTools& tools, bool star
   placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, tools.sort);
   keepOutAgain(w);  // across periodic sides
   addSurfelGhosts(s, halos);
-  placeRows(s.grid, halos.particles, s.particles, s.particleCells, tools.sort);
-  tools.relax.particlesReady = false;
+  placeParticles(w, halos, tools);
   measureAll(s, halos, t);
   if (w.scene.surface.keepVolume > 0 && s.lastStep >= 0) keepVolume(w, halos, t, start);
   dropGhosts(s.surfels, s.surfelCells);

@@ -20,10 +20,10 @@ namespace thaw {
 namespace {
 
 /// Surfels and copies on the ranks that own their cells, without ghosts.
-void placeAll(Surface& s, SurfaceHalos halos, SurfaceTools& t) {
+void placeAll(World& w, SurfaceHalos halos, SurfaceTools& t) {
+  Surface& s = w.surface;
   placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, t.sort);
-  placeRows(s.grid, halos.particles, s.particles, s.particleCells, t.sort);
-  t.relax.particlesReady = false;
+  placeParticles(w, halos, t);
 }
 
 /// The components of the particles, before there are surfels. What hangs together of a body that is too thin for its particles its surfels say: they are sampled for that alone, and taken away.
@@ -81,13 +81,12 @@ void startSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   gatherParticles(w, halos.all.rank());
   cutByParticles(w, halos, t);
   labelStart(w, halos, t);
-  t.relax.particlesReady = false;
   growBodies(w, halos, t);
   sampleMeshes(w.scene, s, t.load, halos.all);
   updateComponents(w, halos, t);
   orderStart(w, halos, t);
   keepStartVolumes(w, halos);
-  placeAll(s, halos, t);
+  placeAll(w, halos, t);
   sampleFields(w, halos, t);
   s.lastStep = w.clock.step;
   keepOutOfWalls(w, t.relax.particleBins);
@@ -103,14 +102,14 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   settleShares(w);
   gatherParticles(w, halos.all.rank());
   releasePressed(s.surfels);
-  placeAll(s, halos, t);
+  placeAll(w, halos, t);
   t.times.lap(SurfacePhase::Place);
   findDisplacementGradients(w, halos, t);
   fadeFill(s.particles);
   displaceSurfels(w, halos, t);
   t.times.lap(SurfacePhase::Displacement);
   bringParticlesForward(s);
-  placeAll(s, halos, t);
+  placeAll(w, halos, t);
   t.times.lap(SurfacePhase::Place);
   splitAndMerge(w, halos, t);     // before resampling, which closes seams
   listRaised(w, t.relax.raised);
