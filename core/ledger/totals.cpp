@@ -8,7 +8,7 @@ static_assert(sizeof(ExactBalance) == balanceSums * sizeof(ExactSum), "list the 
 static_assert(sizeof(Ledger) == ledgerSums * sizeof(ExactSum) + sizeof(Balance), "list the new sum in sumsOf");
 static_assert(worldCounts == 28, "list the new counter in countsOf");
 static_assert(sizeof(SurfaceCounters) == 11 * sizeof(std::int64_t), "list the new counter in countsOf");
-static_assert(sizeof(WatchState) == 9 * sizeof(double), "list the new member in realsOf or countsOf");
+static_assert(sizeof(WatchState) == 11 * sizeof(double), "list the new member in realsOf or countsOf");
 
 void addBalance(std::vector<NamedSum>& list, ExactBalance& b, const char* const (&names)[balanceSums]) {
   ExactSum* const sums[balanceSums] = {&b.mass, &b.momentum[0], &b.momentum[1], &b.momentum[2], &b.angularMomentum[0], &b.angularMomentum[1],
@@ -90,7 +90,7 @@ std::vector<NamedCount> countsOf(SurfaceCounters& c) {
           {"unfinished", &c.unfinished}};
 }
 
-std::vector<NamedReal> realsOf(WatchState& s) { return {{"factor", &s.factor}, {"residual", &s.residual}, {"scale", &s.scale}, {"largest", &s.largest}}; }
+std::vector<NamedReal> realsOf(WatchState& s) { return {{"factor", &s.factor}, {"residual", &s.residual}, {"scale", &s.scale}, {"largest", &s.largest}, {"full_step", &s.fullStep}, {"passed", &s.passed}}; }
 
 std::vector<NamedCount> countsOf(WatchState& s) {
   return {{"halvings", &s.halvings}, {"failures", &s.failures}, {"patience", &s.patience}, {"calm", &s.calm}, {"good_step", &s.goodStep}};

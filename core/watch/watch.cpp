@@ -13,6 +13,17 @@ constexpr std::int64_t longestPatience = 64, mostHalvings = 60;
 
 bool recovers(const Material& m) { return m.law != ElasticLaw::Green || m.volumeStiffness > 0; }
 
+/// The step (s) that the clock wants, without halvings; half of no limit would be none.
+double fullStep(const Clock& c, double factor) { return c.dt < never ? c.dt / factor : longestUnlimitedStep(c); }
+
+/// Halvings in force after one more failure.
+std::int64_t moreHalvings(const WatchState& failed, const Clock& c) {
+  std::int64_t h = std::min(failed.halvings + 1, mostHalvings);
+  // where frames cut the step, halving what was to be cut would change nothing
+  while (c.every > 0 && h < mostHalvings && std::ldexp(failed.fullStep, 1 - static_cast<int>(h)) > c.every) h++;
+  return h;
+}
+
 }  // namespace
 
 WatchBounds watchBounds(const Scene& s, const Modules& modules, const std::vector<LiquidMaterial>& liquids, const StepLimits& materials) {
@@ -61,7 +72,8 @@ Alarm alarmOf(const World& w, const WatchBounds& b, const StepLimits& limits, do
   const double perSpeed = limits.value[static_cast<std::size_t>(Limit::Speed)];
   if (perSpeed < supportsPerStep * w.grid.support / b.speed) return Alarm::Speed;
   if (filling > b.filling) return Alarm::Density;
-  if (!(w.scene.numerics.fixedStep > 0) && limits.value[static_cast<std::size_t>(limits.smallest())] < b.step) return Alarm::Step;
+  const double shortest = nextFactor(w.watch) * limits.value[static_cast<std::size_t>(limits.smallest())];
+  if (!(w.scene.numerics.fixedStep > 0) && shortest < b.step) return Alarm::Step;
   return Alarm::None;
 }
 
@@ -86,30 +98,43 @@ double nextFactor(const WatchState& s) { return std::min(std::ldexp(1.0, -static
 
 void acceptState(World& w, const LedgerReport& books) {
   WatchState& s = w.watch;
-  s.failures = 0;
   s.goodStep = w.clock.step;
   s.residual = books.energyResidual;
   s.scale = books.energyScale;
   s.largest = std::max(s.largest, books.energyScale);
+  s.fullStep = fullStep(w.clock, s.factor);
   if (s.halvings == 0 && s.patience == 1) return;
-  if (++s.calm < s.patience) return;
+  if (++s.calm < s.patience || w.clock.time < s.passed) return;
   s.calm = 0;
-  if (s.halvings > 0) s.halvings--;
-  else s.patience /= 2;  // a failure of long ago does not make the next one last longer
+  if (s.halvings == 0) {
+    s.patience /= 2;  // a failure of long ago does not make the next one last longer
+    return;
+  }
+  s.halvings--;
+  s.failures = s.halvings == 0 ? 0 : std::max(s.failures - 1, std::int64_t(0));
 }
 
-void halveStep(World& w, const WatchState& failed) {
+bool mayRetry(const World& w, const WatchBounds& b) {
+  const Numerics& n = w.scene.numerics;
+  return n.retryEvery > 0 && w.watch.failures < n.retries && !retryTooShort(w, b);
+}
+
+bool retryTooShort(const World& w, const WatchBounds& b) {
+  return std::ldexp(w.watch.fullStep, -static_cast<int>(moreHalvings(w.watch, w.clock))) < b.step;
+}
+
+void halveStep(World& w, const WatchState& failed, double failedAt) {
   WatchState& s = w.watch;
+  Clock& c = w.clock;
+  const double full = fullStep(c, s.factor);
   s.failures = failed.failures + 1;
-  s.halvings = std::min(failed.halvings + 1, mostHalvings);
+  s.halvings = moreHalvings(failed, c);
   s.patience = std::min(2 * failed.patience, longestPatience);
   s.calm = 0;
-  if (!(w.clock.dt < never)) w.clock.dt = s.factor * longestUnlimitedStep(w.clock);  // half of no limit would be none
-  // where frames cut the step, halving what was to be cut would change nothing
-  for (double full = w.clock.dt / s.factor; w.clock.every > 0 && s.halvings < mostHalvings && std::ldexp(full, 1 - static_cast<int>(s.halvings)) > w.clock.every;) s.halvings++;
-  const double factor = std::min(s.factor, std::ldexp(1.0, -static_cast<int>(s.halvings)));
-  w.clock.dt *= factor / s.factor;
-  s.factor = factor;
+  const double stretch = static_cast<double>(w.scene.numerics.retryEvery) * std::min(full, longestUnlimitedStep(c));
+  s.passed = std::max(failed.passed, failedAt + stretch);
+  s.factor = std::min(s.factor, std::ldexp(1.0, -static_cast<int>(s.halvings)));
+  c.dt = s.factor * full;
 }
 
 }  // namespace thaw

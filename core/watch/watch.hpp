@@ -45,11 +45,17 @@ Alarm checkBooks(const World& world, const WatchBounds& bounds, const LedgerRepo
 /// Factor of the next step, one step nearer to 2^-halvings.
 double nextFactor(const WatchState& watch);
 
-/// The world has come to a good state: failures are forgotten; the step may double after WatchState::patience of them.
+/// The world has come to a good state. The step doubles, and one retry less counts, when WatchState::patience good states
+/// lie behind the latest failure and the time is past WatchState::passed.
 void acceptState(World& world, const LedgerReport& books);
 
-/// The world is back at the good state after `failed` was the watch of a run on from it: halves the step, counted from the time between
-/// frames where that is shorter. Nothing else changes.
-void halveStep(World& world, const WatchState& failed);
+/// May a run whose last step failed be tried again with half the step? Not after Numerics::retries, and not with a step below WatchBounds::step.
+bool mayRetry(const World& world, const WatchBounds& bounds);
+/// Would half the step be below WatchBounds::step?
+bool retryTooShort(const World& world, const WatchBounds& bounds);
+
+/// The world is back at the good state after `failed` was the watch of a run on from it, at the time failedAt (s): halves the step, counted
+/// from the time between frames where that is shorter. The failure counts as passed Numerics::retryEvery full steps behind that time.
+void halveStep(World& world, const WatchState& failed, double failedAt);
 
 }  // namespace thaw

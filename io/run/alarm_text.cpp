@@ -40,7 +40,9 @@ std::string exceeded(const World& w, const StepTools& t, const StepOutcome& o) {
     case Alarm::Speed: return fmt::format("a speed that numerics.watch_speed, which allows {:.3g} m/s, does not", b.speed);
     case Alarm::Density: return fmt::format("a density of more than {:.3g} times that at rest (numerics.watch_density)", b.filling);
     case Alarm::Step:
-      return fmt::format("the step's limit by {} fell to {:.3g} s (numerics.watch_step allows {:.3g} s)", limitNames[static_cast<std::size_t>(o.limitedBy)], w.clock.dt, b.step);
+      return fmt::format("the step's limit by {} fell to {:.3g} s{} (numerics.watch_step allows {:.3g} s)",
+                         limitNames[static_cast<std::size_t>(o.limitedBy)], w.clock.dt,
+                         w.watch.halvings > 0 ? fmt::format(", halved {} times", w.watch.halvings) : "", b.step);
     case Alarm::Inverted: return fmt::format("more than {:.3g} of the solid particles are inside out (numerics.watch_inverted)", b.inverted);
     case Alarm::Energy: return fmt::format("mechanical energy from nowhere since step {}, more than {:.3g} times the largest term of the ledger (numerics.watch_energy)", w.watch.goodStep, b.energy);
     case Alarm::Growth: return fmt::format("mechanical energy from nowhere since the run began, more than {:.3g} times the largest term of the ledger (numerics.watch_energy), little by little", b.energy);

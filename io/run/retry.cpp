@@ -49,6 +49,19 @@ void forgetFrames(Run& r) {
   });
 }
 
+/// What was tried before the run gives up, and why it does not try again; empty where nothing was.
+std::string triedText(const Run& r, const WatchState& watch) {
+  const Numerics& n = r.world.scene.numerics;
+  if (!retries(r) || n.retries == 0) return "";
+  std::string text;
+  if (watch.failures > 0)
+    text = fmt::format("; {} retries from step {} with steps down to 1/{} did not help", watch.failures, watch.goodStep,
+                       std::int64_t(1) << watch.halvings);
+  if (watch.failures < n.retries && retryTooShort(r.world, r.tools.watch))
+    text += fmt::format("; half the step would be below {:.3g} s (numerics.watch_step)", r.tools.watch.step);
+  return text;
+}
+
 }  // namespace
 
 void beginRetries(Run& r) {
@@ -124,12 +137,12 @@ bool goBack(Run& r, const StepOutcome& failed, std::string& why) {
   if (what.empty()) what = exceeded(w, r.tools, failed) + "; no particle to name";
   const std::string when = fmt::format("step {}, t {:.9g} s, dt {:.3g} s", clock.step, clock.time, clock.stepDt);
   std::string problem;
-  if (retries(r) && watch.failures < n.retries) {
+  if (mayRetry(w, r.tools.watch)) {
     try {
       const std::int64_t mine = w.counters.retries + (r.first() ? 1 : 0);
       restoreGood(r);
       w.counters.retries = mine;
-      halveStep(w, watch);
+      halveStep(w, watch, clock.time);
       forgetFrames(r);
       const std::string line = fmt::format("failed at {}: {}; back to step {}, t {:.6g} s, with 1/{} of the step", when, what, w.clock.step, w.clock.time, std::int64_t(1) << w.watch.halvings);
       r.say("warning: " + line);
@@ -148,8 +161,7 @@ bool goBack(Run& r, const StepOutcome& failed, std::string& why) {
   } else {
     problem += "; the last checkpoint is from before";
   }
-  const std::string tried = watch.failures > 0 ? fmt::format("; {} retries from step {} with steps down to 1/{} did not help", watch.failures, watch.goodStep, std::int64_t(1) << watch.halvings) : "";
-  why = fmt::format("blew up at {}: {}{}{}", when, what, tried, problem);
+  why = fmt::format("blew up at {}: {}{}{}", when, what, triedText(r, watch), problem);
   if (r.first()) std::fprintf(stderr, "error: the simulation %s%s\n", why.c_str(), n.fixedStep > 0 ? "; numerics.fixed_step may be too long" : "");
   return false;
 }

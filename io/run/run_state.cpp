@@ -275,6 +275,7 @@ void begin(Run& r, const MeshLoader& load) {
       for (const std::string& change : told) r.warn("changed at the restart: " + change);
     for (const std::string& change : changesOfPastEvents(then, w.scene, slice->header.clock.time)) r.warn("changed at the restart, without effect, since its time is over: " + change);
     for (const std::string& change : changesOfTheStart(then, w.scene)) r.warn("changed at the restart, without effect, since it says how the run begins: " + change);
+    if (!changes.empty() || !settings.empty()) w.watch.failures = 0;  // retries of other settings do not count
     if (w.modules.solid) r.bonds->adopt(std::move(records));
     resumeWorld(w, r.halos(), r.tools);
     if (!changes.empty()) {

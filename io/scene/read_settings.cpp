@@ -90,10 +90,10 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.number("sleep_after", n.sleepAfter, "s", positive(), "rest until a solid sleeps; what would make it reach sleep_speed within that time, or half of gravity, keeps it awake, or wakes it: what still rings, however little, sleeps sooner with less");
   r.number("sleep_heating", n.sleepHeating, "K/s", positive(), "change of temperature that keeps a solid awake, or wakes it");
   r.whole("retry_every", n.retryEvery, 0, 1000000000, "steps between the states kept in memory, to which a run that fails goes back and goes on with half the step; 0: none, and the run stops");
-  r.whole("retries", n.retries, 0, 40, "times that one stretch is tried again, each with half the step of before, until the run stops with exit code 4 and the last good state as a checkpoint");
+  r.whole("retries", n.retries, 0, 40, "largest number of retries, each with half the step of the one before; the next failure stops the run with exit code 4 and the last good state as a checkpoint. A retry counts until its step is doubled again: not before the run is past the failure by the time of retry_every full steps");
   r.number("watch_speed", n.watchSpeed, "", orNever(positive()), "speed that counts as failure, times what start, gravity, emitters and obstacles make and a tenth of the speed of waves");
   r.number("watch_density", n.watchDensity, "", orNever(positive()), "density of a liquid, over that at rest, that counts as failure");
-  r.number("watch_step", n.watchStep, "", {0, 1, true, false, false}, "time step that counts as failure, times the limit of the materials (without one: times 1e-5 `end`); 0: none");
+  r.number("watch_step", n.watchStep, "", {0, 1, true, false, false}, "time step that counts as failure, times the limit of the materials (without one: times 1e-5 `end`); no retry takes a shorter step; 0: none");
   r.number("watch_inverted", n.watchInverted, "", orNever(positive()), "share of the solid particles inside out (det F <= 0) that counts as failure, of materials that do not recover from it: law \"green\" without volume_stiffness");
   r.number("watch_energy", n.watchEnergy, "", orNever(positive()), "energy from nowhere that counts as failure, times the largest term of the ledger, within retry_every steps or since the run began");
   r.number("plastic_rereference", n.plasticRereference, "", positive(), "norm of the plastic strain above which the reference follows the flow");

@@ -13,24 +13,29 @@ namespace {
 TEST(Watch, AFailureHalvesTheStepAndItGrowsBack) {
   World w;
   w.clock.dt = 0.4;
+  acceptState(w, {});
+  EXPECT_EQ(w.watch.fullStep, 0.4);
   EXPECT_EQ(nextFactor(w.watch), 1);
   WatchState failed = w.watch;
-  halveStep(w, failed);
+  halveStep(w, failed, 0);
   EXPECT_EQ(w.clock.dt, 0.2);
   EXPECT_EQ(w.watch.factor, 0.5);
   EXPECT_EQ(w.watch.failures, 1);
   failed = w.watch;
   w.clock.dt = 0.4;  // back again
   w.watch = {};
-  halveStep(w, failed);
+  halveStep(w, failed, 5);
   EXPECT_EQ(w.clock.dt, 0.1);
   EXPECT_EQ(w.watch.failures, 2);
   EXPECT_EQ(w.watch.patience, 4);
+  EXPECT_EQ(w.watch.passed, 5 + 0.4 * static_cast<double>(w.scene.numerics.retryEvery));
+  w.clock.time = w.watch.passed;
   for (int good = 0; good < 3; good++) acceptState(w, {});
-  EXPECT_EQ(w.watch.failures, 0);
+  EXPECT_EQ(w.watch.failures, 2);
   EXPECT_EQ(nextFactor(w.watch), 0.25) << "not yet";
   acceptState(w, {});
   EXPECT_EQ(w.watch.halvings, 1);
+  EXPECT_EQ(w.watch.failures, 1) << "one retry less counts";
   for (int step = 0; step < 7; step++) {
     const double next = nextFactor(w.watch);
     EXPECT_LE(next, 1.1 * w.watch.factor);
@@ -40,14 +45,55 @@ TEST(Watch, AFailureHalvesTheStepAndItGrowsBack) {
   EXPECT_EQ(w.watch.factor, 0.5) << "eight steps of a tenth";
   for (int good = 0; good < 100; good++) acceptState(w, {});
   EXPECT_EQ(w.watch.halvings, 0);
+  EXPECT_EQ(w.watch.failures, 0);
   EXPECT_EQ(w.watch.patience, 1) << "all is forgotten";
+}
+
+// Good states come arbitrarily close to a failure that no step mends.
+TEST(Watch, GoodStatesBeforeAFailureDoNotForgiveIt) {
+  World w;
+  WatchBounds b;
+  w.clock.dt = 1;
+  w.scene.numerics.retryEvery = 10;
+  acceptState(w, {});
+  constexpr double failsAt = 7;
+  std::int64_t tries = 0;
+  for (; mayRetry(w, b) && tries < 100; tries++) {
+    const double before = w.clock.time;
+    halveStep(w, w.watch, failsAt);
+    for (int good = 0; good < 1000; good++) {  // all the way to the failure
+      w.clock.time = before + (failsAt - before) * good / 1000;
+      acceptState(w, {});
+    }
+  }
+  EXPECT_EQ(tries, w.scene.numerics.retries);
+  EXPECT_EQ(w.watch.halvings, w.scene.numerics.retries);
+  w.clock.time = failsAt + 10;  // past it by the time of retry_every full steps
+  for (int good = 0; good < 64; good++) acceptState(w, {});
+  EXPECT_TRUE(mayRetry(w, b));
+}
+
+TEST(Watch, NoRetryTakesAStepBelowTheWatchedOne) {
+  World w;
+  WatchBounds b;
+  b.step = 0.2;
+  w.clock.dt = 1;
+  acceptState(w, {});
+  EXPECT_TRUE(mayRetry(w, b));
+  halveStep(w, w.watch, 0);
+  EXPECT_TRUE(mayRetry(w, b)) << "0.25 s";
+  halveStep(w, w.watch, 0);
+  EXPECT_EQ(w.clock.dt, 0.25);
+  EXPECT_FALSE(mayRetry(w, b)) << "0.125 s";
+  EXPECT_TRUE(retryTooShort(w, b));
 }
 
 TEST(Watch, HalvesWhatFramesHaveCut) {
   World w;
   w.clock.dt = 1;
   w.clock.every = 0.3;
-  halveStep(w, w.watch);
+  acceptState(w, {});
+  halveStep(w, w.watch, 0);
   EXPECT_EQ(w.clock.dt, 0.125) << "half of the first power of two below 0.3";
 }
 
@@ -56,17 +102,18 @@ TEST(Watch, HalvesTheWayBetweenFramesWhereNothingLimitsTheStep) {
   World w;
   w.clock.dt = never;
   w.clock.every = 0.3;
-  halveStep(w, w.watch);
+  acceptState(w, {});
+  halveStep(w, w.watch, 0);
   EXPECT_EQ(w.clock.dt, 0.15);
   EXPECT_EQ(w.watch.halvings, 1);
   const WatchState failed = w.watch;
   w.clock.dt = never;
   w.watch = {};
-  halveStep(w, failed);
+  halveStep(w, failed, 0);
   EXPECT_EQ(w.clock.dt, 0.075);
   WatchState often;
   often.halvings = 100;
-  halveStep(w, often);
+  halveStep(w, often, 0);
   EXPECT_LT(w.watch.halvings, 63) << "the message says 1 << halvings";
 }
 
@@ -96,6 +143,11 @@ TEST(Watch, AlarmsOfReducedValues) {
   EXPECT_EQ(alarmOf(w, b, l, 2.1), Alarm::Density);
   l[Limit::Elastic] = 0.9e-6;
   EXPECT_EQ(alarmOf(w, b, l, 1), Alarm::Step);
+  l[Limit::Elastic] = 1.1e-6;
+  EXPECT_EQ(alarmOf(w, b, l, 1), Alarm::None);
+  w.watch.factor = 0.5, w.watch.halvings = 1;
+  EXPECT_EQ(alarmOf(w, b, l, 1), Alarm::Step) << "half of the limit";
+  w.watch = {};
   w.scene.numerics.fixedStep = 1e-3;
   EXPECT_EQ(alarmOf(w, b, l, 1), Alarm::None) << "a fixed step is not that of the limits";
   l[Limit::Speed] = supportsPerStep * 0.1 / 10.1;
