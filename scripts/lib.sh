@@ -65,7 +65,7 @@ optionsToContinue() {
   while [ $# -gt 0 ]; do
     case "$1" in
       --steps | --time-limit) [ $# -lt 2 ] || shift ;;
-      --steps=* | --time-limit=* | --restart | --resume) ;;
+      --steps=* | --time-limit=* | --restart | --resume | --force) ;;
       *) again+=("$1") ;;
     esac
     shift

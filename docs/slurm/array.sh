@@ -36,7 +36,11 @@ again() {
   sbatch "${same[@]}" "$@"
 }
 
+# A job that SLURM has requeued may find the lock of its run on another node: that run is over, so --force takes the folder.
+force=()
+if [ "${SLURM_RESTART_COUNT:-0}" -gt 0 ]; then force=(--force); fi
+
 code=0
-srun --mpi="${PMI:-pmix}" --kill-on-bad-exit=1 "$thaw" run "${run[@]}" --out "$out" --resume || code=$?
+srun --mpi="${PMI:-pmix}" --kill-on-bad-exit=1 "$thaw" run "${run[@]}" --out "$out" --resume "${force[@]}" || code=$?
 [ "$code" -ne 75 ] || again --array="$number" "$0" "$list"
 exit "$code"

@@ -37,8 +37,12 @@ again() {
   sbatch "${same[@]}" "$@"
 }
 
+# A failed node's run leaves its lock in the folder, and this job may be on other nodes: its run is over, so --force takes the folder.
+force=()
+if [ "$failed" -gt 0 ] || [ "${SLURM_RESTART_COUNT:-0}" -gt 0 ]; then force=(--force); fi
+
 code=0
-srun --mpi="${PMI:-pmix}" --cpu-bind=cores --kill-on-bad-exit=1 "$thaw" run "$scene" --out "$out" --resume || code=$?
+srun --mpi="${PMI:-pmix}" --cpu-bind=cores --kill-on-bad-exit=1 "$thaw" run "$scene" --out "$out" --resume "${force[@]}" || code=$?
 case $code in
   0) "$thaw" render "$out" --sheet "$out/pictures/sheet.png" ;;
   75) again "$0" "$scene" ;;

@@ -26,9 +26,13 @@ again() {
   sbatch "${same[@]}" "$@"
 }
 
+# A job that SLURM has requeued may find the lock of its run on another node: that run is over, so --force takes the folder.
+force=()
+if [ "${SLURM_RESTART_COUNT:-0}" -gt 0 ]; then force=(--force); fi
+
 # srun hands the signal to all ranks. Open MPI of Debian is built with PMIx; elsewhere see `srun --mpi=list` and set PMI.
 code=0
-srun --mpi="${PMI:-pmix}" --kill-on-bad-exit=1 "$thaw" run "$scene" --out "$out" --resume || code=$?
+srun --mpi="${PMI:-pmix}" --kill-on-bad-exit=1 "$thaw" run "$scene" --out "$out" --resume "${force[@]}" || code=$?
 case $code in
   0) "$thaw" render "$out" --sheet "$out/pictures/sheet.png" ;;
   75) again "$0" "$scene" ;;

@@ -16,6 +16,7 @@
 #include "io/output/series.hpp"
 #include "io/output/kind_frame.hpp"
 #include "io/run/progress.hpp"
+#include "io/run/run_lock.hpp"
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
@@ -122,6 +123,7 @@ Json folderInfo(const std::string& path) {
         const Json value = Json::parse(at->second, nullptr, false);
         j["progress"][name] = value.is_number() ? value : Json(at->second);
       }
+  if (const std::optional<LockHolder> holder = lockHolder(path)) j["lock"] = lockJson(*holder);
   if (!problems.empty()) j["problems"] = problems;
   if (checkpoints.empty() && j["series"].empty() && !j.contains("summary") && problems.empty())
     throw IoError(path, "is not the folder of a run: it has no checkpoint, no frames and no summary.json");

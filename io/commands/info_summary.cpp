@@ -8,6 +8,7 @@
 #include "io/commands/bytes_text.hpp"
 #include "io/commands/short_text.hpp"
 #include "io/run/process_mark.hpp"
+#include "io/run/run_lock.hpp"
 
 using Json = nlohmann::ordered_json;
 
@@ -74,6 +75,7 @@ std::vector<std::string> summaryOfRun(const Json& run) {
     lines.push_back(named("since then", fmt::format("t {:.6g} s, step {}, dt {:.3g} s (limited by {}), {:.3g} steps/s", numberOf(p, "time_s"), static_cast<std::int64_t>(numberOf(p, "step")), numberOf(p, "dt_s"), textOf(p, "dt_limited_by"),
                                                      numberOf(p, "steps_per_second"))));
   }
+  if (run.contains("lock")) lines.push_back(named("in use", lockText(run["lock"])));
   addCheckpoints(run, lines);
   addFrames(run, lines);
   if (s.contains("status")) {

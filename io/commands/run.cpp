@@ -16,6 +16,7 @@
 #include "io/hdf5/agree.hpp"
 #include "io/run/progress.hpp"
 #include "io/run/retry.hpp"
+#include "io/run/run_lock.hpp"
 #include "io/run/run_state.hpp"
 #include "io/run/signals.hpp"
 #include "io/run/surface_run.hpp"
@@ -155,6 +156,10 @@ CLI::Validator notBelowZero() {
           "", ""};
 }
 
+void addForce(CLI::App& c, RunOptions& o) {
+  c.add_flag("--force", o.force, "take --out from a run on another host that has left its lock there; only when that run is over");
+}
+
 }  // namespace
 
 void addRunOptions(CLI::App& c, RunOptions& o) {
@@ -168,6 +173,7 @@ void addRunOptions(CLI::App& c, RunOptions& o) {
   c.add_option("--trace-steps", o.traceSteps, "steps that the trace shows: the last ones")->check(CLI::Range(1, 10000))->needs(profile)->capture_default_str();
   auto* restart = c.add_flag("--restart", o.restart, "continue from the last checkpoint in --out");
   c.add_flag("--resume", o.resume, "continue if there is a checkpoint in --out, else begin")->excludes(restart);
+  addForce(c, o);
 }
 
 void addRelaxOptions(CLI::App& c, RunOptions& o) {
@@ -177,6 +183,7 @@ void addRelaxOptions(CLI::App& c, RunOptions& o) {
   c.add_option("--iterations", o.relax, "at most")->check(aboveZero());
   c.add_option("--time-limit", o.timeLimit, "stop, with a frame and a checkpoint of what there is, after this many seconds of wall-clock time")->check(aboveZero());
   c.add_option("--progress", o.reportEvery, "seconds between progress lines")->check(notBelowZero());
+  addForce(c, o);
 }
 
 int runCommand(const RunOptions& given) {
@@ -184,6 +191,15 @@ int runCommand(const RunOptions& given) {
   if (options.out.empty()) options.out = "out/" + std::filesystem::path(options.scene).stem().string();
   catchSignals();
   const Communicator comm;
+  RunLock lock;
+  try {
+    std::string note;
+    onFirstRank(comm.handle(), [&] { note = lock.take({.out = options.out, .ranks = comm.size(), .force = options.force}); });
+    if (!note.empty()) std::printf("%s\n", note.c_str());
+  } catch (const IoError& e) {  // nothing of the folder is of this run
+    if (comm.rank() == 0) std::fprintf(stderr, "error: %s\n", e.what());
+    return exitInputOutput;
+  }
   Run run(options, comm);
   const auto failed = [&](const std::string& message, int code) {
     if (run.first()) std::fprintf(stderr, "%s\n", message.c_str());
@@ -199,6 +215,7 @@ int runCommand(const RunOptions& given) {
     if (alike) return failed(options.scene + ": error: " + e.what(), exitUsage);
     noteFailure(run, e.what(), false);
     std::fprintf(stderr, "error: rank %d: %s\n", comm.rank(), e.what());
+    lock.release();
     MPI_Abort(comm.handle(), 1);
     return 1;
   }

@@ -15,6 +15,7 @@ struct RunOptions {
   double timeLimit = 0;      ///< s of wall-clock time; 0: none
   bool restart = false;      ///< continue from the last checkpoint, which must be there
   bool resume = false;       ///< continue if there is a checkpoint, else begin
+  bool force = false;        ///< take the folder from a run of another host
   std::int64_t relax = 0;    ///< iterations of relaxation for all oriented bodies, at least; above 0, nothing else is done
   bool profile = false;      ///< phase table at the end, and a trace
   int traceSteps = 20;       ///< steps at the end that the trace shows

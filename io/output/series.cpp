@@ -39,12 +39,14 @@ std::string frameFolder(const std::string& out) { return out + "/frames"; }
 std::string frameName(const std::string& scene, std::int64_t number) { return fmt::format("{}_{:06}.hdf", scene, number); }
 std::string seriesPath(const std::string& out, const std::string& scene) { return frameFolder(out) + "/" + scene + ".hdf.series"; }
 
+void makeFolder(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error || !fs::is_directory(folder)) throw IoError(folder, "cannot make this folder: " + (error ? error.message() : "there is a file of this name"));
+}
+
 void makeOutputFolders(const std::string& out) {
-  for (const std::string& folder : {out, frameFolder(out), out + "/checkpoint"}) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error || !fs::is_directory(folder)) throw IoError(folder, "cannot make this folder: " + (error ? error.message() : "there is a file of this name"));
-  }
+  for (const std::string& folder : {out, frameFolder(out), out + "/checkpoint"}) makeFolder(folder);
 }
 
 void writeSeries(const std::string& path, const std::vector<SeriesEntry>& entries) {

@@ -18,6 +18,8 @@ std::string frameFolder(const std::string& out);
 std::string frameName(const std::string& scene, std::int64_t number);
 std::string seriesPath(const std::string& out, const std::string& scene);
 
+/// IoError where that cannot be done.
+void makeFolder(const std::string& folder);
 /// Makes OUT and its folders for frames and checkpoints. IoError where that cannot be done.
 void makeOutputFolders(const std::string& out);
 

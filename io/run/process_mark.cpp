@@ -51,14 +51,18 @@ Presence presenceOf(const ProcessMark& p) {
   return ended || another ? Presence::Gone : Presence::Here;
 }
 
-Json processJson() {
-  const ProcessMark p = ownProcess();
+std::string utcNow() {
   const std::time_t now = std::time(nullptr);
   std::tm utc{};
   gmtime_r(&now, &utc);
   std::array<char, 32> text{};
   std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return {{"host", p.host}, {"pid", p.pid}, {"began_ticks", p.began}, {"written", text.data()}};
+  return text.data();
+}
+
+Json processJson() {
+  const ProcessMark p = ownProcess();
+  return {{"host", p.host}, {"pid", p.pid}, {"began_ticks", p.began}, {"written", utcNow()}};
 }
 
 std::string runningText(const Json& summary) {

@@ -18,6 +18,9 @@ enum class Presence { Here, Gone, Unknown };  ///< Unknown: it is another host's
 /// As seen from this process.
 Presence presenceOf(const ProcessMark& process);
 
+/// "2030-01-02T03:04:05Z".
+std::string utcNow();
+
 /// Of a summary that a run has written on its way: its process, and when it was written (UTC).
 nlohmann::ordered_json processJson();
 /// "running (process 12 on node3)", "killed (...)", or what can be said of a run on another host; of a summary whose status is "running".

@@ -10,5 +10,5 @@ says() {  # says EXPECTED RANKS OPTIONS...
 says "" 4
 says "" 4 --time-limit 60 --resume
 says " --ranks 2" 2 --steps=5
-says " --set surface.spacing=0.014 --set spacing=\\\"60\\ mm\\\"" 4 --time-limit 1 --set surface.spacing=0.014 --restart --set 'spacing="60 mm"' --time-limit=7
+says " --set surface.spacing=0.014 --set spacing=\\\"60\\ mm\\\"" 4 --time-limit 1 --force --set surface.spacing=0.014 --restart --set 'spacing="60 mm"' --time-limit=7
 finish

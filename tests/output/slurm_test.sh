@@ -44,6 +44,9 @@ done
 script many_nodes.sh 75 "--nodes=3 docs/slurm/many_nodes.sh scenes/melt.toml" scenes/melt.toml
 script many_nodes.sh 137 "--nodes=3 docs/slurm/many_nodes.sh scenes/melt.toml 1 120" scenes/melt.toml
 script many_nodes.sh 137 "--nodes=3 docs/slurm/many_nodes.sh scenes/melt.toml 3 120" scenes/melt.toml 2 80
+grep -q -e "--resume --force$" "$work/thaw" || fail "many_nodes.sh: a run that failed before does not take the folder"
+SLURM_RESTART_COUNT=1 script one_node.sh 0 "" scenes/melt.toml
+grep -q -e "--resume --force$" "$work/thaw" || fail "one_node.sh: requeued, it does not take the folder"
 script many_nodes.sh 137 "" scenes/melt.toml 3 80   # RETRIES are used up
 script many_nodes.sh 137 "" scenes/melt.toml 1 120  # it failed at that step before
 # what was said on sbatch's command line holds for the next job as well
