@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "io/hdf5/file_trailer.hpp"
 #include "io/hdf5/h5_elements.hpp"
 #include "io/hdf5/h5_handle.hpp"
 
@@ -52,11 +53,13 @@ H5File H5File::openToAdd(const std::string& path) {
   return {path, id, true};
 }
 
-H5File H5File::openToRead(const std::string& path) {
+H5File H5File::openToRead(const std::string& path, Trailer trailer) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) throw IoError(path, "is a folder, not a file");
   if (!std::filesystem::exists(path, error)) throw IoError(path, "there is no such file");
   if (std::filesystem::file_size(path, error) == 0 && !error) throw IoError(path, "the file is empty");
+  if (!checkTrailer(path) && trailer == Trailer::MustBe)
+    throw IoError(path, "has no trailer with a checksum: it was cut short, or written by an earlier version of thaw");
   const H5Handle access = accessList();
   const hid_t id = access.valid() ? H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()) : -1;
   if (id < 0) throw IoError(path, "cannot be opened as an HDF5 file (not one, or truncated or damaged)" + h5Reason());

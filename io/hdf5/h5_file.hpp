@@ -29,14 +29,17 @@ struct DatasetShape {
 /// Rows [first, first + count) of a dataset.
 struct RowRange { std::uint64_t first = 0, count = 0; };
 
+/// MustBe: a file without trailer is refused.
+enum class Trailer { MayBe, MustBe };
+
 class H5File {
  public:
   /// A new file, for this process alone; one that is there is replaced.
   static H5File create(const std::string& path);
   /// An existing file, for this process alone, to add to.
   static H5File openToAdd(const std::string& path);
-  /// An existing file, for this process alone, to read.
-  static H5File openToRead(const std::string& path);
+  /// An existing file, for this process alone, to read. One with a trailer (file_trailer.hpp) is compared with it before HDF5 opens it.
+  static H5File openToRead(const std::string& path, Trailer trailer = Trailer::MayBe);
   /// An existing file, to fill its datasets from all ranks of comm (MPI-IO). Collective; so is close.
   static H5File openToFill(const std::string& path, MPI_Comm comm);
 
@@ -71,6 +74,8 @@ class H5File {
   std::vector<std::string> children(const std::string& group) const;  ///< names, ascending
   std::vector<std::string> attributes(const std::string& object) const;  ///< names, ascending
   DatasetShape shape(const std::string& name) const;
+  /// Byte of the file at which the rows of a contiguous dataset begin; it has some.
+  std::uint64_t offset(const std::string& name) const;
   /// Converts to `as` where the file's type is another one.
   void read(const std::string& name, const RowRange& range, Element as, void* data) const;
   std::string readText(const std::string& name) const;

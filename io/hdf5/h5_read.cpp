@@ -67,6 +67,13 @@ DatasetShape H5File::shape(const std::string& name) const {
   return s;
 }
 
+std::uint64_t H5File::offset(const std::string& name) const {
+  const H5Handle set(has(name) ? H5Dopen2(id_, name.c_str(), H5P_DEFAULT) : -1, H5Dclose);
+  const haddr_t at = set.valid() ? H5Dget_offset(set.id()) : HADDR_UNDEF;
+  if (at == HADDR_UNDEF) fail("find the place of dataset " + name);
+  return at;
+}
+
 void H5File::read(const std::string& name, const RowRange& range, Element as, void* data) const {
   if (range.count == 0) return;
   const DatasetShape s = shape(name);

@@ -12,6 +12,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "io/hdf5/file_trailer.hpp"
+
 namespace thaw {
 namespace {
 
@@ -73,14 +75,17 @@ void layOut(const std::string& part, const ParallelFileContent& content, const s
   trim(part);
 }
 
-/// Rank 0: everything is there with its size. H5File::shape compares sizes and places with the file's length.
-void verifyLayout(const std::string& part, const ParallelFileContent& content) {
+/// Rank 0: everything is there with its size. H5File::shape compares sizes and places with the file's length. Returns where the rows are.
+std::vector<ByteRange> verifyLayout(const std::string& part, const ParallelFileContent& content) {
   const H5File file = H5File::openToRead(part);
+  std::vector<ByteRange> rows;
   for (const SpreadDataset& d : content.datasets) {
     const DatasetShape s = file.shape(d.name);
     if (s.element != d.shape.element || s.rows != d.shape.rows || s.components != d.shape.components)
       throw IoError(part, "was not written as it should be: " + d.name + " has another size");
+    if (s.rows > 0) rows.push_back({file.offset(d.name), s.rows * s.rowBytes()});
   }
+  return rows;
 }
 
 /// This rank's rows piece by piece: use(range of this rank's rows, bytes). `made` is memory for pieces that are made, one for all datasets: the system
@@ -242,7 +247,7 @@ void writeParallelFile(const std::string& path, MPI_Comm comm, const ParallelFil
     }
     if (content.checked) agreeOn(comm, [&] { verifyRows(part, content); });
     onFirstRank(comm, [&] {
-      verifyLayout(part, content);
+      appendTrailer(part, verifyLayout(part, content));
       renameFile(part, path, content.checked);
     });
   } catch (...) {

@@ -1,6 +1,6 @@
 // Writes one HDF5 file from all ranks so that it is either whole or not there: rank 0 lays the file out as "name.part" and
 // reserves its room, all ranks fill in their rows (independent MPI-IO writes of contiguous datasets), the file is opened again and
-// checked, and rank 0 renames it. Since the layout is complete before others open the file, no metadata is written in parallel,
+// checked, and rank 0 appends a trailer with a checksum (file_trailer.hpp) and renames it. Since the layout is complete before others open the file, no metadata is written in parallel,
 // and a full disk is one rank's failed write, which all then agree on.
 #pragma once
 #include <mpi.h>

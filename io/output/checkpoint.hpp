@@ -9,7 +9,8 @@
 //   /surfels/<field>[S, c]     State columns of Surfels; only with a surface, as are
 //   /oriented/<field>, /sheet/<field>  State columns of the further kinds (core/kinds/), where the scene has them
 //   /surface                   @last_step, counters; components/<member>[K], events/<member>[E]
-// Every dataset that is spread over the ranks has a checksum.
+// Every dataset that is spread over the ranks has a checksum. All other bytes have one in the file's trailer (io/hdf5/file_trailer.hpp), which is compared
+// before HDF5 opens the file.
 #pragma once
 #include <mpi.h>
 
@@ -29,7 +30,7 @@
 namespace thaw {
 
 /// Of the layout of the files, and of what their values say; other ones are refused.
-inline constexpr std::int64_t checkpointFormat = 6;
+inline constexpr std::int64_t checkpointFormat = 7;
 
 /// Further numbers of a run that are not in a World, by name.
 using CheckpointValues = std::map<std::string, double>;

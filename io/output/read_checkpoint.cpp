@@ -146,7 +146,7 @@ CheckpointHeader headerOf(const H5File& file) {
 
 bool isCheckpoint(const H5File& file) { return file.has("/checkpoint") && file.hasAttribute("/checkpoint", "format"); }
 
-CheckpointHeader readCheckpointHeader(const std::string& path) { return headerOf(H5File::openToRead(path)); }
+CheckpointHeader readCheckpointHeader(const std::string& path) { return headerOf(H5File::openToRead(path, Trailer::MustBe)); }
 
 std::vector<CheckpointHeader> findCheckpoints(const std::string& out, std::vector<std::string>* problems) {
   std::vector<CheckpointHeader> found;
@@ -171,7 +171,7 @@ std::unique_ptr<CheckpointSlice> readCheckpoint(const std::string& path, MPI_Com
   std::vector<std::uint64_t> read, stored;
   std::vector<std::string> names;
   agreeOn(comm, [&] {
-    const H5File file = H5File::openToRead(path);
+    const H5File file = H5File::openToRead(path, Trailer::MustBe);
     CheckpointSlice& s = *slice;
     s.header = headerOf(file);
     const CheckpointHeader& h = s.header;
