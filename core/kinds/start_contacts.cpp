@@ -1,6 +1,5 @@
 #include "core/kinds/start_contacts.hpp"
 
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -46,15 +45,10 @@ struct Meetings {
 
   void walls(std::size_t sheet) {
     const double reach = within * w.sheets.plans[sheet].thickness;
-    for (std::size_t k = 0; k < w.walls.list.size(); k++) {
-      const Wall& wall = w.walls.list[k];
+    for (const Wall& wall : w.walls.list) {
       const std::string other = "obstacle '" + wall.properties.name + "'";
-      if (wall.isImage() || !wall.present || told.count({name(sheet), other})) continue;
-      const std::vector<const Wall*> copies = withImages(w.walls, k);
-      const auto isNear = [&](const Vec3d& x) {
-        return std::ranges::any_of(copies, [&](const Wall* at) { return at->shape->distanceWithin(toRest(at->pose, x), reach) < reach; });
-      };
-      tellVertices(sheet, reach, other, [&](const Vec3d& x, bool clamped) { return !clamped && isNear(x); });
+      if (!wall.present || told.count({name(sheet), other})) continue;
+      tellVertices(sheet, reach, other, [&](const Vec3d& x, bool clamped) { return !clamped && wall.shape->distanceWithin(toRest(wall.pose, x), reach) < reach; });
     }
   }
 

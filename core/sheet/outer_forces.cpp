@@ -19,24 +19,10 @@ Vec3d windLoad(const SheetBody& b, double density, const Vec3d& v, const Vec3d& 
   return n * (density * un * std::abs(un) * size / area);
 }
 
-/// The obstacle of this name, if it is there, and its images.
-std::vector<const Wall*> wallsNamed(const World& w, const std::string& name) {
-  std::vector<const Wall*> named;
+const Wall* wallNamed(const World& w, const std::string& name) {
   for (const Wall& wall : w.walls.list)
-    if (wall.properties.name == name && wall.present) named.push_back(&wall);
-  return named;
-}
-
-/// The unit normal of the nearest of these walls at a place; of equally near ones the first.
-Vec3d nearestNormal(const std::vector<const Wall*>& walls, const Vec3d& x) {
-  double least = never;
-  Vec3d normal{};
-  for (const Wall* wall : walls) {
-    Vec3d n;
-    const double d = wall->shape->distance(toRest(wall->pose, x), &n);
-    if (d < least) least = d, normal = directionFromRest(wall->pose, n);
-  }
-  return normal;
+    if (wall.properties.name == name && wall.present) return &wall;
+  return nullptr;
 }
 
 /// Force per area of all walls; work and impulse to the ledger.
@@ -100,12 +86,12 @@ void addOuterForces(World& w, const SheetVelocities& now) {
   bool walls = false;
   for (const Wall& wall : w.walls.list) walls = walls || wall.present;
   if (!walls && !s.outside.active) return;
-  struct Pushes { double wrap; std::vector<const Wall*> target; std::vector<std::vector<BrushTouch>> brush; };
+  struct Pushes { double wrap; const Wall* target; std::vector<std::vector<BrushTouch>> brush; };
   std::vector<Pushes> pushes;
   for (std::size_t n = 0; n < w.scene.sheets.size(); n++) {
     const SheetBody& b = w.scene.sheets[n];
-    pushes.push_back({b.wrap * sheets.factors[n].now[placeOf(SheetFactor::Wrap)], b.wrapTo.empty() ? std::vector<const Wall*>{} : wallsNamed(w, b.wrapTo), {}});
-    if (!b.wrapTo.empty() && pushes.back().target.empty()) pushes.back().wrap = 0;  // that of addBodyWrap, or what it was to be wrapped round has gone
+    pushes.push_back({b.wrap * sheets.factors[n].now[placeOf(SheetFactor::Wrap)], b.wrapTo.empty() ? nullptr : wallNamed(w, b.wrapTo), {}});
+    if (!b.wrapTo.empty() && !pushes.back().target) pushes.back().wrap = 0;  // that of addBodyWrap, or what it was to be wrapped round has gone
     for (const SheetBrush& brush : b.brushes) pushes.back().brush.push_back(brushStroke(brush, time, now.dt));
   }
   std::vector<Vec3d>& impulse = sheets.impulseRoom;
@@ -120,8 +106,10 @@ void addOuterForces(World& w, const SheetVelocities& now) {
       out += windLoad(b, density, now.velocity[i], s.facing[i], s.area[i]);
     }
     if (wrap != 0) {
-      if (!p.target.empty()) {
-        out -= wrap * nearestNormal(p.target, s.position[i]);
+      if (p.target) {
+        Vec3d n;
+        p.target->shape->distance(toRest(p.target->pose, s.position[i]), &n);
+        out -= wrap * directionFromRest(p.target->pose, n);
       } else {
         out -= (wrap / s.area[i]) * s.facing[i];
       }

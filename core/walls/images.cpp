@@ -44,30 +44,26 @@ Periods periodsOf(const Domain& d, const Wall& wall, const Bounds& swept, double
 
 }  // namespace
 
+// Where walls meet, filling depends on their order: an image stands where its original does, beside it.
 void addWallImages(const Domain& d, double reach, Walls& walls) {
-  const std::size_t originals = walls.list.size();
-  for (std::size_t k = 0; k < originals; k++) {
-    const Wall wall = walls.list[k];
+  std::vector<Wall> all;
+  for (Wall& wall : walls.list) {
     const Bounds swept = sweptBounds(wall);
     Periods n[3];
     for (int a = 0; a < 3; a++) n[a] = periodsOf(d, wall, swept, reach, a);
+    const std::size_t own = all.size();
+    all.push_back(std::move(wall));
     for (int z = n[2].first; z <= n[2].last; z++)
       for (int y = n[1].first; y <= n[1].last; y++)
         for (int x = n[0].first; x <= n[0].last; x++) {
           if (x == 0 && y == 0 && z == 0) continue;
-          Wall image = wall;
+          Wall image = all[own];
           image.shift = {x * lengthOf(d, 0), y * lengthOf(d, 1), z * lengthOf(d, 2)};
-          image.imageOf = k;
-          walls.list.push_back(std::move(image));
+          image.imageOf = own;
+          all.push_back(std::move(image));
         }
   }
-}
-
-std::vector<const Wall*> withImages(const Walls& walls, std::size_t k) {
-  std::vector<const Wall*> copies{&walls.list[k]};
-  for (const Wall& wall : walls.list)
-    if (wall.imageOf == k) copies.push_back(&wall);
-  return copies;
+  walls.list = std::move(all);
 }
 
 std::string unevenAxes(const Domain& d, const Wall& wall, double reach) {
