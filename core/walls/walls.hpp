@@ -33,8 +33,8 @@ struct Walls {
 /// Adds a half-space for each side of the domain that is a wall: insulating, liquids stick, friction 0.3.
 void addDomainWalls(const Domain& domain, Walls& walls);
 
-/// Appends images of the obstacles in the list across the periodic sides of the domain, all that come within `reach` (m) of it as they move. A shape as long as the
-/// domain, or without end, has none along that axis. Call it once, when the list is complete.
+/// Puts images of the obstacles in the list behind them, across the periodic sides of the domain: all that come within `reach` (m) of it as they move. A shape as long as
+/// the domain, or without end, has none along that axis. Call it once, when the list is complete.
 void addWallImages(const Domain& domain, double reach, Walls& walls);
 
 /// Axes ("x", "xy", ...) along which a shape without images, since it is as long as the domain, is not the same on both periodic sides within `reach` (m).
@@ -48,9 +48,6 @@ Vec3d wallVelocity(const Wall& wall, const Vec3d& x);
 
 /// Does a present wall hold a place by more than a quarter of a spacing (m)? What is sampled there cannot begin.
 bool holdsSample(const Wall& wall, const Vec3d& x, double spacing);
-
-/// Wall k of the list and its images.
-std::vector<const Wall*> withImages(const Walls& walls, std::size_t k);
 
 /// A particle near a wall. The shares leave out what another wall has filled already, at corners and where walls coincide.
 struct WallContact {
