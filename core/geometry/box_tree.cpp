@@ -29,7 +29,10 @@ BoxTree::BoxTree(std::vector<Bounds> boxes) : boxes_(std::move(boxes)), order_(b
   if (!boxes_.empty()) build(0, boxes_.size());
 }
 
-Bounds BoxTree::bounds() const { return nodes_.empty() ? Bounds{{never, never, never}, {-never, -never, -never}} : nodes_.front().around; }
+Bounds BoxTree::bounds() const {
+  if (nodes_.empty()) return {{never, never, never}, {-never, -never, -never}};
+  return nodes_.front().around;
+}
 
 std::size_t BoxTree::build(std::size_t begin, std::size_t end) {
   const std::size_t node = nodes_.size();

@@ -18,7 +18,11 @@ class BoxTree {
   Bounds bounds() const;
 
  private:
-  struct Node { Bounds around; std::size_t begin, end, right; };  ///< children: the next node, and `right`; 0: a leaf
+  struct Node {
+    Bounds around;
+    std::size_t begin, end;  ///< its boxes in order_
+    std::size_t right;       ///< the second child, the first being the next node; 0: a leaf
+  };
   std::size_t build(std::size_t begin, std::size_t end);
   std::vector<Bounds> boxes_;
   std::vector<std::size_t> order_;  ///< numbers of boxes, by leaf

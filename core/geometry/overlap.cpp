@@ -26,7 +26,8 @@ std::vector<std::size_t> meeting(const BoxTree& tree, std::size_t b, const Vec3d
   for (std::int64_t i = s[0].first; i <= s[0].last; i++)
     for (std::int64_t j = s[1].first; j <= s[1].last; j++)
       for (std::int64_t k = s[2].first; k <= s[2].last; k++) {
-        const Vec3d by{static_cast<double>(i) * period.x, static_cast<double>(j) * period.y, static_cast<double>(k) * period.z};
+        const Vec3d n{static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)};
+        const Vec3d by{n.x * period.x, n.y * period.y, n.z * period.z};
         tree.addMeeting({own.min + by, own.max + by}, found);
       }
   std::ranges::sort(found);
@@ -48,7 +49,8 @@ std::int64_t OverlapCounts::total() const {
   return n;
 }
 
-OverlapTest::OverlapTest(std::vector<std::shared_ptr<const SignedDistance>> bodies, const Vec3d& period) : bodies_(std::move(bodies)), period_(period) {
+OverlapTest::OverlapTest(std::vector<std::shared_ptr<const SignedDistance>> bodies, const Vec3d& period)
+    : bodies_(std::move(bodies)), period_(period) {
   for (const auto& b : bodies_) bounds_.push_back(b->bounds());
   const BoxTree tree(bounds_);
   first_.push_back(0);
@@ -98,7 +100,8 @@ bool OverlapTest::keeps(std::size_t a, const Vec3d& x, OverlapRule rule, Overlap
 }
 
 std::vector<std::string> describeOverlaps(const OverlapCounts& counts, const std::vector<Body>& bodies) {
-  std::map<std::pair<std::size_t, std::size_t>, std::array<std::int64_t, 2>> found;  // of pairs (a < b): samples of a in b, of b in a
+  // of pairs (a < b): samples of a in b, of b in a
+  std::map<std::pair<std::size_t, std::size_t>, std::array<std::int64_t, 2>> found;
   for (std::size_t k = 0; k < counts.pair.size(); k++) {
     if (counts.count[k] == 0) continue;
     const auto [a, b] = counts.pair[k];

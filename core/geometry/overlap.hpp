@@ -11,8 +11,8 @@
 
 namespace thaw {
 
-/// Samples of body a that lie inside body b, for each pair of bodies whose boxes meet (OverlapTest::noCounts). Counts of several ranks are added
-/// pair by pair.
+/// Samples of body a that lie inside body b, for each pair of bodies whose boxes meet (OverlapTest::noCounts).
+/// Counts of several ranks are added pair by pair.
 struct OverlapCounts {
   std::vector<std::pair<std::size_t, std::size_t>> pair;  ///< (a, b), ascending
   std::vector<std::int64_t> count;                        ///< of each pair

@@ -27,7 +27,8 @@ std::optional<double> exactVolume(const Shape& s) {
 struct Raster {
   Bounds box;
   Vec3d cell;
-  explicit Raster(const SignedDistance& shape) : box(shape.bounds()), cell((box.max - box.min) * (1.0 / points)) {}
+  explicit Raster(const SignedDistance& shape)
+      : box(shape.bounds()), cell((box.max - box.min) * (1.0 / points)) {}
   double cellVolume() const { return cell.x * cell.y * cell.z; }
 };
 
@@ -36,11 +37,13 @@ std::int64_t countInside(const SignedDistance& shape, const Raster& r, const Red
   std::int64_t inside = 0;
   const bool gaps = shape.hasGaps();
   for (int row = all.rank(); row < points * points; row += all.size()) {
-    const double y = r.box.min.y + (row % points + 0.5) * r.cell.y, z = r.box.min.z + (row / points + 0.5) * r.cell.z;
-    for (int i = 0; i < points;) {  // where the surface is farther away than the next points, they are as this one
+    const double y = r.box.min.y + (row % points + 0.5) * r.cell.y;
+    const double z = r.box.min.z + (row / points + 0.5) * r.cell.z;
+    for (int i = 0; i < points;) {  // the next points, up to the surface, are as this one
       const Vec3d x{r.box.min.x + (i + 0.5) * r.cell.x, y, z};
       const double d = gaps ? 0 : shape.distanceWithin(x, 8 * r.cell.x);
-      const int same = std::min(points - i, 1 + static_cast<int>(std::min(std::abs(d) / r.cell.x * (1 - 1e-9), 1e6)));
+      const double far = std::min(std::abs(d) / r.cell.x * (1 - 1e-9), 1e6);
+      const int same = std::min(points - i, 1 + static_cast<int>(far));
       if (gaps ? shape.inside(x) : d < 0) inside += same;
       i += same;
     }

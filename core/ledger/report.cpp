@@ -87,9 +87,9 @@ double heatScaleOf(const World& w, const LedgerReport& r) {
   return std::max({std::abs(gained), std::abs(r.heatIn), movableHeat(w, r.now.mass)});
 }
 
-/// Energies are sums of terms that cancel. 1e-14 of these is rounding: the energy of all bodies at a strain of 1, of their fall through the
-/// domain, of their motion through it in the scene's time. And 2^-24 of the heat that moves: as heat, less would not show in the
-/// temperatures of a frame, which are in single precision.
+/// Energies are sums of terms that cancel. 1e-14 of these is rounding: the energy of all bodies at a strain of 1,
+/// of their fall through the domain, of their motion through it in the scene's time. And 2^-24 of the heat that
+/// moves: as heat, less would not show in the temperatures of a frame, which are in single precision.
 double roundingOf(const World& w, const StepTools& t, const LedgerReport& r) {
   const Scene& s = w.scene;
   const Vec3d size = s.domain.max - s.domain.min;
@@ -98,7 +98,8 @@ double roundingOf(const World& w, const StepTools& t, const LedgerReport& r) {
   for (std::size_t k = 0; k < s.materials.size() && r.particles > 0; k++) {
     const Material& m = s.materials[k];
     if (m.canBeSolid()) strained = std::max(strained, m.young.solid / m.density * r.now.mass);
-    if (w.modules.fluid && k < t.liquids.size()) strained = std::max(strained, t.liquids[k].stiffness / m.density * r.now.mass);
+    if (w.modules.fluid && k < t.liquids.size())
+      strained = std::max(strained, t.liquids[k].stiffness / m.density * r.now.mass);
   }
   for (const OrientedBody& b : s.oriented) {
     const double spacing = spacingOf(s, b);
@@ -111,7 +112,8 @@ double roundingOf(const World& w, const StepTools& t, const LedgerReport& r) {
     strained = std::max(strained, area * std::max({b.warp, b.weft, b.shear, b.bending}));
   }
   const double speed = s.end > 0 ? length(size) / s.end : 0;
-  return std::max(1e-14 * std::max({strained, r.now.mass * fall, 0.5 * r.now.mass * speed * speed}), std::ldexp(r.heatScale, -24));
+  const double mechanical = std::max({strained, r.now.mass * fall, 0.5 * r.now.mass * speed * speed});
+  return std::max(1e-14 * mechanical, std::ldexp(r.heatScale, -24));
 }
 
 }  // namespace

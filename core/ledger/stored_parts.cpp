@@ -1,5 +1,6 @@
 #include "core/ledger/stored_parts.hpp"
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -15,7 +16,9 @@ namespace {
 enum Part : std::size_t { Gravity, Compression, Tension, Contact, parts };
 using Sums = std::array<ExactSum, parts>;
 
-double gravityOf(const World& w, double mass, const Vec3d& place) { return -mass * dot(w.scene.domain.gravity, place); }
+double gravityOf(const World& w, double mass, const Vec3d& place) {
+  return -mass * dot(w.scene.domain.gravity, place);
+}
 
 /// The filling of a sleeper is not known, since its sums may have been skipped: all that it stores counts as contact.
 void addParticles(const World& w, const StepTools& t, Sums& sums) {
@@ -47,7 +50,8 @@ StoredParts storedParts(World& w, const StepTools& t, Reducer& all) {
     digits.insert(digits.end(), s.digit.begin(), s.digit.end());
   }
   all.sum(digits);
-  for (std::size_t k = 0; k < parts; k++) std::copy_n(digits.data() + k * ExactSum::digits, ExactSum::digits, sums[k].digit.data());
+  for (std::size_t k = 0; k < parts; k++)
+    std::copy_n(digits.data() + k * ExactSum::digits, ExactSum::digits, sums[k].digit.data());
   return {sums[Gravity].value(), sums[Compression].value(), sums[Tension].value(), sums[Contact].value()};
 }
 

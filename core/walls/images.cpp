@@ -14,9 +14,11 @@ bool isPeriodic(const Domain& d, int a) { return d.side[static_cast<std::size_t>
 double lengthOf(const Domain& d, int a) { return d.max[a] - d.min[a]; }
 
 /// As long as the domain along this axis, or longer: it has no images there.
-bool spansDomain(const Domain& d, const Wall& wall, int a) { return !(wall.bounds.max[a] - wall.bounds.min[a] < lengthOf(d, a) * (1 - rounding)); }
+bool spansDomain(const Domain& d, const Wall& wall, int a) {
+  return !(wall.bounds.max[a] - wall.bounds.min[a] < lengthOf(d, a) * (1 - rounding));
+}
 
-/// Bounds of all places of a wall as it moves: those of its bounding box turned about the origin by any angle, where it turns.
+/// Bounds of all places of a wall as it moves; where it turns, of its bounding box at any angle about the origin.
 Bounds sweptBounds(const Wall& wall) {
   Bounds box = wall.bounds;
   const std::vector<Keyframe>& motion = wall.properties.motion;
@@ -30,7 +32,10 @@ Bounds sweptBounds(const Wall& wall) {
   if (motion.empty()) return box;
   Bounds moves{motion.front().move, motion.front().move};
   for (const Keyframe& k : motion)
-    for (int a = 0; a < 3; a++) moves.min[a] = std::min(moves.min[a], k.move[a]), moves.max[a] = std::max(moves.max[a], k.move[a]);
+    for (int a = 0; a < 3; a++) {
+      moves.min[a] = std::min(moves.min[a], k.move[a]);
+      moves.max[a] = std::max(moves.max[a], k.move[a]);
+    }
   return {box.min + moves.min, box.max + moves.max};
 }
 
@@ -39,7 +44,9 @@ struct Periods { int first = 0, last = 0; };
 Periods periodsOf(const Domain& d, const Wall& wall, const Bounds& swept, double reach, int a) {
   if (!isPeriodic(d, a) || spansDomain(d, wall, a)) return {};
   const double period = lengthOf(d, a);
-  return {static_cast<int>(std::ceil((d.min[a] - reach - swept.max[a]) / period)), static_cast<int>(std::floor((d.max[a] + reach - swept.min[a]) / period))};
+  const double first = std::ceil((d.min[a] - reach - swept.max[a]) / period);
+  const double last = std::floor((d.max[a] + reach - swept.min[a]) / period);
+  return {static_cast<int>(first), static_cast<int>(last)};
 }
 
 }  // namespace
@@ -79,7 +86,9 @@ std::string unevenAxes(const Domain& d, const Wall& wall, double reach) {
       low[c] += lengthOf(d, c) * (k / points) / (points - 1);
       Vec3d high = low;
       high[a] = d.max[a];
-      const auto near = [&](const Vec3d& x) { return std::clamp(wall.shape->distanceWithin(x, reach), -reach, reach); };
+      const auto near = [&](const Vec3d& x) {
+        return std::clamp(wall.shape->distanceWithin(x, reach), -reach, reach);
+      };
       even = std::abs(near(low) - near(high)) < 1e-6 * lengthOf(d, a);
     }
     if (!even) axes += "xyz"[a];

@@ -33,11 +33,13 @@ struct Walls {
 /// Adds a half-space for each side of the domain that is a wall: insulating, liquids stick, friction 0.3.
 void addDomainWalls(const Domain& domain, Walls& walls);
 
-/// Puts images of the obstacles in the list behind them, across the periodic sides of the domain: all that come within `reach` (m) of it as they move. A shape as long as
-/// the domain, or without end, has none along that axis. Call it once, when the list is complete.
+/// Puts images of the obstacles in the list behind them, across the periodic sides of the domain: all that come
+/// within `reach` (m) of it as they move. A shape as long as the domain, or without end, has none along that axis.
+/// Call it once, when the list is complete.
 void addWallImages(const Domain& domain, double reach, Walls& walls);
 
-/// Axes ("x", "xy", ...) along which a shape without images, since it is as long as the domain, is not the same on both periodic sides within `reach` (m).
+/// Axes ("x", "xy", ...) along which a shape that is as long as the domain, and so has no images, is not the same
+/// within `reach` (m) of both periodic sides.
 std::string unevenAxes(const Domain& domain, const Wall& wall, double reach);
 
 /// Poses at a time (s), linear between keyframes; obstacles whose time is over are no longer present.

@@ -18,7 +18,9 @@ namespace {
 /// Names with units, and values in as many digits as make them unique.
 class Columns {
  public:
-  template<class Value> void add(const std::string& name, const Value& value) { list_.push_back({name, fmt::format("{}", value)}); }
+  template<class Value> void add(const std::string& name, const Value& value) {
+    list_.push_back({name, fmt::format("{}", value)});
+  }
   void add(const std::string& name, const char* unit, const Vec3d& v) {
     for (int a = 0; a < 3; a++) add(fmt::format("{}_{}_{}", name, "xyz"[a], unit), v[a]);
   }
@@ -122,7 +124,8 @@ void cutLedgerLog(const std::string& out, std::int64_t step) {
 
 bool ledgerRowDue(const World& w, double before) {
   const double every = w.scene.output.ledgerEvery;
-  return frameDue(w.clock) || w.clock.time >= w.clock.end || (every > 0 && rowsBy(w.clock.time, every) > rowsBy(before, every));
+  if (frameDue(w.clock) || w.clock.time >= w.clock.end) return true;
+  return every > 0 && rowsBy(w.clock.time, every) > rowsBy(before, every);
 }
 
 void writeLedgerRow(Run& r) {
