@@ -2,28 +2,74 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
 
 namespace thaw {
+namespace {
 
-double shapeVolume(const SignedDistance& shape, Reducer& all) {
-  constexpr int n = 96;
-  const Bounds b = shape.bounds();
-  const Vec3d cell = (b.max - b.min) * (1.0 / n);
-  if (!std::isfinite(cell.x * cell.y * cell.z)) return 0;
+constexpr int points = 96;  // along an edge
+
+/// Where a formula gives it.
+std::optional<double> exactVolume(const Shape& s) {
+  if (s.fitHeight) return {};
+  const double scale3 = s.scale * s.scale * s.scale, pi = std::numbers::pi;
+  switch (s.kind) {
+    case ShapeKind::Box: return scale3 * s.size.x * s.size.y * s.size.z;
+    case ShapeKind::Sphere: return scale3 * 4 / 3 * pi * s.radius * s.radius * s.radius;
+    case ShapeKind::Cylinder: return scale3 * pi * s.radius * s.radius * s.height;
+    case ShapeKind::Torus: return scale3 * 2 * pi * pi * s.radius * s.radius2 * s.radius2;
+    default: return {};
+  }
+}
+
+struct Raster {
+  Bounds box;
+  Vec3d cell;
+  explicit Raster(const SignedDistance& shape)
+      : box(shape.bounds()), cell((box.max - box.min) * (1.0 / points)) {}
+  double cellVolume() const { return cell.x * cell.y * cell.z; }
+};
+
+/// Points of this rank's rows that are inside.
+std::int64_t countInside(const SignedDistance& shape, const Raster& r, const Reducer& all) {
   std::int64_t inside = 0;
   const bool gaps = shape.hasGaps();
-  for (int row = all.rank(); row < n * n; row += all.size()) {
-    const double y = b.min.y + (row % n + 0.5) * cell.y, z = b.min.z + (row / n + 0.5) * cell.z;
-    for (int i = 0; i < n;) {  // where the surface is farther away than the next points, they are as this one
-      const Vec3d x{b.min.x + (i + 0.5) * cell.x, y, z};
-      const double d = gaps ? 0 : shape.distanceWithin(x, 8 * cell.x);
-      const int same = std::min(n - i, 1 + static_cast<int>(std::min(std::abs(d) / cell.x * (1 - 1e-9), 1e6)));
+  for (int row = all.rank(); row < points * points; row += all.size()) {
+    const double y = r.box.min.y + (row % points + 0.5) * r.cell.y;
+    const double z = r.box.min.z + (row / points + 0.5) * r.cell.z;
+    for (int i = 0; i < points;) {  // the next points, up to the surface, are as this one
+      const Vec3d x{r.box.min.x + (i + 0.5) * r.cell.x, y, z};
+      const double d = gaps ? 0 : shape.distanceWithin(x, 8 * r.cell.x);
+      const double far = std::min(std::abs(d) / r.cell.x * (1 - 1e-9), 1e6);
+      const int same = std::min(points - i, 1 + static_cast<int>(far));
       if (gaps ? shape.inside(x) : d < 0) inside += same;
       i += same;
     }
   }
-  all.sum({&inside, 1});
-  return static_cast<double>(inside) * cell.x * cell.y * cell.z;
+  return inside;
+}
+
+}  // namespace
+
+std::vector<double> shapeVolumes(std::span<const Shape* const> shapes, const MeshLoader& load, Reducer& all) {
+  std::vector<double> volume(shapes.size(), 0), each(shapes.size(), 0);
+  std::vector<std::int64_t> inside(shapes.size(), 0);
+  for (std::size_t k = 0; k < shapes.size(); k++) {
+    if (const std::optional<double> exact = exactVolume(*shapes[k])) {
+      volume[k] = *exact;
+      continue;
+    }
+    const std::shared_ptr<const SignedDistance> shape = makeSignedDistance(*shapes[k], load);
+    const Raster raster(*shape);
+    if (!std::isfinite(raster.cellVolume())) continue;
+    each[k] = raster.cellVolume();
+    inside[k] = countInside(*shape, raster, all);
+  }
+  all.sum(inside);
+  for (std::size_t k = 0; k < shapes.size(); k++) volume[k] += static_cast<double>(inside[k]) * each[k];
+  return volume;
 }
 
 }  // namespace thaw

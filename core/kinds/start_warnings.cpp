@@ -1,6 +1,7 @@
 #include "core/kinds/start_warnings.hpp"
 
 #include <cstdio>
+#include <utility>
 
 #include "core/geometry/point_tree.hpp"
 #include "core/geometry/shape_error.hpp"
@@ -42,11 +43,15 @@ template<class Is> std::vector<std::vector<std::int64_t>> countRows(const KindRo
 void warnOfPlaces(const World& w, const KindRows& rows, const std::vector<Who>& whose, const std::vector<std::shared_ptr<const SignedDistance>>& shapes, Reducer& all,
                   SceneProblems& problems, std::vector<SceneWarning>& warnings, ToldPairs& told) {
   const auto inBodies = countRows(rows, whose.size(), shapes.size(), all, [&](std::size_t i, std::size_t k) { return shapes[k] && shapes[k]->inside(rows.position[i]); });
-  const auto inWalls = countRows(rows, whose.size(), w.walls.list.size(), all, [&](std::size_t i, std::size_t k) {
+  auto inWalls = countRows(rows, whose.size(), w.walls.list.size(), all, [&](std::size_t i, std::size_t k) {
     const Wall& wall = w.walls.list[k];
     const double keep = deep * whose[rows.body[i]].thickness;
     return wall.present && wall.shape->distanceWithin(toRest(wall.pose, rows.position[i]), keep) < keep;
   });
+  for (std::vector<std::int64_t>& counts : inWalls)
+    for (std::size_t k = 0; k < w.walls.list.size(); k++)
+      if (w.walls.list[k].isImage()) counts[w.walls.list[k].imageOf] += std::exchange(counts[k], 0);
+
   // a cloth through a ball is held by it for good: contact pushes what is inside to whatever side is near
   const auto tellInside = [&](const Who& who, const std::string& text, const Body& body) {
     if (!solidAt(w.scene.materials[static_cast<std::size_t>(body.material)], body.temperature)) warnings.push_back({who.where, text + ", whose liquid is pushed off them"});

@@ -60,15 +60,47 @@ struct Unpack {
 
 double mechanical(const Balance& b) { return b.kinetic + b.elastic + b.potential; }
 
-/// Energies are sums of terms that cancel: what is 1e-14 of the energy of all bodies at a strain of 1, of their fall through the domain, or of their motion
-/// through it in the scene's time, is rounding.
-double roundingOf(const World& w, const LedgerReport& r) {
+/// J, heat that the differences of temperature in the scene can move.
+double movableHeat(const World& w, double mass) {
+  const Scene& s = w.scene;
+  if (!w.modules.heat) return 0;
+  double lowest = never, highest = -never, capacity = 0;
+  const auto see = [&](double T) { lowest = std::min(lowest, T), highest = std::max(highest, T); };
+  for (const Body& b : s.bodies) {
+    const double half = 0.5 * length(b.temperatureGradient) * length(s.domain.max - s.domain.min);
+    see(b.temperature - half), see(b.temperature + half);
+  }
+  for (const Emitter& e : s.emitters) see(e.temperature);
+  for (const Tempering& t : s.temperings) see(t.temperature);
+  for (const Obstacle& o : s.obstacles)
+    if (o.temperature) see(*o.temperature);
+  for (const Material& m : s.materials) {
+    if (m.convection > 0 || m.emissivity > 0) see(s.domain.ambient);
+    capacity = std::max({capacity, m.heatCapacity.solid, m.heatCapacity.liquid});
+  }
+  return highest > lowest ? mass * capacity * (highest - lowest) : 0;
+}
+
+/// J, largest of what the heat of a run has done and can do.
+double heatScaleOf(const World& w, const LedgerReport& r) {
+  const double gained = r.now.internal - r.initial.internal - r.entered.internal + r.left.internal;
+  return std::max({std::abs(gained), std::abs(r.heatIn), movableHeat(w, r.now.mass)});
+}
+
+/// Energies are sums of terms that cancel. 1e-14 of these is rounding: the energy of all bodies at a strain of 1,
+/// of their fall through the domain, of their motion through it in the scene's time. And 2^-24 of the heat that
+/// moves: as heat, less would not show in the temperatures of a frame, which are in single precision.
+double roundingOf(const World& w, const StepTools& t, const LedgerReport& r) {
   const Scene& s = w.scene;
   const Vec3d size = s.domain.max - s.domain.min;
   double fall = 0, strained = 0;
   for (int a = 0; a < 3; a++) fall += std::abs(s.domain.gravity[a]) * size[a];
-  for (const Material& m : s.materials)
-    if (m.canBeSolid() && r.particles > 0) strained = std::max(strained, m.young.solid / m.density * r.now.mass);
+  for (std::size_t k = 0; k < s.materials.size() && r.particles > 0; k++) {
+    const Material& m = s.materials[k];
+    if (m.canBeSolid()) strained = std::max(strained, m.young.solid / m.density * r.now.mass);
+    if (w.modules.fluid && k < t.liquids.size())
+      strained = std::max(strained, t.liquids[k].stiffness / m.density * r.now.mass);
+  }
   for (const OrientedBody& b : s.oriented) {
     const double spacing = spacingOf(s, b);
     strained = std::max(strained, b.stiffness * spacing * spacing * static_cast<double>(r.rows[orientedKind]));
@@ -80,7 +112,8 @@ double roundingOf(const World& w, const LedgerReport& r) {
     strained = std::max(strained, area * std::max({b.warp, b.weft, b.shear, b.bending}));
   }
   const double speed = s.end > 0 ? length(size) / s.end : 0;
-  return 1e-14 * std::max({strained, r.now.mass * fall, 0.5 * r.now.mass * speed * speed});
+  const double mechanical = std::max({strained, r.now.mass * fall, 0.5 * r.now.mass * speed * speed});
+  return std::max(1e-14 * mechanical, std::ldexp(r.heatScale, -24));
 }
 
 }  // namespace
@@ -157,7 +190,8 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
   r.energyResidual = mechanical(r.now) - expected;
   r.energyScale = std::max({std::abs(r.now.kinetic), std::abs(r.initial.kinetic), std::abs(r.dissipated), std::abs(r.now.potential - r.initial.potential), std::abs(r.now.elastic), std::abs(r.wallWork), r.entered.kinetic, r.left.kinetic});
   r.energyLargest = std::max(r.energyScale, w.watch.largest);
-  r.energyRounding = roundingOf(w, r);
+  r.heatScale = heatScaleOf(w, r);
+  r.energyRounding = roundingOf(w, t, r);
   r.heatResidual = r.now.internal - (r.initial.internal + r.entered.internal - r.left.internal + r.heatIn);
   return r;
 }

@@ -18,7 +18,8 @@ struct LedgerReport {
   double heatResidual = 0;      ///< J, internal against heat that came in
   double energyScale = 0;       ///< J, largest of the terms that went into energyResidual
   double energyLargest = 0;     ///< J, largest energyScale of now and of all good states since the run began
-  double energyRounding = 0;    ///< J, below which energies of this scene are rounding, and shares of them mean nothing
+  double energyRounding = 0;    ///< J, below which mechanical energies do not matter: rounding of what they are sums of, or of the heat that has moved
+  double heatScale = 0;         ///< J, largest of the heat that has moved and of what differences of temperature in the scene can move
   double liquidFraction = 0;    ///< of the continuum's mass: sheets and oriented particles are neither liquid nor solid
   std::int64_t particles = 0;
   std::int64_t rows[2] = {0, 0};  ///< of the further kinds (core/kinds/kinds.hpp)

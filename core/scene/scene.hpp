@@ -232,6 +232,7 @@ struct Camera {
 
 struct Output {
   double every = 0.04;            // s of simulated time between frames
+  double ledgerEvery = 0;         // s of simulated time between further rows of ledger.csv; 0: only those of frames
   std::vector<std::string> fields{"velocity", "temperature", "liquid"};
   SourcePlace fieldsWhere;        // no line: these are not from the scene
   double checkpoint = 600;        // s of wall-clock time

@@ -18,6 +18,12 @@ std::string inDigits(double value) {
   return text;
 }
 
+/// What makes a periodic domain too thin; the thinnest slab in spacings where these are known.
+std::string slabAdvice(double reach, double spacing) {
+  const std::string farthest = "three times the farthest that anything in it reaches (numerics.support; of surfels surface.particle_support)";
+  return spacing > 0 ? ", " + inDigits(3 * reach / spacing) + " spacings: " + farthest : ", " + farthest;
+}
+
 }  // namespace
 
 CellGrid makeGrid(const Scene& s, double least) {
@@ -25,10 +31,10 @@ CellGrid makeGrid(const Scene& s, double least) {
   double support = s.numerics.support * s.spacing;
   // cells of the scene's particles, of which there are none, would each hold thousands of a body that is much finer
   if (s.bodies.empty() && s.emitters.empty() && reach > 0 && reach < 0.25 * support) support = reach;
-  return makeGrid(s.domain, support, reach);
+  return makeGrid(s.domain, support, reach, s.spacing);
 }
 
-CellGrid makeGrid(const Domain& d, double support, double least) {
+CellGrid makeGrid(const Domain& d, double support, double least, double spacing) {
   CellGrid g;
   g.support = support;
   const double cell = std::max(support, least);
@@ -44,7 +50,7 @@ CellGrid makeGrid(const Domain& d, double support, double least) {
       g.cells[a] = static_cast<int>(std::floor(extent / cell * (1 + 1e-12)));
       if (g.cells[a] < 3)
         throw std::runtime_error("the domain is periodic along " + axis + " but shorter than three support radii: it is " + inDigits(extent) + " m long; expected at least " + inDigits(3 * cell) +
-                                 " m, three times the farthest that anything in it reaches (numerics.support; of surfels surface.particle_support)");
+                                 " m" + slabAdvice(cell, spacing));
       g.edge[a] = extent / g.cells[a];
       g.origin[a] = d.min[a];
       g.period[a] = extent;

@@ -10,6 +10,7 @@ namespace thaw {
 CellGrid makeGrid(const Scene& scene, double least = 0);
 
 /// The same of a domain, with cells of another radius (m); cells are at least as long as `edge` (m).
-CellGrid makeGrid(const Domain& domain, double support, double edge = 0);
+/// spacing: m, for messages; 0: not known.
+CellGrid makeGrid(const Domain& domain, double support, double edge = 0, double spacing = 0);
 
 }  // namespace thaw

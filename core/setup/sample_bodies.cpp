@@ -35,7 +35,7 @@ void lookAt(const World& w, std::size_t body, const Vec3d& x, Offenders& o) {
   for (std::size_t k = 0; k < w.walls.list.size(); k++) {
     if (!holdsSample(w.walls.list[k], x, w.scene.spacing)) continue;
     o.inObstacles++;
-    o.firstObstacle = std::max(o.firstObstacle, -static_cast<double>(body * codes + k));
+    o.firstObstacle = std::max(o.firstObstacle, -static_cast<double>(body * codes + w.walls.list[k].originalAt(k)));
   }
 }
 
@@ -123,7 +123,7 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
   const std::size_t n = s.bodies.size();
   const auto periodOf = [&](int a) { return w.grid.periodic[a] ? w.grid.period[a] : 0; };
   const OverlapTest overlap(shapes, {periodOf(0), periodOf(1), periodOf(2)});
-  OverlapCounts overlaps(n);
+  OverlapCounts overlaps = overlap.noCounts();
   Offenders offenders(n);
   std::vector<std::int64_t> counts, filled(n, 0);
   std::int64_t removed = 0;
@@ -165,8 +165,8 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
   }
   problems.raise();
   for (std::size_t b = 0; b < n; b++) {
-    all.sum(inEach[b]);
     const std::size_t clamps = inEach[b].size();
+    if (clamps > 0) all.sum(inEach[b]);
     for (std::size_t k = 0; k < clamps; k++)
       if (inEach[b][k] == 0)
         report.warnings.push_back({s.bodies[b].where, "body '" + s.bodies[b].name + "': its clamp " + (clamps > 1 ? std::to_string(k + 1) + " of " + std::to_string(clamps) + " " : "") + "holds none of its particles" +
@@ -177,7 +177,7 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
       report.warnings.push_back({s.bodies[b].where, "body '" + s.bodies[b].name + "' is narrower than the spacing of " + lengthText(s.spacing) + " (" + narrow + "): it is one layer of particles there, a spacing thick, and as heavy" +
                                                          sizeHint(s, s.bodies[b].shape, shapes[b]->bounds())});
   for (std::size_t k = overlaps.count.size(); k-- > 0;)
-    if (overlaps.count[k] > 0) report.overlapWhere = s.bodies[k / n].where;
+    if (overlaps.count[k] > 0) report.overlapWhere = s.bodies[overlaps.pair[k].first].where;
   if (report.inObstacles > 0) {
     const std::size_t code = static_cast<std::size_t>(-first[0]);
     report.obstacleWhere = s.bodies[code / codes].where;

@@ -78,14 +78,27 @@ double fallHeightOf(const Scene& s, const std::vector<std::shared_ptr<const Sign
   return std::max(0.0, top - low);
 }
 
-/// The axis along which an obstacle reaches beyond one periodic side, and so is cut: obstacles have no images. 0: none; one that reaches from side to side is whole.
-char cutBySide(const Domain& d, const Bounds& b) {
-  for (int a = 0; a < 3; a++) {
-    const double least = 1e-9 * (d.max[a] - d.min[a]);
-    const bool low = b.min[a] < d.min[a] - least, high = b.max[a] > d.max[a] + least;
-    if (d.side[static_cast<std::size_t>(a)][0] == Side::Periodic && low != high) return "xyz"[a];
+/// m, the farthest at which anything feels an obstacle.
+double reachOfWalls(const World& w) {
+  double reach = std::max({w.grid.edge.x, w.grid.edge.y, w.grid.edge.z});
+  for (const SheetPlan& plan : w.sheets.plans) reach = std::max(reach, 2 * plan.thickness);
+  for (const OrientedBody& b : w.scene.oriented) reach = std::max(reach, 2 * b.thickness * spacingOf(w.scene, b));
+  return reach;
+}
+
+/// Notes on the meshes of obstacles, and a warning for those that meet a step at a periodic side.
+void warnOfWalls(const World& w, std::vector<SceneWarning>& warnings) {
+  for (const Wall& wall : w.walls.list) {
+    if (wall.isImage()) continue;
+    const auto add = [&](const std::string& text) {
+      warnings.push_back({wall.properties.where, "obstacle '" + wall.properties.name + "'" + text});
+    };
+    if (const std::string axes = unevenAxes(w.scene.domain, wall, w.grid.support); !axes.empty())
+      add(" is as long as the domain, or longer, along the periodic axis " + axes + ", but not the same on both sides: what crosses that side meets a step");
+    std::vector<std::string> notes;  // what was mended of meshes
+    wall.shape->addNotes(notes);
+    for (const std::string& note : notes) add(": " + note);
   }
-  return 0;
 }
 
 }  // namespace
@@ -112,6 +125,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   t.shapes = shapes;
   if (w.modules.sheet) prepareSheets(w, load);
   if (const double reach = std::max(faceContactReach(w.sheets.plans), meshContactReach(w.scene, w.sheets.plans)); reach > w.grid.edge.x) w.grid = makeGrid(w.scene, reach);
+  addWallImages(w.scene.domain, reachOfWalls(w), w.walls);
   w.scene.fallHeight = fallHeightOf(w.scene, shapes);
 
   if (w.modules.oriented) prepareOriented(w.scene, t.oriented, load);
@@ -174,13 +188,7 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
   if (w.modules.kinds())
     for (SceneWarning& warning : kindStartWarnings(w, shapes, oriented, halos.all, problems)) report.warnings.push_back(std::move(warning));
   problems.raise();
-  for (const Wall& wall : w.walls.list) {
-    if (const char axis = cutBySide(w.scene.domain, wall.bounds))
-      report.warnings.push_back({wall.properties.where, "obstacle '" + wall.properties.name + "' reaches beyond the periodic side " + axis + ": what is beyond does not act on the other side; write it a second time there, a period away"});
-    std::vector<std::string> notes;  // what was mended of meshes
-    wall.shape->addNotes(notes);
-    for (const std::string& note : notes) report.warnings.push_back({wall.properties.where, "obstacle '" + wall.properties.name + "': " + note});
-  }
+  warnOfWalls(w, report.warnings);
   for (std::size_t b = 0; b < shapes.size(); b++) {
     std::vector<std::string> notes;
     shapes[b]->addNotes(notes);

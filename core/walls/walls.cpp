@@ -45,6 +45,9 @@ void moveWalls(Walls& walls, double time) {
   for (Wall& w : walls.list) {
     w.present = time < w.properties.until;
     w.pose = poseAt(w.properties.motion, time);
+    if (!w.isImage()) continue;
+    w.pose.move += w.shift;
+    w.pose.moved = true;
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/geometry/pose.hpp"
@@ -17,6 +18,12 @@ struct Wall {
   Bounds bounds;                                ///< of the rest pose
   Pose pose;                                    ///< now
   bool present = true;                          ///< false after properties.until
+  Vec3d shift{};                                ///< m, whole periods of the domain; of images across periodic sides
+  std::size_t imageOf = original;               ///< place in the list of the wall that this is an image of
+
+  static constexpr std::size_t original = ~std::size_t{0};
+  bool isImage() const { return imageOf != original; }
+  std::size_t originalAt(std::size_t k) const { return isImage() ? imageOf : k; }  ///< k: own place in the list
 };
 
 struct Walls {
@@ -25,6 +32,15 @@ struct Walls {
 
 /// Adds a half-space for each side of the domain that is a wall: insulating, liquids stick, friction 0.3.
 void addDomainWalls(const Domain& domain, Walls& walls);
+
+/// Puts images of the obstacles in the list behind them, across the periodic sides of the domain: all that come
+/// within `reach` (m) of it as they move. A shape as long as the domain, or without end, has none along that axis.
+/// Call it once, when the list is complete.
+void addWallImages(const Domain& domain, double reach, Walls& walls);
+
+/// Axes ("x", "xy", ...) along which a shape that is as long as the domain, and so has no images, is not the same
+/// within `reach` (m) of both periodic sides.
+std::string unevenAxes(const Domain& domain, const Wall& wall, double reach);
 
 /// Poses at a time (s), linear between keyframes; obstacles whose time is over are no longer present.
 void moveWalls(Walls& walls, double time);

@@ -54,7 +54,7 @@ std::vector<Sunken> findSunkenInObstacles(const World& w, Reducer& all) {
       const Wall& wall = w.walls.list[k];
       if (!wall.present) continue;
       const Vec3d rest = toRest(wall.pose, o.position[i]);
-      count[o.body[i] * walls + k] += nearBounds(wall.bounds, rest, 0) && wall.shape->distanceWithin(rest, 2 * deep) < -deep;
+      count[o.body[i] * walls + wall.originalAt(k)] += nearBounds(wall.bounds, rest, 0) && wall.shape->distanceWithin(rest, 2 * deep) < -deep;
     }
   }
   if (!count.empty()) all.sum(count);

@@ -6,6 +6,9 @@
 
 namespace thaw {
 
-inline std::string bytesText(double bytes) { return bytes > 1e9 ? fmt::format("{:.2f} GB", bytes / 1e9) : fmt::format("{:.1f} MB", bytes / 1e6); }
+inline std::string bytesText(double bytes) {
+  if (!(bytes < 1e15)) return fmt::format("{:.1e} GB", bytes / 1e9);
+  return bytes > 1e9 ? fmt::format("{:.2f} GB", bytes / 1e9) : fmt::format("{:.1f} MB", bytes / 1e6);
+}
 
 }  // namespace thaw

@@ -24,6 +24,7 @@
 #include "io/commands/scene_for_all.hpp"
 #include "io/commands/short_text.hpp"
 #include "io/hdf5/io_error.hpp"
+#include "io/run/duration_text.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/scene/scene_warnings.hpp"
 #include "parallel/bond_halo.hpp"
@@ -46,20 +47,37 @@ std::vector<std::string> linesOfKinds(const World& w, Reducer& all) {
   return lines;
 }
 
-/// A line for each continuum body; where its particles are by more than a hundredth lighter or heavier than its shape, by how much. Collective.
+constexpr std::size_t mostBodyLines = 100;
+
+/// What a body of the continuum is made of; where its particles are by more than a hundredth lighter or heavier than its shape, by how much.
+std::string lineOfBody(const World& w, const SamplingReport& sampled, std::size_t b, double volume) {
+  const Body& body = w.scene.bodies[b];
+  const Material& m = w.scene.materials[static_cast<std::size_t>(body.material)];
+  const double mass = m.density * std::pow(w.scene.spacing, 3) * static_cast<double>(sampled.particles[b]);
+  const double shape = m.density * volume, ratio = shape > 0 ? mass / shape : 1;
+  std::string line = fmt::format("body '{}': {} of {}, {:.4g} kg", body.name, sampled.particles[b], m.name, mass);
+  if (!body.clamp.empty()) line += fmt::format(", {} of them clamped", sampled.clamped[b]);
+  if (std::abs(ratio - 1) > 0.01 && sampled.removed == 0)
+    line += fmt::format("; its shape holds {:.4g} kg: the particles are {:.1f} % too {} (a finer spacing, or a density times {:.4g}, makes up for it)", shape, 100 * std::abs(ratio - 1), ratio > 1 ? "heavy" : "light", 1 / ratio);
+  return line;
+}
+
+/// A line for each continuum body; of many, of the first ones, and one of all others together. Collective.
 std::vector<std::string> linesOfBodies(const World& w, const SamplingReport& sampled, Reducer& all) {
+  const std::vector<Body>& bodies = w.scene.bodies;
+  const std::size_t shown = std::min(bodies.size(), mostBodyLines);
+  std::vector<const Shape*> shapes;
+  for (std::size_t b = 0; b < shown; b++) shapes.push_back(&bodies[b].shape);
+  const std::vector<double> volumes = shapeVolumes(shapes, meshLoader(), all);
   std::vector<std::string> lines;
-  for (std::size_t b = 0; b < w.scene.bodies.size(); b++) {
-    const Body& body = w.scene.bodies[b];
-    const Material& m = w.scene.materials[static_cast<std::size_t>(body.material)];
-    const double mass = m.density * std::pow(w.scene.spacing, 3) * static_cast<double>(sampled.particles[b]);
-    const double shape = m.density * shapeVolume(*makeSignedDistance(body.shape, meshLoader()), all), ratio = shape > 0 ? mass / shape : 1;
-    std::string line = fmt::format("body '{}': {} of {}, {:.4g} kg", body.name, sampled.particles[b], m.name, mass);
-    if (!body.clamp.empty()) line += fmt::format(", {} of them clamped", sampled.clamped[b]);
-    if (std::abs(ratio - 1) > 0.01 && sampled.removed == 0)
-      line += fmt::format("; its shape holds {:.4g} kg: the particles are {:.1f} % too {} (a finer spacing, or a density times {:.4g}, makes up for it)", shape, 100 * std::abs(ratio - 1), ratio > 1 ? "heavy" : "light", 1 / ratio);
-    lines.push_back(std::move(line));
+  for (std::size_t b = 0; b < shown; b++) lines.push_back(lineOfBody(w, sampled, b, volumes[b]));
+  std::int64_t particles = 0;
+  double mass = 0;
+  for (std::size_t b = shown; b < bodies.size(); b++) {
+    particles += sampled.particles[b];
+    mass += w.scene.materials[static_cast<std::size_t>(bodies[b].material)].density * std::pow(w.scene.spacing, 3) * static_cast<double>(sampled.particles[b]);
   }
+  if (shown < bodies.size()) lines.push_back(fmt::format("{} more bodies: {} particles, {:.4g} kg", bodies.size() - shown, particles, mass));
   return lines;
 }
 
@@ -71,8 +89,6 @@ std::string leaveOutRelaxation(Scene& s) {
 }
 
 constexpr double longestSensibleRun = 30 * 86400.0;  // s
-
-std::string timeText(double s) { return s > 7200 ? fmt::format("{:.1f} h", s / 3600) : s > 120 ? fmt::format("{:.0f} min", s / 60) : s >= 10 ? fmt::format("{:.0f} s", s) : fmt::format("{:.2g} s", s); }
 
 /// What the emitters let out until the end of the scene.
 double emittedAtEnd(const Scene& s, const StepTools& t) {
@@ -141,7 +157,7 @@ int checkAll(const CheckOptions& o) {
   for (std::size_t e = 0; e < s.emitters.size(); e++)
     std::printf("  emitter '%s': of %s, %.4g kg/s, layers of %zu particles\n", s.emitters[e].name.c_str(), s.materials[static_cast<std::size_t>(s.emitters[e].material)].name.c_str(),
                 outflowOf(t.emitters[e]), t.emitters[e].layer.size());
-  if (emitted > 0) std::printf("  emitted until the end: %.0f\n", emitted);
+  if (emitted > 0) std::printf("  emitted until the end: %s\n", countText(emitted).c_str());
   for (const std::string& pair : sampled.overlaps) std::printf("  %s\n", pair.c_str());
   if (!sampled.overlaps.empty()) std::printf("  %lld particles left out of overlaps\n", static_cast<long long>(sampled.removed));
   std::printf("\nmodules\n");
@@ -161,11 +177,11 @@ int checkAll(const CheckOptions& o) {
   const double ofParticles = memory * comm.size() * most, ofSurface = onSurface.bytes / ranks, stepping = needed * perStep * comm.size() * mean;
   const double updating[2] = {onSurface.seconds / ranks, onSurface.secondsMost / ranks};
   const bool two = w.modules.surface, range = updating[1] > 1.2 * updating[0];
-  const auto rangeText = [&](double before) { return timeText(before + updating[0]) + (range ? " to " + timeText(before + updating[1]) : ""); };
+  const auto rangeText = [&](double before) { return durationText(before + updating[0]) + (range ? " to " + durationText(before + updating[1]) : ""); };
   std::printf("\nmemory a rank: %s with %d rank%s (%.0f bytes a particle%s)\n", bytesText(ofParticles + ofSurface).c_str(), ranks, ranks == 1 ? "" : "s", memory * comm.size() / particles,
               two ? (", and " + bytesText(ofSurface) + " for the surface").c_str() : "");
-  std::printf("run time: about %s with %d rank%s (%.0f steps at %.3g M particle-steps/s and rank, measured here over %d steps%s)\n", rangeText(stepping).c_str(), ranks, ranks == 1 ? "" : "s", needed,
-              perStep > 0 ? particles / perStep / comm.size() / 1e6 : 0, steps, two ? (": " + timeText(stepping) + ", and " + rangeText(0) + " for the surface").c_str() : "");
+  std::printf("run time: about %s with %d rank%s (%s steps at %.3g M particle-steps/s and rank, measured here over %d steps%s)\n", rangeText(stepping).c_str(), ranks, ranks == 1 ? "" : "s", countText(needed).c_str(),
+              perStep > 0 ? particles / perStep / comm.size() / 1e6 : 0, steps, two ? (": " + durationText(stepping) + ", and " + rangeText(0) + " for the surface").c_str() : "");
   if (stepping > longestSensibleRun) std::printf("warning: that is more than a month: are the end (%g s), the spacing (%g m) and the stiffness of the materials (sound_speed, young) what is meant?\n", s.end, s.spacing);
   std::printf("steps become shorter or longer, and particles more or fewer, as the scene goes: within a factor of two it is a good guess%s\n", range ? "; of the surface the higher figure is for a splash" : "");
   return exitDone;

@@ -10,6 +10,7 @@
 #include "core/surface/prepare_surface.hpp"
 #include "io/commands/bytes_text.hpp"
 #include "io/commands/require_memory.hpp"
+#include "io/run/duration_text.hpp"
 
 namespace thaw {
 namespace {
@@ -129,16 +130,16 @@ std::vector<std::string> SurfaceTrial::lines(const Forecast& f, int ranks) const
   const Surface& s = w.surface;
   const SurfaceSettings& set = w.scene.surface;
   std::vector<std::string> lines{
-      fmt::format("{:.0f} surfels at the start ({:.0f} expected by the area of the bodies), {} component{}", f.surfels, expected_, s.components.size(), s.components.size() == 1 ? "" : "s"),
+      fmt::format("{} surfels at the start ({} expected by the area of the bodies), {} component{}", countText(f.surfels), countText(expected_), s.components.size(), s.components.size() == 1 ? "" : "s"),
       fmt::format("surfels {:g} m apart; they act on each other within {:g} m (about {:.0f} neighbours), particles on them within {:g} m (about {:.0f})", spacing_, set.support * spacing_,
                   1.15 * pi * set.support * set.support, s.particleSupport, 2.0 / 3 * pi * std::pow(s.particleSupport / w.scene.spacing, 3)),
       fmt::format("memory a rank: {} with {} rank{} ({:.0f} bytes a surfel, work lists included)", bytesText(f.bytes / ranks), ranks, ranks == 1 ? "" : "s", f.bytes / std::max(1.0, f.surfelsTogether)),
       fmt::format("the start {} {:.3g} s, one update of it {:.3g} s{}, on {} rank{}", perMeasured_ > 1 ? "would take about" : "took", perMeasured_ * times[0], perMeasured_ * times[1],
                   w.modules.fluid ? fmt::format(", one of it as liquid that flows {:.3g} s", perMeasured_ * times[2]) : "", comm_.size(), comm_.size() == 1 ? "" : "s"),
-      fmt::format("about {:.0f} updates until the end, {:.0f} of them at frames{}", f.updates, f.frames,
+      fmt::format("about {} updates until the end, {} of them at frames{}", countText(f.updates), countText(f.frames),
                   set.everyMove > 0 ? fmt::format("; the others as particles come {:g} m, at half of {:.3g} m/s, the largest speed expected", set.everyMove * w.grid.support, expectedSpeed(w.scene)) : set.everySteps > 0 ? "" : ", however far particles move in between")};
   if (perMeasured_ > 1) lines.push_back(fmt::format("these figures are scaled up from {:.0f} surfels {:.3g} m apart", f.surfels / perMeasured_, s.spacing));
-  if (w.modules.fluid) lines.push_back(fmt::format("time and memory go with the number of surfels: {:.0f} where what flows stays together, up to {:.0f} where all of it falls apart into drops", f.surfelsTogether, f.surfelsMost));
+  if (w.modules.fluid) lines.push_back(fmt::format("time and memory go with the number of surfels: {} where what flows stays together, up to {} where all of it falls apart into drops", countText(f.surfelsTogether), countText(f.surfelsMost)));
   return lines;
 }
 

@@ -3,15 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
+#include "core/scene/expected_speeds.hpp"
 #include "io/commands/chosen_numerics.hpp"
 
 namespace thaw {
 namespace {
 
 /// The case that stands for a part of the model: what a scene with it does most. frontier.py has the same list.
-struct Likeness { const char* part; std::string cases; bool (*has)(const Scene&, const Modules&); };
+/// fits: does a scene with it also move as the case does, so that advice may follow from it?
+struct Likeness {
+  const char* part;
+  std::string cases;
+  bool (*has)(const Scene&, const Modules&);
+  bool (*fits)(const Scene&) = [](const Scene&) { return true; };
+};
 
 bool viscous(const Scene& s, const Modules& m) {
   for (const Material& x : s.materials)
@@ -19,11 +27,47 @@ bool viscous(const Scene& s, const Modules& m) {
   return false;
 }
 
+bool isLiquid(const Scene& s, const Body& b) {
+  const Material& m = s.materials[static_cast<std::size_t>(b.material)];
+  return !m.canBeSolid() || m.liquidAtStart;
+}
+
+/// No faster than a fall through the domain would make it: the suite has no liquid that is torn or spun from the start.
+bool isGentle(const Scene& s) {
+  const double size = length(s.domain.max - s.domain.min), most = fallSpeed(s.domain);
+  double fastest = 0;
+  for (const Body& b : s.bodies)
+    if (isLiquid(s, b)) fastest = std::max(fastest, length(b.velocity) + 0.5 * length(b.spin) * size);
+  for (const Emitter& e : s.emitters) fastest = std::max(fastest, e.speed);
+  for (const Obstacle& o : s.obstacles) fastest = std::max(fastest, fastestMove(o.motion));
+  return fastest <= most;
+}
+
+/// Does a box of liquid end at walls or periodic sides of the domain across gravity, so that it stays where it is?
+bool isHeld(const Scene& s, const Body& b) {
+  if (b.shape.kind != ShapeKind::Box || !(b.shape.rotate == Vec3d{}) || b.shape.fitHeight || b.shape.bottom) return false;
+  for (int a = 0; a < 3; a++) {
+    if (std::abs(s.domain.gravity[a]) > 0) continue;
+    const double half = 0.5 * b.shape.scale * b.shape.size[a];
+    const auto& sides = s.domain.side[static_cast<std::size_t>(a)];
+    if (sides[0] == Side::Open || b.shape.move[a] - half > s.domain.min[a] + s.spacing) return false;
+    if (sides[1] == Side::Open || b.shape.move[a] + half < s.domain.max[a] - s.spacing) return false;
+  }
+  return true;
+}
+
+bool isAtRest(const Scene& s) {
+  if (!s.emitters.empty() || length(s.domain.gravity) == 0) return false;
+  for (const Obstacle& o : s.obstacles)
+    if (fastestMove(o.motion) > 0) return false;
+  return std::ranges::all_of(s.bodies, [&](const Body& b) { return !isLiquid(s, b) || (b.velocity == Vec3d{} && b.spin == Vec3d{} && isHeld(s, b)); });
+}
+
 const std::vector<Likeness>& likenesses() {
   static const std::vector<Likeness> all{
-      {"liquid at rest", "hydrostatic", [](const Scene&, const Modules& m) { return m.fluid; }},
-      {"liquid that falls", "martin_moyce", [](const Scene&, const Modules& m) { return m.fluid; }},
-      {"viscosity", "poiseuille", viscous},
+      {"liquid at rest", "hydrostatic", [](const Scene&, const Modules& m) { return m.fluid; }, isAtRest},
+      {"liquid that falls", "martin_moyce", [](const Scene&, const Modules& m) { return m.fluid; }, isGentle},
+      {"viscosity", "poiseuille", viscous, isGentle},
       {"surface tension", "drop_laplace", [](const Scene&, const Modules& m) { return m.tension; }},
       {"solids", "cantilever", [](const Scene&, const Modules& m) { return m.solid; }},
       {"waves in solids", "p_wave", [](const Scene&, const Modules& m) { return m.solid; }},
@@ -103,7 +147,7 @@ template<class Score> std::vector<std::string> choose(const Records& records, Sc
 Records recordsOf(const Scene& s, const Modules& m) {
   Records records;
   for (const Likeness& like : likenesses()) {
-    if (!like.has(s, m)) continue;
+    if (!like.has(s, m) || !like.fits(s)) continue;
     double usual = 0;
     for (const FrontierPoint& p : frontierPoints()) {
       if (like.cases != p.cases) continue;

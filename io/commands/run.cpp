@@ -14,6 +14,7 @@
 #include "io/commands/scene_for_all.hpp"
 #include "io/commands/short_text.hpp"
 #include "io/hdf5/agree.hpp"
+#include "io/run/ledger_log.hpp"
 #include "io/run/progress.hpp"
 #include "io/run/retry.hpp"
 #include "io/run/run_lock.hpp"
@@ -35,6 +36,7 @@ int loop(Run& r, std::string& why) {
   while (w.clock.time < w.clock.end && (r.options.steps < 0 || w.clock.step < r.options.steps)) {
     Requests wanted;
     const std::string reason = watch.reason();
+    const double before = w.clock.time;
     wanted.stop = !reason.empty();
     wanted.report = r.first() && since(r.lastReport) >= r.options.reportEvery;
     wanted.checkpoint = r.first() && since(r.lastCheckpoint) >= w.scene.output.checkpoint;
@@ -50,7 +52,9 @@ int loop(Run& r, std::string& why) {
       return exitBlewUp;
     }
     if (w.modules.surface && (frameDue(w.clock) || surfaceDue(w, o.surfaceMove2))) updateSurfaceOf(r);
+    const bool row = ledgerRowDue(w, before);
     while (frameDue(w.clock)) writeFrameOf(r);
+    if (row) writeLedgerRow(r);
     if (good || w.clock.time >= w.clock.end) warnOfSunken(r);
     if (good) acceptGoodState(r);
     if (o.wanted.report) report(r);

@@ -30,6 +30,7 @@ FrameJob jobOfScene(const Scene& scene) {
     job.walls.list.push_back(std::move(wall));
   }
   addDomainWalls(scene.domain, job.walls);
+  addWallImages(scene.domain, 0, job.walls);
   return job;
 }
 

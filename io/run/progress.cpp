@@ -12,12 +12,14 @@
 
 #include "core/kinds/kinds.hpp"
 #include "io/hdf5/parallel_file.hpp"
+#include "io/run/duration_text.hpp"
 
 namespace thaw {
 namespace {
 
 std::string duration(double s) {
   if (!std::isfinite(s)) return "?";
+  if (s > 4 * 86400.0) return durationText(s);
   if (s < 100) return fmt::format("{:.0f} s", s);
   if (s < 6000) return fmt::format("{:.0f} min {:.0f} s", std::floor(s / 60), std::fmod(s, 60));
   return fmt::format("{:.0f} h {:.0f} min", std::floor(s / 3600), std::floor(std::fmod(s, 3600) / 60));

@@ -11,6 +11,7 @@
 #include "io/run/alarm_text.hpp"
 #include "io/run/kind_run.hpp"
 #include "io/run/kind_suspect.hpp"
+#include "io/run/ledger_log.hpp"
 #include "io/run/progress.hpp"
 #include "io/run/scene_marks.hpp"
 #include "io/run/surface_run.hpp"
@@ -44,6 +45,7 @@ void forgetFrames(Run& r) {
   onFirstRank(r.comm.handle(), [&] {
     forgetSeries(r.options.out, r.name, r.series, r.world.clock.time);
     cutProgressLog(r.options.out, r.world.clock.step);
+    cutLedgerLog(r.options.out, r.world.clock.step);
     if (r.world.modules.surface) forgetSurfaceFrames(r);
     forgetKindFrames(r);
   });

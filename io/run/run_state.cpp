@@ -18,6 +18,7 @@
 #include "io/output/frame_fields.hpp"
 #include "io/run/fits_scene.hpp"
 #include "io/run/kind_run.hpp"
+#include "io/run/ledger_log.hpp"
 #include "io/run/mark_places.hpp"
 #include "io/run/mesh_marks.hpp"
 #include "io/run/progress.hpp"
@@ -72,6 +73,17 @@ void sayRelaxed(Run& r) {
     why = fmt::format(": it was ended there, not at rest (1e-9, and no births), since for {} iterations neither the force ({:.2e} at least) nor the number of particles ({}) got any further{}",
                       o.relaxed - o.relaxProgress.gained, o.relaxProgress.least, o.relaxing, interpolates(r.world.scene) ? "; expected points on one smooth surface, with normals that agree, no farther apart than some spacings" : "");
   r.warn(line + why);
+}
+
+/// How many particles each body has; of many bodies, each of the first ones, and all others together.
+void sayBodies(const Run& r, const SamplingReport& sampled) {
+  constexpr std::size_t most = 100;
+  const std::vector<Body>& bodies = r.world.scene.bodies;
+  const std::size_t shown = std::min(most, bodies.size());
+  for (std::size_t b = 0; b < shown; b++) r.say(fmt::format("body '{}': {} particles", bodies[b].name, sampled.particles[b]));
+  std::int64_t others = 0;
+  for (std::size_t b = shown; b < bodies.size(); b++) others += sampled.particles[b];
+  if (shown < bodies.size()) r.say(fmt::format("{} more bodies: {} particles", bodies.size() - shown, others));
 }
 
 }  // namespace
@@ -294,7 +306,7 @@ void begin(Run& r, const MeshLoader& load) {
     watchRelaxation(r);
     const SamplingReport sampled = startWorld(w, r.halos(), r.tools, load);
     markMeshes(w.scene, load);  // what cannot be read has been told with whose it is
-    for (std::size_t b = 0; b < w.scene.bodies.size(); b++) r.say(fmt::format("body '{}': {} particles", w.scene.bodies[b].name, sampled.particles[b]));
+    sayBodies(r, sampled);
     eachKind(w, [&](std::size_t kind, const KindRows& rows, const CellTable&) {
       std::int64_t n = static_cast<std::int64_t>(rows.owned);
       r.all.sum({&n, 1});
@@ -324,9 +336,11 @@ void begin(Run& r, const MeshLoader& load) {
   r.begun = true;
   onFirstRank(r.comm.handle(), [&] {
     r.resumed ? cutProgressLog(r.options.out, w.clock.step) : beginProgressLog(r.options.out);
+    r.resumed ? cutLedgerLog(r.options.out, w.clock.step) : beginLedgerLog(r.options.out);
     std::error_code code;
     std::filesystem::remove(r.options.out + "/" + refusedName, code);  // that is over
   });
+  if (!r.resumed) writeLedgerRow(r);
   r.firstStep = r.stepAtReport = w.clock.step;
 }
 

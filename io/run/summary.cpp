@@ -161,6 +161,9 @@ std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
   if (!isRounding(l) && std::abs(l.energyResidual) > 0.05 * largest)
     w.push_back(fmt::format("the ledger does not close: {:+.3g} J of mechanical energy ({:.0f} % of its largest term of this run) are from nowhere; shorter steps (numerics.max_step) may show why", l.energyResidual,
                             100 * std::abs(l.energyResidual) / largest));
+  const double heatRounding = 1e-12 * std::max({std::abs(l.now.internal), std::abs(l.initial.internal), l.heatScale});
+  if (std::abs(l.heatResidual) > std::max(0.05 * l.heatScale, heatRounding))
+    w.push_back(fmt::format("the ledger of heat does not close: {:+.3g} J ({:.0f} % of its largest term) are from nowhere", l.heatResidual, l.heatScale > 0 ? 100 * std::abs(l.heatResidual) / l.heatScale : 100));
   return w;
 }
 

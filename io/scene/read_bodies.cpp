@@ -67,7 +67,7 @@ void readObstacle(TableReader& r, SceneReading& x) {
   r.number("temperature", o.temperature, "K", positive(), "of its surface; none: it is insulating");
   r.number("conductance", o.conductance, "W/(m^2 K)", orNever(positive()), "of the contact; \"never\": heat passes its surface without resistance");
   r.number("friction", o.friction, "", between(0, 10), "Coulomb friction on solids; below its limit it is a drag, sqrt(young spacing m) at most of each particle that touches: what rests on a slope creeps, the less the stiffer it is");
-  r.number("restitution", o.restitution, "", between(0, 1), "of solids that hit it");
+  r.number("restitution", o.restitution, "", between(0, 1), "of solids that hit it: the smaller of this and the material's counts, so above 0.5 the material needs its own");
   r.flag("slip", o.slip, "liquids slide along it freely; else they stick");
   r.number("until", o.until, "s", orNever(notNegative()), "disappears then");
   r.tables("motion", "keyframes; the pose is linear in between and stays after the last", [&](TableReader& k) {

@@ -46,8 +46,8 @@ void readSolid(TableReader& r, Material& m) {
   r.number("break_stretch", m.breakStretch, "", orNever(Range{1, never, true, false, false}), "a bond longer than this times its length at rest breaks; \"never\": none does");
   r.number("damping", m.damping, "1/s", notNegative(), "rate at which velocity differences of bonded particles decay");
   r.flag("weld", m.weld, "solids of this material that touch after freezing grow together");
-  r.number("friction", m.friction, "", between(0, 10), "Coulomb friction between separate solids");
-  r.number("restitution", m.restitution, "", between(0, 1), "of contacts between separate solids");
+  r.number("friction", m.friction, "", between(0, 10), "Coulomb friction between separate solids: the smaller of the two counts; at an obstacle that of the obstacle");
+  r.number("restitution", m.restitution, "", between(0, 1), "of contacts between separate solids and with obstacles: the smaller of the two counts, so above 0.5 both need it");
 }
 
 void readHeat(TableReader& r, Material& m) {

@@ -18,7 +18,7 @@ bool sideOf(const toml::node* n, Side& side) {
 }
 
 void readSides(TableReader& r, const char* key, std::array<Side, 2>& sides) {
-  const toml::node* n = r.node(key, "", "\"open\", \"wall\", \"periodic\" or a pair [low, high]", "what the two sides across this axis are; open: what leaves is counted and booked; periodic: what leaves comes in at the other side, at the start, too: a body may be placed across it, with its mesh and surface, if it does not reach round into itself (a sheet or an oriented body may not)");
+  const toml::node* n = r.node(key, "", "\"open\", \"wall\", \"periodic\" or a pair [low, high]", "what the two sides across this axis are; open: what leaves is counted and booked; periodic: what leaves comes in at the other side, at the start, too: a body may be placed across it, with its mesh and surface, if it does not reach round into itself (a sheet or an oriented body may not). A periodic axis is at least three support radii long: a thin slab has 6 spacings where `numerics.support` is 2");
   if (r.describing() || !n) return;
   const toml::array* pair = n->as_array();
   const bool good = pair ? pair->size() == 2 && sideOf(pair->get(0), sides[0]) && sideOf(pair->get(1), sides[1]) : sideOf(n, sides[0]) && sideOf(n, sides[1]);
@@ -33,7 +33,7 @@ Range factor() { return {0, 2, true, false, false}; }
 void readDomain(TableReader& r, Domain& d) {
   r.vector("min", d.min, "m", "low corner");
   r.vector("max", d.max, "m", "high corner, above the low one");
-  r.table("sides", "what the domain's sides are; open where nothing is said. Bodies may lie across periodic sides; obstacles have no images beyond them", [&](TableReader& s) {
+  r.table("sides", "what the domain's sides are; open where nothing is said. Bodies and obstacles may lie across periodic sides: what is beyond acts on the other side", [&](TableReader& s) {
     readSides(s, "x", d.side[0]);
     readSides(s, "y", d.side[1]);
     readSides(s, "z", d.side[2]);
@@ -102,7 +102,10 @@ void readNumerics(TableReader& r, Numerics& n) {
 void readOutput(TableReader& r, Output& o) {
   const std::vector<std::string> known = knownFrameFields();
   r.number("every", o.every, "s", positive(), "simulated time between frames");
-  r.words("fields", o.fields, known, "fields of the frames of bodies and emitters; those of oriented bodies and sheets have all theirs");
+  r.number("ledger_every", o.ledgerEvery, "s", notNegative(),
+           "simulated time between further rows of ledger.csv, which has one for each frame: each is of the first step at or after its time, and changes no step; 0: none");
+  r.words("fields", o.fields, known, "fields of the frames of bodies and emitters; those of oriented bodies and sheets have all theirs. The six numbers of stress (Cauchy's), "
+          "strain (Green's) and plastic_strain are xx, yy, zz, xy, yz, xz, each off-diagonal one once and not doubled");
   if (r.has("fields")) o.fieldsWhere = r.placeOf("fields");
   r.number("checkpoint", o.checkpoint, "s", positive(), "wall-clock time between checkpoints; the last two are kept");
   int pieces = o.piecesByRank ? 1 : 0;

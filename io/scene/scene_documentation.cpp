@@ -23,9 +23,10 @@ constexpr const char* introduction =
     "Generated from the table of keys in `io/scene` by `thaw docs`; a test compares the two.\n\n"
     "A scene is a TOML file. It needs a `[[body]]` or an `[[emitter]]` with its `[material.NAME]`, an `[[oriented]]` or a `[[sheet]]`; all other keys have defaults. A quantity\n"
     "is a number in the unit of the table below or a text with a unit: `\"15 cm\"`, `\"2 kJ/kg\"`, `\"0.25 W/(m K)\"`, `\"56 degC\"`, `\"30 deg\"`.\n"
-    "Temperatures without a unit are in kelvin. Keys with a solid and a liquid value take `{ solid = ..., liquid = ... }` as well; in\n"
+    "Temperatures without a unit are in kelvin. Keys whose range below ends with `{ solid = ..., liquid = ... }` take one value or these two; in\n"
     "between, the value goes linearly with the liquid fraction. NaN and infinity are no values; where something is without limit, the word\n"
-    "is `\"never\"`. An unknown key is an error; all errors of a scene are reported at once, with file, line and column.\n\n"
+    "is `\"never\"`. An unknown key is an error; all errors of a scene are reported at once, with file, line and column.\n"
+    "A line has at most 16384 characters, and a file 16 MiB: long lists go over several lines.\n\n"
     "`--set key=value` on the command line overrides a key, checked in the same way: `--set spacing=\"1 mm\"`, `--set\n"
     "material.wax.young=\"1 MPa\"`, `--set body.bust.velocity=\"[0, 0, -1]\"` (a body, emitter or obstacle by its name or its number from 0).\n"
     "`thaw check SCENE` prints what would be simulated.\n\n"
@@ -34,7 +35,24 @@ constexpr const char* introduction =
     "take begins compressed, and bursts (a warning says so): sizes that are whole numbers of spacings fit.\n\n"
     "A complete scene, `jelly.toml`, a block that falls on a floor, bounces and wobbles; `thaw run jelly.toml` simulates it:\n\n"
     "```toml\n";
-constexpr const char* afterExample = "```\n";
+constexpr const char* afterExample =
+    "```\n\n"
+    "A paste, as concrete, mud or toothpaste (a Bingham solid), is a solid that yields. In shear at a rate g its stress is tau_y + mu g, with a\n"
+    "yield stress tau_y and a plastic viscosity mu:\n\n"
+    "- Choose a shear modulus G of some 20 tau_y or more, such that little of the flow is elastic; `young` = 2 (1 + `poisson`) G.\n"
+    "- `yield_strain` = tau_y / (sqrt(2) G). In uniaxial tests it then yields at sqrt(3/2) 2 G `yield_strain` = sqrt(3) tau_y.\n"
+    "- `creep_rate` = G / mu. Left out, it flows at once: mu is 0.\n"
+    "- A larger G means shorter steps; `viscosity` does not count, since it is the liquid's.\n\n"
+    "tau_y = 100 Pa and mu = 20 Pa s:\n\n"
+    "```toml\n"
+    "[material.paste]\n"
+    "density = 1800\n"
+    "young = 5800               # G = 2000 Pa with poisson = 0.45\n"
+    "poisson = 0.45\n"
+    "law = \"neo-hookean\"\n"
+    "yield_strain = 0.0354      # 100 / (sqrt(2) 2000)\n"
+    "creep_rate = 100           # 2000 / 20\n"
+    "```\n";
 
 }  // namespace
 

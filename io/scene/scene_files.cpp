@@ -21,7 +21,9 @@ std::string problemOf(const std::string& text) {
   for (std::size_t begin = 0; begin < text.size(); line++) {
     std::size_t end = text.find('\n', begin);
     if (end == std::string::npos) end = text.size();
-    if (end - begin > longestLine) return "line " + std::to_string(line) + " is longer than " + std::to_string(longestLine) + " characters: not a scene";
+    if (end - begin > longestLine)
+      return "line " + std::to_string(line) + " is longer than " + std::to_string(longestLine) + " characters (it has " + std::to_string(end - begin) +
+             "); expected shorter ones: a list may go over several lines";
     begin = end + 1;
   }
   return "";

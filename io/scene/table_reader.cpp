@@ -173,7 +173,7 @@ void TableReader::choice(const char* key, int& value, const std::vector<std::str
 
 void TableReader::blend(const BlendKey& k, Blend& value) {
   const std::string standard = value.solid == value.liquid ? numberText(value.solid) : fmt::format("{{ solid = {}, liquid = {} }}", numberText(value.solid), numberText(value.liquid));
-  describe(k.key, k.unit, k.range.text(), standard, k.about);
+  describe(k.key, k.unit, k.range.text() + ", or { solid = ..., liquid = ... }", standard, k.about);
   const toml::node* n = get(k.key);
   if (!n) return;
   if (n->is_table()) {

@@ -32,7 +32,7 @@ rejects "a mesh in centimetres" "body 'block': the bodies would take .*; it is 1
 rejects "a mesh that is too large in any unit" "body 'block': .* lie outside of the domain, up to .* m beyond its side z = 4 m.*; it is 10 x 20 x 30 m large: place.scale or place.height would make it fit" 2 check "$(mesh mm obj)" --set spacing=0.5 --set body.block.place.scale=0.1 --set domain.max='[4, 4, 4]'
 rejects "a body that is narrower than the spacing" "^warning: .*good.toml:9:1: body 'block' is narrower than the spacing of 0.02 m .0.01 m along z.: it is one layer of particles there" 0 check "$good" --set body.block.box.size='[0.1, 0.1, 0.01]'
 rejects "obstacle over everything" "inside obstacles \(first: of body 'block' in obstacle 'floor'\)" 2 run "$good" --set 'obstacle.floor.plane.point=[0, 0, 0.4]'
-rejects "periodic and too short" 'periodic along x but shorter than three support radii: it is .* expected at least' 2 check "$good" --set 'domain.sides.x=periodic' --set 'spacing=0.2'
+rejects "periodic and too short" 'periodic along x but shorter than three support radii: it is .* expected at least 1.2 m, 6 spacings: ' 2 check "$good" --set 'domain.sides.x=periodic' --set 'spacing=0.2'
 rejects "more particles than ids" "^--set spacing=1e-9: error: spacing: at 1e-09 m body 'block' would take some 1.0e.24 particles, at least 4.0e.17 GB of memory; expected a coarser spacing" 2 run "$good" --set spacing=1e-9
 rejects "more particles than memory" 'particles.* memory' 2 run "$good" --set spacing=2e-5
 rejects "more particles than memory" 'particles.* memory' 2 check "$good" --set spacing=2e-5

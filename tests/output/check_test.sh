@@ -42,4 +42,8 @@ expectMessage '^  liquid at rest (hydrostatic): defaults' "--settings"
 sed -i '/melts/d; /tempering/,/over/d' "$work/s.toml"
 launch 1 check "$work/s.toml" >"$work/log" 2>&1; expectExit 0 "check of a solid"
 grep -q 'falls apart' "$work/log" && fail "a solid that falls apart into drops"
+# numbers that nobody would read
+launch 1 check "$work/s.toml" --set end=1e150 --set output.every=1e149 >"$work/log" 2>&1; expectExit 0 "check of a run without end"
+expectMessage '^run time: about more than 1000 years with 1 rank ([0-9.]*e+[0-9]* steps' "a run without end"
+grep -qE '[0-9]{20}|\<inf\>' "$work/log" && fail "long numbers, or none: $(grep -E '[0-9]{20}|\<inf\>' "$work/log")"
 finish

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/math/hash_random.hpp"
 #include "tests/support/samples.hpp"
 
 namespace thaw {
@@ -26,7 +27,7 @@ TEST(Overlap, rulesAndCounts) {
     return n;
   };
   for (const OverlapRule rule : {OverlapRule::Error, OverlapRule::Keep, OverlapRule::RemoveLater, OverlapRule::RemoveEarlier}) {
-    OverlapCounts counts(3);
+    OverlapCounts counts = test.noCounts();
     const auto n = kept(rule, counts);
     EXPECT_EQ(n[0], rule == OverlapRule::RemoveEarlier ? 600u : 1000u);
     EXPECT_EQ(n[1], rule == OverlapRule::RemoveLater ? 600u : 1000u);
@@ -49,7 +50,7 @@ TEST(Overlap, AcrossPeriodicSides) {
     shapes.push_back(makeSignedDistance(s));
   }
   const OverlapTest test(shapes, {2.4, 0, 0}), open(shapes);
-  OverlapCounts counts(3), none(3);
+  OverlapCounts counts = test.noCounts(), none = open.noCounts();
   std::vector<std::size_t> itself(3, 0), never(3, 0);
   for (std::size_t a = 0; a < 3; a++) {
     const SampleLattice l = sampleLattice(*shapes[a], 0.1);
@@ -66,6 +67,33 @@ TEST(Overlap, AcrossPeriodicSides) {
   EXPECT_EQ(none.total(), 0);
   EXPECT_EQ(itself, (std::vector<std::size_t>{0, 0, 400}));
   EXPECT_EQ(never, (std::vector<std::size_t>{0, 0, 0}));
+}
+
+/// 1,000 boxes of different sizes at random places: the same pairs as by looking at all of them.
+TEST(Overlap, FindsThePairsOfAllBodiesWhoseBoxesMeet) {
+  constexpr std::size_t n = 1000;
+  const Vec3d period{3, 0, 2};
+  std::vector<std::shared_ptr<const SignedDistance>> shapes;
+  for (std::size_t k = 0; k < n; k++) {
+    Shape s;
+    for (int a = 0; a < 3; a++) s.move[a] = 3 * randomUniform(7, Purpose::Jitter, k, static_cast<std::uint64_t>(a)), s.size[a] = 0.4 * randomUniform(8, Purpose::Jitter, k, static_cast<std::uint64_t>(a)) + 0.01;
+    if (k % 100 == 0) s.size.x = 2.9;
+    shapes.push_back(makeSignedDistance(s));
+  }
+  const auto meet = [&](const Bounds& p, const Bounds& q) {
+    for (int a = 0; a < 3; a++) {
+      bool any = false;
+      for (int shift = -3; shift <= 3; shift++) any = any || (p.min[a] + shift * period[a] <= q.max[a] && p.max[a] + shift * period[a] >= q.min[a]);
+      if (!any) return false;
+    }
+    return true;
+  };
+  std::vector<std::pair<std::size_t, std::size_t>> all;
+  for (std::size_t a = 0; a < n; a++)
+    for (std::size_t b = 0; b < n; b++)
+      if (a != b && meet(shapes[a]->bounds(), shapes[b]->bounds())) all.push_back({a, b});
+  EXPECT_GT(all.size(), n);
+  EXPECT_EQ(OverlapTest(shapes, period).noCounts().pair, all);
 }
 
 }  // namespace

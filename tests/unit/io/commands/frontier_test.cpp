@@ -65,6 +65,25 @@ TEST(Frontier, AdviceIsShortAndLeavesAloneWhatTheSceneHasChosen) {
   for (const std::string& line : adviceOf(solid + "[numerics]\ncfl_elastic = 0.5\n")) EXPECT_EQ(line.find("cfl_elastic"), std::string::npos) << line;
 }
 
+TEST(Frontier, AdviceIsOfCasesThatMoveAsTheSceneDoes) {
+  const auto adviceOf = [](const std::string& domain, const std::string& liquid) {
+    const Scene s = readScene(sceneFilesOf("test.toml", "spacing = 0.1\nend = 1\n[domain]\nmin = [0, 0, 0]\nmax = [2, 2, 2]\n" + domain +
+                                                            "\n[material.water]\n[[body]]\nmaterial = 'water'\n" + liquid));
+    std::string all;
+    for (const std::string& line : frontierAdvice(s, modulesOf(s))) all += line + "\n";
+    return all;
+  };
+  const auto has = [](const std::string& text, const char* what) { return text.find(what) != std::string::npos; };
+  const std::string walls = "sides = { x = 'wall', y = 'periodic', z = 'wall' }", tank = "box = { size = [2, 2, 1] }\nplace = { move = [1, 1, 0.5] }\n";
+  EXPECT_TRUE(has(adviceOf(walls, tank), "(liquid at rest: ")) << adviceOf(walls, tank);
+  const std::string dam = "box = { size = [1, 2, 1] }\nplace = { move = [0.5, 1, 0.5] }\n";
+  EXPECT_FALSE(has(adviceOf(walls, dam), "liquid at rest"));
+  EXPECT_TRUE(has(adviceOf(walls, dam), "(liquid that falls: ")) << adviceOf(walls, dam);
+  EXPECT_FALSE(has(adviceOf(walls, tank + "velocity = [50, 0, 0]\n"), "numerics.density"));
+  EXPECT_FALSE(has(adviceOf(walls, tank + "spin = [0, 0, 50]\n"), "numerics.density"));
+  EXPECT_FALSE(has(adviceOf(walls + "\ngravity = [0, 0, 0]", tank + "velocity = [1, 0, 0]\n"), "numerics.density"));
+}
+
 TEST(Frontier, SubstepsAreForSolidsThatCannotMeet) {
   const std::string water = body("w", "water", -0.6);
   EXPECT_NE(linesOf(water + body("a", "steel", 0)).find("elastic_substeps="), std::string::npos);

@@ -1,0 +1,32 @@
+// Boxes that meet a box, found in a tree of bounding boxes.
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "core/geometry/signed_distance.hpp"
+
+namespace thaw {
+
+class BoxTree {
+ public:
+  explicit BoxTree(std::vector<Bounds> boxes);
+  /// Appends the numbers of all boxes that meet `box`, touching included, in any order.
+  void addMeeting(const Bounds& box, std::vector<std::size_t>& found) const;
+  const Bounds& box(std::size_t k) const { return boxes_[k]; }
+  std::size_t size() const { return boxes_.size(); }
+  /// Around all boxes; empty (min above max) where there are none.
+  Bounds bounds() const;
+
+ private:
+  struct Node {
+    Bounds around;
+    std::size_t begin, end;  ///< its boxes in order_
+    std::size_t right;       ///< the second child, the first being the next node; 0: a leaf
+  };
+  std::size_t build(std::size_t begin, std::size_t end);
+  std::vector<Bounds> boxes_;
+  std::vector<std::size_t> order_;  ///< numbers of boxes, by leaf
+  std::vector<Node> nodes_;
+};
+
+}  // namespace thaw

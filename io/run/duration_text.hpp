@@ -1,0 +1,27 @@
+// Durations and counts as people read them.
+#pragma once
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+namespace thaw {
+
+/// "0.25 s", "12 s", "5 min", "3.4 h", "12 days", "7.3 years", "more than 1000 years".
+inline std::string durationText(double s) {
+  constexpr double hour = 3600, day = 24 * hour, year = 365.25 * day;
+  if (!(s < 1000 * year)) return "more than 1000 years";
+  if (s > 2 * year) return fmt::format("{:.1f} years", s / year);
+  if (s > 3 * day) return fmt::format("{:.0f} days", s / day);
+  if (s > 2 * hour) return fmt::format("{:.1f} h", s / hour);
+  if (s > 120) return fmt::format("{:.0f} min", s / 60);
+  return s >= 10 ? fmt::format("{:.0f} s", s) : fmt::format("{:.2g} s", s);
+}
+
+/// "123456"; "1.2e+12" of what is more than a thousand million; "no end of" where there is no number.
+inline std::string countText(double n) {
+  if (!std::isfinite(n)) return "no end of";
+  return std::abs(n) < 1e9 ? fmt::format("{:.0f}", n) : fmt::format("{:.1e}", n);
+}
+
+}  // namespace thaw

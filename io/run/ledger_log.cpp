@@ -1,0 +1,144 @@
+#include "io/run/ledger_log.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+#include "core/ledger/report.hpp"
+#include "core/ledger/stored_parts.hpp"
+#include "core/time/limits.hpp"
+#include "io/hdf5/agree.hpp"
+#include "io/hdf5/parallel_file.hpp"
+
+namespace thaw {
+namespace {
+
+/// Names with units, and values in as many digits as make them unique.
+class Columns {
+ public:
+  template<class Value> void add(const std::string& name, const Value& value) {
+    list_.push_back({name, fmt::format("{}", value)});
+  }
+  void add(const std::string& name, const char* unit, const Vec3d& v) {
+    for (int a = 0; a < 3; a++) add(fmt::format("{}_{}_{}", name, "xyz"[a], unit), v[a]);
+  }
+  std::string head() const { return joined([](const Column& c) { return c.name; }); }
+  std::string row() const { return joined([](const Column& c) { return c.value; }); }
+
+ private:
+  struct Column { std::string name, value; };
+  template<class Field> std::string joined(Field&& field) const {
+    std::string line;
+    for (const Column& c : list_) line += (line.empty() ? "" : ",") + field(c);
+    return line + "\n";
+  }
+  std::vector<Column> list_;
+};
+
+void addMass(Columns& c, const LedgerReport& l) {
+  c.add("particles", l.particles);
+  for (std::size_t k = 0; k < kindCount; k++) c.add(kindNames[k], l.rows[k]);
+  c.add("liquid_fraction", l.liquidFraction);
+  c.add("mass_kg", l.now.mass);
+  c.add("entered_mass_kg", l.entered.mass);
+  c.add("left_mass_kg", l.left.mass);
+  c.add("mass_residual_kg", l.massResidual);
+}
+
+void addMomentum(Columns& c, const LedgerReport& l) {
+  c.add("momentum", "kg_m_per_s", l.now.momentum);
+  c.add("entered_momentum", "kg_m_per_s", l.entered.momentum);
+  c.add("left_momentum", "kg_m_per_s", l.left.momentum);
+  c.add("wall_impulse", "N_s", l.wallImpulse);
+  c.add("gravity_impulse", "N_s", l.gravityImpulse);
+  c.add("impulse_in_flight", "N_s", l.underWay);
+  c.add("momentum_residual", "kg_m_per_s", l.momentumResidual);
+  c.add("angular_momentum", "kg_m2_per_s", l.now.angularMomentum);
+}
+
+void addEnergy(Columns& c, const LedgerReport& l, const StoredParts& parts) {
+  c.add("kinetic_J", l.now.kinetic);
+  c.add("elastic_J", l.now.elastic);
+  c.add("potential_J", l.now.potential);
+  c.add("gravity_J", parts.gravity);
+  c.add("compression_J", parts.compression);
+  c.add("surface_tension_J", parts.tension);
+  c.add("contact_J", parts.contact);
+  c.add("dissipated_J", l.dissipated);
+  c.add("wall_work_J", l.wallWork);
+  c.add("phase_jump_J", l.phaseJump);
+  c.add("restart_jump_J", l.restartJump);
+  for (const auto& [name, flow] : {std::pair{"entered", &l.entered}, std::pair{"left", &l.left}}) {
+    c.add(fmt::format("{}_kinetic_J", name), flow->kinetic);
+    c.add(fmt::format("{}_elastic_J", name), flow->elastic);
+    c.add(fmt::format("{}_potential_J", name), flow->potential);
+  }
+  c.add("energy_residual_J", l.energyResidual);
+  c.add("energy_scale_J", l.energyScale);
+  c.add("energy_rounding_J", l.energyRounding);
+}
+
+void addHeat(Columns& c, const LedgerReport& l) {
+  c.add("internal_J", l.now.internal);
+  c.add("heat_in_J", l.heatIn);
+  c.add("entered_internal_J", l.entered.internal);
+  c.add("left_internal_J", l.left.internal);
+  c.add("heat_residual_J", l.heatResidual);
+  c.add("heat_scale_J", l.heatScale);
+}
+
+Columns columnsOf(const Clock& clock, const LedgerReport& ledger, const StoredParts& parts) {
+  Columns c;
+  c.add("step", clock.step);
+  c.add("time_s", clock.time);
+  c.add("dt_s", clock.stepDt);
+  addMass(c, ledger);
+  addMomentum(c, ledger);
+  addEnergy(c, ledger, parts);
+  addHeat(c, ledger);
+  return c;
+}
+
+std::string head() { return columnsOf({}, {}, {}).head(); }
+
+/// How many times of rows have passed by `time`.
+double rowsBy(double time, double every) { return std::floor(time / every * (1 + 1e-12)); }
+
+}  // namespace
+
+std::string ledgerLogPath(const std::string& out) { return out + "/ledger.csv"; }
+
+void beginLedgerLog(const std::string& out) { replaceTextFile(ledgerLogPath(out), head()); }
+
+void cutLedgerLog(const std::string& out, std::int64_t step) {
+  std::ifstream file(ledgerLogPath(out));
+  const std::string all{std::istreambuf_iterator<char>(file), {}}, first = head();
+  if (all.rfind(first, 0) != 0) return beginLedgerLog(out);
+  std::string kept = first;
+  for (std::size_t at = first.size(), end; (end = all.find('\n', at)) != all.npos; at = end + 1)
+    if (std::strtoll(all.c_str() + at, nullptr, 10) <= step) kept += all.substr(at, end + 1 - at);
+  if (kept != all) replaceTextFile(ledgerLogPath(out), kept);
+}
+
+bool ledgerRowDue(const World& w, double before) {
+  const double every = w.scene.output.ledgerEvery;
+  if (frameDue(w.clock) || w.clock.time >= w.clock.end) return true;
+  return every > 0 && rowsBy(w.clock.time, every) > rowsBy(before, every);
+}
+
+void writeLedgerRow(Run& r) {
+  r.tools.times.start();
+  const LedgerReport ledger = reportLedger(r.world, r.tools, r.all);
+  const StoredParts parts = storedParts(r.world, r.tools, r.all);
+  onFirstRank(r.comm.handle(), [&] {
+    std::ofstream file(ledgerLogPath(r.options.out), std::ios::app);
+    file << columnsOf(r.world.clock, ledger, parts).row();
+    file.close();
+    if (!file) throw IoError(ledgerLogPath(r.options.out), "cannot be written");
+  });
+  r.tools.times.lap(StepPhase::Other);
+}
+
+}  // namespace thaw
