@@ -61,6 +61,7 @@ struct Case {
 /// Every case. A file of cases for each part of the method; cases.cpp joins them.
 std::vector<Case> allCases();
 std::vector<Case> flowCases();     ///< pressure: columns, dam breaks, vortices
+std::vector<Case> stretchedCases();  ///< liquids without walls that their own flow stretches
 std::vector<Case> viscousCases();  ///< viscosity and surface tension
 std::vector<Case> solidCases();
 std::vector<Case> heatCases();
