@@ -7,8 +7,8 @@ Unknowns: velocity potential p, elevation e of the free surface, displacement x 
   de/dt = dp/dz and dp/dt = -g e at the free surface
   (m + ma) dw/dt = -rho g L^2 x - rho g sum(b e dS)
 b is the vertical velocity of the surface at w = 1 where p = 0 there, ma the added mass of that flow. Finite volumes on a quarter of the
-tank; the error of the cells (first order at the cube's edges) is extrapolated from two resolutions. Added masses are printed to stderr,
-those of a submerged cube too: far from all walls it is to be 0.64 to 0.68 of the displaced mass (DNV-RP-C205, table D-2: 0.68).
+tank; the error of the cells (first order at the cube's edges) is extrapolated from two resolutions. Added masses are printed to stderr, those of a
+submerged cube too, in the tank and far from walls (published: 0.68 rho L^3, DNV-RP-C205, table D-2).
 """
 import sys
 
