@@ -8,7 +8,7 @@ Every number in the document comes from the files. In text.md:
   {{table CASE}}    all settings of a case        {{targets}}    the defaults beside what they are to reach
   {{choices CASE | SETTINGS; SETTINGS ... | NORM; NORM ...}}    some settings of a case, a line each, with some of its norms
   {{chart CASE}}    its picture, copied to docs/pictures/accuracy/        {{modules}}    what each module costs
-  {{particles CASE}}    the particles at its end, drawn from points/CASE.csv beside the figures
+  {{picture CASE}}    the particles at its end, drawn from points/CASE.csv beside the figures
 The CSV files are copied to docs/accuracy/, so that the document can be made anew from what is in the repository.
 """
 import csv
@@ -78,7 +78,7 @@ class Document:
         if what == "chart":
             self.used.add(arguments[0])
             return f"![error against core-seconds: {arguments[0]}](pictures/accuracy/{arguments[0]}.png)"
-        if what == "particles":
+        if what == "picture":
             self.drawn.add(arguments[0])
             return f"![particles at the end: {arguments[0]}](pictures/accuracy/{arguments[0]}_particles.png)"
         if what == "modules":

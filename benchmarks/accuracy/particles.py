@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Pictures of particles at the end of a case: particles.py CASE POINTS.csv PICTURE.png
 
-POINTS.csv is what the suite writes with --points: x, y, speed and pressure of the middle layer. Points are coloured by pressure. For the
+POINTS.csv is what the suite writes with --points: x, y, speed and pressure of the middle layer. Points are coloured by pressure, from its 2nd to its 98th
+percentile. For the
 elliptic drop the exact ellipse is drawn over them.
 """
 import csv
@@ -35,8 +36,9 @@ def draw(case, points, picture):
     with open(points, newline="") as f:
         rows = [{k: float(v) for k, v in r.items()} for r in csv.DictReader(f)]
     figure, axes = plt.subplots(figsize=(5.2, 5.2))
-    most = max(abs(r["pressure"]) for r in rows) or 1
-    found = axes.scatter([r["x"] for r in rows], [r["y"] for r in rows], c=[r["pressure"] for r in rows], s=3, cmap="RdBu_r", vmin=-most, vmax=most)
+    pressures = sorted(r["pressure"] for r in rows)
+    low, high = (pressures[int(share * (len(rows) - 1))] for share in (0.02, 0.98))  # a few outliers would hide the field
+    found = axes.scatter([r["x"] for r in rows], [r["y"] for r in rows], c=[r["pressure"] for r in rows], s=3, vmin=low, vmax=high)
     figure.colorbar(found, ax=axes, label="pressure (Pa)", shrink=0.8)
     if case == "elliptic_drop":
         a, b = halfAxes(END)

@@ -26,9 +26,10 @@ void watchPressure(Trial& r) {
   r.notes["pp"] += sum(r, [&](const World& w, std::size_t i) { return p(w, i) * p(w, i); });
 }
 
-/// Of one tank, infinite where it blew up: errors of the fitted line, the scatter about it over the pressure at the bottom, residuals.
+/// Of one tank, infinite where it blew up: errors of the fitted line, the scatter about it over the pressure at the bottom, residuals, and the
+/// share of the water that has left through the open top.
 struct Tank {
-  double slope = never, value = never, scatter = never, energy = never, momentum = never;
+  double slope = never, value = never, scatter = never, energy = never, momentum = never, lost = 1;
   bool finite = false;
 };
 
@@ -46,6 +47,7 @@ Tank resultOf(Trial& r) {
           std::sqrt(std::max(0.0, r.notes["pp"] / n - p * p - slope * zp)) / bottom,
           std::abs(ledger.energyResidual) / (0.5 * r.tools.mass * g * depth),
           length(ledger.momentumResidual) / (r.tools.mass * std::sqrt(g * depth)),
+          1 - ledger.now.mass / r.tools.mass,
           true};
 }
 
@@ -55,7 +57,8 @@ Case tankCase(int tank, int count);
 void print(const Trial& r, const Tank& t) {
   if (r.comm.rank() != 0) return;
   const double width = r.world.scene.domain.max.x - r.world.scene.domain.min.x;
-  std::printf("  tank of %.3f spacings: slope %+.4f, p at half depth %+.4f, scatter %.4f\n", width / r.spacing(), t.slope, t.value, t.scatter);
+  std::printf("  tank of %.3f spacings: slope %+.4f, p at half depth %+.4f, scatter %.4f, lost %.4f\n", width / r.spacing(), t.slope, t.value,
+              t.scatter, t.lost);
 }
 
 /// The trial is the first of `count` tanks; the others are run here.
@@ -78,6 +81,7 @@ std::vector<Figure> measureTanks(Trial& first, int count) {
   return {{"tanks that blow up", static_cast<double>(std::count_if(all.begin(), all.end(), [](const Tank& t) { return !t.finite; })), 0},
           {"slope of p", worst(&Tank::slope), 0.03},
           {"p at half depth", worst(&Tank::value), 0.03},
+          {"largest loss of water", worst(&Tank::lost), 0},
           {"tanks above 3 %", static_cast<double>(misses)},
           {"scatter of p", worst(&Tank::scatter)},
           {"energy residual", worst(&Tank::energy), 0.01},

@@ -313,7 +313,7 @@ std::string stretchedScene(Dice& d, std::uint64_t seed) {
   const Vec3d size{2 * radius * d.between(0.3, 1), 2 * radius * d.between(0.3, 1), 2 * radius * d.between(0.3, 1)};
   const double volume = spins ? body.volume : size.x * size.y * size.z;
   std::string t = themeHead(d, seed, {radius, std::cbrt(volume / d.decades(200, 2000)), speed},
-                            fmt::format("[domain]\nmin = {}\nmax = {}\ngravity = [0, 0, 0]\n\n", vec(-10 * radius, -10 * radius, -10 * radius), vec(10 * radius, 10 * radius, 10 * radius)));
+                            fmt::format("[domain]\nmin = {}\nmax = {}\ngravity = [0, 0, 0]\n\n", vec(-25 * radius, -25 * radius, -25 * radius), vec(25 * radius, 25 * radius, 25 * radius)));
   t += liquidMaterial(d, d.decades(500, 2000));
   if (spins)
     return t + fmt::format("[[body]]\nname = \"liquid\"\nmaterial = \"liquid\"\n{}\nspin = {}\n", body.text, vec(rate * d.between(-1, 1), rate * d.between(-1, 1), rate * d.between(0.3, 2)));
