@@ -34,12 +34,14 @@ struct Bins {
       edge[a] = std::max(high[a] - low[a], radius) / static_cast<double>(count[a]);
     }
     members.resize(static_cast<std::size_t>(count[0] * count[1] * count[2]));
-    for (std::size_t i = 0; i < particles.size(); i++) members[indexOf(placeOf(particles[i].position))].push_back(static_cast<std::uint32_t>(i));
+    for (std::size_t i = 0; i < particles.size(); i++)
+      members[indexOf(placeOf(particles[i].position))].push_back(static_cast<std::uint32_t>(i));
   }
   std::array<std::int64_t, 3> placeOf(const Vec3d& x) const {
     std::array<std::int64_t, 3> at{};
     for (int a = 0; a < 3; a++)
-      at[static_cast<std::size_t>(a)] = std::clamp<std::int64_t>(static_cast<std::int64_t>((x[a] - low[a]) / edge[a]), 0, count[a] - 1);
+      at[static_cast<std::size_t>(a)] =
+          std::clamp<std::int64_t>(static_cast<std::int64_t>((x[a] - low[a]) / edge[a]), 0, count[a] - 1);
     return at;
   }
   std::size_t indexOf(const std::array<std::int64_t, 3>& at) const {
@@ -78,7 +80,8 @@ Vec3d nearestImage(Vec3d d, const Vec3d& period) {
 Vec3d periodsOf(const Domain& domain) {
   Vec3d period;
   for (int a = 0; a < 3; a++)
-    if (domain.side[static_cast<std::size_t>(a)][0] == Side::Periodic) period[a] = domain.max[a] - domain.min[a];
+    if (domain.side[static_cast<std::size_t>(a)][0] == Side::Periodic)
+      period[a] = domain.max[a] - domain.min[a];
   return period;
 }
 
@@ -121,18 +124,23 @@ std::vector<GatheredParticle> gather(Trial& r) {
   const Continuum& p = r.world.particles;
   std::vector<GatheredParticle> own;
   for (std::size_t i = 0; i < p.owned; i++)
-    own.push_back({p.id[i], p.position[i], p.velocity[i], p.mass[i], static_cast<double>(pressureOfParticle(r.world, r.tools.liquids, i)), p.body[i]});
+    own.push_back({p.id[i], p.position[i], p.velocity[i], p.mass[i],
+                   static_cast<double>(pressureOfParticle(r.world, r.tools.liquids, i)), p.body[i]});
   const int ranks = r.comm.size(), bytes = static_cast<int>(own.size() * sizeof(GatheredParticle));
   std::vector<int> sizes(static_cast<std::size_t>(ranks)), places(static_cast<std::size_t>(ranks), 0);
   MPI_Allgather(&bytes, 1, MPI_INT, sizes.data(), 1, MPI_INT, r.comm.handle());
   std::partial_sum(sizes.begin(), sizes.end() - 1, places.begin() + 1);
-  std::vector<GatheredParticle> all(static_cast<std::size_t>(places.back() + sizes.back()) / sizeof(GatheredParticle));
-  MPI_Allgatherv(own.data(), bytes, MPI_BYTE, all.data(), sizes.data(), places.data(), MPI_BYTE, r.comm.handle());
-  std::sort(all.begin(), all.end(), [](const GatheredParticle& a, const GatheredParticle& b) { return a.id < b.id; });
+  std::vector<GatheredParticle> all(static_cast<std::size_t>(places.back() + sizes.back()) /
+                                    sizeof(GatheredParticle));
+  MPI_Allgatherv(own.data(), bytes, MPI_BYTE, all.data(), sizes.data(), places.data(), MPI_BYTE,
+                 r.comm.handle());
+  std::sort(all.begin(), all.end(),
+            [](const GatheredParticle& a, const GatheredParticle& b) { return a.id < b.id; });
   return all;
 }
 
-void forEachPair(const Domain& domain, const std::vector<GatheredParticle>& particles, double radius, const PairAction& action) {
+void forEachPair(const Domain& domain, const std::vector<GatheredParticle>& particles, double radius,
+                 const PairAction& action) {
   const Bins bins(domain, particles, radius);
   const Vec3d period = periodsOf(domain);
   for (std::size_t i = 0; i < particles.size(); i++)
@@ -147,7 +155,9 @@ void forEachPair(const Domain& domain, const std::vector<GatheredParticle>& part
 Components findComponents(const Domain& domain, const std::vector<GatheredParticle>& particles, double link) {
   std::vector<std::size_t> parent(particles.size()), members(particles.size(), 0);
   std::iota(parent.begin(), parent.end(), std::size_t{0});
-  forEachPair(domain, particles, link, [&](std::size_t i, std::size_t j, const Vec3d&) { parent[rootOf(parent, i)] = rootOf(parent, j); });
+  forEachPair(domain, particles, link, [&](std::size_t i, std::size_t j, const Vec3d&) {
+    parent[rootOf(parent, i)] = rootOf(parent, j);
+  });
   Components c{};
   for (std::size_t i = 0; i < particles.size(); i++) members[rootOf(parent, i)]++;
   for (const std::size_t n : members) {
@@ -157,7 +167,8 @@ Components findComponents(const Domain& domain, const std::vector<GatheredPartic
   return c;
 }
 
-double meanInnerDensity(const Domain& domain, double spacing, const std::vector<GatheredParticle>& particles) {
+double meanInnerDensity(const Domain& domain, double spacing,
+                        const std::vector<GatheredParticle>& particles) {
   constexpr double support = 2.5;  // spacings, so that the measure does not depend on the formulation
   std::vector<double> density(particles.size(), kernel(0));
   std::vector<std::uint32_t> covered(particles.size(), 0);

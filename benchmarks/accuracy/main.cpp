@@ -1,4 +1,5 @@
-// accuracy CASE [--spacing X] [--set key=value]... [--csv FILE] [--points FILE] [--label TEXT] [--strict] [--limit NORM=ERROR]...
+// accuracy CASE [--spacing X] [--set key=value]... [--csv FILE] [--points FILE] [--label TEXT] [--strict]
+//          [--limit NORM=ERROR]...
 // Runs one case of the accuracy suite, under mpirun on any number of ranks, and prints its error norms beside what they are to reach.
 // With --strict it exits with 1 where a target is missed, with --limit where that norm is larger: what the tests do (tests/CMakeLists.txt).
 // accuracy --list names the cases. The whole matrix with its charts: scripts/bench accuracy.
@@ -125,7 +126,8 @@ int main(int argc, char** argv) {
     run(*at, trial, overrides);
     const std::vector<Figure> figures = trial.finite ? at->measure(trial) : std::vector<Figure>{{"blew up at (s)", trial.world.clock.time}};
     const double particles = sum(trial, [](const World&, std::size_t) { return 1.0; });
-    if (!points.empty() && !writeMiddleLayer(trial, points)) return std::fprintf(stderr, "accuracy: cannot write %s\n", points.c_str()), 3;
+    if (!points.empty() && !writeMiddleLayer(trial, points))
+      return std::fprintf(stderr, "accuracy: cannot write %s\n", points.c_str()), 3;
     if (comm.rank() != 0) return 0;
     print(trial, *at, figures, particles);
     if (!csv.empty() && !append(csv, trial, *at, label, figures, particles)) return std::fprintf(stderr, "accuracy: cannot write %s\n", csv.c_str()), 3;

@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
 """Pictures of particles at the end of a case: particles.py CASE POINTS.csv PICTURE.png
 
-POINTS.csv is what the suite writes with --points: x, y, speed and pressure of the middle layer. Points are coloured by pressure, from its 2nd to its 98th
-percentile. For the
-elliptic drop the exact ellipse is drawn over them.
+POINTS.csv is what the suite writes with --points: x, y, speed and pressure of the middle layer. Points are coloured by
+pressure, from its 2nd to its 98th percentile. For the elliptic drop the exact ellipse is drawn over them.
 """
 import csv
 import math
@@ -37,13 +36,16 @@ def draw(case, points, picture):
         rows = [{k: float(v) for k, v in r.items()} for r in csv.DictReader(f)]
     figure, axes = plt.subplots(figsize=(5.2, 5.2))
     pressures = sorted(r["pressure"] for r in rows)
-    low, high = (pressures[int(share * (len(rows) - 1))] for share in (0.02, 0.98))  # a few outliers would hide the field
-    found = axes.scatter([r["x"] for r in rows], [r["y"] for r in rows], c=[r["pressure"] for r in rows], s=3, vmin=low, vmax=high)
+    # a few outliers would hide the field
+    low, high = (pressures[int(share * (len(rows) - 1))] for share in (0.02, 0.98))
+    x, y, colours = ([r[name] for r in rows] for name in ("x", "y", "pressure"))
+    found = axes.scatter(x, y, c=colours, s=3, vmin=low, vmax=high)
     figure.colorbar(found, ax=axes, label="pressure (Pa)", shrink=0.8)
     if case == "elliptic_drop":
         a, b = halfAxes(END)
         turn = [2 * math.pi * k / 360 for k in range(361)]
-        axes.plot([a * math.cos(t) for t in turn], [b * math.sin(t) for t in turn], color="#2e8b57", lw=1, label="exact")
+        x, y = [a * math.cos(t) for t in turn], [b * math.sin(t) for t in turn]
+        axes.plot(x, y, color="#2e8b57", lw=1, label="exact")
         axes.legend(fontsize=7)
     axes.set_aspect("equal")
     axes.set_xlabel("x (m)")

@@ -1,4 +1,5 @@
-// Liquids without walls or gravity that their own flow stretches: Taylor's elliptic drop and the rotating square patch.
+// Liquids without walls or gravity that their own flow stretches: Taylor's elliptic drop and the rotating
+// square patch.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,7 +10,8 @@ namespace thaw::accuracy {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double link = 1.75;  // spacings; longer than a link of the lattice's diagonal, shorter than a gap of two
+constexpr double link =
+    1.75;  // spacings; longer than a link of the lattice's diagonal, shorter than a gap of two
 
 /// A periodic slab around z = 0 as thick as three support radii, and six spacings at least.
 void makeSlab(Scene& s) {
@@ -20,7 +22,9 @@ void makeSlab(Scene& s) {
 }
 
 double kineticEnergy(Trial& r) {
-  return sum(r, [](const World& w, std::size_t i) { return 0.5 * w.particles.mass[i] * dot(w.particles.velocity[i], w.particles.velocity[i]); });
+  return sum(r, [](const World& w, std::size_t i) {
+    return 0.5 * w.particles.mass[i] * dot(w.particles.velocity[i], w.particles.velocity[i]);
+  });
 }
 
 /// m^3, of what the density of the particles says that they fill.
@@ -39,10 +43,16 @@ double spinMomentum(Trial& r) {
   });
 }
 
-double farthest(Trial& r, int axis) { return largest(r, [axis](const World& w, std::size_t i) { return std::abs(w.particles.position[i][axis]); }); }
-double spread(Trial& r, int axis) { return rootMeanSquare(r, [axis](const World& w, std::size_t i) { return w.particles.position[i][axis]; }); }
+double farthest(Trial& r, int axis) {
+  return largest(r,
+                 [axis](const World& w, std::size_t i) { return std::abs(w.particles.position[i][axis]); });
+}
+double spread(Trial& r, int axis) {
+  return rootMeanSquare(r, [axis](const World& w, std::size_t i) { return w.particles.position[i][axis]; });
+}
 
-/// The residuals of the ledger: energy in shares of the kinetic energy at the start, momentum in shares of m `speed`.
+/// The residuals of the ledger: energy in shares of the kinetic energy at the start, momentum in shares of m
+/// `speed`.
 void addResiduals(Trial& r, double speed, std::vector<Figure>& figures) {
   const LedgerReport ledger = reportLedger(r.world, r.tools, r.all);
   figures.push_back({"energy residual", std::abs(ledger.energyResidual) / r.notes["energy"], 0.01});
@@ -71,26 +81,32 @@ void addShape(Trial& r, double densityTarget, std::vector<Figure>& figures) {
   figures.push_back({"inner density", std::abs(inner - 1), densityTarget});
 }
 
-// ---- elliptic drop -------------------------------------------------------------------------------------------------------
+// ---- elliptic drop ----------------------------------------------------------------------------------------
 
 constexpr double stretchRate = 100;  // 1/s, A at time 0
 
 /// Half axes over the radius of the circle, and the rate A of the flow (-A x, A y).
-struct Ellipse { double a = 1, b = 1, rate = stretchRate; };
+struct Ellipse {
+  double a = 1, b = 1, rate = stretchRate;
+};
 
-/// dA/dt = A^2 (a^4 - 1)/(a^4 + 1), da/dt = -a A, b = 1/a (Monaghan 1994 eq. 4.4 ff.), by Runge and Kutta's method to rounding.
+/// dA/dt = A^2 (a^4 - 1)/(a^4 + 1), da/dt = -a A, b = 1/a (Monaghan 1994), by Runge and Kutta's method to
+/// rounding.
 Ellipse ellipseAt(double time) {
   using State = std::array<double, 2>;  // a, A
   const auto rates = [](const State& s) {
     const double a4 = std::pow(s[0], 4);
     return State{-s[0] * s[1], s[1] * s[1] * (a4 - 1) / (a4 + 1)};
   };
-  const auto moved = [](const State& s, const State& k, double dt) { return State{s[0] + dt * k[0], s[1] + dt * k[1]}; };
+  const auto moved = [](const State& s, const State& k, double dt) {
+    return State{s[0] + dt * k[0], s[1] + dt * k[1]};
+  };
   constexpr int steps = 10000;
   const double dt = time / steps;
   State s{1, stretchRate};
   for (int n = 0; n < steps; n++) {
-    const State k1 = rates(s), k2 = rates(moved(s, k1, 0.5 * dt)), k3 = rates(moved(s, k2, 0.5 * dt)), k4 = rates(moved(s, k3, dt));
+    const State k1 = rates(s), k2 = rates(moved(s, k1, 0.5 * dt)), k3 = rates(moved(s, k2, 0.5 * dt)),
+                k4 = rates(moved(s, k3, dt));
     for (std::size_t c = 0; c < 2; c++) s[c] += dt / 6 * (k1[c] + 2 * k2[c] + 2 * k3[c] + k4[c]);
   }
   return {s[0], 1 / s[0], s[1]};
@@ -98,11 +114,13 @@ Ellipse ellipseAt(double time) {
 
 void stretchDrop(Trial& r) {
   Continuum& p = r.world.particles;
-  for (std::size_t i = 0; i < p.owned; i++) p.velocity[i] = {-stretchRate * p.position[i].x, stretchRate * p.position[i].y, 0};
+  for (std::size_t i = 0; i < p.owned; i++)
+    p.velocity[i] = {-stretchRate * p.position[i].x, stretchRate * p.position[i].y, 0};
   noteStart(r);
 }
 
-/// The flow is linear, so every particle's x and y grow as the half axes do: moments and outermost particles are compared with theirs at the start.
+/// The flow is linear, so every particle's x and y grow as the half axes do: moments and outermost particles
+/// are compared with theirs at the start.
 std::vector<Figure> measureDrop(Trial& r) {
   const World& w = r.world;
   const Ellipse exact = ellipseAt(w.clock.time);
@@ -124,13 +142,15 @@ std::vector<Figure> measureDrop(Trial& r) {
   return f;
 }
 
-// ---- rotating patch ------------------------------------------------------------------------------------------------------
+// ---- rotating patch ---------------------------------------------------------------------------------------
 
-/// Distances of the four arms' tips from the axis: the outermost particle of each quarter, turned so that the farthest one is in the middle of its quarter.
+/// Distances of the four arms' tips from the axis: the outermost particle of each quarter, turned so that the
+/// farthest one is in the middle of its quarter.
 std::array<double, 4> armsOf(const std::vector<GatheredParticle>& all) {
   double most = 0, first = 0;
   for (const GatheredParticle& p : all)
-    if (const double radius = std::hypot(p.position.x, p.position.y); radius > most) most = radius, first = std::atan2(p.position.y, p.position.x);
+    if (const double radius = std::hypot(p.position.x, p.position.y); radius > most)
+      most = radius, first = std::atan2(p.position.y, p.position.x);
   std::array<double, 4> arms{};
   for (const GatheredParticle& p : all) {
     const double quarter = (std::atan2(p.position.y, p.position.x) - first) / (0.5 * pi);
@@ -158,10 +178,18 @@ std::vector<Figure> measurePatch(Trial& r) {
 }  // namespace
 
 std::vector<Case> stretchedCases() {
-  return {{.name = "elliptic_drop", .about = "a circle of liquid that a linear flow stretches to an ellipse; half axes (Monaghan 1994)",
-           .start = stretchDrop, .measure = measureDrop, .adapt = makeSlab},
-          {.name = "rotating_patch", .about = "a spinning square of liquid: four arms, in one piece, at the density of the start (Le Touze et al. 2013)",
-           .start = noteStart, .measure = measurePatch, .adapt = makeSlab}};
+  return {
+      {.name = "elliptic_drop",
+       .about = "a circle of liquid that a linear flow stretches to an ellipse; half axes (Monaghan 1994)",
+       .start = stretchDrop,
+       .measure = measureDrop,
+       .adapt = makeSlab},
+      {.name = "rotating_patch",
+       .about = "a spinning square of liquid: four arms, in one piece, at the density of the start (Le Touze "
+                "et al. 2013)",
+       .start = noteStart,
+       .measure = measurePatch,
+       .adapt = makeSlab}};
 }
 
 }  // namespace thaw::accuracy

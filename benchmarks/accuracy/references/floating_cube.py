@@ -1,14 +1,18 @@
 #!/usr/bin/env python3
-"""Writes floating_cube.csv: heave of a cube in a square tank by linear potential flow. Usage: floating_cube.py > floating_cube.csv
+"""Writes floating_cube.csv: heave of a cube in a square tank by linear potential flow.
 
-A cube of edge L = 1 floats in the middle of a tank 3 L wide, released off its rest. Liquid without viscosity; small motions; g = 1, rho = 1.
-Unknowns: velocity potential p, elevation e of the free surface, displacement x and velocity w of the cube.
+Usage: floating_cube.py > floating_cube.csv
+
+A cube of edge L = 1 floats in the middle of a tank 3 L wide, released off its rest. Liquid without viscosity; small
+motions; g = 1, rho = 1. Unknowns: velocity potential p, elevation e of the free surface, displacement x and velocity w
+of the cube.
   laplace p = 0, dp/dn = w n_z at the cube, 0 at walls and bottom
   de/dt = dp/dz and dp/dt = -g e at the free surface
   (m + ma) dw/dt = -rho g L^2 x - rho g sum(b e dS)
-b is the vertical velocity of the surface at w = 1 where p = 0 there, ma the added mass of that flow. Finite volumes on a quarter of the
-tank; the error of the cells (first order at the cube's edges) is extrapolated from two resolutions. Added masses are printed to stderr, those of a
-submerged cube too, in the tank and far from walls (published: 0.68 rho L^3, DNV-RP-C205, table D-2).
+b is the vertical velocity of the surface at w = 1 where p = 0 there, ma the added mass of that flow. Finite volumes on
+a quarter of the tank; the error of the cells (first order at the cube's edges) is extrapolated from two resolutions.
+Added masses are printed to stderr, those of a submerged cube too, in the tank and far from walls (published:
+0.68 rho L^3, DNV-RP-C205, table D-2).
 """
 import sys
 
@@ -19,7 +23,8 @@ from scipy.sparse.linalg import splu
 
 
 class Tank:
-    """A quarter of a tank of this width and depth (of the liquid) with n cells an edge; the cube's bottom is `draught` below the surface."""
+    """A quarter of a tank with n cells an edge of the cube. The cube's bottom is `draught` below the surface of the liquid, or
+    below its own top at the height `submerged`."""
 
     def __init__(self, n, width, depth, draught, submerged=None):
         half, high = round(width / 2 * n), round(depth * n)
@@ -57,7 +62,7 @@ class Tank:
         return coo_matrix((np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), (count, count))
 
     def unitHeave(self):
-        """Added mass (of the whole tank) and the surface's velocity b where the cube moves up at 1 and p = 0 at the surface."""
+        """Added mass (of the whole tank) and velocity b of the surface, p = 0 there, where the cube moves up at 1."""
         source = np.zeros(self.number.max() + 1)
         source[self.below] = self.h  # dp/dn = 1: the liquid below follows the cube
         source[self.above] = -self.h
@@ -105,16 +110,22 @@ def extrapolated(coarse, fine):
     return 2 * fine - coarse
 
 
+def report(what, mass, cells):
+    found = ", ".join(f"cells of 1/{n}: {m:.4f}" for n, m in zip(cells, mass))
+    print(f"{what}: added mass {extrapolated(*mass):.4f} ({found})", file=sys.stderr)
+
+
 def main():
     times = np.arange(0, 20.01, 0.1)
     columns = {}
     for density in (0.5, 0.9):
         mass, x = zip(*(heave(Tank(n, 3, 1.5, density), density, times) for n in (10, 20)))
         columns[density] = extrapolated(*x)
-        print(f"density {density}: added mass {extrapolated(*mass):.4f} (cells of 1/10: {mass[0]:.4f}, 1/20: {mass[1]:.4f})", file=sys.stderr)
-    for what, width, depth, top, cells in (("sinking", 3, 2, 1.75, (8, 16)), ("far from all walls", 5, 5, 3, (4, 8))):
+        report(f"density {density}", mass, (10, 20))
+    submerged = (("sinking", 3, 2, 1.75, (8, 16)), ("far from all walls", 5, 5, 3, (4, 8)))
+    for what, width, depth, top, cells in submerged:
         mass = [Tank(n, width, depth, 1, top).unitHeave()[0] for n in cells]
-        print(f"submerged, {what}: added mass {extrapolated(*mass):.4f} (cells of 1/{cells[0]}: {mass[0]:.4f}, 1/{cells[1]}: {mass[1]:.4f})", file=sys.stderr)
+        report(f"submerged, {what}", mass, cells)
     print("# Written by floating_cube.py. t / sqrt(L/g), displacement over that at the start for densities of 0.5 and 0.9")
     print("time,0.5,0.9")
     for k, t in enumerate(times):
