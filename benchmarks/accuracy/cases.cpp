@@ -4,7 +4,9 @@ namespace thaw::accuracy {
 
 std::vector<Case> allCases() {
   std::vector<Case> all;
-  for (const auto& part : {flowCases(), viscousCases(), solidCases(), heatCases(), mixedCases(), surfaceCases()}) all.insert(all.end(), part.begin(), part.end());
+  for (const auto& part : {flowCases(), stretchedCases(), viscousCases(), solidCases(), heatCases(), mixedCases(), floatingCases(), tankCases(),
+                           surfaceCases()})
+    all.insert(all.end(), part.begin(), part.end());
   return all;
 }
 

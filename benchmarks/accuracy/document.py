@@ -8,6 +8,7 @@ Every number in the document comes from the files. In text.md:
   {{table CASE}}    all settings of a case        {{targets}}    the defaults beside what they are to reach
   {{choices CASE | SETTINGS; SETTINGS ... | NORM; NORM ...}}    some settings of a case, a line each, with some of its norms
   {{chart CASE}}    its picture, copied to docs/pictures/accuracy/        {{modules}}    what each module costs
+  {{picture CASE}}    the particles at its end, drawn from points/CASE.csv beside the figures
 The CSV files are copied to docs/accuracy/, so that the document can be made anew from what is in the repository.
 """
 import csv
@@ -48,7 +49,7 @@ def spacingOf(row):
 
 class Document:
     def __init__(self, rows, modules):
-        self.rows, self.modules, self.used = rows, modules, set()
+        self.rows, self.modules, self.used, self.drawn = rows, modules, set(), set()
 
     def find(self, case, norm, settings):
         for r in self.rows:
@@ -77,6 +78,9 @@ class Document:
         if what == "chart":
             self.used.add(arguments[0])
             return f"![error against core-seconds: {arguments[0]}](pictures/accuracy/{arguments[0]}.png)"
+        if what == "picture":
+            self.drawn.add(arguments[0])
+            return f"![particles at the end: {arguments[0]}](pictures/accuracy/{arguments[0]}_particles.png)"
         if what == "modules":
             return self.moduleTable()
         if what == "machine":
@@ -133,6 +137,16 @@ def template():
         return f.read()
 
 
+def drawParticles(case, source, pictures):
+    """Copies points/CASE.csv from beside the figures to docs/accuracy/ and draws it."""
+    folder = os.path.join(DOCS, "accuracy", "points")
+    os.makedirs(folder, exist_ok=True)
+    new, kept = os.path.join(os.path.dirname(os.path.abspath(source)), "points", case + ".csv"), os.path.join(folder, case + ".csv")
+    if os.path.exists(new) and os.path.abspath(kept) != new:
+        shutil.copy(new, kept)
+    subprocess.run([sys.executable, os.path.join(HERE, "particles.py"), case, kept, os.path.join(pictures, case + "_particles.png")], check=True)
+
+
 def main(path, modules=None):
     folder = os.path.join(DOCS, "accuracy")
     os.makedirs(folder, exist_ok=True)
@@ -148,6 +162,8 @@ def main(path, modules=None):
     os.makedirs(pictures, exist_ok=True)
     for case in document.used:
         shutil.move(os.path.join(folder, "all", case + ".png"), os.path.join(pictures, case + ".png"))
+    for case in sorted(document.drawn):
+        drawParticles(case, path, pictures)
     shutil.rmtree(os.path.join(folder, "all"))
     os.remove(os.path.join(folder, "all.png"))
     print(f"written: {os.path.normpath(os.path.join(DOCS, 'accuracy.md'))}")

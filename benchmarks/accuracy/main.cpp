@@ -1,4 +1,5 @@
-// accuracy CASE [--spacing X] [--set key=value]... [--csv FILE] [--label TEXT] [--strict] [--limit NORM=ERROR]...
+// accuracy CASE [--spacing X] [--set key=value]... [--csv FILE] [--points FILE] [--label TEXT] [--strict]
+//          [--limit NORM=ERROR]...
 // Runs one case of the accuracy suite, under mpirun on any number of ranks, and prints its error norms beside what they are to reach.
 // With --strict it exits with 1 where a target is missed, with --limit where that norm is larger: what the tests do (tests/CMakeLists.txt).
 // accuracy --list names the cases. The whole matrix with its charts: scripts/bench accuracy.
@@ -13,7 +14,7 @@
 #include <fstream>
 #include <thread>
 
-#include "benchmarks/accuracy/trial.hpp"
+#include "benchmarks/accuracy/gathered.hpp"
 #include "io/commands/scene_for_all.hpp"
 #include "io/hdf5/parallel_file.hpp"
 #include "io/scene/read_scene.hpp"
@@ -83,13 +84,14 @@ bool append(const std::string& path, const Trial& r, const Case& c, const std::s
 
 int main(int argc, char** argv) {
   CLI::App app("One case of the accuracy suite: error norms against exact solutions.");
-  std::string name, spacing, csv, label;
+  std::string name, spacing, csv, points, label;
   std::vector<std::string> overrides, limits;
   bool list = false, strict = false;
   app.add_option("case", name, "name of the case");
   app.add_option("--spacing", spacing, "distance of particles, with its unit");
   app.add_option("--set", overrides, "key=value in place of what the case's scene says")->allow_extra_args(false);
   app.add_option("--csv", csv, "append the figures to this file");
+  app.add_option("--points", points, "write the middle layer of particles at the end to this file");
   app.add_option("--label", label, "what the settings are called there");
   app.add_flag("--strict", strict, "exit with 1 where a target is missed");
   app.add_option("--limit", limits, "NORM=ERROR: exit with 1 where that norm is larger")->allow_extra_args(false);
@@ -124,6 +126,8 @@ int main(int argc, char** argv) {
     run(*at, trial, overrides);
     const std::vector<Figure> figures = trial.finite ? at->measure(trial) : std::vector<Figure>{{"blew up at (s)", trial.world.clock.time}};
     const double particles = sum(trial, [](const World&, std::size_t) { return 1.0; });
+    if (!points.empty() && !writeMiddleLayer(trial, points))
+      return std::fprintf(stderr, "accuracy: cannot write %s\n", points.c_str()), 3;
     if (comm.rank() != 0) return 0;
     print(trial, *at, figures, particles);
     if (!csv.empty() && !append(csv, trial, *at, label, figures, particles)) return std::fprintf(stderr, "accuracy: cannot write %s\n", csv.c_str()), 3;

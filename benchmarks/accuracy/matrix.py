@@ -10,6 +10,7 @@ A run that is in the file already, from the same version of thaw, is not repeate
 --minutes no further run is begun; what is left is said, and the same command goes on.
 Afterwards: benchmarks/accuracy/document.py FIGURES.csv docs/accuracy/modules.csv writes docs/accuracy.md and its pictures, and frontier.py
 what `thaw check` knows; the tests ask that both follow from docs/accuracy/accuracy.csv.
+Particles at the end of some cases (plan.PICTURES) go to points/CASE.csv beside the file.
 Columns: case, settings ("default" and the spacing, or what differs from the defaults), norm, error, target, order (between this resolution
 and the next coarser one of the same settings), core_seconds, steps, particles, version, machine.
 """
@@ -85,6 +86,10 @@ class Matrix:
         command += [self.binary, case, "--spacing", spacing, "--csv", own, "--label", label]
         for s in settings:
             command += ["--set", s]
+        if case in plan.PICTURES and not settings and spacing == plan.CASES[case][1]:
+            folder = os.path.join(os.path.dirname(os.path.abspath(self.options.csv)), "points")
+            os.makedirs(folder, exist_ok=True)
+            command += ["--points", os.path.join(folder, case + ".csv")]
         start = time.monotonic()
         result = subprocess.run(command, capture_output=True, text=True)
         with self.lock:

@@ -56,6 +56,7 @@ void surfaceAfterStep(Trial& r, double move2) {
 void run(const Case& c, Trial& r, const std::vector<std::string>& overrides) {
   const std::string file = std::string(THAW_BENCHMARK_FOLDER) + "/scenes/" + (c.scene ? c.scene : c.name) + ".toml";
   World& w = r.world;
+  r.overrides = overrides;
   w.scene = sceneForAll(r.comm, file, overrides);
   if (c.adapt) c.adapt(w.scene);
   prepareWorld(w, r.tools, suiteMeshes());

@@ -40,6 +40,7 @@ struct Trial {
   SurfaceTools surfaceTools;
   std::vector<Sample> series;           ///< what `watch` notes
   std::map<std::string, double> notes;  ///< what hooks leave for each other
+  std::vector<std::string> overrides;   ///< what `run` was given
   std::vector<std::uint64_t> ids;       ///< the same: of what `series` is about
   double coreSeconds = 0;               ///< processor time of the steps, of all ranks; the surface with its start is part of it
   double updateSeconds = 0;             ///< that of the surface's updates
@@ -61,10 +62,13 @@ struct Case {
 /// Every case. A file of cases for each part of the method; cases.cpp joins them.
 std::vector<Case> allCases();
 std::vector<Case> flowCases();     ///< pressure: columns, dam breaks, vortices
+std::vector<Case> stretchedCases();  ///< liquids without walls that their own flow stretches
 std::vector<Case> viscousCases();  ///< viscosity and surface tension
 std::vector<Case> solidCases();
 std::vector<Case> heatCases();
 std::vector<Case> mixedCases();    ///< liquids and solids in one scene
+std::vector<Case> floatingCases();  ///< solids that float, sink and rise in water
+std::vector<Case> tankCases();      ///< tanks that are no multiple of the spacing
 std::vector<Case> surfaceCases();  ///< surfels
 
 /// For Case::adapt: domain and boxes are six spacings (three support radii) wide along the periodic axes, so that a finer run of a one-dimensional case costs no more across.

@@ -132,8 +132,8 @@ class CommittedTest(unittest.TestCase):
     def test_document(self):
         made = document.Document(document.rowsOf(os.path.join(ROOT, "docs", "accuracy", "accuracy.csv")), document.rowsOf(os.path.join(ROOT, "docs", "accuracy", "modules.csv")))
         self.assertEqual(made.text(document.template()), self.read("docs", "accuracy.md"))
-        for case in made.used:
-            self.assertTrue(os.path.exists(os.path.join(ROOT, "docs", "pictures", "accuracy", case + ".png")), case)
+        for picture in [*made.used, *(case + "_particles" for case in made.drawn)]:
+            self.assertTrue(os.path.exists(os.path.join(ROOT, "docs", "pictures", "accuracy", picture + ".png")), picture)
 
     def test_frontier(self):
         self.assertEqual(frontier.source(document.rowsOf(os.path.join(ROOT, "docs", "accuracy", "accuracy.csv"))), self.read("io", "commands", "frontier_points.cpp"))

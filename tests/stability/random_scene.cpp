@@ -1,6 +1,7 @@
 // random_scene SEED: prints a scene (TOML) that is a function of the seed. Bodies of all shapes, materials over six decades of stiffness
 // and viscosity, every law and most keys; 200 to 3000 particles. Nothing is tuned to go well: soft bodies hit hard, hot floors melt what
-// falls on them, some bodies overlap. random_scenes_test.sh runs them.
+// falls on them, some bodies overlap. Two seeds in five have a theme: bodies that float or sink in a tank that the lattice does not fit, plastic
+// bodies under a press, liquids that spin, liquids that are torn apart. random_scenes_test.sh runs them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "core/math/hash_random.hpp"
+#include "core/math/vec3.hpp"
 
 namespace thaw::test {
 namespace {
@@ -250,6 +252,127 @@ std::string scene(std::uint64_t seed) {
   return head + "\n" + surfaceOf(more, spacing) + text;
 }
 
+/// Size, spacing and speed of a scene with a theme.
+struct Scale {
+  double radius, spacing, speed;
+};
+
+std::string themeHead(Dice& d, std::uint64_t seed, const Scale& c, const std::string& domain) {
+  std::string t = fmt::format("title = \"random scene {}\"\nspacing = {:.6g}\nend = {:.6g}\nseed = {}\n\n",
+                              seed, c.spacing, 20 * c.radius / c.speed, seed);
+  t += domain +
+       fmt::format(
+           "[output]\nevery = {:.6g}\nfields = [\"velocity\"]\n\n[numerics]\noverlap = \"remove later\"\n",
+           4 * c.radius / c.speed);
+  return t + solvers(d, false, false) + "\n";
+}
+
+std::string liquidMaterial(Dice& d, double density) {
+  std::string t =
+      fmt::format("[material.liquid]\ndensity = {:.6g}\nviscosity = {:.6g}\n", density, d.decades(1e-3, 100));
+  if (d.chance(0.3)) t += fmt::format("surface_tension = {:.6g}\n", d.decades(1e-3, 0.1));
+  return t + "\n";
+}
+
+std::string lawOf(Dice& d) {
+  return fmt::format("law = \"{}\"\n", d.of({"green", "neo-hookean", "corotated"}));
+}
+
+/// A solid of 0.3 to 3 times the density of the liquid in a tank, at its surface, below or above it.
+std::string floatingScene(Dice& d, std::uint64_t seed) {
+  const double radius = d.decades(0.01, 0.3), wide = radius * d.between(3, 5),
+               deep = radius * d.between(1.5, 4), density = d.decades(300, 3000);
+  const double spacing = std::cbrt(wide * wide * deep / d.decades(500, 3000)), high = deep + 5 * radius;
+  const char* side = d.chance(0.7) ? "wall" : "periodic";
+  const RandomShape body = shape(d, radius);
+  std::string t = themeHead(d, seed, {radius, spacing, std::sqrt(9.81 * radius)},
+                            fmt::format("[domain]\nmin = [0, 0, 0]\nmax = {}\nsides = {{ x = \"{}\", y = "
+                                        "\"{}\", z = [\"wall\", \"open\"] }}\n\n",
+                                        vec(wide, wide, high), side, side));
+  t += liquidMaterial(d, density);
+  t += fmt::format("[material.solid]\ndensity = {:.6g}\nyoung = {:.6g}\npoisson = {:.3g}\n",
+                   density * d.between(0.3, 3), d.decades(1e3, 1e6), d.between(0, 0.45)) +
+       lawOf(d);
+  if (d.chance(0.3)) t += fmt::format("yield_strain = {:.4g}\n", d.decades(1e-3, 0.3));
+  t += fmt::format("\n[[body]]\nname = \"solid\"\nmaterial = \"solid\"\n{}\n", body.text);
+  t += fmt::format("place = {{ move = {}, rotate_x = {:.4g}, rotate_y = {:.4g} }}\n",
+                   vec(0.5 * wide, 0.5 * wide, d.between(1.1 * radius, deep + 1.5 * radius)), d.between(0, 3),
+                   d.between(0, 3));
+  if (d.chance(0.3))
+    t += fmt::format("velocity = {}\n", vec(0, 0, -std::sqrt(9.81 * radius) * d.between(0, 3)));
+  return t + fmt::format(
+                 "\n[[body]]\nname = \"liquid\"\nmaterial = \"liquid\"\nbox = {{ size = {} }}\nplace = {{ "
+                 "move = {} }}\n",
+                 vec(wide, wide, deep), vec(0.5 * wide, 0.5 * wide, 0.5 * deep));
+}
+
+/// A plastic body on a floor: it slumps, is thrown at the floor, or a plate comes down on it.
+std::string plasticScene(Dice& d, std::uint64_t seed) {
+  const double radius = d.decades(0.01, 1), density = d.decades(500, 5000), weight = density * 9.81 * radius;
+  const RandomShape body = shape(d, radius);
+  const Scale c{radius, std::cbrt(body.volume / d.decades(200, 2000)), std::sqrt(9.81 * radius)};
+  std::string t =
+      themeHead(d, seed, c,
+                fmt::format("[domain]\nmin = {}\nmax = {}\nsides = {{ z = [\"wall\", \"open\"] }}\n\n",
+                            vec(-6 * radius, -6 * radius, 0), vec(6 * radius, 6 * radius, 8 * radius)));
+  const double young = weight * d.decades(10, 1e4),
+               strain = weight * d.decades(0.03, 3) / young;  // yields at some share of its weight
+  t += fmt::format(
+           "[material.paste]\ndensity = {:.6g}\nyoung = {:.6g}\npoisson = {:.3g}\nyield_strain = {:.6g}\n",
+           density, young, d.between(0, 0.45), std::clamp(strain, 1e-5, 0.3)) +
+       lawOf(d);
+  if (d.chance(0.5)) t += fmt::format("creep_rate = {:.6g}\n", d.decades(0.1, 1e3));
+  if (d.chance(0.3)) t += fmt::format("max_plastic_strain = {:.6g}\n", d.decades(0.05, 3));
+  if (d.chance(0.5)) t += fmt::format("damping = {:.6g}\n", d.decades(0.1, 100));
+  t += fmt::format(
+      "\n[[body]]\nname = \"paste\"\nmaterial = \"paste\"\n{}\nplace = {{ move = {}, rotate_x = {:.4g} }}\n",
+      body.text, vec(0, 0, 1.05 * radius), d.between(0, 3));
+  if (d.chance(0.3)) t += fmt::format("velocity = {}\n", vec(0, 0, -c.speed * d.between(0, 5)));
+  if (!d.chance(0.5)) return t;
+  const double plate = 2.5 * radius, way = radius * d.between(0.3, 1.4);
+  t += fmt::format("\n[[obstacle]]\nname = \"plate\"\nbox = {{ size = {} }}\nplace = {{ move = {} }}\n",
+                   vec(4 * plate, 4 * plate, radius), vec(0, 0, 2.7 * radius));
+  return t + fmt::format("motion = [{{ time = 0 }}, {{ time = {:.6g}, move = {} }}]\n",
+                         way / c.speed * d.between(2, 15), vec(0, 0, -way));
+}
+
+/// A liquid without weight that spins, or whose two halves part or slide along each other.
+std::string stretchedScene(Dice& d, std::uint64_t seed) {
+  const double radius = d.decades(0.01, 1), speed = d.decades(0.1, 10), rate = speed / radius;
+  const bool spins = d.chance(0.5);
+  const RandomShape body = shape(d, radius);
+  const Vec3d size{2 * radius * d.between(0.3, 1), 2 * radius * d.between(0.3, 1),
+                   2 * radius * d.between(0.3, 1)};
+  const double volume = spins ? body.volume : size.x * size.y * size.z;
+  std::string t = themeHead(
+      d, seed, {radius, std::cbrt(volume / d.decades(200, 2000)), speed},
+      fmt::format("[domain]\nmin = {}\nmax = {}\ngravity = [0, 0, 0]\n\n",
+                  vec(-25 * radius, -25 * radius, -25 * radius), vec(25 * radius, 25 * radius, 25 * radius)));
+  t += liquidMaterial(d, d.decades(500, 2000));
+  if (spins)
+    return t + fmt::format("[[body]]\nname = \"liquid\"\nmaterial = \"liquid\"\n{}\nspin = {}\n", body.text,
+                           vec(rate * d.between(-1, 1), rate * d.between(-1, 1), rate * d.between(0.3, 2)));
+  const Vec3d pull{speed * d.between(-0.3, 1), speed * d.between(-0.5, 0.5), 0};
+  for (const int sign : {-1, 1})
+    t += fmt::format(
+        "[[body]]\nname = \"half {}\"\nmaterial = \"liquid\"\nbox = {{ size = {} }}\nplace = {{ move = {} "
+        "}}\nvelocity = {}\n\n",
+        sign, vec(0.5 * size.x, size.y, size.z), vec(0.25 * sign * size.x, 0, 0),
+        vec(sign * pull.x, sign * pull.y, 0));
+  return t;
+}
+
+/// Two in five seeds have a theme, with dice of their own: the scenes of the other seeds do not depend on it.
+std::string sceneOf(std::uint64_t seed) {
+  Dice d{seed + (std::uint64_t{2} << 40)};
+  if (!d.chance(0.4)) return scene(seed);
+  switch (d.below(3)) {
+    case 0: return floatingScene(d, seed);
+    case 1: return plasticScene(d, seed);
+    default: return stretchedScene(d, seed);
+  }
+}
+
 }  // namespace
 }  // namespace thaw::test
 
@@ -258,5 +381,5 @@ int main(int argc, char** argv) {
     std::fputs("usage: random_scene SEED\n", stderr);
     return 2;
   }
-  std::fputs(thaw::test::scene(std::strtoull(argv[1], nullptr, 10)).c_str(), stdout);
+  std::fputs(thaw::test::sceneOf(std::strtoull(argv[1], nullptr, 10)).c_str(), stdout);
 }

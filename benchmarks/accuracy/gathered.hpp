@@ -1,0 +1,47 @@
+// All particles of a trial in one place, for figures that need them together: neighbour sums and connected
+// components.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "benchmarks/accuracy/trial.hpp"
+
+namespace thaw::accuracy {
+
+struct GatheredParticle {
+  std::uint64_t id;
+  Vec3d position;   // m
+  Vec3d velocity;   // m/s
+  double mass;      // kg
+  double pressure;  // Pa
+  std::uint64_t body;
+};
+
+/// Every particle, on every rank, by ascending id. Collective.
+std::vector<GatheredParticle> gather(Trial& trial);
+
+/// Calls action(i, j, x_i - x_j of the nearest image) once for each pair of particles that are nearer than
+/// `radius`.
+using PairAction = std::function<void(std::size_t i, std::size_t j, const Vec3d& between)>;
+void forEachPair(const Domain& domain, const std::vector<GatheredParticle>& particles, double radius,
+                 const PairAction& action);
+
+/// Components of particles that chains of links shorter than `link` (m) join.
+struct Components {
+  std::size_t count;
+  double largestShare;  // of all particles
+};
+Components findComponents(const Domain& domain, const std::vector<GatheredParticle>& particles, double link);
+
+/// Mean of the summed density over that of the lattice at rest, over particles inside the liquid (0: there
+/// are none). A particle is inside where each of 26 directions has a neighbour between 1.25 and 2.5 spacings
+/// away, at most 37 degrees off it.
+double meanInnerDensity(const Domain& domain, double spacing, const std::vector<GatheredParticle>& particles);
+
+/// Writes x, y, speed and pressure of the layer of particles in the middle of the z axis. False: the file
+/// cannot be written.
+bool writeMiddleLayer(Trial& trial, const std::string& path);
+
+}  // namespace thaw::accuracy
