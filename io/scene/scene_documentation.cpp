@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/scene/expression.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/scene/read_sections.hpp"
 
@@ -34,7 +35,14 @@ constexpr const char* introduction =
     "take begins compressed, and bursts (a warning says so): sizes that are whole numbers of spacings fit.\n\n"
     "A complete scene, `jelly.toml`, a block that falls on a floor, bounces and wobbles; `thaw run jelly.toml` simulates it:\n\n"
     "```toml\n";
-constexpr const char* afterExample = "```\n";
+constexpr const char* afterExample =
+    "```\n\n"
+    "## Expressions\n\n"
+    "`velocity` and `temperature` of a body or an emitter may depend on position: `velocity = { x = \"-100*x\", y = \"100*y\" }`, `temperature = \"300 + 20*z\"`.\n"
+    "`x`, `y`, `z` are in m, in the frame of the scene; the value is in m/s or K. Expressions have no units. There are ";
+constexpr const char* afterWords =
+    ".\nA body is looked at where the scene places it, also where it reaches over a periodic side; an emitter at its opening. A value that is not finite at some particle, or a temperature\n"
+    "that is not above 0 K, is an error. A temperature that depends on position switches heat on where something conducts or melts.\n";
 
 }  // namespace
 
@@ -80,7 +88,7 @@ std::string sceneDocumentation() {
   const std::vector<KeyDescription> keys = sceneKeys();
   std::string text(introduction);
   text += exampleScene();
-  text += afterExample;
+  text += afterExample + std::string(expressionWords) + afterWords;
   std::vector<std::string> tables;
   for (const KeyDescription& k : keys)
     if (std::find(tables.begin(), tables.end(), k.table) == tables.end()) tables.push_back(k.table);
