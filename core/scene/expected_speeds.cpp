@@ -16,7 +16,8 @@ double largestFall(const Scene& s) {
   const double g = length(s.domain.gravity);
   if (!(g > 0)) return 0;
   double height = 0;
-  for (int a = 0; a < 3; a++) height += std::abs(s.domain.gravity[a]) / g * (s.domain.max[a] - s.domain.min[a]);
+  for (int a = 0; a < 3; a++)
+    height += std::abs(s.domain.gravity[a]) / g * (s.domain.max[a] - s.domain.min[a]);
   return std::min(height, s.fallHeight + s.expected.lift);
 }
 
@@ -38,7 +39,9 @@ FlowSpeed expectedFlow(const Scene& s) {
   see(e.emitted, e.emittedBy);
   see(e.driven, e.drivenBy);
   const double flow = std::sqrt(given * given + 2 * g * fall), column = std::sqrt(g * e.column);
-  if (column > flow) return {column, "as the pressure of a column of " + numberText("%.3g m", e.column) + " that an emitter can fill asks for"};
+  if (column > flow)
+    return {column, "as the pressure of a column of " + numberText("%.3g m", e.column) +
+                        " that an emitter can fill asks for"};
   const std::string falls = "a fall through " + numberText("%.3g m", fall);
   if (!(given > 0)) return {flow, flow > 0 ? "of " + falls : "nothing moves"};
   by += numberText(" (%.3g m/s)", given);

@@ -7,7 +7,8 @@ namespace thaw {
 
 std::string badValue(const PositionField& f, double value, const Vec3d& x) {
   char at[120];
-  std::snprintf(at, sizeof at, "\" is %.6g at (%.6g, %.6g, %.6g)", std::isnan(value) ? NAN : value, x.x, x.y, x.z);
+  std::snprintf(at, sizeof at, "\" is %.6g at (%.6g, %.6g, %.6g)", std::isnan(value) ? NAN : value, x.x, x.y,
+                x.z);
   return f.key + ": \"" + f.text + at;
 }
 

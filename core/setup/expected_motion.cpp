@@ -19,7 +19,7 @@ std::vector<std::int64_t> evenly(std::int64_t points, std::int64_t count) {
   return chosen;
 }
 
-/// m/s, the fastest of some of a body's lattice points; of the corners of its bounding box where none is inside.
+/// m/s, the fastest of some of a body's lattice points, or of its box's corners where none is inside.
 double fastestPoint(const Body& b, const SignedDistance& shape, double spacing, std::int64_t perAxis) {
   const SampleLattice l = sampleLattice(shape, spacing);
   const Vec3d centre = middleOf(shape);
@@ -35,30 +35,36 @@ double fastestPoint(const Body& b, const SignedDistance& shape, double spacing, 
         if (const Vec3d x = l.at(i, j, k); shape.inside(x)) any = true, see(x);
   if (any) return fastest;
   const Bounds o = shape.bounds();
-  for (int c = 0; c < 8; c++) see({c & 1 ? o.max.x : o.min.x, c & 2 ? o.max.y : o.min.y, c & 4 ? o.max.z : o.min.z});
+  for (int c = 0; c < 8; c++)
+    see({c & 1 ? o.max.x : o.min.x, c & 2 ? o.max.y : o.min.y, c & 4 ? o.max.z : o.min.z});
   return fastest;
 }
 
-void addBodies(const Scene& s, const std::vector<std::shared_ptr<const SignedDistance>>& shapes, ExpectedMotion& m) {
+void addBodies(const Scene& s, const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
+               ExpectedMotion& m) {
   constexpr double mostPoints = 1e6;  // of all bodies, tens of milliseconds for simple shapes
   const auto bodies = std::count_if(s.bodies.begin(), s.bodies.end(), turnsOrStrains);
   const double each = std::cbrt(mostPoints / static_cast<double>(std::max<std::ptrdiff_t>(1, bodies)));
   const auto perAxis = static_cast<std::int64_t>(std::clamp(each, 3.0, 33.0));
   for (std::size_t b = 0; b < s.bodies.size(); b++) {
     const Body& body = s.bodies[b];
-    const double v = turnsOrStrains(body) ? fastestPoint(body, *shapes[b], s.spacing, perAxis) : length(body.velocity);
+    const double v =
+        turnsOrStrains(body) ? fastestPoint(body, *shapes[b], s.spacing, perAxis) : length(body.velocity);
     if (v > m.start) m.start = v, m.startBy = "body '" + body.name + "'";
   }
   const auto whole = [&](const auto& bodies2, const char* kind) {
     for (const auto& b : bodies2)
-      if (length(b.velocity) > m.start) m.start = length(b.velocity), m.startBy = kind + (" '" + b.name + "'");
+      if (length(b.velocity) > m.start)
+        m.start = length(b.velocity), m.startBy = kind + (" '" + b.name + "'");
   };
   whole(s.oriented, "oriented body");
   whole(s.sheets, "sheet");
 }
 
 /// Height (m) of the domain along `up`, and of its lowest corner.
-struct Heights { double size = 0, low = 0; };
+struct Heights {
+  double size = 0, low = 0;
+};
 Heights heightsOf(const Domain& d, const Vec3d& up) {
   Heights h;
   for (int a = 0; a < 3; a++) {
@@ -110,12 +116,15 @@ void addObstacle(const Wall& wall, const Domain& d, const Vec3d& up, ExpectedMot
   const Pose first = poseAt(motion, 0);
   const auto rise = [&](const Pose& pose) {
     for (const Vec3d& c : corners)
-      m.lift = std::max(m.lift, dot(up, withinDomain(d, fromRest(pose, c)) - withinDomain(d, fromRest(first, c))));
+      m.lift =
+          std::max(m.lift, dot(up, withinDomain(d, fromRest(pose, c)) - withinDomain(d, fromRest(first, c))));
   };
   for (std::size_t k = 1; k < motion.size(); k++) {
-    const double begin = motion[k - 1].time, span = motion[k].time - begin, turn = length(motion[k].rotate - motion[k - 1].rotate);
+    const double begin = motion[k - 1].time, span = motion[k].time - begin,
+                 turn = length(motion[k].rotate - motion[k - 1].rotate);
     if (begin >= wall.properties.until) break;
-    const int poses = static_cast<int>(std::clamp(std::ceil(turn / angle), 1.0, static_cast<double>(mostPoses)));
+    const int poses =
+        static_cast<int>(std::clamp(std::ceil(turn / angle), 1.0, static_cast<double>(mostPoses)));
     for (int n = 0; n < poses; n++) {
       const Pose pose = poseAt(motion, begin + span * n / poses);
       rise(pose);
@@ -130,7 +139,9 @@ void addObstacle(const Wall& wall, const Domain& d, const Vec3d& up, ExpectedMot
 
 }  // namespace
 
-ExpectedMotion expectedMotion(const Scene& s, const std::vector<std::shared_ptr<const SignedDistance>>& shapes, const Walls& walls, const std::vector<EmitterPlan>& emitters) {
+ExpectedMotion expectedMotion(const Scene& s,
+                              const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
+                              const Walls& walls, const std::vector<EmitterPlan>& emitters) {
   ExpectedMotion m;
   const double g = length(s.domain.gravity);
   const Vec3d up = g > 0 ? s.domain.gravity * (-1 / g) : Vec3d{};

@@ -1,4 +1,4 @@
-// Speeds and heights that a scene's start, emitters and moving obstacles lead to, for the automatic sound speed.
+// Speeds and heights that the automatic sound speed depends on: start, emitters, moving obstacles.
 #pragma once
 #include <memory>
 #include <vector>
@@ -9,9 +9,11 @@
 
 namespace thaw {
 
-/// The same on any number of ranks, and after a restart. Bodies that spin or have a field are looked at on their lattice,
-/// at no more than 33 points along an axis. Moving obstacles by the corners of their bounding box, within the domain.
-ExpectedMotion expectedMotion(const Scene& scene, const std::vector<std::shared_ptr<const SignedDistance>>& shapes, const Walls& walls,
-                              const std::vector<EmitterPlan>& emitters);
+/// The same on any number of ranks, and after a restart. Bodies that spin or have a field are sampled on
+/// their lattice, at no more than 33 points along an axis. Moving obstacles are sampled at the corners of
+/// their bounding box, within the domain.
+ExpectedMotion expectedMotion(const Scene& scene,
+                              const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
+                              const Walls& walls, const std::vector<EmitterPlan>& emitters);
 
 }  // namespace thaw

@@ -22,7 +22,8 @@ bool allowed(std::size_t field, double value) { return std::isfinite(value) && (
 
 bool varies(const Body& b, bool relaxed) {
   if (b.velocityField.given() || b.temperatureField) return !relaxed || b.packing == Packing::Relaxed;
-  return relaxed && b.packing == Packing::Relaxed && (!(b.spin == Vec3d{}) || !(b.temperatureGradient == Vec3d{}));
+  return relaxed && b.packing == Packing::Relaxed &&
+         (!(b.spin == Vec3d{}) || !(b.temperatureGradient == Vec3d{}));
 }
 
 /// Bad values of one body's fields on this rank: how many, and the particle of the lowest id.
@@ -46,19 +47,22 @@ void look(const Body& b, const Vec3d& x, std::uint64_t number, BadValues& bad) {
     const PositionField& f = fieldOf(b, k);
     if (!f || allowed(k, f.value(x))) continue;
     bad.count[k]++;
-    if (static_cast<double>(number) < bad.firstId[k]) bad.firstId[k] = static_cast<double>(number), bad.place[k] = x;
+    if (static_cast<double>(number) < bad.firstId[k])
+      bad.firstId[k] = static_cast<double>(number), bad.place[k] = x;
   }
 }
 
 /// One sentence on a field that has bad values at `count` particles of all ranks. Collective.
-std::string problemOf(const PositionField& f, std::int64_t count, double firstId, const Vec3d& place, Reducer& all) {
+std::string problemOf(const PositionField& f, std::int64_t count, double firstId, const Vec3d& place,
+                      Reducer& all) {
   double first = -firstId;
   all.maximum({&first, 1});
   double at[3];
   for (int a = 0; a < 3; a++) at[a] = firstId == -first ? place[a] : -never;
   all.maximum(at);
   const Vec3d x{at[0], at[1], at[2]};
-  return badValue(f, f.value(x), x) + (count > 1 ? ", a particle (" + std::to_string(count) + " in all)" : ", a particle");
+  return badValue(f, f.value(x), x) +
+         (count > 1 ? ", a particle (" + std::to_string(count) + " in all)" : ", a particle");
 }
 
 /// Throws where a field of any rank's particles has a bad value. Collective.
@@ -72,7 +76,8 @@ void raiseBadValues(const Scene& s, const std::vector<BadValues>& bad, Reducer& 
     if (counts[k] == 0) continue;
     const PositionField& field = fieldOf(s.bodies[b], f);
     const char* expected = f < 3 ? "; expected finite numbers, in m/s" : "; expected numbers above 0, in K";
-    problems.add(field.where, problemOf(field, counts[k], bad[b].firstId[f], bad[b].place[f], all) + expected);
+    problems.add(field.where,
+                 problemOf(field, counts[k], bad[b].firstId[f], bad[b].place[f], all) + expected);
   }
   problems.raise();
 }
@@ -90,7 +95,8 @@ Vec3d startVelocity(const Body& b, const Vec3d& centre, const Vec3d& x) {
 }
 
 double startTemperature(const Body& b, const Vec3d& centre, const Vec3d& x) {
-  return (b.temperatureField ? b.temperatureField.value(x) : b.temperature) + dot(b.temperatureGradient, x - centre);
+  return (b.temperatureField ? b.temperatureField.value(x) : b.temperature) +
+         dot(b.temperatureGradient, x - centre);
 }
 
 void assignStartFields(World& w, const Shapes& shapes, Reducer& all, bool relaxed) {

@@ -18,10 +18,10 @@ Vec3d middleOf(const SignedDistance& shape);
 Vec3d startVelocity(const Body& body, const Vec3d& centre, const Vec3d& x);
 double startTemperature(const Body& body, const Vec3d& centre, const Vec3d& x);
 
-/// Gives this rank's particles of bodies with fields their velocity and temperature, by the places that they have now.
-/// Positions across a periodic side count where the body has them. relaxed: only bodies of relaxed packing, also those
-/// that only spin or have a temperature gradient. Phases follow.
-/// Throws ShapeError on all ranks where a field has no finite value at a particle, or no temperature above 0 K.
+/// Sets velocity, temperature and phase of this rank's particles of bodies with fields, by their positions
+/// now. Positions across a periodic side count where the body has them. relaxed: only bodies of relaxed
+/// packing, also those that only spin or have a temperature gradient.
+/// Throws ShapeError on all ranks where a field is not finite at a particle, or a temperature not above 0 K.
 /// Collective.
 void assignStartFields(World& world, const Shapes& shapes, Reducer& all, bool relaxed);
 

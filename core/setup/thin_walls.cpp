@@ -14,7 +14,9 @@ constexpr double mostLookedAt = 20000;  // particles of a body
 constexpr double leastShare = 0.02;     // of them in thin walls: sharp edges are no walls
 
 /// A number in [0, 1) of an id, which does not follow the lattice.
-double scattered(std::uint64_t number) { return static_cast<double>((number * 0x9e3779b97f4a7c15u) >> 32) / 4294967296.0; }
+double scattered(std::uint64_t number) {
+  return static_cast<double>((number * 0x9e3779b97f4a7c15u) >> 32) / 4294967296.0;
+}
 
 /// Is something else than body b liquid, at the start or later?
 bool othersAreLiquid(const Scene& s, const Modules& m, std::size_t b) {
@@ -32,9 +34,13 @@ struct WallThere {
   const SignedDistance& shape;
   double depth = 0;
   Vec3d normal{};
-  WallThere(const SignedDistance& s, const Vec3d& x, double reach) : shape(s) { depth = -s.distanceWithin(x, reach, &normal); }
+  WallThere(const SignedDistance& s, const Vec3d& x, double reach) : shape(s) {
+    depth = -s.distanceWithin(x, reach, &normal);
+  }
   /// Does it end within `thickness` (m)?
-  bool thinner(const Vec3d& x, double thickness) const { return depth < thickness && !shape.inside(x - normal * (thickness - depth)); }
+  bool thinner(const Vec3d& x, double thickness) const {
+    return depth < thickness && !shape.inside(x - normal * (thickness - depth));
+  }
 };
 
 /// m, within a hundredth of `most`, which is too thick.
@@ -50,7 +56,9 @@ double thicknessAt(const SignedDistance& shape, const Vec3d& x, double most) {
 
 }  // namespace
 
-std::vector<SceneWarning> thinWalls(const World& w, const std::vector<std::shared_ptr<const SignedDistance>>& shapes, const std::vector<std::int64_t>& particles, Reducer& all) {
+std::vector<SceneWarning> thinWalls(const World& w,
+                                    const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
+                                    const std::vector<std::int64_t>& particles, Reducer& all) {
   const Scene& s = w.scene;
   const Continuum& p = w.particles;
   std::vector<SceneWarning> warnings;
@@ -70,11 +78,13 @@ std::vector<SceneWarning> thinWalls(const World& w, const std::vector<std::share
     counts[2 * b]++;
     if (!WallThere(*shapes[b], p.position[i], least).thinner(p.position[i], least)) continue;
     counts[2 * b + 1]++;
-    if (-static_cast<double>(number) > first[b]) first[b] = -static_cast<double>(number), place[b] = p.position[i];
+    if (-static_cast<double>(number) > first[b])
+      first[b] = -static_cast<double>(number), place[b] = p.position[i];
   }
   all.sum(counts);
   for (std::size_t b = 0; b < n; b++) {
-    const double share = counts[2 * b] > 0 ? static_cast<double>(counts[2 * b + 1]) / static_cast<double>(counts[2 * b]) : 0;
+    const double share =
+        counts[2 * b] > 0 ? static_cast<double>(counts[2 * b + 1]) / static_cast<double>(counts[2 * b]) : 0;
     if (share < leastShare) continue;
     double lowest = first[b], at[3];
     all.maximum({&lowest, 1});
@@ -83,7 +93,8 @@ std::vector<SceneWarning> thinWalls(const World& w, const std::vector<std::share
     const double thick = thicknessAt(*shapes[b], {at[0], at[1], at[2]}, least);
     char text[300];
     std::snprintf(text, sizeof text,
-                  "': %.0f %% of it are walls thinner than %g spacings, some %.2g m at (%.4g, %.4g, %.4g): liquid may go through such walls; "
+                  "': %.0f %% of it are walls thinner than %g spacings, some %.2g m at (%.4g, %.4g, %.4g): "
+                  "liquid may go through such walls; "
                   "make the spacing %.2g m or less, or the walls thicker",
                   100 * share, leastWall, thick, at[0], at[1], at[2], thick / leastWall);
     warnings.push_back({s.bodies[b].where, "body '" + s.bodies[b].name + text});

@@ -18,12 +18,16 @@
 namespace thaw {
 namespace {
 
-constexpr double mostParticleSteps = 1e6;       // of one run: a second or two on one core
-constexpr int leastSteps = 20, mostSteps = 250;  // fewer show nothing, more take long where there are few particles
-constexpr double mostSeconds = 15;               // of all runs
-constexpr double unexplained = 0.05;             // of the largest term of the ledger, beyond what the scene has without the setting
+constexpr double mostParticleSteps = 1e6;  // of one run: a second or two on one core
+constexpr int leastSteps = 20,
+              mostSteps = 250;      // fewer show nothing, more take long where there are few particles
+constexpr double mostSeconds = 15;  // of all runs
+constexpr double unexplained =
+    0.05;  // of the largest term of the ledger, beyond what the scene has without the setting
 
-double secondsNow() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+double secondsNow() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 std::string settingText(const std::vector<std::string>& settings) {
   std::string text;
@@ -33,7 +37,8 @@ std::string settingText(const std::vector<std::string>& settings) {
 
 }  // namespace
 
-SettingTrials::SettingTrials(const Communicator& comm, TriedScene scene) : comm_(comm), scene_(std::move(scene)), start_(secondsNow()) {
+SettingTrials::SettingTrials(const Communicator& comm, TriedScene scene)
+    : comm_(comm), scene_(std::move(scene)), start_(secondsNow()) {
   const double steps = mostParticleSteps / std::max(1.0, scene_.particles);
   steps_ = steps < leastSteps ? 0 : static_cast<int>(std::min<double>(steps, mostSteps));
 }
@@ -58,7 +63,9 @@ SettingTrials::Result SettingTrials::runWith(const std::vector<std::string>& set
   MpiCellHalo cells(comm_, w.grid);
   MpiBondHalo bonds(comm_), edges(comm_);
   std::unique_ptr<MpiCellHalo> kinds[kindCount];
-  eachKind(w, [&](std::size_t kind, const KindRows&, const CellTable&) { kinds[kind] = std::make_unique<MpiCellHalo>(comm_, w.grid); });
+  eachKind(w, [&](std::size_t kind, const KindRows&, const CellTable&) {
+    kinds[kind] = std::make_unique<MpiCellHalo>(comm_, w.grid);
+  });
   const Halos halos{all, cells, bonds, {kinds[orientedKind].get(), kinds[sheetKind].get()}, &edges};
   startWorld(w, halos, t, meshLoader());
   for (int n = 0; n < steps_ && w.clock.time < w.clock.end; n++) {
@@ -73,7 +80,9 @@ SettingTrials::Result SettingTrials::runWith(const std::vector<std::string>& set
       r.failure = fmt::format("step {}: {}", w.clock.step, exceeded(w, t, o));
       return r;
     }
-    if (last) r = {"", books.energyResidual, std::max(books.energyScale, books.energyRounding), w.counters.left, books.particles};
+    if (last)
+      r = {"", books.energyResidual, std::max(books.energyScale, books.energyRounding), w.counters.left,
+           books.particles};
   }
   all.sum({&r.left, 1});
   return r;
@@ -92,8 +101,11 @@ std::optional<std::string> SettingTrials::failureOf(const std::vector<std::strin
   }
   if (!r.failure.empty()) return r.failure;
   const double scale = std::max(r.scale, usual_->scale), more = r.residual - std::max(0.0, usual_->residual);
-  if (more > unexplained * scale) return fmt::format("energy from nowhere after {} steps, {:.2g} % of the largest term of the ledger", steps_, 100 * more / scale);
-  if (const std::int64_t lost = r.left - usual_->left; static_cast<double>(lost) > 1e-3 * static_cast<double>(usual_->particles))
+  if (more > unexplained * scale)
+    return fmt::format("energy from nowhere after {} steps, {:.2g} % of the largest term of the ledger",
+                       steps_, 100 * more / scale);
+  if (const std::int64_t lost = r.left - usual_->left;
+      static_cast<double>(lost) > 1e-3 * static_cast<double>(usual_->particles))
     return fmt::format("{} more particles leave the domain in {} steps", lost, steps_);
   return "";
 }

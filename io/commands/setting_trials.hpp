@@ -10,10 +10,14 @@
 namespace thaw {
 
 /// A scene file with overrides, as `thaw check` got them, and its particles at the start.
-struct TriedScene { std::string path; std::vector<std::string> overrides; double particles = 0; };
+struct TriedScene {
+  std::string path;
+  std::vector<std::string> overrides;
+  double particles = 0;
+};
 
-/// Short runs of a scene with settings, in memory, on all ranks. What it may take is bounded by particles times steps, and by a time
-/// in all; a scene that is too large for that is not tried.
+/// Short runs of a scene with settings, in memory, on all ranks. Particles times steps are bounded, and the
+/// time of all runs; a scene that is too large for that is not tried.
 class SettingTrials {
  public:
   SettingTrials(const Communicator& comm, TriedScene scene);
@@ -25,15 +29,19 @@ class SettingTrials {
 
  private:
   /// What one run came to.
-  struct Result { std::string failure; double residual = 0, scale = 0; std::int64_t left = 0, particles = 0; };
+  struct Result {
+    std::string failure;
+    double residual = 0, scale = 0;
+    std::int64_t left = 0, particles = 0;
+  };
   Result runWith(const std::vector<std::string>& settings);
   bool outOfTime() const;
 
   const Communicator& comm_;
   TriedScene scene_;
   int steps_ = 0;
-  double start_ = 0;              // s
-  std::optional<Result> usual_;   // without any setting
+  double start_ = 0;             // s
+  std::optional<Result> usual_;  // without any setting
 };
 
 }  // namespace thaw

@@ -7,8 +7,8 @@
 
 namespace thaw {
 
-/// An expression of x, y, z. `value` gives the same bits for the same place on every rank, whatever the locale of the process;
-/// it is not to be called by several threads at once. error: what is wrong, with the place in the text; empty if all is well.
+/// An expression of x, y, z. `value` gives the same bits for the same place on every rank and in any locale;
+/// it is not to be called by several threads at once. error: what is wrong, and where in the text; or empty.
 struct Expression {
   std::function<double(const Vec3d&)> value;
   std::string error;

@@ -32,7 +32,8 @@ constexpr const char* introduction =
     "`thaw check SCENE` prints what would be simulated.\n\n"
     "Particles lie on a cubic lattice of whole spacings, and each weighs density times spacing^3: a box 7.4 spacings wide is 8 particles wide, and as\n"
     "heavy. `thaw check` tells where that is off by more than 1 %, and by what density it is made up for. Liquid that has less room than its particles\n"
-    "take begins compressed, and bursts (a warning says so): sizes that are whole numbers of spacings fit.\n\n"
+    "take begins compressed, and bursts (a warning says so): sizes that are whole numbers of spacings fit. A solid body holds liquid where its walls are two\n"
+    "spacings thick at least; thinner ones leak (a warning names the place).\n\n"
     "A complete scene, `jelly.toml`, a block that falls on a floor, bounces and wobbles; `thaw run jelly.toml` simulates it:\n\n"
     "```toml\n";
 constexpr const char* afterExample =

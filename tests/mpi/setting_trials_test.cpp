@@ -13,8 +13,10 @@ namespace {
 std::string fallingWater(const std::string& folder) {
   const std::string path = folder + "/falling.toml";
   if (rankOf() == 0)
-    std::ofstream(path) << "spacing = 0.05\nend = 0.5\n[domain]\nmin = [-0.5, -0.5, 0]\nmax = [0.5, 0.5, 1]\n[material.water]\n"
-                           "[[body]]\nbox = { size = [0.4, 0.4, 0.4] }\nplace = { move = [0, 0, 0.5] }\nmaterial = 'water'\n";
+    std::ofstream(path)
+        << "spacing = 0.05\nend = 0.5\n[domain]\nmin = [-0.5, -0.5, 0]\nmax = [0.5, 0.5, "
+           "1]\n[material.water]\n"
+           "[[body]]\nbox = { size = [0.4, 0.4, 0.4] }\nplace = { move = [0, 0, 0.5] }\nmaterial = 'water'\n";
   MPI_Barrier(MPI_COMM_WORLD);
   return path;
 }

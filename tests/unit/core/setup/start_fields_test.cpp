@@ -1,4 +1,4 @@
-// Velocities and temperatures of the start that vary with position; what the automatic sound speed makes of them.
+// Velocities and temperatures of the start that vary with position; the automatic sound speed.
 #include <gtest/gtest.h>
 
 #include "core/fluid/liquid_materials.hpp"
@@ -10,7 +10,9 @@
 namespace thaw::test {
 namespace {
 
-PositionField fieldOf(const char* key, std::function<double(const Vec3d&)> value) { return {"f(x, y, z)", key, {"fields.toml", 7, 3}, std::move(value)}; }
+PositionField fieldOf(const char* key, std::function<double(const Vec3d&)> value) {
+  return {"f(x, y, z)", key, {"fields.toml", 7, 3}, std::move(value)};
+}
 
 /// Water in a box of 1 m edges around `middle`, 20 spacings a side, without gravity.
 Scene waterBox(const Vec3d& middle = {}) {
@@ -41,9 +43,7 @@ std::string whyOf(const Scene& s) {
 std::string errorOf(const Scene& s) {
   try {
     Simulation run(s);
-  } catch (const ShapeError& e) {
-    return e.what();
-  }
+  } catch (const ShapeError& e) { return e.what(); }
   return "";
 }
 
@@ -67,7 +67,8 @@ TEST(StartFields, ParticlesHaveTheLinearFieldOnTopOfVelocityAndSpin) {
 
 TEST(StartFields, ExpressionsAreOfThePlaceInTheScene) {
   Scene s = waterBox({0.3, 0, 0});
-  s.bodies[0].velocityField.component[1] = fieldOf("body.box.velocity.y", [](const Vec3d& x) { return x.x * x.z; });
+  s.bodies[0].velocityField.component[1] =
+      fieldOf("body.box.velocity.y", [](const Vec3d& x) { return x.x * x.z; });
   Simulation run(s);
   for (std::size_t i = 0; i < run.particles().owned; i++) {
     const Vec3d x = run.particles().position[i];
@@ -81,7 +82,8 @@ TEST(StartFields, RelaxedParticlesAndThoseAcrossASideHaveTheFieldOfTheirPlace) {
   s.domain.side[0][0] = s.domain.side[0][1] = Side::Periodic;
   s.bodies[0].packing = Packing::Relaxed;
   s.bodies[0].spin = {0, 0, 1};
-  s.bodies[0].velocityField.component[2] = fieldOf("body.box.velocity.z", [](const Vec3d& x) { return 10 * x.x; });
+  s.bodies[0].velocityField.component[2] =
+      fieldOf("body.box.velocity.z", [](const Vec3d& x) { return 10 * x.x; });
   Simulation run(s);
   int across = 0;
   for (std::size_t i = 0; i < run.particles().owned; i++) {
@@ -95,29 +97,40 @@ TEST(StartFields, RelaxedParticlesAndThoseAcrossASideHaveTheFieldOfTheirPlace) {
 
 TEST(StartFields, ATemperatureFieldSwitchesHeatOnAndDecidesAboutPhases) {
   Scene s = waterBox();
-  s.bodies[0].temperatureField = fieldOf("body.box.temperature", [](const Vec3d& x) { return 300 + 100 * x.z; });
+  s.bodies[0].temperatureField =
+      fieldOf("body.box.temperature", [](const Vec3d& x) { return 300 + 100 * x.z; });
   EXPECT_FALSE(modulesOf(s).heat) << "nothing conducts";
   s.materials[0].conductivity = {1, 1};
   {
     Simulation run(s);
     ASSERT_TRUE(run.w.modules.heat);
-    for (std::size_t i = 0; i < run.particles().owned; i++) EXPECT_NEAR(run.particles().temperature[i], 300 + 100 * run.particles().position[i].z, 1e-9);
+    for (std::size_t i = 0; i < run.particles().owned; i++)
+      EXPECT_NEAR(run.particles().temperature[i], 300 + 100 * run.particles().position[i].z, 1e-9);
   }
   s.materials[0].young = {1e5, 0};
   s.materials[0].solidus = 299;
   s.materials[0].liquidus = 301;
   Simulation run(s);
-  for (std::size_t i = 0; i < run.particles().owned; i++) EXPECT_EQ(run.particles().phase[i] == Liquid, run.particles().position[i].z > 0);
+  for (std::size_t i = 0; i < run.particles().owned; i++)
+    EXPECT_EQ(run.particles().phase[i] == Liquid, run.particles().position[i].z > 0);
 }
 
 TEST(StartFields, ValuesThatAreNoneAreAnErrorWithItsPlace) {
   Scene s = waterBox();
-  s.bodies[0].velocityField.component[0] = fieldOf("body.box.velocity.x", [](const Vec3d& x) { return x.x < -0.4 && x.y < -0.4 && x.z < -0.3 ? NAN : 1.0; });
-  EXPECT_EQ(errorOf(s), "fields.toml:7:3: error: body.box.velocity.x: \"f(x, y, z)\" is nan at (-0.45, -0.45, -0.45), a particle (2 in all); expected finite numbers, in m/s");
+  s.bodies[0].velocityField.component[0] = fieldOf("body.box.velocity.x", [](const Vec3d& x) {
+    return x.x < -0.4 && x.y < -0.4 && x.z < -0.3 ? NAN : 1.0;
+  });
+  EXPECT_EQ(errorOf(s),
+            "fields.toml:7:3: error: body.box.velocity.x: \"f(x, y, z)\" is nan at (-0.45, -0.45, -0.45), a "
+            "particle (2 in all); expected finite numbers, in m/s");
   s = waterBox();
   s.materials[0].conductivity = {1, 1};
-  s.bodies[0].temperatureField = fieldOf("body.box.temperature", [](const Vec3d& x) { return 40 - 100 * x.z; });
-  EXPECT_NE(errorOf(s).find("is -5 at (-0.45, -0.45, 0.45), a particle (100 in all); expected numbers above 0, in K"), std::string::npos) << errorOf(s);
+  s.bodies[0].temperatureField =
+      fieldOf("body.box.temperature", [](const Vec3d& x) { return 40 - 100 * x.z; });
+  EXPECT_NE(errorOf(s).find(
+                "is -5 at (-0.45, -0.45, 0.45), a particle (100 in all); expected numbers above 0, in K"),
+            std::string::npos)
+      << errorOf(s);
 }
 
 namespace {
@@ -144,7 +157,8 @@ TEST(StartFields, AnEmitterSwirlsAndIsWarmByPlace) {
   s.materials[0].conductivity = {1e-9, 1e-9};
   s.emitters[0].velocityField.linear = true;
   s.emitters[0].velocityField.gradient = {{{0, -2, 0}, {2, 0, 0}, {0, 0, 0}}};
-  s.emitters[0].temperatureField = fieldOf("emitter.jet.temperature", [](const Vec3d& x) { return 300 + 100 * x.x; });
+  s.emitters[0].temperatureField =
+      fieldOf("emitter.jet.temperature", [](const Vec3d& x) { return 300 + 100 * x.x; });
   Simulation run(s);
   ASSERT_TRUE(run.w.modules.heat);
   ASSERT_GT(run.particles().owned, 100u);
@@ -162,21 +176,27 @@ TEST(StartFields, AnEmitterSwirlsAndIsWarmByPlace) {
 
 TEST(StartFields, AnEmitterRefusesAProfileAndASpreadInItsNozzle) {
   Scene s = jet();
-  s.emitters[0].velocityField.component[2] = fieldOf("emitter.jet.velocity.z", [](const Vec3d& x) { return x.x; });
-  EXPECT_NE(errorOf(s).find("fields.toml:7:3: error: emitter 'jet': its velocity field has"), std::string::npos) << errorOf(s);
+  s.emitters[0].velocityField.component[2] =
+      fieldOf("emitter.jet.velocity.z", [](const Vec3d& x) { return x.x; });
+  EXPECT_NE(errorOf(s).find("fields.toml:7:3: error: emitter 'jet': its velocity field has"),
+            std::string::npos)
+      << errorOf(s);
   s = jet();
-  s.emitters[0].velocityField.component[0] = fieldOf("emitter.jet.velocity.x", [](const Vec3d& x) { return 10 * x.x; });
+  s.emitters[0].velocityField.component[0] =
+      fieldOf("emitter.jet.velocity.x", [](const Vec3d& x) { return 10 * x.x; });
   EXPECT_NE(errorOf(s).find("moves neighbours by"), std::string::npos) << errorOf(s);
   s = jet();
   s.emitters[0].temperatureField = fieldOf("emitter.jet.temperature", [](const Vec3d&) { return -1.0; });
-  EXPECT_NE(errorOf(s).find("in the opening; expected numbers above 0, in K"), std::string::npos) << errorOf(s);
+  EXPECT_NE(errorOf(s).find("in the opening; expected numbers above 0, in K"), std::string::npos)
+      << errorOf(s);
 }
 
 TEST(ExpectedSpeed, CountsTheFastestParticleOfSpinsAndFields) {
   Scene s = waterBox({0.5, 0, 0});
   s.bodies[0].spin = {0, 0, 5};
   EXPECT_NEAR(speedOf(s), 5 * 0.45 * std::sqrt(2), 1e-9);
-  EXPECT_NE(whyOf(s).find("10 times 3.18 m/s, of the start of body 'box' (3.18 m/s)"), std::string::npos) << whyOf(s);
+  EXPECT_NE(whyOf(s).find("10 times 3.18 m/s, of the start of body 'box' (3.18 m/s)"), std::string::npos)
+      << whyOf(s);
   s.bodies[0].spin = {};
   s.bodies[0].velocityField.linear = true;
   s.bodies[0].velocityField.gradient = {{{-100, 0, 0}, {0, 100, 0}, {0, 0, 0}}};
@@ -217,7 +237,8 @@ TEST(ExpectedSpeed, CountsObstaclesThatMoveTurnAndLift) {
   o.motion = {{0, {}, {}}, {1, {0, 0, -3}, {}}};
   s.obstacles.push_back(o);
   EXPECT_NEAR(speedOf(s), 3, 1e-9);
-  s.obstacles[0].motion = {{0, {}, {}}, {1, {}, {0, 0, 2}}};  // 2 rad/s about z through the origin; its far edge is at 1.6 m
+  s.obstacles[0].motion = {
+      {0, {}, {}}, {1, {}, {0, 0, 2}}};  // 2 rad/s about z through the origin; its far edge is at 1.6 m
   EXPECT_NEAR(speedOf(s), 2 * std::hypot(1.6, 0.1), 1e-6);
   EXPECT_NE(whyOf(s).find("obstacle 'mixer' (3.21 m/s)"), std::string::npos) << whyOf(s);
   s.obstacles[0].until = 0;
@@ -225,7 +246,8 @@ TEST(ExpectedSpeed, CountsObstaclesThatMoveTurnAndLift) {
   s.obstacles[0].until = never;
   s.obstacles[0].motion = {{0, {}, {}}, {10, {0, 0, 0.5}, {}}};  // a lift of 0.5 m at 0.05 m/s
   s.domain.gravity = {0, 0, -10};
-  EXPECT_NEAR(speedOf(s), std::hypot(0.05, std::sqrt(2 * 10 * 3.0)), 1e-6);  // the box is 2.5 m above the bottom of the domain
+  EXPECT_NEAR(speedOf(s), std::hypot(0.05, std::sqrt(2 * 10 * 3.0)),
+              1e-6);  // the box is 2.5 m above the bottom of the domain
 }
 
 TEST(ExpectedSpeed, TensionCountsWhereItIsFaster) {
