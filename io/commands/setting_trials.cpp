@@ -102,7 +102,7 @@ std::optional<std::string> SettingTrials::failureOf(const std::vector<std::strin
   if (!r.failure.empty()) return r.failure;
   const double scale = std::max(r.scale, usual_->scale), more = r.residual - std::max(0.0, usual_->residual);
   if (more > unexplained * scale)
-    return fmt::format("energy from nowhere after {} steps, {:.2g} % of the largest term of the ledger",
+    return fmt::format("energy from nowhere after {} steps, {:.0f} % of the largest term of the ledger",
                        steps_, 100 * more / scale);
   if (const std::int64_t lost = r.left - usual_->left;
       static_cast<double>(lost) > 1e-3 * static_cast<double>(usual_->particles))

@@ -43,6 +43,7 @@ density = 1000
 young = "20 kPa"
 viscosity = 0.1
 conductivity = 100
+heat_capacity = 2000
 melts = ["310 K", "320 K"]
 [[body]]
 name = "drop"
