@@ -26,7 +26,8 @@ std::size_t emit(World& w, Halos& halos, const StepTools& t, double before, doub
       const double age = after - leavingTime(emitter, plan, layer);  // negative in the nozzle
       for (std::size_t k = 0; k < plan.layer.size(); k++) {
         const Vec3d velocity = plan.velocity.empty() ? direction * emitter.speed : plan.velocity[k];
-        const Vec3d x = plan.velocity.empty() ? plan.layer[k] + direction * (emitter.speed * age) : plan.layer[k] + velocity * age;
+        const Vec3d x = plan.velocity.empty() ? plan.layer[k] + direction * (emitter.speed * age)
+                                              : plan.layer[k] + velocity * age;
         const double temperature = plan.temperature.empty() ? emitter.temperature : plan.temperature[k];
         const std::uint64_t cell = cellKey(cellOf(w.grid, x));
         if (!halos.cells.owns(cell)) continue;

@@ -37,7 +37,9 @@ double nozzleTime(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
     bool inside = true;
     for (std::size_t k = 0; k < plan.layer.size(); k++)
       for (int a = 0; a < 3; a++) {
-        const double back = plan.velocity.empty() ? plan.layer[k][a] - n[a] * distance * layers : plan.layer[k][a] - plan.velocity[k][a] * (layers * plan.interval);
+        const double back = plan.velocity.empty()
+                                ? plan.layer[k][a] - n[a] * distance * layers
+                                : plan.layer[k][a] - plan.velocity[k][a] * (layers * plan.interval);
         inside = inside && back > s.domain.min[a] && back < s.domain.max[a];
       }
     if (inside) return layers * plan.interval;
@@ -132,7 +134,8 @@ ShapeError placed(const Emitter& e, const std::string& what) {
   return problem.lines();
 }
 
-/// Velocities and temperatures of a layer, where the emitter has fields. Layers leave as a whole: nothing changes their speed along the direction.
+/// Velocities and temperatures of a layer, where the emitter has fields. Layers leave as a whole, so no field
+/// may change their speed along the direction.
 void addFields(const Emitter& e, EmitterPlan& plan) {
   const Vec3d n = normalized(e.direction);
   SceneProblems problems;
@@ -142,12 +145,15 @@ void addFields(const Emitter& e, EmitterPlan& plan) {
       for (int a = 0; a < 3; a++)
         if (!std::isfinite(across[a])) {
           const PositionField& f = e.velocityField.component[a];
-          problems.add(f.where, badValue(f, across[a], x) + ", in the opening; expected finite numbers, in m/s");
+          problems.add(f.where,
+                       badValue(f, across[a], x) + ", in the opening; expected finite numbers, in m/s");
           return problems.raise();
         }
       if (std::abs(dot(across, n)) > 1e-6 * e.speed) {
-        problems.add(placeOf(e.velocityField), "emitter '" + e.name + "': its velocity field has " + text(dot(across, n)) +
-                                                   " m/s along `direction` in its opening; expected 0, since layers leave as a whole at `speed`: use emitters of several speeds for a profile");
+        problems.add(placeOf(e.velocityField),
+                     "emitter '" + e.name + "': its velocity field has " + text(dot(across, n)) +
+                         " m/s along `direction` in its opening; expected 0, since layers leave as a whole "
+                         "at `speed`: use emitters of several speeds for a profile");
         return problems.raise();
       }
       plan.velocity.push_back(n * e.speed + across);
@@ -156,12 +162,13 @@ void addFields(const Emitter& e, EmitterPlan& plan) {
     const PositionField& f = e.temperatureField;
     plan.temperature.push_back(f.value(x));
     if (std::isfinite(plan.temperature.back()) && plan.temperature.back() > 0) continue;
-    problems.add(f.where, badValue(f, plan.temperature.back(), x) + ", in the opening; expected numbers above 0, in K");
+    problems.add(f.where, badValue(f, plan.temperature.back(), x) +
+                              ", in the opening; expected numbers above 0, in K");
     return problems.raise();
   }
 }
 
-/// Refuses a velocity field that moves neighbours in the nozzle, toward or from each other, before they leave.
+/// Refuses a velocity field that moves neighbours against each other in the nozzle.
 void checkNozzle(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
   if (plan.velocity.empty()) return;
   constexpr double most = 0.2;  // spacings
@@ -177,8 +184,11 @@ void checkNozzle(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
   const double moved = apart * plan.ahead / s.spacing;
   if (moved <= most) return;
   SceneProblems problems;
-  problems.add(placeOf(e.velocityField), "emitter '" + e.name + "': its velocity field moves neighbours by " + text(moved) + " spacings against each other while they are in the nozzle (" +
-                                             text(plan.ahead) + " s), at most " + text(most) + " are possible: expected a smaller field, a larger `speed` or a finer spacing");
+  problems.add(placeOf(e.velocityField),
+               "emitter '" + e.name + "': its velocity field moves neighbours by " + text(moved) +
+                   " spacings against each other while they are in the nozzle (" + text(plan.ahead) +
+                   " s), at most " + text(most) +
+                   " are possible: expected a smaller field, a larger `speed` or a finer spacing");
   problems.raise();
 }
 

@@ -26,8 +26,8 @@ struct EmitterPlan {
                                               ///< as a stress: what stacks of more than m layers gain beyond the stack before
 };
 
-/// Throws ShapeError where the rate asks for more particles than the opening lets through, and where a field of the opening has a bad
-/// value, changes the speed along the direction, or moves neighbours apart in the nozzle.
+/// Throws ShapeError where the rate asks for more particles than the opening lets through, and where a field
+/// of the opening has a bad value, changes the speed along the direction, or moves neighbours in the nozzle.
 std::vector<EmitterPlan> planEmitters(const Scene& scene);
 
 /// One sentence on an emitter whose opening is not all in the domain, or is in an obstacle; empty: there is nothing to say. (A nozzle ends where the domain

@@ -13,7 +13,9 @@ double expectedSpeed(const Scene& s) { return expectedFlow(s).speed; }
 namespace {
 
 /// m/s, of what surface tension drives at one spacing.
-double tensionSpeed(const Material& m, double spacing) { return std::sqrt(2 * m.surfaceTension / (m.density * spacing)); }
+double tensionSpeed(const Material& m, double spacing) {
+  return std::sqrt(2 * m.surfaceTension / (m.density * spacing));
+}
 
 constexpr double leastSpeed = 1e-3;  // m/s, where nothing moves
 
@@ -24,7 +26,9 @@ std::vector<LiquidMaterial> liquidMaterials(const Scene& s) {
   const double v = expectedSpeed(s), h = s.numerics.support * s.spacing;
   for (const Material& m : s.materials) {
     LiquidMaterial l;
-    l.soundSpeed = m.soundSpeed > 0 ? m.soundSpeed : std::max({v, tensionSpeed(m, s.spacing), leastSpeed}) / std::sqrt(s.numerics.maxDensityError);
+    l.soundSpeed = m.soundSpeed > 0 ? m.soundSpeed
+                                    : std::max({v, tensionSpeed(m, s.spacing), leastSpeed}) /
+                                          std::sqrt(s.numerics.maxDensityError);
     l.stiffness = m.density * l.soundSpeed * l.soundSpeed;
     l.artificial = m.artificialViscosity * l.soundSpeed * h * m.density / 10;
     l.rootTension = std::sqrt(m.surfaceTension);
@@ -37,9 +41,12 @@ std::string soundSpeedReason(const Scene& s, const Material& m) {
   if (m.soundSpeed > 0) return "given by the material's sound_speed";
   const FlowSpeed flow = expectedFlow(s);
   const double tension = tensionSpeed(m, s.spacing), speed = std::max({flow.speed, tension, leastSpeed});
-  const std::string why = speed == flow.speed ? flow.why : speed == tension ? "of surface tension at one spacing" : "the least: nothing moves";
+  const std::string why = speed == flow.speed ? flow.why
+                          : speed == tension  ? "of surface tension at one spacing"
+                                              : "the least: nothing moves";
   char times[80];
-  std::snprintf(times, sizeof times, "%.3g times %.3g m/s, ", 1 / std::sqrt(s.numerics.maxDensityError), speed);
+  std::snprintf(times, sizeof times, "%.3g times %.3g m/s, ", 1 / std::sqrt(s.numerics.maxDensityError),
+                speed);
   return times + why;
 }
 

@@ -44,7 +44,8 @@ void findHeat(Finder& f) {
   // a field has an effect where heat is conducted, and where it decides about what is solid
   const auto field = [&](const auto& source, const std::string& who) {
     if (!source.temperatureField) return seen(source.temperature, who);
-    if (conducts || s.materials[static_cast<std::size_t>(source.material)].melts()) f.on(f.m.heat, "heat", who + " has a temperature that depends on position");
+    if (conducts || s.materials[static_cast<std::size_t>(source.material)].melts())
+      f.on(f.m.heat, "heat", who + " has a temperature that depends on position");
   };
   for (const Body& b : s.bodies) {
     field(b, "body " + quoted(b.name));
@@ -98,7 +99,8 @@ Modules modulesOf(const Scene& s) {
       f.on(m.solid, "solid", who + (either ? " can be solid" : " is solid"));
       solidBodies += body;
     }
-    if (either || liquidAt(x, from.temperature)) f.on(m.fluid, "fluid", who + (either ? " can be liquid" : " is liquid"));
+    if (either || liquidAt(x, from.temperature))
+      f.on(m.fluid, "fluid", who + (either ? " can be liquid" : " is liquid"));
     if (m.heat && x.melts()) {
       f.on(m.melting, "melting", who + " is of material " + quoted(x.name) + ", which melts, and the scene has heat");
       f.on(m.fluid, "fluid", who + " can melt");

@@ -1,4 +1,4 @@
-// Quantities of the start as functions of position. The functions are made outside of core (io/scene/expression.hpp).
+// Quantities of the start as functions of position, which are made by io/scene/expression.hpp.
 #pragma once
 #include <functional>
 #include <string>
@@ -18,7 +18,8 @@ struct PositionField {
   explicit operator bool() const { return static_cast<bool>(value); }
 };
 
-/// v(x) = component(x) + gradient (x - centre), on top of a uniform velocity. centre: the middle of the bounding box.
+/// v(x) = component(x) + gradient (x - centre), on top of a uniform velocity. centre: the middle of the
+/// bounding box of a body, or of the opening of an emitter.
 struct VelocityField {
   PositionField component[3];
   Mat3d gradient{};           // 1/s, [i][j]: d v_i / d x_j

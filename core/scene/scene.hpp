@@ -247,7 +247,7 @@ struct Output {
   int width = 1280, height = 960;
 };
 
-/// What set-up finds about the motion of a scene, for the automatic sound speed (core/setup/expected_motion.hpp).
+/// Motion that set-up expects of a scene, for the automatic sound speed (core/setup/expected_motion.hpp).
 struct ExpectedMotion {
   double start = 0;    // m/s, fastest particle of the bodies at the start
   double emitted = 0;  // m/s, fastest particle of the emitters

@@ -172,7 +172,8 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
   problems.raise();
   for (std::size_t e = 0; e < t.emitters.size(); e++)
     if (const std::string much = unevenOutflow(w.scene, w.scene.emitters[e], t.emitters[e]); !much.empty()) report.warnings.push_back({w.scene.emitters[e].where, much});
-  for (SceneWarning& thin : thinWalls(w, shapes, report.particles, halos.all)) report.warnings.push_back(std::move(thin));
+  for (SceneWarning& thin : thinWalls(w, shapes, report.particles, halos.all))
+    report.warnings.push_back(std::move(thin));
   // a first partition by the number of particles; they are still where they were sampled
   Continuum& p = w.particles;
   const std::vector<std::vector<Vec3d>> oriented = sampleKinds(w, halos, t, load, report.warnings);

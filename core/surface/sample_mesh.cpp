@@ -137,7 +137,9 @@ void sampleMeshes(const Scene& scene, Surface& surface, const MeshLoader& load, 
       s.colour[i] = samples[k].coloured ? samples[k].colour : surfaceColour(scene, b);
       s.detail[i] = 1;
       const PositionField& field = scene.bodies[b].temperatureField;
-      if (s.temperature.active) s.temperature[i] = static_cast<float>(field ? field.value(samples[k].position) : scene.bodies[b].temperature);
+      if (s.temperature.active)
+        s.temperature[i] =
+            static_cast<float>(field ? field.value(samples[k].position) : scene.bodies[b].temperature);
     }
   }
 }

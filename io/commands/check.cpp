@@ -79,8 +79,11 @@ std::string settingList(const std::vector<std::string>& settings) {
 
 /// Is a body or an emitter of this material?
 bool isUsed(const Scene& s, std::size_t material) {
-  const auto of = [material](const auto& source) { return static_cast<std::size_t>(source.material) == material; };
-  return std::any_of(s.bodies.begin(), s.bodies.end(), of) || std::any_of(s.emitters.begin(), s.emitters.end(), of);
+  const auto of = [material](const auto& source) {
+    return static_cast<std::size_t>(source.material) == material;
+  };
+  return std::any_of(s.bodies.begin(), s.bodies.end(), of) ||
+         std::any_of(s.emitters.begin(), s.emitters.end(), of);
 }
 
 constexpr double longestSensibleRun = 30 * 86400.0;  // s
@@ -96,7 +99,8 @@ double emittedAtEnd(const Scene& s, const StepTools& t) {
 }
 
 /// Suggestions for the scene, with what became of those that were tried. Collective.
-std::vector<std::string> triedAdvice(const Communicator& comm, const CheckOptions& o, const World& w, double particles) {
+std::vector<std::string> triedAdvice(const Communicator& comm, const CheckOptions& o, const World& w,
+                                     double particles) {
   const std::vector<Suggestion> all = frontierAdvice(w.scene, w.modules);
   std::vector<std::string> lines;
   if (all.empty()) return lines;
@@ -105,10 +109,13 @@ std::vector<std::string> triedAdvice(const Communicator& comm, const CheckOption
   for (const Suggestion& one : all) {
     const std::optional<std::string> failure = trials.failureOf(one.settings);
     if (failure && failure->empty()) lines.push_back(one.line);
-    else if (failure) failed.push_back(fmt::format("left out:      {} ({})", settingList(one.settings), *failure));
+    else if (failure)
+      failed.push_back(fmt::format("left out:      {} ({})", settingList(one.settings), *failure));
     else untried.push_back(one.line + ", not tried");
   }
-  if (!lines.empty()) lines.push_back(fmt::format("these were tried on this scene for {} steps: a longer run may still fail", trials.steps()));
+  if (!lines.empty())
+    lines.push_back(fmt::format("these were tried on this scene for {} steps: a longer run may still fail",
+                                trials.steps()));
   lines.insert(lines.end(), failed.begin(), failed.end());
   lines.insert(lines.end(), untried.begin(), untried.end());
   if (!untried.empty()) lines.push_back("not tried: the scene is too large to be run here");
@@ -120,7 +127,8 @@ std::vector<std::string> soundLines(const World& w, const StepTools& t) {
   std::vector<std::string> lines;
   for (std::size_t k = 0; w.modules.fluid && k < w.scene.materials.size(); k++)
     if (const Material& m = w.scene.materials[k]; canBeLiquid(m) && isUsed(w.scene, k))
-      lines.push_back(fmt::format("sound speed of liquid '{}': {:.4g} m/s, {}", m.name, t.liquids[k].soundSpeed, soundSpeedReason(w.scene, m)));
+      lines.push_back(fmt::format("sound speed of liquid '{}': {:.4g} m/s, {}", m.name,
+                                  t.liquids[k].soundSpeed, soundSpeedReason(w.scene, m)));
   return lines;
 }
 
@@ -164,7 +172,8 @@ int checkAll(const CheckOptions& o) {
   const SurfaceTrial::Forecast onSurface = surface.forecast(needed, total);
   const int ranks = o.ranks > 0 ? o.ranks : comm.size();
   const std::vector<std::string> surfaceLines = surface.lines(onSurface, ranks);
-  const std::vector<std::string> advice = o.settings ? frontierLines(w.scene, w.modules) : triedAdvice(comm, o, w, total);
+  const std::vector<std::string> advice =
+      o.settings ? frontierLines(w.scene, w.modules) : triedAdvice(comm, o, w, total);
   if (comm.rank() != 0) return exitDone;
 
   const Scene& s = w.scene;
@@ -196,7 +205,11 @@ int checkAll(const CheckOptions& o) {
   for (std::size_t k = 0; k < limitNames.size(); k++)
     if (ofMaterials(t.fixedLimits.value[k])) std::printf("  %-16s %.3g s\n", limitNames[k], t.fixedLimits.value[k]);
   for (const std::string& line : soundLines(w, t)) std::printf("%s\n", line.c_str());
-  if (!advice.empty()) std::printf(o.settings ? "\nsettings on the frontier of error against time, in cases like this scene, not tried on it (docs/accuracy.md)\n" : "\nsettings that paid in cases like this scene, one at a time (all: --settings; docs/accuracy.md)\n");
+  if (!advice.empty())
+    std::printf(o.settings ? "\nsettings on the frontier of error against time, in cases like this scene, "
+                             "not tried on it (docs/accuracy.md)\n"
+                           : "\nsettings that paid in cases like this scene, one at a time (all: --settings; "
+                             "docs/accuracy.md)\n");
   for (const std::string& line : advice) std::printf("  %s\n", line.c_str());
   if (!surfaceLines.empty()) std::printf("\nsurface\n");
   for (const std::string& line : surfaceLines) std::printf("  %s\n", line.c_str());

@@ -138,7 +138,9 @@ std::vector<Suggestion> frontierAdvice(const Scene& s, const Modules& m) {
   const auto suggest = [&](const char* what, const std::vector<std::string>& settings, Gain Record::*gain) {
     for (const std::string& set : settings) {
       const Gain& g = records.at(set).*gain;
-      all.push_back({ofScene(set, s), fmt::format("{} {} ({}: {:.2g} times the error, {:.2g} times the time)", what, joined(ofScene(set, s), "--set ", " "), g.part, g.error, g.cost)});
+      all.push_back(
+          {ofScene(set, s), fmt::format("{} {} ({}: {:.2g} times the error, {:.2g} times the time)", what,
+                                        joined(ofScene(set, s), "--set ", " "), g.part, g.error, g.cost)});
     }
   };
   // of what no case loses by (2 %; of time 5 %), those that gain a tenth in one

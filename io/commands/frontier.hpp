@@ -26,8 +26,8 @@ std::vector<std::string> frontierLines(const Scene& scene, const Modules& module
 /// Settings ("key=value") and the line that recommends them.
 struct Suggestion { std::vector<std::string> settings; std::string line; };
 
-/// One for each setting that gains accuracy or time in one of these cases and loses in none, measured one at a time; without keys that the scene has chosen
-/// itself. What of it excludes each other is left out.
+/// One for each setting that gains accuracy or time in one of these cases and loses in none, measured one at a
+/// time; without keys that the scene has chosen itself. What of it excludes each other is left out.
 std::vector<Suggestion> frontierAdvice(const Scene& scene, const Modules& modules);
 
 }  // namespace thaw

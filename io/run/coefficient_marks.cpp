@@ -136,7 +136,8 @@ void addCoefficients(CheckpointValues& marks, const Numerics& n) {
 
 void addExpectedSpeed(CheckpointValues& marks, const Scene& s) {
   const auto automatic = [](const Material& m) { return canBeLiquid(m) && m.soundSpeed == 0; };
-  if (std::any_of(s.materials.begin(), s.materials.end(), automatic)) marks[coefficient + std::string("numerics.expected_speed")] = expectedFlow(s).speed;
+  if (std::any_of(s.materials.begin(), s.materials.end(), automatic))
+    marks[coefficient + std::string("numerics.expected_speed")] = expectedFlow(s).speed;
 }
 
 void addSettings(CheckpointValues& marks, const Emitter& e) {

@@ -26,7 +26,7 @@ void addShape(CheckpointValues& marks, const std::string& at, const Shape& shape
 void addInTime(CheckpointValues& marks, const std::string& key, const FactorInTime& factor);
 void addMotion(CheckpointValues& marks, const std::string& at, const std::vector<Keyframe>& motion);
 
-/// What a scene's fields are made from: the text of an expression by a checksum. Nothing of a field that is not given.
+/// Fields of the start: expressions by a checksum of their text. Nothing of a field that is not given.
 void addField(CheckpointValues& marks, const std::string& key, const PositionField& field);
 void addField(CheckpointValues& marks, const std::string& at, const VelocityField& field);
 

@@ -32,18 +32,21 @@ constexpr const char* introduction =
     "`thaw check SCENE` prints what would be simulated.\n\n"
     "Particles lie on a cubic lattice of whole spacings, and each weighs density times spacing^3: a box 7.4 spacings wide is 8 particles wide, and as\n"
     "heavy. `thaw check` tells where that is off by more than 1 %, and by what density it is made up for. Liquid that has less room than its particles\n"
-    "take begins compressed, and bursts (a warning says so): sizes that are whole numbers of spacings fit. A solid body holds liquid where its walls are two\n"
-    "spacings thick at least; thinner ones leak (a warning names the place).\n\n"
+    "take begins compressed, and bursts (a warning says so): sizes that are whole numbers of spacings fit.\n"
+    "A solid body holds liquid where its walls are at least two spacings thick; a warning names thinner ones.\n\n"
     "A complete scene, `jelly.toml`, a block that falls on a floor, bounces and wobbles; `thaw run jelly.toml` simulates it:\n\n"
     "```toml\n";
 constexpr const char* afterExample =
     "```\n\n"
     "## Expressions\n\n"
-    "`velocity` and `temperature` of a body or an emitter may depend on position: `velocity = { x = \"-100*x\", y = \"100*y\" }`, `temperature = \"300 + 20*z\"`.\n"
+    "`velocity` and `temperature` of a body or an emitter may depend on position:\n"
+    "`velocity = { x = \"-100*x\", y = \"100*y\" }`, `temperature = \"300 + 20*z\"`.\n"
     "`x`, `y`, `z` are in m, in the frame of the scene; the value is in m/s or K. Expressions have no units. There are ";
 constexpr const char* afterWords =
-    ".\nA body is looked at where the scene places it, also where it reaches over a periodic side; an emitter at its opening. A value that is not finite at some particle, or a temperature\n"
-    "that is not above 0 K, is an error. A temperature that depends on position switches heat on where something conducts or melts.\n";
+    ".\nA body's particles take the value where the scene places the body, also where it reaches over a\n"
+    "periodic side; an emitter's take that of their place in the opening. A value that is not finite at a particle, or\n"
+    "a temperature that is not above 0 K, is an error. A temperature that depends on position switches heat\n"
+    "on where something conducts heat or melts.\n";
 
 }  // namespace
 

@@ -131,7 +131,8 @@ TEST(SceneMarks, AStartThatChangesTheAutomaticSoundSpeedIsACoefficient) {
   s.domain.gravity = {};
   const CheckpointValues then = sceneMarks(s);
   s.bodies[0].velocity.x = 3;
-  EXPECT_EQ(coefficientChanges(then, s), std::vector<std::string>{"numerics.expected_speed was 1, and is 3 now (SI)"});
+  const std::vector<std::string> changes = coefficientChanges(then, s);
+  EXPECT_EQ(changes, std::vector<std::string>{"numerics.expected_speed was 1, and is 3 now (SI)"});
 }
 
 TEST(SceneMarks, CoefficientsOfMaterialsAreTold) {
