@@ -25,7 +25,10 @@ std::size_t emit(World& w, Halos& halos, const StepTools& t, double before, doub
     for (std::int64_t layer = begin; layer < end; layer++) {
       const double age = after - leavingTime(emitter, plan, layer);  // negative in the nozzle
       for (std::size_t k = 0; k < plan.layer.size(); k++) {
-        const Vec3d x = plan.layer[k] + direction * (emitter.speed * age);
+        const Vec3d velocity = plan.velocity.empty() ? direction * emitter.speed : plan.velocity[k];
+        const Vec3d x = plan.velocity.empty() ? plan.layer[k] + direction * (emitter.speed * age)
+                                              : plan.layer[k] + velocity * age;
+        const double temperature = plan.temperature.empty() ? emitter.temperature : plan.temperature[k];
         const std::uint64_t cell = cellKey(cellOf(w.grid, x));
         if (!halos.cells.owns(cell)) continue;
         const std::size_t i = p.owned;
@@ -34,12 +37,12 @@ std::size_t emit(World& w, Halos& halos, const StepTools& t, double before, doub
         p.id[i] = particleId(source, static_cast<std::uint64_t>(layer) * plan.layer.size() + k);
         p.clamped[i] = age < 0 ? driven : 0;
         p.position[i] = x;
-        p.velocity[i] = direction * emitter.speed;
+        p.velocity[i] = velocity;
         p.mass[i] = plan.particleMass;
         p.material[i] = static_cast<std::uint16_t>(emitter.material);
         p.body[i] = static_cast<std::uint16_t>(source);
-        if (p.enthalpy.active) p.enthalpy[i] = bookedEnthalpy(w.scene.numerics.heat, m, emitter.temperature, 1);
-        if (p.temperature.active) p.temperature[i] = emitter.temperature;
+        if (p.enthalpy.active) p.enthalpy[i] = bookedEnthalpy(w.scene.numerics.heat, m, temperature, 1);
+        if (p.temperature.active) p.temperature[i] = temperature;
         p.cell[i] = p.nextCell[i] = cell;
         if (p.slot.active) p.slot[i] = noSlot;
         w.ledger.entered.potential.add(cohesionAtEntry(plan, layer, k));

@@ -5,7 +5,7 @@ build=$root/build/release
 
 # All that a bare Debian 12 lacks to build and test thaw. Charts of benchmarks need chart_packages as well.
 packages=(g++ cmake ninja-build openmpi-bin libopenmpi-dev libhdf5-openmpi-dev libeigen3-dev libtomlplusplus-dev libcli11-dev
-  libfmt-dev nlohmann-json3-dev libpng-dev libnanoflann-dev libgtest-dev python3)
+  libfmt-dev nlohmann-json3-dev libmuparser-dev libpng-dev libnanoflann-dev libgtest-dev python3)
 chart_packages=(python3-matplotlib)
 
 say() { printf '%s\n' "$*" >&2; }

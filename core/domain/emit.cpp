@@ -35,9 +35,11 @@ double nozzleTime(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
   const Vec3d n = normalized(e.direction);
   for (int layers = static_cast<int>(std::ceil(s.numerics.support * s.spacing / distance)); layers > 0; layers--) {
     bool inside = true;
-    for (const Vec3d& x : plan.layer)
+    for (std::size_t k = 0; k < plan.layer.size(); k++)
       for (int a = 0; a < 3; a++) {
-        const double back = x[a] - n[a] * distance * layers;
+        const double back = plan.velocity.empty()
+                                ? plan.layer[k][a] - n[a] * distance * layers
+                                : plan.layer[k][a] - plan.velocity[k][a] * (layers * plan.interval);
         inside = inside && back > s.domain.min[a] && back < s.domain.max[a];
       }
     if (inside) return layers * plan.interval;
@@ -120,10 +122,74 @@ std::string text(double value) {
   return digits;
 }
 
+SourcePlace placeOf(const VelocityField& f) {
+  for (const PositionField& c : f.component)
+    if (c) return c.where;
+  return f.gradientWhere;
+}
+
 ShapeError placed(const Emitter& e, const std::string& what) {
   SceneProblems problem;
   problem.add(e.where, "emitter '" + e.name + "': " + what);
   return problem.lines();
+}
+
+/// Velocities and temperatures of a layer, where the emitter has fields. Layers leave as a whole, so no field
+/// may change their speed along the direction.
+void addFields(const Emitter& e, EmitterPlan& plan) {
+  const Vec3d n = normalized(e.direction);
+  SceneProblems problems;
+  for (const Vec3d& x : plan.layer) {
+    if (e.velocityField.given()) {
+      const Vec3d across = velocityOf(e.velocityField, e.centre, x);
+      for (int a = 0; a < 3; a++)
+        if (!std::isfinite(across[a])) {
+          const PositionField& f = e.velocityField.component[a];
+          problems.add(f.where,
+                       badValue(f, across[a], x) + ", in the opening; expected finite numbers, in m/s");
+          return problems.raise();
+        }
+      if (std::abs(dot(across, n)) > 1e-6 * e.speed) {
+        problems.add(placeOf(e.velocityField),
+                     "emitter '" + e.name + "': its velocity field has " + text(dot(across, n)) +
+                         " m/s along `direction` in its opening; expected 0, since layers leave as a whole "
+                         "at `speed`: use emitters of several speeds for a profile");
+        return problems.raise();
+      }
+      plan.velocity.push_back(n * e.speed + across);
+    }
+    if (!e.temperatureField) continue;
+    const PositionField& f = e.temperatureField;
+    plan.temperature.push_back(f.value(x));
+    if (std::isfinite(plan.temperature.back()) && plan.temperature.back() > 0) continue;
+    problems.add(f.where, badValue(f, plan.temperature.back(), x) +
+                              ", in the opening; expected numbers above 0, in K");
+    return problems.raise();
+  }
+}
+
+/// Refuses a velocity field that moves neighbours against each other in the nozzle.
+void checkNozzle(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
+  if (plan.velocity.empty()) return;
+  constexpr double most = 0.2;  // spacings
+  double apart = 0;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < plan.layer.size(); i++) {
+    while (plan.along[i] - plan.along[first] > 1.5 * s.spacing) first++;
+    for (std::size_t j = first; j < i; j++) {
+      const Vec3d d = plan.layer[i] - plan.layer[j];
+      if (length(d) < 1.1 * s.spacing) apart = std::max(apart, length(plan.velocity[i] - plan.velocity[j]));
+    }
+  }
+  const double moved = apart * plan.ahead / s.spacing;
+  if (moved <= most) return;
+  SceneProblems problems;
+  problems.add(placeOf(e.velocityField),
+               "emitter '" + e.name + "': its velocity field moves neighbours by " + text(moved) +
+                   " spacings against each other while they are in the nozzle (" + text(plan.ahead) +
+                   " s), at most " + text(most) +
+                   " are possible: expected a smaller field, a larger `speed` or a finer spacing");
+  problems.raise();
 }
 
 }  // namespace
@@ -143,12 +209,14 @@ std::vector<EmitterPlan> planEmitters(const Scene& s) {
           plan.layer.push_back(e.centre + u * a + v * b);
           plan.along.push_back(a);
         }
+    addFields(e, plan);
     plan.particleMass = s.materials[static_cast<std::size_t>(e.material)].density * dx * dx * dx;
     plan.interval = e.rate > 0 ? static_cast<double>(plan.layer.size()) * plan.particleMass / e.rate : dx / e.speed;
     if (plan.interval * e.speed < 0.95 * dx)
       throw placed(e, "a rate of " + std::to_string(e.rate) + " kg/s does not fit through its opening at this speed; at most " +
                           std::to_string(static_cast<double>(plan.layer.size()) * plan.particleMass * e.speed / dx) + " kg/s do");
     plan.ahead = nozzleTime(s, e, plan);
+    checkNozzle(s, e, plan);
     plan.cohesion = s.numerics.tension == TensionForm::SurfaceEnergy ? surfaceEnergyOf(s, e, plan) : cohesionOf(s, e, plan);
     plans.push_back(std::move(plan));
   }

@@ -17,6 +17,8 @@ namespace thaw {
 struct EmitterPlan {
   std::vector<Vec3d> layer;   ///< m, positions of a layer at the moment it leaves
   std::vector<double> along;  ///< m, of each along the opening's first axis, ascending
+  std::vector<Vec3d> velocity;      ///< m/s, of each; empty: the emitter's speed along its direction
+  std::vector<double> temperature;  ///< K, of each; empty: the emitter's
   double interval = 0;        ///< s between layers
   double ahead = 0;           ///< s that a layer spends in the nozzle
   double particleMass = 0;    ///< kg
@@ -24,7 +26,8 @@ struct EmitterPlan {
                                               ///< as a stress: what stacks of more than m layers gain beyond the stack before
 };
 
-/// Throws std::runtime_error (one sentence) where the rate asks for more particles than the opening lets through.
+/// Throws ShapeError where the rate asks for more particles than the opening lets through, and where a field
+/// of the opening has a bad value, changes the speed along the direction, or moves neighbours in the nozzle.
 std::vector<EmitterPlan> planEmitters(const Scene& scene);
 
 /// One sentence on an emitter whose opening is not all in the domain, or is in an obstacle; empty: there is nothing to say. (A nozzle ends where the domain

@@ -2,37 +2,52 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "core/scene/expected_speeds.hpp"
 
 namespace thaw {
 
-double expectedSpeed(const Scene& s) {
-  const double g = length(s.domain.gravity);
-  double height = 0, given = 0;
-  for (const Body& b : s.bodies) given = std::max(given, length(b.velocity));
-  for (const Emitter& e : s.emitters) given = std::max(given, e.speed);
-  for (const Obstacle& o : s.obstacles) given = std::max(given, fastestMove(o.motion));
-  if (g > 0) {
-    const Vec3d down = normalized(s.domain.gravity), size = s.domain.max - s.domain.min;
-    height = std::abs(down.x) * size.x + std::abs(down.y) * size.y + std::abs(down.z) * size.z;
-  }
-  return std::sqrt(given * given + 2 * g * std::min(height, s.fallHeight));
+double expectedSpeed(const Scene& s) { return expectedFlow(s).speed; }
+
+namespace {
+
+/// m/s, of what surface tension drives at one spacing.
+double tensionSpeed(const Material& m, double spacing) {
+  return std::sqrt(2 * m.surfaceTension / (m.density * spacing));
 }
+
+constexpr double leastSpeed = 1e-3;  // m/s, where nothing moves
+
+}  // namespace
 
 std::vector<LiquidMaterial> liquidMaterials(const Scene& s) {
   std::vector<LiquidMaterial> all;
   const double v = expectedSpeed(s), h = s.numerics.support * s.spacing;
   for (const Material& m : s.materials) {
     LiquidMaterial l;
-    const double tension = std::sqrt(2 * m.surfaceTension / (m.density * s.spacing));
-    l.soundSpeed = m.soundSpeed > 0 ? m.soundSpeed : std::max({v, tension, 1e-3}) / std::sqrt(s.numerics.maxDensityError);
+    l.soundSpeed = m.soundSpeed > 0 ? m.soundSpeed
+                                    : std::max({v, tensionSpeed(m, s.spacing), leastSpeed}) /
+                                          std::sqrt(s.numerics.maxDensityError);
     l.stiffness = m.density * l.soundSpeed * l.soundSpeed;
     l.artificial = m.artificialViscosity * l.soundSpeed * h * m.density / 10;
     l.rootTension = std::sqrt(m.surfaceTension);
     all.push_back(l);
   }
   return all;
+}
+
+std::string soundSpeedReason(const Scene& s, const Material& m) {
+  if (m.soundSpeed > 0) return "given by the material's sound_speed";
+  const FlowSpeed flow = expectedFlow(s);
+  const double tension = tensionSpeed(m, s.spacing), speed = std::max({flow.speed, tension, leastSpeed});
+  const std::string why = speed == flow.speed ? flow.why
+                          : speed == tension  ? "of surface tension at one spacing"
+                                              : "the least: nothing moves";
+  char times[80];
+  std::snprintf(times, sizeof times, "%.3g times %.3g m/s, ", 1 / std::sqrt(s.numerics.maxDensityError),
+                speed);
+  return times + why;
 }
 
 double viscosityAt(const Material& m, double liquidFraction, double temperature) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "core/scene/scene.hpp"
@@ -15,6 +16,15 @@ inline double fastestMove(const std::vector<Keyframe>& motion) {
     if (const double over = motion[k].time - motion[k - 1].time; over > 0) fastest = std::max(fastest, length(motion[k].move - motion[k - 1].move) / over);
   return fastest;
 }
+
+/// A speed (m/s) to expect, and what makes it.
+struct FlowSpeed { double speed = 0; std::string why; };
+
+/// The speed that the automatic sound speed is made for. A flow of speed v changes the density by v^2 / c^2,
+/// a column of height H by g H / c^2 (Monaghan 1994). v^2 = u^2 + 2 g h: u is the fastest of bodies, emitters
+/// and obstacles, h the largest fall. A column of bodies is no higher than the fall, so v covers it. A column
+/// that an emitter fills may be.
+FlowSpeed expectedFlow(const Scene& scene);
 
 /// m/s, of a fall from rest through the whole domain.
 inline double fallSpeed(const Domain& d) {

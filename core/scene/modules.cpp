@@ -41,11 +41,17 @@ void findHeat(Finder& f) {
     if (std::isnan(first)) first = T;
     else if (T != first && conducts) f.on(f.m.heat, "heat", who + " has another temperature than what is around it");
   };
+  // a field has an effect where heat is conducted, and where it decides about what is solid
+  const auto field = [&](const auto& source, const std::string& who) {
+    if (!source.temperatureField) return seen(source.temperature, who);
+    if (conducts || s.materials[static_cast<std::size_t>(source.material)].melts())
+      f.on(f.m.heat, "heat", who + " has a temperature that depends on position");
+  };
   for (const Body& b : s.bodies) {
-    seen(b.temperature, "body " + quoted(b.name));
+    field(b, "body " + quoted(b.name));
     if (length(b.temperatureGradient) > 0 && conducts) f.on(f.m.heat, "heat", "body " + quoted(b.name) + " has a temperature gradient");
   }
-  for (const Emitter& e : s.emitters) seen(e.temperature, "emitter " + quoted(e.name));
+  for (const Emitter& e : s.emitters) field(e, "emitter " + quoted(e.name));
   for (const Obstacle& o : s.obstacles)
     if (o.temperature && conducts) f.on(f.m.heat, "heat", "obstacle " + quoted(o.name) + " has a temperature");
   if (!s.temperings.empty()) f.on(f.m.heat, "heat", "a [[tempering]] changes the temperature");
@@ -85,22 +91,24 @@ Modules modulesOf(const Scene& s) {
 
   std::vector<bool> used(s.materials.size(), false);
   int solidBodies = 0;
-  const auto source = [&](int material, double T, const std::string& who, bool body) {
-    const Material& x = s.materials[static_cast<std::size_t>(material)];
-    used[static_cast<std::size_t>(material)] = true;
-    if (solidAt(x, T)) {
-      f.on(m.solid, "solid", who + " is solid");
+  const auto source = [&](const auto& from, const std::string& who, bool body) {
+    const Material& x = s.materials[static_cast<std::size_t>(from.material)];
+    used[static_cast<std::size_t>(from.material)] = true;
+    const bool either = from.temperatureField && x.canBeSolid() && x.melts();
+    if (either || solidAt(x, from.temperature)) {
+      f.on(m.solid, "solid", who + (either ? " can be solid" : " is solid"));
       solidBodies += body;
     }
-    if (liquidAt(x, T)) f.on(m.fluid, "fluid", who + " is liquid");
+    if (either || liquidAt(x, from.temperature))
+      f.on(m.fluid, "fluid", who + (either ? " can be liquid" : " is liquid"));
     if (m.heat && x.melts()) {
       f.on(m.melting, "melting", who + " is of material " + quoted(x.name) + ", which melts, and the scene has heat");
       f.on(m.fluid, "fluid", who + " can melt");
       if (x.canBeSolid()) f.on(m.solid, "solid", who + " can freeze");
     }
   };
-  for (const Body& b : s.bodies) source(b.material, b.temperature, "body " + quoted(b.name), true);
-  for (const Emitter& e : s.emitters) source(e.material, e.temperature, "emitter " + quoted(e.name), false);
+  for (const Body& b : s.bodies) source(b, "body " + quoted(b.name), true);
+  for (const Emitter& e : s.emitters) source(e, "emitter " + quoted(e.name), false);
 
   if (m.fluid && s.numerics.density == DensityForm::Continuity) f.on(m.continuity, "density by continuity", "numerics.density");
   if (m.continuity && s.numerics.correctedGradients) f.on(m.corrected, "corrected gradients", "numerics.corrected_gradients");

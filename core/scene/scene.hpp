@@ -12,6 +12,7 @@
 
 #include "core/math/vec3.hpp"
 #include "core/scene/oriented_body.hpp"
+#include "core/scene/position_field.hpp"
 #include "core/scene/shape.hpp"
 #include "core/scene/sheet_body.hpp"
 
@@ -78,6 +79,8 @@ struct Body {
   Vec3d spin{};              // rad/s, about the body's centre of mass (centre of its bounding box)
   double temperature = 293.15;         // K
   Vec3d temperatureGradient{};         // K/m, added to temperature from the centre of the bounding box
+  VelocityField velocityField;         // added to velocity and spin
+  PositionField temperatureField;      // K, in place of temperature
   Packing packing = Packing::Lattice;
   std::vector<Shape> clamp;  // particles in one of these at the start are held where they are
 };
@@ -92,6 +95,8 @@ struct Emitter {
   double speed = 1;          // m/s
   double rate = 0;           // kg/s; 0: density * area * speed
   double temperature = 293.15;  // K
+  VelocityField velocityField;     // of the opening, added to the flow: nothing along `direction`
+  PositionField temperatureField;  // K, of the opening, in place of temperature
   int material = 0;
   double start = 0, end = never;  // s
 };
@@ -243,6 +248,16 @@ struct Output {
   int width = 1280, height = 960;
 };
 
+/// Motion that set-up expects of a scene, for the automatic sound speed (core/setup/expected_motion.hpp).
+struct ExpectedMotion {
+  double start = 0;    // m/s, fastest particle of the bodies at the start
+  double emitted = 0;  // m/s, fastest particle of the emitters
+  double driven = 0;   // m/s, fastest point of the moving obstacles
+  double lift = 0;     // m, largest rise of a point of an obstacle against gravity
+  double column = 0;   // m, highest column of liquid that emitters can fill
+  std::string startBy, emittedBy, drivenBy;  // names
+};
+
 struct Scene {
   std::string title, file, text;  // text: all that was read, for the record in the output
   double spacing = 0.01;          // m, distance of particles
@@ -250,6 +265,7 @@ struct Scene {
   Quality quality = Quality::Standard;
   std::uint64_t seed = 1;
   double fallHeight = never;      // m, how far things can fall; set from the bodies at set-up, for the automatic sound speed
+  ExpectedMotion expected;        // the same
   Domain domain;
   Numerics numerics;
   std::vector<Material> materials;

@@ -15,6 +15,7 @@
 #include "core/setup/cell_shares.hpp"
 #include "core/setup/fill_shares.hpp"
 #include "core/setup/size_hint.hpp"
+#include "core/setup/start_fields.hpp"
 
 namespace thaw {
 namespace {
@@ -135,6 +136,7 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
     counts.push_back(static_cast<std::int64_t>(p.owned - had));
   }
   settlePhase(s, w.modules, p, 0, p.owned);
+  assignStartFields(w, shapes, all, false);
 
   counts.insert(counts.end(), {removed, offenders.inObstacles, offenders.inItself});
   all.sum(counts);

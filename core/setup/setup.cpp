@@ -27,7 +27,10 @@
 #include "core/setup/make_grid.hpp"
 #include "core/setup/pressed_liquid.hpp"
 #include "core/setup/relax_packing.hpp"
+#include "core/setup/expected_motion.hpp"
 #include "core/setup/size_hint.hpp"
+#include "core/setup/start_fields.hpp"
+#include "core/setup/thin_walls.hpp"
 #include "core/solid_step.hpp"
 #include "core/stored_energy.hpp"
 #include "core/surface/prepare_surface.hpp"
@@ -127,6 +130,8 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   if (const double reach = std::max(faceContactReach(w.sheets.plans), meshContactReach(w.scene, w.sheets.plans)); reach > w.grid.edge.x) w.grid = makeGrid(w.scene, reach);
   addWallImages(w.scene.domain, reachOfWalls(w), w.walls);
   w.scene.fallHeight = fallHeightOf(w.scene, shapes);
+  t.emitters = planEmitters(w.scene);
+  w.scene.expected = expectedMotion(w.scene, shapes, w.walls, t.emitters);
 
   if (w.modules.oriented) prepareOriented(w.scene, t.oriented, load);
   t.kernels = pairKernels();
@@ -142,7 +147,6 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
     t.stableViscousStep = stableViscousStep(w.scene.numerics);
   }
   t.conductionScale = conductionScale(w.scene.numerics);
-  t.emitters = planEmitters(w.scene);
   t.wallTables = makeWallTables(w.scene.numerics);
   const double h = w.grid.support;
   const Numerics& n = w.scene.numerics;
@@ -182,6 +186,8 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
   problems.raise();
   for (std::size_t e = 0; e < t.emitters.size(); e++)
     if (const std::string much = unevenOutflow(w.scene, w.scene.emitters[e], t.emitters[e]); !much.empty()) report.warnings.push_back({w.scene.emitters[e].where, much});
+  for (SceneWarning& thin : thinWalls(w, shapes, report.particles, halos.all))
+    report.warnings.push_back(std::move(thin));
   // a first partition by the number of particles; they are still where they were sampled
   Continuum& p = w.particles;
   const std::vector<std::vector<Vec3d>> oriented = sampleKinds(w, halos, t, load, report.warnings);
@@ -204,6 +210,7 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
   halos.cells.rebalance(costs.cells, costs.cost, true);
   t.newPartition = true;
   relaxPacking(w, halos, t, shapes);
+  assignStartFields(w, shapes, halos.all, true);
   return report;
 }
 

@@ -110,6 +110,7 @@ bool isSampled(const Scene& scene, std::size_t body) {
   const auto material = static_cast<std::size_t>(b.material);
   if (material >= scene.materials.size() || rule == OverlapRule::RemoveLater || rule == OverlapRule::RemoveEarlier) return false;
   const Material& m = scene.materials[material];
+  if (b.temperatureField && m.melts()) return false;  // parts of it may be liquid
   return m.canBeSolid() && paperFraction(m, b.temperature) == 0;
 }
 
@@ -135,7 +136,10 @@ void sampleMeshes(const Scene& scene, Surface& surface, const MeshLoader& load, 
       s.component[i] = noComponent;
       s.colour[i] = samples[k].coloured ? samples[k].colour : surfaceColour(scene, b);
       s.detail[i] = 1;
-      if (s.temperature.active) s.temperature[i] = static_cast<float>(scene.bodies[b].temperature);
+      const PositionField& field = scene.bodies[b].temperatureField;
+      if (s.temperature.active)
+        s.temperature[i] =
+            static_cast<float>(field ? field.value(samples[k].position) : scene.bodies[b].temperature);
     }
   }
 }

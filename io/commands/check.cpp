@@ -22,6 +22,7 @@
 #include "io/commands/frontier.hpp"
 #include "io/commands/require_memory.hpp"
 #include "io/commands/scene_for_all.hpp"
+#include "io/commands/setting_trials.hpp"
 #include "io/commands/short_text.hpp"
 #include "io/hdf5/io_error.hpp"
 #include "io/run/duration_text.hpp"
@@ -88,6 +89,21 @@ std::string leaveOutRelaxation(Scene& s) {
   return most == 0 ? "" : fmt::format("oriented bodies are relaxed before the start, {} iterations at most: not done here; numbers, step and time are those before it", most);
 }
 
+std::string settingList(const std::vector<std::string>& settings) {
+  std::string text;
+  for (const std::string& s : settings) text += (text.empty() ? "--set " : " --set ") + s;
+  return text;
+}
+
+/// Is a body or an emitter of this material?
+bool isUsed(const Scene& s, std::size_t material) {
+  const auto of = [material](const auto& source) {
+    return static_cast<std::size_t>(source.material) == material;
+  };
+  return std::any_of(s.bodies.begin(), s.bodies.end(), of) ||
+         std::any_of(s.emitters.begin(), s.emitters.end(), of);
+}
+
 constexpr double longestSensibleRun = 30 * 86400.0;  // s
 
 /// What the emitters let out until the end of the scene.
@@ -96,6 +112,40 @@ double emittedAtEnd(const Scene& s, const StepTools& t) {
   for (std::size_t e = 0; e < s.emitters.size(); e++)
     n += static_cast<double>(layersUntil(s.emitters[e], t.emitters[e], s.end)) * static_cast<double>(t.emitters[e].layer.size());
   return n;
+}
+
+/// Suggestions for the scene, with what became of those that were tried. Collective.
+std::vector<std::string> triedAdvice(const Communicator& comm, const CheckOptions& o, const World& w,
+                                     double particles) {
+  const std::vector<Suggestion> all = frontierAdvice(w.scene, w.modules);
+  std::vector<std::string> lines;
+  if (all.empty()) return lines;
+  SettingTrials trials(comm, {o.scene, o.overrides, particles});
+  std::vector<std::string> failed, untried;
+  for (const Suggestion& one : all) {
+    const std::optional<std::string> failure = trials.failureOf(one.settings);
+    if (failure && failure->empty()) lines.push_back(one.line);
+    else if (failure)
+      failed.push_back(fmt::format("left out:      {} ({})", settingList(one.settings), *failure));
+    else untried.push_back(one.line + ", not tried");
+  }
+  if (!lines.empty())
+    lines.push_back(fmt::format("these were tried on this scene for {} steps: a longer run may still fail",
+                                trials.steps()));
+  lines.insert(lines.end(), failed.begin(), failed.end());
+  lines.insert(lines.end(), untried.begin(), untried.end());
+  if (!untried.empty()) lines.push_back("not tried: the scene is too large to be run here");
+  return lines;
+}
+
+/// The sound speed of each liquid, and what sets it.
+std::vector<std::string> soundLines(const World& w, const StepTools& t) {
+  std::vector<std::string> lines;
+  for (std::size_t k = 0; w.modules.fluid && k < w.scene.materials.size(); k++)
+    if (const Material& m = w.scene.materials[k]; canBeLiquid(m) && isUsed(w.scene, k))
+      lines.push_back(fmt::format("sound speed of liquid '{}': {:.4g} m/s, {}", m.name,
+                                  t.liquids[k].soundSpeed, soundSpeedReason(w.scene, m)));
+  return lines;
 }
 
 int checkAll(const CheckOptions& o) {
@@ -138,6 +188,8 @@ int checkAll(const CheckOptions& o) {
   const SurfaceTrial::Forecast onSurface = surface.forecast(needed, total);
   const int ranks = o.ranks > 0 ? o.ranks : comm.size();
   const std::vector<std::string> surfaceLines = surface.lines(onSurface, ranks);
+  const std::vector<std::string> advice =
+      o.settings ? frontierLines(w.scene, w.modules) : triedAdvice(comm, o, w, total);
   if (comm.rank() != 0) return exitDone;
 
   const Scene& s = w.scene;
@@ -168,8 +220,12 @@ int checkAll(const CheckOptions& o) {
   if (std::any_of(t.fixedLimits.value.begin(), t.fixedLimits.value.end(), ofMaterials)) std::printf("by the materials alone\n");  // of sheets and oriented bodies nothing
   for (std::size_t k = 0; k < limitNames.size(); k++)
     if (ofMaterials(t.fixedLimits.value[k])) std::printf("  %-16s %.3g s\n", limitNames[k], t.fixedLimits.value[k]);
-  const std::vector<std::string> advice = o.settings ? frontierLines(s, w.modules) : frontierAdvice(s, w.modules);
-  if (!advice.empty()) std::printf(o.settings ? "\nsettings on the frontier of error against time, in cases like this scene (docs/accuracy.md)\n" : "\nsettings that paid in cases like this scene, one at a time (all: --settings; docs/accuracy.md)\n");
+  for (const std::string& line : soundLines(w, t)) std::printf("%s\n", line.c_str());
+  if (!advice.empty())
+    std::printf(o.settings ? "\nsettings on the frontier of error against time, in cases like this scene, "
+                             "not tried on it (docs/accuracy.md)\n"
+                           : "\nsettings that paid in cases like this scene, one at a time (all: --settings; "
+                             "docs/accuracy.md)\n");
   for (const std::string& line : advice) std::printf("  %s\n", line.c_str());
   if (!surfaceLines.empty()) std::printf("\nsurface\n");
   for (const std::string& line : surfaceLines) std::printf("  %s\n", line.c_str());

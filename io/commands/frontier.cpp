@@ -176,19 +176,21 @@ std::vector<std::string> frontierLines(const Scene& s, const Modules& m) {
   return lines;
 }
 
-std::vector<std::string> frontierAdvice(const Scene& s, const Modules& m) {
+std::vector<Suggestion> frontierAdvice(const Scene& s, const Modules& m) {
   const Records records = recordsOf(s, m);
-  std::vector<std::string> lines;
+  std::vector<Suggestion> all;
   const auto suggest = [&](const char* what, const std::vector<std::string>& settings, Gain Record::*gain) {
     for (const std::string& set : settings) {
       const Gain& g = records.at(set).*gain;
-      lines.push_back(fmt::format("{} {} ({}: {:.2g} times the error, {:.2g} times the time)", what, joined(ofScene(set, s), "--set ", " "), g.part, g.error, g.cost));
+      all.push_back(
+          {ofScene(set, s), fmt::format("{} {} ({}: {:.2g} times the error, {:.2g} times the time)", what,
+                                        joined(ofScene(set, s), "--set ", " "), g.part, g.error, g.cost)});
     }
   };
   // of what no case loses by (2 %; of time 5 %), those that gain a tenth in one
   suggest("more accurate:", choose(records, [](const Record& r) { return r.worst <= 1.02 && r.closest.error < 0.9 ? r.product : never; }), &Record::closest);
   suggest("faster:       ", choose(records, [](const Record& r) { return r.worst <= 1.02 && r.slowest <= 1.05 && r.fastest.cost < 0.9 ? r.time : never; }), &Record::fastest);
-  return lines;
+  return all;
 }
 
 }  // namespace thaw

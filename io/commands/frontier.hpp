@@ -23,8 +23,11 @@ std::span<const FrontierPoint> frontierPoints();
 /// the scene: of its own materials, and without what it cannot use.
 std::vector<std::string> frontierLines(const Scene& scene, const Modules& modules);
 
-/// A line for each setting that gains accuracy or time in one of these cases and loses in none, measured one at a time; without keys that the scene has chosen
-/// itself. What of it excludes each other is left out.
-std::vector<std::string> frontierAdvice(const Scene& scene, const Modules& modules);
+/// Settings ("key=value") and the line that recommends them.
+struct Suggestion { std::vector<std::string> settings; std::string line; };
+
+/// One for each setting that gains accuracy or time in one of these cases and loses in none, measured one at a
+/// time; without keys that the scene has chosen itself. What of it excludes each other is left out.
+std::vector<Suggestion> frontierAdvice(const Scene& scene, const Modules& modules);
 
 }  // namespace thaw

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "core/fluid/liquid_materials.hpp"
+#include "core/scene/expected_speeds.hpp"
 #include "io/run/mark_values.hpp"
 
 namespace thaw {
@@ -130,7 +134,17 @@ void addCoefficients(CheckpointValues& marks, const Numerics& n) {
              {"sleep_heating", n.sleepHeating}, {"plastic_rereference", n.plasticRereference}});
 }
 
-void addSettings(CheckpointValues& marks, const Emitter& e) { addNumbers(marks, setting + ("emitter." + e.name + "."), {{"end", e.end}, {"temperature", e.temperature}}); }
+void addExpectedSpeed(CheckpointValues& marks, const Scene& s) {
+  const auto automatic = [](const Material& m) { return canBeLiquid(m) && m.soundSpeed == 0; };
+  if (std::any_of(s.materials.begin(), s.materials.end(), automatic))
+    marks[coefficient + std::string("numerics.expected_speed")] = expectedFlow(s).speed;
+}
+
+void addSettings(CheckpointValues& marks, const Emitter& e) {
+  const std::string at = setting + ("emitter." + e.name + ".");
+  addNumbers(marks, at, {{"end", e.end}, {"temperature", e.temperature}});
+  addField(marks, at + "temperature", e.temperatureField);
+}
 
 void addSettings(CheckpointValues& marks, const Tempering& t, std::size_t number) {
   addNumbers(marks, fmt::format("{}temper.{}.", setting, number), {{"material", t.material}, {"start", t.start}, {"over", t.over}, {"temperature", t.temperature}});

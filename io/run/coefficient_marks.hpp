@@ -20,6 +20,9 @@ void addCoefficients(CheckpointValues& marks, const Domain& domain);
 /// Those of which forces are made, and with them the settings of its solvers and steps.
 void addCoefficients(CheckpointValues& marks, const Numerics& numerics);
 
+/// The speed that automatic sound speeds follow from: it depends on the start, too.
+void addExpectedSpeed(CheckpointValues& marks, const Scene& scene);
+
 void addSettings(CheckpointValues& marks, const SurfaceSettings& surface);
 void addSettings(CheckpointValues& marks, const Emitter& emitter);
 void addSettings(CheckpointValues& marks, const Tempering& tempering, std::size_t number);

@@ -47,6 +47,21 @@ void addMotion(CheckpointValues& marks, const std::string& at, const std::vector
   }
 }
 
+void addField(CheckpointValues& marks, const std::string& key, const PositionField& field) {
+  if (!field) return;
+  Checksum sum;
+  for (const char c : field.text) sum.add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
+  marks[key + "_expression"] = sum.held();
+}
+
+void addField(CheckpointValues& marks, const std::string& at, const VelocityField& field) {
+  constexpr const char* axes[3] = {"x", "y", "z"};
+  for (std::size_t a = 0; a < 3; a++) {
+    addField(marks, at + "velocity." + axes[a], field.component[a]);
+    if (field.linear) addVector(marks, at + "velocity_gradient." + axes[a], field.gradient.row[a]);
+  }
+}
+
 double checksumOf(const CheckpointValues& marks) {
   Checksum sum;
   for (const auto& [key, value] : marks) {

@@ -7,6 +7,7 @@
 
 #include "core/scene/factor_in_time.hpp"
 #include "core/scene/motion.hpp"
+#include "core/scene/position_field.hpp"
 #include "core/scene/shape.hpp"
 #include "io/output/checkpoint.hpp"
 
@@ -24,6 +25,10 @@ void addShape(CheckpointValues& marks, const std::string& at, const Shape& shape
 
 void addInTime(CheckpointValues& marks, const std::string& key, const FactorInTime& factor);
 void addMotion(CheckpointValues& marks, const std::string& at, const std::vector<Keyframe>& motion);
+
+/// Fields of the start: expressions by a checksum of their text. Nothing of a field that is not given.
+void addField(CheckpointValues& marks, const std::string& key, const PositionField& field);
+void addField(CheckpointValues& marks, const std::string& at, const VelocityField& field);
 
 /// Of keys and values.
 double checksumOf(const CheckpointValues& marks);

@@ -26,6 +26,7 @@ void addEmitter(CheckpointValues& marks, const Emitter& e) {
                          {"material", static_cast<double>(e.material)}});
   addVector(marks, at + "centre", e.centre);
   addVector(marks, at + "direction", e.direction);
+  addField(marks, at, e.velocityField);
 }
 
 /// What is held has been marked at the start, and a scene without clamps has no column for it.
@@ -90,6 +91,8 @@ void addStart(CheckpointValues& marks, const Body& b) {
   addVector(marks, at + "velocity", b.velocity);
   addVector(marks, at + "spin", b.spin);
   addVector(marks, at + "temperature_gradient", b.temperatureGradient);
+  addField(marks, at, b.velocityField);
+  addField(marks, at + "temperature", b.temperatureField);
 }
 
 /// The first of them one by one, the others by a checksum.
@@ -201,6 +204,7 @@ CheckpointValues sceneMarks(const Scene& s) {
   for (std::size_t k = 0; k < s.temperings.size(); k++) addSettings(marks, s.temperings[k], k);
   addCoefficients(marks, s.domain);
   addCoefficients(marks, s.numerics);
+  addExpectedSpeed(marks, s);
   addBodies(marks, s.bodies);
   addStart(marks, s);
   return marks;

@@ -1,5 +1,6 @@
 #include "io/scene/read_sections.hpp"
 
+#include "io/scene/read_fields.hpp"
 #include "io/scene/read_shape.hpp"
 
 namespace thaw {
@@ -11,9 +12,15 @@ void readBody(TableReader& r, SceneReading& x) {
   r.text("name", b.name, "for messages and `--set`; none: \"body\" and its number");
   readShape(r, b.shape);
   r.text("material", material, "what it is made of; must be given", "name of a material");
-  r.vector("velocity", b.velocity, "m/s", "at the start");
+  readVelocity(r, b.velocity, b.velocityField,
+               "at the start: three numbers, or a table of x, y, z with expressions of position, as { x = "
+               "\"-100*x\", y = \"100*y\" } (what is missing is 0)");
+  readVelocityGradient(r, b.velocityField,
+                       "added to the velocity: this times the distance from the middle of the bounding box; "
+                       "row i has the derivatives of component i");
   r.vector("spin", b.spin, "rad/s", "angular velocity about the middle of the bounding box");
-  r.number("temperature", b.temperature, "K", positive(), "at the start");
+  readTemperature(r, b.temperature, b.temperatureField,
+                  "at the start; a text with an expression of position, as \"300 + 20*z\", is in K");
   r.vector("temperature_gradient", b.temperatureGradient, "K/m", "added to the temperature from the middle of the bounding box");
   r.choice("packing", b.packing, {"lattice", "relaxed"}, "how it is filled with particles: a cubic lattice, or jittered and relaxed (the default where liquid fills a periodic box)");
   x.open.packing = !r.has("packing");  // of the only body, where it matters
@@ -48,7 +55,15 @@ void readEmitter(TableReader& r, SceneReading& x) {
   r.vector("direction", e.direction, "", "of the flow, of any length but 0");
   r.number("speed", e.speed, "m/s", positive(), "of the flow");
   r.number("rate", e.rate, "kg/s", notNegative(), "mass flow; 0: as much as the speed lets through");
-  r.number("temperature", e.temperature, "K", positive(), "of what comes out");
+  readVelocityField(r, e.velocityField,
+                    "added to the flow by position in the opening, as { x = \"-5*y\", y = \"5*x\" } for a "
+                    "swirl; nothing along direction: a layer leaves as a whole");
+  readVelocityGradient(
+      r, e.velocityField,
+      "the same as a linear field about the centre of the opening; row i has the derivatives of component i");
+  readTemperature(r, e.temperature, e.temperatureField,
+                  "of what comes out; a text with an expression of the position in the opening, as \"300 + "
+                  "20*z\", is in K");
   r.number("start", e.start, "s", notNegative(), "begins then");
   r.number("end", e.end, "s", orNever(notNegative()), "ends then");
   if (r.describing()) return;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/scene/expression.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/scene/read_sections.hpp"
 
@@ -32,7 +33,8 @@ constexpr const char* introduction =
     "`thaw check SCENE` prints what would be simulated.\n\n"
     "Particles lie on a cubic lattice of whole spacings, and each weighs density times spacing^3: a box 7.4 spacings wide is 8 particles wide, and as\n"
     "heavy. `thaw check` tells where that is off by more than 1 %, and by what density it is made up for. Liquid that has less room than its particles\n"
-    "take begins compressed, and bursts (a warning says so): sizes that are whole numbers of spacings fit.\n\n"
+    "take begins compressed, and bursts (a warning says so): sizes that are whole numbers of spacings fit.\n"
+    "A solid body holds liquid where its walls are at least two spacings thick; a warning names thinner ones.\n\n"
     "A complete scene, `jelly.toml`, a block that falls on a floor, bounces and wobbles; `thaw run jelly.toml` simulates it:\n\n"
     "```toml\n";
 constexpr const char* afterExample =
@@ -52,7 +54,16 @@ constexpr const char* afterExample =
     "law = \"neo-hookean\"\n"
     "yield_strain = 0.0354      # 100 / (sqrt(2) 2000)\n"
     "creep_rate = 100           # 2000 / 20\n"
-    "```\n";
+    "```\n\n"
+    "## Expressions\n\n"
+    "`velocity` and `temperature` of a body or an emitter may depend on position:\n"
+    "`velocity = { x = \"-100*x\", y = \"100*y\" }`, `temperature = \"300 + 20*z\"`.\n"
+    "`x`, `y`, `z` are in m, in the frame of the scene; the value is in m/s or K. Expressions have no units. There are ";
+constexpr const char* afterWords =
+    ".\nA body's particles take the value where the scene places the body, also where it reaches over a\n"
+    "periodic side; an emitter's take that of their place in the opening. A value that is not finite at a particle, or\n"
+    "a temperature that is not above 0 K, is an error. A temperature that depends on position switches heat\n"
+    "on where something conducts heat or melts.\n";
 
 }  // namespace
 
@@ -98,7 +109,7 @@ std::string sceneDocumentation() {
   const std::vector<KeyDescription> keys = sceneKeys();
   std::string text(introduction);
   text += exampleScene();
-  text += afterExample;
+  text += afterExample + std::string(expressionWords) + afterWords;
   std::vector<std::string> tables;
   for (const KeyDescription& k : keys)
     if (std::find(tables.begin(), tables.end(), k.table) == tables.end()) tables.push_back(k.table);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Choices of [numerics] beside the defaults: the same bits on 1, 2, 3, 4 and 7 ranks and over a restart. All solvers at once; carried density
-# with shifting; a full periodic box; the printed forms; double precision.
+# with shifting; a full periodic box; fields of the start; the printed forms; double precision.
 . "$(dirname "$0")/../support/run.sh"
 # try NAME SCENE STEPS SETTINGS...
 try() {
@@ -31,10 +31,43 @@ place = { move = [0.5, 0.5, 0.25] }
 material = "liquid"
 packing = "relaxed"
 END
+cat >"$work/fields.toml" <<'END'
+spacing = 0.05
+end = 0.2
+[domain]
+min = [0, 0, 0]
+max = [1, 1, 1.5]
+sides = { x = "periodic" }
+[material.wax]
+density = 1000
+young = "20 kPa"
+viscosity = 0.1
+conductivity = 100
+heat_capacity = 2000
+melts = ["310 K", "320 K"]
+[[body]]
+name = "drop"
+sphere = { radius = 0.3 }
+place = { move = [0.9, 0.5, 0.5] }
+material = "wax"
+packing = "relaxed"
+spin = [0, 0, 1]
+velocity = { x = "sin(2*pi*y)", z = "-0.5 - 0.1*exp(-x^2)" }
+velocity_gradient = [[-1, 0, 0], [0, 0.5, 0], [0, 0, 0.5]]
+temperature = "315 + 20*(z - 0.5)"
+[[emitter]]
+disc = { radius = 0.2 }
+centre = [0.5, 0.5, 1.3]
+material = "wax"
+speed = 2
+velocity = { x = "-0.5*(y - 0.5)", y = "0.5*(x - 0.5)" }
+temperature = "350 + 10*x"
+END
 n=numerics
 try all_solvers "$scenes/melt.toml" 30 $n.pressure_solver=incompressible $n.viscosity_solver=implicit $n.elastic_substeps=8
 try carried_density "$scenes/dam_break.toml" 30 $n.density=continuity $n.shifting=0.1
 try full_box "$work/vortices.toml" 30
+try start_fields "$work/fields.toml" 30
 try printed "$scenes/melt.toml" 30 $n.pressure=printed $n.viscosity=laplacian "$n.tension=colour field" $n.conduction=plain
 try pairwise_tension "$scenes/melt.toml" 30 $n.tension=pairwise
 try reference "$scenes/melt.toml" 30 quality=reference

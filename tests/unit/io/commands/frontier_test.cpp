@@ -49,7 +49,9 @@ TEST(Frontier, KeysAreThoseThatSetTakes) {
 TEST(Frontier, AdviceIsShortAndLeavesAloneWhatTheSceneHasChosen) {
   const auto adviceOf = [](const std::string& rest) {
     const Scene s = readScene(sceneFilesOf("test.toml", "spacing = 0.1\nend = 1\n[material.steel]\nyoung = 1e5\n" + rest));
-    return frontierAdvice(s, modulesOf(s));
+    std::vector<std::string> lines;
+    for (const Suggestion& one : frontierAdvice(s, modulesOf(s))) lines.push_back(one.line);
+    return lines;
   };
   const std::string solid = body("a", "steel", 0);
   const std::vector<std::string> lines = adviceOf(solid);

@@ -112,6 +112,7 @@ TEST(SceneMarks, AreToldInTheWordsOfTheScene) {
 
 TEST(SceneMarks, WhatSaysHowBodiesBeginIsToldAsWithoutEffect) {
   Scene s = sample();
+  for (Material& m : s.materials) m.soundSpeed = 10;
   s.oriented.emplace_back().name = "film";
   const CheckpointValues then = sceneMarks(s);
   EXPECT_TRUE(changesOfTheStart(then, s).empty());
@@ -123,6 +124,15 @@ TEST(SceneMarks, WhatSaysHowBodiesBeginIsToldAsWithoutEffect) {
   ASSERT_EQ(changes.size(), 2u);
   EXPECT_EQ(changes[0], "body.bust.velocity.x was 0, and is 3 now (SI)");
   EXPECT_EQ(changes[1], "oriented.film.relax was 0, and is 7 now (SI)");
+}
+
+TEST(SceneMarks, AStartThatChangesTheAutomaticSoundSpeedIsACoefficient) {
+  Scene s = sample();
+  s.domain.gravity = {};
+  const CheckpointValues then = sceneMarks(s);
+  s.bodies[0].velocity.x = 3;
+  const std::vector<std::string> changes = coefficientChanges(then, s);
+  EXPECT_EQ(changes, std::vector<std::string>{"numerics.expected_speed was 1, and is 3 now (SI)"});
 }
 
 TEST(SceneMarks, CoefficientsOfMaterialsAreTold) {

@@ -1,0 +1,28 @@
+// Velocities and temperatures of the start that vary with position: spin, gradients, expressions.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "core/geometry/signed_distance.hpp"
+#include "core/halo/halo.hpp"
+#include "core/world.hpp"
+
+namespace thaw {
+
+using Shapes = std::vector<std::shared_ptr<const SignedDistance>>;
+
+/// m, of the bounding box.
+Vec3d middleOf(const SignedDistance& shape);
+
+/// Velocity (m/s) and temperature (K) at the start of what is at x (m). centre: of the body's bounding box.
+Vec3d startVelocity(const Body& body, const Vec3d& centre, const Vec3d& x);
+double startTemperature(const Body& body, const Vec3d& centre, const Vec3d& x);
+
+/// Sets velocity, temperature and phase of this rank's particles of bodies with fields, by their positions
+/// now. Positions across a periodic side count where the body has them. relaxed: only bodies of relaxed
+/// packing, also those that only spin or have a temperature gradient.
+/// Throws ShapeError on all ranks where a field is not finite at a particle, or a temperature not above 0 K.
+/// Collective.
+void assignStartFields(World& world, const Shapes& shapes, Reducer& all, bool relaxed);
+
+}  // namespace thaw

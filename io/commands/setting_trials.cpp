@@ -1,0 +1,113 @@
+#include "io/commands/setting_trials.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+
+#include "core/kinds/kinds.hpp"
+#include "core/ledger/report.hpp"
+#include "core/setup/setup.hpp"
+#include "io/commands/scene_for_all.hpp"
+#include "io/run/alarm_text.hpp"
+#include "parallel/bond_halo.hpp"
+#include "parallel/cell_halo.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr double mostParticleSteps = 1e6;  // of one run: a second or two on one core
+constexpr int leastSteps = 20,
+              mostSteps = 250;      // fewer show nothing, more take long where there are few particles
+constexpr double mostSeconds = 15;  // of all runs
+constexpr double unexplained =
+    0.05;  // of the largest term of the ledger, beyond what the scene has without the setting
+
+double secondsNow() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::string settingText(const std::vector<std::string>& settings) {
+  std::string text;
+  for (const std::string& s : settings) text += (text.empty() ? "" : " ") + s;
+  return text;
+}
+
+}  // namespace
+
+SettingTrials::SettingTrials(const Communicator& comm, TriedScene scene)
+    : comm_(comm), scene_(std::move(scene)), start_(secondsNow()) {
+  const double steps = mostParticleSteps / std::max(1.0, scene_.particles);
+  steps_ = steps < leastSteps ? 0 : static_cast<int>(std::min<double>(steps, mostSteps));
+}
+
+bool SettingTrials::outOfTime() const {
+  int over = secondsNow() - start_ > mostSeconds;
+  MPI_Bcast(&over, 1, MPI_INT, 0, comm_.handle());
+  return over != 0;
+}
+
+SettingTrials::Result SettingTrials::runWith(const std::vector<std::string>& settings) {
+  Result r;
+  MpiReducer all(comm_);
+  World w;
+  StepTools t;
+  std::vector<std::string> overrides = scene_.overrides;
+  overrides.insert(overrides.end(), settings.begin(), settings.end());
+  w.scene = sceneForAll(comm_, scene_.path, overrides);
+  w.scene.surface.on = false;  // it acts on no particle
+  for (OrientedBody& b : w.scene.oriented) b.relax = 0;
+  prepareWorld(w, t, meshLoader());
+  MpiCellHalo cells(comm_, w.grid);
+  MpiBondHalo bonds(comm_), edges(comm_);
+  std::unique_ptr<MpiCellHalo> kinds[kindCount];
+  eachKind(w, [&](std::size_t kind, const KindRows&, const CellTable&) {
+    kinds[kind] = std::make_unique<MpiCellHalo>(comm_, w.grid);
+  });
+  const Halos halos{all, cells, bonds, {kinds[orientedKind].get(), kinds[sheetKind].get()}, &edges};
+  startWorld(w, halos, t, meshLoader());
+  for (int n = 0; n < steps_ && w.clock.time < w.clock.end; n++) {
+    StepOutcome o = step(w, halos, t, {});
+    const bool last = n + 1 == steps_ || w.clock.time >= w.clock.end;
+    LedgerReport books;
+    if (last && o.alarm == Alarm::None) {
+      books = reportLedger(w, t, all);
+      o.alarm = checkBooks(w, t.watch, books, all);
+    }
+    if (o.alarm != Alarm::None) {
+      r.failure = fmt::format("step {}: {}", w.clock.step, exceeded(w, t, o));
+      return r;
+    }
+    if (last)
+      r = {"", books.energyResidual, std::max(books.energyScale, books.energyRounding), w.counters.left,
+           books.particles};
+  }
+  all.sum({&r.left, 1});
+  return r;
+}
+
+std::optional<std::string> SettingTrials::failureOf(const std::vector<std::string>& settings) {
+  if (steps_ == 0 || outOfTime()) return std::nullopt;
+  if (!usual_) usual_ = runWith({});
+  if (!usual_->failure.empty()) return "the scene fails without it, too; " + usual_->failure;
+  if (outOfTime()) return std::nullopt;
+  Result r;
+  try {
+    r = runWith(settings);
+  } catch (const std::runtime_error& e) {  // alike on all ranks: set-up refuses it
+    return fmt::format("{} is refused: {}", settingText(settings), e.what());
+  }
+  if (!r.failure.empty()) return r.failure;
+  const double scale = std::max(r.scale, usual_->scale), more = r.residual - std::max(0.0, usual_->residual);
+  if (more > unexplained * scale)
+    return fmt::format("energy from nowhere after {} steps, {:.0f} % of the largest term of the ledger",
+                       steps_, 100 * more / scale);
+  if (const std::int64_t lost = r.left - usual_->left;
+      static_cast<double>(lost) > 1e-3 * static_cast<double>(usual_->particles))
+    return fmt::format("{} more particles leave the domain in {} steps", lost, steps_);
+  return "";
+}
+
+}  // namespace thaw

@@ -1,0 +1,48 @@
+// Settings are tried on a scene before `thaw check` recommends them: all ranks come to the same answer.
+#include <gtest/gtest.h>
+
+#include "io/commands/setting_trials.hpp"
+#include "tests/support/output_sample.hpp"
+
+using namespace thaw;
+using namespace thaw::test;
+
+namespace {
+
+/// A scene file of water that falls, which all ranks name and the first one reads.
+std::string fallingWater(const std::string& folder) {
+  const std::string path = folder + "/falling.toml";
+  if (rankOf() == 0)
+    std::ofstream(path)
+        << "spacing = 0.05\nend = 0.5\n[domain]\nmin = [-0.5, -0.5, 0]\nmax = [0.5, 0.5, "
+           "1]\n[material.water]\n"
+           "[[body]]\nbox = { size = [0.4, 0.4, 0.4] }\nplace = { move = [0, 0, 0.5] }\nmaterial = 'water'\n";
+  MPI_Barrier(MPI_COMM_WORLD);
+  return path;
+}
+
+}  // namespace
+
+TEST(SettingTrials, LeaveOutWhatFailsOnTheScene) {
+  const Folder folder;
+  const Communicator comm;
+  SettingTrials trials(comm, {fallingWater(folder.path), {}, 512});
+  EXPECT_GE(trials.steps(), 100);
+  const auto good = trials.failureOf({"numerics.cfl_sound=0.3"});
+  ASSERT_TRUE(good);
+  EXPECT_EQ(*good, "");
+  const auto bad = trials.failureOf({"numerics.fixed_step=0.1"});
+  ASSERT_TRUE(bad);
+  EXPECT_NE(*bad, "");
+  const auto refused = trials.failureOf({"numerics.support=-1"});
+  ASSERT_TRUE(refused);
+  EXPECT_NE(refused->find("is refused"), std::string::npos) << *refused;
+}
+
+TEST(SettingTrials, LeaveLargeScenesAlone) {
+  const Folder folder;
+  const Communicator comm;
+  SettingTrials trials(comm, {fallingWater(folder.path), {}, 1e6});
+  EXPECT_EQ(trials.steps(), 0);
+  EXPECT_FALSE(trials.failureOf({"numerics.fixed_step=0.1"}));
+}
