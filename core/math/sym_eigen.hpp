@@ -16,7 +16,7 @@ inline SymEigen eigenOf(const Sym3d& s) {
   double a[3][3] = {{s.xx, s.xy, s.xz}, {s.xy, s.yy, s.yz}, {s.xz, s.yz, s.zz}}, v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const double size = std::sqrt(doubleDot(s, s));
   for (int sweep = 0; sweep < 12; sweep++) {
-    if (!(std::abs(a[0][1]) + std::abs(a[0][2]) + std::abs(a[1][2]) > 1e-18 * size)) break;
+    if (!(std::abs(a[0][1]) + std::abs(a[0][2]) + std::abs(a[1][2]) > 1e-17 * size)) break;
     for (int p = 0; p < 2; p++)
       for (int q = p + 1; q < 3; q++) {
         if (a[p][q] == 0) continue;

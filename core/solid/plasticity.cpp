@@ -22,6 +22,7 @@ struct RadialPath {
   double mean = 0, e[3]{};    // ln of the stretches at r = 1: mean + e
   double size = 0;            // |e|
   double yield = 0;           // y at r = 1
+  double scale = 0;           // 1/Pa, of the Kirchhoff stress in |dev sigma|/2G
 
   Vec3d stretch(double r) const { return {std::exp(mean + r * e[0]), std::exp(mean + r * e[1]), std::exp(mean + r * e[2])}; }
   /// Deviator of the Kirchhoff stress, Pa.
@@ -32,7 +33,7 @@ struct RadialPath {
   }
   double hardening() const { return c.hardening * std::sqrt(2.0 / 3) * size; }
   /// |dev sigma|/2G - y.
-  double excess(double r) const { return length(stress(r)) / (2 * c.mu * std::exp(3 * mean)) - yield - (1 - r) * hardening(); }
+  double excess(double r) const { return scale * length(stress(r)) - yield - (1 - r) * hardening(); }
 };
 
 /// r in [0, high] with this excess; it is below at r = 0 and above at r = high, where it is `most`.
@@ -44,9 +45,9 @@ double returnTo(const RadialPath& path, double target, double high, double most)
     const double g = path.excess(r) - target;
     (g > 0 ? high : low) = r;
     const double change = n == 0 ? g / slope : g * (r - r0) / (g - g0);
-    if (!(std::abs(change) * path.size > 1e-17)) break;
     r0 = r, g0 = g;
     r -= change;
+    if (!(std::abs(change) * path.size > 1e-11)) break;  // the error left is that times the change before it
   }
   return r;
 }
@@ -92,6 +93,7 @@ PlasticFlow plasticFlow(const ElasticConstants& c, const Mat3d& gradU, const Pla
   path.size = std::sqrt(path.e[0] * path.e[0] + path.e[1] * path.e[1] + path.e[2] * path.e[2]);
   if (!(path.size < never && determinant(identity3<double>() + none.elastic) > 0)) return none;
 
+  path.scale = 1 / (2 * c.mu * std::exp(3 * path.mean));
   double high = 1, most = path.excess(1);
   if (!(most > 0) && path.size > 1.5 * path.yield) {  // a law that weakens under large strain may have passed its yield stress
     high = 1.5 * path.yield / path.size;

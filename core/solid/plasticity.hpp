@@ -33,7 +33,8 @@ struct PlasticFlow {
 
 /// Flow at fixed F in a time dt (s): the excess |dev sigma|/2G - y decays as exp(-creep dt), at once if creep is infinite, so that two steps
 /// of dt/2 give the same as one of dt. The norm of the total plastic strain stays below gamma_max; referenceGradient is needed for that only.
-/// No flow where det Fe <= 0, or where it would take energy.
+/// No flow where det Fe <= 0, or where it would take energy: under a pressure at which the law is not stable in shear (Green strain at a
+/// Poisson's ratio of 0.3: below 0.67 of the volume).
 PlasticFlow plasticFlow(const ElasticConstants& c, const Mat3d& gradU, const PlasticState& before, const Mat3d& referenceGradient, double dt);
 
 /// ln Up of the total plastic deformation Fp F_ref = R Up, F_ref = 1 + referenceGradient: the logarithmic plastic strain along the axes of the
