@@ -110,7 +110,7 @@ PlasticFlow plasticFlow(const ElasticConstants& c, const Mat3d& gradU, const Pla
   const Mat3d back = full(withValues(axes, turn));
   flow.state.inverse = compose(before.inverse, back);
   flow.state.path = before.path + std::sqrt(2.0 / 3) * (1 - r) * path.size;
-  flow.elastic = compose(none.elastic, back);
+  flow.elastic = elasticGradient(gradU, flow.state.inverse);  // the bits of an evaluation without flow (repeatDeformation)
   if (c.maxPlastic < never) limitPlasticStrain(c, gradU, before, referenceGradient, flow);
   return flow.loss > 0 ? flow : none;
 }

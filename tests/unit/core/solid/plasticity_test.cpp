@@ -150,6 +150,19 @@ TEST(Plasticity, steadyFlowHasTheViscosityOfTheCreepRate) {
     }
 }
 
+// Groups are evaluated again where one of their slots takes a new reference; the others must not change.
+TEST(Plasticity, evaluationWithoutFlowHasTheSameBits) {
+  for (const ElasticLaw law : allLaws) {
+    PlasticState state{};
+    for (std::uint64_t n = 0; n < 50; n++) {
+      const Mat3d g = noiseMatrix(n, 0.1);
+      const PlasticFlow flow = plasticFlow(yielding(law, 0.01, 300), g, state, {}, 1e-3);
+      state = flow.state;
+      EXPECT_EQ(largest(flow.elastic - elasticGradient(g, state.inverse)), 0);
+    }
+  }
+}
+
 TEST(Plasticity, limitIsKept) {
   for (const ElasticLaw law : allLaws) {
     ElasticConstants c = yielding(law, 0.01);
