@@ -13,7 +13,8 @@ struct SymEigen {
 
 /// In no particular order. By Jacobi's rotations: each eigenvalue is exact to rounding of the largest one.
 inline SymEigen eigenOf(const Sym3d& s) {
-  double a[3][3] = {{s.xx, s.xy, s.xz}, {s.xy, s.yy, s.yz}, {s.xz, s.yz, s.zz}}, v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  double a[3][3] = {{s.xx, s.xy, s.xz}, {s.xy, s.yy, s.yz}, {s.xz, s.yz, s.zz}},
+         v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const double size = std::sqrt(doubleDot(s, s));
   for (int sweep = 0; sweep < 12; sweep++) {
     if (!(std::abs(a[0][1]) + std::abs(a[0][2]) + std::abs(a[1][2]) > 1e-17 * size)) break;
@@ -37,7 +38,8 @@ inline SymEigen eigenOf(const Sym3d& s) {
         }
       }
   }
-  return {{a[0][0], a[1][1], a[2][2]}, {{v[0][0], v[1][0], v[2][0]}, {v[0][1], v[1][1], v[2][1]}, {v[0][2], v[1][2], v[2][2]}}};
+  return {{a[0][0], a[1][1], a[2][2]},
+          {{v[0][0], v[1][0], v[2][0]}, {v[0][1], v[1][1], v[2][1]}, {v[0][2], v[1][2], v[2][2]}}};
 }
 
 /// The tensor with these eigenvectors and other eigenvalues.

@@ -19,12 +19,14 @@ Sym3d deviator(Sym3d s) {
 /// Elastic states that differ in the deviator of the logarithmic strain by a factor r: stretch_k = exp(mean + r e_k).
 struct RadialPath {
   const ElasticConstants& c;
-  double mean = 0, e[3]{};    // ln of the stretches at r = 1: mean + e
-  double size = 0;            // |e|
-  double yield = 0;           // y at r = 1
-  double scale = 0;           // 1/Pa, of the Kirchhoff stress in |dev sigma|/2G
+  double mean = 0, e[3]{};  // ln of the stretches at r = 1: mean + e
+  double size = 0;          // |e|
+  double yield = 0;         // y at r = 1
+  double scale = 0;         // 1/Pa, of the Kirchhoff stress in |dev sigma|/2G
 
-  Vec3d stretch(double r) const { return {std::exp(mean + r * e[0]), std::exp(mean + r * e[1]), std::exp(mean + r * e[2])}; }
+  Vec3d stretch(double r) const {
+    return {std::exp(mean + r * e[0]), std::exp(mean + r * e[1]), std::exp(mean + r * e[2])};
+  }
   /// Deviator of the Kirchhoff stress, Pa.
   Vec3d stress(double r) const {
     const Vec3d t = principalKirchhoff(c, stretch(r));
@@ -38,7 +40,8 @@ struct RadialPath {
 
 /// r in [0, high] with this excess; it is below at r = 0 and above at r = high, where it is `most`.
 double returnTo(const RadialPath& path, double target, double high, double most) {
-  const double slope = (most + path.yield + (1 - high) * path.hardening()) / high + path.hardening();  // as if the stress grew linearly
+  // as if the stress grew linearly
+  const double slope = (most + path.yield + (1 - high) * path.hardening()) / high + path.hardening();
   double low = 0, r0 = high, g0 = most - target, r = high - g0 / slope;
   for (int n = 0; n < 60; n++) {
     if (!(r > low && r < high)) r = 0.5 * (low + high);
@@ -60,8 +63,10 @@ bool surelyBelow(const ElasticConstants& c, const Sym3d& strain, double yield) {
 }
 
 /// Keeps the norm of the total plastic strain within gamma_max, or what it was before if that is more.
-void limitPlasticStrain(const ElasticConstants& c, const Mat3d& gradU, const PlasticState& before, const Mat3d& reference, PlasticFlow& flow) {
-  const Sym3d first = plasticStrain(before.inverse, reference), now = plasticStrain(flow.state.inverse, reference);
+void limitPlasticStrain(const ElasticConstants& c, const Mat3d& gradU, const PlasticState& before,
+                        const Mat3d& reference, PlasticFlow& flow) {
+  const Sym3d first = plasticStrain(before.inverse, reference),
+              now = plasticStrain(flow.state.inverse, reference);
   const double limit = std::max(c.maxPlastic, norm(first)), size = norm(now);
   if (!(size > limit)) return;
   const SymEigen e = eigenOf(now);
@@ -69,14 +74,17 @@ void limitPlasticStrain(const ElasticConstants& c, const Mat3d& gradU, const Pla
   for (int k = 0; k < 3; k++) back[k] = std::expm1((1 - limit / size) * e.value[k]);
   const Mat3d one = identity3<double>(), f = one + reference;
   flow.state.inverse = compose(f * (full(withValues(e, back)) * inverse(f)), flow.state.inverse);
-  flow.state.path = before.path + std::sqrt(2.0 / 3) * norm(plasticStrain(flow.state.inverse, reference) - first);
+  flow.state.path =
+      before.path + std::sqrt(2.0 / 3) * norm(plasticStrain(flow.state.inverse, reference) - first);
   flow.elastic = elasticGradient(gradU, flow.state.inverse);
-  flow.loss = elasticResponse(c, elasticGradient(gradU, before.inverse)).energy - elasticResponse(c, flow.elastic).energy;
+  flow.loss = elasticResponse(c, elasticGradient(gradU, before.inverse)).energy -
+              elasticResponse(c, flow.elastic).energy;
 }
 
 }  // namespace
 
-PlasticFlow plasticFlow(const ElasticConstants& c, const Mat3d& gradU, const PlasticState& before, const Mat3d& referenceGradient, double dt) {
+PlasticFlow plasticFlow(const ElasticConstants& c, const Mat3d& gradU, const PlasticState& before,
+                        const Mat3d& referenceGradient, double dt) {
   const PlasticFlow none{before, elasticGradient(gradU, before.inverse), 0, false};
   if (!(c.yield < never && c.mu > 0)) return none;
   const Sym3d strain = greenStrain(none.elastic);
@@ -95,7 +103,8 @@ PlasticFlow plasticFlow(const ElasticConstants& c, const Mat3d& gradU, const Pla
 
   path.scale = 1 / (2 * c.mu * std::exp(3 * path.mean));
   double high = 1, most = path.excess(1);
-  if (!(most > 0) && path.size > 1.5 * path.yield) {  // a law that weakens under large strain may have passed its yield stress
+  // a law that weakens under large strain may have passed its yield stress
+  if (!(most > 0) && path.size > 1.5 * path.yield) {
     high = 1.5 * path.yield / path.size;
     most = path.excess(high);
   }
@@ -110,7 +119,8 @@ PlasticFlow plasticFlow(const ElasticConstants& c, const Mat3d& gradU, const Pla
   const Mat3d back = full(withValues(axes, turn));
   flow.state.inverse = compose(before.inverse, back);
   flow.state.path = before.path + std::sqrt(2.0 / 3) * (1 - r) * path.size;
-  flow.elastic = elasticGradient(gradU, flow.state.inverse);  // the bits of an evaluation without flow (repeatDeformation)
+  flow.elastic = elasticGradient(
+      gradU, flow.state.inverse);  // the bits of an evaluation without flow (repeatDeformation)
   if (c.maxPlastic < never) limitPlasticStrain(c, gradU, before, referenceGradient, flow);
   return flow.loss > 0 ? flow : none;
 }

@@ -17,17 +17,19 @@ inline double norm(const Sym3d& a) { return std::sqrt(doubleDot(a, a)); }
 /// (1 + a)(1 + b) - 1: of two deformations one after the other (b first), without the rounding of 1.
 inline Mat3d compose(const Mat3d& a, const Mat3d& b) { return a + b + a * b; }
 /// Fe - 1, with plasticInverse = Fp^-1 - 1.
-inline Mat3d elasticGradient(const Mat3d& gradU, const Mat3d& plasticInverse) { return compose(gradU, plasticInverse); }
+inline Mat3d elasticGradient(const Mat3d& gradU, const Mat3d& plasticInverse) {
+  return compose(gradU, plasticInverse);
+}
 
 struct PlasticState {
-  Mat3d inverse{};   ///< 1, Fp^-1 - 1
-  double path = 0;   ///< 1, equivalent plastic strain: integral of sqrt(2/3) |d e|
+  Mat3d inverse{};  ///< 1, Fp^-1 - 1
+  double path = 0;  ///< 1, equivalent plastic strain: integral of sqrt(2/3) |d e|
 };
 
 struct PlasticFlow {
   PlasticState state;
-  Mat3d elastic{};     ///< 1, Fe - 1
-  double loss = 0;     ///< Pa, work of the flow: stress after it times its strain
+  Mat3d elastic{};  ///< 1, Fe - 1
+  double loss = 0;  ///< Pa, work of the flow: stress after it times its strain
   bool flows = false;
 };
 
@@ -35,7 +37,8 @@ struct PlasticFlow {
 /// of dt/2 give the same as one of dt. The norm of the total plastic strain stays below gamma_max; referenceGradient is needed for that only.
 /// No flow where det Fe <= 0, or where it would take energy: under a pressure at which the law is not stable in shear (Green strain at a
 /// Poisson's ratio of 0.3: below 0.67 of the volume).
-PlasticFlow plasticFlow(const ElasticConstants& c, const Mat3d& gradU, const PlasticState& before, const Mat3d& referenceGradient, double dt);
+PlasticFlow plasticFlow(const ElasticConstants& c, const Mat3d& gradU, const PlasticState& before,
+                        const Mat3d& referenceGradient, double dt);
 
 /// ln Up of the total plastic deformation Fp F_ref = R Up, F_ref = 1 + referenceGradient: the logarithmic plastic strain along the axes of the
 /// first reference configuration.

@@ -70,7 +70,9 @@ void driveUniaxially(Point& p, double along) {
   p.drive(stretches(along, side[1]));
 }
 
-Mat3d noiseMatrix(std::uint64_t n, double size) { return size * Mat3d{{noise3(n, 1), noise3(n, 2), noise3(n, 3)}}; }
+Mat3d noiseMatrix(std::uint64_t n, double size) {
+  return size * Mat3d{{noise3(n, 1), noise3(n, 2), noise3(n, 3)}};
+}
 
 }  // namespace
 
@@ -96,7 +98,8 @@ TEST(Plasticity, simpleShearTo200PercentHoldsThePlateau) {
         p.drive({{{1, g, 0}, {0, 1, 0}, {0, 0, 1}}});
         if (g < 5 * yield) continue;
         EXPECT_NEAR(p.size(), yield, 1e-12 * yield + 1e-15) << int(law) << ' ' << g;
-        EXPECT_NEAR(p.stress().xy, std::sqrt(2.0) * p.c.mu * yield, 0.1 * p.c.mu * yield) << int(law) << ' ' << g;
+        EXPECT_NEAR(p.stress().xy, std::sqrt(2.0) * p.c.mu * yield, 0.1 * p.c.mu * yield)
+            << int(law) << ' ' << g;
       }
       EXPECT_NEAR(p.volumeOfFlow(), 1, 1e-12);
     }
@@ -225,7 +228,8 @@ TEST(Plasticity, aLawThatWeakensYieldsAtOnce) {
 
 TEST(Plasticity, invertedAndFlatStayAsTheyAre) {
   for (const ElasticLaw law : allLaws)
-    for (const double x : {-0.5, 0.0}) EXPECT_FALSE(plasticFlow(yielding(law, 0.01), stretches(x, 1) - one, {}, {}, 1).flows);
+    for (const double x : {-0.5, 0.0})
+      EXPECT_FALSE(plasticFlow(yielding(law, 0.01), stretches(x, 1) - one, {}, {}, 1).flows);
 }
 
 TEST(Plasticity, pushForwardKeepsTheStress) {
