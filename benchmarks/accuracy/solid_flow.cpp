@@ -86,6 +86,7 @@ std::vector<Figure> measureSlump(Trial& r) {
   const double fastest =
       largest(r, [](const World& x, std::size_t i) { return length(x.particles.velocity[i]); });
   return {{"slump/Pashias - 1", std::abs(slump / expected - 1), 0.1},
+          {"slump/height", slump},
           {"speed at the end/(slump/s)", fastest / (slump * height)},
           {"volume of plastic flow", largestPlasticVolume(r), 1e-3},
           {"energy residual", energyResidual(r), 0.02}};
