@@ -86,7 +86,7 @@ std::vector<Case> elasticCases() {
 
 std::vector<Case> solidCases() {
   std::vector<Case> all;
-  for (const auto& part : {elasticCases(), waveCases(), beamCases(), plasticCases()}) all.insert(all.end(), part.begin(), part.end());
+  for (const auto& part : {elasticCases(), waveCases(), beamCases(), plasticCases(), plasticFlowCases()}) all.insert(all.end(), part.begin(), part.end());
   return all;
 }
 

@@ -1,4 +1,4 @@
-// Plastic flow (OBH02) under a strain that is prescribed for every particle.
+// Plastic flow under a strain that is prescribed for every particle.
 #include "benchmarks/accuracy/solid_trials.hpp"
 
 #include "core/solid/laws/response.hpp"
@@ -17,16 +17,16 @@ void draw(Trial& r, double from, double to, double dt) {
   findElasticEnergy(r.world, r.tools);  // and F
 }
 
-/// Norm of the deviator of the second Piola stress, Pa.
+/// Norm of the deviator of the Cauchy stress, Pa.
 double deviator(const World& w, std::size_t i) {
-  const std::uint32_t s = w.particles.slot[i];
-  const Mat3d gradU = gradientOf(w, i);
-  const Mat3d stress = inverse(identity3<double>() + gradU) * elasticResponse(constantsOf(w), gradU, w.solids.plasticStrain[s]).stress;
-  Sym3d d = symmetric(stress);
+  const Mat3d elastic = elasticGradient(gradientOf(w, i), w.solids.plasticInverse[w.particles.slot[i]]);
+  Sym3d d = cauchyStress(elasticResponse(constantsOf(w), elastic).stress, elastic);
   const double mean = trace(d) / 3;
   d.xx -= mean, d.yy -= mean, d.zz -= mean;
   return norm(d);
 }
+
+double plasticNorm(const World& w, std::size_t i) { return norm(plasticStrain(w.solids.plasticInverse[w.particles.slot[i]], {})); }
 
 void pull(Trial& r) {
   const Material& m = materialOf(r.world);
@@ -35,8 +35,7 @@ void pull(Trial& r) {
   for (int n = 1; n <= 80; n++) {
     draw(r, stretch, 1 + 0.001 * n, 1e-3);
     stretch = 1 + 0.001 * n;
-    const double plastic = largest(r, [](const World& w, std::size_t i) { return norm(w.solids.plasticStrain[w.particles.slot[i]]); });
-    const double flows = -largest(r, [](const World& w, std::size_t i) { return -norm(w.solids.plasticStrain[w.particles.slot[i]]); });
+    const double plastic = largest(r, plasticNorm), flows = -largest(r, [](const World& w, std::size_t i) { return -plasticNorm(w, i); });
     excess = std::max(excess, plastic - m.maxPlasticStrain);
     if (flows > 1e-6 && plastic < 0.99 * m.maxPlasticStrain)
       worst = std::max(worst, largest(r, [&](const World& w, std::size_t i) { return std::abs(deviator(w, i) / plateau - 1); }));
@@ -51,7 +50,7 @@ std::vector<Figure> measurePull(Trial& r) { return {{"sigma_eq/plateau - 1", r.n
 double elasticStrainAfterCreep(Trial& r, double stretch, int steps) {
   const double total = 1 / materialOf(r.world).creepRate.solid;
   Solids& s = r.world.solids;
-  for (std::size_t k = 0; k < s.owned; k++) s.plasticStrain[k] = {};
+  for (std::size_t k = 0; k < s.owned; k++) s.plasticInverse[k] = {};
   draw(r, 1, stretch, 0);
   const double first = largest(r, deviator);
   for (int n = 0; n < steps; n++) draw(r, 1, 1, total / steps);
@@ -71,8 +70,8 @@ std::vector<Figure> measureCreep(Trial& r) { return {{"elastic strain at tau", r
 }  // namespace
 
 std::vector<Case> plasticCases() {
-  return {{"plasticity", "drawing at constant volume: sigma_eq = sqrt(3/2) 2 G gamma_yield, |eps_p| <= gamma_max (OBH02)", nullptr, {}, pull, {}, measurePull},
-          {"creep", "strain held fixed: the elastic part decays as exp(-t/tau) towards gamma_yield", nullptr, {}, creep, {}, measureCreep}};
+  return {{"plasticity", "drawing at constant volume: sigma_eq = sqrt(3/2) 2 G gamma_yield, |ln Up| <= gamma_max (OBH02)", nullptr, {}, pull, {}, measurePull},
+          {"creep", "strain held fixed: the stress decays as exp(-t/tau) towards the yield stress", nullptr, {}, creep, {}, measureCreep}};
 }
 
 }  // namespace thaw::accuracy

@@ -13,6 +13,7 @@ std::vector<Case> elasticCases();  ///< gradient, rotation, free flight
 std::vector<Case> waveCases();     ///< plane waves in a periodic body
 std::vector<Case> beamCases();     ///< cantilevers
 std::vector<Case> plasticCases();  ///< yield and creep
+std::vector<Case> plasticFlowCases();  ///< bodies that flow far
 
 inline constexpr double pi = 3.14159265358979323846;
 

@@ -42,9 +42,10 @@ struct Material {
   Blend young;                  // Pa; solid > 0 makes the material able to be solid
   Blend poisson{0.3, 0.3};      // 1
   ElasticLaw law = ElasticLaw::Green;
-  Blend yieldStrain{never, never};  // 1, gamma_yield: norm of the deviator of the elastic strain (OBH02); never: not plastic
-  Blend creepRate{never, never};    // 1/s, gamma_creep: rate at which plastic strain follows; never: at once
-  double maxPlasticStrain = never;  // 1, gamma_max
+  Blend yieldStrain{never, never};  // 1, gamma_yield: yield stress |dev sigma|/2G (OBH02; plasticity.hpp); never: not plastic
+  Blend creepRate{never, never};    // 1/s, gamma_creep: decay rate of the excess over the yield stress; never: at once
+  double hardening = 0;             // Pa, d(yield stress)/d(equivalent plastic strain)
+  double maxPlasticStrain = never;  // 1, gamma_max: norm of the logarithmic plastic strain
   double volumeStiffness = 0;   // Pa, k_v of the volume force (MKN04)
   double hourglass = 1.25;      // 1, alpha of the penalty on zero-energy modes (Ganzenmueller 2015); 1.25 also makes up for the error of short waves (elastic.hpp)
   double breakStretch = never;  // 1, a bond longer than this times its reference length breaks

@@ -69,7 +69,7 @@ bool mayBeSkipped(const World& w, std::uint32_t slot) {
       for (int r = 0; r < 3; r++) c += f.row[r][a] * f.row[r][b];
       size2 += c * c;
     }
-  return size2 < largest * largest && determinant(f) > 0 && !(s.plasticStrain.active && norm(s.plasticStrain[slot]) > 0.5);
+  return size2 < largest * largest && determinant(f) > 0 && !(s.plasticInverse.active && norm(plasticMetric(s.plasticInverse[slot])) > 0.5);
 }
 
 Unrest unrestOf(const World& w, std::size_t i, const Vec3d& acceleration) {

@@ -55,7 +55,10 @@ ElasticArrays arraysOf(ElasticWork& work, Solids& solids, const Bonds& bonds, co
   a.perTrace = work.perTrace.data();
   a.perWeight = work.perWeight.data();
   a.volume = solids.volume.data();
-  a.plasticStrain = work.plastic ? solids.plasticStrain.data() : nullptr;
+  a.plasticInverse = work.plastic ? solids.plasticInverse.data() : nullptr;
+  a.referenceGradient = solids.referenceGradient.active ? solids.referenceGradient.data() : nullptr;
+  a.plasticPath = solids.plasticPath.active ? solids.plasticPath.data() : nullptr;
+  a.flows = solids.rereferenced.active ? work.flows.data() : nullptr;
   a.deformation = step.deformation ? solids.deformation.data() : nullptr;
   a.energyColumn = solids.energy.data();
   a.dragColumn = solids.drag.active ? solids.drag.data() : nullptr;
@@ -131,26 +134,41 @@ void turnNormalOfLane(const ElasticArrays& a, const LaneConstants& c, std::size_
     for (int q = 0; q < 3; q++) of.flux[3 * r + q][lane] += more.row[r][q];
 }
 
-void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const double strain[6][8], int lane, double plastic[6][8]) {
-  Sym3d& p = a.plasticStrain[slot];
+namespace {
+
+void putLane(const Mat3d& m, int lane, double out[9][8]) {
+  for (int r = 0; r < 3; r++)
+    for (int q = 0; q < 3; q++) out[3 * r + q][lane] = m.row[r][q];
+}
+
+}  // namespace
+
+void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const double gradU[9][8], int lane, PlasticLanes& out) {
+  Mat3d& inverse = a.plasticInverse[slot];
+  const Mat3d g = laneMatrix(gradU, lane);
+  PlasticFlow flow{{inverse, a.plasticPath ? a.plasticPath[slot] : 0}, {}, 0, false};
   if (a.flow && c.yield < never && !(a.held && a.held[slot])) {
-    const Sym3d e{strain[0][lane], strain[1][lane], strain[2][lane], strain[3][lane], strain[4][lane], strain[5][lane]};
-    const Sym3d next = plasticFlow(c, e, p, a.dt);
-    a.dissipated[slot] += a.volume[slot] * plasticLoss(c, e, p, next);
-    p = next;
+    flow = plasticFlow(c, g, flow.state, a.referenceGradient ? a.referenceGradient[slot] : Mat3d{}, a.dt);
+    if (flow.flows) {
+      inverse = flow.state.inverse;
+      if (a.plasticPath) a.plasticPath[slot] = flow.state.path;
+      a.dissipated[slot] += a.volume[slot] * flow.loss;
+    }
+  } else {
+    flow.elastic = elasticGradient(g, inverse);
   }
-  plastic[0][lane] = p.xx, plastic[1][lane] = p.yy, plastic[2][lane] = p.zz, plastic[3][lane] = p.xy, plastic[4][lane] = p.yz, plastic[5][lane] = p.xz;
+  if (a.flows && a.flow) a.flows[slot] = flow.flows;
+  putLane(flow.elastic, lane, out.elastic);
+  putLane(inverse, lane, out.inverse);
 }
 
 void takeLogarithms(double values[8]) {
   for (int l = 0; l < 8; l++) values[l] = std::log(values[l]);
 }
 
-double respondLane(const ElasticConstants& c, const double gradU[9][8], const double plastic[6][8], int lane, double stress[9][8]) {
-  const Sym3d p{plastic[0][lane], plastic[1][lane], plastic[2][lane], plastic[3][lane], plastic[4][lane], plastic[5][lane]};
-  const ElasticResponse r = elasticResponse(c, laneMatrix(gradU, lane), p);
-  for (int i = 0; i < 3; i++)
-    for (int k = 0; k < 3; k++) stress[3 * i + k][lane] = r.stress.row[i][k];
+double respondLane(const ElasticConstants& c, const double gradU[9][8], int lane, double stress[9][8]) {
+  const ElasticResponse r = elasticResponse(c, laneMatrix(gradU, lane));
+  putLane(r.stress, lane, stress);
   return r.energy;
 }
 
@@ -198,8 +216,8 @@ void computeCauchyStress(const ElasticWork& work, Solids& solids) {
   solids.activate(solids.stress);
   for (std::size_t s = 0; s < solids.owned; s++) {
     const Mat3d gradU = solids.deformation[s] - identity3<double>();
-    const Sym3d plastic = solids.plasticStrain.active ? solids.plasticStrain[s] : Sym3d{};
-    solids.stress[s] = cauchyStress(elasticResponse(slotConstants(work, solids, s), gradU, plastic).stress, gradU);
+    const Mat3d elastic = work.plastic ? elasticGradient(gradU, solids.plasticInverse[s]) : gradU;
+    solids.stress[s] = cauchyStress(elasticResponse(slotConstants(work, solids, s), elastic).stress, elastic);
   }
 }
 

@@ -56,6 +56,7 @@ struct ElasticWork {
   std::vector<std::uint8_t> ownFrames;           ///< by group: of some bond each end has a reference of its own, X_ji != -X_ij (only where bonds have vectors)
   std::vector<std::uint8_t> rank;                ///< by owned slot: rank of A
   std::vector<std::uint8_t> singularLanes;       ///< by group: bit l: rank of slot l < 3
+  std::vector<std::uint8_t> flows;               ///< by owned slot, by phase 1: its plastic strain has changed (rereference.hpp)
   std::vector<std::uint8_t> stretched;           ///< by group, by phase 1: some bond may be beyond its limit (fracture.hpp)
   AlignedVector<double> perTrace, perWeight;     ///< by owned slot: 1/tr A (1/m^2) and 1/sum w; 0 without bonds
   AlignedVector<double> grip;                    ///< by owned slot, 1/m: how hard the strain of its neighbourhood grips (elasticStepLimit)
@@ -85,7 +86,7 @@ struct ElasticStep {
 struct ElasticResult {
   std::int64_t inverted = 0;   ///< particles with det F <= 0
   std::int64_t squeezed = 0;   ///< of Green strain without volume stiffness: with a principal stretch below sqrt(1/3), where the law weakens
-  double maxStretch2 = 1;      ///< upper bound of the square of the principal stretches (|F|^2 - 2)
+  double maxStretch2 = 1;      ///< upper bound of the square of the principal elastic stretches (|Fe|^2 - 2)
   ElasticResult& operator+=(const ElasticResult& o) {
     inverted += o.inverted;
     squeezed += o.squeezed;
@@ -147,7 +148,8 @@ void computeCauchyStress(const ElasticWork& work, Solids& solids);
 /// bonds of 1.5 spacings and more.
 inline constexpr double latticeGrip = 4.75;
 inline constexpr double flatGrip = 1.4;  ///< factor of the grip of rows and sheets: a pair's frequency is c_p grip, with nothing below
-double largestGrip(const ElasticWork& work, const Solids& solids);  ///< 1/m, of the owned slots
+/// 1/m, of the owned slots; times the largest stretch of Fp^-1 of each, which plastic flow has added to the reference.
+double largestGrip(const ElasticWork& work, const Solids& solids);
 std::int64_t countSingular(const ElasticWork& work, const Solids& solids);  ///< owned slots whose moment matrix has rank < 3
 
 /// Largest stable time step (s) of all materials that can be solid: cflElastic * d / c_p, where d is the spacing, or latticeGrip / grip

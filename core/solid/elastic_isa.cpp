@@ -32,8 +32,9 @@ template<class Real, bool periodic, bool vectors> __attribute__((flatten)) void 
   using T = Lanes<Real>;
   BondLoader<Real, periodic, vectors> bonds(a);
   const T scale2(static_cast<Real>(bonds.scale() * bonds.scale()));
-  alignas(64) double gradU[9][8], strain[6][8], plastic[6][8], stress[9][8], inverse[6][8], energy[8];
+  alignas(64) double gradU[9][8], stress[9][8], inverse[6][8], energy[8];
   LaneConstants c;
+  alignas(64) PlasticLanes plastic;
   T largest(Real(1));
   const T breakStretch2(static_cast<Real>(a.breakStretch2));
   for (std::size_t gi = 0; gi < a.groupCount; gi++) {
@@ -55,7 +56,7 @@ template<class Real, bool periodic, bool vectors> __attribute__((flatten)) void 
     if (a.stretched) a.stretched[g] = any(T(Real(0)) < excess);
     const Sym3<T> momentInverse = loadTensor<Real>(inverse);
     Mat3<T> gradient = times(sum, momentInverse);
-    if (a.deformation || a.singularLanes[g] != 0) storeMatrix<Real>(gradient, gradU);
+    if (a.deformation || a.plastic || a.singularLanes[g] != 0) storeMatrix<Real>(gradient, gradU);
     if (a.singularLanes[g] != 0) {
       for (int l = 0; l < n; l++)
         if (a.singularLanes[g] >> l & 1) completeLane(a, s0 + static_cast<std::size_t>(l), l, gradU);
@@ -67,56 +68,55 @@ template<class Real, bool periodic, bool vectors> __attribute__((flatten)) void 
     f.row[2].z += T(Real(1));
 
     const T lambda = fromDoubles<Real>(c.lambda), mu = fromDoubles<Real>(c.mu), volume = fromDoubles<Real>(c.volume);
-    const Sym3<T> green = greenStrain(gradient);
-    Sym3<T> plasticStrain{};
+    // Laws see the elastic part Fe of F = Fe Fp.
+    Mat3<T> elasticGradient = gradient, fe = f, plasticInverse{};
     if (a.plastic) {
-      toDoubles(widen(green.xx), strain[0]), toDoubles(widen(green.yy), strain[1]), toDoubles(widen(green.zz), strain[2]);
-      toDoubles(widen(green.xy), strain[3]), toDoubles(widen(green.yz), strain[4]), toDoubles(widen(green.xz), strain[5]);
       for (int l = 0; l < 8; l++) {
-        if (l < n) flowLane(a, c.constants[l], s0 + static_cast<std::size_t>(l), strain, l, plastic);
-        else for (int q = 0; q < 6; q++) plastic[q][l] = 0;
+        if (l < n) flowLane(a, c.constants[l], s0 + static_cast<std::size_t>(l), gradU, l, plastic);
+        else for (int q = 0; q < 9; q++) plastic.elastic[q][l] = plastic.inverse[q][l] = 0;
       }
-      plasticStrain = loadTensor<Real>(plastic);
-    } else if (c.anyCorotated || c.anyNeoHookean) {
-      for (int q = 0; q < 6; q++)
-        for (int l = 0; l < 8; l++) plastic[q][l] = 0;
+      elasticGradient = fe = loadMatrix<Real>(plastic.elastic);
+      plasticInverse = loadMatrix<Real>(plastic.inverse);
+      fe.row[0].x += T(Real(1));
+      fe.row[1].y += T(Real(1));
+      fe.row[2].z += T(Real(1));
     }
+    const Sym3<T> green = greenStrain(elasticGradient);
 
     // Which formula a lane gets depends on its own material only, never on the slots that share its group.
     Mat3<T> piola{};
     if (c.anyGreen) {
-      const Sym3<T> elastic = green - plasticStrain;
-      piola = greenStress(f, elastic, lambda, mu);
-      if (a.energy) toDoubles(widen(greenEnergy(elastic, lambda, mu)), energy);
+      piola = greenStress(fe, green, lambda, mu);
+      if (a.energy) toDoubles(widen(greenEnergy(green, lambda, mu)), energy);
     }
     if (c.anyNeoHookean) {
-      Mat3<T> other = neoHookeanStress(f, lambda, mu);
-      if (a.plastic) other = other - times(f, hooke(plasticStrain, lambda, mu));
+      const Mat3<T> other = neoHookeanStress(fe, lambda, mu);
       const auto isOther = T(Real(0.5)) < fromDoubles<Real>(c.neoHookean);
       for (int r = 0; r < 3; r++)
         piola.row[r] = {select(isOther, other.row[r].x, piola.row[r].x), select(isOther, other.row[r].y, piola.row[r].y), select(isOther, other.row[r].z, piola.row[r].z)};
     }
     if (a.energy && !c.anyGreen) toDoubles(LanesD(0.0), energy);
-    if (a.energy && c.anyNeoHookean) addNeoHookeanEnergy({c, n, plastic, a.plastic, true}, widened(gradient), energy);
+    if (a.energy && c.anyNeoHookean) addNeoHookeanEnergy({c, n, true}, widened(elasticGradient), energy);
     if (c.anyCorotated) {
       storeMatrix<Real>(piola, stress);
-      respondCorotated({c, n, plastic, a.plastic, a.energy}, widened(gradient), stress, energy);
+      respondCorotated({c, n, a.energy}, widened(elasticGradient), stress, energy);
       piola = loadMatrix<Real>(stress);
     }
     if (c.anyVolumeStiffness) {
       const T stiffness = fromDoubles<Real>(c.volumeStiffness);
-      piola = piola + volumeStress(f, stiffness);
-      if (a.energy) toDoubles(loadRow(energy) + widen(volumeEnergy(f, stiffness)), energy);
+      piola = piola + volumeStress(fe, stiffness);
+      if (a.energy) toDoubles(loadRow(energy) + widen(volumeEnergy(fe, stiffness)), energy);
     }
+    if (a.plastic) piola = piola + piola * transpose(plasticInverse);
 
-    // Green strain alone weakens where it is squeezed to less than sqrt(1/3) in some direction: 3 E + 1 - (plastic strain) has an
-    // eigenvalue < 0 (3/2 C - 1/2 without plastic strain), which its leading minors tell. Not where |E| < 1/3 says that it has none.
+    // Green strain alone weakens where it is squeezed to less than sqrt(1/3) in some direction: 3 E + 1 = 3/2 C - 1/2 has an
+    // eigenvalue < 0, which its leading minors tell. Not where |E| < 1/3 says that it has none.
     const T three(Real(3));
     const auto squared = [](const Sym3<T>& e) { return e.xx * e.xx + e.yy * e.yy + e.zz * e.zz + T(Real(2)) * (e.xy * e.xy + e.yz * e.yz + e.xz * e.xz); };
-    if (c.anyGreen && (a.plastic || any(T(Real(1) / 9) < squared(green)))) {
+    if (c.anyGreen && any(T(Real(1) / 9) < squared(green))) {
       const T one(Real(1));
-      const T xx = three * green.xx + one - plasticStrain.xx, yy = three * green.yy + one - plasticStrain.yy, zz = three * green.zz + one - plasticStrain.zz;
-      const T xy = three * green.xy - plasticStrain.xy, yz = three * green.yz - plasticStrain.yz, xz = three * green.xz - plasticStrain.xz;
+      const T xx = three * green.xx + one, yy = three * green.yy + one, zz = three * green.zz + one;
+      const T xy = three * green.xy, yz = three * green.yz, xz = three * green.xz;
       const T second = xx * yy - xy * xy, third = zz * second - xx * yz * yz - yy * xz * xz + (xy + xy) * yz * xz;
       const T least = min(xx, min(second, third));
       if (any(least < T(Real(0))))
@@ -133,7 +133,7 @@ template<class Real, bool periodic, bool vectors> __attribute__((flatten)) void 
       flux = loadMatrix<Real>(fluxes);
     }
     const T j = determinant(f);
-    const T size = dot(f.row[0], f.row[0]) + dot(f.row[1], f.row[1]) + dot(f.row[2], f.row[2]);
+    const T size = dot(fe.row[0], fe.row[0]) + dot(fe.row[1], fe.row[1]) + dot(fe.row[2], fe.row[2]);
     const T stretch2 = size - T(Real(2));
     largest = max(largest, stretch2);
     if (a.groupStretch2) {

@@ -39,7 +39,10 @@ struct ElasticArrays {
   const Sym3d* momentInverse = nullptr;
   const std::uint8_t* rank = nullptr;
   const double *perTrace = nullptr, *perWeight = nullptr, *volume = nullptr;
-  Sym3d* plasticStrain = nullptr;
+  Mat3d* plasticInverse = nullptr;
+  const Mat3d* referenceGradient = nullptr;  ///< null: all are of the first reference
+  double* plasticPath = nullptr;             ///< null: nothing hardens
+  std::uint8_t* flows = nullptr;             ///< set where plastic strain changed; null: not wanted
   Mat3d* deformation = nullptr;         ///< null: not kept
   double *energyColumn = nullptr, *dragColumn = nullptr, *dissipated = nullptr;
   Vec3d* force = nullptr;
@@ -68,12 +71,13 @@ void completeLane(const ElasticArrays& a, std::size_t slot, int lane, double gra
 /// stressOfNormal of one lane that is flat, added to its flux (V P A^-1 - k grad u).
 struct FlatLane { const double (*sum)[8], (*gradU)[8], (*stress)[8]; double (*flux)[8]; };
 void turnNormalOfLane(const ElasticArrays& a, const LaneConstants& c, std::size_t slot, int lane, const FlatLane& of);
-/// Plastic flow of one lane: updates Solids::plasticStrain and books the loss; gives the plastic strain.
-void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const double strain[6][8], int lane, double plastic[6][8]);
+/// Plastic flow of one lane: updates Solids::plasticInverse and records the loss; gives Fe - 1 and Fp^-1 - 1.
+struct PlasticLanes { double elastic[9][8], inverse[9][8]; };
+void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const double gradU[9][8], int lane, PlasticLanes& out);
 /// Natural logarithms in place: those of the one library that all instruction sets share.
 void takeLogarithms(double values[8]);
 /// Response of one lane by elasticResponse: its stress, and the energy density (Pa) returned.
-double respondLane(const ElasticConstants& c, const double gradU[9][8], const double plastic[6][8], int lane, double stress[9][8]);
+double respondLane(const ElasticConstants& c, const double gradU[9][8], int lane, double stress[9][8]);
 
 struct ElasticKernels {
   const char* name;  ///< "avx512", "avx2", "base"

@@ -36,9 +36,8 @@ THAW_INLINE Rotations nearestRotations(const Mat3<LanesD>& f) {
 /// A group of slots, and what it is asked for.
 struct LawLanes {
   const LaneConstants& c;
-  int n;                         ///< lanes in use
-  const double (&plastic)[6][8];
-  bool anyPlastic, wantEnergy;
+  int n;  ///< lanes in use
+  bool wantEnergy;
 };
 THAW_INLINE Mat3<LanesD> plusOne(Mat3<LanesD> f) {
   f.row[0].x += LanesD(1.0);
@@ -46,9 +45,6 @@ THAW_INLINE Mat3<LanesD> plusOne(Mat3<LanesD> f) {
   f.row[2].z += LanesD(1.0);
   return f;
 }
-/// Energy (Pa) that a plastic strain with this stress adds to that of a law of F.
-THAW_INLINE LanesD plasticEnergy(const Mat3<LanesD>& gradU, const Sym3<LanesD>& p, const Sym3<LanesD>& s) { return doubleDot(s, LanesD(0.5) * p - greenStrain(gradU)); }
-
 /// elasticResponse() without the volume force of the lanes with the Neo-Hookean law: energy density (Pa) by lane. What is at other lanes stays.
 THAW_INLINE void addNeoHookeanEnergy(const LawLanes& g, const Mat3<LanesD>& gradU, double energy[8]) {
   const Mat3<LanesD> f = plusOne(gradU);
@@ -56,11 +52,7 @@ THAW_INLINE void addNeoHookeanEnergy(const LawLanes& g, const Mat3<LanesD>& grad
   alignas(64) double logs[8];
   toDoubles(neoHookeanLogged(f), logs);
   takeLogarithms(logs);
-  LanesD psi = neoHookeanEnergy(f, lambda, mu, loadRow(logs));
-  if (g.anyPlastic) {
-    const Sym3<LanesD> p = loadTensor<double>(g.plastic);
-    psi += plasticEnergy(gradU, p, hooke(p, lambda, mu));
-  }
+  const LanesD psi = neoHookeanEnergy(f, lambda, mu, loadRow(logs));
   toDoubles(select(loadRow(g.c.neoHookean) > LanesD(0.5), psi, loadRow(energy)), energy);
 }
 
@@ -70,14 +62,9 @@ THAW_INLINE void respondCorotated(const LawLanes& g, const Mat3<LanesD>& gradU, 
   const LanesD lambda = loadRow(g.c.lambda), mu = loadRow(g.c.mu);
   const MaskD ours = loadRow(g.c.corotated) > LanesD(0.5);
   const Rotations rotation = nearestRotations(f);
-  Mat3<LanesD> piola = corotatedStress(f, rotation.r, lambda, mu);
+  const Mat3<LanesD> piola = corotatedStress(f, rotation.r, lambda, mu);
   LanesD psi(0.0);
   if (g.wantEnergy) psi = corotatedEnergy(f, rotation.r, lambda, mu);
-  if (g.anyPlastic) {
-    const Sym3<LanesD> p = loadTensor<double>(g.plastic), s = hooke(p, lambda, mu);
-    piola = piola - times(f, s);
-    if (g.wantEnergy) psi += plasticEnergy(gradU, p, s);
-  }
   storeMatrix<double>(select(ours, piola, loadMatrix<double>(stress)), stress);
   if (g.wantEnergy) toDoubles(select(ours, psi, loadRow(energy)), energy);
   const MaskD hard{ours.lo & ~rotation.found.lo, ours.hi & ~rotation.found.hi};
@@ -88,7 +75,7 @@ THAW_INLINE void respondCorotated(const LawLanes& g, const Mat3<LanesD>& gradU, 
     if (laneOf(hard, l)) {
       ElasticConstants one = g.c.constants[l];
       one.volume = 0;
-      energy[l] = respondLane(one, gradient, g.plastic, l, stress);
+      energy[l] = respondLane(one, gradient, l, stress);
     }
 }
 

@@ -1,4 +1,10 @@
-// Plastic flow by additive strain (O'Brien, Bargteil, Hodgins 2002, OBH02), with a rate that does not depend on the time step.
+// Plastic flow at large strain: F = Fe Fp, and the elastic law acts on Fe alone.
+// A particle yields where its Cauchy stress sigma exceeds the yield stress: |dev sigma| > 2G y, with y = gamma_yield + h eps_p, where eps_p is
+// the equivalent plastic strain; under uniaxial load that is a stress of sqrt(6) G y. The flow goes along the deviator e of the
+// logarithmic elastic strain at fixed F: e <- r e with one r for all three principal axes. So the flow keeps the volume, does not depend on
+// the frame, and ends where the stress of the law itself is on the yield surface.
+// Small strains: additive plastic strain of OBH02. Split and logarithmic return: Simo 1992, "Algorithms for static and dynamic multiplicative
+// plasticity that preserve the classical return mapping schemes of the infinitesimal theory".
 #pragma once
 #include "core/math/mat3.hpp"
 #include "core/solid/elastic_constants.hpp"
@@ -8,16 +14,40 @@ namespace thaw {
 /// Frobenius norm.
 inline double norm(const Sym3d& a) { return std::sqrt(doubleDot(a, a)); }
 
-/// Plastic strain after dt (s): where the deviator of the elastic strain e = strain - plastic is longer than gamma_yield, its excess
-/// decays as exp(-creep dt) (at once if creep is infinite), then |plastic| is cut at gamma_max (OBH02 eq. 3-6).
-/// Two steps of dt/2 give the same as one of dt while the strain stays.
-Sym3d plasticFlow(const ElasticConstants& c, const Sym3d& strain, const Sym3d& plastic, double dt);
+/// (1 + a)(1 + b) - 1: of two deformations one after the other (b first), without the rounding of 1.
+inline Mat3d compose(const Mat3d& a, const Mat3d& b) { return a + b + a * b; }
+/// Fe - 1, with plasticInverse = Fp^-1 - 1.
+inline Mat3d elasticGradient(const Mat3d& gradU, const Mat3d& plasticInverse) {
+  return compose(gradU, plasticInverse);
+}
 
-/// Energy density lost when plastic strain goes from `before` to `after` at this strain, Pa; the same for every law (response.hpp).
-double plasticLoss(const ElasticConstants& c, const Sym3d& strain, const Sym3d& before, const Sym3d& after);
+struct PlasticState {
+  Mat3d inverse{};  ///< 1, Fp^-1 - 1
+  double path = 0;  ///< 1, equivalent plastic strain: integral of sqrt(2/3) |d e|
+};
 
-/// Plastic strain in the frame of the deformed state, with which the elastic strain stays the same tensor and turns with the body:
-/// -F^-T (strain - plastic) F^-1 (accuracy.md section 0, 6). det F > 0.
-Sym3d pushForward(const Mat3d& gradU, const Sym3d& plastic);
+struct PlasticFlow {
+  PlasticState state;
+  Mat3d elastic{};  ///< 1, Fe - 1
+  double loss = 0;  ///< Pa, work of the flow: stress after it times its strain
+  bool flows = false;
+};
+
+/// Flow at fixed F in a time dt (s): the excess |dev sigma|/2G - y decays as exp(-creep dt), at once if creep is infinite, so that two steps
+/// of dt/2 give the same as one of dt. The norm of the total plastic strain stays below gamma_max; referenceGradient is needed for that only.
+/// No flow where det Fe <= 0, or where it would take energy: under a pressure at which the law is not stable in shear (Green strain at a
+/// Poisson's ratio of 0.3: below 0.67 of the volume).
+PlasticFlow plasticFlow(const ElasticConstants& c, const Mat3d& gradU, const PlasticState& before,
+                        const Mat3d& referenceGradient, double dt);
+
+/// ln Up of the total plastic deformation Fp F_ref = R Up, F_ref = 1 + referenceGradient: the logarithmic plastic strain along the axes of the
+/// first reference configuration.
+Sym3d plasticStrain(const Mat3d& plasticInverse, const Mat3d& referenceGradient);
+
+/// (Fp^-1 Fp^-T - 1)/2: minus the plastic strain since the last reference where that is small.
+Sym3d plasticMetric(const Mat3d& plasticInverse);
+
+/// Fp^-1 - 1 once the present configuration is the reference, with the same stress: Ve - 1 of Fe = Ve R.
+Mat3d pushForward(const Mat3d& gradU, const Mat3d& plasticInverse);
 
 }  // namespace thaw

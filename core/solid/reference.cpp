@@ -19,6 +19,7 @@ void resizeWork(ElasticWork& work, const Solids& solids, const Bonds& bonds) {
   work.remoteGroup.resize(groups, 0);
   work.ownFrames.resize(groups, 0);
   work.stretched.resize(groups, 0);
+  work.flows.resize(groups * lanes, 0);
   work.rank.resize(groups * lanes, 0);
   work.perTrace.resize(groups * lanes, 0.0);
   work.perWeight.resize(groups * lanes, 0.0);

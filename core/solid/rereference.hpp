@@ -5,9 +5,10 @@
 
 namespace thaw {
 
-/// Slots whose plastic strain is longer than Numerics::plasticRereference take the current configuration as reference: X_ij <- x_ij,
-/// eps_p <- -F^-T (eps - eps_p) F^-1, V <- V det F; F becomes the identity and the elastic strain is the same
-/// tensor seen from the new reference (the stress turns with the body, and changes where stretches are large). Weights stay. Slots that are inverted or pressed nearly flat (|F^-1|^2 > 6) wait. Their neighbours renew their copies of the vectors (Bonds::rx) here,
+/// Slots whose plastic strain since the last reference is longer than Numerics::plasticRereference take the current configuration as reference:
+/// X_ij <- x_ij, Fp^-1 <- Ve of Fe = Ve R. F becomes the identity; stress and elastic energy stay, and the energy of the hourglass
+/// control goes. Weights stay. Slots that are inverted or pressed nearly flat (|F^-1|^2 > 6) wait, as do those whose bonds would no longer
+/// span space. Their neighbours renew their copies of the vectors (Bonds::rx) here,
 /// and for remote slots in phase 2 (Boundary), by the exchanged column Solids::rereferenced. Call after phase 1 of both parts
 /// and breakBonds. The jump of elastic energy is added to phaseJump (J). Returns the number of slots.
 std::int64_t rereference(ElasticWork& work, Solids& solids, Bonds& bonds, const ElasticStep& step, ExactSum& phaseJump);

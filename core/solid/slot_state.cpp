@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/solid/laws/response.hpp"
+#include "core/solid/plasticity.hpp"
 #include "core/solid/reference_kernels.hpp"
 
 namespace thaw {
@@ -143,8 +144,8 @@ namespace {
 
 SlotStrain strainWith(const ElasticWork& work, const Solids& solids, std::size_t slot, const Mat3d& gradU, double errors) {
   const ElasticConstants c = slotConstants(work, solids, slot);
-  const Sym3d plastic = solids.plasticStrain.active ? solids.plasticStrain[slot] : Sym3d{};
-  return {gradU, solids.volume[slot] * (elasticResponse(c, gradU, plastic).energy + 0.5 * c.hourglass * work.perTrace[slot] * errors)};
+  const Mat3d elastic = work.plastic ? elasticGradient(gradU, solids.plasticInverse[slot]) : gradU;
+  return {gradU, solids.volume[slot] * (elasticResponse(c, elastic).energy + 0.5 * c.hourglass * work.perTrace[slot] * errors)};
 }
 
 }  // namespace

@@ -16,13 +16,14 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
   work.periodic = grid.periodic[0] || grid.periodic[1] || grid.periodic[2];
   work.plastic = modules.plastic;
   work.touch = modules.contact ? contactDistance * scene.spacing : 0;
-  bool rereferences = false;
+  bool rereferences = false, hardens = false;
   for (const Material& m : scene.materials) {
     work.solidConstants.push_back(elasticConstants(m, 0));
     if (!m.canBeSolid()) continue;
     if (modules.fracture) work.minBreakStretch = std::min(work.minBreakStretch, m.breakStretch);
     work.damping = work.damping || m.damping > 0;
     rereferences = rereferences || (modules.plastic && work.solidConstants.back().yield < never && m.maxPlasticStrain > work.rereference);
+    hardens = hardens || (modules.plastic && m.hardening > 0);
   }
   // where a reference is ever taken anew each bond has its own, else all are of the configuration in which the scene starts
   const bool vectors = modules.freezing || modules.welding || rereferences;
@@ -42,9 +43,13 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
                        static_cast<AnyColumn*>(&solids.volume), static_cast<AnyColumn*>(&solids.energy), static_cast<AnyColumn*>(&solids.changed)})
     solids.activate(*c);
   if (!vectors) solids.activate(solids.reference);
-  if (work.plastic) solids.activate(solids.plasticStrain);
+  if (work.plastic) solids.activate(solids.plasticInverse);
+  if (hardens) solids.activate(solids.plasticPath);
   if (work.plastic || work.damping) solids.activate(solids.dissipated);
-  if (rereferences) solids.activate(solids.rereferenced);
+  if (rereferences) {
+    solids.activate(solids.rereferenced);
+    solids.activate(solids.referenceGradient);
+  }
   if (modules.surface) solids.activate(solids.bared);
   if (modules.melting) {
     solids.activate(solids.liquid);

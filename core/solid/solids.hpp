@@ -25,8 +25,11 @@ struct Solids : Table {
   Column<std::uint32_t> particle{*this, "particle", "1", Keep::Local, "row of the continuum particle on this rank, noParticle for remote rows"};
   Column<std::uint16_t> material{*this, "material", "1", Keep::State, "index into the scene's materials"};
   Column<Vec3d> reference{*this, "reference", "m", Keep::State, "place in the reference configuration, where all bonds are of one; X_ij is a difference of two"};
-  Column<double> volume{*this, "volume", "m^3", Keep::State, "of the reference configuration, as far as it is unbroken: the factor of all elastic energy"};
-  Column<Sym3d> plasticStrain{*this, "plasticStrain", "1", Keep::State, "eps_p (OBH02); only where a material yields"};
+  Column<double> volume{*this, "volume", "m^3", Keep::State, "without stress, as far as it is unbroken: the factor of all elastic energy"};
+  Column<Mat3d> plasticInverse{*this, "plasticInverse", "1", Keep::State, "Fp^-1 - 1 of F = Fe Fp (plasticity.hpp); only where a material yields"};
+  Column<Mat3d> referenceGradient{*this, "referenceGradient", "1", Keep::State,
+                                  "F - 1 from the first reference configuration to the present one; only where references follow plastic flow"};
+  Column<double> plasticPath{*this, "plasticPath", "1", Keep::State, "equivalent plastic strain; only where a material hardens"};
   // copies of the continuum particle, set at the start of a step (owned rows) and received (remote rows)
   Column<Vec3d> position{*this, "position", "m", Keep::Transient, "of the particle"};
   Column<Vec3d> velocity{*this, "velocity", "m/s", Keep::Transient, "of the particle; only with bond damping"};

@@ -2,10 +2,30 @@
 #include <cmath>
 
 #include "core/solid/elastic.hpp"
+#include "core/solid/plasticity.hpp"
 
 namespace thaw {
 
+namespace {
+
+/// Upper bound of the largest stretch of Fp^-1, at least 1.
+double plasticStretch(const Mat3d& plasticInverse) {
+  const Sym3d m = plasticMetric(plasticInverse);
+  const double mean = trace(m) / 3, square = doubleDot(m, m) - 3 * mean * mean;
+  // no eigenvalue is above mean + sqrt(2/3) |deviator|
+  return std::sqrt(std::max(1.0, 1 + 2 * (mean + std::sqrt(2.0 / 3 * std::max(0.0, square)))));
+}
+
+double largestPlasticGrip(const ElasticWork& work, const Solids& solids) {
+  double grip = 0;
+  for (std::size_t s = 0; s < solids.owned; s++) grip = std::max(grip, work.grip[s] * plasticStretch(solids.plasticInverse[s]));
+  return grip;
+}
+
+}  // namespace
+
 double largestGrip(const ElasticWork& work, const Solids& solids) {
+  if (work.plastic) return largestPlasticGrip(work, solids);
   double grip[8]{};  // eight chains, as one waits for each comparison
   const double* const of = work.grip.data();
   const std::size_t n = solids.owned;

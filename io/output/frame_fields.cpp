@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "core/fluid/particle_pressure.hpp"
+#include "core/solid/plasticity.hpp"
 #include "io/output/frame_rows.hpp"
 
 namespace thaw {
@@ -57,11 +58,14 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
       *to = p.liquid.active ? p.liquid[i] : p.phase.active ? static_cast<float>(p.phase[i] == Liquid) : static_cast<float>(!m.canBeSolid() || m.liquidAtStart);
     });
   } else if (name == "density") {
-    // the sum over neighbours is taken where there is liquid; a solid's density follows from its volume, V = det F V0
+    // the sum over neighbours is taken where there is liquid; a solid's density follows from its volume, V = det Fe V0
     addRows<float>(f, "density", "kg/m^3", 1, [&w, &p, &s, &materials](std::size_t i, float* to) {
       const std::uint32_t slot = slotOf(w, i);
       double share = 1;
-      if (slot != noSlot && s.deformation.active) share = 1 / determinant(s.deformation[slot]);
+      if (slot != noSlot && s.deformation.active) {
+        const Mat3d& F = s.deformation[slot];
+        share = 1 / determinant(s.plasticInverse.active ? F + F * s.plasticInverse[slot] : F);
+      }
       else if (p.filling.active && (!p.phase.active || p.phase[i] == Liquid)) share = static_cast<double>(p.filling[i]);
       *to = static_cast<float>(materials[p.material[i]].density * share);
     });
@@ -69,13 +73,16 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
     addRows<float>(f, "pressure", "Pa", 1, [&w, liquids = liquidMaterials(w.scene)](std::size_t i, float* to) { *to = w.modules.fluid ? pressureOfParticle(w, liquids, i) : 0; });
   } else if (name == "stress") {
     addTensor(f, w, "stress", "Pa", s.stress.active, [&s](std::uint32_t slot) { return s.stress[slot]; });
-  } else if (name == "strain") {  // Green's: (F^T F - 1)/2
+  } else if (name == "strain") {  // Green's: (F^T F - 1)/2, with F from the first reference
     addTensor(f, w, "strain", "1", s.deformation.active, [&s](std::uint32_t slot) {
-      const Mat3d& F = s.deformation[slot];
+      Mat3d F = s.deformation[slot];
+      if (s.referenceGradient.active) F = F + F * s.referenceGradient[slot];
       return 0.5 * symmetric(transpose(F) * F - identity3<double>());
     });
   } else if (name == "plastic_strain") {
-    addTensor(f, w, "plastic_strain", "1", s.plasticStrain.active, [&s](std::uint32_t slot) { return s.plasticStrain[slot]; });
+    addTensor(f, w, "plastic_strain", "1", s.plasticInverse.active, [&s](std::uint32_t slot) {
+      return plasticStrain(s.plasticInverse[slot], s.referenceGradient.active ? s.referenceGradient[slot] : Mat3d{});
+    });
   } else if (name == "material") {
     addRows<std::uint16_t>(f, "material", "1", 1, [&p](std::size_t i, std::uint16_t* to) { *to = p.material[i]; });
   } else if (name == "body") {

@@ -34,7 +34,7 @@ void addCoefficients(CheckpointValues& marks, const Material& m) {
                          {"hourglass", m.hourglass}, {"break_stretch", m.breakStretch}, {"damping", m.damping}, {"friction", m.friction}, {"restitution", m.restitution},
                          {"latent_heat", m.latentHeat}, {"solidus", m.solidus}, {"liquidus", m.liquidus}, {"hysteresis", m.hysteresis}, {"heat_source", m.heatSource}, {"emissivity", m.emissivity},
                          {"convection", m.convection}, {"paper_diffusivity", m.paperDiffusivity}, {"xsph", m.xsph}, {"artificial_viscosity", m.artificialViscosity},
-                         {"max_plastic_strain", m.maxPlasticStrain}, {"weld", m.weld}});
+                         {"max_plastic_strain", m.maxPlasticStrain}, {"hardening", m.hardening}, {"weld", m.weld}});
   for (std::size_t k = 0; k < m.viscosityTable.size(); k++) {
     const std::string row = fmt::format("{}viscosity.{}.", at, k);
     addNumbers(marks, row, {{"temperature", m.viscosityTable[k].first}, {"viscosity", m.viscosityTable[k].second}});

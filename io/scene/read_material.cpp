@@ -38,9 +38,10 @@ void readSolid(TableReader& r, Material& m) {
   r.blend({"young", "Pa", notNegative(), Liquid::Unchanged, "Young's modulus; above 0 the material can be solid. One value is the solid's, the liquid's is 0"}, m.young);
   r.blend({"poisson", "", inside(-1, 0.5), Liquid::Same, "Poisson's ratio"}, m.poisson);
   r.choice("law", m.law, {"green", "neo-hookean", "corotated"}, "elastic energy: Green strain with Hooke's law (the papers'), Neo-Hookean, corotated");
-  r.blend({"yield_strain", "", orNever(positive()), Liquid::Same, "norm of the deviator of the elastic strain above which it flows (gamma_yield); \"never\": not plastic"}, m.yieldStrain);
-  r.blend({"creep_rate", "1/s", orNever(notNegative()), Liquid::Same, "rate of plastic flow (gamma_creep); \"never\": at once"}, m.creepRate);
-  r.number("max_plastic_strain", m.maxPlasticStrain, "", orNever(positive()), "largest norm of the plastic strain (gamma_max); \"never\": no limit");
+  r.blend({"yield_strain", "", orNever(positive()), Liquid::Same, "yield stress as a strain (gamma_yield): it flows where the norm of the deviator of the stress exceeds 2 G gamma_yield, a uniaxial stress of sqrt(6) G gamma_yield; \"never\": not plastic"}, m.yieldStrain);
+  r.blend({"creep_rate", "1/s", orNever(notNegative()), Liquid::Same, "rate at which stress above the yield stress decays at a fixed deformation (gamma_creep); its viscosity is G / creep_rate; \"never\": at once"}, m.creepRate);
+  r.number("hardening", m.hardening, "Pa", notNegative(), "growth of the uniaxial yield stress with the equivalent plastic strain; 0: none");
+  r.number("max_plastic_strain", m.maxPlasticStrain, "", orNever(positive()), "largest norm of the logarithmic plastic strain (gamma_max), from there on it is elastic; \"never\": no limit");
   r.number("volume_stiffness", m.volumeStiffness, "Pa", notNegative(), "k_v of the volume force (Mueller et al. 2004)");
   r.number("hourglass", m.hourglass, "", between(0, 10), "strength of the control of zero-energy modes");
   r.number("break_stretch", m.breakStretch, "", orNever(Range{1, never, true, false, false}), "a bond longer than this times its length at rest breaks; \"never\": none does");
@@ -82,6 +83,7 @@ void checkMaterial(TableReader& r, const Material& m) {
   if (m.latentHeat > 0 && !r.has("melts")) r.fail("latent_heat", "only a material that melts has a latent heat: give melts, too");
   if (r.has("hysteresis") && !r.has("melts")) r.fail("hysteresis", "only a material that melts has one: give melts, too");
   if (r.has("creep_rate") && !r.has("yield_strain")) r.fail("creep_rate", "only a material that yields creeps: give yield_strain, too");
+  if (m.hardening > 0 && !r.has("yield_strain")) r.fail("hardening", "only a material that yields hardens: give yield_strain, too");
 }
 
 }  // namespace

@@ -108,9 +108,12 @@ TEST(Fields, OfSolidsThatYieldBreakOrAreDamped) {
   Scene plastic = block(true);
   plastic.materials[0].yieldStrain = {0.1, 0.1};
   plastic.materials[0].maxPlasticStrain = 0.1;
-  EXPECT_EQ(added(plastic, block(true)), (Names{"solid.plasticStrain", "solid.dissipated"}));
+  EXPECT_EQ(added(plastic, block(true)), (Names{"solid.plasticInverse", "solid.dissipated"}));
   plastic.materials[0].maxPlasticStrain = never;
-  EXPECT_EQ(added(plastic, block(true)), (Names{"solid.plasticStrain", "solid.dissipated", "solid.rereferenced"}));
+  EXPECT_EQ(added(plastic, block(true)), (Names{"solid.plasticInverse", "solid.referenceGradient", "solid.dissipated", "solid.rereferenced"}));
+  Scene hard = plastic;
+  hard.materials[0].hardening = 1e5;
+  EXPECT_EQ(added(hard, plastic), (Names{"solid.plasticPath"}));
   Scene breaks = block(true);
   breaks.materials[0].breakStretch = 1.5;
   EXPECT_EQ(added(breaks, block(true)), (Names{"solid.velocity"})) << "the books of a break ask where ends were at the drift";

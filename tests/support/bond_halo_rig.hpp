@@ -50,7 +50,7 @@ struct Rig {
 
   Rig(std::size_t particles, std::uint64_t seed, std::size_t piece = largestPiece) : comm(MPI_COMM_WORLD, piece), dice{seed} {
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.id, &p.phase, &p.material, &p.slot}) p.activate(*c);
-    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&s.id, &s.particle, &s.material, &s.volume, &s.plasticStrain, &s.position, &s.liquid, &s.bared, &s.changed})
+    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&s.id, &s.particle, &s.material, &s.volume, &s.plasticInverse, &s.position, &s.liquid, &s.bared, &s.changed})
       s.activate(*c);
     b.twoFrames = true;
     model.resize(particles);
@@ -208,12 +208,12 @@ struct Rig {
       ASSERT_EQ(p.id[s.particle[slot]], id);
       ASSERT_EQ(s.material[slot], indexOf(id) % 5);
       if (s.volume[slot] == 0) {  // has just become solid
-        ASSERT_TRUE(s.plasticStrain[slot].xy == 0);
+        ASSERT_TRUE(s.plasticInverse[slot].row[0].y == 0);
         s.volume[slot] = volumeOf(id);
-        s.plasticStrain[slot].xy = -volumeOf(id);
+        s.plasticInverse[slot].row[0].y = -volumeOf(id);
       }
       ASSERT_EQ(s.volume[slot], volumeOf(id));
-      ASSERT_EQ(s.plasticStrain[slot].xy, -volumeOf(id));
+      ASSERT_EQ(s.plasticInverse[slot].row[0].y, -volumeOf(id));
       ASSERT_EQ(s.bared[slot] != 0, m.bare) << "particle " << indexOf(id);
       std::size_t n = 0;
       std::uint64_t sum = 0;

@@ -95,7 +95,7 @@ struct Sample {
       const std::uint64_t id = solids[k];
       s.id[k] = id;
       s.volume[k] = 1 + hashed(id);
-      s.plasticStrain[k] = {hashed(id), 2, 3, 4, 5, 6};
+      s.plasticInverse[k] = {{{0.1 * hashed(id), 0.02, 0.03}, {0.04, 0.05, 0.06}, {0.07, 0.08, 0.09}}};
       s.deformation[k] = identity3<double>();
       s.stress[k] = {1, 2, 3, 4, 5, double(id)};
       for (int n = 0; n < 5; n++) {

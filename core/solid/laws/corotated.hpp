@@ -34,5 +34,10 @@ template<class T> Mat3<T> corotatedStress(const Mat3<T>& f, const Mat3<T>& r, co
   const Mat3<T> d = f - r;
   return (mu + mu) * d + (lambda * doubleDot(r, d)) * r;
 }
+/// Principal Kirchhoff stresses of these principal stretches, Pa.
+inline Vec3d corotatedPrincipal(const Vec3d& stretch, double lambda, double mu) {
+  const double p = lambda * (stretch.x + stretch.y + stretch.z - 3);
+  return {stretch.x * (p + 2 * mu * (stretch.x - 1)), stretch.y * (p + 2 * mu * (stretch.y - 1)), stretch.z * (p + 2 * mu * (stretch.z - 1))};
+}
 
 }  // namespace thaw

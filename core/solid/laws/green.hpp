@@ -34,5 +34,11 @@ template<class T> T greenEnergy(const Sym3<T>& strain, const T& lambda, const T&
 template<class T> Mat3<T> greenStress(const Mat3<T>& f, const Sym3<T>& strain, const T& lambda, const T& mu) {
   return times(f, hooke(strain, lambda, mu));
 }
+/// Principal Kirchhoff stresses of these principal stretches, Pa: t (lambda tr(e) + 2 mu e) with t = stretch^2, e = (t - 1)/2.
+inline Vec3d greenPrincipal(const Vec3d& stretch, double lambda, double mu) {
+  const Vec3d t{stretch.x * stretch.x, stretch.y * stretch.y, stretch.z * stretch.z};
+  const double p = 0.5 * lambda * (t.x + t.y + t.z - 3);
+  return {t.x * (p + mu * (t.x - 1)), t.y * (p + mu * (t.y - 1)), t.z * (p + mu * (t.z - 1))};
+}
 
 }  // namespace thaw

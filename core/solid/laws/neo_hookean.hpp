@@ -35,5 +35,13 @@ template<class T> Mat3<T> neoHookeanStress(const Mat3<T>& f, const T& lameLambda
   const T a = k.mu * (T(1.0) - T(1.0) / (square + T(1.0))), b = k.lambda * (j - T(1.0)) - T(0.75) * k.mu;
   return a * f + b * c;
 }
+/// Principal Kirchhoff stresses of these principal stretches, Pa.
+inline Vec3d neoHookeanPrincipal(const Vec3d& stretch, double lameLambda, double lameMu) {
+  const NeoHookeanConstants<double> k(lameLambda, lameMu);
+  const Vec3d t{stretch.x * stretch.x, stretch.y * stretch.y, stretch.z * stretch.z};
+  const double j = stretch.x * stretch.y * stretch.z, a = k.mu * (1 - 1 / (t.x + t.y + t.z + 1));
+  const double b = j * (k.lambda * (j - 1) - 0.75 * k.mu);
+  return {a * t.x + b, a * t.y + b, a * t.z + b};
+}
 
 }  // namespace thaw

@@ -1,4 +1,4 @@
-// Energy and stress of a material at one particle: its law, plastic strain and volume force together.
+// Energy and stress of a material at one particle: its law, plastic flow and volume force together.
 #pragma once
 #include "core/math/mat3.hpp"
 #include "core/solid/elastic_constants.hpp"
@@ -6,17 +6,19 @@
 namespace thaw {
 
 struct ElasticResponse {
-  double energy = 0;  ///< Pa, energy density of the reference configuration
-  Mat3d stress{};     ///< Pa, first Piola stress
+  double energy = 0;  ///< Pa, energy density of the volume without stress
+  Mat3d stress{};     ///< Pa, first Piola stress times the reference volume over the volume without stress
 };
 
-/// Plastic strain eps_p enters every law as an eigenstrain of the Green strain:
-///   psi(F, eps_p) = psi_law(F) - eps : C : eps_p + eps_p : C : eps_p / 2,   P = P_law(F) - F C : eps_p.
-/// For Green strain this is exactly Hooke's law of eps - eps_p (OBH02); for the other laws it agrees with that where strains
-/// are small, stays objective, and forces remain the derivative of the energy.
-ElasticResponse elasticResponse(const ElasticConstants& c, const Mat3d& gradU, const Sym3d& plasticStrain);
+/// Of F = 1 + grad u = Fe Fp: psi = psi_law(Fe), P = P_law(Fe) Fp^-T (plasticity.hpp), with plasticInverse = Fp^-1 - 1.
+ElasticResponse elasticResponse(const ElasticConstants& c, const Mat3d& gradU, const Mat3d& plasticInverse);
+/// The same without plastic flow: of Fe from Fe - 1.
+ElasticResponse elasticResponse(const ElasticConstants& c, const Mat3d& gradU);
 
-/// Cauchy stress P F^T / det F, Pa; zero where det F is not positive.
+/// Principal Kirchhoff stresses of these principal elastic stretches, Pa; without the volume force, which has no deviator.
+Vec3d principalKirchhoff(const ElasticConstants& c, const Vec3d& stretch);
+
+/// Cauchy stress P F^T / det F, Pa; zero where det F is not positive. Of Fe and P_law(Fe) where there is plastic flow.
 Sym3d cauchyStress(const Mat3d& piola, const Mat3d& gradU);
 
 }  // namespace thaw

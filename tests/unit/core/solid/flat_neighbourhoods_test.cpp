@@ -68,7 +68,7 @@ TEST(FlatNeighbourhoods, APlasticLayer) {
   m.yieldStrain = {1e3, 1e3};  // it does not flow now
   const std::vector<Vec3d> points = layer(2);
   const auto b = makeBody(points, {m});
-  for (std::size_t s = 0; s < b->solids.owned; s++) b->solids.plasticStrain[s] = {0.02, -0.01, -0.01, 0.005, 0.02, -0.015};  // with shear across the plane
+  for (std::size_t s = 0; s < b->solids.owned; s++) b->solids.plasticInverse[s] = {{{0.02, 0.005, -0.015}, {0.005, -0.01, 0.02}, {-0.015, 0.02, -0.01}}};  // with shear across the plane
   moveAll(*b, points, [&](const Vec3d& x) { return x + Vec3d{0.1 * x.y, 0.05 * x.x, 1.5 * x.x * x.y}; });
   EXPECT_LT(mismatch(*b), 1e-5);
 }

@@ -20,7 +20,7 @@ Material softPlastic() {
 
 }  // namespace
 
-TEST(Rereference, isObjectiveAndBooksTheEnergyJump) {
+TEST(Rereference, keepsEnergyAndStressAndIsObjective) {
   const auto points = lattice({5, 4, 4}, 0.1, 0.2);
   const Mat3d f{{{1.6, 0.1, 0}, {0, 0.8, 0.1}, {0, 0, 0.8}}};
   Mat3d unturned{};
@@ -31,15 +31,19 @@ TEST(Rereference, isObjectiveAndBooksTheEnergyJump) {
     moveAll(*b, points, [&](const Vec3d& x) { return r * (f * x); });
     computeForces(*b);
     const double energy = totalEnergy(*b);
+    computeCauchyStress(b->work, b->solids);
+    const Mat3d stress = full(b->solids.stress[7]);
     ExactSum jump;
     EXPECT_EQ(rereference(b->work, b->solids, b->bonds, b->step, jump), static_cast<std::int64_t>(points.size()));
     computeElasticForces(b->work, b->solids, b->bonds, b->step, SolidPart::Inner);
-    EXPECT_GT(std::abs(jump.value()), 1e-3 * energy);
-    EXPECT_NEAR(energy - totalEnergy(*b), jump.value(), 1e-10 * energy);
+    EXPECT_NEAR(jump.value(), 0, 1e-10 * energy);
+    EXPECT_NEAR(totalEnergy(*b), energy, 1e-10 * energy);
     computeCauchyStress(b->work, b->solids);
+    EXPECT_LT(largest(full(b->solids.stress[7]) - stress), 1e-10 * largest(stress));
     for (std::size_t s = 0; s < points.size(); s++) {
       EXPECT_LT(largest(b->solids.deformation[s] - identity3<double>()), 1e-12);
-      EXPECT_NEAR(b->solids.volume[s], 1e-3 * determinant(f), 1e-14);
+      EXPECT_LT(largest(identity3<double>() + b->solids.referenceGradient[s] - r * f), 1e-12);
+      EXPECT_EQ(b->solids.volume[s], 0.1 * 0.1 * 0.1);
       // the stress turns with the body
       const Mat3d back = transpose(r) * (full(b->solids.stress[s]) * r);
       if (largest(unturned) == 0) unturned = back;
@@ -98,15 +102,17 @@ TEST(Rereference, neighboursFollowSingleSlots) {
   }
 }
 
-// A blow that presses a plastic body nearly flat: the push-forward of that moment would multiply its energy by thousands.
+// A blow that presses a plastic body nearly flat: the present configuration would be a bad reference.
 TEST(Rereference, ANeighbourhoodThatIsPressedFlatWaits) {
   const auto points = lattice({5, 4, 4}, 0.1, 0.2);
   for (const auto& [height, follows] : {std::pair{0.6, true}, {0.3, false}, {0.03, false}, {-0.6, false}}) {
-    const auto b = makeBody(points, {softPlastic()});
+    Material m = softPlastic();
+    m.law = ElasticLaw::NeoHookean;  // Green strain is not stable at 0.6 of its volume
+    const auto b = makeBody(points, {m});
     b->step.dt = 1e-3;
     moveAll(*b, points, [&, h = height](const Vec3d& x) { return Vec3d{x.x, x.y, h * x.z}; });
     computeForces(*b);
-    EXPECT_GT(norm(b->solids.plasticStrain[0]), 0.2);
+    if (height > 0) EXPECT_GT(norm(plasticMetric(b->solids.plasticInverse[0])), 0.2);
     const double energy = totalEnergy(*b);
     ExactSum jump;
     EXPECT_EQ(rereference(b->work, b->solids, b->bonds, b->step, jump), follows ? static_cast<std::int64_t>(points.size()) : 0) << height;
