@@ -19,6 +19,7 @@ ColumnList ghostColumns(World& w) {
   if (p.liquid.active) c.push_back(&p.liquid);
   if (p.temperature.active) c.push_back(&p.temperature);
   if (p.compression.active) c.push_back(&p.compression);
+  if (p.atSurface.active) c.push_back(&p.atSurface);
   if (w.modules.incompressible && p.clamped.active) c.push_back(&p.clamped);
   if (w.modules.sleep) c.push_back(&p.calm);
   if (w.modules.sleep) c.push_back(&p.sleep);
@@ -98,6 +99,7 @@ PairSums pairSumsOf(World& w, StepTools& t) {
   s.diagonal = t.records.diagonal.data();
   s.mixed = t.records.mixed.data();
   s.crowding = w.modules.shifting ? p.crowding.data() : nullptr;
+  if (p.atSurface.active) s.surfaceNormal = p.surfaceNormal.data(), s.gradientSize = p.gradientSize.data();
   return s;
 }
 

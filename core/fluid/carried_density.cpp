@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/fluid/free_surface.hpp"
 #include "core/fluid/particle_pressure.hpp"
 
 namespace thaw {
@@ -14,7 +15,7 @@ void addWalls(World& w, const StepTools& t, double dt) {
   const double h = w.grid.support;
   for (const WallContact& c : t.wallContacts.list) {
     const double push = t.perLatticeSum * t.wallTables(c.distance / h).push * c.share;
-    if (p.crowding.active) p.crowding[c.row] += c.normal * -push;
+    if (p.crowding.active) p.crowding[c.row] += c.normal * (-0.5 * push);  // the pressure's slope is twice that of the wall's own filling
     if (!p.densityRate.active) continue;
     const double off = dot(p.velocity[c.row] - wallVelocity(w.walls.list[c.wall], p.position[c.row]), c.normal);
     const double before = t.perLatticeSum * t.wallTables((c.distance - dt * off) / h).push * c.share;
@@ -22,15 +23,20 @@ void addWalls(World& w, const StepTools& t, double dt) {
   }
 }
 
-/// Inside, from crowded to empty places (Lind 2012; Adami 2013 eq. 13 has .04 here). Not at a free surface, where the gradient is its normal.
-void shift(World& w, const StepTools& t) {
+/// Shifting with a summed density: inside, from crowded to empty places. Not at a free surface, where the gradient is its normal.
+void shiftInside(World& w, const StepTools& t) {
   Continuum& p = w.particles;
   for (std::size_t i = 0; i < p.owned; i++) {
-    Vec3d u{};
-    if (liquidFraction(p, i) == 1 && static_cast<double>(p.filling[i]) > 0.9)
-      u = p.crowding[i] * (-w.scene.numerics.shifting * t.liquids[p.material[i]].soundSpeed);
-    p.smoothing[i] = u;
+    const bool inside = liquidFraction(p, i) == 1 && static_cast<double>(p.filling[i]) > 0.9;
+    p.smoothing[i] = inside ? p.crowding[i] * (-w.scene.numerics.shifting * t.liquids[p.material[i]].soundSpeed) : Vec3d{};
   }
+}
+
+/// Rise of the compression over a step where particles are denser by their places than what they carry, beyond what disorder makes (tolerated):
+/// shifting and splashing change places without a flow.
+double overdense(double summed, double compression, double stepsOfSound) {
+  constexpr double tolerated = 0.03, perStep = 0.05;
+  return std::min(1.0, perStep * stepsOfSound) * std::max(0.0, summed - 1 - compression - tolerated);
 }
 
 /// What corrects gradients inside the liquid, less 1; 0 at surfaces and walls, whose part in the moment is not known. Adds the half of the rate that has
@@ -45,7 +51,7 @@ void correct(World& w, const StepTools& t) {
     }
     const double weight = std::min(1.0, (static_cast<double>(p.filling[i]) - 0.9) / 0.05);
     Mat3d d{};
-    if (weight > 0 && determinant(p.moment[i]) > 0.2) {
+    if (weight > 0 && eigenvaluesAbove(p.moment[i], 0.4)) {  // corrections of more than 2.5 would be stiffer than the step allows
       d = inverse(p.moment[i]);
       for (int a = 0; a < 3; a++) d.row[a][a] -= 1;
     }
@@ -66,7 +72,12 @@ void carryDensity(World& w, const StepTools& t, double dt) {
   Continuum& p = w.particles;
   const Numerics& n = w.scene.numerics;
   addWalls(w, t, dt);
-  if (w.modules.shifting) shift(w, t);
+  if (p.atSurface.active) {
+    findFreeSurface(w, t);
+    shiftParticles(w, t);
+  } else if (w.modules.shifting) {
+    shiftInside(w, t);
+  }
   if (!w.modules.continuity) return;
   if (w.modules.corrected) correct(w, t);
   constexpr double tooCrowded = 1.3;
@@ -79,7 +90,10 @@ void carryDensity(World& w, const StepTools& t, double dt) {
       continue;
     }
     w.counters.crowded += static_cast<double>(p.filling[i]) > tooCrowded * (1 + p.compression[i]);
-    const double flow = p.compression[i] + p.densityRate[i] * dt, spread = p.spreading[i] * dt;
+    const double flow = p.compression[i] + p.densityRate[i] * dt;
+    double spread = p.spreading[i] * dt;
+    if (p.atSurface.active)
+      spread += overdense(static_cast<double>(p.filling[i]), flow + spread, t.liquids[p.material[i]].soundSpeed * dt / w.grid.support);
     if (spread != 0) {
       const Material& m = w.scene.materials[p.material[i]];
       const auto energy = [&](double x) { return compressionEnergy(n.eos, t.liquids[p.material[i]].stiffness, 1 + x, n.tensileLimit); };

@@ -47,7 +47,7 @@ struct PairSums {
   double selfExcess = 0;      ///< taken from the filling of a particle, per V0 / h^3 of its own
   const void* place = nullptr;   ///< x, y, z (fixed point in single precision), V0 / h^3 (V / h^3 with the printed pressure)
   const void* motion = nullptr;  ///< velocity (m/s), viscosity (Pa s)
-  const void* state = nullptr;   ///< pressure term (Pa): f p / filling^2, printed: f p; liquid fraction f; temperature (K); conductivity (W/(m K))
+  const void* state = nullptr;   ///< pressure term (Pa): f p / filling^2, printed: f p; liquid fraction f (for densities: -f at the free surface); temperature (K); conductivity (W/(m K))
   const void* surface = nullptr; ///< square root of the surface tension of the liquid (N/m)^1/2; 1 if solid, else 0; artificial viscosity (Pa s); XSPH factor
   bool carried = false;          ///< density also sums its rate
   double elapsed = 0;            ///< s, of the step that led here, whose rate is found
@@ -72,6 +72,8 @@ struct PairSums {
   const void *diagonal = nullptr, *mixed = nullptr;  ///< records of correct_pressure.hpp
   double *densityRate = nullptr, *spreading = nullptr;  ///< 1/s
   Vec3d* crowding = nullptr;     ///< 1, h grad filling; none: not wanted
+  Vec3d* surfaceNormal = nullptr;  ///< 1, away from neighbours at the free surface, with gradientSize, h sum V |grad W|; none: not wanted
+  float* gradientSize = nullptr;
   Vec3d* smoothed = nullptr;     ///< m/s, velocity change by XSPH
   Vec3d* impulse = nullptr;      ///< N s, of impulse (overwritten); of response the slope of the filling, 1/m
   double* compression = nullptr; ///< 1/s, of compression (overwritten); of response the share of the others, 1/(m^2 kg)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
 
 #include "core/fluid/state_equation.hpp"
@@ -63,7 +64,7 @@ bool sumsOverPairs(const Modules& m) { return m.fluid || m.heat || m.contact; }
 template<class Real> void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
   const CellGrid grid = x.grid;
   const double h = grid.support;
-  const bool carried = x.modules.continuity;
+  const bool carried = x.modules.continuity, surfaces = p.atSurface.active;
   const bool sums = sumsOverPairs(x.modules);
   const bool heat = x.modules.heat, melting = x.modules.melting, surface = r.surface.size() > 0, uniform = x.modules.uniform;
   r.constant.clear();
@@ -93,7 +94,8 @@ template<class Real> void packAs(const RecordContext& x, const Continuum& p, std
     const double f = melting ? static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? 1 : 0, T = heat ? p.temperature[i] : 0;
     const MaterialParameters local = m.melts() || (heat && !m.viscosityTable.empty()) ? localParameters(x.scene.numerics.heat, m, f, T) : r.constant[k];
     put(rows<Real>(r.motion)[i], p.velocity[i], static_cast<Real>(local.viscosity));
-    if (!r.state.empty()) rows<Real>(r.state)[i] = {carried && f > 0 ? static_cast<Real>(p.compression[i]) : Real(0), static_cast<Real>(f), static_cast<Real>(T), static_cast<Real>(local.conductivity)};
+    const double marked = surfaces && p.atSurface[i] ? -f : f;
+    if (!r.state.empty()) rows<Real>(r.state)[i] = {carried && f > 0 ? static_cast<Real>(p.compression[i]) : Real(0), static_cast<Real>(marked), static_cast<Real>(T), static_cast<Real>(local.conductivity)};
     if (surface)
       rows<Real>(r.surface)[i] = {static_cast<Real>(x.liquids[k].rootTension * f), Real(p.phase[i] == Solid), static_cast<Real>(x.liquids[k].artificial * f),
                                   static_cast<Real>(m.xsph * f)};
@@ -126,6 +128,7 @@ template<class Real> void packPressureAs(const RecordContext& x, Continuum& p, s
   if (uniform && !corrected && n.pressure == PairForm::Consistent) return packUniformPressure<Real>(x, p, begin, end, r);
   Four<Real>* place = places<Real>(r);
   for (std::size_t i = begin; i < end; i++) {
+    if (!uniform) state[i].b = std::abs(state[i].b);  // the sign is a mark for the densities
     const double f = uniform ? 1 : static_cast<double>(state[i].b), filling = static_cast<double>(p.filling[i]);
     Real& term = uniform ? rows<Real>(r.motion)[i].d : state[i].a;
     if (f == 0 || filling <= 0) {

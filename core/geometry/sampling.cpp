@@ -15,7 +15,7 @@ constexpr std::size_t pointsAtOnce = 256;       // of a row
 
 }  // namespace
 
-SampleLattice sampleLattice(const SignedDistance& shape, double spacing) {
+SampleLattice sampleLattice(const SignedDistance& shape, double spacing, Layers layers) {
   const Bounds b = shape.bounds();
   SampleLattice l;
   l.spacing = spacing;
@@ -23,7 +23,7 @@ SampleLattice sampleLattice(const SignedDistance& shape, double spacing) {
   for (int a = 0; a < 3; a++) {
     const double size = b.max[a] - b.min[a];
     if (!std::isfinite(b.min[a]) || !std::isfinite(b.max[a])) throw ShapeError("a body of infinite size cannot be filled with particles");
-    const double n = std::max(1.0, std::ceil(size / spacing - 1e-6));
+    const double n = std::max(1.0, layers == Layers::Fit ? std::floor(size / spacing + 1e-6) : std::ceil(size / spacing - 1e-6));
     points *= n;
     if (!(points < mostPoints)) throw ShapeError("a body of this size would need more than 10^12 particles at the scene's spacing");
     l.count[a] = static_cast<std::int64_t>(n);

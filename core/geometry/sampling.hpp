@@ -7,8 +7,12 @@
 
 namespace thaw {
 
+/// How many points a lattice has along a size that is no whole number of spacings: Cover rounds up, such that the points reach the surface; Fit
+/// rounds down, such that none is nearer to the surface than half a spacing. Liquid fits: it would push off what is there already.
+enum class Layers { Cover, Fit };
+
 /// Cubic lattice around the bounding box of a body, centred on it, along the axes of the scene. A box of n spacings gets n points,
-/// the outer ones half a spacing inside; of n and a bit, n + 1.
+/// the outer ones half a spacing inside.
 struct SampleLattice {
   Vec3d corner{};          ///< m, half a spacing below point (0, 0, 0)
   double spacing = 0;      ///< m
@@ -24,7 +28,7 @@ struct SampleLattice {
 struct SampleRange { std::int64_t begin = 0, end = 0; };
 
 /// Throws ShapeError: the bounds are not finite, or the lattice has 2^40 points or more.
-SampleLattice sampleLattice(const SignedDistance& shape, double spacing);
+SampleLattice sampleLattice(const SignedDistance& shape, double spacing, Layers layers = Layers::Cover);
 
 /// The part of rank `rank` of `ranks`: even shares of the rows, empty for some if there are fewer rows than ranks.
 SampleRange sampleRange(const SampleLattice& lattice, int rank, int ranks);

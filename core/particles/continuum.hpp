@@ -36,6 +36,9 @@ struct Continuum : Table {
   Column<Mat3d> flow{*this, "flow", "1/s", Keep::Transient, "minus the gradient of the velocity, not yet corrected: a row for each derivative"};
   Column<Vec3d> smoothing{*this, "smoothing", "m/s", Keep::State, "XSPH and shifting: the particle moves with velocity + smoothing"};
   Column<Vec3d> crowding{*this, "crowding", "1", Keep::Transient, "h grad of the filling by places"};
+  Column<u8> atSurface{*this, "atSurface", "1", Keep::State, "1 at the free surface in the last step (core/fluid/free_surface.hpp)"};
+  Column<Vec3d> surfaceNormal{*this, "surfaceNormal", "1", Keep::Transient, "away from neighbours at the free surface, weighted; 0 without any", Rows::Owned};
+  Column<float> gradientSize{*this, "gradientSize", "1", Keep::Transient, "h sum V |grad W|", Rows::Owned};
   // incompressible liquids (core/fluid/incompressible/)
   Column<float> holding{*this, "holding", "Pa", Keep::State, "pressure that keeps the volume over the next step, over that step: where the next solve begins"};
   Column<float> steadying{*this, "steadying", "Pa", Keep::State, "pressure that stopped compression at the end of the last step, over that step: likewise"};

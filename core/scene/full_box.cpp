@@ -17,4 +17,16 @@ bool liquidFillsTheBox(const Scene& s) {
   return true;
 }
 
+bool liquidIsFree(const Scene& s) {
+  if (s.bodies.empty() || !s.emitters.empty() || !s.obstacles.empty() || !s.oriented.empty() || !s.sheets.empty()) return false;
+  if (length(s.domain.gravity) > 0) return false;
+  for (const auto& sides : s.domain.side)
+    if (sides[0] == Side::Wall || sides[1] == Side::Wall) return false;
+  for (const Body& b : s.bodies) {
+    const Material& m = s.materials[static_cast<std::size_t>(b.material)];
+    if (m.canBeSolid() || m.surfaceTension > 0 || !b.clamp.empty()) return false;
+  }
+  return true;
+}
+
 }  // namespace thaw

@@ -46,4 +46,7 @@ Modules modulesOf(const Scene& scene);
 /// Is a body of the material solid at the start, at this temperature (K)?
 bool solidAt(const Material& material, double T);
 
+/// Is it solid at the start?
+inline bool solidAtStart(const Scene& s, const Body& b) { return solidAt(s.materials[static_cast<std::size_t>(b.material)], b.temperature); }
+
 }  // namespace thaw

@@ -21,6 +21,7 @@ void activateFields(World& w, StepTools& t) {
   on(m.corrected, {&p.moment, &p.correction, &p.flow});
   on(m.xsph || m.shifting, {&p.smoothing});
   on(m.shifting, {&p.crowding});
+  on(m.shifting && m.continuity, {&p.atSurface, &p.surfaceNormal, &p.gradientSize});
   on(m.incompressible, {&p.holding, &p.steadying, &p.pressureKick, &p.drag, &p.trialPressure, &p.trialVelocity});
   on(m.surfaceHeat, {&p.exposure});
   on(m.surfaceEnergy, {&p.surfaceGradient, &p.surfaceCover, &p.surfacePull, &p.surfaceDraw});

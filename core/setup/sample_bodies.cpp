@@ -83,7 +83,7 @@ std::int64_t sampleBody(World& w, std::size_t b, const SignedDistance& shape, co
   const Scene& s = w.scene;
   Continuum& p = w.particles;
   const Bounds bounds = shape.bounds();
-  const SampleLattice l = sampleLattice(shape, s.spacing);
+  const SampleLattice l = sampleLattice(shape, s.spacing, solidAtStart(s, s.bodies[b]) ? Layers::Cover : Layers::Fit);
   // where there is no surface anywhere in its cell: relaxation leads back to the lattice from less (benchmark taylor_green)
   const double jitter = s.bodies[b].packing != Packing::Relaxed ? 0 : liquidFillsTheBox(s) ? 0.5 : 0.2;
   const SampleRange range = sampleRange(l, all.rank(), all.size());

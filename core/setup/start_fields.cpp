@@ -109,7 +109,7 @@ void assignStartFields(World& w, const Shapes& shapes, Reducer& all, bool relaxe
   std::vector<Vec3d> centres(s.bodies.size());
   for (std::size_t b = 0; b < s.bodies.size(); b++) {
     if (!wanted[b]) continue;
-    lattices[b] = sampleLattice(*shapes[b], s.spacing);
+    lattices[b] = sampleLattice(*shapes[b], s.spacing, solidAtStart(s, s.bodies[b]) ? Layers::Cover : Layers::Fit);
     centres[b] = middleOf(*shapes[b]);
   }
   std::vector<BadValues> bad(s.bodies.size());

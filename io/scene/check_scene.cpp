@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/scene/full_box.hpp"
+#include "io/scene/full_box.hpp"
 #include "io/scene/nearest_word.hpp"
 #include "io/scene/read_sections.hpp"
 
@@ -82,7 +84,13 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   // the quality's density is that of the equation of state in its consistent form, and not of what is poured: that joins and parts all the time, and a density
   // that is carried along drifts from what the places say (pools were 1.3 times too dense)
   if (x.open.density && (n.solver == PressureSolver::Incompressible || n.pressure == PairForm::Printed || !s.emitters.empty())) s.numerics.density = Numerics().density;
-  if (errors.empty()) chooseForFullBox(s, x.open);
+  if (!errors.empty()) return;
+  chooseForFullBox(s, x.open);
+  chooseForFreeLiquid(s, x.open);
+  if (n.tensileLimit > 0 && n.shifting == 0 && n.solver == PressureSolver::StateEquation && !liquidFillsTheBox(s))
+    errors.push_back({x.start, "numerics.tensile_limit above 0 needs numerics.shifting above 0 (0.2 is recommended, with density = \"continuity\"): particles of liquid that pulls gather in clumps"});
+  else if (n.tensileLimit > 0 && n.density != DensityForm::Continuity && n.solver == PressureSolver::StateEquation && !liquidFillsTheBox(s))
+    errors.push_back({x.start, "numerics.tensile_limit above 0 needs numerics.density = \"continuity\": a summed density is low at a free surface, which would pull"});
 }
 
 }  // namespace thaw

@@ -19,4 +19,14 @@ void chooseForFullBox(Scene& s, const OpenChoices& open) {
   if (mayRelax) s.bodies[0].packing = Packing::Relaxed;
 }
 
+void chooseForFreeLiquid(Scene& s, const OpenChoices& open) {
+  Numerics& n = s.numerics;
+  const bool equation = n.pressure == PairForm::Consistent && n.solver == PressureSolver::StateEquation;
+  if (!equation || s.quality == Quality::Preview || liquidFillsTheBox(s) || !liquidIsFree(s)) return;
+  if (open.density) n.density = DensityForm::Continuity;
+  if (n.density != DensityForm::Continuity) return;
+  if (open.tensileLimit) n.tensileLimit = 1;
+  if (open.shifting) n.shifting = 0.2;
+}
+
 }  // namespace thaw

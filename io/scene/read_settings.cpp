@@ -54,9 +54,9 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.choice("density", n.density, {"summation", "continuity", "plain"}, "of liquids: summed over places, such that it changes with compression as the density does; carried along by the divergence of the flow (the default where liquid fills a periodic box); or the plain sum");
   r.flag("corrected_gradients", n.correctedGradients, "of the continuity form: exact for linear fields inside the liquid (Bonet & Lok 1999)");
   r.number("density_diffusion", n.densityDiffusion, "", between(0, 1), "of the continuity form: evens out the density of neighbours");
-  r.number("shifting", n.shifting, "", between(0, 0.3), "speed of particles from crowded to empty places inside a liquid, over c h times the gradient of the filling; 0: none (.2 is the default where liquid fills a periodic box)");
+  r.number("shifting", n.shifting, "", between(0, 0.3), "largest speed at which particles of a liquid are shifted from crowded to empty places, over the speed of sound times h grad C; with the continuity form it follows strain and tension, and particles at the free surface stay. 0: none (0.2 is the default where liquid fills a periodic box or is free in space: no weight, tension, solid, wall, obstacle or emitter)");
   r.choice("equation_of_state", n.eos, {"linear", "tait"}, "pressure by density");
-  r.number("tensile_limit", n.tensileLimit, "", between(0, 1), "share of negative pressure that is kept (1 is the default where liquid fills a periodic box)");
+  r.number("tensile_limit", n.tensileLimit, "", between(0, 1), "share of negative pressure that is kept; above 0 it needs the continuity form and shifting (1 is the default where liquid fills a periodic box or is free in space)");
   r.choice("pressure_solver", n.solver, {"state equation", "incompressible"}, "pressure by density, or found so that liquids keep their volume (steps are limited by speed, not by sound)");
   r.number("density_tolerance", n.densityTolerance, "", {0, 0.1, true, false, false}, "incompressible: the solver stops where the mean of what is left of a step's compression is below it; what was there before is undone over the time of a spacing");
   r.number("divergence_tolerance", n.divergenceTolerance, "", {0, 0.1, true, false, false}, "incompressible: mean rate of compression, times the step, at which it stops");

@@ -23,7 +23,7 @@ template<class Real, class Kernel, Carry carry> struct CarriedDensity {
   L weight[3];  ///< h g
   L ago;        ///< s/m, the step that led here over h
   struct Data { Lanes4<Real> place, motion, state; };
-  struct Sum { L filling = L(0.0), closest = L(1.0), x = L(0.0), y = L(0.0), z = L(0.0), rate = L(0.0), spread = L(0.0), column = L(0.0), moment[6] = {L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0)}, flow[9] = {L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0)}, begun[9] = {L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0)}; };
+  struct Sum { L size = L(0.0), nx = L(0.0), ny = L(0.0), nz = L(0.0), filling = L(0.0), closest = L(1.0), x = L(0.0), y = L(0.0), z = L(0.0), rate = L(0.0), spread = L(0.0), column = L(0.0), moment[6] = {L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0)}, flow[9] = {L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0)}, begun[9] = {L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0)}; };
   THAW_INLINE Data load(const std::uint32_t* entries) const {
     if constexpr (Carried) return {loadListed(place, entries), loadListed(motion, entries), loadListed(state, entries)};
     else return {loadListed(place, entries), {}, {}};
@@ -50,6 +50,11 @@ template<class Real, class Kernel, Carry carry> struct CarriedDensity {
     s.y += g * dy;
     s.z += g * dz;
     if constexpr (Carried) {
+      s.size -= g * sqrt(q2);
+      const L marked = select(j.state.b < L(0.0), g, L(0.0));
+      s.nx -= marked * dx;
+      s.ny -= marked * dy;
+      s.nz -= marked * dz;
       const L ux = i.motion.a - j.motion.a, uy = i.motion.b - j.motion.b, uz = i.motion.c - j.motion.c;
       if constexpr (Corrected) {
         const L gx = g * dx, gy = g * dy, gz = g * dz;
@@ -69,7 +74,7 @@ template<class Real, class Kernel, Carry carry> struct CarriedDensity {
       } else {
         s.begun[0] += b * (ux * ox + uy * oy + uz * oz);
       }
-      const L both = V * Kernel::laplace(q2) * i.state.b * j.state.b;
+      const L both = V * Kernel::laplace(q2) * max(i.state.b * j.state.b, -(i.state.b * j.state.b));
       s.spread += both * (j.state.a - i.state.a);
       s.column += both * (weight[0] * dx + weight[1] * dy + weight[2] * dz);
     }
@@ -85,6 +90,10 @@ template<class Real, class Kernel, Carry carry> struct CarriedDensity {
         if (touching && s.closest[l] < Real(1e-20)) ++*in->coincident;
         if (in->crowding) in->crowding[row] = {scale * static_cast<double>(s.x[l]), scale * static_cast<double>(s.y[l]), scale * static_cast<double>(s.z[l])};
         if constexpr (Carried) {
+          if (in->surfaceNormal) {
+            in->surfaceNormal[row] = {static_cast<double>(s.nx[l]), static_cast<double>(s.ny[l]), static_cast<double>(s.nz[l])};
+            in->gradientSize[row] = static_cast<float>(scale * static_cast<double>(s.size[l]));
+          }
           const auto of = [&](const L& a) { return static_cast<double>(a[l]); };
           if constexpr (Corrected) {
             const L *m = s.moment, *u = s.flow;
