@@ -13,6 +13,7 @@ namespace {
 TEST(Watch, AFailureHalvesTheStepAndItGrowsBack) {
   World w;
   w.clock.dt = 0.4;
+  w.clock.end = 1000;
   acceptState(w, {});
   EXPECT_EQ(w.watch.fullStep, 0.4);
   EXPECT_EQ(nextFactor(w.watch), 1);
@@ -54,6 +55,7 @@ TEST(Watch, GoodStatesBeforeAFailureDoNotForgiveIt) {
   World w;
   WatchBounds b;
   w.clock.dt = 1;
+  w.clock.end = 1000;
   w.scene.numerics.retryEvery = 10;
   acceptState(w, {});
   constexpr double failsAt = 7;
