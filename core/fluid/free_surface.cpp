@@ -13,7 +13,7 @@ constexpr double surfaceAsymmetry = 0.19;
 /// Spacings from a wall within which its normal is left out.
 constexpr double wallLayer = 1.2;
 /// Shifting velocity over h times the rate of strain, and over sqrt(|p| / rho) under tension, each per gradient of concentration.
-constexpr double perStrain = 10, perTension = 10;
+constexpr double perStrain = 20, perTension = 40;
 
 /// Calls action(row, contacts of the row) for each row that has contacts with walls.
 template<class Action> void eachWallRow(const std::vector<WallContact>& list, Action action) {
