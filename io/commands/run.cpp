@@ -5,7 +5,9 @@
 #include <filesystem>
 
 #include "core/domain/emit.hpp"
+#include "core/fluid/connected_density.hpp"
 #include "core/geometry/shape_error.hpp"
+#include "core/scene/full_box.hpp"
 #include "core/surface/surface_due.hpp"
 #include "core/time/limits.hpp"
 #include "io/commands/above_zero.hpp"
@@ -70,6 +72,16 @@ int loop(Run& r, std::string& why) {
     }
   }
   return exitDone;
+}
+
+/// Warns where connected liquid has come to less than 0.9 of its rest density: a summed density does not pull it together again.
+void warnOfThinLiquid(Run& r) {
+  constexpr double least = 0.9;
+  const double density = connectedDensity(r.world, r.all);
+  if (density >= least) return;
+  const char* const keys = "set numerics.density = \"continuity\", numerics.tensile_limit = 1 and numerics.shifting = 0.2";
+  r.warn(fmt::format("connected liquid has {:.2f} of its rest density on average: it is torn, or spread in a layer of a few particles; where it "
+                     "should hold together, {}", density, liquidIsFree(r.world.scene) ? keys : "choose a smaller spacing"));
 }
 
 int simulate(Run& r) {
@@ -138,6 +150,7 @@ int simulate(Run& r) {
     if (c.step != r.stepAtReport) report(r);
     leaveGoodState(r);
     writeCheckpointOf(r);
+    warnOfThinLiquid(r);
   }
   summarise(r, code == exitDone ? "done" : code == exitStopped ? "stopped" : "failed", why);
   const std::size_t told = r.summary.warnings.size();

@@ -112,7 +112,9 @@ TEST(Rereference, ANeighbourhoodThatIsPressedFlatWaits) {
     b->step.dt = 1e-3;
     moveAll(*b, points, [&, h = height](const Vec3d& x) { return Vec3d{x.x, x.y, h * x.z}; });
     computeForces(*b);
-    if (height > 0) EXPECT_GT(norm(plasticMetric(b->solids.plasticInverse[0])), 0.2);
+    if (height > 0) {
+      EXPECT_GT(norm(plasticMetric(b->solids.plasticInverse[0])), 0.2);
+    }
     const double energy = totalEnergy(*b);
     ExactSum jump;
     EXPECT_EQ(rereference(b->work, b->solids, b->bonds, b->step, jump), follows ? static_cast<std::int64_t>(points.size()) : 0) << height;

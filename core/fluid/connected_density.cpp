@@ -1,0 +1,26 @@
+#include "core/fluid/connected_density.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/fluid/particle_pressure.hpp"
+
+namespace thaw {
+
+double connectedDensity(const World& w, Reducer& all) {
+  if (!w.modules.fluid || w.modules.continuity) return 1;
+  constexpr double unit = 1e-6;  // whole numbers, whose sum has no order
+  constexpr std::uint16_t connected = 8;
+  const Continuum& p = w.particles;
+  std::array<std::int64_t, 2> sums{};
+  for (std::size_t i = 0; i < p.owned && i < w.neighbours.neighbours.size(); i++) {
+    if (liquidFraction(p, i) < 1 || w.neighbours.neighbours[i] < connected) continue;
+    sums[0]++;
+    sums[1] += std::llround(std::min(static_cast<double>(p.filling[i]), 1e6) / unit);
+  }
+  all.sum(sums);
+  return sums[0] > 0 ? unit * static_cast<double>(sums[1]) / static_cast<double>(sums[0]) : 1;
+}
+
+}  // namespace thaw
