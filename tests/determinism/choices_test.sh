@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Choices of [numerics] beside the defaults: the same bits on 1, 2, 3, 4 and 7 ranks and over a restart. All solvers at once; carried density
-# with shifting; a full periodic box; fields of the start; the printed forms; double precision.
+# with shifting; free liquid; a full periodic box; fields of the start; the printed forms; double precision.
 . "$(dirname "$0")/../support/run.sh"
 # try NAME SCENE STEPS SETTINGS...
 try() {
@@ -63,9 +63,26 @@ speed = 2
 velocity = { x = "-0.5*(y - 0.5)", y = "0.5*(x - 0.5)" }
 temperature = "350 + 10*x"
 END
+cat >"$work/patch.toml" <<'END'
+spacing = 0.05
+end = 0.4
+[domain]
+min = [-2, -2, -0.15]
+max = [2, 2, 0.15]
+gravity = [0, 0, 0]
+sides = { z = "periodic" }
+[material.water]
+density = 1000
+[[body]]
+name = "patch"
+box = { size = [1, 1, 0.3] }
+material = "water"
+spin = [0, 0, 5]
+END
 n=numerics
 try all_solvers "$scenes/melt.toml" 30 $n.pressure_solver=incompressible $n.viscosity_solver=implicit $n.elastic_substeps=8
 try carried_density "$scenes/dam_break.toml" 30 $n.density=continuity $n.shifting=0.1
+try free_liquid "$work/patch.toml" 60
 try full_box "$work/vortices.toml" 30
 try start_fields "$work/fields.toml" 30
 try printed "$scenes/melt.toml" 30 $n.pressure=printed $n.viscosity=laplacian "$n.tension=colour field" $n.conduction=plain

@@ -246,7 +246,9 @@ std::string scene(std::uint64_t seed) {
   if (d.chance(0.05)) head += "tension = \"colour field\"\n";
   const std::string solving = solvers(d, laplacian, printed);
   const bool incompressible = solving.find("incompressible") != std::string::npos;  // which knows all or nothing
-  if (pulls) head += fmt::format("tensile_limit = {:.4g}\n", incompressible ? std::round(pull) : pull);
+  const auto says = [&](const char* words) { return solving.find(words) != std::string::npos; };
+  const bool mayPull = incompressible || (says("continuity") && says("shifting"));
+  if (pulls && mayPull) head += fmt::format("tensile_limit = {:.4g}\n", incompressible ? std::round(pull) : pull);
   head += solving;
   head += sleepOf(more, solving, speed, radius);
   return head + "\n" + surfaceOf(more, spacing) + text;

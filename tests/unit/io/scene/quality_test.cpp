@@ -78,4 +78,23 @@ TEST(FullBox, StaysOnTheLatticeWhereTheTemperatureVaries) {
   EXPECT_EQ(sceneOf("", "", periodic, "temperature_gradient = [1, 0, 0]").bodies[0].packing, Packing::Lattice);
 }
 
+TEST(FreeLiquid, CarriesItsDensityAndMayPull) {
+  const std::string free = "gravity = [0, 0, 0]\n";
+  const Numerics n = sceneOf("", "", free).numerics;
+  EXPECT_EQ(n.density, DensityForm::Continuity);
+  EXPECT_EQ(n.tensileLimit, 1);
+  EXPECT_GT(n.shifting, 0);
+  EXPECT_EQ(sceneOf("quality = 'preview'", "", free).numerics.density, DensityForm::Summation);
+  EXPECT_EQ(sceneOf("", "density = 'summation'", free).numerics.tensileLimit, 0);
+  EXPECT_EQ(sceneOf("", "", free + "sides = { z = ['wall', 'open'] }\n").numerics.density, DensityForm::Summation);
+  EXPECT_EQ(sceneOf("", "", free, "[[obstacle]]\nplane = { point = [0, 0, 0], normal = [0, 0, 1] }\n").numerics.density, DensityForm::Summation);
+}
+
+TEST(FreeLiquid, PullsOnlyWithShiftingAndACarriedDensity) {
+  EXPECT_THROW(sceneOf("", "tensile_limit = 1"), SceneErrors);
+  EXPECT_THROW(sceneOf("", "tensile_limit = 1\nshifting = 0.2"), SceneErrors);
+  EXPECT_THROW(sceneOf("", "tensile_limit = 1\ndensity = 'continuity'"), SceneErrors);
+  EXPECT_NO_THROW(sceneOf("", "tensile_limit = 1\ndensity = 'continuity'\nshifting = 0.2"));
+}
+
 }  // namespace thaw

@@ -1,0 +1,89 @@
+// Free surface and shifting of liquids that carry their density (core/fluid/free_surface.hpp).
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/fluid/free_surface.hpp"
+#include "tests/support/simulation.hpp"
+
+namespace thaw {
+namespace {
+
+using test::Simulation;
+
+/// A cube of n^3 particles without weight, in open space or (floor) on a wall.
+Scene cubeOf(int n, bool floor) {
+  Scene s = test::columnScene(0.1, 0, 1);
+  s.domain.min = {-1, -1, floor ? 0.0 : -1};
+  s.domain.max = {2, 2, 2};
+  s.domain.gravity = {};
+  s.obstacles.clear();
+  if (floor) s.domain.side[2][0] = Side::Wall;
+  s.materials[0].soundSpeed = 10;
+  s.numerics.density = DensityForm::Continuity;
+  s.numerics.tensileLimit = 1;
+  s.numerics.shifting = 0.2;
+  s.bodies.clear();
+  const double size = 0.1 * n;
+  test::addBox(s, {0, 0, 0}, {size, size, size});
+  s.end = 0.1;
+  return s;
+}
+
+TEST(FreeSurface, EigenvaluesAreComparedWithoutBeingFound) {
+  const Mat3d m{{{2, 0.5, 0}, {0.5, 2, 0}, {0, 0, 3}}};  // 1.5, 2.5, 3
+  EXPECT_TRUE(eigenvaluesAbove(m, 1.49));
+  EXPECT_FALSE(eigenvaluesAbove(m, 1.51));
+  EXPECT_FALSE(eigenvaluesAbove(m, 2.7));  // two are below: the determinant is positive again
+}
+
+TEST(FreeSurface, IsTheOutermostLayerAndNotTheOneAtAWall) {
+  for (const bool floor : {false, true}) {
+    Simulation r(cubeOf(6, floor));
+    const Continuum& p = r.particles();
+    for (std::size_t i = 0; i < p.owned; i++) {
+      const Vec3d x = p.position[i];
+      bool outer = x.z > 0.5 || (!floor && x.z < 0.1);
+      for (const double a : {x.x, x.y}) outer = outer || a < 0.1 || a > 0.5;
+      EXPECT_EQ(p.atSurface[i] != 0, outer) << floor << ' ' << x.x << ' ' << x.y << ' ' << x.z;
+    }
+  }
+}
+
+TEST(FreeSurface, LiquidAtRestIsNotShifted) {
+  Simulation r(cubeOf(6, false));
+  ASSERT_TRUE(r.run());
+  const Continuum& p = r.particles();
+  for (std::size_t i = 0; i < p.owned; i++) EXPECT_LT(length(p.smoothing[i]), 1e-4);
+}
+
+/// A square of liquid, 20 particles wide and periodic across, that spins until it has turned by 2 rad: summed densities leave dust at half the density.
+TEST(FreeSurface, SpinningLiquidHoldsTogether) {
+  Scene s = cubeOf(20, false);
+  s.spacing = 0.05;
+  s.domain.min = {-2, -2, -0.15};
+  s.domain.max = {2, 2, 0.15};
+  s.domain.side[2] = {Side::Periodic, Side::Periodic};
+  s.bodies.clear();
+  test::addBox(s, {-0.5, -0.5, -0.15}, {0.5, 0.5, 0.15}).spin = {0, 0, 5};
+  s.materials[0].soundSpeed = 35;
+  s.materials[0].viscosity = {};
+  s.end = 0.4;
+  Simulation r(s);
+  const double kinetic = r.books().now.kinetic;
+  ASSERT_TRUE(r.run());
+  EXPECT_LT(std::abs(r.books().energyResidual), 0.01 * kinetic);
+  const Continuum& p = r.particles();
+  double spin = 0, middle = 0, inMiddle = 0;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const Vec3d x = p.position[i], v = p.velocity[i];
+    spin += x.x * v.y - x.y * v.x;
+    if (x.x * x.x + x.y * x.y < 0.04) middle++;
+  }
+  inMiddle = middle * 0.05 * 0.05 * 0.05 / (3.14159265358979 * 0.04 * 0.3);
+  EXPECT_NEAR(inMiddle, 1, 0.1);  // volume of the particles within 0.2 m of the axis over the space there
+  EXPECT_NEAR(spin / static_cast<double>(p.owned), 5.0 / 6 * (1 - 1.0 / 400), 0.02 * 5 / 6);
+}
+
+}  // namespace
+}  // namespace thaw
