@@ -72,7 +72,7 @@ TEST(Frontier, AdviceIsOfCasesThatMoveAsTheSceneDoes) {
     const Scene s = readScene(sceneFilesOf("test.toml", "spacing = 0.1\nend = 1\n[domain]\nmin = [0, 0, 0]\nmax = [2, 2, 2]\n" + domain +
                                                             "\n[material.water]\n[[body]]\nmaterial = 'water'\n" + liquid));
     std::string all;
-    for (const std::string& line : frontierAdvice(s, modulesOf(s))) all += line + "\n";
+    for (const Suggestion& each : frontierAdvice(s, modulesOf(s))) all += each.line + "\n";
     return all;
   };
   const auto has = [](const std::string& text, const char* what) { return text.find(what) != std::string::npos; };
