@@ -34,21 +34,28 @@ template<class Action> void choose(const PairSums& in, Action action) {
   else withReal(double{});
 }
 
+template<class Real, class Kernel, Carry carry> void carriedDensityOf(const PairSums& in, GroupRange range, double scale) {
+  using L = Lanes<Real>;
+  const auto sum = [&](auto term) { sweep(*in.lists, range, term, Groups::Wet); };
+  const auto make = [&]<bool Surfaces>() {
+    return CarriedDensity<Real, Kernel, carry, Surfaces>{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, scale,
+                                                         {L(in.weight.x), L(in.weight.y), L(in.weight.z)}, L(in.elapsed / in.support)};
+  };
+  if (in.surfaceNormal) sum(make.template operator()<true>());
+  else sum(make.template operator()<false>());
+}
+template<class Real, class Kernel> void carriedDensity(const PairSums& in, GroupRange range, double scale) {
+  if (in.moment) carriedDensityOf<Real, Kernel, Carry::Corrected>(in, range, scale);
+  else carriedDensityOf<Real, Kernel, Carry::Density>(in, range, scale);
+}
+
 void density(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
-    using L = Lanes<Real>;
     const double scale = in.fillingScale * in.support * in.support * in.support;
-    if (in.moment) {
-      CarriedDensity<Real, decltype(kernel), Carry::Corrected> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, scale, {L(in.weight.x), L(in.weight.y), L(in.weight.z)}, L(in.elapsed / in.support)};
-      return sweep(*in.lists, range, term, Groups::Wet);
-    }
-    if (in.carried) {
-      CarriedDensity<Real, decltype(kernel), Carry::Density> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, scale, {L(in.weight.x), L(in.weight.y), L(in.weight.z)}, L(in.elapsed / in.support)};
-      return sweep(*in.lists, range, term, Groups::Wet);
-    }
+    if (in.carried) return carriedDensity<Real, decltype(kernel)>(in, range, scale);
     if (in.crowding) {
-      CarriedDensity<Real, decltype(kernel), Carry::Nothing> term{records<Real>(in.place), nullptr, nullptr, &in, scale, {L(0.0), L(0.0), L(0.0)}, {}};
+      CarriedDensity<Real, decltype(kernel), Carry::Nothing> term{records<Real>(in.place), nullptr, nullptr, &in, scale, {Lanes<Real>(0.0), Lanes<Real>(0.0), Lanes<Real>(0.0)}, {}};
       return sweep(*in.lists, range, term, Groups::Wet);
     }
     Density<Real, decltype(kernel)> term{records<Real>(in.place), in.filling, in.coincident, in.fillingScale * in.support * in.support * in.support, in.selfExcess};

@@ -49,6 +49,7 @@ inline double hashed(std::uint64_t x) {
 /// Rank of a particle: uneven, some ranks with nothing.
 inline int ownerOf(std::uint64_t id, int ranks) { return static_cast<int>((id / 7) % static_cast<std::uint64_t>(ranks > 2 ? ranks - 1 : ranks)); }
 inline bool solidAt(std::uint64_t id) { return id % 3 != 0; }
+inline Mat3d plasticInverseOf(std::uint64_t id) { return {{{0.1 * hashed(id), 0.02, 0.03}, {0.04, 0.05, 0.06}, {0.07, 0.08, 0.09}}}; }
 
 /// A world whose every number depends on ids only: N particles, two thirds of them solid, bonded to up to three others on any rank.
 struct Sample {
@@ -95,7 +96,7 @@ struct Sample {
       const std::uint64_t id = solids[k];
       s.id[k] = id;
       s.volume[k] = 1 + hashed(id);
-      s.plasticInverse[k] = {{{0.1 * hashed(id), 0.02, 0.03}, {0.04, 0.05, 0.06}, {0.07, 0.08, 0.09}}};
+      s.plasticInverse[k] = plasticInverseOf(id);
       s.deformation[k] = identity3<double>();
       s.stress[k] = {1, 2, 3, 4, 5, double(id)};
       for (int n = 0; n < 5; n++) {

@@ -12,9 +12,10 @@ namespace {
 /// 2009 eq. 11) of what is not the weight of the liquid (Fourtakas 2019 eq. 10). The rate is the mean of those with the gradients at the two ends of the step,
 /// from each of which its pressure has its force: so the work of pressure is what the energy of compression loses. Gradients of the end alone give the flow
 /// a power of dt/2 int |grad p|^2 / rho.
+/// Surfaces: also what free surfaces are found by, |grad W| and the direction away from neighbours that are marked as being at one.
 enum class Carry { Nothing, Density, Corrected };
 
-template<class Real, class Kernel, Carry carry> struct CarriedDensity {
+template<class Real, class Kernel, Carry carry, bool Surfaces = false> struct CarriedDensity {
   using L = Lanes<Real>;
   static constexpr bool Carried = carry != Carry::Nothing, Corrected = carry == Carry::Corrected;
   const Record<Real>*place, *motion, *state;
@@ -50,11 +51,13 @@ template<class Real, class Kernel, Carry carry> struct CarriedDensity {
     s.y += g * dy;
     s.z += g * dz;
     if constexpr (Carried) {
-      s.size -= g * sqrt(q2);
-      const L marked = select(j.state.b < L(0.0), g, L(0.0));
-      s.nx -= marked * dx;
-      s.ny -= marked * dy;
-      s.nz -= marked * dz;
+      if constexpr (Surfaces) {
+        s.size -= g * sqrt(q2);
+        const L marked = select(j.state.b < L(0.0), g, L(0.0));
+        s.nx -= marked * dx;
+        s.ny -= marked * dy;
+        s.nz -= marked * dz;
+      }
       const L ux = i.motion.a - j.motion.a, uy = i.motion.b - j.motion.b, uz = i.motion.c - j.motion.c;
       if constexpr (Corrected) {
         const L gx = g * dx, gy = g * dy, gz = g * dz;
@@ -74,7 +77,8 @@ template<class Real, class Kernel, Carry carry> struct CarriedDensity {
       } else {
         s.begun[0] += b * (ux * ox + uy * oy + uz * oz);
       }
-      const L both = V * Kernel::laplace(q2) * max(i.state.b * j.state.b, -(i.state.b * j.state.b));
+      L both = V * Kernel::laplace(q2) * i.state.b * j.state.b;
+      if constexpr (Surfaces) both = max(both, -both);
       s.spread += both * (j.state.a - i.state.a);
       s.column += both * (weight[0] * dx + weight[1] * dy + weight[2] * dz);
     }
@@ -90,7 +94,7 @@ template<class Real, class Kernel, Carry carry> struct CarriedDensity {
         if (touching && s.closest[l] < Real(1e-20)) ++*in->coincident;
         if (in->crowding) in->crowding[row] = {scale * static_cast<double>(s.x[l]), scale * static_cast<double>(s.y[l]), scale * static_cast<double>(s.z[l])};
         if constexpr (Carried) {
-          if (in->surfaceNormal) {
+          if constexpr (Surfaces) {
             in->surfaceNormal[row] = {static_cast<double>(s.nx[l]), static_cast<double>(s.ny[l]), static_cast<double>(s.nz[l])};
             in->gradientSize[row] = static_cast<float>(scale * static_cast<double>(s.size[l]));
           }
