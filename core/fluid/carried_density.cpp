@@ -32,7 +32,7 @@ void shiftInside(World& w, const StepTools& t) {
   }
 }
 
-/// Rise of the compression over a step where particles are denser by their places than what they carry, beyond what disorder makes (tolerated):
+/// Density correction of a step beyond the tolerated disorder: particles that are denser by their places than the density that they carry, since
 /// shifting and splashing change places without a flow.
 double overdense(double summed, double compression, double stepsOfSound) {
   constexpr double tolerated = 0.03, perStep = 0.05;

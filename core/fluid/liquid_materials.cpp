@@ -43,7 +43,7 @@ std::string soundSpeedReason(const Scene& s, const Material& m) {
   const double tension = tensionSpeed(m, s.spacing), speed = std::max({flow.speed, tension, leastSpeed});
   const std::string why = speed == flow.speed ? flow.why
                           : speed == tension  ? "of surface tension at one spacing"
-                                              : "the least: nothing moves";
+                                              : "minimum value; no motion is expected";
   char times[80];
   std::snprintf(times, sizeof times, "%.3g times %.3g m/s, ", 1 / std::sqrt(s.numerics.maxDensityError),
                 speed);

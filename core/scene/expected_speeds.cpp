@@ -41,7 +41,7 @@ FlowSpeed expectedFlow(const Scene& s) {
   const double flow = std::sqrt(given * given + 2 * g * fall), column = std::sqrt(g * e.column);
   if (column > flow)
     return {column, "as the pressure of a column of " + numberText("%.3g m", e.column) +
-                        " that an emitter can fill asks for"};
+                        " that an emitter can fill needs"};
   const std::string falls = "a fall through " + numberText("%.3g m", fall);
   if (!(given > 0)) return {flow, flow > 0 ? "of " + falls : "nothing moves"};
   by += numberText(" (%.3g m/s)", given);

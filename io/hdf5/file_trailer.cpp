@@ -115,7 +115,7 @@ bool checkTrailer(const std::string& path) {
   std::vector<std::uint64_t> words(fixedWords);
   if (size >= fixedWords * wordBytes) file.read(size - fixedWords * wordBytes, fixedWords * wordBytes, words.data());
   if (words.back() != magic) {
-    if (const std::uint64_t end = endOfHdf5(file, size); end > 0 && end < size) file.damaged("what is behind HDF5's end is not its trailer");
+    if (const std::uint64_t end = endOfHdf5(file, size); end > 0 && end < size) file.damaged("unknown bytes follow the HDF5 data");
     return false;
   }
   const std::uint64_t ranges = words[0], end = words[1], checksum = words[2];
@@ -128,7 +128,7 @@ bool checkTrailer(const std::string& path) {
   std::uint64_t at = 0;
   for (std::size_t k = 0; k < ranges; k++) {
     rows[k] = {words[2 * k], words[2 * k + 1]};
-    if (rows[k].first < at || rows[k].first > end || rows[k].count > end - rows[k].first) file.damaged("its trailer names rows that are not there");
+    if (rows[k].first < at || rows[k].first > end || rows[k].count > end - rows[k].first) file.damaged("row ranges of its trailer lie outside the file");
     at = rows[k].first + rows[k].count;
   }
   if (checksumBetween(file, rows, end) != checksum) file.damaged("the checksum of all but its rows is wrong");

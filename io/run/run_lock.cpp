@@ -170,7 +170,7 @@ std::string RunLock::take(const LockRequest& q) {
     path_ = path, text_ = text;
     return note;
   }
-  throw IoError(path, "cannot be taken: it changes all the time");
+  throw IoError(path, "cannot be acquired: it keeps changing; try again");
 }
 
 void RunLock::release() noexcept {

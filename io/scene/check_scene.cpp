@@ -88,7 +88,7 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   chooseForFullBox(s, x.open);
   chooseForFreeLiquid(s, x.open);
   if (n.tensileLimit > 0 && n.shifting == 0 && n.solver == PressureSolver::StateEquation && !liquidFillsTheBox(s))
-    errors.push_back({x.start, "numerics.tensile_limit above 0 needs numerics.shifting above 0 (0.2 is recommended, with density = \"continuity\"): particles of liquid that pulls gather in clumps"});
+    errors.push_back({x.start, "numerics.tensile_limit above 0 needs numerics.shifting above 0 (0.2 is recommended, with density = \"continuity\"): without shifting, negative pressure makes particles clump"});
   else if (n.tensileLimit > 0 && n.density != DensityForm::Continuity && n.solver == PressureSolver::StateEquation && !liquidFillsTheBox(s))
     errors.push_back({x.start, "numerics.tensile_limit above 0 needs numerics.density = \"continuity\": a summed density is low at a free surface, which would pull"});
 }

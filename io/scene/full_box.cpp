@@ -25,8 +25,8 @@ void chooseForFreeLiquid(Scene& s, const OpenChoices& open) {
   if (!equation || s.quality == Quality::Preview || liquidFillsTheBox(s) || !liquidIsFree(s)) return;
   if (open.density) n.density = DensityForm::Continuity;
   if (n.density != DensityForm::Continuity) return;
-  if (open.tensileLimit) n.tensileLimit = 1;
   if (open.shifting) n.shifting = 0.2;
+  if (open.tensileLimit && n.shifting > 0) n.tensileLimit = 1;  // which alone makes particles clump
 }
 
 }  // namespace thaw

@@ -60,9 +60,9 @@ void readEmitter(TableReader& r, SceneReading& x) {
                     "swirl; nothing along direction: a layer leaves as a whole");
   readVelocityGradient(
       r, e.velocityField,
-      "the same as a linear field about the centre of the opening; row i has the derivatives of component i");
+      "velocity gradient about the centre of the opening; row i has the derivatives of component i");
   readTemperature(r, e.temperature, e.temperatureField,
-                  "of what comes out; a text with an expression of the position in the opening, as \"300 + "
+                  "temperature of emitted particles; a text with an expression of the position in the opening, as \"300 + "
                   "20*z\", is in K");
   r.number("start", e.start, "s", notNegative(), "begins then");
   r.number("end", e.end, "s", orNever(notNegative()), "ends then");

@@ -18,7 +18,7 @@ bool sideOf(const toml::node* n, Side& side) {
 }
 
 void readSides(TableReader& r, const char* key, std::array<Side, 2>& sides) {
-  const toml::node* n = r.node(key, "", "\"open\", \"wall\", \"periodic\" or a pair [low, high]", "what the two sides across this axis are; open: what leaves is counted and booked; periodic: what leaves comes in at the other side, at the start, too: a body may be placed across it, with its mesh and surface, if it does not reach round into itself (a sheet or an oriented body may not). A periodic axis is at least three support radii long: a thin slab has 6 spacings where `numerics.support` is 2");
+  const toml::node* n = r.node(key, "", "\"open\", \"wall\", \"periodic\" or a pair [low, high]", "what the two sides across this axis are; open: what leaves is recorded in the ledger; periodic: what leaves comes in at the other side, at the start, too: a body may be placed across it, with its mesh and surface, if it does not overlap its own image (a sheet or an oriented body may not). A periodic axis is at least three support radii long: a thin slab has 6 spacings where `numerics.support` is 2");
   if (r.describing() || !n) return;
   const toml::array* pair = n->as_array();
   const bool good = pair ? pair->size() == 2 && sideOf(pair->get(0), sides[0]) && sideOf(pair->get(1), sides[1]) : sideOf(n, sides[0]) && sideOf(n, sides[1]);
@@ -90,7 +90,7 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.number("sleep_after", n.sleepAfter, "s", positive(), "rest until a solid sleeps; what would make it reach sleep_speed within that time, or half of gravity, keeps it awake, or wakes it: what still rings, however little, sleeps sooner with less");
   r.number("sleep_heating", n.sleepHeating, "K/s", positive(), "change of temperature that keeps a solid awake, or wakes it");
   r.whole("retry_every", n.retryEvery, 0, 1000000000, "steps between the states kept in memory, to which a run that fails goes back and goes on with half the step; 0: none, and the run stops");
-  r.whole("retries", n.retries, 0, 40, "largest number of retries, each with half the step of the one before; the next failure stops the run with exit code 4 and the last good state as a checkpoint. A retry counts until its step is doubled again: not before the run is past the failure by the time of retry_every full steps");
+  r.whole("retries", n.retries, 0, 40, "largest number of retries, each with half the step of the one before; the next failure stops the run with exit code 4 and the last good state as a checkpoint. It stops counting when the step doubles, at least retry_every full steps past the failure");
   r.number("watch_speed", n.watchSpeed, "", orNever(positive()), "speed that counts as failure, times what start, gravity, emitters and obstacles make and a tenth of the speed of waves");
   r.number("watch_density", n.watchDensity, "", orNever(positive()), "density of a liquid, over that at rest, that counts as failure");
   r.number("watch_step", n.watchStep, "", {0, 1, true, false, false}, "time step that counts as failure, times the limit of the materials (without one: times 1e-5 `end`); no retry takes a shorter step; 0: none");

@@ -31,10 +31,9 @@ constexpr const char* introduction =
     "`--set key=value` on the command line overrides a key, checked in the same way: `--set spacing=\"1 mm\"`, `--set\n"
     "material.wax.young=\"1 MPa\"`, `--set body.bust.velocity=\"[0, 0, -1]\"` (a body, emitter or obstacle by its name or its number from 0).\n"
     "`thaw check SCENE` prints what would be simulated.\n\n"
-    "Particles lie on a cubic lattice of whole spacings, and each weighs density times spacing^3: a solid box 7.4 spacings wide is 8\n"
-    "particles wide, one of liquid 7, such that no liquid is pressed against a wall at the start; it is as\n"
-    "heavy. `thaw check` tells where that is off by more than 1 %, and by what density it is made up for. Liquid that has less room than its particles\n"
-    "take begins compressed, and bursts (a warning says so): sizes that are whole numbers of spacings fit.\n"
+    "Particles lie on a cubic lattice of whole spacings, and each weighs density times spacing^3: a solid box 7.4 spacings wide has 8 layers, one\n"
+    "of liquid 7, so that no liquid starts nearer to its box than half a spacing. `thaw check` reports where the mass is off by more than 1 %, and the density\n"
+    "that makes up for it. Liquid in less room than its particles need starts compressed and bursts; a warning reports it.\n"
     "A solid body holds liquid where its walls are at least two spacings thick; a warning names thinner ones.\n\n"
     "A complete scene, `jelly.toml`, a block that falls on a floor, bounces and wobbles; `thaw run jelly.toml` simulates it:\n\n"
     "```toml\n";
