@@ -11,7 +11,7 @@ namespace thaw {
 double connectedDensity(const World& w, Reducer& all) {
   if (!w.modules.fluid || w.modules.continuity) return 1;
   constexpr double unit = 1e-6;  // whole numbers, whose sum has no order
-  constexpr std::uint16_t connected = 8;
+  constexpr std::uint16_t connected = 2;
   const Continuum& p = w.particles;
   std::array<std::int64_t, 2> sums{};
   for (std::size_t i = 0; i < p.owned && i < w.neighbours.neighbours.size(); i++) {

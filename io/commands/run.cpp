@@ -7,7 +7,6 @@
 #include "core/domain/emit.hpp"
 #include "core/fluid/connected_density.hpp"
 #include "core/geometry/shape_error.hpp"
-#include "core/scene/full_box.hpp"
 #include "core/surface/surface_due.hpp"
 #include "core/time/limits.hpp"
 #include "io/commands/above_zero.hpp"
@@ -81,7 +80,7 @@ void warnOfThinLiquid(Run& r) {
   if (density >= least) return;
   const char* const keys = "set numerics.density = \"continuity\", numerics.tensile_limit = 1 and numerics.shifting = 0.2";
   r.warn(fmt::format("connected liquid has {:.2f} of its rest density on average: it is torn, or spread in a layer of a few particles; where it "
-                     "should hold together, {}", density, liquidIsFree(r.world.scene) ? keys : "choose a smaller spacing"));
+                     "should hold together, {}", density, !r.world.modules.solid ? keys : "choose a smaller spacing"));
 }
 
 int simulate(Run& r) {
