@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/fluid/particle_pressure.hpp"
 #include "core/fluid/records.hpp"
 #include "core/kinds/kinds.hpp"
 #include "core/sleep/sleep.hpp"
@@ -28,7 +29,7 @@ void addParticles(const World& w, const StepTools& t, Sums& sums) {
     sums[Gravity].add(gravityOf(w, p.mass[i], p.position[i]));
     if (!p.interaction.active) continue;
     const bool known = p.filling.active && !(p.sleep.active && p.sleep[i] != awake);
-    const double liquid = p.liquid.active ? static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? 1 : 0;
+    const double liquid = liquidFraction(p, i);
     const double compression = known && liquid > 0 ? compressionOf(context, p, i, liquid) : 0;
     sums[Compression].add(compression);
     sums[p.phase[i] == Liquid ? Tension : Contact].add(p.interaction[i] - compression);

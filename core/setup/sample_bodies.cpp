@@ -82,8 +82,7 @@ void fillRows(World& w, std::size_t b, const Filling& filling, std::span<const s
 std::int64_t sampleBody(World& w, std::size_t b, const SignedDistance& shape, const Reducer& all, const OverlapTest& overlap, OverlapCounts& counts, Offenders& offenders, std::int64_t& filled, std::vector<std::int64_t>& inEach) {
   const Scene& s = w.scene;
   Continuum& p = w.particles;
-  const Bounds bounds = shape.bounds();
-  const SampleLattice l = sampleLattice(shape, s.spacing, solidAtStart(s, s.bodies[b]) ? Layers::Cover : Layers::Fit);
+  const SampleLattice l = bodyLattice(s, s.bodies[b], shape);
   // where there is no surface anywhere in its cell: relaxation leads back to the lattice from less (benchmark taylor_green)
   const double jitter = s.bodies[b].packing != Packing::Relaxed ? 0 : liquidFillsTheBox(s) ? 0.5 : 0.2;
   const SampleRange range = sampleRange(l, all.rank(), all.size());
@@ -107,7 +106,7 @@ std::int64_t sampleBody(World& w, std::size_t b, const SignedDistance& shape, co
     }
   const std::size_t first = p.owned;
   p.resize(first + points.size(), 0);
-  fillRows(w, b, {l, (bounds.min + bounds.max) * 0.5, jitter}, points, first, inEach);
+  fillRows(w, b, {l, middleOf(shape), jitter}, points, first, inEach);
   if (bodyFills(s, b)) {
     const std::vector<std::int32_t> shares = cellShares(shape, l, points);
     std::copy(shares.begin(), shares.end(), p.surfaceFill.data() + first);

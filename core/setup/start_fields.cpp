@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/domain/emit.hpp"
-#include "core/geometry/sampling.hpp"
 #include "core/geometry/shape_error.hpp"
 #include "core/heat/enthalpy.hpp"
 #include "core/heat/heat.hpp"
@@ -89,6 +88,10 @@ Vec3d middleOf(const SignedDistance& shape) {
   return (b.min + b.max) * 0.5;
 }
 
+SampleLattice bodyLattice(const Scene& s, const Body& body, const SignedDistance& shape) {
+  return sampleLattice(shape, s.spacing, solidAtStart(s, body) ? Layers::Cover : Layers::Fit);
+}
+
 Vec3d startVelocity(const Body& b, const Vec3d& centre, const Vec3d& x) {
   const Vec3d v = b.velocity + cross(b.spin, x - centre);
   return b.velocityField.given() ? v + velocityOf(b.velocityField, centre, x) : v;
@@ -109,7 +112,7 @@ void assignStartFields(World& w, const Shapes& shapes, Reducer& all, bool relaxe
   std::vector<Vec3d> centres(s.bodies.size());
   for (std::size_t b = 0; b < s.bodies.size(); b++) {
     if (!wanted[b]) continue;
-    lattices[b] = sampleLattice(*shapes[b], s.spacing, solidAtStart(s, s.bodies[b]) ? Layers::Cover : Layers::Fit);
+    lattices[b] = bodyLattice(s, s.bodies[b], *shapes[b]);
     centres[b] = middleOf(*shapes[b]);
   }
   std::vector<BadValues> bad(s.bodies.size());

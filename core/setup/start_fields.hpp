@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/geometry/signed_distance.hpp"
+#include "core/geometry/sampling.hpp"
 #include "core/halo/halo.hpp"
 #include "core/world.hpp"
 
@@ -13,6 +13,9 @@ using Shapes = std::vector<std::shared_ptr<const SignedDistance>>;
 
 /// m, of the bounding box.
 Vec3d middleOf(const SignedDistance& shape);
+
+/// The lattice that a body's particles are sampled on: ids are numbers of its points.
+SampleLattice bodyLattice(const Scene& scene, const Body& body, const SignedDistance& shape);
 
 /// Velocity (m/s) and temperature (K) at the start of what is at x (m). centre: of the body's bounding box.
 Vec3d startVelocity(const Body& body, const Vec3d& centre, const Vec3d& x);

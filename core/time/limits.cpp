@@ -7,6 +7,7 @@
 #include "core/fluid/state_equation.hpp"
 #include "core/heat/enthalpy.hpp"
 #include "core/kernels/lattice.hpp"
+#include "core/scene/material_use.hpp"
 #include "core/solid/elastic.hpp"
 
 namespace thaw {
@@ -16,12 +17,6 @@ Limit StepLimits::smallest() const {
 }
 
 namespace {
-
-/// Has some body or emitter this material?
-bool inUse(const Scene& s, std::size_t material) {
-  const auto has = [&](const auto& source) { return static_cast<std::size_t>(source.material) == material; };
-  return std::any_of(s.bodies.begin(), s.bodies.end(), has) || std::any_of(s.emitters.begin(), s.emitters.end(), has);
-}
 
 /// Pa, of the liquids of these materials.
 double stiffestLiquid(const Scene& s, const std::vector<LiquidMaterial>& liquids) {

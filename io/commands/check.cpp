@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "core/scene/material_use.hpp"
 #include "core/geometry/shape_error.hpp"
 #include "core/geometry/shape_volume.hpp"
 #include "core/kinds/kinds.hpp"
@@ -89,21 +90,6 @@ std::string leaveOutRelaxation(Scene& s) {
   return most == 0 ? "" : fmt::format("oriented bodies are relaxed before the start, {} iterations at most: not done here; numbers, step and time are those before it", most);
 }
 
-std::string settingList(const std::vector<std::string>& settings) {
-  std::string text;
-  for (const std::string& s : settings) text += (text.empty() ? "--set " : " --set ") + s;
-  return text;
-}
-
-/// Is a body or an emitter of this material?
-bool isUsed(const Scene& s, std::size_t material) {
-  const auto of = [material](const auto& source) {
-    return static_cast<std::size_t>(source.material) == material;
-  };
-  return std::any_of(s.bodies.begin(), s.bodies.end(), of) ||
-         std::any_of(s.emitters.begin(), s.emitters.end(), of);
-}
-
 constexpr double longestSensibleRun = 30 * 86400.0;  // s
 
 /// What the emitters let out until the end of the scene.
@@ -126,7 +112,7 @@ std::vector<std::string> triedAdvice(const Communicator& comm, const CheckOption
     const std::optional<std::string> failure = trials.failureOf(one.settings);
     if (failure && failure->empty()) lines.push_back(one.line);
     else if (failure)
-      failed.push_back(fmt::format("left out:      {} ({})", settingList(one.settings), *failure));
+      failed.push_back(fmt::format("left out:      {} ({})", settingList(one.settings, "--set "), *failure));
     else untried.push_back(one.line + ", not tried");
   }
   if (!lines.empty())
@@ -142,7 +128,7 @@ std::vector<std::string> triedAdvice(const Communicator& comm, const CheckOption
 std::vector<std::string> soundLines(const World& w, const StepTools& t) {
   std::vector<std::string> lines;
   for (std::size_t k = 0; w.modules.fluid && k < w.scene.materials.size(); k++)
-    if (const Material& m = w.scene.materials[k]; canBeLiquid(m) && isUsed(w.scene, k))
+    if (const Material& m = w.scene.materials[k]; canBeLiquid(m) && inUse(w.scene, k))
       lines.push_back(fmt::format("sound speed of liquid '{}': {:.4g} m/s, {}", m.name,
                                   t.liquids[k].soundSpeed, soundSpeedReason(w.scene, m)));
   return lines;

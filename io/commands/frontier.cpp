@@ -99,12 +99,6 @@ std::vector<std::string> ofScene(const std::string& setting, const Scene& s) {
   return all;
 }
 
-std::string joined(const std::vector<std::string>& words, const std::string& before, const std::string& between) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : between) + before + (word.find(' ') == std::string::npos ? word : "'" + word + "'");
-  return text;
-}
-
 /// What a setting did in one case, over the defaults.
 struct Gain { const char* part = ""; double error = never, cost = never; };
 
@@ -161,6 +155,12 @@ Records recordsOf(const Scene& s, const Modules& m) {
 
 }  // namespace
 
+std::string settingList(const std::vector<std::string>& settings, const char* before) {
+  std::string text;
+  for (const std::string& s : settings) text += (text.empty() ? "" : " ") + (before + (s.find(' ') == std::string::npos ? s : "'" + s + "'"));
+  return text;
+}
+
 std::vector<std::string> frontierLines(const Scene& s, const Modules& m) {
   std::vector<std::string> lines;
   for (const Likeness& like : likenesses()) {
@@ -169,7 +169,7 @@ std::vector<std::string> frontierLines(const Scene& s, const Modules& m) {
     for (const FrontierPoint& p : frontierPoints()) {
       const std::string set = p.settings;
       if (like.cases != p.cases || !p.best || !usable(set, s, m)) continue;
-      line += fmt::format("{}{} {:.2g} % ({:.2g} times the time)", line.empty() ? "" : "; ", set.empty() ? "defaults" : joined(ofScene(set, s), "", " "), 100 * p.error, p.cost);
+      line += fmt::format("{}{} {:.2g} % ({:.2g} times the time)", line.empty() ? "" : "; ", set.empty() ? "defaults" : settingList(ofScene(set, s), ""), 100 * p.error, p.cost);
     }
     if (!line.empty()) lines.push_back(fmt::format("{} ({}): {}", like.part, like.cases, line));
   }
@@ -184,7 +184,7 @@ std::vector<Suggestion> frontierAdvice(const Scene& s, const Modules& m) {
       const Gain& g = records.at(set).*gain;
       all.push_back(
           {ofScene(set, s), fmt::format("{} {} ({}: {:.2g} times the error, {:.2g} times the time)", what,
-                                        joined(ofScene(set, s), "--set ", " "), g.part, g.error, g.cost)});
+                                        settingList(ofScene(set, s), "--set "), g.part, g.error, g.cost)});
     }
   };
   // of what no case loses by (2 %; of time 5 %), those that gain a tenth in one

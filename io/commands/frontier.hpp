@@ -23,6 +23,9 @@ std::span<const FrontierPoint> frontierPoints();
 /// the scene: of its own materials, and without what it cannot use.
 std::vector<std::string> frontierLines(const Scene& scene, const Modules& modules);
 
+/// Settings ("key=value") on one line, as a shell takes them, each behind `before`.
+std::string settingList(const std::vector<std::string>& settings, const char* before);
+
 /// Settings ("key=value") and the line that recommends them.
 struct Suggestion { std::vector<std::string> settings; std::string line; };
 

@@ -10,6 +10,7 @@
 #include "core/kinds/kinds.hpp"
 #include "core/ledger/report.hpp"
 #include "core/setup/setup.hpp"
+#include "io/commands/frontier.hpp"
 #include "io/commands/scene_for_all.hpp"
 #include "io/run/alarm_text.hpp"
 #include "parallel/bond_halo.hpp"
@@ -27,12 +28,6 @@ constexpr double unexplained =
 
 double secondsNow() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-std::string settingText(const std::vector<std::string>& settings) {
-  std::string text;
-  for (const std::string& s : settings) text += (text.empty() ? "" : " ") + s;
-  return text;
 }
 
 }  // namespace
@@ -97,7 +92,7 @@ std::optional<std::string> SettingTrials::failureOf(const std::vector<std::strin
   try {
     r = runWith(settings);
   } catch (const std::runtime_error& e) {  // alike on all ranks: set-up refuses it
-    return fmt::format("{} is refused: {}", settingText(settings), e.what());
+    return fmt::format("{} is refused: {}", settingList(settings, ""), e.what());
   }
   if (!r.failure.empty()) return r.failure;
   const double scale = std::max(r.scale, usual_->scale), more = r.residual - std::max(0.0, usual_->residual);

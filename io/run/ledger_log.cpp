@@ -1,9 +1,7 @@
 #include "io/run/ledger_log.hpp"
 
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
-#include <iterator>
 #include <vector>
 
 #include "core/ledger/report.hpp"
@@ -11,6 +9,7 @@
 #include "core/time/limits.hpp"
 #include "io/hdf5/agree.hpp"
 #include "io/hdf5/parallel_file.hpp"
+#include "io/run/step_log.hpp"
 
 namespace thaw {
 namespace {
@@ -112,15 +111,7 @@ std::string ledgerLogPath(const std::string& out) { return out + "/ledger.csv"; 
 
 void beginLedgerLog(const std::string& out) { replaceTextFile(ledgerLogPath(out), head()); }
 
-void cutLedgerLog(const std::string& out, std::int64_t step) {
-  std::ifstream file(ledgerLogPath(out));
-  const std::string all{std::istreambuf_iterator<char>(file), {}}, first = head();
-  if (all.rfind(first, 0) != 0) return beginLedgerLog(out);
-  std::string kept = first;
-  for (std::size_t at = first.size(), end; (end = all.find('\n', at)) != all.npos; at = end + 1)
-    if (std::strtoll(all.c_str() + at, nullptr, 10) <= step) kept += all.substr(at, end + 1 - at);
-  if (kept != all) replaceTextFile(ledgerLogPath(out), kept);
-}
+void cutLedgerLog(const std::string& out, std::int64_t step) { cutStepLog(ledgerLogPath(out), head(), step); }
 
 bool ledgerRowDue(const World& w, double before) {
   const double every = w.scene.output.ledgerEvery;

@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -13,6 +11,7 @@
 #include "core/kinds/kinds.hpp"
 #include "io/hdf5/parallel_file.hpp"
 #include "io/run/duration_text.hpp"
+#include "io/run/step_log.hpp"
 
 namespace thaw {
 namespace {
@@ -147,15 +146,6 @@ std::map<std::string, std::string> lastProgress(const std::string& out) {
   return columns;
 }
 
-void cutProgressLog(const std::string& out, std::int64_t step) {
-  std::ifstream file(progressLogPath(out));
-  const std::string all{std::istreambuf_iterator<char>(file), {}};
-  const std::string first = head();
-  if (all.rfind(first, 0) != 0) return beginProgressLog(out);
-  std::string kept = first;
-  for (std::size_t at = first.size(), end; (end = all.find('\n', at)) != all.npos; at = end + 1)
-    if (std::strtoll(all.c_str() + at, nullptr, 10) <= step) kept += all.substr(at, end + 1 - at);
-  if (kept != all) replaceTextFile(progressLogPath(out), kept);
-}
+void cutProgressLog(const std::string& out, std::int64_t step) { cutStepLog(progressLogPath(out), head(), step); }
 
 }  // namespace thaw

@@ -87,9 +87,10 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   if (!errors.empty()) return;
   chooseForFullBox(s, x.open);
   chooseForFreeLiquid(s, x.open);
-  if (n.tensileLimit > 0 && n.shifting == 0 && n.solver == PressureSolver::StateEquation && !liquidFillsTheBox(s))
+  if (n.tensileLimit == 0 || n.solver == PressureSolver::Incompressible || liquidFillsTheBox(s)) return;
+  if (n.shifting == 0)
     errors.push_back({x.start, "numerics.tensile_limit above 0 needs numerics.shifting above 0 (0.2 is recommended, with density = \"continuity\"): without shifting, negative pressure makes particles clump"});
-  else if (n.tensileLimit > 0 && n.density != DensityForm::Continuity && n.solver == PressureSolver::StateEquation && !liquidFillsTheBox(s))
+  else if (n.density != DensityForm::Continuity)
     errors.push_back({x.start, "numerics.tensile_limit above 0 needs numerics.density = \"continuity\": a summed density is low at a free surface, which would pull"});
 }
 
