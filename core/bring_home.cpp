@@ -7,6 +7,7 @@
 #include "core/heat/enthalpy.hpp"
 #include "core/heat/heat.hpp"
 #include "core/ledger/report.hpp"
+#include "core/ledger/energy_left.hpp"
 #include "core/stored_energy.hpp"
 
 namespace thaw {
@@ -103,6 +104,7 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
   if (!moves && !t.leaving.empty()) findCells(w, t.leaving, true, open);
   findStoredEnergy(w, t, t.leaving);
   addToBalance(w, t.leaving, w.ledger.left);
+  if (w.modules.tension && hasOpenSide(w.scene.domain)) t.leavers = leaversOfAll(w, t, halos.all);
   bool leftSlots = false;
   for (std::uint32_t i : t.leaving) {
     w.ledger.dissipated.add(p.dissipated[i]);

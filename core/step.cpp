@@ -12,6 +12,7 @@
 #include "core/heat/heat.hpp"
 #include "core/kinds/place_kinds.hpp"
 #include "core/ledger/report.hpp"
+#include "core/ledger/energy_left.hpp"
 #include "core/oriented/step_oriented.hpp"
 #include "core/particle_sums.hpp"
 #include "core/sheet/step_sheets.hpp"
@@ -107,6 +108,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
 
   if (w.modules.continuity || w.modules.shifting) carryDensity(w, t, dt);
   if (w.modules.surfaceEnergy) findSurfaceEnergy(walls, t.surface, t.wallContacts);
+  if (w.modules.tension) recordEnergyLeft(w, t);
   ColumnList toGhosts{&p.filling};
   if (w.modules.corrected) toGhosts.push_back(&p.correction);
   if (w.modules.surfaceEnergy) {

@@ -12,6 +12,7 @@
 #include "core/fluid/surface_energy.hpp"
 #include "core/geometry/signed_distance.hpp"
 #include "core/halo/halo.hpp"
+#include "core/ledger/energy_left.hpp"
 #include "core/neighbours/search.hpp"
 #include "core/neighbours/sort.hpp"
 #include "core/oriented/oriented_work.hpp"
@@ -69,6 +70,7 @@ struct StepTools {
   std::vector<BondRequest> requests;
   std::vector<std::uint32_t> rebonded;   ///< rows of particles that took new bonds
   std::vector<std::uint32_t> leaving;
+  std::vector<Leaver> leavers;       ///< of all ranks; only where liquids have surface tension
   PhaseTimes times;
   // from one step to the next; found again after a restart
   bool bondsAtStart = false;         ///< the next evaluation bonds the solids of the scene

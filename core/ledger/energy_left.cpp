@@ -1,0 +1,166 @@
+#include "core/ledger/energy_left.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "core/fluid/cohesion.hpp"
+#include "core/fluid/particle_pressure.hpp"
+#include "core/kernels/kernels.hpp"
+#include "core/neighbours/rows_around.hpp"
+#include "core/step.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr std::size_t words = 6;  // of a leaver in a message
+
+double volumeOf(const World& w, std::size_t i) {
+  const double h = w.grid.support;
+  return w.particles.mass[i] / (w.scene.materials[w.particles.material[i]].density * h * h * h);
+}
+
+double rootTensionOf(const World& w, const StepTools& t, std::size_t i) {
+  return t.liquids[w.particles.material[i]].rootTension * liquidFraction(w.particles, i);
+}
+
+/// Places of a leaver and of its periodic images that particles of the domain can be near.
+std::vector<Vec3d> imagesOf(const World& w, const Vec3d& x) {
+  const Domain& d = w.scene.domain;
+  std::vector<Vec3d> images{x};
+  for (int a = 0; a < 3; a++) {
+    if (!w.grid.periodic[a]) continue;
+    const std::size_t had = images.size();
+    for (std::size_t k = 0; k < had; k++)
+      for (const double shift : {-w.grid.period[a], w.grid.period[a]}) {
+        Vec3d image = images[k];
+        image[a] += shift;
+        if (image[a] > d.min[a] - w.grid.support && image[a] < d.max[a] + w.grid.support) images.push_back(image);
+      }
+  }
+  return images;
+}
+
+/// Calls pair(row, leaver, place - leaver's place in h) for liquid particles that stay, leavers ascending.
+template<class Pair> void eachNearLeaver(const World& w, const StepTools& t, Pair&& pair) {
+  const Continuum& p = w.particles;
+  std::vector<RowSpan> ranges;
+  for (const Leaver& l : t.leavers)
+    for (const Vec3d& x : imagesOf(w, l.position)) {
+      rowsAround(w.cells, cellKey(cellOf(w.grid, x)), ranges);
+      for (const RowSpan& r : ranges)
+        for (std::uint32_t j = r.begin; j < r.end && j < p.owned; j++) {
+          const Vec3d d = (p.position[j] - x) / w.grid.support;
+          if (dot(d, d) < 1 && liquidFraction(p, j) > 0) pair(j, l, d);
+        }
+    }
+}
+
+/// Half of a pair's energy is its other end's (terms/tension.hpp).
+void recordCohesion(World& w, const StepTools& t) {
+  using isa_base::Cohesion;
+  const double h = w.grid.support;
+  eachNearLeaver(w, t, [&](std::uint32_t j, const Leaver& l, const Vec3d& d) {
+    const double strength = Cohesion::scale * l.volume * l.rootTension * volumeOf(w, j) * rootTensionOf(w, t, j) * h * h;
+    w.ledger.left.potential.add(0.5 * strength * Cohesion::potential(length(d)));
+  });
+}
+
+double kernelAt(KernelKind kind, double q) {
+  switch (kind) {
+    case KernelKind::Mcg03: return isa_base::Mcg03::w(q, q * q);
+    case KernelKind::CubicSpline: return isa_base::CubicSpline::w(q, q * q);
+    default: return isa_base::WendlandC2::w(q, q * q);
+  }
+}
+
+/// What a neighbour's sums lose.
+struct Lost {
+  std::uint32_t row = 0;
+  SurfaceShare surface{};
+  double filling = 0;
+};
+
+/// Ascending by row.
+std::vector<Lost> lostSums(const World& w, const StepTools& t) {
+  std::vector<Lost> pairs, sums;
+  const Numerics& n = w.scene.numerics;
+  eachNearLeaver(w, t, [&](std::uint32_t j, const Leaver& l, const Vec3d& d) {
+    const SurfaceShare s = surfaceShare(d);
+    const double filling = t.perLatticeSum * l.volume * kernelAt(n.kernel, length(d));
+    pairs.push_back({j, {s.gradient * l.volume, s.cover * l.volume}, filling});
+  });
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Lost& a, const Lost& b) { return a.row < b.row; });
+  for (const Lost& one : pairs) {
+    if (sums.empty() || sums.back().row != one.row) sums.push_back({one.row});
+    sums.back().surface.gradient += one.surface.gradient;
+    sums.back().surface.cover += one.surface.cover;
+    sums.back().filling += one.filling;
+  }
+  return sums;
+}
+
+/// J/m^3 of liquid.
+double surfaceLost(const World& w, const StepTools& t, const Lost& lost) {
+  const double tension = w.scene.materials[w.particles.material[lost.row]].surfaceTension;
+  if (!w.modules.surfaceEnergy || !(tension > 0)) return 0;
+  const Vec3d n = w.particles.surfaceGradient[lost.row];
+  const double cover = w.particles.surfaceCover[lost.row];
+  const SurfaceState with = surfaceState(t.surface, tension, n + lost.surface.gradient, cover + lost.surface.cover);
+  return with.energy - surfaceState(t.surface, tension, n, cover).energy;
+}
+
+/// J/m^3 of liquid. A carried density does not change.
+double compressionLost(const World& w, const StepTools& t, const Lost& lost) {
+  if (w.modules.continuity || w.modules.incompressible) return 0;
+  const Numerics& n = w.scene.numerics;
+  const double stiffness = t.liquids[w.particles.material[lost.row]].stiffness;
+  const auto filling = static_cast<double>(w.particles.filling[lost.row]);
+  const auto energy = [&](double f) { return compressionEnergy(n.eos, stiffness, f, n.tensileLimit); };
+  return energy(filling + lost.filling) - energy(filling);
+}
+
+void recordNeighbourhoods(World& w, const StepTools& t) {
+  const Continuum& p = w.particles;
+  for (const Lost& lost : lostSums(w, t)) {
+    const double V = p.mass[lost.row] / w.scene.materials[p.material[lost.row]].density;
+    const double density = surfaceLost(w, t, lost) + compressionLost(w, t, lost);
+    w.ledger.left.potential.add(liquidFraction(p, lost.row) * V * density);
+  }
+}
+
+}  // namespace
+
+std::vector<Leaver> leaversOfAll(const World& w, const StepTools& t, Reducer& all) {
+  const auto rank = static_cast<std::size_t>(all.rank());
+  std::vector<std::int64_t> counts(static_cast<std::size_t>(all.size()));
+  counts[rank] = static_cast<std::int64_t>(t.leaving.size());
+  all.sum(counts);
+  std::int64_t before = 0, total = 0;
+  for (std::size_t r = 0; r < counts.size(); r++) {
+    if (r == rank) before = total;
+    total += counts[r];
+  }
+  std::vector<std::int64_t> packed(static_cast<std::size_t>(total) * words);
+  std::int64_t* to = packed.data() + static_cast<std::size_t>(before) * words;
+  for (const std::uint32_t i : t.leaving) {
+    *to++ = std::bit_cast<std::int64_t>(w.particles.id[i]);
+    const Vec3d& x = w.particles.position[i];
+    for (const double value : {x.x, x.y, x.z, volumeOf(w, i), rootTensionOf(w, t, i)}) *to++ = std::bit_cast<std::int64_t>(value);
+  }
+  if (total > 0) all.sum(packed);
+  std::vector<Leaver> leavers;
+  for (std::size_t k = 0; k < packed.size(); k += words) {
+    const auto number = [&](std::size_t n) { return std::bit_cast<double>(packed[k + n]); };
+    leavers.push_back({std::bit_cast<std::uint64_t>(packed[k]), {number(1), number(2), number(3)}, number(4), number(5)});
+  }
+  std::sort(leavers.begin(), leavers.end(), [](const Leaver& a, const Leaver& b) { return a.id < b.id; });
+  return leavers;
+}
+
+void recordEnergyLeft(World& w, const StepTools& t) {
+  if (t.leavers.empty()) return;
+  recordNeighbourhoods(w, t);
+  if (w.scene.numerics.tension == TensionForm::Pairwise) recordCohesion(w, t);
+}
+
+}  // namespace thaw
