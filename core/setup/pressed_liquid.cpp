@@ -8,6 +8,18 @@
 #include "core/step.hpp"
 
 namespace thaw {
+namespace {
+
+/// What to do about liquid that begins too near to walls or other bodies.
+const char* remedyOf(const Shape& shape) {
+  switch (shape.kind) {
+    case ShapeKind::Box: return "make sizes whole numbers of spacings, or leave more room";
+    case ShapeKind::Difference: return "cut out half a spacing more around what stands there, or leave more room";
+    default: return "leave more room, or take a finer spacing";
+  }
+}
+
+}  // namespace
 
 std::vector<SceneWarning> pressedLiquids(const World& w, const StepTools& t, Reducer& all) {
   std::vector<SceneWarning> warnings;
@@ -32,11 +44,11 @@ std::vector<SceneWarning> pressedLiquids(const World& w, const StepTools& t, Red
     if (sums[2 * b] == 0) continue;
     const double burst = std::sqrt(2 * unit * static_cast<double>(sums[2 * b + 1]) / static_cast<double>(sums[2 * b]));
     if (!(burst > share)) continue;
-    char text[400];
+    char text[480];
     std::snprintf(text, sizeof text,
                   "': its liquid begins compressed, by %.2g %% where it is densest, and would fly apart at some %.2g m/s, where the scene makes %.2g m/s: its particles, on a lattice of whole spacings, "
-                  "come nearer to walls or bodies than half a spacing to each side; make sizes whole numbers of spacings, or leave more room",
-                  100 * (densest[b] - 1), burst * speed, speed);
+                  "come nearer to walls or bodies than half a spacing to each side; %s",
+                  100 * (densest[b] - 1), burst * speed, speed, remedyOf(w.scene.bodies[b].shape));
     warnings.push_back({w.scene.bodies[b].where, "body '" + w.scene.bodies[b].name + text});
   }
   return warnings;

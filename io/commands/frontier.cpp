@@ -56,8 +56,11 @@ bool isHeld(const Scene& s, const Body& b) {
   return true;
 }
 
+/// Liquid with a weight.
+bool isHeavy(const Scene& s, const Modules& m) { return m.fluid && length(s.domain.gravity) > 0; }
+
 bool isAtRest(const Scene& s) {
-  if (!s.emitters.empty() || length(s.domain.gravity) == 0) return false;
+  if (!s.emitters.empty()) return false;
   for (const Obstacle& o : s.obstacles)
     if (fastestMove(o.motion) > 0) return false;
   return std::ranges::all_of(s.bodies, [&](const Body& b) { return !isLiquid(s, b) || (b.velocity == Vec3d{} && b.spin == Vec3d{} && isHeld(s, b)); });
@@ -65,8 +68,8 @@ bool isAtRest(const Scene& s) {
 
 const std::vector<Likeness>& likenesses() {
   static const std::vector<Likeness> all{
-      {"liquid at rest", "hydrostatic", [](const Scene&, const Modules& m) { return m.fluid; }, isAtRest},
-      {"liquid that falls", "martin_moyce", [](const Scene&, const Modules& m) { return m.fluid; }, isGentle},
+      {"liquid at rest", "hydrostatic", isHeavy, isAtRest},
+      {"liquid that falls", "martin_moyce", isHeavy, isGentle},
       {"viscosity", "poiseuille", viscous, isGentle},
       {"surface tension", "drop_laplace", [](const Scene&, const Modules& m) { return m.tension; }},
       {"solids", "cantilever", [](const Scene&, const Modules& m) { return m.solid; }},
@@ -84,7 +87,7 @@ std::string keyOf(const std::string& setting) { return setting.substr(0, setting
 bool usable(const std::string& setting, const Scene& s, const Modules& m) {
   if (keyOf(setting) == "numerics.elastic_substeps") return !m.contact;
   if (setting.rfind("numerics.density=continuity", 0) == 0) return s.emitters.empty() && !m.melting;  // it drifts where liquid is poured and where it drips: no case of the suite is like that
-  if (keyOf(setting) == "body.0.packing") return !s.bodies.empty() && s.bodies[0].packing == Packing::Relaxed;
+  if (keyOf(setting) == "body.0.packing") return false;  // the scene has chosen its packings
   if (keyOf(setting) == "numerics.support") return std::stod(setting.substr(setting.find('=') + 1)) >= (m.surfaceHeat ? 2 : m.solid ? s.numerics.bondSupport : 0);
   return true;
 }

@@ -50,6 +50,19 @@ difference = [ { box = { size = [0.8, 0.8, 0.8] } }, { box = { size = [${3:-$2},
 SCENE
 }
 rejects "a bath that is pressed into its tank" "^warning: .*bath.toml:7:1: body 'bath': its liquid begins compressed, by [0-9]+ % where it is densest, and would fly apart at some [0-9.]+ m/s, where" 0 check "$(tank bath 0.4 0.36)"
+ring() {
+  kinds ring <<SCENE
+[material.water]
+[[body]]
+name = 'ring'
+material = 'water'
+difference = [ { box = { size = [0.4, 0.4, 0.4] } }, { box = { size = [0.12, 0.12, 1] } } ]
+[[obstacle]]
+name = 'pillar'
+box = { size = [0.15, 0.15, 1] }
+SCENE
+}
+rejects "a bath that is pressed onto a pillar" "^warning: .*body 'ring': its liquid begins compressed, .* cut out half a spacing more around what stands there" 0 check "$(ring)"
 fits() {
   local size
   for size in 0.4 0.36; do

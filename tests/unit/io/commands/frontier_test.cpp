@@ -84,6 +84,13 @@ TEST(Frontier, AdviceIsOfCasesThatMoveAsTheSceneDoes) {
   EXPECT_FALSE(has(adviceOf(walls, tank + "velocity = [50, 0, 0]\n"), "numerics.density"));
   EXPECT_FALSE(has(adviceOf(walls, tank + "spin = [0, 0, 50]\n"), "numerics.density"));
   EXPECT_FALSE(has(adviceOf(walls + "\ngravity = [0, 0, 0]", tank + "velocity = [1, 0, 0]\n"), "numerics.density"));
+  EXPECT_FALSE(has(adviceOf(walls + "\ngravity = [0, 0, 0]", dam), "liquid that falls"));
+}
+
+TEST(Frontier, LeavesThePackingOfTheScene) {
+  const std::string scene = "spacing = 0.1\nend = 1\n[domain]\ngravity = [0, 0, 0]\n[material.water]\nsurface_tension = 0.07\n" + body("a", "water", 0) + "packing = 'relaxed'\n";
+  const Scene s = readScene(sceneFilesOf("test.toml", scene));
+  for (const Suggestion& one : frontierAdvice(s, modulesOf(s))) EXPECT_EQ(one.line.find("packing"), std::string::npos) << one.line;
 }
 
 TEST(Frontier, SubstepsAreForSolidsThatCannotMeet) {
