@@ -1,5 +1,6 @@
 // The command line of thaw.
 #include <cstdio>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -58,10 +59,21 @@ void checkRanks(int argc, char** argv) {
       throw CLI::ValidationError(text, "ranks are started by mpirun: mpirun -n 4 thaw " + command + " SCENE");
 }
 
+/// CLI11 would take a key=value without its --set for the scene.
+void checkSettings(int argc, char** argv) {
+  for (int a = 2; a < argc; a++) {
+    const std::string text = argv[a], before = argv[a - 1];
+    const std::size_t equals = text.find('=');
+    const bool setting = equals != std::string::npos && equals > 0 && text[0] != '-' && before[0] != '-';
+    if (setting && !std::filesystem::exists(text))
+      throw CLI::ValidationError(text, "each key=value needs its own --set: --set '" + text + "'");
+  }
+}
+
 /// CLI11's own exit codes for wrong usage are all 2 here.
 bool parsed(CLI::App& app, int argc, char** argv, int& code) {
   try {
-    if (argc > 1 && argv[1][0] != '-') checkCommand(app, argv[1]), checkRanks(argc, argv);
+    if (argc > 1 && argv[1][0] != '-') checkCommand(app, argv[1]), checkRanks(argc, argv), checkSettings(argc, argv);
     app.parse(reversedArguments(argc, argv));
     return true;
   } catch (const CLI::ParseError& e) {

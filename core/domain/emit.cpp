@@ -8,6 +8,7 @@
 #include "core/fluid/cohesion.hpp"
 #include "core/fluid/surface_energy.hpp"
 #include "core/geometry/shape_error.hpp"
+#include "core/scene/field_values.hpp"
 
 namespace thaw {
 namespace {
@@ -143,10 +144,10 @@ void addFields(const Emitter& e, EmitterPlan& plan) {
     if (e.velocityField.given()) {
       const Vec3d across = velocityOf(e.velocityField, e.centre, x);
       for (int a = 0; a < 3; a++)
-        if (!std::isfinite(across[a])) {
+        if (!isStartSpeed(across[a])) {
           const PositionField& f = e.velocityField.component[a];
           problems.add(f.where,
-                       badValue(f, across[a], x) + ", in the opening; expected finite numbers, in m/s");
+                       badValue(f, across[a], x) + ", in the opening; " + expectedSpeeds);
           return problems.raise();
         }
       if (std::abs(dot(across, n)) > 1e-6 * e.speed) {
@@ -161,9 +162,9 @@ void addFields(const Emitter& e, EmitterPlan& plan) {
     if (!e.temperatureField) continue;
     const PositionField& f = e.temperatureField;
     plan.temperature.push_back(f.value(x));
-    if (std::isfinite(plan.temperature.back()) && plan.temperature.back() > 0) continue;
+    if (isStartTemperature(plan.temperature.back())) continue;
     problems.add(f.where, badValue(f, plan.temperature.back(), x) +
-                              ", in the opening; expected numbers above 0, in K");
+                              ", in the opening; " + expectedTemperatures);
     return problems.raise();
   }
 }

@@ -7,6 +7,7 @@
 #include "core/geometry/shape_error.hpp"
 #include "core/heat/enthalpy.hpp"
 #include "core/heat/heat.hpp"
+#include "core/scene/field_values.hpp"
 
 namespace thaw {
 namespace {
@@ -17,7 +18,7 @@ const PositionField& fieldOf(const Body& b, std::size_t k) {
   return k < 3 ? b.velocityField.component[k] : b.temperatureField;
 }
 
-bool allowed(std::size_t field, double value) { return std::isfinite(value) && (field < 3 || value > 0); }
+bool allowed(std::size_t field, double value) { return field < 3 ? isStartSpeed(value) : isStartTemperature(value); }
 
 bool varies(const Body& b, bool relaxed) {
   if (b.velocityField.given() || b.temperatureField) return !relaxed || b.packing == Packing::Relaxed;
@@ -74,9 +75,8 @@ void raiseBadValues(const Scene& s, const std::vector<BadValues>& bad, Reducer& 
     const std::size_t b = k / fieldsOfBody, f = k % fieldsOfBody;
     if (counts[k] == 0) continue;
     const PositionField& field = fieldOf(s.bodies[b], f);
-    const char* expected = f < 3 ? "; expected finite numbers, in m/s" : "; expected numbers above 0, in K";
-    problems.add(field.where,
-                 problemOf(field, counts[k], bad[b].firstId[f], bad[b].place[f], all) + expected);
+    const std::string problem = problemOf(field, counts[k], bad[b].firstId[f], bad[b].place[f], all);
+    problems.add(field.where, problem + "; " + (f < 3 ? expectedSpeeds : expectedTemperatures));
   }
   problems.raise();
 }

@@ -43,6 +43,12 @@ bool namesPlace(const std::string& text) {
   return false;
 }
 
+/// Is it calculated from numbers alone, as "1/3"?
+bool isArithmetic(const std::string& text) {
+  return text.find_first_of("0123456789") != std::string::npos && text.find_first_of("+-*/") != std::string::npos &&
+         text.find_first_not_of("0123456789.eE+-*/() \t") == std::string::npos;
+}
+
 std::string messageOf(const mu::ParserError& e) {
   const int code = e.GetCode();
   const std::string where = fmt::format(" at character {}", e.GetPos() + 1);
@@ -89,7 +95,7 @@ Expression parseExpression(const std::string& text) {
 
 bool looksLikeExpression(const std::string& text) {
   if (parseQuantity(text).error.empty()) return false;
-  return namesPlace(text) || text.find_first_of("+*^(?<>=&|") != std::string::npos;
+  return namesPlace(text) || isArithmetic(text) || text.find_first_of("+*^(?<>=&|") != std::string::npos;
 }
 
 }  // namespace thaw

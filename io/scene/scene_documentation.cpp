@@ -30,6 +30,8 @@ constexpr const char* introduction =
     "A line has at most 16384 characters, and a file 16 MiB: long lists go over several lines.\n\n"
     "`--set key=value` on the command line overrides a key, checked in the same way: `--set spacing=\"1 mm\"`, `--set\n"
     "material.wax.young=\"1 MPa\"`, `--set body.bust.velocity=\"[0, 0, -1]\"` (a body, emitter or obstacle by its name or its number from 0).\n"
+    "Each setting needs its own `--set`. It also adds tables: `--set material.oil.density=900 --set body.drop.material=oil`. A material that\n"
+    "nothing uses gives a warning; a body, emitter or obstacle that the scene does not have is an error.\n"
     "`thaw check SCENE` prints what would be simulated.\n\n"
     "Particles lie on a cubic lattice of whole spacings, and each weighs density times spacing^3: a solid box 7.4 spacings wide has 8 layers, one\n"
     "of liquid 7, so that no liquid starts nearer to its box than half a spacing. `thaw check` reports where the mass is off by more than 1 %, and the density\n"

@@ -87,7 +87,11 @@ struct UnitParser {
     Factor f;
     Dimension d;
     if (name == "degC" || name == degreeC) return fail("degC cannot be combined with other units; use K");
-    if (!findUnit(name, f, d)) return fail("unknown unit '" + std::string(name) + "'");
+    if (!findUnit(name, f, d)) {
+      const bool number = name.front() >= '0' && name.front() <= '9';
+      const std::string text = "'" + std::string(name) + "'";
+      return fail(number ? text + " is no unit: a quantity is one number and its unit, nothing is calculated here" : "unknown unit " + text);
+    }
     int p = 1;
     if (!power(p)) return false;
     const bool up = direction * p > 0;

@@ -31,7 +31,7 @@ rejects "spacing 0" 'spacing: must be > 0 m, got 0' 2 check "$(scene zero 's/^sp
 rejects "negative spacing" 'negative\.toml:2:11: error: spacing: must be > 0 m' 2 run "$(scene negative 's/^spacing.*/spacing = "-2 cm"/')"
 rejects "Poisson's ratio 1/2" 'poisson: must be > -1 and < 0\.5' 2 run "$(scene poisson 's/young.*/&\npoisson = 0.5/')"
 rejects "no mass" 'density: must be > 0 kg/m\^3' 2 run "$(scene mass 's/young.*/&\ndensity = 0/')"
-rejects "a liquid that yields" "liquid\.toml:7:1: error: material\.jelly\.yield_strain: only a solid yields: give it a Young.s modulus" 2 check "$(scene liquid 's/young.*/yield_strain = 0.1/')"
+rejects "a liquid that yields" "liquid\.toml:8:16: error: material\.jelly\.yield_strain: only a solid yields: give it a Young.s modulus" 2 check "$(scene liquid 's/young.*/yield_strain = 0.1/')"
 rejects "below 0 K" 'temperature: must be > 0 K' 2 check "$(scene cold 's/^name = "block"/&\ntemperature = "-300 degC"/')"
 
 # B29: less than there are ranks
@@ -75,6 +75,8 @@ rejects "missing include" "nowhere\.toml': no such file" 2 run "$work/lost.toml"
 
 # the command line
 rejects "no such option" '--frobnicate' 2 run "$good" --frobnicate
+# a second setting needs its own --set
+rejects "a setting without --set" "end=1: each key=value needs its own --set: --set 'end=1'" 2 run "$good" --set spacing=0.02 end=1
 rejects "negative steps" '--steps' 2 run "$good" --steps -1
 rejects "ranks as an option" 'ranks are started by mpirun: mpirun -n 4 thaw run SCENE' 2 run "$good" --ranks 4
 rejects "restart of nothing" '--restart needs a checkpoint' 2 run "$good" --restart

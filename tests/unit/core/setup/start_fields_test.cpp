@@ -122,13 +122,15 @@ TEST(StartFields, ValuesThatAreNoneAreAnErrorWithItsPlace) {
   });
   EXPECT_EQ(errorOf(s),
             "fields.toml:7:3: error: body.box.velocity.x: \"f(x, y, z)\" is nan at (-0.45, -0.45, -0.45), a "
-            "particle (2 in all); expected finite numbers, in m/s");
+            "particle (2 in all); expected speeds of at most 3e8 m/s, that of light");
+  s.bodies[0].velocityField.component[0] = fieldOf("body.box.velocity.x", [](const Vec3d& x) { return 1e300 * x.x; });
+  EXPECT_NE(errorOf(s).find("is -4.5e+299 at (-0.45, -0.45, -0.45), a particle"), std::string::npos) << errorOf(s);
   s = waterBox();
   s.materials[0].conductivity = {1, 1};
   s.bodies[0].temperatureField =
       fieldOf("body.box.temperature", [](const Vec3d& x) { return 40 - 100 * x.z; });
   EXPECT_NE(errorOf(s).find(
-                "is -5 at (-0.45, -0.45, 0.45), a particle (100 in all); expected numbers above 0, in K"),
+                "is -5 at (-0.45, -0.45, 0.45), a particle (100 in all); expected temperatures above 0"),
             std::string::npos)
       << errorOf(s);
 }
@@ -187,7 +189,7 @@ TEST(StartFields, AnEmitterRefusesAProfileAndASpreadInItsNozzle) {
   EXPECT_NE(errorOf(s).find("moves neighbours by"), std::string::npos) << errorOf(s);
   s = jet();
   s.emitters[0].temperatureField = fieldOf("emitter.jet.temperature", [](const Vec3d&) { return -1.0; });
-  EXPECT_NE(errorOf(s).find("in the opening; expected numbers above 0, in K"), std::string::npos)
+  EXPECT_NE(errorOf(s).find("in the opening; expected temperatures above 0"), std::string::npos)
       << errorOf(s);
 }
 

@@ -65,9 +65,9 @@ TEST(Expression, SaysWhatIsWrongAndWhere) {
 }
 
 TEST(Expression, IsKnownFromAQuantity) {
-  for (const char* quantity : {"20 degC", "300 K", "300", "2e3", "20 degX", "5 m/s"})
+  for (const char* quantity : {"20 degC", "300 K", "300", "2e3", "20 degX", "5 m/s", "-2e-3", "4 1/s"})
     EXPECT_FALSE(looksLikeExpression(quantity)) << quantity;
-  for (const char* expression : {"z", "300 + 20*z", "2*q", "sin(", "-x"})
+  for (const char* expression : {"z", "300 + 20*z", "2*q", "sin(", "-x", "1/0", "2 / 3", "3-2"})
     EXPECT_TRUE(looksLikeExpression(expression)) << expression;
 }
 

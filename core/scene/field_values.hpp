@@ -1,0 +1,17 @@
+// Values that fields of the start may have. Beyond them energies and heat radiation would not be finite.
+#pragma once
+#include <cmath>
+
+namespace thaw {
+
+inline constexpr double fastestStart = 299792458;  // m/s, of light
+inline constexpr double hottestStart = 1e32;       // K, above which matter is not known
+
+/// False for NaN.
+inline bool isStartSpeed(double v) { return std::abs(v) <= fastestStart; }
+inline bool isStartTemperature(double T) { return T > 0 && T <= hottestStart; }
+
+inline constexpr const char* expectedSpeeds = "expected speeds of at most 3e8 m/s, that of light";
+inline constexpr const char* expectedTemperatures = "expected temperatures above 0 and of at most 1e32 K";
+
+}  // namespace thaw
