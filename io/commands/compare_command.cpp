@@ -8,6 +8,7 @@
 #include <set>
 
 #include "io/compare/compare.hpp"
+#include "io/output/damaged_rows.hpp"
 
 namespace thaw {
 namespace {
@@ -16,6 +17,10 @@ bool compareFiles(const std::string& pathA, const std::string& pathB, const Comp
   const Snapshot a = openSnapshot(pathA), b = openSnapshot(pathB);
   const Comparison result = compareSnapshots(a, b, {how.tolerance});
   if (!alwaysTell && result.equal()) return true;
+  if (!result.equal())
+    for (const Snapshot* s : {&a, &b})
+      if (const std::vector<std::string> damaged = damagedRows(s->file); !damaged.empty())
+        throw IoError(s->file.path(), damageText(damaged));
   fmt::print("A: {}\nB: {}\n", a.file.path(), b.file.path());
   for (const std::string& line : describe(result, how.all)) fmt::print("{}\n", line);
   return result.equal();
@@ -70,7 +75,7 @@ CLI::App* addCompareCommand(CLI::App& app, CompareArguments& arguments) {
       ->check(CLI::NonNegativeNumber);
   command->add_flag("--frames", arguments.frames, "of two runs: compare all their frames as well");
   command->add_flag("--all", arguments.all, "tell all that differs in general, not a few of each kind");
-  command->footer("Exit code: 0 equal, 1 different, 3 a file cannot be read.");
+  command->footer("Exit code: 0 equal, 1 different, 3 a file cannot be read or is damaged.");
   return command;
 }
 

@@ -13,6 +13,7 @@
 #include "core/ledger/totals.hpp"
 #include "io/commands/info_summary.hpp"
 #include "io/output/checkpoint.hpp"
+#include "io/output/damaged_rows.hpp"
 #include "io/output/series.hpp"
 #include "io/output/kind_frame.hpp"
 #include "io/run/progress.hpp"
@@ -81,6 +82,7 @@ Json checkpointInfo(const CheckpointHeader& header, bool fields) {
   for (const NamedSum& s : sumsOf(h.ledger)) j["ledger"][s.name] = s.sum->value();
   if (!fields) return j;
   const H5File file = H5File::openToRead(h.path);
+  if (const std::vector<std::string> damaged = damagedRows(file); !damaged.empty()) j["damaged"] = damaged;
   for (const char* group : {"/particles", "/solids", "/bonds", "/surfels", "/oriented", "/sheet"}) {
     if (!file.has(group) && (std::string(group) == "/surfels" || std::string(group) == "/oriented" || std::string(group) == "/sheet")) continue;
     j[std::string(group + 1) + "_fields"] = Json::array();
@@ -203,7 +205,9 @@ int infoCommand(const InfoArguments& arguments) {
     if (arguments.json) fmt::print("{}\n", j.dump(2, ' ', false, Json::error_handler_t::replace));
     else if (arguments.all) print(j, 0);
     else printShort(j);
-    return 0;
+    if (!j.contains("damaged")) return 0;
+    const std::string damage = damageText(j["damaged"].get<std::vector<std::string>>());
+    fmt::print(stderr, "thaw info: {}: {}\n", arguments.path, damage);
   } catch (const IoError& e) {
     fmt::print(stderr, "thaw info: {}\n", e.what());
   } catch (const Json::exception& e) {

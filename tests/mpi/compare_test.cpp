@@ -221,6 +221,27 @@ TEST(Compare, TruncatedAndDamagedFilesAreErrorsNotCrashes) {
   }
 }
 
+TEST(Compare, DamagedRowsAreNamed) {
+  const Folder folder;
+  if (rankOf() != 0) return;
+  makeOutputFolders(folder.path);
+  Sample sample(MPI_COMM_SELF, 60);
+  const std::string good = writeCheckpoint(folder.path, MPI_COMM_SELF, sample.w, stamp), bad = folder.path + "/bad.hdf";
+  fs::copy_file(good, bad);
+  const std::uint64_t place = H5File::openToRead(bad).offset("/particles/velocity") + 100;
+  std::fstream file(bad, std::ios::binary | std::ios::in | std::ios::out);
+  file.seekg(static_cast<std::streamoff>(place));
+  const int byte = file.get();
+  file.seekp(static_cast<std::streamoff>(place));
+  file.put(static_cast<char>(byte ^ 1));
+  file.close();
+  EXPECT_EQ(compareCommand({good, bad, -1}), 3);
+  EXPECT_EQ(compareCommand({bad, good, -1}), 3);
+  EXPECT_EQ(infoCommand({good, true}), 0);
+  EXPECT_EQ(infoCommand({bad, true}), 3);
+  EXPECT_EQ(describePath(bad)["damaged"].dump(), "[\"/particles/velocity\"]");
+}
+
 TEST(Info, SaysWhatIsThereAlsoAsJson) {
   const Folder folder;
   if (rankOf() == 0) makeOutputFolders(folder.path);
