@@ -46,6 +46,8 @@ constexpr const char* afterExample =
     "- Choose a shear modulus G of some 20 tau_y or more, such that little of the flow is elastic; `young` = 2 (1 + `poisson`) G.\n"
     "- `yield_strain` = tau_y / (sqrt(2) G). In uniaxial tests it then yields at sqrt(3/2) 2 G `yield_strain` = sqrt(3) tau_y.\n"
     "- `creep_rate` = G / mu. Left out, it flows at once: mu is 0.\n"
+    "- A weight that acts at once, as gravity does at the start, overshoots the static stress: a block of the paste below yields at a height of\n"
+    "  8 to 9 mm, where sqrt(3) tau_y / (density g), the static one, is 9.8 mm.\n"
     "- A larger G means shorter steps; `viscosity` does not count, since it is the liquid's.\n\n"
     "tau_y = 100 Pa and mu = 20 Pa s:\n\n"
     "```toml\n"
@@ -63,8 +65,8 @@ constexpr const char* afterExample =
     "`x`, `y`, `z` are in m, in the frame of the scene; the value is in m/s or K. Expressions have no units. There are ";
 constexpr const char* afterWords =
     ".\nA body's particles take the value where the scene places the body, also where it reaches over a\n"
-    "periodic side; an emitter's take that of their place in the opening. A value that is not finite at a particle, or\n"
-    "a temperature that is not above 0 K, is an error. A temperature that depends on position switches heat\n"
+    "periodic side; an emitter's take that of their place in the opening. A speed above 3e8 m/s at a particle, a\n"
+    "temperature that is not above 0 K, or what is no number, is an error. A temperature that depends on position switches heat\n"
     "on where something conducts heat or melts.\n";
 
 }  // namespace
