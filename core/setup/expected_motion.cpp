@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/sampling.hpp"
 #include "core/setup/start_fields.hpp"
 
 namespace thaw {
@@ -20,8 +19,8 @@ std::vector<std::int64_t> evenly(std::int64_t points, std::int64_t count) {
 }
 
 /// m/s, the fastest of some of a body's lattice points, or of its box's corners where none is inside.
-double fastestPoint(const Body& b, const SignedDistance& shape, double spacing, std::int64_t perAxis) {
-  const SampleLattice l = sampleLattice(shape, spacing);
+double fastestPoint(const Scene& s, const Body& b, const SignedDistance& shape, std::int64_t perAxis) {
+  const SampleLattice l = bodyLattice(s, b, shape);
   const Vec3d centre = middleOf(shape);
   double fastest = 0;
   bool any = false;
@@ -49,7 +48,7 @@ void addBodies(const Scene& s, const std::vector<std::shared_ptr<const SignedDis
   for (std::size_t b = 0; b < s.bodies.size(); b++) {
     const Body& body = s.bodies[b];
     const double v =
-        turnsOrStrains(body) ? fastestPoint(body, *shapes[b], s.spacing, perAxis) : length(body.velocity);
+        turnsOrStrains(body) ? fastestPoint(s, body, *shapes[b], perAxis) : length(body.velocity);
     if (v > m.start) m.start = v, m.startBy = "body '" + body.name + "'";
   }
   const auto whole = [&](const auto& bodies2, const char* kind) {

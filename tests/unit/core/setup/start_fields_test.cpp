@@ -77,6 +77,17 @@ TEST(StartFields, ExpressionsAreOfThePlaceInTheScene) {
   }
 }
 
+// Its box is 10.5 spacings wide, and has 10 layers of liquid.
+TEST(StartFields, TheExpectedSpeedIsThatOfTheFastestParticle) {
+  Scene s = waterBox();
+  s.bodies[0].shape.size = {1.05, 1.05, 1.05};
+  s.bodies[0].velocityField.component[0] = fieldOf("body.box.velocity.x", [](const Vec3d& x) { return 10 * x.x; });
+  Simulation run(s);
+  double fastest = 0;
+  for (std::size_t i = 0; i < run.particles().owned; i++) fastest = std::max(fastest, length(run.particles().velocity[i]));
+  EXPECT_DOUBLE_EQ(expectedFlow(run.w.scene).speed, fastest);
+}
+
 TEST(StartFields, RelaxedParticlesAndThoseAcrossASideHaveTheFieldOfTheirPlace) {
   Scene s = waterBox({1.8, 0, 0});  // reaches over the side at x = 2
   s.domain.side[0][0] = s.domain.side[0][1] = Side::Periodic;
