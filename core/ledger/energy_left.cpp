@@ -131,6 +131,9 @@ void recordNeighbourhoods(World& w, const StepTools& t) {
 }  // namespace
 
 std::vector<Leaver> leaversOfAll(const World& w, const StepTools& t, Reducer& all) {
+  std::int64_t leaving = static_cast<std::int64_t>(t.leaving.size());
+  all.sum({&leaving, 1});
+  if (leaving == 0) return {};  // as in most steps, which are to allocate nothing
   const auto rank = static_cast<std::size_t>(all.rank());
   std::vector<std::int64_t> counts(static_cast<std::size_t>(all.size()));
   counts[rank] = static_cast<std::int64_t>(t.leaving.size());
@@ -147,7 +150,7 @@ std::vector<Leaver> leaversOfAll(const World& w, const StepTools& t, Reducer& al
     const Vec3d& x = w.particles.position[i];
     for (const double value : {x.x, x.y, x.z, volumeOf(w, i), rootTensionOf(w, t, i)}) *to++ = std::bit_cast<std::int64_t>(value);
   }
-  if (total > 0) all.sum(packed);
+  all.sum(packed);
   std::vector<Leaver> leavers;
   for (std::size_t k = 0; k < packed.size(); k += words) {
     const auto number = [&](std::size_t n) { return std::bit_cast<double>(packed[k + n]); };
