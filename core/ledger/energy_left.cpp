@@ -34,7 +34,8 @@ std::vector<Vec3d> imagesOf(const World& w, const Vec3d& x) {
       for (const double shift : {-w.grid.period[a], w.grid.period[a]}) {
         Vec3d image = images[k];
         image[a] += shift;
-        if (image[a] > d.min[a] - w.grid.support && image[a] < d.max[a] + w.grid.support) images.push_back(image);
+        const bool near = image[a] > d.min[a] - w.grid.support && image[a] < d.max[a] + w.grid.support;
+        if (near) images.push_back(image);
       }
   }
   return images;
@@ -60,8 +61,8 @@ void recordCohesion(World& w, const StepTools& t) {
   using isa_base::Cohesion;
   const double h = w.grid.support;
   eachNearLeaver(w, t, [&](std::uint32_t j, const Leaver& l, const Vec3d& d) {
-    const double strength = Cohesion::scale * l.volume * l.rootTension * volumeOf(w, j) * rootTensionOf(w, t, j) * h * h;
-    w.ledger.left.potential.add(0.5 * strength * Cohesion::potential(length(d)));
+    const double pair = l.volume * l.rootTension * volumeOf(w, j) * rootTensionOf(w, t, j) * h * h;
+    w.ledger.left.potential.add(0.5 * Cohesion::scale * pair * Cohesion::potential(length(d)));
   });
 }
 
@@ -73,7 +74,7 @@ double kernelAt(KernelKind kind, double q) {
   }
 }
 
-/// What a neighbour's sums lose.
+/// Losses of a neighbour's sums.
 struct Lost {
   std::uint32_t row = 0;
   SurfaceShare surface{};
@@ -105,7 +106,8 @@ double surfaceLost(const World& w, const StepTools& t, const Lost& lost) {
   if (!w.modules.surfaceEnergy || !(tension > 0)) return 0;
   const Vec3d n = w.particles.surfaceGradient[lost.row];
   const double cover = w.particles.surfaceCover[lost.row];
-  const SurfaceState with = surfaceState(t.surface, tension, n + lost.surface.gradient, cover + lost.surface.cover);
+  const Vec3d before = n + lost.surface.gradient;
+  const SurfaceState with = surfaceState(t.surface, tension, before, cover + lost.surface.cover);
   return with.energy - surfaceState(t.surface, tension, n, cover).energy;
 }
 
@@ -148,13 +150,15 @@ std::vector<Leaver> leaversOfAll(const World& w, const StepTools& t, Reducer& al
   for (const std::uint32_t i : t.leaving) {
     *to++ = std::bit_cast<std::int64_t>(w.particles.id[i]);
     const Vec3d& x = w.particles.position[i];
-    for (const double value : {x.x, x.y, x.z, volumeOf(w, i), rootTensionOf(w, t, i)}) *to++ = std::bit_cast<std::int64_t>(value);
+    for (const double value : {x.x, x.y, x.z, volumeOf(w, i), rootTensionOf(w, t, i)})
+      *to++ = std::bit_cast<std::int64_t>(value);
   }
   all.sum(packed);
   std::vector<Leaver> leavers;
   for (std::size_t k = 0; k < packed.size(); k += words) {
     const auto number = [&](std::size_t n) { return std::bit_cast<double>(packed[k + n]); };
-    leavers.push_back({std::bit_cast<std::uint64_t>(packed[k]), {number(1), number(2), number(3)}, number(4), number(5)});
+    const Vec3d place{number(1), number(2), number(3)};
+    leavers.push_back({std::bit_cast<std::uint64_t>(packed[k]), place, number(4), number(5)});
   }
   std::sort(leavers.begin(), leavers.end(), [](const Leaver& a, const Leaver& b) { return a.id < b.id; });
   return leavers;

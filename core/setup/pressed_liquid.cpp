@@ -10,7 +10,7 @@
 namespace thaw {
 namespace {
 
-/// What to do about liquid that begins too near to walls or other bodies.
+/// Advice for liquid that begins too near to walls or other bodies.
 const char* remedyOf(const Shape& shape) {
   switch (shape.kind) {
     case ShapeKind::Box: return "make sizes whole numbers of spacings, or leave more room";
