@@ -19,6 +19,7 @@ ColumnList ghostColumns(World& w) {
   if (p.liquid.active) c.push_back(&p.liquid);
   if (p.temperature.active) c.push_back(&p.temperature);
   if (p.compression.active) c.push_back(&p.compression);
+  if (p.travel.active) c.push_back(&p.travel);
   if (p.atSurface.active) c.push_back(&p.atSurface);
   if (w.modules.incompressible && p.clamped.active) c.push_back(&p.clamped);
   if (w.modules.sleep) c.push_back(&p.calm);
@@ -41,7 +42,7 @@ void clearRates(World& w, bool pairsSet) {
 
 namespace {
 
-RecordContext recordsOf(const World& w, const StepTools& t) { return {w.scene, w.modules, w.grid, t.liquids}; }
+RecordContext recordsOf(const World& w, const StepTools& t) { return {w.scene, w.modules, w.grid, t.liquids, w.clock.substeps}; }
 
 }  // namespace
 
@@ -92,7 +93,10 @@ PairSums pairSumsOf(World& w, StepTools& t) {
   s.liquids = t.liquids.data();
   s.densityRate = p.densityRate.data();
   s.spreading = p.spreading.data();
-  if (w.modules.corrected) s.moment = p.moment.data(), s.flow = p.flow.data(), s.correction = p.correction.data();
+  if (w.modules.continuity) s.stiffness = stiffnessInRecords(recordsOf(w, t));
+  if (w.modules.corrected) s.moment = p.moment.data(), s.flow = p.flow.data();
+  if (p.wetting.active) s.wetting = p.wetting.data();
+  if (p.solidNormal.active) s.solidNormal = p.solidNormal.data();
   s.pull = t.records.pull.data();
   s.surfaceGradient = p.surfaceGradient.data();
   s.surfaceCover = p.surfaceCover.data();
@@ -128,6 +132,15 @@ void search(World& w, StepTools& t, Part part) {
   t.kernels->search(in, part, t.search, w.neighbours);
 }
 
+/// Clears the sums of rows that the pass may skip. Which cells without liquid are skipped depends on ranks.
+void clearCarriedSums(Continuum& p) {
+  const auto clear = [&](auto& column) { std::fill_n(column.data(), p.owned, std::remove_reference_t<decltype(column[0])>{}); };
+  clear(p.densityRate);
+  clear(p.spreading);
+  clear(p.wetting);
+  if (p.moment.active) clear(p.moment), clear(p.flow);
+}
+
 }  // namespace
 
 void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapsed) {
@@ -136,6 +149,7 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
   NeighbourLists& lists = w.neighbours;
   const bool density = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::BoundaryDensity;
   if (pass == NeighbourPass::InnerDensity) {
+    if (p.wetting.active) clearCarriedSums(p);
     resizeRecords(x, p.owned + t.ghostRoom, t.records);
     for (const RowSpan& rows : rowsToSee(w, t)) packRecords(x, p, rows.begin, rows.end, t.records);
     clearLists(lists, static_cast<std::uint32_t>(p.owned), static_cast<std::uint32_t>(p.owned + t.ghostRoom));
@@ -170,7 +184,6 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
   PairSums resisting = s;
   if (p.drag.active) resisting.force = p.drag.data();  // viscosity only: pressure is found at the end of the step
   if (w.modules.fluid || w.modules.heat) t.kernels->forces(resisting, range);
-  if (w.modules.corrected) t.kernels->correctPressure(s, range);
   if (w.modules.surfaceEnergy) {
     pass == NeighbourPass::InnerForces ? packSurfacePull(x, p, 0, p.owned, t.records) : packSurfacePull(x, p, p.owned, p.size(), t.records);
     t.kernels->surfaceForces(s, range);
@@ -277,7 +290,9 @@ void beginSoftening(World& w, const StepTools& t) {
   const RecordContext x = recordsOf(w, t);
   for (std::size_t i = 0; i < p.owned; i++) {
     const double f = static_cast<double>(p.liquid[i]);
-    p.softening[i] = f > 0 ? (w.modules.surfaceEnergy ? p.interaction[i] : 2 * p.interaction[i] - compressionOf(x, p, i, f)) / f : 0;
+    const double compression = compressionOf(x, p, i, f), tension = p.interaction[i] - compression;
+    const double all = (w.modules.surfaceEnergy ? 1 : 2) * tension + (w.modules.continuity ? 0 : compression);
+    p.softening[i] = f > 0 ? all / f : 0;
   }
 }
 

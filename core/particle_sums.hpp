@@ -36,7 +36,8 @@ void sumOverNeighbours(World& world, StepTools& tools, NeighbourPass pass, doubl
 void solveViscosity(World& world, Halos halos, StepTools& tools, const WallContext& walls);
 
 /// Continuum::softening of compression and surface tension, from Continuum::interaction as it is after the sums over neighbours and
-/// before contacts are added: compression is proportional to the particle's fraction, a pair's tension to both. Liquids only.
+/// before contacts are added. Summed compression is proportional to the particle's liquid fraction, carried
+/// compression is not; the tension of a pair is proportional to both fractions. Liquids only.
 void beginSoftening(World& world, const StepTools& tools);
 
 }  // namespace thaw

@@ -11,6 +11,7 @@ namespace thaw {
 namespace {
 
 void drift(World& w, double span, double far2) {
+  const double share = 1.0 / w.clock.substeps;
   Continuum& p = w.particles;
   for (std::size_t s = 0; s < w.solids.owned; s++) {
     const std::uint32_t i = w.solids.particle[s];
@@ -22,6 +23,7 @@ void drift(World& w, double span, double far2) {
     }
     if (p.smoothing.active && !(p.clamped.active && p.clamped[i])) v += p.smoothing[i];
     p.position[i] += v * span;
+    if (p.travel.active) p.travel[i] += v * share;
     if (const double potential = wrapPlace(w.grid, w.scene.domain, p.position[i]); potential != 0) w.ledger.entered.potential.add(p.mass[i] * potential);
   }
 }
@@ -76,6 +78,7 @@ void substepSolids(World& w, Halos halos, StepTools& t, double dt) {
   const double span = dt / n, far2 = w.grid.support * w.grid.support / (dt * dt);
   linkSlots(w.particles, w.solids);  // rows have been sorted since, if the run was resumed
   if (w.solids.rereferenced.active) std::fill_n(w.solids.rereferenced.data(), w.solids.size(), std::uint8_t{0});  // followed already
+  if (w.particles.travel.active) std::fill_n(w.particles.travel.data(), w.particles.owned, Vec3d{});
   findSubstepContacts(w, t.substepContacts);
   drift(w, span, far2);
   for (int k = 1; k < n; k++) {

@@ -110,7 +110,7 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   if (w.modules.surfaceEnergy) findSurfaceEnergy(walls, t.surface, t.wallContacts);
   if (w.modules.tension) recordEnergyLeft(w, t);
   ColumnList toGhosts{&p.filling};
-  if (w.modules.corrected) toGhosts.push_back(&p.correction);
+  if (p.correction.active) toGhosts.push_back(&p.correction);
   if (w.modules.surfaceEnergy) {
     toGhosts.push_back(&p.surfacePull);
     toGhosts.push_back(&p.surfaceDraw);

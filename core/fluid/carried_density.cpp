@@ -8,18 +8,20 @@
 namespace thaw {
 namespace {
 
-/// A wall takes part as the liquid's pressure sees it (wall_forces.cpp): the same slope, so that the two are adjoint. dt: of the step that led here; the
-/// rate is the mean of both its ends, as between particles.
+/// Adds the walls' part of the concentration gradient and of the density rate. The slope is that of the wall's
+/// pressure force (wall_forces.cpp), so that the two are adjoint.
+/// dt: last step (s); the rate uses distances at mid-step, as pairs do.
 void addWalls(World& w, const StepTools& t, double dt) {
   Continuum& p = w.particles;
   const double h = w.grid.support;
   for (const WallContact& c : t.wallContacts.list) {
     const double push = t.perLatticeSum * t.wallTables(c.distance / h).push * c.share;
-    if (p.crowding.active) p.crowding[c.row] += c.normal * (-0.5 * push);  // the pressure's slope is twice that of the wall's own filling
+    // push is twice the gradient of the wall's own relative density
+    if (p.crowding.active) p.crowding[c.row] += single(c.normal * (-0.5 * push));
     if (!p.densityRate.active) continue;
     const double off = dot(p.velocity[c.row] - wallVelocity(w.walls.list[c.wall], p.position[c.row]), c.normal);
-    const double before = t.perLatticeSum * t.wallTables((c.distance - dt * off) / h).push * c.share;
-    p.densityRate[c.row] -= 0.5 * (before + push) / h * off;
+    const double middle = t.perLatticeSum * t.wallTables((c.distance - 0.5 * dt * off) / h).push * c.share;
+    p.densityRate[c.row] -= liquidFraction(p, c.row) * middle / h * off;
   }
 }
 
@@ -28,81 +30,147 @@ void shiftInside(World& w, const StepTools& t) {
   Continuum& p = w.particles;
   for (std::size_t i = 0; i < p.owned; i++) {
     const bool inside = liquidFraction(p, i) == 1 && static_cast<double>(p.filling[i]) > 0.9;
-    p.smoothing[i] = inside ? p.crowding[i] * (-w.scene.numerics.shifting * t.liquids[p.material[i]].soundSpeed) : Vec3d{};
+    p.smoothing[i] = inside ? wide(p.crowding[i]) * (-w.scene.numerics.shifting * t.liquids[p.material[i]].soundSpeed) : Vec3d{};
   }
 }
 
-/// Density correction of a step beyond the tolerated disorder: particles that are denser by their places than the density that they carry, since
-/// shifting and splashing change places without a flow.
-double overdense(double summed, double compression, double stepsOfSound) {
-  constexpr double tolerated = 0.03, perStep = 0.05;
-  return std::min(1.0, perStep * stepsOfSound) * std::max(0.0, summed - 1 - compression - tolerated);
+/// Interior weight: 0 up to a summed relative density of 0.9 (truncated by a free surface), 1 from 0.95.
+double shareInside(double filling) { return std::clamp((filling - 0.9) / 0.05, 0.0, 1.0); }
+
+enum class Layer { Inside, BesideSurface, Surface };
+
+Layer layerOf(const Continuum& p, std::size_t i) {
+  return p.atSurface[i] ? Layer::Surface : besideSurface(p, i) ? Layer::BesideSurface : Layer::Inside;
 }
 
-/// What corrects gradients inside the liquid, less 1; 0 at surfaces and walls, whose part in the moment is not known. Adds the half of the rate that has
-/// the gradients of the end of the step; that of its beginning is there.
-void correct(World& w, const StepTools& t) {
-  Continuum& p = w.particles;
-  for (const WallContact& c : t.wallContacts.list) p.moment[c.row] = {};
-  for (std::size_t i = 0; i < p.owned; i++) {
-    if (liquidFraction(p, i) == 0) {  // whether its cell has liquid beside it, and so any sums, depends on ranks
-      p.correction[i] = {};
-      continue;
-    }
-    const double weight = std::min(1.0, (static_cast<double>(p.filling[i]) - 0.9) / 0.05);
-    Mat3d d{};
-    if (weight > 0 && eigenvaluesAbove(p.moment[i], 0.4)) {  // corrections of more than 2.5 would be stiffer than the step allows
-      d = inverse(p.moment[i]);
-      for (int a = 0; a < 3; a++) d.row[a][a] -= 1;
-    }
-    double divergence = 0;
-    for (int a = 0; a < 3; a++)
-      for (int b = 0; b < 3; b++) {
-        d.row[a][b] *= weight;
-        divergence += ((a == b ? 1 : 0) + d.row[a][b]) * p.flow[i].row[a][b];
-      }
-    p.densityRate[i] += 0.5 * divergence;
-    p.correction[i] = d;
-  }
+/// Drift correction: change of the carried relative density in this step towards the summed one.
+/// Shifting, splashing and clipped tension move particles without changing the carried density.
+/// Inside the liquid the correction is slow, so that disorder causes no pressure noise; it never makes tension.
+/// Next to the free surface it only counts what the truncated sum cannot explain, such as voids of a splash.
+/// An excess above `tolerated` decays faster, also at the surface.
+/// off: summed less carried relative density; steps: c dt / h.
+double driftCorrection(double off, double compression, Layer layer, double steps) {
+  constexpr double perStep = 0.01, crowdedPerStep = 0.05, tolerated = 0.03, truncated = 0.1;
+  const double drift = layer == Layer::Inside ? off : layer == Layer::BesideSurface ? std::min(0.0, off + truncated) : 0;
+  const double back = std::max(std::min(1.0, perStep * steps) * drift, -std::max(0.0, compression));
+  return back + std::min(1.0, crowdedPerStep * steps) * std::max(0.0, off - tolerated);
+}
+
+/// Moment at a wall, with 1 along the normal. The sums contain only liquid neighbours, as the gradient does
+/// along the wall. Along the normal the wall's push already balances a uniform pressure.
+Sym3f alongWall(const Sym3f& moment, const Vec3d& normal) {
+  const Vec3<float> n{static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)}, m = moment * n;
+  const Vec3<float> k = m - n * (0.5F * (dot(n, m) + 1));  // M - n m^T - m n^T + (n.m + 1) n n^T
+  return {moment.xx - 2 * n.x * k.x, moment.yy - 2 * n.y * k.y, moment.zz - 2 * n.z * k.z,
+          moment.xy - n.x * k.y - n.y * k.x, moment.yz - n.y * k.z - n.z * k.y, moment.xz - n.x * k.z - n.z * k.x};
+}
+
+/// Inverse moment less 1, times the interior weight. 0 where an eigenvalue is below 0.4: corrections above 2.5
+/// would be unstable at this step.
+Sym3d correctionOf(const Sym3f& moment, double filling) {
+  const double weight = shareInside(filling);
+  const Sym3d m = wide(moment);
+  if (weight <= 0 || !eigenvaluesAbove(m, 0.4)) return {};
+  const double xx = m.yy * m.zz - m.yz * m.yz, xy = m.xz * m.yz - m.xy * m.zz, xz = m.xy * m.yz - m.xz * m.yy;
+  const double k = weight / (m.xx * xx + m.xy * xy + m.xz * xz);
+  return {k * xx - weight, k * (m.xx * m.zz - m.xz * m.xz) - weight, k * (m.xx * m.yy - m.xy * m.xy) - weight,
+          k * xy, k * (m.xy * m.xz - m.xx * m.yz), k * xz};
+}
+
+/// Constants of a material in one step.
+struct Carrier {
+  double stiffness;  ///< Pa
+  double volume;     ///< m^3/kg, at rest
+  double steps;      ///< c dt / h
+};
+
+struct CarryContext {
+  World& world;
+  const Numerics& numerics;
+  std::vector<Carrier> materials;
+  double dt;
+  double ahead;  ///< extrapolation factor of the correction: (end - mid-step) / (mid-step - previous mid-step)
+};
+
+CarryContext contextOf(World& w, const StepTools& t, double dt) {
+  CarryContext x{w, w.scene.numerics, {}, dt, dt > 0 ? dt / (dt + w.clock.stepDt) : 0};
+  for (std::size_t k = 0; k < t.liquids.size(); k++)
+    x.materials.push_back({t.liquids[k].stiffness, 1 / w.scene.materials[k].density, t.liquids[k].soundSpeed * dt / w.grid.support});
+  return x;
+}
+
+/// Adds the corrected divergence at mid-step to the rate. Extrapolates the correction from the last two
+/// mid-steps to the end of the step, with a limited change.
+void correct(const CarryContext& x, std::size_t i) {
+  Continuum& p = x.world.particles;
+  constexpr float most = 0.1F;
+  const Sym3f d = single(correctionOf(p.moment[i], static_cast<double>(p.filling[i]))), before = p.midCorrection[i];
+  const Mat3f& u = p.flow[i];
+  p.densityRate[i] += static_cast<double>((1 + d.xx) * u.row[0].x + (1 + d.yy) * u.row[1].y +
+                                          (1 + d.zz) * u.row[2].z + d.xy * (u.row[0].y + u.row[1].x) +
+                                          d.yz * (u.row[1].z + u.row[2].y) + d.xz * (u.row[0].z + u.row[2].x));
+  const float ahead = static_cast<float>(x.ahead);
+  const auto next = [&](float now, float last) { return now + ahead * std::clamp(now - last, -most, most); };
+  p.correction[i] = {next(d.xx, before.xx), next(d.yy, before.yy), next(d.zz, before.zz),
+                     next(d.xy, before.xy), next(d.yz, before.yz), next(d.xz, before.xz)};
+  p.midCorrection[i] = d;
+}
+
+/// Resets the carried density of a particle without liquid around it; its compression energy is dissipated.
+void resetCarriedDensity(const CarryContext& x, std::size_t i) {
+  Continuum& p = x.world.particles;
+  const Carrier& c = x.materials[p.material[i]];
+  if (p.compression[i] != 0)
+    p.dissipated[i] += p.mass[i] * c.volume * compressionEnergy(x.numerics.eos, c.stiffness, 1 + p.compression[i], x.numerics.tensileLimit);
+  p.compression[i] = 0;
+  p.filling[i] = 1;
+  if (p.correction.active) p.midCorrection[i] = p.correction[i] = {};
+}
+
+/// Integrates the carried relative density over the step. Records the compression energy that diffusion and
+/// drift correction change.
+void carry(const CarryContext& x, std::size_t i) {
+  Continuum& p = x.world.particles;
+  const Carrier& c = x.materials[p.material[i]];
+  const double before = p.compression[i], flow = before + p.densityRate[i] * x.dt, places = static_cast<double>(p.filling[i]);
+  double spread = p.spreading[i] * x.dt;
+  if (p.atSurface.active && liquidFraction(p, i) == 1)
+    spread += driftCorrection(places - 1 - flow - spread, flow + spread, layerOf(p, i), c.steps);
+  const auto slope = [&](double y) { return pressureOf(x.numerics.eos, c.stiffness, 1 + y, x.numerics.tensileLimit) / ((1 + y) * (1 + y)); };
+  // mean of both ends of the step, as for the pressure work of the flow
+  p.dissipated[i] -=
+      0.5 * p.mass[i] * c.volume * spread * (slope(flow + 0.5 * spread) + slope(before + 0.5 * spread));
+  p.compression[i] = flow + spread;
+  p.filling[i] = static_cast<float>(1 + p.compression[i]);
 }
 
 }  // namespace
 
+bool carriesDensity(const Continuum& p, std::size_t i) { return p.wetting.active ? p.wetting[i] > 0 : true; }
+
 void carryDensity(World& w, const StepTools& t, double dt) {
   Continuum& p = w.particles;
-  const Numerics& n = w.scene.numerics;
   addWalls(w, t, dt);
-  if (p.atSurface.active) {
-    findFreeSurface(w, t);
-    shiftParticles(w, t);
-  } else if (w.modules.shifting) {
-    shiftInside(w, t);
-  }
+  if (p.atSurface.active) findFreeSurface(w, t);
+  else if (w.modules.shifting) shiftInside(w, t);
   if (!w.modules.continuity) return;
-  if (w.modules.corrected) correct(w, t);
+  if (w.modules.corrected)
+    for (const WallContact& c : t.wallContacts.list) p.moment[c.row] = alongWall(p.moment[c.row], c.normal);
   constexpr double tooCrowded = 1.3;
   w.counters.crowded = 0;
+  const CarryContext x = contextOf(w, t, dt);
   for (std::size_t i = 0; i < p.owned; i++) {
-    const double f = liquidFraction(p, i);
-    if (f == 0) {  // as above
-      p.compression[i] = 0;
-      p.filling[i] = 1;
+    if (p.atSurface.active) p.smoothing[i] = shiftOf(w, t, i);
+    if (w.modules.sleep && t.sleep.deep[i]) continue;  // skipped: its sums are not computed and do not change
+    if (!carriesDensity(p, i)) {
+      resetCarriedDensity(x, i);
       continue;
     }
-    w.counters.crowded += static_cast<double>(p.filling[i]) > tooCrowded * (1 + p.compression[i]);
-    const double flow = p.compression[i] + p.densityRate[i] * dt;
-    double spread = p.spreading[i] * dt;
-    if (p.atSurface.active)
-      spread += overdense(static_cast<double>(p.filling[i]), flow + spread, t.liquids[p.material[i]].soundSpeed * dt / w.grid.support);
-    if (spread != 0) {
-      const Material& m = w.scene.materials[p.material[i]];
-      const auto energy = [&](double x) { return compressionEnergy(n.eos, t.liquids[p.material[i]].stiffness, 1 + x, n.tensileLimit); };
-      const double before = p.compression[i];  // half of it at either end of the step: its pressure is half of what the flow works against
-      p.dissipated[i] -= 0.5 * f * p.mass[i] / m.density * (energy(flow + spread) - energy(flow) + energy(before + spread) - energy(before));
-    }
-    p.compression[i] = flow + spread;
-    p.filling[i] = static_cast<float>(1 + p.compression[i]);
+    if (liquidFraction(p, i) > 0) w.counters.crowded += static_cast<double>(p.filling[i]) > tooCrowded * (1 + p.compression[i]);
+    if (w.modules.corrected) correct(x, i);
+    carry(x, i);
   }
+  if (p.atSurface.active) shiftAlongWalls(w, t);
 }
 
 }  // namespace thaw

@@ -29,59 +29,63 @@ Vec3d alongWalls(Vec3d v, std::span<const WallContact> contacts, double spacing)
   return v;
 }
 
+/// Removes the component along the normal of an adjacent solid. Shifting must keep the gap: a few per cent of
+/// the displaced volume decide whether the solid floats.
+Vec3d alongSolid(Vec3d v, const Vec3d& normal) {
+  // length of the normal above which a solid is adjacent; 0.75 in the first layer of a lattice
+  constexpr double beside = 0.1;
+  const double size = length(normal);
+  return size > beside ? v - normal * (dot(v, normal) / (size * size)) : v;
+}
+
 /// 1/s, norm of the rate of strain.
-double strainRate(const Mat3d& flow) {
-  double sum = 0;
-  for (int a = 0; a < 3; a++)
-    for (int b = 0; b < 3; b++) {
-      const double e = 0.5 * (flow.row[a][b] + flow.row[b][a]);
-      sum += e * e;
-    }
-  return std::sqrt(2 * sum);
+double strainRate(const Mat3f& u) {
+  const float xy = u.row[0].y + u.row[1].x, yz = u.row[1].z + u.row[2].y, xz = u.row[0].z + u.row[2].x;
+  const float diagonal = u.row[0].x * u.row[0].x + u.row[1].y * u.row[1].y + u.row[2].z * u.row[2].z;
+  return static_cast<double>(std::sqrt(2 * diagonal + xy * xy + yz * yz + xz * xz));
 }
 
 }  // namespace
 
-bool eigenvaluesAbove(const Mat3d& m, double least) {
-  const double a = m.row[0][0] - least, b = m.row[1][1] - least, c = m.row[2][2] - least;
-  const double d = m.row[0][1], e = m.row[0][2], f = m.row[1][2];
-  return a > 0 && a * b - d * d > 0 && a * (b * c - f * f) - d * (d * c - f * e) + e * (d * f - b * e) > 0;  // Sylvester
+bool besideSurface(const Continuum& p, std::size_t i) {
+  const Vec3f& n = p.surfaceNormal[i];
+  return std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)}) > 1e-6F;
 }
 
 void findFreeSurface(World& w, const StepTools& t) {
   Continuum& p = w.particles;
+  const bool corrected = w.modules.corrected;
   const auto asymmetric = [&](std::size_t i, const Vec3d& gradient) {
     return length(gradient) > surfaceAsymmetry * static_cast<double>(p.gradientSize[i]);
   };
   for (std::size_t i = 0; i < p.owned; i++) {
     const bool wet = liquidFraction(p, i) > 0;
-    p.atSurface[i] = wet && (w.modules.corrected ? !eigenvaluesAbove(p.moment[i], surfaceMoment) : asymmetric(i, p.crowding[i]));
+    p.atSurface[i] = wet && (corrected ? !eigenvaluesAbove(p.moment[i], static_cast<float>(surfaceMoment)) : asymmetric(i, wide(p.crowding[i])));
   }
   eachWallRow(t.wallContacts.list, [&](std::size_t i, std::span<const WallContact> contacts) {
-    p.atSurface[i] = liquidFraction(p, i) > 0 && asymmetric(i, alongWalls(p.crowding[i], contacts, w.scene.spacing));
+    p.atSurface[i] = liquidFraction(p, i) > 0 && asymmetric(i, alongWalls(wide(p.crowding[i]), contacts, w.scene.spacing));
   });
 }
 
-void shiftParticles(World& w, const StepTools& t) {
-  Continuum& p = w.particles;
-  const double h = w.grid.support;
-  for (std::size_t i = 0; i < p.owned; i++) {
-    p.smoothing[i] = {};
-    if (liquidFraction(p, i) < 1 || p.atSurface[i]) continue;
-    const double c = t.liquids[p.material[i]].soundSpeed;
-    double speed = w.scene.numerics.shifting * c;
-    if (w.modules.corrected) {
-      const double tension = c * std::sqrt(std::max(0.0, -p.compression[i]));
-      speed = std::min(speed, perStrain * h * strainRate(p.flow[i]) + perTension * tension);
-    }
-    Vec3d u = p.crowding[i] * -speed;
-    const double beside = length(p.surfaceNormal[i]);
-    if (beside > 1e-6) {
-      const Vec3d inward = p.surfaceNormal[i] * (1 / beside);
-      u -= inward * std::min(0.0, dot(u, inward));
-    }
-    p.smoothing[i] = u;
+Vec3d shiftOf(const World& w, const StepTools& t, std::size_t i) {
+  const Continuum& p = w.particles;
+  if (liquidFraction(p, i) < 1 || p.atSurface[i]) return {};
+  const double c = t.liquids[p.material[i]].soundSpeed, compression = p.compression[i];
+  double speed = w.scene.numerics.shifting * c;
+  if (w.modules.corrected) {
+    const double tension = compression < 0 ? c * std::sqrt(-compression) : 0;
+    speed = std::min(speed, perStrain * w.grid.support * strainRate(p.flow[i]) + perTension * tension);
   }
+  Vec3d u = wide(p.crowding[i]) * -speed;
+  if (besideSurface(p, i)) {
+    const Vec3d out = wide(p.surfaceNormal[i]), inward = out * (1 / length(out));
+    u -= inward * std::min(0.0, dot(u, inward));
+  }
+  return p.solidNormal.active ? alongSolid(u, wide(p.solidNormal[i])) : u;
+}
+
+void shiftAlongWalls(World& w, const StepTools& t) {
+  Continuum& p = w.particles;
   eachWallRow(t.wallContacts.list, [&](std::size_t i, std::span<const WallContact> contacts) {
     p.smoothing[i] = alongWalls(p.smoothing[i], contacts, w.scene.spacing);
   });

@@ -34,6 +34,13 @@ std::vector<LiquidMaterial> liquidMaterials(const Scene& s) {
     l.rootTension = std::sqrt(m.surfaceTension);
     all.push_back(l);
   }
+  const auto liquid = std::find_if(s.materials.begin(), s.materials.end(), canBeLiquid);
+  for (std::size_t k = 0; k < all.size() && liquid != s.materials.end(); k++)
+    if (!canBeLiquid(s.materials[k])) {
+      const LiquidMaterial& around = all[static_cast<std::size_t>(liquid - s.materials.begin())];
+      all[k].stiffness = around.stiffness;
+      all[k].soundSpeed = around.soundSpeed;
+    }
   return all;
 }
 

@@ -8,7 +8,7 @@
 namespace thaw {
 
 struct LiquidMaterial {
-  double stiffness = 0;    ///< Pa, rho0 c^2
+  double stiffness = 0;    ///< Pa, rho0 c^2; for pure solids, that of the first liquid
   double soundSpeed = 0;   ///< m/s
   double artificial = 0;   ///< Pa s, alpha c h rho0 / 10: artificial viscosity as a viscosity of approaching pairs
   double rootTension = 0;  ///< (N/m)^1/2

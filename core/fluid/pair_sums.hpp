@@ -25,6 +25,8 @@ struct ClosePairs {
 
 /// The dummy's temperature (K) where records have no volume to tell it by: one liquid (Modules::uniform) with heat.
 inline constexpr double dummyTemperature = -1e30;
+/// The dummy's pressure term (Pa) in records of a carried density.
+inline constexpr double dummyPressure = -1e24;
 
 /// What a sum reads and writes. Records are four values a row, float or double by `precision`; all rows, owned and ghost, and
 /// the dummy row behind them. Lengths in records are in support radii h.
@@ -37,7 +39,11 @@ struct PairSums {
   bool viscous = true;          ///< forces also sum viscosity; not where it is solved implicitly
   ViscousWeight viscousWeight;  ///< of the pairwise form
   bool printedTension = false;  ///< colour field as in K05 instead of cohesion between pairs
-  bool uniform = false;         ///< one liquid (Modules::uniform): no state; motion's fourth value is the pressure term, with heat the temperature, and from the pressure on place's the pressure term; forces set what they find, others add to it
+  /// One liquid (Modules::uniform): no state records. motion's fourth value is the pressure term; with heat it is
+  /// the temperature, and place's fourth value becomes the pressure term. With a carried density it is the
+  /// compression until the pressure is packed. A negative volume marks the free surface. Forces overwrite their
+  /// results; the other terms add to them.
+  bool uniform = false;
   double volume = 0;            ///< V0 / h^3 of all particles of that liquid
   double viscosity = 0, conductivity = 0, artificial = 0;  ///< of that liquid, Pa s, W/(m K), Pa s; 0: no artificial viscosity
   bool heat = false;          ///< forces also sum heat conduction
@@ -47,7 +53,9 @@ struct PairSums {
   double selfExcess = 0;      ///< taken from the filling of a particle, per V0 / h^3 of its own
   const void* place = nullptr;   ///< x, y, z (fixed point in single precision), V0 / h^3 (V / h^3 with the printed pressure)
   const void* motion = nullptr;  ///< velocity (m/s), viscosity (Pa s)
-  const void* state = nullptr;   ///< pressure term (Pa): f p / filling^2, printed: f p; liquid fraction f (for densities: -f at the free surface); temperature (K); conductivity (W/(m K))
+  /// Pressure term (Pa): f p / filling^2, printed: f p (for densities: carried compression in units of stiffness);
+  /// liquid fraction f (for densities: -f at the free surface); temperature (K); conductivity (W/(m K)).
+  const void* state = nullptr;
   const void* surface = nullptr; ///< square root of the surface tension of the liquid (N/m)^1/2; 1 if solid, else 0; artificial viscosity (Pa s); XSPH factor
   bool carried = false;          ///< density also sums its rate
   double elapsed = 0;            ///< s, of the step that led here, whose rate is found
@@ -67,12 +75,16 @@ struct PairSums {
   const void* pull = nullptr;    ///< records of surface_energy.hpp: slopes of the surface energy by gradient and cover, Pa
   Vec3d* surfaceGradient = nullptr;  ///< 1 (overwritten)
   double* surfaceCover = nullptr;    ///< 1 (overwritten)
-  Mat3d *moment = nullptr, *flow = nullptr;  ///< 1, 1/s; none: gradients are not corrected
-  const Mat3d* correction = nullptr;  ///< 1, of gradients, less 1, where the step began
-  const void *diagonal = nullptr, *mixed = nullptr;  ///< records of correct_pressure.hpp
+  double stiffness = 0;          ///< Pa, of the first liquid: unit of the carried compressions in records
+  Sym3f* moment = nullptr;       ///< 1, at mid-step; null: gradients are not corrected
+  Mat3f* flow = nullptr;         ///< 1/s, likewise
+  /// Pressure tensors (Pa): xx yy zz and xy xz yz. Uniform: diagonal is zz xy xz yz; place has xx, motion yy.
+  const void *diagonal = nullptr, *mixed = nullptr;
   double *densityRate = nullptr, *spreading = nullptr;  ///< 1/s
-  Vec3d* crowding = nullptr;     ///< 1, h grad filling; none: not wanted
-  Vec3d* surfaceNormal = nullptr;  ///< 1, away from neighbours at the free surface, with gradientSize, h sum V |grad W|; none: not wanted
+  Vec3f* crowding = nullptr;     ///< 1, h grad filling; none: not wanted
+  float* wetting = nullptr;      ///< 1, sum V W of liquid; null: no solids
+  Vec3f* solidNormal = nullptr;  ///< 1, away from solid neighbours; null: no solids
+  Vec3f* surfaceNormal = nullptr;  ///< 1, away from neighbours at the free surface, with gradientSize, h sum V |grad W|; none: not wanted
   float* gradientSize = nullptr;
   Vec3d* smoothed = nullptr;     ///< m/s, velocity change by XSPH
   Vec3d* impulse = nullptr;      ///< N s, of impulse (overwritten); of response the slope of the filling, 1/m

@@ -1,11 +1,12 @@
 // The pair sums of one instruction set (compiled once for each, core/simd/dispatch.cpp): each term of core/fluid/terms/ with the kernel and
 // the precision of the scene.
+#include <type_traits>
+
 #include "core/fluid/terms/artificial_viscosity.hpp"
 #include "core/fluid/terms/carried_density.hpp"
 #include "core/fluid/terms/close_pairs.hpp"
 #include "core/fluid/terms/colour_field.hpp"
 #include "core/fluid/terms/conduction.hpp"
-#include "core/fluid/terms/correct_pressure.hpp"
 #include "core/fluid/terms/density.hpp"
 #include "core/fluid/terms/exposure.hpp"
 #include "core/fluid/terms/forces.hpp"
@@ -34,19 +35,21 @@ template<class Action> void choose(const PairSums& in, Action action) {
   else withReal(double{});
 }
 
-template<class Real, class Kernel, Carry carry> void carriedDensityOf(const PairSums& in, GroupRange range, double scale) {
+template<class Term, class Real> void carriedDensityOf(const PairSums& in, GroupRange range, double scale) {
   using L = Lanes<Real>;
-  const auto sum = [&](auto term) { sweep(*in.lists, range, term, Groups::Wet); };
-  const auto make = [&]<bool Surfaces>() {
-    return CarriedDensity<Real, Kernel, carry, Surfaces>{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, scale,
-                                                         {L(in.weight.x), L(in.weight.y), L(in.weight.z)}, L(in.elapsed / in.support)};
-  };
-  if (in.surfaceNormal) sum(make.template operator()<true>());
-  else sum(make.template operator()<false>());
+  const double c = in.liquids[0].soundSpeed, perSpeed = in.uniform ? 1 / (c * c) : 1;
+  Term term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, scale,
+            {L(in.weight.x * perSpeed), L(in.weight.y * perSpeed), L(in.weight.z * perSpeed)}, L(0.5 * in.elapsed / in.support)};
+  sweep(*in.lists, range, term, Groups::Wet);
+}
+template<class Real, class Kernel, Carry carry, bool Surfaces> void carriedDensity(const PairSums& in, GroupRange range, double scale) {
+  if constexpr (std::is_same_v<Kernel, WendlandC2> && carry == Carry::Corrected)
+    if (in.uniform) return carriedDensityOf<CarriedDensity<Real, Kernel, carry, Surfaces, false>, Real>(in, range, scale);
+  carriedDensityOf<CarriedDensity<Real, Kernel, carry, Surfaces>, Real>(in, range, scale);
 }
 template<class Real, class Kernel> void carriedDensity(const PairSums& in, GroupRange range, double scale) {
-  if (in.moment) carriedDensityOf<Real, Kernel, Carry::Corrected>(in, range, scale);
-  else carriedDensityOf<Real, Kernel, Carry::Density>(in, range, scale);
+  if (in.moment) in.surfaceNormal ? carriedDensity<Real, Kernel, Carry::Corrected, true>(in, range, scale) : carriedDensity<Real, Kernel, Carry::Corrected, false>(in, range, scale);
+  else in.surfaceNormal ? carriedDensity<Real, Kernel, Carry::Density, true>(in, range, scale) : carriedDensity<Real, Kernel, Carry::Density, false>(in, range, scale);
 }
 
 void density(const PairSums& in, GroupRange range) {
@@ -55,7 +58,7 @@ void density(const PairSums& in, GroupRange range) {
     const double scale = in.fillingScale * in.support * in.support * in.support;
     if (in.carried) return carriedDensity<Real, decltype(kernel)>(in, range, scale);
     if (in.crowding) {
-      CarriedDensity<Real, decltype(kernel), Carry::Nothing> term{records<Real>(in.place), nullptr, nullptr, &in, scale, {Lanes<Real>(0.0), Lanes<Real>(0.0), Lanes<Real>(0.0)}, {}};
+      CarriedDensity<Real, decltype(kernel), Carry::Nothing> term{records<Real>(in.place), nullptr, nullptr, &in, scale, {Lanes<Real>(0.0), Lanes<Real>(0.0), Lanes<Real>(0.0)}, Lanes<Real>(0.0)};
       return sweep(*in.lists, range, term, Groups::Wet);
     }
     Density<Real, decltype(kernel)> term{records<Real>(in.place), in.filling, in.coincident, in.fillingScale * in.support * in.support * in.support, in.selfExcess};
@@ -63,12 +66,12 @@ void density(const PairSums& in, GroupRange range) {
   });
 }
 
-template<bool Viscous, bool Laplacian, bool Heat> void forcesOf(const PairSums& in, GroupRange range) {
+template<bool Viscous, bool Laplacian, bool Heat, bool Carried> void forcesIn(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     const double h = in.support;
     const double pressure = in.pressureForm == PairForm::Printed ? 0.5 : in.fillingScale * h * h * h;
-    Forces<Real, decltype(kernel), Viscous, Laplacian, Heat> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, Lanes<Real>(pressure * h * h), Lanes<Real>(h / lengthUnit<Real>),
+    Forces<Real, decltype(kernel), Viscous, Laplacian, Heat, Carried> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), records<Real>(in.diagonal), records<Real>(in.mixed), &in, Lanes<Real>(pressure * h * h), Lanes<Real>(h / lengthUnit<Real>),
                                                                   Lanes<Real>(in.viscousWeight.scale), in.conductionScale * h};
     sweep(*in.lists, range, term, Groups::Wet);
     if constexpr (Heat) {
@@ -77,7 +80,10 @@ template<bool Viscous, bool Laplacian, bool Heat> void forcesOf(const PairSums& 
     }
   });
 }
-template<class Real, bool Heat, bool Shocks> void uniformOf(const PairSums& in, GroupRange range) {
+template<bool Viscous, bool Laplacian, bool Heat> void forcesOf(const PairSums& in, GroupRange range) {
+  in.carried ? forcesIn<Viscous, Laplacian, Heat, true>(in, range) : forcesIn<Viscous, Laplacian, Heat, false>(in, range);
+}
+template<class Real, bool Heat, bool Shocks, bool Carried = false> void uniformOf(const PairSums& in, GroupRange range) {
   using L = Lanes<Real>;
   const double h = in.support;
   const double pressure = in.pressureForm == PairForm::Printed ? 0.5 : in.fillingScale * h * h * h;
@@ -85,11 +91,12 @@ template<class Real, bool Heat, bool Shocks> void uniformOf(const PairSums& in, 
     const L v = L(static_cast<Real>(value));
     return L(2.0) * v * v / max(v + v, L(1e-30));
   };
-  UniformForces<Real, WendlandC2, Heat, Shocks> term{records<Real>(in.place), records<Real>(in.motion), &in, L(pressure * h * h), L(h / lengthUnit<Real>), L(in.viscousWeight.scale),
+  UniformForces<Real, WendlandC2, Heat, Shocks, Carried> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.diagonal), &in, L(pressure * h * h), L(h / lengthUnit<Real>), L(in.viscousWeight.scale),
                                                      mean(in.viscosity), mean(in.conductivity), mean(in.artificial), L(in.volume), in.conductionScale * h, 10 * h};
   sweep(*in.lists, range, term, Heat ? Groups::All : Groups::Wet);
 }
 template<class Real> void uniform(const PairSums& in, GroupRange range) {
+  if (in.carried) return in.artificial > 0 ? uniformOf<Real, false, true, true>(in, range) : uniformOf<Real, false, false, true>(in, range);
   if (in.artificial > 0) in.heat ? uniformOf<Real, true, true>(in, range) : uniformOf<Real, false, true>(in, range);
   else in.heat ? uniformOf<Real, true, false>(in, range) : uniformOf<Real, false, false>(in, range);
 }
@@ -115,15 +122,6 @@ template<class Real> void viscousPass(const PairSums& in, const ViscousSums& out
 }
 void viscous(const PairSums& in, const ViscousSums& out, GroupRange range) {
   in.precision == Precision::Single ? viscousPass<float>(in, out, range) : viscousPass<double>(in, out, range);
-}
-
-void correctPressure(const PairSums& in, GroupRange range) {
-  choose(in, [&](auto real, auto kernel) {
-    using Real = decltype(real);
-    const double h = in.support, scale = in.fillingScale * h * h * h * h * h;
-    CorrectPressure<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.diagonal), records<Real>(in.mixed), &in, scale};
-    sweep(*in.lists, range, term, Groups::Wet);
-  });
 }
 
 template<class Real> void tensionOf(const PairSums& in, GroupRange range, bool colour) {
@@ -219,7 +217,7 @@ void searchNeighbours(const SearchInput&, Part, SearchBuffers&, NeighbourLists&)
 
 const PairKernels& pairKernelSet();
 const PairKernels& pairKernelSet() {
-  static constexpr PairKernels set{THAW_STRING(THAW_ISA) + 4, searchNeighbours, density,  forces,     correctPressure, tension, surfaceSeen, surfaceForces, artificialViscosity,
+  static constexpr PairKernels set{THAW_STRING(THAW_ISA) + 4, searchNeighbours, density,  forces,     tension, surfaceSeen, surfaceForces, artificialViscosity,
                                    smoothing,                 exposure,         closePairs, viscous, compression,     impulse,     response};
   return set;
 }

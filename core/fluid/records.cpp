@@ -64,7 +64,8 @@ bool sumsOverPairs(const Modules& m) { return m.fluid || m.heat || m.contact; }
 template<class Real> void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
   const CellGrid grid = x.grid;
   const double h = grid.support;
-  const bool carried = x.modules.continuity, surfaces = p.atSurface.active;
+  const bool carried = x.modules.continuity, surfaces = p.atSurface.active, substeps = p.travel.active && x.substeps > 1;
+  const double stiffness = stiffnessInRecords(x);
   const bool sums = sumsOverPairs(x.modules);
   const bool heat = x.modules.heat, melting = x.modules.melting, surface = r.surface.size() > 0, uniform = x.modules.uniform;
   r.constant.clear();
@@ -83,19 +84,20 @@ template<class Real> void packAs(const RecordContext& x, const Continuum& p, std
     const double V = p.mass[i] * r.volumePerMass[k];
     Words place = fixedPlace(at);
     for (int a = 0; a < 3; a++) coarse[a][i] = coarsePlace(place[a]);
-    place[3] = std::bit_cast<std::uint32_t>(static_cast<float>(V));
+    const double marked = uniform && surfaces && p.atSurface[i] ? -V : V;
+    place[3] = std::bit_cast<std::uint32_t>(static_cast<float>(marked));
     std::memcpy(&fixed[i], &place, sizeof place);
-    if constexpr (sizeof(Real) == 8) rows<double>(r.place)[i] = {(at.x - grid.origin.x) * (1 / h), (at.y - grid.origin.y) * (1 / h), (at.z - grid.origin.z) * (1 / h), V};
+    if constexpr (sizeof(Real) == 8) rows<double>(r.place)[i] = {(at.x - grid.origin.x) * (1 / h), (at.y - grid.origin.y) * (1 / h), (at.z - grid.origin.z) * (1 / h), marked};
     if (!sums) continue;
     if (uniform && !surface) {
-      put(rows<Real>(r.motion)[i], p.velocity[i], heat ? static_cast<Real>(p.temperature[i]) : Real(0));
+      put(rows<Real>(r.motion)[i], p.velocity[i], carried ? static_cast<Real>(p.compression[i]) : heat ? static_cast<Real>(p.temperature[i]) : Real(0));
       continue;
     }
     const double f = melting ? static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? 1 : 0, T = heat ? p.temperature[i] : 0;
     const MaterialParameters local = m.melts() || (heat && !m.viscosityTable.empty()) ? localParameters(x.scene.numerics.heat, m, f, T) : r.constant[k];
-    put(rows<Real>(r.motion)[i], p.velocity[i], static_cast<Real>(local.viscosity));
-    const double marked = surfaces && p.atSurface[i] ? -f : f;
-    if (!r.state.empty()) rows<Real>(r.state)[i] = {carried && f > 0 ? static_cast<Real>(p.compression[i]) : Real(0), static_cast<Real>(marked), static_cast<Real>(T), static_cast<Real>(local.conductivity)};
+    put(rows<Real>(r.motion)[i], substeps && takesSubsteps(p, i) ? p.travel[i] : p.velocity[i], static_cast<Real>(local.viscosity));
+    const double wet = surfaces && p.atSurface[i] ? -f : f;
+    if (!r.state.empty()) rows<Real>(r.state)[i] = {carried ? static_cast<Real>(p.compression[i] * (x.liquids[k].stiffness / stiffness)) : Real(0), static_cast<Real>(wet), static_cast<Real>(T), static_cast<Real>(local.conductivity)};
     if (surface)
       rows<Real>(r.surface)[i] = {static_cast<Real>(x.liquids[k].rootTension * f), Real(p.phase[i] == Solid), static_cast<Real>(x.liquids[k].artificial * f),
                                   static_cast<Real>(m.xsph * f)};
@@ -104,7 +106,32 @@ template<class Real> void packAs(const RecordContext& x, const Continuum& p, std
 
 template<class Real> Four<Real>* places(PairRecords& r) { return rows<Real>(sizeof(Real) == 4 ? r.fixed : r.place); }
 
-/// Of one liquid (Modules::uniform), whose pressure is not corrected.
+/// Packs the pressure tensors of carried densities (terms/forces.hpp).
+template<class Real> void packTensors(const RecordContext& x, Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
+  const Numerics& n = x.scene.numerics;
+  const bool uniform = x.modules.uniform, corrected = x.modules.corrected, books = !uniform && end <= p.owned, substeps = p.travel.active && x.substeps > 1;
+  for (std::size_t i = begin; i < end; i++) {
+    const double filling = static_cast<double>(p.filling[i]);
+    const double pressure = filling > 0 ? pressureOf(n.eos, x.liquids[p.material[i]].stiffness, filling, n.tensileLimit) / (filling * filling) : 0;
+    const Sym3f d = corrected ? p.correction[i] : Sym3f{};
+    const auto of = [&](float a) { return static_cast<Real>(pressure * static_cast<double>(a)); };
+    const Real xx = of(1 + d.xx), yy = of(1 + d.yy), zz = of(1 + d.zz);
+    if (uniform) {
+      places<Real>(r)[i].d = xx;
+      rows<Real>(r.motion)[i].d = yy;
+      rows<Real>(r.diagonal)[i] = {zz, of(d.xy), of(d.xz), of(d.yz)};
+      continue;
+    }
+    rows<Real>(r.diagonal)[i] = {xx, yy, zz, Real(0)};
+    rows<Real>(r.mixed)[i] = {of(d.xy), of(d.xz), of(d.yz), Real(0)};
+    Four<Real>& state = rows<Real>(r.state)[i];
+    state.b = std::abs(state.b);  // the sign is only for the density sums
+    if (substeps && takesSubsteps(p, i)) put(rows<Real>(r.motion)[i], p.velocity[i], rows<Real>(r.motion)[i].d);
+    if (books) p.interaction[i] += compressionOf(x, p, i, static_cast<double>(state.b));
+  }
+}
+
+/// Packs the pressure of one liquid (Modules::uniform) with summed density.
 template<class Real> void packUniformPressure(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
   const Numerics& n = x.scene.numerics;
   const double stiffness = x.liquids[0].stiffness, tensileLimit = n.tensileLimit;
@@ -121,30 +148,23 @@ template<class Real> void packUniformPressure(const RecordContext& x, const Cont
 }
 
 template<class Real> void packPressureAs(const RecordContext& x, Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
+  if (x.modules.continuity) return packTensors<Real>(x, p, begin, end, r);
   const Numerics& n = x.scene.numerics;
   const bool uniform = x.modules.uniform, books = !uniform && end <= p.owned;
   Four<Real>* state = rows<Real>(r.state);
-  const bool corrected = x.modules.corrected;
-  if (uniform && !corrected && n.pressure == PairForm::Consistent) return packUniformPressure<Real>(x, p, begin, end, r);
+  if (uniform && n.pressure == PairForm::Consistent) return packUniformPressure<Real>(x, p, begin, end, r);
   Four<Real>* place = places<Real>(r);
   for (std::size_t i = begin; i < end; i++) {
-    if (!uniform) state[i].b = std::abs(state[i].b);  // the sign is a mark for the densities
     const double f = uniform ? 1 : static_cast<double>(state[i].b), filling = static_cast<double>(p.filling[i]);
     Real& term = uniform ? rows<Real>(r.motion)[i].d : state[i].a;
     if (f == 0 || filling <= 0) {
       term = Real(0);
-      if (corrected) rows<Real>(r.diagonal)[i] = rows<Real>(r.mixed)[i] = {};
       continue;
     }
     const double pressure = pressureOf(n.eos, x.liquids[p.material[i]].stiffness, filling, n.tensileLimit);
     if (books) p.interaction[i] += compressionOf(x, p, i, f);
     if (n.pressure == PairForm::Consistent) {
       term = static_cast<Real>(f * pressure / (filling * filling));
-      if (corrected) {
-        const auto of = [&](int a, int b) { return static_cast<Real>(f * pressure / (filling * filling) * p.correction[i].row[a][b]); };
-        rows<Real>(r.diagonal)[i] = {of(0, 0), of(1, 1), of(2, 2), Real(0)};
-        rows<Real>(r.mixed)[i] = {of(0, 1), of(0, 2), of(1, 2), Real(0)};
-      }
     } else {
       term = static_cast<Real>(f * pressure);
       place[i].d = static_cast<Real>(static_cast<double>(place[i].d) / filling);
@@ -153,6 +173,11 @@ template<class Real> void packPressureAs(const RecordContext& x, Continuum& p, s
 }
 
 }  // namespace
+
+double stiffnessInRecords(const RecordContext& x) {
+  const auto liquid = std::find_if(x.scene.materials.begin(), x.scene.materials.end(), canBeLiquid);
+  return liquid == x.scene.materials.end() ? 1 : x.liquids[static_cast<std::size_t>(liquid - x.scene.materials.begin())].stiffness;
+}
 
 void resizeRecords(const RecordContext& x, std::size_t n, PairRecords& r) {
   const bool real64 = x.scene.numerics.precision == Precision::Double;
@@ -171,16 +196,17 @@ void resizeRecords(const RecordContext& x, std::size_t n, PairRecords& r) {
   const bool surface = x.modules.tension || x.modules.contact || (x.modules.artificialViscosity && !x.modules.uniform) || x.modules.xsph;
   if (surface) resizeBytes(r.surface, n + 1, each);
   else r.surface.clear();
-  if (x.modules.corrected) {
-    resizeBytes(r.diagonal, n + 1, each);
-    resizeBytes(r.mixed, n + 1, each);
-  }
+  if (x.modules.continuity) resizeBytes(r.diagonal, n + 1, each);
+  if (x.modules.continuity && !x.modules.uniform) resizeBytes(r.mixed, n + 1, each);
   if (x.modules.surfaceEnergy) resizeBytes(r.pull, n + 1, each);
   for (AlignedVector<std::byte>* v : {&r.fixed, &r.place, &r.motion, &r.state, &r.surface, &r.diagonal, &r.mixed, &r.pull}) {
     const std::size_t record = v == &r.fixed ? 16 : real64 ? 32 : 16;
     if (!v->empty()) std::memset(v->data() + n * record, 0, record);
   }
-  if (sums && x.modules.uniform && x.modules.heat) real64 ? void(rows<double>(r.motion)[n].d = dummyTemperature) : void(rows<float>(r.motion)[n].d = static_cast<float>(dummyTemperature));
+  if (sums && x.modules.uniform && (x.modules.heat || x.modules.continuity)) {
+    const double mark = x.modules.continuity ? dummyPressure : dummyTemperature;
+    real64 ? void(rows<double>(r.motion)[n].d = mark) : void(rows<float>(r.motion)[n].d = static_cast<float>(mark));
+  }
 }
 
 void packRecords(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
@@ -192,6 +218,7 @@ void packPressure(const RecordContext& x, Continuum& p, std::size_t begin, std::
 }
 
 double compressionOf(const RecordContext& x, const Continuum& p, std::size_t i, double f) {
+  if (x.modules.continuity) f = 1;  // a carried density belongs to the whole particle, also to a solid beside liquid
   if (f == 0 || x.modules.incompressible) return 0;
   const Numerics& n = x.scene.numerics;
   const std::uint16_t k = p.material[i];

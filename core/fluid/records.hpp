@@ -30,7 +30,11 @@ struct RecordContext {
   const Modules& modules;
   const CellGrid& grid;
   const std::vector<LiquidMaterial>& liquids;
+  int substeps = 1;  ///< substeps of solids in the last step
 };
+
+/// Stiffness (Pa) of the first material that can be liquid; 1 without one.
+double stiffnessInRecords(const RecordContext& context);
 
 /// Packs rows [begin, end): positions, volumes, velocities, liquid fraction, temperature and material parameters.
 void packRecords(const RecordContext& context, const Continuum& particles, std::size_t begin, std::size_t end, PairRecords& records);
@@ -38,7 +42,7 @@ void packRecords(const RecordContext& context, const Continuum& particles, std::
 /// Room for `rows` rows and the dummy, which gets zero volume.
 void resizeRecords(const RecordContext& context, std::size_t rows, PairRecords& records);
 
-/// Energy (J) stored in the compression of a particle that is liquid to the fraction f.
+/// Compression energy (J) of a particle with liquid fraction f. With a carried density f is ignored.
 double compressionOf(const RecordContext& context, const Continuum& particles, std::size_t row, double f);
 
 /// Pressure of rows [begin, end) from their filling, into the state records (with the printed pressure

@@ -1,5 +1,6 @@
-// Energy that liquid with surface tension takes along through open sides. Surface tension and compression are energies of neighbourhoods:
-// the neighbours of a particle that leaves get a new surface and a lower density, and their energy changes with it.
+// Energy that leaves through open sides with liquids that have surface tension.
+// Surface and compression energy depend on neighbours: removing a particle exposes its neighbours and lowers
+// their density, which changes their energy.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -22,8 +23,9 @@ struct Leaver {
 /// Leavers of all ranks, ascending by id. Collective.
 std::vector<Leaver> leaversOfAll(const World& world, const StepTools& tools, Reducer& all);
 
-/// Adds to Ledger::left the energy that owned liquid particles lose with StepTools::leavers; negative where they gain it.
-/// Requires: cells, places, densities and surface sums of the particles that stay, all of now.
+/// Adds to Ledger::left the energy that owned liquid particles lose when StepTools::leavers are removed.
+/// It is negative where they gain energy.
+/// Requires: up-to-date cells, positions, densities and surface sums of the remaining particles.
 void recordEnergyLeft(World& world, const StepTools& tools);
 
 }  // namespace thaw

@@ -40,6 +40,14 @@ template<class T> Mat3<T> inverse(const Mat3<T>& a) {
 /// a b^T
 template<class T> Mat3<T> outer(const Vec3<T>& a, const Vec3<T>& b) { return {{a.x * b, a.y * b, a.z * b}}; }
 template<class T> Mat3<T> full(const Sym3<T>& s) { return {{{s.xx, s.xy, s.xz}, {s.xy, s.yy, s.yz}, {s.xz, s.yz, s.zz}}}; }
+inline Sym3d wide(const Sym3f& s) {
+  const auto to = [](float a) { return static_cast<double>(a); };
+  return {to(s.xx), to(s.yy), to(s.zz), to(s.xy), to(s.yz), to(s.xz)};
+}
+inline Sym3f single(const Sym3d& s) {
+  const auto to = [](double a) { return static_cast<float>(a); };
+  return {to(s.xx), to(s.yy), to(s.zz), to(s.xy), to(s.yz), to(s.xz)};
+}
 /// (a + a^T)/2
 template<class T> Sym3<T> symmetric(const Mat3<T>& a) {
   const T h = T(0.5);

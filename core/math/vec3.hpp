@@ -27,6 +27,8 @@ template<class T> T dot(const Vec3<T>& a, const Vec3<T>& b) { return a.x * b.x +
 template<class T> Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+inline Vec3d wide(const Vec3f& a) { return {static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(a.z)}; }
+inline Vec3f single(const Vec3d& a) { return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)}; }
 inline double length(const Vec3d& a) { return std::sqrt(dot(a, a)); }
 /// Unit vector along a; the zero vector stays zero.
 inline Vec3d normalized(const Vec3d& a) { const double l = length(a); return l > 0 ? a / l : Vec3d{}; }

@@ -28,16 +28,20 @@ struct Continuum : Table {
   Column<u8> clamped{*this, "clamped", "1", Keep::State, "1: held where it is; 2: driven by its emitter, at constant velocity"};
   // fluid
   Column<float> filling{*this, "filling", "1", Keep::Transient, "delta = sum V0_j W_ij over its lattice value; density = delta * rest density"};
-  Column<double> compression{*this, "compression", "1", Keep::State, "filling - 1, where the continuity equation carries it"};
-  Column<double> densityRate{*this, "densityRate", "1/s", Keep::Transient, "rate of compression by the flow"};
-  Column<double> spreading{*this, "spreading", "1/s", Keep::Transient, "rate of compression by diffusion"};
-  Column<Mat3d> moment{*this, "moment", "1", Keep::Transient, "of the neighbourhood"};
-  Column<Mat3d> correction{*this, "correction", "1", Keep::State, "what corrects gradients, less 1; the next step's mean has those of its beginning, too"};
-  Column<Mat3d> flow{*this, "flow", "1/s", Keep::Transient, "minus the gradient of the velocity, not yet corrected: a row for each derivative"};
+  Column<double> compression{*this, "compression", "1", Keep::State, "carried relative density less 1; in solids, that of adjacent liquid, else 0"};
+  Column<double> densityRate{*this, "densityRate", "1/s", Keep::Transient, "rate of compression by the flow", Rows::Owned};
+  Column<double> spreading{*this, "spreading", "1/s", Keep::Transient, "rate of compression by diffusion", Rows::Owned};
+  Column<Sym3f> moment{*this, "moment", "1", Keep::Transient, "moment of the neighbourhood at mid-step", Rows::Owned};
+  Column<Sym3f> midCorrection{*this, "midCorrection", "1", Keep::State, "inverse of the moment less 1, at the last mid-step", Rows::Owned};
+  Column<Sym3f> correction{*this, "correction", "1", Keep::Transient, "gradient correction of the pressure, extrapolated to the end of the step"};
+  Column<Mat3f> flow{*this, "flow", "1/s", Keep::Transient, "minus the velocity gradient, uncorrected; one row per derivative", Rows::Owned};
+  Column<float> wetting{*this, "wetting", "1", Keep::Transient, "sum V W of liquid, with the particle's own; 0: no liquid near", Rows::Owned};
+  Column<Vec3f> solidNormal{*this, "solidNormal", "1", Keep::Transient, "away from solid neighbours, weighted; 0 without any", Rows::Owned};
+  Column<Vec3d> travel{*this, "travel", "m/s", Keep::State, "mean velocity over the step of a particle with substeps"};
   Column<Vec3d> smoothing{*this, "smoothing", "m/s", Keep::State, "XSPH and shifting: the particle moves with velocity + smoothing"};
-  Column<Vec3d> crowding{*this, "crowding", "1", Keep::Transient, "h grad of the filling by places"};
+  Column<Vec3f> crowding{*this, "crowding", "1", Keep::Transient, "h grad of the filling by places", Rows::Owned};
   Column<u8> atSurface{*this, "atSurface", "1", Keep::State, "1 at the free surface in the last step (core/fluid/free_surface.hpp)"};
-  Column<Vec3d> surfaceNormal{*this, "surfaceNormal", "1", Keep::Transient, "away from neighbours at the free surface, weighted; 0 without any", Rows::Owned};
+  Column<Vec3f> surfaceNormal{*this, "surfaceNormal", "1", Keep::Transient, "away from neighbours at the free surface, weighted; 0 without any", Rows::Owned};
   Column<float> gradientSize{*this, "gradientSize", "1", Keep::Transient, "h sum V |grad W|", Rows::Owned};
   // incompressible liquids (core/fluid/incompressible/)
   Column<float> holding{*this, "holding", "Pa", Keep::State, "pressure that keeps the volume over the next step, over that step: where the next solve begins"};

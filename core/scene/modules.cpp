@@ -68,9 +68,10 @@ void findHeat(Finder& f) {
 /// Is everything liquid of one material with constant parameters, with nothing that reads other records than places and motion? With heat, nothing may ask for
 /// volumes after the densities (terms/uniform_forces.hpp).
 bool isUniform(const Scene& s, const Modules& m) {
-  const bool other = m.solid || m.melting || m.incompressible || m.implicitViscosity || m.continuity || m.tension || m.kinds();
+  const bool other = m.solid || m.melting || m.incompressible || m.implicitViscosity || m.tension || m.kinds();
   const bool volumes = m.heat && (m.xsph || m.surfaceHeat || s.numerics.pressure != PairForm::Consistent);
-  return m.fluid && !other && !volumes && s.materials.size() == 1 && s.materials[0].viscosityTable.empty() && s.numerics.kernel == KernelKind::WendlandC2 &&
+  const bool plainDensity = m.continuity && (!m.corrected || m.heat || m.xsph || s.numerics.pressure != PairForm::Consistent);
+  return m.fluid && !other && !volumes && !plainDensity && s.materials.size() == 1 && s.materials[0].viscosityTable.empty() && s.numerics.kernel == KernelKind::WendlandC2 &&
          s.numerics.viscosity == ViscosityForm::Pairwise;
 }
 

@@ -14,7 +14,6 @@ struct PairKernels {
   void (*search)(const SearchInput&, Part, SearchBuffers&, NeighbourLists&);
   void (*density)(const PairSums&, GroupRange);
   void (*forces)(const PairSums&, GroupRange);
-  void (*correctPressure)(const PairSums&, GroupRange);
   void (*tension)(const PairSums&, GroupRange);
   void (*surfaceSeen)(const PairSums&, GroupRange);
   void (*surfaceForces)(const PairSums&, GroupRange);

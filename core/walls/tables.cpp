@@ -41,6 +41,7 @@ template<class Kernel> WallIntegrals integralsOf(const Numerics& n, double visco
     const Plane p = planeAt<Kernel>(d + depth, viscousScale);
     sum.filling += spacing * p.w;
     sum.push += spacing * p.slope;
+    sum.momentShare += spacing * p.slope * (d + depth);
     sum.conduct += spacing * p.laplace * (1 + depth / from);
     sum.drag += spacing * (n.viscosity == ViscosityForm::Laplacian ? p.laplace : p.drag) * (1 + depth / from);
   }
@@ -91,8 +92,8 @@ WallIntegrals scaled(WallIntegrals w, double drag, double conduct) {
 WallIntegrals wallIntegrals(const Numerics& n, double d) { return scaled(rawIntegrals(n, d), perShearStress(n), perConduction(n)); }
 
 WallIntegrals asLiquidsFeelIt(const WallIntegrals& w, double filling0) {
-  if (!(filling0 > 0)) return {w.filling, w.push, w.conduct, w.drag, w.filling};
-  return {w.filling * w.filling / filling0, w.push * 2 * w.filling / filling0, w.conduct, w.drag, w.filling};
+  if (!(filling0 > 0)) return {w.filling, w.push, w.conduct, w.drag, w.filling, w.momentShare};
+  return {w.filling * w.filling / filling0, w.push * 2 * w.filling / filling0, w.conduct, w.drag, w.filling, w.momentShare};
 }
 
 WallTables makeWallTables(const Numerics& n) {

@@ -12,8 +12,9 @@ namespace thaw {
 /// Values at one distance. filling: sum V W (1); push: sum V |dW/dz| along the normal (1/h), with Wendland's and the cubic kernel
 /// -d filling / d(distance); conduct: sum V lap W (1 + z/d) (1/h^2), the Laplacian of a field that is linear across the wall's surface (Morris
 /// 1997), z the depth of a layer; drag: the same of a velocity along the wall with the scene's viscosity; space: filling before asLiquidsFeelIt.
+/// momentShare: sum V z |dW/dz| (1), the wall's part of the moment along the normal; z: distance to a layer.
 /// drag is scaled so that layers of particles half a spacing and whole spacings above a wall, in a linear profile, feel mu du/dz in all.
-struct WallIntegrals { double filling = 0, push = 0, conduct = 0, drag = 0, space = 0; };
+struct WallIntegrals { double filling = 0, push = 0, conduct = 0, drag = 0, space = 0, momentShare = 0; };
 
 struct WallTables {
   static constexpr int points = 1024;
@@ -28,7 +29,7 @@ struct WallTables {
     const int k = static_cast<int>(x) < points ? static_cast<int>(x) : points - 1;
     const double t = x - k;
     const WallIntegrals &a = at[static_cast<std::size_t>(k)], &b = at[static_cast<std::size_t>(k) + 1];
-    return {a.filling + t * (b.filling - a.filling), a.push + t * (b.push - a.push), a.conduct + t * (b.conduct - a.conduct), a.drag + t * (b.drag - a.drag), a.space + t * (b.space - a.space)};
+    return {a.filling + t * (b.filling - a.filling), a.push + t * (b.push - a.push), a.conduct + t * (b.conduct - a.conduct), a.drag + t * (b.drag - a.drag), a.space + t * (b.space - a.space), a.momentShare + t * (b.momentShare - a.momentShare)};
   }
 };
 
@@ -42,7 +43,7 @@ WallIntegrals wallIntegrals(const Numerics& numerics, double distance);
 WallIntegrals asLiquidsFeelIt(const WallIntegrals& wall, double filling0);
 
 /// Spacings from a wall below which what a liquid feels of it grows along its tangent. The rest would be twice as steep a quarter of a spacing from the wall and
-/// four times on it, so that the few particles that an impact drives there would hold the step down for all.
+/// four times on it, so that the few particles that an impact drives there would momentShare the step down for all.
 inline constexpr double softBelow = 0.42;
 
 /// Of asLiquidsFeelIt down to softBelow, and on along the tangent: push stays the slope of filling. conduct and drag take distances below a quarter of a spacing as that. Interpolation is good to 1e-5.

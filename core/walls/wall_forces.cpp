@@ -42,6 +42,17 @@ struct Meeting {
   Vec3d velocity;   ///< m/s, relative to the wall
 };
 
+/// Force (N) along the normal: the wall's share of the hydrostatic pressure gradient.
+/// The wall's push uses the particle's own pressure; behind the wall the pressure rises by the liquid's weight.
+/// The share is the wall's part of the particle's moment. 0 without positive pressure, as in falling drops.
+double hydrostaticWallForce(const World& w, const Meeting& at, double pressure, double momentShare) {
+  constexpr double depth = 0.25;  // spacings of pressure head; the force fades below it
+  const double weight = at.material.density * dot(w.scene.domain.gravity, at.contact.normal);
+  const double full = std::abs(weight) * depth * w.scene.spacing;
+  if (!(pressure > 0 && full > 0)) return 0;
+  return -weight * at.volume * momentShare * at.contact.share * (pressure / (pressure + full));
+}
+
 /// Pressure of a liquid, the slope of its energy of compression (tables.hpp), and drag.
 void addLiquidForces(const WallContext& x, const Meeting& at, double perLatticeSum, WallAction& act, double& stiffest) {
   const World& w = x.world;
@@ -54,6 +65,7 @@ void addLiquidForces(const WallContext& x, const Meeting& at, double perLatticeS
   if (pressure != 0 && filling > 0) {
     const double term = w.scene.numerics.pressure == PairForm::Printed ? 0.5 * pressure / filling : perLatticeSum * pressure / (filling * filling);
     act.force += n * (at.volume * term * t.push / h * at.contact.share);
+    if (w.modules.continuity) act.force += n * hydrostaticWallForce(w, at, pressure, perLatticeSum * t.momentShare);
     stiffest = std::max(stiffest, x.liquids[p.material[at.row]].soundSpeed * soundSpeedFactor(w.scene.numerics.eos, filling) * perLatticeSum * t.push / h);
   }
   if (w.modules.surfaceEnergy) act.force += n * surfaceForceOfWall(w, at.contact);

@@ -17,8 +17,6 @@ constexpr Rgb held{200, 60, 60};  // what is held is red
 
 Rgb paintOf(const OrientedFrame& f, std::size_t i) { return {f.colours[i][0], f.colours[i][1], f.colours[i][2]}; }
 
-Vec3f single(const Vec3d& v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
-
 Rgb darker(Rgb c, double share) {
   const auto part = [&](std::uint8_t v) { return static_cast<std::uint8_t>(v * share); };
   return {part(c.r), part(c.g), part(c.b)};

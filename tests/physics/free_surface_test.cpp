@@ -32,7 +32,7 @@ Scene cubeOf(int n, bool floor) {
 }
 
 TEST(FreeSurface, EigenvaluesAreComparedWithoutBeingFound) {
-  const Mat3d m{{{2, 0.5, 0}, {0.5, 2, 0}, {0, 0, 3}}};  // 1.5, 2.5, 3
+  const Sym3d m{2, 2, 3, 0.5, 0, 0};  // 1.5, 2.5, 3
   EXPECT_TRUE(eigenvaluesAbove(m, 1.49));
   EXPECT_FALSE(eigenvaluesAbove(m, 1.51));
   EXPECT_FALSE(eigenvaluesAbove(m, 2.7));  // two are below: the determinant is positive again

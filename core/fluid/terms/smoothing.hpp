@@ -25,7 +25,11 @@ template<class Real, class Kernel> struct Smoothing {
   }
   THAW_INLINE void finish(const std::uint32_t* rows, const Data&, const Sum& s, std::uint32_t dummy) const {
     for (int l = 0; l < 8; l++)
-      if (rows[l] != dummy) in->smoothed[rows[l]] = {static_cast<double>(s.x[l]), static_cast<double>(s.y[l]), static_cast<double>(s.z[l])};
+      if (rows[l] != dummy) {
+        const Vec3d found{static_cast<double>(s.x[l]), static_cast<double>(s.y[l]), static_cast<double>(s.z[l])};
+        Vec3d& smoothed = in->smoothed[rows[l]];
+        smoothed = in->crowding ? smoothed + found : found;  // add to the shifting velocity
+      }
   }
 };
 

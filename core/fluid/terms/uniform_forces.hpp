@@ -11,15 +11,16 @@ namespace {
 /// To the last bit what Forces (forces.hpp) with the pairwise viscosity gives where all particles are liquid of one material (Modules::uniform), and to rounding
 /// what Artificial (artificial_viscosity.hpp) adds. motion.d is the pressure term; with heat it is the temperature, and place.d the pressure term: the volume
 /// of all particles is the same, and the dummy is known by its temperature.
-template<class Real, class Kernel, bool Heat, bool Shocks> struct UniformForces {
+/// Carried: place.d, motion.d and tensor hold the pressure tensor (forces.hpp); motion.d identifies the dummy.
+template<class Real, class Kernel, bool Heat, bool Shocks, bool Carried = false> struct UniformForces {
   using L = Lanes<Real>;
-  const Record<Real>*place, *motion;
+  const Record<Real>*place, *motion, *tensor;
   const PairSums* in;
   L pressureScale, viscousScale, viscousWeight, viscosity, conductivity, artificial, volume;
   double heatScale, artificialScale;
   static constexpr double unit = lengthUnit<Real>;
   struct Data {
-    Lanes4<Real> place, motion;
+    Lanes4<Real> place, motion, tensor;
     THAW_INLINE L pressure() const { return Heat ? place.d : motion.d; }
   };
   using Wide = Lanes<double>;
@@ -31,25 +32,34 @@ template<class Real, class Kernel, bool Heat, bool Shocks> struct UniformForces 
     Data d;
     d.place = loadListed(place, entries);
     d.motion = loadListed(motion, entries);
+    if constexpr (Carried) d.tensor = loadListed(tensor, entries);
     return d;
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
     // places and what follows from them in lengthUnit: what that leaves is in viscousScale, and taken in by finish
     const L dx = unitDifference(i.place.a, j.place.a), dy = unitDifference(i.place.b, j.place.b), dz = unitDifference(i.place.c, j.place.c);
     const L r2 = dot3(dx, dy, dz, dx, dy, dz), q = L(unit) * sqrt(r2), q2 = L(unit * unit) * r2;
-    const L Vi = Heat ? volume : i.place.d;
+    const L Vi = Heat || Carried ? volume : i.place.d;
     L Vj = j.place.d;
-    if constexpr (Heat) Vj = select(j.motion.d > L(0.5 * dummyTemperature), volume, L(0.0));
+    if constexpr (Heat || Carried) Vj = select(j.motion.d > L(0.5 * (Heat ? dummyTemperature : dummyPressure)), volume, L(0.0));
     const L VV = Vi * Vj;
     const L slope = Kernel::slope(q, q2);
-    const L pressure = pressureScale * VV * slope * (i.pressure() + j.pressure());
+    const L strength = pressureScale * VV * slope;
     const L ux = i.motion.a - j.motion.a, uy = i.motion.b - j.motion.b, uz = i.motion.c - j.motion.c;
     const L approach = dot3(ux, uy, uz, dx, dy, dz);
     const L mu = viscosity * VV * weightAt(viscousWeight, q) * approach / (r2 + L(1e-6 / (unit * unit)));
-    const L f = fma(viscousScale, mu, pressure);
-    s.x -= wide(f * dx);
-    s.y -= wide(f * dy);
-    s.z -= wide(f * dz);
+    if constexpr (Carried) {
+      const L xx = i.place.d + j.place.d, yy = i.motion.d + j.motion.d, zz = i.tensor.a + j.tensor.a;
+      const L xy = i.tensor.b + j.tensor.b, xz = i.tensor.c + j.tensor.c, yz = i.tensor.d + j.tensor.d, resist = viscousScale * mu;
+      s.x -= wide(strength * dot3(xx, xy, xz, dx, dy, dz) + resist * dx);
+      s.y -= wide(strength * dot3(xy, yy, yz, dx, dy, dz) + resist * dy);
+      s.z -= wide(strength * dot3(xz, yz, zz, dx, dy, dz) + resist * dz);
+    } else {
+      const L f = fma(viscousScale, mu, strength * (i.pressure() + j.pressure()));
+      s.x -= wide(f * dx);
+      s.y -= wide(f * dy);
+      s.z -= wide(f * dz);
+    }
     s.lost = fma(mu, approach, s.lost);
     if constexpr (Heat) s.heat += wide(VV * conductivity * Kernel::laplace(q, q2) * (j.motion.d - i.motion.d));
     if constexpr (Shocks) {
@@ -67,7 +77,7 @@ template<class Real, class Kernel, bool Heat, bool Shocks> struct UniformForces 
         double dissipation = 0.5 * in->support * static_cast<double>(s.lost[l]);
         if constexpr (Heat) in->heatFlow[rows[l]] = heatScale * s.heat[l];
         if constexpr (Shocks) {
-          const double v = artificialScale * static_cast<double>(Heat ? volume[l] : i.place.d[l]);
+          const double v = artificialScale * static_cast<double>(Heat || Carried ? volume[l] : i.place.d[l]);
           f.x += v * static_cast<double>(s.sx[l]);
           f.y += v * static_cast<double>(s.sy[l]);
           f.z += v * static_cast<double>(s.sz[l]);
