@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/scene/material_use.hpp"
+
 namespace thaw {
 
 bool liquidFillsTheBox(const Scene& s) {
@@ -17,16 +19,10 @@ bool liquidFillsTheBox(const Scene& s) {
   return true;
 }
 
-bool liquidIsFree(const Scene& s) {
-  if (s.bodies.empty() || !s.emitters.empty() || !s.obstacles.empty() || !s.oriented.empty() || !s.sheets.empty()) return false;
-  if (length(s.domain.gravity) > 0) return false;
-  for (const auto& sides : s.domain.side)
-    if (sides[0] == Side::Wall || sides[1] == Side::Wall) return false;
-  for (const Body& b : s.bodies) {
-    const Material& m = s.materials[static_cast<std::size_t>(b.material)];
-    if (m.canBeSolid() || m.surfaceTension > 0 || !b.clamp.empty()) return false;
-  }
-  return true;
+bool someSurfaceTension(const Scene& s) {
+  for (std::size_t k = 0; k < s.materials.size(); k++)
+    if (s.materials[k].surfaceTension > 0 && inUse(s, k)) return true;
+  return false;
 }
 
 }  // namespace thaw

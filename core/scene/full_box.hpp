@@ -7,7 +7,7 @@ namespace thaw {
 /// Whether one box of liquid fills a domain that is periodic along all axes, with nothing else in the scene.
 bool liquidFillsTheBox(const Scene& scene);
 
-/// Whether there is nothing but liquid without weight and surface tension: no solid, wall, obstacle, emitter or other type of body.
-bool liquidIsFree(const Scene& scene);
+/// True if a material in use has surface tension.
+bool someSurfaceTension(const Scene& scene);
 
 }  // namespace thaw

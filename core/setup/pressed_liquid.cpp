@@ -10,12 +10,12 @@
 namespace thaw {
 namespace {
 
-/// Advice for liquid that begins too near to walls or other bodies.
+/// Advice for liquid that starts too close to walls or other bodies.
 const char* remedyOf(const Shape& shape) {
   switch (shape.kind) {
     case ShapeKind::Box: return "make sizes whole numbers of spacings, or leave more room";
-    case ShapeKind::Difference: return "cut out half a spacing more around what stands there, or leave more room";
-    default: return "leave more room, or take a finer spacing";
+    case ShapeKind::Difference: return "enlarge the cut-out by half a spacing on each side, or leave more room";
+    default: return "leave more room, or reduce the spacing";
   }
 }
 
@@ -46,8 +46,8 @@ std::vector<SceneWarning> pressedLiquids(const World& w, const StepTools& t, Red
     if (!(burst > share)) continue;
     char text[480];
     std::snprintf(text, sizeof text,
-                  "': its liquid begins compressed, by %.2g %% where it is densest, and would fly apart at some %.2g m/s, where the scene makes %.2g m/s: its particles, on a lattice of whole spacings, "
-                  "come nearer to walls or bodies than half a spacing to each side; %s",
+                  "': its liquid starts compressed by up to %.2g %% and would burst at about %.2g m/s (expected speed "
+                  "of the scene: %.2g m/s). Particles are closer than half a spacing to a wall or another body; %s",
                   100 * (densest[b] - 1), burst * speed, speed, remedyOf(w.scene.bodies[b].shape));
     warnings.push_back({w.scene.bodies[b].where, "body '" + w.scene.bodies[b].name + text});
   }

@@ -1,4 +1,4 @@
-// Liquid that begins compressed, and bursts.
+// Liquid that starts compressed, and bursts.
 #pragma once
 #include <vector>
 

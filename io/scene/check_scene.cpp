@@ -81,12 +81,11 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
       if (m.convection > 0 || m.emissivity > 0)
         errors.push_back({m.where, fmt::format("material.{}: convection and emissivity need numerics.support of 2 at least, got {:g}: with fewer neighbours particles inside cannot be told from those of the surface, and would cool, too", m.name, n.support)});
   checkSizes(x, errors);
-  // the quality's density is that of the equation of state in its consistent form, and not of what is poured: that joins and parts all the time, and a density
-  // that is carried along drifts from what the places say (pools were 1.3 times too dense)
-  if (x.open.density && (n.solver == PressureSolver::Incompressible || n.pressure == PairForm::Printed || !s.emitters.empty())) s.numerics.density = Numerics().density;
+  // the quality's density is that of the equation of state in its consistent form
+  if (x.open.density && (n.solver == PressureSolver::Incompressible || n.pressure == PairForm::Printed)) s.numerics.density = Numerics().density;
   if (!errors.empty()) return;
   chooseForFullBox(s, x.open);
-  chooseForFreeLiquid(s, x.open);
+  chooseForLiquids(s, x.open);
   if (n.tensileLimit == 0 || n.solver == PressureSolver::Incompressible || liquidFillsTheBox(s)) return;
   if (n.shifting == 0)
     errors.push_back({x.start, "numerics.tensile_limit above 0 needs numerics.shifting above 0 (0.2 is recommended, with density = \"continuity\"): without shifting, negative pressure makes particles clump"});

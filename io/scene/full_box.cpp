@@ -19,13 +19,13 @@ void chooseForFullBox(Scene& s, const OpenChoices& open) {
   if (mayRelax) s.bodies[0].packing = Packing::Relaxed;
 }
 
-void chooseForFreeLiquid(Scene& s, const OpenChoices& open) {
+void chooseForLiquids(Scene& s, const OpenChoices& open) {
   Numerics& n = s.numerics;
   const bool equation = n.pressure == PairForm::Consistent && n.solver == PressureSolver::StateEquation;
-  if (!equation || s.quality == Quality::Preview || liquidFillsTheBox(s) || !liquidIsFree(s)) return;
+  if (!equation || s.quality == Quality::Preview || liquidFillsTheBox(s) || someSurfaceTension(s)) return;
   if (open.density) n.density = DensityForm::Continuity;
   if (n.density != DensityForm::Continuity) return;
-  if (open.shifting) n.shifting = 0.2;
+  if (open.shifting) n.shifting = length(s.domain.gravity) > 0 ? 0.07 : 0.2;
   if (open.tensileLimit && n.shifting > 0) n.tensileLimit = 1;  // which alone makes particles clump
 }
 

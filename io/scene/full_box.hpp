@@ -14,8 +14,10 @@ struct OpenChoices { bool density = true, tensileLimit = true, shifting = true, 
 /// it (docs/accuracy.md): without, half their energy is lost. With the incompressible solver they start without a lattice, too.
 void chooseForFullBox(Scene& scene, const OpenChoices& open);
 
-/// Liquid in free space (liquidIsFree) is held together by its own inertia and pressure, which may be negative inside: the flow carries the density,
-/// negative pressures are kept and particles are shifted. Summed densities, which never pull, let stretched liquid fall apart.
-void chooseForFreeLiquid(Scene& scene, const OpenChoices& open);
+/// Defaults of liquids with a free surface: carried density, negative pressure and particle shifting.
+/// With summed densities stretched liquid falls apart, and its lattice resists shear at rest.
+/// Summation remains the default with surface tension (whose model is calibrated for it), quality = "preview",
+/// printed pressure and the incompressible solver.
+void chooseForLiquids(Scene& scene, const OpenChoices& open);
 
 }  // namespace thaw

@@ -83,7 +83,7 @@ void checkMaterial(TableReader& r, const Material& m) {
   if (m.latentHeat > 0 && !r.has("melts")) r.fail("latent_heat", "only a material that melts has a latent heat: give melts, too");
   if (r.has("hysteresis") && !r.has("melts")) r.fail("hysteresis", "only a material that melts has one: give melts, too");
   if ((m.yieldStrain.solid < never || m.yieldStrain.liquid < never) && !m.canBeSolid())
-    r.fail("yield_strain", "only a solid yields: give it a Young's modulus (young), or leave yield_strain out", {"young"});
+    r.fail("yield_strain", "requires a solid: set young, or remove yield_strain", {"young"});
   if (r.has("creep_rate") && !r.has("yield_strain")) r.fail("creep_rate", "only a material that yields creeps: give yield_strain, too");
   if (m.hardening > 0 && !r.has("yield_strain")) r.fail("hardening", "only a material that yields hardens: give yield_strain, too");
 }

@@ -90,7 +90,7 @@ struct UnitParser {
     if (!findUnit(name, f, d)) {
       const bool number = name.front() >= '0' && name.front() <= '9';
       const std::string text = "'" + std::string(name) + "'";
-      return fail(number ? text + " is no unit: a quantity is one number and its unit, nothing is calculated here" : "unknown unit " + text);
+      return fail(number ? text + " is not a unit; expected one number and one unit (expressions are not allowed here)" : "unknown unit " + text);
     }
     int p = 1;
     if (!power(p)) return false;

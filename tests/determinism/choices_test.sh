@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Choices of [numerics] beside the defaults: the same bits on 1, 2, 3, 4 and 7 ranks and over a restart. All solvers at once; carried density
-# with shifting; free liquid; a full periodic box; fields of the start; the printed forms; double precision.
+# Choices of [numerics] beside the defaults, and defaults beside solids and walls: the same bits on 1, 2, 3, 4 and 7 ranks and over a restart. All solvers at
+# once; carried density with shifting; free liquid; a ball that falls into water; a full periodic box; fields of the start; the printed forms; double precision.
 . "$(dirname "$0")/../support/run.sh"
 # try NAME SCENE STEPS SETTINGS...
 try() {
@@ -30,6 +30,31 @@ box = { size = [1, 1, 0.5] }
 place = { move = [0.5, 0.5, 0.25] }
 material = "liquid"
 packing = "relaxed"
+END
+cat >"$work/float.toml" <<'END'
+spacing = 0.05
+end = 1
+[domain]
+min = [0, 0, 0]
+max = [1, 0.8, 1.2]
+sides = { x = "wall", y = "periodic", z = ["wall", "open"] }
+[material.cork]
+density = 500
+young = "100 kPa"
+[material.water]
+density = 1000
+viscosity = 0.001
+[[body]]
+name = "ball"
+sphere = { radius = 0.15 }
+place = { move = [0.5, 0.1, 0.7] }
+velocity = [0.5, 0.5, -2]
+material = "cork"
+[[body]]
+name = "bath"
+box = { size = [1, 0.8, 0.5] }
+place = { move = [0.5, 0.4, 0.25] }
+material = "water"
 END
 cat >"$work/fields.toml" <<'END'
 spacing = 0.05
@@ -83,6 +108,7 @@ n=numerics
 try all_solvers "$scenes/melt.toml" 30 $n.pressure_solver=incompressible $n.viscosity_solver=implicit $n.elastic_substeps=8
 try carried_density "$scenes/dam_break.toml" 30 $n.density=continuity $n.shifting=0.1
 try free_liquid "$work/patch.toml" 60
+try float "$work/float.toml" 80
 try full_box "$work/vortices.toml" 30
 try start_fields "$work/fields.toml" 30
 try printed "$scenes/melt.toml" 30 $n.pressure=printed $n.viscosity=laplacian "$n.tension=colour field" $n.conduction=plain

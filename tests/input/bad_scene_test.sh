@@ -31,7 +31,7 @@ rejects "spacing 0" 'spacing: must be > 0 m, got 0' 2 check "$(scene zero 's/^sp
 rejects "negative spacing" 'negative\.toml:2:11: error: spacing: must be > 0 m' 2 run "$(scene negative 's/^spacing.*/spacing = "-2 cm"/')"
 rejects "Poisson's ratio 1/2" 'poisson: must be > -1 and < 0\.5' 2 run "$(scene poisson 's/young.*/&\npoisson = 0.5/')"
 rejects "no mass" 'density: must be > 0 kg/m\^3' 2 run "$(scene mass 's/young.*/&\ndensity = 0/')"
-rejects "a liquid that yields" "liquid\.toml:8:16: error: material\.jelly\.yield_strain: only a solid yields: give it a Young.s modulus" 2 check "$(scene liquid 's/young.*/yield_strain = 0.1/')"
+rejects "a liquid that yields" "liquid\.toml:8:16: error: material\.jelly\.yield_strain: requires a solid: set young" 2 check "$(scene liquid 's/young.*/yield_strain = 0.1/')"
 rejects "below 0 K" 'temperature: must be > 0 K' 2 check "$(scene cold 's/^name = "block"/&\ntemperature = "-300 degC"/')"
 
 # B29: less than there are ranks

