@@ -36,6 +36,11 @@ Scene sceneOf(const Case& c, const std::string& ball) {
     b.shape.mesh = ball;
     b.shape.scale = std::cbrt(static_cast<double>(c.particles) * 3 / (4 * std::numbers::pi)) * s.spacing;
   }
+  if (c.kind == Kind::Carried) {  // as scene files have liquids by default
+    s.numerics.density = DensityForm::Continuity;
+    s.numerics.tensileLimit = 1;
+    s.numerics.shifting = 0.07;
+  }
   if (c.kind == Kind::Heat) b.temperatureGradient = {1, 0, 0};
   if (c.kind == Kind::Mixed) {
     m.young = {1e5, 0};
@@ -52,7 +57,7 @@ Scene sceneOf(const Case& c, const std::string& ball) {
 Targets targetsOf(const Case& c, bool avx512) {
   const bool wide = c.support > support33 + 0.1, big = c.particles > 300000, real64 = c.precision == Precision::Double || (isElastic(c.kind) && c.elastic == Precision::Double);
   const double yard = wide ? 0.61 : 1.08;
-  if (c.kind == Kind::Mixed || c.kind == Kind::Mesh || (wide && real64)) return {};
+  if (c.kind == Kind::Mixed || c.kind == Kind::Mesh || c.kind == Kind::Carried || (wide && real64)) return {};
   if (c.kind == Kind::Elastic) {
     if (real64) return {};
     return wide ? Targets{4.2 / yard, 5.5 / yard} : big ? Targets{7 / yard, 9.3 / yard} : Targets{9 / yard, 12 / yard};

@@ -7,8 +7,8 @@
 
 namespace thaw::bench {
 
-enum class Kind { Fluid, Heat, Elastic, Mixed, Mesh };
-inline constexpr const char* kindNames[] = {"fluid", "heat", "elastic", "mixed", "mesh"};
+enum class Kind { Fluid, Heat, Elastic, Mixed, Mesh, Carried };
+inline constexpr const char* kindNames[] = {"fluid", "heat", "elastic", "mixed", "mesh", "carried"};
 inline bool isElastic(Kind k) { return k == Kind::Elastic || k == Kind::Mesh; }
 
 /// Support radii, in spacings, with which a particle of the jittered block has 33 and 74 neighbours in the mean, free faces included, as the targets count them

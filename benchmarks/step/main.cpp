@@ -1,6 +1,6 @@
 // step: particle-steps a second and core of whole steps, MPI, halos and all, on the ranks it is started with; benchmarks/step/run starts it on 1, 2 and 4.
 // default: as scenes have it where they say nothing, sums over neighbours in single precision and bonds in double.
-//   step [--cases fluid,heat,elastic,mixed,mesh] [--precisions single,double,default] [--supports 2.13,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1] [--memory 1]
+//   step [--cases fluid,heat,elastic,mixed,mesh,carried] [--precisions single,double,default] [--supports 2.13,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1] [--memory 1]
 // Beside each case, in turn with it and on as many ranks, runs a plain scalar neighbour-list code (yardstick): the ratio means the same on any
 // machine, and on a busy one. Rows come with the bytes that a step moves and what a copy moves in the same time.
 #include <malloc.h>
@@ -207,7 +207,7 @@ template<class T, class Read> std::vector<T> listOf(const std::string& text, Rea
 }
 
 constexpr const char* usage =
-    "step [--cases fluid,heat,elastic,mixed,mesh] [--precisions single,double,default] [--supports 2.13,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1] [--memory 1]\n";
+    "step [--cases fluid,heat,elastic,mixed,mesh,carried] [--precisions single,double,default] [--supports 2.13,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1] [--memory 1]\n";
 
 Options optionsOf(int argc, char** argv) {
   Options o;
@@ -218,7 +218,7 @@ Options optionsOf(int argc, char** argv) {
     if (a + 1 == argc) throw std::invalid_argument(key + ": expected a value behind it");
     const std::string value = argv[a + 1];
     if (key == "--cases")
-      o.kinds = listOf<Kind>(value, [&](const std::string& name) { return static_cast<Kind>(oneOf(key, name, {"fluid", "heat", "elastic", "mixed", "mesh"})); });
+      o.kinds = listOf<Kind>(value, [&](const std::string& name) { return static_cast<Kind>(oneOf(key, name, {"fluid", "heat", "elastic", "mixed", "mesh", "carried"})); });
     else if (key == "--precisions")
       o.precisions = listOf<std::pair<Precision, Precision>>(value, [&](const std::string& name) {
         const std::size_t k = oneOf(key, name, {"single", "double", "default"});
