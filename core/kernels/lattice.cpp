@@ -6,20 +6,12 @@
 #include <cmath>
 
 #include "core/fluid/viscous_weight.hpp"
-#include "core/kernels/kernels.hpp"
+#include "core/kernels/with_kernel.hpp"
 
 namespace thaw {
 namespace {
 
 using isa_base::pi;
-
-template<class Action> auto withKernel(const Numerics& n, Action action) {
-  switch (n.kernel) {
-    case KernelKind::Mcg03: return action(isa_base::Mcg03{});
-    case KernelKind::CubicSpline: return action(isa_base::CubicSpline{});
-    default: return action(isa_base::WendlandC2{});
-  }
-}
 
 /// Calls action(d, q2) for every neighbour on the lattice, d in support radii.
 template<class Action> void overNeighbours(double support, Action action) {
@@ -48,7 +40,7 @@ template<class Block> double largestEigenvalue(double support, Block block) {
 }
 
 double stableLaplaceStep(const Numerics& n) {
-  return withKernel(n, [&](auto kernel) {
+  return withKernel(n.kernel, [&](auto kernel) {
     const auto block = [&](const Eigen::Vector3d&, double q2) -> Eigen::Matrix3d { return kernel.laplace(q2) * Eigen::Matrix3d::Identity(); };
     return 2 / largestEigenvalue(n.support, block);
   });
@@ -57,7 +49,7 @@ double stableLaplaceStep(const Numerics& n) {
 }  // namespace
 
 double latticeSum(const Numerics& n) {
-  return withKernel(n, [&](auto kernel) {
+  return withKernel(n.kernel, [&](auto kernel) {
     double sum = kernel.w(0.0);
     overNeighbours(n.support, [&](const Eigen::Vector3d&, double q2) { sum += kernel.w(q2); });
     return sum / (n.support * n.support * n.support);
@@ -105,7 +97,7 @@ ViscousWeight viscousWeight(const Numerics& n) {
 
 double slidingLatticeSum(const Numerics& n) {
   constexpr int shears = 32;
-  return withKernel(n, [&](auto kernel) {
+  return withKernel(n.kernel, [&](auto kernel) {
     double largest = latticeSum(n);
     for (int diagonal = 0; diagonal < 2; diagonal++) {
       std::array<double, shears> sum;
@@ -123,7 +115,7 @@ namespace {
 struct PressureResponse { double diagonal = 0, largest = 0; };
 
 PressureResponse pressureResponse(const Numerics& n) {
-  return withKernel(n, [&](auto kernel) {
+  return withKernel(n.kernel, [&](auto kernel) {
     double diagonal = 0, largest = 0;
     overNeighbours(n.support, [&](const Eigen::Vector3d&, double q2) { diagonal += kernel.slope(q2) * kernel.slope(q2) * q2; });
     const int waves = 16;
@@ -149,7 +141,7 @@ double largestPressureResponse(const Numerics& n) {
 double largestFillingSlope(const Numerics& n) { return std::sqrt(pressureResponse(n).largest) / std::pow(n.support, 3); }
 
 double latticeGradient(const Numerics& n) {
-  return withKernel(n, [&](auto kernel) {
+  return withKernel(n.kernel, [&](auto kernel) {
     double sum = 0;
     overNeighbours(n.support, [&](const Eigen::Vector3d&, double q2) { sum -= kernel.slope(q2) * q2 / 3; });
     return sum / (n.support * n.support * n.support);
@@ -164,7 +156,7 @@ double stableViscousStep(const Numerics& n) {
 }
 
 double latticeLaplacian(const Numerics& n) {
-  return withKernel(n, [&](auto kernel) {
+  return withKernel(n.kernel, [&](auto kernel) {
     double sum = 0;
     overNeighbours(n.support, [&](const Eigen::Vector3d& d, double q2) { sum += kernel.laplace(q2) * d[0] * d[0] / 2; });
     return sum / (n.support * n.support * n.support);

@@ -5,14 +5,14 @@
 
 #include "core/fluid/cohesion.hpp"
 #include "core/fluid/particle_pressure.hpp"
-#include "core/kernels/kernels.hpp"
+#include "core/kernels/with_kernel.hpp"
 #include "core/neighbours/rows_around.hpp"
 #include "core/step.hpp"
 
 namespace thaw {
 namespace {
 
-constexpr std::size_t words = 6;  // of a leaver in a message
+constexpr std::size_t words = 6;  // per leaver in a message
 
 double volumeOf(const World& w, std::size_t i) {
   const double h = w.grid.support;
@@ -23,7 +23,7 @@ double rootTensionOf(const World& w, const StepTools& t, std::size_t i) {
   return t.liquids[w.particles.material[i]].rootTension * liquidFraction(w.particles, i);
 }
 
-/// Places of a leaver and of its periodic images that particles of the domain can be near.
+/// Positions of a leaver and of its periodic images within a support radius of the domain.
 std::vector<Vec3d> imagesOf(const World& w, const Vec3d& x) {
   const Domain& d = w.scene.domain;
   std::vector<Vec3d> images{x};
@@ -56,7 +56,7 @@ template<class Pair> void eachNearLeaver(const World& w, const StepTools& t, Pai
     }
 }
 
-/// Half of a pair's energy is its other end's (terms/tension.hpp).
+/// Each particle of a pair stores half of its energy (terms/tension.hpp).
 void recordCohesion(World& w, const StepTools& t) {
   using isa_base::Cohesion;
   const double h = w.grid.support;
@@ -66,28 +66,20 @@ void recordCohesion(World& w, const StepTools& t) {
   });
 }
 
-double kernelAt(KernelKind kind, double q) {
-  switch (kind) {
-    case KernelKind::Mcg03: return isa_base::Mcg03::w(q, q * q);
-    case KernelKind::CubicSpline: return isa_base::CubicSpline::w(q, q * q);
-    default: return isa_base::WendlandC2::w(q, q * q);
-  }
-}
-
-/// Losses of a neighbour's sums.
+/// Changes of a neighbour's sums by removed particles.
 struct Lost {
   std::uint32_t row = 0;
   SurfaceShare surface{};
   double filling = 0;
 };
 
-/// Ascending by row.
+/// Losses of all neighbours of leavers, ascending by row.
 std::vector<Lost> lostSums(const World& w, const StepTools& t) {
   std::vector<Lost> pairs, sums;
   const Numerics& n = w.scene.numerics;
   eachNearLeaver(w, t, [&](std::uint32_t j, const Leaver& l, const Vec3d& d) {
     const SurfaceShare s = surfaceShare(d);
-    const double filling = t.perLatticeSum * l.volume * kernelAt(n.kernel, length(d));
+    const double filling = t.perLatticeSum * l.volume * withKernel(n.kernel, [q = length(d)](auto kernel) { return kernel.w(q, q * q); });
     pairs.push_back({j, {s.gradient * l.volume, s.cover * l.volume}, filling});
   });
   std::stable_sort(pairs.begin(), pairs.end(), [](const Lost& a, const Lost& b) { return a.row < b.row; });
@@ -100,7 +92,7 @@ std::vector<Lost> lostSums(const World& w, const StepTools& t) {
   return sums;
 }
 
-/// J/m^3 of liquid.
+/// Loss of surface energy (J/m^3 of liquid).
 double surfaceLost(const World& w, const StepTools& t, const Lost& lost) {
   const double tension = w.scene.materials[w.particles.material[lost.row]].surfaceTension;
   if (!w.modules.surfaceEnergy || !(tension > 0)) return 0;
@@ -111,7 +103,7 @@ double surfaceLost(const World& w, const StepTools& t, const Lost& lost) {
   return with.energy - surfaceState(t.surface, tension, n, cover).energy;
 }
 
-/// J/m^3 of liquid. A carried density does not change.
+/// Loss of compression energy (J/m^3 of liquid); 0 with a carried density.
 double compressionLost(const World& w, const StepTools& t, const Lost& lost) {
   if (w.modules.continuity || w.modules.incompressible) return 0;
   const Numerics& n = w.scene.numerics;
@@ -135,7 +127,7 @@ void recordNeighbourhoods(World& w, const StepTools& t) {
 std::vector<Leaver> leaversOfAll(const World& w, const StepTools& t, Reducer& all) {
   std::int64_t leaving = static_cast<std::int64_t>(t.leaving.size());
   all.sum({&leaving, 1});
-  if (leaving == 0) return {};  // as in most steps, which are to allocate nothing
+  if (leaving == 0) return {};  // most steps: nothing is allocated
   const auto rank = static_cast<std::size_t>(all.rank());
   std::vector<std::int64_t> counts(static_cast<std::size_t>(all.size()));
   counts[rank] = static_cast<std::int64_t>(t.leaving.size());

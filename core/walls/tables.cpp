@@ -4,8 +4,8 @@
 #include <array>
 
 #include "core/fluid/viscous_weight.hpp"
-#include "core/kernels/kernels.hpp"
 #include "core/kernels/lattice.hpp"
+#include "core/kernels/with_kernel.hpp"
 
 namespace thaw {
 namespace {
@@ -50,11 +50,7 @@ template<class Kernel> WallIntegrals integralsOf(const Numerics& n, double visco
 
 WallIntegrals rawIntegrals(const Numerics& n, double d) {
   constexpr double scale = ViscousWeight{}.scale;  // of the continuum: drag is scaled by perShearStress
-  switch (n.kernel) {
-    case KernelKind::Mcg03: return integralsOf<isa_base::Mcg03>(n, scale, d);
-    case KernelKind::CubicSpline: return integralsOf<isa_base::CubicSpline>(n, scale, d);
-    default: return integralsOf<isa_base::WendlandC2>(n, scale, d);
-  }
+  return withKernel(n.kernel, [&](auto kernel) { return integralsOf<decltype(kernel)>(n, scale, d); });
 }
 
 /// 1 over the drag on layers half a spacing and whole spacings above a wall, in a linear profile, per mu du/dz.
@@ -74,11 +70,7 @@ template<class Kernel> double secondMoment(double spacing) {
 /// 1 over what a sum over layers on both sides makes of the second derivative of a temperature across them; 1 where conduction is plain.
 double perConduction(const Numerics& n) {
   if (conductionScale(n) == 1) return 1;
-  switch (n.kernel) {
-    case KernelKind::Mcg03: return 1 / secondMoment<isa_base::Mcg03>(1 / n.support);
-    case KernelKind::CubicSpline: return 1 / secondMoment<isa_base::CubicSpline>(1 / n.support);
-    default: return 1 / secondMoment<isa_base::WendlandC2>(1 / n.support);
-  }
+  return withKernel(n.kernel, [&](auto kernel) { return 1 / secondMoment<decltype(kernel)>(1 / n.support); });
 }
 
 WallIntegrals scaled(WallIntegrals w, double drag, double conduct) {
@@ -92,8 +84,10 @@ WallIntegrals scaled(WallIntegrals w, double drag, double conduct) {
 WallIntegrals wallIntegrals(const Numerics& n, double d) { return scaled(rawIntegrals(n, d), perShearStress(n), perConduction(n)); }
 
 WallIntegrals asLiquidsFeelIt(const WallIntegrals& w, double filling0) {
-  if (!(filling0 > 0)) return {w.filling, w.push, w.conduct, w.drag, w.filling, w.momentShare};
-  return {w.filling * w.filling / filling0, w.push * 2 * w.filling / filling0, w.conduct, w.drag, w.filling, w.momentShare};
+  WallIntegrals felt = w;
+  felt.space = w.filling;
+  if (filling0 > 0) felt.filling = w.filling * w.filling / filling0, felt.push = w.push * 2 * w.filling / filling0;
+  return felt;
 }
 
 WallTables makeWallTables(const Numerics& n) {

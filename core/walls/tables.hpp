@@ -29,7 +29,9 @@ struct WallTables {
     const int k = static_cast<int>(x) < points ? static_cast<int>(x) : points - 1;
     const double t = x - k;
     const WallIntegrals &a = at[static_cast<std::size_t>(k)], &b = at[static_cast<std::size_t>(k) + 1];
-    return {a.filling + t * (b.filling - a.filling), a.push + t * (b.push - a.push), a.conduct + t * (b.conduct - a.conduct), a.drag + t * (b.drag - a.drag), a.space + t * (b.space - a.space), a.momentShare + t * (b.momentShare - a.momentShare)};
+    const auto between = [t](double from, double to) { return from + t * (to - from); };
+    return {between(a.filling, b.filling), between(a.push, b.push),   between(a.conduct, b.conduct),
+            between(a.drag, b.drag),       between(a.space, b.space), between(a.momentShare, b.momentShare)};
   }
 };
 
@@ -43,7 +45,7 @@ WallIntegrals wallIntegrals(const Numerics& numerics, double distance);
 WallIntegrals asLiquidsFeelIt(const WallIntegrals& wall, double filling0);
 
 /// Spacings from a wall below which what a liquid feels of it grows along its tangent. The rest would be twice as steep a quarter of a spacing from the wall and
-/// four times on it, so that the few particles that an impact drives there would momentShare the step down for all.
+/// four times on it, so that the few particles that an impact drives there would hold the step down for all.
 inline constexpr double softBelow = 0.42;
 
 /// Of asLiquidsFeelIt down to softBelow, and on along the tangent: push stays the slope of filling. conduct and drag take distances below a quarter of a spacing as that. Interpolation is good to 1e-5.
