@@ -93,7 +93,7 @@ PairSums pairSumsOf(World& w, StepTools& t) {
   s.liquids = t.liquids.data();
   s.densityRate = p.densityRate.data();
   s.spreading = p.spreading.data();
-  if (w.modules.continuity) s.stiffness = stiffnessInRecords(recordsOf(w, t));
+  if (w.modules.continuity) s.stiffness = t.liquids[0].stiffness;
   if (w.modules.corrected) s.moment = p.moment.data(), s.flow = p.flow.data();
   if (p.wetting.active) s.wetting = p.wetting.data();
   if (p.solidNormal.active) s.solidNormal = p.solidNormal.data();
@@ -132,15 +132,6 @@ void search(World& w, StepTools& t, Part part) {
   t.kernels->search(in, part, t.search, w.neighbours);
 }
 
-/// Clears the sums of rows that the pass may skip. Which cells without liquid are skipped depends on ranks.
-void clearCarriedSums(Continuum& p) {
-  const auto clear = [&](auto& column) { std::fill_n(column.data(), p.owned, std::remove_reference_t<decltype(column[0])>{}); };
-  clear(p.densityRate);
-  clear(p.spreading);
-  clear(p.wetting);
-  if (p.moment.active) clear(p.moment), clear(p.flow);
-}
-
 }  // namespace
 
 void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapsed) {
@@ -149,7 +140,8 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
   NeighbourLists& lists = w.neighbours;
   const bool density = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::BoundaryDensity;
   if (pass == NeighbourPass::InnerDensity) {
-    if (p.wetting.active) clearCarriedSums(p);
+    // the pass may skip rows without liquid near: which ones depends on ranks
+    if (p.wetting.active) std::fill_n(p.wetting.data(), p.owned, 0.0F);
     resizeRecords(x, p.owned + t.ghostRoom, t.records);
     for (const RowSpan& rows : rowsToSee(w, t)) packRecords(x, p, rows.begin, rows.end, t.records);
     clearLists(lists, static_cast<std::uint32_t>(p.owned), static_cast<std::uint32_t>(p.owned + t.ghostRoom));

@@ -70,7 +70,7 @@ struct StepTools {
   std::vector<BondRequest> requests;
   std::vector<std::uint32_t> rebonded;   ///< rows of particles that took new bonds
   std::vector<std::uint32_t> leaving;
-  std::vector<Leaver> leavers;       ///< of all ranks; only where liquids have surface tension
+  std::vector<Leaver> leavers;       ///< from all ranks; empty without surface tension
   PhaseTimes times;
   // from one step to the next; found again after a restart
   bool bondsAtStart = false;         ///< the next evaluation bonds the solids of the scene

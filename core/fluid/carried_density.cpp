@@ -59,8 +59,8 @@ double driftCorrection(double off, double compression, Layer layer, double steps
 /// Moment at a wall, with 1 along the normal. The sums contain only liquid neighbours, as the gradient does
 /// along the wall. Along the normal the wall's push already balances a uniform pressure.
 Sym3f alongWall(const Sym3f& moment, const Vec3d& normal) {
-  const Vec3<float> n{static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)}, m = moment * n;
-  const Vec3<float> k = m - n * (0.5F * (dot(n, m) + 1));  // M - n m^T - m n^T + (n.m + 1) n n^T
+  const Vec3f n = single(normal), m = moment * n;
+  const Vec3f k = m - n * (0.5F * (dot(n, m) + 1));  // M - n m^T - m n^T + (n.m + 1) n n^T
   return {moment.xx - 2 * n.x * k.x, moment.yy - 2 * n.y * k.y, moment.zz - 2 * n.z * k.z,
           moment.xy - n.x * k.y - n.y * k.x, moment.yz - n.y * k.z - n.z * k.y, moment.xz - n.x * k.z - n.z * k.x};
 }
@@ -77,27 +77,13 @@ Sym3d correctionOf(const Sym3f& moment, double filling) {
           k * xy, k * (m.xy * m.xz - m.xx * m.yz), k * xz};
 }
 
-/// Constants of a material in one step.
-struct Carrier {
-  double stiffness;  ///< Pa
-  double volume;     ///< m^3/kg, at rest
-  double steps;      ///< c dt / h
-};
-
 struct CarryContext {
   World& world;
-  const Numerics& numerics;
-  std::vector<Carrier> materials;
+  const std::vector<LiquidMaterial>& liquids;
   double dt;
   double ahead;  ///< extrapolation factor of the correction: (end - mid-step) / (mid-step - previous mid-step)
+  const Numerics& numerics() const { return world.scene.numerics; }
 };
-
-CarryContext contextOf(World& w, const StepTools& t, double dt) {
-  CarryContext x{w, w.scene.numerics, {}, dt, dt > 0 ? dt / (dt + w.clock.stepDt) : 0};
-  for (std::size_t k = 0; k < t.liquids.size(); k++)
-    x.materials.push_back({t.liquids[k].stiffness, 1 / w.scene.materials[k].density, t.liquids[k].soundSpeed * dt / w.grid.support});
-  return x;
-}
 
 /// Adds the corrected divergence at mid-step to the rate. Extrapolates the correction from the last two
 /// mid-steps to the end of the step, with a limited change.
@@ -119,9 +105,11 @@ void correct(const CarryContext& x, std::size_t i) {
 /// Resets the carried density of a particle without liquid around it; its compression energy is dissipated.
 void resetCarriedDensity(const CarryContext& x, std::size_t i) {
   Continuum& p = x.world.particles;
-  const Carrier& c = x.materials[p.material[i]];
+  const LiquidMaterial& m = x.liquids[p.material[i]];
+  const Numerics& n = x.numerics();
   if (p.compression[i] != 0)
-    p.dissipated[i] += p.mass[i] * c.volume * compressionEnergy(x.numerics.eos, c.stiffness, 1 + p.compression[i], x.numerics.tensileLimit);
+    p.dissipated[i] += p.mass[i] * m.restVolume *
+                       compressionEnergy(n.eos, m.stiffness, 1 + p.compression[i], n.tensileLimit);
   p.compression[i] = 0;
   p.filling[i] = 1;
   if (p.correction.active) p.midCorrection[i] = p.correction[i] = {};
@@ -131,22 +119,28 @@ void resetCarriedDensity(const CarryContext& x, std::size_t i) {
 /// drift correction change.
 void carry(const CarryContext& x, std::size_t i) {
   Continuum& p = x.world.particles;
-  const Carrier& c = x.materials[p.material[i]];
-  const double before = p.compression[i], flow = before + p.densityRate[i] * x.dt, places = static_cast<double>(p.filling[i]);
+  const LiquidMaterial& m = x.liquids[p.material[i]];
+  const Numerics& n = x.numerics();
+  const double before = p.compression[i], flow = before + p.densityRate[i] * x.dt;
+  const double summed = static_cast<double>(p.filling[i]);
   double spread = p.spreading[i] * x.dt;
   if (p.atSurface.active && liquidFraction(p, i) == 1)
-    spread += driftCorrection(places - 1 - flow - spread, flow + spread, layerOf(p, i), c.steps);
-  const auto slope = [&](double y) { return pressureOf(x.numerics.eos, c.stiffness, 1 + y, x.numerics.tensileLimit) / ((1 + y) * (1 + y)); };
+    spread += driftCorrection(summed - 1 - flow - spread, flow + spread, layerOf(p, i),
+                              m.soundSpeed * x.dt / x.world.grid.support);
+  const auto slope = [&](double y) {
+    return pressureOf(n.eos, m.stiffness, 1 + y, n.tensileLimit) / ((1 + y) * (1 + y));
+  };
   // mean of both ends of the step, as for the pressure work of the flow
   p.dissipated[i] -=
-      0.5 * p.mass[i] * c.volume * spread * (slope(flow + 0.5 * spread) + slope(before + 0.5 * spread));
+      0.5 * p.mass[i] * m.restVolume * spread * (slope(flow + 0.5 * spread) + slope(before + 0.5 * spread));
   p.compression[i] = flow + spread;
   p.filling[i] = static_cast<float>(1 + p.compression[i]);
 }
 
-}  // namespace
-
+/// True for liquid, partly molten particles, and solids near liquid. Such solids carry the liquid's density.
 bool carriesDensity(const Continuum& p, std::size_t i) { return p.wetting.active ? p.wetting[i] > 0 : true; }
+
+}  // namespace
 
 void carryDensity(World& w, const StepTools& t, double dt) {
   Continuum& p = w.particles;
@@ -158,7 +152,7 @@ void carryDensity(World& w, const StepTools& t, double dt) {
     for (const WallContact& c : t.wallContacts.list) p.moment[c.row] = alongWall(p.moment[c.row], c.normal);
   constexpr double tooCrowded = 1.3;
   w.counters.crowded = 0;
-  const CarryContext x = contextOf(w, t, dt);
+  const CarryContext x{w, t.liquids, dt, dt > 0 ? dt / (dt + w.clock.stepDt) : 0};
   for (std::size_t i = 0; i < p.owned; i++) {
     if (p.atSurface.active) p.smoothing[i] = shiftOf(w, t, i);
     if (w.modules.sleep && t.sleep.deep[i]) continue;  // skipped: its sums are not computed and do not change
@@ -166,7 +160,8 @@ void carryDensity(World& w, const StepTools& t, double dt) {
       resetCarriedDensity(x, i);
       continue;
     }
-    if (liquidFraction(p, i) > 0) w.counters.crowded += static_cast<double>(p.filling[i]) > tooCrowded * (1 + p.compression[i]);
+    const bool crowded = static_cast<double>(p.filling[i]) > tooCrowded * (1 + p.compression[i]);
+    w.counters.crowded += crowded && liquidFraction(p, i) > 0;
     if (w.modules.corrected) correct(x, i);
     carry(x, i);
   }

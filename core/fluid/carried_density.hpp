@@ -4,9 +4,6 @@
 
 namespace thaw {
 
-/// True for liquid, partly molten particles, and solids near liquid. Such solids carry the liquid's density.
-bool carriesDensity(const Continuum& particles, std::size_t row);
-
 /// Takes the filling by places (walls included) as how crowded it is, moves on the carried filling by dt (s) and puts it in its place;
 /// sets the velocity of shifting. dt 0: only the latter. Books what diffusion takes of the energy of compression, and
 /// counts the particles that are much more crowded than the density says that they carry.

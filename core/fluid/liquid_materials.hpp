@@ -12,6 +12,7 @@ struct LiquidMaterial {
   double soundSpeed = 0;   ///< m/s
   double artificial = 0;   ///< Pa s, alpha c h rho0 / 10: artificial viscosity as a viscosity of approaching pairs
   double rootTension = 0;  ///< (N/m)^1/2
+  double restVolume = 0;   ///< m^3/kg
 };
 
 /// Largest speed (m/s) to expect (expectedFlow).

@@ -35,21 +35,24 @@ template<class Action> void choose(const PairSums& in, Action action) {
   else withReal(double{});
 }
 
-template<class Term, class Real> void carriedDensityOf(const PairSums& in, GroupRange range, double scale) {
-  using L = Lanes<Real>;
-  const double c = in.liquids[0].soundSpeed, perSpeed = in.uniform ? 1 / (c * c) : 1;
-  Term term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, scale,
-            {L(in.weight.x * perSpeed), L(in.weight.y * perSpeed), L(in.weight.z * perSpeed)}, L(0.5 * in.elapsed / in.support)};
-  sweep(*in.lists, range, term, Groups::Wet);
-}
-template<class Real, class Kernel, Carry carry, bool Surfaces> void carriedDensity(const PairSums& in, GroupRange range, double scale) {
-  if constexpr (std::is_same_v<Kernel, WendlandC2> && carry == Carry::Corrected)
-    if (in.uniform) return carriedDensityOf<CarriedDensity<Real, Kernel, carry, Surfaces, false>, Real>(in, range, scale);
-  carriedDensityOf<CarriedDensity<Real, Kernel, carry, Surfaces>, Real>(in, range, scale);
-}
 template<class Real, class Kernel> void carriedDensity(const PairSums& in, GroupRange range, double scale) {
-  if (in.moment) in.surfaceNormal ? carriedDensity<Real, Kernel, Carry::Corrected, true>(in, range, scale) : carriedDensity<Real, Kernel, Carry::Corrected, false>(in, range, scale);
-  else in.surfaceNormal ? carriedDensity<Real, Kernel, Carry::Density, true>(in, range, scale) : carriedDensity<Real, Kernel, Carry::Density, false>(in, range, scale);
+  using L = Lanes<Real>;
+  const double c = in.liquids[0].soundSpeed;
+  const Vec3d down = in.uniform ? in.weight * (1 / (c * c)) : in.weight;
+  const auto sum = [&]<Carry carry, bool Surfaces, bool Mixed>() {
+    CarriedDensity<Real, Kernel, carry, Surfaces, Mixed> term{
+        records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, scale,
+        {L(down.x), L(down.y), L(down.z)}, L(0.5 * in.elapsed / in.support)};
+    sweep(*in.lists, range, term, Groups::Wet);
+  };
+  const auto withSurfaces = [&]<Carry carry, bool Mixed>() {
+    if (in.surfaceNormal) sum.template operator()<carry, true, Mixed>();
+    else sum.template operator()<carry, false, Mixed>();
+  };
+  if (!in.moment) return withSurfaces.template operator()<Carry::Density, true>();
+  if constexpr (std::is_same_v<Kernel, WendlandC2>)  // the only kernel of one liquid (Modules::uniform)
+    if (in.uniform) return withSurfaces.template operator()<Carry::Corrected, false>();
+  withSurfaces.template operator()<Carry::Corrected, true>();
 }
 
 void density(const PairSums& in, GroupRange range) {

@@ -65,7 +65,7 @@ template<class Real> void packAs(const RecordContext& x, const Continuum& p, std
   const CellGrid grid = x.grid;
   const double h = grid.support;
   const bool carried = x.modules.continuity, surfaces = p.atSurface.active, substeps = p.travel.active && x.substeps > 1;
-  const double stiffness = stiffnessInRecords(x);
+  const double stiffness = carried ? x.liquids[0].stiffness : 1;
   const bool sums = sumsOverPairs(x.modules);
   const bool heat = x.modules.heat, melting = x.modules.melting, surface = r.surface.size() > 0, uniform = x.modules.uniform;
   r.constant.clear();
@@ -173,11 +173,6 @@ template<class Real> void packPressureAs(const RecordContext& x, Continuum& p, s
 }
 
 }  // namespace
-
-double stiffnessInRecords(const RecordContext& x) {
-  const auto liquid = std::find_if(x.scene.materials.begin(), x.scene.materials.end(), canBeLiquid);
-  return liquid == x.scene.materials.end() ? 1 : x.liquids[static_cast<std::size_t>(liquid - x.scene.materials.begin())].stiffness;
-}
 
 void resizeRecords(const RecordContext& x, std::size_t n, PairRecords& r) {
   const bool real64 = x.scene.numerics.precision == Precision::Double;

@@ -33,9 +33,6 @@ struct RecordContext {
   int substeps = 1;  ///< substeps of solids in the last step
 };
 
-/// Stiffness (Pa) of the first material that can be liquid; 1 without one.
-double stiffnessInRecords(const RecordContext& context);
-
 /// Packs rows [begin, end): positions, volumes, velocities, liquid fraction, temperature and material parameters.
 void packRecords(const RecordContext& context, const Continuum& particles, std::size_t begin, std::size_t end, PairRecords& records);
 

@@ -30,7 +30,7 @@ void addParticles(const World& w, const StepTools& t, Sums& sums) {
     if (!p.interaction.active) continue;
     const bool known = p.filling.active && !(p.sleep.active && p.sleep[i] != awake);
     const double liquid = liquidFraction(p, i);
-    const double compression = known && (liquid > 0 || w.modules.continuity) ? compressionOf(context, p, i, liquid) : 0;
+    const double compression = known ? compressionOf(context, p, i, liquid) : 0;
     sums[Compression].add(compression);
     sums[p.phase[i] == Liquid ? Tension : Contact].add(p.interaction[i] - compression);
   }

@@ -70,8 +70,8 @@ void findHeat(Finder& f) {
 bool isUniform(const Scene& s, const Modules& m) {
   const bool other = m.solid || m.melting || m.incompressible || m.implicitViscosity || m.tension || m.kinds();
   const bool volumes = m.heat && (m.xsph || m.surfaceHeat || s.numerics.pressure != PairForm::Consistent);
-  const bool plainDensity = m.continuity && (!m.corrected || m.heat || m.xsph || s.numerics.pressure != PairForm::Consistent);
-  return m.fluid && !other && !volumes && !plainDensity && s.materials.size() == 1 && s.materials[0].viscosityTable.empty() && s.numerics.kernel == KernelKind::WendlandC2 &&
+  const bool otherCarried = m.continuity && (!m.corrected || m.heat || m.xsph || s.numerics.pressure != PairForm::Consistent);
+  return m.fluid && !other && !volumes && !otherCarried && s.materials.size() == 1 && s.materials[0].viscosityTable.empty() && s.numerics.kernel == KernelKind::WendlandC2 &&
          s.numerics.viscosity == ViscosityForm::Pairwise;
 }
 

@@ -75,7 +75,7 @@ CLI::App* addCompareCommand(CLI::App& app, CompareArguments& arguments) {
       ->check(CLI::NonNegativeNumber);
   command->add_flag("--frames", arguments.frames, "of two runs: compare all their frames as well");
   command->add_flag("--all", arguments.all, "tell all that differs in general, not a few of each kind");
-  command->footer("Exit code: 0 equal, 1 different, 3 a file cannot be read or is damaged.");
+  command->footer("Exit code: 0 equal, 1 different, 3 unreadable or damaged file.");
   return command;
 }
 

@@ -56,7 +56,7 @@ bool isHeld(const Scene& s, const Body& b) {
   return true;
 }
 
-/// Liquid with a weight.
+/// Liquid under gravity.
 bool isHeavy(const Scene& s, const Modules& m) { return m.fluid && length(s.domain.gravity) > 0; }
 
 bool isAtRest(const Scene& s) {
@@ -86,8 +86,7 @@ std::string keyOf(const std::string& setting) { return setting.substr(0, setting
 /// Can the scene use it? Where solids can meet their contact sets the step of all, and substeps gain nothing.
 bool usable(const std::string& setting, const Scene& s, const Modules& m) {
   if (keyOf(setting) == "numerics.elastic_substeps") return !m.contact;
-  if (setting.rfind("numerics.density=continuity", 0) == 0) return s.emitters.empty() && !m.melting;  // it drifts where liquid is poured and where it drips: no case of the suite is like that
-  if (keyOf(setting) == "body.0.packing") return false;  // the scene has chosen its packings
+  if (keyOf(setting) == "body.0.packing") return false;  // the scene determines the packing
   if (keyOf(setting) == "numerics.support") return std::stod(setting.substr(setting.find('=') + 1)) >= (m.surfaceHeat ? 2 : m.solid ? s.numerics.bondSupport : 0);
   return true;
 }

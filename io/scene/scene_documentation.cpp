@@ -30,8 +30,8 @@ constexpr const char* introduction =
     "A line has at most 16384 characters, and a file 16 MiB: long lists go over several lines.\n\n"
     "`--set key=value` on the command line overrides a key, checked in the same way: `--set spacing=\"1 mm\"`, `--set\n"
     "material.wax.young=\"1 MPa\"`, `--set body.bust.velocity=\"[0, 0, -1]\"` (a body, emitter or obstacle by its name or its number from 0).\n"
-    "Each setting needs its own `--set`. It also adds tables: `--set material.oil.density=900 --set body.drop.material=oil`. A material that\n"
-    "nothing uses gives a warning; a body, emitter or obstacle that the scene does not have is an error.\n"
+    "Each setting needs its own `--set`. `--set` can also add a table: `--set material.oil.density=900 --set body.drop.material=oil`.\n"
+    "An unused material is a warning; an unknown body, emitter or obstacle is an error.\n"
     "`thaw check SCENE` prints what would be simulated.\n\n"
     "Particles lie on a cubic lattice of whole spacings, and each weighs density times spacing^3: a solid box 7.4 spacings wide has 8 layers, one\n"
     "of liquid 7, so that no liquid starts nearer to its box than half a spacing. `thaw check` reports where the mass is off by more than 1 %, and the density\n"
@@ -46,8 +46,8 @@ constexpr const char* afterExample =
     "- Choose a shear modulus G of some 20 tau_y or more, such that little of the flow is elastic; `young` = 2 (1 + `poisson`) G.\n"
     "- `yield_strain` = tau_y / (sqrt(2) G). In uniaxial tests it then yields at sqrt(3/2) 2 G `yield_strain` = sqrt(3) tau_y.\n"
     "- `creep_rate` = G / mu. Left out, it flows at once: mu is 0.\n"
-    "- A weight that acts at once, as gravity does at the start, overshoots the static stress: a block of the paste below yields at a height of\n"
-    "  8 to 9 mm, where sqrt(3) tau_y / (density g), the static one, is 9.8 mm.\n"
+    "- Gravity acts suddenly at the start, and the stress overshoots its static value. A block of the paste below yields at a height of\n"
+    "  8 to 9 mm; the static limit sqrt(3) tau_y / (density g) is 9.8 mm.\n"
     "- A larger G means shorter steps; `viscosity` does not count, since it is the liquid's.\n\n"
     "tau_y = 100 Pa and mu = 20 Pa s:\n\n"
     "```toml\n"
@@ -65,8 +65,8 @@ constexpr const char* afterExample =
     "`x`, `y`, `z` are in m, in the frame of the scene; the value is in m/s or K. Expressions have no units. There are ";
 constexpr const char* afterWords =
     ".\nA body's particles take the value where the scene places the body, also where it reaches over a\n"
-    "periodic side; an emitter's take that of their place in the opening. A speed above 3e8 m/s at a particle, a\n"
-    "temperature that is not above 0 K, or what is no number, is an error. A temperature that depends on position switches heat\n"
+    "periodic side; an emitter's take that of their place in the opening. A velocity\n"
+    "component above 299792458 m/s, a temperature outside (0, 1e32] K, or NaN at a particle is an error. A temperature that depends on position switches heat\n"
     "on where something conducts heat or melts.\n";
 
 }  // namespace

@@ -121,9 +121,7 @@ template<class Real, class Kernel, Carry carry, bool Surfaces = false, bool Mixe
     if constexpr (Corrected) {
       const auto m = [&](int k) { return static_cast<float>(scale * static_cast<double>(s.moment[k][l])); };
       in->moment[row] = {m(0), m(1), m(2), m(3), m(4), m(5)};
-      for (int a = 0; a < 3; a++) {
-        in->flow[row].row[a] = single(scale / h * at(s.flow[a], l));
-      }
+      for (int a = 0; a < 3; a++) in->flow[row].row[a] = single(scale / h * at(s.flow[a], l));
     }
     in->densityRate[row] = scale / h * static_cast<double>(s.rate[l]);
     const LiquidMaterial& m = in->liquids[in->material[row]];
