@@ -41,6 +41,10 @@ double CombinedDistance::extent(const Vec3d& direction) const {
   return e;
 }
 
+bool CombinedDistance::convex() const {
+  return kind_ == Kind::Intersection && std::all_of(parts_.begin(), parts_.end(), [](const ShapePart& p) { return p->convex(); });
+}
+
 bool CombinedDistance::hasGaps() const {
   return std::any_of(parts_.begin(), parts_.end(), [](const ShapePart& p) { return p->hasGaps(); });
 }

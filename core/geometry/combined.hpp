@@ -21,6 +21,7 @@ class CombinedDistance final : public SignedDistance {
   bool inside(const Vec3d& x) const override;
   Bounds bounds() const override { return bounds_; }
   double extent(const Vec3d& direction) const override;
+  bool convex() const override;
   bool hasGaps() const override;
   void addNotes(std::vector<std::string>& notes) const override;
 
@@ -50,6 +51,7 @@ class PlacedDistance final : public SignedDistance {
   Bounds bounds() const override { return bounds_; }
   double extent(const Vec3d& direction) const override;
   double outerExtent(const Vec3d& direction) const override;
+  bool convex() const override { return part_->convex(); }
   bool hasGaps() const override { return part_->hasGaps(); }
   double area() const override { return part_->area() * placement_.scale * placement_.scale; }
   void addNotes(std::vector<std::string>& notes) const override { part_->addNotes(notes); }

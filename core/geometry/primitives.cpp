@@ -53,6 +53,13 @@ double HalfSpaceDistance::alongNormal(const Vec3d& direction, const Vec3d& norma
   return length(direction / l - normal) < 1e-12 ? l * offset : never;
 }
 
+RevolvedDistance::RevolvedDistance(std::vector<Point> outline) : outline_(std::move(outline)), convex_(true) {
+  for (std::size_t k = 2; k < outline_.size(); k++) {
+    const Point &a = outline_[k - 2], &b = outline_[k - 1], &c = outline_[k];
+    convex_ = convex_ && (b.r - a.r) * (c.z - b.z) - (b.z - a.z) * (c.r - b.r) >= 0;  // never turns right
+  }
+}
+
 double RevolvedDistance::distance(const Vec3d& x, Vec3d* gradient) const {
   const double r = std::sqrt(x.x * x.x + x.y * x.y), z = x.z;
   double best = never, gr = 0, gz = 0, nr = 0, nz = 0, size = 0;

@@ -11,6 +11,7 @@ class BoxDistance final : public SignedDistance {
   explicit BoxDistance(const Vec3d& size) : half_(0.5 * size) {}
   double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;  ///< inside, the nearest face; of equal ones x, y, z in turn
   Bounds bounds() const override { return {-half_, half_}; }
+  bool convex() const override { return true; }
 
  private:
   Vec3d half_;
@@ -22,6 +23,7 @@ class SphereDistance final : public SignedDistance {
   double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;  ///< gradient at the centre: +x
   Bounds bounds() const override { return {{-radius_, -radius_, -radius_}, {radius_, radius_, radius_}}; }
   double extent(const Vec3d& direction) const override { return radius_ * length(direction); }
+  bool convex() const override { return true; }
 
  private:
   double radius_;
@@ -45,6 +47,7 @@ class HalfSpaceDistance final : public SignedDistance {
   Bounds bounds() const override { return {{-never, -never, -never}, {never, never, never}}; }
   double extent(const Vec3d& direction) const override { return alongNormal(direction, normal_, offset_); }
   double outerExtent(const Vec3d& direction) const override { return alongNormal(direction, -normal_, -offset_); }
+  bool convex() const override { return true; }
 
  private:
   static double alongNormal(const Vec3d& direction, const Vec3d& normal, double offset);
@@ -57,13 +60,15 @@ class HalfSpaceDistance final : public SignedDistance {
 class RevolvedDistance final : public SignedDistance {
  public:
   struct Point { double r, z; };
-  explicit RevolvedDistance(std::vector<Point> outline) : outline_(std::move(outline)) {}
+  explicit RevolvedDistance(std::vector<Point> outline);
   double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;  ///< on the axis, radial means +x; of equally near pieces the first
   Bounds bounds() const override { return boundsFromExtents(*this); }
   double extent(const Vec3d& direction) const override;
+  bool convex() const override { return convex_; }
 
  private:
   std::vector<Point> outline_;
+  bool convex_;
 };
 
 /// Outline of a cylinder centred on the origin.

@@ -50,6 +50,8 @@ class SignedDistance {
   virtual double extent(const Vec3d& direction) const;
   /// The same over all points outside the shape: infinite but for half-spaces.
   virtual double outerExtent(const Vec3d& direction) const;
+  /// True where the shape is known to be convex: no point outside is near several of its faces.
+  virtual bool convex() const { return false; }
   /// Can inside() change its answer within |distance| of a point? Only for soups of triangles that are not closed.
   virtual bool hasGaps() const { return false; }
   /// m^2, of the surface, where it is known without looking for it: of meshes; else negative.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/walls/faces.hpp"
 #include "core/walls/wall_forces.hpp"
 
 namespace thaw {
@@ -61,15 +62,16 @@ bool listContacts(World& w, std::size_t i, WallContacts& contacts, bool mayMove)
     const Wall& wall = w.walls.list[k];
     const Vec3d rest = restPlace(wall, w.particles.position[i]);
     if (!nearBounds(wall.bounds, rest, h)) continue;
-    Vec3d n;
-    const double d = wall.shape->distance(rest, &n);
-    if (!(d < h)) continue;
-    n = directionFromRest(wall.pose, n);
+    const Faces faces = facesWithin(*wall.shape, rest, h, w.scene.spacing);
+    if (faces.count == 0) continue;
+    const double d = faces.face[0].distance;
     if (mayMove && d < -deep) {
-      project(w, i, wall, -d, n);
+      project(w, i, wall, -d, directionFromRest(wall.pose, faces.face[0].normal));
       moved = true;
     }
-    contacts.list.push_back({static_cast<std::uint32_t>(i), k, d, n});
+    for (std::size_t f = 0; f < faces.count; f++)
+      contacts.list.push_back({static_cast<std::uint32_t>(i), k, faces.face[f].distance,
+                               directionFromRest(wall.pose, faces.face[f].normal)});
   }
   return moved;
 }

@@ -65,7 +65,8 @@ void addLiquidForces(const WallContext& x, const Meeting& at, double perLatticeS
   if (pressure != 0 && filling > 0) {
     const double term = w.scene.numerics.pressure == PairForm::Printed ? 0.5 * pressure / filling : perLatticeSum * pressure / (filling * filling);
     act.force += n * (at.volume * term * t.push / h * at.contact.share);
-    if (w.modules.continuity) act.force += n * hydrostaticWallForce(w, at, pressure, perLatticeSum * t.momentShare);
+    // it has no potential: its work is dissipation
+    if (w.modules.continuity) act.resist(n * hydrostaticWallForce(w, at, pressure, perLatticeSum * t.momentShare), at.velocity);
     stiffest = std::max(stiffest, x.liquids[p.material[at.row]].soundSpeed * soundSpeedFactor(w.scene.numerics.eos, filling) * perLatticeSum * t.push / h);
   }
   if (w.modules.surfaceEnergy) act.force += n * surfaceForceOfWall(w, at.contact);

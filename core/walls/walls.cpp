@@ -17,6 +17,7 @@ class SidePlane : public SignedDistance {
     }
     return sign_ * (x[axis_] - place_);
   }
+  bool convex() const override { return true; }
   Bounds bounds() const override {
     const double inf = std::numeric_limits<double>::infinity();
     return {{-inf, -inf, -inf}, {inf, inf, inf}};
