@@ -31,7 +31,7 @@ void readLiquid(TableReader& r, Material& m) {
   r.number("surface_tension", m.surfaceTension, "N/m", notNegative(), "of the liquid");
   r.number("sound_speed", m.soundSpeed, "m/s", notNegative(), "of the equation of state; 0: from the speeds that the scene can reach and max_density_error");
   r.number("xsph", m.xsph, "", between(0, 1), "smoothing of the velocity with which liquid moves (XSPH)");
-  r.number("artificial_viscosity", m.artificialViscosity, "", between(0, 10), "Monaghan's alpha, of approaching pairs");
+  r.number("artificial_viscosity", m.artificialViscosity, "", between(0, 10), "Monaghan's alpha, of approaching pairs. Default with density = \"continuity\", a free surface and no solid material: 0.02 less the alpha that the liquid's viscosity amounts to; else 0");
 }
 
 void readSolid(TableReader& r, Material& m) {

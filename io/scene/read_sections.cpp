@@ -31,7 +31,9 @@ void readSections(TableReader& top, SceneReading& x) {
   x.spacing = top.placeOf("spacing");
   top.table("numerics", "choices of the method", [&](TableReader& r) {
     readNumerics(r, s.numerics);
-    x.open = {!r.has("density"), !r.has("tensile_limit"), !r.has("shifting"), true};
+    x.open.density = !r.has("density");
+    x.open.tensileLimit = !r.has("tensile_limit");
+    x.open.shifting = !r.has("shifting");
     if (s.numerics.fixedStep > s.end) r.fail("fixed_step", "must not be longer than the simulated time (end)");
   });
   top.namedTables("material", "what bodies are made of", [&](const std::string& name, TableReader& r) {
@@ -41,6 +43,7 @@ void readSections(TableReader& top, SceneReading& x) {
     readMaterial(r, m);
     if (!r.describing() && s.numerics.heat == HeatModel::Paper && m.melts() && !(m.liquidus > m.solidus))
       r.fail("melts", "with numerics.heat = \"paper\" solidus and liquidus must differ");
+    x.open.artificialViscosity.push_back(!r.has("artificial_viscosity"));
     s.materials.push_back(std::move(m));
   });
   x.materials = !top.refused("material");
