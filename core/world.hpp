@@ -39,6 +39,8 @@ struct Counters {
   std::int64_t densityIterations = 0, divergenceIterations = 0;  ///< of the incompressible solver; on the first rank only
   std::int64_t orientedBirths = 0, orientedDeaths = 0;
   std::int64_t crowded = 0;                 ///< liquid particles that are, in the last step, much more crowded than the density says that they carry
+  std::int64_t connected = 0;               ///< liquid particles with at least two neighbours, in the last step with carried densities
+  std::int64_t connectedDensity = 0;        ///< 1e-6, the sum of their summed relative densities
   std::int64_t asleep = 0;                  ///< particles whose sums were not formed in the last step
   std::int64_t unsolvedPressures = 0;       ///< solves that ended at the most iterations allowed; on the first rank only
 };
@@ -56,6 +58,7 @@ struct World {
   Solids solids;
   Bonds bonds;
   Walls walls;
+  std::vector<float> startDensity;          ///< with carried densities: summed relative density at the start, by owned row, until it is checked
   Clock clock;
   Ledger ledger;
   Counters counters;

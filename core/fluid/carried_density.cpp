@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/fluid/connected_density.hpp"
 #include "core/fluid/free_surface.hpp"
 #include "core/fluid/particle_pressure.hpp"
 
@@ -137,6 +138,16 @@ void carry(const CarryContext& x, std::size_t i) {
   p.filling[i] = static_cast<float>(1 + p.compression[i]);
 }
 
+/// Keeps what later checks need of the summed densities, which the carried ones replace.
+void noteSummedDensity(World& w, double dt) {
+  constexpr std::int64_t everySteps = 16;
+  if (dt == 0) w.startDensity.assign(w.particles.filling.data(), w.particles.filling.data() + w.particles.owned);
+  if (dt != 0 && w.clock.step % everySteps != 0) return;
+  const std::array<std::int64_t, 2> sums = connectedSums(w);
+  w.counters.connected = sums[0];
+  w.counters.connectedDensity = sums[1];
+}
+
 /// True for liquid, partly molten particles, and solids near liquid. Such solids carry the liquid's density.
 bool carriesDensity(const Continuum& p, std::size_t i) { return p.wetting.active ? p.wetting[i] > 0 : true; }
 
@@ -150,6 +161,7 @@ void carryDensity(World& w, const StepTools& t, double dt) {
   if (!w.modules.continuity) return;
   if (w.modules.corrected)
     for (const WallContact& c : t.wallContacts.list) p.moment[c.row] = alongWall(p.moment[c.row], c.normal);
+  noteSummedDensity(w, dt);
   constexpr double tooCrowded = 1.3;
   w.counters.crowded = 0;
   const CarryContext x{w, t.liquids, dt, dt > 0 ? dt / (dt + w.clock.stepDt) : 0};

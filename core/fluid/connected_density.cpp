@@ -7,10 +7,13 @@
 #include "core/fluid/particle_pressure.hpp"
 
 namespace thaw {
+namespace {
 
-double connectedDensity(const World& w, Reducer& all) {
-  if (!w.modules.fluid || w.modules.continuity) return 1;
-  constexpr double unit = 1e-6;  // whole numbers, whose sum has no order
+constexpr double unit = 1e-6;  // whole numbers, whose sum has no order
+
+}  // namespace
+
+std::array<std::int64_t, 2> connectedSums(const World& w) {
   constexpr std::uint16_t connected = 2;
   const Continuum& p = w.particles;
   std::array<std::int64_t, 2> sums{};
@@ -19,6 +22,13 @@ double connectedDensity(const World& w, Reducer& all) {
     sums[0]++;
     sums[1] += std::llround(std::min(static_cast<double>(p.filling[i]), 1e6) / unit);
   }
+  return sums;
+}
+
+double connectedDensity(const World& w, Reducer& all) {
+  if (!w.modules.fluid) return 1;
+  std::array<std::int64_t, 2> sums{w.counters.connected, w.counters.connectedDensity};
+  if (!w.modules.continuity) sums = connectedSums(w);
   all.sum(sums);
   return sums[0] > 0 ? unit * static_cast<double>(sums[1]) / static_cast<double>(sums[0]) : 1;
 }

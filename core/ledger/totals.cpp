@@ -6,7 +6,7 @@ namespace {
 constexpr std::size_t balanceSums = 11, ledgerSums = 2 * balanceSums + 14, worldCounts = sizeof(Counters) / sizeof(std::int64_t);
 static_assert(sizeof(ExactBalance) == balanceSums * sizeof(ExactSum), "list the new sum in addBalance, and in valuesOf");
 static_assert(sizeof(Ledger) == ledgerSums * sizeof(ExactSum) + sizeof(Balance), "list the new sum in sumsOf");
-static_assert(worldCounts == 28, "list the new counter in countsOf");
+static_assert(worldCounts == 30, "list the new counter in countsOf");
 static_assert(sizeof(SurfaceCounters) == 11 * sizeof(std::int64_t), "list the new counter in countsOf");
 static_assert(sizeof(WatchState) == 11 * sizeof(double), "list the new member in realsOf or countsOf");
 
@@ -52,6 +52,8 @@ std::vector<NamedCount> countsOf(Counters& c) {
           {"squeezed", &c.squeezed},
           {"coincident_pairs", &c.coincidentPairs},
           {"crowded", &c.crowded},
+          {"connected", &c.connected},
+          {"connected_density", &c.connectedDensity},
           {"melted", &c.melted},
           {"frozen", &c.frozen},
           {"welds", &c.welds},

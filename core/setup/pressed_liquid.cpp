@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/fluid/records.hpp"
+#include "core/fluid/state_equation.hpp"
 #include "core/step.hpp"
 
 namespace thaw {
@@ -17,6 +17,12 @@ const char* remedyOf(const Shape& shape) {
     case ShapeKind::Difference: return "enlarge the cut-out by half a spacing on each side, or leave more room";
     default: return "leave more room, or reduce the spacing";
   }
+}
+
+/// Relative density that acts of a carried density's start: the drift correction lets an excess of `tolerated` be.
+double excused(float summed) {
+  constexpr double tolerated = 0.03;
+  return std::max(1.0, static_cast<double>(summed) - tolerated);
 }
 
 }  // namespace
@@ -33,10 +39,12 @@ std::vector<SceneWarning> pressedLiquids(const World& w, const StepTools& t, Red
   for (std::size_t i = 0; i < p.owned; i++) {
     if (p.phase[i] != Liquid || p.body[i] >= bodies) continue;
     sums[2 * p.body[i]]++;
-    if (!(p.filling[i] > 1)) continue;
-    const double energy = compressionOf({w.scene, w.modules, w.grid, t.liquids}, p, i, 1) / (p.mass[i] * speed * speed);
+    const double density = w.modules.continuity ? excused(w.startDensity[i]) : static_cast<double>(p.filling[i]);
+    if (!(density > 1)) continue;
+    const double stiffness = t.liquids[p.material[i]].stiffness / w.scene.materials[p.material[i]].density;
+    const double energy = compressionEnergy(w.scene.numerics.eos, stiffness, density, 0) / (speed * speed);
     sums[2 * p.body[i] + 1] += std::llround(std::min(energy, 1e6) / unit);
-    densest[p.body[i]] = std::max(densest[p.body[i]], static_cast<double>(p.filling[i]));
+    densest[p.body[i]] = std::max(densest[p.body[i]], density);
   }
   all.sum(sums);
   all.maximum(densest);

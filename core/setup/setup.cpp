@@ -246,6 +246,7 @@ SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader&
   t.emitFirst = true;
   takeStock(w, halos, t);
   for (SceneWarning& warning : pressedLiquids(w, t, halos.all)) report.warnings.push_back(std::move(warning));
+  w.startDensity = {};
   return report;
 }
 

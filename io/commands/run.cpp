@@ -73,14 +73,16 @@ int loop(Run& r, std::string& why) {
   return exitDone;
 }
 
-/// Warns where connected liquid has come to less than 0.9 of its rest density: a summed density does not pull it together again.
+/// Warns where connected liquid has come to less than 0.9 of its rest density. A summed density does not pull it
+/// together again; a carried one does, unless the resolution is too coarse.
 void warnOfThinLiquid(Run& r) {
   constexpr double least = 0.9;
   const double density = connectedDensity(r.world, r.all);
   if (density >= least) return;
+  const bool summed = !r.world.modules.continuity;
   const char* const keys = "set numerics.density = \"continuity\", numerics.tensile_limit = 1 and numerics.shifting = 0.2";
   r.warn(fmt::format("connected liquid has {:.2f} of its rest density on average: it is torn, or spread in a layer of a few particles; where it "
-                     "should hold together, {}", density, !r.world.modules.solid ? keys : "choose a smaller spacing"));
+                     "should hold together, {}", density, summed && !r.world.modules.solid ? keys : "choose a smaller spacing"));
 }
 
 int simulate(Run& r) {

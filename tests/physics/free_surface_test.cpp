@@ -95,6 +95,17 @@ TEST(FreeSurface, SummedDensityOfATornLiquidIsSeen) {
   EXPECT_LT(connectedDensity(r.w, r.all), 0.7);
 }
 
+TEST(FreeSurface, ALayerWithCarriedDensitiesIsSeenAsThin) {
+  Scene s = spinningSquare();
+  s.bodies[0].shape.size.z = 0.6 * s.spacing;  // a single layer
+  s.domain.side[2][0] = s.domain.side[2][1] = Side::Open;
+  s.end = 0.01;
+  Simulation r(s);
+  ASSERT_TRUE(r.w.modules.continuity);
+  ASSERT_TRUE(r.run());
+  EXPECT_LT(connectedDensity(r.w, r.all), 0.85);
+}
+
 /// Summed densities leave dust, where particles have 0.4 of their neighbours.
 TEST(FreeSurface, SpinningLiquidHoldsTogether) {
   const Scene s = spinningSquare();

@@ -47,6 +47,36 @@ TEST(LiquidAtWalls, WaterAtRestStaysAtRest) {
   EXPECT_LT(std::abs(r.energyResidual), 1e-3 * r.initial.potential);
 }
 
+/// A tank that is cut out of one obstacle holds water at rest as the sides of the domain do.
+TEST(LiquidAtWalls, ATankCutOutOfOneObstacleIsLikeSidesOfTheDomain) {
+  const auto restOf = [](bool cut) {
+    Scene s = liquidInABox(0.004, {0.032, 0.032, 0.1}, {0.032, 0.032, 0.032}, 0.001);
+    s.materials[0].artificialViscosity = 0.02;
+    s.end = 0.3;
+    if (cut) {
+      for (auto& side : s.domain.side) side = {Side::Open, Side::Open};
+      for (int a = 0; a < 3; a++) s.domain.min[a] -= 0.02, s.domain.max[a] += 0.02;
+      Obstacle tank;
+      tank.shape.kind = ShapeKind::Difference;
+      tank.shape.parts.resize(2);
+      tank.shape.parts[0].kind = tank.shape.parts[1].kind = ShapeKind::Box;
+      tank.shape.parts[0].size = {0.06, 0.06, 0.14};
+      tank.shape.parts[0].move = {0.016, 0.016, 0.05};
+      tank.shape.parts[1].size = {0.032, 0.032, 0.2};
+      tank.shape.parts[1].move = {0.016, 0.016, 0.1};
+      s.obstacles.push_back(tank);
+    }
+    Simulation run(s);
+    EXPECT_TRUE(run.run());
+    return run.books();
+  };
+  const LedgerReport sides = restOf(false), tank = restOf(true);
+  EXPECT_LT(tank.now.kinetic, 1e-3 * tank.initial.potential);
+  EXPECT_NEAR(tank.now.potential - tank.initial.potential, sides.now.potential - sides.initial.potential,
+              1e-3 * std::abs(sides.initial.potential));
+  EXPECT_LT(std::abs(tank.energyResidual), 1e-3 * std::abs(sides.initial.potential));
+}
+
 TEST(LiquidAtWalls, PoiseuilleBetweenPlates) {
   const PlateFlow flow;
   Simulation run(flow.scene());
