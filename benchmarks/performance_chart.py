@@ -93,6 +93,7 @@ def draw(picture):
         rows = model.read(SCALING, series)
         axes[1].plot([r["ranks"] for r in rows], [r["efficiency"] for r in rows], style, label=series)
     axes[1].set_ylim(0, 1.1)
+    axes[1].set_xticks([r["ranks"] for r in model.read(SCALING, "strong")])
     axes[1].set_xlabel("ranks")
     axes[1].set_ylabel("efficiency against copies")
     axes[1].legend(frameon=False)
