@@ -4,7 +4,7 @@
 
 namespace thaw::test {
 
-// Known limits of MCG03's Laplacian: viscous .118, heat .117 h^2.
+// Known limits of MCG03's Laplacian: viscous 0.118, heat 0.117 h^2.
 TEST(Lattice, StableStepsOfDiffusion) {
   Numerics n;
   n.conduction = Conduction::Plain;
