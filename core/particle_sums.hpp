@@ -16,7 +16,7 @@ void clearRates(World& world, bool pairsSet = false);
 /// StepTools::inner of the cells known by now: 1 where sums need no ghosts.
 void markInner(const World& world, const CellHalo& halo, StepTools& tools);
 
-/// A tiny push apart, in a direction that only the id decides, for particles that share their place with another (accuracy.md B9).
+/// A tiny push apart, in a direction that only the id decides, for particles that share their place with another (docs/validation/stability.md B9).
 /// before: Counters::coincidentPairs before the sums. For the next step: at the end of an evaluation.
 void separateCoincident(World& world, const StepTools& tools, std::int64_t before);
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes docs/accuracy.md from text.md and the figures: document.py ACCURACY.csv [MODULES.csv]
+"""Writes docs/validation/accuracy.md from text.md and the figures: document.py ACCURACY.csv [MODULES.csv]
 
 Every number in the document comes from the files. In text.md:
   {{error CASE | NORM | SETTINGS}}    an error; `seconds`, `order`, `steps` and `particles` likewise; SETTINGS as in the CSV
@@ -77,10 +77,10 @@ class Document:
             return self.targets()
         if what == "chart":
             self.used.add(arguments[0])
-            return f"![error against core-seconds: {arguments[0]}](pictures/accuracy/{arguments[0]}.png)"
+            return f"![error against core-seconds: {arguments[0]}](../pictures/accuracy/{arguments[0]}.png)"
         if what == "picture":
             self.drawn.add(arguments[0])
-            return f"![particles at the end: {arguments[0]}](pictures/accuracy/{arguments[0]}_particles.png)"
+            return f"![particles at the end: {arguments[0]}](../pictures/accuracy/{arguments[0]}_particles.png)"
         if what == "modules":
             return self.moduleTable()
         if what == "machine":
@@ -155,7 +155,7 @@ def main(path, modules=None):
             shutil.copy(source, os.path.join(folder, name))
     document = Document(rowsOf(path), rowsOf(modules) if modules else [])
     text = document.text(template())
-    with open(os.path.join(DOCS, "accuracy.md"), "w") as f:
+    with open(os.path.join(DOCS, "validation", "accuracy.md"), "w") as f:
         f.write(text)
     subprocess.run([sys.executable, os.path.join(HERE, "chart.py"), path, os.path.join(folder, "all.png")], check=True)
     pictures = os.path.join(DOCS, "pictures", "accuracy")
@@ -166,7 +166,7 @@ def main(path, modules=None):
         drawParticles(case, path, pictures)
     shutil.rmtree(os.path.join(folder, "all"))
     os.remove(os.path.join(folder, "all.png"))
-    print(f"written: {os.path.normpath(os.path.join(DOCS, 'accuracy.md'))}")
+    print(f"written: {os.path.normpath(os.path.join(DOCS, 'validation', 'accuracy.md'))}")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-// Surface tension against exact solutions (accuracy.md A, fluid): Laplace's pressure and the second mode of a drop.
+// Surface tension against exact solutions (docs/validation/accuracy.md, fluid): Laplace's pressure and the second mode of a drop.
 #include "core/fluid/particle_pressure.hpp"
 #include "benchmarks/accuracy/drop_cases.hpp"
 

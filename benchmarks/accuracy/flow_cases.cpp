@@ -1,4 +1,4 @@
-// Flows that pressure drives, against exact solutions and an experiment (accuracy.md A, fluid).
+// Flows that pressure drives, against exact solutions and an experiment (docs/validation/accuracy.md, fluid).
 #include <algorithm>
 #include <array>
 #include <cmath>

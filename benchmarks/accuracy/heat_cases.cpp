@@ -1,4 +1,4 @@
-// Heat conduction and melting against exact solutions (accuracy.md A, heat and phase change).
+// Heat conduction and melting against exact solutions (docs/validation/accuracy.md, heat and phase change).
 #include <cmath>
 
 #include "benchmarks/accuracy/trial.hpp"

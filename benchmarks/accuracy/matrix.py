@@ -8,7 +8,7 @@ processor time of the steps.
 A run that is in the file already, from the same version of thaw, is not repeated: an interrupted matrix goes on where it stopped. With
 --case the lines of all other cases stay as they are, of whatever version: to run some cases anew, start from docs/accuracy/accuracy.csv. After
 --minutes no further run is begun; what is left is said, and the same command goes on.
-Afterwards: benchmarks/accuracy/document.py FIGURES.csv docs/accuracy/modules.csv writes docs/accuracy.md and its pictures, and frontier.py
+Afterwards: benchmarks/accuracy/document.py FIGURES.csv docs/accuracy/modules.csv writes docs/validation/accuracy.md and its pictures, and frontier.py
 what `thaw check` knows; the tests ask that both follow from docs/accuracy/accuracy.csv.
 Particles at the end of some cases (plan.PICTURES) go to points/CASE.csv beside the file.
 Columns: case, settings ("default" and the spacing, or what differs from the defaults), norm, error, target, order (between this resolution
@@ -130,7 +130,7 @@ class Matrix:
 
 
 def main():
-    parser = argparse.ArgumentParser(description="The matrix of the accuracy suite: accuracy against time.", epilog="docs/accuracy.md is written from the figures by benchmarks/accuracy/document.py, what thaw check knows by frontier.py.")
+    parser = argparse.ArgumentParser(description="The matrix of the accuracy suite: accuracy against time.", epilog="docs/validation/accuracy.md is written from the figures by benchmarks/accuracy/document.py, what thaw check knows by frontier.py.")
     parser.add_argument("--csv", required=True, help="file of the figures")
     parser.add_argument("--level", choices=["quick", "full"], default="quick", help="quick: one setting at a time; full: pairs of settings at all resolutions")
     parser.add_argument("--minutes", type=float, default=55, help="no run is begun after this time")

@@ -21,7 +21,7 @@ struct Beam {
   }
 };
 
-/// Hz of the first mode for length 5, height 1, E = 1e6, rho = 1000 (accuracy.md).
+/// Hz of the first mode for length 5, height 1, E = 1e6, rho = 1000 (docs/validation/accuracy.md).
 constexpr double firstFrequency = 0.1982;
 
 bool atTip(const World& w, std::size_t i) { return w.particles.position[i].x > 5 - w.scene.spacing; }
@@ -123,7 +123,7 @@ std::vector<Figure> measureLines(Trial& r) {
 std::vector<Case> beamCases() {
   return {{"cantilever", "sag of a clamped beam; q L^4/(8EI) + q L^2/(2 kappa G A)", nullptr, {}, {}, dampBeam, measureSag},
           {"cantilever_vibration", "first frequency of the same beam; Timoshenko", nullptr, {}, strike, watchTip, measureFrequency},
-          {"cantilever_modes", "the same beam shaken at random: no lines between bending and torsion (accuracy.md B2)", nullptr, {}, shake, watchProbes, measureLines}};
+          {"cantilever_modes", "the same beam shaken at random: no lines between bending and torsion (docs/validation/stability.md B2)", nullptr, {}, shake, watchProbes, measureLines}};
 }
 
 }  // namespace thaw::accuracy

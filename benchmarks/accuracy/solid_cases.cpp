@@ -1,4 +1,4 @@
-// Elastic bodies against what holds exactly: gradients of linear fields, rotation, conservation (accuracy.md A, solid).
+// Elastic bodies against what holds exactly: gradients of linear fields, rotation, conservation (docs/validation/accuracy.md, solid).
 #include "benchmarks/accuracy/solid_trials.hpp"
 
 #include "core/solid/laws/green.hpp"
@@ -79,7 +79,7 @@ std::vector<Figure> measureFlight(Trial& r) {
 }  // namespace
 
 std::vector<Case> elasticCases() {
-  return {{"patch", "linear displacement on a jittered lattice; its gradient (accuracy.md A)", nullptr, jitter, deformPatch, watchPatch, measurePatch},
+  return {{"patch", "linear displacement on a jittered lattice; its gradient (docs/validation/accuracy.md)", nullptr, jitter, deformPatch, watchPatch, measurePatch},
           {"rotation", "rigid rotation by 360 degrees; no strain, no force", nullptr, {}, turnRound, {}, measureRotation},
           {"free_body", "free vibration and spin; energy, momentum and angular momentum stay", nullptr, {}, launch, watchFlight, measureFlight}};
 }

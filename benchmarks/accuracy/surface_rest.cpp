@@ -125,7 +125,7 @@ std::vector<Case> restingSurfaceCases() {
       {"surface_ball", "surface of a ball of liquid, grown from particles; exact ball (K05 4.3)", nullptr, {}, {}, {}, measureBall},
       {"surface_ball_relaxed", "the same in a relaxed packing, without the staircase of a lattice", nullptr, {}, {}, {}, measureBall},
       {"surface_ball_mesh", "surfels sampled from the mesh of a ball; exact ball", nullptr, {}, {}, {}, measureBall},
-      {"surface_cube", "surface of a solid cube, one component with its edges; exact cube (accuracy.md B19)", nullptr, {}, {}, {}, measureCube},
+      {"surface_cube", "surface of a solid cube, one component with its edges; exact cube (docs/validation/stability.md B19)", nullptr, {}, {}, {}, measureCube},
       {"surface_sheet", "surface of a thin sheet of liquid on its way over periodic sides; exact sheet", nullptr, {}, {}, {}, measureSheet},
   };
 }

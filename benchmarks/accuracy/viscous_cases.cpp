@@ -1,4 +1,4 @@
-// Viscosity against exact solutions (accuracy.md A, fluid): a channel, and a drop in rigid rotation. Drops with tension: drop_cases.cpp.
+// Viscosity against exact solutions (docs/validation/accuracy.md, fluid): a channel, and a drop in rigid rotation. Drops with tension: drop_cases.cpp.
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +16,7 @@ struct Channel {
     fastest = s.domain.gravity.x * height * height / (8 * nu);
   }
   double steady(double z) const { return 4 * fastest * z * (height - z) / (height * height); }
-  /// From rest: Fourier series (accuracy.md A; Morris, Fox & Zhu 1997 eq. 21).
+  /// From rest: Fourier series (docs/validation/accuracy.md; Morris, Fox & Zhu 1997 eq. 21).
   double starting(double z, double t) const {
     double u = steady(z);
     for (int n = 1; n < 200; n += 2) {

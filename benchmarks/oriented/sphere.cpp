@@ -12,7 +12,7 @@ namespace {
 
 constexpr double R = 0.25;  // m
 
-/// Energies that are to be 0, or are not (docs/oriented.md says why).
+/// Energies that are to be 0, or are not (docs/theory/oriented.md says why).
 void spheresAtRest(Figures& figures) {
   {  // at its place, normals outward: exactly without energy
     Scene s = bare(0.02);
@@ -40,7 +40,7 @@ void spheresAtRest(Figures& figures) {
     figures.row("sphere", "co-circularity energy, 12 at rest", 12, energyOf(x, &PairPotential::circle), 1e-10);
   }
   // co-circularity alone, from places and normals that are off; and with Lennard-Jones, which has tension around the defects of its lattice: the less of it
-  // the less energy is left, in proportion (docs/oriented.md says why it cannot be 0)
+  // the less energy is left, in proportion (docs/theory/oriented.md says why it cannot be 0)
   for (const double attract : {0.0, 0.01, 0.1}) {
     Scene s = bare(0.03);
     OrientedBody& b = s.oriented[0];

@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
 """Prints the scaling study's figures beside their targets and charts them: chart.py SCALING.csv PICTURE.png [TRACE.json]
 
-With THAW_SCALING_DOCS=1 it also writes docs/scaling.md from text.md and docs/pictures/scaling/, and copies the CSV file to docs/scaling/.
+The page of the documents takes its figures from docs/scaling/scaling.csv: copy SCALING.csv there and run benchmarks/performance_chart.py.
 """
 import json
 import os
-import shutil
 import sys
 
 import matplotlib
@@ -15,8 +14,8 @@ import matplotlib.pyplot as plt
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
-import document
 import model
+import summary
 
 BLUE, RED, GREEN, GREY = "#3b6ea5", "#d1495b", "#3a7d44", "#888888"
 
@@ -71,7 +70,7 @@ def drawCounts(axes, path):
 
 
 def drawModel(axes, path):
-    c, m = model.fit(model.read(path)), document.machineOf(path)
+    c, m = model.fit(model.read(path)), summary.machineOf(path)
     ranks = [2 ** (k / 2) for k in range(0, 31)]
     for particles, colour in ((1e6, GREY), (1e8, BLUE), (1e9, GREEN), (1e10, RED)):
         fits = [p for p in ranks if particles / p <= 2e7 and particles / p > 1000]
@@ -133,7 +132,7 @@ def drawTrace(source, picture):
 
 
 def main(source, picture, trace=None):
-    print(document.summary(source))
+    print(summary.summary(source))
     figure, axes = plt.subplots(3, 3, figsize=(14, 11), layout="constrained")
     drawEfficiency(axes[0][:2], source)
     axes[0][2].axis("off")
@@ -144,21 +143,8 @@ def main(source, picture, trace=None):
     figure.savefig(picture, dpi=100)
     plt.close(figure)
     trace = trace or os.path.splitext(source)[0] + "_trace.json"
-    pictures = os.path.join(HERE, "..", "..", "docs", "pictures", "scaling")
     if os.path.exists(trace):
         drawTrace(trace, os.path.splitext(picture)[0] + "_trace.png")
-    if os.environ.get("THAW_SCALING_DOCS") != "1":
-        print("docs/scaling.md is left as it is: THAW_SCALING_DOCS=1 writes it and its pictures from these figures")
-        return
-    os.makedirs(pictures, exist_ok=True)
-    for name, count, draw in (("efficiency", 2, drawEfficiency), ("counts", 2, drawCounts), ("model", 3, drawModel)):
-        figure, axes = plt.subplots(1, count, figsize=(5 * count, 3.8), layout="constrained")
-        draw(axes, source)
-        figure.savefig(os.path.join(pictures, name + ".png"), dpi=100)
-        plt.close(figure)
-    if os.path.exists(trace):
-        shutil.copy(os.path.splitext(picture)[0] + "_trace.png", os.path.join(pictures, "trace.png"))
-    document.write(source)
 
 
 if __name__ == "__main__":

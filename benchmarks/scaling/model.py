@@ -2,7 +2,7 @@
 """A model of the time of a step on many ranks: model.py SCALING.csv [--ranks P] [--particles N] [--latency S] [--bandwidth B/s] [--rate PARTICLES/S] ...
 
 A cube of N fluid particles on P ranks, each a box of cells. What a step sends follows from geometry with four numbers that are fitted to the counts measured
-on 1 to 64 ranks (series `counts`); what that costs follows from inputs that describe the machine. See docs/scaling.md for the assumptions.
+on 1 to 64 ranks (series `counts`); what that costs follows from inputs that describe the machine. Particles fill a compact body evenly, partitions are balanced to the given imbalance, and messages do not contend.
 """
 import argparse
 import csv

@@ -10,7 +10,7 @@ trace    `thaw run --profile` of the melting bust on N ranks: the table to the t
 The efficiency of P ranks is their rate over that of P independent simulations of one rank each that run at the same time, of as many particles a
 rank: what the machine's shared memory and clock take from copies is not the program's. Both are stepped in turn, ten steps each, in one call; the efficiency
 is the median over these pairs of blocks, so that it bears a machine whose speed changes; of repeated calls the one with the median efficiency counts.
---quick takes about two minutes. docs/ is written with THAW_SCALING_DOCS=1 only (chart.py).
+--quick takes about two minutes.
 """
 import argparse
 import csv

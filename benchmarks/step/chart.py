@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-"""Prints the rows of the step benchmark beside their targets and charts them: chart.py FILE.csv PICTURE.png. The table of docs/performance.md comes from it,
-too: PICTURE.md beside the picture. Of many rows the chart shows those with 33 neighbours in single precision."""
+"""Prints the rows of the step benchmark beside their targets and charts them: chart.py FILE.csv PICTURE.png. PICTURE.md beside the picture is the same as a table. Of many rows the chart shows those with 33 neighbours in single precision."""
 import csv
 import os
 import sys
@@ -38,7 +37,7 @@ def nominal(r):
 
 
 def table(rows, path):
-    """The same as a table of docs/performance.md, a row for all numbers of ranks; bold: excellent is reached."""
+    """The same as a table, a row for all numbers of ranks; bold: excellent is reached."""
     ranks = sorted({int(r["ranks"]) for r in rows})
     cases = {}
     for r in rows:

@@ -17,7 +17,7 @@
 // At supports other than 2, C and the share are from the pressure alone.
 // What it does not do: the energy depends on how the particles lie. Those at the surface arrange themselves in shells, and the energy falls to a
 // third of sigma times the area; inside, disorder leaves some cover open, which pulls, so that the pressure of all forces is about a third of the
-// equation of state's, which falls as the inside gets its order (docs/accuracy.md). Shells resist as a soft solid does: waves are damped two to three times as
+// equation of state's, which falls as the inside gets its order (docs/validation/limitations.md). Shells resist as a soft solid does: waves are damped two to three times as
 // much as viscosity would. Threads of particles in single file, .55 spacings apart, have two thirds of a cylinder's surface and three times its pull, and are
 // spooled out of drops that should pinch off.
 // Walls are as liquid: they cover the surface and pull on nothing but its gradient, a contact angle of 90 degrees. Solids likewise.

@@ -3,7 +3,7 @@
 //   0 <= H <= band   melting  T and the fraction f rise linearly with H, T over [solidus, liquidus], f over [0, 1]
 //   above            liquid   T = liquidus + (H - band) / c_liquid
 // band = latent heat + mean heat capacity times (liquidus - solidus). Enthalpy cannot step over the latent heat, as an apparent
-// heat capacity can (accuracy.md, heat).
+// heat capacity can (docs/theory/heat.md).
 #pragma once
 #include <algorithm>
 

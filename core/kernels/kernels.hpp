@@ -26,7 +26,7 @@ template<class Kernel> struct OfSquare {
   template<class T> static THAW_INLINE T laplace(T q2) { return Kernel::laplace(sqrt(q2), q2); }
 };
 
-/// Wendland 1995 C2 function, support h: positive Fourier transform, no pairing (accuracy.md B6). The default.
+/// Wendland 1995 C2 function, support h: positive Fourier transform, no pairing (docs/validation/stability.md B6). The default.
 struct WendlandC2 : OfSquare<WendlandC2> {
   using OfSquare<WendlandC2>::w, OfSquare<WendlandC2>::slope, OfSquare<WendlandC2>::laplace;
   template<class T> static THAW_INLINE T w(T q, T) {

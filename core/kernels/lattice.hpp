@@ -9,7 +9,7 @@ namespace thaw {
 double latticeSum(const Numerics& numerics);
 
 /// What the sum for heat conduction makes of the Laplacian of a quadratic field on the lattice; 1 in the limit of many neighbours. With
-/// Conduction::Normalised the sum is divided by it: the "moment-normalised Laplacian" of accuracy.md C, for the mean neighbourhood.
+/// Conduction::Normalised the sum is divided by it: the "moment-normalised Laplacian" of docs/theory/heat.md, for the mean neighbourhood.
 double latticeLaplacian(const Numerics& numerics);
 /// 1 / latticeLaplacian, or 1 for Conduction::Plain and the paper's heat model.
 double conductionScale(const Numerics& numerics);

@@ -21,7 +21,7 @@ struct GivenPoints {
 void readyGiven(GivenPoints& given);
 
 /// Unit normals of points without any: of the plane of the 12 nearest, turned the same way along a minimal spanning tree of neighbours whose
-/// normals differ least, from the highest point (its normal up) on (Hoppe et al. 1992); accuracy.md B17.
+/// normals differ least, from the highest point (its normal up) on (Hoppe et al. 1992); docs/validation/stability.md B17.
 std::vector<Vec3d> normalsOf(const std::vector<Vec3d>& points);
 
 /// Moves a place onto the surface through the points around, and gives the normal there. False where there is no point within reach,

@@ -1,4 +1,4 @@
-// One word for a set of numerical choices (docs/accuracy.md says what each costs and gives).
+// One word for a set of numerical choices (docs/validation/accuracy.md says what each costs and gives).
 #pragma once
 #include "core/scene/scene.hpp"
 

@@ -180,7 +180,7 @@ struct Numerics {
   bool selfContact = true;        // pieces of one solid collide with each other
   double maxDensityError = 0.01;  // 1, compression that the automatic sound speed allows
   OverlapRule overlap = OverlapRule::Error;
-  // time step factors (accuracy.md B10)
+  // time step factors (docs/validation/stability.md B10)
   double fixedStep = 0;           // s; 0: as large as the limits allow
   double maxStep = never;         // s
   double cflSound = 0.4, cflViscous = 0.8, cflHeat = 0.8, cflElastic = 0.4, cflTension = 0.25, cflAcceleration = 0.25;

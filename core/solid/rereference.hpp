@@ -1,5 +1,5 @@
 // Large plastic flow is absorbed into the reference configuration (MKN04 3.5), by push-forward so that the stress turns with the
-// body (accuracy.md B13).
+// body (docs/validation/stability.md B13).
 #pragma once
 #include "core/solid/elastic.hpp"
 

@@ -3,7 +3,7 @@
 // Joined are, among those of one component so far,
 // - surfels of which one is among the k = 10 nearest of the other, with normals within pi/4 (S_rest), unless their nearest particles are farther apart than 5/3 (of liquids 2) times the link below:
 //   the skin over a crack, or between the ends of a neck that has parted, stretches for long;
-// - each surfel with its nearest particle, so that the faces of a cube, which S_rest takes apart, are one body (accuracy.md B19);
+// - each surfel with its nearest particle, so that the faces of a cube, which S_rest takes apart, are one body (docs/validation/stability.md B19);
 // - particles closer than settings.linkLength * spacing.
 // A component comes apart where no link is left.
 #pragma once

@@ -1,4 +1,4 @@
-// The surface of drops too small for a colour field: a sphere (accuracy.md B21).
+// The surface of drops too small for a colour field: a sphere (docs/validation/stability.md B21).
 #pragma once
 #include <vector>
 

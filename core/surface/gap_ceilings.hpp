@@ -1,4 +1,4 @@
-// Sheets of one component that face each other across a gap: what a surfel must not take for its own body (accuracy.md B20, B22).
+// Sheets of one component that face each other across a gap: what a surfel must not take for its own body (docs/validation/stability.md B20, B22).
 #pragma once
 #include <cstdint>
 #include <vector>

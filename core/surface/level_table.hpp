@@ -8,7 +8,7 @@ namespace thaw {
 /// The colour field whose iso-surface the surfels settle on is smoothed twice, a = sum V c_j W with c_j = sum V W the colour at the particles
 /// and W = (1 - (r/h_ps)^2)^3: at h_ps = 2 h the normals of a ball's surface are then within 2 degrees, with c itself within 4 (benchmark
 /// surface). A fixed level would lie inside of a curved surface, by .1 h^2/R on a ball, and not exist on drops smaller than the kernel
-/// (accuracy.md C). So the level follows how much body there is: b / a, with b = sum V a_j W. On continuous balls of every size, and in
+/// (docs/theory/surfaces.md). So the level follows how much body there is: b / a, with b = sum V a_j W. On continuous balls of every size, and in
 /// cavities, the level as a function of b / a is tabulated here; on any body it is then exact to first order in the mean curvature. It is a
 /// function of place alone: there is no feedback through the surfels, as there would be through a curvature that they measure.
 class LevelTable {

@@ -1,4 +1,4 @@
-// Solids with sheets that are near to each other, told by their particles: where surfaces are first grown there are no surfels yet that face each other (accuracy.md B22).
+// Solids with sheets that are near to each other, told by their particles: where surfaces are first grown there are no surfels yet that face each other (docs/validation/stability.md B22).
 #pragma once
 #include <cstdint>
 #include <vector>

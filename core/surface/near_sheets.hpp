@@ -1,4 +1,4 @@
-// Sheets that come close without being one (accuracy.md B20, B22): what a surfel must not take for its own surroundings.
+// Sheets that come close without being one (docs/validation/stability.md B20, B22): what a surfel must not take for its own surroundings.
 #pragma once
 #include "core/math/vec3.hpp"
 

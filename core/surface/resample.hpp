@@ -1,4 +1,4 @@
-// Births and deaths of surfels, so that the surface has no hole and no crowd (K05 4.3; accuracy.md B18).
+// Births and deaths of surfels, so that the surface has no hole and no crowd (K05 4.3; docs/validation/stability.md B18).
 #pragma once
 #include <functional>
 

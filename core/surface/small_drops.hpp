@@ -4,7 +4,7 @@
 
 namespace thaw {
 
-/// Drops of at most this many particles have a sphere for a surface (accuracy.md B21).
+/// Drops of at most this many particles have a sphere for a surface (docs/validation/stability.md B21).
 inline constexpr std::int64_t smallDrop = 4;
 
 /// Whether the component of a label was a small drop at the last update. Rows of one component mostly follow each other: the last answer is kept.

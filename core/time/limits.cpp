@@ -56,7 +56,7 @@ double largestViscosity(const Material& m) {
 }
 
 /// The viscosity (Pa s) that bounds the step of particles of material k, whose own is mu; what it makes of their velocity depends on their own
-/// mass alone (accuracy.md B12). Between liquids of the pairwise form it is their own: beside a thicker one that hardly moves the
+/// mass alone (docs/validation/stability.md B12). Between liquids of the pairwise form it is their own: beside a thicker one that hardly moves the
 /// harmonic mean is up to twice as large, but the fastest wave among their like, of neighbours that move against each other, is as fast as
 /// that (tests/stability: LightParticlesInAThickLiquid). The printed form's arithmetic mean has no such bound; solids see liquids alone.
 double viscosityOfStep(const Scene& s, std::size_t k, double mu) {
@@ -80,7 +80,7 @@ StepLimits materialLimits(const Scene& s, const Modules& modules, const std::vec
     if (!inUse(s, k)) continue;
     const Material& m = s.materials[k];
     // Wider sums have no softer lattice: a support of 2 spacings is the longest that counts. A light particle, liquid or solid, among those
-    // of a stiffer liquid swings with their stiffness and its own mass (accuracy.md B12).
+    // of a stiffer liquid swings with their stiffness and its own mass (docs/validation/stability.md B12).
     if (stiffest > 0 && !modules.incompressible) {
       const double own = canBeLiquid(m) ? liquids[k].soundSpeed : 0, near = std::sqrt(stiffest / m.density);
       take(Limit::Sound, n.cflSound * std::min(h, 2 * s.spacing) / (near > own * (1 + 1e-12) ? near : own));

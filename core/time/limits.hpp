@@ -1,4 +1,4 @@
-// The largest stable time step (accuracy.md B10; Monaghan 1992, Morris 1997), and the clock that lands on frame times.
+// The largest stable time step (docs/validation/stability.md B10; Monaghan 1992, Morris 1997), and the clock that lands on frame times.
 #pragma once
 #include <array>
 
@@ -49,7 +49,7 @@ double frameTime(const Clock& clock, std::int64_t frame);
 bool frameDue(const Clock& clock);
 
 /// The longest step up to dt of which a whole number leads exactly to the next frame time or the end. All of them are cut a little rather
-/// than the last ones much: a step that changes from frame to frame in the same way pumps energy into what swings fast (docs/stability.md, 10).
+/// than the last ones much: a step that changes from frame to frame in the same way pumps energy into what swings fast (docs/validation/stability.md, 10).
 double clip(const Clock& clock, double dt);
 
 /// The length (s) of the next step, at most Clock::dt. As long as it can be, it is that of the last step: a limit that wavers by a percent or

@@ -209,9 +209,9 @@ int checkAll(const CheckOptions& o) {
   for (const std::string& line : soundLines(w, t)) std::printf("%s\n", line.c_str());
   if (!advice.empty())
     std::printf(o.settings ? "\nsettings on the frontier of error against time, in cases like this scene, "
-                             "not tried on it (docs/accuracy.md)\n"
+                             "not tried on it (docs/validation/accuracy.md)\n"
                            : "\nsettings that paid in cases like this scene, one at a time (all: --settings; "
-                             "docs/accuracy.md)\n");
+                             "docs/validation/accuracy.md)\n");
   for (const std::string& line : advice) std::printf("  %s\n", line.c_str());
   if (!surfaceLines.empty()) std::printf("\nsurface\n");
   for (const std::string& line : surfaceLines) std::printf("  %s\n", line.c_str());

@@ -17,7 +17,7 @@ struct OpenChoices {
 /// pressures are kept, the flow carries the density and particles are shifted. And they start without a lattice: one that the flow stretches by
 /// e^.3 resists it 1.5 times too much until shifting has made an end of it, and only then is viscosity what it is to be within 2 %. A
 /// lattice stays where the temperature varies at the start, since heat conduction is most accurate on it. Taylor-Green vortices need all of
-/// it (docs/accuracy.md): without, half their energy is lost. With the incompressible solver they start without a lattice, too.
+/// it (docs/validation/accuracy.md): without, half their energy is lost. With the incompressible solver they start without a lattice, too.
 void chooseForFullBox(Scene& scene, const OpenChoices& open);
 
 /// Defaults of liquids with a free surface: carried density, negative pressure and particle shifting.

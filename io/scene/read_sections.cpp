@@ -17,7 +17,7 @@ void readSections(TableReader& top, SceneReading& x) {
   top.number("spacing", s.spacing, "m", positive(), "distance of particles: the one resolution knob");
   top.number("end", s.end, "s", notNegative(), "simulated time");
   top.choice("quality", s.quality, {"preview", "standard", "reference"},
-             "defaults of [numerics]: fast (summed densities: stretched liquid falls apart), balanced, or most accurate (docs/accuracy.md); explicit keys take precedence");
+             "defaults of [numerics]: fast (summed densities: stretched liquid falls apart), balanced, or most accurate (docs/validation/accuracy.md); explicit keys take precedence");
   applyQuality(s.quality, s.numerics);
   std::int64_t seed = static_cast<std::int64_t>(s.seed);
   top.whole("seed", seed, 0, INT64_MAX, "of everything random");

@@ -131,7 +131,7 @@ class CommittedTest(unittest.TestCase):
 
     def test_document(self):
         made = document.Document(document.rowsOf(os.path.join(ROOT, "docs", "accuracy", "accuracy.csv")), document.rowsOf(os.path.join(ROOT, "docs", "accuracy", "modules.csv")))
-        self.assertEqual(made.text(document.template()), self.read("docs", "accuracy.md"))
+        self.assertEqual(made.text(document.template()), self.read("docs", "validation", "accuracy.md"))
         for picture in [*made.used, *(case + "_particles" for case in made.drawn)]:
             self.assertTrue(os.path.exists(os.path.join(ROOT, "docs", "pictures", "accuracy", picture + ".png")), picture)
 

@@ -11,7 +11,7 @@ figures() {
   grep '^  ' "$work/log" | grep -v 'core-' >"$work/$case.$ranks"
   [ "$(wc -l <"$work/$case.$ranks")" -ge 5 ] || fail "$case on $ranks ranks: too few figures"
 }
-# try RANKS CASE KNOWN SETTINGS: RANKS are a list; KNOWN is a norm that is missed as docs/accuracy.md says, or "none"
+# try RANKS CASE KNOWN SETTINGS: RANKS are a list; KNOWN is a norm that is missed as docs/validation/accuracy.md says, or "none"
 try() {
   local all=$1 case=$2 known=$3 ranks missed
   shift 3

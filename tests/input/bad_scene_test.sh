@@ -4,7 +4,7 @@
 
 accepts "the scene that works" run "$good" --steps 2
 
-# accuracy.md B26: no time, time that runs backwards, steps beyond all limits
+# docs/validation/stability.md B26: no time, time that runs backwards, steps beyond all limits
 accepts "end = 0" run "$good" --set end=0
 accepts "frames more frequent than steps" run "$good" --set output.every=1e-6 --steps 3
 rejects "negative end" 'end: must be >= 0 s, got -1' 2 run "$good" --set end=-1

@@ -1,4 +1,4 @@
-// What a start asks of the system: new memory is a third of its time (docs/performance.md), so it is asked for once.
+// What a start asks of the system: new memory is a third of its time, so it is asked for once.
 #include <gtest/gtest.h>
 
 #include "core/math/hash_random.hpp"

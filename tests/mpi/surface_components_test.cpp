@@ -1,4 +1,4 @@
-// Components of bodies that lie across ranks: labels, events and measures are those of a single process, bit by bit (accuracy.md B30).
+// Components of bodies that lie across ranks: labels, events and measures are those of a single process, bit by bit (docs/validation/stability.md B30).
 #include <map>
 
 #include "core/math/hash_random.hpp"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The model of the scaling study (benchmarks/scaling/model.py) against counting, and what the repository has of its figures against the model.
+# The model of the scaling study (benchmarks/scaling/model.py) against counting and the figures of the repository; docs/performance.md is what its script writes.
 set -eu
 here=$(cd "$(dirname "$0")/../.." && pwd)
 python3 "$here/benchmarks/scaling/test_model.py"
 [ ! -f "$here/docs/scaling/scaling.csv" ] || python3 "$here/benchmarks/scaling/model.py" "$here/docs/scaling/scaling.csv" --ranks 10000 --particles 1e10
+python3 -B "$here/benchmarks/performance_chart.py" --check

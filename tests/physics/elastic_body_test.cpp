@@ -67,7 +67,7 @@ TEST(ElasticBody, energyErrorOfFreeVibrationIsOfSecondOrder) {
 }
 
 TEST(ElasticBody, speedOfPressureWaves) {
-  // standing wave in a periodic block: MLS is slow by 1.6 % at 20 spacings a wavelength, h <= 2 dx (accuracy.md)
+  // standing wave in a periodic block: MLS is slow by 1.6 % at 20 spacings a wavelength, h <= 2 dx (docs/validation/accuracy.md)
   const int n = 20;
   const auto points = lattice({n, 4, 4}, 0.1);
   BodyOptions options;
@@ -92,7 +92,7 @@ TEST(ElasticBody, speedOfPressureWaves) {
 }
 
 TEST(ElasticBody, checkerboardIsNotFree) {
-  // accuracy.md B2: without hourglass control the checkerboard mode costs nothing inside
+  // docs/validation/stability.md B2: without hourglass control the checkerboard mode costs nothing inside
   const auto points = lattice({8, 8, 8}, 0.1);
   for (const double alpha : {0.0, 0.1}) {
     Material m = elasticMaterial();

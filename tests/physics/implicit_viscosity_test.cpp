@@ -127,7 +127,7 @@ TEST(ImplicitViscosity, SpinningDropKeepsAngularMomentum) {
   }
 }
 
-// accuracy.md B11: neighbours whose viscosities differ by up to six decades. Under a steady push along them two layers between plates have
+// docs/validation/stability.md B11: neighbours whose viscosities differ by up to six decades. Under a steady push along them two layers between plates have
 // the exact steady flow of a contrast; across the interface the stress is the same.
 TEST(ImplicitViscosity, ContrastOfSixDecades) {
   for (const double contrast : {1e2, 1e4, 1e6}) {

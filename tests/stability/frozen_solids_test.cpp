@@ -1,4 +1,4 @@
-// Where solids of particles fail that froze, share a place, or are few: rows of docs/stability.md. Each test provokes the failure and holds thaw to what the table says.
+// Where solids of particles fail that froze, share a place, or are few: rows of docs/validation/stability.md. Each test provokes the failure and holds thaw to what the table says.
 #include "core/domain/emit.hpp"
 #include "core/solid/laws/response.hpp"
 #include "core/solid/moment.hpp"

@@ -1,4 +1,4 @@
-// Elastic bodies over 5e4 steps and more: row 10 of docs/stability.md. What grows slowly shows itself only there.
+// Elastic bodies over 5e4 steps and more: row 10 of docs/validation/stability.md. What grows slowly shows itself only there.
 #include <cmath>
 #include <functional>
 

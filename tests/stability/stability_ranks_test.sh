@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Rows B29 and B30 of docs/stability.md. B29: ranks without particles, one particle on four ranks, all particles on one rank, a scene that
+# Rows B29 and B30 of docs/validation/stability.md. B29: ranks without particles, one particle on four ranks, all particles on one rank, a scene that
 # begins with none: no deadlock, no minimum of nothing, the bits of one rank. B30: a ring and a long bar of which every rank holds a part
 # stay in one piece, bit by bit, and break into the same pieces.
 . "$(dirname "$0")/../support/run.sh"

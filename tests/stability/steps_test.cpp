@@ -1,4 +1,4 @@
-// Where steps in time and heat go wrong: rows of docs/stability.md.
+// Where steps in time and heat go wrong: rows of docs/validation/stability.md.
 #include "core/heat/enthalpy.hpp"
 #include "core/heat/heat.hpp"
 #include "core/kernels/lattice.hpp"

@@ -1,4 +1,4 @@
-// Strange times, particles that leave, numbers that spread: rows of docs/stability.md.
+// Strange times, particles that leave, numbers that spread: rows of docs/validation/stability.md.
 #include <cstring>
 
 #include "core/heat/heat.hpp"

@@ -1,4 +1,4 @@
-// Where the viscosity and surface tension of liquids of particles fail: rows of docs/stability.md. Each test provokes the failure, shows that a naive implementation
+// Where the viscosity and surface tension of liquids of particles fail: rows of docs/validation/stability.md. Each test provokes the failure, shows that a naive implementation
 // falls into it where that is cheap, and holds thaw to what the table says.
 #include "core/kernels/kernels.hpp"
 #include "tests/support/free_liquid.hpp"

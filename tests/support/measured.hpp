@@ -1,4 +1,4 @@
-// The figures of docs/stability.md: each test of tests/stability says what it measured.
+// The figures of docs/validation/stability.md: each test of tests/stability says what it measured.
 #pragma once
 #include <gtest/gtest.h>
 

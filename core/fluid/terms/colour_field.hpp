@@ -7,7 +7,7 @@ namespace THAW_ISA {
 namespace {
 
 /// Surface tension of the colour field as printed in K05 / MCG03: -k lap(c) n / |n| where |n| is above a threshold. Does not
-/// obey Laplace's law under refinement (accuracy.md section 0.3): a named choice.
+/// obey Laplace's law under refinement (docs/theory/surface_tension.md): a named choice.
 template<class Real> struct ColourField {
   using L = Lanes<Real>;
   const Record<Real>*place, *surface, *state;
@@ -32,7 +32,7 @@ template<class Real> struct ColourField {
         const double h = in->support, V = static_cast<double>(i.place.d[l]) * h * h * h, root = static_cast<double>(i.surface.a[l]);
         const Vec3d n{static_cast<double>(s.x[l]), static_cast<double>(s.y[l]), static_cast<double>(s.z[l])};
         const double size = __builtin_sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
-        if (size < 0.3) continue;  // |n| h: inside, noise (accuracy.md B24)
+        if (size < 0.3) continue;  // |n| h: inside, noise (docs/validation/stability.md B24)
         const double laplacian = static_cast<double>(s.laplacian[l]) - 945 / (32 * pi) * 3 * static_cast<double>(i.place.d[l]);
         const double k = -root * root * laplacian / (h * h) * V / size;
         Vec3d& f = in->force[rows[l]];

@@ -1,5 +1,5 @@
 // Green strain with Hooke's law (St. Venant-Kirchhoff; MKN04, K05). Exact under rotation; softens in compression below 0.577 of
-// the length and does not feel inversion, against which the volume force helps (accuracy.md B4, B5).
+// the length and does not feel inversion, against which the volume force helps (docs/validation/stability.md B4, B5).
 #pragma once
 #include "core/math/mat3.hpp"
 

@@ -134,7 +134,7 @@ TEST(Phase, MeltsAtOneAndFreezesAtZero) {
   EXPECT_EQ(l.w.counters.frozen, 1);
 }
 
-// accuracy.md B14: a fraction that wavers does not flip the phase.
+// docs/validation/stability.md B14: a fraction that wavers does not flip the phase.
 TEST(Phase, HysteresisKeepsWaveringParticles) {
   Material m = wax();
   m.hysteresis = 0.3;  // melts at 0.7, freezes at 0.3

@@ -4,7 +4,7 @@
 
 namespace thaw::test {
 
-// Measured by accuracy.md B10 for MCG03's Laplacian: viscous .118, heat .117 h^2.
+// Known limits of MCG03's Laplacian: viscous 0.118, heat 0.117 h^2.
 TEST(Lattice, StableStepsOfDiffusion) {
   Numerics n;
   n.conduction = Conduction::Plain;
@@ -21,7 +21,7 @@ TEST(Lattice, StableStepsOfDiffusion) {
   EXPECT_NEAR(stableHeatStep(n), 0.0778, 0.0005);
 }
 
-// accuracy.md A: the viscosity kernel's Laplacian on the lattice.
+// docs/validation/accuracy.md: the viscosity kernel's Laplacian on the lattice.
 TEST(Lattice, LaplacianOfAQuadraticField) {
   Numerics n;
   n.kernel = KernelKind::Mcg03;

@@ -117,7 +117,7 @@ TEST(PairPotential, HexagonalLatticeIsAtRestAtTheSpacing) {
   }
 }
 
-TEST(PairPotential, FullSumOfLennardJonesRestsAtTheKnownSpacing) {  // 1.11146 sigma, accuracy.md
+TEST(PairPotential, FullSumOfLennardJonesRestsAtTheKnownSpacing) {  // 1.11146 sigma, docs/validation/accuracy.md
   OrientedBody body;
   body.support = 60;
   const PairPotential p = pairPotential(body, 1);

@@ -1,4 +1,4 @@
-// Sheets of one solid that are nearer to each other than the colour field is wide (accuracy.md B20, B22).
+// Sheets of one solid that are nearer to each other than the colour field is wide (docs/validation/stability.md B20, B22).
 #include "core/surface/near_gaps.hpp"
 
 #include <gtest/gtest.h>
