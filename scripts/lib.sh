@@ -3,10 +3,11 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build/release
 
-# All that a bare Debian 12 lacks to build and test thaw. Charts of benchmarks need chart_packages as well.
+# All that a bare Debian 12 lacks to build and test thaw. Charts of benchmarks need chart_packages as well, the manual docs_packages.
 packages=(g++ cmake ninja-build openmpi-bin libopenmpi-dev libhdf5-openmpi-dev libeigen3-dev libtomlplusplus-dev libcli11-dev
   libfmt-dev nlohmann-json3-dev libmuparser-dev libpng-dev libnanoflann-dev libgtest-dev python3)
 chart_packages=(python3-matplotlib)
+docs_packages=(python3-sphinx python3-myst-parser furo)
 
 say() { printf '%s\n' "$*" >&2; }
 fail() { say "$(basename "$0"): $*"; exit 1; }

@@ -90,7 +90,7 @@ std::string volumeHeldWarning(const VolumeHeld& h) {
   const VolumeOff& worst = component || !there(h.small) ? h.ofWanted : h.small;
   std::string line = fmt::format("surface.keep_volume: {:.2g} % of the particles are in components that are more than 1 % off the volume that they are to hold, the sum is at worst {:+.2g} % off", 100 * shareOf(h), 100 * h.sum.off());
   if (there(worst)) line += fmt::format(", a surface was {:+.1f} % off ({})", 100 * worst.off, placeOf(worst));
-  return line + "; docs/pictures.md says what is held how well";
+  return line + "; docs/reference/surfaces.md says what to expect";
 }
 
 }  // namespace thaw
