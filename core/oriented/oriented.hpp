@@ -1,4 +1,4 @@
-// The fields of oriented particles (ST92; method.md section 3): one line a field.
+// The fields of oriented particles (ST92): one line a field.
 #pragma once
 #include "core/kinds/kind_rows.hpp"
 #include "core/math/quat.hpp"

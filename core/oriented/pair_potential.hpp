@@ -1,4 +1,4 @@
-// The energy of a pair of oriented particles and its derivatives (ST92; method.md section 3). Pure functions of the pair.
+// The energy of a pair of oriented particles and its derivatives (ST92). Pure functions of the pair.
 #pragma once
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// The fields of the vertices of sheets (DS; method.md section 4): one line a field.
+// The fields of the vertices of sheets (docs/sheet.md): one line a field.
 #pragma once
 #include <array>
 #include <memory>
