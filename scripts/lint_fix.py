@@ -1,0 +1,89 @@
+"""Line breaks that clang-format does not set, for scripts/lint --fix, which runs clang-format afterwards:
+
+- headings of sections (`// ---- fluid -----`) end at the last column;
+- a comment behind a long line of C++ goes above it, where it has room;
+- comments of scripts are wrapped.
+"""
+import re
+
+from lint_checks import MOST_COLUMNS
+from lint_files import ROOT, TOKENS, isCpp, isScript, readLines, trackedFiles
+
+LEAST_ROOM = 44  # columns for a comment behind a line
+
+
+def shortHeading(line):
+    heading = re.match(r'(\s*// -{2,} .*?) -{3,}$', line)
+    if not heading or len(line) <= MOST_COLUMNS:
+        return line
+    return heading[1] + ' ' + '-' * max(4, MOST_COLUMNS - len(heading[1]) - 1)
+
+
+def trailingComments(text):
+    """Line numbers, from 0, of lines with a comment behind code, and its column; none within raw strings."""
+    found = {}
+    for token in TOKENS.finditer(text):
+        begin = text.rfind('\n', 0, token.start()) + 1
+        if token[2] and text[begin:token.start()].strip():
+            found[text.count('\n', 0, token.start())] = token.start() - begin
+    return found
+
+
+def fixCpp(lines):
+    trailing = trailingComments('\n'.join(lines))
+    fixed = []
+    for number, line in enumerate(lines):
+        line = shortHeading(line)
+        column = trailing.get(number)
+        code = line[:column].rstrip() if column else ''
+        movable = column and len(line) > MOST_COLUMNS and len(code) > MOST_COLUMNS - LEAST_ROOM
+        if movable and not re.match(r'\s*(}|else\b|#)', code) and not re.search(r'NOLINT|clang-format', line):
+            indent = code[:len(code) - len(code.lstrip())]
+            comment = re.sub(r'^///<', '///', line[column:])
+            fixed += [indent + comment, code]
+        else:
+            fixed.append(line)
+    return fixed
+
+
+def wrapped(prefix, text):
+    """The text's first line, and what is left of it."""
+    end = text.rfind(' ', 0, MOST_COLUMNS - len(prefix) + 1)
+    return (text, '') if len(prefix + text) <= MOST_COLUMNS or end <= 0 else (text[:end], text[end + 1:])
+
+
+def fixScript(lines):
+    fixed, carried, before = [], '', ''
+    for line in lines:
+        comment = re.match(r'(\s*# )(\S.*)$', line)
+        if carried and not (comment and comment[1] == before and re.match('[a-z(]', comment[2])):
+            fixed += wrapComment(before, carried)
+            carried = ''
+        if not comment:
+            fixed.append(line)
+            continue
+        before, text = comment[1], (carried + ' ' + comment[2]).strip()
+        first, carried = wrapped(before, text)
+        fixed.append(before + first)
+    return fixed
+
+
+def wrapComment(prefix, text):
+    lines = []
+    while text:
+        first, text = wrapped(prefix, text)
+        lines.append(prefix + first)
+    return lines
+
+
+def main():
+    for file in trackedFiles():
+        fix = fixCpp if isCpp(file) else fixScript if isScript(file) else None
+        lines = readLines(file) if fix else ()
+        fixed = fix(lines) if fix else []
+        if fixed != list(lines):
+            (ROOT / file).write_text('\n'.join(fixed), encoding='utf-8')
+
+
+if __name__ == '__main__':
+    main()
