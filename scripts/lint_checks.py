@@ -243,7 +243,10 @@ def record(name, findings, about):
     for key in sorted(count):
         reason = entries[key][2] if key in entries else 'to be split' if name == 'functions' else ''
         lines.append(f'{count[key]} {key}' + (f'  # {reason}' if reason else ''))
-    known(name).write_text('\n'.join(lines) + '\n')
+    if count:
+        known(name).write_text('\n'.join(lines) + '\n')
+    else:
+        known(name).unlink(missing_ok=True)
 
 
 SHRINKS = 'The list may only shrink (scripts/lint).'

@@ -16,7 +16,7 @@ import tempfile
 from lint_files import ROOT, isCpp, readLines
 
 AT_ONCE = 2
-MOST_CHANGED = 24  # sources of a change: three minutes on two cores
+MOST_CHANGED = 16  # sources of a change: three minutes on two cores
 CLANG_TIDY = os.environ.get('CLANG_TIDY', 'clang-tidy-14')
 # Options that g++ alone knows, and headers that it alone can read.
 FOREIGN = re.compile(r'-Winvalid-pch|-fpch-preprocess|-Werror|-m(move|store)-max=\S+'
