@@ -209,7 +209,7 @@ def readKnown(name):
     """Entries of a list with their counts and the reasons behind them: `COUNT KEY  # REASON`."""
     entries = {}
     path = known(name)
-    for number, line in enumerate(readLines(path) if path.exists() else [], 1):
+    for number, line in enumerate(path.read_text().splitlines() if path.exists() else [], 1):
         if line and not line.startswith('#'):
             entry, _, reason = line.partition('  # ')
             count, _, key = entry.strip().partition(' ')
