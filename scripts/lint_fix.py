@@ -2,7 +2,7 @@
 
 - headings of sections (`// ---- fluid -----`) end at the last column;
 - a comment behind a long line of C++ goes above it, where it has room;
-- comments of scripts are wrapped.
+- comments of scripts are wrapped, and arguments of CMake's commands.
 """
 import re
 
@@ -76,9 +76,39 @@ def wrapComment(prefix, text):
     return lines
 
 
+CMAKE_WORDS = re.compile(r'(?:[^\s"]|"(?:\\.|[^"\\])*")+')
+
+
+def fixCMake(lines):
+    fixed = []
+    for line in fixScript(lines):
+        if len(line) <= MOST_COLUMNS or line.lstrip().startswith('#') or line.count('"') % 2:
+            fixed.append(line)
+            continue
+        indent = line[:len(line) - len(line.lstrip())]
+        words = CMAKE_WORDS.findall(line)
+        if '#' in words:  # the comment behind a command
+            fixed += wrapComment(indent + '# ', ' '.join(words[words.index('#') + 1:]))
+            words = words[:words.index('#')]
+        behind = indent + '  ' if re.match(r'\w+\(', words[0]) else indent  # else the line goes on with arguments
+        current = indent + words[0]
+        for word in words[1:]:
+            if len(current) + 1 + len(word) > MOST_COLUMNS:
+                fixed.append(current)
+                current = behind + word
+            else:
+                current += ' ' + word
+        fixed.append(current)
+    return fixed
+
+
+def isCMake(file):
+    return file.endswith(('.cmake', 'CMakeLists.txt'))
+
+
 def main():
     for file in trackedFiles():
-        fix = fixCpp if isCpp(file) else fixScript if isScript(file) else None
+        fix = fixCpp if isCpp(file) else fixCMake if isCMake(file) else fixScript if isScript(file) else None
         lines = readLines(file) if fix else ()
         fixed = fix(lines) if fix else []
         if fixed != list(lines):
