@@ -1,5 +1,7 @@
 """Line breaks that clang-format does not set, for scripts/lint --fix, which runs clang-format afterwards:
 
+- fields of tables (`Column<...> name{...}`, between // clang-format off and on) take one line, or break before
+  their description;
 - headings of sections (`// ---- fluid -----`) end at the last column;
 - a comment behind a long line of C++ goes above it, where it has room;
 - comments of scripts are wrapped, and arguments of CMake's commands.
@@ -29,7 +31,37 @@ def trailingComments(text):
     return found
 
 
+COLUMN = re.compile(r'(  (?:Guest)?Column<.*> \w+{\*this, "[^"]*", "[^"]*", Keep::\w+,) "(.*)"(, Rows::\w+)?};$')
+
+
+def fields(lines):
+    """The lines with fields of tables broken as they are to be."""
+    fixed, parts = [], []
+    for line in lines:
+        parts = parts + [line.strip()] if parts else [line] if re.match(r'  (Guest)?Column<', line) else []
+        if not parts:
+            fixed.append(line)
+            continue
+        if not line.endswith('};'):
+            continue
+        whole = re.sub(r'" "(?=[^,])', '', ' '.join(parts)).replace('{ *this', '{*this')
+        column = COLUMN.match(whole)
+        fixed += field(*column.groups()) if column and len(whole) > MOST_COLUMNS else [whole]
+        parts = []
+    return fixed
+
+
+def field(head, text, rows):
+    broken, indent, end = [head], ' ' * 6, f'"{rows or ""}}};'
+    while len(indent) + 1 + len(text) + len(end) > MOST_COLUMNS:
+        space = text.rfind(' ', 0, MOST_COLUMNS - len(indent) - 2)
+        broken.append(f'{indent}"{text[:space + 1]}"')
+        text = text[space + 1:]
+    return [*broken, f'{indent}"{text}{end}']
+
+
 def fixCpp(lines):
+    lines = fields(lines)
     trailing = trailingComments('\n'.join(lines))
     fixed = []
     for number, line in enumerate(lines):
@@ -90,7 +122,7 @@ def fixCMake(lines):
         if '#' in words:  # the comment behind a command
             fixed += wrapComment(indent + '# ', ' '.join(words[words.index('#') + 1:]))
             words = words[:words.index('#')]
-        behind = indent + '  ' if re.match(r'\w+\(', words[0]) else indent  # else the line goes on with arguments
+        behind = indent + '  ' if re.match(r'\w+\(', words[0]) else indent  # else arguments go on
         current = indent + words[0]
         for word in words[1:]:
             if len(current) + 1 + len(word) > MOST_COLUMNS:
