@@ -1,7 +1,7 @@
 """Line breaks that clang-format does not set, for scripts/lint --fix, which runs clang-format afterwards:
 
-- fields of tables (`Column<...> name{...}`, between // clang-format off and on) take one line, or break before
-  their description;
+- fields of tables (`Column<...> name{...}`, between // clang-format off and on) take one line, or break
+  before their description;
 - headings of sections (`// ---- fluid -----`) end at the last column;
 - a comment behind a long line of C++ goes above it, where it has room;
 - comments of scripts are wrapped, and arguments of CMake's commands.
@@ -31,7 +31,8 @@ def trailingComments(text):
     return found
 
 
-COLUMN = re.compile(r'(  (?:Guest)?Column<.*> \w+{\*this, "[^"]*", "[^"]*", Keep::\w+,) "(.*)"(, Rows::\w+)?};$')
+COLUMN = re.compile(r'(  (?:Guest)?Column<.*> \w+{\*this, "[^"]*", "[^"]*", Keep::\w+,) '
+                    r'"(.*)"(, Rows::\w+)?};$')
 
 
 def fields(lines):

@@ -81,7 +81,7 @@ struct Continuum : Table {
   Column<float> calm{*this, "calm", "s", Keep::State, "for how long it has neither moved, accelerated nor warmed"};
   Column<u8> sleep{*this, "sleep", "1", Keep::State, "0: awake; 1, 2: held where it is; 3: and nothing in its sums changes"};
   Column<Vec3d> hold{*this, "hold", "N", Keep::State, "of what is held: what balances its weight and all forces but those of walls"};
-  // to form bonds in a running simulation (solid/bond_forming.hpp); exchanged only in steps where something froze
+  // to form bonds in a running simulation (solid/bond_forming.hpp); exchanged only after something froze
   Column<Mat3d> frame{*this, "frame", "1", Keep::Transient, "F of the particle; the identity if it has just frozen"};
   Column<u8> justFrozen{*this, "justFrozen", "1", Keep::State, "froze in this step: takes its bonds in the next, wherever that is, or after a restart"};
   Column<float> standoff{*this, "standoff", "1", Keep::State, "spacings from a wall at which a solid rests; less than 1/2 where it froze closer to it"};
