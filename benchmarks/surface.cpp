@@ -1,10 +1,13 @@
 // surface [--surfels N] [--repeat R] [--only GROUP] [--csv FILE]: what an update of the surface costs on one core, and how true a ball's surface is.
 //   iteration: full iterations of all surfels of a ball, for several supports h_ss; ns a surfel and iteration, by phase
-//   update:    a whole update of a melting bust of 4,000 particles, from the copies of the particles to the blend, until the local stop
-//   whole updates: updateSurface with resampling, components and measures, of a solid and a molten bust (benchmarks/surface/whole_updates.hpp), with h_ss = 3 d,
-//              2.5 d and, of the molten one, the support radius of the particles; by phase
-//   ball:      surfels settled on a ball of whole cells of a lattice against the ball, for the same choices of h_ss: its staircase is in it. A scene's ball, whose outer
-//              particles count with what of the ball is around them, is a case of the accuracy suite (surface_ball), which has the targets
+//   update:    a whole update of a melting bust of 4,000 particles, from the copies of the particles to the
+//              blend, until the local stop
+//   whole updates: updateSurface with resampling, components and measures, of a solid and a molten bust
+//              (benchmarks/surface/whole_updates.hpp), with h_ss = 3 d, 2.5 d and, of the molten one, the
+//              support radius of the particles; by phase
+//   ball:      surfels settled on a ball of whole cells of a lattice against the ball, for the same choices of
+//              h_ss: its staircase is in it. A scene's ball, whose outer particles count with what of the ball
+//              is around them, is a case of the accuracy suite (surface_ball), which has the targets
 // --only: iterations, update, solid, molten (whole updates) or balls alone. Times are processor time. Searches, placing and what is done once an update are beside the iterations, in ms.
 #include <cstdio>
 #include <cstdlib>

@@ -1,13 +1,16 @@
-# Shared by scripts/run, scripts/test and scripts/bench: packages, configure, build, mpirun. To be sourced by bash.
+# Shared by the scripts beside it: packages, configure, build, mpirun. To be sourced by bash.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build/release
 
-# All that a bare Debian 12 lacks to build and test thaw. Charts of benchmarks need chart_packages as well, the manual docs_packages.
-packages=(g++ cmake ninja-build openmpi-bin libopenmpi-dev libhdf5-openmpi-dev libeigen3-dev libtomlplusplus-dev libcli11-dev
-  libfmt-dev nlohmann-json3-dev libmuparser-dev libpng-dev libnanoflann-dev libgtest-dev python3)
+# All that a bare Debian 12 lacks to build and test thaw. Charts of benchmarks need chart_packages as well,
+# the manual docs_packages.
+packages=(g++ cmake ninja-build openmpi-bin libopenmpi-dev libhdf5-openmpi-dev libeigen3-dev
+  libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libmuparser-dev libpng-dev
+  libnanoflann-dev libgtest-dev python3)
 chart_packages=(python3-matplotlib)
 docs_packages=(python3-sphinx python3-myst-parser furo)
+lint_packages=(clang-format-14 clang-tidy-14 codespell git python3)
 
 say() { printf '%s\n' "$*" >&2; }
 fail() { say "$(basename "$0"): $*"; exit 1; }
@@ -15,7 +18,8 @@ fail() { say "$(basename "$0"): $*"; exit 1; }
 # Prints those of the given packages that are not installed. Asks dpkg only: no network, some milliseconds.
 missingPackages() {
   local installed
-  installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null | sed -n 's/^installed //p' || true)
+  installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null |
+    sed -n 's/^installed //p' || true)
   local package
   for package in "$@"; do grep -qxF -- "$package" <<<"$installed" || printf '%s\n' "$package"; done
 }
@@ -31,14 +35,16 @@ needPackages() {
   [ ${#missing[@]} -gt 0 ] || return 0
   local as_root=()
   if [ "$(id -u)" -ne 0 ]; then
-    command -v sudo >/dev/null || fail "these packages are missing, and there is no sudo; as root: apt-get install ${missing[*]}"
+    command -v sudo >/dev/null ||
+      fail "these packages are missing, and there is no sudo; as root: apt-get install ${missing[*]}"
     as_root=(sudo)
   fi
   say "installing ${missing[*]}"
   local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::Use-Pty=0)
   local log
   log=$(mktemp)
-  if ! { "${apt[@]}" update && "${apt[@]}" install -y --no-install-recommends "${missing[@]}"; } >"$log" 2>&1; then
+  if ! { "${apt[@]}" update && "${apt[@]}" install -y --no-install-recommends "${missing[@]}"; } \
+    >"$log" 2>&1; then
     tail -n 20 "$log" >&2
     rm -f "$log"
     fail "apt-get could not install ${missing[*]}"
@@ -57,8 +63,8 @@ cores() {
   printf '%s\n' "$((n > 0 ? n : 1))"
 }
 
-# optionsToContinue RANKS OPTIONS...: what a run that was stopped goes on with, each option behind a blank and quoted: all that the scene was changed by, and the ranks where they are not the
-# default. How long it was to run, and how it began, is another matter.
+# optionsToContinue RANKS OPTIONS...: prints the options with which a stopped run goes on, quoted, each behind
+# a blank: changes of the scene, and the ranks where they are not the default; not its length nor its start.
 optionsToContinue() {
   local again=()
   [ "$1" -eq "$(cores)" ] || again+=(--ranks "$1")
@@ -74,6 +80,12 @@ optionsToContinue() {
   [ ${#again[@]} -eq 0 ] || printf ' %q' "${again[@]}"
 }
 
+# configure PRESET LOG
+configure() {
+  mkdir -p "$root/build"
+  (cd "$root" && cmake --preset "$1" >"$2" 2>&1) || { cat "$2" >&2; fail "configuring failed"; }
+}
+
 # configureAndBuild PRESET [TARGET...]: quiet unless something fails or a terminal looks on.
 configureAndBuild() {
   local preset=$1 target args=()
@@ -81,25 +93,30 @@ configureAndBuild() {
   for target in "$@"; do args+=(--target "$target"); done
   build=$root/build/$preset
   local log=$root/build/$preset.log
-  mkdir -p "$root/build"
-  (cd "$root" && cmake --preset "$preset" >"$log" 2>&1) || { cat "$log" >&2; fail "configuring failed"; }
+  configure "$preset" "$log"
   if [ -t 2 ]; then
     cmake --build "$build" -j "$(cores)" "${args[@]}" >&2 || fail "the build failed"
   else
     say "building ${*:-everything} (log: $log)"
-    cmake --build "$build" -j "$(cores)" "${args[@]}" >>"$log" 2>&1 || { tail -n 60 "$log" >&2; fail "the build failed"; }
+    cmake --build "$build" -j "$(cores)" "${args[@]}" >>"$log" 2>&1 ||
+      { tail -n 60 "$log" >&2; fail "the build failed"; }
   fi
 }
 
 # Settings with which Open MPI runs as root, in containers, and with more ranks than cores.
 openMpiSettings() {
   export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-  # Containers forbid reading another process's memory; slots and binding are our business, not a batch system's.
-  export OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
+  # Containers forbid reading another process's memory; slots and binding are not a batch system's here.
+  export OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_rmaps_base_oversubscribe=1
+  export OMPI_MCA_hwloc_base_binding_policy=none
 }
 
 # Exits with 2 unless the argument can be a number of ranks.
-checkRanks() { [[ $1 =~ ^[1-9][0-9]{0,6}$ ]] || { say "$(basename "$0"): the number of ranks must be a positive whole number, not '$1'"; exit 2; }; }
+checkRanks() {
+  if [[ $1 =~ ^[1-9][0-9]{0,6}$ ]]; then return; fi
+  say "$(basename "$0"): the number of ranks must be a positive whole number, not '$1'"
+  exit 2
+}
 
 # onRanks N COMMAND...: under mpirun. Returns the command's exit code.
 onRanks() {

@@ -1,8 +1,11 @@
 // oriented [--csv FILE] [--strict]: accuracy of oriented bodies at rest, of a rebuilt mesh, and the two ways of finding neighbours.
-//   plane, sphere   energies of co-planarity, co-normality and co-circularity a particle at rest, over stiffness spacing^2; spacing; radius; curvature
+//   plane, sphere   energies of co-planarity, co-normality and co-circularity a particle at rest, over
+//                   stiffness spacing^2; spacing; radius; curvature
 //   lattice         rest spacing of Lennard-Jones 12-6 with the full sum, over sigma
-//   rebuilt         a head: points sampled from its mesh, thinned to 5 % and grown again: distance from the original, in spacings, largest and mean
-//   neighbours      ms for the lists of all particles, by the cells and by nanoflann (tree and searches), for several numbers of particles
+//   rebuilt         a head: points sampled from its mesh, thinned to 5 % and grown again: distance from the
+//                   original, in spacings, largest and mean
+//   neighbours      ms for the lists of all particles, by the cells and by nanoflann (tree and searches), for
+//                   several numbers of particles
 #include <cstdlib>
 #include <string>
 

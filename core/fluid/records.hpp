@@ -1,4 +1,4 @@
-// Packs the fields that pair sums read into records of four values (speed.md: 128-bit loads and a transpose, no gathers).
+// Packs the fields that pair sums read into records of four values (128-bit loads and a transpose, no gathers).
 #pragma once
 #include <cstdint>
 #include <vector>

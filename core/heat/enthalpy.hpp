@@ -1,6 +1,7 @@
 // Enthalpy, temperature and liquid fraction of a material. Per mass, zero at the solidus (at 0 K for materials that do not melt):
 //   H < 0            solid    T = solidus + H / c_solid
-//   0 <= H <= band   melting  T and the fraction f rise linearly with H, T over [solidus, liquidus], f over [0, 1]
+//   0 <= H <= band   melting  T and the fraction f rise linearly with H,
+//                             T over [solidus, liquidus], f over [0, 1]
 //   above            liquid   T = liquidus + (H - band) / c_liquid
 // band = latent heat + mean heat capacity times (liquidus - solidus). Enthalpy cannot step over the latent heat, as an apparent
 // heat capacity can (docs/theory/heat.md).

@@ -7,6 +7,7 @@ namespace thaw {
 
 struct KindRows : Table {
   using Table::Table;
+  // clang-format off
   Column<std::uint64_t> id{*this, "id", "1", Keep::State, "body << 40 | number of the sample in it; of births a hash with the top bit set"};
   Column<Vec3d> position{*this, "position", "m", Keep::State, "centre"};
   Column<Vec3d> velocity{*this, "velocity", "m/s", Keep::State, "of the centre"};
@@ -16,6 +17,7 @@ struct KindRows : Table {
   Column<double> dissipated{*this, "dissipated", "J", Keep::State, "mechanical energy lost here so far"};
   Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local, "key of the cell at the last sort"};
   Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now"};
+  // clang-format on
 };
 
 /// Switches the shared columns on.

@@ -41,7 +41,7 @@ inline Vec3i cellOfKey(std::uint64_t key) {
 inline constexpr std::uint64_t noCell = ~std::uint64_t{0};
 
 /// Positions for pairs: 32-bit fixed point, 2^24 units a support radius, modulo 2^32. Differences of neighbours are exact,
-/// antisymmetric and independent of where the pair is (speed.md).
+/// antisymmetric and independent of where the pair is.
 inline constexpr double fixedUnitsPerSupport = 16777216.0;
 /// The nearest integer is in the low bits of the mantissa once this is added (1.5 * 2^52), for all below 2^51.
 inline constexpr double fixedPointMagic = 6755399441055744.0;

@@ -1,4 +1,4 @@
-// Neighbours of every owned particle, in (cell, id) order, interleaved by groups of 8 particles (sliced ELLPACK, speed.md):
+// Neighbours of every owned particle, in (cell, id) order, interleaved by groups of 8 particles (sliced ELLPACK):
 // entry n of lane l of group g is list[first[g] + 8 n + l]. Lists are padded with the dummy row. An entry is twice a row (ByEntry, core/simd/lanes.hpp).
 #pragma once
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Compiled once for each instruction set (see core/simd/dispatch.hpp).
+// Compiled once for each instruction set (see core/simd/dispatch.cpp).
 #include "core/neighbours/pick_direct.hpp"
 #include "core/simd/lanes.hpp"
 #include "core/simd/pack.hpp"

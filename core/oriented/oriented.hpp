@@ -11,6 +11,7 @@ inline constexpr std::uint8_t creased = 1, heldPlace = 2, heldNormal = 4, newbor
 
 struct Oriented : KindRows {
   Oriented() : KindRows("oriented") {}
+  // clang-format off
   Column<Quat> orientation{*this, "orientation", "1", Keep::State, "unit quaternion; the normal is where it turns e_z"};
   Column<Vec3d> spin{*this, "spin", "rad/s", Keep::State, "angular velocity"};
   Column<double> inertia{*this, "inertia", "kg m^2", Keep::State, "of its rotation, about any axis"};
@@ -31,6 +32,7 @@ struct Oriented : KindRows {
   // of the implicit integrator's solve
   Column<Vec3d> search{*this, "search", "m/s", Keep::Transient, "velocities that are multiplied with the stiffness"};
   Column<Vec3d> searchSpin{*this, "searchSpin", "rad/s", Keep::Transient, "the same"};
+  // clang-format on
 };
 
 /// All of the oriented bodies on one rank.

@@ -37,7 +37,8 @@ struct PairResult {
 struct PairKind { bool oriented = true; };
 
 /// Energy, force and torque of a pair: with psi_i = exp(-(d_x^2 + d_y^2)/(2 a^2) - d_z^2/(2 b^2)) of r in i's frame,
-///   E = scale fade(r) face(n_i . n_j) (w_A LJ(r) + w_P ((n_i.r)^2 psi_i + (n_j.r)^2 psi_j)/s^2 + (w_N |n_i - n_j|^2 + w_C ((n_i + n_j).r)^2/s^2) (psi_i + psi_j)/2).
+///   E = scale fade(r) face(n_i . n_j) (w_A LJ(r) + w_P ((n_i.r)^2 psi_i + (n_j.r)^2 psi_j)/s^2
+///       + (w_N |n_i - n_j|^2 + w_C ((n_i + n_j).r)^2/s^2) (psi_i + psi_j)/2).
 /// fade goes from 1 to 0 between PairPotential::fade and reach, face from 0 to 1 as n_i . n_j goes from 0 to 1/2 (1 without `facing`).
 PairResult pairForces(const PairPotential& p, const Vec3d& r, const Vec3d& ni, const Vec3d& nj, PairKind kind = {});
 

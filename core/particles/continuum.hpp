@@ -14,6 +14,7 @@ struct Continuum : Table {
   Continuum() : Table("continuum") {}
   using u8 = std::uint8_t;
   // always
+  // clang-format off
   Column<std::uint64_t> id{*this, "id", "1", Keep::State, "body or emitter number << 40 | number of the sample in it"};
   Column<Vec3d> position{*this, "position", "m", Keep::State, "centre"};
   Column<Vec3d> velocity{*this, "velocity", "m/s", Keep::State, "at the same time as the position"};
@@ -80,7 +81,7 @@ struct Continuum : Table {
   Column<float> calm{*this, "calm", "s", Keep::State, "for how long it has neither moved, accelerated nor warmed"};
   Column<u8> sleep{*this, "sleep", "1", Keep::State, "0: awake; 1, 2: held where it is; 3: and nothing in its sums changes"};
   Column<Vec3d> hold{*this, "hold", "N", Keep::State, "of what is held: what balances its weight and all forces but those of walls"};
-  // to form bonds in a running simulation (solid/bond_forming.hpp); exchanged only in a step in which something froze
+  // to form bonds in a running simulation (solid/bond_forming.hpp); exchanged only after something froze
   Column<Mat3d> frame{*this, "frame", "1", Keep::Transient, "F of the particle; the identity if it has just frozen"};
   Column<u8> justFrozen{*this, "justFrozen", "1", Keep::State, "froze in this step: takes its bonds in the next, wherever that is, or after a restart"};
   Column<float> standoff{*this, "standoff", "1", Keep::State, "spacings from a wall at which a solid rests; less than 1/2 where it froze closer to it"};
@@ -91,6 +92,7 @@ struct Continuum : Table {
   Column<double> dissipation{*this, "dissipation", "W", Keep::Transient, "rate of loss of mechanical energy at this particle", Rows::Owned};
   Column<double> interaction{*this, "interaction", "J", Keep::State, "potential energy of pair and wall contacts, this particle's half; what leaves takes it along, also right after a restart", Rows::Owned};
   Column<double> softening{*this, "softening", "J", Keep::Transient, "d(interaction of all)/d(liquid fraction of this one), places held; only where a material melts", Rows::Owned};
+  // clang-format on
 };
 
 /// Does a particle take substeps (core/solid_substeps.hpp)? Not what has melted or frozen at the end of the last step: it has no bonds.

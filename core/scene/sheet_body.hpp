@@ -1,4 +1,4 @@
-// A sheet body as the scene says it ([[sheet]]): vertices on exact damped springs (DS; method.md section 4).
+// A sheet body as the scene says it ([[sheet]]): vertices on exact damped springs (docs/sheet.md).
 #pragma once
 #include <array>
 #include <cstddef>

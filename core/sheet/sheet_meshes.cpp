@@ -85,7 +85,8 @@ TriangleMesh unitSphere(std::uint32_t n) {
   return m;
 }
 
-// ---- the head: parts of a sculpture as distances, blended; lengths in heights of the head, middle at the origin -----------------------------------
+// ---- the head ----
+// Parts of a sculpture as distances, blended; lengths in heights of the head, middle at the origin.
 double blend(double a, double b, double k) {
   const double h = std::max(k - std::abs(a - b), 0.0) / k;
   return std::min(a, b) - 0.25 * k * h * h;

@@ -1,4 +1,4 @@
-// The fields of the vertices of sheets (DS; method.md section 4): one line a field.
+// The fields of the vertices of sheets (docs/sheet.md): one line a field.
 #pragma once
 #include <array>
 #include <memory>
@@ -17,6 +17,7 @@ struct MeshSearch;
 
 struct Sheets : KindRows {
   Sheets() : KindRows("sheet") {}
+  // clang-format off
   Column<Vec3d> rest{*this, "rest", "m", Keep::State, "where the vertex is at the start and, without plastic flow, at rest: q0"};
   Column<Vec3d> flow{*this, "flow", "m", Keep::State, "plastic: the place of rest q0 is rest + flow; only where a sheet is plastic"};
   Column<double> hardening{*this, "hardening", "m", Keep::State, "what the elastic limit has grown by: 1 - plasticity of what went beyond it"};
@@ -34,6 +35,7 @@ struct Sheets : KindRows {
   Column<Vec3d> facing{*this, "facing", "m^2", Keep::Transient, "area vector: of a third of its triangles, along the normal"};
   Column<Vec3d> moving{*this, "moving", "m/s", Keep::Transient, "velocity at the time of the forces; only where vertices touch each other or particles"};
   Column<std::uint32_t> slot{*this, "slot", "1", Keep::Local, "row in the table of edges' ends"};
+  // clang-format on
 };
 
 /// Edges as bonds of the shared machinery (core/solid/): of each vertex first its ring, counter-clockwise, then the vertices across edges. Of a

@@ -19,16 +19,22 @@ template<class Kernels> const Kernels* chooseKernels(const KernelSets<Kernels>& 
 }
 
 /// Defines `const Kernels* choose(const char* name)` by the functions `give` of all instruction sets.
+// clang-format off
 #if defined(__x86_64__)
 #define THAW_CHOOSE(Kernels, give, choose)                 \
   namespace isa_base { const Kernels& give(); }            \
   namespace isa_avx2 { const Kernels& give(); }            \
   namespace isa_avx512 { const Kernels& give(); }          \
-  const Kernels* choose(const char* name) { return chooseKernels<Kernels>({isa_base::give, isa_avx2::give, isa_avx512::give}, name); }
+  const Kernels* choose(const char* name) {                \
+    return chooseKernels<Kernels>({isa_base::give, isa_avx2::give, isa_avx512::give}, name); \
+  }
 #else
 #define THAW_CHOOSE(Kernels, give, choose)      \
   namespace isa_base { const Kernels& give(); } \
-  const Kernels* choose(const char* name) { return chooseKernels<Kernels>({isa_base::give, nullptr, nullptr}, name); }
+  const Kernels* choose(const char* name) {     \
+    return chooseKernels<Kernels>({isa_base::give, nullptr, nullptr}, name); \
+  }
 #endif
+// clang-format on
 
 }  // namespace thaw

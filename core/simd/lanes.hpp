@@ -1,6 +1,6 @@
 // Eight particles at once: Lanes<float> is one 256-bit vector, Lanes<double> two. GCC vector extensions, so that the same code
 // compiles for AVX-512, AVX2 and plain SSE2 and gives the same bits in each: only IEEE operations, no contraction, no
-// reciprocal approximations (speed.md). Everything here lives in a namespace of the instruction set, because the file is compiled
+// reciprocal approximations. Everything here lives in a namespace of the instruction set, because the file is compiled
 // once for each of them and the linker must not mix the copies.
 #pragma once
 #include <cstddef>
@@ -144,7 +144,7 @@ THAW_INLINE bool any(MaskD m) {
   return (b[0] | b[1] | b[2] | b[3]) != 0;
 }
 
-// ---- four values of eight rows, loaded as records and transposed: no gather instructions (speed.md) --------------------
+// ---- four values of eight rows, loaded as records and transposed: no gather instructions --------------------
 /// Record of four values of one particle; a pair sum loads whole records of its neighbours.
 template<class Real> struct alignas(4 * sizeof(Real)) Record { Real a, b, c, d; };
 template<class Real> struct Lanes4 { Lanes<Real> a, b, c, d; };

@@ -103,8 +103,8 @@ std::vector<AnyColumn*> columnsOfSteps(Solids& solids, const ElasticWork& work);
 
 /// Columns that remote rows need: after relink and before refreshReference (what does not change while bonds stay), before phase 1 (computeDeformationAndStress),
 /// and before phase 2 (computeElasticForces). A step is:
-///   copyToSolids; begin(BeforeDeformation); phase 1 Inner; finish; phase 1 Boundary; breakBonds (fracture.hpp); rereference
-///   (rereference.hpp); begin(BeforeForces); phase 2 Inner; finish; phase 2 Boundary; addSolidForces.
+///   copyToSolids; begin(BeforeDeformation); phase 1 Inner; finish; phase 1 Boundary;
+///   breakBonds (fracture.hpp); rereference (rereference.hpp); begin(BeforeForces); phase 2 Inner; finish; phase 2 Boundary; addSolidForces.
 ColumnList remoteColumnsAfterRelink(Solids& solids);
 ColumnList remoteColumnsBeforeDeformation(Solids& solids);
 ColumnList remoteColumnsBeforeForces(Solids& solids);

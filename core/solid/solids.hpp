@@ -21,6 +21,7 @@ template<class Real> struct FieldType<BondEnd<Real>> { static constexpr Scalar s
 struct Solids : Table {
   Solids() : Table("solid") {}
   bool energyKnown = true;  ///< `energy` and `deformation` are those of the places and bonds of now; steps need not find them (findElasticEnergy, solid_step.hpp)
+  // clang-format off
   Column<std::uint64_t> id{*this, "id", "1", Keep::State, "of the continuum particle"};
   Column<std::uint32_t> particle{*this, "particle", "1", Keep::Local, "row of the continuum particle on this rank, noParticle for remote rows"};
   Column<std::uint16_t> material{*this, "material", "1", Keep::State, "index into the scene's materials"};
@@ -48,6 +49,7 @@ struct Solids : Table {
   Column<std::uint8_t> melted{*this, "melted", "1", Keep::Transient, "its particle has melted in this step (melting.hpp)"};
   Column<std::uint8_t> rereferenced{*this, "rereferenced", "1", Keep::Transient, "took a new reference in this step (rereference.hpp)"};
   Column<std::uint8_t> changed{*this, "changed", "1", Keep::Local, "what is derived from its bonds (momentInverse, ElasticWork) is to be computed anew"};
+  // clang-format on
 
   /// A slot has lost a bond: told where it is lost, since a slot that migrates takes its bonds along but not those that are lost.
   void bare(std::size_t slot) {

@@ -37,8 +37,9 @@ using BirthPlace = std::function<bool(const Surfels& surfels, std::size_t i, Sur
 
 /// Up to `rounds` rounds, each of which lets surfels that are far enough apart act at the same time:
 /// - a surfel that has a place on the circle of emptyAt * r_s around it, on the surface between its neighbours, without a surfel of its side
-///   within that distance, gets a new one there. If the circle around every surfel is covered, the surface is: so no hole is larger than
-///   that. Where there are less than tooFew times the neighbours of the area law, the circle is that of emptyAtThin;
+///   within that distance, gets a new one there. If the circle around every surfel is covered, the surface
+///   is: so no hole is larger than that. Where there are less than tooFew times the neighbours of the area
+///   law, the circle is that of emptyAtThin;
 /// - those closer than crowdedAt radii to one that comes first (by a hash) die; likewise those closer than crowdedAtMany where there are
 ///   more than tooMany times the neighbours of the area law.
 /// Births are never closer than what lets one die, so that a surface at rest comes to rest. Only surfels without calm are looked at: those whose

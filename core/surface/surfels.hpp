@@ -10,6 +10,7 @@ inline constexpr std::uint64_t noComponent = 0;
 /// Oriented discs on the surface of continuum bodies. Rows are owned by the rank that owns their cell of Surface::grid.
 struct Surfels : Table {
   Surfels() : Table("surfels") {}
+  // clang-format off
   Column<std::uint64_t> id{*this, "id", "1", Keep::State, "of a body's mesh or shape: body << 40 | sample, with the top bit set; of births: a hash of parent, step and place"};
   Column<Vec3d> position{*this, "position", "m", Keep::State, "centre"};
   Column<Vec3d> normal{*this, "normal", "1", Keep::State, "unit, out of the body"};
@@ -55,6 +56,7 @@ struct Surfels : Table {
   Column<std::uint8_t> wish{*this, "wish", "1", Keep::Transient, "bits: 1 a new surfel beside it, 2 one is too close, 4 it comes before all that are, 8 it goes or gives birth"};
   Column<Vec3d> offer{*this, "offer", "m", Keep::Transient, "from it to the place of the new surfel"};
   Column<Vec3d> offerNormal{*this, "offerNormal", "1", Keep::Transient, "of the surface there"};
+  // clang-format on
 };
 
 /// Does a surfel move under the forces of an update? What is liquid does, and new faces once.
@@ -69,6 +71,7 @@ inline bool liesOnWall(const Surfels& s, std::size_t i) { return s.onWall.active
 /// Particles as a surface update sees them, on the rank that owns their cell of Surface::grid. Made anew for each update.
 struct SurfaceParticles : Table {
   SurfaceParticles() : Table("surface particles") {}
+  // clang-format off
   Column<std::uint64_t> id{*this, "id", "1", Keep::State, "of the particle"};
   Column<Vec3d> position{*this, "position", "m", Keep::State, "at the last update, and from bringParticlesForward on now"};
   Column<Vec3d> displacement{*this, "displacement", "m", Keep::State, "since the last update; 0 of fresh ones"};
@@ -89,6 +92,7 @@ struct SurfaceParticles : Table {
   Column<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local, "key of the cell now"};
   Column<Mat3d> gradient{*this, "gradient", "1", Keep::State, "of the displacement, by moving least squares over the neighbours"};
   Column<std::uint64_t> part{*this, "part", "1", Keep::Transient, "label of what hangs together: 1 + the smallest id"};
+  // clang-format on
 };
 
 }  // namespace thaw

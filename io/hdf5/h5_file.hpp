@@ -68,7 +68,8 @@ class H5File {
   void setInteger(const std::string& object, const std::string& attribute, std::int64_t value);     ///< scalar
   void setNumber(const std::string& object, const std::string& attribute, double value);            ///< scalar
 
-  // ---- reading. What is not there, or not of the kind asked for, is an IoError; sizes are checked against the file's before use.
+  // ---- reading ----
+  // Missing items and items of another type are an IoError; sizes are checked against the file's before use.
   bool has(const std::string& name) const;
   bool hasAttribute(const std::string& object, const std::string& attribute) const;
   std::vector<std::string> children(const std::string& group) const;  ///< names, ascending

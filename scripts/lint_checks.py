@@ -1,0 +1,285 @@
+"""Checks of text for scripts/lint: what neither clang-format nor clang-tidy nor codespell looks at.
+
+    lint_checks.py            prints `file:line: message` for each finding; exit status 1 if there are any
+    lint_checks.py --record   rewrites the lists scripts/lint_known_*.txt from what is found
+
+A list of known findings may only shrink: a finding that is not listed is an error, and so is an entry
+without a finding.
+"""
+import argparse
+import ast
+import pathlib
+import re
+import sys
+
+from lint_files import ROOT, comments, headings, isCpp, isScript, readLines, trackedFiles, withoutComments
+
+MOST_COLUMNS = 110
+MOST_FILES = 30
+MOST_LINES = 70
+SOURCES = ('.cpp', '.hpp', '.py', '.sh')
+
+
+def known(name):
+    return ROOT / 'scripts' / f'lint_known_{name}.txt'
+
+
+# ---- checks: each yields (file, line, key, message); the key is what a list of known findings holds ----
+
+def longLines(files):
+    for file in files:
+        if not (isCpp(file) or isScript(file)):
+            continue
+        for number, line in enumerate(readLines(file), 1):
+            if len(line) > MOST_COLUMNS and not re.search(r'https?://\S{60}', line):
+                yield file, number, file, f'{len(line)} columns, at most {MOST_COLUMNS} are allowed'
+
+
+def levels():
+    lines = (ROOT / 'core/include_order.txt').read_text().splitlines()
+    return [line for line in lines if line and not line.startswith('#')]
+
+
+def level(order, path):
+    fits = [entry for entry in order if path == entry or path.startswith(entry + '/')]
+    return order.index(max(fits, key=len)) if fits else None
+
+
+def upwardIncludes(files):
+    order = levels()
+    for file in filter(isCpp, files):
+        for number, line in enumerate(readLines(file), 1):
+            include = re.match(r'\s*#include "([^"]+)"', line)
+            if not include:
+                continue
+            own, other = level(order, file), level(order, include[1])
+            if own is None or other is None:
+                lost = file if own is None else include[1]
+                yield file, number, None, f'{lost} is under no entry of core/include_order.txt'
+            elif other > own:
+                yield (file, number, f'{file} {include[1]}',
+                       f'includes {include[1]}: '
+                       f'{order[other]} is above {order[own]} (core/include_order.txt)')
+
+
+def fullFolders(files):
+    count = {}
+    for file in files:
+        if file.endswith(SOURCES):
+            folder = str(pathlib.PurePath(file).parent)
+            count[folder] = count.get(folder, 0) + 1
+    for folder, n in count.items():
+        for _ in range(n - MOST_FILES):
+            yield folder, 1, folder, f'{n} source files, at most {MOST_FILES} are allowed'
+
+
+CONTROL = re.compile(r'(^|[^\w])(if|for|while|switch|catch|do|else|try|return)\s*(\(|constexpr|$)')
+
+TYPE = re.compile(r'(template\s*<.*>\s*)?(typedef |inline |static |constexpr |const )*'
+                  r'(struct|class|union|enum)\b', re.S)
+
+
+def kindOfBlock(statement, inside):
+    """What a brace opens, by the text before it: a namespace, a type, a function or any other block."""
+    text = re.sub(r'^(\s*#.*\n)+', '', statement).strip()
+    if inside in ('function', 'block'):
+        return 'block'
+    if re.search(r'\bnamespace\b|^extern "', text):
+        return 'namespace'
+    if TYPE.match(text) and not re.search(r'\)\s*(const|noexcept|override)?$', text):
+        return 'type'
+    if '(' in text and not CONTROL.match(text) and not re.search(r'(^|[^=!<>+])=\s*(\[.*)?$', text, re.S):
+        return 'function'
+    return 'block'
+
+
+def cppFunctions(lines):
+    """Yields (name, first line, lines) of each function in C++ text."""
+    stack, statement, start = [], '', 0
+    text = withoutComments('\n'.join(lines))
+    for number, line in enumerate(text.split('\n'), 1):
+        if line.lstrip().startswith('#') or line.endswith('\\'):
+            continue
+        for c in line + '\n':
+            if c in '{}' or (c == ';' and not (stack and stack[-1][0] == 'function')):
+                if c == '{':
+                    kind = kindOfBlock(statement, stack[-1][0] if stack else 'namespace')
+                    stack.append((kind, start or number, statement))
+                elif c == '}' and stack:
+                    kind, first, head = stack.pop()
+                    if kind == 'function':
+                        name = re.search(r'(TEST\w*\(.*\)|[\w~:]+(?=\s*\()|operator[^\s(]+)',
+                                         re.sub(r'__attribute__\s*\(\(.*?\)\)|alignas\(.*?\)', '', head))
+                        yield name[1] if name else '?', first, number - first + 1
+                statement, start = '', 0
+            else:
+                if not start and not c.isspace():
+                    start = number
+                statement += c
+
+
+def pythonFunctions(lines):
+    for node in ast.walk(ast.parse('\n'.join(lines))):
+        if isinstance(node, ast.FunctionDef):
+            yield node.name, node.lineno, node.end_lineno - node.lineno + 1
+
+
+def longFunctions(files):
+    for file in files:
+        functions = cppFunctions if isCpp(file) else pythonFunctions if file.endswith('.py') else None
+        for name, number, lines in functions(readLines(file)) if functions else []:
+            if lines > MOST_LINES:
+                yield (file, number, f'{file} {name}',
+                       f'{name} has {lines} lines, at most {MOST_LINES} are allowed')
+
+
+CLAUSE = re.compile(r'\W*(of|what|those|who)\b', re.I)
+DECIMAL = re.compile(r'(?<![\w.)\]/*}"\'-])-?\.\d')
+
+
+def wording(files):
+    for file in files:
+        for number, text, starts in comments(file):
+            begin = CLAUSE.match(text) if starts else None
+            if begin:
+                yield file, number, file, f'a comment begins with "{begin[1]}": name the thing, with a verb'
+            if DECIMAL.search(re.sub(r'`[^`]*`', '', text)):
+                yield file, number, file, 'a decimal without its leading zero'
+
+
+LINK = re.compile(r'\]\(([^()\s]+)(?: "[^"]*")?\)')
+
+
+def deadLinks(files):
+    listed = set(files)
+    folders = {str(parent) for file in files for parent in pathlib.PurePath(file).parents}
+    anchors = {file: headings(readLines(file)) for file in files if file.endswith('.md')}
+    for file in anchors:
+        fenced = False
+        for number, line in enumerate(readLines(file), 1):
+            fenced ^= line.lstrip().startswith('```')
+            for target in [] if fenced else LINK.findall(re.sub(r'`[^`]*`', '', line)):
+                if re.match(r'[a-z]+:', target):
+                    continue
+                path, _, anchor = target.partition('#')
+                # the pages docs/*.md are made from benchmarks/*/text.md
+                base = 'docs/page.md' if file.endswith('/text.md') else file
+                there = relative(base, path) if path else file
+                if there not in listed and there not in folders:
+                    yield file, number, None, f'dead link: there is no {there}'
+                elif anchor and there in anchors and anchor not in anchors[there]:
+                    yield file, number, None, f'dead link: {there} has no heading #{anchor}'
+
+
+def relative(file, path):
+    parts = []
+    for part in [*pathlib.PurePath(file).parent.parts, *pathlib.PurePath(path).parts]:
+        if part == '..' and parts:
+            parts.pop()
+        elif part != '.':
+            parts.append(part)
+    return '/'.join(parts) or '.'
+
+
+REFERENCE = re.compile(r'(?<![\w/.$}<>*-])(?:\.\./)*(?:[\w-]+/)*[\w-]+\.(?:md|hpp|cpp|py|sh|\*)(?!\w|\.\w)'
+                       r'|(?<![\w/.$}<>*-])docs/[\w/.-]*\w')
+SYSTEM = ('mpi', 'immintrin', 'boost', 'Eigen', 'fmt', 'gtest', 'catalyst')  # headers of others
+
+
+def deadReferences(files):
+    ends = set()
+    for file in files:
+        for name in [file, *map(str, list(pathlib.PurePath(file).parents)[:-1])]:
+            parts = name.split('/')
+            ends |= {'/'.join(parts[i:]) for i in range(len(parts))}
+    ends |= {re.sub(r'\.\w+$', '.*', end) for end in ends}
+    for file in files:
+        if file.endswith('.md'):
+            continue
+        for number, text, _ in comments(file):
+            for name in REFERENCE.findall(text):
+                if name.startswith(SYSTEM) or 'NAME' in name or name.lstrip('./') in ends:
+                    continue
+                yield file, number, f'{file} {name}', f'the comment names {name}, which does not exist'
+
+
+# ---- lists of known findings ----
+
+def readKnown(name):
+    """Entries of a list with their counts and the reasons behind them: `COUNT KEY  # REASON`."""
+    entries = {}
+    path = known(name)
+    for number, line in enumerate(path.read_text().splitlines() if path.exists() else [], 1):
+        if line and not line.startswith('#'):
+            entry, _, reason = line.partition('  # ')
+            count, _, key = entry.strip().partition(' ')
+            entries[key] = (int(count), number, reason)
+    return entries
+
+
+def newFindings(name, findings):
+    """Findings beyond those that are listed, and entries of the list that are too large."""
+    entries, found = readKnown(name), {}
+    for finding in findings:
+        found.setdefault(finding[2], []).append(finding)
+    for key, group in found.items():
+        allowed = entries.get(key, (0,))[0] if key else 0
+        if len(group) > allowed:
+            note = f' [{name}: {len(group)} in all, {allowed} known]' if allowed else f' [{name}]'
+            yield from dict.fromkeys((file, line, message + note) for file, line, _, message in group)
+    for key, (count, number, _) in entries.items():
+        if len(found.get(key, [])) < count:
+            yield (f'scripts/lint_known_{name}.txt', number,
+                   f'"{key}" occurs {len(found.get(key, []))} times: '
+                   f'lower its count, or delete the line [{name}]')
+
+
+def record(name, findings, about):
+    entries, count = readKnown(name), {}
+    for _, _, key, _ in findings:
+        if key:
+            count[key] = count.get(key, 0) + 1
+    lines = [f'# {line}' for line in about.split('\n')]
+    for key in sorted(count):
+        reason = entries[key][2] if key in entries else 'to be split' if name == 'functions' else ''
+        lines.append(f'{count[key]} {key}' + (f'  # {reason}' if reason else ''))
+    if count:
+        known(name).write_text('\n'.join(lines) + '\n')
+    else:
+        known(name).unlink(missing_ok=True)
+
+
+SHRINKS = 'The list may only shrink (scripts/lint).'
+CHECKS = {
+    'long_lines': (longLines, f'Lines of more than {MOST_COLUMNS} columns: count and file. {SHRINKS}'),
+    'includes': (upwardIncludes,
+                 f'Includes against core/include_order.txt: count, file and include. {SHRINKS}'),
+    'folders': (fullFolders, f'Source files above {MOST_FILES} in a folder: count and folder. {SHRINKS}'),
+    'functions': (longFunctions,
+                  f'Functions of more than {MOST_LINES} lines: count, file, function and reason. {SHRINKS}'),
+    'wording': (wording, 'Comments that begin with of, what, those or who, and decimals without a leading\n'
+                         f'zero: count and file. {SHRINKS}'),
+    'links': (deadLinks, None),
+    'references': (deadReferences,
+                   f'References in comments to files that do not exist: count, file and name. {SHRINKS}'),
+}
+
+
+def main():
+    parser = argparse.ArgumentParser(description='Checks of text for scripts/lint.')
+    parser.add_argument('--record', action='store_true', help='rewrite the lists of known findings')
+    options = parser.parse_args()
+    files = trackedFiles()
+    failed = False
+    for name, (check, about) in CHECKS.items():
+        findings = list(check(files))
+        if options.record and about:
+            record(name, findings, about)
+        for file, line, message in newFindings(name, findings):
+            failed = True
+            print(f'{file}:{line}: {message}')
+    return 1 if failed else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())

@@ -1,0 +1,102 @@
+"""Runs clang-tidy for scripts/lint, two files at a time.
+
+    lint_tidy.py BUILD ALL|COMMIT     of all sources, or of those that differ from COMMIT, committed or not
+
+A changed header is looked at through the source of its name, or the first one that includes it.
+"""
+import concurrent.futures
+import json
+import os
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+
+from lint_files import ROOT, isCpp, readLines
+
+AT_ONCE = 2
+MOST_CHANGED = 16  # sources of a change: three minutes on two cores
+CLANG_TIDY = os.environ.get('CLANG_TIDY', 'clang-tidy-14')
+# Options that g++ alone knows, and headers that it alone can read.
+FOREIGN = re.compile(r'-Winvalid-pch|-fpch-preprocess|-Werror|-m(move|store)-max=\S+'
+                     r'|-Wno-(maybe-uninitialized|restrict|psabi)')
+
+
+def forClang(command):
+    """The compile command without precompiled headers and without what clang does not know."""
+    words, kept = shlex.split(command), []
+    skip = False
+    for word, after in zip(words, words[1:] + ['']):
+        if skip:
+            skip = False
+        elif word == '-include' and 'cmake_pch' in after:
+            skip = True
+        elif not FOREIGN.fullmatch(word) and 'cmake_pch' not in word and not word.endswith('ccache'):
+            kept.append(word)
+    return shlex.join(kept)
+
+
+def database(build):
+    """Compile commands by path in the tree; of a file that is compiled several times, the last."""
+    with open(os.path.join(build, 'compile_commands.json'), encoding='utf-8') as stream:
+        entries = json.load(stream)
+    found = {}
+    for entry in entries:
+        path = os.path.relpath(os.path.join(entry['directory'], entry['file']), ROOT)
+        if 'cmake_pch' not in path and not path.startswith(('..', 'build')):
+            found[path] = {**entry, 'command': forClang(entry['command'])}
+    return found
+
+
+def changedFiles(commit):
+    names = subprocess.run(['git', 'diff', '--name-only', '--diff-filter=d', commit], cwd=ROOT, text=True,
+                           capture_output=True, check=True).stdout.split('\n')
+    new = subprocess.run(['git', 'ls-files', '--others', '--exclude-standard'], cwd=ROOT, text=True,
+                         capture_output=True, check=True).stdout.split('\n')
+    return sorted({name for name in names + new if isCpp(name)})
+
+
+def sourcesOf(files, sources):
+    """Sources through which all of the files are seen."""
+    seen = {file for file in files if file in sources}
+    for header in (file for file in files if file.endswith('.hpp')):
+        twin = header[:-4] + '.cpp'
+        includers = (s for s in sorted(sources) if f'#include "{header}"' in readLines(s))
+        found = twin if twin in sources else next(includers, None)
+        if found:
+            seen.add(found)
+        else:
+            print(f'clang-tidy: no source includes {header} by itself: not looked at', file=sys.stderr)
+    return sorted(seen)
+
+
+def tidy(folder, source):
+    done = subprocess.run([CLANG_TIDY, '-p', folder, '--quiet', '--warnings-as-errors=*', str(ROOT / source)],
+                          capture_output=True, text=True)
+    return done.returncode, done.stdout + (done.stderr if done.returncode and not done.stdout else '')
+
+
+def main():
+    build, since = sys.argv[1:3]
+    sources = database(build)
+    chosen = sorted(sources) if since == 'ALL' else sourcesOf(changedFiles(since), sources)
+    if since != 'ALL' and len(chosen) > MOST_CHANGED:
+        print(f'clang-tidy: {MOST_CHANGED} of {len(chosen)} changed sources; of all: scripts/lint --all',
+              file=sys.stderr)
+        chosen = [chosen[i * len(chosen) // MOST_CHANGED] for i in range(MOST_CHANGED)]
+    failed, shown = False, set()
+    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
+        with open(os.path.join(folder, 'compile_commands.json'), 'w', encoding='utf-8') as stream:
+            json.dump(list(sources.values()), stream)
+        for code, text in pool.map(lambda source: tidy(folder, source), chosen):
+            failed |= code != 0
+            for finding in re.split(r'\n(?=\S+:\d+:\d+: (?:warning|error))', text.strip()):
+                if finding and finding not in shown:  # a header's, of several sources
+                    shown.add(finding)
+                    print(finding.replace(f'{ROOT}/', ''), flush=True)
+    return 1 if failed else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())

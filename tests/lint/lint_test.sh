@@ -1,0 +1,86 @@
+#!/usr/bin/env bash
+# scripts/lint finds each kind of fault and names its place: every fault is planted in a small tree of its own.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+# shellcheck source=../../scripts/lib.sh
+source "$root/scripts/lib.sh"
+mapfile -t missing < <(missingPackages "${lint_packages[@]}")
+if [ ${#missing[@]} -gt 0 ]; then
+  say "skipped: ${missing[*]} not installed (scripts/lint installs them)"
+  exit 77
+fi
+dir=$(mktemp -d)
+trap 'rm -rf "$dir"' EXIT
+failures=0
+
+# A tree of few files without findings.
+plantTree() {
+  rm -rf "$dir/tree"
+  mkdir -p "$dir/tree/core/math" "$dir/tree/core/heat" "$dir/tree/docs" "$dir/tree/scripts"
+  cp "$root"/.clang-format "$dir/tree/"
+  cp "$root"/core/include_order.txt "$dir/tree/core/"
+  printf '# Contributing\n' >"$dir/tree/CONTRIBUTING.md"
+  cp "$root"/scripts/{lint,lib.sh,lint_checks.py,lint_files.py,lint_fix.py,lint_words.txt} "$dir/tree/scripts/"
+  printf '# Page\n## A part\nSee [the part](#a-part) and [the script](../scripts/lint).\n' >"$dir/tree/docs/page.md"
+  printf '// Squares (docs/page.md).\n#pragma once\n\ninline double square(double x) { return x * x; }\n' \
+    >"$dir/tree/core/math/square.hpp"
+  printf '#include "core/math/square.hpp"\n\ndouble heat(double x) { return square(x); }\n' >"$dir/tree/core/heat/heat.cpp"
+}
+
+# Runs scripts/lint in the tree; leaves its exit code and what it says.
+lint() {
+  code=0
+  output=$("$dir/tree/scripts/lint" --no-tidy 2>&1) || code=$?
+}
+
+# finds NAME PATTERN: the last run has failed, with a line that matches the pattern.
+finds() {
+  if [ "$code" -ne 0 ] && grep -qE "$2" <<<"$output"; then return; fi
+  printf 'FAILED: %s: exit code %s, expected 1 and a line like %s, got:\n%s\n' "$1" "$code" "$2" "$output"
+  failures=$((failures + 1))
+}
+
+passes() {
+  lint
+  if [ "$code" -eq 0 ]; then return; fi
+  printf 'FAILED: %s: expected no finding, got:\n%s\n' "$1" "$output"
+  failures=$((failures + 1))
+}
+
+long='a line that has more columns than are allowed, in a script, which is not wrapped by any program, ever, at all'
+square=core/math/square.hpp
+
+plantTree
+passes 'a tree without findings'
+
+# A fault of C++, which --fix mends, and a listed include against the order.
+plantTree
+sed -i '2a #include "core/heat/heat.hpp"' "$dir/tree/$square"
+printf '\n// %s\n' "$long" >>"$dir/tree/$square"
+lint
+finds 'an upward include' "^$square:3: includes core/heat/heat.hpp: core/heat is above core/math"
+finds 'a long comment in C++' "^$square:[0-9]+:.* not formatted"
+"$dir/tree/scripts/lint" --fix
+printf '1 %s core/heat/heat.hpp\n' "$square" >"$dir/tree/scripts/lint_known_includes.txt"
+passes 'a long comment that --fix has wrapped, and a listed include'
+
+# One fault of every other kind, each in a file of its own.
+printf '// Squares (docs/lost.md).\n#pragma once\n' >"$dir/tree/$square"
+printf '// Of a number.\n// .5 of it is a half.\n#pragma once\n' >"$dir/tree/core/math/half.hpp"
+printf 'echo "%s"\n' "$long" >"$dir/tree/scripts/long.sh"
+printf '\nIt occ%s twice.\n[A link](nowhere.md)\n[Another](page.md#another-part)\n' ured >>"$dir/tree/docs/page.md"
+{ printf 'void steps() {\n'; printf '  step();\n%.0s' {1..70}; printf '}\n'; } >"$dir/tree/core/heat/long.cpp"
+for i in {1..31}; do printf '#pragma once\n' >"$dir/tree/core/math/file_$i.hpp"; done
+lint
+finds 'a listed include that is gone' '^scripts/lint_known_includes.txt:1: .*occurs 0 times'
+finds 'a long line' '^scripts/long.sh:1: 11[0-9] columns, at most 110'
+finds 'a misspelt word' '^(\./)?docs/page.md:5: occ''ured ==> occurred'
+finds 'a dead link' '^docs/page.md:6: dead link: there is no docs/nowhere.md'
+finds 'a dead anchor' '^docs/page.md:7: dead link: docs/page.md has no heading #another-part'
+finds 'a dead reference in a comment' "^$square:1: the comment names docs/lost.md"
+finds 'a comment that begins with "of"' '^core/math/half.hpp:1: a comment begins with "Of"'
+finds 'a decimal without its zero' '^core/math/half.hpp:2: a decimal without its leading zero'
+finds 'a long function' '^core/heat/long.cpp:1: steps has 72 lines, at most 70'
+finds 'a full folder' '^core/math:1: 33 source files, at most 30'
+
+[ "$failures" -eq 0 ] || { printf '%s checks failed\n' "$failures"; exit 1; }
