@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
-# An array of runs under SLURM, one for each line of a list; hand in with: sbatch --array=1-$(wc -l <LIST) docs/slurm/array.sh LIST
+# An array of runs under SLURM, one for each line of a list; hand in with: sbatch --array=1-$(wc -l <LIST)
+# docs/slurm/array.sh LIST
 # A line of the list is a scene and options of `thaw run`, in quotes where they hold blanks:
 #   scenes/pour.toml --set material.honey.viscosity=2
 #   scenes/pour.toml --set 'spacing="2 mm"'
-# Each run has a folder of its own, named by the scene and the line's number. What has not come to its end five minutes before the time is up
-# leaves a checkpoint, and that task alone is handed in again, to go on from there. Lines that are done already end at once: after adding
-# lines, or after a failure, hand in the whole list again.
+# Each run has a folder of its own, named by the scene and the line's number. What has not come to its end
+# five minutes before the time is up leaves a checkpoint, and that task alone is handed in again, to go on
+# from there. Lines that are done already end at once: after adding lines, or after a failure, hand in the
+# whole list again.
 #SBATCH --job-name=thaw-array
 #SBATCH --nodes=1
 #SBATCH --ntasks=16
@@ -36,7 +38,8 @@ again() {
   sbatch "${same[@]}" "$@"
 }
 
-# A job that SLURM has requeued may find the lock of its run on another node: that run is over, so --force takes the folder.
+# A job that SLURM has requeued may find the lock of its run on another node: that run is over, so --force
+# takes the folder.
 force=()
 if [ "${SLURM_RESTART_COUNT:-0}" -gt 0 ]; then force=(--force); fi
 

@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
 # Many nodes under SLURM; hand in with: sbatch --nodes=16 docs/slurm/many_nodes.sh [SCENE]
-# --out has to be on a parallel file system that all nodes see: OUT, else $SCRATCH, else ./out. Ten minutes before the time is up SLURM sends USR1;
-# thaw then writes a checkpoint and exits with 75, and the job hands itself in again, with the nodes, account, partition and time of this one, to go on
-# from there. A run that a node's failure has ended (any other code) is handed in again at most RETRIES times in a row: it goes on from its last
-# checkpoint, so give the scene a short [output] checkpoint. A failure that comes back with the same step is not the machine's, and ends the chain.
+# --out has to be on a parallel file system that all nodes see: OUT, else $SCRATCH, else ./out. Ten minutes
+# before the time is up SLURM sends USR1; thaw then writes a checkpoint and exits with 75, and the job hands
+# itself in again, with the nodes, account, partition and time of this one, to go on from there. A run that a
+# node's failure has ended (any other code) is handed in again at most RETRIES times in a row: it goes on from
+# its last checkpoint, so give the scene a short [output] checkpoint. A failure that comes back with the same
+# step is not the machine's, and ends the chain.
 #SBATCH --job-name=thaw
 #SBATCH --nodes=4
 #SBATCH --ntasks-per-node=64
@@ -19,7 +21,8 @@ failed=${2:-0} failedAt=${3:-none}
 out=${OUT:-${SCRATCH:-$PWD/out}/$(basename "$scene" .toml)}
 thaw=${THAW:-build/release/thaw}
 
-# A file of 100 GB is written by all ranks at once: spread it over the file system's servers, where that is Lustre. New files inherit it.
+# A file of 100 GB is written by all ranks at once: spread it over the file system's servers, where that is
+# Lustre. New files inherit it.
 mkdir -p "$out/frames" "$out/checkpoint"
 if command -v lfs >/dev/null; then
   lfs setstripe --stripe-count "${STRIPES:-16}" --stripe-size 16M "$out/frames" "$out/checkpoint" 2>/dev/null || true
@@ -37,7 +40,8 @@ again() {
   sbatch "${same[@]}" "$@"
 }
 
-# A failed node's run leaves its lock in the folder, and this job may be on other nodes: its run is over, so --force takes the folder.
+# A failed node's run leaves its lock in the folder, and this job may be on other nodes: its run is over, so
+# --force takes the folder.
 force=()
 if [ "$failed" -gt 0 ] || [ "${SLURM_RESTART_COUNT:-0}" -gt 0 ]; then force=(--force); fi
 

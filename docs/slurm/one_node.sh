@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # One node under SLURM; hand in with: sbatch docs/slurm/one_node.sh [SCENE]
-# Five minutes before the time is up SLURM sends USR1; thaw then writes a checkpoint and exits with 75, and the job hands itself in
-# again, to go on from there. Ends for good when the run is done (0) or has failed (any other code).
+# Five minutes before the time is up SLURM sends USR1; thaw then writes a checkpoint and exits with 75, and
+# the job hands itself in again, to go on from there. Ends for good when the run is done (0) or has failed
+# (any other code).
 #SBATCH --job-name=thaw
 #SBATCH --nodes=1
 #SBATCH --ntasks-per-node=64
@@ -26,11 +27,13 @@ again() {
   sbatch "${same[@]}" "$@"
 }
 
-# A job that SLURM has requeued may find the lock of its run on another node: that run is over, so --force takes the folder.
+# A job that SLURM has requeued may find the lock of its run on another node: that run is over, so --force
+# takes the folder.
 force=()
 if [ "${SLURM_RESTART_COUNT:-0}" -gt 0 ]; then force=(--force); fi
 
-# srun hands the signal to all ranks. Open MPI of Debian is built with PMIx; elsewhere see `srun --mpi=list` and set PMI.
+# srun hands the signal to all ranks. Open MPI of Debian is built with PMIx; elsewhere see `srun --mpi=list`
+# and set PMI.
 code=0
 srun --mpi="${PMI:-pmix}" --kill-on-bad-exit=1 "$thaw" run "$scene" --out "$out" --resume "${force[@]}" || code=$?
 case $code in
