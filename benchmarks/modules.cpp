@@ -1,12 +1,13 @@
-// modules [--particles N] [--repeat R] [--csv FILE]: what each part of the model costs a scene that has it, against one that does not:
-// time a particle and step, and bytes a particle. The two take their steps in turn, so that a noisy machine slows both; time_ratio is the
-// median of the ratios of the turns, in processor time. The ns columns are medians of one run: compare rows by the ratio only.
-// `idle_share` is the time of the bare scene in phases of modules that it does not have. What branches on absent modules cost inside the phases
-// that it does have is not in it.
+// modules [--particles N] [--repeat R] [--csv FILE]: what each part of the model costs a scene that has it,
+// against one that does not: time a particle and step, and bytes a particle. The two take their steps in
+// turn, so that a noisy machine slows both; time_ratio is the median of the ratios of the turns, in processor
+// time. The ns columns are medians of one run: compare rows by the ratio only. `idle_share` is the time of
+// the bare scene in phases of modules that it does not have. What branches on absent modules cost inside the
+// phases that it does have is not in it.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cmath>
 #include <cstring>
 #include <ctime>
 #include <functional>
@@ -22,7 +23,8 @@ using test::Simulation;
 enum class Base { Liquid, Solid, Tank };
 constexpr const char* baseNames[] = {"liquid", "solid", "tank"};
 
-/// A block of one material at rest with a free surface; `edge` particles along each side. Tank: liquid in gravity between walls.
+/// A block of one material at rest with a free surface; `edge` particles along each side. Tank: liquid in
+/// gravity between walls.
 Scene block(int edge, Base base) {
   Scene s;
   s.spacing = 0.01;
@@ -50,16 +52,22 @@ Scene block(int edge, Base base) {
 
 struct Row {
   const char* name;
-  Base base;                           ///< what it is added to
+  Base base;  ///< what it is added to
   std::function<void(Scene&)> add;
 };
 
 const std::vector<Row>& rows() {
   static const std::vector<Row> all{
-      {"heat", Base::Liquid, [](Scene& s) { s.materials[0].conductivity = {1, 1}, s.bodies[0].temperatureGradient = {1, 0, 0}; }},
+      {"heat", Base::Liquid,
+       [](Scene& s) {
+         s.materials[0].conductivity = {1, 1}, s.bodies[0].temperatureGradient = {1, 0, 0};
+       }},
       {"surface heat", Base::Liquid, [](Scene& s) { s.materials[0].convection = 10; }},
       {"surface tension", Base::Liquid, [](Scene& s) { s.materials[0].surfaceTension = 0.05; }},
-      {"surface tension as an energy", Base::Liquid, [](Scene& s) { s.materials[0].surfaceTension = 0.05, s.numerics.tension = TensionForm::SurfaceEnergy; }},
+      {"surface tension as an energy", Base::Liquid,
+       [](Scene& s) {
+         s.materials[0].surfaceTension = 0.05, s.numerics.tension = TensionForm::SurfaceEnergy;
+       }},
       {"artificial viscosity", Base::Liquid, [](Scene& s) { s.materials[0].artificialViscosity = 0.1; }},
       {"velocity smoothing", Base::Liquid, [](Scene& s) { s.materials[0].xsph = 0.1; }},
       {"double precision", Base::Liquid, [](Scene& s) { s.numerics.precision = Precision::Double; }},
@@ -72,9 +80,16 @@ const std::vector<Row>& rows() {
          m.conductivity = {1, 1};
          s.bodies[0].temperatureGradient = {1, 0, 0};
        }},
-      {"heat of a solid", Base::Solid, [](Scene& s) { s.materials[0].conductivity = {1, 1}, s.bodies[0].temperatureGradient = {1, 0, 0}; }},
-      {"plastic flow", Base::Solid, [](Scene& s) { s.materials[0].yieldStrain = {0.1, 0.1}; }},
-      {"fracture", Base::Solid, [](Scene& s) { s.materials[0].breakStretch = 1.5, s.numerics.selfContact = false; }},
+      {"heat of a solid", Base::Solid,
+       [](Scene& s) {
+         s.materials[0].conductivity = {1, 1}, s.bodies[0].temperatureGradient = {1, 0, 0};
+       }},
+      {"plastic flow", Base::Solid,
+       [](Scene& s) {
+         s.materials[0].yieldStrain = {0.1, 0.1};
+       }},
+      {"fracture", Base::Solid,
+       [](Scene& s) { s.materials[0].breakStretch = 1.5, s.numerics.selfContact = false; }},
       {"fracture with contact of pieces", Base::Solid, [](Scene& s) { s.materials[0].breakStretch = 1.5; }},
       {"volume force", Base::Solid, [](Scene& s) { s.materials[0].volumeStiffness = 1e5; }},
       {"damping", Base::Solid, [](Scene& s) { s.materials[0].damping = 1; }},
@@ -88,11 +103,15 @@ const std::vector<Row>& rows() {
          m.conductivity = {1, 1};
          s.bodies[0].temperatureGradient = {1, 0, 0};
        }},
-      {"density by continuity", Base::Tank, [](Scene& s) { s.numerics.density = DensityForm::Continuity, s.numerics.correctedGradients = false; }},
-      {"density by continuity, corrected gradients", Base::Tank, [](Scene& s) { s.numerics.density = DensityForm::Continuity; }},
+      {"density by continuity", Base::Tank,
+       [](Scene& s) { s.numerics.density = DensityForm::Continuity, s.numerics.correctedGradients = false; }},
+      {"density by continuity, corrected gradients", Base::Tank,
+       [](Scene& s) { s.numerics.density = DensityForm::Continuity; }},
       {"shifting", Base::Tank, [](Scene& s) { s.numerics.shifting = 0.1; }},
-      {"incompressible pressure", Base::Tank, [](Scene& s) { s.numerics.solver = PressureSolver::Incompressible; }},
-      {"implicit viscosity", Base::Tank, [](Scene& s) { s.numerics.viscositySolver = ViscositySolver::Implicit; }},
+      {"incompressible pressure", Base::Tank,
+       [](Scene& s) { s.numerics.solver = PressureSolver::Incompressible; }},
+      {"implicit viscosity", Base::Tank,
+       [](Scene& s) { s.numerics.viscositySolver = ViscositySolver::Implicit; }},
       {"an emitter that waits", Base::Tank,
        [](Scene& s) {
          Emitter e;
@@ -112,7 +131,8 @@ double secondsOf(Simulation& s, int steps) {
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &start);
   for (int k = 0; k < steps; k++) s.step();
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &end);
-  return static_cast<double>(end.tv_sec - start.tv_sec) + 1e-9 * static_cast<double>(end.tv_nsec - start.tv_nsec);
+  return static_cast<double>(end.tv_sec - start.tv_sec) +
+         1e-9 * static_cast<double>(end.tv_nsec - start.tv_nsec);
 }
 
 double median(std::vector<double> v) {
@@ -141,16 +161,20 @@ int main(int argc, char** argv) {
   const char* csv = nullptr;
   for (int a = 1; a < argc; a += 2) {
     const std::string key = argv[a];
-    if (a + 1 == argc) return std::fprintf(stderr, "scripts/bench modules [--particles 27000] [--repeat 9] [--csv FILE]\n"), 2;
+    if (a + 1 == argc)
+      return std::fprintf(stderr, "scripts/bench modules [--particles 27000] [--repeat 9] [--csv FILE]\n"), 2;
     if (key == "--particles") particles = std::atof(argv[a + 1]);
     else if (key == "--repeat") repeat = std::atoi(argv[a + 1]);
     else if (key == "--csv") csv = argv[a + 1];
     else return std::fprintf(stderr, "unknown option %s\n", argv[a]), 2;
   }
-  if (particles < 8 || repeat < 1) return std::fprintf(stderr, "--particles must be at least 8, --repeat at least 1\n"), 2;
+  if (particles < 8 || repeat < 1)
+    return std::fprintf(stderr, "--particles must be at least 8, --repeat at least 1\n"), 2;
   FILE* out = csv ? std::fopen(csv, "w") : stdout;
   if (!out) return std::fprintf(stderr, "%s: cannot be written\n", csv), 3;
-  std::fprintf(out, "case,base,particles,ns_without,ns_with,time_ratio,bytes_without,bytes_with,fields_without,fields_with,idle_share,target_idle_share,repeats\n");
+  std::fprintf(out,
+               "case,base,particles,ns_without,ns_with,time_ratio,bytes_without,bytes_with,fields_without,"
+               "fields_with,idle_share,target_idle_share,repeats\n");
   const int edge = static_cast<int>(std::lround(std::cbrt(particles))), steps = 5;
   for (const Row& row : rows()) {
     Simulation bare(block(edge, row.base));
@@ -166,8 +190,10 @@ int main(int argc, char** argv) {
       with.push_back(1e9 * secondsOf(has, steps) / (steps * n));
       ratio.push_back(with.back() / without.back());
     }
-    std::fprintf(out, "\"%s\",%s,%.0f,%.1f,%.1f,%.3f,%.0f,%.0f,%zu,%zu,%.5f,0.01,%d\n", row.name, baseNames[static_cast<int>(row.base)], n, median(without), median(with), median(ratio),
-                 totalBytes(memoryOf(bare.w, bare.tools)) / n, totalBytes(memoryOf(has.w, has.tools)) / n, fieldsOf(bare.w).size(), fieldsOf(has.w).size(), idleShare(bare), repeat);
+    std::fprintf(out, "\"%s\",%s,%.0f,%.1f,%.1f,%.3f,%.0f,%.0f,%zu,%zu,%.5f,0.01,%d\n", row.name,
+                 baseNames[static_cast<int>(row.base)], n, median(without), median(with), median(ratio),
+                 totalBytes(memoryOf(bare.w, bare.tools)) / n, totalBytes(memoryOf(has.w, has.tools)) / n,
+                 fieldsOf(bare.w).size(), fieldsOf(has.w).size(), idleShare(bare), repeat);
     std::fflush(out);
   }
   if (csv) std::fclose(out);

@@ -1,8 +1,10 @@
-// output: seconds and bytes a second of a frame, of a checkpoint, and of both beside what dd takes to write as many bytes to the same disk.
+// output: seconds and bytes a second of a frame, of a checkpoint, and of both beside what dd takes to write
+// as many bytes to the same disk.
 //   output [--particles 1000000] [--repeat 5] [--folder out/bench/output] [--csv FILE]
-// A frame (position, velocity, pressure, density, id) is written, read again for its layout, and renamed; a checkpoint is also synced to the disk and
-// read back whole, so dd syncs too there (conv=fsync), and reads the file once (`dd of=/dev/null`). Ours and dd take turns; medians. On the ranks that it
-// is started with; dd is one process.
+// A frame (position, velocity, pressure, density, id) is written, read again for its layout, and renamed; a
+// checkpoint is also synced to the disk and read back whole, so dd syncs too there (conv=fsync), and reads
+// the file once (`dd of=/dev/null`). Ours and dd take turns; medians. On the ranks that it is started with;
+// dd is one process.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -76,7 +78,10 @@ struct Folder {
   }
 };
 
-struct Result { const char* name; double megabytes, ours, dd; };
+struct Result {
+  const char* name;
+  double megabytes, ours, dd;
+};
 
 int run(int argc, char** argv) {
   double particles = 1e6;
@@ -84,7 +89,8 @@ int run(int argc, char** argv) {
   std::string folder = "out/bench/output", csv;
   for (int k = 1; k < argc; k += 2) {
     const std::string key = argv[k];
-    if (k + 1 == argc) throw std::invalid_argument("output [--particles N] [--repeat R] [--folder F] [--csv FILE]");
+    if (k + 1 == argc)
+      throw std::invalid_argument("output [--particles N] [--repeat R] [--folder F] [--csv FILE]");
     if (key == "--particles") particles = numberOf(key, argv[k + 1], 1, 1e9);
     else if (key == "--repeat") repeat = static_cast<int>(countOf(key, argv[k + 1], 1, 10000));
     else if (key == "--folder") folder = argv[k + 1];
@@ -105,7 +111,9 @@ int run(int argc, char** argv) {
       writeFrame(frame, comm.handle(), frameOf(rig.w, comm.rank()), {"output", "", false});
     }));
     theirs[0].push_back(seconds(comm, [&] { dd(comm, "if=" + frame + " of=" + copy); }));
-    ours[1].push_back(seconds(comm, [&] { checkpoint = writeCheckpoint(folder, comm.handle(), rig.w, {"output", "", false}); }));
+    ours[1].push_back(seconds(comm, [&] {
+      checkpoint = writeCheckpoint(folder, comm.handle(), rig.w, {"output", "", false});
+    }));
     theirs[1].push_back(seconds(comm, [&] {
       dd(comm, "if=" + checkpoint + " of=" + copy + " conv=fsync");
       dd(comm, "if=" + copy + " of=/dev/null");
@@ -114,14 +122,25 @@ int run(int argc, char** argv) {
   std::int64_t all = static_cast<std::int64_t>(rig.w.particles.owned);
   rig.all.sum({&all, 1});
   if (comm.rank() == 0) {
-    const Result results[]{{"frame", 1e-6 * static_cast<double>(std::filesystem::file_size(frame)), median(ours[0]), median(theirs[0])},
-                           {"checkpoint", 1e-6 * static_cast<double>(std::filesystem::file_size(checkpoint)), median(ours[1]), median(theirs[1])}};
-    std::printf("%lld particles on %d ranks, medians of %d\n%-12s %10s %10s %10s %10s %14s\n", static_cast<long long>(all), comm.size(), repeat, "", "MB", "s", "MB/s", "dd MB/s", "dd / ours (1)");
+    const Result results[]{{"frame", 1e-6 * static_cast<double>(std::filesystem::file_size(frame)),
+                            median(ours[0]), median(theirs[0])},
+                           {"checkpoint", 1e-6 * static_cast<double>(std::filesystem::file_size(checkpoint)),
+                            median(ours[1]), median(theirs[1])}};
+    std::printf("%lld particles on %d ranks, medians of %d\n%-12s %10s %10s %10s %10s %14s\n",
+                static_cast<long long>(all), comm.size(), repeat, "", "MB", "s", "MB/s", "dd MB/s",
+                "dd / ours (1)");
     std::FILE* file = csv.empty() ? nullptr : std::fopen(csv.c_str(), "w");
-    if (file) std::fprintf(file, "case,particles,ranks,megabytes,MB_per_s,dd_MB_per_s,share_of_dd,share_of_dd_target,repeats\n");
+    if (file)
+      std::fprintf(
+          file,
+          "case,particles,ranks,megabytes,MB_per_s,dd_MB_per_s,share_of_dd,share_of_dd_target,repeats\n");
     for (const Result& r : results) {
-      std::printf("%-12s %10.1f %10.4f %10.0f %10.0f %14.2f\n", r.name, r.megabytes, r.ours, r.megabytes / r.ours, r.megabytes / r.dd, r.dd / r.ours);
-      if (file) std::fprintf(file, "%s,%lld,%d,%.1f,%.1f,%.1f,%.4f,1,%d\n", r.name, static_cast<long long>(all), comm.size(), r.megabytes, r.megabytes / r.ours, r.megabytes / r.dd, r.dd / r.ours, repeat);
+      std::printf("%-12s %10.1f %10.4f %10.0f %10.0f %14.2f\n", r.name, r.megabytes, r.ours,
+                  r.megabytes / r.ours, r.megabytes / r.dd, r.dd / r.ours);
+      if (file)
+        std::fprintf(file, "%s,%lld,%d,%.1f,%.1f,%.1f,%.4f,1,%d\n", r.name, static_cast<long long>(all),
+                     comm.size(), r.megabytes, r.megabytes / r.ours, r.megabytes / r.dd, r.dd / r.ours,
+                     repeat);
     }
     if (file) std::fclose(file);
   }

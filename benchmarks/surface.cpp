@@ -1,26 +1,30 @@
-// surface [--surfels N] [--repeat R] [--only GROUP] [--csv FILE]: what an update of the surface costs on one core, and how true a ball's surface is.
-//   iteration: full iterations of all surfels of a ball, for several supports h_ss; ns a surfel and iteration, by phase
-//   update:    a whole update of a melting bust of 4,000 particles, from the copies of the particles to the
+// surface [--surfels N] [--repeat R] [--only GROUP] [--csv FILE]: what an update of the surface costs on one
+// core, and how true a ball's surface is.
+//   iteration: full iterations of all surfels of a ball, for several supports h_ss; ns a surfel and
+//   iteration, by phase update:    a whole update of a melting bust of 4,000 particles, from the copies of
+//   the particles to the
 //              blend, until the local stop
 //   whole updates: updateSurface with resampling, components and measures, of a solid and a molten bust
 //              (benchmarks/surface/whole_updates.hpp), with h_ss = 3 d, 2.5 d and, of the molten one, the
 //              support radius of the particles; by phase
-//   ball:      surfels settled on a ball of whole cells of a lattice against the ball, for the same choices of
-//              h_ss: its staircase is in it. A scene's ball, whose outer particles count with what of the ball
-//              is around them, is a case of the accuracy suite (surface_ball), which has the targets
-// --only: iterations, update, solid, molten (whole updates) or balls alone. Times are processor time. Searches, placing and what is done once an update are beside the iterations, in ms.
+//   ball:      surfels settled on a ball of whole cells of a lattice against the ball, for the same choices
+//   of
+//              h_ss: its staircase is in it. A scene's ball, whose outer particles count with what of the
+//              ball is around them, is a case of the accuracy suite (surface_ball), which has the targets
+// --only: iterations, update, solid, molten (whole updates) or balls alone. Times are processor time.
+// Searches, placing and what is done once an update are beside the iterations, in ms.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <functional>
 
+#include "benchmarks/surface/row.hpp"
+#include "benchmarks/surface/whole_updates.hpp"
 #include "core/geometry/signed_distance.hpp"
 #include "core/surface/blend.hpp"
 #include "core/surface/displace.hpp"
 #include "core/surface/ready_particles.hpp"
-#include "benchmarks/surface/row.hpp"
-#include "benchmarks/surface/whole_updates.hpp"
 #include "tests/support/settle_rig.hpp"
 
 namespace {
@@ -56,13 +60,17 @@ void neighbours(const SettleRig& rig, double& particles, double& surfels) {
   surfels = static_cast<double>(counted[1]) / static_cast<double>(n);
 }
 
-/// Twelve full iterations on a ball of 4,000 particles with `surfels` surfels. Of a ball so small a surfel has 114 particles within twice their support
-/// radius, where it has 134 on a plane: the particle support is a little larger, so that they are the 130 of the bar.
-Row iterations(const std::string& name, double surfels, int repeat, const std::function<void(Scene&, double spacing)>& change) {
+/// Twelve full iterations on a ball of 4,000 particles with `surfels` surfels. Of a ball so small a surfel
+/// has 114 particles within twice their support radius, where it has 134 on a plane: the particle support is
+/// a little larger, so that they are the 130 of the bar.
+Row iterations(const std::string& name, double surfels, int repeat,
+               const std::function<void(Scene&, double spacing)>& change) {
   const double R = 9.85, spacing = std::sqrt(4 * 3.14159265358979323846 * R * R / (0.866 * surfels));
   Row best;
   for (int k = 0; k < repeat; k++) {
-    SettleRig rig(spacing, R + 6, [&](Scene& s) { s.surface.stop = 1e-6, s.surface.particleSupport = 2.1, change(s, spacing); });
+    SettleRig rig(spacing, R + 6, [&](Scene& s) {
+      s.surface.stop = 1e-6, s.surface.particleSupport = 2.1, change(s, spacing);
+    });
     rig.addLattice(12, {0.5, 0.5, 0.5}, [&](const Vec3d& x) { return length(x) < R; });
     rig.addBallSurfels(R);
     rig.place();
@@ -75,7 +83,8 @@ Row iterations(const std::string& name, double surfels, int repeat, const std::f
     r.surfels = static_cast<double>(rig.w.surface.surfels.owned);
     neighbours(rig, r.aroundParticles, r.aroundSurfels);
     fillPhases(r, rig.tools.relax.times);
-    r.targetRate = name == "iteration" ? 1e6 : 0;  // twice what the surface was first asked for, as all targets here
+    r.targetRate = name == "iteration" ? 1e6 : 0;  // twice what the surface was first asked for, as all
+                                                   // targets here
     r.searchMs = 1e3 * rig.tools.relax.times.search;
     r.searches = static_cast<double>(rig.tools.relax.times.searches);
     if (r.rate > best.rate) best = r;
@@ -83,7 +92,8 @@ Row iterations(const std::string& name, double surfels, int repeat, const std::f
   return best;
 }
 
-/// An update of the builtin bust, melting from below: the lowest third is liquid, the next tenth between, and it spreads.
+/// An update of the builtin bust, melting from below: the lowest third is liquid, the next tenth between, and
+/// it spreads.
 Row update(double surfels, int repeat) {
   Shape shape;
   shape.kind = ShapeKind::Mesh;
@@ -119,8 +129,11 @@ Row update(double surfels, int repeat) {
     });
     if (k < 2) spacing *= std::sqrt(static_cast<double>(skin.size()) / surfels);
   }
-  const auto liquidAt = [&](const Vec3d& x) { return static_cast<float>(std::clamp((0.43 * height - x.z) / (0.1 * height), 0.0, 1.0)); };
-  const auto flow = [&](const Vec3d& x) {  // spreads and sinks where it is liquid, a quarter of a support radius at most
+  const auto liquidAt = [&](const Vec3d& x) {
+    return static_cast<float>(std::clamp((0.43 * height - x.z) / (0.1 * height), 0.0, 1.0));
+  };
+  const auto flow = [&](const Vec3d& x) {  // spreads and sinks where it is liquid, a quarter of a support
+                                           // radius at most
     const double f = static_cast<double>(liquidAt(x));
     return f * 0.5 * Vec3d{0.5 * x.x, 0.5 * x.y, -x.z} / (0.43 * height);
   };
@@ -128,7 +141,9 @@ Row update(double surfels, int repeat) {
   for (int k = 0; k < repeat; k++) {
     SettleRig rig(spacing * 1.07, height + 8);
     World& w = rig.w;
-    lattice(1, [&](const Vec3d& x) { if (bust->inside(x)) rig.addParticle(x, flow(x), 1, liquidAt(x)); });
+    lattice(1, [&](const Vec3d& x) {
+      if (bust->inside(x)) rig.addParticle(x, flow(x), 1, liquidAt(x));
+    });
     for (const auto& [x, n] : skin) rig.addSurfel(x, n, 1, 0);
     rig.place();
     // the surface that the last update left: settled where it was liquid
@@ -145,9 +160,9 @@ Row update(double surfels, int repeat) {
     Settled done;
     const SurfaceHalos halos = rig.ranks->halos();
     r.displaceMs = 1e3 * seconds([&] {
-      findDisplacementGradients(w, halos, rig.tools);
-      displaceSurfels(w, halos, rig.tools);
-    });
+                     findDisplacementGradients(w, halos, rig.tools);
+                     displaceSurfels(w, halos, rig.tools);
+                   });
     const double place = seconds([&] {
       SurfaceParticles& p = w.surface.particles;
       for (std::size_t i = 0; i < p.owned; i++) p.position[i] += p.displacement[i];
@@ -177,7 +192,8 @@ Row whole(bool molten, double surfels, double support, const std::string& choice
   const WholeUpdates u = wholeUpdates(molten, surfels, support, 2 + 2 * repeat);
   const auto ms = [&](SurfacePhase phase) { return 1e3 * u.phase[static_cast<std::size_t>(phase)]; };
   Row r;
-  r.name = std::string("whole update of a ") + (molten ? "molten" : "solid") + " bust until the local stop with h_ss = " + choice;
+  r.name = std::string("whole update of a ") + (molten ? "molten" : "solid") +
+           " bust until the local stop with h_ss = " + choice;
   r.particles = u.particles;
   r.surfels = u.surfels;
   r.aroundSurfels = u.surfelNeighbours;
@@ -205,7 +221,9 @@ Row ball(int R, SmoothingForm form, double support = 3) {
   rig.place();
   Row r;
   r.iterations = static_cast<double>(rig.settle(60).iterations);
-  r.name = std::string("ball of whole lattice cells R/dx ") + std::to_string(R) + (form == SmoothingForm::Plane ? " smoothing to planes" : "") + (support != 3 ? " h_ss " + std::to_string(support).substr(0, 3) + " d" : "");
+  r.name = std::string("ball of whole lattice cells R/dx ") + std::to_string(R) +
+           (form == SmoothingForm::Plane ? " smoothing to planes" : "") +
+           (support != 3 ? " h_ss " + std::to_string(support).substr(0, 3) + " d" : "");
   r.particles = static_cast<double>(rig.w.surface.particles.owned);
   r.surfels = static_cast<double>(rig.w.surface.surfels.owned);
   const test::BallErrors e = test::ballErrors(rig.w.surface.surfels, R);
@@ -219,9 +237,13 @@ Row ball(int R, SmoothingForm form, double support = 3) {
 bool printGroup(FILE* out, const std::string& group, double surfels, int repeat) {
   if (group == "iterations") {
     print(out, iterations("iteration", surfels, repeat, [](Scene&, double) {}));
-    print(out, iterations("iteration smoothing to planes", surfels, repeat, [](Scene& s, double) { s.surface.smoothing = SmoothingForm::Plane; }));
-    for (int support : {4, 6}) print(out, iterations("iteration h_ss " + std::to_string(support) + " d", surfels, repeat, [&](Scene& s, double) { s.surface.support = support; }));
-    print(out, iterations("iteration h_ss = h (the paper)", surfels, 1, [](Scene& s, double d) { s.surface.support = 2 / d; }));
+    print(out, iterations("iteration smoothing to planes", surfels, repeat,
+                          [](Scene& s, double) { s.surface.smoothing = SmoothingForm::Plane; }));
+    for (int support : {4, 6})
+      print(out, iterations("iteration h_ss " + std::to_string(support) + " d", surfels, repeat,
+                            [&](Scene& s, double) { s.surface.support = support; }));
+    print(out, iterations("iteration h_ss = h (the paper)", surfels, 1,
+                          [](Scene& s, double d) { s.surface.support = 2 / d; }));
   } else if (group == "update") {
     print(out, update(surfels, repeat));
   } else if (group == "solid" || group == "molten") {
@@ -229,7 +251,8 @@ bool printGroup(FILE* out, const std::string& group, double surfels, int repeat)
     print(out, whole(molten, surfels, 3, "3 d", repeat));
     print(out, whole(molten, surfels, 2.5, "2.5 d", repeat));
     // the support radius of the particles is two of their spacings of 28.5 mm
-    if (molten) print(out, whole(true, surfels, 8, "8 d (the paper has h = 10.4 d: surface.support = 10.4)", 1));
+    if (molten)
+      print(out, whole(true, surfels, 8, "8 d (the paper has h = 10.4 d: surface.support = 10.4)", 1));
   } else if (group == "balls") {
     for (int R : {8, 16, 24}) print(out, ball(R, SmoothingForm::Sphere));
     for (const double support : {2.5, 4.0, 6.0}) print(out, ball(16, SmoothingForm::Sphere, support));
@@ -251,19 +274,24 @@ int main(int argc, char** argv) {
     const std::string key = argv[a];
     const bool help = key == "-h" || key == "--help";
     if (help || a + 1 == argc)
-      return std::fprintf(help ? stdout : stderr, "scripts/bench surface [--surfels 60000] [--repeat 3] [--only iterations|update|solid|molten|balls] [--csv FILE]\n"), help ? 0 : 2;
+      return std::fprintf(help ? stdout : stderr,
+                          "scripts/bench surface [--surfels 60000] [--repeat 3] [--only "
+                          "iterations|update|solid|molten|balls] [--csv FILE]\n"),
+             help ? 0 : 2;
     if (key == "--surfels") surfels = std::atof(argv[a + 1]);
     else if (key == "--repeat") repeat = std::atoi(argv[a + 1]);
     else if (key == "--only") groups = {argv[a + 1]};
     else if (key == "--csv") csv = argv[a + 1];
     else return std::fprintf(stderr, "unknown option %s\n", argv[a]), 2;
   }
-  if (surfels < 100 || repeat < 1) return std::fprintf(stderr, "--surfels must be at least 100, --repeat at least 1\n"), 2;
+  if (surfels < 100 || repeat < 1)
+    return std::fprintf(stderr, "--surfels must be at least 100, --repeat at least 1\n"), 2;
   FILE* out = csv ? std::fopen(csv, "w") : stdout;
   if (!out) return std::fprintf(stderr, "%s: cannot be written\n", csv), 3;
   printHead(out);
   for (const std::string& group : groups)
-    if (!printGroup(out, group, surfels, repeat)) return std::fprintf(stderr, "no group of cases is called %s\n", group.c_str()), 2;
+    if (!printGroup(out, group, surfels, repeat))
+      return std::fprintf(stderr, "no group of cases is called %s\n", group.c_str()), 2;
   if (csv) std::fclose(out);
   return 0;
 }

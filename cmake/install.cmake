@@ -16,12 +16,15 @@ if(TARGET thaw)
   install(TARGETS thaw RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 # Headers say "core/...", so they keep their folders below include/thaw.
-install(DIRECTORY core parallel io DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/thaw FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY core parallel io DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/thaw FILES_MATCHING PATTERN
+  "*.hpp")
 install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/thaw OPTIONAL)
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/thaw)
 install(EXPORT thawTargets NAMESPACE thaw:: DESTINATION ${package_folder})
-configure_package_config_file(cmake/thawConfig.cmake.in ${PROJECT_BINARY_DIR}/thawConfig.cmake INSTALL_DESTINATION ${package_folder})
+configure_package_config_file(cmake/thawConfig.cmake.in ${PROJECT_BINARY_DIR}/thawConfig.cmake
+  INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/thawConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/thawConfig.cmake ${PROJECT_BINARY_DIR}/thawConfigVersion.cmake DESTINATION ${package_folder})
+install(FILES ${PROJECT_BINARY_DIR}/thawConfig.cmake ${PROJECT_BINARY_DIR}/thawConfigVersion.cmake DESTINATION
+  ${package_folder})

@@ -6,8 +6,8 @@
 #include "core/domain/sides.hpp"
 #include "core/heat/enthalpy.hpp"
 #include "core/heat/heat.hpp"
-#include "core/ledger/report.hpp"
 #include "core/ledger/energy_left.hpp"
+#include "core/ledger/report.hpp"
 #include "core/stored_energy.hpp"
 
 namespace thaw {
@@ -22,7 +22,8 @@ std::size_t emit(World& w, Halos& halos, const StepTools& t, double before, doub
     const EmitterPlan& plan = t.emitters[e];
     const Material& m = w.scene.materials[static_cast<std::size_t>(emitter.material)];
     const Vec3d direction = normalized(emitter.direction);
-    const std::int64_t begin = first ? 0 : layersUntil(emitter, plan, before), end = layersUntil(emitter, plan, after);
+    const std::int64_t begin = first ? 0 : layersUntil(emitter, plan, before),
+                       end = layersUntil(emitter, plan, after);
     for (std::int64_t layer = begin; layer < end; layer++) {
       const double age = after - leavingTime(emitter, plan, layer);  // negative in the nozzle
       for (std::size_t k = 0; k < plan.layer.size(); k++) {
@@ -55,7 +56,8 @@ std::size_t emit(World& w, Halos& halos, const StepTools& t, double before, doub
   return p.owned - had;
 }
 
-/// Cells of all particles, where they are asked for, and what leaves the domain; a cache full of places at a time.
+/// Cells of all particles, where they are asked for, and what leaves the domain; a cache full of places at a
+/// time.
 void findCells(World& w, std::vector<std::uint32_t>& leaving, bool keys, bool open) {
   constexpr std::size_t block = 1024;
   Continuum& p = w.particles;
@@ -78,14 +80,18 @@ void fitMemory(World& w, StepTools& t) {
 
 }  // namespace
 
-bool needsOrder(const World& w, const StepTools& t) { return needsNeighbours(w, t) || !w.walls.list.empty() || w.modules.kinds() || w.modules.surface; }
+bool needsOrder(const World& w, const StepTools& t) {
+  return needsNeighbours(w, t) || !w.walls.list.empty() || w.modules.kinds() || w.modules.surface;
+}
 
 bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
   Continuum& p = w.particles;
   if (p.ghosts > 0) p.resize(p.owned, 0);
   // a step's clock still shows its beginning here
   if (w.modules.emitters) releaseDriven(w.scene, t.emitters, w.clock.time + dt, p);
-  const std::size_t emitted = w.modules.emitters ? emit(w, halos, t, w.clock.time, w.clock.time + dt, t.emitFirst) : 0;
+  const std::size_t emitted = w.modules.emitters
+                                  ? emit(w, halos, t, w.clock.time, w.clock.time + dt, t.emitFirst)
+                                  : 0;
   t.emitFirst = false;
   std::vector<std::uint32_t> fresh;
   for (std::size_t i = p.owned - emitted; i < p.owned; i++) {
@@ -94,7 +100,8 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
   }
   addToBalance(w, fresh, w.ledger.entered);
 
-  // where nobody looks for neighbours a particle may stay with the rank that it began with: bonds, which know their ends wherever these are, need not be sent after it
+  // where nobody looks for neighbours a particle may stay with the rank that it began with: bonds, which know
+  // their ends wherever these are, need not be sent after it
   const bool ordered = needsOrder(w, t), moves = ordered || t.newPartition || w.modules.emitters;
   const bool partitioned = std::exchange(t.newPartition, false);
   if (std::exchange(t.looseMemory, partitioned)) giveBackFreed();
@@ -119,14 +126,16 @@ bool bringHome(World& w, Halos halos, StepTools& t, double dt) {
   t.times.lap(StepPhase::Migrate);
   if (!t.leaving.empty()) {
     std::vector<std::uint32_t> gone;
-    std::merge(m.departed.begin(), m.departed.end(), t.leaving.begin(), t.leaving.end(), std::back_inserter(gone));
+    std::merge(m.departed.begin(), m.departed.end(), t.leaving.begin(), t.leaving.end(),
+               std::back_inserter(gone));
     m.departed = std::move(gone);
   }
   if (w.modules.sleep)
     for (std::size_t i = before; i < p.owned; i++) t.sleep.findAll = t.sleep.findAll || p.sleep[i] == asleep;
   m.arrivals += emitted;
   ColumnList stale{};  // what this step finds anew before anybody asks
-  if (dt > 0 && !w.modules.sheet && !w.modules.meeting) stale.push_back(&p.acceleration);  // contacts with both read the last one
+  // contacts with both read the last one
+  if (dt > 0 && !w.modules.sheet && !w.modules.meeting) stale.push_back(&p.acceleration);
   if (!w.modules.sleep) stale.push_back(&p.interaction);
   if (ordered) sortByCell(p, m, t.sort, w.cells, stale);
   else if (m.arrivals > 0 || !m.departed.empty()) closeGaps(p, m);

@@ -10,7 +10,9 @@ double bytesOf(const Table& t) {
   return static_cast<double>(n + t.bufferBytes());
 }
 
-template<class... Vectors> double bytesOf(const Vectors&... v) { return (0.0 + ... + static_cast<double>(v.capacity() * sizeof(v[0]))); }
+template<class... Vectors> double bytesOf(const Vectors&... v) {
+  return (0.0 + ... + static_cast<double>(v.capacity() * sizeof(v[0])));
+}
 
 }  // namespace
 
@@ -22,21 +24,30 @@ std::vector<MemoryUse> memoryOf(const World& w, const StepTools& t) {
   const Surface& f = w.surface;
   const OrientedWork& o = t.oriented;
   const Bonds& edges = w.sheets.edges.bonds;
-  return {{"particles", bytesOf(static_cast<const Table&>(w.particles))},
-          {"oriented", bytesOf(static_cast<const Table&>(w.oriented.rows)) + bytesOf(o.lists.first, o.lists.list, o.place, o.move, o.spinMove, o.turn, o.velocity, o.spin, o.rest, o.restSpin, o.along,
-                                                                                     o.alongSpin, o.image, o.imageSpin)},
-          {"sheets", bytesOf(static_cast<const Table&>(w.sheets.rows)) + bytesOf(static_cast<const Table&>(w.sheets.edges.ends)) +
-                         static_cast<double>(edges.bytes()) + bytesOf(w.sheets.slope)},
-          {"solids", bytesOf(static_cast<const Table&>(w.solids))},
-          {"cells", bytesOf(w.cells.key, w.cells.first, w.cells.count, t.inner, t.liquidCells)},
-          {"neighbour lists", bytesOf(n.self, n.first, n.count, n.list, n.wet, n.neighbours)},
-          {"pair records", bytesOf(r.fixed, r.coarse[0], r.coarse[1], r.coarse[2], r.place, r.motion, r.state, r.surface, r.diagonal, r.mixed, r.pull)},
-          {"bonds", static_cast<double>(b.bytes())},
-          {"elastic work", bytesOf(e.remoteGroup, e.ownFrames, e.inner, e.boundary, e.bondCount, e.rank, e.singularLanes, e.stretched, e.perTrace, e.perWeight, e.grip, e.motion4, e.motion4d)},
-          {"surface", bytesOf(static_cast<const Table&>(f.surfels)) + bytesOf(static_cast<const Table&>(f.particles)) +
-                          bytesOf(f.surfelCells.key, f.surfelCells.first, f.surfelCells.count, f.particleCells.key, f.particleCells.first, f.particleCells.count)},
-          {"walls and contacts", bytesOf(t.wallContacts.list, t.closePairs.list, t.contactResistance)},
-          {"sort and search", bytesOf(t.sort.gone, t.sort.movers, t.sort.before, t.sort.order, t.sort.moves.runs, t.sort.moves.singles, t.search.x, t.search.y, t.search.z, t.search.entry)}};
+  return {
+      {"particles", bytesOf(static_cast<const Table&>(w.particles))},
+      {"oriented", bytesOf(static_cast<const Table&>(w.oriented.rows)) +
+                       bytesOf(o.lists.first, o.lists.list, o.place, o.move, o.spinMove, o.turn, o.velocity,
+                               o.spin, o.rest, o.restSpin, o.along, o.alongSpin, o.image, o.imageSpin)},
+      {"sheets", bytesOf(static_cast<const Table&>(w.sheets.rows)) +
+                     bytesOf(static_cast<const Table&>(w.sheets.edges.ends)) +
+                     static_cast<double>(edges.bytes()) + bytesOf(w.sheets.slope)},
+      {"solids", bytesOf(static_cast<const Table&>(w.solids))},
+      {"cells", bytesOf(w.cells.key, w.cells.first, w.cells.count, t.inner, t.liquidCells)},
+      {"neighbour lists", bytesOf(n.self, n.first, n.count, n.list, n.wet, n.neighbours)},
+      {"pair records", bytesOf(r.fixed, r.coarse[0], r.coarse[1], r.coarse[2], r.place, r.motion, r.state,
+                               r.surface, r.diagonal, r.mixed, r.pull)},
+      {"bonds", static_cast<double>(b.bytes())},
+      {"elastic work",
+       bytesOf(e.remoteGroup, e.ownFrames, e.inner, e.boundary, e.bondCount, e.rank, e.singularLanes,
+               e.stretched, e.perTrace, e.perWeight, e.grip, e.motion4, e.motion4d)},
+      {"surface", bytesOf(static_cast<const Table&>(f.surfels)) +
+                      bytesOf(static_cast<const Table&>(f.particles)) +
+                      bytesOf(f.surfelCells.key, f.surfelCells.first, f.surfelCells.count,
+                              f.particleCells.key, f.particleCells.first, f.particleCells.count)},
+      {"walls and contacts", bytesOf(t.wallContacts.list, t.closePairs.list, t.contactResistance)},
+      {"sort and search", bytesOf(t.sort.gone, t.sort.movers, t.sort.before, t.sort.order, t.sort.moves.runs,
+                                  t.sort.moves.singles, t.search.x, t.search.y, t.search.z, t.search.entry)}};
 }
 
 double totalBytes(const std::vector<MemoryUse>& use) {
@@ -47,7 +58,9 @@ double totalBytes(const std::vector<MemoryUse>& use) {
 
 std::vector<std::string> fieldsOf(const World& w) {
   std::vector<std::string> names;
-  for (const Table* t : {static_cast<const Table*>(&w.particles), static_cast<const Table*>(&w.solids), static_cast<const Table*>(&w.surface.surfels), static_cast<const Table*>(&w.surface.particles)})
+  for (const Table* t :
+       {static_cast<const Table*>(&w.particles), static_cast<const Table*>(&w.solids),
+        static_cast<const Table*>(&w.surface.surfels), static_cast<const Table*>(&w.surface.particles)})
     for (const AnyColumn* c : t->columns)
       if (c->active) names.push_back(std::string(t->kind) + "." + c->name);
   return names;

@@ -7,7 +7,10 @@
 
 namespace thaw {
 
-struct MemoryUse { const char* what; double bytes; };
+struct MemoryUse {
+  const char* what;
+  double bytes;
+};
 
 /// Bytes that are allocated on this rank, by what they are for.
 std::vector<MemoryUse> memoryOf(const World& world, const StepTools& tools);

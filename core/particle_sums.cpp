@@ -42,7 +42,9 @@ void clearRates(World& w, bool pairsSet) {
 
 namespace {
 
-RecordContext recordsOf(const World& w, const StepTools& t) { return {w.scene, w.modules, w.grid, t.liquids, w.clock.substeps}; }
+RecordContext recordsOf(const World& w, const StepTools& t) {
+  return {w.scene, w.modules, w.grid, t.liquids, w.clock.substeps};
+}
 
 }  // namespace
 
@@ -148,7 +150,8 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
     search(w, t, Part::Inner);
     t.times.lap(StepPhase::Search);
   } else if (pass == NeighbourPass::BoundaryDensity) {
-    if (p.ghosts > t.ghostRoom) {  // more than ever: the padding of the inner lists points where ghosts are now
+    if (p.ghosts > t.ghostRoom) {  // more than ever: the padding of the inner lists points where ghosts are
+                                   // now
       t.ghostRoom = p.ghosts + p.ghosts / 8;
       sumOverNeighbours(w, t, NeighbourPass::InnerDensity, elapsed);
     }
@@ -157,7 +160,9 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
     t.times.lap(StepPhase::Search);
   }
   const GroupRange inner{0, lists.innerGroups}, boundary{lists.innerGroups, lists.groups};
-  const GroupRange range = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::InnerForces ? inner : boundary;
+  const GroupRange range = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::InnerForces
+                               ? inner
+                               : boundary;
   if (density) {
     if (w.modules.fluid) {
       PairSums sums = pairSumsOf(w, t);
@@ -169,15 +174,18 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
     return;
   }
   if (w.modules.fluid && !w.modules.incompressible) {  // else pressure is found at the end of the step
-    pass == NeighbourPass::InnerForces ? packPressure(x, p, 0, p.owned, t.records) : packPressure(x, p, p.owned, p.size(), t.records);
+    pass == NeighbourPass::InnerForces ? packPressure(x, p, 0, p.owned, t.records)
+                                       : packPressure(x, p, p.owned, p.size(), t.records);
     w.compressionKnown = !w.modules.uniform;
   }
   const PairSums s = pairSumsOf(w, t);
   PairSums resisting = s;
-  if (p.drag.active) resisting.force = p.drag.data();  // viscosity only: pressure is found at the end of the step
+  if (p.drag.active)
+    resisting.force = p.drag.data();  // viscosity only: pressure is found at the end of the step
   if (w.modules.fluid || w.modules.heat) t.kernels->forces(resisting, range);
   if (w.modules.surfaceEnergy) {
-    pass == NeighbourPass::InnerForces ? packSurfacePull(x, p, 0, p.owned, t.records) : packSurfacePull(x, p, p.owned, p.size(), t.records);
+    pass == NeighbourPass::InnerForces ? packSurfacePull(x, p, 0, p.owned, t.records)
+                                       : packSurfacePull(x, p, p.owned, p.size(), t.records);
     t.kernels->surfaceForces(s, range);
   } else if (w.modules.tension) {
     t.kernels->tension(s, range);
@@ -194,7 +202,9 @@ void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapse
   t.times.lap(StepPhase::Forces);
 }
 
-void solveViscosity(World& w, Halos halos, StepTools& t, const WallContext& walls) { addImplicitViscosity(w, halos, t, pairSumsOf(w, t), walls); }
+void solveViscosity(World& w, Halos halos, StepTools& t, const WallContext& walls) {
+  addImplicitViscosity(w, halos, t, pairSumsOf(w, t), walls);
+}
 
 namespace {
 
@@ -252,7 +262,8 @@ void sumExcessPressure(World& w, CellHalo& halo, StepTools& t) {
 
 void markInner(const World& w, const CellHalo& halo, StepTools& t) {
   t.inner.resize(w.cells.key.size());
-  for (std::size_t c = 0; c < t.inner.size(); c++) t.inner[c] = w.cells.first[c] < w.particles.owned && halo.inner(w.cells.key[c]);
+  for (std::size_t c = 0; c < t.inner.size(); c++)
+    t.inner[c] = w.cells.first[c] < w.particles.owned && halo.inner(w.cells.key[c]);
 }
 
 void separateCoincident(World& w, const StepTools& t, std::int64_t before) {
@@ -271,7 +282,8 @@ void separateCoincident(World& w, const StepTools& t, std::int64_t before) {
       }
       if (!together) continue;
       Vec3d d;
-      for (int a = 0; a < 3; a++) d[a] = randomUniform(w.scene.seed, Purpose::Separate, p.id[i], static_cast<std::uint64_t>(a)) - 0.5;
+      for (int a = 0; a < 3; a++)
+        d[a] = randomUniform(w.scene.seed, Purpose::Separate, p.id[i], static_cast<std::uint64_t>(a)) - 0.5;
       p.position[i] += d * (1e-5 * w.scene.spacing);
       if (p.calm.active) p.calm[i] = 0;
     }

@@ -13,7 +13,9 @@
 namespace thaw {
 namespace {
 
-ElasticStep elasticStep(const StepTools& t, double dt) { return {dt, t.elastic.energyInSteps, t.elastic.deformationInSteps}; }
+ElasticStep elasticStep(const StepTools& t, double dt) {
+  return {dt, t.elastic.energyInSteps, t.elastic.deformationInSteps};
+}
 
 void deformAll(World& w, Halos& halos, StepTools& t, const ElasticStep& step) {
   if (w.modules.sleep) chooseAwakeGroups(w, t);
@@ -25,12 +27,15 @@ void deformAll(World& w, Halos& halos, StepTools& t, const ElasticStep& step) {
   w.counters.inverted += r.inverted;
   w.counters.squeezed += r.squeezed;
   t.maxStretch2 = r.maxStretch2;
-  for (const double stretch2 : t.elastic.groupStretch2) t.maxStretch2 = std::max(t.maxStretch2, stretch2);  // also of what sleeps; else it is empty
+  // also of what sleeps; else it is empty
+  for (const double stretch2 : t.elastic.groupStretch2) t.maxStretch2 = std::max(t.maxStretch2, stretch2);
 }
 
 BondForming bondForming(const World& w, const StepTools& t) {
   BondForming forming;
-  forming.rule = t.bondsAtStart ? BondRule::Start : w.modules.welding ? BondRule::Welding : BondRule::Freezing;
+  forming.rule = t.bondsAtStart      ? BondRule::Start
+                 : w.modules.welding ? BondRule::Welding
+                                     : BondRule::Freezing;
   forming.support = t.elastic.support;
   forming.touch = contactDistance * w.scene.spacing;  // where they would push each other away
   forming.selfWeld = w.scene.numerics.selfContact;
@@ -49,7 +54,8 @@ void renewSolids(World& w, Halos& halos, StepTools& t) {
   w.counters.singularNeighbourhoods = refreshReference(t.elastic, w.solids, w.bonds, false);
 }
 
-/// Do bonds form in this step, on any rank? Whether solids weld is looked up at the places of now, so that a restart needs no memory of it.
+/// Do bonds form in this step, on any rank? Whether solids weld is looked up at the places of now, so that a
+/// restart needs no memory of it.
 bool bondsForm(World& w, Halos& halos, StepTools& t) {
   if (t.bondsAtStart || t.frozeAnywhere) return t.bondsAtStart || w.modules.freezing;
   if (!w.modules.welding) return false;
@@ -58,7 +64,8 @@ bool bondsForm(World& w, Halos& halos, StepTools& t) {
   return touch > 0;
 }
 
-/// Books the energy of the particles that asked for bonds, times this sign: 1 before they have them, -1 after, at the same places.
+/// Books the energy of the particles that asked for bonds, times this sign: 1 before they have them, -1
+/// after, at the same places.
 void bookEnergy(World& w, StepTools& t, double sign) {
   if (sign > 0) {
     t.rebonded.clear();
@@ -67,7 +74,8 @@ void bookEnergy(World& w, StepTools& t, double sign) {
       if (t.rebonded.empty() || t.rebonded.back() != row) t.rebonded.push_back(row);
     }
   }
-  for (const std::uint32_t row : t.rebonded) w.ledger.phaseJump.add(sign * slotEnergy(t.elastic, w.solids, w.bonds, w.particles.slot[row]));
+  for (const std::uint32_t row : t.rebonded)
+    w.ledger.phaseJump.add(sign * slotEnergy(t.elastic, w.solids, w.bonds, w.particles.slot[row]));
 }
 
 /// Solid particles among the ghosts: no bond of the start goes farther.
@@ -86,7 +94,8 @@ std::size_t partsOfStart(const World& w, Halos& halos) {
   return static_cast<std::size_t>(std::clamp(listed / together, 8.0, 64.0));
 }
 
-/// All bonds of the start, in parts: asked for at once the requests would be many times what the bonds themselves take.
+/// All bonds of the start, in parts: asked for at once the requests would be many times what the bonds
+/// themselves take.
 void bondScene(World& w, Halos& halos, StepTools& t) {
   takeReferences(w.particles, w.solids);
   const BondForming forming = bondForming(w, t);
@@ -97,12 +106,15 @@ void bondScene(World& w, Halos& halos, StepTools& t) {
   const std::size_t remotes = solidGhosts(w.particles);
   w.solids.reserve(w.solids.owned + remotes);
   const std::size_t parts = partsOfStart(w, halos);
-  const auto part = [&](std::size_t k) { return ListedGroups{k * w.neighbours.groups / parts, (k + 1) * w.neighbours.groups / parts}; };
+  const auto part = [&](std::size_t k) {
+    return ListedGroups{k * w.neighbours.groups / parts, (k + 1) * w.neighbours.groups / parts};
+  };
   if (!w.bonds.vectors) {  // of the largest part, or twice the memory is asked for
     std::size_t most = 0;
     for (std::size_t k = 0; k < parts; k++) {
       std::size_t places = 0;
-      for (std::size_t g = part(k).first; g < part(k).last; g++) places += std::size_t(lanes) * w.neighbours.count[g];
+      for (std::size_t g = part(k).first; g < part(k).last; g++)
+        places += std::size_t(lanes) * w.neighbours.count[g];
       most = std::max(most, places);
     }
     pairs.reserve(most);
@@ -120,7 +132,8 @@ void bondScene(World& w, Halos& halos, StepTools& t) {
   t.bondsAtStart = false;
 }
 
-/// Bonds of the start, or of what has just frozen. The stress of what was there does not change: F of older ends is taken into account.
+/// Bonds of the start, or of what has just frozen. The stress of what was there does not change: F of older
+/// ends is taken into account.
 void makeBonds(World& w, Halos& halos, StepTools& t) {
   Continuum& p = w.particles;
   prepareBondForming(p, w.solids);
@@ -142,7 +155,8 @@ void makeBonds(World& w, Halos& halos, StepTools& t) {
 void relinkSolids(World& w, Halos halos, StepTools& t, const Relink& work) {
   t.times.lap(StepPhase::Sort);
   linkSlots(w.particles, w.solids);
-  if (halos.bonds.relink(w.particles, w.solids, w.bonds, work) && !fieldsToCome(w, t)) renewSolids(w, halos, t);
+  if (halos.bonds.relink(w.particles, w.solids, w.bonds, work) && !fieldsToCome(w, t))
+    renewSolids(w, halos, t);
   t.times.lap(StepPhase::Bonds);
 }
 
@@ -150,7 +164,8 @@ void findElasticEnergy(World& w, const StepTools& t) {
   if (w.solids.energyKnown) return;
   const bool still = atReference(w.solids);
   for (std::size_t s = 0; s < w.solids.owned; s++) {
-    const auto [gradU, energy] = still ? slotStrainAtReference(t.elastic, w.solids, w.bonds, s) : slotStrain(t.elastic, w.solids, w.bonds, s);
+    const auto [gradU, energy] = still ? slotStrainAtReference(t.elastic, w.solids, w.bonds, s)
+                                       : slotStrain(t.elastic, w.solids, w.bonds, s);
     w.solids.energy[s] = energy;
     if (!t.elastic.deformationInSteps) w.solids.deformation[s] = identity3<double>() + gradU;
   }
@@ -160,7 +175,8 @@ void findElasticEnergy(World& w, const StepTools& t) {
 void findElasticEnergy(World& w, const StepTools& t, std::span<const std::uint32_t> rows) {
   if (w.solids.energyKnown) return;
   for (const std::uint32_t i : rows)
-    if (const std::uint32_t slot = w.particles.slot[i]; slot != noSlot) w.solids.energy[slot] = slotEnergy(t.elastic, w.solids, w.bonds, slot);
+    if (const std::uint32_t slot = w.particles.slot[i]; slot != noSlot)
+      w.solids.energy[slot] = slotEnergy(t.elastic, w.solids, w.bonds, slot);
 }
 
 void melt(World& w, Halos halos, StepTools& t) {
@@ -193,8 +209,10 @@ void deform(World& w, Halos halos, StepTools& t, double dt) {
     if (!start) bookEnergy(w, t, -1);
     now.dt = dt;
   }
-  if (w.modules.fracture) w.counters.brokenBonds += breakBonds(t.elastic, w.solids, w.bonds, now, w.ledger.phaseJump);
-  if (w.modules.plastic) w.counters.rereferenced += rereference(t.elastic, w.solids, w.bonds, now, w.ledger.phaseJump);
+  if (w.modules.fracture)
+    w.counters.brokenBonds += breakBonds(t.elastic, w.solids, w.bonds, now, w.ledger.phaseJump);
+  if (w.modules.plastic)
+    w.counters.rereferenced += rereference(t.elastic, w.solids, w.bonds, now, w.ledger.phaseJump);
   t.times.lap(StepPhase::Elastic);
   const ColumnList columns = remoteColumnsBeforeForces(w.solids);
   halos.bonds.begin(w.solids, columns);

@@ -24,7 +24,8 @@ void drift(World& w, double span, double far2) {
     if (p.smoothing.active && !(p.clamped.active && p.clamped[i])) v += p.smoothing[i];
     p.position[i] += v * span;
     if (p.travel.active) p.travel[i] += v * share;
-    if (const double potential = wrapPlace(w.grid, w.scene.domain, p.position[i]); potential != 0) w.ledger.entered.potential.add(p.mass[i] * potential);
+    if (const double potential = wrapPlace(w.grid, w.scene.domain, p.position[i]); potential != 0)
+      w.ledger.entered.potential.add(p.mass[i] * potential);
   }
 }
 
@@ -77,7 +78,9 @@ void substepSolids(World& w, Halos halos, StepTools& t, double dt) {
   if (n <= 1) return;
   const double span = dt / n, far2 = w.grid.support * w.grid.support / (dt * dt);
   linkSlots(w.particles, w.solids);  // rows have been sorted since, if the run was resumed
-  if (w.solids.rereferenced.active) std::fill_n(w.solids.rereferenced.data(), w.solids.size(), std::uint8_t{0});  // followed already
+  // followed already
+  if (w.solids.rereferenced.active)
+    std::fill_n(w.solids.rereferenced.data(), w.solids.size(), std::uint8_t{0});
   if (w.particles.travel.active) std::fill_n(w.particles.travel.data(), w.particles.owned, Vec3d{});
   findSubstepContacts(w, t.substepContacts);
   drift(w, span, far2);
@@ -95,7 +98,8 @@ void chooseSubsteps(World& w, const StepTools& t, double longest) {
   const int before = c.substeps, most = w.modules.mostSubsteps;
   const double step = nextStep(c), wanted = std::ceil(step / longest * (1 - 1e-9));
   c.substeps = wanted < most ? std::max(1, static_cast<int>(wanted)) : most;
-  // one less is worth it where it lasts: substeps that jump up and down pump energy into what swings fast, as steps do
+  // one less is worth it where it lasts: substeps that jump up and down pump energy into what swings fast, as
+  // steps do
   if (c.substeps < before && before <= most && 1.1 * step > (before - 1) * longest) c.substeps = before;
   if (c.substeps == before) return;
   for (int a = 0; a < 3; a++) {

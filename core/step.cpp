@@ -11,8 +11,8 @@
 #include "core/fluid/incompressible/pressure_solver.hpp"
 #include "core/heat/heat.hpp"
 #include "core/kinds/place_kinds.hpp"
-#include "core/ledger/report.hpp"
 #include "core/ledger/energy_left.hpp"
+#include "core/ledger/report.hpp"
 #include "core/oriented/step_oriented.hpp"
 #include "core/particle_sums.hpp"
 #include "core/sheet/step_sheets.hpp"
@@ -26,19 +26,20 @@ namespace thaw {
 StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   t.times.start();
   const double dt = nextStep(w.clock), time = timeAfter(w.clock, dt);
-  if (w.modules.oriented) stepOriented(w, halos, t, dt);  // by an integrator of their own, past obstacles where forces were found
+  if (w.modules.oriented)
+    stepOriented(w, halos, t, dt);  // by an integrator of their own, past obstacles where forces were found
   if (w.modules.incompressible) addPressureKick(w);  // found at the end of the last step
   t.mayLeave = kickAndDrift(w, dt, awakeRows(w, t)) || w.clock.substeps > 1;  // v += a dt/2, x += v dt
-  substepSolids(w, halos, t, dt);              // stiff solids: bonds alone, in shorter steps
+  substepSolids(w, halos, t, dt);  // stiff solids: bonds alone, in shorter steps
   wrapPeriodic(w.grid, w.scene.domain, w.particles, w.ledger.entered.potential);
   moveWalls(w.walls, time);
   t.times.lap(StepPhase::Drift);
   if (w.modules.sheet) {
-    moveSheets(w, dt);                         // the exact solution over the step
+    moveSheets(w, dt);  // the exact solution over the step
     t.times.lap(StepPhase::SheetMotion);
   }
 
-  evaluate(w, halos, t, dt);                   // forces at the new places
+  evaluate(w, halos, t, dt);  // forces at the new places
 
   if (w.modules.sleep) settleSleep(w, t, dt);  // solids at rest are held from here on
   StepOutcome here;
@@ -48,16 +49,16 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   here.badHere = !here.finite || w.oriented.overran;
   if (w.modules.sheet) {
     t.times.lap(StepPhase::Drift);
-    kickSheets(w, dt);                         // v += the push of forces at the new places
+    kickSheets(w, dt);  // v += the push of forces at the new places
     t.times.lap(StepPhase::SheetMotion);
   }
   if (w.modules.kinds() && !finiteKinds(w)) here.finite = false;
   t.times.lap(StepPhase::Drift);
-  if (w.modules.heat) updateHeat(w, dt);       // H += heat dt, T and liquid fraction follow
+  if (w.modules.heat) updateHeat(w, dt);  // H += heat dt, T and liquid fraction follow
   PhaseChanges changes;
   if (w.modules.melting) changes = changePhase(w);  // solid <-> liquid
   t.phaseChangedHere = changes.melted || changes.frozen;
-  t.frozeAnywhere = changes.frozen;            // both are reduced by the vote
+  t.frozeAnywhere = changes.frozen;  // both are reduced by the vote
   t.meltedAnywhere = changes.melted;
   t.times.lap(StepPhase::Heat);
 
@@ -65,37 +66,49 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   w.clock.stepDt = dt;
   w.clock.step++;
   const StepOutcome all = vote(w, halos, t, here, wanted);
-  if (w.modules.incompressible && all.finite) findPressure(w, halos, t, dt);  // v without compression, and the kick that keeps the volume
-  if (w.modules.solid && t.meltedAnywhere) melt(w, halos, t);  // here and not in the next step: a checkpoint has it behind it
+  // v without compression, and the kick that keeps the volume
+  if (w.modules.incompressible && all.finite) findPressure(w, halos, t, dt);
+  if (w.modules.solid && t.meltedAnywhere)
+    melt(w, halos, t);  // here and not in the next step: a checkpoint has it behind it
   return all;
 }
 
 void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   Continuum& p = w.particles;
-  const bool leftSlots = bringHome(w, halos, t, dt);     // emit, let go, migrate, sort by (cell, id)
+  const bool leftSlots = bringHome(w, halos, t, dt);  // emit, let go, migrate, sort by (cell, id)
   if (w.modules.solid) relinkSolids(w, halos, t, {{}, t.phaseChangedHere || leftSlots || t.bondsAtStart});
   t.phaseChangedHere = false;
   if (w.modules.kinds()) bringKindsHome(w, halos, t, dt);
   if (w.modules.sheet) linkSheets(w, halos, t);
   if (w.modules.oriented) evaluateOriented(w, halos, t, dt);
 
-  // first of all, since it puts particles that are deep in a wall back to its surface: ghosts and bonds must see them there
-  const WallContext walls{w, t.wallTables, t.liquids, dt, dt > 0 ? dt : nextStep(w.clock), 1.0 / w.clock.substeps, w.modules.sleep ? &t.sleep.deep : nullptr};
+  // first of all, since it puts particles that are deep in a wall back to its surface: ghosts and bonds must
+  // see them there
+  const WallContext walls{w,
+                          t.wallTables,
+                          t.liquids,
+                          dt,
+                          dt > 0 ? dt : nextStep(w.clock),
+                          1.0 / w.clock.substeps,
+                          w.modules.sleep ? &t.sleep.deep : nullptr};
   findWallContacts(walls, t.wallContacts);
   t.times.lap(StepPhase::Walls);
 
   if (w.modules.sleep) beginSleep(w, t, dt);
   const std::int64_t coincident = w.counters.coincidentPairs;
   const bool neighbours = needsNeighbours(w, t);
-  if (neighbours) halos.cells.beginGhosts(p, w.cells, ghostColumns(w));  // copies of the cells around ours are on their way ...
+  // copies of the cells around ours are on their way ...
+  if (neighbours) halos.cells.beginGhosts(p, w.cells, ghostColumns(w));
   if (w.modules.solid) beginDeformation(w, halos, t);
   t.times.lap(StepPhase::Exchange);
   clearRates(w, w.modules.uniform);
-  const bool justFrozen = t.frozeAnywhere && w.modules.freezing && dt > 0;  // of an evaluation with new coefficients the jump of all is booked
+  // of an evaluation with new coefficients the jump of all is booked
+  const bool justFrozen = t.frozeAnywhere && w.modules.freezing && dt > 0;
   if (neighbours) {
     markInner(w, halos.cells, t);
     if (w.modules.sleep) markAsleep(w, t);
-    sumOverNeighbours(w, t, NeighbourPass::InnerDensity, dt);  // ... while particles inside find neighbours and density
+    sumOverNeighbours(w, t, NeighbourPass::InnerDensity, dt);  // ... while particles inside find neighbours
+                                                               // and density
     halos.cells.finishGhosts(p, w.cells);
     t.times.lap(StepPhase::Exchange);
     markInner(w, halos.cells, t);
@@ -117,21 +130,27 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
   }
   if (w.modules.fluid) halos.cells.beginRefresh(p, toGhosts);
   t.times.lap(StepPhase::Exchange);
-  if (w.modules.solid) deform(w, halos, t, dt);          // F, stress; bonds break, form, take new references
-  if (w.modules.neighbours) sumOverNeighbours(w, t, NeighbourPass::InnerForces);  // pressure, viscosity, heat, tension
+  if (w.modules.solid) deform(w, halos, t, dt);  // F, stress; bonds break, form, take new references
+  // pressure, viscosity, heat, tension
+  if (w.modules.neighbours) sumOverNeighbours(w, t, NeighbourPass::InnerForces);
   if (w.modules.fluid) halos.cells.finishRefresh(p);
   t.times.lap(StepPhase::Exchange);
   if (w.modules.neighbours) sumOverNeighbours(w, t, NeighbourPass::BoundaryForces);
-  if (p.softening.active && w.modules.fluid) beginSoftening(w, t);          // how the energy of pairs and contacts depends on what melts
+  if (p.softening.active && w.modules.fluid)
+    beginSoftening(w, t);  // how the energy of pairs and contacts depends on what melts
   if (w.modules.solid) addElasticForces(w, halos, t, dt);
-  if (w.modules.contact) addSolidContacts({w.scene, w.grid, w.solids, w.bonds, walls.span, justFrozen ? &w.ledger.phaseJump : nullptr, &t.contactResistance, w.modules.fluid ? nullptr : &w.counters.coincidentPairs}, t.closePairs, p);
+  if (w.modules.contact)
+    addSolidContacts(
+        {w.scene, w.grid, w.solids, w.bonds, walls.span, justFrozen ? &w.ledger.phaseJump : nullptr,
+         &t.contactResistance, w.modules.fluid ? nullptr : &w.counters.coincidentPairs},
+        t.closePairs, p);
   t.times.lap(StepPhase::Contact);
   if (w.modules.sleep) noteHolds(w, t);
   addWallForces(walls, t.perLatticeSum, t.wallContacts);
   t.times.lap(StepPhase::Walls);
-  if (w.modules.sheet) loadSheets(w, halos, t, dt);      // forces on vertices, and of vertices on particles
-  if (w.modules.meeting) meetContinuum(w, t, dt);        // oriented particles and the continuum
-  if (w.modules.oriented) bookBornContacts(w, t);        // of those born in this step
+  if (w.modules.sheet) loadSheets(w, halos, t, dt);  // forces on vertices, and of vertices on particles
+  if (w.modules.meeting) meetContinuum(w, t, dt);    // oriented particles and the continuum
+  if (w.modules.oriented) bookBornContacts(w, t);    // of those born in this step
   if (w.modules.contact) bookResistance(walls, t.contactResistance);
   bookClamps(walls, t.wallContacts);
   if (w.modules.implicitViscosity) solveViscosity(w, halos, t, walls);  // knows all other forces
@@ -147,12 +166,18 @@ void evaluate(World& w, Halos halos, StepTools& t, double dt) {
 StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests wanted) {
   StepLimits limits = t.fixedLimits;
   StepLimits own = particleLimits(w, here.largest ? *here.largest : largestRates(w), t.stableViscousStep);
-  own[Limit::Sound] = limits[Limit::Sound] / soundStiffening(w);  // the shortest of all ranks is where some particle is compressed most
-  // near a wall its push is stiffer than the lattice, for which cfl_sound stands: omega dt is 1.2 at most (2 is stable)
-  if (t.wallContacts.stiffest > 0) own[Limit::Contact] = 3 * w.scene.numerics.cflSound / t.wallContacts.stiffest;
+  own[Limit::Sound] = limits[Limit::Sound] / soundStiffening(w);  // the shortest of all ranks is where some
+                                                                  // particle is compressed most
+  // near a wall its push is stiffer than the lattice, for which cfl_sound stands: omega dt is 1.2 at most (2
+  // is stable)
+  if (t.wallContacts.stiffest > 0)
+    own[Limit::Contact] = 3 * w.scene.numerics.cflSound / t.wallContacts.stiffest;
   Ballot ballot;
-  for (std::size_t k = 0; k < ballot.negatedLimits.size(); k++) ballot.negatedLimits[k] = -std::min(limits.value[k], own.value[k]);
-  if (w.modules.kinds()) ballot.negatedKindLimits = {w.modules.oriented ? -orientedStepLimit(w, t) : -never, w.modules.sheet ? -sheetStepLimit(w) : -never};
+  for (std::size_t k = 0; k < ballot.negatedLimits.size(); k++)
+    ballot.negatedLimits[k] = -std::min(limits.value[k], own.value[k]);
+  if (w.modules.kinds())
+    ballot.negatedKindLimits = {w.modules.oriented ? -orientedStepLimit(w, t) : -never,
+                                w.modules.sheet ? -sheetStepLimit(w) : -never};
   ballot.froze = t.frozeAnywhere;
   ballot.melted = t.meltedAnywhere;
   ballot.bad = here.badHere || !here.finite;
@@ -164,15 +189,18 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests
   if (w.modules.substeps) ballot.negatedFastLimit = -fastAccelerationLimit(w);
   if (w.modules.fluid) ballot.filling = largestFilling(w);
   if (w.modules.surface) ballot.surfaceMove2 = largestSurfaceMove2(w);
-  if (w.modules.solid) w.counters.singularNeighbourhoods = countSingular(t.elastic, w.solids);  // bonds break and references follow in any step
+  // bonds break and references follow in any step
+  if (w.modules.solid) w.counters.singularNeighbourhoods = countSingular(t.elastic, w.solids);
   t.times.lap(StepPhase::Drift);
   reduce(ballot, halos.all, w.modules);
   t.times.lap(StepPhase::Reduce);
   for (std::size_t k = 0; k < ballot.negatedLimits.size(); k++) limits.value[k] = -ballot.negatedLimits[k];
-  for (std::size_t k = 0; k < kindLimits && w.modules.kinds(); k++) limits.value[ballot.negatedLimits.size() + k] = -ballot.negatedKindLimits[k];
+  for (std::size_t k = 0; k < kindLimits && w.modules.kinds(); k++)
+    limits.value[ballot.negatedLimits.size() + k] = -ballot.negatedKindLimits[k];
   // of the largest of all ranks: not the least of their limits, which depends on what is on the same rank
   if (w.modules.solid) limits[Limit::Elastic] = elasticStepLimit(w.scene, ballot.stretch2, ballot.grip);
-  const double longest = std::min({limits[Limit::Elastic], t.longestContact, -ballot.negatedFastLimit});  // of a substep
+  // of a substep
+  const double longest = std::min({limits[Limit::Elastic], t.longestContact, -ballot.negatedFastLimit});
   if (w.modules.substeps) limits[Limit::Elastic] = w.modules.mostSubsteps * longest;
   StepOutcome all = here;
   all.limitedBy = limits.smallest();
@@ -182,15 +210,18 @@ StepOutcome vote(World& w, Halos halos, StepTools& t, StepOutcome here, Requests
   all.wanted = {ballot.stop > 0, ballot.report > 0, ballot.checkpoint > 0};
   all.surfaceMove2 = ballot.surfaceMove2;
   all.alarm = all.finite ? alarmOf(w, t.watch, limits, ballot.filling) : Alarm::NotFinite;
-  w.watch.factor = nextFactor(w.watch);        // 1, or less after a retry
+  w.watch.factor = nextFactor(w.watch);  // 1, or less after a retry
   const double fixed = w.scene.numerics.fixedStep, factor = w.watch.factor;
   // where nothing limits the step frames cut it; after a retry it is to be a share of what they leave
   const bool limited = limits[all.limitedBy] < never;
   const double limit = limited || factor == 1 ? limits[all.limitedBy] : longestUnlimitedStep(w.clock);
   // growing by a tenth at most: leap-frog whose step jumps up and down pumps energy into what swings fast
-  w.clock.dt = fixed > 0 ? factor * fixed : std::min(factor * limit, w.clock.step > 0 ? 1.1 * w.clock.dt : never);
+  w.clock.dt = fixed > 0 ? factor * fixed
+                         : std::min(factor * limit, w.clock.step > 0 ? 1.1 * w.clock.dt : never);
   if (w.modules.substeps) chooseSubsteps(w, t, factor * longest);
-  w.clock.limitedBy = fixed > 0 ? "the scene's fixed step" : limited ? limitNames[static_cast<std::size_t>(all.limitedBy)] : "frames";
+  w.clock.limitedBy = fixed > 0 ? "the scene's fixed step"
+                      : limited ? limitNames[static_cast<std::size_t>(all.limitedBy)]
+                                : "frames";
   return all;
 }
 

@@ -20,8 +20,8 @@
 
 namespace {
 
-/// Says once, not once a rank, what is wrong with the command line: all ranks see the same one. MPI's end keeps another rank from
-/// ending the job before the first has said it.
+/// Says once, not once a rank, what is wrong with the command line: all ranks see the same one. MPI's end
+/// keeps another rank from ending the job before the first has said it.
 void sayOnce(CLI::App& app, const CLI::ParseError& e, int* argc, char*** argv) {
   thaw::MpiSession mpi(argc, argv);
   int rank = 0;
@@ -29,7 +29,8 @@ void sayOnce(CLI::App& app, const CLI::ParseError& e, int* argc, char*** argv) {
   if (rank == 0) app.exit(e);
 }
 
-/// The arguments but the program's name, from the last to the first, as CLI11 takes them. It takes -.5 for an option: with a zero before the point it is a number.
+/// The arguments but the program's name, from the last to the first, as CLI11 takes them. It takes -.5 for an
+/// option: with a zero before the point it is a number.
 std::vector<std::string> reversedArguments(int argc, char** argv) {
   std::vector<std::string> all;
   for (int a = argc; a-- > 1;) {
@@ -73,7 +74,8 @@ void checkSettings(int argc, char** argv) {
 /// CLI11's own exit codes for wrong usage are all 2 here.
 bool parsed(CLI::App& app, int argc, char** argv, int& code) {
   try {
-    if (argc > 1 && argv[1][0] != '-') checkCommand(app, argv[1]), checkRanks(argc, argv), checkSettings(argc, argv);
+    if (argc > 1 && argv[1][0] != '-')
+      checkCommand(app, argv[1]), checkRanks(argc, argv), checkSettings(argc, argv);
     app.parse(reversedArguments(argc, argv));
     return true;
   } catch (const CLI::ParseError& e) {
@@ -88,7 +90,8 @@ bool parsed(CLI::App& app, int argc, char** argv, int& code) {
 
 int main(int argc, char** argv) {
   using namespace thaw;
-  CLI::App app("thaw simulates solids and fluids that deform, melt, flow, freeze and break, over MPI.", "thaw");
+  CLI::App app("thaw simulates solids and fluids that deform, melt, flow, freeze and break, over MPI.",
+               "thaw");
   app.set_version_flag("--version", std::string("thaw ") + versionNumber() + " (" + versionCommit() + ")");
   app.require_subcommand(1);
   RunOptions run;

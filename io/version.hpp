@@ -5,7 +5,8 @@ namespace thaw {
 
 /// Version number, as "0.1.0".
 const char* versionNumber();
-/// Commit the program was built from, with "+" behind it if files differed from the commit; "unknown" outside a git checkout.
+/// Commit the program was built from, with "+" behind it if files differed from the commit; "unknown" outside
+/// a git checkout.
 const char* versionCommit();
 
 }  // namespace thaw

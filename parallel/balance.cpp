@@ -2,16 +2,17 @@
 
 #include <algorithm>
 
+#include "core/bring_home.hpp"
 #include "core/kinds/cell_costs.hpp"
 #include "core/neighbours/list_cells.hpp"
-#include "core/bring_home.hpp"
 
 namespace thaw {
 
 namespace {
 
 // Whose work a phase is: of all particles, of those that sums over liquids are about, of solids.
-constexpr std::array ofAll{StepPhase::Drift, StepPhase::Sort, StepPhase::Search, StepPhase::Walls, StepPhase::Contact, StepPhase::Heat};
+constexpr std::array ofAll{StepPhase::Drift, StepPhase::Sort,    StepPhase::Search,
+                           StepPhase::Walls, StepPhase::Contact, StepPhase::Heat};
 constexpr std::array ofLiquids{StepPhase::Density, StepPhase::Forces, StepPhase::Pressure};
 constexpr std::array ofSolids{StepPhase::Elastic};
 
@@ -26,14 +27,21 @@ RowCosts costsOf(const World& w, const PhaseTimes& spent) {
   const Continuum& p = w.particles;
   const double n = static_cast<double>(p.owned);
   RowCosts costs;
-  eachKind(w, [&](std::size_t kind, const KindRows& r, const CellTable&) { costs.kind[kind] = r.owned > 0 ? spent[kind == orientedKind ? StepPhase::Oriented : StepPhase::Sheet] / static_cast<double>(r.owned) : 0; });
+  eachKind(w, [&](std::size_t kind, const KindRows& r, const CellTable&) {
+    costs.kind[kind] = r.owned > 0 ? spent[kind == orientedKind ? StepPhase::Oriented : StepPhase::Sheet] /
+                                         static_cast<double>(r.owned)
+                                   : 0;
+  });
   if (p.owned == 0) {
     costs.liquid = costs.solid = 0;
     return costs;
   }
   const double solids = static_cast<double>(std::count(p.phase.data(), p.phase.data() + p.owned, Solid));
-  // a solid far from liquids takes half of a liquid's sums where they conduct heat (terms/conduction.hpp), else only what lies beside liquids takes part
-  const double share = w.modules.heat ? 0.5 : 0.1, sums = secondsOf(spent, ofLiquids) / (n - solids + share * solids), each = secondsOf(spent, ofAll) / n;
+  // a solid far from liquids takes half of a liquid's sums where they conduct heat (terms/conduction.hpp),
+  // else only what lies beside liquids takes part
+  const double share = w.modules.heat ? 0.5 : 0.1,
+               sums = secondsOf(spent, ofLiquids) / (n - solids + share * solids),
+               each = secondsOf(spent, ofAll) / n;
   costs.liquid = each + sums;
   costs.solid = each + share * sums + (solids > 0 ? secondsOf(spent, ofSolids) / solids : 0);
   return costs;
@@ -41,7 +49,9 @@ RowCosts costsOf(const World& w, const PhaseTimes& spent) {
 
 }  // namespace
 
-double workOf(const PhaseTimes& t) { return secondsOf(t, ofAll) + secondsOf(t, ofLiquids) + secondsOf(t, ofSolids); }
+double workOf(const PhaseTimes& t) {
+  return secondsOf(t, ofAll) + secondsOf(t, ofLiquids) + secondsOf(t, ofSolids);
+}
 
 bool balance(World& w, CellHalo& halo, StepTools& t, WorkMeter& meter) {
   PhaseTimes spent;

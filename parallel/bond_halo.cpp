@@ -24,7 +24,9 @@ int MpiBondHalo::anyRank(int bits) const {
   return bits;
 }
 
-void MpiBondHalo::adopt(std::vector<std::byte> records) { waiting_.push_back({std::move(records), {}, true}); }
+void MpiBondHalo::adopt(std::vector<std::byte> records) {
+  waiting_.push_back({std::move(records), {}, true});
+}
 
 bool MpiBondHalo::relink(const BondedRows& p, Solids& s, Bonds& b, const Relink& work) {
   if (!p.active) return false;
@@ -87,11 +89,13 @@ void MpiBondHalo::tellChanges(const BondedRows& p) {
   for (const std::uint64_t id : strangers_) tell(id, SolidDirectory::nobody);
   links_.announceRemovals(graph_, removed_, news);
   for (std::size_t i = 0; i < fresh_.size(); i++)
-    if (!recordOf_[i] || waiting_[recordOf_[i]->waiting].adopted) tell(p.id[fresh_[i].particle], static_cast<std::uint64_t>(comm_.rank()));
+    if (!recordOf_[i] || waiting_[recordOf_[i]->waiting].adopted)
+      tell(p.id[fresh_[i].particle], static_cast<std::uint64_t>(comm_.rank()));
   applyNews(exchange(news.messages(), NewsKind), true);
 }
 
-/// Ids at the far ends of bonds to be made that no row here has and whose owner nobody told (all: also where a record tells it).
+/// Ids at the far ends of bonds to be made that no row here has and whose owner nobody told (all: also where
+/// a record tells it).
 std::vector<std::uint64_t> MpiBondHalo::unknownIds(const Solids& s, const Relink& work, bool all) {
   std::vector<std::uint64_t> ids;
   SolidRecordView view;
@@ -103,7 +107,8 @@ std::vector<std::uint64_t> MpiBondHalo::unknownIds(const Solids& s, const Relink
   }
   const auto listUnknown = [&](const auto& asked) {
     for (const auto& q : asked)
-      if ((q.other == noSlot || graph_.leaves(q.other)) && graph_.rowOf(q.neighbourId) == noRow) ids.push_back(q.neighbourId);
+      if ((q.other == noSlot || graph_.leaves(q.other)) && graph_.rowOf(q.neighbourId) == noRow)
+        ids.push_back(q.neighbourId);
   };
   listUnknown(work.requests);
   listUnknown(work.pairs);
@@ -135,7 +140,8 @@ void MpiBondHalo::askOwners(const std::vector<std::uint64_t>& ids) {
   }
 }
 
-// Particles migrated and others, or the same, stopped being solid before this relink: what was told in the migration is out of date.
+// Particles migrated and others, or the same, stopped being solid before this relink: what was told in the
+// migration is out of date.
 void MpiBondHalo::checkMoves(const Solids& s, const Relink& work) {
   std::vector<std::uint64_t> ids = unknownIds(s, work, true);
   for (const Departure& d : departures_) ids.push_back(graph_.idOf(d.slot));
@@ -167,9 +173,11 @@ void MpiBondHalo::makeSlots(const SolidTables& t, const Relink& work) {
     most = std::max(most, view.bonds.size());
   }
   most = std::max({most, graph_.mostBonds(work.requests), graph_.mostBonds(work.pairs)});
-  // where later parts of a start need little more, all room is made at once: each time it is made it is new memory for all bonds
+  // where later parts of a start need little more, all room is made at once: each time it is made it is new
+  // memory for all bonds
   constexpr int little = 4;
-  if (work.mostToCome > t.bonds.capacity && work.mostToCome <= static_cast<int>(most + 3) / 4 * 4 + little) most = std::max<std::size_t>(most, static_cast<std::size_t>(work.mostToCome));
+  if (work.mostToCome > t.bonds.capacity && work.mostToCome <= static_cast<int>(most + 3) / 4 * 4 + little)
+    most = std::max<std::size_t>(most, static_cast<std::size_t>(work.mostToCome));
   const auto before = static_cast<std::uint32_t>(graph_.rows());
   graph_.place(t, fresh_, work.remotesToCome);
   graph_.reserve(t.bonds, static_cast<int>(most));
@@ -186,7 +194,9 @@ void MpiBondHalo::makeSlots(const SolidTables& t, const Relink& work) {
       graph_.bond(t, before + i, r, owner);
     }
   }
-  const auto ownerOfEnd = [&](const auto& q) { return q.other != noSlot && !graph_.leaves(q.other) ? comm_.rank() : ownerOf(q.neighbourId); };
+  const auto ownerOfEnd = [&](const auto& q) {
+    return q.other != noSlot && !graph_.leaves(q.other) ? comm_.rank() : ownerOf(q.neighbourId);
+  };
   for (const BondRequest& q : work.requests) graph_.bond(t, q.slot, bondOf(q), ownerOfEnd(q), q.other);
   graph_.bond(t, work.pairs, ownerOfEnd);
 }

@@ -1,6 +1,6 @@
-// BondHalo over MPI. A rank that sends a solid particle away tells the ranks that copy it where it went, so that following a body
-// costs as much as moves; who has a solid particle that nobody here has heard of is kept in a directory spread over the ranks.
-// Works on one rank as well, and then sends nothing.
+// BondHalo over MPI. A rank that sends a solid particle away tells the ranks that copy it where it went, so
+// that following a body costs as much as moves; who has a solid particle that nobody here has heard of is
+// kept in a directory spread over the ranks. Works on one rank as well, and then sends nothing.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -17,13 +17,15 @@ class MpiBondHalo : public BondHalo {
   explicit MpiBondHalo(const Communicator& comm) : comm_(comm), graph_(comm.rank()) {}
 
   /// Throws std::logic_error where the slots of the last migration have not been made by a relink yet.
-  void migrate(const BondedRows& particles, Solids& solids, Bonds& bonds, const Migration& migration) override;
+  void migrate(const BondedRows& particles, Solids& solids, Bonds& bonds,
+               const Migration& migration) override;
   bool relink(const BondedRows& particles, Solids& solids, Bonds& bonds, const Relink& work) override;
   void begin(Solids& solids, std::span<AnyColumn* const> columns) override;
   void finish(Solids& solids) override;
 
-  /// Records (SolidRecords::bytes) of owned particles that have no slot yet, read from a checkpoint, on whatever rank: if the particle
-  /// migrates first, its record goes with it. The next relink makes slots of them; records of other particles are forgotten.
+  /// Records (SolidRecords::bytes) of owned particles that have no slot yet, read from a checkpoint, on
+  /// whatever rank: if the particle migrates first, its record goes with it. The next relink makes slots of
+  /// them; records of other particles are forgotten.
   void adopt(std::vector<std::byte> records);
   const BondGraph& graph() const { return graph_; }
 
@@ -32,21 +34,26 @@ class MpiBondHalo : public BondHalo {
   /// Solid particles on their way into the table.
   struct Waiting {
     std::vector<std::byte> records;
-    std::vector<std::int32_t> owners;  // of the other end of each bond, one record behind the other; none if adopted
+    std::vector<std::int32_t> owners;  // of the other end of each bond, one record behind the other; none if
+                                       // adopted
     bool adopted = false;              // from a checkpoint: no rank knows of it yet
   };
   struct Found {  // a record in waiting_
     std::uint64_t id;
     std::size_t waiting, at, end, owner;
   };
-  struct Departure { std::uint32_t slot; int to; };
+  struct Departure {
+    std::uint32_t slot;
+    int to;
+  };
 
   int anyRank(int bits) const;
   std::vector<Message> exchange(const std::vector<Message>& out, int kind);
   void listWaiting(const Solids& solids);
   const Found* findWaiting(std::uint64_t id) const;
   void tellDepartures();
-  void sendRecords(const BondedRows& particles, const Solids& solids, const Bonds& bonds, const Migration& migration);
+  void sendRecords(const BondedRows& particles, const Solids& solids, const Bonds& bonds,
+                   const Migration& migration);
   void applyNews(const std::vector<Message>& in, bool edit);
   void leaveSlots(const Solids& solids, const Bonds& bonds);
   void makeSlots(const SolidTables& tables, const Relink& work);
@@ -62,18 +69,18 @@ class MpiBondHalo : public BondHalo {
   BondLinks links_;
   SolidDirectory directory_;
   std::vector<Waiting> waiting_;
-  std::vector<Found> found_;                  // ascending by id
-  std::vector<Departure> departures_;         // until the next relink
-  std::vector<std::uint32_t> unslotted_;      // rows of particles that get a slot
-  std::vector<std::uint32_t> removed_;        // slots
-  std::vector<std::uint64_t> strangers_;      // ids that came here but are not solid any more
-  std::vector<std::uint32_t> movedRows_;      // remote rows whose particle has migrated since the last relink
+  std::vector<Found> found_;              // ascending by id
+  std::vector<Departure> departures_;     // until the next relink
+  std::vector<std::uint32_t> unslotted_;  // rows of particles that get a slot
+  std::vector<std::uint32_t> removed_;    // slots
+  std::vector<std::uint64_t> strangers_;  // ids that came here but are not solid any more
+  std::vector<std::uint32_t> movedRows_;  // remote rows whose particle has migrated since the last relink
   std::vector<NewSlot> fresh_;
-  std::vector<const Found*> recordOf_;        // of each fresh slot; nullptr: it has just become solid
-  std::vector<std::uint64_t> askedIds_;       // ascending, and who owns them
+  std::vector<const Found*> recordOf_;   // of each fresh slot; nullptr: it has just become solid
+  std::vector<std::uint64_t> askedIds_;  // ascending, and who owns them
   std::vector<std::uint64_t> askedOwners_;
-  bool moved_ = false;                        // solid particles migrated on some rank since the last relink
-  bool solidArrived_ = false;                 // on this rank
+  bool moved_ = false;         // solid particles migrated on some rank since the last relink
+  bool solidArrived_ = false;  // on this rank
 };
 
 }  // namespace thaw

@@ -14,9 +14,15 @@ namespace {
 
 enum Tag { BondTag = 31, LinkKind = 44 };
 
-struct Bytes24 { std::uint64_t word[3]; };
-struct Bytes64 { std::uint64_t word[8]; };
-struct Bytes128 { std::uint64_t word[16]; };
+struct Bytes24 {
+  std::uint64_t word[3];
+};
+struct Bytes64 {
+  std::uint64_t word[8];
+};
+struct Bytes128 {
+  std::uint64_t word[16];
+};
 
 template<class T, class Links> std::byte* gather(const AnyColumn& c, const Links& links, std::byte* to) {
   const T* from = reinterpret_cast<const T*>(c.bytes.data());
@@ -51,7 +57,8 @@ template<class Links> const std::byte* scatter(AnyColumn& c, const Links& links,
 }  // namespace
 
 BondLinks::Partner& BondLinks::partner(int rank) {
-  const auto at = std::lower_bound(partners_.begin(), partners_.end(), rank, [](const Partner& p, int r) { return p.rank < r; });
+  const auto at = std::lower_bound(partners_.begin(), partners_.end(), rank,
+                                   [](const Partner& p, int r) { return p.rank < r; });
   if (at != partners_.end() && at->rank == rank) return *at;
   Partner fresh;
   fresh.rank = rank;
@@ -59,7 +66,8 @@ BondLinks::Partner& BondLinks::partner(int rank) {
 }
 
 bool BondLinks::holds(const std::vector<Link>& links, std::uint64_t id) {
-  const auto at = std::lower_bound(links.begin(), links.end(), id, [](const Link& l, std::uint64_t i) { return l.id < i; });
+  const auto at = std::lower_bound(links.begin(), links.end(), id,
+                                   [](const Link& l, std::uint64_t i) { return l.id < i; });
   return at != links.end() && at->id == id;
 }
 
@@ -82,7 +90,8 @@ void BondLinks::announceDepartures(const BondGraph& graph, int rank, WordMessage
     }
 }
 
-void BondLinks::announceRemovals(const BondGraph& graph, std::span<const std::uint32_t> slots, WordMessages& out) const {
+void BondLinks::announceRemovals(const BondGraph& graph, std::span<const std::uint32_t> slots,
+                                 WordMessages& out) const {
   for (const std::uint32_t s : slots)
     for (const Partner& p : partners_) {
       if (!holds(p.sends, graph.idOf(s))) continue;
@@ -94,14 +103,19 @@ void BondLinks::announceRemovals(const BondGraph& graph, std::span<const std::ui
 
 void BondLinks::renew(const Communicator& comm, const BondGraph& graph) {
   // words to each rank: how many ids are given up, these, then the ids asked for
-  struct Change { std::vector<std::uint64_t> giveUp, ask; std::vector<Link> rows; };
+  struct Change {
+    std::vector<std::uint64_t> giveUp, ask;
+    std::vector<Link> rows;
+  };
   std::vector<std::pair<int, Change>> changes;
   const auto change = [&](int rank) -> Change& {
-    const auto at = std::find_if(changes.begin(), changes.end(), [&](const auto& c) { return c.first == rank; });
+    const auto at = std::find_if(changes.begin(), changes.end(),
+                                 [&](const auto& c) { return c.first == rank; });
     return at != changes.end() ? at->second : changes.emplace_back(rank, Change{}).second;
   };
   for (const BondGraph::Released& r : graph.released())
-    if (holds(partner(r.owner).receives, r.id)) change(r.owner).giveUp.push_back(r.id);  // else it has moved, and its new owner knows nothing of us
+    // else it has moved, and its new owner knows nothing of us
+    if (holds(partner(r.owner).receives, r.id)) change(r.owner).giveUp.push_back(r.id);
   const auto want = [&](std::uint32_t row) {
     Change& c = change(graph.ownerOf(row));
     c.ask.push_back(graph.idOf(row));
@@ -144,7 +158,8 @@ void BondLinks::renew(const Communicator& comm, const BondGraph& graph) {
     fresh.clear();
     for (auto id = ask; id != w.end(); ++id) {
       const std::uint32_t slot = graph.rowOf(*id);
-      if (slot == noRow || graph.isRemote(slot)) throw std::logic_error("another rank asks for a solid particle that is not here");
+      if (slot == noRow || graph.isRemote(slot))
+        throw std::logic_error("another rank asks for a solid particle that is not here");
       fresh.push_back({*id, slot});
     }
     add(p.sends, fresh);

@@ -18,13 +18,15 @@ void MpiBondHalo::listWaiting(const Solids& s) {
       owner += view.bonds.size();
       at = end;
     }
-    if (!waiting_[w].adopted && owner != waiting_[w].owners.size()) throw std::runtime_error("the records of solid particles and their owners disagree");
+    if (!waiting_[w].adopted && owner != waiting_[w].owners.size())
+      throw std::runtime_error("the records of solid particles and their owners disagree");
   }
   std::sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) { return a.id < b.id; });
 }
 
 const MpiBondHalo::Found* MpiBondHalo::findWaiting(std::uint64_t id) const {
-  const auto at = std::lower_bound(found_.begin(), found_.end(), id, [](const Found& f, std::uint64_t i) { return f.id < i; });
+  const auto at = std::lower_bound(found_.begin(), found_.end(), id,
+                                   [](const Found& f, std::uint64_t i) { return f.id < i; });
   return at != found_.end() && at->id == id ? &*at : nullptr;
 }
 
@@ -33,12 +35,13 @@ void MpiBondHalo::migrate(const BondedRows& p, Solids& s, Bonds& b, const Migrat
   if (moved_) throw std::logic_error("solid particles migrate twice without a relink between");
   for (std::size_t i = p.owned - m.arrivals; i < p.owned; i++) {
     p.slot[i] = noSlot;
-    solidArrived_ = solidArrived_ || !p.liquid(i);  // perhaps frozen before it went, and nobody here would look for it
+    solidArrived_ = solidArrived_ || !p.liquid(i);  // perhaps frozen before it went, and nobody here would
+                                                    // look for it
   }
   if (comm_.size() == 1) return;
   int any = 0;
   for (std::size_t k = 0; k < m.departed.size(); k++) {
-    if (m.departedTo[k] < 0) continue;  // left the domain: relink misses it
+    if (m.departedTo[k] < 0) continue;      // left the domain: relink misses it
     if (p.liquid(m.departed[k])) continue;  // melted before it went: the same
     const std::uint32_t slot = p.slot[m.departed[k]];
     if (slot != noSlot) departures_.push_back({slot, m.departedTo[k]});
@@ -52,8 +55,8 @@ void MpiBondHalo::migrate(const BondedRows& p, Solids& s, Bonds& b, const Migrat
   sendRecords(p, s, b, m);
 }
 
-// To ranks that copy a particle, and to its entry in the directory: who owns it now. Before the records are sent, so that these
-// can say where the other ends of bonds are once all have moved.
+// To ranks that copy a particle, and to its entry in the directory: who owns it now. Before the records are
+// sent, so that these can say where the other ends of bonds are once all have moved.
 void MpiBondHalo::tellDepartures() {
   for (const Departure& d : departures_) graph_.setOwner(d.slot, d.to);
   WordMessages news;
@@ -85,7 +88,12 @@ void MpiBondHalo::applyNews(const std::vector<Message>& in, bool edit) {
 }
 
 void MpiBondHalo::sendRecords(const BondedRows& p, const Solids& s, const Bonds& b, const Migration& m) {
-  struct Parcel { int to; SolidRecords records; std::vector<std::int32_t> owners; bool adopted; };
+  struct Parcel {
+    int to;
+    SolidRecords records;
+    std::vector<std::int32_t> owners;
+    bool adopted;
+  };
   std::vector<Parcel> parcels;
   const auto parcelTo = [&](int to, bool adopted) -> Parcel& {
     const auto at = std::find_if(parcels.begin(), parcels.end(),
@@ -106,7 +114,8 @@ void MpiBondHalo::sendRecords(const BondedRows& p, const Solids& s, const Bonds&
       if (!f) continue;
       std::vector<std::byte>& bytes = parcelTo(m.departedTo[k], true).records.bytes;
       const std::vector<std::byte>& from = waiting_[f->waiting].records;
-      bytes.insert(bytes.end(), from.begin() + static_cast<std::ptrdiff_t>(f->at), from.begin() + static_cast<std::ptrdiff_t>(f->end));
+      bytes.insert(bytes.end(), from.begin() + static_cast<std::ptrdiff_t>(f->at),
+                   from.begin() + static_cast<std::ptrdiff_t>(f->end));
     }
   }
   std::vector<Message> out;
@@ -115,7 +124,9 @@ void MpiBondHalo::sendRecords(const BondedRows& p, const Solids& s, const Bonds&
     std::vector<std::byte> bytes(sizeof head + head[0] + x.owners.size() * sizeof(std::int32_t));
     std::memcpy(bytes.data(), head, sizeof head);
     std::memcpy(bytes.data() + sizeof head, x.records.bytes.data(), head[0]);
-    if (!x.owners.empty()) std::memcpy(bytes.data() + sizeof head + head[0], x.owners.data(), x.owners.size() * sizeof(std::int32_t));
+    if (!x.owners.empty())
+      std::memcpy(bytes.data() + sizeof head + head[0], x.owners.data(),
+                  x.owners.size() * sizeof(std::int32_t));
     out.push_back({x.to, std::move(bytes)});
   }
   for (const Message& message : exchange(out, RecordKind)) {
@@ -123,7 +134,8 @@ void MpiBondHalo::sendRecords(const BondedRows& p, const Solids& s, const Bonds&
     std::memcpy(head, message.bytes.data(), sizeof head);
     Waiting w;
     w.adopted = head[1] != 0;
-    const auto first = message.bytes.begin() + sizeof head, last = first + static_cast<std::ptrdiff_t>(head[0]);
+    const auto first = message.bytes.begin() + sizeof head,
+               last = first + static_cast<std::ptrdiff_t>(head[0]);
     w.records.assign(first, last);
     w.owners.resize(static_cast<std::size_t>(message.bytes.end() - last) / sizeof(std::int32_t));
     if (!w.owners.empty()) std::memcpy(w.owners.data(), &*last, w.owners.size() * sizeof(std::int32_t));

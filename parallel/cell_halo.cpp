@@ -24,7 +24,9 @@ void fit(std::vector<std::byte>& buffer, std::size_t bytes, std::size_t room) {
 }
 
 // A message of ghosts: its bytes, the number of cells; their keys; their counts of particles; the columns.
-struct GhostHead { std::uint64_t bytes, cells; };
+struct GhostHead {
+  std::uint64_t bytes, cells;
+};
 constexpr std::size_t bytesPerCell = sizeof(std::uint64_t) + sizeof(std::uint32_t);
 
 GhostHead headOf(const std::vector<std::byte>& message) {
@@ -59,7 +61,8 @@ std::size_t MpiCellHalo::bufferBytes() const {
   std::size_t n = boundary_.capacity() * sizeof(std::uint32_t);
   for (const Neighbour& x : neighbours_) {
     n += x.out.capacity() + x.in.capacity();
-    n += x.copies.keys.capacity() * sizeof(std::uint64_t) + x.copies.counts.capacity() * sizeof(std::uint32_t) + x.copies.runs.capacity() * sizeof(RowRun);
+    n += x.copies.keys.capacity() * sizeof(std::uint64_t) +
+         x.copies.counts.capacity() * sizeof(std::uint32_t) + x.copies.runs.capacity() * sizeof(RowRun);
   }
   for (const Message& x : movers_) n += x.bytes.capacity();
   for (const Message& x : inbox_.messages()) n += x.bytes.capacity();
@@ -105,7 +108,8 @@ Migration MpiCellHalo::migrate(Table& p, std::span<const std::uint64_t> keys) {
     std::size_t row = before;
     for (const Message& x : inbox_.messages())
       for (std::size_t at = 0; at < x.bytes.size(); at += bytes) p.unpackState(row++, x.bytes.data() + at);
-    if (AnyColumn* slot = p.find("slot"); slot != nullptr && slot->active)  // a slot is an index into tables of the old owner
+    // a slot is an index into tables of the old owner
+    if (AnyColumn* slot = p.find("slot"); slot != nullptr && slot->active)
       std::fill_n(reinterpret_cast<std::uint32_t*>(slot->bytes.data()) + before, m.arrivals, noSlot);
   }
   if (newPartition_) {  // never again so many at once
@@ -116,7 +120,8 @@ Migration MpiCellHalo::migrate(Table& p, std::span<const std::uint64_t> keys) {
   return m;
 }
 
-/// Bytes that are received in one go once a message had so many: one piece at most, since nobody knows how many pieces the next will have.
+/// Bytes that are received in one go once a message had so many: one piece at most, since nobody knows how
+/// many pieces the next will have.
 std::size_t MpiCellHalo::roomFor(std::size_t bytes) const { return std::min(withRoom(bytes), comm_.piece()); }
 
 void MpiCellHalo::beginGhosts(Table&, const CellTable& cells, std::span<AnyColumn* const> columns) {
@@ -132,11 +137,13 @@ void MpiCellHalo::beginGhosts(Table&, const CellTable& cells, std::span<AnyColum
   for (Neighbour& n : neighbours_) sendGhosts(n, cells);
 }
 
-// Both ends know how large the receiver's buffer is; a larger message is announced by its head alone and sent behind.
+// Both ends know how large the receiver's buffer is; a larger message is announced by its head alone and sent
+// behind.
 void MpiCellHalo::sendGhosts(Neighbour& n, const CellTable& cells) {
   CellCopies& c = n.copies;
   listCopies(grid_, cells, boundary_, c);
-  const GhostHead head{sizeof(GhostHead) + c.keys.size() * bytesPerCell + c.rows * bytesOfColumns(columns_), c.keys.size()};
+  const GhostHead head{sizeof(GhostHead) + c.keys.size() * bytesPerCell + c.rows * bytesOfColumns(columns_),
+                       c.keys.size()};
   fit(n.out, head.bytes, withRoom(head.bytes));
   std::byte* to = n.out.data();
   std::memcpy(to, &head, sizeof head);
@@ -173,7 +180,8 @@ void MpiCellHalo::receiveGhosts(Neighbour& n) {
   }
 }
 
-/// Cells of a received message, behind those of the table; their rows begin at n.ghostFirst. Returns the number of rows.
+/// Cells of a received message, behind those of the table; their rows begin at n.ghostFirst. Returns the
+/// number of rows.
 std::size_t MpiCellHalo::appendCells(const Neighbour& n, CellTable& cells) const {
   const std::size_t count = headOf(n.in).cells, at = cells.key.size();
   cells.key.resize(at + count);
@@ -204,7 +212,8 @@ void MpiCellHalo::finishGhosts(Table& p, CellTable& cells) {
   }
   p.resize(p.owned, row - p.owned);
   for (Neighbour& n : neighbours_) {
-    unpackColumns(columns_, n.ghostFirst, n.ghostCount, n.in.data() + sizeof(GhostHead) + headOf(n.in).cells * bytesPerCell);
+    unpackColumns(columns_, n.ghostFirst, n.ghostCount,
+                  n.in.data() + sizeof(GhostHead) + headOf(n.in).cells * bytesPerCell);
     finishAll(n.sending);
   }
   mark_.end(comm_, MessagesFor::Ghosts);
@@ -217,12 +226,15 @@ void MpiCellHalo::beginRefresh(Table&, std::span<AnyColumn* const> columns) {
   const std::size_t row = bytesOfColumns(columns_);
   for (Neighbour& n : neighbours_) {
     fit(n.in, n.ghostCount * row, withRoom(n.ghostCount * row));
-    if (n.rank != comm_.rank()) startReceive(comm_, n.in.data(), n.ghostCount * row, n.rank, RefreshTag, n.receiving);
+    if (n.rank != comm_.rank())
+      startReceive(comm_, n.in.data(), n.ghostCount * row, n.rank, RefreshTag, n.receiving);
   }
   for (Neighbour& n : neighbours_) {
     fit(n.out, n.copies.rows * row, withRoom(n.copies.rows * row));
     packColumns(grid_, n.copies, columns_, n.out.data());
-    if (n.rank != comm_.rank()) startSend(comm_, n.out.data(), n.copies.rows * row, n.rank, RefreshTag, MessagesFor::Refresh, n.sending);
+    if (n.rank != comm_.rank())
+      startSend(comm_, n.out.data(), n.copies.rows * row, n.rank, RefreshTag, MessagesFor::Refresh,
+                n.sending);
   }
 }
 
@@ -240,7 +252,8 @@ void MpiCellHalo::finishRefresh(Table&) {
   mark_.end(comm_, MessagesFor::Refresh);
 }
 
-// Costs are measured times: they are made integers of a common unit, so that all ranks see the same sums and decide alike.
+// Costs are measured times: they are made integers of a common unit, so that all ranks see the same sums and
+// decide alike.
 bool MpiCellHalo::rebalance(const CellTable& cells, std::span<const double> cost, bool force) {
   if (comm_.size() == 1) return false;
   const auto usable = [](double c) { return c > 0 && c < std::numeric_limits<double>::max() ? c : 0.0; };
@@ -249,7 +262,8 @@ bool MpiCellHalo::rebalance(const CellTable& cells, std::span<const double> cost
   weighted.reserve(cost.size());
   for (std::uint64_t key : cells.key)
     if (!merged || owns(key)) weighted.push_back({cellOfKey(key), 0});
-  if (weighted.size() != cost.size()) throw std::logic_error("rebalance: there must be one cost for each owned cell");
+  if (weighted.size() != cost.size())
+    throw std::logic_error("rebalance: there must be one cost for each owned cell");
   double largest = 0;
   for (double c : cost) largest += usable(c);
   MpiReducer all(comm_);

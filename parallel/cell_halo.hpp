@@ -11,14 +11,15 @@ namespace thaw {
 
 struct BalanceRule {
   double threshold = 1.05;  ///< largest over mean cost above which a new partition is tried
-  double gain = 0.97;      ///< it is taken if its imbalance is below this times the present one
-  int pause = 3;          ///< calls without effect after a new partition was tried, unless it was forced
+  double gain = 0.97;       ///< it is taken if its imbalance is below this times the present one
+  int pause = 3;            ///< calls without effect after a new partition was tried, unless it was forced
 };
 
 class MpiCellHalo : public CellHalo {
  public:
-  /// Boxes of equal size; rebalance as soon as there are particles. Collective. The communicator must outlive this object.
-  /// Throws std::invalid_argument for a periodic axis of fewer than three cells, where images would overlap.
+  /// Boxes of equal size; rebalance as soon as there are particles. Collective. The communicator must outlive
+  /// this object. Throws std::invalid_argument for a periodic axis of fewer than three cells, where images
+  /// would overlap.
   MpiCellHalo(const Communicator& comm, const CellGrid& grid, const BalanceRule& rule = {});
 
   std::size_t bufferBytes() const override;
@@ -61,13 +62,13 @@ class MpiCellHalo : public CellHalo {
   std::vector<AnyColumn*> columns_;  // of the exchange under way
   std::vector<std::uint32_t> boundary_;
   GhostCellMerge merge_;
-  std::vector<Message> movers_;      // kept for their buffers
-  std::vector<int> messageTo_;       // for each rank the message under way to it, -1: none
+  std::vector<Message> movers_;  // kept for their buffers
+  std::vector<int> messageTo_;   // for each rank the message under way to it, -1: none
   Inbox inbox_;
-  bool newPartition_ = false;        // since the last migration
+  bool newPartition_ = false;  // since the last migration
   int pause_ = 0;
   double imbalance_ = 1;
-  ExchangeMark mark_;                // of the exchange under way
+  ExchangeMark mark_;  // of the exchange under way
 };
 
 }  // namespace thaw

@@ -13,9 +13,10 @@
 
 namespace thaw {
 
-/// MPI_Init and MPI_Finalize. Make one in main, before anything else of parallel/. Only the thread that made it may call MPI.
-/// Errors of MPI itself end the run on all ranks with MPI's message (MPI's default handler). An exception that leaves main's
-/// try block through this object ends all ranks too: the others would wait for this one for ever.
+/// MPI_Init and MPI_Finalize. Make one in main, before anything else of parallel/. Only the thread that made
+/// it may call MPI. Errors of MPI itself end the run on all ranks with MPI's message (MPI's default handler).
+/// An exception that leaves main's try block through this object ends all ranks too: the others would wait
+/// for this one for ever.
 class MpiSession {
  public:
   MpiSession(int* argc, char*** argv) : exceptions_(std::uncaught_exceptions()) {
@@ -38,11 +39,14 @@ class MpiSession {
 inline constexpr std::size_t largestPiece = std::size_t{1} << 30;
 inline constexpr std::size_t smallestPiece = 64;
 
-/// A duplicate of a communicator, so that our messages meet nobody else's. All halos share one; it counts what they do.
+/// A duplicate of a communicator, so that our messages meet nobody else's. All halos share one; it counts
+/// what they do.
 class Communicator {
  public:
-  /// piece: bytes of the largest piece of a message (64 B to 1 GiB; small ones are for tests), the same on all ranks.
-  explicit Communicator(MPI_Comm from = MPI_COMM_WORLD, std::size_t piece = largestPiece) : piece_(std::clamp(piece, smallestPiece, largestPiece)) {
+  /// piece: bytes of the largest piece of a message (64 B to 1 GiB; small ones are for tests), the same on
+  /// all ranks.
+  explicit Communicator(MPI_Comm from = MPI_COMM_WORLD, std::size_t piece = largestPiece)
+      : piece_(std::clamp(piece, smallestPiece, largestPiece)) {
     MPI_Comm_dup(from, &handle_);
     MPI_Comm_rank(handle_, &rank_);
     MPI_Comm_size(handle_, &size_);
@@ -74,11 +78,13 @@ class Communicator {
 /// Counts the time of a scope as waiting for others.
 class WaitMark {
  public:
-  WaitMark(const Communicator& comm, MessagesFor purpose) : comm_(comm), purpose_(purpose), start_(StepTrace::Clock::now()) {}
+  WaitMark(const Communicator& comm, MessagesFor purpose)
+      : comm_(comm), purpose_(purpose), start_(StepTrace::Clock::now()) {}
   ~WaitMark() {
     const auto now = StepTrace::Clock::now();
     comm_.traffic()[purpose_].waited += std::chrono::duration<double>(now - start_).count();
-    if (StepTrace* t = comm_.trace()) t->add(TraceKind::Wait, static_cast<std::uint8_t>(purpose_), start_, now);
+    if (StepTrace* t = comm_.trace())
+      t->add(TraceKind::Wait, static_cast<std::uint8_t>(purpose_), start_, now);
   }
   WaitMark(const WaitMark&) = delete;
   WaitMark& operator=(const WaitMark&) = delete;
@@ -89,7 +95,8 @@ class WaitMark {
   StepTrace::Clock::time_point start_;
 };
 
-/// From the first message of an exchange to its end; what was sent between is its size. Only looks at clock and counters with a trace.
+/// From the first message of an exchange to its end; what was sent between is its size. Only looks at clock
+/// and counters with a trace.
 class ExchangeMark {
  public:
   void begin(const Communicator& comm, MessagesFor purpose) {
@@ -100,7 +107,8 @@ class ExchangeMark {
   void end(const Communicator& comm, MessagesFor purpose) const {
     if (comm.trace() == nullptr) return;
     const Traffic::Sum& now = comm.traffic()[purpose];
-    comm.trace()->add(TraceKind::Exchange, static_cast<std::uint8_t>(purpose), start_, StepTrace::Clock::now(), now.messages - before_.messages, now.bytes - before_.bytes);
+    comm.trace()->add(TraceKind::Exchange, static_cast<std::uint8_t>(purpose), start_,
+                      StepTrace::Clock::now(), now.messages - before_.messages, now.bytes - before_.bytes);
   }
 
  private:

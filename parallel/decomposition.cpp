@@ -11,16 +11,27 @@ namespace {
 enum Tag { CellsTag = 10 };
 
 /// Ranks [first, first + count) share a box; rank first + i of the run has number i in comm.
-struct Group { MPI_Comm comm; int first, count, self; CellBox box; const Communicator* all; };
+struct Group {
+  MPI_Comm comm;
+  int first, count, self;
+  CellBox box;
+  const Communicator* all;
+};
 
 int leftOf(int count) { return count / 2; }
 
-/// Work that a plane of ghost cells costs, in planes of owned cells: a narrow box has more of them to its share.
+/// Work that a plane of ghost cells costs, in planes of owned cells: a narrow box has more of them to its
+/// share.
 constexpr double ghostWork = 0.3;
 
-struct Cut { int axis, position; };
+struct Cut {
+  int axis, position;
+};
 
-struct Occupied { Vec3i low, high; std::int64_t total; };
+struct Occupied {
+  Vec3i low, high;
+  std::int64_t total;
+};
 
 Occupied occupied(const Group& g, const std::vector<WeightedCell>& cells) {
   Occupied o{};
@@ -44,7 +55,8 @@ Occupied occupied(const Group& g, const std::vector<WeightedCell>& cells) {
 }
 
 /// Weight below a plane across each axis.
-void weightBelow(const Group& g, const std::vector<WeightedCell>& cells, const Vec3i& plane, std::int64_t (&sum)[3]) {
+void weightBelow(const Group& g, const std::vector<WeightedCell>& cells, const Vec3i& plane,
+                 std::int64_t (&sum)[3]) {
   for (int a = 0; a < 3; a++) {
     sum[a] = 0;
     for (const WeightedCell& c : cells) sum[a] += c.cell[a] < plane[a] ? c.weight : 0;
@@ -53,8 +65,9 @@ void weightBelow(const Group& g, const std::vector<WeightedCell>& cells, const V
   g.all->traffic().collectives++;
 }
 
-// For each axis the plane is found that shares the weight best, by bisection of its position: one small reduction a level for all
-// three, whatever the length of the grid. Then the axis where the larger part, with its ghosts, has least to do.
+// For each axis the plane is found that shares the weight best, by bisection of its position: one small
+// reduction a level for all three, whatever the length of the grid. Then the axis where the larger part, with
+// its ghosts, has least to do.
 Cut findCut(const Group& g, const std::vector<WeightedCell>& cells) {
   const int left = leftOf(g.count);
   const Occupied o = occupied(g, cells);
@@ -83,7 +96,8 @@ Cut findCut(const Group& g, const std::vector<WeightedCell>& cells) {
   double least = 0;
   for (int k = 0; k < 3; k++) {
     const bool upper = belowB[k] - target < target - belowA[k];
-    const double below = static_cast<double>(upper ? belowB[k] : belowA[k]), total = static_cast<double>(o.total);
+    const double below = static_cast<double>(upper ? belowB[k] : belowA[k]),
+                 total = static_cast<double>(o.total);
     const double largest = std::max(below / left, (total - below) / (g.count - left)) * g.count / total;
     const double work = largest + 2 * ghostWork / (o.high[k] - o.low[k]);
     if (k == 0 || work < least) {
@@ -101,7 +115,8 @@ std::vector<MPI_Request> sendCells(const Group& g, const std::vector<WeightedCel
   std::vector<MPI_Request> requests;
   for (std::size_t done = 0; done <= give.size(); done += cellsOfAPiece(g)) {
     const std::size_t bytes = std::min(cellsOfAPiece(g), give.size() - done) * sizeof(WeightedCell);
-    MPI_Isend(give.data() + done, static_cast<int>(bytes), MPI_BYTE, to, CellsTag, g.comm, &requests.emplace_back());
+    MPI_Isend(give.data() + done, static_cast<int>(bytes), MPI_BYTE, to, CellsTag, g.comm,
+              &requests.emplace_back());
     g.all->traffic().sent(MessagesFor::Balance, bytes);
   }
   return requests;
@@ -120,12 +135,14 @@ void receiveCells(const Group& g, int from, std::vector<WeightedCell>& cells) {
   }
 }
 
-/// Cells go to the half that will own them. Every rank sends to one partner in the other half, so all know whom to expect.
+/// Cells go to the half that will own them. Every rank sends to one partner in the other half, so all know
+/// whom to expect.
 void exchangeHalves(const Group& g, const Cut& cut, std::vector<WeightedCell>& cells) {
   const int left = leftOf(g.count), right = g.count - left;
   const bool mineIsLeft = g.self < left;
   std::vector<WeightedCell> keep, give;
-  for (const WeightedCell& c : cells) ((c.cell[cut.axis] < cut.position) == mineIsLeft ? keep : give).push_back(c);
+  for (const WeightedCell& c : cells)
+    ((c.cell[cut.axis] < cut.position) == mineIsLeft ? keep : give).push_back(c);
   const auto partner = [&](int i) { return i < left ? left + i % right : (i - left) % left; };
   std::vector<MPI_Request> sent = sendCells(g, give, partner(g.self));
   for (int i = mineIsLeft ? left : 0; i < (mineIsLeft ? g.count : left); i++)
@@ -147,7 +164,8 @@ CellBox united(const CellBox& a, const CellBox& b) {
 
 }  // namespace
 
-std::vector<CellBox> bisect(const Communicator& comm, const CellGrid& grid, std::vector<WeightedCell> cells, std::int64_t* ownWeight) {
+std::vector<CellBox> bisect(const Communicator& comm, const CellGrid& grid, std::vector<WeightedCell> cells,
+                            std::int64_t* ownWeight) {
   const WaitMark waiting(comm, MessagesFor::Balance);  // nearly all of it
   Group g{MPI_COMM_NULL, 0, comm.size(), comm.rank(), {{0, 0, 0}, grid.cells}, &comm};
   MPI_Comm_dup(comm.handle(), &g.comm);
@@ -193,7 +211,8 @@ Partition::Partition(std::vector<CellBox> boxes) : boxes_(std::move(boxes)) {
 CellBox Partition::cover(std::size_t node, int first, int count) {
   const int left = leftOf(count);
   if (count == 1) return tree_[node] = boxes_[static_cast<std::size_t>(first)];
-  const CellBox low = cover(2 * node + 1, first, left), high = cover(2 * node + 2, first + left, count - left);
+  const CellBox low = cover(2 * node + 1, first, left),
+                high = cover(2 * node + 2, first + left, count - left);
   return tree_[node] = united(low, high);
 }
 

@@ -1,4 +1,5 @@
-// Who owns which cells: every rank a box of whole cells; the boxes tile the grid (weighted recursive bisection).
+// Who owns which cells: every rank a box of whole cells; the boxes tile the grid (weighted recursive
+// bisection).
 #pragma once
 #include <cstdint>
 #include <span>
@@ -9,12 +10,15 @@
 
 namespace thaw {
 
-struct WeightedCell { Vec3i cell; std::int64_t weight; };
+struct WeightedCell {
+  Vec3i cell;
+  std::int64_t weight;
+};
 
-/// Bisects the grid among all ranks so that the weights (> 0) are as even as whole planes of cells allow. Each rank brings the
-/// occupied cells it knows of, in any distribution; the weights of a cell that several ranks bring add up. The cells travel to the
-/// half that will own them, level by level. ownWeight: what this rank will have. Without cells, boxes of about equal size.
-/// Returns the boxes of all ranks. Collective.
+/// Bisects the grid among all ranks so that the weights (> 0) are as even as whole planes of cells allow.
+/// Each rank brings the occupied cells it knows of, in any distribution; the weights of a cell that several
+/// ranks bring add up. The cells travel to the half that will own them, level by level. ownWeight: what this
+/// rank will have. Without cells, boxes of about equal size. Returns the boxes of all ranks. Collective.
 std::vector<CellBox> bisect(const Communicator& comm, const CellGrid& grid, std::vector<WeightedCell> cells,
                             std::int64_t* ownWeight = nullptr);
 
@@ -30,7 +34,8 @@ class Partition {
 
  private:
   CellBox cover(std::size_t node, int first, int count);
-  std::vector<CellBox> boxes_, tree_;  // tree_: boxes of the groups of the bisection, children of n at 2n + 1 and 2n + 2
+  std::vector<CellBox> boxes_, tree_;  // tree_: boxes of the groups of the bisection, children of n at 2n + 1
+                                       // and 2n + 2
 };
 
 }  // namespace thaw

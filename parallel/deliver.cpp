@@ -8,7 +8,8 @@ std::vector<WordList> MpiReducer::deliver(std::vector<WordList> lists) {
   WordMessages out;
   for (WordList& l : lists) out.to(l.rank) = std::move(l.words);
   std::vector<WordList> in;
-  for (const Message& m : sparseExchange(comm_, out.messages(), kind, MessagesFor::Rows)) in.push_back({m.rank, wordsOf(m)});
+  for (const Message& m : sparseExchange(comm_, out.messages(), kind, MessagesFor::Rows))
+    in.push_back({m.rank, wordsOf(m)});
   return in;
 }
 

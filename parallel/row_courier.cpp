@@ -4,7 +4,8 @@
 
 namespace thaw {
 
-void MpiRowCourier::sendHome(std::span<const std::uint64_t> home, std::span<const std::uint64_t> values, std::span<std::uint64_t> here) {
+void MpiRowCourier::sendHome(std::span<const std::uint64_t> home, std::span<const std::uint64_t> values,
+                             std::span<std::uint64_t> here) {
   constexpr int kind = 24;
   WordMessages out;
   for (std::size_t k = 0; k < home.size(); k++) {

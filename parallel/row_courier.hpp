@@ -9,7 +9,8 @@ namespace thaw {
 class MpiRowCourier : public RowCourier {
  public:
   explicit MpiRowCourier(const Communicator& comm) : comm_(comm) {}
-  void sendHome(std::span<const std::uint64_t> home, std::span<const std::uint64_t> values, std::span<std::uint64_t> here) override;
+  void sendHome(std::span<const std::uint64_t> home, std::span<const std::uint64_t> values,
+                std::span<std::uint64_t> here) override;
 
  private:
   const Communicator& comm_;
@@ -20,7 +21,8 @@ struct SurfaceRanks {
   MpiReducer all;
   MpiCellHalo surfels, particles;
   MpiRowCourier courier;
-  SurfaceRanks(const Communicator& comm, const CellGrid& grid) : all(comm), surfels(comm, grid), particles(comm, grid), courier(comm) {}
+  SurfaceRanks(const Communicator& comm, const CellGrid& grid)
+      : all(comm), surfels(comm, grid), particles(comm, grid), courier(comm) {}
   SurfaceHalos halos() { return {all, surfels, particles, courier}; }
 };
 

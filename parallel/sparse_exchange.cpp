@@ -20,17 +20,21 @@ std::byte* Inbox::extend(std::size_t k, std::size_t n) {
 
 void Inbox::sort() {  // by insertion: few messages, no buffer
   for (std::size_t k = 1; k < used_; k++)
-    for (std::size_t j = k; j > 0 && pool_[j].rank < pool_[j - 1].rank; j--) std::swap(pool_[j], pool_[j - 1]);
+    for (std::size_t j = k; j > 0 && pool_[j].rank < pool_[j - 1].rank; j--)
+      std::swap(pool_[j], pool_[j - 1]);
 }
 
 namespace {
 
-/// Reads a piece that has been found: the end of its sender's last message if that is among `open` (indices of the inbox), else a new one.
-void receivePiece(const Communicator& comm, MPI_Message handle, const MPI_Status& status, Inbox& in, std::vector<std::size_t>& open) {
+/// Reads a piece that has been found: the end of its sender's last message if that is among `open` (indices
+/// of the inbox), else a new one.
+void receivePiece(const Communicator& comm, MPI_Message handle, const MPI_Status& status, Inbox& in,
+                  std::vector<std::size_t>& open) {
   int bytes = 0;
   MPI_Get_count(&status, MPI_BYTE, &bytes);
   const auto n = static_cast<std::size_t>(bytes);
-  const auto at = std::find_if(open.begin(), open.end(), [&](std::size_t k) { return in.messages()[k].rank == status.MPI_SOURCE; });
+  const auto at = std::find_if(open.begin(), open.end(),
+                               [&](std::size_t k) { return in.messages()[k].rank == status.MPI_SOURCE; });
   std::byte* to = nullptr;
   if (at == open.end()) {
     to = in.add(status.MPI_SOURCE, n).bytes.data();
@@ -44,7 +48,8 @@ void receivePiece(const Communicator& comm, MPI_Message handle, const MPI_Status
 
 }  // namespace
 
-void sparseExchange(const Communicator& comm, std::span<const Message> out, Inbox& in, int kind, MessagesFor purpose) {
+void sparseExchange(const Communicator& comm, std::span<const Message> out, Inbox& in, int kind,
+                    MessagesFor purpose) {
   const int tag = comm.nextTag(kind);
   in.clear();
   std::vector<MPI_Request> sends;
@@ -57,7 +62,8 @@ void sparseExchange(const Communicator& comm, std::span<const Message> out, Inbo
     }
     for (std::size_t done = 0; done <= m.bytes.size(); done += comm.piece()) {
       const std::size_t n = std::min(comm.piece(), m.bytes.size() - done);
-      MPI_Issend(m.bytes.data() + done, static_cast<int>(n), MPI_BYTE, m.rank, tag, comm.handle(), &sends.emplace_back());
+      MPI_Issend(m.bytes.data() + done, static_cast<int>(n), MPI_BYTE, m.rank, tag, comm.handle(),
+                 &sends.emplace_back());
       comm.traffic().sent(purpose, n);
     }
   }
@@ -87,7 +93,8 @@ void sparseExchange(const Communicator& comm, std::span<const Message> out, Inbo
   in.sort();
 }
 
-std::vector<Message> sparseExchange(const Communicator& comm, const std::vector<Message>& out, int kind, MessagesFor purpose) {
+std::vector<Message> sparseExchange(const Communicator& comm, const std::vector<Message>& out, int kind,
+                                    MessagesFor purpose) {
   Inbox in;
   sparseExchange(comm, out, in, kind, purpose);
   return {in.messages().begin(), in.messages().end()};

@@ -1,4 +1,5 @@
-// Messages of any size to a few ranks, without anybody knowing how many to expect (NBX: Hoefler, Siebert, Lumsdaine 2010).
+// Messages of any size to a few ranks, without anybody knowing how many to expect (NBX: Hoefler, Siebert,
+// Lumsdaine 2010).
 #pragma once
 #include <cstddef>
 #include <span>
@@ -9,7 +10,7 @@
 namespace thaw {
 
 struct Message {
-  int rank = 0;                  ///< receiver of what is sent, sender of what is received
+  int rank = 0;  ///< receiver of what is sent, sender of what is received
   std::vector<std::byte> bytes;
 };
 
@@ -30,12 +31,15 @@ class Inbox {
   std::size_t used_ = 0;
 };
 
-/// Sends each message that is not empty; `in` is what came in, ascending by sender (several from one sender in the order sent).
-/// Messages to oneself are allowed. kind: a number of its own for each use, the same on all ranks. Messages may have any length: what is longer
-/// than Communicator::piece travels in pieces, each full one followed by another, if only an empty one. Collective over the communicator.
-void sparseExchange(const Communicator& comm, std::span<const Message> out, Inbox& in, int kind, MessagesFor purpose);
+/// Sends each message that is not empty; `in` is what came in, ascending by sender (several from one sender
+/// in the order sent). Messages to oneself are allowed. kind: a number of its own for each use, the same on
+/// all ranks. Messages may have any length: what is longer than Communicator::piece travels in pieces, each
+/// full one followed by another, if only an empty one. Collective over the communicator.
+void sparseExchange(const Communicator& comm, std::span<const Message> out, Inbox& in, int kind,
+                    MessagesFor purpose);
 
 /// The same with fresh buffers.
-std::vector<Message> sparseExchange(const Communicator& comm, const std::vector<Message>& out, int kind, MessagesFor purpose);
+std::vector<Message> sparseExchange(const Communicator& comm, const std::vector<Message>& out, int kind,
+                                    MessagesFor purpose);
 
 }  // namespace thaw

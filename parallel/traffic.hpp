@@ -1,4 +1,5 @@
-// What a rank has sent, what for, and how long it has waited. Counted by the communicator, which all halos share: a few additions a message.
+// What a rank has sent, what for, and how long it has waited. Counted by the communicator, which all halos
+// share: a few additions a message.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -6,14 +7,25 @@
 
 namespace thaw {
 
-/// What messages are for. Ghosts: cells with their particles, at each search. Refresh: columns of the same ghosts. Migration: particles to
-/// the rank that owns their cell. Bonds: columns along bonds. BondEdits: what changes of bonds takes. Rows: values back to particles.
-/// Balance: cells to the half that will own them. Reduction: no messages of ours; sums and maxima over all ranks.
-enum class MessagesFor : std::uint8_t { Ghosts, Refresh, Migration, Bonds, BondEdits, Rows, Balance, Reduction };
+/// What messages are for. Ghosts: cells with their particles, at each search. Refresh: columns of the same
+/// ghosts. Migration: particles to the rank that owns their cell. Bonds: columns along bonds. BondEdits: what
+/// changes of bonds takes. Rows: values back to particles. Balance: cells to the half that will own them.
+/// Reduction: no messages of ours; sums and maxima over all ranks.
+enum class MessagesFor : std::uint8_t {
+  Ghosts,
+  Refresh,
+  Migration,
+  Bonds,
+  BondEdits,
+  Rows,
+  Balance,
+  Reduction
+};
 inline constexpr std::size_t purposes = 8;
 
 inline const char* purposeName(MessagesFor purpose) {
-  constexpr const char* names[purposes] = {"ghosts", "refresh", "migration", "bonds", "bond_edits", "rows", "balance", "reduction"};
+  constexpr const char* names[purposes] = {"ghosts",     "refresh", "migration", "bonds",
+                                           "bond_edits", "rows",    "balance",   "reduction"};
   return names[static_cast<std::size_t>(purpose)];
 }
 
@@ -23,7 +35,8 @@ struct Traffic {
     double waited = 0;                     ///< s
   };
   std::array<Sum, purposes> of{};
-  std::int64_t collectives = 0;            ///< calls that all ranks of a communicator take part in: reductions, barriers, splits
+  std::int64_t collectives = 0;  ///< calls that all ranks of a communicator take part in: reductions,
+                                 ///< barriers, splits
 
   Sum& operator[](MessagesFor p) { return of[static_cast<std::size_t>(p)]; }
   const Sum& operator[](MessagesFor p) const { return of[static_cast<std::size_t>(p)]; }

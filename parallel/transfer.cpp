@@ -2,7 +2,8 @@
 
 namespace thaw {
 
-void startSend(const Communicator& comm, const std::byte* from, std::size_t bytes, int to, int tag, MessagesFor purpose, std::vector<MPI_Request>& requests) {
+void startSend(const Communicator& comm, const std::byte* from, std::size_t bytes, int to, int tag,
+               MessagesFor purpose, std::vector<MPI_Request>& requests) {
   for (std::size_t done = 0; done < bytes; done += comm.piece()) {
     const std::size_t n = std::min(comm.piece(), bytes - done);
     MPI_Isend(from + done, static_cast<int>(n), MPI_BYTE, to, tag, comm.handle(), &requests.emplace_back());
@@ -10,9 +11,11 @@ void startSend(const Communicator& comm, const std::byte* from, std::size_t byte
   }
 }
 
-void startReceive(const Communicator& comm, std::byte* to, std::size_t bytes, int from, int tag, std::vector<MPI_Request>& requests) {
+void startReceive(const Communicator& comm, std::byte* to, std::size_t bytes, int from, int tag,
+                  std::vector<MPI_Request>& requests) {
   for (std::size_t done = 0; done < bytes; done += comm.piece())
-    MPI_Irecv(to + done, static_cast<int>(std::min(comm.piece(), bytes - done)), MPI_BYTE, from, tag, comm.handle(), &requests.emplace_back());
+    MPI_Irecv(to + done, static_cast<int>(std::min(comm.piece(), bytes - done)), MPI_BYTE, from, tag,
+              comm.handle(), &requests.emplace_back());
 }
 
 void finishAll(std::vector<MPI_Request>& requests) {

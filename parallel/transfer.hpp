@@ -1,5 +1,5 @@
-// Messages of any length between two ranks that both know it: MPI counts bytes in 32 bits, so long ones go in pieces. Pieces of one tag
-// between two ranks arrive in the order in which they were sent.
+// Messages of any length between two ranks that both know it: MPI counts bytes in 32 bits, so long ones go in
+// pieces. Pieces of one tag between two ranks arrive in the order in which they were sent.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -8,11 +8,14 @@
 
 namespace thaw {
 
-/// Starts sending; the bytes must stay until finishAll(requests). Requests are appended. Counted as one message for each piece.
-void startSend(const Communicator& comm, const std::byte* from, std::size_t bytes, int to, int tag, MessagesFor purpose, std::vector<MPI_Request>& requests);
+/// Starts sending; the bytes must stay until finishAll(requests). Requests are appended. Counted as one
+/// message for each piece.
+void startSend(const Communicator& comm, const std::byte* from, std::size_t bytes, int to, int tag,
+               MessagesFor purpose, std::vector<MPI_Request>& requests);
 
 /// Starts receiving exactly so many bytes.
-void startReceive(const Communicator& comm, std::byte* to, std::size_t bytes, int from, int tag, std::vector<MPI_Request>& requests);
+void startReceive(const Communicator& comm, std::byte* to, std::size_t bytes, int from, int tag,
+                  std::vector<MPI_Request>& requests);
 
 /// Waits for all, and empties the list.
 void finishAll(std::vector<MPI_Request>& requests);

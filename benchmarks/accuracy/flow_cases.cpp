@@ -3,15 +3,17 @@
 #include <array>
 #include <cmath>
 
-#include "core/fluid/particle_pressure.hpp"
 #include "benchmarks/accuracy/trial.hpp"
+#include "core/fluid/particle_pressure.hpp"
 #include "core/math/hash_random.hpp"
 
 namespace thaw::accuracy {
 namespace {
 
 double kineticEnergy(Trial& r) {
-  return sum(r, [](const World& w, std::size_t i) { return 0.5 * w.particles.mass[i] * dot(w.particles.velocity[i], w.particles.velocity[i]); });
+  return sum(r, [](const World& w, std::size_t i) {
+    return 0.5 * w.particles.mass[i] * dot(w.particles.velocity[i], w.particles.velocity[i]);
+  });
 }
 
 /// What no term of the ledger explains: energy in shares of `energy`, momentum in shares of m `speed`.
@@ -21,9 +23,10 @@ void addBooks(Trial& r, double energy, double speed, std::vector<Figure>& figure
   figures.push_back({"momentum residual", length(books.momentumResidual) / (books.now.mass * speed), 1e-9});
 }
 
-// ---- column at rest ------------------------------------------------------------------------------------------------------
+// ---- column at rest ---------------------------------------------------------------------------------------
 
-/// H = 1, g = 1, rho = 1: density at rest is 1 + (H - z)/c^2. The lattice is squeezed to it; no sound of the start has to die away.
+/// H = 1, g = 1, rho = 1: density at rest is 1 + (H - z)/c^2. The lattice is squeezed to it; no sound of the
+/// start has to die away.
 void squeezeColumn(Trial& r) {
   World& w = r.world;
   const double c = w.scene.materials[0].soundSpeed, k = 1 / (c * c);
@@ -39,23 +42,31 @@ void jitterColumn(Trial& r) {
   World& w = r.world;
   for (std::size_t i = 0; i < w.particles.owned; i++)
     for (int a = 0; a < 3; a++)
-      w.particles.position[i][a] += 0.1 * w.scene.spacing * (2 * randomUniform(w.scene.seed, Purpose::Jitter, w.particles.id[i], static_cast<std::uint64_t>(a)) - 1);
+      w.particles.position[i][a] += 0.1 * w.scene.spacing *
+                                    (2 * randomUniform(w.scene.seed, Purpose::Jitter, w.particles.id[i],
+                                                       static_cast<std::uint64_t>(a)) -
+                                     1);
 }
 
 std::vector<Figure> measureColumn(Trial& r) {
-  const auto error = [&r](const World& w, std::size_t i) { return static_cast<double>(pressureOfParticle(w, r.tools.liquids, i)) - (1 - w.particles.position[i].z); };
-  std::vector<Figure> f{{"L2(p)", rootMeanSquare(r, error), 0.02},
-                        {"Linf(p)", largest(r, [&](const World& w, std::size_t i) { return std::abs(error(w, i)); })},
-                        {"kinetic energy left", kineticEnergy(r) / (0.5 * r.tools.mass)}};  // of the m g H / 2 that it has in height
+  const auto error = [&r](const World& w, std::size_t i) {
+    return static_cast<double>(pressureOfParticle(w, r.tools.liquids, i)) - (1 - w.particles.position[i].z);
+  };
+  std::vector<Figure> f{
+      {"L2(p)", rootMeanSquare(r, error), 0.02},
+      {"Linf(p)", largest(r, [&](const World& w, std::size_t i) { return std::abs(error(w, i)); })},
+      // of the m g H / 2 that it has in height
+      {"kinetic energy left", kineticEnergy(r) / (0.5 * r.tools.mass)}};
   addBooks(r, 0.5 * r.tools.mass, 1, f);
   return f;
 }
 
-// ---- dam breaks ----------------------------------------------------------------------------------------------------------
+// ---- dam breaks -------------------------------------------------------------------------------------------
 
 /// The foremost liquid: its outermost particle, and half a spacing of it.
 double frontOf(Trial& r) {
-  return largest(r, [](const World& w, std::size_t i) { return w.particles.position[i].x; }) + 0.5 * r.spacing();
+  return largest(r, [](const World& w, std::size_t i) { return w.particles.position[i].x; }) +
+         0.5 * r.spacing();
 }
 void watchFront(Trial& r) { r.series.push_back({r.world.clock.time, {frontOf(r)}}); }
 
@@ -81,7 +92,8 @@ std::vector<Figure> measureRitter(Trial& r) {
   for (std::size_t i = 0; i < w.particles.owned; i++)
     count[static_cast<std::size_t>(std::clamp((w.particles.position[i].x - low) / width, 0.0, bins - 0.5))]++;
   r.all.sum(count);
-  const double particles = sum(r, [](const World&, std::size_t) { return 1.0; }), volume = r.tools.mass / particles / w.scene.materials[0].density;
+  const double particles = sum(r, [](const World&, std::size_t) { return 1.0; }),
+               volume = r.tools.mass / particles / w.scene.materials[0].density;
   double squares = 0, n = 0, gate = 0;
   for (std::size_t b = 0; b < bins; b++) {
     const double x = low + (static_cast<double>(b) + 0.5) * width, exact = ritterDepth(x, t);
@@ -99,24 +111,29 @@ std::vector<Figure> measureRitter(Trial& r) {
 }
 
 /// Martin & Moyce 1952, n^2 = 2, a = 2.25 in: T = t sqrt(2g/a), Z = front / a.
-/// Root mean square of Z / Zexp - 1 over the points (but those before `from`), T shifted by so much; `worst` gets the largest.
-double frontError(const Trial& r, const std::vector<std::array<double, 2>>& points, double shift, std::size_t from, double& worst) {
+/// Root mean square of Z / Zexp - 1 over the points (but those before `from`), T shifted by so much; `worst`
+/// gets the largest.
+double frontError(const Trial& r, const std::vector<std::array<double, 2>>& points, double shift,
+                  std::size_t from, double& worst) {
   constexpr double a = 0.05715;
   const double unit = std::sqrt(a / (2 * length(r.world.scene.domain.gravity)));
   double squares = 0;
   worst = 0;
   for (std::size_t k = from; k < points.size(); k++) {
-    const double error = noted(r, std::clamp((points[k][0] + shift) * unit, 0.0, r.world.clock.time)) / a / points[k][1] - 1;
+    const double error = noted(r, std::clamp((points[k][0] + shift) * unit, 0.0, r.world.clock.time)) / a /
+                             points[k][1] -
+                         1;
     squares += error * error;
     worst = std::max(worst, std::abs(error));
   }
   return std::sqrt(squares / static_cast<double>(points.size() - from));
 }
 
-/// The gate of the experiment takes its time, so the origin of T is not known: it is shifted to fit all points best (one number), and
-/// beside that to fit the first point alone, which then does not count.
+/// The gate of the experiment takes its time, so the origin of T is not known: it is shifted to fit all
+/// points best (one number), and beside that to fit the first point alone, which then does not count.
 std::vector<Figure> measureMartinMoyce(Trial& r) {
-  const std::vector<std::array<double, 2>> points{{.832, 1.217}, {1.219, 1.474}, {1.997, 2.292}, {3.345, 4.134}, {4.418, 5.881}, {5.685, 7.945}};
+  const std::vector<std::array<double, 2>> points{{.832, 1.217},  {1.219, 1.474}, {1.997, 2.292},
+                                                  {3.345, 4.134}, {4.418, 5.881}, {5.685, 7.945}};
   constexpr double a = 0.05715;
   const double unit = std::sqrt(a / (2 * length(r.world.scene.domain.gravity)));
   double first = 0, worst = 0, worstOfFirst = 0;
@@ -127,35 +144,48 @@ std::vector<Figure> measureMartinMoyce(Trial& r) {
   for (int k = -1000; k <= 1000; k++)
     if (const double e = frontError(r, points, 1e-3 * k, 0, worst); e < least) least = e, best = 1e-3 * k;
   least = frontError(r, points, best, 0, worst);
-  std::vector<Figure> f{{"RMS(Z)", least, 0.05}, {"largest", worst}, {"shift of T", std::abs(best)}, {"RMS(Z) from the first point", ofFirst}};
-  addBooks(r, r.tools.mass * length(r.world.scene.domain.gravity) * a, std::sqrt(2 * length(r.world.scene.domain.gravity) * a), f);
+  std::vector<Figure> f{{"RMS(Z)", least, 0.05},
+                        {"largest", worst},
+                        {"shift of T", std::abs(best)},
+                        {"RMS(Z) from the first point", ofFirst}};
+  addBooks(r, r.tools.mass * length(r.world.scene.domain.gravity) * a,
+           std::sqrt(2 * length(r.world.scene.domain.gravity) * a), f);
   return f;
 }
 
-// ---- vortices ------------------------------------------------------------------------------------------------------------
+// ---- vortices ---------------------------------------------------------------------------------------------
 
 constexpr double twoPi = 2 * 3.14159265358979323846;
 
 /// U exp(-8 pi^2 nu t / L^2), L = U = 1.
 Vec3d vortices(const World& w, const Vec3d& x) {
-  const double nu = w.scene.materials[0].viscosity.liquid / w.scene.materials[0].density, decay = std::exp(-2 * twoPi * twoPi * nu * w.clock.time);
-  return {-decay * std::cos(twoPi * x.x) * std::sin(twoPi * x.y), decay * std::sin(twoPi * x.x) * std::cos(twoPi * x.y), 0};
+  const double nu = w.scene.materials[0].viscosity.liquid / w.scene.materials[0].density,
+               decay = std::exp(-2 * twoPi * twoPi * nu * w.clock.time);
+  return {-decay * std::cos(twoPi * x.x) * std::sin(twoPi * x.y),
+          decay * std::sin(twoPi * x.x) * std::cos(twoPi * x.y), 0};
 }
 
 void stirVortices(Trial& r) {
   World& w = r.world;
-  for (std::size_t i = 0; i < w.particles.owned; i++) w.particles.velocity[i] = vortices(w, w.particles.position[i]);
+  for (std::size_t i = 0; i < w.particles.owned; i++)
+    w.particles.velocity[i] = vortices(w, w.particles.position[i]);
   r.notes["energy"] = kineticEnergy(r);
 }
 
 std::vector<Figure> measureVortices(Trial& r) {
   const World& w = r.world;
-  const double nu = w.scene.materials[0].viscosity.liquid / w.scene.materials[0].density, decay = std::exp(-4 * twoPi * twoPi * nu * w.clock.time);
+  const double nu = w.scene.materials[0].viscosity.liquid / w.scene.materials[0].density,
+               decay = std::exp(-4 * twoPi * twoPi * nu * w.clock.time);
   const double all = sum(r, [](const World&, std::size_t) { return 1.0; });
   const double ratio = kineticEnergy(r) / (r.notes["energy"] * decay);
-  std::vector<Figure> f{{"|E/E_exact - 1|", std::abs(ratio - 1), 0.02},
-                        {"L1(u)", sum(r, [](const World& x, std::size_t i) { return length(x.particles.velocity[i] - vortices(x, x.particles.position[i])); }) / all},
-                        {"E/E_exact", ratio}};
+  std::vector<Figure> f{
+      {"|E/E_exact - 1|", std::abs(ratio - 1), 0.02},
+      {"L1(u)", sum(r,
+                    [](const World& x, std::size_t i) {
+                      return length(x.particles.velocity[i] - vortices(x, x.particles.position[i]));
+                    }) /
+                    all},
+      {"E/E_exact", ratio}};
   addBooks(r, r.notes["energy"], 1, f);
   return f;
 }
@@ -163,13 +193,52 @@ std::vector<Figure> measureVortices(Trial& r) {
 }  // namespace
 
 std::vector<Case> flowCases() {
-  return {{"hydrostatic", "column at rest: p = rho g (H - z), in shares of rho g H; H/dx = 40", nullptr, squeezeColumn, {}, {}, measureColumn, makeThin},
-          {"hydrostatic_jittered", "the same from a lattice that is jittered by a tenth of a spacing", "hydrostatic", jitterColumn, {}, {}, measureColumn, makeThin},
-          {"ritter", "dam break over a dry floor: depth in shares of H (Ritter 1892) where it is above H/20, and the front's speed from t/2 on", nullptr, {}, {}, watchFront, measureRitter},
-          {"martin_moyce", "front of a dam break to T = 5.7; T shifted by what fits the points best (Martin & Moyce 1952, n^2 = 2)", nullptr, {}, {}, watchFront,
+  return {{"hydrostatic",
+           "column at rest: p = rho g (H - z), in shares of rho g H; H/dx = 40",
+           nullptr,
+           squeezeColumn,
+           {},
+           {},
+           measureColumn,
+           makeThin},
+          {"hydrostatic_jittered",
+           "the same from a lattice that is jittered by a tenth of a spacing",
+           "hydrostatic",
+           jitterColumn,
+           {},
+           {},
+           measureColumn,
+           makeThin},
+          {"ritter",
+           "dam break over a dry floor: depth in shares of H (Ritter 1892) where it is above H/20, and the "
+           "front's speed from t/2 on",
+           nullptr,
+           {},
+           {},
+           watchFront,
+           measureRitter},
+          {"martin_moyce",
+           "front of a dam break to T = 5.7; T shifted by what fits the points best (Martin & Moyce 1952, "
+           "n^2 = 2)",
+           nullptr,
+           {},
+           {},
+           watchFront,
            measureMartinMoyce},
-          {"taylor_green", "vortices at Re 100 to t = 1: energy exp(-16 pi^2 nu t), L/dx = 100", nullptr, {}, stirVortices, {}, measureVortices},
-          {"taylor_green_50", "vortices at Re 100 to t = 1: energy exp(-16 pi^2 nu t), L/dx = 50", nullptr, {}, stirVortices, {}, measureVortices}};
+          {"taylor_green",
+           "vortices at Re 100 to t = 1: energy exp(-16 pi^2 nu t), L/dx = 100",
+           nullptr,
+           {},
+           stirVortices,
+           {},
+           measureVortices},
+          {"taylor_green_50",
+           "vortices at Re 100 to t = 1: energy exp(-16 pi^2 nu t), L/dx = 50",
+           nullptr,
+           {},
+           stirVortices,
+           {},
+           measureVortices}};
 }
 
 }  // namespace thaw::accuracy

@@ -40,8 +40,8 @@ struct Bins {
   std::array<std::int64_t, 3> placeOf(const Vec3d& x) const {
     std::array<std::int64_t, 3> at{};
     for (int a = 0; a < 3; a++)
-      at[static_cast<std::size_t>(a)] =
-          std::clamp<std::int64_t>(static_cast<std::int64_t>((x[a] - low[a]) / edge[a]), 0, count[a] - 1);
+      at[static_cast<std::size_t>(a)] = std::clamp<std::int64_t>(
+          static_cast<std::int64_t>((x[a] - low[a]) / edge[a]), 0, count[a] - 1);
     return at;
   }
   std::size_t indexOf(const std::array<std::int64_t, 3>& at) const {

@@ -1,8 +1,9 @@
 // accuracy CASE [--spacing X] [--set key=value]... [--csv FILE] [--points FILE] [--label TEXT] [--strict]
 //          [--limit NORM=ERROR]...
-// Runs one case of the accuracy suite, under mpirun on any number of ranks, and prints its error norms beside what they are to reach.
-// With --strict it exits with 1 where a target is missed, with --limit where that norm is larger: what the tests do (tests/CMakeLists.txt).
-// accuracy --list names the cases. The whole matrix with its charts: scripts/bench accuracy.
+// Runs one case of the accuracy suite, under mpirun on any number of ranks, and prints its error norms beside
+// what they are to reach. With --strict it exits with 1 where a target is missed, with --limit where that
+// norm is larger: what the tests do (tests/CMakeLists.txt). accuracy --list names the cases. The whole matrix
+// with its charts: scripts/bench accuracy.
 #include <sys/utsname.h>
 
 #include <fmt/format.h>
@@ -45,24 +46,29 @@ std::string machineName() {
 }
 
 void print(const Trial& r, const Case& c, const std::vector<Figure>& figures, double particles) {
-  std::printf("%s: %s\n  spacing %g m, %.0f particles, %lld steps, %.3g core-seconds, %d ranks\n", c.name, c.about, r.world.scene.spacing, particles, static_cast<long long>(r.world.clock.step),
+  std::printf("%s: %s\n  spacing %g m, %.0f particles, %lld steps, %.3g core-seconds, %d ranks\n", c.name,
+              c.about, r.world.scene.spacing, particles, static_cast<long long>(r.world.clock.step),
               r.coreSeconds, r.comm.size());
   for (const Figure& f : figures) {
     std::printf("  %-28s %.6g", f.norm.c_str(), f.error);
-    if (f.target < never) std::printf("   target %g   %s", f.target, f.error <= f.target ? "reached" : "MISSED");
+    if (f.target < never)
+      std::printf("   target %g   %s", f.target, f.error <= f.target ? "reached" : "MISSED");
     std::printf("\n");
   }
 }
 
-/// The first norm that is above its target (strict) or its limit, or that has a limit and is not there; empty: none.
+/// The first norm that is above its target (strict) or its limit, or that has a limit and is not there;
+/// empty: none.
 std::string missed(const std::vector<Figure>& figures, bool strict, const std::vector<std::string>& limits) {
   if (strict)
     for (const Figure& f : figures)
-      if (f.target < never && !(f.error <= f.target)) return fmt::format("{} is {:g}, above its target {:g}", f.norm, f.error, f.target);
+      if (f.target < never && !(f.error <= f.target))
+        return fmt::format("{} is {:g}, above its target {:g}", f.norm, f.error, f.target);
   for (const std::string& limit : limits) {
     const std::size_t sign = limit.rfind('=');
     const std::string norm = limit.substr(0, sign);
-    const auto at = std::find_if(figures.begin(), figures.end(), [&](const Figure& f) { return f.norm == norm; });
+    const auto at = std::find_if(figures.begin(), figures.end(),
+                                 [&](const Figure& f) { return f.norm == norm; });
     if (sign == std::string::npos || at == figures.end()) return fmt::format("there is no norm '{}'", norm);
     const double most = std::strtod(limit.c_str() + sign + 1, nullptr);
     if (!(at->error <= most)) return fmt::format("{} is {:g}, above {:g}", norm, at->error, most);
@@ -71,12 +77,15 @@ std::string missed(const std::vector<Figure>& figures, bool strict, const std::v
 }
 
 /// Appends a line for each figure; the header is written by whoever made the file (matrix.py).
-bool append(const std::string& path, const Trial& r, const Case& c, const std::string& label, const std::vector<Figure>& figures, double particles) {
+bool append(const std::string& path, const Trial& r, const Case& c, const std::string& label,
+            const std::vector<Figure>& figures, double particles) {
   FILE* out = std::fopen(path.c_str(), "a");
   if (!out) return false;
   for (const Figure& f : figures)
-    std::fprintf(out, "%s,%s,%s,%.9g,%s,,%.4g,%lld,%.0f,%s,%s\n", c.name, field(label).c_str(), field(f.norm).c_str(), f.error, f.target < never ? fmt::format("{:g}", f.target).c_str() : "", r.coreSeconds,
-                 static_cast<long long>(r.world.clock.step), particles, versionCommit(), machineName().c_str());
+    std::fprintf(
+        out, "%s,%s,%s,%.9g,%s,,%.4g,%lld,%.0f,%s,%s\n", c.name, field(label).c_str(), field(f.norm).c_str(),
+        f.error, f.target < never ? fmt::format("{:g}", f.target).c_str() : "", r.coreSeconds,
+        static_cast<long long>(r.world.clock.step), particles, versionCommit(), machineName().c_str());
   return std::fclose(out) == 0;
 }
 
@@ -89,12 +98,14 @@ int main(int argc, char** argv) {
   bool list = false, strict = false;
   app.add_option("case", name, "name of the case");
   app.add_option("--spacing", spacing, "distance of particles, with its unit");
-  app.add_option("--set", overrides, "key=value in place of what the case's scene says")->allow_extra_args(false);
+  app.add_option("--set", overrides, "key=value in place of what the case's scene says")
+      ->allow_extra_args(false);
   app.add_option("--csv", csv, "append the figures to this file");
   app.add_option("--points", points, "write the middle layer of particles at the end to this file");
   app.add_option("--label", label, "what the settings are called there");
   app.add_flag("--strict", strict, "exit with 1 where a target is missed");
-  app.add_option("--limit", limits, "NORM=ERROR: exit with 1 where that norm is larger")->allow_extra_args(false);
+  app.add_option("--limit", limits, "NORM=ERROR: exit with 1 where that norm is larger")
+      ->allow_extra_args(false);
   app.add_flag("--list", list, "print the names of all cases");
   try {
     app.parse(argc, argv);
@@ -112,7 +123,8 @@ int main(int argc, char** argv) {
   }
   const auto at = std::find_if(cases.begin(), cases.end(), [&](const Case& c) { return name == c.name; });
   if (at == cases.end()) {
-    if (comm.rank() == 0) std::fprintf(stderr, "accuracy: there is no case '%s'; --list names them\n", name.c_str());
+    if (comm.rank() == 0)
+      std::fprintf(stderr, "accuracy: there is no case '%s'; --list names them\n", name.c_str());
     return exitUsage;
   }
   if (label.empty()) {
@@ -124,13 +136,16 @@ int main(int argc, char** argv) {
   Trial trial(comm);
   try {
     run(*at, trial, overrides);
-    const std::vector<Figure> figures = trial.finite ? at->measure(trial) : std::vector<Figure>{{"blew up at (s)", trial.world.clock.time}};
+    const std::vector<Figure> figures = trial.finite
+                                            ? at->measure(trial)
+                                            : std::vector<Figure>{{"blew up at (s)", trial.world.clock.time}};
     const double particles = sum(trial, [](const World&, std::size_t) { return 1.0; });
     if (!points.empty() && !writeMiddleLayer(trial, points))
       return std::fprintf(stderr, "accuracy: cannot write %s\n", points.c_str()), 3;
     if (comm.rank() != 0) return 0;
     print(trial, *at, figures, particles);
-    if (!csv.empty() && !append(csv, trial, *at, label, figures, particles)) return std::fprintf(stderr, "accuracy: cannot write %s\n", csv.c_str()), 3;
+    if (!csv.empty() && !append(csv, trial, *at, label, figures, particles))
+      return std::fprintf(stderr, "accuracy: cannot write %s\n", csv.c_str()), 3;
     if (!trial.finite) return exitBlewUp;
     const std::string miss = missed(figures, strict, limits);
     if (!miss.empty()) std::fprintf(stderr, "accuracy: %s: %s\n", name.c_str(), miss.c_str());

@@ -6,7 +6,8 @@
 namespace thaw::accuracy {
 namespace {
 
-/// There is no exact solution; energy from nowhere says what longer steps do. Over the kinetic energy of the liquid.
+/// There is no exact solution; energy from nowhere says what longer steps do. Over the kinetic energy of the
+/// liquid.
 std::vector<Figure> measurePlate(Trial& r) {
   const LedgerReport books = reportLedger(r.world, r.tools, r.all);
   return {{"energy residual", std::abs(books.energyResidual) / books.now.kinetic, 0.01},
@@ -17,7 +18,9 @@ std::vector<Figure> measurePlate(Trial& r) {
 }  // namespace
 
 std::vector<Case> mixedCases() {
-  return {{.name = "stiff_in_soft", .about = "dam break on a stiff undamped plate: energy from nowhere, over the kinetic energy", .measure = measurePlate}};
+  return {{.name = "stiff_in_soft",
+           .about = "dam break on a stiff undamped plate: energy from nowhere, over the kinetic energy",
+           .measure = measurePlate}};
 }
 
 }  // namespace thaw::accuracy

@@ -6,15 +6,21 @@ namespace {
 
 struct Beam {
   double length = 5, height = 1, E, G, density, gravity;
-  explicit Beam(const World& w) : E(materialOf(w).young.solid), G(constantsOf(w).mu), density(materialOf(w).density), gravity(-w.scene.domain.gravity.z) {}
+  explicit Beam(const World& w)
+      : E(materialOf(w).young.solid),
+        G(constantsOf(w).mu),
+        density(materialOf(w).density),
+        gravity(-w.scene.domain.gravity.z) {}
   double bending() const { return E * std::pow(height, 4) / 12; }
   double shear(double nu) const { return 10 * (1 + nu) / (12 + 11 * nu) * G * height * height; }
   /// Deflection (m) at x under its own weight.
   double sag(double x, double nu) const {
     const double q = density * gravity * height * height;
-    return q * x * x * (x * x - 4 * length * x + 6 * length * length) / (24 * bending()) + q * (length * x - 0.5 * x * x) / shear(nu);
+    return q * x * x * (x * x - 4 * length * x + 6 * length * length) / (24 * bending()) +
+           q * (length * x - 0.5 * x * x) / shear(nu);
   }
-  /// The first mode of a slender cantilever, cosh - cos - s (sinh - sin); its shape hardly differs in a thicker one.
+  /// The first mode of a slender cantilever, cosh - cos - s (sinh - sin); its shape hardly differs in a
+  /// thicker one.
   double mode(double x) const {
     const double a = 1.8751040687 * x / length, s = 0.7340955;
     return std::cosh(a) - std::cos(a) - s * (std::sinh(a) - std::sin(a));
@@ -28,20 +34,24 @@ bool atTip(const World& w, std::size_t i) { return w.particles.position[i].x > 5
 
 double tipHeight(Trial& r) {
   const double n = sum(r, [](const World& w, std::size_t i) { return atTip(w, i) ? 1.0 : 0.0; });
-  return sum(r, [](const World& w, std::size_t i) { return atTip(w, i) ? w.particles.position[i].z : 0.0; }) / n;
+  return sum(r, [](const World& w, std::size_t i) { return atTip(w, i) ? w.particles.position[i].z : 0.0; }) /
+         n;
 }
 
 /// Friction with a resting outside, of about the critical one of the first mode.
 void dampBeam(Trial& r) {
   World& w = r.world;
   const double keep = std::exp(-2 * 2 * pi * firstFrequency * w.clock.stepDt);
-  for (std::size_t i = 0; i < w.particles.owned; i++) w.particles.velocity[i] = w.particles.velocity[i] * keep;
+  for (std::size_t i = 0; i < w.particles.owned; i++)
+    w.particles.velocity[i] = w.particles.velocity[i] * keep;
 }
 
 std::vector<Figure> measureSag(Trial& r) {
   const Beam beam(r.world);
   const double nu = materialOf(r.world).poisson.solid, dx = r.spacing();
-  const double measured = -tipHeight(r), fastest = largest(r, [](const World& w, std::size_t i) { return length(w.particles.velocity[i]); });
+  const double measured = -tipHeight(r), fastest = largest(r, [](const World&w, std::size_t i) {
+                                           return length(w.particles.velocity[i]);
+                                         });
   const double target = dx < 0.1 ? 0.03 : 0.05;
   Beam held = beam;  // clamped in the plane of the outermost held particles, half a spacing further back
   held.length += 0.5 * dx;
@@ -61,20 +71,26 @@ void watchTip(Trial& r) { r.series.push_back({r.world.clock.time, {tipHeight(r)}
 
 std::vector<Figure> measureFrequency(Trial& r) {
   std::vector<double> t = crossings(r.series, 0);
-  const double measured = t.size() < 2 ? 0 : 0.5 * static_cast<double>(t.size()) / t.back();  // half a period from zero to zero
+  // half a period from zero to zero
+  const double measured = t.size() < 2 ? 0 : 0.5 * static_cast<double>(t.size()) / t.back();
   return {{"first frequency", std::abs(measured / firstFrequency - 1), 0.03}};
 }
 
-// ---- spectrum ------------------------------------------------------------------------------------------------------------
+// ---- spectrum ---------------------------------------------------------------------------------------------
 constexpr std::size_t probes = 4;
 
 /// A direction of the whole body's motion, white in space: every mode shows in it.
-double probe(const World& w, std::size_t i, int axis, std::size_t k) { return randomUniform(w.scene.seed, Purpose::Test, w.particles.id[i], 3 * k + static_cast<std::size_t>(axis)) - 0.5; }
+double probe(const World& w, std::size_t i, int axis, std::size_t k) {
+  return randomUniform(w.scene.seed, Purpose::Test, w.particles.id[i],
+                       3 * k + static_cast<std::size_t>(axis)) -
+         0.5;
+}
 
 void shake(Trial& r) {
   World& w = r.world;
   for (std::size_t i = 0; i < w.particles.owned; i++)
-    for (int a = 0; a < 3 && !w.particles.clamped[i]; a++) w.particles.velocity[i][a] = 1e-3 * probe(w, i, a, probes);
+    for (int a = 0; a < 3 && !w.particles.clamped[i]; a++)
+      w.particles.velocity[i][a] = 1e-3 * probe(w, i, a, probes);
 }
 
 void watchProbes(Trial& r) {
@@ -95,7 +111,8 @@ double amplitude(const Trial& r, double frequency) {
     double re = 0, im = 0;
     for (std::size_t n = 1; n < r.series.size(); n++) {
       const Sample& s = r.series[n];
-      const double weight = (s.time - r.series[n - 1].time) * std::pow(std::sin(pi * s.time / end), 2) * s.value[k];
+      const double weight = (s.time - r.series[n - 1].time) * std::pow(std::sin(pi * s.time / end), 2) *
+                            s.value[k];
       re += weight * std::cos(2 * pi * frequency * s.time);
       im += weight * std::sin(2 * pi * frequency * s.time);
     }
@@ -110,7 +127,8 @@ double largestLine(const Trial& r, double from, double to) {
   return most;
 }
 
-// Below bending (.198 Hz), and between it and torsion (.901), there is nothing; a line of 20 s is .1 Hz wide to each side.
+// Below bending (.198 Hz), and between it and torsion (.901), there is nothing; a line of 20 s is .1 Hz wide
+// to each side.
 std::vector<Figure> measureLines(Trial& r) {
   const double first = largestLine(r, 0.1, 0.3);
   return {{"lines between/first", largestLine(r, 0.35, 0.72) / first, 0.05},
@@ -121,9 +139,28 @@ std::vector<Figure> measureLines(Trial& r) {
 }  // namespace
 
 std::vector<Case> beamCases() {
-  return {{"cantilever", "sag of a clamped beam; q L^4/(8EI) + q L^2/(2 kappa G A)", nullptr, {}, {}, dampBeam, measureSag},
-          {"cantilever_vibration", "first frequency of the same beam; Timoshenko", nullptr, {}, strike, watchTip, measureFrequency},
-          {"cantilever_modes", "the same beam shaken at random: no lines between bending and torsion (docs/validation/stability.md B2)", nullptr, {}, shake, watchProbes, measureLines}};
+  return {{"cantilever",
+           "sag of a clamped beam; q L^4/(8EI) + q L^2/(2 kappa G A)",
+           nullptr,
+           {},
+           {},
+           dampBeam,
+           measureSag},
+          {"cantilever_vibration",
+           "first frequency of the same beam; Timoshenko",
+           nullptr,
+           {},
+           strike,
+           watchTip,
+           measureFrequency},
+          {"cantilever_modes",
+           "the same beam shaken at random: no lines between bending and torsion "
+           "(docs/validation/stability.md B2)",
+           nullptr,
+           {},
+           shake,
+           watchProbes,
+           measureLines}};
 }
 
 }  // namespace thaw::accuracy

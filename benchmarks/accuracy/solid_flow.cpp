@@ -41,7 +41,7 @@ double energyResidual(Trial& r) {
   return std::abs(report.energyResidual) / report.energyScale;
 }
 
-// ---- a block between plates --------------------------------------------------------------------------------------------
+// ---- a block between plates -------------------------------------------------------------------------------
 
 /// Compression at time t: the press moves 2.5 cm in 1 s and meets the block at once.
 double compression(double t) { return 0.025 * t / 0.08; }
@@ -66,9 +66,10 @@ std::vector<Figure> measurePress(Trial& r) {
   return f;
 }
 
-// ---- slump test ----------------------------------------------------------------------------------------------------------
+// ---- slump test -------------------------------------------------------------------------------------------
 
-/// Pashias, Boger, Summers & Glenister 1996: slump over height of a cylinder, with tau' = tau_yield/(rho g H).
+/// Pashias, Boger, Summers & Glenister 1996: slump over height of a cylinder, with tau' = tau_yield/(rho g
+/// H).
 double pashias(double tau) { return 1 - 2 * tau * (1 - std::log(2 * tau)); }
 
 /// Height of the body, m: of the uppermost particles, each half a spacing below the surface.
@@ -83,8 +84,8 @@ std::vector<Figure> measureSlump(Trial& r) {
                shear = std::sqrt(2.0) * constantsOf(w).mu * materialOf(w).yieldStrain.solid;
   const double slump = 1 - heightOf(r) / height,
                expected = pashias(shear / (materialOf(w).density * length(w.scene.domain.gravity) * height));
-  const double fastest =
-      largest(r, [](const World& x, std::size_t i) { return length(x.particles.velocity[i]); });
+  const double fastest = largest(
+      r, [](const World& x, std::size_t i) { return length(x.particles.velocity[i]); });
   return {{"slump/Pashias - 1", std::abs(slump / expected - 1), 0.1},
           {"slump/height", slump},
           {"speed at the end/(slump/s)", fastest / (slump * height)},
@@ -94,7 +95,7 @@ std::vector<Figure> measureSlump(Trial& r) {
 
 void stiffer(Scene& s) { s.materials[0].yieldStrain = {0.0164, 0.0164}; }  // tau' = 0.2
 
-// ---- Taylor's bar ----------------------------------------------------------------------------------------------------------
+// ---- Taylor's bar -----------------------------------------------------------------------------------------
 
 /// mm, at 80 us: published results of finite elements lie between these.
 constexpr double lengths[2] = {21.4, 21.5}, radii[2] = {7.0, 7.2};
@@ -104,12 +105,12 @@ double outside(double x, const double (&range)[2]) {
 
 std::vector<Figure> measureBar(Trial& r) {
   const double lengthNow = 1e3 * heightOf(r);
-  const double radius =
-      1e3 * (largest(r,
-                     [](const World& w, std::size_t i) {
-                       return std::hypot(w.particles.position[i].x, w.particles.position[i].y);
-                     }) +
-             0.5 * r.spacing());
+  const double radius = 1e3 *
+                        (largest(r,
+                                 [](const World& w, std::size_t i) {
+                                   return std::hypot(w.particles.position[i].x, w.particles.position[i].y);
+                                 }) +
+                         0.5 * r.spacing());
   return {{"length", outside(lengthNow, lengths), 0.02},
           {"mushroom radius", outside(radius, radii), 0.05},
           {"length (mm)", lengthNow},

@@ -12,7 +12,8 @@ namespace {
 void draw(Trial& r, double from, double to, double dt) {
   Continuum& p = r.world.particles;
   const double along = to / from, across = 1 / std::sqrt(along);
-  for (std::size_t i = 0; i < p.owned; i++) p.position[i] = {along * p.position[i].x, across * p.position[i].y, across * p.position[i].z};
+  for (std::size_t i = 0; i < p.owned; i++)
+    p.position[i] = {along * p.position[i].x, across * p.position[i].y, across * p.position[i].z};
   evaluate(r.world, r.halos(), r.tools, dt);
   findElasticEnergy(r.world, r.tools);  // and F
 }
@@ -26,7 +27,9 @@ double deviator(const World& w, std::size_t i) {
   return norm(d);
 }
 
-double plasticNorm(const World& w, std::size_t i) { return norm(plasticStrain(w.solids.plasticInverse[w.particles.slot[i]], {})); }
+double plasticNorm(const World& w, std::size_t i) {
+  return norm(plasticStrain(w.solids.plasticInverse[w.particles.slot[i]], {}));
+}
 
 void pull(Trial& r) {
   const Material& m = materialOf(r.world);
@@ -35,16 +38,22 @@ void pull(Trial& r) {
   for (int n = 1; n <= 80; n++) {
     draw(r, stretch, 1 + 0.001 * n, 1e-3);
     stretch = 1 + 0.001 * n;
-    const double plastic = largest(r, plasticNorm), flows = -largest(r, [](const World& w, std::size_t i) { return -plasticNorm(w, i); });
+    const double plastic = largest(r, plasticNorm),
+                 flows = -largest(r, [](const World&w, std::size_t i) { return -plasticNorm(w, i); });
     excess = std::max(excess, plastic - m.maxPlasticStrain);
     if (flows > 1e-6 && plastic < 0.99 * m.maxPlasticStrain)
-      worst = std::max(worst, largest(r, [&](const World& w, std::size_t i) { return std::abs(deviator(w, i) / plateau - 1); }));
+      worst = std::max(worst, largest(r, [&](const World& w, std::size_t i) {
+                         return std::abs(deviator(w, i) / plateau - 1);
+                       }));
   }
   r.notes["plateau"] = worst;
   r.notes["excess"] = std::max(0.0, excess);
 }
 
-std::vector<Figure> measurePull(Trial& r) { return {{"sigma_eq/plateau - 1", r.notes["plateau"], 1e-12}, {"|eps_p| beyond its limit", r.notes["excess"], 1e-12}}; }
+std::vector<Figure> measurePull(Trial& r) {
+  return {{"sigma_eq/plateau - 1", r.notes["plateau"], 1e-12},
+          {"|eps_p| beyond its limit", r.notes["excess"], 1e-12}};
+}
 
 /// Strains at once, then holds for a time of 1/creep_rate in steps of dt.
 double elasticStrainAfterCreep(Trial& r, double stretch, int steps) {
@@ -55,7 +64,9 @@ double elasticStrainAfterCreep(Trial& r, double stretch, int steps) {
   const double first = largest(r, deviator);
   for (int n = 0; n < steps; n++) draw(r, 1, 1, total / steps);
   const double yield = 2 * constantsOf(r.world).mu * materialOf(r.world).yieldStrain.solid;
-  const double exact = yield + (first - yield) * std::exp(-1.0), error = largest(r, [&](const World& w, std::size_t i) { return std::abs(deviator(w, i) / exact - 1); });
+  const double exact = yield + (first - yield) * std::exp(-1.0),
+               error = largest(
+                   r, [&](const World&w, std::size_t i) { return std::abs(deviator(w, i) / exact - 1); });
   draw(r, stretch, 1, 0);
   return error;
 }
@@ -65,13 +76,28 @@ void creep(Trial& r) {
   r.notes["fine"] = elasticStrainAfterCreep(r, 1.02, 100);
 }
 
-std::vector<Figure> measureCreep(Trial& r) { return {{"elastic strain at tau", r.notes["coarse"], 1e-12}, {"elastic strain at tau with dt/10", r.notes["fine"], 1e-12}}; }
+std::vector<Figure> measureCreep(Trial& r) {
+  return {{"elastic strain at tau", r.notes["coarse"], 1e-12},
+          {"elastic strain at tau with dt/10", r.notes["fine"], 1e-12}};
+}
 
 }  // namespace
 
 std::vector<Case> plasticCases() {
-  return {{"plasticity", "drawing at constant volume: sigma_eq = sqrt(3/2) 2 G gamma_yield, |ln Up| <= gamma_max (OBH02)", nullptr, {}, pull, {}, measurePull},
-          {"creep", "strain held fixed: the stress decays as exp(-t/tau) towards the yield stress", nullptr, {}, creep, {}, measureCreep}};
+  return {{"plasticity",
+           "drawing at constant volume: sigma_eq = sqrt(3/2) 2 G gamma_yield, |ln Up| <= gamma_max (OBH02)",
+           nullptr,
+           {},
+           pull,
+           {},
+           measurePull},
+          {"creep",
+           "strain held fixed: the stress decays as exp(-t/tau) towards the yield stress",
+           nullptr,
+           {},
+           creep,
+           {},
+           measureCreep}};
 }
 
 }  // namespace thaw::accuracy

@@ -9,10 +9,10 @@
 
 namespace thaw::accuracy {
 
-std::vector<Case> elasticCases();  ///< gradient, rotation, free flight
-std::vector<Case> waveCases();     ///< plane waves in a periodic body
-std::vector<Case> beamCases();     ///< cantilevers
-std::vector<Case> plasticCases();  ///< yield and creep
+std::vector<Case> elasticCases();      ///< gradient, rotation, free flight
+std::vector<Case> waveCases();         ///< plane waves in a periodic body
+std::vector<Case> beamCases();         ///< cantilevers
+std::vector<Case> plasticCases();      ///< yield and creep
 std::vector<Case> plasticFlowCases();  ///< bodies that flow far
 
 inline constexpr double pi = 3.14159265358979323846;
@@ -21,15 +21,20 @@ inline constexpr double pi = 3.14159265358979323846;
 inline const Material& materialOf(const World& w) { return w.scene.materials[0]; }
 inline const ElasticConstants constantsOf(const World& w) { return elasticConstants(materialOf(w), 0); }
 
-inline Mat3d gradientOf(const World& w, std::size_t i) { return w.solids.deformation[w.particles.slot[i]] - identity3<double>(); }
+inline Mat3d gradientOf(const World& w, std::size_t i) {
+  return w.solids.deformation[w.particles.slot[i]] - identity3<double>();
+}
 inline double largestEntry(const Mat3d& m) {
   double most = 0;
   for (const Vec3d& r : m.row) most = std::max({most, std::abs(r.x), std::abs(r.y), std::abs(r.z)});
   return most;
 }
 
-/// Place of a lattice point of which this particle was moved by less than half a spacing; for boxes sampled from `corner` on.
-inline double onLattice(double x, double corner, double spacing) { return corner + spacing * (std::floor((x - corner) / spacing) + 0.5); }
+/// Place of a lattice point of which this particle was moved by less than half a spacing; for boxes sampled
+/// from `corner` on.
+inline double onLattice(double x, double corner, double spacing) {
+  return corner + spacing * (std::floor((x - corner) / spacing) + 0.5);
+}
 
 /// Times at which a series of values changes its sign, between samples by a straight line.
 inline std::vector<double> crossings(const std::vector<Sample>& series, std::size_t k) {

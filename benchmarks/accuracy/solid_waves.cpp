@@ -5,8 +5,8 @@ namespace thaw::accuracy {
 namespace {
 
 struct Waves {
-  Vec3d wave{};       ///< 1/m, the longest wave's k
-  Vec3d across{};     ///< of S waves
+  Vec3d wave{};    ///< 1/m, the longest wave's k
+  Vec3d across{};  ///< of S waves
   double spacing = 0;
 
   explicit Waves(const World& w) : spacing(w.scene.spacing) {
@@ -21,7 +21,9 @@ struct Waves {
     return r;
   }
   static constexpr int harmonic[3] = {1, 2, 4};
-  double shape(const World& w, const Vec3d& x, int n) const { return std::cos(harmonic[n] * dot(wave, rest(w, x))); }
+  double shape(const World& w, const Vec3d& x, int n) const {
+    return std::cos(harmonic[n] * dot(wave, rest(w, x)));
+  }
   double wavelength(int n) const { return 2 * pi / length(wave) / harmonic[n]; }
 };
 
@@ -52,7 +54,8 @@ std::vector<Figure> measureWaves(Trial& r) {
   const World& w = r.world;
   const Waves waves(w);
   const ElasticConstants c = constantsOf(w);
-  const double density = materialOf(w).density, speed[2] = {std::sqrt((c.lambda + 2 * c.mu) / density), std::sqrt(c.mu / density)};
+  const double density = materialOf(w).density,
+               speed[2] = {std::sqrt((c.lambda + 2 * c.mu) / density), std::sqrt(c.mu / density)};
   std::vector<Figure> figures;
   for (std::size_t k = 0; k < 6; k++) {
     const double spacings = waves.wavelength(static_cast<int>(k % 3)) / r.spacing();
@@ -62,7 +65,8 @@ std::vector<Figure> measureWaves(Trial& r) {
     const double measured = waves.wavelength(static_cast<int>(k % 3)) * 0.5 * halves / t.back();
     char name[64];
     std::snprintf(name, sizeof name, "%s speed at %.3g dx", k < 3 ? "P" : "S", spacings);
-    figures.push_back({name, std::abs(measured / speed[k / 3] - 1), spacings > 9.5 ? 0.015 * std::pow(20 / spacings, 2) : never});
+    figures.push_back({name, std::abs(measured / speed[k / 3] - 1),
+                       spacings > 9.5 ? 0.015 * std::pow(20 / spacings, 2) : never});
   }
   return figures;
 }
@@ -70,8 +74,21 @@ std::vector<Figure> measureWaves(Trial& r) {
 }  // namespace
 
 std::vector<Case> waveCases() {
-  return {{"p_wave", "plane P and S waves of 40, 20 and 10 spacings along an axis; c = sqrt((lambda + 2 mu)/rho), sqrt(mu/rho)", nullptr, {}, startWaves, watchWaves, measureWaves},
-          {"p_wave_diagonal", "the same along a diagonal of the lattice", nullptr, {}, startWaves, watchWaves, measureWaves}};
+  return {{"p_wave",
+           "plane P and S waves of 40, 20 and 10 spacings along an axis; c = sqrt((lambda + 2 mu)/rho), "
+           "sqrt(mu/rho)",
+           nullptr,
+           {},
+           startWaves,
+           watchWaves,
+           measureWaves},
+          {"p_wave_diagonal",
+           "the same along a diagonal of the lattice",
+           nullptr,
+           {},
+           startWaves,
+           watchWaves,
+           measureWaves}};
 }
 
 }  // namespace thaw::accuracy

@@ -10,8 +10,8 @@ namespace thaw::accuracy {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double link =
-    1.75;  // spacings; longer than a link of the lattice's diagonal, shorter than a gap of two
+constexpr double link = 1.75;  // spacings; longer than a link of the lattice's diagonal, shorter than a gap
+                               // of two
 
 /// A periodic slab around z = 0 as thick as three support radii, and six spacings at least.
 void makeSlab(Scene& s) {

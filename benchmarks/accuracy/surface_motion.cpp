@@ -1,4 +1,5 @@
-// Surfaces that move against exact motions and books: a spinning solid, a melting ball, drops that meet and part.
+// Surfaces that move against exact motions and books: a spinning solid, a melting ball, drops that meet and
+// part.
 #include <algorithm>
 #include <cmath>
 
@@ -7,11 +8,14 @@
 namespace thaw::accuracy {
 namespace {
 
-// ---- spin ----------------------------------------------------------------------------------------------------------------
+// ---- spin -------------------------------------------------------------------------------------------------
 Vec3d centreOfMass(Trial& r) {
   const double mass = sum(r, [](const World& w, std::size_t i) { return w.particles.mass[i]; });
   Vec3d c;
-  for (int a = 0; a < 3; a++) c[a] = sum(r, [a](const World& w, std::size_t i) { return w.particles.mass[i] * w.particles.position[i][a]; }) / mass;
+  for (int a = 0; a < 3; a++)
+    c[a] = sum(r, [a](const World& w,
+                      std::size_t i) { return w.particles.mass[i] * w.particles.position[i][a]; }) /
+           mass;
   return c;
 }
 
@@ -25,7 +29,10 @@ struct RigidMotion {
     angle = length(spin) * t;
     to = centre + w.scene.bodies[0].velocity * t + w.scene.domain.gravity * (0.5 * t * t);
   }
-  Vec3d turned(const Vec3d& d) const { return std::cos(angle) * d + std::sin(angle) * cross(axis, d) + (1 - std::cos(angle)) * dot(axis, d) * axis; }
+  Vec3d turned(const Vec3d& d) const {
+    return std::cos(angle) * d + std::sin(angle) * cross(axis, d) +
+           (1 - std::cos(angle)) * dot(axis, d) * axis;
+  }
   Vec3d operator()(const Vec3d& x) const { return to + turned(x - from); }
 };
 
@@ -35,14 +42,17 @@ void watchSpin(Trial& r) {
   const SurfelCloud cloud = cloudOf(r);
   const Vec3d c = centreOfMass(r);
   r.series.push_back({0, {c.x, c.y, c.z}});
-  for (const CloudSurfel& f : cloud.surfels) r.series.push_back({0, {f.position.x, f.position.y, f.position.z, f.normal.x, f.normal.y, f.normal.z}});
+  for (const CloudSurfel& f : cloud.surfels)
+    r.series.push_back({0, {f.position.x, f.position.y, f.position.z, f.normal.x, f.normal.y, f.normal.z}});
   for (const CloudSurfel& f : cloud.surfels) r.ids.push_back(f.id);
 }
 
 std::vector<Figure> measureSpin(Trial& r) {
   const SurfelCloud cloud = cloudOf(r);
   const World& w = r.world;
-  const auto vec = [&](std::size_t k, std::size_t at) { return Vec3d{r.series[k].value[at], r.series[k].value[at + 1], r.series[k].value[at + 2]}; };
+  const auto vec = [&](std::size_t k, std::size_t at) {
+    return Vec3d{r.series[k].value[at], r.series[k].value[at + 1], r.series[k].value[at + 2]};
+  };
   const RigidMotion exact(w, vec(0, 0), w.clock.time);
   double worst = 0, mean = 0, normals = 0, kept = 0, lag = 0, arms = 0;
   for (const CloudSurfel& f : cloud.surfels) {
@@ -58,7 +68,8 @@ std::vector<Figure> measureSpin(Trial& r) {
     normals = std::max(normals, degreesBetween(f.normal, exact.turned(vec(k, 3))));
     kept++;
   }
-  const double before = static_cast<double>(r.ids.size()), after = static_cast<double>(cloud.surfels.size()), unit = w.surface.spacing;
+  const double before = static_cast<double>(r.ids.size()), after = static_cast<double>(cloud.surfels.size()),
+               unit = w.surface.spacing;
   const Vec3d c = centreOfMass(r) - exact.to;
   std::vector<Figure> all{{"drift/spacing of surfels", worst / unit, 1e-3},
                           {"surfels lost or born", before - kept + after - kept, 0},
@@ -72,14 +83,16 @@ std::vector<Figure> measureSpin(Trial& r) {
   return all;
 }
 
-// ---- volumes and events over time ----------------------------------------------------------------------------------------
+// ---- volumes and events over time -------------------------------------------------------------------------
 /// Volume in the surface over that of the particles, after each update.
 void watchVolume(Trial& r) {
   const World& w = r.world;
   const auto updates = static_cast<double>(w.surface.counters.updates);
   if (w.clock.step > 0 && r.notes["updates"] == updates) return;
   r.notes["updates"] = updates;
-  r.series.push_back({w.clock.time, {surfaceVolume(w) / particleVolume(w), static_cast<double>(w.surface.components.size())}});
+  r.series.push_back(
+      {w.clock.time,
+       {surfaceVolume(w) / particleVolume(w), static_cast<double>(w.surface.components.size())}});
 }
 
 /// Largest deviation of the volume from that at the start.
@@ -94,18 +107,22 @@ double volumeError(const Trial& r, double from) {
 std::vector<Figure> measureMelt(Trial& r) {
   const SurfelCloud cloud = cloudOf(r);
   const World& w = r.world;
-  const double bar = w.scene.surface.keepVolume > 0 ? 0.01 : never, n = sum(r, [](const World&, std::size_t) { return 1.0; });
-  const double liquid = sum(r, [](const World& x, std::size_t i) { return static_cast<double>(x.particles.liquid[i]); }) / n;
+  const double bar = w.scene.surface.keepVolume > 0 ? 0.01 : never,
+               n = sum(r, [](const World&, std::size_t) { return 1.0; });
+  const double liquid = sum(r, [](const World& x,
+                                  std::size_t i) { return static_cast<double>(x.particles.liquid[i]); }) /
+                        n;
   const double top = largest(r, [](const World& x, std::size_t i) { return x.particles.position[i].z; });
-  std::vector<Figure> all{{"volume at the end", std::abs(r.series.back().value[0] / r.series.front().value[0] - 1), bar},
-                          {"volume at any time", volumeError(r, 0), bar},
-                          {"volume/particles' at the start", r.series.front().value[0]},
-                          {"volume/particles' at the end", r.series.back().value[0]},
-                          {"components at the end", static_cast<double>(w.surface.components.size())},
-                          {"splits and merges", static_cast<double>(w.surface.counters.splits + w.surface.counters.merges)},
-                          {"liquid share at the end", liquid},
-                          {"height at the end/start", top / 0.11},
-                          {"updates", static_cast<double>(w.surface.counters.updates)}};
+  std::vector<Figure> all{
+      {"volume at the end", std::abs(r.series.back().value[0] / r.series.front().value[0] - 1), bar},
+      {"volume at any time", volumeError(r, 0), bar},
+      {"volume/particles' at the start", r.series.front().value[0]},
+      {"volume/particles' at the end", r.series.back().value[0]},
+      {"components at the end", static_cast<double>(w.surface.components.size())},
+      {"splits and merges", static_cast<double>(w.surface.counters.splits + w.surface.counters.merges)},
+      {"liquid share at the end", liquid},
+      {"height at the end/start", top / 0.11},
+      {"updates", static_cast<double>(w.surface.counters.updates)}};
   addCost(r, cloud, all);
   return all;
 }
@@ -131,43 +148,53 @@ double meanVolume(const Trial& r, double from, double to) {
   return n > 0 ? all / n : 0;
 }
 
-/// Volumes; and the time at which the liquids touch, their particles no farther from each other along x than they are in each of them.
+/// Volumes; and the time at which the liquids touch, their particles no farther from each other along x than
+/// they are in each of them.
 void watchMerge(Trial& r) {
   watchVolume(r);
   if (r.notes.contains("touch")) return;
-  const double left = largest(r, [](const World& w, std::size_t i) { return w.particles.body[i] == 0 ? w.particles.position[i].x : -never; });
-  const double right = -largest(r, [](const World& w, std::size_t i) { return w.particles.body[i] == 1 ? -w.particles.position[i].x : -never; });
+  const double left = largest(r, [](const World& w, std::size_t i) {
+    return w.particles.body[i] == 0 ? w.particles.position[i].x : -never;
+  });
+  const double right = -largest(r, [](const World& w, std::size_t i) {
+    return w.particles.body[i] == 1 ? -w.particles.position[i].x : -never;
+  });
   if (right - left <= r.spacing()) r.notes["touch"] = r.world.clock.time;
 }
 
 std::vector<Figure> measureMerge(Trial& r) {
   const SurfelCloud cloud = cloudOf(r);
   const World& w = r.world;
-  const double at = firstEvent(w, SurfaceEventKind::Merge), before = meanVolume(r, 0, at), after = meanVolume(r, at, never);
-  std::vector<Figure> all{{"volume after/before", std::abs(after / before - 1), 0.02},
-                          {"merges - 1", std::abs(countEvents(w, SurfaceEventKind::Merge) - 1), 0},
-                          {"splits", countEvents(w, SurfaceEventKind::Split), 0},
-                          {"merge at (s)", at},
-                          {"liquids touch at (s)", r.notes.contains("touch") ? r.notes["touch"] : w.clock.end},
-                          {"volume/particles' before", before},
-                          {"volume/particles' after", after},
-                          {"components at the end", static_cast<double>(w.surface.components.size())}};
+  const double at = firstEvent(w, SurfaceEventKind::Merge), before = meanVolume(r, 0, at),
+               after = meanVolume(r, at, never);
+  std::vector<Figure> all{
+      {"volume after/before", std::abs(after / before - 1), 0.02},
+      {"merges - 1", std::abs(countEvents(w, SurfaceEventKind::Merge) - 1), 0},
+      {"splits", countEvents(w, SurfaceEventKind::Split), 0},
+      {"merge at (s)", at},
+      {"liquids touch at (s)", r.notes.contains("touch") ? r.notes["touch"] : w.clock.end},
+      {"volume/particles' before", before},
+      {"volume/particles' after", after},
+      {"components at the end", static_cast<double>(w.surface.components.size())}};
   addCost(r, cloud, all);
   return all;
 }
 
-/// Drawn along x: the ends go at a speed (m/s) either way, the neck between them, 1 m to either side, is stretched.
+/// Drawn along x: the ends go at a speed (m/s) either way, the neck between them, 1 m to either side, is
+/// stretched.
 std::function<void(Trial&)> pulledAt(double speed) {
   return [speed](Trial& r) {
     Continuum& p = r.world.particles;
-    for (std::size_t i = 0; i < p.owned; i++) p.velocity[i] = {speed * std::clamp(p.position[i].x, -1.0, 1.0), 0, 0};
+    for (std::size_t i = 0; i < p.owned; i++)
+      p.velocity[i] = {speed * std::clamp(p.position[i].x, -1.0, 1.0), 0, 0};
   };
 }
 
 std::vector<Figure> measureSplit(Trial& r) {
   const SurfelCloud cloud = cloudOf(r);
   const World& w = r.world;
-  const double at = firstEvent(w, SurfaceEventKind::Split), before = meanVolume(r, 0, at), after = meanVolume(r, at, never);
+  const double at = firstEvent(w, SurfaceEventKind::Split), before = meanVolume(r, 0, at),
+               after = meanVolume(r, at, never);
   double large = 0, second = 0, total = 0;  // m^3, of components
   for (const SurfaceComponent& c : w.surface.components) {
     total += c.particleVolume;
@@ -189,7 +216,8 @@ std::vector<Figure> measureSplit(Trial& r) {
 
 /// Farthest end of the liquid along x (m): half a spacing beyond the outermost particle.
 double tip(Trial& r) {
-  return largest(r, [](const World& w, std::size_t i) { return w.particles.position[i].x; }) + r.spacing() / 2;
+  return largest(r, [](const World& w, std::size_t i) { return w.particles.position[i].x; }) +
+         r.spacing() / 2;
 }
 
 void watchHeld(Trial& r) {
@@ -198,7 +226,8 @@ void watchHeld(Trial& r) {
   r.notes["farthest"] = std::max(r.notes["farthest"], tip(r));
 }
 
-/// Pulled with .39 J, where two balls have .66 J more in their surface than the drop at the start: it may not part.
+/// Pulled with .39 J, where two balls have .66 J more in their surface than the drop at the start: it may not
+/// part.
 std::vector<Figure> measureHeld(Trial& r) {
   const SurfelCloud cloud = cloudOf(r);
   const World& w = r.world;
@@ -215,11 +244,41 @@ std::vector<Figure> measureHeld(Trial& r) {
 
 std::vector<Case> movingSurfaceCases() {
   return {
-      {"surface_spin", "surfels of a solid that falls and spins by one turn; rigid motion", nullptr, {}, {}, watchSpin, measureSpin},
-      {"surface_melt", "a solid ball with a mesh melts to a puddle; the volume in the surface over that of the particles", nullptr, {}, {}, watchVolume, measureMelt},
-      {"surface_merge", "two drops meet; the time at which they touch, 0.25 s if they stay balls, and volumes", nullptr, {}, {}, watchMerge, measureMerge},
-      {"surface_split", "a drop is pulled apart; time, halves and volumes", nullptr, {}, pulledAt(2), watchVolume, measureSplit},
-      {"surface_held", "a long drop is pulled with less energy than parting takes; it holds and contracts", nullptr, {}, pulledAt(0.25), watchHeld, measureHeld},
+      {"surface_spin",
+       "surfels of a solid that falls and spins by one turn; rigid motion",
+       nullptr,
+       {},
+       {},
+       watchSpin,
+       measureSpin},
+      {"surface_melt",
+       "a solid ball with a mesh melts to a puddle; the volume in the surface over that of the particles",
+       nullptr,
+       {},
+       {},
+       watchVolume,
+       measureMelt},
+      {"surface_merge",
+       "two drops meet; the time at which they touch, 0.25 s if they stay balls, and volumes",
+       nullptr,
+       {},
+       {},
+       watchMerge,
+       measureMerge},
+      {"surface_split",
+       "a drop is pulled apart; time, halves and volumes",
+       nullptr,
+       {},
+       pulledAt(2),
+       watchVolume,
+       measureSplit},
+      {"surface_held",
+       "a long drop is pulled with less energy than parting takes; it holds and contracts",
+       nullptr,
+       {},
+       pulledAt(0.25),
+       watchHeld,
+       measureHeld},
   };
 }
 

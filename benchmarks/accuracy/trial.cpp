@@ -54,7 +54,8 @@ void surfaceAfterStep(Trial& r, double move2) {
 }  // namespace
 
 void run(const Case& c, Trial& r, const std::vector<std::string>& overrides) {
-  const std::string file = std::string(THAW_BENCHMARK_FOLDER) + "/scenes/" + (c.scene ? c.scene : c.name) + ".toml";
+  const std::string file = std::string(THAW_BENCHMARK_FOLDER) + "/scenes/" + (c.scene ? c.scene : c.name) +
+                           ".toml";
   World& w = r.world;
   r.overrides = overrides;
   w.scene = sceneForAll(r.comm, file, overrides);
@@ -116,7 +117,12 @@ double largest(Trial& r, const OfParticle& f) {
 
 double rootMeanSquare(Trial& r, const OfParticle& f) {
   const double n = sum(r, [](const World&, std::size_t) { return 1.0; });
-  return std::sqrt(sum(r, [&](const World& w, std::size_t i) { const double v = f(w, i); return v * v; }) / n);
+  return std::sqrt(sum(r,
+                       [&](const World& w, std::size_t i) {
+                         const double v = f(w, i);
+                         return v * v;
+                       }) /
+                   n);
 }
 
 }  // namespace thaw::accuracy

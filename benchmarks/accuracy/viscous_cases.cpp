@@ -1,4 +1,5 @@
-// Viscosity against exact solutions (docs/validation/accuracy.md, fluid): a channel, and a drop in rigid rotation. Drops with tension: drop_cases.cpp.
+// Viscosity against exact solutions (docs/validation/accuracy.md, fluid): a channel, and a drop in rigid
+// rotation. Drops with tension: drop_cases.cpp.
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +13,9 @@ constexpr double pi = 3.14159265358979323846;
 /// Flow between walls at z = 0 and H that gravity drives along x.
 struct Channel {
   double height, nu, fastest;
-  explicit Channel(const Scene& s) : height(s.domain.max.z - s.domain.min.z), nu(s.materials[0].viscosity.liquid / s.materials[0].density) {
+  explicit Channel(const Scene& s)
+      : height(s.domain.max.z - s.domain.min.z),
+        nu(s.materials[0].viscosity.liquid / s.materials[0].density) {
     fastest = s.domain.gravity.x * height * height / (8 * nu);
   }
   double steady(double z) const { return 4 * fastest * z * (height - z) / (height * height); }
@@ -30,12 +33,21 @@ struct Channel {
 std::vector<Figure> measurePoiseuille(Trial& r) {
   const Channel exact(r.world.scene);
   const auto u = [](const World& w, std::size_t i) { return w.particles.velocity[i]; };
-  const auto error = [&](const World& w, std::size_t i) { return (u(w, i).x - exact.steady(w.particles.position[i].z)) / exact.fastest; };
-  const auto across = [&](const World& w, std::size_t i) { return std::hypot(u(w, i).y, u(w, i).z) / exact.fastest; };
+  const auto error = [&](const World& w, std::size_t i) {
+    return (u(w, i).x - exact.steady(w.particles.position[i].z)) / exact.fastest;
+  };
+  const auto across = [&](const World& w, std::size_t i) {
+    return std::hypot(u(w, i).y, u(w, i).z) / exact.fastest;
+  };
   const double n = sum(r, [](const World&, std::size_t) { return 1.0; });
-  // the flow rate against that of the exact profile: the effective viscosity, without the noise of single particles
-  const double flow = sum(r, [&](const World& w, std::size_t i) { return u(w, i).x; }) / (n * exact.fastest * 2 / 3) - 1;
-  return {{"L2(u)", rootMeanSquare(r, error), 0.01}, {"flow rate / exact", 1 + flow}, {"L2(u across)", rootMeanSquare(r, across)}};
+  // the flow rate against that of the exact profile: the effective viscosity, without the noise of single
+  // particles
+  const double flow = sum(r, [&](const World& w, std::size_t i) { return u(w, i).x; }) /
+                          (n * exact.fastest * 2 / 3) -
+                      1;
+  return {{"L2(u)", rootMeanSquare(r, error), 0.01},
+          {"flow rate / exact", 1 + flow},
+          {"L2(u across)", rootMeanSquare(r, across)}};
 }
 
 void startSteady(Trial& r) {
@@ -47,9 +59,12 @@ void startSteady(Trial& r) {
 /// L2(u) whenever a time of the list has come: .05, .1, .2, .4 H^2 / nu.
 void watchStarting(Trial& r) {
   const Channel exact(r.world.scene);
-  const double t = r.world.clock.time, due = 0.05 * std::pow(2.0, static_cast<double>(r.series.size())) * exact.height * exact.height / exact.nu;
+  const double t = r.world.clock.time, due = 0.05 * std::pow(2.0, static_cast<double>(r.series.size())) *
+                                             exact.height * exact.height / exact.nu;
   if (t < due) return;
-  const auto error = [&](const World& w, std::size_t i) { return (w.particles.velocity[i].x - exact.starting(w.particles.position[i].z, t)) / exact.fastest; };
+  const auto error = [&](const World& w, std::size_t i) {
+    return (w.particles.velocity[i].x - exact.starting(w.particles.position[i].z, t)) / exact.fastest;
+  };
   r.series.push_back({t, {rootMeanSquare(r, error)}});
 }
 
@@ -59,7 +74,10 @@ std::vector<Figure> measureStarting(Trial& r) {
   return {{"L2(u) at the worst time", worst, 0.01}};
 }
 
-struct Motion { Vec3d momentum, angular; double mass = 0; };
+struct Motion {
+  Vec3d momentum, angular;
+  double mass = 0;
+};
 
 Motion motionOf(Trial& r) {
   const LedgerReport books = reportLedger(r.world, r.tools, r.all);
@@ -77,7 +95,8 @@ void noteMotion(Trial& r) {
 std::vector<Figure> measureSpin(Trial& r) {
   const World& w = r.world;
   const Material& m = w.scene.materials[0];
-  const double nu = m.viscosity.liquid / m.density, R = w.scene.bodies[0].shape.radius, spin = length(w.scene.bodies[0].spin);
+  const double nu = m.viscosity.liquid / m.density, R = w.scene.bodies[0].shape.radius,
+               spin = length(w.scene.bodies[0].spin);
   const Motion end = motionOf(r);
   Vec3d lost, pushed;
   for (int a = 0; a < 3; a++) {
@@ -86,17 +105,45 @@ std::vector<Figure> measureSpin(Trial& r) {
   }
   Vec3d before;
   for (int a = 0; a < 3; a++) before[a] = r.notes["L" + std::to_string(a)];
-  return {{"loss of angular momentum", length(lost) / length(before) / w.clock.time * R * R / nu, 0.05}, {"linear momentum", length(pushed) / (end.mass * spin * R), 1e-5}};
+  return {{"loss of angular momentum", length(lost) / length(before) / w.clock.time * R * R / nu, 0.05},
+          {"linear momentum", length(pushed) / (end.mass * spin * R), 1e-5}};
 }
 
 }  // namespace
 
 std::vector<Case> viscousCases() {
   std::vector<Case> all = {
-      {"poiseuille", "channel, steady, let go at the exact profile; parabola", nullptr, {}, startSteady, {}, measurePoiseuille, makeThin},
-      {"poiseuille_startup", "channel from rest; Fourier series (Morris et al. 1997)", "poiseuille", {}, {}, watchStarting, measureStarting, makeThin},
-      {"thick_channel", "channel from rest to steady flow, explicit steps a hundred times shorter than sound's; parabola", nullptr, {}, {}, {}, measurePoiseuille, makeThin},
-      {"spinning_drop", "free viscous drop in rigid rotation; angular momentum is constant", nullptr, {}, noteMotion, {}, measureSpin},
+      {"poiseuille",
+       "channel, steady, let go at the exact profile; parabola",
+       nullptr,
+       {},
+       startSteady,
+       {},
+       measurePoiseuille,
+       makeThin},
+      {"poiseuille_startup",
+       "channel from rest; Fourier series (Morris et al. 1997)",
+       "poiseuille",
+       {},
+       {},
+       watchStarting,
+       measureStarting,
+       makeThin},
+      {"thick_channel",
+       "channel from rest to steady flow, explicit steps a hundred times shorter than sound's; parabola",
+       nullptr,
+       {},
+       {},
+       {},
+       measurePoiseuille,
+       makeThin},
+      {"spinning_drop",
+       "free viscous drop in rigid rotation; angular momentum is constant",
+       nullptr,
+       {},
+       noteMotion,
+       {},
+       measureSpin},
   };
   for (Case& c : dropCases()) all.push_back(std::move(c));
   return all;

@@ -19,7 +19,8 @@ import subprocess
 import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-# Table 1 of the paper: particles, surfels, seconds a physics step, seconds a surface iteration, frames a second (3 GHz Pentium 4)
+# Table 1 of the paper: particles, surfels, seconds a physics step, seconds a surface iteration, frames a
+# second (3 GHz Pentium 4)
 PAPER = {
     "fluid": (3000, 3400, 0.13, 1.3, 0.7),
     "freezing": (2400, 3400, 0.4, 1.2, 0.5),

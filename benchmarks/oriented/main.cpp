@@ -1,4 +1,5 @@
-// oriented [--csv FILE] [--strict]: accuracy of oriented bodies at rest, of a rebuilt mesh, and the two ways of finding neighbours.
+// oriented [--csv FILE] [--strict]: accuracy of oriented bodies at rest, of a rebuilt mesh, and the two ways
+// of finding neighbours.
 //   plane, sphere   energies of co-planarity, co-normality and co-circularity a particle at rest, over
 //                   stiffness spacing^2; spacing; radius; curvature
 //   lattice         rest spacing of Lennard-Jones 12-6 with the full sum, over sigma
@@ -19,18 +20,21 @@ int main(int argc, char** argv) {
   std::string only;
   double spacing = 0.0125;  // m, of the surface that is rebuilt
   for (int a = 1; a < argc; a++) try {
-    const std::string key = argv[a];
-    if (key == "--strict") strict = true;
-    else if (key == "--csv" && a + 1 < argc) csv = argv[++a];
-    else if (key == "--only" && a + 1 < argc) oneOf(key, only = argv[++a], {"plane", "lattice", "sphere", "rebuilt", "neighbours"});
-    else if (key == "--spacing" && a + 1 < argc) spacing = numberOf(key, argv[++a], 1e-4, 1);
-    else {
-      const bool help = key == "--help" || key == "-h";
-      return std::fprintf(help ? stdout : stderr, "scripts/bench oriented [--strict] [--only plane|lattice|sphere|rebuilt|neighbours] [--spacing METRES of rebuilt] [--csv FILE]\n"), help ? 0 : 2;
-    }
-  } catch (const std::invalid_argument& e) {
-    return std::fprintf(stderr, "oriented: %s\n", e.what()), 2;
-  }
+      const std::string key = argv[a];
+      if (key == "--strict") strict = true;
+      else if (key == "--csv" && a + 1 < argc) csv = argv[++a];
+      else if (key == "--only" && a + 1 < argc)
+        oneOf(key, only = argv[++a], {"plane", "lattice", "sphere", "rebuilt", "neighbours"});
+      else if (key == "--spacing" && a + 1 < argc) spacing = numberOf(key, argv[++a], 1e-4, 1);
+      else {
+        const bool help = key == "--help" || key == "-h";
+        return std::fprintf(
+                   help ? stdout : stderr,
+                   "scripts/bench oriented [--strict] [--only plane|lattice|sphere|rebuilt|neighbours] "
+                   "[--spacing METRES of rebuilt] [--csv FILE]\n"),
+               help ? 0 : 2;
+      }
+    } catch (const std::invalid_argument& e) { return std::fprintf(stderr, "oriented: %s\n", e.what()), 2; }
   Figures figures;
   figures.csv = std::fopen(csv ? csv : "/dev/null", "w");
   if (!figures.csv) return std::fprintf(stderr, "%s: cannot be written\n", csv), 3;

@@ -33,7 +33,8 @@ void neighbours(Figures& figures) {
       for (std::size_t i = 0; i < o.owned; i++) found += tree.within(places[i], reach).size() - 1;
       byTree = std::min(byTree, seconds(start));
     }
-    if (found != x.tools.oriented.lists.list.size()) std::printf("the two searches find different neighbours\n"), figures.missed++;
+    if (found != x.tools.oriented.lists.list.size())
+      std::printf("the two searches find different neighbours\n"), figures.missed++;
     figures.row("neighbours", "by the cells, sorted anew (ms)", n, 1e3 * (byCells + bySort), 0);
     figures.row("neighbours", "by nanoflann (ms)", n, 1e3 * byTree, 0);
     figures.row("neighbours", "cells over nanoflann", n, (byCells + bySort) / byTree, 1);

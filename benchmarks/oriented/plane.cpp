@@ -9,7 +9,7 @@ namespace thaw::bench {
 using test::Simulation;
 
 /// Energy of one of the potentials a particle, over scale.
-double energyOf(const Simulation& x, double PairPotential::* weight) {
+double energyOf(const Simulation& x, double PairPotential::*weight) {
   const Oriented& o = x.w.oriented.rows;
   PairPotential p = x.tools.oriented.potentials[0];
   const double w = p.*weight;
@@ -18,7 +18,9 @@ double energyOf(const Simulation& x, double PairPotential::* weight) {
   const OrientedLists& l = x.tools.oriented.lists;
   double sum = 0;
   for (std::size_t i = 0; i < o.owned; i++)
-    for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) sum += 0.5 * pairForces(p, o.position[l.list[k]] - o.position[i], o.normal[i], o.normal[l.list[k]]).energy;
+    for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++)
+      sum += 0.5 *
+             pairForces(p, o.position[l.list[k]] - o.position[i], o.normal[i], o.normal[l.list[k]]).energy;
   return sum / (p.scale * static_cast<double>(o.owned));
 }
 
@@ -28,7 +30,8 @@ double nearestApart(const Simulation& x, std::size_t i) {
   const Oriented& o = x.w.oriented.rows;
   const OrientedLists& l = x.tools.oriented.lists;
   double least = 1e300;
-  for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) least = std::min(least, length(o.position[l.list[k]] - o.position[i]));
+  for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++)
+    least = std::min(least, length(o.position[l.list[k]] - o.position[i]));
   return least;
 }
 
@@ -55,18 +58,21 @@ void plane(Figures& figures) {
   double tilt = 0;
   for (std::size_t i = 0; i < o.owned; i++) {
     tilt = std::max(tilt, length(o.normal[i] - mean));
-    if (std::abs(o.position[i].x) < 0.2 && std::abs(o.position[i].y) < 0.2) apart.push_back(nearestApart(x, i) / s.spacing);
+    if (std::abs(o.position[i].x) < 0.2 && std::abs(o.position[i].y) < 0.2)
+      apart.push_back(nearestApart(x, i) / s.spacing);
   }
   std::sort(apart.begin(), apart.end());
   figures.row("plane", "largest angle of a normal (rad)", n, tilt, 1e-5);
-  figures.row("plane", "|median distance of neighbours / spacing - 1|", n, std::abs(apart[apart.size() / 2] - 1), 0.02);
+  figures.row("plane", "|median distance of neighbours / spacing - 1|", n,
+              std::abs(apart[apart.size() / 2] - 1), 0.02);
 }
 
 void lattice(Figures& figures) {
   OrientedBody body;
   body.support = 60;
   const PairPotential p = pairPotential(body, 1);
-  figures.row("lattice", "full sum: |spacing / sigma - 1.11146|", 0, std::abs(std::pow(2.0, 1.0 / 6) / p.well - 1.11146), 1e-5);
+  figures.row("lattice", "full sum: |spacing / sigma - 1.11146|", 0,
+              std::abs(std::pow(2.0, 1.0 / 6) / p.well - 1.11146), 1e-5);
 }
 
 }  // namespace thaw::bench

@@ -29,27 +29,37 @@ void measure(Figures& figures, const Simulation& x, const char* when) {
     places.push_back(o.position[i]);
     normals.push_back(o.normal[i]);
   }
-  // and from the original to the rebuilt: to the nearest particle, less what a hexagonal lattice has anyway (a spacing over root 3)
+  // and from the original to the rebuilt: to the nearest particle, less what a hexagonal lattice has anyway
+  // (a spacing over root 3)
   const PointTree tree(places);
   const MadePoints all = sampleMesh(shape, 0.5 * s.spacing, 7, {});
   for (const Vec3d& p : all.places) {
-    const double d = std::max(0.0, length(places[tree.nearest(p, 1)[0]] - p) / s.spacing - 1 / std::sqrt(3.0));
+    const double d = std::max(0.0,
+                              length(places[tree.nearest(p, 1)[0]] - p) / s.spacing - 1 / std::sqrt(3.0));
     far = std::max(far, d);
     farMean += d / static_cast<double>(all.places.size());
   }
   const std::vector<double> spacings(places.size(), s.spacing);
   const auto triangles = triangulate({places, normals, spacings, {}, {}});
-  const auto row = [&](const char* name, double value, double target) { figures.row("rebuilt", (std::string(name) + ", " + when).c_str(), n, value, target); };
+  const auto row = [&](const char* name, double value, double target) {
+    figures.row("rebuilt", (std::string(name) + ", " + when).c_str(), n, value, target);
+  };
   row("largest distance from the original, spacings", most, 1);
   row("mean distance from the original, spacings", mean, 0.2);
   row("largest distance of the original, spacings", far, 1);
   row("mean distance of the original, spacings", farMean, 0.2);
-  row("edges without two triangles, share", 2 * std::abs(1.5 * static_cast<double>(triangles.size()) - static_cast<double>(edgesOf(triangles).size())) / static_cast<double>(edgesOf(triangles).size()), 0);
+  row("edges without two triangles, share",
+      2 *
+          std::abs(1.5 * static_cast<double>(triangles.size()) -
+                   static_cast<double>(edgesOf(triangles).size())) /
+          static_cast<double>(edgesOf(triangles).size()),
+      0);
 }
 
 }  // namespace
 
-/// As scenes/oriented/interpolate.toml: relaxed, and then run to its end, where only the potentials and damping act.
+/// As scenes/oriented/interpolate.toml: relaxed, and then run to its end, where only the potentials and
+/// damping act.
 void rebuilt(Figures& figures, double spacing) {
   Scene s = bare(spacing);
   OrientedBody& b = s.oriented[0];
@@ -69,7 +79,8 @@ void rebuilt(Figures& figures, double spacing) {
   const auto start = std::chrono::steady_clock::now();
   Simulation x(s);
   const double n = static_cast<double>(x.w.oriented.rows.owned), relaxed = seconds(start);
-  figures.row("rebuilt", "points that were given", n, static_cast<double>(x.tools.oriented.given[0].points.size()), 0);
+  figures.row("rebuilt", "points that were given", n,
+              static_cast<double>(x.tools.oriented.given[0].points.size()), 0);
   measure(figures, x, "relaxed");
   const auto begin = std::chrono::steady_clock::now();
   if (!x.run()) std::printf("the run did not come to its end\n");

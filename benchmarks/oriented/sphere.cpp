@@ -1,4 +1,5 @@
-// Spheres: co-circularity at rest, by itself and beside Lennard-Jones, and how round the sphere of a scene is after a second.
+// Spheres: co-circularity at rest, by itself and beside Lennard-Jones, and how round the sphere of a scene is
+// after a second.
 #include <algorithm>
 #include <cmath>
 
@@ -19,7 +20,8 @@ void spheresAtRest(Figures& figures) {
     s.oriented[0].shape.kind = ShapeKind::Sphere;
     s.oriented[0].shape.radius = R;
     Simulation x(s);
-    figures.row("sphere", "co-circularity energy, radial normals", static_cast<double>(x.w.oriented.rows.owned), energyOf(x, &PairPotential::circle), 1e-10);
+    figures.row("sphere", "co-circularity energy, radial normals",
+                static_cast<double>(x.w.oriented.rows.owned), energyOf(x, &PairPotential::circle), 1e-10);
   }
   {  // 12 particles: an icosahedron, where all forces of Lennard-Jones are along the sphere or cancel
     Scene s = bare(0.3);
@@ -37,10 +39,12 @@ void spheresAtRest(Figures& figures) {
     b.jitter = 0.03;
     b.relax = 100000;
     Simulation x(s);
-    figures.row("sphere", "co-circularity energy, 12 at rest", 12, energyOf(x, &PairPotential::circle), 1e-10);
+    figures.row("sphere", "co-circularity energy, 12 at rest", 12, energyOf(x, &PairPotential::circle),
+                1e-10);
   }
-  // co-circularity alone, from places and normals that are off; and with Lennard-Jones, which has tension around the defects of its lattice: the less of it
-  // the less energy is left, in proportion (docs/theory/oriented.md says why it cannot be 0)
+  // co-circularity alone, from places and normals that are off; and with Lennard-Jones, which has tension
+  // around the defects of its lattice: the less of it the less energy is left, in proportion
+  // (docs/theory/oriented.md says why it cannot be 0)
   for (const double attract : {0.0, 0.01, 0.1}) {
     Scene s = bare(0.03);
     OrientedBody& b = s.oriented[0];
@@ -52,9 +56,12 @@ void spheresAtRest(Figures& figures) {
     b.relax = 20000;
     Simulation x(s);
     const double n = static_cast<double>(x.w.oriented.rows.owned);
-    const std::string with = attract > 0 ? ", Lennard-Jones of weight " + std::to_string(attract).substr(0, 4) : " alone, off at the start";
-    figures.row("sphere", ("co-circularity energy at rest" + with).c_str(), n, energyOf(x, &PairPotential::circle), attract > 0 ? 0 : 1e-10);
-    figures.row("sphere", ("largest force left, over stiffness spacing" + with).c_str(), n, x.tools.oriented.unrest, 1e-9);
+    const std::string with = attract > 0 ? ", Lennard-Jones of weight " + std::to_string(attract).substr(0, 4)
+                                         : " alone, off at the start";
+    figures.row("sphere", ("co-circularity energy at rest" + with).c_str(), n,
+                energyOf(x, &PairPotential::circle), attract > 0 ? 0 : 1e-10);
+    figures.row("sphere", ("largest force left, over stiffness spacing" + with).c_str(), n,
+                x.tools.oriented.unrest, 1e-9);
   }
 }
 
@@ -102,7 +109,8 @@ void relaxedSphere(Figures& figures) {
     }
     curvature += std::pow(bend / weight * radius - 1, 2) / n;
   }
-  figures.row("sphere", "co-circularity energy after 1 s (relax_sphere)", n, energyOf(x, &PairPotential::circle), 0);
+  figures.row("sphere", "co-circularity energy after 1 s (relax_sphere)", n,
+              energyOf(x, &PairPotential::circle), 0);
   figures.row("sphere", "radius over that at the start", n, radius / R, 0);
   figures.row("sphere", "radius, rms deviation over its mean", n, std::sqrt(spread), 0.005);
   figures.row("sphere", "curvature, rms error", n, std::sqrt(curvature), 0.05);

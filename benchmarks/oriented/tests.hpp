@@ -19,7 +19,8 @@ struct Figures {
     missed += bad;
     if (target > 0) std::fprintf(csv, "\"%s: %s\",%.0f,%.6g,%.3g\n", name, figure, particles, value, target);
     else std::fprintf(csv, "\"%s: %s\",%.0f,%.6g,\n", name, figure, particles, value);
-    std::printf("%-12s %-76s %8.0f particles  %12.6g%s\n", name, figure, particles, value, target > 0 ? (bad ? "  MISSED" : "  ok") : "");
+    std::printf("%-12s %-76s %8.0f particles  %12.6g%s\n", name, figure, particles, value,
+                target > 0 ? (bad ? "  MISSED" : "  ok") : "");
     std::fflush(stdout);
   }
 };
@@ -39,9 +40,11 @@ inline Scene bare(double spacing) {
 }
 
 /// Energy of one of the potentials a particle, over scale.
-double energyOf(const test::Simulation& x, double PairPotential::* weight);
+double energyOf(const test::Simulation& x, double PairPotential::*weight);
 
-inline double seconds(const std::chrono::steady_clock::time_point& since) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count(); }
+inline double seconds(const std::chrono::steady_clock::time_point& since) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
+}
 
 void plane(Figures& figures);
 void lattice(Figures& figures);

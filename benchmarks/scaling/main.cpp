@@ -1,7 +1,9 @@
-// scaling --case fluid|corner --particles N [--copies] [--cpu-time] [--steps S] [--warm W]: one measurement of the scaling study, on the ranks that mpirun has
-// started; prints one line of CSV (--head: the names of its columns). --copies: in turn with it, ten steps each, every rank runs a simulation of N / ranks
-// particles of its own, all at the same time: what the machine does without any parallel program. So both see the same minutes of a machine whose
-// speed changes. --cpu-time: phases by the time that each rank had a core, for more ranks than cores. The series are in benchmarks/scaling/series.py.
+// scaling --case fluid|corner --particles N [--copies] [--cpu-time] [--steps S] [--warm W]: one measurement
+// of the scaling study, on the ranks that mpirun has started; prints one line of CSV (--head: the names of
+// its columns). --copies: in turn with it, ten steps each, every rank runs a simulation of N / ranks
+// particles of its own, all at the same time: what the machine does without any parallel program. So both see
+// the same minutes of a machine whose speed changes. --cpu-time: phases by the time that each rank had a
+// core, for more ranks than cores. The series are in benchmarks/scaling/series.py.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -30,18 +32,26 @@ struct Options {
   bool copies = false, counts = false, cpuTime = false;
 };
 
-std::string vec(double x, double y, double z) { return "[" + std::to_string(x) + "," + std::to_string(y) + "," + std::to_string(z) + "]"; }
+std::string vec(double x, double y, double z) {
+  return "[" + std::to_string(x) + "," + std::to_string(y) + "," + std::to_string(z) + "]";
+}
 
-/// A cube of particles. The corner scene has its cube in a corner and a film over the rest of a tray four times as wide.
+/// A cube of particles. The corner scene has its cube in a corner and a film over the rest of a tray four
+/// times as wide.
 std::vector<std::string> sizes(const Options& o) {
   const double dx = 0.01, across = std::max(8.0, std::round(std::cbrt(o.particles))), L = dx * across;
   if (o.name == "fluid")
-    return {"domain.max=" + vec(L, L, 1.25 * L), "body.water.box.size=" + vec(L, L, L), "body.water.place.move=" + vec(0.5 * L, 0.5 * L, 0.5 * L)};
-  const double pool = dx * std::round(0.4 * across), block = L - pool, film = 2 * dx, side = dx * std::round(3 * across) - dx;
+    return {"domain.max=" + vec(L, L, 1.25 * L), "body.water.box.size=" + vec(L, L, L),
+            "body.water.place.move=" + vec(0.5 * L, 0.5 * L, 0.5 * L)};
+  const double pool = dx * std::round(0.4 * across), block = L - pool, film = 2 * dx,
+               side = dx * std::round(3 * across) - dx;
   return {"domain.max=" + vec(4 * L, 4 * L, 1.5 * L),
-          "body.pool.box.size=" + vec(L, L, pool), "body.pool.place.move=" + vec(0.5 * L, 0.5 * L, 0.5 * pool),
-          "body.block.box.size=" + vec(L, L, block), "body.block.place.move=" + vec(0.5 * L, 0.5 * L, pool + 0.5 * block),
-          "body.film.box.size=" + vec(side, 4 * L, film), "body.film.place.move=" + vec(4 * L - 0.5 * side, 2 * L, 0.5 * film)};
+          "body.pool.box.size=" + vec(L, L, pool),
+          "body.pool.place.move=" + vec(0.5 * L, 0.5 * L, 0.5 * pool),
+          "body.block.box.size=" + vec(L, L, block),
+          "body.block.place.move=" + vec(0.5 * L, 0.5 * L, pool + 0.5 * block),
+          "body.film.box.size=" + vec(side, 4 * L, film),
+          "body.film.place.move=" + vec(4 * L - 0.5 * side, 2 * L, 0.5 * film)};
 }
 
 double median(std::vector<double> v) {
@@ -50,7 +60,9 @@ double median(std::vector<double> v) {
 }
 
 /// Of values of a rank that are not negative.
-struct Over { double mean, most; };
+struct Over {
+  double mean, most;
+};
 Over over(double mine, Reducer& all) {
   double most = mine;
   std::int64_t sum = std::llround(mine * 1e6);
@@ -60,8 +72,10 @@ Over over(double mine, Reducer& all) {
 }
 
 constexpr const char* head =
-    "case,ranks,particles,steps,ms_step,ms_step_mean,msteps_per_s,copies_msteps_per_s,efficiency,imbalance,imbalance_worst,particles_max_over_mean,halo_fraction,halo_fraction_max,"
-    "neighbours,neighbours_max,messages,messages_max,kib,kib_max,kib_ghosts,kib_refresh,kib_bonds,messages_bonds,kib_migration,collectives,ms_work,ms_wait,ms_balance,start_s";
+    "case,ranks,particles,steps,ms_step,ms_step_mean,msteps_per_s,copies_msteps_per_s,efficiency,imbalance,"
+    "imbalance_worst,particles_max_over_mean,halo_fraction,halo_fraction_max,"
+    "neighbours,neighbours_max,messages,messages_max,kib,kib_max,kib_ghosts,kib_refresh,kib_bonds,messages_"
+    "bonds,kib_migration,collectives,ms_work,ms_wait,ms_balance,start_s";
 
 constexpr int look = 25;  // steps between two looks at the balance, as thaw run does
 double since(WallClock::time_point t) { return std::chrono::duration<double>(WallClock::now() - t).count(); }
@@ -78,7 +92,10 @@ struct Run {
   MpiBondHalo bonds;
   WorkMeter meter;
 
-  Run(MPI_Comm ranks, const Options& o) : comm(ranks), byTime(!o.counts), prepared(prepare(o)), all(comm), cells(comm, w.grid), bonds(comm) { startWorld(w, {all, cells, bonds}, tools, meshLoader()); }
+  Run(MPI_Comm ranks, const Options& o)
+      : comm(ranks), byTime(!o.counts), prepared(prepare(o)), all(comm), cells(comm, w.grid), bonds(comm) {
+    startWorld(w, {all, cells, bonds}, tools, meshLoader());
+  }
 
   bool prepare(const Options& o) {
     w.scene = sceneForAll(comm, std::string(THAW_BENCHMARK_FOLDER) + "/scenes/" + o.name + ".toml", sizes(o));
@@ -96,18 +113,20 @@ struct Run {
     tools.times.lap(StepPhase::Balance);
   }
   void warm(int steps) {  // at least two looks at the balance
-    for (int k = 0; k < steps; k++) step(k % look == look - 1 || (steps < look && (k + 1) % std::max(1, steps / 2) == 0));
+    for (int k = 0; k < steps; k++)
+      step(k % look == look - 1 || (steps < look && (k + 1) % std::max(1, steps / 2) == 0));
   }
 };
 
 /// What the steps of a run took.
 struct Measured {
-  std::vector<double> steps;   // s, each
-  std::vector<double> rates;   // particle-steps/s of all ranks, of each block
+  std::vector<double> steps;  // s, each
+  std::vector<double> rates;  // particle-steps/s of all ranks, of each block
   double ghosts = 0, owned = 0, worst = 1;
 };
 
-/// Measured.rates of copies: the sum of what each does; of a run on all ranks, what they do in the time of the slowest.
+/// Measured.rates of copies: the sum of what each does; of a run on all ranks, what they do in the time of
+/// the slowest.
 void stepBlock(Run& r, Measured& m, int from, int steps, bool copies, Reducer& everyone) {
   const auto start = WallClock::now();
   for (int k = from; k < from + steps; k++) {
@@ -119,7 +138,9 @@ void stepBlock(Run& r, Measured& m, int from, int steps, bool copies, Reducer& e
   }
   const double took = since(start), owned = static_cast<double>(r.w.particles.owned);
   const Traffic counted = r.comm.traffic();
-  m.rates.push_back(steps * everyone.size() * (copies ? over(owned / took, everyone).mean : over(owned, everyone).mean / over(took, everyone).most));
+  m.rates.push_back(
+      steps * everyone.size() *
+      (copies ? over(owned / took, everyone).mean : over(owned, everyone).mean / over(took, everyone).most));
   r.comm.traffic() = counted;  // without our own
 }
 
@@ -162,8 +183,10 @@ int measure(const Options& o, const Communicator& world) {
   for (const double s : m.steps) wall += s;
 
   const double n = o.steps;
-  const Over work = over(workOf(r.tools.times) - workOf(before), everyone), mean = over(wall, everyone), start_s = over(startSeconds, everyone);
-  const Over balanced = over(r.tools.times[StepPhase::Balance] - before[StepPhase::Balance], everyone), stepTime = over(median(m.steps), everyone);
+  const Over work = over(workOf(r.tools.times) - workOf(before), everyone), mean = over(wall, everyone),
+             start_s = over(startSeconds, everyone);
+  const Over balanced = over(r.tools.times[StepPhase::Balance] - before[StepPhase::Balance], everyone),
+             stepTime = over(median(m.steps), everyone);
   const Over owned = over(m.owned / n, everyone), halo = over(m.owned > 0 ? m.ghosts / m.owned : 0, everyone);
   const TrafficSummary t = gatherTraffic(after, trafficBefore, everyone);
   double copiesRate = 0, efficiency = 0;
@@ -172,20 +195,30 @@ int measure(const Options& o, const Communicator& world) {
     for (std::size_t k = 0; k < m.rates.size(); k++) ratios.push_back(m.rates[k] / alone.rates[k]);
     copiesRate = median(alone.rates), efficiency = median(ratios);
   }
-  const auto at = [&](MessagesFor p) -> const TrafficSummary::Of& { return t.of[static_cast<std::size_t>(p)]; };
+  const auto at = [&](MessagesFor p) -> const TrafficSummary::Of& {
+    return t.of[static_cast<std::size_t>(p)];
+  };
   if (world.rank() != 0) return 0;
   const double kib = 1024 * n;
-  std::printf("%s,%d,%.0f,%d,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.2f,%.2f,%.2f,%.2f,%.3f,%.3f,%.3f,%.3f,%.3f,%.2f,%.3f,%.3f,%.4f,%.4f,%.4f,%.2f\n", o.name.c_str(), world.size(),
-              owned.mean * world.size(), o.steps, 1e3 * stepTime.most, 1e3 * mean.mean / n, median(m.rates) / 1e6, copiesRate / 1e6, efficiency, work.mean > 0 ? work.most / work.mean : 1, m.worst,
-              owned.most / owned.mean, halo.mean, halo.most, at(MessagesFor::Ghosts).messages.mean / n, at(MessagesFor::Ghosts).messages.most / n, t.messages.mean / n, t.messages.most / n,
-              t.bytes.mean / kib, t.bytes.most / kib, at(MessagesFor::Ghosts).bytes.mean / kib, at(MessagesFor::Refresh).bytes.mean / kib, at(MessagesFor::Bonds).bytes.mean / kib,
-              at(MessagesFor::Bonds).messages.mean / n, at(MessagesFor::Migration).bytes.mean / kib, static_cast<double>(t.collectives) / n, 1e3 * work.mean / n, 1e3 * t.waited.mean / n,
-              1e3 * balanced.mean / n, start_s.most);
+  std::printf(
+      "%s,%d,%.0f,%d,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.2f,%.2f,%.2f,%.2f,%.3f,%.3f,%.3f,%."
+      "3f,%.3f,%.2f,%.3f,%.3f,%.4f,%.4f,%.4f,%.2f\n",
+      o.name.c_str(), world.size(), owned.mean * world.size(), o.steps, 1e3 * stepTime.most,
+      1e3 * mean.mean / n, median(m.rates) / 1e6, copiesRate / 1e6, efficiency,
+      work.mean > 0 ? work.most / work.mean : 1, m.worst, owned.most / owned.mean, halo.mean, halo.most,
+      at(MessagesFor::Ghosts).messages.mean / n, at(MessagesFor::Ghosts).messages.most / n,
+      t.messages.mean / n, t.messages.most / n, t.bytes.mean / kib, t.bytes.most / kib,
+      at(MessagesFor::Ghosts).bytes.mean / kib, at(MessagesFor::Refresh).bytes.mean / kib,
+      at(MessagesFor::Bonds).bytes.mean / kib, at(MessagesFor::Bonds).messages.mean / n,
+      at(MessagesFor::Migration).bytes.mean / kib, static_cast<double>(t.collectives) / n,
+      1e3 * work.mean / n, 1e3 * t.waited.mean / n, 1e3 * balanced.mean / n, start_s.most);
   return 0;
 }
 
 int usage() {
-  std::fprintf(stderr, "scaling --case fluid|corner --particles N [--copies | --counts] [--cpu-time] [--steps 50] [--warm 25] | --head\n");
+  std::fprintf(stderr,
+               "scaling --case fluid|corner --particles N [--copies | --counts] [--cpu-time] [--steps 50] "
+               "[--warm 25] | --head\n");
   return 2;
 }
 
@@ -216,7 +249,8 @@ int main(int argc, char** argv) {
     else if (key == "--warm") o.warm = std::atoi(value);
     else return usage();
   }
-  if ((o.name != "fluid" && o.name != "corner") || !(o.particles >= 1) || o.steps < 1 || o.warm < 0) return usage();
+  if ((o.name != "fluid" && o.name != "corner") || !(o.particles >= 1) || o.steps < 1 || o.warm < 0)
+    return usage();
   MpiSession mpi(&argc, &argv);
   const Communicator world;
   return measure(o, world);

@@ -23,7 +23,9 @@ struct System {
   void operator()(const Values& q, Values& f) { force(q, f), evaluations++; }
 };
 
-struct State { Values q, v; };
+struct State {
+  Values q, v;
+};
 
 void exact(System& s, State& x, double dt, int steps) {
   const ExactStep e = exactStep(s.law, dt);
@@ -74,7 +76,8 @@ void rungeKutta4(System& s, State& x, double dt, int steps) {
   }
 }
 
-/// Backward Euler, linearised once a step (Baraff & Witkin 1998): conjugate gradients whose products are differences of forces.
+/// Backward Euler, linearised once a step (Baraff & Witkin 1998): conjugate gradients whose products are
+/// differences of forces.
 void implicitEuler(System& s, State& x, double dt, int steps) {
   const std::size_t n = x.q.size();
   const double m = s.law.mass, c = s.law.damping, K = s.law.stiffness, diagonal = m + dt * c + dt * dt * K;
@@ -82,7 +85,8 @@ void implicitEuler(System& s, State& x, double dt, int steps) {
   for (int k = 0; k < steps; k++) {
     for (std::size_t i = 0; i < n; i++) moved[i] = x.q[i] + dt * x.v[i];
     s(x.q, f);
-    // (diagonal - dt^2 dF/dq) u = m v + dt (F(q + dt v) - K q) + ..., u the new velocity; start from the old one
+    // (diagonal - dt^2 dF/dq) u = m v + dt (F(q + dt v) - K q) + ..., u the new velocity; start from the old
+    // one
     s(moved, g);
     double rr = 0, first = 0;
     u = x.v;
@@ -116,8 +120,14 @@ void implicitEuler(System& s, State& x, double dt, int steps) {
   }
 }
 
-struct Method { const char* name; void (*run)(System&, State&, double, int); };
-constexpr Method methods[] = {{"exact step", exact}, {"symplectic Euler", symplecticEuler}, {"RK4", rungeKutta4}, {"implicit Euler", implicitEuler}};
+struct Method {
+  const char* name;
+  void (*run)(System&, State&, double, int);
+};
+constexpr Method methods[] = {{"exact step", exact},
+                              {"symplectic Euler", symplecticEuler},
+                              {"RK4", rungeKutta4},
+                              {"implicit Euler", implicitEuler}};
 
 /// Root of the mean square of the places' errors, over that of the places.
 double errorOf(const State& x, const State& reference) {
@@ -129,7 +139,8 @@ double errorOf(const State& x, const State& reference) {
   return std::sqrt(e / all);
 }
 
-void compare(const char* what, System& s, const State& start, const State& reference, double end, const std::vector<int>& steps, const Out& out) {
+void compare(const char* what, System& s, const State& start, const State& reference, double end,
+             const std::vector<int>& steps, const Out& out) {
   std::printf("\n%s\n%-18s %8s %12s %12s %12s\n", what, "method", "steps", "forces", "seconds", "error");
   for (const Method& m : methods)
     for (const int n : steps) {
@@ -137,7 +148,8 @@ void compare(const char* what, System& s, const State& start, const State& refer
       s.evaluations = 0;
       const auto begin = std::chrono::steady_clock::now();
       m.run(s, x, end / n, n);
-      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), error = errorOf(x, reference);
+      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
+                   error = errorOf(x, reference);
       if (!std::isfinite(error) || error > 10) continue;  // not stable
       std::printf("%-18s %8d %12.0f %12.3e %12.3e\n", m.name, n, s.evaluations, seconds, error);
       out.line("accuracy", what, m.name, n, s.evaluations, seconds, error, "1");
@@ -151,7 +163,8 @@ void oscillator(const Out& out) {
   const State start{{0.3}, {-1}};
   const double end = 10 * 2 * 3.14159265358979323846 / std::sqrt(40 - 0.04);
   // exact, in closed form
-  const double a = 0.2, w = std::sqrt(40 - a * a), q0 = 7.0 / 40, z = start.q[0] - q0, b = (start.v[0] + a * z) / w;
+  const double a = 0.2, w = std::sqrt(40 - a * a), q0 = 7.0 / 40, z = start.q[0] - q0,
+               b = (start.v[0] + a * z) / w;
   const State reference{{q0 + std::exp(-a * end) * (z * std::cos(w * end) + b * std::sin(w * end))}, {0}};
   compare("oscillator", s, start, reference, end, {1, 4, 16, 64, 256, 1024, 4096, 16384, 65536}, out);
 }
@@ -160,7 +173,10 @@ void head(const Out& out) {
   const TriangleMesh mesh = headSheet(0.25, 0.012);
   const SheetTopology t = sheetTopology(mesh);
   const std::size_t n = mesh.vertices.size();
-  struct Edge { std::size_t a, b; double length, stiffness; };
+  struct Edge {
+    std::size_t a, b;
+    double length, stiffness;
+  };
   std::vector<Edge> edges;
   for (std::uint32_t v = 0; v < n; v++)
     for (std::uint32_t k = t.first[v]; k < t.first[v + 1]; k++)
@@ -168,7 +184,9 @@ void head(const Out& out) {
         const double l = length(mesh.vertices[t.ring[k].to] - mesh.vertices[v]);
         edges.push_back({v, t.ring[k].to, l, 25 * t.ring[k].area / (l * l)});
       }
-  const auto place = [&](const Values& q, std::size_t v) { return mesh.vertices[v] + Vec3d{q[3 * v], q[3 * v + 1], q[3 * v + 2]}; };
+  const auto place = [&](const Values& q, std::size_t v) {
+    return mesh.vertices[v] + Vec3d{q[3 * v], q[3 * v + 1], q[3 * v + 2]};
+  };
   std::vector<Vec3d> sum(n);
   System s{{3, 8, 2500}, [&](const Values& q, Values& f) {
              std::fill(sum.begin(), sum.end(), Vec3d{});
@@ -180,10 +198,12 @@ void head(const Out& out) {
                sum[e.b] -= pull;
              }
              double volume = 0;
-             for (const auto& tri : mesh.triangles) volume += dot(place(q, tri[0]), cross(place(q, tri[1]), place(q, tri[2]))) / 6;
+             for (const auto& tri : mesh.triangles)
+               volume += dot(place(q, tri[0]), cross(place(q, tri[1]), place(q, tri[2]))) / 6;
              const double pressure = -1000 * (volume - t.volume[0]) / t.volume[0];
              for (const auto& tri : mesh.triangles) {
-               const Vec3d a = place(q, tri[0]), facing = cross(place(q, tri[1]) - a, place(q, tri[2]) - a) * (pressure / 6);
+               const Vec3d a = place(q, tri[0]),
+                           facing = cross(place(q, tri[1]) - a, place(q, tri[2]) - a) * (pressure / 6);
                for (const std::uint32_t v : tri) sum[v] += facing;
              }
              for (std::size_t v = 0; v < n; v++)

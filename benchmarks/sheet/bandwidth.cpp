@@ -30,15 +30,19 @@ bool bandwidth(std::size_t n, const Out& out) {
     const auto middle = Clock::now();
     const double* a = from.data();
     double* b = to.data();
-    for (std::size_t i = 0; i < 9 * n; i++) b[i] = a[i] + static_cast<double>(k);  // an add, so that no library copies past the caches
+    // an add, so that no library copies past the caches
+    for (std::size_t i = 0; i < 9 * n; i++) b[i] = a[i] + static_cast<double>(k);
     const auto end = Clock::now();
     update = std::min(update, std::chrono::duration<double>(middle - start).count());
     copy = std::min(copy, std::chrono::duration<double>(end - middle).count());
   }
   const double share = copy / update;
-  std::printf("vertex update   %6.2f GB/s   %.2f ns a vertex\ncopy            %6.2f GB/s   (%.4g)\nshare           %6.1f %%      target: 120 %% (twice the 60 that were first asked for), %zu vertices\n", bytes / update / 1e9,
-              1e9 * update / static_cast<double>(n), bytes / copy / 1e9, to[n], 100 * share, n);
-  out.line("bandwidth", "vertices", "update", 1, static_cast<double>(n), update, bytes / update / 1e9, "GB/s");
+  std::printf(
+      "vertex update   %6.2f GB/s   %.2f ns a vertex\ncopy            %6.2f GB/s   (%.4g)\nshare           "
+      "%6.1f %%      target: 120 %% (twice the 60 that were first asked for), %zu vertices\n",
+      bytes / update / 1e9, 1e9 * update / static_cast<double>(n), bytes / copy / 1e9, to[n], 100 * share, n);
+  out.line("bandwidth", "vertices", "update", 1, static_cast<double>(n), update, bytes / update / 1e9,
+           "GB/s");
   out.line("bandwidth", "vertices", "copy", 1, static_cast<double>(n), copy, bytes / copy / 1e9, "GB/s");
   out.line("bandwidth", "vertices", "share", 1, static_cast<double>(n), 0, 100 * share, "%");
   return share >= 1.2;

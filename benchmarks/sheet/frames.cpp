@@ -13,7 +13,7 @@ namespace {
 
 struct Frames {
   std::size_t vertices = 0;
-  double perSecond = 0, steps = 0;  ///< frames a second; steps of one
+  double perSecond = 0, steps = 0;                       ///< frames a second; steps of one
   double motion = 0, forces = 0, contact = 0, rest = 0;  ///< ns a vertex and step
 };
 
@@ -51,20 +51,30 @@ Frames framesPerSecond(const std::string& scene, double spacing, double budget) 
 }  // namespace
 
 void frames(std::size_t large, const Out& out) {
-  // The paper gives no numbers of vertices. 2500 for a head of polygons and 1500 for the membrane are what its pictures may have had.
-  struct Case { const char *scene, *paper; double target, vertices, perSpacing; };  // vertices * spacing^2; target: twice the paper's frames
-  const Case cases[] = {{"head", "3 (SGI Indigo-2)", 6, 2500, 7842 * 0.004 * 0.004}, {"jack", "1.5 to 2.4 (SGI Indigo-2)", 4.8, 1500, 14442 * 0.005 * 0.005}};
-  std::printf("\n%-6s %10s %10s %8s %12s   %-44s  %s\n", "scene", "vertices", "frames/s", "target", "steps/frame", "ns a vertex and step: motion, forces, contact, rest", "the paper's frames/s");
+  // The paper gives no numbers of vertices. 2500 for a head of polygons and 1500 for the membrane are what
+  // its pictures may have had. vertices * spacing^2; target: twice the paper's frames
+  struct Case {
+    const char *scene, *paper;
+    double target, vertices, perSpacing;
+  };
+  const Case cases[] = {{"head", "3 (SGI Indigo-2)", 6, 2500, 7842 * 0.004 * 0.004},
+                        {"jack", "1.5 to 2.4 (SGI Indigo-2)", 4.8, 1500, 14442 * 0.005 * 0.005}};
+  std::printf("\n%-6s %10s %10s %8s %12s   %-44s  %s\n", "scene", "vertices", "frames/s", "target",
+              "steps/frame", "ns a vertex and step: motion, forces, contact, rest", "the paper's frames/s");
   for (const Case& c : cases)
     for (const double n : {c.vertices, static_cast<double>(large)}) {
       const bool small = n == c.vertices;
       const Frames f = framesPerSecond(c.scene, std::sqrt(c.perSpacing / n), n > 1e5 ? 30 : 6);
       char target[8] = "-";
       if (small) std::snprintf(target, sizeof target, "%.1f", c.target);
-      std::printf("%-6s %10zu %10.3f %8s %12.1f   %11.1f %11.1f %11.1f %11.1f      %s\n", c.scene, f.vertices, f.perSecond, target, f.steps, f.motion, f.forces, f.contact, f.rest, small ? c.paper : "");
-      out.line("frames", c.scene, "exact", static_cast<std::int64_t>(f.steps), static_cast<double>(f.vertices), 0, f.perSecond, "frames/s");
-      for (const auto& [phase, ns] : {std::pair{"motion", f.motion}, {"forces", f.forces}, {"contact", f.contact}, {"rest", f.rest}})
-        out.line("phases", c.scene, phase, static_cast<std::int64_t>(f.steps), static_cast<double>(f.vertices), 0, ns, "ns");
+      std::printf("%-6s %10zu %10.3f %8s %12.1f   %11.1f %11.1f %11.1f %11.1f      %s\n", c.scene, f.vertices,
+                  f.perSecond, target, f.steps, f.motion, f.forces, f.contact, f.rest, small ? c.paper : "");
+      out.line("frames", c.scene, "exact", static_cast<std::int64_t>(f.steps),
+               static_cast<double>(f.vertices), 0, f.perSecond, "frames/s");
+      for (const auto& [phase, ns] :
+           {std::pair{"motion", f.motion}, {"forces", f.forces}, {"contact", f.contact}, {"rest", f.rest}})
+        out.line("phases", c.scene, phase, static_cast<std::int64_t>(f.steps),
+                 static_cast<double>(f.vertices), 0, ns, "ns");
     }
 }
 

@@ -6,8 +6,9 @@
 
 namespace thaw::bench {
 
-/// A binary PLY file of a ball of radius 1 with 99,904 triangles in the folder for temporary files, written by the first rank and removed at the end of its life.
-/// Collective, both. Throws std::runtime_error, on the first rank, where it cannot be written.
+/// A binary PLY file of a ball of radius 1 with 99,904 triangles in the folder for temporary files, written
+/// by the first rank and removed at the end of its life. Collective, both. Throws std::runtime_error, on the
+/// first rank, where it cannot be written.
 class BallFile {
  public:
   explicit BallFile(const Communicator& comm);

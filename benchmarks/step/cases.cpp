@@ -30,7 +30,8 @@ Scene sceneOf(const Case& c, const std::string& ball) {
   b.name = "block";
   b.shape.size = {L, L, L};
   b.shape.move = {0.5 * L, 0.5 * L, 0.5 * L};
-  b.velocity = {60, 40, 25};  // one particle in fifty changes its cell in a step, as in a flow at a tenth of the speed of sound ...
+  b.velocity = {60, 40, 25};  // one particle in fifty changes its cell in a step, as in a flow at a tenth of
+                              // the speed of sound ...
   if (c.kind == Kind::Mesh) {
     b.shape.kind = ShapeKind::Mesh;
     b.shape.mesh = ball;
@@ -55,12 +56,16 @@ Scene sceneOf(const Case& c, const std::string& ball) {
 }
 
 Targets targetsOf(const Case& c, bool avx512) {
-  const bool wide = c.support > support33 + 0.1, big = c.particles > 300000, real64 = c.precision == Precision::Double || (isElastic(c.kind) && c.elastic == Precision::Double);
+  const bool wide = c.support > support33 + 0.1, big = c.particles > 300000,
+             real64 = c.precision == Precision::Double ||
+                      (isElastic(c.kind) && c.elastic == Precision::Double);
   const double yard = wide ? 0.61 : 1.08;
   if (c.kind == Kind::Mixed || c.kind == Kind::Mesh || c.kind == Kind::Carried || (wide && real64)) return {};
   if (c.kind == Kind::Elastic) {
     if (real64) return {};
-    return wide ? Targets{4.2 / yard, 5.5 / yard} : big ? Targets{7 / yard, 9.3 / yard} : Targets{9 / yard, 12 / yard};
+    return wide  ? Targets{4.2 / yard, 5.5 / yard}
+           : big ? Targets{7 / yard, 9.3 / yard}
+                 : Targets{9 / yard, 12 / yard};
   }
   if (wide) return {3.4 / yard, 4.5 / yard};
   if (real64) return {4.3 / yard, (big ? 5.25 : 5.9) / yard};
@@ -69,7 +74,9 @@ Targets targetsOf(const Case& c, bool avx512) {
 }
 
 std::vector<double> limitPhases(const Case& c) {
-  if ((c.kind != Kind::Fluid && c.kind != Kind::Heat) || c.support > support33 + 0.1 || c.precision == Precision::Double) return {};
+  if ((c.kind != Kind::Fluid && c.kind != Kind::Heat) || c.support > support33 + 0.1 ||
+      c.precision == Precision::Double)
+    return {};
   std::vector<double> all{10.5, 39, 20, 54};
   for (double& ns : all) ns *= 1.08e-3;
   return all;

@@ -1,8 +1,12 @@
-// step: particle-steps a second and core of whole steps, MPI, halos and all, on the ranks it is started with; benchmarks/step/run starts it on 1, 2 and 4.
-// default: as scenes have it where they say nothing, sums over neighbours in single precision and bonds in double.
-//   step [--cases fluid,heat,elastic,mixed,mesh,carried] [--precisions single,double,default] [--supports 2.13,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1] [--memory 1]
-// Beside each case, in turn with it and on as many ranks, runs a plain scalar neighbour-list code (yardstick): the ratio means the same on any
-// machine, and on a busy one. Rows come with the bytes that a step moves and what a copy moves in the same time.
+// step: particle-steps a second and core of whole steps, MPI, halos and all, on the ranks it is started with;
+// benchmarks/step/run starts it on 1, 2 and 4. default: as scenes have it where they say nothing, sums over
+// neighbours in single precision and bonds in double.
+//   step [--cases fluid,heat,elastic,mixed,mesh,carried] [--precisions single,double,default]
+//   [--supports 2.13,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1]
+//   [--memory 1]
+// Beside each case, in turn with it and on as many ranks, runs a plain scalar neighbour-list code
+// (yardstick): the ratio means the same on any machine, and on a busy one. Rows come with the bytes that a
+// step moves and what a copy moves in the same time.
 #include <malloc.h>
 
 #include <algorithm>
@@ -56,14 +60,17 @@ double residentBytes() {
   return resident * 4096;
 }
 
-/// Off the lattice by up to a tenth of a spacing along each axis, and the block turned by one radian about (1, 2, 2): no row of particles changes its cells
-/// all at once.
+/// Off the lattice by up to a tenth of a spacing along each axis, and the block turned by one radian about
+/// (1, 2, 2): no row of particles changes its cells all at once.
 void jitter(Continuum& p, const Scene& scene) {
   const Vec3d axis{1.0 / 3, 2.0 / 3, 2.0 / 3}, centre = scene.bodies[0].shape.move;
   for (std::size_t i = 0; i < p.owned; i++) {
     Vec3d x = p.position[i] - centre;
-    for (int a = 0; a < 3; a++) x[a] += 0.1 * scene.spacing * (2 * randomUniform(1, Purpose::Separate, p.id[i], static_cast<std::uint64_t>(a)) - 1);
-    p.position[i] = centre + x * std::cos(1.0) + cross(axis, x) * std::sin(1.0) + axis * (dot(axis, x) * (1 - std::cos(1.0)));
+    for (int a = 0; a < 3; a++)
+      x[a] += 0.1 * scene.spacing *
+              (2 * randomUniform(1, Purpose::Separate, p.id[i], static_cast<std::uint64_t>(a)) - 1);
+    p.position[i] = centre + x * std::cos(1.0) + cross(axis, x) * std::sin(1.0) +
+                    axis * (dot(axis, x) * (1 - std::cos(1.0)));
   }
 }
 
@@ -82,8 +89,8 @@ double copySpeed(const Communicator& comm) {
   return median(speed);
 }
 
-/// Bytes that a step has to move at least, by what there is: lists and records are written once and read by two loops, bonds are read by two,
-/// particles and slots are read and written.
+/// Bytes that a step has to move at least, by what there is: lists and records are written once and read by
+/// two loops, bonds are read by two, particles and slots are read and written.
 double bytesMoved(const Rig& rig) {
   double sum = 0;
   for (const MemoryUse& u : memoryOf(rig.w, rig.tools)) {
@@ -95,7 +102,8 @@ double bytesMoved(const Rig& rig) {
 
 struct Options {
   std::vector<Kind> kinds{Kind::Fluid, Kind::Heat, Kind::Elastic, Kind::Mixed};
-  std::vector<std::pair<Precision, Precision>> precisions{{Precision::Single, Precision::Single}};  ///< of sums over neighbours, of bonds
+  /// of sums over neighbours, of bonds
+  std::vector<std::pair<Precision, Precision>> precisions{{Precision::Single, Precision::Single}};
   std::vector<double> supports{support33};
   std::vector<std::size_t> sizes{100000};
   int repeat = 7;
@@ -104,7 +112,8 @@ struct Options {
   bool append = false, memory = false, help = false;
 };
 
-/// The phase that stands furthest above its limit where the prototypes' phases are known (forces with leap-frog), else the one with most time.
+/// The phase that stands furthest above its limit where the prototypes' phases are known (forces with
+/// leap-frog), else the one with most time.
 std::string heldBackBy(const Case& c, const PhaseTimes& t, double perNs, double yardNs, bool atLimit) {
   if (atLimit) return "nothing: at the limit";
   const std::vector<double> limits = limitPhases(c);
@@ -115,7 +124,8 @@ std::string heldBackBy(const Case& c, const PhaseTimes& t, double perNs, double 
     double ns = t[phase] * perNs;
     if (!limits.empty()) {
       if (phase == StepPhase::Drift || phase == StepPhase::Kick) continue;
-      if (phase == StepPhase::Forces) ns += (t[StepPhase::Drift] + t[StepPhase::Kick]) * perNs - limits[3] * yardNs;
+      if (phase == StepPhase::Forces)
+        ns += (t[StepPhase::Drift] + t[StepPhase::Kick]) * perNs - limits[3] * yardNs;
       if (phase == StepPhase::Sort) ns -= limits[0] * yardNs;
       if (phase == StepPhase::Search) ns -= limits[1] * yardNs;
       if (phase == StepPhase::Density) ns -= limits[2] * yardNs;
@@ -130,7 +140,8 @@ void measure(const Communicator& comm, const Case& c, const Options& o, const st
   const double before = residentBytes();
   const auto setUp = Watch::now();
   const Scene scene = sceneOf(c, ball);
-  Rig rig(comm, scene, [&](Continuum& p) { jitter(p, scene); }, meshLoader());
+  Rig rig(
+      comm, scene, [&](Continuum& p) { jitter(p, scene); }, meshLoader());
   const double setUpSeconds = mostOf(comm, secondsSince(setUp));
   const double ranks = comm.size(), N = sumOver(comm, static_cast<double>(rig.w.particles.owned));
   const auto steps = [&](int n) {
@@ -152,25 +163,30 @@ void measure(const Communicator& comm, const Case& c, const Options& o, const st
     total.push_back(steps(some));
     MPI_Barrier(comm.handle());
     yardstickStep(block, yardstick);  // its data is in the caches in the next one, as ours is
-    yard.push_back(mostOf(comm, yardstickStep(block, yardstick)) / static_cast<double>(block.particles.owned));
+    yard.push_back(mostOf(comm, yardstickStep(block, yardstick)) /
+                   static_cast<double>(block.particles.owned));
     ratio.push_back(yard.back() / (total.back() * ranks / N));
   }
   PhaseTimes times;
-  for (std::size_t k = 0; k < stepPhases; k++) times.seconds[k] = sumOver(comm, rig.tools.times.seconds[k]) / ranks;
+  for (std::size_t k = 0; k < stepPhases; k++)
+    times.seconds[k] = sumOver(comm, rig.tools.times.seconds[k]) / ranks;
   const double messages = sumOver(comm, static_cast<double>(rig.cells->bufferBytes()));
   std::vector<MemoryUse> use = memoryOf(rig.w, rig.tools);
   for (MemoryUse& u : use) u.bytes = sumOver(comm, u.bytes);
   const double accounted = messages + totalBytes(use), moved = sumOver(comm, bytesMoved(rig));
   const double copied = copySpeed(comm);  // of the first rank
   double neighbours = 0;
-  for (std::size_t i = 0; i < rig.w.neighbours.neighbours.size() && !isElastic(c.kind); i++) neighbours += rig.w.neighbours.neighbours[i];
+  for (std::size_t i = 0; i < rig.w.neighbours.neighbours.size() && !isElastic(c.kind); i++)
+    neighbours += rig.w.neighbours.neighbours[i];
   for (std::size_t s = 0; s < rig.w.solids.owned && isElastic(c.kind); s++)
     for (int k = 0; k < rig.w.bonds.capacity; k++) neighbours += rig.w.bonds.there(s, k);
   neighbours = sumOver(comm, neighbours) / N;
-  const double ghosts = sumOver(comm, static_cast<double>(rig.w.particles.ghosts)), most = mostOf(comm, static_cast<double>(rig.w.particles.owned));
+  const double ghosts = sumOver(comm, static_cast<double>(rig.w.particles.ghosts)),
+               most = mostOf(comm, static_cast<double>(rig.w.particles.owned));
   if (comm.rank() != 0) return;
   if (o.memory) {
-    std::fprintf(stderr, "  %.3f ghosts a particle, the fullest rank has %.3f of the mean\n", ghosts / N, most * ranks / N);
+    std::fprintf(stderr, "  %.3f ghosts a particle, the fullest rank has %.3f of the mean\n", ghosts / N,
+                 most * ranks / N);
     for (const MemoryUse& u : use)
       if (u.bytes > 0) std::fprintf(stderr, "  %-20s %6.0f bytes a particle\n", u.what, u.bytes / N);
     std::fprintf(stderr, "  %-20s %6.0f bytes a particle\n", "messages", messages / N);
@@ -183,16 +199,28 @@ void measure(const Communicator& comm, const Case& c, const Options& o, const st
     return sum;
   };
   using P = StepPhase;
-  std::fprintf(out, "%s,%s,%d,%.0f,%.1f,%s,%.3f,%.3f,%.2f,", kindNames[static_cast<int>(c.kind)], c.precision == Precision::Double ? "double" : c.elastic == Precision::Double ? "default" : "single", comm.size(), N, neighbours,
-               rig.tools.kernels->name, rate, 1e-6 / median(yard), median(ratio));
+  std::fprintf(out, "%s,%s,%d,%.0f,%.1f,%s,%.3f,%.3f,%.2f,", kindNames[static_cast<int>(c.kind)],
+               c.precision == Precision::Double ? "double"
+               : c.elastic == Precision::Double ? "default"
+                                                : "single",
+               comm.size(), N, neighbours, rig.tools.kernels->name, rate, 1e-6 / median(yard), median(ratio));
   goal.excellent > 0 ? std::fprintf(out, "%.2f,%.2f,", goal.excellent, goal.limit) : std::fprintf(out, ",,");
-  std::fprintf(out, "%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,", ns({P::Sort}), ns({P::Search}), ns({P::Density}), ns({P::Forces}), ns({P::Elastic, P::Bonds}), ns({P::Walls, P::Contact}),
-               ns({P::Heat}), ns({P::Drift, P::Domain, P::Kick, P::Phase}), ns({P::Migrate, P::Exchange, P::Reduce}));
-  const double goalBytes = isElastic(c.kind) ? 800 : c.kind == Kind::Fluid && c.support < support33 + 0.1 && c.precision == Precision::Single ? 350 : 0;
+  std::fprintf(out, "%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,", ns({P::Sort}), ns({P::Search}),
+               ns({P::Density}), ns({P::Forces}), ns({P::Elastic, P::Bonds}), ns({P::Walls, P::Contact}),
+               ns({P::Heat}), ns({P::Drift, P::Domain, P::Kick, P::Phase}),
+               ns({P::Migrate, P::Exchange, P::Reduce}));
+  const double goalBytes = isElastic(c.kind) ? 800
+                           : c.kind == Kind::Fluid && c.support < support33 + 0.1 &&
+                                   c.precision == Precision::Single
+                               ? 350
+                               : 0;
   std::fprintf(out, "%.0f,%.0f,", accounted / N, resident / N);
   goalBytes > 0 ? std::fprintf(out, "%.0f,", goalBytes) : std::fprintf(out, ",");
-  std::fprintf(out, "%.0f,%.2f,%.2f,%.2f,%s,%d\n", moved / N, 1e-9 * moved / (N / (rate * 1e6 * ranks)) / ranks / 1.0, 1e-9 * copied, setUpSeconds / median(total),
-               heldBackBy(c, times, perNs, 1e9 * median(yard), goal.limit > 0 && median(ratio) >= goal.limit).c_str(), o.repeat);
+  std::fprintf(
+      out, "%.0f,%.2f,%.2f,%.2f,%s,%d\n", moved / N, 1e-9 * moved / (N / (rate * 1e6 * ranks)) / ranks / 1.0,
+      1e-9 * copied, setUpSeconds / median(total),
+      heldBackBy(c, times, perNs, 1e9 * median(yard), goal.limit > 0 && median(ratio) >= goal.limit).c_str(),
+      o.repeat);
   std::fflush(out);
 }
 
@@ -207,7 +235,9 @@ template<class T, class Read> std::vector<T> listOf(const std::string& text, Rea
 }
 
 constexpr const char* usage =
-    "step [--cases fluid,heat,elastic,mixed,mesh,carried] [--precisions single,double,default] [--supports 2.13,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1] [--memory 1]\n";
+    "step [--cases fluid,heat,elastic,mixed,mesh,carried] [--precisions single,double,default] [--supports "
+    "2.13,2.6] [--sizes 100000,1000000] [--repeat 7] [--seconds 0.6] [--csv FILE] [--append 1] [--memory "
+    "1]\n";
 
 Options optionsOf(int argc, char** argv) {
   Options o;
@@ -218,14 +248,20 @@ Options optionsOf(int argc, char** argv) {
     if (a + 1 == argc) throw std::invalid_argument(key + ": expected a value behind it");
     const std::string value = argv[a + 1];
     if (key == "--cases")
-      o.kinds = listOf<Kind>(value, [&](const std::string& name) { return static_cast<Kind>(oneOf(key, name, {"fluid", "heat", "elastic", "mixed", "mesh", "carried"})); });
+      o.kinds = listOf<Kind>(value, [&](const std::string& name) {
+        return static_cast<Kind>(oneOf(key, name, {"fluid", "heat", "elastic", "mixed", "mesh", "carried"}));
+      });
     else if (key == "--precisions")
       o.precisions = listOf<std::pair<Precision, Precision>>(value, [&](const std::string& name) {
         const std::size_t k = oneOf(key, name, {"single", "double", "default"});
-        return std::pair{k == 1 ? Precision::Double : Precision::Single, k == 0 ? Precision::Single : Precision::Double};
+        return std::pair{k == 1 ? Precision::Double : Precision::Single,
+                         k == 0 ? Precision::Single : Precision::Double};
       });
-    else if (key == "--supports") o.supports = listOf<double>(value, [&](const std::string& x) { return numberOf(key, x, 1.5, 4); });
-    else if (key == "--sizes") o.sizes = listOf<std::size_t>(value, [&](const std::string& x) { return countOf(key, x, 1000, 1000000000); });
+    else if (key == "--supports")
+      o.supports = listOf<double>(value, [&](const std::string& x) { return numberOf(key, x, 1.5, 4); });
+    else if (key == "--sizes")
+      o.sizes = listOf<std::size_t>(value,
+                                    [&](const std::string& x) { return countOf(key, x, 1000, 1000000000); });
     else if (key == "--repeat") o.repeat = static_cast<int>(countOf(key, value, 1, 10000));
     else if (key == "--seconds") o.seconds = numberOf(key, value, 0, 3600);
     else if (key == "--csv") o.csv = argv[a + 1];
@@ -252,13 +288,17 @@ int main(int argc, char** argv) {
   FILE* out = comm.rank() != 0 ? nullptr : o.csv ? std::fopen(o.csv, o.append ? "a" : "w") : stdout;
   if (comm.rank() == 0 && !out) return std::fprintf(stderr, "%s: cannot be written\n", o.csv), 3;
   if (out && !o.append)
-    std::fprintf(out, "case,precision,ranks,particles,neighbours,isa,msteps_per_s,yardstick_msteps_per_s,ratio,target_ratio,limit_ratio,ns_sort,ns_search,ns_density,ns_force,ns_elastic,"
-                      "ns_walls,ns_heat,ns_move,ns_ranks,bytes_per_particle,resident_per_particle,target_bytes_per_particle,bytes_moved,moved_gb_per_s,copy_gb_per_s,setup_steps,held_back_by,repeats\n");
+    std::fprintf(out,
+                 "case,precision,ranks,particles,neighbours,isa,msteps_per_s,yardstick_msteps_per_s,ratio,"
+                 "target_ratio,limit_ratio,ns_sort,ns_search,ns_density,ns_force,ns_elastic,"
+                 "ns_walls,ns_heat,ns_move,ns_ranks,bytes_per_particle,resident_per_particle,target_bytes_"
+                 "per_particle,bytes_moved,moved_gb_per_s,copy_gb_per_s,setup_steps,held_back_by,repeats\n");
   const BallFile ball(comm);
   for (const std::size_t size : o.sizes)
     for (const double support : o.supports)
       for (const auto& [sums, bonds] : o.precisions)
-        for (const Kind kind : o.kinds) measure(comm, {kind, sums, bonds, support, size}, o, ball.path(), out);
+        for (const Kind kind : o.kinds)
+          measure(comm, {kind, sums, bonds, support, size}, o, ball.path(), out);
   if (out && o.csv) std::fclose(out);
   return 0;
 }

@@ -1,5 +1,5 @@
-// Values of a benchmark's options. One that cannot be is refused (std::invalid_argument with what was expected): a benchmark that measures
-// something else than it was asked for is worse than none.
+// Values of a benchmark's options. One that cannot be is refused (std::invalid_argument with what was
+// expected): a benchmark that measures something else than it was asked for is worse than none.
 #pragma once
 #include <cstddef>
 #include <cstdio>
@@ -21,16 +21,19 @@ inline double numberOf(const std::string& key, const std::string& text, double l
   return x;
 }
 
-inline std::size_t countOf(const std::string& key, const std::string& text, std::size_t least, std::size_t most) {
+inline std::size_t countOf(const std::string& key, const std::string& text, std::size_t least,
+                           std::size_t most) {
   char* end = nullptr;
   const unsigned long long x = std::strtoull(text.c_str(), &end, 10);
   if (text.empty() || text[0] < '0' || text[0] > '9' || *end || x < least || x > most)
-    throw std::invalid_argument(key + ": expected a number from " + std::to_string(least) + " to " + std::to_string(most) + ", got '" + text + "'");
+    throw std::invalid_argument(key + ": expected a number from " + std::to_string(least) + " to " +
+                                std::to_string(most) + ", got '" + text + "'");
   return x;
 }
 
 /// The place of `text` among `names`.
-inline std::size_t oneOf(const std::string& key, const std::string& text, std::initializer_list<const char*> names) {
+inline std::size_t oneOf(const std::string& key, const std::string& text,
+                         std::initializer_list<const char*> names) {
   std::string all;
   std::size_t k = 0;
   for (const char* name : names) {

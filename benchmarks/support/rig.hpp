@@ -17,8 +17,11 @@ struct Rig {
   MpiBondHalo bonds;
   WorkMeter meter;
 
-  /// change: what is done to the particles before forces are found for the first time; bonds form there. load: for scenes with meshes.
-  template<class Change> Rig(const Communicator& comm, const Scene& scene, Change change, const MeshLoader& load = {}) : all(comm), bonds(comm) {
+  /// change: what is done to the particles before forces are found for the first time; bonds form there.
+  /// load: for scenes with meshes.
+  template<class Change>
+  Rig(const Communicator& comm, const Scene& scene, Change change, const MeshLoader& load = {})
+      : all(comm), bonds(comm) {
     w.scene = scene;
     prepareWorld(w, tools, load);
     cells = std::make_unique<MpiCellHalo>(comm, w.grid);
@@ -29,7 +32,8 @@ struct Rig {
   }
   Halos halos() { return {all, *cells, bonds}; }
 
-  /// Some steps and looks at the balance, so that what is timed then has its cells where a run of some length has them.
+  /// Some steps and looks at the balance, so that what is timed then has its cells where a run of some length
+  /// has them.
   void settle() {
     if (all.size() == 1) return;
     meter.seconds = tools.times.seconds;

@@ -1,5 +1,6 @@
-// The yardstick: a plain fluid step on scalar neighbour lists in double, as most codes have it (cell lists, one list of
-// neighbours a particle, no vector code), with the same physics as the fluid step of the benchmark.
+// The yardstick: a plain fluid step on scalar neighbour lists in double, as most codes have it (cell lists,
+// one list of neighbours a particle, no vector code), with the same physics as the fluid step of the
+// benchmark.
 #pragma once
 #include <chrono>
 #include <vector>
@@ -9,7 +10,8 @@
 
 namespace thaw::bench {
 
-/// Its arrays, kept from step to step as such a code does: else the system gives it new pages in each, which take a fifth of the step.
+/// Its arrays, kept from step to step as such a code does: else the system gives it new pages in each, which
+/// take a fifth of the step.
 struct Yardstick {
   std::vector<std::uint32_t> list, first, cellStart;
   std::vector<double> filling, term, heat;
@@ -21,7 +23,8 @@ inline double yardstickStep(const test::Block& b, Yardstick& y) {
   using Kernel = isa_base::WendlandC2;
   const Continuum& p = b.particles;
   const std::size_t n = p.owned;
-  const double h = b.grid.support, h2 = h * h, stiffness = b.liquids[0].stiffness, V = p.mass[0] / b.scene.materials[0].density;
+  const double h = b.grid.support, h2 = h * h, stiffness = b.liquids[0].stiffness,
+               V = p.mass[0] / b.scene.materials[0].density;
   auto& [list, first, cellStart, filling, term, heat, force, position, velocity] = y;
   first.resize(n + 1);
   for (auto* v : {&filling, &term, &heat}) v->resize(n);
@@ -42,7 +45,8 @@ inline double yardstickStep(const test::Block& b, Yardstick& y) {
     first[i] = static_cast<std::uint32_t>(list.size());
     for (int z = std::max(0, a.z - 1); z <= std::min(c.z - 1, a.z + 1); z++)
       for (int y = std::max(0, a.y - 1); y <= std::min(c.y - 1, a.y + 1); y++)
-        for (std::uint32_t j = cellStart[index(std::max(0, a.x - 1), y, z)]; j < cellStart[index(std::min(c.x - 1, a.x + 1), y, z) + 1]; j++) {
+        for (std::uint32_t j = cellStart[index(std::max(0, a.x - 1), y, z)];
+             j < cellStart[index(std::min(c.x - 1, a.x + 1), y, z) + 1]; j++) {
           const Vec3d d = p.position[i] - p.position[j];
           if (j != i && dot(d, d) < h2) list.push_back(j);
         }
@@ -64,7 +68,8 @@ inline double yardstickStep(const test::Block& b, Yardstick& y) {
       const std::uint32_t j = list[k];
       const Vec3d d = p.position[i] - p.position[j], u = p.velocity[i] - p.velocity[j];
       const double r2 = dot(d, d), slope = Kernel::slope(r2 / h2), approach = dot(u, d);
-      f += d * (-(term[i] + term[j]) * slope + 10 * 2 * 1.0 * 1.0 / (1.0 + 1.0) * approach / (r2 + 1e-6 * h2) * slope);
+      f += d * (-(term[i] + term[j]) * slope +
+                10 * 2 * 1.0 * 1.0 / (1.0 + 1.0) * approach / (r2 + 1e-6 * h2) * slope);
       q += -2 * slope * 2 * 1.0 * 1.0 / (1.0 + 1.0) * (p.temperature[j] - p.temperature[i]);
     }
     force[i] = f * (V * V / (h2 * h2 * h));

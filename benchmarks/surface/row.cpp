@@ -5,12 +5,18 @@
 namespace thaw {
 
 void printHead(FILE* out) {
-  std::fprintf(out, "case,particles,surfels,particle_neighbours,surfel_neighbours,isa,k_surfels_per_s,target_k_surfels_per_s,ns_surfel_sums,ns_particle_sums,ns_move,ns_exchange,ms_search,"
-                    "update_s,update_s_target,ms_displace,ms_fields,ms_colours,ms_place,searches,iterations,update_s_worst,start_s,percent_to_local_stop,ms_components,ms_growth,ms_resampling,ms_iterations,ms_measures,hausdorff_percent,normal_mean,normal_max\n");
+  std::fprintf(out,
+               "case,particles,surfels,particle_neighbours,surfel_neighbours,isa,k_surfels_per_s,target_k_"
+               "surfels_per_s,ns_surfel_sums,ns_particle_sums,ns_move,ns_exchange,ms_search,"
+               "update_s,update_s_target,ms_displace,ms_fields,ms_colours,ms_place,searches,iterations,"
+               "update_s_worst,start_s,percent_to_local_stop,ms_components,ms_growth,ms_resampling,ms_"
+               "iterations,ms_measures,hausdorff_percent,normal_mean,normal_max\n");
 }
 
 void print(FILE* out, const SurfaceRow& r) {
-  const auto figure = [&](double v, const char* form) { v != 0 ? std::fprintf(out, form, v) : 0, std::fputc(',', out); };
+  const auto figure = [&](double v, const char* form) {
+    v != 0 ? std::fprintf(out, form, v) : 0, std::fputc(',', out);
+  };
   std::fprintf(out, "%s,%.0f,%.0f,", r.name.c_str(), r.particles, r.surfels);
   figure(r.aroundParticles, "%.1f");
   figure(r.aroundSurfels, "%.1f");
@@ -27,7 +33,8 @@ void print(FILE* out, const SurfaceRow& r) {
   figure(r.worstS, "%.3f");
   figure(r.startS, "%.2f");
   figure(100 * r.finished, "%.0f");
-  for (double v : {r.componentsMs, r.growthMs, r.resamplingMs, r.iterationsMs, r.measuresMs}) figure(v, "%.1f");
+  for (double v : {r.componentsMs, r.growthMs, r.resamplingMs, r.iterationsMs, r.measuresMs})
+    figure(v, "%.1f");
   figure(r.hausdorff, "%.3f");
   figure(r.normalMean, "%.2f");
   if (r.normalMax != 0) std::fprintf(out, "%.2f", r.normalMax);

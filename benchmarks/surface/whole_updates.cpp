@@ -33,7 +33,8 @@ void deform(World& w, bool molten, double bottom, double height, double step) {
       x += (step * share / reach) * Vec3d{0.5 * x.x, 0.5 * x.y, -(x.z - bottom)};
     } else {
       const double angle = 2 * 3.14159265358979323846 / 50;
-      x = {std::cos(angle) * x.x - std::sin(angle) * x.y, std::sin(angle) * x.x + std::cos(angle) * x.y, x.z - 0.1 * step};
+      x = {std::cos(angle) * x.x - std::sin(angle) * x.y, std::sin(angle) * x.x + std::cos(angle) * x.y,
+           x.z - 0.1 * step};
     }
   }
 }
@@ -44,8 +45,9 @@ WholeUpdates wholeUpdates(bool molten, double surfels, double support, std::int6
   // 5.5 mm gives 60,000 surfels
   const double spacing = 0.0055 * std::sqrt(60000 / surfels);
   World w;
-  w.scene = readScene(std::string(THAW_BENCHMARK_FOLDER) + "/../../scenes/keiser/melting_fast.toml",
-                      {"surface.spacing=" + std::to_string(spacing), "surface.support=" + std::to_string(support)});
+  w.scene = readScene(
+      std::string(THAW_BENCHMARK_FOLDER) + "/../../scenes/keiser/melting_fast.toml",
+      {"surface.spacing=" + std::to_string(spacing), "surface.support=" + std::to_string(support)});
   StepTools tools;
   SerialReducer all;
   prepareWorld(w, tools, {});
@@ -60,16 +62,19 @@ WholeUpdates wholeUpdates(bool molten, double surfels, double support, std::int6
   out.startSeconds = processorSeconds() - begin;
   Continuum& p = w.particles;
   double bottom = 1e300, top = -1e300;
-  for (std::size_t i = 0; i < p.owned; i++) bottom = std::min(bottom, p.position[i].z), top = std::max(top, p.position[i].z);
+  for (std::size_t i = 0; i < p.owned; i++)
+    bottom = std::min(bottom, p.position[i].z), top = std::max(top, p.position[i].z);
   const double height = top - bottom;
   if (molten)
-    for (std::size_t i = 0; i < p.owned; i++) p.liquid[i] = static_cast<float>(smoothStep((0.7 - (p.position[i].z - bottom) / height) / 0.1));
+    for (std::size_t i = 0; i < p.owned; i++)
+      p.liquid[i] = static_cast<float>(smoothStep((0.7 - (p.position[i].z - bottom) / height) / 0.1));
   const std::int64_t before = 3;
   std::int64_t iterations = 0, unfinished = 0;
   for (std::int64_t k = 0; k < before + updates; k++) {
     deform(w, molten, bottom, height, 0.25 * w.grid.support);
     w.clock.step++;
-    if (k == before) t.times = {}, iterations = w.surface.counters.iterations, unfinished = w.surface.counters.unfinished;
+    if (k == before)
+      t.times = {}, iterations = w.surface.counters.iterations, unfinished = w.surface.counters.unfinished;
     begin = processorSeconds();
     updateSurface(w, ranks.halos(), t);
     const double took = processorSeconds() - begin;

@@ -1,7 +1,9 @@
-// time_to_solution: seconds of wall clock for a simulated second of two problems, with each of thaw's solvers, and the error beside them.
+// time_to_solution: seconds of wall clock for a simulated second of two problems, with each of thaw's
+// solvers, and the error beside them.
 //   mpirun -n 4 time_to_solution [--only cube|beam] [--end 1] [--csv FILE] [--reference 1]
-// cube.toml: the front of the water against that of a run with half the spacing, which is in front.csv; --reference 1 runs it and writes it anew (10 minutes and
-// more). beam.toml: half of the lowest place of the tip in the first swing against the deflection of a Timoshenko beam at rest.
+// cube.toml: the front of the water against that of a run with half the spacing, which is in front.csv;
+// --reference 1 runs it and writes it anew (10 minutes and more). beam.toml: half of the lowest place of the
+// tip in the first swing against the deflection of a Timoshenko beam at rest.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -23,37 +25,65 @@ using namespace thaw::bench;
 const std::string folder = THAW_BENCHMARK_FOLDER;
 constexpr double sample = 0.01;  // s, of simulated time between two looks
 
-struct Solver { const char *problem, *name; std::vector<std::string> set; };
+struct Solver {
+  const char *problem, *name;
+  std::vector<std::string> set;
+};
 
 const std::vector<Solver>& solvers() {
   static const std::vector<Solver> all{
       {"cube", "state equation, 1 % compression", {"numerics.density=summation"}},
-      {"cube", "state equation, 4 % compression", {"numerics.density=summation", "numerics.max_density_error=0.04"}},
-      {"cube", "state equation, 4 % compression, steps 1.5 times as long", {"numerics.density=summation", "numerics.max_density_error=0.04", "numerics.cfl_sound=0.6"}},
-      {"cube", "state equation, double precision", {"numerics.density=summation", "numerics.precision=double"}},
+      {"cube",
+       "state equation, 4 % compression",
+       {"numerics.density=summation", "numerics.max_density_error=0.04"}},
+      {"cube",
+       "state equation, 4 % compression, steps 1.5 times as long",
+       {"numerics.density=summation", "numerics.max_density_error=0.04", "numerics.cfl_sound=0.6"}},
+      {"cube",
+       "state equation, double precision",
+       {"numerics.density=summation", "numerics.precision=double"}},
       {"cube", "incompressible to .01 %", {"numerics.pressure_solver=incompressible"}},
-      {"cube", "incompressible to .1 %", {"numerics.pressure_solver=incompressible", "numerics.density_tolerance=0.001", "numerics.divergence_tolerance=0.01"}},
-      {"cube", "incompressible to 1 %", {"numerics.pressure_solver=incompressible", "numerics.density_tolerance=0.01", "numerics.divergence_tolerance=0.05"}},
+      {"cube",
+       "incompressible to .1 %",
+       {"numerics.pressure_solver=incompressible", "numerics.density_tolerance=0.001",
+        "numerics.divergence_tolerance=0.01"}},
+      {"cube",
+       "incompressible to 1 %",
+       {"numerics.pressure_solver=incompressible", "numerics.density_tolerance=0.01",
+        "numerics.divergence_tolerance=0.05"}},
       {"cube", "density by continuity", {}},
       {"beam", "Green strain, double precision", {}},
       {"beam", "Green strain, single precision", {"numerics.elastic_precision=single"}},
-      {"beam", "Green strain, single precision, steps 1.5 times as long", {"numerics.elastic_precision=single", "numerics.cfl_elastic=0.6"}},
-      {"beam", "Green strain, single precision, steps twice as long", {"numerics.elastic_precision=single", "numerics.cfl_elastic=0.8"}},
-      {"beam", "corotated, single precision", {"numerics.elastic_precision=single", "material.rubber.law=corotated"}},
-      {"beam", "Neo-Hookean, single precision", {"numerics.elastic_precision=single", "material.rubber.law=neo-hookean"}},
+      {"beam",
+       "Green strain, single precision, steps 1.5 times as long",
+       {"numerics.elastic_precision=single", "numerics.cfl_elastic=0.6"}},
+      {"beam",
+       "Green strain, single precision, steps twice as long",
+       {"numerics.elastic_precision=single", "numerics.cfl_elastic=0.8"}},
+      {"beam",
+       "corotated, single precision",
+       {"numerics.elastic_precision=single", "material.rubber.law=corotated"}},
+      {"beam",
+       "Neo-Hookean, single precision",
+       {"numerics.elastic_precision=single", "material.rubber.law=neo-hookean"}},
   };
   return all;
 }
 
-struct Look { double time, value; };
+struct Look {
+  double time, value;
+};
 
 /// m, beyond which a thousandth of the particles is.
 double frontOf(const Rig& r, const Communicator& comm) {
   const double step = 1e-3, low = r.w.scene.domain.min.x;
-  std::vector<std::int64_t> count(static_cast<std::size_t>((r.w.scene.domain.max.x - low) / step) + 2, 0), all(count.size());
+  std::vector<std::int64_t> count(static_cast<std::size_t>((r.w.scene.domain.max.x - low) / step) + 2, 0),
+      all(count.size());
   for (std::size_t i = 0; i < r.w.particles.owned; i++)
-    count[static_cast<std::size_t>(std::clamp((r.w.particles.position[i].x - low) / step, 0.0, static_cast<double>(count.size() - 1)))]++;
-  MPI_Allreduce(count.data(), all.data(), static_cast<int>(count.size()), MPI_INT64_T, MPI_SUM, comm.handle());
+    count[static_cast<std::size_t>(std::clamp((r.w.particles.position[i].x - low) / step, 0.0,
+                                              static_cast<double>(count.size() - 1)))]++;
+  MPI_Allreduce(count.data(), all.data(), static_cast<int>(count.size()), MPI_INT64_T, MPI_SUM,
+                comm.handle());
   std::int64_t total = 0, beyond = 0;
   for (const std::int64_t n : all) total += n;
   std::size_t k = all.size();
@@ -71,7 +101,8 @@ std::vector<std::uint64_t> tipIds(const Continuum& p, double spacing, const Comm
   MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, comm.handle());
   for (std::size_t k = 0; k < counts.size(); k++) first[k + 1] = first[k] + counts[k];
   std::vector<std::uint64_t> all(static_cast<std::size_t>(first.back()));
-  MPI_Allgatherv(mine.data(), n, MPI_UINT64_T, all.data(), counts.data(), first.data(), MPI_UINT64_T, comm.handle());
+  MPI_Allgatherv(mine.data(), n, MPI_UINT64_T, all.data(), counts.data(), first.data(), MPI_UINT64_T,
+                 comm.handle());
   std::sort(all.begin(), all.end());
   return all;
 }
@@ -99,7 +130,8 @@ std::vector<Look> readFront() {
   return all;
 }
 
-/// Largest distance of the fronts until the reference is at the far wall, over what it has travelled by then; negative without a reference.
+/// Largest distance of the fronts until the reference is at the far wall, over what it has travelled by then;
+/// negative without a reference.
 double frontError(const std::vector<Look>& looks) {
   double worst = -1;
   for (const Look& r : readFront()) {
@@ -110,19 +142,26 @@ double frontError(const std::vector<Look>& looks) {
   return worst;
 }
 
-/// Of half the lowest place in the first swing, against a beam at rest. The tip's layer has its centre half a spacing before the end; shear after
-/// Timoshenko (1921) with kappa of Cowper (1966).
+/// Of half the lowest place in the first swing, against a beam at rest. The tip's layer has its centre half a
+/// spacing before the end; shear after Timoshenko (1921) with kappa of Cowper (1966).
 double beamError(const std::vector<Look>& looks) {
-  const double E = 5e6, nu = 0.33, H = 0.4, L = 1.6, q = 1000 * 9.81 * H * H, x = L - 0.01, EI = E * std::pow(H, 4) / 12;
+  const double E = 5e6, nu = 0.33, H = 0.4, L = 1.6, q = 1000 * 9.81 * H * H, x = L - 0.01,
+               EI = E * std::pow(H, 4) / 12;
   const double kappa = 10 * (1 + nu) / (12 + 11 * nu), G = E / (2 * (1 + nu));
-  const double rest = q * x * x * (x * x - 4 * L * x + 6 * L * L) / (24 * EI) + q * (L * x - 0.5 * x * x) / (kappa * G * H * H);
+  const double rest = q * x * x * (x * x - 4 * L * x + 6 * L * L) / (24 * EI) +
+                      q * (L * x - 0.5 * x * x) / (kappa * G * H * H);
   double lowest = 0;
   for (const Look& l : looks)
     if (l.time < 0.45) lowest = std::min(lowest, l.value);
   return std::abs(-0.5 * lowest / rest - 1);
 }
 
-struct Done { double wall = 0, particles = 0; std::int64_t steps = 0; std::vector<Look> looks; bool finite = true; };
+struct Done {
+  double wall = 0, particles = 0;
+  std::int64_t steps = 0;
+  std::vector<Look> looks;
+  bool finite = true;
+};
 
 Done simulate(const Communicator& comm, const Solver& s, double end, std::vector<std::string> more) {
   more.insert(more.begin(), s.set.begin(), s.set.end());
@@ -158,42 +197,51 @@ int main(int argc, char** argv) {
   double end = 1;
   bool reference = false;
   for (int a = 1; a < argc; a += 2) try {
-    const std::string key = argv[a];
-    const bool help = key == "--help" || key == "-h";
-    if (help || a + 1 == argc) {
-      if (comm.rank() == 0) std::fprintf(help ? stdout : stderr, "time_to_solution [--only cube|beam] [--end 1] [--csv FILE] [--reference 1]\n");
-      return help ? 0 : 2;
+      const std::string key = argv[a];
+      const bool help = key == "--help" || key == "-h";
+      if (help || a + 1 == argc) {
+        if (comm.rank() == 0)
+          std::fprintf(help ? stdout : stderr,
+                       "time_to_solution [--only cube|beam] [--end 1] [--csv FILE] [--reference 1]\n");
+        return help ? 0 : 2;
+      }
+      if (key == "--only") oneOf(key, only = argv[a + 1], {"cube", "beam"});
+      else if (key == "--end") end = numberOf(key, argv[a + 1], 1e-4, 1000);
+      else if (key == "--csv") csv = argv[a + 1];
+      else if (key == "--reference") reference = oneOf(key, argv[a + 1], {"0", "1"}) == 1;
+      else throw std::invalid_argument("there is no option " + key);
+    } catch (const std::invalid_argument& e) {
+      if (comm.rank() == 0) std::fprintf(stderr, "time_to_solution: %s\n", e.what());
+      return 2;
     }
-    if (key == "--only") oneOf(key, only = argv[a + 1], {"cube", "beam"});
-    else if (key == "--end") end = numberOf(key, argv[a + 1], 1e-4, 1000);
-    else if (key == "--csv") csv = argv[a + 1];
-    else if (key == "--reference") reference = oneOf(key, argv[a + 1], {"0", "1"}) == 1;
-    else throw std::invalid_argument("there is no option " + key);
-  } catch (const std::invalid_argument& e) {
-    if (comm.rank() == 0) std::fprintf(stderr, "time_to_solution: %s\n", e.what());
-    return 2;
-  }
   const bool first = comm.rank() == 0;
   if (reference) {
     const Done d = simulate(comm, solvers()[0], 0.5, {"spacing=0.01"});
     if (!first) return 0;
     FILE* file = std::fopen((folder + "/front.csv").c_str(), "w");
     if (!file) return std::fprintf(stderr, "%s/front.csv: cannot be written\n", folder.c_str()), 3;
-    std::fprintf(file, "# s, m: beyond which is a thousandth of the water of cube.toml with spacing 1 cm, %.0f particles, %lld steps\n", d.particles, static_cast<long long>(d.steps));
+    std::fprintf(file,
+                 "# s, m: beyond which is a thousandth of the water of cube.toml with spacing 1 cm, %.0f "
+                 "particles, %lld steps\n",
+                 d.particles, static_cast<long long>(d.steps));
     for (const Look& l : d.looks) std::fprintf(file, "%.4f,%.4f\n", l.time, l.value);
     std::fclose(file);
     return 0;
   }
   FILE* out = !first ? nullptr : csv.empty() ? stdout : std::fopen(csv.c_str(), "w");
   if (first && !out) return std::fprintf(stderr, "%s: cannot be written\n", csv.c_str()), 3;
-  if (first) std::fprintf(out, "case,solver,ranks,particles,steps,wall_s_per_s,target_wall_s_per_s,best_peer_wall_s_per_s,error\n");
+  if (first)
+    std::fprintf(
+        out,
+        "case,solver,ranks,particles,steps,wall_s_per_s,target_wall_s_per_s,best_peer_wall_s_per_s,error\n");
   for (const Solver& s : solvers()) {
     if (!only.empty() && only != s.problem) continue;
     const Done d = simulate(comm, s, end, {});
     if (!first) continue;
     const bool beam = std::string(s.problem) == "beam";
     const double error = !d.finite ? NAN : beam ? beamError(d.looks) : frontError(d.looks);
-    std::fprintf(out, "%s,\"%s\",%d,%.0f,%lld,%.2f,15,%d,%.4f\n", s.problem, s.name, comm.size(), d.particles, static_cast<long long>(d.steps), d.wall, beam ? 69 : 89, error);
+    std::fprintf(out, "%s,\"%s\",%d,%.0f,%lld,%.2f,15,%d,%.4f\n", s.problem, s.name, comm.size(), d.particles,
+                 static_cast<long long>(d.steps), d.wall, beam ? 69 : 89, error);
     std::fflush(out);
   }
   if (first && !csv.empty()) std::fclose(out);

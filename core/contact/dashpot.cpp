@@ -8,12 +8,14 @@
 namespace thaw {
 namespace {
 
-/// Coefficient of restitution for a damping ratio z: exp(-z t), t the end of the contact in units of 1/omega_0.
+/// Coefficient of restitution for a damping ratio z: exp(-z t), t the end of the contact in units of
+/// 1/omega_0.
 double restitutionOf(double z) {
   const double d = 1 - z * z;
   if (std::abs(d) < 1e-9) return std::exp(-2.0);
   const double w = std::sqrt(std::abs(d));
-  const double t = d > 0 ? std::atan2(2 * z * w, 2 * z * z - 1) / w : std::atanh(2 * z * w / (2 * z * z - 1)) / w;
+  const double t = d > 0 ? std::atan2(2 * z * w, 2 * z * z - 1) / w
+                         : std::atanh(2 * z * w / (2 * z * z - 1)) / w;
   return std::exp(-z * t);
 }
 

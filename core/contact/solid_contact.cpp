@@ -25,17 +25,21 @@ bool bonded(const ContactContext& x, const Continuum& p, std::uint32_t i, std::u
 Vec3d between(const CellGrid& g, const Vec3d& a, const Vec3d& b) {
   Vec3d d;
   for (int k = 0; k < 3; k++)
-    d[k] = static_cast<double>(static_cast<std::int32_t>(fixedPoint(g, a[k], k) - fixedPoint(g, b[k], k))) * (g.support / fixedUnitsPerSupport);
+    d[k] = static_cast<double>(static_cast<std::int32_t>(fixedPoint(g, a[k], k) - fixedPoint(g, b[k], k))) *
+           (g.support / fixedUnitsPerSupport);
   return d;
 }
 
-struct Elastic { double stiffness, restitution, friction, softening; };  // N/m, 1, 1, N/m per liquid fraction
+struct Elastic {
+  double stiffness, restitution, friction, softening;
+};  // N/m, 1, 1, N/m per liquid fraction
 
 Elastic elasticOf(const Scene& s, const Continuum& p, std::uint32_t row) {
   const Material& m = s.materials[p.material[row]];
   const double f = p.liquid.active ? static_cast<double>(p.liquid[row]) : 0;
   const double young = m.young.at(f), least = 0.01 * m.young.solid;
-  return {std::max(young, least) * s.spacing, m.restitution, m.friction, young > least ? (m.young.liquid - m.young.solid) * s.spacing : 0};
+  return {std::max(young, least) * s.spacing, m.restitution, m.friction,
+          young > least ? (m.young.liquid - m.young.solid) * s.spacing : 0};
 }
 
 }  // namespace
@@ -64,14 +68,17 @@ void addSolidContacts(const ContactContext& x, const ClosePairs& pairs, Continuu
     }
     const Vec3d n = d / r, u = p.velocity[i] - p.velocity[j];
     const double mass = p.mass[i] * p.mass[j] / (p.mass[i] + p.mass[j]);
-    // Restitutions near 0 are overdamped, and a particle can touch five others: more than that in a step and the dashpots feed what they are to stop.
+    // Restitutions near 0 are overdamped, and a particle can touch five others: more than that in a step and
+    // the dashpots feed what they are to stop.
     const double most = 0.2 * mass / x.step;
-    const double c = std::min(2 * dashpotRatio(std::min(a.restitution, b.restitution)) * std::sqrt(k * mass), most);
+    const double c = std::min(2 * dashpotRatio(std::min(a.restitution, b.restitution)) * std::sqrt(k * mass),
+                              most);
     const double un = dot(u, n), spring = k * (d0 - r);
     const double dash = std::max(-c * un, -spring);  // a contact never pulls
     const Vec3d tangential = u - n * un;
     const double slip = length(tangential), normalForce = spring + dash;
-    const double cut = std::min(std::sqrt(k * mass), most);  // the same scale as the dashpot: friction stops sliding without reversing it
+    const double cut = std::min(std::sqrt(k * mass), most);  // the same scale as the dashpot: friction stops
+                                                             // sliding without reversing it
     const double rub = slip > 0 ? std::min(std::min(a.friction, b.friction) * normalForce, cut * slip) : 0;
     Vec3d resisting = n * dash;
     if (slip > 0) resisting -= tangential * (rub / slip);

@@ -17,7 +17,9 @@ constexpr double mostInLayer = 1e6;
 
 /// Two unit vectors across a direction; a fixed rule, so that every rank and every run makes the same layers.
 void across(const Vec3d& n, Vec3d& u, Vec3d& v) {
-  const Vec3d axis = std::abs(n.x) <= std::abs(n.y) && std::abs(n.x) <= std::abs(n.z) ? Vec3d{1, 0, 0} : std::abs(n.y) <= std::abs(n.z) ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
+  const Vec3d axis = std::abs(n.x) <= std::abs(n.y) && std::abs(n.x) <= std::abs(n.z) ? Vec3d{1, 0, 0}
+                     : std::abs(n.y) <= std::abs(n.z)                                 ? Vec3d{0, 1, 0}
+                                                                                      : Vec3d{0, 0, 1};
   u = normalized(axis - n * dot(axis, n));
   v = cross(n, u);
 }
@@ -34,7 +36,8 @@ std::vector<double> centred(double extent, double spacing) {
 double nozzleTime(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
   const double distance = plan.interval * e.speed;
   const Vec3d n = normalized(e.direction);
-  for (int layers = static_cast<int>(std::ceil(s.numerics.support * s.spacing / distance)); layers > 0; layers--) {
+  for (int layers = static_cast<int>(std::ceil(s.numerics.support * s.spacing / distance)); layers > 0;
+       layers--) {
     bool inside = true;
     for (std::size_t k = 0; k < plan.layer.size(); k++)
       for (int a = 0; a < 3; a++) {
@@ -66,19 +69,22 @@ std::vector<std::vector<double>> cohesionOf(const Scene& s, const Emitter& e, co
       for (std::size_t j = first; j < plan.layer.size() && plan.along[j] - plan.along[i] < h; j++) {
         const Vec3d d = plan.layer[i] - plan.layer[j];
         const double q = std::sqrt(dot(d, d) + layer * distance * layer * distance) / h;
-        if ((layer > 0 || i != j) && q < 1) energy.back()[i] += (layer > 0 ? 1 : 0.5) * strength * Cohesion::potential(q);
+        if ((layer > 0 || i != j) && q < 1)
+          energy.back()[i] += (layer > 0 ? 1 : 0.5) * strength * Cohesion::potential(q);
       }
     }
   }
   return energy;
 }
 
-/// Energy of the free surface (findSurfaceEnergy) of stacks of layers: what the last one adds, evenly over its particles; [m]: m more than [0 .. m - 1].
+/// Energy of the free surface (findSurfaceEnergy) of stacks of layers: what the last one adds, evenly over
+/// its particles; [m]: m more than [0 .. m - 1].
 std::vector<std::vector<double>> surfaceEnergyOf(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
   const Material& m = s.materials[static_cast<std::size_t>(e.material)];
   std::vector<std::vector<double>> energy;
   if (!(m.surfaceTension > 0) || s.numerics.tension != TensionForm::SurfaceEnergy) return energy;
-  const double h = s.numerics.support * s.spacing, V = plan.particleMass / m.density, distance = plan.interval * e.speed, volume = V / (h * h * h);
+  const double h = s.numerics.support * s.spacing, V = plan.particleMass / m.density,
+               distance = plan.interval * e.speed, volume = V / (h * h * h);
   const int reach = static_cast<int>(std::floor(h / distance)), layers = 2 * reach + 2;
   const SurfaceMeasure measure = surfaceMeasure(s.numerics, s.spacing);
   // gradient and cover by the layer that is k layers away, in a frame with x along the direction
@@ -146,8 +152,7 @@ void addFields(const Emitter& e, EmitterPlan& plan) {
       for (int a = 0; a < 3; a++)
         if (!isStartSpeed(across[a])) {
           const PositionField& f = e.velocityField.component[a];
-          problems.add(f.where,
-                       badValue(f, across[a], x) + ", in the opening; " + expectedSpeeds);
+          problems.add(f.where, badValue(f, across[a], x) + ", in the opening; " + expectedSpeeds);
           return problems.raise();
         }
       if (std::abs(dot(across, n)) > 1e-6 * e.speed) {
@@ -163,8 +168,8 @@ void addFields(const Emitter& e, EmitterPlan& plan) {
     const PositionField& f = e.temperatureField;
     plan.temperature.push_back(f.value(x));
     if (isStartTemperature(plan.temperature.back())) continue;
-    problems.add(f.where, badValue(f, plan.temperature.back(), x) +
-                              ", in the opening; " + expectedTemperatures);
+    problems.add(f.where,
+                 badValue(f, plan.temperature.back(), x) + ", in the opening; " + expectedTemperatures);
     return problems.raise();
   }
 }
@@ -201,9 +206,12 @@ std::vector<EmitterPlan> planEmitters(const Scene& s) {
     EmitterPlan plan;
     Vec3d u, v;
     across(normalized(e.direction), u, v);
-    const double dx = s.spacing, across1 = e.disc ? 2 * e.radius : e.width, across2 = e.disc ? across1 : e.depth;
+    const double dx = s.spacing, across1 = e.disc ? 2 * e.radius : e.width,
+                 across2 = e.disc ? across1 : e.depth;
     if (across1 / dx * (across2 / dx) > mostInLayer)
-      throw placed(e, "its opening has " + text(across1 / dx * (across2 / dx)) + " places for particles at a spacing of " + text(dx) + " m, at most a million are possible: make it smaller or the spacing larger");
+      throw placed(e, "its opening has " + text(across1 / dx * (across2 / dx)) +
+                          " places for particles at a spacing of " + text(dx) +
+                          " m, at most a million are possible: make it smaller or the spacing larger");
     for (double a : centred(across1, dx))
       for (double b : centred(across2, dx))
         if (!e.disc || a * a + b * b <= e.radius * e.radius) {
@@ -212,13 +220,18 @@ std::vector<EmitterPlan> planEmitters(const Scene& s) {
         }
     addFields(e, plan);
     plan.particleMass = s.materials[static_cast<std::size_t>(e.material)].density * dx * dx * dx;
-    plan.interval = e.rate > 0 ? static_cast<double>(plan.layer.size()) * plan.particleMass / e.rate : dx / e.speed;
+    plan.interval = e.rate > 0 ? static_cast<double>(plan.layer.size()) * plan.particleMass / e.rate
+                               : dx / e.speed;
     if (plan.interval * e.speed < 0.95 * dx)
-      throw placed(e, "a rate of " + std::to_string(e.rate) + " kg/s does not fit through its opening at this speed; at most " +
-                          std::to_string(static_cast<double>(plan.layer.size()) * plan.particleMass * e.speed / dx) + " kg/s do");
+      throw placed(
+          e, "a rate of " + std::to_string(e.rate) +
+                 " kg/s does not fit through its opening at this speed; at most " +
+                 std::to_string(static_cast<double>(plan.layer.size()) * plan.particleMass * e.speed / dx) +
+                 " kg/s do");
     plan.ahead = nozzleTime(s, e, plan);
     checkNozzle(s, e, plan);
-    plan.cohesion = s.numerics.tension == TensionForm::SurfaceEnergy ? surfaceEnergyOf(s, e, plan) : cohesionOf(s, e, plan);
+    plan.cohesion = s.numerics.tension == TensionForm::SurfaceEnergy ? surfaceEnergyOf(s, e, plan)
+                                                                     : cohesionOf(s, e, plan);
     plans.push_back(std::move(plan));
   }
   return plans;
@@ -228,19 +241,26 @@ std::string misplacedOpening(const Scene& s, const Walls& walls, const Emitter& 
   const auto all = static_cast<std::int64_t>(plan.layer.size());
   Outside opening;
   for (const Vec3d& x : plan.layer) opening.look(s.domain, x);
-  if (opening.count > 0) return "emitter '" + e.name + "': " + outsideText(opening, s.domain, all, "places of a layer", "emitter");
+  if (opening.count > 0)
+    return "emitter '" + e.name + "': " + outsideText(opening, s.domain, all, "places of a layer", "emitter");
   for (const Wall& wall : walls.list) {
-    const auto in = std::count_if(plan.layer.begin(), plan.layer.end(), [&](const Vec3d& x) { return holdsSample(wall, x, s.spacing); });
-    if (in > 0) return "emitter '" + e.name + "': " + std::to_string(in) + " of its " + std::to_string(all) + " places of a layer lie in obstacle '" + wall.properties.name + "'; move the emitter";
+    const auto in = std::count_if(plan.layer.begin(), plan.layer.end(),
+                                  [&](const Vec3d& x) { return holdsSample(wall, x, s.spacing); });
+    if (in > 0)
+      return "emitter '" + e.name + "': " + std::to_string(in) + " of its " + std::to_string(all) +
+             " places of a layer lie in obstacle '" + wall.properties.name + "'; move the emitter";
   }
   return {};
 }
 
 std::string unevenOutflow(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
   const double area = e.disc ? 3.14159265358979323846 * e.radius * e.radius : e.width * e.depth;
-  const double is = outflowOf(plan), meant = s.materials[static_cast<std::size_t>(e.material)].density * area * e.speed;
+  const double is = outflowOf(plan),
+               meant = s.materials[static_cast<std::size_t>(e.material)].density * area * e.speed;
   if (e.rate > 0 || std::abs(is / meant - 1) < 0.25) return {};
-  return "emitter '" + e.name + "' lets out " + text(is) + " kg/s, where opening, speed and density make " + text(meant) + ": its layers have " + std::to_string(plan.layer.size()) + " particles, whole spacings apart; a smaller spacing or `rate` mends it";
+  return "emitter '" + e.name + "' lets out " + text(is) + " kg/s, where opening, speed and density make " +
+         text(meant) + ": its layers have " + std::to_string(plan.layer.size()) +
+         " particles, whole spacings apart; a smaller spacing or `rate` mends it";
 }
 
 std::int64_t layersUntil(const Emitter& e, const EmitterPlan& plan, double time) {
@@ -251,11 +271,14 @@ std::int64_t layersUntil(const Emitter& e, const EmitterPlan& plan, double time)
 
 double cohesionAtEntry(const EmitterPlan& plan, std::int64_t layer, std::size_t k) {
   double energy = 0;
-  for (std::size_t m = 0; m < plan.cohesion.size() && static_cast<std::int64_t>(m) <= layer; m++) energy += plan.cohesion[m][k];
+  for (std::size_t m = 0; m < plan.cohesion.size() && static_cast<std::int64_t>(m) <= layer; m++)
+    energy += plan.cohesion[m][k];
   return energy;
 }
 
-double leavingTime(const Emitter& e, const EmitterPlan& plan, std::int64_t layer) { return e.start + static_cast<double>(layer) * plan.interval; }
+double leavingTime(const Emitter& e, const EmitterPlan& plan, std::int64_t layer) {
+  return e.start + static_cast<double>(layer) * plan.interval;
+}
 
 void releaseDriven(const Scene& s, const std::vector<EmitterPlan>& plans, double time, Continuum& p) {
   for (std::size_t i = 0; i < p.owned; i++) {

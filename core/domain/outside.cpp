@@ -33,16 +33,20 @@ void addUp(std::span<Outside> all, Reducer& reducer) {
   }
 }
 
-std::string outsideText(const Outside& o, const Domain& d, std::int64_t all, const char* rows, const char* what) {
+std::string outsideText(const Outside& o, const Domain& d, std::int64_t all, const char* rows,
+                        const char* what) {
   std::string sides;
   for (int a = 0; a < 3; a++)
     for (int high = 0; high < 2; high++) {
       if (o.beyond[a][high] < 0) continue;
       char text[120];
-      std::snprintf(text, sizeof text, "%s %.3g m beyond its side %c = %g m", sides.empty() ? ", up to" : " and", o.beyond[a][high], "xyz"[a], high ? d.max[a] : d.min[a]);
+      std::snprintf(text, sizeof text, "%s %.3g m beyond its side %c = %g m",
+                    sides.empty() ? ", up to" : " and", o.beyond[a][high], "xyz"[a],
+                    high ? d.max[a] : d.min[a]);
       sides += text;
     }
-  return std::to_string(o.count) + " of its " + std::to_string(all) + " " + rows + " lie outside of the domain" + sides + "; enlarge the domain or move the " + what;
+  return std::to_string(o.count) + " of its " + std::to_string(all) + " " + rows +
+         " lie outside of the domain" + sides + "; enlarge the domain or move the " + what;
 }
 
 }  // namespace thaw

@@ -47,13 +47,17 @@ void countLeaving(const Domain& d, const Vec3d& x, Counters& counters) {
   for (int a = 0; a < 3; a++)
     for (int high = 0; high < 2; high++) {
       const double beyond = high ? x[a] - d.max[a] : d.min[a] - x[a];
-      if (d.side[static_cast<std::size_t>(a)][static_cast<std::size_t>(high)] == Side::Open && beyond > farthest) farthest = beyond, through = &counters.leftThrough[a][high];
+      if (d.side[static_cast<std::size_t>(a)][static_cast<std::size_t>(high)] == Side::Open &&
+          beyond > farthest)
+        farthest = beyond, through = &counters.leftThrough[a][high];
     }
   counters.left++;
   if (through) ++*through;
 }
 
-template<class Rows> void findLeaving(const Domain& d, Rows& p, std::size_t begin, std::size_t end, std::vector<std::uint32_t>& rows) {
+template<class Rows>
+void findLeaving(const Domain& d, Rows& p, std::size_t begin, std::size_t end,
+                 std::vector<std::uint32_t>& rows) {
   const OpenBox box = openBox(d);
   const Vec3d* position = p.position.data();
   for (std::size_t i = begin; i < end; i++)

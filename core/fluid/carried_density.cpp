@@ -9,9 +9,9 @@
 namespace thaw {
 namespace {
 
-/// Adds the walls' part of the concentration gradient and of the density rate. The slope is that of the wall's
-/// pressure force (wall_forces.cpp), so that the two are adjoint.
-/// dt: last step (s); the rate uses distances at mid-step, as pairs do.
+/// Adds the walls' part of the concentration gradient and of the density rate. The slope is that of the
+/// wall's pressure force (wall_forces.cpp), so that the two are adjoint. dt: last step (s); the rate uses
+/// distances at mid-step, as pairs do.
 void addWalls(World& w, const StepTools& t, double dt) {
   Continuum& p = w.particles;
   const double h = w.grid.support;
@@ -20,18 +20,22 @@ void addWalls(World& w, const StepTools& t, double dt) {
     // push is twice the gradient of the wall's own relative density
     if (p.crowding.active) p.crowding[c.row] += single(c.normal * (-0.5 * push));
     if (!p.densityRate.active) continue;
-    const double off = dot(p.velocity[c.row] - wallVelocity(w.walls.list[c.wall], p.position[c.row]), c.normal);
+    const double off = dot(p.velocity[c.row] - wallVelocity(w.walls.list[c.wall], p.position[c.row]),
+                           c.normal);
     const double middle = t.perLatticeSum * t.wallTables((c.distance - 0.5 * dt * off) / h).push * c.share;
     p.densityRate[c.row] -= liquidFraction(p, c.row) * middle / h * off;
   }
 }
 
-/// Shifting with a summed density: inside, from crowded to empty places. Not at a free surface, where the gradient is its normal.
+/// Shifting with a summed density: inside, from crowded to empty places. Not at a free surface, where the
+/// gradient is its normal.
 void shiftInside(World& w, const StepTools& t) {
   Continuum& p = w.particles;
   for (std::size_t i = 0; i < p.owned; i++) {
     const bool inside = liquidFraction(p, i) == 1 && static_cast<double>(p.filling[i]) > 0.9;
-    p.smoothing[i] = inside ? wide(p.crowding[i]) * (-w.scene.numerics.shifting * t.liquids[p.material[i]].soundSpeed) : Vec3d{};
+    p.smoothing[i] = inside ? wide(p.crowding[i]) *
+                                  (-w.scene.numerics.shifting * t.liquids[p.material[i]].soundSpeed)
+                            : Vec3d{};
   }
 }
 
@@ -46,13 +50,15 @@ Layer layerOf(const Continuum& p, std::size_t i) {
 
 /// Drift correction: change of the carried relative density in this step towards the summed one.
 /// Shifting, splashing and clipped tension move particles without changing the carried density.
-/// Inside the liquid the correction is slow, so that disorder causes no pressure noise; it never makes tension.
-/// Next to the free surface it only counts what the truncated sum cannot explain, such as voids of a splash.
-/// An excess above `tolerated` decays faster, also at the surface.
-/// off: summed less carried relative density; steps: c dt / h.
+/// Inside the liquid the correction is slow, so that disorder causes no pressure noise; it never makes
+/// tension. Next to the free surface it only counts what the truncated sum cannot explain, such as voids of a
+/// splash. An excess above `tolerated` decays faster, also at the surface. off: summed less carried relative
+/// density; steps: c dt / h.
 double driftCorrection(double off, double compression, Layer layer, double steps) {
   constexpr double perStep = 0.01, crowdedPerStep = 0.05, tolerated = 0.03, truncated = 0.1;
-  const double drift = layer == Layer::Inside ? off : layer == Layer::BesideSurface ? std::min(0.0, off + truncated) : 0;
+  const double drift = layer == Layer::Inside          ? off
+                       : layer == Layer::BesideSurface ? std::min(0.0, off + truncated)
+                                                       : 0;
   const double back = std::max(std::min(1.0, perStep * steps) * drift, -std::max(0.0, compression));
   return back + std::min(1.0, crowdedPerStep * steps) * std::max(0.0, off - tolerated);
 }
@@ -62,12 +68,13 @@ double driftCorrection(double off, double compression, Layer layer, double steps
 Sym3f alongWall(const Sym3f& moment, const Vec3d& normal) {
   const Vec3f n = single(normal), m = moment * n;
   const Vec3f k = m - n * (0.5F * (dot(n, m) + 1));  // M - n m^T - m n^T + (n.m + 1) n n^T
-  return {moment.xx - 2 * n.x * k.x, moment.yy - 2 * n.y * k.y, moment.zz - 2 * n.z * k.z,
-          moment.xy - n.x * k.y - n.y * k.x, moment.yz - n.y * k.z - n.z * k.y, moment.xz - n.x * k.z - n.z * k.x};
+  return {moment.xx - 2 * n.x * k.x,         moment.yy - 2 * n.y * k.y,
+          moment.zz - 2 * n.z * k.z,         moment.xy - n.x * k.y - n.y * k.x,
+          moment.yz - n.y * k.z - n.z * k.y, moment.xz - n.x * k.z - n.z * k.x};
 }
 
-/// Inverse moment less 1, times the interior weight. 0 where an eigenvalue is below 0.4: corrections above 2.5
-/// would be unstable at this step.
+/// Inverse moment less 1, times the interior weight. 0 where an eigenvalue is below 0.4: corrections
+/// above 2.5 would be unstable at this step.
 Sym3d correctionOf(const Sym3f& moment, double filling) {
   const double weight = shareInside(filling);
   const Sym3d m = wide(moment);
@@ -75,14 +82,15 @@ Sym3d correctionOf(const Sym3f& moment, double filling) {
   const double xx = m.yy * m.zz - m.yz * m.yz, xy = m.xz * m.yz - m.xy * m.zz, xz = m.xy * m.yz - m.xz * m.yy;
   const double k = weight / (m.xx * xx + m.xy * xy + m.xz * xz);
   return {k * xx - weight, k * (m.xx * m.zz - m.xz * m.xz) - weight, k * (m.xx * m.yy - m.xy * m.xy) - weight,
-          k * xy, k * (m.xy * m.xz - m.xx * m.yz), k * xz};
+          k * xy,          k * (m.xy * m.xz - m.xx * m.yz),          k * xz};
 }
 
 struct CarryContext {
   World& world;
   const std::vector<LiquidMaterial>& liquids;
   double dt;
-  double ahead;  ///< extrapolation factor of the correction: (end - mid-step) / (mid-step - previous mid-step)
+  double ahead;  ///< extrapolation factor of the correction: (end - mid-step) / (mid-step - previous
+                 ///< mid-step)
   const Numerics& numerics() const { return world.scene.numerics; }
 };
 
@@ -91,11 +99,12 @@ struct CarryContext {
 void correct(const CarryContext& x, std::size_t i) {
   Continuum& p = x.world.particles;
   constexpr float most = 0.1F;
-  const Sym3f d = single(correctionOf(p.moment[i], static_cast<double>(p.filling[i]))), before = p.midCorrection[i];
+  const Sym3f d = single(correctionOf(p.moment[i], static_cast<double>(p.filling[i]))),
+              before = p.midCorrection[i];
   const Mat3f& u = p.flow[i];
-  p.densityRate[i] += static_cast<double>((1 + d.xx) * u.row[0].x + (1 + d.yy) * u.row[1].y +
-                                          (1 + d.zz) * u.row[2].z + d.xy * (u.row[0].y + u.row[1].x) +
-                                          d.yz * (u.row[1].z + u.row[2].y) + d.xz * (u.row[0].z + u.row[2].x));
+  p.densityRate[i] += static_cast<double>(
+      (1 + d.xx) * u.row[0].x + (1 + d.yy) * u.row[1].y + (1 + d.zz) * u.row[2].z +
+      d.xy * (u.row[0].y + u.row[1].x) + d.yz * (u.row[1].z + u.row[2].y) + d.xz * (u.row[0].z + u.row[2].x));
   const float ahead = static_cast<float>(x.ahead);
   const auto next = [&](float now, float last) { return now + ahead * std::clamp(now - last, -most, most); };
   p.correction[i] = {next(d.xx, before.xx), next(d.yy, before.yy), next(d.zz, before.zz),
@@ -132,8 +141,8 @@ void carry(const CarryContext& x, std::size_t i) {
     return pressureOf(n.eos, m.stiffness, 1 + y, n.tensileLimit) / ((1 + y) * (1 + y));
   };
   // mean of both ends of the step, as for the pressure work of the flow
-  p.dissipated[i] -=
-      0.5 * p.mass[i] * m.restVolume * spread * (slope(flow + 0.5 * spread) + slope(before + 0.5 * spread));
+  p.dissipated[i] -= 0.5 * p.mass[i] * m.restVolume * spread *
+                     (slope(flow + 0.5 * spread) + slope(before + 0.5 * spread));
   p.compression[i] = flow + spread;
   p.filling[i] = static_cast<float>(1 + p.compression[i]);
 }
@@ -141,7 +150,8 @@ void carry(const CarryContext& x, std::size_t i) {
 /// Keeps what later checks need of the summed densities, which the carried ones replace.
 void noteSummedDensity(World& w, double dt) {
   constexpr std::int64_t everySteps = 16;
-  if (dt == 0) w.startDensity.assign(w.particles.filling.data(), w.particles.filling.data() + w.particles.owned);
+  if (dt == 0)
+    w.startDensity.assign(w.particles.filling.data(), w.particles.filling.data() + w.particles.owned);
   if (dt != 0 && w.clock.step % everySteps != 0) return;
   const std::array<std::int64_t, 2> sums = connectedSums(w);
   w.counters.connected = sums[0];

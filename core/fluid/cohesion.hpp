@@ -1,13 +1,15 @@
-// Surface tension as a force between pairs. Include from code of one instruction set only through lanes.hpp's namespace.
+// Surface tension as a force between pairs. Include from code of one instruction set only through lanes.hpp's
+// namespace.
 #pragma once
 #include "core/kernels/kernels.hpp"
 
 namespace thaw {
 namespace THAW_ISA {
 
-/// Surface tension as cohesion between pairs of liquid particles: central forces, so momentum and angular momentum are kept
-/// (docs/validation/stability.md B32), calibrated by the surface tension of a pair force in the continuum (Tartakovsky & Panchenko 2016 eq. 14):
-/// sigma = pi/8 n^2 int r^4 F(r) dr, F = s phi(q), phi = q (1-q)^2 (q - a): repulsive below q = a.
+/// Surface tension as cohesion between pairs of liquid particles: central forces, so momentum and angular
+/// momentum are kept (docs/validation/stability.md B32), calibrated by the surface tension of a pair force in
+/// the continuum (Tartakovsky & Panchenko 2016 eq. 14): sigma = pi/8 n^2 int r^4 F(r) dr, F = s phi(q), phi =
+/// q (1-q)^2 (q - a): repulsive below q = a.
 struct Cohesion {
   static constexpr double a = 0.4;
   static constexpr double moment4 = 1.0 / 252 - a / 168;  // int_0^1 q^4 phi dq
@@ -18,7 +20,8 @@ struct Cohesion {
     return q * (u * u) * (q - L(a));
   }
   template<class L> static THAW_INLINE L potential(L q) {  // its integral, 0 at q = 1
-    return q * q * (L(-a / 2) + q * (L(1.0 / 3 + 2 * a / 3) + q * (L(-0.5 - a / 4) + L(0.2) * q))) - L(potentialAt1);
+    return q * q * (L(-a / 2) + q * (L(1.0 / 3 + 2 * a / 3) + q * (L(-0.5 - a / 4) + L(0.2) * q))) -
+           L(potentialAt1);
   }
 };
 

@@ -8,11 +8,13 @@
 namespace thaw {
 namespace {
 
-/// Asymmetry |sum V grad W| / sum V |grad W| above which a particle is at the free surface: 0.25 in the outermost layer of a lattice.
+/// Asymmetry |sum V grad W| / sum V |grad W| above which a particle is at the free surface: 0.25 in the
+/// outermost layer of a lattice.
 constexpr double surfaceAsymmetry = 0.19;
 /// Spacings from a wall within which its normal is left out.
 constexpr double wallLayer = 1.2;
-/// Shifting velocity over h times the rate of strain, and over sqrt(|p| / rho) under tension, each per gradient of concentration.
+/// Shifting velocity over h times the rate of strain, and over sqrt(|p| / rho) under tension, each per
+/// gradient of concentration.
 constexpr double perStrain = 20, perTension = 40;
 
 /// Calls action(row, contacts of the row) for each row that has contacts with walls.
@@ -60,10 +62,12 @@ void findFreeSurface(World& w, const StepTools& t) {
   };
   for (std::size_t i = 0; i < p.owned; i++) {
     const bool wet = liquidFraction(p, i) > 0;
-    p.atSurface[i] = wet && (corrected ? !eigenvaluesAbove(p.moment[i], static_cast<float>(surfaceMoment)) : asymmetric(i, wide(p.crowding[i])));
+    p.atSurface[i] = wet && (corrected ? !eigenvaluesAbove(p.moment[i], static_cast<float>(surfaceMoment))
+                                       : asymmetric(i, wide(p.crowding[i])));
   }
   eachWallRow(t.wallContacts.list, [&](std::size_t i, std::span<const WallContact> contacts) {
-    p.atSurface[i] = liquidFraction(p, i) > 0 && asymmetric(i, alongWalls(wide(p.crowding[i]), contacts, w.scene.spacing));
+    p.atSurface[i] = liquidFraction(p, i) > 0 &&
+                     asymmetric(i, alongWalls(wide(p.crowding[i]), contacts, w.scene.spacing));
   });
 }
 

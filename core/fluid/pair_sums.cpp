@@ -2,6 +2,8 @@
 
 namespace thaw {
 
-void ClosePairs::append(ClosePairs& pairs, std::uint32_t own, std::uint32_t other) { pairs.list.push_back({own, other}); }
+void ClosePairs::append(ClosePairs& pairs, std::uint32_t own, std::uint32_t other) {
+  pairs.list.push_back({own, other});
+}
 
 }  // namespace thaw

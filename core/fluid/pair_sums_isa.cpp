@@ -1,5 +1,5 @@
-// The pair sums of one instruction set (compiled once for each, core/simd/dispatch.cpp): each term of core/fluid/terms/ with the kernel and
-// the precision of the scene.
+// The pair sums of one instruction set (compiled once for each, core/simd/dispatch.cpp): each term of
+// core/fluid/terms/ with the kernel and the precision of the scene.
 #include <type_traits>
 
 #include "core/fluid/terms/artificial_viscosity.hpp"
@@ -40,9 +40,13 @@ template<class Real, class Kernel> void carriedDensity(const PairSums& in, Group
   const double c = in.liquids[0].soundSpeed;
   const Vec3d down = in.uniform ? in.weight * (1 / (c * c)) : in.weight;
   const auto sum = [&]<Carry carry, bool Surfaces, bool Mixed>() {
-    CarriedDensity<Real, Kernel, carry, Surfaces, Mixed> term{
-        records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), &in, scale,
-        {L(down.x), L(down.y), L(down.z)}, L(0.5 * in.elapsed / in.support)};
+    CarriedDensity<Real, Kernel, carry, Surfaces, Mixed> term{records<Real>(in.place),
+                                                              records<Real>(in.motion),
+                                                              records<Real>(in.state),
+                                                              &in,
+                                                              scale,
+                                                              {L(down.x), L(down.y), L(down.z)},
+                                                              L(0.5 * in.elapsed / in.support)};
     sweep(*in.lists, range, term, Groups::Wet);
   };
   const auto withSurfaces = [&]<Carry carry, bool Mixed>() {
@@ -61,32 +65,48 @@ void density(const PairSums& in, GroupRange range) {
     const double scale = in.fillingScale * in.support * in.support * in.support;
     if (in.carried) return carriedDensity<Real, decltype(kernel)>(in, range, scale);
     if (in.crowding) {
-      CarriedDensity<Real, decltype(kernel), Carry::Nothing> term{records<Real>(in.place), nullptr, nullptr, &in, scale, {Lanes<Real>(0.0), Lanes<Real>(0.0), Lanes<Real>(0.0)}, Lanes<Real>(0.0)};
+      CarriedDensity<Real, decltype(kernel), Carry::Nothing> term{
+          records<Real>(in.place),
+          nullptr,
+          nullptr,
+          &in,
+          scale,
+          {Lanes<Real>(0.0), Lanes<Real>(0.0), Lanes<Real>(0.0)},
+          Lanes<Real>(0.0)};
       return sweep(*in.lists, range, term, Groups::Wet);
     }
-    Density<Real, decltype(kernel)> term{records<Real>(in.place), in.filling, in.coincident, in.fillingScale * in.support * in.support * in.support, in.selfExcess};
+    Density<Real, decltype(kernel)> term{records<Real>(in.place), in.filling, in.coincident,
+                                         in.fillingScale * in.support * in.support * in.support,
+                                         in.selfExcess};
     sweep(*in.lists, range, term, Groups::Wet);
   });
 }
 
-template<bool Viscous, bool Laplacian, bool Heat, bool Carried> void forcesIn(const PairSums& in, GroupRange range) {
+template<bool Viscous, bool Laplacian, bool Heat, bool Carried>
+void forcesIn(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     const double h = in.support;
     const double pressure = in.pressureForm == PairForm::Printed ? 0.5 : in.fillingScale * h * h * h;
-    Forces<Real, decltype(kernel), Viscous, Laplacian, Heat, Carried> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.state), records<Real>(in.diagonal), records<Real>(in.mixed), &in, Lanes<Real>(pressure * h * h), Lanes<Real>(h / lengthUnit<Real>),
-                                                                  Lanes<Real>(in.viscousWeight.scale), in.conductionScale * h};
+    Forces<Real, decltype(kernel), Viscous, Laplacian, Heat, Carried> term{
+        records<Real>(in.place),       records<Real>(in.motion),          records<Real>(in.state),
+        records<Real>(in.diagonal),    records<Real>(in.mixed),           &in,
+        Lanes<Real>(pressure * h * h), Lanes<Real>(h / lengthUnit<Real>), Lanes<Real>(in.viscousWeight.scale),
+        in.conductionScale * h};
     sweep(*in.lists, range, term, Groups::Wet);
     if constexpr (Heat) {
-      Conduction<Real, decltype(kernel)> dry{records<Real>(in.place), records<Real>(in.state), &in, in.conductionScale * h};
+      Conduction<Real, decltype(kernel)> dry{records<Real>(in.place), records<Real>(in.state), &in,
+                                             in.conductionScale * h};
       sweep(*in.lists, range, dry, Groups::Dry);
     }
   });
 }
 template<bool Viscous, bool Laplacian, bool Heat> void forcesOf(const PairSums& in, GroupRange range) {
-  in.carried ? forcesIn<Viscous, Laplacian, Heat, true>(in, range) : forcesIn<Viscous, Laplacian, Heat, false>(in, range);
+  in.carried ? forcesIn<Viscous, Laplacian, Heat, true>(in, range)
+             : forcesIn<Viscous, Laplacian, Heat, false>(in, range);
 }
-template<class Real, bool Heat, bool Shocks, bool Carried = false> void uniformOf(const PairSums& in, GroupRange range) {
+template<class Real, bool Heat, bool Shocks, bool Carried = false>
+void uniformOf(const PairSums& in, GroupRange range) {
   using L = Lanes<Real>;
   const double h = in.support;
   const double pressure = in.pressureForm == PairForm::Printed ? 0.5 : in.fillingScale * h * h * h;
@@ -94,26 +114,49 @@ template<class Real, bool Heat, bool Shocks, bool Carried = false> void uniformO
     const L v = L(static_cast<Real>(value));
     return L(2.0) * v * v / max(v + v, L(1e-30));
   };
-  UniformForces<Real, WendlandC2, Heat, Shocks, Carried> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.diagonal), &in, L(pressure * h * h), L(h / lengthUnit<Real>), L(in.viscousWeight.scale),
-                                                     mean(in.viscosity), mean(in.conductivity), mean(in.artificial), L(in.volume), in.conductionScale * h, 10 * h};
+  UniformForces<Real, WendlandC2, Heat, Shocks, Carried> term{records<Real>(in.place),
+                                                              records<Real>(in.motion),
+                                                              records<Real>(in.diagonal),
+                                                              &in,
+                                                              L(pressure * h * h),
+                                                              L(h / lengthUnit<Real>),
+                                                              L(in.viscousWeight.scale),
+                                                              mean(in.viscosity),
+                                                              mean(in.conductivity),
+                                                              mean(in.artificial),
+                                                              L(in.volume),
+                                                              in.conductionScale * h,
+                                                              10 * h};
   sweep(*in.lists, range, term, Heat ? Groups::All : Groups::Wet);
 }
 template<class Real> void uniform(const PairSums& in, GroupRange range) {
-  if (in.carried) return in.artificial > 0 ? uniformOf<Real, false, true, true>(in, range) : uniformOf<Real, false, false, true>(in, range);
-  if (in.artificial > 0) in.heat ? uniformOf<Real, true, true>(in, range) : uniformOf<Real, false, true>(in, range);
+  if (in.carried)
+    return in.artificial > 0 ? uniformOf<Real, false, true, true>(in, range)
+                             : uniformOf<Real, false, false, true>(in, range);
+  if (in.artificial > 0)
+    in.heat ? uniformOf<Real, true, true>(in, range) : uniformOf<Real, false, true>(in, range);
   else in.heat ? uniformOf<Real, true, false>(in, range) : uniformOf<Real, false, false>(in, range);
 }
 void forces(const PairSums& in, GroupRange range) {
-  if (in.uniform) return in.precision == Precision::Single ? uniform<float>(in, range) : uniform<double>(in, range);
+  if (in.uniform)
+    return in.precision == Precision::Single ? uniform<float>(in, range) : uniform<double>(in, range);
   const bool laplacian = in.viscosityForm == ViscosityForm::Laplacian;
-  if (!in.viscous) in.heat ? forcesOf<false, false, true>(in, range) : forcesOf<false, false, false>(in, range);
-  else if (in.heat) laplacian ? forcesOf<true, true, true>(in, range) : forcesOf<true, false, true>(in, range);
+  if (!in.viscous)
+    in.heat ? forcesOf<false, false, true>(in, range) : forcesOf<false, false, false>(in, range);
+  else if (in.heat)
+    laplacian ? forcesOf<true, true, true>(in, range) : forcesOf<true, false, true>(in, range);
   else laplacian ? forcesOf<true, true, false>(in, range) : forcesOf<true, false, false>(in, range);
 }
 
-template<class Real, ViscousPass pass> void viscousOf(const PairSums& in, const ViscousSums& out, GroupRange range) {
+template<class Real, ViscousPass pass>
+void viscousOf(const PairSums& in, const ViscousSums& out, GroupRange range) {
   const auto velocities = [](const ViscousRecord* r) { return reinterpret_cast<const Record<double>*>(r); };
-  ViscousOperator<Real, pass> term{records<Real>(in.place), velocities(out.velocity), velocities(out.middle), &out, in.support, Lanes<Real>(in.viscousWeight.scale)};
+  ViscousOperator<Real, pass> term{records<Real>(in.place),
+                                   velocities(out.velocity),
+                                   velocities(out.middle),
+                                   &out,
+                                   in.support,
+                                   Lanes<Real>(in.viscousWeight.scale)};
   sweep(*in.lists, range, term, Groups::Wet);
 }
 template<class Real> void viscousPass(const PairSums& in, const ViscousSums& out, GroupRange range) {
@@ -124,7 +167,8 @@ template<class Real> void viscousPass(const PairSums& in, const ViscousSums& out
   }
 }
 void viscous(const PairSums& in, const ViscousSums& out, GroupRange range) {
-  in.precision == Precision::Single ? viscousPass<float>(in, out, range) : viscousPass<double>(in, out, range);
+  in.precision == Precision::Single ? viscousPass<float>(in, out, range)
+                                    : viscousPass<double>(in, out, range);
 }
 
 template<class Real> void tensionOf(const PairSums& in, GroupRange range, bool colour) {
@@ -137,25 +181,31 @@ template<class Real> void tensionOf(const PairSums& in, GroupRange range, bool c
   }
 }
 void tension(const PairSums& in, GroupRange range) {
-  in.precision == Precision::Single ? tensionOf<float>(in, range, in.printedTension) : tensionOf<double>(in, range, in.printedTension);
+  in.precision == Precision::Single ? tensionOf<float>(in, range, in.printedTension)
+                                    : tensionOf<double>(in, range, in.printedTension);
 }
 
 template<class Real> void surfaceSeenOf(const PairSums& in, GroupRange range) {
   SurfaceSeen<Real> term{records<Real>(in.place), &in};
   sweep(*in.lists, range, term, Groups::Wet);
 }
-void surfaceSeen(const PairSums& in, GroupRange range) { in.precision == Precision::Single ? surfaceSeenOf<float>(in, range) : surfaceSeenOf<double>(in, range); }
+void surfaceSeen(const PairSums& in, GroupRange range) {
+  in.precision == Precision::Single ? surfaceSeenOf<float>(in, range) : surfaceSeenOf<double>(in, range);
+}
 
 template<class Real> void surfaceForcesOf(const PairSums& in, GroupRange range) {
   SurfaceForces<Real> term{records<Real>(in.place), records<Real>(in.pull), &in, in.support * in.support};
   sweep(*in.lists, range, term, Groups::Wet);
 }
-void surfaceForces(const PairSums& in, GroupRange range) { in.precision == Precision::Single ? surfaceForcesOf<float>(in, range) : surfaceForcesOf<double>(in, range); }
+void surfaceForces(const PairSums& in, GroupRange range) {
+  in.precision == Precision::Single ? surfaceForcesOf<float>(in, range) : surfaceForcesOf<double>(in, range);
+}
 
 void artificialViscosity(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
-    Artificial<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.surface), &in, 10 * in.support};
+    Artificial<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.motion),
+                                            records<Real>(in.surface), &in, 10 * in.support};
     sweep(*in.lists, range, term, Groups::Wet);
   });
 }
@@ -163,7 +213,8 @@ void artificialViscosity(const PairSums& in, GroupRange range) {
 void smoothing(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
-    Smoothing<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.motion), records<Real>(in.surface), &in};
+    Smoothing<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.motion),
+                                           records<Real>(in.surface), &in};
     sweep(*in.lists, range, term, Groups::All);
   });
 }
@@ -177,18 +228,21 @@ void exposure(const PairSums& in, GroupRange range) {
 }
 
 template<class Real> void closePairsOf(const PairSums& in, GroupRange range, ClosePairs& pairs) {
-  Close<Real> term{records<Real>(in.place), records<Real>(in.surface), &pairs, Lanes<Real>(in.closeDistance * in.closeDistance)};
+  Close<Real> term{records<Real>(in.place), records<Real>(in.surface), &pairs,
+                   Lanes<Real>(in.closeDistance * in.closeDistance)};
   sweep(*in.lists, range, term, Groups::All);
 }
 void closePairs(const PairSums& in, GroupRange range, ClosePairs& pairs) {
-  in.precision == Precision::Single ? closePairsOf<float>(in, range, pairs) : closePairsOf<double>(in, range, pairs);
+  in.precision == Precision::Single ? closePairsOf<float>(in, range, pairs)
+                                    : closePairsOf<double>(in, range, pairs);
 }
 
 void compression(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     const double h = in.support;
-    Compression<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.motion), in.compression, in.fillingScale * h * h};
+    Compression<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.motion),
+                                             in.compression, in.fillingScale * h * h};
     sweep(*in.lists, range, term, Groups::Wet);
   });
 }
@@ -197,7 +251,8 @@ void impulse(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     const double h = in.support;
-    Impulse<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.state), in.impulse, in.fillingScale * h * h * h * h * h};
+    Impulse<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.state), in.impulse,
+                                         in.fillingScale * h * h * h * h * h};
     sweep(*in.lists, range, term, Groups::Wet);
   });
 }
@@ -206,7 +261,8 @@ void response(const PairSums& in, GroupRange range) {
   choose(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     const double h = in.support;
-    Response<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.state), in.impulse, in.compression, in.fillingScale * h * h};
+    Response<Real, decltype(kernel)> term{records<Real>(in.place), records<Real>(in.state), in.impulse,
+                                          in.compression, in.fillingScale * h * h};
     sweep(*in.lists, range, term, Groups::Wet);
   });
 }
@@ -220,8 +276,21 @@ void searchNeighbours(const SearchInput&, Part, SearchBuffers&, NeighbourLists&)
 
 const PairKernels& pairKernelSet();
 const PairKernels& pairKernelSet() {
-  static constexpr PairKernels set{THAW_STRING(THAW_ISA) + 4, searchNeighbours, density,  forces,     tension, surfaceSeen, surfaceForces, artificialViscosity,
-                                   smoothing,                 exposure,         closePairs, viscous, compression,     impulse,     response};
+  static constexpr PairKernels set{THAW_STRING(THAW_ISA) + 4,
+                                   searchNeighbours,
+                                   density,
+                                   forces,
+                                   tension,
+                                   surfaceSeen,
+                                   surfaceForces,
+                                   artificialViscosity,
+                                   smoothing,
+                                   exposure,
+                                   closePairs,
+                                   viscous,
+                                   compression,
+                                   impulse,
+                                   response};
   return set;
 }
 

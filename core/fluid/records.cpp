@@ -13,7 +13,8 @@ namespace {
 
 template<class Real> struct Four { Real a, b, c, d; };
 
-// Two values at once, as every processor of the kind has them: packing a million particles is a tenth of a step.
+// Two values at once, as every processor of the kind has them: packing a million particles is a tenth of a
+// step.
 typedef double Pair __attribute__((vector_size(16)));
 typedef float Quad __attribute__((vector_size(16)));
 typedef std::uint32_t Words __attribute__((vector_size(16)));
@@ -32,7 +33,8 @@ struct FixedPlaces {
     scaleXY = Pair{scaleZ, scaleZ};
   }
   Words operator()(const Vec3d& at) const {
-    const Pair xy = (pairAt(&at.x) - originXY) * scaleXY + fixedPointMagic, z = Pair{(at.z - originZ) * scaleZ + fixedPointMagic, 0};
+    const Pair xy = (pairAt(&at.x) - originXY) * scaleXY + fixedPointMagic,
+               z = Pair{(at.z - originZ) * scaleZ + fixedPointMagic, 0};
     return __builtin_shufflevector(reinterpret_cast<Words>(xy), reinterpret_cast<Words>(z), 0, 2, 4, 6);
   }
 };
@@ -49,25 +51,32 @@ void put(Four<float>& to, const Vec3d& v, float last) {
 }
 void put(Four<double>& to, const Vec3d& v, double last) { to = {v.x, v.y, v.z, last}; }
 
-template<class Real> Four<Real>* rows(AlignedVector<std::byte>& bytes) { return reinterpret_cast<Four<Real>*>(bytes.data()); }
+template<class Real> Four<Real>* rows(AlignedVector<std::byte>& bytes) {
+  return reinterpret_cast<Four<Real>*>(bytes.data());
+}
 
 void resizeBytes(AlignedVector<std::byte>& v, std::size_t rows, std::size_t each) {
   makeRoom(v, rows, each);
   v.resize(rows * each);
 }
 
-MaterialParameters localParameters(HeatModel model, const Material& m, double f, double T) { return {viscosityAt(m, f, T), conductivityOf(model, m, f)}; }
+MaterialParameters localParameters(HeatModel model, const Material& m, double f, double T) {
+  return {viscosityAt(m, f, T), conductivityOf(model, m, f)};
+}
 
 /// Do sums over neighbours ask for more than places? Else they are listed for the bonds of the start alone.
 bool sumsOverPairs(const Modules& m) { return m.fluid || m.heat || m.contact; }
 
-template<class Real> void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
+template<class Real>
+void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
   const CellGrid grid = x.grid;
   const double h = grid.support;
-  const bool carried = x.modules.continuity, surfaces = p.atSurface.active, substeps = p.travel.active && x.substeps > 1;
+  const bool carried = x.modules.continuity, surfaces = p.atSurface.active,
+             substeps = p.travel.active && x.substeps > 1;
   const double stiffness = carried ? x.liquids[0].stiffness : 1;
   const bool sums = sumsOverPairs(x.modules);
-  const bool heat = x.modules.heat, melting = x.modules.melting, surface = r.surface.size() > 0, uniform = x.modules.uniform;
+  const bool heat = x.modules.heat, melting = x.modules.melting, surface = r.surface.size() > 0,
+             uniform = x.modules.uniform;
   r.constant.clear();
   r.volumePerMass.clear();
   for (const Material& m : x.scene.materials) {
@@ -87,32 +96,54 @@ template<class Real> void packAs(const RecordContext& x, const Continuum& p, std
     const double marked = uniform && surfaces && p.atSurface[i] ? -V : V;
     place[3] = std::bit_cast<std::uint32_t>(static_cast<float>(marked));
     std::memcpy(&fixed[i], &place, sizeof place);
-    if constexpr (sizeof(Real) == 8) rows<double>(r.place)[i] = {(at.x - grid.origin.x) * (1 / h), (at.y - grid.origin.y) * (1 / h), (at.z - grid.origin.z) * (1 / h), marked};
+    if constexpr (sizeof(Real) == 8)
+      rows<double>(r.place)[i] = {(at.x - grid.origin.x) * (1 / h), (at.y - grid.origin.y) * (1 / h),
+                                  (at.z - grid.origin.z) * (1 / h), marked};
     if (!sums) continue;
     if (uniform && !surface) {
-      put(rows<Real>(r.motion)[i], p.velocity[i], carried ? static_cast<Real>(p.compression[i]) : heat ? static_cast<Real>(p.temperature[i]) : Real(0));
+      put(rows<Real>(r.motion)[i], p.velocity[i],
+          carried ? static_cast<Real>(p.compression[i])
+          : heat  ? static_cast<Real>(p.temperature[i])
+                  : Real(0));
       continue;
     }
-    const double f = melting ? static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? 1 : 0, T = heat ? p.temperature[i] : 0;
-    const MaterialParameters local = m.melts() || (heat && !m.viscosityTable.empty()) ? localParameters(x.scene.numerics.heat, m, f, T) : r.constant[k];
-    put(rows<Real>(r.motion)[i], substeps && takesSubsteps(p, i) ? p.travel[i] : p.velocity[i], static_cast<Real>(local.viscosity));
+    const double f = melting                ? static_cast<double>(p.liquid[i])
+                     : p.phase[i] == Liquid ? 1
+                                            : 0,
+                 T = heat ? p.temperature[i] : 0;
+    const MaterialParameters local = m.melts() || (heat && !m.viscosityTable.empty())
+                                         ? localParameters(x.scene.numerics.heat, m, f, T)
+                                         : r.constant[k];
+    put(rows<Real>(r.motion)[i], substeps && takesSubsteps(p, i) ? p.travel[i] : p.velocity[i],
+        static_cast<Real>(local.viscosity));
     const double wet = surfaces && p.atSurface[i] ? -f : f;
-    if (!r.state.empty()) rows<Real>(r.state)[i] = {carried ? static_cast<Real>(p.compression[i] * (x.liquids[k].stiffness / stiffness)) : Real(0), static_cast<Real>(wet), static_cast<Real>(T), static_cast<Real>(local.conductivity)};
+    if (!r.state.empty())
+      rows<Real>(r.state)[i] = {
+          carried ? static_cast<Real>(p.compression[i] * (x.liquids[k].stiffness / stiffness)) : Real(0),
+          static_cast<Real>(wet), static_cast<Real>(T), static_cast<Real>(local.conductivity)};
     if (surface)
-      rows<Real>(r.surface)[i] = {static_cast<Real>(x.liquids[k].rootTension * f), Real(p.phase[i] == Solid), static_cast<Real>(x.liquids[k].artificial * f),
+      rows<Real>(r.surface)[i] = {static_cast<Real>(x.liquids[k].rootTension * f), Real(p.phase[i] == Solid),
+                                  static_cast<Real>(x.liquids[k].artificial * f),
                                   static_cast<Real>(m.xsph * f)};
   }
 }
 
-template<class Real> Four<Real>* places(PairRecords& r) { return rows<Real>(sizeof(Real) == 4 ? r.fixed : r.place); }
+template<class Real> Four<Real>* places(PairRecords& r) {
+  return rows<Real>(sizeof(Real) == 4 ? r.fixed : r.place);
+}
 
 /// Packs the pressure tensors of carried densities (terms/forces.hpp).
-template<class Real> void packTensors(const RecordContext& x, Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
+template<class Real>
+void packTensors(const RecordContext& x, Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
   const Numerics& n = x.scene.numerics;
-  const bool uniform = x.modules.uniform, corrected = x.modules.corrected, books = !uniform && end <= p.owned, substeps = p.travel.active && x.substeps > 1;
+  const bool uniform = x.modules.uniform, corrected = x.modules.corrected, books = !uniform && end <= p.owned,
+             substeps = p.travel.active && x.substeps > 1;
   for (std::size_t i = begin; i < end; i++) {
     const double filling = static_cast<double>(p.filling[i]);
-    const double pressure = filling > 0 ? pressureOf(n.eos, x.liquids[p.material[i]].stiffness, filling, n.tensileLimit) / (filling * filling) : 0;
+    const double pressure = filling > 0 ? pressureOf(n.eos, x.liquids[p.material[i]].stiffness, filling,
+                                                     n.tensileLimit) /
+                                              (filling * filling)
+                                        : 0;
     const Sym3f d = corrected ? p.correction[i] : Sym3f{};
     const auto of = [&](float a) { return static_cast<Real>(pressure * static_cast<double>(a)); };
     const Real xx = of(1 + d.xx), yy = of(1 + d.yy), zz = of(1 + d.zz);
@@ -126,20 +157,24 @@ template<class Real> void packTensors(const RecordContext& x, Continuum& p, std:
     rows<Real>(r.mixed)[i] = {of(d.xy), of(d.xz), of(d.yz), Real(0)};
     Four<Real>& state = rows<Real>(r.state)[i];
     state.b = std::abs(state.b);  // the sign is only for the density sums
-    if (substeps && takesSubsteps(p, i)) put(rows<Real>(r.motion)[i], p.velocity[i], rows<Real>(r.motion)[i].d);
+    if (substeps && takesSubsteps(p, i))
+      put(rows<Real>(r.motion)[i], p.velocity[i], rows<Real>(r.motion)[i].d);
     if (books) p.interaction[i] += compressionOf(x, p, i, static_cast<double>(state.b));
   }
 }
 
 /// Packs the pressure of one liquid (Modules::uniform) with summed density.
-template<class Real> void packUniformPressure(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
+template<class Real>
+void packUniformPressure(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end,
+                         PairRecords& r) {
   const Numerics& n = x.scene.numerics;
   const double stiffness = x.liquids[0].stiffness, tensileLimit = n.tensileLimit;
   const float* const filling = p.filling.data();
   Four<Real>* const to = x.modules.heat ? places<Real>(r) : rows<Real>(r.motion);
   const auto loop = [&](EquationOfState eos) {
     for (std::size_t i = begin; i < end; i++) {
-      const double f = static_cast<double>(filling[i]), term = pressureOf(eos, stiffness, f, tensileLimit) / (f * f);
+      const double f = static_cast<double>(filling[i]),
+                   term = pressureOf(eos, stiffness, f, tensileLimit) / (f * f);
       to[i].d = f > 0 ? static_cast<Real>(term) : Real(0);
     }
   };
@@ -147,7 +182,9 @@ template<class Real> void packUniformPressure(const RecordContext& x, const Cont
   else loop(EquationOfState::Tait);
 }
 
-template<class Real> void packPressureAs(const RecordContext& x, Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
+template<class Real>
+void packPressureAs(const RecordContext& x, Continuum& p, std::size_t begin, std::size_t end,
+                    PairRecords& r) {
   if (x.modules.continuity) return packTensors<Real>(x, p, begin, end, r);
   const Numerics& n = x.scene.numerics;
   const bool uniform = x.modules.uniform, books = !uniform && end <= p.owned;
@@ -155,7 +192,8 @@ template<class Real> void packPressureAs(const RecordContext& x, Continuum& p, s
   if (uniform && n.pressure == PairForm::Consistent) return packUniformPressure<Real>(x, p, begin, end, r);
   Four<Real>* place = places<Real>(r);
   for (std::size_t i = begin; i < end; i++) {
-    const double f = uniform ? 1 : static_cast<double>(state[i].b), filling = static_cast<double>(p.filling[i]);
+    const double f = uniform ? 1 : static_cast<double>(state[i].b),
+                 filling = static_cast<double>(p.filling[i]);
     Real& term = uniform ? rows<Real>(r.motion)[i].d : state[i].a;
     if (f == 0 || filling <= 0) {
       term = Real(0);
@@ -188,44 +226,54 @@ void resizeRecords(const RecordContext& x, std::size_t n, PairRecords& r) {
   else r.motion.clear();
   if (sums && !x.modules.uniform) resizeBytes(r.state, n + 1, each);
   else r.state = {};  // the packing of bodies may have needed what the run does not
-  const bool surface = x.modules.tension || x.modules.contact || (x.modules.artificialViscosity && !x.modules.uniform) || x.modules.xsph;
+  const bool surface = x.modules.tension || x.modules.contact ||
+                       (x.modules.artificialViscosity && !x.modules.uniform) || x.modules.xsph;
   if (surface) resizeBytes(r.surface, n + 1, each);
   else r.surface.clear();
   if (x.modules.continuity) resizeBytes(r.diagonal, n + 1, each);
   if (x.modules.continuity && !x.modules.uniform) resizeBytes(r.mixed, n + 1, each);
   if (x.modules.surfaceEnergy) resizeBytes(r.pull, n + 1, each);
-  for (AlignedVector<std::byte>* v : {&r.fixed, &r.place, &r.motion, &r.state, &r.surface, &r.diagonal, &r.mixed, &r.pull}) {
+  for (AlignedVector<std::byte>* v :
+       {&r.fixed, &r.place, &r.motion, &r.state, &r.surface, &r.diagonal, &r.mixed, &r.pull}) {
     const std::size_t record = v == &r.fixed ? 16 : real64 ? 32 : 16;
     if (!v->empty()) std::memset(v->data() + n * record, 0, record);
   }
   if (sums && x.modules.uniform && (x.modules.heat || x.modules.continuity)) {
     const double mark = x.modules.continuity ? dummyPressure : dummyTemperature;
-    real64 ? void(rows<double>(r.motion)[n].d = mark) : void(rows<float>(r.motion)[n].d = static_cast<float>(mark));
+    real64 ? void(rows<double>(r.motion)[n].d = mark)
+           : void(rows<float>(r.motion)[n].d = static_cast<float>(mark));
   }
 }
 
-void packRecords(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
-  x.scene.numerics.precision == Precision::Double ? packAs<double>(x, p, begin, end, r) : packAs<float>(x, p, begin, end, r);
+void packRecords(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end,
+                 PairRecords& r) {
+  x.scene.numerics.precision == Precision::Double ? packAs<double>(x, p, begin, end, r)
+                                                  : packAs<float>(x, p, begin, end, r);
 }
 
 void packPressure(const RecordContext& x, Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
-  x.scene.numerics.precision == Precision::Double ? packPressureAs<double>(x, p, begin, end, r) : packPressureAs<float>(x, p, begin, end, r);
+  x.scene.numerics.precision == Precision::Double ? packPressureAs<double>(x, p, begin, end, r)
+                                                  : packPressureAs<float>(x, p, begin, end, r);
 }
 
 double compressionOf(const RecordContext& x, const Continuum& p, std::size_t i, double f) {
-  if (x.modules.continuity) f = 1;  // a carried density belongs to the whole particle, also to a solid beside liquid
+  if (x.modules.continuity)
+    f = 1;  // a carried density belongs to the whole particle, also to a solid beside liquid
   if (f == 0 || x.modules.incompressible) return 0;
   const Numerics& n = x.scene.numerics;
   const std::uint16_t k = p.material[i];
-  return f * p.mass[i] / x.scene.materials[k].density * compressionEnergy(n.eos, x.liquids[k].stiffness, static_cast<double>(p.filling[i]), n.tensileLimit);
+  return f * p.mass[i] / x.scene.materials[k].density *
+         compressionEnergy(n.eos, x.liquids[k].stiffness, static_cast<double>(p.filling[i]), n.tensileLimit);
 }
 
-void packSurfacePull(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
+void packSurfacePull(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end,
+                     PairRecords& r) {
   const auto pack = [&](auto real) {
     using Real = decltype(real);
     for (std::size_t i = begin; i < end; i++) {
       const Vec3d& u = p.surfacePull[i];
-      rows<Real>(r.pull)[i] = {static_cast<Real>(u.x), static_cast<Real>(u.y), static_cast<Real>(u.z), static_cast<Real>(p.surfaceDraw[i])};
+      rows<Real>(r.pull)[i] = {static_cast<Real>(u.x), static_cast<Real>(u.y), static_cast<Real>(u.z),
+                               static_cast<Real>(p.surfaceDraw[i])};
     }
   };
   x.scene.numerics.precision == Precision::Double ? pack(double{}) : pack(float{});
@@ -245,7 +293,10 @@ void setUnitPressure(const RecordContext& x, std::size_t n, PairRecords& r) {
 void setExcessPressure(const RecordContext& x, const Continuum& p, PairRecords& r) {
   const auto set = [&](auto real) {
     using Real = decltype(real);
-    for (std::size_t i = 0; i < p.size(); i++) rows<Real>(r.state)[i].a = p.phase[i] == Liquid ? std::max(static_cast<Real>(p.filling[i]) - Real(1), Real(0)) : Real(0);
+    for (std::size_t i = 0; i < p.size(); i++)
+      rows<Real>(r.state)[i].a = p.phase[i] == Liquid
+                                     ? std::max(static_cast<Real>(p.filling[i]) - Real(1), Real(0))
+                                     : Real(0);
   };
   x.scene.numerics.precision == Precision::Double ? set(double{}) : set(float{});
 }

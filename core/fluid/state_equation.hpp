@@ -6,8 +6,9 @@
 
 namespace thaw {
 
-/// Pressure (Pa). Linear: p = c^2 rho0 (delta - 1) (K05 3.2, DC96: k = c^2). Tait: p = rho0 c^2 / 7 (delta^7 - 1) (Monaghan 1994).
-/// Negative pressure is cut to the fraction tensileLimit of it: summation density is too low at a free surface (docs/validation/stability.md B6, B7).
+/// Pressure (Pa). Linear: p = c^2 rho0 (delta - 1) (K05 3.2, DC96: k = c^2). Tait: p = rho0 c^2 / 7 (delta^7
+/// - 1) (Monaghan 1994). Negative pressure is cut to the fraction tensileLimit of it: summation density is
+/// too low at a free surface (docs/validation/stability.md B6, B7).
 inline double pressureOf(EquationOfState eos, double stiffness, double filling, double tensileLimit) {
   double p = 0;
   if (eos == EquationOfState::Linear) {
@@ -19,8 +20,8 @@ inline double pressureOf(EquationOfState eos, double stiffness, double filling, 
   return p >= 0 ? p : tensileLimit * p;
 }
 
-/// Speed of sound over that at rest, sqrt(dp/ddelta / c^2 rho0) where it is compressed, 1 where it is not. Of the pairs' stiffness the
-/// other part, p / delta, is smaller.
+/// Speed of sound over that at rest, sqrt(dp/ddelta / c^2 rho0) where it is compressed, 1 where it is not. Of
+/// the pairs' stiffness the other part, p / delta, is smaller.
 inline double soundSpeedFactor(EquationOfState eos, double filling) {
   return eos == EquationOfState::Tait && filling > 1 ? filling * filling * filling : 1;
 }

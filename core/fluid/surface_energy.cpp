@@ -21,26 +21,34 @@ Calibration calibrationOf(double support) {
   return {rest[k] + (x - k) * (rest[k + 1] - rest[k]), open[k] + (x - k) * (open[k + 1] - open[k])};
 }
 
-/// What the cover that is missing costs, and its slope: like its square where little is missing, as at a flat surface; twice as much is missing of a
-/// layer alone, all of it of a lone particle, and the squares would give them 2.4 and 11 sigma dx^2 instead of some 2 and 4.8.
-struct Opening { double cost, slope; };
+/// What the cover that is missing costs, and its slope: like its square where little is missing, as at a flat
+/// surface; twice as much is missing of a layer alone, all of it of a lone particle, and the squares would
+/// give them 2.4 and 11 sigma dx^2 instead of some 2 and 4.8.
+struct Opening {
+  double cost, slope;
+};
 Opening openingOf(double open) {
   const double square = open * open, d = 1 / (1 + 2 * square);
   return {square * d, 2 * open * d * d};
 }
 
-/// Of the filling of a flat face of the lattice: below this share of it there is less than a surface (an edge has as much).
+/// Of the filling of a flat face of the lattice: below this share of it there is less than a surface (an edge
+/// has as much).
 constexpr double ofSparse = 0.8;
 
-/// How the energy depends on the filling, and how that changes with it: of the square of the gradient, and of what is alone.
-struct ByFilling { double area = 0, areaSlope = 0, alone = 0, aloneSlope = 0; };
+/// How the energy depends on the filling, and how that changes with it: of the square of the gradient, and of
+/// what is alone.
+struct ByFilling {
+  double area = 0, areaSlope = 0, alone = 0, aloneSlope = 0;
+};
 
 ByFilling byFilling(const SurfaceMeasure& m, double fill) {
   const double least = std::max(fill, m.sparse), power = 1 / (least * least);
   if (fill >= m.sparse) return {power, -2 * power / fill, 0, 0};
   const double width = m.sparse - m.least, t = (fill - m.least) / width;  // 0 alone, 1 where the power begins
   const double a = 2 + 2 * width / m.sparse;                              // so that the slope goes on
-  return {power * t * (a + (1 - a) * t), power * (a + 2 * (1 - a) * t) / width, (1 - t) * (1 - t), -2 * (1 - t) / width};
+  return {power * t * (a + (1 - a) * t), power * (a + 2 * (1 - a) * t) / width, (1 - t) * (1 - t),
+          -2 * (1 - t) / width};
 }
 
 }  // namespace
@@ -57,7 +65,8 @@ SurfaceMeasure surfaceMeasure(const Numerics& numerics, double spacing) {
   m.support = numerics.support * spacing;
   const double e = 1 / numerics.support, V = e * e * e;
   const int n = static_cast<int>(numerics.support) + 1;
-  std::vector<double> slope(static_cast<std::size_t>(n) + 1), cover(static_cast<std::size_t>(n) + 1);  // of whole layers
+  // of whole layers
+  std::vector<double> slope(static_cast<std::size_t>(n) + 1), cover(static_cast<std::size_t>(n) + 1);
   for (int k = 0; k <= n; k++)
     for (int a = -n; a <= n; a++)
       for (int b = -n; b <= n; b++) {
@@ -72,7 +81,8 @@ SurfaceMeasure surfaceMeasure(const Numerics& numerics, double spacing) {
   double sum = 0, opened = 0;
   for (int depth = 0; depth < n; depth++) {
     double g = 0, c = m.full;
-    for (int k = depth + 1; k <= n; k++) g += slope[static_cast<std::size_t>(k)], c -= cover[static_cast<std::size_t>(k)];
+    for (int k = depth + 1; k <= n; k++)
+      g += slope[static_cast<std::size_t>(k)], c -= cover[static_cast<std::size_t>(k)];
     const double open = 1 - c / m.full;
     const double fill = (c + m.self) / (m.full + m.self);
     if (depth == 0) m.sparse = ofSparse * fill;
@@ -91,11 +101,13 @@ SurfaceState surfaceState(const SurfaceMeasure& m, double tension, const Vec3d& 
   const double fill = (cover + m.self) / (m.full + m.self), square = dot(gradient, gradient);
   const ByFilling by = byFilling(m, fill);
   const Opening open = openingOf(std::max(0.0, 1 - cover / m.full));
-  const double byArea = tension * m.area / m.support, byCover = tension * m.thin / m.spacing, byAlone = tension * m.alone / m.spacing;
+  const double byArea = tension * m.area / m.support, byCover = tension * m.thin / m.spacing,
+               byAlone = tension * m.alone / m.spacing;
   SurfaceState s;
   s.energy = byArea * by.area * square + byCover * open.cost + byAlone * by.alone;
   s.pull = gradient * (2 * byArea * by.area);
-  s.draw = (byArea * by.areaSlope * square + byAlone * by.aloneSlope) / (m.full + m.self) - byCover * open.slope / m.full;
+  s.draw = (byArea * by.areaSlope * square + byAlone * by.aloneSlope) / (m.full + m.self) -
+           byCover * open.slope / m.full;
   return s;
 }
 
@@ -129,7 +141,10 @@ void findSurfaceEnergy(const WallContext& x, const SurfaceMeasure& measure, cons
   }
   for (std::size_t i = 0; i < p.owned; i++) {
     const Material& m = w.scene.materials[p.material[i]];
-    const double f = p.liquid.active ? static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? 1 : 0, tension = f * m.surfaceTension;
+    const double f = p.liquid.active        ? static_cast<double>(p.liquid[i])
+                     : p.phase[i] == Liquid ? 1
+                                            : 0,
+                 tension = f * m.surfaceTension;
     p.surfacePull[i] = {};
     p.surfaceDraw[i] = 0;
     if (!(tension > 0)) continue;
@@ -144,7 +159,8 @@ double surfaceForceOfWall(const World& w, const WallContact& c) {
   const Continuum& p = w.particles;
   const WallCover t = atWall(w, c);
   const double V = p.mass[c.row] / w.scene.materials[p.material[c.row]].density;
-  return -V * c.share / w.grid.support * (dot(p.surfacePull[c.row], c.normal) * t.bend + p.surfaceDraw[c.row] * t.slope);
+  return -V * c.share / w.grid.support *
+         (dot(p.surfacePull[c.row], c.normal) * t.bend + p.surfaceDraw[c.row] * t.slope);
 }
 
 }  // namespace thaw

@@ -4,10 +4,14 @@
 
 namespace thaw {
 
-/// scale (1 - q), q = r / h: sum_j V_j weight(q) (u_ij.x_ij) x_ij / r^2 / h^2 is the Laplacian of a divergence-free velocity, with the scale
-/// that viscousWeight() (core/kernels/lattice.hpp) finds for the scene's support. In the continuum it is 225 / pi (Monaghan 2005 eq. 8.9 has
-/// 10 |slope| here, with which a lattice resists shear along its axes with .59 of the viscosity at h = 2 dx and along its diagonals with 1.57).
-struct ViscousWeight { double scale = 225 / 3.14159265358979323846; };
+/// scale (1 - q), q = r / h: sum_j V_j weight(q) (u_ij.x_ij) x_ij / r^2 / h^2 is the Laplacian of a
+/// divergence-free velocity, with the scale that viscousWeight() (core/kernels/lattice.hpp) finds for the
+/// scene's support. In the continuum it is 225 / pi (Monaghan 2005 eq. 8.9 has 10 |slope| here, with which a
+/// lattice resists shear along its axes with .59 of the viscosity at h = 2 dx and along its diagonals
+/// with 1.57).
+struct ViscousWeight {
+  double scale = 225 / 3.14159265358979323846;
+};
 
 namespace THAW_ISA {
 

@@ -4,6 +4,8 @@
 
 namespace thaw {
 
-TriangleMesh builtinMesh(const std::string& name) { return name == builtinHead ? headSheet(1, 0.0135) : bustMesh(); }
+TriangleMesh builtinMesh(const std::string& name) {
+  return name == builtinHead ? headSheet(1, 0.0135) : bustMesh();
+}
 
 }  // namespace thaw

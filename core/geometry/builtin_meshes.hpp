@@ -6,7 +6,8 @@
 
 namespace thaw {
 
-inline constexpr const char* builtinHead = "builtin:head";            ///< headSheet (core/sheet/sheet_meshes.hpp), 1 m tall, of 22,000 triangles
+inline constexpr const char* builtinHead = "builtin:head";  ///< headSheet (core/sheet/sheet_meshes.hpp), 1 m
+                                                            ///< tall, of 22,000 triangles
 inline constexpr const char* builtinList = "\"builtin:bust\" or \"builtin:head\"";
 
 /// Is it meant to be one of these, and not a file?

@@ -24,11 +24,14 @@ double CombinedDistance::distanceWithin(const Vec3d& x, double reach, Vec3d* gra
 
 bool CombinedDistance::inside(const Vec3d& x) const {
   switch (kind_) {
-    case Kind::Union: return std::any_of(parts_.begin(), parts_.end(), [&](const ShapePart& p) { return p->inside(x); });
-    case Kind::Intersection: return std::all_of(parts_.begin(), parts_.end(), [&](const ShapePart& p) { return p->inside(x); });
+    case Kind::Union:
+      return std::any_of(parts_.begin(), parts_.end(), [&](const ShapePart& p) { return p->inside(x); });
+    case Kind::Intersection:
+      return std::all_of(parts_.begin(), parts_.end(), [&](const ShapePart& p) { return p->inside(x); });
     case Kind::Difference: break;
   }
-  return parts_[0]->inside(x) && std::none_of(parts_.begin() + 1, parts_.end(), [&](const ShapePart& p) { return p->inside(x); });
+  return parts_[0]->inside(x) &&
+         std::none_of(parts_.begin() + 1, parts_.end(), [&](const ShapePart& p) { return p->inside(x); });
 }
 
 double CombinedDistance::extent(const Vec3d& direction) const {
@@ -42,7 +45,8 @@ double CombinedDistance::extent(const Vec3d& direction) const {
 }
 
 bool CombinedDistance::convex() const {
-  return kind_ == Kind::Intersection && std::all_of(parts_.begin(), parts_.end(), [](const ShapePart& p) { return p->convex(); });
+  return kind_ == Kind::Intersection &&
+         std::all_of(parts_.begin(), parts_.end(), [](const ShapePart& p) { return p->convex(); });
 }
 
 bool CombinedDistance::hasGaps() const {
@@ -71,7 +75,8 @@ double PlacedDistance::distance(const Vec3d& x, Vec3d* gradient) const {
   return d * placement_.scale;
 }
 
-void PlacedDistance::insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in, KnownSides& known) const {
+void PlacedDistance::insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in,
+                                 KnownSides& known) const {
   constexpr std::size_t pointsAtOnce = 256;
   std::array<Vec3d, pointsAtOnce> placed;
   for (std::size_t first = 0; first < points.size(); first += pointsAtOnce) {
@@ -96,8 +101,10 @@ double PlacedDistance::outerExtent(const Vec3d& n) const {
 }
 
 Mat3d rotationXyz(const Vec3d& a) {
-  const double cx = std::cos(a.x), sx = std::sin(a.x), cy = std::cos(a.y), sy = std::sin(a.y), cz = std::cos(a.z), sz = std::sin(a.z);
-  const Mat3d x{{{1, 0, 0}, {0, cx, -sx}, {0, sx, cx}}}, y{{{cy, 0, sy}, {0, 1, 0}, {-sy, 0, cy}}}, z{{{cz, -sz, 0}, {sz, cz, 0}, {0, 0, 1}}};
+  const double cx = std::cos(a.x), sx = std::sin(a.x), cy = std::cos(a.y), sy = std::sin(a.y),
+               cz = std::cos(a.z), sz = std::sin(a.z);
+  const Mat3d x{{{1, 0, 0}, {0, cx, -sx}, {0, sx, cx}}}, y{{{cy, 0, sy}, {0, 1, 0}, {-sy, 0, cy}}},
+      z{{{cz, -sz, 0}, {sz, cz, 0}, {0, 0, 1}}};
   return z * (y * x);
 }
 

@@ -10,13 +10,16 @@ namespace thaw {
 
 using ShapePart = std::shared_ptr<const SignedDistance>;
 
-/// max over the parts of side * distance, or for unions the min: outside (unions) and inside (the others) exact, elsewhere a lower
-/// bound of the magnitude. Of equal parts the first gives the gradient.
+/// max over the parts of side * distance, or for unions the min: outside (unions) and inside (the others)
+/// exact, elsewhere a lower bound of the magnitude. Of equal parts the first gives the gradient.
 class CombinedDistance final : public SignedDistance {
  public:
   enum class Kind { Union, Difference, Intersection };
-  CombinedDistance(Kind kind, std::vector<ShapePart> parts) : kind_(kind), parts_(std::move(parts)), bounds_(boundsFromExtents(*this)) {}
-  double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override { return distanceWithin(x, never, gradient); }
+  CombinedDistance(Kind kind, std::vector<ShapePart> parts)
+      : kind_(kind), parts_(std::move(parts)), bounds_(boundsFromExtents(*this)) {}
+  double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override {
+    return distanceWithin(x, never, gradient);
+  }
   double distanceWithin(const Vec3d& x, double reach, Vec3d* gradient = nullptr) const override;
   bool inside(const Vec3d& x) const override;
   Bounds bounds() const override { return bounds_; }
@@ -47,7 +50,8 @@ class PlacedDistance final : public SignedDistance {
   double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;
   double distanceWithin(const Vec3d& x, double reach, Vec3d* gradient = nullptr) const override;
   bool inside(const Vec3d& x) const override { return part_->inside(toPart(x)); }
-  void insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in, KnownSides& known) const override;
+  void insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in,
+                   KnownSides& known) const override;
   Bounds bounds() const override { return bounds_; }
   double extent(const Vec3d& direction) const override;
   double outerExtent(const Vec3d& direction) const override;
@@ -60,8 +64,9 @@ class PlacedDistance final : public SignedDistance {
   Vec3d toPart(const Vec3d& x) const;
   ShapePart part_;
   Placement placement_;
-  Mat3d back_;    ///< inverse of the rotation
-  bool rotated_ = false;  ///< else rotations are left out, so that the bits of unrotated shapes stay as they are
+  Mat3d back_;            ///< inverse of the rotation
+  bool rotated_ = false;  ///< else rotations are left out, so that the bits of unrotated shapes stay as they
+                          ///< are
   Bounds bounds_;
 };
 

@@ -14,7 +14,8 @@ bool finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) &&
 
 void needPositive(const Shape& s, const char* what, double value) {
   if (!(value > 0 && std::isfinite(value)))
-    throw ShapeError(std::string(what) + " is " + std::to_string(value) + "; expected a positive length", s.where);
+    throw ShapeError(std::string(what) + " is " + std::to_string(value) + "; expected a positive length",
+                     s.where);
 }
 
 ShapePart makeMesh(const Shape& s, const MeshLoader& load) {
@@ -26,9 +27,7 @@ ShapePart makeMesh(const Shape& s, const MeshLoader& load) {
   } catch (const ShapeError& e) {
     const std::string message = e.what();
     throw ShapeError(message.find(s.mesh) == std::string::npos ? s.mesh + ": " + message : message, s.where);
-  } catch (const std::exception& e) {
-    throw ShapeError(e.what(), s.where);
-  }
+  } catch (const std::exception& e) { throw ShapeError(e.what(), s.where); }
 }
 
 ShapePart makeCombined(const Shape& s, CombinedDistance::Kind kind, const MeshLoader& load) {
@@ -64,7 +63,9 @@ ShapePart makeUnplaced(const Shape& s, const MeshLoader& load) {
       needPositive(s, "the height of a glass", s.height);
       needPositive(s, "the thickness of a glass", s.thickness);
       if (s.thickness >= s.radius || s.thickness >= s.height)
-        throw ShapeError("the thickness of a glass is " + std::to_string(s.thickness) + " m; expected less than its radius and its height", s.where);
+        throw ShapeError("the thickness of a glass is " + std::to_string(s.thickness) +
+                             " m; expected less than its radius and its height",
+                         s.where);
       return std::make_shared<RevolvedDistance>(glassOutline(s.radius, s.height, s.thickness));
     case ShapeKind::Mesh: return makeMesh(s, load);
     case ShapeKind::Union: return makeCombined(s, CombinedDistance::Kind::Union, load);
@@ -77,14 +78,16 @@ ShapePart makeUnplaced(const Shape& s, const MeshLoader& load) {
 }  // namespace
 
 Placement placementOf(const Shape& s, const ShapePart& part) {
-  if (!finite(s.rotate) || !finite(s.move)) throw ShapeError("the placement of a shape is not finite", s.where);
+  if (!finite(s.rotate) || !finite(s.move))
+    throw ShapeError("the placement of a shape is not finite", s.where);
   Placement p;
   if (!(s.rotate == Vec3d{})) p.rotation = rotationXyz(s.rotate);
   if (s.fitHeight) {
     needPositive(s, "the height of a shape's placement", *s.fitHeight);
     const Bounds b = PlacedDistance(part, p).bounds();
     const double height = b.max.z - b.min.z;
-    if (!(height > 0 && std::isfinite(height))) throw ShapeError("a shape without finite height cannot be fitted to one", s.where);
+    if (!(height > 0 && std::isfinite(height)))
+      throw ShapeError("a shape without finite height cannot be fitted to one", s.where);
     p.scale = *s.fitHeight / height;
   } else {
     needPositive(s, "the scale of a shape", s.scale);
@@ -96,7 +99,8 @@ Placement placementOf(const Shape& s, const ShapePart& part) {
     p.move = {};
     const Bounds b = PlacedDistance(part, p).bounds();
     p.move = *s.bottom - Vec3d{0.5 * (b.min.x + b.max.x), 0.5 * (b.min.y + b.max.y), b.min.z};
-    if (!finite(p.move)) throw ShapeError("a shape without finite bounds cannot be put on its bottom", s.where);
+    if (!finite(p.move))
+      throw ShapeError("a shape without finite bounds cannot be put on its bottom", s.where);
   }
   return p;
 }
@@ -108,7 +112,8 @@ std::shared_ptr<const SignedDistance> makeSignedDistance(const Shape& s, const M
   return std::make_shared<PlacedDistance>(part, p);
 }
 
-std::shared_ptr<const SignedDistance> makeSignedDistance(const Shape& shape, const MeshLoader& load, const std::string& whose, SceneProblems& problems) {
+std::shared_ptr<const SignedDistance> makeSignedDistance(const Shape& shape, const MeshLoader& load,
+                                                         const std::string& whose, SceneProblems& problems) {
   try {
     return makeSignedDistance(shape, load);
   } catch (const ShapeError& e) {

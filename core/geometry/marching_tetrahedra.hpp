@@ -1,4 +1,5 @@
-// Marching tetrahedra (Doi and Koide 1991): six tetrahedra a cube around its diagonal (Kuhn), which fit those of the next cubes.
+// Marching tetrahedra (Doi and Koide 1991): six tetrahedra a cube around its diagonal (Kuhn), which fit those
+// of the next cubes.
 #pragma once
 #include <algorithm>
 
@@ -6,14 +7,18 @@
 
 namespace thaw {
 
-/// Corners of a cube are numbered x + 2 y + 4 z. Each tetrahedron goes from corner 0 to 7 along three edges, one of each axis.
-inline constexpr int kuhnTetrahedra[6][4] = {{0, 1, 3, 7}, {0, 1, 5, 7}, {0, 2, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 4, 6, 7}};
+/// Corners of a cube are numbered x + 2 y + 4 z. Each tetrahedron goes from corner 0 to 7 along three edges,
+/// one of each axis.
+inline constexpr int kuhnTetrahedra[6][4] = {{0, 1, 3, 7}, {0, 1, 5, 7}, {0, 2, 3, 7},
+                                             {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 4, 6, 7}};
 
 /// An edge between two corners of a cube, from the one with fewer bits: of all cubes at it the same two.
 struct CubeEdge {
   CubeEdge(int a, int b) : from(std::min(a, b)), to(std::max(a, b)) {}
   int from, to;
-  int direction() const { return (from ^ to) - 1; }  ///< 0 to 6: which edge it is of those that begin at a corner
+  int direction() const {
+    return (from ^ to) - 1;
+  }  ///< 0 to 6: which edge it is of those that begin at a corner
 };
 
 /// No crossing is nearer to an end of its edge, as a share of it, so that triangles do not degenerate.
@@ -23,10 +28,12 @@ inline double crossing(double from, double to) {
   return std::clamp(from / (from - to), nearestToCorner, 1 - nearestToCorner);
 }
 
-/// The zero set within a cube: add(edge, edge, edge, outward) for each triangle, whose corners lie on the edges. It is to look along
-/// `outward`. value < 0 inside.
+/// The zero set within a cube: add(edge, edge, edge, outward) for each triangle, whose corners lie on the
+/// edges. It is to look along `outward`. value < 0 inside.
 template<class Add> void marchTetrahedra(const double (&value)[8], Add add) {
-  const auto place = [](int c) { return Vec3d{static_cast<double>(c & 1), static_cast<double>(c >> 1 & 1), static_cast<double>(c >> 2)}; };
+  const auto place = [](int c) {
+    return Vec3d{static_cast<double>(c & 1), static_cast<double>(c >> 1 & 1), static_cast<double>(c >> 2)};
+  };
   for (const auto& tet : kuhnTetrahedra) {
     int in[4], out[4], inside = 0, outside = 0;
     for (const int c : tet) (value[c] < 0 ? in[inside++] : out[outside++]) = c;

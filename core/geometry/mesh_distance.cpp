@@ -23,11 +23,16 @@ TriangleMesh withoutBuried(const TriangleMesh& m, const TriangleBvh& surface) {
   TriangleMesh kept{m.vertices, {}};
   for (const auto& t : m.triangles) {
     const Vec3d corners[] = {m.vertices[t[0]], m.vertices[t[1]], m.vertices[t[2]]};
-    const Vec3d middle = (corners[0] + corners[1] + corners[2]) / 3.0, normal = normalized(cross(corners[1] - corners[0], corners[2] - corners[0]));
-    // Its inner side is inside anyway. Corners are looked at from a little within the triangle, off its neighbours.
+    const Vec3d middle = (corners[0] + corners[1] + corners[2]) / 3.0,
+                normal = normalized(cross(corners[1] - corners[0], corners[2] - corners[0]));
+    // Its inner side is inside anyway. Corners are looked at from a little within the triangle, off its
+    // neighbours.
     bool buried = true;
-    for (const Vec3d& x : {middle, corners[0] + (middle - corners[0]) * 0.05, corners[1] + (middle - corners[1]) * 0.05, corners[2] + (middle - corners[2]) * 0.05})
-      buried = buried && surface.winding(x + normal * offset) > 0.5 && surface.winding(x - normal * offset) > 0.5;
+    for (const Vec3d& x :
+         {middle, corners[0] + (middle - corners[0]) * 0.05, corners[1] + (middle - corners[1]) * 0.05,
+          corners[2] + (middle - corners[2]) * 0.05})
+      buried = buried && surface.winding(x + normal * offset) > 0.5 &&
+               surface.winding(x - normal * offset) > 0.5;
     if (!buried) kept.triangles.push_back(t);
   }
   return kept;
@@ -42,13 +47,15 @@ Vec3d childMiddle(const Vec3d& middle, double half, int child) {
 
 struct DistanceOctree::Cube {
   enum State : std::uint8_t { Unknown, Clear, Passed };
-  std::atomic<State> state{Unknown};  // all else is written before it is known, and then no more
-  double distance = 0;                // m, of the middle; signed where it is clear
-  Vec3d closest{};                    // m, point of the surface that is closest to the middle
-  std::unique_ptr<std::array<Cube, 8>> children;  // of a cube that the surface passes and that is not the smallest
+  std::atomic<State> state{Unknown};              // all else is written before it is known, and then no more
+  double distance = 0;                            // m, of the middle; signed where it is clear
+  Vec3d closest{};                                // m, point of the surface that is closest to the middle
+  std::unique_ptr<std::array<Cube, 8>> children;  // of a cube that the surface passes and that is not the
+                                                  // smallest
 };
 
-DistanceOctree::DistanceOctree(const TriangleBvh& near, const TriangleBvh& all) : near_(near), all_(all), root_(std::make_unique<Cube>()) {
+DistanceOctree::DistanceOctree(const TriangleBvh& near, const TriangleBvh& all)
+    : near_(near), all_(all), root_(std::make_unique<Cube>()) {
   const Bounds b = all.bounds();
   middle_ = 0.5 * (b.min + b.max);
   const Vec3d size = b.max - b.min;
@@ -69,7 +76,10 @@ void DistanceOctree::look(Cube& cube, const Vec3d& middle, double half, double b
   cube.state.store(clear ? Cube::Clear : Cube::Passed, std::memory_order_release);
 }
 
-bool DistanceOctree::covers(const Vec3d& x) const { return std::abs(x.x - middle_.x) <= half_ && std::abs(x.y - middle_.y) <= half_ && std::abs(x.z - middle_.z) <= half_; }
+bool DistanceOctree::covers(const Vec3d& x) const {
+  return std::abs(x.x - middle_.x) <= half_ && std::abs(x.y - middle_.y) <= half_ &&
+         std::abs(x.z - middle_.z) <= half_;
+}
 
 DistanceOctree::Leaf DistanceOctree::leafAt(const Vec3d& x) const {
   Vec3d middle = middle_;
@@ -77,7 +87,8 @@ DistanceOctree::Leaf DistanceOctree::leafAt(const Vec3d& x) const {
   Cube* cube = root_.get();
   for (int depth = 0;; depth++) {
     if (cube->state.load(std::memory_order_acquire) == Cube::Unknown) look(*cube, middle, half, bound, depth);
-    if (!cube->children) return {middle, cube->distance, cube->state.load(std::memory_order_relaxed) == Cube::Clear};
+    if (!cube->children)
+      return {middle, cube->distance, cube->state.load(std::memory_order_relaxed) == Cube::Clear};
     const int child = (x.x >= middle.x) | (x.y >= middle.y) << 1 | (x.z >= middle.z) << 2;
     middle = childMiddle(middle, half, child);
     half *= 0.5;
@@ -113,7 +124,9 @@ double MeshDistance::signedFrom(const ClosestPoint& c, const Vec3d& x, bool insi
   return inside ? -d : d;
 }
 
-double MeshDistance::distance(const Vec3d& x, Vec3d* gradient) const { return signedFrom(visible().closest(x), x, inside(x), gradient); }
+double MeshDistance::distance(const Vec3d& x, Vec3d* gradient) const {
+  return signedFrom(visible().closest(x), x, inside(x), gradient);
+}
 
 double MeshDistance::distanceWithin(const Vec3d& x, double reach, Vec3d* gradient) const {
   if (gradient) *gradient = {};
@@ -121,7 +134,8 @@ double MeshDistance::distanceWithin(const Vec3d& x, double reach, Vec3d* gradien
   if (box >= reach) return box;
   bool in = false;
   if (box == 0) {
-    const DistanceOctree::Leaf leaf = octree_ && octree_->covers(x) ? octree_->leafAt(x) : DistanceOctree::Leaf{};
+    const DistanceOctree::Leaf leaf = octree_ && octree_->covers(x) ? octree_->leafAt(x)
+                                                                    : DistanceOctree::Leaf{};
     if (leaf.clear) {
       const double least = std::abs(leaf.distance) - length(x - leaf.middle);
       in = leaf.distance < 0;
@@ -144,16 +158,19 @@ bool MeshDistance::inside(const Vec3d& x) const {
   return surface_->winding(x) > 0.5;
 }
 
-/// The sign changes only where a triangle is between: of two points whose box meets none it is the same. Where it changes is looked for by halves; which one it
-/// is on a stretch without triangles, a place known from the line before mostly tells.
-void MeshDistance::insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in, KnownSides& known) const {
+/// The sign changes only where a triangle is between: of two points whose box meets none it is the same.
+/// Where it changes is looked for by halves; which one it is on a stretch without triangles, a place known
+/// from the line before mostly tells.
+void MeshDistance::insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in,
+                               KnownSides& known) const {
   if (!report_.closed) return SignedDistance::insideAlong(points, in, known);
   const std::size_t n = points.size();
   const Bounds b = surface_->bounds();
   const double margin = 1e-9 * length(b.max - b.min);
   const auto divided = [&](const Vec3d& from, const Vec3d& to) {
     Bounds box;
-    for (int a = 0; a < 3; a++) box.min[a] = std::min(from[a], to[a]) - margin, box.max[a] = std::max(from[a], to[a]) + margin;
+    for (int a = 0; a < 3; a++)
+      box.min[a] = std::min(from[a], to[a]) - margin, box.max[a] = std::max(from[a], to[a]) + margin;
     return surface_->meets(box);
   };
   const auto sideOf = [&](const Vec3d& x) {

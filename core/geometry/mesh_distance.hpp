@@ -10,12 +10,17 @@
 
 namespace thaw {
 
-/// Cubes that the surface does not pass, with the signed distance at their middle: answers most questions far from the surface
-/// without looking at a triangle, and bounds the rest. A cube is looked at when somebody asks for a point in it first, so that a rank
-/// which samples its part of a body pays for that part; what is found does not depend on who asks when. Threads may ask at once.
+/// Cubes that the surface does not pass, with the signed distance at their middle: answers most questions far
+/// from the surface without looking at a triangle, and bounds the rest. A cube is looked at when somebody
+/// asks for a point in it first, so that a rank which samples its part of a body pays for that part; what is
+/// found does not depend on who asks when. Threads may ask at once.
 class DistanceOctree {
  public:
-  struct Leaf { Vec3d middle; double distance = 0; bool clear = false; };  ///< clear: no surface within
+  struct Leaf {
+    Vec3d middle;
+    double distance = 0;
+    bool clear = false;
+  };  ///< clear: no surface within
   /// Distances are to `near`, signs from the winding numbers of `all`; both must outlive this.
   DistanceOctree(const TriangleBvh& near, const TriangleBvh& all);
   ~DistanceOctree();
@@ -24,7 +29,8 @@ class DistanceOctree {
 
  private:
   struct Cube;
-  /// Looks at a cube with this middle and half edge; `bound` (m) is a little more than the distance of the middle.
+  /// Looks at a cube with this middle and half edge; `bound` (m) is a little more than the distance of the
+  /// middle.
   void look(Cube& cube, const Vec3d& middle, double half, double bound, int depth) const;
   const TriangleBvh &near_, &all_;
   std::unique_ptr<Cube> root_;
@@ -33,23 +39,25 @@ class DistanceOctree {
   double half_ = 0;
 };
 
-/// The mesh is repaired first (mesh_repair.hpp). Distances are to the nearest triangle, holes' patches included; the sign is that of
-/// the winding number less 1/2. Where shells overlap, triangles of one that are buried in another do not count; those that are so
-/// only in part do, and distances inside may be too small near them.
+/// The mesh is repaired first (mesh_repair.hpp). Distances are to the nearest triangle, holes' patches
+/// included; the sign is that of the winding number less 1/2. Where shells overlap, triangles of one that are
+/// buried in another do not count; those that are so only in part do, and distances inside may be too small
+/// near them.
 class MeshDistance final : public SignedDistance {
  public:
   MeshDistance(const TriangleMesh& mesh, std::string name);
   double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;
   double distanceWithin(const Vec3d& x, double reach, Vec3d* gradient = nullptr) const override;
   bool inside(const Vec3d& x) const override;
-  void insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in, KnownSides& known) const override;
+  void insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in,
+                   KnownSides& known) const override;
   Bounds bounds() const override { return surface_->bounds(); }
   double extent(const Vec3d& direction) const override;
   bool hasGaps() const override { return !report_.closed; }
   double area() const override { return area_; }
   void addNotes(std::vector<std::string>& notes) const override;
   const MeshReport& report() const { return report_; }
-  const TriangleBvh& surface() const { return *surface_; }  ///< all triangles
+  const TriangleBvh& surface() const { return *surface_; }                         ///< all triangles
   const TriangleBvh& visible() const { return visible_ ? *visible_ : *surface_; }  ///< without buried ones
 
  private:

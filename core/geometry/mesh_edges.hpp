@@ -9,11 +9,12 @@
 
 namespace thaw {
 
-/// One side of a triangle. Sides of the same edge (unordered pair of vertices) stand next to each other, by triangle.
+/// One side of a triangle. Sides of the same edge (unordered pair of vertices) stand next to each other, by
+/// triangle.
 struct EdgeSide {
   std::uint64_t edge = 0;  ///< smaller vertex << 32 | larger vertex
   std::uint32_t triangle = 0;
-  std::int8_t sign = 0;    ///< +1: the triangle runs from the smaller to the larger vertex
+  std::int8_t sign = 0;  ///< +1: the triangle runs from the smaller to the larger vertex
 };
 /// The indices of the mesh have to be valid.
 AlignedVector<EdgeSide> edgeSides(const TriangleMesh& mesh);
@@ -37,7 +38,8 @@ struct DisjointSets {
   }
   void join(std::uint32_t i, std::uint32_t j) {
     i = find(i), j = find(j);
-    if (i < j) parent[j] = i; else parent[i] = j;
+    if (i < j) parent[j] = i;
+    else parent[i] = j;
   }
   std::vector<std::uint32_t> parent;
 };

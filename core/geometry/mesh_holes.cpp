@@ -5,7 +5,9 @@
 namespace thaw {
 namespace {
 
-struct BorderEdge { std::uint32_t from, to; };
+struct BorderEdge {
+  std::uint32_t from, to;
+};
 
 /// Edges, in the direction that their triangles lack, that balance the mesh.
 std::vector<BorderEdge> lackingEdges(const AlignedVector<EdgeSide>& sides) {
@@ -13,11 +15,13 @@ std::vector<BorderEdge> lackingEdges(const AlignedVector<EdgeSide>& sides) {
   forEachEdge(sides, [&](std::size_t first, std::size_t last) {
     int net = 0;
     for (std::size_t k = first; k < last; k++) net += sides[k].sign;
-    const auto a = static_cast<std::uint32_t>(sides[first].edge >> 32), b = static_cast<std::uint32_t>(sides[first].edge);
+    const auto a = static_cast<std::uint32_t>(sides[first].edge >> 32),
+               b = static_cast<std::uint32_t>(sides[first].edge);
     for (; net > 0; net--) border.push_back({b, a});
     for (; net < 0; net++) border.push_back({a, b});
   });
-  std::sort(border.begin(), border.end(), [](BorderEdge p, BorderEdge q) { return p.from != q.from ? p.from < q.from : p.to < q.to; });
+  std::sort(border.begin(), border.end(),
+            [](BorderEdge p, BorderEdge q) { return p.from != q.from ? p.from < q.from : p.to < q.to; });
   return border;
 }
 
@@ -31,7 +35,8 @@ void closeLoop(TriangleMesh& mesh, const std::vector<std::uint32_t>& loop) {
   const auto m = static_cast<std::uint32_t>(mesh.vertices.size());
   mesh.vertices.push_back(middle / static_cast<double>(loop.size()));
   if (!mesh.colours.empty()) mesh.colours.push_back(mesh.colours[loop[0]]);
-  for (std::size_t k = 0; k < loop.size(); k++) mesh.triangles.push_back({loop[k], loop[(k + 1) % loop.size()], m});
+  for (std::size_t k = 0; k < loop.size(); k++)
+    mesh.triangles.push_back({loop[k], loop[(k + 1) % loop.size()], m});
 }
 
 }  // namespace
@@ -48,8 +53,8 @@ std::int64_t closeHoles(TriangleMesh& mesh, const AlignedVector<EdgeSide>& sides
   std::int64_t holes = 0;
   std::vector<std::uint32_t> path;
   for (std::uint32_t start = 0; start < vertices; start++) {
-    // As many border edges leave a vertex as come in, so a walk gets stuck only where it began. Whenever it meets itself, the part
-    // between is a hole of its own.
+    // As many border edges leave a vertex as come in, so a walk gets stuck only where it began. Whenever it
+    // meets itself, the part between is a hole of its own.
     while (next[start] < begin[start + 1]) {
       path.assign(1, start);
       placeOnPath[start] = 1;

@@ -6,8 +6,9 @@
 
 namespace thaw {
 
-/// Adds triangles (and vertices) so that every edge is run through as often one way as the other: follows the border around each
-/// hole and joins it to the middle of its vertices. sides: edgeSides of the mesh as it comes in. Returns the number of holes.
+/// Adds triangles (and vertices) so that every edge is run through as often one way as the other: follows the
+/// border around each hole and joins it to the middle of its vertices. sides: edgeSides of the mesh as it
+/// comes in. Returns the number of holes.
 std::int64_t closeHoles(TriangleMesh& mesh, const AlignedVector<EdgeSide>& sides);
 
 }  // namespace thaw

@@ -16,9 +16,9 @@
 namespace thaw {
 namespace {
 
-constexpr double weldTolerance = 1e-6;   // of the diagonal
-constexpr double soupFraction = 0.3;     // of the edges open
-constexpr double flat = 1e-9;            // volume over area^(3/2) of something that encloses nothing; 0.094 for a ball
+constexpr double weldTolerance = 1e-6;  // of the diagonal
+constexpr double soupFraction = 0.3;    // of the edges open
+constexpr double flat = 1e-9;  // volume over area^(3/2) of something that encloses nothing; 0.094 for a ball
 constexpr std::size_t mostContainers = 1000;
 
 double areaOf(const TriangleMesh& m, const std::array<std::uint32_t, 3>& t) {
@@ -35,14 +35,16 @@ void turn(TriangleMesh& m, std::size_t t) {
 }
 
 void check(const TriangleMesh& mesh) {
-  if (mesh.triangles.empty()) throw ShapeError("the mesh has no triangles; expected the closed surface of a solid");
+  if (mesh.triangles.empty())
+    throw ShapeError("the mesh has no triangles; expected the closed surface of a solid");
   for (const Vec3d& v : mesh.vertices)
     if (!(std::abs(v.x) < 1e100 && std::abs(v.y) < 1e100 && std::abs(v.z) < 1e100))
       throw ShapeError("the mesh has a vertex with a coordinate that is not a finite number");
   for (const auto& t : mesh.triangles)
     for (const std::uint32_t v : t)
       if (v >= mesh.vertices.size())
-        throw ShapeError("a triangle of the mesh names vertex " + std::to_string(v) + " of " + std::to_string(mesh.vertices.size()));
+        throw ShapeError("a triangle of the mesh names vertex " + std::to_string(v) + " of " +
+                         std::to_string(mesh.vertices.size()));
 }
 
 std::size_t openEdges(const AlignedVector<EdgeSide>& sides, std::size_t& edges) {
@@ -55,13 +57,17 @@ std::size_t openEdges(const AlignedVector<EdgeSide>& sides, std::size_t& edges) 
 /// Step 2. Returns how many triangles were turned; their sides are then as well.
 std::int64_t orientPatches(TriangleMesh& m, AlignedVector<EdgeSide>& sides) {
   const std::size_t n = m.triangles.size();
-  struct Link { std::uint32_t other = 0xffffffffu; bool opposed = false; };
+  struct Link {
+    std::uint32_t other = 0xffffffffu;
+    bool opposed = false;
+  };
   std::vector<std::array<Link, 3>> links(n);
   std::vector<std::uint8_t> used(n, 0);
   forEachEdge(sides, [&](std::size_t first, std::size_t last) {
     if (last - first != 2) return;
     const EdgeSide &a = sides[first], &b = sides[first + 1];
-    const bool opposed = a.sign == b.sign;  // neighbours that agree run through their edge in opposite directions
+    const bool opposed = a.sign == b.sign;  // neighbours that agree run through their edge in opposite
+                                            // directions
     links[a.triangle][used[a.triangle]++] = {b.triangle, opposed};
     links[b.triangle][used[b.triangle]++] = {a.triangle, opposed};
   });
@@ -157,7 +163,8 @@ std::int64_t turnShells(TriangleMesh& m, const std::vector<Shell>& shells) {
     const Shell& outer = shells[order[k]];
     if (decided[order[k]]) continue;
     const bool wrong = outer.volume < 0 && outer.solid();
-    // Whatever is not decided yet and not within a larger one is outermost itself; the ones within it follow it.
+    // Whatever is not decided yet and not within a larger one is outermost itself; the ones within it follow
+    // it.
     TriangleMesh part{m.vertices, {}};
     bool built = false;
     std::optional<TriangleBvh> tree;
@@ -165,7 +172,8 @@ std::int64_t turnShells(TriangleMesh& m, const std::vector<Shell>& shells) {
       for (std::size_t j = k + 1; j < order.size(); j++) {
         const Shell& inner = shells[order[j]];
         bool within = !decided[order[j]] && inner.solid();
-        for (int a = 0; a < 3; a++) within = within && inner.low[a] > outer.low[a] && inner.high[a] < outer.high[a];
+        for (int a = 0; a < 3; a++)
+          within = within && inner.low[a] > outer.low[a] && inner.high[a] < outer.high[a];
         if (!within) continue;
         if (!built) {
           for (const std::uint32_t t : outer.triangles) part.triangles.push_back(m.triangles[t]);
@@ -194,7 +202,9 @@ Welded weldAndAgree(const TriangleMesh& mesh, MeshReport& report) {
   report = {};
   Welded w;
   TriangleMesh& m = w.mesh = weldVertices(mesh, 0);
-  if (m.triangles.empty()) throw ShapeError("every triangle of the mesh has two equal corners; expected the closed surface of a solid");
+  if (m.triangles.empty())
+    throw ShapeError(
+        "every triangle of the mesh has two equal corners; expected the closed surface of a solid");
   AlignedVector<EdgeSide>& sides = w.sides = edgeSides(m);
   w.open = openEdges(sides, w.edges);
   for (const Vec3d& v : m.vertices)
@@ -204,7 +214,8 @@ Welded weldAndAgree(const TriangleMesh& mesh, MeshReport& report) {
     AlignedVector<EdgeSide> weldedSides = edgeSides(welded);
     std::size_t weldedEdges = 0;
     const std::size_t stillOpen = openEdges(weldedSides, weldedEdges);
-    if (!welded.triangles.empty() && stillOpen < w.open) m = std::move(welded), sides = std::move(weldedSides), w.open = stillOpen, w.edges = weldedEdges;
+    if (!welded.triangles.empty() && stillOpen < w.open)
+      m = std::move(welded), sides = std::move(weldedSides), w.open = stillOpen, w.edges = weldedEdges;
   }
   report.triangles = static_cast<std::int64_t>(m.triangles.size());
   report.vertices = static_cast<std::int64_t>(m.vertices.size());
@@ -221,7 +232,8 @@ TriangleMesh closeMesh(Welded w, MeshReport& report) {
   if (report.closed) {
     report.holes = closeHoles(m, w.sides);
     if (report.holes > 0) w.sides = edgeSides(m);
-    for (std::size_t t = static_cast<std::size_t>(report.triangles); t < m.triangles.size(); t++) report.holeArea += areaOf(m, m.triangles[t]);
+    for (std::size_t t = static_cast<std::size_t>(report.triangles); t < m.triangles.size(); t++)
+      report.holeArea += areaOf(m, m.triangles[t]);
     const std::vector<Shell> shells = findShells(m, w.sides);
     report.shells = static_cast<std::int64_t>(shells.size());
     report.turnedShells = turnShells(m, shells);
@@ -233,7 +245,8 @@ TriangleMesh closeMesh(Welded w, MeshReport& report) {
     report.turnedShells = 1;
   }
   if (!(report.volume > flat * std::pow(report.area, 1.5)))
-    throw ShapeError("the mesh encloses no volume (its " + std::to_string(report.triangles) + " triangles have " + std::to_string(w.open) + " open edges of " +
+    throw ShapeError("the mesh encloses no volume (its " + std::to_string(report.triangles) +
+                     " triangles have " + std::to_string(w.open) + " open edges of " +
                      std::to_string(w.edges) + "); expected the closed surface of a solid");
   settleNormals(m, report);
   return std::move(m);
@@ -241,7 +254,9 @@ TriangleMesh closeMesh(Welded w, MeshReport& report) {
 
 }  // namespace
 
-TriangleMesh repairMesh(const TriangleMesh& mesh, MeshReport& report) { return closeMesh(weldAndAgree(mesh, report), report); }
+TriangleMesh repairMesh(const TriangleMesh& mesh, MeshReport& report) {
+  return closeMesh(weldAndAgree(mesh, report), report);
+}
 
 TriangleMesh repairSurface(const TriangleMesh& mesh, MeshReport& report) {
   Welded w = weldAndAgree(mesh, report);
@@ -255,19 +270,30 @@ TriangleMesh repairSurface(const TriangleMesh& mesh, MeshReport& report) {
 std::string describeRepairs(const std::string& name, const MeshReport& r) {
   std::string s;
   const auto say = [&](const std::string& what) { s += (s.empty() ? "mesh '" + name + "': " : ", ") + what; };
-  if (r.border > 0) say("open (" + std::to_string(r.border) + (r.border == 1 ? " edge" : " edges") + " at its border), and taken as it is");
+  if (r.border > 0)
+    say("open (" + std::to_string(r.border) + (r.border == 1 ? " edge" : " edges") +
+        " at its border), and taken as it is");
   if (!r.closed) say("not closed; inside is where the winding number is more than 1/2");
   if (r.holes > 0) {
     char share[32];
     std::snprintf(share, sizeof share, "%.3g", 100 * r.holeArea / r.area);
-    say(std::to_string(r.holes) + (r.holes == 1 ? " hole closed (" : " holes closed (") + share + " % of the surface)");
+    say(std::to_string(r.holes) + (r.holes == 1 ? " hole closed (" : " holes closed (") + share +
+        " % of the surface)");
   }
-  if (r.branched > 0) say(std::to_string(r.branched) + (r.branched == 1 ? " edge has" : " edges have") + " more than two triangles");
-  if (r.turnedTriangles > 0) say(std::to_string(r.turnedTriangles) + std::string(r.turnedTriangles == 1 ? " triangle" : " triangles") + " turned to agree with their neighbours");
-  if (r.turnedShells > 0) say(std::to_string(r.turnedShells) + (r.turnedShells == 1 ? " shell" : " shells") + " turned the right side out");
+  if (r.branched > 0)
+    say(std::to_string(r.branched) + (r.branched == 1 ? " edge has" : " edges have") +
+        " more than two triangles");
+  if (r.turnedTriangles > 0)
+    say(std::to_string(r.turnedTriangles) + std::string(r.turnedTriangles == 1 ? " triangle" : " triangles") +
+        " turned to agree with their neighbours");
+  if (r.turnedShells > 0)
+    say(std::to_string(r.turnedShells) + (r.turnedShells == 1 ? " shell" : " shells") +
+        " turned the right side out");
   if (r.turnedNormals > 0) say(std::to_string(r.turnedNormals) + " normals turned outward");
   if (r.unusedNormals > 0)
-    say(std::to_string(r.unusedNormals) + " of its " + std::to_string(r.normals) + " normals are missing, 0 or point to the other side of their triangle: those that follow from the triangles are taken there");
+    say(std::to_string(r.unusedNormals) + " of its " + std::to_string(r.normals) +
+        " normals are missing, 0 or point to the other side of their triangle: those that follow from the "
+        "triangles are taken there");
   return s;
 }
 

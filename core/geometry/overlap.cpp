@@ -11,17 +11,22 @@ namespace thaw {
 namespace {
 
 /// Numbers of periods that bring [low, high] to where it meets [from, to]; without a period 0 or none.
-struct Shifts { std::int64_t first, last; };
+struct Shifts {
+  std::int64_t first, last;
+};
 Shifts shiftsOf(double low, double high, double from, double to, double period) {
-  if (!(period > 0) || !(std::isfinite(from) && std::isfinite(to))) return {0, low <= to && high >= from ? 0 : -1};
-  return {static_cast<std::int64_t>(std::ceil((from - high) / period)), static_cast<std::int64_t>(std::floor((to - low) / period))};
+  if (!(period > 0) || !(std::isfinite(from) && std::isfinite(to)))
+    return {0, low <= to && high >= from ? 0 : -1};
+  return {static_cast<std::int64_t>(std::ceil((from - high) / period)),
+          static_cast<std::int64_t>(std::floor((to - low) / period))};
 }
 
 /// The boxes that meet box b of the tree, or one of its images, but b itself; ascending.
 std::vector<std::size_t> meeting(const BoxTree& tree, std::size_t b, const Vec3d& period) {
   const Bounds &own = tree.box(b), around = tree.bounds();
   Shifts s[3];
-  for (int a = 0; a < 3; a++) s[a] = shiftsOf(own.min[a], own.max[a], around.min[a], around.max[a], period[a]);
+  for (int a = 0; a < 3; a++)
+    s[a] = shiftsOf(own.min[a], own.max[a], around.min[a], around.max[a], period[a]);
   std::vector<std::size_t> found;
   for (std::int64_t i = s[0].first; i <= s[0].last; i++)
     for (std::int64_t j = s[1].first; j <= s[1].last; j++)
@@ -77,7 +82,8 @@ template<class Is> bool OverlapTest::anyImage(std::size_t b, const Vec3d& x, Is&
   for (std::int64_t i = s[0].first; i <= s[0].last; i++)
     for (std::int64_t j = s[1].first; j <= s[1].last; j++)
       for (std::int64_t k = s[2].first; k <= s[2].last; k++) {
-        const Vec3d at{x.x + static_cast<double>(i) * period_.x, x.y + static_cast<double>(j) * period_.y, x.z + static_cast<double>(k) * period_.z};
+        const Vec3d at{x.x + static_cast<double>(i) * period_.x, x.y + static_cast<double>(j) * period_.y,
+                       x.z + static_cast<double>(k) * period_.z};
         if (is(at, i != 0 || j != 0 || k != 0)) return true;
       }
   return false;
@@ -110,8 +116,9 @@ std::vector<std::string> describeOverlaps(const OverlapCounts& counts, const std
   std::vector<std::string> sentences;
   for (const auto& [pair, count] : found) {
     const std::string &p = bodies[pair.first].name, &q = bodies[pair.second].name;
-    sentences.push_back("bodies '" + p + "' and '" + q + "' overlap: " + std::to_string(count[0]) + " particles of '" + p + "' lie inside '" + q +
-                        "', " + std::to_string(count[1]) + " of '" + q + "' inside '" + p + "'");
+    sentences.push_back("bodies '" + p + "' and '" + q + "' overlap: " + std::to_string(count[0]) +
+                        " particles of '" + p + "' lie inside '" + q + "', " + std::to_string(count[1]) +
+                        " of '" + q + "' inside '" + p + "'");
   }
   return sentences;
 }

@@ -25,8 +25,10 @@ class MeshReach final : public SignedDistance {
   Bounds bounds_;
 };
 
-PlacedMesh placed(const Shape& s, const MeshLoader& load, TriangleMesh repair(const TriangleMesh&, MeshReport&)) {
-  if (!isBuiltin(s.mesh) && !load) throw ShapeError("mesh '" + s.mesh + "': nothing was given to read it with", s.where);
+PlacedMesh placed(const Shape& s, const MeshLoader& load,
+                  TriangleMesh repair(const TriangleMesh&, MeshReport&)) {
+  if (!isBuiltin(s.mesh) && !load)
+    throw ShapeError("mesh '" + s.mesh + "': nothing was given to read it with", s.where);
   PlacedMesh m;
   m.mesh = repair(isBuiltin(s.mesh) ? builtinMesh(s.mesh) : load(s.mesh), m.report);
   m.placement = placeMesh(s, m.mesh);
@@ -37,7 +39,9 @@ PlacedMesh placed(const Shape& s, const MeshLoader& load, TriangleMesh repair(co
 
 PlacedMesh makePlacedMesh(const Shape& s, const MeshLoader& load) { return placed(s, load, repairMesh); }
 
-PlacedMesh makePlacedSurface(const Shape& s, const MeshLoader& load) { return placed(s, load, repairSurface); }
+PlacedMesh makePlacedSurface(const Shape& s, const MeshLoader& load) {
+  return placed(s, load, repairSurface);
+}
 
 Placement placeMesh(const Shape& s, TriangleMesh& mesh) {
   const Placement p = placementOf(s, std::make_shared<MeshReach>(mesh));

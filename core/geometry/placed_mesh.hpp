@@ -7,7 +7,7 @@
 namespace thaw {
 
 struct PlacedMesh {
-  TriangleMesh mesh;    ///< repaired, in the scene; with the colours and normals of its file
+  TriangleMesh mesh;  ///< repaired, in the scene; with the colours and normals of its file
   MeshReport report;
   Placement placement;  ///< of the mesh's own frame
 };

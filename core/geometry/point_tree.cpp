@@ -12,14 +12,18 @@ struct Cloud {
   double kdtree_get_pt(std::size_t k, std::size_t axis) const { return points[k][static_cast<int>(axis)]; }
   template<class Box> bool kdtree_get_bbox(Box&) const { return false; }
 };
-using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3, std::uint32_t>;
+using Index =
+    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3, std::uint32_t>;
 
 }  // namespace
 
 struct PointTree::Tree {
   Cloud cloud;
   Index index;
-  explicit Tree(const std::vector<Vec3d>& points) : cloud{points}, index(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(12)) { index.buildIndex(); }
+  explicit Tree(const std::vector<Vec3d>& points)
+      : cloud{points}, index(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(12)) {
+    index.buildIndex();
+  }
 };
 
 PointTree::PointTree(const std::vector<Vec3d>& points) : tree_(std::make_unique<Tree>(points)) {}
@@ -35,9 +39,11 @@ std::vector<std::uint32_t> PointTree::nearest(const Vec3d& x, std::size_t count)
   const double at[3] = {x.x, x.y, x.z};
   const std::size_t n = tree_->index.knnSearch(at, count, found.data(), far2.data());
   // all that are as far as the last one, so that ties do not depend on the tree
-  std::vector<std::uint32_t> all = within(x, std::sqrt(far2[n - 1]) * (1 + 1e-12) + 1e-150);  // of which the square is not 0
+  // of which the square is not 0
+  std::vector<std::uint32_t> all = within(x, std::sqrt(far2[n - 1]) * (1 + 1e-12) + 1e-150);
   const auto distance2 = [&](std::uint32_t k) { return dot(p[k] - x, p[k] - x); };
-  std::stable_sort(all.begin(), all.end(), [&](std::uint32_t a, std::uint32_t b) { return distance2(a) < distance2(b); });
+  std::stable_sort(all.begin(), all.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return distance2(a) < distance2(b); });
   if (all.size() > count) all.resize(count);
   return all;
 }

@@ -1,4 +1,5 @@
-// Nearest neighbours of scattered points, by a kd-tree (nanoflann): the right tool where points have no common distance, and so no cell.
+// Nearest neighbours of scattered points, by a kd-tree (nanoflann): the right tool where points have no
+// common distance, and so no cell.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -12,7 +13,8 @@ class PointTree {
  public:
   explicit PointTree(const std::vector<Vec3d>& points);  ///< copies them
   ~PointTree();
-  /// The `count` nearest points (fewer if there are not so many), nearest first, of equals the lower number first: the same on any machine.
+  /// The `count` nearest points (fewer if there are not so many), nearest first, of equals the lower number
+  /// first: the same on any machine.
   std::vector<std::uint32_t> nearest(const Vec3d& x, std::size_t count) const;
   /// All within a radius (m), ascending by number.
   std::vector<std::uint32_t> within(const Vec3d& x, double radius) const;

@@ -20,7 +20,9 @@ struct Marcher {
 
   std::size_t corner(std::size_t i, std::size_t j, std::size_t k) const { return i + n[0] * (j + n[1] * k); }
   Vec3d place(std::size_t c) const {
-    return origin + Vec3d{static_cast<double>(c % n[0]), static_cast<double>(c / n[0] % n[1]), static_cast<double>(c / (n[0] * n[1]))} * spacing;
+    return origin + Vec3d{static_cast<double>(c % n[0]), static_cast<double>(c / n[0] % n[1]),
+                          static_cast<double>(c / (n[0] * n[1]))} *
+                        spacing;
   }
 
   std::uint32_t vertex(const std::size_t (&cube)[8], const CubeEdge& edge) {
@@ -28,7 +30,8 @@ struct Marcher {
     if (v == none) {
       v = static_cast<std::uint32_t>(mesh.vertices.size());
       const Vec3d p = place(cube[edge.from]);
-      mesh.vertices.push_back(p + (place(cube[edge.to]) - p) * crossing(value[cube[edge.from]], value[cube[edge.to]]));
+      mesh.vertices.push_back(p + (place(cube[edge.to]) - p) *
+                                      crossing(value[cube[edge.from]], value[cube[edge.to]]));
     }
     return v;
   }
@@ -47,11 +50,13 @@ struct Marcher {
 
 }  // namespace
 
-TriangleMesh polygonise(const std::function<double(const Vec3d&)>& value, const Bounds& bounds, double spacing) {
+TriangleMesh polygonise(const std::function<double(const Vec3d&)>& value, const Bounds& bounds,
+                        double spacing) {
   Marcher m;
   m.origin = bounds.min;
   m.spacing = spacing;
-  for (int a = 0; a < 3; a++) m.n[a] = static_cast<std::size_t>(std::ceil((bounds.max[a] - bounds.min[a]) / spacing)) + 1;
+  for (int a = 0; a < 3; a++)
+    m.n[a] = static_cast<std::size_t>(std::ceil((bounds.max[a] - bounds.min[a]) / spacing)) + 1;
   const std::size_t corners = m.n[0] * m.n[1] * m.n[2];
   m.value.resize(corners);
   m.onEdge.assign(corners * 7, none);

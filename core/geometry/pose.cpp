@@ -7,9 +7,11 @@
 namespace thaw {
 namespace {
 
-/// Angular velocity of R = Rz Ry Rx whose angles change at `rates`: each turns about its axis as the later rotations carry it.
+/// Angular velocity of R = Rz Ry Rx whose angles change at `rates`: each turns about its axis as the later
+/// rotations carry it.
 Vec3d angularVelocityOf(const Vec3d& angles, const Vec3d& rates) {
-  const Vec3d aboutX = rotationXyz({0, angles.y, angles.z}) * Vec3d{1, 0, 0}, aboutY = rotationXyz({0, 0, angles.z}) * Vec3d{0, 1, 0};
+  const Vec3d aboutX = rotationXyz({0, angles.y, angles.z}) * Vec3d{1, 0, 0},
+              aboutY = rotationXyz({0, 0, angles.z}) * Vec3d{0, 1, 0};
   return aboutX * rates.x + aboutY * rates.y + Vec3d{0, 0, rates.z};
 }
 
@@ -26,7 +28,8 @@ Pose poseOf(const Vec3d& move, const Vec3d& rotate) {
 
 Pose poseAt(const std::vector<Keyframe>& motion, double time) {
   if (motion.empty()) return {};
-  const auto after = std::upper_bound(motion.begin(), motion.end(), time, [](double t, const Keyframe& k) { return t < k.time; });
+  const auto after = std::upper_bound(motion.begin(), motion.end(), time,
+                                      [](double t, const Keyframe& k) { return t < k.time; });
   if (after == motion.begin()) return poseOf(motion.front().move, motion.front().rotate);
   if (after == motion.end()) return poseOf(motion.back().move, motion.back().rotate);
   const Keyframe &a = *(after - 1), &b = *after;

@@ -39,7 +39,9 @@ double TorusDistance::distance(const Vec3d& x, Vec3d* gradient) const {
   return d - tube_;
 }
 
-double TorusDistance::extent(const Vec3d& n) const { return ring_ * std::sqrt(n.x * n.x + n.y * n.y) + tube_ * length(n); }
+double TorusDistance::extent(const Vec3d& n) const {
+  return ring_ * std::sqrt(n.x * n.x + n.y * n.y) + tube_ * length(n);
+}
 
 double HalfSpaceDistance::distance(const Vec3d& x, Vec3d* gradient) const {
   if (gradient) *gradient = normal_;
@@ -71,7 +73,8 @@ double RevolvedDistance::distance(const Vec3d& x, Vec3d* gradient) const {
     const double dr = r - (a.r + t * er), dz = z - (a.z + t * ez), d2 = dr * dr + dz * dz;
     if (d2 < best) {
       const double l = std::sqrt(l2);
-      best = d2, gr = dr, gz = dz, nr = ez / l, nz = -er / l;  // the solid is on the left, the normal on the right
+      best = d2, gr = dr, gz = dz, nr = ez / l, nz = -er / l;  // the solid is on the left, the normal on the
+                                                               // right
     }
     size = std::max({size, std::abs(b.r), std::abs(b.z)});
     // crossings of the ray from (r, z) outward, away from the axis
@@ -100,7 +103,12 @@ std::vector<RevolvedDistance::Point> cylinderOutline(double radius, double heigh
 }
 
 std::vector<RevolvedDistance::Point> glassOutline(double radius, double height, double thickness) {
-  return {{0, 0}, {radius, 0}, {radius, height}, {radius - thickness, height}, {radius - thickness, thickness}, {0, thickness}};
+  return {{0, 0},
+          {radius, 0},
+          {radius, height},
+          {radius - thickness, height},
+          {radius - thickness, thickness},
+          {0, thickness}};
 }
 
 }  // namespace thaw

@@ -9,7 +9,8 @@ namespace thaw {
 class BoxDistance final : public SignedDistance {
  public:
   explicit BoxDistance(const Vec3d& size) : half_(0.5 * size) {}
-  double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;  ///< inside, the nearest face; of equal ones x, y, z in turn
+  /// inside, the nearest face; of equal ones x, y, z in turn
+  double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;
   Bounds bounds() const override { return {-half_, half_}; }
   bool convex() const override { return true; }
 
@@ -32,7 +33,8 @@ class SphereDistance final : public SignedDistance {
 class TorusDistance final : public SignedDistance {
  public:
   TorusDistance(double ring, double tube) : ring_(ring), tube_(tube) {}  ///< ring around z
-  double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;  ///< on the axis, the ring's +x; on the ring, outward
+  /// on the axis, the ring's +x; on the ring, outward
+  double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;
   Bounds bounds() const override { return boundsFromExtents(*this); }
   double extent(const Vec3d& direction) const override;
 
@@ -42,11 +44,14 @@ class TorusDistance final : public SignedDistance {
 
 class HalfSpaceDistance final : public SignedDistance {
  public:
-  HalfSpaceDistance(const Vec3d& point, const Vec3d& normal) : normal_(normalized(normal)), offset_(dot(normal_, point)) {}
+  HalfSpaceDistance(const Vec3d& point, const Vec3d& normal)
+      : normal_(normalized(normal)), offset_(dot(normal_, point)) {}
   double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;
   Bounds bounds() const override { return {{-never, -never, -never}, {never, never, never}}; }
   double extent(const Vec3d& direction) const override { return alongNormal(direction, normal_, offset_); }
-  double outerExtent(const Vec3d& direction) const override { return alongNormal(direction, -normal_, -offset_); }
+  double outerExtent(const Vec3d& direction) const override {
+    return alongNormal(direction, -normal_, -offset_);
+  }
   bool convex() const override { return true; }
 
  private:
@@ -55,13 +60,16 @@ class HalfSpaceDistance final : public SignedDistance {
   double offset_;  ///< dot(normal, x) on the plane
 };
 
-/// Solid of revolution about z: an outline in the half-plane (distance from the axis, z) of straight pieces, one behind the other with
-/// the solid on their left; it begins and ends on the axis.
+/// Solid of revolution about z: an outline in the half-plane (distance from the axis, z) of straight pieces,
+/// one behind the other with the solid on their left; it begins and ends on the axis.
 class RevolvedDistance final : public SignedDistance {
  public:
-  struct Point { double r, z; };
+  struct Point {
+    double r, z;
+  };
   explicit RevolvedDistance(std::vector<Point> outline);
-  double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;  ///< on the axis, radial means +x; of equally near pieces the first
+  /// on the axis, radial means +x; of equally near pieces the first
+  double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;
   Bounds bounds() const override { return boundsFromExtents(*this); }
   double extent(const Vec3d& direction) const override;
   bool convex() const override { return convex_; }

@@ -22,10 +22,13 @@ SampleLattice sampleLattice(const SignedDistance& shape, double spacing, Layers 
   double points = 1;
   for (int a = 0; a < 3; a++) {
     const double size = b.max[a] - b.min[a];
-    if (!std::isfinite(b.min[a]) || !std::isfinite(b.max[a])) throw ShapeError("a body of infinite size cannot be filled with particles");
-    const double n = std::max(1.0, layers == Layers::Fit ? std::floor(size / spacing + 1e-6) : std::ceil(size / spacing - 1e-6));
+    if (!std::isfinite(b.min[a]) || !std::isfinite(b.max[a]))
+      throw ShapeError("a body of infinite size cannot be filled with particles");
+    const double n = std::max(
+        1.0, layers == Layers::Fit ? std::floor(size / spacing + 1e-6) : std::ceil(size / spacing - 1e-6));
     points *= n;
-    if (!(points < mostPoints)) throw ShapeError("a body of this size would need more than 10^12 particles at the scene's spacing");
+    if (!(points < mostPoints))
+      throw ShapeError("a body of this size would need more than 10^12 particles at the scene's spacing");
     l.count[a] = static_cast<std::int64_t>(n);
     l.corner[a] = 0.5 * (b.min[a] + b.max[a]) - 0.5 * n * spacing;
   }
@@ -38,13 +41,15 @@ SampleRange sampleRange(const SampleLattice& lattice, int rank, int ranks) {
   return {begin(rank), begin(rank + 1)};
 }
 
-std::vector<std::int64_t> insideOfRow(const SignedDistance& shape, const SampleLattice& l, std::int64_t row, KnownSides& known) {
+std::vector<std::int64_t> insideOfRow(const SignedDistance& shape, const SampleLattice& l, std::int64_t row,
+                                      KnownSides& known) {
   const std::int64_t j = row % l.count[1], k = row / l.count[1];
   std::array<Vec3d, pointsAtOnce> points;
   std::array<std::uint8_t, pointsAtOnce> in;
   std::vector<std::int64_t> inside;
   for (std::int64_t first = 0; first < l.count[0]; first += static_cast<std::int64_t>(pointsAtOnce)) {
-    const auto n = static_cast<std::size_t>(std::min(l.count[0] - first, static_cast<std::int64_t>(pointsAtOnce)));
+    const auto n = static_cast<std::size_t>(
+        std::min(l.count[0] - first, static_cast<std::int64_t>(pointsAtOnce)));
     for (std::size_t i = 0; i < n; i++) points[i] = l.at(first + static_cast<std::int64_t>(i), j, k);
     shape.insideAlong({points.data(), n}, {in.data(), n}, known);
     for (std::size_t i = 0; i < n; i++)
@@ -55,7 +60,9 @@ std::vector<std::int64_t> insideOfRow(const SignedDistance& shape, const SampleL
 
 Vec3d jittered(const Vec3d& point, double amount, double spacing, std::uint64_t seed, std::uint64_t id) {
   Vec3d x = point;
-  for (int a = 0; a < 3; a++) x[a] += amount * spacing * (2 * randomUniform(seed, Purpose::Jitter, id, static_cast<std::uint64_t>(a)) - 1);
+  for (int a = 0; a < 3; a++)
+    x[a] += amount * spacing *
+            (2 * randomUniform(seed, Purpose::Jitter, id, static_cast<std::uint64_t>(a)) - 1);
   return x;
 }
 

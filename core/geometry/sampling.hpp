@@ -1,4 +1,5 @@
-// Particles of a body or an opening: positions that depend on the shape and the spacing only, never on the number of ranks.
+// Particles of a body or an opening: positions that depend on the shape and the spacing only, never on the
+// number of ranks.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -7,42 +8,48 @@
 
 namespace thaw {
 
-/// How many points a lattice has along a size that is no whole number of spacings: Cover rounds up, such that the points reach the surface; Fit
-/// rounds down, such that none is nearer to the surface than half a spacing. Liquid fits: it would push off what is there already.
+/// How many points a lattice has along a size that is no whole number of spacings: Cover rounds up, such that
+/// the points reach the surface; Fit rounds down, such that none is nearer to the surface than half a
+/// spacing. Liquid fits: it would push off what is there already.
 enum class Layers { Cover, Fit };
 
-/// Cubic lattice around the bounding box of a body, centred on it, along the axes of the scene. A box of n spacings gets n points,
-/// the outer ones half a spacing inside.
+/// Cubic lattice around the bounding box of a body, centred on it, along the axes of the scene. A box of n
+/// spacings gets n points, the outer ones half a spacing inside.
 struct SampleLattice {
-  Vec3d corner{};          ///< m, half a spacing below point (0, 0, 0)
-  double spacing = 0;      ///< m
+  Vec3d corner{};           ///< m, half a spacing below point (0, 0, 0)
+  double spacing = 0;       ///< m
   std::int64_t count[3]{};  ///< points along x, y, z; at least 1
   std::int64_t rows() const { return count[1] * count[2]; }
   Vec3d at(std::int64_t i, std::int64_t j, std::int64_t k) const {
-    return {corner.x + (static_cast<double>(i) + 0.5) * spacing, corner.y + (static_cast<double>(j) + 0.5) * spacing,
+    return {corner.x + (static_cast<double>(i) + 0.5) * spacing,
+            corner.y + (static_cast<double>(j) + 0.5) * spacing,
             corner.z + (static_cast<double>(k) + 0.5) * spacing};
   }
 };
 
 /// Rows (along x) that one rank samples: [begin, end) of lattice.rows().
-struct SampleRange { std::int64_t begin = 0, end = 0; };
+struct SampleRange {
+  std::int64_t begin = 0, end = 0;
+};
 
 /// Throws ShapeError: the bounds are not finite, or the lattice has 2^40 points or more.
 SampleLattice sampleLattice(const SignedDistance& shape, double spacing, Layers layers = Layers::Cover);
 
-/// The part of rank `rank` of `ranks`: even shares of the rows, empty for some if there are fewer rows than ranks.
+/// The part of rank `rank` of `ranks`: even shares of the rows, empty for some if there are fewer rows than
+/// ranks.
 SampleRange sampleRange(const SampleLattice& lattice, int rank, int ranks);
 
-/// Places i along a row, ascending, of its points that are inside the shape. The number of such a point is i + count[0] * row, unique
-/// within the body and below 2^40. known: one for all rows of a body.
-std::vector<std::int64_t> insideOfRow(const SignedDistance& shape, const SampleLattice& lattice, std::int64_t row, KnownSides& known);
+/// Places i along a row, ascending, of its points that are inside the shape. The number of such a point is i
+/// + count[0] * row, unique within the body and below 2^40. known: one for all rows of a body.
+std::vector<std::int64_t> insideOfRow(const SignedDistance& shape, const SampleLattice& lattice,
+                                      std::int64_t row, KnownSides& known);
 
-/// Start of a relaxed packing: a lattice point moved by up to `amount` spacings along each axis, at random as a function of seed and
-/// id (unique over all bodies).
+/// Start of a relaxed packing: a lattice point moved by up to `amount` spacings along each axis, at random as
+/// a function of seed and id (unique over all bodies).
 Vec3d jittered(const Vec3d& point, double amount, double spacing, std::uint64_t seed, std::uint64_t id);
 
-/// The point moved against the gradient until it is at least `margin` (m) deep, or, where the shape is too thin for that, as deep as
-/// a few steps get it. Points deep enough stay, bit by bit.
+/// The point moved against the gradient until it is at least `margin` (m) deep, or, where the shape is too
+/// thin for that, as deep as a few steps get it. Points deep enough stay, bit by bit.
 Vec3d pullInside(const SignedDistance& shape, const Vec3d& x, double margin);
 
 }  // namespace thaw

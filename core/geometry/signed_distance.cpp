@@ -5,7 +5,8 @@
 
 namespace thaw {
 
-void SignedDistance::insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in, KnownSides&) const {
+void SignedDistance::insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in,
+                                 KnownSides&) const {
   const std::size_t n = points.size();
   const double spacing = n > 1 ? length(points[1] - points[0]) : 1;
   for (std::size_t k = 0; k < n;) {
@@ -14,7 +15,8 @@ void SignedDistance::insideAlong(std::span<const Vec3d> points, std::span<std::u
       k++;
       continue;
     }
-    // where the surface is farther away than the next points, they are as this one; the sign, and far from a surface how far it is at least, come cheaper than the distance
+    // where the surface is farther away than the next points, they are as this one; the sign, and far from a
+    // surface how far it is at least, come cheaper than the distance
     const double d = distanceWithin(points[k], 0.01 * spacing);
     const auto same = 1 + static_cast<std::size_t>(std::min(std::abs(d) / spacing * (1 - 1e-9), 1e9));
     const std::size_t end = std::min(n, k + same);
@@ -26,7 +28,8 @@ double SignedDistance::extent(const Vec3d& direction) const {
   const Bounds b = bounds();
   double e = 0;
   for (int a = 0; a < 3; a++)
-    if (direction[a] != 0) e += direction[a] * (direction[a] > 0 ? b.max[a] : b.min[a]);  // never 0 times infinity
+    // never 0 times infinity
+    if (direction[a] != 0) e += direction[a] * (direction[a] > 0 ? b.max[a] : b.min[a]);
   return e;
 }
 

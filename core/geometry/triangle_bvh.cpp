@@ -9,11 +9,16 @@ namespace {
 
 constexpr int mostBins = 16;
 constexpr std::uint32_t leafSize = 4;
-constexpr std::uint32_t exactRadius = 64;  // triangles of the largest group whose radius is that of its farthest corner
+constexpr std::uint32_t exactRadius = 64;  // triangles of the largest group whose radius is that of its
+                                           // farthest corner
 constexpr int fairDepth = 40;  // below it halves are made by count, so that no input makes the tree deep
 
-Vec3d lower(const Vec3d& a, const Vec3d& b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
-Vec3d upper(const Vec3d& a, const Vec3d& b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
+Vec3d lower(const Vec3d& a, const Vec3d& b) {
+  return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+}
+Vec3d upper(const Vec3d& a, const Vec3d& b) {
+  return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+}
 
 struct Box {
   Vec3d low{never, never, never}, high{-never, -never, -never};
@@ -28,7 +33,10 @@ struct Box {
 }  // namespace
 
 struct TriangleBvh::Builder {
-  struct Item { Box box; std::uint32_t triangle = 0; };  // parted themselves, not by their numbers: they lie side by side
+  struct Item {
+    Box box;
+    std::uint32_t triangle = 0;
+  };  // parted themselves, not by their numbers: they lie side by side
   TriangleBvh& tree;
   const TriangleMesh& mesh;
   AlignedVector<Item> items, second;  // second: of the upper halves, while they are parted
@@ -39,7 +47,8 @@ struct TriangleBvh::Builder {
     return {mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]};
   }
 
-  /// Where to part items[first, last): by the surface area heuristic over bins along the longest axis of the middles.
+  /// Where to part items[first, last): by the surface area heuristic over bins along the longest axis of the
+  /// middles.
   std::uint32_t part(std::uint32_t first, std::uint32_t last, int depth) {
     Box spread;
     for (std::uint32_t k = first; k < last; k++) spread.add(middleOf(items[k]));
@@ -51,23 +60,28 @@ struct TriangleBvh::Builder {
     if (depth < fairDepth) {
       const int bins = static_cast<int>(std::min<std::uint32_t>(mostBins, last - first));
       const double low = spread.low[axis], scale = bins / size[axis];
-      const auto binOf = [&](const Item& i) { return std::min(bins - 1, static_cast<int>((along(i) - low) * scale)); };
+      const auto binOf = [&](const Item& i) {
+        return std::min(bins - 1, static_cast<int>((along(i) - low) * scale));
+      };
       if (const int split = splitOf(first, last, bins, binOf); split > 0) {
         std::uint32_t kept = first;
         std::size_t above = 0;
-        for (std::uint32_t k = first; k < last; k++) (binOf(items[k]) < split ? items[kept++] : second[above++]) = items[k];
+        for (std::uint32_t k = first; k < last; k++)
+          (binOf(items[k]) < split ? items[kept++] : second[above++]) = items[k];
         std::copy_n(second.begin(), above, items.begin() + kept);
         return kept;
       }
     }
-    std::nth_element(items.begin() + first, items.begin() + half, items.begin() + last, [&](const Item& s, const Item& t) {
-      return along(s) != along(t) ? along(s) < along(t) : s.triangle < t.triangle;
-    });
+    std::nth_element(items.begin() + first, items.begin() + half, items.begin() + last,
+                     [&](const Item& s, const Item& t) {
+                       return along(s) != along(t) ? along(s) < along(t) : s.triangle < t.triangle;
+                     });
     return half;
   }
 
   /// The bin before which to part, 0: none is better than another.
-  template<class BinOf> int splitOf(std::uint32_t first, std::uint32_t last, int bins, const BinOf& binOf) const {
+  template<class BinOf>
+  int splitOf(std::uint32_t first, std::uint32_t last, int bins, const BinOf& binOf) const {
     std::array<Box, mostBins> box;
     std::array<std::uint32_t, mostBins> count;
     const auto n = static_cast<std::size_t>(bins);
@@ -142,7 +156,9 @@ struct TriangleBvh::Builder {
       dipole.moment = l.moment + r.moment;
       dipole.centre = area > 0 ? (l.centre * a + r.centre * b) / area : 0.5 * (node.low + node.high);
     }
-    dipole.radius2 = last - first <= exactRadius ? radius2Of(begin, dipole.centre) : radius2Above(node, dipole.centre, tree.dipoles_[self + 1], tree.dipoles_[node.first]);
+    dipole.radius2 = last - first <= exactRadius ? radius2Of(begin, dipole.centre)
+                                                 : radius2Above(node, dipole.centre, tree.dipoles_[self + 1],
+                                                                tree.dipoles_[node.first]);
     tree.nodes_[self] = node;
     tree.dipoles_[self] = dipole;
     return area;
@@ -161,7 +177,8 @@ struct TriangleBvh::Builder {
   /// No less than that: as far as the corners of the box, or as the balls of the halves.
   static double radius2Above(const Node& node, const Vec3d& centre, const Dipole& l, const Dipole& r) {
     const Vec3d corner = upper(centre - node.low, node.high - centre);
-    const double balls = std::max(length(l.centre - centre) + std::sqrt(l.radius2), length(r.centre - centre) + std::sqrt(r.radius2));
+    const double balls = std::max(length(l.centre - centre) + std::sqrt(l.radius2),
+                                  length(r.centre - centre) + std::sqrt(r.radius2));
     return std::min(dot(corner, corner), balls * balls * (1 + 1e-12));
   }
 };
@@ -183,7 +200,8 @@ TriangleBvh::TriangleBvh(const TriangleMesh& mesh) {
 }
 
 std::size_t TriangleBvh::memory() const {
-  return nodes_.capacity() * sizeof(Node) + dipoles_.capacity() * sizeof(Dipole) + triangles_.capacity() * sizeof(Corners) + numbers_.capacity() * sizeof(std::uint32_t);
+  return nodes_.capacity() * sizeof(Node) + dipoles_.capacity() * sizeof(Dipole) +
+         triangles_.capacity() * sizeof(Corners) + numbers_.capacity() * sizeof(std::uint32_t);
 }
 
 }  // namespace thaw

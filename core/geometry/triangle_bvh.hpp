@@ -1,5 +1,5 @@
-// Bounding-volume hierarchy of triangles: closest points, and winding numbers by dipole expansion (Barill, Dickson, Schmidt, Levin,
-// Jacobson 2018, "Fast winding numbers for soups and clouds").
+// Bounding-volume hierarchy of triangles: closest points, and winding numbers by dipole expansion (Barill,
+// Dickson, Schmidt, Levin, Jacobson 2018, "Fast winding numbers for soups and clouds").
 #pragma once
 #include <cstdint>
 #include <limits>
@@ -11,10 +11,10 @@
 namespace thaw {
 
 struct ClosestPoint {
-  Vec3d point{};            ///< m, on the surface
-  Vec3d normal{};           ///< unit normal of the triangle it is on, 0 for a triangle without area
+  Vec3d point{};   ///< m, on the surface
+  Vec3d normal{};  ///< unit normal of the triangle it is on, 0 for a triangle without area
   double distance2 = std::numeric_limits<double>::infinity();  ///< m^2; infinite: nothing within reach
-  std::uint32_t triangle = 0;  ///< number of that triangle in the mesh
+  std::uint32_t triangle = 0;                                  ///< number of that triangle in the mesh
 };
 
 class TriangleBvh {
@@ -23,18 +23,22 @@ class TriangleBvh {
   explicit TriangleBvh(const TriangleMesh& mesh);
   /// Closest point nearer than `reach` (m). Of points equally near the first in a fixed order.
   ClosestPoint closest(const Vec3d& x, double reach = std::numeric_limits<double>::infinity()) const;
-  /// How often the surface winds around x: 1 inside and 0 outside a closed, outward surface, within 0.1 by the expansion;
-  /// `accuracy` is the distance in radii of a group of triangles from which it counts as a dipole.
+  /// How often the surface winds around x: 1 inside and 0 outside a closed, outward surface, within 0.1 by
+  /// the expansion; `accuracy` is the distance in radii of a group of triangles from which it counts as a
+  /// dipole.
   double winding(const Vec3d& x, double accuracy = 2.0) const;
   bool meets(const Bounds& box) const;  ///< Does the box of any triangle touch this one?
   Bounds bounds() const { return nodes_.empty() ? Bounds{} : Bounds{nodes_[0].low, nodes_[0].high}; }
   std::size_t memory() const;  ///< bytes
 
  private:
-  struct Corners { Vec3d a, b, c; };
+  struct Corners {
+    Vec3d a, b, c;
+  };
   struct Node {
     Vec3d low, high;
-    std::uint32_t first = 0;  ///< leaf: first triangle; else the second child (the first one follows its parent)
+    std::uint32_t first = 0;  ///< leaf: first triangle; else the second child (the first one follows its
+                              ///< parent)
     std::uint32_t count = 0;  ///< leaf: triangles; else 0
   };
   struct Dipole {

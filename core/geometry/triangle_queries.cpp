@@ -31,7 +31,8 @@ Vec3d closestPointOfTriangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, con
   const Vec3d n = cross(b - a, c - a);
   const double n2 = dot(n, n);
   // weights of the corners at the foot of the perpendicular
-  const double wa = dot(cross(c - b, x - b), n), wb = dot(cross(a - c, x - c), n), wc = dot(cross(b - a, x - a), n);
+  const double wa = dot(cross(c - b, x - b), n), wb = dot(cross(a - c, x - c), n),
+               wc = dot(cross(b - a, x - a), n);
   if (n2 > 0 && wa >= 0 && wb >= 0 && wc >= 0) return x - n * (dot(x - a, n) / n2);
   Vec3d best = closestOfSegment(a, b, x);
   double best2 = dot(x - best, x - best);
@@ -47,7 +48,8 @@ double windingOfTriangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, const V
   const double lu = length(u), lv = length(v), lw = length(w);
   const double volume = dot(u, cross(v, w));
   const double rest = lu * lv * lw + dot(u, v) * lw + dot(v, w) * lu + dot(w, u) * lv;
-  return volume == 0 ? 0 : std::atan2(volume, rest) / (2 * pi);  // on the triangle itself: the mean of both sides
+  return volume == 0 ? 0 : std::atan2(volume, rest) / (2 * pi);  // on the triangle itself: the mean of both
+                                                                 // sides
 }
 
 ClosestPoint TriangleBvh::closest(const Vec3d& x, double reach) const {
@@ -72,7 +74,8 @@ ClosestPoint TriangleBvh::closest(const Vec3d& x, double reach) const {
       continue;
     }
     const std::uint32_t left = index + 1, right = node.first;
-    const double l = squaredDistance(nodes_[left].low, nodes_[left].high, x), r = squaredDistance(nodes_[right].low, nodes_[right].high, x);
+    const double l = squaredDistance(nodes_[left].low, nodes_[left].high, x),
+                 r = squaredDistance(nodes_[right].low, nodes_[right].high, x);
     const bool leftFirst = l <= r;  // the nearer one is worked on first
     if (leftFirst ? r < best : l < best) stack[top++] = leftFirst ? std::pair{right, r} : std::pair{left, l};
     if (leftFirst ? l < best : r < best) stack[top++] = leftFirst ? std::pair{left, l} : std::pair{right, r};
@@ -88,7 +91,8 @@ ClosestPoint TriangleBvh::closest(const Vec3d& x, double reach) const {
 bool TriangleBvh::meets(const Bounds& box) const {
   if (nodes_.empty()) return false;
   const auto apart = [&](const Vec3d& low, const Vec3d& high) {
-    return low.x > box.max.x || high.x < box.min.x || low.y > box.max.y || high.y < box.min.y || low.z > box.max.z || high.z < box.min.z;
+    return low.x > box.max.x || high.x < box.min.x || low.y > box.max.y || high.y < box.min.y ||
+           low.z > box.max.z || high.z < box.min.z;
   };
   std::array<std::uint32_t, deepest> stack;
   std::size_t top = 0;
@@ -106,7 +110,9 @@ bool TriangleBvh::meets(const Bounds& box) const {
       const auto& [a, b, c] = triangles_[k];
       const auto least = [](double p, double q, double r) { return std::min(std::min(p, q), r); };
       const auto most = [](double p, double q, double r) { return std::max(std::max(p, q), r); };
-      if (!apart({least(a.x, b.x, c.x), least(a.y, b.y, c.y), least(a.z, b.z, c.z)}, {most(a.x, b.x, c.x), most(a.y, b.y, c.y), most(a.z, b.z, c.z)})) return true;
+      if (!apart({least(a.x, b.x, c.x), least(a.y, b.y, c.y), least(a.z, b.z, c.z)},
+                 {most(a.x, b.x, c.x), most(a.y, b.y, c.y), most(a.z, b.z, c.z)}))
+        return true;
     }
   }
   return false;
@@ -129,7 +135,8 @@ double TriangleBvh::winding(const Vec3d& x, double accuracy) const {
     }
     const Node& node = nodes_[index];
     if (node.count > 0) {
-      for (std::uint32_t k = node.first; k < node.first + node.count; k++) sum += windingOfTriangle(triangles_[k].a, triangles_[k].b, triangles_[k].c, x);
+      for (std::uint32_t k = node.first; k < node.first + node.count; k++)
+        sum += windingOfTriangle(triangles_[k].a, triangles_[k].b, triangles_[k].c, x);
     } else {
       stack[top++] = node.first;
       stack[top++] = index + 1;

@@ -18,7 +18,8 @@ std::vector<Index> firstEqual(const std::vector<Vec3d>& v) {
   std::vector<Index> first(v.size()), table(std::bit_ceil(2 * v.size() + 1), none);
   const auto bits = [](double c) { return std::bit_cast<std::uint64_t>(c + 0.0); };  // -0 is 0
   for (Index n = 0; n < v.size(); n++) {
-    std::size_t at = mixBits(mixBits(mixBits(bits(v[n].x)) + bits(v[n].y)) + bits(v[n].z)) & (table.size() - 1);
+    std::size_t at = mixBits(mixBits(mixBits(bits(v[n].x)) + bits(v[n].y)) + bits(v[n].z)) &
+                     (table.size() - 1);
     while (table[at] != none && !(v[table[at]] == v[n])) at = (at + 1) & (table.size() - 1);
     if (table[at] == none) table[at] = n;
     first[n] = table[at];
@@ -26,13 +27,15 @@ std::vector<Index> firstEqual(const std::vector<Vec3d>& v) {
   return first;
 }
 
-/// For each vertex the first one near it, by a hash of cells of twice the tolerance; only looked up, never walked through.
+/// For each vertex the first one near it, by a hash of cells of twice the tolerance; only looked up, never
+/// walked through.
 std::vector<Index> firstNear(const std::vector<Vec3d>& v, double tolerance) {
   std::unordered_map<std::uint64_t, std::vector<Index>> cells;
   std::vector<Index> first(v.size());
   const double scale = 1 / (2 * tolerance);
   const auto key = [](std::int64_t i, std::int64_t j, std::int64_t k) {
-    return mixBits(mixBits(mixBits(static_cast<std::uint64_t>(i)) + static_cast<std::uint64_t>(j)) + static_cast<std::uint64_t>(k));
+    return mixBits(mixBits(mixBits(static_cast<std::uint64_t>(i)) + static_cast<std::uint64_t>(j)) +
+                   static_cast<std::uint64_t>(k));
   };
   for (Index n = 0; n < v.size(); n++) {
     const Vec3d x = v[n];
@@ -45,7 +48,8 @@ std::vector<Index> firstNear(const std::vector<Vec3d>& v, double tolerance) {
           if (at == cells.end()) continue;
           for (const Index m : at->second) {
             const Vec3d d = v[m] - x;
-            if (std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) <= tolerance) found = std::min(found, m);
+            if (std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) <= tolerance)
+              found = std::min(found, m);
           }
         }
     first[n] = found == none ? n : found;
@@ -57,7 +61,8 @@ std::vector<Index> firstNear(const std::vector<Vec3d>& v, double tolerance) {
 }  // namespace
 
 TriangleMesh weldVertices(const TriangleMesh& mesh, double tolerance) {
-  const std::vector<Index> first = tolerance > 0 ? firstNear(mesh.vertices, tolerance) : firstEqual(mesh.vertices);
+  const std::vector<Index> first = tolerance > 0 ? firstNear(mesh.vertices, tolerance)
+                                                 : firstEqual(mesh.vertices);
   std::vector<Index> number(mesh.vertices.size(), none);
   TriangleMesh out;
   std::vector<std::array<Index, 3>> sorted;
@@ -70,12 +75,14 @@ TriangleMesh weldVertices(const TriangleMesh& mesh, double tolerance) {
     sorted.push_back(c);
     std::sort(sorted.back().begin(), sorted.back().end());
   }
-  std::vector<Index> order(sorted.size()), end(mesh.vertices.size() + 1, 0);  // by the smallest corner in one pass, as they are few at each
+  // by the smallest corner in one pass, as they are few at each
+  std::vector<Index> order(sorted.size()), end(mesh.vertices.size() + 1, 0);
   for (const auto& t : sorted) end[t[0] + 1]++;
   for (std::size_t v = 1; v < end.size(); v++) end[v] += end[v - 1];
   for (Index t = 0; t < sorted.size(); t++) order[end[sorted[t][0]]++] = t;
   for (std::size_t v = 0; v + 1 < end.size(); v++)
-    std::sort(order.begin() + (v > 0 ? end[v - 1] : 0), order.begin() + end[v], [&](Index a, Index b) { return sorted[a] != sorted[b] ? sorted[a] < sorted[b] : a < b; });
+    std::sort(order.begin() + (v > 0 ? end[v - 1] : 0), order.begin() + end[v],
+              [&](Index a, Index b) { return sorted[a] != sorted[b] ? sorted[a] < sorted[b] : a < b; });
   std::vector<char> twice(sorted.size(), 0);
   for (std::size_t k = 1; k < order.size(); k++) twice[order[k]] = sorted[order[k]] == sorted[order[k - 1]];
   std::size_t kept = 0;

@@ -35,7 +35,8 @@ inline CellBox common(const CellBox& a, const CellBox& b) {
   return c;
 }
 
-/// True if the 26 cells around `cell`, itself in the box, are all in the box and no periodic image touches it.
+/// True if the 26 cells around `cell`, itself in the box, are all in the box and no periodic image touches
+/// it.
 inline bool innerCell(const CellGrid& grid, const CellBox& box, const Vec3i& cell) {
   for (int a = 0; a < 3; a++) {
     const bool low = cell[a] > box.min[a] || (box.min[a] == 0 && !grid.periodic[a]);

@@ -8,9 +8,13 @@
 namespace thaw {
 namespace {
 
-Vec3i domains(const CellGrid& g, const Vec3i& s) { return {s.x * g.cells.x, s.y * g.cells.y, s.z * g.cells.z}; }
+Vec3i domains(const CellGrid& g, const Vec3i& s) {
+  return {s.x * g.cells.x, s.y * g.cells.y, s.z * g.cells.z};
+}
 
-bool isPosition(const AnyColumn& c) { return c.elementBytes == sizeof(Vec3d) && std::strcmp(c.name, "position") == 0; }
+bool isPosition(const AnyColumn& c) {
+  return c.elementBytes == sizeof(Vec3d) && std::strcmp(c.name, "position") == 0;
+}
 
 void shiftPositions(const CellGrid& grid, const RowRun& run, std::byte* at) {
   const Vec3d by{run.shift.x * grid.period.x, run.shift.y * grid.period.y, run.shift.z * grid.period.z};
@@ -27,11 +31,13 @@ void shiftPositions(const CellGrid& grid, const RowRun& run, std::byte* at) {
 void checkPeriodicCells(const CellGrid& grid) {
   for (int a = 0; a < 3; a++)
     if (grid.periodic[a] && grid.cells[a] < 3)
-      throw std::invalid_argument("a periodic axis needs at least three cells, " + std::string(1, static_cast<char>('x' + a)) + " has " +
+      throw std::invalid_argument("a periodic axis needs at least three cells, " +
+                                  std::string(1, static_cast<char>('x' + a)) + " has " +
                                   std::to_string(grid.cells[a]));
 }
 
-std::vector<ImageLink> imageLinks(const CellGrid& grid, const CellBox& owner, const CellBox& receiver, bool same) {
+std::vector<ImageLink> imageLinks(const CellGrid& grid, const CellBox& owner, const CellBox& receiver,
+                                  bool same) {
   std::vector<ImageLink> links;
   if (owner.empty() || receiver.empty()) return links;
   const CellBox wanted = grown(receiver);
@@ -48,13 +54,15 @@ std::vector<ImageLink> imageLinks(const CellGrid& grid, const CellBox& owner, co
   return links;
 }
 
-void listBoundary(const CellGrid& grid, const CellBox& box, const CellTable& cells, std::vector<std::uint32_t>& boundary) {
+void listBoundary(const CellGrid& grid, const CellBox& box, const CellTable& cells,
+                  std::vector<std::uint32_t>& boundary) {
   boundary.clear();
   for (std::size_t c = 0; c < cells.key.size(); c++)
     if (!innerCell(grid, box, cellOfKey(cells.key[c]))) boundary.push_back(static_cast<std::uint32_t>(c));
 }
 
-void listCopies(const CellGrid& grid, const CellTable& cells, std::span<const std::uint32_t> candidates, CellCopies& copies) {
+void listCopies(const CellGrid& grid, const CellTable& cells, std::span<const std::uint32_t> candidates,
+                CellCopies& copies) {
   copies.keys.clear();
   copies.counts.clear();
   copies.runs.clear();
@@ -68,7 +76,8 @@ void listCopies(const CellGrid& grid, const CellTable& cells, std::span<const st
       copies.counts.push_back(count);
       copies.rows += count;
       RowRun* last = copies.runs.empty() ? nullptr : &copies.runs.back();
-      if (last != nullptr && last->first + last->count == first && last->shift == link.shift) last->count += count;
+      if (last != nullptr && last->first + last->count == first && last->shift == link.shift)
+        last->count += count;
       else copies.runs.push_back({first, count, link.shift});
     }
   }
@@ -88,7 +97,8 @@ std::size_t bytesOfColumns(std::span<AnyColumn* const> columns) {
   return bytes;
 }
 
-void packColumns(const CellGrid& grid, const CellCopies& copies, std::span<AnyColumn* const> columns, std::byte* to) {
+void packColumns(const CellGrid& grid, const CellCopies& copies, std::span<AnyColumn* const> columns,
+                 std::byte* to) {
   for (const AnyColumn* c : columns) {
     const std::byte* const from = c->bytes.data();
     const bool position = isPosition(*c);
@@ -100,7 +110,8 @@ void packColumns(const CellGrid& grid, const CellCopies& copies, std::span<AnyCo
   }
 }
 
-void unpackColumns(std::span<AnyColumn* const> columns, std::size_t first, std::size_t count, const std::byte* from) {
+void unpackColumns(std::span<AnyColumn* const> columns, std::size_t first, std::size_t count,
+                   const std::byte* from) {
   if (count == 0) return;
   for (AnyColumn* c : columns) {
     std::memcpy(c->bytes.data() + first * c->elementBytes, from, count * c->elementBytes);
@@ -113,7 +124,8 @@ void GhostCellMerge::merge(CellTable& cells) {
   if (all == owned) return;
   order_.resize(all - owned);
   std::iota(order_.begin(), order_.end(), static_cast<std::uint32_t>(owned));
-  std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) { return cells.key[a] < cells.key[b]; });
+  std::sort(order_.begin(), order_.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return cells.key[a] < cells.key[b]; });
   merged_.key.clear();
   merged_.first.clear();
   merged_.count.clear();

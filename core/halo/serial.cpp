@@ -19,7 +19,8 @@ Migration SerialCellHalo::migrate(Table& particles, std::span<const std::uint64_
   return {};
 }
 
-void SerialCellHalo::beginGhosts(Table& particles, const CellTable& cells, std::span<AnyColumn* const> columns) {
+void SerialCellHalo::beginGhosts(Table& particles, const CellTable& cells,
+                                 std::span<AnyColumn* const> columns) {
   listBoundary(grid_, box_, cells, boundary_);
   listCopies(grid_, cells, boundary_, images_);
   beginRefresh(particles, columns);
@@ -44,6 +45,8 @@ void SerialCellHalo::beginRefresh(Table&, std::span<AnyColumn* const> columns) {
   packColumns(grid_, images_, columns_, packed_.data());
 }
 
-void SerialCellHalo::finishRefresh(Table& particles) { unpackColumns(columns_, particles.owned, images_.rows, packed_.data()); }
+void SerialCellHalo::finishRefresh(Table& particles) {
+  unpackColumns(columns_, particles.owned, images_.rows, packed_.data());
+}
 
 }  // namespace thaw

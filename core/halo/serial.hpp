@@ -1,4 +1,5 @@
-// The halos of a single process: nobody to talk to, but periodic images of its own cells. For tests and tools without MPI.
+// The halos of a single process: nobody to talk to, but periodic images of its own cells. For tests and tools
+// without MPI.
 #pragma once
 #include "core/halo/cell_copies.hpp"
 #include "core/halo/halo.hpp"
@@ -43,7 +44,8 @@ class SerialCellHalo : public CellHalo {
 
 class SerialRowCourier : public RowCourier {
  public:
-  void sendHome(std::span<const std::uint64_t> home, std::span<const std::uint64_t> values, std::span<std::uint64_t> here) override {
+  void sendHome(std::span<const std::uint64_t> home, std::span<const std::uint64_t> values,
+                std::span<std::uint64_t> here) override {
     for (std::size_t k = 0; k < home.size(); k++) here[home[k] & 0xffffffffu] = values[k];
   }
 };

@@ -1,4 +1,5 @@
-// Lists of 64-bit words from rank to rank, where who needs what follows from places and not from who is beside whom.
+// Lists of 64-bit words from rank to rank, where who needs what follows from places and not from who is
+// beside whom.
 #pragma once
 #include <bit>
 #include <cstdint>
@@ -30,11 +31,17 @@ struct WordLists {
   }
 };
 
-inline void addNumber(std::vector<std::uint64_t>& words, double x) { words.push_back(std::bit_cast<std::uint64_t>(x)); }
+inline void addNumber(std::vector<std::uint64_t>& words, double x) {
+  words.push_back(std::bit_cast<std::uint64_t>(x));
+}
 inline void addPlace(std::vector<std::uint64_t>& words, const Vec3d& x) {
   for (int a = 0; a < 3; a++) addNumber(words, x[a]);
 }
-inline double numberAt(const std::vector<std::uint64_t>& words, std::size_t k) { return std::bit_cast<double>(words[k]); }
-inline Vec3d placeAt(const std::vector<std::uint64_t>& words, std::size_t k) { return {numberAt(words, k), numberAt(words, k + 1), numberAt(words, k + 2)}; }
+inline double numberAt(const std::vector<std::uint64_t>& words, std::size_t k) {
+  return std::bit_cast<double>(words[k]);
+}
+inline Vec3d placeAt(const std::vector<std::uint64_t>& words, std::size_t k) {
+  return {numberAt(words, k), numberAt(words, k + 1), numberAt(words, k + 2)};
+}
 
 }  // namespace thaw

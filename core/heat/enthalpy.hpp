@@ -1,10 +1,11 @@
-// Enthalpy, temperature and liquid fraction of a material. Per mass, zero at the solidus (at 0 K for materials that do not melt):
+// Enthalpy, temperature and liquid fraction of a material. Per mass, zero at the solidus (at 0 K for
+// materials that do not melt):
 //   H < 0            solid    T = solidus + H / c_solid
 //   0 <= H <= band   melting  T and the fraction f rise linearly with H,
 //                             T over [solidus, liquidus], f over [0, 1]
 //   above            liquid   T = liquidus + (H - band) / c_liquid
-// band = latent heat + mean heat capacity times (liquidus - solidus). Enthalpy cannot step over the latent heat, as an apparent
-// heat capacity can (docs/theory/heat.md).
+// band = latent heat + mean heat capacity times (liquidus - solidus). Enthalpy cannot step over the latent
+// heat, as an apparent heat capacity can (docs/theory/heat.md).
 #pragma once
 #include <algorithm>
 
@@ -12,7 +13,9 @@
 
 namespace thaw {
 
-struct Thermal { double temperature, liquid; };  ///< K, 1
+struct Thermal {
+  double temperature, liquid;
+};  ///< K, 1
 
 /// J/kg taken up between solidus and liquidus.
 inline double meltingBand(const Material& m) {
@@ -56,9 +59,11 @@ inline double heatCapacityOf(HeatModel model, const Material& m, double liquidFr
   return model == HeatModel::Paper ? m.heatCapacity.solid : m.heatCapacity.at(liquidFraction);
 }
 
-/// W/(m K) at a liquid fraction; of K05's plain model dT/dt = k_heat lap T, what makes k_heat the diffusivity.
+/// W/(m K) at a liquid fraction; of K05's plain model dT/dt = k_heat lap T, what makes k_heat the
+/// diffusivity.
 inline double conductivityOf(HeatModel model, const Material& m, double liquidFraction) {
-  return model == HeatModel::Paper ? m.paperDiffusivity * m.density * m.heatCapacity.solid : m.conductivity.at(liquidFraction);
+  return model == HeatModel::Paper ? m.paperDiffusivity * m.density * m.heatCapacity.solid
+                                   : m.conductivity.at(liquidFraction);
 }
 
 }  // namespace thaw

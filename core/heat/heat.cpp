@@ -20,20 +20,24 @@ Thermal stateOf(const Scene& s, const Material& m, const Continuum& p, std::size
 
 /// What a scene without heat says about the temperature of a particle: that of its body or emitter.
 double givenTemperature(const Scene& s, std::uint16_t source) {
-  return source < s.bodies.size() ? s.bodies[source].temperature : s.emitters[source - s.bodies.size()].temperature;
+  return source < s.bodies.size() ? s.bodies[source].temperature
+                                  : s.emitters[source - s.bodies.size()].temperature;
 }
 
-/// Convection and radiation as W/(m^2 K) times the difference of temperatures: T1^4 - T2^4 = (T1^2 + T2^2) (T1 + T2) (T1 - T2).
+/// Convection and radiation as W/(m^2 K) times the difference of temperatures: T1^4 - T2^4 = (T1^2 + T2^2)
+/// (T1 + T2) (T1 - T2).
 double surfaceConductance(const Material& m, double T, double ambient) {
   return m.convection + m.emissivity * stefanBoltzmann * (ambient * ambient + T * T) * (ambient + T);
 }
 
 /// J/kg that a particle is to take up in the whole of a tempering that is under way.
 double missingHeat(const Scene& s, const Material& m, const Continuum& p, std::size_t i, double T) {
-  return bookedEnthalpy(s.numerics.heat, m, T, p.liquid.active ? static_cast<double>(p.liquid[i]) : 0) - p.enthalpy[i];
+  return bookedEnthalpy(s.numerics.heat, m, T, p.liquid.active ? static_cast<double>(p.liquid[i]) : 0) -
+         p.enthalpy[i];
 }
 
-/// Share of what is left of a tempering that falls into the step of length dt (s) that begins at `time`; 0: it does not act.
+/// Share of what is left of a tempering that falls into the step of length dt (s) that begins at `time`; 0:
+/// it does not act.
 double shareOf(const Tempering& t, double time, double dt) {
   const double from = std::max(time, t.start), end = t.start + t.over, left = end - from;
   if (time + dt <= t.start || from > end) return 0;
@@ -60,18 +64,22 @@ void settlePhase(const Scene& s, const Modules& modules, Continuum& p, std::size
 }
 
 double exposedArea(double exposure, double surfaceExposure) {
-  const double share = exposure / surfaceExposure;  // of what a flat surface has, which depends on the support
+  const double share = exposure / surfaceExposure;  // of what a flat surface has, which depends on the
+                                                    // support
   return share * std::clamp((share - 0.5) / 0.3, 0.0, 1.0);
 }
 
-double latticeSurfaceExposure(const Numerics& n) { return 2 / n.support * wallIntegrals(n, 0.5 / n.support).push; }
+double latticeSurfaceExposure(const Numerics& n) {
+  return 2 / n.support * wallIntegrals(n, 0.5 / n.support).push;
+}
 
 void addOuterHeat(World& w, double dt, const std::vector<std::uint8_t>* deep) {
   Continuum& p = w.particles;
   const Scene& s = w.scene;
   const auto heats = [](const Material& m) { return m.heatSource != 0; };
   if (!w.modules.surfaceHeat && std::none_of(s.materials.begin(), s.materials.end(), heats)) return;
-  const double face = s.spacing * s.spacing, flat = w.modules.surfaceHeat ? latticeSurfaceExposure(s.numerics) : 1;
+  const double face = s.spacing * s.spacing,
+               flat = w.modules.surfaceHeat ? latticeSurfaceExposure(s.numerics) : 1;
   for (std::size_t i = 0; i < p.owned; i++) {
     if (deep && (*deep)[i]) continue;
     const Material& m = s.materials[p.material[i]];
@@ -82,7 +90,8 @@ void addOuterHeat(World& w, double dt, const std::vector<std::uint8_t>* deep) {
       const double f = p.liquid.active ? static_cast<double>(p.liquid[i]) : restFraction(m);
       const double rate = conductance / (p.mass[i] * heatCapacityOf(s.numerics.heat, m, f));
       // averaged over the step: it cannot overshoot the ambient
-      flow += conductance * (s.domain.ambient - T) * (rate * dt > 1e-8 ? -std::expm1(-rate * dt) / (rate * dt) : 1);
+      flow += conductance * (s.domain.ambient - T) *
+              (rate * dt > 1e-8 ? -std::expm1(-rate * dt) / (rate * dt) : 1);
     }
     if (flow == 0) continue;
     p.heatFlow[i] += flow;
@@ -100,7 +109,8 @@ void addTempering(World& w, double dt) {
     if (share == 0) continue;
     for (std::size_t i = 0; i < p.owned; i++) {
       if (t.material >= 0 && p.material[i] != t.material) continue;
-      const double flow = p.mass[i] * missingHeat(s, s.materials[p.material[i]], p, i, t.temperature) * share / dt;
+      const double flow = p.mass[i] * missingHeat(s, s.materials[p.material[i]], p, i, t.temperature) *
+                          share / dt;
       p.heatFlow[i] += flow;
       w.ledger.heatIn.add(flow * dt);
     }
@@ -126,9 +136,12 @@ void updateHeat(World& w, double dt) {
     const float before = p.liquid[i];
     p.liquid[i] = static_cast<float>(t.liquid);
     if (before != p.liquid[i] && p.softening.active)
-      w.ledger.phaseJump.add(-p.softening[i] * (static_cast<double>(p.liquid[i]) - static_cast<double>(before)));
-    if (before != p.liquid[i] && p.slot.active && p.slot[i] != noSlot) {  // a solid that softens lets go of stored energy, one that stiffens gains some
-      const double was = m.young.at(static_cast<double>(before)), is = m.young.at(static_cast<double>(p.liquid[i]));
+      w.ledger.phaseJump.add(-p.softening[i] *
+                             (static_cast<double>(p.liquid[i]) - static_cast<double>(before)));
+    // a solid that softens lets go of stored energy, one that stiffens gains some
+    if (before != p.liquid[i] && p.slot.active && p.slot[i] != noSlot) {
+      const double was = m.young.at(static_cast<double>(before)),
+                   is = m.young.at(static_cast<double>(p.liquid[i]));
       if (!(was > 0)) continue;
       double& energy = w.solids.energy[p.slot[i]];
       w.ledger.phaseJump.add(energy * (1 - is / was));

@@ -1,8 +1,9 @@
-// Smoothing kernels in units of the support radius: q = r / h, zero for q >= 1, in 3D. T is double or Lanes<Real>. Each is given q and its square, and
-// what it does not use costs nothing.
+// Smoothing kernels in units of the support radius: q = r / h, zero for q >= 1, in 3D. T is double or
+// Lanes<Real>. Each is given q and its square, and what it does not use costs nothing.
 //   w(q)       W   = w(q) / h^3
 //   slope(q)   grad W = slope(q) * x_hat_q / h^4 with x in units of h: slope = w'(q) / q, negative
-//   laplace(q) kernel of the Laplacian of a field, sum_j V_j (a_j - a_i) laplace(q) / h^5 (times h^3 / h^3): see each kernel
+//   laplace(q) kernel of the Laplacian of a field, sum_j V_j (a_j - a_i) laplace(q) / h^5 (times h^3 / h^3):
+//   see each kernel
 // Include from code of one instruction set only through lanes.hpp's namespace.
 #pragma once
 #include <cmath>
@@ -26,7 +27,8 @@ template<class Kernel> struct OfSquare {
   template<class T> static THAW_INLINE T laplace(T q2) { return Kernel::laplace(sqrt(q2), q2); }
 };
 
-/// Wendland 1995 C2 function, support h: positive Fourier transform, no pairing (docs/validation/stability.md B6). The default.
+/// Wendland 1995 C2 function, support h: positive Fourier transform, no pairing (docs/validation/stability.md
+/// B6). The default.
 struct WendlandC2 : OfSquare<WendlandC2> {
   using OfSquare<WendlandC2>::w, OfSquare<WendlandC2>::slope, OfSquare<WendlandC2>::laplace;
   template<class T> static THAW_INLINE T w(T q, T) {
@@ -41,7 +43,8 @@ struct WendlandC2 : OfSquare<WendlandC2> {
   template<class T> static THAW_INLINE T laplace(T q, T q2) { return T(-2.0) * slope(q, q2); }
 };
 
-/// Mueller, Charypar, Gross 2003 (MCG03): poly6 for densities, spiky for gradients, their viscosity kernel for Laplacians.
+/// Mueller, Charypar, Gross 2003 (MCG03): poly6 for densities, spiky for gradients, their viscosity kernel
+/// for Laplacians.
 struct Mcg03 : OfSquare<Mcg03> {
   using OfSquare<Mcg03>::w, OfSquare<Mcg03>::slope, OfSquare<Mcg03>::laplace;
   template<class T> static THAW_INLINE T w(T, T q2) {

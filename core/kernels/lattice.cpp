@@ -24,7 +24,8 @@ template<class Action> void overNeighbours(double support, Action action) {
       }
 }
 
-/// Largest eigenvalue of sum_j V block(d) (1 - cos k.d) over wave vectors k of the first octant of the lattice's Brillouin zone.
+/// Largest eigenvalue of sum_j V block(d) (1 - cos k.d) over wave vectors k of the first octant of the
+/// lattice's Brillouin zone.
 template<class Block> double largestEigenvalue(double support, Block block) {
   const int waves = 6;
   double largest = 0;
@@ -33,15 +34,21 @@ template<class Block> double largestEigenvalue(double support, Block block) {
       for (int c = 0; c <= b; c++) {
         const Eigen::Vector3d k = Eigen::Vector3d(a, b, c) * (pi * support / waves);
         Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-        overNeighbours(support, [&](const Eigen::Vector3d& d, double q2) { sum += (1 - std::cos(k.dot(d))) * block(d, q2); });
-        largest = std::max(largest, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum, Eigen::EigenvaluesOnly).eigenvalues()[2]);
+        overNeighbours(support, [&](const Eigen::Vector3d& d, double q2) {
+          sum += (1 - std::cos(k.dot(d))) * block(d, q2);
+        });
+        largest = std::max(
+            largest,
+            Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum, Eigen::EigenvaluesOnly).eigenvalues()[2]);
       }
   return largest / (support * support * support);
 }
 
 double stableLaplaceStep(const Numerics& n) {
   return withKernel(n.kernel, [&](auto kernel) {
-    const auto block = [&](const Eigen::Vector3d&, double q2) -> Eigen::Matrix3d { return kernel.laplace(q2) * Eigen::Matrix3d::Identity(); };
+    const auto block = [&](const Eigen::Vector3d&, double q2) -> Eigen::Matrix3d {
+      return kernel.laplace(q2) * Eigen::Matrix3d::Identity();
+    };
     return 2 / largestEigenvalue(n.support, block);
   });
 }
@@ -58,10 +65,12 @@ double latticeSum(const Numerics& n) {
 
 namespace {
 
-/// Calls action(k, d, q2, along) for the neighbours of a particle in the lattices that layers come through as they slide over each other, along their
-/// own axes if n = 0 and along their diagonals if n = 1; `shears` of them.
+/// Calls action(k, d, q2, along) for the neighbours of a particle in the lattices that layers come through as
+/// they slide over each other, along their own axes if n = 0 and along their diagonals if n = 1; `shears` of
+/// them.
 template<class Action> void overSliding(double support, int diagonal, int shears, Action action) {
-  const Eigen::Vector3d along = diagonal ? Eigen::Vector3d(std::sqrt(0.5), std::sqrt(0.5), 0) : Eigen::Vector3d(1, 0, 0);
+  const Eigen::Vector3d along = diagonal ? Eigen::Vector3d(std::sqrt(0.5), std::sqrt(0.5), 0)
+                                         : Eigen::Vector3d(1, 0, 0);
   const int reach = 2 * static_cast<int>(support) + 2;
   for (int k = 0; k < shears; k++) {
     const double shear = (k + 0.5) / shears - 0.5;
@@ -75,16 +84,18 @@ template<class Action> void overSliding(double support, int diagonal, int shears
   }
 }
 
-/// Viscosity, in units of that wanted, that a cubic lattice shows to layers that slide over each other, along their own axes if n = 0 and along
-/// their diagonals if n = 1: the average over the sheared lattices that it goes through. Whatever flows is sheared, and the lattice at rest is
-/// far from what it then is: 1.06 and .89 at rest, .995 and .993 sliding, at h = 2 dx with the continuum's scale.
+/// Viscosity, in units of that wanted, that a cubic lattice shows to layers that slide over each other, along
+/// their own axes if n = 0 and along their diagonals if n = 1: the average over the sheared lattices that it
+/// goes through. Whatever flows is sheared, and the lattice at rest is far from what it then is: 1.06 and .89
+/// at rest, .995 and .993 sliding, at h = 2 dx with the continuum's scale.
 double slidingViscosity(const Numerics& n, const ViscousWeight& weight, int diagonal) {
   constexpr int shears = 32;
   double sum = 0;
-  overSliding(n.support, diagonal, shears, [&](int, const Eigen::Vector3d& d, double q2, const Eigen::Vector3d& along) {
-    const double a = d.dot(along);
-    sum += 0.5 * isa_base::alongPair(weight.scale, q2) / q2 * a * a * d.z() * d.z();
-  });
+  overSliding(n.support, diagonal, shears,
+              [&](int, const Eigen::Vector3d& d, double q2, const Eigen::Vector3d& along) {
+                const double a = d.dot(along);
+                sum += 0.5 * isa_base::alongPair(weight.scale, q2) / q2 * a * a * d.z() * d.z();
+              });
   return sum / (shears * n.support * n.support * n.support);
 }
 
@@ -102,8 +113,12 @@ double slidingLatticeSum(const Numerics& n) {
     for (int diagonal = 0; diagonal < 2; diagonal++) {
       std::array<double, shears> sum;
       sum.fill(kernel.w(0.0));
-      overSliding(n.support, diagonal, shears, [&](int k, const Eigen::Vector3d&, double q2, const Eigen::Vector3d&) { sum[static_cast<std::size_t>(k)] += kernel.w(q2); });
-      largest = std::max(largest, *std::max_element(sum.begin(), sum.end()) / (n.support * n.support * n.support));
+      overSliding(n.support, diagonal, shears,
+                  [&](int k, const Eigen::Vector3d&, double q2, const Eigen::Vector3d&) {
+                    sum[static_cast<std::size_t>(k)] += kernel.w(q2);
+                  });
+      largest = std::max(largest,
+                         *std::max_element(sum.begin(), sum.end()) / (n.support * n.support * n.support));
     }
     return largest;
   });
@@ -111,20 +126,27 @@ double slidingLatticeSum(const Numerics& n) {
 
 namespace {
 
-/// Sums of squares of the kernel's slopes (h^-8, of lattice volumes 1): of one pressure, and the largest of a plane wave of pressures.
-struct PressureResponse { double diagonal = 0, largest = 0; };
+/// Sums of squares of the kernel's slopes (h^-8, of lattice volumes 1): of one pressure, and the largest of a
+/// plane wave of pressures.
+struct PressureResponse {
+  double diagonal = 0, largest = 0;
+};
 
 PressureResponse pressureResponse(const Numerics& n) {
   return withKernel(n.kernel, [&](auto kernel) {
     double diagonal = 0, largest = 0;
-    overNeighbours(n.support, [&](const Eigen::Vector3d&, double q2) { diagonal += kernel.slope(q2) * kernel.slope(q2) * q2; });
+    overNeighbours(n.support, [&](const Eigen::Vector3d&, double q2) {
+      diagonal += kernel.slope(q2) * kernel.slope(q2) * q2;
+    });
     const int waves = 16;
     for (int a = 0; a <= waves; a++)
       for (int b = 0; b <= a; b++)
         for (int c = 0; c <= b; c++) {
           const Eigen::Vector3d k = Eigen::Vector3d(a, b, c) * (pi * n.support / waves);
           Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-          overNeighbours(n.support, [&](const Eigen::Vector3d& d, double q2) { sum += kernel.slope(q2) * std::sin(k.dot(d)) * d; });
+          overNeighbours(n.support, [&](const Eigen::Vector3d& d, double q2) {
+            sum += kernel.slope(q2) * std::sin(k.dot(d)) * d;
+          });
           largest = std::max(largest, sum.squaredNorm());
         }
     return PressureResponse{diagonal, largest};
@@ -138,7 +160,9 @@ double largestPressureResponse(const Numerics& n) {
   return r.largest / r.diagonal;
 }
 
-double largestFillingSlope(const Numerics& n) { return std::sqrt(pressureResponse(n).largest) / std::pow(n.support, 3); }
+double largestFillingSlope(const Numerics& n) {
+  return std::sqrt(pressureResponse(n).largest) / std::pow(n.support, 3);
+}
 
 double latticeGradient(const Numerics& n) {
   return withKernel(n.kernel, [&](auto kernel) {
@@ -151,14 +175,17 @@ double latticeGradient(const Numerics& n) {
 double stableViscousStep(const Numerics& n) {
   if (n.viscosity == ViscosityForm::Laplacian) return stableLaplaceStep(n);
   const double scale = viscousWeight(n).scale;
-  const auto block = [&](const Eigen::Vector3d& d, double q2) -> Eigen::Matrix3d { return isa_base::alongPair(scale, q2) / q2 * d * d.transpose(); };
+  const auto block = [&](const Eigen::Vector3d& d, double q2) -> Eigen::Matrix3d {
+    return isa_base::alongPair(scale, q2) / q2 * d * d.transpose();
+  };
   return 2 / largestEigenvalue(n.support, block);
 }
 
 double latticeLaplacian(const Numerics& n) {
   return withKernel(n.kernel, [&](auto kernel) {
     double sum = 0;
-    overNeighbours(n.support, [&](const Eigen::Vector3d& d, double q2) { sum += kernel.laplace(q2) * d[0] * d[0] / 2; });
+    overNeighbours(n.support,
+                   [&](const Eigen::Vector3d& d, double q2) { sum += kernel.laplace(q2) * d[0] * d[0] / 2; });
     return sum / (n.support * n.support * n.support);
   });
 }

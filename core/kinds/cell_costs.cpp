@@ -7,17 +7,23 @@
 namespace thaw {
 namespace {
 
-struct CellCost { std::uint64_t key; double cost; };
+struct CellCost {
+  std::uint64_t key;
+  double cost;
+};
 
-/// Of owned rows alone, whatever ghost cells were merged into `cells`. costOf(c): what the rows of cell c cost.
-template<class CostOf> void addCells(const Table& rows, const CellTable& cells, CostOf costOf, std::vector<CellCost>& list) {
+/// Of owned rows alone, whatever ghost cells were merged into `cells`. costOf(c): what the rows of cell c
+/// cost.
+template<class CostOf>
+void addCells(const Table& rows, const CellTable& cells, CostOf costOf, std::vector<CellCost>& list) {
   for (std::size_t c = 0; c < cells.key.size(); c++)
     if (cells.first[c] < rows.owned) list.push_back({cells.key[c], costOf(c)});
 }
 
 /// What sleeps costs about a tenth.
 double costOfParticle(const Continuum& p, std::size_t i, const RowCosts& costs) {
-  return (p.sleep.active && p.sleep[i] == asleep ? 0.1 : 1) * (p.phase[i] == Solid ? costs.solid : costs.liquid);
+  return (p.sleep.active && p.sleep[i] == asleep ? 0.1 : 1) *
+         (p.phase[i] == Solid ? costs.solid : costs.liquid);
 }
 
 }  // namespace
@@ -26,11 +32,16 @@ CellCosts costOfCells(const World& w, const RowCosts& costs) {
   std::vector<CellCost> list;
   const auto ofParticles = [&](std::size_t c) {
     double sum = 0;
-    for (std::size_t i = w.cells.first[c], end = i + w.cells.count[c]; i < end; i++) sum += costOfParticle(w.particles, i, costs);
+    for (std::size_t i = w.cells.first[c], end = i + w.cells.count[c]; i < end; i++)
+      sum += costOfParticle(w.particles, i, costs);
     return sum;
   };
   addCells(w.particles, w.cells, ofParticles, list);
-  eachKind(w, [&](std::size_t kind, const KindRows& r, const CellTable& cells) { addCells(r, cells, [&](std::size_t c) { return costs.kind[kind] * static_cast<double>(cells.count[c]); }, list); });
+  eachKind(w, [&](std::size_t kind, const KindRows& r, const CellTable& cells) {
+    addCells(
+        r, cells, [&](std::size_t c) { return costs.kind[kind] * static_cast<double>(cells.count[c]); },
+        list);
+  });
   const auto before = [](const CellCost& a, const CellCost& b) { return a.key < b.key; };
   if (!std::is_sorted(list.begin(), list.end(), before)) std::stable_sort(list.begin(), list.end(), before);
   CellCosts all;

@@ -8,8 +8,8 @@
 namespace thaw {
 
 struct CellCosts {
-  CellTable cells;            ///< owned, ascending by key; only keys and their number are filled in
-  std::vector<double> cost;   ///< beside cells.key
+  CellTable cells;           ///< owned, ascending by key; only keys and their number are filled in
+  std::vector<double> cost;  ///< beside cells.key
 };
 
 /// Cost of one row, in any unit, > 0: of a liquid and of a solid particle of the continuum, and of each kind.

@@ -5,8 +5,8 @@
 
 namespace thaw {
 
-/// Adds row i of a kind (core/kinds/kinds.hpp) to a balance: mass, momentum, kinetic energy, that of rotation too, gravity's potential, and
-/// KindRows::energy as elastic energy.
+/// Adds row i of a kind (core/kinds/kinds.hpp) to a balance: mass, momentum, kinetic energy, that of rotation
+/// too, gravity's potential, and KindRows::energy as elastic energy.
 void addKindRow(const World& world, std::size_t kind, std::size_t i, ExactBalance& balance);
 
 }  // namespace thaw

@@ -1,4 +1,5 @@
-// The further kinds of body as one list: whoever stores, sends, counts or writes rows walks it and knows no kind by name.
+// The further kinds of body as one list: whoever stores, sends, counts or writes rows walks it and knows no
+// kind by name.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -8,9 +9,11 @@
 namespace thaw {
 
 inline constexpr std::size_t orientedKind = 0, sheetKind = 1, kindCount = 2;
-inline constexpr std::array<const char*, kindCount> kindNames{"oriented", "sheet"};  ///< of groups in files, frames and messages
+/// of groups in files, frames and messages
+inline constexpr std::array<const char*, kindCount> kindNames{"oriented", "sheet"};
 
-/// Calls use(number, rows, cells) for each kind that the scene has. World may be const: so are then rows and cells.
+/// Calls use(number, rows, cells) for each kind that the scene has. World may be const: so are then rows and
+/// cells.
 template<class W, class Use> void eachKind(W& w, Use&& use) {
   if (w.oriented.rows.id.active) use(orientedKind, w.oriented.rows, w.oriented.cells);
   if (w.sheets.rows.id.active) use(sheetKind, w.sheets.rows, w.sheets.cells);

@@ -20,10 +20,12 @@ void placeRows(World& w, Halos& halos, StepTools& t, std::size_t kind, KindRows&
   const std::size_t before = r.owned;
   Migration m = halos.kinds[kind]->migrate(r, {r.nextCell.data(), r.owned});
   computeCellKeys(w.grid, r, before, r.owned);
-  if (kind == sheetKind) halos.edges->migrate(vertexRows(w.sheets.rows), w.sheets.edges.ends, w.sheets.edges.bonds, m);
+  if (kind == sheetKind)
+    halos.edges->migrate(vertexRows(w.sheets.rows), w.sheets.edges.ends, w.sheets.edges.bonds, m);
   if (!t.leaving.empty()) {
     std::vector<std::uint32_t> gone;
-    std::merge(m.departed.begin(), m.departed.end(), t.leaving.begin(), t.leaving.end(), std::back_inserter(gone));
+    std::merge(m.departed.begin(), m.departed.end(), t.leaving.begin(), t.leaving.end(),
+               std::back_inserter(gone));
     m.departed = std::move(gone);
   }
   sortByCell(r, m, t.sort, cells);
@@ -36,7 +38,8 @@ void bringKindsHome(World& w, Halos halos, StepTools& t, double dt) {
     halos.kinds[kind]->follow(halos.cells);
     if (r.ghosts > 0) r.resize(r.owned, 0);
     for (std::size_t i = 0; i < r.owned; i++)
-      if (const double more = wrapPlace(w.grid, w.scene.domain, r.position[i]); more != 0) w.ledger.entered.potential.add(r.mass[i] * more);
+      if (const double more = wrapPlace(w.grid, w.scene.domain, r.position[i]); more != 0)
+        w.ledger.entered.potential.add(r.mass[i] * more);
     computeCellKeys(w.grid, r);
     // oriented rows go in evaluateOriented, which knows the energy of their pairs with those that stay
     t.leaving.clear();
@@ -56,7 +59,8 @@ void placeOriented(World& w, Halos halos, StepTools& t) {
   Oriented& o = w.oriented.rows;
   if (o.ghosts > 0) o.resize(o.owned, 0);
   computeCellKeys(w.grid, static_cast<KindRows&>(o));
-  // born here since the last sort: rows behind, without a cell; sortByCell takes them for arrivals by their number
+  // born here since the last sort: rows behind, without a cell; sortByCell takes them for arrivals by their
+  // number
   std::size_t fresh = 0;
   while (fresh < o.owned && o.cell[o.owned - 1 - fresh] == 0) fresh++;
   std::vector<std::uint32_t> dead;
@@ -80,7 +84,8 @@ void activateKinds(World& w) {
   if (w.modules.sheet) activateSheets(w);
 }
 
-std::vector<std::vector<Vec3d>> sampleKinds(World& w, Halos halos, StepTools& t, const MeshLoader& load, std::vector<SceneWarning>& warnings) {
+std::vector<std::vector<Vec3d>> sampleKinds(World& w, Halos halos, StepTools& t, const MeshLoader& load,
+                                            std::vector<SceneWarning>& warnings) {
   t.oriented.begins = true;
   std::vector<std::vector<Vec3d>> oriented;
   if (w.modules.oriented) oriented = sampleOriented(w, halos, load, warnings);

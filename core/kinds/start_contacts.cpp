@@ -24,7 +24,8 @@ struct Meetings {
   void tell(std::size_t sheet, const std::string& what, double reach, const std::string& other) {
     char text[80];
     std::snprintf(text, sizeof text, " begin within the reach of its contact, %.3g m, with ", reach);
-    warnings.push_back({w.scene.sheets[sheet].where, name(sheet) + ": " + what + text + other + ": they will be pushed apart"});
+    warnings.push_back({w.scene.sheets[sheet].where,
+                        name(sheet) + ": " + what + text + other + ": they will be pushed apart"});
   }
 
   /// Vertices of a sheet for which `is(place, clamped)`, and all of it.
@@ -48,7 +49,9 @@ struct Meetings {
     for (const Wall& wall : w.walls.list) {
       const std::string other = "obstacle '" + wall.properties.name + "'";
       if (!wall.present || told.count({name(sheet), other})) continue;
-      tellVertices(sheet, reach, other, [&](const Vec3d& x, bool clamped) { return !clamped && wall.shape->distanceWithin(toRest(wall.pose, x), reach) < reach; });
+      tellVertices(sheet, reach, other, [&](const Vec3d& x, bool clamped) {
+        return !clamped && wall.shape->distanceWithin(toRest(wall.pose, x), reach) < reach;
+      });
     }
   }
 
@@ -62,11 +65,14 @@ struct Meetings {
     std::vector<std::int64_t> n(w.scene.bodies.size(), 0);
     const Continuum& p = w.particles;
     for (std::size_t j = 0; j < p.owned; j++)
-      if (p.body[j] < n.size()) n[p.body[j]] += faces ? faces->closest(p.position[j], reach).distance2 < reach * reach : !points->within(p.position[j], reach).empty();
+      if (p.body[j] < n.size())
+        n[p.body[j]] += faces ? faces->closest(p.position[j], reach).distance2 < reach * reach
+                              : !points->within(p.position[j], reach).empty();
     all.sum(n);
     for (std::size_t b = 0; b < n.size(); b++) {
       const std::string other = "body '" + w.scene.bodies[b].name + "'";
-      if (n[b] > 0 && !told.count({name(sheet), other})) tell(sheet, std::to_string(n[b]) + " particles", reach, other);
+      if (n[b] > 0 && !told.count({name(sheet), other}))
+        tell(sheet, std::to_string(n[b]) + " particles", reach, other);
     }
   }
 
@@ -75,7 +81,9 @@ struct Meetings {
       const OrientedBody& body = w.scene.oriented[k];
       const std::string other = "oriented body '" + body.name + "'";
       const double reach = within * 0.5 * (w.sheets.plans[sheet].thickness + spacingOf(w.scene, body));
-      if (!told.count({name(sheet), other})) tellVertices(sheet, reach, other, [&](const Vec3d& x, bool) { return !trees[k]->within(x, reach).empty(); });
+      if (!told.count({name(sheet), other}))
+        tellVertices(sheet, reach, other,
+                     [&](const Vec3d& x, bool) { return !trees[k]->within(x, reach).empty(); });
     }
   }
 
@@ -84,7 +92,10 @@ struct Meetings {
     for (std::size_t k = 0; k < sheet; k++) {
       if (told.count({name(sheet), name(k)})) continue;
       const double reach = within * 0.5 * (w.sheets.plans[sheet].thickness + w.sheets.plans[k].thickness);
-      const auto near = [&](std::size_t of) { return [&, of](const Vec3d& x, bool) { return faces[of]->closest(x, reach).distance2 < reach * reach; }; };
+      const auto near = [&](std::size_t of) {
+        return
+            [&, of](const Vec3d& x, bool) { return faces[of]->closest(x, reach).distance2 < reach * reach; };
+      };
       if (!tellVertices(sheet, reach, name(k), near(k))) tellVertices(k, reach, name(sheet), near(sheet));
     }
   }
@@ -92,7 +103,8 @@ struct Meetings {
 
 }  // namespace
 
-void warnOfStartContacts(const World& w, const std::vector<std::vector<Vec3d>>& oriented, const ToldPairs& told, Reducer& all, std::vector<SceneWarning>& warnings) {
+void warnOfStartContacts(const World& w, const std::vector<std::vector<Vec3d>>& oriented,
+                         const ToldPairs& told, Reducer& all, std::vector<SceneWarning>& warnings) {
   std::vector<std::unique_ptr<PointTree>> trees;
   for (const std::vector<Vec3d>& places : oriented) trees.push_back(std::make_unique<PointTree>(places));
   std::vector<std::unique_ptr<TriangleBvh>> faces;

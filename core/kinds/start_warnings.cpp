@@ -13,21 +13,27 @@ namespace {
 
 constexpr double thickest = 3;  // distances of vertices
 constexpr double deep = 0.5;    // of a thickness: contacts that are held are pressed in by less
-constexpr double close = 0.6;    // of the distance of contact of points: where surfaces cross hardly any two are nearer than half of it
+constexpr double close = 0.6;   // of the distance of contact of points: where surfaces cross hardly any two
+                                // are nearer than half of it
 
 /// One body of a further kind: how its rows and their contact are called.
 struct Who {
   SourcePlace where;
   std::string name;
   const char* rows;
-  double thickness;  // m, distance at which an obstacle touches it
+  double thickness;     // m, distance at which an obstacle touches it
   std::string drawnTo;  // what wrap draws it to, out of it as well as onto it
 };
 
-std::string counted(std::int64_t n, std::int64_t all, const Who& who) { return who.name + ": " + std::to_string(n) + " of its " + std::to_string(all) + " " + who.rows; }
+std::string counted(std::int64_t n, std::int64_t all, const Who& who) {
+  return who.name + ": " + std::to_string(n) + " of its " + std::to_string(all) + " " + who.rows;
+}
 
-/// Rows of each body for which `is(row, k)`, for each k of a list, over all ranks: [body][k], and at the end how many rows the body has.
-template<class Is> std::vector<std::vector<std::int64_t>> countRows(const KindRows& rows, std::size_t bodies, std::size_t things, Reducer& all, Is&& is) {
+/// Rows of each body for which `is(row, k)`, for each k of a list, over all ranks: [body][k], and at the end
+/// how many rows the body has.
+template<class Is>
+std::vector<std::vector<std::int64_t>> countRows(const KindRows& rows, std::size_t bodies, std::size_t things,
+                                                 Reducer& all, Is&& is) {
   std::vector<std::int64_t> n(bodies * (things + 1), 0);
   for (std::size_t i = 0; i < rows.owned; i++) {
     std::int64_t* of = n.data() + rows.body[i] * (things + 1);
@@ -36,13 +42,18 @@ template<class Is> std::vector<std::vector<std::int64_t>> countRows(const KindRo
   }
   all.sum(n);
   std::vector<std::vector<std::int64_t>> counts(bodies);
-  for (std::size_t b = 0; b < bodies; b++) counts[b].assign(n.begin() + static_cast<std::ptrdiff_t>(b * (things + 1)), n.begin() + static_cast<std::ptrdiff_t>((b + 1) * (things + 1)));
+  for (std::size_t b = 0; b < bodies; b++)
+    counts[b].assign(n.begin() + static_cast<std::ptrdiff_t>(b * (things + 1)),
+                     n.begin() + static_cast<std::ptrdiff_t>((b + 1) * (things + 1)));
   return counts;
 }
 
-void warnOfPlaces(const World& w, const KindRows& rows, const std::vector<Who>& whose, const std::vector<std::shared_ptr<const SignedDistance>>& shapes, Reducer& all,
+void warnOfPlaces(const World& w, const KindRows& rows, const std::vector<Who>& whose,
+                  const std::vector<std::shared_ptr<const SignedDistance>>& shapes, Reducer& all,
                   SceneProblems& problems, std::vector<SceneWarning>& warnings, ToldPairs& told) {
-  const auto inBodies = countRows(rows, whose.size(), shapes.size(), all, [&](std::size_t i, std::size_t k) { return shapes[k] && shapes[k]->inside(rows.position[i]); });
+  const auto inBodies = countRows(rows, whose.size(), shapes.size(), all, [&](std::size_t i, std::size_t k) {
+    return shapes[k] && shapes[k]->inside(rows.position[i]);
+  });
   auto inWalls = countRows(rows, whose.size(), w.walls.list.size(), all, [&](std::size_t i, std::size_t k) {
     const Wall& wall = w.walls.list[k];
     const double keep = deep * whose[rows.body[i]].thickness;
@@ -54,10 +65,15 @@ void warnOfPlaces(const World& w, const KindRows& rows, const std::vector<Who>& 
 
   // a cloth through a ball is held by it for good: contact pushes what is inside to whatever side is near
   const auto tellInside = [&](const Who& who, const std::string& text, const Body& body) {
-    if (!solidAt(w.scene.materials[static_cast<std::size_t>(body.material)], body.temperature)) warnings.push_back({who.where, text + ", whose liquid is pushed off them"});
+    if (!solidAt(w.scene.materials[static_cast<std::size_t>(body.material)], body.temperature))
+      warnings.push_back({who.where, text + ", whose liquid is pushed off them"});
     else if (who.drawnTo == body.name) return;
-    else if (w.scene.numerics.overlap == OverlapRule::Keep) warnings.push_back({who.where, text + ", where they stay caught"});
-    else problems.add(who.where, text + ", where they would stay caught; move them apart, or set numerics.overlap to \"keep\"");
+    else if (w.scene.numerics.overlap == OverlapRule::Keep)
+      warnings.push_back({who.where, text + ", where they stay caught"});
+    else
+      problems.add(
+          who.where,
+          text + ", where they would stay caught; move them apart, or set numerics.overlap to \"keep\"");
   };
   for (std::size_t b = 0; b < whose.size(); b++) {
     const std::int64_t n = inBodies[b].back();
@@ -65,13 +81,17 @@ void warnOfPlaces(const World& w, const KindRows& rows, const std::vector<Who>& 
       if (inBodies[b][k] > 0) {
         const std::string body = "body '" + w.scene.bodies[k].name + "'";
         told.insert({whose[b].name, body});
-        tellInside(whose[b], counted(inBodies[b][k], n, whose[b]) + " begin inside " + body, w.scene.bodies[k]);
+        tellInside(whose[b], counted(inBodies[b][k], n, whose[b]) + " begin inside " + body,
+                   w.scene.bodies[k]);
       }
     for (std::size_t k = 0; k < w.walls.list.size(); k++) {
       if (inWalls[b][k] == 0) continue;
       const std::string wall = "obstacle '" + w.walls.list[k].properties.name + "'";
       told.insert({whose[b].name, wall});
-      warnings.push_back({whose[b].where, counted(inWalls[b][k], n, whose[b]) + " begin deeper than half of its thickness in the contact with " + wall + ": pushing them out adds energy"});
+      warnings.push_back(
+          {whose[b].where, counted(inWalls[b][k], n, whose[b]) +
+                               " begin deeper than half of its thickness in the contact with " + wall +
+                               ": pushing them out adds energy"});
     }
   }
 }
@@ -80,58 +100,84 @@ void warnOfPlaces(const World& w, const KindRows& rows, const std::vector<Who>& 
 struct Other {
   const std::vector<Vec3d>* places;  // of all its rows
   std::string name;
-  double width;                      // m: two are in contact at the mean of their widths
+  double width;  // m: two are in contact at the mean of their widths
 };
 
-/// Rows of each body that begin deep in the contact with one of `others` before it in the list. first: of the body's place in the list.
-void warnOfOthers(const KindRows& rows, const std::vector<Who>& whose, const std::vector<Other>& others, std::size_t first, Reducer& all, std::vector<SceneWarning>& warnings, ToldPairs& told) {
+/// Rows of each body that begin deep in the contact with one of `others` before it in the list. first: of the
+/// body's place in the list.
+void warnOfOthers(const KindRows& rows, const std::vector<Who>& whose, const std::vector<Other>& others,
+                  std::size_t first, Reducer& all, std::vector<SceneWarning>& warnings, ToldPairs& told) {
   if (first + whose.size() < 2) return;
   std::vector<std::unique_ptr<PointTree>> trees;
-  for (std::size_t k = 0; k + 1 < first + whose.size(); k++) trees.push_back(std::make_unique<PointTree>(*others[k].places));
+  for (std::size_t k = 0; k + 1 < first + whose.size(); k++)
+    trees.push_back(std::make_unique<PointTree>(*others[k].places));
   const auto counts = countRows(rows, whose.size(), trees.size(), all, [&](std::size_t i, std::size_t k) {
     const std::size_t own = first + rows.body[i];
-    return k < own && !trees[k]->within(rows.position[i], close * 0.5 * (others[own].width + others[k].width)).empty();
+    return k < own &&
+           !trees[k]->within(rows.position[i], close * 0.5 * (others[own].width + others[k].width)).empty();
   });
   for (std::size_t b = 0; b < whose.size(); b++)
     for (std::size_t k = 0; k < first + b; k++)
       if (counts[b][k] > 0) {
         told.insert({whose[b].name, others[k].name});
-        warnings.push_back({whose[b].where, counted(counts[b][k], counts[b].back(), whose[b]) + " begin nearer to " + others[k].name + " than 0.6 of the distance of contact: pushing them apart adds energy"});
+        warnings.push_back(
+            {whose[b].where, counted(counts[b][k], counts[b].back(), whose[b]) + " begin nearer to " +
+                                 others[k].name +
+                                 " than 0.6 of the distance of contact: pushing them apart adds energy"});
       }
 }
 
 }  // namespace
 
-std::vector<SceneWarning> kindStartWarnings(const World& w, const std::vector<std::shared_ptr<const SignedDistance>>& shapes, const std::vector<std::vector<Vec3d>>& oriented, Reducer& all,
+std::vector<SceneWarning> kindStartWarnings(const World& w,
+                                            const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
+                                            const std::vector<std::vector<Vec3d>>& oriented, Reducer& all,
                                             SceneProblems& problems) {
   std::vector<Other> others;
   for (std::size_t b = 0; b < oriented.size(); b++) {
     const OrientedBody& body = w.scene.oriented[b];
     others.push_back({&oriented[b], "oriented body '" + body.name + "'", spacingOf(w.scene, body)});
   }
-  for (std::size_t n = 0; n < w.scene.sheets.size() && w.modules.sheet; n++) others.push_back({&w.sheets.plans[n].mesh.vertices, "sheet '" + w.scene.sheets[n].name + "'", w.sheets.plans[n].thickness});
+  for (std::size_t n = 0; n < w.scene.sheets.size() && w.modules.sheet; n++)
+    others.push_back({&w.sheets.plans[n].mesh.vertices, "sheet '" + w.scene.sheets[n].name + "'",
+                      w.sheets.plans[n].thickness});
   std::vector<SceneWarning> warnings;
   ToldPairs told;
   std::vector<Who> whose;
-  for (const OrientedBody& b : w.scene.oriented) whose.push_back({b.where, "oriented body '" + b.name + "'", "particles", b.thickness * spacingOf(w.scene, b), ""});
+  for (const OrientedBody& b : w.scene.oriented)
+    whose.push_back(
+        {b.where, "oriented body '" + b.name + "'", "particles", b.thickness * spacingOf(w.scene, b), ""});
   if (w.modules.oriented) warnOfPlaces(w, w.oriented.rows, whose, shapes, all, problems, warnings, told);
   if (w.modules.oriented) warnOfOthers(w.oriented.rows, whose, others, 0, all, warnings, told);
   if (!w.modules.sheet) return warnings;
   const Sheets& s = w.sheets.rows;
   whose.clear();
-  for (std::size_t n = 0; n < w.scene.sheets.size(); n++) whose.push_back({w.scene.sheets[n].where, "sheet '" + w.scene.sheets[n].name + "'", "vertices", w.sheets.plans[n].thickness, w.scene.sheets[n].wrap != 0 ? w.scene.sheets[n].wrapTo : ""});
+  for (std::size_t n = 0; n < w.scene.sheets.size(); n++)
+    whose.push_back({w.scene.sheets[n].where, "sheet '" + w.scene.sheets[n].name + "'", "vertices",
+                     w.sheets.plans[n].thickness,
+                     w.scene.sheets[n].wrap != 0 ? w.scene.sheets[n].wrapTo : ""});
   warnOfPlaces(w, s, whose, shapes, all, problems, warnings, told);
   warnOfOthers(s, whose, others, oriented.size(), all, warnings, told);
   warnOfStartContacts(w, oriented, told, all, warnings);
-  const auto free = countRows(s, whose.size(), 1, all, [&](std::size_t i, std::size_t) { return !(s.clamped.active && s.clamped[i]); });
+  const auto free = countRows(s, whose.size(), 1, all, [&](std::size_t i, std::size_t) {
+    return !(s.clamped.active && s.clamped[i]);
+  });
   for (std::size_t n = 0; n < whose.size(); n++) {
-    if (free[n][0] == 0) warnings.push_back({whose[n].where, whose[n].name + ": all of its " + std::to_string(free[n][1]) + " vertices are clamped: it does not move"});
+    if (free[n][0] == 0)
+      warnings.push_back({whose[n].where, whose[n].name + ": all of its " + std::to_string(free[n][1]) +
+                                              " vertices are clamped: it does not move"});
     if (const LeftOut& out = w.sheets.plans[n].leftOut; out.triangles + out.vertices > 0)
-      warnings.push_back({whose[n].where, whose[n].name + ": " + std::to_string(out.triangles) + " triangles of its mesh (without area, or there twice) and " + std::to_string(out.vertices) +
-                                              " vertices (of no triangle) are left out: the numbers of the others are not the file's"});
+      warnings.push_back(
+          {whose[n].where,
+           whose[n].name + ": " + std::to_string(out.triangles) +
+               " triangles of its mesh (without area, or there twice) and " + std::to_string(out.vertices) +
+               " vertices (of no triangle) are left out: the numbers of the others are not the file's"});
     const double spacing = w.sheets.plans[n].spacing;
     if (char text[240]; whose[n].thickness > thickest * spacing) {
-      std::snprintf(text, sizeof text, ": its thickness, %g m, is more than three times the distance of its vertices, %g m: contact is slow, and keeps it far from all that it touches", whose[n].thickness, spacing);
+      std::snprintf(text, sizeof text,
+                    ": its thickness, %g m, is more than three times the distance of its vertices, %g m: "
+                    "contact is slow, and keeps it far from all that it touches",
+                    whose[n].thickness, spacing);
       warnings.push_back({whose[n].where, whose[n].name + text});
     }
   }

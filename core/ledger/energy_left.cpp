@@ -79,7 +79,8 @@ std::vector<Lost> lostSums(const World& w, const StepTools& t) {
   const Numerics& n = w.scene.numerics;
   eachNearLeaver(w, t, [&](std::uint32_t j, const Leaver& l, const Vec3d& d) {
     const SurfaceShare s = surfaceShare(d);
-    const double filling = t.perLatticeSum * l.volume * withKernel(n.kernel, [q = length(d)](auto kernel) { return kernel.w(q, q * q); });
+    const double filling = t.perLatticeSum * l.volume *
+                           withKernel(n.kernel, [q = length(d)](auto kernel) { return kernel.w(q, q * q); });
     pairs.push_back({j, {s.gradient * l.volume, s.cover * l.volume}, filling});
   });
   std::stable_sort(pairs.begin(), pairs.end(), [](const Lost& a, const Lost& b) { return a.row < b.row; });

@@ -26,7 +26,8 @@ void addRow(const World& w, std::size_t i, ExactBalance& b) {
   b.potential.add(-m * dot(w.scene.domain.gravity, x));
   if (p.interaction.active) b.potential.add(p.interaction[i]);
   if (p.enthalpy.active) b.internal.add(m * p.enthalpy[i]);
-  if (p.slot.active && p.slot[i] != noSlot && w.solids.energy.active) b.elastic.add(w.solids.energy[p.slot[i]]);
+  if (p.slot.active && p.slot[i] != noSlot && w.solids.energy.active)
+    b.elastic.add(w.solids.energy[p.slot[i]]);
 }
 
 /// Exact sums, packed for one reduction.
@@ -44,7 +45,10 @@ struct Unpack {
   const std::vector<ExactSum>& sums;
   std::size_t at = 0;
   double next() { return sums[at++].value(); }
-  Vec3d next3() { const double x = next(), y = next(), z = next(); return {x, y, z}; }
+  Vec3d next3() {
+    const double x = next(), y = next(), z = next();
+    return {x, y, z};
+  }
   Balance balance() {
     Balance b;
     b.mass = next();
@@ -87,9 +91,10 @@ double heatScaleOf(const World& w, const LedgerReport& r) {
   return std::max({std::abs(gained), std::abs(r.heatIn), movableHeat(w, r.now.mass)});
 }
 
-/// Energies are sums of terms that cancel. 1e-14 of these is rounding: the energy of all bodies at a strain of 1,
-/// of their fall through the domain, of their motion through it in the scene's time. And 2^-24 of the heat that
-/// moves: as heat, less would not show in the temperatures of a frame, which are in single precision.
+/// Energies are sums of terms that cancel. 1e-14 of these is rounding: the energy of all bodies at a strain
+/// of 1, of their fall through the domain, of their motion through it in the scene's time. And 2^-24 of the
+/// heat that moves: as heat, less would not show in the temperatures of a frame, which are in single
+/// precision.
 double roundingOf(const World& w, const StepTools& t, const LedgerReport& r) {
   const Scene& s = w.scene;
   const Vec3d size = s.domain.max - s.domain.min;
@@ -103,7 +108,8 @@ double roundingOf(const World& w, const StepTools& t, const LedgerReport& r) {
   }
   for (const OrientedBody& b : s.oriented) {
     const double spacing = spacingOf(s, b);
-    strained = std::max(strained, b.stiffness * spacing * spacing * static_cast<double>(r.rows[orientedKind]));
+    strained = std::max(strained,
+                        b.stiffness * spacing * spacing * static_cast<double>(r.rows[orientedKind]));
   }
   for (std::size_t n = 0; n < w.sheets.plans.size(); n++) {
     const SheetBody& b = s.sheets[n];
@@ -139,7 +145,9 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
   for (std::size_t i = 0; i < p.owned; i++) {
     dissipated.add(p.dissipated[i]);
     continuum.add(p.mass[i]);
-    liquid.add(p.liquid.active ? p.mass[i] * static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? p.mass[i] : 0.0);
+    liquid.add(p.liquid.active        ? p.mass[i] * static_cast<double>(p.liquid[i])
+               : p.phase[i] == Liquid ? p.mass[i]
+                                      : 0.0);
   }
   eachKind(w, [&](std::size_t, const KindRows& r, const CellTable&) {
     for (std::size_t i = 0; i < r.owned; i++) dissipated.add(r.dissipated[i]);
@@ -151,7 +159,9 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
   pack.add(now);
   pack.add(w.ledger.entered);
   pack.add(w.ledger.left);
-  for (const ExactSum& s : {dissipated, w.ledger.wallWork, w.ledger.heatIn, w.ledger.phaseJump, w.ledger.restartJump, liquid, continuum}) pack.sums.push_back(s);
+  for (const ExactSum& s : {dissipated, w.ledger.wallWork, w.ledger.heatIn, w.ledger.phaseJump,
+                            w.ledger.restartJump, liquid, continuum})
+    pack.sums.push_back(s);
   for (const ExactSum& s : w.ledger.wallImpulse) pack.sums.push_back(s);
   for (const ExactSum& s : w.ledger.gravityImpulse) pack.sums.push_back(s);
   for (const ExactSum& s : underWay) pack.sums.push_back(s);
@@ -160,10 +170,13 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
     s.carry();
     digits.insert(digits.end(), s.digit.begin(), s.digit.end());
   }
-  eachKind(w, [&](std::size_t, const KindRows& r, const CellTable&) { digits.push_back(static_cast<std::int64_t>(r.owned)); });
+  eachKind(w, [&](std::size_t, const KindRows& r, const CellTable&) {
+    digits.push_back(static_cast<std::int64_t>(r.owned));
+  });
   digits.push_back(static_cast<std::int64_t>(p.owned));
   all.sum(digits);
-  for (std::size_t k = 0; k < pack.sums.size(); k++) std::copy_n(digits.data() + k * ExactSum::digits, ExactSum::digits, pack.sums[k].digit.data());
+  for (std::size_t k = 0; k < pack.sums.size(); k++)
+    std::copy_n(digits.data() + k * ExactSum::digits, ExactSum::digits, pack.sums[k].digit.data());
 
   Unpack u{pack.sums};
   LedgerReport r;
@@ -185,10 +198,15 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
   r.gravityImpulse = u.next3() + w.scene.domain.gravity * (r.initial.mass * w.clock.time);
   r.underWay = u.next3();
   r.massResidual = r.now.mass - (r.initial.mass + r.entered.mass - r.left.mass);
-  r.momentumResidual = r.now.momentum + r.underWay - (r.initial.momentum + r.entered.momentum - r.left.momentum + r.wallImpulse + r.gravityImpulse);
-  const double expected = mechanical(r.initial) + mechanical(r.entered) - mechanical(r.left) + r.wallWork - r.dissipated - r.phaseJump + r.restartJump;
+  r.momentumResidual = r.now.momentum + r.underWay -
+                       (r.initial.momentum + r.entered.momentum - r.left.momentum + r.wallImpulse +
+                        r.gravityImpulse);
+  const double expected = mechanical(r.initial) + mechanical(r.entered) - mechanical(r.left) + r.wallWork -
+                          r.dissipated - r.phaseJump + r.restartJump;
   r.energyResidual = mechanical(r.now) - expected;
-  r.energyScale = std::max({std::abs(r.now.kinetic), std::abs(r.initial.kinetic), std::abs(r.dissipated), std::abs(r.now.potential - r.initial.potential), std::abs(r.now.elastic), std::abs(r.wallWork), r.entered.kinetic, r.left.kinetic});
+  r.energyScale = std::max({std::abs(r.now.kinetic), std::abs(r.initial.kinetic), std::abs(r.dissipated),
+                            std::abs(r.now.potential - r.initial.potential), std::abs(r.now.elastic),
+                            std::abs(r.wallWork), r.entered.kinetic, r.left.kinetic});
   r.energyLargest = std::max(r.energyScale, w.watch.largest);
   r.heatScale = heatScaleOf(w, r);
   r.energyRounding = roundingOf(w, t, r);

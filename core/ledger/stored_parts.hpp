@@ -15,8 +15,8 @@ struct StoredParts {
   double contact = 0;      ///< of solids: contacts that are pressed together
 };
 
-/// Requires: forces were evaluated at the places of now, as after a step and at the start; not yet so after a restart.
-/// Ensures: the same bits on any number of ranks. Collective.
+/// Requires: forces were evaluated at the places of now, as after a step and at the start; not yet so after a
+/// restart. Ensures: the same bits on any number of ranks. Collective.
 StoredParts storedParts(World& world, const StepTools& tools, Reducer& all);
 
 }  // namespace thaw

@@ -3,17 +3,30 @@
 namespace thaw {
 namespace {
 
-constexpr std::size_t balanceSums = 11, ledgerSums = 2 * balanceSums + 14, worldCounts = sizeof(Counters) / sizeof(std::int64_t);
-static_assert(sizeof(ExactBalance) == balanceSums * sizeof(ExactSum), "list the new sum in addBalance, and in valuesOf");
-static_assert(sizeof(Ledger) == ledgerSums * sizeof(ExactSum) + sizeof(Balance), "list the new sum in sumsOf");
+constexpr std::size_t balanceSums = 11, ledgerSums = 2 * balanceSums + 14,
+                      worldCounts = sizeof(Counters) / sizeof(std::int64_t);
+static_assert(sizeof(ExactBalance) == balanceSums * sizeof(ExactSum),
+              "list the new sum in addBalance, and in valuesOf");
+static_assert(sizeof(Ledger) == ledgerSums * sizeof(ExactSum) + sizeof(Balance),
+              "list the new sum in sumsOf");
 static_assert(worldCounts == 30, "list the new counter in countsOf");
 static_assert(sizeof(SurfaceCounters) == 11 * sizeof(std::int64_t), "list the new counter in countsOf");
 static_assert(sizeof(WatchState) == 11 * sizeof(double), "list the new member in realsOf or countsOf");
 
 void addBalance(std::vector<NamedSum>& list, ExactBalance& b, const char* const (&names)[balanceSums]) {
-  ExactSum* const sums[balanceSums] = {&b.mass, &b.momentum[0], &b.momentum[1], &b.momentum[2], &b.angularMomentum[0], &b.angularMomentum[1],
-                                       &b.angularMomentum[2], &b.kinetic, &b.elastic, &b.potential, &b.internal};
-  constexpr const char* units[balanceSums] = {"kg", "kg m/s", "kg m/s", "kg m/s", "kg m^2/s", "kg m^2/s", "kg m^2/s", "J", "J", "J", "J"};
+  ExactSum* const sums[balanceSums] = {&b.mass,
+                                       &b.momentum[0],
+                                       &b.momentum[1],
+                                       &b.momentum[2],
+                                       &b.angularMomentum[0],
+                                       &b.angularMomentum[1],
+                                       &b.angularMomentum[2],
+                                       &b.kinetic,
+                                       &b.elastic,
+                                       &b.potential,
+                                       &b.internal};
+  constexpr const char* units[balanceSums] = {
+      "kg", "kg m/s", "kg m/s", "kg m/s", "kg m^2/s", "kg m^2/s", "kg m^2/s", "J", "J", "J", "J"};
   for (std::size_t k = 0; k < balanceSums; k++) list.push_back({names[k], units[k], sums[k]});
 }
 
@@ -22,11 +35,13 @@ void addBalance(std::vector<NamedSum>& list, ExactBalance& b, const char* const 
 std::vector<NamedSum> sumsOf(Ledger& l) {
   std::vector<NamedSum> list;
   addBalance(list, l.entered,
-             {"entered_mass", "entered_momentum_x", "entered_momentum_y", "entered_momentum_z", "entered_angular_momentum_x",
-              "entered_angular_momentum_y", "entered_angular_momentum_z", "entered_kinetic", "entered_elastic", "entered_potential", "entered_internal"});
+             {"entered_mass", "entered_momentum_x", "entered_momentum_y", "entered_momentum_z",
+              "entered_angular_momentum_x", "entered_angular_momentum_y", "entered_angular_momentum_z",
+              "entered_kinetic", "entered_elastic", "entered_potential", "entered_internal"});
   addBalance(list, l.left,
-             {"left_mass", "left_momentum_x", "left_momentum_y", "left_momentum_z", "left_angular_momentum_x", "left_angular_momentum_y",
-              "left_angular_momentum_z", "left_kinetic", "left_elastic", "left_potential", "left_internal"});
+             {"left_mass", "left_momentum_x", "left_momentum_y", "left_momentum_z", "left_angular_momentum_x",
+              "left_angular_momentum_y", "left_angular_momentum_z", "left_kinetic", "left_elastic",
+              "left_potential", "left_internal"});
   const NamedSum others[] = {{"dissipated", "J", &l.dissipated},
                              {"wall_work", "J", &l.wallWork},
                              {"wall_impulse_x", "N s", &l.wallImpulse[0]},
@@ -79,23 +94,23 @@ std::vector<NamedCount> countsOf(Counters& c) {
 }
 
 std::vector<NamedCount> countsOf(SurfaceCounters& c) {
-  return {{"updates", &c.updates},
-          {"iterations", &c.iterations},
-          {"births", &c.births},
-          {"deaths", &c.deaths},
-          {"splits", &c.splits},
-          {"merges", &c.merges},
-          {"lost", &c.lost},
-          {"flipped", &c.flipped},
-          {"kept_normals", &c.keptNormals},
-          {"capped", &c.capped},
-          {"unfinished", &c.unfinished}};
+  return {{"updates", &c.updates}, {"iterations", &c.iterations}, {"births", &c.births},
+          {"deaths", &c.deaths},   {"splits", &c.splits},         {"merges", &c.merges},
+          {"lost", &c.lost},       {"flipped", &c.flipped},       {"kept_normals", &c.keptNormals},
+          {"capped", &c.capped},   {"unfinished", &c.unfinished}};
 }
 
-std::vector<NamedReal> realsOf(WatchState& s) { return {{"factor", &s.factor}, {"residual", &s.residual}, {"scale", &s.scale}, {"largest", &s.largest}, {"full_step", &s.fullStep}, {"passed", &s.passed}}; }
+std::vector<NamedReal> realsOf(WatchState& s) {
+  return {{"factor", &s.factor},   {"residual", &s.residual},  {"scale", &s.scale},
+          {"largest", &s.largest}, {"full_step", &s.fullStep}, {"passed", &s.passed}};
+}
 
 std::vector<NamedCount> countsOf(WatchState& s) {
-  return {{"halvings", &s.halvings}, {"failures", &s.failures}, {"patience", &s.patience}, {"calm", &s.calm}, {"good_step", &s.goodStep}};
+  return {{"halvings", &s.halvings},
+          {"failures", &s.failures},
+          {"patience", &s.patience},
+          {"calm", &s.calm},
+          {"good_step", &s.goodStep}};
 }
 
 std::vector<NamedValue> valuesOf(Balance& b) {
@@ -123,7 +138,8 @@ Ledger globalLedger(const Ledger& mine, Reducer& all) {
   }
   all.sum(digits);
   for (std::size_t k = 0; k < list.size(); k++) {
-    std::copy_n(digits.begin() + static_cast<std::ptrdiff_t>(k * ExactSum::digits), ExactSum::digits, list[k].sum->digit.begin());
+    std::copy_n(digits.begin() + static_cast<std::ptrdiff_t>(k * ExactSum::digits), ExactSum::digits,
+                list[k].sum->digit.begin());
     list[k].sum->carry();
   }
   return sum;

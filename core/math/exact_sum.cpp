@@ -8,7 +8,7 @@ namespace thaw {
 
 namespace {
 
-constexpr int lowest = -1088;                          // exponent of digit 0
+constexpr int lowest = -1088;                              // exponent of digit 0
 constexpr std::int64_t notFinite = std::int64_t(1) << 40;  // in the last digit, which finite sums leave small
 constexpr std::int64_t digitMask = 0xffffffff;
 
@@ -22,12 +22,14 @@ void ExactSum::add(double x) {
     return;
   }
   // x = mantissa * 2^(place + lowest)
-  const std::uint64_t fraction = bits & 0xfffffffffffffull, mantissa = exponent > 0 ? fraction | 0x10000000000000ull : fraction;
+  const std::uint64_t fraction = bits & 0xfffffffffffffull,
+                      mantissa = exponent > 0 ? fraction | 0x10000000000000ull : fraction;
   const int place = (exponent > 0 ? exponent : 1) - 1075 - lowest;
   const auto at = static_cast<std::size_t>(place / 32);
   const unsigned __int128 shifted = static_cast<unsigned __int128>(mantissa) << (place % 32);
   const std::int64_t sign = bits >> 63 ? -1 : 1;
-  for (std::size_t k = 0; k < 3; k++) digit[at + k] += sign * (static_cast<std::int64_t>(shifted >> (32 * k)) & digitMask);
+  for (std::size_t k = 0; k < 3; k++)
+    digit[at + k] += sign * (static_cast<std::int64_t>(shifted >> (32 * k)) & digitMask);
   if (++pending >= (1 << 30)) carry();
 }
 
@@ -53,7 +55,8 @@ double ExactSum::value() const {
   if (top < 0) return 0;
   // three digits hold more than 64 bits; whatever lies below only decides between ties
   unsigned __int128 head = 0;
-  for (int k = top; k > top - 3; k--) head = head << 32 | static_cast<unsigned __int128>(k >= 0 ? s.digit[static_cast<std::size_t>(k)] : 0);
+  for (int k = top; k > top - 3; k--)
+    head = head << 32 | static_cast<unsigned __int128>(k >= 0 ? s.digit[static_cast<std::size_t>(k)] : 0);
   for (int k = 0; k <= top - 3; k++)
     if (s.digit[static_cast<std::size_t>(k)] != 0) head |= 1;
   const double rounded = std::ldexp(static_cast<double>(head), 32 * (top - 2) + lowest);
@@ -64,7 +67,8 @@ ExactSum& ExactSum::operator+=(const ExactSum& other) {
   ExactSum o = other;
   o.carry();
   for (std::size_t k = 0; k < digits; k++) digit[k] += o.digit[k];
-  if (digit[digits - 1] > notFinite * 1024) digit[digits - 1] = notFinite;  // not finite it stays, but never overflows
+  // not finite it stays, but never overflows
+  if (digit[digits - 1] > notFinite * 1024) digit[digits - 1] = notFinite;
   if (++pending >= (1 << 30)) carry();
   return *this;
 }
@@ -74,8 +78,10 @@ void ExactSum::addProduct(const ExactSum& other, double factor) {
   o.carry();
   const std::uint64_t bits = std::bit_cast<std::uint64_t>(factor);
   const int exponent = static_cast<int>(bits >> 52 & 0x7ff);
-  if (exponent == 0x7ff || o.digit[digits - 1] >= notFinite / 2) return add(std::numeric_limits<double>::quiet_NaN());
-  const std::uint64_t fraction = bits & 0xfffffffffffffull, mantissa = exponent > 0 ? fraction | 0x10000000000000ull : fraction;
+  if (exponent == 0x7ff || o.digit[digits - 1] >= notFinite / 2)
+    return add(std::numeric_limits<double>::quiet_NaN());
+  const std::uint64_t fraction = bits & 0xfffffffffffffull,
+                      mantissa = exponent > 0 ? fraction | 0x10000000000000ull : fraction;
   if (mantissa == 0) return;
   const int shift = (exponent > 0 ? exponent : 1) - 1075;
   std::int64_t sign = bits >> 63 ? -1 : 1;
@@ -97,7 +103,8 @@ void ExactSum::addProduct(const ExactSum& other, double factor) {
     // the product has up to 85 bits, 117 when shifted: four digits
     if (at + 4 >= digits) return add(std::numeric_limits<double>::quiet_NaN());
     product <<= place % 32;
-    for (std::size_t j = 0; j < 4; j++) digit[at + j] += sign * (static_cast<std::int64_t>(product >> (32 * j)) & digitMask);
+    for (std::size_t j = 0; j < 4; j++)
+      digit[at + j] += sign * (static_cast<std::int64_t>(product >> (32 * j)) & digitMask);
   }
   pending += 5;  // at most five of these products meet in a digit
   if (pending >= (1 << 30)) carry();

@@ -1,14 +1,28 @@
-// Random numbers without a stream: a function of what they are for, so that they are the same on any number of ranks, in any
-// order and after a restart.
+// Random numbers without a stream: a function of what they are for, so that they are the same on any number
+// of ranks, in any order and after a restart.
 #pragma once
 #include <cstdint>
 
 namespace thaw {
 
-/// What a random number is for; numbers of different purposes are independent. Values are part of the results: append only.
-enum class Purpose : std::uint64_t { Jitter = 1, Emission = 2, Separate = 3, SurfelSample = 11, SurfelBirth = 12, SurfelDeath = 13, OrientedSample = 21, OrientedBirth = 22, OrientedDeath = 23, OrientedKick = 24, Test = 1000 };
+/// What a random number is for; numbers of different purposes are independent. Values are part of the
+/// results: append only.
+enum class Purpose : std::uint64_t {
+  Jitter = 1,
+  Emission = 2,
+  Separate = 3,
+  SurfelSample = 11,
+  SurfelBirth = 12,
+  SurfelDeath = 13,
+  OrientedSample = 21,
+  OrientedBirth = 22,
+  OrientedDeath = 23,
+  OrientedKick = 24,
+  Test = 1000
+};
 
-/// Mixes 64 bits so that every bit of the argument changes about half of the result's (the finaliser of SplitMix64, Steele et al. 2014).
+/// Mixes 64 bits so that every bit of the argument changes about half of the result's (the finaliser of
+/// SplitMix64, Steele et al. 2014).
 inline std::uint64_t mixBits(std::uint64_t x) {
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
   x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
@@ -16,8 +30,10 @@ inline std::uint64_t mixBits(std::uint64_t x) {
 }
 
 /// 64 random bits of (seed, purpose, id, step).
-inline std::uint64_t randomBits(std::uint64_t seed, Purpose purpose, std::uint64_t id, std::uint64_t step = 0) {
-  constexpr std::uint64_t odd = 0x9e3779b97f4a7c15ull;  // 2^64 over the golden ratio: sets arguments of small numbers apart
+inline std::uint64_t randomBits(std::uint64_t seed, Purpose purpose, std::uint64_t id,
+                                std::uint64_t step = 0) {
+  constexpr std::uint64_t odd = 0x9e3779b97f4a7c15ull;  // 2^64 over the golden ratio: sets arguments of small
+                                                        // numbers apart
   std::uint64_t h = mixBits(seed + odd);
   h = mixBits(h + odd * (static_cast<std::uint64_t>(purpose) + 1));
   h = mixBits(h + odd * (id + 1));

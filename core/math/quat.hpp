@@ -5,12 +5,17 @@
 
 namespace thaw {
 
-struct Quat { double w = 1, x = 0, y = 0, z = 0; };
-template<> struct FieldType<Quat> { static constexpr Scalar scalar = Scalar::F64; static constexpr int components = 4; };
+struct Quat {
+  double w = 1, x = 0, y = 0, z = 0;
+};
+template<> struct FieldType<Quat> {
+  static constexpr Scalar scalar = Scalar::F64;
+  static constexpr int components = 4;
+};
 
 inline Quat operator*(const Quat& a, const Quat& b) {
-  return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
-          a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
+  return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
+          a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
 }
 inline Quat unitQuat(const Quat& q) {
   const double l = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);

@@ -22,7 +22,11 @@ void clearLists(NeighbourLists& lists, std::uint32_t owned, std::uint32_t dummy)
 void growList(NeighbourLists& lists, std::size_t n) {
   // what all groups will take if they are like those so far; the vector itself would double
   const std::size_t all = lists.self.size() / 8, done = lists.groups + 1;
-  const std::size_t room = done < all / 8 ? 3 * n : static_cast<std::size_t>(1.01 * static_cast<double>(n) * static_cast<double>(all > done ? all : done) / static_cast<double>(done));
+  const std::size_t room = done < all / 8
+                               ? 3 * n
+                               : static_cast<std::size_t>(1.01 * static_cast<double>(n) *
+                                                          static_cast<double>(all > done ? all : done) /
+                                                          static_cast<double>(done));
   lists.list.reserve(room + 4096);
   lists.list.resize(room + 4096);
 }

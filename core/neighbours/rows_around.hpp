@@ -23,8 +23,10 @@ inline void rowsAround(const CellTable& t, std::uint64_t key, std::vector<RowSpa
     }
 }
 
-/// Calls pair(i, j) for all owned rows i of one table and rows j of the other in the cells around, those of a row in the order (cell, id).
-template<class Pair> void eachNear(const CellTable& own, std::size_t owned, const CellTable& others, Pair&& pair) {
+/// Calls pair(i, j) for all owned rows i of one table and rows j of the other in the cells around, those of a
+/// row in the order (cell, id).
+template<class Pair>
+void eachNear(const CellTable& own, std::size_t owned, const CellTable& others, Pair&& pair) {
   std::vector<RowSpan> ranges;
   for (std::size_t c = 0; c < own.key.size(); c++) {
     if (own.first[c] >= owned) continue;

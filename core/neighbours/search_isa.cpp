@@ -8,23 +8,30 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// A row of cells along x around a cell: the three keys from `low` on, found by a pointer that only moves forward.
+/// A row of cells along x around a cell: the three keys from `low` on, found by a pointer that only moves
+/// forward.
 struct CellRow {
   std::uint64_t offset = 0;  // of key, two's complement
   std::size_t at = 0;
 };
 
-/// Lists the candidates within the support radius of candidate `self`, but not itself; returns how many. Writes up to 15 more.
+/// Lists the candidates within the support radius of candidate `self`, but not itself; returns how many.
+/// Writes up to 15 more.
 std::uint32_t pick(const SearchBuffers& b, std::uint32_t candidates, std::uint32_t self, std::uint32_t* out) {
   const std::uint16_t *x = b.x.data(), *y = b.y.data(), *z = b.z.data();
   const std::uint32_t* entry = b.entry.data();
   std::uint32_t n = 0;
 #if defined(__AVX512BW__)
-  const __m512i X = _mm512_set1_epi16(static_cast<short>(x[self])), Y = _mm512_set1_epi16(static_cast<short>(y[self])), Z = _mm512_set1_epi16(static_cast<short>(z[self]));
+  const __m512i X = _mm512_set1_epi16(static_cast<short>(x[self])),
+                Y = _mm512_set1_epi16(static_cast<short>(y[self])),
+                Z = _mm512_set1_epi16(static_cast<short>(z[self]));
   const __m512i R = _mm512_set1_epi16(reach2);
   for (std::uint32_t c = 0; c < candidates; c += 32) {
-    const __m512i dx = _mm512_sub_epi16(_mm512_load_si512(x + c), X), dy = _mm512_sub_epi16(_mm512_load_si512(y + c), Y), dz = _mm512_sub_epi16(_mm512_load_si512(z + c), Z);
-    const __m512i d2 = _mm512_add_epi16(_mm512_add_epi16(_mm512_mulhi_epi16(dx, dx), _mm512_mulhi_epi16(dy, dy)), _mm512_mulhi_epi16(dz, dz));
+    const __m512i dx = _mm512_sub_epi16(_mm512_load_si512(x + c), X),
+                  dy = _mm512_sub_epi16(_mm512_load_si512(y + c), Y),
+                  dz = _mm512_sub_epi16(_mm512_load_si512(z + c), Z);
+    const __m512i d2 = _mm512_add_epi16(
+        _mm512_add_epi16(_mm512_mulhi_epi16(dx, dx), _mm512_mulhi_epi16(dy, dy)), _mm512_mulhi_epi16(dz, dz));
     std::uint32_t m = _mm512_cmplt_epu16_mask(d2, R);
     const std::uint32_t own = self - c, left = candidates - c;
     m &= ~(own < 32 ? 1u << (own & 31) : 0u) & (left < 32 ? (1u << (left & 31)) - 1 : ~0u);
@@ -35,17 +42,24 @@ std::uint32_t pick(const SearchBuffers& b, std::uint32_t candidates, std::uint32
     n += static_cast<std::uint32_t>(__builtin_popcount(high));
   }
 #elif defined(__AVX2__)
-  const __m256i X = _mm256_set1_epi16(static_cast<short>(x[self])), Y = _mm256_set1_epi16(static_cast<short>(y[self])), Z = _mm256_set1_epi16(static_cast<short>(z[self]));
+  const __m256i X = _mm256_set1_epi16(static_cast<short>(x[self])),
+                Y = _mm256_set1_epi16(static_cast<short>(y[self])),
+                Z = _mm256_set1_epi16(static_cast<short>(z[self]));
   const __m256i R = _mm256_set1_epi16(reach2);
   const auto at = [](const void* p) { return _mm256_load_si256(static_cast<const __m256i*>(p)); };
   for (std::uint32_t c = 0; c < candidates; c += 16) {
-    const __m256i dx = _mm256_sub_epi16(at(x + c), X), dy = _mm256_sub_epi16(at(y + c), Y), dz = _mm256_sub_epi16(at(z + c), Z);
-    const __m256i d2 = _mm256_adds_epi16(_mm256_adds_epi16(_mm256_mulhi_epi16(dx, dx), _mm256_mulhi_epi16(dy, dy)), _mm256_mulhi_epi16(dz, dz));
-    const __m256i near = _mm256_permute4x64_epi64(_mm256_packs_epi16(_mm256_cmpgt_epi16(R, d2), _mm256_setzero_si256()), 0xd8);
+    const __m256i dx = _mm256_sub_epi16(at(x + c), X), dy = _mm256_sub_epi16(at(y + c), Y),
+                  dz = _mm256_sub_epi16(at(z + c), Z);
+    const __m256i d2 = _mm256_adds_epi16(
+        _mm256_adds_epi16(_mm256_mulhi_epi16(dx, dx), _mm256_mulhi_epi16(dy, dy)),
+        _mm256_mulhi_epi16(dz, dz));
+    const __m256i near = _mm256_permute4x64_epi64(
+        _mm256_packs_epi16(_mm256_cmpgt_epi16(R, d2), _mm256_setzero_si256()), 0xd8);
     std::uint32_t m = static_cast<std::uint32_t>(_mm256_movemask_epi8(near));
     const std::uint32_t own = self - c, left = candidates - c;
     m &= ~(own < 16 ? 1u << (own & 31) : 0u) & (left < 16 ? (1u << (left & 31)) - 1 : ~0u);
-    for (std::uint32_t half = 0; half < 2; half++, m >>= 8) n += pack8(reinterpret_cast<Vec8u>(at(entry + c + 8 * half)), m & 255, out + n);
+    for (std::uint32_t half = 0; half < 2; half++, m >>= 8)
+      n += pack8(reinterpret_cast<Vec8u>(at(entry + c + 8 * half)), m & 255, out + n);
   }
 #else
   const auto square = [](int a, int b) {
@@ -61,16 +75,19 @@ std::uint32_t pick(const SearchBuffers& b, std::uint32_t candidates, std::uint32
   return n;
 }
 
-/// Eight entries to a list; past the caches where it is so long that they could not keep it until it is read, without reading what is written over.
+/// Eight entries to a list; past the caches where it is so long that they could not keep it until it is read,
+/// without reading what is written over.
 template<bool past> THAW_INLINE void put(std::uint32_t* to, Vec8u v) {
 #if defined(__AVX__)
-  if constexpr (past) return _mm256_stream_si256(reinterpret_cast<__m256i*>(to), reinterpret_cast<__m256i>(v));
+  if constexpr (past)
+    return _mm256_stream_si256(reinterpret_cast<__m256i*>(to), reinterpret_cast<__m256i>(v));
 #endif
   __builtin_memcpy(to, &v, 32);
 }
 
 /// Row r of `to` becomes column r of the eight rows in `from`.
-template<bool past> THAW_INLINE void transpose8(std::uint32_t* const from[8], std::uint32_t k, std::uint32_t* to) {
+template<bool past>
+THAW_INLINE void transpose8(std::uint32_t* const from[8], std::uint32_t k, std::uint32_t* to) {
   Vec8u r[8], s[8];
   for (int l = 0; l < 8; l++) __builtin_memcpy(&r[l], from[l] + k, 32);
   for (int l = 0; l < 8; l += 2) {  // pairs of rows
@@ -84,7 +101,8 @@ template<bool past> THAW_INLINE void transpose8(std::uint32_t* const from[8], st
     r[l + 3] = __builtin_shufflevector(s[l + 1], s[l + 3], 2, 3, 10, 11, 6, 7, 14, 15);
   }
   for (int l = 0; l < 4; l++) {
-    const Vec8u low = __builtin_shufflevector(r[l], r[l + 4], 0, 1, 2, 3, 8, 9, 10, 11), high = __builtin_shufflevector(r[l], r[l + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    const Vec8u low = __builtin_shufflevector(r[l], r[l + 4], 0, 1, 2, 3, 8, 9, 10, 11),
+                high = __builtin_shufflevector(r[l], r[l + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     put<past>(to + 8 * l, low);
     put<past>(to + 8 * (l + 4), high);
   }
@@ -92,7 +110,8 @@ template<bool past> THAW_INLINE void transpose8(std::uint32_t* const from[8], st
 
 constexpr std::size_t beyondCaches = std::size_t(64) << 20;  // bytes
 
-/// Interleaves these lists of the window into a group of lists.list; writes up to seven rows of eight behind it.
+/// Interleaves these lists of the window into a group of lists.list; writes up to seven rows of eight behind
+/// it.
 void closeGroup(SearchBuffers& b, const std::uint32_t* which, int filled, NeighbourLists& lists) {
   std::uint32_t most = 0;
   for (int l = 0; l < filled; l++) most = most < b.length[which[l]] ? b.length[which[l]] : most;
@@ -116,7 +135,8 @@ void closeGroup(SearchBuffers& b, const std::uint32_t* which, int filled, Neighb
     for (std::uint32_t k = 0; k < room; k += 8) transpose8<true>(from, k, to + 8ull * k);
   else
     for (std::uint32_t k = 0; k < room; k += 8) {
-      for (std::uint32_t line = 0; line < 64; line += 16) __builtin_prefetch(to + 8ull * k + listAhead + line, 1);
+      for (std::uint32_t line = 0; line < 64; line += 16)
+        __builtin_prefetch(to + 8ull * k + listAhead + line, 1);
       transpose8<false>(from, k, to + 8ull * k);
     }
   for (int l = filled; l < 8; l++)
@@ -127,13 +147,18 @@ void closeGroup(SearchBuffers& b, const std::uint32_t* which, int filled, Neighb
   lists.groups++;
 }
 
-/// Makes groups of the lists in the window: wet ones first, and of like length. Which particles share a group changes no sum.
+/// Makes groups of the lists in the window: wet ones first, and of like length. Which particles share a group
+/// changes no sum.
 void closeWindow(SearchBuffers& b, NeighbourLists& lists) {
   constexpr int n = SearchBuffers::window;
   alignas(32) std::int32_t key[n], rank[n];
   for (int k = 0; k < n; k++)  // keys differ: by the number of the list, at least
-    key[k] = k < b.filled ? (b.wet[k] ? 1 << 30 : 0) | static_cast<std::int32_t>(b.length[k] < 0x3fffff ? b.length[k] : 0x3fffff) << 8 | k : -1 - k;
-  for (int k = 0; k < n; k += 8) {  // the place of each is how many are greater: no branch that depends on lengths
+    key[k] = k < b.filled
+                 ? (b.wet[k] ? 1 << 30 : 0) |
+                       static_cast<std::int32_t>(b.length[k] < 0x3fffff ? b.length[k] : 0x3fffff) << 8 | k
+                 : -1 - k;
+  for (int k = 0; k < n; k += 8) {  // the place of each is how many are greater: no branch that depends on
+                                    // lengths
     Vec8i mine, place{};
     __builtin_memcpy(&mine, key + k, 32);
     for (int j = 0; j < n; j++) place -= key[j] > mine;
@@ -145,8 +170,10 @@ void closeWindow(SearchBuffers& b, NeighbourLists& lists) {
   b.filled = 0;
 }
 
-/// Copies the rows of a round behind the candidates. Reads and writes up to 31 too many, which the next ones overwrite.
-THAW_INLINE std::uint32_t addCandidates(const SearchInput& in, const SearchRound& round, SearchBuffers& b, std::uint32_t candidates) {
+/// Copies the rows of a round behind the candidates. Reads and writes up to 31 too many, which the next ones
+/// overwrite.
+THAW_INLINE std::uint32_t addCandidates(const SearchInput& in, const SearchRound& round, SearchBuffers& b,
+                                        std::uint32_t candidates) {
   for (std::uint32_t k = 0; k < round.count; k += 16) {
     __builtin_memcpy(b.x.data() + candidates + k, in.x + round.first + k, 32);
     __builtin_memcpy(b.y.data() + candidates + k, in.y + round.first + k, 32);
@@ -158,10 +185,12 @@ THAW_INLINE std::uint32_t addCandidates(const SearchInput& in, const SearchRound
   return candidates + round.count;
 }
 
-/// The rows in the 27 cells around one cell are the rounds of the buffers; and where its own particles are among them.
+/// The rows in the 27 cells around one cell are the rounds of the buffers; and where its own particles are
+/// among them.
 struct Surroundings {
   std::uint32_t rounds, candidates;
-  std::uint32_t ownRound, ownPlace, ownStart;  ///< the round where the cell's own run of rows begins; its first particle's place in that run, and among all
+  std::uint32_t ownRound, ownPlace, ownStart;  ///< the round where the cell's own run of rows begins; its
+                                               ///< first particle's place in that run, and among all
   std::uint8_t wet;
 };
 /// Adds a run of rows that follow each other in memory.
@@ -174,7 +203,8 @@ THAW_INLINE void addRun(SearchBuffers& b, Surroundings& s, std::uint32_t first, 
   b.rounds[s.rounds++] = {first, count, 2 * first, ~0u >> (32 - count)};
   if (s.rounds + 1 >= b.rounds.size()) growRounds(b);
 }
-THAW_INLINE Surroundings findSurroundings(const SearchInput& in, std::size_t c, CellRow (&rows)[9], SearchBuffers& b) {
+THAW_INLINE Surroundings findSurroundings(const SearchInput& in, std::size_t c, CellRow (&rows)[9],
+                                          SearchBuffers& b) {
   const std::uint64_t* const keys = in.cells->key.data();
   const std::uint32_t *const first = in.cells->first.data(), *const count = in.cells->count.data();
   const std::size_t n = in.cells->key.size();
@@ -191,7 +221,9 @@ THAW_INLINE Surroundings findSurroundings(const SearchInput& in, std::size_t c, 
     std::size_t d = r.at;
     while (d < n && keys[d] < low) d++;
     r.at = d;
-    if (d + 2 < n && keys[d + 2] == low + 2 && first[d] + count[d] == first[d + 1] && first[d + 1] + count[d + 1] == first[d + 2]) {  // three cells in a row: most
+    // three cells in a row: most
+    if (d + 2 < n && keys[d + 2] == low + 2 && first[d] + count[d] == first[d + 1] &&
+        first[d + 1] + count[d + 1] == first[d + 2]) {
       if (d + 1 == c) ownIsIn(d);
       if (in.liquid != nullptr) s.wet |= in.liquid[d] | in.liquid[d + 1] | in.liquid[d + 2];
       addRun(b, s, first[d], first[d + 2] + count[d + 2] - first[d]);
@@ -212,19 +244,24 @@ void searchNeighbours(const SearchInput& in, Part part, SearchBuffers& b, Neighb
   const CellTable& cells = *in.cells;
   CellRow rows[9];
   for (int k = 0; k < 9; k++)
-    rows[k].offset = static_cast<std::uint64_t>(static_cast<std::int64_t>(k / 3 - 1) * (1ll << 42) + static_cast<std::int64_t>(k % 3 - 1) * (1ll << 21));
+    rows[k].offset = static_cast<std::uint64_t>(static_cast<std::int64_t>(k / 3 - 1) * (1ll << 42) +
+                                                static_cast<std::int64_t>(k % 3 - 1) * (1ll << 21));
   const std::size_t n = cells.key.size();
   b.filled = 0;
   if (b.rounds.size() == 0) growRounds(b);
   const bool canPickDirect = hasPickDirect();
   for (std::size_t c = 0; c < n; c++) {
-    if (cells.first[c] >= in.owned || in.inner[c] == skippedCell || (in.inner[c] != 0) != (part == Part::Inner)) continue;
+    if (cells.first[c] >= in.owned || in.inner[c] == skippedCell ||
+        (in.inner[c] != 0) != (part == Part::Inner))
+      continue;
     const Surroundings around = findSurroundings(in, c, rows, b);
     if (b.entry.size() < around.candidates + 32) growSearch(b, around.candidates + 32);
-    const bool direct = canPickDirect && around.rounds <= around.candidates / 32 + 6;  // many short rounds are quicker to copy together
+    // many short rounds are quicker to copy together
+    const bool direct = canPickDirect && around.rounds <= around.candidates / 32 + 6;
     if (!direct) {
       std::uint32_t candidates = 0;
-      for (std::uint32_t k = 0; k < around.rounds; k++) candidates = addCandidates(in, b.rounds[k], b, candidates);
+      for (std::uint32_t k = 0; k < around.rounds; k++)
+        candidates = addCandidates(in, b.rounds[k], b, candidates);
     }
     for (std::uint32_t k = 0; k < cells.count[c]; k++) {
       const std::uint32_t row = cells.first[c] + k;

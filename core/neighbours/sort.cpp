@@ -35,11 +35,14 @@ void listRuns(const std::uint64_t* key, std::size_t rows, CellTable& cells) {
 
 }  // namespace
 
-template<class Rows> void listCells(const Rows& p, CellTable& cells) { listRuns(p.nextCell.data(), p.owned, cells); }
+template<class Rows> void listCells(const Rows& p, CellTable& cells) {
+  listRuns(p.nextCell.data(), p.owned, cells);
+}
 
 namespace {
 
-/// Rows that leave their place, and those that get another one. What has departed is told by nextCell from now on.
+/// Rows that leave their place, and those that get another one. What has departed is told by nextCell from
+/// now on.
 template<class Rows> void findMovers(Rows& p, const Migration& migration, SortBuffers& b) {
   const std::size_t stayed = p.owned - migration.arrivals;
   b.gone.clear();
@@ -55,9 +58,11 @@ template<class Rows> void findMovers(Rows& p, const Migration& migration, SortBu
     if (next[i] != noCell) b.movers.push_back(static_cast<std::uint32_t>(i));
 }
 
-/// The row of those that keep their place which each of the sorted movers comes before; `stayed` behind all. Looked for in strides that double from
-/// the last mover's on.
-template<class Before> void findPlaces(SortBuffers& b, std::size_t stayed, const std::uint64_t* next, const std::uint64_t* last, const Before& before) {
+/// The row of those that keep their place which each of the sorted movers comes before; `stayed` behind all.
+/// Looked for in strides that double from the last mover's on.
+template<class Before>
+void findPlaces(SortBuffers& b, std::size_t stayed, const std::uint64_t* next, const std::uint64_t* last,
+                const Before& before) {
   const auto keeps = [&](std::size_t row) { return next[row] == last[row] && next[row] != noCell; };
   b.before.resize(b.movers.size());
   std::size_t from = 0;  // no row before it is behind the mover
@@ -94,14 +99,17 @@ void listMoves(SortBuffers& b, std::size_t stayed) {
   moves.singles.clear();
   std::size_t row = 0, to = 0, gone = 0, mover = 0;
   while (row < stayed || mover < b.movers.size()) {
-    while (mover < b.movers.size() && b.before[mover] <= row) moves.singles.push_back({b.movers[mover++], static_cast<std::uint32_t>(to++)});
+    while (mover < b.movers.size() && b.before[mover] <= row)
+      moves.singles.push_back({b.movers[mover++], static_cast<std::uint32_t>(to++)});
     if (row == stayed) continue;
     if (gone < b.gone.size() && b.gone[gone] == row) {
       gone++, row++;
       continue;
     }
-    const std::size_t end = std::min<std::size_t>(gone < b.gone.size() ? b.gone[gone] : stayed, mover < b.movers.size() ? b.before[mover] : stayed);
-    moves.runs.push_back({static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(to), static_cast<std::uint32_t>(end - row)});
+    const std::size_t end = std::min<std::size_t>(gone < b.gone.size() ? b.gone[gone] : stayed,
+                                                  mover < b.movers.size() ? b.before[mover] : stayed);
+    moves.runs.push_back({static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(to),
+                          static_cast<std::uint32_t>(end - row)});
     to += end - row;
     row = end;
   }
@@ -126,14 +134,20 @@ void shrink(SortBuffers& b) {
 
 }  // namespace
 
-template<class Rows> void sortByCell(Rows& p, const Migration& migration, SortBuffers& b, CellTable& cells, std::span<AnyColumn* const> stale) {
-  constexpr std::size_t shortRun = 8;  // rows between two that move: below it a gather of all columns is faster
+template<class Rows>
+void sortByCell(Rows& p, const Migration& migration, SortBuffers& b, CellTable& cells,
+                std::span<AnyColumn* const> stale) {
+  constexpr std::size_t shortRun = 8;  // rows between two that move: below it a gather of all columns is
+                                       // faster
   const std::size_t stayed = p.owned - migration.arrivals;
   if (p.ghosts > 0) p.resize(p.owned, 0);
   findMovers(p, migration, b);
-  if (!b.movers.empty() || !b.gone.empty() || stayed != p.owned) {  // the last: what came has departed at once
+  if (!b.movers.empty() || !b.gone.empty() || stayed != p.owned) {  // the last: what came has departed at
+                                                                    // once
     const std::uint64_t *next = p.nextCell.data(), *id = p.id.data();
-    const auto before = [&](std::uint32_t i, std::uint32_t j) { return next[i] != next[j] ? next[i] < next[j] : id[i] < id[j]; };
+    const auto before = [&](std::uint32_t i, std::uint32_t j) {
+      return next[i] != next[j] ? next[i] < next[j] : id[i] < id[j];
+    };
     std::sort(b.movers.begin(), b.movers.end(), before);
     ColumnList unmoved{&p.nextCell};
     for (AnyColumn* c : stale) unmoved.push_back(c);
@@ -172,7 +186,8 @@ template void computeCellKeys(const CellGrid&, KindRows&, std::size_t, std::size
 template void listCells(const Continuum&, CellTable&);
 template void sortByCell(Continuum&, const Migration&, SortBuffers&, CellTable&, std::span<AnyColumn* const>);
 template void sortByCell(Surfels&, const Migration&, SortBuffers&, CellTable&, std::span<AnyColumn* const>);
-template void sortByCell(SurfaceParticles&, const Migration&, SortBuffers&, CellTable&, std::span<AnyColumn* const>);
+template void sortByCell(SurfaceParticles&, const Migration&, SortBuffers&, CellTable&,
+                         std::span<AnyColumn* const>);
 template void sortByCell(KindRows&, const Migration&, SortBuffers&, CellTable&, std::span<AnyColumn* const>);
 
 }  // namespace thaw

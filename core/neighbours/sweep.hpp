@@ -1,5 +1,6 @@
-// The only loop over neighbours. A sum (Term) says what it loads of a particle, what a pair adds and what is done at the end;
-// lanes are particles, so vectorisation, rank count and cut of the domain do not change the order in which a particle adds.
+// The only loop over neighbours. A sum (Term) says what it loads of a particle, what a pair adds and what is
+// done at the end; lanes are particles, so vectorisation, rank count and cut of the domain do not change the
+// order in which a particle adds.
 #pragma once
 #include "core/fluid/pair_sums.hpp"
 #include "core/simd/lanes.hpp"
@@ -7,11 +8,14 @@
 namespace thaw {
 namespace THAW_ISA {
 
-/// Which groups a sum is over. Wet: in the cells around some of its particles is liquid; what a dry group adds to a sum that liquids alone have is nothing.
+/// Which groups a sum is over. Wet: in the cells around some of its particles is liquid; what a dry group
+/// adds to a sum that liquids alone have is nothing.
 enum class Groups { All, Wet, Dry };
 
-/// Term: Data load(const uint32_t entries[8]) const; struct Sum; pair(own, other, entries, sum) const; finish(rows, own, sum, dummy).
-template<class Term> THAW_INLINE void sweep(const NeighbourLists& lists, GroupRange range, Term& term, Groups groups) {
+/// Term: Data load(const uint32_t entries[8]) const; struct Sum; pair(own, other, entries, sum) const;
+/// finish(rows, own, sum, dummy).
+template<class Term>
+THAW_INLINE void sweep(const NeighbourLists& lists, GroupRange range, Term& term, Groups groups) {
   const std::uint32_t* const list = lists.list.data();
   const std::uint32_t* const self = lists.self.data();
   for (std::size_t g = range.begin; g < range.end; g++) {

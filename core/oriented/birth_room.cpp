@@ -10,7 +10,8 @@
 namespace thaw {
 namespace {
 
-constexpr double below = 0.4;          // of the kernel: a tenth of a spacing over a flat surface, or less than a third under an edge; contact holds at .1, fine surfaces at up to .33
+constexpr double below = 0.4;  // of the kernel: a tenth of a spacing over a flat surface, or less than a
+                               // third under an edge; contact holds at .1, fine surfaces at up to .33
 constexpr double unit = 1.0 / (1 << 30);  // shares are added up as whole numbers, in any order
 
 bool inObstacle(const World& w, const BirthPlace& b) {
@@ -35,16 +36,19 @@ std::vector<Vec3d> gather(const std::vector<BirthPlace>& places, Reducer& all, s
   }
   std::vector<std::int64_t> words(3 * total, 0);
   for (std::size_t k = 0; k < places.size(); k++)
-    for (int a = 0; a < 3; a++) words[3 * (mine + k) + static_cast<std::size_t>(a)] = std::bit_cast<std::int64_t>(places[k].place[a]);
+    for (int a = 0; a < 3; a++)
+      words[3 * (mine + k) + static_cast<std::size_t>(a)] = std::bit_cast<std::int64_t>(places[k].place[a]);
   if (total > 0) all.sum(words);
   std::vector<Vec3d> gathered(total);
   for (std::size_t k = 0; k < total; k++)
-    for (int a = 0; a < 3; a++) gathered[k][a] = std::bit_cast<double>(words[3 * k + static_cast<std::size_t>(a)]);
+    for (int a = 0; a < 3; a++)
+      gathered[k][a] = std::bit_cast<double>(words[3 * k + static_cast<std::size_t>(a)]);
   return gathered;
 }
 
 /// Calls use(image) for a place and its images across periodic sides that are nearer than `reach`.
-template<class Use> void eachImage(const CellGrid& g, const Domain& d, const Vec3d& x, double reach, Use&& use) {
+template<class Use>
+void eachImage(const CellGrid& g, const Domain& d, const Vec3d& x, double reach, Use&& use) {
   int low[3]{}, high[3]{};
   for (int a = 0; a < 3; a++)
     if (g.periodic[a]) low[a] = x[a] > d.max[a] - reach ? -1 : 0, high[a] = x[a] < d.min[a] + reach ? 1 : 0;
@@ -62,7 +66,8 @@ void addShares(const World& w, const Vec3d& place, std::int64_t* shares) {
     rowsAround(w.cells, cellKey(cellOf(w.grid, x)), ranges);
     for (const RowSpan& r : ranges)
       for (std::uint32_t j = r.begin; j < std::min(r.end, static_cast<std::uint32_t>(p.owned)); j++)
-        if (p.phase[j] == Solid && p.body[j] < w.scene.bodies.size()) shares[p.body[j]] += std::llround(solidShare(length(p.position[j] - x), s) / unit);
+        if (p.phase[j] == Solid && p.body[j] < w.scene.bodies.size())
+          shares[p.body[j]] += std::llround(solidShare(length(p.position[j] - x), s) / unit);
   });
 }
 

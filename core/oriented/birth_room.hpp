@@ -11,9 +11,10 @@ struct BirthPlace {
   double apart = 0;  ///< m, from obstacles, at least
 };
 
-/// For each of this rank's places: is it in an obstacle, or too near to one, or below the surface of a continuum body that is solid there? The
-/// places of all ranks go round, since particles of bodies are where their own cells are (while surfaces relax before the start, not even there): so the answer is the same on any number of
-/// ranks. Needs walls as they are now and the cells of owned particles. Collective.
+/// For each of this rank's places: is it in an obstacle, or too near to one, or below the surface of a
+/// continuum body that is solid there? The places of all ranks go round, since particles of bodies are where
+/// their own cells are (while surfaces relax before the start, not even there): so the answer is the same on
+/// any number of ranks. Needs walls as they are now and the cells of owned particles. Collective.
 std::vector<char> takenPlaces(const World& world, const std::vector<BirthPlace>& places, Reducer& all);
 
 }  // namespace thaw

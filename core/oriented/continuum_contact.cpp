@@ -7,13 +7,18 @@
 namespace thaw {
 namespace {
 
-/// Of an oriented particle on one of the continuum; false where they do not touch and will not at the end of the next step. Who is born within reach has the spring alone until it has come out:
-/// places of births are found among the surface's own particles, and the barrier goes by the mass of the body's, which would throw a light newborn out of the scene.
+/// Of an oriented particle on one of the continuum; false where they do not touch and will not at the end of
+/// the next step. Who is born within reach has the spring alone until it has come out: places of births are
+/// found among the surface's own particles, and the barrier goes by the mass of the body's, which would throw
+/// a light newborn out of the scene.
 struct Pairs {
   const World& w;
   const StepTools& t;
   double span;
-  struct Meeting { Touch touch; bool within; };
+  struct Meeting {
+    Touch touch;
+    bool within;
+  };
   bool meet(std::size_t oriented, std::size_t particle, Meeting& m) const {
     const Oriented& o = w.oriented.rows;
     const Continuum& p = w.particles;
@@ -43,13 +48,15 @@ void meetContinuum(World& w, StepTools& t, double dt) {
   const Touch& c = m.touch;
   t.oriented.fastest2 = 0;
   const auto noteStiffest = [&](const auto& rows) {
-    for (std::size_t i = 0; i < rows.owned; i++) t.oriented.fastest2 = std::max(t.oriented.fastest2, 2 * stiff[i] / rows.mass[i]);
+    for (std::size_t i = 0; i < rows.owned; i++)
+      t.oriented.fastest2 = std::max(t.oriented.fastest2, 2 * stiff[i] / rows.mass[i]);
   };
   eachNear(w.cells, p.owned, w.oriented.cells, [&](std::size_t i, std::size_t j) {
     if (!pairs.meet(j, i, m)) return;
     p.force[i] += c.force;
     p.interaction[i] += 0.5 * c.energy;
-    p.dissipation[i] -= dot(c.resisting, p.velocity[i] + p.acceleration[i] * (0.5 * dt));  // half a kick of the last force stands for that of this one
+    // half a kick of the last force stands for that of this one
+    p.dissipation[i] -= dot(c.resisting, p.velocity[i] + p.acceleration[i] * (0.5 * dt));
     stiff[i] += c.slope;
   });
   noteStiffest(p);

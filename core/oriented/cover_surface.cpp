@@ -14,21 +14,27 @@
 namespace thaw {
 namespace {
 
-constexpr int mostAlong = 1 << 20;  // points of the lattice along an axis: bins of their samples have 21 bits (add_apart.cpp)
+constexpr int mostAlong = 1 << 20;  // points of the lattice along an axis: bins of their samples have 21 bits
+                                    // (add_apart.cpp)
 
 Vec3i latticeOf(const Vec3d& size, double fine) {
   Vec3i count;
   for (int a = 0; a < 3; a++) {
     const double points = std::ceil(size[a] / fine) + 3;
-    if (!(points < mostAlong)) throw std::invalid_argument("its spacing is too small for its size: it may be 300000 spacings long at most");
+    if (!(points < mostAlong))
+      throw std::invalid_argument(
+          "its spacing is too small for its size: it may be 300000 spacings long at most");
     count[a] = static_cast<int>(points);
   }
   return count;
 }
 
-/// Calls use(i, j, k) for all points of a lattice [low, high) but for those that are certainly not within `fine` of the surface: blocks of points are cut in half
-/// as long as the distance of their middle does not rule them out.
-template<class At, class Use> void eachNearSurface(const SignedDistance& shape, double fine, const Vec3i& low, const Vec3i& high, const At& at, const Use& use) {
+/// Calls use(i, j, k) for all points of a lattice [low, high) but for those that are certainly not within
+/// `fine` of the surface: blocks of points are cut in half as long as the distance of their middle does not
+/// rule them out.
+template<class At, class Use>
+void eachNearSurface(const SignedDistance& shape, double fine, const Vec3i& low, const Vec3i& high,
+                     const At& at, const Use& use) {
   const Vec3i size{high.x - low.x, high.y - low.y, high.z - low.z};
   const int longest = std::max({size.x, size.y, size.z});
   if (longest > 4) {
@@ -53,10 +59,13 @@ MadePoints coverSurface(const SignedDistance& shape, double spacing, std::uint64
   const double fine = spacing / 3, apart = 0.75 * spacing;
   const Bounds box = shape.bounds();
   const Vec3d size = box.max - box.min;
-  if (!std::isfinite(size.x + size.y + size.z)) throw std::invalid_argument("a surface without end cannot be covered with particles");
+  if (!std::isfinite(size.x + size.y + size.z))
+    throw std::invalid_argument("a surface without end cannot be covered with particles");
   const Vec3i count = latticeOf(size, fine);
   std::vector<SurfaceSample> samples;
-  const auto at = [&](int i, int j, int k) { return box.min + Vec3d{(i - 1) * fine, (j - 1) * fine, (k - 1) * fine}; };
+  const auto at = [&](int i, int j, int k) {
+    return box.min + Vec3d{(i - 1) * fine, (j - 1) * fine, (k - 1) * fine};
+  };
   eachNearSurface(shape, fine, {0, 0, 0}, count, at, [&](int i, int j, int k) {
     Vec3d x = at(i, j, k), n;
     double d = shape.distanceWithin(x, fine, &n);
@@ -66,7 +75,10 @@ MadePoints coverSurface(const SignedDistance& shape, double spacing, std::uint64
       d = shape.distanceWithin(x, fine, &n);
     }
     if (std::abs(d) > 0.05 * spacing) return;
-    const std::uint64_t number = (static_cast<std::uint64_t>(k) * static_cast<std::uint64_t>(count.y) + static_cast<std::uint64_t>(j)) * static_cast<std::uint64_t>(count.x) + static_cast<std::uint64_t>(i);
+    const std::uint64_t number = (static_cast<std::uint64_t>(k) * static_cast<std::uint64_t>(count.y) +
+                                  static_cast<std::uint64_t>(j)) *
+                                     static_cast<std::uint64_t>(count.x) +
+                                 static_cast<std::uint64_t>(i);
     samples.push_back({randomBits(seed, Purpose::OrientedSample, number), x, n});
   });
   MadePoints m;
@@ -82,7 +94,8 @@ MadePoints coverMesh(const TriangleMesh& mesh, double spacing, std::uint64_t see
   const MeshNormals normals(mesh);
   const TriangleBvh tree(mesh);
   MadePoints m;
-  for (const MeshSample& s : blueNoise(mesh, spacing, seed)) addPoint(m, s.position, normals.at(s.position, s.triangle));
+  for (const MeshSample& s : blueNoise(mesh, spacing, seed))
+    addPoint(m, s.position, normals.at(s.position, s.triangle));
   spreadOut(1.05 * spacing, m, [&](Vec3d& place, Vec3d& n) {
     const ClosestPoint there = tree.closest(place);
     place = there.point;

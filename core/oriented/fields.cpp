@@ -8,7 +8,9 @@
 namespace thaw {
 namespace {
 
-double factorAt(const OrientedField& f, double time) { return time < f.from || time >= f.until ? 0 : f.inTime.at(time); }
+double factorAt(const OrientedField& f, double time) {
+  return time < f.from || time >= f.until ? 0 : f.inTime.at(time);
+}
 
 /// The mean from one time to another.
 double meanFactor(const OrientedField& f, double from, double to) {
@@ -19,7 +21,9 @@ double meanFactor(const OrientedField& f, double from, double to) {
 }
 
 /// Is it on between two times, and changes evenly?
-bool linear(const OrientedField& f, double from, double to) { return f.from <= from && f.until >= to && f.inTime.linear(from, to); }
+bool linear(const OrientedField& f, double from, double to) {
+  return f.from <= from && f.until >= to && f.inTime.linear(from, to);
+}
 bool constant(const OrientedField& f, double from, double to) {
   return f.until <= from || f.from >= to || (linear(f, from, to) && f.inTime.at(from) == f.inTime.at(to));
 }
@@ -27,7 +31,8 @@ bool constant(const OrientedField& f, double from, double to) {
 double factorNow(const World& w, const OrientedWork& work, const OrientedField& f) {
   if (!(work.over > 0)) return factorAt(f, work.time);
   const double from = w.clock.time, to = from + work.over;
-  if (w.scene.oriented.front().integrator == OrientedIntegrator::RungeKutta && linear(f, from, to)) return f.inTime.at(work.time);
+  if (w.scene.oriented.front().integrator == OrientedIntegrator::RungeKutta && linear(f, from, to))
+    return f.inTime.at(work.time);
   return meanFactor(f, from, to);
 }
 
@@ -54,7 +59,9 @@ FieldForce fieldForce(const World& w, const OrientedWork& work, std::size_t i) {
     pressure += factor * f.pressure;
     if (f.pull == 0) continue;
     const Vec3d d = f.point - o.position[i];
-    const double left = 1 - dot(d, d) / (f.radius * f.radius), steepest = factor * f.pull / (0.28621670111997308 * f.radius);  // u (1 - u^2)^2 where it is largest
+    // u (1 - u^2)^2 where it is largest
+    const double left = 1 - dot(d, d) / (f.radius * f.radius),
+                 steepest = factor * f.pull / (0.28621670111997308 * f.radius);
     if (!(left > 0)) continue;
     push += (steepest * left * left) * d;
     slope += 2 * std::abs(steepest);
@@ -87,18 +94,24 @@ void noteIdleFields(const World& w, Reducer& all, OrientedWork& work, double aft
       const OrientedField& f = w.scene.oriented[b].fields[k];
       if (!(f.from > after && f.from <= upTo)) continue;
       std::int64_t met = 0;
-      for (std::size_t i = 0; i < o.owned; i++) met += o.body[i] == b && meets(f, work.fieldRegions[b][k].get(), o.position[i]);
+      for (std::size_t i = 0; i < o.owned; i++)
+        met += o.body[i] == b && meets(f, work.fieldRegions[b][k].get(), o.position[i]);
       all.sum({&met, 1});
       if (met == 0) work.idleFields.push_back({b, k});
     }
 }
 
-std::vector<std::vector<std::shared_ptr<const SignedDistance>>> fieldRegions(const Scene& s, const MeshLoader& load) {
+std::vector<std::vector<std::shared_ptr<const SignedDistance>>> fieldRegions(const Scene& s,
+                                                                             const MeshLoader& load) {
   SceneProblems problems;
   std::vector<std::vector<std::shared_ptr<const SignedDistance>>> regions;
   for (const OrientedBody& b : s.oriented) {
     regions.emplace_back();
-    for (const OrientedField& f : b.fields) regions.back().push_back(f.everywhere ? nullptr : makeSignedDistance(f.region, load, "oriented body '" + b.name + "': a field", problems));
+    for (const OrientedField& f : b.fields)
+      regions.back().push_back(
+          f.everywhere
+              ? nullptr
+              : makeSignedDistance(f.region, load, "oriented body '" + b.name + "': a field", problems));
   }
   problems.raise();
   return regions;

@@ -5,8 +5,8 @@
 namespace thaw {
 namespace {
 
-constexpr double lost = 0.8;     // spacings
-constexpr double strength = 4;   // of the spring, over the body's stiffness
+constexpr double lost = 0.8;    // spacings
+constexpr double strength = 4;  // of the spring, over the body's stiffness
 
 bool follows(const World& w, const StepTools& t, std::size_t i) {
   const Oriented& o = w.oriented.rows;
@@ -18,7 +18,8 @@ bool placeOnGiven(const World& w, const StepTools& t, std::size_t i, Vec3d& plac
   const Oriented& o = w.oriented.rows;
   place = o.position[i], normal = axisOf(o.orientation[i]);
   const double far = lost * t.oriented.potentials[o.body[i]].spacing;
-  return projectOnGiven(t.oriented.given[o.body[i]], place, normal) && dot(place - o.position[i], place - o.position[i]) < far * far;
+  return projectOnGiven(t.oriented.given[o.body[i]], place, normal) &&
+         dot(place - o.position[i], place - o.position[i]) < far * far;
 }
 
 }  // namespace
@@ -49,7 +50,8 @@ void followGiven(const World& w, const StepTools& t, std::vector<Vec3d>& force, 
   const Oriented& o = w.oriented.rows;
   for (std::size_t i = 0; i < o.owned; i++) {
     if (!follows(w, t, i)) continue;
-    const double k = strength * w.scene.oriented[o.body[i]].stiffness, s = t.oriented.potentials[o.body[i]].spacing;
+    const double k = strength * w.scene.oriented[o.body[i]].stiffness,
+                 s = t.oriented.potentials[o.body[i]].spacing;
     const Vec3d n = axisOf(o.homeTurn[i]);
     force[i] -= (k * dot(o.position[i] - o.home[i], n)) * n;
     torque[i] += (k * s * s) * cross(o.normal[i], n);

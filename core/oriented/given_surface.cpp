@@ -10,9 +10,13 @@ namespace thaw {
 namespace {
 
 constexpr std::size_t around = 12;
-constexpr std::size_t ofPiece = 24, blended = 6;  // points of a piece of the surface through given points, and pieces that meet at a place
+constexpr std::size_t ofPiece = 24, blended = 6;  // points of a piece of the surface through given points,
+                                                  // and pieces that meet at a place
 
-struct Plane { Vec3d centre, axis[3]; double spread[3]; };  // axes by falling spread
+struct Plane {
+  Vec3d centre, axis[3];
+  double spread[3];
+};  // axes by falling spread
 
 Plane planeOf(const std::vector<Vec3d>& points, const std::vector<std::uint32_t>& which) {
   Plane p{};
@@ -71,10 +75,16 @@ std::vector<Vec3d> normalsOf(const std::vector<Vec3d>& points) {
       if (k != i) both[i].push_back(k), both[k].push_back(static_cast<std::uint32_t>(i));
   std::vector<std::uint32_t> order(n);
   for (std::size_t i = 0; i < n; i++) order[i] = static_cast<std::uint32_t>(i);
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return points[a].z > points[b].z; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return points[a].z > points[b].z; });
   std::vector<bool> done(n, false);
-  struct Edge { double cost; std::uint32_t from, to; };
-  const auto later = [](const Edge& a, const Edge& b) { return a.cost != b.cost ? a.cost > b.cost : a.to != b.to ? a.to > b.to : a.from > b.from; };
+  struct Edge {
+    double cost;
+    std::uint32_t from, to;
+  };
+  const auto later = [](const Edge& a, const Edge& b) {
+    return a.cost != b.cost ? a.cost > b.cost : a.to != b.to ? a.to > b.to : a.from > b.from;
+  };
   for (const std::uint32_t start : order) {
     if (done[start]) continue;
     if (normals[start].z < 0) normals[start] = -normals[start];
@@ -120,13 +130,15 @@ bool projectOnGiven(const GivenPoints& g, Vec3d& place, Vec3d& normal) {
     place = place - std::clamp(value / steep2 * all, -g.apart, g.apart) / all * gradient;
   }
   for (const std::uint32_t k : g.tree->nearest(place, blended + 1))
-    if (dot(g.normals[k], normal) > 0) return length(g.points[k] - place) < g.reach * g.apart;  // else it is nobody's
+    // else it is nobody's
+    if (dot(g.normals[k], normal) > 0) return length(g.points[k] - place) < g.reach * g.apart;
   return false;
 }
 
 double ThinPlate::height(double px, double py) const {
   double h = constant + perX * px + perY * py;
-  for (std::size_t k = 0; k < x.size(); k++) h += weight[k] * kernel((px - x[k]) * (px - x[k]) + (py - y[k]) * (py - y[k]));
+  for (std::size_t k = 0; k < x.size(); k++)
+    h += weight[k] * kernel((px - x[k]) * (px - x[k]) + (py - y[k]) * (py - y[k]));
   return h;
 }
 
@@ -147,7 +159,8 @@ ThinPlate thinPlate(const std::vector<Vec3d>& points) {
   for (std::size_t k = 0; k < all.size(); k++) all[k] = static_cast<std::uint32_t>(k);
   if (points.size() < 3) throw std::invalid_argument("a surface through control points needs three of them");
   const Plane plane = planeOf(points, all);
-  if (!(plane.spread[1] > 1e-9 * plane.spread[0])) throw std::invalid_argument("the control points of a surface lie on a line");
+  if (!(plane.spread[1] > 1e-9 * plane.spread[0]))
+    throw std::invalid_argument("the control points of a surface lie on a line");
   ThinPlate t;
   t.origin = plane.centre;
   t.u = plane.axis[0];

@@ -9,11 +9,17 @@ namespace {
 
 Quat turnOf(const Mat3d& m) {  // of a rotation matrix (Shepperd 1978)
   const double trace = m.row[0].x + m.row[1].y + m.row[2].z;
-  if (trace > 0) return unitQuat(Quat{1 + trace, m.row[2].y - m.row[1].z, m.row[0].z - m.row[2].x, m.row[1].x - m.row[0].y});
+  if (trace > 0)
+    return unitQuat(
+        Quat{1 + trace, m.row[2].y - m.row[1].z, m.row[0].z - m.row[2].x, m.row[1].x - m.row[0].y});
   if (m.row[0].x >= m.row[1].y && m.row[0].x >= m.row[2].z)
-    return unitQuat(Quat{m.row[2].y - m.row[1].z, 1 + m.row[0].x - m.row[1].y - m.row[2].z, m.row[0].y + m.row[1].x, m.row[0].z + m.row[2].x});
-  if (m.row[1].y >= m.row[2].z) return unitQuat(Quat{m.row[0].z - m.row[2].x, m.row[0].y + m.row[1].x, 1 + m.row[1].y - m.row[0].x - m.row[2].z, m.row[1].z + m.row[2].y});
-  return unitQuat(Quat{m.row[1].x - m.row[0].y, m.row[0].z + m.row[2].x, m.row[1].z + m.row[2].y, 1 + m.row[2].z - m.row[0].x - m.row[1].y});
+    return unitQuat(Quat{m.row[2].y - m.row[1].z, 1 + m.row[0].x - m.row[1].y - m.row[2].z,
+                         m.row[0].y + m.row[1].x, m.row[0].z + m.row[2].x});
+  if (m.row[1].y >= m.row[2].z)
+    return unitQuat(Quat{m.row[0].z - m.row[2].x, m.row[0].y + m.row[1].x,
+                         1 + m.row[1].y - m.row[0].x - m.row[2].z, m.row[1].z + m.row[2].y});
+  return unitQuat(Quat{m.row[1].x - m.row[0].y, m.row[0].z + m.row[2].x, m.row[1].z + m.row[2].y,
+                       1 + m.row[2].z - m.row[0].x - m.row[1].y});
 }
 
 }  // namespace

@@ -13,8 +13,9 @@ struct HeldBefore {
 };
 HeldBefore rememberHeld(const World& world, double dt);
 
-/// Impulse and work of the anchors into the ledger: change of momentum and energy less what the other forces and torques of the step (OrientedWork::acting, actingTorque)
-/// do. Needs the forces of the step, Oriented::external among them with the weight of the step (`weight`: see stepOriented).
+/// Impulse and work of the anchors into the ledger: change of momentum and energy less what the other forces
+/// and torques of the step (OrientedWork::acting, actingTorque) do. Needs the forces of the step,
+/// Oriented::external among them with the weight of the step (`weight`: see stepOriented).
 void bookHeld(World& world, const HeldBefore& before, const OrientedWork& work, double weight);
 
 }  // namespace thaw

@@ -12,7 +12,8 @@ double at(const Vec3d& v, Index a) { return v[static_cast<int>(a)]; }
 
 }  // namespace
 
-HermitePiece hermitePiece(const Vec3d& centre, double scale, const std::vector<Vec3d>& points, const std::vector<Vec3d>& normals) {
+HermitePiece hermitePiece(const Vec3d& centre, double scale, const std::vector<Vec3d>& points,
+                          const std::vector<Vec3d>& normals) {
   HermitePiece piece{centre, scale, {}, {}};
   for (const Vec3d& x : points) piece.points.push_back((x - centre) / scale);
   const auto n = static_cast<Index>(points.size());
@@ -28,7 +29,9 @@ HermitePiece hermitePiece(const Vec3d& centre, double scale, const std::vector<V
       for (Index a = 0; a < 3; a++) {
         m(4 * i, 4 * j + 1 + a) = -3 * r * at(d, a);
         m(4 * i + 1 + a, 4 * j) = 3 * r * at(d, a);
-        for (Index b = 0; b < 3; b++) m(4 * i + 1 + a, 4 * j + 1 + b) = -3 * ((a == b ? r : 0.0) + (r > 0 ? at(d, a) * at(d, b) / r : 0.0));
+        for (Index b = 0; b < 3; b++)
+          m(4 * i + 1 + a, 4 * j + 1 + b) = -3 *
+                                            ((a == b ? r : 0.0) + (r > 0 ? at(d, a) * at(d, b) / r : 0.0));
       }
     }
   }

@@ -21,14 +21,18 @@ namespace thaw {
 namespace {
 
 constexpr double rowHeight = 0.86602540378443865;
-constexpr double heldAround = 2.2;  // spacings: of a control point, two rings of particles. A bent surface pulls one, or one and its neighbours, out of itself
+constexpr double heldAround = 2.2;  // spacings: of a control point, two rings of particles. A bent surface
+                                    // pulls one, or one and its neighbours, out of itself
 
 /// Hexagonal lattice over a rectangle around the origin, of points that `wanted` takes: use(x, y).
 template<class Use> void eachOfLattice(double width, double depth, double spacing, Use&& use) {
-  const auto rows = static_cast<std::int64_t>(std::floor(depth / (rowHeight * spacing) + 1e-9)), columns = static_cast<std::int64_t>(std::floor(width / spacing + 1e-9));
+  const auto rows = static_cast<std::int64_t>(std::floor(depth / (rowHeight * spacing) + 1e-9)),
+             columns = static_cast<std::int64_t>(std::floor(width / spacing + 1e-9));
   for (std::int64_t j = 0; j <= rows; j++)
     for (std::int64_t i = 0; i <= columns; i++) {
-      const double x = (static_cast<double>(i) - 0.5 * static_cast<double>(columns) + (j % 2 ? 0.25 : -0.25)) * spacing;
+      const double x = (static_cast<double>(i) - 0.5 * static_cast<double>(columns) +
+                        (j % 2 ? 0.25 : -0.25)) *
+                       spacing;
       use(x, (static_cast<double>(j) - 0.5 * static_cast<double>(rows)) * rowHeight * spacing);
     }
 }
@@ -36,7 +40,8 @@ template<class Use> void eachOfLattice(double width, double depth, double spacin
 /// Of a patch or disc in its own plane: use(x, y).
 template<class Use> void eachOfFlat(const OrientedBody& b, double spacing, Use&& use) {
   const bool disc = b.source == OrientedSource::Disc;
-  const double scale = b.shape.scale, radius = scale * b.radius, width = disc ? 2 * radius : scale * b.width, depth = disc ? width : scale * b.depth;
+  const double scale = b.shape.scale, radius = scale * b.radius, width = disc ? 2 * radius : scale * b.width,
+               depth = disc ? width : scale * b.depth;
   eachOfLattice(width, depth, spacing, [&](double x, double y) {
     if (!disc || x * x + y * y <= radius * radius * (1 + 1e-9)) use(x, y);
   });
@@ -46,13 +51,17 @@ MadePoints flatPatch(const OrientedBody& b, double spacing) {
   MadePoints m;
   Pose pose = poseOf(b.shape.move, b.shape.rotate);
   pose.moved = true;
-  eachOfFlat(b, spacing, [&](double x, double y) { addPoint(m, fromRest(pose, {x, y, 0}), directionFromRest(pose, {0, 0, 1})); });
+  eachOfFlat(b, spacing, [&](double x, double y) {
+    addPoint(m, fromRest(pose, {x, y, 0}), directionFromRest(pose, {0, 0, 1}));
+  });
   return m;
 }
 
-bool inHull(const std::vector<double>& x, const std::vector<double>& y, double px, double py) {  // of points around: some direction has all on one side
+// of points around: some direction has all on one side
+bool inHull(const std::vector<double>& x, const std::vector<double>& y, double px, double py) {
   for (int k = 0; k < 72; k++) {
-    const double c = std::cos(k * 0.0872664625997165), s = std::sin(k * 0.0872664625997165), mine = c * px + s * py;
+    const double c = std::cos(k * 0.0872664625997165), s = std::sin(k * 0.0872664625997165),
+                 mine = c * px + s * py;
     double most = -1e300;
     for (std::size_t i = 0; i < x.size(); i++) most = std::max(most, c * x[i] + s * y[i]);
     if (mine > most + 1e-9) return false;
@@ -60,9 +69,11 @@ bool inHull(const std::vector<double>& x, const std::vector<double>& y, double p
   return true;
 }
 
-/// A thin plate through the points, over their hull: the points themselves, and places of the plate in a random order, none nearer than .75 spacings to one that is there, which then make
-/// room for each other. (A lattice that is lifted onto the plate is stretched where that is steep, and tears there.) What is near to a control point is held with it, place and normal: the
-/// rest of the plate, whose potentials would have it flat, hangs from there.
+/// A thin plate through the points, over their hull: the points themselves, and places of the plate in a
+/// random order, none nearer than .75 spacings to one that is there, which then make room for each other. (A
+/// lattice that is lifted onto the plate is stretched where that is steep, and tears there.) What is near to
+/// a control point is held with it, place and normal: the rest of the plate, whose potentials would have it
+/// flat, hangs from there.
 MadePoints plateThrough(const OrientedBody& b, double spacing, std::uint64_t seed) {
   const ThinPlate plate = thinPlate(b.points);
   MadePoints m;
@@ -73,7 +84,9 @@ MadePoints plateThrough(const OrientedBody& b, double spacing, std::uint64_t see
   }
   std::vector<SurfaceSample> samples;
   eachOfLattice(2 * reach + spacing, 2 * reach + spacing, spacing / 4, [&](double x, double y) {
-    if (inHull(plate.x, plate.y, x, y)) samples.push_back({randomBits(seed, Purpose::OrientedSample, samples.size()), plate.at(x, y), plate.normal(x, y)});
+    if (inHull(plate.x, plate.y, x, y))
+      samples.push_back(
+          {randomBits(seed, Purpose::OrientedSample, samples.size()), plate.at(x, y), plate.normal(x, y)});
   });
   addApart(samples, 0.75 * spacing, m);
   spreadOut(1.05 * spacing, m, [&](Vec3d& place, Vec3d& n) {
@@ -96,10 +109,15 @@ MadePoints curve(const OrientedBody& b, double spacing) {
   constexpr int fine = 20000;
   double total = 0;
   std::vector<double> arc(fine + 1, 0);
-  for (int k = 1; k <= fine; k++) arc[static_cast<std::size_t>(k)] = total += length(at(static_cast<double>(k) / fine) - at((k - 1.0) / fine));
+  for (int k = 1; k <= fine; k++)
+    arc[static_cast<std::size_t>(k)] = total += length(at(static_cast<double>(k) / fine) -
+                                                       at((k - 1.0) / fine));
   const auto pieces = std::max<std::int64_t>(1, std::llround(total / spacing));
   for (std::int64_t k = 0; k <= pieces; k++) {
-    const auto where = std::lower_bound(arc.begin(), arc.end(), total * static_cast<double>(k) / static_cast<double>(pieces) * (1 - 1e-12)) - arc.begin();
+    const auto where = std::lower_bound(
+                           arc.begin(), arc.end(),
+                           total * static_cast<double>(k) / static_cast<double>(pieces) * (1 - 1e-12)) -
+                       arc.begin();
     const double s = k == pieces ? 1 : static_cast<double>(where) / fine;
     const Vec3d along = normalized(chord + (4 * b.bulge * (1 - 2 * s)) * up);
     addPoint(m, at(s), {-along.z, 0, along.x});
@@ -108,16 +126,17 @@ MadePoints curve(const OrientedBody& b, double spacing) {
 }
 
 void noteRepairs(const Shape& shape, const MeshReport& report, MadePoints& m) {
-  if (std::string text = describeRepairs(shape.mesh, report); !text.empty()) m.notes.push_back(std::move(text));
+  if (std::string text = describeRepairs(shape.mesh, report); !text.empty())
+    m.notes.push_back(std::move(text));
 }
 
-/// The mesh of a shape, if it is one and open; that of another, or of one that cannot be used, is asked for its distance, which says what is wrong.
+/// The mesh of a shape, if it is one and open; that of another, or of one that cannot be used, is asked for
+/// its distance, which says what is wrong.
 std::optional<PlacedMesh> openMesh(const Shape& shape, const MeshLoader& load) {
   if (shape.kind != ShapeKind::Mesh) return {};
   try {
     if (PlacedMesh placed = makePlacedSurface(shape, load); placed.report.border > 0) return placed;
-  } catch (const std::exception&) {
-  }
+  } catch (const std::exception&) {}
   return {};
 }
 
@@ -139,7 +158,9 @@ double cellShareOf(const OrientedBody& b, double spacing) {
   if (b.source != OrientedSource::Patch && b.source != OrientedSource::Disc) return 1;
   std::int64_t count = 0;
   eachOfFlat(b, spacing, [&](double, double) { count++; });
-  const double area = b.shape.scale * b.shape.scale * (b.source == OrientedSource::Disc ? 3.14159265358979323846 * b.radius * b.radius : b.width * b.depth);
+  const double area = b.shape.scale * b.shape.scale *
+                      (b.source == OrientedSource::Disc ? 3.14159265358979323846 * b.radius * b.radius
+                                                        : b.width * b.depth);
   return count > 0 ? area / (rowHeight * spacing * spacing * static_cast<double>(count)) : 1;
 }
 
@@ -148,7 +169,8 @@ MadePoints sampleMesh(const Shape& shape, double spacing, std::uint64_t seed, co
   const MeshNormals normals(placed.mesh);
   MadePoints m;
   noteRepairs(shape, placed.report, m);
-  for (const MeshSample& s : blueNoise(placed.mesh, spacing, seed)) addPoint(m, s.position, normals.at(s.position, s.triangle));
+  for (const MeshSample& s : blueNoise(placed.mesh, spacing, seed))
+    addPoint(m, s.position, normals.at(s.position, s.triangle));
   return m;
 }
 
@@ -165,7 +187,9 @@ MadePoints makePoints(const OrientedBody& b, double spacing, std::uint64_t seed,
     case OrientedSource::Curve: m = curve(b, spacing); break;
     case OrientedSource::Points: {
       const std::vector<Vec3d> normals = b.normals.empty() ? normalsOf(b.points) : b.normals;
-      for (std::size_t k = 0; k < b.points.size(); k++) addPoint(m, b.points[k], normalized(normals[k]), b.growth != OrientedGrowth::None ? heldPlace | heldNormal : 0);
+      for (std::size_t k = 0; k < b.points.size(); k++)
+        addPoint(m, b.points[k], normalized(normals[k]),
+                 b.growth != OrientedGrowth::None ? heldPlace | heldNormal : 0);
     }
   }
   if (b.thin < 1 && !m.places.empty()) {
@@ -173,7 +197,8 @@ MadePoints makePoints(const OrientedBody& b, double spacing, std::uint64_t seed,
     m = thinned(m, b.thin, seed);
     m.notes = std::move(notes);
   }
-  if (m.places.empty()) throw std::invalid_argument("it has no particle: it is too small for its spacing, or empty");
+  if (m.places.empty())
+    throw std::invalid_argument("it has no particle: it is too small for its spacing, or empty");
   return m;
 }
 

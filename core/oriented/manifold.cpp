@@ -15,7 +15,8 @@ namespace {
 using Side = std::uint64_t;  // a directed edge
 Side sideOf(std::uint32_t from, std::uint32_t to) { return static_cast<Side>(from) << 32 | to; }
 
-/// Directed sides of triangles that are in the surface. Each at most once: that is all a manifold needs along its edges.
+/// Directed sides of triangles that are in the surface. Each at most once: that is all a manifold needs along
+/// its edges.
 struct Sides {
   std::unordered_set<Side> taken;
   bool has(std::uint32_t a, std::uint32_t b) const { return taken.contains(sideOf(a, b)); }
@@ -30,9 +31,11 @@ struct Sides {
 
 /// Square of the radius of the circle through the corners, over that of the spacing; 0 for a line.
 double roundness(const OrientedPoints& p, const Corners& t) {
-  const Vec3d u = p.positions[t[1]] - p.positions[t[0]], v = p.positions[t[2]] - p.positions[t[0]], w = v - u, n = cross(u, v);
+  const Vec3d u = p.positions[t[1]] - p.positions[t[0]], v = p.positions[t[2]] - p.positions[t[0]], w = v - u,
+              n = cross(u, v);
   const double area2 = dot(n, n);
-  return area2 > 0 ? dot(u, u) * dot(v, v) * dot(w, w) / (4 * area2 * p.spacings[t[0]] * p.spacings[t[0]]) : never;
+  return area2 > 0 ? dot(u, u) * dot(v, v) * dot(w, w) / (4 * area2 * p.spacings[t[0]] * p.spacings[t[0]])
+                   : never;
 }
 
 /// Does it face as its particles do?
@@ -41,7 +44,8 @@ bool facesAlike(const OrientedPoints& p, const Corners& t) {
   return dot(n, p.normals[t[0]] + p.normals[t[1]] + p.normals[t[2]]) > 0;
 }
 
-/// Border sides of the surface, seen from the hole: of each particle where they lead. More than one only where the surface meets itself in that particle.
+/// Border sides of the surface, seen from the hole: of each particle where they lead. More than one only
+/// where the surface meets itself in that particle.
 using Borders = std::map<std::uint32_t, std::vector<std::uint32_t>>;
 Borders bordersOf(const Sides& sides) {
   Borders next;
@@ -54,9 +58,11 @@ Borders bordersOf(const Sides& sides) {
 }
 
 /// Of several ways on from `at`, having come from `from`, the first one clockwise: the hole is to the left.
-std::uint32_t wayOn(const OrientedPoints& p, const std::vector<std::uint32_t>& ways, std::uint32_t from, std::uint32_t at) {
+std::uint32_t wayOn(const OrientedPoints& p, const std::vector<std::uint32_t>& ways, std::uint32_t from,
+                    std::uint32_t at) {
   if (ways.size() == 1) return ways[0];
-  const Vec3d n = p.normals[at], back = p.positions[from] - p.positions[at], u = back - dot(back, n) * n, v = cross(n, u);
+  const Vec3d n = p.normals[at], back = p.positions[from] - p.positions[at], u = back - dot(back, n) * n,
+              v = cross(n, u);
   std::uint32_t best = ways[0];
   double least = never;
   for (const std::uint32_t way : ways) {
@@ -68,16 +74,19 @@ std::uint32_t wayOn(const OrientedPoints& p, const std::vector<std::uint32_t>& w
   return best;
 }
 
-/// Is it a hole, and not the rim around a small patch? It faces as its particles do, or, in a sharp fold, these look much the same way and belong to a large surface (`patch`: number of
-/// triangles of theirs). The end of a narrow tube, whose normals look all ways, is left to chance.
+/// Is it a hole, and not the rim around a small patch? It faces as its particles do, or, in a sharp fold,
+/// these look much the same way and belong to a large surface (`patch`: number of triangles of theirs). The
+/// end of a narrow tube, whose normals look all ways, is left to chance.
 bool isHole(const OrientedPoints& p, const std::vector<std::uint32_t>& hole, std::size_t patch) {
   Vec3d area{}, normal{};
   for (std::size_t k = 0; k < hole.size(); k++) {
-    const Vec3d x = p.positions[hole[k]] - p.positions[hole[0]], y = p.positions[hole[(k + 1) % hole.size()]] - p.positions[hole[0]];
+    const Vec3d x = p.positions[hole[k]] - p.positions[hole[0]],
+                y = p.positions[hole[(k + 1) % hole.size()]] - p.positions[hole[0]];
     area += cross(x, y);
     normal += p.normals[hole[k]];
   }
-  return dot(area, normal) > 0 || (patch > 6 * hole.size() && length(normal) > 0.5 * static_cast<double>(hole.size()));
+  return dot(area, normal) > 0 ||
+         (patch > 6 * hole.size() && length(normal) > 0.5 * static_cast<double>(hole.size()));
 }
 
 /// Triangles of the connected part that each particle belongs to.
@@ -90,8 +99,10 @@ std::vector<std::size_t> sizesOfParts(std::size_t particles, const std::vector<C
   return sizes;
 }
 
-/// Cuts ears off a hole until nothing is left; facing: only such as face as their particles do. False where a last ear would not do.
-bool closeHole(const OrientedPoints& p, std::vector<std::uint32_t> hole, const Sides& sides, bool facing, std::vector<Corners>& made) {
+/// Cuts ears off a hole until nothing is left; facing: only such as face as their particles do. False where a
+/// last ear would not do.
+bool closeHole(const OrientedPoints& p, std::vector<std::uint32_t> hole, const Sides& sides, bool facing,
+               std::vector<Corners>& made) {
   made.clear();
   Sides fresh;
   while (hole.size() >= 3) {
@@ -101,7 +112,9 @@ bool closeHole(const OrientedPoints& p, std::vector<std::uint32_t> hole, const S
       const Corners t{hole[k], hole[(k + 1) % hole.size()], hole[(k + 2) % hole.size()]};
       const bool last = hole.size() == 3;
       // its third side must be free on both sides, or, of the last one, be that of the hole
-      if ((facing && !facesAlike(p, t)) || !sides.takes(t) || !fresh.takes(t) || (!last && (sides.has(t[0], t[2]) || fresh.has(t[0], t[2])))) continue;
+      if ((facing && !facesAlike(p, t)) || !sides.takes(t) || !fresh.takes(t) ||
+          (!last && (sides.has(t[0], t[2]) || fresh.has(t[0], t[2]))))
+        continue;
       if (const double r = roundness(p, t); r < best) best = r, ear = k;
     }
     if (ear == hole.size()) return false;
@@ -120,14 +133,18 @@ void addAll(const std::vector<Corners>& made, Sides& sides, std::vector<Corners>
   }
 }
 
-/// The way round a hole from one of its border sides; empty where it has too many sides, or one too long (in spacings).
-std::vector<std::uint32_t> holeFrom(const OrientedPoints& p, const Borders& next, std::uint32_t start, std::uint32_t first, std::size_t mostSides, double longest) {
+/// The way round a hole from one of its border sides; empty where it has too many sides, or one too long (in
+/// spacings).
+std::vector<std::uint32_t> holeFrom(const OrientedPoints& p, const Borders& next, std::uint32_t start,
+                                    std::uint32_t first, std::size_t mostSides, double longest) {
   std::vector<std::uint32_t> hole{start};
   for (std::uint32_t from = start, at = first; at != start;) {
     hole.push_back(at);
     const auto on = next.find(at);
     const double length2 = dot(p.positions[at] - p.positions[from], p.positions[at] - p.positions[from]);
-    if (hole.size() > mostSides || on == next.end() || !(length2 < longest * longest * p.spacings[at] * p.spacings[at])) return {};
+    if (hole.size() > mostSides || on == next.end() ||
+        !(length2 < longest * longest * p.spacings[at] * p.spacings[at]))
+      return {};
     const std::uint32_t then = wayOn(p, on->second, from, at);
     from = at;
     at = then;
@@ -135,9 +152,14 @@ std::vector<std::uint32_t> holeFrom(const OrientedPoints& p, const Borders& next
   return hole;
 }
 
-/// A hole that cannot be closed, since triangles between its own corners take the sides that are needed: without these it may.
-void closeAnew(const OrientedPoints& p, const std::vector<std::uint32_t>& hole, Sides& sides, std::vector<Corners>& triangles) {
-  const auto inside = [&](const Corners& t) { return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return std::find(hole.begin(), hole.end(), v) != hole.end(); }); };
+/// A hole that cannot be closed, since triangles between its own corners take the sides that are needed:
+/// without these it may.
+void closeAnew(const OrientedPoints& p, const std::vector<std::uint32_t>& hole, Sides& sides,
+               std::vector<Corners>& triangles) {
+  const auto inside = [&](const Corners& t) {
+    return std::all_of(t.begin(), t.end(),
+                       [&](std::uint32_t v) { return std::find(hole.begin(), hole.end(), v) != hole.end(); });
+  };
   std::vector<Corners> kept, made, all;
   Sides trial = sides;
   for (const Corners& t : triangles) {
@@ -152,7 +174,9 @@ void closeAnew(const OrientedPoints& p, const std::vector<std::uint32_t>& hole, 
     for (const std::uint32_t first : ways->second) {
       if (trial.has(start, first)) continue;
       const std::vector<std::uint32_t> loop = holeFrom(p, next, start, first, hole.size() + 2, never);
-      if (loop.size() < 3 || !(closeHole(p, loop, trial, true, made) || closeHole(p, loop, trial, false, made))) return;
+      if (loop.size() < 3 ||
+          !(closeHole(p, loop, trial, true, made) || closeHole(p, loop, trial, false, made)))
+        return;
       addAll(made, trial, all);
     }
   }
@@ -168,7 +192,9 @@ std::vector<Corners> keepManifold(const OrientedPoints& p, std::vector<Corners> 
   for (const Corners& t : triangles) round.push_back(roundness(p, t));
   std::vector<std::uint32_t> order(triangles.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return round[a] != round[b] ? round[a] < round[b] : triangles[a] < triangles[b]; });
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return round[a] != round[b] ? round[a] < round[b] : triangles[a] < triangles[b];
+  });
   Sides sides;
   std::vector<Corners> kept;
   for (const std::uint32_t k : order) {
@@ -179,7 +205,8 @@ std::vector<Corners> keepManifold(const OrientedPoints& p, std::vector<Corners> 
   return kept;
 }
 
-void fillHoles(const OrientedPoints& p, std::vector<Corners>& triangles, std::size_t mostSides, double longest) {
+void fillHoles(const OrientedPoints& p, std::vector<Corners>& triangles, std::size_t mostSides,
+               double longest) {
   Sides sides;
   for (std::size_t k = 0; k < triangles.size(); k++) sides.add(triangles[k]);
   const Borders next = bordersOf(sides);
@@ -192,8 +219,12 @@ void fillHoles(const OrientedPoints& p, std::vector<Corners>& triangles, std::si
       const std::vector<std::uint32_t> hole = holeFrom(p, next, start, first, mostSides, longest);
       if (hole.size() < 3 || !isHole(p, hole, part[start])) continue;
       // in a sharp fold no ear may face alike
-      if (closeHole(p, hole, sides, true, made) || closeHole(p, hole, sides, false, made)) addAll(made, sides, triangles);
-      else if (std::none_of(open.begin(), open.end(), [&](const auto& other) { return std::is_permutation(other.begin(), other.end(), hole.begin(), hole.end()); })) open.push_back(hole);
+      if (closeHole(p, hole, sides, true, made) || closeHole(p, hole, sides, false, made))
+        addAll(made, sides, triangles);
+      else if (std::none_of(open.begin(), open.end(), [&](const auto& other) {
+                 return std::is_permutation(other.begin(), other.end(), hole.begin(), hole.end());
+               }))
+        open.push_back(hole);
     }
   for (const std::vector<std::uint32_t>& hole : open) closeAnew(p, hole, sides, triangles);
 }

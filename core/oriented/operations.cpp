@@ -11,7 +11,8 @@
 namespace thaw {
 namespace {
 
-constexpr double weldApart = 0.75;  // spacings: rows of a lattice are .87 apart; nearer, Lennard-Jones would throw a weld apart again
+constexpr double weldApart = 0.75;  // spacings: rows of a lattice are .87 apart; nearer, Lennard-Jones would
+                                    // throw a weld apart again
 
 /// Nearest point of a piece of a line: its share 0 to 1, not clamped.
 double shareAlong(const Vec3d& a, const Vec3d& b, const Vec3d& x) {
@@ -20,20 +21,25 @@ double shareAlong(const Vec3d& a, const Vec3d& b, const Vec3d& x) {
 }
 
 /// Pairs of neighbours of two groups, counted from the first; cuts are left aside.
-std::int64_t pairsOf(const Oriented& o, const OrientedLists& lists, std::uint32_t group, std::uint32_t other) {
+std::int64_t pairsOf(const Oriented& o, const OrientedLists& lists, std::uint32_t group,
+                     std::uint32_t other) {
   std::int64_t n = 0;
   for (std::size_t i = 0; i < o.owned; i++)
-    for (std::uint32_t k = lists.first[i]; o.group[i] == group && k < lists.first[i + 1]; k++) n += o.group[lists.list[k]] == other;
+    for (std::uint32_t k = lists.first[i]; o.group[i] == group && k < lists.first[i + 1]; k++)
+      n += o.group[lists.list[k]] == other;
   return n;
 }
 
-/// Where rims that are welded overlap: particles of `other` that are nearer to one of `group` than rows of a lattice would be, and are not held.
-std::vector<std::uint32_t> crowdedOut(const World& w, const OrientedLists& lists, std::uint32_t group, std::uint32_t other, double apart) {
+/// Where rims that are welded overlap: particles of `other` that are nearer to one of `group` than rows of a
+/// lattice would be, and are not held.
+std::vector<std::uint32_t> crowdedOut(const World& w, const OrientedLists& lists, std::uint32_t group,
+                                      std::uint32_t other, double apart) {
   const Oriented& o = w.oriented.rows;
   std::vector<std::uint32_t> rows;
   for (std::size_t i = 0; i < o.owned; i++) {
     bool crowded = false;
-    for (std::uint32_t k = lists.first[i]; o.group[i] == other && !(o.flags[i] & heldPlace) && k < lists.first[i + 1]; k++) {
+    for (std::uint32_t k = lists.first[i];
+         o.group[i] == other && !(o.flags[i] & heldPlace) && k < lists.first[i + 1]; k++) {
       const Vec3d r = o.position[lists.list[k]] - o.position[i];
       crowded = crowded || (o.group[lists.list[k]] == group && dot(r, r) < apart * apart);
     }
@@ -56,7 +62,8 @@ double distanceToPath(const std::vector<Vec3d>& path, const Vec3d& x) {
 int sideOfCut(const OrientedEvent& cut, const SignedDistance* region, double reach, const Vec3d& x) {
   if (cut.tool == CutTool::Plane) return dot(x - cut.point, cut.normal) > 0 ? 1 : 2;
   if (cut.tool == CutTool::Box) return region->inside(x) ? 1 : 2;
-  // a stroke: its path drawn along its direction; only what is beside a piece of the path is cut, not what lies beyond its ends
+  // a stroke: its path drawn along its direction; only what is beside a piece of the path is cut, not what
+  // lies beyond its ends
   const Vec3d down = normalized(cut.direction);
   const auto flat = [&](const Vec3d& p) { return p - dot(p, down) * down; };
   const Vec3d place = flat(x);
@@ -79,7 +86,8 @@ int sideOfCut(const OrientedEvent& cut, const SignedDistance* region, double rea
 int cutNumber(const Scene& s, std::size_t body, std::size_t event) {
   int number = 0;
   for (std::size_t b = 0; b <= body; b++)
-    for (std::size_t e = 0; e < (b == body ? event : s.oriented[b].events.size()); e++) number += s.oriented[b].events[e].kind == OrientedEventKind::Cut;
+    for (std::size_t e = 0; e < (b == body ? event : s.oriented[b].events.size()); e++)
+      number += s.oriented[b].events[e].kind == OrientedEventKind::Cut;
   return number;
 }
 
@@ -87,8 +95,10 @@ std::vector<EventDue> eventsBetween(const Scene& s, double from, double to) {
   std::vector<EventDue> list;
   for (std::size_t b = 0; b < s.oriented.size(); b++)
     for (std::size_t e = 0; e < s.oriented[b].events.size(); e++)
-      if (const double time = s.oriented[b].events[e].time; time > from && time <= to) list.push_back({time, b, e});
-  std::stable_sort(list.begin(), list.end(), [](const EventDue& a, const EventDue& b) { return a.time < b.time; });
+      if (const double time = s.oriented[b].events[e].time; time > from && time <= to)
+        list.push_back({time, b, e});
+  std::stable_sort(list.begin(), list.end(),
+                   [](const EventDue& a, const EventDue& b) { return a.time < b.time; });
   return list;
 }
 
@@ -100,11 +110,14 @@ void operate(World& w, Halos halos, StepTools& t, double from, double to) {
   for (const EventDue& due : list) {
     const OrientedBody& body = w.scene.oriented[due.body];
     const OrientedEvent& e = body.events[due.event];
-    const bool shaped = (e.kind == OrientedEventKind::Cut && e.tool == CutTool::Box) || e.kind == OrientedEventKind::Smooth;
+    const bool shaped = (e.kind == OrientedEventKind::Cut && e.tool == CutTool::Box) ||
+                        e.kind == OrientedEventKind::Smooth;
     const auto region = shaped ? makeSignedDistance(e.region) : nullptr;
     const PairPotential& p = t.oriented.potentials[due.body];
-    std::int64_t met[2] = {0, 0};  // of a cut on its two sides; of all else in the first: particles, or pairs that a weld joins
-    const std::uint32_t group = static_cast<std::uint32_t>(due.body), other = static_cast<std::uint32_t>(e.otherIndex);
+    std::int64_t met[2] = {0, 0};  // of a cut on its two sides; of all else in the first: particles, or pairs
+                                   // that a weld joins
+    const std::uint32_t group = static_cast<std::uint32_t>(due.body),
+                        other = static_cast<std::uint32_t>(e.otherIndex);
     std::vector<std::uint32_t> dead;
     if (e.kind == OrientedEventKind::Weld) {
       met[0] = pairsOf(o, t.oriented.lists, group, other);
@@ -118,7 +131,8 @@ void operate(World& w, Halos halos, StepTools& t, double from, double to) {
       }
       if (o.group[i] != group) continue;
       if (e.kind == OrientedEventKind::Crease) {
-        if (distanceToPath(e.path, x) < (e.radius > 0 ? e.radius : p.spacing)) o.flags[i] |= creased, met[0]++;
+        if (distanceToPath(e.path, x) < (e.radius > 0 ? e.radius : p.spacing))
+          o.flags[i] |= creased, met[0]++;
       } else if (e.kind == OrientedEventKind::Smooth) {
         if (!region->inside(x)) continue;
         met[0] += (o.flags[i] & creased) != 0;
@@ -131,9 +145,11 @@ void operate(World& w, Halos halos, StepTools& t, double from, double to) {
     }
     for (const std::uint32_t i : dead) letGo(w, i, from > -never ? to - from : 0);
     w.counters.orientedDeaths += static_cast<std::int64_t>(dead.size());
-    if (e.kind == OrientedEventKind::Weld && &due != &list.back()) readyAgain(w, halos, t);  // the next event sees what this one has left, on all ranks
+    // the next event sees what this one has left, on all ranks
+    if (e.kind == OrientedEventKind::Weld && &due != &list.back()) readyAgain(w, halos, t);
     halos.all.sum(met);
-    if (met[0] == 0 || (e.kind == OrientedEventKind::Cut && met[1] == 0)) t.oriented.idle.push_back({due.body, due.event});
+    if (met[0] == 0 || (e.kind == OrientedEventKind::Cut && met[1] == 0))
+      t.oriented.idle.push_back({due.body, due.event});
   }
 }
 

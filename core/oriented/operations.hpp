@@ -4,7 +4,10 @@
 
 namespace thaw {
 
-struct EventDue { double time; std::size_t body, event; };
+struct EventDue {
+  double time;
+  std::size_t body, event;
+};
 
 /// The events of (from, to] (s) in the order in which they are done: by time, then as in the scene.
 std::vector<EventDue> eventsBetween(const Scene& scene, double from, double to);
@@ -12,8 +15,8 @@ std::vector<EventDue> eventsBetween(const Scene& scene, double from, double to);
 /// Does an event lie in (from, to]?
 bool operationDue(const Scene& scene, double from, double to);
 
-/// Does the events of (from, to] (s) to the owned rows, in the order of time and then of the scene. The same on any number of ranks: each looks at
-/// the row's own place, group and normal alone.
+/// Does the events of (from, to] (s) to the owned rows, in the order of time and then of the scene. The same
+/// on any number of ranks: each looks at the row's own place, group and normal alone.
 void operate(World& world, Halos halos, StepTools& tools, double from, double to);
 
 /// Number of a cut among the cuts of all bodies: its two bits in Oriented::cutSides. At most 32.

@@ -13,9 +13,13 @@ namespace {
 
 constexpr double reachOfContact = 0.9;  // spacings between particles of different surfaces
 
-struct WallPush { Vec3d force{}, velocity{}; double energy = 0, loss = 0, stiffness = 0, slope = 0; };
+struct WallPush {
+  Vec3d force{}, velocity{};
+  double energy = 0, loss = 0, stiffness = 0, slope = 0;
+};
 
-/// Of one obstacle on row i: a spring and a barrier that begin `thickness` spacings before the surface, and friction (Coulomb, viscous below the speed at which that is larger).
+/// Of one obstacle on row i: a spring and a barrier that begin `thickness` spacings before the surface, and
+/// friction (Coulomb, viscous below the speed at which that is larger).
 WallPush pushOf(const World& w, const StepTools& t, const Wall& wall, std::size_t i) {
   const Oriented& o = w.oriented.rows;
   const OrientedBody& body = w.scene.oriented[o.body[i]];
@@ -27,7 +31,8 @@ WallPush pushOf(const World& w, const StepTools& t, const Wall& wall, std::size_
   const Vec3d rest = toRest(wall.pose, o.position[i]);
   if (!nearBounds(wall.bounds, rest, keep)) return push;
   Vec3d n;
-  const double d = wall.shape->distanceWithin(rest, std::max(keep, deepest), &n), depth = std::min(keep - d, deepest);
+  const double d = wall.shape->distanceWithin(rest, std::max(keep, deepest), &n),
+               depth = std::min(keep - d, deepest);
   if (!(depth > 0)) return push;
   n = directionFromRest(wall.pose, n);
   const ObstaclePush at = pushAt(contact, depth);
@@ -35,9 +40,14 @@ WallPush pushOf(const World& w, const StepTools& t, const Wall& wall, std::size_
   push.velocity = wallVelocity(wall, o.position[i]);
   push.energy = at.energy;
   const Vec3d slip = o.velocity[i] - push.velocity, along = slip - dot(slip, n) * n;
-  push.slope = pushAt(contact, std::min(contact.room * (1 - 1e-9), depth + std::clamp(-1.1 * nextStep(w.clock) * dot(slip, n), 0.0, 0.1 * p.spacing))).slope;  // where the next step ends
+  // where the next step ends
+  push.slope = pushAt(contact, std::min(contact.room * (1 - 1e-9),
+                                        depth + std::clamp(-1.1 * nextStep(w.clock) * dot(slip, n), 0.0,
+                                                           0.1 * p.spacing)))
+                   .slope;
   push.stiffness = k + push.slope;
-  const double speed = length(along), drag = 0.5 * std::sqrt(k * o.mass[i]), friction = std::max(body.friction, wall.properties.friction);
+  const double speed = length(along), drag = 0.5 * std::sqrt(k * o.mass[i]),
+               friction = std::max(body.friction, wall.properties.friction);
   const double tangential = std::min(friction * normalForce, drag * speed);
   push.force = normalForce * n;
   if (speed > 0) push.force -= (tangential / speed) * along;
@@ -45,10 +55,13 @@ WallPush pushOf(const World& w, const StepTools& t, const Wall& wall, std::size_
   return push;
 }
 
-/// B17: two particles that look in opposite directions have no torque and would stay so. A small one in a direction that both know.
+/// B17: two particles that look in opposite directions have no torque and would stay so. A small one in a
+/// direction that both know.
 Vec3d kickApart(const World& w, const PairPotential& p, std::uint64_t a, std::uint64_t b, const Vec3d& n) {
-  const double angle = 6.283185307179586 * randomUniform(w.scene.seed, Purpose::OrientedKick, std::min(a, b), std::max(a, b));
-  const Vec3d e = std::abs(n.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0}, u = normalized(cross(n, e)), v = cross(n, u);
+  const double angle = 6.283185307179586 *
+                       randomUniform(w.scene.seed, Purpose::OrientedKick, std::min(a, b), std::max(a, b));
+  const Vec3d e = std::abs(n.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0}, u = normalized(cross(n, e)),
+              v = cross(n, u);
   return ((a < b ? 1e-3 : -1e-3) * p.scale) * (std::cos(angle) * u + std::sin(angle) * v);
 }
 
@@ -63,7 +76,9 @@ void readyOriented(World& w, Halos halos, StepTools& t) {
   Oriented& o = b.rows;
   findNormals(o);
   CellHalo& halo = *halos.kinds[0];
-  halo.beginGhosts(o, b.cells, ColumnList{&o.id, &o.position, &o.velocity, &o.normal, &o.group, &o.cutSides, &o.flags, &o.body});
+  halo.beginGhosts(
+      o, b.cells,
+      ColumnList{&o.id, &o.position, &o.velocity, &o.normal, &o.group, &o.cutSides, &o.flags, &o.body});
   halo.finishGhosts(o, b.cells);
 
   OrientedLists& l = t.oriented.lists;
@@ -81,12 +96,14 @@ void readyOriented(World& w, Halos halos, StepTools& t) {
         for (int x = -1; x <= 1; x++) {
           const std::uint64_t key = cellKey({at.x + x, at.y + y, at.z + z});
           const auto it = std::lower_bound(cells.key.begin(), cells.key.end(), key);
-          if (it != cells.key.end() && *it == key) around[found++] = static_cast<std::size_t>(it - cells.key.begin());
+          if (it != cells.key.end() && *it == key)
+            around[found++] = static_cast<std::size_t>(it - cells.key.begin());
         }
     for (std::uint32_t i = cells.first[c]; i < cells.first[c] + cells.count[c]; i++) {
       l.first.push_back(static_cast<std::uint32_t>(l.list.size()));
       for (int k = 0; k < found; k++)
-        for (std::uint32_t j = cells.first[around[k]]; j < cells.first[around[k]] + cells.count[around[k]]; j++) {
+        for (std::uint32_t j = cells.first[around[k]]; j < cells.first[around[k]] + cells.count[around[k]];
+             j++) {
           const Vec3d r = o.position[j] - o.position[i];
           if (j != i && dot(r, r) < reach2) l.list.push_back(j);
         }
@@ -118,7 +135,9 @@ void addUpForces(World& w, StepTools& t) {
       const bool folded = ((o.flags[i] | o.flags[j]) & creased) != 0;
       const bool same = sameSurface(o, i, j), opposite = p.facing && !folded && !(dot(n, o.normal[j]) > 0);
       if (same && !opposite) {
-        const PairResult f = folded ? creasedPair(p, r, n, o.normal[j], o.flags[i] & creased, o.flags[j] & creased) : pairForces(p, r, n, o.normal[j]);
+        const PairResult f = folded ? creasedPair(p, r, n, o.normal[j], o.flags[i] & creased,
+                                                  o.flags[j] & creased)
+                                    : pairForces(p, r, n, o.normal[j]);
         force += f.force;
         torque += f.torque;
         energy += 0.5 * f.energy;
@@ -126,7 +145,8 @@ void addUpForces(World& w, StepTools& t) {
         turn += f.turnStiffness;
         if (!p.facing && dot(n, o.normal[j]) < -1 + 1e-9) torque += kickApart(w, p, o.id[i], o.id[j], n);
       } else if (const double r2 = dot(r, r), d = reachOfContact * p.spacing; r2 < d * d && r2 > 0) {
-        const double far = std::sqrt(r2), stiffness = body.contact * body.stiffness, share = w.scene.oriented[o.body[j]].contact * w.scene.oriented[o.body[j]].stiffness;
+        const double far = std::sqrt(r2), stiffness = body.contact * body.stiffness,
+                     share = w.scene.oriented[o.body[j]].contact * w.scene.oriented[o.body[j]].stiffness;
         const double between = 0.5 * (stiffness + share);
         force -= (between * (d - far) / far) * r;
         energy += 0.25 * between * (d - far) * (d - far);
@@ -155,7 +175,8 @@ void bookObstacles(World& w, const StepTools& t, double dt) {
   Oriented& o = w.oriented.rows;
   for (std::size_t i = 0; i < o.owned; i++) {
     const Vec3d field = fieldForce(w, t.oriented, i).force;
-    const bool booked = w.scene.oriented.front().integrator != OrientedIntegrator::RungeKutta && !(o.flags[i] & heldPlace);
+    const bool booked = w.scene.oriented.front().integrator != OrientedIntegrator::RungeKutta &&
+                        !(o.flags[i] & heldPlace);
     Vec3d impulse = field * dt;
     double work = booked ? 0 : dot(field, o.velocity[i]) * dt;
     for (const Wall& wall : w.walls.list) {

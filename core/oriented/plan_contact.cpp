@@ -8,11 +8,13 @@
 namespace thaw {
 namespace {
 
-constexpr double touching = 0.55;      // of the sum of the spacings
-constexpr double restitution = 0.3;    // of the spring; the barrier gives all back
-constexpr double leastRoom = 0.1;      // of the reach, where one lattice's gaps are as wide as that
-constexpr double leastKeep = 0.25;     // of the spacing, where a surface keeps no distance from obstacles: so far in it is held
-constexpr double bondPull = 4;         // of attract stiffness spacing: one and a half times the largest force of a bond of Lennard-Jones 12-6
+constexpr double touching = 0.55;    // of the sum of the spacings
+constexpr double restitution = 0.3;  // of the spring; the barrier gives all back
+constexpr double leastRoom = 0.1;    // of the reach, where one lattice's gaps are as wide as that
+constexpr double leastKeep = 0.25;   // of the spacing, where a surface keeps no distance from obstacles: so
+                                     // far in it is held
+constexpr double bondPull = 4;  // of attract stiffness spacing: one and a half times the largest force of a
+                                // bond of Lennard-Jones 12-6
 
 /// m/s, of all surfaces, falls left out.
 double surfaceSpeed(const Scene& s) {
@@ -50,11 +52,14 @@ std::vector<OrientedContact> planOrientedContact(const Scene& s, std::span<const
     OrientedContact c;
     c.reach = touching * (own + s.spacing);
     // the middle of three of a hexagonal lattice, and of four of a square one
-    c.room = std::max(leastRoom * c.reach, c.reach - std::max(own / std::sqrt(3.0), s.spacing / std::sqrt(2.0)));
+    c.room = std::max(leastRoom * c.reach,
+                      c.reach - std::max(own / std::sqrt(3.0), s.spacing / std::sqrt(2.0)));
     c.spring = b.contact * b.stiffness;
     c.bonds = bondPull * b.attract * b.stiffness * own / c.room;
     c.mass = orientedMass(b, own);
-    for (std::size_t m = 0; m < s.materials.size(); m++) c.rate.push_back(std::max(2 * speed / c.room, std::sqrt(soundOf(s.materials[m], liquids[m]) * speed / (2 * s.spacing * c.room))));
+    for (std::size_t m = 0; m < s.materials.size(); m++)
+      c.rate.push_back(std::max(2 * speed / c.room, std::sqrt(soundOf(s.materials[m], liquids[m]) * speed /
+                                                              (2 * s.spacing * c.room))));
     all.push_back(std::move(c));
   }
   return all;
@@ -67,18 +72,23 @@ std::vector<ObstacleContact> planObstacleContact(const Scene& s) {
   std::vector<ObstacleContact> all;
   for (const OrientedBody& b : s.oriented) {
     const double own = spacingOf(s, b), keep = b.thickness * own, room = std::max(keep, leastKeep * own);
-    all.push_back({keep, room, b.contact * b.stiffness, std::max(bondPull * b.attract * b.stiffness * own / room, orientedMass(b, own) * std::pow(2 * speed / room, 2))});
+    all.push_back({keep, room, b.contact * b.stiffness,
+                   std::max(bondPull * b.attract * b.stiffness * own / room,
+                            orientedMass(b, own) * std::pow(2 * speed / room, 2))});
   }
   return all;
 }
 
 ObstaclePush pushAt(const ObstacleContact& c, double depth) {
   const double d = std::min(depth, c.room), cube = 2 * c.barrier * d * d * d / (c.room * c.room);
-  return {c.spring * depth + cube, 0.5 * c.spring * depth * depth + 0.25 * cube * d + cube * (depth - d), depth < c.room ? 6 * c.barrier * d * d / (c.room * c.room) : 0};
+  return {c.spring * depth + cube, 0.5 * c.spring * depth * depth + 0.25 * cube * d + cube * (depth - d),
+          depth < c.room ? 6 * c.barrier * d * d / (c.room * c.room) : 0};
 }
 
 TouchLaw contactLaw(const OrientedContact& c, std::size_t material, double mass, double span) {
-  const double both = c.mass * mass / (c.mass + mass), barrier = std::max(c.bonds, mass * c.rate[material] * c.rate[material]), deep = c.reach / c.room;
+  const double both = c.mass * mass / (c.mass + mass),
+               barrier = std::max(c.bonds, mass * c.rate[material] * c.rate[material]),
+               deep = c.reach / c.room;
   return {std::sqrt(c.spring / both), both, restitution, 0, span, barrier * deep * deep, c.reach};
 }
 

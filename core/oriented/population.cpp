@@ -16,23 +16,35 @@ namespace thaw {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double clearance = 0.86;      // spacings around the place of a birth that must be free: closer, Lennard-Jones would throw it out
-constexpr double widestGap = 2.9;       // spacings: what is further apart has another particle to look at first, or is a border
-constexpr double emptyShare = 0.45;     // of a gap's width: the radius around its middle with nobody in it (Gabriel's test, a little short of the ends)
-constexpr double steepest = 0.7;        // sine of the angle between the gap and the surface at its ends: what hovers over a surface makes no gap with it
-constexpr double column = 2;            // spacings above and below a gap in which nobody stands who could come back into it
-constexpr double ring = 1.5;            // spacings around a birth in which a lattice at rest has six
+constexpr double clearance = 0.86;   // spacings around the place of a birth that must be free: closer,
+                                     // Lennard-Jones would throw it out
+constexpr double widestGap = 2.9;    // spacings: what is further apart has another particle to look at first,
+                                     // or is a border
+constexpr double emptyShare = 0.45;  // of a gap's width: the radius around its middle with nobody in it
+                                     // (Gabriel's test, a little short of the ends)
+constexpr double steepest = 0.7;     // sine of the angle between the gap and the surface at its ends: what
+                                     // hovers over a surface makes no gap with it
+constexpr double column = 2;  // spacings above and below a gap in which nobody stands who could come back
+                              // into it
+constexpr double ring = 1.5;  // spacings around a birth in which a lattice at rest has six
 constexpr int mostInRing = 6;
-constexpr int leastInRing = 3;          // around an end of a gap: with fewer it is a stray, not the edge of a surface
-constexpr double burst = 0.5;           // kinetic energy of the ends' relative motion, over the depth of Lennard-Jones' well: above, they fly apart
-constexpr double beside = 1.65;         // spacings within which neighbours count for an open border
-constexpr double openAngle = 1.95;      // rad between neighbours from which there is room for one more: 60 degrees in a hexagonal lattice
-constexpr double fromObstacles = 0.5;   // of a thickness, at a border: what lies on an obstacle is pressed in by less, if it is not drawn into it, as a gap over one may be
+constexpr int leastInRing = 3;  // around an end of a gap: with fewer it is a stray, not the edge of a surface
+constexpr double burst = 0.5;   // kinetic energy of the ends' relative motion, over the depth of
+                                // Lennard-Jones' well: above, they fly apart
+constexpr double beside = 1.65;        // spacings within which neighbours count for an open border
+constexpr double openAngle = 1.95;     // rad between neighbours from which there is room for one more: 60
+                                       // degrees in a hexagonal lattice
+constexpr double fromObstacles = 0.5;  // of a thickness, at a border: what lies on an obstacle is pressed in
+                                       // by less, if it is not drawn into it, as a gap over one may be
 constexpr std::uint64_t bornBit = std::uint64_t(1) << 63;
 
-struct Offer { bool there = false; Vec3d place{}, normal{}; };
+struct Offer {
+  bool there = false;
+  Vec3d place{}, normal{};
+};
 
-/// Can the place be taken? Neighbours of i of the same surface are looked at, whatever they look like from there.
+/// Can the place be taken? Neighbours of i of the same surface are looked at, whatever they look like from
+/// there.
 bool isFree(const Oriented& o, const OrientedLists& l, std::size_t i, const Vec3d& place, double radius) {
   for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
     const Vec3d d = o.position[l.list[k]] - place;
@@ -42,18 +54,25 @@ bool isFree(const Oriented& o, const OrientedLists& l, std::size_t i, const Vec3
   return dot(d, d) >= radius * radius;
 }
 
-bool isNeighbour(const Oriented& o, const PairPotential& p, std::size_t i, std::size_t j) { return sameSurface(o, i, j) && (!p.facing || dot(o.normal[i], o.normal[j]) > 0); }
+bool isNeighbour(const Oriented& o, const PairPotential& p, std::size_t i, std::size_t j) {
+  return sameSurface(o, i, j) && (!p.facing || dot(o.normal[i], o.normal[j]) > 0);
+}
 
-/// Is the offered place a gap of width `far` between i and j: one where the surface is stretched or torn? A surface at rest, or one that shakes, has none: in
-/// the gap's sphere, or over or under it, there is somebody, or the ring around is full, or a birth would
-/// cost more than the energy of a bond. What flies apart is no surface.
-bool isGap(const Oriented& o, const OrientedLists& l, const PairPotential& p, std::size_t i, std::size_t j, const Offer& at, int leastBeside, bool planar) {
+/// Is the offered place a gap of width `far` between i and j: one where the surface is stretched or torn? A
+/// surface at rest, or one that shakes, has none: in the gap's sphere, or over or under it, there is
+/// somebody, or the ring around is full, or a birth would cost more than the energy of a bond. What flies
+/// apart is no surface.
+bool isGap(const Oriented& o, const OrientedLists& l, const PairPotential& p, std::size_t i, std::size_t j,
+           const Offer& at, int leastBeside, bool planar) {
   const Vec3d r = o.position[j] - o.position[i], apart = o.velocity[j] - o.velocity[i];
   const double far = length(r), rise = steepest * far;
-  if (!planar && (std::abs(dot(o.normal[i], r)) > rise || std::abs(dot(o.normal[j], r)) > rise || std::abs(dot(at.normal, r)) > rise)) return false;
+  if (!planar && (std::abs(dot(o.normal[i], r)) > rise || std::abs(dot(o.normal[j], r)) > rise ||
+                  std::abs(dot(at.normal, r)) > rise))
+    return false;
   const double holds = p.scale * (p.attract > 0 ? p.attract : std::max({p.plane, p.normal, p.circle}));
   if (0.25 * o.mass[i] * dot(apart, apart) > burst * holds) return false;
-  const double free = std::max(clearance * p.spacing, emptyShare * far), free2 = free * free, ring2 = ring * ring * p.spacing * p.spacing;
+  const double free = std::max(clearance * p.spacing, emptyShare * far), free2 = free * free,
+               ring2 = ring * ring * p.spacing * p.spacing;
   const Vec3d back = o.position[i] - at.place;
   if (dot(back, back) < clearance * clearance * p.spacing * p.spacing) return false;
   int around = 1, beside = 0;  // of the place, i among them; of i
@@ -73,8 +92,10 @@ bool isGap(const Oriented& o, const OrientedLists& l, const PairPotential& p, st
   return beside >= leastBeside && around <= mostInRing && (energy < p.attract * p.scale || p.attract == 0);
 }
 
-/// Half way on the arc to the neighbour across the widest gap between the two: the lower rank of a pair offers.
-Offer offerInGap(const World& w, const StepTools& t, const OrientedBody& body, const PairPotential& p, std::size_t i) {
+/// Half way on the arc to the neighbour across the widest gap between the two: the lower rank of a pair
+/// offers.
+Offer offerInGap(const World& w, const StepTools& t, const OrientedBody& body, const PairPotential& p,
+                 std::size_t i) {
   const Oriented& o = w.oriented.rows;
   const OrientedLists& l = t.oriented.lists;
   Offer best;
@@ -85,9 +106,11 @@ Offer offerInGap(const World& w, const StepTools& t, const OrientedBody& body, c
     const std::uint32_t j = l.list[k];
     const Vec3d r = o.position[j] - o.position[i];
     const double far = length(r);
-    if (!isNeighbour(o, p, i, j) || o.id[i] > o.id[j] || far <= widest || far > widestGap * p.spacing) continue;
+    if (!isNeighbour(o, p, i, j) || o.id[i] > o.id[j] || far <= widest || far > widestGap * p.spacing)
+      continue;
     const Vec3d n = normalized(o.normal[i] + o.normal[j]);
-    const Offer offer{true, o.position[i] + 0.5 * r + (0.125 * dot(o.normal[j] - o.normal[i], r)) * n, n};  // the arc's middle
+    // the arc's middle
+    const Offer offer{true, o.position[i] + 0.5 * r + (0.125 * dot(o.normal[j] - o.normal[i], r)) * n, n};
     if (!isGap(o, l, p, i, j, offer, leastBeside, body.planar)) continue;
     widest = far;
     best = offer;
@@ -95,11 +118,13 @@ Offer offerInGap(const World& w, const StepTools& t, const OrientedBody& body, c
   return best;
 }
 
-/// A spacing away, 60 degrees from the neighbour before the widest angle without one; on the arc that the neighbours' normals say.
+/// A spacing away, 60 degrees from the neighbour before the widest angle without one; on the arc that the
+/// neighbours' normals say.
 Offer offerAtBorder(const World& w, const StepTools& t, const PairPotential& p, std::size_t i) {
   const Oriented& o = w.oriented.rows;
   const OrientedLists& l = t.oriented.lists;
-  const Vec3d n = o.normal[i], e = std::abs(n.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0}, u = normalized(cross(n, e)), v = cross(n, u);
+  const Vec3d n = o.normal[i], e = std::abs(n.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0},
+              u = normalized(cross(n, e)), v = cross(n, u);
   std::array<double, 64> angle;
   std::size_t count = 0;
   double bend = 0, weight = 0;  // mean curvature: of the normals' change along the way
@@ -109,7 +134,8 @@ Offer offerAtBorder(const World& w, const StepTools& t, const PairPotential& p, 
     const double far2 = dot(r, r);
     if (!isNeighbour(o, p, i, j)) continue;
     if (far2 < 4 * p.spacing * p.spacing) bend += dot(o.normal[j] - n, r), weight += far2;
-    if (far2 < beside * beside * p.spacing * p.spacing && count < angle.size()) angle[count++] = std::atan2(dot(r, v), dot(r, u));
+    if (far2 < beside * beside * p.spacing * p.spacing && count < angle.size())
+      angle[count++] = std::atan2(dot(r, v), dot(r, u));
   }
   double at = 2 * pi * randomUniform(w.scene.seed, Purpose::OrientedBirth, o.id[i]), widest = 2 * pi;
   if (count > 0) {
@@ -124,24 +150,30 @@ Offer offerAtBorder(const World& w, const StepTools& t, const PairPotential& p, 
   }
   if (widest < openAngle) return {};
   const Vec3d way = std::cos(at) * u + std::sin(at) * v;
-  const double turn = std::clamp(weight > 0 ? bend / weight * p.spacing : 0, -0.7, 0.7);  // rad, of the normal over a spacing
-  Offer offer{true, o.position[i] + p.spacing * (std::cos(0.5 * turn) * way - std::sin(0.5 * turn) * n), std::cos(turn) * n + std::sin(turn) * way};
+  // rad, of the normal over a spacing
+  const double turn = std::clamp(weight > 0 ? bend / weight * p.spacing : 0, -0.7, 0.7);
+  Offer offer{true, o.position[i] + p.spacing * (std::cos(0.5 * turn) * way - std::sin(0.5 * turn) * n),
+              std::cos(turn) * n + std::sin(turn) * way};
   const GivenPoints& given = t.oriented.given[o.body[i]];
   if (!given.points.empty() && !projectOnGiven(given, offer.place, offer.normal)) return {};
   if (dot(offer.normal, n) < 0.2 || !isFree(o, l, i, offer.place, clearance * p.spacing)) return {};
   return offer;
 }
 
-/// The weight of what entered and left is booked by halves of kicks (core/time/integrate.cpp), but oriented particles get theirs at once, at the beginning of a step: who is
-/// born in the midst of one has got nothing of it, and who dies all.
+/// The weight of what entered and left is booked by halves of kicks (core/time/integrate.cpp), but oriented
+/// particles get theirs at once, at the beginning of a step: who is born in the midst of one has got nothing
+/// of it, and who dies all.
 void bookWeight(World& w, std::size_t i, double time) {
   for (int a = 0; a < 3; a++)
-    if (const double impulse = w.oriented.rows.mass[i] * w.scene.domain.gravity[a] * time; impulse != 0) w.ledger.gravityImpulse[a].add(impulse);
+    if (const double impulse = w.oriented.rows.mass[i] * w.scene.domain.gravity[a] * time; impulse != 0)
+      w.ledger.gravityImpulse[a].add(impulse);
 }
 
-/// Of a body that would have more than `most` after these births: the largest rank of an offer that stands (ranks are numbers of 63 bits), so that no more than its room are
-/// born on all ranks together. Of other bodies no limit.
-std::vector<std::uint64_t> rankLimits(const World& w, const std::vector<std::int64_t>& members, const std::vector<std::uint32_t>& parents, Reducer& all) {
+/// Of a body that would have more than `most` after these births: the largest rank of an offer that stands
+/// (ranks are numbers of 63 bits), so that no more than its room are born on all ranks together. Of other
+/// bodies no limit.
+std::vector<std::uint64_t> rankLimits(const World& w, const std::vector<std::int64_t>& members,
+                                      const std::vector<std::uint32_t>& parents, Reducer& all) {
   const Oriented& o = w.oriented.rows;
   const std::size_t bodies = members.size();
   const auto born = [&](const std::vector<std::uint64_t>& limit) {
@@ -158,7 +190,8 @@ std::vector<std::uint64_t> rankLimits(const World& w, const std::vector<std::int
   for (int k = 0; k < 63 && !over.empty(); k++) {
     for (const std::size_t b : over) limit[b] = low[b] + (high[b] - low[b]) / 2;
     n = born(limit);
-    for (const std::size_t b : over) (members[b] + n[b] > w.scene.oriented[b].most ? high : low)[b] = limit[b];
+    for (const std::size_t b : over)
+      (members[b] + n[b] > w.scene.oriented[b].most ? high : low)[b] = limit[b];
   }
   for (const std::size_t b : over) limit[b] = low[b];
   return limit;
@@ -168,7 +201,9 @@ void giveBirth(World& w, const PairPotential& p, std::size_t parent, const Offer
   Oriented& o = w.oriented.rows;
   const std::size_t i = o.owned;
   o.resize(i + 1, 0);
-  o.id[i] = bornBit | randomBits(w.scene.seed, Purpose::OrientedBirth, o.id[parent], static_cast<std::uint64_t>(w.clock.step) + 1) >> 1;
+  o.id[i] = bornBit | randomBits(w.scene.seed, Purpose::OrientedBirth, o.id[parent],
+                                 static_cast<std::uint64_t>(w.clock.step) + 1) >>
+                          1;
   o.position[i] = offer.place;
   o.velocity[i] = o.velocity[parent];
   o.mass[i] = orientedMass(w.scene.oriented[o.body[parent]], p.spacing);
@@ -198,7 +233,8 @@ void letGo(World& w, std::size_t i, double dt) {
 bool populationDue(const World& w, double dt) {
   bool due = false;
   if (dt == 0) return due;
-  for (const OrientedBody& b : w.scene.oriented) due = due || ((b.growth != OrientedGrowth::None || b.crowd > 0) && (w.clock.step + 1) % b.every == 0);
+  for (const OrientedBody& b : w.scene.oriented)
+    due = due || ((b.growth != OrientedGrowth::None || b.crowd > 0) && (w.clock.step + 1) % b.every == 0);
   return due;
 }
 
@@ -226,7 +262,9 @@ bool changePopulation(World& w, Halos halos, StepTools& t, double dt) {
       apart = fromObstacles * body.thickness * p.spacing;
     }
     if (!offers[i].there) continue;
-    if (!w.scene.domain.holds(offers[i].place) && !w.grid.periodic[0] && !w.grid.periodic[1] && !w.grid.periodic[2]) continue;
+    if (!w.scene.domain.holds(offers[i].place) && !w.grid.periodic[0] && !w.grid.periodic[1] &&
+        !w.grid.periodic[2])
+      continue;
     parents.push_back(static_cast<std::uint32_t>(i));
     places.push_back({o.body[i], offers[i].place, apart});
   }
@@ -254,13 +292,16 @@ bool changePopulation(World& w, Halos halos, StepTools& t, double dt) {
         const Vec3d d = r + o.offer[j] - o.offer[i];
         wins = dot(d, d) >= 0.81 * p.spacing * p.spacing;
       }
-      if (body.crowd > 0 && !(o.flags[i] & heldPlace) && isNeighbour(o, p, i, j) && dot(r, r) < body.crowd * body.crowd * p.spacing * p.spacing)
-        dies = dies || (o.flags[j] & heldPlace) || own < randomBits(w.scene.seed, Purpose::OrientedDeath, o.id[j], step);
+      if (body.crowd > 0 && !(o.flags[i] & heldPlace) && isNeighbour(o, p, i, j) &&
+          dot(r, r) < body.crowd * body.crowd * p.spacing * p.spacing)
+        dies = dies || (o.flags[j] & heldPlace) ||
+               own < randomBits(w.scene.seed, Purpose::OrientedDeath, o.id[j], step);
     }
     if (dies) dead.push_back(static_cast<std::uint32_t>(i));
     else if (wins) parents.push_back(static_cast<std::uint32_t>(i));
   }
-  if (std::any_of(w.scene.oriented.begin(), w.scene.oriented.end(), [](const OrientedBody& b) { return b.growth != OrientedGrowth::None; })) {
+  if (std::any_of(w.scene.oriented.begin(), w.scene.oriented.end(),
+                  [](const OrientedBody& b) { return b.growth != OrientedGrowth::None; })) {
     const std::vector<std::uint64_t> limit = rankLimits(w, members, parents, halos.all);
     std::erase_if(parents, [&](std::uint32_t i) { return o.offerRank[i] > limit[o.body[i]]; });
   }

@@ -14,7 +14,9 @@
 namespace thaw {
 namespace {
 
-bool interpolates(const OrientedBody& b) { return b.growth == OrientedGrowth::Borders && (b.thin < 1 || b.source == OrientedSource::Points); }
+bool interpolates(const OrientedBody& b) {
+  return b.growth == OrientedGrowth::Borders && (b.thin < 1 || b.source == OrientedSource::Points);
+}
 
 void keepGiven(const MadePoints& m, GivenPoints& g) {
   g.points = m.places;
@@ -23,10 +25,12 @@ void keepGiven(const MadePoints& m, GivenPoints& g) {
   if (m.reach > 0) g.reach = m.reach / g.apart;
 }
 
-constexpr double samePlace = 0.1;  // spacings: nearer, particles of two bodies push each other apart out of nothing, or not at all
+constexpr double samePlace = 0.1;  // spacings: nearer, particles of two bodies push each other apart out of
+                                   // nothing, or not at all
 
 /// Bodies that stand in each other, and points that are given twice. All ranks look at all places.
-void refuseSharedPlaces(const Scene& s, const std::vector<std::vector<Vec3d>>& places, SceneProblems& problems) {
+void refuseSharedPlaces(const Scene& s, const std::vector<std::vector<Vec3d>>& places,
+                        SceneProblems& problems) {
   for (std::size_t b = 0; b < places.size(); b++) {
     if (places[b].empty()) continue;
     const OrientedBody& body = s.oriented[b];
@@ -34,14 +38,19 @@ void refuseSharedPlaces(const Scene& s, const std::vector<std::vector<Vec3d>>& p
     if (body.source == OrientedSource::Points) {
       std::size_t twice = 0;
       for (const Vec3d& x : places[b]) twice += tree.within(x, 1e-6 * spacingOf(s, body)).size() > 1;
-      if (twice > 0) problems.add(body.where, "oriented body '" + body.name + "': " + std::to_string(twice) + " of its points are at the place of another one; expected each place once");
+      if (twice > 0)
+        problems.add(body.where,
+                     "oriented body '" + body.name + "': " + std::to_string(twice) +
+                         " of its points are at the place of another one; expected each place once");
     }
     for (std::size_t other = b + 1; other < places.size(); other++) {
       const double near = samePlace * std::min(spacingOf(s, body), spacingOf(s, s.oriented[other]));
       std::size_t count = 0;
       for (const Vec3d& x : places[other]) count += !tree.within(x, near).empty();
       if (count > 0)
-        problems.add(s.oriented[other].where, "oriented body '" + s.oriented[other].name + "': " + std::to_string(count) + " of its particles are at places of '" + body.name +
+        problems.add(s.oriented[other].where, "oriented body '" + s.oriented[other].name +
+                                                  "': " + std::to_string(count) +
+                                                  " of its particles are at places of '" + body.name +
                                                   "'; move them apart, or set numerics.overlap to \"keep\"");
     }
   }
@@ -58,9 +67,13 @@ double orientedReach(const Scene& s) {
 void activateOriented(World& w) {
   Oriented& o = w.oriented.rows;
   activateKind(o);
-  for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.orientation, &o.spin, &o.inertia, &o.force, &o.torque, &o.group, &o.cutSides, &o.flags, &o.anchor, &o.home, &o.homeTurn, &o.normal, &o.stiffness}) o.activate(*c);
+  for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.orientation, &o.spin, &o.inertia, &o.force,
+                                                        &o.torque, &o.group, &o.cutSides, &o.flags, &o.anchor,
+                                                        &o.home, &o.homeTurn, &o.normal, &o.stiffness})
+    o.activate(*c);
   bool changes = false;
-  for (const OrientedBody& b : w.scene.oriented) changes = changes || b.growth != OrientedGrowth::None || b.crowd > 0;
+  for (const OrientedBody& b : w.scene.oriented)
+    changes = changes || b.growth != OrientedGrowth::None || b.crowd > 0;
   if (w.modules.meeting || w.modules.draping)
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.external, &o.resisting}) o.activate(*c);
   if (changes)
@@ -80,15 +93,16 @@ void prepareOriented(Scene& s, OrientedWork& work, const MeshLoader& load) {
     try {
       keepGiven(makePoints(s.oriented[b], spacingOf(s, s.oriented[b]), s.seed + b, load), work.given[b]);
     } catch (const std::invalid_argument&) {  // sampling says what is wrong
-    } catch (const std::runtime_error&) {
-    }
+    } catch (const std::runtime_error&) {}
   }
 }
 
-std::vector<std::vector<Vec3d>> sampleOriented(World& w, Halos halos, const MeshLoader& load, std::vector<SceneWarning>& warnings) {
+std::vector<std::vector<Vec3d>> sampleOriented(World& w, Halos halos, const MeshLoader& load,
+                                               std::vector<SceneWarning>& warnings) {
   Oriented& o = w.oriented.rows;
   SceneProblems problems;
-  const auto ranks = static_cast<std::size_t>(halos.all.size()), rank = static_cast<std::size_t>(halos.all.rank());
+  const auto ranks = static_cast<std::size_t>(halos.all.size()),
+             rank = static_cast<std::size_t>(halos.all.rank());
   std::vector<std::vector<Vec3d>> places(w.scene.oriented.size());
   for (std::size_t b = 0; b < w.scene.oriented.size(); b++) {
     const OrientedBody& body = w.scene.oriented[b];
@@ -107,12 +121,15 @@ std::vector<std::vector<Vec3d>> sampleOriented(World& w, Halos halos, const Mesh
       continue;
     }
     places[b] = made.places;
-    const auto tell = [&](const SourcePlace& where, const std::string& whose, const std::vector<std::string>& notes) {
+    const auto tell = [&](const SourcePlace& where, const std::string& whose,
+                          const std::vector<std::string>& notes) {
       for (const std::string& note : notes) warnings.push_back({where, whose + ": " + note});
     };
     tell(body.where, "oriented body '" + body.name + "'", made.notes);
     if (body.growth != OrientedGrowth::None && made.places.size() > static_cast<std::size_t>(body.most))
-      problems.add(body.where, "oriented body '" + body.name + "': it begins with " + std::to_string(made.places.size()) + " particles and is to grow to `most` = " + std::to_string(body.most) +
+      problems.add(body.where, "oriented body '" + body.name + "': it begins with " +
+                                   std::to_string(made.places.size()) +
+                                   " particles and is to grow to `most` = " + std::to_string(body.most) +
                                    "; expected at least as many");
     std::vector<std::shared_ptr<const SignedDistance>> regions;
     for (const OrientedAnchor& a : body.anchors) {
@@ -133,13 +150,16 @@ std::vector<std::vector<Vec3d>> sampleOriented(World& w, Halos halos, const Mesh
         if (regions[a] && regions[a]->inside(x)) {
           holds[a]++;
           anchor = static_cast<std::uint16_t>(a);
-          flags = static_cast<std::uint8_t>((body.anchors[a].position ? heldPlace : 0) | (body.anchors[a].normal ? heldNormal : 0));
+          flags = static_cast<std::uint8_t>((body.anchors[a].position ? heldPlace : 0) |
+                                            (body.anchors[a].normal ? heldNormal : 0));
         }
       if (k % ranks != rank) continue;
       const std::size_t i = o.owned;
       o.resize(i + 1, 0);
       o.id[i] = static_cast<std::uint64_t>(b) << 40 | static_cast<std::uint64_t>(k);
-      o.position[i] = o.home[i] = body.jitter > 0 && !flags ? jittered(x, body.jitter, s, w.scene.seed, o.id[i]) : x;
+      o.position[i] = o.home[i] = body.jitter > 0 && !flags
+                                      ? jittered(x, body.jitter, s, w.scene.seed, o.id[i])
+                                      : x;
       o.velocity[i] = body.velocity;
       o.orientation[i] = o.homeTurn[i] = towards(made.normals[k]);
       if (body.jitter > 0 && !flags) {
@@ -155,8 +175,14 @@ std::vector<std::vector<Vec3d>> sampleOriented(World& w, Halos halos, const Mesh
       o.anchor[i] = anchor;
     }
     for (std::size_t a = 0; a < holds.size(); a++)
-      if (regions[a] && holds[a] == 0) problems.add(body.anchors[a].where, "oriented body '" + body.name + "': there is no particle in this anchor");
-    if (outside.count > 0) problems.add(body.where, "oriented body '" + body.name + "': " + outsideText(outside, w.scene.domain, static_cast<std::int64_t>(made.places.size()), "particles", "body"));
+      if (regions[a] && holds[a] == 0)
+        problems.add(body.anchors[a].where,
+                     "oriented body '" + body.name + "': there is no particle in this anchor");
+    if (outside.count > 0)
+      problems.add(body.where,
+                   "oriented body '" + body.name + "': " +
+                       outsideText(outside, w.scene.domain, static_cast<std::int64_t>(made.places.size()),
+                                   "particles", "body"));
   }
   if (w.scene.numerics.overlap != OverlapRule::Keep) refuseSharedPlaces(w.scene, places, problems);
   problems.raise();

@@ -1,4 +1,5 @@
-// FIRE (Bitzek, Koskinen, Gaehler, Moseler, Gumbsch 2006): dynamics whose velocity is turned toward the force, and stopped where it goes uphill.
+// FIRE (Bitzek, Koskinen, Gaehler, Moseler, Gumbsch 2006): dynamics whose velocity is turned toward the
+// force, and stopped where it goes uphill.
 #include <algorithm>
 #include <cmath>
 
@@ -13,10 +14,12 @@
 namespace thaw {
 namespace {
 
-constexpr double restForce = 1e-9;   // of stiffness times spacing
+constexpr double restForce = 1e-9;  // of stiffness times spacing
 constexpr int patience = 5;
 
-struct Sums { double power, force, speed; };
+struct Sums {
+  double power, force, speed;
+};
 
 Sums sumsOf(const Oriented& o, const std::vector<Vec3d>& f, const std::vector<Vec3d>& torque, Reducer& all) {
   ExactSum sum[3];
@@ -29,10 +32,13 @@ Sums sumsOf(const Oriented& o, const std::vector<Vec3d>& f, const std::vector<Ve
   std::array<std::int64_t, 3 * ExactSum::digits> digits;
   for (std::size_t k = 0; k < 3; k++) {
     sum[k].carry();
-    std::copy(sum[k].digit.begin(), sum[k].digit.end(), digits.begin() + static_cast<std::ptrdiff_t>(k * ExactSum::digits));
+    std::copy(sum[k].digit.begin(), sum[k].digit.end(),
+              digits.begin() + static_cast<std::ptrdiff_t>(k * ExactSum::digits));
   }
   all.sum(digits);
-  for (std::size_t k = 0; k < 3; k++) std::copy_n(digits.begin() + static_cast<std::ptrdiff_t>(k * ExactSum::digits), ExactSum::digits, sum[k].digit.begin());
+  for (std::size_t k = 0; k < 3; k++)
+    std::copy_n(digits.begin() + static_cast<std::ptrdiff_t>(k * ExactSum::digits), ExactSum::digits,
+                sum[k].digit.begin());
   return {sum[0].value(), sum[1].value(), sum[2].value()};
 }
 
@@ -91,7 +97,8 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
     for (std::size_t i = 0; i < o.owned; i++) {
       const OrientedBody& body = w.scene.oriented[o.body[i]];
       const double unit = body.stiffness * t.oriented.potentials[o.body[i]].spacing;
-      worst[0] = std::max({worst[0], length(force[i]) / unit, length(torque[i]) / (unit * t.oriented.potentials[o.body[i]].spacing)});
+      worst[0] = std::max({worst[0], length(force[i]) / unit,
+                           length(torque[i]) / (unit * t.oriented.potentials[o.body[i]].spacing)});
       worst[1] = std::max(worst[1], o.stiffness[i]);
     }
     if (t.oriented.stopRelaxing && t.oriented.stopRelaxing(done)) worst[2] = 1;
@@ -99,8 +106,10 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
     t.oriented.unrest = worst[0];
     t.oriented.atRest = (worst[0] < restForce && (!grows || calm >= 3)) || !(worst[1] > 0);
     t.oriented.relaxStopped = !t.oriented.atRest && worst[2] > 0;
-    // who comes and who goes may disturb the others without end; of a population that stays as it is the force goes to 0 in the end, however slowly
-    t.oriented.gotNowhere = grows && !t.oriented.atRest && !t.oriented.relaxStopped && !getsAnywhere(t.oriented.relaxProgress, done, worst[0], t.oriented.relaxing);
+    // who comes and who goes may disturb the others without end; of a population that stays as it is the
+    // force goes to 0 in the end, however slowly
+    t.oriented.gotNowhere = grows && !t.oriented.atRest && !t.oriented.relaxStopped &&
+                            !getsAnywhere(t.oriented.relaxProgress, done, worst[0], t.oriented.relaxing);
     if (t.oriented.atRest || t.oriented.relaxStopped || t.oriented.gotNowhere) break;
     const Sums s = sumsOf(o, force, torque, halos.all);
     if (s.power > 0) {
@@ -129,7 +138,8 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
       if (fast > 0.04 * s0) o.velocity[i] = o.velocity[i] * (0.04 * s0 / fast);
       if (turn > 0.1) o.spin[i] = o.spin[i] * (0.1 / turn);
       if (!(o.flags[i] & heldPlace)) o.position[i] += dt * o.velocity[i];
-      if (!(o.flags[i] & heldNormal)) o.orientation[i] = unitQuat(rotationBy(dt * o.spin[i]) * o.orientation[i]);
+      if (!(o.flags[i] & heldNormal))
+        o.orientation[i] = unitQuat(rotationBy(dt * o.spin[i]) * o.orientation[i]);
     }
   }
   w.clock.step = stepBefore;

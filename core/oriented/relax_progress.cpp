@@ -5,15 +5,18 @@
 namespace thaw {
 namespace {
 
-constexpr double less = 0.9, more = 1.02;      // force and particles, over those at the last gain
+constexpr double less = 0.9, more = 1.02;        // force and particles, over those at the last gain
 constexpr double fewest = 1000, perLength = 20;  // iterations; and per particle along the surface
 
 }  // namespace
 
-std::int64_t relaxPatience(std::int64_t particles) { return static_cast<std::int64_t>(fewest + perLength * std::sqrt(static_cast<double>(particles))); }
+std::int64_t relaxPatience(std::int64_t particles) {
+  return static_cast<std::int64_t>(fewest + perLength * std::sqrt(static_cast<double>(particles)));
+}
 
 bool getsAnywhere(RelaxProgress& p, std::int64_t done, double force, std::int64_t particles) {
-  if (static_cast<double>(particles) > more * static_cast<double>(p.most)) {  // what was at rest was so with less
+  // what was at rest was so with less
+  if (static_cast<double>(particles) > more * static_cast<double>(p.most)) {
     p = {force, particles, done};
   } else if (force < less * p.least) {
     p.least = force;

@@ -4,7 +4,9 @@
 namespace thaw {
 namespace {
 
-Quat sum(const Quat& a, double f, const Quat& b) { return {a.w + f * b.w, a.x + f * b.x, a.y + f * b.y, a.z + f * b.z}; }
+Quat sum(const Quat& a, double f, const Quat& b) {
+  return {a.w + f * b.w, a.x + f * b.x, a.y + f * b.y, a.z + f * b.z};
+}
 
 }  // namespace
 
@@ -38,8 +40,10 @@ void stepRungeKutta(World& w, Halos halos, StepTools& t, double dt) {
       const OrientedBody& body = w.scene.oriented[o.body[i]];
       const bool place = !(o.flags[i] & heldPlace), turns = !(o.flags[i] & heldNormal);
       const Vec3d v = o.velocity[i], spin = o.spin[i];
-      const Vec3d a = place ? o.force[i] / o.mass[i] + g - body.damping * v : Vec3d{}, turn = turns ? o.torque[i] / o.inertia[i] - body.spinDamping * spin : Vec3d{};
-      const Quat q = o.orientation[i], rate = turns ? Quat{0, 0.5 * spin.x, 0.5 * spin.y, 0.5 * spin.z} * q : Quat{0, 0, 0, 0};
+      const Vec3d a = place ? o.force[i] / o.mass[i] + g - body.damping * v : Vec3d{},
+                  turn = turns ? o.torque[i] / o.inertia[i] - body.spinDamping * spin : Vec3d{};
+      const Quat q = o.orientation[i],
+                 rate = turns ? Quat{0, 0.5 * spin.x, 0.5 * spin.y, 0.5 * spin.z} * q : Quat{0, 0, 0, 0};
       work.acting[i] += share[stage] * o.force[i];
       work.actingTorque[i] += share[stage] * o.torque[i];
       work.sumVelocity[i] += share[stage] * v;
@@ -51,7 +55,8 @@ void stepRungeKutta(World& w, Halos halos, StepTools& t, double dt) {
       if (turns) o.dissipated[i] += share[stage] * dt * body.spinDamping * o.inertia[i] * dot(spin, spin);
       if (place)
         for (int k = 0; k < 3; k++)
-          if (const double lost = -share[stage] * dt * body.damping * o.mass[i] * v[k]; lost != 0) w.ledger.wallImpulse[k].add(lost);
+          if (const double lost = -share[stage] * dt * body.damping * o.mass[i] * v[k]; lost != 0)
+            w.ledger.wallImpulse[k].add(lost);
       const double h = next[stage] * dt;
       if (stage == 3) continue;
       if (place) {

@@ -13,7 +13,8 @@ constexpr int mostIterations = 100;
 constexpr double tolerance = 1e-8;  // of the residual's norm
 
 /// The same on any number of ranks: exact sums of pairs of products.
-double product(Reducer& all, const std::vector<Vec3d>& a, const std::vector<Vec3d>& b, const std::vector<Vec3d>& c, const std::vector<Vec3d>& d) {
+double product(Reducer& all, const std::vector<Vec3d>& a, const std::vector<Vec3d>& b,
+               const std::vector<Vec3d>& c, const std::vector<Vec3d>& d) {
   ExactSum sum;
   for (std::size_t i = 0; i < a.size(); i++) sum.add(dot(a[i], b[i]) + dot(c[i], d[i]));
   sum.carry();
@@ -23,7 +24,8 @@ double product(Reducer& all, const std::vector<Vec3d>& a, const std::vector<Vec3
 }
 
 /// K u of a pair, on its first particle: the squares of the pair's energy, linearised, with positive weights.
-void addPair(const PairPotential& p, const Vec3d& r, const Vec3d (&n)[2], bool oriented, const Vec3d (&v)[2], const Vec3d (&spin)[2], Vec3d& force, Vec3d& torque) {
+void addPair(const PairPotential& p, const Vec3d& r, const Vec3d (&n)[2], bool oriented, const Vec3d (&v)[2],
+             const Vec3d (&spin)[2], Vec3d& force, Vec3d& torque) {
   const double r2 = dot(r, r), far = std::sqrt(r2);
   if (!(far < p.reach) || !(far > 0)) return;
   const double cosine = dot(n[0], n[1]), face = p.facing ? smoothRamp(2 * cosine).value : 1;
@@ -41,7 +43,8 @@ void addPair(const PairPotential& p, const Vec3d& r, const Vec3d (&n)[2], bool o
     rate[k] = dot(n[k], apart) + dot(spin[k], cross(n[k], r));  // of n_k . r
   }
   const Vec3d lever = cross(n[0], r);
-  const auto square = [&](double weight, double change, const Vec3d& byNormals, double own) {  // weight g^2, g = byNormals . r; own: n_0 is in g
+  // weight g^2, g = byNormals . r; own: n_0 is in g
+  const auto square = [&](double weight, double change, const Vec3d& byNormals, double own) {
     force += (-2 * weight * change) * byNormals;
     torque += (2 * weight * change * own) * lever;
   };
@@ -65,8 +68,10 @@ void multiply(World& w, Halos halos, StepTools& t) {
     for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
       const std::uint32_t j = l.list[k];
       if (!sameSurface(o, i, j)) continue;
-      const Vec3d n[2] = {o.normal[i], o.normal[j]}, v[2] = {o.search[i], o.search[j]}, spin[2] = {o.searchSpin[i], o.searchSpin[j]};
-      addPair(potentialOf(work, o, i, j), o.position[j] - o.position[i], n, ((o.flags[i] | o.flags[j]) & creased) == 0, v, spin, force, torque);
+      const Vec3d n[2] = {o.normal[i], o.normal[j]}, v[2] = {o.search[i], o.search[j]},
+                  spin[2] = {o.searchSpin[i], o.searchSpin[j]};
+      addPair(potentialOf(work, o, i, j), o.position[j] - o.position[i], n,
+              ((o.flags[i] | o.flags[j]) & creased) == 0, v, spin, force, torque);
     }
     work.image[i] = force;
     work.imageSpin[i] = torque;
@@ -83,13 +88,20 @@ void stepSemiImplicit(World& w, Halos halos, StepTools& t, double dt) {
   bookObstacles(w, t, dt);
   work.acting.assign(n, {});
   work.actingTorque.assign(n, {});
-  for (auto* v : {&work.rest, &work.restSpin, &work.along, &work.alongSpin, &work.image, &work.imageSpin, &work.velocity, &work.spin}) v->assign(n, {});
+  for (auto* v : {&work.rest, &work.restSpin, &work.along, &work.alongSpin, &work.image, &work.imageSpin,
+                  &work.velocity, &work.spin})
+    v->assign(n, {});
   const auto free = [&](std::size_t i, std::uint8_t flag) { return (o.flags[i] & flag) == 0; };
   const auto bodyOf = [&](std::size_t i) -> const OrientedBody& { return w.scene.oriented[o.body[i]]; };
   // A u of the search, from its image K u
   const auto finish = [&](std::size_t i) {
-    work.image[i] = free(i, heldPlace) ? (o.mass[i] * (1 + bodyOf(i).damping * dt)) * o.search[i] + (dt * dt) * work.image[i] : Vec3d{};
-    work.imageSpin[i] = free(i, heldNormal) ? (o.inertia[i] * (1 + bodyOf(i).spinDamping * dt)) * o.searchSpin[i] + (dt * dt) * work.imageSpin[i] : Vec3d{};
+    work.image[i] = free(i, heldPlace)
+                        ? (o.mass[i] * (1 + bodyOf(i).damping * dt)) * o.search[i] + (dt * dt) * work.image[i]
+                        : Vec3d{};
+    work.imageSpin[i] = free(i, heldNormal)
+                            ? (o.inertia[i] * (1 + bodyOf(i).spinDamping * dt)) * o.searchSpin[i] +
+                                  (dt * dt) * work.imageSpin[i]
+                            : Vec3d{};
     if (bodyOf(i).planar) {
       work.image[i].y = 0;
       work.imageSpin[i].x = work.imageSpin[i].z = 0;
@@ -102,8 +114,10 @@ void stepSemiImplicit(World& w, Halos halos, StepTools& t, double dt) {
   multiply(w, halos, t);
   for (std::size_t i = 0; i < n; i++) {
     finish(i);
-    if (free(i, heldPlace)) work.rest[i] = o.mass[i] * o.velocity[i] + dt * (o.force[i] + o.mass[i] * g) - work.image[i];
-    if (free(i, heldNormal)) work.restSpin[i] = o.inertia[i] * o.spin[i] + dt * o.torque[i] - work.imageSpin[i];
+    if (free(i, heldPlace))
+      work.rest[i] = o.mass[i] * o.velocity[i] + dt * (o.force[i] + o.mass[i] * g) - work.image[i];
+    if (free(i, heldNormal))
+      work.restSpin[i] = o.inertia[i] * o.spin[i] + dt * o.torque[i] - work.imageSpin[i];
     work.along[i] = work.rest[i];
     work.alongSpin[i] = work.restSpin[i];
   }
@@ -145,18 +159,27 @@ void stepSemiImplicit(World& w, Halos halos, StepTools& t, double dt) {
     work.acting[i] = o.force[i] - dt * work.image[i];
     work.actingTorque[i] = o.torque[i] - dt * work.imageSpin[i];
     if (free(i, heldPlace)) {
-      // of the solution's forces, which are those of pairs: what the solver has left over would be momentum from nowhere
-      const Vec3d solved = work.velocity[i], v = o.velocity[i] + dt * (work.acting[i] / o.mass[i] + g - body.damping * solved), dv = v - o.velocity[i];
-      o.dissipated[i] += o.mass[i] * (body.damping * dt * dot(v, solved) + 0.5 * dot(dv, dv)) + 0.5 * dt * dt * dot(v, work.image[i]);
+      // of the solution's forces, which are those of pairs: what the solver has left over would be momentum
+      // from nowhere
+      const Vec3d solved = work.velocity[i],
+                  v = o.velocity[i] + dt * (work.acting[i] / o.mass[i] + g - body.damping * solved),
+                  dv = v - o.velocity[i];
+      o.dissipated[i] += o.mass[i] * (body.damping * dt * dot(v, solved) + 0.5 * dot(dv, dv)) +
+                         0.5 * dt * dt * dot(v, work.image[i]);
       for (int a = 0; a < 3; a++)
-        if (const double lost = -dt * body.damping * o.mass[i] * solved[a]; lost != 0) w.ledger.wallImpulse[a].add(lost);
-      if (const double given = dt * dot(fieldForce(w, t.oriented, i).force, v); given != 0) w.ledger.wallWork.add(given);  // at the places of before: they have not moved yet
+        if (const double lost = -dt * body.damping * o.mass[i] * solved[a]; lost != 0)
+          w.ledger.wallImpulse[a].add(lost);
+      // at the places of before: they have not moved yet
+      if (const double given = dt * dot(fieldForce(w, t.oriented, i).force, v); given != 0)
+        w.ledger.wallWork.add(given);
       o.velocity[i] = v;
       o.position[i] += dt * v;
     }
     if (free(i, heldNormal)) {
       const Vec3d spin = work.spin[i], change = spin - o.spin[i];
-      o.dissipated[i] += o.inertia[i] * (body.spinDamping * dt * dot(spin, spin) + 0.5 * dot(change, change)) + 0.5 * dt * dt * dot(spin, work.imageSpin[i]);
+      o.dissipated[i] += o.inertia[i] *
+                             (body.spinDamping * dt * dot(spin, spin) + 0.5 * dot(change, change)) +
+                         0.5 * dt * dt * dot(spin, work.imageSpin[i]);
       o.spin[i] = spin;
       o.orientation[i] = unitQuat(rotationBy(dt * spin) * o.orientation[i]);
     }

@@ -5,8 +5,9 @@
 
 namespace thaw {
 
-/// Free points push each other, and held ones push them, apart along the surface, within `range`: all at once from their last places, so that their order does
-/// not matter. project(place, normal) brings a place back onto the surface and finds its normal.
+/// Free points push each other, and held ones push them, apart along the surface, within `range`: all at once
+/// from their last places, so that their order does not matter. project(place, normal) brings a place back
+/// onto the surface and finds its normal.
 template<class Project> void spreadOut(double range, MadePoints& m, const Project& project) {
   constexpr int passes = 60;
   for (int pass = 0; pass < passes; pass++) {

@@ -19,7 +19,9 @@ namespace {
 
 constexpr double perObstacle = 0.5;  // of a step for the barrier of obstacles, a radian twice
 
-constexpr double perContact = 0.25;  // of a step for contacts, whose force grows with the cube of the depth: twice as long a surface that is pressed on a body gains 1 % of its energy
+constexpr double perContact = 0.25;  // of a step for contacts, whose force grows with the cube of the depth:
+                                     // twice as long a surface that is pressed on a body gains 1 % of its
+                                     // energy
 
 /// Adds the rows' energy to what changes without work: `sign` 1 before the change, -1 after it.
 void bookEnergy(World& w, const StepTools& t, double sign, double dt) {
@@ -28,8 +30,9 @@ void bookEnergy(World& w, const StepTools& t, double sign, double dt) {
   bookLag(w, t, sign, dt, w.ledger.phaseJump);
 }
 
-/// The force of contacts with other kinds is held over a step, and its impulse is that of half of the step that led here and half of the one of dt (s) to come: what the
-/// other ends of the pairs, which move by leap-frog, have got and will get of the same force. Returns the weight of the force that this makes.
+/// The force of contacts with other kinds is held over a step, and its impulse is that of half of the step
+/// that led here and half of the one of dt (s) to come: what the other ends of the pairs, which move by
+/// leap-frog, have got and will get of the same force. Returns the weight of the force that this makes.
 double weighContacts(World& w, double dt) {
   Oriented& o = w.oriented.rows;
   const double weight = 0.5 * (w.clock.stepDt + dt) / dt;
@@ -41,13 +44,17 @@ double weighContacts(World& w, double dt) {
   return weight;
 }
 
-/// What contacts with other kinds take, and what the integrator makes of their force E. It acts over half of the way before it and half of the way after it (s v and d v', of the
-/// steps s and d); its impulse E (s + d)/2 has the work E (s + d)/2 . (v + v')/2, or, where the scheme's own loss has been booked as if all worked at the new velocity, . v'.
+/// What contacts with other kinds take, and what the integrator makes of their force E. It acts over half of
+/// the way before it and half of the way after it (s v and d v', of the steps s and d); its impulse E (s +
+/// d)/2 has the work E (s + d)/2 . (v + v')/2, or, where the scheme's own loss has been booked as if all
+/// worked at the new velocity, . v'.
 void bookContacts(World& w, const HeldBefore& before, double weight) {
   Oriented& o = w.oriented.rows;
   if (!o.external.active) return;
   const double s = w.clock.stepDt, d = before.dt;
-  const double share = w.scene.oriented.front().integrator == OrientedIntegrator::SemiImplicit ? 0.5 * s : 0.25 * (s - d);
+  const double share = w.scene.oriented.front().integrator == OrientedIntegrator::SemiImplicit
+                           ? 0.5 * s
+                           : 0.25 * (s - d);
   for (std::size_t i = 0; i < o.owned; i++) {
     const Vec3d v = before.velocity[i], now = o.velocity[i];
     o.dissipated[i] -= 0.5 * dot(o.resisting[i], s * v + d * now);
@@ -76,7 +83,8 @@ void letGoOutside(World& w, double dt) {
     }
 }
 
-/// Has a free row come further from its place of before than what it acts on? Before any of them can leave the domain unseen.
+/// Has a free row come further from its place of before than what it acts on? Before any of them can leave
+/// the domain unseen.
 bool goesTooFar(const World& w, const std::vector<Vec3d>& before) {
   const Oriented& o = w.oriented.rows;
   const double reach = orientedReach(w.scene), reach2 = reach * reach;
@@ -123,10 +131,13 @@ void giveUnderWay(World& w) {
 
 void bookLag(const World& w, const StepTools& t, double sign, double dt, ExactSum& to) {
   const Oriented& o = w.oriented.rows;
-  if (w.scene.oriented.empty() || w.scene.oriented.front().integrator != OrientedIntegrator::SymplecticEuler) return;
+  if (w.scene.oriented.empty() || w.scene.oriented.front().integrator != OrientedIntegrator::SymplecticEuler)
+    return;
   for (std::size_t i = 0; i < o.owned; i++) {
     const Vec3d contact = o.external.active ? o.external[i] : Vec3d{};
-    to.add(sign * 0.5 * dt * (dot(o.force[i] - fieldForce(w, t.oriented, i).force - contact, o.velocity[i]) + dot(o.torque[i], o.spin[i])));
+    to.add(sign * 0.5 * dt *
+           (dot(o.force[i] - fieldForce(w, t.oriented, i).force - contact, o.velocity[i]) +
+            dot(o.torque[i], o.spin[i])));
   }
 }
 
@@ -139,7 +150,8 @@ void evaluateOriented(World& w, Halos halos, StepTools& t, double dt) {
   readyOriented(w, halos, t);
   const double since = t.oriented.begins ? -never : w.clock.time;
   noteIdleFields(w, halos.all, t.oriented, since, now);
-  const bool events = operationDue(w.scene, since, now), look = populationDue(w, dt), leaves = dt > 0 && anyLeaves(w, halos.all);
+  const bool events = operationDue(w.scene, since, now), look = populationDue(w, dt),
+             leaves = dt > 0 && anyLeaves(w, halos.all);
   if (events || look || leaves) {
     addUpForces(w, t);
     if (dt > 0) bookEnergy(w, t, 1, dt);
@@ -174,16 +186,21 @@ void evaluateOriented(World& w, Halos halos, StepTools& t, double dt) {
 }
 
 void bookBornContacts(World& w, const StepTools& t) {
-  for (const OrientedWork::Born& b : t.oriented.born) w.ledger.phaseJump.add(-2 * (w.oriented.rows.energy[b.row] - b.energy));  // the other half is at the other ends
+  // the other half is at the other ends
+  for (const OrientedWork::Born& b : t.oriented.born)
+    w.ledger.phaseJump.add(-2 * (w.oriented.rows.energy[b.row] - b.energy));
 }
 
 double orientedStepLimit(const World& w, const StepTools& t) {
   const Oriented& o = w.oriented.rows;
   if (w.scene.oriented.empty()) return never;
   const OrientedIntegrator how = w.scene.oriented.front().integrator;  // for all, as in the step
-  const double stable = how == OrientedIntegrator::SymplecticEuler ? 2 : how == OrientedIntegrator::RungeKutta ? 2.8 : 20;
+  const double stable = how == OrientedIntegrator::SymplecticEuler ? 2
+                        : how == OrientedIntegrator::RungeKutta    ? 2.8
+                                                                   : 20;
   double dt = t.oriented.fastest2 > 0 ? perContact / std::sqrt(t.oriented.fastest2) : never;
-  if (t.oriented.atObstacles2 > 0) dt = std::min(dt, perObstacle / std::sqrt(t.oriented.atObstacles2));  // explicit in all integrators
+  // explicit in all integrators
+  if (t.oriented.atObstacles2 > 0) dt = std::min(dt, perObstacle / std::sqrt(t.oriented.atObstacles2));
   for (std::size_t i = 0; i < o.owned; i++) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];
     const double s = spacingOf(w.scene, body);

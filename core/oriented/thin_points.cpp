@@ -12,23 +12,29 @@
 namespace thaw {
 namespace {
 
-constexpr double evenReach = 0.95;      // of the mean distance to the nearest: of even points there is one this near to any place
+constexpr double evenReach = 0.95;  // of the mean distance to the nearest: of even points there is one this
+                                    // near to any place
 constexpr double chosenByError = 0.33;  // share of the kept points
 constexpr int rounds = 4;
 
-/// Of points in the order of a hash those that have none kept within a distance (Poisson discs), for which their number is right; ascending.
-std::vector<std::uint32_t> evenly(const MadePoints& m, const PointTree& tree, std::size_t wanted, std::uint64_t seed) {
+/// Of points in the order of a hash those that have none kept within a distance (Poisson discs), for which
+/// their number is right; ascending.
+std::vector<std::uint32_t> evenly(const MadePoints& m, const PointTree& tree, std::size_t wanted,
+                                  std::uint64_t seed) {
   std::vector<std::uint32_t> order(m.places.size());
   std::iota(order.begin(), order.end(), 0u);
   std::vector<std::uint64_t> rank;
-  for (std::size_t k = 0; k < order.size(); k++) rank.push_back(randomBits(seed, Purpose::OrientedSample, k, 1));
+  for (std::size_t k = 0; k < order.size(); k++)
+    rank.push_back(randomBits(seed, Purpose::OrientedSample, k, 1));
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return rank[a] < rank[b]; });
   // with those that are kept already
   const auto keptAt = [&](double apart, std::vector<std::uint32_t> kept) {
     std::vector<std::uint8_t> covered(m.places.size(), 0);
     const auto cover = [&](std::uint32_t k) {
       covered[k] = 1;
-      for (const std::uint32_t q : tree.within(m.places[k], apart)) covered[q] |= dot(m.normals[k], m.normals[q]) > 0;  // thin bodies have two sides
+      // thin bodies have two sides
+      for (const std::uint32_t q : tree.within(m.places[k], apart))
+        covered[q] |= dot(m.normals[k], m.normals[q]) > 0;
     };
     for (const std::uint32_t k : kept) cover(k);
     for (const std::uint32_t k : order) {
@@ -47,7 +53,8 @@ std::vector<std::uint32_t> evenly(const MadePoints& m, const PointTree& tree, st
     (these.size() > wanted ? low : high) = apart;
     if (these.size() <= wanted) kept = these;
   }
-  // of a lattice there are as many as of the next wider one or far too many: the rest are the first that come between those
+  // of a lattice there are as many as of the next wider one or far too many: the rest are the first that come
+  // between those
   if (kept.size() < wanted) kept = keptAt(low, std::move(kept));
   if (kept.size() > wanted) kept.resize(wanted);
   std::sort(kept.begin(), kept.end());
@@ -68,8 +75,10 @@ GivenPoints givenBy(const MadePoints& m, const std::vector<std::uint32_t>& kept)
 
 MadePoints thinned(const MadePoints& m, double share, std::uint64_t seed) {
   const PointTree tree(m.places);
-  const auto wanted = static_cast<std::size_t>(std::ceil(share * static_cast<double>(m.places.size()) - 1e-9));
-  std::vector<std::uint32_t> kept = evenly(m, tree, wanted - static_cast<std::size_t>(chosenByError * static_cast<double>(wanted)), seed);
+  const auto wanted = static_cast<std::size_t>(
+      std::ceil(share * static_cast<double>(m.places.size()) - 1e-9));
+  std::vector<std::uint32_t> kept = evenly(
+      m, tree, wanted - static_cast<std::size_t>(chosenByError * static_cast<double>(wanted)), seed);
   MadePoints thin;
   for (int round = rounds; round > 0 && kept.size() < wanted; round--) {
     const GivenPoints given = givenBy(m, kept);
@@ -77,19 +86,25 @@ MadePoints thinned(const MadePoints& m, double share, std::uint64_t seed) {
     std::vector<std::pair<double, std::uint32_t>> far;
     for (std::uint32_t k = 0; k < m.places.size(); k++) {
       Vec3d x = m.places[k], n = m.normals[k];
-      far.push_back({projectOnGiven(given, x, n) && dot(n, m.normals[k]) > 0 ? length(x - m.places[k]) : given.apart, k});
+      far.push_back(
+          {projectOnGiven(given, x, n) && dot(n, m.normals[k]) > 0 ? length(x - m.places[k]) : given.apart,
+           k});
     }
-    std::sort(far.begin(), far.end(), [](const auto& a, const auto& b) { return a.first != b.first ? a.first > b.first : a.second < b.second; });
+    std::sort(far.begin(), far.end(), [](const auto& a, const auto& b) {
+      return a.first != b.first ? a.first > b.first : a.second < b.second;
+    });
     // what is near to a new one waits until its surface is known
     std::vector<std::uint8_t> waits(m.places.size(), 0);
-    std::size_t more = (wanted - kept.size() + static_cast<std::size_t>(round) - 1) / static_cast<std::size_t>(round);
+    std::size_t more = (wanted - kept.size() + static_cast<std::size_t>(round) - 1) /
+                       static_cast<std::size_t>(round);
     for (const std::uint32_t k : kept) waits[k] = 1;
     for (const auto& [error, k] : far) {
       if (more == 0) break;
       if (waits[k]) continue;
       kept.push_back(k);
       more--;
-      for (const std::uint32_t q : tree.within(m.places[k], 0.5 * given.apart)) waits[q] |= dot(m.normals[k], m.normals[q]) > 0;
+      for (const std::uint32_t q : tree.within(m.places[k], 0.5 * given.apart))
+        waits[q] |= dot(m.normals[k], m.normals[q]) > 0;
     }
     std::sort(kept.begin(), kept.end());
   }

@@ -4,8 +4,9 @@
 
 namespace thaw {
 
-/// Keeps a share of the points, held: most of them evenly, the others where the surface through those that are kept already is farthest from the points (the
-/// greedy choice of centres of Carr et al. 2001, section 4), a few at a time.
+/// Keeps a share of the points, held: most of them evenly, the others where the surface through those that
+/// are kept already is farthest from the points (the greedy choice of centres of Carr et al. 2001, section
+/// 4), a few at a time.
 MadePoints thinned(const MadePoints& points, double share, std::uint64_t seed);
 
 }  // namespace thaw

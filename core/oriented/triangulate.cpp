@@ -9,7 +9,7 @@
 namespace thaw {
 namespace {
 
-constexpr std::size_t mostSides = 14;         // of a hole that is filled
+constexpr std::size_t mostSides = 14;           // of a hole that is filled
 constexpr double longest = 2.0, widest = 1.25;  // spacings: edge of a triangle, radius of its sphere
 
 bool sameSurface(const OrientedPoints& p, std::uint32_t i, std::uint32_t j) {
@@ -21,7 +21,9 @@ bool sameSurface(const OrientedPoints& p, std::uint32_t i, std::uint32_t j) {
   }
   return true;
 }
-bool alike(const OrientedPoints& p, std::uint32_t i, std::uint32_t j) { return sameSurface(p, i, j) && dot(p.normals[i], p.normals[j]) > 0; }
+bool alike(const OrientedPoints& p, std::uint32_t i, std::uint32_t j) {
+  return sameSurface(p, i, j) && dot(p.normals[i], p.normals[j]) > 0;
+}
 
 }  // namespace
 
@@ -69,7 +71,8 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(const OrientedPoints& p) {
   return triangles;
 }
 
-std::vector<std::array<std::uint32_t, 2>> joinLines(const OrientedPoints& p, std::span<const std::uint8_t> wanted) {
+std::vector<std::array<std::uint32_t, 2>> joinLines(const OrientedPoints& p,
+                                                    std::span<const std::uint8_t> wanted) {
   std::vector<std::array<std::uint32_t, 2>> lines;
   const std::vector<Vec3d> places(p.positions.begin(), p.positions.end());
   if (places.size() < 2) return lines;

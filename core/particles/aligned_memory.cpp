@@ -14,14 +14,17 @@ namespace {
 
 constexpr std::size_t largePage = std::size_t(1) << 21;
 
-std::align_val_t alignmentOf(std::size_t bytes) { return std::align_val_t{bytes >= largePage ? largePage : 64}; }
+std::align_val_t alignmentOf(std::size_t bytes) {
+  return std::align_val_t{bytes >= largePage ? largePage : 64};
+}
 
 }  // namespace
 
 void* allocateAligned(std::size_t bytes) {
   void* block = ::operator new(bytes, alignmentOf(bytes));
 #if defined(__linux__)
-  if (bytes >= largePage) madvise(block, bytes / largePage * largePage, MADV_HUGEPAGE);  // a wish: where it is refused nothing changes
+  // a wish: where it is refused nothing changes
+  if (bytes >= largePage) madvise(block, bytes / largePage * largePage, MADV_HUGEPAGE);
 #endif
   return block;
 }

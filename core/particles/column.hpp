@@ -1,5 +1,6 @@
 // One field of a table of particles: a contiguous array with its name, unit and meaning.
-// Sorting, migration, ghosts, checkpoints and output work on AnyColumn, so that a field is declared once, in its table.
+// Sorting, migration, ghosts, checkpoints and output work on AnyColumn, so that a field is declared once, in
+// its table.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -18,13 +19,17 @@ namespace thaw {
 
 enum class Scalar { F64, F32, U64, U32, U16, U8 };
 inline std::size_t bytesOf(Scalar s) {
-  return s == Scalar::F64 || s == Scalar::U64 ? 8 : s == Scalar::F32 || s == Scalar::U32 ? 4 : s == Scalar::U16 ? 2 : 1;
+  return s == Scalar::F64 || s == Scalar::U64   ? 8
+         : s == Scalar::F32 || s == Scalar::U32 ? 4
+         : s == Scalar::U16                     ? 2
+                                                : 1;
 }
 
 /// What happens to a field between steps.
 enum class Keep {
   State,     ///< part of the state: sorted, migrated, in every checkpoint, compared bit by bit
-  Local,     ///< sorted with the particles, but valid on this rank only (indices); not migrated, not in a checkpoint
+  Local,     ///< sorted with the particles, but valid on this rank only (indices); not migrated, not in a
+             ///< checkpoint
   Transient  ///< computed anew in each step before it is read; only resized
 };
 
@@ -34,30 +39,64 @@ enum class Rows {
   Owned  ///< no ghosts: nobody asks for it there, and it is in no exchange of ghosts
 };
 
-/// Rows to make room for where there are so many now. What comes and goes does so through faces: of small tables a sixteenth, of large ones about a layer of particles.
+/// Rows to make room for where there are so many now. What comes and goes does so through faces: of small
+/// tables a sixteenth, of large ones about a layer of particles.
 std::size_t withHeadRoom(std::size_t rows);
-/// Room for so many rows of `each` elements. A rank alone keeps those that it begins with, to the byte; one whose rows come and go takes head room: no allocation in a steady step.
+/// Room for so many rows of `each` elements. A rank alone keeps those that it begins with, to the byte; one
+/// whose rows come and go takes head room: no allocation in a steady step.
 template<class T> void makeRoom(AlignedVector<T>& v, std::size_t rows, std::size_t each = 1) {
   if (rows * each > v.capacity()) v.reserve((v.capacity() == 0 ? rows : withHeadRoom(rows)) * each);
 }
 
 template<class T> struct FieldType;  // scalar type and number of components of T
-template<> struct FieldType<double> { static constexpr Scalar scalar = Scalar::F64; static constexpr int components = 1; };
-template<> struct FieldType<float> { static constexpr Scalar scalar = Scalar::F32; static constexpr int components = 1; };
-template<> struct FieldType<std::uint64_t> { static constexpr Scalar scalar = Scalar::U64; static constexpr int components = 1; };
-template<> struct FieldType<std::uint32_t> { static constexpr Scalar scalar = Scalar::U32; static constexpr int components = 1; };
-template<> struct FieldType<std::uint16_t> { static constexpr Scalar scalar = Scalar::U16; static constexpr int components = 1; };
-template<> struct FieldType<std::uint8_t> { static constexpr Scalar scalar = Scalar::U8; static constexpr int components = 1; };
-template<class S> struct FieldType<Vec3<S>> { static constexpr Scalar scalar = FieldType<S>::scalar; static constexpr int components = 3; };
-template<class S> struct FieldType<Sym3<S>> { static constexpr Scalar scalar = FieldType<S>::scalar; static constexpr int components = 6; };
-template<class S> struct FieldType<Mat3<S>> { static constexpr Scalar scalar = FieldType<S>::scalar; static constexpr int components = 9; };
+template<> struct FieldType<double> {
+  static constexpr Scalar scalar = Scalar::F64;
+  static constexpr int components = 1;
+};
+template<> struct FieldType<float> {
+  static constexpr Scalar scalar = Scalar::F32;
+  static constexpr int components = 1;
+};
+template<> struct FieldType<std::uint64_t> {
+  static constexpr Scalar scalar = Scalar::U64;
+  static constexpr int components = 1;
+};
+template<> struct FieldType<std::uint32_t> {
+  static constexpr Scalar scalar = Scalar::U32;
+  static constexpr int components = 1;
+};
+template<> struct FieldType<std::uint16_t> {
+  static constexpr Scalar scalar = Scalar::U16;
+  static constexpr int components = 1;
+};
+template<> struct FieldType<std::uint8_t> {
+  static constexpr Scalar scalar = Scalar::U8;
+  static constexpr int components = 1;
+};
+template<class S> struct FieldType<Vec3<S>> {
+  static constexpr Scalar scalar = FieldType<S>::scalar;
+  static constexpr int components = 3;
+};
+template<class S> struct FieldType<Sym3<S>> {
+  static constexpr Scalar scalar = FieldType<S>::scalar;
+  static constexpr int components = 6;
+};
+template<class S> struct FieldType<Mat3<S>> {
+  static constexpr Scalar scalar = FieldType<S>::scalar;
+  static constexpr int components = 9;
+};
 
 struct Table;
 
-/// New places of the rows of a table, most of which keep their order: runs of those, and single rows that go elsewhere. Rows in neither are dropped.
+/// New places of the rows of a table, most of which keep their order: runs of those, and single rows that go
+/// elsewhere. Rows in neither are dropped.
 struct RowMoves {
-  struct Run { std::uint32_t from, to, count; };
-  struct Single { std::uint32_t from, to; };
+  struct Run {
+    std::uint32_t from, to, count;
+  };
+  struct Single {
+    std::uint32_t from, to;
+  };
   std::vector<Run> runs;        ///< `from` and `to` ascending
   std::vector<Single> singles;  ///< in any order
   std::size_t rows = 0;         ///< that there are then: all places below it are taken, once
@@ -76,14 +115,16 @@ struct AnyColumn {
   bool active = false;
   AlignedVector<std::byte> bytes;  ///< of all its rows, elementBytes each
 
-  AnyColumn(Table& table, const char* name, const char* unit, Keep keep, const char* about, Scalar scalar, int components, Rows rows);
+  AnyColumn(Table& table, const char* name, const char* unit, Keep keep, const char* about, Scalar scalar,
+            int components, Rows rows);
   AnyColumn(const AnyColumn&) = delete;
   AnyColumn& operator=(const AnyColumn&) = delete;
 };
 
 template<class T> struct Column : AnyColumn {
   static_assert(std::is_trivially_copyable_v<T>);
-  Column(Table& table, const char* name, const char* unit, Keep keep, const char* about, Rows rows = Rows::All)
+  Column(Table& table, const char* name, const char* unit, Keep keep, const char* about,
+         Rows rows = Rows::All)
       : AnyColumn(table, name, unit, keep, about, FieldType<T>::scalar, FieldType<T>::components, rows) {}
   T* data() { return reinterpret_cast<T*>(bytes.data()); }
   const T* data() const { return reinterpret_cast<const T*>(bytes.data()); }
@@ -91,17 +132,21 @@ template<class T> struct Column : AnyColumn {
   const T& operator[](std::size_t i) const { return data()[i]; }
 };
 
-/// A field that may live in the memory of another one of rows as wide, which is not asked for while it is (then it is not active, has no memory and is in no
-/// exchange). What is in it is lost when the other one is written.
+/// A field that may live in the memory of another one of rows as wide, which is not asked for while it is
+/// (then it is not active, has no memory and is in no exchange). What is in it is lost when the other one is
+/// written.
 template<class T> struct GuestColumn : Column<T> {
   using Column<T>::Column;
   void shareWith(AnyColumn& other) {
-    if (other.elementBytes != sizeof(T) || other.rows != this->rows) throw std::logic_error("a field shares the memory of another one of like rows only");
+    if (other.elementBytes != sizeof(T) || other.rows != this->rows)
+      throw std::logic_error("a field shares the memory of another one of like rows only");
     host_ = &other;
   }
   bool shares() const { return host_ != nullptr; }
   T* data() { return host_ ? reinterpret_cast<T*>(host_->bytes.data()) : Column<T>::data(); }
-  const T* data() const { return host_ ? reinterpret_cast<const T*>(host_->bytes.data()) : Column<T>::data(); }
+  const T* data() const {
+    return host_ ? reinterpret_cast<const T*>(host_->bytes.data()) : Column<T>::data();
+  }
   T& operator[](std::size_t i) { return data()[i]; }
   const T& operator[](std::size_t i) const { return data()[i]; }
 
@@ -109,8 +154,9 @@ template<class T> struct GuestColumn : Column<T> {
   AnyColumn* host_ = nullptr;
 };
 
-/// Base of every table of fields. Rows [0, owned) belong to this rank, [owned, owned + ghosts) are copies of other ranks' rows
-/// (or periodic images). Columns register themselves here, in the order of their declaration.
+/// Base of every table of fields. Rows [0, owned) belong to this rank, [owned, owned + ghosts) are copies of
+/// other ranks' rows (or periodic images). Columns register themselves here, in the order of their
+/// declaration.
 struct Table {
   const char* kind = "";  ///< "continuum", "solid", ...
   std::vector<AnyColumn*> columns;
@@ -122,9 +168,11 @@ struct Table {
 
   std::size_t size() const { return owned + ghosts; }
   std::size_t rowsOf(const AnyColumn& column) const { return column.rows == Rows::Owned ? owned : size(); }
-  /// Sets the number of rows; rows that are kept keep their values, new rows are zero. Never shrinks capacity.
+  /// Sets the number of rows; rows that are kept keep their values, new rows are zero. Never shrinks
+  /// capacity.
   void resize(std::size_t owned, std::size_t ghosts);
-  /// Gives back the memory of more rows than there are, where it is more than this part of theirs: those that were here before a new partition.
+  /// Gives back the memory of more rows than there are, where it is more than this part of theirs: those that
+  /// were here before a new partition.
   void shrink(double part = 0.125);
   /// Switches a field on: allocates zeroed rows.
   void activate(AnyColumn& column);
@@ -132,22 +180,25 @@ struct Table {
   void deactivate(AnyColumn& column);
   /// Makes room for so many rows, to the byte: rows that come later need no new memory.
   void reserve(std::size_t rows);
-  /// Row i of every Keep::State and Keep::Local column becomes old row order[i], for i < n = number of kept rows; owned = n, ghosts = 0.
-  /// But of stale ones, which nobody reads before they are written.
+  /// Row i of every Keep::State and Keep::Local column becomes old row order[i], for i < n = number of kept
+  /// rows; owned = n, ghosts = 0. But of stale ones, which nobody reads before they are written.
   void reorder(std::span<const std::uint32_t> order, std::span<AnyColumn* const> stale = {});
-  /// The same by moves, in place: what does not change its row costs nothing, and no second column is needed. Stale columns are resized only.
+  /// The same by moves, in place: what does not change its row costs nothing, and no second column is needed.
+  /// Stale columns are resized only.
   void rearrange(const RowMoves& moves, std::span<AnyColumn* const> stale);
   /// Of what rows are reordered by.
   std::size_t bufferBytes() const;
   AnyColumn* find(const char* name);
-  /// Bytes of one row in the active State columns, and its packing; used by migration, ghosts and checkpoints.
+  /// Bytes of one row in the active State columns, and its packing; used by migration, ghosts and
+  /// checkpoints.
   std::size_t stateBytes() const;
   void packState(std::size_t row, std::byte* to) const;
   void unpackState(std::size_t row, const std::byte* from);
 
  private:
-  std::vector<std::pair<std::size_t, AlignedVector<std::byte>>> spares_;  // targets of reorder by elementBytes, swapped with the columns
-  std::vector<std::byte> singles_;                                        // one column's, on their way
+  // targets of reorder by elementBytes, swapped with the columns
+  std::vector<std::pair<std::size_t, AlignedVector<std::byte>>> spares_;
+  std::vector<std::byte> singles_;  // one column's, on their way
 };
 
 /// Some columns of a table, for an exchange; without memory of its own, since a step makes several.

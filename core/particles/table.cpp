@@ -7,9 +7,16 @@
 
 namespace thaw {
 
-AnyColumn::AnyColumn(Table& table, const char* name, const char* unit, Keep keep, const char* about, Scalar scalar, int components, Rows rows)
-    : name(name), unit(unit), about(about), keep(keep), scalar(scalar), components(components),
-      elementBytes(bytesOf(scalar) * static_cast<std::size_t>(components)), rows(rows) {
+AnyColumn::AnyColumn(Table& table, const char* name, const char* unit, Keep keep, const char* about,
+                     Scalar scalar, int components, Rows rows)
+    : name(name),
+      unit(unit),
+      about(about),
+      keep(keep),
+      scalar(scalar),
+      components(components),
+      elementBytes(bytesOf(scalar) * static_cast<std::size_t>(components)),
+      rows(rows) {
   table.columns.push_back(this);
 }
 
@@ -32,14 +39,21 @@ template<class Word> void gather(const std::byte* from, std::byte* to, std::span
   Word* out = reinterpret_cast<Word*>(to);
   for (std::size_t i = 0; i < order.size(); i++) out[i] = in[order[i]];
 }
-struct Three { std::uint64_t word[3]; };
+struct Three {
+  std::uint64_t word[3];
+};
 
-bool contains(std::span<AnyColumn* const> columns, const AnyColumn* c) { return std::find(columns.begin(), columns.end(), c) != columns.end(); }
+bool contains(std::span<AnyColumn* const> columns, const AnyColumn* c) {
+  return std::find(columns.begin(), columns.end(), c) != columns.end();
+}
 
-/// Runs of one column to their places. One that goes up may end where those behind it begin: these go first. One that goes down, or stays, ends before what is
-/// behind it begins, and begins behind what has gone before it.
+/// Runs of one column to their places. One that goes up may end where those behind it begin: these go first.
+/// One that goes down, or stays, ends before what is behind it begins, and begins behind what has gone before
+/// it.
 void moveRuns(std::span<const RowMoves::Run> runs, std::byte* column, std::size_t each) {
-  const auto move = [&](const RowMoves::Run& r) { std::memmove(column + r.to * each, column + r.from * each, r.count * each); };
+  const auto move = [&](const RowMoves::Run& r) {
+    std::memmove(column + r.to * each, column + r.from * each, r.count * each);
+  };
   for (std::size_t k = 0; k < runs.size();) {
     std::size_t up = k;
     while (up < runs.size() && runs[up].to > runs[up].from) up++;
@@ -62,7 +76,8 @@ void Table::resize(std::size_t newOwned, std::size_t newGhosts) {
 void Table::shrink(double part) {
   spares_.clear();
   for (AnyColumn* c : columns)
-    if (static_cast<double>(c->bytes.capacity()) > (1 + part) * static_cast<double>(c->bytes.size())) c->bytes = AlignedVector<std::byte>(c->bytes.begin(), c->bytes.end());
+    if (static_cast<double>(c->bytes.capacity()) > (1 + part) * static_cast<double>(c->bytes.size()))
+      c->bytes = AlignedVector<std::byte>(c->bytes.begin(), c->bytes.end());
 }
 
 void Table::activate(AnyColumn& column) {
@@ -78,7 +93,8 @@ void Table::deactivate(AnyColumn& column) {
 
 void Table::reserve(std::size_t rows) {
   for (AnyColumn* c : columns)
-    if (c->active) c->bytes.reserve((c->rows == Rows::Owned ? std::min(owned, rows) : rows) * c->elementBytes);
+    if (c->active)
+      c->bytes.reserve((c->rows == Rows::Owned ? std::min(owned, rows) : rows) * c->elementBytes);
 }
 
 void Table::reorder(std::span<const std::uint32_t> order, std::span<AnyColumn* const> stale) {
@@ -87,7 +103,8 @@ void Table::reorder(std::span<const std::uint32_t> order, std::span<AnyColumn* c
     if (c->keep != Keep::Transient && !contains(stale, c)) {
       const std::size_t need = order.size() * c->elementBytes;
       // a buffer goes round among columns of one width only, or each would grow to the widest
-      auto at = std::find_if(spares_.begin(), spares_.end(), [&](const auto& s) { return s.first == c->elementBytes; });
+      auto at = std::find_if(spares_.begin(), spares_.end(),
+                             [&](const auto& s) { return s.first == c->elementBytes; });
       if (at == spares_.end()) at = spares_.insert(at, {c->elementBytes, {}});
       AlignedVector<std::byte>& spare = at->second;
       makeRoom(spare, order.size(), c->elementBytes);
@@ -100,7 +117,8 @@ void Table::reorder(std::span<const std::uint32_t> order, std::span<AnyColumn* c
         case 1: gather<std::uint8_t>(c->bytes.data(), spare.data(), order); break;
         default:
           for (std::size_t i = 0; i < order.size(); i++)
-            std::memcpy(spare.data() + i * c->elementBytes, c->bytes.data() + order[i] * c->elementBytes, c->elementBytes);
+            std::memcpy(spare.data() + i * c->elementBytes, c->bytes.data() + order[i] * c->elementBytes,
+                        c->elementBytes);
       }
       c->bytes.swap(spare);
     } else {
@@ -119,9 +137,11 @@ void Table::rearrange(const RowMoves& moves, std::span<AnyColumn* const> stale) 
     const std::size_t each = c->elementBytes;
     std::byte* const rows = c->bytes.data();
     singles_.resize(std::max(singles_.size(), moves.singles.size() * each));
-    for (std::size_t k = 0; k < moves.singles.size(); k++) std::memcpy(singles_.data() + k * each, rows + moves.singles[k].from * each, each);
+    for (std::size_t k = 0; k < moves.singles.size(); k++)
+      std::memcpy(singles_.data() + k * each, rows + moves.singles[k].from * each, each);
     moveRuns(moves.runs, rows, each);
-    for (std::size_t k = 0; k < moves.singles.size(); k++) std::memcpy(rows + moves.singles[k].to * each, singles_.data() + k * each, each);
+    for (std::size_t k = 0; k < moves.singles.size(); k++)
+      std::memcpy(rows + moves.singles[k].to * each, singles_.data() + k * each, each);
   }
   resize(moves.rows, 0);
 }

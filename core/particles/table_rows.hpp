@@ -8,7 +8,9 @@ namespace thaw {
 
 inline void copyRow(Table& t, std::size_t from, std::size_t to) {
   for (AnyColumn* c : t.columns)
-    if (c->active) std::memcpy(c->bytes.data() + to * c->elementBytes, c->bytes.data() + from * c->elementBytes, c->elementBytes);
+    if (c->active)
+      std::memcpy(c->bytes.data() + to * c->elementBytes, c->bytes.data() + from * c->elementBytes,
+                  c->elementBytes);
 }
 
 inline void clearRow(Table& t, std::size_t row) {

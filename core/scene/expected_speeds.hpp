@@ -13,12 +13,16 @@ namespace thaw {
 inline double fastestMove(const std::vector<Keyframe>& motion) {
   double fastest = 0;
   for (std::size_t k = 1; k < motion.size(); k++)
-    if (const double over = motion[k].time - motion[k - 1].time; over > 0) fastest = std::max(fastest, length(motion[k].move - motion[k - 1].move) / over);
+    if (const double over = motion[k].time - motion[k - 1].time; over > 0)
+      fastest = std::max(fastest, length(motion[k].move - motion[k - 1].move) / over);
   return fastest;
 }
 
 /// A speed (m/s) to expect, and what makes it.
-struct FlowSpeed { double speed = 0; std::string why; };
+struct FlowSpeed {
+  double speed = 0;
+  std::string why;
+};
 
 /// The speed that the automatic sound speed is made for. A flow of speed v changes the density by v^2 / c^2,
 /// a column of height H by g H / c^2 (Monaghan 1994). v^2 = u^2 + 2 g h: u is the fastest of bodies, emitters

@@ -20,20 +20,23 @@ double FactorInTime::at(double time) const {
 double FactorInTime::mean(double from, double to) const {
   if (linear(from, to)) return 0.5 * (at(from) + at(to));
   double sum = 0;
-  const auto add = [&](double t0, double f0, double t1, double f1) {  // of a straight piece what lies between the times
+  // of a straight piece what lies between the times
+  const auto add = [&](double t0, double f0, double t1, double f1) {
     const double begin = std::max(t0, from), end = std::min(t1, to);
     if (!(begin < end)) return;
     const auto value = [&](double t) { return f0 == f1 ? f0 : f0 + (f1 - f0) * ((t - t0) / (t1 - t0)); };
     sum += 0.5 * (value(begin) + value(end)) * (end - begin);
   };
   add(from, points.front().second, points.front().first, points.front().second);
-  for (std::size_t k = 1; k < points.size(); k++) add(points[k - 1].first, points[k - 1].second, points[k].first, points[k].second);
+  for (std::size_t k = 1; k < points.size(); k++)
+    add(points[k - 1].first, points[k - 1].second, points[k].first, points[k].second);
   add(points.back().first, points.back().second, to, points.back().second);
   return sum / (to - from);
 }
 
 bool FactorInTime::linear(double from, double to) const {
-  return std::none_of(points.begin(), points.end(), [&](const auto& p) { return p.first > from && p.first < to; });
+  return std::none_of(points.begin(), points.end(),
+                      [&](const auto& p) { return p.first > from && p.first < to; });
 }
 
 double FactorInTime::least(double from, double to) const {

@@ -11,7 +11,8 @@ inline constexpr double hottestStart = 1e32;       // K, above which matter is n
 inline bool isStartSpeed(double v) { return std::abs(v) <= fastestStart; }
 inline bool isStartTemperature(double T) { return T > 0 && T <= hottestStart; }
 
-inline constexpr const char* expectedSpeeds = "expected velocity components of at most 299792458 m/s (speed of light)";
+inline constexpr const char* expectedSpeeds =
+    "expected velocity components of at most 299792458 m/s (speed of light)";
 inline constexpr const char* expectedTemperatures = "expected temperatures above 0 K, at most 1e32 K";
 
 }  // namespace thaw

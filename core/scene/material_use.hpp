@@ -9,7 +9,8 @@ namespace thaw {
 /// Has some body or emitter this material (index into Scene::materials)?
 inline bool inUse(const Scene& s, std::size_t material) {
   const auto has = [&](const auto& source) { return static_cast<std::size_t>(source.material) == material; };
-  return std::any_of(s.bodies.begin(), s.bodies.end(), has) || std::any_of(s.emitters.begin(), s.emitters.end(), has);
+  return std::any_of(s.bodies.begin(), s.bodies.end(), has) ||
+         std::any_of(s.emitters.begin(), s.emitters.end(), has);
 }
 
 }  // namespace thaw

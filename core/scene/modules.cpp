@@ -6,18 +6,23 @@
 
 namespace thaw {
 
-bool solidAt(const Material& m, double T) { return m.canBeSolid() && (m.melts() ? T < m.liquidus : !m.liquidAtStart); }
+bool solidAt(const Material& m, double T) {
+  return m.canBeSolid() && (m.melts() ? T < m.liquidus : !m.liquidAtStart);
+}
 
 namespace {
 
 std::string quoted(const std::string& name) { return "'" + name + "'"; }
 
-bool liquidAt(const Material& m, double T) { return !m.canBeSolid() || (m.melts() ? T > m.solidus : m.liquidAtStart); }
+bool liquidAt(const Material& m, double T) {
+  return !m.canBeSolid() || (m.melts() ? T > m.solidus : m.liquidAtStart);
+}
 
 /// "sheet 'a'", or "sheets 'a', 'b' and 'c'".
 template<class Body> std::string namesOf(const char* one, const char* more, const std::vector<Body>& bodies) {
   std::string text = std::string(bodies.size() > 1 ? more : one) + " ";
-  for (std::size_t k = 0; k < bodies.size(); k++) text += (k == 0 ? "" : k + 1 == bodies.size() ? " and " : ", ") + quoted(bodies[k].name);
+  for (std::size_t k = 0; k < bodies.size(); k++)
+    text += (k == 0 ? "" : k + 1 == bodies.size() ? " and " : ", ") + quoted(bodies[k].name);
   return text;
 }
 
@@ -35,11 +40,13 @@ struct Finder {
 void findHeat(Finder& f) {
   const Scene& s = f.s;
   bool conducts = false;
-  for (const Material& m : s.materials) conducts = conducts || m.conductivity.solid > 0 || m.conductivity.liquid > 0 || m.paperDiffusivity > 0;
+  for (const Material& m : s.materials)
+    conducts = conducts || m.conductivity.solid > 0 || m.conductivity.liquid > 0 || m.paperDiffusivity > 0;
   double first = NAN;
   const auto seen = [&](double T, const std::string& who) {
     if (std::isnan(first)) first = T;
-    else if (T != first && conducts) f.on(f.m.heat, "heat", who + " has another temperature than what is around it");
+    else if (T != first && conducts)
+      f.on(f.m.heat, "heat", who + " has another temperature than what is around it");
   };
   // a field has an effect where heat is conducted, and where it decides about what is solid
   const auto field = [&](const auto& source, const std::string& who) {
@@ -49,11 +56,13 @@ void findHeat(Finder& f) {
   };
   for (const Body& b : s.bodies) {
     field(b, "body " + quoted(b.name));
-    if (length(b.temperatureGradient) > 0 && conducts) f.on(f.m.heat, "heat", "body " + quoted(b.name) + " has a temperature gradient");
+    if (length(b.temperatureGradient) > 0 && conducts)
+      f.on(f.m.heat, "heat", "body " + quoted(b.name) + " has a temperature gradient");
   }
   for (const Emitter& e : s.emitters) field(e, "emitter " + quoted(e.name));
   for (const Obstacle& o : s.obstacles)
-    if (o.temperature && conducts) f.on(f.m.heat, "heat", "obstacle " + quoted(o.name) + " has a temperature");
+    if (o.temperature && conducts)
+      f.on(f.m.heat, "heat", "obstacle " + quoted(o.name) + " has a temperature");
   if (!s.temperings.empty()) f.on(f.m.heat, "heat", "a [[tempering]] changes the temperature");
   for (const Material& m : s.materials) {
     if (m.heatSource != 0) f.on(f.m.heat, "heat", "material " + quoted(m.name) + " has a heat source");
@@ -61,17 +70,21 @@ void findHeat(Finder& f) {
       f.on(f.m.heat, "heat", "material " + quoted(m.name) + " exchanges heat with the ambient");
       f.on(f.m.surfaceHeat, "surface heat", "material " + quoted(m.name) + " has convection or emissivity");
     }
-    if (!m.viscosityTable.empty()) f.on(f.m.heat, "heat", "the viscosity of material " + quoted(m.name) + " depends on the temperature");
+    if (!m.viscosityTable.empty())
+      f.on(f.m.heat, "heat", "the viscosity of material " + quoted(m.name) + " depends on the temperature");
   }
 }
 
-/// Is everything liquid of one material with constant parameters, with nothing that reads other records than places and motion? With heat, nothing may ask for
-/// volumes after the densities (terms/uniform_forces.hpp).
+/// Is everything liquid of one material with constant parameters, with nothing that reads other records than
+/// places and motion? With heat, nothing may ask for volumes after the densities (terms/uniform_forces.hpp).
 bool isUniform(const Scene& s, const Modules& m) {
-  const bool other = m.solid || m.melting || m.incompressible || m.implicitViscosity || m.tension || m.kinds();
+  const bool other = m.solid || m.melting || m.incompressible || m.implicitViscosity || m.tension ||
+                     m.kinds();
   const bool volumes = m.heat && (m.xsph || m.surfaceHeat || s.numerics.pressure != PairForm::Consistent);
-  const bool otherCarried = m.continuity && (!m.corrected || m.heat || m.xsph || s.numerics.pressure != PairForm::Consistent);
-  return m.fluid && !other && !volumes && !otherCarried && s.materials.size() == 1 && s.materials[0].viscosityTable.empty() && s.numerics.kernel == KernelKind::WendlandC2 &&
+  const bool otherCarried = m.continuity &&
+                            (!m.corrected || m.heat || m.xsph || s.numerics.pressure != PairForm::Consistent);
+  return m.fluid && !other && !volumes && !otherCarried && s.materials.size() == 1 &&
+         s.materials[0].viscosityTable.empty() && s.numerics.kernel == KernelKind::WendlandC2 &&
          s.numerics.viscosity == ViscosityForm::Pairwise;
 }
 
@@ -82,12 +95,18 @@ Modules modulesOf(const Scene& s) {
   Modules& m = f.m;
   findHeat(f);
   if (s.surface.on) f.on(m.surface, "surface", "the scene has a table [surface]");
-  if (!s.oriented.empty()) f.on(m.oriented, "oriented particles", namesOf("oriented body", "oriented bodies", s.oriented));
+  if (!s.oriented.empty())
+    f.on(m.oriented, "oriented particles", namesOf("oriented body", "oriented bodies", s.oriented));
   if (!s.sheets.empty()) f.on(m.sheet, "sheets", namesOf("sheet", "sheets", s.sheets));
-  if (!s.sheets.empty() && !(s.bodies.empty() && s.emitters.empty())) f.on(m.neighbours, "neighbour search", "sheets can meet bodies");
+  if (!s.sheets.empty() && !(s.bodies.empty() && s.emitters.empty()))
+    f.on(m.neighbours, "neighbour search", "sheets can meet bodies");
   std::vector<SheetBody> warmed;
-  std::copy_if(s.sheets.begin(), s.sheets.end(), std::back_inserter(warmed), [](const SheetBody& b) { return b.conductance > 0; });
-  if (!warmed.empty()) f.on(m.heat, "heat", namesOf("sheet", "sheets", warmed) + (warmed.size() > 1 ? " take" : " takes") + " heat from what " + (warmed.size() > 1 ? "they touch" : "it touches"));
+  std::copy_if(s.sheets.begin(), s.sheets.end(), std::back_inserter(warmed),
+               [](const SheetBody& b) { return b.conductance > 0; });
+  if (!warmed.empty())
+    f.on(m.heat, "heat",
+         namesOf("sheet", "sheets", warmed) + (warmed.size() > 1 ? " take" : " takes") + " heat from what " +
+             (warmed.size() > 1 ? "they touch" : "it touches"));
   if (!s.emitters.empty()) f.on(m.emitters, "emitters", namesOf("emitter", "emitters", s.emitters));
 
   std::vector<bool> used(s.materials.size(), false);
@@ -103,7 +122,8 @@ Modules modulesOf(const Scene& s) {
     if (either || liquidAt(x, from.temperature))
       f.on(m.fluid, "fluid", who + (either ? " can be liquid" : " is liquid"));
     if (m.heat && x.melts()) {
-      f.on(m.melting, "melting", who + " is of material " + quoted(x.name) + ", which melts, and the scene has heat");
+      f.on(m.melting, "melting",
+           who + " is of material " + quoted(x.name) + ", which melts, and the scene has heat");
       f.on(m.fluid, "fluid", who + " can melt");
       if (x.canBeSolid()) f.on(m.solid, "solid", who + " can freeze");
     }
@@ -111,8 +131,10 @@ Modules modulesOf(const Scene& s) {
   for (const Body& b : s.bodies) source(b, "body " + quoted(b.name), true);
   for (const Emitter& e : s.emitters) source(e, "emitter " + quoted(e.name), false);
 
-  if (m.fluid && s.numerics.density == DensityForm::Continuity) f.on(m.continuity, "density by continuity", "numerics.density");
-  if (m.continuity && s.numerics.correctedGradients) f.on(m.corrected, "corrected gradients", "numerics.corrected_gradients");
+  if (m.fluid && s.numerics.density == DensityForm::Continuity)
+    f.on(m.continuity, "density by continuity", "numerics.density");
+  if (m.continuity && s.numerics.correctedGradients)
+    f.on(m.corrected, "corrected gradients", "numerics.corrected_gradients");
   if (m.fluid && s.numerics.shifting > 0) f.on(m.shifting, "shifting of particles", "numerics.shifting");
   for (std::size_t k = 0; k < s.materials.size(); k++) {
     const Material& x = s.materials[k];
@@ -120,13 +142,16 @@ Modules modulesOf(const Scene& s) {
     const std::string who = "material " + quoted(x.name);
     const bool liquid = m.fluid && (!x.canBeSolid() || x.liquidAtStart || (x.melts() && m.heat));
     if (liquid && x.surfaceTension > 0) f.on(m.tension, "surface tension", who);
-    if (m.tension && s.numerics.tension == TensionForm::SurfaceEnergy) f.on(m.surfaceEnergy, "surface tension as an energy", "numerics.tension");
+    if (m.tension && s.numerics.tension == TensionForm::SurfaceEnergy)
+      f.on(m.surfaceEnergy, "surface tension as an energy", "numerics.tension");
     const bool viscous = x.viscosity.solid > 0 || x.viscosity.liquid > 0 || !x.viscosityTable.empty();
-    if (liquid && viscous && s.numerics.viscositySolver == ViscositySolver::Implicit) f.on(m.implicitViscosity, "implicit viscosity", who);
+    if (liquid && viscous && s.numerics.viscositySolver == ViscositySolver::Implicit)
+      f.on(m.implicitViscosity, "implicit viscosity", who);
     if (liquid && x.xsph > 0) f.on(m.xsph, "velocity smoothing (XSPH)", who);
     if (liquid && x.artificialViscosity > 0) f.on(m.artificialViscosity, "artificial viscosity", who);
     if (!m.solid || !x.canBeSolid()) continue;
-    if (x.yieldStrain.solid < never || x.yieldStrain.liquid < never) f.on(m.plastic, "plastic flow", who + " yields");
+    if (x.yieldStrain.solid < never || x.yieldStrain.liquid < never)
+      f.on(m.plastic, "plastic flow", who + " yields");
     if (x.breakStretch < never) f.on(m.fracture, "fracture", "bonds of " + who + " break");
     if (x.melts() && m.melting) f.on(m.freezing, "freezing", who + " can freeze again");
   }
@@ -137,13 +162,19 @@ Modules modulesOf(const Scene& s) {
   }
   if (m.contact)
     for (std::size_t k = 0; k < s.materials.size(); k++)
-      if (used[k] && s.materials[k].weld && s.materials[k].canBeSolid()) f.on(m.welding, "welding", "solids of material " + quoted(s.materials[k].name) + " grow together");
+      if (used[k] && s.materials[k].weld && s.materials[k].canBeSolid())
+        f.on(m.welding, "welding", "solids of material " + quoted(s.materials[k].name) + " grow together");
   if (m.solid && s.numerics.sleepSpeed > 0) f.on(m.sleep, "sleep", "numerics.sleep_speed is given");
   // where solids can meet, their contact binds the step of all, and substeps gain nothing
-  m.mostSubsteps = s.numerics.elasticSubsteps > 0 ? s.numerics.elasticSubsteps : m.solid && m.fluid && !m.contact && !m.sleep ? 4 : 1;
+  m.mostSubsteps = s.numerics.elasticSubsteps > 0                 ? s.numerics.elasticSubsteps
+                   : m.solid && m.fluid && !m.contact && !m.sleep ? 4
+                                                                  : 1;
   if (m.solid && m.mostSubsteps > 1)
-    f.on(m.substeps, "substeps of solids", s.numerics.elasticSubsteps > 0 ? "numerics.elastic_substeps is " + std::to_string(m.mostSubsteps) : "there is liquid, too: up to " + std::to_string(m.mostSubsteps));
-  if (m.fluid && s.numerics.solver == PressureSolver::Incompressible) f.on(m.incompressible, "incompressible liquid", "numerics.pressure_solver says so");
+    f.on(m.substeps, "substeps of solids",
+         s.numerics.elasticSubsteps > 0 ? "numerics.elastic_substeps is " + std::to_string(m.mostSubsteps)
+                                        : "there is liquid, too: up to " + std::to_string(m.mostSubsteps));
+  if (m.fluid && s.numerics.solver == PressureSolver::Incompressible)
+    f.on(m.incompressible, "incompressible liquid", "numerics.pressure_solver says so");
   if (m.fluid) f.on(m.neighbours, "neighbour search", "there is liquid");
   if (m.contact) f.on(m.neighbours, "neighbour search", "solids can meet");
   if (m.oriented && (m.fluid || m.solid)) {

@@ -4,6 +4,10 @@
 
 namespace thaw {
 
-struct Keyframe { double time = 0; Vec3d move{}; Vec3d rotate{}; };  // s, m, rad; linear in between
+struct Keyframe {
+  double time = 0;
+  Vec3d move{};
+  Vec3d rotate{};
+};  // s, m, rad; linear in between
 
 }  // namespace thaw

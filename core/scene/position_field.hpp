@@ -11,8 +11,8 @@ namespace thaw {
 
 /// A scalar field, in SI units, of a position (m) in the frame of the scene.
 struct PositionField {
-  std::string text;   // as the scene has it
-  std::string key;    // path of its key, for messages
+  std::string text;  // as the scene has it
+  std::string key;   // path of its key, for messages
   SourcePlace where;
   std::function<double(const Vec3d&)> value;  // empty: no field; not to be called by several threads at once
   explicit operator bool() const { return static_cast<bool>(value); }
@@ -22,9 +22,9 @@ struct PositionField {
 /// bounding box of a body, or of the opening of an emitter.
 struct VelocityField {
   PositionField component[3];
-  Mat3d gradient{};           // 1/s, [i][j]: d v_i / d x_j
+  Mat3d gradient{};  // 1/s, [i][j]: d v_i / d x_j
   SourcePlace gradientWhere;
-  bool linear = false;        // a gradient is given
+  bool linear = false;  // a gradient is given
   bool given() const { return linear || component[0] || component[1] || component[2]; }
 };
 

@@ -11,9 +11,10 @@ void applyQuality(Quality quality, Numerics& n) {
       break;
     case Quality::Standard: break;  // what Numerics says
     case Quality::Reference:
-      n.precision = Precision::Double;     // spurious currents of drops and lost angular momentum are rounding
-      n.density = DensityForm::Continuity;  // a quarter of the error of pressure at rest, .6 of a dam break's; not with emitters (check_scene.cpp)
-      n.cflSound = 0.2;                     // with it the books close within 1 % where liquid is poured and splashes (2 % at .4)
+      n.precision = Precision::Double;  // spurious currents of drops and lost angular momentum are rounding
+      n.density = DensityForm::Continuity;  // a quarter of the error of pressure at rest, .6 of a dam
+                                            // break's; not with emitters (check_scene.cpp)
+      n.cflSound = 0.2;  // with it the books close within 1 % where liquid is poured and splashes (2 % at .4)
       break;
   }
 }

@@ -13,8 +13,8 @@ void activateFields(World& w, StepTools& t) {
     if (needed)
       for (AnyColumn* c : columns) p.activate(*c);
   };
-  on(true, {&p.id, &p.position, &p.velocity, &p.acceleration, &p.mass, &p.material, &p.body, &p.dissipated, &p.cell, &p.phase,
-            &p.dissipation, &p.interaction});
+  on(true, {&p.id, &p.position, &p.velocity, &p.acceleration, &p.mass, &p.material, &p.body, &p.dissipated,
+            &p.cell, &p.phase, &p.dissipation, &p.interaction});
   on(m.fluid, {&p.filling});
   on(m.implicitViscosity, {&p.viscousAcceleration, &p.viscousSearch});
   on(m.continuity, {&p.compression, &p.densityRate, &p.spreading});
@@ -25,7 +25,8 @@ void activateFields(World& w, StepTools& t) {
   on(m.shifting, {&p.crowding});
   on(m.shifting && m.continuity, {&p.atSurface, &p.surfaceNormal, &p.gradientSize});
   on(m.shifting && m.continuity && m.solid, {&p.solidNormal});
-  on(m.incompressible, {&p.holding, &p.steadying, &p.pressureKick, &p.drag, &p.trialPressure, &p.trialVelocity});
+  on(m.incompressible,
+     {&p.holding, &p.steadying, &p.pressureKick, &p.drag, &p.trialPressure, &p.trialVelocity});
   on(m.surfaceHeat, {&p.exposure});
   on(m.surfaceEnergy, {&p.surfaceGradient, &p.surfaceCover, &p.surfacePull, &p.surfaceDraw});
   on(m.heat, {&p.enthalpy, &p.temperature, &p.heatFlow});
@@ -39,12 +40,15 @@ void activateFields(World& w, StepTools& t) {
   on(m.freezing, {&p.standoff});
   on(m.sleep, {&p.calm, &p.sleep, &p.hold});
   if (m.sleep)  // of rows that are skipped they stay, so that they move with their rows
-    for (AnyColumn* c : {static_cast<AnyColumn*>(&p.filling), static_cast<AnyColumn*>(&p.exposure)}) c->keep = Keep::Local;
+    for (AnyColumn* c : {static_cast<AnyColumn*>(&p.filling), static_cast<AnyColumn*>(&p.exposure)})
+      c->keep = Keep::Local;
   bool clamped = m.emitters;
   for (const Body& b : w.scene.bodies) clamped = clamped || !b.clamp.empty();
   on(clamped, {&p.clamped});
-  p.nextCell.shareWith(p.dissipation);  // found after the drift and stale after the sort, when that is summed anew until the kick
-  // contacts with sheets and oriented bodies read the last acceleration while forces are summed; of what is held or sleeps it is not that of the force
+  p.nextCell.shareWith(p.dissipation);  // found after the drift and stale after the sort, when that is summed
+                                        // anew until the kick
+  // contacts with sheets and oriented bodies read the last acceleration while forces are summed; of what is
+  // held or sleeps it is not that of the force
   if (clamped || m.sheet || m.meeting || m.sleep) on(true, {&p.force});
   else p.force.shareWith(p.acceleration);
   activateKinds(w);

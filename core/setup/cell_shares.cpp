@@ -11,7 +11,9 @@ constexpr double halfDiagonal = 0.8661;
 constexpr double rounding = 1e-6;  // spacings: what is as near as that is the same wherever the body lies
 
 /// A cell by its place in the lattice.
-struct Cell { std::int64_t at[3]; };
+struct Cell {
+  std::int64_t at[3];
+};
 
 class CellShares {
  public:
@@ -21,7 +23,8 @@ class CellShares {
     const Cell c = cellOf(point);
     const double d = shape_.distanceWithin(middle(c), 3 * l_.spacing);
     if (-d > 3 * halfDiagonal * l_.spacing) return wholeCell;
-    std::int32_t share = -d > halfDiagonal * l_.spacing ? wholeCell : static_cast<std::int32_t>(samplesIn(c).size());
+    std::int32_t share = -d > halfDiagonal * l_.spacing ? wholeCell
+                                                        : static_cast<std::int32_t>(samplesIn(c).size());
     forAround(c, [&](const Cell& o) {
       if (isInside(o)) return;
       for (const Piece& p : piecesOf(o))
@@ -31,13 +34,21 @@ class CellShares {
   }
 
  private:
-  struct Piece { std::int64_t point; std::int32_t samples; };
+  struct Piece {
+    std::int64_t point;
+    std::int32_t samples;
+  };
   const SignedDistance& shape_;
   const SampleLattice& l_;
-  std::unordered_map<std::int64_t, std::vector<Piece>> pieces_;  // of cells that are no particle: whose they are
+  std::unordered_map<std::int64_t, std::vector<Piece>> pieces_;  // of cells that are no particle: whose they
+                                                                 // are
 
-  std::int64_t numberOf(const Cell& c) const { return c.at[0] + l_.count[0] * (c.at[1] + l_.count[1] * c.at[2]); }
-  Cell cellOf(std::int64_t n) const { return {{n % l_.count[0], n / l_.count[0] % l_.count[1], n / l_.count[0] / l_.count[1]}}; }
+  std::int64_t numberOf(const Cell& c) const {
+    return c.at[0] + l_.count[0] * (c.at[1] + l_.count[1] * c.at[2]);
+  }
+  Cell cellOf(std::int64_t n) const {
+    return {{n % l_.count[0], n / l_.count[0] % l_.count[1], n / l_.count[0] / l_.count[1]}};
+  }
   Vec3d middle(const Cell& c) const { return l_.at(c.at[0], c.at[1], c.at[2]); }
   bool isInside(const Cell& c) const { return shape_.distanceWithin(middle(c), l_.spacing) < 0; }
 
@@ -59,7 +70,9 @@ class CellShares {
     for (int z = 0; z < across; z++)
       for (int y = 0; y < across; y++)
         for (int x = 0; x < across; x++)
-          if (const Vec3d at = middle(c) + Vec3d{off(x), off(y), off(z)}; shape_.distanceWithin(at, l_.spacing) < -rounding * l_.spacing) in.push_back(at);
+          if (const Vec3d at = middle(c) + Vec3d{off(x), off(y), off(z)};
+              shape_.distanceWithin(at, l_.spacing) < -rounding * l_.spacing)
+            in.push_back(at);
     return in;
   }
 
@@ -84,7 +97,8 @@ class CellShares {
 
 }  // namespace
 
-std::vector<std::int32_t> cellShares(const SignedDistance& shape, const SampleLattice& l, const std::vector<std::int64_t>& points) {
+std::vector<std::int32_t> cellShares(const SignedDistance& shape, const SampleLattice& l,
+                                     const std::vector<std::int64_t>& points) {
   std::vector<std::int32_t> shares(points.size(), wholeCell);
   if (shape.hasGaps()) return shares;
   CellShares cells(shape, l);

@@ -47,8 +47,8 @@ void addBodies(const Scene& s, const std::vector<std::shared_ptr<const SignedDis
   const auto perAxis = static_cast<std::int64_t>(std::clamp(each, 3.0, 33.0));
   for (std::size_t b = 0; b < s.bodies.size(); b++) {
     const Body& body = s.bodies[b];
-    const double v =
-        turnsOrStrains(body) ? fastestPoint(s, body, *shapes[b], perAxis) : length(body.velocity);
+    const double v = turnsOrStrains(body) ? fastestPoint(s, body, *shapes[b], perAxis)
+                                          : length(body.velocity);
     if (v > m.start) m.start = v, m.startBy = "body '" + body.name + "'";
   }
   const auto whole = [&](const auto& bodies2, const char* kind) {
@@ -115,15 +115,15 @@ void addObstacle(const Wall& wall, const Domain& d, const Vec3d& up, ExpectedMot
   const Pose first = poseAt(motion, 0);
   const auto rise = [&](const Pose& pose) {
     for (const Vec3d& c : corners)
-      m.lift =
-          std::max(m.lift, dot(up, withinDomain(d, fromRest(pose, c)) - withinDomain(d, fromRest(first, c))));
+      m.lift = std::max(m.lift,
+                        dot(up, withinDomain(d, fromRest(pose, c)) - withinDomain(d, fromRest(first, c))));
   };
   for (std::size_t k = 1; k < motion.size(); k++) {
     const double begin = motion[k - 1].time, span = motion[k].time - begin,
                  turn = length(motion[k].rotate - motion[k - 1].rotate);
     if (begin >= wall.properties.until) break;
-    const int poses =
-        static_cast<int>(std::clamp(std::ceil(turn / angle), 1.0, static_cast<double>(mostPoses)));
+    const int poses = static_cast<int>(
+        std::clamp(std::ceil(turn / angle), 1.0, static_cast<double>(mostPoses)));
     for (int n = 0; n < poses; n++) {
       const Pose pose = poseAt(motion, begin + span * n / poses);
       rise(pose);

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double hexagon = 0.86602540378443865;  // area of a particle over the square of the spacing
 constexpr double pi = 3.14159265358979323846;
-// Least bytes of a row: its columns and lists; of a point while a body is made, and of a sample of a surface, of which there are some 21 a particle.
+// Least bytes of a row: its columns and lists; of a point while a body is made, and of a sample of a surface,
+// of which there are some 21 a particle.
 constexpr double orientedRow = 500, pointBytes = 49, sampleBytes = 21 * 56, vertexRow = 500, vertexPlan = 300;
 
 double areaOf(const Shape& shape, const MeshLoader& load) {
@@ -65,7 +66,9 @@ std::vector<ExpectedRows> expectedRows(const Scene& scene, const MeshLoader& loa
     }
     e.bytesEverywhere = e.rows * (pointBytes + (b.source == OrientedSource::Surface ? sampleBytes : 0));
     e.bytesShared = b.thin * e.rows * orientedRow;
-    e.spread = b.source == OrientedSource::Control || (b.source == OrientedSource::Surface && (b.thin == 1 || b.shape.kind != ShapeKind::Mesh));  // as in core/oriented/made_points.cpp
+    // as in core/oriented/made_points.cpp
+    e.spread = b.source == OrientedSource::Control ||
+               (b.source == OrientedSource::Surface && (b.thin == 1 || b.shape.kind != ShapeKind::Mesh));
     all.push_back(std::move(e));
   }
   for (const SheetBody& b : scene.sheets) {

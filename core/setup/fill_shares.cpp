@@ -6,7 +6,9 @@
 
 namespace thaw {
 
-bool bodyFills(const Scene& s, std::size_t b) { return s.surface.on && s.bodies[b].packing == Packing::Lattice && !hasMesh(s, b); }
+bool bodyFills(const Scene& s, std::size_t b) {
+  return s.surface.on && s.bodies[b].packing == Packing::Lattice && !hasMesh(s, b);
+}
 
 bool anyBodyFills(const Scene& s) {
   for (std::size_t b = 0; b < s.bodies.size(); b++)
@@ -14,13 +16,15 @@ bool anyBodyFills(const Scene& s) {
   return false;
 }
 
-void finishFill(const Scene& s, Continuum& p, std::span<const std::int64_t> parts, std::span<const std::int64_t> particles) {
+void finishFill(const Scene& s, Continuum& p, std::span<const std::int64_t> parts,
+                std::span<const std::int64_t> particles) {
   constexpr double least = 0.4, most = 1.6;
   for (std::size_t i = 0; i < p.owned; i++) {
     const std::size_t b = p.body[i];
     if (!bodyFills(s, b) || parts[b] == 0) continue;
     const double mean = static_cast<double>(parts[b]) / static_cast<double>(particles[b]);
-    p.surfaceFill[i] = static_cast<float>(std::clamp(static_cast<double>(p.surfaceFill[i]) / mean, least, most));
+    p.surfaceFill[i] = static_cast<float>(
+        std::clamp(static_cast<double>(p.surfaceFill[i]) / mean, least, most));
   }
 }
 

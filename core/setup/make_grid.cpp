@@ -20,7 +20,9 @@ std::string inDigits(double value) {
 
 /// What makes a periodic domain too thin; the thinnest slab in spacings where these are known.
 std::string slabAdvice(double reach, double spacing) {
-  const std::string farthest = "three times the farthest that anything in it reaches (numerics.support; of surfels surface.particle_support)";
+  const std::string farthest =
+      "three times the farthest that anything in it reaches (numerics.support; of surfels "
+      "surface.particle_support)";
   return spacing > 0 ? ", " + inDigits(3 * reach / spacing) + " spacings: " + farthest : ", " + farthest;
 }
 
@@ -29,7 +31,8 @@ std::string slabAdvice(double reach, double spacing) {
 CellGrid makeGrid(const Scene& s, double least) {
   const double reach = std::max({orientedReach(s), sheetReach(s), least});
   double support = s.numerics.support * s.spacing;
-  // cells of the scene's particles, of which there are none, would each hold thousands of a body that is much finer
+  // cells of the scene's particles, of which there are none, would each hold thousands of a body that is much
+  // finer
   if (s.bodies.empty() && s.emitters.empty() && reach > 0 && reach < 0.25 * support) support = reach;
   return makeGrid(s.domain, support, reach, s.spacing);
 }
@@ -41,16 +44,20 @@ CellGrid makeGrid(const Domain& d, double support, double least, double spacing)
   for (int a = 0; a < 3; a++) {
     const std::string axis(1, static_cast<char>('x' + a));
     const double extent = d.max[a] - d.min[a];
-    if (!(extent > 0)) throw std::runtime_error("the domain has no extent along " + axis + ": max must be above min");
+    if (!(extent > 0))
+      throw std::runtime_error("the domain has no extent along " + axis + ": max must be above min");
     if (extent / cell > maxCellsPerAxis - 8)
-      throw std::runtime_error("the domain is " + inDigits(extent / cell) + " support radii long along " + axis + ", at most " +
-                               std::to_string(maxCellsPerAxis) + " are possible: make the domain smaller or the spacing larger");
+      throw std::runtime_error("the domain is " + inDigits(extent / cell) + " support radii long along " +
+                               axis + ", at most " + std::to_string(maxCellsPerAxis) +
+                               " are possible: make the domain smaller or the spacing larger");
     g.periodic[a] = d.side[a][0] == Side::Periodic;
     if (g.periodic[a]) {
       g.cells[a] = static_cast<int>(std::floor(extent / cell * (1 + 1e-12)));
       if (g.cells[a] < 3)
-        throw std::runtime_error("the domain is periodic along " + axis + " but shorter than three support radii: it is " + inDigits(extent) + " m long; expected at least " + inDigits(3 * cell) +
-                                 " m" + slabAdvice(cell, spacing));
+        throw std::runtime_error("the domain is periodic along " + axis +
+                                 " but shorter than three support radii: it is " + inDigits(extent) +
+                                 " m long; expected at least " + inDigits(3 * cell) + " m" +
+                                 slabAdvice(cell, spacing));
       g.edge[a] = extent / g.cells[a];
       g.origin[a] = d.min[a];
       g.period[a] = extent;

@@ -4,9 +4,10 @@
 
 namespace thaw {
 
-/// The grid of a scene: cells of one support radius; along a periodic axis the largest whole fraction of the domain that is not
-/// smaller. Throws std::runtime_error with one clear sentence where the domain is too large for 2^20 cells along an axis, or a
-/// periodic side too short for three cells. least: m, edge of cells at least, for what the scene alone does not tell.
+/// The grid of a scene: cells of one support radius; along a periodic axis the largest whole fraction of the
+/// domain that is not smaller. Throws std::runtime_error with one clear sentence where the domain is too
+/// large for 2^20 cells along an axis, or a periodic side too short for three cells. least: m, edge of cells
+/// at least, for what the scene alone does not tell.
 CellGrid makeGrid(const Scene& scene, double least = 0);
 
 /// The same of a domain, with cells of another radius (m); cells are at least as long as `edge` (m).

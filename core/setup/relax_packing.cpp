@@ -43,7 +43,9 @@ std::vector<std::uint8_t> freeBodies(const World& w, Halos& halos, const std::ve
     if (!relaxed[body] || atWall[body] > 0) continue;
     for (const Wall& wall : w.walls.list) {
       const Vec3d x = toRest(wall.pose, w.particles.position[i]);
-      if (wall.present && nearBounds(wall.bounds, x, w.grid.support) && wall.shape->distance(x) < w.grid.support) atWall[body] = 1;
+      if (wall.present && nearBounds(wall.bounds, x, w.grid.support) &&
+          wall.shape->distance(x) < w.grid.support)
+        atWall[body] = 1;
     }
   }
   halos.all.maximum(atWall);
@@ -53,24 +55,28 @@ std::vector<std::uint8_t> freeBodies(const World& w, Halos& halos, const std::ve
   return free;
 }
 
-/// Liquid that the iterations above leave fills some places up to 3 % too much (and a shape's lattice points may have a per cent more volume than the
-/// shape): let go, with nothing around it, it would take speed from these pressures, some thousandths of that of sound, and swell for good. Moves it
-/// down the slope of the sum of the squares of what is too much, out of its shape where it has to. Returns the iterations.
+/// Liquid that the iterations above leave fills some places up to 3 % too much (and a shape's lattice points
+/// may have a per cent more volume than the shape): let go, with nothing around it, it would take speed from
+/// these pressures, some thousandths of that of sound, and swell for good. Moves it down the slope of the sum
+/// of the squares of what is too much, out of its shape where it has to. Returns the iterations.
 int settleLiquids(World& w, Halos& halos, StepTools& t, const std::vector<std::uint8_t>& moves) {
   Continuum& p = w.particles;
-  const double dx = w.scene.spacing, slope = largestFillingSlope(w.scene.numerics) * t.perLatticeSum / w.grid.support;
+  const double dx = w.scene.spacing,
+               slope = largestFillingSlope(w.scene.numerics) * t.perLatticeSum / w.grid.support;
   if (std::find(moves.begin(), moves.end(), 1) == moves.end()) return 0;
   for (int k = 0; k < settlingIterations; k++) {
     kernelGradients(w, halos, t);
     sumExcessPressure(w, halos.cells, t);
     double excess = 0;
     for (std::size_t i = 0; i < p.owned; i++)
-      if (p.phase[i] == Liquid && moves[p.body[i]]) excess = std::max(excess, static_cast<double>(p.filling[i]) - 1);
+      if (p.phase[i] == Liquid && moves[p.body[i]])
+        excess = std::max(excess, static_cast<double>(p.filling[i]) - 1);
     halos.all.maximum({&excess, 1});
     if (excess < settled) return k;
     for (std::size_t i = 0; i < p.owned; i++) {
       if (p.phase[i] != Liquid || !moves[p.body[i]]) continue;
-      Vec3d move = p.force[i] * (w.scene.materials[p.material[i]].density / p.mass[i] * 1.5 / (slope * slope));
+      Vec3d move = p.force[i] *
+                   (w.scene.materials[p.material[i]].density / p.mass[i] * 1.5 / (slope * slope));
       const double length2 = dot(move, move), most = 0.1 * dx;
       if (length2 > most * most) move = move * (most / std::sqrt(length2));
       p.position[i] += move;
@@ -80,7 +86,8 @@ int settleLiquids(World& w, Halos& halos, StepTools& t, const std::vector<std::u
   return settlingIterations;
 }
 
-/// The image of x, across periodic sides, that is nearest to a body's middle: where the body has it that reaches over a side.
+/// The image of x, across periodic sides, that is nearest to a body's middle: where the body has it that
+/// reaches over a side.
 Vec3d imageIn(const CellGrid& g, const Vec3d& middle, Vec3d x) {
   for (int a = 0; a < 3; a++)
     if (g.periodic[a]) x[a] -= g.period[a] * std::round((x[a] - middle[a]) / g.period[a]);
@@ -89,9 +96,12 @@ Vec3d imageIn(const CellGrid& g, const Vec3d& middle, Vec3d x) {
 
 }  // namespace
 
-int relaxPacking(World& w, Halos halos, StepTools& t, const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {
-  std::vector<std::uint8_t> relaxed(std::numeric_limits<std::uint16_t>::max() + std::size_t{1}, 0);  // by body; what emitters let out is none
-  for (std::size_t b = 0; b < w.scene.bodies.size(); b++) relaxed[b] = w.scene.bodies[b].packing == Packing::Relaxed;
+int relaxPacking(World& w, Halos halos, StepTools& t,
+                 const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {
+  // by body; what emitters let out is none
+  std::vector<std::uint8_t> relaxed(std::numeric_limits<std::uint16_t>::max() + std::size_t{1}, 0);
+  for (std::size_t b = 0; b < w.scene.bodies.size(); b++)
+    relaxed[b] = w.scene.bodies[b].packing == Packing::Relaxed;
   if (std::find(relaxed.begin(), relaxed.end(), 1) == relaxed.end()) return 0;
   Continuum& p = w.particles;
   std::vector<Vec3d> middle;
@@ -103,17 +113,20 @@ int relaxPacking(World& w, Halos halos, StepTools& t, const std::vector<std::sha
     for (std::size_t i = 0; i < p.owned; i++) {
       const std::size_t body = p.body[i];
       if (!relaxed[body]) continue;
-      // force / V^2 = - 2 sum grad W (1/m^4); times V dx it is the share of a spacing that is missing on one side
+      // force / V^2 = - 2 sum grad W (1/m^4); times V dx it is the share of a spacing that is missing on one
+      // side
       Vec3d move = p.force[i] * (0.25 * dx * dx / V);
       const double length2 = dot(move, move), most = 0.1 * dx;
       if (length2 > most * most) move = move * (most / std::sqrt(length2));
       p.position[i] += move;
-      if (!everywhere) p.position[i] = pullInside(*shapes[body], imageIn(w.grid, middle[body], p.position[i]), 0.45 * dx);
+      if (!everywhere)
+        p.position[i] = pullInside(*shapes[body], imageIn(w.grid, middle[body], p.position[i]), 0.45 * dx);
       wrapPlace(w.grid, w.scene.domain, p.position[i]);
     }
   }
   int settling = 0;
-  if (w.modules.fluid && !w.modules.continuity && !everywhere) settling = settleLiquids(w, halos, t, freeBodies(w, halos, relaxed));
+  if (w.modules.fluid && !w.modules.continuity && !everywhere)
+    settling = settleLiquids(w, halos, t, freeBodies(w, halos, relaxed));
   p.resize(p.owned, 0);
   return iterations + settling;
 }

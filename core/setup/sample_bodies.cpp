@@ -20,8 +20,8 @@
 namespace thaw {
 namespace {
 
-/// What is wrong with places of samples, on this rank; of the first offender of each kind (by body) the names are kept, as a number that
-/// can be reduced: the maximum of negated numbers, -never where there is none.
+/// What is wrong with places of samples, on this rank; of the first offender of each kind (by body) the names
+/// are kept, as a number that can be reduced: the maximum of negated numbers, -never where there is none.
 struct Offenders {
   explicit Offenders(std::size_t bodies) : outside(bodies) {}
   std::vector<Outside> outside;  // by body
@@ -32,19 +32,28 @@ constexpr std::size_t codes = 65536;
 
 /// x: of a sample, brought in where it was beyond a periodic side.
 void lookAt(const World& w, std::size_t body, const Vec3d& x, Offenders& o) {
-  if (o.outside[body].look(w.scene.domain, x)) return;  // a walled side is an obstacle as well: once is enough
+  if (o.outside[body].look(w.scene.domain, x))
+    return;  // a walled side is an obstacle as well: once is enough
   for (std::size_t k = 0; k < w.walls.list.size(); k++) {
     if (!holdsSample(w.walls.list[k], x, w.scene.spacing)) continue;
     o.inObstacles++;
-    o.firstObstacle = std::max(o.firstObstacle, -static_cast<double>(body * codes + w.walls.list[k].originalAt(k)));
+    o.firstObstacle = std::max(o.firstObstacle,
+                               -static_cast<double>(body * codes + w.walls.list[k].originalAt(k)));
   }
 }
 
-/// How a body is filled: its lattice, its centre, and how far points are moved off the lattice at most, spacings along each axis.
-struct Filling { SampleLattice lattice; Vec3d centre; double jitter; };
+/// How a body is filled: its lattice, its centre, and how far points are moved off the lattice at most,
+/// spacings along each axis.
+struct Filling {
+  SampleLattice lattice;
+  Vec3d centre;
+  double jitter;
+};
 
-/// Rows from `first` on of the table, of these points of body b's lattice. inEach: grows by how many each of its clamps holds.
-void fillRows(World& w, std::size_t b, const Filling& filling, std::span<const std::int64_t> points, std::size_t first, std::vector<std::int64_t>& inEach) {
+/// Rows from `first` on of the table, of these points of body b's lattice. inEach: grows by how many each of
+/// its clamps holds.
+void fillRows(World& w, std::size_t b, const Filling& filling, std::span<const std::int64_t> points,
+              std::size_t first, std::vector<std::int64_t>& inEach) {
   const auto& [l, centre, jitter] = filling;
   const Scene& s = w.scene;
   const Body& body = s.bodies[b];
@@ -53,7 +62,8 @@ void fillRows(World& w, std::size_t b, const Filling& filling, std::span<const s
   const double dx = s.spacing;
   std::vector<std::shared_ptr<const SignedDistance>> clamps;
   for (const Shape& c : body.clamp) clamps.push_back(makeSignedDistance(c));
-  const auto inClamp = [&](const SignedDistance& c, Vec3d x) {  // as the body is placed, or where it comes in at the other side
+  const auto inClamp = [&](const SignedDistance& c, Vec3d x) {  // as the body is placed, or where it comes in
+                                                                // at the other side
     return c.inside(x) || (wrapPlace(w.grid, s.domain, x), c.inside(x));
   };
   for (std::size_t i = first; i < first + points.size(); i++) {
@@ -78,17 +88,22 @@ void fillRows(World& w, std::size_t b, const Filling& filling, std::span<const s
   }
 }
 
-/// This rank's rows of one body's lattice; inEach: see fillRows; filled: grows by their 64ths of cells (cellShares). Returns how many samples the overlap rule took away.
-std::int64_t sampleBody(World& w, std::size_t b, const SignedDistance& shape, const Reducer& all, const OverlapTest& overlap, OverlapCounts& counts, Offenders& offenders, std::int64_t& filled, std::vector<std::int64_t>& inEach) {
+/// This rank's rows of one body's lattice; inEach: see fillRows; filled: grows by their 64ths of cells
+/// (cellShares). Returns how many samples the overlap rule took away.
+std::int64_t sampleBody(World& w, std::size_t b, const SignedDistance& shape, const Reducer& all,
+                        const OverlapTest& overlap, OverlapCounts& counts, Offenders& offenders,
+                        std::int64_t& filled, std::vector<std::int64_t>& inEach) {
   const Scene& s = w.scene;
   Continuum& p = w.particles;
   const SampleLattice l = bodyLattice(s, s.bodies[b], shape);
-  // where there is no surface anywhere in its cell: relaxation leads back to the lattice from less (benchmark taylor_green)
+  // where there is no surface anywhere in its cell: relaxation leads back to the lattice from less (benchmark
+  // taylor_green)
   const double jitter = s.bodies[b].packing != Packing::Relaxed ? 0 : liquidFillsTheBox(s) ? 0.5 : 0.2;
   const SampleRange range = sampleRange(l, all.rank(), all.size());
   std::int64_t removed = 0;
   constexpr std::int64_t mostAtOnce = 1 << 24;
-  std::vector<std::int64_t> points;  // first all, then their rows at once: columns that grow again and again get new pages of the system each time
+  std::vector<std::int64_t> points;  // first all, then their rows at once: columns that grow again and again
+                                     // get new pages of the system each time
   points.reserve(static_cast<std::size_t>(std::min(mostAtOnce, (range.end - range.begin) * l.count[0])));
   KnownSides known;
   for (std::int64_t row = range.begin; row < range.end; row++)
@@ -98,7 +113,9 @@ std::int64_t sampleBody(World& w, std::size_t b, const SignedDistance& shape, co
         removed++;
         continue;
       }
-      if (overlap.meetsItself(b, x)) offenders.inItself++, offenders.firstItself = std::max(offenders.firstItself, -static_cast<double>(b));
+      if (overlap.meetsItself(b, x))
+        offenders.inItself++,
+            offenders.firstItself = std::max(offenders.firstItself, -static_cast<double>(b));
       Vec3d in = x;
       wrapPlace(w.grid, s.domain, in);
       lookAt(w, b, in, offenders);
@@ -117,7 +134,8 @@ std::int64_t sampleBody(World& w, std::size_t b, const SignedDistance& shape, co
 
 }  // namespace
 
-SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const SignedDistance>>& shapes, Reducer& all) {
+SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
+                            Reducer& all) {
   const Scene& s = w.scene;
   Continuum& p = w.particles;
   const std::size_t n = s.bodies.size();
@@ -158,11 +176,16 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
   SceneProblems problems;
   for (std::size_t b = 0; b < n; b++)
     if (report.particles[b] == 0 && report.removed == 0)
-      problems.add(s.bodies[b].where, "body '" + s.bodies[b].name + "' has no particle: it is too small or too thin for the spacing, or empty" + sizeHint(s, s.bodies[b].shape, shapes[b]->bounds()));
+      problems.add(s.bodies[b].where,
+                   "body '" + s.bodies[b].name +
+                       "' has no particle: it is too small or too thin for the spacing, or empty" +
+                       sizeHint(s, s.bodies[b].shape, shapes[b]->bounds()));
   if (const std::int64_t inItself = counts[n + 2]; inItself > 0) {
     const Body& b = s.bodies[static_cast<std::size_t>(-first[1])];
-    problems.add(b.where, "body '" + b.name + "' reaches round the domain into itself: " + std::to_string(inItself) +
-                              " of its particles lie inside its image across a periodic side; make it shorter than the domain along its periodic axes, or the domain longer");
+    problems.add(b.where, "body '" + b.name +
+                              "' reaches round the domain into itself: " + std::to_string(inItself) +
+                              " of its particles lie inside its image across a periodic side; make it "
+                              "shorter than the domain along its periodic axes, or the domain longer");
   }
   problems.raise();
   for (std::size_t b = 0; b < n; b++) {
@@ -170,19 +193,26 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
     if (clamps > 0) all.sum(inEach[b]);
     for (std::size_t k = 0; k < clamps; k++)
       if (inEach[b][k] == 0)
-        report.warnings.push_back({s.bodies[b].where, "body '" + s.bodies[b].name + "': its clamp " + (clamps > 1 ? std::to_string(k + 1) + " of " + std::to_string(clamps) + " " : "") + "holds none of its particles" +
-                                                          (clamped[b] == 0 ? ": nothing holds it" : "")});
+        report.warnings.push_back(
+            {s.bodies[b].where,
+             "body '" + s.bodies[b].name + "': its clamp " +
+                 (clamps > 1 ? std::to_string(k + 1) + " of " + std::to_string(clamps) + " " : "") +
+                 "holds none of its particles" + (clamped[b] == 0 ? ": nothing holds it" : "")});
   }
   for (std::size_t b = 0; b < n; b++)
     if (const std::string narrow = narrowAxes(shapes[b]->bounds(), s.spacing); !narrow.empty())
-      report.warnings.push_back({s.bodies[b].where, "body '" + s.bodies[b].name + "' is narrower than the spacing of " + lengthText(s.spacing) + " (" + narrow + "): it is one layer of particles there, a spacing thick, and as heavy" +
-                                                         sizeHint(s, s.bodies[b].shape, shapes[b]->bounds())});
+      report.warnings.push_back(
+          {s.bodies[b].where, "body '" + s.bodies[b].name + "' is narrower than the spacing of " +
+                                  lengthText(s.spacing) + " (" + narrow +
+                                  "): it is one layer of particles there, a spacing thick, and as heavy" +
+                                  sizeHint(s, s.bodies[b].shape, shapes[b]->bounds())});
   for (std::size_t k = overlaps.count.size(); k-- > 0;)
     if (overlaps.count[k] > 0) report.overlapWhere = s.bodies[overlaps.pair[k].first].where;
   if (report.inObstacles > 0) {
     const std::size_t code = static_cast<std::size_t>(-first[0]);
     report.obstacleWhere = s.bodies[code / codes].where;
-    report.firstObstacle = "of body '" + s.bodies[code / codes].name + "' in obstacle '" + w.walls.list[code % codes].properties.name + "'";
+    report.firstObstacle = "of body '" + s.bodies[code / codes].name + "' in obstacle '" +
+                           w.walls.list[code % codes].properties.name + "'";
   }
   report.clamped = std::move(clamped);
   return report;

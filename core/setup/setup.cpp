@@ -7,6 +7,7 @@
 
 #include "core/domain/sides.hpp"
 #include "core/fluid/incompressible/pressure_solver.hpp"
+#include "core/fluid/surface_energy.hpp"
 #include "core/geometry/shape_error.hpp"
 #include "core/kernels/lattice.hpp"
 #include "core/kinds/cell_costs.hpp"
@@ -18,19 +19,18 @@
 #include "core/particle_sums.hpp"
 #include "core/scene/full_box.hpp"
 #include "core/setup/activate_fields.hpp"
+#include "core/setup/expected_motion.hpp"
+#include "core/setup/make_grid.hpp"
+#include "core/setup/pressed_liquid.hpp"
+#include "core/setup/relax_packing.hpp"
+#include "core/setup/size_hint.hpp"
+#include "core/setup/start_fields.hpp"
+#include "core/setup/thin_walls.hpp"
 #include "core/sheet/face_contact.hpp"
 #include "core/sheet/mesh_contact.hpp"
 #include "core/sheet/particle_contact.hpp"
 #include "core/sheet/prepare_sheets.hpp"
 #include "core/sheet/region_overlaps.hpp"
-#include "core/fluid/surface_energy.hpp"
-#include "core/setup/make_grid.hpp"
-#include "core/setup/pressed_liquid.hpp"
-#include "core/setup/relax_packing.hpp"
-#include "core/setup/expected_motion.hpp"
-#include "core/setup/size_hint.hpp"
-#include "core/setup/start_fields.hpp"
-#include "core/setup/thin_walls.hpp"
 #include "core/solid_step.hpp"
 #include "core/stored_energy.hpp"
 #include "core/surface/prepare_surface.hpp"
@@ -43,13 +43,15 @@ namespace {
 void evaluateNow(World& w, Halos halos, StepTools& t) {
   Continuum& p = w.particles;
   evaluate(w, halos, t, 0);
-  for (std::size_t i = 0; i < p.owned; i++) p.acceleration[i] = p.force[i] / p.mass[i] + w.scene.domain.gravity;
+  for (std::size_t i = 0; i < p.owned; i++)
+    p.acceleration[i] = p.force[i] / p.mass[i] + w.scene.domain.gravity;
   if (p.clamped.active)
     for (std::size_t i = 0; i < p.owned; i++)
       if (p.clamped[i]) p.acceleration[i] = {};
 }
 
-/// Adds `sign` times the energy that is stored on this rank, and what symplectic Euler has not given of it yet, to `to`.
+/// Adds `sign` times the energy that is stored on this rank, and what symplectic Euler has not given of it
+/// yet, to `to`.
 void bookStored(const World& w, const StepTools& t, double sign, ExactSum& to) {
   const ExactBalance here = balanceHere(w);
   to.addProduct(here.elastic, sign);
@@ -85,7 +87,8 @@ double fallHeightOf(const Scene& s, const std::vector<std::shared_ptr<const Sign
 double reachOfWalls(const World& w) {
   double reach = std::max({w.grid.edge.x, w.grid.edge.y, w.grid.edge.z});
   for (const SheetPlan& plan : w.sheets.plans) reach = std::max(reach, 2 * plan.thickness);
-  for (const OrientedBody& b : w.scene.oriented) reach = std::max(reach, 2 * b.thickness * spacingOf(w.scene, b));
+  for (const OrientedBody& b : w.scene.oriented)
+    reach = std::max(reach, 2 * b.thickness * spacingOf(w.scene, b));
   return reach;
 }
 
@@ -97,7 +100,8 @@ void warnOfWalls(const World& w, std::vector<SceneWarning>& warnings) {
       warnings.push_back({wall.properties.where, "obstacle '" + wall.properties.name + "'" + text});
     };
     if (const std::string axes = unevenAxes(w.scene.domain, wall, w.grid.support); !axes.empty())
-      add(" is as long as the domain, or longer, along the periodic axis " + axes + ", but not the same on both sides: what crosses that side meets a step");
+      add(" is as long as the domain, or longer, along the periodic axis " + axes +
+          ", but not the same on both sides: what crosses that side meets a step");
     std::vector<std::string> notes;  // what was mended of meshes
     wall.shape->addNotes(notes);
     for (const std::string& note : notes) add(": " + note);
@@ -123,11 +127,15 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   }
   addDomainWalls(w.scene.domain, w.walls);
   std::vector<std::shared_ptr<const SignedDistance>> shapes;
-  for (const Body& b : w.scene.bodies) shapes.push_back(makeSignedDistance(b.shape, load, "body '" + b.name + "'", problems));
+  for (const Body& b : w.scene.bodies)
+    shapes.push_back(makeSignedDistance(b.shape, load, "body '" + b.name + "'", problems));
   problems.raise();
   t.shapes = shapes;
   if (w.modules.sheet) prepareSheets(w, load);
-  if (const double reach = std::max(faceContactReach(w.sheets.plans), meshContactReach(w.scene, w.sheets.plans)); reach > w.grid.edge.x) w.grid = makeGrid(w.scene, reach);
+  if (const double reach = std::max(faceContactReach(w.sheets.plans),
+                                    meshContactReach(w.scene, w.sheets.plans));
+      reach > w.grid.edge.x)
+    w.grid = makeGrid(w.scene, reach);
   addWallImages(w.scene.domain, reachOfWalls(w), w.walls);
   w.scene.fallHeight = fallHeightOf(w.scene, shapes);
   t.emitters = planEmitters(w.scene);
@@ -174,34 +182,46 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
   SceneProblems problems;
   if (w.scene.numerics.overlap == OverlapRule::Error)
     for (const std::string& pair : report.overlaps)
-      problems.add(report.overlapWhere, pair + "; move them apart, or set numerics.overlap to \"keep\", \"remove later\" or \"remove earlier\"");
+      problems.add(report.overlapWhere, pair +
+                                            "; move them apart, or set numerics.overlap to \"keep\", "
+                                            "\"remove later\" or \"remove earlier\"");
   for (std::size_t b = 0; b < shapes.size(); b++)
     if (const Body& body = w.scene.bodies[b]; report.outside[b].count > 0)
-      problems.add(body.where, "body '" + body.name + "': " + outsideText(report.outside[b], w.scene.domain, report.particles[b], "particles", "body") + sizeHint(w.scene, body.shape, shapes[b]->bounds()));
+      problems.add(body.where, "body '" + body.name + "': " +
+                                   outsideText(report.outside[b], w.scene.domain, report.particles[b],
+                                               "particles", "body") +
+                                   sizeHint(w.scene, body.shape, shapes[b]->bounds()));
   for (std::size_t e = 0; e < t.emitters.size(); e++)
-    if (const std::string why = misplacedOpening(w.scene, w.walls, w.scene.emitters[e], t.emitters[e]); !why.empty()) problems.add(w.scene.emitters[e].where, why);
+    if (const std::string why = misplacedOpening(w.scene, w.walls, w.scene.emitters[e], t.emitters[e]);
+        !why.empty())
+      problems.add(w.scene.emitters[e].where, why);
   if (report.inObstacles > 0 && w.scene.numerics.overlap != OverlapRule::Keep)
-    problems.add(report.obstacleWhere, std::to_string(report.inObstacles) + " particles lie inside obstacles (first: " + report.firstObstacle +
+    problems.add(report.obstacleWhere, std::to_string(report.inObstacles) +
+                                           " particles lie inside obstacles (first: " + report.firstObstacle +
                                            "); move them apart, or set numerics.overlap to \"keep\"");
   problems.raise();
   for (std::size_t e = 0; e < t.emitters.size(); e++)
-    if (const std::string much = unevenOutflow(w.scene, w.scene.emitters[e], t.emitters[e]); !much.empty()) report.warnings.push_back({w.scene.emitters[e].where, much});
+    if (const std::string much = unevenOutflow(w.scene, w.scene.emitters[e], t.emitters[e]); !much.empty())
+      report.warnings.push_back({w.scene.emitters[e].where, much});
   for (SceneWarning& thin : thinWalls(w, shapes, report.particles, halos.all))
     report.warnings.push_back(std::move(thin));
   // a first partition by the number of particles; they are still where they were sampled
   Continuum& p = w.particles;
   const std::vector<std::vector<Vec3d>> oriented = sampleKinds(w, halos, t, load, report.warnings);
   if (w.modules.kinds())
-    for (SceneWarning& warning : kindStartWarnings(w, shapes, oriented, halos.all, problems)) report.warnings.push_back(std::move(warning));
+    for (SceneWarning& warning : kindStartWarnings(w, shapes, oriented, halos.all, problems))
+      report.warnings.push_back(std::move(warning));
   problems.raise();
   warnOfWalls(w, report.warnings);
   for (std::size_t b = 0; b < shapes.size(); b++) {
     std::vector<std::string> notes;
     shapes[b]->addNotes(notes);
-    for (const std::string& note : notes) report.warnings.push_back({w.scene.bodies[b].where, "body '" + w.scene.bodies[b].name + "': " + note});
+    for (const std::string& note : notes)
+      report.warnings.push_back({w.scene.bodies[b].where, "body '" + w.scene.bodies[b].name + "': " + note});
   }
   for (SceneWarning& warning : overlapsOfRegions(w, load)) report.warnings.push_back(std::move(warning));
-  for (std::size_t i = 0; i < p.owned; i++) wrapPlace(w.grid, w.scene.domain, p.position[i]);  // jitter may reach over a seam by rounding
+  // jitter may reach over a seam by rounding
+  for (std::size_t i = 0; i < p.owned; i++) wrapPlace(w.grid, w.scene.domain, p.position[i]);
   computeCellKeys(w.grid, p);
   Migration all;
   all.arrivals = p.owned;
@@ -218,7 +238,8 @@ void takeStock(World& w, Halos halos, StepTools& t) {
   Continuum& p = w.particles;
   t.times.start();
   const double fixed = w.scene.numerics.fixedStep;
-  w.clock.dt = fixed > 0 ? fixed : t.fixedLimits[t.fixedLimits.smallest()];  // until the particles have had their say
+  // until the particles have had their say
+  w.clock.dt = fixed > 0 ? fixed : t.fixedLimits[t.fixedLimits.smallest()];
   if (fieldsToCome(w, t))
     for (AnyColumn* c : columnsOfSteps(w.solids, t.elastic)) w.solids.deactivate(*c);
   evaluateNow(w, halos, t);
@@ -274,7 +295,8 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   const CellCosts costs = countCells(w);
   halos.cells.rebalance(costs.cells, costs.cost, true);
   t.newPartition = true;
-  if (w.modules.kinds()) bringKindsHome(w, halos, t);  // with their ghosts they are as the last step has left them
+  if (w.modules.kinds())
+    bringKindsHome(w, halos, t);  // with their ghosts they are as the last step has left them
   if (w.modules.oriented) readyOriented(w, halos, t);
   t.oriented.time = w.clock.time;
   dropBuffersOfStart(w, t);
@@ -288,7 +310,8 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   // a scene that goes on with a shorter step means the first one too; of the same scene this changes no bit
   const double fixed = w.scene.numerics.fixedStep, factor = w.watch.factor;
   StepLimits limits = t.fixedLimits;
-  if (w.modules.substeps) limits[Limit::Elastic] = w.modules.mostSubsteps * std::min(limits[Limit::Elastic], t.longestContact);
+  if (w.modules.substeps)
+    limits[Limit::Elastic] = w.modules.mostSubsteps * std::min(limits[Limit::Elastic], t.longestContact);
   w.clock.dt = fixed > 0 ? factor * fixed : std::min(w.clock.dt, factor * limits[limits.smallest()]);
 }
 

@@ -18,7 +18,9 @@ const PositionField& fieldOf(const Body& b, std::size_t k) {
   return k < 3 ? b.velocityField.component[k] : b.temperatureField;
 }
 
-bool allowed(std::size_t field, double value) { return field < 3 ? isStartSpeed(value) : isStartTemperature(value); }
+bool allowed(std::size_t field, double value) {
+  return field < 3 ? isStartSpeed(value) : isStartTemperature(value);
+}
 
 bool varies(const Body& b, bool relaxed) {
   if (b.velocityField.given() || b.temperatureField) return !relaxed || b.packing == Packing::Relaxed;

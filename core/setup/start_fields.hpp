@@ -24,8 +24,8 @@ double startTemperature(const Body& body, const Vec3d& centre, const Vec3d& x);
 /// Sets velocity, temperature and phase of this rank's particles of bodies with fields, by their positions
 /// now. Positions across a periodic side count where the body has them. relaxed: only bodies of relaxed
 /// packing, also those that only spin or have a temperature gradient.
-/// Throws ShapeError on all ranks where a field has a value at a particle that it may not have (core/scene/field_values.hpp).
-/// Collective.
+/// Throws ShapeError on all ranks where a field has a value at a particle that it may not have
+/// (core/scene/field_values.hpp). Collective.
 void assignStartFields(World& world, const Shapes& shapes, Reducer& all, bool relaxed);
 
 }  // namespace thaw

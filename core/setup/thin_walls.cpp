@@ -83,8 +83,9 @@ std::vector<SceneWarning> thinWalls(const World& w,
   }
   all.sum(counts);
   for (std::size_t b = 0; b < n; b++) {
-    const double share =
-        counts[2 * b] > 0 ? static_cast<double>(counts[2 * b + 1]) / static_cast<double>(counts[2 * b]) : 0;
+    const double share = counts[2 * b] > 0
+                             ? static_cast<double>(counts[2 * b + 1]) / static_cast<double>(counts[2 * b])
+                             : 0;
     if (share < leastShare) continue;
     double lowest = first[b], at[3];
     all.maximum({&lowest, 1});

@@ -28,7 +28,9 @@ std::vector<BrushTouch> brushStroke(const SheetBrush& b, double time, double dt)
     if (when > from && when < to) ends.push_back(when);
   std::sort(ends.begin(), ends.end());
   ends.push_back(to);
-  const auto centreAt = [&](double t) { return b.motion.empty() ? b.centre : fromRest(poseAt(b.motion, t), b.centre); };
+  const auto centreAt = [&](double t) {
+    return b.motion.empty() ? b.centre : fromRest(poseAt(b.motion, t), b.centre);
+  };
   if (!(dt > 0) || (ends.size() == 2 && length(centreAt(to) - centreAt(from)) == 0)) {
     const double factor = b.inTime.at(time);
     return factor != 0 ? std::vector<BrushTouch>{{centreAt(time), factor}} : std::vector<BrushTouch>{};

@@ -9,7 +9,9 @@ namespace thaw {
 namespace {
 
 constexpr double growth = 1.1;  // of a step over the one before at most (core/step.cpp)
-constexpr double partOfChange = 0.04, leastOfChange = 0.001;  // of a change from nothing to the largest factor, in a step: the second where that is already shorter than a swing asks for
+constexpr double partOfChange = 0.04, leastOfChange = 0.001;  // of a change from nothing to the largest
+                                                              // factor, in a step: the second where that is
+                                                              // already shorter than a swing asks for
 constexpr double partOfSwing = 0.25;                          // rad
 
 double limitOf(const FactorInTime& f, double now, double rate) {
@@ -19,7 +21,8 @@ double limitOf(const FactorInTime& f, double now, double rate) {
     const auto& [t1, f1] = f.points[k];
     if (f0 == f1 || !(t1 > now)) continue;
     const double unit = (t1 - t0) * std::max(std::abs(f0), std::abs(f1)) / std::abs(f1 - f0);
-    const double part = std::min(partOfChange * unit, std::max(rate > 0 ? partOfSwing / rate : never, leastOfChange * unit));
+    const double part = std::min(partOfChange * unit,
+                                 std::max(rate > 0 ? partOfSwing / rate : never, leastOfChange * unit));
     limit = std::min(limit, std::max(t0 - now, part));
   }
   return limit;
@@ -28,7 +31,8 @@ double limitOf(const FactorInTime& f, double now, double rate) {
 }  // namespace
 
 double fastestRate(const SheetBody& b, const SpringLaw& l, double from) {
-  const double k = l.stiffness * b.inTime[placeOf(SheetFactor::Stiffness)].most(from, never), c = l.damping * b.inTime[placeOf(SheetFactor::Damping)].most(from, never);
+  const double k = l.stiffness * b.inTime[placeOf(SheetFactor::Stiffness)].most(from, never),
+               c = l.damping * b.inTime[placeOf(SheetFactor::Damping)].most(from, never);
   if (l.mass > 0) return std::max(std::sqrt(k / l.mass), c / l.mass);
   return c > 0 ? k / c : 0;
 }
@@ -39,7 +43,10 @@ double changeLimit(const SheetBody& b, double now, double swing, double of) {
     if (b.inTime[f].points.empty() || !(b.*sheetCoefficients[f].value != 0)) continue;
     const auto kind = static_cast<SheetFactor>(f);
     const bool alone = kind == SheetFactor::Damping || kind == SheetFactor::Stiffness;
-    limit = std::min(limit, limitOf(b.inTime[f], now, alone ? swing : f >= firstChanging && f <= lastChanging ? of : 0));
+    limit = std::min(limit, limitOf(b.inTime[f], now,
+                                    alone                                     ? swing
+                                    : f >= firstChanging && f <= lastChanging ? of
+                                                                              : 0));
   }
   return limit;
 }
@@ -58,7 +65,8 @@ void findFactors(World& w, double dt) {
 void activateChanging(World& w) {
   for (const SheetBody& b : w.scene.sheets)
     for (std::size_t f = firstChanging; f <= lastChanging; f++)
-      if (!b.inTime[f].points.empty() && b.*sheetCoefficients[f].value > 0) w.sheets.rows.activate(w.sheets.rows.changing);
+      if (!b.inTime[f].points.empty() && b.*sheetCoefficients[f].value > 0)
+        w.sheets.rows.activate(w.sheets.rows.changing);
 }
 
 void bookChanging(World& w, double from, double to) {
@@ -66,10 +74,12 @@ void bookChanging(World& w, double from, double to) {
   if (!s.changing.active) return;
   std::vector<std::array<double, sheetFactors>> half(w.scene.sheets.size());
   for (std::size_t n = 0; n < half.size(); n++)
-    for (std::size_t f = 0; f < sheetFactors; f++) half[n][f] = 0.5 * (w.scene.sheets[n].inTime[f].at(to) - w.scene.sheets[n].inTime[f].at(from));
+    for (std::size_t f = 0; f < sheetFactors; f++)
+      half[n][f] = 0.5 * (w.scene.sheets[n].inTime[f].at(to) - w.scene.sheets[n].inTime[f].at(from));
   addByCell(w.sheets.cells, s.owned, w.ledger.wallWork, [&](std::size_t i) {
     double work = 0;
-    for (std::size_t f = firstChanging; f <= lastChanging; f++) work += half[s.body[i]][f] * changingOf(s, i, static_cast<SheetFactor>(f));
+    for (std::size_t f = firstChanging; f <= lastChanging; f++)
+      work += half[s.body[i]][f] * changingOf(s, i, static_cast<SheetFactor>(f));
     return work;
   });
 }

@@ -12,12 +12,13 @@ using Real = long double;
 /// (e^x - 1) / x
 Real meanExponential(Real x) { return x == 0 ? 1 : std::expm1(x) / x; }
 
-/// With a = c t / 2m and w2 = K t^2 / m both below 1: power series in t of the three responses. h_n are the complete symmetric
-/// polynomials of the two roots, so that the roots are not needed and the double root is no special case.
+/// With a = c t / 2m and w2 = K t^2 / m both below 1: power series in t of the three responses. h_n are the
+/// complete symmetric polynomials of the two roots, so that the roots are not needed and the double root is
+/// no special case.
 ExactStep byseries(const SpringLaw& law, Real t, Real a, Real w2) {
   Real before = 0, h = 1, factorial = 1, hold = 0, yield = 0;
   for (int n = 0; n < 30; n++) {
-    factorial *= n + 1;              // (n + 1)!
+    factorial *= n + 1;  // (n + 1)!
     hold += h / factorial;
     yield += h / (factorial * (n + 2));
     const Real next = -2 * a * h - w2 * before;
@@ -25,13 +26,16 @@ ExactStep byseries(const SpringLaw& law, Real t, Real a, Real w2) {
     h = next;
   }
   const Real m = law.mass;
-  return {static_cast<double>(t * hold), static_cast<double>(1 - 2 * a * hold - w2 * yield), static_cast<double>(yield * t * t / m), static_cast<double>(t * hold / m)};
+  return {static_cast<double>(t * hold), static_cast<double>(1 - 2 * a * hold - w2 * yield),
+          static_cast<double>(yield * t * t / m), static_cast<double>(t * hold / m)};
 }
 
-/// Two real roots, the double one included; m may be 0. e^slow and e^fast are the decays of the two solutions over the step.
+/// Two real roots, the double one included; m may be 0. e^slow and e^fast are the decays of the two solutions
+/// over the step.
 ExactStep overdamped(const SpringLaw& law, Real t) {
   const Real m = law.mass, c = law.damping, k = law.stiffness;
-  const Real gap = std::sqrt(std::fmax(Real(0), 1 - 4 * m / c * (k / c)));  // distance of the roots over their sum
+  // distance of the roots over their sum
+  const Real gap = std::sqrt(std::fmax(Real(0), 1 - 4 * m / c * (k / c)));
   const Real slow = -2 * k * t / (c * (1 + gap));
   const Real apart = m > 0 ? c * t / m * gap : std::numeric_limits<Real>::infinity();
   const Real ratio = std::exp(-apart), decay = std::exp(slow);
@@ -39,7 +43,8 @@ ExactStep overdamped(const SpringLaw& law, Real t) {
   const Real hold = push * m;
   const Real keep = decay * ratio + slow * hold / t;
   const Real yield = (meanExponential(slow) - hold / t) * 2 * t / (c * (1 + gap));
-  return {static_cast<double>(hold), static_cast<double>(keep), static_cast<double>(yield), static_cast<double>(push)};
+  return {static_cast<double>(hold), static_cast<double>(keep), static_cast<double>(yield),
+          static_cast<double>(push)};
 }
 
 ExactStep underdamped(const SpringLaw& law, Real t, Real a, Real w2) {
@@ -51,16 +56,20 @@ ExactStep underdamped(const SpringLaw& law, Real t, Real a, Real w2) {
     const Real half = std::sin(s / 2);
     yield = 2 * half * half / w2;
   }
-  return {static_cast<double>(t * hold), static_cast<double>(keep), static_cast<double>(yield * t * t / m), static_cast<double>(t * hold / m)};
+  return {static_cast<double>(t * hold), static_cast<double>(keep), static_cast<double>(yield * t * t / m),
+          static_cast<double>(t * hold / m)};
 }
 
 }  // namespace
 
 ExactStep exactStep(const SpringLaw& law, double dt) {
-  if (!(law.mass >= 0 && law.damping >= 0 && law.stiffness >= 0 && dt >= 0)) throw std::invalid_argument("mass, damping, stiffness and step must not be negative");
+  if (!(law.mass >= 0 && law.damping >= 0 && law.stiffness >= 0 && dt >= 0))
+    throw std::invalid_argument("mass, damping, stiffness and step must not be negative");
   const Real m = law.mass, c = law.damping, k = law.stiffness, t = dt;
   if (m == 0 && c == 0) {
-    if (k == 0) throw std::invalid_argument("a sheet without mass, damping and stiffness does not move in any way that could be computed");
+    if (k == 0)
+      throw std::invalid_argument(
+          "a sheet without mass, damping and stiffness does not move in any way that could be computed");
     return {0, 0, dt > 0 ? 1 / law.stiffness : 0, 0};
   }
   if (dt == 0) return m > 0 ? ExactStep{0, 1, 0, 0} : ExactStep{0, 0, 0, 1 / law.damping};
@@ -74,19 +83,24 @@ ExactStep exactStep(const SpringLaw& law, double dt) {
 
 SplitPush splitPush(const SpringLaw& law, const ExactStep& x, double dt) {
   if (!(law.mass > 0) || !(dt > 0)) return {x.push, 0};
-  const double a = law.damping * dt / (2 * law.mass), w2 = law.stiffness * dt * dt / law.mass, quarter = 2.4674011002723395;  // (pi/2)^2
+  // (pi/2)^2
+  const double a = law.damping * dt / (2 * law.mass), w2 = law.stiffness * dt * dt / law.mass,
+               quarter = 2.4674011002723395;
   if (w2 - a * a < quarter && x.hold > 0) {
     const double before = x.keep * (x.yield / x.hold);
     return {before, x.push - before};
   }
-  return {x.push - x.yield / dt, x.yield / dt};  // as if the force grew linearly; beyond a quarter of a swing stableSlope is 0
+  return {x.push - x.yield / dt, x.yield / dt};  // as if the force grew linearly; beyond a quarter of a swing
+                                                 // stableSlope is 0
 }
 
 double stableSlope(const SpringLaw& law, double dt) {
   constexpr double infinite = std::numeric_limits<double>::infinity(), quarter = 2.4674011002723395;
   if (!(dt > 0)) return infinite;
   const ExactStep x = exactStep(law, dt);
-  if (law.mass > 0 && law.stiffness * dt * dt / law.mass - std::pow(law.damping * dt / (2 * law.mass), 2) >= quarter) return 0;
+  if (law.mass > 0 &&
+      law.stiffness * dt * dt / law.mass - std::pow(law.damping * dt / (2 * law.mass), 2) >= quarter)
+    return 0;
   const SplitPush split = splitPush(law, x, dt);
   const double free = 1 - x.yield * law.stiffness, det = free * x.keep + x.hold * x.push * law.stiffness;
   const double reach = x.yield + split.after * x.hold;
@@ -96,8 +110,11 @@ double stableSlope(const SpringLaw& law, double dt) {
 double stableStep(const SpringLaw& law, double kappa) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   if (!(kappa > 0)) return infinite;
-  // a step that is surely stable, then doubled until it is not, then halved between: 50 halvings, far below any accuracy of kappa
-  double low = law.mass > 0 ? std::sqrt(law.mass / (kappa + law.stiffness)) : law.damping > 0 ? law.damping / (kappa + law.stiffness) : 0;
+  // a step that is surely stable, then doubled until it is not, then halved between: 50 halvings, far below
+  // any accuracy of kappa
+  double low = law.mass > 0      ? std::sqrt(law.mass / (kappa + law.stiffness))
+               : law.damping > 0 ? law.damping / (kappa + law.stiffness)
+                                 : 0;
   if (law.mass == 0 && law.damping == 0) return kappa <= law.stiffness ? infinite : 0;
   double high = low;
   for (int k = 0; k < 200 && stableSlope(law, high) >= kappa; k++) high *= 2;

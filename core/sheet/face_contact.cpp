@@ -14,14 +14,14 @@
 namespace thaw {
 namespace {
 
-constexpr double coarser = 0.75;    // spacings of particles between vertices
+constexpr double coarser = 0.75;  // spacings of particles between vertices
 
 /// A triangle near a cell, its corners as rows and places.
 struct Face {
   std::uint32_t number;
   std::array<std::uint32_t, 3> row;
   std::array<Vec3d, 3> x;
-  Vec3d low, high;   ///< of what touches it
+  Vec3d low, high;  ///< of what touches it
 };
 
 /// One sheet against all particles.
@@ -32,15 +32,22 @@ struct FaceContact {
   const SheetPlan& plan;
   const SheetBody& body;
   const MeshRows& rows;
-  std::vector<double> slope;               // N/m, of owned vertices
+  std::vector<double> slope;  // N/m, of owned vertices
 
   FaceContact(World& world, const SheetVelocities& velocities, std::size_t n)
-      : w(world), now(velocities), sheet(n), plan(world.sheets.plans[n]), body(world.scene.sheets[n]), rows(world.sheets.search->rows), slope(world.sheets.rows.owned, 0) {}
+      : w(world),
+        now(velocities),
+        sheet(n),
+        plan(world.sheets.plans[n]),
+        body(world.scene.sheets[n]),
+        rows(world.sheets.search->rows),
+        slope(world.sheets.rows.owned, 0) {}
 
   std::vector<RowSpan> ranges;
   std::vector<Face> faces;
 
-  /// The triangles that a particle of this cell can touch: those whose corners are all beside it and beside each other, so that the owner of each sees all.
+  /// The triangles that a particle of this cell can touch: those whose corners are all beside it and beside
+  /// each other, so that the owner of each sees all.
   void facesNear(std::uint64_t key) {
     faces.clear();
     const Sheets& s = w.sheets.rows;
@@ -68,7 +75,8 @@ struct FaceContact {
   }
 
   /// Friction (N) on the three corners of a face and the particle j.
-  std::array<Vec3d, 4> rubFace(std::size_t j, const Face& f, const Vec3d& shares, const Vec3d& off, const Vec3d& n, const Vec3d& v, const TouchLaw& law, double normal) const {
+  std::array<Vec3d, 4> rubFace(std::size_t j, const Face& f, const Vec3d& shares, const Vec3d& off,
+                               const Vec3d& n, const Vec3d& v, const TouchLaw& law, double normal) const {
     if (!(law.friction > 0)) return {};
     const Sheets& s = w.sheets.rows;
     const Continuum& p = w.particles;
@@ -93,9 +101,11 @@ struct FaceContact {
     Vec3d n;
   };
   bool near(const Face& f, const Vec3d& x, Near& found) const {
-    if (x.x < f.low.x || x.y < f.low.y || x.z < f.low.z || x.x > f.high.x || x.y > f.high.y || x.z > f.high.z) return false;
+    if (x.x < f.low.x || x.y < f.low.y || x.z < f.low.z || x.x > f.high.x || x.y > f.high.y || x.z > f.high.z)
+      return false;
     // places of corners from the particle, so that the bits are those of differences
-    const Vec3d a = f.x[0] - x, b = f.x[1] - x, c = f.x[2] - x, u = sharesOfNearest(a, b, c, {}), d = u.x * a + u.y * b + u.z * c;
+    const Vec3d a = f.x[0] - x, b = f.x[1] - x, c = f.x[2] - x, u = sharesOfNearest(a, b, c, {}),
+                d = u.x * a + u.y * b + u.z * c;
     const double r = length(d), depth = 1 - r / plan.faceReach;
     if (!(depth > 0)) return false;
     found = {&f, u, d, depth, r > 0 ? d / r : normalized(cross(f.x[1] - f.x[0], f.x[2] - f.x[0]))};
@@ -114,7 +124,9 @@ struct FaceContact {
       if (Near n; near(f, p.position[j], n)) within.push_back(n);
     for (const Near& n : within) {
       all.add(n.depth, n.n);
-      if (!nearest || n.depth > nearest->depth || (n.depth == nearest->depth && n.face->number < nearest->face->number)) nearest = &n;
+      if (!nearest || n.depth > nearest->depth ||
+          (n.depth == nearest->depth && n.face->number < nearest->face->number))
+        nearest = &n;
     }
     if (!nearest) return;
     const double perPush = all.perPush(), steep = all.pushes * perPush;
@@ -131,19 +143,33 @@ struct FaceContact {
       approach += part * dot(v - p.velocity[j], n.n);
     }
     const Material& material = w.scene.materials[p.material[j]];
-    const double liquid = p.liquid.active ? static_cast<double>(p.liquid[j]) : p.phase[j] == Liquid ? 1 : 0, face = plan.faceArea * massPerArea, mass = face * p.mass[j] / (face + p.mass[j]);
-    TouchLaw law{plan.faceRate, mass, std::min(body.restitution, material.restitution), 0, now.span, particleBarrier(plan, p.material[j], p.mass[j]), plan.faceReach};
+    const double liquid = p.liquid.active        ? static_cast<double>(p.liquid[j])
+                          : p.phase[j] == Liquid ? 1
+                                                 : 0,
+                 face = plan.faceArea * massPerArea, mass = face * p.mass[j] / (face + p.mass[j]);
+    TouchLaw law{plan.faceRate,
+                 mass,
+                 std::min(body.restitution, material.restitution),
+                 0,
+                 now.span,
+                 particleBarrier(plan, p.material[j], p.mass[j]),
+                 plan.faceReach};
     const double depth = all.depth() * plan.faceReach;
     const Touch t = touchOf(law, depth, {1, 0, 0}, {approach, 0, 0});  // along the slope of the depth
-    const double push = t.force.x, dash = t.resisting.x, slope = t.slope * steep + all.bend() * push / plan.faceReach;
+    const double push = t.force.x, dash = t.resisting.x,
+                 slope = t.slope * steep + all.bend() * push / plan.faceReach;
     law.friction = (1 - liquid) * std::max(body.friction, material.friction);
     Vec3d v = -p.velocity[j];
-    for (std::size_t k = 0; k < 3; k++) v += nearest->shares[static_cast<int>(k)] * s.moving[nearest->face->row[k]];
-    const std::array<Vec3d, 4> rubs = rubFace(j, *nearest->face, nearest->shares, nearest->off, nearest->n, v, law, push);
+    for (std::size_t k = 0; k < 3; k++)
+      v += nearest->shares[static_cast<int>(k)] * s.moving[nearest->face->row[k]];
+    const std::array<Vec3d, 4> rubs = rubFace(j, *nearest->face, nearest->shares, nearest->off, nearest->n, v,
+                                              law, push);
     double conducts = 0;  // W/K
     if (s.temperature.active && p.temperature.active && p.heatFlow.active && body.conductance > 0) {
       const double flow = body.conductance * w.scene.spacing * w.scene.spacing;
-      const double rate = 2 * (body.conductance / body.heatCapacity + flow / (p.mass[j] * heatCapacityOf(w.scene.numerics.heat, material, liquid)));  // of twice as many as lie side by side
+      // of twice as many as lie side by side
+      const double rate = 2 * (body.conductance / body.heatCapacity +
+                               flow / (p.mass[j] * heatCapacityOf(w.scene.numerics.heat, material, liquid)));
       conducts = flow * (averaged(rate, now.span) / rate);
       const double heat = conducts * (p.temperature[j] - temperature);
       p.heatFlow[j] -= heat;
@@ -152,7 +178,8 @@ struct FaceContact {
     const Vec3d g = all.slope(), resisting = rubs[3] - dash * g;
     p.force[j] += rubs[3] - push * g;
     p.interaction[j] += 0.5 * t.energy;
-    p.dissipation[j] -= dot(resisting, p.velocity[j] + p.acceleration[j] * (0.5 * now.dt));  // as in sheet_contact.cpp
+    // as in sheet_contact.cpp
+    p.dissipation[j] -= dot(resisting, p.velocity[j] + p.acceleration[j] * (0.5 * now.dt));
     stiffest = std::max(stiffest, 2 * slope * steep / p.mass[j]);
     p.sheetFace[j] = nearest->face->number + 1;
     p.sheetPush[j] = {push * perPush, dash * perPush, slope * perPush};
@@ -168,12 +195,14 @@ struct FaceContact {
       if (w.cells.first[c] >= p.owned) continue;
       facesNear(w.cells.key[c]);
       if (faces.empty()) continue;
-      for (std::uint32_t j = w.cells.first[c]; j < w.cells.first[c] + w.cells.count[c]; j++) touchParticle(j, stiffest);
+      for (std::uint32_t j = w.cells.first[c]; j < w.cells.first[c] + w.cells.count[c]; j++)
+        touchParticle(j, stiffest);
     }
     w.sheets.stiffestParticle = std::max(w.sheets.stiffestParticle, stiffest);
   }
 
-  /// To the corners their shares of what the particle's owner has found: forces by the triangles' parts of the slope of the depth, energy and heat by those of its eighth power.
+  /// To the corners their shares of what the particle's owner has found: forces by the triangles' parts of
+  /// the slope of the depth, energy and heat by those of its eighth power.
   void pushCorners(std::uint32_t j) {
     const Continuum& p = w.particles;
     Sheets& s = w.sheets.rows;
@@ -195,7 +224,8 @@ struct FaceContact {
         s.resisting[i] += n.n * (share * push.y / s.area[i]);
         slope[i] += share * push.z;
         s.energy[i] += 0.5 * share * n.depth * numbers.x;
-        // each corner by its own temperature: dealt out by shares of what goes over, a corner that stays cold would have the others get hotter than all that heats them
+        // each corner by its own temperature: dealt out by shares of what goes over, a corner that stays cold
+        // would have the others get hotter than all that heats them
         if (s.heatFlow.active) s.heatFlow[i] += share * n.depth * numbers.y * (numbers.z - s.temperature[i]);
       }
     }
@@ -219,7 +249,9 @@ struct FaceContact {
 
 }  // namespace
 
-bool coarserThanParticles(const Scene& s, const SheetPlan& plan) { return !(s.bodies.empty() && s.emitters.empty()) && plan.spacing > coarser * s.spacing; }
+bool coarserThanParticles(const Scene& s, const SheetPlan& plan) {
+  return !(s.bodies.empty() && s.emitters.empty()) && plan.spacing > coarser * s.spacing;
+}
 
 double faceContactReach(const std::vector<SheetPlan>& plans) {
   double reach = 0;

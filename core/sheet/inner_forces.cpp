@@ -10,7 +10,9 @@
 namespace thaw {
 
 void activateEdges(SheetEdges& e) {
-  for (AnyColumn* c : std::initializer_list<AnyColumn*>{&e.ends.id, &e.ends.particle, &e.ends.material, &e.ends.position, &e.ends.changed}) e.ends.activate(*c);
+  for (AnyColumn* c : std::initializer_list<AnyColumn*>{&e.ends.id, &e.ends.particle, &e.ends.material,
+                                                        &e.ends.position, &e.ends.changed})
+    e.ends.activate(*c);
 }
 
 void emptyEdges(SheetBodies& b) {
@@ -71,7 +73,8 @@ Vec3d facingOf(const SheetEdges& e, std::size_t slot) {
 
 namespace {
 
-/// The bonds of a slot: springs, and the area vector of its triangles, as facingOf has it, from one look at its neighbours.
+/// The bonds of a slot: springs, and the area vector of its triangles, as facingOf has it, from one look at
+/// its neighbours.
 void addBonds(World& w, std::size_t slot, bool springs, bool normals) {
   SheetBodies& b = w.sheets;
   Sheets& s = b.rows;
@@ -80,7 +83,8 @@ void addBonds(World& w, std::size_t slot, bool springs, bool normals) {
   const Bonds& bonds = b.edges.bonds;
   const bool limited = body.stretchLimit < never;
   std::vector<SheetFactor> kinds;  // where some change in time
-  if (springs && s.changing.active) kinds = springKinds(b.plans[s.body[i]], static_cast<std::uint32_t>(s.id[i] & ((1ull << 40) - 1)));
+  if (springs && s.changing.active)
+    kinds = springKinds(b.plans[s.body[i]], static_cast<std::uint32_t>(s.id[i] & ((1ull << 40) - 1)));
   const FactorsNow& factors = b.factors[s.body[i]];
   Vec3d force{};
   double energy = 0, slope = 0;
@@ -94,7 +98,8 @@ void addBonds(World& w, std::size_t slot, bool springs, bool normals) {
     if (count < room) edge[count] = d;
     double stiffness = bonds.y[at], later = stiffness;
     if (!springs || !(stiffness > 0)) continue;
-    const SheetFactor kind = kinds.empty() ? SheetFactor::Warp : kinds[static_cast<std::size_t>(bonds.weight[at]) - 1];
+    const SheetFactor kind = kinds.empty() ? SheetFactor::Warp
+                                           : kinds[static_cast<std::size_t>(bonds.weight[at]) - 1];
     if (!kinds.empty()) {
       stiffness *= factors.now[placeOf(kind)];
       later *= factors.most[placeOf(kind)];
@@ -126,7 +131,8 @@ void addBonds(World& w, std::size_t slot, bool springs, bool normals) {
   }
   Vec3d sum{};
   for (int k = 0; k < count; k++)
-    if (const int next = triangleWith(bonds, slot, k); next >= 0) sum += cross(edge[k], next < count ? edge[next] : edgeVector(b.edges, slot, next));
+    if (const int next = triangleWith(bonds, slot, k); next >= 0)
+      sum += cross(edge[k], next < count ? edge[next] : edgeVector(b.edges, slot, next));
   s.facing[i] = sum / 6.0;
 }
 
@@ -142,8 +148,12 @@ void addPressure(World& w, Reducer& all) {
   std::vector<ExactSum> sums(2 * parts.size());
   for (std::size_t k = 0; k < parts.size(); k++) {
     const Vec3d origin = b.parts[parts[k]].origin;
-    addByCell(b.cells, s.owned, sums[2 * k], [&](std::size_t i) { return s.part[i] == parts[k] ? dot(s.position[i] - origin, s.facing[i]) / 3 : 0; });
-    addByCell(b.cells, s.owned, sums[2 * k + 1], [&](std::size_t i) { return s.part[i] == parts[k] ? dot(s.facing[i], s.facing[i]) / s.area[i] : 0; });
+    addByCell(b.cells, s.owned, sums[2 * k], [&](std::size_t i) {
+      return s.part[i] == parts[k] ? dot(s.position[i] - origin, s.facing[i]) / 3 : 0;
+    });
+    addByCell(b.cells, s.owned, sums[2 * k + 1], [&](std::size_t i) {
+      return s.part[i] == parts[k] ? dot(s.facing[i], s.facing[i]) / s.area[i] : 0;
+    });
   }
   std::vector<std::int64_t> digits;
   for (ExactSum& x : sums) {
@@ -153,9 +163,12 @@ void addPressure(World& w, Reducer& all) {
   const std::size_t counts = digits.size();
   for (const std::uint32_t p : parts) digits.push_back(std::count(s.part.data(), s.part.data() + s.owned, p));
   all.sum(digits);
-  for (std::size_t k = 0; k < sums.size(); k++) std::copy_n(digits.begin() + static_cast<std::ptrdiff_t>(k * ExactSum::digits), ExactSum::digits, sums[k].digit.begin());
+  for (std::size_t k = 0; k < sums.size(); k++)
+    std::copy_n(digits.begin() + static_cast<std::ptrdiff_t>(k * ExactSum::digits), ExactSum::digits,
+                sums[k].digit.begin());
 
-  std::vector<double> pressure(b.parts.size(), 0), share(b.parts.size(), 0), whole(b.parts.size(), 0), turning(b.parts.size(), 0), slope(b.parts.size(), 0);
+  std::vector<double> pressure(b.parts.size(), 0), share(b.parts.size(), 0), whole(b.parts.size(), 0),
+      turning(b.parts.size(), 0), slope(b.parts.size(), 0);
   for (std::size_t k = 0; k < parts.size(); k++) {
     SheetPart& p = b.parts[parts[k]];
     if (digits[counts + k] < p.vertices) {  // some have left the domain: what is open holds no volume
@@ -163,7 +176,8 @@ void addPressure(World& w, Reducer& all) {
       continue;
     }
     const FactorsNow& factors = b.factors[p.sheet];
-    const double stiffness = p.stiffness * factors.now[placeOf(SheetFactor::Volume)], later = p.stiffness * factors.most[placeOf(SheetFactor::Volume)];
+    const double stiffness = p.stiffness * factors.now[placeOf(SheetFactor::Volume)],
+                 later = p.stiffness * factors.most[placeOf(SheetFactor::Volume)];
     p.now = sums[2 * k].value();
     const double change = (p.now - p.volume) / p.volume;
     pressure[parts[k]] = -stiffness * change;

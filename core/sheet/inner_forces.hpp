@@ -1,4 +1,5 @@
-// Forces among the vertices of a sheet: edges as springs, bending, the volume of a closed mesh (DS section 3.1).
+// Forces among the vertices of a sheet: edges as springs, bending, the volume of a closed mesh (DS
+// section 3.1).
 #pragma once
 #include "core/step.hpp"
 #include "core/world.hpp"
@@ -14,14 +15,17 @@ inline BondedRows vertexRows(Sheets& s) { return {s.owned, s.id.data(), s.slot.d
 /// As at the start: no ends and no bonds.
 void emptyEdges(SheetBodies& sheets);
 
-/// Before vertices migrate. At the start, and after a restart, no vertex has a slot yet. left: some vertex has left the domain.
+/// Before vertices migrate. At the start, and after a restart, no vertex has a slot yet. left: some vertex
+/// has left the domain.
 void forgetSlotsAtStart(SheetBodies& sheets, bool left);
 
-/// The bonds that the plans say, of all slots of this rank: in the order of rings, then the vertices across edges. Requests for Relink.
+/// The bonds that the plans say, of all slots of this rank: in the order of rings, then the vertices across
+/// edges. Requests for Relink.
 std::vector<BondRequest> edgeRequests(const SheetBodies& sheets);
 
-/// Place in a slot's bonds of the neighbour with which bond k closes a triangle; -1 where there is none (or it has left the domain).
-int searchTriangle(const Bonds& bonds, std::size_t slot, double next);  ///< the same where some neighbour has left
+/// Place in a slot's bonds of the neighbour with which bond k closes a triangle; -1 where there is none (or
+/// it has left the domain). the same where some neighbour has left
+int searchTriangle(const Bonds& bonds, std::size_t slot, double next);
 inline int triangleWith(const Bonds& b, std::size_t slot, int k) {
   const double next = b.z[b.at(slot, k)];
   if (!(next > 0)) return -1;
@@ -37,10 +41,12 @@ inline Vec3d edgeVector(const SheetEdges& e, std::size_t slot, int k) {
 /// Positions of vertices to the ends of edges, remote ones too. Collective.
 void sendEnds(SheetBodies& sheets, BondHalo& edges);
 
-/// Area vector of a slot's vertex, m^2: of a third of its triangles. Of a closed sheet also the gradient of its volume.
+/// Area vector of a slot's vertex, m^2: of a third of its triangles. Of a closed sheet also the gradient of
+/// its volume.
 Vec3d facingOf(const SheetEdges& e, std::size_t slot);
 
-/// Adds to Sheets::load and energy, writes Sheets::facing; SheetPart::now where volume matters; SheetBodies::slope. Collective.
+/// Adds to Sheets::load and energy, writes Sheets::facing; SheetPart::now where volume matters;
+/// SheetBodies::slope. Collective.
 void addInnerForces(World& world, Halos halos);
 
 }  // namespace thaw

@@ -7,9 +7,11 @@
 namespace thaw {
 namespace {
 
-constexpr double spare = 1.3;   // of the way that the fastest vertex comes within the time ahead: it may get faster before lists are made anew
+constexpr double spare = 1.3;   // of the way that the fastest vertex comes within the time ahead: it may get
+                                // faster before lists are made anew
 constexpr double slow = 0.01;   // of the greatest thickness, at least
-constexpr double margin = 0.3;  // of the greatest thickness: less than lies between neighbours of a flat sheet and their reach
+constexpr double margin = 0.3;  // of the greatest thickness: less than lies between neighbours of a flat
+                                // sheet and their reach
 
 /// A vertex, an edge or a triangle that is here whole.
 template<std::size_t n> struct Element {
@@ -76,7 +78,8 @@ struct Listing {
       vertices.add({m.numberOf[i], {i}}, anyNew<1>({i}, all));
       for (std::uint32_t k = plan.faceFirst[v]; k < plan.faceFirst[v + 1]; k++) {
         const auto t = rowsOfTriangle(m, plan, n, plan.faceOf[k]);
-        if (t[0] != notHere && t[1] != notHere && t[2] != notHere) triangles.add({firstTriangle[n] + plan.faceOf[k], t}, anyNew(t, all));
+        if (t[0] != notHere && t[1] != notHere && t[2] != notHere)
+          triangles.add({firstTriangle[n] + plan.faceOf[k], t}, anyNew(t, all));
       }
       for (std::uint32_t k = plan.topology.first[v]; k < plan.topology.first[v + 1]; k++) {
         const std::uint32_t to = plan.topology.ring[k].to;
@@ -87,17 +90,24 @@ struct Listing {
     }
   }
 
-  template<class PairOf> void add(std::uint32_t first, std::uint32_t second, const std::array<std::uint32_t, 4>& rows, std::vector<MeshCandidate>& to, PairOf&& pairOf) const {
+  template<class PairOf>
+  void add(std::uint32_t first, std::uint32_t second, const std::array<std::uint32_t, 4>& rows,
+           std::vector<MeshCandidate>& to, PairOf&& pairOf) const {
     const std::size_t a = s.body[rows[0]], b = s.body[rows[3]];
     if (a == b && !w.scene.sheets[a].selfContact) return;
     double reach = 0.5 * (w.sheets.plans[a].thickness + w.sheets.plans[b].thickness);
     const double now = pairOf(s.position, rows).distance, least = now - beyond - 2 * list.room;
     if (!(least < reach)) return;
-    const double atRest = a == b ? nearAtRest * std::min(1.0, w.scene.sheets[a].restLength) * pairOf(s.rest, rows).distance : reach;
+    const double atRest = a == b ? nearAtRest * std::min(1.0, w.scene.sheets[a].restLength) *
+                                       pairOf(s.rest, rows).distance
+                                 : reach;
     const bool comes = !(atRest < reach);
     reach = std::min(reach, atRest);
     if (!((comes ? least : now - beyond) < reach)) return;
-    to.push_back({static_cast<std::uint64_t>(first) << 32 | second, {m.numberOf[rows[0]], m.numberOf[rows[1]], m.numberOf[rows[2]], m.numberOf[rows[3]]}, reach, comes});
+    to.push_back({static_cast<std::uint64_t>(first) << 32 | second,
+                  {m.numberOf[rows[0]], m.numberOf[rows[1]], m.numberOf[rows[2]], m.numberOf[rows[3]]},
+                  reach,
+                  comes});
   }
   void addFace(const Element<1>& v, const Element<3>& t) const {
     const std::uint32_t i = v.row[0];
@@ -116,25 +126,31 @@ struct Listing {
     for (std::size_t n = 0; n < w.sheets.plans.size(); n++)
       if (meshTouches(w.scene, n)) reach = std::max(reach, w.sheets.plans[n].thickness);
     const double around = 0.5 * (reach + beyond) + list.room;
-    const BoxBins forFaces = binsFor(Elements<3>::boxes(s.position, triangles.all, around)), forEdges = binsFor(Elements<2>::boxes(s.position, edges.all, around));
+    const BoxBins forFaces = binsFor(Elements<3>::boxes(s.position, triangles.all, around)),
+                  forEdges = binsFor(Elements<2>::boxes(s.position, edges.all, around));
     vertices.bin(s.position, around, forFaces);
     triangles.bin(s.position, around, forFaces);
     edges.bin(s.position, around, forEdges);
-    eachNearPair(triangles.freshBoxes, vertices.allBoxes, [&](std::uint32_t t, std::uint32_t v) { addFace(vertices.all[v], triangles.fresh[t]); });
+    eachNearPair(triangles.freshBoxes, vertices.allBoxes,
+                 [&](std::uint32_t t, std::uint32_t v) { addFace(vertices.all[v], triangles.fresh[t]); });
     if (vertices.fresh.size() < vertices.all.size())
       eachNearPair(vertices.freshBoxes, triangles.allBoxes, [&](std::uint32_t v, std::uint32_t t) {
         if (!triangles.isFresh[t]) addFace(vertices.fresh[v], triangles.all[t]);
       });
     eachNearPair(edges.freshBoxes, edges.allBoxes, [&](std::uint32_t e, std::uint32_t f) {
-      if (!edges.isFresh[f] || edges.fresh[e].number < edges.all[f].number) addEdges(edges.fresh[e], edges.all[f]);
+      if (!edges.isFresh[f] || edges.fresh[e].number < edges.all[f].number)
+        addEdges(edges.fresh[e], edges.all[f]);
     });
   }
 };
 
 /// Once each: a vertex that went and came again was listed twice.
 void sortOnce(std::vector<MeshCandidate>& list) {
-  std::sort(list.begin(), list.end(), [](const MeshCandidate& a, const MeshCandidate& b) { return a.order < b.order; });
-  list.erase(std::unique(list.begin(), list.end(), [](const MeshCandidate& a, const MeshCandidate& b) { return a.order == b.order; }), list.end());
+  std::sort(list.begin(), list.end(),
+            [](const MeshCandidate& a, const MeshCandidate& b) { return a.order < b.order; });
+  list.erase(std::unique(list.begin(), list.end(),
+                         [](const MeshCandidate& a, const MeshCandidate& b) { return a.order == b.order; }),
+             list.end());
 }
 
 }  // namespace

@@ -9,11 +9,13 @@
 namespace thaw {
 namespace {
 
-// Where layers lie on each other a vertex is within reach of several triangles, and an edge of more edges still, the more the further they reach: together they are to be
-// about as stiff as one contact. What reaches less far than edges are long meets few, and each has to hold alone.
+// Where layers lie on each other a vertex is within reach of several triangles, and an edge of more edges
+// still, the more the further they reach: together they are to be about as stiff as one contact. What reaches
+// less far than edges are long meets few, and each has to hold alone.
 constexpr double moreTriangles = 5, moreEdges = 16;  // for a reach of the mean length of edges
-constexpr double ahead = 2;          // pairs come into reach within a step: what bounds it is taken for so much stiffer, which halves what contact costs the books
-constexpr double deepest = 0.1;      // of the reach: what is nearer does not shorten the step further
+constexpr double ahead = 2;      // pairs come into reach within a step: what bounds it is taken for so much
+                                 // stiffer, which halves what contact costs the books
+constexpr double deepest = 0.1;  // of the reach: what is nearer does not shorten the step further
 
 struct MeshContact {
   World& w;
@@ -27,8 +29,11 @@ struct MeshContact {
   TouchLaw lawOf(const MeshPair& p, double first, double second, double more) const {
     const std::size_t a = s.body[p.row[0]], b = s.body[p.row[3]];
     const SheetBody &x = w.scene.sheets[a], &y = w.scene.sheets[b];
-    const double far = p.reach / std::max(w.sheets.plans[a].spacing, w.sheets.plans[b].spacing), part = 1 / (1 + more * far * far);
-    return {std::max(w.sheets.plans[a].contactRate, w.sheets.plans[b].contactRate), part * first * second / (first + second), std::min(x.restitution, y.restitution), std::max(x.friction, y.friction), now.span};
+    const double far = p.reach / std::max(w.sheets.plans[a].spacing, w.sheets.plans[b].spacing),
+                 part = 1 / (1 + more * far * far);
+    return {std::max(w.sheets.plans[a].contactRate, w.sheets.plans[b].contactRate),
+            part * first * second / (first + second), std::min(x.restitution, y.restitution),
+            std::max(x.friction, y.friction), now.span};
   }
 
   Vec3d relativeVelocity(const MeshPair& p) const {
@@ -47,7 +52,8 @@ struct MeshContact {
       velocity[k] = s.moving[p.row[k]];
       mass[k] = massOf(p.row[k]);
     }
-    const std::array<Vec3d, 4> forces = rub(turningOf(place, mass), velocity, p.share, p.apart, n, v, law, normal);
+    const std::array<Vec3d, 4> forces = rub(turningOf(place, mass), velocity, p.share, p.apart, n, v, law,
+                                            normal);
     for (std::size_t k = 0; k < 4; k++) {
       const std::uint32_t i = p.row[k];
       if (i >= s.owned) continue;
@@ -83,17 +89,20 @@ struct MeshContact {
   }
 
   void edgeAndEdge(const MeshPair& p) {
-    const Vec3d a = s.position[p.row[1]] - s.position[p.row[0]], b = s.position[p.row[3]] - s.position[p.row[2]];
+    const Vec3d a = s.position[p.row[1]] - s.position[p.row[0]],
+                b = s.position[p.row[3]] - s.position[p.row[2]];
     const double la = length(a), lb = length(b);
     if (!(la > 0) || !(lb > 0)) return;
     const double cosine = dot(a, b) / (la * lb), crossed = 1 - cosine * cosine;
     if (!(crossed > 0)) return;
-    TouchLaw law = lawOf(p, 0.5 * (massOf(p.row[0]) + massOf(p.row[1])), 0.5 * (massOf(p.row[2]) + massOf(p.row[3])), moreEdges);
+    TouchLaw law = lawOf(p, 0.5 * (massOf(p.row[0]) + massOf(p.row[1])),
+                         0.5 * (massOf(p.row[2]) + massOf(p.row[3])), moreEdges);
     law.mass *= crossed;
     const Touch t = touch(p, law);
     // the energy per sin^2 turns both edges towards being parallel
     const double whole = t.energy / crossed, depth = p.reach - p.distance, least = std::min(la, lb);
-    const Vec3d ofA = (2 * whole * cosine / la) * (b / lb - cosine * (a / la)), ofB = (2 * whole * cosine / lb) * (a / la - cosine * (b / lb));
+    const Vec3d ofA = (2 * whole * cosine / la) * (b / lb - cosine * (a / la)),
+                ofB = (2 * whole * cosine / lb) * (a / la - cosine * (b / lb));
     const std::array<Vec3d, 4> turn{-ofA, ofA, -ofB, ofB};
     const double more = 2 * whole / depth / least * 3 + 2 * whole / (least * least) * 4;
     for (std::size_t k = 0; k < 4; k++) {
@@ -107,14 +116,19 @@ struct MeshContact {
 
 }  // namespace
 
-bool meshTouches(const Scene& s, std::size_t sheet) { return s.sheets.size() > 1 || s.sheets[sheet].selfContact; }
+bool meshTouches(const Scene& s, std::size_t sheet) {
+  return s.sheets.size() > 1 || s.sheets[sheet].selfContact;
+}
 
-bool meshesTouch(const Scene& s) { return !s.sheets.empty() && (s.sheets.size() > 1 || s.sheets[0].selfContact); }
+bool meshesTouch(const Scene& s) {
+  return !s.sheets.empty() && (s.sheets.size() > 1 || s.sheets[0].selfContact);
+}
 
 double meshContactReach(const Scene& s, const std::vector<SheetPlan>& plans) {
   double reach = 0;
   for (std::size_t n = 0; n < plans.size(); n++)
-    if (meshTouches(s, n)) reach = std::max(reach, plans[n].thickness + 2 * stretchedEdges * plans[n].longestEdge);
+    if (meshTouches(s, n))
+      reach = std::max(reach, plans[n].thickness + 2 * stretchedEdges * plans[n].longestEdge);
   return reach;
 }
 
@@ -123,7 +137,10 @@ void meetMeshes(World& w, const SheetVelocities& now) {
   Vec3d mean{};
   for (std::size_t i = 0; i < s.owned; i++) mean += s.moving[i];
   MeshSearch& pairs = *w.sheets.search;
-  findMeshPairs(w, {mean / static_cast<double>(std::max<std::size_t>(1, s.owned)), now.dt, std::isfinite(now.span) ? comesNear * now.span : 0}, pairs);
+  findMeshPairs(w,
+                {mean / static_cast<double>(std::max<std::size_t>(1, s.owned)), now.dt,
+                 std::isfinite(now.span) ? comesNear * now.span : 0},
+                pairs);
   if (pairs.coming > 0) w.sheets.blows = std::max(w.sheets.blows, blowRate(1, 1, pairs.coming));
   std::vector<double> slope(s.owned, 0);
   MeshContact contact{w, now, s, slope};

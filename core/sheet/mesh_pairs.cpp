@@ -6,12 +6,17 @@
 namespace thaw {
 namespace {
 
-/// Of the candidates those that touch; and how fast (1/s, over their reach) those come that will within `ahead` (s) and are no further (m) from it than what candidates have room for. pairOf: what they are, vertex and triangle or two edges.
-template<class PairOf> double pick(const Sheets& s, const MeshRows& m, const std::vector<MeshCandidate>& candidates, double ahead, double farthest, std::vector<MeshPair>& found, PairOf&& pairOf) {
+/// Of the candidates those that touch; and how fast (1/s, over their reach) those come that will within
+/// `ahead` (s) and are no further (m) from it than what candidates have room for. pairOf: what they are,
+/// vertex and triangle or two edges.
+template<class PairOf>
+double pick(const Sheets& s, const MeshRows& m, const std::vector<MeshCandidate>& candidates, double ahead,
+            double farthest, std::vector<MeshPair>& found, PairOf&& pairOf) {
   double coming = 0;
   found.clear();
   for (const MeshCandidate& c : candidates) {
-    const std::array<std::uint32_t, 4> rows{m.rowOf[c.vertex[0]], m.rowOf[c.vertex[1]], m.rowOf[c.vertex[2]], m.rowOf[c.vertex[3]]};
+    const std::array<std::uint32_t, 4> rows{m.rowOf[c.vertex[0]], m.rowOf[c.vertex[1]], m.rowOf[c.vertex[2]],
+                                            m.rowOf[c.vertex[3]]};
     bool all = true, ours = false;
     for (const std::uint32_t r : rows) {
       all = all && r != notHere;
@@ -38,7 +43,8 @@ template<class PairOf> double pick(const Sheets& s, const MeshRows& m, const std
 
 // places from the first of four, so that the bits are those of differences
 MeshPair vertexAndTriangle(const Column<Vec3d>& x, const std::array<std::uint32_t, 4>& rows) {
-  const Vec3d a = x[rows[1]] - x[rows[0]], b = x[rows[2]] - x[rows[0]], c = x[rows[3]] - x[rows[0]], u = sharesOfNearest(a, b, c, {}), d = -(u.x * a + u.y * b + u.z * c);
+  const Vec3d a = x[rows[1]] - x[rows[0]], b = x[rows[2]] - x[rows[0]], c = x[rows[3]] - x[rows[0]],
+              u = sharesOfNearest(a, b, c, {}), d = -(u.x * a + u.y * b + u.z * c);
   return {rows, {1, -u.x, -u.y, -u.z}, d, length(d), 0};
 }
 
@@ -53,8 +59,9 @@ void findMeshPairs(const World& w, const MeshMotion& motion, MeshSearch& search)
   const Sheets& s = w.sheets.rows;
   findMeshCandidates(w, search.rows, motion, search.candidates);
   const double farthest = thickestSheet(w);
-  search.coming = std::max(pick(s, search.rows, search.candidates.faces, motion.ahead, farthest, search.faces, vertexAndTriangle),
-                           pick(s, search.rows, search.candidates.edges, motion.ahead, farthest, search.edges, edgeAndEdge));
+  search.coming = std::max(
+      pick(s, search.rows, search.candidates.faces, motion.ahead, farthest, search.faces, vertexAndTriangle),
+      pick(s, search.rows, search.candidates.edges, motion.ahead, farthest, search.edges, edgeAndEdge));
 }
 
 }  // namespace thaw

@@ -9,7 +9,8 @@ namespace thaw {
 void findMeshRows(const Sheets& s, const CellTable& cells, const std::vector<SheetPlan>& plans, MeshRows& m) {
   if (m.first.empty()) {
     m.first.push_back(0);
-    for (const SheetPlan& p : plans) m.first.push_back(m.first.back() + static_cast<std::uint32_t>(p.mesh.vertices.size()));
+    for (const SheetPlan& p : plans)
+      m.first.push_back(m.first.back() + static_cast<std::uint32_t>(p.mesh.vertices.size()));
     m.rowOf.assign(m.first.back(), notHere);
     m.wasHere.assign(m.first.back(), 0);
   }

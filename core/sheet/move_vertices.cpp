@@ -17,7 +17,8 @@ VertexMap vertexMap(const SpringLaw& law, double dt) {
   return {x.hold, x.keep, x.yield, x.push, law.stiffness, s.before, s.after};
 }
 
-void moveVertices(std::span<const VertexMap> maps, const VertexArrays& a, std::size_t begin, std::size_t end) {
+void moveVertices(std::span<const VertexMap> maps, const VertexArrays& a, std::size_t begin,
+                  std::size_t end) {
   if (maps.size() == 1) {  // components are alike: one long loop
     double *x = &a.position->x, *v = &a.velocity->x;
     const double *rest = &a.rest->x, *load = &a.load->x;

@@ -4,7 +4,9 @@
 
 namespace thaw {
 
-namespace { constexpr double most = 1 << 20; }  // bins along an axis: a key has room for twice as many
+namespace {
+constexpr double most = 1 << 20;
+}  // namespace
 
 BoxBins binsFor(const std::vector<Box>& boxes) {
   if (boxes.empty()) return {{}, 1};
@@ -24,7 +26,8 @@ void binBoxes(const std::vector<Box>& boxes, const BoxBins& bins, BinnedBoxes& b
   for (std::uint32_t k = 0; k < boxes.size(); k++) {
     const Vec3d middle = (1 / bins.edge) * (0.5 * (boxes[k].low + boxes[k].high) - bins.origin);
     Vec3i bin;
-    for (int a = 0; a < 3; a++) bin[a] = static_cast<int>(std::clamp(middle[a], -1.0, 1.0 + most));  // what is further off overlaps with nothing of the list that the bins are for
+    // what is further off overlaps with nothing of the list that the bins are for
+    for (int a = 0; a < 3; a++) bin[a] = static_cast<int>(std::clamp(middle[a], -1.0, 1.0 + most));
     b.room.push_back({cellKey(bin), k});
   }
   std::sort(b.room.begin(), b.room.end());
@@ -49,12 +52,17 @@ void binBoxes(const std::vector<Box>& boxes, const BoxBins& bins, BinnedBoxes& b
   }
 }
 
-void overlaps(const BinnedBoxes& a, std::uint32_t i, const BinnedBoxes& b, const RowSpan& rows, std::int32_t* hit) {
-  const float x0 = a.low[0][i], x1 = a.high[0][i], y0 = a.low[1][i], y1 = a.high[1][i], z0 = a.low[2][i], z1 = a.high[2][i];
-  const float *lx = b.low[0].data() + rows.begin, *ly = b.low[1].data() + rows.begin, *lz = b.low[2].data() + rows.begin;
-  const float *hx = b.high[0].data() + rows.begin, *hy = b.high[1].data() + rows.begin, *hz = b.high[2].data() + rows.begin;
+void overlaps(const BinnedBoxes& a, std::uint32_t i, const BinnedBoxes& b, const RowSpan& rows,
+              std::int32_t* hit) {
+  const float x0 = a.low[0][i], x1 = a.high[0][i], y0 = a.low[1][i], y1 = a.high[1][i], z0 = a.low[2][i],
+              z1 = a.high[2][i];
+  const float *lx = b.low[0].data() + rows.begin, *ly = b.low[1].data() + rows.begin,
+              *lz = b.low[2].data() + rows.begin;
+  const float *hx = b.high[0].data() + rows.begin, *hy = b.high[1].data() + rows.begin,
+              *hz = b.high[2].data() + rows.begin;
   const std::uint32_t n = rows.end - rows.begin;
-  for (std::uint32_t k = 0; k < n; k++) hit[k] = (lx[k] <= x1) & (hx[k] >= x0) & (ly[k] <= y1) & (hy[k] >= y0) & (lz[k] <= z1) & (hz[k] >= z0);
+  for (std::uint32_t k = 0; k < n; k++)
+    hit[k] = (lx[k] <= x1) & (hx[k] >= x0) & (ly[k] <= y1) & (hy[k] >= y0) & (lz[k] <= z1) & (hz[k] >= z0);
 }
 
 }  // namespace thaw

@@ -1,4 +1,5 @@
-// Pairs of boxes that overlap, from bins of their middles. What is found does not depend on the bins; in which order, does.
+// Pairs of boxes that overlap, from bins of their middles. What is found does not depend on the bins; in
+// which order, does.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -26,7 +27,8 @@ template<std::size_t n> Box boxAround(const std::array<Vec3d, n>& corners, doubl
   return b;
 }
 
-/// Boxes sorted by the bin of their middles; their sides in single precision, rounded outward, axis by axis, so that several are compared at once.
+/// Boxes sorted by the bin of their middles; their sides in single precision, rounded outward, axis by axis,
+/// so that several are compared at once.
 struct BinnedBoxes {
   CellTable bins;
   std::vector<float> low[3], high[3];
@@ -34,13 +36,18 @@ struct BinnedBoxes {
   std::vector<std::pair<std::uint64_t, std::uint32_t>> room;
 };
 
-/// Cubes of the edge of the largest box, from the lowest corner: boxes that overlap, of this list or no larger, are in the same or in neighbouring ones.
-struct BoxBins { Vec3d origin; double edge; };
+/// Cubes of the edge of the largest box, from the lowest corner: boxes that overlap, of this list or no
+/// larger, are in the same or in neighbouring ones.
+struct BoxBins {
+  Vec3d origin;
+  double edge;
+};
 BoxBins binsFor(const std::vector<Box>& boxes);
 void binBoxes(const std::vector<Box>& boxes, const BoxBins& bins, BinnedBoxes& binned);
 
 /// hit[k]: does box i of a overlap with box rows.begin + k of b?
-void overlaps(const BinnedBoxes& a, std::uint32_t i, const BinnedBoxes& b, const RowSpan& rows, std::int32_t* hit);
+void overlaps(const BinnedBoxes& a, std::uint32_t i, const BinnedBoxes& b, const RowSpan& rows,
+              std::int32_t* hit);
 
 /// Calls use(number in a, number in b) for all pairs that overlap, and for some that only nearly do.
 template<class Use> void eachNearPair(const BinnedBoxes& a, const BinnedBoxes& b, Use&& use) {

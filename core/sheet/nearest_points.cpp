@@ -4,7 +4,8 @@
 
 namespace thaw {
 
-Vec3d sharesOfNearest(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& x) {  // Ericson 2005, 5.1.5
+// Ericson 2005, 5.1.5
+Vec3d sharesOfNearest(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& x) {
   const Vec3d ab = b - a, ac = c - a, ap = x - a;
   const double d1 = dot(ab, ap), d2 = dot(ac, ap);
   if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
@@ -35,9 +36,11 @@ Vec3d sharesOfNearest(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3
   return {1 - v - q, v, q};
 }
 
-EdgeShares nearestOfEdges(const Vec3d& p, const Vec3d& u, const Vec3d& q, const Vec3d& v) {  // Ericson 2005, 5.1.9
+// Ericson 2005, 5.1.9
+EdgeShares nearestOfEdges(const Vec3d& p, const Vec3d& u, const Vec3d& q, const Vec3d& v) {
   const Vec3d r = p - q;
-  const double a = dot(u, u), e = dot(v, v), f = dot(v, r), c = dot(u, r), b = dot(u, v), denominator = a * e - b * b;
+  const double a = dot(u, u), e = dot(v, v), f = dot(v, r), c = dot(u, r), b = dot(u, v),
+               denominator = a * e - b * b;
   if (!(a > 0)) return {0, e > 0 ? std::clamp(f / e, 0.0, 1.0) : 0};
   if (!(e > 0)) return {std::clamp(-c / a, 0.0, 1.0), 0};
   double s = denominator > 0 ? std::clamp((b * f - c * e) / denominator, 0.0, 1.0) : 0, t = (b * s + f) / e;

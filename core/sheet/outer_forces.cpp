@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contact/touch.hpp"
 #include "core/sheet/brush_strokes.hpp"
 #include "core/sheet/cell_sums.hpp"
-#include "core/contact/touch.hpp"
 
 namespace thaw {
 namespace {
 
-/// Pressure on the side that the wind blows at: density (v . n)^2, along the normal; of the relative velocity.
+/// Pressure on the side that the wind blows at: density (v . n)^2, along the normal; of the relative
+/// velocity.
 Vec3d windLoad(const SheetBody& b, double density, const Vec3d& v, const Vec3d& facing, double area) {
   const double size = length(facing);
   if (!(size > 0)) return {};
@@ -36,28 +37,34 @@ Vec3d wallLoad(World& w, std::size_t i, const SheetVelocities& now, Vec3d& impul
     if (!wall.present) continue;
     const Vec3d rest = toRest(wall.pose, s.position[i]);
     const Vec3d u = wallVelocity(wall, s.position[i]);
-    const double ahead = std::isfinite(now.span) ? comesNear * now.span * length(now.velocity[i] - u) : 0, near = plan.thickness + ahead;
+    const double ahead = std::isfinite(now.span) ? comesNear * now.span * length(now.velocity[i] - u) : 0,
+                 near = plan.thickness + ahead;
     if (!nearBounds(wall.bounds, rest, near)) continue;
     Vec3d n;
     const double d = wall.shape->distanceWithin(rest, near, &n);
     if (!(d < near)) continue;
     n = directionFromRest(wall.pose, n);
     const double rise = dot(now.velocity[i] - u, n);
-    if (d - plan.thickness < std::max(0.0, -rise) * comesNear * now.span || d < plan.thickness) sheets.blows = std::max(sheets.blows, blowRate(plan.contactRate, plan.thickness, std::abs(rise)));
+    if (d - plan.thickness < std::max(0.0, -rise) * comesNear * now.span || d < plan.thickness)
+      sheets.blows = std::max(sheets.blows, blowRate(plan.contactRate, plan.thickness, std::abs(rise)));
     if (!(d < plan.thickness)) continue;
-    const Touch touch = touchOf({plan.contactRate, sheets.laws[s.law[i]].contactMass, std::min(wall.properties.restitution, b.restitution), std::max(wall.properties.friction, b.friction), now.span},
+    const Touch touch = touchOf({plan.contactRate, sheets.laws[s.law[i]].contactMass,
+                                 std::min(wall.properties.restitution, b.restitution),
+                                 std::max(wall.properties.friction, b.friction), now.span},
                                 plan.thickness - d, n, now.velocity[i] - u);
     load += touch.force;
     s.energy[i] += touch.energy * s.area[i];
     s.resisting[i] += touch.resisting;
     if (!wall.properties.motion.empty()) {
       w.ledger.wallWork.add(dot(touch.force, u) * s.area[i] * now.dt);
-      s.dissipated[i] += dot(touch.resisting, u) * s.area[i] * now.dt;  // kickSheets books the loss at a wall that stands
+      // kickSheets books the loss at a wall that stands
+      s.dissipated[i] += dot(touch.resisting, u) * s.area[i] * now.dt;
     }
     sheets.slope[i] += touch.slope;
     if (s.temperature.active && wall.properties.temperature && b.conductance > 0) {
       const double rate = b.conductance * s.area[i];
-      s.heatFlow[i] += averaged(rate / (s.area[i] * b.heatCapacity), now.span) * s.area[i] * b.heatCapacity * (*wall.properties.temperature - s.temperature[i]);
+      s.heatFlow[i] += averaged(rate / (s.area[i] * b.heatCapacity), now.span) * s.area[i] * b.heatCapacity *
+                       (*wall.properties.temperature - s.temperature[i]);
     }
   }
   impulse += load * s.area[i];
@@ -86,12 +93,19 @@ void addOuterForces(World& w, const SheetVelocities& now) {
   bool walls = false;
   for (const Wall& wall : w.walls.list) walls = walls || wall.present;
   if (!walls && !s.outside.active) return;
-  struct Pushes { double wrap; const Wall* target; std::vector<std::vector<BrushTouch>> brush; };
+  struct Pushes {
+    double wrap;
+    const Wall* target;
+    std::vector<std::vector<BrushTouch>> brush;
+  };
   std::vector<Pushes> pushes;
   for (std::size_t n = 0; n < w.scene.sheets.size(); n++) {
     const SheetBody& b = w.scene.sheets[n];
-    pushes.push_back({b.wrap * sheets.factors[n].now[placeOf(SheetFactor::Wrap)], b.wrapTo.empty() ? nullptr : wallNamed(w, b.wrapTo), {}});
-    if (!b.wrapTo.empty() && !pushes.back().target) pushes.back().wrap = 0;  // that of addBodyWrap, or what it was to be wrapped round has gone
+    pushes.push_back({b.wrap * sheets.factors[n].now[placeOf(SheetFactor::Wrap)],
+                      b.wrapTo.empty() ? nullptr : wallNamed(w, b.wrapTo),
+                      {}});
+    // that of addBodyWrap, or what it was to be wrapped round has gone
+    if (!b.wrapTo.empty() && !pushes.back().target) pushes.back().wrap = 0;
     for (const SheetBrush& brush : b.brushes) pushes.back().brush.push_back(brushStroke(brush, time, now.dt));
   }
   std::vector<Vec3d>& impulse = sheets.impulseRoom;
@@ -102,7 +116,9 @@ void addOuterForces(World& w, const SheetVelocities& now) {
     Vec3d out{};
     const auto& factor = sheets.laws[s.law[i]].factor;
     const double wrap = p.wrap * factor[placeOf(SheetFactor::Wrap)];
-    if (const double density = b.windDensity * factor[placeOf(SheetFactor::Wind)] * sheets.factors[s.body[i]].now[placeOf(SheetFactor::Wind)]; density > 0) {
+    if (const double density = b.windDensity * factor[placeOf(SheetFactor::Wind)] *
+                               sheets.factors[s.body[i]].now[placeOf(SheetFactor::Wind)];
+        density > 0) {
       out += windLoad(b, density, now.velocity[i], s.facing[i], s.area[i]);
     }
     if (wrap != 0) {
@@ -129,9 +145,12 @@ double fastestDrag(const World& w, const SheetVelocities& now) {
   double fastest = 0;
   for (std::size_t i = 0; i < s.owned && s.facing.active; i++) {
     const SheetBody& b = w.scene.sheets[s.body[i]];
-    const double density = b.windDensity * w.sheets.laws[s.law[i]].factor[placeOf(SheetFactor::Wind)] * w.sheets.factors[s.body[i]].most[placeOf(SheetFactor::Wind)];
+    const double density = b.windDensity * w.sheets.laws[s.law[i]].factor[placeOf(SheetFactor::Wind)] *
+                           w.sheets.factors[s.body[i]].most[placeOf(SheetFactor::Wind)];
     if (!(density > 0) || !(s.mass[i] > 0)) continue;
-    const double perSpeed = 2 * density * length(s.facing[i]) / s.mass[i], rate = perSpeed * length(b.wind - now.velocity[i]), faster = perSpeed * length(s.load[i]) * s.area[i] / s.mass[i];
+    const double perSpeed = 2 * density * length(s.facing[i]) / s.mass[i],
+                 rate = perSpeed * length(b.wind - now.velocity[i]),
+                 faster = perSpeed * length(s.load[i]) * s.area[i] / s.mass[i];
     fastest = std::max(fastest, 0.5 * (rate + std::sqrt(rate * rate + 4 * dragInAStep * faster)));
   }
   return fastest;
@@ -165,7 +184,8 @@ void bookHolding(World& w, double sign, double dt) {
 void bookOutsideWork(World& w) {
   SheetBodies& sheets = w.sheets;
   const Sheets& s = sheets.rows;
-  addByCell(sheets.cells, s.owned, w.ledger.wallWork, [&](std::size_t i) { return 0.5 * dot(s.outside[i], s.moved[i]) * s.area[i]; });
+  addByCell(sheets.cells, s.owned, w.ledger.wallWork,
+            [&](std::size_t i) { return 0.5 * dot(s.outside[i], s.moved[i]) * s.area[i]; });
 }
 
 }  // namespace thaw

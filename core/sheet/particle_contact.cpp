@@ -5,18 +5,22 @@
 namespace thaw {
 namespace {
 
-constexpr double asLiquid = 1;  // rate over c/s; at a half light vertices tremble a little less between particles
+constexpr double asLiquid = 1;  // rate over c/s; at a half light vertices tremble a little less between
+                                // particles
 
 }  // namespace
 
-void planParticleContact(const Scene& s, std::span<const LiquidMaterial> liquids, std::vector<SheetPlan>& plans) {
+void planParticleContact(const Scene& s, std::span<const LiquidMaterial> liquids,
+                         std::vector<SheetPlan>& plans) {
   for (std::size_t n = 0; n < plans.size(); n++) {
     SheetPlan& plan = plans[n];
     plan.particleRate.assign(s.materials.size(), 0);
     if (s.sheets[n].contactRate > 0) continue;
     for (std::size_t m = 0; m < s.materials.size(); m++) {
       const double reach = 0.5 * (plan.thickness + s.spacing);
-      plan.particleRate[m] = std::max(2 * expectedSheetSpeed(s) / reach, canBeLiquid(s.materials[m]) ? asLiquid * liquids[m].soundSpeed / s.spacing : 0);
+      plan.particleRate[m] = std::max(
+          2 * expectedSheetSpeed(s) / reach,
+          canBeLiquid(s.materials[m]) ? asLiquid * liquids[m].soundSpeed / s.spacing : 0);
     }
   }
 }

@@ -24,30 +24,38 @@ double largestFactor(const SheetBody& b, SheetFactor f, double from) {
 
 namespace {
 
-/// The speed (m/s) with which a vertex may meet anything: its own, of a fall through the domain, of obstacles.
+/// The speed (m/s) with which a vertex may meet anything: its own, of a fall through the domain, of
+/// obstacles.
 double speedOf(const Scene& s, const SheetBody& b) {
   double fastest = length(b.velocity) + length(b.wind);
-  for (const Obstacle& o : s.obstacles) fastest = std::max(fastest, fastestMove(o.motion) + length(b.velocity));
+  for (const Obstacle& o : s.obstacles)
+    fastest = std::max(fastest, fastestMove(o.motion) + length(b.velocity));
   for (const Body& body : s.bodies) fastest = std::max(fastest, length(body.velocity) + length(b.velocity));
   for (const SheetBody& other : s.sheets) fastest = std::max(fastest, length(other.velocity - b.velocity));
   return fastest + fallSpeed(s.domain);
 }
 
-/// How fast contact has to turn a vertex round, so that it goes no deeper than half of the thickness at the scene's speeds and a tenth
-/// under the scene's pressures.
+/// How fast contact has to turn a vertex round, so that it goes no deeper than half of the thickness at the
+/// scene's speeds and a tenth under the scene's pressures.
 double contactRateOf(const Scene& s, const SheetBody& b, double thickness) {
-  const auto most = [&](SheetFactor f) { return std::abs(b.*sheetCoefficients[placeOf(f)].value) * largestFactor(b, f); };
-  double pressure = b.mass * length(s.domain.gravity) + most(SheetFactor::Wrap) + most(SheetFactor::Wind) * dot(b.wind, b.wind);
+  const auto most = [&](SheetFactor f) {
+    return std::abs(b.*sheetCoefficients[placeOf(f)].value) * largestFactor(b, f);
+  };
+  double pressure = b.mass * length(s.domain.gravity) + most(SheetFactor::Wrap) +
+                    most(SheetFactor::Wind) * dot(b.wind, b.wind);
   for (const SheetBrush& brush : b.brushes) pressure += length(brush.pressure) * brush.inTime.most(0, never);
   const double mass = b.mass > 0 ? b.mass : 1;
-  return std::max({2 * speedOf(s, b) / thickness, std::sqrt(10 * pressure / (mass * thickness)), 2 * std::sqrt(most(SheetFactor::Stiffness) / mass), 1.0});
+  return std::max({2 * speedOf(s, b) / thickness, std::sqrt(10 * pressure / (mass * thickness)),
+                   2 * std::sqrt(most(SheetFactor::Stiffness) / mass), 1.0});
 }
 
 /// Of a spring between two vertices.
 struct SpringFactors {
   const std::vector<SheetLaw>& laws;
   const std::vector<std::uint16_t>& law;  // of each vertex
-  double operator()(SheetFactor f, std::uint32_t a, std::uint32_t b) const { return 0.5 * (laws[law[a]].factor[placeOf(f)] + laws[law[b]].factor[placeOf(f)]); }
+  double operator()(SheetFactor f, std::uint32_t a, std::uint32_t b) const {
+    return 0.5 * (laws[law[a]].factor[placeOf(f)] + laws[law[b]].factor[placeOf(f)]);
+  }
 };
 
 std::vector<SheetHinge> hingesOf(const SheetBody& b, const SheetPlan& plan, const SpringFactors& factor) {
@@ -62,14 +70,21 @@ std::vector<SheetHinge> hingesOf(const SheetBody& b, const SheetPlan& plan, cons
     const double span = length(x[beyond] - x[across]), edge = length(x[c] - x[a]);
     const bool second = span < 1.2 * edge;  // the second diagonal of a square
     const SheetFactor kind = second ? edgeKind(b, x[beyond] - x[across]) : SheetFactor::Bending;
-    const double stiffness = (second ? edgeStiffness(b, x[beyond] - x[across], area) : b.bending * area / (span * span)) * factor(kind, across, beyond);
+    const double stiffness = (second ? edgeStiffness(b, x[beyond] - x[across], area)
+                                     : b.bending * area / (span * span)) *
+                             factor(kind, across, beyond);
     if (!(stiffness > 0) || !(span > 0)) continue;
     all.push_back({across, beyond, b.restLength * span, stiffness, kind});
     all.push_back({beyond, across, b.restLength * span, stiffness, kind});
   }
-  std::sort(all.begin(), all.end(), [](const SheetHinge& p, const SheetHinge& q) { return p.from != q.from ? p.from < q.from : p.to < q.to; });
+  std::sort(all.begin(), all.end(), [](const SheetHinge& p, const SheetHinge& q) {
+    return p.from != q.from ? p.from < q.from : p.to < q.to;
+  });
   // two edges of a very coarse mesh may have the same vertices across: one bond
-  all.erase(std::unique(all.begin(), all.end(), [](const SheetHinge& p, const SheetHinge& q) { return p.from == q.from && p.to == q.to; }), all.end());
+  all.erase(
+      std::unique(all.begin(), all.end(),
+                  [](const SheetHinge& p, const SheetHinge& q) { return p.from == q.from && p.to == q.to; }),
+      all.end());
   std::erase_if(all, [&](const SheetHinge& h) {  // nor a second one beside an edge
     for (std::uint32_t k = t.first[h.from]; k < t.first[h.from + 1]; k++)
       if (t.ring[k].to == h.to) return true;
@@ -78,7 +93,8 @@ std::vector<SheetHinge> hingesOf(const SheetBody& b, const SheetPlan& plan, cons
   return all;
 }
 
-/// Contact by triangles begins where spheres of the particles' spacing touch a sheet that is as thick as that, unless the scene gives its thickness.
+/// Contact by triangles begins where spheres of the particles' spacing touch a sheet that is as thick as
+/// that, unless the scene gives its thickness.
 void planFaces(const Scene& s, const SheetBody& b, SheetPlan& plan) {
   const double thickness = b.thickness > 0 ? b.thickness : 0.8 * s.spacing;
   plan.faceReach = 0.5 * (thickness + s.spacing);
@@ -89,7 +105,9 @@ void planFaces(const Scene& s, const SheetBody& b, SheetPlan& plan) {
 }
 
 /// kg/m^2: what has no mass turns round as fast by its damping or its spring.
-double contactMassOf(const SpringLaw& l, double rate) { return l.mass > 0 ? l.mass : l.damping > 0 ? l.damping / rate : l.stiffness / (rate * rate); }
+double contactMassOf(const SpringLaw& l, double rate) {
+  return l.mass > 0 ? l.mass : l.damping > 0 ? l.damping / rate : l.stiffness / (rate * rate);
+}
 
 /// Triangles by their first corners.
 void listFaces(SheetPlan& plan) {
@@ -98,29 +116,41 @@ void listFaces(SheetPlan& plan) {
   for (std::size_t v = 0; v + 1 < plan.faceFirst.size(); v++) plan.faceFirst[v + 1] += plan.faceFirst[v];
   plan.faceOf.resize(plan.mesh.triangles.size());
   std::vector<std::uint32_t> next(plan.faceFirst.begin(), plan.faceFirst.end() - 1);
-  for (std::uint32_t k = 0; k < plan.mesh.triangles.size(); k++) plan.faceOf[next[plan.mesh.triangles[k][0]]++] = k;
+  for (std::uint32_t k = 0; k < plan.mesh.triangles.size(); k++)
+    plan.faceOf[next[plan.mesh.triangles[k][0]]++] = k;
 }
 
 SheetLaw lawOf(std::size_t sheet, const SheetBody& b, const SheetRegion& r) {
   const auto& f = r.factor;
-  return {static_cast<std::uint16_t>(sheet), {b.mass * f[placeOf(SheetFactor::Mass)], b.damping * f[placeOf(SheetFactor::Damping)], b.stiffness * f[placeOf(SheetFactor::Stiffness)]}, 0, f};
+  return {static_cast<std::uint16_t>(sheet),
+          {b.mass * f[placeOf(SheetFactor::Mass)], b.damping * f[placeOf(SheetFactor::Damping)],
+           b.stiffness * f[placeOf(SheetFactor::Stiffness)]},
+          0,
+          f};
 }
 
 void checkLaw(const SheetLaw& l, const SourcePlace& where) {
-  if (l.law.mass == 0 && l.law.damping == 0 && l.law.stiffness == 0) throw ShapeError("a sheet needs mass, damping or stiffness: all three are 0", where);
+  if (l.law.mass == 0 && l.law.damping == 0 && l.law.stiffness == 0)
+    throw ShapeError("a sheet needs mass, damping or stiffness: all three are 0", where);
 }
 
 }  // namespace
 
-double sheetThickness(const Scene& s, const SheetBody& b) { return b.thickness > 0 ? b.thickness : 0.8 * spacingOf(s, b); }
+double sheetThickness(const Scene& s, const SheetBody& b) {
+  return b.thickness > 0 ? b.thickness : 0.8 * spacingOf(s, b);
+}
 
 double expectedSheetSpeed(const Scene& s) {
   double most = 0;
   for (const SheetBody& b : s.sheets) {
     // of a pressure that pushes over a length
-    const auto pushed = [&](double pressure, double over) { return b.mass > 0 ? std::sqrt(2 * pressure * over / b.mass) : b.damping > 0 ? pressure / b.damping : 0; };
-    most = std::max({most, speedOf(s, b), b.windDensity > 0 ? length(b.wind) : 0, pushed(std::abs(b.wrap) * largestFactor(b, SheetFactor::Wrap), spacingOf(s, b))});
-    for (const SheetBrush& brush : b.brushes) most = std::max(most, pushed(length(brush.pressure) * brush.inTime.most(0, never), brush.radius));
+    const auto pushed = [&](double pressure, double over) {
+      return b.mass > 0 ? std::sqrt(2 * pressure * over / b.mass) : b.damping > 0 ? pressure / b.damping : 0;
+    };
+    most = std::max({most, speedOf(s, b), b.windDensity > 0 ? length(b.wind) : 0,
+                     pushed(std::abs(b.wrap) * largestFactor(b, SheetFactor::Wrap), spacingOf(s, b))});
+    for (const SheetBrush& brush : b.brushes)
+      most = std::max(most, pushed(length(brush.pressure) * brush.inTime.most(0, never), brush.radius));
   }
   return most;
 }
@@ -131,21 +161,26 @@ double sheetReach(const Scene& s) {
     const double own = sheetThickness(s, b);
     reach = std::max({reach, own, own + (b.pull > 0 ? b.pullReach : 0), 0.5 * (own + s.spacing)});
     // where vertices look for nobody around, cells are what sums are taken over: some vertices each
-    if (!hasContinuum(s) && s.oriented.empty() && !sheetsMeet(s)) reach = std::max(reach, 4 * spacingOf(s, b));
+    if (!hasContinuum(s) && s.oriented.empty() && !sheetsMeet(s))
+      reach = std::max(reach, 4 * spacingOf(s, b));
   }
   return reach;
 }
 
 SheetFactor edgeKind(const SheetBody& b, const Vec3d& edge) {
   const Pose pose = poseOf({}, b.shape.rotate);
-  const double along = std::abs(dot(edge, directionFromRest(pose, normalized(b.warpDirection)))) / length(edge);
+  const double along = std::abs(dot(edge, directionFromRest(pose, normalized(b.warpDirection)))) /
+                       length(edge);
   return along > warpCosine ? SheetFactor::Warp : along < weftCosine ? SheetFactor::Weft : SheetFactor::Shear;
 }
 
-double edgeStiffness(const SheetBody& b, const Vec3d& edge, double area) { return b.*sheetCoefficients[placeOf(edgeKind(b, edge))].value * area / dot(edge, edge); }
+double edgeStiffness(const SheetBody& b, const Vec3d& edge, double area) {
+  return b.*sheetCoefficients[placeOf(edgeKind(b, edge))].value * area / dot(edge, edge);
+}
 
 std::span<const SheetHinge> hingesAt(const SheetPlan& plan, std::uint32_t vertex) {
-  const auto first = std::lower_bound(plan.hinges.begin(), plan.hinges.end(), vertex, [](const SheetHinge& h, std::uint32_t x) { return h.from < x; });
+  const auto first = std::lower_bound(plan.hinges.begin(), plan.hinges.end(), vertex,
+                                      [](const SheetHinge& h, std::uint32_t x) { return h.from < x; });
   auto last = first;
   while (last != plan.hinges.end() && last->from == vertex) ++last;
   return {first, last};
@@ -153,7 +188,8 @@ std::span<const SheetHinge> hingesAt(const SheetPlan& plan, std::uint32_t vertex
 
 std::vector<SheetFactor> springKinds(const SheetPlan& plan, std::uint32_t vertex) {
   const SheetTopology& t = plan.topology;
-  std::vector<SheetFactor> kinds(plan.edgeKind.begin() + t.first[vertex], plan.edgeKind.begin() + t.first[vertex + 1]);
+  std::vector<SheetFactor> kinds(plan.edgeKind.begin() + t.first[vertex],
+                                 plan.edgeKind.begin() + t.first[vertex + 1]);
   for (const SheetHinge& h : hingesAt(plan, vertex)) kinds.push_back(h.kind);
   return kinds;
 }
@@ -164,7 +200,8 @@ LeftOut leftOutOf(const TriangleMesh& file, const TriangleMesh& kept) {
   std::vector<std::uint8_t> used(file.vertices.size(), 0);
   for (const auto& t : file.triangles)
     for (const std::uint32_t v : t) used[v] = 1;
-  return {file.triangles.size() - kept.triangles.size(), static_cast<std::size_t>(std::count(used.begin(), used.end(), 0))};
+  return {file.triangles.size() - kept.triangles.size(),
+          static_cast<std::size_t>(std::count(used.begin(), used.end(), 0))};
 }
 
 }  // namespace
@@ -177,9 +214,12 @@ TriangleMesh sheetMesh(const Scene& s, const SheetBody& b, const MeshLoader& loa
     case SheetMesh::Sphere: m = sphereSheet(b.radius, spacing); break;
     case SheetMesh::Head: m = headSheet(b.height, spacing); break;
     case SheetMesh::Dome: m = domeSheet(b.radius, b.height, spacing, b.ribs, b.ribHeight); break;
-    case SheetMesh::Forehead: m = foreheadSheet(b.radius, b.width, b.height, spacing, b.wrinkleHeight, b.wrinkles); break;
+    case SheetMesh::Forehead:
+      m = foreheadSheet(b.radius, b.width, b.height, spacing, b.wrinkleHeight, b.wrinkles);
+      break;
     case SheetMesh::File: {
-      if (!load && !isBuiltin(b.shape.mesh)) throw ShapeError("mesh '" + b.shape.mesh + "': nothing was given to read it with", b.where);
+      if (!load && !isBuiltin(b.shape.mesh))
+        throw ShapeError("mesh '" + b.shape.mesh + "': nothing was given to read it with", b.where);
       const TriangleMesh file = isBuiltin(b.shape.mesh) ? builtinMesh(b.shape.mesh) : load(b.shape.mesh);
       m = weldVertices(file, 0);
       if (leftOut) *leftOut = leftOutOf(file, m);
@@ -193,7 +233,8 @@ SheetPlans planSheets(const Scene& s, const MeshLoader& load) {
   SheetPlans all;
   SceneProblems problems;
   for (const auto& axis : s.domain.side)
-    if (axis[0] == Side::Periodic && !s.sheets.empty()) problems.add(s.sheets[0].where, "sheets need a domain without periodic sides");
+    if (axis[0] == Side::Periodic && !s.sheets.empty())
+      problems.add(s.sheets[0].where, "sheets need a domain without periodic sides");
   for (std::size_t n = 0; n < s.sheets.size(); n++) {
     const SheetBody& b = s.sheets[n];
     try {
@@ -211,7 +252,8 @@ SheetPlans planSheets(const Scene& s, const MeshLoader& load) {
         const auto shape = makeSignedDistance(r.shape, load);
         bool has = false;
         for (std::size_t v = 0; v < plan.law.size(); v++)
-          if (shape->inside(plan.mesh.vertices[v])) plan.law[v] = static_cast<std::uint16_t>(all.laws.size()), has = true;
+          if (shape->inside(plan.mesh.vertices[v]))
+            plan.law[v] = static_cast<std::uint16_t>(all.laws.size()), has = true;
         if (!has) throw ShapeError("there is no vertex in this region at the start", r.where);
         all.laws.push_back(law);
       }
@@ -219,18 +261,21 @@ SheetPlans planSheets(const Scene& s, const MeshLoader& load) {
       double edges = 0;
       for (std::uint32_t v = 0; v + 1 < t.first.size(); v++)
         for (std::uint32_t k = t.first[v]; k < t.first[v + 1]; k++) {
-          const std::uint32_t a = std::min(v, t.ring[k].to), c = std::max(v, t.ring[k].to);  // both ends find the same bits
+          // both ends find the same bits
+          const std::uint32_t a = std::min(v, t.ring[k].to), c = std::max(v, t.ring[k].to);
           const Vec3d d = plan.mesh.vertices[c] - plan.mesh.vertices[a];
           edges += length(d);
           plan.longestEdge = std::max(plan.longestEdge, std::max(1.0, b.restLength) * length(d));
           plan.edgeLength.push_back(b.restLength * length(d));
           plan.edgeKind.push_back(edgeKind(b, d));
-          plan.edgeStiffness.push_back(edgeStiffness(b, d, t.ring[k].area) * factor(plan.edgeKind.back(), a, c));
+          plan.edgeStiffness.push_back(edgeStiffness(b, d, t.ring[k].area) *
+                                       factor(plan.edgeKind.back(), a, c));
         }
       plan.spacing = edges / static_cast<double>(t.ring.size());
       plan.thickness = sheetThickness(s, b);
       plan.contactRate = b.contactRate > 0 ? b.contactRate : contactRateOf(s, b, plan.thickness);
-      for (std::size_t l = base; l < all.laws.size(); l++) all.laws[l].contactMass = contactMassOf(all.laws[l].law, plan.contactRate);
+      for (std::size_t l = base; l < all.laws.size(); l++)
+        all.laws[l].contactMass = contactMassOf(all.laws[l].law, plan.contactRate);
       plan.byFaces = coarserThanParticles(s, plan);
       if (plan.byFaces) planFaces(s, b, plan);
       if (plan.byFaces || meshTouches(s, n)) listFaces(plan);
@@ -251,16 +296,21 @@ SheetPlans planSheets(const Scene& s, const MeshLoader& load) {
         if (!seen[t.component[v]]) part.origin = plan.mesh.vertices[v];
         seen[t.component[v]] = 1;
         part.area += t.area[v];
-        part.stiffness += b.volumeStiffness * all.laws[plan.law[v]].factor[placeOf(SheetFactor::Volume)] * t.area[v];
+        part.stiffness += b.volumeStiffness * all.laws[plan.law[v]].factor[placeOf(SheetFactor::Volume)] *
+                          t.area[v];
         part.vertices++;
       }
-      for (std::size_t p = plan.firstPart; p < all.parts.size(); p++) all.parts[p].stiffness /= all.parts[p].area;
+      for (std::size_t p = plan.firstPart; p < all.parts.size(); p++)
+        all.parts[p].stiffness /= all.parts[p].area;
       if (b.volumeStiffness > 0)
         for (std::size_t c = 0; c < t.closed.size(); c++)
           if (!(t.volume[c] > 0))
-            throw ShapeError(t.closed[c] ? "volume_stiffness needs a mesh whose triangles face outward" : "volume_stiffness needs a closed mesh, and this one has a border", b.where);
+            throw ShapeError(t.closed[c] ? "volume_stiffness needs a mesh whose triangles face outward"
+                                         : "volume_stiffness needs a closed mesh, and this one has a border",
+                             b.where);
       plan.hinges = hingesOf(b, plan, factor);
-      plan.touches = b.selfContact || s.sheets.size() > 1 || !s.obstacles.empty() || !s.bodies.empty() || !s.emitters.empty() || !s.oriented.empty() || b.push > 0 || b.pull > 0;
+      plan.touches = b.selfContact || s.sheets.size() > 1 || !s.obstacles.empty() || !s.bodies.empty() ||
+                     !s.emitters.empty() || !s.oriented.empty() || b.push > 0 || b.pull > 0;
       for (const auto& axis : s.domain.side)
         for (const Side side : axis) plan.touches = plan.touches || side == Side::Wall;
       all.plans.push_back(std::move(plan));

@@ -20,7 +20,8 @@ void prepareSheets(World& w, const MeshLoader& load) {
 void activateSheets(World& w) {
   Sheets& s = w.sheets.rows;
   activateKind(s);
-  for (AnyColumn* c : std::initializer_list<AnyColumn*>{&s.rest, &s.load, &s.area, &s.law, &s.part, &s.slot}) s.activate(*c);
+  for (AnyColumn* c : std::initializer_list<AnyColumn*>{&s.rest, &s.load, &s.area, &s.law, &s.part, &s.slot})
+    s.activate(*c);
   for (const SheetBody& b : w.scene.sheets) {
     if (b.plasticity > 0 && b.elasticLimit < never) {
       s.activate(s.flow);
@@ -47,19 +48,27 @@ void activateSheets(World& w) {
 void sampleSheets(World& w, Halos halos, const MeshLoader& load) {
   Sheets& s = w.sheets.rows;
   SceneProblems problems;
-  const auto rank = static_cast<std::size_t>(halos.all.rank()), ranks = static_cast<std::size_t>(halos.all.size());
+  const auto rank = static_cast<std::size_t>(halos.all.rank()),
+             ranks = static_cast<std::size_t>(halos.all.size());
   for (std::size_t n = 0; n < w.sheets.plans.size(); n++) {
     const SheetPlan& plan = w.sheets.plans[n];
     const SheetBody& b = w.scene.sheets[n];
     std::vector<std::shared_ptr<const SignedDistance>> clamps;
-    for (const Shape& c : b.clamp) clamps.push_back(makeSignedDistance(c, load, "sheet '" + b.name + "': a clamp", problems));
-    const std::size_t all = plan.mesh.vertices.size(), begin = all * rank / ranks, end = all * (rank + 1) / ranks;
+    for (const Shape& c : b.clamp)
+      clamps.push_back(makeSignedDistance(c, load, "sheet '" + b.name + "': a clamp", problems));
+    const std::size_t all = plan.mesh.vertices.size(), begin = all * rank / ranks,
+                      end = all * (rank + 1) / ranks;
     Outside outside;
     for (const Vec3d& x : plan.mesh.vertices) outside.look(w.scene.domain, x);
-    if (outside.count > 0) problems.add(b.where, "sheet '" + b.name + "': " + outsideText(outside, w.scene.domain, static_cast<std::int64_t>(all), "vertices", "sheet"));
+    if (outside.count > 0)
+      problems.add(b.where, "sheet '" + b.name + "': " +
+                                outsideText(outside, w.scene.domain, static_cast<std::int64_t>(all),
+                                            "vertices", "sheet"));
     for (std::size_t c = 0; c < clamps.size(); c++)
-      if (clamps[c] && std::none_of(plan.mesh.vertices.begin(), plan.mesh.vertices.end(), [&](const Vec3d& x) { return clamps[c]->inside(x); }))
-        problems.add(b.clamp[c].where, "sheet '" + b.name + "': there is no vertex in this clamp at the start");
+      if (clamps[c] && std::none_of(plan.mesh.vertices.begin(), plan.mesh.vertices.end(),
+                                    [&](const Vec3d& x) { return clamps[c]->inside(x); }))
+        problems.add(b.clamp[c].where,
+                     "sheet '" + b.name + "': there is no vertex in this clamp at the start");
     std::size_t i = s.owned;
     s.resize(i + end - begin, 0);
     for (std::size_t v = begin; v < end; v++, i++) {

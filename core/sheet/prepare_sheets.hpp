@@ -4,7 +4,8 @@
 
 namespace thaw {
 
-/// Meshes and coefficients of the scene's sheets, into the world; every rank does it. Throws ShapeError with all problems.
+/// Meshes and coefficients of the scene's sheets, into the world; every rank does it. Throws ShapeError with
+/// all problems.
 void prepareSheets(World& world, const MeshLoader& load);
 
 void activateSheets(World& world);

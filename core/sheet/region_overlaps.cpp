@@ -9,7 +9,8 @@ namespace {
 std::string lostFactors(const SheetRegion& earlier, const SheetRegion& later) {
   std::string lost;
   for (std::size_t f = 0; f < sheetFactors; f++)
-    if (earlier.factor[f] != 1 && later.factor[f] == 1) lost += (lost.empty() ? "" : ", ") + std::string(sheetCoefficients[f].key);
+    if (earlier.factor[f] != 1 && later.factor[f] == 1)
+      lost += (lost.empty() ? "" : ", ") + std::string(sheetCoefficients[f].key);
   return lost;
 }
 
@@ -27,10 +28,16 @@ std::vector<SceneWarning> overlapsOfRegions(const World& w, const MeshLoader& lo
       for (std::size_t earlier = 0; earlier < later; earlier++) {
         const std::string lost = lostFactors(b.regions[earlier], b.regions[later]);
         if (lost.empty()) continue;
-        const auto shared = std::count_if(places.begin(), places.end(), [&](const Vec3d& x) { return shapes[earlier]->inside(x) && shapes[later]->inside(x); });
+        const auto shared = std::count_if(places.begin(), places.end(), [&](const Vec3d& x) {
+          return shapes[earlier]->inside(x) && shapes[later]->inside(x);
+        });
         if (shared > 0)
-          warnings.push_back({b.regions[later].where, "sheet '" + b.name + "': " + std::to_string(shared) + " vertices of its region " + std::to_string(earlier) + " are in region " + std::to_string(later) +
-                                                          " as well, and the later one's factors hold there: " + lost + " of the earlier one is lost, unless the later one says it again"});
+          warnings.push_back({b.regions[later].where,
+                              "sheet '" + b.name + "': " + std::to_string(shared) +
+                                  " vertices of its region " + std::to_string(earlier) + " are in region " +
+                                  std::to_string(later) +
+                                  " as well, and the later one's factors hold there: " + lost +
+                                  " of the earlier one is lost, unless the later one says it again"});
       }
   }
   return warnings;

@@ -5,7 +5,8 @@
 
 namespace thaw {
 
-/// A warning for each two regions of a sheet that share vertices, where the later one takes factors away that the earlier one has. The same on all ranks.
+/// A warning for each two regions of a sheet that share vertices, where the later one takes factors away that
+/// the earlier one has. The same on all ranks.
 std::vector<SceneWarning> overlapsOfRegions(const World& world, const MeshLoader& load);
 
 }  // namespace thaw

@@ -26,11 +26,14 @@ double massOf(const World& w, std::size_t i) {  // that contact goes by
 /// N/m, push or pull of a vertex at a factor in time of 1.
 double ownOf(const World& w, SheetFactor f, std::size_t i) {
   const Sheets& s = w.sheets.rows;
-  return w.scene.sheets[s.body[i]].*sheetCoefficients[placeOf(f)].value * w.sheets.laws[s.law[i]].factor[placeOf(f)];
+  return w.scene.sheets[s.body[i]].*sheetCoefficients[placeOf(f)].value *
+         w.sheets.laws[s.law[i]].factor[placeOf(f)];
 }
 
 /// Half of each end's, as it is now; of the largest until the end of the next step for the slope.
-struct PairSpring { double own, stiffness, later; };
+struct PairSpring {
+  double own, stiffness, later;
+};
 PairSpring pairSpring(const World& w, SheetFactor f, std::size_t i, std::size_t j) {
   const Sheets& s = w.sheets.rows;
   const double own = 0.5 * ownOf(w, f, i), other = 0.5 * ownOf(w, f, j);
@@ -78,7 +81,8 @@ void pushVertices(World& w) {
       if (s.changing.active) changingOf(s, i, SheetFactor::Push) += push.own * unit;
     }
     if (const PairSpring pull = pairSpring(w, SheetFactor::Pull, i, j); pull.later > 0 && beyond < reach) {
-      const double u = std::max(beyond, 0.0) / reach, unit = reach * reach * (u * u * (0.5 - u * (2.0 / 3) + 0.25 * u * u) - 1.0 / 12);
+      const double u = std::max(beyond, 0.0) / reach,
+                   unit = reach * reach * (u * u * (0.5 - u * (2.0 / 3) + 0.25 * u * u) - 1.0 / 12);
       force -= n * (pull.stiffness * reach * u * (1 - u) * (1 - u));
       energy += pull.stiffness * unit;
       slope[i] += pull.later;
@@ -110,15 +114,23 @@ struct Particles {
     if (!(r2 < reach * reach) || !(r2 > 0)) return false;
     const SheetBody& b = w.scene.sheets[s.body[i]];
     const Material& material = w.scene.materials[p.material[j]];
-    const double r = std::sqrt(r2), liquid = p.liquid.active ? static_cast<double>(p.liquid[j]) : p.phase[j] == Liquid ? 1 : 0;
-    const double mass = pairMass(massOf(w, i), p.mass[j]), part = std::min(1.0, s.area[i] / (w.scene.spacing * w.scene.spacing));  // of the particle that this vertex has to hold
+    const double r = std::sqrt(r2), liquid = p.liquid.active        ? static_cast<double>(p.liquid[j])
+                                             : p.phase[j] == Liquid ? 1
+                                                                    : 0;
+    // of the particle that this vertex has to hold
+    const double mass = pairMass(massOf(w, i), p.mass[j]),
+                 part = std::min(1.0, s.area[i] / (w.scene.spacing * w.scene.spacing));
     m.touch = touchOf({plan.contactRate, mass, std::min(b.restitution, material.restitution),
-                       (1 - liquid) * std::max(b.friction, material.friction), now.span, part * particleBarrier(plan, p.material[j], p.mass[j]), reach},
+                       (1 - liquid) * std::max(b.friction, material.friction), now.span,
+                       part * particleBarrier(plan, p.material[j], p.mass[j]), reach},
                       reach - r, d / r, s.moving[i] - p.velocity[j]);
     m.heat = 0;
     if (heat && b.conductance > 0) {
       const double area = std::min(s.area[i], w.scene.spacing * w.scene.spacing), flow = b.conductance * area;
-      const double rate = 8 * flow * (1 / (s.area[i] * b.heatCapacity) + 1 / (p.mass[j] * heatCapacityOf(w.scene.numerics.heat, material, liquid)));  // of up to eight pairs
+      // of up to eight pairs
+      const double rate = 8 * flow *
+                          (1 / (s.area[i] * b.heatCapacity) +
+                           1 / (p.mass[j] * heatCapacityOf(w.scene.numerics.heat, material, liquid)));
       m.heat = flow * (averaged(rate, now.span) / rate) * (p.temperature[j] - s.temperature[i]);
     }
     return true;
@@ -146,7 +158,8 @@ void meetParticles(World& w, const SheetVelocities& now) {
     if (!pair.meet(i, j, m)) return;
     p.force[j] -= m.touch.force;
     p.interaction[j] += 0.5 * m.touch.energy;
-    // - resisting * velocity of either end: what both lose together; half a kick of the last force stands for that of this one
+    // - resisting * velocity of either end: what both lose together; half a kick of the last force stands for
+    // that of this one
     p.dissipation[j] += dot(m.touch.resisting, p.velocity[j] + p.acceleration[j] * (0.5 * now.dt));
     if (pair.heat) {
       p.heatFlow[j] -= m.heat;
@@ -157,7 +170,8 @@ void meetParticles(World& w, const SheetVelocities& now) {
   for (const double x : stiff) b.stiffestParticle = std::max(b.stiffestParticle, x);
 }
 
-/// Vertices and oriented particles: as with those of the continuum, but for heat. What oriented particles feel is held over their next step.
+/// Vertices and oriented particles: as with those of the continuum, but for heat. What oriented particles
+/// feel is held over their next step.
 void meetOriented(World& w, const SheetVelocities& now) {
   SheetBodies& b = w.sheets;
   Sheets& s = b.rows;
@@ -171,7 +185,9 @@ void meetOriented(World& w, const SheetVelocities& now) {
     const double reach = 0.5 * (plan.thickness + spacing), r2 = dot(d, d);
     if (!(r2 < reach * reach) || !(r2 > 0)) return false;
     const double r = std::sqrt(r2), mass = orientedMass(other, spacing);  // not the column: ghosts have none
-    touch = touchOf({plan.contactRate, pairMass(massOf(w, i), mass), sheet.restitution, std::max(sheet.friction, other.friction), now.span}, reach - r, d / r, s.moving[i] - o.velocity[j]);
+    touch = touchOf({plan.contactRate, pairMass(massOf(w, i), mass), sheet.restitution,
+                     std::max(sheet.friction, other.friction), now.span},
+                    reach - r, d / r, s.moving[i] - o.velocity[j]);
     return true;
   };
   std::vector<double> slope(s.owned, 0);
@@ -201,7 +217,8 @@ void meetOriented(World& w, const SheetVelocities& now) {
 namespace {
 
 bool pushOrPull(const Scene& s) {
-  return std::any_of(s.sheets.begin(), s.sheets.end(), [](const SheetBody& b) { return b.push > 0 || b.pull > 0; });
+  return std::any_of(s.sheets.begin(), s.sheets.end(),
+                     [](const SheetBody& b) { return b.push > 0 || b.pull > 0; });
 }
 
 }  // namespace
@@ -215,7 +232,8 @@ double neverTouch(const SheetPlan& p) { return std::max(2 * p.spacing, 1.3 * p.t
 void addSheetContacts(World& w, Halos halos, const SheetVelocities& now) {
   SheetBodies& b = w.sheets;
   Sheets& s = b.rows;
-  const bool meshes = meshesTouch(w.scene), pushes = pushOrPull(w.scene), continuum = sheetsMeetContinuum(w.scene), oriented = w.modules.draping;
+  const bool meshes = meshesTouch(w.scene), pushes = pushOrPull(w.scene),
+             continuum = sheetsMeetContinuum(w.scene), oriented = w.modules.draping;
   bool points = false, faces = false;  // of contact with the continuum
   for (const SheetPlan& p : b.plans) (p.byFaces ? faces : points) = true;
   if (!meshes && !pushes && !continuum && !oriented) return;

@@ -20,14 +20,16 @@ namespace {
 SpringLaw lawNow(const World& w, const SheetLaw& l, double dt) {
   const SheetBody& b = w.scene.sheets[l.sheet];
   const double time = w.clock.time + 0.5 * dt;
-  return {l.law.mass, l.law.damping * b.factorAt(SheetFactor::Damping, time), l.law.stiffness * b.factorAt(SheetFactor::Stiffness, time)};
+  return {l.law.mass, l.law.damping * b.factorAt(SheetFactor::Damping, time),
+          l.law.stiffness * b.factorAt(SheetFactor::Stiffness, time)};
 }
 
 /// The one of the least stable next step: damping falls, and stiffness grows.
 SpringLaw lawToCome(const World& w, const SheetLaw& l) {
   const SheetBody& b = w.scene.sheets[l.sheet];
   const double until = w.clock.time + 1.1 * w.clock.dt;
-  return {l.law.mass, l.law.damping * b.inTime[placeOf(SheetFactor::Damping)].least(w.clock.time, until), l.law.stiffness * b.inTime[placeOf(SheetFactor::Stiffness)].most(w.clock.time, until)};
+  return {l.law.mass, l.law.damping * b.inTime[placeOf(SheetFactor::Damping)].least(w.clock.time, until),
+          l.law.stiffness * b.inTime[placeOf(SheetFactor::Stiffness)].most(w.clock.time, until)};
 }
 
 /// Work of a change of the springs to the places of rest, from one time (s) to another, at the places of now.
@@ -36,7 +38,8 @@ void bookRestChange(World& w, double from, double to) {
   bool any = false;
   for (const SheetLaw& l : w.sheets.laws) {
     const SheetBody& b = w.scene.sheets[l.sheet];
-    half.push_back(0.5 * l.law.stiffness * (b.factorAt(SheetFactor::Stiffness, to) - b.factorAt(SheetFactor::Stiffness, from)));
+    half.push_back(0.5 * l.law.stiffness *
+                   (b.factorAt(SheetFactor::Stiffness, to) - b.factorAt(SheetFactor::Stiffness, from)));
     any = any || half.back() != 0;
   }
   if (!any) return;
@@ -60,8 +63,9 @@ Vec3d restOf(const World& w, std::size_t i) {
   return s.rest[i] + s.flow[i];
 }
 
-/// What goes beyond the elastic limit: plasticity times it moves the place of rest, and by the rest of it the limit grows. Then the vertex is at the
-/// limit, and the same deformation in more steps comes to the same; let go, it keeps plasticity times the excess.
+/// What goes beyond the elastic limit: plasticity times it moves the place of rest, and by the rest of it the
+/// limit grows. Then the vertex is at the limit, and the same deformation in more steps comes to the same;
+/// let go, it keeps plasticity times the excess.
 void yieldPlastic(World& w, double time) {
   Sheets& s = w.sheets.rows;
   for (std::size_t i = 0; i < s.owned; i++) {
@@ -70,7 +74,8 @@ void yieldPlastic(World& w, double time) {
     const Vec3d before = s.position[i] - restOf(w, i);
     const double far = length(before), excess = far - b.elasticLimit - s.hardening[i];
     if (!(excess > 0)) continue;
-    const double k = w.sheets.laws[s.law[i]].law.stiffness * b.factorAt(SheetFactor::Stiffness, time) * s.area[i];
+    const double k = w.sheets.laws[s.law[i]].law.stiffness * b.factorAt(SheetFactor::Stiffness, time) *
+                     s.area[i];
     s.flow[i] += before * (b.plasticity * excess / far);
     s.hardening[i] += (1 - b.plasticity) * excess;
     const Vec3d after = s.position[i] - restOf(w, i);
@@ -78,21 +83,29 @@ void yieldPlastic(World& w, double time) {
   }
 }
 
-/// The load whose work over the way is in what damping takes. Of what has no mass dashpots and friction are left out, as this is all that it loses: its velocity follows their force at once, to
-/// and fro from step to step, and force times velocity would say nothing of their work.
-Vec3d workingLoad(const Sheets& s, std::size_t i, const SpringLaw& law) { return s.resisting.active && !(law.mass > 0) ? s.load[i] - s.resisting[i] : s.load[i]; }
+/// The load whose work over the way is in what damping takes. Of what has no mass dashpots and friction are
+/// left out, as this is all that it loses: its velocity follows their force at once, to and fro from step to
+/// step, and force times velocity would say nothing of their work.
+Vec3d workingLoad(const Sheets& s, std::size_t i, const SpringLaw& law) {
+  return s.resisting.active && !(law.mass > 0) ? s.load[i] - s.resisting[i] : s.load[i];
+}
 
-/// Dashpots and friction over half of a step, by the way (m) of that half: each acts for half of the step that ends with it and for half of the next one, and what is booked before it has acted
-/// is missing for a step.
+/// Dashpots and friction over half of a step, by the way (m) of that half: each acts for half of the step
+/// that ends with it and for half of the next one, and what is booked before it has acted is missing for a
+/// step.
 void bookResisting(Sheets& s, std::size_t i, const SpringLaw& law, const Vec3d& way) {
   if (s.resisting.active && law.mass > 0) s.dissipated[i] -= s.area[i] * dot(s.resisting[i], way);
 }
 
-/// What a vertex loses, at the end of a step: dashpots and friction; and with damping what is missing of the energy and of the work of the load.
+/// What a vertex loses, at the end of a step: dashpots and friction; and with damping what is missing of the
+/// energy and of the work of the load.
 void bookKick(Sheets& s, std::size_t i, const SpringLaw& law, double dt) {
   const Vec3d& v = s.velocity[i];
-  bookResisting(s, i, law, law.damping > 0 ? 0.5 * s.moved[i] : 0.5 * dt * v);  // damping takes what is missing of the work over the same way
-  if (law.damping > 0) s.dissipated[i] += s.area[i] * (0.5 * dot(workingLoad(s, i, law), s.moved[i]) - 0.5 * law.mass * dot(v, v));
+  // damping takes what is missing of the work over the same way
+  bookResisting(s, i, law, law.damping > 0 ? 0.5 * s.moved[i] : 0.5 * dt * v);
+  if (law.damping > 0)
+    s.dissipated[i] += s.area[i] *
+                       (0.5 * dot(workingLoad(s, i, law), s.moved[i]) - 0.5 * law.mass * dot(v, v));
 }
 
 }  // namespace
@@ -108,7 +121,8 @@ void moveSheets(World& w, double dt) {
   bookChanging(w, begin, end);
   const bool simple = !s.flow.active && !s.clamped.active && !s.moved.active && !s.resisting.active;
   if (simple) {
-    moveVertices(maps, {s.position.data(), s.velocity.data(), s.rest.data(), s.load.data(), s.law.data()}, 0, s.owned);
+    moveVertices(maps, {s.position.data(), s.velocity.data(), s.rest.data(), s.load.data(), s.law.data()}, 0,
+                 s.owned);
     bookRestChange(w, middle, end);
     return;
   }
@@ -124,8 +138,12 @@ void moveSheets(World& w, double dt) {
     bookResisting(s, i, law, law.damping > 0 ? 0.5 * moved : 0.5 * dt * v);
     if (!s.moved.active) continue;
     s.moved[i] = moved;
-    // what drag takes over the step is what is missing of the energy and of the work of the load; kickSheets knows the rest
-    if (law.damping > 0) s.dissipated[i] += s.area[i] * (0.5 * law.mass * dot(v, v) + 0.5 * law.stiffness * (dot(z, z) - dot(z1, z1)) + 0.5 * dot(workingLoad(s, i, law), moved));
+    // what drag takes over the step is what is missing of the energy and of the work of the load; kickSheets
+    // knows the rest
+    if (law.damping > 0)
+      s.dissipated[i] += s.area[i] *
+                         (0.5 * law.mass * dot(v, v) + 0.5 * law.stiffness * (dot(z, z) - dot(z1, z1)) +
+                          0.5 * dot(workingLoad(s, i, law), moved));
   }
   if (s.outside.active) bookOutsideWork(w);
   bookRestChange(w, middle, end);
@@ -134,7 +152,8 @@ void moveSheets(World& w, double dt) {
 
 void kickSheets(World& w, double dt) {
   Sheets& s = w.sheets.rows;
-  const std::vector<SpringLaw> laws = lawsNow(w, dt);  // of the step that ends now: the clock still shows its beginning
+  const std::vector<SpringLaw> laws = lawsNow(w, dt);  // of the step that ends now: the clock still shows its
+                                                       // beginning
   std::vector<double> after;
   for (const SpringLaw& l : laws) after.push_back(vertexMap(l, dt).after);
   for (std::size_t i = 0; i < s.owned; i++) {
@@ -146,7 +165,8 @@ void kickSheets(World& w, double dt) {
   bookHolding(w, 1, dt);
   if (s.outside.active) bookOutsideWork(w);
   if (s.temperature.active)
-    for (std::size_t i = 0; i < s.owned; i++) s.temperature[i] += s.heatFlow[i] * dt / (s.area[i] * w.scene.sheets[s.body[i]].heatCapacity);
+    for (std::size_t i = 0; i < s.owned; i++)
+      s.temperature[i] += s.heatFlow[i] * dt / (s.area[i] * w.scene.sheets[s.body[i]].heatCapacity);
 }
 
 void closeLeavers(World& w, std::span<const std::uint32_t> rows, double dt) {
@@ -190,14 +210,17 @@ void loadSheets(World& w, Halos halos, StepTools& t, double dt) {
   b.stiffest.assign(b.laws.size(), 0);
   b.slope.assign(s.owned, 0);
   b.fastest2 = b.hardest = b.stiffestParticle = b.closing = b.blows = 0;
-  // contacts want the velocity of now: what is missing is the push of the force after the step, for which that before stands
+  // contacts want the velocity of now: what is missing is the push of the force after the step, for which
+  // that before stands
   std::vector<double> after(b.laws.size(), 0);
-  for (std::size_t l = 0; dt > 0 && l < b.laws.size(); l++) after[l] = vertexMap(lawNow(w, b.laws[l], dt), dt).after;
+  for (std::size_t l = 0; dt > 0 && l < b.laws.size(); l++)
+    after[l] = vertexMap(lawNow(w, b.laws[l], dt), dt).after;
   SheetVelocities now;
   now.velocity.swap(b.velocityRoom);
   now.velocity.resize(s.owned);
   for (std::size_t i = 0; i < s.owned; i++)
-    now.velocity[i] = s.clamped.active && s.clamped[i] ? Vec3d{} : s.velocity[i] + after[s.law[i]] * s.load[i];
+    now.velocity[i] = s.clamped.active && s.clamped[i] ? Vec3d{}
+                                                       : s.velocity[i] + after[s.law[i]] * s.load[i];
   now.span = dt > 0 ? dt : nextStep(w.clock);
   now.dt = dt;
 
@@ -216,7 +239,8 @@ void loadSheets(World& w, Halos halos, StepTools& t, double dt) {
   for (std::size_t i = 0; i < s.owned; i++)
     if (w.sheets.plans[s.body[i]].touches) {
       b.fastest2 = std::max(b.fastest2, dot(now.velocity[i], now.velocity[i]));
-      if (s.mass[i] > 0 && !(s.clamped.active && s.clamped[i])) b.hardest = std::max(b.hardest, length(s.load[i]) * s.area[i] / s.mass[i]);
+      if (s.mass[i] > 0 && !(s.clamped.active && s.clamped[i]))
+        b.hardest = std::max(b.hardest, length(s.load[i]) * s.area[i] / s.mass[i]);
     }
   now.velocity.swap(b.velocityRoom);
   t.times.lap(StepPhase::Sheet);
@@ -227,29 +251,39 @@ double sheetStepLimit(const World& w) {
   double limit = never;
   for (std::size_t l = 0; l < b.stiffest.size(); l++) {
     if (!(b.stiffest[l] > 0)) continue;
-    // rounded up to one of 32 values an octave: equal on all ranks that are about as stiff, and the step does not waver
+    // rounded up to one of 32 values an octave: equal on all ranks that are about as stiff, and the step does
+    // not waver
     int e = 0;
     const double part = std::frexp(b.stiffest[l], &e), kappa = std::ldexp(std::ceil(part * 64) / 64, e);
     limit = std::min(limit, 2 * w.scene.numerics.cflElastic * stableStep(lawToCome(w, b.laws[l]), kappa));
   }
   for (std::size_t l = 0; l < b.laws.size(); l++) {
     const SpringLaw& law = b.laws[l].law;
-    const double kappa = l < b.stiffest.size() ? b.stiffest[l] : 0, of = law.mass > 0 ? 0.5 * std::sqrt(kappa / law.mass) : law.damping > 0 ? kappa / law.damping : 0;  // kappa is a bound, of some four times what most swing with
+    // kappa is a bound, of some four times what most swing with
+    const double kappa = l < b.stiffest.size() ? b.stiffest[l] : 0,
+                 of = law.mass > 0      ? 0.5 * std::sqrt(kappa / law.mass)
+                      : law.damping > 0 ? kappa / law.damping
+                                        : 0;
     const SheetBody& body = w.scene.sheets[b.laws[l].sheet];
     limit = std::min(limit, changeLimit(body, w.clock.time, fastestRate(body, law, w.clock.time), of));
   }
   if (b.stiffestParticle > 0) {
     int e = 0;
     const double part = std::frexp(b.stiffestParticle, &e);
-    limit = std::min(limit, 4 * w.scene.numerics.cflElastic / std::sqrt(std::ldexp(std::ceil(part * 64) / 64, e)));
+    limit = std::min(limit,
+                     4 * w.scene.numerics.cflElastic / std::sqrt(std::ldexp(std::ceil(part * 64) / 64, e)));
   }
   if (b.fastestDrag > 0) limit = std::min(limit, dragInAStep / b.fastestDrag);
   // nothing passes through anything in a step
   if (b.fastest2 > 0 || b.hardest > 0) {
     double thin = never;
     for (const SheetPlan& p : b.plans)
-      if (p.touches) thin = std::min({thin, (meshesTouch(w.scene) ? 0.5 : 1) * p.thickness, p.byFaces ? p.faceReach : never});  // both of two sheets may come
-    limit = std::min({limit, 0.5 * thin / std::sqrt(b.fastest2), b.hardest > 0 ? std::sqrt(thin / b.hardest) : never});
+      // both of two sheets may come
+      if (p.touches)
+        thin = std::min(
+            {thin, (meshesTouch(w.scene) ? 0.5 : 1) * p.thickness, p.byFaces ? p.faceReach : never});
+    limit = std::min(
+        {limit, 0.5 * thin / std::sqrt(b.fastest2), b.hardest > 0 ? std::sqrt(thin / b.hardest) : never});
   }
   if (b.blows > 0) limit = std::min(limit, 1 / b.blows);
   if (b.closing > 0) limit = std::min(limit, 0.5 / b.closing);

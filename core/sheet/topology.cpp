@@ -10,30 +10,41 @@
 namespace thaw {
 namespace {
 
-std::string corners(std::uint64_t edge) { return "vertices " + std::to_string(edge >> 32) + " and " + std::to_string(edge & 0xffffffffu); }
+std::string corners(std::uint64_t edge) {
+  return "vertices " + std::to_string(edge >> 32) + " and " + std::to_string(edge & 0xffffffffu);
+}
 
 void checkEdges(const AlignedVector<EdgeSide>& sides) {
   forEachEdge(sides, [&](std::size_t first, std::size_t last) {
-    if (last - first > 2) throw ShapeError("a sheet's edge may have two triangles, but the one between " + corners(sides[first].edge) + " has " + std::to_string(last - first));
+    if (last - first > 2)
+      throw ShapeError("a sheet's edge may have two triangles, but the one between " +
+                       corners(sides[first].edge) + " has " + std::to_string(last - first));
     if (last - first == 2 && sides[first].sign == sides[first + 1].sign)
-      throw ShapeError("the triangles of a sheet have to face the same side, but those at the edge between " + corners(sides[first].edge) + " do not");
+      throw ShapeError("the triangles of a sheet have to face the same side, but those at the edge between " +
+                       corners(sides[first].edge) + " do not");
   });
 }
 
 /// One triangle at a vertex: it goes from neighbour `from` to neighbour `to`, counter-clockwise.
-struct Corner { std::uint32_t from, to; double area; };
+struct Corner {
+  std::uint32_t from, to;
+  double area;
+};
 
 void addFans(std::vector<Corner>& corners, std::vector<RingEdge>& ring) {
   std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) { return a.from < b.from; });
   const auto startingAt = [&](std::uint32_t v) {
-    const auto at = std::lower_bound(corners.begin(), corners.end(), v, [](const Corner& c, std::uint32_t x) { return c.from < x; });
-    return at != corners.end() && at->from == v ? static_cast<std::size_t>(at - corners.begin()) : corners.size();
+    const auto at = std::lower_bound(corners.begin(), corners.end(), v,
+                                     [](const Corner& c, std::uint32_t x) { return c.from < x; });
+    return at != corners.end() && at->from == v ? static_cast<std::size_t>(at - corners.begin())
+                                                : corners.size();
   };
   std::vector<std::uint8_t> used(corners.size(), 0), entered(corners.size(), 0);
   for (const Corner& c : corners)
     if (const std::size_t next = startingAt(c.to); next < corners.size()) entered[next] = 1;
   const std::size_t begin = ring.size();
-  for (const bool open : {true, false})  // fans with borders first, each from its first border; then the rings, from their smallest neighbour
+  for (const bool open : {true, false})  // fans with borders first, each from its first border; then the
+                                         // rings, from their smallest neighbour
     for (std::size_t k = 0; k < corners.size(); k++) {
       if (used[k] || (open && entered[k])) continue;
       const std::size_t fan = ring.size();
@@ -41,7 +52,8 @@ void addFans(std::vector<Corner>& corners, std::vector<RingEdge>& ring) {
       std::size_t at = k;
       while (at < corners.size() && !used[at]) {
         used[at] = 1;
-        ring.push_back({corners[at].from, true, static_cast<std::uint16_t>(ring.size() - begin + 1), before + corners[at].area});
+        ring.push_back({corners[at].from, true, static_cast<std::uint16_t>(ring.size() - begin + 1),
+                        before + corners[at].area});
         before = corners[at].area;
         const std::uint32_t to = corners[at].to;
         at = startingAt(to);
@@ -65,15 +77,19 @@ SheetTopology sheetTopology(const TriangleMesh& mesh) {
   std::vector<double> areas;
   for (const auto& tri : mesh.triangles) {
     for (const std::uint32_t v : tri) {
-      if (v >= n) throw ShapeError("a triangle of a sheet's mesh names vertex " + std::to_string(v) + " of " + std::to_string(n));
+      if (v >= n)
+        throw ShapeError("a triangle of a sheet's mesh names vertex " + std::to_string(v) + " of " +
+                         std::to_string(n));
       first[v + 1]++;
     }
     const Vec3d& a = mesh.vertices[tri[0]];
     areas.push_back(0.5 * length(cross(mesh.vertices[tri[1]] - a, mesh.vertices[tri[2]] - a)));
-    if (!(areas.back() > 0)) throw ShapeError("triangle " + std::to_string(areas.size() - 1) + " of a sheet's mesh has no area");
+    if (!(areas.back() > 0))
+      throw ShapeError("triangle " + std::to_string(areas.size() - 1) + " of a sheet's mesh has no area");
   }
   for (std::size_t v = 0; v < n; v++) {
-    if (first[v + 1] == 0) throw ShapeError("vertex " + std::to_string(v) + " of a sheet's mesh has no triangle");
+    if (first[v + 1] == 0)
+      throw ShapeError("vertex " + std::to_string(v) + " of a sheet's mesh has no triangle");
     first[v + 1] += first[v];
   }
   const AlignedVector<EdgeSide> sides = edgeSides(mesh);
@@ -92,12 +108,14 @@ SheetTopology sheetTopology(const TriangleMesh& mesh) {
   for (std::size_t v = 0; v < n; v++) {
     own.assign(all.begin() + first[v], all.begin() + first[v + 1]);
     addFans(own, t.ring);
-    if (t.ring.size() - t.first.back() > 60000) throw ShapeError("vertex " + std::to_string(v) + " of a sheet's mesh has too many neighbours");
+    if (t.ring.size() - t.first.back() > 60000)
+      throw ShapeError("vertex " + std::to_string(v) + " of a sheet's mesh has too many neighbours");
     t.first.push_back(static_cast<std::uint32_t>(t.ring.size()));
   }
 
   DisjointSets sets(n);
-  for (const EdgeSide& s : sides) sets.join(static_cast<std::uint32_t>(s.edge >> 32), static_cast<std::uint32_t>(s.edge & 0xffffffffu));
+  for (const EdgeSide& s : sides)
+    sets.join(static_cast<std::uint32_t>(s.edge >> 32), static_cast<std::uint32_t>(s.edge & 0xffffffffu));
   std::vector<std::uint32_t> number(n, noVertex);
   for (std::uint32_t v = 0; v < n; v++) {
     const std::uint32_t root = sets.find(v);
@@ -113,7 +131,8 @@ SheetTopology sheetTopology(const TriangleMesh& mesh) {
     return noVertex;
   };
   forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
-    const auto a = static_cast<std::uint32_t>(sides[begin].edge >> 32), b = static_cast<std::uint32_t>(sides[begin].edge & 0xffffffffu);
+    const auto a = static_cast<std::uint32_t>(sides[begin].edge >> 32),
+               b = static_cast<std::uint32_t>(sides[begin].edge & 0xffffffffu);
     if (end - begin < 2) {
       t.closed[t.component[a]] = 0;
       return;
@@ -126,7 +145,9 @@ SheetTopology sheetTopology(const TriangleMesh& mesh) {
   for (std::size_t v = n; v-- > 0;) origin[t.component[v]] = mesh.vertices[v];
   for (const auto& tri : mesh.triangles) {
     const std::uint32_t c = t.component[tri[0]];
-    t.volume[c] += dot(mesh.vertices[tri[0]] - origin[c], cross(mesh.vertices[tri[1]] - origin[c], mesh.vertices[tri[2]] - origin[c])) / 6;
+    t.volume[c] += dot(mesh.vertices[tri[0]] - origin[c],
+                       cross(mesh.vertices[tri[1]] - origin[c], mesh.vertices[tri[2]] - origin[c])) /
+                   6;
   }
   for (std::size_t c = 0; c < t.closed.size(); c++)
     if (!t.closed[c]) t.volume[c] = 0;

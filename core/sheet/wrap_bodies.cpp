@@ -17,18 +17,39 @@ constexpr double blunt = 0.2;  // of sum w r: least that a direction is divided 
 struct Wrapped {
   World& w;
   WrapTarget target;
-  const CellTable& cells() const { return target.kind == WrapKind::Continuum ? w.cells : target.kind == WrapKind::Oriented ? w.oriented.cells : w.sheets.cells; }
-  std::size_t owned() const { return target.kind == WrapKind::Continuum ? w.particles.owned : target.kind == WrapKind::Oriented ? w.oriented.rows.owned : w.sheets.rows.owned; }
-  bool has(std::size_t j) const { return (target.kind == WrapKind::Continuum ? w.particles.body[j] : target.kind == WrapKind::Oriented ? w.oriented.rows.body[j] : w.sheets.rows.body[j]) == target.index; }
-  Vec3d place(std::size_t j) const { return target.kind == WrapKind::Continuum ? w.particles.position[j] : target.kind == WrapKind::Oriented ? w.oriented.rows.position[j] : w.sheets.rows.position[j]; }
+  const CellTable& cells() const {
+    return target.kind == WrapKind::Continuum  ? w.cells
+           : target.kind == WrapKind::Oriented ? w.oriented.cells
+                                               : w.sheets.cells;
+  }
+  std::size_t owned() const {
+    return target.kind == WrapKind::Continuum  ? w.particles.owned
+           : target.kind == WrapKind::Oriented ? w.oriented.rows.owned
+                                               : w.sheets.rows.owned;
+  }
+  bool has(std::size_t j) const {
+    return (target.kind == WrapKind::Continuum  ? w.particles.body[j]
+            : target.kind == WrapKind::Oriented ? w.oriented.rows.body[j]
+                                                : w.sheets.rows.body[j]) == target.index;
+  }
+  Vec3d place(std::size_t j) const {
+    return target.kind == WrapKind::Continuum  ? w.particles.position[j]
+           : target.kind == WrapKind::Oriented ? w.oriented.rows.position[j]
+                                               : w.sheets.rows.position[j];
+  }
   /// By which it shares in what its cell feels: its mass, or of a vertex, which may have none, its area.
-  double share(std::size_t j) const { return target.kind == WrapKind::Continuum ? w.particles.mass[j] : target.kind == WrapKind::Oriented ? w.oriented.rows.mass[j] : w.sheets.rows.area[j]; }
+  double share(std::size_t j) const {
+    return target.kind == WrapKind::Continuum  ? w.particles.mass[j]
+           : target.kind == WrapKind::Oriented ? w.oriented.rows.mass[j]
+                                               : w.sheets.rows.area[j];
+  }
 
   void pull(std::size_t j, Vec3d force, double dt) const {
     if (target.kind == WrapKind::Continuum) {
       Continuum& p = w.particles;
       p.force[j] += force;
-      if (dt > 0) w.ledger.wallWork.add(dt * dot(force, p.velocity[j] + p.acceleration[j] * (0.5 * dt)));  // half a kick of the last force stands for that of this one
+      // half a kick of the last force stands for that of this one
+      if (dt > 0) w.ledger.wallWork.add(dt * dot(force, p.velocity[j] + p.acceleration[j] * (0.5 * dt)));
     } else if (target.kind == WrapKind::Oriented) {
       Oriented& o = w.oriented.rows;
       if (w.scene.oriented[target.index].planar) force.y = 0;
@@ -68,7 +89,7 @@ struct Wrap {
   std::size_t sheet;
   const std::vector<WrapPart>& parts;
   const PointTree& tree;
-  double unit;    // N, of which all forces are multiples
+  double unit;  // N, of which all forces are multiples
   double twoCells;
   std::vector<std::int64_t>& pulls;  // of each part, three units each
 
@@ -126,7 +147,10 @@ void wrapRound(World& w, Halos halos, const SheetVelocities& now, std::size_t n)
   double area = 0;
   for (const double a : b.plans[n].topology.area) area += a;
   // all terms together have room in 62 bits
-  const double unit = std::ldexp(std::exp2(std::ceil(std::log2(area * std::abs(body.wrap) * largestFactor(body, SheetFactor::Wrap) / blunt))), -61);
+  const double unit = std::ldexp(
+      std::exp2(
+          std::ceil(std::log2(area * std::abs(body.wrap) * largestFactor(body, SheetFactor::Wrap) / blunt))),
+      -61);
   std::vector<std::int64_t> pulls(3 * parts.size(), 0);
   Wrap wrap{w, n, parts, tree, unit, 2 * cell, pulls};
   for (std::size_t i = 0; i < s.owned; i++) {
@@ -135,15 +159,21 @@ void wrapRound(World& w, Halos halos, const SheetVelocities& now, std::size_t n)
     b.slope[i] += 2 / blunt * std::abs(pressure) * factors.most[f] / cell;  // a direction turns within a cell
     if (pressure * factors.now[f] == 0) continue;
     const Vec3<std::int64_t> units = wrap.draw(i, pressure * factors.now[f] * s.area[i]);
-    const Vec3d load = (unit / s.area[i]) * Vec3d{static_cast<double>(units.x), static_cast<double>(units.y), static_cast<double>(units.z)};
+    const Vec3d load = (unit / s.area[i]) * Vec3d{static_cast<double>(units.x), static_cast<double>(units.y),
+                                                  static_cast<double>(units.z)};
     s.load[i] += load;
     s.outside[i] += load;
   }
   const CellTable& t = wrapped.cells();
   for (const WrapPull& p : returnPulls(halos.all, surface, pulls)) {
-    const auto c = static_cast<std::size_t>(std::lower_bound(t.key.begin(), t.key.end(), p.key) - t.key.begin());
-    const double share = std::lower_bound(cells.begin(), cells.end(), p.key, [](const WrapPart& x, std::uint64_t key) { return x.key < key; })->share;
-    const Vec3d force = unit * Vec3d{static_cast<double>(p.units.x), static_cast<double>(p.units.y), static_cast<double>(p.units.z)};
+    const auto c = static_cast<std::size_t>(std::lower_bound(t.key.begin(), t.key.end(), p.key) -
+                                            t.key.begin());
+    const double share =
+        std::lower_bound(cells.begin(), cells.end(), p.key, [](const WrapPart& x, std::uint64_t key) {
+          return x.key < key;
+        })->share;
+    const Vec3d force = unit * Vec3d{static_cast<double>(p.units.x), static_cast<double>(p.units.y),
+                                     static_cast<double>(p.units.z)};
     for (std::size_t j = t.first[c]; j < t.first[c] + t.count[c]; j++)
       if (wrapped.has(j)) wrapped.pull(j, (wrapped.share(j) / share) * force, now.dt);
   }
@@ -153,7 +183,9 @@ void wrapRound(World& w, Halos halos, const SheetVelocities& now, std::size_t n)
 
 void addBodyWrap(World& w, Halos halos, const SheetVelocities& now) {
   for (std::size_t n = 0; n < w.sheets.plans.size(); n++)
-    if (const WrapKind kind = w.sheets.plans[n].wrapTarget.kind; kind != WrapKind::Normal && kind != WrapKind::Obstacle) wrapRound(w, halos, now, n);
+    if (const WrapKind kind = w.sheets.plans[n].wrapTarget.kind;
+        kind != WrapKind::Normal && kind != WrapKind::Obstacle)
+      wrapRound(w, halos, now, n);
 }
 
 }  // namespace thaw

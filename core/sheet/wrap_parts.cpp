@@ -16,7 +16,9 @@ constexpr int blockBits = 3;  // a block is 8 x 8 x 8 cells
 std::uint64_t blockOf(const Vec3i& cell) {  // cells begin at -1
   return cellKey({(cell.x + 8) >> blockBits, (cell.y + 8) >> blockBits, (cell.z + 8) >> blockBits});
 }
-int ownerOf(std::uint64_t block, int ranks) { return static_cast<int>(mixBits(block) % static_cast<std::uint64_t>(ranks)); }
+int ownerOf(std::uint64_t block, int ranks) {
+  return static_cast<int>(mixBits(block) % static_cast<std::uint64_t>(ranks));
+}
 
 constexpr std::size_t wordsOfPart = 5;
 void addPart(std::vector<std::uint64_t>& words, const WrapPart& p) {
@@ -24,7 +26,9 @@ void addPart(std::vector<std::uint64_t>& words, const WrapPart& p) {
   addNumber(words, p.share);
   addPlace(words, p.middle);
 }
-WrapPart partAt(const std::vector<std::uint64_t>& words, std::size_t k) { return {words[k], numberAt(words, k + 1), placeAt(words, k + 2)}; }
+WrapPart partAt(const std::vector<std::uint64_t>& words, std::size_t k) {
+  return {words[k], numberAt(words, k + 1), placeAt(words, k + 2)};
+}
 
 const auto byKey = [](const auto& a, const auto& b) { return a.key < b.key; };
 
@@ -39,7 +43,8 @@ std::vector<WordList> tellBlocks(const std::vector<WrapPart>& cells, int ranks) 
       for (const int side : {-1, 1}) {
         Vec3i beside = c;
         beside[a] += side;
-        if (const std::uint64_t other = blockOf(beside); other != block) addPart(out.to(ownerOf(other, ranks)), {p.key, 0, {}});
+        if (const std::uint64_t other = blockOf(beside); other != block)
+          addPart(out.to(ownerOf(other, ranks)), {p.key, 0, {}});
       }
   }
   return std::move(out.lists);
@@ -49,12 +54,18 @@ std::vector<WordList> tellBlocks(const std::vector<WrapPart>& cells, int ranks) 
 std::vector<WrapSurface::Listed> surfaceOf(const std::vector<WordList>& told) {
   std::vector<WrapSurface::Listed> known;
   for (const WordList& l : told)
-    for (std::size_t k = 0; k < l.words.size(); k += wordsOfPart) known.push_back({partAt(l.words, k), l.rank});
+    for (std::size_t k = 0; k < l.words.size(); k += wordsOfPart)
+      known.push_back({partAt(l.words, k), l.rank});
   // what is here as a neighbour of several blocks, or beside its own: the one with a share first
-  std::sort(known.begin(), known.end(), [](const auto& a, const auto& b) { return a.part.key != b.part.key ? a.part.key < b.part.key : a.part.share > b.part.share; });
-  known.erase(std::unique(known.begin(), known.end(), [](const auto& a, const auto& b) { return a.part.key == b.part.key; }), known.end());
+  std::sort(known.begin(), known.end(), [](const auto& a, const auto& b) {
+    return a.part.key != b.part.key ? a.part.key < b.part.key : a.part.share > b.part.share;
+  });
+  known.erase(std::unique(known.begin(), known.end(),
+                          [](const auto& a, const auto& b) { return a.part.key == b.part.key; }),
+              known.end());
   const auto taken = [&](const Vec3i& c) {
-    const auto at = std::lower_bound(known.begin(), known.end(), cellKey(c), [](const auto& p, std::uint64_t key) { return p.part.key < key; });
+    const auto at = std::lower_bound(known.begin(), known.end(), cellKey(c),
+                                     [](const auto& p, std::uint64_t key) { return p.part.key < key; });
     return at != known.end() && at->part.key == cellKey(c);
   };
   std::vector<WrapSurface::Listed> surface;
@@ -100,7 +111,8 @@ std::vector<Block> gatherBlocks(Reducer& all, const std::vector<Block>& mine) {
   }
   words = gatherWords(all, words);
   std::vector<Block> blocks;
-  for (std::size_t k = 0; k < words.size(); k += 7) blocks.push_back({words[k], {placeAt(words, k + 1), placeAt(words, k + 4)}});
+  for (std::size_t k = 0; k < words.size(); k += 7)
+    blocks.push_back({words[k], {placeAt(words, k + 1), placeAt(words, k + 4)}});
   return blocks;
 }
 
@@ -117,7 +129,8 @@ double mostApart(const Box& a, const Box& b) {
 }
 
 /// Blocks in which a vertex in one of these boxes may have a part of the surface that draws it.
-std::vector<std::uint64_t> blocksNear(const std::vector<Block>& vertices, const std::vector<Block>& surface, double beyond) {
+std::vector<std::uint64_t> blocksNear(const std::vector<Block>& vertices, const std::vector<Block>& surface,
+                                      double beyond) {
   std::vector<std::uint8_t> wanted(surface.size(), 0);
   for (const Block& v : vertices) {
     double nearest = HUGE_VAL;  // no vertex of the box has its nearest part further off
@@ -133,17 +146,22 @@ std::vector<std::uint64_t> blocksNear(const std::vector<Block>& vertices, const 
 
 }  // namespace
 
-WrapSurface findWrapSurface(Reducer& all, const CellGrid& grid, const std::vector<WrapPart>& cells, const std::vector<Vec3d>& places, double beyond) {
+WrapSurface findWrapSurface(Reducer& all, const CellGrid& grid, const std::vector<WrapPart>& cells,
+                            const std::vector<Vec3d>& places, double beyond) {
   const int ranks = all.size();
   WrapSurface s;
   s.listed = surfaceOf(all.deliver(tellBlocks(cells, ranks)));
   const auto listedBlock = [&](std::size_t k) { return blockOf(cellOfKey(s.listed[k].part.key)); };
-  const std::vector<Block> surface = gatherBlocks(all, blocksOf(s.listed.size(), listedBlock, [&](std::size_t k) { return s.listed[k].part.middle; }));
+  const std::vector<Block> surface = gatherBlocks(
+      all, blocksOf(s.listed.size(), listedBlock, [&](std::size_t k) { return s.listed[k].part.middle; }));
   s.any = !surface.empty();
   if (!s.any) return s;
-  const std::vector<Block> vertices = blocksOf(places.size(), [&](std::size_t k) { return blockOf(cellOf(grid, places[k])); }, [&](std::size_t k) { return places[k]; });
+  const std::vector<Block> vertices = blocksOf(
+      places.size(), [&](std::size_t k) { return blockOf(cellOf(grid, places[k])); },
+      [&](std::size_t k) { return places[k]; });
   WordLists ask(ranks), answer(ranks);
-  for (const std::uint64_t block : blocksNear(vertices, surface, beyond)) ask.to(ownerOf(block, ranks)).push_back(block);
+  for (const std::uint64_t block : blocksNear(vertices, surface, beyond))
+    ask.to(ownerOf(block, ranks)).push_back(block);
   std::map<std::uint64_t, std::vector<std::size_t>> inBlock;
   for (std::size_t k = 0; k < s.listed.size(); k++) inBlock[listedBlock(k)].push_back(k);
   for (const WordList& l : all.deliver(std::move(ask.lists)))
@@ -155,7 +173,8 @@ WrapSurface findWrapSurface(Reducer& all, const CellGrid& grid, const std::vecto
   return s;
 }
 
-std::vector<WrapPull> returnPulls(Reducer& all, const WrapSurface& s, const std::vector<std::int64_t>& units) {
+std::vector<WrapPull> returnPulls(Reducer& all, const WrapSurface& s,
+                                  const std::vector<std::int64_t>& units) {
   const int ranks = all.size();
   WordLists back(ranks), home(ranks);
   for (std::size_t k = 0; k < s.near.size(); k++) {
@@ -167,14 +186,16 @@ std::vector<WrapPull> returnPulls(Reducer& all, const WrapSurface& s, const std:
   }
   const auto pullAt = [](const std::vector<std::uint64_t>& words, std::size_t k) {
     WrapPull p{words[k], {}};
-    for (int a = 0; a < 3; a++) p.units[a] = std::bit_cast<std::int64_t>(words[k + 1 + static_cast<std::size_t>(a)]);
+    for (int a = 0; a < 3; a++)
+      p.units[a] = std::bit_cast<std::int64_t>(words[k + 1 + static_cast<std::size_t>(a)]);
     return p;
   };
   std::vector<Vec3<std::int64_t>> sums(s.listed.size());
   for (const WordList& l : all.deliver(std::move(back.lists)))
     for (std::size_t k = 0; k < l.words.size(); k += 4) {
       const WrapPull p = pullAt(l.words, k);
-      const auto at = std::lower_bound(s.listed.begin(), s.listed.end(), p.key, [](const auto& x, std::uint64_t key) { return x.part.key < key; });
+      const auto at = std::lower_bound(s.listed.begin(), s.listed.end(), p.key,
+                                       [](const auto& x, std::uint64_t key) { return x.part.key < key; });
       sums[static_cast<std::size_t>(at - s.listed.begin())] += p.units;
     }
   for (std::size_t k = 0; k < s.listed.size(); k++) {

@@ -23,8 +23,14 @@ WrapTarget wrapTarget(const Scene& s, std::size_t sheet) {
   if (b.wrapTo.empty()) return {};
   const std::vector<WrapTarget> found = wrapTargets(s, b.wrapTo);
   if (found.empty()) throw ShapeError("wrap_to: there is no obstacle or body '" + b.wrapTo + "'", b.where);
-  if (found.size() > 1) throw ShapeError("wrap_to: '" + b.wrapTo + "' is the name of two things in this scene; expected another name for one of them", b.where);
-  if (found[0] == WrapTarget{WrapKind::Sheet, static_cast<std::uint16_t>(sheet)}) throw ShapeError("wrap_to: a sheet is not wrapped round itself; without wrap_to it is drawn against its own normals", b.where);
+  if (found.size() > 1)
+    throw ShapeError("wrap_to: '" + b.wrapTo +
+                         "' is the name of two things in this scene; expected another name for one of them",
+                     b.where);
+  if (found[0] == WrapTarget{WrapKind::Sheet, static_cast<std::uint16_t>(sheet)})
+    throw ShapeError(
+        "wrap_to: a sheet is not wrapped round itself; without wrap_to it is drawn against its own normals",
+        b.where);
   return found[0];
 }
 

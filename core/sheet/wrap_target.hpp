@@ -10,7 +10,8 @@ namespace thaw {
 
 enum class WrapKind : std::uint8_t { Normal, Obstacle, Continuum, Oriented, Sheet };
 
-/// index: into the scene's obstacles, its bodies and then emitters, its oriented bodies, its sheets. Normal: the sheet is drawn against its own normals.
+/// index: into the scene's obstacles, its bodies and then emitters, its oriented bodies, its sheets. Normal:
+/// the sheet is drawn against its own normals.
 struct WrapTarget {
   WrapKind kind = WrapKind::Normal;
   std::uint16_t index = 0;

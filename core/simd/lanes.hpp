@@ -1,7 +1,7 @@
-// Eight particles at once: Lanes<float> is one 256-bit vector, Lanes<double> two. GCC vector extensions, so that the same code
-// compiles for AVX-512, AVX2 and plain SSE2 and gives the same bits in each: only IEEE operations, no contraction, no
-// reciprocal approximations. Everything here lives in a namespace of the instruction set, because the file is compiled
-// once for each of them and the linker must not mix the copies.
+// Eight particles at once: Lanes<float> is one 256-bit vector, Lanes<double> two. GCC vector extensions, so
+// that the same code compiles for AVX-512, AVX2 and plain SSE2 and gives the same bits in each: only IEEE
+// operations, no contraction, no reciprocal approximations. Everything here lives in a namespace of the
+// instruction set, because the file is compiled once for each of them and the linker must not mix the copies.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -24,8 +24,10 @@ typedef std::int32_t Vec4i __attribute__((vector_size(16)));
 
 template<class Real> struct Lanes;
 
-// ---- float ------------------------------------------------------------------------------------------------------------
-struct MaskF { Vec8i bits; };
+// ---- float ------------------------------------------------------------------------------------------------
+struct MaskF {
+  Vec8i bits;
+};
 template<> struct Lanes<float> {
   using Mask = MaskF;
   Vec8f v;
@@ -50,8 +52,10 @@ THAW_INLINE MaskF operator&(MaskF a, MaskF b) { return {a.bits & b.bits}; }
 THAW_INLINE LanesF select(MaskF m, LanesF a, LanesF b) { return LanesF(m.bits ? a.v : b.v); }
 THAW_INLINE bool laneOf(MaskF m, int lane) { return m.bits[lane] != 0; }
 
-// ---- double -----------------------------------------------------------------------------------------------------------
-struct MaskD { Vec4l lo, hi; };
+// ---- double -----------------------------------------------------------------------------------------------
+struct MaskD {
+  Vec4l lo, hi;
+};
 template<> struct Lanes<double> {
   using Mask = MaskD;
   Vec4d lo, hi;
@@ -86,24 +90,42 @@ THAW_INLINE bool laneOf(MaskD m, int lane) { return (lane < 4 ? m.lo[lane] : m.h
 #include <immintrin.h>
 namespace thaw {
 namespace THAW_ISA {
-// One instruction each, and what a < b ? a : b gives to the last bit, zeros and NaN included: the compiler makes two of that.
-THAW_INLINE LanesF max(LanesF a, LanesF b) { return LanesF(reinterpret_cast<Vec8f>(_mm256_max_ps(reinterpret_cast<__m256>(a.v), reinterpret_cast<__m256>(b.v)))); }
-THAW_INLINE LanesF min(LanesF a, LanesF b) { return LanesF(reinterpret_cast<Vec8f>(_mm256_min_ps(reinterpret_cast<__m256>(a.v), reinterpret_cast<__m256>(b.v)))); }
-THAW_INLINE Vec4d max(Vec4d a, Vec4d b) { return reinterpret_cast<Vec4d>(_mm256_max_pd(reinterpret_cast<__m256d>(a), reinterpret_cast<__m256d>(b))); }
-THAW_INLINE Vec4d min(Vec4d a, Vec4d b) { return reinterpret_cast<Vec4d>(_mm256_min_pd(reinterpret_cast<__m256d>(a), reinterpret_cast<__m256d>(b))); }
+// One instruction each, and what a < b ? a : b gives to the last bit, zeros and NaN included: the compiler
+// makes two of that.
+THAW_INLINE LanesF max(LanesF a, LanesF b) {
+  return LanesF(
+      reinterpret_cast<Vec8f>(_mm256_max_ps(reinterpret_cast<__m256>(a.v), reinterpret_cast<__m256>(b.v))));
+}
+THAW_INLINE LanesF min(LanesF a, LanesF b) {
+  return LanesF(
+      reinterpret_cast<Vec8f>(_mm256_min_ps(reinterpret_cast<__m256>(a.v), reinterpret_cast<__m256>(b.v))));
+}
+THAW_INLINE Vec4d max(Vec4d a, Vec4d b) {
+  return reinterpret_cast<Vec4d>(_mm256_max_pd(reinterpret_cast<__m256d>(a), reinterpret_cast<__m256d>(b)));
+}
+THAW_INLINE Vec4d min(Vec4d a, Vec4d b) {
+  return reinterpret_cast<Vec4d>(_mm256_min_pd(reinterpret_cast<__m256d>(a), reinterpret_cast<__m256d>(b)));
+}
 THAW_INLINE LanesD max(LanesD a, LanesD b) { return {max(a.lo, b.lo), max(a.hi, b.hi)}; }
 THAW_INLINE LanesD min(LanesD a, LanesD b) { return {min(a.lo, b.lo), min(a.hi, b.hi)}; }
-THAW_INLINE LanesF sqrt(LanesF a) { return LanesF(reinterpret_cast<Vec8f>(_mm256_sqrt_ps(reinterpret_cast<__m256>(a.v)))); }
+THAW_INLINE LanesF sqrt(LanesF a) {
+  return LanesF(reinterpret_cast<Vec8f>(_mm256_sqrt_ps(reinterpret_cast<__m256>(a.v))));
+}
 THAW_INLINE LanesD sqrt(LanesD a) {
-  return {reinterpret_cast<Vec4d>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(a.lo))), reinterpret_cast<Vec4d>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(a.hi)))};
+  return {reinterpret_cast<Vec4d>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(a.lo))),
+          reinterpret_cast<Vec4d>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(a.hi)))};
 }
 THAW_INLINE LanesF fma(LanesF a, LanesF b, LanesF c) {
-  return LanesF(reinterpret_cast<Vec8f>(_mm256_fmadd_ps(reinterpret_cast<__m256>(a.v), reinterpret_cast<__m256>(b.v), reinterpret_cast<__m256>(c.v))));
+  return LanesF(reinterpret_cast<Vec8f>(_mm256_fmadd_ps(
+      reinterpret_cast<__m256>(a.v), reinterpret_cast<__m256>(b.v), reinterpret_cast<__m256>(c.v))));
 }
 THAW_INLINE Vec4d fma(Vec4d a, Vec4d b, Vec4d c) {
-  return reinterpret_cast<Vec4d>(_mm256_fmadd_pd(reinterpret_cast<__m256d>(a), reinterpret_cast<__m256d>(b), reinterpret_cast<__m256d>(c)));
+  return reinterpret_cast<Vec4d>(_mm256_fmadd_pd(reinterpret_cast<__m256d>(a), reinterpret_cast<__m256d>(b),
+                                                 reinterpret_cast<__m256d>(c)));
 }
-THAW_INLINE bool any(MaskF m) { return !_mm256_testz_ps(reinterpret_cast<__m256>(m.bits), reinterpret_cast<__m256>(m.bits)); }
+THAW_INLINE bool any(MaskF m) {
+  return !_mm256_testz_ps(reinterpret_cast<__m256>(m.bits), reinterpret_cast<__m256>(m.bits));
+}
 #else
 THAW_INLINE LanesF max(LanesF a, LanesF b) { return select(a > b, a, b); }
 THAW_INLINE LanesF min(LanesF a, LanesF b) { return select(a < b, a, b); }
@@ -116,7 +138,10 @@ THAW_INLINE LanesF sqrt(LanesF a) {
 }
 THAW_INLINE LanesD sqrt(LanesD a) {
   LanesD r;
-  for (int l = 0; l < 4; l++) { r.lo[l] = __builtin_sqrt(a.lo[l]); r.hi[l] = __builtin_sqrt(a.hi[l]); }
+  for (int l = 0; l < 4; l++) {
+    r.lo[l] = __builtin_sqrt(a.lo[l]);
+    r.hi[l] = __builtin_sqrt(a.hi[l]);
+  }
   return r;
 }
 THAW_INLINE LanesF fma(LanesF a, LanesF b, LanesF c) {
@@ -134,61 +159,86 @@ THAW_INLINE bool any(MaskF m) {
   return (b[0] | b[1] | b[2] | b[3]) != 0;
 }
 #endif
-/// a b + c, rounded once: the same bits on all instruction sets, where one has no such instruction by way of the library, which is slow. Written where it
-/// is meant; the compiler contracts nothing by itself.
-THAW_INLINE LanesD fma(LanesD a, LanesD b, LanesD c) { return {fma(a.lo, b.lo, c.lo), fma(a.hi, b.hi, c.hi)}; }
+/// a b + c, rounded once: the same bits on all instruction sets, where one has no such instruction by way of
+/// the library, which is slow. Written where it is meant; the compiler contracts nothing by itself.
+THAW_INLINE LanesD fma(LanesD a, LanesD b, LanesD c) {
+  return {fma(a.lo, b.lo, c.lo), fma(a.hi, b.hi, c.hi)};
+}
 /// a . b of three components.
-template<class L> THAW_INLINE L dot3(L ax, L ay, L az, L bx, L by, L bz) { return fma(az, bz, fma(ay, by, ax * bx)); }
+template<class L> THAW_INLINE L dot3(L ax, L ay, L az, L bx, L by, L bz) {
+  return fma(az, bz, fma(ay, by, ax * bx));
+}
 THAW_INLINE bool any(MaskD m) {
   const Vec4l b = m.lo | m.hi;
   return (b[0] | b[1] | b[2] | b[3]) != 0;
 }
 
-// ---- four values of eight rows, loaded as records and transposed: no gather instructions --------------------
+// ---- four values of eight rows, loaded as records and transposed: no gather instructions ------------------
 /// Record of four values of one particle; a pair sum loads whole records of its neighbours.
 template<class Real> struct alignas(4 * sizeof(Real)) Record { Real a, b, c, d; };
 template<class Real> struct Lanes4 { Lanes<Real> a, b, c, d; };
 
 THAW_INLINE Vec8f load2(const Record<float>* low, const Record<float>* high) {
-#if defined(__AVX__)  // the upper half straight from memory: of a shuffle of two registers there is one a cycle
-  return reinterpret_cast<Vec8f>(_mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(&low->a)), *reinterpret_cast<const __m128*>(high), 1));
+#if defined(__AVX__)  // the upper half straight from memory: of a shuffle of two registers there is one a
+                      // cycle
+  return reinterpret_cast<Vec8f>(_mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(&low->a)),
+                                                      *reinterpret_cast<const __m128*>(high), 1));
 #else
   const Vec4f l = *reinterpret_cast<const Vec4f*>(low), h = *reinterpret_cast<const Vec4f*>(high);
   return __builtin_shufflevector(l, h, 0, 1, 2, 3, 4, 5, 6, 7);
 #endif
 }
-/// Values 0, 1 (low) or 2, 3 (high) of both, in turn, of each half. As integers: two ports of an Intel core unpack these, one unpacks floats (Sapphire
-/// Rapids: .5 and 1 cycle).
-THAW_INLINE Vec8f unpackLow(Vec8f a, Vec8f b) { return reinterpret_cast<Vec8f>(__builtin_shufflevector(reinterpret_cast<Vec8i>(a), reinterpret_cast<Vec8i>(b), 0, 8, 1, 9, 4, 12, 5, 13)); }
-THAW_INLINE Vec8f unpackHigh(Vec8f a, Vec8f b) { return reinterpret_cast<Vec8f>(__builtin_shufflevector(reinterpret_cast<Vec8i>(a), reinterpret_cast<Vec8i>(b), 2, 10, 3, 11, 6, 14, 7, 15)); }
+/// Values 0, 1 (low) or 2, 3 (high) of both, in turn, of each half. As integers: two ports of an Intel core
+/// unpack these, one unpacks floats (Sapphire Rapids: .5 and 1 cycle).
+THAW_INLINE Vec8f unpackLow(Vec8f a, Vec8f b) {
+  return reinterpret_cast<Vec8f>(__builtin_shufflevector(
+      reinterpret_cast<Vec8i>(a), reinterpret_cast<Vec8i>(b), 0, 8, 1, 9, 4, 12, 5, 13));
+}
+THAW_INLINE Vec8f unpackHigh(Vec8f a, Vec8f b) {
+  return reinterpret_cast<Vec8f>(__builtin_shufflevector(
+      reinterpret_cast<Vec8i>(a), reinterpret_cast<Vec8i>(b), 2, 10, 3, 11, 6, 14, 7, 15));
+}
 /// The record of a row, where each has `stride` of them and the first is meant.
 template<std::size_t stride> struct ByRow {
-  template<class R> static THAW_INLINE const R* of(const R* at, std::uint32_t row) { return at + stride * row; }
+  template<class R> static THAW_INLINE const R* of(const R* at, std::uint32_t row) {
+    return at + stride * row;
+  }
 };
-/// The record that an entry of a neighbour list means: entries are twice the row, so that the address of 16 bytes is one operand (eight times the
-/// entry), where it took a shift for each.
+/// The record that an entry of a neighbour list means: entries are twice the row, so that the address of 16
+/// bytes is one operand (eight times the entry), where it took a shift for each.
 struct ByEntry {
   template<class R> static THAW_INLINE const R* of(const R* at, std::uint32_t entry) {
-    return reinterpret_cast<const R*>(reinterpret_cast<const char*>(at) + sizeof(R) / 2 * static_cast<std::size_t>(entry));
+    return reinterpret_cast<const R*>(reinterpret_cast<const char*>(at) +
+                                      sizeof(R) / 2 * static_cast<std::size_t>(entry));
   }
 };
 template<class By> THAW_INLINE Lanes4<float> loadBy(const Record<float>* at, const std::uint32_t* rows) {
-  const Vec8f r0 = load2(By::of(at, rows[0]), By::of(at, rows[4])), r1 = load2(By::of(at, rows[1]), By::of(at, rows[5]));
-  const Vec8f r2 = load2(By::of(at, rows[2]), By::of(at, rows[6])), r3 = load2(By::of(at, rows[3]), By::of(at, rows[7]));
-  const Vec8f ab01 = unpackLow(r0, r1), cd01 = unpackHigh(r0, r1), ab23 = unpackLow(r2, r3), cd23 = unpackHigh(r2, r3);
-  return {LanesF(__builtin_shufflevector(ab01, ab23, 0, 1, 8, 9, 4, 5, 12, 13)), LanesF(__builtin_shufflevector(ab01, ab23, 2, 3, 10, 11, 6, 7, 14, 15)),
-          LanesF(__builtin_shufflevector(cd01, cd23, 0, 1, 8, 9, 4, 5, 12, 13)), LanesF(__builtin_shufflevector(cd01, cd23, 2, 3, 10, 11, 6, 7, 14, 15))};
+  const Vec8f r0 = load2(By::of(at, rows[0]), By::of(at, rows[4])),
+              r1 = load2(By::of(at, rows[1]), By::of(at, rows[5]));
+  const Vec8f r2 = load2(By::of(at, rows[2]), By::of(at, rows[6])),
+              r3 = load2(By::of(at, rows[3]), By::of(at, rows[7]));
+  const Vec8f ab01 = unpackLow(r0, r1), cd01 = unpackHigh(r0, r1), ab23 = unpackLow(r2, r3),
+              cd23 = unpackHigh(r2, r3);
+  return {LanesF(__builtin_shufflevector(ab01, ab23, 0, 1, 8, 9, 4, 5, 12, 13)),
+          LanesF(__builtin_shufflevector(ab01, ab23, 2, 3, 10, 11, 6, 7, 14, 15)),
+          LanesF(__builtin_shufflevector(cd01, cd23, 0, 1, 8, 9, 4, 5, 12, 13)),
+          LanesF(__builtin_shufflevector(cd01, cd23, 2, 3, 10, 11, 6, 7, 14, 15))};
 }
 THAW_INLINE Vec4d halves(const double* low, const double* high) {
 #if defined(__AVX__)  // as load2
-  return reinterpret_cast<Vec4d>(_mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(low)), *reinterpret_cast<const __m128d*>(high), 1));
+  return reinterpret_cast<Vec4d>(_mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(low)),
+                                                      *reinterpret_cast<const __m128d*>(high), 1));
 #else
   return Vec4d{low[0], low[1], high[0], high[1]};
 #endif
 }
-template<class By> THAW_INLINE void transpose4(const Record<double>* at, const std::uint32_t* rows, Vec4d& a, Vec4d& b, Vec4d& c, Vec4d& d) {
-  const Record<double>*p0 = By::of(at, rows[0]), *p1 = By::of(at, rows[1]), *p2 = By::of(at, rows[2]), *p3 = By::of(at, rows[3]);
-  const Vec4d ab02 = halves(&p0->a, &p2->a), ab13 = halves(&p1->a, &p3->a), cd02 = halves(&p0->c, &p2->c), cd13 = halves(&p1->c, &p3->c);
+template<class By>
+THAW_INLINE void transpose4(const Record<double>* at, const std::uint32_t* rows, Vec4d& a, Vec4d& b, Vec4d& c,
+                            Vec4d& d) {
+  const Record<double>*p0 = By::of(at, rows[0]), *p1 = By::of(at, rows[1]), *p2 = By::of(at, rows[2]),
+        *p3 = By::of(at, rows[3]);
+  const Vec4d ab02 = halves(&p0->a, &p2->a), ab13 = halves(&p1->a, &p3->a), cd02 = halves(&p0->c, &p2->c),
+              cd13 = halves(&p1->c, &p3->c);
   a = __builtin_shufflevector(ab02, ab13, 0, 4, 2, 6);
   b = __builtin_shufflevector(ab02, ab13, 1, 5, 3, 7);
   c = __builtin_shufflevector(cd02, cd13, 0, 4, 2, 6);
@@ -201,20 +251,33 @@ template<class By> THAW_INLINE Lanes4<double> loadBy(const Record<double>* at, c
   return r;
 }
 /// Of eight rows; stride: records of a row; the first of them is loaded.
-template<std::size_t stride = 1, class Real> THAW_INLINE Lanes4<Real> load(const Record<Real>* at, const std::uint32_t* rows) { return loadBy<ByRow<stride>>(at, rows); }
+template<std::size_t stride = 1, class Real>
+THAW_INLINE Lanes4<Real> load(const Record<Real>* at, const std::uint32_t* rows) {
+  return loadBy<ByRow<stride>>(at, rows);
+}
 /// Of eight entries of a neighbour list.
-template<class Real> THAW_INLINE Lanes4<Real> loadListed(const Record<Real>* at, const std::uint32_t* entries) { return loadBy<ByEntry>(at, entries); }
+template<class Real>
+THAW_INLINE Lanes4<Real> loadListed(const Record<Real>* at, const std::uint32_t* entries) {
+  return loadBy<ByEntry>(at, entries);
+}
 
 /// The reverse of load: four values of lanes [0, n), as records `stride` records apart.
 THAW_INLINE void store(const Lanes4<float>& v, int n, int stride, Record<float>* to) {
-  const Vec8f ab0 = __builtin_shufflevector(v.a.v, v.b.v, 0, 8, 1, 9, 4, 12, 5, 13), ab2 = __builtin_shufflevector(v.a.v, v.b.v, 2, 10, 3, 11, 6, 14, 7, 15);
-  const Vec8f cd0 = __builtin_shufflevector(v.c.v, v.d.v, 0, 8, 1, 9, 4, 12, 5, 13), cd2 = __builtin_shufflevector(v.c.v, v.d.v, 2, 10, 3, 11, 6, 14, 7, 15);
+  const Vec8f ab0 = __builtin_shufflevector(v.a.v, v.b.v, 0, 8, 1, 9, 4, 12, 5, 13),
+              ab2 = __builtin_shufflevector(v.a.v, v.b.v, 2, 10, 3, 11, 6, 14, 7, 15);
+  const Vec8f cd0 = __builtin_shufflevector(v.c.v, v.d.v, 0, 8, 1, 9, 4, 12, 5, 13),
+              cd2 = __builtin_shufflevector(v.c.v, v.d.v, 2, 10, 3, 11, 6, 14, 7, 15);
   // lanes l and l + 4 in the halves
-  const Vec8f rows[4] = {__builtin_shufflevector(ab0, cd0, 0, 1, 8, 9, 4, 5, 12, 13), __builtin_shufflevector(ab0, cd0, 2, 3, 10, 11, 6, 7, 14, 15),
-                         __builtin_shufflevector(ab2, cd2, 0, 1, 8, 9, 4, 5, 12, 13), __builtin_shufflevector(ab2, cd2, 2, 3, 10, 11, 6, 7, 14, 15)};
+  const Vec8f rows[4] = {__builtin_shufflevector(ab0, cd0, 0, 1, 8, 9, 4, 5, 12, 13),
+                         __builtin_shufflevector(ab0, cd0, 2, 3, 10, 11, 6, 7, 14, 15),
+                         __builtin_shufflevector(ab2, cd2, 0, 1, 8, 9, 4, 5, 12, 13),
+                         __builtin_shufflevector(ab2, cd2, 2, 3, 10, 11, 6, 7, 14, 15)};
   for (int l = 0; l < 4; l++) {
-    if (l < n) *reinterpret_cast<Vec4f*>(to + l * stride) = __builtin_shufflevector(rows[l], rows[l], 0, 1, 2, 3);
-    if (l + 4 < n) *reinterpret_cast<Vec4f*>(to + (l + 4) * stride) = __builtin_shufflevector(rows[l], rows[l], 4, 5, 6, 7);
+    if (l < n)
+      *reinterpret_cast<Vec4f*>(to + l * stride) = __builtin_shufflevector(rows[l], rows[l], 0, 1, 2, 3);
+    if (l + 4 < n)
+      *reinterpret_cast<Vec4f*>(to + (l + 4) * stride) = __builtin_shufflevector(rows[l], rows[l], 4, 5, 6,
+                                                                                 7);
   }
 }
 THAW_INLINE void store(const Lanes4<double>& v, int n, int stride, Record<double>* to) {
@@ -223,27 +286,32 @@ THAW_INLINE void store(const Lanes4<double>& v, int n, int stride, Record<double
 
 /// Eight consecutive values.
 THAW_INLINE LanesF loadRow(const float* p) { return LanesF(*reinterpret_cast<const Vec8f*>(p)); }
-THAW_INLINE LanesD loadRow(const double* p) { return {*reinterpret_cast<const Vec4d*>(p), *reinterpret_cast<const Vec4d*>(p + 4)}; }
+THAW_INLINE LanesD loadRow(const double* p) {
+  return {*reinterpret_cast<const Vec4d*>(p), *reinterpret_cast<const Vec4d*>(p + 4)};
+}
 THAW_INLINE void toDoubles(LanesD a, double* p) {
   *reinterpret_cast<Vec4d*>(p) = a.lo;
   *reinterpret_cast<Vec4d*>(p + 4) = a.hi;
 }
 
-/// What differences of positions count in, in support radii: fixed-point positions (their bits stand in float records) in 2^-24. A power of two, so
-/// that a sum may take it in at its end and has the same bits.
+/// What differences of positions count in, in support radii: fixed-point positions (their bits stand in float
+/// records) in 2^-24. A power of two, so that a sum may take it in at its end and has the same bits.
 template<class Real> inline constexpr double lengthUnit = sizeof(Real) == 4 ? 1.0 / 16777216 : 1.0;
 /// Difference own - other in lengthUnit: exact before the one rounding to float.
 THAW_INLINE LanesF unitDifference(LanesF own, LanesF other) {
-  return LanesF(__builtin_convertvector(reinterpret_cast<Vec8i>(reinterpret_cast<Vec8u>(own.v) - reinterpret_cast<Vec8u>(other.v)), Vec8f));
+  return LanesF(__builtin_convertvector(
+      reinterpret_cast<Vec8i>(reinterpret_cast<Vec8u>(own.v) - reinterpret_cast<Vec8u>(other.v)), Vec8f));
 }
 /// In double precision the records hold positions in support radii.
 THAW_INLINE LanesD unitDifference(LanesD own, LanesD other) { return own - other; }
 /// Difference own - other in support radii.
-THAW_INLINE LanesF positionDifference(LanesF own, LanesF other) { return LanesF(lengthUnit<float>) * unitDifference(own, other); }
+THAW_INLINE LanesF positionDifference(LanesF own, LanesF other) {
+  return LanesF(lengthUnit<float>) * unitDifference(own, other);
+}
 THAW_INLINE LanesD positionDifference(LanesD own, LanesD other) { return own - other; }
 
-/// Entries of a list (of neighbours, of bonds) from the one that is read to the one that is asked for: it streams from memory faster than many a
-/// processor foresees, above all a virtual one.
+/// Entries of a list (of neighbours, of bonds) from the one that is read to the one that is asked for: it
+/// streams from memory faster than many a processor foresees, above all a virtual one.
 inline constexpr std::size_t listAhead = 320;
 
 }  // namespace THAW_ISA

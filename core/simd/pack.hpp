@@ -25,13 +25,17 @@ constexpr PackTable makePackTable() {
 inline constexpr PackTable packTable = makePackTable();
 #endif
 
-/// The words whose bits are set in `kept` (below 256) to out, in their order; returns how many. Writes all of out[0 ... 7].
+/// The words whose bits are set in `kept` (below 256) to out, in their order; returns how many. Writes all of
+/// out[0 ... 7].
 THAW_INLINE std::uint32_t pack8(Vec8u words, std::uint32_t kept, std::uint32_t* out) {
 #if defined(__AVX512VL__)
-  _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), _mm256_maskz_compress_epi32(static_cast<__mmask8>(kept), reinterpret_cast<__m256i>(words)));
+  _mm256_storeu_si256(
+      reinterpret_cast<__m256i*>(out),
+      _mm256_maskz_compress_epi32(static_cast<__mmask8>(kept), reinterpret_cast<__m256i>(words)));
 #elif defined(__AVX2__)
   const __m256i lane = _mm256_load_si256(reinterpret_cast<const __m256i*>(packTable.lane[kept]));
-  _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), _mm256_permutevar8x32_epi32(reinterpret_cast<__m256i>(words), lane));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(out),
+                      _mm256_permutevar8x32_epi32(reinterpret_cast<__m256i>(words), lane));
 #else
   for (int l = 0, n = 0; l < 8; l++) {
     out[n] = words[l];

@@ -1,5 +1,5 @@
-// The loops over neighbours, one set for each instruction set; the best one that the processor has is chosen at start.
-// Every set gives the same bits.
+// The loops over neighbours, one set for each instruction set; the best one that the processor has is chosen
+// at start. Every set gives the same bits.
 #pragma once
 #include <cstdint>
 
@@ -28,7 +28,8 @@ struct PairKernels {
   void (*response)(const PairSums&, GroupRange);
 };
 
-/// By name, or the best for this processor where the name is empty. Unknown or unsupported names give nullptr.
+/// By name, or the best for this processor where the name is empty. Unknown or unsupported names give
+/// nullptr.
 const PairKernels* pairKernels(const char* name = "");
 
 }  // namespace thaw

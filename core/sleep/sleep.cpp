@@ -25,17 +25,21 @@ std::uint8_t bitsOf(const Continuum& p, const CellTable& cells, std::size_t c, d
     shortest = calm[k] < shortest ? calm[k] : shortest;
     lightest = sleep[k] < lightest ? sleep[k] : lightest;
   }
-  return static_cast<std::uint8_t>((static_cast<double>(shortest) >= after ? Calm : 0) | (lightest >= heldBefore ? Held : 0) | (lightest == asleep ? Asleep : 0));
+  return static_cast<std::uint8_t>((static_cast<double>(shortest) >= after ? Calm : 0) |
+                                   (lightest >= heldBefore ? Held : 0) | (lightest == asleep ? Asleep : 0));
 }
 
-/// Not only held around: bonds bring what is two cells away, in the stress of their other end, and around what is asleep all is held.
+/// Not only held around: bonds bring what is two cells away, in the stress of their other end, and around
+/// what is asleep all is held.
 bool isDeep(std::uint8_t around) { return (around & (Calm | Asleep)) == (Calm | Asleep); }
 
 /// The bits that the 27 cells around each have in common. Keys ascend, so nine places move along the table.
-void lookAround(const CellTable& cells, const std::vector<std::uint8_t>& own, std::vector<std::uint8_t>& around) {
+void lookAround(const CellTable& cells, const std::vector<std::uint8_t>& own,
+                std::vector<std::uint8_t>& around) {
   std::size_t at[9] = {};
   std::uint64_t low[9];  // the first of three keys along x, from the cell's own
-  for (int k = 0; k < 9; k++) low[k] = static_cast<std::uint64_t>((k / 3 - 1) * (1ll << 42) + (k % 3 - 1) * (1ll << 21) - 1);
+  for (int k = 0; k < 9; k++)
+    low[k] = static_cast<std::uint64_t>((k / 3 - 1) * (1ll << 42) + (k % 3 - 1) * (1ll << 21) - 1);
   const std::size_t n = cells.key.size();
   for (std::size_t c = 0; c < n; c++) {
     std::uint8_t bits = own[c];
@@ -48,8 +52,8 @@ void lookAround(const CellTable& cells, const std::vector<std::uint8_t>& own, st
   }
 }
 
-/// Are all bonds of the slot so short that their other ends are in the 27 cells around, and is it little strained? What is inside out, or has weakened, is
-/// counted in every step.
+/// Are all bonds of the slot so short that their other ends are in the 27 cells around, and is it little
+/// strained? What is inside out, or has weakened, is counted in every step.
 bool mayBeSkipped(const World& w, std::uint32_t slot) {
   const Solids& s = w.solids;
   for (int k = 0; k < w.bonds.capacity; k++) {
@@ -69,23 +73,32 @@ bool mayBeSkipped(const World& w, std::uint32_t slot) {
       for (int r = 0; r < 3; r++) c += f.row[r][a] * f.row[r][b];
       size2 += c * c;
     }
-  return size2 < largest * largest && determinant(f) > 0 && !(s.plasticInverse.active && norm(plasticMetric(s.plasticInverse[slot])) > 0.5);
+  return size2 < largest * largest && determinant(f) > 0 &&
+         !(s.plasticInverse.active && norm(plasticMetric(s.plasticInverse[slot])) > 0.5);
 }
 
 Unrest unrestOf(const World& w, std::size_t i, const Vec3d& acceleration) {
   const Continuum& p = w.particles;
   const Numerics& n = w.scene.numerics;
-  if (p.phase[i] != Solid || p.slot[i] == noSlot || (p.liquid.active && p.liquid[i] > 0)) return Unrest::NotSolid;
-  // less than half of gravity, or whoever falls freely would be calm with a large sleep_speed, and be held in the air
-  const double slow = n.sleepSpeed, g = length(w.scene.domain.gravity), weak = std::min(slow / n.sleepAfter, g > 0 ? 0.5 * g : never);
+  if (p.phase[i] != Solid || p.slot[i] == noSlot || (p.liquid.active && p.liquid[i] > 0))
+    return Unrest::NotSolid;
+  // less than half of gravity, or whoever falls freely would be calm with a large sleep_speed, and be held in
+  // the air
+  const double slow = n.sleepSpeed, g = length(w.scene.domain.gravity),
+               weak = std::min(slow / n.sleepAfter, g > 0 ? 0.5 * g : never);
   if (!(dot(p.velocity[i], p.velocity[i]) < slow * slow)) return Unrest::Moves;
   if (!(dot(acceleration, acceleration) < weak * weak)) return Unrest::Accelerates;
-  if (!p.heatFlow.active || std::abs(p.heatFlow[i]) < n.sleepHeating * p.mass[i] * heatCapacityOf(n.heat, w.scene.materials[p.material[i]], 0)) return Unrest::None;
+  if (!p.heatFlow.active ||
+      std::abs(p.heatFlow[i]) <
+          n.sleepHeating * p.mass[i] * heatCapacityOf(n.heat, w.scene.materials[p.material[i]], 0))
+    return Unrest::None;
   return Unrest::Warms;
 }
 
 /// N, what balances the particle's weight and the forces known by now.
-Vec3d balancing(const World& w, std::size_t i) { return -w.particles.force[i] - w.scene.domain.gravity * w.particles.mass[i]; }
+Vec3d balancing(const World& w, std::size_t i) {
+  return -w.particles.force[i] - w.scene.domain.gravity * w.particles.mass[i];
+}
 
 void wakeAll(Continuum& p) { std::fill_n(p.calm.data(), p.owned, 0.0f); }
 
@@ -101,7 +114,8 @@ void beginSleep(World& w, StepTools& t, double dt) {
     if (end > heat.start && begin <= heat.start + heat.over) wakeAll(p);
   for (const WallContact& c : t.wallContacts.list) {
     const Wall& wall = w.walls.list[c.wall];
-    if (!wall.properties.motion.empty() && wallVelocity(wall, p.position[c.row]) != Vec3d{}) p.calm[c.row] = 0;
+    if (!wall.properties.motion.empty() && wallVelocity(wall, p.position[c.row]) != Vec3d{})
+      p.calm[c.row] = 0;
   }
 }
 
@@ -112,7 +126,8 @@ void lookAtCells(const World& w, SleepWork& s) {
   const std::size_t n = w.cells.key.size();
   s.cell.resize(n);
   s.around.resize(n);
-  for (std::size_t c = 0; c < n; c++) s.cell[c] = bitsOf(w.particles, w.cells, c, w.scene.numerics.sleepAfter);
+  for (std::size_t c = 0; c < n; c++)
+    s.cell[c] = bitsOf(w.particles, w.cells, c, w.scene.numerics.sleepAfter);
   lookAround(w.cells, s.cell, s.around);
 }
 
@@ -122,7 +137,9 @@ std::array<std::int64_t, unrests> countAwake(const World& w) {
   const Continuum& p = w.particles;
   std::array<std::int64_t, unrests> count{};
   for (std::size_t i = 0; i < p.owned; i++)
-    if (p.sleep[i] == awake) count[static_cast<std::size_t>(unrestOf(w, i, p.clamped.active && p.clamped[i] ? Vec3d{} : p.acceleration[i]))]++;
+    if (p.sleep[i] == awake)
+      count[static_cast<std::size_t>(
+          unrestOf(w, i, p.clamped.active && p.clamped[i] ? Vec3d{} : p.acceleration[i]))]++;
   return count;
 }
 
@@ -170,13 +187,15 @@ void markAllAsleep(World& w, StepTools& t) {
     if (!deep) continue;
     s.deepCells.push_back(w.cells.key[c]);
     std::fill_n(s.deep.begin() + static_cast<std::ptrdiff_t>(first), count, std::uint8_t{1});
-    std::fill_n(s.skipped.begin() + static_cast<std::ptrdiff_t>(first), count, static_cast<std::uint8_t>(skip));
+    std::fill_n(s.skipped.begin() + static_cast<std::ptrdiff_t>(first), count,
+                static_cast<std::uint8_t>(skip));
   }
 }
 
 std::span<const RowSpan> awakeRows(const World& w, StepTools& t) {
   const Continuum& p = w.particles;
-  const bool all = !w.modules.sleep || t.sleep.findAll || p.smoothing.active || p.fastAcceleration.active;  // the last two move, or count, what is held as well
+  // the last two move, or count, what is held as well
+  const bool all = !w.modules.sleep || t.sleep.findAll || p.smoothing.active || p.fastAcceleration.active;
   if (all) t.sleep.rows.assign(1, RowSpan{0, static_cast<std::uint32_t>(p.owned)});
   return t.sleep.rows;
 }
@@ -208,12 +227,14 @@ void chooseAwakeGroups(World& w, StepTools& t) {
   const auto choose = [&](const std::vector<std::uint32_t>& all, std::vector<std::uint32_t>& some) {
     some.clear();
     for (const std::uint32_t g : all) {
-      const std::size_t first = static_cast<std::size_t>(g) * lanes, last = std::min<std::size_t>(first + lanes, solids.owned);
+      const std::size_t first = static_cast<std::size_t>(g) * lanes,
+                        last = std::min<std::size_t>(first + lanes, solids.owned);
       bool known = true;
       for (std::size_t k = first; k < last; k++) known = known && s.fresh[k] && s.deep[solids.particle[k]];
       if (known) continue;
       some.push_back(g);
-      std::fill(s.fresh.begin() + static_cast<std::ptrdiff_t>(first), s.fresh.begin() + static_cast<std::ptrdiff_t>(last), std::uint8_t{1});
+      std::fill(s.fresh.begin() + static_cast<std::ptrdiff_t>(first),
+                s.fresh.begin() + static_cast<std::ptrdiff_t>(last), std::uint8_t{1});
     }
   };
   choose(e.inner, e.innerAwake);
@@ -224,17 +245,20 @@ void chooseAwakeGroups(World& w, StepTools& t) {
 void noteHolds(World& w, const StepTools& t) {
   Continuum& p = w.particles;
   for (std::size_t i = 0; i < p.owned; i++)
-    if (p.sleep[i] != awake && !t.sleep.deep[i]) p.hold[i] = balancing(w, i);  // whether a rank looks again or not
+    // whether a rank looks again or not
+    if (p.sleep[i] != awake && !t.sleep.deep[i]) p.hold[i] = balancing(w, i);
 }
 
 namespace {
 
-/// What holds those that are deep asleep: its sum is found anew where they lie in other cells than in the last step. Nobody comes into a cell, or leaves it, while it is deep.
+/// What holds those that are deep asleep: its sum is found anew where they lie in other cells than in the
+/// last step. Nobody comes into a cell, or leaves it, while it is deep.
 void bookDeep(World& w, SleepWork& s) {
   if (s.findAll || s.deepCells != s.deepBefore) {
     s.deepHold = {};
     for (std::size_t i = 0; i < w.particles.owned; i++)
-      for (int a = 0; s.deep[i] && a < 3; a++) s.deepHold[static_cast<std::size_t>(a)].add(w.particles.hold[i][a]);
+      for (int a = 0; s.deep[i] && a < 3; a++)
+        s.deepHold[static_cast<std::size_t>(a)].add(w.particles.hold[i][a]);
     s.deepBefore = s.deepCells;
   }
   for (int a = 0; a < 3; a++) w.ledger.wallForce[a] += s.deepHold[static_cast<std::size_t>(a)];
@@ -245,11 +269,13 @@ void keepDeep(World& w, const SleepWork& s, std::size_t first, std::size_t count
   Continuum& p = w.particles;
   std::copy_n(s.interaction.data() + first, count, p.interaction.data() + first);
   std::fill_n(p.dissipation.data() + first, count, 0.0);
-  std::fill_n(w.neighbours.neighbours.data() + first, count, decltype(w.neighbours.neighbours)::value_type{0});
+  std::fill_n(w.neighbours.neighbours.data() + first, count,
+              decltype(w.neighbours.neighbours)::value_type{0});
   w.counters.asleep += static_cast<std::int64_t>(count);
   for (std::size_t i = first; p.clamped.active && i < first + count; i++) {
     if (!p.clamped[i]) continue;
-    const Vec3d booked = p.force[i] + w.scene.domain.gravity * p.mass[i];  // by the forces that are known, which may be all or none: taken out to the last bit
+    // by the forces that are known, which may be all or none: taken out to the last bit
+    const Vec3d booked = p.force[i] + w.scene.domain.gravity * p.mass[i];
     for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(booked[a]);
   }
 }

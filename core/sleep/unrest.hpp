@@ -8,7 +8,8 @@ namespace thaw {
 
 struct World;
 
-/// Why a particle is not calm, the first that holds. None: it has not been calm for long enough, or what is around it is not.
+/// Why a particle is not calm, the first that holds. None: it has not been calm for long enough, or what is
+/// around it is not.
 enum class Unrest : std::uint8_t { None, NotSolid, Moves, Accelerates, Warms };
 inline constexpr std::size_t unrests = 5;
 

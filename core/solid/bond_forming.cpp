@@ -48,13 +48,17 @@ ColumnList bondFormingColumns(Continuum& particles) {
   return columns;
 }
 
-Vec3d referenceIn(const Mat3d& frame, const Vec3d& x) { return determinant(frame) < 0.05 ? x : inverse(frame) * x; }
+Vec3d referenceIn(const Mat3d& frame, const Vec3d& x) {
+  return determinant(frame) < 0.05 ? x : inverse(frame) * x;
+}
 
-bool touchesToWeld(const Continuum& p, const Solids& solids, const Bonds& bonds, const NeighbourLists& lists, const BondForming& f) {
+bool touchesToWeld(const Continuum& p, const Solids& solids, const Bonds& bonds, const NeighbourLists& lists,
+                   const BondForming& f) {
   for (std::size_t g = 0; g < lists.groups; g++)
     for (std::size_t l = 0; l < lanes; l++) {
       const std::size_t i = lists.self[g * lanes + l];
-      if (i >= p.owned || p.phase[i] != Solid || p.slot[i] == noSlot || !(*f.materials)[p.material[i]].weld) continue;
+      if (i >= p.owned || p.phase[i] != Solid || p.slot[i] == noSlot || !(*f.materials)[p.material[i]].weld)
+        continue;
       for (std::uint32_t n = 0; n < lists.count[g]; n++) {
         const std::size_t j = lists.row(g, n, l);
         if (j == lists.dummy || p.phase[j] != Solid || p.id[j] == p.id[i] || !mayWeld(p, f, i, j)) continue;
@@ -65,7 +69,8 @@ bool touchesToWeld(const Continuum& p, const Solids& solids, const Bonds& bonds,
   return false;
 }
 
-std::int64_t formBonds(const Continuum& p, const Solids& solids, const Bonds& bonds, const NeighbourLists& lists, const BondForming& forming,
+std::int64_t formBonds(const Continuum& p, const Solids& solids, const Bonds& bonds,
+                       const NeighbourLists& lists, const BondForming& forming,
                        std::vector<BondRequest>& requests, ListedGroups range) {
   // a periodic image's shifted position is rounded: only the unshifted ones give both ends the same bits
   const Column<Vec3d>& place = p.home.active ? p.home : p.position;
@@ -77,20 +82,24 @@ std::int64_t formBonds(const Continuum& p, const Solids& solids, const Bonds& bo
       if (i >= p.owned || p.phase[i] != Solid || p.slot[i] == noSlot) continue;
       for (std::uint32_t n = 0; n < lists.count[g]; n++) {
         const std::size_t j = lists.row(g, n, l);
-        if (j == lists.dummy || p.phase[j] != Solid || p.id[j] == p.id[i] || !wanted(p, forming, i, j)) continue;
+        if (j == lists.dummy || p.phase[j] != Solid || p.id[j] == p.id[i] || !wanted(p, forming, i, j))
+          continue;
         const Vec3d x = minimumImage(place[j] - place[i], forming.periods);
         const double weight = bondWeight(x, forming.support);
         const bool old = frames && !p.justFrozen[i] && !p.justFrozen[j];
         if (!(weight > 0) || (old && !(dot(x, x) < forming.touch * forming.touch))) continue;
         if (old && bonded(solids, bonds, p.slot[i], p.id[j])) continue;
-        requests.push_back({p.slot[i], p.id[j], frames ? referenceIn(p.frame[i], x) : x, frames ? referenceIn(p.frame[j], -x) : -x, weight, j < p.owned ? p.slot[j] : noSlot});
+        requests.push_back({p.slot[i], p.id[j], frames ? referenceIn(p.frame[i], x) : x,
+                            frames ? referenceIn(p.frame[j], -x) : -x, weight,
+                            j < p.owned ? p.slot[j] : noSlot});
         welds += p.body[i] != p.body[j] && p.id[i] < p.id[j];
       }
     }
   return welds;
 }
 
-void pairAtStart(const Continuum& p, const NeighbourLists& lists, const BondForming& forming, std::vector<BondPair>& pairs, ListedGroups range) {
+void pairAtStart(const Continuum& p, const NeighbourLists& lists, const BondForming& forming,
+                 std::vector<BondPair>& pairs, ListedGroups range) {
   const Vec3d* const place = p.home.active ? p.home.data() : p.position.data();  // as in formBonds
   for (std::size_t g = range.first; g < std::min(range.last, lists.groups); g++)
     for (std::size_t l = 0; l < lanes; l++) {
@@ -102,7 +111,8 @@ void pairAtStart(const Continuum& p, const NeighbourLists& lists, const BondForm
       for (std::size_t n = 0; n < lists.count[g]; n++) {
         const std::size_t j = lists.row(g, n, l);
         if (j == lists.dummy || p.phase[j] != Solid || p.body[j] != body || p.id[j] == id) continue;
-        if (bondWeight(minimumImage(place[j] - at, forming.periods), forming.support) > 0) pairs.push_back({p.id[j], slot, j < p.owned ? p.slot[j] : noSlot});
+        if (bondWeight(minimumImage(place[j] - at, forming.periods), forming.support) > 0)
+          pairs.push_back({p.id[j], slot, j < p.owned ? p.slot[j] : noSlot});
       }
     }
 }

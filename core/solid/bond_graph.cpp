@@ -14,7 +14,8 @@ void BondGraph::begin() {
   before_ = ids_.size();
   now_.resize(before_);
   std::iota(now_.begin(), now_.end(), 0u);
-  for (auto* v : {&leaving_, &departed_, &unnamed_, &movers_, &relocated_, &newRemotes_, &marked_, &bereft_}) v->clear();
+  for (auto* v : {&leaving_, &departed_, &unnamed_, &movers_, &relocated_, &newRemotes_, &marked_, &bereft_})
+    v->clear();
   aliases_.clear();
   released_.clear();
   fresh_.clear();
@@ -98,7 +99,8 @@ void BondGraph::markOthers(const Bonds& b, std::uint32_t slot) {
 
 void BondGraph::place(const SolidTables& t, std::span<const NewSlot> fresh, std::size_t remotesToCome) {
   Bonds& b = t.bonds;
-  if (t.solids.owned != owned_ || t.solids.size() != before_) throw std::logic_error("rows of the table of solids were added or removed outside of relink");
+  if (t.solids.owned != owned_ || t.solids.size() != before_)
+    throw std::logic_error("rows of the table of solids were added or removed outside of relink");
   std::sort(leaving_.begin(), leaving_.end());
   fresh_.assign(fresh.begin(), fresh.end());
   newOwned_ = owned_ - leaving_.size() + fresh.size();
@@ -180,7 +182,8 @@ void BondGraph::reserve(Bonds& b, int capacity) const {
   for (std::size_t s = 0; s < newOwned_; s++) clearPlaces(b, s, before, b.capacity);
 }
 
-void BondGraph::bond(const SolidTables& t, std::uint32_t from, const BondRecord& record, int owner, std::uint32_t known) {
+void BondGraph::bond(const SolidTables& t, std::uint32_t from, const BondRecord& record, int owner,
+                     std::uint32_t known) {
   const std::uint32_t slot = now_[from];
   if (slot == noRow) return;
   std::uint32_t other = known < owned_ && now_[known] != noRow ? known : rowOf_.find(record.neighbourId);
@@ -201,7 +204,8 @@ void BondGraph::bond(const SolidTables& t, std::uint32_t from, const BondRecord&
   mark(slot / lanes);
 }
 
-/// Bonds from pairs[first] on as far as they are of one slot that stays to owned ones that are known and stay: most of a start. Returns the first that is not.
+/// Bonds from pairs[first] on as far as they are of one slot that stays to owned ones that are known and
+/// stay: most of a start. Returns the first that is not.
 std::size_t BondGraph::bondOwned(const SolidTables& t, std::span<const BondPair> pairs, std::size_t first) {
   const std::uint32_t from = pairs[first].slot, slot = now_[from];
   if (slot == noRow || t.bonds.vectors) return first;

@@ -50,7 +50,8 @@ std::int64_t BondGraph::walkGroup(const SolidTables& t, std::size_t g) {
         const std::uint32_t to = now_[n[l]];
         met++;
         if (to == noRow) drops |= 1u << l;
-        else if ((n[l] >= owned_) != (to >= newOwned_)) t.solids.changed[g * lanes + static_cast<std::size_t>(l)] = 1;
+        else if ((n[l] >= owned_) != (to >= newOwned_))
+          t.solids.changed[g * lanes + static_cast<std::size_t>(l)] = 1;
         n[l] = to;
       }
     for (int l = 0; l < lanes; l++) remote |= n[l] >= newOwned_ && n[l] != noRow && k < used[l];
@@ -104,7 +105,8 @@ void BondGraph::renumber() {
   for (const Alias& a : aliases_) isAlias_[a.row] = 1;
   renumbered_.clear();
   for (std::size_t r = 0; r < now_.size(); r++)
-    if (renumbers(r) && now_[r] != noRow) renumbered_.push_back({now_[r], references_[r], ids_[r], owner_[r], isAlias_[r] != 0});
+    if (renumbers(r) && now_[r] != noRow)
+      renumbered_.push_back({now_[r], references_[r], ids_[r], owner_[r], isAlias_[r] != 0});
   const std::size_t most = std::max(now_.size(), newRows_);
   ids_.resize(most);
   owner_.resize(most);
@@ -133,7 +135,8 @@ void BondGraph::finish(const SolidTables& t) {
 
 std::size_t BondGraph::bytes() const {
   const auto of = [](const auto&... v) { return (std::size_t(0) + ... + (v.capacity() * sizeof(v[0]))); };
-  return rowOf_.bytes() + of(ids_, owner_, references_, used_, boundary_, now_, leaving_, departed_, movers_, unnamed_, relocated_, newRemotes_, bereft_, aliases_, released_, fresh_, marked_,
+  return rowOf_.bytes() + of(ids_, owner_, references_, used_, boundary_, now_, leaving_, departed_, movers_,
+                             unnamed_, relocated_, newRemotes_, bereft_, aliases_, released_, fresh_, marked_,
                              isMarked_, touched_, isAlias_, turned_, renumbered_);
 }
 
@@ -141,8 +144,11 @@ void BondGraph::check(const SolidTables& t) const {
   const auto fail = [](const char* what) { throw std::logic_error(what); };
   const Bonds& b = t.bonds;
   const std::size_t rows = ids_.size(), groups = groupsOf(owned_);
-  if (t.solids.owned != owned_ || t.solids.size() != rows || owner_.size() != rows || references_.size() != rows) fail("number of rows");
-  if (rowOf_.size() != rows || used_.size() != groups * lanes || boundary_.size() != groups) fail("number of ids or groups");
+  if (t.solids.owned != owned_ || t.solids.size() != rows || owner_.size() != rows ||
+      references_.size() != rows)
+    fail("number of rows");
+  if (rowOf_.size() != rows || used_.size() != groups * lanes || boundary_.size() != groups)
+    fail("number of ids or groups");
   if (b.neighbour.size() < groups * lanes * static_cast<std::size_t>(b.capacity)) fail("room for bonds");
   std::vector<std::uint32_t> references(rows, 0);
   std::vector<std::uint8_t> boundary(groups, 0);
@@ -159,7 +165,8 @@ void BondGraph::check(const SolidTables& t) const {
         if (b.neighbour[at] >= rows || b.neighbour[at] == s) fail("end of a bond");
         references[b.neighbour[at]]++;
         if (b.neighbour[at] >= owned_) boundary[s / lanes] = 1;
-      } else if ((b.vectors && (b.weight[at] != 0 || b.x[at] != 0)) || (s < owned_ ? b.neighbour[at] != s : b.neighbour[at] >= groups * lanes)) {
+      } else if ((b.vectors && (b.weight[at] != 0 || b.x[at] != 0)) ||
+                 (s < owned_ ? b.neighbour[at] != s : b.neighbour[at] >= groups * lanes)) {
         fail("a place without bond");
       }
     }

@@ -8,11 +8,13 @@ namespace thaw {
 
 namespace {
 
-constexpr std::uint64_t endsOnly = std::uint64_t(1) << 63;  // of the number of bonds in a head: of each only the other end's id follows
+constexpr std::uint64_t endsOnly = std::uint64_t(1) << 63;  // of the number of bonds in a head: of each only
+                                                            // the other end's id follows
 
 }  // namespace
 
-std::size_t appendHead(SolidRecords& records, std::uint64_t id, std::size_t stateBytes, std::span<const BondRecord> bonds, bool vectors) {
+std::size_t appendHead(SolidRecords& records, std::uint64_t id, std::size_t stateBytes,
+                       std::span<const BondRecord> bonds, bool vectors) {
   std::vector<std::byte>& out = records.bytes;
   const std::uint64_t head[2] = {id, bonds.size() | (vectors ? 0 : endsOnly)};
   const std::size_t at = out.size(), each = vectors ? sizeof(BondRecord) : sizeof(std::uint64_t);
@@ -42,16 +44,20 @@ void appendRecord(const Solids& s, const Bonds& b, std::uint32_t slot, SolidReco
   s.packState(slot, records.bytes.data() + state);
 }
 
-std::size_t readRecord(const Solids& s, const std::vector<std::byte>& bytes, std::size_t at, SolidRecordView& v) {
+std::size_t readRecord(const Solids& s, const std::vector<std::byte>& bytes, std::size_t at,
+                       SolidRecordView& v) {
   std::uint64_t head[2];
   const std::size_t state = s.stateBytes();
-  if (bytes.size() - at < sizeof head + state) throw std::runtime_error("the records of solid particles end too early");
+  if (bytes.size() - at < sizeof head + state)
+    throw std::runtime_error("the records of solid particles end too early");
   std::memcpy(head, bytes.data() + at, sizeof head);
   v.id = head[0];
   v.state = bytes.data() + at + sizeof head;
   at += sizeof head + state;
-  const std::size_t each = head[1] & endsOnly ? sizeof(std::uint64_t) : sizeof(BondRecord), count = head[1] & ~endsOnly;
-  if (count > (bytes.size() - at) / each) throw std::runtime_error("the records of solid particles end too early");
+  const std::size_t each = head[1] & endsOnly ? sizeof(std::uint64_t) : sizeof(BondRecord),
+                    count = head[1] & ~endsOnly;
+  if (count > (bytes.size() - at) / each)
+    throw std::runtime_error("the records of solid particles end too early");
   v.bonds.assign(count, BondRecord{});
   for (BondRecord& b : v.bonds) {
     std::memcpy(&b, bytes.data() + at, each);
@@ -62,15 +68,21 @@ std::size_t readRecord(const Solids& s, const std::vector<std::byte>& bytes, std
 
 void resizeBonds(Bonds& b, std::size_t slots, int capacity) {
   const std::size_t groups = (slots + lanes - 1) / lanes;
-  const std::size_t before = b.capacity > 0 ? b.neighbour.size() / (static_cast<std::size_t>(b.capacity) * lanes) : 0;
+  const std::size_t before = b.capacity > 0
+                                 ? b.neighbour.size() / (static_cast<std::size_t>(b.capacity) * lanes)
+                                 : 0;
   if (capacity <= b.capacity && groups <= before) return;
   capacity = std::max(capacity, b.capacity);
-  const std::size_t room = groups <= before ? before : before == 0 ? groups : groups + groups / 16 + 8, block = static_cast<std::size_t>(capacity) * lanes;
+  const std::size_t room = groups <= before ? before
+                           : before == 0    ? groups
+                                            : groups + groups / 16 + 8,
+                    block = static_cast<std::size_t>(capacity) * lanes;
   const auto grow = [&](auto& v) {
     using T = typename std::remove_reference_t<decltype(v)>::value_type;
     AlignedVector<T> bigger(room * block, T(0));
     for (std::size_t g = 0; g < before; g++)
-      std::copy_n(v.data() + g * static_cast<std::size_t>(b.capacity) * lanes, static_cast<std::size_t>(b.capacity) * lanes, bigger.data() + g * block);
+      std::copy_n(v.data() + g * static_cast<std::size_t>(b.capacity) * lanes,
+                  static_cast<std::size_t>(b.capacity) * lanes, bigger.data() + g * block);
     v.swap(bigger);
   };
   grow(b.neighbour);

@@ -11,12 +11,13 @@ namespace thaw {
 
 struct BondRecord {
   std::uint64_t neighbourId;
-  double reference[3], reverse[3];  ///< m, X_ij and X_ji; 0 where bonds have no vectors of their own (Bonds::vectors), as the weight
+  double reference[3], reverse[3];  ///< m, X_ij and X_ji; 0 where bonds have no vectors of their own
+                                    ///< (Bonds::vectors), as the weight
   double weight;
 };
 
-/// Several solid particles one behind the other: id, number of bonds, the State columns of Solids, the bonds in their order (ids alone where
-/// they have no vectors).
+/// Several solid particles one behind the other: id, number of bonds, the State columns of Solids, the bonds
+/// in their order (ids alone where they have no vectors).
 struct SolidRecords {
   std::vector<std::byte> bytes;
 };
@@ -25,15 +26,18 @@ struct SolidRecords {
 void appendRecord(const Solids& solids, const Bonds& bonds, std::uint32_t slot, SolidRecords& records);
 
 /// Appends a record but its State columns; returns where these are to be put.
-std::size_t appendHead(SolidRecords& records, std::uint64_t id, std::size_t stateBytes, std::span<const BondRecord> bonds, bool vectors);
+std::size_t appendHead(SolidRecords& records, std::uint64_t id, std::size_t stateBytes,
+                       std::span<const BondRecord> bonds, bool vectors);
 
-/// One record read back; `next` is where the one behind it starts. Throws std::runtime_error where the bytes end too early.
+/// One record read back; `next` is where the one behind it starts. Throws std::runtime_error where the bytes
+/// end too early.
 struct SolidRecordView {
   std::uint64_t id = 0;
   const std::byte* state = nullptr;
   std::vector<BondRecord> bonds;
 };
-std::size_t readRecord(const Solids& solids, const std::vector<std::byte>& bytes, std::size_t at, SolidRecordView& view);
+std::size_t readRecord(const Solids& solids, const std::vector<std::byte>& bytes, std::size_t at,
+                       SolidRecordView& view);
 
 /// Makes room for `capacity` bonds a slot and `slots` slots; new places hold no bond.
 void resizeBonds(Bonds& bonds, std::size_t slots, int capacity);

@@ -1,6 +1,7 @@
-// Bonds of the owned slots. What a bond holds depends on the scene: where no reference is ever taken anew (nothing freezes, welds or flows
-// far) all bonds are of one configuration, and a bond is its other end alone: X_ij is the difference of Solids::reference, and the weight follows
-// from its length. Else each bond has its vectors and its weight, in the precision in which the elastic step works.
+// Bonds of the owned slots. What a bond holds depends on the scene: where no reference is ever taken anew
+// (nothing freezes, welds or flows far) all bonds are of one configuration, and a bond is its other end
+// alone: X_ij is the difference of Solids::reference, and the weight follows from its length. Else each bond
+// has its vectors and its weight, in the precision in which the elastic step works.
 #pragma once
 #include <algorithm>
 #include <type_traits>
@@ -9,7 +10,8 @@
 
 namespace thaw {
 
-inline constexpr int lanes = 8;  ///< bonds and neighbour lists are interleaved by groups of 8 rows (sliced ELLPACK)
+inline constexpr int lanes = 8;  ///< bonds and neighbour lists are interleaved by groups of 8 rows (sliced
+                                 ///< ELLPACK)
 
 /// A number of each bond, single or double. Nothing else of a bond is kept in another precision beside it.
 class BondReals {
@@ -26,7 +28,9 @@ class BondReals {
   /// use(vector) with the vector of this precision.
   template<class Use> void with(Use&& use) { single ? use(f_) : use(d_); }
   void assign(std::size_t n, double value) {
-    with([&](auto& v) { v.assign(n, static_cast<typename std::remove_reference_t<decltype(v)>::value_type>(value)); });
+    with([&](auto& v) {
+      v.assign(n, static_cast<typename std::remove_reference_t<decltype(v)>::value_type>(value));
+    });
   }
 
  private:
@@ -34,21 +38,29 @@ class BondReals {
   AlignedVector<double> d_;
 };
 
-/// Bond k of slot s is element at(s, k) of each array. The order of a slot's bonds is part of the state: it is the order of sums, the same
-/// on any number of ranks.
+/// Bond k of slot s is element at(s, k) of each array. The order of a slot's bonds is part of the state: it
+/// is the order of sums, the same on any number of ranks.
 struct Bonds {
   int capacity = 0;                        ///< bonds a slot has room for; grows as needed
-  AlignedVector<std::uint32_t> neighbour;  ///< slot of the other end; where there is no bond some row that may be read, the slot itself if it is owned
-  BondReals x, y, z;                       ///< reference vector X_ij from this end to the other, in this end's reference frame (m)
-  BondReals rx, ry, rz;                    ///< the other end's own vector back to this one, X_ji; empty unless twoFrames (then X_ji = -X_ij)
-  BondReals weight;                        ///< w_ij, symmetric; 0: no bond or broken
-  bool vectors = true;                     ///< x, y, z and weight are kept; else a bond is its other end, and places whose end is the slot itself hold none
-  bool twoFrames = false;                  ///< rx, ry, rz are kept
-  bool broken = false;                     ///< some bond was cut on this rank since the last relink, which then drops it
+  AlignedVector<std::uint32_t> neighbour;  ///< slot of the other end; where there is no bond some row that
+                                           ///< may be read, the slot itself if it is owned
+  BondReals x, y, z;  ///< reference vector X_ij from this end to the other, in this end's reference frame (m)
+  BondReals rx, ry, rz;  ///< the other end's own vector back to this one, X_ji; empty unless twoFrames (then
+                         ///< X_ji = -X_ij)
+  BondReals weight;      ///< w_ij, symmetric; 0: no bond or broken
+  bool vectors = true;   ///< x, y, z and weight are kept; else a bond is its other end, and places whose end
+                         ///< is the slot itself hold none
+  bool twoFrames = false;  ///< rx, ry, rz are kept
+  bool broken = false;     ///< some bond was cut on this rank since the last relink, which then drops it
 
-  std::size_t at(std::size_t slot, int k) const { return (slot / lanes * static_cast<std::size_t>(capacity) + static_cast<std::size_t>(k)) * lanes + slot % lanes; }
+  std::size_t at(std::size_t slot, int k) const {
+    return (slot / lanes * static_cast<std::size_t>(capacity) + static_cast<std::size_t>(k)) * lanes +
+           slot % lanes;
+  }
   /// Is there a bond in this place of an owned slot?
-  bool there(std::size_t slot, int k) const { return vectors ? weight[at(slot, k)] > 0 : neighbour[at(slot, k)] != slot; }
+  bool there(std::size_t slot, int k) const {
+    return vectors ? weight[at(slot, k)] > 0 : neighbour[at(slot, k)] != slot;
+  }
   /// Breaks a bond: it has no part in any sum from now on, and the next relink drops it.
   void cut(std::size_t slot, int k) {
     if (vectors) weight.set(at(slot, k), 0);
@@ -67,7 +79,8 @@ struct Bonds {
     for (const BondReals* r : {&x, &y, &z, &rx, &ry, &rz, &weight}) n += r->bytes();
     return n;
   }
-  /// What the scene decides: is there a reference of each bond, of each of its ends, and in which precision? Before the first bond is made.
+  /// What the scene decides: is there a reference of each bond, of each of its ends, and in which precision?
+  /// Before the first bond is made.
   void choose(bool ownVectors, bool ofBothEnds, bool single) {
     vectors = ownVectors;
     twoFrames = ofBothEnds;

@@ -12,10 +12,13 @@ namespace thaw {
 
 namespace {
 
-ElasticArrays arraysOf(ElasticWork& work, Solids& solids, const Bonds& bonds, const ElasticStep& step, SolidPart part) {
+ElasticArrays arraysOf(ElasticWork& work, Solids& solids, const Bonds& bonds, const ElasticStep& step,
+                       SolidPart part) {
   ElasticArrays a;
   const bool single = work.precision == Precision::Single;
-  const std::vector<std::uint32_t>& groups = part == SolidPart::Inner ? (work.sleeping ? work.innerAwake : work.inner) : (work.sleeping ? work.boundaryAwake : work.boundary);
+  const std::vector<std::uint32_t>& groups = part == SolidPart::Inner
+                                                 ? (work.sleeping ? work.innerAwake : work.inner)
+                                                 : (work.sleeping ? work.boundaryAwake : work.boundary);
   a.precision = work.precision;
   a.vectors = bonds.vectors;
   a.periodic = work.periodic;
@@ -30,7 +33,9 @@ ElasticArrays arraysOf(ElasticWork& work, Solids& solids, const Bonds& bonds, co
   a.singularLanes = work.singularLanes.data();
   a.ownFrames = work.ownFrames.data();
   a.neighbour = bonds.neighbour.data();
-  const auto pick = [&](const AlignedVector<float>& f, const AlignedVector<double>& d) { return single ? static_cast<const void*>(f.data()) : d.data(); };
+  const auto pick = [&](const AlignedVector<float>& f, const AlignedVector<double>& d) {
+    return single ? static_cast<const void*>(f.data()) : d.data();
+  };
   a.x = bonds.x.data();
   a.y = bonds.y.data();
   a.z = bonds.z.data();
@@ -69,9 +74,13 @@ ElasticArrays arraysOf(ElasticWork& work, Solids& solids, const Bonds& bonds, co
   return a;
 }
 
-const ElasticKernels& kernelsOf(const ElasticWork& work) { return work.kernels ? *work.kernels : *elasticKernels(); }
+const ElasticKernels& kernelsOf(const ElasticWork& work) {
+  return work.kernels ? *work.kernels : *elasticKernels();
+}
 
-Mat3d laneMatrix(const double m[9][8], int l) { return {{{m[0][l], m[1][l], m[2][l]}, {m[3][l], m[4][l], m[5][l]}, {m[6][l], m[7][l], m[8][l]}}}; }
+Mat3d laneMatrix(const double m[9][8], int l) {
+  return {{{m[0][l], m[1][l], m[2][l]}, {m[3][l], m[4][l], m[5][l]}, {m[6][l], m[7][l], m[8][l]}}};
+}
 
 }  // namespace
 
@@ -96,7 +105,8 @@ void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneCon
         continue;
       }
       const ElasticConstants c = slotConstants(*a.work, solids, s);
-      if (solids.material[s] != out.material || (solids.liquid.active && solids.liquid[s] > 0)) out.material = -1;
+      if (solids.material[s] != out.material || (solids.liquid.active && solids.liquid[s] > 0))
+        out.material = -1;
       out.constants[l] = c;
       out.lambda[l] = c.lambda;
       out.mu[l] = c.mu;
@@ -114,7 +124,8 @@ void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneCon
     const ElasticConstants& c = out.constants[l];
     out.volume[l] = l < n ? a.volume[s] : 0;
     out.hourglass[l] = c.hourglass * out.volume[l] * a.perTrace[s];
-    // a bond's damping is the mean of both ends'; three, because a bond acts along its direction only; half of the sum of both ends
+    // a bond's damping is the mean of both ends'; three, because a bond acts along its direction only; half
+    // of the sum of both ends
     out.drag[l] = 0.5 * 3 * c.dragDensity * out.volume[l] * a.perWeight[s];
     if (l < n && a.dissipated && !a.keepDissipated) a.dissipated[s] = 0;
   }
@@ -126,9 +137,12 @@ void completeLane(const ElasticArrays& a, std::size_t slot, int lane, double gra
     for (int c = 0; c < 3; c++) gradU[3 * r + c][lane] = g.row[r][c];
 }
 
-void turnNormalOfLane(const ElasticArrays& a, const LaneConstants& c, std::size_t slot, int lane, const FlatLane& of) {
+void turnNormalOfLane(const ElasticArrays& a, const LaneConstants& c, std::size_t slot, int lane,
+                      const FlatLane& of) {
   if (a.rank[slot] != 2 || !(a.perTrace[slot] > 0)) return;
-  const Mat3d more = stressOfNormal({laneMatrix(of.gradU, lane), a.momentInverse[slot], 1 / a.perTrace[slot], laneMatrix(of.sum, lane), c.volume[lane] * laneMatrix(of.stress, lane), c.hourglass[lane]}) *
+  const Mat3d more = stressOfNormal({laneMatrix(of.gradU, lane), a.momentInverse[slot], 1 / a.perTrace[slot],
+                                     laneMatrix(of.sum, lane), c.volume[lane] * laneMatrix(of.stress, lane),
+                                     c.hourglass[lane]}) *
                      full(a.momentInverse[slot]);
   for (int r = 0; r < 3; r++)
     for (int q = 0; q < 3; q++) of.flux[3 * r + q][lane] += more.row[r][q];
@@ -143,7 +157,8 @@ void putLane(const Mat3d& m, int lane, double out[9][8]) {
 
 }  // namespace
 
-void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const double gradU[9][8], int lane, PlasticLanes& out) {
+void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const double gradU[9][8],
+              int lane, PlasticLanes& out) {
   Mat3d& inverse = a.plasticInverse[slot];
   const Mat3d g = laneMatrix(gradU, lane);
   PlasticFlow flow{{inverse, a.plasticPath ? a.plasticPath[slot] : 0}, {}, 0, false};
@@ -172,15 +187,19 @@ double respondLane(const ElasticConstants& c, const double gradU[9][8], int lane
   return r.energy;
 }
 
-ElasticResult computeDeformationAndStress(ElasticWork& work, Solids& solids, const Bonds& bonds, const ElasticStep& step, SolidPart part) {
-  if (part == SolidPart::Inner) forEachAwake(work, solids, [&](std::size_t first, std::size_t last) { packPlaces(work, solids, first, last); });
+ElasticResult computeDeformationAndStress(ElasticWork& work, Solids& solids, const Bonds& bonds,
+                                          const ElasticStep& step, SolidPart part) {
+  if (part == SolidPart::Inner)
+    forEachAwake(work, solids,
+                 [&](std::size_t first, std::size_t last) { packPlaces(work, solids, first, last); });
   else packPlaces(work, solids, solids.owned, solids.size());
   ElasticArrays a = arraysOf(work, solids, bonds, step, part);
   kernelsOf(work).deformation(a);
   return {a.inverted, a.squeezed, a.maxStretch2};
 }
 
-void repeatDeformation(ElasticWork& work, Solids& solids, const Bonds& bonds, const ElasticStep& step, std::span<const std::uint32_t> groups) {
+void repeatDeformation(ElasticWork& work, Solids& solids, const Bonds& bonds, const ElasticStep& step,
+                       std::span<const std::uint32_t> groups) {
   ElasticArrays a = arraysOf(work, solids, bonds, step, SolidPart::Boundary);
   a.groups = groups.data();
   a.groupCount = groups.size();
@@ -190,7 +209,8 @@ void repeatDeformation(ElasticWork& work, Solids& solids, const Bonds& bonds, co
   kernelsOf(work).deformation(a);
 }
 
-void computeElasticForces(ElasticWork& work, Solids& solids, Bonds& bonds, const ElasticStep& step, SolidPart part) {
+void computeElasticForces(ElasticWork& work, Solids& solids, Bonds& bonds, const ElasticStep& step,
+                          SolidPart part) {
   if (part == SolidPart::Boundary) followRemoteReferences(work, solids, bonds);
   if (part == SolidPart::Inner) packMotion(work, solids, 0, solids.owned);
   else packMotion(work, solids, solids.owned, solids.size());

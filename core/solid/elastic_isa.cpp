@@ -7,11 +7,15 @@ namespace THAW_ISA {
 
 namespace {
 
-/// sum += w u (x) X of bonds [at, end); tears: excess becomes the largest (x^2 - stretch2 X^2), > 0 where one is to break.
+/// sum += w u (x) X of bonds [at, end); tears: excess becomes the largest (x^2 - stretch2 X^2), > 0 where one
+/// is to break.
 template<bool tears, class Real, bool periodic, bool vectors>
-THAW_INLINE void sumGradient(const BondLoader<Real, periodic, vectors>& bonds, std::size_t at, std::size_t end, const Lanes<Real>& stretch2, Mat3<Lanes<Real>>& sum, Lanes<Real>& excess) {
+THAW_INLINE void sumGradient(const BondLoader<Real, periodic, vectors>& bonds, std::size_t at,
+                             std::size_t end, const Lanes<Real>& stretch2, Mat3<Lanes<Real>>& sum,
+                             Lanes<Real>& excess) {
   const ElasticArrays& a = bonds.a;
-  Vec3<Lanes<Real>> x = sum.row[0], y = sum.row[1], z = sum.row[2];  // in registers, where the matrix would stay in memory
+  // in registers, where the matrix would stay in memory
+  Vec3<Lanes<Real>> x = sum.row[0], y = sum.row[1], z = sum.row[2];
   for (; at < end; at += 8) {
     const EightBonds<Real> b = bonds(at);
     const Vec3<Lanes<Real>>& X = b.reference;
@@ -28,7 +32,8 @@ THAW_INLINE void sumGradient(const BondLoader<Real, periodic, vectors>& bonds, s
   sum = {{x, y, z}};
 }
 
-template<class Real, bool periodic, bool vectors> __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
+template<class Real, bool periodic, bool vectors>
+__attribute__((flatten)) void deformationOf(ElasticArrays& a) {
   using T = Lanes<Real>;
   BondLoader<Real, periodic, vectors> bonds(a);
   const T scale2(static_cast<Real>(bonds.scale() * bonds.scale()));
@@ -40,11 +45,13 @@ template<class Real, bool periodic, bool vectors> __attribute__((flatten)) void 
   for (std::size_t gi = 0; gi < a.groupCount; gi++) {
     const std::size_t g = a.groups[gi], s0 = 8 * g, base = g * a.capacity * 8;
     const int n = a.owned - s0 < 8 ? static_cast<int>(a.owned - s0) : 8;
-    // what is written lane by lane and read eight lanes at a time: before the loop, so that nobody waits for it to arrive
+    // what is written lane by lane and read eight lanes at a time: before the loop, so that nobody waits for
+    // it to arrive
     loadLaneConstants(a, s0, n, c);
     for (int l = 0; l < 8; l++) {
       const Sym3d m = l < n ? a.momentInverse[s0 + static_cast<std::size_t>(l)] : Sym3d{};
-      inverse[0][l] = m.xx, inverse[1][l] = m.yy, inverse[2][l] = m.zz, inverse[3][l] = m.xy, inverse[4][l] = m.yz, inverse[5][l] = m.xz;
+      inverse[0][l] = m.xx, inverse[1][l] = m.yy, inverse[2][l] = m.zz, inverse[3][l] = m.xy,
+      inverse[4][l] = m.yz, inverse[5][l] = m.xz;
     }
     bonds.begin(slotsOf(s0, n));
     const std::size_t end = base + std::size_t(a.bondCount[g]) * 8;
@@ -67,13 +74,15 @@ template<class Real, bool periodic, bool vectors> __attribute__((flatten)) void 
     f.row[1].y += T(Real(1));
     f.row[2].z += T(Real(1));
 
-    const T lambda = fromDoubles<Real>(c.lambda), mu = fromDoubles<Real>(c.mu), volume = fromDoubles<Real>(c.volume);
+    const T lambda = fromDoubles<Real>(c.lambda), mu = fromDoubles<Real>(c.mu),
+            volume = fromDoubles<Real>(c.volume);
     // Laws see the elastic part Fe of F = Fe Fp.
     Mat3<T> elasticGradient = gradient, fe = f, plasticInverse{};
     if (a.plastic) {
       for (int l = 0; l < 8; l++) {
         if (l < n) flowLane(a, c.constants[l], s0 + static_cast<std::size_t>(l), gradU, l, plastic);
-        else for (int q = 0; q < 9; q++) plastic.elastic[q][l] = plastic.inverse[q][l] = 0;
+        else
+          for (int q = 0; q < 9; q++) plastic.elastic[q][l] = plastic.inverse[q][l] = 0;
       }
       elasticGradient = fe = loadMatrix<Real>(plastic.elastic);
       plasticInverse = loadMatrix<Real>(plastic.inverse);
@@ -93,7 +102,9 @@ template<class Real, bool periodic, bool vectors> __attribute__((flatten)) void 
       const Mat3<T> other = neoHookeanStress(fe, lambda, mu);
       const auto isOther = T(Real(0.5)) < fromDoubles<Real>(c.neoHookean);
       for (int r = 0; r < 3; r++)
-        piola.row[r] = {select(isOther, other.row[r].x, piola.row[r].x), select(isOther, other.row[r].y, piola.row[r].y), select(isOther, other.row[r].z, piola.row[r].z)};
+        piola.row[r] = {select(isOther, other.row[r].x, piola.row[r].x),
+                        select(isOther, other.row[r].y, piola.row[r].y),
+                        select(isOther, other.row[r].z, piola.row[r].z)};
     }
     if (a.energy && !c.anyGreen) toDoubles(LanesD(0.0), energy);
     if (a.energy && c.anyNeoHookean) addNeoHookeanEnergy({c, n, true}, widened(elasticGradient), energy);
@@ -109,18 +120,24 @@ template<class Real, bool periodic, bool vectors> __attribute__((flatten)) void 
     }
     if (a.plastic) piola = piola + piola * transpose(plasticInverse);
 
-    // Green strain alone weakens where it is squeezed to less than sqrt(1/3) in some direction: 3 E + 1 = 3/2 C - 1/2 has an
-    // eigenvalue < 0, which its leading minors tell. Not where |E| < 1/3 says that it has none.
+    // Green strain alone weakens where it is squeezed to less than sqrt(1/3) in some direction: 3 E + 1 = 3/2
+    // C - 1/2 has an eigenvalue < 0, which its leading minors tell. Not where |E| < 1/3 says that it has
+    // none.
     const T three(Real(3));
-    const auto squared = [](const Sym3<T>& e) { return e.xx * e.xx + e.yy * e.yy + e.zz * e.zz + T(Real(2)) * (e.xy * e.xy + e.yz * e.yz + e.xz * e.xz); };
+    const auto squared = [](const Sym3<T>& e) {
+      return e.xx * e.xx + e.yy * e.yy + e.zz * e.zz + T(Real(2)) * (e.xy * e.xy + e.yz * e.yz + e.xz * e.xz);
+    };
     if (c.anyGreen && any(T(Real(1) / 9) < squared(green))) {
       const T one(Real(1));
       const T xx = three * green.xx + one, yy = three * green.yy + one, zz = three * green.zz + one;
       const T xy = three * green.xy, yz = three * green.yz, xz = three * green.xz;
-      const T second = xx * yy - xy * xy, third = zz * second - xx * yz * yz - yy * xz * xz + (xy + xy) * yz * xz;
+      const T second = xx * yy - xy * xy,
+              third = zz * second - xx * yz * yz - yy * xz * xz + (xy + xy) * yz * xz;
       const T least = min(xx, min(second, third));
       if (any(least < T(Real(0))))
-        for (int l = 0; l < n; l++) a.squeezed += least[l] < 0 && c.constants[l].law == ElasticLaw::Green && !(c.volumeStiffness[l] > 0);
+        for (int l = 0; l < n; l++)
+          a.squeezed += least[l] < 0 && c.constants[l].law == ElasticLaw::Green &&
+                        !(c.volumeStiffness[l] > 0);
     }
 
     // flux = V P A^-1 - k grad u
@@ -129,7 +146,8 @@ template<class Real, bool periodic, bool vectors> __attribute__((flatten)) void 
       alignas(64) double sums[9][8], fluxes[9][8];
       storeMatrix<Real>(sum, sums), storeMatrix<Real>(piola, stress), storeMatrix<Real>(flux, fluxes);
       for (int l = 0; l < n; l++)
-        if (a.singularLanes[g] >> l & 1) turnNormalOfLane(a, c, s0 + static_cast<std::size_t>(l), l, {sums, gradU, stress, fluxes});
+        if (a.singularLanes[g] >> l & 1)
+          turnNormalOfLane(a, c, s0 + static_cast<std::size_t>(l), l, {sums, gradU, stress, fluxes});
       flux = loadMatrix<Real>(fluxes);
     }
     const T j = determinant(f);
@@ -141,24 +159,31 @@ template<class Real, bool periodic, bool vectors> __attribute__((flatten)) void 
       for (int l = 0; l < n; l++)
         if (static_cast<double>(stretch2[l]) > most) most = static_cast<double>(stretch2[l]);
     }
-    storeFluxes(bonds.own, {fromDoubles<Real>(c.hourglass), flux}, n, static_cast<Record<Real>*>(a.end) + 4 * s0);
+    storeFluxes(bonds.own, {fromDoubles<Real>(c.hourglass), flux}, n,
+                static_cast<Record<Real>*>(a.end) + 4 * s0);
     for (int l = 0; a.damping && l < n; l++) a.dragColumn[s0 + static_cast<std::size_t>(l)] = c.drag[l];
     for (int l = 0; a.deformation && l < n; l++)
       for (int r = 0; r < 3; r++)
-        a.deformation[s0 + static_cast<std::size_t>(l)].row[r] = {gradU[3 * r][l] + (r == 0), gradU[3 * r + 1][l] + (r == 1), gradU[3 * r + 2][l] + (r == 2)};
-    for (int l = 0; a.energy && l < n; l++) a.energyColumn[s0 + static_cast<std::size_t>(l)] = c.volume[l] * energy[l];
+        a.deformation[s0 + static_cast<std::size_t>(l)].row[r] = {
+            gradU[3 * r][l] + (r == 0), gradU[3 * r + 1][l] + (r == 1), gradU[3 * r + 2][l] + (r == 2)};
+    for (int l = 0; a.energy && l < n; l++)
+      a.energyColumn[s0 + static_cast<std::size_t>(l)] = c.volume[l] * energy[l];
     for (int l = 0; l < n; l++) a.inverted += !(j[l] > 0);
   }
   for (int l = 0; l < 8; l++)
     if (static_cast<double>(largest[l]) > a.maxStretch2) a.maxStretch2 = static_cast<double>(largest[l]);
 }
 
-
-template<class Real> THAW_INLINE Lanes<Real> sumTimes(const Vec3<Lanes<Real>>& a, const Vec3<Lanes<Real>>& b, const Vec3<Lanes<Real>>& v) {
+template<class Real>
+THAW_INLINE Lanes<Real> sumTimes(const Vec3<Lanes<Real>>& a, const Vec3<Lanes<Real>>& b,
+                                 const Vec3<Lanes<Real>>& v) {
   return dot3(a.x + b.x, a.y + b.y, a.z + b.z, v.x, v.y, v.z);
 }
-template<class Real> THAW_INLINE Lanes<Real> times3(const Vec3<Lanes<Real>>& a, const Vec3<Lanes<Real>>& v) { return dot3(a.x, a.y, a.z, v.x, v.y, v.z); }
-template<class Real> THAW_INLINE Vec3<Lanes<Real>> apply(const Mat3<Lanes<Real>>& m, const Vec3<Lanes<Real>>& v) {
+template<class Real> THAW_INLINE Lanes<Real> times3(const Vec3<Lanes<Real>>& a, const Vec3<Lanes<Real>>& v) {
+  return dot3(a.x, a.y, a.z, v.x, v.y, v.z);
+}
+template<class Real>
+THAW_INLINE Vec3<Lanes<Real>> apply(const Mat3<Lanes<Real>>& m, const Vec3<Lanes<Real>>& v) {
   return {times3<Real>(m.row[0], v), times3<Real>(m.row[1], v), times3<Real>(m.row[2], v)};
 }
 
@@ -184,32 +209,43 @@ template<class Real, bool periodic, bool vectors, bool more> void forcesOf(const
       for (int l = 0; l < 8; l++)
         for (int r = 0; r < 3; r++) {
           const Vec3d& row = a.deformation[self.row[l]].row[r];
-          gradU[3 * r][l] = row.x - (r == 0), gradU[3 * r + 1][l] = row.y - (r == 1), gradU[3 * r + 2][l] = row.z - (r == 2);
+          gradU[3 * r][l] = row.x - (r == 0), gradU[3 * r + 1][l] = row.y - (r == 1),
+                    gradU[3 * r + 2][l] = row.z - (r == 2);
         }
       gradient = loadMatrix<Real>(gradU);
     }
     const bool oneFrame = vectors && a.ownFrames[g] == 0;  // of most groups: the vector back is not read
-    LanesD fx(0.0), fy(0.0), fz(0.0), lost(0.0);  // sums in double: momentum is conserved to its rounding in single precision, too
+    LanesD fx(0.0), fy(0.0), fz(0.0), lost(0.0);  // sums in double: momentum is conserved to its rounding in
+                                                  // single precision, too
     T errors(Real(0));
     for (std::size_t at = base, end = base + std::size_t(a.bondCount[g]) * 8; at < end; at += 8) {
       const std::uint32_t* rows = a.neighbour + at;
       const EightBonds<Real> b = bonds(at);
       const Vec3<T>&ref = b.reference, &u = b.u;
-      const Lanes4<Real> third = load<4>(bonds.records + 2, rows), fourth = load<4>(bonds.records + 3, rows);  // as loadFluxes, whose struct would go to memory
+      // as loadFluxes, whose struct would go to memory
+      const Lanes4<Real> third = load<4>(bonds.records + 2, rows), fourth = load<4>(bonds.records + 3, rows);
       const T k = b.ends.second.c;
-      const Vec3<T> j0{b.ends.second.d, third.a, third.b}, j1{third.c, third.d, fourth.a}, j2{fourth.b, fourth.c, fourth.d};
+      const Vec3<T> j0{b.ends.second.d, third.a, third.b}, j1{third.c, third.d, fourth.a},
+          j2{fourth.b, fourth.c, fourth.d};
       Vec3<T> t;
       if (oneFrame) {  // what the next branch gives with back = -ref, to the last bit
-        const Vec3<T> ours = apply<Real>(i.flux, ref), theirs{times3<Real>(j0, ref), times3<Real>(j1, ref), times3<Real>(j2, ref)};
-        t = {fma(i.k, u.x, ours.x) + fma(k, u.x, theirs.x), fma(i.k, u.y, ours.y) + fma(k, u.y, theirs.y), fma(i.k, u.z, ours.z) + fma(k, u.z, theirs.z)};
+        const Vec3<T> ours = apply<Real>(i.flux, ref),
+                      theirs{times3<Real>(j0, ref), times3<Real>(j1, ref), times3<Real>(j2, ref)};
+        t = {fma(i.k, u.x, ours.x) + fma(k, u.x, theirs.x), fma(i.k, u.y, ours.y) + fma(k, u.y, theirs.y),
+             fma(i.k, u.z, ours.z) + fma(k, u.z, theirs.z)};
       } else if constexpr (vectors) {
-        const Vec3<T> x = b.current, back = loadVector<Real>(a.rx, a.ry, a.rz, at), v{x.x + back.x, x.y + back.y, x.z + back.z};
-        const Vec3<T> ours = apply<Real>(i.flux, ref), theirs{times3<Real>(j0, back), times3<Real>(j1, back), times3<Real>(j2, back)};
+        const Vec3<T> x = b.current, back = loadVector<Real>(a.rx, a.ry, a.rz, at),
+                      v{x.x + back.x, x.y + back.y, x.z + back.z};
+        const Vec3<T> ours = apply<Real>(i.flux, ref),
+                      theirs{times3<Real>(j0, back), times3<Real>(j1, back), times3<Real>(j2, back)};
         // (term of i) - (term of j): the other end computes exactly the negative
-        t = {fma(i.k, u.x, ours.x) - fma(-k, v.x, theirs.x), fma(i.k, u.y, ours.y) - fma(-k, v.y, theirs.y), fma(i.k, u.z, ours.z) - fma(-k, v.z, theirs.z)};
+        t = {fma(i.k, u.x, ours.x) - fma(-k, v.x, theirs.x), fma(i.k, u.y, ours.y) - fma(-k, v.y, theirs.y),
+             fma(i.k, u.z, ours.z) - fma(-k, v.z, theirs.z)};
       } else {
         const T both = i.k + k;
-        t = {fma(both, u.x, sumTimes<Real>(i.flux.row[0], j0, ref)), fma(both, u.y, sumTimes<Real>(i.flux.row[1], j1, ref)), fma(both, u.z, sumTimes<Real>(i.flux.row[2], j2, ref))};
+        t = {fma(both, u.x, sumTimes<Real>(i.flux.row[0], j0, ref)),
+             fma(both, u.y, sumTimes<Real>(i.flux.row[1], j1, ref)),
+             fma(both, u.z, sumTimes<Real>(i.flux.row[2], j2, ref))};
       }
       if (damping) {
         const Lanes4<Real> vj = load(motion, rows);
@@ -221,7 +257,8 @@ template<class Real, bool periodic, bool vectors, bool more> void forcesOf(const
         lost += wide(b.weight * c * along);
       }
       if (energy) {
-        const Vec3<T> e{u.x - dot(gradient.row[0], ref), u.y - dot(gradient.row[1], ref), u.z - dot(gradient.row[2], ref)};
+        const Vec3<T> e{u.x - dot(gradient.row[0], ref), u.y - dot(gradient.row[1], ref),
+                        u.z - dot(gradient.row[2], ref)};
         errors += b.weight * (e.x * e.x + e.y * e.y + e.z * e.z);
       }
       fx += wide(b.weight * t.x);
@@ -229,23 +266,37 @@ template<class Real, bool periodic, bool vectors, bool more> void forcesOf(const
       fz += wide(b.weight * t.z);
     }
     toDoubles(fx, out[0]), toDoubles(fy, out[1]), toDoubles(fz, out[2]), toDoubles(lost, out[3]);
-    for (int l = 0; l < n; l++) a.force[s0 + static_cast<std::size_t>(l)] = {scale * out[0][l], scale * out[1][l], scale * out[2][l]};
+    for (int l = 0; l < n; l++)
+      a.force[s0 + static_cast<std::size_t>(l)] = {scale * out[0][l], scale * out[1][l], scale * out[2][l]};
     if (damping)
-      for (int l = 0; l < n; l++) a.dissipated[s0 + static_cast<std::size_t>(l)] += 0.5 * scale * out[3][l] * a.dt;  // half of each bond at each end
+      // half of each bond at each end
+      for (int l = 0; l < n; l++)
+        a.dissipated[s0 + static_cast<std::size_t>(l)] += 0.5 * scale * out[3][l] * a.dt;
     if (energy)
-      for (int l = 0; l < n; l++) a.energyColumn[s0 + static_cast<std::size_t>(l)] += 0.5 * scale * scale * static_cast<double>(i.k[l]) * static_cast<double>(errors[l]);
+      for (int l = 0; l < n; l++)
+        a.energyColumn[s0 + static_cast<std::size_t>(l)] += 0.5 * scale * scale *
+                                                            static_cast<double>(i.k[l]) *
+                                                            static_cast<double>(errors[l]);
   }
 }
 
-template<class Real, bool periodic> void deformationIn(ElasticArrays& a) { a.vectors ? deformationOf<Real, periodic, true>(a) : deformationOf<Real, periodic, false>(a); }
+template<class Real, bool periodic> void deformationIn(ElasticArrays& a) {
+  a.vectors ? deformationOf<Real, periodic, true>(a) : deformationOf<Real, periodic, false>(a);
+}
 void deformation(ElasticArrays& a) {
-  if (a.precision == Precision::Single) return a.periodic ? deformationIn<float, true>(a) : deformationIn<float, false>(a);
+  if (a.precision == Precision::Single)
+    return a.periodic ? deformationIn<float, true>(a) : deformationIn<float, false>(a);
   return a.periodic ? deformationIn<double, true>(a) : deformationIn<double, false>(a);
 }
-template<class Real, bool periodic, bool more> void forcesWith(const ElasticArrays& a) { a.vectors ? forcesOf<Real, periodic, true, more>(a) : forcesOf<Real, periodic, false, more>(a); }
-template<class Real, bool periodic> void forcesIn(const ElasticArrays& a) { a.damping || a.energy ? forcesWith<Real, periodic, true>(a) : forcesWith<Real, periodic, false>(a); }
+template<class Real, bool periodic, bool more> void forcesWith(const ElasticArrays& a) {
+  a.vectors ? forcesOf<Real, periodic, true, more>(a) : forcesOf<Real, periodic, false, more>(a);
+}
+template<class Real, bool periodic> void forcesIn(const ElasticArrays& a) {
+  a.damping || a.energy ? forcesWith<Real, periodic, true>(a) : forcesWith<Real, periodic, false>(a);
+}
 void forces(const ElasticArrays& a) {
-  if (a.precision == Precision::Single) return a.periodic ? forcesIn<float, true>(a) : forcesIn<float, false>(a);
+  if (a.precision == Precision::Single)
+    return a.periodic ? forcesIn<float, true>(a) : forcesIn<float, false>(a);
   return a.periodic ? forcesIn<double, true>(a) : forcesIn<double, false>(a);
 }
 

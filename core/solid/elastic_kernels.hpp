@@ -1,5 +1,6 @@
-// The two loops over bonds, one set for each instruction set (elastic_isa.cpp); every set gives the same bits.
-// Only plain pointers here: code compiled for one instruction set must not leave copies of library functions to the linker.
+// The two loops over bonds, one set for each instruction set (elastic_isa.cpp); every set gives the same
+// bits. Only plain pointers here: code compiled for one instruction set must not leave copies of library
+// functions to the linker.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +14,8 @@ namespace thaw {
 struct ElasticWork;
 struct Solids;
 
-/// What the loops read and write. Real: float or double by `precision`. Arrays of bonds are interleaved by 8 slots as in Bonds.
+/// What the loops read and write. Real: float or double by `precision`. Arrays of bonds are interleaved by 8
+/// slots as in Bonds.
 struct ElasticArrays {
   Precision precision = Precision::Single;
   bool vectors = false, periodic = false, damping = false, plastic = false, energy = true;
@@ -22,19 +24,21 @@ struct ElasticArrays {
   std::size_t groupCount = 0;
   const std::uint16_t* bondCount = nullptr;
   const std::uint8_t* singularLanes = nullptr;
-  const std::uint8_t* ownFrames = nullptr;       ///< by group, as ElasticWork::ownFrames
+  const std::uint8_t* ownFrames = nullptr;  ///< by group, as ElasticWork::ownFrames
   const std::uint32_t* neighbour = nullptr;
-  const void *x = nullptr, *y = nullptr, *z = nullptr, *rx = nullptr, *ry = nullptr, *rz = nullptr, *weight = nullptr;  ///< Real; null but where vectors
-  void* end = nullptr;              ///< BondEnd<Real> by row; places of float in units of `unit`
-  const void* motion = nullptr;     ///< Real, 4 a row: velocity (m/s), drag
-  double unit = 1;                  ///< m
-  double perSupport2 = 1;           ///< 1/m^2, of bonds
-  double period[3]{};               ///< in units of places; 0: not periodic
+  /// Real; null but where vectors
+  const void *x = nullptr, *y = nullptr, *z = nullptr, *rx = nullptr, *ry = nullptr, *rz = nullptr,
+             *weight = nullptr;
+  void* end = nullptr;           ///< BondEnd<Real> by row; places of float in units of `unit`
+  const void* motion = nullptr;  ///< Real, 4 a row: velocity (m/s), drag
+  double unit = 1;               ///< m
+  double perSupport2 = 1;        ///< 1/m^2, of bonds
+  double period[3]{};            ///< in units of places; 0: not periodic
   double dt = 0;
-  double breakStretch2 = 0;         ///< square of the stretch from which `stretched` is set; 0: no fracture
+  double breakStretch2 = 0;  ///< square of the stretch from which `stretched` is set; 0: no fracture
   std::uint8_t* stretched = nullptr;
-  bool keepDissipated = false;      ///< add to dissipated
-  bool flow = true;                 ///< plastic strain may change
+  bool keepDissipated = false;  ///< add to dissipated
+  bool flow = true;             ///< plastic strain may change
   // by slot
   const Sym3d* momentInverse = nullptr;
   const std::uint8_t* rank = nullptr;
@@ -43,7 +47,7 @@ struct ElasticArrays {
   const Mat3d* referenceGradient = nullptr;  ///< null: all are of the first reference
   double* plasticPath = nullptr;             ///< null: nothing hardens
   std::uint8_t* flows = nullptr;             ///< set where plastic strain changed; null: not wanted
-  Mat3d* deformation = nullptr;         ///< null: not kept
+  Mat3d* deformation = nullptr;              ///< null: not kept
   double *energyColumn = nullptr, *dragColumn = nullptr, *dissipated = nullptr;
   Vec3d* force = nullptr;
   const ElasticWork* work = nullptr;
@@ -55,9 +59,11 @@ struct ElasticArrays {
   double maxStretch2 = 1;
 };
 
-/// What differs between the lanes of a group, by lane; from one group to the next what is of the material stays.
+/// What differs between the lanes of a group, by lane; from one group to the next what is of the material
+/// stays.
 struct alignas(64) LaneConstants {
-  double lambda[8], mu[8], volumeStiffness[8], volume[8], hourglass[8], drag[8];  // hourglass: k, N/m; drag: kg/s
+  // hourglass: k, N/m; drag: kg/s
+  double lambda[8], mu[8], volumeStiffness[8], volume[8], hourglass[8], drag[8];
   double neoHookean[8], corotated[8];  // 1: that law, else 0
   ElasticConstants constants[8];
   bool anyVolumeStiffness, anyGreen, anyNeoHookean, anyCorotated;
@@ -69,11 +75,18 @@ void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneCon
 /// completeGradient in place; gradU by [row][column][lane].
 void completeLane(const ElasticArrays& a, std::size_t slot, int lane, double gradU[9][8]);
 /// stressOfNormal of one lane that is flat, added to its flux (V P A^-1 - k grad u).
-struct FlatLane { const double (*sum)[8], (*gradU)[8], (*stress)[8]; double (*flux)[8]; };
-void turnNormalOfLane(const ElasticArrays& a, const LaneConstants& c, std::size_t slot, int lane, const FlatLane& of);
+struct FlatLane {
+  const double (*sum)[8], (*gradU)[8], (*stress)[8];
+  double (*flux)[8];
+};
+void turnNormalOfLane(const ElasticArrays& a, const LaneConstants& c, std::size_t slot, int lane,
+                      const FlatLane& of);
 /// Plastic flow of one lane: updates Solids::plasticInverse and records the loss; gives Fe - 1 and Fp^-1 - 1.
-struct PlasticLanes { double elastic[9][8], inverse[9][8]; };
-void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const double gradU[9][8], int lane, PlasticLanes& out);
+struct PlasticLanes {
+  double elastic[9][8], inverse[9][8];
+};
+void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const double gradU[9][8],
+              int lane, PlasticLanes& out);
 /// Natural logarithms in place: those of the one library that all instruction sets share.
 void takeLogarithms(double values[8]);
 /// Response of one lane by elasticResponse: its stress, and the energy density (Pa) returned.
@@ -84,7 +97,8 @@ struct ElasticKernels {
   void (*deformation)(ElasticArrays&);
   void (*forces)(const ElasticArrays&);
 };
-/// By name, or the best for this processor where the name is empty. Unknown or unsupported names give nullptr.
+/// By name, or the best for this processor where the name is empty. Unknown or unsupported names give
+/// nullptr.
 const ElasticKernels* elasticKernels(const char* name = "");
 
 }  // namespace thaw

@@ -7,13 +7,17 @@ namespace thaw {
 namespace {
 
 // Nearest integer modulo 2^32, |x| < 2^51: the low bits of the mantissa after 1.5 * 2^52 is added.
-std::uint32_t fixedPoint(double x) { return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(x + fixedPointMagic)); }
+std::uint32_t fixedPoint(double x) {
+  return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(x + fixedPointMagic));
+}
 
-template<class Real> void packMotionOf(AlignedVector<Real>& records, const Solids& solids, std::size_t first, std::size_t last) {
+template<class Real>
+void packMotionOf(AlignedVector<Real>& records, const Solids& solids, std::size_t first, std::size_t last) {
   const std::size_t values = 4 * solids.size();
   if (records.size() < values) records.resize(values + values / 16, 0);
   for (std::size_t s = first; s < last; s++) {
-    for (std::size_t a = 0; a < 3; a++) records[4 * s + a] = static_cast<Real>(solids.velocity[s][static_cast<int>(a)]);
+    for (std::size_t a = 0; a < 3; a++)
+      records[4 * s + a] = static_cast<Real>(solids.velocity[s][static_cast<int>(a)]);
     records[4 * s + 3] = static_cast<Real>(solids.drag[s]);
   }
 }
@@ -25,17 +29,20 @@ void packReferences(const ElasticWork& work, Solids& solids, std::size_t first, 
   const double scale = fixedUnitsPerSupport / work.support;
   for (std::size_t s = first; s < last; s++)
     for (int a = 0; a < 3; a++) {
-      if (work.precision == Precision::Single) solids.end[s].reference[a] = std::bit_cast<float>(fixedPoint(solids.reference[s][a] * scale));
+      if (work.precision == Precision::Single)
+        solids.end[s].reference[a] = std::bit_cast<float>(fixedPoint(solids.reference[s][a] * scale));
       else solids.endDouble[s].reference[a] = solids.reference[s][a];
     }
 }
 
 namespace {
 
-template<bool periodic, bool single> void packPlacesOf(const ElasticWork& work, Solids& solids, std::size_t first, std::size_t last) {
+template<bool periodic, bool single>
+void packPlacesOf(const ElasticWork& work, Solids& solids, std::size_t first, std::size_t last) {
   const double unit = work.support / fixedUnitsPerSupport, scale = fixedUnitsPerSupport / work.support;
   std::uint32_t units[3];  // of a period, as Places has it
-  for (int a = 0; a < 3; a++) units[a] = static_cast<std::uint32_t>(static_cast<std::uint64_t>(work.periods.length[a] / unit + 0.5));
+  for (int a = 0; a < 3; a++)
+    units[a] = static_cast<std::uint32_t>(static_cast<std::uint64_t>(work.periods.length[a] / unit + 0.5));
   const auto periodsAway = [&](std::size_t s, int a) {
     const double period = work.periods.length[a], d = solids.position[s][a] - solids.reference[s][a];
     return !(period > 0) ? 0 : d > period / 2 ? 1 : d < -period / 2 ? -1 : 0;
@@ -45,7 +52,8 @@ template<bool periodic, bool single> void packPlacesOf(const ElasticWork& work, 
   for (std::size_t s = first; s < last; s++)
     for (int a = 0; a < 3; a++) {
       if constexpr (single) {
-        std::uint32_t u = fixedPoint(position[s][a] * scale) - std::bit_cast<std::uint32_t>(end[s].reference[a]);
+        std::uint32_t u = fixedPoint(position[s][a] * scale) -
+                          std::bit_cast<std::uint32_t>(end[s].reference[a]);
         if constexpr (periodic) u -= static_cast<std::uint32_t>(periodsAway(s, a)) * units[a];
         end[s].displacement[a] = std::bit_cast<float>(u);
       } else {
@@ -55,15 +63,18 @@ template<bool periodic, bool single> void packPlacesOf(const ElasticWork& work, 
       }
     }
 }
-template<bool periodic> void packPlacesIn(const ElasticWork& work, Solids& solids, std::size_t first, std::size_t last) {
-  work.precision == Precision::Single ? packPlacesOf<periodic, true>(work, solids, first, last) : packPlacesOf<periodic, false>(work, solids, first, last);
+template<bool periodic>
+void packPlacesIn(const ElasticWork& work, Solids& solids, std::size_t first, std::size_t last) {
+  work.precision == Precision::Single ? packPlacesOf<periodic, true>(work, solids, first, last)
+                                      : packPlacesOf<periodic, false>(work, solids, first, last);
 }
 
 }  // namespace
 
-/// Displacements are those of the nearest image of the place: of a body that lies across a periodic side and turns there, some particles cross it one way
-/// and some the other, so that x - X of neighbours differ by up to two periods, of which their difference (Places) takes one. Without references (vectors) they
-/// are places, which differ by one period at most.
+/// Displacements are those of the nearest image of the place: of a body that lies across a periodic side and
+/// turns there, some particles cross it one way and some the other, so that x - X of neighbours differ by up
+/// to two periods, of which their difference (Places) takes one. Without references (vectors) they are
+/// places, which differ by one period at most.
 void packPlaces(const ElasticWork& work, Solids& solids, std::size_t first, std::size_t last) {
   if (work.periodic && solids.reference.active) packPlacesIn<true>(work, solids, first, last);
   else packPlacesIn<false>(work, solids, first, last);

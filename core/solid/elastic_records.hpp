@@ -4,7 +4,8 @@
 
 namespace thaw {
 
-/// References of rows [first, last), where bonds have no vectors of their own; after every relink, of those that changed.
+/// References of rows [first, last), where bonds have no vectors of their own; after every relink, of those
+/// that changed.
 void packReferences(const ElasticWork& work, Solids& solids, std::size_t first, std::size_t last);
 
 /// Displacements (or places) of rows [first, last).

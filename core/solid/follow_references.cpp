@@ -6,13 +6,17 @@
 
 namespace thaw {
 
-void followReferences(ElasticWork& work, const Solids& solids, Bonds& bonds, std::span<const std::uint32_t> groups, SlotRange flagged) {
+void followReferences(ElasticWork& work, const Solids& solids, Bonds& bonds,
+                      std::span<const std::uint32_t> groups, SlotRange flagged) {
   for (const std::uint32_t g : groups)
-    for (std::size_t s = g * static_cast<std::size_t>(lanes), end = std::min(s + lanes, solids.owned); s < end; s++)
+    for (std::size_t s = g * static_cast<std::size_t>(lanes), end = std::min(s + lanes, solids.owned);
+         s < end; s++)
       for (int k = 0; k < work.bondCount[g]; k++) {
         const std::size_t b = bonds.at(s, k);
         const std::size_t other = bonds.neighbour[b];
-        if (!bonds.there(s, k) || other < flagged.begin || other >= flagged.end || solids.rereferenced[other] == 0) continue;
+        if (!bonds.there(s, k) || other < flagged.begin || other >= flagged.end ||
+            solids.rereferenced[other] == 0)
+          continue;
         work.ownFrames[g] = 1;
         const Vec3d back = -bondVectors(work, solids, bonds, s, k).current;
         bonds.rx.set(b, back.x);

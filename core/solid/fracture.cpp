@@ -12,19 +12,25 @@ namespace {
 
 bool beyondLimit(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot, int k) {
   const std::uint32_t other = bonds.neighbour[bonds.at(slot, k)];
-  const double limit = std::min(work.materials[solids.material[slot]].breakStretch, work.materials[solids.material[other]].breakStretch);
+  const double limit = std::min(work.materials[solids.material[slot]].breakStretch,
+                                work.materials[solids.material[other]].breakStretch);
   if (!(limit < never)) return false;
   const BondVectors v = bondVectors(work, solids, bonds, slot, k);
-  // Ends nearer than the contact distance would at once push each other apart with energy from nowhere: their bond waits until they part.
+  // Ends nearer than the contact distance would at once push each other apart with energy from nowhere: their
+  // bond waits until they part.
   const double length2 = dot(v.current, v.current);
-  return length2 > work.touch * work.touch && length2 > limit * limit * std::max(dot(v.reference, v.reference), dot(v.reverse, v.reverse));
+  return length2 > work.touch * work.touch &&
+         length2 > limit * limit * std::max(dot(v.reference, v.reference), dot(v.reverse, v.reverse));
 }
 
 /// J, what the slot's bonds stored where the drift of this step has found their ends.
-double energyBeforeDrift(const ElasticWork& work, Solids& solids, const Bonds& bonds, std::size_t slot, double dt) {
-  std::vector<std::pair<std::uint32_t, Vec3d>> places{{static_cast<std::uint32_t>(slot), solids.position[slot]}};
+double energyBeforeDrift(const ElasticWork& work, Solids& solids, const Bonds& bonds, std::size_t slot,
+                         double dt) {
+  std::vector<std::pair<std::uint32_t, Vec3d>> places{
+      {static_cast<std::uint32_t>(slot), solids.position[slot]}};
   for (int k = 0; k < bonds.capacity; k++)
-    if (const std::uint32_t other = bonds.neighbour[bonds.at(slot, k)]; bonds.there(slot, k)) places.emplace_back(other, solids.position[other]);
+    if (const std::uint32_t other = bonds.neighbour[bonds.at(slot, k)]; bonds.there(slot, k))
+      places.emplace_back(other, solids.position[other]);
   for (const auto& [row, place] : places) solids.position[row] = place - solids.velocity[row] * dt;
   const double energy = slotEnergy(work, solids, bonds, slot);
   for (const auto& [row, place] : places) solids.position[row] = place;
@@ -33,7 +39,8 @@ double energyBeforeDrift(const ElasticWork& work, Solids& solids, const Bonds& b
 
 }  // namespace
 
-std::int64_t breakBonds(ElasticWork& work, Solids& solids, Bonds& bonds, const ElasticStep& step, ExactSum& phaseJump) {
+std::int64_t breakBonds(ElasticWork& work, Solids& solids, Bonds& bonds, const ElasticStep& step,
+                        ExactSum& phaseJump) {
   std::int64_t count = 0;
   if (!(work.minBreakStretch < never)) return 0;
   std::vector<std::uint32_t> broken;
@@ -47,20 +54,22 @@ std::int64_t breakBonds(ElasticWork& work, Solids& solids, Bonds& bonds, const E
         if (bonds.there(s, k) && beyondLimit(work, solids, bonds, s, k)) lost.push_back(k);
       if (lost.empty()) continue;
       solids.bare(s);
-      const double before = slotEnergy(work, solids, bonds, s), stored = before - energyBeforeDrift(work, solids, bonds, s, step.dt);
+      const double before = slotEnergy(work, solids, bonds, s),
+                   stored = before - energyBeforeDrift(work, solids, bonds, s, step.dt);
       for (const int k : lost) {
         count += solids.id[s] < solids.id[bonds.neighbour[bonds.at(s, k)]];
         bonds.cut(s, k);
       }
       refreshSlot(work, solids, bonds, s);
-      // Where stretched bonds go and compressed ones stay, the strain of what is left can be larger: it is weakened so that a break
-      // never adds energy. Without this one crack sets off the next until all is dust.
+      // Where stretched bonds go and compressed ones stay, the strain of what is left can be larger: it is
+      // weakened so that a break never adds energy. Without this one crack sets off the next until all is
+      // dust.
       const double after = slotEnergy(work, solids, bonds, s);
       if (after > before) solids.volume[s] *= before / after;
       const double left = after > before ? slotEnergy(work, solids, bonds, s) : after;
       phaseJump.add(before - left);
-      // The half kick that ends this step is of the forces of what is left, where the drift was against those of what there was: without the difference of
-      // their work the books are of first order in dt.
+      // The half kick that ends this step is of the forces of what is left, where the drift was against those
+      // of what there was: without the difference of their work the books are of first order in dt.
       phaseJump.add(-0.5 * (stored - (left - energyBeforeDrift(work, solids, bonds, s, step.dt))));
       any = true;
     }

@@ -1,4 +1,5 @@
-// Ids to numbers: open addressing, one probe in most cases. There is no way to walk through it, so that its order can influence nothing.
+// Ids to numbers: open addressing, one probe in most cases. There is no way to walk through it, so that its
+// order can influence nothing.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -20,7 +21,9 @@ class IdTable {
   static constexpr std::uint32_t none = 0xffffffffu;
 
   std::size_t size() const { return size_; }
-  std::size_t bytes() const { return key_.capacity() * sizeof(std::uint64_t) + value_.capacity() * sizeof(std::uint32_t); }
+  std::size_t bytes() const {
+    return key_.capacity() * sizeof(std::uint64_t) + value_.capacity() * sizeof(std::uint32_t);
+  }
   /// The number of an id; none if it has no number.
   std::uint32_t find(std::uint64_t id) const {
     if (size_ == 0) return none;

@@ -1,5 +1,5 @@
-// Laws of eight slots, in double precision whatever that of the loops is: corotated stress and energy, as F - R of small strains cancels, and the
-// Neo-Hookean energy. Included from code of one instruction set only.
+// Laws of eight slots, in double precision whatever that of the loops is: corotated stress and energy, as F -
+// R of small strains cancels, and the Neo-Hookean energy. Included from code of one instruction set only.
 #pragma once
 #include "core/solid/elastic_lanes.hpp"
 #include "core/solid/laws/corotated.hpp"
@@ -10,11 +10,14 @@ namespace THAW_ISA {
 
 THAW_INLINE Mat3<LanesD> select(MaskD m, const Mat3<LanesD>& a, const Mat3<LanesD>& b) {
   Mat3<LanesD> r;
-  for (int k = 0; k < 3; k++) r.row[k] = {select(m, a.row[k].x, b.row[k].x), select(m, a.row[k].y, b.row[k].y), select(m, a.row[k].z, b.row[k].z)};
+  for (int k = 0; k < 3; k++)
+    r.row[k] = {select(m, a.row[k].x, b.row[k].x), select(m, a.row[k].y, b.row[k].y),
+                select(m, a.row[k].z, b.row[k].z)};
   return r;
 }
 
-/// nearestRotation() of eight F by Newton's iteration. A lane stops where it would alone, so that its bits do not depend on its group.
+/// nearestRotation() of eight F by Newton's iteration. A lane stops where it would alone, so that its bits do
+/// not depend on its group.
 struct Rotations {
   Mat3<LanesD> r;
   MaskD found;  ///< not, where the iteration may not be used: nearly singular or inverted
@@ -45,7 +48,8 @@ THAW_INLINE Mat3<LanesD> plusOne(Mat3<LanesD> f) {
   f.row[2].z += LanesD(1.0);
   return f;
 }
-/// elasticResponse() without the volume force of the lanes with the Neo-Hookean law: energy density (Pa) by lane. What is at other lanes stays.
+/// elasticResponse() without the volume force of the lanes with the Neo-Hookean law: energy density (Pa) by
+/// lane. What is at other lanes stays.
 THAW_INLINE void addNeoHookeanEnergy(const LawLanes& g, const Mat3<LanesD>& gradU, double energy[8]) {
   const Mat3<LanesD> f = plusOne(gradU);
   const LanesD lambda = loadRow(g.c.lambda), mu = loadRow(g.c.mu);
@@ -56,8 +60,10 @@ THAW_INLINE void addNeoHookeanEnergy(const LawLanes& g, const Mat3<LanesD>& grad
   toDoubles(select(loadRow(g.c.neoHookean) > LanesD(0.5), psi, loadRow(energy)), energy);
 }
 
-/// The same of the lanes with the corotated law: stress as [row][column][lane] and, if asked for, energy density.
-THAW_INLINE void respondCorotated(const LawLanes& g, const Mat3<LanesD>& gradU, double stress[9][8], double energy[8]) {
+/// The same of the lanes with the corotated law: stress as [row][column][lane] and, if asked for, energy
+/// density.
+THAW_INLINE void respondCorotated(const LawLanes& g, const Mat3<LanesD>& gradU, double stress[9][8],
+                                  double energy[8]) {
   const Mat3<LanesD> f = plusOne(gradU);
   const LanesD lambda = loadRow(g.c.lambda), mu = loadRow(g.c.mu);
   const MaskD ours = loadRow(g.c.corotated) > LanesD(0.5);

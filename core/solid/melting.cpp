@@ -9,7 +9,8 @@ namespace {
 bool dropBonds(Solids& solids, Bonds& bonds, std::size_t slot, int most) {
   bool any = false;
   for (int k = 0; k < most; k++) {
-    if (!bonds.there(slot, k) || !(solids.melted[slot] || solids.melted[bonds.neighbour[bonds.at(slot, k)]])) continue;
+    if (!bonds.there(slot, k) || !(solids.melted[slot] || solids.melted[bonds.neighbour[bonds.at(slot, k)]]))
+      continue;
     bonds.cut(slot, k);
     any = true;
   }
@@ -23,7 +24,8 @@ void markMelted(const Continuum& p, Solids& solids) {
   for (std::size_t s = 0; s < solids.owned; s++) solids.melted[s] = p.phase[solids.particle[s]] == Liquid;
 }
 
-std::int64_t dropMeltedBonds(ElasticWork& work, const Continuum& p, Solids& solids, Bonds& bonds, ExactSum& phaseJump) {
+std::int64_t dropMeltedBonds(ElasticWork& work, const Continuum& p, Solids& solids, Bonds& bonds,
+                             ExactSum& phaseJump) {
   std::int64_t count = 0;
   for (std::size_t s = 0; s < solids.owned; s++) {
     if (!dropBonds(solids, bonds, s, work.bondCount[s / lanes])) continue;

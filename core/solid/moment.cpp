@@ -7,7 +7,10 @@ namespace thaw {
 
 namespace {
 
-struct Eigen3 { double value[3]; Vec3d vector[3]; };  // ascending
+struct Eigen3 {
+  double value[3];
+  Vec3d vector[3];
+};  // ascending
 
 Eigen3 eigenOf(const Sym3d& s) {
   Eigen::Matrix3d m;
@@ -40,10 +43,13 @@ MomentInverse invertMoment(const Sym3d& a, double cutoff) {
   const Vec3d r0{a.xx, a.xy, a.xz}, r1{a.xy, a.yy, a.yz}, r2{a.xz, a.yz, a.zz};
   const Vec3d c0 = cross(r1, r2), c1 = cross(r2, r0), c2 = cross(r0, r1);
   const double determinant = dot(r0, c0);
-  // with eigenvalues a >= b >= c: det/mean^3 <= 27 (c/a) a^2 b/(a + b)^3 <= 4 c/a, so here c/a is above the cutoff
+  // with eigenvalues a >= b >= c: det/mean^3 <= 27 (c/a) a^2 b/(a + b)^3 <= 4 c/a, so here c/a is above the
+  // cutoff
   if (determinant > 4 * cutoff * mean * mean * mean) {
     const double d = 1 / determinant;
-    return {{c0.x * d, c1.y * d, c2.z * d, 0.5 * (c0.y + c1.x) * d, 0.5 * (c1.z + c2.y) * d, 0.5 * (c0.z + c2.x) * d}, 3};
+    return {{c0.x * d, c1.y * d, c2.z * d, 0.5 * (c0.y + c1.x) * d, 0.5 * (c1.z + c2.y) * d,
+             0.5 * (c0.z + c2.x) * d},
+            3};
   }
   const Eigen3 e = eigenOf(a);
   MomentInverse m;
@@ -76,8 +82,10 @@ Mat3d completeGradient(const Mat3d& gradU, const Sym3d& momentInverse, int rank)
 
 Mat3d stressOfNormal(const FlatNeighbourhood& flat) {
   const Eigen3 e = eigenOf(flat.momentInverse);
-  const Vec3d n = e.vector[0], image = n + flat.gradU * n, a = e.vector[1] + flat.gradU * e.vector[1], b = e.vector[2] + flat.gradU * e.vector[2], across = cross(a, b);
-  const double size = length(across), lost = std::max(0.0, flat.trace - 1 / e.value[1] - 1 / e.value[2]);  // n A n
+  const Vec3d n = e.vector[0], image = n + flat.gradU * n, a = e.vector[1] + flat.gradU * e.vector[1],
+              b = e.vector[2] + flat.gradU * e.vector[2], across = cross(a, b);
+  // n A n
+  const double size = length(across), lost = std::max(0.0, flat.trace - 1 / e.value[1] - 1 / e.value[2]);
   if (!(size > 0)) return {};
   const Vec3d y = flat.stress * n - flat.penalty * (flat.sum * n + lost * (n - image));
   const Vec3d turning = ((dot(across, image) < 0 ? -1 : 1) / size) * (y - dot(y, image) * image);

@@ -16,7 +16,8 @@ Sym3d deviator(Sym3d s) {
   return s;
 }
 
-/// Elastic states that differ in the deviator of the logarithmic strain by a factor r: stretch_k = exp(mean + r e_k).
+/// Elastic states that differ in the deviator of the logarithmic strain by a factor r: stretch_k = exp(mean +
+/// r e_k).
 struct RadialPath {
   const ElasticConstants& c;
   double mean = 0, e[3]{};  // ln of the stretches at r = 1: mean + e
@@ -55,8 +56,8 @@ double returnTo(const RadialPath& path, double target, double high, double most)
   return r;
 }
 
-/// Can the stress not be above the yield stress? Then the eigenvalues need not be found. The factor bounds |dev sigma|/2G over |dev E| for all laws
-/// (test Plasticity.WhatIsNotLookedAtIsBelowYield).
+/// Can the stress not be above the yield stress? Then the eigenvalues need not be found. The factor bounds
+/// |dev sigma|/2G over |dev E| for all laws (test Plasticity.WhatIsNotLookedAtIsBelowYield).
 bool surelyBelow(const ElasticConstants& c, const Sym3d& strain, double yield) {
   const double size = norm(strain);
   return size < 0.1 && norm(deviator(strain)) * (c.mu + (8 * c.mu + 4 * c.lambda) * size) < yield * c.mu;
@@ -74,8 +75,8 @@ void limitPlasticStrain(const ElasticConstants& c, const Mat3d& gradU, const Pla
   for (int k = 0; k < 3; k++) back[k] = std::expm1((1 - limit / size) * e.value[k]);
   const Mat3d one = identity3<double>(), f = one + reference;
   flow.state.inverse = compose(f * (full(withValues(e, back)) * inverse(f)), flow.state.inverse);
-  flow.state.path =
-      before.path + std::sqrt(2.0 / 3) * norm(plasticStrain(flow.state.inverse, reference) - first);
+  flow.state.path = before.path +
+                    std::sqrt(2.0 / 3) * norm(plasticStrain(flow.state.inverse, reference) - first);
   flow.elastic = elasticGradient(gradU, flow.state.inverse);
   flow.loss = elasticResponse(c, elasticGradient(gradU, before.inverse)).energy -
               elasticResponse(c, flow.elastic).energy;
@@ -119,8 +120,8 @@ PlasticFlow plasticFlow(const ElasticConstants& c, const Mat3d& gradU, const Pla
   const Mat3d back = full(withValues(axes, turn));
   flow.state.inverse = compose(before.inverse, back);
   flow.state.path = before.path + std::sqrt(2.0 / 3) * (1 - r) * path.size;
-  flow.elastic = elasticGradient(
-      gradU, flow.state.inverse);  // the bits of an evaluation without flow (repeatDeformation)
+  flow.elastic = elasticGradient(gradU, flow.state.inverse);  // the bits of an evaluation without flow
+                                                              // (repeatDeformation)
   if (c.maxPlastic < never) limitPlasticStrain(c, gradU, before, referenceGradient, flow);
   return flow.loss > 0 ? flow : none;
 }

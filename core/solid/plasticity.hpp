@@ -1,9 +1,10 @@
 // Plastic flow at large strain: F = Fe Fp, and the elastic law acts on Fe alone.
-// A particle yields where its Cauchy stress sigma exceeds the yield stress: |dev sigma| > 2G y, with y = gamma_yield + h eps_p, where eps_p is
-// the equivalent plastic strain; under uniaxial load that is a stress of sqrt(6) G y. The flow goes along the deviator e of the
-// logarithmic elastic strain at fixed F: e <- r e with one r for all three principal axes. So the flow keeps the volume, does not depend on
-// the frame, and ends where the stress of the law itself is on the yield surface.
-// Small strains: additive plastic strain of OBH02. Split and logarithmic return: Simo 1992, "Algorithms for static and dynamic multiplicative
+// A particle yields where its Cauchy stress sigma exceeds the yield stress: |dev sigma| > 2G y, with y =
+// gamma_yield + h eps_p, where eps_p is the equivalent plastic strain; under uniaxial load that is a stress
+// of sqrt(6) G y. The flow goes along the deviator e of the logarithmic elastic strain at fixed F: e <- r e
+// with one r for all three principal axes. So the flow keeps the volume, does not depend on the frame, and
+// ends where the stress of the law itself is on the yield surface. Small strains: additive plastic strain of
+// OBH02. Split and logarithmic return: Simo 1992, "Algorithms for static and dynamic multiplicative
 // plasticity that preserve the classical return mapping schemes of the infinitesimal theory".
 #pragma once
 #include "core/math/mat3.hpp"
@@ -33,15 +34,16 @@ struct PlasticFlow {
   bool flows = false;
 };
 
-/// Flow at fixed F in a time dt (s): the excess |dev sigma|/2G - y decays as exp(-creep dt), at once if creep is infinite, so that two steps
-/// of dt/2 give the same as one of dt. The norm of the total plastic strain stays below gamma_max; referenceGradient is needed for that only.
-/// No flow where det Fe <= 0, or where it would take energy: under a pressure at which the law is not stable in shear (Green strain at a
-/// Poisson's ratio of 0.3: below 0.67 of the volume).
+/// Flow at fixed F in a time dt (s): the excess |dev sigma|/2G - y decays as exp(-creep dt), at once if creep
+/// is infinite, so that two steps of dt/2 give the same as one of dt. The norm of the total plastic strain
+/// stays below gamma_max; referenceGradient is needed for that only. No flow where det Fe <= 0, or where it
+/// would take energy: under a pressure at which the law is not stable in shear (Green strain at a Poisson's
+/// ratio of 0.3: below 0.67 of the volume).
 PlasticFlow plasticFlow(const ElasticConstants& c, const Mat3d& gradU, const PlasticState& before,
                         const Mat3d& referenceGradient, double dt);
 
-/// ln Up of the total plastic deformation Fp F_ref = R Up, F_ref = 1 + referenceGradient: the logarithmic plastic strain along the axes of the
-/// first reference configuration.
+/// ln Up of the total plastic deformation Fp F_ref = R Up, F_ref = 1 + referenceGradient: the logarithmic
+/// plastic strain along the axes of the first reference configuration.
 Sym3d plasticStrain(const Mat3d& plasticInverse, const Mat3d& referenceGradient);
 
 /// (Fp^-1 Fp^-T - 1)/2: minus the plastic strain since the last reference where that is small.

@@ -27,13 +27,16 @@ void resizeWork(ElasticWork& work, const Solids& solids, const Bonds& bonds) {
   work.capacity = bonds.capacity;
 }
 
-/// Rows behind the last owned one in its group: bonds of the group's first slot to itself and of weight 0, so that the vector loops may read them.
+/// Rows behind the last owned one in its group: bonds of the group's first slot to itself and of weight 0, so
+/// that the vector loops may read them.
 void padLastGroup(ElasticWork& work, const Solids& solids, Bonds& bonds) {
   for (std::size_t s = solids.owned; s < groupsOf(solids) * lanes; s++) {
     work.rank[s] = 0;
     work.perTrace[s] = work.perWeight[s] = work.grip[s] = 0;
-    work.singularLanes[s / lanes] = static_cast<std::uint8_t>(work.singularLanes[s / lanes] & ~(1u << s % lanes));
-    for (int k = 0; k < bonds.capacity; k++) clearBond(bonds, bonds.at(s, k), static_cast<std::uint32_t>(s / lanes * lanes));
+    work.singularLanes[s / lanes] = static_cast<std::uint8_t>(work.singularLanes[s / lanes] &
+                                                              ~(1u << s % lanes));
+    for (int k = 0; k < bonds.capacity; k++)
+      clearBond(bonds, bonds.at(s, k), static_cast<std::uint32_t>(s / lanes * lanes));
   }
 }
 
@@ -50,7 +53,8 @@ bool haveOwnFrames(const Bonds& b, std::size_t begin, std::size_t end) {
   return own;
 }
 
-/// Number of places that the group's bonds take, whether one of them has a remote end, and whether one has two references.
+/// Number of places that the group's bonds take, whether one of them has a remote end, and whether one has
+/// two references.
 void lookAtGroup(ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t g) {
   std::size_t last = 0;
   bool remote = false;
@@ -68,7 +72,8 @@ void lookAtGroup(ElasticWork& work, const Solids& solids, const Bonds& bonds, st
 void sortGroups(ElasticWork& work) {
   work.inner.clear();
   work.boundary.clear();
-  for (std::size_t g = 0; g < work.remoteGroup.size(); g++) (work.remoteGroup[g] ? work.boundary : work.inner).push_back(static_cast<std::uint32_t>(g));
+  for (std::size_t g = 0; g < work.remoteGroup.size(); g++)
+    (work.remoteGroup[g] ? work.boundary : work.inner).push_back(static_cast<std::uint32_t>(g));
 }
 
 }  // namespace
@@ -80,7 +85,8 @@ std::int64_t refreshReference(ElasticWork& work, Solids& solids, Bonds& bonds, b
   for (std::size_t g = 0; g < groupsOf(solids); g++) {
     bool any = all, each = true;
     const std::size_t first = g * lanes, end = std::min(first + lanes, solids.owned);
-    for (std::size_t s = first; s < end; s++) any = any || solids.changed[s], each = each && (all || solids.changed[s]);
+    for (std::size_t s = first; s < end; s++)
+      any = any || solids.changed[s], each = each && (all || solids.changed[s]);
     if (!any) continue;
     if (each && end == first + lanes && !bonds.vectors) {
       packReferences(work, solids, first, end);

@@ -1,5 +1,5 @@
-// A lane is a slot, and sums its bonds one after another in their order, by the operations of refreshSlot and no fused ones. A place without a bond adds
-// zeros: its end is the slot itself, its weight is set to 0.
+// A lane is a slot, and sums its bonds one after another in their order, by the operations of refreshSlot and
+// no fused ones. A place without a bond adds zeros: its end is the slot itself, its weight is set to 0.
 #include "core/simd/lanes.hpp"
 #include "core/solid/reference_kernels.hpp"
 
@@ -15,20 +15,23 @@ THAW_INLINE LanesD nearest(LanesD d, double period) {
   return select(d > half, d - whole, select(d < -half, d + whole, d));
 }
 
-THAW_INLINE LanesD gather(const Vec3d* at, const std::uint32_t* rows, double Vec3d::* axis) {
-  return {Vec4d{at[rows[0]].*axis, at[rows[1]].*axis, at[rows[2]].*axis, at[rows[3]].*axis}, Vec4d{at[rows[4]].*axis, at[rows[5]].*axis, at[rows[6]].*axis, at[rows[7]].*axis}};
+THAW_INLINE LanesD gather(const Vec3d* at, const std::uint32_t* rows, double Vec3d::*axis) {
+  return {Vec4d{at[rows[0]].*axis, at[rows[1]].*axis, at[rows[2]].*axis, at[rows[3]].*axis},
+          Vec4d{at[rows[4]].*axis, at[rows[5]].*axis, at[rows[6]].*axis, at[rows[7]].*axis}};
 }
 
 void moments(const ReferenceArrays& a, std::size_t group, GroupMoments& out) {
   std::uint32_t slots[8];
   for (std::uint32_t l = 0; l < 8; l++) slots[l] = static_cast<std::uint32_t>(8 * group) + l;
-  const Vec3<LanesD> own{gather(a.reference, slots, &Vec3d::x), gather(a.reference, slots, &Vec3d::y), gather(a.reference, slots, &Vec3d::z)};
+  const Vec3<LanesD> own{gather(a.reference, slots, &Vec3d::x), gather(a.reference, slots, &Vec3d::y),
+                         gather(a.reference, slots, &Vec3d::z)};
   const LanesD support2(a.support * a.support);
   Sym3<LanesD> sum{LanesD(0.0), LanesD(0.0), LanesD(0.0), LanesD(0.0), LanesD(0.0), LanesD(0.0)};
   LanesD weights(0.0);
   for (std::size_t k = 0; k < a.capacity; k++) {
     const std::uint32_t* const ends = a.neighbour + 8 * (group * a.capacity + k);
-    const Vec3<LanesD> X{nearest(gather(a.reference, ends, &Vec3d::x) - own.x, a.period[0]), nearest(gather(a.reference, ends, &Vec3d::y) - own.y, a.period[1]),
+    const Vec3<LanesD> X{nearest(gather(a.reference, ends, &Vec3d::x) - own.x, a.period[0]),
+                         nearest(gather(a.reference, ends, &Vec3d::y) - own.y, a.period[1]),
                          nearest(gather(a.reference, ends, &Vec3d::z) - own.z, a.period[2])};
     const LanesD q = LanesD(1.0) - dot(X, X) / support2;
     alignas(64) double there[8];
@@ -45,16 +48,20 @@ void moments(const ReferenceArrays& a, std::size_t group, GroupMoments& out) {
 }
 
 void levers(const ReferenceArrays& a, std::size_t, GroupMoments& out) {
-  const Mat3<LanesD> inverse = full(Sym3<LanesD>{loadRow(out.inverse[0]), loadRow(out.inverse[1]), loadRow(out.inverse[2]), loadRow(out.inverse[3]), loadRow(out.inverse[4]), loadRow(out.inverse[5])});
+  const Mat3<LanesD> inverse = full(Sym3<LanesD>{loadRow(out.inverse[0]), loadRow(out.inverse[1]),
+                                                 loadRow(out.inverse[2]), loadRow(out.inverse[3]),
+                                                 loadRow(out.inverse[4]), loadRow(out.inverse[5])});
   Vec3<LanesD> sum{LanesD(0.0), LanesD(0.0), LanesD(0.0)};
   LanesD lengths(0.0);
   for (std::size_t k = 0; k < a.capacity; k++) {
     const double* const from = a.gathered + 32 * k;
-    const Vec3<LanesD> lever = loadRow(from + 24) * (inverse * Vec3<LanesD>{loadRow(from), loadRow(from + 8), loadRow(from + 16)});
+    const Vec3<LanesD> lever = loadRow(from + 24) *
+                               (inverse * Vec3<LanesD>{loadRow(from), loadRow(from + 8), loadRow(from + 16)});
     sum += lever;
     lengths += sqrt(dot(lever, lever));
   }
-  toDoubles(sum.x, out.sum[0]), toDoubles(sum.y, out.sum[1]), toDoubles(sum.z, out.sum[2]), toDoubles(lengths, out.lengths);
+  toDoubles(sum.x, out.sum[0]), toDoubles(sum.y, out.sum[1]), toDoubles(sum.z, out.sum[2]),
+      toDoubles(lengths, out.lengths);
 }
 
 #define THAW_TEXT2(x) #x

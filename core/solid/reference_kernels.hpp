@@ -1,5 +1,6 @@
-// Moments of eight slots at once, one set of functions for each instruction set (reference_isa.cpp); every set gives the bits of refreshSlot.
-// Where a scene starts all slots ask for theirs. Only plain pointers here, as in elastic_kernels.hpp.
+// Moments of eight slots at once, one set of functions for each instruction set (reference_isa.cpp); every
+// set gives the bits of refreshSlot. Where a scene starts all slots ask for theirs. Only plain pointers here,
+// as in elastic_kernels.hpp.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -12,10 +13,11 @@ namespace thaw {
 struct ReferenceArrays {
   const std::uint32_t* neighbour = nullptr;  ///< interleaved by 8 slots as in Bonds
   std::size_t capacity = 0;
-  const Vec3d* reference = nullptr;          ///< m, by row
-  double support = 0;                        ///< m, of bonds
-  double period[3]{};                        ///< m; 0: not periodic
-  double* gathered = nullptr;                ///< 4 x 8 x capacity, aligned to 64 bytes: vectors and weights, which the second function reads again
+  const Vec3d* reference = nullptr;  ///< m, by row
+  double support = 0;                ///< m, of bonds
+  double period[3]{};                ///< m; 0: not periodic
+  double* gathered = nullptr;  ///< 4 x 8 x capacity, aligned to 64 bytes: vectors and weights, which the
+                               ///< second function reads again
 };
 
 /// Of the eight slots of a group, by [component][lane], components as in Sym3.
@@ -28,9 +30,11 @@ struct alignas(64) GroupMoments {
 struct ReferenceKernels {
   const char* name;  ///< as of ElasticKernels
   void (*moments)(const ReferenceArrays&, std::size_t group, GroupMoments&);
-  void (*levers)(const ReferenceArrays&, std::size_t group, GroupMoments&);  ///< after `moments` of the same group
+  /// after `moments` of the same group
+  void (*levers)(const ReferenceArrays&, std::size_t group, GroupMoments&);
 };
-/// By name, or the best for this processor where the name is empty. Unknown or unsupported names give nullptr.
+/// By name, or the best for this processor where the name is empty. Unknown or unsupported names give
+/// nullptr.
 const ReferenceKernels* referenceKernels(const char* name = "");
 
 }  // namespace thaw

@@ -11,7 +11,8 @@ namespace thaw {
 
 namespace {
 
-/// Is F far enough from singular to be undone? |F^-1|^2 is 3 at rest; 6 is half the length along one axis, or 0.71 along all.
+/// Is F far enough from singular to be undone? |F^-1|^2 is 3 at rest; 6 is half the length along one axis, or
+/// 0.71 along all.
 bool canFollow(const Mat3d& f) {
   const double j = determinant(f);
   const Mat3d c = cofactor(f);
@@ -33,7 +34,8 @@ bool takesReference(const ElasticWork& work, const Solids& solids, const Bonds& 
   if (!work.flows[slot] || work.rank[slot] == 0) return false;
   const Mat3d gradU = solids.deformation[slot] - identity3<double>();
   // of a reference just taken Fp^-1 is the elastic stretch, which may be large
-  const bool far = norm(plasticMetric(solids.plasticInverse[slot])) > work.rereference && norm(greenStrain(gradU)) > 0.5 * work.rereference;
+  const bool far = norm(plasticMetric(solids.plasticInverse[slot])) > work.rereference &&
+                   norm(greenStrain(gradU)) > 0.5 * work.rereference;
   return far && canFollow(solids.deformation[slot]) && keepsRank(work, solids, bonds, slot);
 }
 
@@ -55,7 +57,8 @@ void takeReference(ElasticWork& work, Solids& solids, Bonds& bonds, std::size_t 
 
 }  // namespace
 
-std::int64_t rereference(ElasticWork& work, Solids& solids, Bonds& bonds, const ElasticStep& step, ExactSum& phaseJump) {
+std::int64_t rereference(ElasticWork& work, Solids& solids, Bonds& bonds, const ElasticStep& step,
+                         ExactSum& phaseJump) {
   if (!solids.rereferenced.active) return 0;
   std::int64_t count = 0;
   std::vector<std::uint32_t> groups;

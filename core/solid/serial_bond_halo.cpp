@@ -26,11 +26,13 @@ bool SerialBondHalo::relink(const BondedRows& p, Solids& s, Bonds& b, const Reli
       at = readRecord(s, bytes, at, records.emplace_back());
       most = std::max(most, records.back().bonds.size());
     }
-  std::sort(records.begin(), records.end(), [](const SolidRecordView& x, const SolidRecordView& y) { return x.id < y.id; });
+  std::sort(records.begin(), records.end(),
+            [](const SolidRecordView& x, const SolidRecordView& y) { return x.id < y.id; });
   std::vector<NewSlot> fresh;
   std::vector<const SolidRecordView*> recordOf;
   for (const std::uint32_t row : unslotted_) {
-    const auto r = std::lower_bound(records.begin(), records.end(), p.id[row], [](const SolidRecordView& x, std::uint64_t id) { return x.id < id; });
+    const auto r = std::lower_bound(records.begin(), records.end(), p.id[row],
+                                    [](const SolidRecordView& x, std::uint64_t id) { return x.id < id; });
     recordOf.push_back(r != records.end() && r->id == p.id[row] ? &*r : nullptr);
     fresh.push_back({row, recordOf.back() ? recordOf.back()->state : nullptr});
   }

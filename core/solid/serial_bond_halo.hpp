@@ -9,7 +9,8 @@ namespace thaw {
 
 class SerialBondHalo : public BondHalo {
  public:
-  void migrate(const BondedRows& particles, Solids& solids, Bonds& bonds, const Migration& migration) override;
+  void migrate(const BondedRows& particles, Solids& solids, Bonds& bonds,
+               const Migration& migration) override;
   bool relink(const BondedRows& particles, Solids& solids, Bonds& bonds, const Relink& work) override;
   void begin(Solids&, std::span<AnyColumn* const>) override {}
   void finish(Solids&) override {}

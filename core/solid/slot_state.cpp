@@ -12,7 +12,8 @@ namespace thaw {
 namespace {
 
 /// As referenceBond; in loops over slots, which this is most of.
-inline ReferenceBond lookAtReference(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot, int k) {
+inline ReferenceBond lookAtReference(const ElasticWork& work, const Solids& solids, const Bonds& bonds,
+                                     std::size_t slot, int k) {
   const std::size_t b = bonds.at(slot, k);
   if (bonds.vectors) return {{bonds.x[b], bonds.y[b], bonds.z[b]}, bonds.weight[b]};
   const Vec3d x = minimumImage(solids.reference[bonds.neighbour[b]] - solids.reference[slot], work.periods);
@@ -21,9 +22,13 @@ inline ReferenceBond lookAtReference(const ElasticWork& work, const Solids& soli
 
 }  // namespace
 
-ReferenceBond referenceBond(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot, int k) { return lookAtReference(work, solids, bonds, slot, k); }
+ReferenceBond referenceBond(const ElasticWork& work, const Solids& solids, const Bonds& bonds,
+                            std::size_t slot, int k) {
+  return lookAtReference(work, solids, bonds, slot, k);
+}
 
-BondVectors bondVectors(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot, int k) {
+BondVectors bondVectors(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot,
+                        int k) {
   const std::size_t b = bonds.at(slot, k);
   const ReferenceBond r = lookAtReference(work, solids, bonds, slot, k);
   return {minimumImage(solids.position[bonds.neighbour[b]] - solids.position[slot], work.periods), r.vector,
@@ -32,10 +37,13 @@ BondVectors bondVectors(const ElasticWork& work, const Solids& solids, const Bon
 
 namespace {
 
-/// A slot's bonds one behind the other, in their order: each is looked up once, however many sums run over them.
-template<class Bond, class Look> std::span<const Bond> gatherBonds(const Bonds& bonds, std::size_t slot, Look&& look) {
+/// A slot's bonds one behind the other, in their order: each is looked up once, however many sums run over
+/// them.
+template<class Bond, class Look>
+std::span<const Bond> gatherBonds(const Bonds& bonds, std::size_t slot, Look&& look) {
   thread_local std::vector<Bond> there;
-  if (there.size() < static_cast<std::size_t>(bonds.capacity)) there.resize(static_cast<std::size_t>(bonds.capacity));
+  if (there.size() < static_cast<std::size_t>(bonds.capacity))
+    there.resize(static_cast<std::size_t>(bonds.capacity));
   Bond* const first = there.data();
   std::size_t n = 0;
   for (int k = 0; k < bonds.capacity; k++)
@@ -43,11 +51,14 @@ template<class Bond, class Look> std::span<const Bond> gatherBonds(const Bonds& 
   return {first, n};
 }
 
-std::span<const BondVectors> vectorsOf(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot) {
-  return gatherBonds<BondVectors>(bonds, slot, [&](int k) { return bondVectors(work, solids, bonds, slot, k); });
+std::span<const BondVectors> vectorsOf(const ElasticWork& work, const Solids& solids, const Bonds& bonds,
+                                       std::size_t slot) {
+  return gatherBonds<BondVectors>(bonds, slot,
+                                  [&](int k) { return bondVectors(work, solids, bonds, slot, k); });
 }
 
-Mat3d gradientOf(const ElasticWork& work, const Solids& solids, std::size_t slot, std::span<const BondVectors> bonds) {
+Mat3d gradientOf(const ElasticWork& work, const Solids& solids, std::size_t slot,
+                 std::span<const BondVectors> bonds) {
   Mat3d sum{};
   for (const BondVectors& v : bonds) sum = sum + outer(v.current - v.reference, v.weight * v.reference);
   const Mat3d gradU = sum * full(solids.momentInverse[slot]);
@@ -59,20 +70,25 @@ Mat3d gradientOf(const ElasticWork& work, const Solids& solids, std::size_t slot
 namespace {
 
 /// A, the sum of weights and A^-1 of a slot are known.
-void setMoment(ElasticWork& work, Solids& solids, std::size_t slot, const Sym3d& a, double weights, const MomentInverse& m) {
+void setMoment(ElasticWork& work, Solids& solids, std::size_t slot, const Sym3d& a, double weights,
+               const MomentInverse& m) {
   const std::size_t g = slot / lanes;
   solids.momentInverse[slot] = m.inverse;
   work.rank[slot] = static_cast<std::uint8_t>(m.rank);
   const auto bit = static_cast<std::uint8_t>(1u << slot % lanes);
-  work.singularLanes[g] = static_cast<std::uint8_t>(m.rank < 3 ? work.singularLanes[g] | bit : work.singularLanes[g] & ~bit);
-  // neighbours beside their line say nothing of a turn about it: a row that is not straight has no hourglass control, which would hold that turn
+  work.singularLanes[g] = static_cast<std::uint8_t>(m.rank < 3 ? work.singularLanes[g] | bit
+                                                               : work.singularLanes[g] & ~bit);
+  // neighbours beside their line say nothing of a turn about it: a row that is not straight has no hourglass
+  // control, which would hold that turn
   const bool bent = m.rank == 1 && trace(a) - 1 / trace(m.inverse) > 1e-9 * trace(a);
   work.perTrace[slot] = trace(a) > 0 && !bent ? 1 / trace(a) : 0;
   work.perWeight[slot] = weights > 0 ? 1 / weights : 0;
   solids.changed[slot] = 0;
 }
 
-double gripOf(int rank, double lengths, const Vec3d& levers) { return (rank < 3 ? flatGrip : 1) * (lengths + length(levers)); }
+double gripOf(int rank, double lengths, const Vec3d& levers) {
+  return (rank < 3 ? flatGrip : 1) * (lengths + length(levers));
+}
 
 }  // namespace
 
@@ -83,7 +99,12 @@ void refreshGroup(ElasticWork& work, Solids& solids, const Bonds& bonds, std::si
   if (!work.referenceKernels) work.referenceKernels = referenceKernels();
   const std::size_t room = 4 * lanes * static_cast<std::size_t>(bonds.capacity);
   if (gathered.size() < room) gathered.resize(room);
-  ReferenceArrays a{bonds.neighbour.data(), static_cast<std::size_t>(bonds.capacity), solids.reference.data(), work.support, {}, gathered.data()};
+  ReferenceArrays a{bonds.neighbour.data(),
+                    static_cast<std::size_t>(bonds.capacity),
+                    solids.reference.data(),
+                    work.support,
+                    {},
+                    gathered.data()};
   for (int k = 0; k < 3; k++) a.period[k] = work.periods.length[k];
   work.referenceKernels->moments(a, group, sums);
   const auto& s = sums.moment;
@@ -91,11 +112,14 @@ void refreshGroup(ElasticWork& work, Solids& solids, const Bonds& bonds, std::si
     const Sym3d moment{s[0][l], s[1][l], s[2][l], s[3][l], s[4][l], s[5][l]};
     const MomentInverse m = invertMoment(moment);
     setMoment(work, solids, first + l, moment, sums.weights[l], m);
-    const double* const parts[6] = {&m.inverse.xx, &m.inverse.yy, &m.inverse.zz, &m.inverse.xy, &m.inverse.yz, &m.inverse.xz};
+    const double* const parts[6] = {&m.inverse.xx, &m.inverse.yy, &m.inverse.zz,
+                                    &m.inverse.xy, &m.inverse.yz, &m.inverse.xz};
     for (int c = 0; c < 6; c++) sums.inverse[c][l] = *parts[c];
   }
   work.referenceKernels->levers(a, group, sums);
-  for (std::size_t l = 0; l < lanes; l++) work.grip[first + l] = gripOf(work.rank[first + l], sums.lengths[l], {sums.sum[0][l], sums.sum[1][l], sums.sum[2][l]});
+  for (std::size_t l = 0; l < lanes; l++)
+    work.grip[first + l] = gripOf(work.rank[first + l], sums.lengths[l],
+                                  {sums.sum[0][l], sums.sum[1][l], sums.sum[2][l]});
 }
 
 void refreshSlot(ElasticWork& work, Solids& solids, const Bonds& bonds, std::size_t slot) {
@@ -142,10 +166,12 @@ double slotEnergy(const ElasticWork& work, const Solids& solids, const Bonds& bo
 
 namespace {
 
-SlotStrain strainWith(const ElasticWork& work, const Solids& solids, std::size_t slot, const Mat3d& gradU, double errors) {
+SlotStrain strainWith(const ElasticWork& work, const Solids& solids, std::size_t slot, const Mat3d& gradU,
+                      double errors) {
   const ElasticConstants c = slotConstants(work, solids, slot);
   const Mat3d elastic = work.plastic ? elasticGradient(gradU, solids.plasticInverse[slot]) : gradU;
-  return {gradU, solids.volume[slot] * (elasticResponse(c, elastic).energy + 0.5 * c.hourglass * work.perTrace[slot] * errors)};
+  return {gradU, solids.volume[slot] *
+                     (elasticResponse(c, elastic).energy + 0.5 * c.hourglass * work.perTrace[slot] * errors)};
 }
 
 }  // namespace
@@ -161,8 +187,10 @@ SlotStrain slotStrain(const ElasticWork& work, const Solids& solids, const Bonds
   return strainWith(work, solids, slot, gradU, errors);
 }
 
-SlotStrain slotStrainAtReference(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot) {
-  if (work.rank[slot] < 3) return slotStrain(work, solids, bonds, slot);  // what completes its gradient rounds
+SlotStrain slotStrainAtReference(const ElasticWork& work, const Solids& solids, const Bonds& bonds,
+                                 std::size_t slot) {
+  // what completes its gradient rounds
+  if (work.rank[slot] < 3) return slotStrain(work, solids, bonds, slot);
   return strainWith(work, solids, slot, Mat3d{} * full(solids.momentInverse[slot]), 0);
 }
 

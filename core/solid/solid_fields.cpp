@@ -6,8 +6,8 @@
 
 namespace thaw {
 
-void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, ElasticWork& work, const Scene& scene, const Modules& modules,
-                         const CellGrid& grid) {
+void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, ElasticWork& work,
+                         const Scene& scene, const Modules& modules, const CellGrid& grid) {
   work.materials = scene.materials;
   work.precision = scene.numerics.elasticPrecision;
   work.support = scene.numerics.bondSupport * scene.spacing;
@@ -22,14 +22,17 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
     if (!m.canBeSolid()) continue;
     if (modules.fracture) work.minBreakStretch = std::min(work.minBreakStretch, m.breakStretch);
     work.damping = work.damping || m.damping > 0;
-    rereferences = rereferences || (modules.plastic && work.solidConstants.back().yield < never && m.maxPlasticStrain > work.rereference);
+    rereferences = rereferences || (modules.plastic && work.solidConstants.back().yield < never &&
+                                    m.maxPlasticStrain > work.rereference);
     hardens = hardens || (modules.plastic && m.hardening > 0);
   }
-  // where a reference is ever taken anew each bond has its own, else all are of the configuration in which the scene starts
+  // where a reference is ever taken anew each bond has its own, else all are of the configuration in which
+  // the scene starts
   const bool vectors = modules.freezing || modules.welding || rereferences;
   bonds.choose(vectors, vectors, work.precision == Precision::Single);
 
-  // where something melts the energy of what softens is booked in every step; and substeps leave places of their own behind
+  // where something melts the energy of what softens is booked in every step; and substeps leave places of
+  // their own behind
   work.energyInSteps = modules.melting || modules.substeps;
   work.deformationInSteps = work.energyInSteps || vectors || modules.sleep;
 
@@ -39,8 +42,9 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
     particles.activate(particles.justFrozen);
   }
   if (work.periodic) particles.activate(particles.home);
-  for (AnyColumn* c : {static_cast<AnyColumn*>(&solids.id), static_cast<AnyColumn*>(&solids.particle), static_cast<AnyColumn*>(&solids.material),
-                       static_cast<AnyColumn*>(&solids.volume), static_cast<AnyColumn*>(&solids.energy), static_cast<AnyColumn*>(&solids.changed)})
+  for (AnyColumn* c : {static_cast<AnyColumn*>(&solids.id), static_cast<AnyColumn*>(&solids.particle),
+                       static_cast<AnyColumn*>(&solids.material), static_cast<AnyColumn*>(&solids.volume),
+                       static_cast<AnyColumn*>(&solids.energy), static_cast<AnyColumn*>(&solids.changed)})
     solids.activate(*c);
   if (!vectors) solids.activate(solids.reference);
   if (work.plastic) solids.activate(solids.plasticInverse);
@@ -59,8 +63,10 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
 }
 
 std::vector<AnyColumn*> columnsOfSteps(Solids& solids, const ElasticWork& work) {
-  std::vector<AnyColumn*> columns{&solids.position, &solids.momentInverse, &solids.deformation, &solids.force};
-  columns.push_back(work.precision == Precision::Single ? static_cast<AnyColumn*>(&solids.end) : &solids.endDouble);
+  std::vector<AnyColumn*> columns{&solids.position, &solids.momentInverse, &solids.deformation,
+                                  &solids.force};
+  columns.push_back(work.precision == Precision::Single ? static_cast<AnyColumn*>(&solids.end)
+                                                        : &solids.endDouble);
   if (work.damping || work.minBreakStretch < never) columns.push_back(&solids.velocity);
   if (work.damping) columns.push_back(&solids.drag);
   return columns;

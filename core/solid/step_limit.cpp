@@ -18,7 +18,8 @@ double plasticStretch(const Mat3d& plasticInverse) {
 
 double largestPlasticGrip(const ElasticWork& work, const Solids& solids) {
   double grip = 0;
-  for (std::size_t s = 0; s < solids.owned; s++) grip = std::max(grip, work.grip[s] * plasticStretch(solids.plasticInverse[s]));
+  for (std::size_t s = 0; s < solids.owned; s++)
+    grip = std::max(grip, work.grip[s] * plasticStretch(solids.plasticInverse[s]));
   return grip;
 }
 
@@ -51,7 +52,8 @@ double elasticStepLimit(const Scene& scene, double maxStretch2, double grip) {
       // tangent modulus of Green strain under a stretch: (3 stretch^2 - 1)/2 times that at rest
       const double stiffening = c.law == ElasticLaw::Green ? std::max(1.0, 1.5 * maxStretch2 - 0.5) : 1.0;
       const double modulus = (c.lambda + 2 * c.mu) * stiffening + c.volume + 0.5 * c.hourglass;
-      if (modulus > 0) limit = std::min(limit, scene.numerics.cflElastic * distance * std::sqrt(m.density / modulus));
+      if (modulus > 0)
+        limit = std::min(limit, scene.numerics.cflElastic * distance * std::sqrt(m.density / modulus));
       if (m.damping > 0) limit = std::min(limit, 0.25 / m.damping);
     }
   }

@@ -8,8 +8,10 @@
 namespace thaw {
 namespace {
 
-/// Of the owned surfels of `free` those that are within reach of one of `from`. By true distances, so that it is the same on any number of ranks.
-void markNear(const Surfels& f, const Bins& bins, const std::uint8_t* from, double reach, const std::vector<std::uint8_t>& free, std::vector<std::uint8_t>& to) {
+/// Of the owned surfels of `free` those that are within reach of one of `from`. By true distances, so that it
+/// is the same on any number of ranks.
+void markNear(const Surfels& f, const Bins& bins, const std::uint8_t* from, double reach,
+              const std::vector<std::uint8_t>& free, std::vector<std::uint8_t>& to) {
   to.assign(f.owned, 0);
   const double reach2 = reach * reach;
   Bins sources;
@@ -29,10 +31,12 @@ void markNear(const Surfels& f, const Bins& bins, const std::uint8_t* from, doub
     for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++) {
       const std::uint32_t i = bins.row[k];
       if (i >= f.owned || !free[i]) continue;
-      to[i] = all || std::any_of(around.at.begin(), around.at.begin() + static_cast<std::ptrdiff_t>(around.count), [&](const Vec3d& x) {
-        const Vec3d d = bins.at[k] - x;
-        return dot(d, d) < reach2;
-      });
+      to[i] = all ||
+              std::any_of(around.at.begin(), around.at.begin() + static_cast<std::ptrdiff_t>(around.count),
+                          [&](const Vec3d& x) {
+                            const Vec3d d = bins.at[k] - x;
+                            return dot(d, d) < reach2;
+                          });
     }
   }
 }
@@ -47,7 +51,8 @@ void markFree(const Surface& s, bool all, std::vector<std::uint8_t>& free) {
   for (std::size_t i = 0; i < f.owned; i++) free[i] = settles(f, i) && !small(f.component[i]);
 }
 
-void markActive(Surface& s, CellHalo& halo, const Bins& bins, double reach, std::vector<std::uint8_t>& free, std::vector<std::uint8_t>& core) {
+void markActive(Surface& s, CellHalo& halo, const Bins& bins, double reach, std::vector<std::uint8_t>& free,
+                std::vector<std::uint8_t>& core) {
   Surfels& f = s.surfels;
   markNear(f, bins, f.moving.data(), reach, free, core);
   std::copy_n(core.begin(), f.owned, f.wish.data());

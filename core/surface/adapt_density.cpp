@@ -13,7 +13,8 @@ namespace {
 template<class F> void forNeighbours(const Surfels& s, const RowLists& lists, std::size_t i, F&& f) {
   for (std::uint64_t k = lists.first[i]; k < lists.end[i]; k++) {
     const std::uint32_t j = lists.row[k];
-    if (s.component[j] == s.component[i] && dot(s.normal[j], s.normal[i]) > oneSide) f(j, length(s.position[j] - s.position[i]));
+    if (s.component[j] == s.component[i] && dot(s.normal[j], s.normal[i]) > oneSide)
+      f(j, length(s.position[j] - s.position[i]));
   }
 }
 
@@ -45,7 +46,9 @@ void adaptDensity(Surface& surface, CellHalo& halo, const RowLists& lists, doubl
       std::copy(next.begin(), next.end(), s.wanted.data());
       refreshGhosts(halo, s, sent);
       for (std::size_t i = 0; i < s.owned; i++)
-        forNeighbours(s, lists, i, [&](std::uint32_t j, double away) { next[i] = std::min(next[i], s.wanted[j] + grading * away); });
+        forNeighbours(s, lists, i, [&](std::uint32_t j, double away) {
+          next[i] = std::min(next[i], s.wanted[j] + grading * away);
+        });
     }
     std::copy(next.begin(), next.end(), s.wanted.data());
   }

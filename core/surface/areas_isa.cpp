@@ -1,5 +1,6 @@
-// Areas of Voronoi cells, eight at a time: the lines halfway to the neighbours, each from where the others cut it off to where they do. All pairs of
-// lines are looked at, without a branch: with the eight to eleven neighbours that a surfel has, that takes a third of the time of cutting a polygon.
+// Areas of Voronoi cells, eight at a time: the lines halfway to the neighbours, each from where the others
+// cut it off to where they do. All pairs of lines are looked at, without a branch: with the eight to eleven
+// neighbours that a surfel has, that takes a third of the time of cutting a polygon.
 #include "core/math/vec3.hpp"
 #include "core/simd/lanes.hpp"
 #include "core/surface/surface_kernels.hpp"
@@ -10,14 +11,19 @@ namespace {
 
 using V = Vec3<LanesD>;
 
-THAW_INLINE const Record<double>* records(const double* p) { return reinterpret_cast<const Record<double>*>(p); }
+THAW_INLINE const Record<double>* records(const double* p) {
+  return reinterpret_cast<const Record<double>*>(p);
+}
 THAW_INLINE void store(double* to, LanesD v) {
   *reinterpret_cast<Vec4d*>(to) = v.lo;
   *reinterpret_cast<Vec4d*>(to + 4) = v.hi;
 }
 
-/// n.p <= height, n a unit vector; the part of the line that is left goes from `from` to `to` along the normal turned to the left.
-struct Line { LanesD x, y, height, from, to; };
+/// n.p <= height, n a unit vector; the part of the line that is left goes from `from` to `to` along the
+/// normal turned to the left.
+struct Line {
+  LanesD x, y, height, from, to;
+};
 
 /// Line b cuts a piece off line a, and a off b.
 THAW_INLINE void cut(Line& a, Line& b, LanesD& farthest2) {
@@ -25,7 +31,8 @@ THAW_INLINE void cut(Line& a, Line& b, LanesD& farthest2) {
   const LanesD sine = a.x * b.y - a.y * b.x, cosine = a.x * b.x + a.y * b.y;
   const LanesD overA = b.height - a.height * cosine, overB = a.height - b.height * cosine;
   const auto cross = max(sine, -sine) > least;
-  farthest2 = select(cross, farthest2, select(max(overA, -overA) > zero, farthest2, far));  // the same line twice: left to others
+  // the same line twice: left to others
+  farthest2 = select(cross, farthest2, select(max(overA, -overA) > zero, farthest2, far));
   const LanesD back = LanesD(1.0) / select(cross, sine, least);
   const LanesD atA = overA * back, atB = -(overB * back);
   const auto left = back > zero;  // b turns to the left of a: it ends a, and a begins b
@@ -49,7 +56,8 @@ void areas(const AreaCells& in, double* area, double* farthest2) {
   Line lines[mostAreaNeighbours];
   LanesD farthest = zero, sum = zero;
   for (std::size_t k = 0; k < in.count; k++) {
-    const Lanes4<double> place = load(records(in.place), in.near + 8 * k), other = load(records(in.normal), in.near + 8 * k);
+    const Lanes4<double> place = load(records(in.place), in.near + 8 * k),
+                         other = load(records(in.normal), in.near + 8 * k);
     const V d{place.a - x.x, place.b - x.y, place.c - x.z}, m{other.a, other.b, other.c};
     const LanesD d2 = dot(d, d), cosine = dot(n, m), height = dot(d, n), flat2 = d2 - height * height;
     const auto there = (flat2 > tiny) & (cosine > LanesD(in.cosBack));
@@ -58,7 +66,8 @@ void areas(const AreaCells& in, double* area, double* farthest2) {
     const LanesD perFlat = one / sqrt(select(cuts, flat2, one));
     // the length of the arc between the two
     const LanesD away = half * sqrt(d2) * (one + (one - cosine) * LanesD(1.0 / 12));
-    lines[k] = {select(cuts, dot(d, u) * perFlat, one), select(cuts, dot(d, v) * perFlat, zero), select(cuts, away, none * LanesD(static_cast<double>(k + 1))), -none, none};
+    lines[k] = {select(cuts, dot(d, u) * perFlat, one), select(cuts, dot(d, v) * perFlat, zero),
+                select(cuts, away, none * LanesD(static_cast<double>(k + 1))), -none, none};
   }
   for (std::size_t k = 1; k < in.count; k++)
     for (std::size_t j = 0; j < k; j++) cut(lines[j], lines[k], farthest);

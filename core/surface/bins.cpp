@@ -31,7 +31,8 @@ void listBins(Bins& b) {
   for (std::size_t k = 0; k < b.sorting.size(); k++) {
     const std::uint64_t key = b.sorting[k].first;
     if (!b.key.empty() && b.key.back() == key) continue;
-    if (b.line.empty() || b.line.back() != key >> 21) b.line.push_back(key >> 21), b.firstBin.push_back(static_cast<std::uint32_t>(b.key.size()));
+    if (b.line.empty() || b.line.back() != key >> 21)
+      b.line.push_back(key >> 21), b.firstBin.push_back(static_cast<std::uint32_t>(b.key.size()));
     b.key.push_back(key);
     b.first.push_back(static_cast<std::uint32_t>(k));
   }
@@ -47,28 +48,35 @@ void roundPlaces(Bins& b) {
   }
 }
 
-std::uint64_t keyOf(const Bins& b, const Vec3d& x) { return binKey(binOf(b, x.x, 0), binOf(b, x.y, 1), binOf(b, x.z, 2)); }
+std::uint64_t keyOf(const Bins& b, const Vec3d& x) {
+  return binKey(binOf(b, x.x, 0), binOf(b, x.y, 1), binOf(b, x.z, 2));
+}
 std::uint64_t part(std::uint64_t key, int axis) { return key >> 21 * axis & 0x1fffff; }
 
 /// Rows with their keys, which keep their order within a bin.
 void sortIntoBins(const Vec3d* position, Bins& b) {
   std::uint64_t low[3]{~0ull, ~0ull, ~0ull}, high[3]{};
   for (const auto& entry : b.sorting)
-    for (int a = 0; a < 3; a++) low[a] = std::min(low[a], part(entry.first, a)), high[a] = std::max(high[a], part(entry.first, a));
+    for (int a = 0; a < 3; a++)
+      low[a] = std::min(low[a], part(entry.first, a)), high[a] = std::max(high[a], part(entry.first, a));
   std::array<int, 3> bits{};  // that numbers from the lowest one on take
   for (std::size_t a = 0; a < 3; a++) bits[a] = std::bit_width(high[a] - low[a]);
   if (b.sorting.size() > 64) {
     const int y = bits[0], z = bits[0] + bits[1];
-    for (auto& [key, row] : b.sorting) key = (part(key, 2) - low[2]) << z | (part(key, 1) - low[1]) << y | (part(key, 0) - low[0]);
+    for (auto& [key, row] : b.sorting)
+      key = (part(key, 2) - low[2]) << z | (part(key, 1) - low[1]) << y | (part(key, 0) - low[0]);
     sortByKey(b.sorting, b.sorted, z + bits[2]);
     const auto cut = [](std::uint64_t v, int n) { return v & ((std::uint64_t{1} << n) - 1); };
-    for (auto& [key, row] : b.sorting) key = binKey(cut(key, y) + low[0], cut(key >> y, bits[1]) + low[1], (key >> z) + low[2]);
+    for (auto& [key, row] : b.sorting)
+      key = binKey(cut(key, y) + low[0], cut(key >> y, bits[1]) + low[1], (key >> z) + low[2]);
   } else {
-    std::stable_sort(b.sorting.begin(), b.sorting.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
+    std::stable_sort(b.sorting.begin(), b.sorting.end(),
+                     [](const auto& x, const auto& y) { return x.first < y.first; });
   }
   b.row.resize(b.sorting.size());
   b.at.resize(b.sorting.size());
-  for (std::size_t k = 0; k < b.sorting.size(); k++) b.row[k] = b.sorting[k].second, b.at[k] = position[b.row[k]];
+  for (std::size_t k = 0; k < b.sorting.size(); k++)
+    b.row[k] = b.sorting[k].second, b.at[k] = position[b.row[k]];
   roundPlaces(b);
   listBins(b);
 }
@@ -76,9 +84,12 @@ void sortIntoBins(const Vec3d* position, Bins& b) {
 /// The box and its distance in floats, which are rounded from the base of the bins on: a little more.
 NearBox nearBoxOf(const PlaceBox& box, const Vec3d& base, double radius) {
   const Vec3d middle = 0.5 * (box.low + box.high) - base, half = 0.5 * (box.high - box.low);
-  const double rounding = 1e-6 * (std::abs(middle.x) + std::abs(middle.y) + std::abs(middle.z) + half.x + half.y + half.z + radius), reach = radius + rounding;
+  const double rounding = 1e-6 * (std::abs(middle.x) + std::abs(middle.y) + std::abs(middle.z) + half.x +
+                                  half.y + half.z + radius),
+               reach = radius + rounding;
   NearBox near{};
-  for (int a = 0; a < 3; a++) near.middle[a] = static_cast<float>(middle[a]), near.half[a] = static_cast<float>(half[a]);
+  for (int a = 0; a < 3; a++)
+    near.middle[a] = static_cast<float>(middle[a]), near.half[a] = static_cast<float>(half[a]);
   near.reach2 = static_cast<float>(reach * reach);
   return near;
 }
@@ -95,7 +106,8 @@ void RowBlock::find(const Bins& bins, const PlaceBox& box, double radius) {
       row.resize(2 * (count + many) + nearBoxMore), at.resize(row.size());
       for (auto* v : {&x, &y, &z}) v->resize(row.size());
     }
-    const std::size_t end = count + bestSurfaceKernels().nearBox(near, &bins.x[begin], &bins.y[begin], &bins.z[begin], many, &row[count]);
+    const std::size_t end = count + bestSurfaceKernels().nearBox(near, &bins.x[begin], &bins.y[begin],
+                                                                 &bins.z[begin], many, &row[count]);
     for (; count < end; count++) {
       const std::uint32_t k = begin + row[count];
       row[count] = bins.row[k];
@@ -108,7 +120,9 @@ void RowBlock::find(const Bins& bins, const PlaceBox& box, double radius) {
 std::span<const std::uint32_t> RowBlock::around(const Vec3d& place, double radius) {
   if (picked_.size() < row.size() + nearBoxMore) picked_.resize(row.size() + nearBoxMore);
   if (count == 0) return {};
-  return {picked_.data(), bestSurfaceKernels().nearBox(nearBoxOf({place, place}, base_, radius), x.data(), y.data(), z.data(), static_cast<std::uint32_t>(count), picked_.data())};
+  return {picked_.data(),
+          bestSurfaceKernels().nearBox(nearBoxOf({place, place}, base_, radius), x.data(), y.data(), z.data(),
+                                       static_cast<std::uint32_t>(count), picked_.data())};
 }
 
 void fillBins(const CellGrid& grid, const CellTable& cells, const Vec3d* position, double edge, Bins& b) {
@@ -120,8 +134,10 @@ void fillBins(const CellGrid& grid, const CellTable& cells, const Vec3d* positio
   b.perLength = 1 / std::max(edge, longest / (binsPerAxis - 1));
   b.sorting.clear();
   for (std::size_t c = 0; c < cells.key.size(); c++)
-    for (std::uint32_t i = cells.first[c]; i < cells.first[c] + cells.count[c]; i++) b.sorting.emplace_back(keyOf(b, position[i]), i);
-  // rows of a bin stay in the order of cells and ids: owned and ghost rows of two cells may stand in any order in the table
+    for (std::uint32_t i = cells.first[c]; i < cells.first[c] + cells.count[c]; i++)
+      b.sorting.emplace_back(keyOf(b, position[i]), i);
+  // rows of a bin stay in the order of cells and ids: owned and ghost rows of two cells may stand in any
+  // order in the table
   sortIntoBins(position, b);
 }
 
@@ -131,7 +147,8 @@ void fillBins(const Vec3d* position, std::size_t n, double edge, Bins& b) {
     for (int a = 0; a < 3; a++) b.base[a] = std::min(b.base[a], position[i][a]);
   b.perLength = 1 / edge;
   b.sorting.clear();
-  for (std::size_t i = 0; i < n; i++) b.sorting.emplace_back(keyOf(b, position[i]), static_cast<std::uint32_t>(i));
+  for (std::size_t i = 0; i < n; i++)
+    b.sorting.emplace_back(keyOf(b, position[i]), static_cast<std::uint32_t>(i));
   sortIntoBins(position, b);
 }
 

@@ -16,9 +16,10 @@ using SortedRows = std::vector<std::pair<std::uint64_t, std::uint32_t>>;
 /// By key, rows of one key as they stand: digit by digit, for keys below 2^bits. `other` is a buffer.
 void sortByKey(SortedRows& rows, SortedRows& other, int bits);
 
-/// Rows (ghosts included) sorted by bin, and within a bin as they are in the grid: by (cell, id). The order depends on places alone, not on
-/// which rank holds a row, so sums over rows in this order have the same bits on any number of ranks. Only bins with rows are listed, and lines
-/// of bins along x that have some: to look at empty space costs nothing.
+/// Rows (ghosts included) sorted by bin, and within a bin as they are in the grid: by (cell, id). The order
+/// depends on places alone, not on which rank holds a row, so sums over rows in this order have the same bits
+/// on any number of ranks. Only bins with rows are listed, and lines of bins along x that have some: to look
+/// at empty space costs nothing.
 struct Bins {
   Vec3d base{};                         ///< m, low corner of bin (0, 0, 0)
   double perLength = 1;                 ///< 1/m
@@ -27,30 +28,39 @@ struct Bins {
   std::vector<std::uint64_t> line;      ///< of lines with bins: their key without x
   std::vector<std::uint32_t> firstBin;  ///< bins of line l: firstBin[l] ... firstBin[l + 1] - 1
   std::vector<std::uint32_t> row;
-  std::vector<Vec3d> at;                ///< m, places of these rows when the bins were filled
-  std::vector<float> x, y, z;           ///< m, the same from the base on, rounded: what a RowBlock compares; nearBoxMore longer
+  std::vector<Vec3d> at;       ///< m, places of these rows when the bins were filled
+  std::vector<float> x, y, z;  ///< m, the same from the base on, rounded: what a RowBlock compares;
+                               ///< nearBoxMore longer
   SortedRows sorting, sorted;
   std::size_t size() const { return key.size(); }
 };
 
 inline constexpr double binsPerAxis = 2097151;
-inline std::uint64_t binKey(std::uint64_t x, std::uint64_t y, std::uint64_t z) { return z << 42 | y << 21 | x; }
-inline std::uint64_t binOf(const Bins& b, double x, int axis) { return static_cast<std::uint64_t>(std::clamp((x - b.base[axis]) * b.perLength, 0.0, binsPerAxis)); }
+inline std::uint64_t binKey(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
+  return z << 42 | y << 21 | x;
+}
+inline std::uint64_t binOf(const Bins& b, double x, int axis) {
+  return static_cast<std::uint64_t>(std::clamp((x - b.base[axis]) * b.perLength, 0.0, binsPerAxis));
+}
 
 /// Bins of about `edge` (m) for all rows that `cells` lists.
 void fillBins(const CellGrid& grid, const CellTable& cells, const Vec3d* position, double edge, Bins& bins);
 
-/// Bins of n places from the lowest of them on, rows in ascending order within a bin: for questions whose answer does not depend on the order in
-/// which rows are met (nearest, which are joined), or that sort what they find.
+/// Bins of n places from the lowest of them on, rows in ascending order within a bin: for questions whose
+/// answer does not depend on the order in which rows are met (nearest, which are joined), or that sort what
+/// they find.
 void fillBins(const Vec3d* position, std::size_t n, double edge, Bins& bins);
 
 /// The same bins with the rows alone that keep[row] names, in the same order.
 void pickRows(const Bins& bins, const std::uint8_t* keep, Bins& picked);
 
-/// Calls found(from, to) for runs of bins [from, to) with rows that a box [low, high], grown by `radius` (m) and rounded, may meet, in the order of the bins.
-template<class Found> void forBinRunsAround(const Bins& b, const Vec3d& low, const Vec3d& high, double radius, Found found) {
+/// Calls found(from, to) for runs of bins [from, to) with rows that a box [low, high], grown by `radius` (m)
+/// and rounded, may meet, in the order of the bins.
+template<class Found>
+void forBinRunsAround(const Bins& b, const Vec3d& low, const Vec3d& high, double radius, Found found) {
   const double r2 = (1 + 1e-9) * radius * radius, edge = 1 / b.perLength;
-  const std::uint64_t y0 = binOf(b, low.y - radius, 1), y1 = binOf(b, high.y + radius, 1), z0 = binOf(b, low.z - radius, 2), z1 = binOf(b, high.z + radius, 2);
+  const std::uint64_t y0 = binOf(b, low.y - radius, 1), y1 = binOf(b, high.y + radius, 1),
+                      z0 = binOf(b, low.z - radius, 2), z1 = binOf(b, high.z + radius, 2);
   const auto gap = [&](std::uint64_t bin, int axis) {  // from the box to a layer of bins
     const double from = b.base[axis] + edge * static_cast<double>(bin);
     return std::max({0.0, from - high[axis], low[axis] - (from + edge)}) * (1 - 1e-9);
@@ -60,11 +70,16 @@ template<class Found> void forBinRunsAround(const Bins& b, const Vec3d& low, con
   for (std::uint64_t z = z0; z <= z1; z++) {
     const std::uint64_t firstLine = z << 21 | y0, lastLine = z << 21 | y1;
     if (z == z0) {
-      l = static_cast<std::size_t>(std::lower_bound(b.line.begin(), b.line.end(), firstLine) - b.line.begin());
+      l = static_cast<std::size_t>(std::lower_bound(b.line.begin(), b.line.end(), firstLine) -
+                                   b.line.begin());
     } else {
       std::size_t stride = 1;  // the next layer is rarely far
       while (l + stride < lines && b.line[l + stride] < firstLine) l += stride, stride *= 2;
-      l = static_cast<std::size_t>(std::lower_bound(b.line.begin() + static_cast<std::ptrdiff_t>(l), b.line.begin() + static_cast<std::ptrdiff_t>(std::min(lines, l + stride + 1)), firstLine) - b.line.begin());
+      l = static_cast<std::size_t>(
+          std::lower_bound(b.line.begin() + static_cast<std::ptrdiff_t>(l),
+                           b.line.begin() + static_cast<std::ptrdiff_t>(std::min(lines, l + stride + 1)),
+                           firstLine) -
+          b.line.begin());
     }
     if (l == lines) return;
     const double offZ = gap(z, 2);
@@ -72,10 +87,15 @@ template<class Found> void forBinRunsAround(const Bins& b, const Vec3d& low, con
       const double offY = gap(b.line[l] & 0x1fffff, 1), left = r2 - offZ * offZ - offY * offY;
       if (left < 0) continue;
       const double reach = std::sqrt(left);
-      const std::uint64_t first = b.line[l] << 21 | binOf(b, low.x - reach, 0), last = b.line[l] << 21 | binOf(b, high.x + reach, 0);
+      const std::uint64_t first = b.line[l] << 21 | binOf(b, low.x - reach, 0),
+                          last = b.line[l] << 21 | binOf(b, high.x + reach, 0);
       const std::size_t end = b.firstBin[l + 1];
       std::size_t k = b.firstBin[l];
-      if (end - k > 8) k = static_cast<std::size_t>(std::lower_bound(b.key.begin() + static_cast<std::ptrdiff_t>(k), b.key.begin() + static_cast<std::ptrdiff_t>(end), first) - b.key.begin());
+      if (end - k > 8)
+        k = static_cast<std::size_t>(std::lower_bound(b.key.begin() + static_cast<std::ptrdiff_t>(k),
+                                                      b.key.begin() + static_cast<std::ptrdiff_t>(end),
+                                                      first) -
+                                     b.key.begin());
       else
         while (k < end && b.key[k] < first) k++;
       const std::size_t from = k;
@@ -86,14 +106,17 @@ template<class Found> void forBinRunsAround(const Bins& b, const Vec3d& low, con
 }
 
 /// Calls found(bin) for each of these bins.
-template<class Found> void forBinsAround(const Bins& b, const Vec3d& low, const Vec3d& high, double radius, Found found) {
+template<class Found>
+void forBinsAround(const Bins& b, const Vec3d& low, const Vec3d& high, double radius, Found found) {
   forBinRunsAround(b, low, high, radius, [&](std::size_t from, std::size_t to) {
     for (; from < to; from++) found(from);
   });
 }
 
-/// Calls found(row, place) for all rows whose place is within `radius` (m) of the box [low, high], and some more, in the order of the bins.
-template<class Found> void forRowsAround(const Bins& b, const Vec3d& low, const Vec3d& high, double radius, Found found) {
+/// Calls found(row, place) for all rows whose place is within `radius` (m) of the box [low, high], and some
+/// more, in the order of the bins.
+template<class Found>
+void forRowsAround(const Bins& b, const Vec3d& low, const Vec3d& high, double radius, Found found) {
   forBinRunsAround(b, low, high, radius, [&](std::size_t from, std::size_t to) {
     for (std::uint32_t k = b.first[from]; k < b.first[to]; k++) found(b.row[k], b.at[k]);
   });
@@ -107,7 +130,8 @@ struct PlaceBox {
   }
   double longest() const { return std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
   double distance2(const Vec3d& x) const {
-    const Vec3d d{std::max({low.x - x.x, 0.0, x.x - high.x}), std::max({low.y - x.y, 0.0, x.y - high.y}), std::max({low.z - x.z, 0.0, x.z - high.z})};
+    const Vec3d d{std::max({low.x - x.x, 0.0, x.x - high.x}), std::max({low.y - x.y, 0.0, x.y - high.y}),
+                  std::max({low.z - x.z, 0.0, x.z - high.z})};
     return dot(d, d);
   }
 };
@@ -124,10 +148,11 @@ struct RowBlock {
   std::size_t count = 0;
   std::vector<std::uint32_t> row;  // as long as any block was
   std::vector<Vec3d> at;
-  std::vector<float> x, y, z;      // m, the same from the bins' base on, rounded
+  std::vector<float> x, y, z;  // m, the same from the bins' base on, rounded
   /// All within `radius` (m) of a box, and some a rounding farther, in the order of the bins.
   void find(const Bins& bins, const PlaceBox& box, double radius);
-  /// Of these all within `radius` (m) of a place, and some a rounding farther: their k, ascending, until the next call.
+  /// Of these all within `radius` (m) of a place, and some a rounding farther: their k, ascending, until the
+  /// next call.
   std::span<const std::uint32_t> around(const Vec3d& place, double radius);
 
  private:
@@ -145,8 +170,10 @@ template<class Found> void forRowsWithin(const Bins& b, const Vec3d& x, double r
   });
 }
 
-/// Calls found(row, block) for every row of `of`, with a block that holds at least all rows of `among` within `radius` (m) of it: found once for each bin.
-template<class Found> void forBlocks(const Bins& of, const Bins& among, double radius, RowBlock& block, Found found) {
+/// Calls found(row, block) for every row of `of`, with a block that holds at least all rows of `among` within
+/// `radius` (m) of it: found once for each bin.
+template<class Found>
+void forBlocks(const Bins& of, const Bins& among, double radius, RowBlock& block, Found found) {
   for (std::size_t bin = 0; bin < of.size(); bin++) {
     block.find(among, boxOf(of, bin), radius);
     for (std::uint32_t k = of.first[bin]; k < of.first[bin + 1]; k++) found(of.row[k], block);

@@ -22,9 +22,12 @@ struct Nearest {
 };
 
 bool inherits(const SurfelRow& r) { return r.particle != SurfelRow::none; }
-bool ofMesh(const World& w, const SurfelRow& r) { return hasMesh(w.scene, w.surface.particles.body[r.particle]); }
+bool ofMesh(const World& w, const SurfelRow& r) {
+  return hasMesh(w.scene, w.surface.particles.body[r.particle]);
+}
 
-/// Least and largest colour among surfels and rows that inherit: where they are equal there is nothing to choose.
+/// Least and largest colour among surfels and rows that inherit: where they are equal there is nothing to
+/// choose.
 struct ColourRange {
   std::uint32_t least = std::numeric_limits<std::uint32_t>::max(), most = 0;
   void add(std::uint32_t c) { least = std::min(least, c), most = std::max(most, c); }
@@ -36,8 +39,10 @@ struct ColourRange {
   bool one() const { return least >= most; }
 };
 
-/// The nearest surfel of the row's component, and of any, of those within `reach` (m) of the row and `around` (m) of its particle; and what those of its component are in the mean.
-void findNearest(const World& w, const Bins& bins, const SurfelRow& r, double reach, double around, Nearest& own, Nearest& any, MeanColour& mean) {
+/// The nearest surfel of the row's component, and of any, of those within `reach` (m) of the row and `around`
+/// (m) of its particle; and what those of its component are in the mean.
+void findNearest(const World& w, const Bins& bins, const SurfelRow& r, double reach, double around,
+                 Nearest& own, Nearest& any, MeanColour& mean) {
   const Surfels& f = w.surface.surfels;
   const Vec3d particle = w.surface.particles.position[r.particle];
   forRowsWithin(bins, r.position, reach, [&](std::uint32_t j, double d2) {
@@ -60,7 +65,8 @@ bool coloursMayDiffer(const Scene& scene) {
 void inheritColours(const World& w, const Bins& bins, std::vector<SurfelRow>& rows) {
   if (ColourRange(w.surface.surfels, rows).one()) return;
   const Surface& s = w.surface;
-  const double around = std::min({s.grid.edge.x, s.grid.edge.y, s.grid.edge.z});  // of the particle, whose cell is this rank's: all surfels there are known
+  // of the particle, whose cell is this rank's: all surfels there are known
+  const double around = std::min({s.grid.edge.x, s.grid.edge.y, s.grid.edge.z});
   for (SurfelRow& r : rows) {
     if (!inherits(r)) continue;
     Nearest own, any;
@@ -71,7 +77,9 @@ void inheritColours(const World& w, const Bins& bins, std::vector<SurfelRow>& ro
       continue;
     }
     if (!ofMesh(w, r)) continue;  // its material's
-    if (!own.found()) findNearest(w, bins, r, around + length(r.position - s.particles.position[r.particle]), around, own, any, far);
+    if (!own.found())
+      findNearest(w, bins, r, around + length(r.position - s.particles.position[r.particle]), around, own,
+                  any, far);
     if (own.found()) r.colour = own.colour;
     else if (any.found()) r.colour = any.colour;
   }
@@ -82,7 +90,9 @@ void inheritColours(World& w, SurfaceHalos halos, SurfaceTools& t, std::vector<S
   Surface& s = w.surface;
   Surfels& f = s.surfels;
   const ColourRange here(f, rows);
-  double all[3] = {std::any_of(rows.begin(), rows.end(), [&](const SurfelRow& r) { return inherits(r); }) ? 1.0 : 0.0, static_cast<double>(here.most), -static_cast<double>(here.least)};
+  double all[3] = {
+      std::any_of(rows.begin(), rows.end(), [&](const SurfelRow& r) { return inherits(r); }) ? 1.0 : 0.0,
+      static_cast<double>(here.most), -static_cast<double>(here.least)};
   halos.all.maximum(all);
   if (all[0] == 0 || -all[2] >= all[1]) return;
   addGhosts(halos.surfels, f, s.surfelCells, ColumnList{&f.id, &f.position, &f.component, &f.colour});

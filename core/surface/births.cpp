@@ -14,15 +14,23 @@ namespace thaw {
 namespace {
 
 /// A surfel that follows its place of the start, as seen from what is born beside it.
-struct Follower { std::size_t row; Vec3d d; double weight; };
+struct Follower {
+  std::size_t row;
+  Vec3d d;
+  double weight;
+};
 
-/// Where the place was at the start: by the affine map, in the least squares of weights, from the followers' places in the tangent plane of `frame` (rows) now to those of the start; what is across the
-/// plane is as long as it is now. A strain that is left out here would have the newborn jump by that times its distance when it follows. Empty where they lie in a line.
-std::optional<Vec3d> placeAtStart(const Surfels& s, const std::vector<Follower>& followers, const Mat3d& frame, const Vec3d& startNormal) {
+/// Where the place was at the start: by the affine map, in the least squares of weights, from the followers'
+/// places in the tangent plane of `frame` (rows) now to those of the start; what is across the plane is as
+/// long as it is now. A strain that is left out here would have the newborn jump by that times its distance
+/// when it follows. Empty where they lie in a line.
+std::optional<Vec3d> placeAtStart(const Surfels& s, const std::vector<Follower>& followers,
+                                  const Mat3d& frame, const Vec3d& startNormal) {
   constexpr double line = 0.02;  // of the larger moment
   double sum = 0, a = 0, b = 0, c = 0;
   Vec3d mean{}, now{};
-  for (const Follower& f : followers) sum += f.weight, now += f.weight * f.d, mean += f.weight * s.startPlace[f.row];
+  for (const Follower& f : followers)
+    sum += f.weight, now += f.weight * f.d, mean += f.weight * s.startPlace[f.row];
   now = now / sum;
   mean = mean / sum;
   Vec3d along1{}, along2{};
@@ -40,7 +48,8 @@ std::optional<Vec3d> placeAtStart(const Surfels& s, const std::vector<Follower>&
   return mean + ((c * u - b * v) / det) * along1 + ((a * v - b * u) / det) * along2 - across * startNormal;
 }
 
-/// Where and how a surfel between some that follow their places of the start would have been there: its frame as each of them sees it from its own, in the mean.
+/// Where and how a surfel between some that follow their places of the start would have been there: its frame
+/// as each of them sees it from its own, in the mean.
 void startOf(const Patch& patch, SurfelRow& born) {
   const Surfels& s = *patch.surfels;
   const std::size_t i = patch.centre;
@@ -54,7 +63,8 @@ void startOf(const Patch& patch, SurfelRow& born) {
     const double u = 1 - dot(d, d) / (reach * reach);
     if (!follows(s, j) || !(u > 0)) return;
     const double w = u * u * u;
-    const Mat3d now{{s.normal[j], s.tangent[j], cross(s.normal[j], s.tangent[j])}};  // rows: what turns a vector into the frame
+    // rows: what turns a vector into the frame
+    const Mat3d now{{s.normal[j], s.tangent[j], cross(s.normal[j], s.tangent[j])}};
     const Mat3d then{{s.startNormal[j], s.startTangent[j], cross(s.startNormal[j], s.startTangent[j])}};
     const auto back = [&](const Vec3d& v) { return transpose(then) * (now * v); };
     followers.push_back({j, -d, w});
@@ -69,7 +79,9 @@ void startOf(const Patch& patch, SurfelRow& born) {
   const Vec3d across = tangent - dot(tangent, normal) * normal;
   if (!(sum > 0) || !(dot(normal, normal) > 0.5) || !(dot(across, across) > 0)) return;
   born.follows = true;
-  born.startPlace = placeAtStart(s, followers, {{born.normal, born.tangent, cross(born.normal, born.tangent)}}, normal).value_or(place / sum);
+  born.startPlace = placeAtStart(s, followers,
+                                 {{born.normal, born.tangent, cross(born.normal, born.tangent)}}, normal)
+                        .value_or(place / sum);
   born.startNormal = normal;
   born.startTangent = normalized(across);
 }
@@ -86,16 +98,20 @@ SurfelRow blendedSurfel(const Patch& patch, const SurfacePoint& p) {
   const Vec3d across = s.tangent[i] - p.normal * dot(p.normal, s.tangent[i]);
   born.tangent = dot(across, across) > 0.01 ? normalized(across) : anyTangent(p.normal);
   const double reach = 1.5 * s.radius[i];
-  double sum = 0, radius = 0, detail = 0, liquid = 0, temperature = 0, colour[3]{}, soft = 0, softened = 0, mark = 0;
+  double sum = 0, radius = 0, detail = 0, liquid = 0, temperature = 0, colour[3]{}, soft = 0, softened = 0,
+         mark = 0;
   const auto add = [&](std::size_t j) {
     const Vec3d d = s.position[j] - p.position;
-    const double u = std::max(1 - dot(d, d) / (reach * reach), j == i ? 1e-3 : 0.0), w = u * u * u;  // the parent counts in any case
+    // the parent counts in any case
+    const double u = std::max(1 - dot(d, d) / (reach * reach), j == i ? 1e-3 : 0.0), w = u * u * u;
     sum += w;
     radius += w * s.radius[j];
     detail += w * static_cast<double>(s.detail[j]);
     if (s.liquid.active) liquid += w * static_cast<double>(s.liquid[j]);
     if (s.temperature.active) temperature += w * static_cast<double>(s.temperature[j]);
-    if (s.softened.active && s.softened[j] > 0) soft += w, softened += w * static_cast<double>(s.softened[j]), mark += w * static_cast<double>(s.mark[j]);
+    if (s.softened.active && s.softened[j] > 0)
+      soft += w, softened += w * static_cast<double>(s.softened[j]),
+          mark += w * static_cast<double>(s.mark[j]);
     for (int c = 0; c < 3; c++) colour[c] += w * static_cast<double>(s.colour[j] >> 8 * c & 255);
   };
   add(i);
@@ -104,8 +120,10 @@ SurfelRow blendedSurfel(const Patch& patch, const SurfacePoint& p) {
   born.detail = static_cast<float>(detail / sum);
   born.liquid = static_cast<float>(liquid / sum);
   born.temperature = static_cast<float>(temperature / sum);
-  if (s.softened.active && s.softened[i] > 0) born.softened = static_cast<float>(softened / soft), born.mark = static_cast<float>(mark / soft);
-  for (int c = 0; c < 3; c++) born.colour |= static_cast<std::uint32_t>(std::clamp(std::lround(colour[c] / sum), 0l, 255l)) << 8 * c;
+  if (s.softened.active && s.softened[i] > 0)
+    born.softened = static_cast<float>(softened / soft), born.mark = static_cast<float>(mark / soft);
+  for (int c = 0; c < 3; c++)
+    born.colour |= static_cast<std::uint32_t>(std::clamp(std::lround(colour[c] / sum), 0l, 255l)) << 8 * c;
   startOf(patch, born);
   return born;
 }
@@ -124,9 +142,13 @@ void appendSurfels(Surfels& s, const std::vector<SurfelRow>& rows) {
     s.detail[i] = r.detail;
     s.calm[i] = 0;
     if (s.pressed.active) s.pressed[i] = {};
-    if (s.follows.active) s.follows[i] = r.follows, s.startPlace[i] = r.startPlace, s.startNormal[i] = r.startNormal, s.startTangent[i] = r.startTangent;
+    if (s.follows.active)
+      s.follows[i] = r.follows, s.startPlace[i] = r.startPlace, s.startNormal[i] = r.startNormal,
+      s.startTangent[i] = r.startTangent;
     if (s.loose.active) s.loose[i] = r.detail < 0.5f;
-    if (s.carriedNormal.active && !(s.loose.active && s.loose[i])) s.carried[i] = r.position, s.carriedNormal[i] = r.normal;  // what settles of it is what settles of those around it (blendSurfels)
+    // what settles of it is what settles of those around it (blendSurfels)
+    if (s.carriedNormal.active && !(s.loose.active && s.loose[i]))
+      s.carried[i] = r.position, s.carriedNormal[i] = r.normal;
     if (s.liquid.active) s.liquid[i] = r.liquid;
     if (s.softened.active) s.softened[i] = r.softened, s.mark[i] = r.mark;
     if (s.temperature.active) s.temperature[i] = r.temperature;
@@ -134,7 +156,8 @@ void appendSurfels(Surfels& s, const std::vector<SurfelRow>& rows) {
   }
 }
 
-void addSurfels(Surfels& s, const std::vector<SurfelRow>& rows, std::uint64_t seed, Reducer& all, const Surfels* others) {
+void addSurfels(Surfels& s, const std::vector<SurfelRow>& rows, std::uint64_t seed, Reducer& all,
+                const Surfels* others) {
   const std::size_t first = s.owned;
   appendSurfels(s, rows);
   renameTwins(s, first, seed, all, others);

@@ -14,19 +14,23 @@ struct SurfelRow {
   double radius = 0;                                    ///< m
   std::uint32_t colour = 0;
   float detail = 0, liquid = 0, temperature = 0, softened = 0, mark = 0;
-  bool follows = false;                                 ///< as it would have been at the start (follow_start.hpp):
-  Vec3d startPlace{}, startNormal{}, startTangent{};    ///< m, unit, unit
+  bool follows = false;  ///< as it would have been at the start (follow_start.hpp):
+  Vec3d startPlace{}, startNormal{}, startTangent{};  ///< m, unit, unit
   static constexpr std::uint32_t none = 0xffffffffu;
-  std::uint32_t particle = none;                        ///< row of the particle copy that it is grown around; none: of surfels
+  std::uint32_t particle = none;  ///< row of the particle copy that it is grown around; none: of surfels
 };
 
-/// A surfel at p, with what the patch's surfels have there: weights fall to 0 at one and a half radii. Its id is the caller's.
+/// A surfel at p, with what the patch's surfels have there: weights fall to 0 at one and a half radii. Its id
+/// is the caller's.
 SurfelRow blendedSurfel(const Patch& patch, const SurfacePoint& p);
 
-/// Appends rows behind the owned ones. The table must not have ghosts. Ids are not looked at: addSurfels does.
+/// Appends rows behind the owned ones. The table must not have ghosts. Ids are not looked at: addSurfels
+/// does.
 void appendSurfels(Surfels& surfels, const std::vector<SurfelRow>& rows);
 
-/// The same for births on all ranks: those whose id is there already, or among `others`, get another one (renameTwins). Collective.
-void addSurfels(Surfels& surfels, const std::vector<SurfelRow>& rows, std::uint64_t seed, Reducer& all, const Surfels* others = nullptr);
+/// The same for births on all ranks: those whose id is there already, or among `others`, get another one
+/// (renameTwins). Collective.
+void addSurfels(Surfels& surfels, const std::vector<SurfelRow>& rows, std::uint64_t seed, Reducer& all,
+                const Surfels* others = nullptr);
 
 }  // namespace thaw

@@ -17,11 +17,14 @@ struct Way {
   double share = 0;  // of the rest: along the surface, and of the turn
 };
 
-/// Its height over the smooth surface is a mark and what the motion has added. The mark fades to 1 - b of itself, the largest b since it was solid counts, and as it is kneaded, by e^(-wipes b strain); the motion's part by b in each
-/// update, as in the paper: what the update takes away does not come back. A slow part of the motion's goes over to the mark, since what is hardly liquid is carried rather than settled.
+/// Its height over the smooth surface is a mark and what the motion has added. The mark fades to 1 - b of
+/// itself, the largest b since it was solid counts, and as it is kneaded, by e^(-wipes b strain); the
+/// motion's part by b in each update, as in the paper: what the update takes away does not come back. A slow
+/// part of the motion's goes over to the mark, since what is hardly liquid is carried rather than settled.
 Way wayOf(Surfels& s, std::size_t i, double b, double height) {
   const bool told = s.softened.active;
-  const double before = told ? static_cast<double>(s.softened[i]) : 0, mark = before > 0 ? static_cast<double>(s.mark[i]) : height;
+  const double before = told ? static_cast<double>(s.softened[i]) : 0,
+               mark = before > 0 ? static_cast<double>(s.mark[i]) : height;
   const double strain = s.strain.active ? static_cast<double>(s.strain[i]) : 0, added = height - mark;
   const double left = b >= 1 ? 0 : (b > before ? (1 - b) / (1 - before) : 1) * std::exp(-wipes * b * strain);
   if (told) {
@@ -30,7 +33,8 @@ Way wayOf(Surfels& s, std::size_t i, double b, double height) {
     s.mark[i] = static_cast<float>(mark * left + solid * solid * added);
   }
   const double off = std::min(1.0, added * added / (s.radius[i] * s.radius[i]));
-  const double down = std::clamp(mark * (1 - left) + b * added, std::min(height, 0.0), std::max(height, 0.0));  // never away from the surface
+  // never away from the surface
+  const double down = std::clamp(mark * (1 - left) + b * added, std::min(height, 0.0), std::max(height, 0.0));
   return {down, 1 - left * (1 - b * off)};
 }
 

@@ -13,7 +13,7 @@ namespace thaw {
 namespace {
 
 constexpr double pieceSize = 0.55, closest = 0.75, loneliest = 0.85;  // of the spacing
-constexpr double sameSide = -0.3;                                    // dot of normals of triangles that see each other
+constexpr double sameSide = -0.3;  // dot of normals of triangles that see each other
 constexpr int lloydSteps = 2;
 constexpr std::uint32_t nobody = 0xffffffffu;
 
@@ -24,7 +24,8 @@ struct Candidates {
 };
 
 /// Halves a triangle across its longest edge until it is small; a candidate in each piece.
-void addPieces(const std::array<Vec3d, 3>& t, std::uint32_t triangle, double size2, std::uint64_t seed, const MeshPart* part, Candidates& c) {
+void addPieces(const std::array<Vec3d, 3>& t, std::uint32_t triangle, double size2, std::uint64_t seed,
+               const MeshPart* part, Candidates& c) {
   int longest = 0;
   double most = -1;
   for (int k = 0; k < 3; k++) {
@@ -34,7 +35,8 @@ void addPieces(const std::array<Vec3d, 3>& t, std::uint32_t triangle, double siz
   const Vec3d &a = t[longest], &b = t[(longest + 1) % 3], &o = t[(longest + 2) % 3];
   if (most > size2) {
     const Vec3d m = 0.5 * (a + b);
-    if (part && !part->near(m, std::sqrt(most))) return;  // no corner is farther from the middle of the longest edge
+    if (part && !part->near(m, std::sqrt(most)))
+      return;  // no corner is farther from the middle of the longest edge
     addPieces({a, m, o}, triangle, size2, seed, part, c);
     addPieces({m, b, o}, triangle, size2, seed, part, c);
     return;
@@ -42,7 +44,8 @@ void addPieces(const std::array<Vec3d, 3>& t, std::uint32_t triangle, double siz
   const double area = 0.5 * length(cross(b - a, o - a));
   if (!(area > 0)) return;
   const std::uint64_t n = c.position.size();
-  double u = randomUniform(seed, Purpose::SurfelSample, n, 1), v = randomUniform(seed, Purpose::SurfelSample, n, 2);
+  double u = randomUniform(seed, Purpose::SurfelSample, n, 1),
+         v = randomUniform(seed, Purpose::SurfelSample, n, 2);
   if (u + v > 1) u = 1 - u, v = 1 - v;
   const Vec3d place = a + u * (b - a) + v * (o - a);
   if (part && !part->isThere(place, triangle)) return;
@@ -74,9 +77,12 @@ struct Sampler {
   std::vector<std::uint32_t> nearest;  // place of each candidate
   std::vector<MeshSample> places;
 
-  bool see(std::uint32_t t, std::uint32_t u) const { return static_cast<double>(dot(normal[t], normal[u])) > sameSide; }
+  bool see(std::uint32_t t, std::uint32_t u) const {
+    return static_cast<double>(dot(normal[t], normal[u])) > sameSide;
+  }
 
-  /// Takes candidates of the list in a hashed order, none within `distance` of another or of one taken before.
+  /// Takes candidates of the list in a hashed order, none within `distance` of another or of one taken
+  /// before.
   void throwDarts(const PointCells& cells, double distance) {
     const std::size_t n = all.position.size();
     std::vector<char> gone(n, 0);
@@ -85,7 +91,8 @@ struct Sampler {
     const std::uint64_t mask = (std::uint64_t{1} << bits) - 1, start = mixBits(seed);
     for (std::uint64_t k = 0; k <= mask; k++) {
       std::uint64_t x = (k + start) & mask;  // a permutation: odd factors and shifted xors can be undone
-      x = x * 0x9e3779b97f4a7c15ull & mask, x ^= x >> (bits / 2), x = x * 0xbf58476d1ce4e5b9ull & mask, x ^= x >> (bits / 2);
+      x = x * 0x9e3779b97f4a7c15ull & mask, x ^= x >> (bits / 2), x = x * 0xbf58476d1ce4e5b9ull & mask,
+      x ^= x >> (bits / 2);
       if (x >= n || gone[x]) continue;
       places.push_back({all.position[x], all.triangle[x]});
       cells.around(all.position[x], [&](std::uint32_t first, std::uint32_t last) {
@@ -111,7 +118,9 @@ struct Sampler {
       if (key != here) {
         here = key;
         near.clear();
-        cells.around(all.position[k], [&](std::uint32_t first, std::uint32_t last) { near.insert(near.end(), cells.order().begin() + first, cells.order().begin() + last); });
+        cells.around(all.position[k], [&](std::uint32_t first, std::uint32_t last) {
+          near.insert(near.end(), cells.order().begin() + first, cells.order().begin() + last);
+        });
       }
       double best = reach * reach;
       for (const std::uint32_t p : near) {
@@ -140,7 +149,9 @@ struct Sampler {
     for (std::size_t p = 0; p < places.size(); p++) {
       if (triangle[p] == nobody) continue;
       const auto& t = mesh.triangles[triangle[p]];
-      places[p] = {closestPointOfTriangle(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]], middle[p] / weight[p]), triangle[p]};
+      places[p] = {closestPointOfTriangle(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]],
+                                          middle[p] / weight[p]),
+                   triangle[p]};
     }
   }
 
@@ -165,14 +176,17 @@ struct Sampler {
 
 }  // namespace
 
-std::vector<MeshSample> blueNoise(const TriangleMesh& mesh, double spacing, std::uint64_t seed, const MeshPart* part) {
+std::vector<MeshSample> blueNoise(const TriangleMesh& mesh, double spacing, std::uint64_t seed,
+                                  const MeshPart* part) {
   Sampler s{mesh, spacing, seed, {}, {}, {}, {}};
   s.normal.reserve(mesh.triangles.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); t++) {
     const auto& c = mesh.triangles[t];
-    const Vec3d n = normalized(cross(mesh.vertices[c[1]] - mesh.vertices[c[0]], mesh.vertices[c[2]] - mesh.vertices[c[0]]));
+    const Vec3d n = normalized(
+        cross(mesh.vertices[c[1]] - mesh.vertices[c[0]], mesh.vertices[c[2]] - mesh.vertices[c[0]]));
     s.normal.push_back({static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)});
-    addPieces({mesh.vertices[c[0]], mesh.vertices[c[1]], mesh.vertices[c[2]]}, t, pieceSize * pieceSize * spacing * spacing, seed, part, s.all);
+    addPieces({mesh.vertices[c[0]], mesh.vertices[c[1]], mesh.vertices[c[2]]}, t,
+              pieceSize * pieceSize * spacing * spacing, seed, part, s.all);
   }
   if (s.all.position.empty()) return {};
   const PointCells cells(s.all.position, closest * spacing);

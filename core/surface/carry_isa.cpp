@@ -1,5 +1,6 @@
-// How the particles around eight surfels carry them along (K05 4.2.1): a lane is a surfel, as in forces_isa.cpp, but in double precision, so that what is
-// carried round and round comes back to where it was.
+// How the particles around eight surfels carry them along (K05 4.2.1): a lane is a surfel, as in
+// forces_isa.cpp, but in double precision, so that what is carried round and round comes back to where it
+// was.
 #include "core/math/vec3.hpp"
 #include "core/simd/lanes.hpp"
 #include "core/surface/surface_kernels.hpp"
@@ -20,7 +21,8 @@ THAW_INLINE void loadPlaces(const CarrySums& in, std::size_t g, LanesD* place) {
 THAW_INLINE LanesD loadLiquid(const CarrySums& in, std::size_t g) {
   if (!in.liquid) return LanesD(1.0);
   alignas(32) double own[8];
-  for (std::size_t lane = 0; lane < 8; lane++) own[lane] = static_cast<double>(in.liquid[in.self[8 * g + lane]]);
+  for (std::size_t lane = 0; lane < 8; lane++)
+    own[lane] = static_cast<double>(in.liquid[in.self[8 * g + lane]]);
   return loadRow(own);
 }
 
@@ -57,16 +59,19 @@ void bend(const CarrySums& in, std::size_t g, double* sums) {
   LanesD place[3], from[3], mean[3], sum[bendSums];
   loadPlaces(in, g, place);
   const LanesD zero(0.0), one(1.0), perSupport2(in.perSupport2), liquid = loadLiquid(in, g);
-  for (std::size_t a = 0; a < 3; a++) from[a] = place[a] - LanesD(in.origin[a]), mean[a] = loadRow(in.mean + 8 * a);
+  for (std::size_t a = 0; a < 3; a++)
+    from[a] = place[a] - LanesD(in.origin[a]), mean[a] = loadRow(in.mean + 8 * a);
   for (LanesD& s : sum) s = zero;
   for (std::uint64_t n = in.firstParticle[g]; n < in.firstParticle[g + 1]; n++) {
     const double* p = in.particle + carryRecord * in.particleRow[n];
     const double* G = p + 7;
     const LanesD dx = place[0] - LanesD(p[0]), dy = place[1] - LanesD(p[1]), dz = place[2] - LanesD(p[2]);
-    const LanesD u = max(one - (dx * dx + dy * dy + dz * dz) * perSupport2, zero), u2 = u * u * carrying(p[3], liquid);
+    const LanesD u = max(one - (dx * dx + dy * dy + dz * dz) * perSupport2, zero),
+                 u2 = u * u * carrying(p[3], liquid);
     const LanesD wx = u2 * dx, wy = u2 * dy, wz = u2 * dz;
     for (std::size_t a = 0; a < 3; a++) {
-      const LanesD value = LanesD(p[4 + a]) - mean[a] + LanesD(G[3 * a]) * from[0] + LanesD(G[3 * a + 1]) * from[1] + LanesD(G[3 * a + 2]) * from[2];
+      const LanesD value = LanesD(p[4 + a]) - mean[a] + LanesD(G[3 * a]) * from[0] +
+                           LanesD(G[3 * a + 1]) * from[1] + LanesD(G[3 * a + 2]) * from[2];
       sum[3 * a] += value * wx;
       sum[3 * a + 1] += value * wy;
       sum[3 * a + 2] += value * wz;

@@ -12,14 +12,15 @@
 namespace thaw {
 namespace {
 
-constexpr double around = 2.2;   // spacings: some fifteen surfels
-constexpr double sameSide = 0.3; // of normals
-constexpr int unlike = 24;       // of 255, in some part of the colour
+constexpr double around = 2.2;    // spacings: some fifteen surfels
+constexpr double sameSide = 0.3;  // of normals
+constexpr int unlike = 24;        // of 255, in some part of the colour
 constexpr std::int64_t least = 5;
 
 bool differ(std::uint32_t a, std::uint32_t b) {
   for (int c = 0; c < 3; c++)
-    if (std::abs(static_cast<int>(a >> 8 * c & 255) - static_cast<int>(b >> 8 * c & 255)) > unlike) return true;
+    if (std::abs(static_cast<int>(a >> 8 * c & 255) - static_cast<int>(b >> 8 * c & 255)) > unlike)
+      return true;
   return false;
 }
 
@@ -43,7 +44,9 @@ std::vector<std::uint32_t> clearedColours(const Surface& s, const Bins& bins) {
     std::int64_t others = 0, unlikes = 0;
     MeanColour mean;
     forRowsWithin(bins, f.position[i], around * s.spacing, [&](std::uint32_t j, double) {
-      if (f.id[j] == f.id[i] || f.component[j] != f.component[i] || !(dot(f.normal[i], f.normal[j]) > sameSide)) return;
+      if (f.id[j] == f.id[i] || f.component[j] != f.component[i] ||
+          !(dot(f.normal[i], f.normal[j]) > sameSide))
+        return;
       others++;
       unlikes += differ(f.colour[i], f.colour[j]);
       mean.add(1, f.colour[j]);
@@ -60,7 +63,8 @@ void clearSpecks(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surfels& f = s.surfels;
   if (!f.liquid.active || !coloursMayDiffer(w.scene) || !several(f, halos.all)) return;
   placeRows(s.grid, halos.surfels, f, s.surfelCells, t.sort);
-  addGhosts(halos.surfels, f, s.surfelCells, ColumnList{&f.id, &f.position, &f.normal, &f.component, &f.colour});
+  addGhosts(halos.surfels, f, s.surfelCells,
+            ColumnList{&f.id, &f.position, &f.normal, &f.component, &f.colour});
   fillBins(s.grid, s.surfelCells, f.position.data(), around * s.spacing, t.relax.surfelBins);
   const std::vector<std::uint32_t> colour = clearedColours(s, t.relax.surfelBins);
   dropGhosts(f, s.surfelCells);

@@ -59,10 +59,13 @@ void splitComponents(World& w, SurfaceHalos halos, ComponentTools& t) {
   SurfaceParticles& p = s.particles;
   const std::vector<Piece>& pieces = t.pieces = piecesOf(p, halos.all);
   std::vector<std::uint64_t> off;
-  const auto log = [&](SurfaceEventKind kind, std::uint64_t label, std::uint64_t other) { s.events.push_back({w.clock.step, w.clock.time, kind, label, other}); };
+  const auto log = [&](SurfaceEventKind kind, std::uint64_t label, std::uint64_t other) {
+    s.events.push_back({w.clock.step, w.clock.time, kind, label, other});
+  };
   for (std::size_t k = 0, first = 0; k < pieces.size(); k++) {
     if (pieces[k].from != pieces[first].from) first = k;
-    if (pieces[k].from == noComponent || s.lastStep < 0) continue;  // fresh ones, and pieces of a body at the start, were never one
+    if (pieces[k].from == noComponent || s.lastStep < 0)
+      continue;  // fresh ones, and pieces of a body at the start, were never one
     if (k == first) {
       if (pieces[k].part != pieces[k].from) log(SurfaceEventKind::Renamed, pieces[k].part, pieces[k].from);
       continue;
@@ -90,8 +93,10 @@ void listBareParticles(const Surface& s, std::vector<std::uint32_t>& rows) {
   rows.clear();
   for (std::size_t i = 0; i < s.particles.owned; i++) {
     const std::uint64_t label = s.particles.component[i];
-    const auto c = std::lower_bound(s.components.begin(), s.components.end(), label, [](const SurfaceComponent& x, std::uint64_t l) { return x.label < l; });
-    if (c == s.components.end() || c->label != label || c->surfels == 0) rows.push_back(static_cast<std::uint32_t>(i));
+    const auto c = std::lower_bound(s.components.begin(), s.components.end(), label,
+                                    [](const SurfaceComponent& x, std::uint64_t l) { return x.label < l; });
+    if (c == s.components.end() || c->label != label || c->surfels == 0)
+      rows.push_back(static_cast<std::uint32_t>(i));
   }
 }
 

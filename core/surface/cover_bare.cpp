@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/surface/bins.hpp"
 #include "core/surface/birth_colours.hpp"
 #include "core/surface/births.hpp"
 #include "core/surface/discs_over.hpp"
@@ -13,7 +14,6 @@
 #include "core/surface/iso_surface.hpp"
 #include "core/surface/local_surface.hpp"
 #include "core/surface/place_rows.hpp"
-#include "core/surface/bins.hpp"
 #include "core/surface/ready_particles.hpp"
 #include "core/surface/sample_mesh.hpp"
 #include "core/surface/seeds.hpp"
@@ -25,14 +25,18 @@ namespace {
 
 /// A direction is taken by a particle within this many spacings (FreeDirections).
 constexpr double neighbourReach = 1.7;
-/// Surfels are looked for within this many spacings of a particle or seed. A mesh may lie a spacing over the outermost particles.
+/// Surfels are looked for within this many spacings of a particle or seed. A mesh may lie a spacing over the
+/// outermost particles.
 constexpr double surfelReach = 1.8;
 /// Over a true opening the colour falls below this share of its level half a spacing farther out.
 constexpr double fallsTo = 0.75;
-/// How far the colour at a grown surfel may be from its level, over that: a third of a spacing outward, half a spacing inward. A mesh's: .8 outward.
+/// How far the colour at a grown surfel may be from its level, over that: a third of a spacing outward, half
+/// a spacing inward. A mesh's: .8 outward.
 constexpr double hangsOver = 0.2, liesUnder = 0.4, meshOver = 0.5;
-/// A fin at the rim of a grown face: a mesh's surfel that stands more than this many spacings over the nearest of the face's surfels within finReach, though the two meet in a
-/// convex edge, where each lies behind the other's plane. Of what is solid all through: where a mesh melts its detail fades beside what still has it.
+/// A fin at the rim of a grown face: a mesh's surfel that stands more than this many spacings over the
+/// nearest of the face's surfels within finReach, though the two meet in a convex edge, where each lies
+/// behind the other's plane. Of what is solid all through: where a mesh melts its detail fades beside what
+/// still has it.
 constexpr double finHeight = 0.2, finReach = 1.5, finTurn = 0.7;
 /// Surfels within this many spacings of new ones settle with them.
 constexpr double looseReach = 2.5;
@@ -42,8 +46,9 @@ constexpr double wetReach = 2;
 /// The surface of the start is over a particle within this many spacings.
 constexpr double keptWithin = 1.2;
 
-/// What is solid beside liquid may lose its surface to it, or share one with it, and stands bare when that flows off: it is not covered from now on, unless surfels that follow the solid
-/// are over it. Those stay as long as it is cold. Surfels have ghosts and bins.
+/// What is solid beside liquid may lose its surface to it, or share one with it, and stands bare when that
+/// flows off: it is not covered from now on, unless surfels that follow the solid are over it. Those stay as
+/// long as it is cold. Surfels have ghosts and bins.
 void bareBesideLiquid(const World& w, const SurfaceTools& t, SurfaceParticles& p) {
   const Surfels& f = w.surface.surfels;
   if (!p.covered.active || !p.liquid.active) return;
@@ -56,24 +61,33 @@ void bareBesideLiquid(const World& w, const SurfaceTools& t, SurfaceParticles& p
   for (std::uint32_t i = 0; i < p.owned; i++) {
     if (!p.covered[i]) continue;
     bool beside = flows[i];
-    if (!beside) forRowsWithin(liquid, p.position[i], wetReach * w.scene.spacing, [&](std::uint32_t j, double) { beside = beside || p.component[j] == p.component[i]; });
+    if (!beside)
+      forRowsWithin(liquid, p.position[i], wetReach * w.scene.spacing,
+                    [&](std::uint32_t j, double) { beside = beside || p.component[j] == p.component[i]; });
     if (!beside) continue;
     bool kept = false;
-    if (!flows[i]) forRowsWithin(t.relax.surfelBins, p.position[i], keptWithin * w.scene.spacing, [&](std::uint32_t j, double) { kept = kept || (f.component[j] == p.component[i] && follows(f, j)); });
+    if (!flows[i])
+      forRowsWithin(t.relax.surfelBins, p.position[i], keptWithin * w.scene.spacing,
+                    [&](std::uint32_t j, double) {
+                      kept = kept || (f.component[j] == p.component[i] && follows(f, j));
+                    });
     p.covered[i] = kept;
   }
 }
 
-/// Surfels around owned particles, in rows. Surfels have ghosts and bins. Particles that the surface of the start still covers are not asked: where a solid
-/// is bent or squeezed that is not where the particles' colour would have it, and what grew beside it would be a second skin.
+/// Surfels around owned particles, in rows. Surfels have ghosts and bins. Particles that the surface of the
+/// start still covers are not asked: where a solid is bent or squeezed that is not where the particles'
+/// colour would have it, and what grew beside it would be a second skin.
 void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& rows) {
   const Surface& s = w.surface;
   const Surfels& f = s.surfels;
   const SurfaceParticles& p = s.particles;
-  const double dx = w.scene.spacing, reach = surfelReach * dx, near2 = neighbourReach * neighbourReach * dx * dx;
+  const double dx = w.scene.spacing, reach = surfelReach * dx,
+               near2 = neighbourReach * neighbourReach * dx * dx;
   double largest = 0;
   for (std::size_t i = 0; i < f.size(); i++) largest = std::max(largest, f.radius[i]);
-  const double far = 1.2 * dx + std::hypot(reach, largest);  // seen from a seed's place, up to 1.2 spacings off
+  const double far = 1.2 * dx + std::hypot(reach, largest);  // seen from a seed's place, up to 1.2 spacings
+                                                             // off
   SeedDirections seeds(w);
   FreeDirections free;
   DiscsOver near(w.scene.spacing, surfelReach), all(w.scene.spacing, surfelReach);
@@ -84,7 +98,9 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
   std::array<std::optional<SurfacePoint>, FieldProbe::most> at;
   const Bins& bins = t.relax.particleBins;
   const auto looked = [&](std::uint32_t i) {
-    if (i >= p.owned || p.component[i] == noComponent || p.colour[i] >= innerColour || (p.covered.active && p.covered[i])) return false;
+    if (i >= p.owned || p.component[i] == noComponent || p.colour[i] >= innerColour ||
+        (p.covered.active && p.covered[i]))
+      return false;
     const SurfaceComponent* c = findComponent(s, p.component[i]);
     return c && c->particles > smallDrop;
   };
@@ -152,8 +168,9 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
   }
 }
 
-/// Surfels of solids that are not on the surface any more: rags that hang off the rim of a crack, or were in the middle of one while it opened.
-/// Of a mesh's, only those beside a face that was grown. Surfels have ghosts.
+/// Surfels of solids that are not on the surface any more: rags that hang off the rim of a crack, or were in
+/// the middle of one while it opened. Of a mesh's, only those beside a face that was grown. Surfels have
+/// ghosts.
 void findRags(const World& w, SurfaceTools& t, std::vector<std::uint8_t>& dead) {
   const Surfels& f = w.surface.surfels;
   const double reach = ragReach * w.scene.spacing;
@@ -169,43 +186,52 @@ void findRags(const World& w, SurfaceTools& t, std::vector<std::uint8_t>& dead) 
   dead.assign(f.owned, 0);
   std::vector<std::uint8_t> asked(f.owned, 0);
   RowBlock block;
-  for (std::uint32_t i = 0; i < f.owned; i++)  // whatever is grown on this rank; not where its body of the start has it, whatever the colour says of the sheet beside it
+  for (std::uint32_t i = 0; i < f.owned; i++)  // whatever is grown on this rank; not where its body of the
+                                               // start has it, whatever the colour says of the sheet beside
+                                               // it
     if (f.detail[i] < 0.5f && solid(i) && !(f.follows.active && f.follows[i])) asked[i] = 1;
-  if (!grown.empty()) forBlocks(t.relax.surfelBins, bins, reach, block, [&](std::uint32_t i, RowBlock& around) {
-    if (i >= f.owned || !solid(i) || f.detail[i] < 0.5f) return;
-    bool beside = false;  // of a mesh: finer than the particles, up to a spacing off their surface
-    double nearest2 = finReach * finReach * w.scene.spacing * w.scene.spacing;
-    std::uint32_t face = 0xffffffffu;
-    for (const std::uint32_t k : around.around(f.position[i], reach)) {
-      const std::uint32_t j = row[around.row[k]];
-      const Vec3d d = around.at[k] - f.position[i];
-      const double d2 = dot(d, d);
-      if (d2 > reach * reach || f.component[j] != f.component[i]) continue;
-      beside = true;
-      if (!(f.id[j] & birthBit) || !cold(i)) continue;
-      if (dot(f.normal[i], f.normal[j]) > finTurn || d2 > nearest2 || (d2 == nearest2 && face != 0xffffffffu && f.id[j] > f.id[face])) continue;
-      nearest2 = d2;
-      face = j;
-    }
-    if (!beside) return;
-    if (face != 0xffffffffu) {
-      const Vec3d d = f.position[i] - f.position[face];
-      if (dot(d, f.normal[face]) > finHeight * w.scene.spacing && dot(d, f.normal[i]) > 0) {  // the face lies behind it: a convex edge
-        dead[i] = 1;
-        return;
+  if (!grown.empty())
+    forBlocks(t.relax.surfelBins, bins, reach, block, [&](std::uint32_t i, RowBlock& around) {
+      if (i >= f.owned || !solid(i) || f.detail[i] < 0.5f) return;
+      bool beside = false;  // of a mesh: finer than the particles, up to a spacing off their surface
+      double nearest2 = finReach * finReach * w.scene.spacing * w.scene.spacing;
+      std::uint32_t face = 0xffffffffu;
+      for (const std::uint32_t k : around.around(f.position[i], reach)) {
+        const std::uint32_t j = row[around.row[k]];
+        const Vec3d d = around.at[k] - f.position[i];
+        const double d2 = dot(d, d);
+        if (d2 > reach * reach || f.component[j] != f.component[i]) continue;
+        beside = true;
+        if (!(f.id[j] & birthBit) || !cold(i)) continue;
+        if (dot(f.normal[i], f.normal[j]) > finTurn || d2 > nearest2 ||
+            (d2 == nearest2 && face != 0xffffffffu && f.id[j] > f.id[face]))
+          continue;
+        nearest2 = d2;
+        face = j;
       }
-    }
-    asked[i] = 1;
-  });
+      if (!beside) return;
+      if (face != 0xffffffffu) {
+        const Vec3d d = f.position[i] - f.position[face];
+        // the face lies behind it: a convex edge
+        if (dot(d, f.normal[face]) > finHeight * w.scene.spacing && dot(d, f.normal[i]) > 0) {
+          dead[i] = 1;
+          return;
+        }
+      }
+      asked[i] = 1;
+    });
   forFieldAtSurfels(w, t, asked, [&](std::size_t i, const FieldHere& c) {
     const double slope = length(c.gradient), along = slope > 0 ? -dot(c.gradient, f.normal[i]) / slope : -1;
     const double under = c.value / c.level - 1;
-    // a mesh may begin half a spacing farther in than particles have their surface: what softens there is carried out by the iterations
-    dead[i] = f.detail[i] >= 0.5f ? under < -meshOver || along < -0.2 : under < -hangsOver || (under > liesUnder && !softens(i)) || along < 0.5;
+    // a mesh may begin half a spacing farther in than particles have their surface: what softens there is
+    // carried out by the iterations
+    dead[i] = f.detail[i] >= 0.5f ? under < -meshOver || along < -0.2
+                                  : under < -hangsOver || (under > liesUnder && !softens(i)) || along < 0.5;
   });
 }
 
-/// Grown surfels of solids near loose ones settle with them: a crack that opens moves the surface beside what is born. Surfels have ghosts.
+/// Grown surfels of solids near loose ones settle with them: a crack that opens moves the surface beside what
+/// is born. Surfels have ghosts.
 void loosenAround(const World& w, Surfels& f) {
   const double reach = looseReach * w.scene.spacing;
   std::vector<Vec3d> loose;
@@ -216,7 +242,8 @@ void loosenAround(const World& w, Surfels& f) {
   fillBins(loose.data(), loose.size(), reach, bins);
   for (std::size_t i = 0; i < f.owned && !loose.empty(); i++) {
     if (f.loose[i] || f.detail[i] >= 0.5f) continue;
-    forRowsWithin(bins, f.position[i], reach, [&](std::uint32_t j, double) { f.loose[i] |= component[j] == f.component[i]; });
+    forRowsWithin(bins, f.position[i], reach,
+                  [&](std::uint32_t j, double) { f.loose[i] |= component[j] == f.component[i]; });
   }
 }
 

@@ -9,11 +9,13 @@
 
 namespace thaw {
 
-/// The surfels around a particle, as seen from it (m): field by field, so that a direction is compared with several at once.
+/// The surfels around a particle, as seen from it (m): field by field, so that a direction is compared with
+/// several at once.
 class DiscsOver {
  public:
   /// spacing (m) of the particles; reach in spacings: what is farther above or below covers nothing.
-  DiscsOver(double spacing, double reach) : most_(static_cast<float>(reach * spacing)), half_(static_cast<float>(0.5 * spacing)) {}
+  DiscsOver(double spacing, double reach)
+      : most_(static_cast<float>(reach * spacing)), half_(static_cast<float>(0.5 * spacing)) {}
   void clear() { size_ = 0, closed_ = false; }
   void add(const Vec3d& d, const Vec3d& n, double r) {
     if (size_ + padding > x_.size())
@@ -21,7 +23,8 @@ class DiscsOver {
     put(d, n, r * r);
     closed_ = false;
   }
-  /// Is a disc of the surface above or below the place half a spacing in direction u? Or anywhere, at `place` seen from the particle.
+  /// Is a disc of the surface above or below the place half a spacing in direction u? Or anywhere, at `place`
+  /// seen from the particle.
   bool covers(const Vec3d& u) { return covers(static_cast<double>(half_) * u, u); }
   bool covers(const Vec3d& place, const Vec3d& normal) {
     if (size_ == 0) return false;
@@ -30,8 +33,11 @@ class DiscsOver {
       for (std::size_t k = 1; k < padding; k++) put({}, {}, 0);
       size_ = n, closed_ = true;
     }
-    const DiscsAround discs{x_.data(), y_.data(), z_.data(), nx_.data(), ny_.data(), nz_.data(), r2_.data(), size_, most_, static_cast<float>(oneSide)};
-    const std::array<float, 3> p{static_cast<float>(place.x), static_cast<float>(place.y), static_cast<float>(place.z)}, u{static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)};
+    const DiscsAround discs{x_.data(),  y_.data(),  z_.data(), nx_.data(), ny_.data(),
+                            nz_.data(), r2_.data(), size_,     most_,      static_cast<float>(oneSide)};
+    const std::array<float, 3> p{static_cast<float>(place.x), static_cast<float>(place.y),
+                                 static_cast<float>(place.z)},
+        u{static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)};
     return bestSurfaceKernels().covered(discs, p.data(), u.data());
   }
 

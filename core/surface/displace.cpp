@@ -16,22 +16,44 @@ double weight(double r2, double h2) {
   return u * u * u;
 }
 
-/// Particles that lie within a third of their distance of a plane say nothing of what goes on across it: a plate of one layer that is not quite flat would have
-/// its ripples tell how thick it is, and its two sides fall together as it turns and swings.
+/// Particles that lie within a third of their distance of a plane say nothing of what goes on across it: a
+/// plate of one layer that is not quite flat would have its ripples tell how thick it is, and its two sides
+/// fall together as it turns and swings.
 constexpr double layerCutoff = 0.1;
 
 /// Displacement and its gradient at a surfel.
-struct Carry { Vec3d move{}; Mat3d gradient{}; double weight = 0, moved = 0, liquid = 0, temperature = 0; };
+struct Carry {
+  Vec3d move{};
+  Mat3d gradient{};
+  double weight = 0, moved = 0, liquid = 0, temperature = 0;
+};
 
-/// What particles add to the sums at surfels, by row: u - G (x_j - origin), G, liquid fraction, temperature. With u + G (x - x_j) = (u - G x_j) + G x
-/// the sums are the same for all x. origin: of the bins, which is the same on all ranks.
+/// What particles add to the sums at surfels, by row: u - G (x_j - origin), G, liquid fraction, temperature.
+/// With u + G (x - x_j) = (u - G x_j) + G x the sums are the same for all x. origin: of the bins, which is
+/// the same on all ranks.
 void packParticles(const SurfaceParticles& p, const Vec3d& origin, AlignedVector<double>& records) {
   records.resize(carryRecord * p.size());
   for (std::size_t j = 0; j < p.size(); j++) {
     const Mat3d& g = p.gradient[j];
     const Vec3d x = p.position[j], c = p.displacement[j] - g * (x - origin);
-    const std::array<double, carryRecord> r{x.x, x.y, x.z, p.liquid.active ? static_cast<double>(p.liquid[j]) : 1, c.x, c.y, c.z, g.row[0].x, g.row[0].y, g.row[0].z, g.row[1].x, g.row[1].y, g.row[1].z, g.row[2].x, g.row[2].y, g.row[2].z,
-                                            p.liquid.active ? static_cast<double>(p.liquid[j]) : 0, p.temperature.active ? static_cast<double>(p.temperature[j]) : 0};
+    const std::array<double, carryRecord> r{x.x,
+                                            x.y,
+                                            x.z,
+                                            p.liquid.active ? static_cast<double>(p.liquid[j]) : 1,
+                                            c.x,
+                                            c.y,
+                                            c.z,
+                                            g.row[0].x,
+                                            g.row[0].y,
+                                            g.row[0].z,
+                                            g.row[1].x,
+                                            g.row[1].y,
+                                            g.row[1].z,
+                                            g.row[2].x,
+                                            g.row[2].y,
+                                            g.row[2].z,
+                                            p.liquid.active ? static_cast<double>(p.liquid[j]) : 0,
+                                            p.temperature.active ? static_cast<double>(p.temperature[j]) : 0};
     std::copy(r.begin(), r.end(), &records[carryRecord * j]);
   }
 }
@@ -43,7 +65,8 @@ Carry carryOf(const double* sums, std::size_t lane, const Vec3d& fromOrigin) {
   if (!(c.weight > 0)) return c;
   std::array<double, carryValues> v;
   c.moved = sums[8 * (1 + carryValues) + lane];
-  for (std::size_t k = 0; k < carryValues; k++) v[k] = sums[8 * (1 + k) + lane] / (k < carryMotion ? c.moved : c.weight);
+  for (std::size_t k = 0; k < carryValues; k++)
+    v[k] = sums[8 * (1 + k) + lane] / (k < carryMotion ? c.moved : c.weight);
   c.gradient = {{{v[3], v[4], v[5]}, {v[6], v[7], v[8]}, {v[9], v[10], v[11]}}};
   c.move = Vec3d{v[0], v[1], v[2]} + c.gradient * fromOrigin;
   c.liquid = v[12];
@@ -51,9 +74,10 @@ Carry carryOf(const double* sums, std::size_t lane, const Vec3d& fromOrigin) {
   return c;
 }
 
-/// The gradient of what carries the surfels, which is sum w (u + G (x - x_j)) / sum w: the mean of G, and what the weights' change adds. K05's mean of
-/// G alone has discs stand on edge in folds that bend and open: they turn otherwise than the places of those around them. Not of what is liquid,
-/// which gets its normals from the iterations.
+/// The gradient of what carries the surfels, which is sum w (u + G (x - x_j)) / sum w: the mean of G, and
+/// what the weights' change adds. K05's mean of G alone has discs stand on edge in folds that bend and open:
+/// they turn otherwise than the places of those around them. Not of what is liquid, which gets its normals
+/// from the iterations.
 struct Bend {
   CarrySums* in;
   const SurfaceKernels* kernels;
@@ -68,7 +92,8 @@ struct Bend {
   Mat3d added(std::size_t lane, double weight) const {
     Mat3d m;
     for (std::size_t a = 0; a < 3; a++)
-      for (std::size_t b = 0; b < 3; b++) m.row[a][static_cast<int>(b)] = -6 * in->perSupport2 / weight * sums[8 * (3 * a + b) + lane];
+      for (std::size_t b = 0; b < 3; b++)
+        m.row[a][static_cast<int>(b)] = -6 * in->perSupport2 / weight * sums[8 * (3 * a + b) + lane];
     return m;
   }
 };
@@ -85,7 +110,8 @@ double strainOf(const Mat3d& g) {
   return std::sqrt(sum);
 }
 
-/// Turns the tangents with the gradient of the displacement; false where they become one line: the frame is kept.
+/// Turns the tangents with the gradient of the displacement; false where they become one line: the frame is
+/// kept.
 bool turnFrame(const Mat3d& gradient, Vec3d& normal, Vec3d& tangent) {
   const Vec3d second = cross(normal, tangent);
   const Vec3d a = tangent + gradient * tangent, b = second + gradient * second;
@@ -139,14 +165,20 @@ void findDisplacementGradients(World& w, SurfaceHalos halos, SurfaceTools& t) {
     if (p.component[i] == noComponent) continue;
     Sym3d moment;
     Mat3d sum{};
-    forRowsAround(t.relax.particleBins, p.position[i], p.position[i], h, [&](std::uint32_t j, const Vec3d& at) {
-      const Vec3d d = at - p.position[i];
-      const double r2 = dot(d, d);
-      if (r2 >= h2 || p.component[j] != p.component[i] || r2 == 0) return;
-      const double v = weight(r2, h2) * (p.liquid.active ? std::max(leastCarry, 1 - std::max(0.0, static_cast<double>(p.liquid[j]) - static_cast<double>(p.liquid[i]))) : 1);
-      moment = moment + v * Sym3d{d.x * d.x, d.y * d.y, d.z * d.z, d.x * d.y, d.y * d.z, d.x * d.z};
-      sum = sum + outer(v * (p.displacement[j] - p.displacement[i]), d);
-    });
+    forRowsAround(
+        t.relax.particleBins, p.position[i], p.position[i], h, [&](std::uint32_t j, const Vec3d& at) {
+          const Vec3d d = at - p.position[i];
+          const double r2 = dot(d, d);
+          if (r2 >= h2 || p.component[j] != p.component[i] || r2 == 0) return;
+          const double v = weight(r2, h2) *
+                           (p.liquid.active
+                                ? std::max(leastCarry,
+                                           1 - std::max(0.0, static_cast<double>(p.liquid[j]) -
+                                                                 static_cast<double>(p.liquid[i])))
+                                : 1);
+          moment = moment + v * Sym3d{d.x * d.x, d.y * d.y, d.z * d.z, d.x * d.y, d.y * d.z, d.x * d.z};
+          sum = sum + outer(v * (p.displacement[j] - p.displacement[i]), d);
+        });
     const MomentInverse inverse = invertMoment(moment, layerCutoff);
     p.gradient[i] = completeGradient(sum * full(inverse.inverse), inverse.inverse, inverse.rank);
   }
@@ -201,11 +233,13 @@ void displaceSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
   const auto bends = [](const Carry& c) { return c.weight > 0 && c.liquid < 1; };
   for (std::size_t g = 0; g < r.lists.groups(); g++) {
     r.kernels->carry(in, g, sums.data());
-    for (std::size_t lane = 0; lane < 8; lane++) found[lane] = carryOf(sums.data(), lane, s.position[r.lists.self[8 * g + lane]] - r.particleBins.base);
+    for (std::size_t lane = 0; lane < 8; lane++)
+      found[lane] = carryOf(sums.data(), lane, s.position[r.lists.self[8 * g + lane]] - r.particleBins.base);
     if (std::any_of(found.begin(), found.end(), bends)) {
       bend.find(g, found);
       for (std::size_t lane = 0; lane < 8; lane++)
-        if (bends(found[lane])) found[lane].gradient = found[lane].gradient + bend.added(lane, found[lane].moved);
+        if (bends(found[lane]))
+          found[lane].gradient = found[lane].gradient + bend.added(lane, found[lane].moved);
     }
     for (std::size_t lane = 0; lane < r.lists.lanes[g]; lane++) move(r.lists.self[8 * g + lane], found[lane]);
   }

@@ -35,13 +35,16 @@ bool covered(const Patch& patch, const SurfacePoint& p, double distance) {
   return false;
 }
 
-/// 1 for directions whose point (pointAround) no surfel of the patch covers, else 0. All directions at once, in units of `distance`: most surfels have none.
+/// 1 for directions whose point (pointAround) no surfel of the patch covers, else 0. All directions at once,
+/// in units of `distance`: most surfels have none.
 std::array<float, directions> openDirections(Patch& patch, double distance, const Circle& circle) {
   const Surfels& s = *patch.surfels;
-  const Vec3d centre = s.position[patch.centre], n = s.normal[patch.centre], u = s.tangent[patch.centre], v = cross(n, u);
+  const Vec3d centre = s.position[patch.centre], n = s.normal[patch.centre], u = s.tangent[patch.centre],
+              v = cross(n, u);
   CirclePlaces at{circle.cosineF.data(), circle.sineF.data(), {}, {}, {}, {}, static_cast<float>(oneSide)};
   for (int a = 0; a < 3; a++) {
-    at.normal[a] = static_cast<float>(n[a]), at.tangent[a] = static_cast<float>(u[a]), at.across[a] = static_cast<float>(v[a]);
+    at.normal[a] = static_cast<float>(n[a]), at.tangent[a] = static_cast<float>(u[a]),
+    at.across[a] = static_cast<float>(v[a]);
     at.curvature[a] = static_cast<float>(patch.curvature[a] * distance);
   }
   const double perDistance = 1 / distance;
@@ -53,12 +56,13 @@ std::array<float, directions> openDirections(Patch& patch, double distance, cons
     for (const double v : {d.x, d.y, d.z, m.x, m.y, m.z}) *disc++ = static_cast<float>(v);
   }
   std::array<float, directions> open;
-  bestSurfaceKernels().openPlaces(at, patch.seen.data(), static_cast<std::size_t>(disc - patch.seen.data()) / 6, open.data());
+  bestSurfaceKernels().openPlaces(at, patch.seen.data(),
+                                  static_cast<std::size_t>(disc - patch.seen.data()) / 6, open.data());
   return open;
 }
 
-/// Is p off the solid, past a sharp edge? A face that bends away from the centre's, the surface convex there, has all of the solid behind
-/// it; one that bends toward it, all in front.
+/// Is p off the solid, past a sharp edge? A face that bends away from the centre's, the surface convex there,
+/// has all of the solid behind it; one that bends toward it, all in front.
 bool pastEdge(const Patch& patch, const SurfacePoint& p, double distance) {
   const Surfels& s = *patch.surfels;
   const Vec3d centre = s.position[patch.centre], normal = s.normal[patch.centre];
@@ -71,8 +75,10 @@ bool pastEdge(const Patch& patch, const SurfacePoint& p, double distance) {
   return false;
 }
 
-/// Does p lie on none of the discs around it, nor near the plane of any? Between faces that meet in an edge the mean of their planes (ontoSurface) may lie deep under both; what is born there
-/// goes on as a second sheet behind the surface. Of what has a mesh's detail: rims of thin plates that are grown are rounder than their discs.
+/// Does p lie on none of the discs around it, nor near the plane of any? Between faces that meet in an edge
+/// the mean of their planes (ontoSurface) may lie deep under both; what is born there goes on as a second
+/// sheet behind the surface. Of what has a mesh's detail: rims of thin plates that are grown are rounder than
+/// their discs.
 bool offAllDiscs(const Patch& patch, const SurfacePoint& p, double distance) {
   constexpr double highest = 0.4;
   const Surfels& s = *patch.surfels;
@@ -107,7 +113,8 @@ double widestGap(const Patch& patch, const SurfacePoint& p, double reach) {
 Crowding crowdingOf(const Patch& patch, double reach) {
   const Surfels& s = *patch.surfels;
   const std::size_t i = patch.centre;
-  const double r = s.radius[i], law = neighboursPerArea * (reach / r) * (reach / r), count = static_cast<double>(patch.rows.size());
+  const double r = s.radius[i], law = neighboursPerArea * (reach / r) * (reach / r),
+               count = static_cast<double>(patch.rows.size());
   Crowding c;
   c.thin = count < tooFew * law;
   c.closest = follows(s, i) ? crowdedAtSolid : count > tooMany * law ? crowdedAtMany : crowdedAt;
@@ -127,11 +134,14 @@ std::optional<SurfacePoint> emptyPlace(Patch& patch, double distance) {
   std::array<SurfacePoint, 8> some;
   std::size_t n = 0;
   const auto look = [&] {
-    ontoSurface(patch, some.data(), n, 2.5 * distance);  // they may have left the surface: at edges, where curvature changes
+    ontoSurface(patch, some.data(), n, 2.5 * distance);  // they may have left the surface: at edges, where
+                                                         // curvature changes
     for (std::size_t m = 0; m < n; m++) {
       const SurfacePoint& p = around[of[m]] = some[m];
       const Vec3d d = p.position - centre;
-      empty[of[m]] = dot(d, d) > 0.81 * distance * distance && dot(d, d) < 1.44 * distance * distance && !covered(patch, p, 0.95 * distance) && !pastEdge(patch, p, distance) && !offAllDiscs(patch, p, distance);
+      empty[of[m]] = dot(d, d) > 0.81 * distance * distance && dot(d, d) < 1.44 * distance * distance &&
+                     !covered(patch, p, 0.95 * distance) && !pastEdge(patch, p, distance) &&
+                     !offAllDiscs(patch, p, distance);
       count += empty[of[m]];
     }
     n = 0;

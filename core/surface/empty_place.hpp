@@ -23,12 +23,13 @@ inline bool tooClose(const Surfels& s, std::size_t i, std::size_t j, double clos
 /// patch: surfels of its side within `reach` (m), at most three radii (resample.hpp says what counts).
 Crowding crowdingOf(const Patch& patch, double reach);
 
-/// The middle of the longest arc of the circle of radius `distance` (m) around the patch's centre, on the surface, of which no point has a
-/// surfel within `distance`. The patch has to reach to 2.5 times the distance.
+/// The middle of the longest arc of the circle of radius `distance` (m) around the patch's centre, on the
+/// surface, of which no point has a surfel within `distance`. The patch has to reach to 2.5 times the
+/// distance.
 std::optional<SurfacePoint> emptyPlace(Patch& patch, double distance);
 
-/// The widest angle (rad) without a surfel of the patch within `reach` (m), seen from p along its tangent plane: below pi, p lies between
-/// surfels; above, it lies before a border.
+/// The widest angle (rad) without a surfel of the patch within `reach` (m), seen from p along its tangent
+/// plane: below pi, p lies between surfels; above, it lies before a border.
 double widestGap(const Patch& patch, const SurfacePoint& p, double reach);
 
 }  // namespace thaw

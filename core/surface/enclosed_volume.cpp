@@ -8,7 +8,8 @@ constexpr double surelyAt = 0.5;
 
 }  // namespace
 
-double enclosedVolume(const FacetSums& s, const Vec3d& middle, const std::array<bool, 3>& round, double spacing) {
+double enclosedVolume(const FacetSums& s, const Vec3d& middle, const std::array<bool, 3>& round,
+                      double spacing) {
   const bool all = round[0] && round[1] && round[2];
   const auto told = [&](std::size_t a) { return all || !round[a]; };
   const Vec3d from = s.rim > 0 ? s.rimPlace / s.rim : middle;
@@ -26,7 +27,8 @@ double enclosedVolume(const FacetSums& s, const Vec3d& middle, const std::array<
   double volume = 0, trace = 0;
   for (std::size_t a = 0; a < 3; a++) {
     const int x = static_cast<int>(a), y = (x + 1) % 3, z = (x + 2) % 3;
-    volume += weight.row[y][z] * (s.mixed[x] - from[y] * s.facets[z] - from[z] * s.facets[y]);  // 0 of axes that tell nothing
+    // 0 of axes that tell nothing
+    volume += weight.row[y][z] * (s.mixed[x] - from[y] * s.facets[z] - from[z] * s.facets[y]);
     if (!told(a)) continue;
     trace += weight.row[a][x];
     volume += weight.row[a][x] * (s.volume[x] - from[x] * s.facets[x]);

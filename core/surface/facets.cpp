@@ -6,7 +6,8 @@
 namespace thaw {
 namespace {
 
-constexpr double sharp = 0.3;       // cosine of the angle of normals from which on two surfels are on the planes of an edge
+constexpr double sharp = 0.3;  // cosine of the angle of normals from which on two surfels are on the planes
+                               // of an edge
 constexpr double rounder = 0.35;
 
 /// Eight times the height of the arc over a chord, times the chord, m^2: n and m are the normals at its ends.
@@ -19,7 +20,11 @@ double archOver(const Vec3d& chord, const Vec3d& n, const Vec3d& m) {
 struct Spoke {
   Vec3d to, normal;
   double length2, bend;
-  Spoke(const Surfels& f, std::size_t i, std::size_t j) : to(f.position[j] - f.position[i]), normal(f.normal[j]), length2(dot(to, to)), bend(archOver(to, f.normal[i], normal)) {}
+  Spoke(const Surfels& f, std::size_t i, std::size_t j)
+      : to(f.position[j] - f.position[i]),
+        normal(f.normal[j]),
+        length2(dot(to, to)),
+        bend(archOver(to, f.normal[i], normal)) {}
 };
 
 }  // namespace
@@ -37,8 +42,10 @@ void measureFan(Surfels& f, std::size_t i, std::span<const std::uint32_t> ring) 
     const Spoke b = k < ring.size() ? Spoke(f, i, ring[k]) : first;
     const Vec3d twice = cross(a.to, b.to);
     const double between = dot(a.to, b.to), twice2 = dot(twice, twice);
-    if (dot(twice, n) > 0 && twice2 > 1e-12 * a.length2 * b.length2) {  // else more than half a turn from one to the next: a rim; or all in a line
-      const double share = std::clamp((a.length2 * (b.length2 - between) + b.length2 * (a.length2 - between)) / (4 * twice2), 0.0, 1.0);
+    // else more than half a turn from one to the next: a rim; or all in a line
+    if (dot(twice, n) > 0 && twice2 > 1e-12 * a.length2 * b.length2) {
+      const double share = std::clamp(
+          (a.length2 * (b.length2 - between) + b.length2 * (a.length2 - between)) / (4 * twice2), 0.0, 1.0);
       facets += (0.5 * share) * twice;
       bulge += share * std::sqrt(twice2) / 48 * (a.bend + b.bend + archOver(b.to - a.to, a.normal, b.normal));
     }

@@ -13,14 +13,18 @@ ForceSums particleSumsOf(const World& w, const SurfaceTools& t) {
   ForceSums in;
   in.particle = t.relax.particle.data();
   in.particleColour = t.relax.particleColour.data();
-  const double h = s.particleSupport / s.grid.support, narrow = nearSupport * w.scene.spacing / s.grid.support;
+  const double h = s.particleSupport / s.grid.support,
+               narrow = nearSupport * w.scene.spacing / s.grid.support;
   in.perParticleSupport2 = static_cast<float>(1 / (h * h));
   in.perNearSupport2 = static_cast<float>(1 / (narrow * narrow));
   return in;
 }
 
 FieldProbe::FieldProbe(const World& w, const SurfaceTools& t)
-    : world_(w), tools_(t), sums_(particleSumsOf(w, t)), slope_(6 * w.surface.grid.support / (w.surface.particleSupport * w.surface.particleSupport)) {}
+    : world_(w),
+      tools_(t),
+      sums_(particleSumsOf(w, t)),
+      slope_(6 * w.surface.grid.support / (w.surface.particleSupport * w.surface.particleSupport)) {}
 
 void FieldProbe::around(const PlaceBox& box, std::uint64_t component, const Vec3d& home) {
   const Bins& bins = tools_.relax.particleBins;
@@ -70,11 +74,13 @@ void FieldProbe::at(const Vec3d* x, std::size_t n, FieldHere* found) {
     if (!(c.value > 0)) continue;
     const double near = s.particle(Near);
     c.tight = near < tight_.full ? 0.5 : 1;
-    c.level = tightened(tools_.relax.level.level(s.particle(SmoothColour) / c.value), near, tight_) * world_.scene.surface.isoLevel / 0.5;
+    c.level = tightened(tools_.relax.level.level(s.particle(SmoothColour) / c.value), near, tight_) *
+              world_.scene.surface.isoLevel / 0.5;
   }
 }
 
-void forFieldAtSurfels(const World& w, SurfaceTools& t, const std::vector<std::uint8_t>& asked, const std::function<void(std::size_t, const FieldHere&)>& found) {
+void forFieldAtSurfels(const World& w, SurfaceTools& t, const std::vector<std::uint8_t>& asked,
+                       const std::function<void(std::size_t, const FieldHere&)>& found) {
   const Surface& s = w.surface;
   GroupLists& l = t.relax.lists;
   listGroups(s, asked, t.relax.particleBins, t.relax.particleBins, {0, s.particleSupport}, l);
@@ -84,7 +90,8 @@ void forFieldAtSurfels(const World& w, SurfaceTools& t, const std::vector<std::u
   for (std::size_t g = 0; g < l.groups(); g++) {
     const std::uint32_t* rows = &l.self[8 * g];
     for (std::size_t k = 0; k < l.lanes[g]; k++) x[k] = s.surfels.position[rows[k]];
-    probe.among(l.particle.data() + l.firstParticle[g], l.firstParticle[g + 1] - l.firstParticle[g], s.surfels.component[rows[0]]);
+    probe.among(l.particle.data() + l.firstParticle[g], l.firstParticle[g + 1] - l.firstParticle[g],
+                s.surfels.component[rows[0]]);
     probe.at(x.data(), l.lanes[g], field.data());
     for (std::size_t k = 0; k < l.lanes[g]; k++) found(rows[k], field[k]);
   }

@@ -7,13 +7,15 @@
 namespace thaw {
 namespace {
 
-/// Spacings of the surfels, how far behind the other side is looked for, how far it may have come past, and how far it may lie to the side.
+/// Spacings of the surfels, how far behind the other side is looked for, how far it may have come past, and
+/// how far it may lie to the side.
 constexpr double deepest = 1.5, past = 0.2, beside = 0.8;
 
 }  // namespace
 
 double filmRoom(const Surfels& f, const Bins& bins, std::size_t i, double spacing, double slack) {
-  const double reach = spacing * std::hypot(deepest, beside) + slack, most = deepest * spacing, widest2 = beside * beside * spacing * spacing;
+  const double reach = spacing * std::hypot(deepest, beside) + slack, most = deepest * spacing,
+               widest2 = beside * beside * spacing * spacing;
   double least = std::numeric_limits<double>::infinity();
   const Vec3d x = f.position[i], n = f.normal[i];
   forRowsWithin(bins, x, reach, [&](std::uint32_t j, double) {

@@ -12,8 +12,9 @@ namespace {
 constexpr std::uint64_t surfelsOnly = std::uint64_t{1} << 63;
 constexpr double cosRest = 0.70710678118654752;  // pi/4
 constexpr std::uint64_t noParticle = ~std::uint64_t{0};
-/// Times the longest link of particles: surfels whose particles are farther apart do not hold these together. Longer in liquids: a stream that falls
-/// is stretched along itself, by 2.4 from 2 to 5 m/s, and is one. No bond of a solid is that long.
+/// Times the longest link of particles: surfels whose particles are farther apart do not hold these together.
+/// Longer in liquids: a stream that falls is stretched along itself, by 2.4 from 2 to 5 m/s, and is one. No
+/// bond of a solid is that long.
 constexpr double solidSkin = 5.0 / 3, liquidSkin = 2;
 
 /// Of a mesh's surfel, whose component is not known yet.
@@ -21,7 +22,8 @@ std::uint64_t bodyOf(std::uint64_t surfelId) { return surfelId >> 40 & 0x7fffff;
 
 /// What may hang together: of one component, and before there are any of one body.
 bool alike(const Surfels& f, std::size_t i, std::size_t j) {
-  return f.component[i] == f.component[j] && (f.component[i] != noComponent || bodyOf(f.id[i]) == bodyOf(f.id[j]));
+  return f.component[i] == f.component[j] &&
+         (f.component[i] != noComponent || bodyOf(f.id[i]) == bodyOf(f.id[j]));
 }
 bool alike(const SurfaceParticles& p, std::size_t i, std::size_t j) {
   return p.component[i] == p.component[j] && (p.component[i] != noComponent || p.body[i] == p.body[j]);
@@ -30,7 +32,8 @@ bool alike(const Surfels& f, std::size_t i, const SurfaceParticles& p, std::size
   return f.component[i] == p.component[j] && (f.component[i] != noComponent || bodyOf(f.id[i]) == p.body[j]);
 }
 
-/// May a fresh particle take the component of another one? As where surfaces meet (merge.cpp): what the scene keeps apart is not joined by what is added to it.
+/// May a fresh particle take the component of another one? As where surfaces meet (merge.cpp): what the scene
+/// keeps apart is not joined by what is added to it.
 bool mayTake(const World& w, std::size_t fresh, std::size_t j) {
   const SurfaceParticles& p = w.surface.particles;
   if (p.body[fresh] == p.body[j]) return true;
@@ -90,7 +93,9 @@ bool anywhere(Reducer& all, bool here) {
 }
 
 /// Rows of a block within a radius that are like row i, into `near`.
-template<class Rows> void listNear(const Rows& rows, std::uint32_t i, const RowBlock& block, double r2, std::vector<ComponentTools::Near>& near) {
+template<class Rows>
+void listNear(const Rows& rows, std::uint32_t i, const RowBlock& block, double r2,
+              std::vector<ComponentTools::Near>& near) {
   near.clear();
   const Vec3d x = rows.position[i];
   for (std::size_t k = 0; k < block.count; k++) {
@@ -115,7 +120,8 @@ void findNearestParticles(World& w, ComponentTools& t) {
     for (std::size_t k = 0; k < block.count; k++) {
       const Vec3d d = block.at[k] - f.position[i];
       const double d2 = dot(d, d);
-      if (d2 <= first * first && d2 <= best.d2 && alike(f, i, p, block.row[k])) best.offer(d2, p.id[block.row[k]], block.row[k]);
+      if (d2 <= first * first && d2 <= best.d2 && alike(f, i, p, block.row[k]))
+        best.offer(d2, p.id[block.row[k]], block.row[k]);
     }
     if (!best.found())
       forRowsWithin(t.particleBins, f.position[i], s.particleSupport, [&](std::uint32_t j, double d2) {
@@ -126,11 +132,15 @@ void findNearestParticles(World& w, ComponentTools& t) {
   });
 }
 
-/// Surfels::reach, what the other end of a link must know: the square of the distance to the k-th nearest surfel that is alike. 0 where all that hang together already are within h_ss.
+/// Surfels::reach, what the other end of a link must know: the square of the distance to the k-th nearest
+/// surfel that is alike. 0 where all that hang together already are within h_ss.
 void findReach(Surface& s, ComponentTools& t, const std::vector<std::uint8_t>& mixed) {
   Surfels& f = s.surfels;
-  const auto closer = [](const ComponentTools::Near& a, const ComponentTools::Near& b) { return a.d2 < b.d2; };
-  const double usual = std::min(usualReach * s.spacing, s.surfelSupport), all2 = s.surfelSupport * s.surfelSupport;
+  const auto closer = [](const ComponentTools::Near& a, const ComponentTools::Near& b) {
+    return a.d2 < b.d2;
+  };
+  const double usual = std::min(usualReach * s.spacing, s.surfelSupport),
+               all2 = s.surfelSupport * s.surfelSupport;
   std::fill_n(f.reach.data(), f.owned, 0.0);
   for (std::size_t b = 0; b < t.surfelBins.size(); b++) {
     if (!mixed[b]) continue;
@@ -147,7 +157,9 @@ void findReach(Surface& s, ComponentTools& t, const std::vector<std::uint8_t>& m
       }
       // fewer than ten: all within h_ss
       if (t.near.size() < nearestSurfels) f.reach[i] = all2;
-      else std::nth_element(t.near.begin(), t.near.begin() + nearestSurfels - 1, t.near.end(), closer), f.reach[i] = t.near[nearestSurfels - 1].d2;
+      else
+        std::nth_element(t.near.begin(), t.near.begin() + nearestSurfels - 1, t.near.end(), closer),
+            f.reach[i] = t.near[nearestSurfels - 1].d2;
     }
   }
 }
@@ -156,7 +168,9 @@ void findReach(Surface& s, ComponentTools& t, const std::vector<std::uint8_t>& m
 void joinSurfels(const World& w, ComponentTools& t, const std::vector<std::uint8_t>& mixed, Sets& sets) {
   const Surface& s = w.surface;
   const Surfels& f = s.surfels;
-  const double link1 = w.scene.surface.linkLength * w.scene.spacing, solid2 = solidSkin * solidSkin * link1 * link1, liquid2 = liquidSkin * liquidSkin * link1 * link1;
+  const double link1 = w.scene.surface.linkLength * w.scene.spacing,
+               solid2 = solidSkin * solidSkin * link1 * link1,
+               liquid2 = liquidSkin * liquidSkin * link1 * link1;
   // what is carried by particles too far apart is on two sides of a crack, or of a neck that has parted
   const auto held = [&](std::uint32_t i, std::uint32_t j) {
     if (f.nearest[i] == noParticle || f.nearest[j] == noParticle) return true;
@@ -166,9 +180,12 @@ void joinSurfels(const World& w, ComponentTools& t, const std::vector<std::uint8
   };
   forMixed(t.surfelBins, mixed, [&](std::uint32_t i) {
     if (f.reach[i] == 0) return;
-    forRowsWithin(t.surfelBins, f.position[i], std::sqrt(f.reach[i]) * (1 + 1e-12), [&](std::uint32_t j, double d2) {
-      if (j != i && d2 <= f.reach[i] && alike(f, i, j) && dot(f.normal[i], f.normal[j]) >= cosRest && held(i, j)) sets.join(i, j);
-    });
+    forRowsWithin(t.surfelBins, f.position[i], std::sqrt(f.reach[i]) * (1 + 1e-12),
+                  [&](std::uint32_t j, double d2) {
+                    if (j != i && d2 <= f.reach[i] && alike(f, i, j) &&
+                        dot(f.normal[i], f.normal[j]) >= cosRest && held(i, j))
+                      sets.join(i, j);
+                  });
   });
 }
 
@@ -183,13 +200,15 @@ void joinParticles(const World& w, ComponentTools& t, Sets& sets) {
   });
 }
 
-/// Owned surfels with their nearest particle, owned particles with the ghost surfels whose nearest they are: so both ends' ranks know the link.
+/// Owned surfels with their nearest particle, owned particles with the ghost surfels whose nearest they are:
+/// so both ends' ranks know the link.
 void joinBoth(const Surface& s, Sets& sets) {
   const Surfels& f = s.surfels;
   const SurfaceParticles& p = s.particles;
   const auto offset = static_cast<std::uint32_t>(f.size());
   IdTable rows;
-  for (std::size_t j = p.size(); j-- > 0;) rows.insert(p.id[j], static_cast<std::uint32_t>(j));  // of several images the first, the owned one
+  // of several images the first, the owned one
+  for (std::size_t j = p.size(); j-- > 0;) rows.insert(p.id[j], static_cast<std::uint32_t>(j));
   for (std::size_t i = 0; i < f.size(); i++) {
     if (f.nearest[i] == noParticle) continue;
     const std::uint32_t j = rows.find(f.nearest[i]);
@@ -208,8 +227,10 @@ void settleParts(Surface& s, SurfaceHalos halos, Sets& sets) {
     refreshGhosts(halos.surfels, f, ColumnList{&f.part});
     refreshGhosts(halos.particles, p, ColumnList{&p.part});
     bool lowered = false;
-    for (std::size_t i = f.owned; i < f.size(); i++) lowered |= sets.lower(static_cast<std::uint32_t>(i), f.part[i]);
-    for (std::size_t i = p.owned; i < p.size(); i++) lowered |= sets.lower(offset + static_cast<std::uint32_t>(i), p.part[i]);
+    for (std::size_t i = f.owned; i < f.size(); i++)
+      lowered |= sets.lower(static_cast<std::uint32_t>(i), f.part[i]);
+    for (std::size_t i = p.owned; i < p.size(); i++)
+      lowered |= sets.lower(offset + static_cast<std::uint32_t>(i), p.part[i]);
     changed = anywhere(halos.all, lowered);
   }
 }
@@ -281,7 +302,8 @@ void findParts(World& w, SurfaceHalos halos, ComponentTools& t) {
   joinParticles(w, t, sets);
   joinBoth(s, sets);
   settleParts(s, halos, sets);
-  const std::vector<std::uint8_t> mixed = mixedBins(t.surfelBins, f.part.data(), t.surfelBins, f.part.data(), s.surfelSupport);
+  const std::vector<std::uint8_t> mixed = mixedBins(t.surfelBins, f.part.data(), t.surfelBins, f.part.data(),
+                                                    s.surfelSupport);
   if (!anywhere(halos.all, std::find(mixed.begin(), mixed.end(), 1) != mixed.end())) return;
   findReach(s, t, mixed);
   refreshGhosts(halos.surfels, f, ColumnList{&f.reach});

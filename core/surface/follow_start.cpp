@@ -7,25 +7,34 @@ namespace thaw {
 namespace {
 
 constexpr float wet = 0.02f;
-/// Where places of the start lie nearer to a plane than this share of the squares of their distances, what goes on across it follows from that plane's turn.
+/// Where places of the start lie nearer to a plane than this share of the squares of their distances, what
+/// goes on across it follows from that plane's turn.
 constexpr double flat = 0.03;
 
 /// A particle, as seen from the surfel: at the start and now.
-struct Partner { Vec3d then, now; double weight; };
+struct Partner {
+  Vec3d then, now;
+  double weight;
+};
 
 enum class Found { Map, TooFew, Bare };
 
 /// x = now + gradient (X - then), weighted means and least squares.
-struct AffineMap { Vec3d then{}, now{}; Mat3d gradient{}; };
+struct AffineMap {
+  Vec3d then{}, now{};
+  Mat3d gradient{};
+};
 
-Found findPartners(const World& w, const Bins& bins, std::size_t i, const Periods& periods, std::vector<Partner>& partners) {
+Found findPartners(const World& w, const Bins& bins, std::size_t i, const Periods& periods,
+                   std::vector<Partner>& partners) {
   const Surfels& s = w.surface.surfels;
   const SurfaceParticles& p = w.surface.particles;
   const double reach = followReach * w.scene.spacing, reach2 = reach * reach;
   partners.clear();
   bool bare = false;
   forRowsWithin(bins, s.position[i], w.surface.particleSupport, [&](std::uint32_t j, double) {
-    if (p.component[j] != s.component[i] || (!p.covered[j] && p.startPlace[j] == Vec3d{})) return;  // else it came later
+    // else it came later
+    if (p.component[j] != s.component[i] || (!p.covered[j] && p.startPlace[j] == Vec3d{})) return;
     const Vec3d then = minimumImage(p.startPlace[j] - s.startPlace[i], periods);
     const double share = 1 - dot(then, then) / reach2;
     if (!(share > 0)) return;
@@ -38,7 +47,8 @@ Found findPartners(const World& w, const Bins& bins, std::size_t i, const Period
 bool fit(const std::vector<Partner>& partners, AffineMap& map) {
   map = {};
   double sum = 0;
-  for (const Partner& q : partners) sum += q.weight, map.then += q.weight * q.then, map.now += q.weight * q.now;
+  for (const Partner& q : partners)
+    sum += q.weight, map.then += q.weight * q.then, map.now += q.weight * q.now;
   if (!(sum > 0)) return false;
   map.then = map.then / sum;
   map.now = map.now / sum;
@@ -51,12 +61,14 @@ bool fit(const std::vector<Partner>& partners, AffineMap& map) {
   }
   const MomentInverse inverse = invertMoment(moment, flat);
   if (inverse.rank < 2) return false;
-  map.gradient = identity3<double>() + completeGradient(moved * full(inverse.inverse), inverse.inverse, inverse.rank);
+  map.gradient = identity3<double>() +
+                 completeGradient(moved * full(inverse.inverse), inverse.inverse, inverse.rank);
   return true;
 }
 
 /// False where the frame becomes a line: it is kept.
-bool turnFrame(const Mat3d& gradient, const Vec3d& startNormal, const Vec3d& startTangent, Vec3d& normal, Vec3d& tangent) {
+bool turnFrame(const Mat3d& gradient, const Vec3d& startNormal, const Vec3d& startTangent, Vec3d& normal,
+               Vec3d& tangent) {
   const Vec3d a = gradient * startTangent, b = gradient * cross(startNormal, startTangent), n = cross(a, b);
   const double size = length(n);
   if (!(size > 1e-6 * length(a) * length(b))) return false;
@@ -87,7 +99,8 @@ void followStart(World& w, const Bins& bins) {
   AffineMap map;
   for (std::size_t i = 0; i < s.owned; i++) {
     if (!s.follows[i]) continue;
-    const Found found = s.liquid.active && s.liquid[i] >= wet ? Found::Bare : findPartners(w, bins, i, periods, partners);
+    const Found found = s.liquid.active && s.liquid[i] >= wet ? Found::Bare
+                                                              : findPartners(w, bins, i, periods, partners);
     if (found == Found::Bare) {
       s.follows[i] = 0;
       s.startPlace[i] = s.startNormal[i] = s.startTangent[i] = {};

@@ -1,6 +1,7 @@
-// The sums of a surfel over the particles and surfels around it (K05 4.2.2): a lane is a surfel, and adds its neighbours one after another in
-// the order of the group's list. Eight surfels that lie together share a list, so that a neighbour is loaded once and spread over the
-// lanes: with 130 particles a surfel that takes a third of the time of a list for each.
+// The sums of a surfel over the particles and surfels around it (K05 4.2.2): a lane is a surfel, and adds its
+// neighbours one after another in the order of the group's list. Eight surfels that lie together share a
+// list, so that a neighbour is loaded once and spread over the lanes: with 130 particles a surfel that takes
+// a third of the time of a list for each.
 #include "core/math/vec3.hpp"
 #include "core/simd/lanes.hpp"
 #include "core/surface/surface_kernels.hpp"
@@ -14,9 +15,12 @@ using V = Vec3<LanesF>;
 
 THAW_INLINE const Record<float>* records(const float* p) { return reinterpret_cast<const Record<float>*>(p); }
 THAW_INLINE V apart(const Lanes4<float>& own, const Record<float>& other) {
-  return {positionDifference(own.a, LanesF(other.a)), positionDifference(own.b, LanesF(other.b)), positionDifference(own.c, LanesF(other.c))};
+  return {positionDifference(own.a, LanesF(other.a)), positionDifference(own.b, LanesF(other.b)),
+          positionDifference(own.c, LanesF(other.c))};
 }
-THAW_INLINE void store(float* to, int channel, LanesF v) { *reinterpret_cast<Vec8f*>(to + 8 * channel) = v.v; }
+THAW_INLINE void store(float* to, int channel, LanesF v) {
+  *reinterpret_cast<Vec8f*>(to + 8 * channel) = v.v;
+}
 THAW_INLINE void store(float* to, int channel, const V& v) {
   store(to, channel, v.x);
   store(to, channel + 1, v.y);
@@ -28,12 +32,14 @@ template<bool gaps> THAW_INLINE void overParticlesOf(const ForceSums& in, std::s
   const LanesF zero(0.0f), one(1.0f), perSupport2(in.perParticleSupport2), perNear2(in.perNearSupport2);
   const Lanes4<float> own = load(records(in.place), in.self + 8 * g);
   LanesF colour(0.0f), smooth(0.0f), near(0.0f);
-  V gradient{zero, zero, zero}, smoothGradient{zero, zero, zero}, attraction{zero, zero, zero}, nearGradient{zero, zero, zero}, up{zero, zero, zero};
+  V gradient{zero, zero, zero}, smoothGradient{zero, zero, zero}, attraction{zero, zero, zero},
+      nearGradient{zero, zero, zero}, up{zero, zero, zero};
   LanesF lowest(0.0f);  // of the heights of surfels over particles
   if constexpr (gaps) {
     const Lanes4<float> frame = load(records(in.normal), in.self + 8 * g);
     up = {frame.a, frame.b, frame.c};
-    for (int lane = 0; lane < 8; lane++) lowest.v[lane] = -in.ceiling[in.self[8 * g + static_cast<std::size_t>(lane)]];
+    for (int lane = 0; lane < 8; lane++)
+      lowest.v[lane] = -in.ceiling[in.self[8 * g + static_cast<std::size_t>(lane)]];
   }
   for (std::uint64_t n = in.firstParticle[g]; n < in.firstParticle[g + 1]; n++) {
     const std::uint32_t j = in.particleRow[n];
@@ -41,7 +47,8 @@ template<bool gaps> THAW_INLINE void overParticlesOf(const ForceSums& in, std::s
     const V d = apart(own, p);
     LanesF r2 = dot(d, d);
     if constexpr (gaps) r2 = select(dot(d, up) > lowest, r2, LanesF(1e30f));
-    const LanesF u = max(one - r2 * perSupport2, zero), u2 = u * u, v2 = LanesF(p.d) * u2, v3 = v2 * u, a2 = LanesF(in.particleColour[j]) * u2;
+    const LanesF u = max(one - r2 * perSupport2, zero), u2 = u * u, v2 = LanesF(p.d) * u2, v3 = v2 * u,
+                 a2 = LanesF(in.particleColour[j]) * u2;
     colour += v3;
     smooth += a2 * u;
     smoothGradient += a2 * d;
@@ -73,11 +80,14 @@ template<bool plane> THAW_INLINE void overSurfelsOf(const ForceSums& in) {
   const LanesF zero(0.0f), one(1.0f), two(2.0f), half(0.5f), tiny(1e-30f), beyond(1.0001f);
   for (std::size_t k = 0; k < in.groupCount; k++) {
     const std::size_t g = in.groups[k];
-    const Lanes4<float> own = load(records(in.place), in.self + 8 * g), frame = load(records(in.normal), in.self + 8 * g);
+    const Lanes4<float> own = load(records(in.place), in.self + 8 * g),
+                        frame = load(records(in.normal), in.self + 8 * g);
     const V normal{frame.a, frame.b, frame.c};
-    const LanesF reach = LanesF(in.support) * frame.d, reach2 = reach * reach, perReach2 = one / reach2, range = LanesF(half.v * in.repelRange);
+    const LanesF reach = LanesF(in.support) * frame.d, reach2 = reach * reach, perReach2 = one / reach2,
+                 range = LanesF(half.v * in.repelRange);
     LanesF weight(0.0f), height(0.0f), stiffness(0.0f), stirred(0.0f), coincident(0.0f);
-    V mean{zero, zero, zero}, repulsion{zero, zero, zero}, square{zero, zero, zero}, mixed{zero, zero, zero};  // mean: of d, or of normals
+    // mean: of d, or of normals
+    V mean{zero, zero, zero}, repulsion{zero, zero, zero}, square{zero, zero, zero}, mixed{zero, zero, zero};
     for (std::uint64_t n = in.firstSurfel[g]; n < in.firstSurfel[g + 1]; n++) {
       const std::uint32_t j = in.surfel[n];
       const Record<float>& x = records(in.place)[j];
@@ -87,7 +97,8 @@ template<bool plane> THAW_INLINE void overSurfelsOf(const ForceSums& in) {
       if (!any(r2 < max(reach2, span * span * beyond))) continue;  // in the list for its margin: half of them
       const LanesF sides = dot(normal, other), u = max(one - r2 * perReach2, zero);
       const auto distinct = r2 > zero;
-      const LanesF like = max(min((sides - LanesF(in.sameSide)) * LanesF(in.perSide), one), zero);  // continuous: else normals flip to and fro
+      // continuous: else normals flip to and fro
+      const LanesF like = max(min((sides - LanesF(in.sameSide)) * LanesF(in.perSide), one), zero);
       const LanesF w = select(distinct, like * u * u * u, zero);
       weight += w;
       if constexpr (plane) {
@@ -95,7 +106,8 @@ template<bool plane> THAW_INLINE void overSurfelsOf(const ForceSums& in) {
         square += w * V{d.x * d.x, d.y * d.y, d.z * d.z};
         mixed += w * V{d.x * d.y, d.y * d.z, d.x * d.z};
       } else {
-        // mirrored at the plane halfway between the two: there a sphere through both, with their normals, is its own image
+        // mirrored at the plane halfway between the two: there a sphere through both, with their normals, is
+        // its own image
         const LanesF along = dot(d, other), fold = two * along / max(r2, tiny);
         height += w * half * (dot(d, normal) + along);
         mean += w * (other - fold * d);
@@ -131,15 +143,26 @@ void overSurfels(const ForceSums& in) { in.plane ? overSurfelsOf<true>(in) : ove
 
 void carry(const CarrySums&, std::size_t, double*);  // carry_isa.cpp
 void bend(const CarrySums&, std::size_t, double*);
-void areas(const AreaCells&, double*, double*);        // areas_isa.cpp
+void areas(const AreaCells&, double*, double*);                           // areas_isa.cpp
 void openPlaces(const CirclePlaces&, const float*, std::size_t, float*);  // patch_isa.cpp
 bool covered(const DiscsAround&, const float*, const float*);
 void betweenDiscs(const PatchPlaces&, double*);
-std::uint32_t nearBox(const NearBox&, const float*, const float*, const float*, std::uint32_t, std::uint32_t*);  // near_box_isa.cpp
+// near_box_isa.cpp
+std::uint32_t nearBox(const NearBox&, const float*, const float*, const float*, std::uint32_t,
+                      std::uint32_t*);
 
 const SurfaceKernels& surfaceKernelSet();
 const SurfaceKernels& surfaceKernelSet() {
-  static constexpr SurfaceKernels set{THAW_STRING(THAW_ISA) + 4, overParticles, overSurfels, carry, bend, areas, openPlaces, covered, betweenDiscs, nearBox};
+  static constexpr SurfaceKernels set{THAW_STRING(THAW_ISA) + 4,
+                                      overParticles,
+                                      overSurfels,
+                                      carry,
+                                      bend,
+                                      areas,
+                                      openPlaces,
+                                      covered,
+                                      betweenDiscs,
+                                      nearBox};
   return set;
 }
 

@@ -10,22 +10,28 @@
 namespace thaw {
 namespace {
 
-/// Volume of a solid particle now over its own at rest: det F. A body that a blow presses together is smaller all over; volume keeping must not make up for that
-/// with the little of it that has melted. Of bodies that began as solids: plates that a stream freezes to are too thin for a det F. Held to what a surface can follow, whatever a torn neighbourhood says.
+/// Volume of a solid particle now over its own at rest: det F. A body that a blow presses together is smaller
+/// all over; volume keeping must not make up for that with the little of it that has melted. Of bodies that
+/// began as solids: plates that a stream freezes to are too thin for a det F. Held to what a surface can
+/// follow, whatever a torn neighbourhood says.
 double squeezeOf(const World& w, std::size_t i) {
   constexpr double least = 0.5, most = 2;
   const Continuum& p = w.particles;
-  if (!w.modules.solid || w.clock.step == 0 || !isSampled(w.scene, p.body[i]) || !takesSubsteps(p, i)) return 1;
+  if (!w.modules.solid || w.clock.step == 0 || !isSampled(w.scene, p.body[i]) || !takesSubsteps(p, i))
+    return 1;
   return std::clamp(determinant(w.solids.deformation[p.slot[i]]), least, most);
 }
 
 }  // namespace
 
-// A ball of R/dx = 5 that is sampled from its shape holds 5 % less than its particles. Of meshes melt keeps what the mesh held.
+// A ball of R/dx = 5 that is sampled from its shape holds 5 % less than its particles. Of meshes melt keeps
+// what the mesh held.
 void settleShares(World& w) {
   Continuum& p = w.particles;
   for (std::size_t i = 0; p.surfaceShare.active && i < p.owned; i++)
-    if (p.surfaceShare[i] > 0 && (p.liquid.active ? p.liquid[i] >= 1 : p.phase[i] == Liquid) && !hasMesh(w.scene, p.body[i])) p.surfaceShare[i] = 1;
+    if (p.surfaceShare[i] > 0 && (p.liquid.active ? p.liquid[i] >= 1 : p.phase[i] == Liquid) &&
+        !hasMesh(w.scene, p.body[i]))
+      p.surfaceShare[i] = 1;
 }
 
 void gatherParticles(World& w, int rank) {
@@ -47,7 +53,8 @@ void gatherParticles(World& w, int rank) {
     if (p.surfaceShare.active) c.share[i] *= squeezeOf(w, i);
     c.volume[i] = p.mass[i] / w.scene.materials[p.material[i]].density;
     if (c.fill.active) c.fill[i] = p.surfaceFill[i];
-    if (c.liquid.active) c.liquid[i] = p.liquid.active ? p.liquid[i] : static_cast<float>(p.phase[i] == Liquid);
+    if (c.liquid.active)
+      c.liquid[i] = p.liquid.active ? p.liquid[i] : static_cast<float>(p.phase[i] == Liquid);
     if (c.temperature.active) c.temperature[i] = static_cast<float>(p.temperature[i]);
     if (c.startPlace.active) c.startPlace[i] = p.surfaceStart[i];
     if (c.covered.active) c.covered[i] = p.slot[i] != noSlot && !w.solids.bared[p.slot[i]];
@@ -64,17 +71,21 @@ void fadeFill(SurfaceParticles& p) {
     double strain2 = 0;
     for (std::size_t a = 0; a < 3; a++)
       for (std::size_t b = 0; b < 3; b++) {
-        const double e = 0.5 * (p.gradient[i].row[a][static_cast<int>(b)] + p.gradient[i].row[b][static_cast<int>(a)]);
+        const double e = 0.5 * (p.gradient[i].row[a][static_cast<int>(b)] +
+                                p.gradient[i].row[b][static_cast<int>(a)]);
         strain2 += e * e;
       }
-    p.fill[i] = static_cast<float>(1 + (static_cast<double>(p.fill[i]) - 1) * std::exp(-static_cast<double>(p.liquid[i]) * std::sqrt(strain2) / lasts));
+    p.fill[i] = static_cast<float>(
+        1 + (static_cast<double>(p.fill[i]) - 1) *
+                std::exp(-static_cast<double>(p.liquid[i]) * std::sqrt(strain2) / lasts));
   }
 }
 
 void returnParticles(World& w, SurfaceHalos halos) {
   Continuum& p = w.particles;
   SurfaceParticles& c = w.surface.particles;
-  halos.courier.sendHome({c.home.data(), c.owned}, {c.component.data(), c.owned}, {p.component.data(), p.owned});
+  halos.courier.sendHome({c.home.data(), c.owned}, {c.component.data(), c.owned},
+                         {p.component.data(), p.owned});
   if (c.covered.active) {
     std::vector<std::uint64_t> there(c.covered.data(), c.covered.data() + c.owned), here(p.owned);
     halos.courier.sendHome({c.home.data(), c.owned}, there, here);
@@ -85,7 +96,8 @@ void returnParticles(World& w, SurfaceHalos halos) {
     std::vector<std::uint64_t> there(c.owned), here(p.owned);
     for (std::size_t i = 0; i < c.owned; i++) there[i] = std::bit_cast<std::uint32_t>(c.fill[i]);
     halos.courier.sendHome({c.home.data(), c.owned}, there, here);
-    for (std::size_t i = 0; i < p.owned; i++) p.surfaceFill[i] = std::bit_cast<float>(static_cast<std::uint32_t>(here[i]));
+    for (std::size_t i = 0; i < p.owned; i++)
+      p.surfaceFill[i] = std::bit_cast<float>(static_cast<std::uint32_t>(here[i]));
   }
   for (std::size_t i = 0; i < p.owned; i++) p.surfacePlace[i] = p.position[i];
   c.resize(c.owned, 0);

@@ -18,10 +18,13 @@ WordNumbers numberWords(Reducer& all, std::size_t mine) {
   return n;
 }
 
-std::vector<std::uint64_t> gatherPiece(Reducer& all, const std::vector<std::uint64_t>& mine, const WordNumbers& n, std::size_t from, std::size_t to) {
-  const std::size_t first = std::clamp(n.before, from, to), last = std::clamp(n.before + mine.size(), from, to);
+std::vector<std::uint64_t> gatherPiece(Reducer& all, const std::vector<std::uint64_t>& mine,
+                                       const WordNumbers& n, std::size_t from, std::size_t to) {
+  const std::size_t first = std::clamp(n.before, from, to),
+                    last = std::clamp(n.before + mine.size(), from, to);
   std::vector<std::int64_t> words(to - from);  // all others add zeros to ours
-  for (std::size_t k = first; k < last; k++) words[k - from] = std::bit_cast<std::int64_t>(mine[k - n.before]);
+  for (std::size_t k = first; k < last; k++)
+    words[k - from] = std::bit_cast<std::int64_t>(mine[k - n.before]);
   if (!words.empty()) all.sum(words);
   std::vector<std::uint64_t> gathered(words.size());
   for (std::size_t k = 0; k < words.size(); k++) gathered[k] = std::bit_cast<std::uint64_t>(words[k]);

@@ -15,12 +15,14 @@ std::uint64_t spread(std::uint64_t v) {  // 21 bits, two zeros between them
   return (v | v << 2) & 0x1249249249249249ull;
 }
 
-/// The rows of a block that are of one component, seen from its middle, axis by axis, so that many are looked at together.
+/// The rows of a block that are of one component, seen from its middle, axis by axis, so that many are looked
+/// at together.
 struct BlockRows {
   Vec3d from{};
   std::vector<std::uint32_t> row;
   std::vector<float> x, y, z;
-  void take(const RowBlock& block, const Vec3d& middle, const std::uint64_t* component, std::uint64_t wanted) {
+  void take(const RowBlock& block, const Vec3d& middle, const std::uint64_t* component,
+            std::uint64_t wanted) {
     from = middle;
     if (row.size() < block.count + nearBoxMore) {
       row.resize(block.count + nearBoxMore);
@@ -30,20 +32,24 @@ struct BlockRows {
     for (std::size_t k = 0; k < block.count; k++) {
       const Vec3d d = block.at[k] - from;
       row[count] = block.row[k];
-      x[count] = static_cast<float>(d.x), y[count] = static_cast<float>(d.y), z[count] = static_cast<float>(d.z);
+      x[count] = static_cast<float>(d.x), y[count] = static_cast<float>(d.y),
+      z[count] = static_cast<float>(d.z);
       count += component[block.row[k]] == wanted;
     }
   }
-  /// Those within `radius` (m) of a group's box, or a little more. What is farther from all of its surfels than that adds nothing to their sums.
+  /// Those within `radius` (m) of a group's box, or a little more. What is farther from all of its surfels
+  /// than that adds nothing to their sums.
   void append(const PlaceBox& box, double radius, std::vector<std::uint32_t>& rows) {
     if (count == 0) return;
     const Vec3d middle = 0.5 * (box.low + box.high) - from, half = 0.5 * (box.high - box.low);
     NearBox near{};
-    for (int a = 0; a < 3; a++) near.middle[a] = static_cast<float>(middle[a]), near.half[a] = static_cast<float>(half[a]);
+    for (int a = 0; a < 3; a++)
+      near.middle[a] = static_cast<float>(middle[a]), near.half[a] = static_cast<float>(half[a]);
     near.reach2 = static_cast<float>(1.0001 * radius * radius);
     const std::size_t before = rows.size();
     rows.resize(before + count + nearBoxMore);
-    const std::size_t end = before + bestSurfaceKernels().nearBox(near, x.data(), y.data(), z.data(), count, &rows[before]);
+    const std::size_t end = before + bestSurfaceKernels().nearBox(near, x.data(), y.data(), z.data(), count,
+                                                                  &rows[before]);
     rows.resize(end);
     for (std::size_t n = before; n < end; n++) rows[n] = row[rows[n]];
   }
@@ -54,22 +60,30 @@ struct BlockRows {
 
 }  // namespace
 
-void listGroups(const Surface& s, const std::vector<std::uint8_t>& free, const Bins& surfelBins, const Bins& particleBins, const ListRadii& radii, GroupLists& l) {
+void listGroups(const Surface& s, const std::vector<std::uint8_t>& free, const Bins& surfelBins,
+                const Bins& particleBins, const ListRadii& radii, GroupLists& l) {
   const Surfels& f = s.surfels;
-  const double curveEdge = 2.5 * s.spacing, longest = 6 * s.spacing;  // eight surfels of a smooth surface cover about a block's side
+  // eight surfels of a smooth surface cover about a block's side
+  const double curveEdge = 2.5 * s.spacing, longest = 6 * s.spacing;
   l.sorting.clear();
   std::uint64_t used = 0;
   bool several = false;
   for (std::uint32_t i = 0; i < f.owned; i++) {
     if (!free[i]) continue;
     std::uint64_t curve = 0;
-    for (int a = 0; a < 3; a++) curve |= spread(static_cast<std::uint64_t>(std::clamp((f.position[i][a] - surfelBins.base[a]) / curveEdge, 0.0, binsPerAxis))) << a;
+    for (int a = 0; a < 3; a++)
+      curve |= spread(static_cast<std::uint64_t>(
+                   std::clamp((f.position[i][a] - surfelBins.base[a]) / curveEdge, 0.0, binsPerAxis)))
+               << a;
     used |= curve;
     l.sorting.emplace_back(curve, i);
     several = several || f.component[i] != f.component[l.sorting[0].second];
   }
   sortByKey(l.sorting, l.sorted, std::bit_width(used));
-  if (several) std::stable_sort(l.sorting.begin(), l.sorting.end(), [&](const auto& a, const auto& b) { return f.component[a.second] < f.component[b.second]; });
+  if (several)
+    std::stable_sort(l.sorting.begin(), l.sorting.end(), [&](const auto& a, const auto& b) {
+      return f.component[a.second] < f.component[b.second];
+    });
   l.self.clear();
   l.lanes.clear();
   l.surfel.clear();
@@ -84,7 +98,9 @@ void listGroups(const Surface& s, const std::vector<std::uint8_t>& free, const B
     const std::uint64_t component = f.component[l.sorting[k].second];
     const auto boxFrom = [&](std::size_t from, std::size_t most, double side, std::size_t& to) {
       PlaceBox box{place(from), place(from)};
-      for (to = from + 1; to < l.sorting.size() && to < from + most && f.component[l.sorting[to].second] == component; to++) {
+      for (to = from + 1;
+           to < l.sorting.size() && to < from + most && f.component[l.sorting[to].second] == component;
+           to++) {
         PlaceBox more = box;
         more.add(place(to));
         if (more.longest() > side) break;

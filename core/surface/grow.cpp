@@ -27,17 +27,22 @@
 namespace thaw {
 namespace {
 
-constexpr double offSurface = 0.3;  // from the level of the surface: more than a spacing of the particles away from it
+constexpr double offSurface = 0.3;  // from the level of the surface: more than a spacing of the particles
+                                    // away from it
 
 constexpr double leastOverDetail = 0.3;  // of the level: a spacing of the particles over the surface
 
-constexpr double leastOver = 0.25;       // and of what follows the particles: of drops the level itself is less than offSurface
+constexpr double leastOver = 0.25;  // and of what follows the particles: of drops the level itself is less
+                                    // than offSurface
 
 /// Of a mesh, and not molten: finer than the particles are, so that they say nothing about it.
-bool keepsDetail(const Surfels& f, std::size_t i) { return f.detail[i] > 0.5f && (!f.liquid.active || f.liquid[i] < 0.5f); }
+bool keepsDetail(const Surfels& f, std::size_t i) {
+  return f.detail[i] > 0.5f && (!f.liquid.active || f.liquid[i] < 0.5f);
+}
 
 /// Surfels around one particle.
-void seedAround(const World& w, FieldProbe& probe, std::size_t i, SeedDirections& seeds, std::vector<SurfelRow>& rows) {
+void seedAround(const World& w, FieldProbe& probe, std::size_t i, SeedDirections& seeds,
+                std::vector<SurfelRow>& rows) {
   std::array<Vec3d, FieldProbe::most> u;
   std::array<std::optional<SurfacePoint>, FieldProbe::most> at;
   seeds.turn(w.surface.particles.id[i]);
@@ -51,12 +56,14 @@ void seedAround(const World& w, FieldProbe& probe, std::size_t i, SeedDirections
 }
 
 /// Surfels around all owned particles that `bare` names.
-void seedAll(const World& w, const SurfaceTools& t, const std::function<bool(std::size_t)>& bare, std::vector<SurfelRow>& rows) {
+void seedAll(const World& w, const SurfaceTools& t, const std::function<bool(std::size_t)>& bare,
+             std::vector<SurfelRow>& rows) {
   const SurfaceParticles& p = w.surface.particles;
   SeedDirections seeds(w);
   FieldProbe probe(w, t);
   for (std::size_t i = 0; i < p.owned; i++)
-    if (bare(i) && p.component[i] != noComponent && p.colour[i] < innerColour) seedAround(w, probe, i, seeds, rows);
+    if (bare(i) && p.component[i] != noComponent && p.colour[i] < innerColour)
+      seedAround(w, probe, i, seeds, rows);
 }
 
 /// The sphere of the small drop that particle i gives its name to; the others of it are in reach.
@@ -80,12 +87,14 @@ void patchAround(const World& w, const SurfaceTools& t, std::size_t i, std::vect
     r.colour = surfaceColour(w.scene, p.body[i]);
     r.particle = static_cast<std::uint32_t>(i);
     // a drop that joins leaves its surfels to the larger body; one that parts later may have the same label
-    r.id = surfelBit | birthBit | randomBits(w.scene.seed, Purpose::SurfelBirth, r.id, static_cast<std::uint64_t>(w.clock.step));
+    r.id = surfelBit | birthBit |
+           randomBits(w.scene.seed, Purpose::SurfelBirth, r.id, static_cast<std::uint64_t>(w.clock.step));
     rows.push_back(r);
   }
 }
 
-/// On a wall the level of the colour field is somewhere in it: the surface goes on there wherever there is body over the wall.
+/// On a wall the level of the colour field is somewhere in it: the surface goes on there wherever there is
+/// body over the wall.
 bool goesOnAtWall(const World& w, FieldProbe& probe, const Surfels& f, std::size_t i, SurfacePoint& p) {
   if (!f.pressed.active || liquidShare(f, i) < 0.5) return false;
   const Vec3d x = outOfWalls(w, p.position, p.normal);
@@ -99,20 +108,27 @@ bool goesOnAtWall(const World& w, FieldProbe& probe, const Surfels& f, std::size
   return true;
 }
 
-/// Would a surfel at p stand in the air before its component's own surface? So it is where a sheet behind it sees it, with no particle between the two: above an edge, or where the colour of the
-/// body bridges a groove that the surface goes into. What is born there goes on as a skin over the groove.
-bool beforeOwnSheet(const World& w, const SurfaceTools& t, const Surfels& f, std::size_t i, const SurfacePoint& p) {
+/// Would a surfel at p stand in the air before its component's own surface? So it is where a sheet behind it
+/// sees it, with no particle between the two: above an edge, or where the colour of the body bridges a groove
+/// that the surface goes into. What is born there goes on as a skin over the groove.
+bool beforeOwnSheet(const World& w, const SurfaceTools& t, const Surfels& f, std::size_t i,
+                    const SurfacePoint& p) {
   constexpr double seen = 0.35, behind = 0.2, thick = 0.6;
-  const double dx = w.scene.spacing, r = f.radius[i], reach = std::min(2 * dx, std::min({w.surface.grid.edge.x, w.surface.grid.edge.y, w.surface.grid.edge.z}) - r);
+  const double dx = w.scene.spacing, r = f.radius[i],
+               reach = std::min(
+                   2 * dx,
+                   std::min({w.surface.grid.edge.x, w.surface.grid.edge.y, w.surface.grid.edge.z}) - r);
   const SurfaceParticles& q = w.surface.particles;
   const auto between = [&](const Vec3d& d) {  // from p to p + d
     const double far2 = dot(d, d);
     bool found = false;
-    forRowsAround(t.relax.particleBins, p.position, p.position + d, thick * dx, [&](std::uint32_t k, const Vec3d& at) {
-      const Vec3d c = at - p.position;
-      const double along = dot(c, d) / far2;
-      found = found || (q.component[k] == f.component[i] && along > 0 && along < 1 && dot(c, c) - along * along * far2 < thick * thick * dx * dx);
-    });
+    forRowsAround(t.relax.particleBins, p.position, p.position + d, thick * dx,
+                  [&](std::uint32_t k, const Vec3d& at) {
+                    const Vec3d c = at - p.position;
+                    const double along = dot(c, d) / far2;
+                    found = found || (q.component[k] == f.component[i] && along > 0 && along < 1 &&
+                                      dot(c, c) - along * along * far2 < thick * thick * dx * dx);
+                  });
     return found;
   };
   bool before = false;
@@ -120,7 +136,9 @@ bool beforeOwnSheet(const World& w, const SurfaceTools& t, const Surfels& f, std
     if (before || j == i || f.component[j] != f.component[i]) return;
     const Vec3d d = at - p.position;
     const double far = length(d), front = -dot(f.normal[j], d);
-    if (far < reach && front > 0.5 * r && front > seen * far && dot(p.normal, d) < -behind * far && !between(d)) before = true;
+    if (far < reach && front > 0.5 * r && front > seen * far && dot(p.normal, d) < -behind * far &&
+        !between(d))
+      before = true;
   });
   return before;
 }
@@ -137,7 +155,8 @@ void openAround(Surface& s, CellHalo& halo, SurfaceTools& t, const std::vector<s
 
 }  // namespace
 
-void growSurfels(World& w, SurfaceHalos halos, SurfaceTools& t, const std::function<bool(std::size_t)>& bare) {
+void growSurfels(World& w, SurfaceHalos halos, SurfaceTools& t,
+                 const std::function<bool(std::size_t)>& bare) {
   readyParticles(w, halos, t);
   std::vector<SurfelRow> rows;
   seedAll(w, t, bare, rows);
@@ -156,16 +175,21 @@ void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int
       probe.at(&p.position, 1, &c);
       return c.value > leastOverDetail * c.level;
     }
-    if (border && f.follows.active && f.follows[i]) return false;  // the surface of the start has no rim: past a crease it would go on as a skin over the groove
+    if (border && f.follows.active && f.follows[i])
+      return false;  // the surface of the start has no rim: past a crease it would go on as a skin over the
+                     // groove
     if (goesOnAtWall(w, probe, f, i, p)) return true;
     if (border && liquidShare(f, i) < 0.5 && beforeOwnSheet(w, t, f, i, p)) return false;
     std::optional<SurfacePoint> at;
     const auto onto = [&](const Vec3d& x) {
-      ontoIsoSurface(w, probe, f.component[i], f.position[i], &x, 1, 0.6 * f.radius[i] + 0.1 * w.scene.spacing, &at);
+      ontoIsoSurface(w, probe, f.component[i], f.position[i], &x, 1,
+                     0.6 * f.radius[i] + 0.1 * w.scene.spacing, &at);
       return at && dot(at->normal, p.normal) >= 0.3;
     };
-    if (!onto(p.position)) {  // what volume keeping holds off the level is as far off it beside itself; half solid surfels are where they were carried
-      const double raised = f.liquid.active && f.liquid[i] > 0.9f ? raisedOf(t.relax.raised, f.component[i]) : 0;
+    if (!onto(p.position)) {  // what volume keeping holds off the level is as far off it beside itself; half
+                              // solid surfels are where they were carried
+      const double raised = f.liquid.active && f.liquid[i] > 0.9f ? raisedOf(t.relax.raised, f.component[i])
+                                                                  : 0;
       if (raised == 0 || !onto(p.position - raised * p.normal)) return false;
     }
     p.normal = normalized(p.normal + at->normal);
@@ -176,7 +200,8 @@ void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int
 namespace {
 
 /// Grows and settles the surfaces of the particles that `bare` names.
-void growAndSettle(World& w, SurfaceHalos halos, SurfaceTools& t, const std::function<bool(std::size_t)>& bare) {
+void growAndSettle(World& w, SurfaceHalos halos, SurfaceTools& t,
+                   const std::function<bool(std::size_t)>& bare) {
   growSurfels(w, halos, t, bare);
   std::int64_t grown = static_cast<std::int64_t>(w.surface.surfels.owned);
   halos.all.sum({&grown, 1});
@@ -195,16 +220,19 @@ void growAndSettle(World& w, SurfaceHalos halos, SurfaceTools& t, const std::fun
 
 }  // namespace
 
-// Liquids are to close. Where the field of twice the particles' support makes one lump of two sheets, that of their own support tells them apart: layers of particles two spacings from each other.
+// Liquids are to close. Where the field of twice the particles' support makes one lump of two sheets, that of
+// their own support tells them apart: layers of particles two spacings from each other.
 void growBodies(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
-  const double wide = s.particleSupport, narrow = std::min({wide, w.grid.support, nearSupport * w.scene.spacing});
+  const double wide = s.particleSupport,
+               narrow = std::min({wide, w.grid.support, nearSupport * w.scene.spacing});
   readyParticles(w, halos, t);
   const NearGaps gaps = narrow < wide ? findNearGaps(w, t.relax.particleBins, halos.all) : NearGaps{};
   const std::vector<std::uint64_t>& near = gaps.solid;
   t.lumps = gaps.liquid;
   const auto bare = [&](std::size_t i, bool isNear) {
-    return !isSampled(w.scene, s.particles.body[i]) && std::binary_search(near.begin(), near.end(), s.particles.component[i]) == isNear;
+    return !isSampled(w.scene, s.particles.body[i]) &&
+           std::binary_search(near.begin(), near.end(), s.particles.component[i]) == isNear;
   };
   growAndSettle(w, halos, t, [&](std::size_t i) { return bare(i, false); });
   if (near.empty()) return;
@@ -232,7 +260,8 @@ void renewSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
   }
   forFieldAtSurfels(w, t, asked, [&](std::size_t i, const FieldHere& c) {
     if (std::abs(c.value - c.level) <= offSurface && c.value >= leastOver * c.level) return;
-    if (Vec3d into; f.pressed.active && c.value > c.level && facesWall(w, f.position[i], f.normal[i], into)) return;
+    if (Vec3d into; f.pressed.active && c.value > c.level && facesWall(w, f.position[i], f.normal[i], into))
+      return;
     dead[i] = 2, gone++;
   });
   halos.all.sum({&gone, 1});
@@ -240,10 +269,13 @@ void renewSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
   std::vector<SurfelRow> rows;
   for (std::size_t i = 0; i < p.owned; i++)
     if (p.component[i] == 1 + p.id[i] && small(p.component[i])) patchAround(w, t, i, rows);
-  seedAll(w, t, [&](std::size_t i) {
-    const SurfaceComponent* c = findComponent(s, p.component[i]);
-    return c && c->surfels == 0 && c->particles > smallDrop;
-  }, rows);
+  seedAll(
+      w, t,
+      [&](std::size_t i) {
+        const SurfaceComponent* c = findComponent(s, p.component[i]);
+        return c && c->surfels == 0 && c->particles > smallDrop;
+      },
+      rows);
   inheritColours(w, halos, t, rows);  // of those that go, too: a drop keeps its colours
   dropSurfels(s, dead);
   addSurfels(f, rows, w.scene.seed, halos.all);

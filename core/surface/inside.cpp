@@ -17,18 +17,21 @@ struct DiscView {
 DiscView viewOf(const Surfels& f, std::uint32_t j, const Vec3d& x) {
   const Vec3d d = x - f.position[j];
   const double height = dot(d, f.normal[j]);
-  const double over = std::max(0.0, std::sqrt(std::max(0.0, dot(d, d) - height * height)) - discShare * f.radius[j]);
+  const double over = std::max(
+      0.0, std::sqrt(std::max(0.0, dot(d, d) - height * height)) - discShare * f.radius[j]);
   return {height, height * height + over * over};
 }
 
-SurfaceSide sideOf(const Surfels& f, const InsideTools::Candidate* begin, const InsideTools::Candidate* end, const Vec3d& x) {
+SurfaceSide sideOf(const Surfels& f, const InsideTools::Candidate* begin, const InsideTools::Candidate* end,
+                   const Vec3d& x) {
   SurfaceSide side;
   side.component = begin->component;
   side.nearest = begin->row;
   const double far = begin->distance + f.radius[begin->row];
   const double least = 1e-6 * f.radius[begin->row] * f.radius[begin->row];
   double sum = 0, straight = 0;
-  for (const InsideTools::Candidate* c = begin; c != end && side.asked < mostAsked && c->distance <= far; c++) {
+  for (const InsideTools::Candidate* c = begin; c != end && side.asked < mostAsked && c->distance <= far;
+       c++) {
     const DiscView v = viewOf(f, c->row, x);
     const double weight = 1 / (v.d2 + least);
     sum += weight * v.height;
@@ -46,8 +49,8 @@ SurfaceSide sideOf(const Surfels& f, const InsideTools::Candidate* begin, const 
 
 }  // namespace
 
-void findSides(const Surfels& f, const Bins& bins, const Vec3d& x, std::uint64_t label, bool others, double reach, InsideTools& t,
-               std::vector<SurfaceSide>& sides) {
+void findSides(const Surfels& f, const Bins& bins, const Vec3d& x, std::uint64_t label, bool others,
+               double reach, InsideTools& t, std::vector<SurfaceSide>& sides) {
   t.near.clear();
   sides.clear();
   t.seen.clear();
@@ -66,13 +69,15 @@ void findSides(const Surfels& f, const Bins& bins, const Vec3d& x, std::uint64_t
     t.seen.push_back({j, group, d2});
   });
   if (t.seen.empty()) return;
-  // what sideOf asks is a radius farther at most than the nearest disc, and that no farther than the nearest middle; a disc reaches discShare
+  // what sideOf asks is a radius farther at most than the nearest disc, and that no farther than the nearest
+  // middle; a disc reaches discShare
   for (InsideTools::Group& g : t.groups) {
     const double far = (1 + 1e-9) * (std::sqrt(g.d2) + (1 + discShare) * largest);
     g.d2 = far * far;
   }
   for (const InsideTools::Seen& n : t.seen)
-    if (n.d2 <= t.groups[n.group].d2) t.near.push_back({t.groups[n.group].component, std::sqrt(viewOf(f, n.row, x).d2), f.id[n.row], n.row});
+    if (n.d2 <= t.groups[n.group].d2)
+      t.near.push_back({t.groups[n.group].component, std::sqrt(viewOf(f, n.row, x).d2), f.id[n.row], n.row});
   for (InsideTools::Group& g : t.groups) g.d2 = std::numeric_limits<double>::infinity();
   std::size_t kept = 0;
   for (const InsideTools::Candidate& c : t.near)
@@ -82,9 +87,10 @@ void findSides(const Surfels& f, const Bins& bins, const Vec3d& x, std::uint64_t
     for (const InsideTools::Group& g : t.groups)
       if (g.component == c.component && c.distance <= g.d2 + largest) t.near[kept++] = c;
   t.near.resize(kept);
-  std::sort(t.near.begin(), t.near.end(), [](const InsideTools::Candidate& a, const InsideTools::Candidate& b) {
-    return std::tie(a.component, a.distance, a.id) < std::tie(b.component, b.distance, b.id);
-  });
+  std::sort(t.near.begin(), t.near.end(),
+            [](const InsideTools::Candidate& a, const InsideTools::Candidate& b) {
+              return std::tie(a.component, a.distance, a.id) < std::tie(b.component, b.distance, b.id);
+            });
   for (std::size_t k = 0, next = 0; k < t.near.size(); k = next) {
     while (next < t.near.size() && t.near[next].component == t.near[k].component) next++;
     sides.push_back(sideOf(f, &t.near[k], &t.near[0] + next, x));

@@ -8,10 +8,12 @@ namespace thaw {
 std::optional<IsoStep> isoStep(const FieldHere& c, double particleSupport, double raised, double longest) {
   const double slope = length(c.gradient);
   if (!(slope * particleSupport > 0.05 * c.level && c.value > 0)) return {};
-  return IsoStep{c.gradient * (-1 / slope), std::clamp(c.tight * (raised - (c.level - c.value) / slope), -longest, longest)};
+  return IsoStep{c.gradient * (-1 / slope),
+                 std::clamp(c.tight * (raised - (c.level - c.value) / slope), -longest, longest)};
 }
 
-void ontoIsoSurface(const World& w, FieldProbe& probe, std::uint64_t component, const Vec3d& home, const Vec3d* from, std::size_t n, double farthest, std::optional<SurfacePoint>* found) {
+void ontoIsoSurface(const World& w, FieldProbe& probe, std::uint64_t component, const Vec3d& home,
+                    const Vec3d* from, std::size_t n, double farthest, std::optional<SurfacePoint>* found) {
   const double longest = 0.5 * w.scene.spacing, enough = 0.01 * w.surface.spacing;
   std::array<Vec3d, FieldProbe::most> x;
   std::array<std::size_t, FieldProbe::most> of;  // which place x[k] came from

@@ -42,7 +42,8 @@ void keepEnclosed(World& w, SurfaceHalos halos, ComponentTools& t) {
   InsideTools inside;
   std::vector<SurfaceSide> sides;
   for (std::size_t i = 0; i < p.owned; i++) {
-    if (p.component[i] == noComponent || std::binary_search(covered.begin(), covered.end(), p.part[i])) continue;
+    if (p.component[i] == noComponent || std::binary_search(covered.begin(), covered.end(), p.part[i]))
+      continue;
     findSides(f, t.surfelBins, p.position[i], p.component[i], false, s.particleSupport, inside, sides);
     if (sides.empty() || sides[0].distance >= 0 || sides[0].asked < leastAsked) continue;
     const std::uint64_t part = f.part[sides[0].nearest];
@@ -56,7 +57,9 @@ void keepEnclosed(World& w, SurfaceHalos halos, ComponentTools& t) {
   into.clear();
   for (std::size_t k = 0; k + 1 < words.size(); k += 2) into.push_back({words[k], words[k + 1]});
   sortUnique(into);
-  into.erase(std::unique(into.begin(), into.end(), [](const Pair& a, const Pair& b) { return a.first == b.first; }), into.end());
+  into.erase(
+      std::unique(into.begin(), into.end(), [](const Pair& a, const Pair& b) { return a.first == b.first; }),
+      into.end());
   std::vector<Pair> named;  // (part with surfels, its label with all that is in it)
   for (const Pair& m : into) named.push_back({m.second, std::min(m.first, m.second)});
   std::sort(named.begin(), named.end());  // the smallest label of each part first

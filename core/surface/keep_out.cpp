@@ -7,12 +7,14 @@ namespace {
 
 /// Where walls meet, a push out of one may be into another.
 constexpr int mostPushes = 8;
-/// Spacings of the particles: walls thinner than this are looked at for surfels that have come through, from particles as near as this.
+/// Spacings of the particles: walls thinner than this are looked at for surfels that have come through, from
+/// particles as near as this.
 constexpr double thin = 1.5;
 /// Spacings of the surfels from a wall within which one that faces it is on it.
 constexpr double onIt = 0.02;
 
-/// The same of those that stand on it, and the cosine of how far their normals may have turned off it with the particles.
+/// The same of those that stand on it, and the cosine of how far their normals may have turned off it with
+/// the particles.
 constexpr double standsOn = 0.1, squarely = 0.7;
 
 /// Out of one wall; false: it was not in it.
@@ -53,7 +55,8 @@ Vec3d stopAt(const Wall& wall, const Vec3d& from, const Vec3d& to, double reach)
   return from + gone * along;
 }
 
-/// Of surfels beside a wall that is thin there: those that it parts from their nearest particle go back to its side.
+/// Of surfels beside a wall that is thin there: those that it parts from their nearest particle go back to
+/// its side.
 class ThinWalls {
  public:
   ThinWalls(const World& w, const Bins& bins) : world_(w), bins_(bins), reach_(thin * w.scene.spacing) {}
@@ -65,7 +68,9 @@ class ThinWalls {
       if (!wall.present || !nearBounds(wall.bounds, rest, reach_)) continue;
       Vec3d n;
       const double d = wall.shape->distanceWithin(rest, reach_, &n);
-      if (!(d < reach_) || !(wall.shape->distanceWithin(rest - (d + reach_) * n, reach_, nullptr) >= 0)) continue;  // thick as seen from here: nothing comes through
+      // thick as seen from here: nothing comes through
+      if (!(d < reach_) || !(wall.shape->distanceWithin(rest - (d + reach_) * n, reach_, nullptr) >= 0))
+        continue;
       if (!looked && !nearest(i, at, particle)) return at;
       looked = true;
       const double from = wall.shape->distanceWithin(toRest(wall.pose, particle), reach_, nullptr);
@@ -80,7 +85,9 @@ class ThinWalls {
     double least = reach_ * reach_;
     std::uint64_t id = ~std::uint64_t{0};
     forRowsWithin(bins_, x, reach_, [&](std::uint32_t j, double d2) {
-      if (p.component[j] != world_.surface.surfels.component[i] || d2 > least || (d2 == least && p.id[j] > id)) return;
+      if (p.component[j] != world_.surface.surfels.component[i] || d2 > least ||
+          (d2 == least && p.id[j] > id))
+        return;
       least = d2;
       id = p.id[j];
       found = p.position[j];
@@ -93,7 +100,8 @@ class ThinWalls {
 };
 
 /// Is there a wall within `near` (m) that this normal faces, by more than this cosine?
-bool facesWallWithin(const World& w, const Vec3d& x, const Vec3d& normal, double near, double cosine, Vec3d& into) {
+bool facesWallWithin(const World& w, const Vec3d& x, const Vec3d& normal, double near, double cosine,
+                     Vec3d& into) {
   for (const Wall& wall : w.walls.list) {
     const Vec3d rest = toRest(wall.pose, x);
     if (!wall.present || !nearBounds(wall.bounds, rest, near)) continue;
@@ -127,12 +135,16 @@ Vec3d outOfWalls(const World& w, const Vec3d& at, const Vec3d& outward) {
 bool inWall(const World& w, const Vec3d& x) {
   for (const Wall& wall : w.walls.list) {
     const Vec3d rest = toRest(wall.pose, x);
-    if (wall.present && nearBounds(wall.bounds, rest, 0) && wall.shape->distanceWithin(rest, w.grid.support, nullptr) < 0) return true;
+    if (wall.present && nearBounds(wall.bounds, rest, 0) &&
+        wall.shape->distanceWithin(rest, w.grid.support, nullptr) < 0)
+      return true;
   }
   return false;
 }
 
-bool facesWall(const World& w, const Vec3d& x, const Vec3d& normal, Vec3d& into) { return facesWallWithin(w, x, normal, onIt * w.surface.spacing, 0.3, into); }
+bool facesWall(const World& w, const Vec3d& x, const Vec3d& normal, Vec3d& into) {
+  return facesWallWithin(w, x, normal, onIt * w.surface.spacing, 0.3, into);
+}
 
 void findStanding(World& w, const std::vector<std::uint8_t>& listed) {
   Surfels& f = w.surface.surfels;
@@ -140,7 +152,8 @@ void findStanding(World& w, const std::vector<std::uint8_t>& listed) {
   f.activate(f.standing);
   for (std::size_t i = 0; i < f.owned; i++) {
     Vec3d into;
-    f.standing[i] = listed[i] && facesWallWithin(w, f.position[i], f.normal[i], standsOn * w.surface.spacing, squarely, into);
+    f.standing[i] = listed[i] && facesWallWithin(w, f.position[i], f.normal[i], standsOn * w.surface.spacing,
+                                                 squarely, into);
     if (f.standing[i]) turnTo(f, i, into);
   }
 }
@@ -150,7 +163,8 @@ void keepOutOfWalls(World& w, const Bins& particleBins) {
   if (!f.pressed.active) return;
   const ThinWalls thinWalls(w, particleBins);
   for (std::size_t i = 0; i < f.owned; i++) {
-    const Vec3d from = f.position[i], to = thinWalls.back(i, outOfWalls(w, from, f.normal[i])), push = to - from;
+    const Vec3d from = f.position[i], to = thinWalls.back(i, outOfWalls(w, from, f.normal[i])),
+                push = to - from;
     if (dot(push, push) > 0) {
       f.position[i] = to;
       f.pressed[i] = (1 - liquidShare(f, i)) * push;

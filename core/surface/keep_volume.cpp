@@ -16,14 +16,16 @@ namespace {
 /// What volume keeping may move of a component.
 enum class Held { Nothing, Liquid, Frozen, Drop };
 struct Hold {
-  double area = 0;      // m^2; 0: it is left alone
+  double area = 0;  // m^2; 0: it is left alone
   Held what = Held::Nothing;
-  double tolerance = 0; // of the volume, that is let be
+  double tolerance = 0;  // of the volume, that is let be
 };
 
-/// Not single particles and the like, which are spheres of their volume, but where a wall flattens them, nor those with a large hole, nor solids that were never held as liquids. A body
-/// with a mesh's detail left would have the faces of its cracks moved, and nothing else. At the start solids without a mesh are held, too: the level of the
-/// particles' colour, which they were grown at, is half as far out again as it should be around plates of two layers.
+/// Not single particles and the like, which are spheres of their volume, but where a wall flattens them, nor
+/// those with a large hole, nor solids that were never held as liquids. A body with a mesh's detail left
+/// would have the faces of its cracks moved, and nothing else. At the start solids without a mesh are held,
+/// too: the level of the particles' colour, which they were grown at, is half as far out again as it should
+/// be around plates of two layers.
 Hold holdOf(const SurfaceComponent& c, bool start) {
   constexpr std::int64_t fewest = 12;
   constexpr double leastFree = 0.03, leastFrozen = 0.9, closed = 0.25;
@@ -32,7 +34,8 @@ Hold holdOf(const SurfaceComponent& c, bool start) {
   const auto area = [&](double all) { return std::max(all - c.heldArea, 0.2 * all); };
   if (c.particles <= smallDrop) return c.heldArea > 0 ? Hold{area(c.area), Held::Drop, 5e-3} : Hold{};
   if (c.freeArea > leastFree * c.area) return {area(c.freeArea), Held::Liquid, 1e-3};
-  if ((start || c.raised != 0) && c.plainArea > leastFrozen * c.area) return {area(c.plainArea), Held::Frozen, 5e-3};
+  if ((start || c.raised != 0) && c.plainArea > leastFrozen * c.area)
+    return {area(c.plainArea), Held::Frozen, 5e-3};
   return {};
 }
 
@@ -40,10 +43,14 @@ double errorOf(const SurfaceComponent& c) { return std::abs(c.volume - c.wantedV
 
 /// How much of its component's offset surfel i takes.
 double shareOf(const Surfels& f, std::size_t i, Held what) {
-  return what == Held::Drop ? 1 : what == Held::Frozen ? frozenShare(f, i) : what == Held::Liquid ? liquidShare(f, i) : 0;
+  return what == Held::Drop     ? 1
+         : what == Held::Frozen ? frozenShare(f, i)
+         : what == Held::Liquid ? liquidShare(f, i)
+                                : 0;
 }
 
-/// m^2, by which an offset changes the volume: as the last one of this update has, if there was one. What the flat floor of a drop leaves free of it bends, and gives way by up to twice its area.
+/// m^2, by which an offset changes the volume: as the last one of this update has, if there was one. What the
+/// flat floor of a drop leaves free of it bends, and gives way by up to twice its area.
 double areaMoved(double free, double volume, const VolumeMove& last) {
   constexpr double least = 0.25, most = 4;
   return last.by != 0 ? std::clamp((volume - last.volume) / last.by, least * free, most * free) : free;
@@ -57,7 +64,8 @@ void keepStartVolumes(World& w, SurfaceHalos halos) {
   if (!home.surfaceShare.active) return;
   std::vector<std::uint64_t> shares(p.owned), here(home.owned, std::bit_cast<std::uint64_t>(1.0));
   for (std::size_t i = 0; i < p.owned; i++) {
-    const SurfaceComponent* c = isSampled(w.scene, p.body[i]) ? findComponent(w.surface, p.component[i]) : nullptr;
+    const SurfaceComponent* c = isSampled(w.scene, p.body[i]) ? findComponent(w.surface, p.component[i])
+                                                              : nullptr;
     p.share[i] = c && c->volume > 0 ? c->volume / c->particleVolume : 1.0;
     shares[i] = std::bit_cast<std::uint64_t>(p.share[i]);
   }
@@ -72,22 +80,30 @@ bool volumesAreOff(const Surface& s, bool start) {
   });
 }
 
-void offsetToVolume(Surface& s, const Bins& surfelBins, double keepVolume, double particleSpacing, bool start, std::vector<VolumeMove>& last) {
+void offsetToVolume(Surface& s, const Bins& surfelBins, double keepVolume, double particleSpacing, bool start,
+                    std::vector<VolumeMove>& last) {
   Surfels& f = s.surfels;
   if (!f.liquid.active && !start) return;
-  const double longest = 0.5 * s.spacing, highest = mostRaised * particleSpacing, lowest = -mostDrawnIn * particleSpacing;
-  struct Move { double by = 0; Held what = Held::Nothing; };
+  const double longest = 0.5 * s.spacing, highest = mostRaised * particleSpacing,
+               lowest = -mostDrawnIn * particleSpacing;
+  struct Move {
+    double by = 0;
+    Held what = Held::Nothing;
+  };
   std::vector<Move> moves(s.components.size());  // the same on all ranks
   last.resize(moves.size());
   for (std::size_t k = 0; k < s.components.size(); k++) {
     SurfaceComponent& c = s.components[k];
     const Hold hold = holdOf(c, start);
     if (!(hold.area > 0) || errorOf(c) <= hold.tolerance) continue;
-    const double by = std::clamp(keepVolume * (c.wantedVolume - c.volume) / areaMoved(hold.area, c.volume, last[k]), -longest, longest);
+    const double by = std::clamp(
+        keepVolume * (c.wantedVolume - c.volume) / areaMoved(hold.area, c.volume, last[k]), -longest,
+        longest);
     last[k] = {c.volume, by};
-    moves[k] = {by, hold.what};  // also what the level of the iterations cannot follow: they undo it, and the next update does it again
-    if (hold.what == Held::Drop) continue;                 // its sphere is made anew in each update
-    if (start && hold.what == Held::Frozen) continue;      // what begins as a solid keeps its place from now on
+    moves[k] = {by, hold.what};  // also what the level of the iterations cannot follow: they undo it, and the
+                                 // next update does it again
+    if (hold.what == Held::Drop) continue;             // its sphere is made anew in each update
+    if (start && hold.what == Held::Frozen) continue;  // what begins as a solid keeps its place from now on
     c.raised = std::clamp(c.raised + by, std::min(lowest, c.raised), std::max(highest, c.raised));
   }
   const SurfaceComponent* c = nullptr;
@@ -99,7 +115,8 @@ void offsetToVolume(Surface& s, const Bins& surfelBins, double keepVolume, doubl
     const Move& m = moves[static_cast<std::size_t>(c - s.components.data())];
     double move = shareOf(f, i, m.what) * m.by;
     if (move == 0 || liesOnWall(f, i)) continue;
-    if (move < -small) move = std::max(move, -std::max(0.0, filmRoom(f, surfelBins, i, s.spacing, 0.25 * s.spacing)));
+    if (move < -small)
+      move = std::max(move, -std::max(0.0, filmRoom(f, surfelBins, i, s.spacing, 0.25 * s.spacing)));
     offset[i] = move;
   }
   for (std::size_t i = 0; i < f.owned; i++) {

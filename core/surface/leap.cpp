@@ -18,9 +18,10 @@ constexpr double nearEnough = 0.3;
 /// Of half a spacing of the particles each: so far around its cell the grid leaves room (prepareSurface).
 constexpr int legs = 5;
 
-/// One leg of Newton's way for the surfels of a group, from where they were sorted: they have `room` (m). Those for which it has ended, on the surface or where there is
-/// none to be found, wait no more.
-void leapLeg(World& w, FieldProbe& probe, const std::uint32_t* rows, std::size_t n, double raised, double room) {
+/// One leg of Newton's way for the surfels of a group, from where they were sorted: they have `room` (m).
+/// Those for which it has ended, on the surface or where there is none to be found, wait no more.
+void leapLeg(World& w, FieldProbe& probe, const std::uint32_t* rows, std::size_t n, double raised,
+             double room) {
   Surfels& f = w.surface.surfels;
   const double enough = nearEnough * w.surface.spacing;
   std::array<std::uint32_t, FieldProbe::most> row;
@@ -75,8 +76,10 @@ void leapOntoSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
     for (std::size_t g = 0; g < r.lists.groups(); g++) {
       const std::uint32_t* rows = &r.lists.self[8 * g];
       const std::size_t lanes = r.lists.lanes[g];
-      probe.among(r.lists.particle.data() + r.lists.firstParticle[g], r.lists.firstParticle[g + 1] - r.lists.firstParticle[g], f.component[rows[0]]);
-      leapLeg(w, probe, rows, lanes, w.scene.spacing * offsetOf(raisedOf(r.raised, f.component[rows[0]]) / w.scene.spacing), room);
+      probe.among(r.lists.particle.data() + r.lists.firstParticle[g],
+                  r.lists.firstParticle[g + 1] - r.lists.firstParticle[g], f.component[rows[0]]);
+      leapLeg(w, probe, rows, lanes,
+              w.scene.spacing * offsetOf(raisedOf(r.raised, f.component[rows[0]]) / w.scene.spacing), room);
       for (std::size_t k = 0; k < lanes; k++)
         if (f.moving[rows[k]] == heldAtMargin) going = 1;
     }

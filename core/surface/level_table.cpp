@@ -20,10 +20,15 @@ double kernel(double q2) {
 struct Round {
   bool cavity;
   double radius, deepest;  // deepest: from there on inward the colour is 1, or the middle
-  explicit Round(double curvature) : cavity(curvature < 0), radius(1 / std::max(std::abs(curvature), 1e-4)), deepest(cavity ? 1 : std::min(1.0, radius)) {}
-  double place(double depth) const { return cavity ? radius + depth : radius - depth; }  // distance from the middle
+  explicit Round(double curvature)
+      : cavity(curvature < 0),
+        radius(1 / std::max(std::abs(curvature), 1e-4)),
+        deepest(cavity ? 1 : std::min(1.0, radius)) {}
+  // distance from the middle
+  double place(double depth) const { return cavity ? radius + depth : radius - depth; }
 
-  /// Cosines, toward the middle, of the directions in which points at distance rho of a point at r are in the body.
+  /// Cosines, toward the middle, of the directions in which points at distance rho of a point at r are in the
+  /// body.
   void directions(double r, double rho, double& low, double& high) const {
     double edge;
     if (r * rho < 1e-12) edge = r + rho < radius ? -1 : 1;
@@ -41,8 +46,11 @@ double valueAt(const Profile& p, double share) {
   return p[at] + (s - static_cast<double>(at)) * (p[at + 1] - p[at]);
 }
 
-/// Integral over the body of the kernel around a point at `depth`, times the profile (none: 1); and of the distance inward.
-struct Integral { double sum = 0, inward = 0; };
+/// Integral over the body of the kernel around a point at `depth`, times the profile (none: 1); and of the
+/// distance inward.
+struct Integral {
+  double sum = 0, inward = 0;
+};
 Integral integrate(const Round& body, double depth, const Profile* profile) {
   const double r = body.place(depth);
   Integral out;
@@ -55,8 +63,10 @@ Integral integrate(const Round& body, double depth, const Profile* profile) {
       continue;
     }
     for (int m = 0; m < rings; m++) {
-      const double mu = low + (high - low) * (m + 0.5) / rings, away = std::sqrt(std::max(0.0, r * r + rho * rho - 2 * r * rho * mu));
-      const double v = shell * (high - low) / rings * valueAt(*profile, std::abs(body.radius - away) / body.deepest);
+      const double mu = low + (high - low) * (m + 0.5) / rings,
+                   away = std::sqrt(std::max(0.0, r * r + rho * rho - 2 * r * rho * mu));
+      const double v = shell * (high - low) / rings *
+                       valueAt(*profile, std::abs(body.radius - away) / body.deepest);
       out.sum += v;
       out.inward += v * rho * (body.cavity ? -mu : mu);
     }
@@ -64,12 +74,16 @@ Integral integrate(const Round& body, double depth, const Profile* profile) {
   return out;
 }
 
-struct Sample { double fullness, level, depth; };
+struct Sample {
+  double fullness, level, depth;
+};
 Sample sampleOf(double curvature) {
   const Round body(curvature);
   Profile colour, smoothed;
-  for (int k = 0; k <= fine; k++) colour[static_cast<std::size_t>(k)] = integrate(body, body.deepest * k / fine, nullptr).sum;
-  for (int k = 0; k <= fine; k++) smoothed[static_cast<std::size_t>(k)] = integrate(body, body.deepest * k / fine, &colour).sum;
+  for (int k = 0; k <= fine; k++)
+    colour[static_cast<std::size_t>(k)] = integrate(body, body.deepest * k / fine, nullptr).sum;
+  for (int k = 0; k <= fine; k++)
+    smoothed[static_cast<std::size_t>(k)] = integrate(body, body.deepest * k / fine, &colour).sum;
   const Integral a = integrate(body, 0, &colour), b = integrate(body, 0, &smoothed);
   return {b.sum / a.sum, a.sum, a.inward / a.sum};
 }

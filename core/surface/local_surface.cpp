@@ -16,7 +16,9 @@ void Patch::gather(const Surfels& s, std::size_t i, const RowLists& lists, doubl
   for (std::uint64_t k = lists.first[i]; k < lists.end[i]; k++) {
     const std::uint32_t j = lists.row[k];
     const Vec3d d = s.position[j] - s.position[i];
-    if (dot(d, d) < reach * reach && s.component[j] == s.component[i] && dot(s.normal[j], s.normal[i]) > oneSide) rows.push_back(j);
+    if (dot(d, d) < reach * reach && s.component[j] == s.component[i] &&
+        dot(s.normal[j], s.normal[i]) > oneSide)
+      rows.push_back(j);
   }
 }
 
@@ -27,12 +29,14 @@ void Patch::fitCurvature() {
   Vec3d right{};
   for (const std::uint32_t j : rows) {
     const Vec3d d = s.position[j] - s.position[centre];
-    const double a = dot(d, u), b = dot(d, v), p = dot(s.normal[j], u), q = dot(s.normal[j], v), weight = 1 / std::max(dot(d, d), 1e-300);
+    const double a = dot(d, u), b = dot(d, v), p = dot(s.normal[j], u), q = dot(s.normal[j], v),
+                 weight = 1 / std::max(dot(d, d), 1e-300);
     aa += weight * (a * a), ab += weight * (a * b), bb += weight * (b * b);
     right += weight * Vec3d{p * a, p * b + q * a, q * b};
   }
   const Mat3d m{{{aa, ab, 0}, {ab, aa + bb, ab}, {0, ab, bb}}};
-  // each weighted term is at most 1: a determinant far below that of neighbours all around means a direction is missing
+  // each weighted term is at most 1: a determinant far below that of neighbours all around means a direction
+  // is missing
   const double n = static_cast<double>(rows.size()), det = determinant(m);
   if (!(det > 1e-3 * n * n * n / 27)) return;
   const Vec3d c = inverse(m) * right;
@@ -49,8 +53,10 @@ SurfacePoint pointAround(const Patch& p, double distance, double c, double s) {
   const Vec3d n = f.normal[p.centre], u = f.tangent[p.centre], v = cross(n, u), along = c * u + s * v;
   double k = c * c * p.curvature[0] + 2 * c * s * p.curvature[1] + s * s * p.curvature[2];
   k = std::clamp(k, -1.2 / distance, 1.2 / distance);
-  const double sink = 0.5 * k * distance * distance, flat = std::sqrt(std::max(distance * distance - sink * sink, 0.0));
-  const Vec3d turned = (c * p.curvature[0] + s * p.curvature[1]) * u + (c * p.curvature[1] + s * p.curvature[2]) * v;
+  const double sink = 0.5 * k * distance * distance,
+               flat = std::sqrt(std::max(distance * distance - sink * sink, 0.0));
+  const Vec3d turned = (c * p.curvature[0] + s * p.curvature[1]) * u +
+                       (c * p.curvature[1] + s * p.curvature[2]) * v;
   return {f.position[p.centre] + flat * along - sink * n, normalized(n * (1 - k * sink) + flat * turned)};
 }
 
@@ -60,7 +66,9 @@ void ontoSurface(Patch& p, SurfacePoint* points, std::size_t n, double reach) {
   p.disc.resize(6 * discs);
   for (std::size_t k = 0; k < discs; k++) {
     const std::size_t j = k == 0 ? p.centre : p.rows[k - 1];
-    for (std::size_t a = 0; a < 3; a++) p.disc[6 * k + a] = s.position[j][static_cast<int>(a)], p.disc[6 * k + 3 + a] = s.normal[j][static_cast<int>(a)];
+    for (std::size_t a = 0; a < 3; a++)
+      p.disc[6 * k + a] = s.position[j][static_cast<int>(a)],
+                     p.disc[6 * k + 3 + a] = s.normal[j][static_cast<int>(a)];
   }
   alignas(32) std::array<double, 24> place{};
   alignas(32) std::array<double, 8 * patchSums> sums;
@@ -73,7 +81,9 @@ void ontoSurface(Patch& p, SurfacePoint* points, std::size_t n, double reach) {
     bestSurfaceKernels().betweenDiscs({p.disc.data(), discs, place.data(), reach2, 1 / reach2}, sums.data());
     std::size_t left = 0;
     for (std::size_t k = 0; k < n; k++) {
-      const auto three = [&](std::size_t sum) { return Vec3d{sums[8 * sum + k], sums[8 * (sum + 1) + k], sums[8 * (sum + 2) + k]}; };
+      const auto three = [&](std::size_t sum) {
+        return Vec3d{sums[8 * sum + k], sums[8 * (sum + 1) + k], sums[8 * (sum + 2) + k]};
+      };
       const double weight = sums[8 * PatchWeight + k];
       const Vec3d normal = three(PatchNormal);
       if (!(weight > 0) || !(dot(normal, normal) > 0.01 * weight * weight)) continue;

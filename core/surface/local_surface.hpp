@@ -17,7 +17,7 @@ struct Patch {
   const Surfels* surfels = nullptr;
   std::size_t centre = 0;
   std::vector<std::uint32_t> rows;
-  std::vector<double> disc;   ///< buffers of ontoSurface and emptyPlace
+  std::vector<double> disc;  ///< buffers of ontoSurface and emptyPlace
   std::vector<float> seen;
   double curvature[3]{};  ///< 1/m, ss, st, tt of the shape operator along the tangents; positive: convex
 
@@ -29,13 +29,17 @@ struct Patch {
 };
 
 /// Where the surface of a patch comes nearest.
-struct SurfacePoint { Vec3d position{}, normal{}; };
+struct SurfacePoint {
+  Vec3d position{}, normal{};
+};
 
-/// The point of the patch at chord length `distance` (m) from its centre in the direction cosine * tangent + sine * (normal x tangent).
+/// The point of the patch at chord length `distance` (m) from its centre in the direction cosine * tangent +
+/// sine * (normal x tangent).
 SurfacePoint pointAround(const Patch& patch, double distance, double cosine, double sine);
 
-/// Moves points onto the surface that lies between the patch's surfels, the centre included, by weights that fall to 0 at `reach`: where
-/// the mean of (n_j + n) . (x - x_j) vanishes, which is exact on planes and spheres (ST92's co-circularity). Of n <= 8 points at once.
+/// Moves points onto the surface that lies between the patch's surfels, the centre included, by weights that
+/// fall to 0 at `reach`: where the mean of (n_j + n) . (x - x_j) vanishes, which is exact on planes and
+/// spheres (ST92's co-circularity). Of n <= 8 points at once.
 void ontoSurface(Patch& patch, SurfacePoint* points, std::size_t n, double reach);
 
 }  // namespace thaw

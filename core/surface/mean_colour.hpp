@@ -16,7 +16,8 @@ struct MeanColour {
   }
   std::uint32_t colour() const {
     std::uint32_t packed = 0;
-    for (int c = 0; c < 3; c++) packed |= static_cast<std::uint32_t>((part[c] + weight / 2) / weight) << 8 * c;
+    for (int c = 0; c < 3; c++)
+      packed |= static_cast<std::uint32_t>((part[c] + weight / 2) / weight) << 8 * c;
     return packed;
   }
 };

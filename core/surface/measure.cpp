@@ -15,14 +15,44 @@ namespace {
 /// A component, with what is found on the way.
 struct Record {
   SurfaceComponent measured;
-  Vec3d anchor{};       // place of the particle that names it
-  int ranks = 0;        // that have rows of it
-  Sectors sectors{};    // of periodic axes, with rows of it
-  OnePiece piece;       // how it lies across periodic sides
+  Vec3d anchor{};     // place of the particle that names it
+  int ranks = 0;      // that have rows of it
+  Sectors sectors{};  // of periodic axes, with rows of it
+  OnePiece piece;     // how it lies across periodic sides
 };
 
-enum Sum { Mass, ParticleVolume, WantedVolume, MomentX, MomentY, MomentZ, Area, VolumeX, VolumeY, VolumeZ, MixedX, MixedY, MixedZ, NormalX, NormalY, NormalZ, FreeArea, PlainArea, HeldArea, Rim, RimX, RimY, RimZ,
-           RimXX, RimYY, RimZZ, RimYZ, RimZX, RimXY, sums };
+enum Sum {
+  Mass,
+  ParticleVolume,
+  WantedVolume,
+  MomentX,
+  MomentY,
+  MomentZ,
+  Area,
+  VolumeX,
+  VolumeY,
+  VolumeZ,
+  MixedX,
+  MixedY,
+  MixedZ,
+  NormalX,
+  NormalY,
+  NormalZ,
+  FreeArea,
+  PlainArea,
+  HeldArea,
+  Rim,
+  RimX,
+  RimY,
+  RimZ,
+  RimXX,
+  RimYY,
+  RimZZ,
+  RimYZ,
+  RimZX,
+  RimXY,
+  sums
+};
 
 /// Rows of one component on this rank.
 struct Group {
@@ -34,16 +64,20 @@ struct Group {
 std::vector<std::uint32_t> orderByLabel(const std::uint64_t* label, std::size_t n) {
   std::vector<std::uint32_t> order(n);
   for (std::size_t i = 0; i < n; i++) order[i] = static_cast<std::uint32_t>(i);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return label[a] != label[b] ? label[a] < label[b] : a < b; });
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return label[a] != label[b] ? label[a] < label[b] : a < b;
+  });
   return order;
 }
 
-std::vector<Group> groupsOf(const Surface& s, const std::vector<std::uint32_t>& particles, const std::vector<std::uint32_t>& surfels) {
+std::vector<Group> groupsOf(const Surface& s, const std::vector<std::uint32_t>& particles,
+                            const std::vector<std::uint32_t>& surfels) {
   const std::uint64_t *ofParticle = s.particles.component.data(), *ofSurfel = s.surfels.component.data();
   std::vector<Group> groups;
   for (std::size_t p = 0, f = 0; p < particles.size() || f < surfels.size();) {
     Group g;
-    g.label = std::min(p < particles.size() ? ofParticle[particles[p]] : ~std::uint64_t{0}, f < surfels.size() ? ofSurfel[surfels[f]] : ~std::uint64_t{0});
+    g.label = std::min(p < particles.size() ? ofParticle[particles[p]] : ~std::uint64_t{0},
+                       f < surfels.size() ? ofSurfel[surfels[f]] : ~std::uint64_t{0});
     g.particlesFrom = p;
     while (p < particles.size() && ofParticle[particles[p]] == g.label) p++;
     g.particlesTo = p;
@@ -58,8 +92,11 @@ std::vector<Group> groupsOf(const Surface& s, const std::vector<std::uint32_t>& 
 /// m, least width of sectors without rows beside which a component is cut open.
 double gapOf(const Surface& s) { return 2 * s.spacing; }
 
-/// All components of all ranks, with counts, anchors and how they lie across periodic sides, ascending by label.
-std::vector<Record> recordsOf(const Surface& s, const std::vector<std::uint32_t>& particles, const std::vector<std::uint32_t>& surfels, const std::vector<Group>& groups, Reducer& all) {
+/// All components of all ranks, with counts, anchors and how they lie across periodic sides, ascending by
+/// label.
+std::vector<Record> recordsOf(const Surface& s, const std::vector<std::uint32_t>& particles,
+                              const std::vector<std::uint32_t>& surfels, const std::vector<Group>& groups,
+                              Reducer& all) {
   constexpr std::size_t words = 10;
   std::vector<std::uint64_t> mine;
   for (const Group& g : groups) {
@@ -71,15 +108,20 @@ std::vector<Record> recordsOf(const Surface& s, const std::vector<std::uint32_t>
         has = true;
       }
     Sectors sectors{};
-    for (std::size_t k = g.particlesFrom; k < g.particlesTo; k++) addToSectors(s.grid, gapOf(s), s.particles.position[particles[k]], sectors);
-    for (std::size_t k = g.surfelsFrom; k < g.surfelsTo; k++) addToSectors(s.grid, gapOf(s), s.surfels.position[surfels[k]], sectors);
-    mine.insert(mine.end(), {g.label, g.particlesTo - g.particlesFrom, g.surfelsTo - g.surfelsFrom, has ? 1ull : 0ull, std::bit_cast<std::uint64_t>(anchor.x),
-                             std::bit_cast<std::uint64_t>(anchor.y), std::bit_cast<std::uint64_t>(anchor.z), sectors[0], sectors[1], sectors[2]});
+    for (std::size_t k = g.particlesFrom; k < g.particlesTo; k++)
+      addToSectors(s.grid, gapOf(s), s.particles.position[particles[k]], sectors);
+    for (std::size_t k = g.surfelsFrom; k < g.surfelsTo; k++)
+      addToSectors(s.grid, gapOf(s), s.surfels.position[surfels[k]], sectors);
+    mine.insert(mine.end(),
+                {g.label, g.particlesTo - g.particlesFrom, g.surfelsTo - g.surfelsFrom, has ? 1ull : 0ull,
+                 std::bit_cast<std::uint64_t>(anchor.x), std::bit_cast<std::uint64_t>(anchor.y),
+                 std::bit_cast<std::uint64_t>(anchor.z), sectors[0], sectors[1], sectors[2]});
   }
   const std::vector<std::uint64_t> theirs = gatherWords(all, mine);
   std::vector<std::size_t> order(theirs.size() / words);
   for (std::size_t k = 0; k < order.size(); k++) order[k] = k * words;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return theirs[a] < theirs[b]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return theirs[a] < theirs[b]; });
   std::vector<Record> records;
   for (const std::size_t at : order) {
     const std::uint64_t* w = &theirs[at];
@@ -90,7 +132,8 @@ std::vector<Record> recordsOf(const Surface& s, const std::vector<std::uint32_t>
     Record& r = records.back();
     r.measured.particles += static_cast<std::int64_t>(w[1]);
     r.measured.surfels += static_cast<std::int64_t>(w[2]);
-    if (w[3]) r.anchor = {std::bit_cast<double>(w[4]), std::bit_cast<double>(w[5]), std::bit_cast<double>(w[6])};
+    if (w[3])
+      r.anchor = {std::bit_cast<double>(w[4]), std::bit_cast<double>(w[5]), std::bit_cast<double>(w[6])};
     for (std::size_t a = 0; a < 3; a++) r.sectors[a] |= w[7 + a];
     r.ranks++;
   }
@@ -102,7 +145,10 @@ std::vector<Record> recordsOf(const Surface& s, const std::vector<std::uint32_t>
 }
 
 std::size_t indexOf(const std::vector<Record>& records, std::uint64_t label) {
-  return static_cast<std::size_t>(std::lower_bound(records.begin(), records.end(), label, [](const Record& r, std::uint64_t l) { return r.measured.label < l; }) - records.begin());
+  return static_cast<std::size_t>(
+      std::lower_bound(records.begin(), records.end(), label,
+                       [](const Record& r, std::uint64_t l) { return r.measured.label < l; }) -
+      records.begin());
 }
 
 /// The axes after and before one.
@@ -110,8 +156,8 @@ int next(int axis) { return (axis + 1) % 3; }
 int last(int axis) { return (axis + 2) % 3; }
 
 /// A component's exact sums over this rank's rows.
-void addRows(const Surface& s, const Group& g, const std::vector<std::uint32_t>& particles, const std::vector<std::uint32_t>& surfels, const Record& r,
-             std::array<ExactSum, sums>& sum) {
+void addRows(const Surface& s, const Group& g, const std::vector<std::uint32_t>& particles,
+             const std::vector<std::uint32_t>& surfels, const Record& r, std::array<ExactSum, sums>& sum) {
   const SurfaceParticles& p = s.particles;
   const Surfels& f = s.surfels;
   sum.fill({});
@@ -132,7 +178,8 @@ void addRows(const Surface& s, const Group& g, const std::vector<std::uint32_t>&
     if (liesOnWall(f, i)) sum[HeldArea].add(f.area[i]);
     for (int a = 0; a < 3; a++) {
       sum[static_cast<std::size_t>(VolumeX + a)].add(d[a] * facets[a] + f.bulge[i]);
-      sum[static_cast<std::size_t>(MixedX + a)].add(d[next(a)] * facets[last(a)] + d[last(a)] * facets[next(a)]);
+      sum[static_cast<std::size_t>(MixedX + a)].add(d[next(a)] * facets[last(a)] +
+                                                    d[last(a)] * facets[next(a)]);
       sum[static_cast<std::size_t>(NormalX + a)].add(facets[a]);
     }
     if (f.rim[i] > 0) {
@@ -162,7 +209,9 @@ void finish(const Surface& s, Record& r, const std::array<double, sums>& v) {
   for (int a = 0; a < 3; a++)
     if (grid.periodic[a]) c.centroid[a] = grid.origin[a] + withinPeriod(grid, a, c.centroid[a]);
   const auto three = [&](Sum first) { return Vec3d{v[first], v[first + 1], v[first + 2]}; };
-  FacetSums facets{three(VolumeX), three(MixedX), three(NormalX), v[Rim], three(RimX), {v[RimXX], v[RimYY], v[RimZZ], v[RimXY], v[RimYZ], v[RimZX]}};
+  FacetSums facets{three(VolumeX), three(MixedX),
+                   three(NormalX), v[Rim],
+                   three(RimX),    {v[RimXX], v[RimYY], v[RimZZ], v[RimXY], v[RimYZ], v[RimZX]}};
   c.volume = enclosedVolume(facets, centroid, r.piece.round, s.spacing);
 }
 
@@ -173,8 +222,10 @@ struct SharedValues {
 };
 
 /// Exact sums are long: those of a few components at a time are added up over ranks.
-std::vector<SharedValues> sumShared(const Surface& s, const std::vector<std::uint32_t>& particles, const std::vector<std::uint32_t>& surfels, const std::vector<Group>& groups,
-                                    std::vector<Record>& records, Reducer& all) {
+std::vector<SharedValues> sumShared(const Surface& s, const std::vector<std::uint32_t>& particles,
+                                    const std::vector<std::uint32_t>& surfels,
+                                    const std::vector<Group>& groups, std::vector<Record>& records,
+                                    Reducer& all) {
   constexpr std::size_t together = 64, digits = ExactSum::digits, each = sums * digits;
   std::vector<SharedValues> shared;
   for (std::size_t k = 0; k < records.size(); k++)
@@ -239,12 +290,14 @@ void measureComponents(Surface& s, Reducer& all) {
   for (const Record& r : records) {
     s.components.push_back(r.measured);
     while (old < before.size() && before[old].label < r.measured.label) old++;
-    if (old < before.size() && before[old].label == r.measured.label) s.components.back().raised = before[old].raised;
+    if (old < before.size() && before[old].label == r.measured.label)
+      s.components.back().raised = before[old].raised;
   }
 }
 
 const SurfaceComponent* findComponent(const Surface& s, std::uint64_t label) {
-  const auto at = std::lower_bound(s.components.begin(), s.components.end(), label, [](const SurfaceComponent& c, std::uint64_t l) { return c.label < l; });
+  const auto at = std::lower_bound(s.components.begin(), s.components.end(), label,
+                                   [](const SurfaceComponent& c, std::uint64_t l) { return c.label < l; });
   return at != s.components.end() && at->label == label ? &*at : nullptr;
 }
 

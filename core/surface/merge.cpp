@@ -48,15 +48,22 @@ class Joined {
   std::vector<std::uint64_t> label_, into_;
 };
 
-/// Particles of two liquids that touch are this near, and the middle between them no farther from either surface, in spacings (.35 between two
-/// balls cut from a lattice). What parts is 1.5 times as far apart or more (components.hpp): a pair does not flicker.
+/// Particles of two liquids that touch are this near, and the middle between them no farther from either
+/// surface, in spacings (.35 between two balls cut from a lattice). What parts is 1.5 times as far apart or
+/// more (components.hpp): a pair does not flicker.
 constexpr double touchLength = 1, touchGap = 0.4;
 
-/// How far surfaces are seen from others, m: what comes closer from update to update is met long before it is that deep.
-double meetingReach(const World& w) { return std::min(w.surface.particleSupport, std::max(2 * w.scene.spacing, 4 * w.surface.spacing)); }
+/// How far surfaces are seen from others, m: what comes closer from update to update is met long before it is
+/// that deep.
+double meetingReach(const World& w) {
+  return std::min(w.surface.particleSupport, std::max(2 * w.scene.spacing, 4 * w.surface.spacing));
+}
 
-/// And by other surfels, m: not as far, since particles of two bodies keep a spacing apart; what is deeper in joins (judgeJoining).
-double judgingReach(const World& w) { return std::min(w.surface.particleSupport, std::max(w.scene.spacing, 4 * w.surface.spacing)); }
+/// And by other surfels, m: not as far, since particles of two bodies keep a spacing apart; what is deeper in
+/// joins (judgeJoining).
+double judgingReach(const World& w) {
+  return std::min(w.surface.particleSupport, std::max(w.scene.spacing, 4 * w.surface.spacing));
+}
 
 /// What a part of the last split was before; noComponent of fresh ones and of parts of several.
 std::uint64_t before(const ComponentTools& c, std::uint64_t label) {
@@ -66,8 +73,9 @@ std::uint64_t before(const ComponentTools& c, std::uint64_t label) {
   return from;
 }
 
-/// Do the liquids touch at particle i? One of the other component is no farther than a neighbour in a liquid is, and the middle between them is in
-/// both surfaces, or near them: drops press on each other as soon as they are that close, and flatten; no particle would be inside for long.
+/// Do the liquids touch at particle i? One of the other component is no farther than a neighbour in a liquid
+/// is, and the middle between them is in both surfaces, or near them: drops press on each other as soon as
+/// they are that close, and flatten; no particle would be inside for long.
 bool touches(const World& w, const ComponentTools& c, std::uint32_t i, std::uint64_t other, MergeTools& t) {
   const Surface& s = w.surface;
   const SurfaceParticles& p = s.particles;
@@ -79,29 +87,36 @@ bool touches(const World& w, const ComponentTools& c, std::uint32_t i, std::uint
     found = true;
     for (const std::uint64_t label : {p.component[i], other}) {
       findSides(s.surfels, c.surfelBins, middle, label, false, dx, t.inside, t.touching);
-      found = found && !t.touching.empty() && t.touching[0].asked >= leastAsked && t.touching[0].distance < touchGap * dx;
+      found = found && !t.touching.empty() && t.touching[0].asked >= leastAsked &&
+              t.touching[0].distance < touchGap * dx;
     }
   });
   return found;
 }
 
 /// Needs bins of surfels, and, where there are several parts, of particles.
-std::vector<Pair> meetingPairs(const World& w, Reducer& all, const ComponentTools& c, bool several, MergeTools& t) {
+std::vector<Pair> meetingPairs(const World& w, Reducer& all, const ComponentTools& c, bool several,
+                               MergeTools& t) {
   const Surface& s = w.surface;
   const SurfaceParticles& p = s.particles;
   std::vector<Pair> pairs;
   if (w.scene.surface.merge != MergeRule::None && several)
-    forMixed(c.particleBins, mixedBins(c.particleBins, p.component.data(), c.surfelBins, s.surfels.component.data(), meetingReach(w)), [&](std::uint32_t i) {
-      if (i >= p.owned) return;
-      findSides(s.surfels, c.surfelBins, p.position[i], p.component[i], true, meetingReach(w), t.inside, t.sides);
-      for (const SurfaceSide& side : t.sides) {
-        if (side.asked < leastAsked || side.distance >= touchLength * w.scene.spacing) continue;
-        const bool liquid = side.liquid > 0.5 || (p.liquid.active && p.liquid[i] > 0.5f);
-        if (w.scene.surface.merge == MergeRule::Liquid && !liquid) continue;
-        if (side.distance >= 0 && !(liquid && touches(w, c, i, side.component, t))) continue;
-        pairs.push_back({std::min(side.component, p.component[i]), std::max(side.component, p.component[i])});
-      }
-    });
+    forMixed(c.particleBins,
+             mixedBins(c.particleBins, p.component.data(), c.surfelBins, s.surfels.component.data(),
+                       meetingReach(w)),
+             [&](std::uint32_t i) {
+               if (i >= p.owned) return;
+               findSides(s.surfels, c.surfelBins, p.position[i], p.component[i], true, meetingReach(w),
+                         t.inside, t.sides);
+               for (const SurfaceSide& side : t.sides) {
+                 if (side.asked < leastAsked || side.distance >= touchLength * w.scene.spacing) continue;
+                 const bool liquid = side.liquid > 0.5 || (p.liquid.active && p.liquid[i] > 0.5f);
+                 if (w.scene.surface.merge == MergeRule::Liquid && !liquid) continue;
+                 if (side.distance >= 0 && !(liquid && touches(w, c, i, side.component, t))) continue;
+                 pairs.push_back(
+                     {std::min(side.component, p.component[i]), std::max(side.component, p.component[i])});
+               }
+             });
   const auto unique = [&] {
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
@@ -114,14 +129,17 @@ std::vector<Pair> meetingPairs(const World& w, Reducer& all, const ComponentTool
   for (std::size_t k = 0; k + 1 < words.size(); k += 2) pairs.push_back({words[k], words[k + 1]});
   unique();
   // what has come apart in this update does not join again at once: its ends are still open
-  std::erase_if(pairs, [&](const Pair& m) { return before(c, m.a) != noComponent && before(c, m.a) == before(c, m.b); });
+  std::erase_if(pairs, [&](const Pair& m) {
+    return before(c, m.a) != noComponent && before(c, m.a) == before(c, m.b);
+  });
   return pairs;
 }
 
 /// MergeTools::open.
 enum Seam : std::uint8_t { Disturbed = 1, Joint = 2 };
 
-/// Where an owned surfel is among the others: dead if its component joins one that it is in or close to, else moved out of those it is in.
+/// Where an owned surfel is among the others: dead if its component joins one that it is in or close to, else
+/// moved out of those it is in.
 void judgeSurfel(const World& w, std::uint32_t i, const Joined& joined, ComponentTools& c, MergeTools& t) {
   const Surface& s = w.surface;
   const Surfels& f = s.surfels;
@@ -140,7 +158,8 @@ void judgeSurfel(const World& w, std::uint32_t i, const Joined& joined, Componen
   t.moved[i] = f.position[i] + push;
 }
 
-/// An owned surfel of what joins, some way from the other's surface: do the other's particles shape the common surface here, or is it deep in there?
+/// An owned surfel of what joins, some way from the other's surface: do the other's particles shape the
+/// common surface here, or is it deep in there?
 void judgeJoining(const Surface& s, std::uint32_t i, const Bins& joining, ComponentTools& c, MergeTools& t) {
   const Surfels& f = s.surfels;
   int seen = 0;
@@ -166,12 +185,14 @@ void judgeAllJoining(const Surface& s, const Joined& joined, ComponentTools& c, 
   if (joined.none()) return;
   std::vector<std::uint8_t> joins(f.size());
   t.into.resize(f.size());
-  for (std::size_t i = 0; i < f.size(); i++) joins[i] = joined.joins(f.component[i]), t.into[i] = joined.of(f.component[i]);
+  for (std::size_t i = 0; i < f.size(); i++)
+    joins[i] = joined.joins(f.component[i]), t.into[i] = joined.of(f.component[i]);
   Bins joining;
   pickRows(c.surfelBins, joins.data(), joining);
-  forMixed(joining, mixedBins(joining, f.component.data(), joining, f.component.data(), s.particleSupport), [&](std::uint32_t i) {
-    if (i < f.owned) judgeJoining(s, i, joining, c, t);
-  });
+  forMixed(joining, mixedBins(joining, f.component.data(), joining, f.component.data(), s.particleSupport),
+           [&](std::uint32_t i) {
+             if (i < f.owned) judgeJoining(s, i, joining, c, t);
+           });
 }
 
 }  // namespace
@@ -194,16 +215,19 @@ void mergeComponents(World& w, SurfaceHalos halos, ComponentTools& c, MergeTools
   t.moved.assign(f.position.data(), f.position.data() + f.owned);
   t.open.assign(f.owned, 0);
   if (several) {
-    forMixed(c.surfelBins, mixedBins(c.surfelBins, f.component.data(), c.surfelBins, f.component.data(), judgingReach(w)), [&](std::uint32_t i) {
-      if (i < f.owned) judgeSurfel(w, i, joined, c, t);
-    });
+    forMixed(c.surfelBins,
+             mixedBins(c.surfelBins, f.component.data(), c.surfelBins, f.component.data(), judgingReach(w)),
+             [&](std::uint32_t i) {
+               if (i < f.owned) judgeSurfel(w, i, joined, c, t);
+             });
     judgeAllJoining(s, joined, c, t);
   }
   std::copy(t.moved.begin(), t.moved.end(), f.position.data());
   for (std::size_t i = 0; i < f.owned; i++)
     if (t.open[i] & Disturbed) f.calm[i] = 0;
   if (!pairs.empty()) {
-    f.activate(f.loose);  // the two skins end in a seam: what was grown settles onto the common surface, solid or not
+    f.activate(f.loose);  // the two skins end in a seam: what was grown settles onto the common surface,
+                          // solid or not
     for (std::size_t i = 0; i < f.owned; i++)
       if ((t.open[i] & Joint) && f.detail[i] < 0.5f) f.loose[i] = 1;
     for (std::size_t i = 0; i < f.owned; i++) f.component[i] = joined.of(f.component[i]);

@@ -6,8 +6,8 @@
 namespace thaw {
 namespace {
 
-constexpr double sliver = 0.2;   // height over the longest edge around
-constexpr double tiny = 0.1;     // longest edge over the longest around: two such triangles may agree by chance
+constexpr double sliver = 0.2;  // height over the longest edge around
+constexpr double tiny = 0.1;  // longest edge over the longest around: two such triangles may agree by chance
 constexpr double agrees = 0.98;  // cosine of 11 degrees
 
 }  // namespace
@@ -16,7 +16,8 @@ MeshNormals::MeshNormals(const TriangleMesh& mesh) : mesh_(mesh) {
   face_.reserve(mesh.triangles.size());
   first_.assign(mesh.vertices.size() + 1, 0);
   for (const auto& t : mesh.triangles) {
-    face_.push_back(normalized(cross(mesh.vertices[t[1]] - mesh.vertices[t[0]], mesh.vertices[t[2]] - mesh.vertices[t[0]])));
+    face_.push_back(normalized(
+        cross(mesh.vertices[t[1]] - mesh.vertices[t[0]], mesh.vertices[t[2]] - mesh.vertices[t[0]])));
     for (const std::uint32_t v : t) first_[v + 1]++;
   }
   for (std::size_t v = 0; v < mesh.vertices.size(); v++) first_[v + 1] += first_[v];
@@ -27,11 +28,15 @@ MeshNormals::MeshNormals(const TriangleMesh& mesh) : mesh_(mesh) {
   mendSlivers();
 }
 
-/// Where a sliver's normal does not agree with that of the triangle across its longest edge (as it does on the narrow side of a plate), it is rounding, not shape: a mean of all around its corners is better.
+/// Where a sliver's normal does not agree with that of the triangle across its longest edge (as it does on
+/// the narrow side of a plate), it is rounding, not shape: a mean of all around its corners is better.
 void MeshNormals::mendSlivers() {
   const std::vector<Vec3d> own = face_;
   const TriangleMesh& m = mesh_;
-  const auto doubleArea = [&](std::uint32_t u) { return cross(m.vertices[m.triangles[u][1]] - m.vertices[m.triangles[u][0]], m.vertices[m.triangles[u][2]] - m.vertices[m.triangles[u][0]]); };
+  const auto doubleArea = [&](std::uint32_t u) {
+    return cross(m.vertices[m.triangles[u][1]] - m.vertices[m.triangles[u][0]],
+                 m.vertices[m.triangles[u][2]] - m.vertices[m.triangles[u][0]]);
+  };
   doubtful_.assign(m.triangles.size(), 0);
   for (std::uint32_t u = 0; u < m.triangles.size(); u++) {
     const auto& t = m.triangles[u];
@@ -55,7 +60,8 @@ void MeshNormals::mendSlivers() {
         if (o == u) continue;
         sum += doubleArea(o);
         const auto& c = m.triangles[o];
-        const bool across = std::find(c.begin(), c.end(), from) != c.end() && std::find(c.begin(), c.end(), to) != c.end();
+        const bool across = std::find(c.begin(), c.end(), from) != c.end() &&
+                            std::find(c.begin(), c.end(), to) != c.end();
         agreed = agreed || (across && dot(own[o], own[u]) > agrees);
       }
     if ((agreed && longest2 > tiny * tiny * around2) || !(dot(sum, sum) > 0)) continue;
@@ -98,8 +104,10 @@ Vec3d MeshNormals::cornerNormal(std::uint32_t triangle, std::uint32_t vertex) co
     if (doubtful_[u] || dot(face_[u], face_[triangle]) < crease) continue;
     const auto& c = mesh_.triangles[u];
     const std::size_t at = c[0] == vertex ? 0 : c[1] == vertex ? 1 : 2;
-    const Vec3d p = normalized(mesh_.vertices[c[(at + 1) % 3]] - here), q = normalized(mesh_.vertices[c[(at + 2) % 3]] - here);
-    sum += std::sqrt(std::max(0.0, 0.5 - 0.5 * dot(p, q))) * face_[u];  // sine of half the angle there: as good a weight, and the same bits everywhere
+    const Vec3d p = normalized(mesh_.vertices[c[(at + 1) % 3]] - here),
+                q = normalized(mesh_.vertices[c[(at + 2) % 3]] - here);
+    // sine of half the angle there: as good a weight, and the same bits everywhere
+    sum += std::sqrt(std::max(0.0, 0.5 - 0.5 * dot(p, q))) * face_[u];
   }
   return dot(sum, sum) > 0 ? normalized(sum) : face_[triangle];
 }
@@ -109,7 +117,8 @@ std::uint32_t MeshNormals::colourAt(const Vec3d& x, std::uint32_t triangle) cons
   std::uint32_t packed = 0;
   for (int part = 0; part < 3; part++) {
     double c = 0;
-    for (std::size_t k = 0; k < 3; k++) c += share[k] * static_cast<double>(mesh_.colours[mesh_.triangles[triangle][k]] >> 8 * part & 255);
+    for (std::size_t k = 0; k < 3; k++)
+      c += share[k] * static_cast<double>(mesh_.colours[mesh_.triangles[triangle][k]] >> 8 * part & 255);
     packed |= static_cast<std::uint32_t>(std::clamp(std::lround(c), 0l, 255l)) << 8 * part;
   }
   return packed;

@@ -11,8 +11,10 @@ namespace thaw {
 class MeshNormals {
  public:
   explicit MeshNormals(const TriangleMesh& mesh);
-  /// Unit normal at a point of a triangle: between those of its corners, each as the file has it, or where that says nothing the mean of the triangles around it by their angle there,
-  /// as far as they turn less than 45 degrees from this one. Slivers whose normal differs from that across their longest edge say nothing.
+  /// Unit normal at a point of a triangle: between those of its corners, each as the file has it, or where
+  /// that says nothing the mean of the triangles around it by their angle there, as far as they turn less
+  /// than 45 degrees from this one. Slivers whose normal differs from that across their longest edge say
+  /// nothing.
   Vec3d at(const Vec3d& x, std::uint32_t triangle) const;
   /// Colour between those of the corners; the mesh has to have some.
   std::uint32_t colourAt(const Vec3d& x, std::uint32_t triangle) const;

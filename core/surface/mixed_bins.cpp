@@ -12,13 +12,15 @@ struct Range {
 std::vector<Range> rangesOf(const Bins& bins, const std::uint64_t* label) {
   std::vector<Range> ranges(bins.size());
   for (std::size_t b = 0; b < bins.size(); b++)
-    for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++) ranges[b].add({label[bins.row[k]], label[bins.row[k]]});
+    for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++)
+      ranges[b].add({label[bins.row[k]], label[bins.row[k]]});
   return ranges;
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> mixedBins(const Bins& of, const std::uint64_t* ofLabel, const Bins& among, const std::uint64_t* label, double reach) {
+std::vector<std::uint8_t> mixedBins(const Bins& of, const std::uint64_t* ofLabel, const Bins& among,
+                                    const std::uint64_t* label, double reach) {
   const std::vector<Range> own = rangesOf(of, ofLabel), others = rangesOf(among, label);
   Range all;
   for (const std::vector<Range>* ranges : {&own, &others})

@@ -7,8 +7,10 @@
 
 namespace thaw {
 
-/// For each bin of `of`, whether there are two labels among its rows and those that `among` has within `reach` (m) of them; some more may be named.
-std::vector<std::uint8_t> mixedBins(const Bins& of, const std::uint64_t* ofLabel, const Bins& among, const std::uint64_t* label, double reach);
+/// For each bin of `of`, whether there are two labels among its rows and those that `among` has within
+/// `reach` (m) of them; some more may be named.
+std::vector<std::uint8_t> mixedBins(const Bins& of, const std::uint64_t* ofLabel, const Bins& among,
+                                    const std::uint64_t* label, double reach);
 
 /// Calls f(row) for the rows of these bins.
 template<class F> void forMixed(const Bins& bins, const std::vector<std::uint8_t>& mixed, F f) {

@@ -11,7 +11,8 @@
 namespace thaw {
 namespace {
 
-constexpr double neighbour = 1.75;   // spacings: of 26 in a cubic lattice the farthest; a gap of one layer is wider
+constexpr double neighbour = 1.75;   // spacings: of 26 in a cubic lattice the farthest; a gap of one layer is
+                                     // wider
 constexpr double detour = 1.5;       // of the straight way
 constexpr double inDirection = 0.9;  // cosine: what lies before an empty direction
 
@@ -51,7 +52,9 @@ class Around {
       if (free_.taken(k)) continue;
       const Vec3d u = seeds[k];
       for (const Vec3d& d : at_)
-        if (const double along = dot(d, u); along > near_ && along * along > inDirection * inDirection * dot(d, d)) return true;
+        if (const double along = dot(d, u);
+            along > near_ && along * along > inDirection * inDirection * dot(d, d))
+          return true;
     }
     return false;
   }
@@ -71,7 +74,8 @@ class Around {
       done_[k] = 1;
       for (std::size_t m = 0; m < n; m++) {
         const Vec3d d = at_[m] - at_[k];
-        if (const double r2 = dot(d, d); r2 <= near_ * near_) way_[m] = std::min(way_[m], way_[k] + std::sqrt(r2));
+        if (const double r2 = dot(d, d); r2 <= near_ * near_)
+          way_[m] = std::min(way_[m], way_[k] + std::sqrt(r2));
       }
     }
   }
@@ -93,7 +97,8 @@ NearGaps findNearGaps(const World& w, const Bins& bins, Reducer& all) {
   Around around(w);
   SeedDirections seeds(w);
   for (std::size_t i = 0; i < p.owned; i++) {
-    if (isSampled(w.scene, p.body[i]) || p.component[i] == noComponent || p.colour[i] >= innerColour) continue;
+    if (isSampled(w.scene, p.body[i]) || p.component[i] == noComponent || p.colour[i] >= innerColour)
+      continue;
     std::vector<std::uint64_t>& known = p.liquid.active && p.liquid[i] >= 0.5f ? mine.liquid : mine.solid;
     if (std::find(known.begin(), known.end(), p.component[i]) != known.end()) continue;
     seeds.turn(p.id[i]);

@@ -1,4 +1,5 @@
-// Sheets that come close without being one (docs/validation/stability.md B20, B22): what a surfel must not take for its own surroundings.
+// Sheets that come close without being one (docs/validation/stability.md B20, B22): what a surfel must not
+// take for its own surroundings.
 #pragma once
 #include "core/math/vec3.hpp"
 
@@ -14,11 +15,13 @@ enum class Facing : unsigned char {
 /// Cosine of the angle of normals from which on two surfels are of two sheets: 120 degrees.
 inline constexpr double twoSheets = -0.5;
 
-/// By normals alone, without particles: normals more than 120 degrees apart (n.n' < -1/2) are of two sheets; what lies in front of both is a
-/// gap, what lies behind both a sheet; else (a fold, a rim) they are taken for the same. d: from this surfel to the other, m.
+/// By normals alone, without particles: normals more than 120 degrees apart (n.n' < -1/2) are of two sheets;
+/// what lies in front of both is a gap, what lies behind both a sheet; else (a fold, a rim) they are taken
+/// for the same. d: from this surfel to the other, m.
 inline Facing facing(const Vec3d& d, const Vec3d& normal, const Vec3d& otherNormal) {
   if (dot(normal, otherNormal) >= twoSheets) return Facing::Same;
-  const double ahead = dot(d, normal), back = -dot(d, otherNormal);  // heights of the other one over this one's plane and the reverse
+  // heights of the other one over this one's plane and the reverse
+  const double ahead = dot(d, normal), back = -dot(d, otherNormal);
   if (ahead > 0 && back > 0) return Facing::AcrossGap;
   if (ahead < 0 && back < 0) return Facing::AcrossSheet;
   return Facing::Same;

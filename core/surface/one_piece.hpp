@@ -1,4 +1,5 @@
-// Where a component lies along periodic axes: seen from the widest part of the domain that it leaves free, it is in one piece.
+// Where a component lies along periodic axes: seen from the widest part of the domain that it leaves free, it
+// is in one piece.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -9,11 +10,15 @@
 
 namespace thaw {
 
-/// Sectors of the domain along each periodic axis that a component has rows in, a bit each. The same for any order of the rows, and | of the parts is that of the whole.
+/// Sectors of the domain along each periodic axis that a component has rows in, a bit each. The same for any
+/// order of the rows, and | of the parts is that of the whole.
 using Sectors = std::array<std::uint64_t, 3>;
 
-/// Of an axis: at most 64, each at least `least` (m) wide, so that one without rows is no gap between neighbours.
-inline int sectorCount(const CellGrid& g, int axis, double least) { return static_cast<int>(std::clamp(g.period[axis] / least, 1.0, 64.0)); }
+/// Of an axis: at most 64, each at least `least` (m) wide, so that one without rows is no gap between
+/// neighbours.
+inline int sectorCount(const CellGrid& g, int axis, double least) {
+  return static_cast<int>(std::clamp(g.period[axis] / least, 1.0, 64.0));
+}
 
 /// m, from the low side of the domain, in [0, period): only along periodic axes.
 inline double withinPeriod(const CellGrid& g, int axis, double x) {
@@ -24,15 +29,18 @@ inline double withinPeriod(const CellGrid& g, int axis, double x) {
 inline void addToSectors(const CellGrid& g, double least, const Vec3d& x, Sectors& sectors) {
   for (int a = 0; a < 3; a++) {
     if (!g.periodic[a]) continue;
-    const int n = sectorCount(g, a, least), s = std::min(n - 1, static_cast<int>(withinPeriod(g, a, x[a]) / g.period[a] * n));
+    const int n = sectorCount(g, a, least),
+              s = std::min(n - 1, static_cast<int>(withinPeriod(g, a, x[a]) / g.period[a] * n));
     sectors[static_cast<std::size_t>(a)] |= std::uint64_t{1} << s;
   }
 }
 
 /// How places of a component are told along each axis.
 struct OnePiece {
-  std::array<bool, 3> round{};  ///< it has rows in every sector of a periodic axis: it goes round, or nearly so, and is in no one piece
-  Vec3d from{};                 ///< m from the low side: middle of the widest gap, where the domain is cut open; 0 where it goes round
+  std::array<bool, 3> round{};  ///< it has rows in every sector of a periodic axis: it goes round, or nearly
+                                ///< so, and is in no one piece
+  Vec3d from{};  ///< m from the low side: middle of the widest gap, where the domain is cut open; 0 where it
+                 ///< goes round
 };
 
 inline OnePiece onePiece(const CellGrid& g, double least, const Sectors& sectors) {
@@ -52,7 +60,8 @@ inline OnePiece onePiece(const CellGrid& g, double least, const Sectors& sectors
   return p;
 }
 
-/// x moved by whole periods to where it lies in the one piece: along periodic axes from the low side of the domain plus `from` on.
+/// x moved by whole periods to where it lies in the one piece: along periodic axes from the low side of the
+/// domain plus `from` on.
 inline Vec3d placeIn(const CellGrid& g, const OnePiece& p, Vec3d x) {
   for (int a = 0; a < 3; a++) {
     if (!g.periodic[a]) continue;

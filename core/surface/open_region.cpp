@@ -8,7 +8,8 @@
 namespace thaw {
 namespace {
 
-/// Appends these rows of one table of surfels to the owned ones of another, which has the same fields, or more.
+/// Appends these rows of one table of surfels to the owned ones of another, which has the same fields, or
+/// more.
 template<class Row> void appendRows(const Surfels& from, std::size_t n, Row row, Surfels& to) {
   const std::size_t first = to.owned;
   to.resize(first + n, 0);
@@ -16,19 +17,24 @@ template<class Row> void appendRows(const Surfels& from, std::size_t n, Row row,
     const AnyColumn& in = *from.columns[c];
     AnyColumn& out = *to.columns[c];
     if (!in.active || !out.active || in.keep != Keep::State) continue;
-    for (std::size_t k = 0; k < n; k++) std::memcpy(out.bytes.data() + (first + k) * in.elementBytes, in.bytes.data() + row(k) * in.elementBytes, in.elementBytes);
+    for (std::size_t k = 0; k < n; k++)
+      std::memcpy(out.bytes.data() + (first + k) * in.elementBytes,
+                  in.bytes.data() + row(k) * in.elementBytes, in.elementBytes);
   }
 }
 
 }  // namespace
 
-void takeRegion(Surface& s, const Bins& bins, const std::vector<std::uint8_t>& open, double radius, double reach, OpenRegion& r) {
+void takeRegion(Surface& s, const Bins& bins, const std::vector<std::uint8_t>& open, double radius,
+                double reach, OpenRegion& r) {
   Surfels& f = s.surfels;
   constexpr double far = std::numeric_limits<double>::infinity();
   std::vector<double> depth2(f.size(), far);
   const double beside2 = 2.25 * s.spacing * s.spacing;  // what is this near to another one is not asked
   for (std::size_t i = 0; i < f.size(); i++)
-    if (open[i] && depth2[i] > beside2) forRowsWithin(bins, f.position[i], radius, [&](std::uint32_t j, double d2) { depth2[j] = std::min(depth2[j], d2); });
+    if (open[i] && depth2[i] > beside2)
+      forRowsWithin(bins, f.position[i], radius,
+                    [&](std::uint32_t j, double d2) { depth2[j] = std::min(depth2[j], d2); });
   f.resize(f.owned, 0);
   r.rows.clear();
   for (std::uint32_t i = 0; i < f.owned; i++)
@@ -41,7 +47,8 @@ void takeRegion(Surface& s, const Bins& bins, const std::vector<std::uint8_t>& o
   to.activate(to.depth);
   to.resize(to.owned, 0);
   to.resize(0, 0);
-  appendRows(f, r.rows.size(), [&](std::size_t k) { return r.rows[k]; }, to);
+  appendRows(
+      f, r.rows.size(), [&](std::size_t k) { return r.rows[k]; }, to);
   for (std::size_t k = 0; k < r.rows.size(); k++) to.depth[k] = std::sqrt(depth2[r.rows[k]]);
   r.deepest = radius - reach;
   r.taken = true;
@@ -66,7 +73,8 @@ void returnRegion(Surface& s, OpenRegion& r) {
   f.resize(f.owned, 0);
   f.reorder(kept);
   r.surfels.resize(r.surfels.owned, 0);
-  appendRows(r.surfels, r.surfels.owned, [](std::size_t k) { return k; }, f);
+  appendRows(
+      r.surfels, r.surfels.owned, [](std::size_t k) { return k; }, f);
   r.taken = false;
 }
 

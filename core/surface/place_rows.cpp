@@ -4,7 +4,8 @@
 
 namespace thaw {
 
-template<class Rows> void placeRows(const CellGrid& grid, CellHalo& halo, Rows& rows, CellTable& cells, SortBuffers& buffers) {
+template<class Rows>
+void placeRows(const CellGrid& grid, CellHalo& halo, Rows& rows, CellTable& cells, SortBuffers& buffers) {
   rows.resize(rows.owned, 0);
   for (int a = 0; a < 3; a++) {
     if (!grid.periodic[a]) continue;

@@ -17,12 +17,14 @@ class PointCells {
     for (std::size_t k = 0; k < points.size(); k++)
       for (int a = 0; a < 3; a++) low_[a] = k == 0 ? points[k][a] : std::min(low_[a], points[k][a]);
     std::vector<std::pair<std::uint64_t, std::uint32_t>> keyed(points.size());
-    for (std::size_t k = 0; k < points.size(); k++) keyed[k] = {keyOf(points[k]), static_cast<std::uint32_t>(k)};
+    for (std::size_t k = 0; k < points.size(); k++)
+      keyed[k] = {keyOf(points[k]), static_cast<std::uint32_t>(k)};
     std::sort(keyed.begin(), keyed.end());
     order_.resize(points.size());
     for (std::size_t k = 0; k < keyed.size(); k++) {
       order_[k] = keyed[k].second;
-      if (k == 0 || keyed[k].first != keyed[k - 1].first) key_.push_back(keyed[k].first), first_.push_back(static_cast<std::uint32_t>(k));
+      if (k == 0 || keyed[k].first != keyed[k - 1].first)
+        key_.push_back(keyed[k].first), first_.push_back(static_cast<std::uint32_t>(k));
     }
     first_.push_back(static_cast<std::uint32_t>(points.size()));
     std::size_t size = 16;
@@ -39,7 +41,10 @@ class PointCells {
   const std::vector<std::uint32_t>& order() const { return order_; }
   std::uint64_t keyOf(const Vec3d& x) const {
     std::uint64_t key = 0;
-    for (int a = 2; a >= 0; a--) key = key << 21 | (static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor((x[a] - low_[a]) * back_)) + 2) & mask);
+    for (int a = 2; a >= 0; a--)
+      key = key << 21 |
+            (static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor((x[a] - low_[a]) * back_)) + 2) &
+             mask);
     return key;
   }
   /// f(first, last) for the ranges of order() in the 27 cells around x.
@@ -48,7 +53,8 @@ class PointCells {
     for (std::uint64_t z = 0; z < 3; z++)
       for (std::uint64_t y = 0; y < 3; y++)
         for (std::uint64_t i = 0; i < 3; i++) {
-          const std::uint64_t key = here + (z << 42) + (y << 21) + i - ((std::uint64_t{1} << 42) + (1 << 21) + 1);
+          const std::uint64_t key = here + (z << 42) + (y << 21) + i -
+                                    ((std::uint64_t{1} << 42) + (1 << 21) + 1);
           std::size_t s = mixBits(key) & (slot_.size() - 1);
           while (slot_[s] != none && key_[slot_[s]] != key) s = (s + 1) & (slot_.size() - 1);
           if (slot_[s] != none) f(first_[slot_[s]], first_[slot_[s] + 1]);

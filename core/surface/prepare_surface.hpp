@@ -4,7 +4,8 @@
 
 namespace thaw {
 
-/// Radii and grid of world.surface, from the scene. Throws std::runtime_error (one sentence) for a periodic domain that is too short.
+/// Radii and grid of world.surface, from the scene. Throws std::runtime_error (one sentence) for a periodic
+/// domain that is too short.
 void prepareSurface(World& world);
 
 /// Switches on what the modules need of a surface's tables.

@@ -11,9 +11,10 @@ namespace {
 
 /// Factors of the sums of (1 - (r/h)^2)^3, lengths in spacings.
 struct Lattice {
-  double perSum = 0;      ///< over the cubic lattice, for sums at places
-  double perOwnSum = 0;   ///< for sums at particles
-  double self = 1;        ///< weight of a particle in its own sum: that of a ball, not a point, such that a lone particle has its own volume
+  double perSum = 0;     ///< over the cubic lattice, for sums at places
+  double perOwnSum = 0;  ///< for sums at particles
+  double self = 1;  ///< weight of a particle in its own sum: that of a ball, not a point, such that a lone
+                    ///< particle has its own volume
 };
 Lattice latticeOf(double h, const LevelTable& table) {
   double sum = 0;
@@ -24,9 +25,10 @@ Lattice latticeOf(double h, const LevelTable& table) {
         const double u = 1 - (x * x + y * y + z * z) / (h * h);
         if (u > 0) sum += u * u * u;
       }
-  // a lone particle has colours c = x, a = x^2 and fullness b / a = x = self / (sum - 1 + self), and a c u^3 / sum around it: this is to be
-  // at its level where its volume ends
-  const double R = std::cbrt(3 / (4 * 3.14159265358979323846)), u = 1 - R * R / (h * h), wanted = u * u * u / sum;
+  // a lone particle has colours c = x, a = x^2 and fullness b / a = x = self / (sum - 1 + self), and a c u^3
+  // / sum around it: this is to be at its level where its volume ends
+  const double R = std::cbrt(3 / (4 * 3.14159265358979323846)), u = 1 - R * R / (h * h),
+               wanted = u * u * u / sum;
   double low = 0, high = 1 / sum;
   for (int k = 0; k < 60; k++) {
     const double x = 0.5 * (low + high);
@@ -39,7 +41,8 @@ Lattice latticeOf(double h, const LevelTable& table) {
   return l;
 }
 
-/// m^3, what the colour field counts of each particle, ghosts included. Of one cut from a lattice: what of its body was around it, so that a ball is no staircase.
+/// m^3, what the colour field counts of each particle, ghosts included. Of one cut from a lattice: what of
+/// its body was around it, so that a ball is no staircase.
 std::vector<double> weightsOf(const SurfaceParticles& p) {
   std::vector<double> weight(p.volume.data(), p.volume.data() + p.size());
   if (p.fill.active)
@@ -85,7 +88,9 @@ void readyParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
           const std::uint32_t j = around.row[k];
           const Vec3d d = around.at[k] - x;
           const double u = 1 - dot(d, d) / h2;
-          if (u > 0 && p.component[j] == p.component[i]) sum += weight[j] * (j == i ? lattice.self : u * u * u) * (pass == 0 ? 1.0 : static_cast<double>(p.colour[j]));
+          if (u > 0 && p.component[j] == p.component[i])
+            sum += weight[j] * (j == i ? lattice.self : u * u * u) *
+                   (pass == 0 ? 1.0 : static_cast<double>(p.colour[j]));
         }
       to[i] = static_cast<float>(perVolume * lattice.perOwnSum * sum);
     });
@@ -114,15 +119,16 @@ void sampleFields(World& w, SurfaceHalos halos, SurfaceTools& t) {
   const double h = w.surface.particleSupport, h2 = h * h;
   for (std::size_t i = 0; i < s.owned; i++) {
     double weights = 0, liquid = 0, temperature = 0;
-    forRowsAround(t.relax.particleBins, s.position[i], s.position[i], h, [&](std::uint32_t j, const Vec3d& at) {
-      const Vec3d d = at - s.position[i];
-      const double u = 1 - dot(d, d) / h2;
-      if (!(u > 0) || p.component[j] != s.component[i]) return;
-      const double v = u * u * u;
-      weights += v;
-      if (s.liquid.active) liquid += v * static_cast<double>(p.liquid[j]);
-      if (s.temperature.active) temperature += v * static_cast<double>(p.temperature[j]);
-    });
+    forRowsAround(t.relax.particleBins, s.position[i], s.position[i], h,
+                  [&](std::uint32_t j, const Vec3d& at) {
+                    const Vec3d d = at - s.position[i];
+                    const double u = 1 - dot(d, d) / h2;
+                    if (!(u > 0) || p.component[j] != s.component[i]) return;
+                    const double v = u * u * u;
+                    weights += v;
+                    if (s.liquid.active) liquid += v * static_cast<double>(p.liquid[j]);
+                    if (s.temperature.active) temperature += v * static_cast<double>(p.temperature[j]);
+                  });
     if (!(weights > 0)) continue;
     if (s.liquid.active) s.liquid[i] = static_cast<float>(liquid / weights);
     if (s.temperature.active) s.temperature[i] = static_cast<float>(temperature / weights);

@@ -51,7 +51,8 @@ constexpr double easing = 0.8;
 
 void markMovable(const Surface& s, bool all, RelaxTools& r) {
   markFree(s, all, r.free);
-  for (std::size_t i = 0; i < r.free.size() && !r.only.empty(); i++) r.free[i] = r.free[i] && std::binary_search(r.only.begin(), r.only.end(), s.surfels.component[i]);
+  for (std::size_t i = 0; i < r.free.size() && !r.only.empty(); i++)
+    r.free[i] = r.free[i] && std::binary_search(r.only.begin(), r.only.end(), s.surfels.component[i]);
 }
 
 /// Surfels to their ranks and sorted, their ghosts, and all lists. Collective.
@@ -70,7 +71,8 @@ void search(World& w, SurfaceHalos halos, SurfaceTools& t, bool all, bool first,
   if (!first) markActive(s, halos.surfels, r.surfelBins, s.surfelSupport + margin, r.free, r.core);
   listGroups(s, r.free, r.surfelBins, r.particleBins, radii, r.lists);
   const double gap = gapReach * s.particleSupport;
-  if (first) fillBins(s.grid, s.surfelCells, f.position.data(), gap / 3, r.gapBins);  // all pairs of bins within a gap are looked at
+  // all pairs of bins within a gap are looked at
+  if (first) fillBins(s.grid, s.surfelCells, f.position.data(), gap / 3, r.gapBins);
   findCeilings(s, r.free, first ? r.gapBins : r.surfelBins, gap, !first);
   packCeilings(s, r.lists, r.ceilings);
   r.found.assign(f.position.data(), f.position.data() + f.owned);
@@ -119,7 +121,8 @@ void listStirredGroups(const GroupLists& l, const Surfels& f, std::vector<std::u
 /// Of those, the ones with a surfel that moved, or has a neighbour that did, within h_ss.
 void keepStirred(const GroupLists& l, const float* sums, int channels, std::vector<std::uint32_t>& groups) {
   std::erase_if(groups, [&](std::uint32_t g) {
-    const float* stirred = sums + (static_cast<std::size_t>(g) * static_cast<std::size_t>(channels) + Stirred) * 8;
+    const float* stirred = sums +
+                           (static_cast<std::size_t>(g) * static_cast<std::size_t>(channels) + Stirred) * 8;
     return std::none_of(stirred, stirred + l.lanes[g], [](float x) { return x > 0; });
   });
 }
@@ -127,12 +130,14 @@ void keepStirred(const GroupLists& l, const float* sums, int channels, std::vect
 /// Sums of a surfel's group and lane.
 SurfelSums sumsAt(const ForceSums& in, std::uint32_t g, int lane) {
   const std::size_t channels = in.plane ? planeSums : sphereSums;
-  return {in.overSurfels + static_cast<std::size_t>(g) * 8 * channels, in.overParticles + static_cast<std::size_t>(g) * 8 * particleSums, lane};
+  return {in.overSurfels + static_cast<std::size_t>(g) * 8 * channels,
+          in.overParticles + static_cast<std::size_t>(g) * 8 * particleSums, lane};
 }
 
 }  // namespace
 
-Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights& weights, std::int64_t iterations, bool all) {
+Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights& weights,
+               std::int64_t iterations, bool all) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
   RelaxTools& r = t.relax;
@@ -150,20 +155,24 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
   f.activate(f.ceiling);
   for (std::size_t i = 0; i < f.owned; i++) f.moving[i] = r.free[i], f.pace[i] = 0;
   findStanding(w, r.free);
-  // a surfel may move by half the margin before lists are stale; the cells of the grid leave room for half a spacing of the particles
+  // a surfel may move by half the margin before lists are stale; the cells of the grid leave room for half a
+  // spacing of the particles
   const double margin = listMargin(s, w.scene.spacing);
   search(w, halos, t, all, true, margin, lap);
   Settled done;
   MoveCounts counts;
-  // across the surface most are at rest after a few iterations; along it a long wave of crowding would have them shuffle on, hence K05's damping. So would the rims of a splash across it: what
-  // is left there after easeAfter goes on in the next update, with the particles
+  // across the surface most are at rest after a few iterations; along it a long wave of crowding would have
+  // them shuffle on, hence K05's damping. So would the rims of a splash across it: what is left there after
+  // easeAfter goes on in the next update, with the particles
   double spread = 1, ease = 1;
   bool spreads = false, held = false, running = true;
   std::int64_t nextSearch = 1;
   while (done.iterations < iterations && !done.finished) {
-    // one that has come to the end of its margin waits for the next search; those are made at longer and longer intervals, since few are left
+    // one that has come to the end of its margin waits for the next search; those are made at longer and
+    // longer intervals, since few are left
     if (spreads || (held && (!running || done.iterations >= nextSearch))) {
-      if (done.iterations == 1) leapOntoSurface(w, halos, t);  // once: the forces may have good reasons to take them from there
+      if (done.iterations == 1)
+        leapOntoSurface(w, halos, t);  // once: the forces may have good reasons to take them from there
       std::replace(f.moving.data(), f.moving.data() + f.owned, heldAtMargin, std::uint8_t{1});
       search(w, halos, t, all, false, margin, lap);
       nextSearch = done.iterations + 2 + done.iterations / 2;
@@ -203,7 +212,8 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
         r.times.surfels++;
       }
     }
-    if (std::find(f.moving.data(), f.moving.data() + f.owned, heldAtMargin) != f.moving.data() + f.owned) state[2] = 1;
+    if (std::find(f.moving.data(), f.moving.data() + f.owned, heldAtMargin) != f.moving.data() + f.owned)
+      state[2] = 1;
     lap(r.times.finish);
     ColumnList columns{&f.position, &f.normal, &f.moving};
     refreshGhosts(halos.surfels, f, columns);

@@ -18,8 +18,10 @@ struct Born {
   friend auto operator<=>(const Born&, const Born&) = default;
 };
 
-/// Ids of this rank that a new surfel has, other than that surfel itself, in any order. Goes through the new ones in pieces.
-std::vector<std::uint64_t> takenIds(const Surfels& s, std::size_t first, Reducer& all, const Surfels* others) {
+/// Ids of this rank that a new surfel has, other than that surfel itself, in any order. Goes through the new
+/// ones in pieces.
+std::vector<std::uint64_t> takenIds(const Surfels& s, std::size_t first, Reducer& all,
+                                    const Surfels* others) {
   constexpr std::size_t piece = std::size_t{1} << 16;
   const std::vector<std::uint64_t> mine(s.id.data() + first, s.id.data() + s.owned);
   const WordNumbers numbers = numberWords(all, mine.size());
@@ -27,7 +29,8 @@ std::vector<std::uint64_t> takenIds(const Surfels& s, std::size_t first, Reducer
   std::vector<Born> born;
   std::vector<std::uint8_t> seen(piece);
   for (std::size_t from = 0; from < numbers.total; from += piece) {
-    const std::vector<std::uint64_t> ids = gatherPiece(all, mine, numbers, from, std::min(numbers.total, from + piece));
+    const std::vector<std::uint64_t> ids = gatherPiece(all, mine, numbers, from,
+                                                       std::min(numbers.total, from + piece));
     born.clear();
     for (std::size_t k = 0; k < ids.size(); k++) born.push_back({ids[k], from + k});
     std::sort(born.begin(), born.end());
@@ -49,7 +52,8 @@ std::vector<std::uint64_t> takenIds(const Surfels& s, std::size_t first, Reducer
 
 }  // namespace
 
-std::int64_t renameTwins(Surfels& s, std::size_t first, std::uint64_t seed, Reducer& all, const Surfels* others) {
+std::int64_t renameTwins(Surfels& s, std::size_t first, std::uint64_t seed, Reducer& all,
+                         const Surfels* others) {
   std::int64_t renamed = 0;
   for (;;) {
     std::vector<std::uint64_t> taken = gatherWords(all, takenIds(s, first, all, others));  // hardly ever any

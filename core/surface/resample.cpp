@@ -19,10 +19,13 @@
 namespace thaw {
 namespace {
 
-enum Wish : std::uint8_t { Birth = 1, Crowded = 2, Champion = 4, Changed = 8 };  // Champion: comes before all that are too close to it
+// Champion: comes before all that are too close to it
+enum Wish : std::uint8_t { Birth = 1, Crowded = 2, Champion = 4, Changed = 8 };
 
 /// Beside what melts a mesh's surfels are carried, and still stand as the mesh had them.
-bool carriesDetail(const Surfels& s, std::size_t i) { return s.softened.active && s.detail[i] > 0.9f && s.liquid[i] < 0.05f; }
+bool carriesDetail(const Surfels& s, std::size_t i) {
+  return s.softened.active && s.detail[i] > 0.9f && s.liquid[i] < 0.05f;
+}
 
 constexpr double border = 3.6;  // rad: 206 degrees
 /// Surfels::calm within a call of one that is on a rim, until its surroundings change.
@@ -33,13 +36,13 @@ struct Round {
   double reach;  ///< m, of the lists
   std::uint64_t seed, salt;
   const BirthPlace& mayBe;
-  bool start;    ///< nothing has moved yet
+  bool start;  ///< nothing has moved yet
   const Bins& bins;
-  double particleSpacing;  ///< m
+  double particleSpacing;                                 ///< m
   std::vector<std::uint64_t> birthOrder{}, deathOrder{};  ///< of all rows, ghosts too
   std::vector<float> closest{};                           ///< of owned rows
   std::vector<std::uint32_t> going{};
-  std::vector<std::uint8_t> open{};                       ///< of all rows: it is looked at in this round
+  std::vector<std::uint8_t> open{};  ///< of all rows: it is looked at in this round
 
   void lookAtOpen() {
     open.resize(table->size());
@@ -47,7 +50,8 @@ struct Round {
   }
   /// How many that are, on all ranks. Collective.
   std::int64_t openRows(Reducer& all) const {
-    std::int64_t n[1] = {std::count(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(table->owned), 1)};
+    std::int64_t n[1] = {
+        std::count(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(table->owned), 1)};
     all.sum(n);
     return n[0];
   }
@@ -63,7 +67,8 @@ struct Round {
     }
   }
 
-  /// Wishes of the surfels looked at. One that has a place where nothing may be born is left alone until its surroundings change.
+  /// Wishes of the surfels looked at. One that has a place where nothing may be born is left alone until its
+  /// surroundings change.
   void makeWishes() {
     Surfels& s = *table;
     drawOrder();
@@ -78,7 +83,8 @@ struct Round {
       const Crowding c = crowdingOf(patch, circle);
       closest[i] = static_cast<float>(c.closest);
       bool first = true;
-      for (const std::uint32_t j : patch.rows) first = first && !(tooClose(s, i, j, c.closest) && (!open[j] || before(deathOrder, j, i)));
+      for (const std::uint32_t j : patch.rows)
+        first = first && !(tooClose(s, i, j, c.closest) && (!open[j] || before(deathOrder, j, i)));
       if (first) s.wish[i] |= Champion;
       if (c.crowded) {
         s.wish[i] |= Crowded;
@@ -86,7 +92,11 @@ struct Round {
       }
       s.calm[i] = calmFor;
       patch.fitCurvature();
-      std::optional<SurfacePoint> place = emptyPlace(patch, ((follows(s, i) || (!start && carriesDetail(s, i))) && !atSeam(patch) ? emptyAtSolid : c.thin ? emptyAtThin : emptyAt) * s.radius[i]);
+      std::optional<SurfacePoint> place = emptyPlace(
+          patch, ((follows(s, i) || (!start && carriesDetail(s, i))) && !atSeam(patch) ? emptyAtSolid
+                  : c.thin                                                             ? emptyAtThin
+                                                                                       : emptyAt) *
+                     s.radius[i]);
       if (!place) continue;
       if (follows(s, i) && !stretched(patch)) {
         s.calm[i] = refused;
@@ -108,7 +118,8 @@ struct Round {
     }
   }
 
-  /// Between what follows its places of the start and what is carried along the surface may end up in a step, which is seen through from the side where discs just meet.
+  /// Between what follows its places of the start and what is carried along the surface may end up in a step,
+  /// which is seen through from the side where discs just meet.
   bool atSeam(const Patch& patch) const {
     const Surfels& s = *table;
     const double far = 2.5 * s.radius[patch.centre];
@@ -118,8 +129,9 @@ struct Round {
     });
   }
 
-  /// Are some of those beside the centre, which follows, farther from it than they were at the start? Where none is, what looks like a hole is the crease of a groove that closes, whose
-  /// faces do not see each other.
+  /// Are some of those beside the centre, which follows, farther from it than they were at the start? Where
+  /// none is, what looks like a hole is the crease of a groove that closes, whose faces do not see each
+  /// other.
   bool stretched(const Patch& patch) const {
     constexpr double least = 1.15;
     const Surfels& s = *table;
@@ -133,8 +145,9 @@ struct Round {
     return false;
   }
 
-  /// Is a surfel of its side so near that one of the two would have to die, or a sheet that faces the same way straight over or under the place? Between two such sheets there would be room for
-  /// neither particles nor a gap: what is born there goes on as a second skin.
+  /// Is a surfel of its side so near that one of the two would have to die, or a sheet that faces the same
+  /// way straight over or under the place? Between two such sheets there would be room for neither particles
+  /// nor a gap: what is born there goes on as a second skin.
   bool taken(std::size_t i, const SurfacePoint& p) const {
     constexpr double sameWay = 0.5, beside = 0.4;
     const Surfels& s = *table;
@@ -151,8 +164,10 @@ struct Round {
     return false;
   }
 
-  /// Is a sheet under or over the place that faces the same way, as far off as a particle is thick? Beyond a rim the body's colour bridges grooves, and the sheet of the groove is there. Between
-  /// surfels of what is solid: where a second sheet has begun it would go on, as those of the first fill the angles around it. A sheet that is bent by less than 45 degrees is not met.
+  /// Is a sheet under or over the place that faces the same way, as far off as a particle is thick? Beyond a
+  /// rim the body's colour bridges grooves, and the sheet of the groove is there. Between surfels of what is
+  /// solid: where a second sheet has begun it would go on, as those of the first fill the angles around it. A
+  /// sheet that is bent by less than 45 degrees is not met.
   bool overSkin(std::size_t i, const SurfacePoint& p, bool beyond) const {
     const double sameWay = beyond ? 0.3 : 0.7;
     constexpr double beside = 0.8;
@@ -161,7 +176,8 @@ struct Round {
     forRowsAround(bins, p.position, p.position, particleSpacing, [&](std::uint32_t j, const Vec3d& at) {
       const Vec3d d = at - p.position;
       const double along = dot(d, p.normal), d2 = dot(d, d), column = beside * s.radius[j];
-      over = over || (d2 < particleSpacing * particleSpacing && std::abs(along) > s.radius[i] && d2 - along * along < column * column && s.component[j] == s.component[i] &&
+      over = over || (d2 < particleSpacing * particleSpacing && std::abs(along) > s.radius[i] &&
+                      d2 - along * along < column * column && s.component[j] == s.component[i] &&
                       dot(s.normal[j], p.normal) > sameWay);
     });
     return over;
@@ -193,7 +209,8 @@ struct Round {
     if (!(s.wish[i] & Crowded)) return false;
     for (std::uint64_t k = lists.first[i]; k < lists.end[i]; k++) {
       const std::uint32_t j = lists.row[k];
-      if ((!open[j] || (s.wish[j] & Champion)) && s.component[j] == s.component[i] && dot(s.normal[j], s.normal[i]) > oneSide && tooClose(s, i, j, static_cast<double>(closest[i])) &&
+      if ((!open[j] || (s.wish[j] & Champion)) && s.component[j] == s.component[i] &&
+          dot(s.normal[j], s.normal[i]) > oneSide && tooClose(s, i, j, static_cast<double>(closest[i])) &&
           (!(s.wish[j] & Crowded) || before(deathOrder, j, i)))
         return true;
     }
@@ -213,14 +230,16 @@ struct Round {
   }
 };
 
-/// Another one for each round of each call in a step, so that a surfel that gives birth twice names its children differently: calls in one step
-/// differ by the births before them, or had none.
+/// Another one for each round of each call in a step, so that a surfel that gives birth twice names its
+/// children differently: calls in one step differ by the births before them, or had none.
 std::uint64_t saltOf(const World& w, const Resampled& done, std::int64_t round) {
   const std::int64_t births = w.surface.counters.births + done.births;
-  return randomBits(w.scene.seed, Purpose::SurfelSample, static_cast<std::uint64_t>(w.clock.step), static_cast<std::uint64_t>(births) << 8 | static_cast<std::uint64_t>(round));
+  return randomBits(w.scene.seed, Purpose::SurfelSample, static_cast<std::uint64_t>(w.clock.step),
+                    static_cast<std::uint64_t>(births) << 8 | static_cast<std::uint64_t>(round));
 }
 
-/// Without adaption: radii go back to the wanted one (surfels of a small drop, whose are smaller, may be of a large body now).
+/// Without adaption: radii go back to the wanted one (surfels of a small drop, whose are smaller, may be of a
+/// large body now).
 void relaxRadii(Surface& surface) {
   Surfels& s = surface.surfels;
   SmallDrops small(surface);
@@ -240,7 +259,8 @@ void calmSmallDrops(const Surface& surface, Surfels& s) {
 }
 
 std::int64_t countOpen(const Surfels& s, Reducer& all) {
-  std::int64_t open[1] = {std::count_if(s.calm.data(), s.calm.data() + s.owned, [](float calm) { return calm == 0; })};
+  std::int64_t open[1] = {
+      std::count_if(s.calm.data(), s.calm.data() + s.owned, [](float calm) { return calm == 0; })};
   all.sum(open);
   return open[0];
 }
@@ -250,9 +270,12 @@ void placeOpen(Surface& surface, SurfaceHalos halos, SurfaceTools& t, OpenRegion
   Surfels& s = *r.table;
   CellTable& cells = region.taken ? region.cells : surface.surfelCells;
   placeRows(surface.grid, halos.surfels, s, cells, t.sort);
-  ColumnList columns{&s.id, &s.position, &s.normal, &s.radius, &s.component, &s.colour, &s.detail, &s.calm, &s.liquid, &s.softened, &s.mark, &s.temperature};
+  ColumnList columns{&s.id,     &s.position, &s.normal, &s.radius,   &s.component, &s.colour,
+                     &s.detail, &s.calm,     &s.liquid, &s.softened, &s.mark,      &s.temperature};
   if (s.follows.active)
-    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&s.follows, &s.tangent, &s.startPlace, &s.startNormal, &s.startTangent}) columns.push_back(c);
+    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&s.follows, &s.tangent, &s.startPlace,
+                                                          &s.startNormal, &s.startTangent})
+      columns.push_back(c);
   addGhosts(halos.surfels, s, cells, columns);
   fillBins(surface.grid, cells, s.position.data(), r.reach, t.relax.surfelBins);
   r.lookAtOpen();
@@ -274,10 +297,12 @@ void disturbAround(Surfels& s, const Bins& bins, const std::vector<std::uint8_t>
   }
 }
 
-Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t rounds, const BirthPlace& mayBe) {
+Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t rounds,
+                   const BirthPlace& mayBe) {
   Surface& surface = w.surface;
   Surfels& all = surface.surfels;
-  const double edge = std::min({surface.grid.edge.x, surface.grid.edge.y, surface.grid.edge.z}), reach = std::min(3 * surface.spacing, edge);
+  const double edge = std::min({surface.grid.edge.x, surface.grid.edge.y, surface.grid.edge.z}),
+               reach = std::min(3 * surface.spacing, edge);
   const double regionRadius = std::min(3 * reach, edge);
   OpenRegion& region = t.openRegion;
   Resampled done;
@@ -293,20 +318,30 @@ Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t r
       done.finished = true;
       break;
     }
-    Round r{table, t.surfelsOf, reach, w.scene.seed, saltOf(w, done, round), mayBe, w.clock.step == 0, t.relax.surfelBins, w.scene.spacing};
+    Round r{table,
+            t.surfelsOf,
+            reach,
+            w.scene.seed,
+            saltOf(w, done, round),
+            mayBe,
+            w.clock.step == 0,
+            t.relax.surfelBins,
+            w.scene.spacing};
     placeOpen(surface, halos, t, region, r);
     if (adapt && round == 0) {
       r.open.assign(all.size(), 1);
       findRows(t.relax.surfelBins, all.position.data(), all.owned, r.open, reach, t.surfelsOf);
       adaptDensity(surface, halos.surfels, t.surfelsOf, reach, w.scene.surface.adapt * surface.spacing);
       r.lookAtOpen();
-    } else if (round > 0 && !region.taken && regionRadius >= 2 * reach && region.few > 0 && r.openRows(halos.all) * region.few < total) {
+    } else if (round > 0 && !region.taken && regionRadius >= 2 * reach && region.few > 0 &&
+               r.openRows(halos.all) * region.few < total) {
       takeRegion(surface, t.relax.surfelBins, r.open, regionRadius, reach, region);
       r.table = &region.surfels;
       placeOpen(surface, halos, t, region, r);
     }
     Surfels& s = *r.table;
-    if (!(adapt && round == 0)) findRows(t.relax.surfelBins, s.position.data(), s.owned, r.open, reach, t.surfelsOf);
+    if (!(adapt && round == 0))
+      findRows(t.relax.surfelBins, s.position.data(), s.owned, r.open, reach, t.surfelsOf);
     r.makeWishes();
     refreshGhosts(halos.surfels, s, ColumnList{&s.wish, &s.offer});
     std::vector<std::uint32_t> parents, stay;
@@ -315,18 +350,24 @@ Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t r
       if (!r.dies(i)) stay.push_back(i);
       else r.going.push_back(i);
     }
-    std::array<std::int64_t, 3> count{static_cast<std::int64_t>(s.owned), static_cast<std::int64_t>(parents.size()), static_cast<std::int64_t>(s.owned - stay.size())};
+    std::array<std::int64_t, 3> count{static_cast<std::int64_t>(s.owned),
+                                      static_cast<std::int64_t>(parents.size()),
+                                      static_cast<std::int64_t>(s.owned - stay.size())};
     halos.all.sum(count);
     if (cap < 0) cap = birthCap(total = count[0]);
     done.finished = count[1] + count[2] == 0;
-    for (double share = 1; done.births + count[1] > cap;) {  // a share of them, chosen by hash; less where that is too many by chance
+    for (double share = 1; done.births + count[1] > cap;) {  // a share of them, chosen by hash; less where
+                                                             // that is too many by chance
       share *= 0.98 * static_cast<double>(cap - done.births) / static_cast<double>(count[1]);
-      std::erase_if(parents, [&](std::uint32_t i) { return randomUniform(r.seed, Purpose::SurfelSample, s.id[i], r.salt) >= share; });
+      std::erase_if(parents, [&](std::uint32_t i) {
+        return randomUniform(r.seed, Purpose::SurfelSample, s.id[i], r.salt) >= share;
+      });
       count[1] = static_cast<std::int64_t>(parents.size());
       halos.all.sum({&count[1], 1});
       done.capped = true;
     }
-    if (count[1] + count[2] > 0) {  // what the dead covered may be open, and births bend what their neighbours see
+    if (count[1] + count[2] > 0) {  // what the dead covered may be open, and births bend what their
+                                    // neighbours see
       for (const std::uint32_t i : r.going) s.wish[i] |= Changed;
       for (const std::uint32_t i : parents) s.wish[i] |= Changed;
       refreshGhosts(halos.surfels, s, ColumnList{&s.wish});

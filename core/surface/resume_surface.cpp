@@ -4,7 +4,8 @@ namespace thaw {
 namespace {
 
 /// Sorted by (cell, id) where they are.
-template<class Rows> void sortInPlace(const CellGrid& grid, Rows& rows, CellTable& cells, SortBuffers& buffers) {
+template<class Rows>
+void sortInPlace(const CellGrid& grid, Rows& rows, CellTable& cells, SortBuffers& buffers) {
   computeCellKeys(grid, rows);
   Migration all;
   all.arrivals = rows.owned;

@@ -2,7 +2,8 @@
 
 namespace thaw {
 
-void findRows(const Bins& bins, const Vec3d* position, std::size_t owned, const std::vector<std::uint8_t>& wanted, double radius, RowLists& lists) {
+void findRows(const Bins& bins, const Vec3d* position, std::size_t owned,
+              const std::vector<std::uint8_t>& wanted, double radius, RowLists& lists) {
   lists.row.clear();
   lists.first.assign(owned, 0);
   lists.end.assign(owned, 0);

@@ -18,7 +18,8 @@
 namespace thaw {
 namespace {
 
-/// Moves a sample of the bust's mesh onto the sculpture. It stays where it is where the sculpture is not near.
+/// Moves a sample of the bust's mesh onto the sculpture. It stays where it is where the sculpture is not
+/// near.
 void refineOnBust(const Placement& placed, SurfaceSample& s) {
   constexpr double step = 1e-4, near = 0.03;  // m, of the bust of 1 m
   const Mat3d back = transpose(placed.rotation);
@@ -42,8 +43,8 @@ void refineOnBust(const Placement& placed, SurfaceSample& s) {
   s.normal = n;
 }
 
-constexpr double chord = 0.01;  // spacings that triangles are off curved faces, at most
-constexpr double beside = 0.05; // spacings: a face of a body has it on one side there, and not on the other
+constexpr double chord = 0.01;   // spacings that triangles are off curved faces, at most
+constexpr double beside = 0.05;  // spacings: a face of a body has it on one side there, and not on the other
 
 /// Of a mesh's triangle.
 Vec3d outwardOf(const TriangleMesh& m, std::uint32_t triangle) {
@@ -51,7 +52,8 @@ Vec3d outwardOf(const TriangleMesh& m, std::uint32_t triangle) {
   return normalized(cross(m.vertices[t[1]] - m.vertices[t[0]], m.vertices[t[2]] - m.vertices[t[0]]));
 }
 
-std::vector<SurfaceSample> sampleMesh(const Shape& shape, const MeshLoader& load, double spacing, std::uint64_t seed) {
+std::vector<SurfaceSample> sampleMesh(const Shape& shape, const MeshLoader& load, double spacing,
+                                      std::uint64_t seed) {
   const PlacedMesh placed = makePlacedMesh(shape, load);
   const MeshNormals normals(placed.mesh);
   std::shared_ptr<const SignedDistance> solid;
@@ -68,14 +70,17 @@ std::vector<SurfaceSample> sampleMesh(const Shape& shape, const MeshLoader& load
 }
 
 /// In the shape's own frame, so that the same body has the same samples wherever it is placed.
-std::vector<SurfaceSample> sampleExact(const Shape& placed, const MeshLoader& load, double apart, std::uint64_t seed) {
+std::vector<SurfaceSample> sampleExact(const Shape& placed, const MeshLoader& load, double apart,
+                                       std::uint64_t seed) {
   const Shape shape = withoutPlacement(placed);
   const std::shared_ptr<const SignedDistance> solid = makeSignedDistance(shape, load);
   const Placement to = placementOf(placed, solid);
   const double spacing = apart / to.scale, off = beside * spacing;
   const TriangleMesh mesh = shapeMesh(shape, chord * spacing, load);
   const MeshNormals normals(mesh);
-  const MeshPart shown{[&](const Vec3d& middle, double reach) { return std::abs(solid->distanceWithin(middle, reach + off)) <= reach + off; },
+  const MeshPart shown{[&](const Vec3d& middle, double reach) {
+                         return std::abs(solid->distanceWithin(middle, reach + off)) <= reach + off;
+                       },
                        [&](const Vec3d& x, std::uint32_t triangle) {
                          const Vec3d n = off * outwardOf(mesh, triangle);
                          return solid->inside(x - n) && !solid->inside(x + n);
@@ -86,20 +91,23 @@ std::vector<SurfaceSample> sampleExact(const Shape& placed, const MeshLoader& lo
     Vec3d x = m.position, gradient;
     const double d = solid->distanceWithin(x, 2 * off, &gradient);
     if (std::abs(d) < off) x -= d * gradient;
-    samples.push_back({to.move + to.rotation * (to.scale * x), to.rotation * normals.at(m.position, m.triangle)});
+    samples.push_back(
+        {to.move + to.rotation * (to.scale * x), to.rotation * normals.at(m.position, m.triangle)});
   }
   return samples;
 }
 
 /// Faces of a body that goes on behind them, across a periodic side.
 void dropBuried(const OverlapTest& body, double off, std::vector<SurfaceSample>& samples) {
-  std::erase_if(samples, [&](const SurfaceSample& s) { return body.meetsItself(0, s.position + off * s.normal); });
+  std::erase_if(samples,
+                [&](const SurfaceSample& s) { return body.meetsItself(0, s.position + off * s.normal); });
 }
 
 }  // namespace
 
 bool hasMesh(const Scene& scene, std::size_t body) {
-  return scene.surface.source == SurfelSource::Automatic && body < scene.bodies.size() && scene.bodies[body].shape.kind == ShapeKind::Mesh;
+  return scene.surface.source == SurfelSource::Automatic && body < scene.bodies.size() &&
+         scene.bodies[body].shape.kind == ShapeKind::Mesh;
 }
 
 bool isSampled(const Scene& scene, std::size_t body) {
@@ -108,14 +116,18 @@ bool isSampled(const Scene& scene, std::size_t body) {
   const OverlapRule rule = scene.numerics.overlap;
   const Body& b = scene.bodies[body];
   const auto material = static_cast<std::size_t>(b.material);
-  if (material >= scene.materials.size() || rule == OverlapRule::RemoveLater || rule == OverlapRule::RemoveEarlier) return false;
+  if (material >= scene.materials.size() || rule == OverlapRule::RemoveLater ||
+      rule == OverlapRule::RemoveEarlier)
+    return false;
   const Material& m = scene.materials[material];
   if (b.temperatureField && m.melts()) return false;  // parts of it may be liquid
   return m.canBeSolid() && paperFraction(m, b.temperature) == 0;
 }
 
-std::vector<SurfaceSample> sampleShape(const Shape& shape, const MeshLoader& load, double spacing, std::uint64_t seed) {
-  return shape.kind == ShapeKind::Mesh ? sampleMesh(shape, load, spacing, seed) : sampleExact(shape, load, spacing, seed);
+std::vector<SurfaceSample> sampleShape(const Shape& shape, const MeshLoader& load, double spacing,
+                                       std::uint64_t seed) {
+  return shape.kind == ShapeKind::Mesh ? sampleMesh(shape, load, spacing, seed)
+                                       : sampleExact(shape, load, spacing, seed);
 }
 
 void sampleMeshes(const Scene& scene, Surface& surface, const MeshLoader& load, const Reducer& all) {
@@ -123,9 +135,13 @@ void sampleMeshes(const Scene& scene, Surface& surface, const MeshLoader& load, 
   const Vec3d period = periodsOf(surface.grid).length;
   for (std::size_t b = 0; b < scene.bodies.size(); b++) {
     if (!isSampled(scene, b)) continue;
-    std::vector<SurfaceSample> samples = sampleShape(scene.bodies[b].shape, load, surface.spacing, scene.seed + b);
-    if (!(period == Vec3d{})) dropBuried(OverlapTest({makeSignedDistance(scene.bodies[b].shape, load)}, period), beside * surface.spacing, samples);
-    for (std::size_t k = static_cast<std::size_t>(all.rank()); k < samples.size(); k += static_cast<std::size_t>(all.size())) {
+    std::vector<SurfaceSample> samples = sampleShape(scene.bodies[b].shape, load, surface.spacing,
+                                                     scene.seed + b);
+    if (!(period == Vec3d{}))
+      dropBuried(OverlapTest({makeSignedDistance(scene.bodies[b].shape, load)}, period),
+                 beside * surface.spacing, samples);
+    for (std::size_t k = static_cast<std::size_t>(all.rank()); k < samples.size();
+         k += static_cast<std::size_t>(all.size())) {
       const std::size_t i = s.owned;
       s.resize(i + 1, 0);
       s.id[i] = surfelBit | particleId(b, k);
@@ -138,8 +154,8 @@ void sampleMeshes(const Scene& scene, Surface& surface, const MeshLoader& load, 
       s.detail[i] = 1;
       const PositionField& field = scene.bodies[b].temperatureField;
       if (s.temperature.active)
-        s.temperature[i] =
-            static_cast<float>(field ? field.value(samples[k].position) : scene.bodies[b].temperature);
+        s.temperature[i] = static_cast<float>(field ? field.value(samples[k].position)
+                                                    : scene.bodies[b].temperature);
     }
   }
 }
@@ -152,12 +168,14 @@ struct BirthShape {
   std::unique_ptr<TriangleBvh> mesh;
   void load(const Body& b, const MeshLoader& load) {
     if (shape || mesh) return;
-    if (b.shape.kind == ShapeKind::Mesh) mesh = std::make_unique<TriangleBvh>(makePlacedMesh(b.shape, load).mesh);
+    if (b.shape.kind == ShapeKind::Mesh)
+      mesh = std::make_unique<TriangleBvh>(makePlacedMesh(b.shape, load).mesh);
     else shape = makeSignedDistance(b.shape, load);
   }
 };
 
-/// The mean of the planes around is a smooth face's surface, and its normal that of the mesh's vertices; beside an edge it is neither face's.
+/// The mean of the planes around is a smooth face's surface, and its normal that of the mesh's vertices;
+/// beside an edge it is neither face's.
 void putOnMesh(const TriangleBvh& mesh, double near, Surfels& s, std::size_t i) {
   constexpr double smooth = 0.95;
   const ClosestPoint at = mesh.closest(s.position[i], near);
@@ -172,7 +190,8 @@ void putOnShape(const SignedDistance& shape, double near, double off, Surfels& s
   const double d = shape.distanceWithin(s.position[i], near, &gradient);
   if (!(std::abs(d) < near) || dot(gradient, s.normal[i]) < -0.5) return;
   s.position[i] -= d * gradient;
-  shape.distanceWithin(s.position[i] - off * gradient, near, &s.normal[i]);  // beyond an edge the gradient is that of neither face
+  // beyond an edge the gradient is that of neither face
+  shape.distanceWithin(s.position[i] - off * gradient, near, &s.normal[i]);
   s.tangent[i] = anyTangent(s.normal[i]);
 }
 
@@ -184,7 +203,9 @@ void putBirthsOnShapes(const Scene& scene, Surface& surface, const MeshLoader& l
   const double near = 0.5 * surface.spacing, off = beside * surface.spacing;
   for (std::size_t i = 0; i < s.owned; i++) {
     const std::uint64_t body = sourceOf(s.component[i] - 1);  // a component has the name of a particle
-    if (!(s.id[i] & birthBit) || body >= shapes.size() || !isSampled(scene, body) || scene.bodies[body].shape.mesh == builtinBust) continue;
+    if (!(s.id[i] & birthBit) || body >= shapes.size() || !isSampled(scene, body) ||
+        scene.bodies[body].shape.mesh == builtinBust)
+      continue;
     BirthShape& to = shapes[body];
     to.load(scene.bodies[body], load);
     if (to.mesh) putOnMesh(*to.mesh, near, s, i);

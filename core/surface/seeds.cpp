@@ -30,7 +30,8 @@ void SeedDirections::turn(std::uint64_t id) {
   sine_ = std::sin(angle);
 }
 
-void seedsOnSurface(const World& w, FieldProbe& probe, std::size_t i, const Vec3d* u, std::size_t n, std::optional<SurfacePoint>* found) {
+void seedsOnSurface(const World& w, FieldProbe& probe, std::size_t i, const Vec3d* u, std::size_t n,
+                    std::optional<SurfacePoint>* found) {
   const SurfaceParticles& p = w.surface.particles;
   const double dx = w.scene.spacing;
   std::array<Vec3d, FieldProbe::most> from;
@@ -46,7 +47,9 @@ void seedsOnSurface(const World& w, FieldProbe& probe, std::size_t i, const Vec3
 SurfelRow seedSurfel(const World& w, std::size_t i, int k, const SurfacePoint& at) {
   const SurfaceParticles& p = w.surface.particles;
   SurfelRow r;
-  r.id = surfelBit | birthBit | randomBits(w.scene.seed, Purpose::SurfelBirth, p.id[i], static_cast<std::uint64_t>(w.clock.step) << 10 | static_cast<std::uint64_t>(k));
+  r.id = surfelBit | birthBit |
+         randomBits(w.scene.seed, Purpose::SurfelBirth, p.id[i],
+                    static_cast<std::uint64_t>(w.clock.step) << 10 | static_cast<std::uint64_t>(k));
   r.component = p.component[i];
   r.position = at.position;
   r.normal = at.normal;

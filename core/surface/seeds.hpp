@@ -47,19 +47,24 @@ class FreeDirections {
   /// By a particle in this direction.
   void take(const Vec3d& d) {
     const float dx = static_cast<float>(d.x), dy = static_cast<float>(d.y), dz = static_cast<float>(d.z);
-    for (std::size_t k = 0; k < x_.size(); k++) nearest_[k] = std::max(nearest_[k], dx * x_[k] + dy * y_[k] + dz * z_[k]);
+    for (std::size_t k = 0; k < x_.size(); k++)
+      nearest_[k] = std::max(nearest_[k], dx * x_[k] + dy * y_[k] + dz * z_[k]);
   }
   bool taken(int k) const { return nearest_[static_cast<std::size_t>(k)] > takenFrom; }
 
  private:
   static constexpr float takenFrom = 0.75f;  // a particle that lies less than 41 degrees off it
-  std::vector<float> x_, y_, z_, nearest_;  // nearest: cosine of the angle to the nearest particle's direction
+  std::vector<float> x_, y_, z_, nearest_;   // nearest: cosine of the angle to the nearest particle's
+                                             // direction
 };
 
-/// The points of the component's surface that belong to particle i (row of the copies) in n <= FieldProbe::most directions u; none where there is none near it.
-void seedsOnSurface(const World& world, FieldProbe& probe, std::size_t i, const Vec3d* u, std::size_t n, std::optional<SurfacePoint>* found);
+/// The points of the component's surface that belong to particle i (row of the copies) in n <=
+/// FieldProbe::most directions u; none where there is none near it.
+void seedsOnSurface(const World& world, FieldProbe& probe, std::size_t i, const Vec3d* u, std::size_t n,
+                    std::optional<SurfacePoint>* found);
 
-/// A new surfel there, of particle i; its id follows from the particle, the step and k. Its colour is the material's: see inheritColours.
+/// A new surfel there, of particle i; its id follows from the particle, the step and k. Its colour is the
+/// material's: see inheritColours.
 SurfelRow seedSurfel(const World& world, std::size_t i, int k, const SurfacePoint& at);
 
 }  // namespace thaw

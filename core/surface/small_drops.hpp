@@ -1,4 +1,5 @@
-// Drops of a few particles: their surface is a sphere, made anew in each update (renewSurfels), and nothing else works on it.
+// Drops of a few particles: their surface is a sphere, made anew in each update (renewSurfels), and nothing
+// else works on it.
 #pragma once
 #include "core/surface/measure.hpp"
 
@@ -7,7 +8,8 @@ namespace thaw {
 /// Drops of at most this many particles have a sphere for a surface (docs/validation/stability.md B21).
 inline constexpr std::int64_t smallDrop = 4;
 
-/// Whether the component of a label was a small drop at the last update. Rows of one component mostly follow each other: the last answer is kept.
+/// Whether the component of a label was a small drop at the last update. Rows of one component mostly follow
+/// each other: the last answer is kept.
 class SmallDrops {
  public:
   explicit SmallDrops(const Surface& surface) : surface_(surface) {}

@@ -24,7 +24,9 @@ std::vector<BodyPieces> findStartPieces(World& w, SurfaceHalos halos, SurfaceToo
   std::vector<std::uint64_t> labels;
   for (std::size_t i = 0; i < p.owned; i++) {
     bool apart = false;
-    forRowsWithin(t.topology.components.particleBins, p.position[i], reach, [&](std::uint32_t j, double) { apart = apart || (p.component[j] != p.component[i] && p.body[j] == p.body[i]); });
+    forRowsWithin(t.topology.components.particleBins, p.position[i], reach, [&](std::uint32_t j, double) {
+      apart = apart || (p.component[j] != p.component[i] && p.body[j] == p.body[i]);
+    });
     if (apart && (labels.empty() || labels.back() != p.component[i])) labels.push_back(p.component[i]);
   }
   dropGhosts(p, s.particleCells);
@@ -35,7 +37,8 @@ std::vector<BodyPieces> findStartPieces(World& w, SurfaceHalos halos, SurfaceToo
   std::sort(labels.begin(), labels.end());
   labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
   std::vector<BodyPieces> found;
-  for (const std::uint64_t label : labels) {  // named after one of its particles, so that bodies come one after another
+  for (const std::uint64_t label : labels) {  // named after one of its particles, so that bodies come one
+                                              // after another
     const std::size_t body = sourceOf(label - 1);
     if (found.empty() || found.back().body != body) found.push_back({body, 0});
     found.back().pieces++;

@@ -15,8 +15,10 @@ struct BodyPieces {
   std::int64_t pieces = 0;
 };
 
-/// Bodies, ascending, with particles that no chain of links (surface.link_length) joins though they are less than two spacings apart, so that no layer of the lattice is missing between them; and how many
-/// pieces they are of that are so near to others. Needs gathered particles without components, and leaves them so. Collective.
+/// Bodies, ascending, with particles that no chain of links (surface.link_length) joins though they are less
+/// than two spacings apart, so that no layer of the lattice is missing between them; and how many pieces they
+/// are of that are so near to others. Needs gathered particles without components, and leaves them so.
+/// Collective.
 std::vector<BodyPieces> findStartPieces(World& world, SurfaceHalos halos, SurfaceTools& tools);
 
 }  // namespace thaw

@@ -1,5 +1,5 @@
-#include "core/simd/choose.hpp"
 #include "core/surface/surface_kernels.hpp"
+#include "core/simd/choose.hpp"
 
 namespace thaw {
 

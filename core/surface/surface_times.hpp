@@ -6,12 +6,23 @@
 
 namespace thaw {
 
-/// Phases of an update. Place: copies of the particles, rows to their ranks and back. Displacement: gradients and what they carry.
-enum class SurfacePhase : std::size_t { Place, Displacement, Components, Fields, Growth, Resampling, Iterations, Measures };
+/// Phases of an update. Place: copies of the particles, rows to their ranks and back. Displacement: gradients
+/// and what they carry.
+enum class SurfacePhase : std::size_t {
+  Place,
+  Displacement,
+  Components,
+  Fields,
+  Growth,
+  Resampling,
+  Iterations,
+  Measures
+};
 inline constexpr std::size_t surfacePhases = 8;
 
 inline const char* phaseName(SurfacePhase phase) {
-  constexpr const char* names[surfacePhases] = {"place", "displacement", "components", "fields", "growth", "resampling", "iterations", "measures"};
+  constexpr const char* names[surfacePhases] = {"place",  "displacement", "components", "fields",
+                                                "growth", "resampling",   "iterations", "measures"};
   return names[static_cast<std::size_t>(phase)];
 }
 

@@ -10,11 +10,14 @@
 namespace thaw {
 namespace {
 
-constexpr double cosFlat = 0.5;  // 60 degrees: on the sphere of a single particle normals turn by up to 55 from surfel to surfel
+constexpr double cosFlat = 0.5;  // 60 degrees: on the sphere of a single particle normals turn by up to 55
+                                 // from surfel to surfel
 constexpr double cosBack = -0.5;
 constexpr std::uint32_t nobody = ~0u;
 
-struct Point2 { double x, y; };
+struct Point2 {
+  double x, y;
+};
 
 /// A convex cell around the origin.
 class Cell {
@@ -24,17 +27,20 @@ class Cell {
     static const auto corner = [] {
       std::array<Point2, 6> c;
       for (std::size_t k = 0; k < c.size(); k++) {
-        const double angle = 2 * 3.14159265358979324 * static_cast<double>(k) / 6, r = 1 / std::cos(3.14159265358979324 / 6);
+        const double angle = 2 * 3.14159265358979324 * static_cast<double>(k) / 6,
+                     r = 1 / std::cos(3.14159265358979324 / 6);
         c[k] = {r * std::cos(angle), r * std::sin(angle)};
       }
       return c;
     }();
-    for (std::size_t k = 0; k < corner.size(); k++) corner_[k] = {radius * corner[k].x, radius * corner[k].y}, beyond_[k] = nobody;
+    for (std::size_t k = 0; k < corner.size(); k++)
+      corner_[k] = {radius * corner[k].x, radius * corner[k].y}, beyond_[k] = nobody;
     n_ = corner.size();
   }
   double farthest2() const {
     double r2 = 0;
-    for (std::size_t k = 0; k < n_; k++) r2 = std::max(r2, corner_[k].x * corner_[k].x + corner_[k].y * corner_[k].y);
+    for (std::size_t k = 0; k < n_; k++)
+      r2 = std::max(r2, corner_[k].x * corner_[k].x + corner_[k].y * corner_[k].y);
     return r2;
   }
   double area() const {
@@ -73,7 +79,8 @@ class Cell {
       if (here != (over_[next] <= 0)) {
         const double share = over_[k] / (over_[k] - over_[next]);
         beyond[m] = here ? row : beyond_[k];
-        kept[m++] = {corner_[k].x + share * (corner_[next].x - corner_[k].x), corner_[k].y + share * (corner_[next].y - corner_[k].y)};
+        kept[m++] = {corner_[k].x + share * (corner_[next].x - corner_[k].x),
+                     corner_[k].y + share * (corner_[next].y - corner_[k].y)};
       }
     }
     n_ = m;
@@ -99,8 +106,8 @@ struct Candidate {
   bool operator<(const Candidate& o) const { return d2 != o.d2 ? d2 < o.d2 : id < o.id; }
 };
 
-/// Cuts the cell by neighbours in their order until none farther away can reach it. atEdges: those over an edge cut where their plane meets ours, else halfway
-/// like all. Returns whether there are some over an edge.
+/// Cuts the cell by neighbours in their order until none farther away can reach it. atEdges: those over an
+/// edge cut where their plane meets ours, else halfway like all. Returns whether there are some over an edge.
 bool cutCell(const Surfels& f, std::size_t i, std::span<const Candidate> near, bool atEdges, Cell& cell) {
   bool edges = false;
   const Vec3d n = f.normal[i], e1 = normalized(f.tangent[i] - dot(f.tangent[i], n) * n), e2 = cross(n, e1);
@@ -128,7 +135,8 @@ bool cutCell(const Surfels& f, std::size_t i, std::span<const Candidate> near, b
     } else {
       stretch = std::sqrt(c.d2 / flat2) * (1 + (1 - cosine) / 12);
     }
-    if (cell.cut({stretch * flat.x, stretch * flat.y}, 0.5 * stretch * stretch * flat2, c.row)) reach2 = 4 * cell.farthest2();
+    if (cell.cut({stretch * flat.x, stretch * flat.y}, 0.5 * stretch * stretch * flat2, c.row))
+      reach2 = 4 * cell.farthest2();
   }
   return edges;
 }
@@ -141,7 +149,8 @@ void listNear(const Surface& s, double slack, AreaLists& l) {
   const Surfels& f = s.surfels;
   double largest = 0;
   for (std::size_t i = 0; i < f.owned; i++) largest = std::max(largest, f.radius[i]);
-  fillBins(s.grid, s.surfelCells, f.position.data(), 2.5 * s.spacing, l.bins);  // the order is the same on any number of ranks
+  // the order is the same on any number of ranks
+  fillBins(s.grid, s.surfelCells, f.position.data(), 2.5 * s.spacing, l.bins);
   l.found.assign(f.position.data(), f.position.data() + f.size());
   l.asking.clear();
   l.first.assign(1, 0);
@@ -187,7 +196,8 @@ void pack(const Surfels& f, AreaLists& l) {
 }
 
 /// One that has a neighbour over an edge, or lies beside a hole or a rim.
-void cutAlone(Surfels& f, std::size_t i, double slack, const Bins& bins, std::vector<Candidate>& near, std::vector<std::uint32_t>& ring) {
+void cutAlone(Surfels& f, std::size_t i, double slack, const Bins& bins, std::vector<Candidate>& near,
+              std::vector<std::uint32_t>& ring) {
   near.clear();
   ring.clear();
   forRowsWithin(bins, f.position[i], reach * f.radius[i] + slack, [&](std::uint32_t j, double) {
@@ -198,7 +208,8 @@ void cutAlone(Surfels& f, std::size_t i, double slack, const Bins& bins, std::ve
   Cell cell(f.radius[i]);
   const bool edges = cutCell(f, i, near, true, cell);
   f.area[i] = cell.area();
-  if (edges) {  // one plane beyond an edge is that of all surfels there: who is next to whom is told by what is halfway
+  if (edges) {  // one plane beyond an edge is that of all surfels there: who is next to whom is told by what
+                // is halfway
     cell = Cell(f.radius[i]);
     cutCell(f, i, near, false, cell);
   }
@@ -206,8 +217,10 @@ void cutAlone(Surfels& f, std::size_t i, double slack, const Bins& bins, std::ve
   measureFan(f, i, ring);
 }
 
-/// The neighbours in one lane that the cell borders on, in turn round the normal: sorted by rank, without a branch.
-void ringOf(const std::uint32_t* near, const double* turn, std::size_t count, std::vector<std::uint32_t>& ring) {
+/// The neighbours in one lane that the cell borders on, in turn round the normal: sorted by rank, without a
+/// branch.
+void ringOf(const std::uint32_t* near, const double* turn, std::size_t count,
+            std::vector<std::uint32_t>& ring) {
   std::array<double, mostAreaNeighbours + 1> key;
   std::array<std::uint32_t, mostAreaNeighbours + 1> row;
   std::array<std::uint32_t, mostAreaNeighbours> rank;

@@ -16,7 +16,9 @@ struct SurfelSums {
   double particle(int channel) const { return static_cast<double>(particles[8 * channel + lane]); }
 };
 
-struct MoveCounts { std::int64_t flipped = 0, keptNormals = 0; };
+struct MoveCounts {
+  std::int64_t flipped = 0, keptNormals = 0;
+};
 
 /// Surfels::moving of one that would go on, but has come to the end of what its lists allow.
 inline constexpr std::uint8_t heldAtMargin = 2;
@@ -25,17 +27,17 @@ inline constexpr std::uint8_t heldAtMargin = 2;
 struct MoveContext {
   ForceWeights weights;
   const LevelTable* level;
-  double unit;          ///< m, of the sums' lengths
-  double support;       ///< m, h_ps
-  double slope;         ///< 1/m, of the gradient's sum
-  double nearSlope;     ///< 1/m, of the sum of near ones
-  double isoScale;      ///< isoLevel / .5
-  double leastScale;    ///< leastLevel / .5
-  double longest;       ///< m, of a move
-  double step;          ///< move over the force across the surface
-  double spread = 1;    ///< factor of moves along the surface
-  double ease = 1;      ///< and of those across it
-  double stray = 0;     ///< m, that a surfel may be from where the last search found it
+  double unit;        ///< m, of the sums' lengths
+  double support;     ///< m, h_ps
+  double slope;       ///< 1/m, of the gradient's sum
+  double nearSlope;   ///< 1/m, of the sum of near ones
+  double isoScale;    ///< isoLevel / .5
+  double leastScale;  ///< leastLevel / .5
+  double longest;     ///< m, of a move
+  double step;        ///< move over the force across the surface
+  double spread = 1;  ///< factor of moves along the surface
+  double ease = 1;    ///< and of those across it
+  double stray = 0;   ///< m, that a surfel may be from where the last search found it
   const Vec3d* found = nullptr;
   bool plane;
 };
@@ -51,9 +53,11 @@ struct Pull {
   double least = 0;           ///< m, how far into the body at least
   bool known = false, flipped = false, keptNormal = false;
 };
-Pull pullOn(const World& world, const MoveContext& context, const SurfelSums& sums, double raised, std::size_t i);
+Pull pullOn(const World& world, const MoveContext& context, const SurfelSums& sums, double raised,
+            std::size_t i);
 
 /// Moves surfel i and turns its frame and sets Surfels::moving.
-void moveSurfel(World& world, const MoveContext& context, const SurfelSums& sums, double raised, std::size_t i, MoveCounts& counts);
+void moveSurfel(World& world, const MoveContext& context, const SurfelSums& sums, double raised,
+                std::size_t i, MoveCounts& counts);
 
 }  // namespace thaw

@@ -43,10 +43,13 @@ void keepVolume(World& w, SurfaceHalos halos, TopologyTools& t, bool start) {
   }
 }
 
-/// What came off a component is as far off its level as that was; what it holds more than its particles by tightening is its own.
-void inheritRaised(Surface& s, double spacing, const std::vector<SurfaceComponent>& before, const ComponentTools& c) {
+/// What came off a component is as far off its level as that was; what it holds more than its particles by
+/// tightening is its own.
+void inheritRaised(Surface& s, double spacing, const std::vector<SurfaceComponent>& before,
+                   const ComponentTools& c) {
   const auto find = [&](std::uint64_t label) {
-    const auto at = std::lower_bound(before.begin(), before.end(), label, [](const SurfaceComponent& x, std::uint64_t l) { return x.label < l; });
+    const auto at = std::lower_bound(before.begin(), before.end(), label,
+                                     [](const SurfaceComponent& x, std::uint64_t l) { return x.label < l; });
     return at != before.end() && at->label == label ? &*at : nullptr;
   };
   for (SurfaceComponent& k : s.components) {
@@ -85,8 +88,10 @@ void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   labelParticles(w, halos, tools);
   addSurfelGhosts(s, halos);  // splitting dropped them
   if (t.components.several()) {
-    addGhosts(halos.particles, s.particles, s.particleCells, ColumnList{&s.particles.id, &s.particles.position, &s.particles.component});
-    fillBins(s.particles.position.data(), s.particles.size(), w.scene.surface.linkLength * w.scene.spacing, t.components.particleBins);
+    addGhosts(halos.particles, s.particles, s.particleCells,
+              ColumnList{&s.particles.id, &s.particles.position, &s.particles.component});
+    fillBins(s.particles.position.data(), s.particles.size(), w.scene.surface.linkLength * w.scene.spacing,
+             t.components.particleBins);
   }
   mergeComponents(w, halos, t.components, t.merge);
   dropGhosts(s.particles, s.particleCells);

@@ -4,17 +4,17 @@
 #include "core/surface/clear_specks.hpp"
 #include "core/surface/cover_bare.hpp"
 #include "core/surface/displace.hpp"
-#include "core/surface/gather_particles.hpp"
-#include "core/surface/keep_volume.hpp"
-#include "core/surface/grow.hpp"
 #include "core/surface/follow_start.hpp"
+#include "core/surface/gather_particles.hpp"
+#include "core/surface/grow.hpp"
 #include "core/surface/keep_out.hpp"
+#include "core/surface/keep_volume.hpp"
 #include "core/surface/place_rows.hpp"
+#include "core/surface/ready_particles.hpp"
+#include "core/surface/relax.hpp"
 #include "core/surface/resume_surface.hpp"
 #include "core/surface/sample_mesh.hpp"
 #include "core/surface/update_components.hpp"
-#include "core/surface/ready_particles.hpp"
-#include "core/surface/relax.hpp"
 
 namespace thaw {
 namespace {
@@ -26,7 +26,8 @@ void placeAll(World& w, SurfaceHalos halos, SurfaceTools& t) {
   placeParticles(w, halos, t);
 }
 
-/// The components of the particles, before there are surfels. What hangs together of a body that is too thin for its particles its surfels say: they are sampled for that alone, and taken away.
+/// The components of the particles, before there are surfels. What hangs together of a body that is too thin
+/// for its particles its surfels say: they are sampled for that alone, and taken away.
 void labelStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   t.pieces = findStartPieces(w, halos, t);
@@ -39,8 +40,9 @@ void labelStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
   placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, t.sort);
 }
 
-/// Surfels that were sampled are to be in order before anything moves: else the first update would bear and delete some of a body that is at rest.
-/// Their density follows the curvature, where it is to: it goes half of the way in a call.
+/// Surfels that were sampled are to be in order before anything moves: else the first update would bear and
+/// delete some of a body that is at rest. Their density follows the curvature, where it is to: it goes half
+/// of the way in a call.
 void orderStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
   const SurfaceCounters before = w.surface.counters;
   const bool adapt = w.scene.surface.adapt > 0;
@@ -51,7 +53,8 @@ void orderStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
   else measureSurface(w, halos, t);
 }
 
-/// Volume keeping of what is grown from particles. Where that moves rims together, surfels are put in order once more.
+/// Volume keeping of what is grown from particles. Where that moves rims together, surfels are put in order
+/// once more.
 void holdStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
   const bool off = w.scene.surface.keepVolume > 0 && volumesAreOff(w.surface, true);
   measureSurface(w, halos, t, true);
@@ -111,7 +114,7 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   bringParticlesForward(s);
   placeAll(w, halos, t);
   t.times.lap(SurfacePhase::Place);
-  splitAndMerge(w, halos, t);     // before resampling, which closes seams
+  splitAndMerge(w, halos, t);  // before resampling, which closes seams
   listRaised(w, t.relax.raised);
   t.times.lap(SurfacePhase::Components);
   readyParticles(w, halos, t);
@@ -120,10 +123,12 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   const std::int64_t bare = coverBare(w, halos, t);
   t.times.lap(SurfacePhase::Growth);
   // seams of merges and of new faces close before the iterations; what the motion has opened, after them
-  if (s.counters.splits + s.counters.merges > s.changesBefore || bare > 0) resampleOnParticles(w, halos, t, 24);
+  if (s.counters.splits + s.counters.merges > s.changesBefore || bare > 0)
+    resampleOnParticles(w, halos, t, 24);
   t.times.lap(SurfacePhase::Resampling);
   listRaised(w, t.relax.raised);
-  const Settled settled = settle(w, halos, t, forceWeights(w.scene.surface), w.scene.surface.iterations, false);
+  const Settled settled = settle(w, halos, t, forceWeights(w.scene.surface), w.scene.surface.iterations,
+                                 false);
   letLooseGo(s.surfels);
   deactivate(s.surfels.loose);
   s.counters.iterations += settled.iterations;

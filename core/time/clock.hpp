@@ -1,4 +1,5 @@
-// Simulated time. Frame times and the end are hit exactly: steps before one are made equal so that they end there, and the time is set to it.
+// Simulated time. Frame times and the end are hit exactly: steps before one are made equal so that they end
+// there, and the time is set to it.
 #pragma once
 #include <cstdint>
 

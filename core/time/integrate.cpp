@@ -40,14 +40,18 @@ bool kickAndDrift(World& w, double dt, std::span<const RowSpan> rows) {
   bool leaves = false;
   for (const RowSpan& range : rows)
     for (std::size_t i = range.begin; i < range.end; i++) {
-      if (shifted)  // against the forces that depend on where particles are: not pressure where the flow carries the density
+      if (shifted)  // against the forces that depend on where particles are: not pressure where the flow
+                    // carries the density
         p.dissipated[i] += p.mass[i] * dt * dot(w.modules.continuity ? g : p.acceleration[i], p.smoothing[i]);
       p.velocity[i] += p.acceleration[i] * half;
       if (substeps) {
         if (!(p.clamped.active && p.clamped[i])) p.velocity[i] += p.fastAcceleration[i] * (lessFast * half);
         if (takesSubsteps(p, i)) continue;
       }
-      const Vec3d x = p.position[i] + (smoothed && !(p.clamped.active && p.clamped[i]) ? p.velocity[i] + p.smoothing[i] : p.velocity[i]) * dt;
+      const Vec3d x = p.position[i] + (smoothed && !(p.clamped.active && p.clamped[i])
+                                           ? p.velocity[i] + p.smoothing[i]
+                                           : p.velocity[i]) *
+                                          dt;
       p.position[i] = x;
       leaves |= box.leaves(x);
     }
@@ -67,7 +71,9 @@ bool finishKick(World& w, double dt, std::span<const RowSpan> rows, std::size_t*
   bookImpulses(w, half);
   const Vec3d* const force = p.force.data();
   std::size_t behind = p.owned;  // rows from here on are done
-  const auto rest = [&](std::size_t from) { std::fill(p.acceleration.data() + from, p.acceleration.data() + behind, Vec3d{}); };
+  const auto rest = [&](std::size_t from) {
+    std::fill(p.acceleration.data() + from, p.acceleration.data() + behind, Vec3d{});
+  };
   for (std::size_t k = rows.size(); k-- > 0; behind = rows[k].begin) {
     rest(rows[k].end);
     for (std::size_t i = rows[k].end; i-- > rows[k].begin;) {

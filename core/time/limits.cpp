@@ -26,8 +26,8 @@ double stiffestLiquid(const Scene& s, const std::vector<LiquidMaterial>& liquids
   return stiffest;
 }
 
-/// Largest diffusivity (m^2/s) that a particle of material m can see. Beside a much better conductor the harmonic mean is up to twice
-/// its own conductivity.
+/// Largest diffusivity (m^2/s) that a particle of material m can see. Beside a much better conductor the
+/// harmonic mean is up to twice its own conductivity.
 double largestDiffusivity(const Scene& s, const Material& m) {
   const HeatModel model = s.numerics.heat;
   double largest = 0;
@@ -55,22 +55,26 @@ double largestViscosity(const Material& m) {
   return largest;
 }
 
-/// The viscosity (Pa s) that bounds the step of particles of material k, whose own is mu; what it makes of their velocity depends on their own
-/// mass alone (docs/validation/stability.md B12). Between liquids of the pairwise form it is their own: beside a thicker one that hardly moves the
-/// harmonic mean is up to twice as large, but the fastest wave among their like, of neighbours that move against each other, is as fast as
-/// that (tests/stability: LightParticlesInAThickLiquid). The printed form's arithmetic mean has no such bound; solids see liquids alone.
+/// The viscosity (Pa s) that bounds the step of particles of material k, whose own is mu; what it makes of
+/// their velocity depends on their own mass alone (docs/validation/stability.md B12). Between liquids of the
+/// pairwise form it is their own: beside a thicker one that hardly moves the harmonic mean is up to twice as
+/// large, but the fastest wave among their like, of neighbours that move against each other, is as fast as
+/// that (tests/stability: LightParticlesInAThickLiquid). The printed form's arithmetic mean has no such
+/// bound; solids see liquids alone.
 double viscosityOfStep(const Scene& s, std::size_t k, double mu) {
   const bool liquid = canBeLiquid(s.materials[k]), printed = s.numerics.viscosity == ViscosityForm::Laplacian;
   double pairs = 0;
   for (std::size_t j = 0; j < s.materials.size(); j++)
-    if (j != k && inUse(s, j) && (liquid || canBeLiquid(s.materials[j]))) pairs = std::max(pairs, pairViscosity(s.numerics, mu, largestViscosity(s.materials[j])));
+    if (j != k && inUse(s, j) && (liquid || canBeLiquid(s.materials[j])))
+      pairs = std::max(pairs, pairViscosity(s.numerics, mu, largestViscosity(s.materials[j])));
   if (printed) return liquid ? std::max(mu, pairs) : pairs;
   return liquid ? mu : std::min(mu, pairs);
 }
 
 }  // namespace
 
-StepLimits materialLimits(const Scene& s, const Modules& modules, const std::vector<LiquidMaterial>& liquids) {
+StepLimits materialLimits(const Scene& s, const Modules& modules,
+                          const std::vector<LiquidMaterial>& liquids) {
   const Numerics& n = s.numerics;
   StepLimits l;
   const double h = n.support * s.spacing, h3 = h * h * h;
@@ -79,27 +83,35 @@ StepLimits materialLimits(const Scene& s, const Modules& modules, const std::vec
   for (std::size_t k = 0; k < s.materials.size(); k++) {
     if (!inUse(s, k)) continue;
     const Material& m = s.materials[k];
-    // Wider sums have no softer lattice: a support of 2 spacings is the longest that counts. A light particle, liquid or solid, among those
-    // of a stiffer liquid swings with their stiffness and its own mass (docs/validation/stability.md B12).
+    // Wider sums have no softer lattice: a support of 2 spacings is the longest that counts. A light
+    // particle, liquid or solid, among those of a stiffer liquid swings with their stiffness and its own mass
+    // (docs/validation/stability.md B12).
     if (stiffest > 0 && !modules.incompressible) {
       const double own = canBeLiquid(m) ? liquids[k].soundSpeed : 0, near = std::sqrt(stiffest / m.density);
       take(Limit::Sound, n.cflSound * std::min(h, 2 * s.spacing) / (near > own * (1 + 1e-12) ? near : own));
     }
     if (modules.fluid) {
-      const double mu = (m.viscosityTable.empty() && !modules.implicitViscosity ? viscosityOfStep(s, k, largestViscosity(m)) : 0) +  // tables: of the particles there are
+      // tables: of the particles there are
+      const double mu = (m.viscosityTable.empty() && !modules.implicitViscosity
+                             ? viscosityOfStep(s, k, largestViscosity(m))
+                             : 0) +
                         (canBeLiquid(m) ? 1.6 * liquids[k].artificial : 0);
       if (mu > 0) take(Limit::Viscous, n.cflViscous * stableViscousStep(n) * h * h * m.density / mu);
     }
     if (modules.fluid && canBeLiquid(m)) {
-      // The surface energy is stiff where few particles meet: a drop without viscosity gains 26 % of its energy in 6 s at .2, .8 % in 3 s at .1.
+      // The surface energy is stiff where few particles meet: a drop without viscosity gains 26 % of its
+      // energy in 6 s at .2, .8 % in 3 s at .1.
       const double stiff = modules.surfaceEnergy ? 0.12 : 1;
-      if (m.surfaceTension > 0) take(Limit::Tension, stiff * n.cflTension * std::sqrt(m.density * h3 / (2 * 3.14159265358979 * m.surfaceTension)));
+      if (m.surfaceTension > 0)
+        take(Limit::Tension,
+             stiff * n.cflTension * std::sqrt(m.density * h3 / (2 * 3.14159265358979 * m.surfaceTension)));
     }
     if (modules.heat) {
       const double diffusivity = largestDiffusivity(s, m);
       if (diffusivity > 0) take(Limit::Heat, n.cflHeat * stableHeatStep(n) * h * h / diffusivity);
     }
-    if (modules.solid && m.canBeSolid()) take(Limit::Contact, 0.5 * s.spacing * std::sqrt(m.density / std::max(m.young.solid, m.young.liquid)));
+    if (modules.solid && m.canBeSolid())
+      take(Limit::Contact, 0.5 * s.spacing * std::sqrt(m.density / std::max(m.young.solid, m.young.liquid)));
   }
   if (modules.solid) take(Limit::Elastic, elasticStepLimit(s));
   take(Limit::Scene, n.maxStep);
@@ -111,7 +123,9 @@ LargestRates largestRates(const World& w) {
   LargestRates largest;
   for (std::size_t i = 0; i < p.owned; i++) {
     largest.speed2 = std::max(largest.speed2, dot(p.velocity[i], p.velocity[i]));
-    const Vec3d a = p.fastAcceleration.active && !(p.clamped.active && p.clamped[i]) ? p.acceleration[i] - p.fastAcceleration[i] : p.acceleration[i];
+    const Vec3d a = p.fastAcceleration.active && !(p.clamped.active && p.clamped[i])
+                        ? p.acceleration[i] - p.fastAcceleration[i]
+                        : p.acceleration[i];
     largest.acceleration2 = std::max(largest.acceleration2, dot(a, a));
   }
   return largest;
@@ -123,16 +137,20 @@ StepLimits particleLimits(const World& w, const LargestRates& largest, double st
   StepLimits l;
   const double h = w.grid.support;
   if (largest.speed2 > 0) l[Limit::Speed] = supportsPerStep * h / std::sqrt(largest.speed2);
-  if (largest.acceleration2 > 0) l[Limit::Acceleration] = n.cflAcceleration * std::sqrt(h / std::sqrt(largest.acceleration2));
+  if (largest.acceleration2 > 0)
+    l[Limit::Acceleration] = n.cflAcceleration * std::sqrt(h / std::sqrt(largest.acceleration2));
   for (std::size_t k = 0; k < w.scene.materials.size(); k++) {
     const Material& m = w.scene.materials[k];
     if (m.viscosityTable.empty() || w.modules.implicitViscosity) continue;
-    double mu = 0;  // each particle's own: what lies between two of them on this rank may lie between none on another
+    double mu = 0;  // each particle's own: what lies between two of them on this rank may lie between none on
+                    // another
     for (std::size_t i = 0; i < p.owned; i++)
       if (p.material[i] == k && (p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0)))
         mu = std::max(mu, viscosityAt(m, 1, p.temperature.active ? p.temperature[i] : 0));
     if (mu > 0) mu = viscosityOfStep(w.scene, k, mu);
-    if (mu > 0) l[Limit::Viscous] = std::min(l[Limit::Viscous], n.cflViscous * stableViscousStep * h * h * m.density / mu);
+    if (mu > 0)
+      l[Limit::Viscous] = std::min(l[Limit::Viscous],
+                                   n.cflViscous * stableViscousStep * h * h * m.density / mu);
   }
   return l;
 }
@@ -142,20 +160,24 @@ double soundStiffening(const World& w) {
   const Continuum& p = w.particles;
   float most = 1;
   for (std::size_t i = 0; i < p.owned; i++)
-    if (p.filling[i] > most && (p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0))) most = p.filling[i];
+    if (p.filling[i] > most && (p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0)))
+      most = p.filling[i];
   return soundSpeedFactor(w.scene.numerics.eos, static_cast<double>(most));
 }
 
 double fastAccelerationLimit(const World& w) {
   const Continuum& p = w.particles;
   double hardest = 0;
-  for (std::size_t i = 0; i < p.owned; i++) hardest = std::max(hardest, dot(p.acceleration[i], p.acceleration[i]));
-  return hardest > 0 ? w.scene.numerics.cflAcceleration * std::sqrt(w.grid.support / std::sqrt(hardest)) : never;
+  for (std::size_t i = 0; i < p.owned; i++)
+    hardest = std::max(hardest, dot(p.acceleration[i], p.acceleration[i]));
+  return hardest > 0 ? w.scene.numerics.cflAcceleration * std::sqrt(w.grid.support / std::sqrt(hardest))
+                     : never;
 }
 
 namespace {
 
-/// The double next to it that has 15 digits: 12 * .05 is not .6, and a run that ends there, and later goes on, is to be the one that did not stop.
+/// The double next to it that has 15 digits: 12 * .05 is not .6, and a run that ends there, and later goes
+/// on, is to be the one that did not stop.
 double inDecimals(double t) {
   char digits[32];
   const auto written = std::to_chars(digits, digits + sizeof digits, t, std::chars_format::general, 15);
@@ -196,7 +218,8 @@ double clip(const Clock& c, double dt) {
 }
 
 double nextStep(const Clock& c) {
-  constexpr double shortest = 0.95, margin = 0.985;  // of the wanted step: what is still kept; what is taken where the last one is not
+  constexpr double shortest = 0.95, margin = 0.985;  // of the wanted step: what is still kept; what is taken
+                                                     // where the last one is not
   if (!(c.dt > 0)) return c.dt;
   if (!(c.stepDt > 0)) return clip(c, c.dt);
   const double same = clip(c, c.stepDt);

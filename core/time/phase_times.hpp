@@ -1,4 +1,5 @@
-// Where the wall-clock time of a run goes, by phase. Nested timers do not count twice: an inner one stops the outer one.
+// Where the wall-clock time of a run goes, by phase. Nested timers do not count twice: an inner one stops the
+// outer one.
 #pragma once
 #include <array>
 #include <chrono>
@@ -11,16 +12,46 @@ namespace thaw {
 
 /// Phases of a step and of a run. None: time that no timer covers.
 enum class StepPhase : std::size_t {
-  Setup, Drift, Domain, Migrate, Sort, Search, Density, Forces, Viscosity, Walls, Contact, Elastic, Bonds, Heat, Phase, Kick,
-  Exchange, Reduce, Pressure, Surface, Oriented, SheetMotion, Sheet, SheetContact, Balance, Frames, Checkpoint, Other, None
+  Setup,
+  Drift,
+  Domain,
+  Migrate,
+  Sort,
+  Search,
+  Density,
+  Forces,
+  Viscosity,
+  Walls,
+  Contact,
+  Elastic,
+  Bonds,
+  Heat,
+  Phase,
+  Kick,
+  Exchange,
+  Reduce,
+  Pressure,
+  Surface,
+  Oriented,
+  SheetMotion,
+  Sheet,
+  SheetContact,
+  Balance,
+  Frames,
+  Checkpoint,
+  Other,
+  None
 };
 inline constexpr std::size_t stepPhases = static_cast<std::size_t>(StepPhase::None);
 
 /// Name of a phase in summaries and progress lines.
 inline const char* phaseName(StepPhase phase) {
-  constexpr const char* names[stepPhases + 1] = {"setup", "drift", "domain", "migrate", "sort", "search", "density", "forces", "viscosity", "walls",
-                                                 "contact", "elastic", "bonds", "heat", "phase_change", "kick", "exchange", "reduce", "pressure", "surface", "oriented", "sheet_motion", "sheet", "sheet_contact",
-                                                 "balance", "frames", "checkpoint", "other", "none"};
+  constexpr const char* names[stepPhases + 1] = {
+      "setup",    "drift",   "domain",       "migrate",      "sort",     "search",
+      "density",  "forces",  "viscosity",    "walls",        "contact",  "elastic",
+      "bonds",    "heat",    "phase_change", "kick",         "exchange", "reduce",
+      "pressure", "surface", "oriented",     "sheet_motion", "sheet",    "sheet_contact",
+      "balance",  "frames",  "checkpoint",   "other",        "none"};
   return names[static_cast<std::size_t>(phase)];
 }
 
@@ -31,7 +62,7 @@ struct PhaseTimes {
   StepPhase current = StepPhase::None;
   Clock::time_point since{};
   StepTrace* trace = nullptr;  ///< laps are kept there; null: nowhere
-  bool onCore = false;         ///< by the time that this thread had a core: work is told where ranks share cores
+  bool onCore = false;  ///< by the time that this thread had a core: work is told where ranks share cores
 
   double& operator[](StepPhase phase) { return seconds[static_cast<std::size_t>(phase)]; }
   double operator[](StepPhase phase) const { return seconds[static_cast<std::size_t>(phase)]; }
@@ -48,7 +79,8 @@ struct PhaseTimes {
     return Clock::time_point(std::chrono::seconds(t.tv_sec) + std::chrono::nanoseconds(t.tv_nsec));
   }
 
-  /// For code that reads as a sequence: what follows is not counted before the first lap; lap books the time since the last one.
+  /// For code that reads as a sequence: what follows is not counted before the first lap; lap books the time
+  /// since the last one.
   void start() { since = now(); }
   void lap(StepPhase phase) {
     const auto end = now();
@@ -57,7 +89,8 @@ struct PhaseTimes {
     since = end;
   }
 
-  /// Books the time since the last call to the phase that was current, and makes `next` current. Returns the one that was.
+  /// Books the time since the last call to the phase that was current, and makes `next` current. Returns the
+  /// one that was.
   StepPhase change(StepPhase next) {
     const Clock::time_point end = now();
     const StepPhase before = current;

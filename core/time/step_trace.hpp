@@ -1,5 +1,6 @@
-// What a rank did in its last steps: slices of phases, of waiting, and of exchanges under way, for `thaw run --profile`. Of bounded size:
-// the events of the last steps, and at most so many of each. No result depends on it.
+// What a rank did in its last steps: slices of phases, of waiting, and of exchanges under way, for `thaw run
+// --profile`. Of bounded size: the events of the last steps, and at most so many of each. No result depends
+// on it.
 #pragma once
 #include <chrono>
 #include <cstddef>
@@ -8,17 +9,17 @@
 
 namespace thaw {
 
-/// Step: a whole step. Phase: a lap of PhaseTimes. Wait: the rank can do nothing but wait for others. Exchange: messages are on their way,
-/// while the rank may do something else.
+/// Step: a whole step. Phase: a lap of PhaseTimes. Wait: the rank can do nothing but wait for others.
+/// Exchange: messages are on their way, while the rank may do something else.
 enum class TraceKind : std::uint8_t { Step, Phase, Wait, Exchange };
 
 struct TraceEvent {
   std::int64_t begin = 0, end = 0;  ///< ns of this process's steady clock
   std::int64_t step = 0;
-  std::int64_t bytes = 0;           ///< sent, of an exchange
-  std::int32_t messages = 0;        ///< sent, of an exchange
+  std::int64_t bytes = 0;     ///< sent, of an exchange
+  std::int32_t messages = 0;  ///< sent, of an exchange
   TraceKind kind = TraceKind::Step;
-  std::uint8_t name = 0;            ///< a StepPhase, or a MessagesFor of messages (parallel/traffic.hpp)
+  std::uint8_t name = 0;  ///< a StepPhase, or a MessagesFor of messages (parallel/traffic.hpp)
 };
 
 class StepTrace {
@@ -40,7 +41,8 @@ class StepTrace {
   }
 
   /// Nothing is kept before the first step.
-  void add(TraceKind kind, std::uint8_t name, Clock::time_point begin, Clock::time_point end, std::int64_t messages = 0, std::int64_t bytes = 0) {
+  void add(TraceKind kind, std::uint8_t name, Clock::time_point begin, Clock::time_point end,
+           std::int64_t messages = 0, std::int64_t bytes = 0) {
     if (!begun_) return;
     OneStep& now = ring_[at_];
     if (now.events.size() == mostOfAStep) {
@@ -48,7 +50,8 @@ class StepTrace {
       dropped_++;
       return;
     }
-    now.events.push_back({nanoseconds(begin), nanoseconds(end), step_, bytes, static_cast<std::int32_t>(messages), kind, name});
+    now.events.push_back({nanoseconds(begin), nanoseconds(end), step_, bytes,
+                          static_cast<std::int32_t>(messages), kind, name});
   }
 
   /// Of the steps that are kept, oldest first; within a step in the order in which they ended.
@@ -63,7 +66,9 @@ class StepTrace {
   /// Events of the kept steps that found no room.
   std::int64_t dropped() const { return dropped_; }
 
-  static std::int64_t nanoseconds(Clock::time_point t) { return std::chrono::duration_cast<std::chrono::nanoseconds>(t.time_since_epoch()).count(); }
+  static std::int64_t nanoseconds(Clock::time_point t) {
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(t.time_since_epoch()).count();
+  }
 
  private:
   struct OneStep {

@@ -11,8 +11,8 @@ namespace {
 
 Vec3d restPlace(const Wall& w, const Vec3d& x) { return toRest(w.pose, x); }
 
-/// Walls that some particle of the cell can be within h of. Cells at the border of the grid also hold what lies beyond: no wall is
-/// left out for them.
+/// Walls that some particle of the cell can be within h of. Cells at the border of the grid also hold what
+/// lies beyond: no wall is left out for them.
 void findReachable(const World& w, std::uint64_t key, std::vector<std::uint32_t>& walls) {
   const CellGrid& g = w.grid;
   const Vec3i c = cellOfKey(key);
@@ -35,7 +35,8 @@ void findReachable(const World& w, std::uint64_t key, std::vector<std::uint32_t>
   }
 }
 
-/// Puts a particle that is deep inside back onto the surface, without its velocity into the wall. Books impulse, work and loss.
+/// Puts a particle that is deep inside back onto the surface, without its velocity into the wall. Books
+/// impulse, work and loss.
 void project(World& w, std::size_t i, const Wall& wall, double depth, const Vec3d& n) {
   Continuum& p = w.particles;
   const double m = p.mass[i];
@@ -76,9 +77,12 @@ bool listContacts(World& w, std::size_t i, WallContacts& contacts, bool mayMove)
   return moved;
 }
 
-/// How much two walls overlap beside a particle that sees the fillings a and b of them, per 2 ab: exact for two planes through the
-/// particle at any angle, 0 for opposite ones; g = 1 - 2 angle / pi is 1 for the same direction, where the overlap is min(a, b).
-double alignment(const Vec3d& n, const Vec3d& m) { return 1 - std::acos(std::clamp(dot(n, m), -1.0, 1.0)) * (2 / 3.14159265358979323846); }
+/// How much two walls overlap beside a particle that sees the fillings a and b of them, per 2 ab: exact for
+/// two planes through the particle at any angle, 0 for opposite ones; g = 1 - 2 angle / pi is 1 for the same
+/// direction, where the overlap is min(a, b).
+double alignment(const Vec3d& n, const Vec3d& m) {
+  return 1 - std::acos(std::clamp(dot(n, m), -1.0, 1.0)) * (2 / 3.14159265358979323846);
+}
 
 /// d overlap(a, b) / da, smooth where min(a, b) has its kink.
 double overlapSlope(double a, double b, double g) {
@@ -86,8 +90,8 @@ double overlapSlope(double a, double b, double g) {
   return (1 - g) * b + g * b * b / (a * a + b * b + 1e-30);
 }
 
-/// A liquid particle may be closer to a wall than solids rest. Freezing there must not press a spring together out of nothing: it rests
-/// where it froze, and half a spacing away again once it has moved so far.
+/// A liquid particle may be closer to a wall than solids rest. Freezing there must not press a spring
+/// together out of nothing: it rests where it froze, and half a spacing away again once it has moved so far.
 void trackStandoff(World& w, std::size_t i, double nearest) {
   const Continuum& p = w.particles;
   const auto now = static_cast<float>(std::clamp(nearest / w.scene.spacing, 0.25, 0.5));
@@ -96,11 +100,14 @@ void trackStandoff(World& w, std::size_t i, double nearest) {
 
 void shareBetween(const WallContext& x, std::span<WallContact> contacts) {
   const double h = x.world.grid.support;
-  const auto warm = [&](const WallContact& c) { return x.world.walls.list[c.wall].properties.temperature.has_value(); };
+  const auto warm = [&](const WallContact& c) {
+    return x.world.walls.list[c.wall].properties.temperature.has_value();
+  };
   for (WallContact& c : contacts)
     for (const WallContact& other : contacts) {
       if (&c == &other) continue;
-      const double slope = overlapSlope(x.tables(c.distance / h).space, x.tables(other.distance / h).space, alignment(c.normal, other.normal));
+      const double slope = overlapSlope(x.tables(c.distance / h).space, x.tables(other.distance / h).space,
+                                        alignment(c.normal, other.normal));
       const double left = std::max(0.0, 1 - slope);
       c.share *= left;
       if (warm(c) && warm(other)) c.heatShare *= left;
@@ -121,17 +128,21 @@ void findWallContacts(const WallContext& x, WallContacts& contacts) {
     if (w.cells.first[cell] >= p.owned) continue;  // a ghost cell
     findReachable(w, w.cells.key[cell], contacts.reachable);
     if (contacts.reachable.empty()) {
-      for (std::size_t i = w.cells.first[cell]; freezing && i < w.cells.first[cell] + w.cells.count[cell]; i++) trackStandoff(w, i, never);
+      for (std::size_t i = w.cells.first[cell]; freezing && i < w.cells.first[cell] + w.cells.count[cell];
+           i++)
+        trackStandoff(w, i, never);
       continue;
     }
     for (std::size_t i = w.cells.first[cell]; i < w.cells.first[cell] + w.cells.count[cell]; i++) {
       const std::size_t before = contacts.list.size();
-      if (listContacts(w, i, contacts, !(p.clamped.active && p.clamped[i]))) {  // it was moved: away from, or into, other walls
+      // it was moved: away from, or into, other walls
+      if (listContacts(w, i, contacts, !(p.clamped.active && p.clamped[i]))) {
         contacts.list.resize(before);
         listContacts(w, i, contacts, false);
       }
       double nearest = never;
-      for (std::size_t c = before; c < contacts.list.size(); c++) nearest = std::min(nearest, contacts.list[c].distance);
+      for (std::size_t c = before; c < contacts.list.size(); c++)
+        nearest = std::min(nearest, contacts.list[c].distance);
       if (freezing) trackStandoff(w, i, nearest);
       if (contacts.list.size() > before + 1) shareBetween(x, std::span(contacts.list).subspan(before));
     }
@@ -146,7 +157,8 @@ void findSubstepContacts(const World& w, std::vector<WallContact>& contacts) {
     for (std::uint32_t k = 0; takesSubsteps(p, i) && k < w.walls.list.size(); k++) {
       const Wall& wall = w.walls.list[k];
       const Vec3d rest = restPlace(wall, p.position[i]);
-      if (wall.present && nearBounds(wall.bounds, rest, h) && wall.shape->distance(rest) < h) contacts.push_back({i, k, 0, {}});
+      if (wall.present && nearBounds(wall.bounds, rest, h) && wall.shape->distance(rest) < h)
+        contacts.push_back({i, k, 0, {}});
     }
 }
 
@@ -165,14 +177,16 @@ void addWallFilling(const WallContext& x, double perLatticeSum, WallContacts& co
   const double h = x.world.grid.support;
   const auto& list = contacts.list;
   for (std::size_t begin = 0, end; begin < list.size(); begin = end) {
-    // each wall adds what the walls before it have left of its own; what they added does not overlap, so that shares of it add up
+    // each wall adds what the walls before it have left of its own; what they added does not overlap, so that
+    // shares of it add up
     double filling = 0;
     for (end = begin; end < list.size() && list[end].row == list[begin].row; end++) {
       const WallIntegrals t = x.tables(list[end].distance / h);
       const double own = t.space;
       double left = own;
       for (std::size_t other = begin; other < end && left > 0; other++) {
-        const double b = x.tables(list[other].distance / h).space, g = alignment(list[end].normal, list[other].normal);
+        const double b = x.tables(list[other].distance / h).space,
+                     g = alignment(list[end].normal, list[other].normal);
         if (b <= 0) continue;
         const double overlap = g <= 0 ? (1 + g) * own * b : (1 - g) * own * b + g * std::min(own, b);
         left -= overlap * (contacts.added[other - begin] / b);

@@ -22,9 +22,10 @@ bool isKnown(const Faces& known, const Face& f) {
                      [&](const Face& k) { return dot(k.normal, f.normal) > sameDirection; });
 }
 
-/// True where the projection of x onto the face lies on the surface. x is lifted out of the other faces first:
-/// below a floor, the projection onto a side wall is inside the wall.
-bool isSurface(const SignedDistance& shape, const Vec3d& x, const Faces& known, const Face& f, double spacing) {
+/// True where the projection of x onto the face lies on the surface. x is lifted out of the other faces
+/// first: below a floor, the projection onto a side wall is inside the wall.
+bool isSurface(const SignedDistance& shape, const Vec3d& x, const Faces& known, const Face& f,
+               double spacing) {
   Vec3d lifted = x;
   for (std::size_t k = 0; k < known.count; k++)
     lifted += known.face[k].normal * std::max(0.0, 0.5 * spacing - known.face[k].distance);
@@ -49,8 +50,8 @@ Vec3d perpendicular(const Vec3d& n) {
   return normalized(cross(n, axis));
 }
 
-/// Directions that lead away from the known faces, each with a component of 1 along their normals. Between opposite
-/// faces: along them.
+/// Directions that lead away from the known faces, each with a component of 1 along their normals. Between
+/// opposite faces: along them.
 std::size_t awayFrom(const Faces& known, std::array<Vec3d, 4>& direction) {
   constexpr double opposite = -0.9;
   const Vec3d& a = known.face[0].normal;
@@ -78,7 +79,8 @@ Faces facesWithin(const SignedDistance& shape, const Vec3d& x, double reach, dou
   if (!(first.distance < reach)) return faces;
   faces.count = 1;
   if (shape.convex()) return faces;
-  // Beside the known faces, `reach` farther from them, an unknown face is the nearest. In a gap a shorter way is needed.
+  // Beside the known faces, `reach` farther from them, an unknown face is the nearest. In a gap a shorter way
+  // is needed.
   for (bool found = true; found && faces.count < Faces::most;) {
     found = false;
     std::array<Vec3d, 4> direction;

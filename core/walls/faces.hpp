@@ -18,9 +18,9 @@ struct Faces {
   std::size_t count = 0;
 };
 
-/// Faces within `reach` (m) of x, the nearest first. Further faces must be plane where x projects onto them, to
-/// within a twentieth of `spacing` (m): curved surfaces and convex edges count as one face. None where the surface is
-/// not within reach.
+/// Faces within `reach` (m) of x, the nearest first. Further faces must be plane where x projects onto them,
+/// to within a twentieth of `spacing` (m): curved surfaces and convex edges count as one face. None where the
+/// surface is not within reach.
 Faces facesWithin(const SignedDistance& shape, const Vec3d& x, double reach, double spacing);
 
 }  // namespace thaw

@@ -18,7 +18,8 @@ bool spansDomain(const Domain& d, const Wall& wall, int a) {
   return !(wall.bounds.max[a] - wall.bounds.min[a] < lengthOf(d, a) * (1 - rounding));
 }
 
-/// Bounds of all places of a wall as it moves; where it turns, of its bounding box at any angle about the origin.
+/// Bounds of all places of a wall as it moves; where it turns, of its bounding box at any angle about the
+/// origin.
 Bounds sweptBounds(const Wall& wall) {
   Bounds box = wall.bounds;
   const std::vector<Keyframe>& motion = wall.properties.motion;
@@ -40,7 +41,9 @@ Bounds sweptBounds(const Wall& wall) {
 }
 
 /// Numbers of periods, first to last, that bring a wall to within `reach` of the domain.
-struct Periods { int first = 0, last = 0; };
+struct Periods {
+  int first = 0, last = 0;
+};
 Periods periodsOf(const Domain& d, const Wall& wall, const Bounds& swept, double reach, int a) {
   if (!isPeriodic(d, a) || spansDomain(d, wall, a)) return {};
   const double period = lengthOf(d, a);

@@ -10,13 +10,18 @@
 namespace thaw {
 namespace {
 
-struct Plane { double w = 0, slope = 0, laplace = 0, drag = 0; };
+struct Plane {
+  double w = 0, slope = 0, laplace = 0, drag = 0;
+};
 
-/// Integrals over a plane at distance z: of W, of -dW/dz, of the Laplacian's kernel and of the viscous weight times x^2/r^2, x along the plane.
-/// The first three times s = |r| are polynomials of degree 7 at most, on either side of 1/2, for which Gauss' rule with five points is exact.
+/// Integrals over a plane at distance z: of W, of -dW/dz, of the Laplacian's kernel and of the viscous weight
+/// times x^2/r^2, x along the plane. The first three times s = |r| are polynomials of degree 7 at most, on
+/// either side of 1/2, for which Gauss' rule with five points is exact.
 template<class Kernel> Plane planeAt(double z, double viscousScale) {
-  constexpr std::array<double, 5> node{-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831, 0.9061798459386640};
-  constexpr std::array<double, 5> weight{0.2369268850561891, 0.4786286704993665, 0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
+  constexpr std::array<double, 5> node{-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831,
+                                       0.9061798459386640};
+  constexpr std::array<double, 5> weight{0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
+                                         0.4786286704993665, 0.2369268850561891};
   Plane p;
   const auto addPart = [&](double from, double to) {
     const double half = 0.5 * (to - from);
@@ -53,7 +58,8 @@ WallIntegrals rawIntegrals(const Numerics& n, double d) {
   return withKernel(n.kernel, [&](auto kernel) { return integralsOf<decltype(kernel)>(n, scale, d); });
 }
 
-/// 1 over the drag on layers half a spacing and whole spacings above a wall, in a linear profile, per mu du/dz.
+/// 1 over the drag on layers half a spacing and whole spacings above a wall, in a linear profile, per mu
+/// du/dz.
 double perShearStress(const Numerics& n) {
   const double spacing = 1 / n.support;
   double stress = 0;
@@ -63,11 +69,13 @@ double perShearStress(const Numerics& n) {
 
 template<class Kernel> double secondMoment(double spacing) {
   double sum = 0;
-  for (double z = spacing; z < 1; z += spacing) sum += spacing * planeAt<Kernel>(z, 0).laplace * z * z;  // half of it, from two sides
+  // half of it, from two sides
+  for (double z = spacing; z < 1; z += spacing) sum += spacing * planeAt<Kernel>(z, 0).laplace * z * z;
   return sum;
 }
 
-/// 1 over what a sum over layers on both sides makes of the second derivative of a temperature across them; 1 where conduction is plain.
+/// 1 over what a sum over layers on both sides makes of the second derivative of a temperature across them; 1
+/// where conduction is plain.
 double perConduction(const Numerics& n) {
   if (conductionScale(n) == 1) return 1;
   return withKernel(n.kernel, [&](auto kernel) { return 1 / secondMoment<decltype(kernel)>(1 / n.support); });
@@ -81,12 +89,15 @@ WallIntegrals scaled(WallIntegrals w, double drag, double conduct) {
 
 }  // namespace
 
-WallIntegrals wallIntegrals(const Numerics& n, double d) { return scaled(rawIntegrals(n, d), perShearStress(n), perConduction(n)); }
+WallIntegrals wallIntegrals(const Numerics& n, double d) {
+  return scaled(rawIntegrals(n, d), perShearStress(n), perConduction(n));
+}
 
 WallIntegrals asLiquidsFeelIt(const WallIntegrals& w, double filling0) {
   WallIntegrals felt = w;
   felt.space = w.filling;
-  if (filling0 > 0) felt.filling = w.filling * w.filling / filling0, felt.push = w.push * 2 * w.filling / filling0;
+  if (filling0 > 0)
+    felt.filling = w.filling * w.filling / filling0, felt.push = w.push * 2 * w.filling / filling0;
   return felt;
 }
 
@@ -100,7 +111,8 @@ WallTables makeWallTables(const Numerics& n) {
   for (int k = 0; k <= WallTables::points; k++) {
     const double d = t.lowest + (1 - t.lowest) * k / WallTables::points;
     t.at.push_back(asLiquidsFeelIt(scaled(rawIntegrals(n, d), drag, conduct), filling0));
-    if (d < softFrom) t.at.back().filling = soft.filling + soft.push * (softFrom - d), t.at.back().push = soft.push;
+    if (d < softFrom)
+      t.at.back().filling = soft.filling + soft.push * (softFrom - d), t.at.back().push = soft.push;
   }
   return t;
 }

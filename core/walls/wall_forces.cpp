@@ -4,16 +4,17 @@
 #include <cmath>
 
 #include "core/contact/dashpot.hpp"
-#include "core/fluid/surface_energy.hpp"
 #include "core/fluid/particle_pressure.hpp"
+#include "core/fluid/surface_energy.hpp"
 #include "core/heat/enthalpy.hpp"
 #include "core/sleep/sleep.hpp"
 
 namespace thaw {
 namespace {
 
-/// The rate of a decay (1/s) as a step dt may take it: itself up to half of what is there in a step, then less, so that it never overshoots.
-/// The average over the step, (1 - exp(-r dt)) / dt, is too low by r dt / 2 where the neighbours' pull is not averaged: a tenth, as slip.
+/// The rate of a decay (1/s) as a step dt may take it: itself up to half of what is there in a step, then
+/// less, so that it never overshoots. The average over the step, (1 - exp(-r dt)) / dt, is too low by r dt /
+/// 2 where the neighbours' pull is not averaged: a tenth, as slip.
 double overStep(double r, double dt) {
   const double share = r * dt;
   return share > 0.5 ? (1 - 0.5 * std::exp(1 - 2 * share)) / dt : r;
@@ -37,14 +38,15 @@ struct Meeting {
   const Obstacle& wall;
   const Material& material;
   std::size_t row;
-  double liquid;    ///< fraction
-  double volume;    ///< m^3, at rest
-  Vec3d velocity;   ///< m/s, relative to the wall
+  double liquid;   ///< fraction
+  double volume;   ///< m^3, at rest
+  Vec3d velocity;  ///< m/s, relative to the wall
 };
 
 /// Force (N) along the normal: the wall's share of the hydrostatic pressure gradient.
-/// The wall's push uses the particle's own pressure; behind the wall the pressure rises by the liquid's weight.
-/// The share is the wall's part of the particle's moment. 0 without positive pressure, as in falling drops.
+/// The wall's push uses the particle's own pressure; behind the wall the pressure rises by the liquid's
+/// weight. The share is the wall's part of the particle's moment. 0 without positive pressure, as in falling
+/// drops.
 double hydrostaticWallForce(const World& w, const Meeting& at, double pressure, double momentShare) {
   constexpr double depth = 0.25;  // spacings of pressure head; the force fades below it
   const double weight = at.material.density * dot(w.scene.domain.gravity, at.contact.normal);
@@ -54,20 +56,28 @@ double hydrostaticWallForce(const World& w, const Meeting& at, double pressure, 
 }
 
 /// Pressure of a liquid, the slope of its energy of compression (tables.hpp), and drag.
-void addLiquidForces(const WallContext& x, const Meeting& at, double perLatticeSum, WallAction& act, double& stiffest) {
+void addLiquidForces(const WallContext& x, const Meeting& at, double perLatticeSum, WallAction& act,
+                     double& stiffest) {
   const World& w = x.world;
   const Continuum& p = w.particles;
   const double h = w.grid.support;
   const WallIntegrals t = x.tables(at.contact.distance / h);
   const double filling = static_cast<double>(p.filling[at.row]);
-  const double pressure = w.modules.incompressible ? 0 : static_cast<double>(pressureOfParticle(w, x.liquids, at.row));
+  const double pressure = w.modules.incompressible
+                              ? 0
+                              : static_cast<double>(pressureOfParticle(w, x.liquids, at.row));
   const Vec3d& n = at.contact.normal;
   if (pressure != 0 && filling > 0) {
-    const double term = w.scene.numerics.pressure == PairForm::Printed ? 0.5 * pressure / filling : perLatticeSum * pressure / (filling * filling);
+    const double term = w.scene.numerics.pressure == PairForm::Printed
+                            ? 0.5 * pressure / filling
+                            : perLatticeSum * pressure / (filling * filling);
     act.force += n * (at.volume * term * t.push / h * at.contact.share);
     // it has no potential: its work is dissipation
-    if (w.modules.continuity) act.resist(n * hydrostaticWallForce(w, at, pressure, perLatticeSum * t.momentShare), at.velocity);
-    stiffest = std::max(stiffest, x.liquids[p.material[at.row]].soundSpeed * soundSpeedFactor(w.scene.numerics.eos, filling) * perLatticeSum * t.push / h);
+    if (w.modules.continuity)
+      act.resist(n * hydrostaticWallForce(w, at, pressure, perLatticeSum * t.momentShare), at.velocity);
+    stiffest = std::max(stiffest, x.liquids[p.material[at.row]].soundSpeed *
+                                      soundSpeedFactor(w.scene.numerics.eos, filling) * perLatticeSum *
+                                      t.push / h);
   }
   if (w.modules.surfaceEnergy) act.force += n * surfaceForceOfWall(w, at.contact);
   if (at.wall.slip || w.modules.implicitViscosity) return;
@@ -76,37 +86,43 @@ void addLiquidForces(const WallContext& x, const Meeting& at, double perLatticeS
   act.resist(tangential * -rate, at.velocity);
 }
 
-/// A spring with dashpot (Cundall & Strack 1979) and Coulomb friction: of solids from half a spacing on; of liquids, which pressure
-/// holds away, as the last resort from a quarter on.
+/// A spring with dashpot (Cundall & Strack 1979) and Coulomb friction: of solids from half a spacing on; of
+/// liquids, which pressure holds away, as the last resort from a quarter on.
 void addContactForces(const WallContext& x, const Meeting& at, Continuum& p, WallAction& act) {
   const double dx = x.world.scene.spacing, f = at.liquid, m = p.mass[at.row];
   const double rest = p.standoff.active ? static_cast<double>(p.standoff[at.row]) : 0.5;
   const double gap = dx * (rest + f * (0.25 - rest)) - at.contact.distance;
   if (gap <= 0) return;
   const Vec3d& n = at.contact.normal;
-  // of an incompressible liquid the solver sees to it (stopAtWalls): the spring of the state equation is too stiff for its steps
+  // of an incompressible liquid the solver sees to it (stopAtWalls): the spring of the state equation is too
+  // stiff for its steps
   const double liquid = x.world.modules.incompressible ? 0 : x.liquids[p.material[at.row]].stiffness;
   const double k = (at.material.young.at(f) + f * liquid) * dx;
   if (k <= 0) return;
   const double restitution = f < 1 ? std::min(at.wall.restitution, at.material.restitution) : 0.2;
   const double un = dot(at.velocity, n), spring = k * gap;
-  const double dash = std::max(-2 * dashpotRatio(restitution) * std::sqrt(k * m) * un, -spring);  // a contact never pulls
+  // a contact never pulls
+  const double dash = std::max(-2 * dashpotRatio(restitution) * std::sqrt(k * m) * un, -spring);
   act.force += n * spring;
   act.resist(n * dash, at.velocity);
   p.interaction[at.row] += 0.5 * k * gap * gap;
   if (p.softening.active)
-    p.softening[at.row] += 0.5 * (at.material.young.liquid - at.material.young.solid + liquid) * dx * gap * gap - (rest - 0.25) * dx * k * gap;
+    p.softening[at.row] += 0.5 * (at.material.young.liquid - at.material.young.solid + liquid) * dx * gap *
+                               gap -
+                           (rest - 0.25) * dx * k * gap;
   const Vec3d tangential = at.velocity - n * un;
   const double slip = length(tangential);
   if (f >= 1 || slip == 0) return;
-  // Below the speed at which friction would stop it within the step (or the spring's time) it is a drag: it never turns the motion round.
+  // Below the speed at which friction would stop it within the step (or the spring's time) it is a drag: it
+  // never turns the motion round.
   const double stick = std::min(std::sqrt(k * m), 0.5 * m / x.span);
   const double rub = (1 - f) * std::min(at.wall.friction * (spring + dash) / slip, stick);
   act.resist(tangential * -rub, at.velocity);
 }
 
-/// m/s, what is between the velocity that forces are found with and the one by which they change energy: half a kick lies on either side of now (at the start only after
-/// it). With drag the pressure solver books it, but for what substeps add.
+/// m/s, what is between the velocity that forces are found with and the one by which they change energy: half
+/// a kick lies on either side of now (at the start only after it). With drag the pressure solver books it,
+/// but for what substeps add.
 Vec3d halfKick(const WallContext& x, std::size_t i, bool substeps) {
   const Continuum& p = x.world.particles;
   if ((p.clamped.active && p.clamped[i]) || (p.sleep.active && p.sleep[i] != awake)) return {};
@@ -123,7 +139,8 @@ void bookResistance(const WallContext& x, std::span<const ContactResistance> res
   Continuum& p = x.world.particles;
   for (const ContactResistance& r : resisting) {
     if (p.drag.active) p.drag[r.row] += r.force;
-    p.dissipation[r.row] -= dot(r.force, halfKick(x, r.row, p.fastAcceleration.active && p.slot[r.row] != noSlot));
+    p.dissipation[r.row] -= dot(r.force,
+                                halfKick(x, r.row, p.fastAcceleration.active && p.slot[r.row] != noSlot));
   }
 }
 
@@ -158,7 +175,8 @@ void addWallForces(const WallContext& x, double perLatticeSum, WallContacts& con
     for (; c < list.size() && list[c].row == i; c++) {
       const Wall& wall = w.walls.list[list[c].wall];
       const Vec3d v = wallVelocity(wall, p.position[i]), before = act.force;
-      const Meeting at{list[c], wall.properties, m, i, liquidFraction(p, i), p.mass[i] / m.density, p.velocity[i] - v};
+      const Meeting at{list[c],          wall.properties, m, i, liquidFraction(p, i), p.mass[i] / m.density,
+                       p.velocity[i] - v};
       if (at.liquid > 0) addLiquidForces(x, at, perLatticeSum, act, contacts.stiffest);
       const WallAction slow = act;
       addContactForces(substeps ? shorter : x, at, p, act);
@@ -215,7 +233,10 @@ void addSubstepContacts(const WallContext& x, std::vector<WallContact>& contacts
       if (!followContact(w, contacts[c])) continue;
       const Wall& wall = w.walls.list[contacts[c].wall];
       const Vec3d v = wallVelocity(wall, p.position[i]), before = act.force;
-      addContactForces(x, {contacts[c], wall.properties, m, i, liquidFraction(p, i), p.mass[i] / m.density, p.velocity[i] - v}, p, act);
+      addContactForces(x,
+                       {contacts[c], wall.properties, m, i, liquidFraction(p, i), p.mass[i] / m.density,
+                        p.velocity[i] - v},
+                       p, act);
       if (!wall.properties.motion.empty()) w.ledger.wallWork.add(dot(act.force - before, v) * x.dt);
     }
     Vec3d& force = w.solids.force[p.slot[i]];
@@ -234,16 +255,20 @@ void addWallHeat(const WallContext& x, const WallContacts& contacts) {
   const double coveredScale = 2 * w.scene.spacing / h;
   for (const WallContact& c : contacts.list) {
     const WallIntegrals t = x.tables(c.distance / h);
-    if (p.exposure.active) p.exposure[c.row] = static_cast<float>(std::max(0.0, static_cast<double>(p.exposure[c.row]) - coveredScale * t.push * c.share));
+    if (p.exposure.active)
+      p.exposure[c.row] = static_cast<float>(
+          std::max(0.0, static_cast<double>(p.exposure[c.row]) - coveredScale * t.push * c.share));
     const Obstacle& o = w.walls.list[c.wall].properties;
     if (!o.temperature || x.sleeps(c.row)) continue;
     const Material& m = w.scene.materials[p.material[c.row]];
     const double f = liquidFraction(p, c.row), k = conductivityOf(model, m, f), V = p.mass[c.row] / m.density;
     if (k <= 0) continue;
     double conductance = k * V * t.conduct * c.heatShare / (h * h);  // W/K
-    if (o.conductance < never) conductance *= o.conductance / (o.conductance + k / std::max(c.distance, x.tables.nearest * h));
+    if (o.conductance < never)
+      conductance *= o.conductance / (o.conductance + k / std::max(c.distance, x.tables.nearest * h));
     const double capacity = p.mass[c.row] * heatCapacityOf(model, m, f);
-    const double flow = overStep(conductance / capacity, x.span) * capacity * (*o.temperature - p.temperature[c.row]);
+    const double flow = overStep(conductance / capacity, x.span) * capacity *
+                        (*o.temperature - p.temperature[c.row]);
     p.heatFlow[c.row] += flow;
     w.ledger.heatIn.add(flow * x.dt);
   }

@@ -52,7 +52,9 @@ void moveWalls(Walls& walls, double time) {
   }
 }
 
-bool holdsSample(const Wall& wall, const Vec3d& x, double spacing) { return wall.present && wall.shape->distanceWithin(toRest(wall.pose, x), spacing) < -0.25 * spacing; }
+bool holdsSample(const Wall& wall, const Vec3d& x, double spacing) {
+  return wall.present && wall.shape->distanceWithin(toRest(wall.pose, x), spacing) < -0.25 * spacing;
+}
 
 Vec3d wallVelocity(const Wall& w, const Vec3d& x) { return velocityAt(w.pose, x); }
 

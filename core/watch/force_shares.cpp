@@ -21,7 +21,8 @@ template<class Add> Vec3d forceOf(Continuum& p, std::size_t row, Add add) {
 ForceShares forceShares(World& w, StepTools& t, std::size_t i) {
   Continuum& p = w.particles;
   const double dt = w.clock.stepDt;
-  const std::vector<Vec3d> force(p.force.data(), p.force.data() + p.owned), velocity(p.velocity.data(), p.velocity.data() + p.size());
+  const std::vector<Vec3d> force(p.force.data(), p.force.data() + p.owned),
+      velocity(p.velocity.data(), p.velocity.data() + p.size());
   const Ledger ledger = w.ledger;
   const Counters counters = w.counters;
   Vec3d rest = forceOf(w, i);
@@ -30,13 +31,16 @@ ForceShares forceShares(World& w, StepTools& t, std::size_t i) {
     f.elastic = length(w.solids.force[p.slot[i]]);
     rest -= w.solids.force[p.slot[i]];
   }
-  for (std::size_t k = 0; k < p.owned; k++) p.velocity[k] -= p.acceleration[k] * (0.5 * dt);  // as they were when forces were found
+  // as they were when forces were found
+  for (std::size_t k = 0; k < p.owned; k++) p.velocity[k] -= p.acceleration[k] * (0.5 * dt);
   const auto take = [&](double& share, const Vec3d& part) {
     share = length(part);
     rest -= part;
   };
   if (w.modules.contact)
-    take(f.contact, forceOf(p, i, [&] { addSolidContacts({w.scene, w.grid, w.solids, w.bonds, dt > 0 ? dt : w.clock.dt}, t.closePairs, p); }));
+    take(f.contact, forceOf(p, i, [&] {
+           addSolidContacts({w.scene, w.grid, w.solids, w.bonds, dt > 0 ? dt : w.clock.dt}, t.closePairs, p);
+         }));
   const WallContext walls{w, t.wallTables, t.liquids, dt, dt > 0 ? dt : w.clock.dt, 1.0 / w.clock.substeps};
   take(f.walls, forceOf(p, i, [&] { addWallForces(walls, t.perLatticeSum, t.wallContacts); }));
   if (w.modules.fluid) {
@@ -48,14 +52,16 @@ ForceShares forceShares(World& w, StepTools& t, std::size_t i) {
            sumOverNeighbours(w, t, NeighbourPass::BoundaryForces);
          }));
     f.viscosity = length(rest);
-    if (w.modules.incompressible && dt > 0) f.pressure = std::max(f.pressure, p.mass[i] * length(p.pressureKick[i]) / dt);
+    if (w.modules.incompressible && dt > 0)
+      f.pressure = std::max(f.pressure, p.mass[i] * length(p.pressureKick[i]) / dt);
   }
   std::copy(force.begin(), force.end(), p.force.data());
   std::copy(velocity.begin(), velocity.end(), p.velocity.data());
   w.ledger = ledger;
   w.counters = counters;
   f.weight = p.mass[i] * length(w.scene.domain.gravity);
-  f.atWall = std::any_of(t.wallContacts.list.begin(), t.wallContacts.list.end(), [&](const WallContact& c) { return c.row == i && c.distance < w.scene.spacing; });
+  f.atWall = std::any_of(t.wallContacts.list.begin(), t.wallContacts.list.end(),
+                         [&](const WallContact& c) { return c.row == i && c.distance < w.scene.spacing; });
   return f;
 }
 

@@ -21,7 +21,8 @@ void setRows(Table& to, std::size_t owned, std::size_t ghosts) {
   to.ghosts = ghosts;
 }
 
-/// State columns of `from`'s first rows, into the columns of the same names. Both tables list the same columns in the same order.
+/// State columns of `from`'s first rows, into the columns of the same names. Both tables list the same
+/// columns in the same order.
 void copyState(const Table& from, Table& to, std::size_t owned, std::size_t ghosts) {
   const std::size_t n = owned + ghosts;
   setRows(to, owned, ghosts);
@@ -50,14 +51,16 @@ void copySurface(const Surface& from, Surface& to) {
 }
 
 void copyKinds(const World& from, World& to) {
-  if (from.oriented.rows.id.active) copyState(from.oriented.rows, to.oriented.rows, from.oriented.rows.owned, 0);
+  if (from.oriented.rows.id.active)
+    copyState(from.oriented.rows, to.oriented.rows, from.oriented.rows.owned, 0);
   if (from.sheets.rows.id.active) copyState(from.sheets.rows, to.sheets.rows, from.sheets.rows.owned, 0);
 }
 
 }  // namespace
 
 void keepState(const World& w, GoodState& good) {
-  if (!w.solids.energyKnown || !w.compressionKnown) throw std::logic_error("stored energies are to be found before a state is kept");
+  if (!w.solids.energyKnown || !w.compressionKnown)
+    throw std::logic_error("stored energies are to be found before a state is kept");
   World& kept = good.world;
   packState(w.particles, good.particles);
   setRows(kept.particles, w.particles.owned, 0);
@@ -65,7 +68,8 @@ void keepState(const World& w, GoodState& good) {
     kept.particles.activate(kept.particles.slot);
     std::copy_n(w.particles.slot.data(), w.particles.owned, kept.particles.slot.data());
   }
-  copyState(w.solids, kept.solids, w.solids.owned, w.solids.ghosts);  // remote rows: bonds name them, and they have an id
+  // remote rows: bonds name them, and they have an id
+  copyState(w.solids, kept.solids, w.solids.owned, w.solids.ghosts);
   kept.bonds = w.bonds;
   copySurface(w.surface, kept.surface);
   copyKinds(w, kept);
@@ -98,7 +102,8 @@ std::vector<std::byte> bringBack(const GoodState& good, World& w) {
   copyBooks(kept, w);
   SolidRecords records;
   for (std::size_t i = 0; kept.particles.slot.active && i < p.owned; i++)
-    if (kept.particles.slot[i] != noSlot) appendRecord(kept.solids, kept.bonds, kept.particles.slot[i], records);
+    if (kept.particles.slot[i] != noSlot)
+      appendRecord(kept.solids, kept.bonds, kept.particles.slot[i], records);
   return std::move(records.bytes);
 }
 

@@ -7,9 +7,11 @@
 namespace thaw {
 namespace {
 
-constexpr std::size_t slack = sizeof(std::uint64_t);  // a word is stored and read whole, whatever of it counts
+constexpr std::size_t slack = sizeof(std::uint64_t);  // a word is stored and read whole, whatever of it
+                                                      // counts
 
-/// How the words of one component are kept in a block: bytes [low, low + width) of each, all others as in `common`.
+/// How the words of one component are kept in a block: bytes [low, low + width) of each, all others as in
+/// `common`.
 struct WordShape {
   std::uint64_t common;
   std::uint8_t low, width;
@@ -29,8 +31,11 @@ template<class Word> WordShape shapeOf(const std::byte* from, std::size_t stride
   return {first, static_cast<std::uint8_t>(low), static_cast<std::uint8_t>(high - low)};
 }
 
-template<class Word> void packWords(const std::byte* from, std::size_t stride, std::size_t rows, const WordShape& s, std::byte* to) {
-  for (std::size_t r = 0; r < rows; r++, to += s.width) {  // each overwrites what the one before it wrote too much
+template<class Word>
+void packWords(const std::byte* from, std::size_t stride, std::size_t rows, const WordShape& s,
+               std::byte* to) {
+  for (std::size_t r = 0; r < rows; r++, to += s.width) {  // each overwrites what the one before it wrote too
+                                                           // much
     Word word;
     std::memcpy(&word, from + r * stride, sizeof word);
     const std::uint64_t kept = std::uint64_t{word} >> (8 * s.low);
@@ -38,7 +43,9 @@ template<class Word> void packWords(const std::byte* from, std::size_t stride, s
   }
 }
 
-template<class Word> void unpackWords(const std::byte* from, const WordShape& s, std::size_t rows, std::byte* to, std::size_t stride) {
+template<class Word>
+void unpackWords(const std::byte* from, const WordShape& s, std::size_t rows, std::byte* to,
+                 std::size_t stride) {
   const std::uint64_t mask = s.width == 0 ? 0 : ~std::uint64_t{0} >> (64 - 8 * s.width);
   const std::uint64_t rest = s.common & ~(mask << (8 * s.low));
   for (std::size_t r = 0; r < rows; r++, from += s.width, to += stride) {
@@ -58,13 +65,16 @@ template<class Use> auto withWord(std::size_t bytes, Use&& use) {
 }
 
 template<class Word> void packColumn(const AnyColumn& c, std::size_t rows, PackedColumn& p) {
-  const std::size_t components = static_cast<std::size_t>(c.components), blocks = (rows + packedBlock - 1) / packedBlock;
+  const std::size_t components = static_cast<std::size_t>(c.components),
+                    blocks = (rows + packedBlock - 1) / packedBlock;
   std::vector<WordShape> shapes;
   shapes.reserve(blocks * components);
   p.block.resize(blocks);
   std::size_t bytes = 0;
   const auto rowsOf = [&](std::size_t b) { return std::min(packedBlock, rows - b * packedBlock); };
-  const auto begin = [&](std::size_t b, std::size_t k) { return c.bytes.data() + b * packedBlock * c.elementBytes + k * sizeof(Word); };
+  const auto begin = [&](std::size_t b, std::size_t k) {
+    return c.bytes.data() + b * packedBlock * c.elementBytes + k * sizeof(Word);
+  };
   for (std::size_t b = 0; b < blocks; b++) {
     p.block[b] = bytes;
     for (std::size_t k = 0; k < components; k++) {
@@ -105,15 +115,19 @@ void packState(const Table& table, PackedTable& packed) {
     const AnyColumn& column = *table.columns[c];
     PackedColumn& p = packed.columns[c];
     p.there = column.active && column.keep == Keep::State;
-    if (p.there) withWord(bytesOf(column.scalar), [&](auto word) { packColumn<decltype(word)>(column, table.owned, p); });
+    if (p.there)
+      withWord(bytesOf(column.scalar),
+               [&](auto word) { packColumn<decltype(word)>(column, table.owned, p); });
     else p = {};
   }
 }
 
-void unpackRows(const PackedTable& packed, const AnyColumn& like, std::size_t c, std::size_t first, std::size_t count, std::byte* to) {
+void unpackRows(const PackedTable& packed, const AnyColumn& like, std::size_t c, std::size_t first,
+                std::size_t count, std::byte* to) {
   const PackedColumn& p = packed.columns[c];
   for (std::size_t done = 0; done < count;) {
-    const std::size_t b = (first + done) / packedBlock, skip = first + done - b * packedBlock, inBlock = std::min(packedBlock, packed.rows - b * packedBlock);
+    const std::size_t b = (first + done) / packedBlock, skip = first + done - b * packedBlock,
+                      inBlock = std::min(packedBlock, packed.rows - b * packedBlock);
     const std::size_t rows = std::min(count - done, inBlock - skip);
     const std::byte* from = p.bytes.data() + p.block[b];
     withWord(bytesOf(like.scalar), [&](auto word) {
@@ -123,7 +137,9 @@ void unpackRows(const PackedTable& packed, const AnyColumn& like, std::size_t c,
         s.low = static_cast<std::uint8_t>(from[8]);
         s.width = static_cast<std::uint8_t>(from[9]);
         from += shapeBytes;
-        unpackWords<decltype(word)>(from + skip * s.width, s, rows, to + done * like.elementBytes + static_cast<std::size_t>(k) * sizeof word, like.elementBytes);
+        unpackWords<decltype(word)>(from + skip * s.width, s, rows,
+                                    to + done * like.elementBytes + static_cast<std::size_t>(k) * sizeof word,
+                                    like.elementBytes);
         from += inBlock * s.width;
       }
     });

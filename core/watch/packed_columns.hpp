@@ -1,5 +1,6 @@
-// Columns of a table kept in less memory, bit by bit: of each block of rows the bytes that all words of it share are kept once.
-// Rows are sorted by cells, so that in a block ids and places have high bytes in common; mass, material and books are mostly one value throughout.
+// Columns of a table kept in less memory, bit by bit: of each block of rows the bytes that all words of it
+// share are kept once. Rows are sorted by cells, so that in a block ids and places have high bytes in common;
+// mass, material and books are mostly one value throughout.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -29,7 +30,8 @@ struct PackedTable {
 void packState(const Table& table, PackedTable& packed);
 
 /// Rows [first, first + count) of column `c`, as they were, to `to`. Any rows, at the same cost each.
-void unpackRows(const PackedTable& packed, const AnyColumn& like, std::size_t c, std::size_t first, std::size_t count, std::byte* to);
+void unpackRows(const PackedTable& packed, const AnyColumn& like, std::size_t c, std::size_t first,
+                std::size_t count, std::byte* to);
 
 /// All of it into a table without rows that lists the same columns: it has packed.rows owned ones then.
 void unpackState(const PackedTable& packed, Table& table);

@@ -8,8 +8,9 @@
 namespace thaw {
 namespace {
 
-constexpr double inside = 0.7;  // of the kernel
-constexpr double inObstacle = 0.25;  // spacings: surfaces without thickness lie as deep in it as its spring lets them
+constexpr double inside = 0.7;       // of the kernel
+constexpr double inObstacle = 0.25;  // spacings: surfaces without thickness lie as deep in it as its spring
+                                     // lets them
 
 }  // namespace
 
@@ -32,7 +33,8 @@ std::vector<Sunken> findSunken(World& w, Halos halos) {
       std::fill(full.begin(), full.end(), 0.0);
       for (const RowSpan& r : ranges)
         for (std::uint32_t j = r.begin; j < r.end; j++)
-          if (p.phase[j] == Solid && p.body[j] < bodies) full[p.body[j]] += solidShare(length(p.position[j] - o.position[i]), s);
+          if (p.phase[j] == Solid && p.body[j] < bodies)
+            full[p.body[j]] += solidShare(length(p.position[j] - o.position[i]), s);
       for (std::size_t b = 0; b < bodies; b++) count[o.body[i] * bodies + b] += full[b] > inside;
     }
   }
@@ -54,7 +56,8 @@ std::vector<Sunken> findSunkenInObstacles(const World& w, Reducer& all) {
       const Wall& wall = w.walls.list[k];
       if (!wall.present) continue;
       const Vec3d rest = toRest(wall.pose, o.position[i]);
-      count[o.body[i] * walls + wall.originalAt(k)] += nearBounds(wall.bounds, rest, 0) && wall.shape->distanceWithin(rest, 2 * deep) < -deep;
+      count[o.body[i] * walls + wall.originalAt(k)] += nearBounds(wall.bounds, rest, 0) &&
+                                                       wall.shape->distanceWithin(rest, 2 * deep) < -deep;
     }
   }
   if (!count.empty()) all.sum(count);

@@ -16,14 +16,17 @@ double guilt(const World& w, Alarm alarm, Limit limitedBy, std::size_t i) {
   const Vec3d x = p.position[i], f = forceOf(w, i);
   double g = speed2;
   if (alarm == Alarm::NotFinite && !std::isfinite(x.x + x.y + x.z + f.x + f.y + f.z)) g = never;
-  if (alarm == Alarm::Density) g = p.phase[i] == Liquid && p.filling.active ? static_cast<double>(p.filling[i]) : 0;
+  if (alarm == Alarm::Density)
+    g = p.phase[i] == Liquid && p.filling.active ? static_cast<double>(p.filling[i]) : 0;
   if (alarm == Alarm::Step && limitedBy != Limit::Speed) g = dot(p.acceleration[i], p.acceleration[i]);
   if (alarm == Alarm::Step && limitedBy == Limit::Elastic) {
     g = 0;
-    for (int k = 0; solid && k < 3; k++) g += dot(w.solids.deformation[p.slot[i]].row[k], w.solids.deformation[p.slot[i]].row[k]);
+    for (int k = 0; solid && k < 3; k++)
+      g += dot(w.solids.deformation[p.slot[i]].row[k], w.solids.deformation[p.slot[i]].row[k]);
   }
   if (alarm == Alarm::Inverted) g = solid ? -determinant(w.solids.deformation[p.slot[i]]) : -never;
-  if (alarm == Alarm::Energy || alarm == Alarm::Growth) g = 0.5 * speed2 + (solid && w.solids.energy.active ? w.solids.energy[p.slot[i]] / p.mass[i] : 0);
+  if (alarm == Alarm::Energy || alarm == Alarm::Growth)
+    g = 0.5 * speed2 + (solid && w.solids.energy.active ? w.solids.energy[p.slot[i]] / p.mass[i] : 0);
   return std::isnan(g) ? never : g;
 }
 
@@ -50,7 +53,8 @@ Suspect findSuspect(const World& w, Alarm alarm, Limit limitedBy, Reducer& all) 
     s.here = s.here && half == lowest;
   }
   if (alarm == Alarm::Inverted) s.value = -s.value;
-  else if (alarm != Alarm::Density && alarm != Alarm::Energy && alarm != Alarm::Growth) s.value = std::sqrt(std::max(0.0, s.value));
+  else if (alarm != Alarm::Density && alarm != Alarm::Energy && alarm != Alarm::Growth)
+    s.value = std::sqrt(std::max(0.0, s.value));
   return s;
 }
 

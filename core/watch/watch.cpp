@@ -14,23 +14,28 @@ constexpr std::int64_t longestPatience = 64, mostHalvings = 60;
 bool recovers(const Material& m) { return m.law != ElasticLaw::Green || m.volumeStiffness > 0; }
 
 /// The step (s) that the clock wants, without halvings; half of no limit would be none.
-double fullStep(const Clock& c, double factor) { return c.dt < never ? c.dt / factor : longestUnlimitedStep(c); }
+double fullStep(const Clock& c, double factor) {
+  return c.dt < never ? c.dt / factor : longestUnlimitedStep(c);
+}
 
 /// Halvings in force after one more failure.
 std::int64_t moreHalvings(const WatchState& failed, const Clock& c) {
   std::int64_t h = std::min(failed.halvings + 1, mostHalvings);
   // where frames cut the step, halving what was to be cut would change nothing
-  while (c.every > 0 && h < mostHalvings && std::ldexp(failed.fullStep, 1 - static_cast<int>(h)) > c.every) h++;
+  while (c.every > 0 && h < mostHalvings && std::ldexp(failed.fullStep, 1 - static_cast<int>(h)) > c.every)
+    h++;
   return h;
 }
 
 }  // namespace
 
-WatchBounds watchBounds(const Scene& s, const Modules& modules, const std::vector<LiquidMaterial>& liquids, const StepLimits& materials) {
+WatchBounds watchBounds(const Scene& s, const Modules& modules, const std::vector<LiquidMaterial>& liquids,
+                        const StepLimits& materials) {
   const Numerics& n = s.numerics;
   WatchBounds b;
   double given = 0, fastest = 0, slowest = never;  // of bodies that spin; of waves
-  for (const Body& body : s.bodies) given = std::max(given, length(body.velocity) + length(body.spin) * length(s.domain.max - s.domain.min));
+  for (const Body& body : s.bodies)
+    given = std::max(given, length(body.velocity) + length(body.spin) * length(s.domain.max - s.domain.min));
   const auto wave = [&](double c) {
     fastest = std::max(fastest, c);
     slowest = std::min(slowest, c);
@@ -45,8 +50,10 @@ WatchBounds watchBounds(const Scene& s, const Modules& modules, const std::vecto
   if (n.watchSpeed < never) b.speed = n.watchSpeed * (b.expected + 0.1 * fastest);
   b.filling = n.watchDensity;
   double longest = *std::min_element(materials.value.begin(), materials.value.end());
-  // what moves at the expected speed needs a step too: with nothing but heat in the materials' limits it is by far the shorter one
-  if (longest < never && b.expected > 0) longest = std::min(longest, supportsPerStep * n.support * s.spacing / b.expected);
+  // what moves at the expected speed needs a step too: with nothing but heat in the materials' limits it is
+  // by far the shorter one
+  if (longest < never && b.expected > 0)
+    longest = std::min(longest, supportsPerStep * n.support * s.spacing / b.expected);
   b.step = longest < never ? n.watchStep * longest : n.watchStep * 1e-5 * s.end;
   b.inverted = n.watchInverted;
   b.energy = n.watchEnergy;
@@ -79,10 +86,16 @@ Alarm alarmOf(const World& w, const WatchBounds& b, const StepLimits& limits, do
 
 Alarm checkBooks(const World& w, const WatchBounds& b, const LedgerReport& books, Reducer& all) {
   const double expected = 0.5 * books.now.mass * b.expected * b.expected;
-  if (b.energy < never && !(books.energyResidual - w.watch.residual <= b.energy * std::max({w.watch.scale, std::abs(books.wallWork), expected, books.energyRounding}))) return Alarm::Energy;
+  if (b.energy < never &&
+      !(books.energyResidual - w.watch.residual <=
+        b.energy * std::max({w.watch.scale, std::abs(books.wallWork), expected, books.energyRounding})))
+    return Alarm::Energy;
   // what grows slowly is never half of anything from one good state to the next
-  const double largest = std::max({w.watch.largest, books.energyScale, 0.01 * expected, books.energyRounding});
-  if (b.energy < never && books.energyResidual > b.energy * largest && books.energyResidual > w.watch.residual) return Alarm::Growth;
+  const double largest = std::max(
+      {w.watch.largest, books.energyScale, 0.01 * expected, books.energyRounding});
+  if (b.energy < never && books.energyResidual > b.energy * largest &&
+      books.energyResidual > w.watch.residual)
+    return Alarm::Growth;
   if (!w.modules.solid || !(b.inverted < never)) return Alarm::None;
   std::int64_t counts[2] = {0, 0};
   for (std::size_t s = 0; s < w.solids.owned; s++) {
@@ -91,10 +104,13 @@ Alarm checkBooks(const World& w, const WatchBounds& b, const LedgerReport& books
     counts[1] += !(determinant(w.solids.deformation[s]) > 0);
   }
   all.sum(counts);
-  return static_cast<double>(counts[1]) > b.inverted * static_cast<double>(counts[0]) ? Alarm::Inverted : Alarm::None;
+  return static_cast<double>(counts[1]) > b.inverted * static_cast<double>(counts[0]) ? Alarm::Inverted
+                                                                                      : Alarm::None;
 }
 
-double nextFactor(const WatchState& s) { return std::min(std::ldexp(1.0, -static_cast<int>(s.halvings)), 1.1 * s.factor); }
+double nextFactor(const WatchState& s) {
+  return std::min(std::ldexp(1.0, -static_cast<int>(s.halvings)), 1.1 * s.factor);
+}
 
 void acceptState(World& w, const LedgerReport& books) {
   WatchState& s = w.watch;
@@ -131,7 +147,8 @@ void halveStep(World& w, const WatchState& failed, double failedAt) {
   s.halvings = moreHalvings(failed, c);
   s.patience = std::min(2 * failed.patience, longestPatience);
   s.calm = 0;
-  const double stretch = static_cast<double>(w.scene.numerics.retryEvery) * std::min(full, longestUnlimitedStep(c));
+  const double stretch = static_cast<double>(w.scene.numerics.retryEvery) *
+                         std::min(full, longestUnlimitedStep(c));
   s.passed = std::max(failed.passed, failedAt + stretch);
   s.factor = std::min(s.factor, std::ldexp(1.0, -static_cast<int>(s.halvings)));
   c.dt = s.factor * full;

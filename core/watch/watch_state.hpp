@@ -5,10 +5,12 @@
 namespace thaw {
 
 struct WatchState {
-  double factor = 1;           ///< 1, of the step: its limits, or the fixed step, times this; grows towards 2^-halvings by a tenth a step
+  double factor = 1;           ///< 1, of the step: its limits, or the fixed step, times this; grows towards
+                               ///< 2^-halvings by a tenth a step
   std::int64_t halvings = 0;   ///< of the step that are in force
   std::int64_t failures = 0;   ///< retries whose halving is still in force; at most Numerics::retries
-  std::int64_t patience = 1;   ///< good states that are to follow each other before the step doubles; itself doubled by each failure
+  std::int64_t patience = 1;   ///< good states that are to follow each other before the step doubles; itself
+                               ///< doubled by each failure
   std::int64_t calm = 0;       ///< good states since the last failure or doubling
   std::int64_t goodStep = -1;  ///< step of the last good state; -1: there is none
   double residual = 0;         ///< J, LedgerReport::energyResidual of the last good state

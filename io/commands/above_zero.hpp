@@ -11,7 +11,9 @@ inline CLI::Validator aboveZero() {
   return CLI::Validator(
       [](std::string& text) {
         double number = 0;
-        return CLI::detail::lexical_cast(text, number) && number > 0 ? std::string() : fmt::format("expected a number above 0, not '{}'", text);
+        return CLI::detail::lexical_cast(text, number) && number > 0
+                   ? std::string()
+                   : fmt::format("expected a number above 0, not '{}'", text);
       },
       "POSITIVE", "above zero");
 }

@@ -8,18 +8,17 @@
 #include <cstdio>
 #include <utility>
 
-#include "core/scene/material_use.hpp"
 #include "core/geometry/shape_error.hpp"
 #include "core/geometry/shape_volume.hpp"
 #include "core/kinds/kinds.hpp"
 #include "core/ledger/report.hpp"
 #include "core/memory.hpp"
+#include "core/scene/material_use.hpp"
 #include "core/setup/setup.hpp"
 #include "core/time/limits.hpp"
 #include "io/commands/above_zero.hpp"
 #include "io/commands/bytes_text.hpp"
 #include "io/commands/check_surface.hpp"
-#include "io/run/surface_summary.hpp"
 #include "io/commands/frontier.hpp"
 #include "io/commands/require_memory.hpp"
 #include "io/commands/scene_for_all.hpp"
@@ -27,6 +26,7 @@
 #include "io/commands/short_text.hpp"
 #include "io/hdf5/io_error.hpp"
 #include "io/run/duration_text.hpp"
+#include "io/run/surface_summary.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/scene/scene_warnings.hpp"
 #include "parallel/bond_halo.hpp"
@@ -42,7 +42,8 @@ std::vector<std::string> linesOfKinds(const World& w, Reducer& all) {
     std::vector<std::int64_t> of(bodies.size(), 0);
     for (std::size_t i = 0; i < rows.owned && !of.empty(); i++) of[rows.body[i]]++;
     all.sum(of);
-    for (std::size_t b = 0; b < of.size(); b++) lines.push_back(fmt::format(fmt::runtime(line), bodies[b].name, of[b]));
+    for (std::size_t b = 0; b < of.size(); b++)
+      lines.push_back(fmt::format(fmt::runtime(line), bodies[b].name, of[b]));
   };
   count(w.oriented.rows, w.scene.oriented, "oriented body '{}': {} particles");
   count(w.sheets.rows, w.scene.sheets, "sheet '{}': {} vertices");
@@ -51,16 +52,21 @@ std::vector<std::string> linesOfKinds(const World& w, Reducer& all) {
 
 constexpr std::size_t mostBodyLines = 100;
 
-/// What a body of the continuum is made of; where its particles are by more than a hundredth lighter or heavier than its shape, by how much.
+/// What a body of the continuum is made of; where its particles are by more than a hundredth lighter or
+/// heavier than its shape, by how much.
 std::string lineOfBody(const World& w, const SamplingReport& sampled, std::size_t b, double volume) {
   const Body& body = w.scene.bodies[b];
   const Material& m = w.scene.materials[static_cast<std::size_t>(body.material)];
   const double mass = m.density * std::pow(w.scene.spacing, 3) * static_cast<double>(sampled.particles[b]);
   const double shape = m.density * volume, ratio = shape > 0 ? mass / shape : 1;
-  std::string line = fmt::format("body '{}': {} of {}, {:.4g} kg", body.name, sampled.particles[b], m.name, mass);
+  std::string line = fmt::format("body '{}': {} of {}, {:.4g} kg", body.name, sampled.particles[b], m.name,
+                                 mass);
   if (!body.clamp.empty()) line += fmt::format(", {} of them clamped", sampled.clamped[b]);
   if (std::abs(ratio - 1) > 0.01 && sampled.removed == 0)
-    line += fmt::format("; its shape holds {:.4g} kg: the particles are {:.1f} % too {} (a finer spacing, or a density times {:.4g}, makes up for it)", shape, 100 * std::abs(ratio - 1), ratio > 1 ? "heavy" : "light", 1 / ratio);
+    line += fmt::format(
+        "; its shape holds {:.4g} kg: the particles are {:.1f} % too {} (a finer spacing, or a density times "
+        "{:.4g}, makes up for it)",
+        shape, 100 * std::abs(ratio - 1), ratio > 1 ? "heavy" : "light", 1 / ratio);
   return line;
 }
 
@@ -77,17 +83,25 @@ std::vector<std::string> linesOfBodies(const World& w, const SamplingReport& sam
   double mass = 0;
   for (std::size_t b = shown; b < bodies.size(); b++) {
     particles += sampled.particles[b];
-    mass += w.scene.materials[static_cast<std::size_t>(bodies[b].material)].density * std::pow(w.scene.spacing, 3) * static_cast<double>(sampled.particles[b]);
+    mass += w.scene.materials[static_cast<std::size_t>(bodies[b].material)].density *
+            std::pow(w.scene.spacing, 3) * static_cast<double>(sampled.particles[b]);
   }
-  if (shown < bodies.size()) lines.push_back(fmt::format("{} more bodies: {} particles, {:.4g} kg", bodies.size() - shown, particles, mass));
+  if (shown < bodies.size())
+    lines.push_back(
+        fmt::format("{} more bodies: {} particles, {:.4g} kg", bodies.size() - shown, particles, mass));
   return lines;
 }
 
-/// Leaves relaxation before the start out of a check: it may take minutes, or hours. Returns what to say of it.
+/// Leaves relaxation before the start out of a check: it may take minutes, or hours. Returns what to say of
+/// it.
 std::string leaveOutRelaxation(Scene& s) {
   std::int64_t most = 0;
   for (OrientedBody& b : s.oriented) most = std::max(most, std::exchange(b.relax, 0));
-  return most == 0 ? "" : fmt::format("oriented bodies are relaxed before the start, {} iterations at most: not done here; numbers, step and time are those before it", most);
+  return most == 0 ? ""
+                   : fmt::format(
+                         "oriented bodies are relaxed before the start, {} iterations at most: not done "
+                         "here; numbers, step and time are those before it",
+                         most);
 }
 
 constexpr double longestSensibleRun = 30 * 86400.0;  // s
@@ -96,7 +110,8 @@ constexpr double longestSensibleRun = 30 * 86400.0;  // s
 double emittedAtEnd(const Scene& s, const StepTools& t) {
   double n = 0;
   for (std::size_t e = 0; e < s.emitters.size(); e++)
-    n += static_cast<double>(layersUntil(s.emitters[e], t.emitters[e], s.end)) * static_cast<double>(t.emitters[e].layer.size());
+    n += static_cast<double>(layersUntil(s.emitters[e], t.emitters[e], s.end)) *
+         static_cast<double>(t.emitters[e].layer.size());
   return n;
 }
 
@@ -148,64 +163,91 @@ int checkAll(const CheckOptions& o) {
   MpiCellHalo cells(comm, w.grid);
   MpiBondHalo bonds(comm), edges(comm);
   std::unique_ptr<MpiCellHalo> kinds[kindCount];
-  eachKind(w, [&](std::size_t kind, const KindRows&, const CellTable&) { kinds[kind] = std::make_unique<MpiCellHalo>(comm, w.grid); });
+  eachKind(w, [&](std::size_t kind, const KindRows&, const CellTable&) {
+    kinds[kind] = std::make_unique<MpiCellHalo>(comm, w.grid);
+  });
   const Halos halos{all, cells, bonds, {kinds[orientedKind].get(), kinds[sheetKind].get()}, &edges};
   const SamplingReport sampled = startWorld(w, halos, t, meshLoader());
   const std::vector<OrientedWork::Event> idle = t.oriented.idle;  // of the start
   const std::vector<OrientedWork::Field> idleFields = t.oriented.idleFields;
-  const std::vector<std::string> ofKinds = linesOfKinds(w, all), ofBodies = linesOfBodies(w, sampled, all);  // before the steps below, which may make some
+  // before the steps below, which may make some
+  const std::vector<std::string> ofKinds = linesOfKinds(w, all), ofBodies = linesOfBodies(w, sampled, all);
   SurfaceTrial surface(comm, w, meshLoader());
   // a few steps, to measure
   const auto start = std::chrono::steady_clock::now();
   int steps = 0;
   const double dt = w.clock.dt;
-  const std::string limitedBy = w.clock.limitedBy, substeps = w.clock.substeps > 1 ? fmt::format(", with {} substeps of solids", w.clock.substeps) : "";
-  while (steps < 20 && std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < 3 && w.clock.time < w.clock.end) {
+  const std::string limitedBy = w.clock.limitedBy,
+                    substeps = w.clock.substeps > 1
+                                   ? fmt::format(", with {} substeps of solids", w.clock.substeps)
+                                   : "";
+  while (steps < 20 && std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < 3 &&
+         w.clock.time < w.clock.end) {
     step(w, halos, t, {});
     steps++;
   }
-  const double perStep = steps > 0 ? std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / steps : 0;
+  const double perStep =
+      steps > 0 ? std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / steps : 0;
   const double needed = w.scene.end / std::min(dt, longestUnlimitedStep(w.clock));
   const LedgerReport l = reportLedger(w, t, all);
-  const double particles = std::max<double>(1, static_cast<double>(l.particles + l.rows[0] + l.rows[1])), total = particles + std::max(0.0, emittedAtEnd(w.scene, t) - static_cast<double>(w.counters.emitted));
+  const double particles = std::max<double>(1, static_cast<double>(l.particles + l.rows[0] + l.rows[1])),
+               total = particles +
+                       std::max(0.0, emittedAtEnd(w.scene, t) - static_cast<double>(w.counters.emitted));
   double memory = totalBytes(memoryOf(w, t));
   all.maximum({&memory, 1});
   surface.update();  // the last: it leaves a world of melt
   const SurfaceTrial::Forecast onSurface = surface.forecast(needed, total);
   const int ranks = o.ranks > 0 ? o.ranks : comm.size();
   const std::vector<std::string> surfaceLines = surface.lines(onSurface, ranks);
-  const std::vector<std::string> advice =
-      o.settings ? frontierLines(w.scene, w.modules) : triedAdvice(comm, o, w, total);
+  const std::vector<std::string> advice = o.settings ? frontierLines(w.scene, w.modules)
+                                                     : triedAdvice(comm, o, w, total);
   if (comm.rank() != 0) return exitDone;
 
   const Scene& s = w.scene;
   std::printf("%s: %s\n", o.scene.c_str(), shortText(s.title, longestTitle).c_str());
-  std::printf("spacing %g m, support radius %g m, grid %d x %d x %d cells, end %g s, a frame every %g s\n", s.spacing, w.grid.support, w.grid.cells.x, w.grid.cells.y, w.grid.cells.z, s.end, s.output.every);
+  std::printf("spacing %g m, support radius %g m, grid %d x %d x %d cells, end %g s, a frame every %g s\n",
+              s.spacing, w.grid.support, w.grid.cells.x, w.grid.cells.y, w.grid.cells.z, s.end,
+              s.output.every);
   for (const std::string& line : sceneWarnings(s)) std::printf("warning: %s\n", line.c_str());
   for (const std::string& line : lumpWarnings(s, surface.lumps())) std::printf("warning: %s\n", line.c_str());
-  for (const std::string& line : pieceWarnings(s, surface.pieces())) std::printf("warning: %s\n", line.c_str());
-  for (const SceneWarning& k : sampled.warnings) std::printf("warning: %s\n", warningLine(k.where, k.text).c_str());
-  for (const OrientedWork::Event& e : idle) std::printf("warning: %s\n", idleEventLine(s.oriented[e.body], s.oriented[e.body].events[e.event]).c_str());
-  for (const OrientedWork::Field& f : idleFields) std::printf("warning: %s\n", idleFieldLine(s.oriented[f.body], s.oriented[f.body].fields[f.field]).c_str());
+  for (const std::string& line : pieceWarnings(s, surface.pieces()))
+    std::printf("warning: %s\n", line.c_str());
+  for (const SceneWarning& k : sampled.warnings)
+    std::printf("warning: %s\n", warningLine(k.where, k.text).c_str());
+  for (const OrientedWork::Event& e : idle)
+    std::printf("warning: %s\n",
+                idleEventLine(s.oriented[e.body], s.oriented[e.body].events[e.event]).c_str());
+  for (const OrientedWork::Field& f : idleFields)
+    std::printf("warning: %s\n",
+                idleFieldLine(s.oriented[f.body], s.oriented[f.body].fields[f.field]).c_str());
   std::printf("\nparticles\n");
   for (const std::string& line : ofBodies) std::printf("  %s\n", line.c_str());
   for (const std::string& line : ofKinds) std::printf("  %s\n", line.c_str());
   if (!notRelaxed.empty()) std::printf("  %s\n", notRelaxed.c_str());
   const double emitted = emittedAtEnd(s, t);
   for (std::size_t e = 0; e < s.emitters.size(); e++)
-    std::printf("  emitter '%s': of %s, %.4g kg/s, layers of %zu particles\n", s.emitters[e].name.c_str(), s.materials[static_cast<std::size_t>(s.emitters[e].material)].name.c_str(),
+    std::printf("  emitter '%s': of %s, %.4g kg/s, layers of %zu particles\n", s.emitters[e].name.c_str(),
+                s.materials[static_cast<std::size_t>(s.emitters[e].material)].name.c_str(),
                 outflowOf(t.emitters[e]), t.emitters[e].layer.size());
   if (emitted > 0) std::printf("  emitted until the end: %s\n", countText(emitted).c_str());
   for (const std::string& pair : sampled.overlaps) std::printf("  %s\n", pair.c_str());
-  if (!sampled.overlaps.empty()) std::printf("  %lld particles left out of overlaps\n", static_cast<long long>(sampled.removed));
+  if (!sampled.overlaps.empty())
+    std::printf("  %lld particles left out of overlaps\n", static_cast<long long>(sampled.removed));
   std::printf("\nmodules\n");
   for (const std::string& why : w.modules.why) std::printf("  %s\n", why.c_str());
-  if (dt < never) std::printf("\ntime step %.3g s at the start, limited by %s%s\n", dt, limitedBy.c_str(), substeps.c_str());
-  else std::printf("\ntime step: nothing limits it at the start; a step goes to the next frame, %g s\n", longestUnlimitedStep(w.clock));
+  if (dt < never)
+    std::printf("\ntime step %.3g s at the start, limited by %s%s\n", dt, limitedBy.c_str(),
+                substeps.c_str());
+  else
+    std::printf("\ntime step: nothing limits it at the start; a step goes to the next frame, %g s\n",
+                longestUnlimitedStep(w.clock));
   const auto ofMaterials = [](double limit) { return limit < never; };
-  if (std::any_of(t.fixedLimits.value.begin(), t.fixedLimits.value.end(), ofMaterials)) std::printf("by the materials alone\n");  // of sheets and oriented bodies nothing
+  // of sheets and oriented bodies nothing
+  if (std::any_of(t.fixedLimits.value.begin(), t.fixedLimits.value.end(), ofMaterials))
+    std::printf("by the materials alone\n");
   for (std::size_t k = 0; k < limitNames.size(); k++)
-    if (ofMaterials(t.fixedLimits.value[k])) std::printf("  %-16s %.3g s\n", limitNames[k], t.fixedLimits.value[k]);
+    if (ofMaterials(t.fixedLimits.value[k]))
+      std::printf("  %-16s %.3g s\n", limitNames[k], t.fixedLimits.value[k]);
   for (const std::string& line : soundLines(w, t)) std::printf("%s\n", line.c_str());
   if (!advice.empty())
     std::printf(o.settings ? "\nsettings on the frontier of error against time, in cases like this scene, "
@@ -215,17 +257,34 @@ int checkAll(const CheckOptions& o) {
   for (const std::string& line : advice) std::printf("  %s\n", line.c_str());
   if (!surfaceLines.empty()) std::printf("\nsurface\n");
   for (const std::string& line : surfaceLines) std::printf("  %s\n", line.c_str());
-  const double most = total / particles / ranks, mean = (0.5 + 0.5 * total / particles) / ranks;  // what emitters add
-  const double ofParticles = memory * comm.size() * most, ofSurface = onSurface.bytes / ranks, stepping = needed * perStep * comm.size() * mean;
+  // what emitters add
+  const double most = total / particles / ranks, mean = (0.5 + 0.5 * total / particles) / ranks;
+  const double ofParticles = memory * comm.size() * most, ofSurface = onSurface.bytes / ranks,
+               stepping = needed * perStep * comm.size() * mean;
   const double updating[2] = {onSurface.seconds / ranks, onSurface.secondsMost / ranks};
   const bool two = w.modules.surface, range = updating[1] > 1.2 * updating[0];
-  const auto rangeText = [&](double before) { return durationText(before + updating[0]) + (range ? " to " + durationText(before + updating[1]) : ""); };
-  std::printf("\nmemory a rank: %s with %d rank%s (%.0f bytes a particle%s)\n", bytesText(ofParticles + ofSurface).c_str(), ranks, ranks == 1 ? "" : "s", memory * comm.size() / particles,
+  const auto rangeText = [&](double before) {
+    return durationText(before + updating[0]) + (range ? " to " + durationText(before + updating[1]) : "");
+  };
+  std::printf("\nmemory a rank: %s with %d rank%s (%.0f bytes a particle%s)\n",
+              bytesText(ofParticles + ofSurface).c_str(), ranks, ranks == 1 ? "" : "s",
+              memory * comm.size() / particles,
               two ? (", and " + bytesText(ofSurface) + " for the surface").c_str() : "");
-  std::printf("run time: about %s with %d rank%s (%s steps at %.3g M particle-steps/s and rank, measured here over %d steps%s)\n", rangeText(stepping).c_str(), ranks, ranks == 1 ? "" : "s", countText(needed).c_str(),
-              perStep > 0 ? particles / perStep / comm.size() / 1e6 : 0, steps, two ? (": " + durationText(stepping) + ", and " + rangeText(0) + " for the surface").c_str() : "");
-  if (stepping > longestSensibleRun) std::printf("warning: that is more than a month: are the end (%g s), the spacing (%g m) and the stiffness of the materials (sound_speed, young) what is meant?\n", s.end, s.spacing);
-  std::printf("steps become shorter or longer, and particles more or fewer, as the scene goes: within a factor of two it is a good guess%s\n", range ? "; of the surface the higher figure is for a splash" : "");
+  std::printf(
+      "run time: about %s with %d rank%s (%s steps at %.3g M particle-steps/s and rank, measured here over "
+      "%d steps%s)\n",
+      rangeText(stepping).c_str(), ranks, ranks == 1 ? "" : "s", countText(needed).c_str(),
+      perStep > 0 ? particles / perStep / comm.size() / 1e6 : 0, steps,
+      two ? (": " + durationText(stepping) + ", and " + rangeText(0) + " for the surface").c_str() : "");
+  if (stepping > longestSensibleRun)
+    std::printf(
+        "warning: that is more than a month: are the end (%g s), the spacing (%g m) and the stiffness of the "
+        "materials (sound_speed, young) what is meant?\n",
+        s.end, s.spacing);
+  std::printf(
+      "steps become shorter or longer, and particles more or fewer, as the scene goes: within a factor of "
+      "two it is a good guess%s\n",
+      range ? "; of the surface the higher figure is for a splash" : "");
   return exitDone;
 }
 
@@ -233,9 +292,13 @@ int checkAll(const CheckOptions& o) {
 
 void addCheckOptions(CLI::App& c, CheckOptions& o) {
   c.add_option("scene", o.scene, "scene file (TOML)")->required();
-  c.add_option("--set", o.overrides, "key=value in place of what the scene says; may be given several times")->allow_extra_args(false);
-  c.add_flag("--settings", o.settings, "all settings of the accuracy suite on the frontier of error against time, in place of those that pay");
-  c.add_option("--ranks", o.ranks, "ranks that the estimates are for; without it those that this runs on")->check(aboveZero());
+  c.add_option("--set", o.overrides, "key=value in place of what the scene says; may be given several times")
+      ->allow_extra_args(false);
+  c.add_flag(
+      "--settings", o.settings,
+      "all settings of the accuracy suite on the frontier of error against time, in place of those that pay");
+  c.add_option("--ranks", o.ranks, "ranks that the estimates are for; without it those that this runs on")
+      ->check(aboveZero());
 }
 
 int checkCommand(const CheckOptions& o) {

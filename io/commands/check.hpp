@@ -3,21 +3,23 @@
 #include <string>
 #include <vector>
 
-namespace CLI { class App; }
+namespace CLI {
+class App;
+}
 
 namespace thaw {
 
 struct CheckOptions {
   std::string scene;
   std::vector<std::string> overrides;
-  int ranks = 0;            ///< for the estimates; 0: as many as there are
-  bool settings = false;    ///< all on the frontier of error against time
+  int ranks = 0;          ///< for the estimates; 0: as many as there are
+  bool settings = false;  ///< all on the frontier of error against time
 };
 
 void addCheckOptions(CLI::App& command, CheckOptions& options);
 
-/// Prints particles per body, memory, modules and why, the time step and what limits it, an estimate of the run time. Samples the bodies.
-/// Returns the exit code.
+/// Prints particles per body, memory, modules and why, the time step and what limits it, an estimate of the
+/// run time. Samples the bodies. Returns the exit code.
 int checkCommand(const CheckOptions& options);
 
 }  // namespace thaw

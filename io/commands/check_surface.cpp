@@ -17,7 +17,9 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-double secondsNow() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+double secondsNow() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 /// Resident memory of this process, in bytes.
 double residentNow() {
@@ -27,12 +29,15 @@ double residentNow() {
   return resident * static_cast<double>(::sysconf(_SC_PAGESIZE));
 }
 
-// Of a run of an hour (keiser/melting_fast): core-seconds of an update of melt for each surfel, for scenes that have none at the start.
+// Of a run of an hour (keiser/melting_fast): core-seconds of an update of melt for each surfel, for scenes
+// that have none at the start.
 constexpr double secondsPerSurfel = 2e-5;
-constexpr double bytesPerSurfel = 2800;  // of scenes/melt: with work lists; where there are few at the start, what they take is mostly what any number takes
+constexpr double bytesPerSurfel = 2800;  // of scenes/melt: with work lists; where there are few at the start,
+                                         // what they take is mostly what any number takes
 constexpr std::int64_t few = 500;
 
-/// Makes all that can be liquid of a world so, and moves it as between two updates: by a tenth of the support radius, to and fro over four of them.
+/// Makes all that can be liquid of a world so, and moves it as between two updates: by a tenth of the support
+/// radius, to and fro over four of them.
 void meltAll(World& w) {
   Continuum& p = w.particles;
   const double h = w.grid.support, k = 0.5 * pi / h;
@@ -67,7 +72,8 @@ const CellGrid& SurfaceTrial::gridOfTrial(const MeshLoader& load) {
   return w.surface.grid;
 }
 
-SurfaceTrial::SurfaceTrial(const Communicator& comm, World& w, const MeshLoader& load) : comm_(comm), world_(w), halos_(comm, gridOfTrial(load)) {
+SurfaceTrial::SurfaceTrial(const Communicator& comm, World& w, const MeshLoader& load)
+    : comm_(comm), world_(w), halos_(comm, gridOfTrial(load)) {
   if (!w.modules.surface) return;
   tools_.load = load;
   const double before = residentNow(), start = secondsNow();
@@ -107,16 +113,23 @@ SurfaceTrial::Forecast SurfaceTrial::forecast(double steps, double particles) co
   const double spacing = w.scene.spacing, perArea = 1.15 / (spacing_ * spacing_);  // in hexagons
   f.surfels = perMeasured_ * static_cast<double>(surfels_);
   double most = f.surfels, surfels = f.surfels;
-  if (w.modules.fluid) most = std::max(most, perArea * pi * spacing * spacing * particles);  // each particle a drop
-  if (w.modules.emitters) surfels = std::max(surfels, perArea * 2 * 4.84 * spacing * spacing * std::cbrt(particles * particles));  // a puddle: twice a ball
+  // each particle a drop
+  if (w.modules.fluid) most = std::max(most, perArea * pi * spacing * spacing * particles);
+  // a puddle: twice a ball
+  if (w.modules.emitters)
+    surfels = std::max(surfels, perArea * 2 * 4.84 * spacing * spacing * std::cbrt(particles * particles));
   most = std::max(most, surfels);
   f.surfelsTogether = surfels;
   f.surfelsMost = most;
-  if (surfels_ > few) f.bytes = perMeasured_ * static_cast<double>(bytes) * std::max(1.0, f.surfelsTogether / f.surfels);  // what emitters add
+  // what emitters add
+  if (surfels_ > few)
+    f.bytes = perMeasured_ * static_cast<double>(bytes) * std::max(1.0, f.surfelsTogether / f.surfels);
   else f.bytes = static_cast<double>(bytes) + bytesPerSurfel * f.surfelsTogether;
   f.frames = std::floor(w.scene.end / w.scene.output.every) + 1;
   f.updates = expectedUpdates(w, steps);
-  const double perSurfel = surfels_ > few ? times[1] * comm_.size() / static_cast<double>(surfels_) : secondsPerSurfel, start = perMeasured_ * times[0] * comm_.size();
+  const double perSurfel = surfels_ > few ? times[1] * comm_.size() / static_cast<double>(surfels_)
+                                          : secondsPerSurfel,
+               start = perMeasured_ * times[0] * comm_.size();
   f.seconds = start + f.updates * surfels * perSurfel;
   f.secondsMost = start + f.updates * most * perSurfel;
   return f;
@@ -130,16 +143,37 @@ std::vector<std::string> SurfaceTrial::lines(const Forecast& f, int ranks) const
   const Surface& s = w.surface;
   const SurfaceSettings& set = w.scene.surface;
   std::vector<std::string> lines{
-      fmt::format("{} surfels at the start ({} expected by the area of the bodies), {} component{}", countText(f.surfels), countText(expected_), s.components.size(), s.components.size() == 1 ? "" : "s"),
-      fmt::format("surfels {:g} m apart; they act on each other within {:g} m (about {:.0f} neighbours), particles on them within {:g} m (about {:.0f})", spacing_, set.support * spacing_,
-                  1.15 * pi * set.support * set.support, s.particleSupport, 2.0 / 3 * pi * std::pow(s.particleSupport / w.scene.spacing, 3)),
-      fmt::format("memory a rank: {} with {} rank{} ({:.0f} bytes a surfel, work lists included)", bytesText(f.bytes / ranks), ranks, ranks == 1 ? "" : "s", f.bytes / std::max(1.0, f.surfelsTogether)),
-      fmt::format("the start {} {:.3g} s, one update of it {:.3g} s{}, on {} rank{}", perMeasured_ > 1 ? "would take about" : "took", perMeasured_ * times[0], perMeasured_ * times[1],
-                  w.modules.fluid ? fmt::format(", one of it as liquid that flows {:.3g} s", perMeasured_ * times[2]) : "", comm_.size(), comm_.size() == 1 ? "" : "s"),
-      fmt::format("about {} updates until the end, {} of them at frames{}", countText(f.updates), countText(f.frames),
-                  set.everyMove > 0 ? fmt::format("; the others as particles come {:g} m, at half of {:.3g} m/s, the largest speed expected", set.everyMove * w.grid.support, expectedSpeed(w.scene)) : set.everySteps > 0 ? "" : ", however far particles move in between")};
-  if (perMeasured_ > 1) lines.push_back(fmt::format("these figures are scaled up from {:.0f} surfels {:.3g} m apart", f.surfels / perMeasured_, s.spacing));
-  if (w.modules.fluid) lines.push_back(fmt::format("time and memory go with the number of surfels: {} where what flows stays together, up to {} where all of it falls apart into drops", countText(f.surfelsTogether), countText(f.surfelsMost)));
+      fmt::format("{} surfels at the start ({} expected by the area of the bodies), {} component{}",
+                  countText(f.surfels), countText(expected_), s.components.size(),
+                  s.components.size() == 1 ? "" : "s"),
+      fmt::format("surfels {:g} m apart; they act on each other within {:g} m (about {:.0f} neighbours), "
+                  "particles on them within {:g} m (about {:.0f})",
+                  spacing_, set.support * spacing_, 1.15 * pi * set.support * set.support, s.particleSupport,
+                  2.0 / 3 * pi * std::pow(s.particleSupport / w.scene.spacing, 3)),
+      fmt::format("memory a rank: {} with {} rank{} ({:.0f} bytes a surfel, work lists included)",
+                  bytesText(f.bytes / ranks), ranks, ranks == 1 ? "" : "s",
+                  f.bytes / std::max(1.0, f.surfelsTogether)),
+      fmt::format(
+          "the start {} {:.3g} s, one update of it {:.3g} s{}, on {} rank{}",
+          perMeasured_ > 1 ? "would take about" : "took", perMeasured_ * times[0], perMeasured_ * times[1],
+          w.modules.fluid ? fmt::format(", one of it as liquid that flows {:.3g} s", perMeasured_ * times[2])
+                          : "",
+          comm_.size(), comm_.size() == 1 ? "" : "s"),
+      fmt::format("about {} updates until the end, {} of them at frames{}", countText(f.updates),
+                  countText(f.frames),
+                  set.everyMove > 0 ? fmt::format("; the others as particles come {:g} m, at half of {:.3g} "
+                                                  "m/s, the largest speed expected",
+                                                  set.everyMove * w.grid.support, expectedSpeed(w.scene))
+                  : set.everySteps > 0 ? ""
+                                       : ", however far particles move in between")};
+  if (perMeasured_ > 1)
+    lines.push_back(fmt::format("these figures are scaled up from {:.0f} surfels {:.3g} m apart",
+                                f.surfels / perMeasured_, s.spacing));
+  if (w.modules.fluid)
+    lines.push_back(
+        fmt::format("time and memory go with the number of surfels: {} where what flows stays together, up "
+                    "to {} where all of it falls apart into drops",
+                    countText(f.surfelsTogether), countText(f.surfelsMost)));
   return lines;
 }
 
@@ -147,7 +181,8 @@ double expectedUpdates(const World& w, double steps) {
   const SurfaceSettings& s = w.scene.surface;
   double updates = std::floor(w.scene.end / w.scene.output.every) + 1;
   if (s.everySteps > 0) updates += steps / static_cast<double>(s.everySteps);
-  else if (s.everyMove > 0) updates += 0.5 * expectedSpeed(w.scene) * w.scene.end / (s.everyMove * w.grid.support);
+  else if (s.everyMove > 0)
+    updates += 0.5 * expectedSpeed(w.scene) * w.scene.end / (s.everyMove * w.grid.support);
   return std::min(updates, steps + 1);
 }
 

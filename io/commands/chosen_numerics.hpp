@@ -6,7 +6,8 @@
 
 namespace thaw {
 
-/// Does a key ("numerics.cfl_elastic") differ from the default? False for what is no number or choice of [numerics].
+/// Does a key ("numerics.cfl_elastic") differ from the default? False for what is no number or choice of
+/// [numerics].
 bool isChosen(const std::string& key, const Numerics& numerics);
 
 }  // namespace thaw

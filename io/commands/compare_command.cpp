@@ -13,7 +13,8 @@
 namespace thaw {
 namespace {
 
-bool compareFiles(const std::string& pathA, const std::string& pathB, const CompareArguments& how, bool alwaysTell) {
+bool compareFiles(const std::string& pathA, const std::string& pathB, const CompareArguments& how,
+                  bool alwaysTell) {
   const Snapshot a = openSnapshot(pathA), b = openSnapshot(pathB);
   const Comparison result = compareSnapshots(a, b, {how.tolerance});
   if (!alwaysTell && result.equal()) return true;
@@ -29,7 +30,8 @@ bool compareFiles(const std::string& pathA, const std::string& pathB, const Comp
 /// Names of the frames of a run, of all kinds. IoError without such a folder.
 std::set<std::string> framesOf(const std::string& run) {
   const std::filesystem::path folder = std::filesystem::path(run) / "frames";
-  if (!std::filesystem::is_directory(folder)) throw IoError("'" + run + "' is not the folder of a run: it has no frames/");
+  if (!std::filesystem::is_directory(folder))
+    throw IoError("'" + run + "' is not the folder of a run: it has no frames/");
   std::set<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (entry.path().extension() == ".hdf") names.insert(entry.path().filename().string());
@@ -40,8 +42,11 @@ bool compareFrames(const CompareArguments& how) {
   const std::string &runA = how.a, &runB = how.b;
   const std::set<std::string> a = framesOf(runA), b = framesOf(runB);
   if (std::none_of(a.begin(), a.end(), [&](const std::string& name) { return b.count(name) > 0; })) {
-    const auto first = [](const std::set<std::string>& names) { return names.empty() ? std::string("none") : *names.begin(); };
-    fmt::print("frames: no name is in both, so none are compared (the first of A: {}, of B: {})\n", first(a), first(b));
+    const auto first = [](const std::set<std::string>& names) {
+      return names.empty() ? std::string("none") : *names.begin();
+    };
+    fmt::print("frames: no name is in both, so none are compared (the first of A: {}, of B: {})\n", first(a),
+               first(b));
     return a.empty() && b.empty();
   }
   bool equal = true;
@@ -61,17 +66,23 @@ bool compareFrames(const CompareArguments& how) {
     const bool same = compareFiles(runA + "/frames/" + name, runB + "/frames/" + name, how, false);
     equal = equal && same;
   }
-  fmt::print("frames: {} in both, {}{}\n", both, equal ? "equal" : "different", alone > 0 ? fmt::format("; {} in one alone", alone) : "");
+  fmt::print("frames: {} in both, {}{}\n", both, equal ? "equal" : "different",
+             alone > 0 ? fmt::format("; {} in one alone", alone) : "");
   return equal && alone == 0;
 }
 
 }  // namespace
 
 CLI::App* addCompareCommand(CLI::App& app, CompareArguments& arguments) {
-  CLI::App* command = app.add_subcommand("compare", "Compares two frames, checkpoints or runs (then their last checkpoints), particle by particle, bit by bit");
+  CLI::App* command = app.add_subcommand("compare",
+                                         "Compares two frames, checkpoints or runs (then their last "
+                                         "checkpoints), particle by particle, bit by bit");
   command->add_option("A", arguments.a, "a frame, a checkpoint or the folder of a run")->required();
   command->add_option("B", arguments.b, "what to compare it with")->required();
-  command->add_option("--tolerance", arguments.tolerance, "allowed difference, relative to the largest magnitude in each field; without it, bits count")
+  command
+      ->add_option(
+          "--tolerance", arguments.tolerance,
+          "allowed difference, relative to the largest magnitude in each field; without it, bits count")
       ->check(CLI::NonNegativeNumber);
   command->add_flag("--frames", arguments.frames, "of two runs: compare all their frames as well");
   command->add_flag("--all", arguments.all, "tell all that differs in general, not a few of each kind");
@@ -86,9 +97,7 @@ int compareCommand(const CompareArguments& arguments) {
     return equal && equalFrames ? 0 : 1;
   } catch (const IoError& e) {
     fmt::print(stderr, "thaw compare: {}\n", e.what());
-  } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "thaw compare: out of memory\n");
-  }
+  } catch (const std::bad_alloc&) { fmt::print(stderr, "thaw compare: out of memory\n"); }
   return exitInputOutput;
 }
 

@@ -12,8 +12,8 @@
 namespace thaw {
 namespace {
 
-/// The case that stands for a part of the model: what a scene with it does most. frontier.py has the same list.
-/// fits: does a scene with it also move as the case does, so that advice may follow from it?
+/// The case that stands for a part of the model: what a scene with it does most. frontier.py has the same
+/// list. fits: does a scene with it also move as the case does, so that advice may follow from it?
 struct Likeness {
   const char* part;
   std::string cases;
@@ -32,7 +32,8 @@ bool isLiquid(const Scene& s, const Body& b) {
   return !m.canBeSolid() || m.liquidAtStart;
 }
 
-/// No faster than a fall through the domain would make it: the suite has no liquid that is torn or spun from the start.
+/// No faster than a fall through the domain would make it: the suite has no liquid that is torn or spun from
+/// the start.
 bool isGentle(const Scene& s) {
   const double size = length(s.domain.max - s.domain.min), most = fallSpeed(s.domain);
   double fastest = 0;
@@ -43,9 +44,11 @@ bool isGentle(const Scene& s) {
   return fastest <= most;
 }
 
-/// Does a box of liquid end at walls or periodic sides of the domain across gravity, so that it stays where it is?
+/// Does a box of liquid end at walls or periodic sides of the domain across gravity, so that it stays where
+/// it is?
 bool isHeld(const Scene& s, const Body& b) {
-  if (b.shape.kind != ShapeKind::Box || !(b.shape.rotate == Vec3d{}) || b.shape.fitHeight || b.shape.bottom) return false;
+  if (b.shape.kind != ShapeKind::Box || !(b.shape.rotate == Vec3d{}) || b.shape.fitHeight || b.shape.bottom)
+    return false;
   for (int a = 0; a < 3; a++) {
     if (std::abs(s.domain.gravity[a]) > 0) continue;
     const double half = 0.5 * b.shape.scale * b.shape.size[a];
@@ -63,7 +66,9 @@ bool isAtRest(const Scene& s) {
   if (!s.emitters.empty()) return false;
   for (const Obstacle& o : s.obstacles)
     if (fastestMove(o.motion) > 0) return false;
-  return std::ranges::all_of(s.bodies, [&](const Body& b) { return !isLiquid(s, b) || (b.velocity == Vec3d{} && b.spin == Vec3d{} && isHeld(s, b)); });
+  return std::ranges::all_of(s.bodies, [&](const Body& b) {
+    return !isLiquid(s, b) || (b.velocity == Vec3d{} && b.spin == Vec3d{} && isHeld(s, b));
+  });
 }
 
 const std::vector<Likeness>& likenesses() {
@@ -74,7 +79,8 @@ const std::vector<Likeness>& likenesses() {
       {"surface tension", "drop_laplace", [](const Scene&, const Modules& m) { return m.tension; }},
       {"solids", "cantilever", [](const Scene&, const Modules& m) { return m.solid; }},
       {"waves in solids", "p_wave", [](const Scene&, const Modules& m) { return m.solid; }},
-      {"a solid in a liquid", "stiff_in_soft", [](const Scene&, const Modules& m) { return m.solid && m.fluid; }},
+      {"a solid in a liquid", "stiff_in_soft",
+       [](const Scene&, const Modules& m) { return m.solid && m.fluid; }},
       {"heat", "conductivity_ratio", [](const Scene&, const Modules& m) { return m.heat; }},
       {"melting", "stefan_two_phase", [](const Scene&, const Modules& m) { return m.melting; }},
   };
@@ -87,7 +93,10 @@ std::string keyOf(const std::string& setting) { return setting.substr(0, setting
 bool usable(const std::string& setting, const Scene& s, const Modules& m) {
   if (keyOf(setting) == "numerics.elastic_substeps") return !m.contact;
   if (keyOf(setting) == "body.0.packing") return false;  // the scene determines the packing
-  if (keyOf(setting) == "numerics.support") return std::stod(setting.substr(setting.find('=') + 1)) >= (m.surfaceHeat ? 2 : m.solid ? s.numerics.bondSupport : 0);
+  if (keyOf(setting) == "numerics.support")
+    return std::stod(setting.substr(setting.find('=') + 1)) >= (m.surfaceHeat ? 2
+                                                                : m.solid     ? s.numerics.bondSupport
+                                                                              : 0);
   return true;
 }
 
@@ -102,7 +111,10 @@ std::vector<std::string> ofScene(const std::string& setting, const Scene& s) {
 }
 
 /// What a setting did in one case, over the defaults.
-struct Gain { const char* part = ""; double error = never, cost = never; };
+struct Gain {
+  const char* part = "";
+  double error = never, cost = never;
+};
 
 /// What it did in the cases at hand.
 struct Record {
@@ -122,7 +134,8 @@ bool together(const std::string& a, const std::string& b) {
   const auto solver = [](const std::string& s) { return s == "numerics.pressure_solver=incompressible"; };
   const auto ofState = [](const std::string& s) {
     const std::string k = keyOf(s);
-    return k == "numerics.density" || k == "numerics.cfl_sound" || k == "numerics.tensile_limit" || k == "numerics.shifting" || k == "numerics.pressure";
+    return k == "numerics.density" || k == "numerics.cfl_sound" || k == "numerics.tensile_limit" ||
+           k == "numerics.shifting" || k == "numerics.pressure";
   };
   return keyOf(a) != keyOf(b) && !(solver(a) && ofState(b)) && !(solver(b) && ofState(a));
 }
@@ -135,7 +148,9 @@ template<class Score> std::vector<std::string> choose(const Records& records, Sc
   std::sort(ranked.begin(), ranked.end());
   std::vector<std::string> chosen;
   for (const auto& [x, setting] : ranked)
-    if (std::all_of(chosen.begin(), chosen.end(), [&, &setting = setting](const std::string& c) { return together(c, setting); })) chosen.push_back(setting);
+    if (std::all_of(chosen.begin(), chosen.end(),
+                    [&, &setting = setting](const std::string& c) { return together(c, setting); }))
+      chosen.push_back(setting);
   return chosen;
 }
 
@@ -149,7 +164,8 @@ Records recordsOf(const Scene& s, const Modules& m) {
       if (like.cases != p.cases) continue;
       const std::string set = p.settings;
       if (set.empty()) usual = p.error;  // the first of its case
-      else if (usable(set, s, m) && keyOf(set) != "quality" && !isChosen(keyOf(set), s.numerics)) records[set].add({like.part, p.error < 0 ? never : usual > 0 ? p.error / usual : 1, p.cost});
+      else if (usable(set, s, m) && keyOf(set) != "quality" && !isChosen(keyOf(set), s.numerics))
+        records[set].add({like.part, p.error < 0 ? never : usual > 0 ? p.error / usual : 1, p.cost});
     }
   }
   return records;
@@ -159,7 +175,8 @@ Records recordsOf(const Scene& s, const Modules& m) {
 
 std::string settingList(const std::vector<std::string>& settings, const char* before) {
   std::string text;
-  for (const std::string& s : settings) text += (text.empty() ? "" : " ") + (before + (s.find(' ') == std::string::npos ? s : "'" + s + "'"));
+  for (const std::string& s : settings)
+    text += (text.empty() ? "" : " ") + (before + (s.find(' ') == std::string::npos ? s : "'" + s + "'"));
   return text;
 }
 
@@ -171,7 +188,8 @@ std::vector<std::string> frontierLines(const Scene& s, const Modules& m) {
     for (const FrontierPoint& p : frontierPoints()) {
       const std::string set = p.settings;
       if (like.cases != p.cases || !p.best || !usable(set, s, m)) continue;
-      line += fmt::format("{}{} {:.2g} % ({:.2g} times the time)", line.empty() ? "" : "; ", set.empty() ? "defaults" : settingList(ofScene(set, s), ""), 100 * p.error, p.cost);
+      line += fmt::format("{}{} {:.2g} % ({:.2g} times the time)", line.empty() ? "" : "; ",
+                          set.empty() ? "defaults" : settingList(ofScene(set, s), ""), 100 * p.error, p.cost);
     }
     if (!line.empty()) lines.push_back(fmt::format("{} ({}): {}", like.part, like.cases, line));
   }
@@ -190,8 +208,17 @@ std::vector<Suggestion> frontierAdvice(const Scene& s, const Modules& m) {
     }
   };
   // of what no case loses by (2 %; of time 5 %), those that gain a tenth in one
-  suggest("more accurate:", choose(records, [](const Record& r) { return r.worst <= 1.02 && r.closest.error < 0.9 ? r.product : never; }), &Record::closest);
-  suggest("faster:       ", choose(records, [](const Record& r) { return r.worst <= 1.02 && r.slowest <= 1.05 && r.fastest.cost < 0.9 ? r.time : never; }), &Record::fastest);
+  suggest(
+      "more accurate:",
+      choose(records,
+             [](const Record& r) { return r.worst <= 1.02 && r.closest.error < 0.9 ? r.product : never; }),
+      &Record::closest);
+  suggest("faster:       ",
+          choose(records,
+                 [](const Record& r) {
+                   return r.worst <= 1.02 && r.slowest <= 1.05 && r.fastest.cost < 0.9 ? r.time : never;
+                 }),
+          &Record::fastest);
   return all;
 }
 

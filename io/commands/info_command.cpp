@@ -14,8 +14,8 @@
 #include "io/commands/info_summary.hpp"
 #include "io/output/checkpoint.hpp"
 #include "io/output/damaged_rows.hpp"
-#include "io/output/series.hpp"
 #include "io/output/kind_frame.hpp"
+#include "io/output/series.hpp"
 #include "io/run/progress.hpp"
 #include "io/run/run_lock.hpp"
 
@@ -34,7 +34,9 @@ std::uint64_t fileBytes(const std::string& path) {
 Json fieldOf(const H5File& file, const std::string& name, const std::string& path, bool range) {
   const DatasetShape s = file.shape(path);
   const int components = std::max(s.components, 1);
-  Json j = {{"name", name}, {"type", nameOf(s.element)}, {"components", components},
+  Json j = {{"name", name},
+            {"type", nameOf(s.element)},
+            {"components", components},
             {"unit", file.hasAttribute(path, "units") ? file.text(path, "units") : std::string("1")}};
   if (!range || s.element == Element::Other || s.rows == 0) return j;
   // smallest and largest of each field, for vectors and tensors over all components
@@ -60,20 +62,38 @@ Json frameInfo(const std::string& path) {
   const FrameInfo info = readFrameInfo(path);
   const H5File file = H5File::openToRead(path);
   const std::string kind = titleOfFrame(file);
-  Json j = {{"kind", kind == "particles" ? std::string("frame") : kind == "surfels" ? std::string("frame of a surface") : "frame of kind " + kind}, {"path", path}, {"bytes", fileBytes(path)}, {"step", info.step}, {"time", info.time}, {kind, info.count},
-            {"pieces", info.pieces}, {"scene", info.sceneName}, {"code", info.code}, {"commit", info.commit}, {"ranks", info.ranks}};
+  Json j = {{"kind", kind == "particles" ? std::string("frame")
+                     : kind == "surfels" ? std::string("frame of a surface")
+                                         : "frame of kind " + kind},
+            {"path", path},
+            {"bytes", fileBytes(path)},
+            {"step", info.step},
+            {"time", info.time},
+            {kind, info.count},
+            {"pieces", info.pieces},
+            {"scene", info.sceneName},
+            {"code", info.code},
+            {"commit", info.commit},
+            {"ranks", info.ranks}};
   for (const FrameInfo::Field& f : info.fields)
-    j["fields"].push_back(fieldOf(file, f.name, f.name == "position" ? "/VTKHDF/Points" : "/VTKHDF/PointData/" + f.name, true));
+    j["fields"].push_back(
+        fieldOf(file, f.name, f.name == "position" ? "/VTKHDF/Points" : "/VTKHDF/PointData/" + f.name, true));
   return j;
 }
 
 Json checkpointInfo(const CheckpointHeader& header, bool fields) {
   CheckpointHeader h = header;
-  Json j = {{"kind", "checkpoint"}, {"path", h.path}, {"bytes", fileBytes(h.path)}, {"step", h.clock.step}, {"time", h.clock.time}, {"dt", h.clock.dt},
-            {"limited_by", h.limitedBy}, {"end", h.clock.end}, {"next_frame", h.clock.frame}, {"particles", h.particles}, {"solids", h.solids},
-            {"bonds", h.bonds}, {"sequence", h.sequence}, {"scene", h.sceneName}, {"code", h.code}, {"commit", h.commit}, {"ranks", h.ranks}};
+  Json j = {{"kind", "checkpoint"},      {"path", h.path},       {"bytes", fileBytes(h.path)},
+            {"step", h.clock.step},      {"time", h.clock.time}, {"dt", h.clock.dt},
+            {"limited_by", h.limitedBy}, {"end", h.clock.end},   {"next_frame", h.clock.frame},
+            {"particles", h.particles},  {"solids", h.solids},   {"bonds", h.bonds},
+            {"sequence", h.sequence},    {"scene", h.sceneName}, {"code", h.code},
+            {"commit", h.commit},        {"ranks", h.ranks}};
   if (h.surface.there) {
-    j["surface"] = {{"surfels", h.surfels}, {"components", h.surface.components.size()}, {"events", h.surface.events.size()}, {"last_update_step", h.surface.lastStep}};
+    j["surface"] = {{"surfels", h.surfels},
+                    {"components", h.surface.components.size()},
+                    {"events", h.surface.events.size()},
+                    {"last_update_step", h.surface.lastStep}};
     for (const NamedCount& c : countsOf(h.surface.counters)) j["surface"][c.name] = *c.count;
   }
   for (std::size_t k = 0; k < kindCount; k++)
@@ -84,10 +104,13 @@ Json checkpointInfo(const CheckpointHeader& header, bool fields) {
   const H5File file = H5File::openToRead(h.path);
   if (const std::vector<std::string> damaged = damagedRows(file); !damaged.empty()) j["damaged"] = damaged;
   for (const char* group : {"/particles", "/solids", "/bonds", "/surfels", "/oriented", "/sheet"}) {
-    if (!file.has(group) && (std::string(group) == "/surfels" || std::string(group) == "/oriented" || std::string(group) == "/sheet")) continue;
+    if (!file.has(group) && (std::string(group) == "/surfels" || std::string(group) == "/oriented" ||
+                             std::string(group) == "/sheet"))
+      continue;
     j[std::string(group + 1) + "_fields"] = Json::array();
     if (file.has(group))
-      for (const std::string& name : file.children(group)) j[std::string(group + 1) + "_fields"].push_back(fieldOf(file, name, group + ("/" + name), false));
+      for (const std::string& name : file.children(group))
+        j[std::string(group + 1) + "_fields"].push_back(fieldOf(file, name, group + ("/" + name), false));
   }
   return j;
 }
@@ -95,7 +118,9 @@ Json checkpointInfo(const CheckpointHeader& header, bool fields) {
 Json seriesInfo(const std::string& path) {
   const std::vector<SeriesEntry> entries = readSeries(path);
   Json j = {{"kind", "series"}, {"path", path}, {"frames", entries.size()}};
-  if (!entries.empty()) j["first_time"] = entries.front().time, j["last_time"] = entries.back().time, j["last"] = entries.back().name;
+  if (!entries.empty())
+    j["first_time"] = entries.front().time, j["last_time"] = entries.back().time,
+    j["last"] = entries.back().name;
   return j;
 }
 
@@ -110,9 +135,7 @@ Json folderInfo(const std::string& path) {
   for (const std::string& s : findSeries(path)) {
     try {
       j["series"].push_back(seriesInfo(s));
-    } catch (const IoError& e) {
-      problems.push_back(e.what());
-    }
+    } catch (const IoError& e) { problems.push_back(e.what()); }
   }
   if (std::ifstream summary(path + "/summary.json"); summary) {
     Json s = Json::parse(summary, nullptr, false);
@@ -155,9 +178,16 @@ void print(const Json& j, int indent) {
       fmt::print("{}{}\n", lead, key);
       for (const Json& item : value) {
         if (item.contains("components")) {
-          const std::string range = item.contains("min") ? fmt::format("{:.6g} .. {:.6g}", item["min"].get<double>(), item["max"].get<double>()) : std::string();
-          const std::string bad = item.contains("not_finite") ? fmt::format("  {} NOT FINITE", item["not_finite"].get<std::uint64_t>()) : std::string();
-          fmt::print("{}  {:<16} {:>8} x {}  {:<10} {}{}\n", lead, item["name"].get<std::string>(), item["type"].get<std::string>(), item["components"].get<int>(),
+          const std::string range = item.contains("min")
+                                        ? fmt::format("{:.6g} .. {:.6g}", item["min"].get<double>(),
+                                                      item["max"].get<double>())
+                                        : std::string();
+          const std::string bad = item.contains("not_finite")
+                                      ? fmt::format("  {} NOT FINITE",
+                                                    item["not_finite"].get<std::uint64_t>())
+                                      : std::string();
+          fmt::print("{}  {:<16} {:>8} x {}  {:<10} {}{}\n", lead, item["name"].get<std::string>(),
+                     item["type"].get<std::string>(), item["components"].get<int>(),
                      item["unit"].get<std::string>(), range, bad);
         } else {
           print(item, indent + 2);
@@ -182,7 +212,8 @@ void printShort(const Json& j) {
 }  // namespace
 
 CLI::App* addInfoCommand(CLI::App& app, InfoArguments& arguments) {
-  CLI::App* command = app.add_subcommand("info", "Says what is in a frame, a checkpoint, an index of frames or the folder of a run");
+  CLI::App* command = app.add_subcommand(
+      "info", "Says what is in a frame, a checkpoint, an index of frames or the folder of a run");
   command->add_option("PATH", arguments.path, "a file that thaw wrote, or the folder of a run")->required();
   command->add_flag("--all", arguments.all, "all that is known, in place of what fits on a screen");
   command->add_flag("--json", arguments.json, "all that is known, as JSON");
@@ -211,10 +242,9 @@ int infoCommand(const InfoArguments& arguments) {
   } catch (const IoError& e) {
     fmt::print(stderr, "thaw info: {}\n", e.what());
   } catch (const Json::exception& e) {
-    fmt::print(stderr, "thaw info: {}: its summary.json is not of this program: {}\n", arguments.path, e.what());
-  } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "thaw info: out of memory\n");
-  }
+    fmt::print(stderr, "thaw info: {}: its summary.json is not of this program: {}\n", arguments.path,
+               e.what());
+  } catch (const std::bad_alloc&) { fmt::print(stderr, "thaw info: out of memory\n"); }
   return exitInputOutput;
 }
 

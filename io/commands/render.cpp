@@ -23,10 +23,13 @@ namespace {
 Vec3d vectorOf(const std::vector<double>& v) { return {v.at(0), v.at(1), v.at(2)}; }
 
 /// The field asked for, else the scene's if the frames have it, else the best they have.
-std::string fieldFor(const RenderOptions& options, const std::string& ofScene, const std::vector<std::string>& fields, bool surface) {
+std::string fieldFor(const RenderOptions& options, const std::string& ofScene,
+                     const std::vector<std::string>& fields, bool surface) {
   if (options.field == "none") return {};
   if (!options.field.empty()) return options.field;
-  const auto has = [&](const std::string& name) { return std::find(fields.begin(), fields.end(), name == "speed" ? "velocity" : name) != fields.end(); };
+  const auto has = [&](const std::string& name) {
+    return std::find(fields.begin(), fields.end(), name == "speed" ? "velocity" : name) != fields.end();
+  };
   if (surface && (ofScene == "surface" || (ofScene == "glow" && has("temperature")))) return ofScene;
   for (const std::string& name : {ofScene, std::string("temperature"), std::string(surface ? "" : "speed")})
     if (!name.empty() && has(name)) return name;
@@ -34,13 +37,15 @@ std::string fieldFor(const RenderOptions& options, const std::string& ofScene, c
 }
 
 /// Also of frames of sheets and of oriented particles alone, which colours could be made without.
-void refuseUnknownField(const std::string& field, const fs::path& frame, const std::vector<std::string>& fields) {
+void refuseUnknownField(const std::string& field, const fs::path& frame,
+                        const std::vector<std::string>& fields) {
   const bool surface = drawnAsSurface(frame);
   if (field.empty() || field == "none" || (surface && (field == "surface" || field == "glow"))) return;
   if (std::find(fields.begin(), fields.end(), field == "speed" ? "velocity" : field) != fields.end()) return;
   std::string names;
   for (const std::string& name : fields) names += (names.empty() ? "" : ", ") + name;
-  throw IoError(frame.string(), "no field '" + field + "'; there are: " + names + (surface ? "; and surface, glow" : ""));
+  throw IoError(frame.string(),
+                "no field '" + field + "'; there are: " + names + (surface ? "; and surface, glow" : ""));
 }
 
 /// pictures/ in the run's folder, whether that, its frames/ or a file in there was named.
@@ -62,20 +67,22 @@ void setCamera(const RenderOptions& options, FrameJob& job) {
     job.camera = camera;
   }
   if (options.fieldOfView > 0) {
-    if (!job.camera) throw std::invalid_argument("--fov needs a camera: --from and --at, or one in the scene");
+    if (!job.camera)
+      throw std::invalid_argument("--fov needs a camera: --from and --at, or one in the scene");
     job.camera->fieldOfView = options.fieldOfView * std::numbers::pi / 180;
   }
 }
 
-/// What the scene says, as the run kept it. A scene that cannot be used (a mesh of an obstacle that is no longer there) is no reason
-/// to make no pictures.
+/// What the scene says, as the run kept it. A scene that cannot be used (a mesh of an obstacle that is no
+/// longer there) is no reason to make no pictures.
 FrameJob jobOfRun(const fs::path& frame) {
   const KeptScene kept = keptSceneOf(frame);
   if (kept.text.empty()) return {};
   try {
     return jobOfScene(sceneOfText(kept.text, kept.name));
   } catch (const std::exception& error) {
-    fmt::print(stderr, "thaw render: the scene in {} is not used for the pictures: {}\n", frame.string(), error.what());
+    fmt::print(stderr, "thaw render: the scene in {} is not used for the pictures: {}\n", frame.string(),
+               error.what());
     return {};
   }
 }
@@ -102,7 +109,8 @@ FrameJob jobOf(const RenderOptions& options) {
   job.field = fieldFor(options, job.field, fieldsOf(frames.back(), !surfels), drawnAsSurface(frames.back()));
   if (options.min) job.min = options.min;
   if (options.max) job.max = options.max;
-  if (job.min && job.max && !(*job.max > *job.min)) throw std::invalid_argument("the colours' range is empty: --max has to be above --min");
+  if (job.min && job.max && !(*job.max > *job.min))
+    throw std::invalid_argument("the colours' range is empty: --max has to be above --min");
   job.map = colourMapNamed(options.map);
   if (options.width > 0) job.width = options.width;
   if (options.height > 0) job.height = options.height;
@@ -113,56 +121,90 @@ FrameJob jobOf(const RenderOptions& options) {
   return job;
 }
 
-/// The film of the pictures, or how to get it. Pictures without a film are no failure: what was asked for first is there.
+/// The film of the pictures, or how to get it. Pictures without a film are no failure: what was asked for
+/// first is there.
 void filmOf(std::vector<fs::path> pictures, const RenderOptions& options) {
   std::string name = pictures[0].stem().string();
-  if (const std::size_t end = name.find_last_not_of("0123456789"); end != std::string::npos && name[end] == '_' && end > 0) name.resize(end);
+  if (const std::size_t end = name.find_last_not_of("0123456789");
+      end != std::string::npos && name[end] == '_' && end > 0)
+    name.resize(end);
   const fs::path file = pictures[0].parent_path() / (name + ".mp4");
   if (isInstalled("ffmpeg")) {
     makeMovie(pictures, file, options.rate);
     fmt::print("{}\n", file.string());
   } else {
-    fmt::print(stderr, "thaw render: no film, as ffmpeg is not installed (Debian: apt-get install ffmpeg); then, from the pictures:\n  {}\n", movieCommand(pictures, file, options.rate));
+    fmt::print(stderr,
+               "thaw render: no film, as ffmpeg is not installed (Debian: apt-get install ffmpeg); then, "
+               "from the pictures:\n  {}\n",
+               movieCommand(pictures, file, options.rate));
   }
 }
 
 }  // namespace
 
 void addRenderOptions(CLI::App& command, RenderOptions& o) {
-  command.add_option("path", o.input, "frame (.hdf), series index (.hdf.series), or folder of a run")->required();
+  command.add_option("path", o.input, "frame (.hdf), series index (.hdf.series), or folder of a run")
+      ->required();
   command.add_option("--out", o.out, "folder of the pictures (default: pictures/ in the run's folder)");
   command.add_option("--sheet", o.sheet, "write a contact sheet of the run to this file as well");
-  command.add_option("--field", o.field, "field that colours: a name, speed, or none; of surfaces also surface (its own colours) and glow (those turning into the temperature's) (default: the scene's choice)");
-  command.add_option("--min", o.min, "lowest number of the colours, SI (default: the scene's, or the lowest in all frames)");
+  command.add_option("--field", o.field,
+                     "field that colours: a name, speed, or none; of surfaces also surface (its own colours) "
+                     "and glow (those turning into the temperature's) (default: the scene's choice)");
+  command.add_option("--min", o.min,
+                     "lowest number of the colours, SI (default: the scene's, or the lowest in all frames)");
   command.add_option("--max", o.max, "highest number of the colours, SI");
   command.add_option("--map", o.map, "colour map: ember, sea, grey")->capture_default_str();
   command.add_option("--from", o.from, "camera's place in m: x y z")->expected(3);
   command.add_option("--at", o.at, "point in m that the camera looks at: x y z")->expected(3);
-  command.add_option("--fov", o.fieldOfView, "vertical field of view in degrees")->check(CLI::Range(1.0, 170.0));
+  command.add_option("--fov", o.fieldOfView, "vertical field of view in degrees")
+      ->check(CLI::Range(1.0, 170.0));
   command.add_flag("--fit", o.fit, "fit the camera to the particles, whatever the scene says");
   command.add_flag("!--no-obstacles", o.obstacles, "do not draw obstacles and floors");
   command.add_option("--width", o.width, "pixels (default: the scene's)")->check(CLI::Range(16, 16384));
   command.add_option("--height", o.height, "pixels")->check(CLI::Range(16, 16384));
-  command.add_option("--columns", o.columns, "of the contact sheet")->check(CLI::Range(1, 100))->capture_default_str();
-  command.add_option("--cells", o.cells, "pictures on the contact sheet, at most")->check(CLI::Range(1, 1000))->capture_default_str();
-  command.add_option("--radius", o.radius, "of the spheres, in particle spacings (default 0.7), or of the surface's discs, in their own radii (default 1.25)")->check(CLI::Range(0.01, 100.0));
-  command.add_option("--what", o.what, "surface, particles, or automatic: the surface if the run has one")->check(CLI::IsMember({"surface", "particles", "automatic"}))->capture_default_str();
-  command.add_option("--look", o.look, "of oriented particles: mesh (shaded triangles), wire, discs, or axes")->check(CLI::IsMember({"mesh", "wire", "discs", "axes"}))->capture_default_str();
-  command.add_flag("--movie", o.movie, "make a film (mp4) of the pictures as well, beside them; needs ffmpeg");
-  command.add_option("--rate", o.rate, "pictures a second of the film")->check(CLI::Range(0.1, 240.0))->capture_default_str();
-  command.add_option("--threads", o.threads, "frames drawn at once (default: one a core)")->check(CLI::Range(0, 4096));
+  command.add_option("--columns", o.columns, "of the contact sheet")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  command.add_option("--cells", o.cells, "pictures on the contact sheet, at most")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command
+      .add_option("--radius", o.radius,
+                  "of the spheres, in particle spacings (default 0.7), or of the surface's discs, in their "
+                  "own radii (default 1.25)")
+      ->check(CLI::Range(0.01, 100.0));
+  command.add_option("--what", o.what, "surface, particles, or automatic: the surface if the run has one")
+      ->check(CLI::IsMember({"surface", "particles", "automatic"}))
+      ->capture_default_str();
+  command
+      .add_option("--look", o.look, "of oriented particles: mesh (shaded triangles), wire, discs, or axes")
+      ->check(CLI::IsMember({"mesh", "wire", "discs", "axes"}))
+      ->capture_default_str();
+  command.add_flag("--movie", o.movie,
+                   "make a film (mp4) of the pictures as well, beside them; needs ffmpeg");
+  command.add_option("--rate", o.rate, "pictures a second of the film")
+      ->check(CLI::Range(0.1, 240.0))
+      ->capture_default_str();
+  command.add_option("--threads", o.threads, "frames drawn at once (default: one a core)")
+      ->check(CLI::Range(0, 4096));
 }
 
 int renderCommand(const RenderOptions& options) {
   try {
     const FrameJob job = jobOf(options);
     const OrientedLook look = orientedLookNamed(options.look);
-    const std::vector<fs::path> written = renderFrames(job, [&](const std::filesystem::path& file, const std::string& field) { return readWholeView(file, field, look, job.spacing, job.periodic); });
+    const std::vector<fs::path> written = renderFrames(
+        job, [&](const std::filesystem::path& file, const std::string& field) {
+          return readWholeView(file, field, look, job.spacing, job.periodic);
+        });
     const std::size_t pictures = written.size() - (job.sheet.empty() ? 0 : 1);
     if (!job.sheet.empty()) fmt::print("{}\n", job.sheet.string());
     if (pictures == 1) fmt::print("{}\n", written[0].string());
-    else fmt::print("{} to {}: {} pictures\n", written[0].string(), written[pictures - 1].filename().string(), pictures);
-    if (options.movie) filmOf({written.begin(), written.begin() + static_cast<std::ptrdiff_t>(pictures)}, options);
+    else
+      fmt::print("{} to {}: {} pictures\n", written[0].string(), written[pictures - 1].filename().string(),
+                 pictures);
+    if (options.movie)
+      filmOf({written.begin(), written.begin() + static_cast<std::ptrdiff_t>(pictures)}, options);
     return 0;
   } catch (const std::invalid_argument& error) {
     fmt::print(stderr, "thaw render: {}\n", error.what());

@@ -15,7 +15,9 @@ bool isOfResolution(const std::string& override) {
   return last == "spacing" || key == "quality";
 }
 
-const char* nameOf(Quality q) { return q == Quality::Preview ? "preview" : q == Quality::Reference ? "reference" : "standard"; }
+const char* nameOf(Quality q) {
+  return q == Quality::Preview ? "preview" : q == Quality::Reference ? "reference" : "standard";
+}
 
 }  // namespace
 
@@ -24,7 +26,8 @@ std::string resolutionLine(const Scene& s, const std::vector<std::string>& overr
   std::size_t told = 0;
   const auto add = [&](const auto& bodies, const char* what) {
     for (const auto& b : bodies)
-      if (b.spacing > 0 && ++told <= mostBodies) line += fmt::format(", {} '{}' {:g} m", what, b.name, b.spacing);
+      if (b.spacing > 0 && ++told <= mostBodies)
+        line += fmt::format(", {} '{}' {:g} m", what, b.name, b.spacing);
   };
   add(s.oriented, "oriented body");
   add(s.sheets, "sheet");

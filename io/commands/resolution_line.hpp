@@ -7,7 +7,8 @@
 
 namespace thaw {
 
-/// The spacings in effect and the quality, in one line, with the overrides ("key=value") that have changed them; the same at a start and at a restart.
+/// The spacings in effect and the quality, in one line, with the overrides ("key=value") that have changed
+/// them; the same at a start and at a restart.
 std::string resolutionLine(const Scene& scene, const std::vector<std::string>& overrides);
 
 }  // namespace thaw

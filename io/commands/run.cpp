@@ -45,7 +45,8 @@ int loop(Run& r, std::string& why) {
     if (r.profile) r.profile->trace.beginStep(w.clock.step);
     StepOutcome o = step(w, r.halos(), r.tools, wanted);
     if (r.profile) r.profile->trace.add(TraceKind::Step, 0, begin, StepTrace::Clock::now());
-    const bool good = goodStateDue(r), last = w.clock.time >= w.clock.end && w.scene.numerics.retryEvery > 0;  // a run shorter than that is looked at, too
+    // a run shorter than that is looked at, too
+    const bool good = goodStateDue(r), last = w.clock.time >= w.clock.end && w.scene.numerics.retryEvery > 0;
     if ((good || last) && o.alarm == Alarm::None) o.alarm = lookAtBooks(r);
     warnOfIdle(r);
     if (o.alarm != Alarm::None) {
@@ -73,23 +74,29 @@ int loop(Run& r, std::string& why) {
   return exitDone;
 }
 
-/// Warns where connected liquid has come to less than 0.9 of its rest density. A summed density does not pull it
-/// together again; a carried one does, unless the resolution is too coarse.
+/// Warns where connected liquid has come to less than 0.9 of its rest density. A summed density does not pull
+/// it together again; a carried one does, unless the resolution is too coarse.
 void warnOfThinLiquid(Run& r) {
   constexpr double least = 0.9;
   const double density = connectedDensity(r.world, r.all);
   if (density >= least) return;
   const bool summed = !r.world.modules.continuity;
-  const char* const keys = "set numerics.density = \"continuity\", numerics.tensile_limit = 1 and numerics.shifting = 0.2";
-  r.warn(fmt::format("connected liquid has {:.2f} of its rest density on average: it is torn, or spread in a layer of a few particles; where it "
-                     "should hold together, {}", density, summed && !r.world.modules.solid ? keys : "choose a smaller spacing"));
+  const char* const keys =
+      "set numerics.density = \"continuity\", numerics.tensile_limit = 1 and numerics.shifting = 0.2";
+  r.warn(
+      fmt::format("connected liquid has {:.2f} of its rest density on average: it is torn, or spread in a "
+                  "layer of a few particles; where it "
+                  "should hold together, {}",
+                  density, summed && !r.world.modules.solid ? keys : "choose a smaller spacing"));
 }
 
 int simulate(Run& r) {
   const MeshLoader load = meshLoader();
   r.world.scene = sceneForAll(r.comm, r.options.scene, r.options.overrides);
   if (r.options.relax > 0) {
-    if (r.world.scene.oriented.empty()) throw SceneErrors({r.options.scene + ": error: there is nothing to relax: the scene has no [[oriented]]"});
+    if (r.world.scene.oriented.empty())
+      throw SceneErrors(
+          {r.options.scene + ": error: there is nothing to relax: the scene has no [[oriented]]"});
     r.tools.oriented.relaxAtLeast = r.options.relax;
   }
   r.name = std::filesystem::path(r.options.scene).stem().string();
@@ -104,7 +111,9 @@ int simulate(Run& r) {
   renewHalos(r);
   const char* launched = std::getenv("OMPI_COMM_WORLD_SIZE");
   if (launched && std::atoi(launched) != r.comm.size()) {
-    r.summary.warnings.push_back(fmt::format("the launcher started {} processes but MPI sees {}: launcher and library do not match", launched, r.comm.size()));
+    r.summary.warnings.push_back(
+        fmt::format("the launcher started {} processes but MPI sees {}: launcher and library do not match",
+                    launched, r.comm.size()));
     r.say("warning: " + r.summary.warnings.back());
   }
   r.say(fmt::format("{}: {}", r.options.scene, shortText(r.world.scene.title, longestTitle)));
@@ -118,7 +127,10 @@ int simulate(Run& r) {
     for (const std::string& line : slow) r.say(line);
   begin(r, load);
   if (r.cutAtStart) {
-    const std::string why = fmt::format("stopped in the relaxation before the start, after {} iterations: nothing is written, the next run begins anew", r.tools.oriented.relaxed);
+    const std::string why = fmt::format(
+        "stopped in the relaxation before the start, after {} iterations: nothing is written, the next run "
+        "begins anew",
+        r.tools.oriented.relaxed);
     noteCutAtStart(r, why);
     r.say(why);
     return exitStopped;
@@ -126,10 +138,12 @@ int simulate(Run& r) {
   beginRetries(r);
   const Clock& c = r.world.clock;
   if (r.resumed && (c.time >= c.end || (r.options.steps >= 0 && c.step >= r.options.steps))) {
-    r.say(fmt::format("nothing left to do: {} is reached; the folder is as it was", c.time >= c.end ? "the end of the scene" : "the number of steps"));
+    r.say(fmt::format("nothing left to do: {} is reached; the folder is as it was",
+                      c.time >= c.end ? "the end of the scene" : "the number of steps"));
     return exitDone;
   }
-  if (r.resumed) onFirstRank(r.comm.handle(), [&] { cutProgressLog(r.options.out, c.step - 1); });  // the line of this step comes anew, with what the restart has changed
+  // the line of this step comes anew, with what the restart has changed
+  if (r.resumed) onFirstRank(r.comm.handle(), [&] { cutProgressLog(r.options.out, c.step - 1); });
   report(r);
   summarise(r, "running", "");
   std::string why;
@@ -143,7 +157,12 @@ int simulate(Run& r) {
   if (r.options.relax > 0) {  // no step was to be done
     const OrientedWork& o = r.tools.oriented;
     if (o.relaxStopped) code = exitStopped;
-    why = fmt::format("relaxation {} after {} iterations; `thaw run --restart` goes on from here", o.atRest ? "is at rest" : o.relaxStopped ? "was stopped" : o.gotNowhere ? "got no nearer to rest, and ended" : "is not at rest", o.relaxed);
+    why = fmt::format("relaxation {} after {} iterations; `thaw run --restart` goes on from here",
+                      o.atRest         ? "is at rest"
+                      : o.relaxStopped ? "was stopped"
+                      : o.gotNowhere   ? "got no nearer to rest, and ended"
+                                       : "is not at rest",
+                      o.relaxed);
   } else if (code == exitDone && c.time < c.end) {
     why = "--steps is reached; --restart goes on";
   }
@@ -155,12 +174,16 @@ int simulate(Run& r) {
   }
   summarise(r, code == exitDone ? "done" : code == exitStopped ? "stopped" : "failed", why);
   const std::size_t told = r.summary.warnings.size();
-  r.say(fmt::format("{} at t {:.6g} s, step {}{}; {:.3g} M particle-steps/s with {} rank{}, {:.1f} s", r.summary.status, r.world.clock.time, r.world.clock.step, why.empty() ? "" : " (" + why + ")",
-                    r.summary.particleSteps / r.summary.wall / 1e6, r.comm.size(), r.comm.size() == 1 ? "" : "s", r.summary.wall));
+  r.say(fmt::format("{} at t {:.6g} s, step {}{}; {:.3g} M particle-steps/s with {} rank{}, {:.1f} s",
+                    r.summary.status, r.world.clock.time, r.world.clock.step,
+                    why.empty() ? "" : " (" + why + ")", r.summary.particleSteps / r.summary.wall / 1e6,
+                    r.comm.size(), r.comm.size() == 1 ? "" : "s", r.summary.wall));
   for (const std::string& line : surfaceLines(r.summary.surface)) r.say(line);
   for (const std::string& w : warningsOf(r.summary.counters, r.summary.ledger)) r.warn(w);
   for (const std::string& w : surfaceWarnings(r.summary.surface)) r.warn(w);
-  if (told > 0) r.say(fmt::format("{} warning{} told above {} in {}/summary.json as well", told, told == 1 ? "" : "s", told == 1 ? "is" : "are", r.options.out));
+  if (told > 0)
+    r.say(fmt::format("{} warning{} told above {} in {}/summary.json as well", told, told == 1 ? "" : "s",
+                      told == 1 ? "is" : "are", r.options.out));
   return code;
 }
 
@@ -169,13 +192,16 @@ CLI::Validator notBelowZero() {
   return {[](std::string& text) {
             char* end = nullptr;
             const double v = std::strtod(text.c_str(), &end);
-            return *end == 0 && v >= 0 && v < never ? std::string() : "must be a number of at least 0, got " + text;
+            return *end == 0 && v >= 0 && v < never ? std::string()
+                                                    : "must be a number of at least 0, got " + text;
           },
           "", ""};
 }
 
 void addForce(CLI::App& c, RunOptions& o) {
-  c.add_flag("--force", o.force, "take --out from a run on another host that has left its lock there; only when that run is over");
+  c.add_flag(
+      "--force", o.force,
+      "take --out from a run on another host that has left its lock there; only when that run is over");
 }
 
 }  // namespace
@@ -183,23 +209,38 @@ void addForce(CLI::App& c, RunOptions& o) {
 void addRunOptions(CLI::App& c, RunOptions& o) {
   c.add_option("scene", o.scene, "scene file (TOML)")->required();
   c.add_option("--out", o.out, "folder for frames, checkpoints and the summary (default: out/<scene>)");
-  c.add_option("--set", o.overrides, "key=value in place of what the scene says; may be given several times")->allow_extra_args(false);
+  c.add_option("--set", o.overrides, "key=value in place of what the scene says; may be given several times")
+      ->allow_extra_args(false);
   c.add_option("--steps", o.steps, "stop when this many steps are done in all")->check(notBelowZero());
-  c.add_option("--time-limit", o.timeLimit, "stop, with a checkpoint, after this many seconds of wall-clock time")->check(aboveZero());
+  c.add_option("--time-limit", o.timeLimit,
+               "stop, with a checkpoint, after this many seconds of wall-clock time")
+      ->check(aboveZero());
   c.add_option("--progress", o.reportEvery, "seconds between progress lines")->check(notBelowZero());
-  auto* profile = c.add_flag("--profile", o.profile, "print where the time of the steps goes on all ranks, and write a trace of the last ones to trace.json in --out");
-  c.add_option("--trace-steps", o.traceSteps, "steps that the trace shows: the last ones")->check(CLI::Range(1, 10000))->needs(profile)->capture_default_str();
+  auto* profile = c.add_flag("--profile", o.profile,
+                             "print where the time of the steps goes on all ranks, and write a trace of the "
+                             "last ones to trace.json in --out");
+  c.add_option("--trace-steps", o.traceSteps, "steps that the trace shows: the last ones")
+      ->check(CLI::Range(1, 10000))
+      ->needs(profile)
+      ->capture_default_str();
   auto* restart = c.add_flag("--restart", o.restart, "continue from the last checkpoint in --out");
-  c.add_flag("--resume", o.resume, "continue if there is a checkpoint in --out, else begin")->excludes(restart);
+  c.add_flag("--resume", o.resume, "continue if there is a checkpoint in --out, else begin")
+      ->excludes(restart);
   addForce(c, o);
 }
 
 void addRelaxOptions(CLI::App& c, RunOptions& o) {
   c.add_option("scene", o.scene, "scene file (TOML) with oriented bodies")->required();
-  c.add_option("--out", o.out, "folder for the frame and a checkpoint from which `thaw run --restart` goes on (default: out/<scene>)");
-  c.add_option("--set", o.overrides, "key=value in place of what the scene says; may be given several times")->allow_extra_args(false);
+  c.add_option(
+      "--out", o.out,
+      "folder for the frame and a checkpoint from which `thaw run --restart` goes on (default: out/<scene>)");
+  c.add_option("--set", o.overrides, "key=value in place of what the scene says; may be given several times")
+      ->allow_extra_args(false);
   c.add_option("--iterations", o.relax, "at most")->check(aboveZero());
-  c.add_option("--time-limit", o.timeLimit, "stop, with a frame and a checkpoint of what there is, after this many seconds of wall-clock time")->check(aboveZero());
+  c.add_option(
+       "--time-limit", o.timeLimit,
+       "stop, with a frame and a checkpoint of what there is, after this many seconds of wall-clock time")
+      ->check(aboveZero());
   c.add_option("--progress", o.reportEvery, "seconds between progress lines")->check(notBelowZero());
   addForce(c, o);
 }
@@ -212,7 +253,9 @@ int runCommand(const RunOptions& given) {
   RunLock lock;
   try {
     std::string note;
-    onFirstRank(comm.handle(), [&] { note = lock.take({.out = options.out, .ranks = comm.size(), .force = options.force}); });
+    onFirstRank(comm.handle(), [&] {
+      note = lock.take({.out = options.out, .ranks = comm.size(), .force = options.force});
+    });
     if (!note.empty()) std::printf("%s\n", note.c_str());
   } catch (const IoError& e) {  // nothing of the folder is of this run
     if (comm.rank() == 0) std::fprintf(stderr, "error: %s\n", e.what());

@@ -14,8 +14,10 @@ void broadcast(const Communicator& comm, std::string& text) {
   std::uint64_t n = text.size();
   MPI_Bcast(&n, 1, MPI_UINT64_T, 0, comm.handle());
   text.resize(n);
-  for (std::size_t done = 0; done < n; done += comm.piece())  // with its meshes it may be long, and MPI counts in 32 bits
-    MPI_Bcast(text.data() + done, static_cast<int>(std::min(comm.piece(), n - done)), MPI_CHAR, 0, comm.handle());
+  for (std::size_t done = 0; done < n; done += comm.piece())  // with its meshes it may be long, and MPI
+                                                              // counts in 32 bits
+    MPI_Bcast(text.data() + done, static_cast<int>(std::min(comm.piece(), n - done)), MPI_CHAR, 0,
+              comm.handle());
 }
 
 }  // namespace
@@ -26,12 +28,14 @@ std::optional<Refusal> refusalOf(const std::exception& e) {
     problem.add(shape->where, e.what());
     return Refusal{problem.lines().what(), exitUsage};
   }
-  if (dynamic_cast<const SceneErrors*>(&e) || dynamic_cast<const ShapeError*>(&e)) return Refusal{e.what(), exitUsage};
+  if (dynamic_cast<const SceneErrors*>(&e) || dynamic_cast<const ShapeError*>(&e))
+    return Refusal{e.what(), exitUsage};
   if (dynamic_cast<const IoError*>(&e)) return Refusal{std::string("error: ") + e.what(), exitInputOutput};
   return std::nullopt;
 }
 
-Scene sceneForAll(const Communicator& comm, const std::string& path, const std::vector<std::string>& overrides) {
+Scene sceneForAll(const Communicator& comm, const std::string& path,
+                  const std::vector<std::string>& overrides) {
   std::string files;
   if (comm.rank() == 0) files = packSceneFiles(loadSceneFiles(path));
   broadcast(comm, files);

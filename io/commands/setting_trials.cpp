@@ -21,10 +21,10 @@ namespace {
 
 constexpr double mostParticleSteps = 1e6;  // of one run: a second or two on one core
 constexpr int leastSteps = 20,
-              mostSteps = 250;      // fewer show nothing, more take long where there are few particles
-constexpr double mostSeconds = 15;  // of all runs
-constexpr double unexplained =
-    0.05;  // of the largest term of the ledger, beyond what the scene has without the setting
+              mostSteps = 250;        // fewer show nothing, more take long where there are few particles
+constexpr double mostSeconds = 15;    // of all runs
+constexpr double unexplained = 0.05;  // of the largest term of the ledger, beyond what the scene has without
+                                      // the setting
 
 double secondsNow() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();

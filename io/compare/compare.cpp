@@ -47,7 +47,8 @@ bool floating(Element e) { return e == Element::F64 || e == Element::F32; }
 
 /// |a - b|; infinite where one is NaN and the other is not.
 double distance(double a, double b) {
-  if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b) ? 0 : std::numeric_limits<double>::infinity();
+  if (std::isnan(a) || std::isnan(b))
+    return std::isnan(a) && std::isnan(b) ? 0 : std::numeric_limits<double>::infinity();
   return a == b ? 0 : std::abs(a - b);
 }
 
@@ -60,8 +61,11 @@ struct ColumnPair {
   double allowed = -1;  // < 0: bit by bit
   std::size_t bytes, components;
 
-  ColumnPair(const Snapshot& fileA, const SnapshotColumn& ca, const Snapshot& fileB, const SnapshotColumn& cb, double tolerance)
-      : column(ca), bytes(bytesOf(ca.shape.element)), components(static_cast<std::size_t>(std::max(ca.shape.components, 1))) {
+  ColumnPair(const Snapshot& fileA, const SnapshotColumn& ca, const Snapshot& fileB, const SnapshotColumn& cb,
+             double tolerance)
+      : column(ca),
+        bytes(bytesOf(ca.shape.element)),
+        components(static_cast<std::size_t>(std::max(ca.shape.components, 1))) {
     a.resize(ca.shape.rows * ca.shape.rowBytes());
     b.resize(cb.shape.rows * cb.shape.rowBytes());
     fileA.file.read(ca.path, {0, ca.shape.rows}, ca.shape.element, a.data());
@@ -70,25 +74,31 @@ struct ColumnPair {
     double scale = 0;
     for (const std::vector<std::byte>* v : {&a, &b})
       for (std::size_t k = 0; k < v->size(); k += bytes)
-        if (const double x = std::abs(numberAt(ca.shape.element, v->data() + k)); std::isfinite(x)) scale = std::max(scale, x);
+        if (const double x = std::abs(numberAt(ca.shape.element, v->data() + k)); std::isfinite(x))
+          scale = std::max(scale, x);
     allowed = tolerance * scale;
   }
 
   bool same(const std::byte* x, const std::byte* y) const {
     if (std::memcmp(x, y, bytes) == 0) return true;
-    return allowed >= 0 && within(numberAt(column.shape.element, x), numberAt(column.shape.element, y), allowed);
+    return allowed >= 0 &&
+           within(numberAt(column.shape.element, x), numberAt(column.shape.element, y), allowed);
   }
 
-  /// Compares a row of each; adds to `d` what differs. which: of the bonds of the id, for the text. True if they are the same.
-  bool row(std::uint64_t rowA, std::uint64_t rowB, std::uint64_t id, const std::string& which, FieldDifference& d) const {
+  /// Compares a row of each; adds to `d` what differs. which: of the bonds of the id, for the text. True if
+  /// they are the same.
+  bool row(std::uint64_t rowA, std::uint64_t rowB, std::uint64_t id, const std::string& which,
+           FieldDifference& d) const {
     bool equal = true;
     for (std::size_t c = 0; c < components; c++) {
-      const std::byte *x = a.data() + (rowA * components + c) * bytes, *y = b.data() + (rowB * components + c) * bytes;
+      const std::byte *x = a.data() + (rowA * components + c) * bytes,
+                      *y = b.data() + (rowB * components + c) * bytes;
       if (same(x, y)) continue;
       if (d.first.empty()) {
         d.firstId = id;
         const std::string part = components > 1 ? fmt::format(" component {}", c) : std::string();
-        d.first = fmt::format("{}{} of id {}{}: A {}, B {}", d.field, part, id, which, textAt(column.shape.element, x), textAt(column.shape.element, y));
+        d.first = fmt::format("{}{} of id {}{}: A {}, B {}", d.field, part, id, which,
+                              textAt(column.shape.element, x), textAt(column.shape.element, y));
       }
       const double far = distance(numberAt(column.shape.element, x), numberAt(column.shape.element, y));
       if (equal && d.rows == 0) d.largestId = id;
@@ -100,7 +110,9 @@ struct ColumnPair {
 };
 
 /// Rows of A and B with the same id, ascending by id.
-struct Match { std::uint64_t id, a, b; };
+struct Match {
+  std::uint64_t id, a, b;
+};
 
 /// Ids that one file has and the other has not.
 struct Unmatched {
@@ -112,20 +124,24 @@ struct Unmatched {
 
 /// Where the first one is: ids of surfels that were born say nothing to people.
 std::string placeOf(const Snapshot& file, const SnapshotTable& t, const Unmatched& u) {
-  const auto at = std::find_if(t.columns.begin(), t.columns.end(), [](const SnapshotColumn& c) { return c.name == "position" && c.shape.components == 3; });
+  const auto at = std::find_if(t.columns.begin(), t.columns.end(), [](const SnapshotColumn& c) {
+    return c.name == "position" && c.shape.components == 3;
+  });
   if (at == t.columns.end()) return {};
   double x[3] = {};
   file.file.read(at->path, {u.row, 1}, Element::F64, x);
   return fmt::format(" at ({:.6g}, {:.6g}, {:.6g}) m", x[0], x[1], x[2]);
 }
 
-std::vector<Match> matchIds(const Snapshot& fileA, const SnapshotTable& a, const Snapshot& fileB, const SnapshotTable& b, Comparison& result) {
+std::vector<Match> matchIds(const Snapshot& fileA, const SnapshotTable& a, const Snapshot& fileB,
+                            const SnapshotTable& b, Comparison& result) {
   std::vector<Match> both;
   Unmatched onlyA, onlyB;
   std::uint64_t twice = 0;
   std::size_t i = 0, k = 0;
   while (i < a.order.size() || k < b.order.size()) {
-    const std::uint64_t x = i < a.order.size() ? a.ids[a.order[i]] : 0, y = k < b.order.size() ? b.ids[b.order[k]] : 0;
+    const std::uint64_t x = i < a.order.size() ? a.ids[a.order[i]] : 0,
+                        y = k < b.order.size() ? b.ids[b.order[k]] : 0;
     if (k == b.order.size() || (i < a.order.size() && x < y)) {
       onlyA.add(x, a.order[i]);
       i++;
@@ -137,20 +153,28 @@ std::vector<Match> matchIds(const Snapshot& fileA, const SnapshotTable& a, const
       both.push_back({x, a.order[i++], b.order[k++]});
     }
   }
-  if (onlyA.count > 0) result.general.push_back(fmt::format("{}: {} ids are in A only, the first {}{}", a.title, onlyA.count, onlyA.first, placeOf(fileA, a, onlyA)));
-  if (onlyB.count > 0) result.general.push_back(fmt::format("{}: {} ids are in B only, the first {}{}", a.title, onlyB.count, onlyB.first, placeOf(fileB, b, onlyB)));
+  if (onlyA.count > 0)
+    result.general.push_back(fmt::format("{}: {} ids are in A only, the first {}{}", a.title, onlyA.count,
+                                         onlyA.first, placeOf(fileA, a, onlyA)));
+  if (onlyB.count > 0)
+    result.general.push_back(fmt::format("{}: {} ids are in B only, the first {}{}", a.title, onlyB.count,
+                                         onlyB.first, placeOf(fileB, b, onlyB)));
   if (twice > 0) result.general.push_back(fmt::format("{}: {} ids are there more than once", a.title, twice));
   return both;
 }
 
 /// Calls use(column of A, column of B) for those in both, of the same type; reports the others.
 template<class Use>
-void eachColumn(const std::string& title, const std::vector<SnapshotColumn>& a, const std::vector<SnapshotColumn>& b, Comparison& result, Use&& use) {
+void eachColumn(const std::string& title, const std::vector<SnapshotColumn>& a,
+                const std::vector<SnapshotColumn>& b, Comparison& result, Use&& use) {
   for (const SnapshotColumn& x : a) {
-    const auto y = std::find_if(b.begin(), b.end(), [&](const SnapshotColumn& c) { return c.name == x.name; });
+    const auto y = std::find_if(b.begin(), b.end(),
+                                [&](const SnapshotColumn& c) { return c.name == x.name; });
     if (y == b.end()) result.general.push_back(fmt::format("{}: field {} is in A only", title, x.name));
-    else if (y->shape.element != x.shape.element || std::max(y->shape.components, 1) != std::max(x.shape.components, 1))
-      result.general.push_back(fmt::format("{}: field {} is {} x {} in A and {} x {} in B", title, x.name, nameOf(x.shape.element), std::max(x.shape.components, 1),
+    else if (y->shape.element != x.shape.element ||
+             std::max(y->shape.components, 1) != std::max(x.shape.components, 1))
+      result.general.push_back(fmt::format("{}: field {} is {} x {} in A and {} x {} in B", title, x.name,
+                                           nameOf(x.shape.element), std::max(x.shape.components, 1),
                                            nameOf(y->shape.element), std::max(y->shape.components, 1)));
     else if (x.shape.element != Element::Other) use(x, *y);
   }
@@ -159,12 +183,13 @@ void eachColumn(const std::string& title, const std::vector<SnapshotColumn>& a, 
       result.general.push_back(fmt::format("{}: field {} is in B only", title, y.name));
 }
 
-void compareBonds(const Snapshot& a, const SnapshotTable& ta, const Snapshot& b, const SnapshotTable& tb, const std::vector<Match>& both, const CompareRule& rule,
-                  Comparison& result) {
+void compareBonds(const Snapshot& a, const SnapshotTable& ta, const Snapshot& b, const SnapshotTable& tb,
+                  const std::vector<Match>& both, const CompareRule& rule, Comparison& result) {
   std::vector<Match> same;  // with as many bonds in both
   FieldDifference count{ta.title, "number of bonds", "1", 0, 0, {}, 0, 0, both.size()};
   for (const Match& m : both) {
-    const std::uint64_t na = ta.firstBond[m.a + 1] - ta.firstBond[m.a], nb = tb.firstBond[m.b + 1] - tb.firstBond[m.b];
+    const std::uint64_t na = ta.firstBond[m.a + 1] - ta.firstBond[m.a],
+                        nb = tb.firstBond[m.b + 1] - tb.firstBond[m.b];
     if (na == nb) {
       same.push_back(m);
       continue;
@@ -173,7 +198,8 @@ void compareBonds(const Snapshot& a, const SnapshotTable& ta, const Snapshot& b,
       count.firstId = m.id;
       count.first = fmt::format("number of bonds of id {}: A {}, B {}", m.id, na, nb);
     }
-    if (const double far = std::abs(static_cast<double>(na) - static_cast<double>(nb)); far > count.largest) count.largest = far, count.largestId = m.id;
+    if (const double far = std::abs(static_cast<double>(na) - static_cast<double>(nb)); far > count.largest)
+      count.largest = far, count.largestId = m.id;
   }
   if (count.rows > 0) result.fields.push_back(count);
   eachColumn(ta.title, ta.bonds, tb.bonds, result, [&](const SnapshotColumn& x, const SnapshotColumn& y) {
@@ -197,33 +223,43 @@ void compareNumbers(const Snapshot& a, const Snapshot& b, const CompareRule& rul
     for (const SnapshotNumber& n : s->numbers)
       if (std::isfinite(n.value)) scale[n.unit] = std::max(scale[n.unit], std::abs(n.value));
   for (const SnapshotNumber& x : a.numbers) {
-    const auto y = std::find_if(b.numbers.begin(), b.numbers.end(), [&](const SnapshotNumber& n) { return n.name == x.name; });
+    const auto y = std::find_if(b.numbers.begin(), b.numbers.end(),
+                                [&](const SnapshotNumber& n) { return n.name == x.name; });
     if (y == b.numbers.end()) {
       result.general.push_back(fmt::format("{} is in A only", x.name));
       continue;
     }
-    const bool bits = x.integer == y->integer && x.digits == y->digits && std::bit_cast<std::uint64_t>(x.value) == std::bit_cast<std::uint64_t>(y->value);
-    if (bits || (rule.tolerance >= 0 && !x.whole && within(x.value, y->value, rule.tolerance * scale[x.unit]))) continue;
+    const bool bits = x.integer == y->integer && x.digits == y->digits &&
+                      std::bit_cast<std::uint64_t>(x.value) == std::bit_cast<std::uint64_t>(y->value);
+    if (bits ||
+        (rule.tolerance >= 0 && !x.whole && within(x.value, y->value, rule.tolerance * scale[x.unit])))
+      continue;
     if (x.whole) result.general.push_back(fmt::format("{}: A {}, B {}", x.name, x.integer, y->integer));
     else
-      result.general.push_back(fmt::format("{}: A {:.17g} (0x{:016x}), B {:.17g} (0x{:016x}) {}{}", x.name, x.value, std::bit_cast<std::uint64_t>(x.value), y->value,
-                                           std::bit_cast<std::uint64_t>(y->value), x.unit, x.value == y->value ? ", the exact sums differ" : ""));
+      result.general.push_back(fmt::format("{}: A {:.17g} (0x{:016x}), B {:.17g} (0x{:016x}) {}{}", x.name,
+                                           x.value, std::bit_cast<std::uint64_t>(x.value), y->value,
+                                           std::bit_cast<std::uint64_t>(y->value), x.unit,
+                                           x.value == y->value ? ", the exact sums differ" : ""));
   }
   for (const SnapshotNumber& y : b.numbers)
-    if (std::none_of(a.numbers.begin(), a.numbers.end(), [&](const SnapshotNumber& n) { return n.name == y.name; }))
+    if (std::none_of(a.numbers.begin(), a.numbers.end(),
+                     [&](const SnapshotNumber& n) { return n.name == y.name; }))
       result.general.push_back(fmt::format("{} is in B only", y.name));
 }
 
 constexpr std::size_t mostOfAKind = 4;
 
-/// By the first word, in the order of the first of each kind: two scenes that have little in common differ in hundreds of marks.
+/// By the first word, in the order of the first of each kind: two scenes that have little in common differ in
+/// hundreds of marks.
 void addFewOfEachKind(const std::vector<std::string>& all, std::vector<std::string>& lines) {
   const auto kindOf = [](const std::string& line) { return line.substr(0, line.find_first_of(".: ") + 1); };
   std::map<std::string, std::size_t> told;
   for (const std::string& line : all)
     if (told[kindOf(line)]++ < mostOfAKind) lines.push_back(line);
   for (const auto& [kind, count] : told)
-    if (count > mostOfAKind) lines.push_back(fmt::format("... and {} more of {} (--all tells them)", count - mostOfAKind, kind.substr(0, kind.size() - 1)));
+    if (count > mostOfAKind)
+      lines.push_back(fmt::format("... and {} more of {} (--all tells them)", count - mostOfAKind,
+                                  kind.substr(0, kind.size() - 1)));
 }
 
 }  // namespace
@@ -236,27 +272,33 @@ Comparison compareSnapshots(const Snapshot& a, const Snapshot& b, const CompareR
   }
   compareNumbers(a, b, rule, result);
   for (const SnapshotTable& ta : a.tables) {
-    const auto tb = std::find_if(b.tables.begin(), b.tables.end(), [&](const SnapshotTable& t) { return t.title == ta.title; });
+    const auto tb = std::find_if(b.tables.begin(), b.tables.end(),
+                                 [&](const SnapshotTable& t) { return t.title == ta.title; });
     if (tb == b.tables.end()) {
       if (!ta.ids.empty()) result.general.push_back(ta.title + " are in A only");
       continue;
     }
     const std::vector<Match> both = matchIds(a, ta, b, *tb, result);
-    if (result.rows == 0 && (&ta == a.tables.data() || !both.empty())) result.rows = both.size(), result.title = ta.title;  // the first that has any
-    else if (ta.title == "surfels" || ta.title == kindNames[orientedKind] || ta.title == kindNames[sheetKind]) result.kinds.push_back({ta.title, both.size()});
+    // the first that has any
+    if (result.rows == 0 && (&ta == a.tables.data() || !both.empty()))
+      result.rows = both.size(), result.title = ta.title;
+    else if (ta.title == "surfels" || ta.title == kindNames[orientedKind] || ta.title == kindNames[sheetKind])
+      result.kinds.push_back({ta.title, both.size()});
     if (ta.ids.empty() && tb->ids.empty()) continue;
-    eachColumn(ta.title, ta.columns, tb->columns, result, [&](const SnapshotColumn& x, const SnapshotColumn& y) {
-      const ColumnPair pair(a, x, b, y, rule.tolerance);
-      FieldDifference d{ta.title, x.name, x.unit, 0, 0, {}, 0, 0, both.size()};
-      for (const Match& m : both)
-        if (!pair.row(m.a, m.b, m.id, {}, d)) d.rows++;
-      result.columns++;
-      if (d.rows > 0) result.fields.push_back(d);
-    });
+    eachColumn(ta.title, ta.columns, tb->columns, result,
+               [&](const SnapshotColumn& x, const SnapshotColumn& y) {
+                 const ColumnPair pair(a, x, b, y, rule.tolerance);
+                 FieldDifference d{ta.title, x.name, x.unit, 0, 0, {}, 0, 0, both.size()};
+                 for (const Match& m : both)
+                   if (!pair.row(m.a, m.b, m.id, {}, d)) d.rows++;
+                 result.columns++;
+                 if (d.rows > 0) result.fields.push_back(d);
+               });
     if (!ta.firstBond.empty() && !tb->firstBond.empty()) compareBonds(a, ta, b, *tb, both, rule, result);
   }
   for (const SnapshotTable& tb : b.tables)
-    if (!tb.ids.empty() && std::none_of(a.tables.begin(), a.tables.end(), [&](const SnapshotTable& t) { return t.title == tb.title; }))
+    if (!tb.ids.empty() && std::none_of(a.tables.begin(), a.tables.end(),
+                                        [&](const SnapshotTable& t) { return t.title == tb.title; }))
       result.general.push_back(tb.title + " are in B only");
   return result;
 }
@@ -270,10 +312,13 @@ std::vector<std::string> describe(const Comparison& c, bool all) {
   if (all) lines.insert(lines.end(), c.general.begin(), c.general.end());
   else addFewOfEachKind(c.general, lines);
   if (!c.fields.empty()) {
-    const auto first = std::min_element(c.fields.begin(), c.fields.end(), [](const FieldDifference& a, const FieldDifference& b) { return a.firstId < b.firstId; });
+    const auto first = std::min_element(
+        c.fields.begin(), c.fields.end(),
+        [](const FieldDifference& a, const FieldDifference& b) { return a.firstId < b.firstId; });
     lines.push_back("first difference: " + first->first);
     for (const FieldDifference& d : c.fields)
-      lines.push_back(fmt::format("{} {}: {} of {} ids differ, by at most {:.3g} {} at id {}", d.table, d.field, d.rows, d.ids, d.largest, d.unit, d.largestId));
+      lines.push_back(fmt::format("{} {}: {} of {} ids differ, by at most {:.3g} {} at id {}", d.table,
+                                  d.field, d.rows, d.ids, d.largest, d.unit, d.largestId));
   }
   if (c.columns > 0) lines.push_back("compared, of ids in both: " + compared);
   return lines;

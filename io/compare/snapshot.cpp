@@ -11,21 +11,30 @@
 namespace thaw {
 namespace {
 
-SnapshotNumber real(const std::string& name, const std::string& unit, double value) { return {name, unit, false, value, 0, {}}; }
-SnapshotNumber whole(const std::string& name, std::int64_t value) { return {name, "1", true, static_cast<double>(value), value, {}}; }
+SnapshotNumber real(const std::string& name, const std::string& unit, double value) {
+  return {name, unit, false, value, 0, {}};
+}
+SnapshotNumber whole(const std::string& name, std::int64_t value) {
+  return {name, "1", true, static_cast<double>(value), value, {}};
+}
 
-SnapshotTable tableOf(const H5File& file, const std::string& title, const std::string& group, const std::vector<std::string>& without) {
+SnapshotTable tableOf(const H5File& file, const std::string& title, const std::string& group,
+                      const std::vector<std::string>& without) {
   SnapshotTable t;
   t.title = title;
   t.ids = readRows<std::uint64_t>(file, group + "/id", Element::U64);
   t.order.resize(t.ids.size());
   std::iota(t.order.begin(), t.order.end(), std::uint64_t(0));
-  std::stable_sort(t.order.begin(), t.order.end(), [&](std::uint64_t a, std::uint64_t b) { return t.ids[a] < t.ids[b]; });
+  std::stable_sort(t.order.begin(), t.order.end(),
+                   [&](std::uint64_t a, std::uint64_t b) { return t.ids[a] < t.ids[b]; });
   for (const std::string& name : file.children(group)) {
     if (name == "id" || std::find(without.begin(), without.end(), name) != without.end()) continue;
     const std::string path = group + "/" + name;
-    t.columns.push_back({name, path, file.hasAttribute(path, "units") ? file.text(path, "units") : std::string(), file.shape(path)});
-    if (t.columns.back().shape.rows != t.ids.size()) throw IoError(file.path(), "is damaged: " + path + " has another number of rows than there are ids");
+    t.columns.push_back({name, path,
+                         file.hasAttribute(path, "units") ? file.text(path, "units") : std::string(),
+                         file.shape(path)});
+    if (t.columns.back().shape.rows != t.ids.size())
+      throw IoError(file.path(), "is damaged: " + path + " has another number of rows than there are ids");
   }
   return t;
 }
@@ -45,34 +54,48 @@ void openCheckpoint(Snapshot& s) {
   CheckpointHeader h = readCheckpointHeader(s.file.path());
   s.kind = "checkpoint";
   s.numbers = {real("time", "s", h.clock.time), whole("step", h.clock.step), real("dt", "s", h.clock.dt)};
-  for (const NamedCount& c : countsOf(h.counters)) s.numbers.push_back(whole(std::string("counter ") + c.name, *c.count));
-  for (const NamedReal& v : realsOf(h.watch)) s.numbers.push_back(real(std::string("watch ") + v.name, "", *v.value));
-  for (const NamedCount& c : countsOf(h.watch)) s.numbers.push_back(whole(std::string("watch ") + c.name, *c.count));
+  for (const NamedCount& c : countsOf(h.counters))
+    s.numbers.push_back(whole(std::string("counter ") + c.name, *c.count));
+  for (const NamedReal& v : realsOf(h.watch))
+    s.numbers.push_back(real(std::string("watch ") + v.name, "", *v.value));
+  for (const NamedCount& c : countsOf(h.watch))
+    s.numbers.push_back(whole(std::string("watch ") + c.name, *c.count));
   for (const NamedSum& x : sumsOf(h.ledger))
-    s.numbers.push_back({std::string("ledger ") + x.name, x.unit, false, x.sum->value(), 0, {x.sum->digit.begin(), x.sum->digit.end()}});
-  for (const NamedValue& v : valuesOf(h.ledger.initial)) s.numbers.push_back(real(std::string("initial ") + v.name, v.unit, *v.value));
+    s.numbers.push_back({std::string("ledger ") + x.name,
+                         x.unit,
+                         false,
+                         x.sum->value(),
+                         0,
+                         {x.sum->digit.begin(), x.sum->digit.end()}});
+  for (const NamedValue& v : valuesOf(h.ledger.initial))
+    s.numbers.push_back(real(std::string("initial ") + v.name, v.unit, *v.value));
   for (const auto& [name, value] : h.values) s.numbers.push_back(real(name, "", value));
   s.tables.push_back(tableOf(s.file, "particles", "/particles", {}));
   if (h.surface.there) {
     s.numbers.push_back(whole("surface last_step", h.surface.lastStep));
-    for (const NamedCount& c : countsOf(h.surface.counters)) s.numbers.push_back(whole(std::string("surface ") + c.name, *c.count));
+    for (const NamedCount& c : countsOf(h.surface.counters))
+      s.numbers.push_back(whole(std::string("surface ") + c.name, *c.count));
     s.tables.push_back(tableOf(s.file, "surfels", "/surfels", {}));
     s.tables.push_back(tableOf(s.file, "components", "/surface/components", {}));
     s.tables.push_back(tableOf(s.file, "events", "/surface/events", {}));
   }
   for (const char* kind : kindNames)
-    if (const std::string group = std::string("/") + kind; s.file.has(group + "/id")) s.tables.push_back(tableOf(s.file, kind, group, {}));
+    if (const std::string group = std::string("/") + kind; s.file.has(group + "/id"))
+      s.tables.push_back(tableOf(s.file, kind, group, {}));
   if (!s.file.has("/solids/id")) return;
   // whether A^-1 of a slot is to be computed anew depends on what migrated, and changes no bit of it
   SnapshotTable solids = tableOf(s.file, "solids", "/solids", {"changed"});
   solids.firstBond = readRows<std::uint64_t>(s.file, "/order/first_bond", Element::U64);
   solids.firstBond.push_back(h.bonds);
-  if (solids.firstBond.size() != solids.ids.size() + 1 || !std::is_sorted(solids.firstBond.begin(), solids.firstBond.end()))
+  if (solids.firstBond.size() != solids.ids.size() + 1 ||
+      !std::is_sorted(solids.firstBond.begin(), solids.firstBond.end()))
     throw IoError(s.file.path(), "is damaged: bonds are not in order");
   for (const std::string& name : s.file.children("/bonds")) {
     const std::string path = "/bonds/" + name;
     solids.bonds.push_back({"bond " + name, path, s.file.text(path, "units"), s.file.shape(path)});
-    if (solids.bonds.back().shape.rows != h.bonds) throw IoError(s.file.path(), "is damaged: " + path + " has another number of rows than there are bonds");
+    if (solids.bonds.back().shape.rows != h.bonds)
+      throw IoError(s.file.path(),
+                    "is damaged: " + path + " has another number of rows than there are bonds");
   }
   s.tables.push_back(std::move(solids));
 }
@@ -85,7 +108,8 @@ std::string snapshotPath(const std::string& path) {
   std::vector<std::string> problems;
   const std::vector<CheckpointHeader> found = findCheckpoints(path, &problems);
   if (!found.empty()) return found[0].path;
-  throw IoError(path, problems.empty() ? "this folder has no checkpoint" : "no checkpoint of this folder can be read: " + problems[0]);
+  throw IoError(path, problems.empty() ? "this folder has no checkpoint"
+                                       : "no checkpoint of this folder can be read: " + problems[0]);
 }
 
 Snapshot openSnapshot(const std::string& path) {

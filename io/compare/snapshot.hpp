@@ -1,4 +1,5 @@
-// A frame or checkpoint as comparison sees it: numbers, and tables of columns whose rows have an id. Columns are read one at a time.
+// A frame or checkpoint as comparison sees it: numbers, and tables of columns whose rows have an id. Columns
+// are read one at a time.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -11,7 +12,7 @@ namespace thaw {
 /// A number that is not of a particle: time, counters, ledger.
 struct SnapshotNumber {
   std::string name, unit;
-  bool whole = false;                ///< an integer: `integer` counts
+  bool whole = false;  ///< an integer: `integer` counts
   double value = 0;
   std::int64_t integer = 0;
   std::vector<std::int64_t> digits;  ///< of an exact sum; empty otherwise
@@ -24,7 +25,7 @@ struct SnapshotColumn {
 
 /// Rows with ids. order: rows ascending by id.
 struct SnapshotTable {
-  std::string title;                 ///< "particles", "solids", "surfels", "components", "events", "oriented", "sheet"
+  std::string title;  ///< "particles", "solids", "surfels", "components", "events", "oriented", "sheet"
   std::vector<std::uint64_t> ids, order;
   std::vector<SnapshotColumn> columns;
   std::vector<std::uint64_t> firstBond;  ///< of each row and one more; empty where the table has no bonds
@@ -33,16 +34,17 @@ struct SnapshotTable {
 
 struct Snapshot {
   H5File file;
-  std::string kind;                  ///< "frame" or "checkpoint"
+  std::string kind;  ///< "frame" or "checkpoint"
   std::vector<SnapshotNumber> numbers;
   std::vector<SnapshotTable> tables;
 };
 
-/// Opens a frame, a checkpoint, or the last checkpoint of a run's folder. Fields that depend on the number of ranks ("rank", bookkeeping)
-/// are left out. IoError if there is none, or it is damaged.
+/// Opens a frame, a checkpoint, or the last checkpoint of a run's folder. Fields that depend on the number of
+/// ranks ("rank", bookkeeping) are left out. IoError if there is none, or it is damaged.
 Snapshot openSnapshot(const std::string& path);
 
-/// The file that `path` stands for: itself, or the last checkpoint of a run's folder. IoError if the folder has none that can be read.
+/// The file that `path` stands for: itself, or the last checkpoint of a run's folder. IoError if the folder
+/// has none that can be read.
 std::string snapshotPath(const std::string& path);
 
 }  // namespace thaw

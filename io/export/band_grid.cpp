@@ -11,7 +11,9 @@ using Corner = BandGrid::Corner;
 
 }  // namespace
 
-BandGrid::BandGrid(const Vec3d& origin, const Vec3d& spacing, const Corner& count, const std::array<bool, 3>& cut) : origin_(origin), spacing_(spacing), count_(count) {
+BandGrid::BandGrid(const Vec3d& origin, const Vec3d& spacing, const Corner& count,
+                   const std::array<bool, 3>& cut)
+    : origin_(origin), spacing_(spacing), count_(count) {
   for (std::size_t a = 0; a < 3; a++) {
     blocks_[a] = (count[a] + side - 1) / side;
     first_[a] = cut[a] ? 1 : 0;
@@ -47,8 +49,12 @@ std::int32_t BandGrid::at(const Corner& c) const {
 }
 
 void BandGrid::settle(const std::vector<std::uint8_t>& isInside) {
-  // Nodes of a set: single corners of kept blocks, and whole blocks that are not kept (named by their first corner).
-  struct Node { Corner corner; bool block; };
+  // Nodes of a set: single corners of kept blocks, and whole blocks that are not kept (named by their first
+  // corner).
+  struct Node {
+    Corner corner;
+    bool block;
+  };
   std::vector<Node> set;
   std::int64_t votes = 0;
   bool border = false;
@@ -88,7 +94,8 @@ void BandGrid::settle(const std::vector<std::uint8_t>& isInside) {
           for (std::int64_t v = 0; v < side; v++) {
             Corner next = c;
             next[a] += step, next[(a + 1) % 3] += u, next[(a + 2) % 3] += v;
-            if (next[(a + 1) % 3] < count_[(a + 1) % 3] && next[(a + 2) % 3] < count_[(a + 2) % 3]) reach(next, mark);
+            if (next[(a + 1) % 3] < count_[(a + 1) % 3] && next[(a + 2) % 3] < count_[(a + 2) % 3])
+              reach(next, mark);
           }
   };
   const auto settleFrom = [&](const Corner& first) {
@@ -102,7 +109,9 @@ void BandGrid::settle(const std::vector<std::uint8_t>& isInside) {
     if (border || votes <= 0) return;
     for (const Node& n : set) {
       if (n.block) table_[static_cast<std::size_t>(blockOf(n.corner))] = inside;
-      else kept_[static_cast<std::size_t>(table_[static_cast<std::size_t>(blockOf(n.corner))])].slot[within(n.corner)] = inside;
+      else
+        kept_[static_cast<std::size_t>(table_[static_cast<std::size_t>(blockOf(n.corner))])]
+            .slot[within(n.corner)] = inside;
     }
   };
   // Every set lies beside a slot, or fills a grid without any.

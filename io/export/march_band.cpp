@@ -14,7 +14,9 @@ namespace {
 
 using Corner = BandGrid::Corner;
 
-struct KeyHash { std::size_t operator()(std::uint64_t key) const { return mixBits(key); } };
+struct KeyHash {
+  std::size_t operator()(std::uint64_t key) const { return mixBits(key); }
+};
 
 /// Marches the cubes that have a corner with a value, and those at a cut.
 struct BandMarcher {
@@ -25,9 +27,12 @@ struct BandMarcher {
   MarchedBand out;
   std::unordered_map<std::uint64_t, std::uint32_t, KeyHash> onEdge;
 
-  static Corner cornerOf(const Corner& low, int c) { return {low[0] + (c & 1), low[1] + (c >> 1 & 1), low[2] + (c >> 2)}; }
+  static Corner cornerOf(const Corner& low, int c) {
+    return {low[0] + (c & 1), low[1] + (c >> 1 & 1), low[2] + (c >> 2)};
+  }
 
-  /// Where the surface crosses an edge, as a share of it: the values at its ends are far from straight lines where the surface is curved.
+  /// Where the surface crosses an edge, as a share of it: the values at its ends are far from straight lines
+  /// where the surface is curved.
   double zeroOn(const Vec3d& p, const Vec3d& along, double from, double to, PlaneHeight& here) {
     double low = 0, high = 1, t = crossing(from, to);
     for (int k = 0; k < 3; k++) {
@@ -35,13 +40,15 @@ struct BandMarcher {
       if (!here.known) break;
       if ((here.value < 0) == (from < 0)) low = t, from = here.value;
       else high = t, to = here.value;
-      t = std::clamp(low + (high - low) * (from != to ? from / (from - to) : 0.5), nearestToCorner, 1 - nearestToCorner);
+      t = std::clamp(low + (high - low) * (from != to ? from / (from - to) : 0.5), nearestToCorner,
+                     1 - nearestToCorner);
     }
     return t;
   }
 
   std::pair<std::uint32_t, bool> numberOf(const Corner& c, int what) {
-    const auto [place, fresh] = onEdge.try_emplace(grid.key(c) * 8 + static_cast<std::uint64_t>(what), static_cast<std::uint32_t>(out.mesh.mesh.vertices.size()));
+    const auto [place, fresh] = onEdge.try_emplace(grid.key(c) * 8 + static_cast<std::uint64_t>(what),
+                                                   static_cast<std::uint32_t>(out.mesh.mesh.vertices.size()));
     return {place->second, fresh};
   }
 
@@ -61,11 +68,13 @@ struct BandMarcher {
     Vec3f normal{};
     for (int a = 0; a < 3; a++)
       if (cuts >> a & 1) normal[a] = c[static_cast<std::size_t>(a)] == 1 ? -1.0f : 1.0f;
-    add(grid.place(c), normal, slot >= 0 ? field.colour[static_cast<std::size_t>(slot)] : deep, cuts | MarchedBand::onCap);
+    add(grid.place(c), normal, slot >= 0 ? field.colour[static_cast<std::size_t>(slot)] : deep,
+        cuts | MarchedBand::onCap);
     return number;
   }
 
-  std::uint32_t vertex(const Corner& low, const std::int32_t (&slot)[8], const double (&value)[8], const CubeEdge& e) {
+  std::uint32_t vertex(const Corner& low, const std::int32_t (&slot)[8], const double (&value)[8],
+                       const CubeEdge& e) {
     const Corner from = cornerOf(low, e.from), to = cornerOf(low, e.to);
     if (grid.beyond(to)) return onCap(from, slot[e.from]);
     if (grid.beyond(from)) return onCap(to, slot[e.to]);
@@ -75,14 +84,19 @@ struct BandMarcher {
     PlaneHeight here;
     const double t = zeroOn(p, along, value[e.from], value[e.to], here);
     // Of an end without a value the other's counts; one of them has one.
-    const std::int32_t a = slot[e.from] >= 0 ? slot[e.from] : slot[e.to], b = slot[e.to] >= 0 ? slot[e.to] : a;
+    const std::int32_t a = slot[e.from] >= 0 ? slot[e.from] : slot[e.to],
+                       b = slot[e.to] >= 0 ? slot[e.to] : a;
     const float u = static_cast<float>(t);
-    const auto between = [&](const std::vector<Vec3f>& of) { return (1 - u) * of[static_cast<std::size_t>(a)] + u * of[static_cast<std::size_t>(b)]; };
-    add(p + t * along, here.known ? here.normal : between(field.normal), between(field.colour), grid.onCut(from) & grid.onCut(to));
+    const auto between = [&](const std::vector<Vec3f>& of) {
+      return (1 - u) * of[static_cast<std::size_t>(a)] + u * of[static_cast<std::size_t>(b)];
+    };
+    add(p + t * along, here.known ? here.normal : between(field.normal), between(field.colour),
+        grid.onCut(from) & grid.onCut(to));
     return number;
   }
 
-  /// own: the slot that looks at the cube, which is done from the first of its corners with one; -1: a cube without any.
+  /// own: the slot that looks at the cube, which is done from the first of its corners with one; -1: a cube
+  /// without any.
   void marchCube(const Corner& low, std::int32_t own) {
     std::int32_t slot[8];
     double value[8];
@@ -90,17 +104,22 @@ struct BandMarcher {
     for (int c = 0; c < 8; c++) {
       slot[c] = grid.at(cornerOf(low, c));
       if (slot[c] >= 0 && first < 0) first = slot[c];
-      value[c] = slot[c] >= 0 ? field.value[static_cast<std::size_t>(slot[c])] : slot[c] == BandGrid::inside ? -grid.spacing() : grid.spacing();
+      value[c] = slot[c] >= 0                  ? field.value[static_cast<std::size_t>(slot[c])]
+                 : slot[c] == BandGrid::inside ? -grid.spacing()
+                                               : grid.spacing();
       inside += value[c] < 0;
     }
     if (first != own || inside == 0 || inside == 8) return;
-    marchTetrahedra(value, [&](const CubeEdge& e, const CubeEdge& f, const CubeEdge& g, const Vec3d& outward) {
-      std::uint32_t a = vertex(low, slot, value, e), b = vertex(low, slot, value, f), c = vertex(low, slot, value, g);
-      if (a == b || b == c || c == a) return;  // edges from one corner beyond a cut have one vertex
-      const auto& v = out.mesh.mesh.vertices;
-      if (dot(cross(v[b] - v[a], v[c] - v[a]), outward) < 0) std::swap(b, c);
-      out.mesh.mesh.triangles.push_back({a, b, c});
-    });
+    marchTetrahedra(value,
+                    [&](const CubeEdge& e, const CubeEdge& f, const CubeEdge& g, const Vec3d& outward) {
+                      std::uint32_t a = vertex(low, slot, value, e), b = vertex(low, slot, value, f),
+                                    c = vertex(low, slot, value, g);
+                      if (a == b || b == c || c == a)
+                        return;  // edges from one corner beyond a cut have one vertex
+                      const auto& v = out.mesh.mesh.vertices;
+                      if (dot(cross(v[b] - v[a], v[c] - v[a]), outward) < 0) std::swap(b, c);
+                      out.mesh.mesh.triangles.push_back({a, b, c});
+                    });
   }
 
   /// Cubes beyond a cut, where what is inside may be far from all surfels.
@@ -108,7 +127,9 @@ struct BandMarcher {
     for (std::size_t axis = 0; axis < 3; axis++) {
       if (!grid.cut(static_cast<int>(axis))) continue;
       const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-      const auto isCap = [&](const Corner& c, std::size_t a) { return grid.cut(static_cast<int>(a)) && (c[a] == 0 || c[a] == grid.count()[a] - 2); };
+      const auto isCap = [&](const Corner& c, std::size_t a) {
+        return grid.cut(static_cast<int>(a)) && (c[a] == 0 || c[a] == grid.count()[a] - 2);
+      };
       for (const std::int64_t layer : {std::int64_t{0}, grid.count()[axis] - 2})
         for (std::int64_t j = 0; j + 1 < grid.count()[v]; j++)
           for (std::int64_t i = 0; i + 1 < grid.count()[u]; i++) {
@@ -133,7 +154,8 @@ struct BandMarcher {
 
 }  // namespace
 
-MarchedBand marchBand(const BandGrid& grid, const BandField& field, const PlaneField& planes, const Vec3f& deep) {
+MarchedBand marchBand(const BandGrid& grid, const BandField& field, const PlaneField& planes,
+                      const Vec3f& deep) {
   BandMarcher marcher{grid, field, planes, deep, {}, {}};
   marcher.march();
   return std::move(marcher.out);
@@ -147,12 +169,15 @@ void dropCrumbs(MarchedBand& band, const PlaneField& planes, double spacing) {
   std::vector<double> volume(mesh.vertices.size(), 0.0);  // of the shell whose smallest vertex it is
   const Vec3d from = mesh.vertices.empty() ? Vec3d{} : mesh.vertices[0];
   for (const auto& t : mesh.triangles)
-    volume[sets.find(t[0])] += dot(mesh.vertices[t[0]] - from, cross(mesh.vertices[t[1]] - from, mesh.vertices[t[2]] - from)) / 6;
+    volume[sets.find(t[0])] += dot(mesh.vertices[t[0]] - from,
+                                   cross(mesh.vertices[t[1]] - from, mesh.vertices[t[2]] - from)) /
+                               6;
   std::vector<double> area(volume.size(), 0.0), onDiscs(volume.size(), 0.0);
   for (const auto& t : mesh.triangles) {
     if (band.held[t[0]] & band.held[t[1]] & band.held[t[2]]) continue;  // of a cut
     const std::uint32_t shell = sets.find(t[0]);
-    const double size = length(cross(mesh.vertices[t[1]] - mesh.vertices[t[0]], mesh.vertices[t[2]] - mesh.vertices[t[0]]));
+    const double size = length(
+        cross(mesh.vertices[t[1]] - mesh.vertices[t[0]], mesh.vertices[t[2]] - mesh.vertices[t[0]]));
     area[shell] += 3 * size;
     for (const std::uint32_t v : t)
       if (planes.onDisc(mesh.vertices[v], m.normals[v])) onDiscs[shell] += size;
@@ -162,13 +187,15 @@ void dropCrumbs(MarchedBand& band, const PlaneField& planes, double spacing) {
   const double least = std::min(largest, 2 * spacing * spacing * spacing);
   const auto isCrumb = [&](std::uint32_t v) {
     const std::uint32_t shell = sets.find(v);
-    return std::abs(volume[shell]) < least || (std::abs(volume[shell]) < largest && onDiscs[shell] < 0.5 * area[shell]);
+    return std::abs(volume[shell]) < least ||
+           (std::abs(volume[shell]) < largest && onDiscs[shell] < 0.5 * area[shell]);
   };
   std::vector<std::uint32_t> number(mesh.vertices.size());
   std::uint32_t kept = 0;
   for (std::uint32_t v = 0; v < number.size(); v++) {
     if (isCrumb(v)) continue;
-    mesh.vertices[kept] = mesh.vertices[v], m.colours[kept] = m.colours[v], m.normals[kept] = m.normals[v], band.held[kept] = band.held[v];
+    mesh.vertices[kept] = mesh.vertices[v], m.colours[kept] = m.colours[v], m.normals[kept] = m.normals[v],
+    band.held[kept] = band.held[v];
     number[v] = kept++;
   }
   std::erase_if(mesh.triangles, [&](const auto& t) { return isCrumb(t[0]); });

@@ -22,7 +22,10 @@ OutFile::~OutFile() {
   std::filesystem::remove(part_, error);
 }
 
-void OutFile::fail() const { throw IoError(path_.string(), std::string("cannot be written: ") + (errno ? std::strerror(errno) : "the disk may be full")); }
+void OutFile::fail() const {
+  throw IoError(path_.string(),
+                std::string("cannot be written: ") + (errno ? std::strerror(errno) : "the disk may be full"));
+}
 
 void OutFile::bytes(const void* data, std::size_t count) {
   if (count > 0 && std::fwrite(data, 1, count, file_.get()) != count) fail();

@@ -1,4 +1,5 @@
-// A file that is written piece by piece under a temporary name beside its own, and is there, whole, in the end, or not at all.
+// A file that is written piece by piece under a temporary name beside its own, and is there, whole, in the
+// end, or not at all.
 #pragma once
 #include <cstdio>
 #include <filesystem>
@@ -18,12 +19,16 @@ class OutFile {
   void text(std::string_view s) { bytes(s.data(), s.size()); }
   void bytes(const void* data, std::size_t count);
   template<class T> void number(const T& value) { bytes(&value, sizeof(T)); }
-  template<class T> void array(const std::vector<T>& values) { bytes(values.data(), values.size() * sizeof(T)); }
+  template<class T> void array(const std::vector<T>& values) {
+    bytes(values.data(), values.size() * sizeof(T));
+  }
   void finish();
 
  private:
   [[noreturn]] void fail() const;
-  struct Close { void operator()(std::FILE* f) const { std::fclose(f); } };
+  struct Close {
+    void operator()(std::FILE* f) const { std::fclose(f); }
+  };
   std::filesystem::path path_, part_;
   std::unique_ptr<std::FILE, Close> file_;
 };

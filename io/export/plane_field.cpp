@@ -5,7 +5,8 @@
 
 namespace thaw {
 
-PlaneField::PlaneField(const SurfaceFrame& frame, const std::vector<std::uint32_t>& rows, double margin) : frame_(frame), rows_(rows), margin_(margin) {
+PlaneField::PlaneField(const SurfaceFrame& frame, const std::vector<std::uint32_t>& rows, double margin)
+    : frame_(frame), rows_(rows), margin_(margin) {
   std::vector<Vec3d> places;
   for (const std::uint32_t i : rows) {
     places.push_back(frame.positions[i]);
@@ -20,7 +21,8 @@ bool PlaneField::onDisc(const Vec3d& x, const Vec3f& normal) const {
     const std::uint32_t i = rows_[k];
     const Vec3f& m = frame_.normals[i];
     const Vec3d away = x - frame_.positions[i];
-    const double r = frame_.radii[i], along = dot(away, Vec3d{m.x, m.y, m.z}), beside2 = dot(away, away) - along * along;
+    const double r = frame_.radii[i], along = dot(away, Vec3d{m.x, m.y, m.z}),
+                 beside2 = dot(away, away) - along * along;
     on = on || (dot(m, normal) > 0.5f && std::abs(along) < 0.3 * r && beside2 < r * r);
   });
   return on;

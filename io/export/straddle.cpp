@@ -13,7 +13,8 @@ void straddle(MarchedBand& band, double most) {
     const int held = band.held[t[0]] & band.held[t[1]] & band.held[t[2]];
     if (held != 0) continue;  // flat, on a cut
     double height = 0;
-    for (std::size_t k = 0; k < 3; k++) height += dot(vertices[t[(k + 1) % 3]] - vertices[t[k]], normal(t[(k + 1) % 3]) - normal(t[k])) / 24;
+    for (std::size_t k = 0; k < 3; k++)
+      height += dot(vertices[t[(k + 1) % 3]] - vertices[t[k]], normal(t[(k + 1) % 3]) - normal(t[k])) / 24;
     const double size = length(cross(vertices[t[1]] - vertices[t[0]], vertices[t[2]] - vertices[t[0]]));
     for (const std::uint32_t v : t) area[v] += size, bulge[v] += size * height;
   }

@@ -18,28 +18,34 @@ using Corner = BandGrid::Corner;
 /// Cubes of a component are no longer than this share of its size: drops of a few surfels are round.
 constexpr double mostOfSize = 0.15;
 
-/// Surfels that make a mesh: those of a component in one piece, and where it is cut at periodic sides the images that are near them.
+/// Surfels that make a mesh: those of a component in one piece, and where it is cut at periodic sides the
+/// images that are near them.
 struct Patch {
   SurfaceFrame frame;               // positions, normals, radii and colours alone
   std::vector<std::uint32_t> rows;  // all of them
   PeriodicSides sides;
-  std::array<bool, 3> cut{};        // along which axes
+  std::array<bool, 3> cut{};  // along which axes
   Vec3d low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-  double radius = 0;                // m, mean
+  double radius = 0;  // m, mean
   Vec3f meanColour{};
   double largest() const { return std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
 };
 
-Vec3f colourOf(const Rgb& c) { return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)}; }
+Vec3f colourOf(const Rgb& c) {
+  return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)};
+}
 
 bool usable(const SurfaceFrame& f, std::size_t i) {
   const Vec3d& x = f.positions[i];
   const Vec3f& n = f.normals[i];
-  return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z) && std::isfinite(n.x) && std::isfinite(n.y) && std::isfinite(n.z) && dot(n, n) > 0 &&
-         std::isfinite(f.radii[i]) && f.radii[i] > 0;
+  return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z) && std::isfinite(n.x) &&
+         std::isfinite(n.y) && std::isfinite(n.z) && dot(n, n) > 0 && std::isfinite(f.radii[i]) &&
+         f.radii[i] > 0;
 }
 
-double reachOf(const Patch& p, std::uint32_t i, double spacing) { return planeReach * p.frame.radii[i] + spacing; }
+double reachOf(const Patch& p, std::uint32_t i, double spacing) {
+  return planeReach * p.frame.radii[i] + spacing;
+}
 
 BandGrid gridAround(const Patch& p, double spacing) {
   double reach = 0;
@@ -62,7 +68,10 @@ BandGrid gridAround(const Patch& p, double spacing) {
       n = std::ceil((p.high[a] + margin - origin[a]) / spacing) + 1;
     }
     blocks *= std::ceil(n / BandGrid::side);
-    if (!(n < 1e6) || !(blocks < 1e9)) throw std::runtime_error("a component is too far spread for a mesh at the spacing of its surfels: remove surfels that flew away, or raise --cell");
+    if (!(n < 1e6) || !(blocks < 1e9))
+      throw std::runtime_error(
+          "a component is too far spread for a mesh at the spacing of its surfels: remove surfels that flew "
+          "away, or raise --cell");
     count[k] = static_cast<std::int64_t>(n);
   }
   return BandGrid(origin, edge, count, p.cut);
@@ -95,13 +104,15 @@ void addPlanes(const Patch& p, const BandGrid& grid, BandField& field) {
     const Vec3d& x = p.frame.positions[i];
     const Vec3f& n = p.frame.normals[i];
     const Vec3f colour = colourOf(p.frame.colours[i]);
-    const float over = static_cast<float>(0.5 / (planeSharpness * planeSharpness * p.frame.radii[i] * p.frame.radii[i]));
+    const float over = static_cast<float>(
+        0.5 / (planeSharpness * planeSharpness * p.frame.radii[i] * p.frame.radii[i]));
     grid.forCornersNear(x, reachOf(p, i, grid.spacing()), [&](const Corner& c) {
       const std::size_t slot = static_cast<std::size_t>(grid.at(c));
       if (dot(n, p.frame.normals[field.nearest[slot]]) < planeAgreement) return;
       const Vec3d d = grid.place(c) - x;
       // Relative to the nearest one: far from the surface the weights do not vanish.
-      const float w = std::exp(std::max(-60.0f, (field.nearest2[slot] - static_cast<float>(dot(d, d))) * over));
+      const float w = std::exp(
+          std::max(-60.0f, (field.nearest2[slot] - static_cast<float>(dot(d, d))) * over));
       field.weight[slot] += w;
       const Vec3f away{static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)};
       field.value[slot] += w * dot(away, n);
@@ -119,7 +130,8 @@ void addPlanes(const Patch& p, const BandGrid& grid, BandField& field) {
   }
 }
 
-Patch patchOf(const SurfaceFrame& frame, const ComponentRows& component, const std::vector<Rgb>& colours, const PeriodicSides& sides) {
+Patch patchOf(const SurfaceFrame& frame, const ComponentRows& component, const std::vector<Rgb>& colours,
+              const PeriodicSides& sides) {
   std::vector<std::uint32_t> rows;
   for (const std::uint32_t i : component.rows)
     if (usable(frame, i)) rows.push_back(i);
@@ -135,7 +147,9 @@ Patch patchOf(const SurfaceFrame& frame, const ComponentRows& component, const s
     p.rows.push_back(static_cast<std::uint32_t>(k));
     p.radius += frame.radii[i] / static_cast<double>(rows.size());
     p.meanColour += colourOf(colours[i]) / static_cast<float>(rows.size());
-    for (int a = 0; a < 3; a++) p.low[a] = std::min(p.low[a], whole.positions[k][a]), p.high[a] = std::max(p.high[a], whole.positions[k][a]);
+    for (int a = 0; a < 3; a++)
+      p.low[a] = std::min(p.low[a], whole.positions[k][a]),
+      p.high[a] = std::max(p.high[a], whole.positions[k][a]);
   }
   p.frame.positions = std::move(whole.positions);
   return p;
@@ -148,7 +162,8 @@ Patch withImages(Patch p, double spacing) {
     const double period = p.sides.period[a], min = p.sides.min[a];
     const std::size_t before = p.rows.size();
     for (std::size_t i = 0; i < before; i++) {
-      const double reach = reachOf(p, static_cast<std::uint32_t>(i), 2 * spacing), most = std::ceil(reach / period);
+      const double reach = reachOf(p, static_cast<std::uint32_t>(i), 2 * spacing),
+                   most = std::ceil(reach / period);
       for (double n = -most; n <= most; n++) {
         Vec3d x = p.frame.positions[i];
         x[a] += n * period;
@@ -184,7 +199,9 @@ ComponentMesh meshAt(const Patch& p, double spacing) {
 std::vector<ComponentRows> rowsByComponent(const SurfaceFrame& frame) {
   std::vector<std::uint32_t> order(frame.positions.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return frame.components[a] < frame.components[b]; });
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return frame.components[a] < frame.components[b];
+  });
   std::vector<ComponentRows> all;
   for (const std::uint32_t i : order) {
     if (all.empty() || all.back().component != frame.components[i]) all.push_back({frame.components[i], {}});
@@ -193,7 +210,8 @@ std::vector<ComponentRows> rowsByComponent(const SurfaceFrame& frame) {
   return all;
 }
 
-ComponentMesh meshOfComponent(const SurfaceFrame& frame, const ComponentRows& component, const std::vector<Rgb>& colours, const PeriodicSides& sides, double cell) {
+ComponentMesh meshOfComponent(const SurfaceFrame& frame, const ComponentRows& component,
+                              const std::vector<Rgb>& colours, const PeriodicSides& sides, double cell) {
   ComponentMesh mesh;
   mesh.component = component.component;
   const Patch own = patchOf(frame, component, colours, sides);

@@ -16,13 +16,17 @@ using Image = std::array<int, 3>;  // whole periods along each axis
 Image operator+(const Image& a, const Image& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 Image operator-(const Image& a, const Image& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-Vec3d shiftOf(const PeriodicSides& sides, const Image& n) { return {n[0] * sides.period.x, n[1] * sides.period.y, n[2] * sides.period.z}; }
+Vec3d shiftOf(const PeriodicSides& sides, const Image& n) {
+  return {n[0] * sides.period.x, n[1] * sides.period.y, n[2] * sides.period.z};
+}
 
 Vec3d vectorOf(const Vec3f& v) { return {v.x, v.y, v.z}; }
 
 /// Rows that are joined, each with its image beside that of its parent.
 struct JoinedRows {
-  explicit JoinedRows(std::size_t n) : parent(n), image(n, Image{}) { std::iota(parent.begin(), parent.end(), 0u); }
+  explicit JoinedRows(std::size_t n) : parent(n), image(n, Image{}) {
+    std::iota(parent.begin(), parent.end(), 0u);
+  }
   /// The row that stands for all that are joined to i; image[i] is then beside it.
   std::uint32_t find(std::uint32_t i) {
     std::uint32_t root = i;
@@ -68,7 +72,9 @@ struct Images {
           for (std::uint32_t i = 0; i < wrapped.size(); i++) {
             const Vec3d p = wrapped[i] + shiftOf(sides, n);
             bool near = true;
-            for (int a = 0; a < 3; a++) near = near && (n[static_cast<std::size_t>(a)] == 0 || (p[a] > sides.min[a] - reach && p[a] < sides.min[a] + sides.period[a] + reach));
+            for (int a = 0; a < 3; a++)
+              near = near && (n[static_cast<std::size_t>(a)] == 0 ||
+                              (p[a] > sides.min[a] - reach && p[a] < sides.min[a] + sides.period[a] + reach));
             if (near) places.push_back(p), row.push_back(i), image.push_back(n);
           }
         }
@@ -80,10 +86,10 @@ struct Finder {
   const SurfaceFrame& frame;
   const std::vector<std::uint32_t>& rows;
   const PeriodicSides& sides;
-  std::vector<Vec3d> at;          // m, in the domain
+  std::vector<Vec3d> at;  // m, in the domain
   JoinedRows joined;
   std::array<bool, 3> round{};
-  bool crosses = false;           // something is joined across a side
+  bool crosses = false;  // something is joined across a side
 
   Vec3d normal(std::uint32_t i) const { return vectorOf(frame.normals[rows[i]]); }
   double radius(std::uint32_t i) const { return frame.radii[rows[i]]; }
@@ -110,7 +116,11 @@ struct Finder {
     return of;
   }
 
-  struct Pair { double distance2; std::uint32_t i, j; Image image; };
+  struct Pair {
+    double distance2;
+    std::uint32_t i, j;
+    Image image;
+  };
 
   /// Joins parts at their nearest pairs with what is inside between them, nearest first.
   void joinParts() {
@@ -134,7 +144,8 @@ struct Finder {
           });
           if (best.j != i) pairs.push_back(best);
         }
-      std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.distance2 < b.distance2; });
+      std::stable_sort(pairs.begin(), pairs.end(),
+                       [](const Pair& a, const Pair& b) { return a.distance2 < b.distance2; });
       for (const Pair& p : pairs)
         if (joined.find(p.i) != joined.find(p.j)) joined.join(p.i, p.j, p.image, round);
     }
@@ -150,7 +161,8 @@ struct Finder {
 };
 
 /// Do the discs close round a hollow, and not round a body?
-bool isHollow(const SurfaceFrame& frame, const std::vector<std::uint32_t>& rows, const std::vector<Vec3d>& places) {
+bool isHollow(const SurfaceFrame& frame, const std::vector<std::uint32_t>& rows,
+              const std::vector<Vec3d>& places) {
   Vec3d middle{}, open{};
   for (const Vec3d& x : places) middle += x / static_cast<double>(places.size());
   double area = 0, volume = 0;
@@ -172,14 +184,16 @@ PeriodicSides periodicSidesOf(const Domain& d) {
   return sides;
 }
 
-WholeComponent wholeComponent(const SurfaceFrame& frame, const std::vector<std::uint32_t>& rows, const PeriodicSides& sides) {
+WholeComponent wholeComponent(const SurfaceFrame& frame, const std::vector<std::uint32_t>& rows,
+                              const PeriodicSides& sides) {
   WholeComponent whole;
   for (const std::uint32_t i : rows) whole.positions.push_back(frame.positions[i]);
   if (!sides.any() || rows.empty()) return whole;
   Finder f{frame, rows, sides, whole.positions, JoinedRows(rows.size())};
   for (Vec3d& x : f.at)
     for (int a = 0; a < 3; a++)
-      if (sides.is[static_cast<std::size_t>(a)]) x[a] -= sides.period[a] * std::floor((x[a] - sides.min[a]) / sides.period[a]);
+      if (sides.is[static_cast<std::size_t>(a)])
+        x[a] -= sides.period[a] * std::floor((x[a] - sides.min[a]) / sides.period[a]);
   f.joinNear();
   if (f.crosses && f.round != sides.is) f.joinParts();
   for (std::uint32_t i = 0; i < rows.size(); i++) whole.positions[i] = f.placed(i);

@@ -13,21 +13,26 @@ namespace thaw {
 
 namespace {
 
-constexpr const char* ending = std::endian::native == std::endian::little ? "binary_little_endian" : "binary_big_endian";
+constexpr const char* ending = std::endian::native == std::endian::little ? "binary_little_endian"
+                                                                          : "binary_big_endian";
 
 void place(OutFile& out, const Vec3d& x) {
   for (int a = 0; a < 3; a++) out.number(static_cast<float>(x[a]));
 }
 
-std::uint8_t byteOf(float c) { return static_cast<std::uint8_t>(std::lround(std::fmin(255.0f, std::fmax(0.0f, c)))); }
+std::uint8_t byteOf(float c) {
+  return static_cast<std::uint8_t>(std::lround(std::fmin(255.0f, std::fmax(0.0f, c))));
+}
 
 void checkCount(const std::filesystem::path& file, std::uint64_t vertices) {
   if (vertices > static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max()))
-    throw IoError(file.string(), "cannot be written: it would have more than 2^31 vertices, which the format cannot number");
+    throw IoError(file.string(),
+                  "cannot be written: it would have more than 2^31 vertices, which the format cannot number");
 }
 
 constexpr const char* vertexProperties =
-    "property float x\nproperty float y\nproperty float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+    "property float x\nproperty float y\nproperty float z\nproperty float nx\nproperty float ny\nproperty "
+    "float nz\n"
     "property uchar red\nproperty uchar green\nproperty uchar blue\n";
 
 }  // namespace
@@ -36,20 +41,25 @@ std::string cutNote(const ComponentMesh& mesh) {
   std::string axes;
   for (std::size_t a = 0; a < 3; a++)
     if (mesh.cut[a]) axes += (axes.empty() ? "" : ", ") + std::string(1, static_cast<char>('x' + a));
-  return axes.empty() ? "" : ", which goes round the periodic sides along " + axes + ", is cut there and capped";
+  return axes.empty() ? ""
+                      : ", which goes round the periodic sides along " + axes + ", is cut there and capped";
 }
 
-void writePlyDiscs(const std::filesystem::path& file, const SurfaceFrame& frame, const std::vector<Rgb>& colours, double discs, int corners) {
+void writePlyDiscs(const std::filesystem::path& file, const SurfaceFrame& frame,
+                   const std::vector<Rgb>& colours, double discs, int corners) {
   const std::uint64_t n = frame.positions.size();
   checkCount(file, n * static_cast<std::uint64_t>(corners));
   OutFile out(file);
-  out.text(fmt::format("ply\nformat {} 1.0\ncomment surfels of thaw, t = {} s, m\nelement vertex {}\n{}element face {}\n"
-                       "property list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n",
-                       ending, frame.time, n * static_cast<std::uint64_t>(corners), vertexProperties, n));
+  out.text(fmt::format(
+      "ply\nformat {} 1.0\ncomment surfels of thaw, t = {} s, m\nelement vertex {}\n{}element face {}\n"
+      "property list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar "
+      "blue\nend_header\n",
+      ending, frame.time, n * static_cast<std::uint64_t>(corners), vertexProperties, n));
   for (std::size_t i = 0; i < n; i++) {
     const Vec3f& m = frame.normals[i];
     const Vec3d normal{m.x, m.y, m.z};
-    const Vec3d u = normalized(cross(normal, std::abs(normal.z) < 0.9 ? Vec3d{0, 0, 1} : Vec3d{1, 0, 0})), v = cross(normal, u);
+    const Vec3d u = normalized(cross(normal, std::abs(normal.z) < 0.9 ? Vec3d{0, 0, 1} : Vec3d{1, 0, 0})),
+                v = cross(normal, u);
     for (int k = 0; k < corners; k++) {
       const double angle = 2 * std::numbers::pi * k / corners, r = discs * frame.radii[i];
       place(out, frame.positions[i] + r * (std::cos(angle) * u + std::sin(angle) * v));
@@ -59,7 +69,8 @@ void writePlyDiscs(const std::filesystem::path& file, const SurfaceFrame& frame,
   }
   for (std::size_t i = 0; i < n; i++) {
     out.number(static_cast<std::uint8_t>(corners));
-    for (int k = 0; k < corners; k++) out.number(static_cast<std::int32_t>(i * static_cast<std::size_t>(corners)) + k);
+    for (int k = 0; k < corners; k++)
+      out.number(static_cast<std::int32_t>(i * static_cast<std::size_t>(corners)) + k);
     out.number(colours[i]);
   }
   out.finish();
@@ -74,11 +85,15 @@ void writeMeshPly(const std::filesystem::path& file, const std::vector<Component
   }
   checkCount(file, vertices);
   OutFile out(file);
-  out.text(fmt::format("ply\nformat {} 1.0\ncomment surface of thaw, m; components in this order:\n", ending));
-  for (const ComponentMesh& m : meshes) out.text(fmt::format("comment component {}{}\n", m.component, cutNote(m)));
-  out.text(fmt::format("element vertex {}\n{}{}element face {}\nproperty list uchar int vertex_indices\nproperty int component\n{}end_header\n", vertices, vertexProperties,
-                       ids ? "property uint id_high\nproperty uint id_low\n" : "", faces,
-                       edges > 0 ? fmt::format("element edge {}\nproperty int vertex1\nproperty int vertex2\n", edges) : ""));
+  out.text(
+      fmt::format("ply\nformat {} 1.0\ncomment surface of thaw, m; components in this order:\n", ending));
+  for (const ComponentMesh& m : meshes)
+    out.text(fmt::format("comment component {}{}\n", m.component, cutNote(m)));
+  out.text(fmt::format(
+      "element vertex {}\n{}{}element face {}\nproperty list uchar int vertex_indices\nproperty int "
+      "component\n{}end_header\n",
+      vertices, vertexProperties, ids ? "property uint id_high\nproperty uint id_low\n" : "", faces,
+      edges > 0 ? fmt::format("element edge {}\nproperty int vertex1\nproperty int vertex2\n", edges) : ""));
   for (const ComponentMesh& m : meshes)
     for (std::size_t v = 0; v < m.mesh.vertices.size(); v++) {
       place(out, m.mesh.vertices[v]);
@@ -114,16 +129,21 @@ void writeMeshObj(const std::filesystem::path& file, const std::vector<Component
   fmt::memory_buffer lines;
   for (const ComponentMesh& m : meshes) {
     lines.clear();
-    if (const std::string note = cutNote(m); !note.empty()) fmt::format_to(std::back_inserter(lines), "# component {}{}\n", m.component, note);
+    if (const std::string note = cutNote(m); !note.empty())
+      fmt::format_to(std::back_inserter(lines), "# component {}{}\n", m.component, note);
     fmt::format_to(std::back_inserter(lines), "o component_{}\n", m.component);
     for (std::size_t v = 0; v < m.mesh.vertices.size(); v++) {
       const Vec3d& x = m.mesh.vertices[v];
       const Vec3f &c = m.colours[v], &n = m.normals[v];
-      fmt::format_to(std::back_inserter(lines), "v {:.8g} {:.8g} {:.8g} {:.4g} {:.4g} {:.4g}\nvn {:.4f} {:.4f} {:.4f}\n", x.x, x.y, x.z, c.x / 255, c.y / 255, c.z / 255, n.x, n.y, n.z);
+      fmt::format_to(std::back_inserter(lines),
+                     "v {:.8g} {:.8g} {:.8g} {:.4g} {:.4g} {:.4g}\nvn {:.4f} {:.4f} {:.4f}\n", x.x, x.y, x.z,
+                     c.x / 255, c.y / 255, c.z / 255, n.x, n.y, n.z);
     }
     for (const auto& t : m.mesh.triangles)
-      fmt::format_to(std::back_inserter(lines), "f {0}//{0} {1}//{1} {2}//{2}\n", first + t[0], first + t[1], first + t[2]);
-    for (const auto& l : m.lines) fmt::format_to(std::back_inserter(lines), "l {} {}\n", first + l[0], first + l[1]);
+      fmt::format_to(std::back_inserter(lines), "f {0}//{0} {1}//{1} {2}//{2}\n", first + t[0], first + t[1],
+                     first + t[2]);
+    for (const auto& l : m.lines)
+      fmt::format_to(std::back_inserter(lines), "l {} {}\n", first + l[0], first + l[1]);
     out.bytes(lines.data(), lines.size());
     first += m.mesh.vertices.size();
   }

@@ -14,15 +14,19 @@ namespace {
 
 std::string vector(const Vec3d& a) { return fmt::format("<{:.7g},{:.7g},{:.7g}>", a.x, a.y, a.z); }
 Vec3d toDouble(const Vec3f& a) { return {a.x, a.y, a.z}; }
-std::string colour(Rgb c) { return fmt::format("srgb <{:.4g},{:.4g},{:.4g}>", c.r / 255.0, c.g / 255.0, c.b / 255.0); }
+std::string colour(Rgb c) {
+  return fmt::format("srgb <{:.4g},{:.4g},{:.4g}>", c.r / 255.0, c.g / 255.0, c.b / 255.0);
+}
 
 }  // namespace
 
-void writePov(const std::filesystem::path& file, const SurfaceFrame& frame, const std::vector<Rgb>& colours, const RenderStyle& style, double discs) {
+void writePov(const std::filesystem::path& file, const SurfaceFrame& frame, const std::vector<Rgb>& colours,
+              const RenderStyle& style, double discs) {
   ViewBox stage = style.stage;
   if (stage.empty())
     for (const Vec3d& x : frame.positions) stage.add(x);
-  const double across = stage.empty() ? 1 : std::max(1e-12, length(stage.max - stage.min)), scale = 10 / across;
+  const double across = stage.empty() ? 1 : std::max(1e-12, length(stage.max - stage.min)),
+               scale = 10 / across;
   const Vec3d middle = stage.empty() ? Vec3d{} : stage.centre();
   const auto placed = [&](const Vec3d& x) { return scale * (x - middle); };
   const View view = viewOf(style.camera, style.width, style.height);
@@ -30,20 +34,30 @@ void writePov(const std::filesystem::path& file, const SurfaceFrame& frame, cons
   const Vec3d sun = toDouble(sunDirection(view));
 
   OutFile out(file);
-  out.text(fmt::format("// Surfels of thaw, t = {} s. povray +W{} +H{} +A0.2 {}\n#version 3.7;\nglobal_settings {{ assumed_gamma 1.0 }}\n", frame.time, style.width, style.height,
-                       file.filename().string()));
+  out.text(
+      fmt::format("// Surfels of thaw, t = {} s. povray +W{} +H{} +A0.2 {}\n#version 3.7;\nglobal_settings "
+                  "{{ assumed_gamma 1.0 }}\n",
+                  frame.time, style.width, style.height, file.filename().string()));
   out.text(fmt::format("// {:.7g} units are a metre; the origin is {} m\n", scale, vector(middle)));
-  out.text(fmt::format("camera {{ perspective location {} right {} up {} direction {} }}\n", vector(placed(style.camera.from)), vector(wide * toDouble(view.right)),
+  out.text(fmt::format("camera {{ perspective location {} right {} up {} direction {} }}\n",
+                       vector(placed(style.camera.from)), vector(wide * toDouble(view.right)),
                        vector(tall * toDouble(view.up)), vector(toDouble(view.forward))));
   out.text("background { srgb <0.82,0.85,0.88> }\n");
-  out.text(fmt::format("light_source {{ {} rgb 0.95 area_light {} {} 5, 5 adaptive 1 circular orient jitter parallel point_at <0,0,0> }}\n", vector(100.0 * sun),
-                       vector(12.0 * toDouble(view.right)), vector(12.0 * toDouble(view.up))));
-  out.text(fmt::format("light_source {{ {} rgb 0.25 shadowless parallel point_at <0,0,0> }}\n", vector(100.0 * (toDouble(view.up) - toDouble(view.forward)))));
+  out.text(fmt::format(
+      "light_source {{ {} rgb 0.95 area_light {} {} 5, 5 adaptive 1 circular orient jitter parallel point_at "
+      "<0,0,0> }}\n",
+      vector(100.0 * sun), vector(12.0 * toDouble(view.right)), vector(12.0 * toDouble(view.up))));
+  out.text(fmt::format("light_source {{ {} rgb 0.25 shadowless parallel point_at <0,0,0> }}\n",
+                       vector(100.0 * (toDouble(view.up) - toDouble(view.forward)))));
   for (const FloorHint& f : style.floors)
-    out.text(fmt::format("plane {{ {}, {:.7g} pigment {{ srgb <0.81,0.81,0.80> }} finish {{ ambient 0.3 diffuse 0.6 }} }}\n", vector(f.normal), dot(f.normal, placed(f.point))));
+    out.text(fmt::format(
+        "plane {{ {}, {:.7g} pigment {{ srgb <0.81,0.81,0.80> }} finish {{ ambient 0.3 diffuse 0.6 }} }}\n",
+        vector(f.normal), dot(f.normal, placed(f.point))));
   out.text("#default { finish { ambient 0.25 diffuse 0.75 specular 0.12 roughness 0.02 } }\nunion {\n");
   for (std::size_t i = 0; i < frame.positions.size(); i++)
-    out.text(fmt::format("disc{{{},{},{:.5g} pigment{{{}}}}}\n", vector(placed(frame.positions[i])), vector(toDouble(frame.normals[i])), scale * discs * frame.radii[i], colour(colours[i])));
+    out.text(fmt::format("disc{{{},{},{:.5g} pigment{{{}}}}}\n", vector(placed(frame.positions[i])),
+                         vector(toDouble(frame.normals[i])), scale * discs * frame.radii[i],
+                         colour(colours[i])));
   out.text("}\n");
   out.finish();
 }

@@ -12,7 +12,8 @@ namespace thaw {
 
 namespace {
 
-/// Arrays of the file: their element first, their bytes, each behind its length, in the order of the elements.
+/// Arrays of the file: their element first, their bytes, each behind its length, in the order of the
+/// elements.
 struct Appended {
   std::string xml;
   std::uint64_t offset = 0;
@@ -30,7 +31,8 @@ struct Appended {
 
 std::string escaped(const std::string& s) {
   std::string out;
-  for (const char c : s) out += c == '"' ? "&quot;" : c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
+  for (const char c : s)
+    out += c == '"' ? "&quot;" : c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
   return out;
 }
 
@@ -59,18 +61,28 @@ const char* typeOf(Element e) {
 /// As it is in the frame: identifiers keep all their bits.
 void addColumn(Appended& a, const FrameColumn& c) {
   if (const char* type = typeOf(c.element))
-    a.add(fmt::format("type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"", type, escaped(c.name), c.components), c.bytes.size(), [&c](OutFile& out) { out.bytes(c.bytes.data(), c.bytes.size()); });
+    a.add(
+        fmt::format("type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"", type, escaped(c.name), c.components),
+        c.bytes.size(), [&c](OutFile& out) { out.bytes(c.bytes.data(), c.bytes.size()); });
 }
 
-struct CellCounts { std::uint64_t vertices = 0, lines = 0, polygons = 0; };
+struct CellCounts {
+  std::uint64_t vertices = 0, lines = 0, polygons = 0;
+};
 
 /// PolyData of points, with these cells.
-void writePolyData(const std::filesystem::path& file, double time, std::uint64_t points, const CellCounts& cells, const Appended& a) {
+void writePolyData(const std::filesystem::path& file, double time, std::uint64_t points,
+                   const CellCounts& cells, const Appended& a) {
   OutFile out(file);
-  out.text(fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"{}\" header_type=\"UInt64\">\n<PolyData>\n"
-                       "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{:.17g}</DataArray>\n</FieldData>\n"
-                       "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n",
-                       std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian", time, points, cells.vertices, cells.lines, cells.polygons));
+  out.text(
+      fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"{}\" "
+                  "header_type=\"UInt64\">\n<PolyData>\n"
+                  "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
+                  "format=\"ascii\">{:.17g}</DataArray>\n</FieldData>\n"
+                  "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" "
+                  "NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n",
+                  std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian", time, points,
+                  cells.vertices, cells.lines, cells.polygons));
   out.text(a.xml);
   out.text("</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_");
   for (const auto& [bytes, write] : a.blocks) {
@@ -128,7 +140,8 @@ struct Cells {
 
 }  // namespace
 
-void writeTrianglesVtp(const std::filesystem::path& file, const FrameData& frame, const std::vector<std::array<std::uint32_t, 2>>& lines) {
+void writeTrianglesVtp(const std::filesystem::path& file, const FrameData& frame,
+                       const std::vector<std::array<std::uint32_t, 2>>& lines) {
   const std::uint64_t n = frame.positions.size();
   const std::vector<float> points = singlePoints(frame.positions);
   const Cells polygons(frame.triangles), edges(lines);

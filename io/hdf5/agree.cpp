@@ -25,9 +25,7 @@ void agreeOn(MPI_Comm comm, const std::function<void()>& work) {
   std::string problem;
   try {
     work();
-  } catch (const std::bad_alloc&) {
-    problem = "out of memory";
-  } catch (const std::exception& e) {
+  } catch (const std::bad_alloc&) { problem = "out of memory"; } catch (const std::exception& e) {
     problem = *e.what() != '\0' ? e.what() : "unknown error";
   }
   agree(comm, problem);

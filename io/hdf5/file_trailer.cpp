@@ -14,7 +14,8 @@
 namespace thaw {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "words of the trailer are written as they are in memory");
+static_assert(std::endian::native == std::endian::little,
+              "words of the trailer are written as they are in memory");
 
 constexpr std::uint64_t magic = 0x316b6377616874ull;  // "thawck1"
 constexpr std::uint64_t fixedWords = 5, wordBytes = 8;
@@ -30,7 +31,9 @@ struct File {
   ~File() {
     if (fd >= 0) ::close(fd);
   }
-  [[noreturn]] void fail(const std::string& what) const { throw IoError(path, what + ": " + std::strerror(errno)); }
+  [[noreturn]] void fail(const std::string& what) const {
+    throw IoError(path, what + ": " + std::strerror(errno));
+  }
   [[noreturn]] void damaged(const std::string& what) const { throw IoError(path, "is damaged: " + what); }
 
   std::uint64_t bytes() const {
@@ -77,7 +80,8 @@ std::uint64_t checksumBetween(const File& file, const std::vector<ByteRange>& ro
   return sum;
 }
 
-/// The end that HDF5's superblock gives, of versions 0 to 3 without a user block; 0 where there is no such superblock.
+/// The end that HDF5's superblock gives, of versions 0 to 3 without a user block; 0 where there is no such
+/// superblock.
 std::uint64_t endOfHdf5(const File& file, std::uint64_t size) {
   constexpr unsigned char signature[8] = {0x89, 'H', 'D', 'F', '\r', '\n', 0x1a, '\n'};
   constexpr std::size_t places[] = {40, 44, 28, 28};  // of the address, by version
@@ -85,7 +89,8 @@ std::uint64_t endOfHdf5(const File& file, std::uint64_t size) {
   if (size < sizeof head) return 0;
   file.read(0, sizeof head, head);
   const unsigned version = head[8];
-  if (std::memcmp(head, signature, sizeof signature) != 0 || version > 3 || head[version < 2 ? 13 : 9] != 8) return 0;
+  if (std::memcmp(head, signature, sizeof signature) != 0 || version > 3 || head[version < 2 ? 13 : 9] != 8)
+    return 0;
   std::uint64_t end = 0;
   std::memcpy(&end, head + places[version], sizeof end);
   return end;
@@ -99,7 +104,8 @@ std::uint64_t checksumWords(const std::vector<std::uint64_t>& words) {
 
 void appendTrailer(const std::string& path, std::vector<ByteRange> rows) {
   std::erase_if(rows, [](const ByteRange& r) { return r.count == 0; });
-  std::sort(rows.begin(), rows.end(), [](const ByteRange& a, const ByteRange& b) { return a.first < b.first; });
+  std::sort(rows.begin(), rows.end(),
+            [](const ByteRange& a, const ByteRange& b) { return a.first < b.first; });
   const File file(path, O_RDWR);
   const std::uint64_t end = file.bytes();
   std::vector<std::uint64_t> words;
@@ -113,14 +119,17 @@ bool checkTrailer(const std::string& path) {
   const File file(path, O_RDONLY);
   const std::uint64_t size = file.bytes();
   std::vector<std::uint64_t> words(fixedWords);
-  if (size >= fixedWords * wordBytes) file.read(size - fixedWords * wordBytes, fixedWords * wordBytes, words.data());
+  if (size >= fixedWords * wordBytes)
+    file.read(size - fixedWords * wordBytes, fixedWords * wordBytes, words.data());
   if (words.back() != magic) {
-    if (const std::uint64_t end = endOfHdf5(file, size); end > 0 && end < size) file.damaged("unknown bytes follow the HDF5 data");
+    if (const std::uint64_t end = endOfHdf5(file, size); end > 0 && end < size)
+      file.damaged("unknown bytes follow the HDF5 data");
     return false;
   }
   const std::uint64_t ranges = words[0], end = words[1], checksum = words[2];
   const std::uint64_t before = size - fixedWords * wordBytes;  // the fixed words
-  if (ranges > before / (2 * wordBytes) || end != before - ranges * 2 * wordBytes) file.damaged("its trailer does not fit its length");
+  if (ranges > before / (2 * wordBytes) || end != before - ranges * 2 * wordBytes)
+    file.damaged("its trailer does not fit its length");
   words.insert(words.begin(), 2 * ranges, 0);
   file.read(end, 2 * ranges * wordBytes, words.data());
   if (checksumWords(words) != words[words.size() - 2]) file.damaged("the checksum of its trailer is wrong");
@@ -128,7 +137,8 @@ bool checkTrailer(const std::string& path) {
   std::uint64_t at = 0;
   for (std::size_t k = 0; k < ranges; k++) {
     rows[k] = {words[2 * k], words[2 * k + 1]};
-    if (rows[k].first < at || rows[k].first > end || rows[k].count > end - rows[k].first) file.damaged("row ranges of its trailer lie outside the file");
+    if (rows[k].first < at || rows[k].first > end || rows[k].count > end - rows[k].first)
+      file.damaged("row ranges of its trailer lie outside the file");
     at = rows[k].first + rows[k].count;
   }
   if (checksumBetween(file, rows, end) != checksum) file.damaged("the checksum of all but its rows is wrong");

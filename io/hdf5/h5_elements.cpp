@@ -19,10 +19,15 @@ hid_t typeOf(Element e) {
 
 Element elementOfType(hid_t type) {
   const std::size_t size = H5Tget_size(type);
-  if (H5Tget_class(type) == H5T_FLOAT) return size == 8 ? Element::F64 : size == 4 ? Element::F32 : Element::Other;
+  if (H5Tget_class(type) == H5T_FLOAT)
+    return size == 8 ? Element::F64 : size == 4 ? Element::F32 : Element::Other;
   if (H5Tget_class(type) != H5T_INTEGER) return Element::Other;
   if (H5Tget_sign(type) == H5T_SGN_NONE)
-    return size == 8 ? Element::U64 : size == 4 ? Element::U32 : size == 2 ? Element::U16 : size == 1 ? Element::U8 : Element::Other;
+    return size == 8   ? Element::U64
+           : size == 4 ? Element::U32
+           : size == 2 ? Element::U16
+           : size == 1 ? Element::U8
+                       : Element::Other;
   return size == 8 ? Element::I64 : size == 4 ? Element::I32 : Element::Other;
 }
 
@@ -44,7 +49,8 @@ std::size_t bytesOf(Element e) {
 }
 
 const char* nameOf(Element e) {
-  constexpr const char* names[] = {"float64", "float32", "uint64", "uint32", "uint16", "uint8", "int64", "int32", "other"};
+  constexpr const char* names[] = {"float64", "float32", "uint64", "uint32", "uint16",
+                                   "uint8",   "int64",   "int32",  "other"};
   return names[static_cast<std::size_t>(e)];
 }
 

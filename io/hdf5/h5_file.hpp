@@ -1,5 +1,6 @@
-// A thin RAII wrapper over the HDF5 C API: files of contiguous datasets, text and numbers. Every return code is checked; failures
-// are thrown as IoError with the path, what was tried and what HDF5 says about it. HDF5's own printing of errors is off.
+// A thin RAII wrapper over the HDF5 C API: files of contiguous datasets, text and numbers. Every return code
+// is checked; failures are thrown as IoError with the path, what was tried and what HDF5 says about it.
+// HDF5's own printing of errors is off.
 #pragma once
 #include <mpi.h>
 
@@ -18,16 +19,21 @@ Element elementOf(Scalar scalar);
 std::size_t bytesOf(Element element);  ///< 0 for Other
 const char* nameOf(Element element);   ///< "float64", "uint8", ...
 
-/// rows x components elements; components 0: one-dimensional (as 1 component, but of rank 1). Row: bytes of one row.
+/// rows x components elements; components 0: one-dimensional (as 1 component, but of rank 1). Row: bytes of
+/// one row.
 struct DatasetShape {
   Element element = Element::F64;
   std::uint64_t rows = 0;
   int components = 0;
-  std::size_t rowBytes() const { return bytesOf(element) * static_cast<std::size_t>(components > 0 ? components : 1); }
+  std::size_t rowBytes() const {
+    return bytesOf(element) * static_cast<std::size_t>(components > 0 ? components : 1);
+  }
 };
 
 /// Rows [first, first + count) of a dataset.
-struct RowRange { std::uint64_t first = 0, count = 0; };
+struct RowRange {
+  std::uint64_t first = 0, count = 0;
+};
 
 /// MustBe: a file without trailer is refused.
 enum class Trailer { MayBe, MustBe };
@@ -38,7 +44,8 @@ class H5File {
   static H5File create(const std::string& path);
   /// An existing file, for this process alone, to add to.
   static H5File openToAdd(const std::string& path);
-  /// An existing file, for this process alone, to read. One with a trailer (file_trailer.hpp) is compared with it before HDF5 opens it.
+  /// An existing file, for this process alone, to read. One with a trailer (file_trailer.hpp) is compared
+  /// with it before HDF5 opens it.
   static H5File openToRead(const std::string& path, Trailer trailer = Trailer::MayBe);
   /// An existing file, to fill its datasets from all ranks of comm (MPI-IO). Collective; so is close.
   static H5File openToFill(const std::string& path, MPI_Comm comm);
@@ -63,16 +70,20 @@ class H5File {
   void write(const std::string& name, const RowRange& range, const void* data);
   /// A text of any length as a scalar dataset of fixed length (UTF-8).
   void writeText(const std::string& name, const std::string& text);
-  void setText(const std::string& object, const std::string& attribute, const std::string& text);   ///< fixed length, ASCII
-  void setIntegers(const std::string& object, const std::string& attribute, const std::vector<std::int64_t>& values);
-  void setInteger(const std::string& object, const std::string& attribute, std::int64_t value);     ///< scalar
-  void setNumber(const std::string& object, const std::string& attribute, double value);            ///< scalar
+  /// fixed length, ASCII
+  void setText(const std::string& object, const std::string& attribute, const std::string& text);
+  void setIntegers(const std::string& object, const std::string& attribute,
+                   const std::vector<std::int64_t>& values);
+  /// scalar
+  void setInteger(const std::string& object, const std::string& attribute, std::int64_t value);
+  /// scalar
+  void setNumber(const std::string& object, const std::string& attribute, double value);
 
   // ---- reading ----
   // Missing items and items of another type are an IoError; sizes are checked against the file's before use.
   bool has(const std::string& name) const;
   bool hasAttribute(const std::string& object, const std::string& attribute) const;
-  std::vector<std::string> children(const std::string& group) const;  ///< names, ascending
+  std::vector<std::string> children(const std::string& group) const;     ///< names, ascending
   std::vector<std::string> attributes(const std::string& object) const;  ///< names, ascending
   DatasetShape shape(const std::string& name) const;
   /// Byte of the file at which the rows of a contiguous dataset begin; it has some.
@@ -81,7 +92,8 @@ class H5File {
   void read(const std::string& name, const RowRange& range, Element as, void* data) const;
   std::string readText(const std::string& name) const;
   std::string text(const std::string& object, const std::string& attribute) const;
-  std::int64_t integer(const std::string& object, const std::string& attribute) const;  ///< the first, of an array
+  /// the first, of an array
+  std::int64_t integer(const std::string& object, const std::string& attribute) const;
   std::vector<std::int64_t> integers(const std::string& object, const std::string& attribute) const;
   double number(const std::string& object, const std::string& attribute) const;
 
@@ -100,8 +112,8 @@ template<class T> std::vector<T> readRows(const H5File& file, const std::string&
   return values;
 }
 
-/// To be called before MPI_Init: has Open MPI write files by ROMIO, which reports a full disk where its own layer hangs or says
-/// nothing. A choice of the user's own (OMPI_MCA_io) stays.
+/// To be called before MPI_Init: has Open MPI write files by ROMIO, which reports a full disk where its own
+/// layer hangs or says nothing. A choice of the user's own (OMPI_MCA_io) stays.
 void useRomio();
 
 }  // namespace thaw

@@ -1,4 +1,5 @@
-// An identifier of the HDF5 library that is given back at the end, and the library's reason for its last failure. Private to io/hdf5.
+// An identifier of the HDF5 library that is given back at the end, and the library's reason for its last
+// failure. Private to io/hdf5.
 #pragma once
 #include <hdf5.h>
 
@@ -26,7 +27,8 @@ class H5Handle {
   Close close_ = nullptr;
 };
 
-/// ": reason" from HDF5's stack of errors (its innermost entry, where the cause is), or nothing; empties the stack.
+/// ": reason" from HDF5's stack of errors (its innermost entry, where the cause is), or nothing; empties the
+/// stack.
 std::string h5Reason();
 
 }  // namespace thaw

@@ -10,7 +10,8 @@ inline constexpr int exitInputOutput = 3;
 /// "path: what failed, and why".
 class IoError : public std::runtime_error {
  public:
-  IoError(const std::string& path, const std::string& problem) : std::runtime_error(path + ": " + problem), path_(path) {}
+  IoError(const std::string& path, const std::string& problem)
+      : std::runtime_error(path + ": " + problem), path_(path) {}
   /// An error that another rank met: `message` is that of its IoError.
   explicit IoError(const std::string& message) : std::runtime_error(message) {}
   const std::string& path() const { return path_; }

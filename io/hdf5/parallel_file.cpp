@@ -36,12 +36,14 @@ struct Descriptor {
   }
 };
 
-/// Takes `bytes` of room from the disk now, so that a full disk shows here and neither while HDF5 writes metadata nor in some rank's
-/// write. File systems that cannot do this are left alone; there the writes themselves fail.
+/// Takes `bytes` of room from the disk now, so that a full disk shows here and neither while HDF5 writes
+/// metadata nor in some rank's write. File systems that cannot do this are left alone; there the writes
+/// themselves fail.
 void reserve(const std::string& path, std::uint64_t bytes) {
   const Descriptor file{::open(path.c_str(), O_WRONLY)};
   if (file.fd < 0) throw IoError(path, std::string("cannot be opened again: ") + std::strerror(errno));
-  if (::fallocate(file.fd, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(bytes)) != 0 && (errno == ENOSPC || errno == EFBIG || errno == EDQUOT))
+  if (::fallocate(file.fd, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(bytes)) != 0 &&
+      (errno == ENOSPC || errno == EFBIG || errno == EDQUOT))
     throw IoError(path, "cannot write " + std::to_string(bytes) + " bytes: " + std::strerror(errno));
 }
 
@@ -59,7 +61,8 @@ void syncPath(const std::string& path, int flags) {
     throw IoError(path, std::string("cannot be written to the disk: ") + std::strerror(errno));
 }
 
-void layOut(const std::string& part, const ParallelFileContent& content, const std::vector<std::uint64_t>& checksums, std::uint64_t bytes) {
+void layOut(const std::string& part, const ParallelFileContent& content,
+            const std::vector<std::uint64_t>& checksums, std::uint64_t bytes) {
   H5File::create(part).close();
   reserve(part, bytes);
   H5File file = H5File::openToAdd(part);
@@ -75,7 +78,8 @@ void layOut(const std::string& part, const ParallelFileContent& content, const s
   trim(part);
 }
 
-/// Rank 0: everything is there with its size. H5File::shape compares sizes and places with the file's length. Returns where the rows are.
+/// Rank 0: everything is there with its size. H5File::shape compares sizes and places with the file's length.
+/// Returns where the rows are.
 std::vector<ByteRange> verifyLayout(const std::string& part, const ParallelFileContent& content) {
   const H5File file = H5File::openToRead(part);
   std::vector<ByteRange> rows;
@@ -88,8 +92,9 @@ std::vector<ByteRange> verifyLayout(const std::string& part, const ParallelFileC
   return rows;
 }
 
-/// This rank's rows piece by piece: use(range of this rank's rows, bytes). `made` is memory for pieces that are made, one for all datasets: the system
-/// clears fresh pages, which took as long as writing them. A piece is short enough to stay in a cache.
+/// This rank's rows piece by piece: use(range of this rank's rows, bytes). `made` is memory for pieces that
+/// are made, one for all datasets: the system clears fresh pages, which took as long as writing them. A piece
+/// is short enough to stay in a cache.
 template<class Use> void eachPiece(const SpreadDataset& d, std::vector<std::byte>& made, Use&& use) {
   const std::size_t row = d.shape.rowBytes();
   const std::uint64_t piece = std::max<std::uint64_t>(1, (std::uint64_t(2) << 20) / row);
@@ -114,7 +119,8 @@ void verifyRows(const std::string& part, const ParallelFileContent& content) {
       const std::size_t size = local.count * d.shape.rowBytes();
       if (back.size() < size) back.resize(size);
       file.read(d.name, {d.mine.first + local.first, local.count}, d.shape.element, back.data());
-      if (std::memcmp(back.data(), bytes, size) != 0) throw IoError(part, "reading back gives other bytes than were written to " + d.name);
+      if (std::memcmp(back.data(), bytes, size) != 0)
+        throw IoError(part, "reading back gives other bytes than were written to " + d.name);
     });
 }
 
@@ -133,8 +139,10 @@ Spread spreadRows(MPI_Comm comm, std::uint64_t count) {
 
 namespace {
 
-/// fixed: bytes of a row, known to the compiler, or 0. A row's words follow from each other; rows do not, and several are under way at once.
-template<std::size_t fixed> std::uint64_t sumRows(const std::byte* at, const RowRange& range, std::size_t rowBytes) {
+/// fixed: bytes of a row, known to the compiler, or 0. A row's words follow from each other; rows do not, and
+/// several are under way at once.
+template<std::size_t fixed>
+std::uint64_t sumRows(const std::byte* at, const RowRange& range, std::size_t rowBytes) {
   const std::size_t bytes = fixed > 0 ? fixed : rowBytes;
   std::uint64_t sum = 0;
   for (std::uint64_t r = 0; r < range.count; r++, at += bytes) {
@@ -172,18 +180,22 @@ std::uint64_t checksumRows(const void* data, const RowRange& range, std::size_t 
 void requireFreeSpace(const std::string& path, std::uint64_t bytes) {
   struct statvfs about {};
   const std::string folder = folderOf(path);
-  if (::statvfs(folder.c_str(), &about) != 0) throw IoError(folder, std::string("cannot be written to: ") + std::strerror(errno));
+  if (::statvfs(folder.c_str(), &about) != 0)
+    throw IoError(folder, std::string("cannot be written to: ") + std::strerror(errno));
   const std::uint64_t available = static_cast<std::uint64_t>(about.f_bavail) * about.f_frsize;
   if (about.f_blocks > 0 && available < bytes)
-    throw IoError(path, "not enough space on the disk: " + std::to_string(bytes) + " bytes are needed, " + std::to_string(available) + " are free");
+    throw IoError(path, "not enough space on the disk: " + std::to_string(bytes) + " bytes are needed, " +
+                            std::to_string(available) + " are free");
   struct rlimit limit {};
   if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY && limit.rlim_cur < bytes)
-    throw IoError(path, "files may not be longer than " + std::to_string(limit.rlim_cur) + " bytes here (ulimit -f); " + std::to_string(bytes) + " are needed");
+    throw IoError(path, "files may not be longer than " + std::to_string(limit.rlim_cur) +
+                            " bytes here (ulimit -f); " + std::to_string(bytes) + " are needed");
 }
 
 void renameFile(const std::string& from, const std::string& to, bool sync) {
   if (sync) syncPath(from, O_RDONLY);
-  if (std::rename(from.c_str(), to.c_str()) != 0) throw IoError(to, std::string("cannot be renamed to, from ") + from + ": " + std::strerror(errno));
+  if (std::rename(from.c_str(), to.c_str()) != 0)
+    throw IoError(to, std::string("cannot be renamed to, from ") + from + ": " + std::strerror(errno));
   if (sync) syncPath(folderOf(to), O_RDONLY | O_DIRECTORY);
 }
 
@@ -217,22 +229,25 @@ void writeParallelFile(const std::string& path, MPI_Comm comm, const ParallelFil
           checksums[k] += checksumRows(data, {d.mine.first + local.first, local.count}, d.shape.rowBytes());
         });
     }
-    if (content.checked) MPI_Allreduce(MPI_IN_PLACE, checksums.data(), static_cast<int>(checksums.size()), MPI_UINT64_T, MPI_SUM, comm);
+    if (content.checked)
+      MPI_Allreduce(MPI_IN_PLACE, checksums.data(), static_cast<int>(checksums.size()), MPI_UINT64_T, MPI_SUM,
+                    comm);
     onFirstRank(comm, [&] {
       requireFreeSpace(path, bytes);
       layOut(part, content, checksums, bytes);
     });
     {
-      // opening is collective and fails on all ranks or on none; the writes between opening and closing are not collective
+      // opening is collective and fails on all ranks or on none; the writes between opening and closing are
+      // not collective
       std::vector<H5File> file;
       agreeOn(comm, [&] { file.push_back(H5File::openToFill(part, comm)); });
       std::string problem;
       try {
         for (const SpreadDataset& d : content.datasets)
-          eachPiece(d, made, [&](const RowRange& local, const std::byte* data) { file[0].write(d.name, {d.mine.first + local.first, local.count}, data); });
-      } catch (const std::exception& e) {
-        problem = e.what();
-      }
+          eachPiece(d, made, [&](const RowRange& local, const std::byte* data) {
+            file[0].write(d.name, {d.mine.first + local.first, local.count}, data);
+          });
+      } catch (const std::exception& e) { problem = e.what(); }
       try {
         if (content.checked) file[0].flush();
       } catch (const std::exception& e) {

@@ -18,7 +18,8 @@ inline std::size_t sizeOf(ScalarType t) {
 
 class ByteCursor {
  public:
-  ByteCursor(std::string_view bytes, std::string file, std::size_t at) : bytes_(bytes), file_(std::move(file)), at_(at) {}
+  ByteCursor(std::string_view bytes, std::string file, std::size_t at)
+      : bytes_(bytes), file_(std::move(file)), at_(at) {}
 
   std::size_t left() const { return bytes_.size() - at_; }
   std::size_t offset() const { return at_; }
@@ -27,7 +28,9 @@ class ByteCursor {
     at_ += n;
   }
   void need(std::uint64_t n) const {
-    if (n > left()) fail("the file ends after " + std::to_string(left()) + " of " + std::to_string(n) + " bytes that are expected here");
+    if (n > left())
+      fail("the file ends after " + std::to_string(left()) + " of " + std::to_string(n) +
+           " bytes that are expected here");
   }
 
   /// Every value of these types is a double.
@@ -35,7 +38,8 @@ class ByteCursor {
     const std::size_t size = sizeOf(type);
     need(size);
     std::uint64_t raw = 0;
-    for (std::size_t k = 0; k < size; k++) raw = raw << 8 | static_cast<unsigned char>(bytes_[at_ + (bigEndian ? k : size - 1 - k)]);
+    for (std::size_t k = 0; k < size; k++)
+      raw = raw << 8 | static_cast<unsigned char>(bytes_[at_ + (bigEndian ? k : size - 1 - k)]);
     at_ += size;
     switch (type) {
       case ScalarType::Int8: return static_cast<std::int8_t>(raw);
@@ -53,10 +57,13 @@ class ByteCursor {
   double finite(ScalarType type, bool bigEndian, const char* what = "a coordinate") {
     const std::size_t begin = at_;
     const double x = number(type, bigEndian);
-    if (!std::isfinite(x)) at_ = begin, fail("expected " + std::string(what) + ", found a number that is not finite");
+    if (!std::isfinite(x))
+      at_ = begin, fail("expected " + std::string(what) + ", found a number that is not finite");
     return x;
   }
-  [[noreturn]] void fail(const std::string& message) const { throw MeshError(file_ + ": byte " + std::to_string(at_) + ": " + message); }
+  [[noreturn]] void fail(const std::string& message) const {
+    throw MeshError(file_ + ": byte " + std::to_string(at_) + ": " + message);
+  }
 
  private:
   std::string_view bytes_;

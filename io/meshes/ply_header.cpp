@@ -7,14 +7,17 @@ namespace {
 
 ScalarType scalarType(TextCursor& text) {
   static constexpr std::pair<std::string_view, ScalarType> names[] = {
-      {"char", ScalarType::Int8},     {"int8", ScalarType::Int8},       {"uchar", ScalarType::UInt8},    {"uint8", ScalarType::UInt8},
-      {"short", ScalarType::Int16},   {"int16", ScalarType::Int16},     {"ushort", ScalarType::UInt16},  {"uint16", ScalarType::UInt16},
-      {"int", ScalarType::Int32},     {"int32", ScalarType::Int32},     {"uint", ScalarType::UInt32},    {"uint32", ScalarType::UInt32},
-      {"float", ScalarType::Float32}, {"float32", ScalarType::Float32}, {"double", ScalarType::Float64}, {"float64", ScalarType::Float64}};
+      {"char", ScalarType::Int8},      {"int8", ScalarType::Int8},       {"uchar", ScalarType::UInt8},
+      {"uint8", ScalarType::UInt8},    {"short", ScalarType::Int16},     {"int16", ScalarType::Int16},
+      {"ushort", ScalarType::UInt16},  {"uint16", ScalarType::UInt16},   {"int", ScalarType::Int32},
+      {"int32", ScalarType::Int32},    {"uint", ScalarType::UInt32},     {"uint32", ScalarType::UInt32},
+      {"float", ScalarType::Float32},  {"float32", ScalarType::Float32}, {"double", ScalarType::Float64},
+      {"float64", ScalarType::Float64}};
   const std::string_view word = text.wordOnLine();
   for (const auto& [name, type] : names)
     if (word == name) return type;
-  text.fail("expected a type (char, uchar, short, ushort, int, uint, float, double), found " + TextCursor::shown(word));
+  text.fail("expected a type (char, uchar, short, ushort, int, uint, float, double), found " +
+            TextCursor::shown(word));
 }
 
 PlyFormat readFormat(TextCursor& text) {
@@ -22,7 +25,8 @@ PlyFormat readFormat(TextCursor& text) {
   if (word == "ascii") return PlyFormat::Ascii;
   if (word == "binary_little_endian") return PlyFormat::LittleEndian;
   if (word == "binary_big_endian") return PlyFormat::BigEndian;
-  text.fail("expected the format 'ascii', 'binary_little_endian' or 'binary_big_endian', found " + TextCursor::shown(word));
+  text.fail("expected the format 'ascii', 'binary_little_endian' or 'binary_big_endian', found " +
+            TextCursor::shown(word));
 }
 
 PlyElement readElement(TextCursor& text) {
@@ -42,7 +46,8 @@ PlyProperty readProperty(TextCursor& text) {
     text = ahead;
     p.list = true;
     p.countType = scalarType(text);
-    if (p.countType == ScalarType::Float32 || p.countType == ScalarType::Float64) text.fail("the length of a list has to be an integer type");
+    if (p.countType == ScalarType::Float32 || p.countType == ScalarType::Float64)
+      text.fail("the length of a list has to be an integer type");
   }
   p.type = scalarType(text);
   p.name = std::string(text.wordOnLine());
@@ -72,7 +77,8 @@ PlyHeader readPlyHeader(TextCursor& text) {
       if (h.elements.empty()) text.fail("a property before the first element");
       h.elements.back().properties.push_back(readProperty(text));
     } else if (word != "comment" && word != "obj_info" && !word.empty()) {
-      text.fail("expected 'format', 'element', 'property', 'comment' or 'end_header', found " + TextCursor::shown(word));
+      text.fail("expected 'format', 'element', 'property', 'comment' or 'end_header', found " +
+                TextCursor::shown(word));
     }
     text.restOfLine();
   }

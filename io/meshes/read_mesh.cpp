@@ -31,13 +31,16 @@ TriangleMesh parseMesh(std::string_view content, const std::string& file) {
   if (content.empty()) throw MeshError(file + ": the file is empty; expected an OBJ, PLY or STL mesh");
   if (startsWith(content, "\xef\xbb\xbf")) content.remove_prefix(3);  // byte order mark
   if (startsWith(content, "ply\n") || startsWith(content, "ply\r")) return parsePly(content, file);
-  if (content.size() >= 84 && content.size() - 84 == std::uint64_t{littleEndian(content.substr(80, 4))} * 50) return parseBinaryStl(content, file);
+  if (content.size() >= 84 && content.size() - 84 == std::uint64_t{littleEndian(content.substr(80, 4))} * 50)
+    return parseBinaryStl(content, file);
   const bool binary = content.find('\0') != std::string_view::npos;
   const std::size_t begin = std::min(content.find_first_not_of(" \t\r\n"), content.size());
-  if (!binary && startsWith(content.substr(begin), "solid") && (hasEnding(file, ".stl") || content.find("facet") != std::string_view::npos))
+  if (!binary && startsWith(content.substr(begin), "solid") &&
+      (hasEnding(file, ".stl") || content.find("facet") != std::string_view::npos))
     return parseAsciiStl(content, file);
   if (hasEnding(file, ".stl")) return parseBinaryStl(content, file);
-  if (hasEnding(file, ".ply")) throw MeshError(file + ":1: expected the line 'ply' at the beginning of a PLY file");
+  if (hasEnding(file, ".ply"))
+    throw MeshError(file + ":1: expected the line 'ply' at the beginning of a PLY file");
   if (binary) throw MeshError(file + ": the file is neither an OBJ, nor a PLY, nor an STL mesh");
   return parseObj(content, file);
 }
@@ -46,22 +49,23 @@ TriangleMesh readMesh(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw MeshError(path + ": there is no such file");
-  if (!std::filesystem::is_regular_file(status)) throw MeshError(path + ": not a file; expected an OBJ, PLY or STL mesh");
+  if (!std::filesystem::is_regular_file(status))
+    throw MeshError(path + ": not a file; expected an OBJ, PLY or STL mesh");
   std::ifstream in(path, std::ios::binary);
   if (!in) throw MeshError(path + ": cannot be opened: " + std::strerror(errno));
   try {
     const auto size = std::filesystem::file_size(path);
     std::string content(size, '\0');
     in.read(content.data(), static_cast<std::streamsize>(size));
-    if (static_cast<std::uintmax_t>(in.gcount()) != size) throw MeshError(path + ": reading stopped after " + std::to_string(in.gcount()) + " of " + std::to_string(size) + " bytes");
+    if (static_cast<std::uintmax_t>(in.gcount()) != size)
+      throw MeshError(path + ": reading stopped after " + std::to_string(in.gcount()) + " of " +
+                      std::to_string(size) + " bytes");
     return parseMesh(content, path);
   } catch (const std::filesystem::filesystem_error& e) {
     throw MeshError(path + ": cannot be read: " + e.code().message());
   } catch (const std::bad_alloc&) {
     throw MeshError(path + ": the mesh does not fit into memory");
-  } catch (const std::length_error&) {
-    throw MeshError(path + ": the mesh does not fit into memory");
-  }
+  } catch (const std::length_error&) { throw MeshError(path + ": the mesh does not fit into memory"); }
 }
 
 }  // namespace thaw

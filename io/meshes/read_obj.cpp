@@ -1,4 +1,5 @@
-// Wavefront OBJ: vertices (with colours where they have any), normals and faces; texture coordinates, groups, materials, lines and points are passed over.
+// Wavefront OBJ: vertices (with colours where they have any), normals and faces; texture coordinates, groups,
+// materials, lines and points are passed over.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -15,11 +16,13 @@ struct ObjReader {
   TextCursor text;
   TriangleMesh mesh;
   /// Largest index of a list, 1-based, and its line: faces may come before what they name.
-  struct Largest { std::int64_t index = 0, line = 0; };
+  struct Largest {
+    std::int64_t index = 0, line = 0;
+  };
   Largest largest, largestNormal;
   std::vector<Vec3d> normals;
-  std::vector<std::uint32_t> polygon, polygonNormals;           // of the face that is read; 0: none, else 1-based
-  std::vector<std::array<std::uint32_t, 3>> normalsOf;          // of all triangles
+  std::vector<std::uint32_t> polygon, polygonNormals;   // of the face that is read; 0: none, else 1-based
+  std::vector<std::array<std::uint32_t, 3>> normalsOf;  // of all triangles
 
   /// Next word of the statement, which goes on in the next line after a backslash.
   std::string_view word() {
@@ -34,12 +37,14 @@ struct ObjReader {
   void vertex() {
     Vec3d v;
     for (int a = 0; a < 3; a++) v[a] = text.number(word(), "a coordinate (v x y z)");
-    if (static_cast<std::int64_t>(mesh.vertices.size()) >= mostVertices) text.fail("more vertices than 32 bits can count");
+    if (static_cast<std::int64_t>(mesh.vertices.size()) >= mostVertices)
+      text.fail("more vertices than 32 bits can count");
     mesh.vertices.push_back(v);
     colour();
   }
 
-  /// Behind the coordinates many programs write red, green, blue from 0 to 1; a single number there is a weight. Vertices without are white.
+  /// Behind the coordinates many programs write red, green, blue from 0 to 1; a single number there is a
+  /// weight. Vertices without are white.
   void colour() {
     double c[3];
     for (double& part : c) {
@@ -49,14 +54,16 @@ struct ObjReader {
     }
     mesh.colours.resize(mesh.vertices.size() - 1, 0xffffffu);
     std::uint32_t packed = 0;
-    for (int k = 0; k < 3; k++) packed |= static_cast<std::uint32_t>(std::lround(255 * std::clamp(c[k], 0.0, 1.0))) << 8 * k;
+    for (int k = 0; k < 3; k++)
+      packed |= static_cast<std::uint32_t>(std::lround(255 * std::clamp(c[k], 0.0, 1.0))) << 8 * k;
     mesh.colours.push_back(packed);
   }
 
   void normal() {
     Vec3d n;
     for (int a = 0; a < 3; a++) n[a] = text.number(word(), "a part of a normal (vn x y z)");
-    if (static_cast<std::int64_t>(normals.size()) >= mostVertices) text.fail("more normals than 32 bits can count");
+    if (static_cast<std::int64_t>(normals.size()) >= mostVertices)
+      text.fail("more normals than 32 bits can count");
     normals.push_back(unitNormal(n));
   }
 
@@ -67,18 +74,23 @@ struct ObjReader {
     const auto count = static_cast<std::int64_t>(had);
     if (n == 0) text.fail(kind + " index 0; they begin with 1, or with -1 for the last one");
     if (n < 0) {
-      if (n < -count) text.fail(kind + " index " + std::to_string(n) + ", but only " + std::to_string(count) + (kind == "vertex" ? " vertices" : " normals") + " came before");
+      if (n < -count)
+        text.fail(kind + " index " + std::to_string(n) + ", but only " + std::to_string(count) +
+                  (kind == "vertex" ? " vertices" : " normals") + " came before");
       n += count + 1;
     }
     if (n > most.index) most = {n, text.line()};
-    if (n > mostVertices) text.fail(kind + " index " + std::to_string(n) + " is larger than 32 bits can count");
+    if (n > mostVertices)
+      text.fail(kind + " index " + std::to_string(n) + " is larger than 32 bits can count");
     return static_cast<std::uint32_t>(n);
   }
 
   void corner(std::string_view w) {
-    const std::size_t slash = w.find('/'), second = slash == std::string_view::npos ? slash : w.find('/', slash + 1);
+    const std::size_t slash = w.find('/'),
+                      second = slash == std::string_view::npos ? slash : w.find('/', slash + 1);
     polygon.push_back(index(w.substr(0, slash), "vertex", mesh.vertices.size(), largest) - 1);
-    const std::string_view last = second == std::string_view::npos ? std::string_view() : w.substr(second + 1);
+    const std::string_view last = second == std::string_view::npos ? std::string_view()
+                                                                   : w.substr(second + 1);
     polygonNormals.push_back(last.empty() ? 0 : index(last, "normal", normals.size(), largestNormal));
   }
 
@@ -86,7 +98,8 @@ struct ObjReader {
     polygon.clear();
     polygonNormals.clear();
     for (std::string_view w = word(); !w.empty() && w[0] != '#'; w = word()) corner(w);
-    if (polygon.size() < 3) text.fail("a face with " + std::to_string(polygon.size()) + " corners; expected at least 3");
+    if (polygon.size() < 3)
+      text.fail("a face with " + std::to_string(polygon.size()) + " corners; expected at least 3");
     for (std::size_t k = 2; k < polygon.size(); k++) {
       mesh.triangles.push_back({polygon[0], polygon[k - 1], polygon[k]});
       normalsOf.push_back({polygonNormals[0], polygonNormals[k - 1], polygonNormals[k]});
@@ -95,7 +108,8 @@ struct ObjReader {
 
   void expectAll(const Largest& most, std::size_t count, const char* kind, const char* plural) const {
     if (most.index > static_cast<std::int64_t>(count))
-      text.failAt(most.line, std::string(kind) + " index " + std::to_string(most.index) + ", but the file has " + std::to_string(count) + " " + plural);
+      text.failAt(most.line, std::string(kind) + " index " + std::to_string(most.index) +
+                                 ", but the file has " + std::to_string(count) + " " + plural);
   }
 
   void takeNormals() {
@@ -114,7 +128,8 @@ struct ObjReader {
       else if (keyword == "f") face();
       text.restOfLine();
     }
-    if (mesh.vertices.empty()) text.failAt(1, "no vertices found; expected an OBJ (lines 'v x y z' and 'f a b c'), PLY or STL mesh");
+    if (mesh.vertices.empty())
+      text.failAt(1, "no vertices found; expected an OBJ (lines 'v x y z' and 'f a b c'), PLY or STL mesh");
     if (mesh.triangles.empty()) text.failAt(text.line(), "no faces found; expected lines 'f a b c'");
     if (!mesh.colours.empty()) mesh.colours.resize(mesh.vertices.size(), 0xffffffu);
     expectAll(largest, mesh.vertices.size(), "vertex", "vertices");

@@ -1,4 +1,5 @@
-// PLY: x, y, z of the element 'vertex' and the list vertex_indices (or vertex_index) of 'face', and where they are there nx, ny, nz and red, green, blue; everything else is passed over.
+// PLY: x, y, z of the element 'vertex' and the list vertex_indices (or vertex_index) of 'face', and where
+// they are there nx, ny, nz and red, green, blue; everything else is passed over.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,8 +15,12 @@ namespace {
 /// Values one after another, of either kind of file.
 class PlyValues {
  public:
-  PlyValues(std::string_view content, const std::string& file, const TextCursor& behindHeader, PlyFormat format)
-      : text_(behindHeader), bytes_(content, file, behindHeader.offset()), format_(format), size_(content.size()) {}
+  PlyValues(std::string_view content, const std::string& file, const TextCursor& behindHeader,
+            PlyFormat format)
+      : text_(behindHeader),
+        bytes_(content, file, behindHeader.offset()),
+        format_(format),
+        size_(content.size()) {}
 
   double number(ScalarType type) {
     if (format_ != PlyFormat::Ascii) return bytes_.number(type, format_ == PlyFormat::BigEndian);
@@ -23,23 +28,29 @@ class PlyValues {
   }
   /// A finite number; what: "a coordinate", for the message.
   double finite(ScalarType type, const char* what) {
-    return format_ != PlyFormat::Ascii ? bytes_.finite(type, format_ == PlyFormat::BigEndian, what) : text_.number(text_.word(), what);
+    return format_ != PlyFormat::Ascii ? bytes_.finite(type, format_ == PlyFormat::BigEndian, what)
+                                       : text_.number(text_.word(), what);
   }
   /// Length of a list, with room for its values in what is left of the file.
   std::uint64_t length(const PlyProperty& p) {
     const double n = number(p.countType);
     if (n < 0 || n != std::floor(n)) fail("expected the length of a list, found " + std::to_string(n));
-    if (n * (format_ == PlyFormat::Ascii ? 2.0 : static_cast<double>(sizeOf(p.type))) > static_cast<double>(left()) + 1)
-      fail("a list of " + std::to_string(static_cast<std::uint64_t>(n)) + " values, for which the rest of the file is too short");
+    if (n * (format_ == PlyFormat::Ascii ? 2.0 : static_cast<double>(sizeOf(p.type))) >
+        static_cast<double>(left()) + 1)
+      fail("a list of " + std::to_string(static_cast<std::uint64_t>(n)) +
+           " values, for which the rest of the file is too short");
     return static_cast<std::uint64_t>(n);
   }
   void skip(const PlyProperty& p) {
     for (std::uint64_t n = p.list ? length(p) : 1; n > 0; n--) {
       if (format_ != PlyFormat::Ascii) bytes_.skip(sizeOf(p.type));
-      else if (text_.word().empty()) text_.fail("the file ends; expected a value of property '" + p.name + "'");
+      else if (text_.word().empty())
+        text_.fail("the file ends; expected a value of property '" + p.name + "'");
     }
   }
-  std::size_t left() const { return format_ != PlyFormat::Ascii ? bytes_.left() : size_ - std::min(size_, text_.offset()); }
+  std::size_t left() const {
+    return format_ != PlyFormat::Ascii ? bytes_.left() : size_ - std::min(size_, text_.offset());
+  }
   [[noreturn]] void fail(const std::string& message) const {
     if (format_ != PlyFormat::Ascii) bytes_.fail(message);
     text_.fail(message);
@@ -64,9 +75,11 @@ struct PlyReader {
   /// Reserves what the file can hold, not what the header promises.
   template<class T> void reserve(std::vector<T>& v, const PlyElement& e) const {
     std::size_t least = 0;
-    for (const PlyProperty& p : e.properties) least += format == PlyFormat::Ascii ? 2 : p.list ? sizeOf(p.countType) : sizeOf(p.type);
+    for (const PlyProperty& p : e.properties)
+      least += format == PlyFormat::Ascii ? 2 : p.list ? sizeOf(p.countType) : sizeOf(p.type);
     if (e.count > values.left() / std::max<std::size_t>(least, 1) + 1)
-      header.failAt(e.line, "the header says " + std::to_string(e.count) + " of element '" + e.name + "', for which the file is too short");
+      header.failAt(e.line, "the header says " + std::to_string(e.count) + " of element '" + e.name +
+                                "', for which the file is too short");
     v.reserve(static_cast<std::size_t>(e.count));
   }
 
@@ -75,13 +88,15 @@ struct PlyReader {
     std::vector<int> of;
     bool all = false;  ///< each part is there, once
   };
-  static Parts partsOf(const PlyElement& e, const std::array<const char*, 3>& names, const std::string& prefix = "") {
+  static Parts partsOf(const PlyElement& e, const std::array<const char*, 3>& names,
+                       const std::string& prefix = "") {
     Parts p{std::vector<int>(e.properties.size(), -1)};
     int found[3] = {0, 0, 0};
     for (std::size_t k = 0; k < e.properties.size(); k++)
       for (int c = 0; c < 3; c++) {
         const std::string name = names[static_cast<std::size_t>(c)];
-        if (!e.properties[k].list && (e.properties[k].name == name || e.properties[k].name == prefix + name)) p.of[k] = c, found[c]++;
+        if (!e.properties[k].list && (e.properties[k].name == name || e.properties[k].name == prefix + name))
+          p.of[k] = c, found[c]++;
       }
     p.all = found[0] == 1 && found[1] == 1 && found[2] == 1;
     return p;
@@ -95,7 +110,8 @@ struct PlyReader {
   }
 
   void readVertices(const PlyElement& e) {
-    const Parts place = partsOf(e, {"x", "y", "z"}), normal = partsOf(e, {"nx", "ny", "nz"}), colour = partsOf(e, {"red", "green", "blue"}, "diffuse_");
+    const Parts place = partsOf(e, {"x", "y", "z"}), normal = partsOf(e, {"nx", "ny", "nz"}),
+                colour = partsOf(e, {"red", "green", "blue"}, "diffuse_");
     if (!place.all) header.failAt(e.line, "the element 'vertex' needs the properties x, y and z");
     reserve(mesh.vertices, e);
     for (std::uint64_t i = 0; i < e.count; i++) {
@@ -104,8 +120,10 @@ struct PlyReader {
       for (std::size_t k = 0; k < e.properties.size(); k++) {
         const PlyProperty& p = e.properties[k];
         if (place.of[k] >= 0) v[place.of[k]] = values.finite(p.type, "a coordinate");
-        else if (normal.all && normal.of[k] >= 0) n[normal.of[k]] = values.finite(p.type, "a part of a normal");
-        else if (colour.all && colour.of[k] >= 0) rgb |= colourByte(values.number(p.type), p.type) << 8 * colour.of[k];
+        else if (normal.all && normal.of[k] >= 0)
+          n[normal.of[k]] = values.finite(p.type, "a part of a normal");
+        else if (colour.all && colour.of[k] >= 0)
+          rgb |= colourByte(values.number(p.type), p.type) << 8 * colour.of[k];
         else values.skip(p);
       }
       mesh.vertices.push_back(v);
@@ -119,17 +137,22 @@ struct PlyReader {
     for (std::uint64_t n = values.length(p); n > 0; n--) {
       const double index = values.number(p.type);
       if (!(index >= 0 && index < static_cast<double>(vertices)) || index != std::floor(index))
-        values.fail("expected a vertex index below " + std::to_string(vertices) + ", the number of vertices; found " + std::to_string(index));
+        values.fail("expected a vertex index below " + std::to_string(vertices) +
+                    ", the number of vertices; found " + std::to_string(index));
       polygon.push_back(static_cast<std::uint32_t>(index));
     }
-    if (polygon.size() < 3) values.fail("a face with " + std::to_string(polygon.size()) + " corners; expected at least 3");
-    for (std::size_t k = 2; k < polygon.size(); k++) mesh.triangles.push_back({polygon[0], polygon[k - 1], polygon[k]});
+    if (polygon.size() < 3)
+      values.fail("a face with " + std::to_string(polygon.size()) + " corners; expected at least 3");
+    for (std::size_t k = 2; k < polygon.size(); k++)
+      mesh.triangles.push_back({polygon[0], polygon[k - 1], polygon[k]});
   }
 
   void readFaces(const PlyElement& e) {
-    const auto indices = std::find_if(e.properties.begin(), e.properties.end(),
-                                      [](const PlyProperty& p) { return p.list && (p.name == "vertex_indices" || p.name == "vertex_index"); });
-    if (indices == e.properties.end()) header.failAt(e.line, "the element 'face' needs the property list vertex_indices");
+    const auto indices = std::find_if(e.properties.begin(), e.properties.end(), [](const PlyProperty& p) {
+      return p.list && (p.name == "vertex_indices" || p.name == "vertex_index");
+    });
+    if (indices == e.properties.end())
+      header.failAt(e.line, "the element 'face' needs the property list vertex_indices");
     reserve(mesh.triangles, e);
     for (std::uint64_t n = 0; n < e.count; n++)
       for (auto p = e.properties.begin(); p != e.properties.end(); ++p) {
@@ -141,7 +164,8 @@ struct PlyReader {
   void giveNormals() {
     if (normals.empty()) return;
     mesh.normals.reserve(mesh.triangles.size());
-    for (const auto& t : mesh.triangles) mesh.normals.push_back({normals[t[0]], normals[t[1]], normals[t[2]]});
+    for (const auto& t : mesh.triangles)
+      mesh.normals.push_back({normals[t[0]], normals[t[1]], normals[t[2]]});
   }
 
   void skipElement(const PlyElement& e) {
@@ -158,8 +182,10 @@ TriangleMesh parsePly(std::string_view content, const std::string& file) {
   const PlyHeader header = readPlyHeader(text);
   PlyReader reader{PlyValues(content, file, text, header.format), text, header.format, {}, 0, {}, {}};
   const auto named = [&](const char* name) {
-    const auto e = std::find_if(header.elements.begin(), header.elements.end(), [&](const PlyElement& x) { return x.name == name; });
-    if (e == header.elements.end() || e->count == 0) text.fail("the file has no " + std::string(name) + " elements; expected a mesh of vertices and faces");
+    const auto e = std::find_if(header.elements.begin(), header.elements.end(),
+                                [&](const PlyElement& x) { return x.name == name; });
+    if (e == header.elements.end() || e->count == 0)
+      text.fail("the file has no " + std::string(name) + " elements; expected a mesh of vertices and faces");
     return &*e;
   };
   const PlyElement *vertices = named("vertex"), *faces = named("face");

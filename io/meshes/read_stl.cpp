@@ -17,7 +17,8 @@ void addCorner(TriangleMesh& mesh, const Vec3d& x) {
 
 TriangleMesh welded(const TriangleMesh& mesh, const std::string& file) {
   TriangleMesh w = weldVertices(mesh, 0);
-  if (w.triangles.empty()) throw MeshError(file + ": every triangle has two equal corners; expected the surface of a solid");
+  if (w.triangles.empty())
+    throw MeshError(file + ": every triangle has two equal corners; expected the surface of a solid");
   return w;
 }
 
@@ -37,7 +38,8 @@ TriangleMesh parseAsciiStl(std::string_view content, const std::string& file) {
       if (w != "facet") text.fail("expected 'facet' or 'endsolid', found " + TextCursor::shown(w));
       expect("normal");
       for (int a = 0; a < 3; a++)
-        if (text.word().empty()) text.fail("expected a normal, found the end");  // what it says is not used and often wrong
+        // what it says is not used and often wrong
+        if (text.word().empty()) text.fail("expected a normal, found the end");
       expect("outer");
       expect("loop");
       for (int corner = 0; corner < 3; corner++) {
@@ -57,13 +59,16 @@ TriangleMesh parseAsciiStl(std::string_view content, const std::string& file) {
 
 TriangleMesh parseBinaryStl(std::string_view content, const std::string& file) {
   if (content.size() < 84)
-    throw MeshError(file + ": byte " + std::to_string(content.size()) + ": the file ends; expected the 84 bytes that a binary STL file begins with");
+    throw MeshError(file + ": byte " + std::to_string(content.size()) +
+                    ": the file ends; expected the 84 bytes that a binary STL file begins with");
   ByteCursor bytes(content, file, 80);
   const auto count = static_cast<std::uint32_t>(bytes.number(ScalarType::UInt32, false));
   if (content.size() - 84 != std::uint64_t{count} * 50)
-    throw MeshError(file + ": byte 80: the header of the binary STL file says " + std::to_string(count) + " triangles, which make " +
-                    std::to_string(84 + std::uint64_t{count} * 50) + " bytes; the file has " + std::to_string(content.size()));
-  if (count > 0x50000000u) throw MeshError(file + ": byte 80: more triangles than 32 bits can count the corners of");
+    throw MeshError(file + ": byte 80: the header of the binary STL file says " + std::to_string(count) +
+                    " triangles, which make " + std::to_string(84 + std::uint64_t{count} * 50) +
+                    " bytes; the file has " + std::to_string(content.size()));
+  if (count > 0x50000000u)
+    throw MeshError(file + ": byte 80: more triangles than 32 bits can count the corners of");
   if (count == 0) throw MeshError(file + ": byte 80: no triangles; expected the surface of a solid");
   TriangleMesh mesh;
   mesh.vertices.reserve(std::size_t{count} * 3);

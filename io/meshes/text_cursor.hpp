@@ -13,7 +13,8 @@ namespace thaw {
 /// Walks over the words of a text. Nothing here asks the locale.
 class TextCursor {
  public:
-  TextCursor(std::string_view text, std::string file, std::int64_t firstLine = 1) : text_(text), file_(std::move(file)), line_(firstLine) {}
+  TextCursor(std::string_view text, std::string file, std::int64_t firstLine = 1)
+      : text_(text), file_(std::move(file)), line_(firstLine) {}
 
   /// Next word on any line; empty at the end of the text.
   std::string_view word() {
@@ -44,16 +45,20 @@ class TextCursor {
     std::string_view digits = word;
     if (digits.size() > 1 && digits[0] == '+') digits.remove_prefix(1);
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), x);
-    if (error == std::errc::result_out_of_range && end == digits.data() + digits.size()) return outOfRange(digits, what);
-    if (error != std::errc() || end != digits.data() + digits.size()) fail("expected " + std::string(what) + ", found " + shown(word));
-    if (!std::isfinite(x)) fail("expected " + std::string(what) + ", found " + shown(word) + ", which is not a finite number");
+    if (error == std::errc::result_out_of_range && end == digits.data() + digits.size())
+      return outOfRange(digits, what);
+    if (error != std::errc() || end != digits.data() + digits.size())
+      fail("expected " + std::string(what) + ", found " + shown(word));
+    if (!std::isfinite(x))
+      fail("expected " + std::string(what) + ", found " + shown(word) + ", which is not a finite number");
     return x;
   }
   std::int64_t integer(std::string_view word, const char* what) const {
     std::int64_t n = 0;
     if (word.size() > 1 && word[0] == '+') word.remove_prefix(1);
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), n);
-    if (error != std::errc() || end != word.data() + word.size()) fail("expected " + std::string(what) + ", found " + shown(word));
+    if (error != std::errc() || end != word.data() + word.size())
+      fail("expected " + std::string(what) + ", found " + shown(word));
     return n;
   }
   [[noreturn]] void fail(const std::string& message) const { failAt(line_, message); }
@@ -70,7 +75,9 @@ class TextCursor {
   }
 
  private:
-  static bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f'; }
+  static bool isSpace(char c) {
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f';
+  }
   void step() { line_ += text_[at_++] == '\n'; }
   std::string_view wordHere() {
     const std::size_t begin = at_;

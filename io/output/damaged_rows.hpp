@@ -7,7 +7,8 @@
 
 namespace thaw {
 
-/// Paths of the datasets whose rows do not fit their checksum. Frames have no checksums of rows. Reads all rows.
+/// Paths of the datasets whose rows do not fit their checksum. Frames have no checksums of rows. Reads all
+/// rows.
 std::vector<std::string> damagedRows(const H5File& file);
 
 /// "is damaged: the checksum of /particles/velocity is wrong"

@@ -9,7 +9,9 @@ namespace fs = std::filesystem;
 
 bool holdsRun(const std::string& out) {
   std::error_code error;
-  const auto filled = [&](const char* folder) { return fs::exists(out + "/" + folder, error) && !fs::is_empty(out + "/" + folder, error); };
+  const auto filled = [&](const char* folder) {
+    return fs::exists(out + "/" + folder, error) && !fs::is_empty(out + "/" + folder, error);
+  };
   return filled("frames") || filled("checkpoint");
 }
 
@@ -20,7 +22,8 @@ bool setAsideEarlierRun(const std::string& out) {
   fs::remove_all(aside, error);
   fs::create_directories(aside, error);
   if (error) throw IoError(aside, "cannot be made: " + error.message());
-  for (const char* name : {"frames", "checkpoint", "pictures", "summary.json", "surface.csv", "events.csv", "progress.csv", "ledger.csv"}) {
+  for (const char* name : {"frames", "checkpoint", "pictures", "summary.json", "surface.csv", "events.csv",
+                           "progress.csv", "ledger.csv"}) {
     if (!fs::exists(out + "/" + name, error)) continue;
     fs::rename(out + "/" + name, aside + "/" + name, error);
     if (error) throw IoError(out + "/" + name, "cannot be moved to " + aside + ": " + error.message());

@@ -1,4 +1,5 @@
-// Frames: one VTKHDF 1.0 UnstructuredGrid file for each, which ParaView, VTK and h5py read. One vertex cell a particle, or triangles.
+// Frames: one VTKHDF 1.0 UnstructuredGrid file for each, which ParaView, VTK and h5py read. One vertex cell a
+// particle, or triangles.
 #pragma once
 #include <mpi.h>
 
@@ -13,37 +14,41 @@
 
 namespace thaw {
 
-/// One field of a frame on this rank: `count` rows of `components` scalars. Symmetric tensors: XX YY ZZ XY YZ XZ.
+/// One field of a frame on this rank: `count` rows of `components` scalars. Symmetric tensors: XX YY ZZ XY YZ
+/// XZ.
 struct FrameField {
   std::string name, unit;
   Scalar scalar = Scalar::F32;
   int components = 1;
-  const void* data = nullptr;             ///< `count` rows, or nullptr: `fill` gives them
-  /// Writes rows [first, first + count) of this rank to `to`, called for a piece at a time: a frame takes no memory of its own.
+  const void* data = nullptr;  ///< `count` rows, or nullptr: `fill` gives them
+  /// Writes rows [first, first + count) of this rank to `to`, called for a piece at a time: a frame takes no
+  /// memory of its own.
   std::function<void(const RowRange& local, std::byte* to)> fill = {};
 };
 
 /// This rank's part of a frame. time, step and the fields' names and types are the same on all ranks.
 struct Frame {
-  double time = 0;                        ///< s
+  double time = 0;  ///< s
   std::int64_t step = 0;
-  std::uint64_t count = 0;                ///< particles of this rank
-  FrameField positions;                   ///< m, 3 components, F32 or F64
+  std::uint64_t count = 0;  ///< particles of this rank
+  FrameField positions;     ///< m, 3 components, F32 or F64
   std::vector<FrameField> fields;
-  bool meshed = false;                    ///< cells are triangles (the same on all ranks), else one vertex cell a particle
-  std::vector<std::uint64_t> triangles;   ///< three rows each, as numbered over all ranks
+  bool meshed = false;  ///< cells are triangles (the same on all ranks), else one vertex cell a particle
+  std::vector<std::uint64_t> triangles;  ///< three rows each, as numbered over all ranks
 };
 
 /// What the group /run of every file says of its origin.
 struct RunStamp {
-  std::string sceneName;                  ///< stem of the scene's file
-  std::string sceneText;                  ///< TOML
-  bool piecesByRank = false;              ///< frames in one piece for each rank, for parallel ParaView
+  std::string sceneName;      ///< stem of the scene's file
+  std::string sceneText;      ///< TOML
+  bool piecesByRank = false;  ///< frames in one piece for each rank, for parallel ParaView
 };
 
-/// Writes the frame, one with triangles in one piece; the file is there, whole, afterwards on all ranks, or nothing changed and the same IoError is thrown on all.
-/// Collective. Connectivity and offsets are 32-bit numbers where there are fewer points and corners than `wideFrom`, else 64-bit ones.
-void writeFrame(const std::string& path, MPI_Comm comm, const Frame& frame, const RunStamp& stamp, std::uint64_t wideFrom = std::numeric_limits<std::int32_t>::max());
+/// Writes the frame, one with triangles in one piece; the file is there, whole, afterwards on all ranks, or
+/// nothing changed and the same IoError is thrown on all. Collective. Connectivity and offsets are 32-bit
+/// numbers where there are fewer points and corners than `wideFrom`, else 64-bit ones.
+void writeFrame(const std::string& path, MPI_Comm comm, const Frame& frame, const RunStamp& stamp,
+                std::uint64_t wideFrom = std::numeric_limits<std::int32_t>::max());
 
 /// Group /run: code, commit, ranks, scene_name, scene_toml. Rank 0 only.
 void writeStamp(H5File& file, const RunStamp& stamp, int ranks);
@@ -60,11 +65,11 @@ struct FrameColumn {
 
 /// A whole frame in memory of one process: for pictures, export, information.
 struct FrameData {
-  double time = 0;                        ///< s
+  double time = 0;  ///< s
   std::int64_t step = 0;
   std::uint64_t pieces = 1;
-  std::vector<Vec3d> positions;           ///< m
-  std::vector<FrameColumn> columns;       ///< without the positions
+  std::vector<Vec3d> positions;                         ///< m
+  std::vector<FrameColumn> columns;                     ///< without the positions
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< rows; empty where the cells are points
   std::string code, commit, sceneName, sceneText;
   std::int64_t ranks = 0;
@@ -80,8 +85,11 @@ struct FrameInfo {
   double time = 0;
   std::int64_t step = 0, ranks = 0;
   std::uint64_t count = 0, pieces = 1;
-  struct Field { std::string name, unit; DatasetShape shape; };
-  std::vector<Field> fields;              ///< points first, as "position"
+  struct Field {
+    std::string name, unit;
+    DatasetShape shape;
+  };
+  std::vector<Field> fields;  ///< points first, as "position"
   std::string code, commit, sceneName;
 };
 FrameInfo readFrameInfo(const std::string& path);

@@ -29,7 +29,8 @@ std::uint32_t slotOf(const World& w, std::size_t row) {
 }
 
 /// Adds a symmetric tensor of the solids: value(slot), 0 for liquids and where `there` is false.
-template<class Value> void addTensor(Frame& f, const World& w, const char* name, const char* unit, bool there, Value value) {
+template<class Value>
+void addTensor(Frame& f, const World& w, const char* name, const char* unit, bool there, Value value) {
   addRows<float>(f, name, unit, 6, [&w, there, value](std::size_t i, float* to) {
     const std::uint32_t slot = there ? slotOf(w, i) : noSlot;
     put6(slot == noSlot ? Sym3d{} : value(slot), to);
@@ -39,7 +40,8 @@ template<class Value> void addTensor(Frame& f, const World& w, const char* name,
 /// Where nothing conducts heat: the temperature that the body or emitter was given.
 double temperatureAtStart(const Scene& s, std::size_t body) {
   if (body < s.bodies.size()) return s.bodies[body].temperature;
-  return body - s.bodies.size() < s.emitters.size() ? s.emitters[body - s.bodies.size()].temperature : s.domain.ambient;
+  return body - s.bodies.size() < s.emitters.size() ? s.emitters[body - s.bodies.size()].temperature
+                                                    : s.domain.ambient;
 }
 
 void addField(Frame& f, const World& w, int rank, const std::string& name) {
@@ -50,27 +52,34 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
     addRows<float>(f, "velocity", "m/s", 3, [&p](std::size_t i, float* to) { put3(p.velocity[i], to); });
   } else if (name == "temperature") {
     addRows<float>(f, "temperature", "K", 1, [&w, &p](std::size_t i, float* to) {
-      *to = static_cast<float>(p.temperature.active ? p.temperature[i] : temperatureAtStart(w.scene, p.body[i]));
+      *to = static_cast<float>(p.temperature.active ? p.temperature[i]
+                                                    : temperatureAtStart(w.scene, p.body[i]));
     });
   } else if (name == "liquid") {
     addRows<float>(f, "liquid", "1", 1, [&p, &materials](std::size_t i, float* to) {
       const Material& m = materials[p.material[i]];
-      *to = p.liquid.active ? p.liquid[i] : p.phase.active ? static_cast<float>(p.phase[i] == Liquid) : static_cast<float>(!m.canBeSolid() || m.liquidAtStart);
+      *to = p.liquid.active  ? p.liquid[i]
+            : p.phase.active ? static_cast<float>(p.phase[i] == Liquid)
+                             : static_cast<float>(!m.canBeSolid() || m.liquidAtStart);
     });
   } else if (name == "density") {
-    // the sum over neighbours is taken where there is liquid; a solid's density follows from its volume, V = det Fe V0
+    // the sum over neighbours is taken where there is liquid; a solid's density follows from its volume, V =
+    // det Fe V0
     addRows<float>(f, "density", "kg/m^3", 1, [&w, &p, &s, &materials](std::size_t i, float* to) {
       const std::uint32_t slot = slotOf(w, i);
       double share = 1;
       if (slot != noSlot && s.deformation.active) {
         const Mat3d& F = s.deformation[slot];
         share = 1 / determinant(s.plasticInverse.active ? F + F * s.plasticInverse[slot] : F);
-      }
-      else if (p.filling.active && (!p.phase.active || p.phase[i] == Liquid)) share = static_cast<double>(p.filling[i]);
+      } else if (p.filling.active && (!p.phase.active || p.phase[i] == Liquid))
+        share = static_cast<double>(p.filling[i]);
       *to = static_cast<float>(materials[p.material[i]].density * share);
     });
   } else if (name == "pressure") {
-    addRows<float>(f, "pressure", "Pa", 1, [&w, liquids = liquidMaterials(w.scene)](std::size_t i, float* to) { *to = w.modules.fluid ? pressureOfParticle(w, liquids, i) : 0; });
+    addRows<float>(f, "pressure", "Pa", 1,
+                   [&w, liquids = liquidMaterials(w.scene)](std::size_t i, float* to) {
+                     *to = w.modules.fluid ? pressureOfParticle(w, liquids, i) : 0;
+                   });
   } else if (name == "stress") {
     addTensor(f, w, "stress", "Pa", s.stress.active, [&s](std::uint32_t slot) { return s.stress[slot]; });
   } else if (name == "strain") {  // Green's: (F^T F - 1)/2, with F from the first reference
@@ -81,19 +90,27 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
     });
   } else if (name == "plastic_strain") {
     addTensor(f, w, "plastic_strain", "1", s.plasticInverse.active, [&s](std::uint32_t slot) {
-      return plasticStrain(s.plasticInverse[slot], s.referenceGradient.active ? s.referenceGradient[slot] : Mat3d{});
+      return plasticStrain(s.plasticInverse[slot],
+                           s.referenceGradient.active ? s.referenceGradient[slot] : Mat3d{});
     });
   } else if (name == "material") {
-    addRows<std::uint16_t>(f, "material", "1", 1, [&p](std::size_t i, std::uint16_t* to) { *to = p.material[i]; });
+    addRows<std::uint16_t>(f, "material", "1", 1,
+                           [&p](std::size_t i, std::uint16_t* to) { *to = p.material[i]; });
   } else if (name == "body") {
     addRows<std::uint16_t>(f, "body", "1", 1, [&p](std::size_t i, std::uint16_t* to) { *to = p.body[i]; });
   } else if (name == "rank") {
-    addRows<std::uint32_t>(f, "rank", "1", 1, [rank](std::size_t, std::uint32_t* to) { *to = static_cast<std::uint32_t>(rank); });
+    addRows<std::uint32_t>(f, "rank", "1", 1, [rank](std::size_t, std::uint32_t* to) {
+      *to = static_cast<std::uint32_t>(rank);
+    });
   } else if (name == "neighbours") {
-    // of a solid particle its bonds: they are its neighbours, and where there are only solids nothing is searched
+    // of a solid particle its bonds: they are its neighbours, and where there are only solids nothing is
+    // searched
     addRows<std::uint16_t>(f, "neighbours", "1", 1, [&w](std::size_t i, std::uint16_t* to) {
       const std::uint32_t slot = slotOf(w, i);
-      *to = slot == noSlot ? (w.modules.neighbours && i < w.neighbours.neighbours.size() ? w.neighbours.neighbours[i] : std::uint16_t(0)) : bondsOf(w.bonds, slot);
+      *to = slot == noSlot
+                ? (w.modules.neighbours && i < w.neighbours.neighbours.size() ? w.neighbours.neighbours[i]
+                                                                              : std::uint16_t(0))
+                : bondsOf(w.bonds, slot);
     });
   } else if (name != "id") {
     throw std::invalid_argument("unknown field '" + name + "' of frames");
@@ -103,7 +120,8 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
 }  // namespace
 
 std::vector<std::string> knownFrameFields() {
-  return {"velocity", "temperature", "liquid", "density", "pressure", "stress", "strain", "plastic_strain", "material", "body", "rank", "id", "neighbours"};
+  return {"velocity",       "temperature", "liquid", "density", "pressure", "stress",    "strain",
+          "plastic_strain", "material",    "body",   "rank",    "id",       "neighbours"};
 }
 
 Frame frameOf(const World& w, int rank) {

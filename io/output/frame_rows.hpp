@@ -6,9 +6,12 @@
 
 namespace thaw {
 
-/// Adds a field whose row i is fill(i, T out[components]), asked for when the frame is written: what it refers to has to be there till then.
-template<class T, class Fill> void addRows(Frame& f, const std::string& name, const char* unit, int components, Fill fill) {
-  f.fields.push_back({name, unit, FieldType<T>::scalar, components, nullptr, [components, fill](const RowRange& local, std::byte* to) {
+/// Adds a field whose row i is fill(i, T out[components]), asked for when the frame is written: what it
+/// refers to has to be there till then.
+template<class T, class Fill>
+void addRows(Frame& f, const std::string& name, const char* unit, int components, Fill fill) {
+  f.fields.push_back({name, unit, FieldType<T>::scalar, components, nullptr,
+                      [components, fill](const RowRange& local, std::byte* to) {
                         const std::size_t width = static_cast<std::size_t>(components) * sizeof(T);
                         T row[9] = {};
                         for (std::uint64_t i = local.first; i < local.first + local.count; i++, to += width) {

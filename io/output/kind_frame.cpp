@@ -8,7 +8,8 @@ Frame kindFrameOf(const World& w, std::size_t kind) {
   const KindRows& r = kind == orientedKind ? static_cast<const KindRows&>(w.oriented.rows) : w.sheets.rows;
   Frame f = startFrame(w, r);
   addRows<float>(f, "velocity", "m/s", 3, [&r](std::size_t i, float* to) { put3(r.velocity[i], to); });
-  addRows<std::uint16_t>(f, std::string(kindNames[kind]) + "_body", "1", 1, [&r](std::size_t i, std::uint16_t* to) { *to = r.body[i]; });
+  addRows<std::uint16_t>(f, std::string(kindNames[kind]) + "_body", "1", 1,
+                         [&r](std::size_t i, std::uint16_t* to) { *to = r.body[i]; });
   if (kind == orientedKind) addOrientedFields(w, f);
   else addSheetFields(w, f);
   return f;

@@ -19,7 +19,8 @@ struct CheckedReader {
 
   void rows(const std::string& name, const RowRange& range, const DatasetShape& expected, void* to) {
     const DatasetShape s = file.shape(name);
-    if (s.element != expected.element || std::max(s.components, 1) != std::max(expected.components, 1) || s.rows != expected.rows)
+    if (s.element != expected.element || std::max(s.components, 1) != std::max(expected.components, 1) ||
+        s.rows != expected.rows)
       throw IoError(file.path(), "is damaged, or not of this version: " + name + " has another size or type");
     file.read(name, range, s.element, to);
     names.push_back(name);
@@ -29,16 +30,19 @@ struct CheckedReader {
 };
 
 /// Activates the State columns that the file has, and reads them.
-void readTable(CheckedReader& in, const std::string& group, Table& table, const RowRange& range, std::uint64_t all) {
+void readTable(CheckedReader& in, const std::string& group, Table& table, const RowRange& range,
+               std::uint64_t all) {
   for (AnyColumn* c : table.columns)
     if (c->keep == Keep::State && in.file.has(group + "/" + c->name)) table.activate(*c);
   table.resize(range.count, 0);
   for (AnyColumn* c : table.columns)
-    if (c->active && c->keep == Keep::State) in.rows(group + "/" + c->name, range, {elementOf(c->scalar), all, c->components}, c->bytes.data());
+    if (c->active && c->keep == Keep::State)
+      in.rows(group + "/" + c->name, range, {elementOf(c->scalar), all, c->components}, c->bytes.data());
 }
 
 /// Number of values below `value` in an ascending dataset, by bisection in the file.
-std::uint64_t countBelow(const H5File& file, const std::string& name, std::uint64_t rows, std::uint64_t value) {
+std::uint64_t countBelow(const H5File& file, const std::string& name, std::uint64_t rows,
+                         std::uint64_t value) {
   std::uint64_t low = 0, high = rows;
   while (low < high) {
     const std::uint64_t middle = low + (high - low) / 2;
@@ -52,7 +56,8 @@ std::uint64_t countBelow(const H5File& file, const std::string& name, std::uint6
 
 RowRange share(std::uint64_t all, int rank, int ranks) {
   const auto cut = [&](int r) {
-    return static_cast<std::uint64_t>(static_cast<unsigned __int128>(all) * static_cast<unsigned>(r) / static_cast<unsigned>(ranks));
+    return static_cast<std::uint64_t>(static_cast<unsigned __int128>(all) * static_cast<unsigned>(r) /
+                                      static_cast<unsigned>(ranks));
   };
   return {cut(rank), cut(rank + 1) - cut(rank)};
 }
@@ -62,15 +67,18 @@ void readBonds(CheckedReader& in, CheckpointSlice& s, const RowRange& solids) {
   std::vector<std::uint64_t> first(solids.count + 1);
   in.rows("/order/first_bond", solids, {Element::U64, h.solids, 0}, first.data());
   first[solids.count] = h.bonds;
-  if (solids.first + solids.count < h.solids) in.file.read("/order/first_bond", {solids.first + solids.count, 1}, Element::U64, &first[solids.count]);
+  if (solids.first + solids.count < h.solids)
+    in.file.read("/order/first_bond", {solids.first + solids.count, 1}, Element::U64, &first[solids.count]);
   if (solids.count == 0) first[0] = first[solids.count];
   s.bondCount.resize(solids.count);
   for (std::size_t k = 0; k < solids.count; k++) {
-    if (first[k + 1] < first[k] || first[k + 1] > h.bonds) throw IoError(h.path, "is damaged: bonds are not in order");
+    if (first[k + 1] < first[k] || first[k + 1] > h.bonds)
+      throw IoError(h.path, "is damaged: bonds are not in order");
     s.bondCount[k] = static_cast<std::uint32_t>(first[k + 1] - first[k]);
   }
   const RowRange mine{first[0], first[solids.count] - first[0]};
-  if (mine.first > h.bonds || mine.count > h.bonds - mine.first) throw IoError(h.path, "is damaged: bonds are not in order");
+  if (mine.first > h.bonds || mine.count > h.bonds - mine.first)
+    throw IoError(h.path, "is damaged: bonds are not in order");
   std::vector<std::uint64_t> neighbour(mine.count);
   in.rows("/bonds/neighbour", mine, {Element::U64, h.bonds, 0}, neighbour.data());
   s.bonds.assign(mine.count, BondRecord{});
@@ -96,7 +104,9 @@ CheckpointHeader headerOf(const H5File& file) {
   CheckpointHeader h;
   h.path = file.path();
   if (const std::int64_t format = file.integer(at, "format"); format != checkpointFormat)
-    throw IoError(file.path(), "has format " + std::to_string(format) + " of checkpoints; this version of thaw reads format " + std::to_string(checkpointFormat));
+    throw IoError(file.path(), "has format " + std::to_string(format) +
+                                   " of checkpoints; this version of thaw reads format " +
+                                   std::to_string(checkpointFormat));
   h.sequence = file.integer(at, "sequence");
   h.clock.step = file.integer(at, "step");
   h.clock.frame = file.integer(at, "frame");
@@ -116,7 +126,8 @@ CheckpointHeader headerOf(const H5File& file) {
     h.surface = readSurfaceRecord(file);
   }
   for (std::size_t k = 0; k < kindCount; k++)
-    if (const std::string ids = std::string("/") + kindNames[k] + "/id"; file.has(ids)) h.kinds[k] = file.shape(ids).rows;
+    if (const std::string ids = std::string("/") + kindNames[k] + "/id"; file.has(ids))
+      h.kinds[k] = file.shape(ids).rows;
   for (const NamedCount& c : countsOf(h.counters))
     if (file.hasAttribute(at + "/counters", c.name)) *c.count = file.integer(at + "/counters", c.name);
   if (file.has(at + "/watch")) {
@@ -128,12 +139,14 @@ CheckpointHeader headerOf(const H5File& file) {
   for (const NamedSum& s : sumsOf(h.ledger)) {
     const std::string name = at + "/ledger/" + s.name;
     if (!file.has(name)) continue;
-    if (file.shape(name).rows != ExactSum::digits) throw IoError(file.path(), "is damaged: " + name + " has another size");
+    if (file.shape(name).rows != ExactSum::digits)
+      throw IoError(file.path(), "is damaged: " + name + " has another size");
     file.read(name, {0, ExactSum::digits}, Element::I64, s.sum->digit.data());
   }
   for (const NamedValue& v : valuesOf(h.ledger.initial))
     if (file.hasAttribute(at + "/initial", v.name)) *v.value = file.number(at + "/initial", v.name);
-  for (const std::string& name : file.attributes(at + "/values")) h.values[name] = file.number(at + "/values", name);
+  for (const std::string& name : file.attributes(at + "/values"))
+    h.values[name] = file.number(at + "/values", name);
   h.code = file.text("/run", "code");
   h.commit = file.text("/run", "commit");
   h.ranks = file.integer("/run", "ranks");
@@ -144,9 +157,13 @@ CheckpointHeader headerOf(const H5File& file) {
 
 }  // namespace
 
-bool isCheckpoint(const H5File& file) { return file.has("/checkpoint") && file.hasAttribute("/checkpoint", "format"); }
+bool isCheckpoint(const H5File& file) {
+  return file.has("/checkpoint") && file.hasAttribute("/checkpoint", "format");
+}
 
-CheckpointHeader readCheckpointHeader(const std::string& path) { return headerOf(H5File::openToRead(path, Trailer::MustBe)); }
+CheckpointHeader readCheckpointHeader(const std::string& path) {
+  return headerOf(H5File::openToRead(path, Trailer::MustBe));
+}
 
 std::vector<CheckpointHeader> findCheckpoints(const std::string& out, std::vector<std::string>* problems) {
   std::vector<CheckpointHeader> found;
@@ -159,7 +176,8 @@ std::vector<CheckpointHeader> findCheckpoints(const std::string& out, std::vecto
       if (problems != nullptr) problems->push_back(e.what());
     }
   }
-  std::sort(found.begin(), found.end(), [](const CheckpointHeader& a, const CheckpointHeader& b) { return a.sequence > b.sequence; });
+  std::sort(found.begin(), found.end(),
+            [](const CheckpointHeader& a, const CheckpointHeader& b) { return a.sequence > b.sequence; });
   return found;
 }
 
@@ -179,25 +197,31 @@ std::unique_ptr<CheckpointSlice> readCheckpoint(const std::string& path, MPI_Com
     const RowRange mine = share(h.particles, rank, ranks);
     readTable(in, "/particles", s.particles, mine, h.particles);
     const std::uint64_t firstSolid = countBelow(file, "/order/solid_particle", h.solids, mine.first);
-    const RowRange solids{firstSolid, countBelow(file, "/order/solid_particle", h.solids, mine.first + mine.count) - firstSolid};
+    const RowRange solids{
+        firstSolid,
+        countBelow(file, "/order/solid_particle", h.solids, mine.first + mine.count) - firstSolid};
     if (rank == 0 && firstSolid != 0) throw IoError(path, "is damaged: solids are not in order");
     std::vector<std::uint64_t> particle(solids.count);
     in.rows("/order/solid_particle", solids, {Element::U64, h.solids, 0}, particle.data());
     readTable(in, "/solids", s.solids, solids, h.solids);
     for (std::size_t k = 0; k < solids.count; k++)
-      if (particle[k] < mine.first || particle[k] - mine.first >= mine.count || s.solids.id[k] != s.particles.id[particle[k] - mine.first])
+      if (particle[k] < mine.first || particle[k] - mine.first >= mine.count ||
+          s.solids.id[k] != s.particles.id[particle[k] - mine.first])
         throw IoError(path, "is damaged: solids do not belong to their particles");
     readBonds(in, s, solids);
     if (h.surface.there) readTable(in, "/surfels", s.surfels, share(h.surfels, rank, ranks), h.surfels);
     for (std::size_t k = 0; k < kindCount; k++)
-      if (h.kinds[k]) readTable(in, std::string("/") + kindNames[k], s.kind(k), share(*h.kinds[k], rank, ranks), *h.kinds[k]);
+      if (h.kinds[k])
+        readTable(in, std::string("/") + kindNames[k], s.kind(k), share(*h.kinds[k], rank, ranks),
+                  *h.kinds[k]);
     read = std::move(in.read);
     stored = std::move(in.stored);
     names = std::move(in.names);
   });
   MPI_Allreduce(MPI_IN_PLACE, read.data(), static_cast<int>(read.size()), MPI_UINT64_T, MPI_SUM, comm);
   for (std::size_t k = 0; k < read.size(); k++)
-    if (read[k] != stored[k]) throw IoError(path, "is damaged: the checksum of " + names[k] + " is wrong");  // the same on all ranks
+    // the same on all ranks
+    if (read[k] != stored[k]) throw IoError(path, "is damaged: the checksum of " + names[k] + " is wrong");
   return slice;
 }
 
@@ -215,7 +239,8 @@ std::unique_ptr<CheckpointSlice> readNewestCheckpoint(const std::string& out, MP
   for (int which : order) {
     if (which < 0) break;
     try {
-      std::unique_ptr<CheckpointSlice> slice = readCheckpoint(out + (which ? "/checkpoint/b.hdf" : "/checkpoint/a.hdf"), comm);
+      std::unique_ptr<CheckpointSlice> slice = readCheckpoint(
+          out + (which ? "/checkpoint/b.hdf" : "/checkpoint/a.hdf"), comm);
       slice->warnings = warnings;
       return slice;
     } catch (const IoError& e) {  // on all ranks
@@ -234,8 +259,10 @@ std::vector<std::byte> restoreWorld(World& w, const CheckpointSlice& s, bool fir
   const auto sameColumn = [&](const Table& from, const AnyColumn& c) -> const AnyColumn& {
     for (const AnyColumn* f : from.columns)
       if (f->active && std::strcmp(f->name, c.name) == 0) return *f;
-    const std::string of = std::strcmp(from.kind, "surfels") == 0 ? from.kind : std::string(from.kind) + " particles";
-    throw IoError(h.path, std::string("has no field '") + c.name + "' of " + of + ", which the scene needs: it was written for another scene");
+    const std::string of = std::strcmp(from.kind, "surfels") == 0 ? from.kind
+                                                                  : std::string(from.kind) + " particles";
+    throw IoError(h.path, std::string("has no field '") + c.name + "' of " + of +
+                              ", which the scene needs: it was written for another scene");
   };
   // looked for on ranks without rows as well: all fail, or none
   const auto takeOver = [&](const Table& from, Table& to) {
@@ -257,7 +284,8 @@ std::vector<std::byte> restoreWorld(World& w, const CheckpointSlice& s, bool fir
   const double end = w.clock.end, every = w.clock.every;
   w.clock = h.clock;
   w.clock.limitedBy = "";
-  if (every > 0 && every != h.clock.every) w.clock.frame = static_cast<std::int64_t>(std::floor(h.clock.time / every * (1 + 1e-12))) + 1;
+  if (every > 0 && every != h.clock.every)
+    w.clock.frame = static_cast<std::int64_t>(std::floor(h.clock.time / every * (1 + 1e-12))) + 1;
   w.clock.end = end;
   w.clock.every = every;
   w.counters = firstRank ? h.counters : Counters{};
@@ -265,16 +293,20 @@ std::vector<std::byte> restoreWorld(World& w, const CheckpointSlice& s, bool fir
   w.ledger.initial = h.ledger.initial;
   w.watch = h.watch;
 
-  if (h.solids > 0 && !w.solids.id.active) throw IoError(h.path, "has solid particles, and the scene has none: it was written for another scene");
+  if (h.solids > 0 && !w.solids.id.active)
+    throw IoError(h.path, "has solid particles, and the scene has none: it was written for another scene");
   if (h.solids > 0 && w.bonds.vectors && !h.twoFrames)
-    throw IoError(h.path, "has bonds without references of their own, and in the scene bonds form or take new references: it was written for another scene");
+    throw IoError(h.path,
+                  "has bonds without references of their own, and in the scene bonds form or take new "
+                  "references: it was written for another scene");
   std::vector<const AnyColumn*> state;
   for (const AnyColumn* c : w.solids.columns)
     if (h.solids > 0 && c->active && c->keep == Keep::State) state.push_back(&sameColumn(s.solids, *c));
   SolidRecords records;
   std::size_t bond = 0;
   for (std::size_t k = 0; k < s.solids.owned; k++) {
-    const std::size_t at = appendHead(records, s.solids.id[k], w.solids.stateBytes(), {s.bonds.data() + bond, s.bondCount[k]}, h.twoFrames);
+    const std::size_t at = appendHead(records, s.solids.id[k], w.solids.stateBytes(),
+                                      {s.bonds.data() + bond, s.bondCount[k]}, h.twoFrames);
     std::byte* to = records.bytes.data() + at;
     for (const AnyColumn* c : state) {
       std::memcpy(to, c->bytes.data() + k * c->elementBytes, c->elementBytes);

@@ -17,11 +17,13 @@ std::string optionalText(const H5File& file, const std::string& attribute) {
 
 /// Points of all pieces; IoError where the pieces do not add up to the points that are there.
 std::uint64_t countPoints(const H5File& file, std::uint64_t& pieces) {
-  const std::vector<std::int64_t> sizes = readRows<std::int64_t>(file, "/VTKHDF/NumberOfPoints", Element::I64);
+  const std::vector<std::int64_t> sizes = readRows<std::int64_t>(file, "/VTKHDF/NumberOfPoints",
+                                                                 Element::I64);
   const std::uint64_t rows = file.shape("/VTKHDF/Points").rows;
   std::uint64_t sum = 0;
   for (std::int64_t n : sizes) {
-    if (n < 0 || static_cast<std::uint64_t>(n) > rows - sum) throw IoError(file.path(), "is damaged: the pieces have more points than there are");
+    if (n < 0 || static_cast<std::uint64_t>(n) > rows - sum)
+      throw IoError(file.path(), "is damaged: the pieces have more points than there are");
     sum += static_cast<std::uint64_t>(n);
   }
   if (sum != rows) throw IoError(file.path(), "is damaged: the pieces have fewer points than there are");
@@ -38,7 +40,8 @@ FrameInfo infoOf(const H5File& file) {
     if (!time.empty()) info.time = time[0];
   }
   if (file.has("/VTKHDF/FieldData/Step")) {
-    const std::vector<std::int64_t> step = readRows<std::int64_t>(file, "/VTKHDF/FieldData/Step", Element::I64);
+    const std::vector<std::int64_t> step = readRows<std::int64_t>(file, "/VTKHDF/FieldData/Step",
+                                                                  Element::I64);
     if (!step.empty()) info.step = step[0];
   }
   if (file.has("/run")) {
@@ -47,14 +50,18 @@ FrameInfo infoOf(const H5File& file) {
     if (file.hasAttribute("/run", "ranks")) info.ranks = file.integer("/run", "ranks");
     if (file.has("/run/scene_name")) info.sceneName = file.readText("/run/scene_name");
   }
-  const auto unit = [&](const std::string& name) { return file.hasAttribute(name, "units") ? file.text(name, "units") : std::string(); };
+  const auto unit = [&](const std::string& name) {
+    return file.hasAttribute(name, "units") ? file.text(name, "units") : std::string();
+  };
   info.fields.push_back({"position", unit("/VTKHDF/Points"), file.shape("/VTKHDF/Points")});
-  if (info.fields[0].shape.components != 3) throw IoError(file.path(), "is damaged: points do not have three coordinates");
+  if (info.fields[0].shape.components != 3)
+    throw IoError(file.path(), "is damaged: points do not have three coordinates");
   for (const std::string& name : file.children("/VTKHDF/PointData")) {
     const std::string path = "/VTKHDF/PointData/" + name;
     info.fields.push_back({name, unit(path), file.shape(path)});
     if (info.fields.back().shape.rows != info.count)
-      throw IoError(file.path(), "is damaged: field " + name + " has " + std::to_string(info.fields.back().shape.rows) + " rows for " +
+      throw IoError(file.path(), "is damaged: field " + name + " has " +
+                                     std::to_string(info.fields.back().shape.rows) + " rows for " +
                                      std::to_string(info.count) + " points");
   }
   return info;
@@ -63,7 +70,8 @@ FrameInfo infoOf(const H5File& file) {
 /// Where the cells are triangles and all points one piece.
 void readTriangles(const H5File& file, const FrameInfo& info, FrameData& data) {
   if (info.pieces != 1 || !file.has("/VTKHDF/Types") || !file.has("/VTKHDF/Connectivity")) return;
-  const std::uint64_t cells = file.shape("/VTKHDF/Types").rows, ends = file.shape("/VTKHDF/Connectivity").rows;
+  const std::uint64_t cells = file.shape("/VTKHDF/Types").rows,
+                      ends = file.shape("/VTKHDF/Connectivity").rows;
   if (cells == 0 || ends != 3 * cells) return;
   std::uint8_t type = 0;
   file.read("/VTKHDF/Types", {0, 1}, Element::U8, &type);
@@ -72,7 +80,8 @@ void readTriangles(const H5File& file, const FrameInfo& info, FrameData& data) {
   file.read("/VTKHDF/Connectivity", {0, ends}, Element::I64, rows.data());
   data.triangles.resize(cells);
   for (std::uint64_t k = 0; k < ends; k++) {
-    if (rows[k] < 0 || static_cast<std::uint64_t>(rows[k]) >= info.count) throw IoError(file.path(), "is damaged: a triangle names a point that is not there");
+    if (rows[k] < 0 || static_cast<std::uint64_t>(rows[k]) >= info.count)
+      throw IoError(file.path(), "is damaged: a triangle names a point that is not there");
     data.triangles[k / 3][k % 3] = static_cast<std::uint32_t>(rows[k]);
   }
 }
@@ -101,7 +110,9 @@ const FrameColumn* FrameData::find(const std::string& name) const {
   return nullptr;
 }
 
-bool isFrame(const H5File& file) { return file.has("/VTKHDF/Points") && file.has("/VTKHDF/NumberOfPoints") && file.has("/VTKHDF/PointData"); }
+bool isFrame(const H5File& file) {
+  return file.has("/VTKHDF/Points") && file.has("/VTKHDF/NumberOfPoints") && file.has("/VTKHDF/PointData");
+}
 
 FrameInfo readFrameInfo(const std::string& path) { return infoOf(H5File::openToRead(path)); }
 

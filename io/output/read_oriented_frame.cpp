@@ -15,7 +15,8 @@ bool isOrientedFrame(const FrameInfo& info) {
 }
 
 OrientedFrame readOrientedFrame(const std::string& path) {
-  if (!isOrientedFrame(readFrameInfo(path))) throw IoError(path, "is not a frame of oriented particles (those are called NAME_oriented_000000.hdf)");
+  if (!isOrientedFrame(readFrameInfo(path)))
+    throw IoError(path, "is not a frame of oriented particles (those are called NAME_oriented_000000.hdf)");
   FrameData data = readFrame(path);
   orderById(data);
   return orientedFrameOf(std::move(data), path);
@@ -33,7 +34,8 @@ OrientedFrame orientedFrameOf(FrameData data, const std::string& path) {
   f.ids = idsOf(data);
   f.positions = std::move(data.positions);
   const std::size_t n = f.positions.size();
-  const FrameColumn &turn = need("orientation"), &radius = need("radius"), &group = need("group"), &body = need("oriented_body"), &cut = need("cut_sides"), &flags = need("flags");
+  const FrameColumn &turn = need("orientation"), &radius = need("radius"), &group = need("group"),
+                    &body = need("oriented_body"), &cut = need("cut_sides"), &flags = need("flags");
   const FrameColumn* colour = data.find("color");  // frames of before had none
   if (colour && colour->components != 3) colour = nullptr;
   f.cutSides.resize(n);
@@ -47,7 +49,9 @@ OrientedFrame orientedFrameOf(FrameData data, const std::string& path) {
     f.bodies.push_back(static_cast<std::uint32_t>(body.value(i)));
     const std::uint32_t plain = orientedColours[f.bodies.back() % std::size(orientedColours)];
     std::array<std::uint8_t, 3> rgb{};
-    for (int c = 0; c < 3; c++) rgb[static_cast<std::size_t>(c)] = colour ? static_cast<std::uint8_t>(colour->value(i, c)) : static_cast<std::uint8_t>(plain >> 8 * c & 255);
+    for (int c = 0; c < 3; c++)
+      rgb[static_cast<std::size_t>(c)] = colour ? static_cast<std::uint8_t>(colour->value(i, c))
+                                                : static_cast<std::uint8_t>(plain >> 8 * c & 255);
     f.colours.push_back(rgb);
     f.flags.push_back(static_cast<std::uint8_t>(flags.value(i)));
   }

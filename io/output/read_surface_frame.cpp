@@ -13,7 +13,8 @@ std::vector<std::uint64_t> wholeNumbers(const FrameColumn& column, std::size_t c
   if ((column.element == Element::U64 || column.element == Element::I64) && column.components == 1) {
     if (count > 0) std::memcpy(numbers.data(), column.bytes.data(), count * sizeof(std::uint64_t));
   } else {
-    for (std::size_t i = 0; i < count; i++) numbers[i] = static_cast<std::uint64_t>(std::max(0.0, column.value(i)));
+    for (std::size_t i = 0; i < count; i++)
+      numbers[i] = static_cast<std::uint64_t>(std::max(0.0, column.value(i)));
   }
   return numbers;
 }
@@ -37,9 +38,12 @@ bool isSurfaceFrame(const FrameInfo& info) {
   return normal && radius;
 }
 
-SurfaceFrame readSurfaceFrame(const std::string& path, const std::function<bool(const std::string&)>& wanted) {
+SurfaceFrame readSurfaceFrame(const std::string& path,
+                              const std::function<bool(const std::string&)>& wanted) {
   if (!isSurfaceFrame(readFrameInfo(path)))
-    throw IoError(path, "is not a frame of a surface: it has no fields normal and radius (frames of surfels are called NAME_surface_000000.hdf)");
+    throw IoError(path,
+                  "is not a frame of a surface: it has no fields normal and radius (frames of surfels are "
+                  "called NAME_surface_000000.hdf)");
   FrameData data = readFrame(path, [&](const std::string& name) {
     return std::find(std::begin(own), std::end(own), name) != std::end(own) || !wanted || wanted(name);
   });
@@ -63,7 +67,9 @@ SurfaceFrame readSurfaceFrame(const std::string& path, const std::function<bool(
       for (std::size_t i = 0; i < n; i++) frame.radii[i] = number(i);
     } else if (column.name == "color" && column.components == 3) {
       for (std::size_t i = 0; i < n; i++) {
-        const auto byte = [&](int c) { return static_cast<std::uint8_t>(std::clamp(column.value(i, c), 0.0, 255.0)); };
+        const auto byte = [&](int c) {
+          return static_cast<std::uint8_t>(std::clamp(column.value(i, c), 0.0, 255.0));
+        };
         frame.colours[i] = {byte(0), byte(1), byte(2)};
       }
     } else if (column.name == "id") {

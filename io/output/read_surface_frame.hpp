@@ -12,14 +12,14 @@ namespace thaw {
 
 /// A frame of surfels in memory of one process. All vectors have one element a surfel.
 struct SurfaceFrame {
-  double time = 0;                        ///< s
+  double time = 0;  ///< s
   std::int64_t step = 0;
-  std::vector<Vec3d> positions;           ///< m
-  std::vector<Vec3f> normals;             ///< unit, outward
-  std::vector<float> radii;               ///< m
-  std::vector<Rgb> colours;               ///< light grey where the file has none
+  std::vector<Vec3d> positions;                ///< m
+  std::vector<Vec3f> normals;                  ///< unit, outward
+  std::vector<float> radii;                    ///< m
+  std::vector<Rgb> colours;                    ///< light grey where the file has none
   std::vector<std::uint64_t> ids, components;  ///< 0 where the file has none
-  std::vector<FrameColumn> columns;       ///< the other fields: liquid, temperature, detail
+  std::vector<FrameColumn> columns;            ///< the other fields: liquid, temperature, detail
   std::string sceneName, sceneText;
   const FrameColumn* find(const std::string& name) const;
 };
@@ -27,7 +27,9 @@ struct SurfaceFrame {
 /// Does the frame have what makes surfels of points: `normal` with 3 components and `radius`?
 bool isSurfaceFrame(const FrameInfo& info);
 
-/// Reads a frame of surfels; wanted: which of the other fields, empty: all. IoError as readFrame, and for frames of something else.
-SurfaceFrame readSurfaceFrame(const std::string& path, const std::function<bool(const std::string&)>& wanted = {});
+/// Reads a frame of surfels; wanted: which of the other fields, empty: all. IoError as readFrame, and for
+/// frames of something else.
+SurfaceFrame readSurfaceFrame(const std::string& path,
+                              const std::function<bool(const std::string&)>& wanted = {});
 
 }  // namespace thaw

@@ -8,7 +8,9 @@ namespace thaw {
 
 std::vector<std::uint64_t> idsOf(const FrameData& frame) {
   const FrameColumn* column = frame.find("id");
-  if (!column || column->components != 1 || column->bytes.size() != frame.positions.size() * sizeof(std::uint64_t)) return {};
+  if (!column || column->components != 1 ||
+      column->bytes.size() != frame.positions.size() * sizeof(std::uint64_t))
+    return {};
   std::vector<std::uint64_t> ids(frame.positions.size());
   if (!ids.empty()) std::memcpy(ids.data(), column->bytes.data(), column->bytes.size());
   return ids;
@@ -19,14 +21,16 @@ void orderById(FrameData& frame) {
   if (ids.empty()) return;
   std::vector<std::uint32_t> rows(ids.size()), place(ids.size());
   std::iota(rows.begin(), rows.end(), 0u);
-  std::stable_sort(rows.begin(), rows.end(), [&](std::uint32_t a, std::uint32_t b) { return ids[a] < ids[b]; });
+  std::stable_sort(rows.begin(), rows.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return ids[a] < ids[b]; });
   for (std::uint32_t k = 0; k < rows.size(); k++) place[rows[k]] = k;
   const std::vector<Vec3d> positions = frame.positions;
   for (std::size_t k = 0; k < rows.size(); k++) frame.positions[k] = positions[rows[k]];
   for (FrameColumn& c : frame.columns) {
     const std::size_t bytes = c.bytes.size() / rows.size();
     const std::vector<std::byte> before = c.bytes;
-    for (std::size_t k = 0; k < rows.size(); k++) std::memcpy(c.bytes.data() + k * bytes, before.data() + rows[k] * bytes, bytes);
+    for (std::size_t k = 0; k < rows.size(); k++)
+      std::memcpy(c.bytes.data() + k * bytes, before.data() + rows[k] * bytes, bytes);
   }
   for (auto& t : frame.triangles) {
     for (std::uint32_t& corner : t) corner = place[corner];

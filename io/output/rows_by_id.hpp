@@ -10,7 +10,8 @@ namespace thaw {
 /// Ids of the rows, of all their 64 bits; empty where the frame has none.
 std::vector<std::uint64_t> idsOf(const FrameData& frame);
 
-/// Brings rows, with all columns, into the order of their ids, and triangles, each from its first corner on, into that of their corners. Nothing where there are no ids.
+/// Brings rows, with all columns, into the order of their ids, and triangles, each from its first corner on,
+/// into that of their corners. Nothing where there are no ids.
 void orderById(FrameData& frame);
 
 }  // namespace thaw

@@ -19,8 +19,11 @@ namespace {
 /// True for NAME_<six or more digits>.hdf, with ".part" behind it if part.
 bool isFrameName(const std::string& file, const std::string& scene, bool part) {
   const std::string end = part ? ".hdf.part" : ".hdf";
-  if (file.size() < scene.size() + 7 + end.size() || file.compare(0, scene.size() + 1, scene + "_") != 0 || !file.ends_with(end)) return false;
-  return std::all_of(file.begin() + static_cast<std::ptrdiff_t>(scene.size() + 1), file.end() - static_cast<std::ptrdiff_t>(end.size()),
+  if (file.size() < scene.size() + 7 + end.size() || file.compare(0, scene.size() + 1, scene + "_") != 0 ||
+      !file.ends_with(end))
+    return false;
+  return std::all_of(file.begin() + static_cast<std::ptrdiff_t>(scene.size() + 1),
+                     file.end() - static_cast<std::ptrdiff_t>(end.size()),
                      [](char c) { return c >= '0' && c <= '9'; });
 }
 
@@ -36,13 +39,19 @@ std::vector<fs::path> filesIn(const std::string& folder) {
 }  // namespace
 
 std::string frameFolder(const std::string& out) { return out + "/frames"; }
-std::string frameName(const std::string& scene, std::int64_t number) { return fmt::format("{}_{:06}.hdf", scene, number); }
-std::string seriesPath(const std::string& out, const std::string& scene) { return frameFolder(out) + "/" + scene + ".hdf.series"; }
+std::string frameName(const std::string& scene, std::int64_t number) {
+  return fmt::format("{}_{:06}.hdf", scene, number);
+}
+std::string seriesPath(const std::string& out, const std::string& scene) {
+  return frameFolder(out) + "/" + scene + ".hdf.series";
+}
 
 void makeFolder(const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder)) throw IoError(folder, "cannot make this folder: " + (error ? error.message() : "there is a file of this name"));
+  if (error || !fs::is_directory(folder))
+    throw IoError(folder,
+                  "cannot make this folder: " + (error ? error.message() : "there is a file of this name"));
 }
 
 void makeOutputFolders(const std::string& out) {
@@ -64,7 +73,8 @@ std::vector<SeriesEntry> readSeries(const std::string& path) {
   std::vector<SeriesEntry> entries;
   try {
     const nlohmann::json all = nlohmann::json::parse(text.str());
-    for (const auto& e : all.at("files")) entries.push_back({e.at("name").get<std::string>(), e.at("time").get<double>()});
+    for (const auto& e : all.at("files"))
+      entries.push_back({e.at("name").get<std::string>(), e.at("time").get<double>()});
   } catch (const nlohmann::json::exception& e) {
     throw IoError(path, std::string("is not an index of frames: ") + e.what());
   }
@@ -84,13 +94,16 @@ std::vector<SeriesEntry> framesPresent(const std::string& out, const std::string
     } catch (const IoError&) {  // not ours, or damaged: not part of the animation
     }
   }
-  std::stable_sort(entries.begin(), entries.end(), [](const SeriesEntry& a, const SeriesEntry& b) { return a.time < b.time; });
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](const SeriesEntry& a, const SeriesEntry& b) { return a.time < b.time; });
   return entries;
 }
 
-void forgetSeries(const std::string& out, const std::string& scene, std::vector<SeriesEntry>& entries, double time) {
+void forgetSeries(const std::string& out, const std::string& scene, std::vector<SeriesEntry>& entries,
+                  double time) {
   std::vector<std::string> gone;
-  for (; !entries.empty() && entries.back().time > time; entries.pop_back()) gone.push_back(entries.back().name);
+  for (; !entries.empty() && entries.back().time > time; entries.pop_back())
+    gone.push_back(entries.back().name);
   if (gone.empty()) return;
   writeSeries(seriesPath(out, scene), entries);
   std::error_code error;

@@ -30,21 +30,28 @@ template<class Use> void eachMember(const SurfaceEvent*, Use&& use) {
 template<class T> struct InFile { using type = T; };
 template<> struct InFile<SurfaceEventKind> { using type = std::uint8_t; };
 
-template<class Record> void writeRecords(H5File& file, const std::string& group, const std::vector<Record>& records) {
+template<class Record>
+void writeRecords(H5File& file, const std::string& group, const std::vector<Record>& records) {
   file.createGroup(group);
-  eachMember(static_cast<const Record*>(nullptr), [&]<class T>(const char* name, const char* unit, Element element, T Record::* member) {
-    std::vector<typename InFile<T>::type> values;
-    for (const Record& r : records) values.push_back(static_cast<typename InFile<T>::type>(r.*member));
-    file.writeAll(group + "/" + name, {element, values.size(), sizeof(T) == sizeof(Vec3d) ? 3 : 0}, values.data());
-    file.setText(group + "/" + name, "units", unit);
-  });
+  eachMember(static_cast<const Record*>(nullptr),
+             [&]<class T>(const char* name, const char* unit, Element element, T Record::*member) {
+               std::vector<typename InFile<T>::type> values;
+               for (const Record& r : records)
+                 values.push_back(static_cast<typename InFile<T>::type>(r.*member));
+               file.writeAll(group + "/" + name, {element, values.size(), sizeof(T) == sizeof(Vec3d) ? 3 : 0},
+                             values.data());
+               file.setText(group + "/" + name, "units", unit);
+             });
 }
 
-template<class Record> std::vector<Record> readRecords(const H5File& file, const std::string& group, const char* counted) {
+template<class Record>
+std::vector<Record> readRecords(const H5File& file, const std::string& group, const char* counted) {
   std::vector<Record> records(file.shape(group + "/" + counted).rows);
-  eachMember(static_cast<const Record*>(nullptr), [&]<class T>(const char* name, const char*, Element element, T Record::* member) {
+  eachMember(static_cast<const Record*>(nullptr), [&]<class T>(const char* name, const char*, Element element,
+                                                               T Record::*member) {
     const auto values = readRows<typename InFile<T>::type>(file, group + "/" + name, element);
-    if (values.size() != records.size()) throw IoError(file.path(), "is damaged: " + group + "/" + name + " has another number of rows");
+    if (values.size() != records.size())
+      throw IoError(file.path(), "is damaged: " + group + "/" + name + " has another number of rows");
     for (std::size_t k = 0; k < records.size(); k++) records[k].*member = static_cast<T>(values[k]);
   });
   return records;
@@ -52,7 +59,9 @@ template<class Record> std::vector<Record> readRecords(const H5File& file, const
 
 }  // namespace
 
-SurfaceRecord surfaceRecordOf(const Surface& s) { return {s.surfels.id.active, s.lastStep, s.counters, s.components, s.events}; }
+SurfaceRecord surfaceRecordOf(const Surface& s) {
+  return {s.surfels.id.active, s.lastStep, s.counters, s.components, s.events};
+}
 
 void restoreSurfaceRecord(const SurfaceRecord& record, Surface& s) {
   s.lastStep = record.lastStep;

@@ -14,9 +14,9 @@ namespace {
 
 /// Where solids and bonds of this rank are, in the order in which they are written.
 struct SolidOrder {
-  std::vector<std::uint32_t> slots;         // of owned particles, ascending by particle
-  std::vector<std::uint64_t> particle;      // its row in the file
-  std::vector<std::uint64_t> firstBond;     // of each solid, on this rank; one more at the end
+  std::vector<std::uint32_t> slots;      // of owned particles, ascending by particle
+  std::vector<std::uint64_t> particle;   // its row in the file
+  std::vector<std::uint64_t> firstBond;  // of each solid, on this rank; one more at the end
 };
 
 SolidOrder orderSolids(const World& w, std::uint64_t firstRow) {
@@ -34,9 +34,14 @@ SolidOrder orderSolids(const World& w, std::uint64_t firstRow) {
   return o;
 }
 
-/// Calls use(index of the bond among those asked for, its place in Bonds) for bonds [range.first, + count) of this rank.
-template<class Use> void eachBond(const Bonds& bonds, const SolidOrder& order, const RowRange& range, Use&& use) {
-  std::size_t solid = static_cast<std::size_t>(std::upper_bound(order.firstBond.begin(), order.firstBond.end(), range.first) - order.firstBond.begin()) - 1;
+/// Calls use(index of the bond among those asked for, its place in Bonds) for bonds [range.first, + count) of
+/// this rank.
+template<class Use>
+void eachBond(const Bonds& bonds, const SolidOrder& order, const RowRange& range, Use&& use) {
+  std::size_t solid = static_cast<std::size_t>(
+                          std::upper_bound(order.firstBond.begin(), order.firstBond.end(), range.first) -
+                          order.firstBond.begin()) -
+                      1;
   for (std::uint64_t at = order.firstBond[solid]; at < range.first + range.count; solid++)
     for (int k = 0; k < bonds.capacity && at < range.first + range.count; k++) {
       if (!bonds.there(order.slots[solid], k)) continue;
@@ -46,7 +51,8 @@ template<class Use> void eachBond(const Bonds& bonds, const SolidOrder& order, c
 }
 
 /// State columns of a table, or those of its pack.
-void addColumns(ParallelFileContent& content, const std::string& group, const Table& table, const PackedTable* packed, const Spread& spread, const SolidOrder* order) {
+void addColumns(ParallelFileContent& content, const std::string& group, const Table& table,
+                const PackedTable* packed, const Spread& spread, const SolidOrder* order) {
   content.groups.push_back(group);
   for (std::size_t k = 0; k < table.columns.size(); k++) {
     const AnyColumn* c = table.columns[k];
@@ -57,11 +63,15 @@ void addColumns(ParallelFileContent& content, const std::string& group, const Ta
     d.mine = spread.mine;
     d.unit = c->unit;
     const std::size_t bytes = c->elementBytes;
-    if (packed) d.fill = [c, k, packed](const RowRange& local, std::byte* to) { unpackRows(*packed, *c, k, local.first, local.count, to); };
+    if (packed)
+      d.fill = [c, k, packed](const RowRange& local, std::byte* to) {
+        unpackRows(*packed, *c, k, local.first, local.count, to);
+      };
     else if (order == nullptr) d.data = c->bytes.data();
     else
       d.fill = [c, order, bytes](const RowRange& local, std::byte* to) {
-        for (std::uint64_t k = 0; k < local.count; k++) std::memcpy(to + k * bytes, c->bytes.data() + order->slots[local.first + k] * bytes, bytes);
+        for (std::uint64_t k = 0; k < local.count; k++)
+          std::memcpy(to + k * bytes, c->bytes.data() + order->slots[local.first + k] * bytes, bytes);
       };
     content.datasets.push_back(std::move(d));
   }
@@ -70,7 +80,8 @@ void addColumns(ParallelFileContent& content, const std::string& group, const Ta
 void addBonds(ParallelFileContent& content, const World& w, const SolidOrder& order, const Spread& spread) {
   const Bonds& b = w.bonds;
   content.groups.push_back("/bonds");
-  const auto add = [&](const std::string& name, const std::string& unit, Element element, int components, auto put) {
+  const auto add = [&](const std::string& name, const std::string& unit, Element element, int components,
+                       auto put) {
     SpreadDataset d;
     d.name = "/bonds/" + name;
     d.shape = {element, spread.all, components};
@@ -88,7 +99,8 @@ void addBonds(ParallelFileContent& content, const World& w, const SolidOrder& or
       std::memcpy(to, v, sizeof v);
     };
   };
-  add("neighbour", "1", Element::U64, 0, [&](std::size_t place, std::byte* to) { std::memcpy(to, &w.solids.id[b.neighbour[place]], 8); });
+  add("neighbour", "1", Element::U64, 0,
+      [&](std::size_t place, std::byte* to) { std::memcpy(to, &w.solids.id[b.neighbour[place]], 8); });
   if (!b.vectors) return;  // the rest follows from /solids/reference
   add("reference", "m", Element::F64, 3, vector(b.x, b.y, b.z));
   add("reverse", "m", Element::F64, 3, vector(b.rx, b.ry, b.rz));
@@ -123,7 +135,8 @@ void writeHeader(H5File& file, const CheckpointHeader& h) {
   file.createGroup(at + "/ledger");
   for (const NamedSum& s : sumsOf(ledger)) {
     const std::string name = at + "/ledger/" + s.name;
-    file.writeAll(name, {Element::I64, ExactSum::digits, 0}, s.sum->digit.data());  // exact: 32-bit digits from 2^-1088 up
+    // exact: 32-bit digits from 2^-1088 up
+    file.writeAll(name, {Element::I64, ExactSum::digits, 0}, s.sum->digit.data());
     file.setText(name, "units", s.unit);
     file.setNumber(name, "value", s.sum->value());
   }
@@ -135,8 +148,10 @@ void writeHeader(H5File& file, const CheckpointHeader& h) {
 }
 
 /// The state as a file, its particles from the pack if there is one; the header's sums are of all ranks.
-void writeState(const std::string& path, std::int64_t sequence, MPI_Comm comm, const World& w, const PackedTable* packed, const RunStamp& stamp, const CheckpointValues& values) {
-  if (!w.solids.energyKnown || !w.compressionKnown) throw std::logic_error("stored energies are to be found before a checkpoint is written");
+void writeState(const std::string& path, std::int64_t sequence, MPI_Comm comm, const World& w,
+                const PackedTable* packed, const RunStamp& stamp, const CheckpointValues& values) {
+  if (!w.solids.energyKnown || !w.compressionKnown)
+    throw std::logic_error("stored energies are to be found before a checkpoint is written");
   const Communicator ours(comm);
   MpiReducer all(ours);
   CheckpointHeader h;
@@ -151,7 +166,8 @@ void writeState(const std::string& path, std::int64_t sequence, MPI_Comm comm, c
   h.surface = surfaceRecordOf(w.surface);
   const Spread particles = spreadRows(comm, w.particles.owned);
   const SolidOrder order = orderSolids(w, particles.mine.first);
-  const Spread solids = spreadRows(comm, order.slots.size()), bonds = spreadRows(comm, order.firstBond.back());
+  const Spread solids = spreadRows(comm, order.slots.size()),
+               bonds = spreadRows(comm, order.firstBond.back());
   ParallelFileContent content;
   content.checked = true;
   content.groups = {"/checkpoint", "/run", "/order"};
@@ -160,14 +176,20 @@ void writeState(const std::string& path, std::int64_t sequence, MPI_Comm comm, c
   addBonds(content, w, order, bonds);
   if (h.surface.there) {
     content.groups.push_back("/surface");
-    addColumns(content, "/surfels", w.surface.surfels, nullptr, spreadRows(comm, w.surface.surfels.owned), nullptr);
+    addColumns(content, "/surfels", w.surface.surfels, nullptr, spreadRows(comm, w.surface.surfels.owned),
+               nullptr);
   }
-  eachKind(w, [&](std::size_t kind, const KindRows& r, const CellTable&) { addColumns(content, std::string("/") + kindNames[kind], r, nullptr, spreadRows(comm, r.owned), nullptr); });
+  eachKind(w, [&](std::size_t kind, const KindRows& r, const CellTable&) {
+    addColumns(content, std::string("/") + kindNames[kind], r, nullptr, spreadRows(comm, r.owned), nullptr);
+  });
   std::vector<std::uint64_t> firstBond(order.firstBond.begin(), order.firstBond.end() - 1);
   for (std::uint64_t& f : firstBond) f += bonds.mine.first;
-  content.datasets.push_back({"/order/solid_particle", {Element::U64, solids.all, 0}, solids.mine, order.particle.data(), "1", {}});
-  content.datasets.push_back({"/order/first_bond", {Element::U64, solids.all, 0}, solids.mine, firstBond.data(), "1", {}});
-  content.smallBytes = stamp.sceneText.size() + h.surface.components.size() * sizeof(SurfaceComponent) + h.surface.events.size() * sizeof(SurfaceEvent);
+  content.datasets.push_back(
+      {"/order/solid_particle", {Element::U64, solids.all, 0}, solids.mine, order.particle.data(), "1", {}});
+  content.datasets.push_back(
+      {"/order/first_bond", {Element::U64, solids.all, 0}, solids.mine, firstBond.data(), "1", {}});
+  content.smallBytes = stamp.sceneText.size() + h.surface.components.size() * sizeof(SurfaceComponent) +
+                       h.surface.events.size() * sizeof(SurfaceEvent);
   content.small = [&](H5File& file) {
     writeHeader(file, h);
     writeStamp(file, stamp, ours.size());
@@ -187,7 +209,8 @@ std::string nextPath(const std::string& out, MPI_Comm comm, std::int64_t& sequen
   return out + "/checkpoint/" + (second ? "b.hdf" : "a.hdf");
 }
 
-std::string writeNext(const std::string& out, MPI_Comm comm, const World& w, const PackedTable* packed, const RunStamp& stamp, const CheckpointValues& values) {
+std::string writeNext(const std::string& out, MPI_Comm comm, const World& w, const PackedTable* packed,
+                      const RunStamp& stamp, const CheckpointValues& values) {
   std::int64_t sequence = 1;
   const std::string path = nextPath(out, comm, sequence);
   writeState(path, sequence, comm, w, packed, stamp, values);
@@ -196,17 +219,22 @@ std::string writeNext(const std::string& out, MPI_Comm comm, const World& w, con
 
 }  // namespace
 
-std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const World& w, const RunStamp& stamp, const CheckpointValues& values) {
+std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const World& w, const RunStamp& stamp,
+                            const CheckpointValues& values) {
   return writeNext(out, comm, w, nullptr, stamp, values);
 }
 
-std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const GoodState& kept, const RunStamp& stamp, const CheckpointValues& values) {
+std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const GoodState& kept,
+                            const RunStamp& stamp, const CheckpointValues& values) {
   return writeNext(out, comm, kept.world, &kept.particles, stamp, values);
 }
 
-std::string goodStatePath(const std::string& out, std::int64_t step) { return out + "/checkpoint/good_" + std::to_string(step) + ".hdf"; }
+std::string goodStatePath(const std::string& out, std::int64_t step) {
+  return out + "/checkpoint/good_" + std::to_string(step) + ".hdf";
+}
 
-std::string writeGoodState(const std::string& out, MPI_Comm comm, const GoodState& kept, const RunStamp& stamp, const CheckpointValues& values) {
+std::string writeGoodState(const std::string& out, MPI_Comm comm, const GoodState& kept,
+                           const RunStamp& stamp, const CheckpointValues& values) {
   const std::string path = goodStatePath(out, kept.world.clock.step);
   writeState(path, 0, comm, kept.world, &kept.particles, stamp, values);
   return path;
@@ -214,13 +242,15 @@ std::string writeGoodState(const std::string& out, MPI_Comm comm, const GoodStat
 
 void dropUnusedGoodStates(const std::string& out) {
   std::vector<std::string> used, problems;
-  for (const CheckpointHeader& h : findCheckpoints(out, &problems)) used.push_back(goodStatePath(out, h.watch.goodStep));
+  for (const CheckpointHeader& h : findCheckpoints(out, &problems))
+    used.push_back(goodStatePath(out, h.watch.goodStep));
   if (!problems.empty()) return;  // what cannot be read may name one
   std::error_code error;
   std::vector<std::filesystem::path> unused;
   for (const auto& entry : std::filesystem::directory_iterator(out + "/checkpoint", error)) {
     const std::string name = entry.path().filename().string();
-    if (name.starts_with("good_") && name.ends_with(".hdf") && std::find(used.begin(), used.end(), out + "/checkpoint/" + name) == used.end())
+    if (name.starts_with("good_") && name.ends_with(".hdf") &&
+        std::find(used.begin(), used.end(), out + "/checkpoint/" + name) == used.end())
       unused.push_back(entry.path());
   }
   for (const auto& path : unused) std::filesystem::remove(path, error);

@@ -44,18 +44,23 @@ void writeStamp(H5File& file, const RunStamp& stamp, int ranks) {
 
 namespace {
 
-template<class Int> void writeWith(const std::string& path, MPI_Comm comm, const Frame& frame, const RunStamp& stamp) {
+template<class Int>
+void writeWith(const std::string& path, MPI_Comm comm, const Frame& frame, const RunStamp& stamp) {
   constexpr Element integer = sizeof(Int) == 4 ? Element::I32 : Element::I64;
   int rank = 0, ranks = 1;
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &ranks);
   const Spread points = spreadRows(comm, frame.count);
-  const bool piecesByRank = stamp.piecesByRank && !frame.meshed;  // a triangle may have corners on several ranks
+  const bool piecesByRank = stamp.piecesByRank && !frame.meshed;  // a triangle may have corners on several
+                                                                  // ranks
   const std::vector<std::int64_t> pieces = piecesOf(comm, frame.count, points.all, piecesByRank);
   const bool endsPiece = piecesByRank || rank == ranks - 1;
-  const Spread cells = frame.meshed ? spreadRows(comm, frame.triangles.size() / 3) : points, ends = frame.meshed ? spreadRows(comm, frame.triangles.size()) : points;
-  // one vertex cell a particle: connectivity 0, 1, ... and offsets 0, 1, ... in each piece; or triangles: connectivity is theirs, offsets 0, 3, ...
-  const std::uint64_t corners = frame.meshed ? 3 : 1, firstPoint = piecesByRank ? 0 : points.mine.first, firstOffset = frame.meshed ? 3 * cells.mine.first : firstPoint;
+  const Spread cells = frame.meshed ? spreadRows(comm, frame.triangles.size() / 3) : points,
+               ends = frame.meshed ? spreadRows(comm, frame.triangles.size()) : points;
+  // one vertex cell a particle: connectivity 0, 1, ... and offsets 0, 1, ... in each piece; or triangles:
+  // connectivity is theirs, offsets 0, 3, ...
+  const std::uint64_t corners = frame.meshed ? 3 : 1, firstPoint = piecesByRank ? 0 : points.mine.first,
+                      firstOffset = frame.meshed ? 3 * cells.mine.first : firstPoint;
   const Spread offsets = spreadRows(comm, cells.mine.count + endsPiece);
 
   ParallelFileContent content;
@@ -64,20 +69,32 @@ template<class Int> void writeWith(const std::string& path, MPI_Comm comm, const
     content.datasets.push_back({name, {element, spread.all, 0}, spread.mine, nullptr, "", std::move(fill)});
   };
   const auto addField = [&](const std::string& name, const FrameField& f) {
-    content.datasets.push_back({name, {elementOf(f.scalar), points.all, f.components > 1 ? f.components : 0}, points.mine, f.data, f.unit, f.fill});
+    content.datasets.push_back({name,
+                                {elementOf(f.scalar), points.all, f.components > 1 ? f.components : 0},
+                                points.mine,
+                                f.data,
+                                f.unit,
+                                f.fill});
   };
   addField("/VTKHDF/Points", frame.positions);
-  addMade("/VTKHDF/Connectivity", integer, ends, numbered<Int>([&](std::uint64_t i) { return frame.meshed ? frame.triangles[i] : firstPoint + i; }));
-  addMade("/VTKHDF/Offsets", integer, offsets, numbered<Int>([&](std::uint64_t i) { return firstOffset + corners * i; }));
-  addMade("/VTKHDF/Types", Element::U8, cells, [&](const RowRange& local, std::byte* to) { std::memset(to, frame.meshed ? 5 : 1, local.count); });
+  addMade("/VTKHDF/Connectivity", integer, ends,
+          numbered<Int>([&](std::uint64_t i) { return frame.meshed ? frame.triangles[i] : firstPoint + i; }));
+  addMade("/VTKHDF/Offsets", integer, offsets,
+          numbered<Int>([&](std::uint64_t i) { return firstOffset + corners * i; }));
+  addMade("/VTKHDF/Types", Element::U8, cells,
+          [&](const RowRange& local, std::byte* to) { std::memset(to, frame.meshed ? 5 : 1, local.count); });
   for (const FrameField& f : frame.fields) addField("/VTKHDF/PointData/" + f.name, f);
   content.smallBytes = stamp.sceneText.size();
   content.small = [&](H5File& file) {
     file.setIntegers("/VTKHDF", "Version", {1, 0});
     file.setText("/VTKHDF", "Type", "UnstructuredGrid");
     const DatasetShape perPiece{Element::I64, pieces.size(), 0};
-    const std::vector<std::int64_t> cellsOfPieces = frame.meshed ? std::vector{static_cast<std::int64_t>(cells.all)} : pieces;
-    const std::vector<std::int64_t> endsOfPieces = frame.meshed ? std::vector{static_cast<std::int64_t>(ends.all)} : pieces;
+    const std::vector<std::int64_t> cellsOfPieces = frame.meshed
+                                                        ? std::vector{static_cast<std::int64_t>(cells.all)}
+                                                        : pieces;
+    const std::vector<std::int64_t> endsOfPieces = frame.meshed
+                                                       ? std::vector{static_cast<std::int64_t>(ends.all)}
+                                                       : pieces;
     file.writeAll("/VTKHDF/NumberOfPoints", perPiece, pieces.data());
     file.writeAll("/VTKHDF/NumberOfCells", perPiece, cellsOfPieces.data());
     file.writeAll("/VTKHDF/NumberOfConnectivityIds", perPiece, endsOfPieces.data());
@@ -91,8 +108,10 @@ template<class Int> void writeWith(const std::string& path, MPI_Comm comm, const
 
 }  // namespace
 
-void writeFrame(const std::string& path, MPI_Comm comm, const Frame& frame, const RunStamp& stamp, std::uint64_t wideFrom) {
-  const std::uint64_t largest = std::max<std::uint64_t>(spreadRows(comm, frame.count).all, spreadRows(comm, frame.triangles.size()).all);
+void writeFrame(const std::string& path, MPI_Comm comm, const Frame& frame, const RunStamp& stamp,
+                std::uint64_t wideFrom) {
+  const std::uint64_t largest = std::max<std::uint64_t>(spreadRows(comm, frame.count).all,
+                                                        spreadRows(comm, frame.triangles.size()).all);
   if (largest < wideFrom) writeWith<std::int32_t>(path, comm, frame, stamp);
   else writeWith<std::int64_t>(path, comm, frame, stamp);
 }

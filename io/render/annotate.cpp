@@ -48,7 +48,8 @@ Ticks ticksBetween(double min, double max, int most) {
 void drawColourBar(Image& image, const ColourScale& scale) {
   const double unit = image.height / 960.0;  // everything grows with the picture
   const double text = std::max(8.0, 15 * unit);
-  const int top = static_cast<int>(0.16 * image.height), tall = static_cast<int>(0.5 * image.height), wide = std::max(6, static_cast<int>(20 * unit));
+  const int top = static_cast<int>(0.16 * image.height), tall = static_cast<int>(0.5 * image.height),
+            wide = std::max(6, static_cast<int>(20 * unit));
   const Ticks ticks = ticksBetween(scale.min, scale.max, 6);
   double widest = 0;
   for (const std::string& l : ticks.labels) widest = std::max(widest, textWidth(l, text));
@@ -59,37 +60,48 @@ void drawColourBar(Image& image, const ColourScale& scale) {
     for (int x = -1; x <= wide; x++) {
       const bool edge = y < 0 || x < 0 || y == tall || x == wide;
       // where there is no range, the one colour that everything has
-      const double value = scale.max > scale.min ? scale.min + (1 - (y + 0.5) / tall) * (scale.max - scale.min) : scale.min;
-      mix(image, left + x, top + y, edge ? ink : palette[static_cast<std::size_t>(paletteIndex(scale, value))], edge ? 0.5 : 1);
+      const double value = scale.max > scale.min
+                               ? scale.min + (1 - (y + 0.5) / tall) * (scale.max - scale.min)
+                               : scale.min;
+      mix(image, left + x, top + y,
+          edge ? ink : palette[static_cast<std::size_t>(paletteIndex(scale, value))], edge ? 0.5 : 1);
     }
   for (std::size_t i = 0; i < ticks.values.size(); i++) {
     const double t = scale.max > scale.min ? (ticks.values[i] - scale.min) / (scale.max - scale.min) : 0.5;
     const double y = top + (1 - t) * tall;
-    for (int x = 0; x < static_cast<int>(5 * unit) + 1; x++) mix(image, left + wide + 1 + x, static_cast<int>(std::min(y, top + tall - 1.0)), ink, 0.8);
+    for (int x = 0; x < static_cast<int>(5 * unit) + 1; x++)
+      mix(image, left + wide + 1 + x, static_cast<int>(std::min(y, top + tall - 1.0)), ink, 0.8);
     drawText(image, left + wide + beside, y + text / 2, ticks.labels[i], {text, ink, Align::Left});
   }
-  const std::string title = scale.unit.empty() || scale.unit == "1" ? scale.title : scale.title + " [" + scale.unit + "]";
+  const std::string title = scale.unit.empty() || scale.unit == "1" ? scale.title
+                                                                    : scale.title + " [" + scale.unit + "]";
   drawText(image, image.width - margin, top - 1.4 * text, title, {1.05 * text, ink, Align::Right});
 }
 
 void drawCaption(Image& image, const std::string& title, const std::string& time) {
   const double unit = image.height / 960.0, text = std::max(9.0, 18 * unit), margin = 28 * unit;
-  const std::string behind = "   t = " + time, begins = fittedText(title, text, image.width - 2 * margin - textWidth(behind, text));
-  drawText(image, margin, margin + text, begins.empty() ? "t = " + time : begins + behind, {text, ink, Align::Left});
+  const std::string behind = "   t = " + time,
+                    begins = fittedText(title, text, image.width - 2 * margin - textWidth(behind, text));
+  drawText(image, margin, margin + text, begins.empty() ? "t = " + time : begins + behind,
+           {text, ink, Align::Left});
 }
 
 Image contactSheet(std::span<const Image> pictures, int columns, std::span<const std::string> labels) {
-  if (pictures.empty() || columns < 1 || labels.size() != pictures.size()) throw std::invalid_argument("a contact sheet needs pictures, a label for each, and a column");
+  if (pictures.empty() || columns < 1 || labels.size() != pictures.size())
+    throw std::invalid_argument("a contact sheet needs pictures, a label for each, and a column");
   const int width = pictures[0].width, height = pictures[0].height;
   for (const Image& p : pictures)
-    if (p.width != width || p.height != height) throw std::invalid_argument("the pictures of a contact sheet differ in size");
-  const int across = std::min(columns, static_cast<int>(pictures.size())), down = (static_cast<int>(pictures.size()) + across - 1) / across;
+    if (p.width != width || p.height != height)
+      throw std::invalid_argument("the pictures of a contact sheet differ in size");
+  const int across = std::min(columns, static_cast<int>(pictures.size())),
+            down = (static_cast<int>(pictures.size()) + across - 1) / across;
   const int space = std::max(4, width / 40);
   const double text = std::clamp(width / 26.0, 7.0, 20.0);
   const int below = static_cast<int>(2.2 * text);
   Image sheet(across * (width + space) + space, down * (height + below + space) + space, {247, 248, 249});
   for (std::size_t i = 0; i < pictures.size(); i++) {
-    const int x = space + static_cast<int>(i) % across * (width + space), y = space + static_cast<int>(i) / across * (height + below + space);
+    const int x = space + static_cast<int>(i) % across * (width + space),
+              y = space + static_cast<int>(i) / across * (height + below + space);
     paste(sheet, pictures[i], x, y);
     drawText(sheet, x + width / 2.0, y + height + 1.6 * text, labels[i], {text, ink, Align::Centre});
   }

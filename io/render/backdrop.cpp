@@ -11,14 +11,16 @@ constexpr Rgb skyTop{232, 236, 241}, skyLow{205, 211, 218}, floorColour{206, 206
 
 }  // namespace
 
-Backdrop::Backdrop(const RenderStyle& style, const View& view, const ViewBox& stage, const Lights& lights, const Discs& casters)
+Backdrop::Backdrop(const RenderStyle& style, const View& view, const ViewBox& stage, const Lights& lights,
+                   const Discs& casters)
     : view_(view), top_(toLinear(skyTop)), low_(toLinear(skyLow)), floor_(toLinear(floorColour)) {
   const Vec3d c = stage.empty() ? Vec3d{} : stage.centre();
   const Vec3f centre{static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z)};
   reach_ = stage.empty() ? 1 : std::max(static_cast<float>(0.5 * length(stage.max - stage.min)), 1e-6f);
   for (const FloorHint& floor : style.floors) {
     const Vec3d from{view.origin.x, view.origin.y, view.origin.z};
-    if (dot(from - floor.point, floor.normal) > 0) floors_.emplace_back(lights, casters, floor, centre, 2.2f * reach_);
+    if (dot(from - floor.point, floor.normal) > 0)
+      floors_.emplace_back(lights, casters, floor, centre, 2.2f * reach_);
   }
 }
 

@@ -10,15 +10,19 @@ namespace thaw {
 
 namespace {
 
-struct Lch { double at, lightness, chroma, hue; };  // hue in degrees
+struct Lch {
+  double at, lightness, chroma, hue;
+};  // hue in degrees
 
-/// Oklab lightness, chroma and hue to sRGB (B. Ottosson 2020, "A perceptual color space for image processing"). False outside the gamut.
+/// Oklab lightness, chroma and hue to sRGB (B. Ottosson 2020, "A perceptual color space for image
+/// processing"). False outside the gamut.
 bool toSrgb(double lightness, double chroma, double hue, Rgb& out) {
   const double h = hue * std::numbers::pi / 180, a = chroma * std::cos(h), b = chroma * std::sin(h);
   const double l = std::pow(lightness + 0.3963377774 * a + 0.2158037573 * b, 3);
   const double m = std::pow(lightness - 0.1055613458 * a - 0.0638541728 * b, 3);
   const double s = std::pow(lightness - 0.0894841775 * a - 1.2914855480 * b, 3);
-  const double linear[3] = {4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s, -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
+  const double linear[3] = {4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
+                            -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
                             -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s};
   bool inside = true;
   std::uint8_t byte[3];
@@ -32,7 +36,8 @@ bool toSrgb(double lightness, double chroma, double hue, Rgb& out) {
   return inside;
 }
 
-/// Through the given points, linear in lightness, chroma and hue; chroma gives way where the screen cannot show it.
+/// Through the given points, linear in lightness, chroma and hue; chroma gives way where the screen cannot
+/// show it.
 Palette through(std::span<const Lch> points) {
   Palette palette;
   for (std::size_t i = 0; i < palette.size(); i++) {
@@ -49,8 +54,16 @@ Palette through(std::span<const Lch> points) {
 }
 
 // The dark end is not black: shading has to stay visible on it.
-constexpr Lch ember[] = {{0, 0.44, 0.15, 285}, {0.25, 0.55, 0.20, 325}, {0.5, 0.66, 0.21, 383}, {0.75, 0.77, 0.17, 415}, {1, 0.88, 0.16, 458}};
-constexpr Lch sea[] = {{0, 0.43, 0.14, 300}, {0.25, 0.55, 0.12, 255}, {0.5, 0.67, 0.11, 200}, {0.75, 0.79, 0.15, 150}, {1, 0.91, 0.18, 108}};
+constexpr Lch ember[] = {{0, 0.44, 0.15, 285},
+                         {0.25, 0.55, 0.20, 325},
+                         {0.5, 0.66, 0.21, 383},
+                         {0.75, 0.77, 0.17, 415},
+                         {1, 0.88, 0.16, 458}};
+constexpr Lch sea[] = {{0, 0.43, 0.14, 300},
+                       {0.25, 0.55, 0.12, 255},
+                       {0.5, 0.67, 0.11, 200},
+                       {0.75, 0.79, 0.15, 150},
+                       {1, 0.91, 0.18, 108}};
 constexpr Lch grey[] = {{0, 0.40, 0, 0}, {1, 0.95, 0, 0}};
 
 }  // namespace
@@ -59,7 +72,8 @@ ColourMap colourMapNamed(std::string_view name) {
   if (name == "ember") return ColourMap::Ember;
   if (name == "sea") return ColourMap::Sea;
   if (name == "grey") return ColourMap::Grey;
-  throw std::invalid_argument("there is no colour map '" + std::string(name) + "'; there are ember, sea and grey");
+  throw std::invalid_argument("there is no colour map '" + std::string(name) +
+                              "'; there are ember, sea and grey");
 }
 
 Palette paletteOf(ColourMap map) {

@@ -1,4 +1,5 @@
-// Colours of numbers: maps whose lightness rises evenly with the number, so that equal steps look equal, in grey as well.
+// Colours of numbers: maps whose lightness rises evenly with the number, so that equal steps look equal, in
+// grey as well.
 #pragma once
 #include <array>
 #include <string>
@@ -8,7 +9,11 @@
 
 namespace thaw {
 
-enum class ColourMap { Ember, Sea, Grey };  ///< violet-red-orange-yellow; violet-blue-green-yellow; dark to light
+enum class ColourMap {
+  Ember,
+  Sea,
+  Grey
+};  ///< violet-red-orange-yellow; violet-blue-green-yellow; dark to light
 
 /// The map of this name ("ember", "sea", "grey"); throws std::invalid_argument with the names there are.
 ColourMap colourMapNamed(std::string_view name);
@@ -19,9 +24,9 @@ Palette paletteOf(ColourMap map);
 
 /// How numbers become colours, the same for all pictures of a run.
 struct ColourScale {
-  double min = 0, max = 1;   ///< in `unit`; numbers outside get the colour of the nearer end
+  double min = 0, max = 1;  ///< in `unit`; numbers outside get the colour of the nearer end
   ColourMap map = ColourMap::Ember;
-  std::string title, unit;   ///< "temperature", "K"
+  std::string title, unit;  ///< "temperature", "K"
 };
 
 /// Index into a palette; not-a-number gives 0.

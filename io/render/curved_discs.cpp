@@ -10,14 +10,17 @@ namespace thaw {
 
 namespace {
 
-constexpr float around = 1.7f;       // of a disc's radius: neighbours that say how it bends
-constexpr float sameFace = 0.2f;     // least cosine of a neighbour's normal, for the curvature
-constexpr float oneSheet = -0.3f;    // and for the surface: what looks away more is the other side of a thin sheet
-constexpr float sharpness = 0.48f;   // of a disc's radius: width of the weights
-constexpr float uneven = 0.12f;      // of the square of how normals turn: what a curvature may leave unexplained
+constexpr float around = 1.7f;      // of a disc's radius: neighbours that say how it bends
+constexpr float sameFace = 0.2f;    // least cosine of a neighbour's normal, for the curvature
+constexpr float oneSheet = -0.3f;   // and for the surface: what looks away more is the other side of a thin
+                                    // sheet
+constexpr float sharpness = 0.48f;  // of a disc's radius: width of the weights
+constexpr float uneven = 0.12f;  // of the square of how normals turn: what a curvature may leave unexplained
 constexpr std::size_t fewest = 4;
-constexpr float flatFace = 0.995f, sharp = 0.5f;  // cosines: of one flat face; of another one beyond a sharp edge
-/// A disc of radius 1 is covered by 1 + 3 k (k + 1) discs on a hexagonal lattice of this spacing; each covers .6 of it.
+constexpr float flatFace = 0.995f, sharp = 0.5f;  // cosines: of one flat face; of another one beyond a sharp
+                                                  // edge
+/// A disc of radius 1 is covered by 1 + 3 k (k + 1) discs on a hexagonal lattice of this spacing; each covers
+/// .6 of it.
 constexpr float ringSpacing[4] = {0, 0.81f, 0.476f, 0.34f};
 constexpr float partOf = 0.62f;
 
@@ -26,9 +29,14 @@ Vec3f anyAcross(const Vec3f& n) {
   return a / std::sqrt(dot(a, a));
 }
 
-/// sine: about, of the angle by which the normals around a disc turn within its radius. 0 beside a sharp edge between flat faces, which stays one: discs are cut there (disc_clips.hpp).
-struct Turn { float sine = 0; bool edge = false; };
-Turn turnOf(const Discs& discs, std::span<const std::uint32_t> components, std::uint32_t i, std::span<const std::uint32_t> near) {
+/// sine: about, of the angle by which the normals around a disc turn within its radius. 0 beside a sharp edge
+/// between flat faces, which stays one: discs are cut there (disc_clips.hpp).
+struct Turn {
+  float sine = 0;
+  bool edge = false;
+};
+Turn turnOf(const Discs& discs, std::span<const std::uint32_t> components, std::uint32_t i,
+            std::span<const std::uint32_t> near) {
   const Vec3f x = discs.positions[i], n = discs.normals[i];
   const float r = discs.radius(i);
   float most = 0;
@@ -48,16 +56,20 @@ Turn turnOf(const Discs& discs, std::span<const std::uint32_t> components, std::
   return {std::sqrt(most), false};
 }
 
-/// Moves a part of disc i onto the surface between the discs around, where the mean of their planes and of the plane across the mean normal vanishes
-/// (exact on spheres; edges become round by a third of a spacing), and turns it so. False where there is none near.
-bool ontoDiscs(const Discs& discs, std::span<const std::uint32_t> components, std::uint32_t i, std::span<const std::uint32_t> near, DiscPart& part) {
+/// Moves a part of disc i onto the surface between the discs around, where the mean of their planes and of
+/// the plane across the mean normal vanishes (exact on spheres; edges become round by a third of a spacing),
+/// and turns it so. False where there is none near.
+bool ontoDiscs(const Discs& discs, std::span<const std::uint32_t> components, std::uint32_t i,
+               std::span<const std::uint32_t> near, DiscPart& part) {
   const Vec3f start = part.position;
   const float r = discs.radius(i);
   for (int round = 0; round < 3; round++) {
     float nearest2 = std::numeric_limits<float>::infinity();
     const auto forSheet = [&](auto use) {
       for (const std::uint32_t j : near) {
-        if (dot(discs.normals[i], discs.normals[j]) < oneSheet || (!components.empty() && components[j] != components[i])) continue;
+        if (dot(discs.normals[i], discs.normals[j]) < oneSheet ||
+            (!components.empty() && components[j] != components[i]))
+          continue;
         const Vec3f d = part.position - discs.positions[j];
         use(j, d, dot(d, d));
       }
@@ -66,7 +78,8 @@ bool ontoDiscs(const Discs& discs, std::span<const std::uint32_t> components, st
     float sum = 0, planes = 0;
     Vec3f away{}, normal{};
     forSheet([&](std::uint32_t j, const Vec3f& d, float d2) {
-      const float width = sharpness * discs.radius(j), w = std::exp(std::max(-60.0f, (nearest2 - d2) * 0.5f / (width * width)));
+      const float width = sharpness * discs.radius(j),
+                  w = std::exp(std::max(-60.0f, (nearest2 - d2) * 0.5f / (width * width)));
       sum += w;
       planes += w * dot(d, discs.normals[j]);
       away += w * d;
@@ -83,7 +96,9 @@ bool ontoDiscs(const Discs& discs, std::span<const std::uint32_t> components, st
   if (!(dot(moved, moved) < r * r)) return false;
   float sum = 0;
   for (const std::uint32_t j : near) {
-    if (dot(part.normal, discs.normals[j]) < sameFace || (!components.empty() && components[j] != components[i])) continue;
+    if (dot(part.normal, discs.normals[j]) < sameFace ||
+        (!components.empty() && components[j] != components[i]))
+      continue;
     const Vec3f d = part.position - discs.positions[j];
     DiscPart::Share own{j, std::max(0.0f, 1 - dot(d, d) / (r * r))};
     for (DiscPart::Share& s : part.mix)
@@ -97,7 +112,8 @@ bool ontoDiscs(const Discs& discs, std::span<const std::uint32_t> components, st
 
 }  // namespace
 
-DiscCurvature curvatureOf(const Discs& discs, std::span<const std::uint32_t> components, std::uint32_t i, std::span<const std::uint32_t> near) {
+DiscCurvature curvatureOf(const Discs& discs, std::span<const std::uint32_t> components, std::uint32_t i,
+                          std::span<const std::uint32_t> near) {
   const Vec3f x = discs.positions[i], n = discs.normals[i];
   DiscCurvature c{anyAcross(n)};
   const Vec3f u = c.u, v = cross(n, u);
@@ -106,7 +122,8 @@ DiscCurvature curvatureOf(const Discs& discs, std::span<const std::uint32_t> com
   const auto forFace = [&](auto use) {
     for (const std::uint32_t j : near) {
       const Vec3f d = discs.positions[j] - x, other = discs.normals[j];
-      if (j == i || dot(n, other) < sameFace || (!components.empty() && components[j] != components[i])) continue;
+      if (j == i || dot(n, other) < sameFace || (!components.empty() && components[j] != components[i]))
+        continue;
       const float a = dot(d, u), b = dot(d, v), r2 = a * a + b * b;
       if (r2 > 0) use(a, b, dot(other, u), dot(other, v), 1 / r2);
     }
@@ -122,14 +139,19 @@ DiscCurvature curvatureOf(const Discs& discs, std::span<const std::uint32_t> com
     count++;
   });
   if (count < fewest) return c;
-  const float det = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+  const float det = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+                    m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+                    m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
   const float size = static_cast<float>(count);
   if (!(det > 1e-3f * size * size * size / 27)) return c;  // they lie on one side, or in a line
-  const auto solve = [&](int k) {  // Cramer
+  const auto solve = [&](int k) {                          // Cramer
     float a[3][3];
     for (int r = 0; r < 3; r++)
       for (int l = 0; l < 3; l++) a[r][l] = l == k ? right[r] : m[r][l];
-    return (a[0][0] * (a[1][1] * a[2][2] - a[1][2] * a[2][1]) - a[0][1] * (a[1][0] * a[2][2] - a[1][2] * a[2][0]) + a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0])) / det;
+    return (a[0][0] * (a[1][1] * a[2][2] - a[1][2] * a[2][1]) -
+            a[0][1] * (a[1][0] * a[2][2] - a[1][2] * a[2][0]) +
+            a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0])) /
+           det;
   };
   const DiscCurvature fit{u, solve(0), solve(1), solve(2)};
   float left = 0;
@@ -140,7 +162,8 @@ DiscCurvature curvatureOf(const Discs& discs, std::span<const std::uint32_t> com
   return left < uneven * turned ? fit : c;
 }
 
-std::vector<DiscPart> curvedDiscs(const Discs& discs, std::span<const std::uint32_t> components, const std::function<float(std::uint32_t)>& allowed) {
+std::vector<DiscPart> curvedDiscs(const Discs& discs, std::span<const std::uint32_t> components,
+                                  const std::function<float(std::uint32_t)>& allowed) {
   std::vector<DiscPart> parts;
   const std::size_t count = discs.positions.size();
   parts.reserve(count);
@@ -149,7 +172,8 @@ std::vector<DiscPart> curvedDiscs(const Discs& discs, std::span<const std::uint3
   if (!(largest > 0)) return parts;
   std::vector<float> radii;
   for (std::size_t i = 0; i < count; i++) radii.push_back(discs.radius(i));
-  const std::size_t typical = count * 9 / 10;  // discs of very different sizes: the bins follow the typical ones
+  const std::size_t typical = count * 9 / 10;  // discs of very different sizes: the bins follow the typical
+                                               // ones
   std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(typical), radii.end());
   std::vector<Vec3d> places;
   for (const Vec3f& p : discs.positions) places.push_back({p.x, p.y, p.z});
@@ -170,7 +194,9 @@ std::vector<DiscPart> curvedDiscs(const Discs& discs, std::span<const std::uint3
     if (turn.edge) return whole(true);
     const float rise = 0.5f * r * turn.sine;
     int rings = 0;
-    while (rings < 3 && rise * (rings == 0 ? 1.0f : partOf * ringSpacing[rings] * partOf * ringSpacing[rings]) > most) rings++;
+    while (rings < 3 &&
+           rise * (rings == 0 ? 1.0f : partOf * ringSpacing[rings] * partOf * ringSpacing[rings]) > most)
+      rings++;
     if (rings == 0) return whole();
     const DiscCurvature c = curvatureOf(discs, components, i, near);
     const Vec3f u = c.u, v = cross(n, u);
@@ -178,10 +204,13 @@ std::vector<DiscPart> curvedDiscs(const Discs& discs, std::span<const std::uint3
     for (int row = -rings; row <= rings; row++)
       for (int column = std::max(-rings, -rings - row); column <= std::min(rings, rings - row); column++) {
         const float away = step * std::sqrt(static_cast<float>(row * row + row * column + column * column));
-        const float a = away > 0 ? step * (static_cast<float>(column) + 0.5f * static_cast<float>(row)) / away : 1, b = away > 0 ? step * 0.8660254f * static_cast<float>(row) / away : 0;
+        const float a = away > 0 ? step * (static_cast<float>(column) + 0.5f * static_cast<float>(row)) / away
+                                 : 1,
+                    b = away > 0 ? step * 0.8660254f * static_cast<float>(row) / away : 0;
         // along a circle of the curvature in this direction, by the way over the surface; then onto it
         const float bend = a * a * c.uu + 2 * a * b * c.uv + b * b * c.vv;
-        const float angle = std::clamp(bend * away, -1.6f, 1.6f), flat = std::abs(angle) > 1e-4f ? std::sin(angle) / angle * away : away;
+        const float angle = std::clamp(bend * away, -1.6f, 1.6f),
+                    flat = std::abs(angle) > 1e-4f ? std::sin(angle) / angle * away : away;
         const float sunk = std::abs(angle) > 1e-4f ? (1 - std::cos(angle)) / angle * away : 0;
         DiscPart part{x + flat * (a * u + b * v) - sunk * n, n, partOf * step, i, false, {}};
         if (ontoDiscs(discs, components, i, near, part)) parts.push_back(part);
@@ -196,7 +225,8 @@ std::vector<DiscPart> curvedDiscs(const Discs& discs, std::span<const std::uint3
       any = any || 0.5f * discs.radius(bins.row[k]) > most.back();
     }
     if (any) block.find(bins, boxOf(bins, b), static_cast<double>(around * radii[typical]));
-    for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++) draw(bins.row[k], most[k - bins.first[b]], block);
+    for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++)
+      draw(bins.row[k], most[k - bins.first[b]], block);
   }
   return parts;
 }

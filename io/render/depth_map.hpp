@@ -1,4 +1,5 @@
-// What a light far away sees: for each place across its direction, how near to the light the nearest particle is.
+// What a light far away sees: for each place across its direction, how near to the light the nearest particle
+// is.
 #pragma once
 #include <span>
 #include <vector>
@@ -8,13 +9,15 @@
 namespace thaw {
 
 struct DepthMap {
-  Vec3f across, along, toLight;   ///< orthonormal; toLight points at the light
-  float left = 0, low = 0;        ///< m, coordinates of the map's corner along the first two axes
-  float cell = 1;                 ///< m, edge of a cell
+  Vec3f across, along, toLight;  ///< orthonormal; toLight points at the light
+  float left = 0, low = 0;       ///< m, coordinates of the map's corner along the first two axes
+  float cell = 1;                ///< m, edge of a cell
   int columns = 0, rows = 0;
-  std::vector<float> nearest;     ///< m, along toLight, of the particle nearest to the light; lowest float where there is none
+  std::vector<float> nearest;  ///< m, along toLight, of the particle nearest to the light; lowest float where
+                               ///< there is none
 
-  /// Part of the light, 0 to 1, that passes: over (2 taps + 1)^2 bilinear samples around a point that is `bias` metres in front of it.
+  /// Part of the light, 0 to 1, that passes: over (2 taps + 1)^2 bilinear samples around a point that is
+  /// `bias` metres in front of it.
   float visible(const Vec3f& point, float bias, int taps) const;
 };
 
@@ -26,8 +29,9 @@ struct Discs {
   float radius(std::size_t i) const { return radii.size() == 1 ? radii[0] : radii[i]; }
 };
 
-/// The map of all discs for light from direction `toLight` (a unit vector), with about `cellsPerRadius` cells to a typical radius but
-/// at most `limit` columns and rows. Of discs with normals, those turned away from the light are left out: a closed surface needs none.
+/// The map of all discs for light from direction `toLight` (a unit vector), with about `cellsPerRadius` cells
+/// to a typical radius but at most `limit` columns and rows. Of discs with normals, those turned away from
+/// the light are left out: a closed surface needs none.
 DepthMap makeDepthMap(const Discs& discs, const Vec3f& toLight, float cellsPerRadius, int limit);
 
 }  // namespace thaw

@@ -10,20 +10,25 @@ namespace thaw {
 
 namespace {
 
-constexpr float alike = 0.96f;      // cosine: normals nearer than 16 degrees are of one smooth face
+constexpr float alike = 0.96f;  // cosine: normals nearer than 16 degrees are of one smooth face
 
-/// How far a cut goes around the neighbour, in its radii. Where the surface is only curved the cut may not go farther than the neighbour
-/// itself, or a gap would open between it and the next one; an edge goes on in a straight line.
+/// How far a cut goes around the neighbour, in its radii. Where the surface is only curved the cut may not go
+/// farther than the neighbour itself, or a gap would open between it and the next one; an edge goes on in a
+/// straight line.
 float reachOf(float cosine) { return 2.2f - 1.4f * ramp(0.3f, 0.75f, cosine); }
 /// What may stand out beyond the neighbour's plane, in radii: faces that meet leave no gap.
 float slackOf(float cosine) { return 0.015f + 0.12f * ramp(0.2f, 0.6f, cosine); }
 float square(float x) { return x * x; }
 
-struct Candidate { float away; DiscClip clip; };  // away: from the centre to the cut, along the disc
+struct Candidate {
+  float away;
+  DiscClip clip;
+};  // away: from the centre to the cut, along the disc
 
 }  // namespace
 
-DiscClips clipDiscs(const Discs& discs, std::span<const std::uint8_t> wanted, std::span<const std::uint32_t> components) {
+DiscClips clipDiscs(const Discs& discs, std::span<const std::uint8_t> wanted,
+                    std::span<const std::uint32_t> components) {
   DiscClips clips;
   const std::size_t count = discs.positions.size();
   clips.first.assign(count + 1, 0);
@@ -49,11 +54,16 @@ DiscClips clipDiscs(const Discs& discs, std::span<const std::uint8_t> wanted, st
       const float larger = 2 * std::max(r, discs.radius(j));
       if (dot(d, d) > larger * larger) return;
       const float behind = -dot(d, discs.normals[j]);  // how far the centre lies behind the neighbour's plane
-      if (behind < 0 || dot(d, n) < -0.05f * r) return;  // a valley, or a saddle: what sticks out is hidden below, or closes a gap
+      if (behind < 0 || dot(d, n) < -0.05f * r)
+        return;  // a valley, or a saddle: what sticks out is hidden below, or closes a gap
       const float away = behind / std::sqrt(1 - cosine * cosine);
-      if (away < r) found.push_back({away, {discs.normals[j], behind + slackOf(cosine) * r, -d, square(reachOf(cosine) * discs.radius(j))}});
+      if (away < r)
+        found.push_back({away,
+                         {discs.normals[j], behind + slackOf(cosine) * r, -d,
+                          square(reachOf(cosine) * discs.radius(j))}});
     });
-    std::sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) { return a.away < b.away; });
+    std::sort(found.begin(), found.end(),
+              [](const Candidate& a, const Candidate& b) { return a.away < b.away; });
     // The nearest cut, then those that add a face of their own.
     for (const Candidate& c : found) {
       const std::size_t have = clips.list.size() - clips.first[i];

@@ -7,9 +7,15 @@
 
 namespace thaw {
 
-/// The part of a disc that lies in front of a neighbour's plane is not drawn as far as that neighbour's own disc goes:
-/// dot(q, normal) > reach and |q - other| < radius, with q and other (the neighbour) from the disc's centre.
-struct DiscClip { Vec3f normal; float reach = 0; Vec3f other; float radius2 = 0; };
+/// The part of a disc that lies in front of a neighbour's plane is not drawn as far as that neighbour's own
+/// disc goes: dot(q, normal) > reach and |q - other| < radius, with q and other (the neighbour) from the
+/// disc's centre.
+struct DiscClip {
+  Vec3f normal;
+  float reach = 0;
+  Vec3f other;
+  float radius2 = 0;
+};
 
 /// Clips of each disc, at most `most` a disc.
 struct DiscClips {
@@ -18,7 +24,9 @@ struct DiscClips {
   std::vector<DiscClip> list;
 };
 
-/// For discs with `wanted` not 0, over neighbours of the same component (all, if those are empty) nearer than twice the larger radius.
-DiscClips clipDiscs(const Discs& discs, std::span<const std::uint8_t> wanted, std::span<const std::uint32_t> components);
+/// For discs with `wanted` not 0, over neighbours of the same component (all, if those are empty) nearer than
+/// twice the larger radius.
+DiscClips clipDiscs(const Discs& discs, std::span<const std::uint8_t> wanted,
+                    std::span<const std::uint32_t> components);
 
 }  // namespace thaw

@@ -20,7 +20,8 @@ namespace {
 
 std::vector<fs::path> framesOfIndex(const fs::path& index) {
   std::vector<SeriesEntry> entries = readSeries(index.string());
-  std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](const auto& a, const auto& b) { return a.time < b.time; });
   std::vector<fs::path> frames;
   for (const SeriesEntry& entry : entries) frames.push_back(index.parent_path() / entry.name);
   return frames;
@@ -53,20 +54,22 @@ namespace {
 std::string stemOf(const fs::path& frame) {
   const std::string stem = frame.stem().string();
   const std::size_t digits = stem.find_last_not_of("0123456789");
-  return digits != std::string::npos && digits + 1 < stem.size() && stem[digits] == '_' ? stem.substr(0, digits) : stem;
+  return digits != std::string::npos && digits + 1 < stem.size() && stem[digits] == '_'
+             ? stem.substr(0, digits)
+             : stem;
 }
 
 bool ofSurface(const fs::path& frame) {
   const std::string stem = stemOf(frame);
-  if (!stem.ends_with("_surface")) return false;  // the name is looked at first: a file that is damaged is found out where it is read
+  if (!stem.ends_with("_surface"))
+    return false;  // the name is looked at first: a file that is damaged is found out where it is read
   try {
     return isSurfaceFrame(readFrameInfo(frame.string()));
-  } catch (const IoError&) {
-    return true;
-  }
+  } catch (const IoError&) { return true; }
 }
 
-/// What a file's points are called where they are of a kind that is drawn with others: "sheet" of melt_sheet_000120.hdf; else nothing.
+/// What a file's points are called where they are of a kind that is drawn with others: "sheet" of
+/// melt_sheet_000120.hdf; else nothing.
 std::string kindOfFrame(const fs::path& frame) {
   const std::string stem = stemOf(frame);
   for (const std::string kind : {"sheet", "oriented"}) {
@@ -80,7 +83,8 @@ std::string kindOfFrame(const fs::path& frame) {
 /// The frame of the same number of a scene's other kind; empty if there is none.
 fs::path companionOf(const fs::path& frame, const std::string& kind) {
   std::string scene = stemOf(frame);
-  const std::string stem = frame.stem().string(), number = stem.substr(scene.size()), own = ofSurface(frame) ? "surface" : kindOfFrame(frame);
+  const std::string stem = frame.stem().string(), number = stem.substr(scene.size()),
+                    own = ofSurface(frame) ? "surface" : kindOfFrame(frame);
   if (!own.empty()) scene.resize(scene.size() - own.size() - 1);
   const fs::path other = frame.parent_path() / (scene + "_" + kind + number + ".hdf");
   return other != frame && fs::exists(other) && kindOfFrame(other) == kind ? other : fs::path();
@@ -95,15 +99,21 @@ struct FolderFrames {
 FolderFrames framesIn(const fs::path& folder) {
   FolderFrames found;
   for (const std::string& index : findSeries(folder.string())) {
-    if (index.ends_with("_oriented.hdf.series") || index.ends_with("_sheet.hdf.series")) continue;  // drawn with the frame beside
+    // drawn with the frame beside
+    if (index.ends_with("_oriented.hdf.series") || index.ends_with("_sheet.hdf.series")) continue;
     const std::vector<fs::path> frames = framesOfIndex(index);
-    if (!frames.empty() && !kindOfFrame(frames.back()).empty()) continue;  // drawn with those of the particles
-    const bool surface = frames.empty() ? fs::path(index).filename().string().ends_with("_surface.hdf.series") : ofSurface(frames.back());
+    // drawn with those of the particles
+    if (!frames.empty() && !kindOfFrame(frames.back()).empty()) continue;
+    const bool surface = frames.empty() ? fs::path(index).filename().string().ends_with("_surface.hdf.series")
+                                        : ofSurface(frames.back());
     (surface ? found.surfaceIndices : found.particleIndices).push_back(index);
     std::vector<fs::path>& list = surface ? found.surface : found.particles;
     list.insert(list.end(), frames.begin(), frames.end());
   }
-  const auto ofKind = [](const std::string& stem) { return stem.ends_with("_oriented") || stem.ends_with("_sheet"); };  // drawn with the frame beside
+  // drawn with the frame beside
+  const auto ofKind = [](const std::string& stem) {
+    return stem.ends_with("_oriented") || stem.ends_with("_sheet");
+  };
   std::vector<std::pair<std::string, bool>> known;  // stems, and whether they are of surfaces
   for (const fs::path& file : filesNamedFrames(folder)) {
     const std::string stem = stemOf(file);
@@ -120,23 +130,28 @@ FolderFrames framesIn(const fs::path& folder) {
 
 std::vector<fs::path> findFrames(const fs::path& path, FrameKind kind) {
   if (!fs::exists(path)) throw IoError(path.string(), "there is no such file or folder");
-  if (!fs::is_directory(path)) return path.extension() == ".series" ? framesOfIndex(path) : std::vector<fs::path>{path};
+  if (!fs::is_directory(path))
+    return path.extension() == ".series" ? framesOfIndex(path) : std::vector<fs::path>{path};
   if (kind == FrameKind::Oriented || kind == FrameKind::Sheet) {
     const bool sheet = kind == FrameKind::Sheet;
     for (const fs::path& folder : {path / "frames", path}) {
       if (!fs::is_directory(folder)) continue;
       for (const std::string& index : findSeries(folder.string()))
-        if (index.ends_with(sheet ? "_sheet.hdf.series" : "_oriented.hdf.series")) return framesOfIndex(index);
+        if (index.ends_with(sheet ? "_sheet.hdf.series" : "_oriented.hdf.series"))
+          return framesOfIndex(index);
     }
-    throw IoError(path.string(), std::string("there are no frames of ") + (sheet ? "sheets" : "oriented particles") + " in this folder");
+    throw IoError(path.string(), std::string("there are no frames of ") +
+                                     (sheet ? "sheets" : "oriented particles") + " in this folder");
   }
   bool particles = false;
   for (const fs::path& folder : {path / "frames", path}) {
     if (!fs::is_directory(folder)) continue;
     const FolderFrames found = framesIn(folder);
-    const bool surface = kind == FrameKind::Surface || (kind == FrameKind::Automatic && !found.surface.empty());
+    const bool surface = kind == FrameKind::Surface ||
+                         (kind == FrameKind::Automatic && !found.surface.empty());
     const std::vector<std::string>& indices = surface ? found.surfaceIndices : found.particleIndices;
-    if (indices.size() > 1) throw IoError(folder.string(), "several series in one folder; name one of them: " + indices[0]);
+    if (indices.size() > 1)
+      throw IoError(folder.string(), "several series in one folder; name one of them: " + indices[0]);
     const std::vector<fs::path>& frames = surface ? found.surface : found.particles;
     if (!frames.empty()) return frames;
     particles = particles || !found.particles.empty();
@@ -149,19 +164,23 @@ std::vector<fs::path> findFrames(const fs::path& path, FrameKind kind) {
       } catch (const IoError&) {  // the message below
       }
   if (kind == FrameKind::Surface && particles)
-    throw IoError(path.string(), "there are no frames of a surface in this folder, only of particles, sheets or oriented particles: a scene has a surface if it has a table [surface]");
+    throw IoError(path.string(),
+                  "there are no frames of a surface in this folder, only of particles, sheets or oriented "
+                  "particles: a scene has a surface if it has a table [surface]");
   throw IoError(path.string(), "there are no frames (.hdf) in this folder");
 }
 
 bool drawnAsSurface(const fs::path& frame) {
-  return isSurfaceFrame(readFrameInfo(frame.string())) || kindOfFrame(frame) == "sheet" || !companionOf(frame, "sheet").empty();
+  return isSurfaceFrame(readFrameInfo(frame.string())) || kindOfFrame(frame) == "sheet" ||
+         !companionOf(frame, "sheet").empty();
 }
 
 std::vector<std::string> fieldsOf(const fs::path& frame, bool withSheets) {
   std::vector<std::string> names;
   const auto add = [&](const fs::path& file) {
     for (const FrameInfo::Field& field : readFrameInfo(file.string()).fields)
-      if (field.name != "position" && std::find(names.begin(), names.end(), field.name) == names.end()) names.push_back(field.name);
+      if (field.name != "position" && std::find(names.begin(), names.end(), field.name) == names.end())
+        names.push_back(field.name);
   };
   add(frame);
   if (const fs::path sheets = companionOf(frame, "sheet"); withSheets && !sheets.empty()) add(sheets);
@@ -174,12 +193,14 @@ namespace {
 std::vector<Vec3f> inSinglePrecision(const std::vector<Vec3d>& positions) {
   std::vector<Vec3f> out;
   out.reserve(positions.size());
-  for (const Vec3d& p : positions) out.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+  for (const Vec3d& p : positions)
+    out.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
   return out;
 }
 
 /// Values of a column; IoError where there is none.
-void setValues(FrameView& view, const FrameColumn* column, const fs::path& frame, const std::string& field, const std::string& more) {
+void setValues(FrameView& view, const FrameColumn* column, const fs::path& frame, const std::string& field,
+               const std::string& more) {
   if (!column) {
     std::string names;
     for (const std::string& n : fieldsOf(frame)) names += (names.empty() ? "" : ", ") + n;
@@ -200,7 +221,8 @@ void makeWhole(SurfaceFrame& frame, const PeriodicSides& sides) {
 }
 
 /// Not alone: beside sheets, of which the field may be; the surface then has its own colours.
-FrameView surfaceView(const fs::path& file, const std::string& field, const PeriodicSides& sides, bool alone) {
+FrameView surfaceView(const fs::path& file, const std::string& field, const PeriodicSides& sides,
+                      bool alone) {
   const std::string name = field == "speed" ? "velocity" : field == "glow" ? "temperature" : field;
   SurfaceFrame frame = readSurfaceFrame(file.string(), [&](const std::string& n) { return n == name; });
   makeWhole(frame, sides);
@@ -210,17 +232,23 @@ FrameView surfaceView(const fs::path& file, const std::string& field, const Peri
   view.normals = std::move(frame.normals);
   view.radii = std::move(frame.radii);
   view.colours = std::move(frame.colours);
-  for (const std::uint64_t c : frame.components) view.components.push_back(static_cast<std::uint32_t>(c ^ c >> 32));
-  view.paint = field.empty() ? SurfelPaint::Plain : field == "surface" ? SurfelPaint::Surface : field == "glow" ? SurfelPaint::Glow : SurfelPaint::Values;
+  for (const std::uint64_t c : frame.components)
+    view.components.push_back(static_cast<std::uint32_t>(c ^ c >> 32));
+  view.paint = field.empty()        ? SurfelPaint::Plain
+               : field == "surface" ? SurfelPaint::Surface
+               : field == "glow"    ? SurfelPaint::Glow
+                                    : SurfelPaint::Values;
   if (!alone && !frame.find(name)) return view;
-  if (view.paint == SurfelPaint::Values || view.paint == SurfelPaint::Glow) setValues(view, frame.find(name), file, field, "; and surface, glow");
+  if (view.paint == SurfelPaint::Values || view.paint == SurfelPaint::Glow)
+    setValues(view, frame.find(name), file, field, "; and surface, glow");
   return view;
 }
 
 /// Adds the sheets of a frame to a view of surfels.
 void addSheets(const fs::path& file, const std::string& field, FrameView& view) {
   const std::string name = field == "speed" ? "velocity" : field == "glow" ? "temperature" : field;
-  const FrameData data = readFrame(file.string(), [&](const std::string& n) { return n == name || n == "color"; });
+  const FrameData data = readFrame(file.string(),
+                                   [&](const std::string& n) { return n == name || n == "color"; });
   const std::vector<Vec3f> positions = inSinglePrecision(data.positions);
   std::vector<float> values;
   if (const FrameColumn* column = data.find(name)) {
@@ -230,7 +258,9 @@ void addSheets(const fs::path& file, const std::string& field, FrameView& view) 
   std::vector<Rgb> colours(positions.size(), Rgb{200, 200, 200});
   if (const FrameColumn* column = data.find("color"); column && column->components == 3)
     for (std::size_t i = 0; i < colours.size(); i++) {
-      const auto byte = [&](int c) { return static_cast<std::uint8_t>(std::clamp(column->value(i, c), 0.0, 255.0)); };
+      const auto byte = [&](int c) {
+        return static_cast<std::uint8_t>(std::clamp(column->value(i, c), 0.0, 255.0));
+      };
       colours[i] = {byte(0), byte(1), byte(2)};
     }
   view.time = data.time;
@@ -275,7 +305,8 @@ FrameView readFrameView(const fs::path& frame, const std::string& field, const P
   }
   const bool surfels = isSurfaceFrame(readFrameInfo(frame.string()));
   const fs::path sheets = companionOf(frame, "sheet");
-  if (sheets.empty()) return surfels ? surfaceView(frame, field, sides, true) : particleView(frame, field, true);
+  if (sheets.empty())
+    return surfels ? surfaceView(frame, field, sides, true) : particleView(frame, field, true);
   FrameView view = surfels ? surfaceView(frame, field, sides, false) : particleView(frame, field, false);
   if (!surfels && !view.positions.empty()) {
     const KeptScene scene = keptSceneOf(frame);
@@ -287,7 +318,8 @@ FrameView readFrameView(const fs::path& frame, const std::string& field, const P
   return view;
 }
 
-FrameView readWholeView(const fs::path& frame, const std::string& field, OrientedLook look, float spacing, const PeriodicSides& sides) {
+FrameView readWholeView(const fs::path& frame, const std::string& field, OrientedLook look, float spacing,
+                        const PeriodicSides& sides) {
   const FrameInfo info = readFrameInfo(frame.string());
   if (isOrientedFrame(info)) {
     FrameView view;
@@ -296,8 +328,10 @@ FrameView readWholeView(const fs::path& frame, const std::string& field, Oriente
     return view;
   }
   // of a scene without particles there is no field to colour with
-  FrameView view = readFrameView(frame, info.count > 0 || drawnAsSurface(frame) ? field : std::string(), sides);
-  if (const fs::path oriented = companionOf(frame, "oriented"); !oriented.empty()) addKindBeside(view, oriented, look, spacing);
+  FrameView view = readFrameView(frame, info.count > 0 || drawnAsSurface(frame) ? field : std::string(),
+                                 sides);
+  if (const fs::path oriented = companionOf(frame, "oriented"); !oriented.empty())
+    addKindBeside(view, oriented, look, spacing);
   return view;
 }
 

@@ -22,11 +22,16 @@ bool clipToBox(const Vec3d& origin, const Vec3d& direction, const Bounds& box, d
 }
 
 /// How much of the light is lost on the way, 0 to 1, and how bright what replaces it is.
-struct Veil { double alpha = 0, bright = 0; };
+struct Veil {
+  double alpha = 0, bright = 0;
+};
 
-struct Ray { Vec3d origin, direction; };  // unit direction
+struct Ray {
+  Vec3d origin, direction;
+};  // unit direction
 
-/// Normal at the surface that the ray crosses between two places along it: found by halving, as beside an edge the normal jumps.
+/// Normal at the surface that the ray crosses between two places along it: found by halving, as beside an
+/// edge the normal jumps.
 Vec3d normalWhereCrossed(const SignedDistance& shape, const Ray& ray, double from, double to) {
   const bool inside = shape.distance(ray.origin + from * ray.direction) < 0;
   for (int n = 0; n < 8; n++) {
@@ -38,8 +43,9 @@ Vec3d normalWhereCrossed(const SignedDistance& shape, const Ray& ray, double fro
   return gradient;
 }
 
-/// Walks through all surfaces between `from` and `to` (m along the ray): more is mirrored where they are seen edge on (Schlick 1994).
-/// `up` is where the light comes from, `step` (m) how thin a wall may be to be missed.
+/// Walks through all surfaces between `from` and `to` (m along the ray): more is mirrored where they are seen
+/// edge on (Schlick 1994). `up` is where the light comes from, `step` (m) how thin a wall may be to be
+/// missed.
 Veil walk(const SignedDistance& shape, const Ray& ray, double from, double to, const Vec3d& up, double step) {
   Veil veil;
   double through = 1, t = from, last = from, before = 1;
@@ -47,7 +53,8 @@ Veil walk(const SignedDistance& shape, const Ray& ray, double from, double to, c
     const double d = shape.distance(ray.origin + t * ray.direction, nullptr);
     if (n > 0 && (d < 0) != (before < 0)) {
       const Vec3d gradient = normalWhereCrossed(shape, ray, last, t);
-      const double facing = std::abs(dot(gradient, ray.direction)), mirrored = 0.05 + 0.75 * std::pow(1 - facing, 4);
+      const double facing = std::abs(dot(gradient, ray.direction)),
+                   mirrored = 0.05 + 0.75 * std::pow(1 - facing, 4);
       const double shine = 0.62 + 0.38 * std::max(0.0, dot(gradient, up));
       veil.bright += through * mirrored * shine;
       through *= 1 - mirrored;
@@ -66,21 +73,28 @@ void drawGlasses(Image& image, const RenderStyle& style, const View& view, const
   const int samples = buffer.width / image.width;
   for (const GlassHint& glass : style.glasses) {
     Bounds box = glass.shape->bounds();
-    if (!std::isfinite(box.max.x - box.min.x) || !std::isfinite(box.max.y - box.min.y) || !std::isfinite(box.max.z - box.min.z)) continue;
-    const Vec3d size = box.max - box.min, origin = transpose(glass.turn) * (toDouble(view.origin) - glass.move);
+    if (!std::isfinite(box.max.x - box.min.x) || !std::isfinite(box.max.y - box.min.y) ||
+        !std::isfinite(box.max.z - box.min.z))
+      continue;
+    const Vec3d size = box.max - box.min,
+                origin = transpose(glass.turn) * (toDouble(view.origin) - glass.move);
     const Vec3d up = transpose(glass.turn) * Vec3d{0, 0, 1};
     const double step = 2e-3 * length(size);
-    box = {box.min - Vec3d{step, step, step}, box.max + Vec3d{step, step, step}};  // rays start outside of the surface
+    // rays start outside of the surface
+    box = {box.min - Vec3d{step, step, step}, box.max + Vec3d{step, step, step}};
     for (int y = 0; y < image.height; y++)
       for (int x = 0; x < image.width; x++) {
-        const std::size_t sample = static_cast<std::size_t>(y * samples) * buffer.width + static_cast<std::size_t>(x) * samples;
-        const Vec3d ray = transpose(glass.turn) * toDouble(view.ray(static_cast<float>((x + 0.5) * samples), static_cast<float>((y + 0.5) * samples)));
+        const std::size_t sample = static_cast<std::size_t>(y * samples) * buffer.width +
+                                   static_cast<std::size_t>(x) * samples;
+        const Vec3d ray = transpose(glass.turn) * toDouble(view.ray(static_cast<float>((x + 0.5) * samples),
+                                                                    static_cast<float>((y + 0.5) * samples)));
         double from = 0, to = buffer.depth[sample];  // the ray has depth 1
         if (!clipToBox(origin, ray, box, from, to)) continue;
         const double scale = length(ray);
         const Veil veil = walk(*glass.shape, {origin, ray / scale}, from * scale, to * scale, up, step);
         if (veil.alpha <= 0) continue;
-        const auto grey = static_cast<std::uint8_t>(std::lround(255 * std::min(1.0, veil.bright / veil.alpha)));
+        const auto grey = static_cast<std::uint8_t>(
+            std::lround(255 * std::min(1.0, veil.bright / veil.alpha)));
         mix(image, x, y, {grey, grey, grey}, veil.alpha);
       }
   }

@@ -1,4 +1,5 @@
-// Clear solid things over a picture: their surfaces found by walking along the view rays through signed distances.
+// Clear solid things over a picture: their surfaces found by walking along the view rays through signed
+// distances.
 #pragma once
 #include "io/render/render.hpp"
 #include "io/render/splat.hpp"

@@ -9,14 +9,19 @@ void mix(Image& image, int x, int y, Rgb colour, double alpha) {
   if (x < 0 || y < 0 || x >= image.width || y >= image.height || alpha <= 0) return;
   const double a = std::min(alpha, 1.0);
   Rgb& p = image.at(x, y);
-  const auto between = [a](std::uint8_t from, std::uint8_t to) { return static_cast<std::uint8_t>(std::lround(from + a * (to - from))); };
+  const auto between = [a](std::uint8_t from, std::uint8_t to) {
+    return static_cast<std::uint8_t>(std::lround(from + a * (to - from)));
+  };
   p = {between(p.r, colour.r), between(p.g, colour.g), between(p.b, colour.b)};
 }
 
 namespace {
 
 /// Source cells [first, last] of target cell i, with the weights of the two ends, when n cells shrink to m.
-struct Span { int first, last; double firstWeight, lastWeight; };
+struct Span {
+  int first, last;
+  double firstWeight, lastWeight;
+};
 Span coverage(int i, int n, int m) {
   const double step = static_cast<double>(n) / m, from = i * step, to = std::min<double>(n, (i + 1) * step);
   const int first = static_cast<int>(from), last = std::min(n - 1, static_cast<int>(std::ceil(to)) - 1);

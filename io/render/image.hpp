@@ -6,7 +6,9 @@
 
 namespace thaw {
 
-struct Rgb { std::uint8_t r = 0, g = 0, b = 0; };
+struct Rgb {
+  std::uint8_t r = 0, g = 0, b = 0;
+};
 inline bool operator==(const Rgb& a, const Rgb& b) { return a.r == b.r && a.g == b.g && a.b == b.b; }
 
 /// Picture with 8 bits per channel (sRGB), rows from the top.
@@ -23,13 +25,15 @@ struct Image {
 /// Mixes colour into one pixel, alpha in [0, 1]; outside of the picture nothing happens.
 void mix(Image& image, int x, int y, Rgb colour, double alpha);
 
-/// The picture scaled down by averaging areas, to width x height (both at most those of the picture, else they are clamped).
+/// The picture scaled down by averaging areas, to width x height (both at most those of the picture, else
+/// they are clamped).
 Image scaledDown(const Image& image, int width, int height);
 
 /// Copies `part` into `image` with its upper left corner at (x, y); what sticks out is cut off.
 void paste(Image& image, const Image& part, int x, int y);
 
-/// Writes a PNG file under a temporary name beside `path`, then renames. Throws std::runtime_error naming the file and the cause.
+/// Writes a PNG file under a temporary name beside `path`, then renames. Throws std::runtime_error naming the
+/// file and the cause.
 void writePng(const Image& image, const std::filesystem::path& path);
 
 }  // namespace thaw

@@ -15,7 +15,9 @@ namespace fs = std::filesystem;
 constexpr float golden = 2.39996323f;
 constexpr Rgb held{200, 60, 60};  // what is held is red
 
-Rgb paintOf(const OrientedFrame& f, std::size_t i) { return {f.colours[i][0], f.colours[i][1], f.colours[i][2]}; }
+Rgb paintOf(const OrientedFrame& f, std::size_t i) {
+  return {f.colours[i][0], f.colours[i][1], f.colours[i][2]};
+}
 
 Rgb darker(Rgb c, double share) {
   const auto part = [&](std::uint8_t v) { return static_cast<std::uint8_t>(v * share); };
@@ -24,25 +26,30 @@ Rgb darker(Rgb c, double share) {
 
 /// Points on a unit sphere, evenly.
 Vec3f onSphere(int k, int n) {
-  const float z = 1 - (2 * static_cast<float>(k) + 1) / static_cast<float>(n), r = std::sqrt(std::max(0.0f, 1 - z * z)), a = golden * static_cast<float>(k);
+  const float z = 1 - (2 * static_cast<float>(k) + 1) / static_cast<float>(n),
+              r = std::sqrt(std::max(0.0f, 1 - z * z)), a = golden * static_cast<float>(k);
   return {r * std::cos(a), r * std::sin(a), z};
 }
 
-void addRod(FrameView& view, const Vec3d& from, const Vec3d& to, double radius, Rgb colour, std::uint32_t component) {
+void addRod(FrameView& view, const Vec3d& from, const Vec3d& to, double radius, Rgb colour,
+            std::uint32_t component) {
   const Vec3d along = to - from;
   const double l = length(along);
   if (!(l > 0)) return;
-  const Vec3d e = along / l, u = normalized(cross(e, std::abs(e.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0})), v = cross(e, u);
+  const Vec3d e = along / l, u = normalized(cross(e, std::abs(e.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0})),
+              v = cross(e, u);
   const int steps = std::max(2, static_cast<int>(std::ceil(l / (0.9 * radius))));
   for (int k = 0; k <= steps; k++)
     for (int a = 0; a < 8; a++) {
       const double angle = (a + 0.5 * (k % 2)) * 0.78539816339744831;
       const Vec3d out = std::cos(angle) * u + std::sin(angle) * v;
-      addDisc(view, single(from + (static_cast<double>(k) / steps) * along + radius * out), single(out), static_cast<float>(0.7 * radius), colour, component, false);
+      addDisc(view, single(from + (static_cast<double>(k) / steps) * along + radius * out), single(out),
+              static_cast<float>(0.7 * radius), colour, component, false);
     }
 }
 
-void addMesh(FrameView& view, const OrientedFrame& f, std::span<const std::array<std::uint32_t, 3>> triangles) {
+void addMesh(FrameView& view, const OrientedFrame& f,
+             std::span<const std::array<std::uint32_t, 3>> triangles) {
   for (const auto& t : triangles) {
     const Vec3d x[3] = {f.positions[t[0]], f.positions[t[1]], f.positions[t[2]]};
     // along a crease the particles' normals are between those of the sides: there a triangle shows its own
@@ -50,13 +57,15 @@ void addMesh(FrameView& view, const OrientedFrame& f, std::span<const std::array
     const Vec3d flat = normalized(cross(x[1] - x[0], x[2] - x[0]));
     const Rgb colour = paintOf(f, t[0]);
     std::array<FaceCorner, 3> corners;
-    for (std::size_t k = 0; k < 3; k++) corners[k] = {single(x[k]), single(folded ? flat : f.normals[t[k]]), colour, darker(colour, 0.72)};
+    for (std::size_t k = 0; k < 3; k++)
+      corners[k] = {single(x[k]), single(folded ? flat : f.normals[t[k]]), colour, darker(colour, 0.72)};
     addFace(corners, view);
   }
 }
 
 /// What no triangle shows: curves, points far apart, particles that got loose. A ball and the normal each.
-void addAlone(FrameView& view, const OrientedFrame& f, std::span<const std::array<std::uint32_t, 3>> triangles) {
+void addAlone(FrameView& view, const OrientedFrame& f,
+              std::span<const std::array<std::uint32_t, 3>> triangles) {
   std::vector<bool> shown(f.positions.size());
   for (const auto& t : triangles)
     for (const std::uint32_t corner : t) shown[corner] = true;
@@ -64,8 +73,10 @@ void addAlone(FrameView& view, const OrientedFrame& f, std::span<const std::arra
     if (shown[i]) continue;
     const double s = f.spacings[i];
     const auto component = static_cast<std::uint32_t>(5000 + i);
-    addBall(view, single(f.positions[i]), static_cast<float>(0.22 * s), f.flags[i] & 2 ? held : paintOf(f, i), component);
-    addRod(view, f.positions[i], f.positions[i] + (0.8 * s) * f.normals[i], 0.05 * s, {70, 110, 210}, component);
+    addBall(view, single(f.positions[i]), static_cast<float>(0.22 * s), f.flags[i] & 2 ? held : paintOf(f, i),
+            component);
+    addRod(view, f.positions[i], f.positions[i] + (0.8 * s) * f.normals[i], 0.05 * s, {70, 110, 210},
+           component);
   }
 }
 
@@ -79,7 +90,8 @@ OrientedLook orientedLookNamed(const std::string& name) {
   throw std::invalid_argument("oriented particles are drawn as mesh, wire, discs or axes, not as " + name);
 }
 
-void addDisc(FrameView& view, const Vec3f& place, const Vec3f& normal, float radius, Rgb colour, std::uint32_t component, bool twoSided) {
+void addDisc(FrameView& view, const Vec3f& place, const Vec3f& normal, float radius, Rgb colour,
+             std::uint32_t component, bool twoSided) {
   for (int side = 0; side < (twoSided ? 2 : 1); side++) {
     view.positions.push_back(place);
     view.normals.push_back(side ? -normal : normal);
@@ -105,7 +117,8 @@ void spheresToDiscs(FrameView& view, float radius) {
   for (std::size_t i = 0; i < view.positions.size(); i++) {
     const std::size_t first = made.positions.size();
     addBall(made, view.positions[i], radius, {188, 193, 200}, static_cast<std::uint32_t>(i));
-    for (std::size_t k = first; k < made.positions.size(); k++) made.values[k] = view.values.empty() ? std::numeric_limits<float>::quiet_NaN() : view.values[i];
+    for (std::size_t k = first; k < made.positions.size(); k++)
+      made.values[k] = view.values.empty() ? std::numeric_limits<float>::quiet_NaN() : view.values[i];
   }
   view = std::move(made);
   view.paint = SurfelPaint::Mixed;
@@ -119,7 +132,8 @@ void addOriented(FrameView& view, const fs::path& frame, OrientedLook look) {
     const double s = f.spacings[i];
     const Rgb colour = f.flags[i] & 2 ? held : paintOf(f, i);
     if (look == OrientedLook::Discs) {
-      addDisc(view, single(f.positions[i]), single(f.normals[i]), static_cast<float>(0.36 * s), colour, component, true);
+      addDisc(view, single(f.positions[i]), single(f.normals[i]), static_cast<float>(0.36 * s), colour,
+              component, true);
     } else if (look == OrientedLook::Axes) {
       const Vec3d x = f.positions[i], n = f.normals[i], u = f.tangents[i], v = cross(n, u);
       addRod(view, x, x + (0.4 * s) * u, 0.035 * s, {210, 80, 70}, component);

@@ -12,7 +12,9 @@ Vec3f unit(const Vec3f& a) {
   const float l = std::sqrt(dot(a, a));
   return l > 0 ? a / l : a;
 }
-Vec3f toFloat(const Vec3d& a) { return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)}; }
+Vec3f toFloat(const Vec3d& a) {
+  return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
+}
 
 constexpr int skyDirections = 24;
 
@@ -26,7 +28,8 @@ Vec3f sunDirection(const View& view) {
 
 std::vector<Vec3f> sunDisc(const Vec3f& toSun, int count) {
   constexpr float sunRadius = 0.07f;  // rad; some ten times the real one: a hazy day
-  const Vec3f u = unit(cross(toSun, std::abs(toSun.z) < 0.9f ? Vec3f{0, 0, 1} : Vec3f{1, 0, 0})), v = cross(toSun, u);
+  const Vec3f u = unit(cross(toSun, std::abs(toSun.z) < 0.9f ? Vec3f{0, 0, 1} : Vec3f{1, 0, 0})),
+              v = cross(toSun, u);
   std::vector<Vec3f> directions;
   for (int k = 0; k < count; k++) {  // Vogel's spiral: even over the disc
     const float r = sunRadius * std::sqrt((static_cast<float>(k) + 0.5f) / static_cast<float>(count));
@@ -40,7 +43,8 @@ std::vector<Vec3f> skyDome(int count) {
   // Fibonacci's spiral: even over the half sphere, from nearly level to nearly straight up.
   std::vector<Vec3f> directions;
   for (int k = 0; k < count; k++) {
-    const float z = 0.06f + 0.93f * (static_cast<float>(k) + 0.5f) / static_cast<float>(count), s = std::sqrt(1 - z * z);
+    const float z = 0.06f + 0.93f * (static_cast<float>(k) + 0.5f) / static_cast<float>(count),
+                s = std::sqrt(1 - z * z);
     const float angle = static_cast<float>(k * std::numbers::pi * (3 - std::sqrt(5.0)));
     directions.push_back({s * std::cos(angle), s * std::sin(angle), z});
   }
@@ -51,9 +55,12 @@ Lights makeLights(const Discs& spheres, const View& view) {
   Lights lights;
   double sum = 0;
   for (std::size_t i = 0; i < spheres.positions.size(); i++) sum += spheres.radius(i);
-  lights.radius = spheres.positions.empty() ? 0 : static_cast<float>(sum / static_cast<double>(spheres.positions.size()));
+  lights.radius = spheres.positions.empty()
+                      ? 0
+                      : static_cast<float>(sum / static_cast<double>(spheres.positions.size()));
   lights.sun = makeDepthMap(spheres, sunDirection(view), 3.5f, 2048);
-  for (const Vec3f& toLight : skyDome(skyDirections)) lights.sky.push_back(makeDepthMap(spheres, toLight, 1.3f, 512));
+  for (const Vec3f& toLight : skyDome(skyDirections))
+    lights.sky.push_back(makeDepthMap(spheres, toLight, 1.3f, 512));
   return lights;
 }
 
@@ -87,7 +94,8 @@ struct FloorGrid {
   int side = 1;
   std::vector<std::uint8_t> dark;
 
-  /// Marks where the casters stand between the floor and a light far away. Discs turned away from it are left out.
+  /// Marks where the casters stand between the floor and a light far away. Discs turned away from it are left
+  /// out.
   void drawShadows(const Discs& casters, const Vec3f& toLight) {
     std::fill(dark.begin(), dark.end(), 0);
     const float scale = 0.5f * static_cast<float>(side) / reach, up = dot(normal, toLight);
@@ -99,7 +107,8 @@ struct FloorGrid {
       if (facing <= 0.02f) continue;
       const Vec3f d = casters.positions[i] - origin;
       if (dot(d, normal) <= 0) continue;
-      const float r = casters.radius(i), x = (dot(d, shiftU) + reach) * scale, y = (dot(d, shiftV) + reach) * scale;
+      const float r = casters.radius(i), x = (dot(d, shiftU) + reach) * scale,
+                  y = (dot(d, shiftV) + reach) * scale;
       const auto half = [&](const Vec3f& shift) {
         const float along = dot(shift, n);
         return r * scale * std::sqrt(std::max(0.0f, dot(shift, shift) - along * along));
@@ -109,15 +118,20 @@ struct FloorGrid {
   }
 
   /// Place and half size of a shadow, radius of the disc and height of its centre above the floor, in cells.
-  struct Outline { float x, y, halfX, halfY, r, height; };
+  struct Outline {
+    float x, y, halfX, halfY, r, height;
+  };
 
-  /// The shadow of one disc: its points q from the centre are those that the cells see along the light. What is below the floor casts none.
+  /// The shadow of one disc: its points q from the centre are those that the cells see along the light. What
+  /// is below the floor casts none.
   void drawOutline(const Outline& o, const Vec3f& n, const Vec3f& toLight, float facing) {
     const auto [x, y, halfX, halfY, r, height] = o;
     const float most = static_cast<float>(side);
     if (!(x > -halfX && y > -halfY && x < most + halfX && y < most + halfY)) return;
-    const int y0 = std::max(0, static_cast<int>(std::ceil(y - halfY - 0.5f))), y1 = std::min(side - 1, static_cast<int>(std::floor(y + halfY - 0.5f)));
-    const int x0 = std::max(0, static_cast<int>(std::ceil(x - halfX - 0.5f))), x1 = std::min(side - 1, static_cast<int>(std::floor(x + halfX - 0.5f)));
+    const int y0 = std::max(0, static_cast<int>(std::ceil(y - halfY - 0.5f))),
+              y1 = std::min(side - 1, static_cast<int>(std::floor(y + halfY - 0.5f)));
+    const int x0 = std::max(0, static_cast<int>(std::ceil(x - halfX - 0.5f))),
+              x1 = std::min(side - 1, static_cast<int>(std::floor(x + halfX - 0.5f)));
     const Vec3f stepU = u - (dot(n, u) / facing) * toLight, stepV = v - (dot(n, v) / facing) * toLight;
     const float r2 = r * r;
     for (int j = y0; j <= y1; j++) {
@@ -128,7 +142,9 @@ struct FloorGrid {
         if (dot(q, q) <= r2 && dot(q, normal) > -height) row[k] = 1;
       }
     }
-    if (x >= 0 && y >= 0 && x < most && y < most) dark[static_cast<std::size_t>(y) * side + static_cast<std::size_t>(x)] = 1;  // smaller than a cell
+    // smaller than a cell
+    if (x >= 0 && y >= 0 && x < most && y < most)
+      dark[static_cast<std::size_t>(y) * side + static_cast<std::size_t>(x)] = 1;
   }
 };
 
@@ -151,15 +167,24 @@ constexpr int floorSunDirections = 32, floorSkyDirections = 64;
 
 }  // namespace
 
-FloorLight::FloorLight(const Lights& lights, const Discs& casters, const FloorHint& floor, const Vec3f& centre, float reach) : reach_(reach) {
+FloorLight::FloorLight(const Lights& lights, const Discs& casters, const FloorHint& floor,
+                       const Vec3f& centre, float reach)
+    : reach_(reach) {
   normal_ = toFloat(floor.normal);
   origin_ = centre - dot(centre - toFloat(floor.point), normal_) * normal_;
   u_ = unit(cross(normal_, std::abs(normal_.z) < 0.9f ? Vec3f{0, 0, 1} : Vec3f{1, 0, 0}));
   v_ = cross(normal_, u_);
   // What is high above the floor throws its shadow far aside.
-  const float height = std::max(0.0f, dot(centre - origin_, normal_)), up = std::max(0.2f, dot(normal_, lights.sun.toLight));
+  const float height = std::max(0.0f, dot(centre - origin_, normal_)),
+              up = std::max(0.2f, dot(normal_, lights.sun.toLight));
   reach_ += std::min(height * std::sqrt(std::max(0.0f, 1 - up * up)) / up, 2 * reach);
-  FloorGrid grid{origin_, normal_, u_, v_, reach_, side_, std::vector<std::uint8_t>(static_cast<std::size_t>(side_) * side_)};
+  FloorGrid grid{origin_,
+                 normal_,
+                 u_,
+                 v_,
+                 reach_,
+                 side_,
+                 std::vector<std::uint8_t>(static_cast<std::size_t>(side_) * side_)};
   // Light that is taken away, direction by direction, and less and less toward the border.
   std::vector<float> sun(grid.dark.size()), sky(grid.dark.size());
   const float sunFacing = std::max(0.0f, dot(normal_, lights.sun.toLight));
@@ -167,7 +192,8 @@ FloorLight::FloorLight(const Lights& lights, const Discs& casters, const FloorHi
   for (const Vec3f& toLight : sunDisc(lights.sun.toLight, floorSunDirections)) {
     if (dot(normal_, toLight) <= 0.02f) continue;
     grid.drawShadows(casters, toLight);
-    for (std::size_t c = 0; c < sun.size(); c++) sun[c] += static_cast<float>(grid.dark[c]) * (sunFacing / floorSunDirections);
+    for (std::size_t c = 0; c < sun.size(); c++)
+      sun[c] += static_cast<float>(grid.dark[c]) * (sunFacing / floorSunDirections);
   }
   open_ = {sunFacing, 0};
   for (const Vec3f& toLight : skyDome(floorSkyDirections)) {
@@ -182,22 +208,27 @@ FloorLight::FloorLight(const Lights& lights, const Discs& casters, const FloorHi
   blur(sky, side_, 2);
   open_.sky /= full;
   table_.resize(sun.size());
-  const auto inner = [](std::size_t i) { return std::min(1.0f, 0.05f * static_cast<float>(std::min<std::size_t>(i, side_ - 1 - i))); };
+  const auto inner = [](std::size_t i) {
+    return std::min(1.0f, 0.05f * static_cast<float>(std::min<std::size_t>(i, side_ - 1 - i)));
+  };
   for (std::size_t c = 0; c < table_.size(); c++) {
     const float share = inner(c % side_) * inner(c / side_);
-    table_[c] = {std::max(0.0f, open_.sun - share * sun[c]), std::max(0.0f, open_.sky - share * sky[c] / full)};
+    table_[c] = {std::max(0.0f, open_.sun - share * sun[c]),
+                 std::max(0.0f, open_.sky - share * sky[c] / full)};
   }
 }
 
 FloorLight::Light FloorLight::at(const Vec3f& point) const {
   const Vec3f d = point - origin_;
-  const float x = (dot(d, u_) / reach_ + 1) * 0.5f * side_ - 0.5f, y = (dot(d, v_) / reach_ + 1) * 0.5f * side_ - 0.5f;
+  const float x = (dot(d, u_) / reach_ + 1) * 0.5f * side_ - 0.5f,
+              y = (dot(d, v_) / reach_ + 1) * 0.5f * side_ - 0.5f;
   if (!(x > 0 && y > 0 && x < side_ - 1 && y < side_ - 1)) return open_;
   const int i = static_cast<int>(x), j = static_cast<int>(y);
   const float fx = x - static_cast<float>(i), fy = y - static_cast<float>(j);
   const Light* p = &table_[static_cast<std::size_t>(j) * side_ + i];
   const auto between = [&](float Light::*m) {
-    return (1 - fy) * ((1 - fx) * p[0].*m + fx * p[1].*m) + fy * ((1 - fx) * p[side_].*m + fx * p[side_ + 1].*m);
+    return (1 - fy) * ((1 - fx) * p[0].*m + fx * p[1].*m) +
+           fy * ((1 - fx) * p[side_].*m + fx * p[side_ + 1].*m);
   };
   return {between(&Light::sun), between(&Light::sky)};
 }

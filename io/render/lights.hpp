@@ -1,4 +1,5 @@
-// The light of a picture: a sun over the camera's left shoulder that casts a soft shadow, and a sky that reaches what lies open to it.
+// The light of a picture: a sun over the camera's left shoulder that casts a soft shadow, and a sky that
+// reaches what lies open to it.
 #pragma once
 #include <vector>
 
@@ -13,7 +14,8 @@ struct Lights {
   float radius = 0;           ///< m, typical of the particles
 };
 
-/// Unit vectors toward the light: where the sun stands in a picture, directions over its disc, which makes shadows soft, and over the sky.
+/// Unit vectors toward the light: where the sun stands in a picture, directions over its disc, which makes
+/// shadows soft, and over the sky.
 Vec3f sunDirection(const View& view);
 std::vector<Vec3f> sunDisc(const Vec3f& toSun, int count);
 std::vector<Vec3f> skyDome(int count);
@@ -29,10 +31,14 @@ float sunLight(const Lights& lights, const Vec3f& point, const Vec3f& normal, in
 /// Light on a floor around the stage, tabulated, as it varies slowly over a picture's samples.
 class FloorLight {
  public:
-  /// Shadows of `casters`: their outlines on the floor along many directions of the sun's disc and of the sky.
-  FloorLight(const Lights& lights, const Discs& casters, const FloorHint& floor, const Vec3f& centre, float reach);
+  /// Shadows of `casters`: their outlines on the floor along many directions of the sun's disc and of the
+  /// sky.
+  FloorLight(const Lights& lights, const Discs& casters, const FloorHint& floor, const Vec3f& centre,
+             float reach);
   /// Of the sun (with the angle of the floor to it) and of the sky, at a point of the floor.
-  struct Light { float sun, sky; };
+  struct Light {
+    float sun, sky;
+  };
   Light at(const Vec3f& point) const;
   const Vec3f& normal() const { return normal_; }
   const Vec3f& origin() const { return origin_; }  ///< the stage's centre on the floor

@@ -37,13 +37,17 @@ class Encoder {
   Encoder() {
     for (std::size_t i = 0; i < table_.size(); i++) {
       const double x = static_cast<double>(i) / (table_.size() - 1);
-      table_[i] = static_cast<std::uint8_t>(std::lround(255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055)));
+      table_[i] = static_cast<std::uint8_t>(
+          std::lround(255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055)));
     }
   }
   Rgb operator()(const Light& l) const { return {byte(l.x), byte(l.y), byte(l.z)}; }
 
  private:
-  std::uint8_t byte(float x) const { return table_[static_cast<std::size_t>(std::clamp(x, 0.0f, 1.0f) * static_cast<float>(table_.size() - 1) + 0.5f)]; }
+  std::uint8_t byte(float x) const {
+    return table_[static_cast<std::size_t>(std::clamp(x, 0.0f, 1.0f) * static_cast<float>(table_.size() - 1) +
+                                           0.5f)];
+  }
   std::array<std::uint8_t, 8192> table_;
 };
 

@@ -32,7 +32,8 @@ float distance(const Vec3f& a, const Vec3f& b) { return std::sqrt(dot(a - b, a -
 
 void addMeshFaces(const DrawnMesh& m, FrameView& view) {
   std::vector<Vec3f> normals(m.positions.size());
-  std::vector<float> radii(m.positions.size(), 0);  // a share of the longest edge: how far from the surface light is looked for
+  std::vector<float> radii(m.positions.size(), 0);  // a share of the longest edge: how far from the surface
+                                                    // light is looked for
   for (const auto& t : m.triangles) {
     const Vec3f face = cross(m.positions[t[1]] - m.positions[t[0]], m.positions[t[2]] - m.positions[t[0]]);
     for (int k = 0; k < 3; k++) {
@@ -43,14 +44,16 @@ void addMeshFaces(const DrawnMesh& m, FrameView& view) {
   const auto first = static_cast<std::uint32_t>(view.positions.size());
   for (std::size_t i = 0; i < m.positions.size(); i++) {
     const float l = std::sqrt(dot(normals[i], normals[i]));
-    addCorner(view, {m.positions[i], l > 0 ? normals[i] / l : Vec3f{0, 0, 1}, m.colours[i], m.colours[i]}, radii[i], m.values.empty() ? noValue : m.values[i]);
+    addCorner(view, {m.positions[i], l > 0 ? normals[i] / l : Vec3f{0, 0, 1}, m.colours[i], m.colours[i]},
+              radii[i], m.values.empty() ? noValue : m.values[i]);
   }
   for (const auto& t : m.triangles) addSides(view, first + 2 * t[0], first + 2 * t[1], first + 2 * t[2]);
 }
 
 void addFace(const std::array<FaceCorner, 3>& corners, FrameView& view) {
   const auto first = static_cast<std::uint32_t>(view.positions.size());
-  for (std::size_t k = 0; k < 3; k++) addCorner(view, corners[k], 0.6f * distance(corners[k].place, corners[(k + 1) % 3].place), noValue);
+  for (std::size_t k = 0; k < 3; k++)
+    addCorner(view, corners[k], 0.6f * distance(corners[k].place, corners[(k + 1) % 3].place), noValue);
   addSides(view, first, first + 2, first + 4);
 }
 

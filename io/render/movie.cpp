@@ -25,7 +25,9 @@ namespace {
 
 /// Options after the input. Players want even sizes and this order of colours.
 std::vector<std::string> encoding() {
-  return {"-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-movflags", "+faststart"};
+  return {"-c:v",      "libx264",   "-crf", "18",
+          "-pix_fmt",  "yuv420p",   "-vf",  "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+          "-movflags", "+faststart"};
 }
 
 struct Descriptor {
@@ -58,7 +60,9 @@ std::string contentOf(const fs::path& path) {
 
 /// Runs ffmpeg with the pictures at its input; its exit code, and what it said on stderr.
 int encode(const std::vector<fs::path>& pictures, const fs::path& part, double rate, std::string& said) {
-  std::vector<std::string> words{"ffmpeg", "-y", "-v", "error", "-f", "image2pipe", "-c:v", "png", "-framerate", fmt::format("{:g}", rate), "-i", "-"};
+  std::vector<std::string> words{"ffmpeg",     "-y",   "-v",  "error",      "-f",
+                                 "image2pipe", "-c:v", "png", "-framerate", fmt::format("{:g}", rate),
+                                 "-i",         "-"};
   for (std::string& w : encoding()) words.push_back(std::move(w));
   words.insert(words.end(), {"-f", "mp4", part.string()});
   std::vector<char*> arguments;
@@ -85,9 +89,7 @@ int encode(const std::vector<fs::path>& pictures, const fs::path& part, double r
   try {
     for (const fs::path& picture : pictures)
       if (!writeAll(inWrite.number, contentOf(picture))) break;
-  } catch (const IoError& error) {
-    problem = error.what();
-  }
+  } catch (const IoError& error) { problem = error.what(); }
   inWrite.close();
   std::signal(SIGPIPE, before);
   char buffer[4096];
@@ -114,9 +116,11 @@ bool isInstalled(const std::string& program) {
 std::string movieCommand(const std::vector<fs::path>& pictures, const fs::path& file, double rate) {
   std::string pattern = pictures.empty() ? "*.png" : pictures.front().string();
   const std::size_t end = pattern.rfind(".png"), digits = pattern.find_last_not_of("0123456789", end - 1);
-  if (end != std::string::npos && digits != std::string::npos) pattern.replace(digits + 1, end - digits - 1, "*");
+  if (end != std::string::npos && digits != std::string::npos)
+    pattern.replace(digits + 1, end - digits - 1, "*");
   std::string command = fmt::format("ffmpeg -framerate {:g} -pattern_type glob -i '{}'", rate, pattern);
-  for (const std::string& w : encoding()) command += w.find('(') == std::string::npos ? " " + w : " '" + w + "'";
+  for (const std::string& w : encoding())
+    command += w.find('(') == std::string::npos ? " " + w : " '" + w + "'";
   return command + " '" + file.string() + "'";
 }
 
@@ -129,7 +133,9 @@ void makeMovie(const std::vector<fs::path>& pictures, const fs::path& file, doub
   try {
     const int code = encode(pictures, part, rate, said);
     while (!said.empty() && said.back() == '\n') said.pop_back();
-    if (code != 0) throw IoError(file.string(), "ffmpeg failed" + (said.empty() ? fmt::format(" with exit code {}", code) : ": " + said));
+    if (code != 0)
+      throw IoError(file.string(),
+                    "ffmpeg failed" + (said.empty() ? fmt::format(" with exit code {}", code) : ": " + said));
     fs::rename(part, file, error);
     if (error) throw IoError(file.string(), "cannot be written: " + error.message());
   } catch (...) {

@@ -10,10 +10,13 @@ namespace thaw {
 bool isInstalled(const std::string& program);
 
 /// The command that makes the film by hand: `ffmpeg ...`.
-std::string movieCommand(const std::vector<std::filesystem::path>& pictures, const std::filesystem::path& file, double rate);
+std::string movieCommand(const std::vector<std::filesystem::path>& pictures,
+                         const std::filesystem::path& file, double rate);
 
-/// Encodes PNG pictures, in their order, as H.264 in an MP4 file that browsers and players show: `rate` pictures a second. The file is there,
-/// whole, afterwards, or an IoError names it with the cause and nothing changed.
-void makeMovie(const std::vector<std::filesystem::path>& pictures, const std::filesystem::path& file, double rate);
+/// Encodes PNG pictures, in their order, as H.264 in an MP4 file that browsers and players show: `rate`
+/// pictures a second. The file is there, whole, afterwards, or an IoError names it with the cause and nothing
+/// changed.
+void makeMovie(const std::vector<std::filesystem::path>& pictures, const std::filesystem::path& file,
+               double rate);
 
 }  // namespace thaw

@@ -8,7 +8,8 @@
 
 namespace thaw {
 
-/// Calls work(i) for i = 0 .. count - 1 on up to `threads` threads; rethrows the first exception after all have ended.
+/// Calls work(i) for i = 0 .. count - 1 on up to `threads` threads; rethrows the first exception after all
+/// have ended.
 template<class Work> void parallelFor(std::size_t count, int threads, Work work) {
   std::atomic<std::size_t> next{0};
   std::exception_ptr failure;

@@ -14,16 +14,20 @@ namespace thaw {
 
 namespace {
 
-struct CloseFile { void operator()(std::FILE* f) const { std::fclose(f); } };
+struct CloseFile {
+  void operator()(std::FILE* f) const { std::fclose(f); }
+};
 
-/// libpng reports errors through here and expects no return: it may not be left by an exception, so jump back (png.h).
+/// libpng reports errors through here and expects no return: it may not be left by an exception, so jump back
+/// (png.h).
 void keepMessage(png_structp png, png_const_charp message) {
   *static_cast<std::string*>(png_get_error_ptr(png)) = message;
   png_longjmp(png, 1);
 }
 void ignoreWarning(png_structp, png_const_charp) {}
 
-/// False with a message when something failed. Nothing in here may have a destructor that the jump would skip.
+/// False with a message when something failed. Nothing in here may have a destructor that the jump would
+/// skip.
 bool encode(const Image& image, std::FILE* file, std::string& message) {
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, keepMessage, ignoreWarning);
   png_infop info = png ? png_create_info_struct(png) : nullptr;
@@ -37,11 +41,14 @@ bool encode(const Image& image, std::FILE* file, std::string& message) {
     return false;
   }
   png_init_io(png, file);
-  png_set_compression_level(png, 4);  // a third of the time of the default 6, and files only some percent larger
-  png_set_IHDR(png, info, image.width, image.height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_compression_level(png, 4);  // a third of the time of the default 6, and files only some percent
+                                      // larger
+  png_set_IHDR(png, info, image.width, image.height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
   png_write_info(png, info);
-  for (int y = 0; y < image.height; y++) png_write_row(png, reinterpret_cast<png_const_bytep>(&image.at(0, y)));
+  for (int y = 0; y < image.height; y++)
+    png_write_row(png, reinterpret_cast<png_const_bytep>(&image.at(0, y)));
   png_write_end(png, nullptr);
   png_destroy_write_struct(&png, &info);
   return true;
@@ -51,10 +58,13 @@ bool encode(const Image& image, std::FILE* file, std::string& message) {
 
 void writePng(const Image& image, const std::filesystem::path& path) {
   static_assert(sizeof(Rgb) == 3);
-  if (image.width < 1 || image.height < 1) throw std::runtime_error(path.string() + ": cannot write a picture without pixels");
+  if (image.width < 1 || image.height < 1)
+    throw std::runtime_error(path.string() + ": cannot write a picture without pixels");
   std::filesystem::path part = path;
   part += ".part";
-  const auto failed = [&](const std::string& cause) { return std::runtime_error(path.string() + ": cannot write: " + cause); };
+  const auto failed = [&](const std::string& cause) {
+    return std::runtime_error(path.string() + ": cannot write: " + cause);
+  };
   std::unique_ptr<std::FILE, CloseFile> file(std::fopen(part.c_str(), "wb"));
   if (!file) throw failed(std::strerror(errno));
   std::string message;

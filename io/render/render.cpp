@@ -34,7 +34,8 @@ Particles finiteOnes(const RenderInput& in, const ColourScale& scale) {
   for (std::size_t i = 0; i < in.positions.size(); i++) {
     const Vec3f& x = in.positions[i];
     const float r = single ? in.radii[0] : in.radii[i];
-    if (!std::isfinite(x.x) || !std::isfinite(x.y) || !std::isfinite(x.z) || !(r > 0) || !std::isfinite(r)) continue;
+    if (!std::isfinite(x.x) || !std::isfinite(x.y) || !std::isfinite(x.z) || !(r > 0) || !std::isfinite(r))
+      continue;
     p.positions.push_back(x);
     p.radii.push_back(r);
     p.colour.push_back(static_cast<std::uint8_t>(in.values.empty() ? 0 : paletteIndex(scale, in.values[i])));
@@ -75,8 +76,11 @@ Visible lightVisible(const Particles& p, const DepthBuffer& buffer, const Lights
 
 class Shader {
  public:
-  Shader(const RenderStyle& style, const View& view, const Particles& particles, const DepthBuffer& buffer, const ViewBox& stage, bool coloured)
-      : view_(view), particles_(particles), lights_(makeLights({particles.positions, particles.radii, {}}, view)),
+  Shader(const RenderStyle& style, const View& view, const Particles& particles, const DepthBuffer& buffer,
+         const ViewBox& stage, bool coloured)
+      : view_(view),
+        particles_(particles),
+        lights_(makeLights({particles.positions, particles.radii, {}}, view)),
         backdrop_(style, view, stage, lights_, {particles.positions, particles.radii, {}}) {
     const float spacing = style.spacing > 0 ? style.spacing : std::max(lights_.radius / 0.65f, 1e-20f);
     visible_ = lightVisible(particles, buffer, lights_, spacing);
@@ -84,7 +88,8 @@ class Shader {
     for (std::size_t i = 0; i < palette.size(); i++) colours_[i] = toLinear(coloured ? palette[i] : plain);
   }
 
-  /// Light that reaches the camera through a point of the depth buffer's picture, from sphere `index` at `depth` or from behind all of them.
+  /// Light that reaches the camera through a point of the depth buffer's picture, from sphere `index` at
+  /// `depth` or from behind all of them.
   Light operator()(float x, float y, std::uint32_t index, float depth) const {
     const Vec3f ray = view_.ray(x, y);
     float floorDepth = depth;
@@ -102,13 +107,16 @@ class Shader {
     Vec3f normal = mixed(round, surface.normal, 0.78f * surface.strength);
     const float l2 = dot(normal, normal);
     normal = l2 > 1e-12f ? normal / std::sqrt(l2) : -unit(ray);
-    const float sun = sunLight(lights_, point, normal, 2), fromSky = visible_.sky[k] * (0.8f + 0.2f * std::max(0.0f, dot(normal, round)));
+    const float sun = sunLight(lights_, point, normal, 2),
+                fromSky = visible_.sky[k] * (0.8f + 0.2f * std::max(0.0f, dot(normal, round)));
     const Vec3f half = unit(lights_.sun.toLight - unit(ray));
     const float shine = sun > 0 ? 0.09f * std::pow(std::max(0.0f, dot(normal, half)), 40.0f) : 0.0f;
     const Light colour = colours_[particles_.colour[index]];
     const Light tint{0.52f * fromSky, 0.54f * fromSky, 0.58f * fromSky};
     const Light white{shine, shine, shine};
-    return Light{colour.x * (tint.x + 0.88f * sun), colour.y * (tint.y + 0.86f * sun), colour.z * (tint.z + 0.82f * sun)} + white;
+    return Light{colour.x * (tint.x + 0.88f * sun), colour.y * (tint.y + 0.86f * sun),
+                 colour.z * (tint.z + 0.82f * sun)} +
+           white;
   }
 
   const View& view_;
@@ -120,10 +128,14 @@ class Shader {
 };
 
 void check(const RenderInput& input, const RenderStyle& style) {
-  if (style.width < 1 || style.height < 1 || style.width > 16384 || style.height > 16384) throw std::invalid_argument("a picture is 1 to 16384 pixels wide and high");
-  if (style.samples < 1 || style.samples > 4) throw std::invalid_argument("a picture has 1 to 4 samples a pixel and axis");
-  if (!input.values.empty() && input.values.size() != input.positions.size()) throw std::invalid_argument("values to draw differ in number from the positions");
-  if (input.radii.size() != 1 && input.radii.size() != input.positions.size()) throw std::invalid_argument("radii to draw are neither one nor as many as the positions");
+  if (style.width < 1 || style.height < 1 || style.width > 16384 || style.height > 16384)
+    throw std::invalid_argument("a picture is 1 to 16384 pixels wide and high");
+  if (style.samples < 1 || style.samples > 4)
+    throw std::invalid_argument("a picture has 1 to 4 samples a pixel and axis");
+  if (!input.values.empty() && input.values.size() != input.positions.size())
+    throw std::invalid_argument("values to draw differ in number from the positions");
+  if (input.radii.size() != 1 && input.radii.size() != input.positions.size())
+    throw std::invalid_argument("radii to draw are neither one nor as many as the positions");
 }
 
 }  // namespace
@@ -137,26 +149,32 @@ Image render(const RenderInput& input, const RenderStyle& style) {
   if (stage.empty())
     for (const Vec3f& p : particles.positions) stage.add({p.x, p.y, p.z});
   const float near = stage.empty() ? 0 : static_cast<float>(1e-4 * length(stage.max - stage.min));
-  const DepthBuffer buffer = splatSpheres({particles.positions, particles.radii, {}}, view, style.width * s, style.height * s, near);
+  const DepthBuffer buffer = splatSpheres({particles.positions, particles.radii, {}}, view, style.width * s,
+                                          style.height * s, near);
   const Shader shade(style, view, particles, buffer, stage, !input.values.empty());
   const Encoder encode;
   Image image(style.width, style.height);
   const float part = 1 / static_cast<float>(s * s);
   for (int y = 0; y < style.height; y++)
     for (int x = 0; x < style.width; x++) {
-      const std::size_t corner = static_cast<std::size_t>(y) * s * buffer.width + static_cast<std::size_t>(x) * s;
+      const std::size_t corner = static_cast<std::size_t>(y) * s * buffer.width +
+                                 static_cast<std::size_t>(x) * s;
       bool empty = true;
       for (int j = 0; j < s; j++)
-        for (int i = 0; i < s; i++) empty = empty && buffer.index[corner + static_cast<std::size_t>(j) * buffer.width + i] == DepthBuffer::none;
+        for (int i = 0; i < s; i++)
+          empty = empty &&
+                  buffer.index[corner + static_cast<std::size_t>(j) * buffer.width + i] == DepthBuffer::none;
       Light sum{};
       if (empty) {  // floor and sky are smooth: one sample will do
-        sum = shade(static_cast<float>(s) * (static_cast<float>(x) + 0.5f), static_cast<float>(s) * (static_cast<float>(y) + 0.5f), DepthBuffer::none,
+        sum = shade(static_cast<float>(s) * (static_cast<float>(x) + 0.5f),
+                    static_cast<float>(s) * (static_cast<float>(y) + 0.5f), DepthBuffer::none,
                     std::numeric_limits<float>::infinity());
       } else {
         for (int j = 0; j < s; j++)
           for (int i = 0; i < s; i++) {
             const std::size_t at = corner + static_cast<std::size_t>(j) * buffer.width + i;
-            sum += part * shade(static_cast<float>(x * s + i) + 0.5f, static_cast<float>(y * s + j) + 0.5f, buffer.index[at], buffer.depth[at]);
+            sum += part * shade(static_cast<float>(x * s + i) + 0.5f, static_cast<float>(y * s + j) + 0.5f,
+                                buffer.index[at], buffer.depth[at]);
           }
       }
       image.at(x, y) = encode(sum);

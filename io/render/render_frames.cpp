@@ -27,10 +27,12 @@ struct Survey {
   double spacing = 0;  ///< m, guessed; only where none is given
 };
 
-/// Median distance to the nearest neighbour of some of the particles: for frames that do not say how far apart they are.
+/// Median distance to the nearest neighbour of some of the particles: for frames that do not say how far
+/// apart they are.
 double guessSpacing(const std::vector<Vec3f>& positions, const ViewBox& box) {
   const Vec3d size = box.max - box.min;
-  const double edge = std::cbrt(std::max(1e-18, size.x * size.y * size.z) / static_cast<double>(positions.size()));
+  const double edge = std::cbrt(std::max(1e-18, size.x * size.y * size.z) /
+                                static_cast<double>(positions.size()));
   const CellBins bins = binParticles(positions, static_cast<float>(1.5 * edge));
   std::vector<float> nearest;
   for (std::size_t i = 0; i < positions.size(); i += 1 + positions.size() / 400) {
@@ -38,7 +40,8 @@ double guessSpacing(const std::vector<Vec3f>& positions, const ViewBox& box) {
     if (std::isfinite(d)) nearest.push_back(d);
   }
   if (nearest.empty()) return edge;
-  std::nth_element(nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2), nearest.end());
+  std::nth_element(nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2),
+                   nearest.end());
   return nearest[nearest.size() / 2];
 }
 
@@ -52,7 +55,8 @@ Survey survey(const FrameJob& job, const ReadFrame& read) {
       if (std::isfinite(v)) s.min = std::min<double>(s.min, v), s.max = std::max<double>(s.max, v);
     if (s.unit.empty()) s.unit = frame.unit;
     s.lastTime = std::max(s.lastTime, frame.time);
-    if (s.spacing == 0 && !box.empty() && frame.normals.empty()) s.spacing = guessSpacing(frame.positions, box);
+    if (s.spacing == 0 && !box.empty() && frame.normals.empty())
+      s.spacing = guessSpacing(frame.positions, box);
   }
   return s;
 }
@@ -67,7 +71,8 @@ std::optional<FloorHint> planeOf(const Wall& wall) {
     wall.shape->distance(x, &other);
     if (length(other - normal) > 1e-9) return std::nullopt;
   }
-  return FloorHint{wall.pose.move - away * directionFromRest(wall.pose, normal), directionFromRest(wall.pose, normal)};
+  return FloorHint{wall.pose.move - away * directionFromRest(wall.pose, normal),
+                   directionFromRest(wall.pose, normal)};
 }
 
 /// As many digits as tell frames apart.
@@ -80,12 +85,14 @@ std::string timeLabel(double time, double last) {
 std::vector<std::size_t> sheetFrames(std::size_t count, int cells) {
   std::vector<std::size_t> chosen;
   const std::size_t n = std::min(count, static_cast<std::size_t>(std::max(1, cells)));
-  for (std::size_t k = 0; k < n; k++) chosen.push_back(n == 1 ? count - 1 : (k * (count - 1) + (n - 1) / 2) / (n - 1));
+  for (std::size_t k = 0; k < n; k++)
+    chosen.push_back(n == 1 ? count - 1 : (k * (count - 1) + (n - 1) / 2) / (n - 1));
   return chosen;
 }
 
 /// The sheet, with the one colour bar of all pictures to the right.
-Image sheetWithBar(std::span<const Image> cells, std::span<const std::string> labels, int columns, const ColourScale* colours) {
+Image sheetWithBar(std::span<const Image> cells, std::span<const std::string> labels, int columns,
+                   const ColourScale* colours) {
   const Image sheet = contactSheet(cells, columns, labels);
   if (!colours) return sheet;
   const Rgb ground = sheet.at(0, 0);
@@ -100,7 +107,9 @@ Image sheetWithBar(std::span<const Image> cells, std::span<const std::string> la
 Image pictureOf(const FrameView& frame, const FrameJob& job, const RenderStyle& style, int threads) {
   if (!frame.normals.empty()) {
     SurfelStyle surfels{frame.paint, job.radius > 0 ? job.radius : SurfelStyle{}.discs, threads};
-    return renderSurfels({frame.positions, frame.normals, frame.radii, frame.values, frame.colours, frame.components, frame.faces}, style, surfels);
+    return renderSurfels({frame.positions, frame.normals, frame.radii, frame.values, frame.colours,
+                          frame.components, frame.faces},
+                         style, surfels);
   }
   const float radius = (job.radius > 0 ? job.radius : 0.7f) * style.spacing;
   return render({frame.positions, frame.values, std::span<const float>(&radius, 1)}, style);
@@ -115,7 +124,8 @@ void addWalls(const Walls& walls, double time, RenderStyle& style) {
     if (!wall.present) continue;
     if (const auto plane = planeOf(wall); plane && plane->normal.z > 0.34) style.floors.push_back(*plane);
     const Bounds box = wall.shape->bounds();
-    if (std::isfinite(length(box.max - box.min))) style.glasses.push_back({wall.shape, wall.pose.rotation, wall.pose.move});
+    if (std::isfinite(length(box.max - box.min)))
+      style.glasses.push_back({wall.shape, wall.pose.rotation, wall.pose.move});
   }
 }
 
@@ -145,15 +155,18 @@ std::vector<fs::path> renderFrames(const FrameJob& job, const ReadFrame& read) {
   style.height = job.height;
   style.samples = job.samples;
   style.stage = common.box;
-  style.camera = job.camera ? *job.camera : fittedCamera(common.box, static_cast<double>(job.width) / job.height);
+  style.camera = job.camera ? *job.camera
+                            : fittedCamera(common.box, static_cast<double>(job.width) / job.height);
   style.spacing = job.spacing > 0 ? job.spacing : static_cast<float>(common.spacing);
   const bool coloured = common.min <= common.max;
-  style.colours = {job.min.value_or(coloured ? common.min : 0), job.max.value_or(coloured ? common.max : 1), job.map,
-                   job.field == "glow" ? "temperature" : job.field, common.unit};
+  style.colours = {job.min.value_or(coloured ? common.min : 0), job.max.value_or(coloured ? common.max : 1),
+                   job.map, job.field == "glow" ? "temperature" : job.field, common.unit};
 
   fs::create_directories(job.out);
-  const int threads = job.threads > 0 ? job.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  const std::vector<std::size_t> chosen = job.sheet.empty() ? std::vector<std::size_t>{} : sheetFrames(job.frames.size(), job.cells);
+  const int threads = job.threads > 0 ? job.threads
+                                      : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  const std::vector<std::size_t> chosen = job.sheet.empty() ? std::vector<std::size_t>{}
+                                                            : sheetFrames(job.frames.size(), job.cells);
   std::vector<fs::path> written(job.frames.size());
   std::vector<Image> cells(chosen.size());
   std::vector<std::string> labels(chosen.size());

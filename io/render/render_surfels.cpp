@@ -18,7 +18,8 @@ namespace thaw {
 namespace {
 
 constexpr Rgb plain{188, 193, 200};
-constexpr float castingDiscs = 0.7f;  // of the drawn radius: in shadows a small gap does not show, but a rim at an edge does
+constexpr float castingDiscs = 0.7f;  // of the drawn radius: in shadows a small gap does not show, but a rim
+                                      // at an edge does
 
 bool finite(const Vec3f& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 
@@ -36,21 +37,25 @@ struct DrawnSurfels {
 
 class Painter {
  public:
-  Painter(const SurfelInput& in, const RenderStyle& style, SurfelPaint paint) : in_(in), scale_(style.colours), paint_(paint) {
+  Painter(const SurfelInput& in, const RenderStyle& style, SurfelPaint paint)
+      : in_(in), scale_(style.colours), paint_(paint) {
     const Palette palette = paletteOf(scale_.map);
     for (std::size_t i = 0; i < palette.size(); i++) palette_[i] = toLinear(palette[i]);
   }
   Light operator()(std::size_t i) const {
     switch (paint_) {
-      case SurfelPaint::Values: return palette_[static_cast<std::size_t>(paletteIndex(scale_, in_.values[i]))];
+      case SurfelPaint::Values:
+        return palette_[static_cast<std::size_t>(paletteIndex(scale_, in_.values[i]))];
       case SurfelPaint::Mixed:
-        if (std::isfinite(in_.values[i])) return palette_[static_cast<std::size_t>(paletteIndex(scale_, in_.values[i]))];
+        if (std::isfinite(in_.values[i]))
+          return palette_[static_cast<std::size_t>(paletteIndex(scale_, in_.values[i]))];
         return decode_(in_.colours[i]);
       case SurfelPaint::Surface: return decode_(in_.colours[i]);
       case SurfelPaint::Glow: {
         if (std::isnan(in_.values[i])) return decode_(in_.colours[i]);
         const int at = paletteIndex(scale_, in_.values[i]);
-        return mixed(decode_(in_.colours[i]), palette_[static_cast<std::size_t>(at)], ramp(0, 1, static_cast<float>(at) / 255));
+        return mixed(decode_(in_.colours[i]), palette_[static_cast<std::size_t>(at)],
+                     ramp(0, 1, static_cast<float>(at) / 255));
       }
       default: return plain_;
     }
@@ -108,15 +113,18 @@ Casters castersOf(const DrawnSurfels& s) {
   for (std::size_t i = 0; i < s.positions.size(); i++)
     if (s.isDisc(i)) add(s.positions[i], s.normals[i], castingDiscs * s.radii[i]);
   for (const auto& f : s.faces) {
-    const Vec3f &a = s.positions[f[0]], &b = s.positions[f[1]], &c = s.positions[f[2]], n = cross(b - a, c - a), middle = (a + b + c) / 3.0f;
-    const float l2 = dot(n, n), r2 = std::max({dot(a - middle, a - middle), dot(b - middle, b - middle), dot(c - middle, c - middle)});
+    const Vec3f &a = s.positions[f[0]], &b = s.positions[f[1]], &c = s.positions[f[2]],
+                n = cross(b - a, c - a), middle = (a + b + c) / 3.0f;
+    const float l2 = dot(n, n), r2 = std::max({dot(a - middle, a - middle), dot(b - middle, b - middle),
+                                               dot(c - middle, c - middle)});
     if (l2 > 0) add(middle, n / std::sqrt(l2), std::sqrt(r2));
   }
   return all;
 }
 
-/// Of its radius, how far a disc on a flat face goes beside a sharp edge, where it is cut: surfels keep their distance across the edge, too, so that a corner of a face may be 1.63 of their spacing from the
-/// nearest one of its own.
+/// Of its radius, how far a disc on a flat face goes beside a sharp edge, where it is cut: surfels keep their
+/// distance across the edge, too, so that a corner of a face may be 1.63 of their spacing from the nearest
+/// one of its own.
 constexpr float toCorner = 1.4f;
 constexpr float flatEnough = 2.5f;  // samples: how far a disc may be off the surface at its rim
 
@@ -134,7 +142,8 @@ SplatDiscs splatDiscs(const DrawnSurfels& s, const View& view) {
     if (!s.isDisc(i)) return std::numeric_limits<float>::infinity();
     const Vec3f ray = s.positions[i] - view.origin;
     const float depth = dot(ray, view.forward), away = dot(ray, s.normals[i]);
-    if (!(depth > 0) || away > 0.5f * std::sqrt(dot(ray, ray))) return std::numeric_limits<float>::infinity();  // looks away from the camera
+    // looks away from the camera
+    if (!(depth > 0) || away > 0.5f * std::sqrt(dot(ray, ray))) return std::numeric_limits<float>::infinity();
     return flatEnough * depth / view.focal;
   });
   SplatDiscs out;
@@ -162,13 +171,16 @@ DiscClips clipsOfWholes(const DrawnSurfels& s, const SplatDiscs& parts, std::spa
   DiscClips clips;
   for (std::size_t k = 0; k < seen.size(); k++) {
     clips.first.push_back(static_cast<std::uint32_t>(clips.list.size()));
-    if (whole(k)) clips.list.insert(clips.list.end(), of.list.begin() + of.first[parts.of[k]], of.list.begin() + of.first[parts.of[k] + 1]);
+    if (whole(k))
+      clips.list.insert(clips.list.end(), of.list.begin() + of.first[parts.of[k]],
+                        of.list.begin() + of.first[parts.of[k] + 1]);
   }
   clips.first.push_back(static_cast<std::uint32_t>(clips.list.size()));
   return clips;
 }
 
-std::vector<SurfelShade> lightSurfels(const DrawnSurfels& s, std::span<const std::uint8_t> seen, const SurfelLights& lights, const Backdrop& backdrop, int threads) {
+std::vector<SurfelShade> lightSurfels(const DrawnSurfels& s, std::span<const std::uint8_t> seen,
+                                      const SurfelLights& lights, const Backdrop& backdrop, int threads) {
   std::vector<SurfelShade> shades(s.positions.size());
   constexpr std::size_t piece = 4096;
   parallelFor((shades.size() + piece - 1) / piece, threads, [&](std::size_t p) {
@@ -177,7 +189,9 @@ std::vector<SurfelShade> lightSurfels(const DrawnSurfels& s, std::span<const std
       const Vec3f& n = s.normals[i];
       const float sky = skySeen(lights, backdrop, s.positions[i], n, s.radii[i]);
       const Light& c = s.colours[i];
-      shades[i] = {n, {0.52f * sky * c.x, 0.54f * sky * c.y, 0.58f * sky * c.z}, {0.88f * c.x, 0.86f * c.y, 0.82f * c.z},
+      shades[i] = {n,
+                   {0.52f * sky * c.x, 0.54f * sky * c.y, 0.58f * sky * c.z},
+                   {0.88f * c.x, 0.86f * c.y, 0.82f * c.z},
                    sunSeen(lights, s.positions[i], n, s.radii[i])};
     }
   });
@@ -185,14 +199,21 @@ std::vector<SurfelShade> lightSurfels(const DrawnSurfels& s, std::span<const std
 }
 
 void check(const SurfelInput& in, const RenderStyle& style, const SurfelStyle& how) {
-  if (style.width < 1 || style.height < 1 || style.width > 16384 || style.height > 16384) throw std::invalid_argument("a picture is 1 to 16384 pixels wide and high");
-  if (style.samples < 1 || style.samples > 4) throw std::invalid_argument("a picture has 1 to 4 samples a pixel and axis");
+  if (style.width < 1 || style.height < 1 || style.width > 16384 || style.height > 16384)
+    throw std::invalid_argument("a picture is 1 to 16384 pixels wide and high");
+  if (style.samples < 1 || style.samples > 4)
+    throw std::invalid_argument("a picture has 1 to 4 samples a pixel and axis");
   const std::size_t n = in.positions.size();
-  if (in.normals.size() != n || in.radii.size() != n) throw std::invalid_argument("normals or radii to draw differ in number from the positions");
-  const bool values = how.paint == SurfelPaint::Values || how.paint == SurfelPaint::Glow, colours = how.paint == SurfelPaint::Surface || how.paint == SurfelPaint::Glow;
-  if ((values || !in.values.empty()) && in.values.size() != n) throw std::invalid_argument("values to draw differ in number from the positions");
-  if ((colours || !in.colours.empty()) && in.colours.size() != n) throw std::invalid_argument("colours to draw differ in number from the positions");
-  if (!in.components.empty() && in.components.size() != n) throw std::invalid_argument("components to draw differ in number from the positions");
+  if (in.normals.size() != n || in.radii.size() != n)
+    throw std::invalid_argument("normals or radii to draw differ in number from the positions");
+  const bool values = how.paint == SurfelPaint::Values || how.paint == SurfelPaint::Glow,
+             colours = how.paint == SurfelPaint::Surface || how.paint == SurfelPaint::Glow;
+  if ((values || !in.values.empty()) && in.values.size() != n)
+    throw std::invalid_argument("values to draw differ in number from the positions");
+  if ((colours || !in.colours.empty()) && in.colours.size() != n)
+    throw std::invalid_argument("colours to draw differ in number from the positions");
+  if (!in.components.empty() && in.components.size() != n)
+    throw std::invalid_argument("components to draw differ in number from the positions");
   if (!(how.discs > 0)) throw std::invalid_argument("discs to draw have no size");
 }
 
@@ -238,50 +259,63 @@ Image renderSurfels(const SurfelInput& input, const RenderStyle& style, const Su
   Image image(style.width, style.height);
   DepthBuffer buffer;
   buffer.width = width, buffer.height = height;
-  if (!style.glasses.empty()) buffer.depth.assign(static_cast<std::size_t>(width) * height, std::numeric_limits<float>::infinity());
+  if (!style.glasses.empty())
+    buffer.depth.assign(static_cast<std::size_t>(width) * height, std::numeric_limits<float>::infinity());
   const float part = 1 / static_cast<float>(s * s);
   const Vec3f toSun = lights.lights.sun.toLight;
-  // Samples of a pixel lie in one tile: SurfelTile::side is a multiple of 1, 2 and 4; with 3, tiles are drawn into a picture of sums.
+  // Samples of a pixel lie in one tile: SurfelTile::side is a multiple of 1, 2 and 4; with 3, tiles are drawn
+  // into a picture of sums.
   std::vector<Light> sums(s == 3 ? image.pixels.size() : 0);
   const auto behind = [&](float x, float y, float depth) {
     const Vec3f ray = view.ray(x, y);
     const FloorLight* floor = backdrop.floorBefore(ray, depth);
     return floor ? backdrop.floorShade(*floor, ray, depth) : backdrop.sky(ray);
   };
-  splatSurfels({discs, clips, shades, parts.components, faces, light}, seen, view, width, height, s == 3 ? 1 : how.threads, [&](const SurfelTile& tile) {
-    const auto sample = [&](int x, int y) {
-      const std::size_t at = static_cast<std::size_t>(y) * tile.width + x;
-      const float px = static_cast<float>(tile.x + x) + 0.5f, py = static_cast<float>(tile.y + y) + 0.5f, depth = tile.depth[at];
-      if (!(depth < std::numeric_limits<float>::infinity())) return behind(px, py, depth);
-      const Vec3f ray = view.ray(px, py);
-      float floorDepth = depth;
-      const FloorLight* floor = backdrop.floorBefore(ray, floorDepth);
-      return floor ? backdrop.floorShade(*floor, ray, floorDepth) : surfaceLight(tile.shade[at], ray, toSun);
-    };
-    if (!buffer.depth.empty())
-      for (int y = 0; y < tile.height; y++)
-        std::copy_n(tile.depth.begin() + static_cast<std::ptrdiff_t>(y) * tile.width, tile.width, buffer.depth.begin() + static_cast<std::ptrdiff_t>(tile.y + y) * width + tile.x);
-    if (s == 3) {
-      for (int y = 0; y < tile.height; y++)
-        for (int x = 0; x < tile.width; x++) sums[static_cast<std::size_t>((tile.y + y) / s) * style.width + (tile.x + x) / s] += part * sample(x, y);
-      return;
-    }
-    for (int y = 0; y < tile.height; y += s)
-      for (int x = 0; x < tile.width; x += s) {
-        bool empty = true;
-        for (int j = 0; j < s; j++)
-          for (int i = 0; i < s; i++) empty = empty && !(tile.depth[static_cast<std::size_t>(y + j) * tile.width + x + i] < std::numeric_limits<float>::infinity());
-        Light sum{};
-        if (empty) {  // floor and sky are smooth: one sample will do
-          const float middle = 0.5f * static_cast<float>(s);
-          sum = behind(static_cast<float>(tile.x + x) + middle, static_cast<float>(tile.y + y) + middle, std::numeric_limits<float>::infinity());
-        } else {
-          for (int j = 0; j < s; j++)
-            for (int i = 0; i < s; i++) sum += part * sample(x + i, y + j);
+  splatSurfels(
+      {discs, clips, shades, parts.components, faces, light}, seen, view, width, height,
+      s == 3 ? 1 : how.threads, [&](const SurfelTile& tile) {
+        const auto sample = [&](int x, int y) {
+          const std::size_t at = static_cast<std::size_t>(y) * tile.width + x;
+          const float px = static_cast<float>(tile.x + x) + 0.5f, py = static_cast<float>(tile.y + y) + 0.5f,
+                      depth = tile.depth[at];
+          if (!(depth < std::numeric_limits<float>::infinity())) return behind(px, py, depth);
+          const Vec3f ray = view.ray(px, py);
+          float floorDepth = depth;
+          const FloorLight* floor = backdrop.floorBefore(ray, floorDepth);
+          return floor ? backdrop.floorShade(*floor, ray, floorDepth)
+                       : surfaceLight(tile.shade[at], ray, toSun);
+        };
+        if (!buffer.depth.empty())
+          for (int y = 0; y < tile.height; y++)
+            std::copy_n(tile.depth.begin() + static_cast<std::ptrdiff_t>(y) * tile.width, tile.width,
+                        buffer.depth.begin() + static_cast<std::ptrdiff_t>(tile.y + y) * width + tile.x);
+        if (s == 3) {
+          for (int y = 0; y < tile.height; y++)
+            for (int x = 0; x < tile.width; x++)
+              sums[static_cast<std::size_t>((tile.y + y) / s) * style.width + (tile.x + x) / s] += part *
+                                                                                                   sample(x,
+                                                                                                          y);
+          return;
         }
-        image.at((tile.x + x) / s, (tile.y + y) / s) = encode(sum);
-      }
-  });
+        for (int y = 0; y < tile.height; y += s)
+          for (int x = 0; x < tile.width; x += s) {
+            bool empty = true;
+            for (int j = 0; j < s; j++)
+              for (int i = 0; i < s; i++)
+                empty = empty && !(tile.depth[static_cast<std::size_t>(y + j) * tile.width + x + i] <
+                                   std::numeric_limits<float>::infinity());
+            Light sum{};
+            if (empty) {  // floor and sky are smooth: one sample will do
+              const float middle = 0.5f * static_cast<float>(s);
+              sum = behind(static_cast<float>(tile.x + x) + middle, static_cast<float>(tile.y + y) + middle,
+                           std::numeric_limits<float>::infinity());
+            } else {
+              for (int j = 0; j < s; j++)
+                for (int i = 0; i < s; i++) sum += part * sample(x + i, y + j);
+            }
+            image.at((tile.x + x) / s, (tile.y + y) / s) = encode(sum);
+          }
+      });
   for (std::size_t p = 0; p < sums.size(); p++) image.pixels[p] = encode(sums[p]);
   drawGlasses(image, style, view, buffer);
   return image;

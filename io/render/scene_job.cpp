@@ -13,7 +13,10 @@ namespace thaw {
 FrameJob jobOfScene(const Scene& scene) {
   FrameJob job;
   job.title = scene.title;
-  job.field = !scene.output.colour.empty() ? scene.output.colour : modulesOf(scene).heat ? "temperature" : !scene.sheets.empty() && scene.bodies.empty() && scene.emitters.empty() ? "surface" : "speed";
+  job.field = !scene.output.colour.empty()                                              ? scene.output.colour
+              : modulesOf(scene).heat                                                   ? "temperature"
+              : !scene.sheets.empty() && scene.bodies.empty() && scene.emitters.empty() ? "surface"
+                                                                                        : "speed";
   job.min = scene.output.colourMin;
   job.max = scene.output.colourMax;
   if (!scene.output.camera.fitted) job.camera = scene.output.camera;
@@ -51,7 +54,8 @@ Scene sceneOfText(const std::string& text, const std::string& name) {
       files.texts[path] += line + "\n";
     }
   }
-  if (files.main.empty()) throw SceneErrors({"the text of the scene does not hold a file called '" + name + "'"});
+  if (files.main.empty())
+    throw SceneErrors({"the text of the scene does not hold a file called '" + name + "'"});
   return readScene(files, overrides);
 }
 

@@ -7,12 +7,12 @@
 
 namespace thaw {
 
-/// Title, field and range of the colours, camera (unless it is to be fitted), size, spacing and walls of the scene's pictures.
-/// Throws what makeSignedDistance throws for shapes that cannot be used.
+/// Title, field and range of the colours, camera (unless it is to be fitted), size, spacing and walls of the
+/// scene's pictures. Throws what makeSignedDistance throws for shapes that cannot be used.
 FrameJob jobOfScene(const Scene& scene);
 
-/// The scene from the text that its run keeps in frames (Scene::text: all files, then the overrides) and the stem of the scene file's name.
-/// Throws SceneErrors, also if the text is not of that kind.
+/// The scene from the text that its run keeps in frames (Scene::text: all files, then the overrides) and the
+/// stem of the scene file's name. Throws SceneErrors, also if the text is not of that kind.
 Scene sceneOfText(const std::string& text, const std::string& name);
 
 }  // namespace thaw

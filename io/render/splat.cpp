@@ -18,13 +18,17 @@ DepthBuffer splatSpheres(const Discs& spheres, const View& view, int width, int 
     float x, y;
     const float z = view.project(spheres.positions[i], x, y);
     if (!(z > near + radius)) continue;
-    const float r = std::max(view.focal * radius / z, 0.75f);  // in samples; never so small that it falls between them
+    const float r = std::max(view.focal * radius / z, 0.75f);  // in samples; never so small that it falls
+                                                               // between them
     if (!(x > -r && y > -r && x < w + r && y < h + r)) continue;
     const float over = 1 / (r * r);
-    const int y0 = static_cast<int>(std::max(0.0f, std::ceil(y - r - 0.5f))), y1 = static_cast<int>(std::min(h - 1, std::floor(y + r - 0.5f)));
+    const int y0 = static_cast<int>(std::max(0.0f, std::ceil(y - r - 0.5f))),
+              y1 = static_cast<int>(std::min(h - 1, std::floor(y + r - 0.5f)));
     for (int py = y0; py <= y1; py++) {
-      const float dy = static_cast<float>(py) + 0.5f - y, rest = r * r - dy * dy, half = std::sqrt(std::max(0.0f, rest));
-      const int x0 = static_cast<int>(std::max(0.0f, std::ceil(x - half - 0.5f))), x1 = static_cast<int>(std::min(w - 1, std::floor(x + half - 0.5f)));
+      const float dy = static_cast<float>(py) + 0.5f - y, rest = r * r - dy * dy,
+                  half = std::sqrt(std::max(0.0f, rest));
+      const int x0 = static_cast<int>(std::max(0.0f, std::ceil(x - half - 0.5f))),
+                x1 = static_cast<int>(std::min(w - 1, std::floor(x + half - 0.5f)));
       const std::size_t row = static_cast<std::size_t>(py) * width;
       for (int px = x0; px <= x1; px++) {
         const float dx = static_cast<float>(px) + 0.5f - x;

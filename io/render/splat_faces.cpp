@@ -8,8 +8,10 @@ namespace {
 
 constexpr float rounding = 1e-3f;  // of a triangle: no gap between two at their common edge
 
-/// Mean of the corners' light; a normal that smoothing has turned away from the camera, at a fold, is turned back to its rim.
-SurfelShade mixed(const CameraFaces::Face& f, std::span<const SurfelShade> shades, const std::array<float, 3>& share, const Vec3f& ray) {
+/// Mean of the corners' light; a normal that smoothing has turned away from the camera, at a fold, is turned
+/// back to its rim.
+SurfelShade mixed(const CameraFaces::Face& f, std::span<const SurfelShade> shades,
+                  const std::array<float, 3>& share, const Vec3f& ray) {
   SurfelShade s{{}, {}, {}, 0};
   for (std::size_t k = 0; k < 3; k++) {
     const SurfelShade& c = shades[f.shade[k]];
@@ -27,7 +29,8 @@ SurfelShade mixed(const CameraFaces::Face& f, std::span<const SurfelShade> shade
 
 }  // namespace
 
-CameraFaces facesBefore(std::span<const Vec3f> positions, std::span<const std::array<std::uint32_t, 3>> faces, const View& view, int width, int height, float near) {
+CameraFaces facesBefore(std::span<const Vec3f> positions, std::span<const std::array<std::uint32_t, 3>> faces,
+                        const View& view, int width, int height, float near) {
   CameraFaces all;
   for (const auto& rows : faces) {
     CameraFaces::Face f{{}, {}, rows, width, -1, height, -1};
@@ -40,19 +43,26 @@ CameraFaces facesBefore(std::span<const Vec3f> positions, std::span<const std::a
       before = before && c.z > near && c.z > 0;
       if (!before) break;
       const float x = view.centreX + view.focal * c.x / c.z, y = view.centreY - view.focal * c.y / c.z;
-      left = std::min(left, x), right = std::max(right, x), top = std::min(top, y), bottom = std::max(bottom, y);
+      left = std::min(left, x), right = std::max(right, x), top = std::min(top, y),
+      bottom = std::max(bottom, y);
     }
-    if (!before || !(right > 0 && bottom > 0 && left < static_cast<float>(width) && top < static_cast<float>(height))) continue;
+    if (!before ||
+        !(right > 0 && bottom > 0 && left < static_cast<float>(width) && top < static_cast<float>(height)))
+      continue;
     f.normal = cross(f.corner[1] - f.corner[0], f.corner[2] - f.corner[0]);
     if (!(dot(f.normal, f.corner[0]) > 0)) continue;  // right, up, forward are a left-handed system
-    f.x0 = static_cast<int>(std::max(0.0f, left)), f.x1 = static_cast<int>(std::min(static_cast<float>(width - 1), right));
-    f.y0 = static_cast<int>(std::max(0.0f, top)), f.y1 = static_cast<int>(std::min(static_cast<float>(height - 1), bottom));
+    f.x0 = static_cast<int>(std::max(0.0f, left)),
+    f.x1 = static_cast<int>(std::min(static_cast<float>(width - 1), right));
+    f.y0 = static_cast<int>(std::max(0.0f, top)),
+    f.y1 = static_cast<int>(std::min(static_cast<float>(height - 1), bottom));
     all.faces.push_back(f);
   }
   return all;
 }
 
-void drawFaces(const CameraFaces& all, std::span<const std::uint32_t> which, std::span<const SurfelShade> shades, const View& view, SurfelTile& tile, std::vector<std::uint8_t>& drawn) {
+void drawFaces(const CameraFaces& all, std::span<const std::uint32_t> which,
+               std::span<const SurfelShade> shades, const View& view, SurfelTile& tile,
+               std::vector<std::uint8_t>& drawn) {
   const float over = 1 / view.focal;
   for (const std::uint32_t k : which) {
     const CameraFaces::Face& f = all.faces[k];
@@ -61,12 +71,14 @@ void drawFaces(const CameraFaces& all, std::span<const std::uint32_t> which, std
     const Vec3f e1 = f.corner[1] - f.corner[0], e2 = f.corner[2] - f.corner[0];
     for (int y = std::max(f.y0, tile.y); y <= std::min(f.y1, tile.y + tile.height - 1); y++)
       for (int x = std::max(f.x0, tile.x); x <= std::min(f.x1, tile.x + tile.width - 1); x++) {
-        const float rx = (static_cast<float>(x) + 0.5f - view.centreX) * over, ry = (view.centreY - static_cast<float>(y) - 0.5f) * over;
+        const float rx = (static_cast<float>(x) + 0.5f - view.centreX) * over,
+                    ry = (view.centreY - static_cast<float>(y) - 0.5f) * over;
         const float t = plane / (f.normal.x * rx + f.normal.y * ry + f.normal.z);
         const std::size_t s = static_cast<std::size_t>(y - tile.y) * tile.width + (x - tile.x);
         if (!(t > 0 && t < tile.depth[s])) continue;
         const Vec3f p{t * rx - f.corner[0].x, t * ry - f.corner[0].y, t - f.corner[0].z};
-        const float b = dot(cross(p, e2), f.normal) / area2, c = dot(cross(e1, p), f.normal) / area2, a = 1 - b - c;
+        const float b = dot(cross(p, e2), f.normal) / area2, c = dot(cross(e1, p), f.normal) / area2,
+                    a = 1 - b - c;
         if (!(a >= -rounding && b >= -rounding && c >= -rounding)) continue;
         tile.depth[s] = t;
         drawn[s] = 1;

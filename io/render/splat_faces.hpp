@@ -15,10 +15,14 @@ struct CameraFaces {
   std::vector<Face> faces;
 };
 
-/// Those of `faces` (rows of positions) that face the camera and lie in the picture; none that reaches nearer than `near`.
-CameraFaces facesBefore(std::span<const Vec3f> positions, std::span<const std::array<std::uint32_t, 3>> faces, const View& view, int width, int height, float near);
+/// Those of `faces` (rows of positions) that face the camera and lie in the picture; none that reaches nearer
+/// than `near`.
+CameraFaces facesBefore(std::span<const Vec3f> positions, std::span<const std::array<std::uint32_t, 3>> faces,
+                        const View& view, int width, int height, float near);
 
 /// Draws these faces where they are nearer than the tile's depth; drawn[sample] is set to 1 there.
-void drawFaces(const CameraFaces& all, std::span<const std::uint32_t> which, std::span<const SurfelShade> shades, const View& view, SurfelTile& tile, std::vector<std::uint8_t>& drawn);
+void drawFaces(const CameraFaces& all, std::span<const std::uint32_t> which,
+               std::span<const SurfelShade> shades, const View& view, SurfelTile& tile,
+               std::vector<std::uint8_t>& drawn);
 
 }  // namespace thaw

@@ -11,12 +11,17 @@ namespace thaw {
 namespace {
 
 constexpr float none = std::numeric_limits<float>::infinity();
-constexpr float leastRadius = 0.75f;  // samples: a disc shows at least so far around its centre, however small or edge on it is
+constexpr float leastRadius = 0.75f;  // samples: a disc shows at least so far around its centre, however
+                                      // small or edge on it is
 
 /// Samples that a disc may cover.
-struct Box { int x0, x1, y0, y1; };
+struct Box {
+  int x0, x1, y0, y1;
+};
 
-struct Range { float low, high; };
+struct Range {
+  float low, high;
+};
 /// Of centre +- half over a depth between near and far.
 Range projected(float centre, float half, float nearest, float farthest) {
   const float a = centre - half, b = centre + half;
@@ -24,12 +29,18 @@ Range projected(float centre, float half, float nearest, float farthest) {
 }
 
 /// In the camera's axes: right, up, forward.
-struct CameraDisc { Vec3f centre, normal; float radius; };
+struct CameraDisc {
+  Vec3f centre, normal;
+  float radius;
+};
 
-Vec3f toCamera(const View& view, const Vec3f& d) { return {dot(d, view.right), dot(d, view.up), dot(d, view.forward)}; }
+Vec3f toCamera(const View& view, const Vec3f& d) {
+  return {dot(d, view.right), dot(d, view.up), dot(d, view.forward)};
+}
 
 CameraDisc cameraDisc(const Discs& discs, const View& view, std::size_t i) {
-  CameraDisc d{toCamera(view, discs.positions[i] - view.origin), toCamera(view, discs.normals[i]), discs.radius(i)};
+  CameraDisc d{toCamera(view, discs.positions[i] - view.origin), toCamera(view, discs.normals[i]),
+               discs.radius(i)};
   d.radius = std::max(d.radius, leastRadius * d.centre.z / view.focal);
   return d;
 }
@@ -40,12 +51,18 @@ bool boxOf(const CameraDisc& d, const View& view, int width, int height, float n
   box = {0, -1, 0, -1};
   const float hz = half(d.normal.z), nearest = d.centre.z - hz, farthest = d.centre.z + hz;
   if (!(nearest > near)) return false;
-  const Range u = projected(d.centre.x, half(d.normal.x), nearest, farthest), v = projected(d.centre.y, half(d.normal.y), nearest, farthest);
-  const float left = view.centreX + view.focal * u.low - leastRadius, right = view.centreX + view.focal * u.high + leastRadius;
-  const float top = view.centreY - view.focal * v.high - leastRadius, bottom = view.centreY - view.focal * v.low + leastRadius;
-  if (!(right > 0 && bottom > 0 && left < static_cast<float>(width) && top < static_cast<float>(height))) return false;
-  box = {static_cast<int>(std::max(0.0f, left)), static_cast<int>(std::min(static_cast<float>(width - 1), right)),
-         static_cast<int>(std::max(0.0f, top)), static_cast<int>(std::min(static_cast<float>(height - 1), bottom))};
+  const Range u = projected(d.centre.x, half(d.normal.x), nearest, farthest),
+              v = projected(d.centre.y, half(d.normal.y), nearest, farthest);
+  const float left = view.centreX + view.focal * u.low - leastRadius,
+              right = view.centreX + view.focal * u.high + leastRadius;
+  const float top = view.centreY - view.focal * v.high - leastRadius,
+              bottom = view.centreY - view.focal * v.low + leastRadius;
+  if (!(right > 0 && bottom > 0 && left < static_cast<float>(width) && top < static_cast<float>(height)))
+    return false;
+  box = {static_cast<int>(std::max(0.0f, left)),
+         static_cast<int>(std::min(static_cast<float>(width - 1), right)),
+         static_cast<int>(std::max(0.0f, top)),
+         static_cast<int>(std::min(static_cast<float>(height - 1), bottom))};
   return true;
 }
 
@@ -55,10 +72,14 @@ bool cut(const DiscClip& c, const Vec3f& q) {
   return dot(d, d) < c.radius2;
 }
 
-/// One disc over the samples of a tile: hit(sample, depth, whether it is drawn there or cut off) for each that it covers.
-template<class Hit> void forSamples(const CameraDisc& d, std::span<const DiscClip> clips, const View& view, const Box& box, const SurfelTile& tile, Hit hit) {
+/// One disc over the samples of a tile: hit(sample, depth, whether it is drawn there or cut off) for each
+/// that it covers.
+template<class Hit>
+void forSamples(const CameraDisc& d, std::span<const DiscClip> clips, const View& view, const Box& box,
+                const SurfelTile& tile, Hit hit) {
   const float over = 1 / view.focal, plane = dot(d.normal, d.centre), r2 = d.radius * d.radius;
-  const float screenX = view.centreX + view.focal * d.centre.x / d.centre.z, screenY = view.centreY - view.focal * d.centre.y / d.centre.z;
+  const float screenX = view.centreX + view.focal * d.centre.x / d.centre.z,
+              screenY = view.centreY - view.focal * d.centre.y / d.centre.z;
   const int x0 = std::max(box.x0, tile.x), x1 = std::min(box.x1, tile.x + tile.width - 1);
   const int y0 = std::max(box.y0, tile.y), y1 = std::min(box.y1, tile.y + tile.height - 1);
   for (int y = y0; y <= y1; y++) {
@@ -81,8 +102,8 @@ template<class Hit> void forSamples(const CameraDisc& d, std::span<const DiscCli
   }
 }
 
-/// Samples without a disc that a cut one would cover, amid samples with one: gaps that the cuts of several discs left between them. What
-/// stands out of an edge is open to a side at least.
+/// Samples without a disc that a cut one would cover, amid samples with one: gaps that the cuts of several
+/// discs left between them. What stands out of an edge is open to a side at least.
 std::vector<std::size_t> gapsOf(const SurfelTile& tile, const std::vector<float>& depthCut) {
   constexpr int reach = 3;  // samples: a wider gap is one of the surface
   std::vector<std::size_t> gaps;
@@ -93,7 +114,9 @@ std::vector<std::size_t> gapsOf(const SurfelTile& tile, const std::vector<float>
       const auto closed = [&](int dx, int dy) {
         for (int n = 1; n <= reach; n++) {
           const int i = x + n * dx, j = y + n * dy;
-          if (i < 0 || j < 0 || i >= tile.width || j >= tile.height || tile.depth[static_cast<std::size_t>(j) * tile.width + i] < none) return true;
+          if (i < 0 || j < 0 || i >= tile.width || j >= tile.height ||
+              tile.depth[static_cast<std::size_t>(j) * tile.width + i] < none)
+            return true;
         }
         return false;
       };
@@ -102,8 +125,10 @@ std::vector<std::size_t> gapsOf(const SurfelTile& tile, const std::vector<float>
   return gaps;
 }
 
-/// The sphere around a disc over the samples of a tile: add(sample, weight) where the point that is seen lies in it.
-template<class Add> void forSphere(const CameraDisc& d, const View& view, const Box& box, const SurfelTile& tile, Add add) {
+/// The sphere around a disc over the samples of a tile: add(sample, weight) where the point that is seen lies
+/// in it.
+template<class Add>
+void forSphere(const CameraDisc& d, const View& view, const Box& box, const SurfelTile& tile, Add add) {
   const float over = 1 / view.focal, r2 = d.radius * d.radius, overR2 = 1 / r2;
   const int x0 = std::max(box.x0, tile.x), x1 = std::min(box.x1, tile.x + tile.width - 1);
   const int y0 = std::max(box.y0, tile.y), y1 = std::min(box.y1, tile.y + tile.height - 1);
@@ -113,7 +138,8 @@ template<class Add> void forSphere(const CameraDisc& d, const View& view, const 
     for (int x = x0; x <= x1; x++) {
       const float t = tile.depth[row + x], dz = t - d.centre.z;
       if (!(dz * dz < r2)) continue;
-      const float dx = t * ((static_cast<float>(x) + 0.5f - view.centreX) * over) - d.centre.x, dy = t * ry - d.centre.y;
+      const float dx = t * ((static_cast<float>(x) + 0.5f - view.centreX) * over) - d.centre.x,
+                  dy = t * ry - d.centre.y;
       const float far2 = (dx * dx + dy * dy + dz * dz) * overR2;
       if (far2 < 1) add(row + x, (1 - far2) * (1 - far2));
     }
@@ -124,7 +150,9 @@ template<class Add> void forSphere(const CameraDisc& d, const View& view, const 
 struct TileLists {
   int across = 0, down = 0;
   std::vector<std::uint32_t> first, members;
-  std::span<const std::uint32_t> of(std::size_t tile) const { return {members.data() + first[tile], first[tile + 1] - first[tile]}; }
+  std::span<const std::uint32_t> of(std::size_t tile) const {
+    return {members.data() + first[tile], first[tile + 1] - first[tile]};
+  }
 };
 
 TileLists tileLists(std::span<const Box> boxes, int width, int height) {
@@ -136,7 +164,8 @@ TileLists tileLists(std::span<const Box> boxes, int width, int height) {
   const auto each = [&](auto f) {
     for (std::size_t k = 0; k < boxes.size(); k++)
       for (int j = boxes[k].y0 / side; j <= boxes[k].y1 / side; j++)
-        for (int i = boxes[k].x0 / side; i <= boxes[k].x1 / side; i++) f(static_cast<std::size_t>(j) * lists.across + i, static_cast<std::uint32_t>(k));
+        for (int i = boxes[k].x0 / side; i <= boxes[k].x1 / side; i++)
+          f(static_cast<std::size_t>(j) * lists.across + i, static_cast<std::uint32_t>(k));
   };
   each([&](std::size_t tile, std::uint32_t) { lists.first[tile + 1]++; });
   for (std::size_t t = 0; t + 1 < lists.first.size(); t++) lists.first[t + 1] += lists.first[t];
@@ -148,7 +177,8 @@ TileLists tileLists(std::span<const Box> boxes, int width, int height) {
 
 }  // namespace
 
-std::vector<std::uint8_t> facingDiscs(const Discs& discs, const View& view, int width, int height, float near) {
+std::vector<std::uint8_t> facingDiscs(const Discs& discs, const View& view, int width, int height,
+                                      float near) {
   std::vector<std::uint8_t> seen(discs.positions.size(), 0);
   Box box;
   for (std::size_t i = 0; i < seen.size(); i++) {
@@ -158,8 +188,8 @@ std::vector<std::uint8_t> facingDiscs(const Discs& discs, const View& view, int 
   return seen;
 }
 
-void splatSurfels(const SurfelScene& scene, std::span<const std::uint8_t> seen, const View& view, int width, int height, int threads,
-                  const std::function<void(const SurfelTile&)>& take) {
+void splatSurfels(const SurfelScene& scene, std::span<const std::uint8_t> seen, const View& view, int width,
+                  int height, int threads, const std::function<void(const SurfelTile&)>& take) {
   constexpr int side = SurfelTile::side;
   std::vector<std::uint32_t> which;
   for (std::size_t i = 0; i < seen.size(); i++)
@@ -173,7 +203,8 @@ void splatSurfels(const SurfelScene& scene, std::span<const std::uint8_t> seen, 
     boxOf(discs[k], view, width, height, 0, boxes[k]);
     boxOf({discs[k].centre, {}, discs[k].radius}, view, width, height, 0, balls[k]);
     for (std::uint32_t c = scene.clips.first[which[k]]; c < scene.clips.first[which[k] + 1]; c++)
-      clips.push_back({toCamera(view, scene.clips.list[c].normal), scene.clips.list[c].reach, toCamera(view, scene.clips.list[c].other), scene.clips.list[c].radius2});
+      clips.push_back({toCamera(view, scene.clips.list[c].normal), scene.clips.list[c].reach,
+                       toCamera(view, scene.clips.list[c].other), scene.clips.list[c].radius2});
     firstClip[k + 1] = static_cast<std::uint32_t>(clips.size());
   }
   const TileLists lists = tileLists(balls, width, height);
@@ -193,7 +224,9 @@ void splatSurfels(const SurfelScene& scene, std::span<const std::uint8_t> seen, 
       take(tile);
       return;
     }
-    const auto clipsOf = [&](std::uint32_t k) { return std::span<const DiscClip>(clips.data() + firstClip[k], firstClip[k + 1] - firstClip[k]); };
+    const auto clipsOf = [&](std::uint32_t k) {
+      return std::span<const DiscClip>(clips.data() + firstClip[k], firstClip[k + 1] - firstClip[k]);
+    };
     // Who is in front.
     std::vector<std::uint32_t> front(samples, 0), frontCut(samples, 0);
     std::vector<float> depthCut(samples, none);
@@ -215,7 +248,8 @@ void splatSurfels(const SurfelScene& scene, std::span<const std::uint8_t> seen, 
         if (ofFace[s]) return;
         const std::uint32_t f = front[s];
         const float alike = dot(discs[f].normal, discs[k].normal);
-        if (alike <= 0 || (!scene.components.empty() && scene.components[which[f]] != scene.components[i])) return;
+        if (alike <= 0 || (!scene.components.empty() && scene.components[which[f]] != scene.components[i]))
+          return;
         w *= alike * alike;
         SurfelShade& sum = tile.shade[s];
         sum.normal += w * own.normal;

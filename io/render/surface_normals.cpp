@@ -8,8 +8,12 @@ namespace thaw {
 
 namespace {
 
-struct Cell { int x, y, z; };
-Cell cellOf(const Vec3f& p, float edge) { return {cellAlong(p.x, edge), cellAlong(p.y, edge), cellAlong(p.z, edge)}; }
+struct Cell {
+  int x, y, z;
+};
+Cell cellOf(const Vec3f& p, float edge) {
+  return {cellAlong(p.x, edge), cellAlong(p.y, edge), cellAlong(p.z, edge)};
+}
 
 float ramp(float from, float to, float x) {
   const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
@@ -34,7 +38,8 @@ CellBins binParticles(std::span<const Vec3f> positions, float edge) {
   }
   for (std::uint32_t b = 0; b < size; b++) bins.first[b + 1] += bins.first[b];
   std::vector<std::uint32_t> next(bins.first.begin(), bins.first.end() - 1);
-  for (std::size_t i = 0; i < positions.size(); i++) bins.members[next[bin[i]]++] = static_cast<std::uint32_t>(i);
+  for (std::size_t i = 0; i < positions.size(); i++)
+    bins.members[next[bin[i]]++] = static_cast<std::uint32_t>(i);
   return bins;
 }
 
@@ -47,7 +52,8 @@ float nearestNeighbour(std::span<const Vec3f> positions, const CellBins& bins, c
   return std::sqrt(nearest2);
 }
 
-std::vector<SurfaceNormal> surfaceNormals(std::span<const Vec3f> positions, std::span<const std::uint32_t> which, const CellBins& bins) {
+std::vector<SurfaceNormal> surfaceNormals(std::span<const Vec3f> positions,
+                                          std::span<const std::uint32_t> which, const CellBins& bins) {
   std::vector<SurfaceNormal> out(which.size());
   for (std::size_t k = 0; k < which.size(); k++) {
     Vec3f sum{};
@@ -67,7 +73,8 @@ std::vector<SurfaceNormal> surfaceNormals(std::span<const Vec3f> positions, std:
   return out;
 }
 
-Smoothed smoothOver(std::span<const Vec3f> positions, std::span<const std::uint32_t> which, const CellBins& bins, const Smoothed& raw) {
+Smoothed smoothOver(std::span<const Vec3f> positions, std::span<const std::uint32_t> which,
+                    const CellBins& bins, const Smoothed& raw) {
   constexpr std::uint32_t none = ~0u;
   std::vector<std::uint32_t> place(positions.size(), none);
   for (std::size_t k = 0; k < which.size(); k++) place[which[k]] = static_cast<std::uint32_t>(k);

@@ -1,4 +1,5 @@
-// Directions out of the body at particles near its surface, from where the neighbours lie: shades a lattice of spheres as one surface.
+// Directions out of the body at particles near its surface, from where the neighbours lie: shades a lattice
+// of spheres as one surface.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -18,19 +19,24 @@ struct CellBins {
   std::vector<std::uint32_t> members;  ///< by bin, ascending within one
 
   std::uint32_t bin(int x, int y, int z) const {
-    const std::uint32_t h = static_cast<std::uint32_t>(x) * 73856093u ^ static_cast<std::uint32_t>(y) * 19349663u ^ static_cast<std::uint32_t>(z) * 83492791u;
+    const std::uint32_t h = static_cast<std::uint32_t>(x) * 73856093u ^
+                            static_cast<std::uint32_t>(y) * 19349663u ^
+                            static_cast<std::uint32_t>(z) * 83492791u;
     return (h ^ (h >> 15)) & mask;
   }
 };
 
-/// Cell of a bin along an axis. Far away all is one cell: the conversion to int has to be defined (not-a-number goes there as well).
+/// Cell of a bin along an axis. Far away all is one cell: the conversion to int has to be defined
+/// (not-a-number goes there as well).
 inline int cellAlong(float x, float edge) {
   const float c = std::floor(x / edge);
   return c > -1e9f && c < 1e9f ? static_cast<int>(c) : 1'000'000'000;
 }
 
-/// Calls f(j, offset, weight) for all particles j nearer to p than the edge, p itself included; each once. Offset: p less that of j.
-template<class F> void forNeighbours(std::span<const Vec3f> positions, const CellBins& bins, const Vec3f& p, F f) {
+/// Calls f(j, offset, weight) for all particles j nearer to p than the edge, p itself included; each once.
+/// Offset: p less that of j.
+template<class F>
+void forNeighbours(std::span<const Vec3f> positions, const CellBins& bins, const Vec3f& p, F f) {
   const int cx = cellAlong(p.x, bins.edge), cy = cellAlong(p.y, bins.edge), cz = cellAlong(p.z, bins.edge);
   const float h2 = bins.edge * bins.edge;
   std::uint32_t visited[27];
@@ -55,14 +61,24 @@ CellBins binParticles(std::span<const Vec3f> positions, float edge);
 /// Distance (m) to the nearest other particle within the bins' edge; infinite if there is none.
 float nearestNeighbour(std::span<const Vec3f> positions, const CellBins& bins, const Vec3f& from);
 
-/// Normal of the surface and how much of a surface there is: 0 inside a body or for a lone particle, 1 at a clear surface.
-struct SurfaceNormal { Vec3f normal; float strength = 0; };
+/// Normal of the surface and how much of a surface there is: 0 inside a body or for a lone particle, 1 at a
+/// clear surface.
+struct SurfaceNormal {
+  Vec3f normal;
+  float strength = 0;
+};
 
 /// At the particles `which`, over neighbours nearer than the bins' edge.
-std::vector<SurfaceNormal> surfaceNormals(std::span<const Vec3f> positions, std::span<const std::uint32_t> which, const CellBins& bins);
+std::vector<SurfaceNormal> surfaceNormals(std::span<const Vec3f> positions,
+                                          std::span<const std::uint32_t> which, const CellBins& bins);
 
-/// Averages values and normals of `which` over each other where they look alike, over the bins' edge. Particles not in `which` do not count.
-struct Smoothed { std::vector<SurfaceNormal> normals; std::vector<float> values; };
-Smoothed smoothOver(std::span<const Vec3f> positions, std::span<const std::uint32_t> which, const CellBins& bins, const Smoothed& raw);
+/// Averages values and normals of `which` over each other where they look alike, over the bins' edge.
+/// Particles not in `which` do not count.
+struct Smoothed {
+  std::vector<SurfaceNormal> normals;
+  std::vector<float> values;
+};
+Smoothed smoothOver(std::span<const Vec3f> positions, std::span<const std::uint32_t> which,
+                    const CellBins& bins, const Smoothed& raw);
 
 }  // namespace thaw

@@ -17,7 +17,8 @@ SurfelLights makeSurfelLights(const Discs& discs, const View& view, int threads)
   SurfelLights all;
   double sum = 0;
   for (float r : discs.radii) sum += r;
-  all.lights.radius = discs.radii.empty() ? 0 : static_cast<float>(sum / static_cast<double>(discs.radii.size()));
+  all.lights.radius = discs.radii.empty() ? 0
+                                          : static_cast<float>(sum / static_cast<double>(discs.radii.size()));
   all.lights.sun.toLight = sunDirection(view);
   const std::vector<Vec3f> sun = sunDisc(all.lights.sun.toLight, sunDirections), sky = skyDome(skyDirections);
   all.sun.resize(sun.size());
@@ -31,11 +32,13 @@ SurfelLights makeSurfelLights(const Discs& discs, const View& view, int threads)
 
 float sunSeen(const SurfelLights& lights, const Vec3f& point, const Vec3f& normal, float radius) {
   float seen = 0;
-  for (const DepthMap& map : lights.sun) seen += map.visible(point + (0.5f * radius) * normal, 0.6f * radius, 0);
+  for (const DepthMap& map : lights.sun)
+    seen += map.visible(point + (0.5f * radius) * normal, 0.6f * radius, 0);
   return seen / static_cast<float>(lights.sun.size());
 }
 
-float skySeen(const SurfelLights& lights, const Backdrop& backdrop, const Vec3f& point, const Vec3f& normal, float radius) {
+float skySeen(const SurfelLights& lights, const Backdrop& backdrop, const Vec3f& point, const Vec3f& normal,
+              float radius) {
   float light = 0, full = 0, open = 0;
   const Vec3f from = point + (0.5f * radius) * normal;
   for (const DepthMap& map : lights.lights.sky) {
@@ -46,7 +49,8 @@ float skySeen(const SurfelLights& lights, const Backdrop& backdrop, const Vec3f&
     light += facing * visible;
     open += visible;
   }
-  const float below = 0.24f * (1 - normal.z) * (0.35f + 0.65f * open / static_cast<float>(lights.lights.sky.size()));
+  const float below = 0.24f * (1 - normal.z) *
+                      (0.35f + 0.65f * open / static_cast<float>(lights.lights.sky.size()));
   return light / full + below * backdrop.bounce(point);
 }
 
@@ -57,7 +61,8 @@ Light surfaceLight(const SurfelShade& s, const Vec3f& ray, const Vec3f& toSun) {
   float shine = half * half;  // half^48
   shine *= shine * shine;
   shine *= shine, shine *= shine, shine *= shine;
-  const float edge = 1 - std::max(0.0f, dot(s.normal, back)), rim = 0.05f * edge * edge * edge * edge;  // more is mirrored where seen edge on
+  // more is mirrored where seen edge on
+  const float edge = 1 - std::max(0.0f, dot(s.normal, back)), rim = 0.05f * edge * edge * edge * edge;
   const float white = (facing > 0 ? 0.10f * s.sun * shine : 0.0f) + rim;
   return s.fromSky + facing * s.ofSun + Light{white, white, white};
 }

@@ -6,9 +6,13 @@ namespace thaw {
 
 namespace {
 
-Vec3f toFloat(const Vec3d& a) { return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)}; }
+Vec3f toFloat(const Vec3d& a) {
+  return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
+}
 
-struct Axes { Vec3d right, up, forward; };
+struct Axes {
+  Vec3d right, up, forward;
+};
 Axes axesOf(const Vec3d& direction) {
   const Vec3d forward = normalized(direction);
   // Straight down or up: y is up in the picture.
@@ -45,14 +49,17 @@ Camera fittedCamera(const ViewBox& bounds, double aspect) {
   camera.fieldOfView = 0.5;
   camera.at = bounds.empty() ? Vec3d{} : bounds.centre();
   const Axes axes = axesOf({-0.45, 1, -0.38});
-  // Each corner c demands |x| <= tan_x (d + z) and |y| <= tan_y (d + z), with x, y, z along the camera's axes.
+  // Each corner c demands |x| <= tan_x (d + z) and |y| <= tan_y (d + z), with x, y, z along the camera's
+  // axes.
   const double margin = 0.92, tanY = margin * std::tan(0.5 * camera.fieldOfView), tanX = tanY * aspect;
   double distance = 0;
   for (int corner = 0; corner < 8 && !bounds.empty(); corner++) {
     const Vec3d half = 0.5 * (bounds.max - bounds.min);
-    const Vec3d c{corner & 1 ? half.x : -half.x, corner & 2 ? half.y : -half.y, corner & 4 ? half.z : -half.z};
+    const Vec3d c{corner & 1 ? half.x : -half.x, corner & 2 ? half.y : -half.y,
+                  corner & 4 ? half.z : -half.z};
     const double z = dot(c, axes.forward);
-    distance = std::max({distance, std::abs(dot(c, axes.right)) / tanX - z, std::abs(dot(c, axes.up)) / tanY - z});
+    distance = std::max(
+        {distance, std::abs(dot(c, axes.right)) / tanX - z, std::abs(dot(c, axes.up)) / tanY - z});
   }
   camera.from = camera.at - (distance > 0 ? distance : 1.0) * axes.forward;
   return camera;

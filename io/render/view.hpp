@@ -15,7 +15,7 @@ struct ViewBox {
 
 /// Perspective camera with z up. Pixels count from the upper left corner.
 struct View {
-  Vec3f origin, right, up, forward;  // m; unit vectors
+  Vec3f origin, right, up, forward;           // m; unit vectors
   float focal = 1, centreX = 0, centreY = 0;  // pixels
 
   /// Distance along the view direction; x and y in pixels if it is positive.
@@ -27,13 +27,16 @@ struct View {
     return z;
   }
   /// Direction (not normalised, of depth 1) of the ray through a point of the picture.
-  Vec3f ray(float x, float y) const { return forward + ((x - centreX) / focal) * right + ((centreY - y) / focal) * up; }
+  Vec3f ray(float x, float y) const {
+    return forward + ((x - centreX) / focal) * right + ((centreY - y) / focal) * up;
+  }
 };
 
 /// The scene's camera on a picture of width x height pixels.
 View viewOf(const Camera& camera, int width, int height);
 
-/// Camera in front (against y), to the right and above, from which the whole box fits the picture (width over height = aspect) with a margin.
+/// Camera in front (against y), to the right and above, from which the whole box fits the picture (width over
+/// height = aspect) with a margin.
 Camera fittedCamera(const ViewBox& bounds, double aspect);
 
 }  // namespace thaw

@@ -19,12 +19,24 @@ std::string seen(const World& w, const StepTools& t, const StepOutcome& o, const
   const WatchBounds& b = t.watch;
   switch (o.alarm) {
     case Alarm::NotFinite:
-      return s.value < never ? fmt::format("a speed of {:.4g} m/s, more than a support radius in a step", s.value) : "a value that is not a finite number";
-    case Alarm::Speed: return fmt::format("a speed of {:.4g} m/s, where the scene makes {:.3g} m/s and numerics.watch_speed allows {:.3g} m/s", s.value, b.expected, b.speed);
-    case Alarm::Density: return fmt::format("a density of {:.3g} times that at rest (numerics.watch_density allows {:.3g})", s.value, b.filling);
-    case Alarm::Inverted: return fmt::format("more than {:.3g} of the solid particles are inside out (numerics.watch_inverted), to det F {:.3g}", b.inverted, s.value);
+      return s.value < never
+                 ? fmt::format("a speed of {:.4g} m/s, more than a support radius in a step", s.value)
+                 : "a value that is not a finite number";
+    case Alarm::Speed:
+      return fmt::format(
+          "a speed of {:.4g} m/s, where the scene makes {:.3g} m/s and numerics.watch_speed allows {:.3g} "
+          "m/s",
+          s.value, b.expected, b.speed);
+    case Alarm::Density:
+      return fmt::format("a density of {:.3g} times that at rest (numerics.watch_density allows {:.3g})",
+                         s.value, b.filling);
+    case Alarm::Inverted:
+      return fmt::format(
+          "more than {:.3g} of the solid particles are inside out (numerics.watch_inverted), to det F {:.3g}",
+          b.inverted, s.value);
     case Alarm::Energy:
-    case Alarm::Growth: return fmt::format("{}; most of it, {:.4g} J/kg, has one particle", exceeded(w, t, o), s.value);
+    case Alarm::Growth:
+      return fmt::format("{}; most of it, {:.4g} J/kg, has one particle", exceeded(w, t, o), s.value);
     case Alarm::Step:
     case Alarm::None: break;
   }
@@ -36,16 +48,31 @@ std::string seen(const World& w, const StepTools& t, const StepOutcome& o, const
 std::string exceeded(const World& w, const StepTools& t, const StepOutcome& o) {
   const WatchBounds& b = t.watch;
   switch (o.alarm) {
-    case Alarm::NotFinite: return "a value that is not a finite number, or a way beyond the reach of forces in a step";
-    case Alarm::Speed: return fmt::format("a speed that numerics.watch_speed, which allows {:.3g} m/s, does not", b.speed);
-    case Alarm::Density: return fmt::format("a density of more than {:.3g} times that at rest (numerics.watch_density)", b.filling);
+    case Alarm::NotFinite:
+      return "a value that is not a finite number, or a way beyond the reach of forces in a step";
+    case Alarm::Speed:
+      return fmt::format("a speed that numerics.watch_speed, which allows {:.3g} m/s, does not", b.speed);
+    case Alarm::Density:
+      return fmt::format("a density of more than {:.3g} times that at rest (numerics.watch_density)",
+                         b.filling);
     case Alarm::Step:
       return fmt::format("the step's limit by {} fell to {:.3g} s{} (numerics.watch_step allows {:.3g} s)",
                          limitNames[static_cast<std::size_t>(o.limitedBy)], w.clock.dt,
-                         w.watch.halvings > 0 ? fmt::format(", halved {} times", w.watch.halvings) : "", b.step);
-    case Alarm::Inverted: return fmt::format("more than {:.3g} of the solid particles are inside out (numerics.watch_inverted)", b.inverted);
-    case Alarm::Energy: return fmt::format("mechanical energy from nowhere since step {}, more than {:.3g} times the largest term of the ledger (numerics.watch_energy)", w.watch.goodStep, b.energy);
-    case Alarm::Growth: return fmt::format("mechanical energy from nowhere since the run began, more than {:.3g} times the largest term of the ledger (numerics.watch_energy), little by little", b.energy);
+                         w.watch.halvings > 0 ? fmt::format(", halved {} times", w.watch.halvings) : "",
+                         b.step);
+    case Alarm::Inverted:
+      return fmt::format("more than {:.3g} of the solid particles are inside out (numerics.watch_inverted)",
+                         b.inverted);
+    case Alarm::Energy:
+      return fmt::format(
+          "mechanical energy from nowhere since step {}, more than {:.3g} times the largest term of the "
+          "ledger (numerics.watch_energy)",
+          w.watch.goodStep, b.energy);
+    case Alarm::Growth:
+      return fmt::format(
+          "mechanical energy from nowhere since the run began, more than {:.3g} times the largest term of "
+          "the ledger (numerics.watch_energy), little by little",
+          b.energy);
     case Alarm::None: break;
   }
   return "nothing";
@@ -54,9 +81,11 @@ std::string exceeded(const World& w, const StepTools& t, const StepOutcome& o) {
 std::string alarmText(World& w, StepTools& t, const StepOutcome& o, const Suspect& s) {
   const Continuum& p = w.particles;
   const std::size_t i = s.row, source = sourceOf(p.id[i]), bodies = w.scene.bodies.size();
-  const std::string name = source < bodies ? "body '" + w.scene.bodies[source].name : "emitter '" + w.scene.emitters[source - bodies].name;
-  std::string line = fmt::format("{}: particle {} of {}' at {} m has a velocity of {} m/s and a force of {} N", seen(w, t, o, s), numberOf(p.id[i]), name, text(p.position[i]),
-                                 text(p.velocity[i]), text(forceOf(w, i)));
+  const std::string name = source < bodies ? "body '" + w.scene.bodies[source].name
+                                           : "emitter '" + w.scene.emitters[source - bodies].name;
+  std::string line = fmt::format(
+      "{}: particle {} of {}' at {} m has a velocity of {} m/s and a force of {} N", seen(w, t, o, s),
+      numberOf(p.id[i]), name, text(p.position[i]), text(p.velocity[i]), text(forceOf(w, i)));
   const ForceShares f = forceShares(w, t, i);
   std::vector<std::pair<double, std::string>> terms;
   const auto add = [&](bool has, const char* term, double size) {
@@ -69,12 +98,15 @@ std::string alarmText(World& w, StepTools& t, const StepOutcome& o, const Suspec
   add(m.contact, "contact", f.contact);
   add(!w.walls.list.empty(), "walls", f.walls);
   add(true, "weight", f.weight);
-  std::stable_sort(terms.begin(), terms.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::stable_sort(terms.begin(), terms.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
   line += " (";
   for (std::size_t k = 0; k < terms.size(); k++) line += (k ? ", " : "") + terms[k].second;
   line += f.atWall ? "; it is at a wall)" : ")";
-  if (p.phase[i] == Liquid && p.filling.active) line += fmt::format(", density {:.3g} of that at rest", static_cast<double>(p.filling[i]));
-  if (p.slot.active && p.slot[i] != noSlot && p.slot[i] < w.solids.owned) line += fmt::format(", det F {:.3g}", determinant(w.solids.deformation[p.slot[i]]));
+  if (p.phase[i] == Liquid && p.filling.active)
+    line += fmt::format(", density {:.3g} of that at rest", static_cast<double>(p.filling[i]));
+  if (p.slot.active && p.slot[i] != noSlot && p.slot[i] < w.solids.owned)
+    line += fmt::format(", det F {:.3g}", determinant(w.solids.deformation[p.slot[i]]));
   return line;
 }
 

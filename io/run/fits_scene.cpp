@@ -12,7 +12,8 @@ std::int64_t strangeParticles(const World& w) {
   const Continuum& p = w.particles;
   const std::size_t sources = w.scene.bodies.size() + w.scene.emitters.size();
   std::int64_t n = 0;
-  for (std::size_t i = 0; i < p.owned; i++) n += p.material[i] >= w.scene.materials.size() || p.body[i] >= sources;
+  for (std::size_t i = 0; i < p.owned; i++)
+    n += p.material[i] >= w.scene.materials.size() || p.body[i] >= sources;
   return n;
 }
 
@@ -20,7 +21,9 @@ std::int64_t strangeOriented(const World& w) {
   const Oriented& o = w.oriented.rows;
   std::int64_t n = 0;
   for (std::size_t i = 0; i < o.owned; i++)  // what was born later has no anchor, and is held by none
-    n += o.body[i] >= w.scene.oriented.size() || ((o.flags[i] & (heldPlace | heldNormal)) && o.anchor[i] != noAnchor && o.anchor[i] >= w.scene.oriented[o.body[i]].anchors.size());
+    n += o.body[i] >= w.scene.oriented.size() ||
+         ((o.flags[i] & (heldPlace | heldNormal)) && o.anchor[i] != noAnchor &&
+          o.anchor[i] >= w.scene.oriented[o.body[i]].anchors.size());
   return n;
 }
 
@@ -28,8 +31,10 @@ std::int64_t strangeVertices(const World& w) {
   const SheetBodies& s = w.sheets;
   const auto known = [&](std::size_t i) {
     const std::uint64_t sheet = s.rows.id[i] >> 40, vertex = s.rows.id[i] & ((std::uint64_t{1} << 40) - 1);
-    return sheet < s.plans.size() && s.rows.body[i] == sheet && vertex < s.plans[sheet].mesh.vertices.size() && s.rows.law[i] < s.laws.size() && s.laws[s.rows.law[i]].sheet == sheet &&
-           s.rows.part[i] < s.parts.size() && s.parts[s.rows.part[i]].sheet == sheet;
+    return sheet < s.plans.size() && s.rows.body[i] == sheet &&
+           vertex < s.plans[sheet].mesh.vertices.size() && s.rows.law[i] < s.laws.size() &&
+           s.laws[s.rows.law[i]].sheet == sheet && s.rows.part[i] < s.parts.size() &&
+           s.parts[s.rows.part[i]].sheet == sheet;
   };
   std::int64_t n = 0;
   for (std::size_t i = 0; i < s.rows.owned; i++) n += !known(i);
@@ -49,19 +54,27 @@ void addTakenCuts(const World& w, Reducer& all, std::vector<std::string>& lines)
       const OrientedEvent& event = w.scene.oriented[b].events[e];
       if (event.kind != OrientedEventKind::Cut || event.time <= w.clock.time) continue;
       if (const int number = cutNumber(w.scene, b, e); used[number] > 0)
-        lines.push_back(fmt::format("oriented.{}.event.{}: particles know this cut, the {}. of the scene's, by its number, and a cut that has been made had the same: new cuts belong behind those that were in the scene", w.scene.oriented[b].name, e, number + 1));
+        lines.push_back(fmt::format(
+            "oriented.{}.event.{}: particles know this cut, the {}. of the scene's, by its number, and a cut "
+            "that has been made had the same: new cuts belong behind those that were in the scene",
+            w.scene.oriented[b].name, e, number + 1));
     }
 }
 
 }  // namespace
 
 std::vector<std::string> misfits(const World& w, Reducer& all) {
-  std::int64_t strange[3] = {w.particles.id.active ? strangeParticles(w) : 0, w.modules.oriented ? strangeOriented(w) : 0, w.modules.sheet ? strangeVertices(w) : 0};
+  std::int64_t strange[3] = {w.particles.id.active ? strangeParticles(w) : 0,
+                             w.modules.oriented ? strangeOriented(w) : 0,
+                             w.modules.sheet ? strangeVertices(w) : 0};
   all.sum(strange);
-  constexpr const char* rows[3] = {"particles are of a body, an emitter or a material", "oriented particles are of a body or an anchor", "vertices are of a sheet, a region or a mesh"};
+  constexpr const char* rows[3] = {"particles are of a body, an emitter or a material",
+                                   "oriented particles are of a body or an anchor",
+                                   "vertices are of a sheet, a region or a mesh"};
   std::vector<std::string> lines;
   for (std::size_t k = 0; k < 3; k++)
-    if (strange[k] > 0) lines.push_back(fmt::format("{} of its {} that the scene has not", strange[k], rows[k]));
+    if (strange[k] > 0)
+      lines.push_back(fmt::format("{} of its {} that the scene has not", strange[k], rows[k]));
   if (w.modules.oriented && lines.empty()) addTakenCuts(w, all, lines);
   return lines;
 }

@@ -22,12 +22,16 @@ void writeKindFrames(Run& r) {
 
 void resumeKindFrames(Run& r) {
   onFirstRank(r.comm.handle(), [&] {
-    eachKind(r.world, [&](std::size_t kind, const KindRows&, const CellTable&) { r.kindSeries[kind] = framesPresent(r.options.out, kindFrameName(r.name, kind), r.world.clock.time); });
+    eachKind(r.world, [&](std::size_t kind, const KindRows&, const CellTable&) {
+      r.kindSeries[kind] = framesPresent(r.options.out, kindFrameName(r.name, kind), r.world.clock.time);
+    });
   });
 }
 
 void forgetKindFrames(Run& r) {
-  eachKind(r.world, [&](std::size_t kind, const KindRows&, const CellTable&) { forgetSeries(r.options.out, kindFrameName(r.name, kind), r.kindSeries[kind], r.world.clock.time); });
+  eachKind(r.world, [&](std::size_t kind, const KindRows&, const CellTable&) {
+    forgetSeries(r.options.out, kindFrameName(r.name, kind), r.kindSeries[kind], r.world.clock.time);
+  });
 }
 
 }  // namespace thaw

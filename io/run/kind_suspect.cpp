@@ -22,7 +22,9 @@ std::string kindSuspect(const World& w, const StepTools& t, const StepOutcome& f
   all.maximum({&continuum, 1});
   double overran = w.oriented.overran ? 1 : 0;
   all.maximum({&overran, 1});
-  const bool byLimit = (alarm == Alarm::Step && (limitedBy == Limit::Oriented || limitedBy == Limit::Sheet)) || (alarm == Alarm::NotFinite && overran > 0);
+  const bool byLimit = (alarm == Alarm::Step &&
+                        (limitedBy == Limit::Oriented || limitedBy == Limit::Sheet)) ||
+                       (alarm == Alarm::NotFinite && overran > 0);
   const KindRows* rows = nullptr;
   std::size_t row = 0, kind = 0;
   double most = -1;
@@ -32,7 +34,8 @@ std::string kindSuspect(const World& w, const StepTools& t, const StepOutcome& f
       const bool bad = !std::isfinite(x.x + x.y + x.z + v.x + v.y + v.z);
       if (!bad && continuum > 0 && !byLimit) continue;
       const double g = bad ? never : dot(v, v);
-      if (g < most || (g == most && rows && (number > kind || (number == kind && r.id[i] > rows->id[row])))) continue;
+      if (g < most || (g == most && rows && (number > kind || (number == kind && r.id[i] > rows->id[row]))))
+        continue;
       rows = &r, row = i, kind = number, most = g;
     }
   });
@@ -41,7 +44,9 @@ std::string kindSuspect(const World& w, const StepTools& t, const StepOutcome& f
   bool here = rows && most == worst;
   // the lowest kind, then the lowest id: its upper half first, since a double has 53 bits
   for (int part = 0; part < 3; part++) {
-    const double value = !here ? -never : -static_cast<double>(part == 0 ? kind : rows->id[row] >> (part == 1 ? 32 : 0) & 0xffffffffu);
+    const double value = !here ? -never
+                               : -static_cast<double>(
+                                     part == 0 ? kind : rows->id[row] >> (part == 1 ? 32 : 0) & 0xffffffffu);
     double lowest = value;
     all.maximum({&lowest, 1});
     here = here && value == lowest;
@@ -50,10 +55,14 @@ std::string kindSuspect(const World& w, const StepTools& t, const StepOutcome& f
   const std::uint16_t body = rows->body[row];
   const bool oriented = kind == orientedKind;
   std::string what = exceeded(w, t, failed) + "; the fastest of its kind";
-  if (overran > 0) what = "oriented particles went further in a step than their forces reach; the fastest that is left";
+  if (overran > 0)
+    what = "oriented particles went further in a step than their forces reach; the fastest that is left";
   if (most == never) what = "a value that is not a finite number";
-  return fmt::format("{}: {} {} of '{}' at {} m has a velocity of {} m/s", what, oriented ? "oriented particle" : "vertex",
-                     rows->id[row] & ((std::uint64_t(1) << 40) - 1), oriented ? w.scene.oriented[body].name : w.scene.sheets[body].name, text(rows->position[row]), text(rows->velocity[row]));
+  return fmt::format("{}: {} {} of '{}' at {} m has a velocity of {} m/s", what,
+                     oriented ? "oriented particle" : "vertex",
+                     rows->id[row] & ((std::uint64_t(1) << 40) - 1),
+                     oriented ? w.scene.oriented[body].name : w.scene.sheets[body].name,
+                     text(rows->position[row]), text(rows->velocity[row]));
 }
 
 }  // namespace thaw

@@ -23,11 +23,17 @@ class Columns {
   void add(const std::string& name, const char* unit, const Vec3d& v) {
     for (int a = 0; a < 3; a++) add(fmt::format("{}_{}_{}", name, "xyz"[a], unit), v[a]);
   }
-  std::string head() const { return joined([](const Column& c) { return c.name; }); }
-  std::string row() const { return joined([](const Column& c) { return c.value; }); }
+  std::string head() const {
+    return joined([](const Column& c) { return c.name; });
+  }
+  std::string row() const {
+    return joined([](const Column& c) { return c.value; });
+  }
 
  private:
-  struct Column { std::string name, value; };
+  struct Column {
+    std::string name, value;
+  };
   template<class Field> std::string joined(Field&& field) const {
     std::string line;
     for (const Column& c : list_) line += (line.empty() ? "" : ",") + field(c);

@@ -16,8 +16,14 @@ void addVector(CheckpointValues& marks, const std::string& key, const Vec3d& val
 }
 
 void addShape(CheckpointValues& marks, const std::string& at, const Shape& s) {
-  addNumbers(marks, at, {{"kind", static_cast<double>(s.kind)}, {"radius", s.radius}, {"radius2", s.radius2}, {"height", s.height}, {"thickness", s.thickness}, {"scale", s.scale},
-                         {"fit_height", s.fitHeight.value_or(0)}});
+  addNumbers(marks, at,
+             {{"kind", static_cast<double>(s.kind)},
+              {"radius", s.radius},
+              {"radius2", s.radius2},
+              {"height", s.height},
+              {"thickness", s.thickness},
+              {"scale", s.scale},
+              {"fit_height", s.fitHeight.value_or(0)}});
   addVector(marks, at + "size", s.size);
   addVector(marks, at + "rotate", s.rotate);
   addVector(marks, at + "move", s.move);
@@ -27,8 +33,12 @@ void addShape(CheckpointValues& marks, const std::string& at, const Shape& s) {
     addVector(marks, at + "normal", s.normal);
   }
   if (!s.mesh.empty())
-    addNumbers(marks, at, {{"mesh_vertices", s.meshMark.vertices}, {"mesh_triangles", s.meshMark.triangles}, {"mesh_checksum", s.meshMark.checksum}});
-  for (std::size_t k = 0; k < s.parts.size(); k++) addShape(marks, fmt::format("{}part{}.", at, k), s.parts[k]);
+    addNumbers(marks, at,
+               {{"mesh_vertices", s.meshMark.vertices},
+                {"mesh_triangles", s.meshMark.triangles},
+                {"mesh_checksum", s.meshMark.checksum}});
+  for (std::size_t k = 0; k < s.parts.size(); k++)
+    addShape(marks, fmt::format("{}part{}.", at, k), s.parts[k]);
 }
 
 void addInTime(CheckpointValues& marks, const std::string& key, const FactorInTime& f) {

@@ -26,18 +26,21 @@ bool ofEvent(const std::string& key) {
 MarkWords::MarkWords(const CheckpointValues& marks) : marks_(marks) {
   for (const KeyDescription& k : sceneKeys())
     if (!k.words.empty()) words_[firstOf(k.table) + " " + k.key] = k.words;
-  words_["oriented source"] = {"a shape", "patch", "disc", "points", "control", "curve"};  // keys, of which a body has one
+  // keys, of which a body has one
+  words_["oriented source"] = {"a shape", "patch", "disc", "points", "control", "curve"};
   words_["oriented tool"] = {"plane", "stroke", "a shape"};
   words_["oriented everywhere"] = {"false", "true"};
   words_["sheet mesh"] = sheetMeshWords();
 }
 
-/// "material.wax", whose mark is its place in the list of materials: nothing but a group and a name. Coefficients of a material are marked with a prefix.
+/// "material.wax", whose mark is its place in the list of materials: nothing but a group and a name.
+/// Coefficients of a material are marked with a prefix.
 bool MarkWords::named(const std::string& key) {
   const std::string group = firstOf(key);
   if (group.size() == key.size()) return false;
   if (group == "material") return true;
-  return (group == "body" || group == "emitter" || group == "oriented" || group == "sheet") && key.find('.', group.size() + 1) == std::string::npos;
+  return (group == "body" || group == "emitter" || group == "oriented" || group == "sheet") &&
+         key.find('.', group.size() + 1) == std::string::npos;
 }
 
 const std::vector<std::string>* MarkWords::wordsOf(const std::string& key) const {
@@ -52,13 +55,15 @@ const std::vector<std::string>* MarkWords::wordsOf(const std::string& key) const
 
 std::string MarkWords::nameOf(const std::string& group, double place) const {
   for (const auto& [key, value] : marks_)
-    if (value == place && key.starts_with(group + ".") && named(key)) return "\"" + key.substr(group.size() + 1) + "\"";
+    if (value == place && key.starts_with(group + ".") && named(key))
+      return "\"" + key.substr(group.size() + 1) + "\"";
   return place < 0 ? "none" : fmt::format("number {} of the list", place);
 }
 
 std::string MarkWords::text(const std::string& key, double value) const {
   const std::string last = lastOf(key);
-  if (!isName(key) && (last == "material" || (last == "other" && ofEvent(key)))) return nameOf(last == "material" ? "material" : "oriented", value);
+  if (!isName(key) && (last == "material" || (last == "other" && ofEvent(key))))
+    return nameOf(last == "material" ? "material" : "oriented", value);
   const std::vector<std::string>* words = wordsOf(key);
   if (value == never) return "\"never\"";
   if (!words || !(value >= 0 && value < static_cast<double>(words->size()))) return fmt::format("{}", value);
@@ -68,9 +73,13 @@ std::string MarkWords::text(const std::string& key, double value) const {
 
 std::string MarkWords::key(const std::string& mark) const {
   const std::size_t at = mark.rfind(".points");
-  if (at == std::string::npos || firstOf(mark) != "oriented" || (mark.substr(at) != ".points" && mark.substr(at) != ".points.checksum")) return mark;
+  if (at == std::string::npos || firstOf(mark) != "oriented" ||
+      (mark.substr(at) != ".points" && mark.substr(at) != ".points.checksum"))
+    return mark;
   const auto source = marks_.find(mark.substr(0, at) + ".source");
-  return source != marks_.end() && source->second == static_cast<double>(OrientedSource::Control) ? mark.substr(0, at) + ".control" + mark.substr(at + 7) : mark;
+  return source != marks_.end() && source->second == static_cast<double>(OrientedSource::Control)
+             ? mark.substr(0, at) + ".control" + mark.substr(at + 7)
+             : mark;
 }
 
 std::string MarkWords::unit(const std::string& key) const {

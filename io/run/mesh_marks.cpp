@@ -11,7 +11,9 @@ namespace {
 
 /// Calls use(shape) for each shape of a scene, without their parts.
 template<class Use> void eachShape(Scene& s, Use&& use) {
-  const auto all = [&](auto& list) { for (auto& shape : list) use(shape); };
+  const auto all = [&](auto& list) {
+    for (auto& shape : list) use(shape);
+  };
   for (Body& b : s.bodies) use(b.shape), all(b.clamp);
   for (Obstacle& o : s.obstacles) use(o.shape);
   for (SheetBody& b : s.sheets) {
@@ -47,9 +49,7 @@ void markMeshes(Scene& scene, const MeshLoader& load) {
     if (fresh) {
       try {
         it->second = markOf(isBuiltin(s.mesh) ? builtinMesh(s.mesh) : load(s.mesh));
-      } catch (const std::exception& e) {
-        problems.add(s.where, e.what());
-      }
+      } catch (const std::exception& e) { problems.add(s.where, e.what()); }
     }
     s.meshMark = it->second;
   };

@@ -8,7 +8,8 @@ namespace thaw {
 /// Of vertices and triangles as a file has them.
 MeshMark markOf(const TriangleMesh& mesh);
 
-/// Fills Shape::meshMark of all shapes of a scene that are meshes; each file is read once. Throws ShapeError with all that cannot be read.
+/// Fills Shape::meshMark of all shapes of a scene that are meshes; each file is read once. Throws ShapeError
+/// with all that cannot be read.
 void markMeshes(Scene& scene, const MeshLoader& load);
 
 }  // namespace thaw

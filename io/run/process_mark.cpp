@@ -17,7 +17,10 @@ using Json = nlohmann::ordered_json;
 namespace thaw {
 namespace {
 
-struct Stat { char state = '?'; long long began = 0; };
+struct Stat {
+  char state = '?';
+  long long began = 0;
+};
 
 /// Of /proc/PID/stat fields 3 and 22; the second one is a name in brackets that may hold anything.
 Stat statOf(long pid) {
@@ -47,7 +50,8 @@ Presence presenceOf(const ProcessMark& p) {
   if (p.pid <= 0 || p.host.empty() || p.host != hostName()) return Presence::Unknown;
   if (kill(static_cast<pid_t>(p.pid), 0) != 0 && errno == ESRCH) return Presence::Gone;
   const Stat s = statOf(p.pid);
-  const bool ended = s.state == 'Z' || s.state == 'X', another = p.began > 0 && s.began > 0 && s.began != p.began;
+  const bool ended = s.state == 'Z' || s.state == 'X',
+             another = p.began > 0 && s.began > 0 && s.began != p.began;
   return ended || another ? Presence::Gone : Presence::Here;
 }
 
@@ -68,8 +72,10 @@ Json processJson() {
 std::string runningText(const Json& summary) {
   if (!summary.contains("process")) return "running, or killed,";  // of an earlier version
   const Json& j = summary["process"];
-  const ProcessMark p{j.at("host").get<std::string>(), j.at("pid").get<long>(), j.at("began_ticks").get<long long>()};
-  const std::string who = fmt::format("process {} on {}", p.pid, p.host), written = "wrote last at " + j.at("written").get<std::string>();
+  const ProcessMark p{j.at("host").get<std::string>(), j.at("pid").get<long>(),
+                      j.at("began_ticks").get<long long>()};
+  const std::string who = fmt::format("process {} on {}", p.pid, p.host),
+                    written = "wrote last at " + j.at("written").get<std::string>();
   switch (presenceOf(p)) {
     case Presence::Here: return fmt::format("running ({}; {}),", who, written);
     case Presence::Gone: return fmt::format("killed ({} is gone; {}), known", who, written);

@@ -5,7 +5,8 @@
 
 namespace thaw {
 
-/// A process of Linux: a number is given anew some time after its process has gone, but not with the same start.
+/// A process of Linux: a number is given anew some time after its process has gone, but not with the same
+/// start.
 struct ProcessMark {
   std::string host;
   long pid = 0;
@@ -23,7 +24,8 @@ std::string utcNow();
 
 /// Of a summary that a run has written on its way: its process, and when it was written (UTC).
 nlohmann::ordered_json processJson();
-/// "running (process 12 on node3)", "killed (...)", or what can be said of a run on another host; of a summary whose status is "running".
+/// "running (process 12 on node3)", "killed (...)", or what can be said of a run on another host; of a
+/// summary whose status is "running".
 std::string runningText(const nlohmann::ordered_json& summary);
 
 }  // namespace thaw

@@ -1,4 +1,5 @@
-// `thaw run --profile`: where the time of the steps goes on each rank, and what is sent; a table for the terminal and a trace.
+// `thaw run --profile`: where the time of the steps goes on each rank, and what is sent; a table for the
+// terminal and a trace.
 #pragma once
 #include <chrono>
 #include <string>
@@ -14,7 +15,7 @@ namespace thaw {
 struct Profile {
   explicit Profile(std::size_t steps) : trace(steps) {}
   StepTrace trace;
-  PhaseTimes times;                ///< before the first step
+  PhaseTimes times;  ///< before the first step
   Traffic traffic;
   std::chrono::steady_clock::time_point start{};
 };
@@ -23,8 +24,9 @@ struct Profile {
 void beginProfile(Profile& profile, PhaseTimes& times, const Communicator& comm);
 void endProfile(PhaseTimes& times, const Communicator& comm);
 
-/// The table: seconds of each phase, least, mean and most of the ranks, then messages, bytes and waiting by purpose, a step. Collective;
-/// the same on all ranks.
-std::vector<std::string> profileLines(const Profile& profile, const PhaseTimes& times, std::int64_t steps, std::int64_t particles, const Communicator& comm);
+/// The table: seconds of each phase, least, mean and most of the ranks, then messages, bytes and waiting by
+/// purpose, a step. Collective; the same on all ranks.
+std::vector<std::string> profileLines(const Profile& profile, const PhaseTimes& times, std::int64_t steps,
+                                      std::int64_t particles, const Communicator& comm);
 
 }  // namespace thaw

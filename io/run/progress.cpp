@@ -27,7 +27,8 @@ std::string duration(double s) {
 using Columns = std::vector<std::pair<std::string, std::string>>;
 
 void addVector(Columns& c, const std::string& name, const char* unit, const Vec3d& v) {
-  for (int a = 0; a < 3; a++) c.push_back({fmt::format("{}_{}_{}", name, "xyz"[a], unit), fmt::format("{}", v[a])});
+  for (int a = 0; a < 3; a++)
+    c.push_back({fmt::format("{}_{}_{}", name, "xyz"[a], unit), fmt::format("{}", v[a])});
 }
 
 /// All columns with their values; numbers in as many digits as make them unique.
@@ -73,7 +74,9 @@ Columns columnsOf(const Progress& p, const RunSummary& s) {
   const SurfaceSummary& f = s.surface;
   double volume = 0;
   for (const SurfaceComponent& k : f.components) volume += k.volume;
-  const auto ofSurface = [&](const char* name, auto value) { c.push_back({name, f.there ? fmt::format("{}", value) : ""}); };
+  const auto ofSurface = [&](const char* name, auto value) {
+    c.push_back({name, f.there ? fmt::format("{}", value) : ""});
+  };
   ofSurface("surfels", f.surfels);
   ofSurface("components", f.components.size());
   ofSurface("surface_volume_m3", volume);
@@ -97,11 +100,19 @@ std::string progressLine(const Progress& p, const LedgerReport& l) {
   for (std::size_t k = 0; k < kindCount; k++)
     if (l.rows[k] > 0) kinds += fmt::format("  {} {}", kindNames[k], l.rows[k]);
   const bool continuum = l.particles > 0 || kinds.empty();
-  if (continuum) kinds = fmt::format("  particles {}{}  liquid {:.1f} %", l.particles, kinds, 100 * l.liquidFraction);
-  const std::string share = isRounding(l) ? "rounding" : fmt::format("{:+.1e}", l.energyScale > 0 ? l.energyResidual / l.energyScale : 0);
+  if (continuum)
+    kinds = fmt::format("  particles {}{}  liquid {:.1f} %", l.particles, kinds, 100 * l.liquidFraction);
+  const std::string share = isRounding(l)
+                                ? "rounding"
+                                : fmt::format("{:+.1e}",
+                                              l.energyScale > 0 ? l.energyResidual / l.energyScale : 0);
   // sheets without neighbour forces have no limit: a step goes to the next frame
-  const std::string step = c.dt < never ? fmt::format("{:.1e} s ({}{})", c.dt, c.limitedBy, c.substeps > 1 ? fmt::format(", {} substeps", c.substeps) : "") : "without limit";
-  return fmt::format("t {:.5f} s  step {}  dt {}  {:.1f} steps/s  left {}{}  residual {:+.1e} J ({})", c.time, c.step, step, p.stepsPerSecond, duration(p.secondsLeft), kinds, l.energyResidual, share);
+  const std::string step = c.dt < never
+                               ? fmt::format("{:.1e} s ({}{})", c.dt, c.limitedBy,
+                                             c.substeps > 1 ? fmt::format(", {} substeps", c.substeps) : "")
+                               : "without limit";
+  return fmt::format("t {:.5f} s  step {}  dt {}  {:.1f} steps/s  left {}{}  residual {:+.1e} J ({})", c.time,
+                     c.step, step, p.stepsPerSecond, duration(p.secondsLeft), kinds, l.energyResidual, share);
 }
 
 std::string progressOf(const std::vector<SolverUse>& solvers) {
@@ -110,7 +121,9 @@ std::string progressOf(const std::vector<SolverUse>& solvers) {
   return line;
 }
 
-std::string progressOf(const SurfaceSummary& s) { return s.there ? fmt::format("  surfels {}", s.surfels) : ""; }
+std::string progressOf(const SurfaceSummary& s) {
+  return s.there ? fmt::format("  surfels {}", s.surfels) : "";
+}
 
 std::string progressLogPath(const std::string& out) { return out + "/progress.csv"; }
 
@@ -142,10 +155,13 @@ std::map<std::string, std::string> lastProgress(const std::string& out) {
     if (!file.eof()) last = line;
   std::map<std::string, std::string> columns;
   std::istringstream names(first), values(last);
-  for (std::string name, value; std::getline(names, name, ',') && std::getline(values, value, ',');) columns[name] = value;
+  for (std::string name, value; std::getline(names, name, ',') && std::getline(values, value, ',');)
+    columns[name] = value;
   return columns;
 }
 
-void cutProgressLog(const std::string& out, std::int64_t step) { cutStepLog(progressLogPath(out), head(), step); }
+void cutProgressLog(const std::string& out, std::int64_t step) {
+  cutStepLog(progressLogPath(out), head(), step);
+}
 
 }  // namespace thaw

@@ -28,7 +28,9 @@ void restoreGood(Run& r) {
   World& w = r.world;
   const char* limitedBy = w.clock.limitedBy;
   std::unique_ptr<CheckpointSlice> slice;
-  if (!r.goodInMemory) slice = readCheckpoint(goodStatePath(r.options.out, w.watch.goodStep), r.comm.handle());  // may throw, with the world as it was
+  // may throw, with the world as it was
+  if (!r.goodInMemory)
+    slice = readCheckpoint(goodStatePath(r.options.out, w.watch.goodStep), r.comm.handle());
   emptyWorld(w, r.tools);
   renewHalos(r);
   std::vector<std::byte> records = slice ? restoreWorld(w, *slice, r.first()) : bringBack(r.good, w);
@@ -57,8 +59,8 @@ std::string triedText(const Run& r, const WatchState& watch) {
   if (!retries(r) || n.retries == 0) return "";
   std::string text;
   if (watch.failures > 0)
-    text = fmt::format("; {} retries from step {} with steps down to 1/{} did not help", watch.failures, watch.goodStep,
-                       std::int64_t(1) << watch.halvings);
+    text = fmt::format("; {} retries from step {} with steps down to 1/{} did not help", watch.failures,
+                       watch.goodStep, std::int64_t(1) << watch.halvings);
   if (watch.failures < n.retries && retryTooShort(r.world, r.tools.watch))
     text += fmt::format("; half the step would be below {:.3g} s (numerics.watch_step)", r.tools.watch.step);
   return text;
@@ -82,7 +84,8 @@ void beginRetries(Run& r) {
     MPI_Bcast(&there, 1, MPI_INT, 0, r.comm.handle());
     r.goodOnDisk = there != 0;
     if (there) return;  // read only if it is needed
-    r.summary.warnings.push_back(fmt::format("{} is not there: a retry can go back to step {} only", goodStatePath(r.options.out, good), step));
+    r.summary.warnings.push_back(fmt::format("{} is not there: a retry can go back to step {} only",
+                                             goodStatePath(r.options.out, good), step));
     r.say("warning: " + r.summary.warnings.back());
   }
   if (good != step) acceptState(w, reportLedger(w, r.tools, r.all));
@@ -91,7 +94,9 @@ void beginRetries(Run& r) {
   r.goodInMemory = true;
 }
 
-bool goodStateDue(const Run& r) { return retries(r) && r.world.clock.step % r.world.scene.numerics.retryEvery == 0; }
+bool goodStateDue(const Run& r) {
+  return retries(r) && r.world.clock.step % r.world.scene.numerics.retryEvery == 0;
+}
 
 bool atGoodState(const Run& r) { return !retries(r) || r.world.watch.goodStep == r.world.clock.step; }
 
@@ -135,9 +140,12 @@ bool goBack(Run& r, const StepOutcome& failed, std::string& why) {
   const std::string ofKinds = kindSuspect(w, r.tools, failed, r.all);  // on one rank, if at all
   double kinds = ofKinds.empty() ? 0 : 1;
   r.all.maximum({&kinds, 1});
-  std::string what = fromOwner(r.comm, kinds > 0 ? ofKinds : s.here ? alarmText(w, r.tools, failed, s) : std::string());
+  std::string what = fromOwner(r.comm, kinds > 0 ? ofKinds
+                                       : s.here  ? alarmText(w, r.tools, failed, s)
+                                                 : std::string());
   if (what.empty()) what = exceeded(w, r.tools, failed) + "; no particle to name";
-  const std::string when = fmt::format("step {}, t {:.9g} s, dt {:.3g} s", clock.step, clock.time, clock.stepDt);
+  const std::string when = fmt::format("step {}, t {:.9g} s, dt {:.3g} s", clock.step, clock.time,
+                                       clock.stepDt);
   std::string problem;
   if (mayRetry(w, r.tools.watch)) {
     try {
@@ -146,7 +154,9 @@ bool goBack(Run& r, const StepOutcome& failed, std::string& why) {
       w.counters.retries = mine;
       halveStep(w, watch, clock.time);
       forgetFrames(r);
-      const std::string line = fmt::format("failed at {}: {}; back to step {}, t {:.6g} s, with 1/{} of the step", when, what, w.clock.step, w.clock.time, std::int64_t(1) << w.watch.halvings);
+      const std::string line = fmt::format(
+          "failed at {}: {}; back to step {}, t {:.6g} s, with 1/{} of the step", when, what, w.clock.step,
+          w.clock.time, std::int64_t(1) << w.watch.halvings);
       r.say("warning: " + line);
       if (r.summary.warnings.size() < mostLines) r.summary.warnings.push_back(line);
       r.firstStep -= clock.step - w.clock.step;  // steps that were done are done
@@ -164,7 +174,9 @@ bool goBack(Run& r, const StepOutcome& failed, std::string& why) {
     problem += "; the last checkpoint is from before";
   }
   why = fmt::format("blew up at {}: {}{}{}", when, what, triedText(r, watch), problem);
-  if (r.first()) std::fprintf(stderr, "error: the simulation %s%s\n", why.c_str(), n.fixedStep > 0 ? "; numerics.fixed_step may be too long" : "");
+  if (r.first())
+    std::fprintf(stderr, "error: the simulation %s%s\n", why.c_str(),
+                 n.fixedStep > 0 ? "; numerics.fixed_step may be too long" : "");
   return false;
 }
 

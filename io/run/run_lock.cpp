@@ -28,7 +28,11 @@ std::string pathOf(const std::string& out) { return out + "/" + lockName; }
 
 std::string ownText(int ranks) {
   const ProcessMark own = ownProcess();
-  const Json j = {{"host", own.host}, {"pid", own.pid}, {"began_ticks", own.began}, {"ranks", ranks}, {"since", utcNow()}};
+  const Json j = {{"host", own.host},
+                  {"pid", own.pid},
+                  {"began_ticks", own.began},
+                  {"ranks", ranks},
+                  {"since", utcNow()}};
   return j.dump() + "\n";
 }
 
@@ -37,12 +41,11 @@ LockHolder holderOf(const std::string& text) {
   h.text = text;
   const Json j = Json::parse(text, nullptr, false);
   try {
-    h.process = {j.at("host").get<std::string>(), j.at("pid").get<long>(), j.at("began_ticks").get<long long>()};
+    h.process = {j.at("host").get<std::string>(), j.at("pid").get<long>(),
+                 j.at("began_ticks").get<long long>()};
     h.ranks = j.at("ranks").get<int>();
     h.since = j.at("since").get<std::string>();
-  } catch (const Json::exception&) {
-    h.process = {};
-  }
+  } catch (const Json::exception&) { h.process = {}; }
   return h;
 }
 
@@ -56,7 +59,9 @@ struct File {
   }
 };
 
-[[noreturn]] void failed(const std::string& path, const std::string& what) { throw IoError(path, what + ": " + std::strerror(errno)); }
+[[noreturn]] void failed(const std::string& path, const std::string& what) {
+  throw IoError(path, what + ": " + std::strerror(errno));
+}
 
 /// Writes a new file; false if one is there.
 bool createWith(const std::string& path, const std::string& text) {
@@ -87,24 +92,30 @@ bool create(const std::string& path, const std::string& text) {
   const std::string aside = prepare(path, text);
   const int result = ::link(aside.c_str(), path.c_str()), error = errno;
   struct stat about {};
-  const bool linked = result == 0 || (::stat(aside.c_str(), &about) == 0 && about.st_nlink == 2);  // NFS may lose the answer
+  // NFS may lose the answer
+  const bool linked = result == 0 || (::stat(aside.c_str(), &about) == 0 && about.st_nlink == 2);
   ::unlink(aside.c_str());
   if (linked) return true;
   if (error == EEXIST) return false;
   return createWith(path, text);  // no hard links here
 }
 
-/// Puts a new lock in the place of `old`; false if that is not there any more. The kernel's lock on the old file keeps two processes from
-/// doing so at once; where the file system has none, the last one to write wins, and the other finds that.
+/// Puts a new lock in the place of `old`; false if that is not there any more. The kernel's lock on the old
+/// file keeps two processes from doing so at once; where the file system has none, the last one to write
+/// wins, and the other finds that.
 bool replace(const std::string& path, const LockHolder& old, const std::string& text) {
   const File file(::open(path.c_str(), O_RDWR));
   if (file.fd < 0 && errno == ENOENT) return false;
   if (file.fd < 0) failed(path, "cannot be opened");
   const bool guarded = ::flock(file.fd, LOCK_EX) == 0;
-  struct stat opened {}, there {};
-  if (::fstat(file.fd, &opened) != 0 || ::stat(path.c_str(), &there) != 0 || opened.st_ino != there.st_ino) return false;
+  struct stat opened {
+  }, there{};
+  if (::fstat(file.fd, &opened) != 0 || ::stat(path.c_str(), &there) != 0 || opened.st_ino != there.st_ino)
+    return false;
   std::string now(old.text.size() + 1, '\0');
-  if (::pread(file.fd, now.data(), now.size(), 0) != static_cast<ssize_t>(old.text.size()) || now.compare(0, old.text.size(), old.text) != 0) return false;
+  if (::pread(file.fd, now.data(), now.size(), 0) != static_cast<ssize_t>(old.text.size()) ||
+      now.compare(0, old.text.size(), old.text) != 0)
+    return false;
   const std::string aside = prepare(path, text);
   if (::rename(aside.c_str(), path.c_str()) != 0) failed(path, "cannot be replaced");
   if (guarded) return true;
@@ -125,19 +136,27 @@ std::optional<LockHolder> lockHolder(const std::string& out) {
 
 std::string holderText(const LockHolder& h) {
   if (h.process.pid <= 0) return "a process that the lock does not name";
-  return fmt::format("process {} on {} ({} rank{}, since {})", h.process.pid, h.process.host, h.ranks, h.ranks == 1 ? "" : "s", h.since);
+  return fmt::format("process {} on {} ({} rank{}, since {})", h.process.pid, h.process.host, h.ranks,
+                     h.ranks == 1 ? "" : "s", h.since);
 }
 
 Json lockJson(const LockHolder& h) {
   constexpr const char* names[] = {"running", "gone", "unknown"};
-  return {{"host", h.process.host}, {"pid", h.process.pid}, {"began_ticks", h.process.began}, {"ranks", h.ranks}, {"since", h.since},
-          {"holder", names[static_cast<int>(presenceOf(h.process))]}, {"text", holderText(h)}};
+  return {{"host", h.process.host},
+          {"pid", h.process.pid},
+          {"began_ticks", h.process.began},
+          {"ranks", h.ranks},
+          {"since", h.since},
+          {"holder", names[static_cast<int>(presenceOf(h.process))]},
+          {"text", holderText(h)}};
 }
 
 std::string lockText(const Json& j) {
   const std::string state = j.at("holder").get<std::string>(), text = j.at("text").get<std::string>();
   if (state == "running") return "by " + text;
-  return fmt::format("by {}, {}", text, state == "gone" ? "which is gone: the next run takes over" : "not of this host: the next run needs --force");
+  return fmt::format("by {}, {}", text,
+                     state == "gone" ? "which is gone: the next run takes over"
+                                     : "not of this host: the next run needs --force");
 }
 
 std::string RunLock::take(const LockRequest& q) {
@@ -163,8 +182,12 @@ std::string RunLock::take(const LockRequest& q) {
       note = fmt::format("note: this run takes over {} from {} (--force)", q.out, who);
     } else {
       if (!elsewhere && waited() < q.patience) continue;  // it may be ending, or writing its lock
-      if (presence == Presence::Here) throw IoError(q.out, fmt::format("another run is in this folder: {}; {}", who, advice));
-      throw IoError(q.out, fmt::format("another run may be in this folder: {}; {}; if it is over, --force takes the folder", who, advice));
+      if (presence == Presence::Here)
+        throw IoError(q.out, fmt::format("another run is in this folder: {}; {}", who, advice));
+      throw IoError(
+          q.out,
+          fmt::format("another run may be in this folder: {}; {}; if it is over, --force takes the folder",
+                      who, advice));
     }
     if (!replace(path, *holder, text)) continue;
     path_ = path, text_ = text;

@@ -43,35 +43,49 @@ void noteWithoutState(Run& r, const std::string& status, const std::string& mess
   std::error_code code;
   std::filesystem::create_directories(r.options.out, code);
   try {
-    writeSummary(r.options.out, r.summary, holdsRun(r.options.out) ? refusedName : summaryName);  // the summary there is of the run that is there
-  } catch (const std::exception&) {
-  }
+    // the summary there is of the run that is there
+    writeSummary(r.options.out, r.summary, holdsRun(r.options.out) ? refusedName : summaryName);
+  } catch (const std::exception&) {}
 }
 
 /// Lets the relaxation of oriented bodies be followed, and be stopped as the steps are.
 void watchRelaxation(Run& r) {
-  r.tools.oriented.stopRelaxing = [&r, watch = stopWatchOf(r), said = WallClock::now()](std::int64_t done) mutable {
+  r.tools.oriented.stopRelaxing = [&r, watch = stopWatchOf(r),
+                                   said = WallClock::now()](std::int64_t done) mutable {
     if (r.first() && done > 0 && since(said) >= r.options.reportEvery) {
       said = WallClock::now();
-      r.say(fmt::format("oriented: iteration {} of relaxation, largest force {:.2e} of stiffness times spacing, {} particles, {:.1f} s", done, r.tools.oriented.unrest, r.tools.oriented.relaxing, since(r.start)));
+      r.say(
+          fmt::format("oriented: iteration {} of relaxation, largest force {:.2e} of stiffness times "
+                      "spacing, {} particles, {:.1f} s",
+                      done, r.tools.oriented.unrest, r.tools.oriented.relaxing, since(r.start)));
     }
     return !watch.reason().empty();
   };
 }
 
-bool interpolates(const Scene& s) { return std::any_of(s.oriented.begin(), s.oriented.end(), [](const OrientedBody& b) { return b.growth == OrientedGrowth::Borders; }); }
+bool interpolates(const Scene& s) {
+  return std::any_of(s.oriented.begin(), s.oriented.end(),
+                     [](const OrientedBody& b) { return b.growth == OrientedGrowth::Borders; });
+}
 
 /// How the relaxation ended; what is not at rest is a warning.
 void sayRelaxed(Run& r) {
   const OrientedWork& o = r.tools.oriented;
   if (o.relaxed == 0 && !o.relaxStopped) return;
-  const std::string line = fmt::format("oriented: {} iterations of relaxation; the largest force is {:.2e} of stiffness times spacing", o.relaxed, o.unrest);
+  const std::string line = fmt::format(
+      "oriented: {} iterations of relaxation; the largest force is {:.2e} of stiffness times spacing",
+      o.relaxed, o.unrest);
   if (o.atRest) return r.say(line);
   std::string why = ": they are used up, and not all is at rest (1e-9, and no births)";
   if (o.relaxStopped) why = ": it was stopped before all was at rest";
   if (o.gotNowhere)
-    why = fmt::format(": it was ended there, not at rest (1e-9, and no births), since for {} iterations neither the force ({:.2e} at least) nor the number of particles ({}) got any further{}",
-                      o.relaxed - o.relaxProgress.gained, o.relaxProgress.least, o.relaxing, interpolates(r.world.scene) ? "; expected points on one smooth surface, with normals that agree, no farther apart than some spacings" : "");
+    why = fmt::format(
+        ": it was ended there, not at rest (1e-9, and no births), since for {} iterations neither the force "
+        "({:.2e} at least) nor the number of particles ({}) got any further{}",
+        o.relaxed - o.relaxProgress.gained, o.relaxProgress.least, o.relaxing,
+        interpolates(r.world.scene) ? "; expected points on one smooth surface, with normals that agree, no "
+                                      "farther apart than some spacings"
+                                    : "");
   r.warn(line + why);
 }
 
@@ -80,10 +94,12 @@ void sayBodies(const Run& r, const SamplingReport& sampled) {
   constexpr std::size_t most = 100;
   const std::vector<Body>& bodies = r.world.scene.bodies;
   const std::size_t shown = std::min(most, bodies.size());
-  for (std::size_t b = 0; b < shown; b++) r.say(fmt::format("body '{}': {} particles", bodies[b].name, sampled.particles[b]));
+  for (std::size_t b = 0; b < shown; b++)
+    r.say(fmt::format("body '{}': {} particles", bodies[b].name, sampled.particles[b]));
   std::int64_t others = 0;
   for (std::size_t b = shown; b < bodies.size(); b++) others += sampled.particles[b];
-  if (shown < bodies.size()) r.say(fmt::format("{} more bodies: {} particles", bodies.size() - shown, others));
+  if (shown < bodies.size())
+    r.say(fmt::format("{} more bodies: {} particles", bodies.size() - shown, others));
 }
 
 }  // namespace
@@ -101,7 +117,9 @@ StopWatch stopWatchOf(const Run& r) {
 void renewHalos(Run& r) {
   r.cells = std::make_unique<MpiCellHalo>(r.comm, r.world.grid);
   r.bonds = std::make_unique<MpiBondHalo>(r.comm);
-  eachKind(r.world, [&](std::size_t kind, const KindRows&, const CellTable&) { r.kinds[kind] = std::make_unique<MpiCellHalo>(r.comm, r.world.grid); });
+  eachKind(r.world, [&](std::size_t kind, const KindRows&, const CellTable&) {
+    r.kinds[kind] = std::make_unique<MpiCellHalo>(r.comm, r.world.grid);
+  });
   if (r.world.modules.sheet) r.edges = std::make_unique<MpiBondHalo>(r.comm);
   if (r.world.modules.surface) r.surface = std::make_unique<SurfaceRanks>(r.comm, r.world.surface.grid);
 }
@@ -111,7 +129,8 @@ namespace {
 void writeParticleFrame(Run& r) {
   World& w = r.world;
   findStoredEnergy(w, r.tools);
-  if (w.modules.solid && std::find(w.scene.output.fields.begin(), w.scene.output.fields.end(), "stress") != w.scene.output.fields.end())
+  if (w.modules.solid && std::find(w.scene.output.fields.begin(), w.scene.output.fields.end(), "stress") !=
+                             w.scene.output.fields.end())
     computeCauchyStress(r.tools.elastic, w.solids);
   const Frame f = frameOf(w, r.comm.rank());
   const std::string file = frameName(r.name, w.clock.frame);
@@ -122,18 +141,22 @@ void writeParticleFrame(Run& r) {
   });
 }
 
-/// "  asleep 8000 (awake: 12 move, 340 wait)": particles whose sums were not formed in the last step, and what keeps the others from it; empty where none may sleep. Collective.
+/// "  asleep 8000 (awake: 12 move, 340 wait)": particles whose sums were not formed in the last step, and
+/// what keeps the others from it; empty where none may sleep. Collective.
 std::string sleepersOf(Run& r) {
   if (!r.world.modules.sleep) return "";
-  std::array<std::int64_t, 2 + unrests> counts{r.world.counters.asleep, static_cast<std::int64_t>(r.world.particles.owned)};
+  std::array<std::int64_t, 2 + unrests> counts{r.world.counters.asleep,
+                                               static_cast<std::int64_t>(r.world.particles.owned)};
   std::ranges::copy(countAwake(r.world), counts.begin() + 2);
   r.all.sum(counts);
-  constexpr const char* words[unrests] = {"wait for what is around them", "are not solid", "move", "accelerate", "are warmed"};
+  constexpr const char* words[unrests] = {"wait for what is around them", "are not solid", "move",
+                                          "accelerate", "are warmed"};
   std::string why;
   std::int64_t held = counts[1] - counts[0];
   for (const std::size_t k : {1u, 2u, 3u, 4u, 0u}) {
     held -= counts[2 + k];
-    if (counts[2 + k] > 0) why += fmt::format("{}{} {}", why.empty() ? " (awake: " : ", ", counts[2 + k], words[k]);
+    if (counts[2 + k] > 0)
+      why += fmt::format("{}{} {}", why.empty() ? " (awake: " : ", ", counts[2 + k], words[k]);
   }
   if (held > 0) why += fmt::format("{}{} held, but not yet asleep", why.empty() ? " (" : "; ", held);
   return fmt::format("  asleep {}{}", counts[0], why.empty() ? "" : why + ")");
@@ -155,14 +178,17 @@ void report(Run& r) {
   r.tools.times.start();
   const LedgerReport l = reportLedger(r.world, r.tools, r.all);
   const bool first = r.world.clock.step == r.stepAtReport;
-  const double rate = static_cast<double>(r.world.clock.step - r.stepAtReport) / std::max(1e-9, since(r.lastReport));
-  double left = (r.world.clock.end - r.world.clock.time) / std::max(1e-300, std::min(r.world.clock.dt, longestUnlimitedStep(r.world.clock)));
+  const double rate = static_cast<double>(r.world.clock.step - r.stepAtReport) /
+                      std::max(1e-9, since(r.lastReport));
+  double left = (r.world.clock.end - r.world.clock.time) /
+                std::max(1e-300, std::min(r.world.clock.dt, longestUnlimitedStep(r.world.clock)));
   if (r.options.steps >= 0) left = std::min(left, static_cast<double>(r.options.steps - r.world.clock.step));
   const Progress progress{r.world.clock, rate, first ? never : left / std::max(1e-9, rate)};
   gatherSurface(r);
   r.summary.ledger = l;
   r.summary.solvers = solversOf(r.world, r.tools);
-  r.say(progressLine(progress, l) + sleepersOf(r) + progressOf(r.summary.solvers) + progressOf(r.summary.surface));
+  r.say(progressLine(progress, l) + sleepersOf(r) + progressOf(r.summary.solvers) +
+        progressOf(r.summary.surface));
   onFirstRank(r.comm.handle(), [&] { addToProgressLog(r.options.out, progress, r.summary); });
   r.lastReport = WallClock::now();
   r.stepAtReport = r.world.clock.step;
@@ -186,10 +212,15 @@ void warnOfSunken(Run& r) {
   const World& w = r.world;
   if (w.modules.oriented && r.inObstaclesTold.size() < w.scene.oriented.size() * w.walls.list.size())
     for (const Sunken& s : findSunkenInObstacles(w, r.all))
-      if (r.inObstaclesTold.insert({s.oriented, s.body}).second) r.warn(sunkenLine(w.scene.oriented[s.oriented], w.walls.list[s.body].properties, s.count, w.clock.time));
-  if (!w.modules.meeting || !w.modules.solid || r.sunkenTold.size() == w.scene.oriented.size() * w.scene.bodies.size()) return;
+      if (r.inObstaclesTold.insert({s.oriented, s.body}).second)
+        r.warn(
+            sunkenLine(w.scene.oriented[s.oriented], w.walls.list[s.body].properties, s.count, w.clock.time));
+  if (!w.modules.meeting || !w.modules.solid ||
+      r.sunkenTold.size() == w.scene.oriented.size() * w.scene.bodies.size())
+    return;
   for (const Sunken& s : findSunken(r.world, r.halos()))
-    if (r.sunkenTold.insert({s.oriented, s.body}).second) r.warn(sunkenLine(w.scene.oriented[s.oriented], w.scene.bodies[s.body], s.count, w.clock.time));
+    if (r.sunkenTold.insert({s.oriented, s.body}).second)
+      r.warn(sunkenLine(w.scene.oriented[s.oriented], w.scene.bodies[s.body], s.count, w.clock.time));
 }
 
 void summarise(Run& r, const std::string& status, const std::string& message) {
@@ -218,9 +249,13 @@ void reportProfile(Run& r) {
   const std::unique_ptr<Profile> p = std::move(r.profile);
   endProfile(r.tools.times, r.comm);
   std::int64_t particles = static_cast<std::int64_t>(r.world.particles.owned);
-  eachKind(r.world, [&](std::size_t, const KindRows& rows, const CellTable&) { particles += static_cast<std::int64_t>(rows.owned); });
+  eachKind(r.world, [&](std::size_t, const KindRows& rows, const CellTable&) {
+    particles += static_cast<std::int64_t>(rows.owned);
+  });
   r.all.sum({&particles, 1});
-  for (const std::string& line : profileLines(*p, r.tools.times, r.world.clock.step - r.firstStep, particles, r.comm)) r.say(line);
+  for (const std::string& line :
+       profileLines(*p, r.tools.times, r.world.clock.step - r.firstStep, particles, r.comm))
+    r.say(line);
   const std::string path = r.options.out + "/trace.json";
   writeTrace(path, r.comm, p->trace);
   r.say(fmt::format("  trace of the last steps: {} (ui.perfetto.dev opens it)", path));
@@ -239,9 +274,7 @@ void writeCheckpointOf(Run& r) {
 void noteFailure(Run& r, const std::string& message, bool together) {
   try {
     if (together && r.begun) return summarise(r, "failed", message);
-  } catch (const std::exception&) {
-    return;
-  }
+  } catch (const std::exception&) { return; }
   noteWithoutState(r, "failed", message);
 }
 
@@ -249,12 +282,18 @@ void noteCutAtStart(Run& r, const std::string& message) { noteWithoutState(r, "s
 
 namespace {
 
-/// The run in the folder goes on with a scene that it cannot have: a line of why, and what it is about, a line each that begins with a key.
+/// The run in the folder goes on with a scene that it cannot have: a line of why, and what it is about, a
+/// line each that begins with a key.
 [[noreturn]] void refuseScene(const Run& r, const std::string& why, const std::vector<std::string>& about) {
-  std::vector<std::string> lines{fmt::format("{}: error: the run in {} cannot be continued with this scene, {}:", r.options.scene, r.options.out, why)};
+  std::vector<std::string> lines{
+      fmt::format("{}: error: the run in {} cannot be continued with this scene, {}:", r.options.scene,
+                  r.options.out, why)};
   constexpr std::size_t most = 12;  // of another scene altogether all is different
-  for (const std::string& line : std::span(about).first(std::min(most, about.size()))) lines.push_back("  " + line + placeOfMark(r.world.scene, line));
-  if (about.size() > most) lines.push_back(fmt::format("  and {} more; the checkpoint may be of another scene", about.size() - most));
+  for (const std::string& line : std::span(about).first(std::min(most, about.size())))
+    lines.push_back("  " + line + placeOfMark(r.world.scene, line));
+  if (about.size() > most)
+    lines.push_back(
+        fmt::format("  and {} more; the checkpoint may be of another scene", about.size() - most));
   throw SceneErrors(lines);
 }
 
@@ -262,8 +301,12 @@ namespace {
 
 void begin(Run& r, const MeshLoader& load) {
   World& w = r.world;
-  const auto slice = r.options.restart || r.options.resume ? readNewestCheckpoint(r.options.out, r.comm.handle()) : nullptr;
-  if (r.options.restart && !slice) throw SceneErrors({r.options.out + ": error: --restart needs a checkpoint in its folder checkpoint/, and there is none"});
+  const auto slice = r.options.restart || r.options.resume
+                         ? readNewestCheckpoint(r.options.out, r.comm.handle())
+                         : nullptr;
+  if (r.options.restart && !slice)
+    throw SceneErrors({r.options.out +
+                       ": error: --restart needs a checkpoint in its folder checkpoint/, and there is none"});
   if (slice) {
     for (const std::string& warning : slice->warnings) {
       r.say("warning: " + warning);
@@ -271,8 +314,10 @@ void begin(Run& r, const MeshLoader& load) {
     }
     markMeshes(w.scene, load);
     const CheckpointValues& then = slice->header.values;
-    if (const std::vector<std::string> differences = sceneDifferences(then, w.scene); !differences.empty()) refuseScene(r, "it began with another", differences);
-    const std::vector<std::string> changes = coefficientChanges(then, w.scene), settings = settingChanges(then, w.scene, slice->header.clock.time);
+    if (const std::vector<std::string> differences = sceneDifferences(then, w.scene); !differences.empty())
+      refuseScene(r, "it began with another", differences);
+    const std::vector<std::string> changes = coefficientChanges(then, w.scene),
+                                   settings = settingChanges(then, w.scene, slice->header.clock.time);
     std::vector<std::byte> records;
     try {
       records = restoreWorld(w, *slice, r.first());
@@ -282,12 +327,16 @@ void begin(Run& r, const MeshLoader& load) {
       lines.insert(lines.end(), settings.begin(), settings.end());
       refuseScene(r, std::string("what has changed needs what the run has not kept: ") + e.what(), lines);
     }
-    if (const std::vector<std::string> strange = misfits(w, r.all); !strange.empty()) refuseScene(r, "what the checkpoint holds is not of it", strange);
+    if (const std::vector<std::string> strange = misfits(w, r.all); !strange.empty())
+      refuseScene(r, "what the checkpoint holds is not of it", strange);
     for (const auto& told : {changes, settings})
       for (const std::string& change : told) r.warn("changed at the restart: " + change);
-    for (const std::string& change : changesOfPastEvents(then, w.scene, slice->header.clock.time)) r.warn("changed at the restart, without effect, since its time is over: " + change);
-    for (const std::string& change : changesOfTheStart(then, w.scene)) r.warn("changed at the restart, without effect, since it says how the run begins: " + change);
-    if (!changes.empty() || !settings.empty()) w.watch.failures = 0;  // retries of other settings do not count
+    for (const std::string& change : changesOfPastEvents(then, w.scene, slice->header.clock.time))
+      r.warn("changed at the restart, without effect, since its time is over: " + change);
+    for (const std::string& change : changesOfTheStart(then, w.scene))
+      r.warn("changed at the restart, without effect, since it says how the run begins: " + change);
+    // retries of other settings do not count
+    if (!changes.empty() || !settings.empty()) w.watch.failures = 0;
     if (w.modules.solid) r.bonds->adopt(std::move(records));
     resumeWorld(w, r.halos(), r.tools);
     if (!changes.empty()) {
@@ -300,9 +349,11 @@ void begin(Run& r, const MeshLoader& load) {
     if (r.first()) r.series = framesPresent(r.options.out, r.name, w.clock.time);
     if (w.modules.surface) resumeSurfaceOutput(r);
     resumeKindFrames(r);
-    r.say(fmt::format("continues at t {:.6g} s, step {}, from {}", w.clock.time, w.clock.step, slice->header.path));
+    r.say(fmt::format("continues at t {:.6g} s, step {}, from {}", w.clock.time, w.clock.step,
+                      slice->header.path));
   } else {
-    if (r.options.resume) r.say(fmt::format("{}: there is no checkpoint to resume from: the run begins anew", r.options.out));
+    if (r.options.resume)
+      r.say(fmt::format("{}: there is no checkpoint to resume from: the run begins anew", r.options.out));
     watchRelaxation(r);
     const SamplingReport sampled = startWorld(w, r.halos(), r.tools, load);
     markMeshes(w.scene, load);  // what cannot be read has been told with whose it is
@@ -315,7 +366,8 @@ void begin(Run& r, const MeshLoader& load) {
     for (const SceneWarning& line : sampled.warnings) r.warn(warningLine(line.where, line.text));
     warnOfIdle(r);
     sayRelaxed(r);
-    if (r.tools.oriented.relaxStopped && r.options.relax == 0) {  // a run from here would be another one than the scene's
+    if (r.tools.oriented.relaxStopped && r.options.relax == 0) {  // a run from here would be another one than
+                                                                  // the scene's
       r.cutAtStart = true;
       return;
     }
@@ -326,7 +378,8 @@ void begin(Run& r, const MeshLoader& load) {
     }
     // not before the new run is known to start: a mistake in the scene costs nothing of the run that was here
     onFirstRank(r.comm.handle(), [&] {
-      if (setAsideEarlierRun(r.options.out)) r.say(fmt::format("note: the earlier run in {0} is now in {0}/{1}", r.options.out, earlierRunFolder));
+      if (setAsideEarlierRun(r.options.out))
+        r.say(fmt::format("note: the earlier run in {0} is now in {0}/{1}", r.options.out, earlierRunFolder));
       makeOutputFolders(r.options.out);
     });
     r.begun = true;

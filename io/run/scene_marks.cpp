@@ -16,14 +16,22 @@ namespace {
 constexpr const char* axes[3] = {"x", "y", "z"};
 
 template<class List> void addNames(CheckpointValues& marks, const char* group, const List& list) {
-  for (std::size_t k = 0; k < list.size(); k++) marks[fmt::format("{}.{}", group, list[k].name)] = static_cast<double>(k);
+  for (std::size_t k = 0; k < list.size(); k++)
+    marks[fmt::format("{}.{}", group, list[k].name)] = static_cast<double>(k);
 }
 
-/// An emitter numbers its particles by what it has let out since its start, so that its schedule is part of the state.
+/// An emitter numbers its particles by what it has let out since its start, so that its schedule is part of
+/// the state.
 void addEmitter(CheckpointValues& marks, const Emitter& e) {
   const std::string at = "emitter." + e.name + ".";
-  addNumbers(marks, at, {{"radius", e.disc ? e.radius : 0}, {"width", e.disc ? 0 : e.width}, {"depth", e.disc ? 0 : e.depth}, {"speed", e.speed}, {"rate", e.rate}, {"start", e.start},
-                         {"material", static_cast<double>(e.material)}});
+  addNumbers(marks, at,
+             {{"radius", e.disc ? e.radius : 0},
+              {"width", e.disc ? 0 : e.width},
+              {"depth", e.disc ? 0 : e.depth},
+              {"speed", e.speed},
+              {"rate", e.rate},
+              {"start", e.start},
+              {"material", static_cast<double>(e.material)}});
   addVector(marks, at + "centre", e.centre);
   addVector(marks, at + "direction", e.direction);
   addField(marks, at, e.velocityField);
@@ -32,15 +40,27 @@ void addEmitter(CheckpointValues& marks, const Emitter& e) {
 /// What is held has been marked at the start, and a scene without clamps has no column for it.
 void addClamps(CheckpointValues& marks, const std::string& at, const std::vector<Shape>& clamps) {
   marks[at + "clamps"] = static_cast<double>(clamps.size());
-  for (std::size_t k = 0; k < clamps.size(); k++) addShape(marks, fmt::format("{}clamp.{}.", at, k), clamps[k]);
+  for (std::size_t k = 0; k < clamps.size(); k++)
+    addShape(marks, fmt::format("{}clamp.{}.", at, k), clamps[k]);
 }
 
 /// A sheet's edges, triangles and places of rest are made anew from its mesh at a restart.
 void addSheet(CheckpointValues& marks, const SheetBody& b) {
   const std::string at = "sheet." + b.name + ".";
   // vertices keep their mass and the number of their law
-  addNumbers(marks, at, {{"mesh", static_cast<double>(b.mesh)}, {"width", b.width}, {"depth", b.depth}, {"height", b.height}, {"radius", b.radius}, {"spacing", b.spacing}, {"ribs", b.ribs},
-                         {"rib_height", b.ribHeight}, {"wrinkles", b.wrinkles}, {"wrinkle_height", b.wrinkleHeight}, {"mass", b.mass}, {"regions", static_cast<double>(b.regions.size())}});
+  addNumbers(marks, at,
+             {{"mesh", static_cast<double>(b.mesh)},
+              {"width", b.width},
+              {"depth", b.depth},
+              {"height", b.height},
+              {"radius", b.radius},
+              {"spacing", b.spacing},
+              {"ribs", b.ribs},
+              {"rib_height", b.ribHeight},
+              {"wrinkles", b.wrinkles},
+              {"wrinkle_height", b.wrinkleHeight},
+              {"mass", b.mass},
+              {"regions", static_cast<double>(b.regions.size())}});
   addVector(marks, at + "warp_direction", b.warpDirection);
   addShape(marks, at + "place.", b.shape);
   addClamps(marks, at, b.clamp);
@@ -51,14 +71,25 @@ void addSheet(CheckpointValues& marks, const SheetBody& b) {
 }
 
 bool hasPrefix(const std::string& key, const std::string& prefix) { return key.rfind(prefix, 0) == 0; }
-bool mayChange(const std::string& key) { return hasPrefix(key, coefficient) || hasPrefix(key, setting) || hasPrefix(key, ofStart); }
+bool mayChange(const std::string& key) {
+  return hasPrefix(key, coefficient) || hasPrefix(key, setting) || hasPrefix(key, ofStart);
+}
 
 /// Particles are at places that follow from these; anchors and given points are found by them again.
 void addOriented(CheckpointValues& marks, const OrientedBody& b) {
   const std::string at = "oriented." + b.name + ".";
   // particles keep their mass and inertia, and name their anchors by place in the list
-  addNumbers(marks, at, {{"source", static_cast<double>(b.source)}, {"width", b.width}, {"depth", b.depth}, {"radius", b.radius}, {"bulge", b.bulge}, {"thin", b.thin}, {"spacing", b.spacing},
-                         {"density", b.density}, {"inertia", b.inertia}, {"anchors", static_cast<double>(b.anchors.size())}});
+  addNumbers(marks, at,
+             {{"source", static_cast<double>(b.source)},
+              {"width", b.width},
+              {"depth", b.depth},
+              {"radius", b.radius},
+              {"bulge", b.bulge},
+              {"thin", b.thin},
+              {"spacing", b.spacing},
+              {"density", b.density},
+              {"inertia", b.inertia},
+              {"anchors", static_cast<double>(b.anchors.size())}});
   addVector(marks, at + "from", b.from);
   addVector(marks, at + "to", b.to);
   addShape(marks, at + "place.", b.shape);
@@ -75,9 +106,11 @@ void addOriented(CheckpointValues& marks, const OrientedBody& b) {
   }
 }
 
-constexpr std::size_t mostTold = 100;  // bodies: of more these marks would be longer than what they are good for
+constexpr std::size_t mostTold = 100;  // bodies: of more these marks would be longer than what they are good
+                                       // for
 
-/// What a body's particles are made of, and those of all that fall: the automatic sound speed goes by its shape, too.
+/// What a body's particles are made of, and those of all that fall: the automatic sound speed goes by its
+/// shape, too.
 void addBody(CheckpointValues& marks, const Body& b) {
   const std::string at = "body." + b.name + ".";
   addNumbers(marks, at, {{"material", b.material}, {"packing", static_cast<double>(b.packing)}});
@@ -120,49 +153,64 @@ void addStart(CheckpointValues& marks, const Scene& s) {
   }
 }
 
-/// Beginnings of the keys of events, as "setting.oriented.net.event.0.", that were before a time, where they are in the marks of both.
-std::vector<std::string> pastEvents(const CheckpointValues& stored, const CheckpointValues& now, double time) {
+/// Beginnings of the keys of events, as "setting.oriented.net.event.0.", that were before a time, where they
+/// are in the marks of both.
+std::vector<std::string> pastEvents(const CheckpointValues& stored, const CheckpointValues& now,
+                                    double time) {
   const std::string last = "time";
   std::vector<std::string> past;
   for (const CheckpointValues* marks : {&stored, &now})
     for (const auto& [key, value] : *marks) {
-      if (!hasPrefix(key, std::string(setting) + "oriented.") || key.find(".event.") == std::string::npos || !key.ends_with("." + last) || value > time) continue;
+      if (!hasPrefix(key, std::string(setting) + "oriented.") || key.find(".event.") == std::string::npos ||
+          !key.ends_with("." + last) || value > time)
+        continue;
       const auto other = marks == &stored ? now.find(key) : stored.find(key);
-      if (other == (marks == &stored ? now : stored).end() || other->second <= time) past.push_back(key.substr(0, key.size() - last.size()));
+      if (other == (marks == &stored ? now : stored).end() || other->second <= time)
+        past.push_back(key.substr(0, key.size() - last.size()));
     }
   return past;
 }
 
 bool ofOne(const std::string& key, const std::vector<std::string>& beginnings) {
-  return std::any_of(beginnings.begin(), beginnings.end(), [&](const std::string& b) { return hasPrefix(key, b); });
+  return std::any_of(beginnings.begin(), beginnings.end(),
+                     [&](const std::string& b) { return hasPrefix(key, b); });
 }
 
 /// Without the settings whose keys begin like one of these, or without all other settings.
-CheckpointValues chosen(const CheckpointValues& marks, const std::vector<std::string>& beginnings, bool those) {
+CheckpointValues chosen(const CheckpointValues& marks, const std::vector<std::string>& beginnings,
+                        bool those) {
   CheckpointValues some;
   for (const auto& [key, value] : marks)
     if (!hasPrefix(key, setting) || ofOne(key, beginnings) == those) some[key] = value;
   return some;
 }
 
-/// The same word for another number is a material or body that has another place in its list, which is told by itself.
-void tellChange(std::vector<std::string>& changes, const std::string& key, const std::string& was, const std::string& is, const std::string& unit) {
+/// The same word for another number is a material or body that has another place in its list, which is told
+/// by itself.
+void tellChange(std::vector<std::string>& changes, const std::string& key, const std::string& was,
+                const std::string& is, const std::string& unit) {
   if (was != is) changes.push_back(fmt::format("{} was {}, and is {} now{}", key, was, is, unit));
 }
 
 /// Marks of one prefix that differ, without it.
-std::vector<std::string> changesOf(const std::string& prefix, const CheckpointValues& stored, const CheckpointValues& now) {
+std::vector<std::string> changesOf(const std::string& prefix, const CheckpointValues& stored,
+                                   const CheckpointValues& now) {
   const MarkWords then(stored), words(now);
   std::vector<std::string> changes;
   for (const auto& [key, value] : stored) {
     if (!hasPrefix(key, prefix)) continue;
     const auto it = now.find(key);
     const std::string name = key.substr(prefix.size());
-    if (it == now.end()) changes.push_back(fmt::format("{} was {}, and is not in the scene any more", name, then.text(name, value)));
-    else if (it->second != value) tellChange(changes, name, then.text(name, value), words.text(name, it->second), then.unit(name));
+    if (it == now.end())
+      changes.push_back(
+          fmt::format("{} was {}, and is not in the scene any more", name, then.text(name, value)));
+    else if (it->second != value)
+      tellChange(changes, name, then.text(name, value), words.text(name, it->second), then.unit(name));
   }
   for (const auto& [key, value] : now)
-    if (hasPrefix(key, prefix) && !stored.contains(key)) changes.push_back(fmt::format("{} was not in the scene then, and is {} now", key.substr(prefix.size()), words.text(key.substr(prefix.size()), value)));
+    if (hasPrefix(key, prefix) && !stored.contains(key))
+      changes.push_back(fmt::format("{} was not in the scene then, and is {} now", key.substr(prefix.size()),
+                                    words.text(key.substr(prefix.size()), value)));
   return changes;
 }
 
@@ -173,14 +221,16 @@ CheckpointValues sceneMarks(const Scene& s) {
   marks["spacing"] = s.spacing;
   marks["seed"] = static_cast<double>(s.seed);
   marks["numerics.support"] = s.numerics.support;
-  marks["numerics.bond_support"] = s.numerics.bondSupport;       // bonds that are there were made with it
-  marks["numerics.heat"] = static_cast<double>(s.numerics.heat);  // enthalpy is not kept by the plain temperature model
-  marks["output.every"] = s.output.every;                        // the numbers of frames would run into those that are there
+  marks["numerics.bond_support"] = s.numerics.bondSupport;        // bonds that are there were made with it
+  marks["numerics.heat"] = static_cast<double>(s.numerics.heat);  // enthalpy is not kept by the plain
+                                                                  // temperature model
+  marks["output.every"] = s.output.every;  // the numbers of frames would run into those that are there
   for (int a = 0; a < 3; a++) {
     const std::string axis = axes[a];
     marks["domain.min." + axis] = s.domain.min[a];
     marks["domain.max." + axis] = s.domain.max[a];
-    marks["domain.gravity." + axis] = s.domain.gravity[a];  // the ledger reckons potential and impulse from the start
+    marks["domain.gravity." + axis] = s.domain.gravity[a];  // the ledger reckons potential and impulse from
+                                                            // the start
     marks["domain.periodic." + axis] = s.domain.side[static_cast<std::size_t>(a)][0] == Side::Periodic;
   }
   if (s.surface.on) marks["surface"] = 1;  // begins with the bodies
@@ -218,14 +268,19 @@ std::vector<std::string> sceneDifferences(const CheckpointValues& stored, const 
     if (mayChange(key)) continue;
     const auto it = now.find(key);
     if (it == now.end()) differences.push_back(fmt::format("{} is not in the scene any more", then.key(key)));
-    else if (it->second != value) tellChange(differences, then.key(key), then.text(key, value), words.text(key, it->second), then.unit(key));
+    else if (it->second != value)
+      tellChange(differences, then.key(key), then.text(key, value), words.text(key, it->second),
+                 then.unit(key));
   }
   for (const auto& [key, value] : now)
-    if (!mayChange(key) && !stored.contains(key)) differences.push_back(fmt::format("{} was not in the scene then", key));
+    if (!mayChange(key) && !stored.contains(key))
+      differences.push_back(fmt::format("{} was not in the scene then", key));
   return differences;
 }
 
-std::vector<std::string> coefficientChanges(const CheckpointValues& stored, const Scene& scene) { return changesOf(coefficient, stored, sceneMarks(scene)); }
+std::vector<std::string> coefficientChanges(const CheckpointValues& stored, const Scene& scene) {
+  return changesOf(coefficient, stored, sceneMarks(scene));
+}
 
 std::vector<std::string> settingChanges(const CheckpointValues& stored, const Scene& scene, double time) {
   const CheckpointValues now = sceneMarks(scene);
@@ -233,12 +288,15 @@ std::vector<std::string> settingChanges(const CheckpointValues& stored, const Sc
   return changesOf(setting, chosen(stored, past, false), chosen(now, past, false));
 }
 
-std::vector<std::string> changesOfPastEvents(const CheckpointValues& stored, const Scene& scene, double time) {
+std::vector<std::string> changesOfPastEvents(const CheckpointValues& stored, const Scene& scene,
+                                             double time) {
   const CheckpointValues now = sceneMarks(scene);
   const std::vector<std::string> past = pastEvents(stored, now, time);
   return changesOf(setting, chosen(stored, past, true), chosen(now, past, true));
 }
 
-std::vector<std::string> changesOfTheStart(const CheckpointValues& stored, const Scene& scene) { return changesOf(ofStart, stored, sceneMarks(scene)); }
+std::vector<std::string> changesOfTheStart(const CheckpointValues& stored, const Scene& scene) {
+  return changesOf(ofStart, stored, sceneMarks(scene));
+}
 
 }  // namespace thaw

@@ -13,7 +13,8 @@ std::vector<SolverUse> solversOf(const World& w, const StepTools& t) {
     used.push_back({"density", w.lastIterations.density, mean(c.densityIterations)});
     used.push_back({"divergence", w.lastIterations.divergence, mean(c.divergenceIterations)});
   }
-  if (w.modules.implicitViscosity) used.push_back({"viscosity", t.viscous.iterations, mean(c.viscousIterations)});
+  if (w.modules.implicitViscosity)
+    used.push_back({"viscosity", t.viscous.iterations, mean(c.viscousIterations)});
   return used;
 }
 

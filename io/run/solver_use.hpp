@@ -9,7 +9,11 @@
 namespace thaw {
 
 /// Of one solver: iterations of the last step, and the mean of all steps.
-struct SolverUse { const char* name; std::int64_t last; double mean; };
+struct SolverUse {
+  const char* name;
+  std::int64_t last;
+  double mean;
+};
 
 /// Of the solvers that the scene has. On the first rank, whose counters have them.
 std::vector<SolverUse> solversOf(const World& world, const StepTools& tools);

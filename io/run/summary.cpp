@@ -21,8 +21,13 @@ using Json = nlohmann::ordered_json;
 Json vec(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
 Json balance(const Balance& b) {
-  return {{"mass_kg", b.mass}, {"momentum_kg_m_per_s", vec(b.momentum)}, {"angular_momentum_kg_m2_per_s", vec(b.angularMomentum)},
-          {"kinetic_J", b.kinetic}, {"elastic_J", b.elastic}, {"potential_J", b.potential}, {"internal_J", b.internal}};
+  return {{"mass_kg", b.mass},
+          {"momentum_kg_m_per_s", vec(b.momentum)},
+          {"angular_momentum_kg_m2_per_s", vec(b.angularMomentum)},
+          {"kinetic_J", b.kinetic},
+          {"elastic_J", b.elastic},
+          {"potential_J", b.potential},
+          {"internal_J", b.internal}};
 }
 
 Json countersJson(Counters counters) {
@@ -33,17 +38,20 @@ Json countersJson(Counters counters) {
 
 /// Work, not waiting: what the balance can even out.
 bool isWork(StepPhase p) {
-  return p == StepPhase::Oriented || p == StepPhase::Sheet || p == StepPhase::Search || p == StepPhase::Density || p == StepPhase::Forces || p == StepPhase::Viscosity || p == StepPhase::Pressure || p == StepPhase::Elastic || p == StepPhase::Walls ||
-         p == StepPhase::Contact ||
-         p == StepPhase::Heat || p == StepPhase::Drift || p == StepPhase::Sort;
+  return p == StepPhase::Oriented || p == StepPhase::Sheet || p == StepPhase::Search ||
+         p == StepPhase::Density || p == StepPhase::Forces || p == StepPhase::Viscosity ||
+         p == StepPhase::Pressure || p == StepPhase::Elastic || p == StepPhase::Walls ||
+         p == StepPhase::Contact || p == StepPhase::Heat || p == StepPhase::Drift || p == StepPhase::Sort;
 }
 
-/// ", 12 through its side of high z, 3 through that of low x", as far as it is known: the counts of a run that began before they were made are less.
+/// ", 12 through its side of high z, 3 through that of low x", as far as it is known: the counts of a run
+/// that began before they were made are less.
 std::string sidesLeft(const Counters& c) {
   std::string text;
   for (int a = 0; a < 3; a++)
     for (int high = 0; high < 2; high++)
-      if (const std::int64_t n = c.leftThrough[a][high]; n > 0) text += fmt::format(", {} through its side of {} {}", n, high ? "high" : "low", "xyz"[a]);
+      if (const std::int64_t n = c.leftThrough[a][high]; n > 0)
+        text += fmt::format(", {} through its side of {} {}", n, high ? "high" : "low", "xyz"[a]);
   return text;
 }
 
@@ -55,7 +63,8 @@ double peakMemory() {
   return static_cast<double>(usage.ru_maxrss) * 1024;
 }
 
-void gatherSummary(RunSummary& s, const World& w, const PhaseTimes& times, const Traffic& traffic, Reducer& all) {
+void gatherSummary(RunSummary& s, const World& w, const PhaseTimes& times, const Traffic& traffic,
+                   Reducer& all) {
   s.traffic = gatherTraffic(traffic, {}, all);
   std::vector<double> most, least;
   std::vector<std::int64_t> sum;
@@ -69,7 +78,8 @@ void gatherSummary(RunSummary& s, const World& w, const PhaseTimes& times, const
   most.push_back(work);
   most.push_back(peakMemory());
   most.push_back(static_cast<double>(w.particles.owned));
-  for (std::int64_t v : {std::llround(work * 1e9), static_cast<long long>(w.particles.owned)}) sum.push_back(v);
+  for (std::int64_t v : {std::llround(work * 1e9), static_cast<long long>(w.particles.owned)})
+    sum.push_back(v);
   Counters own = w.counters;
   for (const NamedCount& c : countsOf(own)) sum.push_back(*c.count);
   all.maximum(most);
@@ -77,7 +87,9 @@ void gatherSummary(RunSummary& s, const World& w, const PhaseTimes& times, const
   all.sum(sum);
   const double n = all.size();
   for (std::size_t k = 0; k < stepPhases; k++)
-    if (most[k] > 0) s.phases[phaseName(static_cast<StepPhase>(k))] = {-least[k], static_cast<double>(sum[k]) * 1e-9 / n, most[k]};
+    if (most[k] > 0)
+      s.phases[phaseName(static_cast<StepPhase>(k))] = {-least[k], static_cast<double>(sum[k]) * 1e-9 / n,
+                                                        most[k]};
   std::size_t at = stepPhases;
   const double meanWork = static_cast<double>(sum[at]) * 1e-9 / n;
   s.imbalance = meanWork > 0 ? most[at] / meanWork : 1;
@@ -121,7 +133,8 @@ void writeSummary(const std::string& out, const RunSummary& s, const std::string
   j["wall_s"] = s.wall;
   j["particle_steps_per_second"] = s.wall > 0 ? s.particleSteps / s.wall : 0;
   j["particle_steps_per_second_and_rank"] = s.wall > 0 ? s.particleSteps / s.wall / s.ranks : 0;
-  for (const auto& [name, p] : s.phases) j["phases_s_per_rank"][name] = {{"min", p.least}, {"mean", p.mean}, {"max", p.most}};
+  for (const auto& [name, p] : s.phases)
+    j["phases_s_per_rank"][name] = {{"min", p.least}, {"mean", p.mean}, {"max", p.most}};
   j["imbalance"] = s.imbalance;
   j["particles_max_over_mean"] = s.particleSpread;
   j["messages_sent"] = s.traffic.allMessages;
@@ -129,12 +142,26 @@ void writeSummary(const std::string& out, const RunSummary& s, const std::string
   j["traffic"] = trafficJson(s.traffic);
   j["peak_memory_bytes"] = s.peakMemory;
   const LedgerReport& l = s.ledger;
-  j["ledger"] = {{"initial", balance(l.initial)}, {"now", balance(l.now)}, {"entered", balance(l.entered)}, {"left", balance(l.left)},
-                 {"dissipated_J", l.dissipated}, {"wall_work_J", l.wallWork}, {"heat_in_J", l.heatIn}, {"phase_jump_J", l.phaseJump}, {"restart_jump_J", l.restartJump},
-                 {"wall_impulse_N_s", vec(l.wallImpulse)}, {"gravity_impulse_N_s", vec(l.gravityImpulse)},
-                 {"residual", {{"mass_kg", l.massResidual}, {"momentum_kg_m_per_s", vec(l.momentumResidual)}, {"mechanical_energy_J", l.energyResidual}, {"heat_J", l.heatResidual}, {"rounding_of_energy_J", l.energyRounding}}}};
+  j["ledger"] = {{"initial", balance(l.initial)},
+                 {"now", balance(l.now)},
+                 {"entered", balance(l.entered)},
+                 {"left", balance(l.left)},
+                 {"dissipated_J", l.dissipated},
+                 {"wall_work_J", l.wallWork},
+                 {"heat_in_J", l.heatIn},
+                 {"phase_jump_J", l.phaseJump},
+                 {"restart_jump_J", l.restartJump},
+                 {"wall_impulse_N_s", vec(l.wallImpulse)},
+                 {"gravity_impulse_N_s", vec(l.gravityImpulse)},
+                 {"residual",
+                  {{"mass_kg", l.massResidual},
+                   {"momentum_kg_m_per_s", vec(l.momentumResidual)},
+                   {"mechanical_energy_J", l.energyResidual},
+                   {"heat_J", l.heatResidual},
+                   {"rounding_of_energy_J", l.energyRounding}}}};
   j["liquid_fraction"] = l.liquidFraction;
-  for (const SolverUse& u : s.solvers) j["solvers"][u.name] = {{"iterations_of_last_step", u.last}, {"mean_iterations", u.mean}};
+  for (const SolverUse& u : s.solvers)
+    j["solvers"][u.name] = {{"iterations_of_last_step", u.last}, {"mean_iterations", u.mean}};
   j["counters"] = countersJson(s.counters);
   if (s.surface.there) j["surface"] = surfaceJson(s.surface);
   j["warnings"] = s.warnings;
@@ -146,24 +173,40 @@ std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
   const auto add = [&](std::int64_t n, const char* what) {
     if (n > 0) w.push_back(fmt::format("{} {}", n, what));
   };
-  if (c.left > 0) w.push_back(fmt::format("{} particles left the domain{} (their mass, momentum and heat are in the ledger)", c.left, sidesLeft(c)));
-  add(c.singularNeighbourhoods, "solid particles have a flat, thin or lonely neighbourhood (rank of their moment matrix < 3)");
+  if (c.left > 0)
+    w.push_back(
+        fmt::format("{} particles left the domain{} (their mass, momentum and heat are in the ledger)",
+                    c.left, sidesLeft(c)));
+  add(c.singularNeighbourhoods,
+      "solid particles have a flat, thin or lonely neighbourhood (rank of their moment matrix < 3)");
   add(c.inverted, "times a solid particle was turned inside out (det F <= 0)");
-  add(c.squeezed, "times a solid particle of law = \"green\" was squeezed below .577 of its length, from where that law weakens: law = \"corotated\" or \"neo-hookean\" stiffens");
+  add(c.squeezed,
+      "times a solid particle of law = \"green\" was squeezed below .577 of its length, from where that law "
+      "weakens: law = \"corotated\" or \"neo-hookean\" stiffens");
   add(c.coincidentPairs, "times a particle shared its place with another and was pushed aside");
   add(c.viscousUnfinished, "steps needed more than numerics.viscosity_iterations for viscosity");
   add(c.retries, "times a stretch of steps failed and was run again with shorter ones");
-  add(c.unsolvedPressures, "times the pressure of incompressible liquid was not found within numerics.max_iterations");
+  add(c.unsolvedPressures,
+      "times the pressure of incompressible liquid was not found within numerics.max_iterations");
   if (static_cast<double>(c.crowded) > 0.01 * static_cast<double>(l.particles))
-    w.push_back(fmt::format("{} particles are more than 1.3 times as crowded as the density that they carry says: it drifts where liquid is poured or splashes for long; numerics.density = \"summation\" does not", c.crowded));
+    w.push_back(fmt::format(
+        "{} particles are more than 1.3 times as crowded as the density that they carry says: it drifts "
+        "where liquid is poured or splashes for long; numerics.density = \"summation\" does not",
+        c.crowded));
   add(c.wallProjections, "times a particle was pushed out of an obstacle");
-  const double largest = std::max(l.energyScale, l.energyLargest);  // what has come to rest has little left to set it against
+  const double largest = std::max(l.energyScale, l.energyLargest);  // what has come to rest has little left
+                                                                    // to set it against
   if (!isRounding(l) && std::abs(l.energyResidual) > 0.05 * largest)
-    w.push_back(fmt::format("the ledger does not close: {:+.3g} J of mechanical energy ({:.0f} % of its largest term of this run) are from nowhere; shorter steps (numerics.max_step) may show why", l.energyResidual,
-                            100 * std::abs(l.energyResidual) / largest));
-  const double heatRounding = 1e-12 * std::max({std::abs(l.now.internal), std::abs(l.initial.internal), l.heatScale});
+    w.push_back(
+        fmt::format("the ledger does not close: {:+.3g} J of mechanical energy ({:.0f} % of its largest term "
+                    "of this run) are from nowhere; shorter steps (numerics.max_step) may show why",
+                    l.energyResidual, 100 * std::abs(l.energyResidual) / largest));
+  const double heatRounding = 1e-12 *
+                              std::max({std::abs(l.now.internal), std::abs(l.initial.internal), l.heatScale});
   if (std::abs(l.heatResidual) > std::max(0.05 * l.heatScale, heatRounding))
-    w.push_back(fmt::format("the ledger of heat does not close: {:+.3g} J ({:.0f} % of its largest term) are from nowhere", l.heatResidual, l.heatScale > 0 ? 100 * std::abs(l.heatResidual) / l.heatScale : 100));
+    w.push_back(fmt::format(
+        "the ledger of heat does not close: {:+.3g} J ({:.0f} % of its largest term) are from nowhere",
+        l.heatResidual, l.heatScale > 0 ? 100 * std::abs(l.heatResidual) / l.heatScale : 100));
   return w;
 }
 

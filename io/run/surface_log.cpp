@@ -12,9 +12,13 @@
 namespace thaw {
 namespace {
 
-constexpr const char* head = "frame,step,time_s,component,particles,surfels,mass_kg,particle_volume_m3,volume_m3,area_m2,x_m,y_m,z_m,wanted_volume_m3,open\n";
+constexpr const char* head =
+    "frame,step,time_s,component,particles,surfels,mass_kg,particle_volume_m3,volume_m3,area_m2,x_m,y_m,z_m,"
+    "wanted_volume_m3,open\n";
 
-namespace column { enum { step = 1, time, component, particles, surfels, particleVolume = 7, volume, wanted = 13, open, count }; }
+namespace column {
+enum { step = 1, time, component, particles, surfels, particleVolume = 7, volume, wanted = 13, open, count };
+}
 
 std::vector<std::string> fieldsOf(const std::string& line) {
   std::vector<std::string> fields;
@@ -45,8 +49,9 @@ void beginComponentLog(const std::string& out) { replaceTextFile(componentLogPat
 void addToComponentLog(const std::string& out, const World& w) {
   std::string lines;  // numbers in as many digits as make them unique
   for (const SurfaceComponent& c : w.surface.components)
-    lines += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", w.clock.frame, w.clock.step, w.clock.time, c.label, c.particles, c.surfels, c.mass, c.particleVolume, c.volume, c.area, c.centroid.x,
-                         c.centroid.y, c.centroid.z, c.wantedVolume, c.open);
+    lines += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", w.clock.frame, w.clock.step,
+                         w.clock.time, c.label, c.particles, c.surfels, c.mass, c.particleVolume, c.volume,
+                         c.area, c.centroid.x, c.centroid.y, c.centroid.z, c.wantedVolume, c.open);
   std::ofstream file(componentLogPath(out), std::ios::app);
   file << lines;
   file.close();
@@ -94,7 +99,8 @@ VolumeHeld cutComponentLog(const std::string& out, std::int64_t step) {
 
 void writeEventLog(const std::string& out, const std::vector<SurfaceEvent>& events) {
   std::string text = "step,time_s,kind,component,other\n";
-  for (const SurfaceEvent& e : events) text += fmt::format("{},{},{},{},{}\n", e.step, e.time, eventName(e.kind), e.label, e.other);
+  for (const SurfaceEvent& e : events)
+    text += fmt::format("{},{},{},{},{}\n", e.step, e.time, eventName(e.kind), e.label, e.other);
   replaceTextFile(eventLogPath(out), text);
 }
 

@@ -14,7 +14,8 @@ void beginSurface(Run& r, const MeshLoader& load) {
   startSurface(r.world, r.surface->halos(), r.surfaceTools);
   r.tools.times.lap(StepPhase::Setup);
   std::vector<std::string> warnings = lumpWarnings(r.world.scene, r.surfaceTools.lumps);
-  for (std::string& line : pieceWarnings(r.world.scene, r.surfaceTools.pieces)) warnings.push_back(std::move(line));
+  for (std::string& line : pieceWarnings(r.world.scene, r.surfaceTools.pieces))
+    warnings.push_back(std::move(line));
   for (const std::string& line : warnings) {
     r.summary.warnings.push_back(line);
     r.say("warning: " + line);
@@ -37,11 +38,13 @@ void updateSurfaceOf(Run& r) {
   Surface& s = r.world.surface;
   const std::size_t events = s.events.size();
   r.tools.times.start();
-  if (r.world.modules.solid) findElasticEnergy(r.world, r.tools);  // and F: the volume that solids have now (gather_particles.cpp)
+  if (r.world.modules.solid)
+    findElasticEnergy(r.world, r.tools);  // and F: the volume that solids have now (gather_particles.cpp)
   updateSurface(r.world, r.surface->halos(), r.surfaceTools);
   r.tools.times.lap(StepPhase::Surface);
   r.summary.surface.updatesHere++;
-  if (s.events.size() != events) onFirstRank(r.comm.handle(), [&] { writeEventLog(r.options.out, s.events); });
+  if (s.events.size() != events)
+    onFirstRank(r.comm.handle(), [&] { writeEventLog(r.options.out, s.events); });
 }
 
 void writeSurfaceFrameOf(Run& r) {

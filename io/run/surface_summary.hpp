@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/surface/start_pieces.hpp"
 #include "core/scene/scene.hpp"
+#include "core/surface/start_pieces.hpp"
 #include "core/surface/surface.hpp"
 #include "core/surface/surface_times.hpp"
 #include "io/run/volume_held.hpp"
@@ -15,14 +15,14 @@ namespace thaw {
 
 struct SurfaceSummary {
   bool there = false;
-  std::int64_t surfels = 0;         ///< of all ranks
-  double spacing = 0;               ///< m
-  std::int64_t lastStep = -1;       ///< of the last update
-  std::int64_t updatesHere = 0;     ///< by this process
-  double seconds = 0;               ///< of them, largest of a rank
+  std::int64_t surfels = 0;                    ///< of all ranks
+  double spacing = 0;                          ///< m
+  std::int64_t lastStep = -1;                  ///< of the last update
+  std::int64_t updatesHere = 0;                ///< by this process
+  double seconds = 0;                          ///< of them, largest of a rank
   std::array<double, surfacePhases> phases{};  ///< s, of them by phase, largest of a rank
-  bool keepsVolume = false;         ///< the scene wants that
-  VolumeHeld held;                  ///< of all frames of the run so far; first rank only
+  bool keepsVolume = false;                    ///< the scene wants that
+  VolumeHeld held;                             ///< of all frames of the run so far; first rank only
   SurfaceCounters counters;
   std::vector<SurfaceComponent> components;
   std::vector<SurfaceEvent> events;

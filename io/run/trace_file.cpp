@@ -54,11 +54,13 @@ class Lines {
   Lines(const Lines&) = delete;
   Lines& operator=(const Lines&) = delete;
   void put(const std::string& text) {
-    if (problem_.empty() && std::fwrite(text.data(), 1, text.size(), file_) != text.size()) problem_ = path_ + ": cannot be written: " + std::strerror(errno);
+    if (problem_.empty() && std::fwrite(text.data(), 1, text.size(), file_) != text.size())
+      problem_ = path_ + ": cannot be written: " + std::strerror(errno);
   }
   /// What went wrong, if anything.
   std::string close() {
-    if (file_ && std::fclose(file_) != 0 && problem_.empty()) problem_ = path_ + ": cannot be written: " + std::strerror(errno);
+    if (file_ && std::fclose(file_) != 0 && problem_.empty())
+      problem_ = path_ + ": cannot be written: " + std::strerror(errno);
     file_ = nullptr;
     return problem_;
   }
@@ -70,24 +72,39 @@ class Lines {
 
 const char* nameOf(const TraceEvent& e) {
   if (e.kind == TraceKind::Step) return "step";
-  return e.kind == TraceKind::Phase ? phaseName(static_cast<StepPhase>(e.name)) : purposeName(static_cast<MessagesFor>(e.name));
+  return e.kind == TraceKind::Phase ? phaseName(static_cast<StepPhase>(e.name))
+                                    : purposeName(static_cast<MessagesFor>(e.name));
 }
 
-void putRank(Lines& out, int rank, const std::vector<TraceEvent>& events, std::int64_t dropped, std::int64_t zero) {
+void putRank(Lines& out, int rank, const std::vector<TraceEvent>& events, std::int64_t dropped,
+             std::int64_t zero) {
   const auto us = [&](std::int64_t ns) { return static_cast<double>(ns - zero) * 1e-3; };
-  out.put(fmt::format("{}{{\"ph\":\"M\",\"name\":\"process_name\",\"pid\":{},\"tid\":0,\"args\":{{\"name\":\"rank {}{}\"}}}}", rank > 0 ? ",\n" : "", rank, rank,
-                      dropped > 0 ? fmt::format(", {} events left out", dropped) : ""));
-  out.put(fmt::format(",\n{{\"ph\":\"M\",\"name\":\"process_sort_index\",\"pid\":{0},\"tid\":0,\"args\":{{\"sort_index\":{0}}}}}", rank));
+  out.put(fmt::format(
+      "{}{{\"ph\":\"M\",\"name\":\"process_name\",\"pid\":{},\"tid\":0,\"args\":{{\"name\":\"rank {}{}\"}}}}",
+      rank > 0 ? ",\n" : "", rank, rank, dropped > 0 ? fmt::format(", {} events left out", dropped) : ""));
+  out.put(
+      fmt::format(",\n{{\"ph\":\"M\",\"name\":\"process_sort_index\",\"pid\":{0},\"tid\":0,\"args\":{{\"sort_"
+                  "index\":{0}}}}}",
+                  rank));
   std::size_t number = 0;
   for (const TraceEvent& e : events) {
     if (e.kind != TraceKind::Exchange) {
-      out.put(fmt::format(",\n{{\"ph\":\"X\",\"cat\":\"{}\",\"name\":\"{}{}\",\"pid\":{},\"tid\":0,\"ts\":{:.3f},\"dur\":{:.3f},\"args\":{{\"step\":{}}}}}",
-                          e.kind == TraceKind::Step ? "step" : e.kind == TraceKind::Phase ? "phase" : "wait", e.kind == TraceKind::Wait ? "wait: " : "", nameOf(e), rank, us(e.begin),
-                          static_cast<double>(e.end - e.begin) * 1e-3, e.step));
+      out.put(
+          fmt::format(",\n{{\"ph\":\"X\",\"cat\":\"{}\",\"name\":\"{}{}\",\"pid\":{},\"tid\":0,\"ts\":{:.3f},"
+                      "\"dur\":{:.3f},\"args\":{{\"step\":{}}}}}",
+                      e.kind == TraceKind::Step    ? "step"
+                      : e.kind == TraceKind::Phase ? "phase"
+                                                   : "wait",
+                      e.kind == TraceKind::Wait ? "wait: " : "", nameOf(e), rank, us(e.begin),
+                      static_cast<double>(e.end - e.begin) * 1e-3, e.step));
       continue;
     }
-    const std::string head = fmt::format("\"cat\":\"exchange\",\"name\":\"{}\",\"id\":\"{}.{}\",\"pid\":{},\"tid\":0", nameOf(e), rank, number++, rank);
-    out.put(fmt::format(",\n{{\"ph\":\"b\",{},\"ts\":{:.3f},\"args\":{{\"step\":{},\"messages\":{},\"bytes\":{}}}}}", head, us(e.begin), e.step, e.messages, e.bytes));
+    const std::string head = fmt::format(
+        "\"cat\":\"exchange\",\"name\":\"{}\",\"id\":\"{}.{}\",\"pid\":{},\"tid\":0", nameOf(e), rank,
+        number++, rank);
+    out.put(fmt::format(
+        ",\n{{\"ph\":\"b\",{},\"ts\":{:.3f},\"args\":{{\"step\":{},\"messages\":{},\"bytes\":{}}}}}", head,
+        us(e.begin), e.step, e.messages, e.bytes));
     out.put(fmt::format(",\n{{\"ph\":\"e\",{},\"ts\":{:.3f}}}", head, us(e.end)));
   }
 }
@@ -127,7 +144,8 @@ void writeTrace(const std::string& path, const Communicator& comm, const StepTra
   std::vector<MPI_Request> requests;
   if (comm.rank() > 0) {
     MPI_Send(head, 2, MPI_INT64_T, 0, CountTag, comm.handle());
-    startSend(comm, reinterpret_cast<const std::byte*>(events.data()), events.size() * sizeof(TraceEvent), 0, EventsTag, MessagesFor::Rows, requests);
+    startSend(comm, reinterpret_cast<const std::byte*>(events.data()), events.size() * sizeof(TraceEvent), 0,
+              EventsTag, MessagesFor::Rows, requests);
     finishAll(requests);
     return agree(comm.handle(), "");
   }
@@ -137,14 +155,16 @@ void writeTrace(const std::string& path, const Communicator& comm, const StepTra
     if (r > 0) {
       MPI_Recv(head, 2, MPI_INT64_T, r, CountTag, comm.handle(), MPI_STATUS_IGNORE);
       events.resize(static_cast<std::size_t>(head[0]));
-      startReceive(comm, reinterpret_cast<std::byte*>(events.data()), events.size() * sizeof(TraceEvent), r, EventsTag, requests);
+      startReceive(comm, reinterpret_cast<std::byte*>(events.data()), events.size() * sizeof(TraceEvent), r,
+                   EventsTag, requests);
       finishAll(requests);
     }
     putRank(out, r, events, head[1], zero);
   }
   out.put("\n]}\n");
   std::string problem = out.close();
-  if (problem.empty() && std::rename((path + ".part").c_str(), path.c_str()) != 0) problem = path + ": cannot be renamed to: " + std::strerror(errno);
+  if (problem.empty() && std::rename((path + ".part").c_str(), path.c_str()) != 0)
+    problem = path + ": cannot be renamed to: " + std::strerror(errno);
   if (!problem.empty()) std::remove((path + ".part").c_str());
   agree(comm.handle(), problem);
 }

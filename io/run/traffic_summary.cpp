@@ -7,7 +7,9 @@
 namespace thaw {
 namespace {
 
-nlohmann::ordered_json json(const RankSpread& s) { return {{"min", s.least}, {"mean", s.mean}, {"max", s.most}}; }
+nlohmann::ordered_json json(const RankSpread& s) {
+  return {{"min", s.least}, {"mean", s.mean}, {"max", s.most}};
+}
 
 }  // namespace
 
@@ -28,7 +30,9 @@ TrafficSummary gatherTraffic(const Traffic& now, const Traffic& before, Reducer&
   all.maximum(most);
   all.maximum(least);
   all.sum(sum);
-  const auto spread = [&](std::size_t k) { return RankSpread{-least[k], static_cast<double>(sum[k]) * (k % 3 == 2 ? 1e-9 : 1) / all.size(), most[k]}; };
+  const auto spread = [&](std::size_t k) {
+    return RankSpread{-least[k], static_cast<double>(sum[k]) * (k % 3 == 2 ? 1e-9 : 1) / all.size(), most[k]};
+  };
   TrafficSummary t;
   for (std::size_t p = 0; p < purposes; p++) t.of[p] = {spread(3 * p), spread(3 * p + 1), spread(3 * p + 2)};
   const std::size_t total = 3 * purposes;
@@ -50,7 +54,9 @@ nlohmann::ordered_json trafficJson(const TrafficSummary& t) {
   for (std::size_t p = 0; p < purposes; p++) {
     const TrafficSummary::Of& of = t.of[p];
     if (of.messages.most > 0 || of.waited.most > 0)
-      j["of"][purposeName(static_cast<MessagesFor>(p))] = {{"messages_per_rank", of.messages.mean}, {"bytes_per_rank", of.bytes.mean}, {"waited_s_per_rank", json(of.waited)}};
+      j["of"][purposeName(static_cast<MessagesFor>(p))] = {{"messages_per_rank", of.messages.mean},
+                                                           {"bytes_per_rank", of.bytes.mean},
+                                                           {"waited_s_per_rank", json(of.waited)}};
   }
   return j;
 }

@@ -13,18 +13,25 @@ constexpr double mostOff = 0.01, mostSmallOff = 0.1, mostMissed = 0.01;
 void note(VolumeOff& worst, const SurfaceComponent& c, double volume, double time) {
   if (!(volume > 0)) return;
   const double off = c.volume / volume - 1;
-  if (worst.label == noComponent || std::abs(off) > std::abs(worst.off)) worst = {off, c.label, c.particles, time};
+  if (worst.label == noComponent || std::abs(off) > std::abs(worst.off))
+    worst = {off, c.label, c.particles, time};
 }
 
 /// Logs of earlier versions do not say what is to be held.
 double wantedOf(const SurfaceComponent& c) { return c.wantedVolume > 0 ? c.wantedVolume : c.particleVolume; }
 
 bool there(const VolumeOff& w) { return w.label != noComponent; }
-std::string placeOf(const VolumeOff& w) { return fmt::format("component {} of {} particles, t {:.5g} s", w.label, w.particles, w.time); }
+std::string placeOf(const VolumeOff& w) {
+  return fmt::format("component {} of {} particles, t {:.5g} s", w.label, w.particles, w.time);
+}
 std::string worstOf(const VolumeOff& w) { return fmt::format("{:+.2f} % ({})", 100 * w.off, placeOf(w)); }
-double shareOf(const VolumeHeld& h) { return h.particles > 0 ? static_cast<double>(h.missed) / static_cast<double>(h.particles) : 0; }
+double shareOf(const VolumeHeld& h) {
+  return h.particles > 0 ? static_cast<double>(h.missed) / static_cast<double>(h.particles) : 0;
+}
 
-nlohmann::ordered_json jsonOf(const VolumeOff& w) { return {{"off", w.off}, {"component", w.label}, {"particles", w.particles}, {"time_s", w.time}}; }
+nlohmann::ordered_json jsonOf(const VolumeOff& w) {
+  return {{"off", w.off}, {"component", w.label}, {"particles", w.particles}, {"time_s", w.time}};
+}
 
 }  // namespace
 
@@ -57,16 +64,29 @@ void noteVolumes(VolumeHeld& held, const std::vector<SurfaceComponent>& componen
 
 std::vector<std::string> volumeHeldLines(const VolumeHeld& h) {
   if (!h.any) return {};
-  std::vector<std::string> lines{fmt::format("  volume, at all frames: the sum at worst {:+.2f} % off what is to be held (t {:.5g} s); {:.2g} % of the particles are in components that are off by more than 1 % ({:.3g} % in the worst frame, t {:.5g} s)",
-                                             100 * h.sum.off(), h.sum.time, 100 * shareOf(h), 100 * h.missing.missedShare(), h.missing.time)};
+  std::vector<std::string> lines{fmt::format(
+      "  volume, at all frames: the sum at worst {:+.2f} % off what is to be held (t {:.5g} s); {:.2g} % of "
+      "the particles are in components that are off by more than 1 % ({:.3g} % in the worst frame, t {:.5g} "
+      "s)",
+      100 * h.sum.off(), h.sum.time, 100 * shareOf(h), 100 * h.missing.missedShare(), h.missing.time)};
   if (there(h.ofParticles)) {
-    lines.push_back(fmt::format("    of components of {} particles and more at worst {} off that of the particles", leastHeldParticles, worstOf(h.ofParticles)));
-    if (there(h.ofWanted) && h.ofWanted.off != h.ofParticles.off) lines.back() += fmt::format(", {} off what is to be held, which is what meshes held at the start", worstOf(h.ofWanted));
+    lines.push_back(
+        fmt::format("    of components of {} particles and more at worst {} off that of the particles",
+                    leastHeldParticles, worstOf(h.ofParticles)));
+    if (there(h.ofWanted) && h.ofWanted.off != h.ofParticles.off)
+      lines.back() += fmt::format(", {} off what is to be held, which is what meshes held at the start",
+                                  worstOf(h.ofWanted));
   }
   if (h.unsure > 0)
-    lines.push_back(fmt::format("    {:.2g} % of the particles are in components of {} and more whose surface does not close, by more than 1 % of its area (at worst {:.2g} %: {}): what is told of their volume may be off by more than that",
-                                100 * static_cast<double>(h.unsure) / static_cast<double>(h.particles), leastHeldParticles, 100 * h.open.off, placeOf(h.open)));
-  if (there(h.small)) lines.push_back(fmt::format("    of components of {} to {} particles at worst {}", leastSmallParticles, leastHeldParticles - 1, worstOf(h.small)));
+    lines.push_back(
+        fmt::format("    {:.2g} % of the particles are in components of {} and more whose surface does not "
+                    "close, by more than 1 % of its area (at worst {:.2g} %: {}): what is told of their "
+                    "volume may be off by more than that",
+                    100 * static_cast<double>(h.unsure) / static_cast<double>(h.particles),
+                    leastHeldParticles, 100 * h.open.off, placeOf(h.open)));
+  if (there(h.small))
+    lines.push_back(fmt::format("    of components of {} to {} particles at worst {}", leastSmallParticles,
+                                leastHeldParticles - 1, worstOf(h.small)));
   return lines;
 }
 
@@ -76,8 +96,14 @@ nlohmann::ordered_json volumeHeldJson(const VolumeHeld& h) {
   if (there(h.ofParticles)) j["worst_against_particles"] = jsonOf(h.ofParticles);
   if (there(h.ofWanted)) j["worst_against_wanted"] = jsonOf(h.ofWanted);
   if (there(h.small)) j["worst_of_small"] = jsonOf(h.small);
-  if (there(h.open)) j["worst_open"] = {{"share_of_area", h.open.off}, {"component", h.open.label}, {"particles", h.open.particles}, {"time_s", h.open.time}};
-  j["share_of_particles_unsure"] = h.particles > 0 ? static_cast<double>(h.unsure) / static_cast<double>(h.particles) : 0;
+  if (there(h.open))
+    j["worst_open"] = {{"share_of_area", h.open.off},
+                       {"component", h.open.label},
+                       {"particles", h.open.particles},
+                       {"time_s", h.open.time}};
+  j["share_of_particles_unsure"] = h.particles > 0
+                                       ? static_cast<double>(h.unsure) / static_cast<double>(h.particles)
+                                       : 0;
   j["worst_sum"] = {{"off", h.sum.off()}, {"time_s", h.sum.time}};
   j["share_of_particles_off"] = shareOf(h);
   j["worst_share_of_particles_off"] = {{"share", h.missing.missedShare()}, {"time_s", h.missing.time}};
@@ -85,11 +111,16 @@ nlohmann::ordered_json volumeHeldJson(const VolumeHeld& h) {
 }
 
 std::string volumeHeldWarning(const VolumeHeld& h) {
-  const bool component = std::abs(h.ofWanted.off) > mostOff, sum = std::abs(h.sum.off()) > mostOff, small = std::abs(h.small.off) > mostSmallOff, share = shareOf(h) > mostMissed;
+  const bool component = std::abs(h.ofWanted.off) > mostOff, sum = std::abs(h.sum.off()) > mostOff,
+             small = std::abs(h.small.off) > mostSmallOff, share = shareOf(h) > mostMissed;
   if (!component && !sum && !small && !share) return {};
   const VolumeOff& worst = component || !there(h.small) ? h.ofWanted : h.small;
-  std::string line = fmt::format("surface.keep_volume: {:.2g} % of the particles are in components that are more than 1 % off the volume that they are to hold, the sum is at worst {:+.2g} % off", 100 * shareOf(h), 100 * h.sum.off());
-  if (there(worst)) line += fmt::format(", a surface was {:+.1f} % off ({})", 100 * worst.off, placeOf(worst));
+  std::string line = fmt::format(
+      "surface.keep_volume: {:.2g} % of the particles are in components that are more than 1 % off the "
+      "volume that they are to hold, the sum is at worst {:+.2g} % off",
+      100 * shareOf(h), 100 * h.sum.off());
+  if (there(worst))
+    line += fmt::format(", a surface was {:+.1f} % off ({})", 100 * worst.off, placeOf(worst));
   return line + "; docs/reference/surfaces.md says what to expect";
 }
 

@@ -24,11 +24,19 @@ std::string textOf(const Scene& s, const EventOfWelded& found) {
   const OrientedEvent& e = body.events[found.event];
   const std::string &gone = s.oriented[found.named].name, &into = s.oriented[found.into].name;
   const bool line = found.weld->where.line > 0 && found.weld->where.file == e.where.file;
-  const std::string since = fmt::format("part of '{}' by the weld at {:g} s{}", into, found.weld->time, line ? fmt::format(" (line {})", found.weld->where.line) : "");
+  const std::string since = fmt::format("part of '{}' by the weld at {:g} s{}", into, found.weld->time,
+                                        line ? fmt::format(" (line {})", found.weld->where.line) : "");
   if (found.named == found.body)
-    return fmt::format("oriented body '{}': it is {}, and has no particle left for this {} at {:g} s: expected this event as one of '{}', or before that weld", gone, since, nameOf(e.kind), e.time, into);
-  return fmt::format("oriented body '{}': this weld at {:g} s names '{}', which is {}, and has no particle left: expected {}", body.name, e.time, gone, since,
-                     found.into == found.body ? "one weld of the two" : "other = \"" + into + "\", or a time before that weld");
+    return fmt::format(
+        "oriented body '{}': it is {}, and has no particle left for this {} at {:g} s: expected this event "
+        "as one of '{}', or before that weld",
+        gone, since, nameOf(e.kind), e.time, into);
+  return fmt::format(
+      "oriented body '{}': this weld at {:g} s names '{}', which is {}, and has no particle left: expected "
+      "{}",
+      body.name, e.time, gone, since,
+      found.into == found.body ? "one weld of the two"
+                               : "other = \"" + into + "\", or a time before that weld");
 }
 
 }  // namespace
@@ -42,11 +50,19 @@ void checkOrientedEvents(SceneReading& x, std::vector<SceneError>& errors) {
       if (e.kind != OrientedEventKind::Weld) continue;
       for (std::size_t k = 0; k < s.oriented.size(); k++)
         if (s.oriented[k].name == e.other) e.otherIndex = static_cast<int>(k);
-      if (e.other == b.name && !b.name.empty()) errors.push_back({e.where, fmt::format("oriented body '{}': it cannot be welded to itself: expected the name of another oriented body", b.name)});
-      if (e.otherIndex < 0 && !e.other.empty()) errors.push_back({e.where, fmt::format("oriented body '{}': there is no oriented body '{}' to weld to it", b.name, e.other)});
+      if (e.other == b.name && !b.name.empty())
+        errors.push_back({e.where, fmt::format("oriented body '{}': it cannot be welded to itself: expected "
+                                               "the name of another oriented body",
+                                               b.name)});
+      if (e.otherIndex < 0 && !e.other.empty())
+        errors.push_back(
+            {e.where, fmt::format("oriented body '{}': there is no oriented body '{}' to weld to it", b.name,
+                                  e.other)});
     }
-  if (cuts > mostCuts) errors.push_back({x.start, fmt::format("{} cuts; at most {} are possible", cuts, mostCuts)});
-  for (const EventOfWelded& found : eventsOfWelded(s)) errors.push_back({s.oriented[found.body].events[found.event].where, textOf(s, found)});
+  if (cuts > mostCuts)
+    errors.push_back({x.start, fmt::format("{} cuts; at most {} are possible", cuts, mostCuts)});
+  for (const EventOfWelded& found : eventsOfWelded(s))
+    errors.push_back({s.oriented[found.body].events[found.event].where, textOf(s, found)});
 }
 
 }  // namespace thaw

@@ -14,30 +14,41 @@ void checkWrap(const Scene& s, std::size_t n, std::vector<SceneError>& errors) {
   const SheetBody& b = s.sheets[n];
   if (b.wrapTo.empty()) return;
   const std::vector<WrapTarget> found = wrapTargets(s, b.wrapTo);
-  const auto refuse = [&](const std::string& text) { errors.push_back({b.where, "sheet '" + b.name + "': wrap_to: " + text}); };
+  const auto refuse = [&](const std::string& text) {
+    errors.push_back({b.where, "sheet '" + b.name + "': wrap_to: " + text});
+  };
   if (found.empty()) {
     std::set<std::string> names;
-    const auto add = [&](const auto& list) { for (const auto& item : list) names.insert(item.name); };
+    const auto add = [&](const auto& list) {
+      for (const auto& item : list) names.insert(item.name);
+    };
     add(s.obstacles), add(s.bodies), add(s.emitters), add(s.oriented), add(s.sheets);
     names.erase(b.name);
     refuse("there is no obstacle or body '" + b.wrapTo + "'" + suggestion(b.wrapTo, names));
   } else if (found.size() > 1) {
-    refuse("'" + b.wrapTo + "' is the name of two things in this scene: expected another name for one of them");
+    refuse("'" + b.wrapTo +
+           "' is the name of two things in this scene: expected another name for one of them");
   } else if (found[0] == WrapTarget{WrapKind::Sheet, static_cast<std::uint16_t>(n)}) {
-    refuse("a sheet is not wrapped round itself: expected another name, or none: then it is drawn against its own normals");
+    refuse(
+        "a sheet is not wrapped round itself: expected another name, or none: then it is drawn against its "
+        "own normals");
   }
 }
 
-/// What makes a force that changes with the vertex' place, and not by its spring to the place of rest; "" where nothing does.
+/// What makes a force that changes with the vertex' place, and not by its spring to the place of rest; ""
+/// where nothing does.
 std::string whatPulls(const Scene& s, const SheetBody& b) {
-  if (b.warp > 0 || b.weft > 0 || b.shear > 0 || b.bending > 0 || b.volumeStiffness > 0 || b.push > 0 || b.pull > 0) return "its neighbours pull at";
+  if (b.warp > 0 || b.weft > 0 || b.shear > 0 || b.bending > 0 || b.volumeStiffness > 0 || b.push > 0 ||
+      b.pull > 0)
+    return "its neighbours pull at";
   if (!b.brushes.empty()) return "a brush pushes";
   if (b.wrap != 0) return "wrap draws";
   if (!s.obstacles.empty()) return "obstacles can touch";
   for (const auto& axis : s.domain.side)
     for (const Side side : axis)
       if (side == Side::Wall) return "walls of the domain can touch";
-  if (!s.bodies.empty() || !s.emitters.empty() || !s.oriented.empty() || s.sheets.size() > 1) return "other bodies can touch";
+  if (!s.bodies.empty() || !s.emitters.empty() || !s.oriented.empty() || s.sheets.size() > 1)
+    return "other bodies can touch";
   if (b.selfContact) return "its other vertices can touch";
   return "";
 }
@@ -45,18 +56,26 @@ std::string whatPulls(const Scene& s, const SheetBody& b) {
 /// Of a sheet, or of a region of it, at its least in time.
 void checkInertia(const Scene& s, const SheetBody& b, const SheetRegion* r, std::vector<SceneError>& errors) {
   const auto factor = [&](SheetFactor f) { return r ? r->factor[placeOf(f)] : 1.0; };
-  const auto least = [&](SheetFactor f) { return b.inTime[placeOf(f)].least(0, never) * factor(f) * b.*sheetCoefficients[placeOf(f)].value; };
+  const auto least = [&](SheetFactor f) {
+    return b.inTime[placeOf(f)].least(0, never) * factor(f) * b.*sheetCoefficients[placeOf(f)].value;
+  };
   if (b.mass * factor(SheetFactor::Mass) > 0) return;
-  const std::string who = r ? fmt::format("sheet '{}': this region", b.name) : fmt::format("sheet '{}': mass", b.name);
+  const std::string who = r ? fmt::format("sheet '{}': this region", b.name)
+                            : fmt::format("sheet '{}': mass", b.name);
   const SourcePlace where = r ? r->where : b.massWhere;
   const bool damped = least(SheetFactor::Damping) > 0;
   if (!damped && !(least(SheetFactor::Stiffness) > 0)) {
-    errors.push_back({where, who + ": a vertex needs mass, damping or stiffness at all times: all three are 0 at some"});
+    errors.push_back(
+        {where, who + ": a vertex needs mass, damping or stiffness at all times: all three are 0 at some"});
     return;
   }
   if (const std::string pulls = whatPulls(s, b); !damped && !pulls.empty())
-    errors.push_back({where, who + ": with neither mass nor damping (at all times) nothing holds a vertex back that " + pulls + ", and no step is short enough: expected one of both"});
-  if (r && b.windDensity * factor(SheetFactor::Wind) > 0) errors.push_back({where, who + ": the air's drag on vertices without mass has no stable step: expected mass > 0, or wind_density = 0 there"});
+    errors.push_back(
+        {where, who + ": with neither mass nor damping (at all times) nothing holds a vertex back that " +
+                    pulls + ", and no step is short enough: expected one of both"});
+  if (r && b.windDensity * factor(SheetFactor::Wind) > 0)
+    errors.push_back({where, who + ": the air's drag on vertices without mass has no stable step: expected "
+                                   "mass > 0, or wind_density = 0 there"});
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Spacings that no machine has room for, told before anything is made: the memory of this one is looked at later (io/commands/require_memory.hpp).
+// Spacings that no machine has room for, told before anything is made: the memory of this one is looked at
+// later (io/commands/require_memory.hpp).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +20,8 @@ namespace {
 constexpr double mostLatticePoints = 1099511627776.0;  // 2^40, what the ids of a body have room for
 constexpr double modest = 1e6;                         // particles that any machine has room for
 
-/// Largest distance of the shape's points from its own origin (m), for shapes whose size the scene says; 0 for others.
+/// Largest distance of the shape's points from its own origin (m), for shapes whose size the scene says; 0
+/// for others.
 double reach(const Shape& s) {
   switch (s.kind) {
     case ShapeKind::Box: return 0.5 * length(s.size);
@@ -36,18 +38,18 @@ double particlesIn(const Shape& shape, double spacing) {
   try {
     const double expected = expectedParticles({makeSignedDistance(shape)}, spacing);
     return std::isfinite(expected) ? expected : 0;
-  } catch (const std::exception&) {
-    return 0;
-  }
+  } catch (const std::exception&) { return 0; }
 }
 
-/// At the key `spacing` of the scene: of all continuum bodies together, where one of them has more than its ids can number. An empty text where there is none.
+/// At the key `spacing` of the scene: of all continuum bodies together, where one of them has more than its
+/// ids can number. An empty text where there is none.
 std::string tooFineForBodies(const Scene& s, bool noGrid) {
   double sum = 0, most = 0;
   const Body* largest = nullptr;
   bool tooMany = false;
   for (const Body& b : s.bodies) {
-    const double scale = b.shape.fitHeight ? 1 : b.shape.scale, around = std::pow(2 * scale * reach(b.shape) / s.spacing, 3);
+    const double scale = b.shape.fitHeight ? 1 : b.shape.scale,
+                 around = std::pow(2 * scale * reach(b.shape) / s.spacing, 3);
     if (!noGrid && !(around > 16 * mostLatticePoints)) continue;
     const double own = particlesIn(b.shape, s.spacing), points = own > 0 ? own : around;
     tooMany = tooMany || points > mostLatticePoints;
@@ -55,20 +57,30 @@ std::string tooFineForBodies(const Scene& s, bool noGrid) {
     if (points > most) most = points, largest = &b;
   }
   if (!tooMany) return "";
-  return fmt::format("spacing: at {:.3g} m body '{}'{} would take some {:.1e} particles, at least {:.1e} GB of memory; expected a coarser spacing ({:.2g} m makes a million of them), or a smaller body", s.spacing,
-                     largest->name, most < sum ? " and others" : "", sum, sum * leastParticleBytes / 1e9, s.spacing * std::cbrt(sum / modest));
+  return fmt::format(
+      "spacing: at {:.3g} m body '{}'{} would take some {:.1e} particles, at least {:.1e} GB of memory; "
+      "expected a coarser spacing ({:.2g} m makes a million of them), or a smaller body",
+      s.spacing, largest->name, most < sum ? " and others" : "", sum, sum * leastParticleBytes / 1e9,
+      s.spacing * std::cbrt(sum / modest));
 }
 
-/// The same of oriented bodies and sheets for which the domain cannot be divided, of what needs no file: at its place where a body has a spacing of its own, at the scene's for the
-/// largest of those that take that one.
+/// The same of oriented bodies and sheets for which the domain cannot be divided, of what needs no file: at
+/// its place where a body has a spacing of its own, at the scene's for the largest of those that take that
+/// one.
 bool tooFineForKinds(const SceneReading& x, std::vector<SceneError>& errors) {
   const std::size_t before = errors.size();
   const auto refuse = [&](const ExpectedRows& e, const SourcePlace& where, const char* key) {
-    errors.push_back({where, fmt::format("{}{}: at a spacing of {:.3g} m it would have about {:.1e} {}, which take at least {:.1e} GB of memory; expected a coarser spacing ({:.2g} m makes a million of them), or a smaller body",
-                                         key, e.name, e.spacing, e.rows, e.word, (e.bytesEverywhere + e.bytesShared) / 1e9, e.spacing * std::sqrt(e.rows / modest))});
+    errors.push_back(
+        {where,
+         fmt::format(
+             "{}{}: at a spacing of {:.3g} m it would have about {:.1e} {}, which take at least {:.1e} GB of "
+             "memory; expected a coarser spacing ({:.2g} m makes a million of them), or a smaller body",
+             key, e.name, e.spacing, e.rows, e.word, (e.bytesEverywhere + e.bytesShared) / 1e9,
+             e.spacing * std::sqrt(e.rows / modest))});
   };
   std::optional<ExpectedRows> largest;
-  for (const ExpectedRows& e : expectedRows(*x.scene, [](const std::string& path) -> TriangleMesh { throw std::runtime_error(path); })) {
+  for (const ExpectedRows& e : expectedRows(
+           *x.scene, [](const std::string& path) -> TriangleMesh { throw std::runtime_error(path); })) {
     if (!(e.rows > 100 * modest)) continue;
     if (e.ownSpacing) refuse(e, e.where, "");
     else if (!largest || e.rows > largest->rows) largest = e;
@@ -83,8 +95,10 @@ std::string roomIn(const Scene& s) {
   for (const OrientedBody& b : s.oriented) finest = std::min(finest, spacingOf(s, b));
   for (const SheetBody& b : s.sheets) finest = std::min(finest, spacingOf(s, b));
   const Vec3d n = (s.domain.max - s.domain.min) * (1 / finest);
-  if (hasContinuum(s)) return fmt::format("; at {:.3g} m it has room for some {:.0e} particles", finest, n.x * n.y * n.z);
-  return fmt::format("; at {:.3g} m a surface as large as its sides would have some {:.0e} particles", finest, 2 * (n.x * n.y + n.y * n.z + n.z * n.x));
+  if (hasContinuum(s))
+    return fmt::format("; at {:.3g} m it has room for some {:.0e} particles", finest, n.x * n.y * n.z);
+  return fmt::format("; at {:.3g} m a surface as large as its sides would have some {:.0e} particles", finest,
+                     2 * (n.x * n.y + n.y * n.z + n.z * n.x));
 }
 
 /// Why the domain cannot be divided into cells; an empty text where it can be.
@@ -93,9 +107,7 @@ std::string noGridFor(const Scene& s) {
     if (!(s.domain.max[a] > s.domain.min[a])) return "";  // it is told where it is read
   try {
     makeGrid(s);
-  } catch (const std::runtime_error& e) {
-    return e.what();
-  }
+  } catch (const std::runtime_error& e) { return e.what(); }
   return "";
 }
 
@@ -103,10 +115,12 @@ std::string noGridFor(const Scene& s) {
 
 void checkSizes(const SceneReading& x, std::vector<SceneError>& errors) {
   const Scene& s = *x.scene;
-  if (s.bodies.size() + s.emitters.size() > 65000) errors.push_back({x.start, "more than 65000 bodies and emitters"});
+  if (s.bodies.size() + s.emitters.size() > 65000)
+    errors.push_back({x.start, "more than 65000 bodies and emitters"});
   const std::string noGrid = noGridFor(s);
   // what is too fine for its body is too fine for the domain, too, and one message is enough
-  if (const std::string text = tooFineForBodies(s, !noGrid.empty()); !text.empty()) return errors.push_back({x.spacing, text});
+  if (const std::string text = tooFineForBodies(s, !noGrid.empty()); !text.empty())
+    return errors.push_back({x.spacing, text});
   if (noGrid.empty() || tooFineForKinds(x, errors)) return;
   errors.push_back({x.domain.line > 0 ? x.domain : x.spacing, noGrid + roomIn(s)});
 }

@@ -24,8 +24,8 @@ struct Formula {
 std::size_t assignmentIn(const std::string& text) {
   for (std::size_t k = 0; k < text.size(); k++) {
     if (text[k] != '=') continue;
-    const bool behind =
-        k > 0 && (text[k - 1] == '<' || text[k - 1] == '>' || text[k - 1] == '!' || text[k - 1] == '=');
+    const bool behind = k > 0 && (text[k - 1] == '<' || text[k - 1] == '>' || text[k - 1] == '!' ||
+                                  text[k - 1] == '=');
     const bool before = k + 1 < text.size() && text[k + 1] == '=';
     if (!behind && !before) return k;
   }
@@ -45,7 +45,8 @@ bool namesPlace(const std::string& text) {
 
 /// Is it calculated from numbers alone, as "1/3"?
 bool isArithmetic(const std::string& text) {
-  return text.find_first_of("0123456789") != std::string::npos && text.find_first_of("+-*/") != std::string::npos &&
+  return text.find_first_of("0123456789") != std::string::npos &&
+         text.find_first_of("+-*/") != std::string::npos &&
          text.find_first_not_of("0123456789.eE+-*/() \t") == std::string::npos;
 }
 

@@ -25,16 +25,19 @@ void chooseForFullBox(Scene& s, const OpenChoices& open) {
 namespace {
 
 /// Adds what a liquid's viscosity lacks to an alpha of 0.02, the customary value for inviscid liquids
-/// (Antuono et al. 2012). An alpha is a viscosity of alpha c h rho / 10. None beside solids, which it would drag.
+/// (Antuono et al. 2012). An alpha is a viscosity of alpha c h rho / 10. None beside solids, which it would
+/// drag.
 void chooseArtificialViscosity(Scene& s, const OpenChoices& open) {
   constexpr double least = 0.02;
-  if (std::any_of(s.materials.begin(), s.materials.end(), [](const Material& m) { return m.canBeSolid(); })) return;
+  if (std::any_of(s.materials.begin(), s.materials.end(), [](const Material& m) { return m.canBeSolid(); }))
+    return;
   const std::vector<LiquidMaterial> liquids = liquidMaterials(s);
   for (std::size_t k = 0; k < s.materials.size(); k++) {
     Material& m = s.materials[k];
     if (!canBeLiquid(m) || !open.artificialViscosity[k]) continue;
     double viscosity = m.viscosity.liquid;
-    for (const auto& row : m.viscosityTable) viscosity = &row == &m.viscosityTable.front() ? row.second : std::min(viscosity, row.second);
+    for (const auto& row : m.viscosityTable)
+      viscosity = &row == &m.viscosityTable.front() ? row.second : std::min(viscosity, row.second);
     const double unit = liquids[k].soundSpeed * s.numerics.support * s.spacing * m.density / 10;
     m.artificialViscosity = std::max(0.0, least - viscosity / unit);
   }

@@ -6,7 +6,8 @@
 namespace thaw {
 namespace {
 
-/// Optimal string alignment distance (Damerau 1964): insertions, deletions, replacements, swaps of neighbours.
+/// Optimal string alignment distance (Damerau 1964): insertions, deletions, replacements, swaps of
+/// neighbours.
 std::size_t editDistance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> before, last(b.size() + 1), row(b.size() + 1);
   for (std::size_t k = 0; k <= b.size(); k++) last[k] = k;
@@ -14,7 +15,8 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
     row[0] = i;
     for (std::size_t k = 1; k <= b.size(); k++) {
       row[k] = std::min({last[k] + 1, row[k - 1] + 1, last[k - 1] + (a[i - 1] != b[k - 1])});
-      if (i > 1 && k > 1 && a[i - 1] == b[k - 2] && a[i - 2] == b[k - 1]) row[k] = std::min(row[k], before[k - 2] + 1);
+      if (i > 1 && k > 1 && a[i - 1] == b[k - 2] && a[i - 2] == b[k - 1])
+        row[k] = std::min(row[k], before[k - 2] + 1);
     }
     before = last;
     last = row;
@@ -27,9 +29,11 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 std::string nearestWord(const std::string& word, const std::set<std::string>& words) {
   if (word.size() > 100) return "";
   std::string best;
-  std::size_t least = word.size() < 3 ? 2 : std::max<std::size_t>(2, word.size() / 3) + 1;  // distances below this are near
+  // distances below this are near
+  std::size_t least = word.size() < 3 ? 2 : std::max<std::size_t>(2, word.size() / 3) + 1;
   for (const std::string& w : words)
-    if (const std::size_t d = editDistance(word, w); d < least && d < std::max(word.size(), w.size())) least = d, best = w;
+    if (const std::size_t d = editDistance(word, w); d < least && d < std::max(word.size(), w.size()))
+      least = d, best = w;
   return best;
 }
 

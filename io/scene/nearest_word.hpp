@@ -4,7 +4,8 @@
 
 namespace thaw {
 
-/// The word of the list that is nearest to `word` (edits and swaps of neighbouring letters), or "" where none is near.
+/// The word of the list that is nearest to `word` (edits and swaps of neighbouring letters), or "" where none
+/// is near.
 std::string nearestWord(const std::string& word, const std::set<std::string>& words);
 
 /// "; did you mean 'x'?" or "" where no word is near.

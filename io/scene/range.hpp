@@ -10,12 +10,14 @@ struct Range {
   bool openLow = false, openHigh = false;  ///< the end itself is not allowed
   bool orNever = false;                    ///< the word "never" is allowed
   bool holds(double value) const;
-  std::string text() const;                ///< "> 0", "0 ... 1", "any number"
+  std::string text() const;  ///< "> 0", "0 ... 1", "any number"
 };
 inline Range anyNumber() { return {}; }
 inline Range positive() { return {0, std::numeric_limits<double>::infinity(), true, false, false}; }
 inline Range notNegative() { return {0, std::numeric_limits<double>::infinity(), false, false, false}; }
-inline Range atLeast(double low) { return {low, std::numeric_limits<double>::infinity(), false, false, false}; }
+inline Range atLeast(double low) {
+  return {low, std::numeric_limits<double>::infinity(), false, false, false};
+}
 inline Range between(double low, double high) { return {low, high, false, false, false}; }
 inline Range inside(double low, double high) { return {low, high, true, true, false}; }
 inline Range orNever(Range r) { return r.orNever = true, r; }

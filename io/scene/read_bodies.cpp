@@ -21,11 +21,15 @@ void readBody(TableReader& r, SceneReading& x) {
   r.vector("spin", b.spin, "rad/s", "angular velocity about the middle of the bounding box");
   readTemperature(r, b.temperature, b.temperatureField,
                   "at the start; a text with an expression of position, as \"300 + 20*z\", is in K");
-  r.vector("temperature_gradient", b.temperatureGradient, "K/m", "added to the temperature from the middle of the bounding box");
-  r.choice("packing", b.packing, {"lattice", "relaxed"}, "how it is filled with particles: a cubic lattice, or jittered and relaxed (the default where liquid fills a periodic box)");
+  r.vector("temperature_gradient", b.temperatureGradient, "K/m",
+           "added to the temperature from the middle of the bounding box");
+  r.choice("packing", b.packing, {"lattice", "relaxed"},
+           "how it is filled with particles: a cubic lattice, or jittered and relaxed (the default where "
+           "liquid fills a periodic box)");
   x.open.packing = !r.has("packing");  // of the only body, where it matters
   if (r.describing()) {
-    r.node("clamp", "", "list of tables with a SHAPE each", "particles that lie in one of these at the start are held where they are");
+    r.node("clamp", "", "list of tables with a SHAPE each",
+           "particles that lie in one of these at the start are held where they are");
     return;
   }
   r.tables("clamp", "", [&](TableReader& c) {
@@ -33,7 +37,8 @@ void readBody(TableReader& r, SceneReading& x) {
     readShape(c, b.clamp.back());
   });
   if (b.name.empty()) b.name = "body " + std::to_string(x.scene->bodies.size());
-  if (b.shape.kind == ShapeKind::HalfSpace) r.fail("plane", "a body has an end on every side; use the plane in an intersection");
+  if (b.shape.kind == ShapeKind::HalfSpace)
+    r.fail("plane", "a body has an end on every side; use the plane in an intersection");
   x.scene->bodies.push_back(std::move(b));
   x.bodyMaterials.push_back({material, r.placeOf("material"), r.refused("material")});
 }
@@ -45,7 +50,8 @@ void readEmitter(TableReader& r, SceneReading& x) {
   r.text("name", e.name, "for messages and `--set`; none: \"emitter\" and its number");
   r.text("material", material, "what comes out; must be given", "name of a material");
   if (r.has("disc") && r.has("rectangle")) r.fail("rectangle", "an emitter is a disc or a rectangle");
-  r.table("disc", "round opening; also where neither is given", [&](TableReader& t) { t.number("radius", e.radius, "m", positive(), "radius"); });
+  r.table("disc", "round opening; also where neither is given",
+          [&](TableReader& t) { t.number("radius", e.radius, "m", positive(), "radius"); });
   r.table("rectangle", "rectangular opening, in place of a disc", [&](TableReader& t) {
     e.disc = false;
     t.number("width", e.width, "m", positive(), "first edge");
@@ -62,7 +68,8 @@ void readEmitter(TableReader& r, SceneReading& x) {
       r, e.velocityField,
       "velocity gradient about the centre of the opening; row i has the derivatives of component i");
   readTemperature(r, e.temperature, e.temperatureField,
-                  "temperature of emitted particles; a text with an expression of the position in the opening, as \"300 + "
+                  "temperature of emitted particles; a text with an expression of the position in the "
+                  "opening, as \"300 + "
                   "20*z\", is in K");
   r.number("start", e.start, "s", notNegative(), "begins then");
   r.number("end", e.end, "s", orNever(notNegative()), "ends then");
@@ -80,21 +87,30 @@ void readObstacle(TableReader& r, SceneReading& x) {
   r.text("name", o.name, "for messages and `--set`; none: \"obstacle\" and its number");
   readShape(r, o.shape);
   r.number("temperature", o.temperature, "K", positive(), "of its surface; none: it is insulating");
-  r.number("conductance", o.conductance, "W/(m^2 K)", orNever(positive()), "of the contact; \"never\": heat passes its surface without resistance");
-  r.number("friction", o.friction, "", between(0, 10), "Coulomb friction on solids; below its limit it is a drag, sqrt(young spacing m) at most of each particle that touches: what rests on a slope creeps, the less the stiffer it is");
-  r.number("restitution", o.restitution, "", between(0, 1), "of solids that hit it: the smaller of this and the material's counts, so above 0.5 the material needs its own");
+  r.number("conductance", o.conductance, "W/(m^2 K)", orNever(positive()),
+           "of the contact; \"never\": heat passes its surface without resistance");
+  r.number("friction", o.friction, "", between(0, 10),
+           "Coulomb friction on solids; below its limit it is a drag, sqrt(young spacing m) at most of each "
+           "particle that touches: what rests on a slope creeps, the less the stiffer it is");
+  r.number("restitution", o.restitution, "", between(0, 1),
+           "of solids that hit it: the smaller of this and the material's counts, so above 0.5 the material "
+           "needs its own");
   r.flag("slip", o.slip, "liquids slide along it freely; else they stick");
   r.number("until", o.until, "s", orNever(notNegative()), "disappears then");
-  r.tables("motion", "keyframes; the pose is linear in between and stays after the last", [&](TableReader& k) {
-    Keyframe f;
-    k.number("time", f.time, "s", notNegative(), "of the keyframe; must ascend");
-    k.vector("move", f.move, "m", "away from the place at rest");
-    k.vector("rotate", f.rotate, "rad", "about x, y, z through the origin");
-    if (!o.motion.empty() && f.time <= o.motion.back().time) k.fail("time", "keyframes must ascend in time");
-    o.motion.push_back(f);
-  });
+  r.tables("motion", "keyframes; the pose is linear in between and stays after the last",
+           [&](TableReader& k) {
+             Keyframe f;
+             k.number("time", f.time, "s", notNegative(), "of the keyframe; must ascend");
+             k.vector("move", f.move, "m", "away from the place at rest");
+             k.vector("rotate", f.rotate, "rad", "about x, y, z through the origin");
+             if (!o.motion.empty() && f.time <= o.motion.back().time)
+               k.fail("time", "keyframes must ascend in time");
+             o.motion.push_back(f);
+           });
   if (r.describing()) return;
-  if (o.conductance < never && !o.temperature) r.fail("conductance", "an obstacle without a temperature passes no heat: give temperature, too", {"temperature"});
+  if (o.conductance < never && !o.temperature)
+    r.fail("conductance", "an obstacle without a temperature passes no heat: give temperature, too",
+           {"temperature"});
   if (o.name.empty()) o.name = "obstacle " + std::to_string(x.scene->obstacles.size());
   x.scene->obstacles.push_back(std::move(o));
 }

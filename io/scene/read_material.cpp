@@ -5,7 +5,9 @@
 namespace thaw {
 
 bool readColour(const std::string& text, std::uint32_t& colour) {
-  if (text.size() != 7 || text[0] != '#' || text.find_first_not_of("0123456789abcdefABCDEF", 1) != std::string::npos) return false;
+  if (text.size() != 7 || text[0] != '#' ||
+      text.find_first_not_of("0123456789abcdefABCDEF", 1) != std::string::npos)
+    return false;
   const unsigned long rgb = std::strtoul(text.c_str() + 1, nullptr, 16);
   colour = static_cast<std::uint32_t>((rgb >> 16 & 255) | (rgb & 0xff00) | (rgb & 255) << 16);
   return true;
@@ -23,43 +25,74 @@ void readLiquid(TableReader& r, Material& m) {
     r.pairs({"viscosity", "K", "Pa s", {0, never, true, false, false}, positive()}, m.viscosityTable);
   } else {
     r.blend({"viscosity", "Pa s", notNegative(), Liquid::Same,
-             "of the liquid; or a table of pairs `[[\"900 degC\", \"1e4 Pa s\"], [\"1200 degC\", \"50 Pa s\"]]`, logarithmic in between"}, m.viscosity);
+             "of the liquid; or a table of pairs `[[\"900 degC\", \"1e4 Pa s\"], [\"1200 degC\", \"50 Pa "
+             "s\"]]`, logarithmic in between"},
+            m.viscosity);
   }
   std::string colour;
-  r.text("colour", colour, "of its surface in pictures and exports, where the mesh has none; a pale one", "\"#rrggbb\"");
-  if (!colour.empty() && !readColour(colour, m.colour)) r.fail("colour", "expected six hexadecimal digits such as \"#e8c890\"");
+  r.text("colour", colour, "of its surface in pictures and exports, where the mesh has none; a pale one",
+         "\"#rrggbb\"");
+  if (!colour.empty() && !readColour(colour, m.colour))
+    r.fail("colour", "expected six hexadecimal digits such as \"#e8c890\"");
   r.number("surface_tension", m.surfaceTension, "N/m", notNegative(), "of the liquid");
-  r.number("sound_speed", m.soundSpeed, "m/s", notNegative(), "of the equation of state; 0: from the speeds that the scene can reach and max_density_error");
+  r.number("sound_speed", m.soundSpeed, "m/s", notNegative(),
+           "of the equation of state; 0: from the speeds that the scene can reach and max_density_error");
   r.number("xsph", m.xsph, "", between(0, 1), "smoothing of the velocity with which liquid moves (XSPH)");
-  r.number("artificial_viscosity", m.artificialViscosity, "", between(0, 10), "Monaghan's alpha, of approaching pairs. Default with density = \"continuity\", a free surface and no solid material: 0.02 less the alpha that the liquid's viscosity amounts to; else 0");
+  r.number("artificial_viscosity", m.artificialViscosity, "", between(0, 10),
+           "Monaghan's alpha, of approaching pairs. Default with density = \"continuity\", a free surface "
+           "and no solid material: 0.02 less the alpha that the liquid's viscosity amounts to; else 0");
 }
 
 void readSolid(TableReader& r, Material& m) {
-  r.blend({"young", "Pa", notNegative(), Liquid::Unchanged, "Young's modulus; above 0 the material can be solid. One value is the solid's, the liquid's is 0"}, m.young);
+  r.blend({"young", "Pa", notNegative(), Liquid::Unchanged,
+           "Young's modulus; above 0 the material can be solid. One value is the solid's, the liquid's is 0"},
+          m.young);
   r.blend({"poisson", "", inside(-1, 0.5), Liquid::Same, "Poisson's ratio"}, m.poisson);
-  r.choice("law", m.law, {"green", "neo-hookean", "corotated"}, "elastic energy: Green strain with Hooke's law (the papers'), Neo-Hookean, corotated");
-  r.blend({"yield_strain", "", orNever(positive()), Liquid::Same, "yield stress as a strain (gamma_yield): it flows where the norm of the deviator of the stress exceeds 2 G gamma_yield, a uniaxial stress of sqrt(6) G gamma_yield; \"never\": not plastic"}, m.yieldStrain);
-  r.blend({"creep_rate", "1/s", orNever(notNegative()), Liquid::Same, "rate at which stress above the yield stress decays at a fixed deformation (gamma_creep); its viscosity is G / creep_rate; \"never\": at once"}, m.creepRate);
-  r.number("hardening", m.hardening, "Pa", notNegative(), "growth of the uniaxial yield stress with the equivalent plastic strain; 0: none");
-  r.number("max_plastic_strain", m.maxPlasticStrain, "", orNever(positive()), "largest norm of the logarithmic plastic strain (gamma_max), from there on it is elastic; \"never\": no limit");
-  r.number("volume_stiffness", m.volumeStiffness, "Pa", notNegative(), "k_v of the volume force (Mueller et al. 2004)");
+  r.choice("law", m.law, {"green", "neo-hookean", "corotated"},
+           "elastic energy: Green strain with Hooke's law (the papers'), Neo-Hookean, corotated");
+  r.blend({"yield_strain", "", orNever(positive()), Liquid::Same,
+           "yield stress as a strain (gamma_yield): it flows where the norm of the deviator of the stress "
+           "exceeds 2 G gamma_yield, a uniaxial stress of sqrt(6) G gamma_yield; \"never\": not plastic"},
+          m.yieldStrain);
+  r.blend({"creep_rate", "1/s", orNever(notNegative()), Liquid::Same,
+           "rate at which stress above the yield stress decays at a fixed deformation (gamma_creep); its "
+           "viscosity is G / creep_rate; \"never\": at once"},
+          m.creepRate);
+  r.number("hardening", m.hardening, "Pa", notNegative(),
+           "growth of the uniaxial yield stress with the equivalent plastic strain; 0: none");
+  r.number("max_plastic_strain", m.maxPlasticStrain, "", orNever(positive()),
+           "largest norm of the logarithmic plastic strain (gamma_max), from there on it is elastic; "
+           "\"never\": no limit");
+  r.number("volume_stiffness", m.volumeStiffness, "Pa", notNegative(),
+           "k_v of the volume force (Mueller et al. 2004)");
   r.number("hourglass", m.hourglass, "", between(0, 10), "strength of the control of zero-energy modes");
-  r.number("break_stretch", m.breakStretch, "", orNever(Range{1, never, true, false, false}), "a bond longer than this times its length at rest breaks; \"never\": none does");
-  r.number("damping", m.damping, "1/s", notNegative(), "rate at which velocity differences of bonded particles decay");
+  r.number("break_stretch", m.breakStretch, "", orNever(Range{1, never, true, false, false}),
+           "a bond longer than this times its length at rest breaks; \"never\": none does");
+  r.number("damping", m.damping, "1/s", notNegative(),
+           "rate at which velocity differences of bonded particles decay");
   r.flag("weld", m.weld, "solids of this material that touch after freezing grow together");
-  r.number("friction", m.friction, "", between(0, 10), "Coulomb friction between separate solids: the smaller of the two counts; at an obstacle that of the obstacle");
-  r.number("restitution", m.restitution, "", between(0, 1), "of contacts between separate solids and with obstacles: the smaller of the two counts, so above 0.5 both need it");
+  r.number("friction", m.friction, "", between(0, 10),
+           "Coulomb friction between separate solids: the smaller of the two counts; at an obstacle that of "
+           "the obstacle");
+  r.number("restitution", m.restitution, "", between(0, 1),
+           "of contacts between separate solids and with obstacles: the smaller of the two counts, so above "
+           "0.5 both need it");
 }
 
 void readHeat(TableReader& r, Material& m) {
-  r.blend({"conductivity", "W/(m K)", notNegative(), Liquid::Same, "heat conductivity; 0: no heat is conducted"}, m.conductivity);
-  r.blend({"heat_capacity", "J/(kg K)", positive(), Liquid::Same, "heat capacity; must be given for a material that melts"}, m.heatCapacity);
+  r.blend(
+      {"conductivity", "W/(m K)", notNegative(), Liquid::Same, "heat conductivity; 0: no heat is conducted"},
+      m.conductivity);
+  r.blend({"heat_capacity", "J/(kg K)", positive(), Liquid::Same,
+           "heat capacity; must be given for a material that melts"},
+          m.heatCapacity);
   r.number("latent_heat", m.latentHeat, "J/kg", notNegative(), "of melting");
   if (const toml::node* n = r.node("melts", "K", meltsRange, "where it melts; without it, it does not")) {
     const toml::array* a = n->as_array();
     const Range T = positive();
     if (a && a->size() == 2) {
-      if (r.quantity(*a->get(0), "melts", "K", T, m.solidus) && r.quantity(*a->get(1), "melts", "K", T, m.liquidus) && m.liquidus < m.solidus)
+      if (r.quantity(*a->get(0), "melts", "K", T, m.solidus) &&
+          r.quantity(*a->get(1), "melts", "K", T, m.liquidus) && m.liquidus < m.solidus)
         r.fail("melts", "the liquidus (second) must not be below the solidus (first)");
     } else if (a) {
       r.fail("melts", "expected one temperature or [solidus, liquidus]");
@@ -67,25 +100,38 @@ void readHeat(TableReader& r, Material& m) {
       m.liquidus = m.solidus;
     }
   }
-  r.number("hysteresis", m.hysteresis, "", Range{0, 0.5, false, true, false}, "liquid freezes below this liquid fraction, solid melts above 1 minus it");
+  r.number("hysteresis", m.hysteresis, "", Range{0, 0.5, false, true, false},
+           "liquid freezes below this liquid fraction, solid melts above 1 minus it");
   r.number("heat_source", m.heatSource, "W/kg", anyNumber(), "heat made in the material");
   r.number("emissivity", m.emissivity, "", between(0, 1), "of free surfaces, radiation to domain.ambient");
   r.number("convection", m.convection, "W/(m^2 K)", notNegative(), "of free surfaces, to domain.ambient");
-  r.number("paper_diffusivity", m.paperDiffusivity, "m^2/s", notNegative(), "k_heat of Keiser et al. 2005, with numerics.heat = \"paper\"");
+  r.number("paper_diffusivity", m.paperDiffusivity, "m^2/s", notNegative(),
+           "k_heat of Keiser et al. 2005, with numerics.heat = \"paper\"");
 }
 
 /// Combinations of keys that mean nothing.
 void checkMaterial(TableReader& r, const Material& m) {
-  if (r.has("melts") && !m.canBeSolid()) r.fail("melts", "a material that melts is a solid below its melting temperature: give it a Young's modulus (young)", {"young"});
-  if (r.has("melts") && !r.has("heat_capacity")) r.fail("heat_capacity", "is missing: a material that melts needs one");
-  if (r.has("phase") && r.has("melts")) r.fail("phase", "the temperature decides the phase of a material that melts; leave phase out");
-  if (r.textOf("phase") == "solid" && !m.canBeSolid()) r.fail("phase", "a solid needs a Young's modulus (young)", {"young"});
-  if (m.latentHeat > 0 && !r.has("melts")) r.fail("latent_heat", "only a material that melts has a latent heat: give melts, too");
-  if (r.has("hysteresis") && !r.has("melts")) r.fail("hysteresis", "only a material that melts has one: give melts, too");
+  if (r.has("melts") && !m.canBeSolid())
+    r.fail(
+        "melts",
+        "a material that melts is a solid below its melting temperature: give it a Young's modulus (young)",
+        {"young"});
+  if (r.has("melts") && !r.has("heat_capacity"))
+    r.fail("heat_capacity", "is missing: a material that melts needs one");
+  if (r.has("phase") && r.has("melts"))
+    r.fail("phase", "the temperature decides the phase of a material that melts; leave phase out");
+  if (r.textOf("phase") == "solid" && !m.canBeSolid())
+    r.fail("phase", "a solid needs a Young's modulus (young)", {"young"});
+  if (m.latentHeat > 0 && !r.has("melts"))
+    r.fail("latent_heat", "only a material that melts has a latent heat: give melts, too");
+  if (r.has("hysteresis") && !r.has("melts"))
+    r.fail("hysteresis", "only a material that melts has one: give melts, too");
   if ((m.yieldStrain.solid < never || m.yieldStrain.liquid < never) && !m.canBeSolid())
     r.fail("yield_strain", "requires a solid: set young, or remove yield_strain", {"young"});
-  if (r.has("creep_rate") && !r.has("yield_strain")) r.fail("creep_rate", "only a material that yields creeps: give yield_strain, too");
-  if (m.hardening > 0 && !r.has("yield_strain")) r.fail("hardening", "only a material that yields hardens: give yield_strain, too");
+  if (r.has("creep_rate") && !r.has("yield_strain"))
+    r.fail("creep_rate", "only a material that yields creeps: give yield_strain, too");
+  if (m.hardening > 0 && !r.has("yield_strain"))
+    r.fail("hardening", "only a material that yields hardens: give yield_strain, too");
 }
 
 }  // namespace
@@ -95,7 +141,8 @@ void readMaterial(TableReader& r, Material& m) {
   readLiquid(r, m);
   readSolid(r, m);
   int phase = m.liquidAtStart ? 1 : 0;
-  r.choice("phase", phase, {"solid", "liquid"}, "of a material that does not melt and has a Young's modulus; without one it is liquid");
+  r.choice("phase", phase, {"solid", "liquid"},
+           "of a material that does not melt and has a Young's modulus; without one it is liquid");
   m.liquidAtStart = phase == 1;
   readHeat(r, m);
   if (!r.describing()) checkMaterial(r, m);

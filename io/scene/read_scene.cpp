@@ -28,13 +28,15 @@ std::string oneLine(std::string s) {
 /// By place; each once.
 std::vector<std::string> linesOf(std::vector<SceneError> errors) {
   std::stable_sort(errors.begin(), errors.end(), [](const SceneError& a, const SceneError& b) {
-    return std::tie(a.where.file, a.where.line, a.where.column) < std::tie(b.where.file, b.where.line, b.where.column);
+    return std::tie(a.where.file, a.where.line, a.where.column) <
+           std::tie(b.where.file, b.where.line, b.where.column);
   });
   std::vector<std::string> lines;
   for (const SceneError& e : errors) {
     const bool placed = e.where.line > 0 && e.where.file.rfind("--set", 0) != 0;
-    const std::string line = oneLine(placed ? fmt::format("{}:{}:{}: error: {}", e.where.file, e.where.line, e.where.column, e.text)
-                                            : fmt::format("{}: error: {}", e.where.file, e.text));
+    const std::string line = oneLine(
+        placed ? fmt::format("{}:{}:{}: error: {}", e.where.file, e.where.line, e.where.column, e.text)
+               : fmt::format("{}: error: {}", e.where.file, e.text));
     if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
   }
   return lines;
@@ -42,9 +44,10 @@ std::vector<std::string> linesOf(std::vector<SceneError> errors) {
 
 constexpr const char* givenMark = "# given: ";
 
-/// The scene as one file: `# ---- path`, a line for each override that it was ever given, and all keys. No text on several lines, so
-/// that no line but the first can look like a mark.
-std::string resolvedText(const toml::table& scene, const SceneFiles& files, const std::vector<std::string>& overrides) {
+/// The scene as one file: `# ---- path`, a line for each override that it was ever given, and all keys. No
+/// text on several lines, so that no line but the first can look like a mark.
+std::string resolvedText(const toml::table& scene, const SceneFiles& files,
+                         const std::vector<std::string>& overrides) {
   std::ostringstream text;
   text << oneLine("# ---- " + files.main) << '\n';
   std::istringstream before(files.texts.at(files.main));
@@ -59,10 +62,12 @@ std::string resolvedText(const toml::table& scene, const SceneFiles& files, cons
 
 }  // namespace
 
-SceneErrors::SceneErrors(std::vector<std::string> all) : std::runtime_error(joined(all)), lines(std::move(all)) {}
+SceneErrors::SceneErrors(std::vector<std::string> all)
+    : std::runtime_error(joined(all)), lines(std::move(all)) {}
 
 Scene readScene(const SceneFiles& files, const std::vector<std::string>& overrides) {
-  if (const auto p = files.problems.find(files.main); p != files.problems.end()) throw SceneErrors({oneLine(files.main + ": error: " + p->second)});
+  if (const auto p = files.problems.find(files.main); p != files.problems.end())
+    throw SceneErrors({oneLine(files.main + ": error: " + p->second)});
   Scene s;
   s.file = files.main;
   SceneReading reading;
@@ -75,13 +80,16 @@ Scene readScene(const SceneFiles& files, const std::vector<std::string>& overrid
     TableReader top(table, "", errors);
     readSections(top, reading);
     top.finish();
-    if (whole) checkScene(reading, errors);  // else what is missing may stand in a file that could not be read
+    if (whole)
+      checkScene(reading, errors);  // else what is missing may stand in a file that could not be read
   }
   if (!errors.empty()) throw SceneErrors(linesOf(std::move(errors)));
   s.text = resolvedText(table, files, overrides);
   return s;
 }
 
-Scene readScene(const std::string& path, const std::vector<std::string>& overrides) { return readScene(loadSceneFiles(path), overrides); }
+Scene readScene(const std::string& path, const std::vector<std::string>& overrides) {
+  return readScene(loadSceneFiles(path), overrides);
+}
 
 }  // namespace thaw

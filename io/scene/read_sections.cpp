@@ -12,18 +12,23 @@ void readInTime(TableReader& r, const char* key, FactorInTime& f, const char* ab
 
 void readSections(TableReader& top, SceneReading& x) {
   Scene& s = *x.scene;
-  top.text("title", s.title, "one line for pictures and listings, which have room for about 100 characters of it");
-  if (s.title.find_first_of("\n\r") != std::string::npos) top.fail("title", "expected one line, got a text of several");
+  top.text("title", s.title,
+           "one line for pictures and listings, which have room for about 100 characters of it");
+  if (s.title.find_first_of("\n\r") != std::string::npos)
+    top.fail("title", "expected one line, got a text of several");
   top.number("spacing", s.spacing, "m", positive(), "distance of particles: the one resolution knob");
   top.number("end", s.end, "s", notNegative(), "simulated time");
   top.choice("quality", s.quality, {"preview", "standard", "reference"},
-             "defaults of [numerics]: fast (summed densities: stretched liquid falls apart), balanced, or most accurate (docs/validation/accuracy.md); explicit keys take precedence");
+             "defaults of [numerics]: fast (summed densities: stretched liquid falls apart), balanced, or "
+             "most accurate (docs/validation/accuracy.md); explicit keys take precedence");
   applyQuality(s.quality, s.numerics);
   std::int64_t seed = static_cast<std::int64_t>(s.seed);
   top.whole("seed", seed, 0, INT64_MAX, "of everything random");
   s.seed = static_cast<std::uint64_t>(seed);
   // merged before tables are read; described here
-  top.node("include", "", "path or list of paths", "scene files to start from, relative to this one: what is said here wins, bodies, emitters and obstacles are added");
+  top.node("include", "", "path or list of paths",
+           "scene files to start from, relative to this one: what is said here wins, bodies, emitters and "
+           "obstacles are added");
   top.table("domain", "the box that is simulated", [&](TableReader& r) {
     x.domain = r.place();
     readDomain(r, s.domain);
@@ -34,7 +39,8 @@ void readSections(TableReader& top, SceneReading& x) {
     x.open.density = !r.has("density");
     x.open.tensileLimit = !r.has("tensile_limit");
     x.open.shifting = !r.has("shifting");
-    if (s.numerics.fixedStep > s.end) r.fail("fixed_step", "must not be longer than the simulated time (end)");
+    if (s.numerics.fixedStep > s.end)
+      r.fail("fixed_step", "must not be longer than the simulated time (end)");
   });
   top.namedTables("material", "what bodies are made of", [&](const std::string& name, TableReader& r) {
     Material m;
@@ -48,20 +54,28 @@ void readSections(TableReader& top, SceneReading& x) {
   });
   x.materials = !top.refused("material");
   top.tables("body", "something made of particles", [&](TableReader& r) { readBody(r, x); });
-  top.tables("oriented", "a surface of oriented particles (Szeliski & Tonnesen 1992)", [&](TableReader& r) { readOriented(r, x); });
-  top.tables("sheet", "a sheet whose vertices are exact damped springs", [&](TableReader& r) { readSheet(r, x); });
+  top.tables("oriented", "a surface of oriented particles (Szeliski & Tonnesen 1992)",
+             [&](TableReader& r) { readOriented(r, x); });
+  top.tables("sheet", "a sheet whose vertices are exact damped springs",
+             [&](TableReader& r) { readSheet(r, x); });
   top.tables("emitter", "an opening that particles come out of", [&](TableReader& r) { readEmitter(r, x); });
-  top.tables("obstacle", "something that particles do not pass; may be written [[wall]], too", [&](TableReader& r) { readObstacle(r, x); });
-  top.tables("tempering", "brings particles to a temperature, wherever they are", [&](TableReader& r) { readTempering(r, x); });
+  top.tables("obstacle", "something that particles do not pass; may be written [[wall]], too",
+             [&](TableReader& r) { readObstacle(r, x); });
+  top.tables("tempering", "brings particles to a temperature, wherever they are",
+             [&](TableReader& r) { readTempering(r, x); });
   if (top.describing()) {
-    top.table("SHAPE", "of bodies, obstacles and clamps; not a table of its own", [](TableReader& r) { describeShape(r); });
+    top.table("SHAPE", "of bodies, obstacles and clamps; not a table of its own",
+              [](TableReader& r) { describeShape(r); });
   } else {
     top.tables("wall", "", [&](TableReader& r) { readObstacle(r, x); });
   }
-  top.table("surface", "surfels on the continuum bodies (Keiser et al. 2005, section 4); without this table there are none", [&](TableReader& r) {
-    s.surface.on = !r.describing();
-    readSurface(r, s.surface);
-  });
+  top.table(
+      "surface",
+      "surfels on the continuum bodies (Keiser et al. 2005, section 4); without this table there are none",
+      [&](TableReader& r) {
+        s.surface.on = !r.describing();
+        readSurface(r, s.surface);
+      });
   top.table("output", "frames, checkpoints, pictures", [&](TableReader& r) {
     readOutput(r, s.output);
     if (s.end / s.output.every > 1e7) r.fail("every", "there would be more than ten million frames");

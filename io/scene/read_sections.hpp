@@ -6,16 +6,22 @@
 namespace thaw {
 
 /// The name of a material that something is made of. told: a message has said that it is no name.
-struct MaterialName { std::string name; SourcePlace where; bool told = false; };
+struct MaterialName {
+  std::string name;
+  SourcePlace where;
+  bool told = false;
+};
 
-/// What reading needs beside the scene: names that refer to what is defined elsewhere, resolved by checkScene.
+/// What reading needs beside the scene: names that refer to what is defined elsewhere, resolved by
+/// checkScene.
 struct SceneReading {
   Scene* scene = nullptr;
-  SourcePlace start;                                                          ///< of the file, for what has no place of its own
+  SourcePlace start;  ///< of the file, for what has no place of its own
   SourcePlace domain, spacing;
-  bool materials = true;                                                      ///< all of them are tables: a name without one is a mistake of its own
-  OpenChoices open;                                                           ///< of [numerics], that the scene leaves to us
-  std::vector<MaterialName> bodyMaterials, emitterMaterials, temperingMaterials;  ///< beside Scene::bodies, emitters, temperings
+  bool materials = true;  ///< all of them are tables: a name without one is a mistake of its own
+  OpenChoices open;       ///< of [numerics], that the scene leaves to us
+  /// beside Scene::bodies, emitters, temperings
+  std::vector<MaterialName> bodyMaterials, emitterMaterials, temperingMaterials;
 };
 
 /// All keys of a scene file.
@@ -31,7 +37,8 @@ void readSurface(TableReader& reader, SurfaceSettings& surface);
 void readOutput(TableReader& reader, Output& output);
 void readMaterial(TableReader& reader, Material& material);
 /// A list of pairs of a time and a factor.
-void readInTime(TableReader& reader, const char* key, FactorInTime& factor, const char* about, const Range& range = notNegative());
+void readInTime(TableReader& reader, const char* key, FactorInTime& factor, const char* about,
+                const Range& range = notNegative());
 /// "#rrggbb" into red | green << 8 | blue << 16; false if it is something else.
 bool readColour(const std::string& text, std::uint32_t& colour);
 void readBody(TableReader& reader, SceneReading& reading);
@@ -45,9 +52,11 @@ void readObstacle(TableReader& reader, SceneReading& reading);
 void checkScene(SceneReading& reading, std::vector<SceneError>& errors);
 /// The same of sheets.
 void checkSheets(const Scene& scene, std::vector<SceneError>& errors);
-/// Of events of oriented bodies: the bodies that welds name, which it looks up, and what is left of them by then.
+/// Of events of oriented bodies: the bodies that welds name, which it looks up, and what is left of them by
+/// then.
 void checkOrientedEvents(SceneReading& reading, std::vector<SceneError>& errors);
-/// A spacing far too fine for any machine, or a domain too large for its cells: one message, with the number of particles where it is they that are too many.
+/// A spacing far too fine for any machine, or a domain too large for its cells: one message, with the number
+/// of particles where it is they that are too many.
 void checkSizes(const SceneReading& reading, std::vector<SceneError>& errors);
 
 }  // namespace thaw

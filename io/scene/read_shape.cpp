@@ -8,42 +8,54 @@
 namespace thaw {
 
 void readPlace(TableReader& r, Shape& s) {
-  r.table("place", "where the shape stands: scaled, then turned about x, y and z, then moved", [&](TableReader& p) {
-    p.number("scale", s.scale, "", positive(), "factor of size");
-    p.number("height", s.fitHeight, "m", positive(), "scales the turned shape to this extent along z; in place of scale");
-    p.number("rotate_x", s.rotate.x, "rad", anyNumber(), "angle about x");
-    p.number("rotate_y", s.rotate.y, "rad", anyNumber(), "angle about y, after x");
-    p.number("rotate_z", s.rotate.z, "rad", anyNumber(), "angle about z, last");
-    p.vector("move", s.move, "m", "where the shape's own origin comes to lie");
-    p.vector("bottom", s.bottom, "m", "puts the middle of the lowest face of the bounding box here; in place of move");
-    if (p.has("scale") && p.has("height")) p.fail("height", "give scale or height, not both");
-    if (p.has("move") && p.has("bottom")) p.fail("bottom", "give move or bottom, not both");
-  });
+  r.table("place", "where the shape stands: scaled, then turned about x, y and z, then moved",
+          [&](TableReader& p) {
+            p.number("scale", s.scale, "", positive(), "factor of size");
+            p.number("height", s.fitHeight, "m", positive(),
+                     "scales the turned shape to this extent along z; in place of scale");
+            p.number("rotate_x", s.rotate.x, "rad", anyNumber(), "angle about x");
+            p.number("rotate_y", s.rotate.y, "rad", anyNumber(), "angle about y, after x");
+            p.number("rotate_z", s.rotate.z, "rad", anyNumber(), "angle about z, last");
+            p.vector("move", s.move, "m", "where the shape's own origin comes to lie");
+            p.vector("bottom", s.bottom, "m",
+                     "puts the middle of the lowest face of the bounding box here; in place of move");
+            if (p.has("scale") && p.has("height")) p.fail("height", "give scale or height, not both");
+            if (p.has("move") && p.has("bottom")) p.fail("bottom", "give move or bottom, not both");
+          });
 }
 
 namespace {
 
-constexpr const char* allShapes = "mesh, box, sphere, cylinder, torus, glass, plane, union, difference or intersection";
+constexpr const char* allShapes =
+    "mesh, box, sphere, cylinder, torus, glass, plane, union, difference or intersection";
 constexpr std::size_t deepest = 500;  // of a path in messages: ends nesting long before the stack does
 
 bool meshEnding(std::string path) {
-  std::transform(path.begin(), path.end(), path.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(path.begin(), path.end(), path.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   for (const char* ending : {".obj", ".ply", ".stl"})
     if (path.size() > 4 && path.compare(path.size() - 4, 4, ending) == 0) return true;
   return false;
 }
 
 void readMesh(TableReader& r, Shape& s) {
-  r.text("mesh", s.mesh, "closed mesh: OBJ, PLY or STL, relative to the file that names it; or \"builtin:bust\" or \"builtin:head\", both 1 m tall. Its surfels have the normals of the file (PLY nx ny nz, OBJ vn); where it has none, those are 0, or point to the other side of their triangle (the run tells how many), smooth ones follow from the triangles", "path or \"builtin:bust\"");
+  r.text("mesh", s.mesh,
+         "closed mesh: OBJ, PLY or STL, relative to the file that names it; or \"builtin:bust\" or "
+         "\"builtin:head\", both 1 m tall. Its surfels have the normals of the file (PLY nx ny nz, OBJ vn); "
+         "where it has none, those are 0, or point to the other side of their triangle (the run tells how "
+         "many), smooth ones follow from the triangles",
+         "path or \"builtin:bust\"");
   checkMeshPath(r, s.mesh);
 }
 
 void readSolids(TableReader& r, Shape& s) {
   r.table("box", "box around its own origin", [&](TableReader& t) {
     t.vector("size", s.size, "m", "edge lengths, > 0");
-    if (!t.describing() && !(s.size.x > 0 && s.size.y > 0 && s.size.z > 0)) t.fail("size", "edge lengths must be > 0 m");
+    if (!t.describing() && !(s.size.x > 0 && s.size.y > 0 && s.size.z > 0))
+      t.fail("size", "edge lengths must be > 0 m");
   });
-  r.table("sphere", "ball around its own origin", [&](TableReader& t) { t.number("radius", s.radius, "m", positive(), "radius"); });
+  r.table("sphere", "ball around its own origin",
+          [&](TableReader& t) { t.number("radius", s.radius, "m", positive(), "radius"); });
   r.table("cylinder", "cylinder around its own origin, along z", [&](TableReader& t) {
     t.number("radius", s.radius, "m", positive(), "radius");
     t.number("height", s.height, "m", positive(), "length along z");
@@ -57,7 +69,8 @@ void readSolids(TableReader& r, Shape& s) {
     t.number("radius", s.radius, "m", positive(), "outer radius");
     t.number("height", s.height, "m", positive(), "height");
     t.number("thickness", s.thickness, "m", positive(), "of wall and floor");
-    if (s.thickness >= std::min(s.radius, s.height)) t.fail("thickness", "must be less than radius and height");
+    if (s.thickness >= std::min(s.radius, s.height))
+      t.fail("thickness", "must be less than radius and height");
   });
   r.table("plane", "half-space: solid on the side that the normal points away from", [&](TableReader& t) {
     t.vector("point", s.point, "m", "a point of the plane");
@@ -75,23 +88,33 @@ void readParts(TableReader& r, const char* key, ShapeKind kind, Shape& s) {
     readShape(part, s.parts.back());
   });
   const std::size_t least = kind == ShapeKind::Union ? 1 : 2;
-  if (s.parts.size() < least) r.fail(key, least == 1 ? "expected a list of at least one shape" : "expected a list of at least two shapes");
+  if (s.parts.size() < least)
+    r.fail(key,
+           least == 1 ? "expected a list of at least one shape" : "expected a list of at least two shapes");
 }
 
-struct Key { const char* key; ShapeKind kind; const char* about; };
+struct Key {
+  const char* key;
+  ShapeKind kind;
+  const char* about;
+};
 constexpr Key parts[] = {{"union", ShapeKind::Union, "shapes joined"},
                          {"difference", ShapeKind::Difference, "the first shape less all the others"},
                          {"intersection", ShapeKind::Intersection, "what all shapes share"}};
-constexpr Key solids[] = {{"mesh", ShapeKind::Mesh, ""},   {"box", ShapeKind::Box, ""},     {"sphere", ShapeKind::Sphere, ""},  {"cylinder", ShapeKind::Cylinder, ""},
-                          {"torus", ShapeKind::Torus, ""}, {"glass", ShapeKind::Glass, ""}, {"plane", ShapeKind::HalfSpace, ""}};
+constexpr Key solids[] = {{"mesh", ShapeKind::Mesh, ""},      {"box", ShapeKind::Box, ""},
+                          {"sphere", ShapeKind::Sphere, ""},  {"cylinder", ShapeKind::Cylinder, ""},
+                          {"torus", ShapeKind::Torus, ""},    {"glass", ShapeKind::Glass, ""},
+                          {"plane", ShapeKind::HalfSpace, ""}};
 
 }  // namespace
 
 void checkMeshPath(TableReader& r, const std::string& path) {
   if (path.empty()) {
-    if (r.has("mesh")) r.fail("mesh", "expected the path of an OBJ, PLY or STL file, or " + std::string(builtinList));
+    if (r.has("mesh"))
+      r.fail("mesh", "expected the path of an OBJ, PLY or STL file, or " + std::string(builtinList));
   } else if (namesBuiltin(path)) {
-    if (!isBuiltin(path)) r.fail("mesh", "there is no built-in mesh '" + path.substr(8) + "'; there is " + builtinList);
+    if (!isBuiltin(path))
+      r.fail("mesh", "there is no built-in mesh '" + path.substr(8) + "'; there is " + builtinList);
   } else if (!meshEnding(path)) {
     r.fail("mesh", "expected a file that ends in .obj, .ply or .stl, got \"" + path + "\"");
   }
@@ -118,7 +141,8 @@ void readShape(TableReader& r, Shape& s) {
   };
   for (const Key& k : solids) one(k);
   for (const Key& k : parts) one(k);
-  if (s.kind == ShapeKind::Mesh && r.has("mesh")) s.where = r.placeOf("mesh");  // what is wrong with a file is told where it is named
+  // what is wrong with a file is told where it is named
+  if (s.kind == ShapeKind::Mesh && r.has("mesh")) s.where = r.placeOf("mesh");
   if (given == 0) r.fail(r.place(), r.path() + ": its shape is missing: " + allShapes);
   readMesh(r, s);
   readSolids(r, s);
@@ -131,7 +155,8 @@ void readShape(TableReader& r, Shape& s) {
 
 bool hasShape(const TableReader& r) {
   const auto there = [&](const Key& k) { return r.has(k.key); };
-  return std::any_of(std::begin(solids), std::end(solids), there) || std::any_of(std::begin(parts), std::end(parts), there);
+  return std::any_of(std::begin(solids), std::end(solids), there) ||
+         std::any_of(std::begin(parts), std::end(parts), there);
 }
 
 void refuseShape(TableReader& r, const char* why) {

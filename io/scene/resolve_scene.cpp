@@ -13,7 +13,10 @@ namespace {
 
 using std::filesystem::path;
 
-bool isJoined(std::string_view key) { return key == "body" || key == "emitter" || key == "obstacle" || key == "wall" || key == "tempering" || key == "oriented" || key == "sheet"; }
+bool isJoined(std::string_view key) {
+  return key == "body" || key == "emitter" || key == "obstacle" || key == "wall" || key == "tempering" ||
+         key == "oriented" || key == "sheet";
+}
 
 /// Moves what `from` says into `to`. Moved nodes keep their places; copies would not.
 void merge(toml::table& to, toml::table& from, bool top) {
@@ -46,9 +49,12 @@ struct Resolver {
       return errors.push_back({from, "include: '" + file + "' includes itself: " + chain + file});
     }
     if (done.count(file)) return;
-    if (const auto p = files.problems.find(file); p != files.problems.end()) return errors.push_back({from, "include: '" + file + "': " + p->second});
+    if (const auto p = files.problems.find(file); p != files.problems.end())
+      return errors.push_back({from, "include: '" + file + "': " + p->second});
     const auto text = files.texts.find(file);
-    if (text == files.texts.end()) return errors.push_back({from, "include: '" + file + "': more than " + std::to_string(deepestInclude) + " files deep"});
+    if (text == files.texts.end())
+      return errors.push_back(
+          {from, "include: '" + file + "': more than " + std::to_string(deepestInclude) + " files deep"});
     done.insert(file);
     toml::table t;
     try {
@@ -56,7 +62,8 @@ struct Resolver {
     } catch (const toml::parse_error& e) {
       const auto& at = e.source().begin;
       const std::string complaint(e.description());
-      return errors.push_back({{file, static_cast<int>(at.line), static_cast<int>(at.column)}, complaint + syntaxHint(text->second, static_cast<int>(at.line), complaint)});
+      return errors.push_back({{file, static_cast<int>(at.line), static_cast<int>(at.column)},
+                               complaint + syntaxHint(text->second, static_cast<int>(at.line), complaint)});
     }
     open.push_back(file);
     for (const auto& [other, where] : includesOf(t, file, &errors)) read(other, where);
@@ -65,7 +72,8 @@ struct Resolver {
   }
 };
 
-/// Makes the paths of meshes absolute: relative to the file that says them, or to the folder of the call for overrides.
+/// Makes the paths of meshes absolute: relative to the file that says them, or to the folder of the call for
+/// overrides.
 void placeMeshes(toml::node& n, const std::string& base) {
   if (toml::array* a = n.as_array()) {
     for (toml::node& e : *a) placeMeshes(e, base);
@@ -105,16 +113,19 @@ toml::table* findTable(toml::array& a, const std::string& which) {
       if (const auto* name = t->get_as<std::string>("name"); name && name->get() == which) return t;
   std::size_t k = 0;
   const auto [end, code] = std::from_chars(which.data(), which.data() + which.size(), k);
-  return code == std::errc() && end == which.data() + which.size() && k < a.size() ? a.get(k)->as_table() : nullptr;
+  return code == std::errc() && end == which.data() + which.size() && k < a.size() ? a.get(k)->as_table()
+                                                                                   : nullptr;
 }
 
 }  // namespace
 
-std::vector<std::pair<std::string, SourcePlace>> includesOf(const toml::table& t, const std::string& file, std::vector<SceneError>* errors) {
+std::vector<std::pair<std::string, SourcePlace>> includesOf(const toml::table& t, const std::string& file,
+                                                            std::vector<SceneError>* errors) {
   std::vector<std::pair<std::string, SourcePlace>> all;
   const auto add = [&](const toml::node& n) {
     const auto* s = n.as_string();
-    if (s && !s->get().empty()) all.push_back({(path(file).parent_path() / s->get()).lexically_normal().string(), placeOfNode(n)});
+    if (s && !s->get().empty())
+      all.push_back({(path(file).parent_path() / s->get()).lexically_normal().string(), placeOfNode(n)});
     else if (errors) errors->push_back({placeOfNode(n), "include: expected a path or a list of paths"});
   };
   const toml::node* n = t.get("include");
@@ -135,7 +146,8 @@ void applyOverride(toml::table& top, const std::string& setting, std::vector<Sce
     e.text = what;
   };
   const std::size_t equals = setting.find('=');
-  const std::vector<std::string> keys = equals == std::string::npos ? std::vector<std::string>{} : keysOf(setting.substr(0, equals));
+  const std::vector<std::string> keys = equals == std::string::npos ? std::vector<std::string>{}
+                                                                    : keysOf(setting.substr(0, equals));
   if (keys.empty()) return wrong("expected key=value with a dotted key such as material.wax.young=\"1 MPa\"");
   if (keys[0] == "include") return wrong("include: files are included by the scene file alone");
   const auto parse = [&](const std::string& text) { return toml::parse(text, source); };
@@ -153,7 +165,8 @@ void applyOverride(toml::table& top, const std::string& setting, std::vector<Sce
     if (!t->contains(keys[k])) t->insert(keys[k], std::move(*parse("v = {}").get("v")));
     toml::node* n = t->get(keys[k]);
     if (toml::array* list = n->as_array()) {
-      if (k + 2 >= keys.size()) return wrong("'" + keys[k] + "' is a list: say which one by its name or number, then a key");
+      if (k + 2 >= keys.size())
+        return wrong("'" + keys[k] + "' is a list: say which one by its name or number, then a key");
       t = findTable(*list, keys[k + 1]);
       if (!t) return wrong("'" + keys[k] + "' has nothing of the name or number '" + keys[k + 1] + "'");
       k++;
@@ -166,7 +179,8 @@ void applyOverride(toml::table& top, const std::string& setting, std::vector<Sce
   t->insert(toml::key(keys.back(), value.get("v")->source()), std::move(*value.get("v")));
 }
 
-toml::table resolveScene(const SceneFiles& files, const std::vector<std::string>& overrides, std::vector<SceneError>& errors) {
+toml::table resolveScene(const SceneFiles& files, const std::vector<std::string>& overrides,
+                         std::vector<SceneError>& errors) {
   Resolver r{files, errors};
   r.read(files.main, {files.main, 1, 1});
   for (const std::string& o : overrides) applyOverride(r.merged, o, errors);

@@ -22,31 +22,48 @@ std::string cell(const std::string& s) {
 constexpr const char* introduction =
     "# Keys of a scene file\n\n"
     "Generated from the table of keys in `io/scene` by `thaw docs`; a test compares the two.\n\n"
-    "A scene is a TOML file. It needs a `[[body]]` or an `[[emitter]]` with its `[material.NAME]`, an `[[oriented]]` or a `[[sheet]]`; all other keys have defaults. A quantity\n"
-    "is a number in the unit of the table below or a text with a unit: `\"15 cm\"`, `\"2 kJ/kg\"`, `\"0.25 W/(m K)\"`, `\"56 degC\"`, `\"30 deg\"`.\n"
-    "Temperatures without a unit are in kelvin. Keys whose range below ends with `{ solid = ..., liquid = ... }` take one value or these two; in\n"
-    "between, the value goes linearly with the liquid fraction. NaN and infinity are no values; where something is without limit, the word\n"
-    "is `\"never\"`. An unknown key is an error; all errors of a scene are reported at once, with file, line and column.\n"
+    "A scene is a TOML file. It needs a `[[body]]` or an `[[emitter]]` with its `[material.NAME]`, an "
+    "`[[oriented]]` or a `[[sheet]]`; all other keys have defaults. A quantity\n"
+    "is a number in the unit of the table below or a text with a unit: `\"15 cm\"`, `\"2 kJ/kg\"`, `\"0.25 "
+    "W/(m K)\"`, `\"56 degC\"`, `\"30 deg\"`.\n"
+    "Temperatures without a unit are in kelvin. Keys whose range below ends with `{ solid = ..., liquid = "
+    "... }` take one value or these two; in\n"
+    "between, the value goes linearly with the liquid fraction. NaN and infinity are no values; where "
+    "something is without limit, the word\n"
+    "is `\"never\"`. An unknown key is an error; all errors of a scene are reported at once, with file, line "
+    "and column.\n"
     "A line has at most 16384 characters, and a file 16 MiB: long lists go over several lines.\n\n"
-    "`--set key=value` on the command line overrides a key, checked in the same way: `--set spacing=\"1 mm\"`, `--set\n"
-    "material.wax.young=\"1 MPa\"`, `--set body.bust.velocity=\"[0, 0, -1]\"` (a body, emitter or obstacle by its name or its number from 0).\n"
-    "Each setting needs its own `--set`. `--set` can also add a table: `--set material.oil.density=900 --set body.drop.material=oil`.\n"
+    "`--set key=value` on the command line overrides a key, checked in the same way: `--set spacing=\"1 "
+    "mm\"`, `--set\n"
+    "material.wax.young=\"1 MPa\"`, `--set body.bust.velocity=\"[0, 0, -1]\"` (a body, emitter or obstacle "
+    "by its name or its number from 0).\n"
+    "Each setting needs its own `--set`. `--set` can also add a table: `--set material.oil.density=900 --set "
+    "body.drop.material=oil`.\n"
     "An unused material is a warning; an unknown body, emitter or obstacle is an error.\n"
     "`thaw check SCENE` prints what would be simulated.\n\n"
-    "Particles lie on a cubic lattice of whole spacings, and each weighs density times spacing^3: a solid box 7.4 spacings wide has 8 layers, one\n"
-    "of liquid 7, so that no liquid starts nearer to its box than half a spacing. `thaw check` reports where the mass is off by more than 1 %, and the density\n"
-    "that makes up for it. Liquid in less room than its particles need starts compressed and bursts; a warning reports it.\n"
-    "A solid body holds liquid where its walls are at least two spacings thick; a warning names thinner ones.\n\n"
-    "A complete scene, `jelly.toml`, a block that falls on a floor, bounces and wobbles; `thaw run jelly.toml` simulates it:\n\n"
+    "Particles lie on a cubic lattice of whole spacings, and each weighs density times spacing^3: a solid "
+    "box 7.4 spacings wide has 8 layers, one\n"
+    "of liquid 7, so that no liquid starts nearer to its box than half a spacing. `thaw check` reports where "
+    "the mass is off by more than 1 %, and the density\n"
+    "that makes up for it. Liquid in less room than its particles need starts compressed and bursts; a "
+    "warning reports it.\n"
+    "A solid body holds liquid where its walls are at least two spacings thick; a warning names thinner "
+    "ones.\n\n"
+    "A complete scene, `jelly.toml`, a block that falls on a floor, bounces and wobbles; `thaw run "
+    "jelly.toml` simulates it:\n\n"
     "```toml\n";
 constexpr const char* afterExample =
     "```\n\n"
-    "A paste, as concrete, mud or toothpaste (a Bingham solid), is a solid that yields. In shear at a rate g its stress is tau_y + mu g, with a\n"
+    "A paste, as concrete, mud or toothpaste (a Bingham solid), is a solid that yields. In shear at a rate g "
+    "its stress is tau_y + mu g, with a\n"
     "yield stress tau_y and a plastic viscosity mu:\n\n"
-    "- Choose a shear modulus G of some 20 tau_y or more, such that little of the flow is elastic; `young` = 2 (1 + `poisson`) G.\n"
-    "- `yield_strain` = tau_y / (sqrt(2) G). In uniaxial tests it then yields at sqrt(3/2) 2 G `yield_strain` = sqrt(3) tau_y.\n"
+    "- Choose a shear modulus G of some 20 tau_y or more, such that little of the flow is elastic; `young` = "
+    "2 (1 + `poisson`) G.\n"
+    "- `yield_strain` = tau_y / (sqrt(2) G). In uniaxial tests it then yields at sqrt(3/2) 2 G "
+    "`yield_strain` = sqrt(3) tau_y.\n"
     "- `creep_rate` = G / mu. Left out, it flows at once: mu is 0.\n"
-    "- Gravity acts suddenly at the start, and the stress overshoots its static value. A block of the paste below yields at a height of\n"
+    "- Gravity acts suddenly at the start, and the stress overshoots its static value. A block of the paste "
+    "below yields at a height of\n"
     "  8 to 9 mm; the static limit sqrt(3) tau_y / (density g) is 9.8 mm.\n"
     "- A larger G means shorter steps; `viscosity` does not count, since it is the liquid's.\n\n"
     "tau_y = 100 Pa and mu = 20 Pa s:\n\n"
@@ -62,11 +79,13 @@ constexpr const char* afterExample =
     "## Expressions\n\n"
     "`velocity` and `temperature` of a body or an emitter may depend on position:\n"
     "`velocity = { x = \"-100*x\", y = \"100*y\" }`, `temperature = \"300 + 20*z\"`.\n"
-    "`x`, `y`, `z` are in m, in the frame of the scene; the value is in m/s or K. Expressions have no units. There are ";
+    "`x`, `y`, `z` are in m, in the frame of the scene; the value is in m/s or K. Expressions have no units. "
+    "There are ";
 constexpr const char* afterWords =
     ".\nA body's particles take the value where the scene places the body, also where it reaches over a\n"
     "periodic side; an emitter's take that of their place in the opening. A velocity\n"
-    "component above 299792458 m/s, a temperature outside (0, 1e32] K, or NaN at a particle is an error. A temperature that depends on position switches heat\n"
+    "component above 299792458 m/s, a temperature outside (0, 1e32] K, or NaN at a particle is an error. A "
+    "temperature that depends on position switches heat\n"
     "on where something conducts heat or melts.\n";
 
 }  // namespace
@@ -121,7 +140,9 @@ std::string sceneDocumentation() {
     text += t.empty() ? "\n## Top level\n\n" : "\n## `" + t + "`\n\n";
     text += "| key | unit | range | default | what it is |\n|---|---|---|---|---|\n";
     for (const KeyDescription& k : keys)
-      if (k.table == t) text += fmt::format("| `{}` | {} | {} | {} | {} |\n", k.key, cell(k.unit), cell(k.range), cell(k.standard), cell(k.about));
+      if (k.table == t)
+        text += fmt::format("| `{}` | {} | {} | {} | {} |\n", k.key, cell(k.unit), cell(k.range),
+                            cell(k.standard), cell(k.about));
   }
   return text;
 }

@@ -11,7 +11,8 @@ namespace thaw {
 namespace {
 
 constexpr std::uintmax_t largestFile = 16u << 20;
-constexpr std::size_t longestLine = 16384;  // dotted keys nest by their dots: this ends them before the parser's stack does
+constexpr std::size_t longestLine = 16384;  // dotted keys nest by their dots: this ends them before the
+                                            // parser's stack does
 
 /// Why a text cannot be a scene, or "".
 std::string problemOf(const std::string& text) {
@@ -22,7 +23,8 @@ std::string problemOf(const std::string& text) {
     std::size_t end = text.find('\n', begin);
     if (end == std::string::npos) end = text.size();
     if (end - begin > longestLine)
-      return "line " + std::to_string(line) + " is longer than " + std::to_string(longestLine) + " characters (it has " + std::to_string(end - begin) +
+      return "line " + std::to_string(line) + " is longer than " + std::to_string(longestLine) +
+             " characters (it has " + std::to_string(end - begin) +
              "); expected shorter ones: a list may go over several lines";
     begin = end + 1;
   }
@@ -36,7 +38,8 @@ std::string readText(const std::string& path, std::string& problem) {
   if (!std::filesystem::exists(status)) return problem = "no such file", "";
   if (std::filesystem::is_directory(status)) return problem = "a folder, not a file", "";
   if (!std::filesystem::is_regular_file(status)) return problem = "not a regular file", "";
-  if (std::filesystem::file_size(path, code) > largestFile) return problem = "larger than 16 MiB: not a scene", "";
+  if (std::filesystem::file_size(path, code) > largestFile)
+    return problem = "larger than 16 MiB: not a scene", "";
   std::ifstream in(path, std::ios::binary);
   if (!in) return problem = "cannot be opened for reading", "";
   std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
@@ -68,8 +71,10 @@ struct Unpacker {
   std::size_t at = 0;
   std::string next() {
     std::size_t n = 0, digits = 0;
-    while (at < bytes.size() && bytes[at] >= '0' && bytes[at] <= '9' && digits++ < 15) n = 10 * n + static_cast<std::size_t>(bytes[at++] - '0');
-    if (digits == 0 || at >= bytes.size() || bytes[at] != ':' || n > bytes.size() - at - 1) throw std::runtime_error("the packed scene files are damaged");
+    while (at < bytes.size() && bytes[at] >= '0' && bytes[at] <= '9' && digits++ < 15)
+      n = 10 * n + static_cast<std::size_t>(bytes[at++] - '0');
+    if (digits == 0 || at >= bytes.size() || bytes[at] != ':' || n > bytes.size() - at - 1)
+      throw std::runtime_error("the packed scene files are damaged");
     const std::string s = bytes.substr(at + 1, n);
     at += n + 1;
     return s;

@@ -12,14 +12,17 @@ namespace thaw {
 namespace {
 
 std::string at(const SourcePlace& where) {
-  return where.line > 0 && where.file.rfind("--set", 0) != 0 ? fmt::format("{}:{}:{}", where.file, where.line, where.column) : where.file;
+  return where.line > 0 && where.file.rfind("--set", 0) != 0
+             ? fmt::format("{}:{}:{}", where.file, where.line, where.column)
+             : where.file;
 }
 
 /// Is it no curve, nor points in the plane of one?
 bool leavesItsPlane(const OrientedBody& b) {
   if (b.source == OrientedSource::Curve) return false;
   if (b.source != OrientedSource::Points) return true;
-  return std::any_of(b.points.begin(), b.points.end(), [&](const Vec3d& x) { return x.y != b.points.front().y; });
+  return std::any_of(b.points.begin(), b.points.end(),
+                     [&](const Vec3d& x) { return x.y != b.points.front().y; });
 }
 
 /// Materials that nothing is made of: a name that is spelt otherwise in --set makes one.
@@ -31,19 +34,26 @@ void addIdleMaterials(const Scene& s, std::vector<std::string>& lines) {
   for (int k : used) names.insert(s.materials[static_cast<std::size_t>(k)].name);
   for (std::size_t k = 0; k < s.materials.size(); k++)
     if (!used.count(static_cast<int>(k)))
-      lines.push_back(fmt::format("{}: material '{}' is of no body and of no emitter{}", at(s.materials[k].where), s.materials[k].name, suggestion(s.materials[k].name, names)));
+      lines.push_back(fmt::format("{}: material '{}' is of no body and of no emitter{}",
+                                  at(s.materials[k].where), s.materials[k].name,
+                                  suggestion(s.materials[k].name, names)));
 }
 
 /// Below any temperature that somebody is likely to mean: a number of degrees Celsius without its unit.
 void addColdPlaces(const Scene& s, std::vector<std::string>& lines) {
   constexpr double likely = 100;
   const auto look = [&](const SourcePlace& where, const std::string& what, double kelvin) {
-    if (kelvin < likely) lines.push_back(fmt::format("{}: {} is {:g} K; a temperature without a unit is in kelvin, degrees Celsius are written \"{:g} degC\"", at(where), what, kelvin, kelvin));
+    if (kelvin < likely)
+      lines.push_back(
+          fmt::format("{}: {} is {:g} K; a temperature without a unit is in kelvin, degrees Celsius are "
+                      "written \"{:g} degC\"",
+                      at(where), what, kelvin, kelvin));
   };
   for (const Material& m : s.materials)
     if (m.melts()) look(m.where, "material '" + m.name + "': its solidus", m.solidus);
   for (const Body& b : s.bodies) look(b.where, "body '" + b.name + "': its temperature", b.temperature);
-  for (const Emitter& e : s.emitters) look(e.where, "emitter '" + e.name + "': its temperature", e.temperature);
+  for (const Emitter& e : s.emitters)
+    look(e.where, "emitter '" + e.name + "': its temperature", e.temperature);
   for (const Obstacle& o : s.obstacles)
     if (o.temperature) look(o.where, "obstacle '" + o.name + "': its temperature", *o.temperature);
 }
@@ -52,8 +62,12 @@ void addColdPlaces(const Scene& s, std::vector<std::string>& lines) {
 void addHeatless(const Scene& s, std::vector<std::string>& lines) {
   if (s.numerics.heat == HeatModel::Paper || !s.temperings.empty()) return;
   for (const Material& m : s.materials)
-    if (m.melts() && m.conductivity.solid == 0 && m.conductivity.liquid == 0 && m.convection == 0 && m.emissivity == 0 && m.heatSource == 0)
-      lines.push_back(fmt::format("{}: material '{}' melts, but nothing changes its temperature: give it a conductivity, convection, emissivity or heat_source", at(m.where), m.name));
+    if (m.melts() && m.conductivity.solid == 0 && m.conductivity.liquid == 0 && m.convection == 0 &&
+        m.emissivity == 0 && m.heatSource == 0)
+      lines.push_back(
+          fmt::format("{}: material '{}' melts, but nothing changes its temperature: give it a conductivity, "
+                      "convection, emissivity or heat_source",
+                      at(m.where), m.name));
 }
 
 }  // namespace
@@ -61,41 +75,67 @@ void addHeatless(const Scene& s, std::vector<std::string>& lines) {
 std::string warningLine(const SourcePlace& where, const std::string& text) { return at(where) + ": " + text; }
 
 std::string idleEventLine(const OrientedBody& b, const OrientedEvent& e) {
-  const char* what = e.kind == OrientedEventKind::Weld     ? "weld has met nothing: no particles of the two are near each other"
-                     : e.kind == OrientedEventKind::Cut    ? "cut has met nothing: all particles that it reaches are on one side of it"
-                     : e.kind == OrientedEventKind::Crease ? "crease has met nothing: no particle is near its line"
-                                                           : "smoothing has met nothing: no particle in it is creased";
+  const char* what = e.kind == OrientedEventKind::Weld
+                         ? "weld has met nothing: no particles of the two are near each other"
+                     : e.kind == OrientedEventKind::Cut
+                         ? "cut has met nothing: all particles that it reaches are on one side of it"
+                     : e.kind == OrientedEventKind::Crease
+                         ? "crease has met nothing: no particle is near its line"
+                         : "smoothing has met nothing: no particle in it is creased";
   return warningLine(e.where, fmt::format("oriented body '{}': this {}", b.name, what));
 }
 
 std::string idleFieldLine(const OrientedBody& b, const OrientedField& f) {
-  return warningLine(f.where, fmt::format("oriented body '{}': no particle is in this field as it begins, at {:g} s", b.name, f.from));
+  return warningLine(
+      f.where, fmt::format("oriented body '{}': no particle is in this field as it begins, at {:g} s", b.name,
+                           f.from));
 }
 
 std::string sunkenLine(const OrientedBody& b, const Body& body, std::int64_t count, double time) {
-  return warningLine(b.where, fmt::format("oriented body '{}': {} of its particles {} inside body '{}' at {:.6g} s: contact has not held them off, or '{}' is going through it; a larger `contact` is stiffer",
-                                          b.name, count, count == 1 ? "is" : "are", body.name, time, body.name));
+  return warningLine(
+      b.where,
+      fmt::format("oriented body '{}': {} of its particles {} inside body '{}' at {:.6g} s: contact has not "
+                  "held them off, or '{}' is going through it; a larger `contact` is stiffer",
+                  b.name, count, count == 1 ? "is" : "are", body.name, time, body.name));
 }
 
 std::string sunkenLine(const OrientedBody& b, const Obstacle& obstacle, std::int64_t count, double time) {
-  return warningLine(b.where, fmt::format("oriented body '{}': {} of its particles {} inside obstacle '{}' at {:.6g} s: they began there, or are drawn into it harder than contact holds; a larger `contact` is stiffer",
-                                          b.name, count, count == 1 ? "is" : "are", obstacle.name, time));
+  return warningLine(
+      b.where,
+      fmt::format("oriented body '{}': {} of its particles {} inside obstacle '{}' at {:.6g} s: they began "
+                  "there, or are drawn into it harder than contact holds; a larger `contact` is stiffer",
+                  b.name, count, count == 1 ? "is" : "are", obstacle.name, time));
 }
 
 std::vector<std::string> sceneWarnings(const Scene& s) {
   std::vector<std::string> lines;
   for (const OrientedBody& b : s.oriented)
-    if (b.planar && leavesItsPlane(b)) lines.push_back(fmt::format("{}: oriented body '{}': planar keeps each particle at its own y, and this body is not in one plane y = constant: it is meant for curves", at(b.where), b.name));
+    if (b.planar && leavesItsPlane(b))
+      lines.push_back(
+          fmt::format("{}: oriented body '{}': planar keeps each particle at its own y, and this body is not "
+                      "in one plane y = constant: it is meant for curves",
+                      at(b.where), b.name));
   for (const OrientedBody& b : s.oriented)
     for (const OrientedField& f : b.fields)
-      if (f.from >= s.end) lines.push_back(fmt::format("{}: oriented body '{}': this field begins at {:g} s and the scene ends at {:g} s: it does not act", at(f.where), b.name, f.from, s.end));
+      if (f.from >= s.end)
+        lines.push_back(
+            fmt::format("{}: oriented body '{}': this field begins at {:g} s and the scene ends at {:g} s: "
+                        "it does not act",
+                        at(f.where), b.name, f.from, s.end));
   for (const OrientedBody& b : s.oriented)
     for (const OrientedEvent& e : b.events)
-      if (e.time > s.end) lines.push_back(fmt::format("{}: oriented body '{}': this event is at {:g} s and the scene ends at {:g} s: it does not happen", at(e.where), b.name, e.time, s.end));
+      if (e.time > s.end)
+        lines.push_back(
+            fmt::format("{}: oriented body '{}': this event is at {:g} s and the scene ends at {:g} s: it "
+                        "does not happen",
+                        at(e.where), b.name, e.time, s.end));
   if (s.output.fieldsWhere.line > 0 && !hasContinuum(s)) {
     std::string names;
     for (const std::string& name : s.output.fields) names += (names.empty() ? "" : ", ") + name;
-    lines.push_back(fmt::format("{}: output.fields ({}) are of bodies and emitters, and the scene has none; frames of oriented bodies and sheets have all their fields", at(s.output.fieldsWhere), names));
+    lines.push_back(
+        fmt::format("{}: output.fields ({}) are of bodies and emitters, and the scene has none; frames of "
+                    "oriented bodies and sheets have all their fields",
+                    at(s.output.fieldsWhere), names));
   }
   addIdleMaterials(s, lines);
   addColdPlaces(s, lines);

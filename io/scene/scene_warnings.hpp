@@ -7,8 +7,9 @@
 
 namespace thaw {
 
-/// A line each, with file and line of the scene: events and fields of oriented bodies after its end, fields of frames that nothing in it has, materials of
-/// nothing, temperatures near 0 K, settings of the surface (surface_advice.hpp).
+/// A line each, with file and line of the scene: events and fields of oriented bodies after its end, fields
+/// of frames that nothing in it has, materials of nothing, temperatures near 0 K, settings of the surface
+/// (surface_advice.hpp).
 std::vector<std::string> sceneWarnings(const Scene& scene);
 
 /// One line for a sentence about a place in the scene.
@@ -22,6 +23,7 @@ std::string idleFieldLine(const OrientedBody& body, const OrientedField& field);
 
 /// That particles of an oriented body have come into a body, by this time (s).
 std::string sunkenLine(const OrientedBody& oriented, const Body& body, std::int64_t count, double time);
-std::string sunkenLine(const OrientedBody& oriented, const Obstacle& obstacle, std::int64_t count, double time);
+std::string sunkenLine(const OrientedBody& oriented, const Obstacle& obstacle, std::int64_t count,
+                       double time);
 
 }  // namespace thaw

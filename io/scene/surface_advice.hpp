@@ -7,7 +7,8 @@
 
 namespace thaw {
 
-/// A line for each key whose value is far from all use: where it is, what it does there, what is sensible. Empty without a surface.
+/// A line for each key whose value is far from all use: where it is, what it does there, what is sensible.
+/// Empty without a surface.
 std::vector<std::string> surfaceAdvice(const Scene& scene);
 
 }  // namespace thaw

@@ -34,10 +34,13 @@ bool hasOpenQuote(const std::string& line) {
 
 std::string syntaxHint(const std::string& text, int line, const std::string& complaint) {
   const std::string here = lineOf(text, line);
-  if (complaint.find("parsing string") != std::string::npos && hasOpenQuote(here)) return "; is there a closing quote missing on this line?";
+  if (complaint.find("parsing string") != std::string::npos && hasOpenQuote(here))
+    return "; is there a closing quote missing on this line?";
   std::smatch m;
-  static const std::regex table(R"(^\s*\[\s*(body|emitter|obstacle|wall|oriented|sheet|tempering)\s*\])"), quantity(R"(=\s*([-+]?[0-9][-+0-9.eE_]*)\s*([A-Za-z%][^#,\]}]*))");
-  if (std::regex_search(here, m, table)) return "; each of several is written [[" + m.str(1) + "]], with two brackets";
+  static const std::regex table(R"(^\s*\[\s*(body|emitter|obstacle|wall|oriented|sheet|tempering)\s*\])"),
+      quantity(R"(=\s*([-+]?[0-9][-+0-9.eE_]*)\s*([A-Za-z%][^#,\]}]*))");
+  if (std::regex_search(here, m, table))
+    return "; each of several is written [[" + m.str(1) + "]], with two brackets";
   if (std::regex_search(here, m, quantity)) {
     std::string unit = m.str(2);
     while (!unit.empty() && unit.back() == ' ') unit.pop_back();

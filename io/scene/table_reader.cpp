@@ -23,11 +23,14 @@ std::string withUnit(const std::string& range, const char* unit) {
 
 SourcePlace placeOfNode(const toml::node& n) {
   const toml::source_region& s = n.source();
-  return {s.path ? *s.path : std::string("--set"), static_cast<int>(s.begin.line), static_cast<int>(s.begin.column)};
+  return {s.path ? *s.path : std::string("--set"), static_cast<int>(s.begin.line),
+          static_cast<int>(s.begin.column)};
 }
 
-TableReader::TableReader(const toml::table& table, std::string path, std::vector<SceneError>& errors) : table_(&table), path_(std::move(path)), errors_(&errors) {}
-TableReader::TableReader(std::string path, std::vector<KeyDescription>& descriptions) : path_(std::move(path)), descriptions_(&descriptions) {}
+TableReader::TableReader(const toml::table& table, std::string path, std::vector<SceneError>& errors)
+    : table_(&table), path_(std::move(path)), errors_(&errors) {}
+TableReader::TableReader(std::string path, std::vector<KeyDescription>& descriptions)
+    : path_(std::move(path)), descriptions_(&descriptions) {}
 
 SourcePlace TableReader::place() const { return table_ ? placeOfNode(*table_) : SourcePlace{}; }
 SourcePlace TableReader::placeOf(const std::string& key) const {
@@ -41,8 +44,11 @@ std::string TableReader::textOf(const std::string& key) const {
 void TableReader::fail(const SourcePlace& where, const std::string& text) {
   if (errors_) errors_->push_back({where, text});
 }
-void TableReader::fail(const std::string& key, const std::string& text, std::initializer_list<const char*> others) {
-  if (refused(key) || std::any_of(others.begin(), others.end(), [&](const char* other) { return refused(other); })) return;
+void TableReader::fail(const std::string& key, const std::string& text,
+                       std::initializer_list<const char*> others) {
+  if (refused(key) ||
+      std::any_of(others.begin(), others.end(), [&](const char* other) { return refused(other); }))
+    return;
   refused_.insert(key);
   fail(placeOf(key), named(key) + ": " + text);
 }
@@ -57,12 +63,14 @@ const toml::node* TableReader::get(const std::string& key) {
   return table_ ? table_->get(key) : nullptr;
 }
 
-void TableReader::describe(const char* key, const std::string& unit, const std::string& range, const std::string& standard, const char* about) {
+void TableReader::describe(const char* key, const std::string& unit, const std::string& range,
+                           const std::string& standard, const char* about) {
   known_.insert(key);
   if (descriptions_) descriptions_->push_back({path_, key, unit, range, standard, about});
 }
 
-bool TableReader::quantity(const toml::node& n, const char* key, const char* unit, const Range& range, double& value) {
+bool TableReader::quantity(const toml::node& n, const char* key, const char* unit, const Range& range,
+                           double& value) {
   double v = 0;
   bool good = true;
   std::string why;
@@ -80,7 +88,9 @@ bool TableReader::quantity(const toml::node& n, const char* key, const char* uni
     good = false;
   }
   if (!good) {
-    refuse(key, n, fmt::format("expected {}{}, got {}{}", kindOfUnit(unit), range.orNever ? " or \"never\"" : "", shown(n), why));
+    refuse(key, n,
+           fmt::format("expected {}{}, got {}{}", kindOfUnit(unit), range.orNever ? " or \"never\"" : "",
+                       shown(n), why));
     return false;
   }
   if (!std::isfinite(v)) {
@@ -94,22 +104,26 @@ bool TableReader::quantity(const toml::node& n, const char* key, const char* uni
   return value = v, true;
 }
 
-void TableReader::number(const char* key, double& value, const char* unit, const Range& range, const char* about) {
+void TableReader::number(const char* key, double& value, const char* unit, const Range& range,
+                         const char* about) {
   describe(key, unit, range.text(), numberText(value), about);
   if (const toml::node* n = get(key)) quantity(*n, key, unit, range, value);
 }
-void TableReader::number(const char* key, std::optional<double>& value, const char* unit, const Range& range, const char* about) {
+void TableReader::number(const char* key, std::optional<double>& value, const char* unit, const Range& range,
+                         const char* about) {
   describe(key, unit, range.text(), "none", about);
   double v = 0;
   if (const toml::node* n = get(key); n && quantity(*n, key, unit, range, v)) value = v;
 }
 
-void TableReader::whole(const char* key, std::int64_t& value, std::int64_t low, std::int64_t high, const char* about) {
+void TableReader::whole(const char* key, std::int64_t& value, std::int64_t low, std::int64_t high,
+                        const char* about) {
   describe(key, "", fmt::format("{} ... {}, whole", low, high), fmt::format("{}", value), about);
   const toml::node* n = get(key);
   if (!n) return;
   const auto* i = n->as_integer();
-  if (!i || i->get() < low || i->get() > high) return fail(key, fmt::format("expected a whole number from {} to {}, got {}", low, high, shown(*n)));
+  if (!i || i->get() < low || i->get() > high)
+    return fail(key, fmt::format("expected a whole number from {} to {}, got {}", low, high, shown(*n)));
   value = i->get();
 }
 
@@ -118,8 +132,11 @@ void TableReader::vector(const char* key, Vec3d& value, const char* unit, const 
   const toml::node* n = get(key);
   if (!n) return;
   const toml::array* a = n->as_array();
-  if (!a || a->size() != 3) return fail(key, fmt::format("expected a list of three quantities such as [0, 0, 0], got {}", a ? fmt::format("{}", a->size()) : shown(*n)));
-  for (std::size_t k = 0; k < 3; k++) quantity(*a->get(k), key, unit, anyNumber(), value[static_cast<int>(k)]);
+  if (!a || a->size() != 3)
+    return fail(key, fmt::format("expected a list of three quantities such as [0, 0, 0], got {}",
+                                 a ? fmt::format("{}", a->size()) : shown(*n)));
+  for (std::size_t k = 0; k < 3; k++)
+    quantity(*a->get(k), key, unit, anyNumber(), value[static_cast<int>(k)]);
 }
 void TableReader::vector(const char* key, std::optional<Vec3d>& value, const char* unit, const char* about) {
   Vec3d v{};
@@ -145,7 +162,8 @@ void TableReader::text(const char* key, std::string& value, const char* about, c
   else fail(key, "expected a text in quotes, got " + shown(*n));
 }
 
-void TableReader::words(const char* key, std::vector<std::string>& value, const std::vector<std::string>& allowed, const char* about) {
+void TableReader::words(const char* key, std::vector<std::string>& value,
+                        const std::vector<std::string>& allowed, const char* about) {
   describe(key, "", "list of " + listOf(allowed), "[" + listOf(value) + "]", about);
   const toml::node* n = get(key);
   if (!n) return;
@@ -155,24 +173,35 @@ void TableReader::words(const char* key, std::vector<std::string>& value, const 
   for (const toml::node& e : *a) {
     const auto* s = e.as_string();
     if (s && std::find(allowed.begin(), allowed.end(), s->get()) != allowed.end()) value.push_back(s->get());
-    else if (s) refuse(key, e, fmt::format("there is no {}{}; there are {}", quoted(s->get()), suggestion(s->get(), {allowed.begin(), allowed.end()}), listOf(allowed)));
+    else if (s)
+      refuse(key, e,
+             fmt::format("there is no {}{}; there are {}", quoted(s->get()),
+                         suggestion(s->get(), {allowed.begin(), allowed.end()}), listOf(allowed)));
     else refuse(key, e, "expected a text in quotes, got " + shown(e));
   }
 }
 
-void TableReader::choice(const char* key, int& value, const std::vector<std::string>& words, const char* about) {
+void TableReader::choice(const char* key, int& value, const std::vector<std::string>& words,
+                         const char* about) {
   describe(key, "", listOf(words), "\"" + words[static_cast<std::size_t>(value)] + "\"", about);
   if (descriptions_) descriptions_->back().words = words;
   const toml::node* n = get(key);
   if (!n) return;
   const auto* s = n->as_string();
   const auto at = s ? std::find(words.begin(), words.end(), s->get()) : words.end();
-  if (at == words.end()) return fail(key, fmt::format("expected {}{}, got {}", words.size() == 2 ? "" : "one of ", words.size() == 2 ? "\"" + words[0] + "\" or \"" + words[1] + "\"" : listOf(words), shown(*n)));
+  if (at == words.end())
+    return fail(
+        key, fmt::format("expected {}{}, got {}", words.size() == 2 ? "" : "one of ",
+                         words.size() == 2 ? "\"" + words[0] + "\" or \"" + words[1] + "\"" : listOf(words),
+                         shown(*n)));
   value = static_cast<int>(at - words.begin());
 }
 
 void TableReader::blend(const BlendKey& k, Blend& value) {
-  const std::string standard = value.solid == value.liquid ? numberText(value.solid) : fmt::format("{{ solid = {}, liquid = {} }}", numberText(value.solid), numberText(value.liquid));
+  const std::string standard = value.solid == value.liquid
+                                   ? numberText(value.solid)
+                                   : fmt::format("{{ solid = {}, liquid = {} }}", numberText(value.solid),
+                                                 numberText(value.liquid));
   describe(k.key, k.unit, k.range.text() + ", or { solid = ..., liquid = ... }", standard, k.about);
   const toml::node* n = get(k.key);
   if (!n) return;
@@ -192,7 +221,8 @@ void TableReader::pairs(const PairsKey& k, std::vector<std::pair<double, double>
   const toml::node* n = get(k.key);
   const toml::array* a = n ? n->as_array() : nullptr;
   if (!n) return;
-  const std::string pair = fmt::format("[{}, {}]", *k.unit1 ? k.unit1 : "number", *k.unit2 ? k.unit2 : "number");
+  const std::string pair = fmt::format("[{}, {}]", *k.unit1 ? k.unit1 : "number",
+                                       *k.unit2 ? k.unit2 : "number");
   if (!a || a->size() < 2) return fail(k.key, "expected a list of at least two pairs " + pair);
   value.clear();
   for (const toml::node& e : *a) {
@@ -202,9 +232,11 @@ void TableReader::pairs(const PairsKey& k, std::vector<std::pair<double, double>
       refuse(k.key, e, fmt::format("expected a pair {}, got {}", pair, shown(e)));
       continue;
     }
-    const bool first = quantity(*p->get(0), k.key, k.unit1, k.range1, v.first), second = quantity(*p->get(1), k.key, k.unit2, k.range2, v.second);
+    const bool first = quantity(*p->get(0), k.key, k.unit1, k.range1, v.first),
+               second = quantity(*p->get(1), k.key, k.unit2, k.range2, v.second);
     if (!first || !second) continue;
-    if (!value.empty() && v.first <= value.back().first) refuse(k.key, e, "the first quantities of the pairs must ascend");
+    if (!value.empty() && v.first <= value.back().first)
+      refuse(k.key, e, "the first quantities of the pairs must ascend");
     value.push_back(v);
   }
 }
@@ -214,7 +246,8 @@ const toml::node* TableReader::node(const char* key, const char* unit, const cha
   return get(key);
 }
 
-void TableReader::readTable(const toml::node& n, const std::string& path, const std::function<void(TableReader&)>& read) {
+void TableReader::readTable(const toml::node& n, const std::string& path,
+                            const std::function<void(TableReader&)>& read) {
   const toml::table* t = n.as_table();
   if (!t) return fail(placeOfNode(n), path + ": expected a table, got " + shown(n));
   TableReader r(*t, path, *errors_);
@@ -254,7 +287,8 @@ void TableReader::table(const char* key, const char* about, const std::function<
   if (const toml::node* n = get(key)) readTable(*n, named(key), read);
 }
 
-void TableReader::namedTables(const char* key, const char* about, const std::function<void(const std::string&, TableReader&)>& read) {
+void TableReader::namedTables(const char* key, const char* about,
+                              const std::function<void(const std::string&, TableReader&)>& read) {
   describe(key, "", "tables by name", "none", about);
   if (descriptions_) {
     TableReader r(named(key) + ".NAME", *descriptions_);
@@ -277,8 +311,11 @@ void TableReader::finish() {
     const std::string name(key.str());
     if (known_.count(name)) continue;
     const toml::source_region& s = key.source();
-    const SourcePlace where = s.path ? SourcePlace{*s.path, static_cast<int>(s.begin.line), static_cast<int>(s.begin.column)} : placeOfNode(node);
-    fail(where, fmt::format("unknown key '{}'{}{}", name, path_.empty() ? "" : " in " + path_, suggestion(name, known_)));
+    const SourcePlace where = s.path ? SourcePlace{*s.path, static_cast<int>(s.begin.line),
+                                                   static_cast<int>(s.begin.column)}
+                                     : placeOfNode(node);
+    fail(where, fmt::format("unknown key '{}'{}{}", name, path_.empty() ? "" : " in " + path_,
+                            suggestion(name, known_)));
   }
 }
 

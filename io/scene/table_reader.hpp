@@ -1,5 +1,5 @@
-// Reads the keys of one TOML table, or describes them: the same calls give the scene, its error messages and docs/scene.md, so that
-// every key is declared once, with its unit, range, default and meaning.
+// Reads the keys of one TOML table, or describes them: the same calls give the scene, its error messages and
+// docs/scene.md, so that every key is declared once, with its unit, range, default and meaning.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -17,8 +17,12 @@
 
 namespace thaw {
 
-/// An error with its place; sorted by place before they are printed. A file name that starts with "--set" has no line.
-struct SceneError { SourcePlace where; std::string text; };
+/// An error with its place; sorted by place before they are printed. A file name that starts with "--set" has
+/// no line.
+struct SceneError {
+  SourcePlace where;
+  std::string text;
+};
 
 /// A key as docs/scene.md shows it.
 struct KeyDescription {
@@ -36,29 +40,35 @@ class TableReader {
   bool describing() const { return table_ == nullptr; }
   const std::string& path() const { return path_; }
   SourcePlace place() const;
-  SourcePlace placeOf(const std::string& key) const;                 ///< of the key's value, or of the table without one
+  SourcePlace placeOf(const std::string& key) const;  ///< of the key's value, or of the table without one
   bool has(const std::string& key) const { return table_ != nullptr && table_->contains(key); }
-  bool hasList(const std::string& key) const { return table_ != nullptr && table_->get_as<toml::array>(key) != nullptr; }
-  std::string textOf(const std::string& key) const;                  ///< a text that is there, else ""
+  bool hasList(const std::string& key) const {
+    return table_ != nullptr && table_->get_as<toml::array>(key) != nullptr;
+  }
+  std::string textOf(const std::string& key) const;  ///< a text that is there, else ""
   void fail(const SourcePlace& where, const std::string& text);
-  /// At the key, with its path. A key has one message: nothing is said of one that was refused before, nor of how it goes together with such `others`,
-  /// whose values are not what the scene means.
+  /// At the key, with its path. A key has one message: nothing is said of one that was refused before, nor of
+  /// how it goes together with such `others`, whose values are not what the scene means.
   void fail(const std::string& key, const std::string& text, std::initializer_list<const char*> others = {});
   bool refused(const std::string& key) const { return refused_.count(key) > 0; }
 
-  // Each reads a key into `value` if it is there, else leaves it; `value` before is the default that is described.
+  // Each reads a key into `value` if it is there, else leaves it; `value` before is the default that is
+  // described.
   void number(const char* key, double& value, const char* unit, const Range& range, const char* about);
-  void number(const char* key, std::optional<double>& value, const char* unit, const Range& range, const char* about);
+  void number(const char* key, std::optional<double>& value, const char* unit, const Range& range,
+              const char* about);
   void whole(const char* key, std::int64_t& value, std::int64_t low, std::int64_t high, const char* about);
   void vector(const char* key, Vec3d& value, const char* unit, const char* about);
   void vector(const char* key, std::optional<Vec3d>& value, const char* unit, const char* about);
   void flag(const char* key, bool& value, const char* about);
   void text(const char* key, std::string& value, const char* about, const char* range = "text");
   /// Some of several words.
-  void words(const char* key, std::vector<std::string>& value, const std::vector<std::string>& allowed, const char* about);
+  void words(const char* key, std::vector<std::string>& value, const std::vector<std::string>& allowed,
+             const char* about);
   /// One of several words: its number.
   void choice(const char* key, int& value, const std::vector<std::string>& words, const char* about);
-  template<class Enum> void choice(const char* key, Enum& value, const std::vector<std::string>& words, const char* about) {
+  template<class Enum>
+  void choice(const char* key, Enum& value, const std::vector<std::string>& words, const char* about) {
     int number = static_cast<int>(value);
     choice(key, number, words, about);
     value = static_cast<Enum>(number);
@@ -66,10 +76,18 @@ class TableReader {
   /// What the value for the liquid is where only one quantity is given.
   enum class Liquid { Same, Unchanged };
   /// A solid and a liquid value: one quantity, or { solid = ..., liquid = ... }.
-  struct BlendKey { const char *key, *unit; Range range; Liquid liquid; const char* about; };
+  struct BlendKey {
+    const char *key, *unit;
+    Range range;
+    Liquid liquid;
+    const char* about;
+  };
   void blend(const BlendKey& key, Blend& value);
   /// A list of pairs of quantities that ascend in the first one.
-  struct PairsKey { const char *key, *unit1, *unit2; Range range1, range2; };
+  struct PairsKey {
+    const char *key, *unit1, *unit2;
+    Range range1, range2;
+  };
   void pairs(const PairsKey& key, std::vector<std::pair<double, double>>& value);
   /// A key that the caller reads itself: marks it as known, describes it, returns its node (or nullptr).
   const toml::node* node(const char* key, const char* unit, const char* range, const char* about);
@@ -77,7 +95,8 @@ class TableReader {
   void tables(const char* key, const char* about, const std::function<void(TableReader&)>& read);
   void table(const char* key, const char* about, const std::function<void(TableReader&)>& read);
   /// Tables by name, such as [material.wax]; calls read(name, table) for each.
-  void namedTables(const char* key, const char* about, const std::function<void(const std::string&, TableReader&)>& read);
+  void namedTables(const char* key, const char* about,
+                   const std::function<void(const std::string&, TableReader&)>& read);
 
   /// A quantity in a node, checked; false (and an error) where it is not one.
   bool quantity(const toml::node& node, const char* key, const char* unit, const Range& range, double& value);
@@ -87,8 +106,10 @@ class TableReader {
  private:
   const toml::node* get(const std::string& key);
   std::string named(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
-  void describe(const char* key, const std::string& unit, const std::string& range, const std::string& standard, const char* about);
-  void readTable(const toml::node& node, const std::string& path, const std::function<void(TableReader&)>& read);
+  void describe(const char* key, const std::string& unit, const std::string& range,
+                const std::string& standard, const char* about);
+  void readTable(const toml::node& node, const std::string& path,
+                 const std::function<void(TableReader&)>& read);
   void refuse(const std::string& key, const toml::node& node, const std::string& text);
 
   const toml::table* table_ = nullptr;

@@ -8,22 +8,48 @@ namespace thaw {
 namespace {
 
 /// numerator / denominator is the factor to SI; both are exact doubles for decimal factors.
-struct Factor { double numerator = 1, denominator = 1; };
-struct Unit { std::string_view name; Factor factor; Dimension dimension; bool prefixes; };
-struct Prefix { std::string_view name; Factor factor; };
+struct Factor {
+  double numerator = 1, denominator = 1;
+};
+struct Unit {
+  std::string_view name;
+  Factor factor;
+  Dimension dimension;
+  bool prefixes;
+};
+struct Prefix {
+  std::string_view name;
+  Factor factor;
+};
 
 constexpr double pi = 3.14159265358979323846;
-constexpr Unit units[] = {
-    {"m", {1, 1}, {1, 0, 0, 0, 0}, true},        {"g", {1, 1000}, {0, 1, 0, 0, 0}, true},      {"s", {1, 1}, {0, 0, 1, 0, 0}, true},
-    {"K", {1, 1}, {0, 0, 0, 1, 0}, true},        {"N", {1, 1}, {1, 1, -2, 0, 0}, true},        {"Pa", {1, 1}, {-1, 1, -2, 0, 0}, true},
-    {"J", {1, 1}, {2, 1, -2, 0, 0}, true},       {"W", {1, 1}, {2, 1, -3, 0, 0}, true},        {"Hz", {1, 1}, {0, 0, -1, 0, 0}, true},
-    {"l", {1, 1000}, {3, 0, 0, 0, 0}, true},     {"L", {1, 1000}, {3, 0, 0, 0, 0}, true},      {"bar", {1e5, 1}, {-1, 1, -2, 0, 0}, true},
-    {"P", {1, 10}, {-1, 1, -1, 0, 0}, true},     {"t", {1000, 1}, {0, 1, 0, 0, 0}, false},     {"min", {60, 1}, {0, 0, 1, 0, 0}, false},
-    {"h", {3600, 1}, {0, 0, 1, 0, 0}, false},    {"rad", {1, 1}, {0, 0, 0, 0, 1}, true},       {"deg", {pi, 180}, {0, 0, 0, 0, 1}, false},
-    {"turn", {2 * pi, 1}, {0, 0, 0, 0, 1}, false}, {"rpm", {2 * pi, 60}, {0, 0, -1, 0, 1}, false}, {"%", {1, 100}, {}, false},
-    {"1", {1, 1}, {}, false},                    {"in", {254, 10000}, {1, 0, 0, 0, 0}, false}};
-constexpr Prefix prefixes[] = {{"da", {10, 1}},  {"n", {1, 1e9}}, {"u", {1, 1e6}}, {"\xc2\xb5", {1, 1e6}}, {"\xce\xbc", {1, 1e6}}, {"m", {1, 1e3}},
-                               {"c", {1, 100}},  {"d", {1, 10}},  {"h", {100, 1}}, {"k", {1e3, 1}},        {"M", {1e6, 1}},        {"G", {1e9, 1}}};
+constexpr Unit units[] = {{"m", {1, 1}, {1, 0, 0, 0, 0}, true},
+                          {"g", {1, 1000}, {0, 1, 0, 0, 0}, true},
+                          {"s", {1, 1}, {0, 0, 1, 0, 0}, true},
+                          {"K", {1, 1}, {0, 0, 0, 1, 0}, true},
+                          {"N", {1, 1}, {1, 1, -2, 0, 0}, true},
+                          {"Pa", {1, 1}, {-1, 1, -2, 0, 0}, true},
+                          {"J", {1, 1}, {2, 1, -2, 0, 0}, true},
+                          {"W", {1, 1}, {2, 1, -3, 0, 0}, true},
+                          {"Hz", {1, 1}, {0, 0, -1, 0, 0}, true},
+                          {"l", {1, 1000}, {3, 0, 0, 0, 0}, true},
+                          {"L", {1, 1000}, {3, 0, 0, 0, 0}, true},
+                          {"bar", {1e5, 1}, {-1, 1, -2, 0, 0}, true},
+                          {"P", {1, 10}, {-1, 1, -1, 0, 0}, true},
+                          {"t", {1000, 1}, {0, 1, 0, 0, 0}, false},
+                          {"min", {60, 1}, {0, 0, 1, 0, 0}, false},
+                          {"h", {3600, 1}, {0, 0, 1, 0, 0}, false},
+                          {"rad", {1, 1}, {0, 0, 0, 0, 1}, true},
+                          {"deg", {pi, 180}, {0, 0, 0, 0, 1}, false},
+                          {"turn", {2 * pi, 1}, {0, 0, 0, 0, 1}, false},
+                          {"rpm", {2 * pi, 60}, {0, 0, -1, 0, 1}, false},
+                          {"%", {1, 100}, {}, false},
+                          {"1", {1, 1}, {}, false},
+                          {"in", {254, 10000}, {1, 0, 0, 0, 0}, false}};
+constexpr Prefix prefixes[] = {{"da", {10, 1}},        {"n", {1, 1e9}},        {"u", {1, 1e6}},
+                               {"\xc2\xb5", {1, 1e6}}, {"\xce\xbc", {1, 1e6}}, {"m", {1, 1e3}},
+                               {"c", {1, 100}},        {"d", {1, 10}},         {"h", {100, 1}},
+                               {"k", {1e3, 1}},        {"M", {1e6, 1}},        {"G", {1e9, 1}}};
 
 bool findUnit(std::string_view name, Factor& factor, Dimension& dimension) {
   for (const Unit& u : units)
@@ -45,7 +71,10 @@ bool take(std::string_view& t, std::string_view what) {
   return true;
 }
 
-constexpr std::string_view middleDot = "\xc2\xb7", squared = "\xc2\xb2", cubed = "\xc2\xb3", degreeC = "\xc2\xb0" "C";
+constexpr std::string_view middleDot = "\xc2\xb7", squared = "\xc2\xb2", cubed = "\xc2\xb3",
+                           degreeC =
+                               "\xc2\xb0"
+                               "C";
 
 void skipSpace(std::string_view& t) {
   while (!t.empty() && (t.front() == ' ' || t.front() == '\t')) t.remove_prefix(1);
@@ -54,7 +83,8 @@ void skipSpace(std::string_view& t) {
 std::string_view takeName(std::string_view& t) {
   std::size_t n = 0;
   const auto ends = [&](std::string_view rest) {
-    return std::string_view(" \t*/^()").find(rest.front()) != rest.npos || rest.substr(0, 2) == middleDot || rest.substr(0, 2) == squared || rest.substr(0, 2) == cubed;
+    return std::string_view(" \t*/^()").find(rest.front()) != rest.npos || rest.substr(0, 2) == middleDot ||
+           rest.substr(0, 2) == squared || rest.substr(0, 2) == cubed;
   };
   while (n < t.size() && !ends(t.substr(n))) n++;
   const std::string_view name = t.substr(0, n);
@@ -90,7 +120,10 @@ struct UnitParser {
     if (!findUnit(name, f, d)) {
       const bool number = name.front() >= '0' && name.front() <= '9';
       const std::string text = "'" + std::string(name) + "'";
-      return fail(number ? text + " is not a unit; expected one number and one unit (expressions are not allowed here)" : "unknown unit " + text);
+      return fail(
+          number
+              ? text + " is not a unit; expected one number and one unit (expressions are not allowed here)"
+              : "unknown unit " + text);
     }
     int p = 1;
     if (!power(p)) return false;
@@ -122,7 +155,9 @@ struct UnitParser {
   }
 };
 
-struct Kind { std::string_view unit, text; };
+struct Kind {
+  std::string_view unit, text;
+};
 constexpr Kind kinds[] = {{"m", "a length such as \"2 mm\""},
                           {"s", "a time such as \"40 ms\""},
                           {"K", "a temperature such as \"56 degC\""},

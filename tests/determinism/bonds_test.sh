@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Bonds that form while the simulation runs, by freezing onto a solid and by welding, are the same on any number of ranks. The other
-# tests of ranks end before anything has frozen.
+# Bonds that form while the simulation runs, by freezing onto a solid and by welding, are the same on any
+# number of ranks. The other tests of ranks end before anything has frozen.
 . "$(dirname "$0")/../support/run.sh"
 cat >"$work/weld.toml" <<'SCENE'
 title   = "Two blocks collide and weld"

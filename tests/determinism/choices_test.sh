@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Choices of [numerics] beside the defaults, and defaults beside solids and walls: the same bits on 1, 2, 3, 4 and 7 ranks and over a restart. All solvers at
-# once; carried density with shifting; free liquid; a ball that falls into water; a full periodic box; fields of the start; the printed forms; double precision.
+# Choices of [numerics] beside the defaults, and defaults beside solids and walls: the same bits on 1, 2, 3, 4
+# and 7 ranks and over a restart. All solvers at once; carried density with shifting; free liquid; a ball that
+# falls into water; a full periodic box; fields of the start; the printed forms; double precision.
 . "$(dirname "$0")/../support/run.sh"
 # try NAME SCENE STEPS SETTINGS...
 try() {

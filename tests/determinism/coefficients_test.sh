@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Coefficients that change at a restart: told, the jump of stored energy is an entry of the ledger and no blow-up, the same on any number of ranks. What can act no more is
-# refused, or said to be without effect. And thaw compare on runs with all kinds of body.
+# Coefficients that change at a restart: told, the jump of stored energy is an entry of the ledger and no
+# blow-up, the same on any number of ranks. What can act no more is refused, or said to be without effect. And
+# thaw compare on runs with all kinds of body.
 . "$(dirname "$0")/../support/run.sh"
 . "$(dirname "$0")/../support/meeting_scene.sh"
 { meetingScene; clothOver; } >"$work/all.toml"

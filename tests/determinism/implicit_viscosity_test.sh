@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Lava with the implicit viscosity solver: the same bits on 1, 2, 3, 4 and 7 ranks and over a restart; and it had something to do.
+# Lava with the implicit viscosity solver: the same bits on 1, 2, 3, 4 and 7 ranks and over a restart; and it
+# had something to do.
 . "$(dirname "$0")/../support/run.sh"
 settings lava
 set+=(--set numerics.viscosity_solver=implicit)

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Oriented bodies (scenes/oriented): the same bits on 1, 2, 3, 4 and 7 ranks and over a restart on another number of ranks, births, deaths, cuts,
-# welds and anchors included; and contact with a continuum body and with a cloth. SCENES: fewer.
+# Oriented bodies (scenes/oriented): the same bits on 1, 2, 3, 4 and 7 ranks and over a restart on another
+# number of ranks, births, deaths, cuts, welds and anchors included; and contact with a continuum body and
+# with a cloth. SCENES: fewer.
 . "$(dirname "$0")/../support/run.sh"
 scenes=$source_dir/scenes/oriented
 same() { sameRuns "$1" "$2" "$3" "frames/${scene}_oriented.hdf.series"; }  # same A B WHAT
@@ -11,7 +12,8 @@ try() {  # try NAME FILE STEPS SETTINGS
   rm -rf "${work:?}/$1".*
 }
 . "$(dirname "$0")/../support/meeting_scene.sh"
-# A block falls on a surface that is held at its rim; then also a cloth on the surface and the block on the cloth, while a patch flies out of the domain.
+# A block falls on a surface that is held at its rim; then also a cloth on the surface and the block on the
+# cloth, while a patch flies out of the domain.
 meetingScene >"$work/meeting.toml"
 { meetingScene; clothOver; cat <<'EOF'
 [[oriented]]

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Every scene with a "# test:" line gives the same bits on 1, 2, 3, 4 and 7 ranks, and when it is killed with -9 and resumed on other numbers of ranks.
+# Every scene with a "# test:" line gives the same bits on 1, 2, 3, 4 and 7 ranks, and when it is killed with
+# -9 and resumed on other numbers of ranks.
 # Coarse, so that it takes seconds; every module of the scene is on. STEPS, SCENES: fewer or more of them.
 . "$(dirname "$0")/../support/run.sh"
 steps=${STEPS:-40}

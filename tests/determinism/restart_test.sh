@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# A run that is cut, killed with -9 and resumed on other numbers of ranks ends with the bits of a run that was left alone, and no frame
-# that was there is lost or changed. It is killed at any time here, so that the yardstick may have to go on; ranks_test.sh kills all scenes within their
-# steps. STEPS, SCENES: fewer or more of them.
+# A run that is cut, killed with -9 and resumed on other numbers of ranks ends with the bits of a run that was
+# left alone, and no frame that was there is lost or changed. It is killed at any time here, so that the
+# yardstick may have to go on; ranks_test.sh kills all scenes within their steps. STEPS, SCENES: fewer or more
+# of them.
 . "$(dirname "$0")/../support/run.sh"
 steps=${STEPS:-40}
 third=$((steps / 3))

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# A failure that no step mends: a block falls until it is faster than the watch allows, whatever the step. The run stops within the number of
-# retries, however close to the failure its good states come; with the same bits on any number of ranks, and stopped between two retries.
+# A failure that no step mends: a block falls until it is faster than the watch allows, whatever the step. The
+# run stops within the number of retries, however close to the failure its good states come; with the same
+# bits on any number of ranks, and stopped between two retries.
 . "$(dirname "$0")/../support/run.sh"
 cat >"$work/fall.toml" <<'SCENE'
 spacing = "2 cm"

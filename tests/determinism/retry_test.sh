@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
-# A run whose fixed step is too long fails, goes back to its last good state and goes on with half the step: with the same bits on 1, 2, 3, 4
-# and 7 ranks, and when it is stopped between a good state and the failure and resumed on another number of ranks. No frame is lost or twice.
+# A run whose fixed step is too long fails, goes back to its last good state and goes on with half the step:
+# with the same bits on 1, 2, 3, 4 and 7 ranks, and when it is stopped between a good state and the failure
+# and resumed on another number of ranks. No frame is lost or twice.
 . "$(dirname "$0")/../support/run.sh"
 retried() { [ "$(value "$1/summary.json" retries)" -ge "$2" ] || fail "$3: $(value "$1/summary.json" retries) retries"; }
 same() { sameRuns "$1" "$2" "$3" "frames/$scene.hdf.series"; }
-# scene, end, fixed step (about three times what is stable), retries at least, steps at which it is stopped: each before a failure
+# scene, end, fixed step (about three times what is stable), retries at least, steps at which it is stopped:
+# each before a failure
 try() {
   scene=$1
   local end=$2 step=$3 least=$4 run

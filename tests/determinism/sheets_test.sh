@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Sheets (scenes/sheet/) have the same bits on 1, 2, 3, 4 and 7 ranks, when a run is killed with -9 and resumed on other numbers of ranks, and when
-# it goes back to a good state: vertices, books, frames with their triangles. SCENES: fewer.
+# Sheets (scenes/sheet/) have the same bits on 1, 2, 3, 4 and 7 ranks, when a run is killed with -9 and
+# resumed on other numbers of ranks, and when it goes back to a good state: vertices, books, frames with their
+# triangles. SCENES: fewer.
 . "$(dirname "$0")/../support/run.sh"
 same() { sameRuns "$1" "$2" "$3" "frames/${scene}_sheet.hdf.series"; }  # same A B WHAT
 # try SCENE STEPS SETTINGS: on all ranks, cut, killed and resumed
@@ -92,7 +93,8 @@ velocity = [-0.5, 0, 0]
 [output]
 every = "20 ms"
 EOF
-# Sheets are wrapped round a block, a net and another sheet, with coefficients that change in time and by region.
+# Sheets are wrapped round a block, a net and another sheet, with coefficients that change in time and by
+# region.
 cat >"$work/wrapped.toml" <<'EOF'
 spacing = "3 cm"
 end = "1 s"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Solids that sleep and are woken (core/sleep/) have the same bits on 1, 2, 3, 4 and 7 ranks and when the run is cut and resumed on another number of ranks:
-# blocks come to rest, one falls on another much later, a wall moves up to the last.
+# Solids that sleep and are woken (core/sleep/) have the same bits on 1, 2, 3, 4 and 7 ranks and when the run
+# is cut and resumed on another number of ranks: blocks come to rest, one falls on another much later, a wall
+# moves up to the last.
 . "$(dirname "$0")/../support/run.sh"
 scene=sleepers
 cat >"$work/sleepers.toml" <<'SCENE'
@@ -54,7 +55,8 @@ sameOnAllRanks $scene 1000000 "320 960 1280" "$work/sleepers.toml" --set numeric
 expectSleepers() { slept=$(value "$work/$scene.1/summary.json" asleep); [ "${slept:-0}" -gt 0 ] || fail "$scene: nothing sleeps at the end"; }
 expectSleepers
 grep -q 'asleep 0 (awake: [0-9]* accelerate)' "$work/$scene.log.1" || fail "$scene: what keeps blocks awake is not told at the start"
-# a coefficient that changes at a restart wakes all: held as they were, sleepers would be pushed by forces without their contacts
+# a coefficient that changes at a restart wakes all: held as they were, sleepers would be pushed by forces
+# without their contacts
 for ranks in 1 3; do
   cp -r "$work/$scene.1" "$work/changed.$ranks"
   launch $ranks run "$work/sleepers.toml" --set numerics.retry_every=10 --set end=1.8 --set material.rubber.damping=301 --restart --out "$work/changed.$ranks" >"$work/log" 2>&1
@@ -63,7 +65,8 @@ for ranks in 1 3; do
 done
 same "$work/changed.1" "$work/changed.3" "$scene with another damping on 1 and 3 ranks"
 [ "$(value "$work/changed.1/summary.json" asleep)" -gt 0 ] || fail "$scene: nothing sleeps again after the change"
-# a rod leans on a ring: parts fall asleep while others creep, whose stress bonds bring two cells far into what sleeps. The force that holds that once depended on who had looked, and when
+# a rod leans on a ring: parts fall asleep while others creep, whose stress bonds bring two cells far into
+# what sleeps. The force that holds that once depended on who had looked, and when
 scene=leaning
 cat >"$work/leaning.toml" <<'SCENE'
 spacing = 0.02

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# A bar that hangs from a clamp and stretches to several times its length: bonded neighbours end up several cells, and ranks, apart. The same
-# bits on 1, 2, 3, 4 and 7 ranks, and over a restart while it is long. And a block that flies, spinning, out of an open side: its particles stay with the ranks that they began
-# with, whose cells they have left, until a restart or a new partition.
+# A bar that hangs from a clamp and stretches to several times its length: bonded neighbours end up several
+# cells, and ranks, apart. The same bits on 1, 2, 3, 4 and 7 ranks, and over a restart while it is long. And a
+# block that flies, spinning, out of an open side: its particles stay with the ranks that they began with,
+# whose cells they have left, until a restart or a new partition.
 . "$(dirname "$0")/../support/run.sh"
 cat >"$work/bar.toml" <<'SCENE'
 spacing = "2 cm"

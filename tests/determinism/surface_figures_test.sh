@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The cheap surface cases of the accuracy suite: their figures have the same digits on 1, 2, 3 and 4 ranks, and no bar is missed that is not named
-# here as missed. Bars are those of the cases themselves.
+# The cheap surface cases of the accuracy suite: their figures have the same digits on 1, 2, 3 and 4 ranks,
+# and no bar is missed that is not named here as missed. Bars are those of the cases themselves.
 . "$(dirname "$0")/../support/run.sh"
 suite=$build/benchmarks/accuracy
 # figures CASE RANKS SETTINGS: its lines but for times, into $work/CASE.RANKS
@@ -11,7 +11,8 @@ figures() {
   grep '^  ' "$work/log" | grep -v 'core-' >"$work/$case.$ranks"
   [ "$(wc -l <"$work/$case.$ranks")" -ge 5 ] || fail "$case on $ranks ranks: too few figures"
 }
-# try RANKS CASE KNOWN SETTINGS: RANKS are a list; KNOWN is a norm that is missed as docs/validation/accuracy.md says, or "none"
+# try RANKS CASE KNOWN SETTINGS: RANKS are a list; KNOWN is a norm that is missed as
+# docs/validation/accuracy.md says, or "none"
 try() {
   local all=$1 case=$2 known=$3 ranks missed
   shift 3

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The surface (table [surface]): surfels, components, events, frames and logs have the same bits on 1, 2, 3, 4 and 7 ranks, when a run is killed
-# with -9 and resumed on other numbers of ranks, and when it goes back to a good state. Splits and merges, births and deaths included. SCENES: fewer.
+# The surface (table [surface]): surfels, components, events, frames and logs have the same bits on 1, 2, 3, 4
+# and 7 ranks, when a run is killed with -9 and resumed on other numbers of ranks, and when it goes back to a
+# good state. Splits and merges, births and deaths included. SCENES: fewer.
 . "$(dirname "$0")/../support/run.sh"
 . "$(dirname "$0")/../support/surface_output.sh"
 # try NAME SCENE STEPS SETTINGS: on all ranks, cut, killed and resumed
@@ -57,7 +58,8 @@ every_move = 0.5
 [output]
 every = "20 ms"
 END
-# Two balls on a hot plane, the upper one liquid: its splash is thin, so surfels are sought far from where their particles are.
+# Two balls on a hot plane, the upper one liquid: its splash is thin, so surfels are sought far from where
+# their particles are.
 cat >"$work/splash.toml" <<'END'
 spacing = "1 cm"
 end = "0.28 s"
@@ -93,7 +95,8 @@ every_move = 1
 [output]
 every = "20 ms"
 END
-# Solids whose surfaces are their shapes drop on a hot plane, melt and part: a holed block aslant, a rod too thin for its particles, two plates that touch; and a liquid ball, grown.
+# Solids whose surfaces are their shapes drop on a hot plane, melt and part: a holed block aslant, a rod too
+# thin for its particles, two plates that touch; and a liquid ball, grown.
 cat >"$work/shapes.toml" <<'END'
 spacing = "1 cm"
 end = "0.4 s"
@@ -148,7 +151,8 @@ every_move = 0.5
 [output]
 every = "20 ms"
 END
-# A bust, a ball and a relaxed ball that begin across periodic sides; the bust spins there, so that its particles cross a side both ways.
+# A bust, a ball and a relaxed ball that begin across periodic sides; the bust spins there, so that its
+# particles cross a side both ways.
 cat >"$work/straddle.toml" <<'END'
 spacing = "1 cm"
 end = "0.3 s"
@@ -187,7 +191,8 @@ packing = "relaxed"
 [output]
 every = "50 ms"
 END
-# A liquid crescent whose relaxed particles are not where its shape is full: its pieces are labelled anew at the start, by which what their particles know of the surface is stale.
+# A liquid crescent whose relaxed particles are not where its shape is full: its pieces are labelled anew at
+# the start, by which what their particles know of the surface is stale.
 cat >"$work/crescent.toml" <<'END'
 spacing = 0.0018
 end = 1
@@ -213,8 +218,10 @@ every_move = 0.881
 [output]
 every = "5 ms"
 END
-# volumeHeld FOLDER FRAMES FRAME: at all frames all surfaces together hold what they are to hold (their particles' volume; of a ball that is sampled from its shape, that) to 1.5 % (a ball that is struck gives way by 1.1), and meshes of
-# one frame, which know nothing of how that was measured, to 4 %. When volumes were sums of x.n A they were off by 31 and 18 %.
+# volumeHeld FOLDER FRAMES FRAME: at all frames all surfaces together hold what they are to hold (their
+# particles' volume; of a ball that is sampled from its shape, that) to 1.5 % (a ball that is struck gives way
+# by 1.1), and meshes of one frame, which know nothing of how that was measured, to 4 %. When volumes were
+# sums of x.n A they were off by 31 and 18 %.
 volumeHeld() {
   awk -F, 'NR > 1 { wanted[$1] += $14; volume[$1] += $9 }
     END { for (f in wanted) { off = volume[f] / wanted[f] - 1; if (off < 0) off = -off; if (off > worst) worst = off }

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs the build folder $1 to a temporary prefix, and builds and runs a program of a few lines against what was installed.
+# Installs the build folder $1 to a temporary prefix, and builds and runs a program of a few lines against
+# what was installed.
 set -euo pipefail
 build=${1:?usage: consumer_test.sh BUILD_FOLDER}
 dir=$(mktemp -d)

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# scripts/lint finds each kind of fault and names its place: every fault is planted in a small tree of its own.
+# scripts/lint finds each kind of fault and names its place: every fault is planted in a small tree of its
+# own.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 # shellcheck source=../../scripts/lib.sh

@@ -1,4 +1,5 @@
-// The graph of bonds over ranks against a model of it that every rank keeps whole: random graphs, owners, melting, freezing, breaking.
+// The graph of bonds over ranks against a model of it that every rank keeps whole: random graphs, owners,
+// melting, freezing, breaking.
 #include <gtest/gtest.h>
 
 #include "tests/support/bond_halo_rig.hpp"
@@ -8,7 +9,8 @@ namespace {
 
 using namespace test;
 
-void play(std::size_t particles, std::uint64_t seed, int rounds, double oneEnded, std::size_t piece = largestPiece) {
+void play(std::size_t particles, std::uint64_t seed, int rounds, double oneEnded,
+          std::size_t piece = largestPiece) {
   Rig rig(particles, seed, piece);
   Dice& d = rig.dice;
   for (int round = 0; round < rounds; round++) {
@@ -30,7 +32,8 @@ void play(std::size_t particles, std::uint64_t seed, int rounds, double oneEnded
         if (!rig.good("break")) return;
       }
     }
-    const int target = d.chance(0.15) ? static_cast<int>(d.below(static_cast<std::size_t>(rig.comm.size()))) : -1;
+    const int target = d.chance(0.15) ? static_cast<int>(d.below(static_cast<std::size_t>(rig.comm.size())))
+                                      : -1;
     const bool everything = d.chance(0.1), withChange = d.chance(0.3);
     if (d.chance(0.3)) rig.meltAndFreeze(0.05, 0.05);  // as at the end of a step
     rig.migrate(everything ? 1 : much, target, d.chance(0.3) ? 0.02 : 0);
@@ -65,7 +68,8 @@ TEST(BondHalo, SecondMigrationNeedsARelink) {
   EXPECT_THROW(rig.halo->migrate(rig.p, rig.s, rig.b, {}), std::logic_error);
 }
 
-/// Records written on some ranks and read on others build the same graph, whether particles go home before the first relink or after.
+/// Records written on some ranks and read on others build the same graph, whether particles go home before
+/// the first relink or after.
 TEST(BondHalo, Records) {
   for (const bool relinkFirst : {false, true}) {
     Rig rig(120, 8);

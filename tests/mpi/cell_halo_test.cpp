@@ -51,7 +51,8 @@ std::vector<double> slopingCosts(const HaloRig& rig, double ratio) {
   for (std::size_t c = 0; c < rig.cells.key.size(); c++) {
     if (rig.cells.first[c] >= rig.particles.owned) continue;
     const Vec3i cell = cellOfKey(rig.cells.key[c]);
-    cost.push_back(rig.cells.count[c] * std::pow(ratio, (1.0 * cell.x / n.x + 1.0 * cell.y / n.y + 1.0 * cell.z / n.z) / 3));
+    cost.push_back(rig.cells.count[c] *
+                   std::pow(ratio, (1.0 * cell.x / n.x + 1.0 * cell.y / n.y + 1.0 * cell.z / n.z) / 3));
   }
   return cost;
 }
@@ -81,8 +82,9 @@ double measuredImbalance(std::span<const double> cost, Reducer& all) {
 
 void run(const Cloud& cloud, bool spread, std::size_t piece = largestPiece) {
   const CellGrid& g = cloud.grid;
-  SCOPED_TRACE(testing::Message() << "cells " << g.cells.x << ' ' << g.cells.y << ' ' << g.cells.z << ", particles " << cloud.number
-                                  << ", periodic " << g.periodic[0] << g.periodic[1] << g.periodic[2]);
+  SCOPED_TRACE(testing::Message() << "cells " << g.cells.x << ' ' << g.cells.y << ' ' << g.cells.z
+                                  << ", particles " << cloud.number << ", periodic " << g.periodic[0]
+                                  << g.periodic[1] << g.periodic[2]);
   const Communicator comm(MPI_COMM_WORLD, piece);
   MpiReducer all(comm);
   MpiCellHalo halo(comm, cloud.grid);
@@ -91,8 +93,10 @@ void run(const Cloud& cloud, bool spread, std::size_t piece = largestPiece) {
   rig.start(spread);
   rig.checkAll();
   for (rig.cloud.time = 1; rig.cloud.time < 5; rig.cloud.time++) {
-    const CellTable table = rig.cloud.time % 2 ? rig.cells : ownedCells(rig);  // with and without the ghost cells
-    if (halo.rebalance(table, costs(rig, rig.cloud.time % 2 ? 50 : 1), rig.cloud.time < 4)) checkTiling(cloud.grid, halo, all);
+    // with and without the ghost cells
+    const CellTable table = rig.cloud.time % 2 ? rig.cells : ownedCells(rig);
+    if (halo.rebalance(table, costs(rig, rig.cloud.time % 2 ? 50 : 1), rig.cloud.time < 4))
+      checkTiling(cloud.grid, halo, all);
     rig.place();
     rig.checkAll();
   }
@@ -111,7 +115,8 @@ TEST(CellHalo, ManyParticlesOnOneRankAtFirst) { run({plainGrid({12, 9, 10}, 5), 
 
 TEST(CellHalo, FewOrNoParticles) {
   for (int periodic : {0, 7})
-    for (const std::uint64_t number : {0, 1, 2, 5}) run({plainGrid({7, 5, 4}, periodic), number}, number % 2 == 0);
+    for (const std::uint64_t number : {0, 1, 2, 5})
+      run({plainGrid({7, 5, 4}, periodic), number}, number % 2 == 0);
 }
 
 TEST(CellHalo, AllParticlesInOneCell) {
@@ -125,7 +130,8 @@ TEST(CellHalo, MoreRanksThanCells) {
 }
 
 TEST(CellHalo, MessagesInPieces) {
-  for (const std::size_t piece : {smallestPiece, std::size_t{96}, std::size_t{1000}}) run({plainGrid({5, 4, 6}, 5), 700}, false, piece);
+  for (const std::size_t piece : {smallestPiece, std::size_t{96}, std::size_t{1000}})
+    run({plainGrid({5, 4, 6}, 5), 700}, false, piece);
   run({plainGrid({4, 3, 3}, 1), 3000}, true, 4096);
 }
 
@@ -211,7 +217,8 @@ TEST(CellHalo, RebalancePausesAfterAChange) {
   rig.exchange();
   ASSERT_TRUE(halo.rebalance(ownedCells(rig), slopingCosts(rig, 1000), false));
   rig.exchange();
-  for (int call = 0; call < 3; call++) EXPECT_FALSE(halo.rebalance(ownedCells(rig), slopingCosts(rig, 0.001), false));
+  for (int call = 0; call < 3; call++)
+    EXPECT_FALSE(halo.rebalance(ownedCells(rig), slopingCosts(rig, 0.001), false));
   EXPECT_TRUE(halo.rebalance(ownedCells(rig), slopingCosts(rig, 0.001), false));
   rig.exchange();
   rig.checkOwned();

@@ -19,7 +19,8 @@ struct Content {
   std::map<std::uint64_t, std::string> particles, solids;
 };
 
-void addRows(std::map<std::uint64_t, std::string>& to, const Table& table, std::size_t row, std::uint64_t id) {
+void addRows(std::map<std::uint64_t, std::string>& to, const Table& table, std::size_t row,
+             std::uint64_t id) {
   std::string bytes(table.stateBytes(), '\0');
   table.packState(row, reinterpret_cast<std::byte*>(bytes.data()));
   to[id] = bytes;
@@ -37,7 +38,8 @@ TEST(Checkpoint, IsReadOnAnyNumberOfRanks) {
       const Some some(writers);
       if (some.in()) {
         const Sample sample(some.comm, N, twoFrames);
-        EXPECT_EQ(writeCheckpoint(folder.path, some.comm, sample.w, stamp, {{"fall height", 1.25}}), folder.path + "/checkpoint/a.hdf");
+        EXPECT_EQ(writeCheckpoint(folder.path, some.comm, sample.w, stamp, {{"fall height", 1.25}}),
+                  folder.path + "/checkpoint/a.hdf");
       }
       MPI_Barrier(MPI_COMM_WORLD);
       const auto slice = readNewestCheckpoint(folder.path, MPI_COMM_WORLD);
@@ -51,8 +53,10 @@ TEST(Checkpoint, IsReadOnAnyNumberOfRanks) {
       EXPECT_EQ(h.sceneText, stamp.sceneText);
       EXPECT_EQ(h.ranks, writers);
       // even shares
-      EXPECT_LE(slice->particles.owned, (N + static_cast<std::uint64_t>(sizeOf()) - 1) / static_cast<std::uint64_t>(sizeOf()));
-      std::int64_t found[2] = {static_cast<std::int64_t>(slice->particles.owned), static_cast<std::int64_t>(slice->bonds.size())};
+      EXPECT_LE(slice->particles.owned,
+                (N + static_cast<std::uint64_t>(sizeOf()) - 1) / static_cast<std::uint64_t>(sizeOf()));
+      std::int64_t found[2] = {static_cast<std::int64_t>(slice->particles.owned),
+                               static_cast<std::int64_t>(slice->bonds.size())};
       MPI_Allreduce(MPI_IN_PLACE, found, 2, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
       EXPECT_EQ(found[0], static_cast<std::int64_t>(N));
       EXPECT_EQ(found[1], static_cast<std::int64_t>(h.bonds));
@@ -65,7 +69,8 @@ TEST(Checkpoint, IsReadOnAnyNumberOfRanks) {
         if (const std::uint32_t slot = whole.w.particles.slot[i]; slot != noSlot) {
           SolidRecords r;
           appendRecord(whole.w.solids, whole.w.bonds, slot, r);
-          expected.solids[whole.w.solids.id[slot]] = {reinterpret_cast<const char*>(r.bytes.data()), r.bytes.size()};
+          expected.solids[whole.w.solids.id[slot]] = {reinterpret_cast<const char*>(r.bytes.data()),
+                                                      r.bytes.size()};
         }
       }
       World restored;
@@ -84,7 +89,9 @@ TEST(Checkpoint, IsReadOnAnyNumberOfRanks) {
         SolidRecordView view;
         const std::size_t next = readRecord(restored.solids, records, at, view);
         EXPECT_TRUE(got.particles.count(view.id)) << "a solid is read by the rank that reads its particle";
-        EXPECT_EQ(std::string(reinterpret_cast<const char*>(records.data() + at), next - at), expected.solids.at(view.id)) << view.id;
+        EXPECT_EQ(std::string(reinterpret_cast<const char*>(records.data() + at), next - at),
+                  expected.solids.at(view.id))
+            << view.id;
         at = next;
       }
       EXPECT_EQ(restored.clock.frame, 7);
@@ -128,7 +135,8 @@ TEST(Checkpoint, AlternatesBetweenTwoFilesAndFallsBackToTheWholeOne) {
   const std::size_t at = whole.find(std::string(pattern, 8));
   ASSERT_NE(at, std::string::npos);
   flipped[at] = static_cast<char>(flipped[at] ^ 1);  // one bit of one position
-  for (const std::string& bytes : {flipped, whole.substr(0, whole.size() / 2), whole.substr(0, 100), std::string(), std::string(5000, 'x')}) {
+  for (const std::string& bytes : {flipped, whole.substr(0, whole.size() / 2), whole.substr(0, 100),
+                                   std::string(), std::string(5000, 'x')}) {
     damage(bytes);
     const auto slice = readNewestCheckpoint(folder.path, MPI_COMM_WORLD);
     ASSERT_NE(slice, nullptr);
@@ -158,7 +166,8 @@ TEST(Checkpoint, AFullDiskKeepsTheOldOnes) {
   writeCheckpoint(folder.path, MPI_COMM_WORLD, sample.w, stamp);
   sample.w.clock.step++;
   writeCheckpoint(folder.path, MPI_COMM_WORLD, sample.w, stamp);
-  struct rlimit old {}, tight {};
+  struct rlimit old {
+  }, tight{};
   getrlimit(RLIMIT_FSIZE, &old);
   tight = old;
   tight.rlim_cur = 30000;

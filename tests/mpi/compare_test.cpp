@@ -24,8 +24,10 @@ const bool romio = (useRomio(), true);  // before MPI_Init, which is in main
 const RunStamp stamp{"wax", "title = \"wax\"\n", false};
 constexpr std::uint64_t N = 200;
 
-/// Two run folders on all ranks' disk: A by one rank, B by all, whose world was changed by `change`. Then the comparison, on rank 0.
-template<class Change, class Check> void compareChanged(Change&& change, Check&& check, double tolerance = -1) {
+/// Two run folders on all ranks' disk: A by one rank, B by all, whose world was changed by `change`. Then the
+/// comparison, on rank 0.
+template<class Change, class Check>
+void compareChanged(Change&& change, Check&& check, double tolerance = -1) {
   const Folder folder;
   const std::string a = folder.path + "/a", b = folder.path + "/b";
   if (rankOf() == 0) {
@@ -54,23 +56,27 @@ std::ptrdiff_t rowOf(const World& w, std::uint64_t id) {
 double nextUp(double x) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
 
 bool mentions(const std::vector<std::string>& lines, const std::string& text) {
-  return std::any_of(lines.begin(), lines.end(), [&](const std::string& l) { return l.find(text) != std::string::npos; });
+  return std::any_of(lines.begin(), lines.end(),
+                     [&](const std::string& l) { return l.find(text) != std::string::npos; });
 }
 
 }  // namespace
 
 TEST(Compare, NothingDependsOnTheNumberOfRanksThatWrote) {
-  compareChanged([](World&) {}, [](const Comparison& c) {
-    EXPECT_TRUE(c.equal()) << describe(c)[1];
-    EXPECT_EQ(c.rows, N);
-    EXPECT_GT(c.columns, 20u);
-  });
+  compareChanged([](World&) {},
+                 [](const Comparison& c) {
+                   EXPECT_TRUE(c.equal()) << describe(c)[1];
+                   EXPECT_EQ(c.rows, N);
+                   EXPECT_GT(c.columns, 20u);
+                 });
 }
 
 TEST(Compare, OneBitOfOneParticleIsADifference) {
   const auto change = [](World& w) {
     for (std::uint64_t id : {77u, 150u})
-      if (const std::ptrdiff_t i = rowOf(w, id); i >= 0) w.particles.position[static_cast<std::size_t>(i)].z = nextUp(w.particles.position[static_cast<std::size_t>(i)].z);
+      if (const std::ptrdiff_t i = rowOf(w, id); i >= 0)
+        w.particles.position[static_cast<std::size_t>(i)].z = nextUp(
+            w.particles.position[static_cast<std::size_t>(i)].z);
   };
   compareChanged(change, [](const Comparison& c) {
     ASSERT_EQ(c.fields.size(), 1u);
@@ -80,76 +86,94 @@ TEST(Compare, OneBitOfOneParticleIsADifference) {
     EXPECT_EQ(c.fields[0].firstId, 77u);
     EXPECT_GT(c.fields[0].largest, 0);
     EXPECT_LT(c.fields[0].largest, 1e-15);
-    EXPECT_NE(c.fields[0].first.find("position component 2 of id 77: A "), std::string::npos) << c.fields[0].first;
+    EXPECT_NE(c.fields[0].first.find("position component 2 of id 77: A "), std::string::npos)
+        << c.fields[0].first;
     EXPECT_NE(c.fields[0].first.find("0x"), std::string::npos);
   });
-  compareChanged(change, [](const Comparison& c) { EXPECT_TRUE(c.equal()); }, 1e-12);
+  compareChanged(
+      change, [](const Comparison& c) { EXPECT_TRUE(c.equal()); }, 1e-12);
 }
 
 TEST(Compare, ASignOfZeroAndANaNAreDifferences) {
   for (double value : {-0.0, std::nan("")}) {
     const auto change = [&](World& w) {
-      if (const std::ptrdiff_t i = rowOf(w, 5); i >= 0) w.particles.velocity[static_cast<std::size_t>(i)].x = value;
+      if (const std::ptrdiff_t i = rowOf(w, 5); i >= 0)
+        w.particles.velocity[static_cast<std::size_t>(i)].x = value;
     };
     compareChanged(change, [](const Comparison& c) { EXPECT_EQ(c.fields.size(), 1u); });
   }
-  compareChanged([](World& w) { if (const auto i = rowOf(w, 5); i >= 0) w.particles.velocity[static_cast<std::size_t>(i)].x = std::nan(""); },
-                 [](const Comparison& c) { EXPECT_FALSE(c.equal()); }, 1e300);
+  compareChanged(
+      [](World& w) {
+        if (const auto i = rowOf(w, 5); i >= 0)
+          w.particles.velocity[static_cast<std::size_t>(i)].x = std::nan("");
+      },
+      [](const Comparison& c) { EXPECT_FALSE(c.equal()); }, 1e300);
 }
 
 TEST(Compare, IntegersHaveNoTolerance) {
-  compareChanged([](World& w) { if (const auto i = rowOf(w, 9); i >= 0) w.particles.phase[static_cast<std::size_t>(i)] ^= 1; },
-                 [](const Comparison& c) {
-                   ASSERT_EQ(c.fields.size(), 1u);
-                   EXPECT_EQ(c.fields[0].field, "phase");
-                 }, 1e9);
+  compareChanged(
+      [](World& w) {
+        if (const auto i = rowOf(w, 9); i >= 0) w.particles.phase[static_cast<std::size_t>(i)] ^= 1;
+      },
+      [](const Comparison& c) {
+        ASSERT_EQ(c.fields.size(), 1u);
+        EXPECT_EQ(c.fields[0].field, "phase");
+      },
+      1e9);
 }
 
 TEST(Compare, AMissingParticleIsReportedWithItsId) {
-  compareChanged([](World& w) {
-    if (const std::ptrdiff_t i = rowOf(w, 42); i >= 0) w.particles.id[static_cast<std::size_t>(i)] = 4242;  // 42 is liquid: no slot to follow
-  }, [](const Comparison& c) {
-    EXPECT_TRUE(mentions(c.general, "1 ids are in A only, the first 42")) << describe(c)[1];
-    EXPECT_TRUE(mentions(c.general, "1 ids are in B only, the first 4242"));
-    EXPECT_TRUE(c.fields.empty());
-  });
+  compareChanged(
+      [](World& w) {
+        // 42 is liquid: no slot to follow
+        if (const std::ptrdiff_t i = rowOf(w, 42); i >= 0) w.particles.id[static_cast<std::size_t>(i)] = 4242;
+      },
+      [](const Comparison& c) {
+        EXPECT_TRUE(mentions(c.general, "1 ids are in A only, the first 42")) << describe(c)[1];
+        EXPECT_TRUE(mentions(c.general, "1 ids are in B only, the first 4242"));
+        EXPECT_TRUE(c.fields.empty());
+      });
 }
 
 TEST(Compare, ABondIsPartOfTheState) {
-  compareChanged([](World& w) {  // id 100 loses a bond, id 101's first gets another weight
-    for (std::size_t s = 0; s < w.solids.owned; s++)
-      for (int k = 0; k < w.bonds.capacity; k++) {
-        if (!w.bonds.there(s, k)) continue;
-        const std::size_t at = w.bonds.at(s, k);
-        if (w.solids.id[s] == 100) w.bonds.cut(s, k);
-        if (w.solids.id[s] == 101) w.bonds.weight.set(at, nextUp(w.bonds.weight[at]));
-        break;
-      }
-  }, [](const Comparison& c) {
-    ASSERT_EQ(c.fields.size(), 2u);
-    EXPECT_EQ(c.fields[0].field, "number of bonds");
-    EXPECT_EQ(c.fields[0].firstId, 100u);
-    EXPECT_EQ(c.fields[1].field, "bond weight");
-    EXPECT_EQ(c.fields[1].firstId, 101u);
-    EXPECT_EQ(c.fields[1].rows, 1u);
-  });
+  compareChanged(
+      [](World& w) {  // id 100 loses a bond, id 101's first gets another weight
+        for (std::size_t s = 0; s < w.solids.owned; s++)
+          for (int k = 0; k < w.bonds.capacity; k++) {
+            if (!w.bonds.there(s, k)) continue;
+            const std::size_t at = w.bonds.at(s, k);
+            if (w.solids.id[s] == 100) w.bonds.cut(s, k);
+            if (w.solids.id[s] == 101) w.bonds.weight.set(at, nextUp(w.bonds.weight[at]));
+            break;
+          }
+      },
+      [](const Comparison& c) {
+        ASSERT_EQ(c.fields.size(), 2u);
+        EXPECT_EQ(c.fields[0].field, "number of bonds");
+        EXPECT_EQ(c.fields[0].firstId, 100u);
+        EXPECT_EQ(c.fields[1].field, "bond weight");
+        EXPECT_EQ(c.fields[1].firstId, 101u);
+        EXPECT_EQ(c.fields[1].rows, 1u);
+      });
 }
 
 TEST(Compare, TimeCountersAndLedgerCount) {
-  compareChanged([](World& w) {
-    w.clock.time = nextUp(w.clock.time);
-    w.clock.step++;
-    if (rankOf() == sizeOf() - 1) {
-      w.counters.frozen++;
-      w.ledger.heatIn.add(1e-300);  // far below the last digit of its value
-    }
-  }, [](const Comparison& c) {
-    EXPECT_TRUE(mentions(c.general, "time: A 0.3000000000000000"));
-    EXPECT_TRUE(mentions(c.general, "step: A 123, B 124"));
-    EXPECT_TRUE(mentions(c.general, "counter frozen: A 0, B 1"));
-    EXPECT_TRUE(mentions(c.general, "the exact sums differ"));
-    EXPECT_TRUE(c.fields.empty());
-  });
+  compareChanged(
+      [](World& w) {
+        w.clock.time = nextUp(w.clock.time);
+        w.clock.step++;
+        if (rankOf() == sizeOf() - 1) {
+          w.counters.frozen++;
+          w.ledger.heatIn.add(1e-300);  // far below the last digit of its value
+        }
+      },
+      [](const Comparison& c) {
+        EXPECT_TRUE(mentions(c.general, "time: A 0.3000000000000000"));
+        EXPECT_TRUE(mentions(c.general, "step: A 123, B 124"));
+        EXPECT_TRUE(mentions(c.general, "counter frozen: A 0, B 1"));
+        EXPECT_TRUE(mentions(c.general, "the exact sums differ"));
+        EXPECT_TRUE(c.fields.empty());
+      });
 }
 
 TEST(Compare, FieldsInOneFileOnly) {
@@ -162,7 +186,8 @@ TEST(Compare, FieldsInOneFileOnly) {
   write("a.hdf", {"velocity", "rank"});
   write("b.hdf", {"velocity", "temperature"});
   if (rankOf() != 0) return;
-  const Comparison c = compareSnapshots(openSnapshot(folder.path + "/a.hdf"), openSnapshot(folder.path + "/b.hdf"), {});
+  const Comparison c = compareSnapshots(openSnapshot(folder.path + "/a.hdf"),
+                                        openSnapshot(folder.path + "/b.hdf"), {});
   ASSERT_EQ(c.general.size(), 1u);  // rank does not count
   EXPECT_EQ(c.general[0], "particles: field temperature is in B only");
   EXPECT_TRUE(c.fields.empty());
@@ -178,9 +203,7 @@ TEST(Compare, WhatCannotBeReadIsExitCode3) {
   std::ofstream(folder.path + "/empty.hdf");
   for (const std::string& b : {bad, folder.path + "/empty.hdf", folder.path + "/none.hdf", folder.path}) {
     EXPECT_EQ(compareCommand({frame, b, -1}), 3) << b;
-    if (b != folder.path) {
-      EXPECT_EQ(infoCommand({b, true}), 3) << b;
-    }
+    if (b != folder.path) { EXPECT_EQ(infoCommand({b, true}), 3) << b; }
   }
   EXPECT_EQ(infoCommand({folder.path, false}), 3);
   EXPECT_EQ(infoCommand({frame, false}), 0);
@@ -211,7 +234,7 @@ TEST(Compare, TruncatedAndDamagedFilesAreErrorsNotCrashes) {
     };
     for (std::size_t n = 1; n < 40; n++) attempt(whole.substr(0, whole.size() * n / 40));
     EXPECT_GT(errors, 0);
-    EXPECT_EQ(read, 0);  // no truncated file passes
+    EXPECT_EQ(read, 0);                       // no truncated file passes
     for (std::uint64_t n = 0; n < 60; n++) {  // bytes of the first part, where HDF5 describes what is where
       std::string bytes = whole;
       bytes[static_cast<std::size_t>((hashed(n) + 0.5) * 4096)] ^= static_cast<char>(1u << (n % 8));
@@ -226,7 +249,8 @@ TEST(Compare, DamagedRowsAreNamed) {
   if (rankOf() != 0) return;
   makeOutputFolders(folder.path);
   Sample sample(MPI_COMM_SELF, 60);
-  const std::string good = writeCheckpoint(folder.path, MPI_COMM_SELF, sample.w, stamp), bad = folder.path + "/bad.hdf";
+  const std::string good = writeCheckpoint(folder.path, MPI_COMM_SELF, sample.w, stamp),
+                    bad = folder.path + "/bad.hdf";
   fs::copy_file(good, bad);
   const std::uint64_t place = H5File::openToRead(bad).offset("/particles/velocity") + 100;
   std::fstream file(bad, std::ios::binary | std::ios::in | std::ios::out);

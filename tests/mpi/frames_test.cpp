@@ -1,4 +1,5 @@
-// Frames and their series: every field of every particle, written by any ranks; full disks, folders that are not there.
+// Frames and their series: every field of every particle, written by any ranks; full disks, folders that are
+// not there.
 #include <algorithm>
 #include <array>
 #include <set>
@@ -6,8 +7,8 @@
 #include "core/solid/plasticity.hpp"
 #include "io/hdf5/agree.hpp"
 #include "io/hdf5/parallel_file.hpp"
-#include "io/output/frame_fields.hpp"
 #include "io/output/earlier_run.hpp"
+#include "io/output/frame_fields.hpp"
 #include "io/output/series.hpp"
 #include "tests/support/output_files.hpp"
 
@@ -44,7 +45,8 @@ TEST(Frame, HasEveryFieldOfEveryParticle) {
       EXPECT_EQ(d.find("temperature")->value(i), static_cast<float>(300 + hashed(id)));
       EXPECT_EQ(d.find("rank")->value(i), ownerOf(id, sizeOf()));
       EXPECT_EQ(d.find("stress")->value(i, 5), solidAt(id) ? double(id) : 0);
-      EXPECT_EQ(d.find("plastic_strain")->value(i, 1), solidAt(id) ? static_cast<float>(plasticStrain(plasticInverseOf(id), {}).yy) : 0.0f);
+      EXPECT_EQ(d.find("plastic_strain")->value(i, 1),
+                solidAt(id) ? static_cast<float>(plasticStrain(plasticInverseOf(id), {}).yy) : 0.0f);
       EXPECT_EQ(d.find("strain")->value(i, 0), 0);
     }
     EXPECT_EQ(ids.size(), N);
@@ -52,7 +54,8 @@ TEST(Frame, HasEveryFieldOfEveryParticle) {
     EXPECT_EQ(d.find("neighbours")->element, Element::U16);
     if (rankOf() == 0) {
       const H5File file = H5File::openToRead(path);
-      const auto offsets = readRows<std::int64_t>(file, "/VTKHDF/Offsets", Element::I64), connectivity = readRows<std::int64_t>(file, "/VTKHDF/Connectivity", Element::I64),
+      const auto offsets = readRows<std::int64_t>(file, "/VTKHDF/Offsets", Element::I64),
+                 connectivity = readRows<std::int64_t>(file, "/VTKHDF/Connectivity", Element::I64),
                  points = readRows<std::int64_t>(file, "/VTKHDF/NumberOfPoints", Element::I64);
       EXPECT_EQ(offsets.size(), N + points.size());
       std::size_t o = 0, c = 0;
@@ -68,7 +71,8 @@ TEST(Frame, OfMoreThan31BitsHasWideConnectivity) {
   const Folder folder;
   const std::size_t N = 200;
   Sample sample(MPI_COMM_WORLD, N);
-  const std::string narrow = folder.path + "/narrow.hdf", wide = folder.path + "/wide.hdf", edge = folder.path + "/edge.hdf";
+  const std::string narrow = folder.path + "/narrow.hdf", wide = folder.path + "/wide.hdf",
+                    edge = folder.path + "/edge.hdf";
   const Frame frame = frameOf(sample.w, rankOf());
   writeFrame(narrow, MPI_COMM_WORLD, frame, stamp, N + 1);
   writeFrame(edge, MPI_COMM_WORLD, frame, stamp, N);
@@ -81,7 +85,8 @@ TEST(Frame, OfMoreThan31BitsHasWideConnectivity) {
   for (const char* name : {"/VTKHDF/Connectivity", "/VTKHDF/Offsets"}) {
     EXPECT_EQ(n.shape(name).element, Element::I32);
     EXPECT_EQ(w.shape(name).element, Element::I64);
-    EXPECT_EQ(H5File::openToRead(edge).shape(name).element, Element::I64) << "2^31 - 1 rows have 2^31 offsets";
+    EXPECT_EQ(H5File::openToRead(edge).shape(name).element, Element::I64)
+        << "2^31 - 1 rows have 2^31 offsets";
     EXPECT_EQ(readRows<std::int64_t>(n, name, Element::I64), readRows<std::int64_t>(w, name, Element::I64));
   }
 }
@@ -102,8 +107,9 @@ TEST(Frame, FieldsOfModulesThatAreOffStandForWhatTheyMean) {
   w.scene.bodies[0].temperature = 333;
   w.scene.output.fields = knownFrameFields();
   Continuum& p = w.particles;
-  for (AnyColumn* c : {static_cast<AnyColumn*>(&p.id), static_cast<AnyColumn*>(&p.position), static_cast<AnyColumn*>(&p.velocity),
-                       static_cast<AnyColumn*>(&p.material), static_cast<AnyColumn*>(&p.body)})
+  for (AnyColumn* c : {static_cast<AnyColumn*>(&p.id), static_cast<AnyColumn*>(&p.position),
+                       static_cast<AnyColumn*>(&p.velocity), static_cast<AnyColumn*>(&p.material),
+                       static_cast<AnyColumn*>(&p.body)})
     p.activate(*c);
   p.resize(1, 0);
   const Frame f = frameOf(w, 0);
@@ -132,7 +138,8 @@ TEST(Frame, AFullDiskIsAnErrorOfAllRanksAndLeavesTheOldFile) {
   const std::string before = bytesOfFile(path);
   for (int full : {0, sizeOf() - 1, -1}) {  // the first rank's disk, the last one's, everybody's
     MPI_Barrier(MPI_COMM_WORLD);
-    struct rlimit old {}, tight {};
+    struct rlimit old {
+    }, tight{};
     getrlimit(RLIMIT_FSIZE, &old);
     tight = old;
     tight.rlim_cur = 40000;
@@ -153,12 +160,17 @@ TEST(Frame, AFullDiskIsAnErrorOfAllRanksAndLeavesTheOldFile) {
     EXPECT_FALSE(fs::exists(path + ".part"));
   }
   // as a writer does: what is free may change between two ranks' looks
-  EXPECT_EQ(sameError([&] { onFirstRank(MPI_COMM_WORLD, [&] { requireFreeSpace(path, std::uint64_t(1) << 60); }); }).find(path + ": not enough space on the disk: "), 0u);
+  EXPECT_EQ(sameError([&] {
+              onFirstRank(MPI_COMM_WORLD, [&] { requireFreeSpace(path, std::uint64_t(1) << 60); });
+            }).find(path + ": not enough space on the disk: "),
+            0u);
 }
 
 TEST(Frame, AFolderThatIsNotThereIsAnErrorOfAllRanks) {
   Sample small(MPI_COMM_WORLD, 20);
-  const std::string error = sameError([&] { writeFrame("/tmp/thaw_there_is_no_such_folder/f.hdf", MPI_COMM_WORLD, frameOf(small.w, rankOf()), stamp); });
+  const std::string error = sameError([&] {
+    writeFrame("/tmp/thaw_there_is_no_such_folder/f.hdf", MPI_COMM_WORLD, frameOf(small.w, rankOf()), stamp);
+  });
   EXPECT_NE(error.find("No such file or directory"), std::string::npos) << error;
 }
 
@@ -169,7 +181,8 @@ TEST(Series, IsMadeAnewFromTheFramesThatAreThere) {
   Sample sample(MPI_COMM_WORLD, 30);
   for (int k = 0; k < 4; k++) {
     sample.w.clock.time = 0.04 * k;
-    writeFrame(frameFolder(folder.path) + "/" + frameName("wax", k), MPI_COMM_WORLD, frameOf(sample.w, rankOf()), stamp);
+    writeFrame(frameFolder(folder.path) + "/" + frameName("wax", k), MPI_COMM_WORLD,
+               frameOf(sample.w, rankOf()), stamp);
   }
   if (rankOf() == 0) {
     std::ofstream(frameFolder(folder.path) + "/wax_000004.hdf") << "damaged";

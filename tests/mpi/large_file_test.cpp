@@ -1,5 +1,5 @@
-// Files with more than 2^32 rows and more than 2^31 bytes: the far end of a dataset is written and read by all ranks; the file is sparse and takes
-// no room on the disk.
+// Files with more than 2^32 rows and more than 2^31 bytes: the far end of a dataset is written and read by
+// all ranks; the file is sparse and takes no room on the disk.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 

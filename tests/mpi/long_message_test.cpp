@@ -1,4 +1,5 @@
-// A message of more than 2^31 bytes, which MPI's counts do not hold, in real pieces: from the first rank to the last (to itself, where it is alone).
+// A message of more than 2^31 bytes, which MPI's counts do not hold, in real pieces: from the first rank to
+// the last (to itself, where it is alone).
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -11,7 +12,8 @@ using namespace thaw;
 
 TEST(LongMessage, MoreThan2To31BytesArriveInOrder) {
   constexpr std::size_t bytes = (std::size_t{1} << 31) + 12345;
-  const double free = static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  const double free = static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) *
+                      static_cast<double>(sysconf(_SC_PAGESIZE));
   int enough = free > 3.0 * static_cast<double>(bytes), all = 0;
   MPI_Allreduce(&enough, &all, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
   if (!all) GTEST_SKIP() << "needs 6.5 GB of free memory";
@@ -22,7 +24,8 @@ TEST(LongMessage, MoreThan2To31BytesArriveInOrder) {
   // zeroed pages that nobody writes take no memory; marks stand where pieces may begin and end
   const auto marked = [&](auto each) {
     for (std::size_t at = 0; at < bytes; at += 4096 * 511) each(at);
-    for (const std::size_t end : {std::size_t{1} << 30, std::size_t{1} << 31, bytes}) each(end - 1), each(end < bytes ? end : 0);
+    for (const std::size_t end : {std::size_t{1} << 30, std::size_t{1} << 31, bytes})
+      each(end - 1), each(end < bytes ? end : 0);
   };
   const auto mark = [](std::size_t at) { return static_cast<std::byte>(1 + at % 251); };
   std::vector<MPI_Request> requests;

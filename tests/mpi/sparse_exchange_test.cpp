@@ -12,7 +12,8 @@ using thaw::test::hashed;
 
 namespace {
 
-/// Number of messages from one rank to another in a round (mostly none), and their sizes; every rank works out all of it.
+/// Number of messages from one rank to another in a round (mostly none), and their sizes; every rank works
+/// out all of it.
 int messagesBetween(int from, int to, int round) {
   return static_cast<int>(hashed(static_cast<std::uint64_t>(round * 10007 + from * 101 + to)) * 5) - 2;
 }
@@ -58,7 +59,8 @@ TEST(SparseExchange, LongMessagesTravelInPieces) {
   const std::size_t sizes[] = {1, 63, 64, 65, 128, 1000, 6400};  // multiples of a piece end with an empty one
   for (int round = 0; round < 10; round++) {
     std::vector<Message> out;
-    const int to = (comm.rank() + 1 + round) % comm.size(), from = ((comm.rank() - 1 - round) % comm.size() + comm.size()) % comm.size();
+    const int to = (comm.rank() + 1 + round) % comm.size(),
+              from = ((comm.rank() - 1 - round) % comm.size() + comm.size()) % comm.size();
     for (int k = 0; k < 7; k++) {
       Message m{to, std::vector<std::byte>(sizes[k])};
       for (std::size_t i = 0; i < m.bytes.size(); i++) m.bytes[i] = content(i, comm.rank(), k);
@@ -109,7 +111,8 @@ TEST(MpiReducer, LongReductionsGoInPieces) {
   std::vector<std::int64_t> sums(200);
   for (std::size_t k = 0; k < sums.size(); k++) sums[k] = static_cast<std::int64_t>(k) * (comm.rank() + 1);
   all.sum(sums);
-  for (std::size_t k = 0; k < sums.size(); k++) ASSERT_EQ(sums[k], static_cast<std::int64_t>(k) * comm.size() * (comm.size() + 1) / 2);
+  for (std::size_t k = 0; k < sums.size(); k++)
+    ASSERT_EQ(sums[k], static_cast<std::int64_t>(k) * comm.size() * (comm.size() + 1) / 2);
   EXPECT_EQ(comm.traffic().collectives, comm.size() == 1 ? 0 : 4);
 }
 

@@ -31,7 +31,8 @@ Scene block(bool solid) {
   return s;
 }
 
-/// Bytes a particle that a start allocates on one rank, whether it keeps them or not. The particles are moved off their lattice, so that some have more bonds than most.
+/// Bytes a particle that a start allocates on one rank, whether it keeps them or not. The particles are moved
+/// off their lattice, so that some have more bonds than most.
 double askedFor(bool solid) {
   const Communicator comm;
   MpiReducer all(comm);
@@ -46,7 +47,10 @@ double askedFor(bool solid) {
   sampleWorld(w, halos, tools, {});
   Continuum& p = w.particles;
   for (std::size_t i = 0; i < p.owned; i++)
-    for (int a = 0; a < 3; a++) p.position[i][a] += 0.1 * w.scene.spacing * (2 * randomUniform(1, Purpose::Separate, p.id[i], static_cast<std::uint64_t>(a)) - 1);
+    for (int a = 0; a < 3; a++)
+      p.position[i][a] += 0.1 * w.scene.spacing *
+                          (2 * randomUniform(1, Purpose::Separate, p.id[i], static_cast<std::uint64_t>(a)) -
+                           1);
   tools.bondsAtStart = solid;
   takeStock(w, halos, tools);
   return static_cast<double>(allocatedBytes - before) / static_cast<double>(p.owned);
@@ -54,7 +58,8 @@ double askedFor(bool solid) {
 
 }  // namespace
 
-// With room for bonds made twice, columns, ids and lists that double, and places kept beside the numbers they follow from it was 1491 and 710.
+// With room for bonds made twice, columns, ids and lists that double, and places kept beside the numbers they
+// follow from it was 1491 and 710.
 TEST(Start, AsksTheSystemOnce) {
   if (Communicator().size() > 1) GTEST_SKIP() << "messages of the first partition come on top";
   const double solid = askedFor(true), fluid = askedFor(false);

@@ -57,7 +57,8 @@ void runSteady(const Scene& scene, int mostBusy = 10) {
   const Halos halos{all, cells, bonds};
   startWorld(w, halos, tools, {});
   for (int k = 0; k < 150; k++) ASSERT_TRUE(step(w, halos, tools, {}).finite);
-  int busy = 0;  // steps in which something grew: a particle came to this rank, a list became longer than ever
+  int busy = 0;  // steps in which something grew: a particle came to this rank, a list became longer than
+                 // ever
   long most = 0;
   for (int k = 0; k < 50; k++) {
     const long before = allocations;
@@ -74,7 +75,8 @@ void runSteady(const Scene& scene, int mostBusy = 10) {
 // Where something moves, lists become longer than ever now and then.
 TEST(Step, FewStepsAllocateWhereAllMoves) { runSteady(blockInAPool()); }
 
-// The same with nothing that falls: whatever a step of a liquid, a solid, heat, contacts and walls does, no step of it allocates.
+// The same with nothing that falls: whatever a step of a liquid, a solid, heat, contacts and walls does, no
+// step of it allocates.
 TEST(Step, ASteadyStepAllocatesNothing) {
   Scene s = blockInAPool();
   s.domain.gravity = {};

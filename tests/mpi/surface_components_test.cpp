@@ -1,4 +1,5 @@
-// Components of bodies that lie across ranks: labels, events and measures are those of a single process, bit by bit (docs/validation/stability.md B30).
+// Components of bodies that lie across ranks: labels, events and measures are those of a single process, bit
+// by bit (docs/validation/stability.md B30).
 #include <map>
 
 #include "core/math/hash_random.hpp"
@@ -10,7 +11,8 @@ using namespace thaw::test;
 
 namespace {
 
-/// A scene of many bodies: a long wire, two balls that meet, a ball across a periodic side, a dumbbell, a drop in a pool, a spray.
+/// A scene of many bodies: a long wire, two balls that meet, a ball across a periodic side, a dumbbell, a
+/// drop in a pool, a spray.
 template<class Rig> void fill(Rig& rig) {
   rig.box({-1.9, -0.1, 1.5}, {38, 2, 2});  // crosses all ranks
   rig.body = 1;
@@ -18,18 +20,20 @@ template<class Rig> void fill(Rig& rig) {
   rig.body = 2;
   rig.ball({0.15, -1.2, -0.6}, 0.4);
   rig.body = 3;
-  rig.ball({1.95, 1.2, -0.5}, 0.5);        // periodic
+  rig.ball({1.95, 1.2, -0.5}, 0.5);  // periodic
   rig.body = 4;
   rig.ball({-0.6, 1.2, 0.7}, 0.4, 1000000);
-  rig.ball({0.6, 1.2, 0.7}, 0.4, 1000000); // one component so far
-  rig.sphere({0, 1.5, 0}, 0.05, 1000000);  // surfels without particles
+  rig.ball({0.6, 1.2, 0.7}, 0.4, 1000000);  // one component so far
+  rig.sphere({0, 1.5, 0}, 0.05, 1000000);   // surfels without particles
   rig.body = 5;
   rig.box({-1.5, -1.5, -1.9}, {30, 20, 5});
   rig.body = 6;
   rig.ball({0, -0.7, -1.3}, 0.25);
   for (int k = 0; k < 40; k++) {
     rig.body = static_cast<std::uint16_t>(10 + k);
-    const auto u = [&](std::uint64_t s) { return randomUniform(s, Purpose::Test, static_cast<std::uint64_t>(k)); };
+    const auto u = [&](std::uint64_t s) {
+      return randomUniform(s, Purpose::Test, static_cast<std::uint64_t>(k));
+    };
     rig.ball({-1.7 + 3.4 * u(1), -0.4 + 0.8 * u(2), 0.2 + u(3)}, 0.12);
   }
   for (int k = 0; k < 10; k++) rig.particle({-0.6 + 0.02 * k, 1.2 + 0.01 * k, 1.1 + 0.07 * k});  // fresh
@@ -95,7 +99,8 @@ TEST(SurfaceComponents, AreThoseOfASingleProcess) {
     halos.all.sum(surfels);
     EXPECT_EQ(surfels[0], static_cast<std::int64_t>(a.surfels.owned));
     const std::vector<std::uint64_t> labels = whole.rig.labels();
-    for (std::size_t i = 0; i < b.particles.owned; i++) EXPECT_EQ(b.particles.component[i], labels[b.particles.id[i]]);
+    for (std::size_t i = 0; i < b.particles.owned; i++)
+      EXPECT_EQ(b.particles.component[i], labels[b.particles.id[i]]);
     if (update == 0) {
       EXPECT_EQ(a.counters.splits, 1);
       EXPECT_GE(a.counters.merges, 2);

@@ -20,7 +20,9 @@ namespace {
 const bool romio = (useRomio(), true);  // before MPI_Init, which is in main
 const RunStamp stamp{"wax", "title = \"Wax\"\n", false};
 
-std::uint64_t surfelId(std::uint64_t k) { return k % 3 ? 1ull << 63 | k : 0x9e3779b97f4a7c15ull * (k + 1) | 1ull << 63; }
+std::uint64_t surfelId(std::uint64_t k) {
+  return k % 3 ? 1ull << 63 | k : 0x9e3779b97f4a7c15ull * (k + 1) | 1ull << 63;
+}
 
 /// Surfels whose every number depends on k only, spread over the ranks as the particles are.
 void addSurface(World& w, MPI_Comm comm, std::uint64_t count) {
@@ -35,7 +37,8 @@ void addSurface(World& w, MPI_Comm comm, std::uint64_t count) {
     const std::uint64_t k = mine[i];
     for (AnyColumn* c : s.surfels.columns)
       if (c->keep == Keep::State)
-        for (std::size_t b = 0; b < c->elementBytes; b++) c->bytes[i * c->elementBytes + b] = std::byte(std::uint8_t(13 * k + 5 * b) & 63);
+        for (std::size_t b = 0; b < c->elementBytes; b++)
+          c->bytes[i * c->elementBytes + b] = std::byte(std::uint8_t(13 * k + 5 * b) & 63);
     s.surfels.id[i] = surfelId(k);
     s.surfels.position[i] = {hashed(k), hashed(k + 500), hashed(k + 900)};
     s.surfels.normal[i] = {0, 0, 1};
@@ -44,7 +47,9 @@ void addSurface(World& w, MPI_Comm comm, std::uint64_t count) {
     s.surfels.detail[i] = 0.5f;
   }
   s.components = {{1, 10, 20, 1.5, 2.5, 3.5, 4.5, {1, 2, 3}}, {77, 5, 6, 0.1, 0.2, 0.3, 0.4, {-1, -2, -3}}};
-  s.events = {{3, 0.1, SurfaceEventKind::Split, 1, 77}, {9, 0.25, SurfaceEventKind::Merge, 1, 5}, {9, 0.25, SurfaceEventKind::Renamed, 2, 1}};
+  s.events = {{3, 0.1, SurfaceEventKind::Split, 1, 77},
+              {9, 0.25, SurfaceEventKind::Merge, 1, 5},
+              {9, 0.25, SurfaceEventKind::Renamed, 2, 1}};
   s.counters = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
   s.lastStep = 120;
 }
@@ -62,7 +67,8 @@ std::map<std::uint64_t, std::string> rowsOf(const Surfels& s) {
 
 void expectSame(const Surface& a, const Surface& b) {
   ASSERT_EQ(a.components.size(), b.components.size());
-  for (std::size_t k = 0; k < a.components.size(); k++) EXPECT_EQ(std::memcmp(&a.components[k], &b.components[k], sizeof a.components[k]), 0) << k;
+  for (std::size_t k = 0; k < a.components.size(); k++)
+    EXPECT_EQ(std::memcmp(&a.components[k], &b.components[k], sizeof a.components[k]), 0) << k;
   ASSERT_EQ(a.events.size(), b.events.size());
   for (std::size_t k = 0; k < a.events.size(); k++) {
     EXPECT_EQ(a.events[k].step, b.events[k].step);
@@ -125,7 +131,8 @@ TEST(SurfaceOutput, ACheckpointWithoutOneIsReadWhereTheSceneHasNone) {
   restoreWorld(w, *slice, rankOf() == 0);
   EXPECT_EQ(w.surface.surfels.owned, 0u);
   World with;
-  for (Table* t : {static_cast<Table*>(&with.particles), static_cast<Table*>(&with.solids), static_cast<Table*>(&with.surface.surfels)})
+  for (Table* t : {static_cast<Table*>(&with.particles), static_cast<Table*>(&with.solids),
+                   static_cast<Table*>(&with.surface.surfels)})
     for (AnyColumn* c : t->columns) t->activate(*c);
   EXPECT_THROW(restoreWorld(with, *slice, rankOf() == 0), IoError) << "a scene that needs surfels";
 }
@@ -164,7 +171,8 @@ TEST(SurfaceOutput, FramesAreComparedAsSurfels) {
   writeFrame(a, MPI_COMM_WORLD, surfaceFrameOf(w), stamp);
   const FrameData d = readFrame(a);
   ASSERT_EQ(d.positions.size(), 150u);
-  for (const char* name : {"id", "normal", "radius", "color", "component", "detail", "liquid", "temperature"}) ASSERT_NE(d.find(name), nullptr) << name;
+  for (const char* name : {"id", "normal", "radius", "color", "component", "detail", "liquid", "temperature"})
+    ASSERT_NE(d.find(name), nullptr) << name;
   EXPECT_EQ(d.find("color")->components, 3);
   EXPECT_EQ(d.find("color")->element, Element::U8);
   EXPECT_EQ(d.find("color")->value(5, 0), 10);
@@ -173,7 +181,8 @@ TEST(SurfaceOutput, FramesAreComparedAsSurfels) {
   if (w.surface.surfels.owned > 0) w.surface.surfels.resize(w.surface.surfels.owned - 1, 0);
   writeFrame(b, MPI_COMM_WORLD, surfaceFrameOf(w), stamp);
   if (rankOf() != 0) return;
-  EXPECT_EQ(describe(compareSnapshots(openSnapshot(a), openSnapshot(a), {}))[0], "equal: 150 surfels, 8 fields");
+  EXPECT_EQ(describe(compareSnapshots(openSnapshot(a), openSnapshot(a), {}))[0],
+            "equal: 150 surfels, 8 fields");
   const std::vector<std::string> lines = describe(compareSnapshots(openSnapshot(a), openSnapshot(b), {}));
   ASSERT_GE(lines.size(), 2u);
   EXPECT_NE(lines[1].find("surfels: "), std::string::npos) << lines[1];

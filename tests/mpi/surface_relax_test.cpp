@@ -16,7 +16,8 @@ using test::SettleRig;
 
 namespace {
 
-/// A ball across the periodic side along x, half of it melting, with some surfels out of reach of the particles.
+/// A ball across the periodic side along x, half of it melting, with some surfels out of reach of the
+/// particles.
 std::unique_ptr<SettleRig> ball(bool periodic) {
   auto made = std::make_unique<SettleRig>(0.5, 14, [&](Scene& s) {
     if (periodic) s.domain.side[0] = {Side::Periodic, Side::Periodic};
@@ -54,7 +55,8 @@ void update(World& w, SurfaceHalos halos, SurfaceTools& t) {
     findDisplacementGradients(w, halos, t);
     displaceSurfels(w, halos, t);
     s.particles.resize(s.particles.owned, 0);
-    for (std::size_t i = 0; i < s.particles.owned; i++) s.particles.position[i] += s.particles.displacement[i];
+    for (std::size_t i = 0; i < s.particles.owned; i++)
+      s.particles.position[i] += s.particles.displacement[i];
     place();
     sampleFields(w, halos, t);
     settle(w, halos, t, forceWeights(w.scene.surface), 15, false);
@@ -62,8 +64,13 @@ void update(World& w, SurfaceHalos halos, SurfaceTools& t) {
   }
 }
 
-struct Row { Vec3d position, normal, tangent; float liquid, detail, softened, mark; };
-Row rowOf(const Surfels& s, std::size_t i) { return {s.position[i], s.normal[i], s.tangent[i], s.liquid[i], s.detail[i], s.softened[i], s.mark[i]}; }
+struct Row {
+  Vec3d position, normal, tangent;
+  float liquid, detail, softened, mark;
+};
+Row rowOf(const Surfels& s, std::size_t i) {
+  return {s.position[i], s.normal[i], s.tangent[i], s.liquid[i], s.detail[i], s.softened[i], s.mark[i]};
+}
 
 void keepShare(Table& rows, int rank, int size) {
   std::vector<std::uint32_t> kept;

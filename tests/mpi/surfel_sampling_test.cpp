@@ -5,12 +5,12 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/surface/resample.hpp"
-#include "core/surface/sample_mesh.hpp"
+#include "core/halo/serial.hpp"
 #include "core/surface/place_rows.hpp"
 #include "core/surface/prepare_surface.hpp"
+#include "core/surface/resample.hpp"
+#include "core/surface/sample_mesh.hpp"
 #include "core/surface/update_surface.hpp"
-#include "core/halo/serial.hpp"
 #include "parallel/row_courier.hpp"
 #include "tests/support/meshes.hpp"
 
@@ -87,7 +87,8 @@ void expectSame(double adapt) {
   std::vector<std::byte> x(a.stateBytes()), y(b.stateBytes());
   std::int64_t wrong = 0;
   for (std::size_t i = 0; i < b.owned; i++) {
-    const auto at = std::lower_bound(byId.begin(), byId.end(), b.id[i], [&](std::size_t k, std::uint64_t id) { return a.id[k] < id; });
+    const auto at = std::lower_bound(byId.begin(), byId.end(), b.id[i],
+                                     [&](std::size_t k, std::uint64_t id) { return a.id[k] < id; });
     if (at == byId.end() || a.id[*at] != b.id[i]) {
       wrong++;
       continue;

@@ -1,4 +1,5 @@
-// The surface of a body that sheets are wrapped round, from rank to rank: what each has of it, against all of it; and what draws it.
+// The surface of a body that sheets are wrapped round, from rank to rank: what each has of it, against all of
+// it; and what draws it.
 #include "core/sheet/wrap_parts.hpp"
 
 #include <gtest/gtest.h>
@@ -20,12 +21,14 @@ const double edge = 0.1;
 bool taken(const Vec3i& c) {
   const Vec3d x{c.x - 22.0, c.y - 21.5, c.z - 23.0};
   if (c.x < 0 || c.y < 0 || c.z < 0 || c.x >= size || c.y >= size || c.z >= size) return false;
-  return (length(x) < 17 && length(x - Vec3d{6, 2, 0}) > 5) || randomUniform(3, Purpose::Test, cellKey(c)) < 0.0005;
+  return (length(x) < 17 && length(x - Vec3d{6, 2, 0}) > 5) ||
+         randomUniform(3, Purpose::Test, cellKey(c)) < 0.0005;
 }
 
 Vec3d middleOf(const Vec3i& c) {
   Vec3d x;
-  for (int a = 0; a < 3; a++) x[a] = edge * (c[a] + randomUniform(5, Purpose::Test, cellKey(c), static_cast<std::uint64_t>(a)));
+  for (int a = 0; a < 3; a++)
+    x[a] = edge * (c[a] + randomUniform(5, Purpose::Test, cellKey(c), static_cast<std::uint64_t>(a)));
   return x;
 }
 
@@ -44,15 +47,21 @@ TEST(WrapParts, EachRankHasWhatItsVerticesNeedAndGivesBackWhatDraws) {
         const Vec3i c{x, y, z};
         if (!taken(c)) continue;
         const WrapPart p{cellKey(c), 1 + 0.1 * x, middleOf(c)};
-        if (static_cast<int>(mixBits(p.key) % 5) * all.size() / 5 == all.rank()) mine.push_back(p);  // some ranks have none
-        if (!(taken({x + 1, y, z}) && taken({x - 1, y, z}) && taken({x, y + 1, z}) && taken({x, y - 1, z}) && taken({x, y, z + 1}) && taken({x, y, z - 1}))) surface.push_back(p);
+        // some ranks have none
+        if (static_cast<int>(mixBits(p.key) % 5) * all.size() / 5 == all.rank()) mine.push_back(p);
+        if (!(taken({x + 1, y, z}) && taken({x - 1, y, z}) && taken({x, y + 1, z}) && taken({x, y - 1, z}) &&
+              taken({x, y, z + 1}) && taken({x, y, z - 1})))
+          surface.push_back(p);
       }
   std::vector<Vec3d> places;  // on the last rank none; a few of one corner, far or near, inside too
   for (std::uint64_t k = 0; k < 40 && all.rank() + 1 < std::max(2, all.size()); k++)
-    places.push_back(edge * size * Vec3d{randomUniform(7, Purpose::Test, k, 0), 0.3 * randomUniform(7, Purpose::Test, k, 1), randomUniform(7, Purpose::Test, k, 2)});
+    places.push_back(edge * size *
+                     Vec3d{randomUniform(7, Purpose::Test, k, 0), 0.3 * randomUniform(7, Purpose::Test, k, 1),
+                           randomUniform(7, Purpose::Test, k, 2)});
   const WrapSurface found = findWrapSurface(all, grid, mine, places, 2 * edge);
   EXPECT_TRUE(found.any);
-  ASSERT_TRUE(std::is_sorted(found.near.begin(), found.near.end(), [](const WrapPart& a, const WrapPart& b) { return a.key < b.key; }));
+  ASSERT_TRUE(std::is_sorted(found.near.begin(), found.near.end(),
+                             [](const WrapPart& a, const WrapPart& b) { return a.key < b.key; }));
   std::set<std::uint64_t> has, of;
   for (const WrapPart& p : surface) of.insert(p.key);
   for (const WrapPart& p : found.near) {
@@ -64,7 +73,8 @@ TEST(WrapParts, EachRankHasWhatItsVerticesNeedAndGivesBackWhatDraws) {
   for (const Vec3d& x : places) {
     double nearest = 1e300;
     for (const WrapPart& p : surface) nearest = std::min(nearest, length(p.middle - x));
-    for (const WrapPart& p : surface) ASSERT_TRUE(length(p.middle - x) > nearest + 2 * edge || has.contains(p.key));
+    for (const WrapPart& p : surface)
+      ASSERT_TRUE(length(p.middle - x) > nearest + 2 * edge || has.contains(p.key));
   }
   // each rank draws what it has by one unit along x, and by its rank along y
   std::vector<std::int64_t> units;

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Every benchmark of whole steps, output, scaling, sheets, surfaces and time runs to its end at a size that says nothing about speed, and writes the rows that its charts read.
+# Every benchmark of whole steps, output, scaling, sheets, surfaces and time runs to its end at a size that
+# says nothing about speed, and writes the rows that its charts read.
 #   benchmarks_test.sh BUILD
 set -eu
 build=$1/benchmarks
@@ -9,7 +10,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 failed=0
 
-# rows NAME FILE LEAST: the file has its head and at least so many rows, each with as many columns, and a number that is not a number nowhere
+# rows NAME FILE LEAST: the file has its head and at least so many rows, each with as many columns, and a
+# number that is not a number nowhere
 rows() {
   awk -F, -v least="$3" '{ gsub(/"[^"]*"/, "text") } NR == 1 { n = NF } NF != n || tolower($0) ~ /(^|,)-?(nan|inf)(,|$)/ { bad = 1 } END { exit !(NR > least && !bad) }' "$2" ||
     { echo "$1: not $3 good rows in its table:"; cat "$2"; failed=1; }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A simulation that blows up ends with exit code 4 on every rank, one message that names the particle, a summary that says so, and the frames
-# and the checkpoint of before.
+# A simulation that blows up ends with exit code 4 on every rank, one message that names the particle, a
+# summary that says so, and the frames and the checkpoint of before.
 . "$(dirname "$0")/../support/run.sh"
 for scene in beam drop; do
   settings "$scene"
@@ -18,7 +18,8 @@ for scene in beam drop; do
   [ "$("$thaw" info "$out" --json | value - step)" = 20 ] || fail "$scene: the checkpoint of step 20 is gone"
 done
 
-# from the start, a thousand times too long: retries do not help, and the last good state is a checkpoint from which a shorter step goes on
+# from the start, a thousand times too long: retries do not help, and the last good state is a checkpoint from
+# which a shorter step goes on
 settings beam
 out=$work/absurd
 launch 3 run "$scenes/beam.toml" "${set[@]}" --set end=0.6 --set output.every=0.6 --set numerics.fixed_step=0.2 --out "$out" >"$work/log" 2>&1; expectExit 4 "a step a thousand times too long"
@@ -29,7 +30,8 @@ expectMessage "^error: .*blew up at step [0-9]*, .* particle [0-9]* of body 'bea
 launch 2 run "$scenes/beam.toml" "${set[@]}" --set output.every=0.6 --restart --out "$out" >"$work/log" 2>&1; expectExit 0 "restart with a step of its own"
 [ "$(value "$out/summary.json" status)" = done ] || fail "absurd: restarted, the summary says '$(value "$out/summary.json" status)'"
 
-# oriented particles: they flew out of the domain within fewer steps than there are between two looks at the books, and the run was done
+# oriented particles: they flew out of the domain within fewer steps than there are between two looks at the
+# books, and the run was done
 for integrator in symplectic rk4; do
   oriented=("$scenes/oriented/relax_plane.toml" --set spacing=0.03 --set end=0.2 --set output.every=0.1 --set oriented.patch.integrator=$integrator)
   launch 3 run "${oriented[@]}" --set numerics.fixed_step=0.02 --set numerics.retries=0 --out "$work/oriented" >"$work/log" 2>&1; expectExit 4 "oriented, $integrator: a step far too long"

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# What `thaw check` says: masses beside those of the shapes, advice that is short, ranks, a range for a surface that may splash.
+# What `thaw check` says: masses beside those of the shapes, advice that is short, ranks, a range for a
+# surface that may splash.
 . "$(dirname "$0")/../support/run.sh"
 cat >"$work/s.toml" <<'SCENE'
 spacing = "2 cm"

@@ -1,7 +1,7 @@
-// damage_files NUMBER FILE [SEED]: damages copies of a checkpoint or a frame, each in its own way, and has each read by a process of its own.
-// Prints how many were refused, accepted, and ended a process by a signal. Ends with 1 if a process was ended by a signal, or if a damaged
-// checkpoint was accepted.
-// damage_files 1 FILE SEED --keep: leaves the damaged copy as FILE.damaged, and reads nothing.
+// damage_files NUMBER FILE [SEED]: damages copies of a checkpoint or a frame, each in its own way, and has
+// each read by a process of its own. Prints how many were refused, accepted, and ended a process by a signal.
+// Ends with 1 if a process was ended by a signal, or if a damaged checkpoint was accepted. damage_files 1
+// FILE SEED --keep: leaves the damaged copy as FILE.damaged, and reads nothing.
 #include <mpi.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -22,7 +22,8 @@ namespace {
 
 using namespace thaw;
 
-constexpr const char* kinds[] = {"bits flipped", "cut short", "page zeroed", "blocks swapped", "bytes overwritten", "bytes appended", "piece left out"};
+constexpr const char* kinds[] = {"bits flipped",      "cut short",      "page zeroed",   "blocks swapped",
+                                 "bytes overwritten", "bytes appended", "piece left out"};
 constexpr std::size_t kindsOfDamage = std::size(kinds);
 
 /// The content with damage of a kind; not the same as before.
@@ -36,16 +37,22 @@ std::string damaged(const std::string& whole, std::size_t kind, std::mt19937_64&
         for (std::size_t k = 1 + below(4); k > 0; k--) s[below(s.size())] ^= static_cast<char>(1 << below(8));
         break;
       case 1: s.resize(at); break;
-      case 2: std::fill_n(s.begin() + static_cast<std::ptrdiff_t>(at / page * page), std::min(page, s.size() - at / page * page), '\0'); break;
+      case 2:
+        std::fill_n(s.begin() + static_cast<std::ptrdiff_t>(at / page * page),
+                    std::min(page, s.size() - at / page * page), '\0');
+        break;
       case 3: {
         const std::size_t size = std::size_t(64) << below(8), n = s.size() / size;
         if (n < 2) break;
         const std::size_t a = below(n) * size, b = below(n) * size;
-        std::swap_ranges(s.begin() + static_cast<std::ptrdiff_t>(a), s.begin() + static_cast<std::ptrdiff_t>(a + (a == b ? 0 : size)), s.begin() + static_cast<std::ptrdiff_t>(b));
+        std::swap_ranges(s.begin() + static_cast<std::ptrdiff_t>(a),
+                         s.begin() + static_cast<std::ptrdiff_t>(a + (a == b ? 0 : size)),
+                         s.begin() + static_cast<std::ptrdiff_t>(b));
         break;
       }
       case 4:
-        for (std::size_t k = 0, n = 1 + below(600); k < n && at + k < s.size(); k++) s[at + k] = static_cast<char>(random());
+        for (std::size_t k = 0, n = 1 + below(600); k < n && at + k < s.size(); k++)
+          s[at + k] = static_cast<char>(random());
         break;
       case 5: s.append(1 + below(5000), static_cast<char>(random())); break;
       default: s.erase(at, 1 + below(2000)); break;
@@ -102,10 +109,12 @@ int main(int argc, char** argv) {
     results[kind][result]++;
     if (result == 1 || (result == 0 && !checkpoint)) continue;
     wrong++;
-    std::printf("damage %ld of seed %ld (%s): %s\n", k, static_cast<long>(seed), kinds[kind], result == 0 ? "accepted" : "a signal, or another exception");
+    std::printf("damage %ld of seed %ld (%s): %s\n", k, static_cast<long>(seed), kinds[kind],
+                result == 0 ? "accepted" : "a signal, or another exception");
   }
   for (std::size_t k = 0; k < kindsOfDamage && !keep; k++)
-    std::printf("%-18s %5ld refused, %5ld accepted, %5ld signals\n", kinds[k], results[k][1], results[k][0], results[k][2]);
+    std::printf("%-18s %5ld refused, %5ld accepted, %5ld signals\n", kinds[k], results[k][1], results[k][0],
+                results[k][2]);
   if (!keep) ::unlink(copy.c_str());
   MPI_Finalize();
   return wrong > 0 ? 1 : 0;

@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
-# Damaged checkpoints are refused before HDF5 opens them, and the other one is used; where both are damaged the run ends with exit code 3.
-# Damaged frames end no program by a signal. THAW_DAMAGES: damages of a checkpoint that are tried, 140 without it.
+# Damaged checkpoints are refused before HDF5 opens them, and the other one is used; where both are damaged
+# the run ends with exit code 3.
+# Damaged frames end no program by a signal. THAW_DAMAGES: damages of a checkpoint that are tried, 140 without
+# it.
 . "$(dirname "$0")/../support/run.sh"
 export OMPI_MCA_io=romio321
 settings freeze

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# What commands say of scenes of oriented particles and sheets alone: what a failure exceeded, how many particles there are, which fields, what a restart has changed.
+# What commands say of scenes of oriented particles and sheets alone: what a failure exceeded, how many
+# particles there are, which fields, what a restart has changed.
 . "$(dirname "$0")/../support/run.sh"
 cat >"$work/net.toml" <<'END'
 spacing = 0.05

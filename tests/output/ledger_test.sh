@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# ledger.csv has a row for the start, each frame, each output.ledger_every and the end: the same bytes on any number of ranks, after a kill, and
-# after retries; and it changes no bit of the run.
+# ledger.csv has a row for the start, each frame, each output.ledger_every and the end: the same bytes on any
+# number of ranks, after a kill, and after retries; and it changes no bit of the run.
 . "$(dirname "$0")/../support/run.sh"
 cat >"$work/s.toml" <<'SCENE'
 spacing = "2 cm"
@@ -70,7 +70,8 @@ launch 2 run "$work/s.toml" --out "$work/frames" >"$work/log" 2>&1; expectExit 0
 [ "$(wc -l <"$work/frames/ledger.csv")" = 5 ] || fail "$(wc -l <"$work/frames/ledger.csv") lines for four frames"
 "$thaw" compare "$work/one" "$work/frames" >"$work/log" 2>&1 || { fail "ledger_every changes the run"; cat "$work/log"; }
 
-# killed and resumed on another number of ranks, with a line that is not whole; then with the log of another version
+# killed and resumed on another number of ranks, with a line that is not whole; then with the log of another
+# version
 run 2 parts --steps 20; expectExit 0 "first part"
 launchInBackground 3 run "$work/s.toml" --set output.ledger_every=0.004 --set output.checkpoint=0.05 --resume --out "$work/parts" >"$work/log" 2>&1
 sleep 1

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# One run a folder: a second start is refused while the first lives, also with --resume and when both start at once. The lock of a run that was
-# killed is taken over. Every other end removes it: done, stopped, blown up, a mistake in the scene.
+# One run a folder: a second start is refused while the first lives, also with --resume and when both start at
+# once. The lock of a run that was killed is taken over. Every other end removes it: done, stopped, blown up,
+# a mistake in the scene.
 . "$(dirname "$0")/../support/run.sh"
 scene=$scenes/drop.toml
 settings drop

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# A title of a thousand characters: whole in summary.json, cut short in lines that people read, and pictures are made.
+# A title of a thousand characters: whole in summary.json, cut short in lines that people read, and pictures
+# are made.
 . "$(dirname "$0")/../support/run.sh"
 title=$(printf 'a very long title of a scene %.0s' $(seq 35))
 cat >"$work/long.toml" <<END

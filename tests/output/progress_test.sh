@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Lines of progress fit on a terminal; all books are in progress.csv, over a kill and on other ranks; `thaw info` of the run fits on a screen.
+# Lines of progress fit on a terminal; all books are in progress.csv, over a kill and on other ranks; `thaw
+# info` of the run fits on a screen.
 . "$(dirname "$0")/../support/run.sh"
 settings melt
 scene=$scenes/melt.toml

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Points of a ball, a third of whose normals stand the wrong way: relaxation of the surface through them comes to no rest, and ends all the same, with progress on the way, one warning, and
-# the same bits on any number of ranks.
+# Points of a ball, a third of whose normals stand the wrong way: relaxation of the surface through them comes
+# to no rest, and ends all the same, with progress on the way, one warning, and the same bits on any number of
+# ranks.
 . "$(dirname "$0")/../support/run.sh"
 awk 'BEGIN {
   n = 100

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A restart with another scene: what particles and vertices are made of is refused, with the key, both values and the line; what acts later is told; and never a crash. Meshes count
-# by what is in their files.
+# A restart with another scene: what particles and vertices are made of is refused, with the key, both values
+# and the line; what acts later is told; and never a crash. Meshes count by what is in their files.
 . "$(dirname "$0")/../support/run.sh"
 squares() {  # squares N: a mesh of N by N squares over half a metre
   awk -v n="$1" 'BEGIN {

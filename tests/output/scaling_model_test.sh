@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The model of the scaling study (benchmarks/scaling/model.py) against counting and the figures of the repository; docs/performance.md is what its script writes.
+# The model of the scaling study (benchmarks/scaling/model.py) against counting and the figures of the
+# repository; docs/performance.md is what its script writes.
 set -eu
 here=$(cd "$(dirname "$0")/../.." && pwd)
 python3 "$here/benchmarks/scaling/test_model.py"

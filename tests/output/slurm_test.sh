@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The scripts of docs/slurm/ with an srun, an sbatch and a thaw that only say what they were asked for: who is handed in again after which exit code.
+# The scripts of docs/slurm/ with an srun, an sbatch and a thaw that only say what they were asked for: who is
+# handed in again after which exit code.
 . "$(dirname "$0")/../support/run.sh"
 mkdir "$work/bin"
 PATH=$work/bin:$PATH

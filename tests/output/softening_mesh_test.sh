@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
-# A bust falls on a hot box, is pressed together, melts from below and jumps off its puddle: its surface stays whole meanwhile. Volume keeping made up for the elastic pressure with what had melted, deep
-# surfels of the softening mesh were taken for rags, and second skins grew over its grooves: the largest components were up to 9.8 % off what they are to hold, with four times the births.
+# A bust falls on a hot box, is pressed together, melts from below and jumps off its puddle: its surface stays
+# whole meanwhile. Volume keeping made up for the elastic pressure with what had melted, deep surfels of the
+# softening mesh were taken for rags, and second skins grew over its grooves: the largest components were up
+# to 9.8 % off what they are to hold, with four times the births.
 . "$(dirname "$0")/../support/run.sh"
 launch 2 run "$scenes/keiser/melting_slow.toml" --out "$work/bust" --set end=0.44 --set spacing=0.045 --set surface.spacing=0.011 --set output.every=0.01 >"$work/log" 2>&1
 expectExit 0 "the bust"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A run that is stopped, by a signal, a file, a limit of time or of steps, ends with a checkpoint, exit code 75 (0 for --steps) and a
-# summary, and goes on from there; what cannot go on says why.
+# A run that is stopped, by a signal, a file, a limit of time or of steps, ends with a checkpoint, exit code
+# 75 (0 for --steps) and a summary, and goes on from there; what cannot go on says why.
 . "$(dirname "$0")/../support/run.sh"
 scene=$scenes/drop.toml
 settings drop

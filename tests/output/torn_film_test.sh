@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# A liquid ball without surface tension bursts on a floor: at every frame its surface holds what its particles do (it held up to a third more, in rags).
+# A liquid ball without surface tension bursts on a floor: at every frame its surface holds what its particles
+# do (it held up to a third more, in rags).
 # It freezes with adapted density: plates hold theirs, too (they lost up to a quarter).
 . "$(dirname "$0")/../support/run.sh"
 cat >"$work/film.toml" <<'END'

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Instructions of a fixed small step, counted by valgrind: a figure without noise. A case may take 3 % more than instructions.csv says for this compiler
-# and processor type; without a line there, or without valgrind, the test says so and is skipped.
+# Instructions of a fixed small step, counted by valgrind: a figure without noise. A case may take 3 % more
+# than instructions.csv says for this compiler and processor type; without a line there, or without valgrind,
+# the test says so and is skipped.
 #   instructions_test.sh BUILD [--update]     --update: writes the figures of this compiler into instructions.csv
 build=$1
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)

@@ -1,4 +1,5 @@
-// small_step fluid|heat|carried|elastic|mixed: a few steps of a small block on one rank without MPI, for counting instructions (instructions_test.sh).
+// small_step fluid|heat|carried|elastic|mixed: a few steps of a small block on one rank without MPI, for
+// counting instructions (instructions_test.sh).
 #include <cstdio>
 #include <cstring>
 

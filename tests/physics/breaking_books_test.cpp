@@ -31,7 +31,8 @@ double lostByBreaking(double dt) {
   return r.books().energyResidual / kinetic;
 }
 
-// Forces change within a step, at its end: booked as the energy of the bonds alone a break leaves what the kick gets, which is of first order.
+// Forces change within a step, at its end: booked as the energy of the bonds alone a break leaves what the
+// kick gets, which is of first order.
 TEST(BreakingBooks, HoldToTheSquareOfTheStep) {
   const double whole = std::abs(lostByBreaking(1e-4)), half = std::abs(lostByBreaking(5e-5));
   EXPECT_LT(whole, 1e-3);

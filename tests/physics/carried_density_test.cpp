@@ -51,7 +51,8 @@ TEST(CarriedDensity, KeepsMomentumToRoundingAndEnergyInTheBooks) {
     }
 }
 
-/// Of what two blocks of thin water have before they meet at 2 m/s: what is in no book 20 ms later, with steps of dt (s).
+/// Of what two blocks of thin water have before they meet at 2 m/s: what is in no book 20 ms later, with
+/// steps of dt (s).
 double lostByCollision(bool corrected, double dt) {
   Scene s = test::columnScene(0.004, 0, 0.2);
   s.domain.min = {-0.1, -0.1, -0.1};
@@ -75,13 +76,15 @@ double lostByCollision(bool corrected, double dt) {
 
 TEST(CarriedDensity, TheWorkOfPressureIsInTheBooksToTheSquareOfTheStep) {
   for (const bool corrected : {false, true}) {
-    const double whole = std::abs(lostByCollision(corrected, 1e-4)), half = std::abs(lostByCollision(corrected, 5e-5));
+    const double whole = std::abs(lostByCollision(corrected, 1e-4)),
+                 half = std::abs(lostByCollision(corrected, 5e-5));
     EXPECT_LT(whole, 2e-3) << corrected;  // .01 with the gradients of the end of a step alone
     EXPECT_LT(half, 0.4 * whole) << corrected;
   }
 }
 
-/// Taylor-Green vortices, L = U = 1, Re 100, as a scene file has them where it makes no choice (chooseForFullBox), 24 spacings a side.
+/// Taylor-Green vortices, L = U = 1, Re 100, as a scene file has them where it makes no choice
+/// (chooseForFullBox), 24 spacings a side.
 Scene vortices(double end) {
   Scene s = fullBox(1.0 / 24);
   s.domain.max = {1, 1, 0.25};
@@ -98,7 +101,8 @@ void stirVortices(Simulation& r) {
   const double k = 2 * 3.14159265358979323846;
   for (std::size_t i = 0; i < r.particles().owned; i++) {
     const Vec3d x = r.particles().position[i];
-    r.particles().velocity[i] = {-std::cos(k * x.x) * std::sin(k * x.y), std::sin(k * x.x) * std::cos(k * x.y), 0};
+    r.particles().velocity[i] = {-std::cos(k * x.x) * std::sin(k * x.y),
+                                 std::sin(k * x.x) * std::cos(k * x.y), 0};
   }
   takeStock(r.w, r.halos(), r.tools);
 }
@@ -110,7 +114,8 @@ TEST(CarriedDensity, VorticesDecayAsTheyShould) {
   ASSERT_TRUE(r.run());
   const double exact = start * std::exp(-16 * 3.14159265358979323846 * 3.14159265358979323846 * 0.01);
   EXPECT_NEAR(r.books().now.kinetic / exact, 1, 0.02);  // .90 from a lattice
-  // a rate of the density with the places of a step's end and the velocity of its middle would give dt/2 int |grad p|^2 / rho: .017 of the energy
+  // a rate of the density with the places of a step's end and the velocity of its middle would give dt/2 int
+  // |grad p|^2 / rho: .017 of the energy
   EXPECT_LT(std::abs(r.books().energyResidual), 0.004 * start) << r.books().energyResidual / start;
 }
 
@@ -129,7 +134,8 @@ TEST(RelaxedPacking, HasNoGapAtPeriodicSidesThatLiquidFills) {
   }
   EXPECT_GT(least, 0.94);
   EXPECT_LT(most, 1.06);
-  EXPECT_GT(spread, 0.04);  // 0 on the lattice, .013 where it is jittered by .2, 1/12 = .083 where nothing is left of it; relaxation ends at .059
+  EXPECT_GT(spread, 0.04);  // 0 on the lattice, .013 where it is jittered by .2, 1/12 = .083 where nothing is
+                            // left of it; relaxation ends at .059
 }
 
 TEST(Density, GrowsWithCompressionAsTheVolumeShrinks) {
@@ -138,11 +144,13 @@ TEST(Density, GrowsWithCompressionAsTheVolumeShrinks) {
   EXPECT_NEAR(static_cast<double>(r.particles().filling[0]), 1, 1e-6);
   const double e = 0.001;
   Simulation q(s);
-  for (std::size_t i = 0; i < q.particles().owned; i++) q.particles().position[i].z = 0.4 + (q.particles().position[i].z - 0.4) * (1 - e);
+  for (std::size_t i = 0; i < q.particles().owned; i++)
+    q.particles().position[i].z = 0.4 + (q.particles().position[i].z - 0.4) * (1 - e);
   takeStock(q.w, q.halos(), q.tools);
   double middle = 0;  // far from the gap that opens at the periodic side
   for (std::size_t i = 0; i < q.particles().owned; i++)
-    if (std::abs(q.particles().position[i].z - 0.4) < 0.06) middle = static_cast<double>(q.particles().filling[i]);
+    if (std::abs(q.particles().position[i].z - 0.4) < 0.06)
+      middle = static_cast<double>(q.particles().filling[i]);
   EXPECT_NEAR((middle - 1) / e, 1, 0.02);
 }
 

@@ -10,7 +10,8 @@ namespace {
 
 using test::Simulation;
 
-/// Two boxes of rubber, the upper one turned, that meet at 2 m/s: share of the energy of motion that no book has, after contact.
+/// Two boxes of rubber, the upper one turned, that meet at 2 m/s: share of the energy of motion that no book
+/// has, after contact.
 double lostByBlow(double restitution, double friction, double dt) {
   Scene s;
   s.spacing = 0.02;
@@ -40,7 +41,8 @@ double lostByBlow(double restitution, double friction, double dt) {
 
 TEST(ContactBooks, DashpotsAndFrictionAreInThemToTheSquareOfTheStep) {
   for (const double restitution : {0.3, 0.9}) {
-    const double whole = std::abs(lostByBlow(restitution, 0.4, 1e-4)), half = std::abs(lostByBlow(restitution, 0.4, 5e-5));
+    const double whole = std::abs(lostByBlow(restitution, 0.4, 1e-4)),
+                 half = std::abs(lostByBlow(restitution, 0.4, 5e-5));
     EXPECT_LT(whole, 5e-4) << restitution;
     EXPECT_LT(half, 0.3 * whole) << restitution;
   }

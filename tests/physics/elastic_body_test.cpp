@@ -17,7 +17,8 @@ struct Moving {
 
 double kinetic(const Moving& m) {
   double e = 0;
-  for (std::size_t s = 0; s < m.velocity.size(); s++) e += 0.5 * m.body->mass[s] * dot(m.velocity[s], m.velocity[s]);
+  for (std::size_t s = 0; s < m.velocity.size(); s++)
+    e += 0.5 * m.body->mass[s] * dot(m.velocity[s], m.velocity[s]);
   return e;
 }
 /// Velocity Verlet; forces must be current.
@@ -29,7 +30,8 @@ void advance(Moving& m, double dt) {
   }
   b.step.dt = dt;
   computeForces(b);
-  for (std::size_t s = 0; s < m.velocity.size(); s++) m.velocity[s] += (0.5 * dt / b.mass[s]) * b.solids.force[s];
+  for (std::size_t s = 0; s < m.velocity.size(); s++)
+    m.velocity[s] += (0.5 * dt / b.mass[s]) * b.solids.force[s];
 }
 
 /// Largest deviation of the total energy over a time, relative to the initial energy of motion.
@@ -56,7 +58,8 @@ double energyError(ElasticLaw law, double dt, Precision precision) {
 
 TEST(ElasticBody, energyErrorOfFreeVibrationIsOfSecondOrder) {
   for (const ElasticLaw law : {ElasticLaw::Green, ElasticLaw::NeoHookean, ElasticLaw::Corotated}) {
-    const double coarse = energyError(law, 2e-3, Precision::Double), fine = energyError(law, 1e-3, Precision::Double);
+    const double coarse = energyError(law, 2e-3, Precision::Double),
+                 fine = energyError(law, 1e-3, Precision::Double);
     std::printf("law %d: energy error %.2e at dt, %.2e at dt/2\n", int(law), coarse, fine);
     EXPECT_LT(coarse, 5e-3) << int(law);
     EXPECT_LT(fine, 0.3 * coarse) << int(law);
@@ -67,14 +70,16 @@ TEST(ElasticBody, energyErrorOfFreeVibrationIsOfSecondOrder) {
 }
 
 TEST(ElasticBody, speedOfPressureWaves) {
-  // standing wave in a periodic block: MLS is slow by 1.6 % at 20 spacings a wavelength, h <= 2 dx (docs/validation/accuracy.md)
+  // standing wave in a periodic block: MLS is slow by 1.6 % at 20 spacings a wavelength, h <= 2 dx
+  // (docs/validation/accuracy.md)
   const int n = 20;
   const auto points = lattice({n, 4, 4}, 0.1);
   BodyOptions options;
   options.period = {0.1 * n, 0.4, 0.4};
   Moving b{makeBody(points, {elasticMaterial(1e6, 0.3)}, options), {}};
   const double k = 2 * 3.14159265358979323846 / (0.1 * n), speed = std::sqrt(1e6 * 0.7 / (1000 * 1.3 * 0.4));
-  for (std::size_t s = 0; s < points.size(); s++) b.body->solids.position[s].x += 1e-4 * std::cos(k * points[s].x);
+  for (std::size_t s = 0; s < points.size(); s++)
+    b.body->solids.position[s].x += 1e-4 * std::cos(k * points[s].x);
   b.velocity.resize(points.size());
   computeForces(*b.body);
   const double dt = 2e-4;
@@ -100,7 +105,8 @@ TEST(ElasticBody, checkerboardIsNotFree) {
     BodyOptions options;
     options.period = {0.8, 0.8, 0.8};
     const auto b = makeBody(points, {m}, options);
-    for (std::size_t s = 0; s < points.size(); s++) b->solids.position[s].x += ((s % 8 + s / 8 % 8 + s / 64) % 2 ? 1 : -1) * 1e-3;
+    for (std::size_t s = 0; s < points.size(); s++)
+      b->solids.position[s].x += ((s % 8 + s / 8 % 8 + s / 64) % 2 ? 1 : -1) * 1e-3;
     computeForces(*b);
     if (alpha == 0) EXPECT_LT(forceScale(*b), 1e-8);
     else EXPECT_GT(forceScale(*b), 10);
@@ -129,9 +135,11 @@ TEST(ElasticBody, stepLimitIsStableAndNotWasteful) {
     }
 }
 
-// What freezes where it flowed is no lattice: close pairs, holes, thin crusts. The step follows the worst neighbourhood.
+// What freezes where it flowed is no lattice: close pairs, holes, thin crusts. The step follows the worst
+// neighbourhood.
 TEST(ElasticBody, stepLimitOfUnevenNeighbourhoods) {
-  std::vector<std::vector<Vec3d>> bodies{lattice({6, 6, 6}, 0.1, 0.35), lattice({9, 9, 1}, 0.1, 0.25), {}, {}, {{0, 0, 0}, {0.04, 0, 0}}};
+  std::vector<std::vector<Vec3d>> bodies{
+      lattice({6, 6, 6}, 0.1, 0.35), lattice({9, 9, 1}, 0.1, 0.25), {}, {}, {{0, 0, 0}, {0.04, 0, 0}}};
   const auto dust = lattice({8, 8, 8}, 0.1, 0.3);
   for (std::size_t k = 0; k < dust.size(); k++)
     if (noise(k, 5) < -0.6) bodies[2].push_back(dust[k]);
@@ -150,7 +158,8 @@ TEST(ElasticBody, stepLimitOfUnevenNeighbourhoods) {
       Moving b{makeBody(points, {m}, options), {}};
       for (std::size_t s = 0; s < points.size(); s++) b.velocity.push_back(0.001 * noise3(s, 8));
       computeForces(*b.body);
-      const double first = kinetic(b), dt = elasticStepLimit(b.body->scene, 1, largestGrip(b.body->work, b.body->solids));
+      const double first = kinetic(b),
+                   dt = elasticStepLimit(b.body->scene, 1, largestGrip(b.body->work, b.body->solids));
       double last = first;
       for (int n = 0; n < 1000 && last < 10 * first; n++) {
         advance(b, dt);

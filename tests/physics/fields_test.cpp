@@ -1,5 +1,5 @@
-// A scene models no more than it needs: which fields are allocated, scene by scene. A new field belongs into the lists of the scenes that
-// need it, and into no other.
+// A scene models no more than it needs: which fields are allocated, scene by scene. A new field belongs into
+// the lists of the scenes that need it, and into no other.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,19 +26,22 @@ Scene block(bool solid) {
 
 Names fields(const Scene& s) { return fieldsOf(Simulation(s).w); }
 
-/// What `with` has beyond `without`; fails where it lacks something, but for the one reference configuration of solids whose bonds take references of their own.
+/// What `with` has beyond `without`; fails where it lacks something, but for the one reference configuration
+/// of solids whose bonds take references of their own.
 Names added(const Scene& with, const Scene& without) {
   const Names all = fields(with);
   Names more;
-  for (const std::string& n : fields(without)) EXPECT_TRUE(n == "solid.reference" || std::find(all.begin(), all.end(), n) != all.end()) << n;
+  for (const std::string& n : fields(without))
+    EXPECT_TRUE(n == "solid.reference" || std::find(all.begin(), all.end(), n) != all.end()) << n;
   const Names base = fields(without);
   for (const std::string& n : all)
     if (std::find(base.begin(), base.end(), n) == base.end()) more.push_back(n);
   return more;
 }
 
-const Names always{"continuum.id", "continuum.position", "continuum.velocity", "continuum.acceleration", "continuum.mass", "continuum.material", "continuum.body", "continuum.dissipated",
-                   "continuum.cell", "continuum.phase", "continuum.dissipation", "continuum.interaction"};
+const Names always{"continuum.id",   "continuum.position", "continuum.velocity",    "continuum.acceleration",
+                   "continuum.mass", "continuum.material", "continuum.body",        "continuum.dissipated",
+                   "continuum.cell", "continuum.phase",    "continuum.dissipation", "continuum.interaction"};
 
 Names with(Names base, const Names& more) {
   base.insert(base.end(), more.begin(), more.end());
@@ -53,11 +56,13 @@ TEST(Fields, OfALiquid) { EXPECT_EQ(sorted(fields(block(false))), with(always, {
 
 TEST(Fields, OfASolid) {
   EXPECT_EQ(sorted(fields(block(true))),
-            with(always, {"continuum.slot", "solid.id", "solid.particle", "solid.material", "solid.reference", "solid.volume", "solid.position", "solid.momentInverse", "solid.deformation", "solid.endDouble",
-                          "solid.force", "solid.energy", "solid.changed"}));
+            with(always, {"continuum.slot", "solid.id", "solid.particle", "solid.material", "solid.reference",
+                          "solid.volume", "solid.position", "solid.momentInverse", "solid.deformation",
+                          "solid.endDouble", "solid.force", "solid.energy", "solid.changed"}));
 }
 
-// Forces are summed where accelerations are kept, but not where both are read, or where what is held has no acceleration of its force.
+// Forces are summed where accelerations are kept, but not where both are read, or where what is held has no
+// acceleration of its force.
 TEST(Fields, ForcesOfTheirOwnWhereAskedFor) {
   Scene clamped = block(true);
   clamped.domain.gravity = {0, 0, -9.81};
@@ -75,7 +80,9 @@ TEST(Fields, ForcesOfTheirOwnWhereAskedFor) {
     for (std::size_t i = 0; i < p.owned; i++) {
       largest = std::max(largest, length(forceOf(run.w, i)));
       if (own && p.clamped[i]) continue;
-      EXPECT_LT(length(forceOf(run.w, i) / p.mass[i] + free.domain.gravity - p.acceleration[i]), 1e-10 * length(free.domain.gravity)) << i;
+      EXPECT_LT(length(forceOf(run.w, i) / p.mass[i] + free.domain.gravity - p.acceleration[i]),
+                1e-10 * length(free.domain.gravity))
+          << i;
     }
     EXPECT_EQ(largest > 1e-3 * p.mass[0], own) << "what falls freely has no force";
   }
@@ -85,7 +92,8 @@ TEST(Fields, HeatAddsThree) {
   Scene s = block(false);
   s.materials[0].conductivity = {1, 1};
   s.bodies[0].temperatureGradient = {1, 0, 0};
-  EXPECT_EQ(added(s, block(false)), (Names{"continuum.enthalpy", "continuum.temperature", "continuum.heatFlow"}));
+  EXPECT_EQ(added(s, block(false)),
+            (Names{"continuum.enthalpy", "continuum.temperature", "continuum.heatFlow"}));
   Scene lossy = s;
   lossy.materials[0].convection = 1;
   EXPECT_EQ(added(lossy, s), (Names{"continuum.exposure"}));
@@ -99,7 +107,8 @@ TEST(Fields, CohesionAndArtificialViscosityAddNone) {
   EXPECT_EQ(added(s, block(false)), Names{});
   Scene energy = s;
   energy.numerics.tension = TensionForm::SurfaceEnergy;
-  EXPECT_EQ(added(energy, s), (Names{"continuum.surfaceGradient", "continuum.surfaceCover", "continuum.surfacePull", "continuum.surfaceDraw"}));
+  EXPECT_EQ(added(energy, s), (Names{"continuum.surfaceGradient", "continuum.surfaceCover",
+                                     "continuum.surfacePull", "continuum.surfaceDraw"}));
   s.materials[0].xsph = 0.1;
   EXPECT_EQ(added(s, block(false)), (Names{"continuum.smoothing"}));
 }
@@ -110,13 +119,15 @@ TEST(Fields, OfSolidsThatYieldBreakOrAreDamped) {
   plastic.materials[0].maxPlasticStrain = 0.1;
   EXPECT_EQ(added(plastic, block(true)), (Names{"solid.plasticInverse", "solid.dissipated"}));
   plastic.materials[0].maxPlasticStrain = never;
-  EXPECT_EQ(added(plastic, block(true)), (Names{"solid.plasticInverse", "solid.referenceGradient", "solid.dissipated", "solid.rereferenced"}));
+  EXPECT_EQ(added(plastic, block(true)), (Names{"solid.plasticInverse", "solid.referenceGradient",
+                                                "solid.dissipated", "solid.rereferenced"}));
   Scene hard = plastic;
   hard.materials[0].hardening = 1e5;
   EXPECT_EQ(added(hard, plastic), (Names{"solid.plasticPath"}));
   Scene breaks = block(true);
   breaks.materials[0].breakStretch = 1.5;
-  EXPECT_EQ(added(breaks, block(true)), (Names{"solid.velocity"})) << "the books of a break ask where ends were at the drift";
+  EXPECT_EQ(added(breaks, block(true)), (Names{"solid.velocity"}))
+      << "the books of a break ask where ends were at the drift";
   Scene damped = block(true);
   damped.materials[0].damping = 1;
   EXPECT_EQ(added(damped, block(true)), (Names{"solid.velocity", "solid.drag", "solid.dissipated"}));
@@ -129,8 +140,10 @@ TEST(Fields, OfWhatMelts) {
   EXPECT_EQ(added(s, block(true)), Names{}) << "without heat nothing melts";
   m.conductivity = {1, 1};
   s.bodies[0].temperatureGradient = {1, 0, 0};
-  EXPECT_EQ(added(s, block(true)), (Names{"continuum.filling", "continuum.enthalpy", "continuum.temperature", "continuum.liquid", "continuum.frame", "continuum.justFrozen",
-                                          "continuum.standoff", "continuum.heatFlow", "continuum.softening", "solid.liquid", "solid.melted"}));
+  EXPECT_EQ(added(s, block(true)),
+            (Names{"continuum.filling", "continuum.enthalpy", "continuum.temperature", "continuum.liquid",
+                   "continuum.frame", "continuum.justFrozen", "continuum.standoff", "continuum.heatFlow",
+                   "continuum.softening", "solid.liquid", "solid.melted"}));
 }
 
 TEST(Fields, TheSurfaceAddsTwoToParticlesAndTablesOfItsOwn) {
@@ -145,9 +158,11 @@ TEST(Fields, TheSurfaceAddsTwoToParticlesAndTablesOfItsOwn) {
   s.surface.keepVolume = 0;
   EXPECT_EQ(ofParticles(), (Names{"continuum.surfacePlace", "continuum.component", "continuum.surfaceFill"}));
   s.surface.keepVolume = 1;
-  EXPECT_EQ(ofParticles(), (Names{"continuum.surfacePlace", "continuum.component", "continuum.surfaceShare", "continuum.surfaceFill"}));
+  EXPECT_EQ(ofParticles(), (Names{"continuum.surfacePlace", "continuum.component", "continuum.surfaceShare",
+                                  "continuum.surfaceFill"}));
   s.bodies[0].packing = Packing::Relaxed;
-  EXPECT_EQ(ofParticles(), (Names{"continuum.surfacePlace", "continuum.component", "continuum.surfaceShare"})) << "a relaxed packing is no staircase";
+  EXPECT_EQ(ofParticles(), (Names{"continuum.surfacePlace", "continuum.component", "continuum.surfaceShare"}))
+      << "a relaxed packing is no staircase";
 }
 
 TEST(Fields, MemoryOfWhatIsNotThereIsNone) {

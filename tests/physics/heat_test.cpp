@@ -59,7 +59,8 @@ TEST(HeatSource, WarmsAtItsRate) {
   s.end = 4;
   Simulation run(s);
   EXPECT_TRUE(run.run());
-  for (std::size_t i = 0; i < run.particles().owned; i++) EXPECT_NEAR(run.particles().temperature[i], 302, 1e-8);
+  for (std::size_t i = 0; i < run.particles().owned; i++)
+    EXPECT_NEAR(run.particles().temperature[i], 302, 1e-8);
   EXPECT_NEAR(run.books().heatIn, 500 * 4 * run.books().now.mass, 1e-6);
 }
 
@@ -72,11 +73,14 @@ TEST(Tempering, BringsOneMaterialToItsTemperatureAndBooksTheHeat) {
   s.end = 1.25;
   Simulation run(s);
   EXPECT_TRUE(run.run());
-  for (std::size_t i = 0; i < run.particles().owned; i++) EXPECT_NEAR(run.particles().temperature[i], 290, 1e-6);  // half of the time
+  // half of the time
+  for (std::size_t i = 0; i < run.particles().owned; i++)
+    EXPECT_NEAR(run.particles().temperature[i], 290, 1e-6);
   s.end = 2;
   Simulation whole(s);
   EXPECT_TRUE(whole.run());
-  for (std::size_t i = 0; i < whole.particles().owned; i++) EXPECT_NEAR(whole.particles().temperature[i], 280, 1e-9);
+  for (std::size_t i = 0; i < whole.particles().owned; i++)
+    EXPECT_NEAR(whole.particles().temperature[i], 280, 1e-9);
   const LedgerReport r = whole.books();
   EXPECT_NEAR(r.heatIn, -20 * 1000 * r.now.mass, 1e-6 * std::abs(r.heatIn));
   EXPECT_LT(std::abs(r.heatResidual), 1e-12 * r.now.internal);
@@ -89,7 +93,8 @@ TEST(Tempering, AtOnceTakesOneStep) {
   s.end = 1;
   Simulation run(s);
   EXPECT_TRUE(run.run());
-  for (std::size_t i = 0; i < run.particles().owned; i++) EXPECT_NEAR(run.particles().temperature[i], 310, 1e-9);
+  for (std::size_t i = 0; i < run.particles().owned; i++)
+    EXPECT_NEAR(run.particles().temperature[i], 310, 1e-9);
 }
 
 // K05's model counts c T from 0 K on, also of what a scene starts with and what emitters bring.

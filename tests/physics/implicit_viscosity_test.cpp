@@ -1,4 +1,5 @@
-// The implicit viscosity solver through whole steps: exact solutions with steps far above the explicit limit, what must be kept, contrast.
+// The implicit viscosity solver through whole steps: exact solutions with steps far above the explicit limit,
+// what must be kept, contrast.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,13 +23,15 @@ double explicitLimit(const Scene& s, double nu) {
   return stableViscousStep(s.numerics) * h * h / nu;
 }
 
-/// J by which the books are ahead: what a force takes is booked with the step that it is found in, and half of its kick is still to come,
-/// in which the velocity changes further.
+/// J by which the books are ahead: what a force takes is booked with the step that it is found in, and half
+/// of its kick is still to come, in which the velocity changes further.
 double bookedAhead(const Simulation& run) {
   const Continuum& p = run.w.particles;
   const double dt = run.w.clock.stepDt;
   double ahead = 0;
-  for (std::size_t i = 0; i < p.owned; i++) ahead += 0.5 * dt * p.dissipation[i] - 0.125 * dt * dt * p.mass[i] * dot(p.viscousAcceleration[i], p.acceleration[i]);
+  for (std::size_t i = 0; i < p.owned; i++)
+    ahead += 0.5 * dt * p.dissipation[i] -
+             0.125 * dt * dt * p.mass[i] * dot(p.viscousAcceleration[i], p.acceleration[i]);
   return ahead;
 }
 
@@ -51,7 +54,8 @@ TEST(ImplicitViscosity, ShearWaveDecaysWithStepsFarAboveTheExplicitLimit) {
     Scene s = waveScene(nu, n);
     makeImplicit(s);
     s.numerics.fixedStep = times * explicitLimit(s, nu);
-    s.end = std::ceil(0.5 / rate / s.numerics.fixedStep) * s.numerics.fixedStep;  // no shorter step at the end
+    // no shorter step at the end
+    s.end = std::ceil(0.5 / rate / s.numerics.fixedStep) * s.numerics.fixedStep;
     Simulation run(s);
     Continuum& p = run.particles();
     for (std::size_t i = 0; i < p.owned; i++) {
@@ -62,13 +66,18 @@ TEST(ImplicitViscosity, ShearWaveDecaysWithStepsFarAboveTheExplicitLimit) {
     const double a0 = run.w.ledger.initial.kinetic;
     ASSERT_TRUE(run.run());
     const LedgerReport r = run.books();
-    const double measured = -0.5 * std::log(r.now.kinetic / a0) / (s.end - 0.5 * s.numerics.fixedStep);  // the first half kick knew of no viscosity
-    std::printf("dt %.1f times the explicit limit: rate %.4f of the exact one, %.1f iterations\n", times, measured / rate,
-                static_cast<double>(run.w.counters.viscousIterations) / static_cast<double>(run.w.clock.step));
-    EXPECT_NEAR(measured / rate, 1, times < 20 ? 0.06 : 0.3);  // the pair sum itself has 1.06 of the viscosity; backward Euler is of first order
+    // the first half kick knew of no viscosity
+    const double measured = -0.5 * std::log(r.now.kinetic / a0) / (s.end - 0.5 * s.numerics.fixedStep);
+    std::printf(
+        "dt %.1f times the explicit limit: rate %.4f of the exact one, %.1f iterations\n", times,
+        measured / rate,
+        static_cast<double>(run.w.counters.viscousIterations) / static_cast<double>(run.w.clock.step));
+    EXPECT_NEAR(measured / rate, 1, times < 20 ? 0.06 : 0.3);  // the pair sum itself has 1.06 of the
+                                                               // viscosity; backward Euler is of first order
     EXPECT_LT(length(r.momentumResidual), 1e-12 * r.initial.mass);
     EXPECT_LT(std::abs(r.energyResidual - bookedAhead(run)), 0.01 * a0);
-    std::printf("residual %.2e of the energy at the start, %.2e less what is booked ahead\n", r.energyResidual / a0, (r.energyResidual - bookedAhead(run)) / a0);
+    std::printf("residual %.2e of the energy at the start, %.2e less what is booked ahead\n",
+                r.energyResidual / a0, (r.energyResidual - bookedAhead(run)) / a0);
     EXPECT_EQ(run.w.counters.viscousUnfinished, 0);
   }
 }
@@ -82,13 +91,15 @@ TEST(ImplicitViscosity, PoiseuilleStartUpWithLongSteps) {
   Simulation run(s);
   ASSERT_TRUE(run.run());
   const double error = flow.error(run.particles());
-  std::printf("dt %.1f times the explicit limit: error %.4f, %.1f iterations\n", s.numerics.fixedStep / explicitLimit(s, nu), error,
+  std::printf("dt %.1f times the explicit limit: error %.4f, %.1f iterations\n",
+              s.numerics.fixedStep / explicitLimit(s, nu), error,
               static_cast<double>(run.w.counters.viscousIterations) / static_cast<double>(run.w.clock.step));
   EXPECT_LT(error, 0.05);
   const LedgerReport r = run.books();
   EXPECT_LT(length(r.momentumResidual), 1e-9 * length(r.gravityImpulse));
   EXPECT_LT(std::abs(r.energyResidual - bookedAhead(run)), 0.02 * r.energyScale);
-  std::printf("residual %.2e, %.2e less what is booked ahead\n", r.energyResidual / r.energyScale, (r.energyResidual - bookedAhead(run)) / r.energyScale);
+  std::printf("residual %.2e, %.2e less what is booked ahead\n", r.energyResidual / r.energyScale,
+              (r.energyResidual - bookedAhead(run)) / r.energyScale);
 }
 
 // A drop that spins and shears: it ends as a rigid body. Viscosity acts along the line of two particles.
@@ -120,15 +131,19 @@ TEST(ImplicitViscosity, SpinningDropKeepsAngularMomentum) {
     const LedgerReport r = run.books();
     EXPECT_GT(run.shortest, 20 * explicitLimit(s, 20));
     EXPECT_LT(length(r.momentumResidual), 1e-12 * r.initial.mass);
-    EXPECT_LT(length(r.now.angularMomentum - r.initial.angularMomentum), 1e-10 * length(r.initial.angularMomentum));
+    EXPECT_LT(length(r.now.angularMomentum - r.initial.angularMomentum),
+              1e-10 * length(r.initial.angularMomentum));
     EXPECT_LT(std::abs(r.energyResidual), 0.01 * r.initial.kinetic);
-    std::printf("tolerance %.0e: dt %.0f times the explicit limit, %.1f iterations, residual %.1e\n", tolerance, run.shortest / explicitLimit(s, 20),
-                static_cast<double>(run.w.counters.viscousIterations) / static_cast<double>(run.w.clock.step), r.energyResidual / r.initial.kinetic);
+    std::printf("tolerance %.0e: dt %.0f times the explicit limit, %.1f iterations, residual %.1e\n",
+                tolerance, run.shortest / explicitLimit(s, 20),
+                static_cast<double>(run.w.counters.viscousIterations) / static_cast<double>(run.w.clock.step),
+                r.energyResidual / r.initial.kinetic);
   }
 }
 
-// docs/validation/stability.md B11: neighbours whose viscosities differ by up to six decades. Under a steady push along them two layers between plates have
-// the exact steady flow of a contrast; across the interface the stress is the same.
+// docs/validation/stability.md B11: neighbours whose viscosities differ by up to six decades. Under a steady
+// push along them two layers between plates have the exact steady flow of a contrast; across the interface
+// the stress is the same.
 TEST(ImplicitViscosity, ContrastOfSixDecades) {
   for (const double contrast : {1e2, 1e4, 1e6}) {
     const int n = 12;
@@ -146,7 +161,8 @@ TEST(ImplicitViscosity, ContrastOfSixDecades) {
     Simulation run(s);
     Continuum& p = run.particles();
     for (std::size_t i = 0; i < p.owned; i++) {
-      p.velocity[i] = {p.material[i] == 1 ? 0.05 * std::sin(2 * M_PI * p.position[i].z / (3 * dx)) + 0.02 : 0.0, 0, 0};
+      p.velocity[i] = {
+          p.material[i] == 1 ? 0.05 * std::sin(2 * M_PI * p.position[i].z / (3 * dx)) + 0.02 : 0.0, 0, 0};
       p.acceleration[i] = {};
     }
     run.w.ledger.initial = run.books().now;
@@ -163,8 +179,10 @@ TEST(ImplicitViscosity, ContrastOfSixDecades) {
       if (p.material[i] == 1) spread = std::max(spread, std::abs(p.velocity[i].x - mean));
       else drag += p.velocity[i].x / count;
     const LedgerReport r = run.books();
-    std::printf("contrast %.0e: stiff layer moves at %.5f m/s +- %.1e, thin one at %.5f, %.1f iterations\n", contrast, mean, spread, drag,
-                static_cast<double>(run.w.counters.viscousIterations) / static_cast<double>(run.w.clock.step));
+    std::printf(
+        "contrast %.0e: stiff layer moves at %.5f m/s +- %.1e, thin one at %.5f, %.1f iterations\n", contrast,
+        mean, spread, drag,
+        static_cast<double>(run.w.counters.viscousIterations) / static_cast<double>(run.w.clock.step));
     if (contrast >= 1e4) {
       EXPECT_LT(spread, 1e-3 * mean);  // as one body
     }

@@ -15,7 +15,8 @@ namespace {
 double compression(const Simulation& run) {
   const Continuum& p = run.w.particles;
   double sum = 0;
-  for (std::size_t i = 0; i < p.owned; i++) sum += std::max(0.0, static_cast<double>(p.filling[i]) - run.tools.pressure.full);
+  for (std::size_t i = 0; i < p.owned; i++)
+    sum += std::max(0.0, static_cast<double>(p.filling[i]) - run.tools.pressure.full);
   return sum / static_cast<double>(p.owned);
 }
 
@@ -52,10 +53,14 @@ TEST(Incompressible, HydrostaticColumnHoldsItsDensity) {
   EXPECT_LT(most, 1.5 * s.numerics.densityTolerance);
   double square = 0, fastest = 0;
   for (std::size_t i = 0; i < p.owned; i++) {
-    square += std::pow((static_cast<double>(pressureOfParticle(run.w, run.tools.liquids, i)) - 10000 * (1 - p.position[i].z)) / 10000, 2);
+    square += std::pow((static_cast<double>(pressureOfParticle(run.w, run.tools.liquids, i)) -
+                        10000 * (1 - p.position[i].z)) /
+                           10000,
+                       2);
     fastest = std::max(fastest, length(p.velocity[i]));
   }
-  EXPECT_LT(std::sqrt(square / static_cast<double>(p.owned)), 0.08);  // as with the state equation (walls_test.cpp)
+  // as with the state equation (walls_test.cpp)
+  EXPECT_LT(std::sqrt(square / static_cast<double>(p.owned)), 0.08);
   EXPECT_LT(fastest, 0.02 * std::sqrt(10.0));
   EXPECT_EQ(run.w.counters.unsolvedPressures, 0);
   const LedgerReport r = run.books();
@@ -71,7 +76,8 @@ TEST(Incompressible, DamBreakNeedsFewSteps) {
   ASSERT_TRUE(run.run());
   EXPECT_LT(5 * run.w.clock.step, stiff.w.clock.step);
   EXPECT_EQ(run.w.counters.unsolvedPressures, 0);
-  // The tolerance bounds what is left of a step's share of a compression, not what splashes leave; it stays below what a state equation is allowed.
+  // The tolerance bounds what is left of a step's share of a compression, not what splashes leave; it stays
+  // below what a state equation is allowed.
   EXPECT_LT(compression(run), s.numerics.maxDensityError);
   const LedgerReport a = stiff.books(), b = run.books();
   EXPECT_NEAR(b.now.potential, a.now.potential, 0.1 * a.initial.potential);
@@ -91,9 +97,11 @@ TEST(Incompressible, LiquidThatPullsDoesNotTearItsFreeSurface) {
   double fastest = 0;
   for (std::size_t i = 0; i < run.particles().owned; i++) {
     fastest = std::max(fastest, length(run.particles().velocity[i]));
-    EXPECT_TRUE(std::isfinite(length(run.particles().pressureKick[i])));  // there is no next step that would limit it
+    // there is no next step that would limit it
+    EXPECT_TRUE(std::isfinite(length(run.particles().pressureKick[i])));
   }
-  EXPECT_LT(fastest, 0.05);  // what its packing pushes; closing the gaps of the surface in a step makes it 1000 m/s
+  EXPECT_LT(fastest, 0.05);  // what its packing pushes; closing the gaps of the surface in a step makes it
+                             // 1000 m/s
 }
 
 // Two drops collide; no walls, no gravity.
@@ -110,13 +118,15 @@ TEST(Incompressible, MomentumIsKept) {
   const LedgerReport r = run.books();
   const double scale = 0.5 * r.now.mass;  // kg m/s, of one drop
   EXPECT_LT(length(r.now.momentum), 1e-6 * scale);
-  EXPECT_LT(length(r.now.angularMomentum - r.initial.angularMomentum), 1e-4 * length(r.initial.angularMomentum));
+  EXPECT_LT(length(r.now.angularMomentum - r.initial.angularMomentum),
+            1e-4 * length(r.initial.angularMomentum));
   EXPECT_LT(r.now.kinetic, 0.9 * r.initial.kinetic);
   EXPECT_LT(std::abs(r.energyResidual), 0.01 * r.energyScale);
 }
 
-// A layer of wax freezes from below under its weight. What has frozen keeps no pressure of its last step as a liquid: its pairs with other solids are
-// summed only where a liquid shares their group of eight, which is another one on another number of ranks.
+// A layer of wax freezes from below under its weight. What has frozen keeps no pressure of its last step as a
+// liquid: its pairs with other solids are summed only where a liquid shares their group of eight, which is
+// another one on another number of ranks.
 TEST(Incompressible, WhatHasFrozenHasNoPressure) {
   Scene s = emptyScene(0.01, {-0.03, -0.03, 0}, {0.03, 0.03, 0.2});
   for (auto& side : s.domain.side) side = {Side::Wall, Side::Wall};

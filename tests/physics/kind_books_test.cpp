@@ -81,7 +81,8 @@ TEST(KindBooks, WorkOfPressureIsThatOfTheMovementInSemiImplicitSteps) {
   ASSERT_TRUE(sim.run());
   const LedgerReport books = sim.books();
   EXPECT_GT(books.wallWork, 0);
-  EXPECT_LT(std::abs(books.energyResidual), 1e-3 * books.wallWork);  // as much again as the scheme loses where work went by the velocity before
+  // as much again as the scheme loses where work went by the velocity before
+  EXPECT_LT(std::abs(books.energyResidual), 1e-3 * books.wallWork);
 }
 
 /// A sphere without mass that is pressed, or pushed onto a ball.
@@ -140,8 +141,10 @@ TEST(KindBooks, ContactGoesByTheMassOfARegion) {
     ASSERT_TRUE(sim.run());
     const LedgerReport books = sim.books();
     EXPECT_GT(books.dissipated, 0) << factor;
-    EXPECT_LT(std::abs(books.energyResidual), 0.05 * books.energyScale) << factor;  // 28 % where a step did not follow blows
-    for (std::size_t i = 0; i < sim.w.sheets.rows.owned; i++) ASSERT_GT(sim.w.sheets.rows.position[i].z, 0) << factor;
+    // 28 % where a step did not follow blows
+    EXPECT_LT(std::abs(books.energyResidual), 0.05 * books.energyScale) << factor;
+    for (std::size_t i = 0; i < sim.w.sheets.rows.owned; i++)
+      ASSERT_GT(sim.w.sheets.rows.position[i].z, 0) << factor;
   }
 }
 

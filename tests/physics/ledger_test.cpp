@@ -52,7 +52,8 @@ TEST(Ledger, PeriodicLiquidKeepsMomentumAndBooksWhatViscosityTakes) {
   s.end = 0.2;
   Simulation run(s);
   Continuum& p = run.particles();
-  for (std::size_t i = 0; i < p.owned; i++) p.velocity[i] = {0.3 + 0.4 * std::sin(2 * M_PI * p.position[i].z / (6 * dx)), 0.2, 0.1};
+  for (std::size_t i = 0; i < p.owned; i++)
+    p.velocity[i] = {0.3 + 0.4 * std::sin(2 * M_PI * p.position[i].z / (6 * dx)), 0.2, 0.1};
   run.w.ledger.initial = run.books().now;
   EXPECT_TRUE(run.run());
   const LedgerReport r = run.books();
@@ -110,7 +111,8 @@ Scene leavingDrop(TensionForm tension) {
 
 class LeavingDrop : public testing::TestWithParam<TensionForm> {};
 
-// The neighbours of a particle that leaves gain a surface: with its own energy alone a third of all energy seemed to come from nowhere.
+// The neighbours of a particle that leaves gain a surface: with its own energy alone a third of all energy
+// seemed to come from nowhere.
 TEST_P(LeavingDrop, TakesItsSurfaceEnergyAlong) {
   Simulation run(leavingDrop(GetParam()));
   const double before = run.books().now.potential;
@@ -120,7 +122,8 @@ TEST_P(LeavingDrop, TakesItsSurfaceEnergyAlong) {
   EXPECT_LT(std::abs(r.energyResidual), 0.1 * std::abs(before)) << r.left.potential;
 }
 
-INSTANTIATE_TEST_SUITE_P(Ledger, LeavingDrop, testing::Values(TensionForm::SurfaceEnergy, TensionForm::Pairwise));
+INSTANTIATE_TEST_SUITE_P(Ledger, LeavingDrop,
+                         testing::Values(TensionForm::SurfaceEnergy, TensionForm::Pairwise));
 
 // What falls out of a periodic side comes in at the other, higher up: that height is booked.
 TEST(Ledger, FallsThroughPeriodicSides) {
@@ -139,7 +142,8 @@ TEST(Ledger, FallsThroughPeriodicSides) {
   EXPECT_LT(std::abs(r.energyResidual), 1e-3 * r.now.kinetic);
 }
 
-// A slow vent just above a floor: what has left backs up, and the vent pushes on as a piston. Its work is in the books.
+// A slow vent just above a floor: what has left backs up, and the vent pushes on as a piston. Its work is in
+// the books.
 TEST(Ledger, EmitterIsAPiston) {
   Scene s = emptyScene(0.01, {-0.2, -0.2, -0.02}, {0.2, 0.2, 0.2});
   s.domain.gravity = {0, 0, -9.81};
@@ -161,12 +165,13 @@ TEST(Ledger, EmitterIsAPiston) {
   EXPECT_LT(std::abs(r.energyResidual), 0.01 * r.energyScale);
   EXPECT_LT(length(r.momentumResidual), 1e-6 * length(r.gravityImpulse));
   double fastest = 0;
-  for (std::size_t i = 0; i < run.particles().owned; i++) fastest = std::max(fastest, length(run.particles().velocity[i]));
+  for (std::size_t i = 0; i < run.particles().owned; i++)
+    fastest = std::max(fastest, length(run.particles().velocity[i]));
   EXPECT_LT(fastest, 1);  // nothing is shot out
 }
 
-// A solid that softens, sags and melts on a hot plate: what elasticity, pressure, tension and contacts lose to a changing liquid
-// fraction is booked, and so is what melting takes from bonds.
+// A solid that softens, sags and melts on a hot plate: what elasticity, pressure, tension and contacts lose
+// to a changing liquid fraction is booked, and so is what melting takes from bonds.
 TEST(Ledger, MeltingSolid) {
   Scene s = emptyScene(0.01, {-0.2, -0.2, -0.02}, {0.2, 0.2, 0.2});
   s.domain.gravity = {0, 0, -9.81};
@@ -184,7 +189,8 @@ TEST(Ledger, MeltingSolid) {
   EXPECT_LT(std::abs(r.energyResidual), 0.005 * r.energyScale);
 }
 
-// Liquids of two bodies that do not weld come closer than solids may; where they freeze their contacts are there at once, and push.
+// Liquids of two bodies that do not weld come closer than solids may; where they freeze their contacts are
+// there at once, and push.
 TEST(Ledger, ContactsOfWhatHasJustFrozenAreBooked) {
   Scene s;
   s.spacing = dx;
@@ -194,7 +200,8 @@ TEST(Ledger, ContactsOfWhatHasJustFrozenAreBooked) {
   s.numerics.overlap = OverlapRule::Keep;
   s.materials.push_back(wax());
   s.materials[0].soundSpeed = 1;
-  for (int k = 0; k < 2; k++) addBox(s, {k * 3.8 * dx, 0, 0}, {(k * 3.8 + 4) * dx, 4 * dx, 4 * dx}).temperature = 350;
+  for (int k = 0; k < 2; k++)
+    addBox(s, {k * 3.8 * dx, 0, 0}, {(k * 3.8 + 4) * dx, 4 * dx, 4 * dx}).temperature = 350;
   s.numerics.maxStep = 1e-4;
   s.temperings.emplace_back();  // in one step
   s.temperings[0].start = 0.01;
@@ -222,7 +229,8 @@ TEST(StepLimits, AStretchedSolidNeedsSmallerSteps) {
   for (std::size_t i = 0; i < run.particles().owned; i++) run.particles().position[i].x *= 1.5;
   EXPECT_TRUE(run.step());
   EXPECT_STREQ(run.w.clock.limitedBy, "elastic waves");
-  // the modulus of Green strain is (3 * 1.5^2 - 1) / 2 = 2.875 times that at rest, the hourglass control's is not
+  // the modulus of Green strain is (3 * 1.5^2 - 1) / 2 = 2.875 times that at rest, the hourglass control's is
+  // not
   EXPECT_LT(run.w.clock.dt, atRest / 1.6);
   EXPECT_GT(run.w.clock.dt, atRest / 1.9);
 }

@@ -58,8 +58,8 @@ TEST(Mixed, SolidFallsIntoALiquid) {
   EXPECT_GT(least, 0.5 * s.spacing);  // nothing enters the solid
 }
 
-// A liquid on a solid bottom. Layers of a lattice that does not mix carry the pressure by turns, more and less (the bottom one twice its
-// share): it is the mean over layers that is hydrostatic.
+// A liquid on a solid bottom. Layers of a lattice that does not mix carry the pressure by turns, more and
+// less (the bottom one twice its share): it is the mean over layers that is hydrostatic.
 TEST(Mixed, LiquidRestsOnASolid) {
   Scene s = poolAndRubber();
   s.domain.max = {0.06, 0.06, 0.3};
@@ -71,7 +71,8 @@ TEST(Mixed, LiquidRestsOnASolid) {
   ASSERT_TRUE(run.run());
   const Continuum& p = run.particles();
   double pressure = 0, exact = 0, bottom = 1, solidTop = 0, top = 0;
-  for (std::size_t i = 0; i < p.owned; i++) top = std::max(top, p.position[i].z + 0.5 * s.spacing);  // it sinks a little: rubber and liquid are compressed
+  // it sinks a little: rubber and liquid are compressed
+  for (std::size_t i = 0; i < p.owned; i++) top = std::max(top, p.position[i].z + 0.5 * s.spacing);
   for (std::size_t i = 0; i < p.owned; i++) {
     const double z = p.position[i].z;
     if (p.phase[i] == Solid) {

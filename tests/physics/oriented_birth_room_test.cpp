@@ -1,4 +1,5 @@
-// Surfaces that grow at their borders toward obstacles and solids: none of their particles is made in these, in a run or in the relaxation before it.
+// Surfaces that grow at their borders toward obstacles and solids: none of their particles is made in these,
+// in a run or in the relaxation before it.
 #include <gtest/gtest.h>
 
 #include <cmath>

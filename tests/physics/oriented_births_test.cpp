@@ -47,14 +47,17 @@ TEST(Oriented, SurfaceDrawnOverABallGrowsAndKeepsItsBooks) {
   test::Simulation x(s);
   const std::size_t before = x.w.oriented.rows.owned;
   ASSERT_TRUE(x.run());
-  EXPECT_GT(x.w.oriented.rows.owned, before * 9 / 8);  // 268 to 306 of 232 with a density 6 % lower or higher: which bond yields first is chance
+  EXPECT_GT(x.w.oriented.rows.owned, before * 9 / 8);  // 268 to 306 of 232 with a density 6 % lower or
+                                                       // higher: which bond yields first is chance
   const LedgerReport l = x.books();
   EXPECT_LT(std::abs(l.massResidual), 1e-12 * l.now.mass);
-  EXPECT_EQ(static_cast<std::int64_t>(x.w.oriented.rows.owned - before), x.w.counters.orientedBirths - x.w.counters.orientedDeaths);
+  EXPECT_EQ(static_cast<std::int64_t>(x.w.oriented.rows.owned - before),
+            x.w.counters.orientedBirths - x.w.counters.orientedDeaths);
   EXPECT_LT(std::abs(l.energyResidual), 0.05 * l.energyScale);
 }
 
-/// Births in a run to `end`, of particles that are off by .2 spacings and radians along each axis and are hardly damped: hotter than Lennard-Jones can hold.
+/// Births in a run to `end`, of particles that are off by .2 spacings and radians along each axis and are
+/// hardly damped: hotter than Lennard-Jones can hold.
 std::int64_t birthsOfAHotSurface(Scene s, double end) {
   OrientedBody& b = s.oriented[0];
   b.jitter = 0.2;
@@ -69,7 +72,8 @@ std::int64_t birthsOfAHotSurface(Scene s, double end) {
   return x.w.counters.orientedBirths;
 }
 
-// What shakes, or flies apart, is not stretched: any two with room between them once counted as a gap, and each birth made more of them.
+// What shakes, or flies apart, is not stretched: any two with room between them once counted as a gap, and
+// each birth made more of them.
 TEST(Oriented, SurfacesThatShakeHaveNoGaps) {
   EXPECT_LT(birthsOfAHotSurface(patchScene(0), 0.4), 15);  // 132 at the start
   Scene s = patchScene(0);
@@ -137,7 +141,8 @@ TEST(Oriented, BirthsUnderGravityKeepTheBooksOfMomentum) {
   EXPECT_LT(length(r.momentumResidual), 1e-12 * length(r.gravityImpulse));
 }
 
-/// Who is born where a sheet lies is pressed into it from the first moment: energy that no motion has brought.
+/// Who is born where a sheet lies is pressed into it from the first moment: energy that no motion has
+/// brought.
 TEST(Oriented, BirthsOnASheetKeepTheBooks) {
   Scene s = test::emptyScene(0.05, {-1, -1, -1}, {1, 1, 1});
   s.oriented.emplace_back();

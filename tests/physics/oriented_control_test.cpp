@@ -10,19 +10,26 @@
 namespace thaw {
 namespace {
 
-struct Figure { const char* name; std::vector<Vec3d> points; };
+struct Figure {
+  const char* name;
+  std::vector<Vec3d> points;
+};
 
 std::vector<Figure> figures() {
   std::vector<Figure> all;
-  all.push_back({"corners and a raised middle", {{-0.4, -0.4, 0}, {0.4, -0.4, 0}, {-0.4, 0.4, 0}, {0.4, 0.4, 0}, {0.01, 0.02, 0.25}}});
+  all.push_back({"corners and a raised middle",
+                 {{-0.4, -0.4, 0}, {0.4, -0.4, 0}, {-0.4, 0.4, 0}, {0.4, 0.4, 0}, {0.01, 0.02, 0.25}}});
   all.push_back({"saddle", {{-0.4, -0.4, 0.15}, {0.4, -0.4, -0.15}, {-0.4, 0.4, -0.15}, {0.4, 0.4, 0.15}}});
   Figure ring{"ring of eight", {}};
-  for (int k = 0; k < 8; k++) ring.points.push_back({0.42 * std::cos(0.78539816 * k + 0.1), 0.42 * std::sin(0.78539816 * k + 0.1), 0.12 * std::cos(1.5707963 * k)});
+  for (int k = 0; k < 8; k++)
+    ring.points.push_back({0.42 * std::cos(0.78539816 * k + 0.1), 0.42 * std::sin(0.78539816 * k + 0.1),
+                           0.12 * std::cos(1.5707963 * k)});
   all.push_back(ring);
   return all;
 }
 
-/// Spacings from the control point that is left most to the body: its particles that hang together within 1.5 spacings, the largest such part of it.
+/// Spacings from the control point that is left most to the body: its particles that hang together within 1.5
+/// spacings, the largest such part of it.
 double farthestFromBody(const Oriented& o, const std::vector<Vec3d>& points, double spacing) {
   std::vector<std::size_t> part(o.owned, o.owned);
   std::vector<std::size_t> size;
@@ -36,7 +43,8 @@ double farthestFromBody(const Oriented& o, const std::vector<Vec3d>& points, dou
       open.pop_back();
       size.back()++;
       for (std::size_t j = 0; j < o.owned; j++)
-        if (part[j] == o.owned && length(o.position[j] - o.position[i]) < 1.5 * spacing) part[j] = size.size() - 1, open.push_back(j);
+        if (part[j] == o.owned && length(o.position[j] - o.position[i]) < 1.5 * spacing)
+          part[j] = size.size() - 1, open.push_back(j);
     }
   }
   const auto body = static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
@@ -77,7 +85,8 @@ TEST(OrientedControl, KeepsThemAsItRelaxesAndAfterIt) {
     ASSERT_TRUE(x.run());
     const double end = farthestFromBody(o, f.points, s.spacing);
     const LedgerReport l = x.books();
-    std::printf("%s: %.3f spacings off when relaxed, %.3f at the end; residual %.1e of %.1e J\n", f.name, relaxed, end, l.energyResidual, l.energyScale);
+    std::printf("%s: %.3f spacings off when relaxed, %.3f at the end; residual %.1e of %.1e J\n", f.name,
+                relaxed, end, l.energyResidual, l.energyScale);
     EXPECT_LT(relaxed, 0.5) << f.name;
     EXPECT_LT(end, 0.5) << f.name;
     EXPECT_LT(std::abs(l.energyResidual), 1e-3 * l.energyScale) << f.name;

@@ -9,7 +9,8 @@
 namespace thaw {
 namespace {
 
-constexpr OrientedIntegrator integrators[] = {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta, OrientedIntegrator::SemiImplicit};
+constexpr OrientedIntegrator integrators[] = {
+    OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta, OrientedIntegrator::SemiImplicit};
 
 /// Particles that hardly act on each other.
 Scene looseScene() {
@@ -62,7 +63,8 @@ TEST(OrientedFields, ActInTheirRegionForTheirTime) {
   }
 }
 
-/// Times of fields and corners of their factors lie within steps; what they give is that of their whole time all the same.
+/// Times of fields and corners of their factors lie within steps; what they give is that of their whole time
+/// all the same.
 TEST(OrientedFields, GiveTheSameByWhateverSteps) {
   for (const auto how : integrators)
     for (const double step : {1e-3, 0.0171, 0.09}) {
@@ -95,10 +97,12 @@ TEST(OrientedFields, GiveTheSameByWhateverSteps) {
       for (std::size_t i = 0; i < o.owned; i++) mean += o.velocity[i] / static_cast<double>(o.owned);
       EXPECT_NEAR(mean.x, 0.05 * (0.2777 - 0.0333), 1e-15) << step;
       EXPECT_NEAR(mean.y, 0.1 * 0.085, 1e-15) << step;
-      EXPECT_NEAR(mean.z, 0.03 * 0.01 * (3 - 2 * 0.105 / 0.2) * perMass, 1e-10) << step;  // normals turn a little
+      // normals turn a little
+      EXPECT_NEAR(mean.z, 0.03 * 0.01 * (3 - 2 * 0.105 / 0.2) * perMass, 1e-10) << step;
       const LedgerReport books = x.books();
       EXPECT_LT(length(books.momentumResidual), 1e-12);
-      EXPECT_LT(std::abs(books.energyResidual), 1e-7 * books.energyScale) << static_cast<int>(how) << " " << step;
+      EXPECT_LT(std::abs(books.energyResidual), 1e-7 * books.energyScale)
+          << static_cast<int>(how) << " " << step;
     }
 }
 
@@ -119,7 +123,8 @@ TEST(OrientedFields, ThatBeginWhereNobodyIsAreNoted) {
   EXPECT_EQ(x.tools.oriented.idleFields[1].field, 1u);
 }
 
-/// What a point gives is the slope of an energy: it pulls inside its radius alone, and a particle that has passed through is as fast as before.
+/// What a point gives is the slope of an energy: it pulls inside its radius alone, and a particle that has
+/// passed through is as fast as before.
 TEST(OrientedFields, APointGivesBackWhatItTakes) {
   for (const auto how : integrators)
     for (const double pull : {30.0, -30.0}) {
@@ -146,7 +151,9 @@ TEST(OrientedFields, APointGivesBackWhatItTakes) {
       }
       EXPECT_GT(most, 0.05 * before);
       EXPECT_LT(largest, 0.02 * most) << static_cast<int>(how);
-      EXPECT_NEAR(x.books().now.kinetic, before, 0.005 * most + (how == OrientedIntegrator::SemiImplicit ? 0.05 * most : 0)) << static_cast<int>(how) << " " << pull;
+      EXPECT_NEAR(x.books().now.kinetic, before,
+                  0.005 * most + (how == OrientedIntegrator::SemiImplicit ? 0.05 * most : 0))
+          << static_cast<int>(how) << " " << pull;
     }
 }
 

@@ -13,7 +13,8 @@ using test::patchScene;
 
 // The step at whose end an anchor lets go was held to its end: its impulse is the anchor's.
 TEST(Oriented, AnchorsThatLetGoUnderLoadKeepTheBooks) {
-  for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta, OrientedIntegrator::SemiImplicit}) {
+  for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta,
+                         OrientedIntegrator::SemiImplicit}) {
     Scene s = patchScene(0);
     s.domain.gravity = {0, 0, -9.81};
     OrientedBody& b = s.oriented[0];
@@ -88,14 +89,17 @@ TEST(Oriented, SheetAndPatchThatMeetKeepMomentumAndBooks) {
   const Oriented& o = x.w.oriented.rows;
   for (std::size_t i = 0; i < o.owned; i++) patch += o.mass[i] * o.velocity[i].z;
   EXPECT_LT(patch, 0.2 * before.now.momentum.z);  // most of the way down together
-  // contact gives its impulses by halves to vertices and at once to oriented particles: what is under way is part of the sum, and steps that grow or shrink are none of it
+  // contact gives its impulses by halves to vertices and at once to oriented particles: what is under way is
+  // part of the sum, and steps that grow or shrink are none of it
   EXPECT_GT(underWay, 1e-6 * length(before.now.momentum));
-  EXPECT_LT(length(after.now.momentum + after.underWay - before.now.momentum), 1e-12 * length(before.now.momentum));
+  EXPECT_LT(length(after.now.momentum + after.underWay - before.now.momentum),
+            1e-12 * length(before.now.momentum));
   EXPECT_LT(std::abs(after.energyResidual), 0.01 * before.now.kinetic);
 }
 
 TEST(Oriented, BodyAndPatchThatMeetKeepMomentum) {
-  for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta, OrientedIntegrator::SemiImplicit}) {
+  for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta,
+                         OrientedIntegrator::SemiImplicit}) {
     Scene s = patchScene(0);
     s.oriented[0].integrator = how;
     s.oriented[0].density = 5;
@@ -116,7 +120,8 @@ TEST(Oriented, BodyAndPatchThatMeetKeepMomentum) {
 
 // Impulse and work of an obstacle that moves, and goes, are those of where it was when the forces were found.
 TEST(Oriented, AMovingObstacleIsInTheBooks) {
-  for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta, OrientedIntegrator::SemiImplicit}) {
+  for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta,
+                         OrientedIntegrator::SemiImplicit}) {
     Scene s = patchScene(0);
     s.oriented[0].integrator = how;
     s.oriented[0].damping = s.oriented[0].spinDamping = 4;
@@ -132,7 +137,8 @@ TEST(Oriented, AMovingObstacleIsInTheBooks) {
     ASSERT_TRUE(x.run());
     const LedgerReport l = x.books();
     double highest = 0;
-    for (std::size_t i = 0; i < x.w.oriented.rows.owned; i++) highest = std::max(highest, x.w.oriented.rows.position[i].z);
+    for (std::size_t i = 0; i < x.w.oriented.rows.owned; i++)
+      highest = std::max(highest, x.w.oriented.rows.position[i].z);
     EXPECT_GT(highest, 0.05);  // it was pushed
     EXPECT_LT(length(l.momentumResidual), 1e-12);
     EXPECT_LT(std::abs(l.energyResidual), 0.02 * l.energyScale) << static_cast<int>(how);
@@ -168,7 +174,8 @@ TEST(Oriented, APatchThatLeavesTheDomainKeepsItsBooks) {
   const double rows = static_cast<double>(x.w.oriented.rows.owned);
   ASSERT_TRUE(x.run());
   const LedgerReport r = x.books();
-  std::printf("%lld of %.0f left, residual %.2e of %.2e J\n", static_cast<long long>(x.w.counters.left), rows, r.energyResidual, r.energyScale);
+  std::printf("%lld of %.0f left, residual %.2e of %.2e J\n", static_cast<long long>(x.w.counters.left), rows,
+              r.energyResidual, r.energyScale);
   EXPECT_GT(static_cast<double>(x.w.counters.left), 0.2 * rows);
   EXPECT_EQ(x.w.counters.orientedDeaths, 0);
   EXPECT_LT(std::abs(r.massResidual), 1e-15);

@@ -1,4 +1,5 @@
-// Open meshes in a scene: the surface of an oriented body as it is; of a solid, as of obstacles and anchors, closed and told.
+// Open meshes in a scene: the surface of an oriented body as it is; of a solid, as of obstacles and anchors,
+// closed and told.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +13,9 @@ namespace {
 /// A bowl of .3 m, open at the top.
 TriangleMesh bowl(const std::string&) {
   TriangleMesh m = ballMesh({}, 0.3, 0.05);
-  std::erase_if(m.triangles, [&](const auto& t) { return m.vertices[t[0]].z + m.vertices[t[1]].z + m.vertices[t[2]].z > 0; });
+  std::erase_if(m.triangles, [&](const auto& t) {
+    return m.vertices[t[0]].z + m.vertices[t[1]].z + m.vertices[t[2]].z > 0;
+  });
   return m;
 }
 
@@ -43,7 +46,8 @@ TEST(OrientedMesh, AnOpenSurfaceBeginsAtRestAndStaysOpen) {
   ASSERT_TRUE(x.run());
   const Oriented& o = x.w.oriented.rows;
   double fastest = 0, highest = -1;
-  for (std::size_t i = 0; i < o.owned; i++) fastest = std::max(fastest, length(o.velocity[i])), highest = std::max(highest, o.position[i].z);
+  for (std::size_t i = 0; i < o.owned; i++)
+    fastest = std::max(fastest, length(o.velocity[i])), highest = std::max(highest, o.position[i].z);
   EXPECT_LT(fastest, 2);  // m/s; with pairs in one place they burst
   EXPECT_LT(highest, 1.5 * s.spacing) << "there is no lid";
 }
@@ -58,7 +62,8 @@ TEST(OrientedMesh, HolesThatAreClosedInObstaclesAndAnchorsAreTold) {
   test::Simulation x(s, bowl);
   const std::vector<std::string> told = toldOf(x, "1 hole closed (");
   ASSERT_EQ(told.size(), 2u);
-  EXPECT_EQ(told[0].rfind("oriented body '" + s.oriented[0].name + "': an anchor: mesh 'bowl.ply'", 0), 0u) << told[0];
+  EXPECT_EQ(told[0].rfind("oriented body '" + s.oriented[0].name + "': an anchor: mesh 'bowl.ply'", 0), 0u)
+      << told[0];
   EXPECT_EQ(told[1].rfind("obstacle 'floor': mesh 'bowl.ply'", 0), 0u) << told[1];
 }
 

@@ -1,4 +1,5 @@
-// An oriented surface is an obstacle to solids, and a solid one to it, with the contact that is the default: what is to hold is not said by the scene.
+// An oriented surface is an obstacle to solids, and a solid one to it, with the contact that is the default:
+// what is to hold is not said by the scene.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,7 +48,11 @@ Scene blockOnFilm(bool held) {
   return s;
 }
 
-struct Outcome { std::int64_t most = 0; double bodyLow = 0, bodySpeed = 0, filmLow = 0, residual = 0, momentum = 0; std::int64_t steps = 0; };
+struct Outcome {
+  std::int64_t most = 0;
+  double bodyLow = 0, bodySpeed = 0, filmLow = 0, residual = 0, momentum = 0;
+  std::int64_t steps = 0;
+};
 
 Outcome runBlock(const Scene& s) {
   test::Simulation x(s);
@@ -55,18 +60,26 @@ Outcome runBlock(const Scene& s) {
   double worst = 0;
   while (x.w.clock.time < x.w.clock.end) {
     EXPECT_TRUE(x.step());
-    if (x.w.clock.step % 20 == 0) out.most = std::max(out.most, sunkenNow(x)), worst = std::max(worst, std::abs(x.books().energyResidual));
+    if (x.w.clock.step % 20 == 0)
+      out.most = std::max(out.most, sunkenNow(x)),
+      worst = std::max(worst, std::abs(x.books().energyResidual));
   }
   const Continuum& p = x.w.particles;
   out.bodyLow = 1, out.filmLow = 1;
-  for (std::size_t i = 0; i < p.owned; i++) out.bodyLow = std::min(out.bodyLow, p.position[i].z), out.bodySpeed += p.velocity[i].z / static_cast<double>(p.owned);
-  for (std::size_t i = 0; i < x.w.oriented.rows.owned; i++) out.filmLow = std::min(out.filmLow, x.w.oriented.rows.position[i].z);
+  for (std::size_t i = 0; i < p.owned; i++)
+    out.bodyLow = std::min(out.bodyLow, p.position[i].z),
+    out.bodySpeed += p.velocity[i].z / static_cast<double>(p.owned);
+  for (std::size_t i = 0; i < x.w.oriented.rows.owned; i++)
+    out.filmLow = std::min(out.filmLow, x.w.oriented.rows.position[i].z);
   const LedgerReport l = x.books();
   out.residual = worst / l.energyScale;
   out.momentum = length(l.momentumResidual) / length(l.initial.momentum + l.gravityImpulse);
   out.steps = x.w.clock.step;
-  std::printf("most inside %lld, lowest of the body %.4f, mean speed %.3f, lowest of the film %.4f m; residual %.2e of the scale, momentum %.1e; %lld steps\n", static_cast<long long>(out.most), out.bodyLow,
-              out.bodySpeed, out.filmLow, out.residual, out.momentum, static_cast<long long>(out.steps));
+  std::printf(
+      "most inside %lld, lowest of the body %.4f, mean speed %.3f, lowest of the film %.4f m; residual %.2e "
+      "of the scale, momentum %.1e; %lld steps\n",
+      static_cast<long long>(out.most), out.bodyLow, out.bodySpeed, out.filmLow, out.residual, out.momentum,
+      static_cast<long long>(out.steps));
   return out;
 }
 
@@ -101,7 +114,8 @@ TEST(OrientedObstacle, ABlanketStaysOutOfWhatItFallsOn) {
   EXPECT_EQ(o.most, 0);
 }
 
-/// A film that grows where it is stretched falls on a ball: its newborn are found within reach of the ball's particles. With the barrier from their first step they flew off at up to 48 m/s.
+/// A film that grows where it is stretched falls on a ball: its newborn are found within reach of the ball's
+/// particles. With the barrier from their first step they flew off at up to 48 m/s.
 TEST(OrientedObstacle, BirthsInContactAreNotThrown) {
   Scene s = test::emptyScene(0.02, {-0.3, -0.3, -0.02}, {0.3, 0.3, 0.3});
   s.domain.gravity = {0, 0, -9.81};
@@ -146,7 +160,8 @@ TEST(OrientedObstacle, BirthsInContactAreNotThrown) {
   EXPECT_LT(fastest, 6);
 }
 
-/// A film of 2 cm, held at its rim, that is drawn down over a post at .5 m/s, and the most of its particles that are in it at a time.
+/// A film of 2 cm, held at its rim, that is drawn down over a post at .5 m/s, and the most of its particles
+/// that are in it at a time.
 std::int64_t mostInAPost(double overBarrier, std::int64_t& told) {
   Scene s = test::emptyScene(0.02, {-1, -1, -1}, {1, 1, 1});
   test::addFloor(s).shape = test::boxOf({-0.05, -0.05, -0.435}, {0.05, 0.05, -0.035});
@@ -175,7 +190,8 @@ std::int64_t mostInAPost(double overBarrier, std::int64_t& told) {
   while (x.w.clock.time < x.w.clock.end) {
     EXPECT_TRUE(x.step());
     std::int64_t in = 0;
-    for (std::size_t i = 0; i < x.w.oriented.rows.owned; i++) in += x.w.walls.list[0].shape->inside(x.w.oriented.rows.position[i]);
+    for (std::size_t i = 0; i < x.w.oriented.rows.owned; i++)
+      in += x.w.walls.list[0].shape->inside(x.w.oriented.rows.position[i]);
     most = std::max(most, in);
     if (x.w.clock.step % 20 == 0)
       for (const Sunken& f : findSunkenInObstacles(x.w, x.all)) told = std::max(told, f.count);
@@ -184,7 +200,8 @@ std::int64_t mostInAPost(double overBarrier, std::int64_t& told) {
   return most;
 }
 
-// A film that is stretched over an obstacle lies on it, and grows or tears, rather than being drawn through; where it is all the same that is seen.
+// A film that is stretched over an obstacle lies on it, and grows or tears, rather than being drawn through;
+// where it is all the same that is seen.
 TEST(OrientedObstacle, IsNotDrawnThroughByAStretchedFilm) {
   std::int64_t told = 0;
   EXPECT_LE(mostInAPost(1, told), 4) << "for a moment, by less than a quarter of a spacing";

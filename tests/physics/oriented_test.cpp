@@ -29,7 +29,8 @@ TEST(Oriented, EnergyAndMomentaAreKept) {
     EXPECT_GT(scale, 0);
     EXPECT_LT(std::abs(after.energyResidual), (how == OrientedIntegrator::RungeKutta ? 2e-5 : 0.05) * scale);
     EXPECT_LT(length(after.now.momentum - before.now.momentum), 1e-12);
-    EXPECT_LT(length(after.now.angularMomentum - before.now.angularMomentum), how == OrientedIntegrator::RungeKutta ? 1e-8 : 1e-12);
+    EXPECT_LT(length(after.now.angularMomentum - before.now.angularMomentum),
+              how == OrientedIntegrator::RungeKutta ? 1e-8 : 1e-12);
   }
 }
 
@@ -54,7 +55,8 @@ TEST(Oriented, RungeKuttaIsOfFourthOrder) {
   (void)fine;
   for (int k = 0; k < 3; k++) {
     error[k] = 0;
-    for (std::size_t i = 0; i < last[3].size(); i++) error[k] = std::max(error[k], length(last[k][i] - last[3][i]));
+    for (std::size_t i = 0; i < last[3].size(); i++)
+      error[k] = std::max(error[k], length(last[k][i] - last[3][i]));
   }
   EXPECT_GT(std::log2(error[0] / error[1]), 3.5);
   EXPECT_GT(std::log2(error[1] / error[2]), 3.5);
@@ -75,7 +77,8 @@ TEST(Oriented, SemiImplicitIsStableFarBeyondTheExplicitStep) {
   EXPECT_LT(x.books().now.kinetic, 1e-3 * std::abs(before));
 }
 
-// The integrator of the first body is for all, and so is the step that it bears: a second body of its own did not say so and had it cut to a tenth.
+// The integrator of the first body is for all, and so is the step that it bears: a second body of its own did
+// not say so and had it cut to a tenth.
 TEST(Oriented, TheStepIsThatOfTheFirstIntegrator) {
   double dt[2];
   for (const bool both : {false, true}) {
@@ -130,7 +133,8 @@ TEST(Oriented, CutStopsForcesAcrossAndWeldMakesThem) {
   std::size_t left = 0;
   for (std::size_t i = 0; i < o.owned; i++) {
     left += o.cutSides[i] == 2;
-    for (std::size_t j = 0; j < o.owned; j++) EXPECT_EQ(sameSurface(o, i, j), (o.position[i].x > 0) == (o.position[j].x > 0));
+    for (std::size_t j = 0; j < o.owned; j++)
+      EXPECT_EQ(sameSurface(o, i, j), (o.position[i].x > 0) == (o.position[j].x > 0));
   }
   EXPECT_GT(left, 30u);
   OrientedEvent stroke;
@@ -141,7 +145,8 @@ TEST(Oriented, CutStopsForcesAcrossAndWeldMakesThem) {
   EXPECT_EQ(sideOfCut(stroke, nullptr, 0.15, {0, 0.2, 0}), 0);
 }
 
-/// Rims that overlap when they are welded, half a spacing apart: who is too near goes, and the surface is one and at rest. Before, it burst, with a third of its energy from nowhere.
+/// Rims that overlap when they are welded, half a spacing apart: who is too near goes, and the surface is one
+/// and at rest. Before, it burst, with a third of its energy from nowhere.
 TEST(Oriented, AWeldOfRimsThatOverlapHolds) {
   Scene s = patchScene(0);
   s.oriented[0].damping = s.oriented[0].spinDamping = 12;
@@ -156,7 +161,8 @@ TEST(Oriented, AWeldOfRimsThatOverlapHolds) {
     closer += 0.001;
     for (std::size_t i = 0; i < at.owned; i++)
       for (std::size_t j = 0; j < at.owned; j++)
-        if (at.body[i] == 0 && at.body[j] == 1) nearest = std::min(nearest, length(at.position[j] - Vec3d{closer, 0, 0} - at.position[i]));
+        if (at.body[i] == 0 && at.body[j] == 1)
+          nearest = std::min(nearest, length(at.position[j] - Vec3d{closer, 0, 0} - at.position[i]));
   }
   s.oriented[1].shape.move.x -= closer;
   OrientedEvent weld;
@@ -173,7 +179,8 @@ TEST(Oriented, AWeldOfRimsThatOverlapHolds) {
   EXPECT_LT(x.w.counters.orientedDeaths, 25);  // of one row
   for (std::size_t i = 0; i < o.owned; i++) {
     int beside = 0;
-    for (std::size_t j = 0; j < o.owned; j++) beside += i != j && length(o.position[i] - o.position[j]) < 1.5 * s.spacing;
+    for (std::size_t j = 0; j < o.owned; j++)
+      beside += i != j && length(o.position[i] - o.position[j]) < 1.5 * s.spacing;
     EXPECT_GE(beside, 2) << i;
     EXPECT_LT(std::abs(o.position[i].z), 0.5 * s.spacing);
   }
@@ -229,12 +236,14 @@ TEST(Oriented, CurveFollowsAPointThatIsLifted) {  // as scenes/oriented/curve2d.
   }
 }
 
-// The lattice particle nearest to a control point took its place, half a spacing from the next, and the plate flew apart where it was not relaxed.
+// The lattice particle nearest to a control point took its place, half a spacing from the next, and the plate
+// flew apart where it was not relaxed.
 TEST(Oriented, AThinPlateThroughControlPointsHoldsWithoutRelaxation) {
   Scene s = patchScene(0);
   OrientedBody& b = s.oriented[0];
   b.source = OrientedSource::Control;
-  b.points = {{-0.31, -0.3, 0}, {0.33, -0.28, 0.05}, {-0.3, 0.32, 0.06}, {0.29, 0.31, -0.02}, {0.024, 0.013, 0.12}, {0.17, -0.11, 0.07}};
+  b.points = {{-0.31, -0.3, 0},    {0.33, -0.28, 0.05},  {-0.3, 0.32, 0.06},
+              {0.29, 0.31, -0.02}, {0.024, 0.013, 0.12}, {0.17, -0.11, 0.07}};
   b.damping = b.spinDamping = 5;
   s.end = 0.5;
   test::Simulation x(s);

@@ -11,9 +11,7 @@ using test::patchScene;
 std::string problemOf(const Scene& s) {
   try {
     test::Simulation x(s);
-  } catch (const std::exception& e) {
-    return e.what();
-  }
+  } catch (const std::exception& e) { return e.what(); }
   return "";
 }
 
@@ -21,12 +19,15 @@ TEST(Oriented, BodiesAtOnePlaceAndPointsThatAreGivenTwiceAreRefused) {
   Scene s = patchScene(0);
   s.oriented.push_back(s.oriented[0]);
   s.oriented[1].name = "second";
-  EXPECT_NE(problemOf(s).find("oriented body 'second': 132 of its particles are at places of 'patch'"), std::string::npos) << problemOf(s);
+  EXPECT_NE(problemOf(s).find("oriented body 'second': 132 of its particles are at places of 'patch'"),
+            std::string::npos)
+      << problemOf(s);
   s.oriented[1].shape.move = {0, 0, 0.03};
   EXPECT_EQ(problemOf(s), "");
   s.oriented[0].source = OrientedSource::Points;
   s.oriented[0].points = {{0, 0, 0}, {0.05, 0, 0}, {0, 0.05, 0}, {0, 0, 0}};
-  EXPECT_NE(problemOf(s).find("2 of its points are at the place of another one"), std::string::npos) << problemOf(s);
+  EXPECT_NE(problemOf(s).find("2 of its points are at the place of another one"), std::string::npos)
+      << problemOf(s);
 }
 
 TEST(Sheets, WhatIsOutsideAndRegionsWithNothingInThemAreRefused) {
@@ -42,7 +43,11 @@ TEST(Sheets, WhatIsOutsideAndRegionsWithNothingInThemAreRefused) {
   EXPECT_NE(problemOf(s).find("there is no vertex in this region"), std::string::npos) << problemOf(s);
   s.sheets[0].regions.clear();
   s.sheets[0].shape.move = {1, 0, 0};
-  EXPECT_NE(problemOf(s).find("66 of its 121 vertices lie outside of the domain, up to 0.25 m beyond its side x = 1 m; enlarge"), std::string::npos) << problemOf(s);
+  EXPECT_NE(
+      problemOf(s).find(
+          "66 of its 121 vertices lie outside of the domain, up to 0.25 m beyond its side x = 1 m; enlarge"),
+      std::string::npos)
+      << problemOf(s);
 }
 
 }  // namespace

@@ -43,8 +43,8 @@ TEST(SheetCoefficients, ForcesAreSlopesOfEnergiesAtAnyTimeAndInRegions) {
   }
 }
 
-/// Pulls at a strip of two materials and changes one coefficient after the other: the energy that this makes is in the books, and what is missing falls with the square of
-/// the step.
+/// Pulls at a strip of two materials and changes one coefficient after the other: the energy that this makes
+/// is in the books, and what is missing falls with the square of the step.
 TEST(SheetCoefficients, WorkOfAChangeIsInTheBooks) {
   for (const F f : {F::Warp, F::Shear, F::Bending, F::Volume, F::Push, F::Pull, F::Stiffness}) {
     double residual[2], scale = 0;
@@ -78,7 +78,8 @@ TEST(SheetCoefficients, WorkOfAChangeIsInTheBooks) {
   }
 }
 
-/// Springs that come into being: the step is short before they are stiff, and not after they have thrown everything about.
+/// Springs that come into being: the step is short before they are stiff, and not after they have thrown
+/// everything about.
 TEST(SheetCoefficients, StepsAreShortBeforeSpringsGrowStiff) {
   Scene s = sheetScene(SheetMesh::Grid);
   SheetBody& b = s.sheets[0];
@@ -99,7 +100,8 @@ TEST(SheetCoefficients, StepsAreShortBeforeSpringsGrowStiff) {
   EXPECT_LT(sim.shortest, 0.002);
 }
 
-/// What changes fast is followed by the steps that thaw chooses: a step without limit went from frame to frame over the change, and places were off by 27 % (damping) to 160 % (stiffness).
+/// What changes fast is followed by the steps that thaw chooses: a step without limit went from frame to
+/// frame over the change, and places were off by 27 % (damping) to 160 % (stiffness).
 TEST(SheetCoefficients, FastChangesAreFollowed) {
   for (const double ramp : {0.1, 0.01, 0.001})
     for (const F f : {F::Stiffness, F::Damping}) {
@@ -122,7 +124,8 @@ TEST(SheetCoefficients, FastChangesAreFollowed) {
         const Sheets& v = sim.w.sheets.rows;
         for (std::size_t i = 0; i < v.owned; i++) at[dt > 0].push_back(v.position[i] - v.rest[i]);
       }
-      for (std::size_t i = 0; i < at[0].size(); i++) size = std::max(size, length(at[1][i])), off = std::max(off, length(at[0][i] - at[1][i]));
+      for (std::size_t i = 0; i < at[0].size(); i++)
+        size = std::max(size, length(at[1][i])), off = std::max(off, length(at[0][i] - at[1][i]));
       EXPECT_LT(off, 0.005 * size) << ramp << " " << placeOf(f);
     }
 }

@@ -1,4 +1,5 @@
-// Contact of sheets with themselves and with each other, of vertices with triangles and of edges with edges: nothing crosses, and the books close.
+// Contact of sheets with themselves and with each other, of vertices with triangles and of edges with edges:
+// nothing crosses, and the books close.
 #include <gtest/gtest.h>
 
 #include "core/math/hash_random.hpp"
@@ -11,7 +12,8 @@ namespace {
 
 using test::countCrossings, test::sheetScene;
 
-/// A cloth that stands nearly upright on its edge and comes down in folds, or drapes a ball and the floor under it.
+/// A cloth that stands nearly upright on its edge and comes down in folds, or drapes a ball and the floor
+/// under it.
 Scene foldingScene(bool ball) {
   Scene s = test::emptyScene(0.01, {-0.5, -0.5, -0.02}, {0.5, 0.5, 0.6});
   s.domain.gravity = {0, 0, -9.81};
@@ -88,7 +90,8 @@ Scene crumpled() {
 
 TEST(SheetContact, ForcesAreSlopesOfEnergies) { test::expectForcesFromEnergy(crumpled()); }
 
-/// Neither momentum nor angular momentum comes of contact; dashpots and friction take what they take of both ends.
+/// Neither momentum nor angular momentum comes of contact; dashpots and friction take what they take of both
+/// ends.
 TEST(SheetContact, MomentaAreKept) {
   Scene s = crumpled();
   for (const double friction : {0.0, 0.5}) {
@@ -105,7 +108,8 @@ TEST(SheetContact, MomentaAreKept) {
   }
 }
 
-/// A cloth whose steps nothing else limits falls on the floor, flat and aslant: the step is short where it comes fast. Energies were off by up to 164 % (flat, elastic) and 83 % (aslant, with dashpots).
+/// A cloth whose steps nothing else limits falls on the floor, flat and aslant: the step is short where it
+/// comes fast. Energies were off by up to 164 % (flat, elastic) and 83 % (aslant, with dashpots).
 TEST(SheetContact, BlowsOfCoarseClothsKeepTheBooks) {
   for (const double restitution : {1.0, 0.3})
     for (const double tilt : {0.0, 0.2})
@@ -136,7 +140,8 @@ TEST(SheetContact, BlowsOfCoarseClothsKeepTheBooks) {
       }
 }
 
-/// Two free sheets meet at 16 m/s: they are seen to come, so that steps are short when they do. Energies were off by 22 and 49 %; at restitution 1 without friction by 2 %.
+/// Two free sheets meet at 16 m/s: they are seen to come, so that steps are short when they do. Energies were
+/// off by 22 and 49 %; at restitution 1 without friction by 2 %.
 TEST(SheetContact, SheetsThatClapKeepTheBooks) {
   for (const double restitution : {1.0, 0.3})
     for (const double below : {0.015, 0.02}) {
@@ -172,8 +177,11 @@ std::set<std::array<std::uint32_t, 4>> allPairs(const World& w) {
   std::set<std::array<std::uint32_t, 2>> edges;
   for (std::size_t n = 0; n < w.sheets.plans.size(); n++)
     for (const auto& t : w.sheets.plans[n].mesh.triangles) {
-      triangles.push_back({m.rowOf[m.first[n] + t[0]], m.rowOf[m.first[n] + t[1]], m.rowOf[m.first[n] + t[2]]});
-      for (std::size_t k = 0; k < 3; k++) edges.insert({m.first[n] + std::min(t[k], t[(k + 1) % 3]), m.first[n] + std::max(t[k], t[(k + 1) % 3])});
+      triangles.push_back(
+          {m.rowOf[m.first[n] + t[0]], m.rowOf[m.first[n] + t[1]], m.rowOf[m.first[n] + t[2]]});
+      for (std::size_t k = 0; k < 3; k++)
+        edges.insert(
+            {m.first[n] + std::min(t[k], t[(k + 1) % 3]), m.first[n] + std::max(t[k], t[(k + 1) % 3])});
     }
   std::set<std::array<std::uint32_t, 4>> found;
   const auto ask = [&](const std::array<std::uint32_t, 4>& rows, auto&& pairOf) {
@@ -191,7 +199,8 @@ std::set<std::array<std::uint32_t, 4>> allPairs(const World& w) {
       if (i != t[0] && i != t[1] && i != t[2]) ask({i, t[0], t[1], t[2]}, vertexAndTriangle);
   for (auto e = edges.begin(); e != edges.end(); ++e)
     for (auto f = std::next(e); f != edges.end(); ++f)
-      if ((*e)[0] != (*f)[0] && (*e)[0] != (*f)[1] && (*e)[1] != (*f)[0] && (*e)[1] != (*f)[1]) ask({m.rowOf[(*e)[0]], m.rowOf[(*e)[1]], m.rowOf[(*f)[0]], m.rowOf[(*f)[1]]}, edgeAndEdge);
+      if ((*e)[0] != (*f)[0] && (*e)[0] != (*f)[1] && (*e)[1] != (*f)[0] && (*e)[1] != (*f)[1])
+        ask({m.rowOf[(*e)[0]], m.rowOf[(*e)[1]], m.rowOf[(*f)[0]], m.rowOf[(*f)[1]]}, edgeAndEdge);
   return found;
 }
 

@@ -42,7 +42,8 @@ TEST(Sheets, MeetTheContinuumAndTakeItsHeat) {
   double hottest = 0, lowest = 1;
   for (std::size_t i = 0; i < v.owned; i++) {
     hottest = std::max(hottest, v.temperature[i]);
-    if (std::abs(v.position[i].x) < 0.1 && std::abs(v.position[i].y) < 0.1) lowest = std::min(lowest, v.position[i].z);
+    if (std::abs(v.position[i].x) < 0.1 && std::abs(v.position[i].y) < 0.1)
+      lowest = std::min(lowest, v.position[i].z);
   }
   EXPECT_GT(hottest, 303);
   EXPECT_LT(hottest, 400);
@@ -70,7 +71,8 @@ Scene blockInANet(double turned) {
   return s;
 }
 
-/// Contact by triangles comes of one energy: its slope is the force on every corner and on every particle, where several triangles are within reach, too.
+/// Contact by triangles comes of one energy: its slope is the force on every corner and on every particle,
+/// where several triangles are within reach, too.
 TEST(Sheets, FaceContactIsTheSlopeOfAnEnergy) {
   test::Simulation sim(blockInANet(0.3));
   ASSERT_TRUE(sim.w.sheets.plans[0].byFaces);
@@ -104,12 +106,15 @@ TEST(Sheets, FaceContactIsTheSlopeOfAnEnergy) {
     return (up - down) / (2 * h);
   };
   for (std::size_t i = 0; i < v.owned; i++)
-    for (int a = 0; a < 3 && length(onVertices[i]) > 0; a++) EXPECT_NEAR(onVertices[i][a], -slope(v.position[i][a]), 1e-5 * largest) << i << " " << a;
+    for (int a = 0; a < 3 && length(onVertices[i]) > 0; a++)
+      EXPECT_NEAR(onVertices[i][a], -slope(v.position[i][a]), 1e-5 * largest) << i << " " << a;
   for (std::size_t j = 0; j < p.owned; j++)
-    for (int a = 0; a < 3 && length(onParticles[j]) > 0; a++) EXPECT_NEAR(onParticles[j][a], -slope(p.position[j][a]), 1e-5 * largest) << j << " " << a;
+    for (int a = 0; a < 3 && length(onParticles[j]) > 0; a++)
+      EXPECT_NEAR(onParticles[j][a], -slope(p.position[j][a]), 1e-5 * largest) << j << " " << a;
 }
 
-/// A rubber cube falls on a net: the net gives under it, and other triangles become the nearest all the time. With the nearest one's depth energies were off by up to 93 %.
+/// A rubber cube falls on a net: the net gives under it, and other triangles become the nearest all the time.
+/// With the nearest one's depth energies were off by up to 93 %.
 TEST(Sheets, ACubeOnANetKeepsTheBooks) {
   for (const double turned : {0.0, 0.44}) {
     Scene s = blockInANet(turned);
@@ -132,7 +137,8 @@ TEST(Sheets, ACubeOnANetKeepsTheBooks) {
   }
 }
 
-/// A block slides over a free coarse cloth: friction at nearest points that are apart turns nothing that was not turning.
+/// A block slides over a free coarse cloth: friction at nearest points that are apart turns nothing that was
+/// not turning.
 TEST(Sheets, FrictionWithTrianglesKeepsAngularMomentum) {
   Vec3d way[3];
   for (const int rough : {0, 1, 2}) {  // smooth, both rough, the block alone
@@ -168,8 +174,9 @@ TEST(Sheets, FrictionWithTrianglesKeepsAngularMomentum) {
   EXPECT_GT(way[2].x, way[0].x + 0.02);  // the rougher of both counts
 }
 
-/// A hot block touches the middle of a coarse cloth: what lies at the rim of contact stays cold, and nothing gets hotter than the block, or cools it below the cloth. With heat dealt out by the shares of the
-/// nearest point vertices came to 455 K beside a block of 400 K.
+/// A hot block touches the middle of a coarse cloth: what lies at the rim of contact stays cold, and nothing
+/// gets hotter than the block, or cools it below the cloth. With heat dealt out by the shares of the nearest
+/// point vertices came to 455 K beside a block of 400 K.
 TEST(Sheets, NothingGetsHotterThanWhatHeatsIt) {
   for (const double spacing : {0.015, 0.03, 0.01}) {  // the last one by points
     Scene s = test::emptyScene(0.02, {-0.5, -0.5, -0.1}, {0.5, 0.5, 0.6});
@@ -208,7 +215,8 @@ TEST(Sheets, NothingGetsHotterThanWhatHeatsIt) {
       hottest = std::max(hottest, v.temperature[i]);
       warm += v.temperature[i] > 370;
     }
-    for (std::size_t i = 0; i < p.owned; i++) coldest = std::min(coldest, static_cast<double>(p.temperature[i]));
+    for (std::size_t i = 0; i < p.owned; i++)
+      coldest = std::min(coldest, static_cast<double>(p.temperature[i]));
     EXPECT_LE(hottest, 400) << spacing;
     EXPECT_GE(coldest, 300) << spacing;
     EXPECT_GT(warm, 20u) << spacing;
@@ -216,7 +224,8 @@ TEST(Sheets, NothingGetsHotterThanWhatHeatsIt) {
   }
 }
 
-/// The particles of a liquid that are under a sheet, each asked of the triangle that it is over; all those that are over none.
+/// The particles of a liquid that are under a sheet, each asked of the triangle that it is over; all those
+/// that are over none.
 std::size_t underSheet(const World& w) {
   const Sheets& v = w.sheets.rows;
   std::vector<Vec3d> at(v.owned);
@@ -261,7 +270,8 @@ Scene waterOnACloth(double spacing, const Vec3d& low, const Vec3d& high) {
   b.warp = b.weft = 2000, b.shear = 300;
   b.conductance = 300;
   b.temperature = 300;
-  Shape hole = test::boxOf({-0.4, -0.4, -1}, {0.4, 0.4, 1}), all = test::boxOf({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}), rim;
+  Shape hole = test::boxOf({-0.4, -0.4, -1}, {0.4, 0.4, 1}),
+        all = test::boxOf({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}), rim;
   rim.kind = ShapeKind::Difference;
   rim.parts = {all, hole};
   b.clamp.push_back(rim);
@@ -269,8 +279,9 @@ Scene waterOnACloth(double spacing, const Vec3d& low, const Vec3d& high) {
   return s;
 }
 
-/// Water on a cloth whose vertices are three of its spacings apart, as many, or half of one: none passes through at the automatic rate of contact, and the books close. With the
-/// stiffness of contact from the mass of the vertices 372 of 512 had left through a light cloth and the others followed.
+/// Water on a cloth whose vertices are three of its spacings apart, as many, or half of one: none passes
+/// through at the automatic rate of contact, and the books close. With the stiffness of contact from the mass
+/// of the vertices 372 of 512 had left through a light cloth and the others followed.
 TEST(Sheets, ClothHoldsWaterWhateverItsVertices) {
   for (const double spacing : {0.06, 0.02, 0.01}) {
     Scene s = waterOnACloth(spacing, {-0.1, -0.1, 0.05}, {0.1, 0.1, 0.17});
@@ -287,7 +298,8 @@ TEST(Sheets, ClothHoldsWaterWhateverItsVertices) {
     ASSERT_TRUE(sim.run());
     const Sheets& v = sim.w.sheets.rows;
     double lowest = 1, hottest = 0;
-    for (std::size_t i = 0; i < v.owned; i++) lowest = std::min(lowest, v.position[i].z), hottest = std::max(hottest, v.temperature[i]);
+    for (std::size_t i = 0; i < v.owned; i++)
+      lowest = std::min(lowest, v.position[i].z), hottest = std::max(hottest, v.temperature[i]);
     EXPECT_EQ(sim.w.particles.owned, all) << spacing;
     EXPECT_LT(lowest, -0.003) << spacing;  // it bears the water
     EXPECT_EQ(underSheet(sim.w), 0u) << spacing;

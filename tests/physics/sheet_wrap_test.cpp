@@ -30,7 +30,8 @@ void expectDrawn(const Scene& s, double share) {
   const LedgerReport books = sim.books();
   EXPECT_LT(sheet.z, -share * 20 * area * s.end);
   EXPECT_LT(length(books.momentumResidual), 1e-12 * length(sheet));
-  EXPECT_LT(length(books.now.momentum + books.underWay - before), 1e-12 * length(sheet)) << "the body has what the sheet has lost";
+  EXPECT_LT(length(books.now.momentum + books.underWay - before), 1e-12 * length(sheet))
+      << "the body has what the sheet has lost";
   EXPECT_LT(length(books.now.angularMomentum - books.initial.angularMomentum), 0.02 * 0.3 * length(sheet));
   EXPECT_GT(books.wallWork, 0);
   EXPECT_LT(std::abs(books.energyResidual), 0.01 * books.energyScale);
@@ -71,7 +72,8 @@ TEST(SheetWrap, TowardAnotherSheet) {
   expectDrawn(s, 0.5);
 }
 
-/// A sheet that got into a thick body is drawn out to the nearest side, but within a cell of the middle, where no side is the nearest.
+/// A sheet that got into a thick body is drawn out to the nearest side, but within a cell of the middle,
+/// where no side is the nearest.
 TEST(SheetWrap, DrawsOutOfABody) {
   Scene s = clothOver();
   s.spacing = 0.03;

@@ -24,7 +24,8 @@ TEST(Sheets, StepsOfAnyLengthAreExactWhereForcesAreConstant) {
     ASSERT_TRUE(sim.run());
     const Sheets& v = sim.w.sheets.rows;
     ASSERT_EQ(v.owned, 121u);
-    const double a = 1.2 / (2 * 0.5), w = std::sqrt(30 / 0.5 - a * a), z0 = 0.5 * 1 / 30.0;  // of the start below the place of rest under load
+    // of the start below the place of rest under load
+    const double a = 1.2 / (2 * 0.5), w = std::sqrt(30 / 0.5 - a * a), z0 = 0.5 * 1 / 30.0;
     const double z = z0 * std::exp(-a) * (std::cos(w) + a / w * std::sin(w)) - z0;
     for (std::size_t i = 0; i < v.owned; i++) {
       EXPECT_NEAR(v.position[i].z - v.rest[i].z, z, 1e-13);
@@ -48,8 +49,10 @@ TEST(Sheets, ForcesAreSlopesOfEnergies) {
   expectForcesFromEnergy(s);
 }
 
-/// A net that is let go stretched swings at the scale of its mesh, the worst for the books: steps of leap-frog keep another energy (Hairer, Lubich & Wanner 2006, "Geometric Numerical Integration",
-/// IX.3), which differs by dt^2 (v U'' v / 12 - f^2 / 24 m). That is what the books miss, to a term of the fourth order: it comes and goes, and no entry is forgotten.
+/// A net that is let go stretched swings at the scale of its mesh, the worst for the books: steps of
+/// leap-frog keep another energy (Hairer, Lubich & Wanner 2006, "Geometric Numerical Integration", IX.3),
+/// which differs by dt^2 (v U'' v / 12 - f^2 / 24 m). That is what the books miss, to a term of the fourth
+/// order: it comes and goes, and no entry is forgotten.
 TEST(Sheets, WhatBooksOfSpringsMissIsTheEnergyOfLeapFrog) {
   double worst[2];
   for (const bool half : {false, true}) {
@@ -89,12 +92,15 @@ TEST(Sheets, WhatBooksOfSpringsMissIsTheEnergyOfLeapFrog) {
       const std::vector<Vec3d> after = loads();
       double swing = 0;  // v U'' v, of the state in the middle of three, as are velocity and missing
       for (std::size_t i = 0; i < now.size(); i++) swing -= dot(velocity[i], after[i] - before[i]) / (2 * dt);
-      if (sim.w.clock.step > 2) unexplained = std::max(unexplained, std::abs(missing - (start - dt * dt * (swing / 12 - squares(now) / 24))));
+      if (sim.w.clock.step > 2)
+        unexplained = std::max(unexplained,
+                               std::abs(missing - (start - dt * dt * (swing / 12 - squares(now) / 24))));
       const LedgerReport books = sim.books();
       missing = books.energyResidual;
       scale = std::max(scale, books.energyScale);
       worst[half] = std::max(worst[half], std::abs(missing));
-      for (std::size_t i = 0; i < velocity.size(); i++) velocity[sim.w.sheets.rows.id[i]] = sim.w.sheets.rows.velocity[i];
+      for (std::size_t i = 0; i < velocity.size(); i++)
+        velocity[sim.w.sheets.rows.id[i]] = sim.w.sheets.rows.velocity[i];
       before = now;
       now = after;
     }
@@ -105,7 +111,8 @@ TEST(Sheets, WhatBooksOfSpringsMissIsTheEnergyOfLeapFrog) {
   EXPECT_NEAR(worst[0] / worst[1], 4, 0.5);
 }
 
-/// What leaves takes its mass along; the rest of a closed mesh is open then, and not a hole with the pressure of one.
+/// What leaves takes its mass along; the rest of a closed mesh is open then, and not a hole with the pressure
+/// of one.
 TEST(Sheets, ABallThatLosesVerticesLosesItsPressure) {
   Scene s = sheetScene(SheetMesh::Sphere);
   SheetBody& b = s.sheets[0];
@@ -124,7 +131,8 @@ TEST(Sheets, ABallThatLosesVerticesLosesItsPressure) {
   EXPECT_LT(length(books.momentumResidual), 1e-9);
 }
 
-/// A brush that crosses the sheet in one step, or acts for a part of one, gives it what it would give in many short ones.
+/// A brush that crosses the sheet in one step, or acts for a part of one, gives it what it would give in many
+/// short ones.
 TEST(Sheets, BrushesActAlongTheirWayInStepsOfAnyLength) {
   for (const bool moves : {true, false}) {
     std::vector<double> speed[2];
@@ -149,7 +157,8 @@ TEST(Sheets, BrushesActAlongTheirWayInStepsOfAnyLength) {
     double most = 0;
     for (const double v : speed[1]) most = std::max(most, -v);
     EXPECT_GT(most, 0.001);
-    for (std::size_t i = 0; i < speed[0].size(); i++) EXPECT_NEAR(speed[0][i], speed[1][i], 0.01 * most) << moves << " " << i;
+    for (std::size_t i = 0; i < speed[0].size(); i++)
+      EXPECT_NEAR(speed[0][i], speed[1][i], 0.01 * most) << moves << " " << i;
   }
 }
 
@@ -163,25 +172,31 @@ TEST(Sheets, PlasticityLeavesItsPartOfTheExcess) {
       b.damping = 10;
       b.plasticity = plasticity;
       b.elasticLimit = 0.02;
-      b.brushes.push_back({{}, {}, 1e6, {0, 0, -5}, {{{0, 0}, {1, 1}, {7, 1}, {7.1, 0}}}, {}});  // 5 cm of the spring alone
+      // 5 cm of the spring alone
+      b.brushes.push_back({{}, {}, 1e6, {0, 0, -5}, {{{0, 0}, {1, 1}, {7, 1}, {7.1, 0}}}, {}});
       s.end = 11;
       s.numerics.fixedStep = dt;
       s.numerics.retryEvery = 0;
       test::Simulation sim(s);
       ASSERT_TRUE(sim.run());
       const Sheets& v = sim.w.sheets.rows;
-      // the load stretches the spring to 5 cm whatever the place of rest: limit + (1 - p) excess. All plastic it never comes to that: the spring gives 2 N/m^2 at its limit, what
-      // is left of the load flows against the damping for as long as it acts, and all of that stays. Within a step the spring still resists: in long steps less flows, by what follows
-      // from the exact step
-      const double flowing = (3 * 6 + 0.5 * 3 * (3.0 / 5) * (1 + 0.1)) / b.damping;  // 3 Pa beyond the limit from 1 s to 7 s, and what of both ramps is beyond it
+      // the load stretches the spring to 5 cm whatever the place of rest: limit + (1 - p) excess. All plastic
+      // it never comes to that: the spring gives 2 N/m^2 at its limit, what is left of the load flows against
+      // the damping for as long as it acts, and all of that stays. Within a step the spring still resists: in
+      // long steps less flows, by what follows from the exact step 3 Pa beyond the limit from 1 s to 7 s, and
+      // what of both ramps is beyond it
+      const double flowing = (3 * 6 + 0.5 * 3 * (3.0 / 5) * (1 + 0.1)) / b.damping;
       const double swing = b.stiffness * dt / b.damping, inSteps = -std::expm1(-swing) / swing;
       const double left = plasticity == 1 ? flowing * inSteps : plasticity * (0.05 - 0.02) / (1 - plasticity);
-      for (std::size_t i = 0; i < v.owned; i += 10) EXPECT_NEAR(v.rest[i].z - v.position[i].z, left, plasticity == 1 ? 0.003 * left : 2e-5) << plasticity << " " << dt;
+      for (std::size_t i = 0; i < v.owned; i += 10)
+        EXPECT_NEAR(v.rest[i].z - v.position[i].z, left, plasticity == 1 ? 0.003 * left : 2e-5)
+            << plasticity << " " << dt;
       if (plasticity == 1 && dt < 0.002) { EXPECT_NEAR(left, flowing, 0.01 * flowing); }
     }
 }
 
-// Light vertices without springs in a wind: the drag bounds the step, and they come to its speed and no further.
+// Light vertices without springs in a wind: the drag bounds the step, and they come to its speed and no
+// further.
 TEST(Sheets, WindTakesLightVerticesAlongAndNoFaster) {
   Scene s = test::emptyScene(0.02, {-1, -1, -1}, {1, 1, 1});
   SheetBody b;
@@ -204,7 +219,8 @@ TEST(Sheets, WindTakesLightVerticesAlongAndNoFaster) {
   }
 }
 
-/// What falls from rest has no drag yet: its first step is not so long that the drag at its end throws it back.
+/// What falls from rest has no drag yet: its first step is not so long that the drag at its end throws it
+/// back.
 TEST(Sheets, FallsFromRestToItsSpeedInAir) {
   Scene s = sheetScene(SheetMesh::Grid);
   s.domain.min.z = -20;
@@ -223,7 +239,8 @@ TEST(Sheets, FallsFromRestToItsSpeedInAir) {
     const LedgerReport books = x.books();
     ASSERT_LT(std::abs(books.energyResidual), 0.3 * books.energyScale);
   }
-  for (std::size_t i = 0; i < x.w.sheets.rows.owned; i++) EXPECT_NEAR(x.w.sheets.rows.velocity[i].z, -terminal, 0.01 * terminal);
+  for (std::size_t i = 0; i < x.w.sheets.rows.owned; i++)
+    EXPECT_NEAR(x.w.sheets.rows.velocity[i].z, -terminal, 0.01 * terminal);
   const LedgerReport books = x.books();
   EXPECT_LT(std::abs(books.energyResidual), 0.01 * books.energyScale);
 }

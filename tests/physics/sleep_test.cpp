@@ -1,4 +1,5 @@
-// Solids at rest sleep (core/sleep/): the same motion within what is allowed, nearly no work, and waking by contact, a wall that pushes and heat. None in the air.
+// Solids at rest sleep (core/sleep/): the same motion within what is allowed, nearly no work, and waking by
+// contact, a wall that pushes and heat. None in the air.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -136,7 +137,8 @@ TEST(Sleep, HeatWakes) {
   }
   EXPECT_TRUE(slept);
   EXPECT_TRUE(woken);
-  for (std::size_t i = 0; i < x.particles().owned; i++) ASSERT_NEAR(x.particles().temperature[i], 400, 0.5);  // and nobody slept through it
+  // and nobody slept through it
+  for (std::size_t i = 0; i < x.particles().owned; i++) ASSERT_NEAR(x.particles().temperature[i], 400, 0.5);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Solids that take several steps within one of the scene (core/solid_substeps.hpp): the same motion, and books that close.
+// Solids that take several steps within one of the scene (core/solid_substeps.hpp): the same motion, and
+// books that close.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -70,7 +71,8 @@ TEST(Substeps, MomentumAndEnergyOverAThousandSteps) {
   EXPECT_EQ(run.w.clock.substeps, 8);
 }
 
-// Clamp, contact with the floor, damping and creep: what each takes or gives is booked, and flow does not depend on the number of substeps.
+// Clamp, contact with the floor, damping and creep: what each takes or gives is booked, and flow does not
+// depend on the number of substeps.
 TEST(Substeps, BooksOfWallsClampsAndCreep) {
   double plastic[2];
   for (const int n : {1, 8}) {
@@ -90,14 +92,16 @@ TEST(Substeps, BooksOfWallsClampsAndCreep) {
     EXPECT_LT(length(r.momentumResidual), 1e-6 * length(r.gravityImpulse)) << n;
     EXPECT_LT(std::abs(r.energyResidual), 0.02 * r.energyScale) << n;
     double sum = 0;
-    for (std::size_t k = 0; k < run.w.solids.owned; k++) sum += norm(plasticStrain(run.w.solids.plasticInverse[k], {}));
+    for (std::size_t k = 0; k < run.w.solids.owned; k++)
+      sum += norm(plasticStrain(run.w.solids.plasticInverse[k], {}));
     plastic[n > 1] = sum;
     EXPECT_GT(sum, 0);
   }
   EXPECT_NEAR(plastic[1], plastic[0], 0.02 * plastic[0]);
 }
 
-// With 8 substeps the step is near half a period of modes of the undamped block, and 0.8 % of the energy is pumped into it.
+// With 8 substeps the step is near half a period of modes of the undamped block, and 0.8 % of the energy is
+// pumped into it.
 TEST(Substeps, StiffBlockInWater) {
   for (const int n : {1, 4}) {
     Scene s = columnScene(0.01, 0, 0.3);
@@ -123,7 +127,8 @@ TEST(Substeps, StiffBlockInWater) {
     const LedgerReport r = run.books();
     EXPECT_LT(length(r.momentumResidual), 1e-6 * length(r.gravityImpulse)) << n;
     EXPECT_LT(std::abs(r.energyResidual), 0.005 * r.energyScale) << n;
-    std::printf("n %d: residual %.2e of %.3g J, elastic %.2e J, velocity %.4g m/s\n", n, r.energyResidual, r.energyScale, r.now.elastic, r.now.momentum.z);
+    std::printf("n %d: residual %.2e of %.3g J, elastic %.2e J, velocity %.4g m/s\n", n, r.energyResidual,
+                r.energyScale, r.now.elastic, r.now.momentum.z);
   }
 }
 

@@ -48,12 +48,13 @@ double radiusOfGyration(const Continuum& p, double spacing) {
   Vec3d centre;
   for (std::size_t i = 0; i < p.owned; i++) centre += p.position[i] / static_cast<double>(p.owned);
   double square = 0;
-  for (std::size_t i = 0; i < p.owned; i++) square += dot(p.position[i] - centre, p.position[i] - centre) / static_cast<double>(p.owned);
+  for (std::size_t i = 0; i < p.owned; i++)
+    square += dot(p.position[i] - centre, p.position[i] - centre) / static_cast<double>(p.owned);
   return std::sqrt(5.0 / 3 * (square + 0.25 * spacing * spacing));
 }
 
-// A slab of the lattice: a column has the energy .81 sigma A on either side (what drops need to have sigma, surface_energy.hpp); nothing pulls along
-// the surface, nothing at all inside.
+// A slab of the lattice: a column has the energy .81 sigma A on either side (what drops need to have sigma,
+// surface_energy.hpp); nothing pulls along the surface, nothing at all inside.
 TEST(SurfaceEnergy, FlatLattice) {
   const double dx = 0.1;
   Scene s = withTension(columnScene(dx, -2, 2));
@@ -72,7 +73,8 @@ TEST(SurfaceEnergy, FlatLattice) {
   EXPECT_LT(length(total(run.w)), 1e-12 * dx);
 }
 
-/// The most that the energy of all climbs as a lone particle comes down from the support's end to .9 spacings, in sigma dx^2: on a slab, a one-layer film, another one, a floor.
+/// The most that the energy of all climbs as a lone particle comes down from the support's end to .9
+/// spacings, in sigma dx^2: on a slab, a one-layer film, another one, a floor.
 double climbOf(double support, const Vec3d& size, const Vec3d& aside, bool floor = false) {
   const double dx = 0.1;
   Scene s = emptyScene(dx, {-2, -2, -2}, {2, 2, 2});
@@ -81,9 +83,12 @@ double climbOf(double support, const Vec3d& size, const Vec3d& aside, bool floor
   s.numerics.support = support;
   s.numerics.precision = Precision::Double;
   if (floor) addFloor(s);
-  else addBox(s, {-0.5 * size.x * dx, -0.5 * size.y * dx, -size.z * dx}, {0.5 * size.x * dx, 0.5 * size.y * dx, 0});
+  else
+    addBox(s, {-0.5 * size.x * dx, -0.5 * size.y * dx, -size.z * dx},
+           {0.5 * size.x * dx, 0.5 * size.y * dx, 0});
   const double high = support - 0.5;  // the slab's last layer is half a spacing below its face
-  addBox(s, {aside.x * dx - dx / 2, aside.y * dx - dx / 2, high * dx - dx / 2}, {aside.x * dx + dx / 2, aside.y * dx + dx / 2, high * dx + dx / 2});
+  addBox(s, {aside.x * dx - dx / 2, aside.y * dx - dx / 2, high * dx - dx / 2},
+         {aside.x * dx + dx / 2, aside.y * dx + dx / 2, high * dx + dx / 2});
   Simulation run(s);
   Continuum& p = run.w.particles;
   std::size_t row = 0;
@@ -104,8 +109,9 @@ double climbOf(double support, const Vec3d& size, const Vec3d& aside, bool floor
   return climb / (dx * dx);
 }
 
-// A drop of one particle that comes to a liquid of its kind, or to a floor, climbs nothing: it does not hang a support above it. With n^2 / fill^4 wherever
-// there is liquid it climbed 14 to 25 sigma dx^2 at a support of 2, 140 and 289 at 2.5 and 3.
+// A drop of one particle that comes to a liquid of its kind, or to a floor, climbs nothing: it does not hang
+// a support above it. With n^2 / fill^4 wherever there is liquid it climbed 14 to 25 sigma dx^2 at a support
+// of 2, 140 and 289 at 2.5 and 3.
 TEST(SurfaceEnergy, NothingToClimbForALoneParticle) {
   EXPECT_LT(climbOf(2, {8, 8, 4}, {0.5, 0.5, 0}), 0.2);  // over a particle
   EXPECT_LT(climbOf(2, {8, 8, 4}, {0, 0, 0}), 0.2);      // over the hollow between four
@@ -113,7 +119,7 @@ TEST(SurfaceEnergy, NothingToClimbForALoneParticle) {
   EXPECT_LT(climbOf(2, {8, 8, 1}, {0, 0, 0}), 1.2);      // a film of one layer
   EXPECT_LT(climbOf(2.5, {8, 8, 4}, {0, 0, 0}), 2);
   EXPECT_LT(climbOf(3, {8, 8, 4}, {0, 0, 0}), 1);
-  EXPECT_LT(climbOf(2, {}, {0, 0, 0}, true), 0.4);       // a floor
+  EXPECT_LT(climbOf(2, {}, {0, 0, 0}, true), 0.4);  // a floor
 }
 
 // Alone it has the surface of a sphere of its volume.
@@ -121,7 +127,9 @@ TEST(SurfaceEnergy, AloneItIsASphere) {
   for (const double support : {1.5, 2.0, 2.5, 3.0}) {
     Numerics n;
     n.support = support;
-    EXPECT_NEAR(surfaceState(surfaceMeasure(n, 0.1), 1.5, {}, 0).energy * 1e-3, 1.5 * std::cbrt(36 * M_PI) * 0.01, 1e-12) << support;
+    EXPECT_NEAR(surfaceState(surfaceMeasure(n, 0.1), 1.5, {}, 0).energy * 1e-3,
+                1.5 * std::cbrt(36 * M_PI) * 0.01, 1e-12)
+        << support;
   }
 }
 
@@ -142,11 +150,16 @@ TEST(SurfaceEnergy, SlopesOfTheState) {
   for (const double cover : {0.0, 0.1 * m.full, 0.3 * m.full, 0.5 * m.full, 0.8 * m.full, 1.1 * m.full}) {
     const Vec3d g{0.3, -0.2, 0.5};
     const SurfaceState at = surfaceState(m, 1.5, g, cover);
-    EXPECT_NEAR((surfaceState(m, 1.5, g, cover + step).energy - surfaceState(m, 1.5, g, cover - step).energy) / (2 * step), at.draw, 1e-5 * std::abs(at.draw));
+    EXPECT_NEAR(
+        (surfaceState(m, 1.5, g, cover + step).energy - surfaceState(m, 1.5, g, cover - step).energy) /
+            (2 * step),
+        at.draw, 1e-5 * std::abs(at.draw));
     for (int a = 0; a < 3; a++) {
       Vec3d more = g, less = g;
       more[a] += step, less[a] -= step;
-      EXPECT_NEAR((surfaceState(m, 1.5, more, cover).energy - surfaceState(m, 1.5, less, cover).energy) / (2 * step), at.pull[a], 1e-6 * length(at.pull));
+      EXPECT_NEAR(
+          (surfaceState(m, 1.5, more, cover).energy - surfaceState(m, 1.5, less, cover).energy) / (2 * step),
+          at.pull[a], 1e-6 * length(at.pull));
     }
   }
 }
@@ -179,7 +192,8 @@ TEST(SurfaceEnergy, ForcesAreItsSlope) {
     for (int a = 0; a < 3; a++) {
       Vec3d d{};
       d[a] = step;
-      EXPECT_NEAR((energyWith(row, d * -1.0) - energyWith(row, d)) / (2 * step), f[a], 5e-4 * scale) << row << " " << a;
+      EXPECT_NEAR((energyWith(row, d * -1.0) - energyWith(row, d)) / (2 * step), f[a], 5e-4 * scale)
+          << row << " " << a;
     }
   }
 }
@@ -204,7 +218,8 @@ TEST(SurfaceEnergy, KeepsMomentum) {
   EXPECT_LT(pull, 0);
 }
 
-// Laplace: 2 sigma / R. The surface of a drop comes to rest in one of many ways: single drops of R / dx = 8 differ by some per cent.
+// Laplace: 2 sigma / R. The surface of a drop comes to rest in one of many ways: single drops of R / dx = 8
+// differ by some per cent.
 TEST(SurfaceEnergy, PressureInADrop) {
   Scene s = drop(0.125);
   s.end = 2;
@@ -224,8 +239,9 @@ TEST(SurfaceEnergy, PressureInADrop) {
   EXPECT_LT(farthest, 1.05 * R);  // none has left
 }
 
-// A drop keeps its volume while its particles find their places: those that part into shells, or in clumps, fill space as the kernel's sum sees it,
-// and take more of it (2 to 3.5 % in radius, with less energy in the cover that is missing).
+// A drop keeps its volume while its particles find their places: those that part into shells, or in clumps,
+// fill space as the kernel's sum sees it, and take more of it (2 to 3.5 % in radius, with less energy in the
+// cover that is missing).
 TEST(SurfaceEnergy, DropsKeepTheirVolume) {
   for (const Packing packing : {Packing::Relaxed, Packing::Lattice})
     for (const double spacing : {0.125, 1.0 / 12}) {
@@ -235,17 +251,23 @@ TEST(SurfaceEnergy, DropsKeepTheirVolume) {
       s.end = 2;
       Simulation run(s);
       ASSERT_TRUE(run.run());
-      EXPECT_NEAR(radiusOfGyration(run.particles(), spacing) / std::cbrt(3.0 * static_cast<double>(run.particles().owned) / (4 * M_PI)) / spacing, 1, 0.01) << spacing;
-      // inside, too: as many particles as at rest density, in a weight that falls to nothing at .8 of the radius, since they lie in shells
+      EXPECT_NEAR(radiusOfGyration(run.particles(), spacing) /
+                      std::cbrt(3.0 * static_cast<double>(run.particles().owned) / (4 * M_PI)) / spacing,
+                  1, 0.01)
+          << spacing;
+      // inside, too: as many particles as at rest density, in a weight that falls to nothing at .8 of the
+      // radius, since they lie in shells
       double inside = 0;
       const double radius = 0.8;
-      for (std::size_t i = 0; i < run.particles().owned; i++) inside += std::max(0.0, 1 - dot(run.particles().position[i], run.particles().position[i]) / (radius * radius));
+      for (std::size_t i = 0; i < run.particles().owned; i++)
+        inside += std::max(
+            0.0, 1 - dot(run.particles().position[i], run.particles().position[i]) / (radius * radius));
       EXPECT_NEAR(inside / (8 * M_PI / 15 * std::pow(radius / spacing, 3)), 1, 0.03) << spacing;
     }
 }
 
-// A relaxed ball of liquid without tension stays where it is: no place is filled too much, no pressure drives it apart (it swelled by .6 % in this
-// time, and went on).
+// A relaxed ball of liquid without tension stays where it is: no place is filled too much, no pressure drives
+// it apart (it swelled by .6 % in this time, and went on).
 TEST(RelaxedPacking, BallWithoutTensionStaysAsItIs) {
   Scene s = drop(0.125);
   s.materials[0].surfaceTension = 0;
@@ -253,10 +275,12 @@ TEST(RelaxedPacking, BallWithoutTensionStaysAsItIs) {
   s.end = 2;
   Simulation run(s);
   double filling = 0;
-  for (std::size_t i = 0; i < run.particles().owned; i++) filling = std::max(filling, static_cast<double>(run.particles().filling[i]));
+  for (std::size_t i = 0; i < run.particles().owned; i++)
+    filling = std::max(filling, static_cast<double>(run.particles().filling[i]));
   EXPECT_LT(filling, 1 + 1.1e-4);
   const double before = radiusOfGyration(run.particles(), s.spacing);
-  EXPECT_NEAR(before / std::cbrt(3.0 * static_cast<double>(run.particles().owned) / (4 * M_PI)) / s.spacing, 1, 0.01);
+  EXPECT_NEAR(before / std::cbrt(3.0 * static_cast<double>(run.particles().owned) / (4 * M_PI)) / s.spacing,
+              1, 0.01);
   ASSERT_TRUE(run.run());
   EXPECT_NEAR(radiusOfGyration(run.particles(), s.spacing) / before, 1, 1e-4);
 }

@@ -39,8 +39,10 @@ Obstacle& addObstacle(Scene& s, const Vec3d& low, const Vec3d& high) {
 /// Beside a hot post: water on the floor, and on a post that moves a block of rubber with a speed of its own.
 Scene postsIn(const Vec3d& shift) {
   Scene s = basin();
-  addObstacle(s, Vec3d{8 * dx, 8 * dx, 0} + shift, Vec3d{12 * dx, 12 * dx, 20 * dx} + shift).temperature = 350;
-  Obstacle& plate = addObstacle(s, Vec3d{16 * dx, 6 * dx, 12 * dx} + shift, Vec3d{22 * dx, 14 * dx, 14 * dx} + shift);
+  addObstacle(s, Vec3d{8 * dx, 8 * dx, 0} + shift, Vec3d{12 * dx, 12 * dx, 20 * dx} + shift).temperature =
+      350;
+  Obstacle& plate = addObstacle(s, Vec3d{16 * dx, 6 * dx, 12 * dx} + shift,
+                                Vec3d{22 * dx, 14 * dx, 14 * dx} + shift);
   plate.motion = {{0, {}, {}}, {1, {4 * dx, 0, 8 * dx}, {}}};
   addBox(s, Vec3d{5 * dx, 6 * dx, 0} + shift, Vec3d{8 * dx, 14 * dx, 8 * dx} + shift);
   Body& block = addBox(s, Vec3d{17 * dx, 7 * dx, 14 * dx} + shift, Vec3d{21 * dx, 11 * dx, 18 * dx} + shift);
@@ -49,7 +51,10 @@ Scene postsIn(const Vec3d& shift) {
   return s;
 }
 
-struct State { Vec3d position, velocity; double temperature; };
+struct State {
+  Vec3d position, velocity;
+  double temperature;
+};
 
 /// By id, after some steps of a length that all runs have.
 std::map<std::uint64_t, State> after(int steps, Scene s) {
@@ -59,7 +64,8 @@ std::map<std::uint64_t, State> after(int steps, Scene s) {
   for (int k = 0; k < steps; k++) EXPECT_TRUE(run.step());
   std::map<std::uint64_t, State> found;
   const Continuum& p = run.particles();
-  for (std::size_t i = 0; i < p.owned; i++) found[p.id[i]] = {p.position[i], p.velocity[i], p.temperature.active ? p.temperature[i] : 0};
+  for (std::size_t i = 0; i < p.owned; i++)
+    found[p.id[i]] = {p.position[i], p.velocity[i], p.temperature.active ? p.temperature[i] : 0};
   return found;
 }
 
@@ -71,8 +77,11 @@ double apart(const Vec3d& x, const Vec3d& y, const Vec3d& shift) {
   return length(d);
 }
 
-struct Difference { double place = 0, speed = 0, temperature = 0; };
-Difference between(const std::map<std::uint64_t, State>& a, const std::map<std::uint64_t, State>& b, const Vec3d& shift) {
+struct Difference {
+  double place = 0, speed = 0, temperature = 0;
+};
+Difference between(const std::map<std::uint64_t, State>& a, const std::map<std::uint64_t, State>& b,
+                   const Vec3d& shift) {
   EXPECT_EQ(a.size(), b.size());
   Difference most;
   for (const auto& [id, x] : a) {
@@ -96,7 +105,11 @@ TEST(WallImages, aSceneMovedByHalfAPeriodIsTheSame) {
   const Vec3d half{0.5 * period.x, 0.5 * period.y, 0};
   const auto still = after(150, postsIn({})), moved = after(150, postsIn(half));
   expectSame(between(still, moved, half));
-  const auto [post, none] = std::pair{after(150, postsIn({})), after(150, [] { Scene s = postsIn({}); s.obstacles.clear(); return s; }())};
+  const auto [post, none] = std::pair{after(150, postsIn({})), after(150, [] {
+                                        Scene s = postsIn({});
+                                        s.obstacles.clear();
+                                        return s;
+                                      }())};
   const Difference felt = between(none, post, {});
   EXPECT_GT(felt.speed, 0.01);  // the obstacles matter
 }

@@ -23,7 +23,8 @@ TEST(LiquidAtWalls, HydrostaticColumn) {
   double square = 0, fastest = 0;
   for (std::size_t i = 0; i < p.owned; i++) {
     const double exact = 1000 * 10 * (H - p.position[i].z);
-    square += std::pow((static_cast<double>(pressureOfParticle(run.w, run.tools.liquids, i)) - exact) / (1000 * 10 * H), 2);
+    square += std::pow(
+        (static_cast<double>(pressureOfParticle(run.w, run.tools.liquids, i)) - exact) / (1000 * 10 * H), 2);
     fastest = std::max(fastest, length(p.velocity[i]));
     EXPECT_GT(p.position[i].z, 0.2 * dx);
   }
@@ -35,7 +36,8 @@ TEST(LiquidAtWalls, HydrostaticColumn) {
   EXPECT_LT(length(r.momentumResidual), 1e-6 * length(r.gravityImpulse));
 }
 
-// Water of low viscosity in a box, from a lattice: it settles and stays at rest. The walls do not move, so they do no work.
+// Water of low viscosity in a box, from a lattice: it settles and stays at rest. The walls do not move, so
+// they do no work.
 TEST(LiquidAtWalls, WaterAtRestStaysAtRest) {
   Scene s = liquidInABox(0.004, {0.032, 0.032, 0.1}, {0.032, 0.032, 0.048}, 0.01);
   s.end = 0.5;
@@ -105,7 +107,8 @@ TEST(SolidAtWalls, BlockOnASlope) {
     Simulation run(s);
     EXPECT_TRUE(run.run());
     const LedgerReport r = run.books();
-    const double speed = r.now.momentum.x / r.now.mass, slide = g * (std::sin(angle) - mu * std::cos(angle)) * s.end;
+    const double speed = r.now.momentum.x / r.now.mass,
+                 slide = g * (std::sin(angle) - mu * std::cos(angle)) * s.end;
     if (slide > 0) EXPECT_NEAR(speed, slide, 0.05 * slide);
     else EXPECT_LT(std::abs(speed), 0.02);
     EXPECT_LT(length(r.momentumResidual), 1e-6 * length(r.gravityImpulse));

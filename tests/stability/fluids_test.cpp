@@ -1,5 +1,6 @@
-// Where the density and pressure of liquids of particles fail: rows of docs/validation/stability.md. Each test provokes the failure, shows that a naive implementation falls
-// into it where that is cheap, and holds thaw to what the table says.
+// Where the density and pressure of liquids of particles fail: rows of docs/validation/stability.md. Each
+// test provokes the failure, shows that a naive implementation falls into it where that is cheap, and holds
+// thaw to what the table says.
 #include "core/kernels/kernels.hpp"
 #include "tests/support/free_liquid.hpp"
 #include "tests/support/hashed.hpp"
@@ -26,7 +27,9 @@ Scene periodicLiquid(int n) {
 }
 
 /// Distance to the nearest other particle: the least and the mean, in spacings.
-struct Nearest { double least = never, mean = 0; };
+struct Nearest {
+  double least = never, mean = 0;
+};
 Nearest nearest(const std::vector<Vec3d>& x, double period = 0) {
   Nearest r;
   for (std::size_t i = 0; i < x.size(); i++) {
@@ -50,7 +53,8 @@ struct Poly6 {
 };
 
 /// Damped motion of particles in a periodic cube under p = c^2 (filling - 1) >= 0, by brute force.
-template<class Kernel> std::vector<Vec3d> relax(std::vector<Vec3d> x, double period, double filling0, int steps) {
+template<class Kernel>
+std::vector<Vec3d> relax(std::vector<Vec3d> x, double period, double filling0, int steps) {
   const double h = 2 * dx, dt = 0.1 * h, n3 = dx * dx * dx / (h * h * h);
   std::vector<Vec3d> v(x.size());
   std::vector<double> term(x.size());
@@ -59,7 +63,9 @@ template<class Kernel> std::vector<Vec3d> relax(std::vector<Vec3d> x, double per
       for (std::size_t i = 0; i < x.size(); i++)
         for (std::size_t j = 0; j < x.size(); j++) {
           Vec3d d = x[i] - x[j];
-          for (int a = 0; a < 3; a++) d[a] -= d[a] > 0.5 * period ? period : d[a] < -0.5 * period ? -period : 0;  // they stay near
+          // they stay near
+          for (int a = 0; a < 3; a++)
+            d[a] -= d[a] > 0.5 * period ? period : d[a] < -0.5 * period ? -period : 0;
           const double q2 = dot(d, d) / (h * h);
           if (q2 < 1) f(i, j, d / h, q2);
         }
@@ -79,7 +85,8 @@ template<class Kernel> std::vector<Vec3d> relax(std::vector<Vec3d> x, double per
 }  // namespace
 
 TEST(Stability, B06_StretchedLiquid) {
-  // 8 % too thin, all over: negative pressure that is kept pulls the particles into clumps, worst with poly6 and a wide support
+  // 8 % too thin, all over: negative pressure that is kept pulls the particles into clumps, worst with poly6
+  // and a wide support
   Nearest result[2];
   for (const bool naive : {true, false}) {
     Scene s = periodicLiquid(12);
@@ -95,12 +102,16 @@ TEST(Stability, B06_StretchedLiquid) {
     Continuum& p = run.particles();
     for (std::size_t i = 0; i < p.owned; i++) {
       p.mass[i] *= 0.92;
-      for (int a = 0; a < 3; a++) p.position[i][a] += 0.05 * dx * (hashed(3 * p.id[i] + static_cast<std::uint64_t>(a)) - 0.5);
+      for (int a = 0; a < 3; a++)
+        p.position[i][a] += 0.05 * dx * (hashed(3 * p.id[i] + static_cast<std::uint64_t>(a)) - 0.5);
     }
     EXPECT_TRUE(run.run());
     result[!naive] = nearest(placesOf(p), 12 * dx);
   }
-  measured("nearest neighbour after 0.1 s: least %.2f, mean %.2f spacings with poly6, h = 3 dx and negative pressure; %.2f, %.2f", result[0].least, result[0].mean, result[1].least, result[1].mean);
+  measured(
+      "nearest neighbour after 0.1 s: least %.2f, mean %.2f spacings with poly6, h = 3 dx and negative "
+      "pressure; %.2f, %.2f",
+      result[0].least, result[0].mean, result[1].least, result[1].mean);
   EXPECT_LT(result[0].least, 0.5);
   EXPECT_GT(result[1].least, 0.85);
 }
@@ -126,7 +137,10 @@ TEST(Stability, B07_FreeSurfaceDensity) {
     }
     fastest[!naive] = v;
   }
-  measured("filling of face, edge, corner %.2f, %.2f, %.2f; a cube at rest moves at %.2f m/s (c = 10) with negative pressure, at %.1e", filling[0], filling[1], filling[2], fastest[0], fastest[1]);
+  measured(
+      "filling of face, edge, corner %.2f, %.2f, %.2f; a cube at rest moves at %.2f m/s (c = 10) with "
+      "negative pressure, at %.1e",
+      filling[0], filling[1], filling[2], fastest[0], fastest[1]);
   EXPECT_LT(filling[2], 0.7);
   EXPECT_GT(fastest[0], 1);
   EXPECT_LT(fastest[1], 1e-4);
@@ -149,17 +163,22 @@ TEST(Stability, B08_PressureThatVanishesForClosePairs) {
         sum[0] += q2 < 1 ? Poly6::w(q2) / 8 : 0;
         sum[1] += q2 < 1 ? isa_base::WendlandC2::w(q2) / 8 : 0;
       }
-  const Nearest naive = nearest(relax<Poly6>(x, n * dx, sum[0], 400), n * dx), plain = nearest(relax<isa_base::WendlandC2>(x, n * dx, sum[1], 400), n * dx);
+  const Nearest naive = nearest(relax<Poly6>(x, n * dx, sum[0], 400), n * dx),
+                plain = nearest(relax<isa_base::WendlandC2>(x, n * dx, sum[1], 400), n * dx);
   Scene s = periodicLiquid(n);
   s.materials[0].viscosity = {0.5, 0.5};
   s.end = 0.2;
   Simulation run(s);
   Continuum& p = run.particles();
   for (std::size_t i = 0; i < p.owned; i++) p.mass[i] *= 1.1;
-  for (std::size_t i = 1; i < p.owned; i += 10) p.position[i] = p.position[i - 1] + Vec3d{0.06 * dx, 0.06 * dx, 0.05 * dx};
+  for (std::size_t i = 1; i < p.owned; i += 10)
+    p.position[i] = p.position[i - 1] + Vec3d{0.06 * dx, 0.06 * dx, 0.05 * dx};
   EXPECT_TRUE(run.run());
   const Nearest ours = nearest(placesOf(p), n * dx);
-  measured("least distance of pairs that began at 0.10 spacings: %.2f with poly6, %.2f with wendland in the same loop; a scene: %.2f", naive.least, plain.least, ours.least);
+  measured(
+      "least distance of pairs that began at 0.10 spacings: %.2f with poly6, %.2f with wendland in the same "
+      "loop; a scene: %.2f",
+      naive.least, plain.least, ours.least);
   EXPECT_LT(naive.least, 0.2);
   EXPECT_GT(plain.least, 0.4);
   EXPECT_GT(ours.least, 0.4);
@@ -172,14 +191,18 @@ TEST(Stability, B09_CoincidentParticles) {
   s.end = 0.1;
   Simulation run(s);
   Continuum& p = run.particles();
-  for (std::size_t i = 1; i < p.owned; i += 50) p.position[i] = p.position[i - 1], p.velocity[i] = p.velocity[i - 1];
+  for (std::size_t i = 1; i < p.owned; i += 50)
+    p.position[i] = p.position[i - 1], p.velocity[i] = p.velocity[i - 1];
   const Vec3d together = p.position[0] - p.position[1];
   EXPECT_TRUE(std::isnan((together / length(together)).x));  // the direction of a force, naively
   ASSERT_TRUE(run.step());
   const std::int64_t counted = run.w.counters.coincidentPairs;
   EXPECT_TRUE(run.run());
   const Nearest n = nearest(placesOf(p), 8 * dx);
-  measured("11 pairs in the same place: %lld ends counted in the first step, least distance after 0.1 s %.2f spacings", static_cast<long long>(counted), n.least);
+  measured(
+      "11 pairs in the same place: %lld ends counted in the first step, least distance after 0.1 s %.2f "
+      "spacings",
+      static_cast<long long>(counted), n.least);
   EXPECT_EQ(counted, 22);
   EXPECT_GT(n.least, 0.3);
   EXPECT_EQ(run.books().massResidual, 0);
@@ -208,10 +231,14 @@ TEST(Stability, B12_DensityLayers) {
     if (q2 < 1) summed += p.mass[j] * isa_base::WendlandC2::w(q2) / (h * h * h);
   }
   double largest = 0, fastest = 0;
-  for (std::size_t i = 0; i < p.owned; i++) largest = std::max(largest, std::abs(static_cast<double>(p.filling[i]) - 1));
+  for (std::size_t i = 0; i < p.owned; i++)
+    largest = std::max(largest, std::abs(static_cast<double>(p.filling[i]) - 1));
   EXPECT_TRUE(run.run());
   for (std::size_t i = 0; i < p.owned; i++) fastest = std::max(fastest, length(p.velocity[i]));
-  measured("filling of a light particle at the interface: %.0f with summed masses; within %.1e of 1; fastest after 0.05 s %.1e m/s (c = 10)", summed, largest, fastest);
+  measured(
+      "filling of a light particle at the interface: %.0f with summed masses; within %.1e of 1; fastest "
+      "after 0.05 s %.1e m/s (c = 10)",
+      summed, largest, fastest);
   EXPECT_GT(summed, 100);
   EXPECT_LT(largest, 0.02);
   EXPECT_LT(fastest, 0.02);

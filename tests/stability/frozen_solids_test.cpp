@@ -1,4 +1,5 @@
-// Where solids of particles fail that froze, share a place, or are few: rows of docs/validation/stability.md. Each test provokes the failure and holds thaw to what the table says.
+// Where solids of particles fail that froze, share a place, or are few: rows of docs/validation/stability.md.
+// Each test provokes the failure and holds thaw to what the table says.
 #include "core/domain/emit.hpp"
 #include "core/solid/laws/response.hpp"
 #include "core/solid/moment.hpp"
@@ -43,7 +44,8 @@ TEST(Stability, B13_PulledMoltenFlownFrozen) {
   setHeat(5e4);  // melt
   steps(0.002);
   EXPECT_EQ(run.w.counters.melted, static_cast<std::int64_t>(p.owned));
-  for (std::size_t i = 0; i < p.owned; i++) p.velocity[i] = {30 * p.position[i].z, 0, -5 * p.position[i].z};  // flow: sheared to twice its height along x
+  // flow: sheared to twice its height along x
+  for (std::size_t i = 0; i < p.owned; i++) p.velocity[i] = {30 * p.position[i].z, 0, -5 * p.position[i].z};
   steps(0.06);
   setHeat(-5e3);  // freeze
   steps(0.001);
@@ -62,7 +64,10 @@ TEST(Stability, B13_PulledMoltenFlownFrozen) {
   computeForces(*stale);
   steps(0.1);
   const LedgerReport r = run.books();
-  measured("elastic energy just after freezing: %.3g J with the old reference, %.3g J (kinetic %.3g J); phase jump booked %.3g J", totalEnergy(*stale), frozen, moving, r.phaseJump);
+  measured(
+      "elastic energy just after freezing: %.3g J with the old reference, %.3g J (kinetic %.3g J); phase "
+      "jump booked %.3g J",
+      totalEnergy(*stale), frozen, moving, r.phaseJump);
   EXPECT_GT(totalEnergy(*stale), 10 * moving);
   EXPECT_LT(frozen, 0.1 * moving);
   EXPECT_LT(r.now.kinetic + r.now.elastic, 1.05 * (moving + frozen));
@@ -84,13 +89,15 @@ TEST(Stability, B09_CoincidentSolids) {
   ASSERT_EQ(run.particles().owned, 2u);
   EXPECT_TRUE(run.run());
   const double apart = length(run.particles().position[0] - run.particles().position[1]) / s.spacing;
-  measured("apart by %.2f spacings after 0.1 s; %lld counted", apart, static_cast<long long>(run.w.counters.coincidentPairs));
+  measured("apart by %.2f spacings after 0.1 s; %lld counted", apart,
+           static_cast<long long>(run.w.counters.coincidentPairs));
   EXPECT_GT(apart, 0.3);
   EXPECT_GT(run.w.counters.coincidentPairs, 0);
 }
 
 TEST(Stability, B21_LonelyParticlesAndSmallClusters) {
-  // solids of one to four particles, liquids of one to four, thrown: their centres of mass are ballistic and all stays finite
+  // solids of one to four particles, liquids of one to four, thrown: their centres of mass are ballistic and
+  // all stays finite
   const double dx = 0.01;
   double worst = 0, residual = 0;
   for (const bool solid : {false, true})
@@ -123,7 +130,10 @@ TEST(Stability, B21_LonelyParticlesAndSmallClusters) {
       residual = std::max(residual, std::abs(run.books().energyResidual) / run.books().energyScale);
       EXPECT_EQ(run.w.counters.singularNeighbourhoods, solid ? n : 0);
     }
-  measured("1 to 4 particles, liquid and solid: centre of mass within %.1e spacings of the parabola, energy within %.1e", worst, residual);
+  measured(
+      "1 to 4 particles, liquid and solid: centre of mass within %.1e spacings of the parabola, energy "
+      "within %.1e",
+      worst, residual);
   EXPECT_LT(worst, 1e-6);
   EXPECT_LT(residual, 1e-3);
 }

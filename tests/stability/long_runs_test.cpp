@@ -1,4 +1,5 @@
-// Elastic bodies over 5e4 steps and more: row 10 of docs/validation/stability.md. What grows slowly shows itself only there.
+// Elastic bodies over 5e4 steps and more: row 10 of docs/validation/stability.md. What grows slowly shows
+// itself only there.
 #include <cmath>
 #include <functional>
 
@@ -12,7 +13,8 @@ namespace {
 constexpr double dx = 0.1;
 constexpr Vec3i size{8, 6, 4};
 
-/// A small block in free flight that spins and swings. Frames every 40 ms, as a scene has them that does not say otherwise.
+/// A small block in free flight that spins and swings. Frames every 40 ms, as a scene has them that does not
+/// say otherwise.
 Scene freeBlock(Quality quality, ElasticLaw law) {
   Scene s;
   s.spacing = dx;
@@ -35,7 +37,8 @@ void launch(Simulation& run) {
   Continuum& p = run.particles();
   for (std::size_t i = 0; i < p.owned; i++) {
     const Vec3d x = p.position[i];
-    p.velocity[i] = cross(Vec3d{0.5, 2, 1}, x) + Vec3d{0.3 * std::sin(3 * x.x), 0.6 * x.x * x.x - 0.03, 0.4 * x.y};
+    p.velocity[i] = cross(Vec3d{0.5, 2, 1}, x) +
+                    Vec3d{0.3 * std::sin(3 * x.x), 0.6 * x.x * x.x - 0.03, 0.4 * x.y};
   }
   takeStock(run.w, run.halos(), run.tools);
 }
@@ -45,7 +48,8 @@ double residual(Simulation& run) {
   return std::abs(l.energyResidual) / (l.initial.kinetic + l.initial.elastic);
 }
 
-/// Largest residual over so many steps, as share of the first energy; stops where it is beyond 1. Frames are counted as they are written.
+/// Largest residual over so many steps, as share of the first energy; stops where it is beyond 1. Frames are
+/// counted as they are written.
 double largestResidual(Simulation& run, int steps, const std::function<double()>& naiveStep = {}) {
   Clock& c = run.w.clock;
   double most = 0;
@@ -67,13 +71,17 @@ TEST(Stability, B10_LongElasticRuns) {
       Simulation run(freeBlock(quality, law));
       launch(run);
       const double most = largestResidual(run, 50000);
-      measured("%s, %s: at most %.1e of the energy unexplained in 50000 steps, %.0f s", quality == Quality::Standard ? "standard" : quality == Quality::Preview ? "preview" : "reference",
+      measured("%s, %s: at most %.1e of the energy unexplained in 50000 steps, %.0f s",
+               quality == Quality::Standard  ? "standard"
+               : quality == Quality::Preview ? "preview"
+                                             : "reference",
                law == ElasticLaw::Green ? "Green" : "Neo-Hookean", most, run.w.clock.time);
       EXPECT_LT(most, 1e-3);
     }
 }
 
-// Naive: steps are as long as the limit allows, and the last two before each frame are made to hit it: those are shorter in every frame.
+// Naive: steps are as long as the limit allows, and the last two before each frame are made to hit it: those
+// are shorter in every frame.
 TEST(Stability, B10_StepsCutAtFrames) {
   double most[2];
   for (const bool naive : {true, false}) {
@@ -84,12 +92,15 @@ TEST(Stability, B10_StepsCutAtFrames) {
     launch(run);
     const double limit = run.w.clock.dt;
     const auto step = [&] {
-      const double left = every * (std::floor(run.w.clock.time / every * (1 + 1e-12) + 1e-9) + 1) - run.w.clock.time;
+      const double left = every * (std::floor(run.w.clock.time / every * (1 + 1e-12) + 1e-9) + 1) -
+                          run.w.clock.time;
       return left < 2 * limit ? (left <= limit * (1 + 1e-9) ? left : 0.5 * left) : limit;
     };
     most[naive] = naive ? largestResidual(run, 30000, step) : largestResidual(run, 30000);
   }
-  measured("%.1e of the energy from nowhere with the last two steps of each frame cut, %.1e with all steps equal", most[1], most[0]);
+  measured(
+      "%.1e of the energy from nowhere with the last two steps of each frame cut, %.1e with all steps equal",
+      most[1], most[0]);
   EXPECT_GT(most[1], 0.1);
   EXPECT_LT(most[0], 1e-3);
 }
@@ -103,7 +114,8 @@ TEST(Stability, B10_ElasticStepsBeyondTheLimit) {
     Simulation run(s);
     launch(run);
     const double most = largestResidual(run, 20000);
-    measured("elastic steps %.2f times the default: at most %.1e of the energy unexplained in 20000 steps", over, most);
+    measured("elastic steps %.2f times the default: at most %.1e of the energy unexplained in 20000 steps",
+             over, most);
     EXPECT_LT(most, 1e-3 * over * over);
   }
 }

@@ -1,7 +1,8 @@
-// random_scene SEED: prints a scene (TOML) that is a function of the seed. Bodies of all shapes, materials over six decades of stiffness
-// and viscosity, every law and most keys; 200 to 3000 particles. Nothing is tuned to go well: soft bodies hit hard, hot floors melt what
-// falls on them, some bodies overlap. Two seeds in five have a theme: bodies that float or sink in a tank that the lattice does not fit, plastic
-// bodies under a press, liquids that spin, liquids that are torn apart. random_scenes_test.sh runs them.
+// random_scene SEED: prints a scene (TOML) that is a function of the seed. Bodies of all shapes, materials
+// over six decades of stiffness and viscosity, every law and most keys; 200 to 3000 particles. Nothing is
+// tuned to go well: soft bodies hit hard, hot floors melt what falls on them, some bodies overlap. Two seeds
+// in five have a theme: bodies that float or sink in a tank that the lattice does not fit, plastic bodies
+// under a press, liquids that spin, liquids that are torn apart. random_scenes_test.sh runs them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,18 +26,24 @@ struct Dice {
   double decades(double a, double b) { return std::pow(10, between(std::log10(a), std::log10(b))); }
   bool chance(double p) { return unit() < p; }
   int below(int k) { return static_cast<int>(unit() * k); }
-  const char* of(std::initializer_list<const char*> words) { return words.begin()[below(static_cast<int>(words.size()))]; }
+  const char* of(std::initializer_list<const char*> words) {
+    return words.begin()[below(static_cast<int>(words.size()))];
+  }
 };
 
 std::string vec(double x, double y, double z) { return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", x, y, z); }
 
 /// A shape that fits into a ball of this radius, as a key with its table, and its rough volume.
-struct RandomShape { std::string text; double volume; };
+struct RandomShape {
+  std::string text;
+  double volume;
+};
 RandomShape shape(Dice& d, double radius, bool joined = true) {
   const auto size = [&](double least) { return radius * d.between(least, 1); };
   switch (d.below(joined ? 6 : 4)) {
     case 0: {
-      const double a = size(0.3), b = size(0.3), c = size(0.3), s = 2 * radius / std::sqrt(a * a + b * b + c * c);
+      const double a = size(0.3), b = size(0.3), c = size(0.3),
+                   s = 2 * radius / std::sqrt(a * a + b * b + c * c);
       return {fmt::format("box = {{ size = {} }}", vec(a * s, b * s, c * s)), a * b * c * s * s * s};
     }
     case 1: {
@@ -44,25 +51,34 @@ RandomShape shape(Dice& d, double radius, bool joined = true) {
       return {fmt::format("sphere = {{ radius = {:.6g} }}", r), 4.19 * r * r * r};
     }
     case 2: {
-      const double angle = d.between(0.3, 1.3), r = radius * std::sin(angle), h = 2 * radius * std::cos(angle);
+      const double angle = d.between(0.3, 1.3), r = radius * std::sin(angle),
+                   h = 2 * radius * std::cos(angle);
       return {fmt::format("cylinder = {{ radius = {:.6g}, height = {:.6g} }}", r, h), 3.14 * r * r * h};
     }
     case 3: {
       const double tube = radius * d.between(0.15, 0.35), ring = radius - tube;
-      return {fmt::format("torus = {{ radius = {:.6g}, tube = {:.6g} }}", ring, tube), 19.7 * ring * tube * tube};
+      return {fmt::format("torus = {{ radius = {:.6g}, tube = {:.6g} }}", ring, tube),
+              19.7 * ring * tube * tube};
     }
     default: {
       const double away = 0.45 * radius;
       const RandomShape a = shape(d, 0.55 * radius, false), b = shape(d, 0.55 * radius, false);
       const bool all = d.chance(0.7);
       const double up = all ? away : 0.2 * away;
-      return {fmt::format("{} = [{{ {}, place = {{ move = {} }} }}, {{ {}, place = {{ move = {}, rotate_x = {:.4g} }} }}]", all ? "union" : "difference", a.text, vec(0, 0, -up), b.text, vec(0, 0, up), d.between(0, 3)),
+      return {fmt::format("{} = [{{ {}, place = {{ move = {} }} }}, {{ {}, place = {{ move = {}, rotate_x = "
+                          "{:.4g} }} }}]",
+                          all ? "union" : "difference", a.text, vec(0, 0, -up), b.text, vec(0, 0, up),
+                          d.between(0, 3)),
               all ? a.volume + b.volume : 0.8 * a.volume};
     }
   }
 }
 
-struct RandomMaterial { std::string text; bool solid, melts, hot, cools; double melting, sound; };
+struct RandomMaterial {
+  std::string text;
+  bool solid, melts, hot, cools;
+  double melting, sound;
+};
 RandomMaterial material(Dice& d, const std::string& name, double speed) {
   RandomMaterial m{};
   std::string& t = m.text;
@@ -110,20 +126,24 @@ RandomMaterial material(Dice& d, const std::string& name, double speed) {
   if (m.melts) {
     m.melting = d.between(280, 1200);
     const double range = d.chance(0.2) ? 0 : d.decades(0.1, 100);
-    t += range == 0 ? fmt::format("melts = {:.6g}\n", m.melting) : fmt::format("melts = [{:.6g}, {:.6g}]\n", m.melting - range / 2, m.melting + range / 2);
+    t += range == 0 ? fmt::format("melts = {:.6g}\n", m.melting)
+                    : fmt::format("melts = [{:.6g}, {:.6g}]\n", m.melting - range / 2, m.melting + range / 2);
     if (d.chance(0.7)) add("latent_heat", d.decades(1e2, 3e5));
     if (d.chance(0.3)) add("hysteresis", d.between(0, 0.45));
   }
   return m;
 }
 
-/// Keys of the ways to solve for pressure, viscosity, density and solids, of some scenes: only what goes together.
+/// Keys of the ways to solve for pressure, viscosity, density and solids, of some scenes: only what goes
+/// together.
 std::string solvers(Dice& d, bool laplacian, bool printed) {
   std::string t;
   const bool incompressible = d.chance(0.25) && !printed;
   if (incompressible) {
     t += "pressure_solver = \"incompressible\"\n";
-    if (d.chance(0.3)) t += fmt::format("density_tolerance = {:.3g}\ndivergence_tolerance = {:.3g}\n", d.decades(1e-5, 0.02), d.decades(1e-5, 0.02));
+    if (d.chance(0.3))
+      t += fmt::format("density_tolerance = {:.3g}\ndivergence_tolerance = {:.3g}\n", d.decades(1e-5, 0.02),
+                       d.decades(1e-5, 0.02));
     if (d.chance(0.2)) t += fmt::format("max_iterations = {}\n", 1 + d.below(100));
   }
   if (!laplacian && d.chance(0.25)) t += "viscosity_solver = \"implicit\"\n";
@@ -132,14 +152,16 @@ std::string solvers(Dice& d, bool laplacian, bool printed) {
   if (other) t += fmt::format("density = \"{}\"\n", continuity ? "continuity" : "plain");
   if (continuity && d.chance(0.7)) t += "corrected_gradients = true\n";
   if (continuity && d.chance(0.7)) t += fmt::format("density_diffusion = {:.3g}\n", d.between(0, 0.3));
-  if (!incompressible && d.chance(continuity ? 0.7 : 0.1)) t += fmt::format("shifting = {:.3g}\n", d.between(0, 0.1));
+  if (!incompressible && d.chance(continuity ? 0.7 : 0.1))
+    t += fmt::format("shifting = {:.3g}\n", d.between(0, 0.1));
   if (d.chance(0.2)) t += fmt::format("retry_every = {}\n", 1 + d.below(20));
   if (d.chance(0.1)) t += fmt::format("retries = {}\n", d.below(3));
   if (d.chance(0.1)) t += "elastic_precision = \"double\"\n";
   return t;
 }
 
-/// A surface, of some scenes, and sleep, of some that it goes together with: `solving` and `more` (dice of their own, so that the rest of a seed's scene stays).
+/// A surface, of some scenes, and sleep, of some that it goes together with: `solving` and `more` (dice of
+/// their own, so that the rest of a seed's scene stays).
 std::string surfaceOf(Dice& more, double spacing) {
   if (!more.chance(0.4)) return "";
   std::string t = "[surface]\n";
@@ -151,12 +173,14 @@ std::string sleepOf(Dice& more, const std::string& solving, double speed, double
   for (const char* other : {"incompressible", "implicit", "elastic_substeps"})
     if (solving.find(other) != std::string::npos) return "";
   if (!more.chance(0.4)) return "";
-  return fmt::format("sleep_speed = {:.6g}\nsleep_after = {:.6g}\n", speed * more.decades(1e-3, 0.3), radius / speed * more.decades(1e-3, 0.1));
+  return fmt::format("sleep_speed = {:.6g}\nsleep_after = {:.6g}\n", speed * more.decades(1e-3, 0.3),
+                     radius / speed * more.decades(1e-3, 0.1));
 }
 
 std::string scene(std::uint64_t seed) {
   Dice d{seed}, more{seed + (std::uint64_t{1} << 40)};
-  const double radius = d.decades(0.01, 1), gravity = d.chance(0.1) ? 0 : 9.81, speed = std::sqrt(9.81 * radius) * d.decades(0.1, 8);
+  const double radius = d.decades(0.01, 1), gravity = d.chance(0.1) ? 0 : 9.81,
+               speed = std::sqrt(9.81 * radius) * d.decades(0.1, 8);
   const int bodies = 1 + d.below(4), emitters = d.chance(0.2);
   const double pitch = 2.3 * radius, particles = d.decades(200, 3000);
 
@@ -168,36 +192,54 @@ std::string scene(std::uint64_t seed) {
   std::vector<RandomMaterial> materials;
   std::string text;
   const int kinds = 1 + d.below(bodies);
-  for (int k = 0; k < kinds; k++) materials.push_back(material(d, fmt::format("m{}", k), speed)), text += materials.back().text + "\n";
+  for (int k = 0; k < kinds; k++)
+    materials.push_back(material(d, fmt::format("m{}", k), speed)), text += materials.back().text + "\n";
 
   const bool tower = d.chance(0.4), walled = d.chance(0.3), floor = d.chance(0.8);
-  const double wide = (tower ? 1.4 : 2.6) * radius * (1 + d.unit()), high = (tower ? 2.3 * bodies + 1 : 6) * radius;
-  const auto temperatureNear = [&](const RandomMaterial& m) { return std::max(20.0, m.melting + (m.melts ? d.between(-80, 60) : 0)); };
+  const double wide = (tower ? 1.4 : 2.6) * radius * (1 + d.unit()),
+               high = (tower ? 2.3 * bodies + 1 : 6) * radius;
+  const auto temperatureNear = [&](const RandomMaterial& m) {
+    return std::max(20.0, m.melting + (m.melts ? d.between(-80, 60) : 0));
+  };
   for (int b = 0; b < bodies; b++) {
     const int k = d.below(kinds);
     const RandomMaterial& m = materials[static_cast<std::size_t>(k)];
     const double shake = 0.1 * radius;
-    const double x = (tower ? 0 : (b % 2 - 0.5) * pitch) + d.between(-shake, shake), y = (tower ? 0 : (b / 2 - 0.5) * pitch) + d.between(-shake, shake);
+    const double x = (tower ? 0 : (b % 2 - 0.5) * pitch) + d.between(-shake, shake),
+                 y = (tower ? 0 : (b / 2 - 0.5) * pitch) + d.between(-shake, shake);
     const double z = radius * d.between(1.02, 1.1) + (tower ? b * pitch : d.between(0, 1) * radius);
-    text += fmt::format("[[body]]\nname = \"b{}\"\nmaterial = \"m{}\"\n{}\n", b, k, shapes[static_cast<std::size_t>(b)].text);
-    text += fmt::format("place = {{ move = {}, rotate_x = {:.4g}, rotate_y = {:.4g} }}\n", vec(x, y, z), d.between(0, 3), d.between(0, 3));
+    text += fmt::format("[[body]]\nname = \"b{}\"\nmaterial = \"m{}\"\n{}\n", b, k,
+                        shapes[static_cast<std::size_t>(b)].text);
+    text += fmt::format("place = {{ move = {}, rotate_x = {:.4g}, rotate_y = {:.4g} }}\n", vec(x, y, z),
+                        d.between(0, 3), d.between(0, 3));
     text += fmt::format("temperature = {:.6g}\n", temperatureNear(m));
-    if (d.chance(0.2)) text += fmt::format("temperature_gradient = {}\n", vec(d.between(-9, 9) / radius, 0, d.between(-9, 9) / radius));
-    if (d.chance(0.7)) text += fmt::format("velocity = {}\n", vec(-std::copysign(speed, x) * d.unit(), -std::copysign(speed, y) * d.unit(), -speed * d.unit()));
-    if (d.chance(0.3)) text += fmt::format("spin = {}\n", vec(0, speed / radius * d.unit(), speed / radius * d.unit()));
+    if (d.chance(0.2))
+      text += fmt::format("temperature_gradient = {}\n",
+                          vec(d.between(-9, 9) / radius, 0, d.between(-9, 9) / radius));
+    if (d.chance(0.7))
+      text += fmt::format("velocity = {}\n", vec(-std::copysign(speed, x) * d.unit(),
+                                                 -std::copysign(speed, y) * d.unit(), -speed * d.unit()));
+    if (d.chance(0.3))
+      text += fmt::format("spin = {}\n", vec(0, speed / radius * d.unit(), speed / radius * d.unit()));
     if (d.chance(0.15)) text += "packing = \"relaxed\"\n";
-    if (d.chance(0.1)) text += fmt::format("clamp = [{{ sphere = {{ radius = {:.6g} }}, place = {{ move = {} }} }}]\n", 0.5 * radius, vec(x, y, z));
+    if (d.chance(0.1))
+      text += fmt::format("clamp = [{{ sphere = {{ radius = {:.6g} }}, place = {{ move = {} }} }}]\n",
+                          0.5 * radius, vec(x, y, z));
     text += "\n";
   }
   for (int e = 0; e < emitters; e++) {
     const int k = d.below(kinds);
     const RandomMaterial& m = materials[static_cast<std::size_t>(k)];
-    text += fmt::format("[[emitter]]\nmaterial = \"m{}\"\ndisc = {{ radius = {:.6g} }}\ncentre = {}\nspeed = {:.6g}\ntemperature = {:.6g}\nend = {:.6g}\n\n", k, spacing * d.between(1, 4),
-                        vec(0, 0, high - 2 * spacing), speed * d.between(0.1, 1), m.melting + (m.melts ? d.between(-20, 100) : 0), d.between(0, 2) * radius / speed);
+    text += fmt::format(
+        "[[emitter]]\nmaterial = \"m{}\"\ndisc = {{ radius = {:.6g} }}\ncentre = {}\nspeed = "
+        "{:.6g}\ntemperature = {:.6g}\nend = {:.6g}\n\n",
+        k, spacing * d.between(1, 4), vec(0, 0, high - 2 * spacing), speed * d.between(0.1, 1),
+        m.melting + (m.melts ? d.between(-20, 100) : 0), d.between(0, 2) * radius / speed);
   }
   const double hottest = materials[0].melting;
   const auto obstacleHeat = [&] {
-    if (d.chance(0.5)) text += fmt::format("temperature = {:.6g}\n", std::max(20.0, hottest + d.between(-200, 500)));
+    if (d.chance(0.5))
+      text += fmt::format("temperature = {:.6g}\n", std::max(20.0, hottest + d.between(-200, 500)));
     else return;
     if (d.chance(0.2)) text += fmt::format("conductance = {:.6g}\n", d.decades(10, 1e5));
   };
@@ -207,28 +249,46 @@ std::string scene(std::uint64_t seed) {
     obstacleHeat();
   };
   if (floor) {
-    text += fmt::format("[[obstacle]]\nname = \"floor\"\nplane = {{ point = [0, 0, 0], normal = {} }}\n", d.chance(0.3) ? vec(d.between(-0.02, 0.02), d.between(-0.02, 0.02), 1) : vec(0, 0, 1));
+    text += fmt::format(
+        "[[obstacle]]\nname = \"floor\"\nplane = {{ point = [0, 0, 0], normal = {} }}\n",
+        d.chance(0.3) ? vec(d.between(-0.02, 0.02), d.between(-0.02, 0.02), 1) : vec(0, 0, 1));
     obstacleSurface();
     text += "\n";
   }
   if (d.chance(0.35)) {
     const RandomShape s = shape(d, 0.8 * radius);
-    text += fmt::format("[[obstacle]]\nname = \"moving\"\n{}\nplace = {{ move = {} }}\n", s.text, vec(-wide - 1.2 * radius, d.between(-1, 1) * radius, radius));
-    text += fmt::format("motion = [{{ time = 0 }}, {{ time = {:.6g}, move = {}, rotate = {} }}]\n", d.between(1, 4) * wide / speed, vec(2 * wide, 0, 0), d.chance(0.3) ? vec(0, 0, 0.5) : vec(0, 0, 0));
+    text += fmt::format("[[obstacle]]\nname = \"moving\"\n{}\nplace = {{ move = {} }}\n", s.text,
+                        vec(-wide - 1.2 * radius, d.between(-1, 1) * radius, radius));
+    text += fmt::format("motion = [{{ time = 0 }}, {{ time = {:.6g}, move = {}, rotate = {} }}]\n",
+                        d.between(1, 4) * wide / speed, vec(2 * wide, 0, 0),
+                        d.chance(0.3) ? vec(0, 0, 0.5) : vec(0, 0, 0));
     if (d.chance(0.2)) text += fmt::format("until = {:.6g}\n", wide / speed);
     obstacleSurface();
     text += "\n";
   }
-  std::string head = fmt::format("title = \"random scene {}\"\nspacing = {:.6g}\nend = {:.6g}\nseed = {}\n\n", seed, spacing, 20 * radius / speed, seed);
+  std::string head = fmt::format("title = \"random scene {}\"\nspacing = {:.6g}\nend = {:.6g}\nseed = {}\n\n",
+                                 seed, spacing, 20 * radius / speed, seed);
   const double margin = 1.2 * radius;
-  head += fmt::format("[domain]\nmin = {}\nmax = {}\ngravity = {}\nambient = {:.6g}\n", vec(-wide - margin, -wide - margin, floor ? -0.3 * radius : 0), vec(wide + margin, wide + margin, high),
-                      gravity == 0 ? vec(0, 0, 0) : d.chance(0.1) ? vec(3, 1, -9) : vec(0, 0, -gravity), d.between(200, 600));
-  head += fmt::format("sides = {{ x = \"{}\", y = \"{}\", z = [\"{}\", \"open\"] }}\n\n", walled ? "wall" : d.of({"open", "periodic"}), walled ? "wall" : d.of({"open", "open", "periodic"}),
+  head += fmt::format("[domain]\nmin = {}\nmax = {}\ngravity = {}\nambient = {:.6g}\n",
+                      vec(-wide - margin, -wide - margin, floor ? -0.3 * radius : 0),
+                      vec(wide + margin, wide + margin, high),
+                      gravity == 0    ? vec(0, 0, 0)
+                      : d.chance(0.1) ? vec(3, 1, -9)
+                                      : vec(0, 0, -gravity),
+                      d.between(200, 600));
+  head += fmt::format("sides = {{ x = \"{}\", y = \"{}\", z = [\"{}\", \"open\"] }}\n\n",
+                      walled ? "wall" : d.of({"open", "periodic"}),
+                      walled ? "wall" : d.of({"open", "open", "periodic"}),
                       floor ? "open" : d.of({"wall", "open"}));
-  head += fmt::format("[output]\nevery = {:.6g}\nfields = [\"velocity\", \"temperature\", \"liquid\"]\n\n[numerics]\n", 4 * radius / speed);
-  head += fmt::format("overlap = \"{}\"\n", d.chance(0.1) ? "error" : d.of({"remove later", "remove earlier"}));
-  const bool cools = std::any_of(materials.begin(), materials.end(), [](const RandomMaterial& m) { return m.cools; });
-  if (d.chance(0.2)) {  // neighbours are looked for within it, of bonds, too; a surface that cools has to be told from the inside
+  head += fmt::format(
+      "[output]\nevery = {:.6g}\nfields = [\"velocity\", \"temperature\", \"liquid\"]\n\n[numerics]\n",
+      4 * radius / speed);
+  head += fmt::format("overlap = \"{}\"\n",
+                      d.chance(0.1) ? "error" : d.of({"remove later", "remove earlier"}));
+  const bool cools = std::any_of(materials.begin(), materials.end(),
+                                 [](const RandomMaterial& m) { return m.cools; });
+  if (d.chance(0.2)) {  // neighbours are looked for within it, of bonds, too; a surface that cools has to be
+                        // told from the inside
     const double support = d.between(1.5, 3);
     head += fmt::format("support = {:.4g}\n", cools ? std::max(2.0, support) : support);
     if (support < 1.7 && !cools) head += fmt::format("bond_support = {:.4g}\n", d.between(1.3, 1.49));
@@ -245,10 +305,12 @@ std::string scene(std::uint64_t seed) {
   if (laplacian) head += "viscosity = \"laplacian\"\n";
   if (d.chance(0.05)) head += "tension = \"colour field\"\n";
   const std::string solving = solvers(d, laplacian, printed);
-  const bool incompressible = solving.find("incompressible") != std::string::npos;  // which knows all or nothing
+  // which knows all or nothing
+  const bool incompressible = solving.find("incompressible") != std::string::npos;
   const auto says = [&](const char* words) { return solving.find(words) != std::string::npos; };
   const bool mayPull = incompressible || (says("continuity") && says("shifting"));
-  if (pulls && mayPull) head += fmt::format("tensile_limit = {:.4g}\n", incompressible ? std::round(pull) : pull);
+  if (pulls && mayPull)
+    head += fmt::format("tensile_limit = {:.4g}\n", incompressible ? std::round(pull) : pull);
   head += solving;
   head += sleepOf(more, solving, speed, radius);
   return head + "\n" + surfaceOf(more, spacing) + text;
@@ -270,8 +332,8 @@ std::string themeHead(Dice& d, std::uint64_t seed, const Scale& c, const std::st
 }
 
 std::string liquidMaterial(Dice& d, double density) {
-  std::string t =
-      fmt::format("[material.liquid]\ndensity = {:.6g}\nviscosity = {:.6g}\n", density, d.decades(1e-3, 100));
+  std::string t = fmt::format("[material.liquid]\ndensity = {:.6g}\nviscosity = {:.6g}\n", density,
+                              d.decades(1e-3, 100));
   if (d.chance(0.3)) t += fmt::format("surface_tension = {:.6g}\n", d.decades(1e-3, 0.1));
   return t + "\n";
 }
@@ -313,10 +375,10 @@ std::string plasticScene(Dice& d, std::uint64_t seed) {
   const double radius = d.decades(0.01, 1), density = d.decades(500, 5000), weight = density * 9.81 * radius;
   const RandomShape body = shape(d, radius);
   const Scale c{radius, std::cbrt(body.volume / d.decades(200, 2000)), std::sqrt(9.81 * radius)};
-  std::string t =
-      themeHead(d, seed, c,
-                fmt::format("[domain]\nmin = {}\nmax = {}\nsides = {{ z = [\"wall\", \"open\"] }}\n\n",
-                            vec(-6 * radius, -6 * radius, 0), vec(6 * radius, 6 * radius, 8 * radius)));
+  std::string t = themeHead(
+      d, seed, c,
+      fmt::format("[domain]\nmin = {}\nmax = {}\nsides = {{ z = [\"wall\", \"open\"] }}\n\n",
+                  vec(-6 * radius, -6 * radius, 0), vec(6 * radius, 6 * radius, 8 * radius)));
   const double young = weight * d.decades(10, 1e4),
                strain = weight * d.decades(0.03, 3) / young;  // yields at some share of its weight
   t += fmt::format(

@@ -1,5 +1,6 @@
-// Where elastic solids of particles fail: rows of docs/validation/stability.md. Each test provokes the failure, shows that a naive
-// implementation falls into it where that is cheap, and holds thaw to what the table says.
+// Where elastic solids of particles fail: rows of docs/validation/stability.md. Each test provokes the
+// failure, shows that a naive implementation falls into it where that is cheap, and holds thaw to what the
+// table says.
 #include "core/kernels/kernels.hpp"
 #include "core/solid/laws/response.hpp"
 #include "core/solid/moment.hpp"
@@ -17,7 +18,8 @@ double largestForce(const SolidBody& b) {
 }
 
 /// The displacement gradient with the plain inverse of the moment matrix, whatever its condition.
-Mat3d plainGradient(const std::vector<Vec3d>& reference, const std::vector<Vec3d>& now, std::size_t i, double support) {
+Mat3d plainGradient(const std::vector<Vec3d>& reference, const std::vector<Vec3d>& now, std::size_t i,
+                    double support) {
   Mat3d a{}, b{};
   for (std::size_t j = 0; j < reference.size(); j++) {
     const Vec3d x = reference[j] - reference[i];
@@ -40,12 +42,15 @@ Scene elasticScene(ElasticLaw law, const Vec3d& low, const Vec3d& high) {
 
 TEST(Stability, B01_SingularNeighbourhoods) {
   const std::vector<std::pair<const char*, std::vector<Vec3d>>> bodies{
-      {"sheet", lattice({6, 6, 1}, 0.1)}, {"row", lattice({7, 1, 1}, 0.1)}, {"corner", {{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}}}};
+      {"sheet", lattice({6, 6, 1}, 0.1)},
+      {"row", lattice({7, 1, 1}, 0.1)},
+      {"corner", {{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}}}};
   double plain = 0, ours = 0, energy = 0;
   std::int64_t counted = 0;
   for (const auto& [name, exact] : bodies) {
     std::vector<Vec3d> points = exact, moved;
-    for (std::size_t k = 0; k < points.size(); k++) points[k] += 1e-9 * noise3(k, 1);  // what rounding leaves of a plane
+    // what rounding leaves of a plane
+    for (std::size_t k = 0; k < points.size(); k++) points[k] += 1e-9 * noise3(k, 1);
     for (std::size_t k = 0; k < points.size(); k++) moved.push_back(points[k] + 1e-5 * noise3(k, 2));
     Material m = elasticMaterial();
     m.law = ElasticLaw::NeoHookean;
@@ -64,7 +69,10 @@ TEST(Stability, B01_SingularNeighbourhoods) {
     for (int n = 0; n < 1000; n++) b.advance(b.stepLimit());
     energy = std::max(energy, (totalEnergy(*b.body) + b.kinetic()) / first);
   }
-  measured("gradient of a displacement of 1e-4 spacings: %.1e with the plain inverse, %.1e; energy after 1000 steps %.2f of the first; %lld of 47 counted", plain, ours, energy, static_cast<long long>(counted));
+  measured(
+      "gradient of a displacement of 1e-4 spacings: %.1e with the plain inverse, %.1e; energy after 1000 "
+      "steps %.2f of the first; %lld of 47 counted",
+      plain, ours, energy, static_cast<long long>(counted));
   EXPECT_GT(plain, 100);  // a hundred times the length of a bond, from nothing
   EXPECT_LT(ours, 1e-3);
   EXPECT_LT(energy, 1.3);
@@ -80,7 +88,8 @@ TEST(Stability, B02_CheckerboardVelocity) {
     BodyOptions options;
     options.period = {0.8, 0.8, 0.8};
     MovingBody b(points, m, options);
-    for (std::size_t s = 0; s < points.size(); s++) b.velocity[s].x = ((s % 8 + s / 8 % 8 + s / 64) % 2 ? 1 : -1) * 0.1;
+    for (std::size_t s = 0; s < points.size(); s++)
+      b.velocity[s].x = ((s % 8 + s / 8 % 8 + s / 64) % 2 ? 1 : -1) * 0.1;
     double most = 0;
     for (int n = 0; n < 500; n++) {
       b.advance(1e-3);
@@ -90,7 +99,8 @@ TEST(Stability, B02_CheckerboardVelocity) {
     }
     amplitude[control] = most / 0.1;
   }
-  measured("amplitude after 0.5 s: %.2f spacings without control and growing, at most %.3f", amplitude[0], amplitude[1]);
+  measured("amplitude after 0.5 s: %.2f spacings without control and growing, at most %.3f", amplitude[0],
+           amplitude[1]);
   EXPECT_NEAR(amplitude[0], 0.5, 1e-6);  // v t
   EXPECT_LT(amplitude[1], 0.1);
 }
@@ -108,7 +118,8 @@ TEST(Stability, B03_UncorrectedGradients) {
     Mat3d g{};
     for (std::size_t j = 0; j < points.size(); j++) {
       const Vec3d x = points[j] - points[i], q = x / h;
-      if (j != i && dot(q, q) < 1) g = g + (1e-3 * -isa_base::WendlandC2::slope(dot(q, q)) / (h * h * h * h * h)) * outer(r * x - x, x);
+      if (j != i && dot(q, q) < 1)
+        g = g + (1e-3 * -isa_base::WendlandC2::slope(dot(q, q)) / (h * h * h * h * h)) * outer(r * x - x, x);
     }
     const Mat3d f = identity3<double>() + g;
     plain = std::max(plain, 0.5 * largest(transpose(f) * f - identity3<double>()));
@@ -126,7 +137,10 @@ TEST(Stability, B04_Inversion) {
   std::int64_t left[4];
   double energy[4];
   int k = 0;
-  for (const auto& [law, volume] : {std::pair{ElasticLaw::Green, 0.0}, {ElasticLaw::Green, 1e6}, {ElasticLaw::NeoHookean, 0.0}, {ElasticLaw::Corotated, 0.0}}) {
+  for (const auto& [law, volume] : {std::pair{ElasticLaw::Green, 0.0},
+                                    {ElasticLaw::Green, 1e6},
+                                    {ElasticLaw::NeoHookean, 0.0},
+                                    {ElasticLaw::Corotated, 0.0}}) {
     Material m = elasticMaterial();
     m.law = law;
     m.volumeStiffness = volume;
@@ -141,8 +155,11 @@ TEST(Stability, B04_Inversion) {
     left[k++] = b.last.inverted;
     EXPECT_TRUE(std::isfinite(b.kinetic()));
   }
-  measured("inside out at first 64 of 64, after a while: green %lld (elastic energy %.1e J), green with volume force %lld (%.1e J), neo-hookean %lld, corotated %lld", static_cast<long long>(left[0]), energy[0],
-           static_cast<long long>(left[1]), energy[1], static_cast<long long>(left[2]), static_cast<long long>(left[3]));
+  measured(
+      "inside out at first 64 of 64, after a while: green %lld (elastic energy %.1e J), green with volume "
+      "force %lld (%.1e J), neo-hookean %lld, corotated %lld",
+      static_cast<long long>(left[0]), energy[0], static_cast<long long>(left[1]), energy[1],
+      static_cast<long long>(left[2]), static_cast<long long>(left[3]));
   EXPECT_EQ(left[0], 64);  // the papers' law does not know, and stays; it is in the count
   EXPECT_EQ(left[1], 0);
   EXPECT_EQ(left[2], 0);
@@ -155,17 +172,21 @@ TEST(Stability, B05_Compression) {
     Material m = elasticMaterial(1e6, 0.3);
     m.law = law;
     m.volumeStiffness = volume;
-    return -elasticResponse(elasticConstants(m, 0), Mat3d{{{length - 1, 0, 0}, {0, 0, 0}, {0, 0, 0}}}, {}).stress.row[0].x;
+    return -elasticResponse(elasticConstants(m, 0), Mat3d{{{length - 1, 0, 0}, {0, 0, 0}, {0, 0, 0}}}, {})
+                .stress.row[0]
+                .x;
   };
   EXPECT_GT(force(ElasticLaw::Green, 0, 0.6), force(ElasticLaw::Green, 0, 0.4));  // softens
   EXPECT_LT(force(ElasticLaw::Green, 0, 0.1), 0.5 * force(ElasticLaw::Green, 0, 0.577));
   for (double x = 0.9; x > 0.05; x -= 0.05)
-    for (const ElasticLaw law : {ElasticLaw::NeoHookean, ElasticLaw::Corotated}) EXPECT_GT(force(law, 0, x - 0.05), force(law, 0, x)) << x;
+    for (const ElasticLaw law : {ElasticLaw::NeoHookean, ElasticLaw::Corotated})
+      EXPECT_GT(force(law, 0, x - 0.05), force(law, 0, x)) << x;
   // a bar that is hit hard: what goes through itself is counted
   std::int64_t inverted[3], squeezed[3], told = 0;
   for (const ElasticLaw law : {ElasticLaw::Green, ElasticLaw::NeoHookean, ElasticLaw::Corotated}) {
     Scene s = elasticScene(law, {-2, -2, -1}, {2, 2, 4});
-    addBox(s, {-0.2, -0.2, 0.05}, {0.2, 0.2, 1.05}).velocity = {0, 0, -8};  // 0.8 of the speed of sound along it
+    // 0.8 of the speed of sound along it
+    addBox(s, {-0.2, -0.2, 0.05}, {0.2, 0.2, 1.05}).velocity = {0, 0, -8};
     addFloor(s);
     s.end = 0.15;
     Simulation run(s);
@@ -175,7 +196,8 @@ TEST(Stability, B05_Compression) {
     inverted[static_cast<int>(law)] = run.w.counters.inverted;
     squeezed[static_cast<int>(law)] = run.w.counters.squeezed;
   }
-  // pressed slowly to a part of its length, far from inversion: told of from .577 on, with Green strain without volume stiffness alone
+  // pressed slowly to a part of its length, far from inversion: told of from .577 on, with Green strain
+  // without volume stiffness alone
   const auto toldOf = [](ElasticLaw law, double volume, double length) {
     Scene s = elasticScene(law, {-2, -2, -2}, {2, 2, 2});
     s.materials[0].volumeStiffness = volume;
@@ -200,10 +222,18 @@ TEST(Stability, B05_Compression) {
   EXPECT_EQ(toldOf(ElasticLaw::Corotated, 0, 0.1), 0);
   EXPECT_GT(told, 0);  // before anything is inside out
   EXPECT_EQ(squeezed[1] + squeezed[2], 0);
-  measured("squeezed below .577 in that impact: %lld particle-steps with green, %lld of them by when the first is inside out; pressed alike: 0 of 64 told at .58, 64 at .575", static_cast<long long>(squeezed[0]), static_cast<long long>(told));
-  measured("force at 0.1 of the length over that at 0.577: green %.2f, neo-hookean %.2f, corotated %.2f; inversions counted in an impact at 0.8 c: %lld, %lld, %lld",
-           force(ElasticLaw::Green, 0, 0.1) / force(ElasticLaw::Green, 0, 0.577), force(ElasticLaw::NeoHookean, 0, 0.1) / force(ElasticLaw::NeoHookean, 0, 0.577),
-           force(ElasticLaw::Corotated, 0, 0.1) / force(ElasticLaw::Corotated, 0, 0.577), static_cast<long long>(inverted[0]), static_cast<long long>(inverted[1]), static_cast<long long>(inverted[2]));
+  measured(
+      "squeezed below .577 in that impact: %lld particle-steps with green, %lld of them by when the first is "
+      "inside out; pressed alike: 0 of 64 told at .58, 64 at .575",
+      static_cast<long long>(squeezed[0]), static_cast<long long>(told));
+  measured(
+      "force at 0.1 of the length over that at 0.577: green %.2f, neo-hookean %.2f, corotated %.2f; "
+      "inversions counted in an impact at 0.8 c: %lld, %lld, %lld",
+      force(ElasticLaw::Green, 0, 0.1) / force(ElasticLaw::Green, 0, 0.577),
+      force(ElasticLaw::NeoHookean, 0, 0.1) / force(ElasticLaw::NeoHookean, 0, 0.577),
+      force(ElasticLaw::Corotated, 0, 0.1) / force(ElasticLaw::Corotated, 0, 0.577),
+      static_cast<long long>(inverted[0]), static_cast<long long>(inverted[1]),
+      static_cast<long long>(inverted[2]));
   EXPECT_GT(inverted[0], 100);
   EXPECT_LT(inverted[1], inverted[0] / 10);
   EXPECT_LT(inverted[2], inverted[0] / 10);

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Rows B29 and B30 of docs/validation/stability.md. B29: ranks without particles, one particle on four ranks, all particles on one rank, a scene that
-# begins with none: no deadlock, no minimum of nothing, the bits of one rank. B30: a ring and a long bar of which every rank holds a part
-# stay in one piece, bit by bit, and break into the same pieces.
+# Rows B29 and B30 of docs/validation/stability.md. B29: ranks without particles, one particle on four ranks,
+# all particles on one rank, a scene that begins with none: no deadlock, no minimum of nothing, the bits of
+# one rank. B30: a ring and a long bar of which every rank holds a part stay in one piece, bit by bit, and
+# break into the same pieces.
 . "$(dirname "$0")/../support/run.sh"
 
 steps=100000
@@ -60,8 +61,9 @@ printf '%s[[body]]\ntorus = { radius = 0.2, tube = 0.02 }\nmaterial = "wax"\npla
 printf '%s[[body]]\nbox = { size = [0.8, 0.03, 0.03] }\nmaterial = "glass"\nplace = { move = [0, 0, 0.06] }\nvelocity = [0, 0, -1]\n[[obstacle]]\nname = "edge"\nbox = { size = [0.02, 0.2, 0.04] }\nplace = { move = [0, 0, 0.02] }\n' "$head" >"$work/B30_bar.toml"
 same B30_ring 2 7
 same B30_bar 2 7
-# Pieces that a blow presses into the floor, where some are put back onto it, at the border of two ranks. (Random scene 410; the copies
-# that other ranks had of such a particle were once of its place before.) And over a restart while pieces leave the domain.
+# Pieces that a blow presses into the floor, where some are put back onto it, at the border of two ranks.
+# (Random scene 410; the copies that other ranks had of such a particle were once of its place before.) And
+# over a restart while pieces leave the domain.
 cat >"$work/B30_pieces.toml" <<'SCENE'
 spacing = 0.163796
 end = 2.0977

@@ -16,12 +16,17 @@ double unrest(Simulation& run) {
   const Balance b = run.books().now;
   const Continuum& p = run.particles();
   double t = 0;
-  for (std::size_t i = 0; i < p.owned && p.temperature.active; i++) t += (p.temperature[i] - 300) * (p.temperature[i] - 300);
+  for (std::size_t i = 0; i < p.owned && p.temperature.active; i++)
+    t += (p.temperature[i] - 300) * (p.temperature[i] - 300);
   return b.kinetic + b.elastic + b.potential + t;
 }
 
 /// Growth of unrest over so many steps of this length (s; 0: as the program wants them).
-struct Growth { double factor, dt; const char* limitedBy; bool finite; };
+struct Growth {
+  double factor, dt;
+  const char* limitedBy;
+  bool finite;
+};
 Growth growthOf(Scene s, double fixed, int steps, double jitter, double speed, double warmth) {
   s.numerics.fixedStep = fixed;
   s.end = 1e9;
@@ -32,7 +37,8 @@ Growth growthOf(Scene s, double fixed, int steps, double jitter, double speed, d
       const double r = hashed(3 * p.id[i] + static_cast<std::uint64_t>(a)) - 0.5;
       p.position[i][a] += jitter * dx * r;
       p.velocity[i][a] = speed * r;
-      if (p.temperature.active && warmth > 0) p.enthalpy[i] = enthalpyOf(s.materials[0], 300 + warmth * r), p.temperature[i] = 300 + warmth * r;
+      if (p.temperature.active && warmth > 0)
+        p.enthalpy[i] = enthalpyOf(s.materials[0], 300 + warmth * r), p.temperature[i] = 300 + warmth * r;
     }
   const double dt = fixed > 0 ? fixed : run.w.clock.dt;
   if (fixed == 0) run.w.clock.dt = dt;
@@ -50,7 +56,11 @@ Growth growthOf(Scene s, double fixed, int steps, double jitter, double speed, d
 
 TEST(Stability, B10_StepTooLong) {
   // each limit of the step: stable with the default, gone a little beyond what the default is a share of
-  struct Case { const char* name; Scene scene; double over, jitter, speed, warmth; };
+  struct Case {
+    const char* name;
+    Scene scene;
+    double over, jitter, speed, warmth;
+  };
   std::vector<Case> cases;
   Scene s = periodicBlock();
   s.materials[0].soundSpeed = 10;
@@ -70,8 +80,11 @@ TEST(Stability, B10_StepTooLong) {
   s.materials[0].law = ElasticLaw::NeoHookean;
   cases.push_back({"elastic waves", s, 6, 0, 1e-3, 0});
   for (const Case& c : cases) {
-    const Growth right = growthOf(c.scene, 0, 400, c.jitter, c.speed, c.warmth), wrong = growthOf(c.scene, c.over * right.dt, 400, c.jitter, c.speed, c.warmth);
-    measured("%s: factor %.2g in 400 steps of %.2e s (limited by %s); %.2g in steps %.1f times as long%s", c.name, right.factor, right.dt, right.limitedBy, wrong.factor, c.over, wrong.finite ? "" : ", then reported");
+    const Growth right = growthOf(c.scene, 0, 400, c.jitter, c.speed, c.warmth),
+                 wrong = growthOf(c.scene, c.over * right.dt, 400, c.jitter, c.speed, c.warmth);
+    measured("%s: factor %.2g in 400 steps of %.2e s (limited by %s); %.2g in steps %.1f times as long%s",
+             c.name, right.factor, right.dt, right.limitedBy, wrong.factor, c.over,
+             wrong.finite ? "" : ", then reported");
     EXPECT_STREQ(right.limitedBy, c.name);
     EXPECT_LT(right.factor, 1.3) << c.name;
     EXPECT_GT(wrong.factor, 100) << c.name;
@@ -79,8 +92,8 @@ TEST(Stability, B10_StepTooLong) {
 }
 
 TEST(Stability, B10_TaitInStrongCompression) {
-  // a liquid pressed to 1.6 times its density, with noise, breathing in a periodic box: energy from nowhere. At rest the compression is
-  // kept by the box, so that nothing but the step decides.
+  // a liquid pressed to 1.6 times its density, with noise, breathing in a periodic box: energy from nowhere.
+  // At rest the compression is kept by the box, so that nothing but the step decides.
   for (const bool naive : {true, false}) {
     Scene s = periodicBlock();
     s.domain.max = {7 * dx, 7 * dx, 7 * dx};
@@ -94,7 +107,8 @@ TEST(Stability, B10_TaitInStrongCompression) {
     const double atRest = run.w.clock.dt;
     for (std::size_t i = 0; i < p.owned; i++) p.mass[i] *= 1.6;
     for (std::size_t i = 0; i < p.owned; i++)
-      for (int a = 0; a < 3; a++) p.velocity[i][a] = 0.01 * (hashed(3 * p.id[i] + static_cast<std::uint64_t>(a)) - 0.5);
+      for (int a = 0; a < 3; a++)
+        p.velocity[i][a] = 0.01 * (hashed(3 * p.id[i] + static_cast<std::uint64_t>(a)) - 0.5);
     evaluate(run.w, run.halos(), run.tools, 0);
     vote(run.w, run.halos(), run.tools, {}, {});
     const double dt = run.w.clock.dt;
@@ -107,7 +121,10 @@ TEST(Stability, B10_TaitInStrongCompression) {
       finite = run.step();
       most = finite ? std::max(most, run.books().now.kinetic / first) : never;
     }
-    measured("Tait at 1.6 times its density, steps %s: %.2e s (at rest %.2e), kinetic energy at most %.2g times the first", naive ? "as at rest" : "as wanted", naive ? atRest : dt, atRest, most);
+    measured(
+        "Tait at 1.6 times its density, steps %s: %.2e s (at rest %.2e), kinetic energy at most %.2g times "
+        "the first",
+        naive ? "as at rest" : "as wanted", naive ? atRest : dt, atRest, most);
     EXPECT_NEAR(dt, atRest / (1.6 * 1.6 * 1.6), 0.05 * atRest / 4);
     if (naive) EXPECT_GT(most, 100);
     else EXPECT_LT(most, 1.5);
@@ -115,10 +132,18 @@ TEST(Stability, B10_TaitInStrongCompression) {
 }
 
 TEST(Stability, B12_LightParticlesInAThickLiquid) {
-  // particles a hundredth as dense as the others, which are fifty times as viscous, at rest with noise: in layers, in rows, one by one.
-  // Pairwise form: the light liquid's own viscosity bounds the step. Printed form: the arithmetic mean of both does.
-  struct Case { ViscosityForm form; double over; bool stable; };
-  for (const Case& c : {Case{ViscosityForm::Pairwise, 1, true}, {ViscosityForm::Pairwise, 1.3, false}, {ViscosityForm::Laplacian, 1, true}, {ViscosityForm::Laplacian, 26, false}}) {
+  // particles a hundredth as dense as the others, which are fifty times as viscous, at rest with noise: in
+  // layers, in rows, one by one. Pairwise form: the light liquid's own viscosity bounds the step. Printed
+  // form: the arithmetic mean of both does.
+  struct Case {
+    ViscosityForm form;
+    double over;
+    bool stable;
+  };
+  for (const Case& c : {Case{ViscosityForm::Pairwise, 1, true},
+                        {ViscosityForm::Pairwise, 1.3, false},
+                        {ViscosityForm::Laplacian, 1, true},
+                        {ViscosityForm::Laplacian, 26, false}}) {
     double calmest = never, wildest = 0, dt = 0;
     for (const int directions : {1, 2, 3}) {
       Scene s = periodicBlock();
@@ -155,7 +180,10 @@ TEST(Stability, B12_LightParticlesInAThickLiquid) {
       calmest = std::min(calmest, most);
       wildest = std::max(wildest, most);
     }
-    measured("%s form, steps of %.2e s (%.1f times the limit): kinetic energy at most %.2g to %.2g times the first", c.form == ViscosityForm::Pairwise ? "pairwise" : "printed", dt, c.over, calmest, wildest);
+    measured(
+        "%s form, steps of %.2e s (%.1f times the limit): kinetic energy at most %.2g to %.2g times the "
+        "first",
+        c.form == ViscosityForm::Pairwise ? "pairwise" : "printed", dt, c.over, calmest, wildest);
     if (c.stable) EXPECT_LT(wildest, 1.01);
     else EXPECT_GT(calmest, 100);
   }
@@ -183,7 +211,8 @@ TEST(Stability, B14_FreezeMeltPingPong) {
     p.mass[0] = 1;
     p.slot[0] = noSlot;
     p.temperature[0] = 299.95;
-    p.enthalpy[0] = way == 0 ? 299.95 * 1000 : way == 1 ? 0.5 * 1e4 : 0.81 * 1e4;  // with the latent heat half in; at the edge of the hysteresis
+    // with the latent heat half in; at the edge of the hysteresis
+    p.enthalpy[0] = way == 0 ? 299.95 * 1000 : way == 1 ? 0.5 * 1e4 : 0.81 * 1e4;
     settlePhase(w.scene, w.modules, p, 0, 1);
     for (int n = 0; n < 1000; n++) {
       p.heatFlow[0] = n % 2 ? -swing : swing;
@@ -192,7 +221,10 @@ TEST(Stability, B14_FreezeMeltPingPong) {
     }
     flips[way] = w.counters.melted + w.counters.frozen;
   }
-  measured("phase changes in 1000 swings of 0.1 K: %lld by temperature alone, %lld with latent heat, %lld with hysteresis too", static_cast<long long>(flips[0]), static_cast<long long>(flips[1]), static_cast<long long>(flips[2]));
+  measured(
+      "phase changes in 1000 swings of 0.1 K: %lld by temperature alone, %lld with latent heat, %lld with "
+      "hysteresis too",
+      static_cast<long long>(flips[0]), static_cast<long long>(flips[1]), static_cast<long long>(flips[2]));
   EXPECT_EQ(flips[0], 1000);
   EXPECT_EQ(flips[1], 0);
   EXPECT_LE(flips[2], 1);

@@ -22,9 +22,11 @@ TEST(Stability, B26_StrangeTimes) {
   s.end = 1;
   Simulation run(s);
   Continuum& p = run.particles();
-  for (std::size_t i = 0; i < p.owned; i++) p.velocity[i] = {hashed(p.id[i]) - 0.5, hashed(7 * p.id[i]) - 0.5, 0};
+  for (std::size_t i = 0; i < p.owned; i++)
+    p.velocity[i] = {hashed(p.id[i]) - 0.5, hashed(7 * p.id[i]) - 0.5, 0};
   for (int n = 0; n < 5; n++) EXPECT_TRUE(run.step());
-  const std::vector<Vec3d> x(p.position.data(), p.position.data() + p.owned), v(p.velocity.data(), p.velocity.data() + p.owned);
+  const std::vector<Vec3d> x(p.position.data(), p.position.data() + p.owned),
+      v(p.velocity.data(), p.velocity.data() + p.owned);
   const double time = run.w.clock.time;
   run.w.clock.dt = 0;
   EXPECT_TRUE(run.step());
@@ -32,9 +34,12 @@ TEST(Stability, B26_StrangeTimes) {
   EXPECT_EQ(std::memcmp(v.data(), p.velocity.data(), v.size() * sizeof(Vec3d)), 0);
   EXPECT_EQ(run.w.clock.time, time);
   // other lengths that are none are refused when the scene is read, in one message
-  const std::string good = "end = 1\n[material.m]\n[[body]]\nbox = { size = [0.1, 0.1, 0.1] }\nmaterial = \"m\"\n";
+  const std::string good =
+      "end = 1\n[material.m]\n[[body]]\nbox = { size = [0.1, 0.1, 0.1] }\nmaterial = \"m\"\n";
   int refused = 0;
-  for (const char* bad : {"numerics.fixed_step=-0.1", "numerics.fixed_step=1e6", "numerics.max_step=0", "numerics.max_step=-1", "end=-1", "output.every=0", "output.every=-1", "output.every=1e-12"}) {
+  for (const char* bad :
+       {"numerics.fixed_step=-0.1", "numerics.fixed_step=1e6", "numerics.max_step=0", "numerics.max_step=-1",
+        "end=-1", "output.every=0", "output.every=-1", "output.every=1e-12"}) {
     try {
       readScene(sceneFilesOf("s.toml", good), {bad});
       ADD_FAILURE() << bad;
@@ -47,7 +52,8 @@ TEST(Stability, B26_StrangeTimes) {
 }
 
 TEST(Stability, B27_ParticlesThatLeave) {
-  // a burst in all directions, half of the sides open: what leaves is counted and booked, what meets a wall stays
+  // a burst in all directions, half of the sides open: what leaves is counted and booked, what meets a wall
+  // stays
   Scene s;
   s.spacing = dx;
   s.domain.min = {-6 * dx, -6 * dx, -6 * dx};
@@ -68,19 +74,26 @@ TEST(Stability, B27_ParticlesThatLeave) {
   EXPECT_TRUE(run.run());
   double beyond = 0;
   for (std::size_t i = 0; i < p.owned; i++)
-    for (int a = 0; a < 3; a++) beyond = std::max({beyond, p.position[i][a] - 6 * dx, -6 * dx - p.position[i][a]});
+    for (int a = 0; a < 3; a++)
+      beyond = std::max({beyond, p.position[i][a] - 6 * dx, -6 * dx - p.position[i][a]});
   const LedgerReport r = run.books();
   const double m = 1000 * dx * dx * dx;
-  measured("%lld of 216 particles left; mass residual %.1e kg, momentum residual %.1e of what left; furthest beyond a wall %.1e spacings", static_cast<long long>(run.w.counters.left), r.massResidual,
-           length(r.momentumResidual) / length(r.left.momentum), beyond / dx);
+  measured(
+      "%lld of 216 particles left; mass residual %.1e kg, momentum residual %.1e of what left; furthest "
+      "beyond a wall %.1e spacings",
+      static_cast<long long>(run.w.counters.left), r.massResidual,
+      length(r.momentumResidual) / length(r.left.momentum), beyond / dx);
   EXPECT_GT(run.w.counters.left, 50);
-  EXPECT_LE(std::abs(r.massResidual), 1e-15 * r.initial.mass);  // exact sums, but for their rounding in the report
+  EXPECT_LE(std::abs(r.massResidual), 1e-15 * r.initial.mass);  // exact sums, but for their rounding in the
+                                                                // report
   EXPECT_NEAR(r.left.mass, static_cast<double>(run.w.counters.left) * m, 1e-12);
   std::int64_t through = 0;
   for (int a = 0; a < 3; a++)
     for (int high = 0; high < 2; high++) {
       through += run.w.counters.leftThrough[a][high];
-      EXPECT_EQ(run.w.counters.leftThrough[a][high] > 0, s.domain.side[static_cast<std::size_t>(a)][static_cast<std::size_t>(high)] == Side::Open) << a << high;
+      EXPECT_EQ(run.w.counters.leftThrough[a][high] > 0,
+                s.domain.side[static_cast<std::size_t>(a)][static_cast<std::size_t>(high)] == Side::Open)
+          << a << high;
     }
   EXPECT_EQ(through, run.w.counters.left);
   EXPECT_EQ(static_cast<std::int64_t>(p.owned) + run.w.counters.left, 216);
@@ -113,10 +126,19 @@ TEST(Stability, B28_NumbersThatSpread) {
     }
   }
   // in the scene: refused with file, line and column
-  const std::string good = "spacing = 0.02\n[material.m]\nyoung = 1e5\n[[body]]\nbox = { size = [0.1, 0.1, 0.1] }\nmaterial = \"m\"\n";
-  const std::pair<const char*, const char*> mistakes[] = {{"spacing = 0.02", "spacing = nan"}, {"spacing = 0.02", "spacing = 0"}, {"spacing = 0.02", "spacing = -1"}, {"young = 1e5", "young = inf"},
-                                                         {"young = 1e5", "young = 1e5\npoisson = 0.5"}, {"young = 1e5", "young = 1e5\ndensity = 0"}, {"young = 1e5", "young = 1e5\ndensity = -1"},
-                                                         {"young = 1e5", "young = 1e5\nviscosity = nan"}, {"[0.1, 0.1, 0.1]", "[0.1, 0.1, inf]"}, {"[0.1, 0.1, 0.1]", "[0.1, 0.1, -0.1]"}};
+  const std::string good =
+      "spacing = 0.02\n[material.m]\nyoung = 1e5\n[[body]]\nbox = { size = [0.1, 0.1, 0.1] }\nmaterial = "
+      "\"m\"\n";
+  const std::pair<const char*, const char*> mistakes[] = {{"spacing = 0.02", "spacing = nan"},
+                                                          {"spacing = 0.02", "spacing = 0"},
+                                                          {"spacing = 0.02", "spacing = -1"},
+                                                          {"young = 1e5", "young = inf"},
+                                                          {"young = 1e5", "young = 1e5\npoisson = 0.5"},
+                                                          {"young = 1e5", "young = 1e5\ndensity = 0"},
+                                                          {"young = 1e5", "young = 1e5\ndensity = -1"},
+                                                          {"young = 1e5", "young = 1e5\nviscosity = nan"},
+                                                          {"[0.1, 0.1, 0.1]", "[0.1, 0.1, inf]"},
+                                                          {"[0.1, 0.1, 0.1]", "[0.1, 0.1, -0.1]"}};
   int refused = 0;
   for (const auto& [what, by] : mistakes) {
     std::string text = good;
@@ -131,7 +153,10 @@ TEST(Stability, B28_NumbersThatSpread) {
       refused++;
     }
   }
-  measured("%d of 8 bad numbers of a running simulation found in their step, the particle named; %d of 10 in a scene refused with line and column", seen, refused);
+  measured(
+      "%d of 8 bad numbers of a running simulation found in their step, the particle named; %d of 10 in a "
+      "scene refused with line and column",
+      seen, refused);
 }
 
 }  // namespace thaw::test

@@ -1,5 +1,6 @@
-// Where the viscosity and surface tension of liquids of particles fail: rows of docs/validation/stability.md. Each test provokes the failure, shows that a naive implementation
-// falls into it where that is cheap, and holds thaw to what the table says.
+// Where the viscosity and surface tension of liquids of particles fail: rows of docs/validation/stability.md.
+// Each test provokes the failure, shows that a naive implementation falls into it where that is cheap, and
+// holds thaw to what the table says.
 #include "core/kernels/kernels.hpp"
 #include "tests/support/free_liquid.hpp"
 #include "tests/support/hashed.hpp"
@@ -22,12 +23,14 @@ Body& addBall(Scene& s, double radius, const Vec3d& centre = {}) {
 }  // namespace
 
 TEST(Stability, B11_ViscosityRatio) {
-  // two layers, viscosities 1 : 10^4, in the velocity field of their common shear flow: stress across the interface over that of the flow
+  // two layers, viscosities 1 : 10^4, in the velocity field of their common shear flow: stress across the
+  // interface over that of the flow
   const double mu[2] = {1, 1e4}, rate = 10;  // Pa s, Pa: tau = mu du/dz
   Scene s = columnScene(dx, 0, 16 * dx);
   s.materials.emplace_back(s.materials[0]);
   s.materials[1].name = "thick";
-  for (std::size_t k = 0; k < 2; k++) s.materials[k].viscosity = {mu[k], mu[k]}, s.materials[k].soundSpeed = 1;
+  for (std::size_t k = 0; k < 2; k++)
+    s.materials[k].viscosity = {mu[k], mu[k]}, s.materials[k].soundSpeed = 1;
   s.numerics.precision = Precision::Double;
   addBox(s, {0, 0, 0}, {6 * dx, 6 * dx, 8 * dx});
   addBox(s, {0, 0, 8 * dx}, {6 * dx, 6 * dx, 16 * dx}).material = 1;
@@ -43,16 +46,20 @@ TEST(Stability, B11_ViscosityRatio) {
   for (std::size_t i = 0; i < p.owned; i++)
     if (p.material[i] == 1) upper -= p.force[i].x;
   const double stress = upper / (36 * dx * dx) / rate;
-  const double arithmetic = stress * (mu[0] + mu[1]) * (mu[0] + mu[1]) / (4 * mu[0] * mu[1]);  // the same pairs with the other mean
+  // the same pairs with the other mean
+  const double arithmetic = stress * (mu[0] + mu[1]) * (mu[0] + mu[1]) / (4 * mu[0] * mu[1]);
   vote(run.w, run.halos(), run.tools, {}, {});
-  measured("stress across the interface over that of the flow: %.0f with the arithmetic mean, %.2f; the step is %.1e s (%s), 10^4 times shorter than for the thin layer alone", arithmetic, stress, run.w.clock.dt,
-           run.w.clock.limitedBy);
+  measured(
+      "stress across the interface over that of the flow: %.0f with the arithmetic mean, %.2f; the step is "
+      "%.1e s (%s), 10^4 times shorter than for the thin layer alone",
+      arithmetic, stress, run.w.clock.dt, run.w.clock.limitedBy);
   EXPECT_GT(arithmetic, 1000);
   EXPECT_NEAR(stress, 1, 0.35);
 }
 
 TEST(Stability, B11_ViscosityRatioImplicit) {
-  // the same layers sheared, the thick one's step: with the implicit solver that of sound, and the work of a step stays bounded
+  // the same layers sheared, the thick one's step: with the implicit solver that of sound, and the work of a
+  // step stays bounded
   double dt[2][2], iterations = 0, fastest = 0;
   std::int64_t unfinished = 0;
   for (const bool implicit : {false, true})
@@ -69,7 +76,9 @@ TEST(Stability, B11_ViscosityRatioImplicit) {
       Simulation run(s);
       Continuum& p = run.particles();
       for (std::size_t i = 0; i < p.owned; i++)
-        for (int a = 0; a < 3; a++) p.velocity[i][a] = 0.1 * (hashed(3 * p.id[i] + static_cast<std::uint64_t>(a)) - 0.5) + (a == 0 && p.material[i] == 0 ? 0.1 : 0);
+        for (int a = 0; a < 3; a++)
+          p.velocity[i][a] = 0.1 * (hashed(3 * p.id[i] + static_cast<std::uint64_t>(a)) - 0.5) +
+                             (a == 0 && p.material[i] == 0 ? 0.1 : 0);
       run.shortest = never;
       for (int n = 0; n < 100; n++) ASSERT_TRUE(run.step());
       dt[implicit][thick] = run.shortest;
@@ -78,8 +87,10 @@ TEST(Stability, B11_ViscosityRatioImplicit) {
       unfinished = run.w.counters.viscousUnfinished;
       for (std::size_t i = 0; i < p.owned; i++) fastest = std::max(fastest, length(p.velocity[i]));
     }
-  measured("step with viscosities 1 : 10^4 over that without the thick liquid: %.1e explicit, %.2f implicit (%.1e s; %.1f iterations a step, %lld unfinished)", dt[0][1] / dt[0][0], dt[1][1] / dt[1][0], dt[1][1], iterations,
-           static_cast<long long>(unfinished));
+  measured(
+      "step with viscosities 1 : 10^4 over that without the thick liquid: %.1e explicit, %.2f implicit (%.1e "
+      "s; %.1f iterations a step, %lld unfinished)",
+      dt[0][1] / dt[0][0], dt[1][1] / dt[1][0], dt[1][1], iterations, static_cast<long long>(unfinished));
   EXPECT_LT(dt[0][1], 0.01 * dt[1][1]);
   EXPECT_GT(dt[1][1], 0.8 * dt[1][0]);
   EXPECT_LT(iterations, 100);
@@ -88,7 +99,8 @@ TEST(Stability, B11_ViscosityRatioImplicit) {
 }
 
 TEST(Stability, B24_TensionOfInnerAndLonelyParticles) {
-  // with the printed colour field: no direction where there is no gradient; thaw leaves out |n| h < 0.3, and its own form has no normal
+  // with the printed colour field: no direction where there is no gradient; thaw leaves out |n| h < 0.3, and
+  // its own form has no normal
   for (const TensionForm form : {TensionForm::ColourField, TensionForm::Pairwise}) {
     Scene s = freeLiquid();
     s.materials[0].surfaceTension = 0.07;
@@ -99,11 +111,14 @@ TEST(Stability, B24_TensionOfInnerAndLonelyParticles) {
     Simulation run(s);
     Continuum& p = run.particles();
     for (std::size_t i = 0; i < p.owned; i++)
-      for (int a = 0; a < 3; a++) p.position[i][a] += 0.02 * dx * (hashed(3 * p.id[i] + static_cast<std::uint64_t>(a)) - 0.5);
+      for (int a = 0; a < 3; a++)
+        p.position[i][a] += 0.02 * dx * (hashed(3 * p.id[i] + static_cast<std::uint64_t>(a)) - 0.5);
     evaluate(run.w, run.halos(), run.tools, 0);
     double inner = 0, surface = 0, lonely = -1, noise = 0;
     for (std::size_t i = 0; i < p.owned; i++) {
-      const double f = length(p.force[i]), far = std::max({std::abs(p.position[i].x), std::abs(p.position[i].y), std::abs(p.position[i].z)});
+      const double f = length(p.force[i]),
+                   far = std::max(
+                       {std::abs(p.position[i].x), std::abs(p.position[i].y), std::abs(p.position[i].z)});
       if (far > 15 * dx) lonely = f;
       else if (far < 2.2 * dx) {
         inner = std::max(inner, f);
@@ -117,8 +132,14 @@ TEST(Stability, B24_TensionOfInnerAndLonelyParticles) {
         noise = std::max(noise, 0.07 * std::abs(laplacian) * dx * dx * dx);
       } else surface = std::max(surface, f);
     }
-    if (form == TensionForm::ColourField) measured("printed form: force on inner particles over the largest of the surface: %.2f without a threshold, %.1e; on a lonely one %.1e N", noise / surface, inner / surface, lonely);
-    else measured("pairwise form: on inner particles %.1e of the largest, on a lonely one %.1e N", inner / surface, lonely);
+    if (form == TensionForm::ColourField)
+      measured(
+          "printed form: force on inner particles over the largest of the surface: %.2f without a threshold, "
+          "%.1e; on a lonely one %.1e N",
+          noise / surface, inner / surface, lonely);
+    else
+      measured("pairwise form: on inner particles %.1e of the largest, on a lonely one %.1e N",
+               inner / surface, lonely);
     EXPECT_EQ(lonely, 0);
     EXPECT_LT(inner, 0.1 * surface);
     EXPECT_GT(surface, 0);
@@ -165,7 +186,8 @@ TEST(Stability, B32_DropThatPropelsItself) {
     const LedgerReport r = run.books();
     speed[!naive] = length(r.now.momentum) / r.now.mass;
   }
-  measured("speed of the centre of mass after 0.1 s: %.1e m/s with the colour field, %.1e", speed[0], speed[1]);
+  measured("speed of the centre of mass after 0.1 s: %.1e m/s with the colour field, %.1e", speed[0],
+           speed[1]);
   EXPECT_GT(speed[0], 1e-3);
   EXPECT_LT(speed[1], 1e-12);
 }

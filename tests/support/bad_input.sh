@@ -1,5 +1,6 @@
-# Shared by the tests of bad input, after run.sh: $1 is the build folder. Cases run on three ranks, beside each other; each wants the documented exit code, one clear
-# message (once, not once a rank), no crash, no hang. Ends with `allCases`.
+# Shared by the tests of bad input, after run.sh: $1 is the build folder. Cases run on three ranks, beside
+# each other; each wants the documented exit code, one clear message (once, not once a rank), no crash, no
+# hang. Ends with `allCases`.
 . "$(dirname "${BASH_SOURCE[0]}")/run.sh"
 limit=${LIMIT:-60}  # seconds a case may take
 
@@ -40,7 +41,8 @@ allEnded() {
   done
 }
 
-# calls thaw on three ranks: call COMMAND SCENE [options]; leaves the code in $code and what was said in $place/log
+# calls thaw on three ranks: call COMMAND SCENE [options]; leaves the code in $code and what was said in
+# $place/log
 call() {
   local command=$1 scene=$2
   shift 2

@@ -29,10 +29,13 @@ struct Dice {
   bool chance(double p) { return static_cast<double>(next() >> 11) * 0x1p-53 < p; }
 };
 
-inline double number(std::uint64_t a, std::uint64_t b, std::uint64_t c) { return static_cast<double>(spreadBits(spreadBits(a * 31 + b) + c) >> 12); }
+inline double number(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
+  return static_cast<double>(spreadBits(spreadBits(a * 31 + b) + c) >> 12);
+}
 inline BondRecord randomBond(std::uint64_t from, std::uint64_t to, double weight) {
   BondRecord r{to, {}, {}, weight};
-  for (std::uint64_t a = 0; a < 3; a++) r.reference[a] = number(from, to, a), r.reverse[a] = number(to, from, a + 3);
+  for (std::uint64_t a = 0; a < 3; a++)
+    r.reference[a] = number(from, to, a), r.reverse[a] = number(to, from, a + 3);
   return r;
 }
 
@@ -48,13 +51,18 @@ struct Rig {
   bool changedHere = false;
   std::set<std::size_t> turnedBefore;
 
-  Rig(std::size_t particles, std::uint64_t seed, std::size_t piece = largestPiece) : comm(MPI_COMM_WORLD, piece), dice{seed} {
-    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.id, &p.phase, &p.material, &p.slot}) p.activate(*c);
-    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&s.id, &s.particle, &s.material, &s.volume, &s.plasticInverse, &s.position, &s.liquid, &s.bared, &s.changed})
+  Rig(std::size_t particles, std::uint64_t seed, std::size_t piece = largestPiece)
+      : comm(MPI_COMM_WORLD, piece), dice{seed} {
+    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.id, &p.phase, &p.material, &p.slot})
+      p.activate(*c);
+    for (AnyColumn* c :
+         std::initializer_list<AnyColumn*>{&s.id, &s.particle, &s.material, &s.volume, &s.plasticInverse,
+                                           &s.position, &s.liquid, &s.bared, &s.changed})
       s.activate(*c);
     b.twoFrames = true;
     model.resize(particles);
-    for (ModelParticle& m : model) m.owner = static_cast<int>(dice.below(static_cast<std::size_t>(comm.size())));
+    for (ModelParticle& m : model)
+      m.owner = static_cast<int>(dice.below(static_cast<std::size_t>(comm.size())));
     for (std::size_t i = 0; i < model.size(); i++)
       if (model[i].owner == comm.rank()) addParticle(i);
     sort({});
@@ -74,12 +82,14 @@ struct Rig {
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < p.owned; i++)
       if (!std::binary_search(without.begin(), without.end(), i)) order.push_back(i);
-    std::sort(order.begin(), order.end(), [&](auto i, auto j) { return spreadBits(p.id[i]) < spreadBits(p.id[j]); });
+    std::sort(order.begin(), order.end(),
+              [&](auto i, auto j) { return spreadBits(p.id[i]) < spreadBits(p.id[j]); });
     p.reorder(order);
     linkSlots(p, s);
   }
 
-  /// Every particle gets a new owner with this chance (the target, or any if it is negative), or leaves the domain.
+  /// Every particle gets a new owner with this chance (the target, or any if it is negative), or leaves the
+  /// domain.
   void migrate(double chance, int target, double leaving) {
     Migration m;
     std::vector<int> before;
@@ -90,7 +100,8 @@ struct Rig {
         model[i].gone = true;
         remove(i);
       } else if (dice.chance(chance)) {
-        model[i].owner = target >= 0 ? target : static_cast<int>(dice.below(static_cast<std::size_t>(comm.size())));
+        model[i].owner = target >= 0 ? target
+                                     : static_cast<int>(dice.below(static_cast<std::size_t>(comm.size())));
       }
     }
     for (std::uint32_t i = 0; i < p.owned; i++) {
@@ -118,7 +129,8 @@ struct Rig {
   /// Bonds (id, id of the other end) that are so go, and leave their end bare.
   template<class Is> void erase(Is is) {
     for (std::size_t i = 0; i < model.size(); i++)
-      if (std::erase_if(model[i].bonds, [&](const ModelBond& x) { return is(idOf(i), x.to); }) > 0) model[i].bare = true;
+      if (std::erase_if(model[i].bonds, [&](const ModelBond& x) { return is(idOf(i), x.to); }) > 0)
+        model[i].bare = true;
   }
 
   void meltAndFreeze(double melt, double freeze) {
@@ -145,7 +157,9 @@ struct Rig {
 
   void breakSome(double chance) {
     std::set<std::pair<std::uint64_t, std::uint64_t>> broken;
-    const auto key = [](std::uint64_t i, std::uint64_t j) { return std::pair{std::min(i, j), std::max(i, j)}; };
+    const auto key = [](std::uint64_t i, std::uint64_t j) {
+      return std::pair{std::min(i, j), std::max(i, j)};
+    };
     for (std::size_t i = 0; i < model.size(); i++)
       for (const ModelBond& x : model[i].bonds)
         if (dice.chance(chance)) broken.insert(key(idOf(i), x.to));
@@ -177,7 +191,11 @@ struct Rig {
     if (model[from].owner == comm.rank()) {
       const BondRecord r = randomBond(idOf(from), idOf(to), weight);
       const std::uint32_t slot = halo->graph().rowOf(idOf(from));
-      mine.push_back({slot, r.neighbourId, {r.reference[0], r.reference[1], r.reference[2]}, {r.reverse[0], r.reverse[1], r.reverse[2]}, weight});
+      mine.push_back({slot,
+                      r.neighbourId,
+                      {r.reference[0], r.reference[1], r.reference[2]},
+                      {r.reverse[0], r.reverse[1], r.reverse[2]},
+                      weight});
     }
     if (from != to && model[to].solid) model[from].bonds.push_back({idOf(to), weight});
   }
@@ -228,7 +246,8 @@ struct Rig {
         ASSERT_EQ(b.weight[at], e.weight);
         ASSERT_TRUE(b.x[at] == r.reference[0] && b.y[at] == r.reference[1] && b.z[at] == r.reference[2]);
         ASSERT_TRUE(b.rx[at] == r.reverse[0] && b.ry[at] == r.reverse[1] && b.rz[at] == r.reverse[2]);
-        sum = spreadBits(sum + e.to) + static_cast<std::uint64_t>(e.weight) * 2 + (b.neighbour[at] >= s.owned);
+        sum = spreadBits(sum + e.to) + static_cast<std::uint64_t>(e.weight) * 2 +
+              (b.neighbour[at] >= s.owned);
       }
       ASSERT_EQ(n, m.bonds.size()) << "particle " << indexOf(id);
       if (s.changed[slot]) digest[slot] = sum;
@@ -249,11 +268,13 @@ struct Rig {
     AnyColumn* columns[] = {&s.liquid, &s.position};
     halo->begin(s, columns);
     halo->finish(s);
-    std::int64_t sums[2] = {comm.traffic()[MessagesFor::Bonds].bytes - before, static_cast<std::int64_t>(s.ghosts) * 28};
+    std::int64_t sums[2] = {comm.traffic()[MessagesFor::Bonds].bytes - before,
+                            static_cast<std::int64_t>(s.ghosts) * 28};
     MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_INT64_T, MPI_SUM, comm.handle());
     ASSERT_EQ(sums[0], sums[1]);
     for (std::size_t r = s.owned; r < s.size(); r++) {
-      ASSERT_TRUE((s.position[r] == Vec3d{number(s.id[r], salt, 0), number(s.id[r], salt, 1), 1})) << "remote row of particle " << indexOf(s.id[r]);
+      ASSERT_TRUE((s.position[r] == Vec3d{number(s.id[r], salt, 0), number(s.id[r], salt, 1), 1}))
+          << "remote row of particle " << indexOf(s.id[r]);
       ASSERT_EQ(s.liquid[r], static_cast<float>(s.id[r] % 97));
     }
   }

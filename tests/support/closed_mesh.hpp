@@ -11,7 +11,9 @@ namespace thaw {
 inline void expectClosed(const TriangleMesh& mesh) {
   const AlignedVector<EdgeSide> sides = edgeSides(mesh);
   std::size_t wrong = 0;
-  forEachEdge(sides, [&](std::size_t first, std::size_t last) { wrong += last - first != 2 || sides[first].sign + sides[first + 1].sign != 0; });
+  forEachEdge(sides, [&](std::size_t first, std::size_t last) {
+    wrong += last - first != 2 || sides[first].sign + sides[first + 1].sign != 0;
+  });
   EXPECT_EQ(wrong, 0u);
   for (const auto& t : mesh.triangles) EXPECT_TRUE(t[0] != t[1] && t[1] != t[2] && t[2] != t[0]);
 }
@@ -21,7 +23,8 @@ inline std::vector<double> shellVolumes(const TriangleMesh& mesh) {
   DisjointSets sets(mesh.vertices.size());
   for (const auto& t : mesh.triangles) sets.join(t[0], t[1]), sets.join(t[1], t[2]);
   std::vector<double> of(mesh.vertices.size()), shells;
-  for (const auto& t : mesh.triangles) of[sets.find(t[0])] += dot(mesh.vertices[t[0]], cross(mesh.vertices[t[1]], mesh.vertices[t[2]])) / 6;
+  for (const auto& t : mesh.triangles)
+    of[sets.find(t[0])] += dot(mesh.vertices[t[0]], cross(mesh.vertices[t[1]], mesh.vertices[t[2]])) / 6;
   for (std::uint32_t v = 0; v < of.size(); v++)
     if (sets.find(v) == v) shells.push_back(of[v]);
   return shells;

@@ -22,7 +22,8 @@ std::atomic<long> allocations{0}, allocatedBytes{0};
   if (void* p = std::aligned_alloc(align, (n + align - 1) / align * align)) return p;
   throw std::bad_alloc();
 }
-[[gnu::noinline]] void* operator new(std::size_t n, const std::nothrow_t&) noexcept {  // what std::inplace_merge asks for
+// what std::inplace_merge asks for
+[[gnu::noinline]] void* operator new(std::size_t n, const std::nothrow_t&) noexcept {
   allocations++;
   allocatedBytes += static_cast<long>(n);
   return std::malloc(n > 0 ? n : 1);

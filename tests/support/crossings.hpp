@@ -14,7 +14,8 @@ inline double volumeOf(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec
   return std::abs(six) > 1e-12 * length(u) * length(v) * length(w) ? six : 0;
 }
 
-/// Places of all vertices of a sheet, by their numbers; those that have left are where they were at the start.
+/// Places of all vertices of a sheet, by their numbers; those that have left are where they were at the
+/// start.
 inline std::vector<Vec3d> verticesOf(const World& w, std::size_t sheet) {
   std::vector<Vec3d> x = w.sheets.plans[sheet].mesh.vertices;
   const Sheets& s = w.sheets.rows;
@@ -34,8 +35,12 @@ inline int countCrossings(const World& w, std::size_t one, std::size_t other) {
   for (const auto& [p, q] : edges) longest = std::max(longest, length(x[p] - x[q]));
   for (const auto& t : b)
     for (std::size_t k = 0; k < 3; k++) longest = std::max(longest, length(y[t[k]] - y[t[(k + 1) % 3]]));
-  const auto cube = [&](const Vec3d& at) { return std::array<long, 3>{std::lround(at.x / longest), std::lround(at.y / longest), std::lround(at.z / longest)}; };
-  std::map<std::array<long, 3>, std::vector<std::size_t>> near;  // triangles by the cube of their first corner
+  const auto cube = [&](const Vec3d& at) {
+    return std::array<long, 3>{std::lround(at.x / longest), std::lround(at.y / longest),
+                               std::lround(at.z / longest)};
+  };
+  std::map<std::array<long, 3>, std::vector<std::size_t>> near;  // triangles by the cube of their first
+                                                                 // corner
   for (std::size_t k = 0; k < b.size(); k++) near[cube(y[b[k][0]])].push_back(k);
   int crossings = 0;
   for (const auto& [p, q] : edges) {
@@ -47,10 +52,12 @@ inline int countCrossings(const World& w, std::size_t one, std::size_t other) {
           if (at == near.end()) continue;
           for (const std::size_t n : at->second) {
             const auto& t = b[n];
-            if (one == other && (t[0] == p || t[1] == p || t[2] == p || t[0] == q || t[1] == q || t[2] == q)) continue;
+            if (one == other && (t[0] == p || t[1] == p || t[2] == p || t[0] == q || t[1] == q || t[2] == q))
+              continue;
             const Vec3d &c = y[t[0]], &d = y[t[1]], &e = y[t[2]];
             if (!(volumeOf(c, d, e, x[p]) * volumeOf(c, d, e, x[q]) < 0)) continue;
-            const double u = volumeOf(x[p], x[q], c, d), v = volumeOf(x[p], x[q], d, e), r = volumeOf(x[p], x[q], e, c);
+            const double u = volumeOf(x[p], x[q], c, d), v = volumeOf(x[p], x[q], d, e),
+                         r = volumeOf(x[p], x[q], e, c);
             if ((u > 0 && v > 0 && r > 0) || (u < 0 && v < 0 && r < 0)) crossings++;
           }
         }

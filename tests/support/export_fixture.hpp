@@ -15,14 +15,17 @@ namespace fs = std::filesystem;
 
 class Export : public testing::Test {
  protected:
-  fs::path folder = fs::path(testing::TempDir()) / ("thaw_export_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  fs::path folder = fs::path(testing::TempDir()) /
+                    ("thaw_export_" +
+                     std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
   SurfelSamples surfels;
   Export() {
     fs::remove_all(folder);
     fs::create_directories(folder / "frames");
     sampleBall(surfels, {0, 0, 0.5}, 0.5, 0.05, 3);
     sampleBall(surfels, {2, 0, 0.5}, 0.2, 0.05, 9);
-    for (std::size_t i = 0; i < surfels.size(); i++) surfels.temperature[i] = 300 + 100 * surfels.positions[i].z;
+    for (std::size_t i = 0; i < surfels.size(); i++)
+      surfels.temperature[i] = 300 + 100 * surfels.positions[i].z;
   }
   ~Export() override { fs::remove_all(folder); }
 
@@ -41,7 +44,8 @@ class Export : public testing::Test {
     writeFrame(path.string(), MPI_COMM_SELF, frame, {});
     return path;
   }
-  int run(const fs::path& input, const std::string& as, const fs::path& out = {}, const std::string& field = "surface") {
+  int run(const fs::path& input, const std::string& as, const fs::path& out = {},
+          const std::string& field = "surface") {
     ExportOptions o;
     o.input = input, o.as = as, o.out = out, o.field = field;
     return exportCommand(o);
@@ -58,9 +62,7 @@ inline std::string contentOf(const fs::path& path) {
 template<class F> std::string errorOf(F what) {
   try {
     what();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
+  } catch (const std::exception& error) { return error.what(); }
   return "no error";
 }
 

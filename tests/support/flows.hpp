@@ -20,19 +20,22 @@ struct PlateFlow {
     s.end = end;
     return s;
   }
-  /// m/s along x at height z and the end of the scene: the parabola less the series of what has not yet started (start-up of Poiseuille flow, Morris et al. 1997).
+  /// m/s along x at height z and the end of the scene: the parabola less the series of what has not yet
+  /// started (start-up of Poiseuille flow, Morris et al. 1997).
   double exact(double z) const {
     const double nu = kinematicViscosity, H = height;
     double u = gravity / (2 * nu) * z * (H - z);
     for (int n = 1; n < 40; n += 2)
-      u -= 4 * gravity * H * H / (nu * std::pow(M_PI * n, 3)) * std::sin(n * M_PI * z / H) * std::exp(-n * n * M_PI * M_PI * nu * end / (H * H));
+      u -= 4 * gravity * H * H / (nu * std::pow(M_PI * n, 3)) * std::sin(n * M_PI * z / H) *
+           std::exp(-n * n * M_PI * M_PI * nu * end / (H * H));
     return u;
   }
   /// Root mean square error of the velocity, as a share of the fastest of the parabola.
   double error(const Continuum& p) const {
     const double fastest = gravity * height * height / (8 * kinematicViscosity);
     double square = 0;
-    for (std::size_t i = 0; i < p.owned; i++) square += std::pow((p.velocity[i].x - exact(p.position[i].z)) / fastest, 2);
+    for (std::size_t i = 0; i < p.owned; i++)
+      square += std::pow((p.velocity[i].x - exact(p.position[i].z)) / fastest, 2);
     return std::sqrt(square / static_cast<double>(p.owned));
   }
 };

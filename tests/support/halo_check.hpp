@@ -1,4 +1,5 @@
-// Cell halos against brute force: every rank knows all particles (a function of the id) and works out itself what it must hold.
+// Cell halos against brute force: every rank knows all particles (a function of the id) and works out itself
+// what it must hold.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -61,15 +62,19 @@ struct HaloRig {
 
   HaloRig(const Cloud& cloud, CellHalo& halo, Reducer& all) : cloud(cloud), halo(halo), all(all) {
     Continuum& p = particles;
-    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.id, &p.position, &p.velocity, &p.material, &p.clamped, &p.liquid, &p.cell,
-                                                          &p.nextCell, &p.slot, &p.filling})
+    for (AnyColumn* c :
+         std::initializer_list<AnyColumn*>{&p.id, &p.position, &p.velocity, &p.material, &p.clamped,
+                                           &p.liquid, &p.cell, &p.nextCell, &p.slot, &p.filling})
       p.activate(*c);
   }
-  /// The share that a rank starts with: anything, not what it owns. spread: over all ranks, else all on the last one.
+  /// The share that a rank starts with: anything, not what it owns. spread: over all ranks, else all on the
+  /// last one.
   void start(bool spread) {
     std::vector<std::uint64_t> mine;
     for (std::uint64_t id = 0; id < cloud.number; id++)
-      if ((spread ? static_cast<int>(id % static_cast<std::uint64_t>(all.size())) : all.size() - 1) == all.rank()) mine.push_back(id);
+      if ((spread ? static_cast<int>(id % static_cast<std::uint64_t>(all.size())) : all.size() - 1) ==
+          all.rank())
+        mine.push_back(id);
     particles.resize(mine.size(), 0);
     for (std::size_t i = 0; i < mine.size(); i++) {
       particles.id[i] = mine[i];
@@ -103,7 +108,8 @@ struct HaloRig {
     }
     computeCellKeys(cloud.grid, particles);
     sortByCell(particles, m, sort, cells);
-    std::vector<AnyColumn*> columns{&particles.id, &particles.position, &particles.clamped, &particles.material};
+    std::vector<AnyColumn*> columns{&particles.id, &particles.position, &particles.clamped,
+                                    &particles.material};
     halo.beginGhosts(particles, cells, columns);
     halo.finishGhosts(particles, cells);
   }
@@ -130,11 +136,14 @@ struct HaloRig {
       for (d.y = -1; d.y <= 1; d.y++)
         for (d.x = -1; d.x <= 1; d.x++) {
           const Vec3i b = c + d;
-          if (b.x >= 0 && b.y >= 0 && b.z >= 0 && b.x < n.x && b.y < n.y && b.z < n.z && halo.owns(cellKey(b))) return true;
+          if (b.x >= 0 && b.y >= 0 && b.z >= 0 && b.x < n.x && b.y < n.y && b.z < n.z &&
+              halo.owns(cellKey(b)))
+            return true;
         }
     return false;
   }
-  /// Ghosts are exactly the particles in cells around ours, images included; cells are in order, contiguous, sorted by id.
+  /// Ghosts are exactly the particles in cells around ours, images included; cells are in order, contiguous,
+  /// sorted by id.
   void checkGhosts() {
     const CellGrid& g = cloud.grid;
     std::map<std::pair<std::uint64_t, std::uint64_t>, Vec3d> expected;  // (key, id) -> position
@@ -144,7 +153,8 @@ struct HaloRig {
       for (s.z = -1; s.z <= 1; s.z++)
         for (s.y = -1; s.y <= 1; s.y++)
           for (s.x = -1; s.x <= 1; s.x++) {
-            if ((s.x != 0 && !g.periodic[0]) || (s.y != 0 && !g.periodic[1]) || (s.z != 0 && !g.periodic[2])) continue;
+            if ((s.x != 0 && !g.periodic[0]) || (s.y != 0 && !g.periodic[1]) || (s.z != 0 && !g.periodic[2]))
+              continue;
             if (s == Vec3i{} && halo.owns(cellKey(c))) continue;
             const Vec3i seen{c.x + s.x * g.cells.x, c.y + s.y * g.cells.y, c.z + s.z * g.cells.z};
             if (!touchesOurs(seen)) continue;

@@ -1,4 +1,5 @@
-// Blocks of particles for tests: a cubic lattice with hashed jitter, sorted and with neighbour lists, without MPI.
+// Blocks of particles for tests: a cubic lattice with hashed jitter, sorted and with neighbour lists, without
+// MPI.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -25,7 +26,8 @@ struct Block {
   SearchBuffers search;
   SortBuffers sort;
 
-  explicit Block(int n, double jitter, double support = 2, Precision precision = Precision::Single, KernelKind kernel = KernelKind::WendlandC2, double s = 0.01) {
+  explicit Block(int n, double jitter, double support = 2, Precision precision = Precision::Single,
+                 KernelKind kernel = KernelKind::WendlandC2, double s = 0.01) {
     scene.spacing = s;
     scene.numerics.support = support;
     scene.numerics.precision = precision;
@@ -47,7 +49,8 @@ struct Block {
     p.resize(N, 0);
     for (std::size_t q = 0; q < N; q++) {
       const std::size_t at = (q * 7919) % N;  // ids are not in the order of places
-      const double c[3] = {static_cast<double>(at % n), static_cast<double>(at / n % n), static_cast<double>(at / n / n)};
+      const double c[3] = {static_cast<double>(at % n), static_cast<double>(at / n % n),
+                           static_cast<double>(at / n / n)};
       for (int a = 0; a < 3; a++) {
         p.position[q][a] = s * (c[a] + 0.5 + jitter * (2 * hashed(3 * q + a) - 1));
         p.velocity[q][a] = hashed(1000003 * q + a) - 0.5;

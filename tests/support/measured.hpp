@@ -7,7 +7,8 @@
 
 namespace thaw::test {
 
-/// Prints a line "measured: TEST: ..." and keeps it in the test's record. `build/release/tests/stability | grep '^measured'` lists them all.
+/// Prints a line "measured: TEST: ..." and keeps it in the test's record. `build/release/tests/stability |
+/// grep '^measured'` lists them all.
 [[gnu::format(printf, 1, 2)]] inline void measured(const char* format, ...) {
   char text[400];
   va_list list;

@@ -1,5 +1,5 @@
-// main of the MPI tests: every rank runs every test; a failure on any rank fails the run on all. Rank 0 reports as usual, the others
-// print their failures only.
+// main of the MPI tests: every rank runs every test; a failure on any rank fails the run on all. Rank 0
+// reports as usual, the others print their failures only.
 #include <gtest/gtest.h>
 #include <mpi.h>
 
@@ -11,7 +11,9 @@ class FailuresOnly : public testing::EmptyTestEventListener {
  public:
   explicit FailuresOnly(int rank) : rank_(rank) {}
   void OnTestPartResult(const testing::TestPartResult& r) override {
-    if (r.failed()) std::printf("rank %d: %s:%d: %s\n", rank_, r.file_name() ? r.file_name() : "?", r.line_number(), r.message());
+    if (r.failed())
+      std::printf("rank %d: %s:%d: %s\n", rank_, r.file_name() ? r.file_name() : "?", r.line_number(),
+                  r.message());
   }
 
  private:

@@ -14,7 +14,8 @@
 
 namespace thaw::test {
 
-inline const bool romio = (useRomio(), std::signal(SIGXFSZ, SIG_IGN), true);  ///< before MPI_Init, which is in main
+/// before MPI_Init, which is in main
+inline const bool romio = (useRomio(), std::signal(SIGXFSZ, SIG_IGN), true);
 
 inline std::string bytesOfFile(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
@@ -26,9 +27,7 @@ inline std::string sameError(const std::function<void()>& work) {
   std::string message;
   try {
     work();
-  } catch (const IoError& e) {
-    message = e.what();
-  }
+  } catch (const IoError& e) { message = e.what(); }
   std::uint64_t hash = std::hash<std::string>{}(message), low = hash, high = hash;
   MPI_Allreduce(MPI_IN_PLACE, &low, 1, MPI_UINT64_T, MPI_MIN, MPI_COMM_WORLD);
   MPI_Allreduce(MPI_IN_PLACE, &high, 1, MPI_UINT64_T, MPI_MAX, MPI_COMM_WORLD);

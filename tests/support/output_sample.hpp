@@ -15,8 +15,16 @@
 
 namespace thaw::test {
 
-inline int rankOf(MPI_Comm comm = MPI_COMM_WORLD) { int r; MPI_Comm_rank(comm, &r); return r; }
-inline int sizeOf(MPI_Comm comm = MPI_COMM_WORLD) { int s; MPI_Comm_size(comm, &s); return s; }
+inline int rankOf(MPI_Comm comm = MPI_COMM_WORLD) {
+  int r;
+  MPI_Comm_rank(comm, &r);
+  return r;
+}
+inline int sizeOf(MPI_Comm comm = MPI_COMM_WORLD) {
+  int s;
+  MPI_Comm_size(comm, &s);
+  return s;
+}
 
 /// A folder that all ranks share, removed at the end.
 struct Folder {
@@ -37,21 +45,32 @@ struct Folder {
 struct Some {
   MPI_Comm comm = MPI_COMM_NULL;
   explicit Some(int n) { MPI_Comm_split(MPI_COMM_WORLD, rankOf() < n ? 0 : MPI_UNDEFINED, rankOf(), &comm); }
-  ~Some() { if (comm != MPI_COMM_NULL) MPI_Comm_free(&comm); }
+  ~Some() {
+    if (comm != MPI_COMM_NULL) MPI_Comm_free(&comm);
+  }
   bool in() const { return comm != MPI_COMM_NULL; }
 };
 
 inline double hashed(std::uint64_t x) {
-  x ^= x >> 33; x *= 0xff51afd7ed558ccdull; x ^= x >> 33; x *= 0xc4ceb9fe1a85ec53ull; x ^= x >> 33;
+  x ^= x >> 33;
+  x *= 0xff51afd7ed558ccdull;
+  x ^= x >> 33;
+  x *= 0xc4ceb9fe1a85ec53ull;
+  x ^= x >> 33;
   return static_cast<double>(x >> 11) * 0x1p-53 - 0.5;
 }
 
 /// Rank of a particle: uneven, some ranks with nothing.
-inline int ownerOf(std::uint64_t id, int ranks) { return static_cast<int>((id / 7) % static_cast<std::uint64_t>(ranks > 2 ? ranks - 1 : ranks)); }
+inline int ownerOf(std::uint64_t id, int ranks) {
+  return static_cast<int>((id / 7) % static_cast<std::uint64_t>(ranks > 2 ? ranks - 1 : ranks));
+}
 inline bool solidAt(std::uint64_t id) { return id % 3 != 0; }
-inline Mat3d plasticInverseOf(std::uint64_t id) { return {{{0.1 * hashed(id), 0.02, 0.03}, {0.04, 0.05, 0.06}, {0.07, 0.08, 0.09}}}; }
+inline Mat3d plasticInverseOf(std::uint64_t id) {
+  return {{{0.1 * hashed(id), 0.02, 0.03}, {0.04, 0.05, 0.06}, {0.07, 0.08, 0.09}}};
+}
 
-/// A world whose every number depends on ids only: N particles, two thirds of them solid, bonded to up to three others on any rank.
+/// A world whose every number depends on ids only: N particles, two thirds of them solid, bonded to up to
+/// three others on any rank.
 struct Sample {
   World w;
   Sample(MPI_Comm comm, std::uint64_t N, bool twoFrames = true) {
@@ -83,7 +102,8 @@ struct Sample {
     for (std::size_t i = 0; i < mine.size(); i++) {
       for (AnyColumn* c : p.columns)
         if (c->keep == Keep::State)
-          for (std::size_t b = 0; b < c->elementBytes; b++) c->bytes[i * c->elementBytes + b] = std::byte(std::uint8_t(37 * mine[i] + 11 * b));
+          for (std::size_t b = 0; b < c->elementBytes; b++)
+            c->bytes[i * c->elementBytes + b] = std::byte(std::uint8_t(37 * mine[i] + 11 * b));
       p.id[i] = mine[i];
       p.position[i] = {hashed(mine[i]), hashed(mine[i] + 1000), hashed(mine[i] + 2000)};
       p.velocity[i] = 2.0 * p.position[i];

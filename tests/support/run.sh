@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Shared by the script tests: $1 is the build folder. Sets thaw, scenes, work (a fresh folder, removed at the end), and functions.
+# Shared by the script tests: $1 is the build folder. Sets thaw, scenes, work (a fresh folder, removed at the
+# end), and functions.
 set -u
 build=$(cd "$1" && pwd)
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -55,7 +56,8 @@ expectExit() {  # expectExit CODE WHAT: of the last command, whose output is in 
   [ "$code" -eq "$1" ] || { fail "$2: exit $code, not $1"; tail -n 5 "$work/log"; }
 }
 expectMessage() { grep -q -e "$1" "$work/log" || { fail "$2: no message '$1'"; tail -n 5 "$work/log"; }; }
-# sameRuns A B WHAT FILE...: the last checkpoints and all frames of two runs, and these files in their folders byte by byte
+# sameRuns A B WHAT FILE...: the last checkpoints and all frames of two runs, and these files in their folders
+# byte by byte
 sameRuns() {
   local a=$1 b=$2 what=$3 name
   shift 3
@@ -65,7 +67,8 @@ sameRuns() {
   done
 }
 same() { sameRuns "$1" "$2" "$3"; }  # same A B WHAT: what is to be the same of two runs; a test may define it anew
-# runInParts NAME CUTS SCENE OPTIONS...: into $work/NAME.parts, to each of the steps in CUTS in turn on 3, 2, 4, 3, ... ranks
+# runInParts NAME CUTS SCENE OPTIONS...: into $work/NAME.parts, to each of the steps in CUTS in turn on 3, 2,
+# 4, 3, ... ranks
 runInParts() {
   local name=$1 cuts=$2 ranks=(3 2 4) part=0 cut
   shift 2
@@ -74,8 +77,8 @@ runInParts() {
     [ -f "$work/$name.parts/summary.json" ] && [ "$(value "$work/$name.parts/summary.json" step)" -le "$cut" ] || fail "$name: not cut at step $cut"
   done
 }
-# cutAndKilled NAME STEPS SCENE OPTIONS...: into $work/NAME.parts, on 3 ranks to a third of the steps, on 2 until it is killed with -9 in the midst of
-# whatever it does then, and on 4 to the end
+# cutAndKilled NAME STEPS SCENE OPTIONS...: into $work/NAME.parts, on 3 ranks to a third of the steps, on 2
+# until it is killed with -9 in the midst of whatever it does then, and on 4 to the end
 cutAndKilled() {
   local name=$1 steps=$2 scene=$3 third=$(($2 / 3)) parts=$work/$1.parts at
   shift 3
@@ -89,8 +92,9 @@ cutAndKilled() {
   echo "$name: killed at step $at of $steps"
   launch 4 run "$scene" "$@" --steps "$steps" --resume --out "$parts" >"$work/log" 2>&1; expectExit 0 "$name, last part"
 }
-# sameOnAllRanks NAME STEPS CUTS SCENE OPTIONS...: a whole run on 7 ranks, and one in parts on 3, 2 and 4, end as the whole one on 1 does (`same`). CUTS:
-# the steps after which it is cut; - for a third and two thirds; killed for cutAndKilled. ALL_RANKS=1: whole runs on 2, 3 and 4 as well.
+# sameOnAllRanks NAME STEPS CUTS SCENE OPTIONS...: a whole run on 7 ranks, and one in parts on 3, 2 and 4, end
+# as the whole one on 1 does (`same`). CUTS: the steps after which it is cut; - for a third and two thirds;
+# killed for cutAndKilled. ALL_RANKS=1: whole runs on 2, 3 and 4 as well.
 # Leaves the runs in $work/NAME.1, NAME.7 and NAME.parts.
 sameOnAllRanks() {
   local name=$1 steps=$2 cuts=$3 file=$4 ranks one

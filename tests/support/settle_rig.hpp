@@ -13,13 +13,15 @@
 
 namespace thaw::test {
 
-/// A world that holds only what a surface update reads: spacing dx = 1, particles as copies (component 1, liquid 1), surfels.
+/// A world that holds only what a surface update reads: spacing dx = 1, particles as copies (component 1,
+/// liquid 1), surfels.
 struct SettleRig {
   World w;
   std::unique_ptr<SerialSurfaceRanks> ranks;
   SurfaceTools tools;
 
-  explicit SettleRig(double surfelSpacing = 0.5, double half = 24, const std::function<void(Scene&)>& change = {}) {
+  explicit SettleRig(double surfelSpacing = 0.5, double half = 24,
+                     const std::function<void(Scene&)>& change = {}) {
     w.scene.spacing = 1;
     w.scene.domain.min = {-half, -half, -half};
     w.scene.domain.max = {half, half, half};
@@ -52,7 +54,8 @@ struct SettleRig {
     s.id[i] = 1000 + i;
     s.position[i] = x;
     s.normal[i] = normalized(n);
-    s.tangent[i] = normalized(cross(s.normal[i], std::abs(s.normal[i].x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0}));
+    s.tangent[i] = normalized(
+        cross(s.normal[i], std::abs(s.normal[i].x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0}));
     s.radius[i] = w.surface.spacing;
     s.component[i] = component;
     s.detail[i] = 1;
@@ -65,15 +68,19 @@ struct SettleRig {
         for (int x = -half; x <= half; x++)
           if (const Vec3d p = Vec3d{double(x), double(y), double(z)} + shift; inside(p)) addParticle(p);
   }
-  /// Surfels on a ball in a spiral, about one for each spacing^2 cos 30 degrees of it, moved off it by up to `noise`.
+  /// Surfels on a ball in a spiral, about one for each spacing^2 cos 30 degrees of it, moved off it by up to
+  /// `noise`.
   void addBallSurfels(double radius, double noise = 0, std::uint64_t component = 1) {
     const double pi = 3.14159265358979323846, d = w.surface.spacing;
     const int n = static_cast<int>(4 * pi * radius * radius / (0.866 * d * d));
     for (int k = 0; k < n; k++) {
       const double z = 1 - (2 * k + 1.0) / n, a = k * pi * (3 - std::sqrt(5.0)), r = std::sqrt(1 - z * z);
       const Vec3d e{r * std::cos(a), r * std::sin(a), z};
-      const auto random = [&](std::uint64_t c) { return 2 * randomUniform(1, Purpose::Test, static_cast<std::uint64_t>(k), c) - 1; };
-      addSurfel((radius + noise * random(0)) * e + noise * Vec3d{random(1), random(2), random(3)}, e, component);
+      const auto random = [&](std::uint64_t c) {
+        return 2 * randomUniform(1, Purpose::Test, static_cast<std::uint64_t>(k), c) - 1;
+      };
+      addSurfel((radius + noise * random(0)) * e + noise * Vec3d{random(1), random(2), random(3)}, e,
+                component);
     }
   }
   void place() {
@@ -81,16 +88,22 @@ struct SettleRig {
     placeRows(w.surface.grid, ranks->particles, w.surface.particles, w.surface.particleCells, tools.sort);
     tools.relax.particlesReady = false;
   }
-  Settled settle(std::int64_t iterations, bool all = true) { return thaw::settle(w, ranks->halos(), tools, forceWeights(w.scene.surface), iterations, all); }
+  Settled settle(std::int64_t iterations, bool all = true) {
+    return thaw::settle(w, ranks->halos(), tools, forceWeights(w.scene.surface), iterations, all);
+  }
 };
 
 /// How far surfels are from a ball around the origin: lengths over its radius, angles in degrees.
-struct BallErrors { double hausdorff = 0, mean = 0, normalMean = 0, normalMax = 0, volume = 0; };
+struct BallErrors {
+  double hausdorff = 0, mean = 0, normalMean = 0, normalMax = 0, volume = 0;
+};
 inline BallErrors ballErrors(const Surfels& s, double radius) {
   BallErrors e;
   const double n = static_cast<double>(s.owned);
   for (std::size_t i = 0; i < s.owned; i++) {
-    const double r = length(s.position[i]), angle = std::acos(std::clamp(dot(s.normal[i], s.position[i]) / r, -1.0, 1.0)) * 57.29577951308232;
+    const double r = length(s.position[i]),
+                 angle = std::acos(std::clamp(dot(s.normal[i], s.position[i]) / r, -1.0, 1.0)) *
+                         57.29577951308232;
     e.hausdorff = std::max(e.hausdorff, std::abs(r - radius) / radius);
     e.mean += (r - radius) / radius / n;
     e.normalMean += angle / n;

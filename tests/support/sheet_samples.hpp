@@ -41,14 +41,17 @@ inline double energyOf(Simulation& sim) {
   return sum;
 }
 
-/// Bends and stretches the sheets of a scene; every seventh vertex' force has to be the slope of the energy there.
+/// Bends and stretches the sheets of a scene; every seventh vertex' force has to be the slope of the energy
+/// there.
 inline void expectForcesFromEnergy(const Scene& s, double time = 0) {
   Simulation sim(s);
   sim.w.clock.time = time;
   Sheets& v = sim.w.sheets.rows;
   for (std::size_t i = 0; i < v.owned; i++) {
     const Vec3d x = v.position[i];
-    v.position[i] = x + Vec3d{0.03 * std::sin(7 * x.y), 0.02 * std::cos(5 * x.x), 0.05 * std::sin(6 * x.x + 3 * x.y)} * 0.5;
+    v.position[i] = x + Vec3d{0.03 * std::sin(7 * x.y), 0.02 * std::cos(5 * x.x),
+                              0.05 * std::sin(6 * x.x + 3 * x.y)} *
+                            0.5;
   }
   energyOf(sim);
   const std::size_t n = v.owned;

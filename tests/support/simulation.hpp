@@ -20,13 +20,15 @@ struct Simulation {
   Limit limitedBy = Limit::Scene;
   double shortest = never;  ///< s, dt
 
-  SamplingReport report;    ///< of the start
+  SamplingReport report;  ///< of the start
 
   explicit Simulation(const Scene& scene, const MeshLoader& load = {}) {
     w.scene = scene;
     prepareWorld(w, tools, load);
     cells = std::make_unique<SerialCellHalo>(w.grid);
-    eachKind(w, [&](std::size_t kind, const KindRows&, const CellTable&) { kinds[kind] = std::make_unique<SerialCellHalo>(w.grid); });
+    eachKind(w, [&](std::size_t kind, const KindRows&, const CellTable&) {
+      kinds[kind] = std::make_unique<SerialCellHalo>(w.grid);
+    });
     report = startWorld(w, halos(), tools, load);
   }
   Halos halos() { return {all, *cells, bonds, {kinds[orientedKind].get(), kinds[sheetKind].get()}, &edges}; }

@@ -1,4 +1,5 @@
-// A solid body on one rank, its bonds found by brute force: for tests of the elastic step without cells or halos.
+// A solid body on one rank, its bonds found by brute force: for tests of the elastic step without cells or
+// halos.
 #pragma once
 #include <cmath>
 #include <functional>
@@ -19,7 +20,9 @@ inline double noise(std::uint64_t n, std::uint64_t salt) {
   z = (z ^ z >> 27) * 0x94d049bb133111ebull;
   return static_cast<double>((z ^ z >> 31) >> 11) / 4503599627370496.0 - 1;
 }
-inline Vec3d noise3(std::uint64_t n, std::uint64_t salt) { return {noise(n, 3 * salt), noise(n, 3 * salt + 1), noise(n, 3 * salt + 2)}; }
+inline Vec3d noise3(std::uint64_t n, std::uint64_t salt) {
+  return {noise(n, 3 * salt), noise(n, 3 * salt + 1), noise(n, 3 * salt + 2)};
+}
 
 /// nx * ny * nz points with this spacing, moved by up to `jitter` spacings.
 inline std::vector<Vec3d> lattice(Vec3i n, double spacing, double jitter = 0) {
@@ -27,7 +30,8 @@ inline std::vector<Vec3d> lattice(Vec3i n, double spacing, double jitter = 0) {
   for (int z = 0; z < n.z; z++)
     for (int y = 0; y < n.y; y++)
       for (int x = 0; x < n.x; x++)
-        points.push_back(spacing * (Vec3d{double(x), double(y), double(z)} + jitter * noise3(points.size(), 7)));
+        points.push_back(spacing *
+                         (Vec3d{double(x), double(y), double(z)} + jitter * noise3(points.size(), 7)));
   return points;
 }
 
@@ -55,11 +59,12 @@ struct BodyOptions {
   Precision precision = Precision::Double;
   Vec3d period{};
   bool freezing = false;
-  std::function<double(std::size_t)> volume;   // m^3; default spacing^3
-  std::function<int(std::size_t)> material;    // default 0
+  std::function<double(std::size_t)> volume;  // m^3; default spacing^3
+  std::function<int(std::size_t)> material;   // default 0
 };
 
-inline std::unique_ptr<SolidBody> makeBody(const std::vector<Vec3d>& points, std::vector<Material> materials, const BodyOptions& options = {}) {
+inline std::unique_ptr<SolidBody> makeBody(const std::vector<Vec3d>& points, std::vector<Material> materials,
+                                           const BodyOptions& options = {}) {
   auto body = std::make_unique<SolidBody>();
   SolidBody& b = *body;
   b.scene.spacing = options.spacing;
@@ -83,7 +88,8 @@ inline std::unique_ptr<SolidBody> makeBody(const std::vector<Vec3d>& points, std
     b.solids.id[i] = i;
     b.solids.position[i] = points[i];
     if (b.solids.reference.active) b.solids.reference[i] = points[i];
-    b.solids.volume[i] = options.volume ? options.volume(i) : options.spacing * options.spacing * options.spacing;
+    b.solids.volume[i] = options.volume ? options.volume(i)
+                                        : options.spacing * options.spacing * options.spacing;
     b.solids.material[i] = static_cast<std::uint16_t>(options.material ? options.material(i) : 0);
     b.mass.push_back(b.solids.volume[i] * b.scene.materials[b.solids.material[i]].density);
     for (std::size_t j = 0; j < n; j++) {
@@ -98,9 +104,11 @@ inline std::unique_ptr<SolidBody> makeBody(const std::vector<Vec3d>& points, std
   for (std::size_t i = 0; i < n; i++)
     for (int k = 0; k < b.bonds.capacity; k++) {
       const bool some = static_cast<std::size_t>(k) < found[i].size();
-      const auto bond = some ? found[i][static_cast<std::size_t>(k)] : std::pair<std::uint32_t, Vec3d>{static_cast<std::uint32_t>(i), Vec3d{}};
+      const auto bond = some ? found[i][static_cast<std::size_t>(k)]
+                             : std::pair<std::uint32_t, Vec3d>{static_cast<std::uint32_t>(i), Vec3d{}};
       const Vec3d& x = bond.second;
-      putBond(b.bonds, b.bonds.at(i, k), bond.first, {bond.first, {x.x, x.y, x.z}, {-x.x, -x.y, -x.z}, some ? bondWeight(x, support) : 0});
+      putBond(b.bonds, b.bonds.at(i, k), bond.first,
+              {bond.first, {x.x, x.y, x.z}, {-x.x, -x.y, -x.z}, some ? bondWeight(x, support) : 0});
     }
   refreshReference(b.work, b.solids, b.bonds, true);
   return body;
@@ -124,7 +132,8 @@ inline double forceScale(const SolidBody& b) {
   for (std::size_t s = 0; s < b.solids.owned; s++) f += length(b.solids.force[s]);
   return f;
 }
-inline void moveAll(SolidBody& b, const std::vector<Vec3d>& points, const std::function<Vec3d(const Vec3d&)>& map) {
+inline void moveAll(SolidBody& b, const std::vector<Vec3d>& points,
+                    const std::function<Vec3d(const Vec3d&)>& map) {
   for (std::size_t s = 0; s < b.solids.owned; s++) b.solids.position[s] = map(points[s]);
 }
 inline Mat3d rotation(const Vec3d& axis, double angle) {

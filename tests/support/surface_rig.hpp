@@ -1,4 +1,5 @@
-// A world with particle copies and surfels put there by hand, to try components and measures on. Every rank makes all and keeps its share.
+// A world with particle copies and surfels put there by hand, to try components and measures on. Every rank
+// makes all and keeps its share.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -20,7 +21,8 @@ struct SurfaceRig {
   std::uint16_t body = 0;
   bool liquid = true;
 
-  explicit SurfaceRig(double spacing = 0.1, const Vec3d& low = {-2, -2, -2}, const Vec3d& high = {2, 2, 2}, double surfelSpacing = 0)
+  explicit SurfaceRig(double spacing = 0.1, const Vec3d& low = {-2, -2, -2}, const Vec3d& high = {2, 2, 2},
+                      double surfelSpacing = 0)
       : dx(spacing), d(surfelSpacing > 0 ? surfelSpacing : 0.5 * spacing) {
     world.scene.spacing = dx;
     world.scene.surface.on = true;
@@ -114,7 +116,8 @@ struct SurfaceRig {
 
 struct SerialSurfaceRig : SurfaceRig {
   SerialSurfaceRanks halos;
-  explicit SerialSurfaceRig(double spacing = 0.1, const Vec3d& low = {-2, -2, -2}, const Vec3d& high = {2, 2, 2}, double surfelSpacing = 0)
+  explicit SerialSurfaceRig(double spacing = 0.1, const Vec3d& low = {-2, -2, -2},
+                            const Vec3d& high = {2, 2, 2}, double surfelSpacing = 0)
       : SurfaceRig(spacing, low, high, surfelSpacing), halos(world.surface.grid) {}
   void update() { SurfaceRig::update(halos.halos()); }
 };

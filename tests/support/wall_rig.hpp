@@ -38,7 +38,8 @@ struct WallRig {
     s.materials.push_back(m);
     s.bodies.emplace_back();
     for (AnyColumn* c : w.particles.columns)
-      if (c != &w.particles.smoothing && c != &w.particles.clamped && c != &w.particles.drag) w.particles.activate(*c);
+      if (c != &w.particles.smoothing && c != &w.particles.clamped && c != &w.particles.drag)
+        w.particles.activate(*c);
   }
 
   /// Adds a wall with this surface. Returns its properties.
@@ -72,7 +73,8 @@ struct WallRig {
     tables = makeWallTables(w.scene.numerics);
     liquids = liquidMaterials(w.scene);
     evaluate(0);
-    for (std::size_t i = 0; i < w.particles.owned; i++) w.particles.acceleration[i] = w.particles.force[i] / w.particles.mass[i] + w.scene.domain.gravity;
+    for (std::size_t i = 0; i < w.particles.owned; i++)
+      w.particles.acceleration[i] = w.particles.force[i] / w.particles.mass[i] + w.scene.domain.gravity;
   }
 
   void evaluate(double dt) {
@@ -81,14 +83,16 @@ struct WallRig {
     Migration all;
     all.arrivals = p.owned;
     sortByCell(p, all, sort, w.cells);
-    for (std::size_t i = 0; i < p.owned; i++) p.force[i] = {}, p.dissipation[i] = p.interaction[i] = p.heatFlow[i] = 0;
+    for (std::size_t i = 0; i < p.owned; i++)
+      p.force[i] = {}, p.dissipation[i] = p.interaction[i] = p.heatFlow[i] = 0;
     const WallContext x{w, tables, liquids, dt, dt > 0 ? dt : firstStep};
     findWallContacts(x, contacts);
     addWallForces(x, 1, contacts);
   }
 
   void step(double dt) {
-    for (std::size_t i = 0; i < w.particles.owned && w.clock.step == 0; i++) w.particles.dissipated[i] += w.particles.dissipation[i] * 0.5 * dt;
+    for (std::size_t i = 0; i < w.particles.owned && w.clock.step == 0; i++)
+      w.particles.dissipated[i] += w.particles.dissipation[i] * 0.5 * dt;
     const RowSpan all[1] = {{0, static_cast<std::uint32_t>(w.particles.owned)}};
     kickAndDrift(w, dt, all);
     moveWalls(w.walls, w.clock.time + dt);
@@ -105,7 +109,8 @@ struct WallRig {
     const Continuum& p = w.particles;
     double e = 0;
     for (std::size_t i = 0; i < p.owned; i++)
-      e += 0.5 * p.mass[i] * dot(p.velocity[i], p.velocity[i]) - p.mass[i] * dot(w.scene.domain.gravity, p.position[i]) + p.interaction[i];
+      e += 0.5 * p.mass[i] * dot(p.velocity[i], p.velocity[i]) -
+           p.mass[i] * dot(w.scene.domain.gravity, p.position[i]) + p.interaction[i];
     return e;
   }
   double dissipated() const {

@@ -36,7 +36,9 @@ void resize(Solver& s) {
 
 /// Viscosity and liquid fraction of all rows, which stay while the system is solved.
 template<class Real> void packParameters(Solver& s) {
-  struct Four { Real a, b, c, d; };
+  struct Four {
+    Real a, b, c, d;
+  };
   const auto* motion = static_cast<const Four*>(s.sums.motion);
   const auto* state = static_cast<const Four*>(s.sums.state);
   for (std::size_t i = 0; i < s.p.size(); i++) {
@@ -75,7 +77,8 @@ void applyPairs(Solver& s, ViscousPass pass) {
   packVelocities(s, 0, p.owned);
   std::fill_n(k.product.begin(), p.owned, Vec3d{});
   if (pass == ViscousPass::Start) std::fill_n(k.block.begin(), p.owned, Sym3d{});
-  const auto packMiddle = [&](std::size_t begin, std::size_t end) {  // of the velocities before and after the kick
+  // of the velocities before and after the kick
+  const auto packMiddle = [&](std::size_t begin, std::size_t end) {
     if (pass != ViscousPass::Force) return;
     for (std::size_t i = begin; i < end; i++) {
       const Vec3d m = 0.5 * (p.velocity[i] + p.viscousSearch[i]);
@@ -96,14 +99,17 @@ void listWalls(Solver& s) {
   s.work.walls.clear();
   for (const WallContact& c : s.t.wallContacts.list) {
     const double drag = wallDrag(s.at, c);
-    if (drag > 0) s.work.walls.push_back({c.row, c.wall, drag, c.normal, wallVelocity(s.w.walls.list[c.wall], s.p.position[c.row])});
+    if (drag > 0)
+      s.work.walls.push_back(
+          {c.row, c.wall, drag, c.normal, wallVelocity(s.w.walls.list[c.wall], s.p.position[c.row])});
   }
 }
 
 Sym3d inverse(const Sym3d& a) {
   const double xx = a.yy * a.zz - a.yz * a.yz, xy = a.xz * a.yz - a.xy * a.zz, xz = a.xy * a.yz - a.xz * a.yy;
   const double d = 1 / (a.xx * xx + a.xy * xy + a.xz * xz);
-  return {d * xx, d * (a.xx * a.zz - a.xz * a.xz), d * (a.xx * a.yy - a.xy * a.xy), d * xy, d * (a.xy * a.xz - a.xx * a.yz), d * xz};
+  return {d * xx, d * (a.xx * a.zz - a.xz * a.xz), d * (a.xx * a.yy - a.xy * a.xy),
+          d * xy, d * (a.xy * a.xz - a.xx * a.yz), d * xz};
 }
 
 /// Exact sums over all ranks' particles: any number of ranks gives the same bits.
@@ -111,14 +117,16 @@ template<std::size_t n> std::array<double, n> sumOver(Solver& s, std::array<Exac
   std::array<std::int64_t, n * ExactSum::digits> digit;
   for (std::size_t k = 0; k < n; k++) {
     sum[k].carry();
-    std::copy(sum[k].digit.begin(), sum[k].digit.end(), digit.begin() + static_cast<std::ptrdiff_t>(k * ExactSum::digits));
+    std::copy(sum[k].digit.begin(), sum[k].digit.end(),
+              digit.begin() + static_cast<std::ptrdiff_t>(k * ExactSum::digits));
   }
   s.t.times.lap(StepPhase::Viscosity);
   s.halos.all.sum(digit);
   s.t.times.lap(StepPhase::Reduce);
   std::array<double, n> value;
   for (std::size_t k = 0; k < n; k++) {
-    std::copy_n(digit.begin() + static_cast<std::ptrdiff_t>(k * ExactSum::digits), ExactSum::digits, sum[k].digit.begin());
+    std::copy_n(digit.begin() + static_cast<std::ptrdiff_t>(k * ExactSum::digits), ExactSum::digits,
+                sum[k].digit.begin());
     value[k] = sum[k].value();
   }
   return value;
@@ -130,8 +138,9 @@ struct Progress {
   double excess = 0;     ///< |error|^2 less what is tolerated, kg m^2/s^2; at most 0 when done
 };
 
-/// Preconditions the residual. The error M^-1 r of the velocities is small enough beside their change by viscosity, u - goal; a millionth
-/// of the goal stands in where viscosity has nothing to do (a body that moves as a whole).
+/// Preconditions the residual. The error M^-1 r of the velocities is small enough beside their change by
+/// viscosity, u - goal; a millionth of the goal stands in where viscosity has nothing to do (a body that
+/// moves as a whole).
 Progress assess(Solver& s) {
   ViscousWork& k = s.work;
   const double tolerance2 = s.w.scene.numerics.viscosityTolerance * s.w.scene.numerics.viscosityTolerance;
@@ -164,7 +173,8 @@ void begin(Solver& s) {
     k.product[c.row] += c.along(k.solution[c.row] - c.velocity);
     const Vec3d& n = c.normal;
     const double d = c.drag;
-    k.block[c.row] = k.block[c.row] + Sym3d{d * (1 - n.x * n.x), d * (1 - n.y * n.y), d * (1 - n.z * n.z), -d * n.x * n.y, -d * n.y * n.z, -d * n.x * n.z};
+    k.block[c.row] = k.block[c.row] + Sym3d{d * (1 - n.x * n.x), d * (1 - n.y * n.y), d * (1 - n.z * n.z),
+                                            -d * n.x * n.y,      -d * n.y * n.z,      -d * n.x * n.z};
   }
   for (std::size_t i = 0; i < p.owned; i++) {
     const double m = p.mass[i];
@@ -173,7 +183,8 @@ void begin(Solver& s) {
   }
 }
 
-/// Conjugate gradients (Hestenes & Stiefel 1952), preconditioned by the particles' own 3x3 blocks. Returns whether it got there.
+/// Conjugate gradients (Hestenes & Stiefel 1952), preconditioned by the particles' own 3x3 blocks. Returns
+/// whether it got there.
 bool iterate(Solver& s) {
   Continuum& p = s.p;
   ViscousWork& k = s.work;
@@ -201,8 +212,9 @@ bool iterate(Solver& s) {
   return !(now.excess > 0);
 }
 
-/// Forces of the velocities found, and the books. The kick ends where these forces lead, not where the iteration stopped: what they take is
-/// that of the pairs at the middle of the kick to the solution, and the rest of the kick is the residual's.
+/// Forces of the velocities found, and the books. The kick ends where these forces lead, not where the
+/// iteration stopped: what they take is that of the pairs at the middle of the kick to the solution, and the
+/// rest of the kick is the residual's.
 void addForces(Solver& s) {
   Continuum& p = s.p;
   ViscousWork& k = s.work;
@@ -237,7 +249,8 @@ void addForces(Solver& s) {
 
 }  // namespace
 
-void addImplicitViscosity(World& w, Halos halos, StepTools& t, const PairSums& sums, const WallContext& walls) {
+void addImplicitViscosity(World& w, Halos halos, StepTools& t, const PairSums& sums,
+                          const WallContext& walls) {
   Solver s{w, halos, t, sums, walls, t.viscous, w.particles, walls.span};
   resize(s);
   w.scene.numerics.precision == Precision::Single ? packParameters<float>(s) : packParameters<double>(s);

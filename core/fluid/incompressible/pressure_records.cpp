@@ -5,7 +5,9 @@ namespace {
 
 template<class Real> struct Four { Real a, b, c, d; };
 
-template<class Real> Four<Real>* rows(AlignedVector<std::byte>& bytes) { return reinterpret_cast<Four<Real>*>(bytes.data()); }
+template<class Real> Four<Real>* rows(AlignedVector<std::byte>& bytes) {
+  return reinterpret_cast<Four<Real>*>(bytes.data());
+}
 
 /// Calls action with the precision of the records.
 template<class Action> void withReal(const RecordContext& x, Action action) {
@@ -17,18 +19,23 @@ template<class Action> void withReal(const RecordContext& x, Action action) {
 void packMobility(const RecordContext& x, const Continuum& p, std::size_t n, PairRecords& r) {
   withReal(x, [&](auto real) {
     using Real = decltype(real);
-    for (std::size_t i = 0; i < n; i++) rows<Real>(r.state)[i].c = p.clamped.active && p.clamped[i] ? Real(0) : static_cast<Real>(1 / p.mass[i]);
+    for (std::size_t i = 0; i < n; i++)
+      rows<Real>(r.state)[i].c = p.clamped.active && p.clamped[i] ? Real(0)
+                                                                  : static_cast<Real>(1 / p.mass[i]);
   });
 }
 
-void packTrialPressure(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
+void packTrialPressure(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end,
+                       PairRecords& r) {
   withReal(x, [&](auto real) {
     using Real = decltype(real);
-    for (std::size_t i = begin; i < end; i++) rows<Real>(r.state)[i].a = static_cast<Real>(p.trialPressure[i]);
+    for (std::size_t i = begin; i < end; i++)
+      rows<Real>(r.state)[i].a = static_cast<Real>(p.trialPressure[i]);
   });
 }
 
-void packTrialVelocity(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
+void packTrialVelocity(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end,
+                       PairRecords& r) {
   withReal(x, [&](auto real) {
     using Real = decltype(real);
     for (std::size_t i = begin; i < end; i++) {
@@ -40,8 +47,9 @@ void packTrialVelocity(const RecordContext& x, const Continuum& p, std::size_t b
 }
 
 float packedFraction(const RecordContext& x, const PairRecords& r, std::size_t row) {
-  return x.scene.numerics.precision == Precision::Double ? static_cast<float>(reinterpret_cast<const Four<double>*>(r.state.data())[row].b)
-                                                         : reinterpret_cast<const Four<float>*>(r.state.data())[row].b;
+  return x.scene.numerics.precision == Precision::Double
+             ? static_cast<float>(reinterpret_cast<const Four<double>*>(r.state.data())[row].b)
+             : reinterpret_cast<const Four<float>*>(r.state.data())[row].b;
 }
 
 }  // namespace thaw

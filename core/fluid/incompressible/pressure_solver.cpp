@@ -8,12 +8,13 @@
 namespace thaw {
 namespace {
 
-/// What a solve is to reach: no predicted compression e = (filling - full) + dt d(filling)/dt. Of a compression that is there a share only is
-/// undone in a step: all of it at once throws the surface of a deep liquid off, with error * depth / dt. The tolerance is of the same share.
+/// What a solve is to reach: no predicted compression e = (filling - full) + dt d(filling)/dt. Of a
+/// compression that is there a share only is undone in a step: all of it at once throws the surface of a deep
+/// liquid off, with error * depth / dt. The tolerance is of the same share.
 struct Goal {
-  double dt;          ///< s
-  double tolerance;   ///< 1, mean of what is left
-  double share;       ///< 1, of a compression that is there; divergence: 0
+  double dt;         ///< s
+  double tolerance;  ///< 1, mean of what is left
+  double share;      ///< 1, of a compression that is there; divergence: 0
 };
 
 /// Exact over ranks, as integers: how much is left, of how many, and whether the last move went uphill.
@@ -30,10 +31,13 @@ struct Progress {
     all.sum(v);
     left = v[0], liquids = v[1], along = v[2];
   }
-  double mean() const { return liquids > 0 ? static_cast<double>(left) * leftUnit / static_cast<double>(liquids) : 0; }
+  double mean() const {
+    return liquids > 0 ? static_cast<double>(left) * leftUnit / static_cast<double>(liquids) : 0;
+  }
 };
 
-/// A Jacobi step of every pressure, cut at 0, into `stepped`; what is left before it, and whether it goes along with the step before.
+/// A Jacobi step of every pressure, cut at 0, into `stepped`; what is left before it, and whether it goes
+/// along with the step before.
 Progress jacobiStep(const PressureSystem& x, const Goal& goal, std::vector<float>& stepped) {
   const Continuum& p = x.world.particles;
   const PressureWork& work = x.tools.pressure;
@@ -42,11 +46,16 @@ Progress jacobiStep(const PressureSystem& x, const Goal& goal, std::vector<float
   for (std::size_t i = 0; i < p.owned; i++) {
     stepped[i] = 0;
     if (!(work.response[i] > 0)) continue;
-    const double f = static_cast<double>(work.fraction[i]), full = goal.dt * work.response[i], k = static_cast<double>(p.trialPressure[i]);
+    const double f = static_cast<double>(work.fraction[i]), full = goal.dt * work.response[i],
+                 k = static_cast<double>(p.trialPressure[i]);
     double filled = static_cast<double>(p.filling[i]) - work.full;
-    if (mayPull) filled = std::max(filled, 0.0);  // what pulls keeps gaps from growing; to close those of a free surface would tear it apart
-    // half-molten: as a spring beside the constraint, so soft that a lone particle's pressure is the liquid fraction of a liquid's
-    const double e = (filled > 0 ? goal.share * filled : filled) + goal.dt * work.rate[i] - (1 - f) * full * k;
+    if (mayPull)
+      filled = std::max(filled, 0.0);  // what pulls keeps gaps from growing; to close those of a free surface
+                                       // would tear it apart
+    // half-molten: as a spring beside the constraint, so soft that a lone particle's pressure is the liquid
+    // fraction of a liquid's
+    const double e = (filled > 0 ? goal.share * filled : filled) + goal.dt * work.rate[i] -
+                     (1 - f) * full * k;
     const double left = mayPull || k * full > -e ? std::abs(e) : k * full;
     double next = k + x.tools.pressure.relaxation * e / full;
     if (!mayPull) next = std::max(next, 0.0);
@@ -88,7 +97,8 @@ std::int64_t solve(const PressureSystem& x, const Goal& goal) {
   }
 }
 
-/// Impulses and work that walls, and what holds or drives particles, gave in a solve. `book` takes an impulse (N s).
+/// Impulses and work that walls, and what holds or drives particles, gave in a solve. `book` takes an impulse
+/// (N s).
 template<class Book> void bookReactions(const PressureSystem& x, Book book) {
   World& w = x.world;
   Continuum& p = w.particles;
@@ -105,20 +115,24 @@ template<class Book> void bookReactions(const PressureSystem& x, Book book) {
     give(wall.row, wall.slope * (-V * static_cast<double>(p.trialPressure[wall.row])), wall.velocity);
   }
   if (!p.clamped.active) return;
-  for (const WallSlope& wall : x.tools.pressure.walls) {  // of the pairs only: a wall's impulse on what is held goes from one holder to the other
+  for (const WallSlope& wall : x.tools.pressure.walls) {  // of the pairs only: a wall's impulse on what is
+                                                          // held goes from one holder to the other
     const double V = p.mass[wall.row] / w.scene.materials[p.material[wall.row]].density;
-    if (p.clamped[wall.row]) x.tools.pressure.impulse[wall.row] += wall.slope * (V * static_cast<double>(p.trialPressure[wall.row]));
+    if (p.clamped[wall.row])
+      x.tools.pressure.impulse[wall.row] += wall.slope * (V * static_cast<double>(p.trialPressure[wall.row]));
   }
   for (std::size_t i = 0; i < p.owned; i++)
     if (p.clamped[i]) give(i, -x.tools.pressure.impulse[i], p.clamped[i] == driven ? p.velocity[i] : Vec3d{});
 }
 
-/// Liquid that pressure does not hold away from a wall, a lone drop, stops a quarter of a spacing from it. Changes trialVelocity.
+/// Liquid that pressure does not hold away from a wall, a lone drop, stops a quarter of a spacing from it.
+/// Changes trialVelocity.
 template<class Book> void stopAtWalls(const PressureSystem& x, double dt, Book book) {
   World& w = x.world;
   Continuum& p = w.particles;
   for (const WallContact& c : x.tools.wallContacts.list) {
-    const double f = static_cast<double>(x.tools.pressure.fraction[c.row]), room = std::max(0.0, c.distance - 0.25 * w.scene.spacing);
+    const double f = static_cast<double>(x.tools.pressure.fraction[c.row]),
+                 room = std::max(0.0, c.distance - 0.25 * w.scene.spacing);
     if (f == 0 || (p.clamped.active && p.clamped[c.row])) continue;
     const Vec3d v = wallVelocity(w.walls.list[c.wall], p.position[c.row]);
     const double excess = -dot(p.trialVelocity[c.row] - v, c.normal) - room / dt;
@@ -132,22 +146,28 @@ template<class Book> void stopAtWalls(const PressureSystem& x, double dt, Book b
   }
 }
 
-/// From the pressure of the last step. What has frozen since has none: whether pairs of solids are listed depends on who shares their group, and so on the ranks.
+/// From the pressure of the last step. What has frozen since has none: whether pairs of solids are listed
+/// depends on who shares their group, and so on the ranks.
 void setTrial(Continuum& p, const PressureWork& work, const Column<float>& pressure, double dt) {
-  for (std::size_t i = 0; i < p.owned; i++) p.trialPressure[i] = work.response[i] > 0 ? static_cast<float>(static_cast<double>(pressure[i]) * dt) : 0;
+  for (std::size_t i = 0; i < p.owned; i++)
+    p.trialPressure[i] = work.response[i] > 0 ? static_cast<float>(static_cast<double>(pressure[i]) * dt) : 0;
 }
 
 void keepTrial(const Continuum& p, Column<float>& pressure, double dt) {
-  for (std::size_t i = 0; i < p.owned; i++) pressure[i] = static_cast<float>(static_cast<double>(p.trialPressure[i]) / dt);
+  for (std::size_t i = 0; i < p.owned; i++)
+    pressure[i] = static_cast<float>(static_cast<double>(p.trialPressure[i]) / dt);
 }
 
-/// What resists was booked at the velocity of the drift, v. It works in the half kick behind, at v + a dt/4 on the mean, and in the one
-/// that comes, at v + a dt/2 + change by pressure + a next/4: at steps that are near the viscous limit that is a good part of it.
+/// What resists was booked at the velocity of the drift, v. It works in the half kick behind, at v + a dt/4
+/// on the mean, and in the one that comes, at v + a dt/2 + change by pressure + a next/4: at steps that are
+/// near the viscous limit that is a good part of it.
 void bookResistance(World& w, const std::vector<Vec3d>& before, double dt, double next) {
   Continuum& p = w.particles;
   const double both = (dt + next) * (dt + next) / 8, half = 0.5 * next;
   for (std::size_t i = 0; i < p.owned; i++)
-    if (!(p.clamped.active && p.clamped[i])) p.dissipated[i] -= dot(p.drag[i], (p.velocity[i] + p.pressureKick[i] - before[i]) * half + p.acceleration[i] * both);
+    if (!(p.clamped.active && p.clamped[i]))
+      p.dissipated[i] -= dot(
+          p.drag[i], (p.velocity[i] + p.pressureKick[i] - before[i]) * half + p.acceleration[i] * both);
 }
 
 /// Changes velocity by `change`; what the kinetic energy loses is dissipated.
@@ -198,7 +218,8 @@ void addPressureKick(World& w) {
 void findPressure(World& w, Halos halos, StepTools& t, double dt) {
   Continuum& p = w.particles;
   const PressureSystem system{w, halos, t};
-  const double planned = nextStep(w.clock), next = std::isfinite(planned) ? planned : dt;  // the scene is over, and nothing limits a step
+  // the scene is over, and nothing limits a step
+  const double planned = nextStep(w.clock), next = std::isfinite(planned) ? planned : dt;
   std::vector<Vec3d>& before = t.pressure.arrived;
   before.assign(p.velocity.data(), p.velocity.data() + p.owned);
   const double share = std::min(1.0, next / t.pressure.mendingTime);

@@ -35,7 +35,9 @@ void sumWith(const PressureSystem& x, AnyColumn& column, Pack pack, Sweep sweep)
   sweep(s, {w.neighbours.innerGroups, w.neighbours.groups});
 }
 
-double volumeOf(const World& w, std::size_t i) { return w.particles.mass[i] / w.scene.materials[w.particles.material[i]].density; }
+double volumeOf(const World& w, std::size_t i) {
+  return w.particles.mass[i] / w.scene.materials[w.particles.material[i]].density;
+}
 
 /// Slopes of the filling by walls, of all that is or can be liquid.
 void findWallSlopes(const PressureSystem& x) {
@@ -45,7 +47,8 @@ void findWallSlopes(const PressureSystem& x) {
   for (const WallContact& c : x.tools.wallContacts.list) {
     if (work.fraction[c.row] == 0) continue;
     const double push = x.tools.wallTables(c.distance / w.grid.support).push;
-    work.walls.push_back({c.row, c.normal * (-x.tools.perLatticeSum * push * c.share / w.grid.support), wallVelocity(w.walls.list[c.wall], w.particles.position[c.row])});
+    work.walls.push_back({c.row, c.normal * (-x.tools.perLatticeSum * push * c.share / w.grid.support),
+                          wallVelocity(w.walls.list[c.wall], w.particles.position[c.row])});
   }
 }
 
@@ -71,7 +74,8 @@ void prepareSystem(const PressureSystem& x) {
   for (const WallSlope& wall : work.walls) work.impulse[wall.row] += wall.slope;
   for (std::size_t i = 0; i < p.owned; i++) {
     const bool still = p.clamped.active && p.clamped[i];
-    const double own = still ? 0 : dot(work.impulse[i], work.impulse[i]) / p.mass[i], f = static_cast<double>(work.fraction[i]);
+    const double own = still ? 0 : dot(work.impulse[i], work.impulse[i]) / p.mass[i],
+                 f = static_cast<double>(work.fraction[i]);
     work.response[i] = f > 0 ? volumeOf(w, i) * (own + work.rate[i]) / f : 0;
   }
   x.tools.times.lap(StepPhase::Pressure);
@@ -82,15 +86,19 @@ void applyPressures(const PressureSystem& x) {
   Continuum& p = w.particles;
   PressureWork& work = x.tools.pressure;
   sumWith(x, p.trialPressure, packTrialPressure, x.tools.kernels->impulse);
-  for (const WallSlope& wall : work.walls) work.impulse[wall.row] -= wall.slope * (volumeOf(w, wall.row) * static_cast<double>(p.trialPressure[wall.row]));
+  for (const WallSlope& wall : work.walls)
+    work.impulse[wall.row] -= wall.slope *
+                              (volumeOf(w, wall.row) * static_cast<double>(p.trialPressure[wall.row]));
   const bool clamps = p.clamped.active;
-  for (std::size_t i = 0; i < p.owned; i++) p.trialVelocity[i] = clamps && p.clamped[i] ? work.start[i] : work.start[i] + work.impulse[i] / p.mass[i];
+  for (std::size_t i = 0; i < p.owned; i++)
+    p.trialVelocity[i] = clamps && p.clamped[i] ? work.start[i] : work.start[i] + work.impulse[i] / p.mass[i];
 }
 
 void rateOfFilling(const PressureSystem& x) {
   Continuum& p = x.world.particles;
   sumWith(x, p.trialVelocity, packTrialVelocity, x.tools.kernels->compression);
-  for (const WallSlope& wall : x.tools.pressure.walls) x.tools.pressure.rate[wall.row] += dot(wall.slope, p.trialVelocity[wall.row] - wall.velocity);
+  for (const WallSlope& wall : x.tools.pressure.walls)
+    x.tools.pressure.rate[wall.row] += dot(wall.slope, p.trialVelocity[wall.row] - wall.velocity);
 }
 
 }  // namespace thaw

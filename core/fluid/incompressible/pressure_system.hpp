@@ -1,4 +1,5 @@
-// The matrix of the pressure problem, by its products: what pressures do to velocities, and velocities to the filling.
+// The matrix of the pressure problem, by its products: what pressures do to velocities, and velocities to the
+// filling.
 #pragma once
 #include "core/step.hpp"
 
@@ -14,7 +15,8 @@ struct PressureSystem {
 /// PressureWork::walls, fraction and response, of the places as they are.
 void prepareSystem(const PressureSystem& system);
 
-/// PressureWork::impulse (N s) of Continuum::trialPressure, and trialVelocity = start + impulse / m (held and driven ones keep theirs). Collective.
+/// PressureWork::impulse (N s) of Continuum::trialPressure, and trialVelocity = start + impulse / m (held and
+/// driven ones keep theirs). Collective.
 void applyPressures(const PressureSystem& system);
 
 /// PressureWork::rate (1/s) of the filling with trialVelocity. Collective.

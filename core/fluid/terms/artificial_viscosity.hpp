@@ -12,15 +12,22 @@ template<class Real, class Kernel> struct Artificial {
   const Record<Real>*place, *motion, *surface;
   const PairSums* in;
   double scale;
-  struct Data { Lanes4<Real> place, motion, surface; };
-  struct Sum { L x = L(0.0), y = L(0.0), z = L(0.0), lost = L(0.0); };
+  struct Data {
+    Lanes4<Real> place, motion, surface;
+  };
+  struct Sum {
+    L x = L(0.0), y = L(0.0), z = L(0.0), lost = L(0.0);
+  };
   THAW_INLINE Data load(const std::uint32_t* entries) const {
     return {loadListed(place, entries), loadListed(motion, entries), loadListed(surface, entries)};
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);
+    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b),
+            dz = positionDifference(i.place.c, j.place.c);
     const L q2 = dx * dx + dy * dy + dz * dz;
-    const L approach = min((i.motion.a - j.motion.a) * dx + (i.motion.b - j.motion.b) * dy + (i.motion.c - j.motion.c) * dz, L(0.0));
+    const L approach = min(
+        (i.motion.a - j.motion.a) * dx + (i.motion.b - j.motion.b) * dy + (i.motion.c - j.motion.c) * dz,
+        L(0.0));
     const L mean = L(2.0) * i.surface.c * j.surface.c / max(i.surface.c + j.surface.c, L(1e-30));
     const L mu = mean * j.place.d * Kernel::slope(q2) * approach / (q2 + L(0.01));
     s.x += mu * dx;

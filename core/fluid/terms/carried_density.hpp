@@ -19,7 +19,8 @@ enum class Carry { Nothing, Density, Corrected };
 /// Mixed: several liquids, or solids that carry the density of adjacent liquid (Crespo et al. 2007).
 /// The diffusing quantity is then the pressure over a common stiffness.
 /// Surfaces: also the sums of the free-surface indicator.
-template<class Real, class Kernel, Carry carry, bool Surfaces = false, bool Mixed = true> struct CarriedDensity {
+template<class Real, class Kernel, Carry carry, bool Surfaces = false, bool Mixed = true>
+struct CarriedDensity {
   using L = Lanes<Real>;
   static constexpr bool Carried = carry != Carry::Nothing, Corrected = carry == Carry::Corrected;
   const Record<Real>*place, *motion, *state;
@@ -27,10 +28,15 @@ template<class Real, class Kernel, Carry carry, bool Surfaces = false, bool Mixe
   double scale;
   L weight[3];  ///< h g; not Mixed: over c^2
   L half;       ///< s/m, half of the step that led here over h
-  struct Data { Lanes4<Real> place, motion, state; };
-  struct Vector { L x = L(0.0), y = L(0.0), z = L(0.0); };
+  struct Data {
+    Lanes4<Real> place, motion, state;
+  };
+  struct Vector {
+    L x = L(0.0), y = L(0.0), z = L(0.0);
+  };
   struct Sum {
-    L filling = L(0.0), closest = L(1.0), rate = L(0.0), spread = L(0.0), column = L(0.0), size = L(0.0), wetting = L(0.0);
+    L filling = L(0.0), closest = L(1.0), rate = L(0.0), spread = L(0.0), column = L(0.0), size = L(0.0),
+      wetting = L(0.0);
     Vector crowding, surface, solid, flow[3];
     L moment[6] = {L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0)};
   };
@@ -48,13 +54,15 @@ template<class Real, class Kernel, Carry carry, bool Surfaces = false, bool Mixe
     to.z = fma(factor, z, to.z);
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);
+    L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b),
+      dz = positionDifference(i.place.c, j.place.c);
     L ux, uy, uz;
     if constexpr (Carried) {
       ux = i.motion.a - j.motion.a, uy = i.motion.b - j.motion.b, uz = i.motion.c - j.motion.c;
       dx -= half * ux, dy -= half * uy, dz -= half * uz;
     }
-    const L q2 = dx * dx + dy * dy + dz * dz, q = sqrt(q2), V = Carried && Surfaces && !Mixed ? size(j.place.d) : j.place.d;
+    const L q2 = dx * dx + dy * dy + dz * dz, q = sqrt(q2),
+            V = Carried && Surfaces && !Mixed ? size(j.place.d) : j.place.d;
     const L w = V * Kernel::w(q, q2), g = V * Kernel::slope(q, q2);
     s.filling += w;
     s.closest = select(V > L(0.0), min(s.closest, q2), s.closest);
@@ -89,7 +97,8 @@ template<class Real, class Kernel, Carry carry, bool Surfaces = false, bool Mixe
       } else {
         s.rate += wet * (gx * ux + gy * uy + gz * uz);
       }
-      const L both = V * Kernel::laplace(q, q2) * wet, down = weight[0] * dx + weight[1] * dy + weight[2] * dz;
+      const L both = V * Kernel::laplace(q, q2) * wet,
+              down = weight[0] * dx + weight[1] * dy + weight[2] * dz;
       if constexpr (Mixed) {
         s.spread += both * (j.state.a - i.state.a);
         s.column += both * down;
@@ -99,18 +108,22 @@ template<class Real, class Kernel, Carry carry, bool Surfaces = false, bool Mixe
     }
   }
   THAW_INLINE void finish(const std::uint32_t* rows, const Data& i, const Sum& s, std::uint32_t dummy) const {
-    const L own = Carried && Surfaces && !Mixed ? size(i.place.d) : i.place.d, total = s.filling + own * Kernel::w(L(0.0));
+    const L own = Carried && Surfaces && !Mixed ? size(i.place.d) : i.place.d,
+            total = s.filling + own * Kernel::w(L(0.0));
     const bool touching = any(s.closest < L(1e-20));
     for (int l = 0; l < 8; l++)
       if (rows[l] != dummy) {
         const std::uint32_t row = rows[l];
-        in->filling[row] = static_cast<float>(scale * static_cast<double>(total[l]) - in->selfExcess * static_cast<double>(own[l]));
+        in->filling[row] = static_cast<float>(scale * static_cast<double>(total[l]) -
+                                              in->selfExcess * static_cast<double>(own[l]));
         if (touching && s.closest[l] < Real(1e-20)) ++*in->coincident;
         if (in->crowding) in->crowding[row] = single(scale * at(s.crowding, l));
         if constexpr (Carried) finishCarried(row, l, i, s);
       }
   }
-  static THAW_INLINE Vec3d at(const Vector& v, int l) { return {static_cast<double>(v.x[l]), static_cast<double>(v.y[l]), static_cast<double>(v.z[l])}; }
+  static THAW_INLINE Vec3d at(const Vector& v, int l) {
+    return {static_cast<double>(v.x[l]), static_cast<double>(v.y[l]), static_cast<double>(v.z[l])};
+  }
   THAW_INLINE void finishCarried(std::uint32_t row, int l, const Data& i, const Sum& s) const {
     const double h = in->support;
     if constexpr (Surfaces) {
@@ -129,7 +142,9 @@ template<class Real, class Kernel, Carry carry, bool Surfaces = false, bool Mixe
     if constexpr (Mixed) {
       const double c2 = m.soundSpeed * m.soundSpeed;
       spread = (in->stiffness * spread + m.stiffness / c2 * static_cast<double>(s.column[l])) / m.stiffness;
-      if (in->wetting) in->wetting[row] = static_cast<float>(static_cast<double>(s.wetting[l]) + static_cast<double>(size(i.state.b)[l]));
+      if (in->wetting)
+        in->wetting[row] = static_cast<float>(static_cast<double>(s.wetting[l]) +
+                                              static_cast<double>(size(i.state.b)[l]));
     }
     in->spreading[row] = in->diffusion * 0.5 * m.soundSpeed / h * spread;
   }

@@ -6,23 +6,28 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Pairs of solid particles closer than the contact distance: rare, so they are listed and worked on one by one, and which of two close ones are solid is asked of
-/// the few.
+/// Pairs of solid particles closer than the contact distance: rare, so they are listed and worked on one by
+/// one, and which of two close ones are solid is asked of the few.
 template<class Real> struct Close {
   using L = Lanes<Real>;
   const Record<Real>*place, *surface;
   ClosePairs* pairs;
   L limit2;
-  struct Data { Lanes4<Real> place; const std::uint32_t* entries; };
+  struct Data {
+    Lanes4<Real> place;
+    const std::uint32_t* entries;
+  };
   struct Sum {};
   THAW_INLINE Data load(const std::uint32_t* entries) const { return {loadListed(place, entries), entries}; }
   THAW_INLINE bool solid(std::uint32_t entry) const { return ByEntry::of(surface, entry)->b > 0; }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t* at, Sum&) const {
-    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);
+    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b),
+            dz = positionDifference(i.place.c, j.place.c);
     const auto m = dx * dx + dy * dy + dz * dz < limit2;
     if (any(m))
       for (int l = 0; l < 8; l++)
-        if (laneOf(m, l) && solid(i.entries[l]) && solid(at[l])) ClosePairs::append(*pairs, i.entries[l] / 2, at[l] / 2);
+        if (laneOf(m, l) && solid(i.entries[l]) && solid(at[l]))
+          ClosePairs::append(*pairs, i.entries[l] / 2, at[l] / 2);
   }
   THAW_INLINE void finish(const std::uint32_t*, const Data&, const Sum&, std::uint32_t) const {}
 };

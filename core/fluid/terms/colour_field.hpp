@@ -6,19 +6,24 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Surface tension of the colour field as printed in K05 / MCG03: -k lap(c) n / |n| where |n| is above a threshold. Does not
-/// obey Laplace's law under refinement (docs/theory/surface_tension.md): a named choice.
+/// Surface tension of the colour field as printed in K05 / MCG03: -k lap(c) n / |n| where |n| is above a
+/// threshold. Does not obey Laplace's law under refinement (docs/theory/surface_tension.md): a named choice.
 template<class Real> struct ColourField {
   using L = Lanes<Real>;
   const Record<Real>*place, *surface, *state;
   const PairSums* in;
-  struct Data { Lanes4<Real> place, surface, state; };
-  struct Sum { L x = L(0.0), y = L(0.0), z = L(0.0), laplacian = L(0.0); };
+  struct Data {
+    Lanes4<Real> place, surface, state;
+  };
+  struct Sum {
+    L x = L(0.0), y = L(0.0), z = L(0.0), laplacian = L(0.0);
+  };
   THAW_INLINE Data load(const std::uint32_t* entries) const {
     return {loadListed(place, entries), loadListed(surface, entries), loadListed(state, entries)};
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);
+    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b),
+            dz = positionDifference(i.place.c, j.place.c);
     const L q2 = dx * dx + dy * dy + dz * dz, u = max(L(1.0) - q2, L(0.0));
     const L c = L(-945 / (32 * pi)) * j.place.d * u;  // poly6 by differentiation
     s.x += c * u * dx;
@@ -29,11 +34,13 @@ template<class Real> struct ColourField {
   THAW_INLINE void finish(const std::uint32_t* rows, const Data& i, const Sum& s, std::uint32_t dummy) const {
     for (int l = 0; l < 8; l++)
       if (rows[l] != dummy) {
-        const double h = in->support, V = static_cast<double>(i.place.d[l]) * h * h * h, root = static_cast<double>(i.surface.a[l]);
+        const double h = in->support, V = static_cast<double>(i.place.d[l]) * h * h * h,
+                     root = static_cast<double>(i.surface.a[l]);
         const Vec3d n{static_cast<double>(s.x[l]), static_cast<double>(s.y[l]), static_cast<double>(s.z[l])};
         const double size = __builtin_sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
         if (size < 0.3) continue;  // |n| h: inside, noise (docs/validation/stability.md B24)
-        const double laplacian = static_cast<double>(s.laplacian[l]) - 945 / (32 * pi) * 3 * static_cast<double>(i.place.d[l]);
+        const double laplacian = static_cast<double>(s.laplacian[l]) -
+                                 945 / (32 * pi) * 3 * static_cast<double>(i.place.d[l]);
         const double k = -root * root * laplacian / (h * h) * V / size;
         Vec3d& f = in->force[rows[l]];
         f.x += k * n.x;

@@ -6,20 +6,29 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// What Forces (forces.hpp) gives, to the last bit, of groups without liquid around: two solids exchange heat and nothing else.
+/// What Forces (forces.hpp) gives, to the last bit, of groups without liquid around: two solids exchange heat
+/// and nothing else.
 template<class Real, class Kernel> struct Conduction {
   using L = Lanes<Real>;
   const Record<Real>*place, *state;
   const PairSums* in;
   double heatScale;
   static constexpr double unit = lengthUnit<Real>;
-  struct Data { Lanes4<Real> place, state; };
-  struct Sum { Lanes<double> heat = Lanes<double>(0.0); };
-  THAW_INLINE Data load(const std::uint32_t* entries) const { return {loadListed(place, entries), loadListed(state, entries)}; }
+  struct Data {
+    Lanes4<Real> place, state;
+  };
+  struct Sum {
+    Lanes<double> heat = Lanes<double>(0.0);
+  };
+  THAW_INLINE Data load(const std::uint32_t* entries) const {
+    return {loadListed(place, entries), loadListed(state, entries)};
+  }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = unitDifference(i.place.a, j.place.a), dy = unitDifference(i.place.b, j.place.b), dz = unitDifference(i.place.c, j.place.c);
+    const L dx = unitDifference(i.place.a, j.place.a), dy = unitDifference(i.place.b, j.place.b),
+            dz = unitDifference(i.place.c, j.place.c);
     const L r2 = dot3(dx, dy, dz, dx, dy, dz);
-    s.heat += wide(conducted(i.place.d * j.place.d, i.state, j.state, Kernel::laplace(L(unit) * sqrt(r2), L(unit * unit) * r2)));
+    s.heat += wide(conducted(i.place.d * j.place.d, i.state, j.state,
+                             Kernel::laplace(L(unit) * sqrt(r2), L(unit * unit) * r2)));
   }
   THAW_INLINE void finish(const std::uint32_t* rows, const Data&, const Sum& s, std::uint32_t dummy) const {
     for (int l = 0; l < 8; l++)

@@ -6,9 +6,10 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Filling (SPH density over rest density): delta_i = sum_j V0_j W_ij / (its value on the lattice), the particle included, less PairSums::selfExcess: then it
-/// is 1 on the lattice and grows with compression there as the density does, which at h = 2 dx the plain sum does by .95 only (as Dehnen & Aly 2012
-/// eq. 18 correct it; .95 also on bcc and fcc).
+/// Filling (SPH density over rest density): delta_i = sum_j V0_j W_ij / (its value on the lattice), the
+/// particle included, less PairSums::selfExcess: then it is 1 on the lattice and grows with compression there
+/// as the density does, which at h = 2 dx the plain sum does by .95 only (as Dehnen & Aly 2012 eq. 18 correct
+/// it; .95 also on bcc and fcc).
 template<class Real, class Kernel> struct Density {
   using L = Lanes<Real>;
   const Record<Real>* place;
@@ -17,10 +18,14 @@ template<class Real, class Kernel> struct Density {
   double scale, selfExcess;
   using Data = Lanes4<Real>;
   static constexpr double unit = lengthUnit<Real>;
-  struct Sum { L filling = L(0.0), closest = L(1 / (unit * unit)); };  ///< the closest other one's r^2, in unit^2
+  /// the closest other one's r^2, in unit^2
+  struct Sum {
+    L filling = L(0.0), closest = L(1 / (unit * unit));
+  };
   THAW_INLINE Data load(const std::uint32_t* entries) const { return loadListed(place, entries); }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = unitDifference(i.a, j.a), dy = unitDifference(i.b, j.b), dz = unitDifference(i.c, j.c), r2 = dot3(dx, dy, dz, dx, dy, dz);
+    const L dx = unitDifference(i.a, j.a), dy = unitDifference(i.b, j.b), dz = unitDifference(i.c, j.c),
+            r2 = dot3(dx, dy, dz, dx, dy, dz);
     s.filling = fma(j.d, Kernel::w(L(unit) * sqrt(r2), L(unit * unit) * r2), s.filling);
     s.closest = select(j.d > L(0.0), min(s.closest, r2), s.closest);
   }
@@ -30,7 +35,8 @@ template<class Real, class Kernel> struct Density {
     const bool touching = any(s.closest < touch);
     for (int l = 0; l < 8; l++)
       if (rows[l] != dummy) {
-        filling[rows[l]] = static_cast<float>(scale * static_cast<double>(total[l]) - selfExcess * static_cast<double>(i.d[l]));
+        filling[rows[l]] = static_cast<float>(scale * static_cast<double>(total[l]) -
+                                              selfExcess * static_cast<double>(i.d[l]));
         if (touching && s.closest[l] < touch[l]) ++*coincident;
       }
   }

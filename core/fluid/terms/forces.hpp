@@ -7,23 +7,32 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Pressure (variational: Monaghan 2005 eq. 3.3 with filling for density; or as printed in K05), viscosity (Monaghan's pair along r,
-/// 2005 eq. 8.9 without its artificial scaling, or MCG03 eq. 13) and heat conduction (Cleary & Monaghan 1999 eq. 36).
-/// A solid particle pushes back with the pressure of a liquid neighbour and no more (Akinci 2012): the force is the slope of the liquid's
-/// energy of compression, so that nothing is gained or lost between the two. It drags on it; two solids do not see each other. Without Viscous, viscosity is implicit (viscous_operator.hpp).
-/// Carried: pressure is a tensor, p / filling^2 times the gradient correction, the inverse moment
-/// (Bonet & Lok 1999). The force is the adjoint of the corrected divergence: pairs conserve momentum and energy.
-/// It is not central. The pressure of a solid beside liquid acts only between that solid and liquids.
-template<class Real, class Kernel, bool Viscous, bool Laplacian, bool Heat, bool Carried = false> struct Forces {
+/// Pressure (variational: Monaghan 2005 eq. 3.3 with filling for density; or as printed in K05), viscosity
+/// (Monaghan's pair along r, 2005 eq. 8.9 without its artificial scaling, or MCG03 eq. 13) and heat
+/// conduction (Cleary & Monaghan 1999 eq. 36). A solid particle pushes back with the pressure of a liquid
+/// neighbour and no more (Akinci 2012): the force is the slope of the liquid's energy of compression, so that
+/// nothing is gained or lost between the two. It drags on it; two solids do not see each other. Without
+/// Viscous, viscosity is implicit (viscous_operator.hpp). Carried: pressure is a tensor, p / filling^2 times
+/// the gradient correction, the inverse moment (Bonet & Lok 1999). The force is the adjoint of the corrected
+/// divergence: pairs conserve momentum and energy. It is not central. The pressure of a solid beside liquid
+/// acts only between that solid and liquids.
+template<class Real, class Kernel, bool Viscous, bool Laplacian, bool Heat, bool Carried = false>
+struct Forces {
   using L = Lanes<Real>;
   const Record<Real>*place, *motion, *state, *diagonal, *mixed;
   const PairSums* in;
   L pressureScale, viscousScale, viscousWeight;  ///< viscousScale: per lengthUnit
   double heatScale;
   static constexpr double unit = lengthUnit<Real>;
-  struct Data { Lanes4<Real> place, motion, state, diagonal, mixed; };
+  struct Data {
+    Lanes4<Real> place, motion, state, diagonal, mixed;
+  };
   using Wide = Lanes<double>;
-  struct Sum { Wide x = Wide(0.0), y = Wide(0.0), z = Wide(0.0); L lost = L(0.0); Wide heat = Lanes<double>(0.0); };
+  struct Sum {
+    Wide x = Wide(0.0), y = Wide(0.0), z = Wide(0.0);
+    L lost = L(0.0);
+    Wide heat = Lanes<double>(0.0);
+  };
   THAW_INLINE Data load(const std::uint32_t* entries) const {
     Data d;
     d.place = loadListed(place, entries);
@@ -33,19 +42,25 @@ template<class Real, class Kernel, bool Viscous, bool Laplacian, bool Heat, bool
     return d;
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    // places and what follows from them in lengthUnit: what that leaves is in viscousScale, and taken in by finish
-    const L dx = unitDifference(i.place.a, j.place.a), dy = unitDifference(i.place.b, j.place.b), dz = unitDifference(i.place.c, j.place.c);
+    // places and what follows from them in lengthUnit: what that leaves is in viscousScale, and taken in by
+    // finish
+    const L dx = unitDifference(i.place.a, j.place.a), dy = unitDifference(i.place.b, j.place.b),
+            dz = unitDifference(i.place.c, j.place.c);
     const L r2 = dot3(dx, dy, dz, dx, dy, dz), q = L(unit) * sqrt(r2), q2 = L(unit * unit) * r2;
     const L VV = i.place.d * j.place.d;
     const L slope = Kernel::slope(q, q2);
     const L fi = i.state.b, fj = j.state.b;
-    // Every factor below is the same for j, or of the other sign, to the last bit: summed in double precision, no momentum is lost to rounding.
-    const L strength = pressureScale * VV * slope, pressure = Carried ? L(0.0) : strength * (i.state.a + j.state.a);
+    // Every factor below is the same for j, or of the other sign, to the last bit: summed in double
+    // precision, no momentum is lost to rounding.
+    const L strength = pressureScale * VV * slope,
+            pressure = Carried ? L(0.0) : strength * (i.state.a + j.state.a);
     const L ux = i.motion.a - j.motion.a, uy = i.motion.b - j.motion.b, uz = i.motion.c - j.motion.c;
     const L wet = fi + fj - fi * fj;
     if constexpr (Carried) {
-      const L xx = i.diagonal.a + j.diagonal.a, yy = i.diagonal.b + j.diagonal.b, zz = i.diagonal.c + j.diagonal.c;
-      const L xy = i.mixed.a + j.mixed.a, xz = i.mixed.b + j.mixed.b, yz = i.mixed.c + j.mixed.c, k = strength * wet;
+      const L xx = i.diagonal.a + j.diagonal.a, yy = i.diagonal.b + j.diagonal.b,
+              zz = i.diagonal.c + j.diagonal.c;
+      const L xy = i.mixed.a + j.mixed.a, xz = i.mixed.b + j.mixed.b, yz = i.mixed.c + j.mixed.c,
+              k = strength * wet;
       s.x -= wide(k * dot3(xx, xy, xz, dx, dy, dz));
       s.y -= wide(k * dot3(xy, yy, yz, dx, dy, dz));
       s.z -= wide(k * dot3(xz, yz, zz, dx, dy, dz));

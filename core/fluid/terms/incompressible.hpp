@@ -1,5 +1,6 @@
-// The sums of the incompressible pressure solver (core/fluid/incompressible/): a constraint's slope applied to velocities, its transpose
-// applied to pressures, and the diagonal of their product. Three terms of the pair sums (term.hpp).
+// The sums of the incompressible pressure solver (core/fluid/incompressible/): a constraint's slope applied
+// to velocities, its transpose applied to pressures, and the diagonal of their product. Three terms of the
+// pair sums (term.hpp).
 #pragma once
 #include "core/fluid/terms/term.hpp"
 
@@ -13,12 +14,20 @@ template<class Real, class Kernel> struct Compression {
   const Record<Real>*place, *motion;
   double* rate;
   double scale;
-  struct Data { Lanes4<Real> place, motion; };
-  struct Sum { L rate = L(0.0); };
-  THAW_INLINE Data load(const std::uint32_t* entries) const { return {loadListed(place, entries), loadListed(motion, entries)}; }
+  struct Data {
+    Lanes4<Real> place, motion;
+  };
+  struct Sum {
+    L rate = L(0.0);
+  };
+  THAW_INLINE Data load(const std::uint32_t* entries) const {
+    return {loadListed(place, entries), loadListed(motion, entries)};
+  }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);
-    const L approach = (i.motion.a - j.motion.a) * dx + (i.motion.b - j.motion.b) * dy + (i.motion.c - j.motion.c) * dz;
+    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b),
+            dz = positionDifference(i.place.c, j.place.c);
+    const L approach = (i.motion.a - j.motion.a) * dx + (i.motion.b - j.motion.b) * dy +
+                       (i.motion.c - j.motion.c) * dz;
     s.rate += j.place.d * Kernel::slope(dx * dx + dy * dy + dz * dz) * approach;
   }
   THAW_INLINE void finish(const std::uint32_t* rows, const Data&, const Sum& s, std::uint32_t dummy) const {
@@ -33,11 +42,18 @@ template<class Real, class Kernel> struct Impulse {
   const Record<Real>*place, *state;
   Vec3d* impulse;
   double scale;
-  struct Data { Lanes4<Real> place, state; };
-  struct Sum { L x = L(0.0), y = L(0.0), z = L(0.0); };
-  THAW_INLINE Data load(const std::uint32_t* entries) const { return {loadListed(place, entries), loadListed(state, entries)}; }
+  struct Data {
+    Lanes4<Real> place, state;
+  };
+  struct Sum {
+    L x = L(0.0), y = L(0.0), z = L(0.0);
+  };
+  THAW_INLINE Data load(const std::uint32_t* entries) const {
+    return {loadListed(place, entries), loadListed(state, entries)};
+  }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);
+    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b),
+            dz = positionDifference(i.place.c, j.place.c);
     const L k = j.place.d * Kernel::slope(dx * dx + dy * dy + dz * dz) * (i.state.a + j.state.a);
     s.x -= k * dx;
     s.y -= k * dy;
@@ -47,24 +63,32 @@ template<class Real, class Kernel> struct Impulse {
     for (int l = 0; l < 8; l++)
       if (rows[l] != dummy) {
         const double V = scale * static_cast<double>(i.place.d[l]);
-        impulse[rows[l]] = {V * static_cast<double>(s.x[l]), V * static_cast<double>(s.y[l]), V * static_cast<double>(s.z[l])};
+        impulse[rows[l]] = {V * static_cast<double>(s.x[l]), V * static_cast<double>(s.y[l]),
+                            V * static_cast<double>(s.z[l])};
       }
   }
 };
 
-/// What the diagonal is made of: slope of the filling by the particle's own place (1/m), and sum_j |slope by j's place|^2 / m_j
-/// (1/(m^2 kg)); 1/m_j is state.c.
+/// What the diagonal is made of: slope of the filling by the particle's own place (1/m), and sum_j |slope by
+/// j's place|^2 / m_j (1/(m^2 kg)); 1/m_j is state.c.
 template<class Real, class Kernel> struct Response {
   using L = Lanes<Real>;
   const Record<Real>*place, *state;
   Vec3d* slope;
   double* others;
   double slopeScale;
-  struct Data { Lanes4<Real> place, state; };
-  struct Sum { L x = L(0.0), y = L(0.0), z = L(0.0), others = L(0.0); };
-  THAW_INLINE Data load(const std::uint32_t* entries) const { return {loadListed(place, entries), loadListed(state, entries)}; }
+  struct Data {
+    Lanes4<Real> place, state;
+  };
+  struct Sum {
+    L x = L(0.0), y = L(0.0), z = L(0.0), others = L(0.0);
+  };
+  THAW_INLINE Data load(const std::uint32_t* entries) const {
+    return {loadListed(place, entries), loadListed(state, entries)};
+  }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);
+    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b),
+            dz = positionDifference(i.place.c, j.place.c);
     const L q2 = dx * dx + dy * dy + dz * dz, k = j.place.d * Kernel::slope(q2);
     s.x += k * dx;
     s.y += k * dy;
@@ -75,7 +99,8 @@ template<class Real, class Kernel> struct Response {
     for (int l = 0; l < 8; l++)
       if (rows[l] != dummy) {
         const std::uint32_t i = rows[l];
-        slope[i] = {slopeScale * static_cast<double>(s.x[l]), slopeScale * static_cast<double>(s.y[l]), slopeScale * static_cast<double>(s.z[l])};
+        slope[i] = {slopeScale * static_cast<double>(s.x[l]), slopeScale * static_cast<double>(s.y[l]),
+                    slopeScale * static_cast<double>(s.z[l])};
         others[i] = slopeScale * slopeScale * static_cast<double>(s.others[l]);
       }
   }

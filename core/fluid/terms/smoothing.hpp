@@ -11,13 +11,18 @@ template<class Real, class Kernel> struct Smoothing {
   using L = Lanes<Real>;
   const Record<Real>*place, *motion, *surface;
   const PairSums* in;
-  struct Data { Lanes4<Real> place, motion, surface; };
-  struct Sum { L x = L(0.0), y = L(0.0), z = L(0.0); };
+  struct Data {
+    Lanes4<Real> place, motion, surface;
+  };
+  struct Sum {
+    L x = L(0.0), y = L(0.0), z = L(0.0);
+  };
   THAW_INLINE Data load(const std::uint32_t* entries) const {
     return {loadListed(place, entries), loadListed(motion, entries), loadListed(surface, entries)};
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);
+    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b),
+            dz = positionDifference(i.place.c, j.place.c);
     const L w = min(i.surface.d, j.surface.d) * j.place.d * Kernel::w(dx * dx + dy * dy + dz * dz);
     s.x -= w * (i.motion.a - j.motion.a);
     s.y -= w * (i.motion.b - j.motion.b);
@@ -26,7 +31,8 @@ template<class Real, class Kernel> struct Smoothing {
   THAW_INLINE void finish(const std::uint32_t* rows, const Data&, const Sum& s, std::uint32_t dummy) const {
     for (int l = 0; l < 8; l++)
       if (rows[l] != dummy) {
-        const Vec3d found{static_cast<double>(s.x[l]), static_cast<double>(s.y[l]), static_cast<double>(s.z[l])};
+        const Vec3d found{static_cast<double>(s.x[l]), static_cast<double>(s.y[l]),
+                          static_cast<double>(s.z[l])};
         Vec3d& smoothed = in->smoothed[rows[l]];
         smoothed = in->crowding ? smoothed + found : found;  // add to the shifting velocity
       }

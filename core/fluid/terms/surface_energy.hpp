@@ -1,4 +1,5 @@
-// Surface tension from an energy of the surface (surface_energy.hpp): what a particle sees of the surface, and the forces. Terms of the pair sums (term.hpp).
+// Surface tension from an energy of the surface (surface_energy.hpp): what a particle sees of the surface,
+// and the forces. Terms of the pair sums (term.hpp).
 #pragma once
 #include "core/fluid/surface_kernel.hpp"
 #include "core/fluid/terms/term.hpp"
@@ -13,10 +14,13 @@ template<class Real> struct SurfaceSeen {
   const Record<Real>* place;
   const PairSums* in;
   using Data = Lanes4<Real>;
-  struct Sum { L x = L(0.0), y = L(0.0), z = L(0.0), cover = L(0.0); };
+  struct Sum {
+    L x = L(0.0), y = L(0.0), z = L(0.0), cover = L(0.0);
+  };
   THAW_INLINE Data load(const std::uint32_t* entries) const { return loadListed(place, entries); }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.a, j.a), dy = positionDifference(i.b, j.b), dz = positionDifference(i.c, j.c);
+    const L dx = positionDifference(i.a, j.a), dy = positionDifference(i.b, j.b),
+            dz = positionDifference(i.c, j.c);
     const L q2 = dx * dx + dy * dy + dz * dz, g = j.d * SurfaceKernel::slope(q2);
     s.x += g * dx;
     s.y += g * dy;
@@ -26,27 +30,37 @@ template<class Real> struct SurfaceSeen {
   THAW_INLINE void finish(const std::uint32_t* rows, const Data&, const Sum& s, std::uint32_t dummy) const {
     for (int l = 0; l < 8; l++)
       if (rows[l] != dummy) {
-        in->surfaceGradient[rows[l]] = {static_cast<double>(s.x[l]), static_cast<double>(s.y[l]), static_cast<double>(s.z[l])};
+        in->surfaceGradient[rows[l]] = {static_cast<double>(s.x[l]), static_cast<double>(s.y[l]),
+                                        static_cast<double>(s.z[l])};
         in->surfaceCover[rows[l]] = static_cast<double>(s.cover[l]);
       }
   }
 };
 
-/// -V_i sum V_j (H (u_i - u_j) + (s_i + s_j) grad W), H the Hessian of W, u and s the slopes of the energy by gradient and cover. Every factor
-/// is the same for j, or of the other sign, to the last bit: summed in double precision, no momentum is lost to rounding.
+/// -V_i sum V_j (H (u_i - u_j) + (s_i + s_j) grad W), H the Hessian of W, u and s the slopes of the energy by
+/// gradient and cover. Every factor is the same for j, or of the other sign, to the last bit: summed in
+/// double precision, no momentum is lost to rounding.
 template<class Real> struct SurfaceForces {
   using L = Lanes<Real>;
   const Record<Real>*place, *pull;
   const PairSums* in;
   double scale;
-  struct Data { Lanes4<Real> place, pull; };
+  struct Data {
+    Lanes4<Real> place, pull;
+  };
   using Wide = Lanes<double>;
-  struct Sum { Wide x = Wide(0.0), y = Wide(0.0), z = Wide(0.0); };
-  THAW_INLINE Data load(const std::uint32_t* entries) const { return {loadListed(place, entries), loadListed(pull, entries)}; }
+  struct Sum {
+    Wide x = Wide(0.0), y = Wide(0.0), z = Wide(0.0);
+  };
+  THAW_INLINE Data load(const std::uint32_t* entries) const {
+    return {loadListed(place, entries), loadListed(pull, entries)};
+  }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);
+    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b),
+            dz = positionDifference(i.place.c, j.place.c);
     const L q2 = dx * dx + dy * dy + dz * dz, VV = i.place.d * j.place.d;
-    const L slope = SurfaceKernel::slope(q2), bend = SurfaceKernel::bend(q2);  // grad W = slope d, H = slope 1 + bend d d
+    // grad W = slope d, H = slope 1 + bend d d
+    const L slope = SurfaceKernel::slope(q2), bend = SurfaceKernel::bend(q2);
     const L x = i.pull.a - j.pull.a, y = i.pull.b - j.pull.b, z = i.pull.c - j.pull.c;
     const L along = bend * (x * dx + y * dy + z * dz) + slope * (i.pull.d + j.pull.d);
     s.x -= widen(VV * (slope * x + along * dx));

@@ -13,11 +13,18 @@ template<class Real> struct Tension {
   const Record<Real>*place, *surface;
   const PairSums* in;
   double scale;  // 8 / (pi moment4), and units in finish
-  struct Data { Lanes4<Real> place, surface; };
-  struct Sum { L x = L(0.0), y = L(0.0), z = L(0.0), energy = L(0.0); };
-  THAW_INLINE Data load(const std::uint32_t* entries) const { return {loadListed(place, entries), loadListed(surface, entries)}; }
+  struct Data {
+    Lanes4<Real> place, surface;
+  };
+  struct Sum {
+    L x = L(0.0), y = L(0.0), z = L(0.0), energy = L(0.0);
+  };
+  THAW_INLINE Data load(const std::uint32_t* entries) const {
+    return {loadListed(place, entries), loadListed(surface, entries)};
+  }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);
+    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b),
+            dz = positionDifference(i.place.c, j.place.c);
     const L q = min(sqrt(dx * dx + dy * dy + dz * dz), L(1.0));
     const L strength = j.place.d * j.surface.a;
     const L f = strength * Cohesion::force(q) / max(q, L(1e-6));

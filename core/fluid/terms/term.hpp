@@ -1,6 +1,7 @@
-// What a term of the pair sums is: `load` of a group of eight rows, `pair` of own row and neighbour in each lane, and `finish`, which writes
-// the sums of eight rows. The loop is sweep(). Compiled once for each instruction set.
-// d: position difference own - other in support radii; V: volumes in h^3; lengths come back with the factors in finish.
+// What a term of the pair sums is: `load` of a group of eight rows, `pair` of own row and neighbour in each
+// lane, and `finish`, which writes the sums of eight rows. The loop is sweep(). Compiled once for each
+// instruction set. d: position difference own - other in support radii; V: volumes in h^3; lengths come back
+// with the factors in finish.
 #pragma once
 #include "core/kernels/kernels.hpp"
 #include "core/neighbours/sweep.hpp"
@@ -11,15 +12,19 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Heat that i gets from j, with the harmonic mean of their conductivities (Cleary & Monaghan 1999 eq. 36); VV: both volumes' product. For j the same but for its sign,
-/// to the last bit.
-template<class Real> THAW_INLINE Lanes<Real> conducted(Lanes<Real> VV, const Lanes4<Real>& i, const Lanes4<Real>& j, Lanes<Real> laplace) {
+/// Heat that i gets from j, with the harmonic mean of their conductivities (Cleary & Monaghan 1999 eq. 36);
+/// VV: both volumes' product. For j the same but for its sign, to the last bit.
+template<class Real>
+THAW_INLINE Lanes<Real> conducted(Lanes<Real> VV, const Lanes4<Real>& i, const Lanes4<Real>& j,
+                                  Lanes<Real> laplace) {
   using L = Lanes<Real>;
   const L k = L(2.0) * i.d * j.d / max(i.d + j.d, L(1e-30));
   return VV * k * laplace * (j.c - i.c);
 }
 
-template<class Real> const Record<Real>* records(const void* p) { return static_cast<const Record<Real>*>(p); }
+template<class Real> const Record<Real>* records(const void* p) {
+  return static_cast<const Record<Real>*>(p);
+}
 
 }  // namespace
 }  // namespace THAW_ISA

@@ -1,5 +1,5 @@
-// Pressure, viscosity, heat and artificial viscosity of one liquid whose parameters are the same everywhere: two records a neighbour, not three, and no
-// means to take. One term of the pair sums (term.hpp).
+// Pressure, viscosity, heat and artificial viscosity of one liquid whose parameters are the same everywhere:
+// two records a neighbour, not three, and no means to take. One term of the pair sums (term.hpp).
 #pragma once
 #include "core/fluid/terms/term.hpp"
 #include "core/fluid/viscous_weight.hpp"
@@ -8,10 +8,12 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// To the last bit what Forces (forces.hpp) with the pairwise viscosity gives where all particles are liquid of one material (Modules::uniform), and to rounding
-/// what Artificial (artificial_viscosity.hpp) adds. motion.d is the pressure term; with heat it is the temperature, and place.d the pressure term: the volume
+/// To the last bit what Forces (forces.hpp) with the pairwise viscosity gives where all particles are liquid
+/// of one material (Modules::uniform), and to rounding what Artificial (artificial_viscosity.hpp) adds.
+/// motion.d is the pressure term; with heat it is the temperature, and place.d the pressure term: the volume
 /// of all particles is the same, and the dummy is known by its temperature.
-/// Carried: place.d, motion.d and tensor hold the pressure tensor (forces.hpp); motion.d identifies the dummy.
+/// Carried: place.d, motion.d and tensor hold the pressure tensor (forces.hpp); motion.d identifies the
+/// dummy.
 template<class Real, class Kernel, bool Heat, bool Shocks, bool Carried = false> struct UniformForces {
   using L = Lanes<Real>;
   const Record<Real>*place, *motion, *tensor;
@@ -36,12 +38,15 @@ template<class Real, class Kernel, bool Heat, bool Shocks, bool Carried = false>
     return d;
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    // places and what follows from them in lengthUnit: what that leaves is in viscousScale, and taken in by finish
-    const L dx = unitDifference(i.place.a, j.place.a), dy = unitDifference(i.place.b, j.place.b), dz = unitDifference(i.place.c, j.place.c);
+    // places and what follows from them in lengthUnit: what that leaves is in viscousScale, and taken in by
+    // finish
+    const L dx = unitDifference(i.place.a, j.place.a), dy = unitDifference(i.place.b, j.place.b),
+            dz = unitDifference(i.place.c, j.place.c);
     const L r2 = dot3(dx, dy, dz, dx, dy, dz), q = L(unit) * sqrt(r2), q2 = L(unit * unit) * r2;
     const L Vi = Heat || Carried ? volume : i.place.d;
     L Vj = j.place.d;
-    if constexpr (Heat || Carried) Vj = select(j.motion.d > L(0.5 * (Heat ? dummyTemperature : dummyPressure)), volume, L(0.0));
+    if constexpr (Heat || Carried)
+      Vj = select(j.motion.d > L(0.5 * (Heat ? dummyTemperature : dummyPressure)), volume, L(0.0));
     const L VV = Vi * Vj;
     const L slope = Kernel::slope(q, q2);
     const L strength = pressureScale * VV * slope;
@@ -50,7 +55,8 @@ template<class Real, class Kernel, bool Heat, bool Shocks, bool Carried = false>
     const L mu = viscosity * VV * weightAt(viscousWeight, q) * approach / (r2 + L(1e-6 / (unit * unit)));
     if constexpr (Carried) {
       const L xx = i.place.d + j.place.d, yy = i.motion.d + j.motion.d, zz = i.tensor.a + j.tensor.a;
-      const L xy = i.tensor.b + j.tensor.b, xz = i.tensor.c + j.tensor.c, yz = i.tensor.d + j.tensor.d, resist = viscousScale * mu;
+      const L xy = i.tensor.b + j.tensor.b, xz = i.tensor.c + j.tensor.c, yz = i.tensor.d + j.tensor.d,
+              resist = viscousScale * mu;
       s.x -= wide(strength * dot3(xx, xy, xz, dx, dy, dz) + resist * dx);
       s.y -= wide(strength * dot3(xy, yy, yz, dx, dy, dz) + resist * dy);
       s.z -= wide(strength * dot3(xz, yz, zz, dx, dy, dz) + resist * dz);
@@ -61,9 +67,11 @@ template<class Real, class Kernel, bool Heat, bool Shocks, bool Carried = false>
       s.z -= wide(f * dz);
     }
     s.lost = fma(mu, approach, s.lost);
-    if constexpr (Heat) s.heat += wide(VV * conductivity * Kernel::laplace(q, q2) * (j.motion.d - i.motion.d));
+    if constexpr (Heat)
+      s.heat += wide(VV * conductivity * Kernel::laplace(q, q2) * (j.motion.d - i.motion.d));
     if constexpr (Shocks) {
-      const L closing = min(approach, L(0.0)), nu = artificial * Vj * slope * closing / (r2 + L(0.01 / (unit * unit)));
+      const L closing = min(approach, L(0.0)),
+              nu = artificial * Vj * slope * closing / (r2 + L(0.01 / (unit * unit)));
       s.sx += nu * dx;
       s.sy += nu * dy;
       s.sz += nu * dz;
@@ -72,7 +80,8 @@ template<class Real, class Kernel, bool Heat, bool Shocks, bool Carried = false>
   }
   THAW_INLINE void finish(const std::uint32_t* rows, const Data& i, const Sum& s, std::uint32_t dummy) const {
     for (int l = 0; l < 8; l++)
-      if (rows[l] != dummy) {  // the first that a step finds: set, not added, so that nothing has to be cleared
+      if (rows[l] != dummy) {  // the first that a step finds: set, not added, so that nothing has to be
+                               // cleared
         Vec3d f{unit * s.x[l], unit * s.y[l], unit * s.z[l]};
         double dissipation = 0.5 * in->support * static_cast<double>(s.lost[l]);
         if constexpr (Heat) in->heatFlow[rows[l]] = heatScale * s.heat[l];

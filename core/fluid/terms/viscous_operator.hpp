@@ -1,4 +1,5 @@
-// The viscous forces of forces.hpp as a linear operator on a velocity, for the implicit solver. One term of the pair sums (term.hpp).
+// The viscous forces of forces.hpp as a linear operator on a velocity, for the implicit solver. One term of
+// the pair sums (term.hpp).
 #pragma once
 #include "core/fluid/terms/term.hpp"
 #include "core/fluid/viscous_weight.hpp"
@@ -7,20 +8,26 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Eight viscosities and liquid fractions from the last value of a ViscousRecord, two floats in the place of a double.
+/// Eight viscosities and liquid fractions from the last value of a ViscousRecord, two floats in the place of
+/// a double.
 THAW_INLINE void splitFloats(LanesD both, LanesF& first, LanesF& second) {
   const Vec8f lo = reinterpret_cast<Vec8f>(both.lo), hi = reinterpret_cast<Vec8f>(both.hi);
   first = LanesF(__builtin_shufflevector(lo, hi, 0, 2, 4, 6, 8, 10, 12, 14));
   second = LanesF(__builtin_shufflevector(lo, hi, 1, 3, 5, 7, 9, 11, 13, 15));
 }
 template<class Real> struct Widened;
-template<> struct Widened<float> { static THAW_INLINE LanesF of(LanesF a) { return a; } };
-template<> struct Widened<double> { static THAW_INLINE LanesD of(LanesF a) { return widen(a); } };
+template<> struct Widened<float> {
+  static THAW_INLINE LanesF of(LanesF a) { return a; }
+};
+template<> struct Widened<double> {
+  static THAW_INLINE LanesD of(LanesF a) { return widen(a); }
+};
 
-/// sum_j c_ij (u_ij . x_ij) x_ij: minus the pairwise viscous force of forces.hpp. The factor c_ij and the difference of places have the
-/// precision of the scene and the same bits, but for a sign, at both ends; velocities and sums are double whatever the scene says. So the operator is symmetric
-/// and momentum is kept to the rounding of doubles; and u_ij is not lost where viscosity makes it tiny beside u.
-/// Start also sums the particle's own 3x3 block; Force also sums what the force takes from `motion`.
+/// sum_j c_ij (u_ij . x_ij) x_ij: minus the pairwise viscous force of forces.hpp. The factor c_ij and the
+/// difference of places have the precision of the scene and the same bits, but for a sign, at both ends;
+/// velocities and sums are double whatever the scene says. So the operator is symmetric and momentum is kept
+/// to the rounding of doubles; and u_ij is not lost where viscosity makes it tiny beside u. Start also sums
+/// the particle's own 3x3 block; Force also sums what the force takes from `motion`.
 template<class Real, ViscousPass pass> struct ViscousOperator {
   using L = Lanes<Real>;
   static constexpr bool blocks = pass == ViscousPass::Start, lost = pass == ViscousPass::Force;
@@ -29,7 +36,11 @@ template<class Real, ViscousPass pass> struct ViscousOperator {
   const ViscousSums* out;
   double scale;
   L weight;  ///< of viscosity (viscous_weight.hpp)
-  struct Data { Lanes4<Real> place; Lanes4<double> velocity, middle; LanesF viscosity, liquid; };
+  struct Data {
+    Lanes4<Real> place;
+    Lanes4<double> velocity, middle;
+    LanesF viscosity, liquid;
+  };
   struct Sum {
     LanesD x = LanesD(0.0), y = LanesD(0.0), z = LanesD(0.0), lost = LanesD(0.0);
     L xx = L(0.0), yy = L(0.0), zz = L(0.0), xy = L(0.0), yz = L(0.0), xz = L(0.0);
@@ -43,13 +54,17 @@ template<class Real, ViscousPass pass> struct ViscousOperator {
     return d;
   }
   THAW_INLINE void pair(const Data& i, const Data& j, const std::uint32_t*, Sum& s) const {
-    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b), dz = positionDifference(i.place.c, j.place.c);
+    const L dx = positionDifference(i.place.a, j.place.a), dy = positionDifference(i.place.b, j.place.b),
+            dz = positionDifference(i.place.c, j.place.c);
     const L q2 = dx * dx + dy * dy + dz * dz;
     const LanesF wet = i.liquid + j.liquid - i.liquid * j.liquid;
-    const LanesF mean = LanesF(2.0f) * (i.viscosity * j.viscosity) / max(i.viscosity + j.viscosity, LanesF(1e-30f));
-    const L c = i.place.d * j.place.d * Widened<Real>::of(wet * mean) * alongPair(weight, q2) / (q2 + L(1e-6));
+    const LanesF mean = LanesF(2.0f) * (i.viscosity * j.viscosity) /
+                        max(i.viscosity + j.viscosity, LanesF(1e-30f));
+    const L c = i.place.d * j.place.d * Widened<Real>::of(wet * mean) * alongPair(weight, q2) /
+                (q2 + L(1e-6));
     const LanesD ex = widen(dx), ey = widen(dy), ez = widen(dz);
-    const LanesD approach = (i.velocity.a - j.velocity.a) * ex + (i.velocity.b - j.velocity.b) * ey + (i.velocity.c - j.velocity.c) * ez;
+    const LanesD approach = (i.velocity.a - j.velocity.a) * ex + (i.velocity.b - j.velocity.b) * ey +
+                            (i.velocity.c - j.velocity.c) * ez;
     const LanesD f = widen(c) * approach;
     s.x += f * ex;
     s.y += f * ey;
@@ -63,7 +78,9 @@ template<class Real, ViscousPass pass> struct ViscousOperator {
       s.yz += cy * dz;
       s.xz += cx * dz;
     }
-    if constexpr (lost) s.lost += f * ((i.middle.a - j.middle.a) * ex + (i.middle.b - j.middle.b) * ey + (i.middle.c - j.middle.c) * ez);
+    if constexpr (lost)
+      s.lost += f * ((i.middle.a - j.middle.a) * ex + (i.middle.b - j.middle.b) * ey +
+                     (i.middle.c - j.middle.c) * ez);
   }
   THAW_INLINE void finish(const std::uint32_t* rows, const Data&, const Sum& s, std::uint32_t dummy) const {
     for (int l = 0; l < 8; l++)
@@ -71,8 +88,9 @@ template<class Real, ViscousPass pass> struct ViscousOperator {
         const std::uint32_t i = rows[l];
         out->result[i] = {scale * s.x[l], scale * s.y[l], scale * s.z[l]};
         if constexpr (blocks)
-          out->block[i] = {scale * static_cast<double>(s.xx[l]), scale * static_cast<double>(s.yy[l]), scale * static_cast<double>(s.zz[l]),
-                           scale * static_cast<double>(s.xy[l]), scale * static_cast<double>(s.yz[l]), scale * static_cast<double>(s.xz[l])};
+          out->block[i] = {scale * static_cast<double>(s.xx[l]), scale * static_cast<double>(s.yy[l]),
+                           scale * static_cast<double>(s.zz[l]), scale * static_cast<double>(s.xy[l]),
+                           scale * static_cast<double>(s.yz[l]), scale * static_cast<double>(s.xz[l])};
         if constexpr (lost) out->lost[i] += 0.5 * scale * s.lost[l];
       }
   }

@@ -1,5 +1,6 @@
-// Green strain with Hooke's law (St. Venant-Kirchhoff; MKN04, K05). Exact under rotation; softens in compression below 0.577 of
-// the length and does not feel inversion, against which the volume force helps (docs/validation/stability.md B4, B5).
+// Green strain with Hooke's law (St. Venant-Kirchhoff; MKN04, K05). Exact under rotation; softens in
+// compression below 0.577 of the length and does not feel inversion, against which the volume force helps
+// (docs/validation/stability.md B4, B5).
 #pragma once
 #include "core/math/mat3.hpp"
 
@@ -24,7 +25,9 @@ template<class T> Sym3<T> hooke(const Sym3<T>& e, const T& lambda, const T& mu) 
 }
 
 /// a s for a symmetric s.
-template<class T> [[gnu::always_inline]] inline Mat3<T> times(const Mat3<T>& a, const Sym3<T>& s) { return {{s * a.row[0], s * a.row[1], s * a.row[2]}}; }
+template<class T> [[gnu::always_inline]] inline Mat3<T> times(const Mat3<T>& a, const Sym3<T>& s) {
+  return {{s * a.row[0], s * a.row[1], s * a.row[2]}};
+}
 
 /// psi = e : hooke(e) / 2, Pa.
 template<class T> T greenEnergy(const Sym3<T>& strain, const T& lambda, const T& mu) {
@@ -34,7 +37,8 @@ template<class T> T greenEnergy(const Sym3<T>& strain, const T& lambda, const T&
 template<class T> Mat3<T> greenStress(const Mat3<T>& f, const Sym3<T>& strain, const T& lambda, const T& mu) {
   return times(f, hooke(strain, lambda, mu));
 }
-/// Principal Kirchhoff stresses of these principal stretches, Pa: t (lambda tr(e) + 2 mu e) with t = stretch^2, e = (t - 1)/2.
+/// Principal Kirchhoff stresses of these principal stretches, Pa: t (lambda tr(e) + 2 mu e) with t =
+/// stretch^2, e = (t - 1)/2.
 inline Vec3d greenPrincipal(const Vec3d& stretch, double lambda, double mu) {
   const Vec3d t{stretch.x * stretch.x, stretch.y * stretch.y, stretch.z * stretch.z};
   const double p = 0.5 * lambda * (t.x + t.y + t.z - 3);

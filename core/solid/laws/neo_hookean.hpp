@@ -6,27 +6,35 @@
 namespace thaw {
 
 /// Cofactor matrix, the derivative of det F.
-template<class T> Mat3<T> cofactor(const Mat3<T>& f) { return {{cross(f.row[1], f.row[2]), cross(f.row[2], f.row[0]), cross(f.row[0], f.row[1])}}; }
+template<class T> Mat3<T> cofactor(const Mat3<T>& f) {
+  return {{cross(f.row[1], f.row[2]), cross(f.row[2], f.row[0]), cross(f.row[0], f.row[1])}};
+}
 
-/// The energy's own constants, from Lame's, so that small strains follow Hooke's law (Smith 2018, section 3.4).
+/// The energy's own constants, from Lame's, so that small strains follow Hooke's law (Smith 2018,
+/// section 3.4).
 template<class T> struct NeoHookeanConstants {
   T lambda, mu;
-  NeoHookeanConstants(const T& lameLambda, const T& lameMu) : lambda(lameLambda + T(5.0 / 6.0) * lameMu), mu(T(4.0 / 3.0) * lameMu) {}
+  NeoHookeanConstants(const T& lameLambda, const T& lameMu)
+      : lambda(lameLambda + T(5.0 / 6.0) * lameMu), mu(T(4.0 / 3.0) * lameMu) {}
 };
 
 /// What the energy takes the logarithm of.
 template<class T> T neoHookeanLogged(const Mat3<T>& f) {
   return T(0.25) * (dot(f.row[0], f.row[0]) + dot(f.row[1], f.row[1]) + dot(f.row[2], f.row[2]) + T(1.0));
 }
-/// psi = mu/2 (|F|^2 - 3) + lambda/2 (J - 1)^2 - 3/4 mu (J - 1) - mu/2 ln((|F|^2 + 1)/4): eq. 14 less its value at rest, Pa. `logarithm` is that of
-/// neoHookeanLogged().
-template<class T> T neoHookeanEnergy(const Mat3<T>& f, const T& lameLambda, const T& lameMu, const T& logarithm) {
+/// psi = mu/2 (|F|^2 - 3) + lambda/2 (J - 1)^2 - 3/4 mu (J - 1) - mu/2 ln((|F|^2 + 1)/4): eq. 14 less its
+/// value at rest, Pa. `logarithm` is that of neoHookeanLogged().
+template<class T>
+T neoHookeanEnergy(const Mat3<T>& f, const T& lameLambda, const T& lameMu, const T& logarithm) {
   const NeoHookeanConstants<T> k(lameLambda, lameMu);
-  const T square = dot(f.row[0], f.row[0]) + dot(f.row[1], f.row[1]) + dot(f.row[2], f.row[2]), j = determinant(f) - T(1.0);
-  return T(0.5) * k.mu * (square - T(3.0)) + T(0.5) * k.lambda * j * j - T(0.75) * k.mu * j - T(0.5) * k.mu * logarithm;
+  const T square = dot(f.row[0], f.row[0]) + dot(f.row[1], f.row[1]) + dot(f.row[2], f.row[2]),
+          j = determinant(f) - T(1.0);
+  return T(0.5) * k.mu * (square - T(3.0)) + T(0.5) * k.lambda * j * j - T(0.75) * k.mu * j -
+         T(0.5) * k.mu * logarithm;
 }
 
-/// First Piola stress P = mu (1 - 1/(|F|^2 + 1)) F + (lambda (J - 1) - 3/4 mu) cof F (Smith 2018, eq. 18), Pa.
+/// First Piola stress P = mu (1 - 1/(|F|^2 + 1)) F + (lambda (J - 1) - 3/4 mu) cof F (Smith 2018, eq. 18),
+/// Pa.
 template<class T> Mat3<T> neoHookeanStress(const Mat3<T>& f, const T& lameLambda, const T& lameMu) {
   const NeoHookeanConstants<T> k(lameLambda, lameMu);
   const T square = dot(f.row[0], f.row[0]) + dot(f.row[1], f.row[1]) + dot(f.row[2], f.row[2]);

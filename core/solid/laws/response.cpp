@@ -16,7 +16,8 @@ ElasticResponse elasticResponse(const ElasticConstants& c, const Mat3d& gradU) {
     const Sym3d strain = greenStrain(gradU);
     r = {greenEnergy(strain, c.lambda, c.mu), greenStress(f, strain, c.lambda, c.mu)};
   } else if (c.law == ElasticLaw::NeoHookean) {
-    r = {neoHookeanEnergy(f, c.lambda, c.mu, std::log(neoHookeanLogged(f))), neoHookeanStress(f, c.lambda, c.mu)};
+    r = {neoHookeanEnergy(f, c.lambda, c.mu, std::log(neoHookeanLogged(f))),
+         neoHookeanStress(f, c.lambda, c.mu)};
   } else {
     const Mat3d rotation = nearestRotation(f);
     r = {corotatedEnergy(f, rotation, c.lambda, c.mu), corotatedStress(f, rotation, c.lambda, c.mu)};

@@ -10,15 +10,18 @@ struct ElasticResponse {
   Mat3d stress{};     ///< Pa, first Piola stress times the reference volume over the volume without stress
 };
 
-/// Of F = 1 + grad u = Fe Fp: psi = psi_law(Fe), P = P_law(Fe) Fp^-T (plasticity.hpp), with plasticInverse = Fp^-1 - 1.
+/// Of F = 1 + grad u = Fe Fp: psi = psi_law(Fe), P = P_law(Fe) Fp^-T (plasticity.hpp), with plasticInverse =
+/// Fp^-1 - 1.
 ElasticResponse elasticResponse(const ElasticConstants& c, const Mat3d& gradU, const Mat3d& plasticInverse);
 /// The same without plastic flow: of Fe from Fe - 1.
 ElasticResponse elasticResponse(const ElasticConstants& c, const Mat3d& gradU);
 
-/// Principal Kirchhoff stresses of these principal elastic stretches, Pa; without the volume force, which has no deviator.
+/// Principal Kirchhoff stresses of these principal elastic stretches, Pa; without the volume force, which has
+/// no deviator.
 Vec3d principalKirchhoff(const ElasticConstants& c, const Vec3d& stretch);
 
-/// Cauchy stress P F^T / det F, Pa; zero where det F is not positive. Of Fe and P_law(Fe) where there is plastic flow.
+/// Cauchy stress P F^T / det F, Pa; zero where det F is not positive. Of Fe and P_law(Fe) where there is
+/// plastic flow.
 Sym3d cauchyStress(const Mat3d& piola, const Mat3d& gradU);
 
 }  // namespace thaw

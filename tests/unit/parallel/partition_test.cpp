@@ -6,10 +6,10 @@ using namespace thaw;
 
 // Five ranks are bisected as 2 (1, 1) and 3 (1, 2 (1, 1)).
 TEST(Partition, FindsOwnersAmongFullAndEmptyBoxes) {
-  const Partition p({{{0, 0, 0}, {4, 6, 5}},    // below x = 4
-                     {{4, 0, 0}, {4, 6, 5}},    // empty
-                     {{4, 0, 0}, {9, 2, 5}},    // y < 2
-                     {{4, 2, 0}, {9, 6, 0}},    // empty
+  const Partition p({{{0, 0, 0}, {4, 6, 5}},  // below x = 4
+                     {{4, 0, 0}, {4, 6, 5}},  // empty
+                     {{4, 0, 0}, {9, 2, 5}},  // y < 2
+                     {{4, 2, 0}, {9, 6, 0}},  // empty
                      {{4, 2, 0}, {9, 6, 5}}});
   for (int guess = 0; guess < 5; guess++) {
     Vec3i c;

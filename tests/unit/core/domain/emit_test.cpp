@@ -32,9 +32,9 @@ TEST(Emitter, NozzleHoldsTheLayersWithinTheSupportRadius) {
   EXPECT_DOUBLE_EQ(p.ahead, 2 * p.interval);
   const Emitter& e = s.emitters[0];
   EXPECT_EQ(layersUntil(e, p, 0.999), 0);
-  EXPECT_EQ(layersUntil(e, p, 1), 3);           // one in the opening, two behind it
+  EXPECT_EQ(layersUntil(e, p, 1), 3);  // one in the opening, two behind it
   EXPECT_EQ(layersUntil(e, p, 1.0051), 4);
-  EXPECT_EQ(layersUntil(e, p, 100), 201);       // the last leaves at the end
+  EXPECT_EQ(layersUntil(e, p, 100), 201);  // the last leaves at the end
   EXPECT_DOUBLE_EQ(leavingTime(e, p, 200), 2);
 }
 

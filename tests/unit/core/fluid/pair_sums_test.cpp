@@ -35,7 +35,9 @@ Reference bruteForce(const Block& b, double fillingScale) {
       if (i == j) continue;
       const Vec3d d = (p.position[i] - p.position[j]) / h, u = p.velocity[i] - p.velocity[j];
       const double q2 = dot(d, d), VV = V(i) * V(j), slope = Kernel::slope(q2);
-      r.force[i] += d * (-VV * (term[i] + term[j]) * slope * fillingScale / h - VV * dot(u, d) / (q2 + 1e-6) * isa_base::alongPair(ViscousWeight{}.scale, q2) / (h * h * h * h * h));
+      r.force[i] += d * (-VV * (term[i] + term[j]) * slope * fillingScale / h -
+                         VV * dot(u, d) / (q2 + 1e-6) * isa_base::alongPair(ViscousWeight{}.scale, q2) /
+                             (h * h * h * h * h));
       r.heat[i] += VV * -2 * slope / (h * h * h * h * h) * (p.temperature[j] - p.temperature[i]);
     }
   return r;
@@ -56,9 +58,11 @@ TEST_P(PairSumsTest, AgreeWithBruteForce) {
   packPressure(x, b.particles, 0, b.particles.owned, b.records);
   pairKernels()->forces(s, b.groups());
   const Reference r = bruteForce(b, s.fillingScale);
-  const double tolerance = GetParam() == Precision::Single ? 2e-5 : 1e-6;  // filling is kept as float, amplified by the stiffness
+  // filling is kept as float, amplified by the stiffness
+  const double tolerance = GetParam() == Precision::Single ? 2e-5 : 1e-6;
   double scale = 0, heatScale = 0;
-  for (std::size_t i = 0; i < b.particles.owned; i++) scale = std::max(scale, length(r.force[i])), heatScale = std::max(heatScale, std::abs(r.heat[i]));
+  for (std::size_t i = 0; i < b.particles.owned; i++)
+    scale = std::max(scale, length(r.force[i])), heatScale = std::max(heatScale, std::abs(r.heat[i]));
   Vec3d total{};
   double heat = 0;
   for (std::size_t i = 0; i < b.particles.owned; i++) {
@@ -68,12 +72,14 @@ TEST_P(PairSumsTest, AgreeWithBruteForce) {
     total += b.particles.force[i];
     heat += b.particles.heatFlow[i];
   }
-  EXPECT_LT(length(total), (GetParam() == Precision::Single ? 1e-5 : 1e-13) * scale);  // momentum is conserved to rounding
+  // momentum is conserved to rounding
+  EXPECT_LT(length(total), (GetParam() == Precision::Single ? 1e-5 : 1e-13) * scale);
   EXPECT_LT(std::abs(heat), (GetParam() == Precision::Single ? 1e-5 : 1e-12) * heatScale);
   EXPECT_EQ(coincident, 0);
 }
 
-// One liquid whose parameters are the same everywhere reads less (terms/uniform_forces.hpp): to the same bits.
+// One liquid whose parameters are the same everywhere reads less (terms/uniform_forces.hpp): to the same
+// bits.
 TEST_P(PairSumsTest, OfOneLiquidAreThoseOfAnyOther) {
   for (const bool heat : {false, true}) {
     std::vector<Vec3d> force[2];
@@ -84,7 +90,8 @@ TEST_P(PairSumsTest, OfOneLiquidAreThoseOfAnyOther) {
       b.modules.uniform = uniform;
       Continuum& p = b.particles;
       const std::size_t n = p.owned;
-      for (std::size_t i = 0; i < n; i++) p.force[i] = {}, p.heatFlow[i] = p.dissipation[i] = p.interaction[i] = 0;
+      for (std::size_t i = 0; i < n; i++)
+        p.force[i] = {}, p.heatFlow[i] = p.dissipation[i] = p.interaction[i] = 0;
       b.findNeighbours(*pairKernels());
       std::int64_t coincident = 0;
       PairSums s = b.sums(&coincident);
@@ -101,7 +108,10 @@ TEST_P(PairSumsTest, OfOneLiquidAreThoseOfAnyOther) {
       lost[uniform].assign(p.dissipation.data(), p.dissipation.data() + n);
       if (heat) flow[uniform].assign(p.heatFlow.data(), p.heatFlow.data() + n);
     }
-    const auto equal = [](const auto& a, const auto& b) { return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0); };
+    const auto equal = [](const auto& a, const auto& b) {
+      return a.size() == b.size() &&
+             (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0);
+    };
     EXPECT_TRUE(equal(force[0], force[1])) << "heat " << heat;
     EXPECT_TRUE(equal(lost[0], lost[1])) << "heat " << heat;
     EXPECT_TRUE(equal(flow[0], flow[1])) << "heat " << heat;
@@ -127,11 +137,13 @@ TEST(PairSums, AreTheSameBitsForEveryInstructionSet) {
       packPressure({b.scene, b.modules, b.grid, b.liquids}, b.particles, 0, b.particles.owned, b.records);
       k->forces(s, b.groups());
       k->tension(s, b.groups());
-      filling[n].insert(filling[n].end(), b.particles.filling.data(), b.particles.filling.data() + b.particles.owned);
+      filling[n].insert(filling[n].end(), b.particles.filling.data(),
+                        b.particles.filling.data() + b.particles.owned);
       force[n].insert(force[n].end(), b.particles.force.data(), b.particles.force.data() + b.particles.owned);
     }
     if (n > 0) {
-      EXPECT_EQ(std::memcmp(filling[0].data(), filling[n].data(), filling[0].size() * sizeof(float)), 0) << name;
+      EXPECT_EQ(std::memcmp(filling[0].data(), filling[n].data(), filling[0].size() * sizeof(float)), 0)
+          << name;
       EXPECT_EQ(std::memcmp(force[0].data(), force[n].data(), force[0].size() * sizeof(Vec3d)), 0) << name;
     }
     n++;
@@ -148,7 +160,8 @@ TEST(PairSums, CoincidentParticlesAreCountedAndMakeNoNaN) {
   packPressure({b.scene, b.modules, b.grid, b.liquids}, b.particles, 0, b.particles.owned, b.records);
   pairKernels()->forces(s, b.groups());
   EXPECT_EQ(coincident, 2);
-  for (std::size_t i = 0; i < b.particles.owned; i++) EXPECT_TRUE(std::isfinite(length(b.particles.force[i])));
+  for (std::size_t i = 0; i < b.particles.owned; i++)
+    EXPECT_TRUE(std::isfinite(length(b.particles.force[i])));
 }
 
 // Cohesion: the force is the derivative of its energy, and the sums keep momentum and angular momentum.
@@ -158,7 +171,8 @@ TEST(PairSums, TensionIsConservative) {
   b.liquids[0].rootTension = 0.3;
   const auto energy = [&] {
     b.findNeighbours(*pairKernels());
-    for (std::size_t i = 0; i < b.particles.owned; i++) b.particles.interaction[i] = 0, b.particles.force[i] = {};
+    for (std::size_t i = 0; i < b.particles.owned; i++)
+      b.particles.interaction[i] = 0, b.particles.force[i] = {};
     std::int64_t c = 0;
     pairKernels()->tension(b.sums(&c), b.groups());
     double e = 0;
@@ -169,7 +183,8 @@ TEST(PairSums, TensionIsConservative) {
   const std::size_t row = 100;
   const Vec3d f = b.particles.force[row];
   Vec3d total{}, torque{};
-  for (std::size_t i = 0; i < b.particles.owned; i++) total += b.particles.force[i], torque += cross(b.particles.position[i], b.particles.force[i]);
+  for (std::size_t i = 0; i < b.particles.owned; i++)
+    total += b.particles.force[i], torque += cross(b.particles.position[i], b.particles.force[i]);
   EXPECT_LT(length(total), 1e-13 * length(f) * 200);
   EXPECT_LT(length(torque), 1e-13 * length(f) * 200);
   const double step = 1e-7;

@@ -1,4 +1,5 @@
-// The operator of the implicit viscosity solver is the explicit viscous sum: the same forces, symmetric, the same bits from every instruction set.
+// The operator of the implicit viscosity solver is the explicit viscous sum: the same forces, symmetric, the
+// same bits from every instruction set.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,14 +20,16 @@ struct Viscous : Block {
     scene.materials[0].young = {1e5, 1e5};
     scene.materials[0].solidus = 300;
     scene.materials[0].liquidus = 310;
-    for (std::size_t i = 0; i < particles.owned; i++) particles.liquid[i] = static_cast<float>(std::max(0.0, 1.5 * hashed(31 * i) - 0.5));
+    for (std::size_t i = 0; i < particles.owned; i++)
+      particles.liquid[i] = static_cast<float>(std::max(0.0, 1.5 * hashed(31 * i) - 0.5));
     findNeighbours(*pairKernels("base"));
     velocity.resize(particles.owned + 1);
     const bool single = precision == Precision::Single;
     for (std::size_t i = 0; i < particles.owned; i++) {
       const Vec3d& v = particles.velocity[i];
       const auto value = [&](const AlignedVector<std::byte>& r, std::size_t k) {
-        return single ? reinterpret_cast<const float*>(r.data())[4 * i + k] : static_cast<float>(reinterpret_cast<const double*>(r.data())[4 * i + k]);
+        return single ? reinterpret_cast<const float*>(r.data())[4 * i + k]
+                      : static_cast<float>(reinterpret_cast<const double*>(r.data())[4 * i + k]);
       };
       velocity[i] = {v.x, v.y, v.z, value(records.motion, 3), value(records.state, 1)};
     }
@@ -65,11 +68,13 @@ double norm(const std::vector<Vec3d>& a) {
 TEST(ViscousOperator, IsTheExplicitForce) {
   for (const Precision precision : {Precision::Single, Precision::Double}) {
     Viscous b(precision);
-    const std::vector<Vec3d> with = b.forces(true), without = b.forces(false), product = b.apply("base", ViscousPass::Apply);
+    const std::vector<Vec3d> with = b.forces(true), without = b.forces(false),
+                             product = b.apply("base", ViscousPass::Apply);
     std::vector<Vec3d> difference;
     for (std::size_t i = 0; i < product.size(); i++) difference.push_back(with[i] - without[i] + product[i]);
     EXPECT_GT(norm(product), 0);
-    EXPECT_LT(norm(difference), (precision == Precision::Single ? 2e-6 : 2e-7) * norm(product));  // the operator's viscosities are floats
+    // the operator's viscosities are floats
+    EXPECT_LT(norm(difference), (precision == Precision::Single ? 2e-6 : 2e-7) * norm(product));
     Vec3d sum{};
     for (const Vec3d& f : product) sum += f;
     EXPECT_LT(length(sum), 1e-13 * norm(product));  // in single precision, too

@@ -25,7 +25,8 @@ Shape of(ShapeKind kind, std::vector<Shape> parts) {
 
 TEST(Combined, setsAndBounds) {
   const Shape a = sphere({-0.3, 0, 0}, 0.5), b = sphere({0.3, 0, 0}, 0.5);
-  const auto both = makeSignedDistance(of(ShapeKind::Union, {a, b})), less = makeSignedDistance(of(ShapeKind::Difference, {a, b})),
+  const auto both = makeSignedDistance(of(ShapeKind::Union, {a, b})),
+             less = makeSignedDistance(of(ShapeKind::Difference, {a, b})),
              common = makeSignedDistance(of(ShapeKind::Intersection, {a, b}));
   for (std::uint64_t k = 0; k < 2000; k++) {
     const Vec3d x = randomPoint({{-1, -1, -1}, {1, 1, 1}}, k);
@@ -52,7 +53,8 @@ TEST(Combined, halfSpacesCutBounds) {
   Shape low;
   low.kind = ShapeKind::HalfSpace;
   low.point = {0, 0, 0.1};
-  const auto cut = makeSignedDistance(of(ShapeKind::Difference, {sphere({}, 0.5), low})), kept = makeSignedDistance(of(ShapeKind::Intersection, {sphere({}, 0.5), low}));
+  const auto cut = makeSignedDistance(of(ShapeKind::Difference, {sphere({}, 0.5), low})),
+             kept = makeSignedDistance(of(ShapeKind::Intersection, {sphere({}, 0.5), low}));
   EXPECT_DOUBLE_EQ(cut->bounds().min.z, 0.1);
   EXPECT_DOUBLE_EQ(cut->bounds().max.z, 0.5);
   EXPECT_DOUBLE_EQ(kept->bounds().max.z, 0.1);
@@ -106,7 +108,9 @@ TEST(Placed, loadersFailuresBecomeShapeErrors) {
   s.kind = ShapeKind::Mesh;
   s.mesh = "m.obj";
   s.where = {"s.toml", 7, 1};
-  const MeshLoader broken = [](const std::string& path) -> TriangleMesh { throw std::runtime_error(path + ":5: bad line"); };
+  const MeshLoader broken = [](const std::string& path) -> TriangleMesh {
+    throw std::runtime_error(path + ":5: bad line");
+  };
   try {
     makeSignedDistance(of(ShapeKind::Union, {s}), broken);
     FAIL();

@@ -14,7 +14,9 @@ namespace {
 TriangleMesh smoothBall(const Vec3d& centre = {}, double sign = 1) {
   TriangleMesh m = ballMesh(centre, 1, 0.5);
   for (const auto& t : m.triangles)
-    m.normals.push_back({sign * normalized(m.vertices[t[0]] - centre), sign * normalized(m.vertices[t[1]] - centre), sign * normalized(m.vertices[t[2]] - centre)});
+    m.normals.push_back({sign * normalized(m.vertices[t[0]] - centre),
+                         sign * normalized(m.vertices[t[1]] - centre),
+                         sign * normalized(m.vertices[t[2]] - centre)});
   return m;
 }
 
@@ -22,12 +24,14 @@ TriangleMesh smoothBall(const Vec3d& centre = {}, double sign = 1) {
 double worstOf(const TriangleMesh& m, const Vec3d& centre = {}) {
   double worst = m.normals.size() == m.triangles.size() ? 0 : 9;
   for (std::size_t t = 0; t < m.normals.size(); t++)
-    for (std::size_t k = 0; k < 3; k++) worst = std::max(worst, length(m.normals[t][k] - normalized(m.vertices[m.triangles[t][k]] - centre)));
+    for (std::size_t k = 0; k < 3; k++)
+      worst = std::max(worst, length(m.normals[t][k] - normalized(m.vertices[m.triangles[t][k]] - centre)));
   return worst;
 }
 
 TEST(FileNormals, AreOfLengthOne) {
-  for (const double l : {1e-310, 1e-200, 1.0, 1e200, 1e308}) EXPECT_NEAR(length(unitNormal({3 * (l / 5), 0, -4 * (l / 5)}) - Vec3d{0.6, 0, -0.8}), 0, 1e-10) << l;
+  for (const double l : {1e-310, 1e-200, 1.0, 1e200, 1e308})
+    EXPECT_NEAR(length(unitNormal({3 * (l / 5), 0, -4 * (l / 5)}) - Vec3d{0.6, 0, -0.8}), 0, 1e-10) << l;
   EXPECT_EQ(unitNormal({}), Vec3d{});
 }
 
@@ -36,10 +40,16 @@ TEST(FileNormals, StayWithTheirCornersThroughRepairs) {
   EXPECT_LT(worstOf(repairMesh(smoothBall(), r)), 1e-15);
   EXPECT_EQ(r.turnedNormals + r.unusedNormals, 0);
   EXPECT_EQ(describeRepairs("x", r), "");
-  TriangleMesh turned = smoothBall();  // every third triangle turned, some of them there twice, others with a corner twice
-  for (std::size_t t = 0; t < turned.triangles.size(); t += 3) std::swap(turned.triangles[t][0], turned.triangles[t][1]), std::swap(turned.normals[t][0], turned.normals[t][1]);
-  for (const std::size_t t : {7u, 20u}) turned.triangles.insert(turned.triangles.begin() + 11, turned.triangles[t]), turned.normals.insert(turned.normals.begin() + 11, turned.normals[t]);
-  turned.triangles.insert(turned.triangles.begin() + 5, {3, 3, 4}), turned.normals.insert(turned.normals.begin() + 5, {Vec3d{1, 0, 0}, Vec3d{1, 0, 0}, Vec3d{1, 0, 0}});
+  TriangleMesh turned = smoothBall();  // every third triangle turned, some of them there twice, others with a
+                                       // corner twice
+  for (std::size_t t = 0; t < turned.triangles.size(); t += 3)
+    std::swap(turned.triangles[t][0], turned.triangles[t][1]),
+        std::swap(turned.normals[t][0], turned.normals[t][1]);
+  for (const std::size_t t : {7u, 20u})
+    turned.triangles.insert(turned.triangles.begin() + 11, turned.triangles[t]),
+        turned.normals.insert(turned.normals.begin() + 11, turned.normals[t]);
+  turned.triangles.insert(turned.triangles.begin() + 5, {3, 3, 4}),
+      turned.normals.insert(turned.normals.begin() + 5, {Vec3d{1, 0, 0}, Vec3d{1, 0, 0}, Vec3d{1, 0, 0}});
   EXPECT_LT(worstOf(repairMesh(turned, r)), 1e-15);
   EXPECT_GT(r.turnedTriangles, 10);
   EXPECT_EQ(r.turnedNormals + r.unusedNormals, 0);
@@ -60,7 +70,8 @@ TEST(FileNormals, OfWhatIsInsideOutAreTurnedAndTold) {
       EXPECT_LT(length(m.normals[t][k] - normalized(x - Vec3d{x.x > 1.5 ? 3.0 : 0.0, 0, 0})), 1e-15);
     }
   EXPECT_EQ(r.turnedNormals, r.normals / 2);
-  EXPECT_EQ(describeRepairs("x", r), "mesh 'x': 1 shell turned the right side out, " + std::to_string(r.normals / 2) + " normals turned outward");
+  EXPECT_EQ(describeRepairs("x", r), "mesh 'x': 1 shell turned the right side out, " +
+                                         std::to_string(r.normals / 2) + " normals turned outward");
 }
 
 TEST(FileNormals, ThatSayNothingFollowFromTheTrianglesAndAreTold) {
@@ -68,7 +79,8 @@ TEST(FileNormals, ThatSayNothingFollowFromTheTrianglesAndAreTold) {
   TriangleMesh odd = smoothBall();
   odd.normals[3][1] = {};
   odd.normals[9][2] = -odd.normals[9][2];
-  odd.triangles.erase(odd.triangles.begin() + 30), odd.normals.erase(odd.normals.begin() + 30);  // a hole: what closes it has none, which is no fault of the file's
+  // a hole: what closes it has none, which is no fault of the file's
+  odd.triangles.erase(odd.triangles.begin() + 30), odd.normals.erase(odd.normals.begin() + 30);
   const TriangleMesh m = repairMesh(odd, r);
   ASSERT_EQ(m.normals.size(), m.triangles.size());
   EXPECT_EQ(r.holes, 1);
@@ -76,14 +88,19 @@ TEST(FileNormals, ThatSayNothingFollowFromTheTrianglesAndAreTold) {
   EXPECT_EQ(m.normals[9][2], Vec3d{});
   EXPECT_EQ(r.unusedNormals, 2);
   EXPECT_EQ(r.normals, 3 * static_cast<std::int64_t>(odd.triangles.size()));
-  EXPECT_NE(describeRepairs("x", r).find(", 2 of its " + std::to_string(r.normals) + " normals are missing, 0 or point to the other side of their triangle"), std::string::npos) << describeRepairs("x", r);
+  EXPECT_NE(
+      describeRepairs("x", r).find(", 2 of its " + std::to_string(r.normals) +
+                                   " normals are missing, 0 or point to the other side of their triangle"),
+      std::string::npos)
+      << describeRepairs("x", r);
   TriangleMesh plain = m;
   plain.normals.clear();
   const MeshNormals with(m), without(plain);
   EXPECT_EQ(with.at(m.vertices[m.triangles[3][1]], 3), without.at(m.vertices[m.triangles[3][1]], 3));
 }
 
-/// Surfels of a coarse ball, scaled, turned and moved: with normals in the file they know the smooth one's, without they cannot.
+/// Surfels of a coarse ball, scaled, turned and moved: with normals in the file they know the smooth one's,
+/// without they cannot.
 TEST(FileNormals, AreThoseOfTheSurfels) {
   const auto worst = [](const TriangleMesh& mesh) {
     Shape shape;
@@ -93,12 +110,14 @@ TEST(FileNormals, AreThoseOfTheSurfels) {
     shape.rotate = {0.4, -1.1, 2.5};
     shape.move = {3, 4, 5};
     double angle = 0;
-    const std::vector<SurfaceSample> samples = sampleShape(shape, [&](const std::string&) { return mesh; }, 0.02, 1);
+    const std::vector<SurfaceSample> samples = sampleShape(
+        shape, [&](const std::string&) { return mesh; }, 0.02, 1);
     EXPECT_GT(samples.size(), 1000u);
     for (const SurfaceSample& s : samples) {
       const Vec3d exact = normalized(s.position - shape.move);
       EXPECT_NEAR(length(s.normal), 1, 1e-12);
-      angle = std::max(angle, 57.29577951308232 * std::atan2(length(cross(s.normal, exact)), dot(s.normal, exact)));
+      angle = std::max(angle,
+                       57.29577951308232 * std::atan2(length(cross(s.normal, exact)), dot(s.normal, exact)));
     }
     return angle;
   };
@@ -110,11 +129,15 @@ TEST(FileNormals, AreThoseOfTheSurfels) {
         if ((x + y + z) % 2 == 0) ball.triangles.push_back({x, y, z});
         else ball.triangles.push_back({x, z, y});
       }
-  for (const auto& t : ball.triangles) ball.normals.push_back({ball.vertices[t[0]], ball.vertices[t[1]], ball.vertices[t[2]]});
+  for (const auto& t : ball.triangles)
+    ball.normals.push_back({ball.vertices[t[0]], ball.vertices[t[1]], ball.vertices[t[2]]});
   const double smooth = worst(ball);
   ball.normals.clear();
   const double flat = worst(ball);
-  std::printf("octahedron: normals of the surfels %.2g degrees off those of the ball at most, by its triangles %.3g\n", smooth, flat);
+  std::printf(
+      "octahedron: normals of the surfels %.2g degrees off those of the ball at most, by its triangles "
+      "%.3g\n",
+      smooth, flat);
   EXPECT_LT(smooth, 1e-6);
   EXPECT_GT(flat, 40);
 }

@@ -52,7 +52,8 @@ TEST(MeshDistance, buriedSurfacesDoNotCount) {
   const MeshDistance d(m, "balls");
   EXPECT_LT(d.distance({0.1, 0, 0}), -0.65);  // the small one is 0.05 away
   EXPECT_LT(d.distance({0.5, 0, 0}), -0.25);
-  EXPECT_LT(d.distance({0.9, 0, 0}), -0.15);  // the large one's surface is 0.1 away, the nearest that is not buried 0.3
+  EXPECT_LT(d.distance({0.9, 0, 0}), -0.15);  // the large one's surface is 0.1 away, the nearest that is not
+                                              // buried 0.3
   EXPECT_NEAR(d.distance({1.4, 0, 0}), 0.2, 0.01);
   for (std::uint64_t k = 0; k < 2000; k++) {
     const Vec3d x = randomPoint({{-1, -1, -1}, {1.3, 1, 1}}, k);
@@ -92,7 +93,8 @@ TEST(MeshDistance, gradientIsTheSlope) {
 }
 
 TEST(MeshDistance, alongALineItIsInsideWhereAskedPointByPoint) {
-  TriangleMesh two = ballMesh({}, 0.5, 0.08), hollow = ballMesh({}, 0.6, 0.1), within = ballMesh({0.05, 0, 0}, 0.4, 0.1);
+  TriangleMesh two = ballMesh({}, 0.5, 0.08), hollow = ballMesh({}, 0.6, 0.1),
+               within = ballMesh({0.05, 0, 0}, 0.4, 0.1);
   append(two, ballMesh({0.4, 0.1, 0}, 0.45, 0.11));  // they overlap
   turnAll(within);
   append(hollow, within);
@@ -103,10 +105,14 @@ TEST(MeshDistance, alongALineItIsInsideWhereAskedPointByPoint) {
     KnownSides known;
     for (std::uint64_t line = 0; line < 300; line++) {
       // a quarter of the lines run on the lattice of the box's faces and edges, where points lie on triangles
-      const Vec3d from = line % 4 == 0 ? Vec3d{-1, 0.25 * static_cast<double>(line / 4 % 9) - 1, 0.25 * static_cast<double>(line / 36) - 1} : randomPoint({{-1, -1, -1}, {1, 1, 1}}, line);
-      const Vec3d step = line % 4 == 0 ? Vec3d{0.125, 0, 0} : randomPoint({{-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}}, 1000 + line);
+      const Vec3d from = line % 4 == 0 ? Vec3d{-1, 0.25 * static_cast<double>(line / 4 % 9) - 1,
+                                               0.25 * static_cast<double>(line / 36) - 1}
+                                       : randomPoint({{-1, -1, -1}, {1, 1, 1}}, line);
+      const Vec3d step = line % 4 == 0 ? Vec3d{0.125, 0, 0}
+                                       : randomPoint({{-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}}, 1000 + line);
       std::vector<Vec3d> points;
-      for (int k = 0; k < 1 + static_cast<int>(line % 40); k++) points.push_back(from + step * static_cast<double>(k));
+      for (int k = 0; k < 1 + static_cast<int>(line % 40); k++)
+        points.push_back(from + step * static_cast<double>(k));
       std::vector<std::uint8_t> in(points.size(), 2);
       d.insideAlong(points, in, known);
       for (std::size_t k = 0; k < points.size(); k++) {
@@ -127,11 +133,14 @@ TEST(MeshDistance, threadsMayAskAtOnce) {
   std::vector<std::thread> asking;
   for (std::vector<double>& f : found)
     asking.emplace_back([&] {
-      for (std::uint64_t k = 0; k < points; k++) f.push_back(many.distanceWithin(randomPoint({{-0.6, -0.6, -0.6}, {0.6, 0.6, 0.6}}, k), 0.02));
+      for (std::uint64_t k = 0; k < points; k++)
+        f.push_back(many.distanceWithin(randomPoint({{-0.6, -0.6, -0.6}, {0.6, 0.6, 0.6}}, k), 0.02));
     });
   for (std::thread& t : asking) t.join();
   for (std::uint64_t k = points; k-- > 0;)
-    for (const std::vector<double>& f : found) ASSERT_EQ(f[k], one.distanceWithin(randomPoint({{-0.6, -0.6, -0.6}, {0.6, 0.6, 0.6}}, k), 0.02));  // whatever was asked first
+    // whatever was asked first
+    for (const std::vector<double>& f : found)
+      ASSERT_EQ(f[k], one.distanceWithin(randomPoint({{-0.6, -0.6, -0.6}, {0.6, 0.6, 0.6}}, k), 0.02));
 }
 
 TEST(Bust, isAClosedSolidOneMetreTall) {

@@ -55,7 +55,8 @@ TEST(MeshRepair, turnsWhatIsInsideOut) {
   TriangleMesh m = ballMesh({}, 0.8, 0.1);
   turnAll(m);
   EXPECT_EQ(wrong(m, around, ball), 0);
-  for (std::size_t t = 0; t < m.triangles.size(); t += 3) std::swap(m.triangles[t][0], m.triangles[t][1]);  // and every third again
+  // and every third again
+  for (std::size_t t = 0; t < m.triangles.size(); t += 3) std::swap(m.triangles[t][0], m.triangles[t][1]);
   EXPECT_EQ(wrong(m, around, ball), 0);
   MeshReport r;
   EXPECT_TRUE(balanced(repairMesh(m, r)));
@@ -67,7 +68,9 @@ TEST(MeshRepair, twoBallsOneOfThemInsideOut) {
   TriangleMesh m = ballMesh({-0.6, 0, 0}, 0.4, 0.05), other = ballMesh({0.6, 0, 0}, 0.4, 0.05);
   turnAll(other);
   append(m, other);
-  const auto both = [](const Vec3d& x) { return std::min(length(x - Vec3d{-0.6, 0, 0}), length(x - Vec3d{0.6, 0, 0})) - 0.4; };
+  const auto both = [](const Vec3d& x) {
+    return std::min(length(x - Vec3d{-0.6, 0, 0}), length(x - Vec3d{0.6, 0, 0})) - 0.4;
+  };
   EXPECT_EQ(wrong(m, around, both), 0);
   MeshReport r;
   repairMesh(m, r);
@@ -89,7 +92,8 @@ TEST(MeshRepair, hollowsStayHollow) {
 TEST(MeshRepair, closesSmallHoles) {
   TriangleMesh m = ballMesh({}, 0.8, 0.1);
   std::set<std::size_t> missing;
-  for (std::uint64_t k = 0; missing.size() < 30; k++) missing.insert(randomBits(1, Purpose::Test, k) % m.triangles.size());
+  for (std::uint64_t k = 0; missing.size() < 30; k++)
+    missing.insert(randomBits(1, Purpose::Test, k) % m.triangles.size());
   TriangleMesh holed{m.vertices, {}};
   for (std::size_t t = 0; t < m.triangles.size(); t++)
     if (!missing.count(t)) holed.triangles.push_back(m.triangles[t]);
@@ -102,7 +106,9 @@ TEST(MeshRepair, closesSmallHoles) {
 TEST(MeshRepair, closesALargeOpening) {
   TriangleMesh m = boxMesh({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
   m.triangles.erase(m.triangles.begin() + 2, m.triangles.begin() + 4);  // no lid
-  const auto box = [](const Vec3d& x) { return std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}) - 0.5; };
+  const auto box = [](const Vec3d& x) {
+    return std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}) - 0.5;
+  };
   EXPECT_EQ(wrong(m, around, box), 0);
   MeshReport r;
   repairMesh(m, r);
@@ -115,7 +121,8 @@ TEST(MeshRepair, selfIntersectionsAreInside) {
   TriangleMesh m = boxMesh({-0.8, -0.3, -0.3}, {0.2, 0.3, 0.3});
   append(m, boxMesh({-0.2, -0.2, -0.5}, {0.8, 0.2, 0.5}));
   const auto both = [](const Vec3d& x) {
-    const double a = std::max({x.x - 0.2, -0.8 - x.x, std::abs(x.y) - 0.3, std::abs(x.z) - 0.3}), b = std::max({x.x - 0.8, -0.2 - x.x, std::abs(x.y) - 0.2, std::abs(x.z) - 0.5});
+    const double a = std::max({x.x - 0.2, -0.8 - x.x, std::abs(x.y) - 0.3, std::abs(x.z) - 0.3}),
+                 b = std::max({x.x - 0.8, -0.2 - x.x, std::abs(x.y) - 0.2, std::abs(x.z) - 0.5});
     return std::min(a, b);
   };
   EXPECT_EQ(wrong(m, around, both), 0);
@@ -128,7 +135,8 @@ TEST(MeshRepair, mergesWhatFilesTakeApart) {
       apart.vertices.push_back(m.vertices[v]);
       noisy.vertices.push_back(m.vertices[v] + 1e-7 * randomPoint(around, noisy.vertices.size()));
     }
-  for (std::uint32_t t = 0; t < m.triangles.size(); t++) apart.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+  for (std::uint32_t t = 0; t < m.triangles.size(); t++)
+    apart.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
   noisy.triangles = apart.triangles;
   MeshReport r;
   EXPECT_EQ(repairMesh(apart, r).vertices.size(), m.vertices.size());
@@ -163,7 +171,9 @@ TEST(MeshRepair, aMoebiusStripDoesNotHang) {
   const int n = 40;
   for (int k = 0; k < n; k++) {
     const double a = 6.283185307179586 * k / n;
-    for (double s : {-0.2, 0.2}) m.vertices.push_back({(1 + s * std::cos(a / 2)) * std::cos(a), (1 + s * std::cos(a / 2)) * std::sin(a), s * std::sin(a / 2)});
+    for (double s : {-0.2, 0.2})
+      m.vertices.push_back({(1 + s * std::cos(a / 2)) * std::cos(a), (1 + s * std::cos(a / 2)) * std::sin(a),
+                            s * std::sin(a / 2)});
   }
   for (std::uint32_t k = 0; k < n; k++) {
     const std::uint32_t a = 2 * k, b = 2 * k + 1, c = k + 1 < n ? a + 2 : 1, d = k + 1 < n ? a + 3 : 0;

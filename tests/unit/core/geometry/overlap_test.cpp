@@ -11,7 +11,8 @@ namespace {
 TEST(Overlap, rulesAndCounts) {
   std::vector<std::shared_ptr<const SignedDistance>> shapes;
   std::vector<Body> bodies(3);
-  for (int k = 0; k < 3; k++) {  // boxes of 10 x 10 x 10 in a row, the first two share 4 layers, the third touches the second
+  for (int k = 0; k < 3; k++) {  // boxes of 10 x 10 x 10 in a row, the first two share 4 layers, the third
+                                 // touches the second
     Shape s;
     s.move = {k == 0 ? 0.0 : k == 1 ? 0.6 : 1.6, 0, 0};
     shapes.push_back(makeSignedDistance(s));
@@ -22,11 +23,13 @@ TEST(Overlap, rulesAndCounts) {
     std::vector<std::size_t> n(3, 0);
     for (std::size_t a = 0; a < 3; a++) {
       const SampleLattice l = sampleLattice(*shapes[a], 0.1);
-      for (const Vec3d& x : sampleShape(*shapes[a], l, {0, l.rows()}).position) n[a] += test.keeps(a, x, rule, counts);
+      for (const Vec3d& x : sampleShape(*shapes[a], l, {0, l.rows()}).position)
+        n[a] += test.keeps(a, x, rule, counts);
     }
     return n;
   };
-  for (const OverlapRule rule : {OverlapRule::Error, OverlapRule::Keep, OverlapRule::RemoveLater, OverlapRule::RemoveEarlier}) {
+  for (const OverlapRule rule :
+       {OverlapRule::Error, OverlapRule::Keep, OverlapRule::RemoveLater, OverlapRule::RemoveEarlier}) {
     OverlapCounts counts = test.noCounts();
     const auto n = kept(rule, counts);
     EXPECT_EQ(n[0], rule == OverlapRule::RemoveEarlier ? 600u : 1000u);
@@ -37,13 +40,15 @@ TEST(Overlap, rulesAndCounts) {
     EXPECT_EQ(counts.total(), 800);
     const auto sentences = describeOverlaps(counts, bodies);
     ASSERT_EQ(sentences.size(), 1u);
-    EXPECT_EQ(sentences[0], "bodies 'a' and 'b' overlap: 400 particles of 'a' lie inside 'b', 400 of 'b' inside 'a'");
+    EXPECT_EQ(sentences[0],
+              "bodies 'a' and 'b' overlap: 400 particles of 'a' lie inside 'b', 400 of 'b' inside 'a'");
   }
 }
 
 TEST(Overlap, AcrossPeriodicSides) {
   std::vector<std::shared_ptr<const SignedDistance>> shapes;
-  Shape s;  // boxes of 10 x 10 x 10 in a domain of 2.4 m: the second reaches over the side into the first by 2 layers, the third round the domain into itself by 4
+  Shape s;  // boxes of 10 x 10 x 10 in a domain of 2.4 m: the second reaches over the side into the first by
+            // 2 layers, the third round the domain into itself by 4
   for (const double x : {0.5, 2.1, 1.2}) {
     s.move = {x, x == 1.2 ? 5.0 : 0.0, 0};
     s.size = {x == 1.2 ? 2.6 : 1.0, 1, 1};
@@ -76,14 +81,17 @@ TEST(Overlap, FindsThePairsOfAllBodiesWhoseBoxesMeet) {
   std::vector<std::shared_ptr<const SignedDistance>> shapes;
   for (std::size_t k = 0; k < n; k++) {
     Shape s;
-    for (int a = 0; a < 3; a++) s.move[a] = 3 * randomUniform(7, Purpose::Jitter, k, static_cast<std::uint64_t>(a)), s.size[a] = 0.4 * randomUniform(8, Purpose::Jitter, k, static_cast<std::uint64_t>(a)) + 0.01;
+    for (int a = 0; a < 3; a++)
+      s.move[a] = 3 * randomUniform(7, Purpose::Jitter, k, static_cast<std::uint64_t>(a)),
+      s.size[a] = 0.4 * randomUniform(8, Purpose::Jitter, k, static_cast<std::uint64_t>(a)) + 0.01;
     if (k % 100 == 0) s.size.x = 2.9;
     shapes.push_back(makeSignedDistance(s));
   }
   const auto meet = [&](const Bounds& p, const Bounds& q) {
     for (int a = 0; a < 3; a++) {
       bool any = false;
-      for (int shift = -3; shift <= 3; shift++) any = any || (p.min[a] + shift * period[a] <= q.max[a] && p.max[a] + shift * period[a] >= q.min[a]);
+      for (int shift = -3; shift <= 3; shift++)
+        any = any || (p.min[a] + shift * period[a] <= q.max[a] && p.max[a] + shift * period[a] >= q.min[a]);
       if (!any) return false;
     }
     return true;

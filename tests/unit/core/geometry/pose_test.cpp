@@ -5,7 +5,8 @@
 namespace thaw {
 namespace {
 
-const std::vector<Keyframe> motion{{1, {0, 0, 0}, {0.1, 0.2, 0.3}}, {3, {2, 4, 0}, {1.1, -0.4, 0.9}}, {4, {2, 4, 1}, {1.1, -0.4, 0.9}}};
+const std::vector<Keyframe> motion{
+    {1, {0, 0, 0}, {0.1, 0.2, 0.3}}, {3, {2, 4, 0}, {1.1, -0.4, 0.9}}, {4, {2, 4, 1}, {1.1, -0.4, 0.9}}};
 
 TEST(Pose, isLinearBetweenKeyframesAndStaysOutside) {
   EXPECT_EQ(poseAt(motion, 0).move, (Vec3d{0, 0, 0}));
@@ -17,7 +18,8 @@ TEST(Pose, isLinearBetweenKeyframesAndStaysOutside) {
   EXPECT_EQ(poseAt(motion, 4).velocity, (Vec3d{}));
   const Vec3d x{0.3, 0.7, 0.1};
   EXPECT_EQ(toRest(poseAt({}, 5), x), x);
-  EXPECT_EQ(poseAt({{1, {}, {}}, {1, {5, 0, 0}, {}}, {1, {6, 0, 0}, {}}}, 1).move, (Vec3d{6, 0, 0}));  // a jump
+  // a jump
+  EXPECT_EQ(poseAt({{1, {}, {}}, {1, {5, 0, 0}, {}}, {1, {6, 0, 0}, {}}}, 1).move, (Vec3d{6, 0, 0}));
 }
 
 TEST(Pose, thereAndBack) {
@@ -32,7 +34,8 @@ TEST(Pose, velocityIsTheDerivative) {
     const double h = 1e-6;
     for (const Vec3d& rest : {Vec3d{0.5, 0.2, -0.3}, Vec3d{-1, 2, 0.7}}) {
       const Vec3d x = fromRest(poseAt(motion, t), rest);
-      const Vec3d v = (fromRest(poseAt(motion, t + h), rest) - fromRest(poseAt(motion, t - h), rest)) / (2 * h);
+      const Vec3d v = (fromRest(poseAt(motion, t + h), rest) - fromRest(poseAt(motion, t - h), rest)) /
+                      (2 * h);
       EXPECT_LT(length(velocityAt(poseAt(motion, t), x) - v), 1e-8);
     }
   }

@@ -17,7 +17,8 @@ std::shared_ptr<const SignedDistance> make(ShapeKind kind, const std::function<v
   return makeSignedDistance(s);
 }
 
-const ShapeKind primitives[] = {ShapeKind::Box, ShapeKind::Sphere, ShapeKind::Cylinder, ShapeKind::Torus, ShapeKind::HalfSpace, ShapeKind::Glass};
+const ShapeKind primitives[] = {ShapeKind::Box,   ShapeKind::Sphere,    ShapeKind::Cylinder,
+                                ShapeKind::Torus, ShapeKind::HalfSpace, ShapeKind::Glass};
 
 TEST(Primitives, valuesByHand) {
   EXPECT_DOUBLE_EQ(make(ShapeKind::Box)->distance({1.5, 0, 0}), 1);
@@ -29,15 +30,20 @@ TEST(Primitives, valuesByHand) {
   EXPECT_NEAR(make(ShapeKind::Cylinder)->distance({0.4, 0, 0}), -0.1, 1e-15);
   EXPECT_NEAR(make(ShapeKind::Torus)->distance({0.5, 0, 0}), -0.1, 1e-15);
   EXPECT_NEAR(make(ShapeKind::Torus)->distance({0, 0, 0}), 0.4, 1e-15);
-  EXPECT_DOUBLE_EQ(make(ShapeKind::HalfSpace, [](Shape& s) { s.normal = {0, 0, 2}, s.point = {5, 6, 1}; })->distance({0, 0, 3}), 2);
+  EXPECT_DOUBLE_EQ(make(ShapeKind::HalfSpace,
+                        [](Shape& s) {
+                          s.normal = {0, 0, 2}, s.point = {5, 6, 1};
+                        })
+                       ->distance({0, 0, 3}),
+                   2);
   const auto glass = make(ShapeKind::Glass, [](Shape& s) { s.radius = 1, s.height = 2, s.thickness = 0.1; });
-  EXPECT_NEAR(glass->distance({0, 0, 0.05}), -0.05, 1e-15);       // in the floor
-  EXPECT_NEAR(glass->distance({0, 0.95, 1}), -0.05, 1e-15);       // in the wall
-  EXPECT_NEAR(glass->distance({0, 0, 1}), 0.9, 1e-15);            // in the room
-  EXPECT_NEAR(glass->distance({0.5, 0, 0.3}), 0.2, 1e-15);        // over the floor
-  EXPECT_NEAR(glass->distance({-0.95, 0, 2.2}), 0.2, 1e-15);      // over the rim
+  EXPECT_NEAR(glass->distance({0, 0, 0.05}), -0.05, 1e-15);   // in the floor
+  EXPECT_NEAR(glass->distance({0, 0.95, 1}), -0.05, 1e-15);   // in the wall
+  EXPECT_NEAR(glass->distance({0, 0, 1}), 0.9, 1e-15);        // in the room
+  EXPECT_NEAR(glass->distance({0.5, 0, 0.3}), 0.2, 1e-15);    // over the floor
+  EXPECT_NEAR(glass->distance({-0.95, 0, 2.2}), 0.2, 1e-15);  // over the rim
   EXPECT_NEAR(glass->distance({0, 0, -1}), 1, 1e-15);
-  EXPECT_NEAR(glass->distance({0.6, 0, 2.4}), 0.5, 1e-15);        // from above the room to the inner rim
+  EXPECT_NEAR(glass->distance({0.6, 0, 2.4}), 0.5, 1e-15);  // from above the room to the inner rim
 }
 
 TEST(Primitives, gradientsAreSlopesOfLengthOne) {
@@ -69,7 +75,9 @@ TEST(Primitives, gradientsAreSlopesOfLengthOne) {
 TEST(Primitives, gradientsAreDefinedEverywhere) {
   for (const ShapeKind kind : primitives) {
     const auto d = make(kind);
-    for (const Vec3d& x : {Vec3d{0, 0, 0}, Vec3d{0.5, 0, 0}, Vec3d{0.5, 0.5, 0.5}, Vec3d{0, 0, 0.5}, Vec3d{0, 0, -0.5}, Vec3d{0, 0, 0.01}, Vec3d{-0.5, 0, -0.5}, Vec3d{0.49, 0, 1}, Vec3d{0, 0, 7}}) {
+    for (const Vec3d& x :
+         {Vec3d{0, 0, 0}, Vec3d{0.5, 0, 0}, Vec3d{0.5, 0.5, 0.5}, Vec3d{0, 0, 0.5}, Vec3d{0, 0, -0.5},
+          Vec3d{0, 0, 0.01}, Vec3d{-0.5, 0, -0.5}, Vec3d{0.49, 0, 1}, Vec3d{0, 0, 7}}) {
       Vec3d g;
       const double v = d->distance(x, &g);
       EXPECT_TRUE(std::isfinite(v));
@@ -81,7 +89,9 @@ TEST(Primitives, gradientsAreDefinedEverywhere) {
 TEST(Primitives, boundsAreTight) {
   for (const ShapeKind kind : primitives) {
     if (kind == ShapeKind::HalfSpace) continue;
-    const auto d = make(kind, [](Shape& s) { s.size = {0.7, 0.5, 0.9}, s.rotate = {0.3, -0.7, 1.1}, s.move = {3, 4, 5}, s.scale = 1.5; });
+    const auto d = make(kind, [](Shape& s) {
+      s.size = {0.7, 0.5, 0.9}, s.rotate = {0.3, -0.7, 1.1}, s.move = {3, 4, 5}, s.scale = 1.5;
+    });
     const Bounds b = d->bounds();
     for (int a = 0; a < 3; a++)
       for (const bool high : {false, true}) {
@@ -115,13 +125,16 @@ TEST(Primitives, refuseWhatIsNoSolid) {
   EXPECT_NE(fails(ShapeKind::Box, [](Shape& s) { s.size.y = 0; }).find("box"), std::string::npos);
   EXPECT_NE(fails(ShapeKind::Sphere, [](Shape& s) { s.radius = -1; }).find("sphere"), std::string::npos);
   EXPECT_NE(fails(ShapeKind::Cylinder, [](Shape& s) { s.height = NAN; }).find("cylinder"), std::string::npos);
-  EXPECT_NE(fails(ShapeKind::Glass, [](Shape& s) { s.thickness = 0.5; }).find("thickness"), std::string::npos);
+  EXPECT_NE(fails(ShapeKind::Glass, [](Shape& s) { s.thickness = 0.5; }).find("thickness"),
+            std::string::npos);
   EXPECT_NE(fails(ShapeKind::HalfSpace, [](Shape& s) { s.normal = {}; }).find("normal"), std::string::npos);
   EXPECT_NE(fails(ShapeKind::HalfSpace, [](Shape& s) { s.fitHeight = 1; }).find("height"), std::string::npos);
-  EXPECT_NE(fails(ShapeKind::HalfSpace, [](Shape& s) { s.bottom = Vec3d{}; }).find("bounds"), std::string::npos);
+  EXPECT_NE(fails(ShapeKind::HalfSpace, [](Shape& s) { s.bottom = Vec3d{}; }).find("bounds"),
+            std::string::npos);
   EXPECT_NE(fails(ShapeKind::Union, [](Shape&) {}).find("parts"), std::string::npos);
   EXPECT_NE(fails(ShapeKind::Mesh, [](Shape& s) { s.mesh = "x.obj"; }).find("x.obj"), std::string::npos);
-  EXPECT_NE(fails(ShapeKind::Mesh, [](Shape& s) { s.mesh = "builtin:bunny"; }).find("builtin:bust"), std::string::npos);
+  EXPECT_NE(fails(ShapeKind::Mesh, [](Shape& s) { s.mesh = "builtin:bunny"; }).find("builtin:bust"),
+            std::string::npos);
   EXPECT_NE(fails(ShapeKind::Sphere, [](Shape& s) { s.scale = 0; }).find("scale"), std::string::npos);
 }
 

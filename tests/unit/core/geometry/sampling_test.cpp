@@ -81,7 +81,8 @@ TEST(Sampling, skippingFindsWhatAskingFinds) {
 
 TEST(Sampling, volumesAreRight) {
   const double r = 0.5, s = 0.02;
-  const auto n = static_cast<double>(countSamples(SphereDistance(r), sampleLattice(SphereDistance(r), s), {0, 2500}));
+  const auto n = static_cast<double>(
+      countSamples(SphereDistance(r), sampleLattice(SphereDistance(r), s), {0, 2500}));
   EXPECT_NEAR(n * s * s * s, 4.18879 * r * r * r, 0.01);
 }
 
@@ -89,7 +90,8 @@ TEST(Sampling, refusesWhatHasNoEnd) {
   EXPECT_THROW(sampleLattice(HalfSpaceDistance({}, {0, 0, 1}), 0.1), ShapeError);
   EXPECT_THROW(sampleLattice(SphereDistance(1), 1e-5), ShapeError);
   EXPECT_NO_THROW(sampleLattice(SphereDistance(1), 1e-3));
-  const SampleLattice thin = sampleLattice(BoxDistance({1, 1, 0.01}), 0.1);  // thinner than the spacing: one layer
+  // thinner than the spacing: one layer
+  const SampleLattice thin = sampleLattice(BoxDistance({1, 1, 0.01}), 0.1);
   EXPECT_EQ(thin.count[2], 1);
   EXPECT_EQ(countSamples(BoxDistance({1, 1, 0.01}), thin, {0, thin.rows()}), 100);
 }

@@ -29,11 +29,17 @@ Shape shapeOf(ShapeKind kind) {
 }
 
 TEST(ShapeMesh, HasTheAreaAndVolumeOfSimpleShapes) {
-  struct Exact { ShapeKind kind; double area, volume; };
+  struct Exact {
+    ShapeKind kind;
+    double area, volume;
+  };
   const double R = 2, h = 3, t = 0.2, in = R - t;
-  for (const Exact& e : {Exact{ShapeKind::Box, 22, 6}, {ShapeKind::Sphere, 4 * pi * R * R, 4 * pi / 3 * R * R * R}, {ShapeKind::Cylinder, 2 * pi * R * (R + h), pi * R * R * h},
+  for (const Exact& e : {Exact{ShapeKind::Box, 22, 6},
+                         {ShapeKind::Sphere, 4 * pi * R * R, 4 * pi / 3 * R * R * R},
+                         {ShapeKind::Cylinder, 2 * pi * R * (R + h), pi * R * R * h},
                          {ShapeKind::Torus, 4 * pi * pi * R * 0.5, 2 * pi * pi * R * 0.25},
-                         {ShapeKind::Glass, 2 * pi * R * h + 2 * pi * R * R + 2 * pi * in * (h - t), pi * R * R * h - pi * in * in * (h - t)}}) {
+                         {ShapeKind::Glass, 2 * pi * R * h + 2 * pi * R * R + 2 * pi * in * (h - t),
+                          pi * R * R * h - pi * in * in * (h - t)}}) {
     Shape s = shapeOf(e.kind);
     s.scale = 1.5;
     s.rotate = {0.3, -0.4, 1.2};
@@ -52,7 +58,8 @@ TEST(ShapeMesh, HasTheAreaAndVolumeOfSimpleShapes) {
 }
 
 TEST(ShapeMesh, TurnsWhatIsTakenAwayAndKeepsNestedPlaces) {
-  Shape cut = shapeOf(ShapeKind::Difference), hole = shapeOf(ShapeKind::Sphere), plane = shapeOf(ShapeKind::HalfSpace);
+  Shape cut = shapeOf(ShapeKind::Difference), hole = shapeOf(ShapeKind::Sphere),
+        plane = shapeOf(ShapeKind::HalfSpace);
   hole.radius = 0.4;
   hole.move = {0.2, 0.1, 0};
   cut.parts = {shapeOf(ShapeKind::Box), hole};
@@ -65,9 +72,12 @@ TEST(ShapeMesh, TurnsWhatIsTakenAwayAndKeepsNestedPlaces) {
   half.move = {10, 0, 0};
   const TriangleMesh m = shapeMesh(half, 1e-3, {});
   Bounds seen{{1e9, 1e9, 1e9}, {-1e9, -1e9, -1e9}};
-  for (std::size_t k = m.triangles.size() - 2; k < m.triangles.size(); k++)  // the plane, over all of the ball
+  // the plane, over all of the ball
+  for (std::size_t k = m.triangles.size() - 2; k < m.triangles.size(); k++)
     for (const std::uint32_t v : m.triangles[k])
-      for (int a = 0; a < 3; a++) seen.min[a] = std::min(seen.min[a], m.vertices[v][a]), seen.max[a] = std::max(seen.max[a], m.vertices[v][a]);
+      for (int a = 0; a < 3; a++)
+        seen.min[a] = std::min(seen.min[a], m.vertices[v][a]),
+        seen.max[a] = std::max(seen.max[a], m.vertices[v][a]);
   EXPECT_LT(seen.min.x, 8);
   EXPECT_GT(seen.max.x, 12);
   EXPECT_NEAR(seen.max.z, 0, 1e-12);

@@ -11,7 +11,9 @@ TriangleMesh soup(int n) {
   TriangleMesh m;
   for (int t = 0; t < n; t++) {
     const Vec3d c = randomPoint({{-1, -1, -1}, {1, 1, 1}}, static_cast<std::uint64_t>(t));
-    for (std::uint64_t k = 0; k < 3; k++) m.vertices.push_back(c + 0.2 * randomPoint({{-1, -1, -1}, {1, 1, 1}}, 1000000 + 3 * static_cast<std::uint64_t>(t) + k));
+    for (std::uint64_t k = 0; k < 3; k++)
+      m.vertices.push_back(
+          c + 0.2 * randomPoint({{-1, -1, -1}, {1, 1, 1}}, 1000000 + 3 * static_cast<std::uint64_t>(t) + k));
     const auto v = static_cast<std::uint32_t>(3 * t);
     m.triangles.push_back({v, v + 1, v + 2});
   }
@@ -37,7 +39,9 @@ TEST(TriangleBvh, closestPointsAreThoseOfBruteForce) {
 
 TEST(TriangleBvh, closestPointOfATriangleInAllItsRegions) {
   const Vec3d a{0, 0, 0}, b{1, 0, 0}, c{0, 2, 0};
-  const auto is = [&](const Vec3d& x, const Vec3d& p) { EXPECT_LT(length(closestPointOfTriangle(a, b, c, x) - p), 1e-14) << x.x << " " << x.y << " " << x.z; };
+  const auto is = [&](const Vec3d& x, const Vec3d& p) {
+    EXPECT_LT(length(closestPointOfTriangle(a, b, c, x) - p), 1e-14) << x.x << " " << x.y << " " << x.z;
+  };
   is({0.2, 0.3, 5}, {0.2, 0.3, 0});
   is({-1, -1, 1}, a);
   is({3, -1, 1}, b);
@@ -46,8 +50,11 @@ TEST(TriangleBvh, closestPointOfATriangleInAllItsRegions) {
   is({-1, 1, 0}, {0, 1, 0});
   is({1.4, 1.2, 0}, {0.6, 0.8, 0});
   // an obtuse one, from beyond its long edge, and one without area
-  EXPECT_LT(length(closestPointOfTriangle({0, 0, 0}, {4, 0, 0}, {2, 0.1, 0}, {3.9, 1, 0}) - Vec3d{3.850374065, 0.007481297, 0}), 1e-6);
-  EXPECT_LT(length(closestPointOfTriangle({0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1.7, 1, 0}) - Vec3d{1.7, 0, 0}), 1e-14);
+  EXPECT_LT(length(closestPointOfTriangle({0, 0, 0}, {4, 0, 0}, {2, 0.1, 0}, {3.9, 1, 0}) -
+                   Vec3d{3.850374065, 0.007481297, 0}),
+            1e-6);
+  EXPECT_LT(length(closestPointOfTriangle({0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1.7, 1, 0}) - Vec3d{1.7, 0, 0}),
+            1e-14);
 }
 
 TEST(TriangleBvh, windingNumbersAreThoseOfBruteForce) {

@@ -14,7 +14,8 @@ TEST(SerialCellHalo, ImagesAgreeWithBruteForceForEveryChoiceOfPeriodicAxes) {
   for (int periodic = 0; periodic < 8; periodic++)
     for (const Vec3i& cells : {Vec3i{3, 3, 3}, Vec3i{6, 4, 5}})
       for (const std::uint64_t number : {0, 1, 900}) {
-        SCOPED_TRACE(testing::Message() << "periodic " << periodic << ", cells " << cells.x << ", particles " << number);
+        SCOPED_TRACE(testing::Message()
+                     << "periodic " << periodic << ", cells " << cells.x << ", particles " << number);
         SerialReducer all;
         const Cloud cloud{plainGrid(cells, periodic), number};
         SerialCellHalo halo(cloud.grid);

@@ -47,8 +47,10 @@ struct Lump {
 
 TEST(Enthalpy, InverseOfTemperature) {
   const Material m = wax();
-  for (double T : {1.0, 250.0, 319.999, 320.0, 322.0, 329.9, 330.0, 400.0, 3000.0}) EXPECT_NEAR(thermalOf(m, enthalpyOf(m, T)).temperature, T, 1e-10 * T);
-  for (double H : {-5e5, -1.0, 0.0, 1e5, 2.2e5, 2.3e5, 1e6}) EXPECT_NEAR(enthalpyOf(m, thermalOf(m, H).temperature), H, 1e-6);
+  for (double T : {1.0, 250.0, 319.999, 320.0, 322.0, 329.9, 330.0, 400.0, 3000.0})
+    EXPECT_NEAR(thermalOf(m, enthalpyOf(m, T)).temperature, T, 1e-10 * T);
+  for (double H : {-5e5, -1.0, 0.0, 1e5, 2.2e5, 2.3e5, 1e6})
+    EXPECT_NEAR(enthalpyOf(m, thermalOf(m, H).temperature), H, 1e-6);
 }
 
 TEST(Enthalpy, RisesContinuouslyWithTemperature) {
@@ -169,7 +171,15 @@ TEST(Heat, PapersModelHasTheTemperatureAsState) {
   updateHeat(l.w, 1);
   EXPECT_DOUBLE_EQ(l.p().temperature[0], 325);
   EXPECT_FLOAT_EQ(l.p().liquid[0], 0.5f);
-  EXPECT_DOUBLE_EQ(conductivityOf(HeatModel::Paper, [] { Material m = wax(); m.paperDiffusivity = 0.04; return m; }(), 1), 0.04 * 1000 * 2000);
+  EXPECT_DOUBLE_EQ(conductivityOf(
+                       HeatModel::Paper,
+                       [] {
+                         Material m = wax();
+                         m.paperDiffusivity = 0.04;
+                         return m;
+                       }(),
+                       1),
+                   0.04 * 1000 * 2000);
 }
 
 TEST(Heat, PhaseOfTheStartFollowsTheTemperatureAlsoWithoutHeat) {
@@ -194,7 +204,8 @@ TEST(Heat, SurfacesLoseWhatNewtonAndStefanSay) {
   l.p().exposure[0] = static_cast<float>(latticeSurfaceExposure(l.w.scene.numerics));
   l.p().heatFlow[0] = 0;
   addOuterHeat(l.w, 1e-6);
-  const double expected = 0.05 * 0.05 * (20 * (300 - 600.0) + 0.9 * 5.670374419e-8 * (std::pow(300, 4) - std::pow(600, 4)));
+  const double expected = 0.05 * 0.05 *
+                          (20 * (300 - 600.0) + 0.9 * 5.670374419e-8 * (std::pow(300, 4) - std::pow(600, 4)));
   EXPECT_NEAR(l.p().heatFlow[0], expected, 1e-6 * std::abs(expected));
   EXPECT_NEAR(l.w.ledger.heatIn.value(), expected * 1e-6, 1e-12 * std::abs(expected));
   l.p().exposure[0] = 0.4f;  // the noise inside a liquid is not a surface

@@ -25,7 +25,8 @@ TEST(Lattice, StableStepsOfDiffusion) {
 TEST(Lattice, LaplacianOfAQuadraticField) {
   Numerics n;
   n.kernel = KernelKind::Mcg03;
-  for (const auto& [support, expected] : {std::pair{1.5, 1.060}, {2.0, 0.988}, {2.5, 1.021}, {3.0, 0.956}, {4.0, 1.008}}) {
+  for (const auto& [support, expected] :
+       {std::pair{1.5, 1.060}, {2.0, 0.988}, {2.5, 1.021}, {3.0, 0.956}, {4.0, 1.008}}) {
     n.support = support;
     EXPECT_NEAR(latticeLaplacian(n), expected, 5e-4) << support;
     EXPECT_DOUBLE_EQ(conductionScale(n) * latticeLaplacian(n), 1);
@@ -36,7 +37,8 @@ TEST(Lattice, LaplacianOfAQuadraticField) {
   EXPECT_DOUBLE_EQ(stableHeatStep(n), normalised * scale);
 }
 
-// The weight's scale, from sums by another program: close to the continuum's where layers slide, whatever the lattice at rest has.
+// The weight's scale, from sums by another program: close to the continuum's where layers slide, whatever the
+// lattice at rest has.
 TEST(Lattice, WeightOfTheViscosityIsCalibratedOnSlidingLayers) {
   Numerics n;
   n.support = 2;

@@ -1,4 +1,5 @@
-// Layers of the lattice that slide over each other fill more than at rest with few neighbours, and not with more (incompressible solver).
+// Layers of the lattice that slide over each other fill more than at rest with few neighbours, and not with
+// more (incompressible solver).
 #include <gtest/gtest.h>
 
 #include "core/kernels/lattice.hpp"

@@ -24,8 +24,9 @@ double exact(const std::vector<double>& terms) {
 std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x); }
 
 TEST(ExactSumOracle, keepsSingleTerms) {
-  for (double x : {0.0, 1.0, -1.0, 0.1, -1e300, 1e-300, 5e-324, -5e-324, std::numeric_limits<double>::max(), std::numeric_limits<double>::min(),
-                   -std::numeric_limits<double>::max(), 4294967296.0, -4294967295.0, 0x1.fffffffffffffp31})
+  for (double x : {0.0, 1.0, -1.0, 0.1, -1e300, 1e-300, 5e-324, -5e-324, std::numeric_limits<double>::max(),
+                   std::numeric_limits<double>::min(), -std::numeric_limits<double>::max(), 4294967296.0,
+                   -4294967295.0, 0x1.fffffffffffffp31})
     EXPECT_EQ(bits(exact({x})), bits(x)) << x;
   for (std::uint64_t k = 0; k < 20000; k++) {
     const double x = std::bit_cast<double>(randomBits(1, Purpose::Test, k));
@@ -45,7 +46,8 @@ TEST(ExactSumOracle, agreesWithWideIntegers) {
       sum += static_cast<__int128>(m) * (static_cast<__int128>(1) << shift);
       terms.push_back(std::ldexp(static_cast<double>(m), shift - 100));
     }
-    ASSERT_EQ(exact(terms), std::ldexp(static_cast<double>(sum), -100));  // the conversion rounds to nearest even
+    // the conversion rounds to nearest even
+    ASSERT_EQ(exact(terms), std::ldexp(static_cast<double>(sum), -100));
   }
 }
 
@@ -55,7 +57,9 @@ TEST(ExactSumOracle, staysExactOverManyTerms) {
   const double head = -200000.0;
   ExactSum rest = s;
   rest.add(-head);
-  const __int128 expected = (static_cast<__int128>(200000) << 55) - static_cast<__int128>(3602879701896397) * 2000000;  // 0.1 is that over 2^55
+  // 0.1 is that over 2^55
+  const __int128 expected = (static_cast<__int128>(200000) << 55) -
+                            static_cast<__int128>(3602879701896397) * 2000000;
   EXPECT_EQ(rest.value(), std::ldexp(static_cast<double>(expected), -55));
   for (int k = 0; k < 62; k++) {  // 2^62 times as much, through many carries
     const ExactSum copy = s;
@@ -73,7 +77,11 @@ TEST(ExactSumOracle, notFiniteStaysNaN) {
     EXPECT_TRUE(std::isnan(s.value()));
     ExactSum t;
     t.add(-5);
-    for (int k = 0; k < 200; k++) { t += s; const ExactSum u = t; t += u; }
+    for (int k = 0; k < 200; k++) {
+      t += s;
+      const ExactSum u = t;
+      t += u;
+    }
     EXPECT_TRUE(std::isnan(t.value()));
   }
 }

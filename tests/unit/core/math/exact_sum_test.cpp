@@ -21,7 +21,8 @@ double sumOf(const std::vector<double>& v) {
 }  // namespace
 
 TEST(ExactSum, singleValuesComeBack) {
-  for (const double x : {0.0, 1.0, -1.0, 0.1, -1e300, DBL_MAX, -DBL_MAX, DBL_MIN, 4.9406564584124654e-324, -4.9406564584124654e-324, 1e-310, 3.0e-17})
+  for (const double x : {0.0, 1.0, -1.0, 0.1, -1e300, DBL_MAX, -DBL_MAX, DBL_MIN, 4.9406564584124654e-324,
+                         -4.9406564584124654e-324, 1e-310, 3.0e-17})
     EXPECT_EQ(sumOf({x}), x);
   EXPECT_EQ(ExactSum{}.value(), 0);
 }
@@ -45,7 +46,9 @@ TEST(ExactSum, roundsOnceToNearestEven) {
 TEST(ExactSum, orderAndPartitionDoNotMatter) {
   std::mt19937_64 random(5);
   std::vector<double> v;
-  for (int n = 0; n < 4000; n++) v.push_back(std::ldexp(static_cast<double>(static_cast<std::int64_t>(random())), static_cast<int>(random() % 200) - 100));
+  for (int n = 0; n < 4000; n++)
+    v.push_back(std::ldexp(static_cast<double>(static_cast<std::int64_t>(random())),
+                           static_cast<int>(random() % 200) - 100));
   const double all = sumOf(v);
   for (int n = 0; n < 5; n++) {
     std::shuffle(v.begin(), v.end(), random);
@@ -58,7 +61,8 @@ TEST(ExactSum, orderAndPartitionDoNotMatter) {
     ExactSum digits;
     for (ExactSum& p : parts) {
       p.carry();
-      for (int k = 0; k < ExactSum::digits; k++) digits.digit[static_cast<std::size_t>(k)] += p.digit[static_cast<std::size_t>(k)];
+      for (int k = 0; k < ExactSum::digits; k++)
+        digits.digit[static_cast<std::size_t>(k)] += p.digit[static_cast<std::size_t>(k)];
     }
     EXPECT_EQ(digits.value(), all);
   }

@@ -9,7 +9,8 @@ TEST(HashRandom, isUniformAndIndependent) {
   double mean = 0, correlation = 0;
   const int n = 100000;
   for (int k = 0; k < n; k++) {
-    const double a = randomUniform(1, Purpose::Jitter, static_cast<std::uint64_t>(k), 0), b = randomUniform(1, Purpose::Jitter, static_cast<std::uint64_t>(k), 1);
+    const double a = randomUniform(1, Purpose::Jitter, static_cast<std::uint64_t>(k), 0),
+                 b = randomUniform(1, Purpose::Jitter, static_cast<std::uint64_t>(k), 1);
     ASSERT_TRUE(a >= 0 && a < 1);
     mean += a / n;
     correlation += (a - 0.5) * (b - 0.5) * 12 / n;

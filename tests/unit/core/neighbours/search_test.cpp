@@ -16,7 +16,8 @@ TEST(Sort, CellsAscendAndIdsAscendWithinACell) {
   }
 }
 
-/// Shares of a spacing by which particles move: few change their cell (rows move in place), some, most (all are merged).
+/// Shares of a spacing by which particles move: few change their cell (rows move in place), some, most (all
+/// are merged).
 class SortMoved : public testing::TestWithParam<double> {};
 
 TEST_P(SortMoved, ParticlesAreMergedToTheSameOrderAsAFullSort) {
@@ -24,7 +25,8 @@ TEST_P(SortMoved, ParticlesAreMergedToTheSameOrderAsAFullSort) {
   Continuum& p = b.particles;
   for (int round = 0; round < 20; round++) {
     for (std::size_t i = 0; i < p.owned; i++) {
-      p.position[i].x += GetParam() * 0.01 * (hashed(p.id[i] + 7919 * static_cast<std::uint64_t>(round)) - 0.5);
+      p.position[i].x += GetParam() * 0.01 *
+                         (hashed(p.id[i] + 7919 * static_cast<std::uint64_t>(round)) - 0.5);
       p.mass[i] = static_cast<double>(p.id[i]);  // the columns of all widths are to follow
       p.velocity[i] = Vec3d{1, 2, 3} * p.mass[i];
       p.material[i] = static_cast<std::uint16_t>(p.id[i] % 999);
@@ -47,7 +49,8 @@ TEST_P(SortMoved, ParticlesAreMergedToTheSameOrderAsAFullSort) {
     }
     std::vector<std::pair<std::uint64_t, std::uint64_t>> expected;
     for (std::size_t i = 0; i < p.owned; i++)
-      if (std::find(m.departed.begin(), m.departed.end(), i) == m.departed.end()) expected.push_back({p.nextCell[i], p.id[i]});
+      if (std::find(m.departed.begin(), m.departed.end(), i) == m.departed.end())
+        expected.push_back({p.nextCell[i], p.id[i]});
     std::sort(expected.begin(), expected.end());
     sortByCell(p, m, b.sort, b.cells);
     ASSERT_EQ(p.owned, expected.size());
@@ -88,7 +91,8 @@ void expectBruteForce(const Block& b, std::uint32_t stride) {
   for (std::uint32_t i = 0; i < p.owned; i += stride) {
     std::vector<std::uint32_t> expected;
     for (std::uint32_t j = 0; j < p.owned; j++)
-      if (j != i && length(p.position[i] - p.position[j]) < h) expected.push_back(j);  // rows are in (cell, id) order
+      // rows are in (cell, id) order
+      if (j != i && length(p.position[i] - p.position[j]) < h) expected.push_back(j);
     std::vector<std::uint32_t> found = b.neighboursOf(i);
     ASSERT_TRUE(std::is_sorted(found.begin(), found.end()));
     std::erase_if(found, [&](std::uint32_t j) { return length(p.position[i] - p.position[j]) >= h; });
@@ -109,7 +113,8 @@ TEST_P(Search, FindsWhatBruteForceFindsInCrowdedCells) {
   const PairKernels* k = pairKernels(GetParam());
   if (k == nullptr) GTEST_SKIP() << "this processor has no " << GetParam();
   Block b(17, 0.45);
-  for (std::size_t i = 0; i < b.particles.owned; i++) b.particles.position[i] = b.particles.position[i] * 0.25 + Vec3d{0.03, 0.05, 0.04};
+  for (std::size_t i = 0; i < b.particles.owned; i++)
+    b.particles.position[i] = b.particles.position[i] * 0.25 + Vec3d{0.03, 0.05, 0.04};
   computeCellKeys(b.grid, b.particles);
   sortByCell(b.particles, {}, b.sort, b.cells);
   ASSERT_GT(*std::max_element(b.cells.count.begin(), b.cells.count.end()), 256u);
@@ -133,7 +138,8 @@ TEST(Search, OneParticleAndNone) {
 
 TEST(Search, AllInOneCell) {
   Block b(6, 0.3);
-  for (std::size_t i = 0; i < b.particles.owned; i++) b.particles.position[i] = b.particles.position[i] * 0.1 + Vec3d{0.02, 0.02, 0.02};
+  for (std::size_t i = 0; i < b.particles.owned; i++)
+    b.particles.position[i] = b.particles.position[i] * 0.1 + Vec3d{0.02, 0.02, 0.02};
   Migration m;
   m.arrivals = 0;
   computeCellKeys(b.grid, b.particles);

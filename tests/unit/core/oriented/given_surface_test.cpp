@@ -29,9 +29,11 @@ double worstOff(const GivenPoints& g, const Vec3d& axes) {
   for (int k = 0; k < 500; k++) {
     const double z = std::sin(0.7 * k), r = std::sqrt(1 - z * z);
     const Vec3d u{r * std::cos(1.9 * k), r * std::sin(1.9 * k), z};
-    Vec3d normal = normalized(Vec3d{u.x / axes.x, u.y / axes.y, u.z / axes.z}), place = Vec3d{axes.x * u.x, axes.y * u.y, axes.z * u.z} + 0.02 * std::sin(5.0 * k) * normal;
+    Vec3d normal = normalized(Vec3d{u.x / axes.x, u.y / axes.y, u.z / axes.z}),
+          place = Vec3d{axes.x * u.x, axes.y * u.y, axes.z * u.z} + 0.02 * std::sin(5.0 * k) * normal;
     EXPECT_TRUE(projectOnGiven(g, place, normal));
-    const Vec3d q{place.x / axes.x, place.y / axes.y, place.z / axes.z}, slope{q.x / axes.x, q.y / axes.y, q.z / axes.z};
+    const Vec3d q{place.x / axes.x, place.y / axes.y, place.z / axes.z},
+        slope{q.x / axes.x, q.y / axes.y, q.z / axes.z};
     worst = std::max(worst, std::abs(dot(q, q) - 1) / (2 * length(slope)));  // distance, of first order
     EXPECT_GT(dot(normal, normalized(slope)), 0.97);
   }
@@ -58,7 +60,8 @@ TEST(GivenSurface, GoesThroughItsPointsAndEndsBeyondThem) {
   EXPECT_FALSE(projectOnGiven(g, far, normal));
 }
 
-// Two thirds of them evenly, the others where the surface through them would err most: none is far from all, and no two are in one place.
+// Two thirds of them evenly, the others where the surface through them would err most: none is far from all,
+// and no two are in one place.
 TEST(GivenSurface, ThinnedPointsAreAsManyAsAskedForAndLeaveNoPlaceOut) {
   OrientedBody b;
   b.shape.kind = ShapeKind::Mesh;
@@ -67,11 +70,13 @@ TEST(GivenSurface, ThinnedPointsAreAsManyAsAskedForAndLeaveNoPlaceOut) {
   const std::size_t all = places.size();
   b.thin = 0.05;
   const MadePoints few = makePoints(b, 0.04, 3, {});
-  EXPECT_NEAR(static_cast<double>(few.places.size()), 0.05 * static_cast<double>(all), 0.01 * static_cast<double>(all));
+  EXPECT_NEAR(static_cast<double>(few.places.size()), 0.05 * static_cast<double>(all),
+              0.01 * static_cast<double>(all));
   double least = 1;
   for (std::size_t i = 0; i < few.places.size(); i++)
     for (std::size_t j = 0; j < i; j++)
-      if (dot(few.normals[i], few.normals[j]) > 0) least = std::min(least, length(few.places[i] - few.places[j]));
+      if (dot(few.normals[i], few.normals[j]) > 0)
+        least = std::min(least, length(few.places[i] - few.places[j]));
   EXPECT_GT(least, 0.04);
   double farthest = 0;
   for (const Vec3d& x : places) {
@@ -79,7 +84,8 @@ TEST(GivenSurface, ThinnedPointsAreAsManyAsAskedForAndLeaveNoPlaceOut) {
     for (const Vec3d& kept : few.places) nearest = std::min(nearest, length(x - kept));
     farthest = std::max(farthest, nearest);
   }
-  EXPECT_LT(farthest, 5.5 * 0.04);  // the distance of points of two thirds of 5 %, if they were even: 1 / sqrt(.033)
+  EXPECT_LT(farthest, 5.5 * 0.04);  // the distance of points of two thirds of 5 %, if they were even: 1 /
+                                    // sqrt(.033)
 }
 
 }  // namespace

@@ -29,11 +29,15 @@ MadePoints pointsOf(const TriangleMesh& m, OrientedBody b = ofMesh("m")) {
 /// A bowl: the lower half of a ball of .3 m.
 TriangleMesh bowl() {
   TriangleMesh m = ballMesh({}, 0.3, 0.04);
-  std::erase_if(m.triangles, [&](const auto& t) { return m.vertices[t[0]].z + m.vertices[t[1]].z + m.vertices[t[2]].z > 0; });
+  std::erase_if(m.triangles, [&](const auto& t) {
+    return m.vertices[t[0]].z + m.vertices[t[1]].z + m.vertices[t[2]].z > 0;
+  });
   return m;
 }
 
-TriangleMesh quad(double side) { return {{{0, 0, 0}, {side, 0, 0}, {side, side, 0}, {0, side, 0}}, {{0, 1, 2}, {0, 2, 3}}}; }
+TriangleMesh quad(double side) {
+  return {{{0, 0, 0}, {side, 0, 0}, {side, side, 0}, {0, side, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+}
 
 double nearestPair(const MadePoints& m) {
   const PointTree tree(m.places);
@@ -59,7 +63,9 @@ TEST(OpenMesh, IsTakenAsItIs) {
   EXPECT_LT(low, -0.29);
   EXPECT_GT(high, -spacing) << "up to the border";
   double area = 0;
-  for (const auto& t : mesh.triangles) area += 0.5 * length(cross(mesh.vertices[t[1]] - mesh.vertices[t[0]], mesh.vertices[t[2]] - mesh.vertices[t[0]]));
+  for (const auto& t : mesh.triangles)
+    area += 0.5 * length(cross(mesh.vertices[t[1]] - mesh.vertices[t[0]],
+                               mesh.vertices[t[2]] - mesh.vertices[t[0]]));
   const double cells = area / (0.86602540378443865 * spacing * spacing);
   EXPECT_NEAR(static_cast<double>(m.places.size()), cells, 0.05 * cells);
   EXPECT_GT(nearestPair(m), 0.8) << "a lid over the border, or two layers, would have pairs in one place";
@@ -81,24 +87,32 @@ TEST(OpenMesh, WhatIsMendedIsTold) {
   TriangleMesh m = quad(0.1);
   m.vertices.push_back({0.05, 0.05, 0.1});
   m.triangles.push_back({2, 0, 4});  // at the diagonal of the quad
-  EXPECT_EQ(pointsOf(m).notes, std::vector<std::string>{"mesh 'm': open (6 edges at its border), and taken as it is, 1 edge has more than two triangles"});
+  EXPECT_EQ(
+      pointsOf(m).notes,
+      std::vector<std::string>{
+          "mesh 'm': open (6 edges at its border), and taken as it is, 1 edge has more than two triangles"});
   m = quad(0.1);
   std::swap(m.triangles[1][0], m.triangles[1][1]);
-  EXPECT_EQ(pointsOf(m).notes, std::vector<std::string>{"mesh 'm': open (4 edges at its border), and taken as it is, 1 triangle turned to agree with their neighbours"});
+  EXPECT_EQ(pointsOf(m).notes,
+            std::vector<std::string>{"mesh 'm': open (4 edges at its border), and taken as it is, 1 triangle "
+                                     "turned to agree with their neighbours"});
 }
 
 TEST(OpenMesh, ClosedOnesAreCoveredAsShapes) {
   TriangleMesh ball = ballMesh({}, 0.1, 0.02);
   const auto load = [&](const std::string&) { return ball; };
-  const MadePoints m = makePoints(ofMesh("m"), spacing, 1, load), shape = coverSurface(*makeSignedDistance(ofMesh("m").shape, load), spacing, 1);
+  const MadePoints m = makePoints(ofMesh("m"), spacing, 1, load),
+                   shape = coverSurface(*makeSignedDistance(ofMesh("m").shape, load), spacing, 1);
   EXPECT_EQ(m.places, shape.places);
   EXPECT_EQ(m.normals, shape.normals);
   EXPECT_TRUE(m.notes.empty());
   turnAll(ball);
-  EXPECT_EQ(makePoints(ofMesh("m"), spacing, 1, load).notes, std::vector<std::string>{"mesh 'm': 1 shell turned the right side out"});
+  EXPECT_EQ(makePoints(ofMesh("m"), spacing, 1, load).notes,
+            std::vector<std::string>{"mesh 'm': 1 shell turned the right side out"});
 }
 
-// What thaw writes of a surface is a surface for thaw: its particles are where a mesh of such particles has them, and stay there.
+// What thaw writes of a surface is a surface for thaw: its particles are where a mesh of such particles has
+// them, and stay there.
 TEST(OpenMesh, ASurfaceThatIsReadBackKeepsItsSize) {
   TriangleMesh m = quad(0.2);
   for (int k = 0; k < 3; k++) {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "core/math/hash_random.hpp"
-#include "core/oriented/crease_pair.hpp"
 #include "core/math/quat.hpp"
+#include "core/oriented/crease_pair.hpp"
 
 namespace thaw {
 namespace {
@@ -25,12 +25,14 @@ OrientedBody bodyOf(double attract, double plane, double normal, double circle) 
 TEST(PairPotential, ForcesAndTorquesAreDerivativesOfTheEnergy) {
   for (const bool facing : {true, false})
     for (int which = 0; which < 5; which++) {
-      OrientedBody body = bodyOf(which == 0 || which == 4, which == 1 || which == 4, which == 2 || which == 4, which == 3 || which == 4);
+      OrientedBody body = bodyOf(which == 0 || which == 4, which == 1 || which == 4, which == 2 || which == 4,
+                                 which == 3 || which == 4);
       body.facing = facing;
       const PairPotential p = pairPotential(body, 0.7);
       double worst = 0, worstTorque = 0, scale = 0;
       for (int k = 0; k < 200; k++) {
-        const Vec3d r = (0.5 + 1.6 * randomUniform(6, Purpose::Test, static_cast<std::uint64_t>(k))) * normalized(randomVector(k + 1000 * which + 1));
+        const Vec3d r = (0.5 + 1.6 * randomUniform(6, Purpose::Test, static_cast<std::uint64_t>(k))) *
+                        normalized(randomVector(k + 1000 * which + 1));
         const Vec3d ni = normalized(randomVector(k + 7000));
         const Vec3d nj = normalized(ni + 0.9 * randomVector(k + 9000));
         const PairResult f = pairForces(p, r, ni, nj), back = pairForces(p, -r, nj, ni);
@@ -42,8 +44,12 @@ TEST(PairPotential, ForcesAndTorquesAreDerivativesOfTheEnergy) {
         for (int a = 0; a < 3; a++) {
           Vec3d d{};
           d[a] = h;
-          const double byPlace = (pairForces(p, r + d, ni, nj).energy - pairForces(p, r - d, ni, nj).energy) / (2 * h);  // = dE/dx_j = -F_j = F_i
-          const double byTurn = (pairForces(p, r, rotated(rotationBy(d), ni), nj).energy - pairForces(p, r, rotated(rotationBy(-d), ni), nj).energy) / (2 * h);
+          // = dE/dx_j = -F_j = F_i
+          const double byPlace = (pairForces(p, r + d, ni, nj).energy - pairForces(p, r - d, ni, nj).energy) /
+                                 (2 * h);
+          const double byTurn = (pairForces(p, r, rotated(rotationBy(d), ni), nj).energy -
+                                 pairForces(p, r, rotated(rotationBy(-d), ni), nj).energy) /
+                                (2 * h);
           worst = std::max(worst, std::abs(byPlace - f.force[a]));
           worstTorque = std::max(worstTorque, std::abs(byTurn + f.torque[a]));
           scale = std::max({scale, std::abs(byPlace), std::abs(byTurn)});
@@ -58,7 +64,8 @@ TEST(PairPotential, ForcesAndTorquesAreDerivativesOfTheEnergy) {
 TEST(CreasedPair, ForcesAndTorquesAreDerivativesOfTheEnergy) {
   const PairPotential p = pairPotential(OrientedBody{}, 0.7);
   for (int k = 0; k < 300; k++) {
-    const Vec3d r = (0.5 + 1.6 * randomUniform(6, Purpose::Test, static_cast<std::uint64_t>(k))) * normalized(randomVector(k + 1));
+    const Vec3d r = (0.5 + 1.6 * randomUniform(6, Purpose::Test, static_cast<std::uint64_t>(k))) *
+                    normalized(randomVector(k + 1));
     const Vec3d ni = normalized(randomVector(k + 7000)), nj = normalized(randomVector(k + 9000));
     const bool a = k % 3 != 0, b = k % 3 != 1;
     const PairResult f = creasedPair(p, r, ni, nj, a, b), back = creasedPair(p, -r, nj, ni, b, a);
@@ -68,9 +75,13 @@ TEST(CreasedPair, ForcesAndTorquesAreDerivativesOfTheEnergy) {
     for (int c = 0; c < 3; c++) {
       Vec3d d{};
       d[c] = h;
-      EXPECT_NEAR((creasedPair(p, r + d, ni, nj, a, b).energy - creasedPair(p, r - d, ni, nj, a, b).energy) / (2 * h), f.force[c], 1e-6 * (1 + length(f.force)));
-      EXPECT_NEAR((creasedPair(p, r, rotated(rotationBy(d), ni), nj, a, b).energy - creasedPair(p, r, rotated(rotationBy(-d), ni), nj, a, b).energy) / (2 * h), -f.torque[c],
-                  1e-6 * (1 + length(f.torque)));
+      EXPECT_NEAR(
+          (creasedPair(p, r + d, ni, nj, a, b).energy - creasedPair(p, r - d, ni, nj, a, b).energy) / (2 * h),
+          f.force[c], 1e-6 * (1 + length(f.force)));
+      EXPECT_NEAR((creasedPair(p, r, rotated(rotationBy(d), ni), nj, a, b).energy -
+                   creasedPair(p, r, rotated(rotationBy(-d), ni), nj, a, b).energy) /
+                      (2 * h),
+                  -f.torque[c], 1e-6 * (1 + length(f.torque)));
     }
   }
 }
@@ -113,11 +124,13 @@ TEST(PairPotential, HexagonalLatticeIsAtRestAtTheSpacing) {
     const PairPotential p = pairPotential(body, 0.02);
     EXPECT_NEAR(hexagonalEnergy(p, 0.02).slope, 0, 1e-12 * p.scale / 0.02);
     const double h = 1e-8;
-    EXPECT_NEAR((hexagonalEnergy(p, 0.021 + h).energy - hexagonalEnergy(p, 0.021 - h).energy) / (2 * h), hexagonalEnergy(p, 0.021).slope, 1e-5 * p.scale / 0.02);
+    EXPECT_NEAR((hexagonalEnergy(p, 0.021 + h).energy - hexagonalEnergy(p, 0.021 - h).energy) / (2 * h),
+                hexagonalEnergy(p, 0.021).slope, 1e-5 * p.scale / 0.02);
   }
 }
 
-TEST(PairPotential, FullSumOfLennardJonesRestsAtTheKnownSpacing) {  // 1.11146 sigma, docs/validation/accuracy.md
+TEST(PairPotential, FullSumOfLennardJonesRestsAtTheKnownSpacing) {  // 1.11146 sigma,
+                                                                    // docs/validation/accuracy.md
   OrientedBody body;
   body.support = 60;
   const PairPotential p = pairPotential(body, 1);

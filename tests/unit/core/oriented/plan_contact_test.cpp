@@ -1,4 +1,5 @@
-// What a contact of an oriented surface stores before a particle is through: more than it comes with, whatever the masses and spacings.
+// What a contact of an oriented surface stores before a particle is through: more than it comes with,
+// whatever the masses and spacings.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -40,7 +41,8 @@ TEST(OrientedContactPlan, HoldsAParticleAtTheSpeedOfTheScene) {
 
 TEST(OrientedContactPlan, FollowsTheBonds) {
   const Scene soft = sceneOf(0.01, 1e4, 10), stiff = sceneOf(0.01, 1e4, 1e6);
-  const double a = planOrientedContact(soft, liquidMaterials(soft))[0].bonds, b = planOrientedContact(stiff, liquidMaterials(stiff))[0].bonds;
+  const double a = planOrientedContact(soft, liquidMaterials(soft))[0].bonds,
+               b = planOrientedContact(stiff, liquidMaterials(stiff))[0].bonds;
   EXPECT_NEAR(b / a, 1e5, 1);
 }
 
@@ -51,14 +53,17 @@ TEST(OrientedContactPlan, SeesContactComing) {
   TouchLaw law = contactLaw(c, 0, 1e-3, 1e-4);
   law.restitution = 1;  // the dashpot is no slope
   const double depth = 0.5 * c.room, d = 1e-8;
-  const double difference = (touchOf(law, depth + d, {0, 0, 1}, {}).force.z - touchOf(law, depth - d, {0, 0, 1}, {}).force.z) / (2 * d);
+  const double difference = (touchOf(law, depth + d, {0, 0, 1}, {}).force.z -
+                             touchOf(law, depth - d, {0, 0, 1}, {}).force.z) /
+                            (2 * d);
   EXPECT_NEAR(touchOf(law, depth, {0, 0, 1}, {}).slope, difference, 1e-6 * difference);
-  EXPECT_EQ(slopeAhead(law, -1e-3, -1), 0);       // a tenth of a millimetre a step
+  EXPECT_EQ(slopeAhead(law, -1e-3, -1), 0);  // a tenth of a millimetre a step
   EXPECT_GT(slopeAhead(law, -1e-3, -20), 0);
-  EXPECT_EQ(slopeAhead(law, -1e-3, 20), 0);       // it leaves
+  EXPECT_EQ(slopeAhead(law, -1e-3, 20), 0);  // it leaves
 }
 
-// Toward obstacles: the push is the slope of its energy, the slope that of the push; at full depth it is more than bonds can pull and has stored more than a particle comes with.
+// Toward obstacles: the push is the slope of its energy, the slope that of the push; at full depth it is more
+// than bonds can pull and has stored more than a particle comes with.
 TEST(OrientedContactPlan, HoldsASurfaceOffObstacles) {
   for (const double density : {0.1, 100.0}) {
     Scene s = sceneOf(0.01, 1e5, 10);
@@ -66,13 +71,17 @@ TEST(OrientedContactPlan, HoldsASurfaceOffObstacles) {
     const ObstacleContact c = planObstacleContact(s)[0];
     EXPECT_EQ(c.keep, 0.005);
     for (const double depth : {0.2 * c.room, 0.7 * c.room, 1.5 * c.room}) {
-      const double d = 1e-6 * c.room, force = (pushAt(c, depth + d).energy - pushAt(c, depth - d).energy) / (2 * d);
+      const double d = 1e-6 * c.room,
+                   force = (pushAt(c, depth + d).energy - pushAt(c, depth - d).energy) / (2 * d);
       EXPECT_NEAR(pushAt(c, depth).force, force, 1e-6 * force);
-      EXPECT_NEAR(pushAt(c, depth).slope + c.spring, (pushAt(c, depth + d).force - pushAt(c, depth - d).force) / (2 * d), 1e-5 * (pushAt(c, depth).slope + c.spring));
+      EXPECT_NEAR(pushAt(c, depth).slope + c.spring,
+                  (pushAt(c, depth + d).force - pushAt(c, depth - d).force) / (2 * d),
+                  1e-5 * (pushAt(c, depth).slope + c.spring));
     }
     const double v = std::sqrt(2 * 9.81 * 0.5);
     EXPECT_GT(pushAt(c, c.room).energy, 4 * 0.5 * orientedMass(s.oriented[0], 0.01) * v * v * (1 - 1e-9));
-    EXPECT_GT(pushAt(c, c.room).force, 8 * s.oriented[0].attract * s.oriented[0].stiffness * 0.01 * (1 - 1e-9));
+    EXPECT_GT(pushAt(c, c.room).force,
+              8 * s.oriented[0].attract * s.oriented[0].stiffness * 0.01 * (1 - 1e-9));
   }
 }
 

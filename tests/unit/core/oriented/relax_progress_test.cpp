@@ -9,7 +9,8 @@ namespace thaw {
 namespace {
 
 /// The iteration at which a relaxation with these figures is given up; -1: never, of so many.
-template<class Force, class Particles> std::int64_t endOf(std::int64_t most, const Force& force, const Particles& particles) {
+template<class Force, class Particles>
+std::int64_t endOf(std::int64_t most, const Force& force, const Particles& particles) {
   RelaxProgress p;
   for (std::int64_t k = 0; k < most; k++)
     if (!getsAnywhere(p, k, force(k), particles(k))) return k;
@@ -18,17 +19,32 @@ template<class Force, class Particles> std::int64_t endOf(std::int64_t most, con
 
 TEST(RelaxProgress, EndsWhereNothingGetsBetter) {
   const auto always = [](std::int64_t n) { return [n](std::int64_t) { return n; }; };
-  EXPECT_LT(endOf(100000, [](std::int64_t k) { return 2 + std::sin(static_cast<double>(k)); }, always(900)), 2 * relaxPatience(900));
-  EXPECT_EQ(endOf(100000, [](std::int64_t) { return 1.0; }, always(900)), relaxPatience(900));
+  EXPECT_LT(endOf(
+                100000, [](std::int64_t k) { return 2 + std::sin(static_cast<double>(k)); }, always(900)),
+            2 * relaxPatience(900));
+  EXPECT_EQ(endOf(
+                100000, [](std::int64_t) { return 1.0; }, always(900)),
+            relaxPatience(900));
   // who comes and who goes: no growth
-  EXPECT_LT(endOf(100000, [](std::int64_t) { return 1.0; }, [](std::int64_t k) { return 1000 + k % 15; }), 2 * relaxPatience(1000));
+  EXPECT_LT(endOf(
+                100000, [](std::int64_t) { return 1.0; }, [](std::int64_t k) { return 1000 + k % 15; }),
+            2 * relaxPatience(1000));
 }
 
 TEST(RelaxProgress, GoesOnWhereSomethingDoes) {
-  EXPECT_EQ(endOf(100000, [](std::int64_t k) { return std::exp(-2e-4 * static_cast<double>(k)); }, [](std::int64_t) { return 900; }), -1);
-  EXPECT_EQ(endOf(100000, [](std::int64_t) { return 1.0; }, [](std::int64_t k) { return 1000 + k / 10; }), -1);
+  EXPECT_EQ(endOf(
+                100000, [](std::int64_t k) { return std::exp(-2e-4 * static_cast<double>(k)); },
+                [](std::int64_t) { return 900; }),
+            -1);
+  EXPECT_EQ(endOf(
+                100000, [](std::int64_t) { return 1.0; }, [](std::int64_t k) { return 1000 + k / 10; }),
+            -1);
   // at rest with few, which was before the others came
-  EXPECT_EQ(endOf(3000, [](std::int64_t k) { return k < 10 ? 0.0 : 1e3 * std::exp(-1e-3 * static_cast<double>(k)); }, [](std::int64_t k) { return k < 10 ? 100 : 1000; }), -1);
+  EXPECT_EQ(
+      endOf(
+          3000, [](std::int64_t k) { return k < 10 ? 0.0 : 1e3 * std::exp(-1e-3 * static_cast<double>(k)); },
+          [](std::int64_t k) { return k < 10 ? 100 : 1000; }),
+      -1);
 }
 
 TEST(RelaxProgress, OfWhatIsBoundedThereIsAnEnd) {
@@ -38,7 +54,8 @@ TEST(RelaxProgress, OfWhatIsBoundedThereIsAnEnd) {
   double force = 1;
   for (; k < 10000000; k++) {
     const bool last = ++waited >= relaxPatience(particles) - 1;
-    if (last && particles < 3000) particles = static_cast<std::int64_t>(1.03 * static_cast<double>(particles)) + 1, waited = 0;
+    if (last && particles < 3000)
+      particles = static_cast<std::int64_t>(1.03 * static_cast<double>(particles)) + 1, waited = 0;
     else if (last && force > 1e-9) force *= 0.89, waited = 0;
     if (!getsAnywhere(p, k, force, particles)) break;
   }

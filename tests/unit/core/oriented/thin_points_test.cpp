@@ -7,11 +7,13 @@
 namespace thaw {
 namespace {
 
-// On a lattice any distance keeps a few of many points or all: the search for one that keeps the wanted share ended with all.
+// On a lattice any distance keeps a few of many points or all: the search for one that keeps the wanted share
+// ended with all.
 TEST(ThinPoints, KeepsTheWantedShareOfALattice) {
   MadePoints m;
   for (int j = 0; j < 18; j++)
-    for (int i = 0; i < 20; i++) addPoint(m, {0.05 * (i + 0.5 * (j & 1)), 0.05 * 0.8660254 * j, 0.01 * std::sin(0.5 * i)}, {0, 0, 1});
+    for (int i = 0; i < 20; i++)
+      addPoint(m, {0.05 * (i + 0.5 * (j & 1)), 0.05 * 0.8660254 * j, 0.01 * std::sin(0.5 * i)}, {0, 0, 1});
   for (const double share : {0.05, 0.25, 0.37, 0.38, 0.5, 0.8, 0.99}) {
     const MadePoints thin = thinned(m, share, 1);
     EXPECT_EQ(thin.places.size(), static_cast<std::size_t>(std::ceil(share * 360 - 1e-9))) << share;

@@ -29,7 +29,8 @@ TEST(Triangulate, SphereIsClosed) {
   // Euler: V - E + F = 2, and every edge has two triangles
   EXPECT_EQ(points.size() + triangles.size(), edges.size() + 2);
   EXPECT_EQ(3 * triangles.size(), 2 * edges.size());
-  for (const auto& t : triangles) EXPECT_GT(dot(cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]), points[t[0]]), 0);
+  for (const auto& t : triangles)
+    EXPECT_GT(dot(cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]), points[t[0]]), 0);
 }
 
 TEST(Triangulate, CutsAndGroupsSeparate) {
@@ -42,7 +43,8 @@ TEST(Triangulate, CutsAndGroupsSeparate) {
       sides.push_back(i < 5 ? 1 : 2);
     }
   const std::vector<double> spacing(points.size(), 1.0);
-  const auto whole = triangulate({points, normals, spacing, {}, {}}), cut = triangulate({points, normals, spacing, {}, sides});
+  const auto whole = triangulate({points, normals, spacing, {}, {}}),
+             cut = triangulate({points, normals, spacing, {}, sides});
   // and 7 at the teeth of the left and right borders, where nothing is in the sphere from outside
   EXPECT_EQ(whole.size(), 8u * 9 * 2 + 7);
   EXPECT_EQ(cut.size(), 8u * 8 * 2 + 14);
@@ -66,13 +68,18 @@ std::size_t borderOf(const Edges& sides) {
   return border;
 }
 
-// A fold as sharp as its spacing, all places off by a quarter of it: the test of each triangle by itself gives edges with three, and holes.
+// A fold as sharp as its spacing, all places off by a quarter of it: the test of each triangle by itself
+// gives edges with three, and holes.
 constexpr int foldSize = 24;
-OrientedPoints foldOf(std::uint64_t seed, double steep, std::vector<Vec3d>& points, std::vector<Vec3d>& normals, std::vector<double>& spacing) {
+OrientedPoints foldOf(std::uint64_t seed, double steep, std::vector<Vec3d>& points,
+                      std::vector<Vec3d>& normals, std::vector<double>& spacing) {
   constexpr int n = foldSize;
   for (int j = 0; j < n; j++)
     for (int i = 0; i < n; i++) {
-      const auto off = [&](std::uint64_t a) { return 0.5 * (randomUniform(9 + 3 * seed + a, Purpose::Test, static_cast<std::uint64_t>(j * n + i)) - 0.5); };
+      const auto off = [&](std::uint64_t a) {
+        return 0.5 *
+               (randomUniform(9 + 3 * seed + a, Purpose::Test, static_cast<std::uint64_t>(j * n + i)) - 0.5);
+      };
       const double x = i + 0.5 * (j % 2) - 0.5 * n + off(0), slope = x < 0 ? steep : -steep;
       points.push_back({x, 0.866 * j + off(1), -std::abs(steep * x) + 0.4 * off(2)});
       normals.push_back(normalized(Vec3d{std::abs(x) < 0.5 ? 0 : -slope, 0, 1}));
@@ -90,7 +97,8 @@ TEST(Triangulate, AnEdgeHasTwoTrianglesAtMostAndHolesAreFilled) {
   EXPECT_LT(border, 4u * foldSize + 20);  // the rim alone
 }
 
-// Where a hole's corners are joined by other triangles already no ear is free: these go, and it is closed with what they leave.
+// Where a hole's corners are joined by other triangles already no ear is free: these go, and it is closed
+// with what they leave.
 TEST(Triangulate, HolesInSharpFoldsAreClosedAnew) {
   int inside = 0;
   for (std::uint64_t seed = 0; seed < 60; seed++) {
@@ -98,15 +106,20 @@ TEST(Triangulate, HolesInSharpFoldsAreClosedAnew) {
     std::vector<double> spacing;
     const Edges sides = directed(triangulate(foldOf(seed, 1.7, points, normals, spacing)));
     borderOf(sides);
-    const auto atRim = [&](std::uint32_t i) { return points[i].y < 2 || points[i].y > 0.866 * foldSize - 3 || std::abs(points[i].x) > 0.5 * foldSize - 2; };
-    for (const auto& [side, count] : sides) inside += !sides.contains({side.second, side.first}) && !atRim(side.first) && !atRim(side.second);
+    const auto atRim = [&](std::uint32_t i) {
+      return points[i].y < 2 || points[i].y > 0.866 * foldSize - 3 ||
+             std::abs(points[i].x) > 0.5 * foldSize - 2;
+    };
+    for (const auto& [side, count] : sides)
+      inside += !sides.contains({side.second, side.first}) && !atRim(side.first) && !atRim(side.second);
   }
   EXPECT_EQ(inside, 0);
 }
 
 TEST(Triangulate, SquaresOfFourOnACircleAreTwoTriangles) {
   std::vector<Vec3d> points, normals(100, Vec3d{0, 0, 1});
-  for (int k = 0; k < 100; k++) points.push_back({static_cast<double>(k % 10), static_cast<double>(k / 10), 0});
+  for (int k = 0; k < 100; k++)
+    points.push_back({static_cast<double>(k % 10), static_cast<double>(k / 10), 0});
   const auto triangles = triangulate({points, normals, std::vector<double>(100, 1.0), {}, {}});
   EXPECT_EQ(triangles.size(), 2u * 81);
   EXPECT_EQ(borderOf(directed(triangles)), 36u);
@@ -126,13 +139,18 @@ TEST(Triangulate, ACurveIsJoinedToALine) {
 
 TEST(PointTree, NearestAreThoseOfAPlainSearch) {
   std::vector<Vec3d> points;
-  for (std::uint64_t k = 0; k < 600; k++) points.push_back({randomUniform(1, Purpose::Test, k), randomUniform(2, Purpose::Test, k), k % 3 == 0 ? 0.5 : randomUniform(3, Purpose::Test, k)});
+  for (std::uint64_t k = 0; k < 600; k++)
+    points.push_back({randomUniform(1, Purpose::Test, k), randomUniform(2, Purpose::Test, k),
+                      k % 3 == 0 ? 0.5 : randomUniform(3, Purpose::Test, k)});
   const PointTree tree(points);
   for (std::uint64_t q = 0; q < 50; q++) {
-    const Vec3d x{randomUniform(4, Purpose::Test, q), randomUniform(5, Purpose::Test, q), randomUniform(6, Purpose::Test, q)};
+    const Vec3d x{randomUniform(4, Purpose::Test, q), randomUniform(5, Purpose::Test, q),
+                  randomUniform(6, Purpose::Test, q)};
     std::vector<std::uint32_t> plain(points.size());
     for (std::uint32_t k = 0; k < plain.size(); k++) plain[k] = k;
-    std::stable_sort(plain.begin(), plain.end(), [&](auto a, auto b) { return dot(points[a] - x, points[a] - x) < dot(points[b] - x, points[b] - x); });
+    std::stable_sort(plain.begin(), plain.end(), [&](auto a, auto b) {
+      return dot(points[a] - x, points[a] - x) < dot(points[b] - x, points[b] - x);
+    });
     plain.resize(9);
     EXPECT_EQ(tree.nearest(x, 9), plain);
     std::vector<std::uint32_t> near;
@@ -150,7 +168,8 @@ TEST(GivenSurface, NormalsOfASphereAllPointOutward) {  // B17
 TEST(GivenSurface, ThinPlateGoesThroughItsPoints) {
   const std::vector<Vec3d> control{{0, 0, 0}, {1, 0, 0.2}, {0, 1, -0.1}, {1, 1, 0.3}, {0.5, 0.4, 0.5}};
   const ThinPlate plate = thinPlate(control);
-  for (std::size_t k = 0; k < control.size(); k++) EXPECT_LT(length(plate.at(plate.x[k], plate.y[k]) - control[k]), 1e-9);
+  for (std::size_t k = 0; k < control.size(); k++)
+    EXPECT_LT(length(plate.at(plate.x[k], plate.y[k]) - control[k]), 1e-9);
   EXPECT_THROW(thinPlate({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}), std::invalid_argument);
 }
 
@@ -159,7 +178,8 @@ TEST(GivenSurface, ProjectionFindsTheSphere) {
   given.points = given.normals = onSphere(150);
   readyGiven(given);
   for (int k = 0; k < 40; k++) {
-    Vec3d x = 1.05 * normalized(Vec3d{std::sin(k * 1.0), std::cos(k * 2.0), std::sin(k * 0.7 + 1)}), n = normalized(x);
+    Vec3d x = 1.05 * normalized(Vec3d{std::sin(k * 1.0), std::cos(k * 2.0), std::sin(k * 0.7 + 1)}),
+          n = normalized(x);
     ASSERT_TRUE(projectOnGiven(given, x, n));
     EXPECT_NEAR(length(x), 1, 0.01);
     EXPECT_GT(dot(n, normalized(x)), 0.99);

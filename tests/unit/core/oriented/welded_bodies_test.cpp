@@ -29,7 +29,8 @@ struct Bodies {
   std::string found() const {
     std::string text;
     for (const EventOfWelded& f : eventsOfWelded(s))
-      text += (text.empty() ? "" : ", ") + s.oriented[f.body].name + "." + std::to_string(f.event) + ": " + s.oriented[f.named].name + " in " + s.oriented[f.into].name + " by " +
+      text += (text.empty() ? "" : ", ") + s.oriented[f.body].name + "." + std::to_string(f.event) + ": " +
+              s.oriented[f.named].name + " in " + s.oriented[f.into].name + " by " +
               std::to_string(f.weld->time).substr(0, 3);
     return text;
   }

@@ -7,7 +7,8 @@ namespace {
 
 TEST(FactorInTime, MeanIsThatOfManySamples) {
   const FactorInTime f{{{0.1, 0.5}, {0.2, 2}, {0.25, -1}, {0.6, 0}}};
-  for (const auto& [from, to] : std::vector<std::pair<double, double>>{{0, 1}, {0, 0.05}, {0.12, 0.18}, {0.15, 0.7}, {0.2, 0.25}, {0.65, 3}}) {
+  for (const auto& [from, to] : std::vector<std::pair<double, double>>{
+           {0, 1}, {0, 0.05}, {0.12, 0.18}, {0.15, 0.7}, {0.2, 0.25}, {0.65, 3}}) {
     const int n = 200000;
     double sum = 0;
     for (int k = 0; k < n; k++) sum += f.at(from + (to - from) * (k + 0.5) / n);

@@ -26,7 +26,8 @@ TEST(CellShares, OfWholeCellsAreWhole) {
   for (const std::int32_t s : cellShares(box, l, points)) EXPECT_EQ(s, wholeCell);
 }
 
-TEST(CellShares, OfABoxOfNoWholeNumberOfCellsHoldIt) {  // 5.35 cells: six points, the outer cells are two thirds full
+TEST(CellShares, OfABoxOfNoWholeNumberOfCellsHoldIt) {  // 5.35 cells: six points, the outer cells are two
+                                                        // thirds full
   const BoxDistance box({0.535, 0.4, 0.4});
   const SampleLattice l = sampleLattice(box, 0.1);
   const std::vector<std::int64_t> points = pointsOf(box, l);
@@ -44,15 +45,15 @@ TEST(CellShares, OfABallAreItsVolumeAndAsManyRanksAsOneGiveThem) {
   const std::vector<std::int64_t> points = pointsOf(ball, l);
   const std::vector<std::int32_t> shares = cellShares(ball, l, points);
   const double volume = 4.0 / 3 * 3.14159265358979 * 0.83 * 0.83 * 0.83, cells = volume / 1e-3;
-  EXPECT_NEAR(static_cast<double>(std::accumulate(shares.begin(), shares.end(), std::int64_t{0})) / wholeCell, cells, 0.002 * cells);
+  EXPECT_NEAR(static_cast<double>(std::accumulate(shares.begin(), shares.end(), std::int64_t{0})) / wholeCell,
+              cells, 0.002 * cells);
   // what is nearest to a point is its share, by a finer lattice of samples
   std::int32_t least = wholeCell, most = wholeCell;
   for (std::size_t k = 0; k < points.size(); k++) {
     least = std::min(least, shares[k]), most = std::max(most, shares[k]);
-    const Vec3d x = l.at(points[k] % l.count[0], points[k] / l.count[0] % l.count[1], points[k] / l.count[0] / l.count[1]);
-    if (length(x) < 0.83 - 0.1 * 1.74) {
-      EXPECT_EQ(shares[k], wholeCell);
-    }
+    const Vec3d x = l.at(points[k] % l.count[0], points[k] / l.count[0] % l.count[1],
+                         points[k] / l.count[0] / l.count[1]);
+    if (length(x) < 0.83 - 0.1 * 1.74) { EXPECT_EQ(shares[k], wholeCell); }
   }
   EXPECT_LT(least, 48);
   EXPECT_GT(most, 70);
@@ -61,7 +62,8 @@ TEST(CellShares, OfABallAreItsVolumeAndAsManyRanksAsOneGiveThem) {
     std::vector<std::int32_t> wanted;
     const SampleRange range = sampleRange(l, rank, 3);
     for (std::size_t k = 0; k < points.size(); k++)
-      if (const std::int64_t row = points[k] / l.count[0]; row >= range.begin && row < range.end) mine.push_back(points[k]), wanted.push_back(shares[k]);
+      if (const std::int64_t row = points[k] / l.count[0]; row >= range.begin && row < range.end)
+        mine.push_back(points[k]), wanted.push_back(shares[k]);
     EXPECT_EQ(cellShares(ball, l, mine), wanted);
   }
 }

@@ -43,14 +43,16 @@ TEST(ExpectedRows, OfOrientedBodiesAreAboutThoseThatAreMade) {
 
 TEST(ExpectedRows, OfSheetsAreThoseThatAreMade) {
   Scene s = sceneOf(0.03);
-  for (const SheetMesh mesh : {SheetMesh::Grid, SheetMesh::Sphere, SheetMesh::Head, SheetMesh::Dome, SheetMesh::Forehead}) {
+  for (const SheetMesh mesh :
+       {SheetMesh::Grid, SheetMesh::Sphere, SheetMesh::Head, SheetMesh::Dome, SheetMesh::Forehead}) {
     s.sheets.emplace_back();
     s.sheets.back().mesh = mesh;
     s.sheets.back().width = 0.4;
     s.sheets.back().height = 0.3;
   }
   const std::vector<ExpectedRows> expected = expectedRows(s, {});
-  for (std::size_t k = 0; k < expected.size(); k++) EXPECT_EQ(expected[k].rows, static_cast<double>(sheetMesh(s, s.sheets[k], {}).vertices.size())) << k;
+  for (std::size_t k = 0; k < expected.size(); k++)
+    EXPECT_EQ(expected[k].rows, static_cast<double>(sheetMesh(s, s.sheets[k], {}).vertices.size())) << k;
 }
 
 TEST(ExpectedRows, NoSpacingOverflows) {
@@ -60,7 +62,8 @@ TEST(ExpectedRows, NoSpacingOverflows) {
   for (const ExpectedRows& e : expectedRows(s, {})) EXPECT_GT(e.rows, 1e23);
 }
 
-// A surface that is much finer than the scene's spacing, of which nothing else is: cells are as long as its particles see, or each would hold thousands.
+// A surface that is much finer than the scene's spacing, of which nothing else is: cells are as long as its
+// particles see, or each would hold thousands.
 TEST(ExpectedRows, CellsFollowTheFinestWhereThereIsNoContinuum) {
   Scene s = sceneOf(0.05);
   s.oriented.emplace_back().spacing = 1e-3;

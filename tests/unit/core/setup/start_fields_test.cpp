@@ -67,8 +67,8 @@ TEST(StartFields, ParticlesHaveTheLinearFieldOnTopOfVelocityAndSpin) {
 
 TEST(StartFields, ExpressionsAreOfThePlaceInTheScene) {
   Scene s = waterBox({0.3, 0, 0});
-  s.bodies[0].velocityField.component[1] =
-      fieldOf("body.box.velocity.y", [](const Vec3d& x) { return x.x * x.z; });
+  s.bodies[0].velocityField.component[1] = fieldOf("body.box.velocity.y",
+                                                   [](const Vec3d& x) { return x.x * x.z; });
   Simulation run(s);
   for (std::size_t i = 0; i < run.particles().owned; i++) {
     const Vec3d x = run.particles().position[i];
@@ -81,10 +81,12 @@ TEST(StartFields, ExpressionsAreOfThePlaceInTheScene) {
 TEST(StartFields, TheExpectedSpeedIsThatOfTheFastestParticle) {
   Scene s = waterBox();
   s.bodies[0].shape.size = {1.05, 1.05, 1.05};
-  s.bodies[0].velocityField.component[0] = fieldOf("body.box.velocity.x", [](const Vec3d& x) { return 10 * x.x; });
+  s.bodies[0].velocityField.component[0] = fieldOf("body.box.velocity.x",
+                                                   [](const Vec3d& x) { return 10 * x.x; });
   Simulation run(s);
   double fastest = 0;
-  for (std::size_t i = 0; i < run.particles().owned; i++) fastest = std::max(fastest, length(run.particles().velocity[i]));
+  for (std::size_t i = 0; i < run.particles().owned; i++)
+    fastest = std::max(fastest, length(run.particles().velocity[i]));
   EXPECT_DOUBLE_EQ(expectedFlow(run.w.scene).speed, fastest);
 }
 
@@ -93,8 +95,8 @@ TEST(StartFields, RelaxedParticlesAndThoseAcrossASideHaveTheFieldOfTheirPlace) {
   s.domain.side[0][0] = s.domain.side[0][1] = Side::Periodic;
   s.bodies[0].packing = Packing::Relaxed;
   s.bodies[0].spin = {0, 0, 1};
-  s.bodies[0].velocityField.component[2] =
-      fieldOf("body.box.velocity.z", [](const Vec3d& x) { return 10 * x.x; });
+  s.bodies[0].velocityField.component[2] = fieldOf("body.box.velocity.z",
+                                                   [](const Vec3d& x) { return 10 * x.x; });
   Simulation run(s);
   int across = 0;
   for (std::size_t i = 0; i < run.particles().owned; i++) {
@@ -108,8 +110,8 @@ TEST(StartFields, RelaxedParticlesAndThoseAcrossASideHaveTheFieldOfTheirPlace) {
 
 TEST(StartFields, ATemperatureFieldSwitchesHeatOnAndDecidesAboutPhases) {
   Scene s = waterBox();
-  s.bodies[0].temperatureField =
-      fieldOf("body.box.temperature", [](const Vec3d& x) { return 300 + 100 * x.z; });
+  s.bodies[0].temperatureField = fieldOf("body.box.temperature",
+                                         [](const Vec3d& x) { return 300 + 100 * x.z; });
   EXPECT_FALSE(modulesOf(s).heat) << "nothing conducts";
   s.materials[0].conductivity = {1, 1};
   {
@@ -134,12 +136,14 @@ TEST(StartFields, ValuesThatAreNoneAreAnErrorWithItsPlace) {
   EXPECT_EQ(errorOf(s),
             "fields.toml:7:3: error: body.box.velocity.x: \"f(x, y, z)\" is nan at (-0.45, -0.45, -0.45), a "
             "particle (2 in all); expected velocity components of at most 299792458 m/s (speed of light)");
-  s.bodies[0].velocityField.component[0] = fieldOf("body.box.velocity.x", [](const Vec3d& x) { return 1e300 * x.x; });
-  EXPECT_NE(errorOf(s).find("is -4.5e+299 at (-0.45, -0.45, -0.45), a particle"), std::string::npos) << errorOf(s);
+  s.bodies[0].velocityField.component[0] = fieldOf("body.box.velocity.x",
+                                                   [](const Vec3d& x) { return 1e300 * x.x; });
+  EXPECT_NE(errorOf(s).find("is -4.5e+299 at (-0.45, -0.45, -0.45), a particle"), std::string::npos)
+      << errorOf(s);
   s = waterBox();
   s.materials[0].conductivity = {1, 1};
-  s.bodies[0].temperatureField =
-      fieldOf("body.box.temperature", [](const Vec3d& x) { return 40 - 100 * x.z; });
+  s.bodies[0].temperatureField = fieldOf("body.box.temperature",
+                                         [](const Vec3d& x) { return 40 - 100 * x.z; });
   EXPECT_NE(errorOf(s).find(
                 "is -5 at (-0.45, -0.45, 0.45), a particle (100 in all); expected temperatures above 0"),
             std::string::npos)
@@ -170,8 +174,8 @@ TEST(StartFields, AnEmitterSwirlsAndIsWarmByPlace) {
   s.materials[0].conductivity = {1e-9, 1e-9};
   s.emitters[0].velocityField.linear = true;
   s.emitters[0].velocityField.gradient = {{{0, -2, 0}, {2, 0, 0}, {0, 0, 0}}};
-  s.emitters[0].temperatureField =
-      fieldOf("emitter.jet.temperature", [](const Vec3d& x) { return 300 + 100 * x.x; });
+  s.emitters[0].temperatureField = fieldOf("emitter.jet.temperature",
+                                           [](const Vec3d& x) { return 300 + 100 * x.x; });
   Simulation run(s);
   ASSERT_TRUE(run.w.modules.heat);
   ASSERT_GT(run.particles().owned, 100u);
@@ -189,14 +193,14 @@ TEST(StartFields, AnEmitterSwirlsAndIsWarmByPlace) {
 
 TEST(StartFields, AnEmitterRefusesAProfileAndASpreadInItsNozzle) {
   Scene s = jet();
-  s.emitters[0].velocityField.component[2] =
-      fieldOf("emitter.jet.velocity.z", [](const Vec3d& x) { return x.x; });
+  s.emitters[0].velocityField.component[2] = fieldOf("emitter.jet.velocity.z",
+                                                     [](const Vec3d& x) { return x.x; });
   EXPECT_NE(errorOf(s).find("fields.toml:7:3: error: emitter 'jet': its velocity field has"),
             std::string::npos)
       << errorOf(s);
   s = jet();
-  s.emitters[0].velocityField.component[0] =
-      fieldOf("emitter.jet.velocity.x", [](const Vec3d& x) { return 10 * x.x; });
+  s.emitters[0].velocityField.component[0] = fieldOf("emitter.jet.velocity.x",
+                                                     [](const Vec3d& x) { return 10 * x.x; });
   EXPECT_NE(errorOf(s).find("moves neighbours by"), std::string::npos) << errorOf(s);
   s = jet();
   s.emitters[0].temperatureField = fieldOf("emitter.jet.temperature", [](const Vec3d&) { return -1.0; });
@@ -250,8 +254,8 @@ TEST(ExpectedSpeed, CountsObstaclesThatMoveTurnAndLift) {
   o.motion = {{0, {}, {}}, {1, {0, 0, -3}, {}}};
   s.obstacles.push_back(o);
   EXPECT_NEAR(speedOf(s), 3, 1e-9);
-  s.obstacles[0].motion = {
-      {0, {}, {}}, {1, {}, {0, 0, 2}}};  // 2 rad/s about z through the origin; its far edge is at 1.6 m
+  s.obstacles[0].motion = {{0, {}, {}}, {1, {}, {0, 0, 2}}};  // 2 rad/s about z through the origin; its far
+                                                              // edge is at 1.6 m
   EXPECT_NEAR(speedOf(s), 2 * std::hypot(1.6, 0.1), 1e-6);
   EXPECT_NE(whyOf(s).find("obstacle 'mixer' (3.21 m/s)"), std::string::npos) << whyOf(s);
   s.obstacles[0].until = 0;

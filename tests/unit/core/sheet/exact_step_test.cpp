@@ -13,37 +13,51 @@ __extension__ typedef __float128 Quad;
 
 Quad size(Quad x) { return x < 0 ? -x : x; }
 
-/// exp of the 3x3 matrix of (y, y', force): scaled, by its series, and squared, in quad precision: 1e-30 and knows no special case.
-struct Reference { Quad hold, keep, yield, push; };
+/// exp of the 3x3 matrix of (y, y', force): scaled, by its series, and squared, in quad precision: 1e-30 and
+/// knows no special case.
+struct Reference {
+  Quad hold, keep, yield, push;
+};
 Reference reference(const SpringLaw& law, double dt) {
   const Quad m = law.mass, c = law.damping, k = law.stiffness;
   Quad a[3][3] = {{0, dt, 0}, {-k / m * dt, -c / m * dt, dt / m}, {0, 0, 0}};
   // in units in which the rows are alike
   Quad norm = 0;
-  for (auto& row : a) for (const Quad x : row) norm = std::max(norm, size(x));
+  for (auto& row : a)
+    for (const Quad x : row) norm = std::max(norm, size(x));
   int halvings = 0;
-  while (norm > Quad(1) / 1024) { norm /= 2; halvings++; }
+  while (norm > Quad(1) / 1024) {
+    norm /= 2;
+    halvings++;
+  }
   Quad scale = 1;
   for (int i = 0; i < halvings; i++) scale /= 2;
   Quad e[3][3] = {}, term[3][3] = {};
-  for (int i = 0; i < 3; i++) term[i][i] = 1;  // e holds exp - 1, so that small parts are not lost while squaring
-  const auto times = [](Quad (&x)[3][3], Quad (&y)[3][3], Quad (&out)[3][3]) {
+  for (int i = 0; i < 3; i++)
+    term[i][i] = 1;  // e holds exp - 1, so that small parts are not lost while squaring
+  const auto times = [](Quad(&x)[3][3], Quad(&y)[3][3], Quad(&out)[3][3]) {
     for (int i = 0; i < 3; i++)
       for (int j = 0; j < 3; j++) {
         out[i][j] = 0;
         for (int l = 0; l < 3; l++) out[i][j] += x[i][l] * y[l][j];
       }
   };
-  for (auto& row : a) for (Quad& x : row) x *= scale;
+  for (auto& row : a)
+    for (Quad& x : row) x *= scale;
   for (int n = 1; n < 16; n++) {
     Quad next[3][3];
     times(term, a, next);
-    for (int i = 0; i < 3; i++) for (int j = 0; j < 3; j++) { term[i][j] = next[i][j] / n; e[i][j] += term[i][j]; }
+    for (int i = 0; i < 3; i++)
+      for (int j = 0; j < 3; j++) {
+        term[i][j] = next[i][j] / n;
+        e[i][j] += term[i][j];
+      }
   }
   for (int n = 0; n < halvings; n++) {
     Quad square[3][3];
     times(e, e, square);
-    for (int i = 0; i < 3; i++) for (int j = 0; j < 3; j++) e[i][j] = 2 * e[i][j] + square[i][j];
+    for (int i = 0; i < 3; i++)
+      for (int j = 0; j < 3; j++) e[i][j] = 2 * e[i][j] + square[i][j];
   }
   return {e[0][1], 1 + e[1][1], e[0][2], e[1][2]};
 }
@@ -62,14 +76,19 @@ TEST(ExactStep, AllRegimesToThirteenDigits) {
       for (const double w : logs)
         for (const double dt : {1.0, 1e-3, 17.0}) {
           const SpringLaw law{mass, c * mass / dt, w * w * mass / (dt * dt)};
-          if (c > 60 && w > 60) continue;  // all is over within the step: the reference would need thousands of halvings of nothing
+          if (c > 60 && w > 60)
+            continue;  // all is over within the step: the reference would need thousands of halvings of
+                       // nothing
           const ExactStep x = exactStep(law, dt);
           const Reference r = reference(law, dt);
           const bool swings = c < 2 * w;
-          const Quad decay = swings ? Quad(std::exp(-c / 2)) : Quad(0), amplitude = swings && w > 1 ? decay : Quad(0);
-          worst = std::max({worst, error(x.hold, r.hold, amplitude * dt / w), error(x.push, r.push, amplitude * dt / (w * mass)),
-                            error(x.keep, r.keep, std::max(amplitude, c > 0.5 ? size(r.hold) * c / dt : Quad(0))),
-                            error(x.yield, r.yield, amplitude * dt * dt / (w * w * mass))});
+          const Quad decay = swings ? Quad(std::exp(-c / 2)) : Quad(0),
+                     amplitude = swings && w > 1 ? decay : Quad(0);
+          worst = std::max(
+              {worst, error(x.hold, r.hold, amplitude * dt / w),
+               error(x.push, r.push, amplitude * dt / (w * mass)),
+               error(x.keep, r.keep, std::max(amplitude, c > 0.5 ? size(r.hold) * c / dt : Quad(0))),
+               error(x.yield, r.yield, amplitude * dt * dt / (w * w * mass))});
           ASSERT_LT(worst, 1e-13) << "m " << mass << " c " << c << " w " << w << " dt " << dt;
         }
   RecordProperty("worst", std::to_string(worst));
@@ -82,7 +101,8 @@ TEST(ExactStep, ThroughTheDoubleRoot) {
       const SpringLaw law{2.0, 4 * a, 2 * a * a * (1 + beside)};
       const ExactStep x = exactStep(law, 1);
       const Reference r = reference(law, 1);
-      worst = std::max({worst, error(x.hold, r.hold, 0), error(x.keep, r.keep, size(r.hold) * a), error(x.yield, r.yield, 0), error(x.push, r.push, 0)});
+      worst = std::max({worst, error(x.hold, r.hold, 0), error(x.keep, r.keep, size(r.hold) * a),
+                        error(x.yield, r.yield, 0), error(x.push, r.push, 0)});
     }
   EXPECT_LT(worst, 1e-13);
 }
@@ -116,7 +136,9 @@ TEST(ExactStep, Limits) {
 }
 
 TEST(ExactStep, TwoStepsAreOneOfTwice) {
-  for (const SpringLaw law : {SpringLaw{1, 0, 0}, SpringLaw{1, 0, 40}, SpringLaw{1, 0.3, 40}, SpringLaw{1, 2, 1}, SpringLaw{1, 30, 2}, SpringLaw{0, 3, 2}, SpringLaw{1e-9, 3, 2}, SpringLaw{2, 5, 0}})
+  for (const SpringLaw law :
+       {SpringLaw{1, 0, 0}, SpringLaw{1, 0, 40}, SpringLaw{1, 0.3, 40}, SpringLaw{1, 2, 1},
+        SpringLaw{1, 30, 2}, SpringLaw{0, 3, 2}, SpringLaw{1e-9, 3, 2}, SpringLaw{2, 5, 0}})
     for (const double dt : {1e-4, 0.05, 0.7, 4.0}) {
       const double force = 1.7, start = 0.3;
       const auto advance = [&](const ExactStep& x, double& q, double& v) {
@@ -130,7 +152,8 @@ TEST(ExactStep, TwoStepsAreOneOfTwice) {
       advance(one, q, v);
       advance(two, q2, v2);
       const double swing = 2 + 2 * std::sqrt(law.stiffness / std::max(law.mass, 1.0)) * 2;
-      EXPECT_NEAR(q, q2, 1e-14 * (std::abs(q2) + swing)) << law.mass << " " << law.damping << " " << law.stiffness << " " << dt;
+      EXPECT_NEAR(q, q2, 1e-14 * (std::abs(q2) + swing))
+          << law.mass << " " << law.damping << " " << law.stiffness << " " << dt;
       EXPECT_NEAR(v, v2, 1e-14 * (std::abs(v2) + swing * 8));
     }
 }
@@ -152,16 +175,21 @@ double growth(const SpringLaw& law, double kappa, double dt) {
 }
 
 TEST(ExactStep, StableLimitIsTheLimit) {
-  for (const SpringLaw law : {SpringLaw{1, 0, 0}, SpringLaw{1, 0, 40}, SpringLaw{1, 3, 40}, SpringLaw{1, 30, 2}, SpringLaw{0, 3, 2}, SpringLaw{2, 5, 0}})
+  for (const SpringLaw law : {SpringLaw{1, 0, 0}, SpringLaw{1, 0, 40}, SpringLaw{1, 3, 40},
+                              SpringLaw{1, 30, 2}, SpringLaw{0, 3, 2}, SpringLaw{2, 5, 0}})
     for (const double kappa : {0.5, 10.0, 1e4}) {
       const double dt = stableStep(law, kappa);
       if (!(dt < 1e300)) continue;
       EXPECT_GT(dt, 0);
-      for (const double part : {0.01, 0.3, 0.9, 0.999}) EXPECT_LE(growth(law, kappa, part * dt), 1 + 1e-12) << law.damping << " " << law.stiffness << " " << kappa << " " << part;
-      const double w = std::sqrt(law.stiffness / std::max(law.mass, 1e-300)), a = law.damping / (2 * std::max(law.mass, 1e-300));
+      for (const double part : {0.01, 0.3, 0.9, 0.999})
+        EXPECT_LE(growth(law, kappa, part * dt), 1 + 1e-12)
+            << law.damping << " " << law.stiffness << " " << kappa << " " << part;
+      const double w = std::sqrt(law.stiffness / std::max(law.mass, 1e-300)),
+                   a = law.damping / (2 * std::max(law.mass, 1e-300));
       const bool quarter = w > a && std::sqrt(w * w - a * a) * dt > 1.57;
       if (!quarter) {
-        EXPECT_GT(growth(law, kappa, 1.01 * dt), 1 + 1e-6) << law.damping << " " << law.stiffness << " " << kappa;
+        EXPECT_GT(growth(law, kappa, 1.01 * dt), 1 + 1e-6)
+            << law.damping << " " << law.stiffness << " " << kappa;
       }
     }
   EXPECT_NEAR(stableStep({2, 0, 0}, 50), 2 / std::sqrt(50.0 / 2), 1e-9);  // leap-frog's

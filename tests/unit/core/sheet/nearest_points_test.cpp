@@ -16,7 +16,8 @@ TEST(NearestPoints, SharesAreThoseOfTheNearestPoint) {
   const auto random = [&] { return 2 * randomUniform(7, Purpose::Jitter, n++) - 1; };
   const auto place = [&] { return Vec3d{random(), random(), random()}; };
   for (int k = 0; k < 5000; k++) {
-    const Vec3d a = place(), b = place(), c = k % 10 == 0 ? 0.5 * (a + b) : place(), x = 2.0 * place();  // some without area
+    // some without area
+    const Vec3d a = place(), b = place(), c = k % 10 == 0 ? 0.5 * (a + b) : place(), x = 2.0 * place();
     const Vec3d u = sharesOfNearest(a, b, c, x), at = u.x * a + u.y * b + u.z * c;
     EXPECT_NEAR(u.x + u.y + u.z, 1, 1e-15);
     EXPECT_GE(std::min({u.x, u.y, u.z}), -1e-15);
@@ -29,7 +30,9 @@ TEST(NearestPoints, OfEdgesAreNoFurtherThanAnyOthers) {
   const auto random = [&] { return 2 * randomUniform(7, Purpose::Jitter, n++) - 1; };
   const auto place = [&] { return Vec3d{random(), random(), random()}; };
   for (int k = 0; k < 2000; k++) {
-    const Vec3d p = place(), u = k % 20 == 0 ? Vec3d{} : place(), q = place(), v = k % 10 == 0 ? -0.7 * u : place();  // some parallel, some without length
+    // some parallel, some without length
+    const Vec3d p = place(), u = k % 20 == 0 ? Vec3d{} : place(), q = place(),
+                v = k % 10 == 0 ? -0.7 * u : place();
     const EdgeShares at = nearestOfEdges(p, u, q, v);
     const double found = length(p + at.first * u - q - at.second * v);
     EXPECT_GE(std::min(at.first, at.second), 0);

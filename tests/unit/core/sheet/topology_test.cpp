@@ -32,7 +32,8 @@ void expectSameTriangles(const TriangleMesh& mesh) {
   }
   const SheetTopology t = sheetTopology(mesh);
   EXPECT_EQ(trianglesOf(t), expected);
-  EXPECT_EQ(std::count_if(t.ring.begin(), t.ring.end(), [](const RingEdge& r) { return r.triangle; }), static_cast<std::ptrdiff_t>(3 * mesh.triangles.size()));
+  EXPECT_EQ(std::count_if(t.ring.begin(), t.ring.end(), [](const RingEdge& r) { return r.triangle; }),
+            static_cast<std::ptrdiff_t>(3 * mesh.triangles.size()));
 }
 
 TEST(SheetTopology, Closed) {
@@ -47,7 +48,8 @@ TEST(SheetTopology, Closed) {
   for (const double a : t.area) area += a;
   EXPECT_NEAR(area, 12.566, 0.2);
   for (std::size_t v = 0; v < mesh.vertices.size(); v++)
-    for (std::uint32_t k = t.first[v]; k < t.first[v + 1]; k++) EXPECT_EQ(t.ring[k].next, (k - t.first[v] + 1) % (t.first[v + 1] - t.first[v]));
+    for (std::uint32_t k = t.first[v]; k < t.first[v + 1]; k++)
+      EXPECT_EQ(t.ring[k].next, (k - t.first[v] + 1) % (t.first[v + 1] - t.first[v]));
 }
 
 TEST(SheetTopology, BordersAndComponents) {
@@ -98,7 +100,8 @@ TEST(SheetTopology, Refusals) {
 }
 
 TEST(SheetMeshes, AreWhatTheyAreCalled) {
-  const TriangleMesh head = headSheet(1, 0.05), dome = domeSheet(0.5, 0.3, 0.05, 12, 0.02), brow = foreheadSheet(1, 1, 0.6, 0.05, 0.02, 5);
+  const TriangleMesh head = headSheet(1, 0.05), dome = domeSheet(0.5, 0.3, 0.05, 12, 0.02),
+                     brow = foreheadSheet(1, 1, 0.6, 0.05, 0.02, 5);
   const SheetTopology h = sheetTopology(head), d = sheetTopology(dome), b = sheetTopology(brow);
   EXPECT_EQ(h.closed, std::vector<std::uint8_t>{1});
   EXPECT_GT(h.volume[0], 0);

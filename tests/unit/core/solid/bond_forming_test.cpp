@@ -24,7 +24,8 @@ NeighbourLists allPairs(std::size_t n) {
     lists.first.push_back(lists.list.size());
     lists.count.push_back(static_cast<std::uint32_t>(n));
     for (std::size_t j = 0; j < n; j++)
-      for (std::size_t l = 0; l < 8; l++) lists.list.push_back(2 * (j == g * 8 + l ? lists.dummy : static_cast<std::uint32_t>(j)));
+      for (std::size_t l = 0; l < 8; l++)
+        lists.list.push_back(2 * (j == g * 8 + l ? lists.dummy : static_cast<std::uint32_t>(j)));
   }
   for (std::size_t i = 0; i < n; i++) lists.self[i] = static_cast<std::uint32_t>(i);
   return lists;
@@ -32,7 +33,8 @@ NeighbourLists allPairs(std::size_t n) {
 
 void fillParticles(SolidBody& b, const std::vector<Vec3d>& points) {
   Continuum& p = b.particles;
-  for (AnyColumn* c : {static_cast<AnyColumn*>(&p.id), static_cast<AnyColumn*>(&p.position), static_cast<AnyColumn*>(&p.phase), static_cast<AnyColumn*>(&p.body),
+  for (AnyColumn* c : {static_cast<AnyColumn*>(&p.id), static_cast<AnyColumn*>(&p.position),
+                       static_cast<AnyColumn*>(&p.phase), static_cast<AnyColumn*>(&p.body),
                        static_cast<AnyColumn*>(&p.material)})
     p.activate(*c);
   p.resize(points.size(), 0);
@@ -52,7 +54,11 @@ void addBonds(SolidBody& b, const std::vector<BondRequest>& requests) {
     for (int k = 0; k < bonds.capacity; k++) {
       const std::size_t at = bonds.at(s, k);
       if (bonds.there(s, k))
-        of[s].push_back({static_cast<std::uint32_t>(s), bonds.neighbour[at], {bonds.x[at], bonds.y[at], bonds.z[at]}, {bonds.rx[at], bonds.ry[at], bonds.rz[at]}, bonds.weight[at]});
+        of[s].push_back({static_cast<std::uint32_t>(s),
+                         bonds.neighbour[at],
+                         {bonds.x[at], bonds.y[at], bonds.z[at]},
+                         {bonds.rx[at], bonds.ry[at], bonds.rz[at]},
+                         bonds.weight[at]});
     }
   for (const BondRequest& r : requests) of[r.slot].push_back(r);
   bonds.capacity = 0;
@@ -76,7 +82,8 @@ void expectSymmetric(const std::vector<BondRequest>& requests) {
   for (const auto& [ends, r] : all) {
     const auto other = all.find({ends.second, ends.first});
     ASSERT_NE(other, all.end());
-    EXPECT_TRUE(other->second.reference == r.reverse && other->second.reverse == r.reference && other->second.weight == r.weight);
+    EXPECT_TRUE(other->second.reference == r.reverse && other->second.reverse == r.reference &&
+                other->second.weight == r.weight);
   }
 }
 
@@ -100,12 +107,15 @@ TEST(BondForming, startBondsBodiesApart) {
   fillParticles(*b, points);
   for (std::size_t i = 0; i < points.size(); i++) b->particles.body[i] = i % 6 >= 3;
   std::vector<BondRequest> requests;
-  EXPECT_EQ(formBonds(b->particles, b->solids, b->bonds, allPairs(points.size()), forming(*b, BondRule::Start), requests), 0);
+  EXPECT_EQ(formBonds(b->particles, b->solids, b->bonds, allPairs(points.size()),
+                      forming(*b, BondRule::Start), requests),
+            0);
   expectSymmetric(requests);
   std::size_t expected = 0;
   for (std::size_t i = 0; i < points.size(); i++)
     for (std::size_t j = 0; j < points.size(); j++)
-      expected += i != j && b->particles.body[i] == b->particles.body[j] && length(points[j] - points[i]) < b->work.support;
+      expected += i != j && b->particles.body[i] == b->particles.body[j] &&
+                  length(points[j] - points[i]) < b->work.support;
   EXPECT_EQ(requests.size(), expected);
   for (const BondRequest& r : requests) EXPECT_TRUE(r.reverse == -r.reference);
 }
@@ -132,7 +142,8 @@ TEST(BondForming, freezingJoinsWithoutStressJump) {
   for (std::size_t i = 0; i < points.size(); i++) b->particles.justFrozen[i] = !old(i);
   prepareBondForming(b->particles, b->solids);
   std::vector<BondRequest> requests;
-  formBonds(b->particles, b->solids, b->bonds, allPairs(points.size()), forming(*b, BondRule::Freezing), requests);
+  formBonds(b->particles, b->solids, b->bonds, allPairs(points.size()), forming(*b, BondRule::Freezing),
+            requests);
   expectSymmetric(requests);
   for (const BondRequest& q : requests) EXPECT_FALSE(old(q.slot) && old(q.neighbourId));
   addBonds(*b, requests);
@@ -165,8 +176,14 @@ TEST(BondForming, weldingOfBodies) {
     b->particles.justFrozen[3] = 1;
     prepareBondForming(b->particles, b->solids);
     std::vector<BondRequest> freezing, welding;
-    EXPECT_EQ(formBonds(b->particles, b->solids, b->bonds, allPairs(4), forming(*b, BondRule::Freezing), freezing), weld ? 1 : 0);  // 2-3
-    EXPECT_EQ(formBonds(b->particles, b->solids, b->bonds, allPairs(4), forming(*b, BondRule::Welding), welding), weld ? 3 : 0);    // 0-1, 1-2, too
+    // 2-3
+    EXPECT_EQ(
+        formBonds(b->particles, b->solids, b->bonds, allPairs(4), forming(*b, BondRule::Freezing), freezing),
+        weld ? 1 : 0);
+    // 0-1, 1-2, too
+    EXPECT_EQ(
+        formBonds(b->particles, b->solids, b->bonds, allPairs(4), forming(*b, BondRule::Welding), welding),
+        weld ? 3 : 0);
     expectSymmetric(welding);
     if (!weld) continue;
     addBonds(*b, welding);

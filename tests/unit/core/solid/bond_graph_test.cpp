@@ -1,4 +1,5 @@
-// Slots and bonds of one process: edits of the graph, and what the elastic step keeps of it (several ranks: tests/mpi/bond_halo_test.cpp).
+// Slots and bonds of one process: edits of the graph, and what the elastic step keeps of it (several ranks:
+// tests/mpi/bond_halo_test.cpp).
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -68,7 +69,8 @@ struct Lattice {
     for (std::size_t i = from; i < points.size(); i++)
       for (std::size_t j = 0; j < points.size(); j++) {
         const Vec3d x = points[j] - points[i];
-        if (i != j && p.slot[i] != noSlot && dot(x, x) < 0.16 * 0.16) q.push_back({p.slot[i], p.id[j], x, -x, 1.0 / (1 + dot(x, x))});
+        if (i != j && p.slot[i] != noSlot && dot(x, x) < 0.16 * 0.16)
+          q.push_back({p.slot[i], p.id[j], x, -x, 1.0 / (1 + dot(x, x))});
       }
     return q;
   }
@@ -93,7 +95,8 @@ struct Lattice {
     activateSolidFields(p2, s2, b2, fresh, scene, modules, grid);
     const std::vector<Sym3d> inverse(s.momentInverse.data(), s.momentInverse.data() + s.owned);
     refreshReference(fresh, s, b, true);
-    for (std::size_t i = 0; i < s.owned; i++) ASSERT_EQ(0, std::memcmp(&inverse[i], &s.momentInverse[i], sizeof(Sym3d)));
+    for (std::size_t i = 0; i < s.owned; i++)
+      ASSERT_EQ(0, std::memcmp(&inverse[i], &s.momentInverse[i], sizeof(Sym3d)));
     EXPECT_EQ(fresh.inner, work.inner);
     EXPECT_EQ(fresh.boundary, work.boundary);
     EXPECT_EQ(fresh.bondCount, work.bondCount);
@@ -124,7 +127,10 @@ TEST(BondGraph, MeltsAndFreezes) {
   EXPECT_EQ(l.s.volume[l.p.slot[20]], 0);
   EXPECT_TRUE(l.bondedTo(l.p.slot[20]).empty());
   l.expectFreshWork();
-  l.relink({{l.p.slot[20], 1021, {0.1, 0, 0}, {-0.1, 0, 0}, 2}, {l.p.slot[21], 1020, {-0.1, 0, 0}, {0.1, 0, 0}, 2}, {l.p.slot[20], 1007, {1, 0, 0}, {}, 3}}, false);
+  l.relink({{l.p.slot[20], 1021, {0.1, 0, 0}, {-0.1, 0, 0}, 2},
+            {l.p.slot[21], 1020, {-0.1, 0, 0}, {0.1, 0, 0}, 2},
+            {l.p.slot[20], 1007, {1, 0, 0}, {}, 3}},
+           false);
   EXPECT_EQ(l.bondedTo(l.p.slot[20]), std::set<std::uint64_t>{1021});  // 7 is liquid
   EXPECT_EQ(l.bondedTo(l.p.slot[21]).count(1020), 1u);
   l.expectFreshWork();

@@ -32,7 +32,9 @@ TEST(Deformation, patchTestOnJitteredLattice) {
     const ElasticResult r = computeForces(*b);
     EXPECT_EQ(r.inverted, 0);
     for (std::size_t s = 0; s < b->solids.owned; s++)
-      EXPECT_LT(largest(b->solids.deformation[s] - identity3<double>() - g), precision == Precision::Double ? 1e-12 : 5e-6) << s;
+      EXPECT_LT(largest(b->solids.deformation[s] - identity3<double>() - g),
+                precision == Precision::Double ? 1e-12 : 5e-6)
+          << s;
   }
 }
 
@@ -50,7 +52,8 @@ TEST(Deformation, rigidRotationHasNoStrainNoForceNoEnergy) {
       const Mat3d r = rotation({1, 2, -0.5}, degrees * 3.14159265358979323846 / 180);
       moveAll(*b, points, [&](const Vec3d& x) { return r * x + Vec3d{1, 2, 3}; });
       computeForces(*b);
-      for (std::size_t s = 0; s < b->solids.owned; s++) EXPECT_LT(largest(b->solids.deformation[s] - r), 1e-12);
+      for (std::size_t s = 0; s < b->solids.owned; s++)
+        EXPECT_LT(largest(b->solids.deformation[s] - r), 1e-12);
       EXPECT_LT(largestForce(*b), 1e-11 * scale);
       EXPECT_LT(totalEnergy(*b), 1e-12 * scale * 0.1 * 125);
     }
@@ -99,11 +102,14 @@ TEST(Deformation, periodicBodyFeelsNoSeam) {
       return y;
     });
     computeForces(*b);
-    for (std::size_t s = 0; s < points.size(); s++) EXPECT_LT(largest(b->solids.deformation[s] - identity3<double>()), precision == Precision::Double ? 1e-13 : 2e-6);
+    for (std::size_t s = 0; s < points.size(); s++)
+      EXPECT_LT(largest(b->solids.deformation[s] - identity3<double>()),
+                precision == Precision::Double ? 1e-13 : 2e-6);
   }
 }
 
-/// Across the sides at the start, and turned there by half a turn: some particles cross a side one way and some the other.
+/// Across the sides at the start, and turned there by half a turn: some particles cross a side one way and
+/// some the other.
 TEST(Deformation, aBodyAcrossPeriodicSidesMayTurn) {
   for (const Precision precision : {Precision::Double, Precision::Single}) {
     BodyOptions options;
@@ -124,7 +130,9 @@ TEST(Deformation, aBodyAcrossPeriodicSidesMayTurn) {
         return wrapped(turn * from);
       });
       computeForces(*b);
-      for (std::size_t s = 0; s < points.size(); s++) EXPECT_LT(largest(b->solids.deformation[s] - turn), precision == Precision::Double ? 1e-13 : 2e-6) << angle;
+      for (std::size_t s = 0; s < points.size(); s++)
+        EXPECT_LT(largest(b->solids.deformation[s] - turn), precision == Precision::Double ? 1e-13 : 2e-6)
+            << angle;
     }
   }
 }
@@ -193,7 +201,8 @@ TEST(Deformation, sameBitsForEveryInstructionSet) {
         EXPECT_STREQ(kernels->name, isa);
         const auto b = makeBody(points, {m}, options);
         b->work.kernels = kernels;
-        for (std::size_t s = 0; s < points.size(); s++) b->solids.position[s] = points[s] + (s % 30 == 0 ? 0.2 : 0.02) * noise3(s, 3);
+        for (std::size_t s = 0; s < points.size(); s++)
+          b->solids.position[s] = points[s] + (s % 30 == 0 ? 0.2 : 0.02) * noise3(s, 3);
         EXPECT_GT(computeForces(*b).inverted, 0);
         std::vector<Vec3d> forces(b->solids.force.data(), b->solids.force.data() + points.size());
         if (first.empty()) first = forces;
@@ -212,7 +221,8 @@ TEST(Moment, completionKeepsHandedness) {
   EXPECT_EQ(invertMoment({}).rank, 0);
 }
 
-// What a start books of bodies that rest in their reference is found without a look at the bonds: the same bits.
+// What a start books of bodies that rest in their reference is found without a look at the bonds: the same
+// bits.
 TEST(Deformation, atTheReferenceTheShortWayHasTheSameBits) {
   auto points = lattice({5, 4, 5}, 0.1, 0.2);
   points.push_back({2, 0, 0});  // alone
@@ -225,7 +235,8 @@ TEST(Deformation, atTheReferenceTheShortWayHasTheSameBits) {
     computeForces(*b);
     ASSERT_TRUE(atReference(b->solids));
     for (std::size_t s = 0; s < b->solids.owned; s++) {
-      const SlotStrain bonds = slotStrain(b->work, b->solids, b->bonds, s), none = slotStrainAtReference(b->work, b->solids, b->bonds, s);
+      const SlotStrain bonds = slotStrain(b->work, b->solids, b->bonds, s),
+                       none = slotStrainAtReference(b->work, b->solids, b->bonds, s);
       EXPECT_EQ(std::memcmp(&bonds, &none, sizeof bonds), 0) << s;
     }
     b->solids.position[7].x += 1e-9;

@@ -1,4 +1,5 @@
-// Neighbourhoods that are almost flat, or almost a line, as frozen crumbs have them: their forces are the derivative of their energy, and keep momentum and spin.
+// Neighbourhoods that are almost flat, or almost a line, as frozen crumbs have them: their forces are the
+// derivative of their energy, and keep momentum and spin.
 #include <gtest/gtest.h>
 
 #include "tests/support/solid_body.hpp"
@@ -57,7 +58,10 @@ TEST(FlatNeighbourhoods, ForcesOfALayerAreTheDerivativeOfItsEnergy) {
     const auto b = makeBody(points, {m});
     ASSERT_EQ(countSingular(b->work, b->solids), 16);
     const Mat3d r = rotation({1, 2, -0.5}, 1.3);
-    moveAll(*b, points, [&](const Vec3d& x) { return r * (x + Vec3d{0.1 * x.y, 0.05 * x.x, 1.5 * x.x * x.y}); });  // stretched, twisted, turned
+    // stretched, twisted, turned
+    moveAll(*b, points, [&](const Vec3d& x) {
+      return r * (x + Vec3d{0.1 * x.y, 0.05 * x.x, 1.5 * x.x * x.y});
+    });
     EXPECT_LT(mismatch(*b), 1e-5);
     expectNoForceAndNoTurn(*b);
   }
@@ -68,21 +72,26 @@ TEST(FlatNeighbourhoods, APlasticLayer) {
   m.yieldStrain = {1e3, 1e3};  // it does not flow now
   const std::vector<Vec3d> points = layer(2);
   const auto b = makeBody(points, {m});
-  for (std::size_t s = 0; s < b->solids.owned; s++) b->solids.plasticInverse[s] = {{{0.02, 0.005, -0.015}, {0.005, -0.01, 0.02}, {-0.015, 0.02, -0.01}}};  // with shear across the plane
+  // with shear across the plane
+  for (std::size_t s = 0; s < b->solids.owned; s++)
+    b->solids.plasticInverse[s] = {{{0.02, 0.005, -0.015}, {0.005, -0.01, 0.02}, {-0.015, 0.02, -0.01}}};
   moveAll(*b, points, [&](const Vec3d& x) { return x + Vec3d{0.1 * x.y, 0.05 * x.x, 1.5 * x.x * x.y}; });
   EXPECT_LT(mismatch(*b), 1e-5);
 }
 
 TEST(FlatNeighbourhoods, ARowThatIsNotStraightTurnsFreely) {
   std::vector<Vec3d> points;
-  for (std::size_t k = 0; k < 6; k++) points.push_back(Vec3d{0.1 * static_cast<double>(k), 0, 0} + 0.003 * noise3(k, 3));
+  for (std::size_t k = 0; k < 6; k++)
+    points.push_back(Vec3d{0.1 * static_cast<double>(k), 0, 0} + 0.003 * noise3(k, 3));
   const auto b = makeBody(points, {elasticMaterial()});
   ASSERT_EQ(countSingular(b->work, b->solids), 6);
   const Mat3d about = rotation({1, 0, 0}, 2.0), r = rotation({1, 2, -0.5}, 1.3);
   moveAll(*b, points, [&](const Vec3d& x) { return r * (about * x); });
   computeForces(*b);
   EXPECT_LT(forceScale(*b), 1e-6);  // N; of a strain of one 1e4
-  moveAll(*b, points, [&](const Vec3d& x) { return r * (about * Vec3d{1.1 * x.x, x.y, x.z + 0.3 * x.x * x.x}); });
+  moveAll(*b, points, [&](const Vec3d& x) {
+    return r * (about * Vec3d{1.1 * x.x, x.y, x.z + 0.3 * x.x * x.x});
+  });
   EXPECT_LT(mismatch(*b), 1e-5);
   expectNoForceAndNoTurn(*b);
 }

@@ -13,7 +13,8 @@ namespace {
 /// Living bonds of each pair, from both ends.
 std::int64_t bondsOf(const SolidBody& b, std::size_t i, std::size_t j) {
   std::int64_t n = 0;
-  for (int k = 0; k < b.bonds.capacity; k++) n += b.bonds.there(i, k) && b.bonds.neighbour[b.bonds.at(i, k)] == j;
+  for (int k = 0; k < b.bonds.capacity; k++)
+    n += b.bonds.there(i, k) && b.bonds.neighbour[b.bonds.at(i, k)] == j;
   return n;
 }
 

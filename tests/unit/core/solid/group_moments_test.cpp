@@ -1,4 +1,5 @@
-// What the elastic step keeps of bonds, found for eight slots at once: the bits of one slot at a time, with every instruction set.
+// What the elastic step keeps of bonds, found for eight slots at once: the bits of one slot at a time, with
+// every instruction set.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -16,10 +17,16 @@ struct Kept {
   unsigned rank, singular;
 };
 Kept keptOf(const SolidBody& b, std::size_t s) {
-  return {b.solids.momentInverse[s], b.work.perTrace[s], b.work.perWeight[s], b.work.grip[s], b.work.rank[s], b.work.singularLanes[s / lanes] >> s % lanes & 1u};
+  return {b.solids.momentInverse[s],
+          b.work.perTrace[s],
+          b.work.perWeight[s],
+          b.work.grip[s],
+          b.work.rank[s],
+          b.work.singularLanes[s / lanes] >> s % lanes & 1u};
 }
 
-/// Slots that differ when their groups are found again by these kernels, one slot at a time being what they are compared with.
+/// Slots that differ when their groups are found again by these kernels, one slot at a time being what they
+/// are compared with.
 std::size_t differing(SolidBody& b, const char* kernels) {
   for (std::size_t s = 0; s < b.solids.owned; s++) refreshSlot(b.work, b.solids, b.bonds, s);
   std::vector<Kept> alone;
@@ -43,14 +50,18 @@ std::size_t differing(SolidBody& b, const char* kernels) {
 
 TEST(GroupMoments, AreThoseOfSingleSlots) {
   std::vector<Vec3d> crumbs = lattice({4, 4, 3}, 0.1, 0.2);
-  for (std::size_t k = 0; k < 12; k++) crumbs.push_back({1.0 + 0.1 * double(k % 4), 0.1 * double(k / 4), 0});  // a plane: rank 2
-  for (std::size_t k = 0; k < 8; k++) crumbs.push_back({2.0 + 0.1 * double(k), 1e-3 * double(k % 2), 0});     // nearly a line
-  for (std::size_t k = 0; k < 12; k++) crumbs.push_back({3.0 + double(k), 3, 0});                             // alone: no bonds
+  // a plane: rank 2
+  for (std::size_t k = 0; k < 12; k++) crumbs.push_back({1.0 + 0.1 * double(k % 4), 0.1 * double(k / 4), 0});
+  // nearly a line
+  for (std::size_t k = 0; k < 8; k++) crumbs.push_back({2.0 + 0.1 * double(k), 1e-3 * double(k % 2), 0});
+  // alone: no bonds
+  for (std::size_t k = 0; k < 12; k++) crumbs.push_back({3.0 + double(k), 3, 0});
   BodyOptions periodic;
   periodic.period = {0.6, 0, 0.6};
   for (const char* kernels : {"base", "avx2", "avx512"}) {
     if (!referenceKernels(kernels)) continue;
-    const auto open = makeBody(crumbs, {elasticMaterial()}), wrapped = makeBody(lattice({6, 6, 6}, 0.1, 0.2), {elasticMaterial()}, periodic);
+    const auto open = makeBody(crumbs, {elasticMaterial()}),
+               wrapped = makeBody(lattice({6, 6, 6}, 0.1, 0.2), {elasticMaterial()}, periodic);
     ASSERT_FALSE(open->bonds.vectors);
     EXPECT_EQ(differing(*open, kernels), 0u) << kernels;
     EXPECT_EQ(differing(*wrapped, kernels), 0u) << kernels;

@@ -1,4 +1,5 @@
-// Material laws against finite differences of their energies, and the whole body's forces against those of its energy.
+// Material laws against finite differences of their energies, and the whole body's forces against those of
+// its energy.
 #include <gtest/gtest.h>
 
 #include "core/solid/laws/corotated.hpp"
@@ -12,7 +13,9 @@ namespace {
 
 constexpr ElasticLaw allLaws[]{ElasticLaw::Green, ElasticLaw::NeoHookean, ElasticLaw::Corotated};
 
-Mat3d noiseMatrix(std::uint64_t n, double size) { return size * Mat3d{{noise3(n, 1), noise3(n, 2), noise3(n, 3)}}; }
+Mat3d noiseMatrix(std::uint64_t n, double size) {
+  return size * Mat3d{{noise3(n, 1), noise3(n, 2), noise3(n, 3)}};
+}
 
 }  // namespace
 
@@ -32,7 +35,9 @@ TEST(Laws, stressIsDerivativeOfEnergy) {
           Mat3d up = g, down = g;
           up.row[i][k] += d;
           down.row[i][k] -= d;
-          const double slope = (elasticResponse(c, up, plastic).energy - elasticResponse(c, down, plastic).energy) / (2 * d);
+          const double slope = (elasticResponse(c, up, plastic).energy -
+                                elasticResponse(c, down, plastic).energy) /
+                               (2 * d);
           EXPECT_NEAR(slope, r.stress.row[i][k], 1e-7 * (1 + largest(r.stress))) << int(law) << ' ' << n;
         }
     }
@@ -91,7 +96,8 @@ TEST(Laws, lanesOfAGroupDoNotDependOnEachOther) {
     BodyOptions options;
     options.material = [](std::size_t i) { return static_cast<int>(i * i % 7 % 3); };
     const auto b = makeBody(points, materials, options);
-    for (std::size_t s = 0; s < points.size(); s++) b->solids.position[s] = points[s] + (s % 3 == 0 ? 0.15 : 0.02) * noise3(s, 3);
+    for (std::size_t s = 0; s < points.size(); s++)
+      b->solids.position[s] = points[s] + (s % 3 == 0 ? 0.15 : 0.02) * noise3(s, 3);
     b->step.dt = 1e-3;
     const ElasticResult r = computeForces(*b);
     EXPECT_GT(r.inverted, 2);
@@ -99,7 +105,8 @@ TEST(Laws, lanesOfAGroupDoNotDependOnEachOther) {
     for (std::size_t s = 0; s < points.size(); s++) {
       const ElasticConstants c = elasticConstants(materials[b->solids.material[s]], 0);
       const Mat3d plastic = b->solids.plasticInverse.active ? b->solids.plasticInverse[s] : Mat3d{};
-      const double alone = b->solids.volume[s] * elasticResponse(c, b->solids.deformation[s] - identity3<double>(), plastic).energy;
+      const double alone = b->solids.volume[s] *
+                           elasticResponse(c, b->solids.deformation[s] - identity3<double>(), plastic).energy;
       EXPECT_NEAR(b->solids.energy[s], alone, 1e-11 * (std::abs(alone) + 1)) << s;
     }
   }
@@ -135,7 +142,8 @@ TEST(Laws, forcesAreDerivativesOfTotalEnergy) {
             energy[side] = totalEnergy(*b);
           }
           b->solids.position[s] = moved[s];
-          EXPECT_NEAR((energy[0] - energy[1]) / (2 * d), force[s][a], 2e-7 * scale) << int(law) << ' ' << freezing;
+          EXPECT_NEAR((energy[0] - energy[1]) / (2 * d), force[s][a], 2e-7 * scale)
+              << int(law) << ' ' << freezing;
         }
     }
 }

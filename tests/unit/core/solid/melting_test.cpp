@@ -25,7 +25,8 @@ TEST(Melting, bondsGoAtBothEndsAndTheirEnergyIsBooked) {
   const double before = totalEnergy(*b);
   markMelted(p, b->solids);
   ExactSum jump;
-  EXPECT_GT(dropMeltedBonds(b->work, p, b->solids, b->bonds, jump), static_cast<std::int64_t>(points.size()) / 2);
+  EXPECT_GT(dropMeltedBonds(b->work, p, b->solids, b->bonds, jump),
+            static_cast<std::int64_t>(points.size()) / 2);
   EXPECT_TRUE(b->bonds.broken);
   const double after = totalEnergy(*b);
   EXPECT_NEAR(jump.value(), before - after, 1e-12 * before);

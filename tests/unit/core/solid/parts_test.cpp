@@ -1,5 +1,5 @@
-// A body cut in two with remote rows, exchanged by hand: the same bits as the whole body, through plastic flow, re-reference,
-// fracture and damping.
+// A body cut in two with remote rows, exchanged by hand: the same bits as the whole body, through plastic
+// flow, re-reference, fracture and damping.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -12,7 +12,8 @@ using namespace thaw::test;
 
 namespace {
 
-/// The slots with these ids of a whole body that has not moved yet, and remote rows for what they are bonded to.
+/// The slots with these ids of a whole body that has not moved yet, and remote rows for what they are bonded
+/// to.
 std::unique_ptr<SolidBody> partOf(const SolidBody& whole, const std::vector<std::size_t>& ids) {
   auto part = std::make_unique<SolidBody>();
   SolidBody& b = *part;
@@ -36,7 +37,8 @@ std::unique_ptr<SolidBody> partOf(const SolidBody& whole, const std::vector<std:
     if (s < ids.size()) b.solids.volume[s] = whole.solids.volume[rows[s]];
   }
   b.bonds.capacity = whole.bonds.capacity;
-  const std::size_t room = (ids.size() + lanes - 1) / lanes * lanes * static_cast<std::size_t>(b.bonds.capacity);
+  const std::size_t room = (ids.size() + lanes - 1) / lanes * lanes *
+                           static_cast<std::size_t>(b.bonds.capacity);
   b.bonds.neighbour.assign(room, 0xffffffu);  // what lies behind the last slot must not matter
   b.bonds.eachReal([&](BondReals& r) { r.assign(room, 1e30); });
   for (std::size_t s = 0; s < ids.size(); s++)
@@ -44,7 +46,8 @@ std::unique_ptr<SolidBody> partOf(const SolidBody& whole, const std::vector<std:
       const std::size_t to = b.bonds.at(s, k), from = whole.bonds.at(ids[s], k);
       const Bonds& w = whole.bonds;
       BondRecord r{};
-      if (w.vectors) r = {0, {w.x[from], w.y[from], w.z[from]}, {w.rx[from], w.ry[from], w.rz[from]}, w.weight[from]};
+      if (w.vectors)
+        r = {0, {w.x[from], w.y[from], w.z[from]}, {w.rx[from], w.ry[from], w.rz[from]}, w.weight[from]};
       putBond(b.bonds, to, row.at(w.neighbour[from]), r);
     }
   refreshReference(b.work, b.solids, b.bonds, true);
@@ -56,23 +59,28 @@ void exchange(SolidBody& from, SolidBody& to, ColumnList (*columns)(Solids&)) {
   std::map<std::uint64_t, std::size_t> owner;
   for (std::size_t s = 0; s < from.solids.owned; s++) owner[from.solids.id[s]] = s;
   const ColumnList ours = columns(from.solids), theirs = columns(to.solids);
-  const std::span<AnyColumn* const> source = ours, target = theirs;
+  const std::span<AnyColumn*const> source = ours, target = theirs;
   for (std::size_t c = 0; c < source.size(); c++)
     for (std::size_t s = to.solids.owned; s < to.solids.size(); s++)
-      std::memcpy(target[c]->bytes.data() + s * target[c]->elementBytes, source[c]->bytes.data() + owner.at(to.solids.id[s]) * source[c]->elementBytes,
+      std::memcpy(target[c]->bytes.data() + s * target[c]->elementBytes,
+                  source[c]->bytes.data() + owner.at(to.solids.id[s]) * source[c]->elementBytes,
                   source[c]->elementBytes);
 }
 
-struct Counts { std::int64_t broken = 0, rereferenced = 0; };
+struct Counts {
+  std::int64_t broken = 0, rereferenced = 0;
+};
 
 void step(std::vector<SolidBody*> parts, Counts& counts) {
   const auto swap = [&](auto columns) {
     if (parts.size() == 2) exchange(*parts[0], *parts[1], columns), exchange(*parts[1], *parts[0], columns);
   };
   ExactSum jump;
-  for (SolidBody* b : parts) computeDeformationAndStress(b->work, b->solids, b->bonds, b->step, SolidPart::Inner);
+  for (SolidBody* b : parts)
+    computeDeformationAndStress(b->work, b->solids, b->bonds, b->step, SolidPart::Inner);
   swap(remoteColumnsBeforeDeformation);
-  for (SolidBody* b : parts) computeDeformationAndStress(b->work, b->solids, b->bonds, b->step, SolidPart::Boundary);
+  for (SolidBody* b : parts)
+    computeDeformationAndStress(b->work, b->solids, b->bonds, b->step, SolidPart::Boundary);
   for (SolidBody* b : parts) counts.broken += breakBonds(b->work, b->solids, b->bonds, b->step, jump);
   for (SolidBody* b : parts) counts.rereferenced += rereference(b->work, b->solids, b->bonds, b->step, jump);
   for (SolidBody* b : parts) computeElasticForces(b->work, b->solids, b->bonds, b->step, SolidPart::Inner);
@@ -80,8 +88,8 @@ void step(std::vector<SolidBody*> parts, Counts& counts) {
   for (SolidBody* b : parts) computeElasticForces(b->work, b->solids, b->bonds, b->step, SolidPart::Boundary);
 }
 
-// Groups whose bonds have one reference do not read the way back (ElasticWork::ownFrames). Which groups these are depends on who shares them, so it may change no bit,
-// however far a body is deformed.
+// Groups whose bonds have one reference do not read the way back (ElasticWork::ownFrames). Which groups these
+// are depends on who shares them, so it may change no bit, however far a body is deformed.
 TEST(SolidParts, TheWayBackOfOneReferenceChangesNoBit) {
   for (const Precision precision : {Precision::Single, Precision::Double}) {
     BodyOptions options;
@@ -90,14 +98,16 @@ TEST(SolidParts, TheWayBackOfOneReferenceChangesNoBit) {
     const auto body = makeBody(lattice({7, 6, 5}, 0.1, 0.1), {elasticMaterial()}, options);
     SolidBody& b = *body;
     ASSERT_TRUE(b.bonds.twoFrames);
-    for (std::size_t i = 0; i < b.solids.owned; i++) b.solids.position[i] += 0.3 * noise3(i, 11);  // three spacings: bonds of any length and direction
+    // three spacings: bonds of any length and direction
+    for (std::size_t i = 0; i < b.solids.owned; i++) b.solids.position[i] += 0.3 * noise3(i, 11);
     std::vector<Vec3d> force[2];
     for (const std::uint8_t reads : {0, 1}) {
       std::fill(b.work.ownFrames.begin(), b.work.ownFrames.end(), reads);
       computeForces(b);
       force[reads].assign(b.solids.force.data(), b.solids.force.data() + b.solids.owned);
     }
-    for (std::size_t i = 0; i < b.solids.owned; i++) ASSERT_EQ(std::memcmp(&force[0][i], &force[1][i], sizeof(Vec3d)), 0) << i;
+    for (std::size_t i = 0; i < b.solids.owned; i++)
+      ASSERT_EQ(std::memcmp(&force[0][i], &force[1][i], sizeof(Vec3d)), 0) << i;
   }
 }
 
@@ -121,7 +131,8 @@ TEST(SolidParts, sameBitsInOneAndInTwo) {
     options.material = [](std::size_t i) { return i / 45 > 5 ? 1 : i / 45 > 3 ? 2 : i % 45 / 9 > 2 ? 1 : 0; };
     const auto whole = makeBody(points, {m, other, third}, options);
     std::vector<std::size_t> near, far;
-    for (std::size_t s = 0; s < points.size(); s++) (points[s].z + 0.1 * points[s].x < 0.45 ? near : far).push_back(s);
+    for (std::size_t s = 0; s < points.size(); s++)
+      (points[s].z + 0.1 * points[s].x < 0.45 ? near : far).push_back(s);
     const auto a = partOf(*whole, near), b = partOf(*whole, far);
     ASSERT_FALSE(a->work.boundary.empty());
     ASSERT_FALSE(a->work.inner.empty());
@@ -133,7 +144,9 @@ TEST(SolidParts, sameBitsInOneAndInTwo) {
           const std::size_t id = body->solids.id[s];
           const Vec3d& x = points[id];
           const double t = 0.25 * n;
-          body->solids.position[s] = Vec3d{x.x + t * 1.2 * x.x * x.x, x.y * (1 - 0.2 * t), x.z + t * x.x * x.y} + 0.003 * noise3(id, 5);
+          body->solids.position[s] = Vec3d{x.x + t * 1.2 * x.x * x.x, x.y * (1 - 0.2 * t),
+                                           x.z + t * x.x * x.y} +
+                                     0.003 * noise3(id, 5);
           body->solids.velocity[s] = noise3(id, 6);
         }
       }

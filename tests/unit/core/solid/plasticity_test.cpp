@@ -53,7 +53,8 @@ struct Point {
 
 Mat3d stretches(double x, double yz) { return {{{x, 0, 0}, {0, yz, 0}, {0, 0, yz}}}; }
 
-/// Presses (or draws) along x to this stretch while the sides are free: their stretch is where the stress across is zero.
+/// Presses (or draws) along x to this stretch while the sides are free: their stretch is where the stress
+/// across is zero.
 void driveUniaxially(Point& p, double along) {
   double side[2] = {p.f.row[1].y, p.f.row[1].y * 1.001}, across[2];
   for (int n = 0; n < 60; n++) {
@@ -216,7 +217,8 @@ TEST(Plasticity, WhatIsNotLookedAtIsBelowYield) {
       }
 }
 
-// Green strain weakens below 0.577 of the length: what is pressed beyond that in one step is past its yield stress, not below it.
+// Green strain weakens below 0.577 of the length: what is pressed beyond that in one step is past its yield
+// stress, not below it.
 TEST(Plasticity, aLawThatWeakensYieldsAtOnce) {
   for (const ElasticLaw law : allLaws)
     for (const double pressed : {0.58, 0.4, 0.1}) {

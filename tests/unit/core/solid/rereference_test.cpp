@@ -24,7 +24,8 @@ TEST(Rereference, keepsEnergyAndStressAndIsObjective) {
   const auto points = lattice({5, 4, 4}, 0.1, 0.2);
   const Mat3d f{{{1.6, 0.1, 0}, {0, 0.8, 0.1}, {0, 0, 0.8}}};
   Mat3d unturned{};
-  for (const Mat3d& r : {identity3<double>(), rotation({1, 0.5, 2}, 1.3), rotation({0, 0, 1}, 1.5707963267948966)}) {
+  for (const Mat3d& r :
+       {identity3<double>(), rotation({1, 0.5, 2}, 1.3), rotation({0, 0, 1}, 1.5707963267948966)}) {
     const auto b = makeBody(points, {softPlastic()});
     ASSERT_TRUE(b->bonds.twoFrames);
     b->step.dt = 1e-3;
@@ -34,7 +35,8 @@ TEST(Rereference, keepsEnergyAndStressAndIsObjective) {
     computeCauchyStress(b->work, b->solids);
     const Mat3d stress = full(b->solids.stress[7]);
     ExactSum jump;
-    EXPECT_EQ(rereference(b->work, b->solids, b->bonds, b->step, jump), static_cast<std::int64_t>(points.size()));
+    EXPECT_EQ(rereference(b->work, b->solids, b->bonds, b->step, jump),
+              static_cast<std::int64_t>(points.size()));
     computeElasticForces(b->work, b->solids, b->bonds, b->step, SolidPart::Inner);
     EXPECT_NEAR(jump.value(), 0, 1e-10 * energy);
     EXPECT_NEAR(totalEnergy(*b), energy, 1e-10 * energy);
@@ -50,7 +52,8 @@ TEST(Rereference, keepsEnergyAndStressAndIsObjective) {
       EXPECT_LT(largest(back - unturned), 1e-11 * largest(unturned));
       for (int k = 0; k < b->bonds.capacity; k++) {
         const std::size_t at = b->bonds.at(s, k);
-        EXPECT_EQ(b->bonds.rx[at], -b->bonds.x[at]);  // each end knows the other's new vector (0 where there is no bond)
+        EXPECT_EQ(b->bonds.rx[at], -b->bonds.x[at]);  // each end knows the other's new vector (0 where there
+                                                      // is no bond)
       }
     }
   }
@@ -112,12 +115,12 @@ TEST(Rereference, ANeighbourhoodThatIsPressedFlatWaits) {
     b->step.dt = 1e-3;
     moveAll(*b, points, [&, h = height](const Vec3d& x) { return Vec3d{x.x, x.y, h * x.z}; });
     computeForces(*b);
-    if (height > 0) {
-      EXPECT_GT(norm(plasticMetric(b->solids.plasticInverse[0])), 0.2);
-    }
+    if (height > 0) { EXPECT_GT(norm(plasticMetric(b->solids.plasticInverse[0])), 0.2); }
     const double energy = totalEnergy(*b);
     ExactSum jump;
-    EXPECT_EQ(rereference(b->work, b->solids, b->bonds, b->step, jump), follows ? static_cast<std::int64_t>(points.size()) : 0) << height;
+    EXPECT_EQ(rereference(b->work, b->solids, b->bonds, b->step, jump),
+              follows ? static_cast<std::int64_t>(points.size()) : 0)
+        << height;
     EXPECT_LT(std::abs(jump.value()), 2 * energy);
   }
 }

@@ -13,7 +13,8 @@ namespace {
 using test::SettleRig;
 using test::SurfelRig;
 
-/// A flat sheet of surfels .1 apart that follow their places of the start, and have been stretched, sheared and turned since.
+/// A flat sheet of surfels .1 apart that follow their places of the start, and have been stretched, sheared
+/// and turned since.
 struct Stretched {
   SurfelRig rig{test::surfelScene(0.1)};
   Mat3d map{};
@@ -41,14 +42,17 @@ struct Stretched {
     patch.surfels = &s;
     patch.centre = s.owned / 2;
     for (std::uint32_t j = 0; j < s.owned; j++)
-      if (j != patch.centre && length(s.position[j] - s.position[patch.centre]) < 0.3) patch.rows.push_back(j);
+      if (j != patch.centre && length(s.position[j] - s.position[patch.centre]) < 0.3)
+        patch.rows.push_back(j);
     return blendedSurfel(patch, {map * start, s.normal[patch.centre]});
   }
 };
 
-// It was placed as if nothing were strained: in the next update it was carried from there, by the strain times its distance off where it was born.
+// It was placed as if nothing were strained: in the next update it was carried from there, by the strain
+// times its distance off where it was born.
 TEST(Births, WhatFollowsKnowsWhereItWouldHaveBeenAtTheStart) {
-  const Mat3d turned{{{0.6, 0, 0.8}, {0, 1, 0}, {-0.8, 0, 0.6}}}, strained{{{2.1, 0.7, 0}, {-0.3, 0.8, 0}, {0, 0, 1}}};
+  const Mat3d turned{{{0.6, 0, 0.8}, {0, 1, 0}, {-0.8, 0, 0.6}}},
+      strained{{{2.1, 0.7, 0}, {-0.3, 0.8, 0}, {0, 0, 1}}};
   Stretched sheet(turned * strained);
   for (const Vec3d& start : {Vec3d{0.04, 0.03, 0}, Vec3d{-0.05, 0.05, 0}, Vec3d{0.02, -0.06, 0}}) {
     const SurfelRow born = sheet.bornAt(start);
@@ -57,7 +61,8 @@ TEST(Births, WhatFollowsKnowsWhereItWouldHaveBeenAtTheStart) {
   }
 }
 
-// Half molten surfels stand off the particles' surface by what is left of their marks: what is born among them before the iterations settled wholly, and was a rag under or over their sheet.
+// Half molten surfels stand off the particles' surface by what is left of their marks: what is born among
+// them before the iterations settled wholly, and was a rag under or over their sheet.
 TEST(Births, WhatIsBornInAnUpdateSettlesAsThoseAroundIt) {
   SurfelRig rig(test::surfelScene(0.1));
   Surfels& s = rig.surfels();
@@ -85,7 +90,8 @@ TEST(Births, OfTheStartAreOnTheMesh) {
   Surfels& s = rig.surfels();
   s.id[0] |= birthBit;
   putBirthsOnShapes(rig.world.scene, rig.world.surface, [&](const std::string&) { return cube; });
-  EXPECT_LT(length(s.position[0] - Vec3d{0.46, 0.1, 0.5}) * length(s.position[0] - Vec3d{0.5, 0.1, 0.46}), 1e-12);
+  EXPECT_LT(length(s.position[0] - Vec3d{0.46, 0.1, 0.5}) * length(s.position[0] - Vec3d{0.5, 0.1, 0.46}),
+            1e-12);
   EXPECT_GT(std::max(s.normal[0].x, s.normal[0].z), 1 - 1e-12);
 }
 

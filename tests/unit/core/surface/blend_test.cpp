@@ -32,7 +32,8 @@ struct Bumpy {
     const SurfaceHalos halos = rig.ranks->halos();
     SurfaceParticles& p = f.particles;
     p.resize(p.owned, 0);
-    for (std::size_t i = 0; i < p.owned; i++) p.liquid[i] = static_cast<float>(liquid), p.displacement[i] = by;
+    for (std::size_t i = 0; i < p.owned; i++)
+      p.liquid[i] = static_cast<float>(liquid), p.displacement[i] = by;
     rig.place();
     findDisplacementGradients(rig.w, halos, rig.tools);
     displaceSurfels(rig.w, halos, rig.tools);
@@ -48,7 +49,8 @@ struct Bumpy {
   double left() const {
     const Surfels& s = rig.w.surface.surfels;
     double with = 0, all = 0, mean = 0;
-    for (std::size_t i = 0; i < s.owned; i++) mean += length(s.position[i] - middle) / static_cast<double>(s.owned);
+    for (std::size_t i = 0; i < s.owned; i++)
+      mean += length(s.position[i] - middle) / static_cast<double>(s.owned);
     for (std::size_t i = 0; i < s.owned; i++) {
       const Vec3d d = s.position[i] - middle;
       const double b = bump(normalized(d));
@@ -66,7 +68,8 @@ TEST(Blend, MarksDoNotDependOnTheNumberOfUpdates) {
     for (const int updates : {1, 4, 20}) {
       Bumpy ball;
       const Vec3d way{1, 0.3, 0};
-      for (int k = 1; k <= 2 * updates; k++) ball.update(most * std::min(1.0, static_cast<double>(k) / updates), 0.5 / updates * way);
+      for (int k = 1; k <= 2 * updates; k++)
+        ball.update(most * std::min(1.0, static_cast<double>(k) / updates), 0.5 / updates * way);
       const double left = ball.left();
       std::printf("b %.1f, %2d updates: %.4f of the bumps left\n", most, 2 * updates, left);
       if (updates == 1) first = left;
@@ -74,7 +77,8 @@ TEST(Blend, MarksDoNotDependOnTheNumberOfUpdates) {
       EXPECT_NEAR(left, 1 - most, 0.06);  // the smooth surface has some of their shape
       const Surfels& s = ball.rig.w.surface.surfels;
       double detail = 0;
-      for (std::size_t i = 0; i < s.owned; i++) detail += static_cast<double>(s.detail[i]) / static_cast<double>(s.owned);
+      for (std::size_t i = 0; i < s.owned; i++)
+        detail += static_cast<double>(s.detail[i]) / static_cast<double>(s.owned);
       EXPECT_NEAR(detail, 1 - most, 0.03);
     }
   }
@@ -96,7 +100,8 @@ TEST(Blend, WhatFreezesKeepsTheDetailThatItHas) {
   for (std::size_t i = 0; i < s.owned; i++) EXPECT_EQ(s.detail[i], 0);
 }
 
-/// What is half-molten and flows loses the marks that were carried along with it, at any rate of updates; what is solid does not.
+/// What is half-molten and flows loses the marks that were carried along with it, at any rate of updates;
+/// what is solid does not.
 TEST(Blend, KneadingWipesMarksOfWhatIsMolten) {
   const auto knead = [](double liquid, int updates) {
     Bumpy ball;
@@ -106,7 +111,9 @@ TEST(Blend, KneadingWipesMarksOfWhatIsMolten) {
       s.activate(s.carried);
       s.activate(s.carriedNormal);
       s.activate(s.strain);
-      for (std::size_t i = 0; i < s.owned; i++) s.carried[i] = s.position[i], s.carriedNormal[i] = s.normal[i], s.strain[i] = static_cast<float>(1.0 / updates);
+      for (std::size_t i = 0; i < s.owned; i++)
+        s.carried[i] = s.position[i], s.carriedNormal[i] = s.normal[i],
+        s.strain[i] = static_cast<float>(1.0 / updates);
       ball.rig.settle(60, false);
       blendSurfels(ball.rig.w);
     }

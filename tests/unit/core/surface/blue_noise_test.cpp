@@ -13,19 +13,24 @@
 namespace thaw {
 namespace {
 
-struct Spread { double least = 1e300, mean = 0, hole = 0; };  // over the spacing
+struct Spread {
+  double least = 1e300, mean = 0, hole = 0;
+};  // over the spacing
 
-/// Brute force: distances of each place from its nearest, and of many points of the mesh from the nearest place, each of one side.
+/// Brute force: distances of each place from its nearest, and of many points of the mesh from the nearest
+/// place, each of one side.
 Spread spreadOf(const TriangleMesh& mesh, const std::vector<MeshSample>& s, double spacing) {
   const auto normal = [&](std::uint32_t t) {
     const auto& c = mesh.triangles[t];
-    return normalized(cross(mesh.vertices[c[1]] - mesh.vertices[c[0]], mesh.vertices[c[2]] - mesh.vertices[c[0]]));
+    return normalized(
+        cross(mesh.vertices[c[1]] - mesh.vertices[c[0]], mesh.vertices[c[2]] - mesh.vertices[c[0]]));
   };
   Spread r;
   for (std::size_t i = 0; i < s.size(); i++) {
     double d = 1e300;
     for (std::size_t j = 0; j < s.size(); j++)
-      if (i != j && dot(normal(s[i].triangle), normal(s[j].triangle)) > 0) d = std::min(d, length(s[i].position - s[j].position));
+      if (i != j && dot(normal(s[i].triangle), normal(s[j].triangle)) > 0)
+        d = std::min(d, length(s[i].position - s[j].position));
     r.least = std::min(r.least, d / spacing);
     r.mean += d / spacing / static_cast<double>(s.size());
   }
@@ -53,7 +58,8 @@ TEST(BlueNoise, LeavesNoHoleAndNoCrowdOnABall) {
   const std::vector<MeshSample> s = blueNoise(ball, spacing, 1);
   const Spread r = spreadOf(ball, s, spacing);
   const double hexagonal = 4 * 3.14159265 / (spacing * spacing * std::sqrt(0.75));
-  std::printf("ball: %zu places (hexagonal %.0f), least %.3f, mean %.3f, largest hole %.3f\n", s.size(), hexagonal, r.least, r.mean, r.hole);
+  std::printf("ball: %zu places (hexagonal %.0f), least %.3f, mean %.3f, largest hole %.3f\n", s.size(),
+              hexagonal, r.least, r.mean, r.hole);
   EXPECT_GT(r.least, 0.6);
   EXPECT_GT(r.mean, 0.8);
   EXPECT_LT(r.hole, 0.95);
@@ -65,10 +71,12 @@ TEST(BlueNoise, LeavesNoHoleAndNoCrowdOnABall) {
 
 TEST(BlueNoise, CoversLargeTrianglesSliversAndThinPlates) {
   const double spacing = 0.1;
-  for (const TriangleMesh& mesh : {boxMesh({}, {1, 1, 1}), boxMesh({}, {1, 1, 0.02}), boxMesh({}, {2, 0.03, 0.03})}) {
+  for (const TriangleMesh& mesh :
+       {boxMesh({}, {1, 1, 1}), boxMesh({}, {1, 1, 0.02}), boxMesh({}, {2, 0.03, 0.03})}) {
     const std::vector<MeshSample> s = blueNoise(mesh, spacing, 2);
     const Spread r = spreadOf(mesh, s, spacing);
-    std::printf("box: %zu places, least %.3f, mean %.3f, largest hole %.3f\n", s.size(), r.least, r.mean, r.hole);
+    std::printf("box: %zu places, least %.3f, mean %.3f, largest hole %.3f\n", s.size(), r.least, r.mean,
+                r.hole);
     EXPECT_LT(r.hole, 1.0);
     EXPECT_GT(r.least, 0.3);
   }
@@ -85,7 +93,8 @@ TEST(BlueNoise, SamplesTheBustOntoTheSculpture) {
   const std::clock_t t1 = std::clock();
   const std::vector<SurfaceSample> all = sampleShape(shape, {}, spacing, 1);
   const std::clock_t t2 = std::clock();
-  std::printf("bust: %zu triangles, %zu places in %.3f s of CPU; as a body in %.3f s\n", mesh.triangles.size(), s.size(), static_cast<double>(t1 - t0) / CLOCKS_PER_SEC,
+  std::printf("bust: %zu triangles, %zu places in %.3f s of CPU; as a body in %.3f s\n",
+              mesh.triangles.size(), s.size(), static_cast<double>(t1 - t0) / CLOCKS_PER_SEC,
               static_cast<double>(t2 - t1) / CLOCKS_PER_SEC);
   ASSERT_EQ(all.size(), s.size());
   double worst = 0;

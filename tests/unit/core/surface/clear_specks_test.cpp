@@ -32,18 +32,29 @@ struct Sheet : SurfelRig {
     placeRows(world.surface.grid, ranks->halos().surfels, surfels(), world.surface.surfelCells, tools.sort);
   }
   void clear() { clearSpecks(world, ranks->halos(), tools); }
-  std::vector<std::uint32_t> colours() { return {surfels().colour.data(), surfels().colour.data() + surfels().owned}; }
-  std::int64_t count(std::uint32_t c) { const auto all = colours(); return std::count(all.begin(), all.end(), c); }
+  std::vector<std::uint32_t> colours() {
+    return {surfels().colour.data(), surfels().colour.data() + surfels().owned};
+  }
+  std::int64_t count(std::uint32_t c) {
+    const auto all = colours();
+    return std::count(all.begin(), all.end(), c);
+  }
 };
 
 TEST(ClearSpecks, TakesThoseThatAreAloneAndNothingElse) {
-  const auto specks = [](int j, int k) { return (j % 5 == 2 && k % 5 == 2) || (j == 14 && k == 10) ? red : blue; };  // one by one, and a pair somewhere
+  // one by one, and a pair somewhere
+  const auto specks = [](int j, int k) {
+    return (j % 5 == 2 && k % 5 == 2) || (j == 14 && k == 10) ? red : blue;
+  };
   Sheet sheet(specks);
   EXPECT_EQ(sheet.count(red), 37);
   sheet.clear();
   EXPECT_EQ(sheet.count(red), 0);
-  for (const std::uint32_t c : sheet.colours()) EXPECT_LT(std::abs(static_cast<int>(c & 255) - static_cast<int>(blue & 255)), 60);  // the mean around, with other specks in it
-  Sheet half([](int j, int) { return j < 15 ? red : blue; }), spot([](int j, int k) { return std::hypot(j - 14, k - 14) < 3 ? red : blue; });
+  // the mean around, with other specks in it
+  for (const std::uint32_t c : sheet.colours())
+    EXPECT_LT(std::abs(static_cast<int>(c & 255) - static_cast<int>(blue & 255)), 60);
+  Sheet half([](int j, int) { return j < 15 ? red : blue; }),
+      spot([](int j, int k) { return std::hypot(j - 14, k - 14) < 3 ? red : blue; });
   for (Sheet* s : {&half, &spot}) {
     const auto before = s->colours();
     s->clear();
@@ -75,7 +86,9 @@ TEST(ClearSpecks, BirthsHaveTheMeanColourOfThoseAround) {
   inheritColours(half.world, half.ranks->halos(), half.tools, rows);
   EXPECT_EQ(rows[0].colour, red);
   EXPECT_EQ(rows[1].colour, blue);
-  for (int c = 0; c < 3; c++) EXPECT_NEAR(static_cast<double>(rows[2].colour >> 8 * c & 255), 0.5 * static_cast<double>((red >> 8 * c & 255) + (blue >> 8 * c & 255)), 40);
+  for (int c = 0; c < 3; c++)
+    EXPECT_NEAR(static_cast<double>(rows[2].colour >> 8 * c & 255),
+                0.5 * static_cast<double>((red >> 8 * c & 255) + (blue >> 8 * c & 255)), 40);
   EXPECT_EQ(rows[3].colour, 0x010203u);
 }
 

@@ -44,8 +44,10 @@ TEST(Components, ADumbbellPulledApartSplitsOnce) {
   rig.update();
   ASSERT_EQ(rig.components().size(), 1u);
   const std::int64_t surfels = rig.components()[0].surfels;
-  for (std::size_t i = 0; i < rig.p().owned; i++) rig.p().position[i].x += rig.p().position[i].x > 0 ? 0.3 : 0;
-  for (std::size_t i = 0; i < rig.f().owned; i++) rig.f().position[i].x += rig.f().position[i].x > 0 ? 0.3 : 0;
+  for (std::size_t i = 0; i < rig.p().owned; i++)
+    rig.p().position[i].x += rig.p().position[i].x > 0 ? 0.3 : 0;
+  for (std::size_t i = 0; i < rig.f().owned; i++)
+    rig.f().position[i].x += rig.f().position[i].x > 0 ? 0.3 : 0;
   rig.world.clock.step = 7;
   rig.update();
   ASSERT_EQ(rig.components().size(), 2u);
@@ -102,7 +104,8 @@ TEST(Components, AParticleInTheSurfaceStaysThoughNoneIsNear) {
   SerialSurfaceRig rig;
   for (int z = -2; z < 2; z++)
     for (int y = -2; y < 2; y++)
-      for (int x = -2; x < 2; x++) rig.particle({0.16 * (x + 0.5), 0.16 * (y + 0.5), 0.16 * (z + 0.5)}, 1);  // farther apart than links
+      // farther apart than links
+      for (int x = -2; x < 2; x++) rig.particle({0.16 * (x + 0.5), 0.16 * (y + 0.5), 0.16 * (z + 0.5)}, 1);
   rig.sphere({0, 0, 0}, 0.5, 1);
   rig.particle({1.0, 0, 0}, 1);
   rig.update();
@@ -127,7 +130,8 @@ TEST(Components, FreshParticlesTakeTheComponentThatTheyTouch) {
   SerialSurfaceRig rig;
   rig.ball({0, 0, 0}, 0.5, 1);
   rig.ball({1.2, 0, 0}, 0.3, 1 + rig.particles);
-  for (int k = 0; k < 4; k++) rig.particle({0, 0, 0.55 + 0.1 * k});  // a column that stands on the first: hand over hand
+  // a column that stands on the first: hand over hand
+  for (int k = 0; k < 4; k++) rig.particle({0, 0, 0.55 + 0.1 * k});
   rig.particle({0, 0, -1.5});
   rig.update();
   ASSERT_EQ(rig.components().size(), 3u);
@@ -138,9 +142,14 @@ TEST(Components, FreshParticlesTakeTheComponentThatTheyTouch) {
 }
 
 TEST(Components, FreshParticlesTakeWhatTheSceneLetsJoin) {  // four of another body that come beside a ball
-  struct Rule { MergeRule merge; bool ballIsLiquid, theyAreLiquid, join; };
-  for (const Rule& r : {Rule{MergeRule::None, true, true, false}, Rule{MergeRule::Liquid, true, true, true}, Rule{MergeRule::Liquid, false, true, true}, Rule{MergeRule::Liquid, false, false, false},
-                        Rule{MergeRule::All, false, false, true}}) {
+  struct Rule {
+    MergeRule merge;
+    bool ballIsLiquid, theyAreLiquid, join;
+  };
+  for (const Rule& r :
+       {Rule{MergeRule::None, true, true, false}, Rule{MergeRule::Liquid, true, true, true},
+        Rule{MergeRule::Liquid, false, true, true}, Rule{MergeRule::Liquid, false, false, false},
+        Rule{MergeRule::All, false, false, true}}) {
     SerialSurfaceRig rig;
     rig.world.scene.surface.merge = r.merge;
     rig.liquid = r.ballIsLiquid;
@@ -178,5 +187,7 @@ TEST(Components, ASprayOfAThousandDropsIsFast) {
   rig.update();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   EXPECT_EQ(rig.components().size(), 1000u);
-  std::printf("1000 drops, %llu particles, %llu surfels: %.3f s\n", static_cast<unsigned long long>(rig.particles), static_cast<unsigned long long>(rig.surfels), seconds);
+  std::printf("1000 drops, %llu particles, %llu surfels: %.3f s\n",
+              static_cast<unsigned long long>(rig.particles), static_cast<unsigned long long>(rig.surfels),
+              seconds);
 }

@@ -26,7 +26,8 @@ Scene barScene(bool mesh, double spacing) {
   s.surface.spacing = spacing;
   addBox(s, {-1, -0.4, -0.4}, {1, 0.4, 0.4});
   if (!mesh) s.surface.source = SurfelSource::Particles;
-  if (mesh) s.bodies[0].shape = Shape{}, s.bodies[0].shape.kind = ShapeKind::Mesh, s.bodies[0].shape.mesh = "bar";
+  if (mesh)
+    s.bodies[0].shape = Shape{}, s.bodies[0].shape.kind = ShapeKind::Mesh, s.bodies[0].shape.mesh = "bar";
   return s;
 }
 
@@ -61,14 +62,19 @@ struct TornBar : SurfaceWorld {
     const Continuum& p = w.particles;
     for (std::size_t i = 0; i < p.owned; i++)
       for (std::size_t j = 0; j < p.owned; j++)
-        if (side[p.id[i]] != side[p.id[j]] && length(p.position[i] - p.position[j]) < w.scene.numerics.bondSupport * w.scene.spacing) w.solids.bared[p.slot[i]] = 1;
+        if (side[p.id[i]] != side[p.id[j]] &&
+            length(p.position[i] - p.position[j]) < w.scene.numerics.bondSupport * w.scene.spacing)
+          w.solids.bared[p.slot[i]] = 1;
   }
   std::vector<char> side;
 };
 
-/// The largest distance, over the spacing, from the places of a surface that is grown anew around the same particles to the nearest surfel of the
-/// same side, and from the surfels to that surface; and how open the new one is by its areas (SurfaceComponent::open), at the most.
-struct AwayFromFresh { double hole = 0, off = 0, open = 0; };
+/// The largest distance, over the spacing, from the places of a surface that is grown anew around the same
+/// particles to the nearest surfel of the same side, and from the surfels to that surface; and how open the
+/// new one is by its areas (SurfaceComponent::open), at the most.
+struct AwayFromFresh {
+  double hole = 0, off = 0, open = 0;
+};
 AwayFromFresh awayFromFresh(TornBar& torn, double inside) {
   SurfelRig fresh(surfelScene(0.05));
   SurfaceParticles& p = fresh.world.surface.particles;
@@ -81,7 +87,8 @@ AwayFromFresh awayFromFresh(TornBar& torn, double inside) {
     p.volume[i] = 1e-3;
     p.liquid[i] = 1;
   }
-  placeRows(fresh.world.surface.grid, fresh.ranks->particles, p, fresh.world.surface.particleCells, fresh.tools.sort);
+  placeRows(fresh.world.surface.grid, fresh.ranks->particles, p, fresh.world.surface.particleCells,
+            fresh.tools.sort);
   growBodies(fresh.world, fresh.ranks->halos(), fresh.tools);
   const Surfels &a = fresh.surfels(), &b = torn.w.surface.surfels;
   const auto farthest = [&](const Surfels& from, const Surfels& to) {
@@ -90,7 +97,8 @@ AwayFromFresh awayFromFresh(TornBar& torn, double inside) {
       if (std::abs(from.position[i].x) > inside) continue;
       double best = 1e300;
       for (std::size_t j = 0; j < to.owned; j++)
-        if (dot(from.normal[i], to.normal[j]) > oneSide && from.component[i] == to.component[j]) best = std::min(best, dot(from.position[i] - to.position[j], from.position[i] - to.position[j]));
+        if (dot(from.normal[i], to.normal[j]) > oneSide && from.component[i] == to.component[j])
+          best = std::min(best, dot(from.position[i] - to.position[j], from.position[i] - to.position[j]));
       worst = std::max(worst, std::sqrt(best) / 0.05);
     }
     return worst;
@@ -116,22 +124,29 @@ TEST(CoverBare, ATornBarHasTwoClosedPieces) {
     EXPECT_EQ(s.counters.splits, 1);
     const auto [hole, off, open] = awayFromFresh(bar, mesh ? 0.6 : 2);
     for (const SurfaceComponent& c : s.components) {
-      std::printf("%s: %lld particles, %lld surfels, volume %.4f of the particles' (whole bar %.4f), open %.4f (grown anew at most %.4f)\n", mesh ? "mesh" : "grown", static_cast<long long>(c.particles), static_cast<long long>(c.surfels), c.volume / c.particleVolume,
-                  volume, c.open, open);
+      std::printf(
+          "%s: %lld particles, %lld surfels, volume %.4f of the particles' (whole bar %.4f), open %.4f "
+          "(grown anew at most %.4f)\n",
+          mesh ? "mesh" : "grown", static_cast<long long>(c.particles), static_cast<long long>(c.surfels),
+          c.volume / c.particleVolume, volume, c.open, open);
       EXPECT_NEAR(c.volume / c.particleVolume / volume, 1, mesh ? 0.03 : 0.02);
-      EXPECT_LT(c.open, mesh ? 0.03 : std::max(0.01, 1.1 * open));  // the skin of a mesh ends in a step over the face, half a spacing of particles high
+      EXPECT_LT(c.open, mesh ? 0.03 : std::max(0.01, 1.1 * open));  // the skin of a mesh ends in a step over
+                                                                    // the face, half a spacing of particles
+                                                                    // high
     }
-    std::printf("%zu surfels, then %zu, %lld births, %lld deaths; %.3f spacings at most from a fresh surface to surfels, %.3f back\n", before, s.surfels.owned, static_cast<long long>(s.counters.births),
-                static_cast<long long>(s.counters.deaths), hole, off);
-    if (mesh) {
-      EXPECT_GT(static_cast<double>(old), 0.75 * static_cast<double>(before));
-    }
+    std::printf(
+        "%zu surfels, then %zu, %lld births, %lld deaths; %.3f spacings at most from a fresh surface to "
+        "surfels, %.3f back\n",
+        before, s.surfels.owned, static_cast<long long>(s.counters.births),
+        static_cast<long long>(s.counters.deaths), hole, off);
+    if (mesh) { EXPECT_GT(static_cast<double>(old), 0.75 * static_cast<double>(before)); }
     EXPECT_LT(hole, mesh ? 1.2 : 1.0);
     EXPECT_LT(off, mesh ? 1.9 : 1.2);  // of the mesh's edges, too, that a grown surface rounds
     // and all stays as it is
     const std::int64_t changes = s.counters.births + s.counters.deaths;
     for (int k = 0; k < 3; k++) bar.pull(0);
-    std::printf("at rest: %lld births and deaths more\n", static_cast<long long>(s.counters.births + s.counters.deaths - changes));
+    std::printf("at rest: %lld births and deaths more\n",
+                static_cast<long long>(s.counters.births + s.counters.deaths - changes));
     const std::int64_t later = s.counters.births + s.counters.deaths;
     bar.pull(0);
     EXPECT_EQ(s.counters.births + s.counters.deaths, later);
@@ -151,17 +166,20 @@ TEST(CoverBare, FacesOfACrackInheritTheColoursOfTheMesh) {
   // a chip that comes off, and small drops, too
   std::size_t moved = 0;
   for (std::size_t i = 0; i < bar.w.particles.owned && moved < 3; i++)
-    if (const Vec3d x = bar.w.particles.position[i]; x.x > 0.9 && x.y > 0.3 && x.z > 0.1) bar.w.particles.position[i] += Vec3d{0.25, 0.25, 0}, moved++;
+    if (const Vec3d x = bar.w.particles.position[i]; x.x > 0.9 && x.y > 0.3 && x.z > 0.1)
+      bar.w.particles.position[i] += Vec3d{0.25, 0.25, 0}, moved++;
   bar.update();
   ASSERT_EQ(moved, 3u);
   bar.update();
-  const auto small = std::find_if(bar.w.surface.components.begin(), bar.w.surface.components.end(), [](const SurfaceComponent& c) { return c.particles <= 3; });
+  const auto small = std::find_if(bar.w.surface.components.begin(), bar.w.surface.components.end(),
+                                  [](const SurfaceComponent& c) { return c.particles <= 3; });
   ASSERT_NE(small, bar.w.surface.components.end());
   EXPECT_GT(small->surfels, 20);
   for (std::size_t i = 0; i < f.owned; i++) EXPECT_EQ(f.colour[i], 0x2030c0u) << i;
 }
 
-/// A bar that is squeezed across until its particles' colour has its surface elsewhere keeps its own, since no bond is lost: no second skin grows.
+/// A bar that is squeezed across until its particles' colour has its surface elsewhere keeps its own, since
+/// no bond is lost: no second skin grows.
 TEST(CoverBare, WhatIsSqueezedAndHoldsTogetherGrowsNoSecondSkin) {
   for (const bool intact : {true, false}) {
     TornBar bar(true, false, 0.02);
@@ -185,11 +203,13 @@ TEST(CoverBare, WhatIsSqueezedAndHoldsTogetherGrowsNoSecondSkin) {
   }
 }
 
-/// Swung through strains of a fifth and back in ten updates a turn, its surfels are where they began: nothing is added up.
+/// Swung through strains of a fifth and back in ten updates a turn, its surfels are where they began: nothing
+/// is added up.
 TEST(FollowStart, WhatSwingsAndComesBackHasItsMarks) {
   TornBar bar(true);
   const Surfels& f = bar.w.surface.surfels;
-  const std::vector<Vec3d> start(bar.w.particles.position.data(), bar.w.particles.position.data() + bar.w.particles.owned);
+  const std::vector<Vec3d> start(bar.w.particles.position.data(),
+                                 bar.w.particles.position.data() + bar.w.particles.owned);
   std::map<std::uint64_t, std::pair<Vec3d, Vec3d>> before;
   for (std::size_t i = 0; i < f.owned; i++) before[f.id[i]] = {f.position[i], f.normal[i]};
   for (int k = 1; k <= 30; k++) {
@@ -219,7 +239,12 @@ TEST(FollowStart, WhatSwingsAndComesBackHasItsMarks) {
 TEST(CoverBare, AChipOfSixParticlesHasASurface) {
   SurfelRig rig(surfelScene(0.05));
   SurfaceParticles& p = rig.world.surface.particles;
-  for (const Vec3d& x : {Vec3d{-0.46, 0.08, 0.08}, {0.48, -0.1, -0.04}, {-0.69, -0.82, -0.34}, {0.69, 0.83, 0.35}, {-0.29, 0.98, 0.51}, {0.27, -0.97, -0.56}}) {
+  for (const Vec3d& x : {Vec3d{-0.46, 0.08, 0.08},
+                         {0.48, -0.1, -0.04},
+                         {-0.69, -0.82, -0.34},
+                         {0.69, 0.83, 0.35},
+                         {-0.29, 0.98, 0.51},
+                         {0.27, -0.97, -0.56}}) {
     const std::size_t i = p.owned;
     p.resize(i + 1, 0);
     p.id[i] = i;

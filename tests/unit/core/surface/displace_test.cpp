@@ -54,16 +54,20 @@ TEST(Displace, AffineMotionIsExact) {
   affineMotionIsExact(true);
 }
 
-// A body bends about a line by 60 degrees in 12 updates, within two spacings: discs stay in the plane of those around them. With the mean of the particles'
-// gradients, which is smoother than what places are carried by, they stand out by up to 12 degrees.
+// A body bends about a line by 60 degrees in 12 updates, within two spacings: discs stay in the plane of
+// those around them. With the mean of the particles' gradients, which is smoother than what places are
+// carried by, they stand out by up to 12 degrees.
 TEST(Displace, NormalsTurnAsPlacesDo) {
   SettleRig rig;
-  rig.addLattice(6, {0.3, 0.1, 0.2}, [](const Vec3d& x) { return std::abs(x.x) < 6 && std::abs(x.y) < 3 && x.z < 0 && x.z > -3; });
+  rig.addLattice(6, {0.3, 0.1, 0.2}, [](const Vec3d& x) {
+    return std::abs(x.x) < 6 && std::abs(x.y) < 3 && x.z < 0 && x.z > -3;
+  });
   freeze(rig);
   const double near = 1e-4;
   std::vector<Vec3d> at;
   for (int k = -8; k <= 8; k++)
-    for (const Vec3d& off : {Vec3d{}, Vec3d{near, 0, 0}, Vec3d{0, near, 0}}) rig.addSurfel(Vec3d{0.5 * k, 0.1, 0} + off, {0, 0, 1});
+    for (const Vec3d& off : {Vec3d{}, Vec3d{near, 0, 0}, Vec3d{0, near, 0}})
+      rig.addSurfel(Vec3d{0.5 * k, 0.1, 0} + off, {0, 0, 1});
   Surfels& s = rig.w.surface.surfels;
   SurfaceParticles& p = rig.w.surface.particles;
   const double pi = 3.14159265358979323846;
@@ -72,9 +76,12 @@ TEST(Displace, NormalsTurnAsPlacesDo) {
   for (int update = 0; update < 12; update++) {
     const double a = pi / 3 / 12;
     for (std::size_t i = 0; i < p.owned; i++) {
-      const double x0 = from[p.id[i]], turn = a * std::clamp(0.5 + 0.5 * x0, 0.0, 1.0);  // what lies at x0 > 1 turns by a, what is at x0 < -1 stays
+      // what lies at x0 > 1 turns by a, what is at x0 < -1 stays
+      const double x0 = from[p.id[i]], turn = a * std::clamp(0.5 + 0.5 * x0, 0.0, 1.0);
       const Vec3d x = p.position[i];
-      p.displacement[i] = Vec3d{std::cos(turn) * x.x + std::sin(turn) * x.z, x.y, -std::sin(turn) * x.x + std::cos(turn) * x.z} - x;
+      p.displacement[i] = Vec3d{std::cos(turn) * x.x + std::sin(turn) * x.z, x.y,
+                                -std::sin(turn) * x.x + std::cos(turn) * x.z} -
+                          x;
     }
     carry(rig);
     p.resize(p.owned, 0);
@@ -84,7 +91,8 @@ TEST(Displace, NormalsTurnAsPlacesDo) {
   for (std::size_t i = 0; i < s.owned; i++) row[s.id[i] - 1000] = i;
   double worst = 0;
   for (std::size_t k = 0; k < s.owned; k += 3) {
-    const Vec3d x = s.position[row[k]], n = normalized(cross(s.position[row[k + 1]] - x, s.position[row[k + 2]] - x));
+    const Vec3d x = s.position[row[k]],
+                n = normalized(cross(s.position[row[k + 1]] - x, s.position[row[k + 2]] - x));
     worst = std::max(worst, std::acos(std::min(1.0, dot(n, s.normal[row[k]]))) * 180 / pi);
   }
   EXPECT_LT(worst, 0.1);
@@ -98,7 +106,8 @@ TEST(Displace, AFullTurnInManyUpdatesEndsWhereItBegan) {
   Surfels& s = rig.w.surface.surfels;
   SurfaceParticles& p = rig.w.surface.particles;
   std::vector<Vec3d> begin(s.owned), normal(s.owned);
-  for (std::size_t i = 0; i < s.owned; i++) begin[s.id[i] - 1000] = s.position[i], normal[s.id[i] - 1000] = s.normal[i];
+  for (std::size_t i = 0; i < s.owned; i++)
+    begin[s.id[i] - 1000] = s.position[i], normal[s.id[i] - 1000] = s.normal[i];
   const int updates = 100;
   const double a = 2 * 3.14159265358979323846 / updates, c = std::cos(a), n = std::sin(a);
   for (int k = 0; k < updates; k++) {
@@ -125,7 +134,9 @@ TEST(Displace, SheetsRowsAndSingleParticlesTurnAsRigidBodies) {
     const Vec3d at = {0.2, 0.1, 0.5};
     rig.addSurfel(at, {0, 0, 1});
     const double c = std::cos(0.3), n = std::sin(0.3);
-    const auto turn = [&](const Vec3d& x) { return Vec3d{c * x.x + n * x.z, x.y, -n * x.x + c * x.z} + Vec3d{0, 0, 0.4}; };
+    const auto turn = [&](const Vec3d& x) {
+      return Vec3d{c * x.x + n * x.z, x.y, -n * x.x + c * x.z} + Vec3d{0, 0, 0.4};
+    };
     SurfaceParticles& p = rig.w.surface.particles;
     for (std::size_t i = 0; i < p.owned; i++) p.displacement[i] = turn(p.position[i]) - p.position[i];
     carry(rig);
@@ -135,7 +146,8 @@ TEST(Displace, SheetsRowsAndSingleParticlesTurnAsRigidBodies) {
   }
 }
 
-// A plate of one layer turns by a right angle while its ripples swing through: they say nothing of how thick it is, and its sides stay apart.
+// A plate of one layer turns by a right angle while its ripples swing through: they say nothing of how thick
+// it is, and its sides stay apart.
 TEST(Displace, ARippledPlateKeepsItsThickness) {
   SettleRig rig;
   std::vector<double> ripple;
@@ -146,7 +158,8 @@ TEST(Displace, ARippledPlateKeepsItsThickness) {
     }
   for (int side = -1; side <= 1; side += 2)
     for (int y = -6; y <= 6; y++)
-      for (int x = -6; x <= 6; x++) rig.addSurfel({0.5 * x, 0.5 * y, 0.5 * side}, {0, 0, static_cast<double>(side)});
+      for (int x = -6; x <= 6; x++)
+        rig.addSurfel({0.5 * x, 0.5 * y, 0.5 * side}, {0, 0, static_cast<double>(side)});
   freeze(rig);
   const int updates = 12;
   const auto placeAt = [&](const Vec3d& at, double swing, double share) {
@@ -175,9 +188,9 @@ TEST(Displace, SurfelsWithoutParticlesFollowTheirNeighboursOrGo) {
   SettleRig rig;
   for (int k = -1; k <= 1; k++) rig.addParticle({double(k), 0, 0}, {0.5, 0, 0});
   rig.addSurfel({0, 0, 3.9}, {0, 0, 1});
-  rig.addSurfel({0, 0, 4.4}, {0, 0, 1});          // only the first one is near
-  rig.addSurfel({10, 0, 0}, {0, 0, 1});           // nobody is
-  rig.addSurfel({0, 0.3, 3.9}, {0, 0, 1}, 7);     // particles of another component
+  rig.addSurfel({0, 0, 4.4}, {0, 0, 1});       // only the first one is near
+  rig.addSurfel({10, 0, 0}, {0, 0, 1});        // nobody is
+  rig.addSurfel({0, 0.3, 3.9}, {0, 0, 1}, 7);  // particles of another component
   carry(rig);
   const Surfels& s = rig.w.surface.surfels;
   ASSERT_EQ(s.owned, 2u);
@@ -203,21 +216,27 @@ TEST(Displace, SameBitsForEveryInstructionSet) {
     rig.addLattice(4, {0.3, 0.1, 0.2}, [](const Vec3d& x) { return length(x) < 4; });
     rig.addBallSurfels(4, 0.1);
     SurfaceParticles& p = rig.w.surface.particles;
-    for (std::size_t i = 0; i < p.owned; i++) p.displacement[i] = 0.1 * Vec3d{std::sin(p.position[i].y), p.position[i].x * p.position[i].z, std::cos(p.position[i].x)};
-    for (std::size_t i = 0; i < p.owned; i++) p.liquid[i] = p.position[i].z > 0 ? 1.0f : 0.0f;  // what is liquid turns otherwise
+    for (std::size_t i = 0; i < p.owned; i++)
+      p.displacement[i] = 0.1 * Vec3d{std::sin(p.position[i].y), p.position[i].x * p.position[i].z,
+                                      std::cos(p.position[i].x)};
+    // what is liquid turns otherwise
+    for (std::size_t i = 0; i < p.owned; i++) p.liquid[i] = p.position[i].z > 0 ? 1.0f : 0.0f;
     carry(rig);
     const Surfels& s = rig.w.surface.surfels;
-    const std::vector<Vec3d> now(s.position.data(), s.position.data() + s.owned), normals(s.normal.data(), s.normal.data() + s.owned);
+    const std::vector<Vec3d> now(s.position.data(), s.position.data() + s.owned),
+        normals(s.normal.data(), s.normal.data() + s.owned);
     if (first.empty()) first = now, firstNormals = normals;
     EXPECT_TRUE(first == now) << isa;
     EXPECT_TRUE(firstNormals == normals) << isa;
   }
 }
 
-// Melt falls off a solid: what covers the solid stays with it. By the mean of all particles it sank into the solid, here by a tenth of what the melt falls, and so in each update.
+// Melt falls off a solid: what covers the solid stays with it. By the mean of all particles it sank into the
+// solid, here by a tenth of what the melt falls, and so in each update.
 TEST(Displace, TheSurfaceOfASolidGoesWithTheSolid) {
   SettleRig rig;
-  rig.addLattice(5, {}, [](const Vec3d& x) { return std::abs(x.x) < 5 && std::abs(x.y) < 5 && std::abs(x.z) < 3; });
+  rig.addLattice(5, {},
+                 [](const Vec3d& x) { return std::abs(x.x) < 5 && std::abs(x.y) < 5 && std::abs(x.z) < 3; });
   SurfaceParticles& p = rig.w.surface.particles;
   for (std::size_t i = 0; i < p.owned; i++) {
     const bool melt = p.position[i].z < 0;

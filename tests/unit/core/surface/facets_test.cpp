@@ -44,16 +44,24 @@ TEST(Facets, SpheresOfSmallDrops) {
   }
 }
 
-// A film with a round rim, whose normals begin to turn two spacings before it, as smoothing has them turn: most of sum x.n A is the rim's.
+// A film with a round rim, whose normals begin to turn two spacings before it, as smoothing has them turn:
+// most of sum x.n A is the rim's.
 TEST(Facets, AFilmWhoseNormalsAreSmooth) {
   const double d = 0.05, t = 0.06, R = 1;
   SurfelRig rig(surfelScene(d));
   for (int y = -30; y <= 30; y++)
     for (int x = -30; x <= 30; x++)
       for (int side = -1; side <= 1; side += 2) {
-        const auto noise = [&](std::uint64_t k) { return 0.15 * d * (2 * randomUniform(5, Purpose::Test, static_cast<std::uint64_t>(200 * (y + 40) + 2 * (x + 40) + side), k) - 1); };
+        const auto noise = [&](std::uint64_t k) {
+          return 0.15 * d *
+                 (2 * randomUniform(5, Purpose::Test,
+                                    static_cast<std::uint64_t>(200 * (y + 40) + 2 * (x + 40) + side), k) -
+                  1);
+        };
         const Vec3d at{d * (x + 0.5 * (y & 1)) + noise(0), 0.8660254 * d * y + noise(1), side * t};
-        const double from = std::sqrt(at.x * at.x + at.y * at.y), turn = 0.4 * std::clamp((from - R) / (2 * d) + 1, 0.0, 1.0), out = from > 0 ? std::sin(turn) / from : 0;
+        const double from = std::sqrt(at.x * at.x + at.y * at.y),
+                     turn = 0.4 * std::clamp((from - R) / (2 * d) + 1, 0.0, 1.0),
+                     out = from > 0 ? std::sin(turn) / from : 0;
         if (from < R - 0.2 * d) rig.add(at, {out * at.x, out * at.y, side * std::cos(turn)});
       }
   for (int ring = 0; ring < 3; ring++)
@@ -64,7 +72,8 @@ TEST(Facets, AFilmWhoseNormalsAreSmooth) {
     }
   const double exact = 2 * t * pi * R * R + pi * pi * t * t * R + 4.0 / 3 * pi * t * t * t;
   const SurfaceComponent c = measured(rig);
-  std::printf("film: by facets %+.1f %%, by normals %+.1f %%, open %.4f\n", 100 * (c.volume / exact - 1), 100 * (byNormals(rig.surfels()) / exact - 1), c.open);
+  std::printf("film: by facets %+.1f %%, by normals %+.1f %%, open %.4f\n", 100 * (c.volume / exact - 1),
+              100 * (byNormals(rig.surfels()) / exact - 1), c.open);
   EXPECT_NEAR(c.volume, exact, 0.03 * exact);
   EXPECT_GT(std::abs(byNormals(rig.surfels()) / exact - 1), 0.15);  // else this is no trial
 }
@@ -85,19 +94,24 @@ void addDisc(SurfelRig& rig, double radius, double z, double up) {
   const double d = rig.world.surface.spacing;
   const auto n = static_cast<std::uint64_t>(pi * radius * radius / (0.85 * d * d));
   for (std::uint64_t k = 0; k < n; k++) {
-    const auto noise = [&](std::uint64_t axis) { return 0.15 * d * (2 * randomUniform(5, Purpose::Test, rig.next, axis) - 1); };
-    const double r = radius * std::sqrt((static_cast<double>(k) + 0.5) / static_cast<double>(n)), a = 2.399963229728653 * static_cast<double>(k);
+    const auto noise = [&](std::uint64_t axis) {
+      return 0.15 * d * (2 * randomUniform(5, Purpose::Test, rig.next, axis) - 1);
+    };
+    const double r = radius * std::sqrt((static_cast<double>(k) + 0.5) / static_cast<double>(n)),
+                 a = 2.399963229728653 * static_cast<double>(k);
     rig.add({r * std::cos(a) + noise(0), r * std::sin(a) + noise(1), z}, {0, 0, up});
   }
 }
 
-// Films that are so thin that what turns round their rim is one ring, which hangs together with none of the two sides: all along the rim there is a hole. Seen from the middle of the film, along
-// it, half of its volume is missing.
+// Films that are so thin that what turns round their rim is one ring, which hangs together with none of the
+// two sides: all along the rim there is a hole. Seen from the middle of the film, along it, half of its
+// volume is missing.
 TEST(Facets, AFilmWithHolesAllAlongItsRim) {
   const double d = 0.05, R = 12 * d;
   for (const double thick : {0.5, 0.8})
     for (const double tilt : {0.0, 0.7}) {
-      const double h = thick * d, core = R - h, exact = pi * core * core * h + 2 * pi * h * h * (core * pi / 4 + h / 3);
+      const double h = thick * d, core = R - h,
+                   exact = pi * core * core * h + 2 * pi * h * h * (core * pi / 4 + h / 3);
       SurfelRig rig(surfelScene(d));
       addDisc(rig, core, h, 1);
       addDisc(rig, R, 0, -1);
@@ -107,25 +121,34 @@ TEST(Facets, AFilmWithHolesAllAlongItsRim) {
         const Vec3d out{std::cos(2 * pi * k / n), std::sin(2 * pi * k / n), 0};
         rig.add(round * out + Vec3d{0, 0, h * std::sqrt(0.5)}, std::sqrt(0.5) * (out + Vec3d{0, 0, 1}));
       }
-      const auto turned = [&](const Vec3d& x) { return Vec3d{std::cos(tilt) * x.x - std::sin(tilt) * x.z, x.y, std::sin(tilt) * x.x + std::cos(tilt) * x.z}; };
+      const auto turned = [&](const Vec3d& x) {
+        return Vec3d{std::cos(tilt) * x.x - std::sin(tilt) * x.z, x.y,
+                     std::sin(tilt) * x.x + std::cos(tilt) * x.z};
+      };
       for (std::size_t i = 0; i < rig.surfels().owned; i++)
-        for (Vec3d* v : {&rig.surfels().position[i], &rig.surfels().normal[i], &rig.surfels().tangent[i]}) *v = turned(*v);
+        for (Vec3d* v : {&rig.surfels().position[i], &rig.surfels().normal[i], &rig.surfels().tangent[i]})
+          *v = turned(*v);
       const SurfaceComponent c = measured(rig);
-      std::printf("film of %g spacings, tilted by %g: %+.1f %%, open %.3f\n", thick, tilt, 100 * (c.volume / exact - 1), c.open);
+      std::printf("film of %g spacings, tilted by %g: %+.1f %%, open %.3f\n", thick, tilt,
+                  100 * (c.volume / exact - 1), c.open);
       EXPECT_NEAR(c.volume, exact, 0.05 * exact);  // thirds of all axes: -48 and -49 %
     }
 }
 
-// Drops on a floor that they meet at a sharp angle: none of the surfels above hangs together with one on the floor.
+// Drops on a floor that they meet at a sharp angle: none of the surfels above hangs together with one on the
+// floor.
 TEST(Facets, CapsOnAFloor) {
   const double d = 0.05, a = 12 * d;
   for (const double angle : {30.0, 45.0, 60.0, 90.0, 120.0}) {
-    const double t = angle * pi / 180, R = a / std::sin(t), middle = -R * std::cos(t), h = R + middle, exact = pi * h * h * (3 * R - h) / 3;
+    const double t = angle * pi / 180, R = a / std::sin(t), middle = -R * std::cos(t), h = R + middle,
+                 exact = pi * h * h * (3 * R - h) / 3;
     SurfelRig rig(surfelScene(d));
-    for (const SurfacePoint& p : test::spherePoints(static_cast<std::size_t>(4 * pi * R * R / (0.85 * d * d)), R))
+    for (const SurfacePoint& p :
+         test::spherePoints(static_cast<std::size_t>(4 * pi * R * R / (0.85 * d * d)), R))
       if (p.position.z + middle > 0) rig.add(p.position + Vec3d{0, 0, middle}, p.normal);
     addDisc(rig, a - 0.2 * d, 0, -1);
-    EXPECT_NEAR(measured(rig).volume, exact, 0.01 * exact) << angle << " degrees";  // thirds: -3.5 % up to 60 degrees
+    // thirds: -3.5 % up to 60 degrees
+    EXPECT_NEAR(measured(rig).volume, exact, 0.01 * exact) << angle << " degrees";
   }
 }
 

@@ -35,7 +35,8 @@ TEST(FieldProbe, FindsTheSumOverParticlesWithItsGradient) {
       Vec3d gradient{};
       for (std::size_t j = 0; j < p.size(); j++) {
         const Vec3d d = x[k] - p.position[j];
-        const double u = 1 - dot(d, d) / (h * h), v = static_cast<double>(rig.tools.relax.particle[4 * j + 3]);
+        const double u = 1 - dot(d, d) / (h * h),
+                     v = static_cast<double>(rig.tools.relax.particle[4 * j + 3]);
         if (u <= 0 || p.component[j] != 1) continue;
         value += v * u * u * u;
         gradient -= (6 * v * u * u / (h * h)) * d;
@@ -44,7 +45,10 @@ TEST(FieldProbe, FindsTheSumOverParticlesWithItsGradient) {
       EXPECT_LT(length(found[k].gradient - gradient), 1e-4 * length(gradient));
     }
     if (first.empty()) first = found;
-    for (std::size_t k = 0; k < x.size(); k++) EXPECT_TRUE(found[k].value == first[k].value && found[k].gradient == first[k].gradient && found[k].level == first[k].level) << isa;
+    for (std::size_t k = 0; k < x.size(); k++)
+      EXPECT_TRUE(found[k].value == first[k].value && found[k].gradient == first[k].gradient &&
+                  found[k].level == first[k].level)
+          << isa;
   }
 }
 
@@ -69,7 +73,8 @@ TEST(FieldProbe, NewtonEndsOnTheSurfaceOrSaysThatThereIsNone) {
   }
 }
 
-// Other ranks' particles are here as far as the cells around one's own go, and on fewer ranks farther: what is asked at places far from home must not tell.
+// Other ranks' particles are here as far as the cells around one's own go, and on fewer ranks farther: what
+// is asked at places far from home must not tell.
 TEST(FieldProbe, SeesTheSameWhateverIsThereFarFromHome) {
   std::vector<FieldHere> found;
   for (const bool more : {false, true}) {
@@ -88,7 +93,8 @@ TEST(FieldProbe, SeesTheSameWhateverIsThereFarFromHome) {
     probe.at(&away, 1, &found.emplace_back());
   }
   EXPECT_GT(found[0].value, 0);
-  EXPECT_TRUE(found[0].value == found[1].value && found[0].gradient == found[1].gradient && found[0].level == found[1].level);
+  EXPECT_TRUE(found[0].value == found[1].value && found[0].gradient == found[1].gradient &&
+              found[0].level == found[1].level);
 }
 
 }  // namespace

@@ -43,8 +43,12 @@ TEST(Grow, CoversABallOfParticlesWithoutAHole) {
     farthest = std::max(farthest, std::abs(length(s.position[i]) - R));
     inward = std::max(inward, 1 - dot(s.normal[i], normalized(s.position[i])));
   }
-  const double hole = rig.largestHole(spherePoints(10000, R)), law = 4 * 3.14159265 * R * R / (0.05 * 0.05 * std::sqrt(0.75));
-  std::printf("grown: %zu surfels (hexagonal %.0f), %.4f of R off it, hole %.3f spacings from the ball, normals %.4f\n", s.owned, law, farthest / R, hole, inward);
+  const double hole = rig.largestHole(spherePoints(10000, R)),
+               law = 4 * 3.14159265 * R * R / (0.05 * 0.05 * std::sqrt(0.75));
+  std::printf(
+      "grown: %zu surfels (hexagonal %.0f), %.4f of R off it, hole %.3f spacings from the ball, normals "
+      "%.4f\n",
+      s.owned, law, farthest / R, hole, inward);
   EXPECT_LT(farthest, 0.05 * R);
   EXPECT_LT(inward, 0.1);
   EXPECT_LT(hole, 1.1);  // of the ball itself, which is not quite the surface
@@ -68,7 +72,8 @@ TEST(Grow, UpdatesMakeTheSurfaceOfAFewParticlesASphere) {  // B21
       p.liquid[i] = 1;
       middle += all[i] / static_cast<double>(n);
     }
-    placeRows(rig.world.surface.grid, rig.ranks->particles, p, rig.world.surface.particleCells, rig.tools.sort);
+    placeRows(rig.world.surface.grid, rig.ranks->particles, p, rig.world.surface.particleCells,
+              rig.tools.sort);
     const double R = std::cbrt(0.75e-3 * static_cast<double>(n) / 3.14159265358979);
     for (int update = 0; update < 2; update++) {  // it comes anew in each
       measureComponents(rig.world.surface, rig.ranks->halos().all);
@@ -77,7 +82,8 @@ TEST(Grow, UpdatesMakeTheSurfaceOfAFewParticlesASphere) {  // B21
       EXPECT_GE(s.owned, 24u);
       EXPECT_LE(s.owned, 80u);
       for (std::size_t i = 0; i < s.owned; i++) EXPECT_NEAR(length(s.position[i] - middle), R, 1e-12) << n;
-      placeRows(rig.world.surface.grid, rig.ranks->surfels, rig.surfels(), rig.world.surface.surfelCells, rig.tools.sort);
+      placeRows(rig.world.surface.grid, rig.ranks->surfels, rig.surfels(), rig.world.surface.surfelCells,
+                rig.tools.sort);
     }
   }
 }

@@ -16,7 +16,8 @@ using namespace test;
 double deepest(const World& w) {
   double most = 0;
   for (std::size_t i = 0; i < w.surface.surfels.owned; i++)
-    for (const Wall& wall : w.walls.list) most = std::max(most, -wall.shape->distance(toRest(wall.pose, w.surface.surfels.position[i])));
+    for (const Wall& wall : w.walls.list)
+      most = std::max(most, -wall.shape->distance(toRest(wall.pose, w.surface.surfels.position[i])));
   return most / w.surface.spacing;
 }
 
@@ -63,7 +64,8 @@ TEST(KeepOut, LiquidThatFlattensRoundAPegOnTheFloor) {
     EXPECT_LT(deepest(world.w), 0.05) << "update " << k;
   }
   std::int64_t onFloor = 0;
-  for (std::size_t i = 0; i < world.w.surface.surfels.owned; i++) onFloor += world.w.surface.surfels.position[i].z < 1e-3;
+  for (std::size_t i = 0; i < world.w.surface.surfels.owned; i++)
+    onFloor += world.w.surface.surfels.position[i].z < 1e-3;
   EXPECT_GT(onFloor, 200);  // and there is a surface on it
   for (const SurfaceComponent& c : world.components()) {
     if (c.particles > 12) { EXPECT_NEAR(c.volume / c.particleVolume, 1, 0.01); }
@@ -80,7 +82,8 @@ TEST(KeepOut, DropsOfAFewParticles) {
     world.update();
     ASSERT_EQ(world.components().size(), 2u);
     EXPECT_LT(deepest(world.w), 0.05);
-    for (const SurfaceComponent& c : world.components()) EXPECT_NEAR(c.volume / c.particleVolume, 1, 0.02) << c.particles << " particles";
+    for (const SurfaceComponent& c : world.components())
+      EXPECT_NEAR(c.volume / c.particleVolume, 1, 0.02) << c.particles << " particles";
   }
 }
 
@@ -91,7 +94,8 @@ TEST(KeepOut, SolidsDipInAndKeepTheirShape) {
   SurfaceWorld world(s, [](const std::string&) { return boxMesh({-0.4, -0.4, 0.05}, {0.4, 0.4, 0.65}); });
   const auto lowest = [&] {
     double z = 1;
-    for (std::size_t i = 0; i < world.w.surface.surfels.owned; i++) z = std::min(z, world.w.surface.surfels.position[i].z);
+    for (std::size_t i = 0; i < world.w.surface.surfels.owned; i++)
+      z = std::min(z, world.w.surface.surfels.position[i].z);
     return z;
   };
   const double before = lowest();
@@ -127,7 +131,8 @@ TEST(KeepOut, NothingComesThroughAThinWall) {
   EXPECT_LT(deepest(world.w), 0.05);
 }
 
-/// A liquid that has gone apart in all directions, to twice its volume. (One that is torn: tests/output/torn_film_test.sh.)
+/// A liquid that has gone apart in all directions, to twice its volume. (One that is torn:
+/// tests/output/torn_film_test.sh.)
 TEST(KeepOut, FilmsThatHaveGoneApartKeepTheirVolume) {
   Scene s = aboveFloor(0);
   addBox(s, {-0.6, -0.6, 0.0}, {0.6, 0.6, 0.2});
@@ -147,7 +152,8 @@ TEST(KeepOut, FilmsThatHaveGoneApartKeepTheirVolume) {
   EXPECT_LT(c.open, 0.03);
 }
 
-/// A few particles that lie flat: on the floor below them their colour falls off to the side. They are too far apart for a level of their volume, so that offsets draw them in.
+/// A few particles that lie flat: on the floor below them their colour falls off to the side. They are too
+/// far apart for a level of their volume, so that offsets draw them in.
 TEST(KeepOut, FlatDropsKeepTheirFloor) {
   for (const double apart : {1.0, 1.3}) {
     Scene s = aboveFloor(0);
@@ -158,12 +164,14 @@ TEST(KeepOut, FlatDropsKeepTheirFloor) {
     ASSERT_EQ(start.size(), 6u);
     for (int k = 1; k <= 12; k++) {
       const double share = std::min(1.0, k / 6.0), wide = 1 + (apart - 1) * share;
-      for (std::size_t i = 0; i < start.size(); i++) world.place(i) = {wide * start[i].x, wide * start[i].y, 0.05 - 0.025 * share};
+      for (std::size_t i = 0; i < start.size(); i++)
+        world.place(i) = {wide * start[i].x, wide * start[i].y, 0.05 - 0.025 * share};
       world.update();
       ASSERT_EQ(world.components().size(), 1u);
       const SurfaceComponent& c = world.components()[0];
       EXPECT_LT(c.open, 0.05) << "update " << k << ", " << apart << " spacings apart";
-      EXPECT_NEAR(c.volume / c.particleVolume, 1, 0.01) << "update " << k << ", " << apart << " spacings apart";
+      EXPECT_NEAR(c.volume / c.particleVolume, 1, 0.01)
+          << "update " << k << ", " << apart << " spacings apart";
       EXPECT_LT(deepest(world.w), 0.05);
     }
   }

@@ -59,7 +59,8 @@ SurfaceComponent measuredBox(double low, int cells) {
 
 }  // namespace
 
-// Taken the shortest way from the particle that names it, at one end, the far end of a body longer than half the domain was thought on the other side.
+// Taken the shortest way from the particle that names it, at one end, the far end of a body longer than half
+// the domain was thought on the other side.
 TEST(Measure, ALongBodyAcrossAPeriodicSideIsTakenInOnePiece) {
   const SurfaceComponent whole = measuredBox(-1.5, 28);
   EXPECT_NEAR(whole.centroid.x, -0.1, 1e-9);
@@ -76,7 +77,8 @@ TEST(Measure, ALongBodyAcrossAPeriodicSideIsTakenInOnePiece) {
 TEST(Measure, WhatGoesRoundHasItsCentroidInTheMiddleAndItsVolume) {
   SurfaceRig rig;
   rig.world.scene.surface.keepVolume = 0;
-  for (int a = 0; a < 2; a++) rig.world.scene.domain.side[static_cast<std::size_t>(a)] = {Side::Periodic, Side::Periodic};
+  for (int a = 0; a < 2; a++)
+    rig.world.scene.domain.side[static_cast<std::size_t>(a)] = {Side::Periodic, Side::Periodic};
   prepareSurface(rig.world);
   SerialSurfaceRanks halos(rig.world.surface.grid);
   for (int y = 0; y < 40; y++)
@@ -84,7 +86,8 @@ TEST(Measure, WhatGoesRoundHasItsCentroidInTheMiddleAndItsVolume) {
       for (int z = 0; z < 4; z++) rig.particle({-2 + 0.1 * (x + 0.5), -2 + 0.1 * (y + 0.5), 0.1 * (z + 0.5)});
   for (int y = 0; y < 80; y++)
     for (int x = 0; x < 80; x++)
-      for (const int up : {0, 1}) rig.surfel({-2 + 0.05 * (x + 0.5), -2 + 0.05 * (y + 0.5), 0.4 * up}, {0, 0, up ? 1.0 : -1.0});
+      for (const int up : {0, 1})
+        rig.surfel({-2 + 0.05 * (x + 0.5), -2 + 0.05 * (y + 0.5), 0.4 * up}, {0, 0, up ? 1.0 : -1.0});
   rig.update(halos.halos());
   ASSERT_EQ(rig.components().size(), 1u);
   const SurfaceComponent& c = rig.components()[0];
@@ -99,7 +102,9 @@ TEST(KeepVolume, ABallAndAFlattenedBall) {
     const double wide = 1 / std::sqrt(flat);
     SerialSurfaceRig rig;
     rig.ball({0, 0, 0}, 0.8);
-    for (std::size_t i = 0; i < rig.p().owned; i++) rig.p().position[i] = {wide * rig.p().position[i].x, wide * rig.p().position[i].y, flat * rig.p().position[i].z};
+    for (std::size_t i = 0; i < rig.p().owned; i++)
+      rig.p().position[i] = {wide * rig.p().position[i].x, wide * rig.p().position[i].y,
+                             flat * rig.p().position[i].z};
     for (std::size_t i = 0; i < rig.f().owned; i++) {  // shrunk by 5 %
       Vec3d &x = rig.f().position[i], &n = rig.f().normal[i];
       x = 0.95 * Vec3d{wide * x.x, wide * x.y, flat * x.z};
@@ -159,7 +164,8 @@ TEST(KeepVolume, WhatFrozeIsDrawnToItsVolumeButNotWhatNeverMeltedNorAMeshsDetail
     rig.liquid = false;
     rig.ball({0, 0, 0}, 0.8);
     rig.update();
-    for (std::size_t i = 0; i < rig.f().owned; i++) rig.f().position[i] = 0.95 * rig.f().position[i], rig.f().detail[i] = way == 2;
+    for (std::size_t i = 0; i < rig.f().owned; i++)
+      rig.f().position[i] = 0.95 * rig.f().position[i], rig.f().detail[i] = way == 2;
     ASSERT_EQ(rig.components().size(), 1u);
     if (way != 1) rig.world.surface.components[0].raised = 1e-3 * rig.dx;
     rig.update();

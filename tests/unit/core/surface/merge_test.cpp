@@ -1,8 +1,8 @@
 #include "core/surface/merge.hpp"
 
 #include "core/math/hash_random.hpp"
-#include "core/surface/near_sheets.hpp"
 #include "core/surface/grow.hpp"
+#include "core/surface/near_sheets.hpp"
 #include "tests/support/settle_rig.hpp"
 #include "tests/support/surface_rig.hpp"
 #include "tests/support/surface_world.hpp"
@@ -50,7 +50,8 @@ TEST(Merge, BallsJoinOnlyWhenAParticleIsInside) {
 }
 
 TEST(Merge, LiquidsThatTouchJoinAndDoNotFlicker) {
-  // two balls come together and part again in steps of a tenth of a spacing, with trembling: one merge, one split, wherever they turn round
+  // two balls come together and part again in steps of a tenth of a spacing, with trembling: one merge, one
+  // split, wherever they turn round
   for (const double turn : {0.5}) {
     Scene s;
     s.spacing = 0.1;
@@ -96,7 +97,8 @@ TEST(Merge, LiquidsThatTouchJoinAndDoNotFlicker) {
       }
     }
     const SurfaceCounters& c = balls.w.surface.counters;
-    std::printf("turned at %.1f spacings: joined at %.2f, parted at %.2f; %lld merges, %lld splits\n", turn, joined, parted, static_cast<long long>(c.merges), static_cast<long long>(c.splits));
+    std::printf("turned at %.1f spacings: joined at %.2f, parted at %.2f; %lld merges, %lld splits\n", turn,
+                joined, parted, static_cast<long long>(c.merges), static_cast<long long>(c.splits));
     EXPECT_EQ(c.merges, 1);
     EXPECT_EQ(c.splits, 1);
     EXPECT_NEAR(joined, 0.95, 0.1);
@@ -138,7 +140,8 @@ TEST(Merge, ADropFallsIntoAPool) {
   EXPECT_EQ(rig.components()[1].particles, 1);
   for (std::size_t i = 0; i < rig.f().owned; i++) {
     const Vec3d x = rig.f().position[i];
-    const bool insideBall = length(x - Vec3d{0.01, 0.02, 0.1}) < 0.29, insidePool = x.z < -0.01 && x.z > -0.99 && std::abs(x.x) < 0.99 && std::abs(x.y) < 0.99;
+    const bool insideBall = length(x - Vec3d{0.01, 0.02, 0.1}) < 0.29,
+               insidePool = x.z < -0.01 && x.z > -0.99 && std::abs(x.x) < 0.99 && std::abs(x.y) < 0.99;
     EXPECT_FALSE(insideBall || insidePool) << x.x << " " << x.y << " " << x.z;
   }
 }
@@ -154,14 +157,17 @@ TEST(Inside, OfACubeAndAThinSheet) {
     std::vector<SurfaceSide> sides;
     int wrong = 0, asked = 0;
     for (int k = 0; k < 20000; k++) {
-      const auto u = [&](std::uint64_t s) { return randomUniform(s, Purpose::Test, static_cast<std::uint64_t>(k)); };
+      const auto u = [&](std::uint64_t s) {
+        return randomUniform(s, Purpose::Test, static_cast<std::uint64_t>(k));
+      };
       const Vec3d x{-0.7 + 1.4 * u(1), -0.7 + 1.4 * u(2), -0.2 + (z + 0.4) * u(3)};
       const double depth = std::min({0.5 - std::abs(x.x), 0.5 - std::abs(x.y), x.z, z - x.z});
       if (std::abs(depth) < 0.1 * rig.d) continue;
       findSides(rig.f(), bins, x, noComponent, true, rig.world.surface.particleSupport, tools, sides);
       if (sides.empty()) continue;
       asked++;
-      if ((sides[0].distance < 0) != (depth > 0)) wrong++, std::printf("%g %g %g: %g\n", x.x, x.y, x.z, sides[0].distance);
+      if ((sides[0].distance < 0) != (depth > 0))
+        wrong++, std::printf("%g %g %g: %g\n", x.x, x.y, x.z, sides[0].distance);
     }
     std::printf("%d layers: %d of %d wrong\n", layers, wrong, asked);
     EXPECT_EQ(wrong, 0);
@@ -178,9 +184,13 @@ TEST(NearSheets, GapSheetAndFold) {
 
 namespace {
 
-/// Two fingers of one component, four layers thick, with surfels half a spacing over the particles, whose surfaces are then `gap` spacings apart.
-/// Means of how far they settle over the outermost particles, in spacings, in the gap and outside.
-struct Fingers { double inside = 0, outside = 0; std::size_t surfelsInside = 0; };
+/// Two fingers of one component, four layers thick, with surfels half a spacing over the particles, whose
+/// surfaces are then `gap` spacings apart. Means of how far they settle over the outermost particles, in
+/// spacings, in the gap and outside.
+struct Fingers {
+  double inside = 0, outside = 0;
+  std::size_t surfelsInside = 0;
+};
 Fingers fingersApart(double gap) {
   SettleRig rig(0.5, 24);
   for (int x = -9; x <= 9; x++)
@@ -215,7 +225,8 @@ Fingers fingersApart(double gap) {
 TEST(NearSheets, FingersOfOneBodyDoNotBlend) {
   for (const double gap : {3.0, 2.0, 1.0, 0.5}) {
     const Fingers f = fingersApart(gap);
-    std::printf("gap %.1f: %zu surfels in it, %.3f spacings over the particles, outside %.3f\n", gap, f.surfelsInside, f.inside, f.outside);
+    std::printf("gap %.1f: %zu surfels in it, %.3f spacings over the particles, outside %.3f\n", gap,
+                f.surfelsInside, f.inside, f.outside);
     EXPECT_GT(f.surfelsInside, 500u);
     EXPECT_NEAR(f.inside, f.outside, gap > 2 ? 0.05 : 0.2);
   }

@@ -12,7 +12,8 @@ TEST(MixedBins, HoldAllThatHaveAnotherLabelInReach) {
     std::vector<Vec3d> x;
     std::vector<std::uint64_t> label;
     for (std::uint64_t k = 0; k < 3000; k++) {
-      x.push_back({20 * randomUniform(1, Purpose::Test, k, 0), 10 * randomUniform(1, Purpose::Test, k, 1), 3 * randomUniform(1, Purpose::Test, k, 2)});
+      x.push_back({20 * randomUniform(1, Purpose::Test, k, 0), 10 * randomUniform(1, Purpose::Test, k, 1),
+                   3 * randomUniform(1, Purpose::Test, k, 2)});
       label.push_back(7 + static_cast<std::uint64_t>(labels * x.back().x / 20));  // slabs
     }
     Bins bins;
@@ -24,7 +25,8 @@ TEST(MixedBins, HoldAllThatHaveAnotherLabelInReach) {
     std::size_t needed = 0, all = 0;
     for (std::size_t i = 0; i < x.size(); i++) {
       bool other = false;
-      for (std::size_t j = 0; j < x.size(); j++) other |= label[j] != label[i] && dot(x[j] - x[i], x[j] - x[i]) <= reach * reach;
+      for (std::size_t j = 0; j < x.size(); j++)
+        other |= label[j] != label[i] && dot(x[j] - x[i], x[j] - x[i]) <= reach * reach;
       EXPECT_TRUE(named[i] || !other);
       needed += other;
       all += named[i];

@@ -1,4 +1,5 @@
-// Sheets of one solid that are nearer to each other than the colour field is wide (docs/validation/stability.md B20, B22).
+// Sheets of one solid that are nearer to each other than the colour field is wide
+// (docs/validation/stability.md B20, B22).
 #include "core/surface/near_gaps.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,8 @@ namespace {
 
 using namespace test;
 
-/// A block of 1.2 x 0.8 x 0.6 m with a slot of `layers` layers of particles in the middle of its height, open on three sides.
+/// A block of 1.2 x 0.8 x 0.6 m with a slot of `layers` layers of particles in the middle of its height, open
+/// on three sides.
 Scene slotted(int layers, bool solid = true) {
   Scene s = emptyScene(0.1, {-2, -2, -2}, {2, 2, 2});
   s.domain.gravity = {};
@@ -31,7 +33,10 @@ Scene slotted(int layers, bool solid = true) {
 }
 
 /// Surfels that look into the slot, away from its ends, and the worst of their heights off its faces.
-struct InSlot { int below = 0, above = 0; double off = 0; };
+struct InSlot {
+  int below = 0, above = 0;
+  double off = 0;
+};
 InSlot lookInto(const World& w, double half) {
   InSlot in;
   for (std::size_t i = 0; i < w.surface.surfels.owned; i++) {
@@ -51,7 +56,7 @@ TEST(NearGaps, SheetsOfASolidHaveASurfaceEach) {
   const InSlot at = lookInto(world.w, 0.1);
   EXPECT_GT(at.below, 0.6 * law);
   EXPECT_GT(at.above, 0.6 * law);
-  EXPECT_LT(at.off, 0.02);  // a fifth of a spacing
+  EXPECT_LT(at.off, 0.02);       // a fifth of a spacing
   for (int k = 0; k < 4; k++) {  // it turns
     for (std::size_t i = 0; i < world.w.particles.owned; i++) {
       const Vec3d x = world.place(i);
@@ -64,7 +69,8 @@ TEST(NearGaps, SheetsOfASolidHaveASurfaceEach) {
   }
 }
 
-TEST(NearGaps, AShellOfTwoLayersKeepsItsSurface) {  // the colour field is nowhere what it is on a ball: at rest the first update deleted all of it
+TEST(NearGaps, AShellOfTwoLayersKeepsItsSurface) {  // the colour field is nowhere what it is on a ball: at
+                                                    // rest the first update deleted all of it
   Scene s = slotted(2);
   Shape& shell = s.bodies[0].shape;
   for (Shape& part : shell.parts) part = Shape{}, part.kind = ShapeKind::Sphere;
@@ -92,7 +98,8 @@ TEST(NearGaps, AreThoseOfSolidsThatTheFieldDoesNotSee) {
   EXPECT_EQ(gaps(slotted(4)).solid.size(), 0u) << "five spacings from layer to layer";
   EXPECT_EQ(gaps(slotted(2, false)).solid.size(), 0u);
   EXPECT_EQ(gaps(slotted(2, false)).liquid, std::vector<std::uint64_t>{1});
-  EXPECT_EQ(SurfaceWorld(slotted(2, false)).tools.lumps, std::vector<std::uint64_t>{1}) << "a liquid closes, and that is told";
+  EXPECT_EQ(SurfaceWorld(slotted(2, false)).tools.lumps, std::vector<std::uint64_t>{1})
+      << "a liquid closes, and that is told";
   Scene ball = slotted(2);
   ball.bodies[0].shape = Shape{};
   ball.bodies[0].shape.kind = ShapeKind::Sphere;

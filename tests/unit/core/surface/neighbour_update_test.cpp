@@ -1,4 +1,5 @@
-// K05 updates the neighbourhoods of surfels by neighbours of neighbours; here they are searched for in bins, with a margin. What each finds, and costs.
+// K05 updates the neighbourhoods of surfels by neighbours of neighbours; here they are searched for in bins,
+// with a margin. What each finds, and costs.
 #include <gtest/gtest.h>
 
 #include <ctime>
@@ -22,7 +23,9 @@ std::vector<std::vector<std::uint32_t>> within(const Surfels& s, const RowLists&
 }
 
 /// The neighbours of now among those of then and their neighbours.
-std::vector<std::vector<std::uint32_t>> byNeighbours(const Surfels& s, const std::vector<std::vector<std::uint32_t>>& then, double radius) {
+std::vector<std::vector<std::uint32_t>> byNeighbours(const Surfels& s,
+                                                     const std::vector<std::vector<std::uint32_t>>& then,
+                                                     double radius) {
   std::vector<std::vector<std::uint32_t>> now(s.owned);
   std::vector<std::uint32_t> seen(s.owned, 0xffffffffu);
   for (std::uint32_t i = 0; i < s.owned; i++) {
@@ -41,7 +44,8 @@ std::vector<std::vector<std::uint32_t>> byNeighbours(const Surfels& s, const std
   return now;
 }
 
-std::size_t missing(const std::vector<std::vector<std::uint32_t>>& all, const std::vector<std::vector<std::uint32_t>>& some) {
+std::size_t missing(const std::vector<std::vector<std::uint32_t>>& all,
+                    const std::vector<std::vector<std::uint32_t>>& some) {
   std::size_t n = 0;
   for (std::size_t i = 0; i < all.size(); i++)
     for (const std::uint32_t j : all[i]) n += !std::binary_search(some[i].begin(), some[i].end(), j);
@@ -56,7 +60,8 @@ TEST(NeighbourUpdate, ListsWithAMarginFindAllThatNeighboursOfNeighboursMiss) {
   // two balls that come together by .2 spacings an iteration, their surfels shuffling along
   const std::size_t each = 6000;
   for (const double side : {-1.0, 1.0})
-    for (const SurfacePoint& p : spherePoints(each, 1)) rig.add(p.position + Vec3d{side * 1.15, 0, 0}, p.normal);
+    for (const SurfacePoint& p : spherePoints(each, 1))
+      rig.add(p.position + Vec3d{side * 1.15, 0, 0}, p.normal);
   Surfels& s = rig.surfels();
   const std::vector<std::uint8_t> all(s.owned, 1);
   RowLists lists, exact;
@@ -85,8 +90,11 @@ TEST(NeighbourUpdate, ListsWithAMarginFindAllThatNeighboursOfNeighboursMiss) {
     }
     furthest = 0;
     for (std::size_t i = 0; i < s.owned; i++) {
-      const auto u = [&](std::uint64_t k) { return randomUniform(9 + k, Purpose::Test, s.id[i], static_cast<std::uint64_t>(step)) - 0.5; };
-      s.position[i] += Vec3d{s.position[i].x < 0 ? 0.1 * d : -0.1 * d, 0, 0} + (0.1 * d) * Vec3d{u(0), u(1), u(2)};
+      const auto u = [&](std::uint64_t k) {
+        return randomUniform(9 + k, Purpose::Test, s.id[i], static_cast<std::uint64_t>(step)) - 0.5;
+      };
+      s.position[i] += Vec3d{s.position[i].x < 0 ? 0.1 * d : -0.1 * d, 0, 0} +
+                       (0.1 * d) * Vec3d{u(0), u(1), u(2)};
       furthest = std::max(furthest, length(s.position[i] - foundAt[i]) + 0.2 * d);
     }
     search(radius, exact);
@@ -98,9 +106,13 @@ TEST(NeighbourUpdate, ListsWithAMarginFindAllThatNeighboursOfNeighboursMiss) {
     missedByChain += missing(truth, chained);
     for (const auto& n : truth) pairs += n.size();
   }
-  std::printf("30 iterations of %zu surfels, %.1f neighbours: lists with a margin miss %zu of %zu, %zu searches, %.2f us a surfel and iteration; neighbours of neighbours miss %zu (%.3f %%), %.2f us\n", s.owned,
-              static_cast<double>(pairs) / 30 / static_cast<double>(s.owned), missedByLists, pairs, searches, 1e6 * listTime / 30 / static_cast<double>(s.owned), missedByChain,
-              100 * static_cast<double>(missedByChain) / static_cast<double>(pairs), 1e6 * chainTime / 30 / static_cast<double>(s.owned));
+  std::printf(
+      "30 iterations of %zu surfels, %.1f neighbours: lists with a margin miss %zu of %zu, %zu searches, "
+      "%.2f us a surfel and iteration; neighbours of neighbours miss %zu (%.3f %%), %.2f us\n",
+      s.owned, static_cast<double>(pairs) / 30 / static_cast<double>(s.owned), missedByLists, pairs, searches,
+      1e6 * listTime / 30 / static_cast<double>(s.owned), missedByChain,
+      100 * static_cast<double>(missedByChain) / static_cast<double>(pairs),
+      1e6 * chainTime / 30 / static_cast<double>(s.owned));
   EXPECT_EQ(missedByLists, 0u);
   EXPECT_GT(missedByChain, 0u);  // what comes near from another sheet is nobody's neighbour before
   EXPECT_LT(listTime, chainTime);

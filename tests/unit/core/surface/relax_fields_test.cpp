@@ -7,8 +7,8 @@
 #include <map>
 
 #include "core/surface/blend.hpp"
-#include "core/surface/ready_particles.hpp"
 #include "core/surface/level_table.hpp"
+#include "core/surface/ready_particles.hpp"
 #include "tests/support/settle_rig.hpp"
 
 namespace thaw {
@@ -33,7 +33,9 @@ TEST(Relax, LevelTableKnowsItsSlope) {
   table.fill();
   for (const double x : {0.1, 0.35, 0.5, 0.7}) {
     const double step = 1e-2;
-    EXPECT_NEAR(table.slope(x), (table.level(x + step) - table.level(x - step)) / (2 * step), 0.1 * table.slope(x) + 1e-3) << x;
+    EXPECT_NEAR(table.slope(x), (table.level(x + step) - table.level(x - step)) / (2 * step),
+                0.1 * table.slope(x) + 1e-3)
+        << x;
   }
 }
 
@@ -68,12 +70,16 @@ TEST(Relax, DegenerateNeighbourhoods) {
     finite();
     EXPECT_EQ(places(rig.w.surface.surfels).size(), 9u);
     for (std::size_t i = 0; i < 9; i++)
-      for (std::size_t j = 0; j < i; j++) EXPECT_GT(length(rig.w.surface.surfels.position[i] - rig.w.surface.surfels.position[j]), 1e-3);
+      for (std::size_t j = 0; j < i; j++)
+        EXPECT_GT(length(rig.w.surface.surfels.position[i] - rig.w.surface.surfels.position[j]), 1e-3);
   }
 }
 
 TEST(Relax, WhereNeighboursHaveNoPlaneTheNormalStays) {  // B23
-  SettleRig rig(0.5, 12, [](Scene& s) { s.surface.implicit = s.surface.attract = s.surface.repel = 0, s.surface.smooth = 0.5, s.surface.smoothing = SmoothingForm::Plane; });
+  SettleRig rig(0.5, 12, [](Scene& s) {
+    s.surface.implicit = s.surface.attract = s.surface.repel = 0, s.surface.smooth = 0.5,
+    s.surface.smoothing = SmoothingForm::Plane;
+  });
   const Vec3d up = normalized({0.3, 0.4, 1});
   rig.addSurfel({0, 0, 0}, up);
   for (int a = 0; a < 3; a++)

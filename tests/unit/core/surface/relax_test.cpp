@@ -6,8 +6,8 @@
 #include <map>
 
 #include "core/surface/blend.hpp"
-#include "core/surface/ready_particles.hpp"
 #include "core/surface/level_table.hpp"
+#include "core/surface/ready_particles.hpp"
 #include "tests/support/settle_rig.hpp"
 
 namespace thaw {
@@ -22,7 +22,9 @@ std::map<std::uint64_t, Vec3d> places(const Surfels& s) {
 }
 
 bool sameBits(const std::map<std::uint64_t, Vec3d>& a, const std::map<std::uint64_t, Vec3d>& b) {
-  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](const auto& x, const auto& y) { return x.first == y.first && std::memcmp(&x.second, &y.second, sizeof(Vec3d)) == 0; });
+  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](const auto& x, const auto& y) {
+           return x.first == y.first && std::memcmp(&x.second, &y.second, sizeof(Vec3d)) == 0;
+         });
 }
 
 void addFloor(SettleRig& rig, double z) {
@@ -38,7 +40,8 @@ void addBall(SettleRig& rig, double R, double noise = 0.1) {
   rig.place();
 }
 
-TEST(Relax, BallOfLatticeParticles) {  // bars of the issue at R/dx = 16; the lattice has .57 % more volume than the ball
+TEST(Relax, BallOfLatticeParticles) {  // bars of the issue at R/dx = 16; the lattice has .57 % more volume
+                                       // than the ball
   SettleRig rig;
   addBall(rig, 16);
   const double particles = static_cast<double>(rig.w.surface.particles.owned);
@@ -53,7 +56,8 @@ TEST(Relax, BallOfLatticeParticles) {  // bars of the issue at R/dx = 16; the la
 }
 
 TEST(Relax, DropsOfFewParticlesKeepTheirVolume) {
-  const std::vector<Vec3d> all{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
+  const std::vector<Vec3d> all{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
+                               {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
   for (std::size_t n : {1u, 2u, 4u, 8u}) {
     SettleRig rig(0.25);
     Vec3d middle{};
@@ -65,13 +69,16 @@ TEST(Relax, DropsOfFewParticlesKeepTheirVolume) {
     rig.settle(60);
     const Surfels& s = rig.w.surface.surfels;
     double mean = 0;
-    for (std::size_t i = 0; i < s.owned; i++) mean += length(s.position[i] - middle) / static_cast<double>(s.owned);
+    for (std::size_t i = 0; i < s.owned; i++)
+      mean += length(s.position[i] - middle) / static_cast<double>(s.owned);
     EXPECT_NEAR(mean / R, 1, n == 1 ? 0.01 : 0.08) << n;
   }
 }
 
 TEST(Relax, PlanesAndSpheresAreAtRestUnderSmoothing) {
-  SettleRig rig(0.5, 12, [](Scene& s) { s.surface.implicit = s.surface.attract = s.surface.repel = 0, s.surface.smooth = 0.5; });
+  SettleRig rig(0.5, 12, [](Scene& s) {
+    s.surface.implicit = s.surface.attract = s.surface.repel = 0, s.surface.smooth = 0.5;
+  });
   rig.addBallSurfels(5);
   rig.place();
   const auto before = places(rig.w.surface.surfels);
@@ -79,18 +86,25 @@ TEST(Relax, PlanesAndSpheresAreAtRestUnderSmoothing) {
   for (const auto& [id, x] : places(rig.w.surface.surfels)) EXPECT_LT(length(x - before.at(id)), 2e-6);
 
   for (SmoothingForm form : {SmoothingForm::Sphere, SmoothingForm::Plane}) {
-    SettleRig flat(0.5, 12, [&](Scene& s) { s.surface.implicit = s.surface.attract = s.surface.repel = 0, s.surface.smooth = 0.5, s.surface.smoothing = form; });
+    SettleRig flat(0.5, 12, [&](Scene& s) {
+      s.surface.implicit = s.surface.attract = s.surface.repel = 0, s.surface.smooth = 0.5,
+      s.surface.smoothing = form;
+    });
     for (int y = -8; y <= 8; y++)
-      for (int x = -8; x <= 8; x++) flat.addSurfel({0.5 * x, 0.5 * y, 0.1 * x + (x == 1 && y == 2 ? 0.1 : 0)}, {-0.2, 0, 1});
+      for (int x = -8; x <= 8; x++)
+        flat.addSurfel({0.5 * x, 0.5 * y, 0.1 * x + (x == 1 && y == 2 ? 0.1 : 0)}, {-0.2, 0, 1});
     flat.place();
     flat.settle(200);
     const Surfels& s = flat.w.surface.surfels;
-    for (std::size_t i = 0; i < s.owned; i++) EXPECT_NEAR(s.position[i].z, 0.2 * s.position[i].x, 0.02) << "the bump goes";
+    for (std::size_t i = 0; i < s.owned; i++)
+      EXPECT_NEAR(s.position[i].z, 0.2 * s.position[i].x, 0.02) << "the bump goes";
   }
 }
 
 TEST(Relax, RepulsionSpacesEvenly) {
-  SettleRig rig(0.5, 12, [](Scene& s) { s.surface.implicit = 1, s.surface.attract = s.surface.smooth = 0, s.surface.repel = 0.3; });
+  SettleRig rig(0.5, 12, [](Scene& s) {
+    s.surface.implicit = 1, s.surface.attract = s.surface.smooth = 0, s.surface.repel = 0.3;
+  });
   addBall(rig, 6, 0.2);
   const auto closest = [&] {
     const Surfels& s = rig.w.surface.surfels;
@@ -118,12 +132,14 @@ TEST(Relax, SameBitsForEveryInstructionSetAndGrouping) {
       if (first.empty()) first = now;
       EXPECT_TRUE(sameBits(first, now)) << isa;
     }
-    // the surfels of half of the ball alone are grouped otherwise; one iteration from the same places with all around
+    // the surfels of half of the ball alone are grouped otherwise; one iteration from the same places with
+    // all around
     SettleRig rig(0.5, 12, [&](Scene& s) { s.surface.smoothing = form; });
     SettleRig half(0.5, 12, [&](Scene& s) { s.surface.smoothing = form; });
     addBall(rig, 5);
     addBall(half, 5);
-    for (std::size_t i = 0; i < half.w.surface.surfels.owned; i++) half.w.surface.surfels.liquid[i] = half.w.surface.surfels.id[i] % 3 == 0 ? 1.0f : 0.0f;
+    for (std::size_t i = 0; i < half.w.surface.surfels.owned; i++)
+      half.w.surface.surfels.liquid[i] = half.w.surface.surfels.id[i] % 3 == 0 ? 1.0f : 0.0f;
     rig.settle(1);
     half.settle(1, false);
     const auto all = places(rig.w.surface.surfels), some = places(half.w.surface.surfels);
@@ -133,7 +149,7 @@ TEST(Relax, SameBitsForEveryInstructionSetAndGrouping) {
 }
 
 TEST(Relax, LocalStopGivesWhatAllSurfelsGive) {
-  SettleRig local, whole(0.5, 24, [](Scene& s) { s.surface.stop = 1e-9; });
+  SettleRig local, whole(0.5, 24, [](Scene&s) { s.surface.stop = 1e-9; });
   addBall(local, 8);
   addBall(whole, 8);
   const Settled a = local.settle(200);
@@ -146,7 +162,7 @@ TEST(Relax, LocalStopGivesWhatAllSurfelsGive) {
     sum += length(at - y.at(id)) / static_cast<double>(x.size());
     height = std::max(height, std::abs(length(at) - length(y.at(id))));
   }
-  EXPECT_LT(sum, 10 * 0.01 * 0.5);   // along the surface they go on to shuffle
+  EXPECT_LT(sum, 10 * 0.01 * 0.5);  // along the surface they go on to shuffle
   EXPECT_LT(height, 2 * 0.01 * 0.5 + 0.02);
 }
 
@@ -173,7 +189,9 @@ TEST(Relax, ObstaclesAndLeastLevel) {
   const Surfels& s = rig.w.surface.surfels;
   for (std::size_t i = 0; i < s.owned; i++) EXPECT_GE(s.position[i].z, -4 - 1e-9);
 
-  SettleRig far(0.5, 24, [](Scene& s) { s.surface.implicit = 0, s.surface.smooth = 0, s.surface.attract = 0, s.surface.repel = 0; });
+  SettleRig far(0.5, 24, [](Scene& s) {
+    s.surface.implicit = 0, s.surface.smooth = 0, s.surface.attract = 0, s.surface.repel = 0;
+  });
   far.addLattice(6, {0.5, 0.5, 0.5}, [&](const Vec3d& x) { return length(x) < 5; });
   far.addSurfel({0, 0, 7.5}, {0, 0, 1});
   far.place();
@@ -183,7 +201,8 @@ TEST(Relax, ObstaclesAndLeastLevel) {
   EXPECT_GT(z, 5);
 }
 
-// A wall that holds a surfel back does not have it creep along, by the few degrees that its normal is off the wall's.
+// A wall that holds a surfel back does not have it creep along, by the few degrees that its normal is off the
+// wall's.
 TEST(Relax, LiquidOnAWallComesToRest) {
   SettleRig rig;
   addFloor(rig, -4);

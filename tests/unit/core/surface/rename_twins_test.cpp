@@ -17,7 +17,9 @@ TEST(RenameTwins, NewOnesGetAnotherIdByTheirPlace) {
     SurfelRig rig(surfelScene(0.1));
     for (int k = 0; k < 10; k++) rig.add({0.1 * k, 0, 0}, {0, 0, 1});
     std::vector<Vec3d> places{{1, 1, 1}, {2, 1, 1}, {1.5, 1, 1}, {0, 1, 1}};
-    std::vector<std::uint64_t> ids{rig.surfels().id[3], surfelBit | birthBit | 77, surfelBit | birthBit | 77, surfelBit | birthBit | 78};  // of an old one, of each other, free
+    // of an old one, of each other, free
+    std::vector<std::uint64_t> ids{rig.surfels().id[3], surfelBit | birthBit | 77, surfelBit | birthBit | 77,
+                                   surfelBit | birthBit | 78};
     if (twisted) std::reverse(places.begin(), places.end()), std::reverse(ids.begin(), ids.end());
     for (std::size_t k = 0; k < places.size(); k++) {
       rig.add(places[k], {0, 0, 1});

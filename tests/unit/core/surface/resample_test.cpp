@@ -24,7 +24,9 @@ TEST(Resample, FillsABallFromOneCap) {
     if (p.position.z > 0.5) rig.add(p.position, p.normal);
   const std::size_t before = rig.surfels().owned;
   Resampled r;
-  const BirthPlace near = [&](const Surfels&, std::size_t, SurfacePoint& p, bool) { return std::abs(length(p.position) - 1) < 0.05; };
+  const BirthPlace near = [&](const Surfels&, std::size_t, SurfacePoint& p, bool) {
+    return std::abs(length(p.position) - 1) < 0.05;
+  };
   for (int k = 0; k < 100 && !r.finished; k++) {
     rig.world.clock.step++;
     r = thaw::resample(rig.world, rig.ranks->halos(), rig.tools, 2, near);
@@ -60,8 +62,8 @@ TEST(Resample, ThinsACrowdWithoutAHole) {
   Resampled r = rig.resample(40);
   EXPECT_TRUE(r.finished);
   const double hole = rig.largestHole(spherePoints(20000, 1));
-  std::printf("crowd: %lld births, %lld deaths, %zu surfels, largest hole %.3f\n", static_cast<long long>(r.births), static_cast<long long>(r.deaths),
-              rig.surfels().owned, hole);
+  std::printf("crowd: %lld births, %lld deaths, %zu surfels, largest hole %.3f\n",
+              static_cast<long long>(r.births), static_cast<long long>(r.deaths), rig.surfels().owned, hole);
   EXPECT_LT(hole, 1.0);
   EXPECT_NEAR(static_cast<double>(rig.surfels().owned), 1450, 0.5 * 1450);
 }
@@ -84,13 +86,15 @@ TEST(Resample, StretchingFourTimesAndBackLeavesNoHole) {
     rig.resample(8);
     std::vector<SurfacePoint> truth;
     for (const SurfacePoint& p : spherePoints(6000, small))
-      truth.push_back({{p.position.x * to, p.position.y, p.position.z}, normalized({p.normal.x / to, p.normal.y, p.normal.z})});
+      truth.push_back({{p.position.x * to, p.position.y, p.position.z},
+                       normalized({p.normal.x / to, p.normal.y, p.normal.z})});
     worst = std::max(worst, rig.largestHole(truth));
   };
   for (int k = 1; k <= 12; k++) scaleTo(std::pow(4.0, k / 12.0));
   const std::size_t most = rig.surfels().owned;
   for (int k = 11; k >= 0; k--) scaleTo(std::pow(4.0, k / 12.0));
-  std::printf("stretched: %zu surfels at four times, %zu back; largest hole %.3f\n", most, rig.surfels().owned, worst);
+  std::printf("stretched: %zu surfels at four times, %zu back; largest hole %.3f\n", most,
+              rig.surfels().owned, worst);
   EXPECT_LT(worst, 1.0);
   const double area = 4 * 3.14159265 * small * small, law = area / (0.05 * 0.05 * std::sqrt(0.75));
   EXPECT_GT(static_cast<double>(rig.surfels().owned), 0.6 * law);
@@ -102,13 +106,17 @@ TEST(Resample, BirthsOfACallAreCappedAndCounted) {  // B18
   for (int y = -3; y <= 3; y++)
     for (int x = -3; x <= 3; x++) rig.add({0.05 * x, 0.05 * y, 0}, {0, 0, 1});
   const auto before = static_cast<std::int64_t>(rig.surfels().owned), cap = birthCap(before);
-  const BirthPlace square = [](const Surfels&, std::size_t, SurfacePoint& p, bool) { return std::max(std::abs(p.position.x), std::abs(p.position.y)) < 2; };  // room for 7,400
+  // room for 7,400
+  const BirthPlace square = [](const Surfels&, std::size_t, SurfacePoint& p, bool) {
+    return std::max(std::abs(p.position.x), std::abs(p.position.y)) < 2;
+  };
   const auto call = [&] {
     rig.world.clock.step++;
     return thaw::resample(rig.world, rig.ranks->halos(), rig.tools, 200, square);
   };
   const Resampled first = call();
-  std::printf("cap: %lld of at most %lld births in the first call\n", static_cast<long long>(first.births), static_cast<long long>(cap));
+  std::printf("cap: %lld of at most %lld births in the first call\n", static_cast<long long>(first.births),
+              static_cast<long long>(cap));
   EXPECT_TRUE(first.capped);
   EXPECT_FALSE(first.finished);
   EXPECT_LE(first.births, cap);
@@ -124,13 +132,17 @@ TEST(Resample, BirthsOfACallAreCappedAndCounted) {  // B18
 }
 
 TEST(Resample, EdgesRodsAndSheetsComeToRest) {
-  for (const auto& [low, high] : {std::pair<Vec3d, Vec3d>{{0, 0, 0}, {1, 1, 1}}, {{0, 0, 0}, {1, 1, 0.04}}, {{0, 0, 0}, {2, 0.06, 0.06}}, {{0, 0, 0}, {2, 0.15, 0.15}}}) {
+  for (const auto& [low, high] : {std::pair<Vec3d, Vec3d>{{0, 0, 0}, {1, 1, 1}},
+                                  {{0, 0, 0}, {1, 1, 0.04}},
+                                  {{0, 0, 0}, {2, 0.06, 0.06}},
+                                  {{0, 0, 0}, {2, 0.15, 0.15}}}) {
     SurfelRig rig(surfelScene(0.1));
     Shape shape;
     shape.kind = ShapeKind::Mesh;
     shape.mesh = "box";
     const auto [a, b] = std::pair{low, high};
-    const std::vector<SurfaceSample> samples = sampleShape(shape, [&](const std::string&) { return boxMesh(a, b); }, 0.1, 3);
+    const std::vector<SurfaceSample> samples = sampleShape(
+        shape, [&](const std::string&) { return boxMesh(a, b); }, 0.1, 3);
     for (const SurfaceSample& s : samples) rig.add(s.position, s.normal);
     const Resampled first = rig.resample(20);
     EXPECT_TRUE(first.finished);
@@ -138,23 +150,30 @@ TEST(Resample, EdgesRodsAndSheetsComeToRest) {
     const Resampled second = rig.resample(20);
     double out = 0;
     for (std::size_t i = 0; i < rig.surfels().owned; i++)
-      for (int k = 0; k < 3; k++) out = std::max({out, low[k] - rig.surfels().position[i][k], rig.surfels().position[i][k] - high[k]});
-    std::printf("box %.2f: %zu samples, %lld births, %lld deaths, then %lld; out of it by %.3f spacings\n", high.z, samples.size(), static_cast<long long>(first.births),
-                static_cast<long long>(first.deaths), static_cast<long long>(second.births + second.deaths), out / 0.1);
+      for (int k = 0; k < 3; k++)
+        out = std::max({out, low[k] - rig.surfels().position[i][k], rig.surfels().position[i][k] - high[k]});
+    std::printf("box %.2f: %zu samples, %lld births, %lld deaths, then %lld; out of it by %.3f spacings\n",
+                high.z, samples.size(), static_cast<long long>(first.births),
+                static_cast<long long>(first.deaths), static_cast<long long>(second.births + second.deaths),
+                out / 0.1);
     EXPECT_EQ(second.births + second.deaths, 0);
-    EXPECT_LT(out, std::min(high.z - low.z, high.y - low.y) < 0.1 ? 0.05 : 0.012);  // what is thinner than the spacing has edges everywhere
+    // what is thinner than the spacing has edges everywhere
+    EXPECT_LT(out, std::min(high.z - low.z, high.y - low.y) < 0.1 ? 0.05 : 0.012);
   }
 }
 
 TEST(Resample, DensityFollowsCurvature) {
-  // wanted is half a radian from surfel to surfel, .5 R, where that is less than the spacing of .08: on a ball of .1 .05, on one of .4 the spacing
+  // wanted is half a radian from surfel to surfel, .5 R, where that is less than the spacing of .08: on a
+  // ball of .1 .05, on one of .4 the spacing
   for (const double adapt : {0.0, 0.4})
     for (const double R : {0.1, 0.4}) {
       Scene scene = surfelScene(0.08);
       scene.surface.adapt = adapt;
       SurfelRig rig(scene);
       Surfels& s = rig.surfels();
-      for (const SurfacePoint& p : spherePoints(static_cast<std::size_t>(4 * 3.14159265 * R * R / (0.87 * 0.08 * 0.08)), R)) rig.add(p.position, p.normal);
+      for (const SurfacePoint& p :
+           spherePoints(static_cast<std::size_t>(4 * 3.14159265 * R * R / (0.87 * 0.08 * 0.08)), R))
+        rig.add(p.position, p.normal);
       for (int k = 0; k < 12; k++) {
         rig.world.clock.step++;
         rig.resample(10);
@@ -167,14 +186,16 @@ TEST(Resample, DensityFollowsCurvature) {
       double radius = 0;
       for (std::size_t i = 0; i < s.owned; i++) radius += s.radius[i] / 0.08 / static_cast<double>(s.owned);
       const double wanted = adapt > 0 ? std::min(1.0, 0.5 * R / 0.08) : 1, area = 4 * 3.14159265 * R * R;
-      const double hole = rig.largestHole(spherePoints(4000, R)), each = area / static_cast<double>(s.owned) / (0.08 * 0.08);
-      std::printf("adapt %.1f, R %.1f: %zu surfels, mean radius %.3f (wanted %.3f), area of each %.3f, largest hole %.3f spacings\n", adapt, R, s.owned, radius, wanted, each, hole);
+      const double hole = rig.largestHole(spherePoints(4000, R)),
+                   each = area / static_cast<double>(s.owned) / (0.08 * 0.08);
+      std::printf(
+          "adapt %.1f, R %.1f: %zu surfels, mean radius %.3f (wanted %.3f), area of each %.3f, largest hole "
+          "%.3f spacings\n",
+          adapt, R, s.owned, radius, wanted, each, hole);
       EXPECT_NEAR(radius, wanted, 0.11 * wanted);
       EXPECT_LT(hole, 1.1 * wanted);
       EXPECT_LT(each, 1.2 * wanted * wanted);
-      if (wanted == 1) {
-        EXPECT_GT(each, 0.5);
-      }
+      if (wanted == 1) { EXPECT_GT(each, 0.5); }
     }
 }
 
@@ -184,7 +205,8 @@ TEST(Resample, FewOpenSurfelsInATableOfTheirOwnGiveTheSameBits) {
   for (const bool apart : {false, true}) {
     SurfelRig rig(surfelScene(0.05));
     for (const SurfacePoint& p : spherePoints(5800, 1))
-      if (std::abs(p.position.x) > 0.2 || p.position.z < 0) rig.add(p.position, p.normal);  // a slot, which closes from its rims
+      // a slot, which closes from its rims
+      if (std::abs(p.position.x) > 0.2 || p.position.z < 0) rig.add(p.position, p.normal);
     rig.tools.openRegion.few = apart ? 12 : 0;
     const BirthPlace near = [](const Surfels&, std::size_t, SurfacePoint& p, bool) {
       p.position = normalized(p.position), p.normal = p.position;

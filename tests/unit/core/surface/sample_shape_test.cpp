@@ -52,20 +52,24 @@ double farthestOff(const World& w) {
   for (const Body& b : w.scene.bodies) shapes.push_back(makeSignedDistance(b.shape));
   for (std::size_t i = 0; i < w.surface.surfels.owned; i++) {
     double least = 1e9;
-    for (const auto& shape : shapes) least = std::min(least, std::abs(shape->distance(w.surface.surfels.position[i])));
+    for (const auto& shape : shapes)
+      least = std::min(least, std::abs(shape->distance(w.surface.surfels.position[i])));
     off = std::max(off, least);
   }
   return off;
 }
 
-/// How far a place of the shape is from the nearest surfel at the most, in their spacings: of places that the shape's distance finds.
+/// How far a place of the shape is from the nearest surfel at the most, in their spacings: of places that the
+/// shape's distance finds.
 double largestHole(const World& w, const SignedDistance& shape) {
   const Surfels& f = w.surface.surfels;
   const Bounds b = shape.bounds();
   double hole = 0;
   for (std::uint64_t k = 0; k < 4000; k++) {
     Vec3d x, n;
-    for (int a = 0; a < 3; a++) x[a] = b.min[a] + (b.max[a] - b.min[a]) * randomUniform(7, Purpose::Test, k, static_cast<std::uint64_t>(a));
+    for (int a = 0; a < 3; a++)
+      x[a] = b.min[a] +
+             (b.max[a] - b.min[a]) * randomUniform(7, Purpose::Test, k, static_cast<std::uint64_t>(a));
     for (int pass = 0; pass < 6; pass++) {
       const double d = shape.distance(x, &n);
       x -= d * n;
@@ -79,7 +83,11 @@ double largestHole(const World& w, const SignedDistance& shape) {
 }
 
 TEST(SampleShape, SolidsHaveTheAreaVolumeAndPlaceOfTheirShapes) {
-  struct Exact { const char* name; Shape shape; double area, volume; };
+  struct Exact {
+    const char* name;
+    Shape shape;
+    double area, volume;
+  };
   Shape ball, torus, aslant = boxOf({-6, -5, -3}, {6, 5, 3});
   ball.kind = ShapeKind::Sphere;
   ball.radius = 6;
@@ -88,21 +96,25 @@ TEST(SampleShape, SolidsHaveTheAreaVolumeAndPlaceOfTheirShapes) {
   torus.radius2 = 3;
   aslant.rotate = {0.3, 0.5, 0.7};
   const Shape box = boxOf({-6, -5, -3}, {6, 5, 3}), rod = cylinderOf(3, 14);
-  for (const Exact& e : {Exact{"plate of one layer", boxOf({-8, -8, -0.5}, {8, 8, 0.5}), 576, 256},  // grown from particles -29 %
-                         {"box", box, 504, 720},                                                     // -14 %
-                         {"box aslant", aslant, 504, 720},
-                         {"cylinder", cylinderOf(5, 12), 170 * pi, 300 * pi},                        // -7 %
-                         {"ball", ball, 144 * pi, 288 * pi},
-                         {"torus", torus, 96 * pi * pi, 144 * pi * pi},
-                         {"union", combined(ShapeKind::Union, box, rod), 504 + 48 * pi, 720 + 72 * pi},
-                         {"difference", combined(ShapeKind::Difference, box, rod), 504 + 18 * pi, 720 - 54 * pi}}) {
+  // grown from particles -29 %
+  for (const Exact& e :
+       {Exact{"plate of one layer", boxOf({-8, -8, -0.5}, {8, 8, 0.5}), 576, 256},
+        {"box", box, 504, 720},  // -14 %
+        {"box aslant", aslant, 504, 720},
+        {"cylinder", cylinderOf(5, 12), 170 * pi, 300 * pi},  // -7 %
+        {"ball", ball, 144 * pi, 288 * pi},
+        {"torus", torus, 96 * pi * pi, 144 * pi * pi},
+        {"union", combined(ShapeKind::Union, box, rod), 504 + 48 * pi, 720 + 72 * pi},
+        {"difference", combined(ShapeKind::Difference, box, rod), 504 + 18 * pi, 720 - 54 * pi}}) {
     Scene s = solidScene();
     addBody(s, e.shape);
     SurfaceWorld world(s);
     ASSERT_EQ(world.components().size(), 1u) << e.name;
     const SurfaceComponent& c = world.components()[0];
     const double off = farthestOff(world.w), hole = largestHole(world.w, *makeSignedDistance(e.shape));
-    std::printf("%s: %zu surfels, area %+.2f %%, volume %+.2f %%, %.2g spacings off it, hole %.2f\n", e.name, world.w.surface.surfels.owned, 100 * (c.area / e.area - 1), 100 * (c.volume / e.volume - 1), off, hole);
+    std::printf("%s: %zu surfels, area %+.2f %%, volume %+.2f %%, %.2g spacings off it, hole %.2f\n", e.name,
+                world.w.surface.surfels.owned, 100 * (c.area / e.area - 1), 100 * (c.volume / e.volume - 1),
+                off, hole);
     EXPECT_NEAR(c.area / e.area, 1, 0.01) << e.name;
     EXPECT_NEAR(c.volume / e.volume, 1, 0.01) << e.name;
     EXPECT_LT(off, 1e-6) << e.name;
@@ -134,16 +146,20 @@ TEST(SampleShape, ABodyHasTheSameSamplesWhereverItIs) {
   there.move = {0.1, 0.7, 12.3};
   const auto a = sampleShape(here, {}, 0.5, 1), b = sampleShape(there, {}, 0.5, 1);
   ASSERT_EQ(a.size(), b.size());
-  for (std::size_t k = 0; k < a.size(); k++) ASSERT_LT(length(a[k].position + there.move - b[k].position), 1e-12);
+  for (std::size_t k = 0; k < a.size(); k++)
+    ASSERT_LT(length(a[k].position + there.move - b[k].position), 1e-12);
 }
 
-TEST(SampleShape, PlatesThatFaceEachOtherKeepTheirPlaces) {  // grown from particles they were .25 spacings off, as each is alone
+TEST(SampleShape, PlatesThatFaceEachOtherKeepTheirPlaces) {  // grown from particles they were .25 spacings
+                                                             // off, as each is alone
   for (const double gap : {1.2, 0.0}) {
     Scene s = solidScene();
-    for (const double side : {-1.0, 1.0}) addBody(s, boxOf({-8, -8, side * (1 + 0.5 * gap) - 1}, {8, 8, side * (1 + 0.5 * gap) + 1}));
+    for (const double side : {-1.0, 1.0})
+      addBody(s, boxOf({-8, -8, side * (1 + 0.5 * gap) - 1}, {8, 8, side * (1 + 0.5 * gap) + 1}));
     SurfaceWorld world(s);
     ASSERT_EQ(world.components().size(), 2u);
-    EXPECT_LT(farthestOff(world.w), gap > 0 ? 1e-6 : 0.1) << gap;  // where they touch surfels near the rim count as pressed into each other
+    EXPECT_LT(farthestOff(world.w), gap > 0 ? 1e-6 : 0.1) << gap;  // where they touch surfels near the rim
+                                                                   // count as pressed into each other
     for (const SurfaceComponent& c : world.components()) EXPECT_NEAR(c.area / 640, 1, 0.01);
   }
 }
@@ -196,7 +212,8 @@ TEST(SampleShape, WhatFollowsParticlesIsGrown) {
   EXPECT_TRUE(isSampled(molten, 0));
 }
 
-TEST(SampleShape, WhatHasMeltedHoldsItsOwnVolume) {  // a ball of R/dx = 5 has 552 particles, 5 % more than its shape holds
+TEST(SampleShape, WhatHasMeltedHoldsItsOwnVolume) {  // a ball of R/dx = 5 has 552 particles, 5 % more than
+                                                     // its shape holds
   Scene s = solidScene();
   Material& m = s.materials[0];
   m.viscosity = {1, 1};
@@ -213,12 +230,14 @@ TEST(SampleShape, WhatHasMeltedHoldsItsOwnVolume) {  // a ball of R/dx = 5 has 5
   const double exact = 500 * pi / 3;
   EXPECT_NEAR(world.components()[0].volume / exact, 1, 0.01);
   EXPECT_NEAR(world.components()[0].wantedVolume / exact, 1, 0.01);
-  for (std::size_t i = 0; i < world.w.solids.owned; i++) world.w.solids.deformation[i] = 0.99 * identity3<double>();
+  for (std::size_t i = 0; i < world.w.solids.owned; i++)
+    world.w.solids.deformation[i] = 0.99 * identity3<double>();
   for (int k = 0; k < 3; k++) {  // pressed together it is to hold less, but not less with each update
     world.update();
     EXPECT_NEAR(world.components()[0].wantedVolume / exact, 0.99 * 0.99 * 0.99, 0.01) << k;
   }
-  for (std::size_t i = 0; i < world.w.particles.owned; i++) world.w.particles.liquid[i] = 1, world.w.particles.phase[i] = Liquid;
+  for (std::size_t i = 0; i < world.w.particles.owned; i++)
+    world.w.particles.liquid[i] = 1, world.w.particles.phase[i] = Liquid;
   for (int k = 0; k < 3; k++) world.update();
   EXPECT_GT(world.components()[0].particleVolume, 1.04 * exact);
   EXPECT_NEAR(world.components()[0].wantedVolume / world.components()[0].particleVolume, 1, 1e-12);

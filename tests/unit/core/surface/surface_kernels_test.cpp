@@ -15,7 +15,9 @@
 namespace thaw {
 namespace {
 
-double random(std::uint64_t k, std::uint64_t what, double low, double high) { return low + (high - low) * randomUniform(3, Purpose::Test, k, what); }
+double random(std::uint64_t k, std::uint64_t what, double low, double high) {
+  return low + (high - low) * randomUniform(3, Purpose::Test, k, what);
+}
 
 /// Every set of kernels that this machine has.
 std::vector<const SurfaceKernels*> sets() {
@@ -27,7 +29,8 @@ std::vector<const SurfaceKernels*> sets() {
 
 std::vector<Vec3d> places(std::size_t n) {
   std::vector<Vec3d> x;
-  for (std::uint64_t k = 0; k < n; k++) x.push_back({random(k, 0, 5, 15), random(k, 1, -3, 4), random(k, 2, 0, 6)});
+  for (std::uint64_t k = 0; k < n; k++)
+    x.push_back({random(k, 0, 5, 15), random(k, 1, -3, 4), random(k, 2, 0, 6)});
   return x;
 }
 
@@ -36,7 +39,8 @@ TEST(SurfaceKernels, FindWhatIsNearABox) {
   for (const std::uint32_t n : {0u, 1u, 7u, 8u, 9u, 500u}) {
     std::vector<float> x[3];
     for (std::uint64_t a = 0; a < 3; a++)
-      for (std::uint64_t k = 0; k < n + nearBoxMore; k++) x[a].push_back(static_cast<float>(random(k, a, -1.5, 1.5)));
+      for (std::uint64_t k = 0; k < n + nearBoxMore; k++)
+        x[a].push_back(static_cast<float>(random(k, a, -1.5, 1.5)));
     std::vector<std::uint32_t> wanted;
     for (std::uint32_t k = 0; k < n; k++) {
       float r2 = 0;
@@ -56,7 +60,9 @@ TEST(SurfaceKernels, FindWhatIsNearABox) {
 
 TEST(SurfaceKernels, SeeWhichPlacesOfACircleAreOpen) {
   std::array<float, circlePlaces> cosine, sine;
-  for (std::size_t k = 0; k < circlePlaces; k++) cosine[k] = std::cos(0.2618f * static_cast<float>(k)), sine[k] = std::sin(0.2618f * static_cast<float>(k));
+  for (std::size_t k = 0; k < circlePlaces; k++)
+    cosine[k] = std::cos(0.2618f * static_cast<float>(k)),
+    sine[k] = std::sin(0.2618f * static_cast<float>(k));
   const CirclePlaces flat{cosine.data(), sine.data(), {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, -0.3f};
   // discs to the right, the last one of another side: what is left of them is open
   const std::vector<float> discs{0.9f, 0.3f, 0, 0, 0, 1, 0.9f, -0.3f, 0.1f, 0, 0, 1, -1, 0, 0, 0, 0, -1};
@@ -65,7 +71,8 @@ TEST(SurfaceKernels, SeeWhichPlacesOfACircleAreOpen) {
     k->openPlaces(flat, discs.data(), discs.size() / 6, open.data());
     for (std::size_t n = 0; n < circlePlaces; n++) {
       bool covered = false;
-      for (std::size_t j = 0; j < 2; j++) covered |= std::hypot(cosine[n] - discs[6 * j], sine[n] - discs[6 * j + 1], discs[6 * j + 2]) < 1;
+      for (std::size_t j = 0; j < 2; j++)
+        covered |= std::hypot(cosine[n] - discs[6 * j], sine[n] - discs[6 * j + 1], discs[6 * j + 2]) < 1;
       EXPECT_EQ(open[n], covered ? 0.0f : 1.0f) << k->name << " " << n;
     }
     CirclePlaces bent = flat;
@@ -115,7 +122,7 @@ TEST(DiscsOver, CoverWhatLiesUnderThem) {
   EXPECT_FALSE(discs.covers(up));
   discs.add({0.1, 0.1, 1.2}, up, 0.3);
   EXPECT_TRUE(discs.covers(up));
-  EXPECT_FALSE(discs.covers(-up));        // it faces the other way
+  EXPECT_FALSE(discs.covers(-up));  // it faces the other way
   EXPECT_TRUE(discs.covers({14.9, 0.2, 0}, up));
   EXPECT_FALSE(discs.covers({15.9, 0.2, 0}, up));
   discs.clear();
@@ -128,7 +135,8 @@ TEST(RowBlock, HasAllInReachAndLittleElse) {
   fillBins(x.data(), x.size(), 0.6, bins);
   RowBlock block;
   for (std::uint64_t k = 0; k < 40; k++) {
-    const Vec3d low = x[100 * k], high = low + Vec3d{random(k, 4, 0, 1), random(k, 5, 0, 1), random(k, 6, 0, 1)};
+    const Vec3d low = x[100 * k],
+                high = low + Vec3d{random(k, 4, 0, 1), random(k, 5, 0, 1), random(k, 6, 0, 1)};
     const PlaceBox box{low, high};
     const double radius = 0.8;
     block.find(bins, box, radius);
@@ -153,10 +161,12 @@ TEST(RowBlock, HasAllInReachAndLittleElse) {
 
 TEST(SortByKey, KeepsTheOrderOfEqualKeys) {
   SortedRows rows, buffer;
-  for (std::uint32_t k = 0; k < 5000; k++) rows.emplace_back(randomBits(5, Purpose::Test, k) >> 44, k);  // 20 bits
+  // 20 bits
+  for (std::uint32_t k = 0; k < 5000; k++) rows.emplace_back(randomBits(5, Purpose::Test, k) >> 44, k);
   for (std::uint32_t k = 0; k < 5000; k += 3) rows[k].first = 77;
   SortedRows wanted = rows;
-  std::stable_sort(wanted.begin(), wanted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::stable_sort(wanted.begin(), wanted.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
   sortByKey(rows, buffer, 20);
   EXPECT_EQ(rows, wanted);
 }

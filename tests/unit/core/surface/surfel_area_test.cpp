@@ -9,9 +9,12 @@ namespace {
 
 using test::SettleRig;
 
-struct Flat { double x, y; };
+struct Flat {
+  double x, y;
+};
 
-/// Of the part of a square of half a side of 2 around `at` that is nearer to it than to any other: cut one after another.
+/// Of the part of a square of half a side of 2 around `at` that is nearer to it than to any other: cut one
+/// after another.
 double voronoiArea(const std::vector<Flat>& all, const Flat& at) {
   std::vector<Flat> cell{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
   for (const Flat& o : all) {
@@ -22,7 +25,8 @@ double voronoiArea(const std::vector<Flat>& all, const Flat& at) {
       const Flat p = cell[k], q = cell[(k + 1) % cell.size()];
       const double over = ax * p.x + ay * p.y - b, next = ax * q.x + ay * q.y - b;
       if (over <= 0) left.push_back(p);
-      if ((over <= 0) != (next <= 0)) left.push_back({p.x + over / (over - next) * (q.x - p.x), p.y + over / (over - next) * (q.y - p.y)});
+      if ((over <= 0) != (next <= 0))
+        left.push_back({p.x + over / (over - next) * (q.x - p.x), p.y + over / (over - next) * (q.y - p.y)});
     }
     cell = left;
   }
@@ -40,7 +44,11 @@ std::vector<Flat> addSheet(SettleRig& rig, double noise) {
   const double d = rig.w.surface.spacing;
   for (int y = -12; y <= 12; y++)
     for (int x = -12; x <= 12; x++) {
-      const auto random = [&](std::uint64_t axis) { return noise * (2 * randomUniform(3, Purpose::Test, static_cast<std::uint64_t>(100 * (y + 20) + x + 20), axis) - 1); };
+      const auto random = [&](std::uint64_t axis) {
+        return noise * (2 * randomUniform(3, Purpose::Test,
+                                          static_cast<std::uint64_t>(100 * (y + 20) + x + 20), axis) -
+                        1);
+      };
       all.push_back({d * (x + 0.5 * (y & 1)) + random(0), 0.8660254 * d * y + random(1)});
       rig.addSurfel({all.back().x, all.back().y, 0}, {0, 0, 1});
     }

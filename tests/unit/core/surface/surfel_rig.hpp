@@ -58,14 +58,16 @@ struct SurfelRig {
     return thaw::resample(world, ranks->halos(), tools, rounds);
   }
 
-  /// Largest distance, over the spacing, from points of the true surface to the nearest surfel on the same side.
+  /// Largest distance, over the spacing, from points of the true surface to the nearest surfel on the same
+  /// side.
   double largestHole(const std::vector<SurfacePoint>& truth) {
     Surfels& s = surfels();
     double hole = 0;
     for (const SurfacePoint& p : truth) {
       double best = 1e300;
       for (std::size_t i = 0; i < s.owned; i++)
-        if (dot(s.normal[i], p.normal) > oneSide) best = std::min(best, dot(s.position[i] - p.position, s.position[i] - p.position));
+        if (dot(s.normal[i], p.normal) > oneSide)
+          best = std::min(best, dot(s.position[i] - p.position, s.position[i] - p.position));
       hole = std::max(hole, std::sqrt(best) / world.surface.spacing);
     }
     return hole;
@@ -77,7 +79,8 @@ struct SurfelRig {
 inline std::vector<SurfacePoint> spherePoints(std::size_t n, double radius) {
   std::vector<SurfacePoint> p;
   for (std::size_t k = 0; k < n; k++) {
-    const double z = 1 - 2 * (static_cast<double>(k) + 0.5) / static_cast<double>(n), r = std::sqrt(1 - z * z), a = 2.399963229728653 * static_cast<double>(k);
+    const double z = 1 - 2 * (static_cast<double>(k) + 0.5) / static_cast<double>(n),
+                 r = std::sqrt(1 - z * z), a = 2.399963229728653 * static_cast<double>(k);
     const Vec3d u{r * std::cos(a), r * std::sin(a), z};
     p.push_back({radius * u, u});
   }

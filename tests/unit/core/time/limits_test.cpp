@@ -58,7 +58,8 @@ TEST(Clock, FrameTimesAndTheEndAreHitExactly) {
         EXPECT_NEAR(hits[k], due, 1e-14 * due) << every;
       }
       const double last = 1 - static_cast<double>(frames - 1) * every;  // between the last frame and the end
-      EXPECT_GE(shortest, 0.49 * std::min({dt, every, last > 1e-9 ? last : 1.0})) << every << " " << dt;  // no tiny steps
+      // no tiny steps
+      EXPECT_GE(shortest, 0.49 * std::min({dt, every, last > 1e-9 ? last : 1.0})) << every << " " << dt;
     }
 }
 
@@ -164,9 +165,12 @@ TEST(StepLimits, OfALiquid) {
   const StepLimits l = materialLimits(s, m, liquidMaterials(s));
   const double h = 0.02;
   EXPECT_DOUBLE_EQ(l.value[static_cast<std::size_t>(Limit::Sound)], 0.4 * h / 20);
-  EXPECT_DOUBLE_EQ(l.value[static_cast<std::size_t>(Limit::Viscous)], 0.8 * stableViscousStep(s.numerics) * h * h * 1000 / 2);
-  EXPECT_NEAR(l.value[static_cast<std::size_t>(Limit::Tension)], 0.25 * std::sqrt(1000 * h * h * h / (2 * M_PI * 0.07)), 1e-12);
-  EXPECT_DOUBLE_EQ(l.value[static_cast<std::size_t>(Limit::Heat)], 0.8 * stableHeatStep(s.numerics) * h * h / (3.0 / (1000.0 * 1000.0)));
+  EXPECT_DOUBLE_EQ(l.value[static_cast<std::size_t>(Limit::Viscous)],
+                   0.8 * stableViscousStep(s.numerics) * h * h * 1000 / 2);
+  EXPECT_NEAR(l.value[static_cast<std::size_t>(Limit::Tension)],
+              0.25 * std::sqrt(1000 * h * h * h / (2 * M_PI * 0.07)), 1e-12);
+  EXPECT_DOUBLE_EQ(l.value[static_cast<std::size_t>(Limit::Heat)],
+                   0.8 * stableHeatStep(s.numerics) * h * h / (3.0 / (1000.0 * 1000.0)));
   EXPECT_EQ(l.value[static_cast<std::size_t>(Limit::Elastic)], never);
   EXPECT_EQ(l.value[static_cast<std::size_t>(Limit::Contact)], never);
   EXPECT_EQ(l.smallest(), Limit::Sound);
@@ -190,7 +194,9 @@ TEST(StepLimits, HeatBesideABetterConductor) {
   s.materials[0].conductivity = {1, 1};
   Modules m;
   m.heat = true;
-  const auto heat = [&] { return materialLimits(s, m, liquidMaterials(s)).value[static_cast<std::size_t>(Limit::Heat)]; };
+  const auto heat = [&] {
+    return materialLimits(s, m, liquidMaterials(s)).value[static_cast<std::size_t>(Limit::Heat)];
+  };
   const double alone = heat();
   s.materials.push_back(s.materials[0]);
   s.materials[1].conductivity = {1e6, 1e6};
@@ -212,7 +218,7 @@ TEST(StepLimits, ViscosityBesideAThickerHeavierMaterial) {
   s.materials[1].viscosity = {200, 200};
   s.bodies.emplace_back();
   s.bodies[1].material = 1;
-  EXPECT_EQ(viscous(), alone);  // harmonic mean
+  EXPECT_EQ(viscous(), alone);      // harmonic mean
   s.materials[0].young = {1e5, 0};  // a light solid in that liquid, dragged by the mean of both
   EXPECT_EQ(viscous(), alone);
   s.materials[1].viscosity = {1, 1};
@@ -235,7 +241,8 @@ TEST(StepLimits, SoundOfCompressedTait) {
   Continuum& p = w.particles;
   for (AnyColumn* c : p.columns) p.activate(*c);
   p.resize(3, 0);
-  for (std::size_t i = 0; i < 3; i++) p.phase[i] = Liquid, p.liquid[i] = 1, p.filling[i] = 1 + 0.5f * static_cast<float>(i);
+  for (std::size_t i = 0; i < 3; i++)
+    p.phase[i] = Liquid, p.liquid[i] = 1, p.filling[i] = 1 + 0.5f * static_cast<float>(i);
   EXPECT_EQ(soundStiffening(w), 1);
   w.scene.numerics.eos = EquationOfState::Tait;
   EXPECT_DOUBLE_EQ(soundStiffening(w), 8);
@@ -263,8 +270,9 @@ TEST(StepLimits, OfParticles) {
   w.scene.materials[0].viscosityTable = {{300, 10}, {400, 50}, {500, 1}};  // not monotone
   w.grid.support = 0.02;
   Continuum& p = w.particles;
-  for (AnyColumn* c : {static_cast<AnyColumn*>(&p.velocity), static_cast<AnyColumn*>(&p.acceleration), static_cast<AnyColumn*>(&p.material),
-                       static_cast<AnyColumn*>(&p.phase), static_cast<AnyColumn*>(&p.temperature)})
+  for (AnyColumn* c : {static_cast<AnyColumn*>(&p.velocity), static_cast<AnyColumn*>(&p.acceleration),
+                       static_cast<AnyColumn*>(&p.material), static_cast<AnyColumn*>(&p.phase),
+                       static_cast<AnyColumn*>(&p.temperature)})
     p.activate(*c);
   EXPECT_EQ(particleLimits(w, largestRates(w), 0.04).smallest(), Limit::Sound);  // nothing: all are never
   EXPECT_EQ(particleLimits(w, largestRates(w), 0.04).value[0], never);
@@ -277,7 +285,8 @@ TEST(StepLimits, OfParticles) {
   StepLimits l = particleLimits(w, largestRates(w), 0.04);
   EXPECT_DOUBLE_EQ(l[Limit::Speed], 0.25 * 0.02 / 5);
   EXPECT_DOUBLE_EQ(l[Limit::Acceleration], 0.25 * std::sqrt(0.02 / 8));
-  EXPECT_DOUBLE_EQ(l[Limit::Viscous], 0.8 * 0.04 * 0.02 * 0.02 * 1000 / std::sqrt(500));  // 350 K is half way between 10 and 50 Pa s
+  // 350 K is half way between 10 and 50 Pa s
+  EXPECT_DOUBLE_EQ(l[Limit::Viscous], 0.8 * 0.04 * 0.02 * 0.02 * 1000 / std::sqrt(500));
 }
 
 }  // namespace thaw::test

@@ -11,7 +11,9 @@ TEST(StepTrace, KeepsTheLastStepsInOrder) {
   EXPECT_TRUE(trace.events().empty());
   for (int step = 0; step < 8; step++) {
     trace.beginStep(step);
-    for (int k = 0; k <= step % 2; k++) trace.add(TraceKind::Exchange, static_cast<std::uint8_t>(k), t, t + std::chrono::nanoseconds(5), 3, 100);
+    for (int k = 0; k <= step % 2; k++)
+      trace.add(TraceKind::Exchange, static_cast<std::uint8_t>(k), t, t + std::chrono::nanoseconds(5), 3,
+                100);
   }
   const std::vector<TraceEvent> e = trace.events();
   ASSERT_EQ(e.size(), 5u);  // of steps 5, 6, 7

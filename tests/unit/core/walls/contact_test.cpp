@@ -60,7 +60,8 @@ TEST(WallContact, BouncesAsTheRestitutionSays) {
     r.addParticle({0, 0, 0.55}, {0, 0, 0});
     r.start();
     const double start = r.mechanical(), rest = 0.05;  // centres rest half a spacing above the wall
-    EXPECT_NEAR(std::sqrt((bounceHeight(r, 0.3 * dt) - rest) / 0.5), e, 0.06) << e;  // the same part of the contact limit
+    // the same part of the contact limit
+    EXPECT_NEAR(std::sqrt((bounceHeight(r, 0.3 * dt) - rest) / 0.5), e, 0.06) << e;
     EXPECT_NEAR(r.mechanical() + r.dissipated(), start, 0.01 * std::abs(start));
   }
 }
@@ -102,12 +103,14 @@ TEST(WallContact, FrictionOnAnIncline) {
     r.addParticle(n * (0.05 - sink), {});
     r.start();
     for (int k = 0; k < 300; k++) r.step(dt);
-    const double speed = dot(r.w.particles.velocity[0], down), free = g * (std::sin(angle) - mu * std::cos(angle)) * 0.3;
+    const double speed = dot(r.w.particles.velocity[0], down),
+                 free = g * (std::sin(angle) - mu * std::cos(angle)) * 0.3;
     if (free > 0) {
       EXPECT_NEAR(speed, free, 0.02 * free) << mu;
     } else {
       EXPECT_GE(speed, 0);  // friction never turns motion round
-      EXPECT_LT(speed, 1.1 * m * g * std::sin(angle) / std::sqrt(1e5 * 0.1 * m));  // what is left is the creep of the regularised law
+      // what is left is the creep of the regularised law
+      EXPECT_LT(speed, 1.1 * m * g * std::sin(angle) / std::sqrt(1e5 * 0.1 * m));
     }
   }
 }
@@ -203,7 +206,8 @@ TEST(WallContact, ContactsAreThoseOfBruteForce) {
   addDomainWalls(r.w.scene.domain, r.w.walls);
   r.add(std::make_shared<Slope>(0.7));
   for (int k = 0; k < 4000; k++) {
-    const double a = std::fmod(k * 0.754877666, 1.0), b = std::fmod(k * 0.569840296, 1.0), c = std::fmod(k * 0.362, 1.0);
+    const double a = std::fmod(k * 0.754877666, 1.0), b = std::fmod(k * 0.569840296, 1.0),
+                 c = std::fmod(k * 0.362, 1.0);
     r.addParticle({4.1 * a - 2.05, 4.1 * b - 2.05, 4 * c - 2}, {});
   }
   r.w.scene.spacing = 0.1;

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double h = 0.2, dx = 0.1;
 
-/// A block with a box cut out of it, open at the top: its inner side is at x = -1 and 1, y = -0.5 and 0.5, z = 0.
+/// A block with a box cut out of it, open at the top: its inner side is at x = -1 and 1, y = -0.5 and 0.5, z
+/// = 0.
 CombinedDistance tank() {
   const auto block = std::make_shared<BoxDistance>(Vec3d{4, 3, 2});
   const auto hole = std::make_shared<PlacedDistance>(std::make_shared<BoxDistance>(Vec3d{2, 1, 4}),
@@ -68,7 +69,8 @@ TEST(Faces, AConvexEdgeAndACurvedWallHaveOne) {
   // convex edge of the tank's rim
   EXPECT_EQ(facesWithin(tank(), {-0.98, 0, 1.02}, h, dx).count, 1U);
   const auto block = std::make_shared<BoxDistance>(Vec3d{4, 4, 4});
-  const CombinedDistance hollow(CombinedDistance::Kind::Difference, {block, std::make_shared<SphereDistance>(1.0)});
+  const CombinedDistance hollow(CombinedDistance::Kind::Difference,
+                                {block, std::make_shared<SphereDistance>(1.0)});
   EXPECT_EQ(facesWithin(hollow, {0.57, 0.57, 0.5}, h, dx).count, 1U);
   EXPECT_EQ(facesWithin(SphereDistance(1), {0, 0, 1.1}, h, dx).count, 1U);
 }

@@ -42,9 +42,11 @@ TEST(WallImages, lieAPeriodAwayAcrossEachSideAndCorner) {
   addWallImages(box({0, 1}), 0.1, walls);
   ASSERT_EQ(walls.list.size(), 4u);
   moveWalls(walls, 0);
-  for (const Vec3d middle : {Vec3d{0.95, 0.05, 1}, Vec3d{-0.05, 0.05, 1}, Vec3d{0.95, 2.05, 1}, Vec3d{-0.05, 2.05, 1}}) {
+  for (const Vec3d middle :
+       {Vec3d{0.95, 0.05, 1}, Vec3d{-0.05, 0.05, 1}, Vec3d{0.95, 2.05, 1}, Vec3d{-0.05, 2.05, 1}}) {
     double least = 1;
-    for (const Wall& wall : walls.list) least = std::min(least, wall.shape->distance(toRest(wall.pose, middle)));
+    for (const Wall& wall : walls.list)
+      least = std::min(least, wall.shape->distance(toRest(wall.pose, middle)));
     EXPECT_NEAR(least, -0.1, 1e-12);
   }
   for (std::size_t k = 1; k < 4; k++) EXPECT_EQ(walls.list[k].originalAt(k), 0u);

@@ -33,19 +33,22 @@ double fillingBeside(std::initializer_list<Plane> planes) {
 }  // namespace
 
 TEST(WallFilling, CornersAndWallsThatCoincide) {
-  const Plane floor({0, 0, 1}, -0.05), left({1, 0, 0}, -0.05), back({0, 1, 0}, -0.05), ceiling({0, 0, -1}, -0.05), same({0, 0, 1}, -0.05), behind({0, 0, 1}, -0.12);
+  const Plane floor({0, 0, 1}, -0.05), left({1, 0, 0}, -0.05), back({0, 1, 0}, -0.05),
+      ceiling({0, 0, -1}, -0.05), same({0, 0, 1}, -0.05), behind({0, 0, 1}, -0.12);
   const double one = fillingBeside({floor});
   EXPECT_NEAR(fillingBeside({floor, left}), 1 - (1 - one) * (1 - one), 1e-6);
   EXPECT_NEAR(fillingBeside({floor, left, back}), 1 - std::pow(1 - one, 3), 2e-6);
   EXPECT_NEAR(fillingBeside({floor, ceiling}), 2 * one, 1e-6);
   EXPECT_NEAR(fillingBeside({floor, same}), one, 1e-6);
   EXPECT_NEAR(fillingBeside({floor, behind}), one, 1e-6);
-  // what two walls share is a share of each one's filling: not quite that of one, since filling is not linear in it
+  // what two walls share is a share of each one's filling: not quite that of one, since filling is not linear
+  // in it
   EXPECT_NEAR(fillingBeside({behind, floor}), one, 0.01 * one);
   EXPECT_NEAR(fillingBeside({behind, floor, left}), fillingBeside({floor, left}), 0.01 * one);
 }
 
-// Through the particle itself two planes at any angle leave out angle / 2 pi; one alone stands for t of the half.
+// Through the particle itself two planes at any angle leave out angle / 2 pi; one alone stands for t of the
+// half.
 TEST(WallFilling, AnglesBetweenWalls) {
   const double one = fillingBeside({Plane({0, 0, 1}, 0)});
   for (double angle : {0.3, 1.0, 2.0, 2.9}) {
@@ -93,7 +96,8 @@ TEST(WallDrag, StopsWithoutOvershootAndSlipsWhereAsked) {
   }
 }
 
-// Couette: a layer half a spacing above a wall, in a linear profile, is dragged as hard as the layer above pulls: mu u / d per area.
+// Couette: a layer half a spacing above a wall, in a linear profile, is dragged as hard as the layer above
+// pulls: mu u / d per area.
 TEST(WallDrag, IsTheShearStressOfALinearProfile) {
   WallRig r;
   r.w.scene.domain.gravity = {};

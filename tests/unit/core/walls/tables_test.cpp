@@ -1,4 +1,5 @@
-// Wall tables against brute-force sums over finely sampled layers, and against the lattice whose missing half they stand for.
+// Wall tables against brute-force sums over finely sampled layers, and against the lattice whose missing half
+// they stand for.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,18 +24,22 @@ Numerics numericsOf(KernelKind kernel, double spacing) {
 }
 
 /// The same sums over squares of edge 1/n on each layer (support radius 1).
-template<class Kernel> WallIntegrals bruteForce(double spacing, double d, int n) {  // drag: of the pairwise viscosity, in the continuum's scale
+// drag: of the pairwise viscosity, in the continuum's scale
+template<class Kernel> WallIntegrals bruteForce(double spacing, double d, int n) {
   WallIntegrals sum;
   const double a = 1.0 / n;
   for (double depth = 0.5 * spacing; d + depth < 1; depth += spacing)
     for (int i = 0; i < n; i++)
       for (int j = 0; j < n; j++) {
-        const double x = (i + 0.5) * a, y = (j + 0.5) * a, z = d + depth, q2 = x * x + y * y + z * z, V = 4 * a * a * spacing;  // four quadrants
+        // four quadrants
+        const double x = (i + 0.5) * a, y = (j + 0.5) * a, z = d + depth, q2 = x * x + y * y + z * z,
+                     V = 4 * a * a * spacing;
         if (q2 >= 1) continue;
         sum.filling += V * Kernel::w(q2);
         sum.push -= V * Kernel::slope(q2) * z;
         sum.conduct += V * Kernel::laplace(q2) * (1 + depth / std::max(d, 0.25 * spacing));
-        sum.drag += V * isa_base::alongPair(ViscousWeight{}.scale, q2) * x * x / q2 * (1 + depth / std::max(d, 0.25 * spacing));
+        sum.drag += V * isa_base::alongPair(ViscousWeight{}.scale, q2) * x * x / q2 *
+                    (1 + depth / std::max(d, 0.25 * spacing));
       }
   return sum;
 }
@@ -43,14 +48,17 @@ template<class Kernel> void expectTables(KernelKind kind) {
   for (double spacing : {0.5, 1 / 1.5, 1 / 3.0}) {
     const Numerics n = numericsOf(kind, spacing);
     const WallTables t = makeWallTables(n);
-    const double dragScale = wallIntegrals(n, 0.5 * spacing).drag / bruteForce<Kernel>(spacing, 0.5 * spacing, 1500).drag;
+    const double dragScale = wallIntegrals(n, 0.5 * spacing).drag /
+                             bruteForce<Kernel>(spacing, 0.5 * spacing, 1500).drag;
     for (double d : {-0.4 * spacing, 0.0, 0.1 * spacing, 0.5 * spacing, 0.6, 0.83}) {
-      const WallIntegrals b = bruteForce<Kernel>(spacing, d, 1500), e = wallIntegrals(numericsOf(kind, spacing), d), i = t(d);
+      const WallIntegrals b = bruteForce<Kernel>(spacing, d, 1500),
+                          e = wallIntegrals(numericsOf(kind, spacing), d), i = t(d);
       EXPECT_NEAR(e.filling, b.filling, 2e-5) << d;
       EXPECT_NEAR(e.push, b.push, 2e-4 * std::max(1.0, b.push)) << d;
       EXPECT_NEAR(e.conduct, b.conduct, 2e-4 * std::max(1.0, b.conduct)) << d;
       EXPECT_NEAR(e.drag, dragScale * b.drag, 5e-4 * std::max(1.0, e.drag)) << d;
-      const double filling0 = wallIntegrals(numericsOf(kind, spacing), 0.5 * spacing).filling, soft = std::max(d, softBelow * spacing);
+      const double filling0 = wallIntegrals(numericsOf(kind, spacing), 0.5 * spacing).filling,
+                   soft = std::max(d, softBelow * spacing);
       WallIntegrals felt = asLiquidsFeelIt(wallIntegrals(numericsOf(kind, spacing), soft), filling0);
       felt.filling += felt.push * (soft - d);
       EXPECT_NEAR(i.filling, felt.filling, 2e-5 * std::max(1.0, felt.filling)) << d;
@@ -63,7 +71,8 @@ template<class Kernel> void expectTables(KernelKind kind) {
   }
 }
 
-/// Sums over the lattice half-space at and above a particle half a spacing from a wall, and the wall's in place of the rest.
+/// Sums over the lattice half-space at and above a particle half a spacing from a wall, and the wall's in
+/// place of the rest.
 template<class Kernel> struct Half {
   double filling = 0, push = 0, full = 0, heat = 0;
   explicit Half(double spacing) {
@@ -94,11 +103,16 @@ TEST(WallTables, AgreeWithFineSampling) {
 TEST(WallTables, PushIsTheSlopeOfFilling) {
   for (KernelKind kind : {KernelKind::WendlandC2, KernelKind::CubicSpline})
     for (double d : {0.05, 0.25, 0.5, 0.7}) {
-      const double e = 1e-5, slope = (wallIntegrals(numericsOf(kind, 0.5), d - e).filling - wallIntegrals(numericsOf(kind, 0.5), d + e).filling) / (2 * e);
+      const double e = 1e-5, slope = (wallIntegrals(numericsOf(kind, 0.5), d - e).filling -
+                                      wallIntegrals(numericsOf(kind, 0.5), d + e).filling) /
+                                     (2 * e);
       EXPECT_NEAR(wallIntegrals(numericsOf(kind, 0.5), d).push, slope, 1e-6);
       const double filling0 = wallIntegrals(numericsOf(kind, 0.5), 0.25).filling;
-      const auto felt = [&](double x) { return asLiquidsFeelIt(wallIntegrals(numericsOf(kind, 0.5), x), filling0); };
-      EXPECT_NEAR(felt(d).push, (felt(d - e).filling - felt(d + e).filling) / (2 * e), 1e-5 * std::max(1.0, felt(d).push));
+      const auto felt = [&](double x) {
+        return asLiquidsFeelIt(wallIntegrals(numericsOf(kind, 0.5), x), filling0);
+      };
+      EXPECT_NEAR(felt(d).push, (felt(d - e).filling - felt(d + e).filling) / (2 * e),
+                  1e-5 * std::max(1.0, felt(d).push));
     }
 }
 
@@ -109,8 +123,9 @@ TEST(WallTables, StandForTheMissingHalfOfTheLattice) {
     const Half<decltype(kernel)> half(spacing);
     const WallIntegrals w = wallIntegrals(numericsOf(kind, spacing), 0.5 * spacing);
     EXPECT_NEAR(half.filling + w.filling, half.full, tolerance * half.full);
-    EXPECT_NEAR(w.push, half.push, 4 * tolerance * half.push);      // a uniform pressure does not push
-    EXPECT_NEAR(0.5 * spacing * w.conduct, half.heat, 4 * tolerance * half.heat);  // a linear profile does not change
+    EXPECT_NEAR(w.push, half.push, 4 * tolerance * half.push);  // a uniform pressure does not push
+    // a linear profile does not change
+    EXPECT_NEAR(0.5 * spacing * w.conduct, half.heat, 4 * tolerance * half.heat);
   };
   check(WendlandC2{}, KernelKind::WendlandC2, 0.02);
   check(CubicSpline{}, KernelKind::CubicSpline, 0.02);

@@ -12,10 +12,14 @@
 namespace thaw {
 namespace {
 
-/// Rows that look like a scene's: ids that count, places in a box, velocities of both signs, one mass, material 0.
+/// Rows that look like a scene's: ids that count, places in a box, velocities of both signs, one mass,
+/// material 0.
 void fill(Continuum& p, std::size_t rows, std::uint32_t seed) {
-  for (AnyColumn* c : {static_cast<AnyColumn*>(&p.id), static_cast<AnyColumn*>(&p.position), static_cast<AnyColumn*>(&p.velocity), static_cast<AnyColumn*>(&p.mass),
-                       static_cast<AnyColumn*>(&p.material), static_cast<AnyColumn*>(&p.liquid), static_cast<AnyColumn*>(&p.phase), static_cast<AnyColumn*>(&p.dissipated), static_cast<AnyColumn*>(&p.filling)})
+  for (AnyColumn* c : {static_cast<AnyColumn*>(&p.id), static_cast<AnyColumn*>(&p.position),
+                       static_cast<AnyColumn*>(&p.velocity), static_cast<AnyColumn*>(&p.mass),
+                       static_cast<AnyColumn*>(&p.material), static_cast<AnyColumn*>(&p.liquid),
+                       static_cast<AnyColumn*>(&p.phase), static_cast<AnyColumn*>(&p.dissipated),
+                       static_cast<AnyColumn*>(&p.filling)})
     p.activate(*c);
   p.resize(p.owned, 0);
   p.resize(rows, 0);
@@ -44,13 +48,18 @@ void expectSameState(const Table& a, const Table& b) {
     if (x.keep != Keep::State) continue;
     ASSERT_EQ(x.active, y.active) << x.name;
     if (!x.active) continue;
-    EXPECT_TRUE(std::equal(x.bytes.begin(), x.bytes.begin() + static_cast<std::ptrdiff_t>(a.owned * x.elementBytes), y.bytes.begin())) << x.name;
+    EXPECT_TRUE(std::equal(x.bytes.begin(),
+                           x.bytes.begin() + static_cast<std::ptrdiff_t>(a.owned * x.elementBytes),
+                           y.bytes.begin()))
+        << x.name;
   }
 }
 
 TEST(PackedColumns, ComeBackBitByBit) {
   PackedTable packed;  // the same for all: memory is used again
-  for (const std::size_t rows : {std::size_t{5000}, std::size_t{0}, std::size_t{1}, std::size_t{3}, packedBlock - 1, packedBlock, packedBlock + 1, 2 * packedBlock, std::size_t{7001}}) {
+  for (const std::size_t rows :
+       {std::size_t{5000}, std::size_t{0}, std::size_t{1}, std::size_t{3}, packedBlock - 1, packedBlock,
+        packedBlock + 1, 2 * packedBlock, std::size_t{7001}}) {
     Continuum from, to;
     fill(from, rows, static_cast<std::uint32_t>(rows));
     packState(from, packed);
@@ -80,10 +89,16 @@ TEST(PackedColumns, AnyRowsAreUnpackedAlone) {
   for (std::size_t c = 0; c < p.columns.size(); c++) {
     if (!packed.columns[c].there) continue;
     const AnyColumn& column = *p.columns[c];
-    for (const auto& [first, count] : {std::pair{std::size_t{0}, std::size_t{1}}, {packedBlock - 1, std::size_t{2}}, {std::size_t{700}, 2 * packedBlock}, {3 * packedBlock + 70, std::size_t{7}}, {std::size_t{9}, std::size_t{0}}}) {
+    for (const auto& [first, count] : {std::pair{std::size_t{0}, std::size_t{1}},
+                                       {packedBlock - 1, std::size_t{2}},
+                                       {std::size_t{700}, 2 * packedBlock},
+                                       {3 * packedBlock + 70, std::size_t{7}},
+                                       {std::size_t{9}, std::size_t{0}}}) {
       std::vector<std::byte> rows(count * column.elementBytes + 1, std::byte{0x5a});
       unpackRows(packed, column, c, first, count, rows.data());
-      EXPECT_TRUE(std::equal(rows.begin(), rows.end() - 1, column.bytes.begin() + static_cast<std::ptrdiff_t>(first * column.elementBytes))) << column.name << " " << first;
+      EXPECT_TRUE(std::equal(rows.begin(), rows.end() - 1,
+                             column.bytes.begin() + static_cast<std::ptrdiff_t>(first * column.elementBytes)))
+          << column.name << " " << first;
       EXPECT_EQ(rows.back(), std::byte{0x5a}) << "no byte beyond its rows";
     }
   }
@@ -96,7 +111,8 @@ TEST(PackedColumns, WhatAllRowsShareIsKeptOnce) {
   packState(p, packed);
   const auto of = [&](const AnyColumn& column) {
     for (std::size_t c = 0; c < p.columns.size(); c++)
-      if (p.columns[c] == &column) return static_cast<double>(packed.columns[c].bytes.capacity()) / static_cast<double>(p.owned);
+      if (p.columns[c] == &column)
+        return static_cast<double>(packed.columns[c].bytes.capacity()) / static_cast<double>(p.owned);
     return -1.0;
   };
   EXPECT_LT(of(p.mass), 0.1);

@@ -99,7 +99,8 @@ TEST(Watch, HalvesWhatFramesHaveCut) {
   EXPECT_EQ(w.clock.dt, 0.125) << "half of the first power of two below 0.3";
 }
 
-// It halved 60 times, to no effect: half of an infinite step is one; and 1 << halvings overflowed in the message.
+// It halved 60 times, to no effect: half of an infinite step is one; and 1 << halvings overflowed in the
+// message.
 TEST(Watch, HalvesTheWayBetweenFramesWhereNothingLimitsTheStep) {
   World w;
   w.clock.dt = never;
@@ -128,7 +129,8 @@ TEST(Watch, ALongLimitOfHeatIsNoMeasureOfTheStep) {
   s.bodies[0].velocity = {1, 0, 0};
   StepLimits l;
   l[Limit::Heat] = 300;
-  const double step = watchBounds(s, {}, {}, l).step, ofSpeed = supportsPerStep * s.numerics.support * 0.01 / 1;
+  const double step = watchBounds(s, {}, {}, l).step,
+               ofSpeed = supportsPerStep * s.numerics.support * 0.01 / 1;
   EXPECT_DOUBLE_EQ(step, s.numerics.watchStep * ofSpeed);
   l[Limit::Sound] = 1e-3;
   EXPECT_DOUBLE_EQ(watchBounds(s, {}, {}, l).step, s.numerics.watchStep * 1e-3);
@@ -164,7 +166,7 @@ TEST(Watch, EnergyFromNowhereSinceTheLastGoodState) {
   WatchBounds b;
   b.expected = 2, b.energy = 0.5;
   LedgerReport books;
-  books.now.mass = 1;  // 2 J at the expected speed
+  books.now.mass = 1;       // 2 J at the expected speed
   books.energyScale = 100;  // of the whole run
   w.watch.residual = 5;
   books.energyResidual = 5.9;
@@ -214,8 +216,10 @@ TEST(Watch, TheSuspectOfEqualsHasTheLowestId) {
   for (AnyColumn* c : p.columns)
     if (c != &p.slot) p.activate(*c);
   p.resize(3, 0);
-  const std::uint64_t ids[3] = {std::uint64_t(9) << 40 | 3, std::uint64_t(2) << 40 | 8, std::uint64_t(2) << 40 | 7};
-  for (std::size_t i = 0; i < 3; i++) p.id[i] = ids[i], p.mass[i] = 1, p.velocity[i] = {0, i == 0 ? 2.0 : 3.0, 0};
+  const std::uint64_t ids[3] = {std::uint64_t(9) << 40 | 3, std::uint64_t(2) << 40 | 8,
+                                std::uint64_t(2) << 40 | 7};
+  for (std::size_t i = 0; i < 3; i++)
+    p.id[i] = ids[i], p.mass[i] = 1, p.velocity[i] = {0, i == 0 ? 2.0 : 3.0, 0};
   SerialReducer all;
   const Suspect s = findSuspect(w, Alarm::Speed, Limit::Speed, all);
   EXPECT_TRUE(s.here);
@@ -230,14 +234,18 @@ TEST(Watch, AKeptStateIsBroughtBack) {
   GoodState kept;
   StepTools tools;
   Continuum& p = w.particles;
-  for (AnyColumn* c : {static_cast<AnyColumn*>(&p.id), static_cast<AnyColumn*>(&p.position), static_cast<AnyColumn*>(&p.filling)}) p.activate(*c);
+  for (AnyColumn* c : {static_cast<AnyColumn*>(&p.id), static_cast<AnyColumn*>(&p.position),
+                       static_cast<AnyColumn*>(&p.filling)})
+    p.activate(*c);
   p.resize(2, 3);
   p.id[0] = 11, p.id[1] = 12;
   p.position[1] = {1, 2, 3};
   w.clock.step = 7;
   w.counters.melted = 4;
   keepState(w, kept);
-  for (std::size_t c = 0; c < p.columns.size(); c++) EXPECT_EQ(kept.particles.columns[c].there, p.columns[c] == &p.id || p.columns[c] == &p.position) << p.columns[c]->name << "; filling is computed anew";
+  for (std::size_t c = 0; c < p.columns.size(); c++)
+    EXPECT_EQ(kept.particles.columns[c].there, p.columns[c] == &p.id || p.columns[c] == &p.position)
+        << p.columns[c]->name << "; filling is computed anew";
   p.position[1] = {};
   w.clock.step = 9;
   emptyWorld(w, tools);

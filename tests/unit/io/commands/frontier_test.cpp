@@ -12,7 +12,8 @@ namespace {
 std::string linesOf(const std::string& rest) {
   SceneFiles files;
   files.main = "test.toml";
-  files.texts["test.toml"] = "spacing = 0.1\nend = 1\n[material.steel]\nyoung = 1e5\n[material.water]\n" + rest;
+  files.texts["test.toml"] = "spacing = 0.1\nend = 1\n[material.steel]\nyoung = 1e5\n[material.water]\n" +
+                             rest;
   const Scene s = readScene(files);
   std::string all;
   for (const std::string& line : frontierLines(s, modulesOf(s))) all += line + "\n";
@@ -20,7 +21,8 @@ std::string linesOf(const std::string& rest) {
 }
 
 std::string body(const std::string& name, const std::string& material, double x) {
-  return "[[body]]\nname = '" + name + "'\nmaterial = '" + material + "'\nbox = { size = [0.3, 0.3, 0.3] }\nplace = { move = [" + std::to_string(x) + ", 0, 0] }\n";
+  return "[[body]]\nname = '" + name + "'\nmaterial = '" + material +
+         "'\nbox = { size = [0.3, 0.3, 0.3] }\nplace = { move = [" + std::to_string(x) + ", 0, 0] }\n";
 }
 
 }  // namespace
@@ -41,14 +43,17 @@ TEST(Frontier, KeysAreThoseThatSetTakes) {
     const std::string key = text.substr(start, at - start);
     EXPECT_TRUE(key == "quality" || key.rfind("numerics.", 0) == 0 || key.rfind("material.", 0) == 0) << key;
   }
-  EXPECT_EQ(linesOf(body("a", "water", 0) + "[material.oil]\nsurface_tension = 0.03\n").find("packing"), std::string::npos);  // it is on a lattice
+  // it is on a lattice
+  EXPECT_EQ(linesOf(body("a", "water", 0) + "[material.oil]\nsurface_tension = 0.03\n").find("packing"),
+            std::string::npos);
   const std::string drop = linesOf(body("a", "water", 0) + "packing = 'relaxed'\n");
   EXPECT_EQ(drop.find("numerics.body"), std::string::npos) << drop;
 }
 
 TEST(Frontier, AdviceIsShortAndLeavesAloneWhatTheSceneHasChosen) {
   const auto adviceOf = [](const std::string& rest) {
-    const Scene s = readScene(sceneFilesOf("test.toml", "spacing = 0.1\nend = 1\n[material.steel]\nyoung = 1e5\n" + rest));
+    const Scene s = readScene(
+        sceneFilesOf("test.toml", "spacing = 0.1\nend = 1\n[material.steel]\nyoung = 1e5\n" + rest));
     std::vector<std::string> lines;
     for (const Suggestion& one : frontierAdvice(s, modulesOf(s))) lines.push_back(one.line);
     return lines;
@@ -60,41 +65,56 @@ TEST(Frontier, AdviceIsShortAndLeavesAloneWhatTheSceneHasChosen) {
   std::string all;
   for (const std::string& line : lines) {
     EXPECT_LE(line.size(), 160u) << line;
-    EXPECT_TRUE(line.rfind("more accurate: --set ", 0) == 0 || line.rfind("faster:        --set ", 0) == 0) << line;
+    EXPECT_TRUE(line.rfind("more accurate: --set ", 0) == 0 || line.rfind("faster:        --set ", 0) == 0)
+        << line;
     all += line + "\n";
   }
-  EXPECT_NE(all.find("faster:        --set numerics.cfl_elastic=0.6 (solids: 1 times the error, 0.69 times the time)"), std::string::npos) << all;
-  for (const std::string& line : adviceOf(solid + "[numerics]\ncfl_elastic = 0.5\n")) EXPECT_EQ(line.find("cfl_elastic"), std::string::npos) << line;
+  EXPECT_NE(
+      all.find(
+          "faster:        --set numerics.cfl_elastic=0.6 (solids: 1 times the error, 0.69 times the time)"),
+      std::string::npos)
+      << all;
+  for (const std::string& line : adviceOf(solid + "[numerics]\ncfl_elastic = 0.5\n"))
+    EXPECT_EQ(line.find("cfl_elastic"), std::string::npos) << line;
 }
 
 TEST(Frontier, AdviceIsOfCasesThatMoveAsTheSceneDoes) {
   const auto adviceOf = [](const std::string& domain, const std::string& liquid) {
-    const Scene s = readScene(sceneFilesOf("test.toml", "spacing = 0.1\nend = 1\n[domain]\nmin = [0, 0, 0]\nmax = [2, 2, 2]\n" + domain +
-                                                            "\n[material.water]\n[[body]]\nmaterial = 'water'\n" + liquid));
+    const Scene s = readScene(sceneFilesOf(
+        "test.toml", "spacing = 0.1\nend = 1\n[domain]\nmin = [0, 0, 0]\nmax = [2, 2, 2]\n" + domain +
+                         "\n[material.water]\n[[body]]\nmaterial = 'water'\n" + liquid));
     std::string all;
     for (const Suggestion& each : frontierAdvice(s, modulesOf(s))) all += each.line + "\n";
     return all;
   };
-  const auto has = [](const std::string& text, const char* what) { return text.find(what) != std::string::npos; };
-  const std::string walls = "sides = { x = 'wall', y = 'periodic', z = 'wall' }", tank = "box = { size = [2, 2, 1] }\nplace = { move = [1, 1, 0.5] }\n";
+  const auto has = [](const std::string& text, const char* what) {
+    return text.find(what) != std::string::npos;
+  };
+  const std::string walls = "sides = { x = 'wall', y = 'periodic', z = 'wall' }",
+                    tank = "box = { size = [2, 2, 1] }\nplace = { move = [1, 1, 0.5] }\n";
   const std::string dam = "box = { size = [1, 2, 1] }\nplace = { move = [0.5, 1, 0.5] }\n";
   EXPECT_FALSE(has(adviceOf(walls, dam), "liquid at rest"));
   EXPECT_FALSE(has(adviceOf(walls, tank + "velocity = [50, 0, 0]\n"), "numerics.density"));
   EXPECT_FALSE(has(adviceOf(walls, tank + "spin = [0, 0, 50]\n"), "numerics.density"));
-  EXPECT_FALSE(has(adviceOf(walls + "\ngravity = [0, 0, 0]", tank + "velocity = [1, 0, 0]\n"), "numerics.density"));
+  EXPECT_FALSE(
+      has(adviceOf(walls + "\ngravity = [0, 0, 0]", tank + "velocity = [1, 0, 0]\n"), "numerics.density"));
   EXPECT_FALSE(has(adviceOf(walls + "\ngravity = [0, 0, 0]", dam), "liquid that falls"));
 }
 
 TEST(Frontier, LeavesThePackingOfTheScene) {
-  const std::string scene = "spacing = 0.1\nend = 1\n[domain]\ngravity = [0, 0, 0]\n[material.water]\nsurface_tension = 0.07\n" + body("a", "water", 0) + "packing = 'relaxed'\n";
+  const std::string scene =
+      "spacing = 0.1\nend = 1\n[domain]\ngravity = [0, 0, 0]\n[material.water]\nsurface_tension = 0.07\n" +
+      body("a", "water", 0) + "packing = 'relaxed'\n";
   const Scene s = readScene(sceneFilesOf("test.toml", scene));
-  for (const Suggestion& one : frontierAdvice(s, modulesOf(s))) EXPECT_EQ(one.line.find("packing"), std::string::npos) << one.line;
+  for (const Suggestion& one : frontierAdvice(s, modulesOf(s)))
+    EXPECT_EQ(one.line.find("packing"), std::string::npos) << one.line;
 }
 
 TEST(Frontier, SubstepsAreForSolidsThatCannotMeet) {
   const std::string water = body("w", "water", -0.6);
   EXPECT_NE(linesOf(water + body("a", "steel", 0)).find("elastic_substeps="), std::string::npos);
-  EXPECT_EQ(linesOf(water + body("a", "steel", 0) + body("b", "steel", 0.6)).find("elastic_substeps="), std::string::npos);
+  EXPECT_EQ(linesOf(water + body("a", "steel", 0) + body("b", "steel", 0.6)).find("elastic_substeps="),
+            std::string::npos);
 }
 
 }  // namespace thaw

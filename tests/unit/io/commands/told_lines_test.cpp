@@ -16,14 +16,19 @@ TEST(ResolutionLine, TellsTheSpacingsInEffectAndWhatHasChangedThem) {
   s.oriented.emplace_back().name = "net";
   s.oriented.emplace_back().name = "skin";
   s.oriented[1].spacing = 0.005;
-  EXPECT_EQ(resolutionLine(s, {"spacing=2 cm", "quality=preview", "oriented.skin.spacing = 0.005", "spacings=3"}),
-            "spacing 0.02 m, oriented body 'skin' 0.005 m, surfels 0.01 m; quality preview (--set spacing=2 cm, --set quality=preview, --set oriented.skin.spacing = 0.005)");
+  EXPECT_EQ(
+      resolutionLine(s, {"spacing=2 cm", "quality=preview", "oriented.skin.spacing = 0.005", "spacings=3"}),
+      "spacing 0.02 m, oriented body 'skin' 0.005 m, surfels 0.01 m; quality preview (--set spacing=2 cm, "
+      "--set quality=preview, --set oriented.skin.spacing = 0.005)");
 }
 
 TEST(ShortText, IsNeverHalfACharacter) {
   EXPECT_EQ(shortText("abc", 3), "abc");
   EXPECT_EQ(shortText("abcd", 3), "abc...");
-  EXPECT_EQ(shortText("ab\xC3\xA9" "d", 3), "ab...");
+  EXPECT_EQ(shortText("ab\xC3\xA9"
+                      "d",
+                      3),
+            "ab...");
   EXPECT_EQ(shortText(std::string(1000, 'x'), longestTitle).size(), longestTitle + 3);
 }
 

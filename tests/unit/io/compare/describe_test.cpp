@@ -9,7 +9,8 @@ namespace {
 TEST(Describe, TellsAFewOfEachKindAndCountsTheRest) {
   Comparison c;
   c.general.push_back("step: A 3, B 4");
-  for (int k = 0; k < 60; k++) c.general.push_back("coefficient.oriented.film.k" + std::to_string(k) + " is in A only");
+  for (int k = 0; k < 60; k++)
+    c.general.push_back("coefficient.oriented.film.k" + std::to_string(k) + " is in A only");
   for (int k = 0; k < 4; k++) c.general.push_back("ledger k" + std::to_string(k) + ": A 0, B 1");
   const std::vector<std::string> lines = describe(c);
   ASSERT_EQ(lines.size(), 11u);

@@ -1,4 +1,5 @@
-// What `thaw export` and `thaw render` make of sheets and oriented particles, across periodic sides, and of frames without a surface.
+// What `thaw export` and `thaw render` make of sheets and oriented particles, across periodic sides, and of
+// frames without a surface.
 #include <cstring>
 
 #include "io/commands/render.hpp"
@@ -15,7 +16,8 @@ namespace {
 
 /// A square of two triangles, and a triangle of another sheet.
 fs::path writeSheets(const fs::path& path) {
-  const std::vector<Vec3d> places{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 2}, {1, 0, 2}, {0, 1, 2}};
+  const std::vector<Vec3d> places{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                  {0, 0, 2}, {1, 0, 2}, {0, 1, 2}};
   const std::vector<std::uint16_t> bodies{0, 0, 0, 0, 1, 1, 1};
   const std::vector<std::uint8_t> colours(21, 90);
   Frame frame;
@@ -23,7 +25,8 @@ fs::path writeSheets(const fs::path& path) {
   frame.meshed = true;
   frame.triangles = {0, 1, 2, 0, 2, 3, 4, 5, 6};
   frame.positions = {"position", "m", Scalar::F64, 3, places.data()};
-  frame.fields = {{"sheet_body", "1", Scalar::U16, 1, bodies.data()}, {"color", "1", Scalar::U8, 3, colours.data()}};
+  frame.fields = {{"sheet_body", "1", Scalar::U16, 1, bodies.data()},
+                  {"color", "1", Scalar::U8, 3, colours.data()}};
   startMpi();
   writeFrame(path.string(), MPI_COMM_SELF, frame, {});
   return path;
@@ -41,7 +44,8 @@ TEST_F(Export, PicturesShowInOnePieceWhatCrossesAPeriodicSide) {
   const auto widest = [](const FrameView& view) {
     float least = 10, most = -10;
     for (std::size_t i = 0; i < view.positions.size(); i++)
-      if (view.components[i] == 3) least = std::min(least, view.positions[i].x), most = std::max(most, view.positions[i].x);
+      if (view.components[i] == 3)
+        least = std::min(least, view.positions[i].x), most = std::max(most, view.positions[i].x);
     return most - least;
   };
   EXPECT_GT(widest(readFrameView(frame, "surface")), 2.9f);
@@ -57,12 +61,15 @@ TEST_F(Export, SheetsWithTheirTriangles) {
     ASSERT_EQ(m.triangles.size(), 3u);
     EXPECT_EQ(m.vertices.size(), 7u);
     double area = 0;
-    for (const auto& t : m.triangles) area += 0.5 * cross(m.vertices[t[1]] - m.vertices[t[0]], m.vertices[t[2]] - m.vertices[t[0]]).z;
+    for (const auto& t : m.triangles)
+      area += 0.5 * cross(m.vertices[t[1]] - m.vertices[t[0]], m.vertices[t[2]] - m.vertices[t[0]]).z;
     EXPECT_NEAR(area, 1.5, 1e-6);
   }
   ASSERT_EQ(run(frame, "vtp", folder / "cloth.vtp"), 0);
   const std::string vtp = contentOf(folder / "cloth.vtp");
-  for (const char* part : {"NumberOfPoints=\"7\"", "NumberOfPolys=\"3\"", "type=\"UInt16\" Name=\"sheet_body\"", "type=\"UInt8\" Name=\"color\" NumberOfComponents=\"3\""})
+  for (const char* part :
+       {"NumberOfPoints=\"7\"", "NumberOfPolys=\"3\"", "type=\"UInt16\" Name=\"sheet_body\"",
+        "type=\"UInt8\" Name=\"color\" NumberOfComponents=\"3\""})
     EXPECT_NE(vtp.find(part), std::string::npos) << part;
   EXPECT_EQ(run(frame, "pov", folder / "cloth.pov"), 2);
 }
@@ -72,9 +79,15 @@ fs::path writeOriented(const fs::path& path, std::size_t turn) {
   std::vector<Vec3d> places;
   std::vector<std::uint32_t> groups;
   std::vector<std::uint64_t> ids;
-  for (int k = 0; k < 12; k++) places.push_back({(k / 2) + 0.5 * (k % 2), 0.866 * (k % 2), 0}), groups.push_back(0), ids.push_back(static_cast<std::uint64_t>(k));
-  for (int k = 0; k < 5; k++) places.push_back({static_cast<double>(k), 9, 0}), groups.push_back(1), ids.push_back(std::uint64_t(1) << 63 | static_cast<std::uint64_t>(k));
-  const auto turned = [&](auto& v) { std::rotate(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(turn), v.end()); };
+  for (int k = 0; k < 12; k++)
+    places.push_back({(k / 2) + 0.5 * (k % 2), 0.866 * (k % 2), 0}), groups.push_back(0),
+        ids.push_back(static_cast<std::uint64_t>(k));
+  for (int k = 0; k < 5; k++)
+    places.push_back({static_cast<double>(k), 9, 0}), groups.push_back(1),
+        ids.push_back(std::uint64_t(1) << 63 | static_cast<std::uint64_t>(k));
+  const auto turned = [&](auto& v) {
+    std::rotate(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(turn), v.end());
+  };
   turned(places), turned(groups), turned(ids);
   const std::size_t n = places.size();
   std::vector<float> turns, radii(n, 1);
@@ -85,8 +98,12 @@ fs::path writeOriented(const fs::path& path, std::size_t turn) {
   Frame frame;
   frame.count = n;
   frame.positions = {"position", "m", Scalar::F64, 3, places.data()};
-  frame.fields = {{"id", "1", Scalar::U64, 1, ids.data()}, {"oriented_body", "1", Scalar::U16, 1, bodies.data()}, {"orientation", "1", Scalar::F32, 4, turns.data()},
-                  {"radius", "m", Scalar::F32, 1, radii.data()}, {"group", "1", Scalar::U32, 1, groups.data()}, {"cut_sides", "1", Scalar::U64, 1, cuts.data()},
+  frame.fields = {{"id", "1", Scalar::U64, 1, ids.data()},
+                  {"oriented_body", "1", Scalar::U16, 1, bodies.data()},
+                  {"orientation", "1", Scalar::F32, 4, turns.data()},
+                  {"radius", "m", Scalar::F32, 1, radii.data()},
+                  {"group", "1", Scalar::U32, 1, groups.data()},
+                  {"cut_sides", "1", Scalar::U64, 1, cuts.data()},
                   {"flags", "1", Scalar::U8, 1, flags.data()}};
   startMpi();
   writeFrame(path.string(), MPI_COMM_SELF, frame, {});
@@ -104,7 +121,9 @@ TEST_F(Export, OrientedInTheOrderOfIdsWithLinesOfCurves) {
       if (first.empty()) first = now;
       EXPECT_EQ(now, first) << as << " " << turn;
     }
-    const char* has = as == "ply" ? "property uint id_high\nproperty uint id_low\nelement face 10" : as == "obj" ? "\nl 13 14\n" : "NumberOfLines=\"4\" NumberOfStrips=\"0\" NumberOfPolys=\"10\"";
+    const char* has = as == "ply"   ? "property uint id_high\nproperty uint id_low\nelement face 10"
+                      : as == "obj" ? "\nl 13 14\n"
+                                    : "NumberOfLines=\"4\" NumberOfStrips=\"0\" NumberOfPolys=\"10\"";
     EXPECT_NE(first.find(has), std::string::npos) << as;
   }
   EXPECT_NE(contentOf(folder / "o0.ply").find("element edge 4\nproperty int vertex1"), std::string::npos);
@@ -120,20 +139,28 @@ TEST_F(Export, ReadsItsFrames) {
   EXPECT_EQ(f.colours, surfels.rgb());
   EXPECT_EQ(f.radii, surfels.radii);
   EXPECT_TRUE(f.find("temperature") && f.find("liquid") && f.find("detail") && !f.find("normal"));
-  EXPECT_FALSE(readSurfaceFrame(surfaceFrame(1).string(), [](const std::string& n) { return n == "liquid"; }).find("detail"));
-  EXPECT_NE(errorOf([&] { readSurfaceFrame(particleFrame(1).string()); }).find("is not a frame of a surface"), std::string::npos);
+  EXPECT_FALSE(readSurfaceFrame(surfaceFrame(1).string(), [](const std::string& n) {
+                 return n == "liquid";
+               }).find("detail"));
+  EXPECT_NE(errorOf([&] { readSurfaceFrame(particleFrame(1).string()); }).find("is not a frame of a surface"),
+            std::string::npos);
 }
 
 TEST_F(Export, TheSurfaceIsDrawnWhereThereIsOne) {
   const fs::path particles = particleFrame(1);
   EXPECT_EQ(findFrames(folder), std::vector<fs::path>{particles});
-  EXPECT_NE(errorOf([&] { findFrames(folder, FrameKind::Surface); }).find("no frames of a surface in this folder, only of particles, sheets or oriented particles"), std::string::npos);
+  EXPECT_NE(errorOf([&] {
+              findFrames(folder, FrameKind::Surface);
+            }).find("no frames of a surface in this folder, only of particles, sheets or oriented particles"),
+            std::string::npos);
   const fs::path surface = surfaceFrame(1);
   EXPECT_EQ(findFrames(folder), std::vector<fs::path>{surface});
   EXPECT_EQ(findFrames(folder, FrameKind::Particles), std::vector<fs::path>{particles});
-  std::ofstream(folder / "frames" / "wax.hdf.series") << R"({"file-series-version":"1.0","files":[{"name":"wax_000001.hdf","time":0.1}]})";
+  std::ofstream(folder / "frames" / "wax.hdf.series")
+      << R"({"file-series-version":"1.0","files":[{"name":"wax_000001.hdf","time":0.1}]})";
   EXPECT_EQ(findFrames(folder), std::vector<fs::path>{surface});
-  std::ofstream(folder / "frames" / "wax_surface.hdf.series") << R"({"file-series-version":"1.0","files":[{"name":"wax_surface_000001.hdf","time":0.1}]})";
+  std::ofstream(folder / "frames" / "wax_surface.hdf.series")
+      << R"({"file-series-version":"1.0","files":[{"name":"wax_surface_000001.hdf","time":0.1}]})";
   EXPECT_EQ(findFrames(folder), std::vector<fs::path>{surface});
   EXPECT_EQ(findFrames(folder, FrameKind::Particles), std::vector<fs::path>{particles});
   RenderOptions o;
@@ -144,6 +171,7 @@ TEST_F(Export, TheSurfaceIsDrawnWhereThereIsOne) {
   EXPECT_EQ(renderCommand(o), 0);
   EXPECT_TRUE(fs::exists(folder / "pictures" / "wax_000001.png"));
   o.what = "surface";
-  for (const char* field : {"surface", "glow", "liquid", "none"}) EXPECT_EQ((o.field = field, renderCommand(o)), 0) << field;
+  for (const char* field : {"surface", "glow", "liquid", "none"})
+    EXPECT_EQ((o.field = field, renderCommand(o)), 0) << field;
   EXPECT_EQ((o.field = "pressure", renderCommand(o)), 3);
 }

@@ -15,7 +15,8 @@ TEST_F(Export, MeshesAreReadBack) {
   const fs::path frame = surfaceFrame(1);
   ASSERT_EQ(run(frame, "ply"), 0);
   ASSERT_EQ(run(frame, "obj", folder / "out.obj", "temperature"), 0);
-  const TriangleMesh ply = readMesh((folder / "export" / "wax_surface_000001.ply").string()), obj = readMesh((folder / "out.obj").string());
+  const TriangleMesh ply = readMesh((folder / "export" / "wax_surface_000001.ply").string()),
+                     obj = readMesh((folder / "out.obj").string());
   EXPECT_EQ(ply.triangles, obj.triangles);
   EXPECT_NEAR(volumeOf(ply), 4.18879 * (0.125 + 0.008), 0.01);
   EXPECT_NEAR(volumeOf(obj), volumeOf(ply), 1e-6);
@@ -30,14 +31,22 @@ TEST_F(Export, MeshesAcrossPeriodicSidesAreWholeOrTold) {
     SurfelSamples s;
     addSurfels(s);
     for (Vec3f& x : s.positions) x.x -= std::floor(x.x);
-    const std::string scene = "# ---- x.toml\nspacing = 0.1\nend = 1\n[domain]\nmin = [0, 0, 0]\nmax = [1, 1, 1]\nsides = { x = \"periodic\" }\n[material.oil]\n[[body]]\nmaterial = \"oil\"\nsphere = { radius = 0.2 }\nplace = { move = [0.5, 0.5, 0.5] }\n";
+    const std::string scene =
+        "# ---- x.toml\nspacing = 0.1\nend = 1\n[domain]\nmin = [0, 0, 0]\nmax = [1, 1, 1]\nsides = { x = "
+        "\"periodic\" }\n[material.oil]\n[[body]]\nmaterial = \"oil\"\nsphere = { radius = 0.2 }\nplace = { "
+        "move = [0.5, 0.5, 0.5] }\n";
     const fs::path frame = folder / "frames" / (name + "_surface_000001.hdf");
     writeSurfaceFrame(frame.string(), s, 0.1, true, scene);
     testing::internal::CaptureStdout();
     EXPECT_EQ(run(frame, "ply", folder / (name + ".ply")), 0);
     return testing::internal::GetCapturedStdout();
   };
-  EXPECT_EQ(across("ball", [](SurfelSamples& s) { sampleBall(s, {0.95, 0.5, 0.5}, 0.3, 0.05, 3); }).find("periodic"), std::string::npos);
+  EXPECT_EQ(across("ball",
+                   [](SurfelSamples& s) {
+                     sampleBall(s, {0.95, 0.5, 0.5}, 0.3, 0.05, 3);
+                   })
+                .find("periodic"),
+            std::string::npos);
   const TriangleMesh ball = readMesh((folder / "ball.ply").string());
   EXPECT_NEAR(volumeOf(ball), 4.18879 * 0.027, 0.01 * 0.113);
   double high = 0;
@@ -48,9 +57,12 @@ TEST_F(Export, MeshesAcrossPeriodicSidesAreWholeOrTold) {
     sampleMesh(rod, boxMesh({-1, 0.3, 0.3}, {2, 0.6, 0.7}), 0.05, false, 3);
     for (std::size_t i = 0; i < rod.size(); i++)
       if (rod.positions[i].x >= 0 && rod.positions[i].x < 1)
-        s.add({rod.positions[i].x, rod.positions[i].y, rod.positions[i].z}, {rod.normals[i].x, rod.normals[i].y, rod.normals[i].z}, 0.05, 3);
+        s.add({rod.positions[i].x, rod.positions[i].y, rod.positions[i].z},
+              {rod.normals[i].x, rod.normals[i].y, rod.normals[i].z}, 0.05, 3);
   });
-  EXPECT_NE(said.find("component 3, which goes round the periodic sides along x, is cut there and capped"), std::string::npos) << said;
+  EXPECT_NE(said.find("component 3, which goes round the periodic sides along x, is cut there and capped"),
+            std::string::npos)
+      << said;
   EXPECT_NE(contentOf(folder / "rod.ply").find("comment component 3, which goes round"), std::string::npos);
   EXPECT_NEAR(volumeOf(readMesh((folder / "rod.ply").string())), 0.12, 0.01 * 0.12);
 }
@@ -64,7 +76,11 @@ TEST_F(Export, CubesWiderThanABodyAreTold) {
     EXPECT_EQ(exportCommand(o), 0);
     const std::string said = testing::internal::GetCapturedStderr();
     if (cell == 1) EXPECT_EQ(said, "");
-    else EXPECT_NE(said.find("--cell 10: cubes of 0.5 m are too wide for 2 of 2 components, which are made with finer ones; 0.5 to 2 is sensible"), std::string::npos) << said;
+    else
+      EXPECT_NE(said.find("--cell 10: cubes of 0.5 m are too wide for 2 of 2 components, which are made with "
+                          "finer ones; 0.5 to 2 is sensible"),
+                std::string::npos)
+          << said;
   }
 }
 
@@ -75,15 +91,19 @@ TEST_F(Export, DiscsAreWhereTheSurfelsAre) {
   ASSERT_EQ(m.vertices.size(), 8 * surfels.size());
   for (std::size_t i = 0; i < surfels.size(); i += 37)
     for (std::size_t k = 0; k < 8; k++) {
-      const Vec3d d = m.vertices[8 * i + k] - Vec3d{surfels.positions[i].x, surfels.positions[i].y, surfels.positions[i].z};
+      const Vec3d d = m.vertices[8 * i + k] -
+                      Vec3d{surfels.positions[i].x, surfels.positions[i].y, surfels.positions[i].z};
       EXPECT_NEAR(length(d), surfels.radii[i], 1e-6);
-      EXPECT_NEAR(d.x * surfels.normals[i].x + d.y * surfels.normals[i].y + d.z * surfels.normals[i].z, 0, 1e-6);
+      EXPECT_NEAR(d.x * surfels.normals[i].x + d.y * surfels.normals[i].y + d.z * surfels.normals[i].z, 0,
+                  1e-6);
     }
   // Seen from outside the corners go round against the clock.
   for (std::size_t t = 0; t < m.triangles.size(); t += 91) {
     const auto& c = m.triangles[t];
     const Vec3f& n = surfels.normals[c[0] / 8];
-    EXPECT_GT(dot(cross(m.vertices[c[1]] - m.vertices[c[0]], m.vertices[c[2]] - m.vertices[c[0]]), Vec3d{n.x, n.y, n.z}), 0);
+    EXPECT_GT(dot(cross(m.vertices[c[1]] - m.vertices[c[0]], m.vertices[c[2]] - m.vertices[c[0]]),
+                  Vec3d{n.x, n.y, n.z}),
+              0);
   }
 }
 
@@ -92,10 +112,12 @@ TEST_F(Export, VtpAndPovHoldEverySurfel) {
   ASSERT_EQ(run(frame, "vtp"), 0);
   ASSERT_EQ(run(frame, "pov"), 0);
   const std::string vtp = contentOf(folder / "export" / "wax_surface_000001.vtp");
-  for (const char* name : {"normal", "radius", "color", "id", "component", "liquid", "temperature", "detail", "connectivity", "offsets", "Points"})
+  for (const char* name : {"normal", "radius", "color", "id", "component", "liquid", "temperature", "detail",
+                           "connectivity", "offsets", "Points"})
     EXPECT_NE(vtp.find("Name=\"" + std::string(name) + "\""), std::string::npos) << name;
   // The points stand where their element says, behind their length.
-  const std::size_t element = vtp.find("Name=\"Points\""), offset = std::stoul(vtp.substr(vtp.find("offset=\"", element) + 8));
+  const std::size_t element = vtp.find("Name=\"Points\""),
+                    offset = std::stoul(vtp.substr(vtp.find("offset=\"", element) + 8));
   const char* points = vtp.data() + vtp.find("<AppendedData encoding=\"raw\">\n_") + 31 + offset;
   std::uint64_t bytes;
   std::memcpy(&bytes, points, 8);
@@ -115,7 +137,8 @@ TEST_F(Export, AllFramesOfARunAndEveryErrorIsSaid) {
   surfaceFrame(0), surfaceFrame(1);
   const fs::path particles = particleFrame(0);
   EXPECT_EQ(run(folder, "ply", folder / "meshes"), 0);
-  EXPECT_TRUE(fs::exists(folder / "meshes" / "wax_surface_000000.ply") && fs::exists(folder / "meshes" / "wax_surface_000001.ply"));
+  EXPECT_TRUE(fs::exists(folder / "meshes" / "wax_surface_000000.ply") &&
+              fs::exists(folder / "meshes" / "wax_surface_000001.ply"));
   EXPECT_EQ(run(particles, "ply"), 3);
   EXPECT_EQ(run(folder / "nowhere", "ply"), 3);
   EXPECT_EQ(run(folder, "stl"), 2);
@@ -136,7 +159,10 @@ TEST_F(Export, AFilmIsMadeOrTheCommandSaid) {
     makeMovie(pictures, folder / "a.mp4", 25);
     EXPECT_GT(fs::file_size(folder / "a.mp4"), 500u);
     std::ofstream(folder / "bad_000001.png") << "no picture";
-    EXPECT_NE(errorOf([&] { makeMovie({folder / "bad_000001.png"}, folder / "bad.mp4", 25); }).find("ffmpeg failed"), std::string::npos);
+    EXPECT_NE(errorOf([&] {
+                makeMovie({folder / "bad_000001.png"}, folder / "bad.mp4", 25);
+              }).find("ffmpeg failed"),
+              std::string::npos);
     EXPECT_FALSE(fs::exists(folder / "bad.mp4"));
   } else {
     EXPECT_NE(errorOf([&] { makeMovie(pictures, folder / "a.mp4", 25); }), "no error");

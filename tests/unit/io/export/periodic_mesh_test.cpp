@@ -1,4 +1,5 @@
-// Closed meshes of components that cross periodic sides: in one piece, or cut at the sides and capped where they go all the way round.
+// Closed meshes of components that cross periodic sides: in one piece, or cut at the sides and capped where
+// they go all the way round.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -22,7 +23,8 @@ struct Surfaces {
     for (std::size_t i = 0; i < s.size(); i++) {
       Vec3d x{s.positions[i].x, s.positions[i].y, s.positions[i].z};
       for (int a = 0; a < 3; a++)
-        if (sides.is[static_cast<std::size_t>(a)]) x[a] -= sides.period[a] * std::floor((x[a] - sides.min[a]) / sides.period[a]);
+        if (sides.is[static_cast<std::size_t>(a)])
+          x[a] -= sides.period[a] * std::floor((x[a] - sides.min[a]) / sides.period[a]);
       frame.positions.push_back(x);
       frame.normals.push_back(inward ? -s.normals[i] : s.normals[i]);
       frame.radii.push_back(s.radii[i]);
@@ -45,7 +47,9 @@ struct Surfaces {
     sampleBall(s, centre, radius, spacing, 5);
     put(s, sides, inward);
   }
-  ComponentMesh mesh(const PeriodicSides& sides) const { return meshOfComponent(frame, rowsByComponent(frame).at(0), frame.colours, sides); }
+  ComponentMesh mesh(const PeriodicSides& sides) const {
+    return meshOfComponent(frame, rowsByComponent(frame).at(0), frame.colours, sides);
+  }
 };
 
 double ballVolume(double r) { return 4 * std::numbers::pi / 3 * r * r * r; }
@@ -88,7 +92,8 @@ TEST(PeriodicMesh, ABallOverACornerIsInOnePiece) {
 
 TEST(PeriodicMesh, WhatGoesRoundIsCutAtTheSidesAndCapped) {
   const PeriodicSides sides = sidesOf(true, false, false);
-  const TriangleMesh rod = boxMesh({-1.5, 0.4, 0.5}, {1.9, 0.7, 0.8});  // longer than the domain: its ends are left out
+  // longer than the domain: its ends are left out
+  const TriangleMesh rod = boxMesh({-1.5, 0.4, 0.5}, {1.9, 0.7, 0.8});
   Surfaces s;
   s.addBox(rod, sides, [](const Vec3d& x) { return x.x >= -0.1 && x.x < 0.9; });
   const ComponentMesh m = s.mesh(sides);
@@ -99,8 +104,10 @@ TEST(PeriodicMesh, WhatGoesRoundIsCutAtTheSidesAndCapped) {
   EXPECT_NEAR(rangeOf(m.mesh, 0)[1], 0.9, 1e-12);
   double cap = 0;  // area of what looks along x, on the plane
   for (const auto& t : m.mesh.triangles) {
-    const Vec3d area = 0.5 * cross(m.mesh.vertices[t[1]] - m.mesh.vertices[t[0]], m.mesh.vertices[t[2]] - m.mesh.vertices[t[0]]);
-    if (std::abs(m.mesh.vertices[t[0]].x - 0.9) < 1e-9 && std::abs(m.mesh.vertices[t[1]].x - 0.9) < 1e-9 && std::abs(m.mesh.vertices[t[2]].x - 0.9) < 1e-9) {
+    const Vec3d area = 0.5 * cross(m.mesh.vertices[t[1]] - m.mesh.vertices[t[0]],
+                                   m.mesh.vertices[t[2]] - m.mesh.vertices[t[0]]);
+    if (std::abs(m.mesh.vertices[t[0]].x - 0.9) < 1e-9 && std::abs(m.mesh.vertices[t[1]].x - 0.9) < 1e-9 &&
+        std::abs(m.mesh.vertices[t[2]].x - 0.9) < 1e-9) {
       EXPECT_NEAR(area.x, length(area), 1e-15);
       cap += area.x;
     }
@@ -147,7 +154,8 @@ TEST(PeriodicMesh, AroundAHollowAloneTheBodyFillsTheDomain) {
 TEST(PeriodicMesh, NearItsOwnImageIsNotRound) {
   const PeriodicSides sides = sidesOf(true, false, false);
   Surfaces s;
-  s.addBox(boxMesh({0.2, 0.4, 0.5}, {1.13, 0.7, 0.8}), sides, [](const Vec3d&) { return true; });  // a gap of 2.3 spacings: under two it would be cut, and as right
+  // a gap of 2.3 spacings: under two it would be cut, and as right
+  s.addBox(boxMesh({0.2, 0.4, 0.5}, {1.13, 0.7, 0.8}), sides, [](const Vec3d&) { return true; });
   const ComponentMesh m = s.mesh(sides);
   expectShells(m.mesh, 1);
   EXPECT_EQ(m.cut, (std::array<bool, 3>{}));

@@ -50,8 +50,11 @@ TEST(SurfaceMesh, OfABallIsABall) {
     const ComponentMesh m = only(s);
     EXPECT_EQ(m.component, 7u);
     expectClosed(m.mesh);
-    EXPECT_EQ(m.mesh.vertices.size() + m.mesh.triangles.size() - m.mesh.triangles.size() * 3 / 2, 2u);  // one shell without handles
-    EXPECT_NEAR(volumeOf(m.mesh), 4 * std::numbers::pi / 3 * radius * radius * radius, 0.012 * 4.19 * radius * radius * radius) << ratio;
+    // one shell without handles
+    EXPECT_EQ(m.mesh.vertices.size() + m.mesh.triangles.size() - m.mesh.triangles.size() * 3 / 2, 2u);
+    EXPECT_NEAR(volumeOf(m.mesh), 4 * std::numbers::pi / 3 * radius * radius * radius,
+                0.012 * 4.19 * radius * radius * radius)
+        << ratio;
     double largest = 0, tilt = 1;
     for (std::size_t v = 0; v < m.mesh.vertices.size(); v++) {
       const Vec3d d = m.mesh.vertices[v] - Vec3d{0.1, 0.2, 0.3};
@@ -73,7 +76,7 @@ TEST(SurfaceMesh, OfACubeKeepsFacesAndEdges) {
   expectClosed(m.mesh);
   EXPECT_NEAR(volumeOf(m.mesh), 1, 0.01);
   const auto [largest, mean] = awayFrom(m.mesh, box);
-  EXPECT_LT(largest, 0.6 * 0.05);   // at edges and corners; on faces nothing
+  EXPECT_LT(largest, 0.6 * 0.05);  // at edges and corners; on faces nothing
   EXPECT_LT(mean, 0.03 * 0.05);
 }
 
@@ -101,7 +104,8 @@ TEST(SurfaceMesh, EachOfThousandsOfComponentsHasItsOwn) {
   const std::vector<ComponentRows> components = rowsByComponent(f);
   ASSERT_EQ(components.size(), 2000u);
   std::uint64_t before = 0;
-  double fewest = 0, few = 0;  // largest errors of volume, of less than 24 surfels (down to twelve) and of more
+  double fewest = 0, few = 0;  // largest errors of volume, of less than 24 surfels (down to twelve) and of
+                               // more
   for (const ComponentRows& c : components) {
     EXPECT_GT(c.component, before);
     before = c.component;
@@ -125,7 +129,8 @@ TEST(SurfaceMesh, SheetsNearEachOtherStayApart) {
   EXPECT_NEAR(volumeOf(m.mesh), 0.05, 0.005);
 }
 
-// Whose surfel is nearest by its middle is a matter of chance there: behind a crease of the bust there was a bubble of 48 triangles.
+// Whose surfel is nearest by its middle is a matter of chance there: behind a crease of the bust there was a
+// bubble of 48 triangles.
 TEST(SurfaceMesh, BehindACrackNarrowerThanSurfelsAreApartThereAreNoBubbles) {
   for (std::uint64_t seed = 1; seed <= 3; seed++) {
     SurfelSamples s;
@@ -147,6 +152,8 @@ TEST(SurfaceMesh, WhatEnclosesNothingIsEmptyAndHolesAreClosed) {
   SurfelSamples whole;
   sampleBall(whole, {0, 0, 0}, 0.5, 0.05, 1);
   for (std::size_t i = 0; i < whole.size(); i++)
-    if (whole.positions[i].z > -0.35f) half.add({whole.positions[i].x, whole.positions[i].y, whole.positions[i].z}, {whole.normals[i].x, whole.normals[i].y, whole.normals[i].z}, 0.05, 1);
+    if (whole.positions[i].z > -0.35f)
+      half.add({whole.positions[i].x, whole.positions[i].y, whole.positions[i].z},
+               {whole.normals[i].x, whole.normals[i].y, whole.normals[i].z}, 0.05, 1);
   expectClosed(only(half).mesh);
 }

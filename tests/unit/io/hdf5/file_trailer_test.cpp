@@ -16,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct FileTrailerOf : testing::Test {
-  std::string path = (fs::temp_directory_path() / ("thaw_trailer_" + std::to_string(::getpid()) + ".hdf")).string();
+  std::string path =
+      (fs::temp_directory_path() / ("thaw_trailer_" + std::to_string(::getpid()) + ".hdf")).string();
   ~FileTrailerOf() override { fs::remove(path); }
 
   std::string bytes() const {
@@ -27,9 +28,7 @@ struct FileTrailerOf : testing::Test {
   bool refused() const {
     try {
       checkTrailer(path);
-    } catch (const IoError&) {
-      return true;
-    }
+    } catch (const IoError&) { return true; }
     return false;
   }
 };
@@ -44,7 +43,8 @@ TEST_F(FileTrailerOf, EveryByteButRowsCounts) {
     std::string s = whole;
     s[k] = static_cast<char>(s[k] ^ 4);
     put(s);
-    const bool rows = k >= 10 && k < 110, magic = k + 8 >= whole.size();  // without the magic there is no trailer
+    // without the magic there is no trailer
+    const bool rows = k >= 10 && k < 110, magic = k + 8 >= whole.size();
     if (magic) EXPECT_FALSE(checkTrailer(path)) << k;
     else EXPECT_EQ(refused(), !rows) << k;
   }

@@ -26,9 +26,7 @@ struct Folder {
 std::string errorOf(const std::function<void()>& work) {
   try {
     work();
-  } catch (const IoError& e) {
-    return e.what();
-  }
+  } catch (const IoError& e) { return e.what(); }
   return {};
 }
 
@@ -74,11 +72,16 @@ TEST(H5File, GivesBackWhatWasWritten) {
 
 TEST(H5File, ErrorsNameFileAndReason) {
   const Folder folder;
-  EXPECT_NE(errorOf([&] { H5File::create(folder.path + "/no/f.hdf"); }).find("No such file or directory"), std::string::npos);
-  EXPECT_EQ(errorOf([&] { H5File::openToRead(folder.path + "/f.hdf"); }), folder.path + "/f.hdf: there is no such file");
+  EXPECT_NE(errorOf([&] { H5File::create(folder.path + "/no/f.hdf"); }).find("No such file or directory"),
+            std::string::npos);
+  EXPECT_EQ(errorOf([&] { H5File::openToRead(folder.path + "/f.hdf"); }),
+            folder.path + "/f.hdf: there is no such file");
   EXPECT_NE(errorOf([&] { H5File::openToRead(folder.path); }).find("is a folder"), std::string::npos);
   std::ofstream(folder.path + "/text.hdf") << "this is text";
-  EXPECT_NE(errorOf([&] { H5File::openToRead(folder.path + "/text.hdf"); }).find("cannot be opened as an HDF5 file"), std::string::npos);
+  EXPECT_NE(errorOf([&] {
+              H5File::openToRead(folder.path + "/text.hdf");
+            }).find("cannot be opened as an HDF5 file"),
+            std::string::npos);
   H5File file = H5File::create(folder.path + "/f.hdf");
   file.createDataset("/v", {Element::U16, 4, 0});
   std::uint16_t v[8] = {};
@@ -90,7 +93,8 @@ TEST(H5File, ErrorsNameFileAndReason) {
 TEST(H5File, AFullDiskShowsAtTheEndAndTheProcessLivesOn) {
   const Folder folder;
   std::signal(SIGXFSZ, SIG_IGN);
-  struct rlimit old {}, tight {};
+  struct rlimit old {
+  }, tight{};
   getrlimit(RLIMIT_FSIZE, &old);
   tight = old;
   tight.rlim_cur = 4096;

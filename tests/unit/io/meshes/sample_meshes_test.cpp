@@ -1,4 +1,5 @@
-// Scanned and modelled meshes that are not part of the project: tried where they are (THAW_MESHES or ../shared/meshes).
+// Scanned and modelled meshes that are not part of the project: tried where they are (THAW_MESHES or
+// ../shared/meshes).
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -7,18 +8,22 @@
 #include <filesystem>
 
 #include "core/geometry/mesh_distance.hpp"
-#include "tests/support/samples.hpp"
 #include "io/meshes/read_mesh.hpp"
 #include "tests/support/meshes.hpp"
+#include "tests/support/samples.hpp"
 
 namespace thaw {
 namespace {
 
-double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+double seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 std::filesystem::path meshFile(const char* name) {
   const char* folder = std::getenv("THAW_MESHES");
-  return (folder ? std::filesystem::path(folder) : std::filesystem::path(THAW_SOURCE_DIR) / "../shared/meshes") / name;
+  return (folder ? std::filesystem::path(folder)
+                 : std::filesystem::path(THAW_SOURCE_DIR) / "../shared/meshes") /
+         name;
 }
 
 void tryMesh(const char* name) {
@@ -34,8 +39,8 @@ void tryMesh(const char* name) {
   const SampleLattice lattice = sampleLattice(d, spacing);
   const Samples samples = sampleShape(d, lattice, {0, lattice.rows()});
   const double t3 = seconds();
-  std::printf("%s: %lld triangles, read %.3f s, made ready %.3f s, %zu samples in %.3f s\n", name, static_cast<long long>(r.triangles), t1 - t0, t2 - t1,
-              samples.number.size(), t3 - t2);
+  std::printf("%s: %lld triangles, read %.3f s, made ready %.3f s, %zu samples in %.3f s\n", name,
+              static_cast<long long>(r.triangles), t1 - t0, t2 - t1, samples.number.size(), t3 - t2);
   std::vector<std::string> notes;
   d.addNotes(notes);
   for (const std::string& n : notes) std::printf("  %s\n", n.c_str());
@@ -61,7 +66,8 @@ void tryMesh(const char* name) {
   const int n = 100000;
   const Bounds b = d.bounds();
   for (std::uint64_t k = 0; k < n; k++) sum += d.distanceWithin(randomPoint(b, k), 2 * spacing);
-  std::printf("  distance within 2 spacings: %.0f ns a point of the bounding box (%g)\n", (seconds() - t4) * 1e9 / n, sum);
+  std::printf("  distance within 2 spacings: %.0f ns a point of the bounding box (%g)\n",
+              (seconds() - t4) * 1e9 / n, sum);
 }
 
 TEST(SampleMeshes, nefertiti) { tryMesh("nefertiti.obj"); }

@@ -1,4 +1,5 @@
-// Discs in parts: on the surface between the surfels, without holes; none where it is flat or ends in a sharp edge.
+// Discs in parts: on the surface between the surfels, without holes; none where it is flat or ends in a sharp
+// edge.
 #include "io/render/curved_discs.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,8 @@ struct Ball {
   std::vector<float> radii;
   explicit Ball(int n) {
     for (int k = 0; k < n; k++) {
-      const float z = 1 - (2 * static_cast<float>(k) + 1) / static_cast<float>(n), across = std::sqrt(1 - z * z), angle = 2.3999632f * static_cast<float>(k);
+      const float z = 1 - (2 * static_cast<float>(k) + 1) / static_cast<float>(n),
+                  across = std::sqrt(1 - z * z), angle = 2.3999632f * static_cast<float>(k);
       positions.push_back({across * std::cos(angle), across * std::sin(angle), z});
     }
     normals = positions;
@@ -39,7 +41,8 @@ TEST(CurvedDiscs, OfADropOfTwentyFourSurfelsCoverItsSphere) {
   }
   for (const Vec3f& d : directions.positions) {
     bool covered = false;
-    for (const DiscPart& p : parts) covered = covered || dot(d - p.position, d - p.position) < p.radius * p.radius;
+    for (const DiscPart& p : parts)
+      covered = covered || dot(d - p.position, d - p.position) < p.radius * p.radius;
     EXPECT_TRUE(covered);
   }
 }
@@ -48,9 +51,12 @@ TEST(CurvedDiscs, FlatOnesAndSharpEdgesStayWhole) {
   std::vector<Vec3f> positions, normals;  // two faces of a cube
   for (int i = 0; i < 10; i++)
     for (int j = 0; j < 10; j++) {
-      positions.push_back({0.1f * (static_cast<float>(i) + 0.5f), 0.1f * (static_cast<float>(j) + 0.5f), 1}), normals.push_back({0, 0, 1});
-      positions.push_back({1, 0.1f * (static_cast<float>(j) + 0.5f), 0.1f * (static_cast<float>(i) + 0.5f)}), normals.push_back({1, 0, 0});
+      positions.push_back({0.1f * (static_cast<float>(i) + 0.5f), 0.1f * (static_cast<float>(j) + 0.5f), 1}),
+          normals.push_back({0, 0, 1});
+      positions.push_back({1, 0.1f * (static_cast<float>(j) + 0.5f), 0.1f * (static_cast<float>(i) + 0.5f)}),
+          normals.push_back({1, 0, 0});
     }
   const std::vector<float> radii(positions.size(), 0.125f);
-  EXPECT_EQ(curvedDiscs({positions, radii, normals}, {}, [](std::uint32_t) { return 1e-4f; }).size(), positions.size());
+  EXPECT_EQ(curvedDiscs({positions, radii, normals}, {}, [](std::uint32_t) { return 1e-4f; }).size(),
+            positions.size());
 }

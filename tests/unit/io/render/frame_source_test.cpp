@@ -16,7 +16,9 @@ namespace {
 
 class FrameSource : public testing::Test {
  protected:
-  fs::path folder = fs::path(testing::TempDir()) / ("thaw_frames_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  fs::path folder = fs::path(testing::TempDir()) /
+                    ("thaw_frames_" +
+                     std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
   FrameSource() {
     fs::remove_all(folder);
     fs::create_directories(folder / "frames");
@@ -29,7 +31,8 @@ class FrameSource : public testing::Test {
     for (const char* group : {"/VTKHDF", "/VTKHDF/PointData", "/VTKHDF/FieldData"}) file.createGroup(group);
     std::vector<double> points(3 * count), temperature(count), stress(6 * count);
     for (std::size_t i = 0; i < count; i++) {
-      points[3 * i] = 0.1 * static_cast<double>(i % 5), points[3 * i + 1] = 0.1 * static_cast<double>(i / 5), points[3 * i + 2] = time;
+      points[3 * i] = 0.1 * static_cast<double>(i % 5), points[3 * i + 1] = 0.1 * static_cast<double>(i / 5),
+                 points[3 * i + 2] = time;
       temperature[i] = 300 + static_cast<double>(i);
       stress[6 * i] = 3, stress[6 * i + 3] = 4;
     }
@@ -50,9 +53,7 @@ class FrameSource : public testing::Test {
 std::string errorOf(const std::function<void()>& what) {
   try {
     what();
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
+  } catch (const std::runtime_error& error) { return error.what(); }
   return "no error";
 }
 
@@ -78,22 +79,30 @@ TEST_F(FrameSource, FindsFramesByIndexOrByName) {
   std::ofstream(folder / "frames" / "a_3.hdf.part") << "x";
   EXPECT_EQ(findFrames(folder).size(), 3u);
   EXPECT_EQ(findFrames(folder / "frames")[2].filename(), "a_2.hdf");
-  writeIndex(R"({"file-series-version":"1.0","files":[{"name":"a_1.hdf","time":2},{"name":"a_0.hdf","time":1}]})");
-  EXPECT_EQ(findFrames(folder), (std::vector<fs::path>{folder / "frames/a_0.hdf", folder / "frames/a_1.hdf"}));
+  writeIndex(
+      R"({"file-series-version":"1.0","files":[{"name":"a_1.hdf","time":2},{"name":"a_0.hdf","time":1}]})");
+  EXPECT_EQ(findFrames(folder),
+            (std::vector<fs::path>{folder / "frames/a_0.hdf", folder / "frames/a_1.hdf"}));
   EXPECT_EQ(findFrames(folder / "frames" / "a.hdf.series").size(), 2u);
   EXPECT_EQ(findFrames(folder / "frames" / "a_2.hdf").size(), 1u);
 }
 
 TEST_F(FrameSource, EveryErrorNamesTheFile) {
-  const fs::path path = writeFrame("a_0.hdf", 0, 1000), cut = folder / "frames" / "cut.hdf", text = folder / "frames" / "text.hdf";
-  EXPECT_NE(errorOf([&] { readFrameView(path, "colour"); }).find("no field 'colour'; there are: stress, temperature, velocity"), std::string::npos);
+  const fs::path path = writeFrame("a_0.hdf", 0, 1000), cut = folder / "frames" / "cut.hdf",
+                 text = folder / "frames" / "text.hdf";
+  EXPECT_NE(errorOf([&] {
+              readFrameView(path, "colour");
+            }).find("no field 'colour'; there are: stress, temperature, velocity"),
+            std::string::npos);
   std::ofstream(text) << "not HDF5";
   fs::copy_file(path, cut);
   fs::resize_file(cut, fs::file_size(cut) / 2);
-  for (const fs::path& bad : {cut, text, folder / "frames" / "none.hdf"}) EXPECT_NE(errorOf([&] { readFrameView(bad, ""); }).find(bad.string()), std::string::npos) << bad;
+  for (const fs::path& bad : {cut, text, folder / "frames" / "none.hdf"})
+    EXPECT_NE(errorOf([&] { readFrameView(bad, ""); }).find(bad.string()), std::string::npos) << bad;
   writeIndex("{");
   EXPECT_NE(errorOf([&] { findFrames(folder); }).find("a.hdf.series"), std::string::npos);
-  EXPECT_NE(errorOf([&] { findFrames(folder / "nowhere"); }).find("there is no such file or folder"), std::string::npos);
+  EXPECT_NE(errorOf([&] { findFrames(folder / "nowhere"); }).find("there is no such file or folder"),
+            std::string::npos);
 }
 
 TEST_F(FrameSource, TheCommandWritesPicturesAndSaysWhatIsWrong) {
@@ -103,7 +112,8 @@ TEST_F(FrameSource, TheCommandWritesPicturesAndSaysWhatIsWrong) {
   options.sheet = folder / "pictures" / "sheet.png";
   options.width = 100, options.height = 80;
   EXPECT_EQ(renderCommand(options), 0);
-  for (const char* name : {"a_0.png", "a_1.png", "a_2.png", "sheet.png"}) EXPECT_TRUE(fs::exists(folder / "pictures" / name)) << name;
+  for (const char* name : {"a_0.png", "a_1.png", "a_2.png", "sheet.png"})
+    EXPECT_TRUE(fs::exists(folder / "pictures" / name)) << name;
   RenderOptions bad = options;
   bad.field = "colour";
   EXPECT_EQ(renderCommand(bad), 3);

@@ -19,7 +19,8 @@ Image readPng(const std::filesystem::path& path) {
   if (!png_image_begin_read_from_file(&png, path.c_str())) throw std::runtime_error(png.message);
   png.format = PNG_FORMAT_RGB;
   Image image(static_cast<int>(png.width), static_cast<int>(png.height));
-  if (!png_image_finish_read(&png, nullptr, image.pixels.data(), 0, nullptr)) throw std::runtime_error(png.message);
+  if (!png_image_finish_read(&png, nullptr, image.pixels.data(), 0, nullptr))
+    throw std::runtime_error(png.message);
   return image;
 }
 
@@ -40,7 +41,9 @@ int inked(const Image& image) {
 TEST(Png, ComesBackAsItWasWritten) {
   Image image(37, 23);
   for (int y = 0; y < 23; y++)
-    for (int x = 0; x < 37; x++) image.at(x, y) = {static_cast<std::uint8_t>(x * 6), static_cast<std::uint8_t>(y * 11), static_cast<std::uint8_t>(x ^ y)};
+    for (int x = 0; x < 37; x++)
+      image.at(x, y) = {static_cast<std::uint8_t>(x * 6), static_cast<std::uint8_t>(y * 11),
+                        static_cast<std::uint8_t>(x ^ y)};
   const auto path = std::filesystem::path(testing::TempDir()) / "thaw_png_test.png";
   writePng(image, path);
   EXPECT_EQ(readPng(path).pixels, image.pixels);
@@ -61,7 +64,8 @@ TEST(Png, NamesTheFileThatCannotBeWritten) {
 
 TEST(Png, AFullDiskIsAnError) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
-  const auto path = std::filesystem::path(testing::TempDir()) / "thaw_full.png", part = std::filesystem::path(path.string() + ".part");
+  const auto path = std::filesystem::path(testing::TempDir()) / "thaw_full.png",
+             part = std::filesystem::path(path.string() + ".part");
   std::filesystem::remove(part);
   std::filesystem::create_symlink("/dev/full", part);
   EXPECT_THROW(writePng(Image(500, 500), path), std::runtime_error);
@@ -86,9 +90,12 @@ TEST(Image, ScalingDownKeepsTheMean) {
 TEST(ColourMap, LightnessRises) {
   for (const char* name : {"ember", "sea", "grey"}) {
     const Palette p = paletteOf(colourMapNamed(name));
-    for (std::size_t i = 8; i < p.size(); i += 8) EXPECT_GT(luminance(p[i]), luminance(p[i - 8])) << name << ' ' << i;
+    for (std::size_t i = 8; i < p.size(); i += 8)
+      EXPECT_GT(luminance(p[i]), luminance(p[i - 8])) << name << ' ' << i;
     for (std::size_t i = 1; i < p.size(); i++)
-      EXPECT_LT(std::abs(p[i].r - p[i - 1].r) + std::abs(p[i].g - p[i - 1].g) + std::abs(p[i].b - p[i - 1].b), 25) << name << ' ' << i;
+      EXPECT_LT(std::abs(p[i].r - p[i - 1].r) + std::abs(p[i].g - p[i - 1].g) + std::abs(p[i].b - p[i - 1].b),
+                25)
+          << name << ' ' << i;
   }
   EXPECT_THROW(colourMapNamed("jet"), std::invalid_argument);
 }
@@ -123,7 +130,9 @@ TEST(ColourBar, OfAConstantFieldHasTheColourThatThePictureHas) {
     drawColourBar(image, scale);
     const Rgb wanted = paletteOf(scale.map)[static_cast<std::size_t>(paletteIndex(scale, value))];
     int bar = 0;
-    for (int y = 70; y < 260; y++) bar += std::find(&image.at(0, y), &image.at(0, y) + image.width, wanted) != &image.at(0, y) + image.width;
+    for (int y = 70; y < 260; y++)
+      bar += std::find(&image.at(0, y), &image.at(0, y) + image.width, wanted) !=
+             &image.at(0, y) + image.width;
     EXPECT_EQ(bar, 190);
   }
 }
@@ -143,14 +152,16 @@ TEST(Text, LeavesInkWhereItShould) {
 
 TEST(Text, IsFittedToWhatRoomThereIs) {
   EXPECT_EQ(fittedText("a title", 14, 1000), "a title");
-  const std::string text = "one of a good many words, with \xC3\xA9\xC3\xA9\xC3\xA9 in it, and then some more of them";
+  const std::string text =
+      "one of a good many words, with \xC3\xA9\xC3\xA9\xC3\xA9 in it, and then some more of them";
   for (double width = 0; width < textWidth(text, 14); width += 3.3) {
     const std::string fitted = fittedText(text, 14, width);
     EXPECT_LE(textWidth(fitted, 14), width + 1e-9);
     if (fitted.empty()) continue;
     ASSERT_TRUE(fitted.ends_with("..."));
     const std::string begins = fitted.substr(0, fitted.size() - 3);
-    EXPECT_TRUE(text.starts_with(begins) && (static_cast<unsigned char>(text[begins.size()]) & 0xC0) != 0x80) << fitted;
+    EXPECT_TRUE(text.starts_with(begins) && (static_cast<unsigned char>(text[begins.size()]) & 0xC0) != 0x80)
+        << fitted;
   }
   EXPECT_GT(textWidth(fittedText(text, 14, 300), 14), 280) << "as much as there is room for";
 }

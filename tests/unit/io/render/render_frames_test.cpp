@@ -14,7 +14,9 @@ namespace {
 
 /// A folder that goes when the test ends.
 struct Folder {
-  fs::path path = fs::path(testing::TempDir()) / ("thaw_render_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  fs::path path = fs::path(testing::TempDir()) /
+                  ("thaw_render_" +
+                   std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
   Folder() { fs::remove_all(path); }
   ~Folder() { fs::remove_all(path); }
 };
@@ -26,7 +28,8 @@ FrameView cube(const fs::path& file, const std::string& field) {
   frame.time = 0.1 * n;
   frame.unit = "K";
   for (int i = 0; i < 216; i++) {
-    frame.positions.push_back({0.1f * static_cast<float>(i % 6), 0.1f * static_cast<float>(i / 6 % 6), 0.1f * static_cast<float>(i / 36) + static_cast<float>(n)});
+    frame.positions.push_back({0.1f * static_cast<float>(i % 6), 0.1f * static_cast<float>(i / 6 % 6),
+                               0.1f * static_cast<float>(i / 36) + static_cast<float>(n)});
     if (!field.empty()) frame.values.push_back(static_cast<float>(300 + n));
   }
   return frame;
@@ -84,9 +87,7 @@ TEST(RenderFrames, AFrameThatCannotBeReadIsTheError) {
   try {
     renderFrames(jobOf(folder), broken);
     FAIL();
-  } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(), "frames/5.hdf: truncated");
-  }
+  } catch (const std::runtime_error& error) { EXPECT_STREQ(error.what(), "frames/5.hdf: truncated"); }
   FrameJob none = jobOf(folder);
   none.frames.clear();
   EXPECT_THROW(renderFrames(none, cube), std::runtime_error);
@@ -120,6 +121,10 @@ TEST(ParallelFor, DoesEachPieceOnceAndPassesErrorsOn) {
   std::vector<int> done(1000, 0);
   parallelFor(done.size(), 4, [&](std::size_t i) { done[i]++; });
   for (int d : done) EXPECT_EQ(d, 1);
-  EXPECT_THROW(parallelFor(100, 4, [](std::size_t i) { if (i == 17) throw std::runtime_error("17"); }), std::runtime_error);
+  EXPECT_THROW(parallelFor(100, 4,
+                           [](std::size_t i) {
+                             if (i == 17) throw std::runtime_error("17");
+                           }),
+               std::runtime_error);
   parallelFor(0, 4, [](std::size_t) { FAIL(); });
 }

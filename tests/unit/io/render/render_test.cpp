@@ -26,7 +26,8 @@ RenderStyle smallStyle() {
 int difference(Rgb a, Rgb b) { return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b); }
 int brightness(Rgb a) { return a.r + a.g + a.b; }
 
-Image picture(const std::vector<Vec3f>& x, const std::vector<float>& v, float radius, const RenderStyle& style) {
+Image picture(const std::vector<Vec3f>& x, const std::vector<float>& v, float radius,
+              const RenderStyle& style) {
   return render({x, v, std::span<const float>(&radius, 1)}, style);
 }
 
@@ -35,7 +36,8 @@ Image picture(const std::vector<Vec3f>& x, const std::vector<float>& v, float ra
 TEST(Render, TheNearerSphereHidesTheFartherOneInEitherOrder) {
   const RenderStyle style = smallStyle();
   const Vec3f front{0, -1, 0.5f}, back{0, 1, 0.5f};
-  const Image a = picture({front, back}, {1, 0}, 0.4f, style), b = picture({back, front}, {0, 1}, 0.4f, style);
+  const Image a = picture({front, back}, {1, 0}, 0.4f, style),
+              b = picture({back, front}, {0, 1}, 0.4f, style);
   EXPECT_EQ(a.pixels, b.pixels);
   const Image high = picture({front}, {1}, 0.4f, style), low = picture({front}, {0}, 0.4f, style);
   EXPECT_LT(difference(a.at(80, 60), high.at(80, 60)), 40);
@@ -61,14 +63,19 @@ TEST(Render, ASphereIsWhereTheCameraProjectsIt) {
 TEST(Render, AFloorShowsTheShadowAndHidesWhatIsBelow) {
   RenderStyle style = smallStyle();
   style.floors.push_back({{0, 0, 0}, {0, 0, 1}});
-  const Image empty = picture({}, {}, 0.2f, style), ball = picture({{0, 0, 0.6f}}, {1}, 0.3f, style), below = picture({{0, 0, -0.6f}}, {1}, 0.3f, style);
+  const Image empty = picture({}, {}, 0.2f, style), ball = picture({{0, 0, 0.6f}}, {1}, 0.3f, style),
+              below = picture({{0, 0, -0.6f}}, {1}, 0.3f, style);
   int darker = 0;
-  for (std::size_t i = 0; i < empty.pixels.size(); i++) darker += brightness(ball.pixels[i]) < brightness(empty.pixels[i]) - 60 && difference(ball.pixels[i], {0, 0, 0}) > 0;
+  for (std::size_t i = 0; i < empty.pixels.size(); i++)
+    darker += brightness(ball.pixels[i]) < brightness(empty.pixels[i]) - 60 &&
+              difference(ball.pixels[i], {0, 0, 0}) > 0;
   EXPECT_GT(darker, 50);
   const View view = viewOf(style.camera, style.width, style.height);
   float x, y;
   view.project({0, 0, -0.6f}, x, y);
-  EXPECT_LT(difference(below.at(static_cast<int>(x), static_cast<int>(y)), empty.at(static_cast<int>(x), static_cast<int>(y))), 30);
+  EXPECT_LT(difference(below.at(static_cast<int>(x), static_cast<int>(y)),
+                       empty.at(static_cast<int>(x), static_cast<int>(y))),
+            30);
 }
 
 TEST(Render, LeavesOutWhatIsNotFiniteOrBehindTheCamera) {
@@ -82,7 +89,8 @@ TEST(Render, IsTheSamePictureEachTime) {
   std::vector<Vec3f> x;
   std::vector<float> v;
   for (int i = 0; i < 1000; i++) {
-    x.push_back({static_cast<float>(i % 10) * 0.1f - 0.5f, static_cast<float>(i / 10 % 10) * 0.1f - 0.5f, static_cast<float>(i / 100) * 0.1f});
+    x.push_back({static_cast<float>(i % 10) * 0.1f - 0.5f, static_cast<float>(i / 10 % 10) * 0.1f - 0.5f,
+                 static_cast<float>(i / 100) * 0.1f});
     v.push_back(static_cast<float>(i) / 1000);
   }
   RenderStyle style = smallStyle();
@@ -109,8 +117,10 @@ TEST(View, TheFittedCameraSeesTheWholeBox) {
     const View view = viewOf(fittedCamera(box, 4.0 / 3), 400, 300);
     for (int corner = 0; corner < 8; corner++) {
       float x, y;
-      const Vec3d p{corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y, corner & 4 ? box.max.z : box.min.z};
-      const float z = view.project({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)}, x, y);
+      const Vec3d p{corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
+                    corner & 4 ? box.max.z : box.min.z};
+      const float z = view.project(
+          {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)}, x, y);
       EXPECT_GT(z, 0);
       EXPECT_TRUE(x >= 0 && x <= 400 && y >= 0 && y <= 300) << x << ' ' << y;
     }

@@ -8,7 +8,9 @@ using namespace thaw;
 
 namespace {
 
-const char* wax = "[material.wax]\ndensity = 900\nyoung = \"60 kPa\"\nconductivity = 0.25\nheat_capacity = 2000\nmelts = [\"52 degC\", \"56 degC\"]\n";
+const char* wax =
+    "[material.wax]\ndensity = 900\nyoung = \"60 kPa\"\nconductivity = 0.25\nheat_capacity = 2000\nmelts = "
+    "[\"52 degC\", \"56 degC\"]\n";
 const char* pot = R"(include = "wax.toml"
 title = "A pot of wax"
 spacing = "2 mm"

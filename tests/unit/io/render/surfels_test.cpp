@@ -22,29 +22,37 @@ RenderStyle styleFor(const SurfelSamples& s, int width, int height) {
   return style;
 }
 
-SurfelInput inputOf(const SurfelSamples& s, std::span<const Rgb> colours = {}) { return {s.positions, s.normals, s.radii, {}, colours, {}}; }
+SurfelInput inputOf(const SurfelSamples& s, std::span<const Rgb> colours = {}) {
+  return {s.positions, s.normals, s.radii, {}, colours, {}};
+}
 
 int brightness(Rgb a) { return a.r + a.g + a.b; }
 
-/// Pixels of the background that are enclosed by the body: a flood from the border does not reach them. Surfels are painted red.
+/// Pixels of the background that are enclosed by the body: a flood from the border does not reach them.
+/// Surfels are painted red.
 int holesIn(const SurfelSamples& s, RenderStyle style) {
   const std::vector<Rgb> red(s.size(), Rgb{255, 0, 0});
-  const Image image = renderSurfels(inputOf(s, red), style, {SurfelPaint::Surface}), none = renderSurfels({}, style, {});
+  const Image image = renderSurfels(inputOf(s, red), style, {SurfelPaint::Surface}),
+              none = renderSurfels({}, style, {});
   const auto body = [&](int x, int y) { return !(image.at(x, y) == none.at(x, y)); };
   std::vector<std::uint8_t> reached(image.pixels.size(), 0);
   std::vector<std::pair<int, int>> queue;
   const auto reach = [&](int x, int y) {
-    if (x < 0 || y < 0 || x >= image.width || y >= image.height || reached[static_cast<std::size_t>(y) * image.width + x] || body(x, y)) return;
+    if (x < 0 || y < 0 || x >= image.width || y >= image.height ||
+        reached[static_cast<std::size_t>(y) * image.width + x] || body(x, y))
+      return;
     reached[static_cast<std::size_t>(y) * image.width + x] = 1;
     queue.emplace_back(x, y);
   };
   for (int x = 0; x < image.width; x++) reach(x, 0), reach(x, image.height - 1);
   for (int y = 0; y < image.height; y++) reach(0, y), reach(image.width - 1, y);
   for (std::size_t k = 0; k < queue.size(); k++)
-    for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) reach(queue[k].first + dx, queue[k].second + dy);
+    for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
+      reach(queue[k].first + dx, queue[k].second + dy);
   int holes = 0, bodies = 0;
   for (int y = 0; y < image.height; y++)
-    for (int x = 0; x < image.width; x++) bodies += body(x, y), holes += !body(x, y) && !reached[static_cast<std::size_t>(y) * image.width + x];
+    for (int x = 0; x < image.width; x++)
+      bodies += body(x, y), holes += !body(x, y) && !reached[static_cast<std::size_t>(y) * image.width + x];
   EXPECT_GT(bodies, image.width * image.height / 30);
   return holes;
 }
@@ -70,13 +78,16 @@ double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PE
 }  // namespace
 
 TEST(Surfels, NoHoleShows) {
-  for (const double spacing : {0.2, 0.05, 0.02}) EXPECT_EQ(holesIn(ball(0.5, spacing), styleFor(ball(0.5, spacing), 480, 360)), 0) << spacing;
-  for (const double spacing : {0.1, 0.04}) EXPECT_EQ(holesIn(cube(spacing), styleFor(cube(spacing), 480, 360)), 0) << spacing;
+  for (const double spacing : {0.2, 0.05, 0.02})
+    EXPECT_EQ(holesIn(ball(0.5, spacing), styleFor(ball(0.5, spacing), 480, 360)), 0) << spacing;
+  for (const double spacing : {0.1, 0.04})
+    EXPECT_EQ(holesIn(cube(spacing), styleFor(cube(spacing), 480, 360)), 0) << spacing;
   for (const double spacing : {0.012, 0.0075}) {
     const SurfelSamples s = bust(spacing);
     RenderStyle style = styleFor(s, 480, 360);
     EXPECT_EQ(holesIn(s, style), 0) << spacing;
-    for (const Vec3d& from : {Vec3d{0, -3, 0.5}, Vec3d{-2, -2, 1.5}, Vec3d{3, 0, 0.2}, Vec3d{0.2, 2.5, 2}}) {  // from all around
+    // from all around
+    for (const Vec3d& from : {Vec3d{0, -3, 0.5}, Vec3d{-2, -2, 1.5}, Vec3d{3, 0, 0.2}, Vec3d{0.2, 2.5, 2}}) {
       style.camera.from = from;
       style.camera.at = {0, 0, 0.5};
       EXPECT_EQ(holesIn(s, style), 0) << spacing << " from " << from.x << ' ' << from.y << ' ' << from.z;
@@ -88,11 +99,13 @@ TEST(Surfels, ABallIsWhereItIsProjected) {
   const SurfelSamples s = ball(0.5, 0.04);
   const RenderStyle style = styleFor(s, 320, 240);
   const std::vector<Rgb> red(s.size(), Rgb{255, 0, 0});
-  const Image none = renderSurfels({}, style, {}), one = renderSurfels(inputOf(s, red), style, {SurfelPaint::Surface});
+  const Image none = renderSurfels({}, style, {}),
+              one = renderSurfels(inputOf(s, red), style, {SurfelPaint::Surface});
   const View view = viewOf(style.camera, style.width, style.height);
   float x, y;
   const float z = view.project({0, 0, 0.5f}, x, y);
-  const float radius = view.focal * 0.5f / std::sqrt(z * z - 0.25f);  // the outline, near the picture's middle
+  // the outline, near the picture's middle
+  const float radius = view.focal * 0.5f / std::sqrt(z * z - 0.25f);
   for (int j = 0; j < style.height; j++)
     for (int i = 0; i < style.width; i++) {
       const float away = std::hypot(static_cast<float>(i) + 0.5f - x, static_cast<float>(j) + 0.5f - y);
@@ -106,9 +119,11 @@ TEST(Surfels, EdgesAreSharp) {
   const SurfelSamples s = cube(0.1);
   RenderStyle style = styleFor(s, 400, 300);
   const std::vector<Rgb> red(s.size(), Rgb{255, 0, 0});
-  const Image none = renderSurfels({}, style, {}), one = renderSurfels(inputOf(s, red), style, {SurfelPaint::Surface});
+  const Image none = renderSurfels({}, style, {}),
+              one = renderSurfels(inputOf(s, red), style, {SurfelPaint::Surface});
   const View view = viewOf(style.camera, style.width, style.height);
-  // A pixel belongs to the cube if its ray meets the box, and surely not if it misses one that is larger by a pixel.
+  // A pixel belongs to the cube if its ray meets the box, and surely not if it misses one that is larger by a
+  // pixel.
   const auto meets = [&](float px, float py, double margin) {
     const Vec3f ray = view.ray(px, py);
     double from = 0, to = 1e9;
@@ -142,7 +157,8 @@ TEST(Surfels, ShadingIsSmooth) {
   const float z = view.project({0, 0, 0.5f}, x, y);
   const int r = static_cast<int>(0.8f * view.focal * 0.5f / z), row = static_cast<int>(y);
   int largest = 0;
-  for (int i = static_cast<int>(x) - r; i < static_cast<int>(x) + r; i++) largest = std::max(largest, std::abs(brightness(image.at(i, row)) - brightness(image.at(i + 1, row))));
+  for (int i = static_cast<int>(x) - r; i < static_cast<int>(x) + r; i++)
+    largest = std::max(largest, std::abs(brightness(image.at(i, row)) - brightness(image.at(i + 1, row))));
   EXPECT_LE(largest, 14);  // of 765
 }
 
@@ -179,7 +195,9 @@ TEST(Surfels, TheNearerHidesTheFartherAndBodiesDoNotBlend) {
   const Image image = renderSurfels(in, style, {SurfelPaint::Surface});
   const Rgb middle = image.at(160, 120);
   EXPECT_GT(middle.b, middle.r + 50);
-  for (const Rgb p : image.pixels) EXPECT_FALSE(p.r > 70 && p.b > p.g + 60 && p.r > p.g + 60) << int(p.r) << ' ' << int(p.g) << ' ' << int(p.b);
+  for (const Rgb p : image.pixels)
+    EXPECT_FALSE(p.r > 70 && p.b > p.g + 60 && p.r > p.g + 60)
+        << int(p.r) << ' ' << int(p.g) << ' ' << int(p.b);
 }
 
 TEST(Surfels, PaintsWhatIsAskedFor) {
@@ -203,7 +221,8 @@ TEST(Surfels, ThreadsDoNotChangeThePicture) {
   const SurfelSamples s = bust(0.02);
   RenderStyle style = styleFor(s, 200, 150);
   style.floors.push_back({});
-  EXPECT_EQ(renderSurfels(inputOf(s), style, {SurfelPaint::Plain, 1.25f, 1}).pixels, renderSurfels(inputOf(s), style, {SurfelPaint::Plain, 1.25f, 5}).pixels);
+  EXPECT_EQ(renderSurfels(inputOf(s), style, {SurfelPaint::Plain, 1.25f, 1}).pixels,
+            renderSurfels(inputOf(s), style, {SurfelPaint::Plain, 1.25f, 5}).pixels);
   style.samples = 3;
   EXPECT_EQ(renderSurfels(inputOf(s), style, {}).pixels.size(), 200u * 150u);
 }
@@ -226,9 +245,11 @@ TEST(Surfels, LeavesOutWhatIsNotFiniteAndRefusesWhatDoesNotFit) {
   EXPECT_THROW(renderSurfels(inputOf(s), style, {SurfelPaint::Values}), std::invalid_argument);
 }
 
-/// The bar: 60,000 surfels at 1280 x 960 in under a second of one core. Seconds are those of a machine and its other guests: told where they are asked for.
+/// The bar: 60,000 surfels at 1280 x 960 in under a second of one core. Seconds are those of a machine and
+/// its other guests: told where they are asked for.
 TEST(Surfels, SixtyThousandTakeLessThanASecond) {
-  if (std::getenv("THAW_TIMES") == nullptr) GTEST_SKIP() << "looks at seconds where THAW_TIMES=1 says that the machine is idle";
+  if (std::getenv("THAW_TIMES") == nullptr)
+    GTEST_SKIP() << "looks at seconds where THAW_TIMES=1 says that the machine is idle";
   const SurfelSamples s = bust(0.0046);
   EXPECT_GT(s.size(), 58000u);
   RenderStyle style = styleFor(s, 1280, 960);

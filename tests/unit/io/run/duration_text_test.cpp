@@ -16,7 +16,8 @@ TEST(DurationText, hasAUnitThatFits) {
   EXPECT_EQ(durationText(9000), "2.5 h");
   EXPECT_EQ(durationText(86400.0 * 12), "12 days");
   EXPECT_EQ(durationText(86400.0 * 365.25 * 7.3), "7.3 years");
-  for (const double endless : {1e150, infinity, std::numeric_limits<double>::quiet_NaN()}) EXPECT_EQ(durationText(endless), "more than 1000 years");
+  for (const double endless : {1e150, infinity, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_EQ(durationText(endless), "more than 1000 years");
 }
 
 TEST(CountText, isShort) {

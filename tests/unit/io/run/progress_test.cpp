@@ -59,11 +59,14 @@ TEST(Warnings, SayThroughWhichSideParticlesLeft) {
   c.left = 15;
   c.leftThrough[2][1] = 12, c.leftThrough[0][0] = 3;
   ASSERT_EQ(warningsOf(c, {}).size(), 1u);
-  EXPECT_TRUE(has(warningsOf(c, {})[0], "15 particles left the domain, 3 through its side of low x, 12 through its side of high z (their mass"));
+  EXPECT_TRUE(has(warningsOf(c, {})[0],
+                  "15 particles left the domain, 3 through its side of low x, 12 through its side of high z "
+                  "(their mass"));
 }
 
 struct ProgressLog : testing::Test {
-  const std::string out = (std::filesystem::temp_directory_path() / ("thaw_progress_" + std::to_string(::getpid()))).string();
+  const std::string out =
+      (std::filesystem::temp_directory_path() / ("thaw_progress_" + std::to_string(::getpid()))).string();
   RunSummary summary;
   void SetUp() override { std::filesystem::create_directories(out); }
   void TearDown() override { std::filesystem::remove_all(out); }

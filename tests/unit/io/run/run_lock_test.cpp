@@ -28,18 +28,22 @@ struct RunLockOf : testing::Test {
   }
   /// The process, and one that has its number but not its start.
   static Json lockOf(long pid, long long began, const std::string& host = ownProcess().host) {
-    return {{"host", host}, {"pid", pid}, {"began_ticks", began}, {"ranks", 4}, {"since", "2030-01-02T03:04:05Z"}};
+    return {{"host", host},
+            {"pid", pid},
+            {"began_ticks", began},
+            {"ranks", 4},
+            {"since", "2030-01-02T03:04:05Z"}};
   }
   std::string error(const LockRequest& q) const {
     RunLock lock;
     try {
       lock.take(q);
-    } catch (const IoError& e) {
-      return e.what();
-    }
+    } catch (const IoError& e) { return e.what(); }
     return "";
   }
-  bool onlyTheLock() const { return std::distance(fs::directory_iterator(out), fs::directory_iterator()) == 1; }
+  bool onlyTheLock() const {
+    return std::distance(fs::directory_iterator(out), fs::directory_iterator()) == 1;
+  }
 };
 
 TEST_F(RunLockOf, ALiveHolderIsNamedAndTheEndRemovesTheLock) {
@@ -48,7 +52,8 @@ TEST_F(RunLockOf, ALiveHolderIsNamedAndTheEndRemovesTheLock) {
     EXPECT_EQ(lock.take({.out = out, .ranks = 3}), "");
     EXPECT_TRUE(onlyTheLock());
     for (const bool force : {false, true})
-      EXPECT_NE(error({.out = out, .force = force, .patience = 0}).find("another run is in this folder: process " + std::to_string(::getpid())),
+      EXPECT_NE(error({.out = out, .force = force, .patience = 0})
+                    .find("another run is in this folder: process " + std::to_string(::getpid())),
                 std::string::npos);
     EXPECT_EQ(lockHolder(out)->ranks, 3);
     EXPECT_NE(lockText(lockJson(*lockHolder(out))).find("(3 ranks, since"), std::string::npos);
@@ -61,7 +66,8 @@ TEST_F(RunLockOf, ADeadHolderIsReplaced) {
   const pid_t child = ::fork();
   if (child == 0) ::_exit(0);
   ::waitpid(child, nullptr, 0);
-  for (const Json& j : {lockOf(child, 1), lockOf(::getpid(), ownProcess().began - 1)}) {  // gone; another process has its number
+  // gone; another process has its number
+  for (const Json& j : {lockOf(child, 1), lockOf(::getpid(), ownProcess().began - 1)}) {
     leave(j);
     RunLock lock;
     const std::string note = lock.take({.out = out, .patience = 0});
@@ -72,7 +78,8 @@ TEST_F(RunLockOf, ADeadHolderIsReplaced) {
 }
 
 TEST_F(RunLockOf, AnotherHostsLockNeedsForce) {
-  for (const std::string& text : {lockOf(1, 1, "elsewhere").dump(), std::string("{ \"host\":"), std::string()}) {
+  for (const std::string& text :
+       {lockOf(1, 1, "elsewhere").dump(), std::string("{ \"host\":"), std::string()}) {
     fs::create_directories(out);
     std::ofstream(file) << text;
     EXPECT_NE(error({.out = out, .patience = 0}).find("--force"), std::string::npos) << text;
@@ -112,9 +119,7 @@ TEST_F(RunLockOf, OneOfManyStartsGetsTheFolder) {
       RunLock lock;
       try {
         lock.take({.out = out, .patience = 0.2});
-      } catch (const IoError&) {
-        ::_exit(1);
-      }
+      } catch (const IoError&) { ::_exit(1); }
       [[maybe_unused]] const auto held = ::read(stay[0], &c, 1);
       lock.release();
       ::_exit(0);

@@ -139,7 +139,8 @@ TEST(SceneMarks, CoefficientsOfMaterialsAreTold) {
   Scene s = sample();
   const CheckpointValues then = sceneMarks(s);
   s.materials[0].young.solid = 2e5;
-  EXPECT_EQ(coefficientChanges(then, s), std::vector<std::string>{"material.wax.young.solid was 0, and is 200000 now (SI)"});
+  EXPECT_EQ(coefficientChanges(then, s),
+            std::vector<std::string>{"material.wax.young.solid was 0, and is 200000 now (SI)"});
 }
 
 TEST(SceneMarks, ClampsMayNotChange) {
@@ -188,19 +189,27 @@ TEST(SceneMarks, ChoicesAreToldByTheirWords) {
   other.oriented[0].shape.kind = ShapeKind::Intersection;
   other.oriented[0].anchors[0].normal = true;
   std::swap(other.materials[0], other.materials[1]);
-  EXPECT_EQ(sceneDifferences(then, other), (std::vector<std::string>{
-    "domain.periodic.x was false, and is true now",  // the tap's material has the same name, and another place
-    "material.oil was 1, and is 0 now (place in the list)", "material.wax was 0, and is 1 now (place in the list)", "numerics.heat was \"enthalpy\", and is \"paper\" now",
-    "oriented.film.anchor.0.normal was false, and is true now", "oriented.film.place.kind was \"box\", and is \"intersection\" now",
-    "oriented.film.source was \"a shape\", and is \"disc\" now", "sheet.cloth.mesh was \"grid\", and is \"dome\" now"}));
+  EXPECT_EQ(sceneDifferences(then, other),
+            (std::vector<std::string>{"domain.periodic.x was false, and is true now",  // the tap's material
+                                                                                       // has the same name,
+                                                                                       // and another place
+                                      "material.oil was 1, and is 0 now (place in the list)",
+                                      "material.wax was 0, and is 1 now (place in the list)",
+                                      "numerics.heat was \"enthalpy\", and is \"paper\" now",
+                                      "oriented.film.anchor.0.normal was false, and is true now",
+                                      "oriented.film.place.kind was \"box\", and is \"intersection\" now",
+                                      "oriented.film.source was \"a shape\", and is \"disc\" now",
+                                      "sheet.cloth.mesh was \"grid\", and is \"dome\" now"}));
   other = s;
   other.surface.merge = MergeRule::None;
   other.surface.smoothing = SmoothingForm::Plane;
   other.oriented[0].growth = OrientedGrowth::Borders;
   other.oriented[0].events[0].kind = OrientedEventKind::Crease;
-  EXPECT_EQ(settingChanges(then, other, -1), (std::vector<std::string>{
-    "oriented.film.event.0.kind was \"weld\", and is \"crease\" now", "oriented.film.growth was \"none\", and is \"borders\" now",
-    "surface.merge was \"liquid\", and is \"none\" now", "surface.smoothing was \"sphere\", and is \"plane\" now"}));
+  EXPECT_EQ(settingChanges(then, other, -1),
+            (std::vector<std::string>{"oriented.film.event.0.kind was \"weld\", and is \"crease\" now",
+                                      "oriented.film.growth was \"none\", and is \"borders\" now",
+                                      "surface.merge was \"liquid\", and is \"none\" now",
+                                      "surface.smoothing was \"sphere\", and is \"plane\" now"}));
   other = s;
   other.oriented[0].integrator = OrientedIntegrator::RungeKutta;
   other.oriented[0].facing = false;
@@ -208,20 +217,26 @@ TEST(SceneMarks, ChoicesAreToldByTheirWords) {
   other.sheets[0].selfContact = true;
   other.materials[0].law = ElasticLaw::NeoHookean;
   std::vector<std::string> told = coefficientChanges(then, other);
-  std::erase_if(told, [](const std::string& t) { return t.find("field.0") != std::string::npos && t.find("everywhere") == std::string::npos; });
+  std::erase_if(told, [](const std::string& t) {
+    return t.find("field.0") != std::string::npos && t.find("everywhere") == std::string::npos;
+  });
   EXPECT_EQ(told, (std::vector<std::string>{
-    "material.wax.law was \"green\", and is \"neo-hookean\" now", "oriented.film.facing was true, and is false now",
-    "oriented.film.field.0.everywhere was true, and is not in the scene any more", "oriented.film.integrator was \"symplectic\", and is \"rk4\" now",
-    "sheet.cloth.self_contact was false, and is true now"}));
+                      "material.wax.law was \"green\", and is \"neo-hookean\" now",
+                      "oriented.film.facing was true, and is false now",
+                      "oriented.film.field.0.everywhere was true, and is not in the scene any more",
+                      "oriented.film.integrator was \"symplectic\", and is \"rk4\" now",
+                      "sheet.cloth.self_contact was false, and is true now"}));
   other = s;
   other.surface.source = SurfelSource::Particles;
   other.bodies[0].packing = Packing::Relaxed;
   other.bodies[0].material = 1;
   other.bodies[0].shape.kind = ShapeKind::Torus;
-  EXPECT_EQ(changesOfTheStart(then, other), std::vector<std::string>{"surface.source was \"automatic\", and is \"particles\" now"});
-  EXPECT_EQ(sceneDifferences(then, other), (std::vector<std::string>{
-    "body.bust.material was \"wax\", and is \"oil\" now", "body.bust.packing was \"lattice\", and is \"relaxed\" now",
-    "body.bust.shape.kind was \"box\", and is \"torus\" now"}));
+  EXPECT_EQ(changesOfTheStart(then, other),
+            std::vector<std::string>{"surface.source was \"automatic\", and is \"particles\" now"});
+  EXPECT_EQ(sceneDifferences(then, other),
+            (std::vector<std::string>{"body.bust.material was \"wax\", and is \"oil\" now",
+                                      "body.bust.packing was \"lattice\", and is \"relaxed\" now",
+                                      "body.bust.shape.kind was \"box\", and is \"torus\" now"}));
 }
 
 TEST(SceneMarks, TheMessageNamesTheKeyAndBothValues) {

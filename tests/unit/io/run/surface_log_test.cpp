@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
 #include <filesystem>
 #include <fstream>
-#include <unistd.h>
 
 #include <sstream>
 
@@ -13,7 +13,8 @@ namespace thaw::test {
 namespace {
 
 struct Log : ::testing::Test {
-  std::string out = std::filesystem::temp_directory_path() / ("thaw_surface_log_" + std::to_string(::getpid()));
+  std::string out = std::filesystem::temp_directory_path() /
+                    ("thaw_surface_log_" + std::to_string(::getpid()));
   Log() { std::filesystem::create_directories(out); }
   ~Log() override { std::filesystem::remove_all(out); }
   std::string text(const std::string& path) const {
@@ -27,7 +28,8 @@ struct Log : ::testing::Test {
     w.clock.frame = number;
     w.clock.step = step;
     w.clock.time = 0.1 * static_cast<double>(number);
-    w.surface.components = {{5, 10, 20, 1.5, 2.5, 0.1 + 0.2, 4.5, {1, 2, 3}}, {9, 1, 2, 3, 4, 5, 6, {7, 8, 9}}};
+    w.surface.components = {{5, 10, 20, 1.5, 2.5, 0.1 + 0.2, 4.5, {1, 2, 3}},
+                            {9, 1, 2, 3, 4, 5, 6, {7, 8, 9}}};
     addToComponentLog(out, w);
   }
 };
@@ -39,7 +41,8 @@ TEST_F(Log, IsCutAtAStep) {
   frame(0, 0);
   frame(1, 12);
   const std::string whole = text(componentLogPath(out));
-  EXPECT_NE(whole.find("1,12,0.1,5,10,20,1.5,2.5,0.30000000000000004,4.5,1,2,3,0,0\n"), std::string::npos) << whole;
+  EXPECT_NE(whole.find("1,12,0.1,5,10,20,1.5,2.5,0.30000000000000004,4.5,1,2,3,0,0\n"), std::string::npos)
+      << whole;
   frame(2, 25);
   std::ofstream(componentLogPath(out), std::ios::app) << "3,4";  // killed while it wrote
   cutComponentLog(out, 24);
@@ -59,7 +62,8 @@ TEST_F(Log, TellsTheWorstVolumeOfTheFramesThatAreLeft) {
   const double off[] = {0.004, -0.03, 0.2};
   for (int k = 0; k < 3; k++) {
     w.clock.frame = k, w.clock.step = 10 * k, w.clock.time = 0.1 * k;
-    SurfaceComponent c{7, 400, 900, 1, 2, 2 * (1 + off[k]), 4, {1, 2, 3}}, small{9, 29, 60, 1, 2, 2 - 0.6 * k, 4, {}}, drop{10, 4, 11, 1, 1, 1.005, 4, {}};
+    SurfaceComponent c{7, 400, 900, 1, 2, 2 * (1 + off[k]), 4, {1, 2, 3}},
+        small{9, 29, 60, 1, 2, 2 - 0.6 * k, 4, {}}, drop{10, 4, 11, 1, 1, 1.005, 4, {}};
     c.wantedVolume = 1.96;
     small.wantedVolume = 2;
     c.open = 0.004 * (k + 1), small.open = 0.2;
@@ -90,10 +94,20 @@ TEST_F(Log, TellsTheWorstVolumeOfTheFramesThatAreLeft) {
   EXPECT_EQ(held.unsure, 0);
   const std::vector<std::string> lines = volumeHeldLines(held);
   ASSERT_EQ(lines.size(), 3u);
-  EXPECT_NE(lines[0].find("the sum at worst -12.40 % off what is to be held (t 0.1 s); 96 % of the particles are in components that are off by more than 1 % (99.1 % in the worst frame, t 0.1 s)"), std::string::npos) << lines[0];
-  EXPECT_NE(lines[1].find("at worst -3.00 % (component 7 of 400 particles, t 0.1 s) off that of the particles, +2.45 % (component 7"), std::string::npos) << lines[1];
-  EXPECT_NE(lines[2].find("of 5 to 29 particles at worst -30.00 % (component 9 of 29 particles, t 0.1 s)"), std::string::npos) << lines[2];
-  EXPECT_NE(volumeHeldWarning(held).find("a surface was +2.4 % off (component 7"), std::string::npos) << volumeHeldWarning(held);
+  EXPECT_NE(
+      lines[0].find("the sum at worst -12.40 % off what is to be held (t 0.1 s); 96 % of the particles are "
+                    "in components that are off by more than 1 % (99.1 % in the worst frame, t 0.1 s)"),
+      std::string::npos)
+      << lines[0];
+  EXPECT_NE(lines[1].find("at worst -3.00 % (component 7 of 400 particles, t 0.1 s) off that of the "
+                          "particles, +2.45 % (component 7"),
+            std::string::npos)
+      << lines[1];
+  EXPECT_NE(lines[2].find("of 5 to 29 particles at worst -30.00 % (component 9 of 29 particles, t 0.1 s)"),
+            std::string::npos)
+      << lines[2];
+  EXPECT_NE(volumeHeldWarning(held).find("a surface was +2.4 % off (component 7"), std::string::npos)
+      << volumeHeldWarning(held);
 }
 
 TEST(VolumeHeld, WarnsOfSmallPiecesAndOfTheSum) {
@@ -106,10 +120,14 @@ TEST(VolumeHeld, WarnsOfSmallPiecesAndOfTheSum) {
   const SurfaceComponent body{7, 10000, 900, 1, 100, 100.5, 4, {}};
   EXPECT_EQ(warning({body}), "");
   EXPECT_EQ(warning({body, {9, 5, 60, 1, 0.05, 0.046, 4, {}}}), "");
-  EXPECT_NE(warning({body, {9, 5, 60, 1, 0.05, 0.025, 4, {}}}).find("a surface was -50.0 % off (component 9 of 5 particles"), std::string::npos);
+  EXPECT_NE(warning({body, {9, 5, 60, 1, 0.05, 0.025, 4, {}}})
+                .find("a surface was -50.0 % off (component 9 of 5 particles"),
+            std::string::npos);
   std::vector<SurfaceComponent> spray{{7, 100, 900, 1, 1, 1, 4, {}}};
   for (std::uint64_t k = 0; k < 10; k++) spray.push_back({9 + k, 3, 24, 1, 0.03, 0.029, 4, {}});
-  EXPECT_NE(warning(spray).find("23 % of the particles are in components that are more than 1 % off"), std::string::npos) << warning(spray);
+  EXPECT_NE(warning(spray).find("23 % of the particles are in components that are more than 1 % off"),
+            std::string::npos)
+      << warning(spray);
   EXPECT_TRUE(volumeHeldLines({}).empty());
 }
 
@@ -122,14 +140,21 @@ TEST(VolumeHeld, TellsOfSurfacesThatDoNotClose) {
   EXPECT_EQ(held.unsure, 100);
   const std::vector<std::string> lines = volumeHeldLines(held);
   ASSERT_EQ(lines.size(), 3u);
-  EXPECT_NE(lines[2].find("25 % of the particles are in components of 30 and more whose surface does not close, by more than 1 % of its area (at worst 3 %: component 7 of 100 particles, t 0.5 s)"), std::string::npos) << lines[2];
+  EXPECT_NE(
+      lines[2].find("25 % of the particles are in components of 30 and more whose surface does not close, by "
+                    "more than 1 % of its area (at worst 3 %: component 7 of 100 particles, t 0.5 s)"),
+      std::string::npos)
+      << lines[2];
   EXPECT_EQ(volumeHeldWarning(held), "");
 }
 
 TEST_F(Log, KeepsLinesOfEarlierVersions) {
-  std::ofstream(componentLogPath(out)) << "an older head\n0,0,0,5,40,30,1,2,2.1,4,1,2,3\n1,5,0.1,5,40,30,1,2,2,4,1,2,3\n";
+  std::ofstream(componentLogPath(out))
+      << "an older head\n0,0,0,5,40,30,1,2,2.1,4,1,2,3\n1,5,0.1,5,40,30,1,2,2,4,1,2,3\n";
   const VolumeHeld held = cutComponentLog(out, 0);
-  EXPECT_NE(text(componentLogPath(out)).find("wanted_volume_m3,open\n0,0,0,5,40,30,1,2,2.1,4,1,2,3,,\n"), std::string::npos) << text(componentLogPath(out));
+  EXPECT_NE(text(componentLogPath(out)).find("wanted_volume_m3,open\n0,0,0,5,40,30,1,2,2.1,4,1,2,3,,\n"),
+            std::string::npos)
+      << text(componentLogPath(out));
   EXPECT_NEAR(held.ofParticles.off, 0.05, 1e-12);
   EXPECT_NEAR(held.sum.off(), 0.05, 1e-12);
   EXPECT_EQ(held.ofWanted.label, noComponent);
@@ -139,8 +164,11 @@ TEST_F(Log, KeepsLinesOfEarlierVersions) {
 }
 
 TEST_F(Log, OfEventsIsTheState) {
-  writeEventLog(out, {{3, 0.5, SurfaceEventKind::Split, 1, 7}, {4, 0.75, SurfaceEventKind::Merge, 1, 7}, {5, 1, SurfaceEventKind::Renamed, 2, 1}});
-  EXPECT_EQ(text(eventLogPath(out)), "step,time_s,kind,component,other\n3,0.5,split,1,7\n4,0.75,merge,1,7\n5,1,renamed,2,1\n");
+  writeEventLog(out, {{3, 0.5, SurfaceEventKind::Split, 1, 7},
+                      {4, 0.75, SurfaceEventKind::Merge, 1, 7},
+                      {5, 1, SurfaceEventKind::Renamed, 2, 1}});
+  EXPECT_EQ(text(eventLogPath(out)),
+            "step,time_s,kind,component,other\n3,0.5,split,1,7\n4,0.75,merge,1,7\n5,1,renamed,2,1\n");
   writeEventLog(out, {});
   EXPECT_EQ(text(eventLogPath(out)), "step,time_s,kind,component,other\n");
 }

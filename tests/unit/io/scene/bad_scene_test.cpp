@@ -38,14 +38,13 @@ std::string with(const std::string& what, const std::string& by) {
 std::vector<std::string> errorsOf(const std::string& text, const std::vector<std::string>& overrides = {}) {
   try {
     readScene(sceneFilesOf("s.toml", text), overrides);
-  } catch (const SceneErrors& e) {
-    return e.lines;
-  }
+  } catch (const SceneErrors& e) { return e.lines; }
   return {};
 }
 
 void expectOnly(const std::vector<std::string>& lines, const std::string& line) {
-  ASSERT_EQ(lines.size(), 1u) << line << "\n" << (lines.empty() ? "no error" : lines[0] + "\n" + lines.back());
+  ASSERT_EQ(lines.size(), 1u) << line << "\n"
+                              << (lines.empty() ? "no error" : lines[0] + "\n" + lines.back());
   EXPECT_EQ(lines[0], line);
 }
 
@@ -57,30 +56,46 @@ TEST(BadScene, TheGoodOneIsGood) {
 }
 
 TEST(BadScene, EveryMistakeHasItsMessageAndPlace) {
-  const struct { const char *what, *by, *line; } table[] = {
+  const struct {
+    const char *what, *by, *line;
+  } table[] = {
       {"spacing", "spacng", "s.toml:1:1: error: unknown key 'spacng'; did you mean 'spacing'?"},
       {"young", "yuong", "s.toml:7:1: error: unknown key 'yuong' in material.jelly; did you mean 'young'?"},
       {"\"2 cm\"", "true", "s.toml:1:11: error: spacing: expected a length such as \"2 mm\", got true"},
       {"\"2 cm\"", "[1]", "s.toml:1:11: error: spacing: expected a length such as \"2 mm\", got a list"},
-      {"\"2 cm\"", "\"2 kg\"", "s.toml:1:11: error: spacing: expected a length such as \"2 mm\", got \"2 kg\""},
-      {"\"2 cm\"", "\"2 cmm\"", "s.toml:1:11: error: spacing: expected a length such as \"2 mm\", got \"2 cmm\" (unknown unit 'cmm')"},
-      {"\"2 cm\"", "\"\"", "s.toml:1:11: error: spacing: expected a length such as \"2 mm\", got \"\" (there is no number at its start)"},
+      {"\"2 cm\"", "\"2 kg\"",
+       "s.toml:1:11: error: spacing: expected a length such as \"2 mm\", got \"2 kg\""},
+      {"\"2 cm\"", "\"2 cmm\"",
+       "s.toml:1:11: error: spacing: expected a length such as \"2 mm\", got \"2 cmm\" (unknown unit 'cmm')"},
+      {"\"2 cm\"", "\"\"",
+       "s.toml:1:11: error: spacing: expected a length such as \"2 mm\", got \"\" (there is no number at its "
+       "start)"},
       {"\"2 cm\"", "-0.02", "s.toml:1:11: error: spacing: must be > 0 m, got -0.02"},
       {"\"2 cm\"", "0", "s.toml:1:11: error: spacing: must be > 0 m, got 0"},
       {"\"2 cm\"", "nan", "s.toml:1:11: error: spacing: must be a finite number, got nan"},
       {"\"2 cm\"", "-inf", "s.toml:1:11: error: spacing: must be a finite number, got -inf"},
       {"\"2 cm\"", "\"inf m\"", "s.toml:1:11: error: spacing: must be a finite number, got \"inf m\""},
       {"\"1 s\"", "-1", "s.toml:2:7: error: end: must be >= 0 s, got -1"},
-      {"\"20 kPa\"", "\"20 kPa\"\npoisson = 0.5", "s.toml:8:11: error: material.jelly.poisson: must be > -1 and < 0.5, got 0.5"},
-      {"\"20 kPa\"", "\"20 kPa\"\ndensity = 0", "s.toml:8:11: error: material.jelly.density: must be > 0 kg/m^3, got 0"},
-      {"\"20 kPa\"", "\"20 kPa\"\nlaw = \"hooke\"", "s.toml:8:7: error: material.jelly.law: expected one of \"green\", \"neo-hookean\", \"corotated\", got \"hooke\""},
-      {"name = \"block\"", "temperature = \"-300 degC\"\nname = \"block\"", "s.toml:9:15: error: body.block.temperature: must be > 0 K, got \"-300 degC\""},
-      {"material = \"jelly\"", "material = \"jely\"", "s.toml:11:12: error: body 'block': there is no material 'jely'; did you mean 'jelly'?"},
+      {"\"20 kPa\"", "\"20 kPa\"\npoisson = 0.5",
+       "s.toml:8:11: error: material.jelly.poisson: must be > -1 and < 0.5, got 0.5"},
+      {"\"20 kPa\"", "\"20 kPa\"\ndensity = 0",
+       "s.toml:8:11: error: material.jelly.density: must be > 0 kg/m^3, got 0"},
+      {"\"20 kPa\"", "\"20 kPa\"\nlaw = \"hooke\"",
+       "s.toml:8:7: error: material.jelly.law: expected one of \"green\", \"neo-hookean\", \"corotated\", "
+       "got \"hooke\""},
+      {"name = \"block\"", "temperature = \"-300 degC\"\nname = \"block\"",
+       "s.toml:9:15: error: body.block.temperature: must be > 0 K, got \"-300 degC\""},
+      {"material = \"jelly\"", "material = \"jely\"",
+       "s.toml:11:12: error: body 'block': there is no material 'jely'; did you mean 'jelly'?"},
       {"material = \"jelly\"\n", "", "s.toml:8:1: error: body 'block': its material is missing"},
-      {"[0.1, 0.1, 0.1]", "[0.1, 0.1]", "s.toml:10:16: error: body.block.box.size: expected a list of three quantities such as [0, 0, 0], got 2"},
-      {"[0.1, 0.1, 0.1]", "[0.1, 0.1, -0.1]", "s.toml:10:16: error: body.block.box.size: edge lengths must be > 0 m"},
+      {"[0.1, 0.1, 0.1]", "[0.1, 0.1]",
+       "s.toml:10:16: error: body.block.box.size: expected a list of three quantities such as [0, 0, 0], got "
+       "2"},
+      {"[0.1, 0.1, 0.1]", "[0.1, 0.1, -0.1]",
+       "s.toml:10:16: error: body.block.box.size: edge lengths must be > 0 m"},
       {"[1, 1, 1]", "[1, 1, -1]", "s.toml:5:7: error: domain.max: max must be above min along z"},
-      {"normal = [0, 0, 1]", "normal = [0, 0, 0]", "s.toml:14:42: error: obstacle.floor.plane.normal: must not be zero"}};
+      {"normal = [0, 0, 1]", "normal = [0, 0, 0]",
+       "s.toml:14:42: error: obstacle.floor.plane.normal: must not be zero"}};
   for (const auto& t : table) expectOnly(errorsOf(with(t.what, t.by)), t.line);
 }
 
@@ -104,12 +119,19 @@ TEST(BadScene, AllErrorsAtOnceInTheirOrder) {
 }
 
 TEST(BadScene, Overrides) {
-  expectOnly(errorsOf(good, {"spacng=3"}), "--set spacng=3: error: unknown key 'spacng'; did you mean 'spacing'?");
+  expectOnly(errorsOf(good, {"spacng=3"}),
+             "--set spacng=3: error: unknown key 'spacng'; did you mean 'spacing'?");
   expectOnly(errorsOf(good, {"spacing=-3"}), "--set spacing=-3: error: spacing: must be > 0 m, got -3");
-  expectOnly(errorsOf(good, {"spacing=3 kg"}), "--set spacing=3 kg: error: spacing: expected a length such as \"2 mm\", got \"3 kg\"");
-  for (const char* bad : {"spacing", "", "=3", ".=1", "a..b=1", "body=1", "body.block=3", "body.nobody.velocity=[0,0,0]", "spacing.x=1", "include=\"x\"", "material.jelly.young.x=1"})
+  expectOnly(errorsOf(good, {"spacing=3 kg"}),
+             "--set spacing=3 kg: error: spacing: expected a length such as \"2 mm\", got \"3 kg\"");
+  for (const char* bad :
+       {"spacing", "", "=3", ".=1", "a..b=1", "body=1", "body.block=3", "body.nobody.velocity=[0,0,0]",
+        "spacing.x=1", "include=\"x\"", "material.jelly.young.x=1"})
     EXPECT_FALSE(errorsOf(good, {bad}).empty()) << bad;
-  EXPECT_EQ(readScene(sceneFilesOf("s.toml", good), {"spacing=3 cm", "body.block.velocity=[0, 0, -1]"}).bodies[0].velocity.z, -1);
+  EXPECT_EQ(readScene(sceneFilesOf("s.toml", good), {"spacing=3 cm", "body.block.velocity=[0, 0, -1]"})
+                .bodies[0]
+                .velocity.z,
+            -1);
 }
 
 TEST(BadScene, TextsThatAreNoScene) {
@@ -124,12 +146,11 @@ TEST(BadScene, TextsThatAreNoScene) {
   starts(std::string((16u << 20) + 1, '\n'), "s.toml: error: larger than 16 MiB");
   starts("\xff\xfe\x01\x02", "s.toml:1:1: error: ");
   starts("# nothing but this\n", "s.toml:1:1: error: there is nothing to simulate");
-  for (std::size_t cut = 1; cut < good.size(); cut++) {  // a file that ends too early is an error, or is a scene with that much in it
+  for (std::size_t cut = 1; cut < good.size(); cut++) {  // a file that ends too early is an error, or is a
+                                                         // scene with that much in it
     try {
       readScene(sceneFilesOf("s.toml", good.substr(0, cut)));
-    } catch (const SceneErrors& e) {
-      EXPECT_FALSE(e.lines.empty());
-    }
+    } catch (const SceneErrors& e) { EXPECT_FALSE(e.lines.empty()); }
   }
   EXPECT_FALSE(errorsOf(good.substr(0, good.find("material = "))).empty());
 }
@@ -142,9 +163,7 @@ TEST(BadScene, Includes) {
   const auto said = [&](const char* name) {
     try {
       readScene((folder / name).string());
-    } catch (const SceneErrors& e) {
-      return std::string(e.what());
-    }
+    } catch (const SceneErrors& e) { return std::string(e.what()); }
     return std::string();
   };
   write("self.toml", "include = \"self.toml\"\n");
@@ -158,7 +177,8 @@ TEST(BadScene, Includes) {
   write("base.toml", good);
   EXPECT_NE(said("self.toml").find("includes itself"), std::string::npos) << said("self.toml");
   EXPECT_NE(said("a.toml").find("includes itself"), std::string::npos) << said("a.toml");
-  EXPECT_NE(said("lost.toml").find("lost.toml:1:11: error: include: '"), std::string::npos) << said("lost.toml");
+  EXPECT_NE(said("lost.toml").find("lost.toml:1:11: error: include: '"), std::string::npos)
+      << said("lost.toml");
   EXPECT_NE(said("lost.toml").find("no such file"), std::string::npos);
   EXPECT_NE(said("number.toml").find("expected a path or a list of paths"), std::string::npos);
   EXPECT_NE(said("broken.toml").find("part.toml:1:"), std::string::npos) << said("broken.toml");

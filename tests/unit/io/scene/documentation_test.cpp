@@ -11,7 +11,8 @@ TEST(SceneDocumentation, DocsSceneMdIsWhatTheTableOfKeysSays) {
   std::ifstream file(THAW_SOURCE_DIR "/docs/scene.md");
   std::ostringstream text;
   text << file.rdbuf();
-  EXPECT_TRUE(text.str() == sceneDocumentation()) << "docs/scene.md is out of date; write it with: build/release/thaw docs > docs/scene.md";
+  EXPECT_TRUE(text.str() == sceneDocumentation())
+      << "docs/scene.md is out of date; write it with: build/release/thaw docs > docs/scene.md";
 }
 
 TEST(SceneDocumentation, TheExampleIsAScene) {

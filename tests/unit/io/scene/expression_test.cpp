@@ -116,10 +116,10 @@ TEST(SceneFields, MistakesAreOneMessageWithItsPlace) {
 }
 
 TEST(SceneFields, ArePartOfTheRestartRecord) {
-  const Scene a =
-      sceneWith("velocity = { x = '-100*x' }\n", "temperature = '300 + x'\nvelocity = { x = 'y' }\n");
-  const Scene b =
-      sceneWith("velocity = { x = '-200*x' }\n", "temperature = '301 + x'\nvelocity = { x = '2*y' }\n");
+  const Scene a = sceneWith("velocity = { x = '-100*x' }\n",
+                            "temperature = '300 + x'\nvelocity = { x = 'y' }\n");
+  const Scene b = sceneWith("velocity = { x = '-200*x' }\n",
+                            "temperature = '301 + x'\nvelocity = { x = '2*y' }\n");
   EXPECT_TRUE(changesOfTheStart(sceneMarks(a), a).empty());
   const auto start = changesOfTheStart(sceneMarks(a), b);
   ASSERT_EQ(start.size(), 1u);

@@ -1,4 +1,5 @@
-// Damaged copies of scenes/melt.toml: each is a scene with sound values or a list of errors; nothing else ever happens.
+// Damaged copies of scenes/melt.toml: each is a scene with sound values or a list of errors; nothing else
+// ever happens.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -19,10 +20,35 @@ std::string textOf(const std::string& path) {
   return text.str();
 }
 
-/// A few edits: bytes, lines, cuts, and words that are likely to hurt. Of std::mt19937_64 alone, which is the same everywhere.
+/// A few edits: bytes, lines, cuts, and words that are likely to hurt. Of std::mt19937_64 alone, which is the
+/// same everywhere.
 std::string damaged(std::string s, std::mt19937_64& random) {
-  const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % std::max<std::size_t>(1, n)); };
-  const char* const words[] = {"nan", "-inf", "1e999", "-1", "0", "\"", "'''", "[[", "]]", "{", "}", "=", "\n", "\\u0000", "\"5 parsec\"", "never", "1e-320", "[", "include = \"x\"", "a.b.c", "true", "\xff", "9223372036854775808"};
+  const auto below = [&](std::size_t n) {
+    return static_cast<std::size_t>(random() % std::max<std::size_t>(1, n));
+  };
+  const char* const words[] = {"nan",
+                               "-inf",
+                               "1e999",
+                               "-1",
+                               "0",
+                               "\"",
+                               "'''",
+                               "[[",
+                               "]]",
+                               "{",
+                               "}",
+                               "=",
+                               "\n",
+                               "\\u0000",
+                               "\"5 parsec\"",
+                               "never",
+                               "1e-320",
+                               "[",
+                               "include = \"x\"",
+                               "a.b.c",
+                               "true",
+                               "\xff",
+                               "9223372036854775808"};
   for (std::size_t edits = 1 + below(3); edits > 0 && !s.empty(); edits--) {
     const std::size_t at = below(s.size());
     switch (below(7)) {
@@ -34,7 +60,8 @@ std::string damaged(std::string s, std::mt19937_64& random) {
       case 5: {  // a value in place of another
         const std::size_t equals = s.find('=', at);
         if (equals == s.npos) break;
-        s.replace(equals + 1, s.find('\n', equals) == s.npos ? s.npos : s.find('\n', equals) - equals - 1, std::string(" ") + words[below(std::size(words))]);
+        s.replace(equals + 1, s.find('\n', equals) == s.npos ? s.npos : s.find('\n', equals) - equals - 1,
+                  std::string(" ") + words[below(std::size(words))]);
         break;
       }
       default: std::swap(s[at], s[below(s.size())]);
@@ -45,12 +72,16 @@ std::string damaged(std::string s, std::mt19937_64& random) {
 
 /// What a scene may hold after reading, whatever was in the file.
 void expectSound(const Scene& s, const std::string& text) {
-  bool good = std::isfinite(s.spacing) && s.spacing > 0 && std::isfinite(s.end) && s.end >= 0 && s.output.every > 0 && (!s.bodies.empty() || !s.emitters.empty());
-  for (int a = 0; a < 3; a++) good = good && s.domain.max[a] > s.domain.min[a] && std::isfinite(s.domain.gravity[a]);
+  bool good = std::isfinite(s.spacing) && s.spacing > 0 && std::isfinite(s.end) && s.end >= 0 &&
+              s.output.every > 0 && (!s.bodies.empty() || !s.emitters.empty());
+  for (int a = 0; a < 3; a++)
+    good = good && s.domain.max[a] > s.domain.min[a] && std::isfinite(s.domain.gravity[a]);
   for (const Material& m : s.materials)
-    good = good && m.density > 0 && std::isfinite(m.density) && m.young.solid >= 0 && std::isfinite(m.young.solid) && m.poisson.solid < 0.5 && m.heatCapacity.solid > 0 && m.solidus > 0;
+    good = good && m.density > 0 && std::isfinite(m.density) && m.young.solid >= 0 &&
+           std::isfinite(m.young.solid) && m.poisson.solid < 0.5 && m.heatCapacity.solid > 0 && m.solidus > 0;
   for (const Body& b : s.bodies)
-    good = good && b.temperature > 0 && std::isfinite(b.temperature) && b.material >= 0 && b.material < static_cast<int>(s.materials.size()) && std::isfinite(dot(b.velocity, b.velocity));
+    good = good && b.temperature > 0 && std::isfinite(b.temperature) && b.material >= 0 &&
+           b.material < static_cast<int>(s.materials.size()) && std::isfinite(dot(b.velocity, b.velocity));
   EXPECT_TRUE(good) << text;
 }
 
@@ -81,14 +112,14 @@ TEST(SceneFuzz, DamagedOverrides) {
   const SceneFiles files = sceneFilesOf("melt.toml", textOf(THAW_SOURCE_DIR "/scenes/melt.toml"));
   std::mt19937_64 random(7);
   for (int k = 0; k < 1000; k++) {
-    const char* const sound[] = {"spacing=\"2 mm\"", "body.bust.velocity=[0, 0, -1]", "material.wax.melts=[\"40 degC\", \"65 degC\"]", "obstacle.0.temperature=300"};
+    const char* const sound[] = {"spacing=\"2 mm\"", "body.bust.velocity=[0, 0, -1]",
+                                 "material.wax.melts=[\"40 degC\", \"65 degC\"]",
+                                 "obstacle.0.temperature=300"};
     const std::string setting = damaged(sound[random() % 4], random);
     try {
       const Scene s = readScene(files, {setting});
       expectSound(s, setting);
-    } catch (const SceneErrors& e) {
-      EXPECT_FALSE(e.lines.empty());
-    } catch (const std::exception& e) {
+    } catch (const SceneErrors& e) { EXPECT_FALSE(e.lines.empty()); } catch (const std::exception& e) {
       ADD_FAILURE() << "--set " << setting << ": " << e.what();
     }
   }

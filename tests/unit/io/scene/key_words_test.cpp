@@ -11,16 +11,19 @@ namespace {
 
 KeyDescription keyOf(const std::string& table, const std::string& key) {
   const std::vector<KeyDescription> keys = sceneKeys();
-  const auto at = std::ranges::find_if(keys, [&](const KeyDescription& k) { return k.table == table && k.key == key; });
+  const auto at = std::ranges::find_if(
+      keys, [&](const KeyDescription& k) { return k.table == table && k.key == key; });
   return at == keys.end() ? KeyDescription{} : *at;
 }
 
 bool says(const std::string& text, const char* what) { return text.find(what) != std::string::npos; }
 
 TEST(KeyWords, nameTheKeysWithTwoValues) {
-  for (const char* key : {"viscosity", "young", "poisson", "yield_strain", "creep_rate", "conductivity", "heat_capacity"})
+  for (const char* key :
+       {"viscosity", "young", "poisson", "yield_strain", "creep_rate", "conductivity", "heat_capacity"})
     EXPECT_TRUE(says(keyOf("material.NAME", key).range, "{ solid = ..., liquid = ... }")) << key;
-  for (const char* key : {"density", "damping", "friction"}) EXPECT_FALSE(says(keyOf("material.NAME", key).range, "solid =")) << key;
+  for (const char* key : {"density", "damping", "friction"})
+    EXPECT_FALSE(says(keyOf("material.NAME", key).range, "solid =")) << key;
 }
 
 TEST(KeyWords, sayHowTwoRestitutionsMeet) {
@@ -28,9 +31,13 @@ TEST(KeyWords, sayHowTwoRestitutionsMeet) {
   EXPECT_TRUE(says(keyOf("material.NAME", "restitution").about, "the smaller of the two"));
 }
 
-TEST(KeyWords, giveTheOrderOfTensors) { EXPECT_TRUE(says(keyOf("output", "fields").about, "xx, yy, zz, xy, yz, xz")); }
+TEST(KeyWords, giveTheOrderOfTensors) {
+  EXPECT_TRUE(says(keyOf("output", "fields").about, "xx, yy, zz, xy, yz, xz"));
+}
 
-TEST(KeyWords, sayHowThinAPeriodicSlabMayBe) { EXPECT_TRUE(says(keyOf("domain.sides", "z").about, "a thin slab has 6 spacings")); }
+TEST(KeyWords, sayHowThinAPeriodicSlabMayBe) {
+  EXPECT_TRUE(says(keyOf("domain.sides", "z").about, "a thin slab has 6 spacings"));
+}
 
 TEST(KeyWords, theManualHasLimitsAndAPaste) {
   const std::string text = sceneDocumentation();

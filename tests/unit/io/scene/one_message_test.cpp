@@ -1,4 +1,5 @@
-// A mistake has one message: each value of a scene that uses many keys is replaced by what it cannot be, and only that is told, not what would follow of it.
+// A mistake has one message: each value of a scene that uses many keys is replaced by what it cannot be, and
+// only that is told, not what would follow of it.
 #include <gtest/gtest.h>
 
 #include <toml++/toml.h>
@@ -96,7 +97,8 @@ void collectKeys(const toml::table& t, const std::string& before, std::vector<st
     const std::string path = before + std::string(key.str());
     if (const toml::table* inner = node.as_table()) collectKeys(*inner, path + ".", keys);
     if (const toml::array* list = node.as_array(); list && !list->empty() && list->get(0)->is_table()) {
-      for (std::size_t k = 0; k < list->size(); k++) collectKeys(*list->get(k)->as_table(), path + "." + std::to_string(k) + ".", keys);
+      for (std::size_t k = 0; k < list->size(); k++)
+        collectKeys(*list->get(k)->as_table(), path + "." + std::to_string(k) + ".", keys);
     } else {
       keys.push_back(path);
     }
@@ -117,7 +119,8 @@ TEST(OneMessage, OfEachWrongValue) {
       } catch (const SceneErrors& e) {
         refused++;
         EXPECT_EQ(e.lines.size(), 1u) << e.what();
-        EXPECT_EQ(e.lines[0].find("--set " + key), 0u) << e.lines[0];  // the value's place, not that of what follows
+        // the value's place, not that of what follows
+        EXPECT_EQ(e.lines[0].find("--set " + key), 0u) << e.lines[0];
       }
     }
   EXPECT_GT(refused, 3 * keys.size());

@@ -1,4 +1,5 @@
-// quality picks the defaults of [numerics]; keys that are given win. Liquid that fills a periodic box gets choices of its own.
+// quality picks the defaults of [numerics]; keys that are given win. Liquid that fills a periodic box gets
+// choices of its own.
 #include <gtest/gtest.h>
 
 #include "io/scene/read_scene.hpp"
@@ -6,11 +7,15 @@
 namespace thaw {
 namespace {
 
-Scene sceneOf(const std::string& head, const std::string& numerics = "", const std::string& sides = "", const std::string& body = "") {
+Scene sceneOf(const std::string& head, const std::string& numerics = "", const std::string& sides = "",
+              const std::string& body = "") {
   SceneFiles files;
   files.main = "test.toml";
-  files.texts["test.toml"] = head + "\nspacing = 0.1\nend = 1\n[domain]\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n" + sides + "[numerics]\n" + numerics +
-                             "\n[material.oil]\ndensity = 1000\n[[body]]\nname = 'all'\nmaterial = 'oil'\nbox = { size = [1, 1, 1] }\nplace = { move = [0.5, 0.5, 0.5] }\n" + body;
+  files.texts["test.toml"] = head + "\nspacing = 0.1\nend = 1\n[domain]\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n" +
+                             sides + "[numerics]\n" + numerics +
+                             "\n[material.oil]\ndensity = 1000\n[[body]]\nname = 'all'\nmaterial = "
+                             "'oil'\nbox = { size = [1, 1, 1] }\nplace = { move = [0.5, 0.5, 0.5] }\n" +
+                             body;
   return readScene(files);
 }
 
@@ -38,14 +43,21 @@ TEST(Quality, KeysThatAreGivenWin) {
 }
 
 TEST(Quality, ReferenceWithTheIncompressibleSolver) {
-  EXPECT_EQ(sceneOf("quality = 'reference'", "pressure_solver = 'incompressible'").numerics.density, DensityForm::Summation);
-  EXPECT_EQ(sceneOf("quality = 'reference'", "pressure_solver = 'incompressible'\ndensity = 'plain'").numerics.density, DensityForm::Plain);
+  EXPECT_EQ(sceneOf("quality = 'reference'", "pressure_solver = 'incompressible'").numerics.density,
+            DensityForm::Summation);
+  EXPECT_EQ(sceneOf("quality = 'reference'", "pressure_solver = 'incompressible'\ndensity = 'plain'")
+                .numerics.density,
+            DensityForm::Plain);
 }
 
 TEST(Quality, ReferenceCarriesTheDensityOfEmittedLiquid) {
   const std::string spout = "[[emitter]]\ndisc = { radius = 0.02 }\nmaterial = 'oil'\n";
   const auto densityOf = [&](const std::string& numerics) {
-    return readScene(sceneFilesOf("poured.toml", "spacing = 0.01\nquality = 'reference'\n[domain]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\n[material.oil]\n[numerics]\n" + numerics + "\n" + spout)).numerics.density;
+    return readScene(sceneFilesOf("poured.toml",
+                                  "spacing = 0.01\nquality = 'reference'\n[domain]\nmin = [-1, -1, -1]\nmax "
+                                  "= [1, 1, 1]\n[material.oil]\n[numerics]\n" +
+                                      numerics + "\n" + spout))
+        .numerics.density;
   };
   EXPECT_EQ(densityOf(""), DensityForm::Continuity);
   EXPECT_EQ(densityOf("density = 'summation'"), DensityForm::Summation);
@@ -70,11 +82,13 @@ TEST(FullBox, LeavesWhatTheSceneChooses) {
   EXPECT_EQ(n.tensileLimit, 0.5);
   EXPECT_EQ(n.shifting, 0);
   EXPECT_EQ(sceneOf("", "density = 'summation'", periodic).bodies[0].packing, Packing::Lattice);
-  EXPECT_EQ(sceneOf("", "shifting = 0.1", periodic, "packing = 'lattice'").bodies[0].packing, Packing::Lattice);
+  EXPECT_EQ(sceneOf("", "shifting = 0.1", periodic, "packing = 'lattice'").bodies[0].packing,
+            Packing::Lattice);
 }
 
 TEST(FullBox, StaysOnTheLatticeWhereTheTemperatureVaries) {
-  EXPECT_EQ(sceneOf("", "", periodic, "temperature_gradient = [1, 0, 0]").bodies[0].packing, Packing::Lattice);
+  EXPECT_EQ(sceneOf("", "", periodic, "temperature_gradient = [1, 0, 0]").bodies[0].packing,
+            Packing::Lattice);
 }
 
 TEST(Liquid, UsesContinuityAndNegativePressureByDefault) {
@@ -91,8 +105,11 @@ TEST(Liquid, UsesContinuityAndNegativePressureByDefault) {
 
 TEST(Liquid, UsesSummationWithSurfaceTension) {
   const auto densityOf = [](const std::string& tension) {
-    return readScene(sceneFilesOf("drop.toml", "spacing = 0.01\n[domain]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\n[material.water]\n" + tension +
-                                                   "\n[[body]]\nmaterial = 'water'\nsphere = { radius = 0.1 }\n")).numerics.density;
+    return readScene(sceneFilesOf(
+                         "drop.toml",
+                         "spacing = 0.01\n[domain]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\n[material.water]\n" +
+                             tension + "\n[[body]]\nmaterial = 'water'\nsphere = { radius = 0.1 }\n"))
+        .numerics.density;
   };
   EXPECT_EQ(densityOf(""), DensityForm::Continuity);
   EXPECT_EQ(densityOf("surface_tension = 0.07"), DensityForm::Summation);

@@ -9,7 +9,8 @@ namespace {
 Scene sceneOf(const std::string& numerics, const std::string& material) {
   SceneFiles files;
   files.main = "test.toml";
-  files.texts["test.toml"] = "spacing = 0.1\nend = 1\n[numerics]\n" + numerics + "\n[material.oil]\nconductivity = 1\n" + material +
+  files.texts["test.toml"] = "spacing = 0.1\nend = 1\n[numerics]\n" + numerics +
+                             "\n[material.oil]\nconductivity = 1\n" + material +
                              "\n[[body]]\nname = 'all'\nmaterial = 'oil'\nbox = { size = [1, 1, 1] }\n";
   return readScene(files);
 }
