@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Writes docs/performance.md and its chart from performance_text.md and the figures in docs/performance/ and docs/scaling/.
+"""Writes docs/performance.md and its chart from performance/text.md and the figures in docs/performance/ and docs/scaling/.
 
 performance_chart.py [--check]    --check compares the page with what would be written, and needs no matplotlib
-In performance_text.md: {{table}}, {{machine}} and {{predicted PARTICLES RANKS}}, an efficiency of the scaling model.
+In performance/text.md: {{table}}, {{machine}} and {{predicted PARTICLES RANKS}}, an efficiency of the scaling model.
 """
 import csv
 import os
@@ -71,7 +71,7 @@ def machine():
 
 
 def page():
-    with open(os.path.join(HERE, "performance_text.md")) as f:
+    with open(os.path.join(HERE, "performance", "text.md")) as f:
         text = f.read()
     made = {"table": table, "machine": machine, "predicted": predicted}
     return re.sub(r"\{\{(\w+)\s*([^}]*)\}\}", lambda m: made[m[1]](*m[2].split()), text)

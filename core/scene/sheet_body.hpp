@@ -1,4 +1,4 @@
-// A sheet body as the scene says it ([[sheet]]): vertices on exact damped springs (docs/sheet.md).
+// A sheet body as the scene says it ([[sheet]]): vertices on exact damped springs (docs/theory/sheets.md).
 #pragma once
 #include <array>
 #include <cstddef>

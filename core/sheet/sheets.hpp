@@ -1,4 +1,4 @@
-// The fields of the vertices of sheets (docs/sheet.md): one line a field.
+// The fields of the vertices of sheets (docs/theory/sheets.md): one line a field.
 #pragma once
 #include <array>
 #include <memory>

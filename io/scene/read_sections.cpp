@@ -10,6 +10,17 @@ void readInTime(TableReader& r, const char* key, FactorInTime& f, const char* ab
   if (!r.describing()) r.pairs({key, "s", "", notNegative(), factor}, f.points);
 }
 
+namespace {
+
+/// Notes which choices of [numerics] the scene leaves open.
+void noteOpenChoices(const TableReader& numerics, OpenChoices& open) {
+  open.density = !numerics.has("density");
+  open.tensileLimit = !numerics.has("tensile_limit");
+  open.shifting = !numerics.has("shifting");
+}
+
+}  // namespace
+
 void readSections(TableReader& top, SceneReading& x) {
   Scene& s = *x.scene;
   top.text("title", s.title,
@@ -36,9 +47,7 @@ void readSections(TableReader& top, SceneReading& x) {
   x.spacing = top.placeOf("spacing");
   top.table("numerics", "choices of the method", [&](TableReader& r) {
     readNumerics(r, s.numerics);
-    x.open.density = !r.has("density");
-    x.open.tensileLimit = !r.has("tensile_limit");
-    x.open.shifting = !r.has("shifting");
+    noteOpenChoices(r, x.open);
     if (s.numerics.fixedStep > s.end)
       r.fail("fixed_step", "must not be longer than the simulated time (end)");
   });
