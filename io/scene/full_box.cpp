@@ -35,9 +35,9 @@ void chooseArtificialViscosity(Scene& s, const OpenChoices& open) {
   for (std::size_t k = 0; k < s.materials.size(); k++) {
     Material& m = s.materials[k];
     if (!canBeLiquid(m) || !open.artificialViscosity[k]) continue;
-    double viscosity = m.viscosity.liquid;
-    for (const auto& row : m.viscosityTable)
-      viscosity = &row == &m.viscosityTable.front() ? row.second : std::min(viscosity, row.second);
+    const auto lowest = std::min_element(m.viscosityTable.begin(), m.viscosityTable.end(),
+                                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    const double viscosity = lowest == m.viscosityTable.end() ? m.viscosity.liquid : lowest->second;
     const double unit = liquids[k].soundSpeed * s.numerics.support * s.spacing * m.density / 10;
     m.artificialViscosity = std::max(0.0, least - viscosity / unit);
   }

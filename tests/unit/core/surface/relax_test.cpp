@@ -40,7 +40,7 @@ void addBall(SettleRig& rig, double R, double noise = 0.1) {
   rig.place();
 }
 
-TEST(Relax, BallOfLatticeParticles) {  // bars of the issue at R/dx = 16; the lattice has .57 % more volume
+TEST(Relax, BallOfLatticeParticles) {  // limits at R/dx = 16; the lattice has 0.57 % more volume
                                        // than the ball
   SettleRig rig;
   addBall(rig, 16);
