@@ -2,7 +2,7 @@
 
     lint_tidy.py BUILD ALL|COMMIT     of all sources, or of those that differ from COMMIT, committed or not
 
-A changed header is looked at through the source of its name, or the first one that includes it.
+A changed header is looked at through the source of its name, or a near one that includes it.
 """
 import concurrent.futures
 import json
@@ -13,7 +13,7 @@ import subprocess
 import sys
 import tempfile
 
-from lint_files import ROOT, isCpp, readLines
+from lint_files import ROOT, isCpp, readLines, trackedFiles
 
 AT_ONCE = 2
 MOST_CHANGED = 16  # sources of a change: three minutes on two cores
@@ -57,17 +57,28 @@ def changedFiles(commit):
     return sorted({name for name in names + new if isCpp(name)})
 
 
+def includersOf():
+    """Files that include a header, by the header's path."""
+    includers = {}
+    for file in filter(isCpp, trackedFiles()):
+        for line in readLines(file):
+            if line.startswith('#include "'):
+                includers.setdefault(line.split('"')[1], []).append(file)
+    return includers
+
+
 def sourcesOf(files, sources):
-    """Sources through which all of the files are seen."""
-    seen = {file for file in files if file in sources}
+    """Sources through which all files are seen: of a header its twin, else the nearest that includes it."""
+    seen, includers = {file for file in files if file in sources}, includersOf()
     for header in (file for file in files if file.endswith('.hpp')):
-        twin = header[:-4] + '.cpp'
-        includers = (s for s in sorted(sources) if f'#include "{header}"' in readLines(s))
-        found = twin if twin in sources else next(includers, None)
-        if found:
-            seen.add(found)
+        near = [header[:-4] + '.cpp', header]
+        for file in near:  # grows
+            if file in sources:
+                seen.add(file)
+                break
+            near += [other for other in includers.get(file, []) if other not in near]
         else:
-            print(f'clang-tidy: no source includes {header} by itself: not looked at', file=sys.stderr)
+            print(f'clang-tidy: no source includes {header}: not looked at', file=sys.stderr)
     return sorted(seen)
 
 
