@@ -8,8 +8,8 @@
 namespace thaw {
 namespace {
 
-/// Of the owned surfels of `free` those that are within reach of one of `from`. By true distances, so that it
-/// is the same on any number of ranks.
+/// Sets `to` for the owned surfels of `free` that lie within `reach` of a surfel in `from`. Exact distances
+/// give the same result on any number of ranks.
 void markNear(const Surfels& f, const Bins& bins, const std::uint8_t* from, double reach,
               const std::vector<std::uint8_t>& free, std::vector<std::uint8_t>& to) {
   to.assign(f.owned, 0);
@@ -20,7 +20,8 @@ void markNear(const Surfels& f, const Bins& bins, const std::uint8_t* from, doub
   for (std::size_t b = 0; b < bins.size(); b++) {
     const PlaceBox box = boxOf(bins, b);
     const Vec3d across = box.high - box.low;
-    bool all = false, any = false;  // all: one in the bin itself reaches all of it
+    // `all`: a source in the bin reaches the whole bin.
+    bool all = false, any = false;
     for (std::uint32_t k = bins.first[b]; k < bins.first[b + 1]; k++) {
       all = all || (from[bins.row[k]] && dot(across, across) < reach2);
       any = any || (bins.row[k] < f.owned && free[bins.row[k]]);

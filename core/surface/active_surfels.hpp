@@ -1,5 +1,5 @@
-// Which surfels an update's iterations work on: local work (K05 5, future work) begins with those that the
-// forces may move, and shrinks to those that still move and what they have in reach.
+// Selects the surfels that the iterations of an update work on (local work, K05 section 5). Work begins with
+// the surfels that the forces may move. It shrinks to moving surfels and their surroundings.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -10,15 +10,15 @@
 
 namespace thaw {
 
-/// A flag for each owned surfel that the forces may move; `all`: every one. Not those of drops of at most
-/// smallDrop particles, which are spheres (renewSurfels): the colour field between two of them would tear
-/// them apart.
+/// Flags the owned surfels that the forces may move; with `all` every one. Surfels of drops with at most
+/// smallDrop particles are left out: they form spheres (renewSurfels), and the colour field between two such
+/// drops would tear them apart.
 void markFree(const Surface& surface, bool all, std::vector<std::uint8_t>& free);
 
-/// Narrows `free` to what may be worked on before the next search: `core` has a surfel that moves within
-/// `reach` (m, at most the grid's edge), the others have one of the core within it. Once one of the others
-/// moves, work may spread past what is listed. Needs ghosts with Surfels::moving, and bins of all rows.
-/// Changes Surfels::wish. Collective.
+/// Narrows `free` to the surfels that may move before the next search. `core`: a moving surfel lies within
+/// `reach` (m, at most the grid's edge). `free`: a surfel of the core lies within `reach`. Motion of a surfel
+/// outside the core may reach beyond the lists. Changes Surfels::wish. Requires: ghosts with Surfels::moving;
+/// bins of all rows. Collective.
 void markActive(Surface& surface, CellHalo& halo, const Bins& bins, double reach,
                 std::vector<std::uint8_t>& free, std::vector<std::uint8_t>& core);
 

@@ -9,7 +9,7 @@
 namespace thaw {
 namespace {
 
-/// f(j, distance) for the neighbours of i on its side.
+/// Calls f(j, distance) for the neighbours of i on the same side of the sheet.
 template<class F> void forNeighbours(const Surfels& s, const RowLists& lists, std::size_t i, F&& f) {
   for (std::uint64_t k = lists.first[i]; k < lists.end[i]; k++) {
     const std::uint32_t j = lists.row[k];
@@ -35,7 +35,8 @@ void adaptDensity(Surface& surface, CellHalo& halo, const RowLists& lists, doubl
   }
   if (finest < d) {
     refreshGhosts(halo, s, sent);
-    for (std::size_t i = 0; i < s.owned; i++) {  // mean of 1/r: of curvatures
+    // The mean of 1/r is the mean of curvatures.
+    for (std::size_t i = 0; i < s.owned; i++) {
       double sum = 1 / s.wanted[i], weight = 1;
       forNeighbours(s, lists, i, [&](std::uint32_t j, double away) {
         if (away < 1.5 * s.radius[i]) sum += 1 / s.wanted[j], weight += 1;

@@ -1,6 +1,6 @@
-// Areas of Voronoi cells, eight at a time: the lines halfway to the neighbours, each from where the others
-// cut it off to where they do. All pairs of lines are looked at, without a branch: with the eight to eleven
-// neighbours that a surfel has, that takes a third of the time of cutting a polygon.
+// Areas of Voronoi cells, eight at a time. Each bisector keeps the interval that the other bisectors leave.
+// All pairs are clipped without branches: a surfel has eight to eleven neighbours, and this is faster than
+// clipping a polygon.
 #include "core/math/vec3.hpp"
 #include "core/simd/lanes.hpp"
 #include "core/surface/surface_kernels.hpp"
@@ -19,23 +19,24 @@ THAW_INLINE void store(double* to, LanesD v) {
   *reinterpret_cast<Vec4d*>(to + 4) = v.hi;
 }
 
-/// n.p <= height, n a unit vector; the part of the line that is left goes from `from` to `to` along the
-/// normal turned to the left.
+/// Half plane n.p <= height with a unit vector n. The remaining part of its line is [from, to] along n turned
+/// to the left.
 struct Line {
   LanesD x, y, height, from, to;
 };
 
-/// Line b cuts a piece off line a, and a off b.
+/// Clips lines a and b at each other.
 THAW_INLINE void cut(Line& a, Line& b, LanesD& farthest2) {
   const LanesD zero(0.0), far(1e300), least(1e-300);
   const LanesD sine = a.x * b.y - a.y * b.x, cosine = a.x * b.x + a.y * b.y;
   const LanesD overA = b.height - a.height * cosine, overB = a.height - b.height * cosine;
   const auto cross = max(sine, -sine) > least;
-  // the same line twice: left to others
+  // coincident lines: cutAlone handles the cell
   farthest2 = select(cross, farthest2, select(max(overA, -overA) > zero, farthest2, far));
   const LanesD back = LanesD(1.0) / select(cross, sine, least);
   const LanesD atA = overA * back, atB = -(overB * back);
-  const auto left = back > zero;  // b turns to the left of a: it ends a, and a begins b
+  // Where b turns to the left of a, a ends there and b begins.
+  const auto left = back > zero;
   a.to = select(left, min(a.to, atA), a.to);
   a.from = select(left, a.from, max(a.from, atA));
   b.from = select(left, max(b.from, atB), b.from);
@@ -50,7 +51,7 @@ void areas(const AreaCells& in, double* area, double* farthest2) {
   const Lanes4<double> own = load(records(in.place), in.self), frame = load(records(in.normal), in.self);
   const V x{own.a, own.b, own.c}, n{frame.a, frame.b, frame.c};
   const LanesD tiny = LanesD(1e-12) * own.d * own.d;
-  // a frame of the plane (Duff et al. 2017)
+  // orthonormal frame of the plane (D17)
   const LanesD sign = select(n.z < zero, LanesD(-1.0), one), a = -(one / (sign + n.z)), b = n.x * n.y * a;
   const V u{one + sign * n.x * n.x * a, sign * b, -(sign * n.x)}, v{b, sign + n.y * n.y * a, -n.y};
   Line lines[mostAreaNeighbours];
@@ -62,9 +63,10 @@ void areas(const AreaCells& in, double* area, double* farthest2) {
     const LanesD d2 = dot(d, d), cosine = dot(n, m), height = dot(d, n), flat2 = d2 - height * height;
     const auto there = (flat2 > tiny) & (cosine > LanesD(in.cosBack));
     farthest = select(there & (cosine < LanesD(in.cosFlat)), far, farthest);
-    const auto cuts = there & (height * height < half * d2);  // else it is above or below: another layer
+    // Higher or lower neighbours belong to another layer.
+    const auto cuts = there & (height * height < half * d2);
     const LanesD perFlat = one / sqrt(select(cuts, flat2, one));
-    // the length of the arc between the two
+    // half the length of the arc between the two surfels
     const LanesD away = half * sqrt(d2) * (one + (one - cosine) * LanesD(1.0 / 12));
     lines[k] = {select(cuts, dot(d, u) * perFlat, one), select(cuts, dot(d, v) * perFlat, zero),
                 select(cuts, away, none * LanesD(static_cast<double>(k + 1))), -none, none};

@@ -53,13 +53,14 @@ std::uint64_t keyOf(const Bins& b, const Vec3d& x) {
 }
 std::uint64_t part(std::uint64_t key, int axis) { return key >> 21 * axis & 0x1fffff; }
 
-/// Rows with their keys, which keep their order within a bin.
+/// Sorts rows by bin. Rows of a bin keep their order.
 void sortIntoBins(const Vec3d* position, Bins& b) {
   std::uint64_t low[3]{~0ull, ~0ull, ~0ull}, high[3]{};
   for (const auto& entry : b.sorting)
     for (int a = 0; a < 3; a++)
       low[a] = std::min(low[a], part(entry.first, a)), high[a] = std::max(high[a], part(entry.first, a));
-  std::array<int, 3> bits{};  // that numbers from the lowest one on take
+  // number of bits of the bin numbers, counted from the lowest one
+  std::array<int, 3> bits{};
   for (std::size_t a = 0; a < 3; a++) bits[a] = std::bit_width(high[a] - low[a]);
   if (b.sorting.size() > 64) {
     const int y = bits[0], z = bits[0] + bits[1];
@@ -81,7 +82,8 @@ void sortIntoBins(const Vec3d* position, Bins& b) {
   listBins(b);
 }
 
-/// The box and its distance in floats, which are rounded from the base of the bins on: a little more.
+/// Converts a box and a distance to floats relative to the base of the bins. The distance is enlarged by the
+/// rounding error.
 NearBox nearBoxOf(const PlaceBox& box, const Vec3d& base, double radius) {
   const Vec3d middle = 0.5 * (box.low + box.high) - base, half = 0.5 * (box.high - box.low);
   const double rounding = 1e-6 * (std::abs(middle.x) + std::abs(middle.y) + std::abs(middle.z) + half.x +
@@ -128,7 +130,8 @@ std::span<const std::uint32_t> RowBlock::around(const Vec3d& place, double radiu
 void fillBins(const CellGrid& grid, const CellTable& cells, const Vec3d* position, double edge, Bins& b) {
   double longest = 0;
   for (int a = 0; a < 3; a++) {
-    b.base[a] = grid.origin[a] - grid.edge[a];  // images lie up to a cell outside
+    // periodic images lie up to a cell outside of the domain
+    b.base[a] = grid.origin[a] - grid.edge[a];
     longest = std::max(longest, (grid.cells[a] + 2) * grid.edge[a]);
   }
   b.perLength = 1 / std::max(edge, longest / (binsPerAxis - 1));
@@ -136,8 +139,8 @@ void fillBins(const CellGrid& grid, const CellTable& cells, const Vec3d* positio
   for (std::size_t c = 0; c < cells.key.size(); c++)
     for (std::uint32_t i = cells.first[c]; i < cells.first[c] + cells.count[c]; i++)
       b.sorting.emplace_back(keyOf(b, position[i]), i);
-  // rows of a bin stay in the order of cells and ids: owned and ghost rows of two cells may stand in any
-  // order in the table
+  // Rows of a bin stay in the order of cells and ids. Owned and ghost rows of two cells may have any order in
+  // the table.
   sortIntoBins(position, b);
 }
 

@@ -1,4 +1,4 @@
-// Rows by fine bins: what finds surfels around surfels, hundreds of which may lie in one cell of the grid.
+// Rows sorted by fine bins. One cell of the grid may hold hundreds of surfels.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -11,26 +11,25 @@
 
 namespace thaw {
 
-/// Rows with what they are sorted by.
+/// Pairs of sort key and row.
 using SortedRows = std::vector<std::pair<std::uint64_t, std::uint32_t>>;
-/// By key, rows of one key as they stand: digit by digit, for keys below 2^bits. `other` is a buffer.
+/// Sorts by key with a stable radix sort, for keys below 2^bits. `other` is a buffer.
 void sortByKey(SortedRows& rows, SortedRows& other, int bits);
 
-/// Rows (ghosts included) sorted by bin, and within a bin as they are in the grid: by (cell, id). The order
-/// depends on places alone, not on which rank holds a row, so sums over rows in this order have the same bits
-/// on any number of ranks. Only bins with rows are listed, and lines of bins along x that have some: to look
-/// at empty space costs nothing.
+/// Rows (ghosts included) sorted by bin, and within a bin by (cell, id) as in the grid. The order depends on
+/// positions only. Sums over rows in this order therefore have the same bits on any number of ranks. Only
+/// occupied bins, and lines of bins along x, are listed, so that empty space costs nothing.
 struct Bins {
   Vec3d base{};                         ///< m, low corner of bin (0, 0, 0)
   double perLength = 1;                 ///< 1/m
-  std::vector<std::uint64_t> key;       ///< of bins with rows; keys ascend along x first
+  std::vector<std::uint64_t> key;       ///< keys of occupied bins, ascending along x first
   std::vector<std::uint32_t> first;     ///< rows of bin b: row[first[b]] ... row[first[b + 1] - 1]
-  std::vector<std::uint64_t> line;      ///< of lines with bins: their key without x
+  std::vector<std::uint64_t> line;      ///< keys of occupied lines: bin keys without x
   std::vector<std::uint32_t> firstBin;  ///< bins of line l: firstBin[l] ... firstBin[l + 1] - 1
   std::vector<std::uint32_t> row;
-  std::vector<Vec3d> at;       ///< m, places of these rows when the bins were filled
-  std::vector<float> x, y, z;  ///< m, the same from the base on, rounded: what a RowBlock compares;
-                               ///< nearBoxMore longer
+  std::vector<Vec3d> at;       ///< m, positions of these rows when the bins were filled
+  std::vector<float> x, y, z;  ///< m, positions relative to the base, rounded, for RowBlock; nearBoxMore
+                               ///< longer
   SortedRows sorting, sorted;
   std::size_t size() const { return key.size(); }
 };
@@ -43,25 +42,25 @@ inline std::uint64_t binOf(const Bins& b, double x, int axis) {
   return static_cast<std::uint64_t>(std::clamp((x - b.base[axis]) * b.perLength, 0.0, binsPerAxis));
 }
 
-/// Bins of about `edge` (m) for all rows that `cells` lists.
+/// Fills bins with an edge of about `edge` (m) with all rows listed in `cells`.
 void fillBins(const CellGrid& grid, const CellTable& cells, const Vec3d* position, double edge, Bins& bins);
 
-/// Bins of n places from the lowest of them on, rows in ascending order within a bin: for questions whose
-/// answer does not depend on the order in which rows are met (nearest, which are joined), or that sort what
-/// they find.
+/// Fills bins with n positions; rows of a bin ascend. For searches whose result does not depend on the order
+/// of rows (nearest row, connected rows), or that sort their result.
 void fillBins(const Vec3d* position, std::size_t n, double edge, Bins& bins);
 
-/// The same bins with the rows alone that keep[row] names, in the same order.
+/// Copies the bins with only the rows for which keep[row] is set, in the same order.
 void pickRows(const Bins& bins, const std::uint8_t* keep, Bins& picked);
 
-/// Calls found(from, to) for runs of bins [from, to) with rows that a box [low, high], grown by `radius` (m)
-/// and rounded, may meet, in the order of the bins.
+/// Calls found(from, to) for runs of occupied bins [from, to) that the box [low, high], grown by `radius` (m)
+/// and rounded, may intersect, in the order of the bins.
 template<class Found>
 void forBinRunsAround(const Bins& b, const Vec3d& low, const Vec3d& high, double radius, Found found) {
   const double r2 = (1 + 1e-9) * radius * radius, edge = 1 / b.perLength;
   const std::uint64_t y0 = binOf(b, low.y - radius, 1), y1 = binOf(b, high.y + radius, 1),
                       z0 = binOf(b, low.z - radius, 2), z1 = binOf(b, high.z + radius, 2);
-  const auto gap = [&](std::uint64_t bin, int axis) {  // from the box to a layer of bins
+  // distance from the box to a layer of bins
+  const auto gap = [&](std::uint64_t bin, int axis) {
     const double from = b.base[axis] + edge * static_cast<double>(bin);
     return std::max({0.0, from - high[axis], low[axis] - (from + edge)}) * (1 - 1e-9);
   };
@@ -73,7 +72,8 @@ void forBinRunsAround(const Bins& b, const Vec3d& low, const Vec3d& high, double
       l = static_cast<std::size_t>(std::lower_bound(b.line.begin(), b.line.end(), firstLine) -
                                    b.line.begin());
     } else {
-      std::size_t stride = 1;  // the next layer is rarely far
+      // Exponential search: the next layer is usually close.
+      std::size_t stride = 1;
       while (l + stride < lines && b.line[l + stride] < firstLine) l += stride, stride *= 2;
       l = static_cast<std::size_t>(
           std::lower_bound(b.line.begin() + static_cast<std::ptrdiff_t>(l),
@@ -105,7 +105,7 @@ void forBinRunsAround(const Bins& b, const Vec3d& low, const Vec3d& high, double
   }
 }
 
-/// Calls found(bin) for each of these bins.
+/// Calls found(bin) for each occupied bin that the grown box may intersect.
 template<class Found>
 void forBinsAround(const Bins& b, const Vec3d& low, const Vec3d& high, double radius, Found found) {
   forBinRunsAround(b, low, high, radius, [&](std::size_t from, std::size_t to) {
@@ -113,8 +113,8 @@ void forBinsAround(const Bins& b, const Vec3d& low, const Vec3d& high, double ra
   });
 }
 
-/// Calls found(row, place) for all rows whose place is within `radius` (m) of the box [low, high], and some
-/// more, in the order of the bins.
+/// Calls found(row, position) for all rows within `radius` (m) of the box [low, high], and for some farther
+/// ones, in the order of the bins.
 template<class Found>
 void forRowsAround(const Bins& b, const Vec3d& low, const Vec3d& high, double radius, Found found) {
   forBinRunsAround(b, low, high, radius, [&](std::size_t from, std::size_t to) {
@@ -122,7 +122,7 @@ void forRowsAround(const Bins& b, const Vec3d& low, const Vec3d& high, double ra
   });
 }
 
-/// A box of places.
+/// Bounding box of positions.
 struct PlaceBox {
   Vec3d low, high;
   void add(const Vec3d& x) {
@@ -136,23 +136,25 @@ struct PlaceBox {
   }
 };
 
-/// Of the places of a bin's rows.
+/// Returns the bounding box of the rows of a bin.
 inline PlaceBox boxOf(const Bins& b, std::size_t bin) {
   PlaceBox box{b.at[b.first[bin]], b.at[b.first[bin]]};
   for (std::uint32_t k = b.first[bin] + 1; k < b.first[bin + 1]; k++) box.add(b.at[k]);
   return box;
 }
 
-/// Rows around a box, found once for many that ask: row[k] at the place at[k], for k < count.
+/// Rows around a box, found once for many queries: row[k] at the position at[k], for k < count.
 struct RowBlock {
   std::size_t count = 0;
-  std::vector<std::uint32_t> row;  // as long as any block was
+  // Buffers keep the size of the largest block.
+  std::vector<std::uint32_t> row;
   std::vector<Vec3d> at;
-  std::vector<float> x, y, z;  // m, the same from the bins' base on, rounded
-  /// All within `radius` (m) of a box, and some a rounding farther, in the order of the bins.
+  std::vector<float> x, y, z;  // m, positions relative to the bins' base, rounded
+  /// Finds all rows within `radius` (m) of a box, and some a rounding error farther, in the order of the
+  /// bins.
   void find(const Bins& bins, const PlaceBox& box, double radius);
-  /// Of these all within `radius` (m) of a place, and some a rounding farther: their k, ascending, until the
-  /// next call.
+  /// Returns the indices k of all rows of the block within `radius` (m) of a position, and of some a rounding
+  /// error farther. They ascend and are valid until the next call.
   std::span<const std::uint32_t> around(const Vec3d& place, double radius);
 
  private:
@@ -160,7 +162,7 @@ struct RowBlock {
   std::vector<std::uint32_t> picked_;
 };
 
-/// Calls found(row, square of the distance) for all rows within `radius` (m) of x, that of x itself included.
+/// Calls found(row, squared distance) for all rows within `radius` (m) of x. A row at x is included.
 template<class Found> void forRowsWithin(const Bins& b, const Vec3d& x, double radius, Found found) {
   const double r2 = radius * radius;
   forRowsAround(b, x, x, radius, [&](std::uint32_t row, const Vec3d& at) {
@@ -170,8 +172,8 @@ template<class Found> void forRowsWithin(const Bins& b, const Vec3d& x, double r
   });
 }
 
-/// Calls found(row, block) for every row of `of`, with a block that holds at least all rows of `among` within
-/// `radius` (m) of it: found once for each bin.
+/// Calls found(row, block) for every row of `of`. The block, found once for each bin, holds at least all rows
+/// of `among` within `radius` (m) of the row.
 template<class Found>
 void forBlocks(const Bins& of, const Bins& among, double radius, RowBlock& block, Found found) {
   for (std::size_t bin = 0; bin < of.size(); bin++) {

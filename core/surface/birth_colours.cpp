@@ -26,8 +26,7 @@ bool ofMesh(const World& w, const SurfelRow& r) {
   return hasMesh(w.scene, w.surface.particles.body[r.particle]);
 }
 
-/// Least and largest colour among surfels and rows that inherit: where they are equal there is nothing to
-/// choose.
+/// Least and largest colour among surfels and inheriting rows. If they are equal, all births get that colour.
 struct ColourRange {
   std::uint32_t least = std::numeric_limits<std::uint32_t>::max(), most = 0;
   void add(std::uint32_t c) { least = std::min(least, c), most = std::max(most, c); }
@@ -39,8 +38,8 @@ struct ColourRange {
   bool one() const { return least >= most; }
 };
 
-/// The nearest surfel of the row's component, and of any, of those within `reach` (m) of the row and `around`
-/// (m) of its particle; and what those of its component are in the mean.
+/// Finds the nearest surfel of the row's component, and of other components, among surfels within `reach` (m)
+/// of the row and within `around` (m) of its particle. Also sums the mean colour of the row's component.
 void findNearest(const World& w, const Bins& bins, const SurfelRow& r, double reach, double around,
                  Nearest& own, Nearest& any, MeanColour& mean) {
   const Surfels& f = w.surface.surfels;
@@ -65,7 +64,7 @@ bool coloursMayDiffer(const Scene& scene) {
 void inheritColours(const World& w, const Bins& bins, std::vector<SurfelRow>& rows) {
   if (ColourRange(w.surface.surfels, rows).one()) return;
   const Surface& s = w.surface;
-  // of the particle, whose cell is this rank's: all surfels there are known
+  // All surfels within a cell's edge of an owned particle are known on this rank.
   const double around = std::min({s.grid.edge.x, s.grid.edge.y, s.grid.edge.z});
   for (SurfelRow& r : rows) {
     if (!inherits(r)) continue;
@@ -76,7 +75,8 @@ void inheritColours(const World& w, const Bins& bins, std::vector<SurfelRow>& ro
       r.colour = near.colour();
       continue;
     }
-    if (!ofMesh(w, r)) continue;  // its material's
+    // The row keeps its material's colour.
+    if (!ofMesh(w, r)) continue;
     if (!own.found())
       findNearest(w, bins, r, around + length(r.position - s.particles.position[r.particle]), around, own,
                   any, far);

@@ -11,18 +11,19 @@ namespace thaw {
 
 struct SurfaceTools;
 
-/// Has some body a mesh, which may have colours at its vertices, or are there materials of different colours?
+/// Returns whether surfels may have different colours: a body has a mesh, perhaps with vertex colours, or
+/// materials differ in colour.
 bool coloursMayDiffer(const Scene& scene);
 
-/// New surfels around a particle (SurfelRow::particle) get the mean colour of the surfels of their component
-/// within two spacings, so that where liquids of two colours have run into each other there are no specks.
-/// Without one there, those of a body without a mesh keep that of their material; of a body with a mesh they
-/// get that of the nearest surfel of their component among those within a cell's edge of the particle, of
-/// several the one with the smaller id; where there is none of it, as on a drop that has just come off, of
-/// any. Needs bins of the surfels, with ghosts.
+/// Colours new surfels around particles (SurfelRow::particle). The mean colour of the component's surfels
+/// within two spacings avoids single surfels of another colour where liquids mix. Without surfels there,
+/// bodies without a mesh keep their material's colour. Bodies with a mesh take the colour of the nearest
+/// surfel of the component within a cell's edge of the particle, of equally near ones that with the smaller
+/// id. If the component has none there, as for a drop that has just separated, the nearest surfel of any
+/// component counts. Requires: bins of the surfels with ghosts.
 void inheritColours(const World& world, const Bins& bins, std::vector<SurfelRow>& rows);
 
-/// The same for placed surfels without ghosts. Scenes of one colour pay nothing. Collective.
+/// Colours new surfels for placed surfels without ghosts. Does nothing in scenes of one colour. Collective.
 void inheritColours(World& world, SurfaceHalos halos, SurfaceTools& tools, std::vector<SurfelRow>& rows);
 
 }  // namespace thaw

@@ -13,20 +13,21 @@ namespace thaw {
 
 namespace {
 
-/// A surfel that follows its place of the start, as seen from what is born beside it.
+/// Surfel with a reference position, relative to a new surfel beside it.
 struct Follower {
   std::size_t row;
   Vec3d d;
   double weight;
 };
 
-/// Where the place was at the start: by the affine map, in the least squares of weights, from the followers'
-/// places in the tangent plane of `frame` (rows) now to those of the start; what is across the plane is as
-/// long as it is now. A strain that is left out here would have the newborn jump by that times its distance
-/// when it follows. Empty where they lie in a line.
+/// Returns the reference position of a new surfel. An affine map in the tangent plane is fitted by weighted
+/// least squares from current to reference positions of the followers. `frame` holds normal and tangents in
+/// rows. The distance across the plane is kept. Neglected strain would displace the new surfel by strain
+/// times distance when it moves with the reference. Returns nothing if the followers lie in a line.
 std::optional<Vec3d> placeAtStart(const Surfels& s, const std::vector<Follower>& followers,
                                   const Mat3d& frame, const Vec3d& startNormal) {
-  constexpr double line = 0.02;  // of the larger moment
+  // least determinant over the square of the larger moment: smaller means a line
+  constexpr double line = 0.02;
   double sum = 0, a = 0, b = 0, c = 0;
   Vec3d mean{}, now{};
   for (const Follower& f : followers)
@@ -41,15 +42,16 @@ std::optional<Vec3d> placeAtStart(const Surfels& s, const std::vector<Follower>&
     along1 += f.weight * u * then;
     along2 += f.weight * v * then;
   }
-  const double across = dot(now, frame.row[0]);  // from the place to the followers
+  // signed distance from the new surfel to the followers' mean
+  const double across = dot(now, frame.row[0]);
   const double det = a * c - b * b;
   if (!(det > line * std::max(a, c) * std::max(a, c))) return {};
   const double u = -dot(now, frame.row[1]), v = -dot(now, frame.row[2]);
   return mean + ((c * u - b * v) / det) * along1 + ((a * v - b * u) / det) * along2 - across * startNormal;
 }
 
-/// Where and how a surfel between some that follow their places of the start would have been there: its frame
-/// as each of them sees it from its own, in the mean.
+/// Sets the reference frame of a new surfel to the mean of the frames that its neighbours with a reference
+/// imply.
 void startOf(const Patch& patch, SurfelRow& born) {
   const Surfels& s = *patch.surfels;
   const std::size_t i = patch.centre;
@@ -63,7 +65,7 @@ void startOf(const Patch& patch, SurfelRow& born) {
     const double u = 1 - dot(d, d) / (reach * reach);
     if (!follows(s, j) || !(u > 0)) return;
     const double w = u * u * u;
-    // rows: what turns a vector into the frame
+    // Rows of these matrices turn a vector into the local frame.
     const Mat3d now{{s.normal[j], s.tangent[j], cross(s.normal[j], s.tangent[j])}};
     const Mat3d then{{s.startNormal[j], s.startTangent[j], cross(s.startNormal[j], s.startTangent[j])}};
     const auto back = [&](const Vec3d& v) { return transpose(then) * (now * v); };
@@ -102,7 +104,7 @@ SurfelRow blendedSurfel(const Patch& patch, const SurfacePoint& p) {
          mark = 0;
   const auto add = [&](std::size_t j) {
     const Vec3d d = s.position[j] - p.position;
-    // the parent counts in any case
+    // The parent always contributes.
     const double u = std::max(1 - dot(d, d) / (reach * reach), j == i ? 1e-3 : 0.0), w = u * u * u;
     sum += w;
     radius += w * s.radius[j];
@@ -146,7 +148,7 @@ void appendSurfels(Surfels& s, const std::vector<SurfelRow>& rows) {
       s.follows[i] = r.follows, s.startPlace[i] = r.startPlace, s.startNormal[i] = r.startNormal,
       s.startTangent[i] = r.startTangent;
     if (s.loose.active) s.loose[i] = r.detail < 0.5f;
-    // what settles of it is what settles of those around it (blendSurfels)
+    // blendSurfels treats the new surfel like its neighbours.
     if (s.carriedNormal.active && !(s.loose.active && s.loose[i]))
       s.carried[i] = r.position, s.carriedNormal[i] = r.normal;
     if (s.liquid.active) s.liquid[i] = r.liquid;

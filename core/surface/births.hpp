@@ -1,4 +1,4 @@
-// New surfels among old ones.
+// New surfels beside existing ones.
 #pragma once
 #include <vector>
 
@@ -7,28 +7,27 @@
 
 namespace thaw {
 
-/// All that a surfel has, apart from the table.
+/// Values of one surfel outside of the table.
 struct SurfelRow {
   std::uint64_t id = 0, component = noComponent;
   Vec3d position{}, normal{0, 0, 1}, tangent{1, 0, 0};  ///< m, unit, unit
   double radius = 0;                                    ///< m
   std::uint32_t colour = 0;
   float detail = 0, liquid = 0, temperature = 0, softened = 0, mark = 0;
-  bool follows = false;  ///< as it would have been at the start (follow_start.hpp):
+  bool follows = false;  ///< has a reference position and frame (follow_start.hpp)
   Vec3d startPlace{}, startNormal{}, startTangent{};  ///< m, unit, unit
   static constexpr std::uint32_t none = 0xffffffffu;
-  std::uint32_t particle = none;  ///< row of the particle copy that it is grown around; none: of surfels
+  std::uint32_t particle = none;  ///< row of the particle copy that it grows from; none: born between surfels
 };
 
-/// A surfel at p, with what the patch's surfels have there: weights fall to 0 at one and a half radii. Its id
-/// is the caller's.
+/// Returns a surfel at p with values interpolated from the patch. Weights vanish at 1.5 radii. The caller
+/// sets its id.
 SurfelRow blendedSurfel(const Patch& patch, const SurfacePoint& p);
 
-/// Appends rows behind the owned ones. The table must not have ghosts. Ids are not looked at: addSurfels
-/// does.
+/// Appends rows behind the owned ones without a check of ids (see addSurfels). Requires: no ghosts.
 void appendSurfels(Surfels& surfels, const std::vector<SurfelRow>& rows);
 
-/// The same for births on all ranks: those whose id is there already, or among `others`, get another one
+/// Appends births on all ranks. Ids that exist already in the table or in `others` are replaced
 /// (renameTwins). Collective.
 void addSurfels(Surfels& surfels, const std::vector<SurfelRow>& rows, std::uint64_t seed, Reducer& all,
                 const Surfels* others = nullptr);

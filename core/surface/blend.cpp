@@ -8,19 +8,19 @@
 namespace thaw {
 namespace {
 
-/// Half-molten, a strain of 1 leaves 1/e of a mark.
+/// Half-molten, a strain of 1 leaves 1/e of a detail's height.
 constexpr double wipes = 2;
 
-/// What surfel i does in this update of its way from where it was carried to onto the smooth surface.
+/// Motion of a surfel in this update from its carried to its relaxed position.
 struct Way {
-  double down = 0;   // m, against the settled normal
-  double share = 0;  // of the rest: along the surface, and of the turn
+  double down = 0;   // m, against the relaxed normal
+  double share = 0;  // share of the remaining motion: along the surface and of the rotation
 };
 
-/// Its height over the smooth surface is a mark and what the motion has added. The mark fades to 1 - b of
-/// itself, the largest b since it was solid counts, and as it is kneaded, by e^(-wipes b strain); the
-/// motion's part by b in each update, as in the paper: what the update takes away does not come back. A slow
-/// part of the motion's goes over to the mark, since what is hardly liquid is carried rather than settled.
+/// Returns the motion of surfel i. Its height over the smooth surface is its detail height plus a height
+/// added by motion. The detail fades to the factor 1 - b, for the largest b since it was solid, and with
+/// strain by exp(-wipes b strain). The added height fades by b in each update, as in the paper; it does not
+/// return. At small b, added height becomes detail, because nearly solid surfels are carried, not relaxed.
 Way wayOf(Surfels& s, std::size_t i, double b, double height) {
   const bool told = s.softened.active;
   const double before = told ? static_cast<double>(s.softened[i]) : 0,
@@ -33,7 +33,7 @@ Way wayOf(Surfels& s, std::size_t i, double b, double height) {
     s.mark[i] = static_cast<float>(mark * left + solid * solid * added);
   }
   const double off = std::min(1.0, added * added / (s.radius[i] * s.radius[i]));
-  // never away from the surface
+  // Never move away from the surface.
   const double down = std::clamp(mark * (1 - left) + b * added, std::min(height, 0.0), std::max(height, 0.0));
   return {down, 1 - left * (1 - b * off)};
 }
@@ -61,7 +61,8 @@ void blendSurfels(World& w) {
       s.position[i] = s.carried[i] + move;
       const Vec3d n = (1 - way.share) * before + way.share * settled;
       const double size = length(n);
-      s.normal[i] = size > 1e-6 ? n / size : before;  // opposite ones have no middle
+      // Opposite normals have no mean.
+      s.normal[i] = size > 1e-6 ? n / size : before;
       const Vec3d d = s.tangent[i] - dot(s.tangent[i], s.normal[i]) * s.normal[i];
       if (dot(d, d) > 1e-12) s.tangent[i] = normalized(d);
     }

@@ -12,18 +12,20 @@
 namespace thaw {
 namespace {
 
-constexpr double pieceSize = 0.55, closest = 0.75, loneliest = 0.85;  // of the spacing
-constexpr double sameSide = -0.3;  // dot of normals of triangles that see each other
+// in spacings
+constexpr double pieceSize = 0.55, closest = 0.75, loneliest = 0.85;
+// Least dot product of the normals of triangles that interact.
+constexpr double sameSide = -0.3;
 constexpr int lloydSteps = 2;
 constexpr std::uint32_t nobody = 0xffffffffu;
 
 struct Candidates {
   std::vector<Vec3d> position;
   std::vector<std::uint32_t> triangle;
-  std::vector<float> area;  // m^2, of the piece
+  std::vector<float> area;  // m^2, area of the piece
 };
 
-/// Halves a triangle across its longest edge until it is small; a candidate in each piece.
+/// Halves a triangle across its longest edge until it is small. Adds one candidate in each piece.
 void addPieces(const std::array<Vec3d, 3>& t, std::uint32_t triangle, double size2, std::uint64_t seed,
                const MeshPart* part, Candidates& c) {
   int longest = 0;
@@ -36,7 +38,8 @@ void addPieces(const std::array<Vec3d, 3>& t, std::uint32_t triangle, double siz
   if (most > size2) {
     const Vec3d m = 0.5 * (a + b);
     if (part && !part->near(m, std::sqrt(most)))
-      return;  // no corner is farther from the middle of the longest edge
+      // No corner is farther from the middle of the longest edge.
+      return;
     addPieces({a, m, o}, triangle, size2, seed, part, c);
     addPieces({m, b, o}, triangle, size2, seed, part, c);
     return;
@@ -54,7 +57,7 @@ void addPieces(const std::array<Vec3d, 3>& t, std::uint32_t triangle, double siz
   c.area.push_back(static_cast<float>(area));
 }
 
-/// Sorts candidates by cell, which is how they are looked at from then on.
+/// Sorts candidates by cell for local access.
 void sortByCells(Candidates& c, const PointCells& cells) {
   Candidates s;
   s.position.reserve(c.position.size());
@@ -72,17 +75,16 @@ struct Sampler {
   const TriangleMesh& mesh;
   double spacing;
   std::uint64_t seed;
-  std::vector<Vec3f> normal;  // of triangles
+  std::vector<Vec3f> normal;  // normals of triangles
   Candidates all;
-  std::vector<std::uint32_t> nearest;  // place of each candidate
+  std::vector<std::uint32_t> nearest;  // index of the nearest sample of each candidate
   std::vector<MeshSample> places;
 
   bool see(std::uint32_t t, std::uint32_t u) const {
     return static_cast<double>(dot(normal[t], normal[u])) > sameSide;
   }
 
-  /// Takes candidates of the list in a hashed order, none within `distance` of another or of one taken
-  /// before.
+  /// Accepts candidates in a hashed order. Accepted candidates are at least `distance` apart.
   void throwDarts(const PointCells& cells, double distance) {
     const std::size_t n = all.position.size();
     std::vector<char> gone(n, 0);
@@ -90,7 +92,8 @@ struct Sampler {
     while ((std::uint64_t{1} << bits) < n) bits++;
     const std::uint64_t mask = (std::uint64_t{1} << bits) - 1, start = mixBits(seed);
     for (std::uint64_t k = 0; k <= mask; k++) {
-      std::uint64_t x = (k + start) & mask;  // a permutation: odd factors and shifted xors can be undone
+      // Bijection: odd factors and shifted xors are invertible.
+      std::uint64_t x = (k + start) & mask;
       x = x * 0x9e3779b97f4a7c15ull & mask, x ^= x >> (bits / 2), x = x * 0xbf58476d1ce4e5b9ull & mask,
       x ^= x >> (bits / 2);
       if (x >= n || gone[x]) continue;
@@ -104,7 +107,7 @@ struct Sampler {
     }
   }
 
-  /// The nearest place of each candidate; those farther from all than `reach` have nobody.
+  /// Finds the nearest sample of each candidate within `reach`, else nobody.
   void findNearest(double reach) {
     std::vector<Vec3d> at;
     at.reserve(places.size());
@@ -130,7 +133,8 @@ struct Sampler {
     }
   }
 
-  /// Each place to the middle of its candidates, on the triangle of the one that is nearest to it.
+  /// Moves each sample to the centroid of its candidates, on the triangle of the candidate nearest to the
+  /// centroid.
   void moveToMiddles() {
     std::vector<Vec3d> middle(places.size());
     std::vector<double> weight(places.size(), 0), best(places.size(), 1e300);
@@ -155,7 +159,7 @@ struct Sampler {
     }
   }
 
-  /// Takes candidates that are farther than `distance` from all places.
+  /// Accepts candidates farther than `distance` from all samples.
   void fillHoles(double distance) {
     findNearest(spacing);
     Candidates lonely;

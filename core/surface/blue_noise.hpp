@@ -1,4 +1,4 @@
-// Evenly spread places on a triangle mesh, without a pattern.
+// Blue-noise samples on a triangle mesh.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -13,21 +13,20 @@ struct MeshSample {
   std::uint32_t triangle = 0;
 };
 
-/// What of a mesh is to have places, where not all of it is.
+/// Part of a mesh that receives samples.
 struct MeshPart {
-  std::function<bool(const Vec3d& middle, double reach)> near;  ///< may something of it be within `reach` (m)
-                                                                ///< of a place?
-  /// does a place on a triangle belong to it?
+  /// Returns whether the part may come within `reach` (m) of a position.
+  std::function<bool(const Vec3d& middle, double reach)> near;
+  /// Returns whether a position on a triangle belongs to the part.
   std::function<bool(const Vec3d& place, std::uint32_t triangle)> isThere;
 };
 
-/// Places about `spacing` (m) apart, as many as a hexagonal lattice of it has. Candidates (one at random in
-/// each piece of a triangle that is at most 0.55 spacings across) are taken in a hashed order where none was
-/// taken within 0.75 spacings (Poisson discs, by dart throwing); then each place moves to the middle of the
-/// candidates nearest to it, a few times (Lloyd), and candidates that are left alone are taken, too: no point
-/// of the mesh is farther than `spacing` from a place. The two sides of a thin sheet do not see each other.
-/// The same bits on any rank: all see the whole mesh. Memory: 40 bytes a candidate, about 15 candidates a
-/// place. With `part` only what is in it has candidates.
+/// Returns samples about `spacing` (m) apart, as many as a hexagonal lattice has. Each triangle piece of at
+/// most 0.55 spacings has one random candidate. Dart throwing in a hashed order accepts candidates at least
+/// 0.75 spacings apart (Poisson discs). Lloyd steps move samples to the centroids of their candidates.
+/// Isolated candidates are then added, so that no point of the mesh is farther than `spacing` from a sample.
+/// The two sides of a thin sheet do not interact. All ranks sample the whole mesh, with the same bits.
+/// Memory: 40 bytes a candidate, about 15 candidates a sample. With `part` only that part has candidates.
 std::vector<MeshSample> blueNoise(const TriangleMesh& mesh, double spacing, std::uint64_t seed,
                                   const MeshPart* part = nullptr);
 

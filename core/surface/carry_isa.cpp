@@ -1,6 +1,5 @@
-// How the particles around eight surfels carry them along (K05 4.2.1): a lane is a surfel, as in
-// forces_isa.cpp, but in double precision, so that what is carried round and round comes back to where it
-// was.
+// Interpolates the particles' displacement at eight surfels (K05 4.2.1). A lane is a surfel, as in
+// forces_isa.cpp. Double precision avoids drift of surfaces that rotate for long.
 #include "core/math/vec3.hpp"
 #include "core/simd/lanes.hpp"
 #include "core/surface/surface_kernels.hpp"
@@ -10,7 +9,7 @@ namespace THAW_ISA {
 
 namespace {
 
-/// Places of a group's surfels.
+/// Loads the positions of a group's surfels.
 THAW_INLINE void loadPlaces(const CarrySums& in, std::size_t g, LanesD* place) {
   alignas(32) double own[3][8];
   for (std::size_t lane = 0; lane < 8; lane++)
@@ -26,7 +25,7 @@ THAW_INLINE LanesD loadLiquid(const CarrySums& in, std::size_t g) {
   return loadRow(own);
 }
 
-/// How much of its weight counts in the motion.
+/// Returns the factor of a particle's weight in the motion.
 THAW_INLINE LanesD carrying(double particle, const LanesD& surfel) {
   return max(LanesD(1.0) - max(LanesD(particle) - surfel, LanesD(0.0)), LanesD(leastCarry));
 }

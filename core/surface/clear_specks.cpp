@@ -12,9 +12,12 @@
 namespace thaw {
 namespace {
 
-constexpr double around = 2.2;    // spacings: some fifteen surfels
-constexpr double sameSide = 0.3;  // of normals
-constexpr int unlike = 24;        // of 255, in some part of the colour
+// spacings; holds about fifteen surfels
+constexpr double around = 2.2;
+// least dot product of normals on the same side
+constexpr double sameSide = 0.3;
+// difference of 255 in one colour channel
+constexpr int unlike = 24;
 constexpr std::int64_t least = 5;
 
 bool differ(std::uint32_t a, std::uint32_t b) {
@@ -24,9 +27,9 @@ bool differ(std::uint32_t a, std::uint32_t b) {
   return false;
 }
 
-/// Are there two colours anywhere?
+/// Returns whether there are two colours on any rank.
 bool several(const Surfels& f, Reducer& all) {
-  double range[2] = {-1, -16777216};  // most, -least
+  double range[2] = {-1, -16777216};  // largest and minus smallest colour
   for (std::size_t i = 0; i < f.owned; i++) {
     range[0] = std::max(range[0], static_cast<double>(f.colour[i]));
     range[1] = std::max(range[1], -static_cast<double>(f.colour[i]));
@@ -35,7 +38,7 @@ bool several(const Surfels& f, Reducer& all) {
   return range[0] > -range[1];
 }
 
-/// The colours of all owned surfels, those of specks replaced.
+/// Returns the colours of all owned surfels. Isolated colours are replaced.
 std::vector<std::uint32_t> clearedColours(const Surface& s, const Bins& bins) {
   const Surfels& f = s.surfels;
   std::vector<std::uint32_t> colour(f.colour.data(), f.colour.data() + f.owned);

@@ -1,4 +1,4 @@
-// Surfels that have come alone among those of another colour.
+// Removes isolated colours of single surfels.
 #pragma once
 #include "core/halo/surface_halos.hpp"
 #include "core/world.hpp"
@@ -7,10 +7,10 @@ namespace thaw {
 
 struct SurfaceTools;
 
-/// Where liquids of two colours run into each other surfels of one are carried in among those of the other,
-/// one by one. A liquid surfel whose colour nearly none of those around it on its side of the component have
-/// gets their mean. Borders between colours, and spots of more than a few surfels, stay as they are; what is
-/// solid keeps each mark. Scenes of one colour pay nothing. Places the surfels. Collective.
+/// Replaces isolated colours. Where liquids of two colours mix, single surfels move in among surfels of the
+/// other colour. A liquid surfel whose colour is rare among its neighbours on its side of the component takes
+/// their mean colour. Borders between colours and spots of several surfels remain; solids keep their colours.
+/// Does nothing in scenes of one colour. Places the surfels. Collective.
 void clearSpecks(World& world, SurfaceHalos halos, SurfaceTools& tools);
 
 }  // namespace thaw

@@ -16,7 +16,7 @@ void sortUnique(std::vector<Piece>& pieces) {
   pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
 }
 
-/// (component so far, part) of all particles of all ranks, each pair once, ascending.
+/// Returns the pairs (previous component, part) of all particles on all ranks, ascending and unique.
 std::vector<Piece> piecesOf(const SurfaceParticles& p, Reducer& all) {
   std::vector<Piece> mine;
   for (std::size_t i = 0; i < p.owned; i++) {
@@ -37,7 +37,7 @@ std::vector<Piece> piecesOf(const SurfaceParticles& p, Reducer& all) {
 
 namespace {
 
-/// Takes the calm of surfels beside which another part came off.
+/// Marks surfels beside a separated part for resampling.
 void openSeams(Surface& s, CellHalo& halo, const std::vector<std::uint64_t>& off, const Bins& bins) {
   Surfels& f = s.surfels;
   refreshGhosts(halo, f, ColumnList{&f.part});
@@ -65,7 +65,8 @@ void splitComponents(World& w, SurfaceHalos halos, ComponentTools& t) {
   for (std::size_t k = 0, first = 0; k < pieces.size(); k++) {
     if (pieces[k].from != pieces[first].from) first = k;
     if (pieces[k].from == noComponent || s.lastStep < 0)
-      continue;  // fresh ones, and pieces of a body at the start, were never one
+      // New particles, and pieces of a body at the start, were never connected.
+      continue;
     if (k == first) {
       if (pieces[k].part != pieces[k].from) log(SurfaceEventKind::Renamed, pieces[k].part, pieces[k].from);
       continue;
