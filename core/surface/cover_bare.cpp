@@ -23,32 +23,31 @@
 namespace thaw {
 namespace {
 
-/// A direction is taken by a particle within this many spacings (FreeDirections).
+/// A particle within this many spacings blocks a seed direction (FreeDirections).
 constexpr double neighbourReach = 1.7;
-/// Surfels are looked for within this many spacings of a particle or seed. A mesh may lie a spacing over the
+/// Search radius for surfels around a particle or seed, in spacings. A mesh may lie a spacing above the
 /// outermost particles.
 constexpr double surfelReach = 1.8;
-/// Over a true opening the colour falls below this share of its level half a spacing farther out.
+/// At a true opening, the colour half a spacing farther out is below this share of its level.
 constexpr double fallsTo = 0.75;
-/// How far the colour at a grown surfel may be from its level, over that: a third of a spacing outward, half
-/// a spacing inward. A mesh's: .8 outward.
+/// Largest deviation of the colour from its level at a grown surfel, over the level: a third of a spacing
+/// outward, half a spacing inward. Surfels of a mesh may lie 0.8 spacings outward.
 constexpr double hangsOver = 0.2, liesUnder = 0.4, meshOver = 0.5;
-/// A fin at the rim of a grown face: a mesh's surfel that stands more than this many spacings over the
-/// nearest of the face's surfels within finReach, though the two meet in a convex edge, where each lies
-/// behind the other's plane. Of what is solid all through: where a mesh melts its detail fades beside what
-/// still has it.
+/// A spur is a mesh surfel at the edge of a grown crack face. It stands more than spurHeight spacings above
+/// the nearest surfel of the face within spurReach, although the two meet at a convex edge. Only fully solid
+/// surfels count, because the detail of a melting mesh fades unevenly.
 constexpr double finHeight = 0.2, finReach = 1.5, finTurn = 0.7;
-/// Surfels within this many spacings of new ones settle with them.
+/// Grown surfels within this many spacings of new ones relax with them.
 constexpr double looseReach = 2.5;
 constexpr int mostRounds = 3;
-/// Liquid of the same component is beside a solid particle within this many spacings.
+/// Liquid of the same component within this many spacings is adjacent to a solid particle.
 constexpr double wetReach = 2;
-/// The surface of the start is over a particle within this many spacings.
+/// A surfel with a reference position within this many spacings covers a particle.
 constexpr double keptWithin = 1.2;
 
-/// What is solid beside liquid may lose its surface to it, or share one with it, and stands bare when that
-/// flows off: it is not covered from now on, unless surfels that follow the solid are over it. Those stay as
-/// long as it is cold. Surfels have ghosts and bins.
+/// Marks solid particles beside liquid as not covered. They may lose their surface to the liquid, or share
+/// it, and would be exposed when the liquid drains. A cold particle below surfels that follow their reference
+/// stays covered. Requires: surfels with ghosts and bins.
 void bareBesideLiquid(const World& w, const SurfaceTools& t, SurfaceParticles& p) {
   const Surfels& f = w.surface.surfels;
   if (!p.covered.active || !p.liquid.active) return;
@@ -75,9 +74,9 @@ void bareBesideLiquid(const World& w, const SurfaceTools& t, SurfaceParticles& p
   }
 }
 
-/// Surfels around owned particles, in rows. Surfels have ghosts and bins. Particles that the surface of the
-/// start still covers are not asked: where a solid is bent or squeezed that is not where the particles'
-/// colour would have it, and what grew beside it would be a second skin.
+/// Appends seed surfels around exposed owned particles to `rows`. Particles that the initial surface still
+/// covers are skipped. Where a solid is bent or compressed, that surface deviates from the colour's
+/// iso-surface, and seeds would form a second skin. Requires: surfels with ghosts and bins.
 void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& rows) {
   const Surface& s = w.surface;
   const Surfels& f = s.surfels;
@@ -86,8 +85,8 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
                near2 = neighbourReach * neighbourReach * dx * dx;
   double largest = 0;
   for (std::size_t i = 0; i < f.size(); i++) largest = std::max(largest, f.radius[i]);
-  const double far = 1.2 * dx + std::hypot(reach, largest);  // seen from a seed's place, up to 1.2 spacings
-                                                             // off
+  // seen from a seed, up to 1.2 spacings from its particle
+  const double far = 1.2 * dx + std::hypot(reach, largest);
   SeedDirections seeds(w);
   FreeDirections free;
   DiscsOver near(w.scene.spacing, surfelReach), all(w.scene.spacing, surfelReach);
@@ -146,7 +145,8 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
     for (int k = 0; k < seeds.count(); k++) {
       const Vec3d u = seeds[k];
       if (free.taken(k) || near.covers(u)) continue;
-      gather();  // those near cover most directions
+      // Surfels near the particle already cover most directions.
+      gather();
       if (all.covers(u)) continue;
       direction[n] = u, number[n] = k;
       if (++n == direction.size()) tryAll();
@@ -168,9 +168,8 @@ void seedBare(const World& w, const SurfaceTools& t, std::vector<SurfelRow>& row
   }
 }
 
-/// Surfels of solids that are not on the surface any more: rags that hang off the rim of a crack, or were in
-/// the middle of one while it opened. Of a mesh's, only those beside a face that was grown. Surfels have
-/// ghosts.
+/// Marks surfels of solids that left the surface: surfels beyond the edge of a crack, and surfels inside a
+/// crack that opened. Mesh surfels are tested only beside grown faces. Requires: surfels with ghosts.
 void findRags(const World& w, SurfaceTools& t, std::vector<std::uint8_t>& dead) {
   const Surfels& f = w.surface.surfels;
   const double reach = ragReach * w.scene.spacing;
@@ -186,14 +185,15 @@ void findRags(const World& w, SurfaceTools& t, std::vector<std::uint8_t>& dead) 
   dead.assign(f.owned, 0);
   std::vector<std::uint8_t> asked(f.owned, 0);
   RowBlock block;
-  for (std::uint32_t i = 0; i < f.owned; i++)  // whatever is grown on this rank; not where its body of the
-                                               // start has it, whatever the colour says of the sheet beside
-                                               // it
+  // All grown surfels of this rank are tested, except those that follow their reference. Another sheet nearby
+  // may disturb the colour there.
+  for (std::uint32_t i = 0; i < f.owned; i++)
     if (f.detail[i] < 0.5f && solid(i) && !(f.follows.active && f.follows[i])) asked[i] = 1;
   if (!grown.empty())
     forBlocks(t.relax.surfelBins, bins, reach, block, [&](std::uint32_t i, RowBlock& around) {
       if (i >= f.owned || !solid(i) || f.detail[i] < 0.5f) return;
-      bool beside = false;  // of a mesh: finer than the particles, up to a spacing off their surface
+      // Meshes resolve more than particles do and lie up to a spacing above the particles' surface.
+      bool beside = false;
       double nearest2 = finReach * finReach * w.scene.spacing * w.scene.spacing;
       std::uint32_t face = 0xffffffffu;
       for (const std::uint32_t k : around.around(f.position[i], reach)) {
@@ -212,7 +212,7 @@ void findRags(const World& w, SurfaceTools& t, std::vector<std::uint8_t>& dead) 
       if (!beside) return;
       if (face != 0xffffffffu) {
         const Vec3d d = f.position[i] - f.position[face];
-        // the face lies behind it: a convex edge
+        // The face lies behind the surfel: a convex edge.
         if (dot(d, f.normal[face]) > finHeight * w.scene.spacing && dot(d, f.normal[i]) > 0) {
           dead[i] = 1;
           return;
@@ -223,15 +223,15 @@ void findRags(const World& w, SurfaceTools& t, std::vector<std::uint8_t>& dead) 
   forFieldAtSurfels(w, t, asked, [&](std::size_t i, const FieldHere& c) {
     const double slope = length(c.gradient), along = slope > 0 ? -dot(c.gradient, f.normal[i]) / slope : -1;
     const double under = c.value / c.level - 1;
-    // a mesh may begin half a spacing farther in than particles have their surface: what softens there is
-    // carried out by the iterations
+    // A mesh may begin half a spacing inside the particles' surface. The iterations move softening surfels
+    // outward from there.
     dead[i] = f.detail[i] >= 0.5f ? under < -meshOver || along < -0.2
                                   : under < -hangsOver || (under > liesUnder && !softens(i)) || along < 0.5;
   });
 }
 
-/// Grown surfels of solids near loose ones settle with them: a crack that opens moves the surface beside what
-/// is born. Surfels have ghosts.
+/// Lets grown surfels near new ones relax, because an opening crack moves the surface beside its new faces.
+/// Requires: surfels with ghosts.
 void loosenAround(const World& w, Surfels& f) {
   const double reach = looseReach * w.scene.spacing;
   std::vector<Vec3d> loose;
@@ -277,7 +277,8 @@ std::int64_t coverBare(World& w, SurfaceHalos halos, SurfaceTools& t) {
       look();
     }
     std::vector<SurfelRow> rows;
-    if (round == 0 || count[1] > 0) seedBare(w, t, rows);  // else all places are as they were refused
+    // Without deletions, all seeds would be rejected again.
+    if (round == 0 || count[1] > 0) seedBare(w, t, rows);
     if (coloured) inheritColours(w, t.relax.surfelBins, rows);
     count[0] = static_cast<std::int64_t>(rows.size());
     halos.all.sum({count, 1});

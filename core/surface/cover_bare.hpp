@@ -1,5 +1,4 @@
-// Surfels where the particles' surface has none: on the faces of cracks, on what came into the open
-// (K05 4.3).
+// Grows surfels on exposed particles, as on crack faces (K05 4.3).
 #pragma once
 #include <cstdint>
 
@@ -10,18 +9,16 @@ namespace thaw {
 
 struct SurfaceTools;
 
-/// Surfels of a mesh that hang off are looked for where grown ones are within this many spacings of the
-/// particles.
+/// Distance in particle spacings from grown surfels within which mesh surfels are tested for detachment.
 inline constexpr double ragReach = 3.5;
 
-/// Grows surfels around particles that look out of their component in a direction in which neither particles
-/// nor surfels are: the faces of a crack, once it is so wide that the colour field falls between them; on a
-/// part that came off, at once. Surfels that are there stay as they are, with what detail they carry, and new
-/// ones keep away from them: resampling closes the seam between the two. Old ones of a solid that hang off
-/// the surface, as at the rim of a crack, are deleted. Where any was born, Surfels::loose is active and says
-/// that new ones, and those that resampling adds, settle in this update though they are solid. Returns how
-/// many were born, on all ranks. Needs placed surfels and particles and the components of this update;
-/// surfels have no valid cells afterwards. Collective.
+/// Grows surfels around exposed particles. A particle is exposed in a direction without particles and surfels
+/// of its component: on crack faces once the colour field drops in the gap, and on separated parts at once.
+/// Existing surfels keep position and detail. New ones keep a distance to them, and resampling closes the
+/// seam. Detached surfels of solids, as at the edge of a crack, are deleted. If surfels are born,
+/// Surfels::loose becomes active: it lets new surfels, and those added by resampling, relax in this update
+/// although they are solid. Returns the number of births on all ranks. Requires: placed surfels and
+/// particles; components of this update. Surfels have no valid cells afterwards. Collective.
 std::int64_t coverBare(World& world, SurfaceHalos halos, SurfaceTools& tools);
 
 }  // namespace thaw

@@ -1,4 +1,4 @@
-// Which directions of a particle the surface covers.
+// Directions of a particle that the surface covers.
 #pragma once
 #include <array>
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace thaw {
 
-/// The surfels around a particle, as seen from it (m): field by field, so that a direction is compared with
-/// several at once.
+/// Surfels around a particle, relative to it (m), as separate arrays for vector instructions.
 class DiscsOver {
  public:
-  /// spacing (m) of the particles; reach in spacings: what is farther above or below covers nothing.
+  /// `spacing` (m) of the particles. Discs more than `reach` spacings above or below a position do not cover
+  /// it.
   DiscsOver(double spacing, double reach)
       : most_(static_cast<float>(reach * spacing)), half_(static_cast<float>(0.5 * spacing)) {}
   void clear() { size_ = 0, closed_ = false; }
@@ -23,8 +23,8 @@ class DiscsOver {
     put(d, n, r * r);
     closed_ = false;
   }
-  /// Is a disc of the surface above or below the place half a spacing in direction u? Or anywhere, at `place`
-  /// seen from the particle.
+  /// Returns whether a disc lies above, below or at the position half a spacing away in direction u, or at
+  /// `place` relative to the particle.
   bool covers(const Vec3d& u) { return covers(static_cast<double>(half_) * u, u); }
   bool covers(const Vec3d& place, const Vec3d& normal) {
     if (size_ == 0) return false;
@@ -53,7 +53,8 @@ class DiscsOver {
 
   float most_, half_;
   std::size_t size_ = 0;
-  bool closed_ = false;  // what lies behind the last one covers nothing
+  // Padding behind the last disc covers nothing.
+  bool closed_ = false;
   std::vector<float> x_, y_, z_, nx_, ny_, nz_, r2_;
 };
 

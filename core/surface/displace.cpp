@@ -16,9 +16,9 @@ double weight(double r2, double h2) {
   return u * u * u;
 }
 
-/// Particles that lie within a third of their distance of a plane say nothing of what goes on across it: a
-/// plate of one layer that is not quite flat would have its ripples tell how thick it is, and its two sides
-/// fall together as it turns and swings.
+/// Cutoff of the moment's smallest axis. Particles within a third of their distance from a plane do not
+/// determine the displacement across it. Otherwise the ripples of a single layer would determine its
+/// thickness, and the two sides of a rotating plate would collapse.
 constexpr double layerCutoff = 0.1;
 
 /// Displacement and its gradient at a surfel.
@@ -28,9 +28,9 @@ struct Carry {
   double weight = 0, moved = 0, liquid = 0, temperature = 0;
 };
 
-/// What particles add to the sums at surfels, by row: u - G (x_j - origin), G, liquid fraction, temperature.
-/// With u + G (x - x_j) = (u - G x_j) + G x the sums are the same for all x. origin: of the bins, which is
-/// the same on all ranks.
+/// Packs the particles' contributions by row: u - G (x_j - origin), G, liquid fraction, temperature. Since u
+/// + G (x - x_j) = (u - G x_j) + G x, these sums serve all x. `origin` is that of the bins, the same on all
+/// ranks.
 void packParticles(const SurfaceParticles& p, const Vec3d& origin, AlignedVector<double>& records) {
   records.resize(carryRecord * p.size());
   for (std::size_t j = 0; j < p.size(); j++) {
@@ -58,7 +58,8 @@ void packParticles(const SurfaceParticles& p, const Vec3d& origin, AlignedVector
   }
 }
 
-/// From the sums of one lane, at a place seen from the origin.
+/// Returns displacement, gradient and fields from the sums of one lane. `fromOrigin`: position relative to
+/// the origin.
 Carry carryOf(const double* sums, std::size_t lane, const Vec3d& fromOrigin) {
   Carry c;
   c.weight = sums[lane];
@@ -74,10 +75,9 @@ Carry carryOf(const double* sums, std::size_t lane, const Vec3d& fromOrigin) {
   return c;
 }
 
-/// The gradient of what carries the surfels, which is sum w (u + G (x - x_j)) / sum w: the mean of G, and
-/// what the weights' change adds. K05's mean of G alone has discs stand on edge in folds that bend and open:
-/// they turn otherwise than the places of those around them. Not of what is liquid, which gets its normals
-/// from the iterations.
+/// Gradient of the interpolated displacement sum w (u + G (x - x_j)) / sum w: the mean of G plus the term
+/// from the gradient of the weights. K05's mean of G alone leaves discs on edge in folds that bend and open.
+/// Liquid surfels omit the term, because the iterations determine their normals.
 struct Bend {
   CarrySums* in;
   const SurfaceKernels* kernels;
@@ -98,7 +98,7 @@ struct Bend {
   }
 };
 
-/// Magnitude of Green's strain, 1: none where a body turns.
+/// Returns the magnitude of Green's strain (1), which vanishes for rotations.
 double strainOf(const Mat3d& g) {
   double sum = 0;
   for (int a = 0; a < 3; a++)
@@ -110,8 +110,8 @@ double strainOf(const Mat3d& g) {
   return std::sqrt(sum);
 }
 
-/// Turns the tangents with the gradient of the displacement; false where they become one line: the frame is
-/// kept.
+/// Rotates the tangents by the displacement gradient. Returns false, without a change, if they become
+/// collinear.
 bool turnFrame(const Mat3d& gradient, Vec3d& normal, Vec3d& tangent) {
   const Vec3d second = cross(normal, tangent);
   const Vec3d a = tangent + gradient * tangent, b = second + gradient * second;
@@ -123,7 +123,8 @@ bool turnFrame(const Mat3d& gradient, Vec3d& normal, Vec3d& tangent) {
   return true;
 }
 
-/// Surfels without particles around follow those surfels that have some. Returns the rows that have neither.
+/// Moves surfels without particles with neighbouring surfels. Returns the rows without particles and without
+/// such neighbours.
 std::vector<std::uint32_t> followNeighbours(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surfels& s = w.surface.surfels;
   ColumnList columns{&s.id, &s.position, &s.component, &s.carried, &s.moving};
@@ -192,8 +193,10 @@ void displaceSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
   SurfaceCounters& count = w.surface.counters;
   const bool blend = s.liquid.active;
   s.resize(s.owned, 0);
-  s.activate(s.moving);   // here: no particles around
-  s.activate(s.carried);  // here: how far
+  // in this function: surfels without particles
+  s.activate(s.moving);
+  // in this function: displacement
+  s.activate(s.carried);
   if (blend) s.activate(s.strain);
   RelaxTools& r = t.relax;
   const double h = w.surface.particleSupport;
@@ -203,7 +206,8 @@ void displaceSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
   r.free.assign(s.owned, 1);
   listGroups(w.surface, r.free, r.surfelBins, r.particleBins, {0, h}, r.lists);
   CarrySums in;
-  in.place = reinterpret_cast<const double*>(s.position.data());  // null where there are none
+  // null without surfels
+  in.place = reinterpret_cast<const double*>(s.position.data());
   in.liquid = s.liquid.active ? s.liquid.data() : nullptr;
   in.particle = r.carried.data();
   in.self = r.lists.self.data();
@@ -211,7 +215,8 @@ void displaceSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
   in.particleRow = r.lists.particle.data();
   in.perSupport2 = 1 / (h * h);
   alignas(32) std::array<double, 8 * carrySums> sums;
-  std::int64_t told[2]{0, 0};  // without particles, frames kept
+  // surfels without particles; kept frames
+  std::int64_t told[2]{0, 0};
   const auto move = [&](std::size_t i, const Carry& c) {
     s.moving[i] = !(c.weight > 0);
     s.carried[i] = c.move;

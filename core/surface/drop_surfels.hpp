@@ -1,4 +1,4 @@
-// Surfels that go.
+// Removal of surfels.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -7,8 +7,8 @@
 
 namespace thaw {
 
-/// Removes the owned surfels with dead[row] != 0, and all ghosts; the others stay in order, `surfelCells`
-/// lists their cells. Returns how many went. Not collective.
+/// Removes the owned surfels with dead[row] != 0, and all ghosts. The others keep their order, and
+/// `surfelCells` lists their cells. Returns the number of removed surfels. Not collective.
 std::int64_t dropSurfels(Surface& surface, std::span<const std::uint8_t> dead);
 
 }  // namespace thaw

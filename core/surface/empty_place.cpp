@@ -35,8 +35,8 @@ bool covered(const Patch& patch, const SurfacePoint& p, double distance) {
   return false;
 }
 
-/// 1 for directions whose point (pointAround) no surfel of the patch covers, else 0. All directions at once,
-/// in units of `distance`: most surfels have none.
+/// Returns 1 for directions whose point (pointAround) no surfel of the patch covers, else 0. Lengths are in
+/// units of `distance`. All directions are tested at once, since most surfels have no open one.
 std::array<float, directions> openDirections(Patch& patch, double distance, const Circle& circle) {
   const Surfels& s = *patch.surfels;
   const Vec3d centre = s.position[patch.centre], n = s.normal[patch.centre], u = s.tangent[patch.centre],
@@ -61,8 +61,8 @@ std::array<float, directions> openDirections(Patch& patch, double distance, cons
   return open;
 }
 
-/// Is p off the solid, past a sharp edge? A face that bends away from the centre's, the surface convex there,
-/// has all of the solid behind it; one that bends toward it, all in front.
+/// Returns whether p lies beyond a sharp edge, off the solid. At a convex edge, the solid lies behind the
+/// neighbouring face; at a concave one in front of it.
 bool pastEdge(const Patch& patch, const SurfacePoint& p, double distance) {
   const Surfels& s = *patch.surfels;
   const Vec3d centre = s.position[patch.centre], normal = s.normal[patch.centre];
@@ -75,10 +75,10 @@ bool pastEdge(const Patch& patch, const SurfacePoint& p, double distance) {
   return false;
 }
 
-/// Does p lie on none of the discs around it, nor near the plane of any? Between faces that meet in an edge
-/// the mean of their planes (ontoSurface) may lie deep under both; what is born there goes on as a second
-/// sheet behind the surface. Of what has a mesh's detail: rims of thin plates that are grown are rounder than
-/// their discs.
+/// Returns whether p lies on no disc around it and near no disc's plane. Between faces that meet at an edge,
+/// the mean of their planes (ontoSurface) may lie deep below both. Births there would continue as a second
+/// sheet behind the surface. Only surfels with mesh detail are tested, because the edges of thin grown plates
+/// are rounder than their discs.
 bool offAllDiscs(const Patch& patch, const SurfacePoint& p, double distance) {
   constexpr double highest = 0.4;
   const Surfels& s = *patch.surfels;
@@ -134,8 +134,8 @@ std::optional<SurfacePoint> emptyPlace(Patch& patch, double distance) {
   std::array<SurfacePoint, 8> some;
   std::size_t n = 0;
   const auto look = [&] {
-    ontoSurface(patch, some.data(), n, 2.5 * distance);  // they may have left the surface: at edges, where
-                                                         // curvature changes
+    // Points may have left the surface at edges, where the curvature changes.
+    ontoSurface(patch, some.data(), n, 2.5 * distance);
     for (std::size_t m = 0; m < n; m++) {
       const SurfacePoint& p = around[of[m]] = some[m];
       const Vec3d d = p.position - centre;
@@ -156,7 +156,8 @@ std::optional<SurfacePoint> emptyPlace(Patch& patch, double distance) {
   if (count == 0) return {};
   std::size_t longest = 0, middle = 0;
   for (std::size_t k = 0; k < directions && count < directions; k++) {
-    if (!empty[k] || empty[(k + directions - 1) % directions]) continue;  // not the beginning of an arc
+    // not the beginning of an arc
+    if (!empty[k] || empty[(k + directions - 1) % directions]) continue;
     std::size_t length = 1;
     while (empty[(k + length) % directions]) length++;
     if (length > longest) longest = length, middle = (k + length / 2) % directions;

@@ -1,4 +1,4 @@
-// Where the neighbourhood of a surfel is too full, and where it is empty.
+// Sampling density around a surfel: crowding and gaps.
 #pragma once
 #include <algorithm>
 #include <optional>
@@ -7,11 +7,11 @@
 
 namespace thaw {
 
-/// How a surfel stands among its neighbours.
+/// Sampling density at a surfel.
 struct Crowding {
-  bool crowded = false;  ///< one of them is too close
-  bool thin = false;     ///< there are too few
-  double closest = 0;    ///< what is too close, over the smaller radius of the two
+  bool crowded = false;  ///< a neighbour is too close
+  bool thin = false;     ///< there are too few neighbours
+  double closest = 0;    ///< least distance over the smaller of the two radii
 };
 
 inline bool tooClose(const Surfels& s, std::size_t i, std::size_t j, double closest) {
@@ -20,16 +20,17 @@ inline bool tooClose(const Surfels& s, std::size_t i, std::size_t j, double clos
   return dot(d, d) < least * least;
 }
 
-/// patch: surfels of its side within `reach` (m), at most three radii (resample.hpp says what counts).
+/// Returns the sampling density for the surfels of the patch within `reach` (m), at most three radii.
+/// Thresholds are in resample.hpp.
 Crowding crowdingOf(const Patch& patch, double reach);
 
-/// The middle of the longest arc of the circle of radius `distance` (m) around the patch's centre, on the
-/// surface, of which no point has a surfel within `distance`. The patch has to reach to 2.5 times the
-/// distance.
+/// Returns the middle of the longest uncovered arc on the circle of radius `distance` (m) around the patch's
+/// centre, on the surface. No point of the arc has a surfel within `distance`. Requires: a patch of 2.5 times
+/// the distance.
 std::optional<SurfacePoint> emptyPlace(Patch& patch, double distance);
 
-/// The widest angle (rad) without a surfel of the patch within `reach` (m), seen from p along its tangent
-/// plane: below pi, p lies between surfels; above, it lies before a border.
+/// Returns the widest angle (rad) without a surfel of the patch within `reach` (m), seen from p in its
+/// tangent plane. Below pi, p lies between surfels; above, it lies outside of a border.
 double widestGap(const Patch& patch, const SurfacePoint& p, double reach);
 
 }  // namespace thaw

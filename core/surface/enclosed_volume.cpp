@@ -3,7 +3,7 @@
 namespace thaw {
 namespace {
 
-/// Spacings of the surfels: heights of rims that differ by less say nothing.
+/// Uncertainty of the heights of rims, in spacings of the surfels.
 constexpr double surelyAt = 0.5;
 
 }  // namespace
@@ -27,7 +27,7 @@ double enclosedVolume(const FacetSums& s, const Vec3d& middle, const std::array<
   double volume = 0, trace = 0;
   for (std::size_t a = 0; a < 3; a++) {
     const int x = static_cast<int>(a), y = (x + 1) % 3, z = (x + 2) % 3;
-    // 0 of axes that tell nothing
+    // The weights of undetermined axes are 0.
     volume += weight.row[y][z] * (s.mixed[x] - from[y] * s.facets[z] - from[z] * s.facets[y]);
     if (!told(a)) continue;
     trace += weight.row[a][x];

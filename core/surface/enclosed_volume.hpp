@@ -1,4 +1,4 @@
-// The volume that surfels enclose, from sums over their facets, where there are holes as well.
+// Volume enclosed by surfels, from sums over their facets. Surfaces may have holes.
 #pragma once
 #include <array>
 
@@ -6,24 +6,24 @@
 
 namespace thaw {
 
-/// Sums over the surfels of a component; d: from any one place to a surfel (m), f: its facets
-/// (Surfels::facets), b: its bulge, r: its rim.
+/// Sums over the surfels of a component. d: surfel position relative to any fixed point (m), f:
+/// Surfels::facets, b: bulge, r: rim.
 struct FacetSums {
-  Vec3d volume{};     ///< m^3, of d_a f_a + b
-  Vec3d mixed{};      ///< m^3, of d_y f_z + d_z f_y, and so on
-  Vec3d facets{};     ///< m^2, of f
+  Vec3d volume{};     ///< m^3, sum of d_a f_a + b
+  Vec3d mixed{};      ///< m^3, sum of d_y f_z + d_z f_y, and cyclic
+  Vec3d facets{};     ///< m^2, sum of f
   double rim = 0;     ///< m
-  Vec3d rimPlace{};   ///< m^2, of r d
-  Sym3d rimSquare{};  ///< m^3, of r d d^T
+  Vec3d rimPlace{};   ///< m^2, sum of r d
+  Sym3d rimSquare{};  ///< m^3, sum of r d d^T
 };
 
-/// m^3. By the divergence theorem each axis tells it: sum d_a f_a; so do all means of them, W : sum d f^T
-/// with W symmetric and of trace 1. Where there is no hole, each is as good as the others, and W is a third
-/// of the identity. A hole is what is missing in the sum: its area vector, times how far it lies from where d
-/// is measured. That is taken from the middle of the rims, and W = (s^2 + covariance of the rims' places)^-1,
-/// but for a factor, s half a spacing: of a film with holes all over it the height above its middle plane
-/// counts, and not how far apart they are. An axis that the component goes round (periodic) tells nothing,
-/// unless all are such. middle: without rims.
+/// Returns the enclosed volume (m^3). By the divergence theorem each axis gives the volume sum d_a f_a, and
+/// so does W : sum d f^T for any symmetric W of trace 1. Without holes W is a third of the identity. A hole
+/// of area vector h at position p leaves the error p.h, so d is relative to the centroid of the rims. With
+/// rims, W is proportional to (s^2 + covariance of the rims)^-1 with s of half a spacing. For a film with
+/// distributed holes, the height above its middle plane then determines the volume. An axis along which the
+/// component spans the periodic domain is ignored, unless all axes are such. `middle` replaces the centroid
+/// of the rims if there are none.
 double enclosedVolume(const FacetSums& sums, const Vec3d& middle, const std::array<bool, 3>& round,
                       double spacing);
 

@@ -6,17 +6,18 @@
 namespace thaw {
 namespace {
 
-constexpr double sharp = 0.3;  // cosine of the angle of normals from which on two surfels are on the planes
-                               // of an edge
+// Cosine of the angle between normals below which two surfels lie on different planes of an edge.
+constexpr double sharp = 0.3;
 constexpr double rounder = 0.35;
 
-/// Eight times the height of the arc over a chord, times the chord, m^2: n and m are the normals at its ends.
+/// Returns eight times the height of the arc above a chord, times the chord (m^2). n and m are the normals at
+/// its ends.
 double archOver(const Vec3d& chord, const Vec3d& n, const Vec3d& m) {
   const double flat = dot(m - n, chord), cosine = dot(n, m);
   return (cosine < sharp ? 2 : 1 + rounder * (1 - cosine)) * flat;
 }
 
-/// A neighbour, seen from the surfel.
+/// Neighbour relative to the surfel.
 struct Spoke {
   Vec3d to, normal;
   double length2, bend;
@@ -42,7 +43,7 @@ void measureFan(Surfels& f, std::size_t i, std::span<const std::uint32_t> ring) 
     const Spoke b = k < ring.size() ? Spoke(f, i, ring[k]) : first;
     const Vec3d twice = cross(a.to, b.to);
     const double between = dot(a.to, b.to), twice2 = dot(twice, twice);
-    // else more than half a turn from one to the next: a rim; or all in a line
+    // Otherwise the turn to the next neighbour exceeds half a revolution (a rim), or all are collinear.
     if (dot(twice, n) > 0 && twice2 > 1e-12 * a.length2 * b.length2) {
       const double share = std::clamp(
           (a.length2 * (b.length2 - between) + b.length2 * (a.length2 - between)) / (4 * twice2), 0.0, 1.0);

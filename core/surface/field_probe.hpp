@@ -1,4 +1,4 @@
-// The colour field of the particles at any places, up to eight at a time.
+// Colour field of the particles at arbitrary positions, up to eight at a time.
 #pragma once
 #include <array>
 #include <functional>
@@ -13,30 +13,29 @@ namespace thaw {
 
 struct SurfaceTools;
 
-/// Pointers and lengths of the sums over particles: all of them but what is asked about, and where the
-/// answers go.
+/// Returns pointers and lengths for sums over particles. The caller sets the query positions and the output.
 ForceSums particleSumsOf(const World& world, const SurfaceTools& tools);
 
-/// The colour field of one component at a place (the sum of readyParticles, 1 deep inside), and what it is on
-/// the surface (LevelTable). 1, 1, 1: share of Newton's step, 1/m
+/// Colour field of one component at a position (sum of readyParticles, 1 deep inside), its level on the
+/// surface there (LevelTable), the damping of Newton's step, and the gradient (1/m).
 struct FieldHere {
   double value = 0, level = 0.5, tight = 1;
   Vec3d gradient{};
 };
 
-/// Asks for the colour field with the sums of the iterations. Needs readyParticles.
+/// Evaluates the colour field with the kernels of the iterations. Requires: readyParticles.
 class FieldProbe {
  public:
   static constexpr std::size_t most = 8;
   FieldProbe(const World& world, const SurfaceTools& tools);
-  /// The particles that act on places in a box: those of the component within h_ps of it, in the order of the
-  /// bins. Of them those within a cell's edge of `home`, where a particle or surfel of this rank is: farther
-  /// off it depends on ranks which there are. For what is asked half a spacing from home or nearer that is
-  /// all of them.
+  /// Selects the particles that act on positions in a box: particles of the component within h_ps of it, in
+  /// the order of the bins. Only particles within a cell's edge of `home`, the position of an owned particle
+  /// or surfel, count, because farther ghosts depend on the ranks. For positions within half a spacing of
+  /// `home` these are all.
   void around(const PlaceBox& box, std::uint64_t component, const Vec3d& home);
-  /// Or these rows of them, in that order.
+  /// Selects these rows, in their order.
   void among(const std::uint32_t* rows, std::size_t count, std::uint64_t component);
-  /// The field at n <= most places among them.
+  /// Evaluates the field at n <= most positions.
   void at(const Vec3d* x, std::size_t n, FieldHere* found);
 
  private:
@@ -53,8 +52,8 @@ class FieldProbe {
   alignas(32) std::array<float, most * particleSums> over_{};
 };
 
-/// Calls found(row, field) for the owned surfels with asked[row], in any order. Their component's field at
-/// their places; uses tools.relax.lists.
+/// Calls found(row, field) for the owned surfels with asked[row], in any order. The field is that of their
+/// component at their position. Uses tools.relax.lists.
 void forFieldAtSurfels(const World& world, SurfaceTools& tools, const std::vector<std::uint8_t>& asked,
                        const std::function<void(std::size_t, const FieldHere&)>& found);
 

@@ -7,8 +7,8 @@
 namespace thaw {
 namespace {
 
-/// Spacings of the surfels, how far behind the other side is looked for, how far it may have come past, and
-/// how far it may lie to the side.
+/// Search limits for the opposite side, in spacings of surfels: depth behind the surfel, depth past it, and
+/// lateral distance.
 constexpr double deepest = 1.5, past = 0.2, beside = 0.8;
 
 }  // namespace

@@ -12,15 +12,15 @@ namespace {
 constexpr std::uint64_t surfelsOnly = std::uint64_t{1} << 63;
 constexpr double cosRest = 0.70710678118654752;  // pi/4
 constexpr std::uint64_t noParticle = ~std::uint64_t{0};
-/// Times the longest link of particles: surfels whose particles are farther apart do not hold these together.
-/// Longer in liquids: a stream that falls is stretched along itself, by 2.4 from 2 to 5 m/s, and is one. No
-/// bond of a solid is that long.
+/// Links of surfels require nearest particles within this factor of the longest particle link. The factor for
+/// liquids is larger, because falling streams stretch along themselves (by 2.4 from 2 to 5 m/s) and remain
+/// connected. Bonds of solids are shorter than the factor for solids.
 constexpr double solidSkin = 5.0 / 3, liquidSkin = 2;
 
-/// Of a mesh's surfel, whose component is not known yet.
+/// Returns the body in the id of a mesh surfel, before its component is known.
 std::uint64_t bodyOf(std::uint64_t surfelId) { return surfelId >> 40 & 0x7fffff; }
 
-/// What may hang together: of one component, and before there are any of one body.
+/// Returns whether two rows may be linked: they are of one component, or, without components, of one body.
 bool alike(const Surfels& f, std::size_t i, std::size_t j) {
   return f.component[i] == f.component[j] &&
          (f.component[i] != noComponent || bodyOf(f.id[i]) == bodyOf(f.id[j]));
@@ -32,8 +32,8 @@ bool alike(const Surfels& f, std::size_t i, const SurfaceParticles& p, std::size
   return f.component[i] == p.component[j] && (f.component[i] != noComponent || bodyOf(f.id[i]) == p.body[j]);
 }
 
-/// May a fresh particle take the component of another one? As where surfaces meet (merge.cpp): what the scene
-/// keeps apart is not joined by what is added to it.
+/// Returns whether a new particle may take the component of particle j. The scene's merge rule decides, as
+/// for surfaces in contact (merge.cpp).
 bool mayTake(const World& w, std::size_t fresh, std::size_t j) {
   const SurfaceParticles& p = w.surface.particles;
   if (p.body[fresh] == p.body[j]) return true;
@@ -42,7 +42,7 @@ bool mayTake(const World& w, std::size_t fresh, std::size_t j) {
   return rule == MergeRule::All || (rule == MergeRule::Liquid && (liquid(fresh) || liquid(j)));
 }
 
-/// The least of two distances, the smaller id where they are the same.
+/// The smallest distance so far. Ties go to the smaller id.
 struct Nearest {
   double d2 = std::numeric_limits<double>::infinity();
   std::uint64_t id = ~std::uint64_t{0};
@@ -73,7 +73,7 @@ class Sets {
     least_[i] = std::min(least_[i], least_[j]);
   }
   std::uint64_t least(std::uint32_t i) { return least_[root(i)]; }
-  /// True if that is less than what was known.
+  /// Lowers the label of a set. Returns whether it changed.
   bool lower(std::uint32_t i, std::uint64_t label) {
     std::uint64_t& l = least_[root(i)];
     if (label >= l) return false;
@@ -92,7 +92,7 @@ bool anywhere(Reducer& all, bool here) {
   return value[0] > 0;
 }
 
-/// Rows of a block within a radius that are like row i, into `near`.
+/// Lists rows of a block within a radius that are like row i in `near`.
 template<class Rows>
 void listNear(const Rows& rows, std::uint32_t i, const RowBlock& block, double r2,
               std::vector<ComponentTools::Near>& near) {
@@ -105,10 +105,10 @@ void listNear(const Rows& rows, std::uint32_t i, const RowBlock& block, double r
   }
 }
 
-/// Most surfels have ten neighbours within this many times their radius.
+/// Radius that holds ten neighbours of most surfels, in surfel radii.
 constexpr double usualReach = 2.2;
 
-/// Surfels::nearest: the nearest particle that is alike.
+/// Finds Surfels::nearest: the nearest particle that is alike.
 void findNearestParticles(World& w, ComponentTools& t) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
@@ -132,8 +132,8 @@ void findNearestParticles(World& w, ComponentTools& t) {
   });
 }
 
-/// Surfels::reach, what the other end of a link must know: the square of the distance to the k-th nearest
-/// surfel that is alike. 0 where all that hang together already are within h_ss.
+/// Finds Surfels::reach: the squared distance to the k-th nearest surfel that is alike. It is sent to the
+/// other end of a link. 0 if all surfels within h_ss already belong to the part.
 void findReach(Surface& s, ComponentTools& t, const std::vector<std::uint8_t>& mixed) {
   Surfels& f = s.surfels;
   const auto closer = [](const ComponentTools::Near& a, const ComponentTools::Near& b) {
@@ -155,7 +155,7 @@ void findReach(Surface& s, ComponentTools& t, const std::vector<std::uint8_t>& m
           if (j != i && alike(f, i, j)) t.near.push_back({d2, j});
         });
       }
-      // fewer than ten: all within h_ss
+      // With fewer than ten, all within h_ss count.
       if (t.near.size() < nearestSurfels) f.reach[i] = all2;
       else
         std::nth_element(t.near.begin(), t.near.begin() + nearestSurfels - 1, t.near.end(), closer),
@@ -164,14 +164,15 @@ void findReach(Surface& s, ComponentTools& t, const std::vector<std::uint8_t>& m
   }
 }
 
-/// Surfels of these bins, ghosts included, with those within their reach: the links of both ends.
+/// Joins surfels of these bins, ghosts included, with surfels within their reach. This covers the links of
+/// both ends.
 void joinSurfels(const World& w, ComponentTools& t, const std::vector<std::uint8_t>& mixed, Sets& sets) {
   const Surface& s = w.surface;
   const Surfels& f = s.surfels;
   const double link1 = w.scene.surface.linkLength * w.scene.spacing,
                solid2 = solidSkin * solidSkin * link1 * link1,
                liquid2 = liquidSkin * liquidSkin * link1 * link1;
-  // what is carried by particles too far apart is on two sides of a crack, or of a neck that has parted
+  // Surfels on distant particles lie on two sides of a crack or of a parted neck.
   const auto held = [&](std::uint32_t i, std::uint32_t j) {
     if (f.nearest[i] == noParticle || f.nearest[j] == noParticle) return true;
     const Vec3d d = f.position[j] - f.position[i] + f.toNearest[j] - f.toNearest[i];
@@ -194,20 +195,21 @@ void joinParticles(const World& w, ComponentTools& t, Sets& sets) {
   const auto offset = static_cast<std::uint32_t>(w.surface.surfels.size());
   const double longest = w.scene.surface.linkLength * w.scene.spacing;
   forBlocks(t.particleBins, t.particleBins, longest, t.block, [&](std::uint32_t i, const RowBlock& block) {
-    if (i >= p.owned) return;  // a link between two ghosts is somebody else's
+    // The link of two ghosts belongs to another rank.
+    if (i >= p.owned) return;
     listNear(p, i, block, longest * longest, t.near);
     for (const ComponentTools::Near& n : t.near) sets.join(offset + i, offset + n.row);
   });
 }
 
-/// Owned surfels with their nearest particle, owned particles with the ghost surfels whose nearest they are:
-/// so both ends' ranks know the link.
+/// Joins owned surfels with their nearest particle, and owned particles with ghost surfels nearest to them.
+/// Both ranks then have the link.
 void joinBoth(const Surface& s, Sets& sets) {
   const Surfels& f = s.surfels;
   const SurfaceParticles& p = s.particles;
   const auto offset = static_cast<std::uint32_t>(f.size());
   IdTable rows;
-  // of several images the first, the owned one
+  // Reverse order keeps the first of several images, the owned one.
   for (std::size_t j = p.size(); j-- > 0;) rows.insert(p.id[j], static_cast<std::uint32_t>(j));
   for (std::size_t i = 0; i < f.size(); i++) {
     if (f.nearest[i] == noParticle) continue;
@@ -216,7 +218,7 @@ void joinBoth(const Surface& s, Sets& sets) {
   }
 }
 
-/// Parts of both tables: what this rank knows to hang together, and what others know.
+/// Exchanges part labels until the parts of all ranks agree.
 void settleParts(Surface& s, SurfaceHalos halos, Sets& sets) {
   Surfels& f = s.surfels;
   SurfaceParticles& p = s.particles;
@@ -285,7 +287,7 @@ void adoptFresh(World& w, SurfaceHalos halos, ComponentTools& t) {
   if (anywhere(halos.all, changed)) refreshGhosts(halos.surfels, f, ColumnList{&f.component});
 }
 
-// Most bodies hang together by their particles: surfels are asked only where parts meet that these have left.
+// Particles connect most bodies. Surfels are tested only where different parts meet afterwards.
 void findParts(World& w, SurfaceHalos halos, ComponentTools& t) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;

@@ -7,11 +7,11 @@ namespace thaw {
 namespace {
 
 constexpr float wet = 0.02f;
-/// Where places of the start lie nearer to a plane than this share of the squares of their distances, what
-/// goes on across it follows from that plane's turn.
+/// If reference positions lie this close to a plane, relative to the square of their distances, displacement
+/// across it follows from the plane's rotation.
 constexpr double flat = 0.03;
 
-/// A particle, as seen from the surfel: at the start and now.
+/// Particle relative to the surfel: reference and current position.
 struct Partner {
   Vec3d then, now;
   double weight;
@@ -19,7 +19,7 @@ struct Partner {
 
 enum class Found { Map, TooFew, Bare };
 
-/// x = now + gradient (X - then), weighted means and least squares.
+/// x = now + gradient (X - then), from weighted means and least squares.
 struct AffineMap {
   Vec3d then{}, now{};
   Mat3d gradient{};
@@ -33,7 +33,7 @@ Found findPartners(const World& w, const Bins& bins, std::size_t i, const Period
   partners.clear();
   bool bare = false;
   forRowsWithin(bins, s.position[i], w.surface.particleSupport, [&](std::uint32_t j, double) {
-    // else it came later
+    // The particle came after the start.
     if (p.component[j] != s.component[i] || (!p.covered[j] && p.startPlace[j] == Vec3d{})) return;
     const Vec3d then = minimumImage(p.startPlace[j] - s.startPlace[i], periods);
     const double share = 1 - dot(then, then) / reach2;
@@ -66,7 +66,7 @@ bool fit(const std::vector<Partner>& partners, AffineMap& map) {
   return true;
 }
 
-/// False where the frame becomes a line: it is kept.
+/// Rotates the frame. Returns false, without a change, if the tangents become collinear.
 bool turnFrame(const Mat3d& gradient, const Vec3d& startNormal, const Vec3d& startTangent, Vec3d& normal,
                Vec3d& tangent) {
   const Vec3d a = gradient * startTangent, b = gradient * cross(startNormal, startTangent), n = cross(a, b);

@@ -1,7 +1,6 @@
-// The sums of a surfel over the particles and surfels around it (K05 4.2.2): a lane is a surfel, and adds its
-// neighbours one after another in the order of the group's list. Eight surfels that lie together share a
-// list, so that a neighbour is loaded once and spread over the lanes: with 130 particles a surfel that takes
-// a third of the time of a list for each.
+// Sums at surfels over surrounding particles and surfels (K05 4.2.2). A lane is a surfel and adds its
+// neighbours in the order of the group's list. Eight adjacent surfels share a list, so that a neighbour is
+// loaded once for all lanes. This is faster than a list for each surfel.
 #include "core/math/vec3.hpp"
 #include "core/simd/lanes.hpp"
 #include "core/surface/surface_kernels.hpp"
@@ -27,14 +26,15 @@ THAW_INLINE void store(float* to, int channel, const V& v) {
   store(to, channel + 2, v.z);
 }
 
-/// gaps: what lies higher than a surfel's ceiling adds nothing.
+/// With `gaps`, particles above a surfel's gap cutoff add nothing.
 template<bool gaps> THAW_INLINE void overParticlesOf(const ForceSums& in, std::size_t g) {
   const LanesF zero(0.0f), one(1.0f), perSupport2(in.perParticleSupport2), perNear2(in.perNearSupport2);
   const Lanes4<float> own = load(records(in.place), in.self + 8 * g);
   LanesF colour(0.0f), smooth(0.0f), near(0.0f);
   V gradient{zero, zero, zero}, smoothGradient{zero, zero, zero}, attraction{zero, zero, zero},
       nearGradient{zero, zero, zero}, up{zero, zero, zero};
-  LanesF lowest(0.0f);  // of the heights of surfels over particles
+  // least height of a surfel above a contributing particle
+  LanesF lowest(0.0f);
   if constexpr (gaps) {
     const Lanes4<float> frame = load(records(in.normal), in.self + 8 * g);
     up = {frame.a, frame.b, frame.c};
@@ -86,7 +86,7 @@ template<bool plane> THAW_INLINE void overSurfelsOf(const ForceSums& in) {
     const LanesF reach = LanesF(in.support) * frame.d, reach2 = reach * reach, perReach2 = one / reach2,
                  range = LanesF(half.v * in.repelRange);
     LanesF weight(0.0f), height(0.0f), stiffness(0.0f), stirred(0.0f), coincident(0.0f);
-    // mean: of d, or of normals
+    // mean of d, or of normals
     V mean{zero, zero, zero}, repulsion{zero, zero, zero}, square{zero, zero, zero}, mixed{zero, zero, zero};
     for (std::uint64_t n = in.firstSurfel[g]; n < in.firstSurfel[g + 1]; n++) {
       const std::uint32_t j = in.surfel[n];
@@ -94,10 +94,11 @@ template<bool plane> THAW_INLINE void overSurfelsOf(const ForceSums& in) {
       const Record<float>& f = records(in.normal)[j];
       const V d = apart(own, x), other{LanesF(f.a), LanesF(f.b), LanesF(f.c)};
       const LanesF r2 = dot(d, d), span = range * (frame.d + LanesF(f.d));
-      if (!any(r2 < max(reach2, span * span * beyond))) continue;  // in the list for its margin: half of them
+      // About half of the list is beyond the range, because of its margin.
+      if (!any(r2 < max(reach2, span * span * beyond))) continue;
       const LanesF sides = dot(normal, other), u = max(one - r2 * perReach2, zero);
       const auto distinct = r2 > zero;
-      // continuous: else normals flip to and fro
+      // A continuous weight prevents oscillating normals.
       const LanesF like = max(min((sides - LanesF(in.sameSide)) * LanesF(in.perSide), one), zero);
       const LanesF w = select(distinct, like * u * u * u, zero);
       weight += w;
@@ -106,8 +107,8 @@ template<bool plane> THAW_INLINE void overSurfelsOf(const ForceSums& in) {
         square += w * V{d.x * d.x, d.y * d.y, d.z * d.z};
         mixed += w * V{d.x * d.y, d.y * d.z, d.x * d.z};
       } else {
-        // mirrored at the plane halfway between the two: there a sphere through both, with their normals, is
-        // its own image
+        // The neighbour's normal is mirrored at the bisector plane. A sphere through both surfels with their
+        // normals is its own mirror image.
         const LanesF along = dot(d, other), fold = two * along / max(r2, tiny);
         height += w * half * (dot(d, normal) + along);
         mean += w * (other - fold * d);

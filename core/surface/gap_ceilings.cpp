@@ -9,7 +9,7 @@ namespace thaw {
 
 namespace {
 
-/// What the surfels of a bin have in common.
+/// Bounds of positions and normals of a bin's surfels.
 struct BinFrame {
   PlaceBox place, normal;
   double largest = 0;  // radius, m
@@ -26,14 +26,14 @@ std::vector<BinFrame> framesOf(const Surfels& f, const Bins& bins) {
   return frames;
 }
 
-/// The least of n.m for m in a box, and the largest.
+/// Returns the least, and below the largest, of n.m for m in a box.
 double leastDot(const Vec3d& n, const PlaceBox& m) {
   return std::min(n.x * m.low.x, n.x * m.high.x) + std::min(n.y * m.low.y, n.y * m.high.y) +
          std::min(n.z * m.low.z, n.z * m.high.z);
 }
 double mostDot(const Vec3d& n, const PlaceBox& m) { return -leastDot(-n, m); }
 
-/// The least of n.m for n and m each in a box.
+/// Returns the least of n.m for n and m each in a box.
 double leastDot(const PlaceBox& n, const PlaceBox& m) {
   double sum = 0;
   for (int a = 0; a < 3; a++)
@@ -41,7 +41,7 @@ double leastDot(const PlaceBox& n, const PlaceBox& m) {
   return sum;
 }
 
-/// The most of n.d for n and d each in a box.
+/// Returns the largest of n.d for n and d each in a box.
 double mostDot(const PlaceBox& n, const PlaceBox& d) {
   double sum = 0;
   for (int a = 0; a < 3; a++)
@@ -51,8 +51,8 @@ double mostDot(const PlaceBox& n, const PlaceBox& d) {
 
 }  // namespace
 
-// Few surfels face another one: bins whose normals cannot be twoSheets from each other are left out before a
-// surfel of them is looked at.
+// Few surfels face another one. Bins whose normals cannot differ by the angle of twoSheets are excluded
+// first.
 void findCeilings(Surface& s, const std::vector<std::uint8_t>& free, const Bins& bins, double reach,
                   bool again) {
   Surfels& f = s.surfels;
@@ -73,7 +73,8 @@ void findCeilings(Surface& s, const std::vector<std::uint8_t>& free, const Bins&
     const BinFrame& own = frames[b];
     facingBins.clear();
     forBinsAround(bins, own.place.low, own.place.high, reach, [&](std::size_t other) {
-      const BinFrame& o = frames[other];  // what lies behind all of the bin is across a sheet
+      // Surfels behind the whole bin are across a sheet.
+      const BinFrame& o = frames[other];
       if (leastDot(own.normal, o.normal) < twoSheets + rounding &&
           mostDot(own.normal, {o.place.low - own.place.high, o.place.high - own.place.low}) > 0)
         facingBins.push_back(other);
@@ -89,7 +90,7 @@ void findCeilings(Surface& s, const std::vector<std::uint8_t>& free, const Bins&
         const Vec3d middle = 0.5 * (o.place.low + o.place.high) - x,
                     half = 0.5 * (o.place.high - o.place.low);
         const double along = dot(middle, n), far = length(half) + o.largest;
-        // beside what is right over it
+        // not directly above the surfel
         if (dot(middle, middle) - along * along > far * far * (1 + rounding)) continue;
         for (std::uint32_t k = bins.first[other]; k < bins.first[other + 1]; k++) {
           const std::uint32_t j = bins.row[k];

@@ -1,5 +1,5 @@
-// Sheets of one component that face each other across a gap: what a surfel must not take for its own body
-// (docs/validation/stability.md B20, B22).
+// Gap cutoffs between sheets of one component that face each other (docs/validation/stability.md B20, B22).
+// Particles beyond a gap do not belong to the body below a surfel.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -10,13 +10,13 @@
 
 namespace thaw {
 
-/// Surfels::ceiling of the owned surfels with `free`: that of the lowest surfel right over it that looks back
-/// at it (near_sheets.hpp), infinity where there is none within `reach` (m). again: only of those that have
-/// one, since sheets close in from afar slowly. Needs bins of the surfels, ghosts included.
+/// Finds Surfels::ceiling of owned surfels in `free`: the height of the lowest facing surfel directly above
+/// (near_sheets.hpp), or infinity without one within `reach` (m). With `again`, only surfels with a finite
+/// value are updated, because sheets approach slowly. Requires: bins of surfels and ghosts.
 void findCeilings(Surface& surface, const std::vector<std::uint8_t>& free, const Bins& bins, double reach,
                   bool again);
 
-/// For the force sums, in support radii of the grid; and of each group whether any of its surfels has one.
+/// Gap cutoffs for the force sums, in support radii of the grid, and a flag for each group with a finite one.
 struct GapCeilings {
   bool any = false;
   std::vector<float> height;

@@ -10,10 +10,10 @@
 namespace thaw {
 namespace {
 
-/// Volume of a solid particle now over its own at rest: det F. A body that a blow presses together is smaller
-/// all over; volume keeping must not make up for that with the little of it that has melted. Of bodies that
-/// began as solids: plates that a stream freezes to are too thin for a det F. Held to what a surface can
-/// follow, whatever a torn neighbourhood says.
+/// Returns the current volume of a solid particle over its volume at rest: det F. An impact compresses a
+/// whole body, and volume enforcement must not inflate its few molten parts in return. Only bodies that began
+/// as solids count, because frozen layers are too thin for a reliable det F. Clamped, because torn
+/// neighbourhoods give extreme values.
 double squeezeOf(const World& w, std::size_t i) {
   constexpr double least = 0.5, most = 2;
   const Continuum& p = w.particles;
@@ -24,8 +24,8 @@ double squeezeOf(const World& w, std::size_t i) {
 
 }  // namespace
 
-// A ball of R/dx = 5 that is sampled from its shape holds 5 % less than its particles. Of meshes melt keeps
-// what the mesh held.
+// A ball of R/dx = 5 that is sampled from its shape holds 5 % less than its particles. Melt of meshes keeps
+// the mesh's volume.
 void settleShares(World& w) {
   Continuum& p = w.particles;
   for (std::size_t i = 0; p.surfaceShare.active && i < p.owned; i++)
