@@ -22,7 +22,8 @@ std::vector<std::uint64_t> gatherPiece(Reducer& all, const std::vector<std::uint
                                        const WordNumbers& n, std::size_t from, std::size_t to) {
   const std::size_t first = std::clamp(n.before, from, to),
                     last = std::clamp(n.before + mine.size(), from, to);
-  std::vector<std::int64_t> words(to - from);  // all others add zeros to ours
+  // Other ranks add zeros to the words of this rank.
+  std::vector<std::int64_t> words(to - from);
   for (std::size_t k = first; k < last; k++)
     words[k - from] = std::bit_cast<std::int64_t>(mine[k - n.before]);
   if (!words.empty()) all.sum(words);

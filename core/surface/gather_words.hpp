@@ -1,4 +1,4 @@
-// Lists of all ranks, known to all.
+// All-gather of 64-bit words.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -7,18 +7,18 @@
 
 namespace thaw {
 
-/// The words of all ranks, one rank behind another. For lists that are short in all (a few words a
-/// component). Collective.
+/// Returns the words of all ranks in rank order. For lists that are short in total (a few words a component).
+/// Collective.
 std::vector<std::uint64_t> gatherWords(Reducer& all, const std::vector<std::uint64_t>& mine);
 
-/// Words of all ranks numbered through, one rank behind another.
+/// Numbers of words: on lower ranks, and on all ranks.
 struct WordNumbers {
   std::size_t before = 0, total = 0;
-};  ///< number of this rank's first one; of all
+};
 WordNumbers numberWords(Reducer& all, std::size_t mine);
 
-/// Those numbered from `from` up to `to`, for lists that are gone through in pieces: no rank ever holds more
-/// than one. Collective.
+/// Returns words `from` to `to` (exclusive) of all ranks. Long lists are gathered in chunks to bound memory.
+/// Collective.
 std::vector<std::uint64_t> gatherPiece(Reducer& all, const std::vector<std::uint64_t>& mine,
                                        const WordNumbers& numbers, std::size_t from, std::size_t to);
 

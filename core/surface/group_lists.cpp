@@ -7,7 +7,8 @@
 namespace thaw {
 namespace {
 
-std::uint64_t spread(std::uint64_t v) {  // 21 bits, two zeros between them
+// Spreads 21 bits with two zeros between them.
+std::uint64_t spread(std::uint64_t v) {
   v = (v | v << 32) & 0x1f00000000ffffull;
   v = (v | v << 16) & 0x1f0000ff0000ffull;
   v = (v | v << 8) & 0x100f00f00f00f00full;
@@ -15,8 +16,7 @@ std::uint64_t spread(std::uint64_t v) {  // 21 bits, two zeros between them
   return (v | v << 2) & 0x1249249249249249ull;
 }
 
-/// The rows of a block that are of one component, seen from its middle, axis by axis, so that many are looked
-/// at together.
+/// Rows of a block of one component, relative to its middle, as separate arrays for vector instructions.
 struct BlockRows {
   Vec3d from{};
   std::vector<std::uint32_t> row;
@@ -37,8 +37,8 @@ struct BlockRows {
       count += component[block.row[k]] == wanted;
     }
   }
-  /// Those within `radius` (m) of a group's box, or a little more. What is farther from all of its surfels
-  /// than that adds nothing to their sums.
+  /// Appends rows within `radius` (m) of a group's box, and slightly beyond. Farther rows add nothing to the
+  /// sums of the group's surfels.
   void append(const PlaceBox& box, double radius, std::vector<std::uint32_t>& rows) {
     if (count == 0) return;
     const Vec3d middle = 0.5 * (box.low + box.high) - from, half = 0.5 * (box.high - box.low);
@@ -63,7 +63,7 @@ struct BlockRows {
 void listGroups(const Surface& s, const std::vector<std::uint8_t>& free, const Bins& surfelBins,
                 const Bins& particleBins, const ListRadii& radii, GroupLists& l) {
   const Surfels& f = s.surfels;
-  // eight surfels of a smooth surface cover about a block's side
+  // Eight surfels of a smooth surface cover about a block's side.
   const double curveEdge = 2.5 * s.spacing, longest = 6 * s.spacing;
   l.sorting.clear();
   std::uint64_t used = 0;
@@ -94,7 +94,7 @@ void listGroups(const Surface& s, const std::vector<std::uint8_t>& free, const B
   RowBlock found;
   BlockRows surfels, particles;
   for (std::size_t k = 0; k < l.sorting.size();) {
-    // a block of groups that lie together
+    // a block of adjacent groups
     const std::uint64_t component = f.component[l.sorting[k].second];
     const auto boxFrom = [&](std::size_t from, std::size_t most, double side, std::size_t& to) {
       PlaceBox box{place(from), place(from)};

@@ -1,4 +1,4 @@
-// Surfels in groups of eight that lie together, and what is around each group: the lists of the iterations.
+// Groups of eight adjacent surfels with their neighbour lists, for the iterations.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -8,25 +8,27 @@
 
 namespace thaw {
 
-/// Lists of a group hold the surfels and particles of its component within the radius, and a margin, of any
-/// of its surfels, itself included, in the order of bins. They are found once for many iterations, as long as
-/// no surfel has moved by half the margin: exact, unlike K05's neighbours of neighbours, and cheaper, since
-/// an iteration only reads them (benchmarks/surface).
+/// Neighbour lists of groups of surfels. A list holds the surfels and particles of the component within the
+/// radius plus a margin of any surfel of the group, itself included, in the order of bins. Lists serve many
+/// iterations until a surfel has moved by half the margin. They are exact, unlike K05's neighbours of
+/// neighbours, and an iteration only reads them (benchmarks/surface).
 struct GroupLists {
-  std::vector<std::uint32_t> self;  ///< 8 rows a group; a short one repeats its first row
-  std::vector<std::uint8_t> lanes;  ///< rows of each group
-  std::vector<std::uint64_t> firstSurfel, firstParticle;  ///< of each group, and one behind
+  std::vector<std::uint32_t> self;  ///< 8 rows a group; short groups repeat their first row
+  std::vector<std::uint8_t> lanes;  ///< number of rows of each group
+  std::vector<std::uint64_t> firstSurfel, firstParticle;  ///< start of each group's list, and the end of the
+                                                          ///< last
   std::vector<std::uint32_t> surfel, particle;
-  SortedRows sorting, sorted;  ///< by their places along a curve
+  SortedRows sorting, sorted;  ///< rows with their keys along a space-filling curve
   std::size_t groups() const { return lanes.size(); }
 };
 
+/// Search radii (m), with margins; 0: no lists.
 struct ListRadii {
   double surfels, particles;
-};  // m, with their margins; 0: no lists of these
+};
 
-/// Groups of the owned rows with free[row] != 0. Needs bins of the surfels and of the particles, ghosts
-/// included.
+/// Groups the owned rows with free[row] != 0 and lists their neighbours. Requires: bins of surfels and
+/// particles, ghosts included.
 void listGroups(const Surface& surface, const std::vector<std::uint8_t>& free, const Bins& surfelBins,
                 const Bins& particleBins, const ListRadii& radii, GroupLists& lists);
 

@@ -27,20 +27,21 @@
 namespace thaw {
 namespace {
 
-constexpr double offSurface = 0.3;  // from the level of the surface: more than a spacing of the particles
-                                    // away from it
+// Largest deviation of the colour from its level, equivalent to more than a particle spacing.
+constexpr double offSurface = 0.3;
 
-constexpr double leastOverDetail = 0.3;  // of the level: a spacing of the particles over the surface
+// Least colour over its level for births on meshes, equivalent to a particle spacing above the surface.
+constexpr double leastOverDetail = 0.3;
 
-constexpr double leastOver = 0.25;  // and of what follows the particles: of drops the level itself is less
-                                    // than offSurface
+// Least colour over its level for grown surfels. On drops the level itself is below offSurface.
+constexpr double leastOver = 0.25;
 
-/// Of a mesh, and not molten: finer than the particles are, so that they say nothing about it.
+/// Returns whether a surfel belongs to a solid mesh. Its detail is finer than particles can resolve.
 bool keepsDetail(const Surfels& f, std::size_t i) {
   return f.detail[i] > 0.5f && (!f.liquid.active || f.liquid[i] < 0.5f);
 }
 
-/// Surfels around one particle.
+/// Appends surfels around one particle.
 void seedAround(const World& w, FieldProbe& probe, std::size_t i, SeedDirections& seeds,
                 std::vector<SurfelRow>& rows) {
   std::array<Vec3d, FieldProbe::most> u;
@@ -55,7 +56,7 @@ void seedAround(const World& w, FieldProbe& probe, std::size_t i, SeedDirections
   }
 }
 
-/// Surfels around all owned particles that `bare` names.
+/// Appends surfels around all owned particles selected by `bare`.
 void seedAll(const World& w, const SurfaceTools& t, const std::function<bool(std::size_t)>& bare,
              std::vector<SurfelRow>& rows) {
   const SurfaceParticles& p = w.surface.particles;
@@ -66,7 +67,8 @@ void seedAll(const World& w, const SurfaceTools& t, const std::function<bool(std
       seedAround(w, probe, i, seeds, rows);
 }
 
-/// The sphere of the small drop that particle i gives its name to; the others of it are in reach.
+/// Appends the spherical surface of the small drop labelled by particle i. Its other particles are within
+/// reach.
 void patchAround(const World& w, const SurfaceTools& t, std::size_t i, std::vector<SurfelRow>& rows) {
   const SurfaceParticles& p = w.surface.particles;
   const double far = 4.5 * w.scene.spacing;
@@ -86,15 +88,16 @@ void patchAround(const World& w, const SurfaceTools& t, std::size_t i, std::vect
     r.liquid = static_cast<float>(liquid / volume);
     r.colour = surfaceColour(w.scene, p.body[i]);
     r.particle = static_cast<std::uint32_t>(i);
-    // a drop that joins leaves its surfels to the larger body; one that parts later may have the same label
+    // Surfels of a drop that merges pass to the larger body. A later drop may have the same label, so the
+    // step makes ids unique.
     r.id = surfelBit | birthBit |
            randomBits(w.scene.seed, Purpose::SurfelBirth, r.id, static_cast<std::uint64_t>(w.clock.step));
     rows.push_back(r);
   }
 }
 
-/// On a wall the level of the colour field is somewhere in it: the surface goes on there wherever there is
-/// body over the wall.
+/// Returns whether the surface continues at p on a wall, and projects p onto it. There, the level of the
+/// colour lies inside the wall, so the surface continues wherever the body lies above the wall.
 bool goesOnAtWall(const World& w, FieldProbe& probe, const Surfels& f, std::size_t i, SurfacePoint& p) {
   if (!f.pressed.active || liquidShare(f, i) < 0.5) return false;
   const Vec3d x = outOfWalls(w, p.position, p.normal);
@@ -108,9 +111,9 @@ bool goesOnAtWall(const World& w, FieldProbe& probe, const Surfels& f, std::size
   return true;
 }
 
-/// Would a surfel at p stand in the air before its component's own surface? So it is where a sheet behind it
-/// sees it, with no particle between the two: above an edge, or where the colour of the body bridges a groove
-/// that the surface goes into. What is born there goes on as a skin over the groove.
+/// Returns whether a surfel at p would float in front of its component's own surface. A sheet behind p then
+/// faces it without a particle between: above an edge, or where the colour bridges a groove. Births there
+/// would continue as a skin over the groove.
 bool beforeOwnSheet(const World& w, const SurfaceTools& t, const Surfels& f, std::size_t i,
                     const SurfacePoint& p) {
   constexpr double seen = 0.35, behind = 0.2, thick = 0.6;
@@ -119,7 +122,8 @@ bool beforeOwnSheet(const World& w, const SurfaceTools& t, const Surfels& f, std
                    2 * dx,
                    std::min({w.surface.grid.edge.x, w.surface.grid.edge.y, w.surface.grid.edge.z}) - r);
   const SurfaceParticles& q = w.surface.particles;
-  const auto between = [&](const Vec3d& d) {  // from p to p + d
+  // whether a particle lies between p and p + d
+  const auto between = [&](const Vec3d& d) {
     const double far2 = dot(d, d);
     bool found = false;
     forRowsAround(t.relax.particleBins, p.position, p.position + d, thick * dx,
@@ -143,7 +147,7 @@ bool beforeOwnSheet(const World& w, const SurfaceTools& t, const Surfels& f, std
   return before;
 }
 
-/// Takes the calm of the surfels around those marked with 2. Needs placed surfels.
+/// Marks the surfels around those with dead[row] == 2 for resampling. Requires: placed surfels.
 void openAround(Surface& s, CellHalo& halo, SurfaceTools& t, const std::vector<std::uint8_t>& dead) {
   Surfels& f = s.surfels;
   for (std::size_t i = 0; i < f.owned; i++) f.wish[i] = dead[i] == 2;
@@ -169,15 +173,16 @@ void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int
   listRaised(w, t.relax.raised);
   FieldProbe probe(w, t);
   resample(w, halos, t, rounds, [&](const Surfels& f, std::size_t i, SurfacePoint& p, bool border) {
-    if (!border && keepsDetail(f, i)) {  // wherever the mesh's surface goes on, but not over a crack
+    // Births continue the mesh's surface, but do not bridge a crack.
+    if (!border && keepsDetail(f, i)) {
       FieldHere c;
       probe.around({p.position, p.position}, f.component[i], f.position[i]);
       probe.at(&p.position, 1, &c);
       return c.value > leastOverDetail * c.level;
     }
     if (border && f.follows.active && f.follows[i])
-      return false;  // the surface of the start has no rim: past a crease it would go on as a skin over the
-                     // groove
+      // The initial surface has no border. Past a crease, births would continue as a skin over the groove.
+      return false;
     if (goesOnAtWall(w, probe, f, i, p)) return true;
     if (border && liquidShare(f, i) < 0.5 && beforeOwnSheet(w, t, f, i, p)) return false;
     std::optional<SurfacePoint> at;
@@ -186,8 +191,8 @@ void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int
                      0.6 * f.radius[i] + 0.1 * w.scene.spacing, &at);
       return at && dot(at->normal, p.normal) >= 0.3;
     };
-    if (!onto(p.position)) {  // what volume keeping holds off the level is as far off it beside itself; half
-                              // solid surfels are where they were carried
+    // Offset surfaces continue at the same offset. Half-solid surfels remain where they were carried.
+    if (!onto(p.position)) {
       const double raised = f.liquid.active && f.liquid[i] > 0.9f ? raisedOf(t.relax.raised, f.component[i])
                                                                   : 0;
       if (raised == 0 || !onto(p.position - raised * p.normal)) return false;
@@ -199,7 +204,7 @@ void resampleOnParticles(World& w, SurfaceHalos halos, SurfaceTools& t, std::int
 
 namespace {
 
-/// Grows and settles the surfaces of the particles that `bare` names.
+/// Grows the surfaces of the particles selected by `bare` and relaxes them.
 void growAndSettle(World& w, SurfaceHalos halos, SurfaceTools& t,
                    const std::function<bool(std::size_t)>& bare) {
   growSurfels(w, halos, t, bare);
@@ -215,13 +220,14 @@ void growAndSettle(World& w, SurfaceHalos halos, SurfaceTools& t,
     settle(w, halos, t, forceWeights(w.scene.surface), w.scene.surface.iterations, true);
     resampleOnParticles(w, halos, t, 10);
   }
-  w.surface.counters = before;  // the start is no change
+  // The initial surface does not count as a change.
+  w.surface.counters = before;
 }
 
 }  // namespace
 
-// Liquids are to close. Where the field of twice the particles' support makes one lump of two sheets, that of
-// their own support tells them apart: layers of particles two spacings from each other.
+// Liquid sheets are left to close. Where the field with the surface's support merges two sheets of a solid,
+// that with the particles' own support separates them: layers of particles two spacings apart.
 void growBodies(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   const double wide = s.particleSupport,
@@ -255,7 +261,8 @@ void renewSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
   std::int64_t gone = 0;
   std::vector<std::uint8_t> asked(f.owned, 0);
   for (std::size_t i = 0; i < f.owned; i++) {
-    if (small(f.component[i])) dead[i] = 1;  // comes anew
+    // Spheres of small drops are rebuilt below.
+    if (small(f.component[i])) dead[i] = 1;
     else asked[i] = !keepsDetail(f, i) && !(f.follows.active && f.follows[i]);
   }
   forFieldAtSurfels(w, t, asked, [&](std::size_t i, const FieldHere& c) {
@@ -276,7 +283,8 @@ void renewSurfels(World& w, SurfaceHalos halos, SurfaceTools& t) {
         return c && c->surfels == 0 && c->particles > smallDrop;
       },
       rows);
-  inheritColours(w, halos, t, rows);  // of those that go, too: a drop keeps its colours
+  // Surfels about to be deleted also pass on their colours, so that drops keep theirs.
+  inheritColours(w, halos, t, rows);
   dropSurfels(s, dead);
   addSurfels(f, rows, w.scene.seed, halos.all);
   s.counters.deaths += gone;

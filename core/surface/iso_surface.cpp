@@ -16,7 +16,7 @@ void ontoIsoSurface(const World& w, FieldProbe& probe, std::uint64_t component, 
                     const Vec3d* from, std::size_t n, double farthest, std::optional<SurfacePoint>* found) {
   const double longest = 0.5 * w.scene.spacing, enough = 0.01 * w.surface.spacing;
   std::array<Vec3d, FieldProbe::most> x;
-  std::array<std::size_t, FieldProbe::most> of;  // which place x[k] came from
+  std::array<std::size_t, FieldProbe::most> of;  // index of the starting position of x[k]
   std::array<FieldHere, FieldProbe::most> field;
   PlaceBox box{from[0], from[0]};
   for (std::size_t k = 0; k < n; k++) x[k] = from[k], of[k] = k, found[k] = {}, box.add(from[k]);

@@ -1,4 +1,4 @@
-// The surface of the particles' colour field, away from surfels.
+// Projection onto the iso-surface of the particles' colour field.
 #pragma once
 #include <optional>
 
@@ -7,18 +7,17 @@
 
 namespace thaw {
 
-/// Newton's step from a place with this field onto the surface, or to `raised` (m) off it: the way out of the
-/// body there, and how far along it (m, at most `longest` to either side). None where there is no surface to
-/// be seen.
+/// Newton's step onto the iso-surface, or onto an offset of `raised` (m): the outward direction and the
+/// distance along it (m, clamped to `longest`). Returns nothing where the gradient is too small.
 struct IsoStep {
   Vec3d outward{};
   double out = 0;
 };
 std::optional<IsoStep> isoStep(const FieldHere& field, double particleSupport, double raised, double longest);
 
-/// The points of a component's surface that are reached from n <= FieldProbe::most places along the gradient,
-/// and the normals there; none where there is none within `farthest` (m) of the place. home:
-/// FieldProbe::around. Changes what the probe looks at.
+/// Projects n <= FieldProbe::most positions along the gradient onto a component's iso-surface and returns
+/// points and normals. Positions without a surface within `farthest` (m) yield nothing. `home`: see
+/// FieldProbe::around. Changes the particles selected in the probe.
 void ontoIsoSurface(const World& world, FieldProbe& probe, std::uint64_t component, const Vec3d& home,
                     const Vec3d* from, std::size_t n, double farthest, std::optional<SurfacePoint>* found);
 

@@ -14,7 +14,7 @@ template<class T> void sortUnique(std::vector<T>& v) {
   v.erase(std::unique(v.begin(), v.end()), v.end());
 }
 
-/// Labels of parts that have surfels, of all ranks, ascending.
+/// Returns the labels of parts with surfels on all ranks, ascending.
 std::vector<std::uint64_t> partsWithSurfels(const Surfels& f, Reducer& all) {
   std::vector<std::uint64_t> parts;
   for (std::size_t i = 0; i < f.owned; i++)
@@ -25,7 +25,7 @@ std::vector<std::uint64_t> partsWithSurfels(const Surfels& f, Reducer& all) {
   return parts;
 }
 
-/// The value of a key in a sorted list; the key itself where it is not there.
+/// Returns the value of a key in a sorted list, or the key itself if it is absent.
 std::uint64_t lookUp(const std::vector<Pair>& list, std::uint64_t key) {
   const auto at = std::lower_bound(list.begin(), list.end(), Pair{key, 0});
   return at != list.end() && at->first == key ? at->second : key;
@@ -38,7 +38,8 @@ void keepEnclosed(World& w, SurfaceHalos halos, ComponentTools& t) {
   Surfels& f = s.surfels;
   SurfaceParticles& p = s.particles;
   const std::vector<std::uint64_t> covered = partsWithSurfels(f, halos.all);
-  std::vector<Pair> into;  // (part without surfels, part that it is in)
+  // (part without surfels, enclosing part)
+  std::vector<Pair> into;
   InsideTools inside;
   std::vector<SurfaceSide> sides;
   for (std::size_t i = 0; i < p.owned; i++) {
@@ -47,7 +48,8 @@ void keepEnclosed(World& w, SurfaceHalos halos, ComponentTools& t) {
     findSides(f, t.surfelBins, p.position[i], p.component[i], false, s.particleSupport, inside, sides);
     if (sides.empty() || sides[0].distance >= 0 || sides[0].asked < leastAsked) continue;
     const std::uint64_t part = f.part[sides[0].nearest];
-    if (part >> 63 == 0) into.push_back({p.part[i], part});  // else those surfels have no particles, and go
+    // Otherwise those surfels have no particles and will be deleted.
+    if (part >> 63 == 0) into.push_back({p.part[i], part});
   }
   sortUnique(into);
   std::vector<std::uint64_t> words;
@@ -60,9 +62,11 @@ void keepEnclosed(World& w, SurfaceHalos halos, ComponentTools& t) {
   into.erase(
       std::unique(into.begin(), into.end(), [](const Pair& a, const Pair& b) { return a.first == b.first; }),
       into.end());
-  std::vector<Pair> named;  // (part with surfels, its label with all that is in it)
+  // (part with surfels, its label with all enclosed parts)
+  std::vector<Pair> named;
   for (const Pair& m : into) named.push_back({m.second, std::min(m.first, m.second)});
-  std::sort(named.begin(), named.end());  // the smallest label of each part first
+  // smallest label of each part first
+  std::sort(named.begin(), named.end());
   for (Pair& m : into) m.second = lookUp(named, m.second);
   for (std::size_t i = 0; i < p.owned; i++) p.part[i] = lookUp(named, lookUp(into, p.part[i]));
   for (std::size_t i = 0; i < f.owned; i++) f.part[i] = lookUp(named, f.part[i]);

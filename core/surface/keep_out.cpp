@@ -5,19 +5,18 @@
 namespace thaw {
 namespace {
 
-/// Where walls meet, a push out of one may be into another.
+/// Where walls meet, a projection out of one may lead into another.
 constexpr int mostPushes = 8;
-/// Spacings of the particles: walls thinner than this are looked at for surfels that have come through, from
-/// particles as near as this.
+/// Thickness limit in particle spacings below which surfels may have passed through a wall, and the search
+/// radius for their particles.
 constexpr double thin = 1.5;
-/// Spacings of the surfels from a wall within which one that faces it is on it.
+/// Distance to a wall in spacings of surfels within which a surfel that faces it lies on it.
 constexpr double onIt = 0.02;
 
-/// The same of those that stand on it, and the cosine of how far their normals may have turned off it with
-/// the particles.
+/// Distance for surfels that rest on a wall, and the cosine of the largest angle between normal and wall.
 constexpr double standsOn = 0.1, squarely = 0.7;
 
-/// Out of one wall; false: it was not in it.
+/// Projects x out of one wall. Returns whether it was inside.
 bool outOf(const World& w, const Wall& wall, const Vec3d& outward, Vec3d& x) {
   const Vec3d rest = toRest(wall.pose, x);
   if (!nearBounds(wall.bounds, rest, 0)) return false;
@@ -28,7 +27,8 @@ bool outOf(const World& w, const Wall& wall, const Vec3d& outward, Vec3d& x) {
     x -= d * n;
     return true;
   }
-  Vec3d back = x;  // into the body, until it is out of the wall
+  // backwards into the body until it leaves the wall
+  Vec3d back = x;
   double inside = d, gone = 0;
   for (const double longest = 2 * w.scene.spacing; inside < 0 && gone < longest;) {
     const double step = 1e-3 * w.scene.spacing - inside;
@@ -40,7 +40,8 @@ bool outOf(const World& w, const Wall& wall, const Vec3d& outward, Vec3d& x) {
   return true;
 }
 
-/// Where the way from a place outside a wall to `to` first meets it; `to`, where it does not.
+/// Returns the first contact of the segment from `from` (outside) to `to` with a wall, or `to` without
+/// contact.
 Vec3d stopAt(const Wall& wall, const Vec3d& from, const Vec3d& to, double reach) {
   const double far = length(to - from);
   if (!(far > 0)) return to;
@@ -55,8 +56,7 @@ Vec3d stopAt(const Wall& wall, const Vec3d& from, const Vec3d& to, double reach)
   return from + gone * along;
 }
 
-/// Of surfels beside a wall that is thin there: those that it parts from their nearest particle go back to
-/// its side.
+/// Returns surfels that passed through a thin wall to the side of their nearest particle.
 class ThinWalls {
  public:
   ThinWalls(const World& w, const Bins& bins) : world_(w), bins_(bins), reach_(thin * w.scene.spacing) {}
@@ -68,7 +68,7 @@ class ThinWalls {
       if (!wall.present || !nearBounds(wall.bounds, rest, reach_)) continue;
       Vec3d n;
       const double d = wall.shape->distanceWithin(rest, reach_, &n);
-      // thick as seen from here: nothing comes through
+      // The wall is thick here: nothing passes through.
       if (!(d < reach_) || !(wall.shape->distanceWithin(rest - (d + reach_) * n, reach_, nullptr) >= 0))
         continue;
       if (!looked && !nearest(i, at, particle)) return at;
@@ -99,7 +99,8 @@ class ThinWalls {
   double reach_;
 };
 
-/// Is there a wall within `near` (m) that this normal faces, by more than this cosine?
+/// Returns whether the normal faces a wall within `near` (m), by more than this cosine. `into`: direction
+/// into the wall.
 bool facesWallWithin(const World& w, const Vec3d& x, const Vec3d& normal, double near, double cosine,
                      Vec3d& into) {
   for (const Wall& wall : w.walls.list) {
@@ -113,7 +114,7 @@ bool facesWallWithin(const World& w, const Vec3d& x, const Vec3d& normal, double
   return false;
 }
 
-/// A surfel's frame with another normal.
+/// Sets the normal of a surfel and rotates its tangent.
 void turnTo(Surfels& f, std::size_t i, const Vec3d& normal) {
   f.normal[i] = normal;
   const Vec3d across = f.tangent[i] - dot(f.tangent[i], normal) * normal;

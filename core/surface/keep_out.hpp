@@ -1,4 +1,4 @@
-// Surfels stay out of walls and obstacles (the obstacle constraint of K05 4.2.3).
+// Projects surfels out of walls and obstacles (obstacle constraint, K05 4.2.3).
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -8,35 +8,34 @@
 
 namespace thaw {
 
-/// Pushes a place out of walls and obstacles; the surface then lies on them, on the body's side: of thin ones
-/// (the bottom of a glass) the nearest way out may be the far side, where the surface would enclose the wall.
-/// `outward`: of the body there. Where walls meet it is pushed some times over.
+/// Returns a position projected out of walls and obstacles. The surface then lies on them, on the body's
+/// side: through a thin wall (the bottom of a glass), the nearest exit may be the far side. `outward`:
+/// outward normal of the body. Repeated where walls meet.
 Vec3d outOfWalls(const World& world, const Vec3d& x, const Vec3d& outward);
 
-/// Is this place in a wall?
+/// Returns whether a position is inside a wall.
 bool inWall(const World& world, const Vec3d& x);
 
-/// Does what has this place and normal lie on a wall that it faces? `into`: that way.
+/// Returns whether a position with this normal lies on a wall that it faces. `into`: direction into the wall.
 bool facesWall(const World& world, const Vec3d& x, const Vec3d& normal, Vec3d& into);
 
-/// Surfels::standing of owned ones: those of `listed` that lie on a wall and face it squarely; their normals
-/// turn into it. The iterations leave them on it as long as there is body over the wall, whatever way the
-/// colour falls off there: under a drop of a few particles that is to the side. Where there are no walls the
-/// field is not active.
+/// Finds Surfels::standing of owned surfels: surfels of `listed` that lie on a wall and face it nearly
+/// perpendicularly. Their normals are aligned with the wall. The iterations keep them on the wall while the
+/// body lies above it. The colour's gradient is unreliable there: below small drops it points sideways.
+/// Inactive without walls.
 void findStanding(World& world, const std::vector<std::uint8_t>& listed);
 
-/// The constraint at the end of an update, of all owned surfels, whatever has moved or borne them: none is in
-/// a wall afterwards. One that has come through a thin wall, as seen from the nearest particle of its
-/// component, goes back to that one's side. What is liquid lies on the wall from then on, with its normal
-/// into it; what is solid is held off where its body would have it (Surfels::pressed), since it keeps its
-/// shape: bodies dip into walls while these push them. Needs placed surfels, and bins of the particle copies
-/// and their ghosts.
+/// Projects all owned surfels out of walls at the end of an update. A surfel that passed through a thin wall,
+/// as seen from the nearest particle of its component, returns to the particle's side. Liquid surfels then
+/// lie on the wall, with normals into it. Solid surfels are displaced from their position on the body
+/// (Surfels::pressed), because their shape is kept while penetrating. Requires: placed surfels; bins of
+/// particle copies and ghosts.
 void keepOutOfWalls(World& world, const Bins& particleBins);
 
-/// The same of surfels that volume keeping has moved: out again, nothing else. Finds Surfels::onWall anew.
+/// Projects surfels out again after volume enforcement has moved them. Updates Surfels::onWall.
 void keepOutAgain(World& world);
 
-/// Solids' surfels back to where their bodies have them.
+/// Moves solid surfels back to their positions on the body.
 void releasePressed(Surfels& surfels);
 
 }  // namespace thaw

@@ -13,24 +13,25 @@ namespace thaw {
 
 namespace {
 
-/// What volume keeping may move of a component.
+/// Part of a component that volume enforcement may move.
 enum class Held { Nothing, Liquid, Frozen, Drop };
 struct Hold {
-  double area = 0;  // m^2; 0: it is left alone
+  // m^2; 0: not moved
+  double area = 0;
   Held what = Held::Nothing;
-  double tolerance = 0;  // of the volume, that is let be
+  // tolerated relative error of the volume
+  double tolerance = 0;
 };
 
-/// Not single particles and the like, which are spheres of their volume, but where a wall flattens them, nor
-/// those with a large hole, nor solids that were never held as liquids. A body with a mesh's detail left
-/// would have the faces of its cracks moved, and nothing else. At the start solids without a mesh are held,
-/// too: the level of the particles' colour, which they were grown at, is half as far out again as it should
-/// be around plates of two layers.
+/// Returns the movable part of a component. Excluded are small drops that no wall flattens, because they are
+/// spheres of their volume; surfaces with a large hole; and solids that were never enforced as liquids. In
+/// bodies with remaining mesh detail, only crack faces would move. At the start, grown solids are included,
+/// because their colour level is too far out around plates of two layers.
 Hold holdOf(const SurfaceComponent& c, bool start) {
   constexpr std::int64_t fewest = 12;
   constexpr double leastFree = 0.03, leastFrozen = 0.9, closed = 0.25;
   if (c.surfels < fewest || !(c.wantedVolume > 0) || !(c.open < closed)) return {};
-  // what lies on a wall stays there; where nearly all does, the little that is free cannot make up for it
+  // Surface on a wall cannot move. If nearly all of it lies on walls, the small free rest cannot compensate.
   const auto area = [&](double all) { return std::max(all - c.heldArea, 0.2 * all); };
   if (c.particles <= smallDrop) return c.heldArea > 0 ? Hold{area(c.area), Held::Drop, 5e-3} : Hold{};
   if (c.freeArea > leastFree * c.area) return {area(c.freeArea), Held::Liquid, 1e-3};
@@ -41,7 +42,7 @@ Hold holdOf(const SurfaceComponent& c, bool start) {
 
 double errorOf(const SurfaceComponent& c) { return std::abs(c.volume - c.wantedVolume) / c.wantedVolume; }
 
-/// How much of its component's offset surfel i takes.
+/// Returns the share of its component's offset that surfel i takes.
 double shareOf(const Surfels& f, std::size_t i, Held what) {
   return what == Held::Drop     ? 1
          : what == Held::Frozen ? frozenShare(f, i)
@@ -49,8 +50,8 @@ double shareOf(const Surfels& f, std::size_t i, Held what) {
                                 : 0;
 }
 
-/// m^2, by which an offset changes the volume: as the last one of this update has, if there was one. What the
-/// flat floor of a drop leaves free of it bends, and gives way by up to twice its area.
+/// Returns the change of volume per offset (m^2), from the last offset of this update if there was one. The
+/// free surface of a drop on a wall bends, which changes its volume by up to twice its area.
 double areaMoved(double free, double volume, const VolumeMove& last) {
   constexpr double least = 0.25, most = 4;
   return last.by != 0 ? std::clamp((volume - last.volume) / last.by, least * free, most * free) : free;
@@ -90,7 +91,7 @@ void offsetToVolume(Surface& s, const Bins& surfelBins, double keepVolume, doubl
     double by = 0;
     Held what = Held::Nothing;
   };
-  std::vector<Move> moves(s.components.size());  // the same on all ranks
+  std::vector<Move> moves(s.components.size());  // same on all ranks
   last.resize(moves.size());
   for (std::size_t k = 0; k < s.components.size(); k++) {
     SurfaceComponent& c = s.components[k];
@@ -100,15 +101,20 @@ void offsetToVolume(Surface& s, const Bins& surfelBins, double keepVolume, doubl
         keepVolume * (c.wantedVolume - c.volume) / areaMoved(hold.area, c.volume, last[k]), -longest,
         longest);
     last[k] = {c.volume, by};
-    moves[k] = {by, hold.what};  // also what the level of the iterations cannot follow: they undo it, and the
-                                 // next update does it again
-    if (hold.what == Held::Drop) continue;             // its sphere is made anew in each update
-    if (start && hold.what == Held::Frozen) continue;  // what begins as a solid keeps its place from now on
+    // Includes offsets that the level of the iterations cannot follow. The iterations undo these, and the
+    // next update repeats them.
+    moves[k] = {by, hold.what};
+    // Its sphere is rebuilt in each update.
+    if (hold.what == Held::Drop) continue;
+    // Initial solids keep their position afterwards.
+    if (start && hold.what == Held::Frozen) continue;
     c.raised = std::clamp(c.raised + by, std::min(lowest, c.raised), std::max(highest, c.raised));
   }
   const SurfaceComponent* c = nullptr;
-  std::vector<double> offset(f.owned, 0.0);  // all of them before any moves
-  const double small = 0.05 * s.spacing;     // less than this changes nothing about films
+  // All offsets are computed before any surfel moves.
+  std::vector<double> offset(f.owned, 0.0);
+  // Smaller offsets do not affect films.
+  const double small = 0.05 * s.spacing;
   for (std::size_t i = 0; i < f.owned; i++) {
     if (!c || c->label != f.component[i]) c = findComponent(s, f.component[i]);
     if (!c) continue;

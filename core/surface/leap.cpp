@@ -13,13 +13,13 @@
 namespace thaw {
 namespace {
 
-/// As near as this, in spacings of surfels, forces take it on.
+/// Distance to the surface, in spacings of surfels, below which the forces take over.
 constexpr double nearEnough = 0.3;
-/// Of half a spacing of the particles each: so far around its cell the grid leaves room (prepareSurface).
+/// Number of steps of half a particle spacing each, within the room of the grid's cells (prepareSurface).
 constexpr int legs = 5;
 
-/// One leg of Newton's way for the surfels of a group, from where they were sorted: they have `room` (m).
-/// Those for which it has ended, on the surface or where there is none to be found, wait no more.
+/// One step of Newton's method for the surfels of a group, within `room` (m) of their sorted positions.
+/// Surfels that reach the surface, or find none, are no longer heldAtMargin.
 void leapLeg(World& w, FieldProbe& probe, const std::uint32_t* rows, std::size_t n, double raised,
              double room) {
   Surfels& f = w.surface.surfels;

@@ -1,4 +1,4 @@
-// The short way onto the surface for surfels that are far from it.
+// Fast projection of distant surfels onto the surface.
 #pragma once
 #include "core/halo/surface_halos.hpp"
 #include "core/world.hpp"
@@ -7,11 +7,10 @@ namespace thaw {
 
 struct SurfaceTools;
 
-/// Surfels that wait for a search (heldAtMargin) and are far from the surface go there at once, along the
-/// gradient of the colour field; the forces would take them there by a margin a search. Between solid and
-/// liquid there are many of them, because of the way of an update they keep but their liquid share
-/// (blendSurfels). Those across a gap stay, and go on by forces. Surfels have no order and no ghosts
-/// afterwards. Collective.
+/// Projects surfels that stopped at the margin (heldAtMargin), far from the surface, along the gradient of
+/// the colour field. Forces would need a search for each margin of the distance. Partly molten surfaces have
+/// many such surfels, because blendSurfels keeps only the liquid share of each update's motion. Surfels below
+/// a gap are left to the forces. Surfels have no order and no ghosts afterwards. Collective.
 void leapOntoSurface(World& world, SurfaceHalos halos, SurfaceTools& tools);
 
 }  // namespace thaw

@@ -8,27 +8,28 @@ namespace thaw {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr int fine = 64, shells = 48, rings = 16;  // of the quadratures
+constexpr int fine = 64, shells = 48, rings = 16;  // resolution of the quadratures
 
-/// (1 - q^2)^3 with its integral over the unit ball made 1.
+/// Kernel (1 - q^2)^3, normalised over the unit ball.
 double kernel(double q2) {
   const double u = std::max(0.0, 1 - q2);
   return 315 / (64 * pi) * u * u * u;
 }
 
-/// A ball of radius 1 / curvature > 0, or all but a ball (< 0), in lengths of the kernel.
+/// Ball of radius 1 / curvature > 0, or the complement of a ball (< 0), in lengths of the kernel.
 struct Round {
   bool cavity;
-  double radius, deepest;  // deepest: from there on inward the colour is 1, or the middle
+  // deepest: depth from which on the colour is 1, or the centre
+  double radius, deepest;
   explicit Round(double curvature)
       : cavity(curvature < 0),
         radius(1 / std::max(std::abs(curvature), 1e-4)),
         deepest(cavity ? 1 : std::min(1.0, radius)) {}
-  // distance from the middle
+  // Returns the distance from the centre.
   double place(double depth) const { return cavity ? radius + depth : radius - depth; }
 
-  /// Cosines, toward the middle, of the directions in which points at distance rho of a point at r are in the
-  /// body.
+  /// Range of cosines, relative to the centre's direction, for which points at distance rho from a point at r
+  /// are in the body.
   void directions(double r, double rho, double& low, double& high) const {
     double edge;
     if (r * rho < 1e-12) edge = r + rho < radius ? -1 : 1;
@@ -38,7 +39,8 @@ struct Round {
   }
 };
 
-using Profile = std::array<double, fine + 1>;  // by depth from 0 to Round::deepest
+// Values at depths from 0 to Round::deepest.
+using Profile = std::array<double, fine + 1>;
 
 double valueAt(const Profile& p, double share) {
   const double s = std::clamp(share, 0.0, 1.0) * fine;
@@ -46,8 +48,8 @@ double valueAt(const Profile& p, double share) {
   return p[at] + (s - static_cast<double>(at)) * (p[at + 1] - p[at]);
 }
 
-/// Integral over the body of the kernel around a point at `depth`, times the profile (none: 1); and of the
-/// distance inward.
+/// Integral over the body of the kernel around a point at `depth`, times the profile (null: 1), and its
+/// inward moment.
 struct Integral {
   double sum = 0, inward = 0;
 };

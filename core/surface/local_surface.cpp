@@ -35,8 +35,8 @@ void Patch::fitCurvature() {
     right += weight * Vec3d{p * a, p * b + q * a, q * b};
   }
   const Mat3d m{{{aa, ab, 0}, {ab, aa + bb, ab}, {0, ab, bb}}};
-  // each weighted term is at most 1: a determinant far below that of neighbours all around means a direction
-  // is missing
+  // Each weighted term is at most 1. A determinant far below that of evenly distributed neighbours indicates
+  // a direction without neighbours.
   const double n = static_cast<double>(rows.size()), det = determinant(m);
   if (!(det > 1e-3 * n * n * n / 27)) return;
   const Vec3d c = inverse(m) * right;
@@ -72,7 +72,7 @@ void ontoSurface(Patch& p, SurfacePoint* points, std::size_t n, double reach) {
   }
   alignas(32) std::array<double, 24> place{};
   alignas(32) std::array<double, 8 * patchSums> sums;
-  std::array<std::size_t, 8> of;  // which point each lane is
+  std::array<std::size_t, 8> of;  // index of the point in each lane
   for (std::size_t k = 0; k < n; k++) of[k] = k;
   const double reach2 = reach * reach;
   for (int round = 0; round < 4 && n > 0; round++) {

@@ -1,4 +1,4 @@
-// The surface between surfels: where it goes on around one of them.
+// Local continuation of the surface between surfels.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -9,37 +9,38 @@
 
 namespace thaw {
 
-/// Do surfels of these normals belong to one side of a sheet? Up to sharp edges of 107 degrees.
+/// Least dot product of normals on one side of a sheet: sharp edges of up to 107 degrees.
 inline constexpr double oneSide = -0.3;
 
-/// A surfel and those of its component and its side within `reach`, nearest or not, in row order.
+/// A surfel and the surfels of its component on its side within `reach`, in row order.
 struct Patch {
   const Surfels* surfels = nullptr;
   std::size_t centre = 0;
   std::vector<std::uint32_t> rows;
   std::vector<double> disc;  ///< buffers of ontoSurface and emptyPlace
   std::vector<float> seen;
-  double curvature[3]{};  ///< 1/m, ss, st, tt of the shape operator along the tangents; positive: convex
+  double curvature[3]{};  ///< 1/m, components ss, st, tt of the shape operator along the tangents; positive:
+                          ///< convex
 
   void gather(const Surfels& s, std::size_t i, const RowLists& lists, double reach);
-  /// Least squares of how the normals turn; 0 where the neighbours do not say.
+  /// Fits the rotation of normals by least squares; 0 if the neighbours do not determine it.
   void fitCurvature();
-  /// The largest of the principal curvatures' magnitudes, 1/m.
+  /// Returns the largest magnitude of the principal curvatures (1/m).
   double largestCurvature() const;
 };
 
-/// Where the surface of a patch comes nearest.
+/// Point on a patch's surface.
 struct SurfacePoint {
   Vec3d position{}, normal{};
 };
 
-/// The point of the patch at chord length `distance` (m) from its centre in the direction cosine * tangent +
-/// sine * (normal x tangent).
+/// Returns the point of the patch at chord length `distance` (m) from its centre in the direction cosine *
+/// tangent + sine * (normal x tangent).
 SurfacePoint pointAround(const Patch& patch, double distance, double cosine, double sine);
 
-/// Moves points onto the surface that lies between the patch's surfels, the centre included, by weights that
-/// fall to 0 at `reach`: where the mean of (n_j + n) . (x - x_j) vanishes, which is exact on planes and
-/// spheres (ST92's co-circularity). Of n <= 8 points at once.
+/// Projects n <= 8 points onto the surface between the patch's surfels, centre included: where the weighted
+/// mean of (n_j + n) . (x - x_j) vanishes. Weights end at `reach`. Exact on planes and spheres
+/// (co-circularity, ST92).
 void ontoSurface(Patch& patch, SurfacePoint* points, std::size_t n, double reach);
 
 }  // namespace thaw

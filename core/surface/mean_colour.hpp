@@ -1,14 +1,14 @@
-// Means of the colours of surfels.
+// Means of surfels' colours.
 #pragma once
 #include <cmath>
 #include <cstdint>
 
 namespace thaw {
 
-/// Mean of colours, in whole numbers: the same in any order.
+/// Weighted mean of colours in integers, independent of the order.
 struct MeanColour {
   std::int64_t weight = 0, part[3]{};
-  /// u: 0 at the end of the reach to 1.
+  /// Adds a colour with u from 0 at the end of the range to 1.
   void add(double u, std::uint32_t colour) {
     const std::int64_t w = std::llround(65536 * u * u * u);
     weight += w;

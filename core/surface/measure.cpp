@@ -12,13 +12,13 @@
 namespace thaw {
 namespace {
 
-/// A component, with what is found on the way.
+/// Component with intermediate results.
 struct Record {
   SurfaceComponent measured;
-  Vec3d anchor{};     // place of the particle that names it
-  int ranks = 0;      // that have rows of it
-  Sectors sectors{};  // of periodic axes, with rows of it
-  OnePiece piece;     // how it lies across periodic sides
+  Vec3d anchor{};     // position of the particle that labels it
+  int ranks = 0;      // number of ranks with rows of it
+  Sectors sectors{};  // occupied sectors of periodic axes
+  OnePiece piece;     // position across periodic sides
 };
 
 enum Sum {
@@ -57,10 +57,11 @@ enum Sum {
 /// Rows of one component on this rank.
 struct Group {
   std::uint64_t label = 0;
-  std::size_t particlesFrom = 0, particlesTo = 0, surfelsFrom = 0, surfelsTo = 0;  // in the orders
+  // ranges in the sorted orders
+  std::size_t particlesFrom = 0, particlesTo = 0, surfelsFrom = 0, surfelsTo = 0;
 };
 
-/// Rows in order of their components.
+/// Returns rows in the order of their components.
 std::vector<std::uint32_t> orderByLabel(const std::uint64_t* label, std::size_t n) {
   std::vector<std::uint32_t> order(n);
   for (std::size_t i = 0; i < n; i++) order[i] = static_cast<std::uint32_t>(i);
@@ -89,11 +90,11 @@ std::vector<Group> groupsOf(const Surface& s, const std::vector<std::uint32_t>& 
   return groups;
 }
 
-/// m, least width of sectors without rows beside which a component is cut open.
+/// Returns the least width (m) of empty sectors at which a component may be cut open.
 double gapOf(const Surface& s) { return 2 * s.spacing; }
 
-/// All components of all ranks, with counts, anchors and how they lie across periodic sides, ascending by
-/// label.
+/// Returns all components of all ranks, with counts, anchors and positions across periodic sides, ascending
+/// by label.
 std::vector<Record> recordsOf(const Surface& s, const std::vector<std::uint32_t>& particles,
                               const std::vector<std::uint32_t>& surfels, const std::vector<Group>& groups,
                               Reducer& all) {
@@ -151,11 +152,11 @@ std::size_t indexOf(const std::vector<Record>& records, std::uint64_t label) {
       records.begin());
 }
 
-/// The axes after and before one.
+/// Next and previous axis.
 int next(int axis) { return (axis + 1) % 3; }
 int last(int axis) { return (axis + 2) % 3; }
 
-/// A component's exact sums over this rank's rows.
+/// Adds a component's exact sums over this rank's rows.
 void addRows(const Surface& s, const Group& g, const std::vector<std::uint32_t>& particles,
              const std::vector<std::uint32_t>& surfels, const Record& r, std::array<ExactSum, sums>& sum) {
   const SurfaceParticles& p = s.particles;
@@ -215,13 +216,13 @@ void finish(const Surface& s, Record& r, const std::array<double, sums>& v) {
   c.volume = enclosedVolume(facets, centroid, r.piece.round, s.spacing);
 }
 
-/// What the sums of a component on several ranks come to.
+/// Sums of a component that spans several ranks.
 struct SharedValues {
   std::size_t record;
   std::array<double, sums> value;
 };
 
-/// Exact sums are long: those of a few components at a time are added up over ranks.
+/// Reduces the exact sums of shared components over ranks, a few at a time because they are long.
 std::vector<SharedValues> sumShared(const Surface& s, const std::vector<std::uint32_t>& particles,
                                     const std::vector<std::uint32_t>& surfels,
                                     const std::vector<Group>& groups, std::vector<Record>& records,
@@ -265,7 +266,7 @@ void measureComponents(Surface& s, Reducer& all) {
   const std::vector<Group> groups = groupsOf(s, particles, surfels);
   std::vector<Record> records = recordsOf(s, particles, surfels, groups, all);
 
-  // components of this rank alone are finished here
+  // Components on this rank only are finished here.
   std::vector<std::uint64_t> finished;
   std::array<ExactSum, sums> sum;
   for (const Group& g : groups) {
