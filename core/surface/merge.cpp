@@ -14,7 +14,7 @@ struct Pair {
   friend auto operator<=>(const Pair&, const Pair&) = default;
 };
 
-/// Labels that become one, the same on all ranks.
+/// Union of labels that join, the same on all ranks.
 class Joined {
  public:
   explicit Joined(const std::vector<Pair>& pairs) {
@@ -34,7 +34,7 @@ class Joined {
   }
   bool none() const { return label_.empty(); }
   bool joins(std::uint64_t label) const { return std::binary_search(label_.begin(), label_.end(), label); }
-  /// The label that goes, or 0 if they are one already.
+  /// Joins two labels. Returns the label that disappears, or 0 if they are joined already.
   std::uint64_t join(std::uint64_t a, std::uint64_t b) {
     a = of(a);
     b = of(b);
@@ -48,24 +48,25 @@ class Joined {
   std::vector<std::uint64_t> label_, into_;
 };
 
-/// Particles of two liquids that touch are this near, and the middle between them no farther from either
-/// surface, in spacings (.35 between two balls cut from a lattice). What parts is 1.5 times as far apart or
-/// more (components.hpp): a pair does not flicker.
+/// Contact distance of particles of two liquids, and largest distance of the midpoint to either surface, in
+/// spacings (0.35 between two balls cut from a lattice). Separation needs 1.5 times the distance or more
+/// (components.hpp), which prevents flicker.
 constexpr double touchLength = 1, touchGap = 0.4;
 
-/// How far surfaces are seen from others, m: what comes closer from update to update is met long before it is
-/// that deep.
+/// Returns the range (m) in which particles detect other surfaces. Approaching bodies are detected long
+/// before they overlap that deeply.
 double meetingReach(const World& w) {
   return std::min(w.surface.particleSupport, std::max(2 * w.scene.spacing, 4 * w.surface.spacing));
 }
 
-/// And by other surfels, m: not as far, since particles of two bodies keep a spacing apart; what is deeper in
-/// joins (judgeJoining).
+/// Returns the range (m) in which surfels detect other surfaces. It is shorter, since particles of two bodies
+/// keep a spacing apart. judgeJoining handles deeper surfels.
 double judgingReach(const World& w) {
   return std::min(w.surface.particleSupport, std::max(w.scene.spacing, 4 * w.surface.spacing));
 }
 
-/// What a part of the last split was before; noComponent of fresh ones and of parts of several.
+/// Returns the previous component of a part of the last split, or noComponent for new particles and for parts
+/// of several components.
 std::uint64_t before(const ComponentTools& c, std::uint64_t label) {
   std::uint64_t from = noComponent;
   for (const ComponentTools::Piece& p : c.pieces)
@@ -73,9 +74,9 @@ std::uint64_t before(const ComponentTools& c, std::uint64_t label) {
   return from;
 }
 
-/// Do the liquids touch at particle i? One of the other component is no farther than a neighbour in a liquid
-/// is, and the middle between them is in both surfaces, or near them: drops press on each other as soon as
-/// they are that close, and flatten; no particle would be inside for long.
+/// Returns whether two liquids touch at particle i. A particle of the other component is within the distance
+/// of neighbours in a liquid, and the midpoint lies in or near both surfaces. Drops at this distance already
+/// press on each other and flatten, before a particle is inside the other drop.
 bool touches(const World& w, const ComponentTools& c, std::uint32_t i, std::uint64_t other, MergeTools& t) {
   const Surface& s = w.surface;
   const SurfaceParticles& p = s.particles;
@@ -94,7 +95,8 @@ bool touches(const World& w, const ComponentTools& c, std::uint32_t i, std::uint
   return found;
 }
 
-/// Needs bins of surfels, and, where there are several parts, of particles.
+/// Returns the pairs of components in contact, unique on all ranks. Requires: bins of surfels and, with
+/// several parts, of particles.
 std::vector<Pair> meetingPairs(const World& w, Reducer& all, const ComponentTools& c, bool several,
                                MergeTools& t) {
   const Surface& s = w.surface;
@@ -128,18 +130,18 @@ std::vector<Pair> meetingPairs(const World& w, Reducer& all, const ComponentTool
   pairs.clear();
   for (std::size_t k = 0; k + 1 < words.size(); k += 2) pairs.push_back({words[k], words[k + 1]});
   unique();
-  // what has come apart in this update does not join again at once: its ends are still open
+  // Parts that separated in this update do not join again at once, because their ends are still open.
   std::erase_if(pairs, [&](const Pair& m) {
     return before(c, m.a) != noComponent && before(c, m.a) == before(c, m.b);
   });
   return pairs;
 }
 
-/// MergeTools::open.
+/// Flags of MergeTools::open.
 enum Seam : std::uint8_t { Disturbed = 1, Joint = 2 };
 
-/// Where an owned surfel is among the others: dead if its component joins one that it is in or close to, else
-/// moved out of those it is in.
+/// Classifies an owned surfel relative to other components. It dies if its component joins one that it is in
+/// or close to. Otherwise it moves out of components that contain it.
 void judgeSurfel(const World& w, std::uint32_t i, const Joined& joined, ComponentTools& c, MergeTools& t) {
   const Surface& s = w.surface;
   const Surfels& f = s.surfels;
@@ -149,22 +151,25 @@ void judgeSurfel(const World& w, std::uint32_t i, const Joined& joined, Componen
     if (side.asked < leastAsked) continue;
     if (joined.of(side.component) == joined.of(f.component[i])) {
       if (side.distance < 0.5 * s.spacing) c.dead[i] = 1;
-      if (side.distance < 3 * s.spacing) t.open[i] |= Disturbed;  // beside those that die
+      // beside deleted surfels
+      if (side.distance < 3 * s.spacing) t.open[i] |= Disturbed;
     } else if (side.distance < 0) {
       t.open[i] |= Disturbed;
-      push += std::min(-0.5 * side.distance, w.scene.spacing) * side.normal;  // the other side does as much
+      // The other side moves equally.
+      push += std::min(-0.5 * side.distance, w.scene.spacing) * side.normal;
     }
   }
   t.moved[i] = f.position[i] + push;
 }
 
-/// An owned surfel of what joins, some way from the other's surface: do the other's particles shape the
-/// common surface here, or is it deep in there?
+/// Classifies an owned surfel of a joining component at some distance from the other surface: whether the
+/// other's particles shape the common surface here, and whether it lies deep inside the other.
 void judgeJoining(const Surface& s, std::uint32_t i, const Bins& joining, ComponentTools& c, MergeTools& t) {
   const Surfels& f = s.surfels;
   int seen = 0;
   double nearest2 = never;
-  bool behind = false;  // the nearest
+  // whether it lies behind the nearest surfel
+  bool behind = false;
   forRowsWithin(joining, f.position[i], s.particleSupport, [&](std::uint32_t j, double d2) {
     if (t.into[j] != t.into[i] || f.component[j] == f.component[i]) return;
     seen++;
@@ -226,8 +231,8 @@ void mergeComponents(World& w, SurfaceHalos halos, ComponentTools& c, MergeTools
   for (std::size_t i = 0; i < f.owned; i++)
     if (t.open[i] & Disturbed) f.calm[i] = 0;
   if (!pairs.empty()) {
-    f.activate(f.loose);  // the two skins end in a seam: what was grown settles onto the common surface,
-                          // solid or not
+    // The two surfaces end in a seam. Grown surfels relax onto the common surface, even if solid.
+    f.activate(f.loose);
     for (std::size_t i = 0; i < f.owned; i++)
       if ((t.open[i] & Joint) && f.detail[i] < 0.5f) f.loose[i] = 1;
     for (std::size_t i = 0; i < f.owned; i++) f.component[i] = joined.of(f.component[i]);

@@ -1,4 +1,4 @@
-// Components that meet: they join, or their surfaces are kept apart (K05 4.4.2).
+// Contact of components: they join, or their surfaces are separated (K05 4.4.2).
 #pragma once
 #include "core/halo/surface_halos.hpp"
 #include "core/surface/components.hpp"
@@ -11,18 +11,17 @@ struct MergeTools {
   InsideTools inside;
   std::vector<SurfaceSide> sides, touching;
   std::vector<Vec3d> moved;
-  std::vector<std::uint8_t> open;   ///< surfels that resampling is to look at
-  std::vector<std::uint64_t> into;  ///< labels of surfels, ghosts included, when all have joined
+  std::vector<std::uint8_t> open;   ///< flags of surfels that resampling must inspect
+  std::vector<std::uint64_t> into;  ///< joined labels of surfels, ghosts included
 };
 
-/// Joins components of which at least one has a particle inside the other's surface, or, of liquids, which
-/// are as near to each other as particles of one liquid are, as the scene's rule allows: Liquid where the
-/// particle or the surface there is more than half liquid, All, None. All that happens in one update is found
-/// together, as a union over labels; the smallest label stays. Surfels inside the other's surface, or less
-/// than half a spacing off it, are deleted on both sides, so that the seam closes as they are resampled.
-/// Where components do not join, surfels inside the other's surface go back to the middle between the two.
-/// Needs placed surfels and particles with ghosts; afterwards surfels have no ghosts and may have left their
-/// cells. Collective.
+/// Joins components in contact. Contact means that a particle of one lies inside the surface of the other.
+/// For liquids, a distance as between particles of one liquid suffices. The scene's rule decides: Liquid
+/// requires that the particle or the surface is more than half liquid; All and None. All contacts of an
+/// update are united at once, and the smallest label remains. Surfels inside the other surface, or less than
+/// half a spacing off it, are deleted on both sides; resampling then closes the seam. Without joining,
+/// surfels inside the other surface move to the middle between the two. Requires: placed surfels and
+/// particles with ghosts. Afterwards surfels have no ghosts and may have left their cells. Collective.
 void mergeComponents(World& world, SurfaceHalos halos, ComponentTools& components, MergeTools& tools);
 
 }  // namespace thaw

@@ -6,9 +6,12 @@
 namespace thaw {
 namespace {
 
-constexpr double sliver = 0.2;  // height over the longest edge around
-constexpr double tiny = 0.1;  // longest edge over the longest around: two such triangles may agree by chance
-constexpr double agrees = 0.98;  // cosine of 11 degrees
+// height over the longest surrounding edge
+constexpr double sliver = 0.2;
+// Longest edge over the longest surrounding one. Two such triangles may agree by chance.
+constexpr double tiny = 0.1;
+// cosine of 11 degrees
+constexpr double agrees = 0.98;
 
 }  // namespace
 
@@ -28,8 +31,9 @@ MeshNormals::MeshNormals(const TriangleMesh& mesh) : mesh_(mesh) {
   mendSlivers();
 }
 
-/// Where a sliver's normal does not agree with that of the triangle across its longest edge (as it does on
-/// the narrow side of a plate), it is rounding, not shape: a mean of all around its corners is better.
+/// Replaces unreliable normals of slivers. If a sliver's normal differs from that of the triangle across its
+/// longest edge, it is a rounding error; the mean of the triangles around its corners is better. On the
+/// narrow side of a plate, the two agree.
 void MeshNormals::mendSlivers() {
   const std::vector<Vec3d> own = face_;
   const TriangleMesh& m = mesh_;
@@ -40,8 +44,10 @@ void MeshNormals::mendSlivers() {
   doubtful_.assign(m.triangles.size(), 0);
   for (std::uint32_t u = 0; u < m.triangles.size(); u++) {
     const auto& t = m.triangles[u];
-    double longest2 = 0, around2 = 0;  // its longest edge, and the longest one around it
-    std::uint32_t from = 0, to = 0;    // of its longest edge
+    // longest edge of the triangle and of those around it
+    double longest2 = 0, around2 = 0;
+    // ends of its longest edge
+    std::uint32_t from = 0, to = 0;
     for (const std::uint32_t v : t)
       for (std::uint32_t i = first_[v]; i < first_[v + 1]; i++)
         for (std::size_t k = 0; k < 3; k++) {
@@ -106,7 +112,7 @@ Vec3d MeshNormals::cornerNormal(std::uint32_t triangle, std::uint32_t vertex) co
     const std::size_t at = c[0] == vertex ? 0 : c[1] == vertex ? 1 : 2;
     const Vec3d p = normalized(mesh_.vertices[c[(at + 1) % 3]] - here),
                 q = normalized(mesh_.vertices[c[(at + 2) % 3]] - here);
-    // sine of half the angle there: as good a weight, and the same bits everywhere
+    // Sine of half the angle: as good a weight as the angle, with the same bits everywhere.
     sum += std::sqrt(std::max(0.0, 0.5 - 0.5 * dot(p, q))) * face_[u];
   }
   return dot(sum, sum) > 0 ? normalized(sum) : face_[triangle];

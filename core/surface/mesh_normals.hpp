@@ -1,4 +1,4 @@
-// Smooth normals of a triangle mesh that keep its edges.
+// Smooth normals of a triangle mesh that keep sharp edges.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -11,12 +11,11 @@ namespace thaw {
 class MeshNormals {
  public:
   explicit MeshNormals(const TriangleMesh& mesh);
-  /// Unit normal at a point of a triangle: between those of its corners, each as the file has it, or where
-  /// that says nothing the mean of the triangles around it by their angle there, as far as they turn less
-  /// than 45 degrees from this one. Slivers whose normal differs from that across their longest edge say
-  /// nothing.
+  /// Returns the unit normal at a point of a triangle, interpolated between its corners. Corner normals come
+  /// from the file, or else are means of the surrounding triangles that deviate less than 45 degrees,
+  /// weighted by their angle. Slivers whose normal differs from that across their longest edge are ignored.
   Vec3d at(const Vec3d& x, std::uint32_t triangle) const;
-  /// Colour between those of the corners; the mesh has to have some.
+  /// Returns the interpolated colour of the corners. Requires: a mesh with vertex colours.
   std::uint32_t colourAt(const Vec3d& x, std::uint32_t triangle) const;
 
  private:
@@ -25,7 +24,7 @@ class MeshNormals {
   void mendSlivers();
   const TriangleMesh& mesh_;
   std::vector<Vec3d> face_;                    // unit normals
-  std::vector<std::uint8_t> doubtful_;         // of triangles: a sliver whose own normal says nothing
+  std::vector<std::uint8_t> doubtful_;         // flags triangles: slivers with an unreliable normal
   std::vector<std::uint32_t> first_, around_;  // triangles of each vertex
 };
 

@@ -33,7 +33,7 @@ std::vector<std::uint8_t> mixedBins(const Bins& of, const std::uint64_t* ofLabel
     return here;
   };
   for (std::size_t b = 0; b < of.size();) {
-    // bins of one line follow each other: first as many as lie within a few reaches
+    // Bins of one line are consecutive. First test as many as lie within a few radii.
     PlaceBox box = boxOf(of, b);
     Range here = own[b];
     std::size_t end = b + 1;

@@ -1,4 +1,4 @@
-// Which places lie near a box: what every search of the surface asks first, eight places at a time.
+// Finds positions near a box, eight at a time. Every search of the surface begins with it.
 #include "core/simd/pack.hpp"
 #include "core/surface/surface_kernels.hpp"
 
@@ -16,8 +16,8 @@ std::uint32_t nearBox(const NearBox& box, const float* x, const float* y, const 
     __builtin_memcpy(&v.v, from, 32);
     return v;
   };
-  const auto beyond = [&](LanesF v, LanesF middle, LanesF half) {  // how far outside of the box along one
-                                                                   // axis
+  // distance outside of the box along one axis
+  const auto beyond = [&](LanesF v, LanesF middle, LanesF half) {
     const LanesF d = v - middle;
     return max(max(d, -d) - half, zero);
   };

@@ -11,12 +11,14 @@
 namespace thaw {
 namespace {
 
-constexpr double neighbour = 1.75;   // spacings: of 26 in a cubic lattice the farthest; a gap of one layer is
-                                     // wider
-constexpr double detour = 1.5;       // of the straight way
-constexpr double inDirection = 0.9;  // cosine: what lies before an empty direction
+// In spacings: the distance of the farthest of 26 neighbours in a cubic lattice. A gap of one layer is wider.
+constexpr double neighbour = 1.75;
+// path length over straight distance
+constexpr double detour = 1.5;
+// cosine of the cone around an empty direction
+constexpr double inDirection = 0.9;
 
-/// What is around one particle.
+/// Neighbourhood of one particle.
 class Around {
  public:
   explicit Around(const World& w) : world_(w), near_(neighbour * w.scene.spacing) {}
@@ -40,8 +42,8 @@ class Around {
   const World& world_;
   double near_;  // m
   FreeDirections free_;
-  std::vector<Vec3d> at_;    // from the particle, which is the first
-  std::vector<double> way_;  // m
+  std::vector<Vec3d> at_;    // relative to the particle, which is the first
+  std::vector<double> way_;  // m, shortest path length
   std::vector<std::uint8_t> done_;
 
   bool anyBehindAnEmptyPlace(const SeedDirections& seeds) {
@@ -59,7 +61,7 @@ class Around {
     return false;
   }
 
-  /// Dijkstra's.
+  /// Finds shortest paths with Dijkstra's algorithm.
   void findWays() {
     constexpr double none = std::numeric_limits<double>::infinity();
     const std::size_t n = at_.size();
@@ -81,7 +83,7 @@ class Around {
   }
 };
 
-/// Of all ranks, each once.
+/// Returns the labels of all ranks, ascending and unique.
 std::vector<std::uint64_t> ofAll(Reducer& all, const std::vector<std::uint64_t>& mine) {
   std::vector<std::uint64_t> labels = gatherWords(all, mine);
   std::sort(labels.begin(), labels.end());

@@ -1,33 +1,35 @@
-// Sheets that come close without being one (docs/validation/stability.md B20, B22): what a surfel must not
-// take for its own surroundings.
+// Distinguishes neighbours on the same sheet from those on other sheets of a component
+// (docs/validation/stability.md B20, B22).
 #pragma once
 #include "core/math/vec3.hpp"
 
 namespace thaw {
 
-/// How another surfel lies to this one.
+/// Relation of another surfel to a surfel.
 enum class Facing : unsigned char {
-  Same,        ///< on the same sheet, or round an edge or a bend of it
-  AcrossGap,   ///< it looks back at this one through empty space: another sheet
-  AcrossSheet  ///< it looks away behind this one: the other side of a thin sheet
+  Same,        ///< on the same sheet, or around an edge or bend of it
+  AcrossGap,   ///< on another sheet that faces the surfel across empty space
+  AcrossSheet  ///< on the back of a thin sheet
 };
 
-/// Cosine of the angle of normals from which on two surfels are of two sheets: 120 degrees.
+/// Cosine of the angle between normals beyond which two surfels belong to two sheets: 120 degrees.
 inline constexpr double twoSheets = -0.5;
 
-/// By normals alone, without particles: normals more than 120 degrees apart (n.n' < -1/2) are of two sheets;
-/// what lies in front of both is a gap, what lies behind both a sheet; else (a fold, a rim) they are taken
-/// for the same. d: from this surfel to the other, m.
+/// Returns the relation of two surfels by their normals, without particles. Normals more than 120 degrees
+/// apart (n.n' < -1/2) belong to two sheets: a gap if each surfel lies in front of the other, a sheet if each
+/// lies behind. Otherwise, as at folds and rims, they count as the same sheet. d: from this surfel to the
+/// other (m).
 inline Facing facing(const Vec3d& d, const Vec3d& normal, const Vec3d& otherNormal) {
   if (dot(normal, otherNormal) >= twoSheets) return Facing::Same;
-  // heights of the other one over this one's plane and the reverse
+  // heights of each surfel above the other's plane
   const double ahead = dot(d, normal), back = -dot(d, otherNormal);
   if (ahead > 0 && back > 0) return Facing::AcrossGap;
   if (ahead < 0 && back < 0) return Facing::AcrossSheet;
   return Facing::Same;
 }
 
-/// Particles less than this over a surfel's plane, in spacings of surfels, are its own sheet's in any case.
+/// Height above a surfel's plane, in spacings of surfels, below which particles always belong to its own
+/// sheet.
 inline constexpr double leastCeiling = 0.2;
 
 }  // namespace thaw

@@ -1,5 +1,4 @@
-// Where a component lies along periodic axes: seen from the widest part of the domain that it leaves free, it
-// is in one piece.
+// Unwraps a component along periodic axes: the domain is cut open in the widest gap of the component.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -10,20 +9,22 @@
 
 namespace thaw {
 
-/// Sectors of the domain along each periodic axis that a component has rows in, a bit each. The same for any
-/// order of the rows, and | of the parts is that of the whole.
+/// Bits of the occupied sectors of the domain along each periodic axis. Independent of the order of rows;
+/// sectors of parts combine by |.
 using Sectors = std::array<std::uint64_t, 3>;
 
-/// Of an axis: at most 64, each at least `least` (m) wide, so that one without rows is no gap between
-/// neighbours.
+/// Returns the number of sectors of an axis: at most 64, each at least `least` (m) wide, so that an empty
+/// sector is no gap between neighbours.
 inline int sectorCount(const CellGrid& g, int axis, double least) {
   return static_cast<int>(std::clamp(g.period[axis] / least, 1.0, 64.0));
 }
 
-/// m, from the low side of the domain, in [0, period): only along periodic axes.
+/// Returns the coordinate relative to the low side of the domain, wrapped into [0, period) (m). Requires: a
+/// periodic axis.
 inline double withinPeriod(const CellGrid& g, int axis, double x) {
   const double u = x - g.origin[axis], wrapped = u - g.period[axis] * std::floor(u / g.period[axis]);
-  return wrapped < g.period[axis] ? wrapped : 0;  // rounded up
+  // Rounding may give a full period.
+  return wrapped < g.period[axis] ? wrapped : 0;
 }
 
 inline void addToSectors(const CellGrid& g, double least, const Vec3d& x, Sectors& sectors) {
@@ -35,12 +36,12 @@ inline void addToSectors(const CellGrid& g, double least, const Vec3d& x, Sector
   }
 }
 
-/// How places of a component are told along each axis.
+/// Position of a component's cut along each axis.
 struct OnePiece {
-  std::array<bool, 3> round{};  ///< it has rows in every sector of a periodic axis: it goes round, or nearly
-                                ///< so, and is in no one piece
-  Vec3d from{};  ///< m from the low side: middle of the widest gap, where the domain is cut open; 0 where it
-                 ///< goes round
+  /// The component occupies every sector of a periodic axis and has no gap.
+  std::array<bool, 3> round{};
+  /// m, relative to the low side: middle of the widest gap, where the domain is cut; 0 without a gap
+  Vec3d from{};
 };
 
 inline OnePiece onePiece(const CellGrid& g, double least, const Sectors& sectors) {
@@ -48,7 +49,8 @@ inline OnePiece onePiece(const CellGrid& g, double least, const Sectors& sectors
   for (int a = 0; a < 3; a++) {
     if (!g.periodic[a]) continue;
     const int n = sectorCount(g, a, least);
-    int widest = 0, at = 0;  // sectors without rows, from `at` on
+    // number and first index of consecutive empty sectors
+    int widest = 0, at = 0;
     for (int first = 0; first < n; first++) {
       int many = 0;
       while (many < n && !(sectors[static_cast<std::size_t>(a)] >> ((first + many) % n) & 1)) many++;
@@ -60,8 +62,8 @@ inline OnePiece onePiece(const CellGrid& g, double least, const Sectors& sectors
   return p;
 }
 
-/// x moved by whole periods to where it lies in the one piece: along periodic axes from the low side of the
-/// domain plus `from` on.
+/// Returns x shifted by periods to its place in the unwrapped component: along periodic axes between the cut
+/// and one period beyond.
 inline Vec3d placeIn(const CellGrid& g, const OnePiece& p, Vec3d x) {
   for (int a = 0; a < 3; a++) {
     if (!g.periodic[a]) continue;

@@ -8,8 +8,8 @@
 namespace thaw {
 namespace {
 
-/// Appends these rows of one table of surfels to the owned ones of another, which has the same fields, or
-/// more.
+/// Appends rows of one table of surfels to the owned rows of another, whose fields include those of the
+/// first.
 template<class Row> void appendRows(const Surfels& from, std::size_t n, Row row, Surfels& to) {
   const std::size_t first = to.owned;
   to.resize(first + n, 0);
@@ -30,7 +30,8 @@ void takeRegion(Surface& s, const Bins& bins, const std::vector<std::uint8_t>& o
   Surfels& f = s.surfels;
   constexpr double far = std::numeric_limits<double>::infinity();
   std::vector<double> depth2(f.size(), far);
-  const double beside2 = 2.25 * s.spacing * s.spacing;  // what is this near to another one is not asked
+  // Surfels this near to a tested one are not tested.
+  const double beside2 = 2.25 * s.spacing * s.spacing;
   for (std::size_t i = 0; i < f.size(); i++)
     if (open[i] && depth2[i] > beside2)
       forRowsWithin(bins, f.position[i], radius,

@@ -1,4 +1,4 @@
-// The few surfels that later rounds of resampling look at, with what is around them.
+// Active set of surfels for later rounds of resampling.
 #pragma once
 #include <vector>
 
@@ -8,29 +8,28 @@
 
 namespace thaw {
 
-/// A table of its own for rounds in which few surfels are open (looked at): to place, sort and list all the
-/// others in each round would cost more than the round. It holds all surfels within `radius` of what was open
-/// when it was taken, on the ranks that own them, and all that a round needs of those within radius less the
-/// reach of a look.
+/// Separate table for rounds in which few surfels are open (to be inspected). Placing, sorting and listing
+/// all surfels would cost more than the round. The table holds all surfels within `radius` of the initially
+/// open ones, on the ranks that own them. Neighbourhoods are complete within `radius` less the reach of an
+/// inspection.
 struct OpenRegion {
-  std::int64_t few = 12;  ///< it is taken where less than one surfel in so many is open; 0: never
+  std::int64_t few = 12;  ///< used if less than one surfel in so many is open; 0: never
   bool taken = false;
   Surfels surfels;
   CellTable cells;
-  std::vector<std::uint32_t> rows;  ///< of Surface::surfels that are in it; they are stale as long as it is
-                                    ///< taken
-  double deepest = 0;               ///< m, Surfels::depth up to which surfels can be looked at
+  std::vector<std::uint32_t> rows;  ///< rows of Surface::surfels in the set, stale while it is in use
+  double deepest = 0;               ///< m, Surfels::depth up to which surfels may be inspected
 };
 
-/// open: of all rows, ghosts included. Surface::surfels has ghosts and bins; it loses the ghosts. Surfels of
-/// the region have no order and no ghosts.
+/// Extracts the active set. `open` flags all rows, ghosts included. Surface::surfels loses its ghosts.
+/// Surfels of the set have no order and no ghosts. Requires: ghosts and bins of Surface::surfels.
 void takeRegion(Surface& surface, const Bins& bins, const std::vector<std::uint8_t>& open, double radius,
                 double reach, OpenRegion& region);
 
-/// Is all that is open deep enough in it, on all ranks? Collective.
+/// Returns whether all open surfels have complete neighbourhoods, on all ranks. Collective.
 bool regionHolds(const OpenRegion& region, Reducer& all);
 
-/// Puts the region's surfels back; Surface::surfels has no order then.
+/// Returns the surfels of the active set to Surface::surfels, which has no order afterwards.
 void returnRegion(Surface& surface, OpenRegion& region);
 
 }  // namespace thaw

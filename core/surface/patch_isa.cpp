@@ -1,6 +1,5 @@
-// The surface between the surfels of a patch, at several places at once: which of a circle's places are
-// covered, and the sums of which it is a root. Beside a surfel without a hole most of the time of resampling
-// goes into the first, beside one with into the second.
+// Kernels for the surface between the surfels of a patch, at several positions at once: coverage of points on
+// a circle, and sums for the projection. Together they take most of the time of resampling.
 #include "core/simd/lanes.hpp"
 #include "core/surface/surface_kernels.hpp"
 
@@ -8,7 +7,8 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-THAW_INLINE LanesF at(const float* from) {  // aligned or not
+// Loads eight floats of any alignment.
+THAW_INLINE LanesF at(const float* from) {
   LanesF v;
   __builtin_memcpy(&v.v, from, 32);
   return v;
@@ -21,7 +21,7 @@ void openPlaces(const CirclePlaces& circle, const float* disc, std::size_t discs
   const LanesF zero(0.0f), one(1.0f), half(0.5f), two(2.0f), most(1.2f), side(circle.side),
       ss(circle.curvature[0]), st(circle.curvature[1]), tt(circle.curvature[2]);
   for (std::size_t k = 0; k < circlePlaces; k += 8) {
-    // on the circle of the curvature in its direction (pointAround)
+    // on the circle of curvature in its direction (pointAround)
     const LanesF c = at(circle.cosine + k), d = at(circle.sine + k),
                  curved = min(most, max(-most, c * c * ss + two * c * d * st + d * d * tt));
     const LanesF sink = half * curved, flat = sqrt(one - sink * sink), up = one - curved * sink,

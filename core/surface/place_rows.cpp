@@ -13,7 +13,8 @@ void placeRows(const CellGrid& grid, CellHalo& halo, Rows& rows, CellTable& cell
     for (std::size_t i = 0; i < rows.owned; i++) {
       double& x = rows.position[i][a];
       x -= length * std::floor((x - low) / length);
-      if (x >= low + length) x = low;  // rounding
+      // rounding
+      if (x >= low + length) x = low;
     }
   }
   computeCellKeys(grid, rows);
@@ -41,7 +42,8 @@ void dropGhosts(Table& rows, CellTable& cells) {
 }
 
 void addGhosts(CellHalo& halo, Table& rows, CellTable& cells, std::span<AnyColumn* const> columns) {
-  dropGhosts(rows, cells);  // of an earlier call: their cells would be sent on as if they were ours
+  // Ghost cells of an earlier call would be sent on as owned ones.
+  dropGhosts(rows, cells);
   halo.beginGhosts(rows, cells, columns);
   halo.finishGhosts(rows, cells);
 }

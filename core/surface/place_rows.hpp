@@ -1,4 +1,4 @@
-// Brings surfels and particle copies to the ranks that own their cells, in (cell, id) order.
+// Migrates surfels and particle copies to the ranks that own their cells, in (cell, id) order.
 #pragma once
 #include "core/halo/surface_halos.hpp"
 #include "core/neighbours/sort.hpp"
@@ -6,17 +6,17 @@
 
 namespace thaw {
 
-/// Wraps positions at periodic sides, migrates and sorts; ghosts are dropped. Rows are surfels or particle
+/// Wraps positions at periodic sides, migrates and sorts. Ghosts are dropped. Rows are surfels or particle
 /// copies. Collective.
 template<class Rows>
 void placeRows(const CellGrid& grid, CellHalo& halo, Rows& rows, CellTable& cells, SortBuffers& buffers);
 
-/// Copies of the cells around this rank's: afterwards `cells` holds ghost cells, too. Collective.
+/// Adds ghosts of the surrounding cells. `cells` then lists ghost cells as well. Collective.
 void addGhosts(CellHalo& halo, Table& rows, CellTable& cells, std::span<AnyColumn* const> columns);
-/// Takes ghosts and their cells away again: before ghosts are added anew, `cells` must list the owned ones
-/// alone. Not collective.
+/// Drops ghosts and their cells. `cells` must list owned cells only before ghosts are added again. Not
+/// collective.
 void dropGhosts(Table& rows, CellTable& cells);
-/// Sends columns of the same ghosts again. Collective.
+/// Sends columns of existing ghosts again. Collective.
 void refreshGhosts(CellHalo& halo, Table& rows, std::span<AnyColumn* const> columns);
 
 }  // namespace thaw

@@ -1,4 +1,4 @@
-// Points sorted into cubes, to find those around a place.
+// Points sorted into cubic cells for neighbour searches.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -37,7 +37,7 @@ class PointCells {
     }
   }
 
-  /// Points by cell, and by their number within one.
+  /// Returns point indices sorted by cell, and by index within a cell.
   const std::vector<std::uint32_t>& order() const { return order_; }
   std::uint64_t keyOf(const Vec3d& x) const {
     std::uint64_t key = 0;
@@ -47,7 +47,7 @@ class PointCells {
              mask);
     return key;
   }
-  /// f(first, last) for the ranges of order() in the 27 cells around x.
+  /// Calls f(first, last) for the ranges of order() in the 27 cells around x.
   template<class F> void around(const Vec3d& x, F&& f) const {
     const std::uint64_t here = keyOf(x);
     for (std::uint64_t z = 0; z < 3; z++)

@@ -13,9 +13,9 @@ void prepareSurface(World& w) {
   s.spacing = surfelSpacing(w.scene);
   s.surfelSupport = set.support * s.spacing;
   s.particleSupport = set.particleSupport * w.grid.support;
-  // what is looked at around a particle or surfel of this rank is in the cells around its own: up to three
-  // spacings and a disc in the search for what is bare, too; and a surfel may stray within a round of
-  // iterations before all is sorted anew: half a spacing of the particles
+  // Neighbourhoods of owned particles and surfels must lie in the adjacent cells. This includes up to three
+  // spacings and a disc in the search for exposed particles. Within a round of iterations, a surfel may move
+  // half a particle spacing before the next sort.
   s.grid = makeGrid(w.scene.domain,
                     std::max(s.surfelSupport + listMargin(s, w.scene.spacing),
                              std::max({s.surfelSupport, s.particleSupport, 3 * s.spacing,
@@ -36,7 +36,8 @@ void activateSurfaceFields(Surface& s, const Modules& m, bool walls) {
            &p.id, &p.position, &p.displacement, &p.component, &p.volume, &p.share, &p.mass, &p.body, &p.home,
            &p.cell, &p.nextCell, &p.gradient, &p.colour, &p.smoothColour, &p.part})
     p.activate(*c);
-  if (m.melting || m.fluid) {  // else the surface is carried along and nothing more
+  // Otherwise the surface is only carried along.
+  if (m.melting || m.fluid) {
     f.activate(f.liquid);
     p.activate(p.liquid);
     if (m.solid) f.activate(f.softened), f.activate(f.mark);

@@ -9,12 +9,13 @@
 namespace thaw {
 namespace {
 
-/// Factors of the sums of (1 - (r/h)^2)^3, lengths in spacings.
+/// Factors of the sums of (1 - (r/h)^2)^3, with lengths in spacings.
 struct Lattice {
-  double perSum = 0;     ///< over the cubic lattice, for sums at places
-  double perOwnSum = 0;  ///< for sums at particles
-  double self = 1;  ///< weight of a particle in its own sum: that of a ball, not a point, such that a lone
-                    ///< particle has its own volume
+  double perSum = 0;     ///< inverse sum over the cubic lattice, for sums at positions
+  double perOwnSum = 0;  ///< the same for sums at particles
+  /// Weight of a particle in its own sum. It represents a ball, not a point, so that a lone particle has its
+  /// own volume.
+  double self = 1;
 };
 Lattice latticeOf(double h, const LevelTable& table) {
   double sum = 0;
@@ -25,8 +26,8 @@ Lattice latticeOf(double h, const LevelTable& table) {
         const double u = 1 - (x * x + y * y + z * z) / (h * h);
         if (u > 0) sum += u * u * u;
       }
-  // a lone particle has colours c = x, a = x^2 and fullness b / a = x = self / (sum - 1 + self), and a c u^3
-  // / sum around it: this is to be at its level where its volume ends
+  // A lone particle has colours c = x, a = x^2 and fullness b / a = x = self / (sum - 1 + self). Around it
+  // the colour is c u^3 / sum. This must equal its level at the surface of its volume.
   const double R = std::cbrt(3 / (4 * 3.14159265358979323846)), u = 1 - R * R / (h * h),
                wanted = u * u * u / sum;
   double low = 0, high = 1 / sum;
@@ -41,8 +42,8 @@ Lattice latticeOf(double h, const LevelTable& table) {
   return l;
 }
 
-/// m^3, what the colour field counts of each particle, ghosts included. Of one cut from a lattice: what of
-/// its body was around it, so that a ball is no staircase.
+/// Returns the volume (m^3) of each particle in the colour field, ghosts included. Particles cut from a
+/// lattice count with the body's share of their cell, so that balls have no steps.
 std::vector<double> weightsOf(const SurfaceParticles& p) {
   std::vector<double> weight(p.volume.data(), p.volume.data() + p.size());
   if (p.fill.active)
@@ -75,7 +76,7 @@ void readyParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
   const Lattice lattice = latticeOf(h / dx, t.relax.level);
   fillBins(s.grid, s.particleCells, p.position.data(), 0.5 * h, t.relax.particleBins);
   const std::vector<double> weight = weightsOf(p);
-  // the colour at each particle, then the same with each particle weighted by its colour
+  // First pass: colour at each particle. Second pass: particles weighted by their colour.
   for (int pass = 0; pass < 2; pass++) {
     Column<float>& to = pass == 0 ? p.colour : p.smoothColour;
     RowBlock block;
@@ -97,7 +98,7 @@ void readyParticles(World& w, SurfaceHalos halos, SurfaceTools& t) {
     ColumnList found{&to};
     refreshGhosts(halos.particles, p, found);
   }
-  // records of the iterations
+  // packed data for the iterations
   t.relax.particle.resize(4 * p.size());
   t.relax.particleColour.resize(p.size());
   for (std::size_t j = 0; j < p.size(); j++) {

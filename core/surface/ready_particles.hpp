@@ -1,4 +1,4 @@
-// What surfels ask of the particles where they are now: colours, liquid fraction, temperature.
+// Particle fields at current positions for surfels: colours, liquid fraction, temperature.
 #pragma once
 #include "core/halo/surface_halos.hpp"
 #include "core/world.hpp"
@@ -7,18 +7,18 @@ namespace thaw {
 
 struct SurfaceTools;
 
-/// The surface's copies of particles on the ranks that own their cells, without ghosts: what readyParticles
-/// found of them is stale. Collective.
+/// Migrates the particle copies to the ranks that own their cells, without ghosts. Results of readyParticles
+/// become stale. Collective.
 void placeParticles(World& world, SurfaceHalos halos, SurfaceTools& tools);
 
-/// Ghosts of the particles, their bins, and the colour field of their own component at each, once and twice
-/// smoothed (level_table.hpp), 1 in the middle of the lattice. Does nothing where tools.relax.particlesReady
-/// says that it is done. Needs particles placed. Collective.
+/// Computes ghosts and bins of the particles, and at each the colour field of its own component, smoothed
+/// once and twice (level_table.hpp), 1 inside a lattice. Does nothing if tools.relax.particlesReady is set.
+/// Requires: placed particles. Collective.
 void readyParticles(World& world, SurfaceHalos halos, SurfaceTools& tools);
 
-/// Liquid fraction and temperature of the owned surfels: means of the particles of their component within
-/// h_ps with the same weight; kept where there are none. Needs readyParticles and placed surfels. Collective
-/// if readyParticles is to be called.
+/// Samples liquid fraction and temperature at owned surfels: means over their component's particles within
+/// h_ps, with the same weight. Values remain where there are none. Requires: readyParticles; placed surfels.
+/// Collective unless readyParticles was called.
 void sampleFields(World& world, SurfaceHalos halos, SurfaceTools& tools);
 
 }  // namespace thaw

@@ -38,14 +38,16 @@ void packSurfel(const Surface& s, RelaxTools& r, std::size_t i) {
     std::memcpy(place + a, &bits, 4);
     normal[a] = static_cast<float>(f.normal[i][a]);
   }
-  place[3] = f.moving[i] == 1 ? 1.0f : 0.0f;  // those that wait for a search stir nobody
+  // Surfels stopped at the margin do not activate others.
+  place[3] = f.moving[i] == 1 ? 1.0f : 0.0f;
   normal[3] = static_cast<float>(std::min(f.radius[i], s.spacing) / s.grid.support);
 }
 
-/// Gaps wider than this times h_ps do not matter: a sheet's particles lie half a spacing behind its surface.
+/// Largest relevant gap over h_ps: a sheet's particles lie half a spacing behind its surface.
 constexpr double gapReach = 0.75;
 
-/// Iterations before moves across the surface are damped, and by what in each from then on.
+/// Number of iterations before moves across the surface are damped, and the damping factor of each later
+/// iteration.
 constexpr std::int64_t easeAfter = 8;
 constexpr double easing = 0.8;
 
@@ -55,7 +57,7 @@ void markMovable(const Surface& s, bool all, RelaxTools& r) {
     r.free[i] = r.free[i] && std::binary_search(r.only.begin(), r.only.end(), s.surfels.component[i]);
 }
 
-/// Surfels to their ranks and sorted, their ghosts, and all lists. Collective.
+/// Migrates and sorts surfels, adds ghosts, and rebuilds all lists. Collective.
 void search(World& w, SurfaceHalos halos, SurfaceTools& t, bool all, bool first, double margin, Lap& lap) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
@@ -71,7 +73,7 @@ void search(World& w, SurfaceHalos halos, SurfaceTools& t, bool all, bool first,
   if (!first) markActive(s, halos.surfels, r.surfelBins, s.surfelSupport + margin, r.free, r.core);
   listGroups(s, r.free, r.surfelBins, r.particleBins, radii, r.lists);
   const double gap = gapReach * s.particleSupport;
-  // all pairs of bins within a gap are looked at
+  // All pairs of bins within a gap are tested.
   if (first) fillBins(s.grid, s.surfelCells, f.position.data(), gap / 3, r.gapBins);
   findCeilings(s, r.free, first ? r.gapBins : r.surfelBins, gap, !first);
   packCeilings(s, r.lists, r.ceilings);
@@ -107,7 +109,7 @@ ForceSums sumsOf(const World& w, SurfaceTools& t) {
   return in;
 }
 
-/// Groups that may have something to do: a surfel that moved is in their list.
+/// Lists groups with a moving surfel in their list.
 void listStirredGroups(const GroupLists& l, const Surfels& f, std::vector<std::uint32_t>& groups) {
   groups.clear();
   for (std::uint32_t g = 0; g < l.groups(); g++)
@@ -118,7 +120,7 @@ void listStirredGroups(const GroupLists& l, const Surfels& f, std::vector<std::u
       }
 }
 
-/// Of those, the ones with a surfel that moved, or has a neighbour that did, within h_ss.
+/// Keeps groups with a surfel that has a moving surfel within h_ss, or moves itself.
 void keepStirred(const GroupLists& l, const float* sums, int channels, std::vector<std::uint32_t>& groups) {
   std::erase_if(groups, [&](std::uint32_t g) {
     const float* stirred = sums +
@@ -127,7 +129,7 @@ void keepStirred(const GroupLists& l, const float* sums, int channels, std::vect
   });
 }
 
-/// Sums of a surfel's group and lane.
+/// Returns the sums of a group and lane.
 SurfelSums sumsAt(const ForceSums& in, std::uint32_t g, int lane) {
   const std::size_t channels = in.plane ? planeSums : sphereSums;
   return {in.overSurfels + static_cast<std::size_t>(g) * 8 * channels,
@@ -149,30 +151,32 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
   std::int64_t free[1] = {std::count(r.free.begin(), r.free.end(), 1)};
   halos.all.sum(free);
   if (free[0] == 0) return {0, true};
-  if (all) std::fill_n(f.calm.data(), f.owned, 0.0f);  // in an update, blendSurfels sees how far they went
+  // In an update, blendSurfels reads the motion.
+  if (all) std::fill_n(f.calm.data(), f.owned, 0.0f);
   f.activate(f.moving);
   f.activate(f.pace);
   f.activate(f.ceiling);
   for (std::size_t i = 0; i < f.owned; i++) f.moving[i] = r.free[i], f.pace[i] = 0;
   findStanding(w, r.free);
-  // a surfel may move by half the margin before lists are stale; the cells of the grid leave room for half a
-  // spacing of the particles
+  // A surfel may move by half the margin before lists are stale. The grid's cells leave room for half a
+  // particle spacing.
   const double margin = listMargin(s, w.scene.spacing);
   search(w, halos, t, all, true, margin, lap);
   Settled done;
   MoveCounts counts;
-  // across the surface most are at rest after a few iterations; along it a long wave of crowding would have
-  // them shuffle on, hence K05's damping. So would the rims of a splash across it: what is left there after
-  // easeAfter goes on in the next update, with the particles
+  // Across the surface, most surfels stop after a few iterations. Along it, long waves of density would move
+  // them on, hence K05's damping. The rims of a splash would do so across it; what remains after easeAfter
+  // continues in the next update.
   double spread = 1, ease = 1;
   bool spreads = false, held = false, running = true;
   std::int64_t nextSearch = 1;
   while (done.iterations < iterations && !done.finished) {
-    // one that has come to the end of its margin waits for the next search; those are made at longer and
-    // longer intervals, since few are left
+    // A surfel stopped at its margin continues after the next search. Searches become less frequent, since
+    // few such surfels remain.
     if (spreads || (held && (!running || done.iterations >= nextSearch))) {
       if (done.iterations == 1)
-        leapOntoSurface(w, halos, t);  // once: the forces may have good reasons to take them from there
+        // Only once: forces may move surfels off the iso-surface again.
+        leapOntoSurface(w, halos, t);
       std::replace(f.moving.data(), f.moving.data() + f.owned, heldAtMargin, std::uint8_t{1});
       search(w, halos, t, all, false, margin, lap);
       nextSearch = done.iterations + 2 + done.iterations / 2;
@@ -195,8 +199,9 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
     if (done.iterations >= easeAfter) ease *= easing;
     context.stray = 0.5 * margin;
     context.found = r.found.data();
-    double state[3]{0, 0, 0};  // of those that move: free to, where lists end, held
-    // those of groups without work have not moved in the last iteration
+    // flags: a surfel moves; one moves outside of the core; one stopped at its margin
+    double state[3]{0, 0, 0};
+    // Surfels of groups without work did not move in the last iteration.
     for (const std::uint32_t g : r.groups) {
       const double raised = raisedOf(r.raised, f.component[r.lists.self[8 * g]]);
       for (int lane = 0; lane < r.lists.lanes[g]; lane++) {

@@ -1,5 +1,5 @@
-// The iterations of a surface update: surfels settle under the four forces of K05 4.2.2, with the constraints
-// of 4.2.3.
+// Iterations of a surface update: surfels relax under the four forces of K05 4.2.2, with the constraints of
+// 4.2.3.
 #pragma once
 #include "core/halo/surface_halos.hpp"
 #include "core/world.hpp"
@@ -8,7 +8,7 @@ namespace thaw {
 
 struct SurfaceTools;
 
-/// Weights k of the four forces, 1 (SurfaceSettings says what they are).
+/// Weights k of the four forces (1; see SurfaceSettings).
 struct ForceWeights {
   double implicit = 1, attract = 0, smooth = 0, repel = 0;
 };
@@ -16,19 +16,18 @@ inline ForceWeights forceWeights(const SurfaceSettings& s) {
   return {s.implicit, s.attract, s.smooth, s.repel};
 }
 
-/// What a call of settle has done; the same on all ranks.
+/// Result of the iterations, the same on all ranks.
 struct Settled {
   std::int64_t iterations = 0;
-  bool finished = false;  ///< no surfel moves any more
+  bool finished = false;  ///< all surfels are at rest
 };
 
-/// Moves the surfels by at most `iterations` of the forces until none moves more than settings.stop of its
-/// radius. `all`: every surfel is free (at the start, for grown surfaces); else those with liquid > 0, if
-/// `liquid` is a field, and none without it. Needs the particles of the surface where they are now, on the
-/// ranks of their cells (placeRows), with their components; ghosts and lists are made here. Surfels may be in
-/// any order and anywhere in the domain: they are placed (placeRows) at the start, and so are sorted and on
-/// the right ranks, but for what they moved since the last search, at the end, when they have no ghosts.
-/// Collective.
+/// Relaxes the surfels by at most `iterations` steps of the forces, until none moves more than settings.stop
+/// of its radius. With `all` every surfel is free (initial grown surfaces), else only surfels with liquid >
+/// 0, and none without that field. Makes ghosts and lists. Surfels may be in any order and anywhere in the
+/// domain: they are placed (placeRows) and sorted at the start. At the end they are without ghosts, and have
+/// the order and ranks of the last search. Requires: particles at current positions on the ranks of their
+/// cells (placeRows), with components. Collective.
 Settled settle(World& world, SurfaceHalos halos, SurfaceTools& tools, const ForceWeights& weights,
                std::int64_t iterations, bool all);
 

@@ -1,4 +1,4 @@
-// Buffers of displacement and iterations, reused from update to update. Nothing of them is part of the state.
+// Buffers of displacement and iterations, reused between updates. They are not part of the state.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -12,37 +12,38 @@
 
 namespace thaw {
 
-/// How far (m) volume keeping holds the liquid surface of a component off its level.
+/// Offset (m) of a component's liquid surface from its level by volume enforcement.
 struct RaisedComponent {
   std::uint64_t component;
   double by;
 };
 
-/// Processor time spent (s), for benchmarks; no result depends on them.
+/// Processor time (s) for benchmarks. No result depends on it.
 struct RelaxTimes {
   double ready = 0, place = 0, search = 0, surfelSums = 0, particleSums = 0, finish = 0, exchange = 0;
   std::int64_t surfels = 0, searches = 0;
 };
 
 struct RelaxTools {
-  bool particlesReady = false;  ///< readyParticles was called for the particles as they are; on all ranks or
-                                ///< none
+  /// readyParticles was called for the current particles; the same on all ranks
+  bool particlesReady = false;
   LevelTable level;
   const SurfaceKernels* kernels = surfaceKernels();
-  std::vector<std::uint64_t> only;      ///< components, ascending, that iterations move; none: all
+  std::vector<std::uint64_t> only;      ///< components, ascending, that iterations move; empty: all
   std::vector<RaisedComponent> raised;  ///< ascending by component
   Bins surfelBins, particleBins, gapBins;
   GroupLists lists;
-  AlignedVector<double> carried;  ///< carryRecord of each particle
+  AlignedVector<double> carried;  ///< packed data of each particle, carryRecord doubles
   GapCeilings ceilings;
   AlignedVector<float> place, normal, particle, particleColour, overSurfels, overParticles;
-  std::vector<std::uint8_t> free, core;  ///< of owned surfels: listed; and with a surfel that moves in reach
+  /// flags of owned surfels: listed, and with a moving surfel within reach
+  std::vector<std::uint8_t> free, core;
   std::vector<std::uint32_t> groups;
-  std::vector<Vec3d> found;  ///< where owned surfels were at the search
+  std::vector<Vec3d> found;  ///< positions of owned surfels at the last search
   RelaxTimes times;
 };
 
-/// Switches a column off: it holds no memory that counts, and is not in checkpoints.
+/// Deactivates a column: it frees its memory and leaves checkpoints.
 inline void deactivate(AnyColumn& c) {
   c.active = false;
   c.bytes.clear();

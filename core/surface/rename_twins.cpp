@@ -11,15 +11,15 @@
 namespace thaw {
 namespace {
 
-/// A new surfel's id, and its number among those of all ranks.
+/// Id of a new surfel and its index among those of all ranks.
 struct Born {
   std::uint64_t id;
   std::size_t number;
   friend auto operator<=>(const Born&, const Born&) = default;
 };
 
-/// Ids of this rank that a new surfel has, other than that surfel itself, in any order. Goes through the new
-/// ones in pieces.
+/// Returns ids of this rank that equal the id of another new surfel, unordered. New ids are processed in
+/// chunks.
 std::vector<std::uint64_t> takenIds(const Surfels& s, std::size_t first, Reducer& all,
                                     const Surfels* others) {
   constexpr std::size_t piece = std::size_t{1} << 16;
@@ -37,7 +37,8 @@ std::vector<std::uint64_t> takenIds(const Surfels& s, std::size_t first, Reducer
     std::fill(seen.begin(), seen.end(), 0);
     for (const Born& b : born) seen[b.id % seen.size()] = 1;
     const auto among = [&](std::uint64_t id, std::size_t own) {
-      if (!seen[id % seen.size()]) return false;  // of nearly all
+      // quick rejection of nearly all ids
+      if (!seen[id % seen.size()]) return false;
       auto at = std::lower_bound(born.begin(), born.end(), Born{id, 0});
       if (at != born.end() && at->id == id && at->number == own) ++at;
       return at != born.end() && at->id == id;
@@ -56,7 +57,8 @@ std::int64_t renameTwins(Surfels& s, std::size_t first, std::uint64_t seed, Redu
                          const Surfels* others) {
   std::int64_t renamed = 0;
   for (;;) {
-    std::vector<std::uint64_t> taken = gatherWords(all, takenIds(s, first, all, others));  // hardly ever any
+    // almost always empty
+    std::vector<std::uint64_t> taken = gatherWords(all, takenIds(s, first, all, others));
     if (taken.empty()) return renamed;
     std::sort(taken.begin(), taken.end());
     std::int64_t count[1] = {0};

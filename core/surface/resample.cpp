@@ -19,36 +19,38 @@
 namespace thaw {
 namespace {
 
-// Champion: comes before all that are too close to it
+// Champion: precedes all surfels that are too close to it
 enum Wish : std::uint8_t { Birth = 1, Crowded = 2, Champion = 4, Changed = 8 };
 
-/// Beside what melts a mesh's surfels are carried, and still stand as the mesh had them.
+/// Returns whether a surfel beside melt still carries its full mesh detail.
 bool carriesDetail(const Surfels& s, std::size_t i) {
   return s.softened.active && s.detail[i] > 0.9f && s.liquid[i] < 0.05f;
 }
 
-constexpr double border = 3.6;  // rad: 206 degrees
-/// Surfels::calm within a call of one that is on a rim, until its surroundings change.
+// rad, 206 degrees
+constexpr double border = 3.6;
+/// Value of Surfels::calm, within a call, after a refused birth at a rim. Changes nearby reset it.
 constexpr float refused = -1;
 struct Round {
   Surfels* table;
   const RowLists& lists;
-  double reach;  ///< m, of the lists
+  double reach;  ///< m, radius of the lists
   std::uint64_t seed, salt;
   const BirthPlace& mayBe;
   bool start;  ///< nothing has moved yet
   const Bins& bins;
   double particleSpacing;                                 ///< m
-  std::vector<std::uint64_t> birthOrder{}, deathOrder{};  ///< of all rows, ghosts too
-  std::vector<float> closest{};                           ///< of owned rows
+  std::vector<std::uint64_t> birthOrder{}, deathOrder{};  ///< for all rows, ghosts included
+  std::vector<float> closest{};                           ///< for owned rows
   std::vector<std::uint32_t> going{};
-  std::vector<std::uint8_t> open{};  ///< of all rows: it is looked at in this round
+  /// flags of all rows: inspected in this round
+  std::vector<std::uint8_t> open{};
 
   void lookAtOpen() {
     open.resize(table->size());
     for (std::size_t i = 0; i < table->size(); i++) open[i] = table->calm[i] == 0;
   }
-  /// How many that are, on all ranks. Collective.
+  /// Returns the number of open surfels on all ranks. Collective.
   std::int64_t openRows(Reducer& all) const {
     std::int64_t n[1] = {
         std::count(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(table->owned), 1)};
@@ -67,8 +69,8 @@ struct Round {
     }
   }
 
-  /// Wishes of the surfels looked at. One that has a place where nothing may be born is left alone until its
-  /// surroundings change.
+  /// Sets the flags and birth candidates of the inspected surfels. After a refused birth, a surfel is ignored
+  /// until its surroundings change.
   void makeWishes() {
     Surfels& s = *table;
     drawOrder();
@@ -103,7 +105,8 @@ struct Round {
         continue;
       }
       const bool beyond = widestGap(patch, *place, 2 * s.radius[i]) > border;
-      s.calm[i] = 0;  // a rim stays under observation: the body may go on there
+      // A rim stays under inspection, because the body may continue there.
+      s.calm[i] = 0;
       if ((beyond || liquidShare(s, i) < 0.5) && overSkin(i, *place, beyond)) {
         s.calm[i] = refused;
         continue;
@@ -118,8 +121,8 @@ struct Round {
     }
   }
 
-  /// Between what follows its places of the start and what is carried along the surface may end up in a step,
-  /// which is seen through from the side where discs just meet.
+  /// Returns whether surfels with and without reference meet in the patch. A step may form there, with gaps
+  /// between adjacent discs as seen from the side.
   bool atSeam(const Patch& patch) const {
     const Surfels& s = *table;
     const double far = 2.5 * s.radius[patch.centre];
@@ -129,9 +132,8 @@ struct Round {
     });
   }
 
-  /// Are some of those beside the centre, which follows, farther from it than they were at the start? Where
-  /// none is, what looks like a hole is the crease of a groove that closes, whose faces do not see each
-  /// other.
+  /// Returns whether a neighbour is farther from the centre than in the reference, or has none. Otherwise an
+  /// apparent hole is the crease of a closing groove, whose faces do not interact.
   bool stretched(const Patch& patch) const {
     constexpr double least = 1.15;
     const Surfels& s = *table;
@@ -145,9 +147,9 @@ struct Round {
     return false;
   }
 
-  /// Is a surfel of its side so near that one of the two would have to die, or a sheet that faces the same
-  /// way straight over or under the place? Between two such sheets there would be room for neither particles
-  /// nor a gap: what is born there goes on as a second skin.
+  /// Returns whether a surfel on its side is so near that one of the two would die, or whether a sheet of the
+  /// same orientation lies directly above or below. There is room for neither particles nor a gap between two
+  /// such sheets, and a second skin would grow.
   bool taken(std::size_t i, const SurfacePoint& p) const {
     constexpr double sameWay = 0.5, beside = 0.4;
     const Surfels& s = *table;
@@ -164,10 +166,10 @@ struct Round {
     return false;
   }
 
-  /// Is a sheet under or over the place that faces the same way, as far off as a particle is thick? Beyond a
-  /// rim the body's colour bridges grooves, and the sheet of the groove is there. Between surfels of what is
-  /// solid: where a second sheet has begun it would go on, as those of the first fill the angles around it. A
-  /// sheet that is bent by less than 45 degrees is not met.
+  /// Returns whether a sheet of the same orientation lies above or below, within a particle's thickness.
+  /// Beyond a rim, the body's colour bridges grooves, above their own sheet. Between surfels of solids, a
+  /// second sheet would continue to grow around the first. Sheets bent by less than 45 degrees are not
+  /// reported.
   bool overSkin(std::size_t i, const SurfacePoint& p, bool beyond) const {
     const double sameWay = beyond ? 0.3 : 0.7;
     constexpr double beside = 0.8;
@@ -188,7 +190,7 @@ struct Round {
     return order[i] != order[j] ? order[i] > order[j] : s.id[i] > s.id[j];
   }
 
-  /// Of births that would stand in each other's way, only the first happens.
+  /// Returns whether a surfel gives birth. Of conflicting births only the first happens.
   bool givesBirth(std::size_t i) const {
     const Surfels& s = *table;
     if (!(s.wish[i] & Birth)) return false;
@@ -203,7 +205,7 @@ struct Round {
     return true;
   }
 
-  /// A champion stays, and those too close to it die.
+  /// Returns whether a surfel dies. A champion stays, and surfels too close to it die.
   bool dies(std::size_t i) const {
     const Surfels& s = *table;
     if (!(s.wish[i] & Crowded)) return false;
@@ -230,16 +232,16 @@ struct Round {
   }
 };
 
-/// Another one for each round of each call in a step, so that a surfel that gives birth twice names its
-/// children differently: calls in one step differ by the births before them, or had none.
+/// Returns a salt for each round of each call in a step, so that repeated births of a surfel have different
+/// ids. Calls in one step differ by the number of earlier births, or had none.
 std::uint64_t saltOf(const World& w, const Resampled& done, std::int64_t round) {
   const std::int64_t births = w.surface.counters.births + done.births;
   return randomBits(w.scene.seed, Purpose::SurfelSample, static_cast<std::uint64_t>(w.clock.step),
                     static_cast<std::uint64_t>(births) << 8 | static_cast<std::uint64_t>(round));
 }
 
-/// Without adaption: radii go back to the wanted one (surfels of a small drop, whose are smaller, may be of a
-/// large body now).
+/// Moves radii towards the surfel spacing, without adaptive density. Surfels of a small drop have smaller
+/// radii and may now belong to a large body.
 void relaxRadii(Surface& surface) {
   Surfels& s = surface.surfels;
   SmallDrops small(surface);
@@ -251,7 +253,7 @@ void relaxRadii(Surface& surface) {
   }
 }
 
-/// Those of small drops, which are spheres (renewSurfels), are in order.
+/// Excludes small drops, which are spheres (renewSurfels), from resampling.
 void calmSmallDrops(const Surface& surface, Surfels& s) {
   SmallDrops small(surface);
   for (std::size_t i = 0; i < s.owned; i++)
@@ -265,7 +267,7 @@ std::int64_t countOpen(const Surfels& s, Reducer& all) {
   return open[0];
 }
 
-/// Sorted, with ghosts and bins: what this round looks at.
+/// Places the surfels of a round, with ghosts and bins, and flags the open ones.
 void placeOpen(Surface& surface, SurfaceHalos halos, SurfaceTools& t, OpenRegion& region, Round& r) {
   Surfels& s = *r.table;
   CellTable& cells = region.taken ? region.cells : surface.surfelCells;
@@ -356,8 +358,8 @@ Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t r
     halos.all.sum(count);
     if (cap < 0) cap = birthCap(total = count[0]);
     done.finished = count[1] + count[2] == 0;
-    for (double share = 1; done.births + count[1] > cap;) {  // a share of them, chosen by hash; less where
-                                                             // that is too many by chance
+    // Limits births to a share, selected by hash, and reduces it further if still too many.
+    for (double share = 1; done.births + count[1] > cap;) {
       share *= 0.98 * static_cast<double>(cap - done.births) / static_cast<double>(count[1]);
       std::erase_if(parents, [&](std::uint32_t i) {
         return randomUniform(r.seed, Purpose::SurfelSample, s.id[i], r.salt) >= share;
@@ -366,8 +368,8 @@ Resampled resample(World& w, SurfaceHalos halos, SurfaceTools& t, std::int64_t r
       halos.all.sum({&count[1], 1});
       done.capped = true;
     }
-    if (count[1] + count[2] > 0) {  // what the dead covered may be open, and births bend what their
-                                    // neighbours see
+    // Deaths may uncover places, and births change the patches of their neighbours.
+    if (count[1] + count[2] > 0) {
       for (const std::uint32_t i : r.going) s.wish[i] |= Changed;
       for (const std::uint32_t i : parents) s.wish[i] |= Changed;
       refreshGhosts(halos.surfels, s, ColumnList{&s.wish});
