@@ -1,4 +1,4 @@
-// Births and deaths of surfels, so that the surface has no hole and no crowd (K05 4.3;
+// Births and deaths of surfels, which keep the sampling density within bounds (K05 4.3;
 // docs/validation/stability.md B18).
 #pragma once
 #include <functional>
@@ -13,58 +13,55 @@ namespace thaw {
 
 struct SurfaceTools;
 
-/// What resampling has done; the same on all ranks.
+/// Result of resampling, the same on all ranks.
 struct Resampled {
   std::int64_t births = 0, deaths = 0;
-  bool capped = false;    ///< more were wanted than an update may do
+  bool capped = false;    ///< more births were due than one call allows
   bool finished = false;  ///< nothing was left to do
 };
 
-/// The area law: surfels r apart on a hexagonal lattice have 3.63 (R/r)^2 neighbours within R. (K05 has
-/// thresholds linear in R/r, which leave holes for R > 2 r.)
+/// Area law: surfels r apart on a hexagonal lattice have 3.63 (R/r)^2 neighbours within R. The thresholds of
+/// K05 are linear in R/r, which leaves holes for R > 2 r.
 inline constexpr double neighboursPerArea = 3.6276;
-inline constexpr double tooMany = 1.5, tooFew = 0.6;  ///< times the law
-/// A surfel that resampling has found in order is looked at again after this much strain and moves in radii
-/// (Surfels::calm): it and its neighbour may each have come so far, and a hole of emptyAt is still none of
-/// more than a radius.
+inline constexpr double tooMany = 1.5, tooFew = 0.6;  ///< factors of the area law
+/// Strain and moves in radii until a surfel with correct density is inspected again (Surfels::calm). Even if
+/// it and its neighbour both move this far, a hole of emptyAt stays smaller than a radius.
 inline constexpr float calmFor = 0.1f;
-/// of the radius r_s of the surfel
+/// Distances over the radius r_s of the surfel.
 inline constexpr double emptyAt = 0.8, emptyAtThin = 0.65, crowdedAt = 0.5, crowdedAtMany = 0.7;
-/// The same of what follows its place at the start. A solid that bends and comes back would lose a mark with
-/// each death, and get a guess for it: it has all the surfels that its surface needs, until it is stretched
-/// so far that discs no longer meet.
+/// Distances for surfels with a reference. A solid that bends back would lose detail with each death and
+/// regain only an estimate. It already has all the surfels of its surface, until stretching separates the
+/// discs.
 inline constexpr double emptyAtSolid = 1.2, crowdedAtSolid = 0.2;
 
-/// May surfel i (a row of a table that is Surface::surfels or a part of it) have a birth at this point?
-/// border: there are no surfels on its other side, so that it follows from nothing but extrapolation. May
-/// turn the normal.
+/// Returns whether surfel i may have a birth at this point. `surfels` is Surface::surfels or a part of it.
+/// border: no surfels lie beyond, so that the point is extrapolated. May rotate the normal.
 using BirthPlace = std::function<bool(const Surfels& surfels, std::size_t i, SurfacePoint& p, bool border)>;
 
-/// Up to `rounds` rounds, each of which lets surfels that are far enough apart act at the same time:
-/// - a surfel that has a place on the circle of emptyAt * r_s around it, on the surface between its
-/// neighbours, without a surfel of its side
-///   within that distance, gets a new one there. If the circle around every surfel is covered, the surface
-///   is: so no hole is larger than that. Where there are less than tooFew times the neighbours of the area
-///   law, the circle is that of emptyAtThin;
-/// - those closer than crowdedAt radii to one that comes first (by a hash) die; likewise those closer than
-/// crowdedAtMany where there are
-///   more than tooMany times the neighbours of the area law.
-/// Births are never closer than what lets one die, so that a surface at rest comes to rest. Only surfels
-/// without calm are looked at: those whose surroundings deform, are born, or border on what died or on an
-/// open rim; those that keep calm come before the others. New surfels take component, colour, detail,
-/// temperature, liquid fraction from around them. Births are where mayBe
-/// allows, or without it between surfels, not past a border; no more than birthCap() in one call.
-/// Surfels may be anywhere, in any order; at the end they are placed, without ghosts. Tools: sort, surfelsOf.
-/// Collective.
+/// Resamples in up to `rounds` rounds, each of which treats independent surfels at once:
+/// - Birth: if the circle of emptyAt * r_s around a surfel, on the surface, has a point without
+///   a surfel of its side within that distance, a surfel is born there. If all circles are
+///   covered, holes are smaller than that. With less than tooFew times the neighbours of the
+///   area law, the circle is that of emptyAtThin.
+/// - Death: surfels closer than crowdedAt radii to one that precedes them (by a hash) die.
+///   With more than tooMany times the neighbours of the area law, the distance is that of
+///   crowdedAtMany.
+///
+/// Births are farther than the distance of deaths, so that resampling of a static surface ends. Only surfels
+/// with Surfels::calm = 0 are inspected: those in deformed surroundings, new ones, and neighbours of deaths
+/// or open rims. Uninspected surfels precede inspected ones. Births interpolate component, colour, detail,
+/// temperature and liquid fraction. They require mayBe, or without it, surfels on all sides; birthCap()
+/// limits their number in one call. Surfels may be anywhere in any order. They are placed at the end, without
+/// ghosts. Uses the tools sort and surfelsOf. Collective.
 Resampled resample(World& world, SurfaceHalos halos, SurfaceTools& tools, std::int64_t rounds,
                    const BirthPlace& mayBe = {});
 
-/// Takes the calm of all owned surfels around (within two of their radii) the marked rows (owned and ghosts),
-/// of a table with ghosts in bins.
+/// Marks all owned surfels within two of their radii of the flagged rows (owned and ghosts) for inspection.
+/// Requires: a table with ghosts and bins.
 void disturbAround(Surfels& surfels, const Bins& bins, const std::vector<std::uint8_t>& marked,
                    double spacing);
 
-/// Births that one call may do with this many surfels on all ranks.
+/// Returns the largest number of births in one call for this number of surfels on all ranks.
 inline std::int64_t birthCap(std::int64_t surfels) { return 2000 + surfels; }
 
 }  // namespace thaw

@@ -3,7 +3,7 @@
 namespace thaw {
 namespace {
 
-/// Sorted by (cell, id) where they are.
+/// Sorts rows by (cell, id) without migration.
 template<class Rows>
 void sortInPlace(const CellGrid& grid, Rows& rows, CellTable& cells, SortBuffers& buffers) {
   computeCellKeys(grid, rows);
@@ -12,7 +12,8 @@ void sortInPlace(const CellGrid& grid, Rows& rows, CellTable& cells, SortBuffers
   sortByCell(rows, all, buffers, cells);
 }
 
-/// Of owned rows alone, whatever ghost cells were merged into `cells`.
+/// Partitions the domain by owned rows, without ghost cells in `cells`. Returns whether the partition
+/// changed.
 template<class Rows> bool cut(const Rows& rows, const CellTable& cells, SurfaceHalos halos, bool force) {
   CellTable own;
   std::vector<double> cost;
@@ -35,7 +36,8 @@ void resumeSurface(World& w, SurfaceHalos halos, SurfaceTools& t) { balanceSurfa
 
 void balanceSurface(World& w, SurfaceHalos halos, SurfaceTools& t, bool force) {
   Surface& s = w.surface;
-  sortInPlace(s.grid, s.surfels, s.surfelCells, t.sort);  // births and deaths since the last sort
+  // There may be births and deaths since the last sort.
+  sortInPlace(s.grid, s.surfels, s.surfelCells, t.sort);
   cut(s.surfels, s.surfelCells, halos, force);
 }
 

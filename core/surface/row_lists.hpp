@@ -1,4 +1,4 @@
-// Neighbours of rows of a table among all its rows: surfels around surfels.
+// Neighbour lists of the rows of a table.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -15,8 +15,9 @@ struct RowLists {
   RowBlock block;
 };
 
-/// Rows (of the bins' table, ghosts included) within `radius` (m) of each of the first `owned` rows that is
-/// wanted; the others have none. A row is not its own neighbour. `position` as when the bins were filled.
+/// Finds the rows (ghosts included) within `radius` (m) of each wanted row among the first `owned` ones.
+/// Other rows have empty lists. A row is not its own neighbour. Requires: `position` as when the bins were
+/// filled.
 void findRows(const Bins& bins, const Vec3d* position, std::size_t owned,
               const std::vector<std::uint8_t>& wanted, double radius, RowLists& lists);
 

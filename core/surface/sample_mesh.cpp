@@ -18,10 +18,10 @@
 namespace thaw {
 namespace {
 
-/// Moves a sample of the bust's mesh onto the sculpture. It stays where it is where the sculpture is not
-/// near.
+/// Projects a sample of the bust's mesh onto the sculpture. Samples far from the sculpture remain.
 void refineOnBust(const Placement& placed, SurfaceSample& s) {
-  constexpr double step = 1e-4, near = 0.03;  // m, of the bust of 1 m
+  // m, for the bust of 1 m
+  constexpr double step = 1e-4, near = 0.03;
   const Mat3d back = transpose(placed.rotation);
   const Vec3d start = back * (s.position - placed.move) / placed.scale;
   Vec3d x = start, gradient;
@@ -43,10 +43,12 @@ void refineOnBust(const Placement& placed, SurfaceSample& s) {
   s.normal = n;
 }
 
-constexpr double chord = 0.01;   // spacings that triangles are off curved faces, at most
-constexpr double beside = 0.05;  // spacings: a face of a body has it on one side there, and not on the other
+// Largest distance of triangles from curved faces, in spacings.
+constexpr double chord = 0.01;
+// In spacings: at this distance from a face, one side is inside the body and the other outside.
+constexpr double beside = 0.05;
 
-/// Of a mesh's triangle.
+/// Returns the unit normal of a mesh's triangle.
 Vec3d outwardOf(const TriangleMesh& m, std::uint32_t triangle) {
   const auto& t = m.triangles[triangle];
   return normalized(cross(m.vertices[t[1]] - m.vertices[t[0]], m.vertices[t[2]] - m.vertices[t[0]]));
@@ -69,7 +71,7 @@ std::vector<SurfaceSample> sampleMesh(const Shape& shape, const MeshLoader& load
   return samples;
 }
 
-/// In the shape's own frame, so that the same body has the same samples wherever it is placed.
+/// Samples in the shape's own frame, so that samples do not depend on the placement.
 std::vector<SurfaceSample> sampleExact(const Shape& placed, const MeshLoader& load, double apart,
                                        std::uint64_t seed) {
   const Shape shape = withoutPlacement(placed);
@@ -97,7 +99,7 @@ std::vector<SurfaceSample> sampleExact(const Shape& placed, const MeshLoader& lo
   return samples;
 }
 
-/// Faces of a body that goes on behind them, across a periodic side.
+/// Drops samples of faces that continue across a periodic side.
 void dropBuried(const OverlapTest& body, double off, std::vector<SurfaceSample>& samples) {
   std::erase_if(samples,
                 [&](const SurfaceSample& s) { return body.meetsItself(0, s.position + off * s.normal); });
@@ -120,7 +122,8 @@ bool isSampled(const Scene& scene, std::size_t body) {
       rule == OverlapRule::RemoveEarlier)
     return false;
   const Material& m = scene.materials[material];
-  if (b.temperatureField && m.melts()) return false;  // parts of it may be liquid
+  // Parts of it may be liquid.
+  if (b.temperatureField && m.melts()) return false;
   return m.canBeSolid() && paperFraction(m, b.temperature) == 0;
 }
 
@@ -162,7 +165,7 @@ void sampleMeshes(const Scene& scene, Surface& surface, const MeshLoader& load, 
 
 namespace {
 
-/// What births are put onto, of a sampled body; made when the first one asks.
+/// Surface of a sampled body for projected births, loaded on first use.
 struct BirthShape {
   std::shared_ptr<const SignedDistance> shape;
   std::unique_ptr<TriangleBvh> mesh;
@@ -174,8 +177,8 @@ struct BirthShape {
   }
 };
 
-/// The mean of the planes around is a smooth face's surface, and its normal that of the mesh's vertices;
-/// beside an edge it is neither face's.
+/// Projects a surfel onto a mesh. On smooth faces it keeps its normal, interpolated from the neighbours.
+/// Beside an edge, it takes the normal of the nearest face.
 void putOnMesh(const TriangleBvh& mesh, double near, Surfels& s, std::size_t i) {
   constexpr double smooth = 0.95;
   const ClosestPoint at = mesh.closest(s.position[i], near);
@@ -190,7 +193,7 @@ void putOnShape(const SignedDistance& shape, double near, double off, Surfels& s
   const double d = shape.distanceWithin(s.position[i], near, &gradient);
   if (!(std::abs(d) < near) || dot(gradient, s.normal[i]) < -0.5) return;
   s.position[i] -= d * gradient;
-  // beyond an edge the gradient is that of neither face
+  // Beyond an edge, the gradient belongs to neither face.
   shape.distanceWithin(s.position[i] - off * gradient, near, &s.normal[i]);
   s.tangent[i] = anyTangent(s.normal[i]);
 }
@@ -202,7 +205,8 @@ void putBirthsOnShapes(const Scene& scene, Surface& surface, const MeshLoader& l
   Surfels& s = surface.surfels;
   const double near = 0.5 * surface.spacing, off = beside * surface.spacing;
   for (std::size_t i = 0; i < s.owned; i++) {
-    const std::uint64_t body = sourceOf(s.component[i] - 1);  // a component has the name of a particle
+    // A component is named after a particle.
+    const std::uint64_t body = sourceOf(s.component[i] - 1);
     if (!(s.id[i] & birthBit) || body >= shapes.size() || !isSampled(scene, body) ||
         scene.bodies[body].shape.mesh == builtinBust)
       continue;

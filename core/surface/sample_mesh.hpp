@@ -1,4 +1,4 @@
-// The first surfels of bodies whose surface is known: meshes, and solids of any other shape.
+// First surfels of bodies with known surfaces: meshes, and solids of other shapes.
 #pragma once
 #include <vector>
 
@@ -8,11 +8,12 @@
 
 namespace thaw {
 
-inline constexpr std::uint64_t surfelBit = std::uint64_t{1} << 63;  ///< of every surfel's id
-inline constexpr std::uint64_t birthBit = std::uint64_t{1} << 62;   ///< of those that were not sampled
+inline constexpr std::uint64_t surfelBit = std::uint64_t{1} << 63;  ///< set in the id of every surfel
+inline constexpr std::uint64_t birthBit = std::uint64_t{1} << 62;   ///< set in the ids of surfels that were
+                                                                    ///< not sampled
 
-/// Colour of the surface around particles of a body or emitter (Continuum::body): that of their material; of
-/// a surface without a scene the default.
+/// Returns the surface colour for particles of a body or emitter (Continuum::body): that of their material,
+/// or the default for surfaces without a scene.
 inline std::uint32_t surfaceColour(const Scene& scene, std::size_t source) {
   const std::size_t bodies = scene.bodies.size();
   if (source >= bodies + scene.emitters.size()) return Material{}.colour;
@@ -23,35 +24,35 @@ inline std::uint32_t surfaceColour(const Scene& scene, std::size_t source) {
              : Material{}.colour;
 }
 
-/// A sample of a body's surface.
+/// Sample of a body's surface.
 struct SurfaceSample {
   Vec3d position{}, normal{};  ///< m, unit
   std::uint32_t colour = 0;
-  bool coloured = false;  ///< by the mesh
+  bool coloured = false;  ///< the mesh has a colour there
 };
 
-/// Is the surface of this body sampled from its mesh?
+/// Returns whether the surface of this body is sampled from its mesh.
 bool hasMesh(const Scene& scene, std::size_t body);
 
-/// Is the surface of this body sampled from its mesh or its shape, rather than grown from its particles?
-/// Shapes are, of what begins solid: liquids would leave them at once for the level of the colour field.
-/// Where overlapping bodies are cut by others, surfaces follow the particles that are left.
+/// Returns whether the surface of this body is sampled from its mesh or shape, instead of grown from its
+/// particles. Shapes are sampled for initial solids only: liquid surfaces would move to the colour's level at
+/// once. Where other bodies cut a body, its surface follows the remaining particles.
 bool isSampled(const Scene& scene, std::size_t body);
 
-/// Blue noise on the placed mesh of a shape of kind Mesh, `spacing` (m) apart, with its normals and colours;
-/// on the built-in bust the places are moved onto the sculpture that its mesh only comes near to, and have
-/// its normals. Parts buried in other parts are left out. Of other shapes the same on their parts
-/// (shapeMesh), moved onto the exact surface: faces, edges and corners are sharp.
+/// Returns blue-noise samples, `spacing` (m) apart, of a shape. Meshes give normals and colours; buried parts
+/// are left out. Samples of the built-in bust are projected onto the sculpture, which its mesh approximates.
+/// Other shapes are sampled on the meshes of their parts (shapeMesh) and projected onto the exact surface,
+/// with sharp edges and corners.
 std::vector<SurfaceSample> sampleShape(const Shape& shape, const MeshLoader& load, double spacing,
                                        std::uint64_t seed);
 
-/// Appends the surfels of all bodies that are sampled, but for faces that meet the body's own image across a
-/// periodic side; dealt out to the ranks (placeRows brings them home), of no component yet: adoptFresh finds
-/// it. Every rank samples every body, so that nothing depends on who does what.
+/// Appends the surfels of all sampled bodies, except faces at the body's own periodic image. They are
+/// distributed over the ranks until placeRows, without components until adoptFresh. Every rank samples every
+/// body, so that the result does not depend on the distribution.
 void sampleMeshes(const Scene& scene, Surface& surface, const MeshLoader& load, const Reducer& all);
 
-/// What resampling has born on the surfaces of sampled bodies, past their edges, back onto them. The bust's
-/// mesh is none: its sculpture is finer.
+/// Projects births of resampling on sampled bodies, beyond their edges, back onto the bodies' surfaces. The
+/// bust is excluded, because its sculpture is finer than its mesh.
 void putBirthsOnShapes(const Scene& scene, Surface& surface, const MeshLoader& load);
 
 }  // namespace thaw

@@ -1,4 +1,4 @@
-// Places on the surface around a particle, from which surfels are grown.
+// Seed positions on the surface around a particle for new surfels.
 #pragma once
 #include <algorithm>
 #include <vector>
@@ -9,13 +9,13 @@
 
 namespace thaw {
 
-/// Particles with a colour of at least this are inner ones: none of the surface is near them.
+/// Particles with at least this colour are inner ones, away from the surface.
 inline constexpr float innerColour = 0.97f;
 
-/// Seeds around a particle, as many as the surfels' spacing asks for.
+/// Returns the number of seeds around a particle, from the surfel spacing.
 int seedsOf(const World& world);
 
-/// Directions of the seeds: evenly on a sphere that is turned at random for each particle.
+/// Seed directions, evenly spread on a sphere with a random rotation for each particle.
 class SeedDirections {
  public:
   explicit SeedDirections(const World& world);
@@ -32,7 +32,7 @@ class SeedDirections {
   std::vector<Vec3d> at_;
 };
 
-/// Which seeds of a particle have another particle before them.
+/// Seed directions of a particle that no other particle blocks.
 class FreeDirections {
  public:
   void begin(const SeedDirections& seeds) {
@@ -44,7 +44,7 @@ class FreeDirections {
       x_[k] = static_cast<float>(u.x), y_[k] = static_cast<float>(u.y), z_[k] = static_cast<float>(u.z);
     }
   }
-  /// By a particle in this direction.
+  /// Blocks directions near the unit vector d to a particle.
   void take(const Vec3d& d) {
     const float dx = static_cast<float>(d.x), dy = static_cast<float>(d.y), dz = static_cast<float>(d.z);
     for (std::size_t k = 0; k < x_.size(); k++)
@@ -53,18 +53,19 @@ class FreeDirections {
   bool taken(int k) const { return nearest_[static_cast<std::size_t>(k)] > takenFrom; }
 
  private:
-  static constexpr float takenFrom = 0.75f;  // a particle that lies less than 41 degrees off it
-  std::vector<float> x_, y_, z_, nearest_;   // nearest: cosine of the angle to the nearest particle's
-                                             // direction
+  // cosine of 41 degrees: particles at smaller angles block a direction
+  static constexpr float takenFrom = 0.75f;
+  // nearest: cosine of the angle to the nearest particle's direction
+  std::vector<float> x_, y_, z_, nearest_;
 };
 
-/// The points of the component's surface that belong to particle i (row of the copies) in n <=
-/// FieldProbe::most directions u; none where there is none near it.
+/// Finds the surface points of particle i (row of the copies) in n <= FieldProbe::most directions u.
+/// Directions without a surface nearby yield nothing.
 void seedsOnSurface(const World& world, FieldProbe& probe, std::size_t i, const Vec3d* u, std::size_t n,
                     std::optional<SurfacePoint>* found);
 
-/// A new surfel there, of particle i; its id follows from the particle, the step and k. Its colour is the
-/// material's: see inheritColours.
+/// Returns a new surfel of particle i at a surface point. Its id follows from the particle, the step and k.
+/// Its colour is the material's; see inheritColours.
 SurfelRow seedSurfel(const World& world, std::size_t i, int k, const SurfacePoint& at);
 
 }  // namespace thaw

@@ -1,15 +1,14 @@
-// Drops of a few particles: their surface is a sphere, made anew in each update (renewSurfels), and nothing
-// else works on it.
+// Drops of few particles: their surface is a sphere that every update rebuilds (renewSurfels).
 #pragma once
 #include "core/surface/measure.hpp"
 
 namespace thaw {
 
-/// Drops of at most this many particles have a sphere for a surface (docs/validation/stability.md B21).
+/// Largest number of particles of a drop with a spherical surface (docs/validation/stability.md B21).
 inline constexpr std::int64_t smallDrop = 4;
 
-/// Whether the component of a label was a small drop at the last update. Rows of one component mostly follow
-/// each other: the last answer is kept.
+/// Returns whether the component of a label was a small drop at the last update. Caches the last label, since
+/// rows of a component are mostly consecutive.
 class SmallDrops {
  public:
   explicit SmallDrops(const Surface& surface) : surface_(surface) {}

@@ -10,7 +10,8 @@
 namespace thaw {
 namespace {
 
-constexpr double neighbours = 1.95;  // spacings
+// spacings
+constexpr double neighbours = 1.95;
 
 }  // namespace
 
@@ -37,8 +38,8 @@ std::vector<BodyPieces> findStartPieces(World& w, SurfaceHalos halos, SurfaceToo
   std::sort(labels.begin(), labels.end());
   labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
   std::vector<BodyPieces> found;
-  for (const std::uint64_t label : labels) {  // named after one of its particles, so that bodies come one
-                                              // after another
+  // Labels contain the id of a particle, so that bodies are consecutive.
+  for (const std::uint64_t label : labels) {
     const std::size_t body = sourceOf(label - 1);
     if (found.empty() || found.back().body != body) found.push_back({body, 0});
     found.back().pieces++;

@@ -1,4 +1,4 @@
-// Bodies whose particles begin in several pieces: thin ones, aslant on the lattice.
+// Bodies whose particles form several pieces at the start: thin bodies, oblique to the lattice.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -15,9 +15,9 @@ struct BodyPieces {
   std::int64_t pieces = 0;
 };
 
-/// Bodies, ascending, with particles that no chain of links (surface.link_length) joins though they are less
-/// than two spacings apart, so that no layer of the lattice is missing between them; and how many pieces they
-/// are of that are so near to others. Needs gathered particles without components, and leaves them so.
+/// Returns bodies, ascending, with unconnected particles less than two spacings apart, so that no layer of
+/// the lattice is missing between them, and the number of such adjacent pieces. Connections are chains of
+/// links (surface.link_length). Requires: gathered particles without components, which it leaves so.
 /// Collective.
 std::vector<BodyPieces> findStartPieces(World& world, SurfaceHalos halos, SurfaceTools& tools);
 

@@ -1,17 +1,17 @@
-// When the surface is updated: at every frame, every so many steps, or when particles have come far enough.
-// The same on all ranks.
+// Schedule of surface updates: at every frame, every so many steps, or after a given motion. The same on all
+// ranks.
 #pragma once
 #include "core/world.hpp"
 
 namespace thaw {
 
-/// Square of the largest distance (m^2) between a particle of this rank and its place at the last update, the
-/// shortest way round periodic sides. Fresh particles, which no update has seen, do not count, nor do those
-/// of drops of at most smallDrop particles, whose surface comes anew in each update. Not collective: the vote
-/// takes the largest of all ranks.
+/// Returns the squared largest distance (m^2) between a particle of this rank and its position at the last
+/// update, by minimum images. New particles do not count, nor do small drops, whose surface is rebuilt in
+/// each update. Not collective: the time-step reduction takes the maximum over ranks.
 double largestSurfaceMove2(const World& world);
 
-/// Is an update due after a step? move2 (m^2): of all ranks. Frames are the caller's. Needs the module.
+/// Returns whether an update is due after a step. move2 (m^2): maximum over ranks. The caller handles frames.
+/// Requires: the surface module.
 bool surfaceDue(const World& world, double move2);
 
 }  // namespace thaw

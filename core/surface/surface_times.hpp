@@ -1,4 +1,4 @@
-// Where the wall-clock time of surface updates goes, on this rank. No result depends on it.
+// Wall-clock time of the phases of surface updates on this rank. No result depends on it.
 #pragma once
 #include <array>
 #include <chrono>
@@ -6,8 +6,7 @@
 
 namespace thaw {
 
-/// Phases of an update. Place: copies of the particles, rows to their ranks and back. Displacement: gradients
-/// and what they carry.
+/// Phases of an update. Place: particle copies and migration. Displacement: gradients and displacement.
 enum class SurfacePhase : std::size_t {
   Place,
   Displacement,
@@ -33,7 +32,7 @@ struct SurfaceTimes {
 
   double operator[](SurfacePhase phase) const { return seconds[static_cast<std::size_t>(phase)]; }
   void start() { since = Clock::now(); }
-  /// Books the time since the last call.
+  /// Adds the time since the last call to a phase.
   void lap(SurfacePhase phase) {
     const auto now = Clock::now();
     seconds[static_cast<std::size_t>(phase)] += std::chrono::duration<double>(now - since).count();

@@ -10,8 +10,8 @@
 namespace thaw {
 namespace {
 
-constexpr double cosFlat = 0.5;  // 60 degrees: on the sphere of a single particle normals turn by up to 55
-                                 // from surfel to surfel
+// 60 degrees: on the sphere of a single particle, normals of adjacent surfels differ by up to 55.
+constexpr double cosFlat = 0.5;
 constexpr double cosBack = -0.5;
 constexpr std::uint32_t nobody = ~0u;
 
@@ -19,10 +19,10 @@ struct Point2 {
   double x, y;
 };
 
-/// A convex cell around the origin.
+/// Convex cell around the origin.
 class Cell {
  public:
-  /// A hexagon around a circle.
+  /// Makes a hexagon around a circle.
   explicit Cell(double radius) {
     static const auto corner = [] {
       std::array<Point2, 6> c;
@@ -51,7 +51,8 @@ class Cell {
     }
     return 0.5 * twice;
   }
-  /// The neighbours that it borders on, in turn, and the length of what is left of the hexagon.
+  /// Appends the neighbours at the cell's borders in order. Returns the length of the remaining border of the
+  /// hexagon.
   double borders(std::vector<std::uint32_t>& ring) const {
     double rim = 0;
     for (std::size_t k = 0; k < n_; k++) {
@@ -61,7 +62,8 @@ class Cell {
     }
     return rim;
   }
-  /// Keeps where a.p <= b; b >= 0: beyond is `row`. Returns whether anything went.
+  /// Clips the cell to a.p <= b with b >= 0; `row` is beyond the new border. Returns whether the cell
+  /// changed.
   bool cut(const Point2& a, double b, std::uint32_t row) {
     bool any = false;
     for (std::size_t k = 0; k < n_; k++) {
@@ -88,13 +90,13 @@ class Cell {
     std::copy_n(beyond.begin(), m, beyond_.begin());
     return true;
   }
-  /// Another cut may add a corner.
+  /// Returns whether another clip might exceed the number of corners.
   bool full() const { return n_ + 1 >= most; }
 
  private:
   static constexpr std::size_t most = 40;
   std::array<Point2, most> corner_;
-  std::array<std::uint32_t, most> beyond_;  // of the side from corner k to the next
+  std::array<std::uint32_t, most> beyond_;  // row beyond the side from corner k to the next
   std::array<double, most> over_;
   std::size_t n_ = 0;
 };
@@ -106,8 +108,9 @@ struct Candidate {
   bool operator<(const Candidate& o) const { return d2 != o.d2 ? d2 < o.d2 : id < o.id; }
 };
 
-/// Cuts the cell by neighbours in their order until none farther away can reach it. atEdges: those over an
-/// edge cut where their plane meets ours, else halfway like all. Returns whether there are some over an edge.
+/// Clips the cell by neighbours, nearest first, until the next cannot intersect it. With atEdges, neighbours
+/// across an edge clip at the intersection of the planes, else halfway like all. Returns whether neighbours
+/// lie across an edge.
 bool cutCell(const Surfels& f, std::size_t i, std::span<const Candidate> near, bool atEdges, Cell& cell) {
   bool edges = false;
   const Vec3d n = f.normal[i], e1 = normalized(f.tangent[i] - dot(f.tangent[i], n) * n), e2 = cross(n, e1);
@@ -120,18 +123,21 @@ bool cutCell(const Surfels& f, std::size_t i, std::span<const Candidate> near, b
     const double flat2 = c.d2 - height * height;
     if (flat2 < 1e-12 * f.radius[i] * f.radius[i]) continue;
     const Point2 flat{dot(d, e1), dot(d, e2)};
-    double stretch = 1;  // arc over flat length
+    // ratio of arc length to length in the plane
+    double stretch = 1;
     edges = edges || cosine < cosFlat;
     if (cosine < cosFlat && atEdges) {
       const double over = dot(d, other);
       const double sign = over < 0 ? -1 : 1;
       const Point2 a{sign * dot(other, e1), sign * dot(other, e2)};
-      if (over * over <= (1 + 1e-9) * flat2 * (a.x * a.x + a.y * a.y)) {  // the same right over the edge
+      // Positions directly above the edge give the same result.
+      if (over * over <= (1 + 1e-9) * flat2 * (a.x * a.x + a.y * a.y)) {
         if (cell.cut(a, sign * over, c.row)) reach2 = 4 * cell.farthest2();
         continue;
       }
     } else if (cosine >= cosFlat && height * height > 0.5 * c.d2) {
-      continue;  // above or below: another layer
+      // A higher or lower neighbour belongs to another layer.
+      continue;
     } else {
       stretch = std::sqrt(c.d2 / flat2) * (1 + (1 - cosine) / 12);
     }
@@ -141,15 +147,17 @@ bool cutCell(const Surfels& f, std::size_t i, std::span<const Candidate> near, b
   return edges;
 }
 
-constexpr double reach = 2.31;  // of what may cut a hexagon: twice its corners
-constexpr double usual = 1.8;   // most cells end within half of this
+// Range of neighbours that may clip a hexagon, in radii: twice its corners.
+constexpr double reach = 2.31;
+// Most cells end within half of this, in radii.
+constexpr double usual = 1.8;
 
-/// Who may cut the cells that are usual, as long as none comes `slack` (m) nearer.
+/// Lists the neighbours that may clip typical cells, valid until one approaches by `slack` (m).
 void listNear(const Surface& s, double slack, AreaLists& l) {
   const Surfels& f = s.surfels;
   double largest = 0;
   for (std::size_t i = 0; i < f.owned; i++) largest = std::max(largest, f.radius[i]);
-  // the order is the same on any number of ranks
+  // The order is the same on any number of ranks.
   fillBins(s.grid, s.surfelCells, f.position.data(), 2.5 * s.spacing, l.bins);
   l.found.assign(f.position.data(), f.position.data() + f.size());
   l.asking.clear();
@@ -174,7 +182,7 @@ void listNear(const Surface& s, double slack, AreaLists& l) {
   l.near.resize(n);
 }
 
-/// Is it the same surface as in the lists, but for moves of less than half the slack?
+/// Returns whether the lists still apply: no surfel has moved by half the slack.
 bool stillHolds(const Surfels& f, double slack, const AreaLists& l) {
   if (l.found.size() != f.size() || l.asking.size() != f.owned) return false;
   for (std::size_t i = 0; i < f.size(); i++) {
@@ -195,7 +203,7 @@ void pack(const Surfels& f, AreaLists& l) {
   }
 }
 
-/// One that has a neighbour over an edge, or lies beside a hole or a rim.
+/// Clips the cell of a surfel with a neighbour across an edge, or beside a hole or rim.
 void cutAlone(Surfels& f, std::size_t i, double slack, const Bins& bins, std::vector<Candidate>& near,
               std::vector<std::uint32_t>& ring) {
   near.clear();
@@ -208,8 +216,9 @@ void cutAlone(Surfels& f, std::size_t i, double slack, const Bins& bins, std::ve
   Cell cell(f.radius[i]);
   const bool edges = cutCell(f, i, near, true, cell);
   f.area[i] = cell.area();
-  if (edges) {  // one plane beyond an edge is that of all surfels there: who is next to whom is told by what
-                // is halfway
+  // The plane beyond an edge is the same for all surfels there. Clipping halfway determines the adjacent
+  // ones.
+  if (edges) {
     cell = Cell(f.radius[i]);
     cutCell(f, i, near, false, cell);
   }
@@ -217,8 +226,8 @@ void cutAlone(Surfels& f, std::size_t i, double slack, const Bins& bins, std::ve
   measureFan(f, i, ring);
 }
 
-/// The neighbours in one lane that the cell borders on, in turn round the normal: sorted by rank, without a
-/// branch.
+/// Lists the neighbours of one lane at the cell's borders, ordered around the normal. Sorts by rank without
+/// branches.
 void ringOf(const std::uint32_t* near, const double* turn, std::size_t count,
             std::vector<std::uint32_t>& ring) {
   std::array<double, mostAreaNeighbours + 1> key;
@@ -255,7 +264,8 @@ void findSurfelAreas(Surface& s, Reducer& all, AreaLists& l, bool again) {
   Surfels& f = s.surfels;
   const double slack = 0.25 * s.spacing;
   double anew = !again || !stillHolds(f, slack, l);
-  if (again) all.maximum({&anew, 1});  // all or none: lists of other places have another order
+  // On all ranks or none: new lists have another order.
+  if (again) all.maximum({&anew, 1});
   if (anew > 0) listNear(s, slack, l);
   pack(f, l);
   std::vector<Candidate> wide;

@@ -1,4 +1,4 @@
-// A surfel's own share of the surface.
+// Area of the surface that belongs to each surfel.
 #pragma once
 #include "core/halo/surface_halos.hpp"
 #include "core/surface/bins.hpp"
@@ -7,30 +7,28 @@
 
 namespace thaw {
 
-/// Who lies near whom, kept for volume keeping, which moves surfels a little and asks again. Not part of the
-/// state.
+/// Neighbour lists, kept while volume enforcement moves surfels slightly. Not part of the state.
 struct AreaLists {
   const SurfaceKernels* kernels = surfaceKernels();
   Bins bins;
   RowBlock block;
-  std::vector<Vec3d> found;           // m, places of all rows then
+  std::vector<Vec3d> found;           // m, positions of all rows at the search
   std::vector<std::uint32_t> asking;  // owned rows in the order of the bins
-  std::vector<std::uint64_t> first;  // near[first[k]] ... near[first[k + 1] - 1] are around asking[k], in the
-                                     // order of the bins
+  // near[first[k]] ... near[first[k + 1] - 1] are neighbours of asking[k], in the order of the bins
+  std::vector<std::uint64_t> first;
   std::vector<std::uint32_t> near;
-  AlignedVector<double> place, normal;  // records of the kernel
+  AlignedVector<double> place, normal;  // packed data of the kernel
 };
 
-/// No areas, no volume.
+/// Sets areas and volumes to zero.
 void clearAreas(Surfels& surfels);
 
-/// Surfels::area, facets, bulge and rim of all owned surfels: the area of the Voronoi cell among the
-/// neighbours of the same component (ghosts included), in the tangent plane. Neighbours with normals within
-/// pi/4 are laid into it at the length of the arc between the two; those beyond (over an edge) cut the cell
-/// where their own tangent plane does; those that look the other way (the far side of a sheet) are left out.
-/// Where neighbours are missing the cell ends at the surfel's radius. Facets are those between it and the
-/// neighbours that its cell borders on. Needs ghosts. again: the table is that of the last call, but for
-/// places. Collective.
+/// Computes Surfels::area, facets, bulge and rim of all owned surfels. The area is that of the Voronoi cell
+/// in the tangent plane, among neighbours of the same component (ghosts included). Neighbours with normals
+/// within 60 degrees are mapped into the plane at their arc length. Neighbours across an edge clip the cell
+/// at their own tangent plane. Neighbours with opposite normals (the back of a sheet) are ignored. Without
+/// neighbours, the cell ends at the surfel's radius. Facets connect it with the neighbours at its cell's
+/// borders. Requires: ghosts. again: only positions have changed since the last call. Collective.
 void findSurfelAreas(Surface& surface, Reducer& all, AreaLists& lists, bool again = false);
 
 }  // namespace thaw

@@ -13,24 +13,23 @@ Vec3d three(const SurfelSums& s, int channel, bool particles) {
                    : Vec3d{s.surfel(channel), s.surfel(channel + 1), s.surfel(channel + 2)};
 }
 
-/// Where smoothing would have the surfel (its height along the normal) and its normal.
-/// What the slope of colour less level may be, over that of the colour: flatter ones, on stretched streams,
-/// would send surfels far; steeper ones come where the last particles of a splash end.
+/// Bounds of the slope of colour minus level, over the slope of colour. Small slopes, on stretched streams,
+/// would give large moves; large ones occur at the last particles of a splash.
 constexpr double flattest = 0.25, steepest = 4;
-/// Tangents of angles between the two slopes. Small ones are the lattice's, whose steps the colour's slope
-/// shows less (on a ball of R / dx = 16 normals are then within .3 degrees, within .4 with all of them); and
-/// where little is left of the difference its direction says nothing.
+/// Bounds of the tangent of the angle between the two slopes. Small angles come from the lattice, which
+/// affects the colour's slope less: normals of a ball with R / dx = 16 are within 0.3 degrees, or 0.4 without
+/// the lower bound. For large angles, the difference is small and its direction meaningless.
 constexpr double leastTilt = 0.05, steepestTilt = 1.0;
-/// Tolerance along the surface over the one across it: its shape does not depend on where surfels lie in it,
-/// and resampling leaves no hole.
+/// Tolerance along the surface over that across it. Positions along the surface do not affect its shape, and
+/// resampling closes holes.
 constexpr double evenEnough = 5;
-/// Share of a step up to which one grows that goes on the same way: waves of many surfels come to rest
-/// sooner; where single ones overshoot it halves. Where the force jumps, as where the level of a component
-/// that is drawn in ends to follow its particles, it halves with each turn until the surfel stops there; a
-/// share that ends at a tenth has thousands of surfels of a splash swing for ever.
+/// Bounds of the share of a step. The share grows while a surfel keeps its direction, which damps long waves
+/// sooner, and halves when it overshoots. Where the force is discontinuous, as at the edge of the sparse
+/// region of a component that is drawn in, it halves until the surfel stops. A lower bound of 0.1 would let
+/// many surfels of a splash oscillate.
 constexpr double longestPace = 1.6, leastPace = 0.002;
-/// Of what is solid in part the update keeps its liquid share of the way (blendSurfels), at least this much
-/// counts: so much coarser is its stop.
+/// Least liquid share in the stop criterion. blendSurfels keeps only the liquid share of the motion of partly
+/// solid surfels, so that a coarser criterion suffices.
 constexpr double leastKept = 0.05;
 
 struct Smooth {
@@ -40,12 +39,14 @@ struct Smooth {
   double sure = 1;
 };
 
-/// On the plane of the neighbours and the surfel itself (K05). Without a gap between the two smallest
+/// Smooths to the plane of the surfel and its neighbours (K05). Without a gap between the two smallest
 /// eigenvalues there is no plane (B23).
 Smooth smoothToPlane(const SurfelSums& s, const Vec3d& normal) {
-  const double weight = s.surfel(Weight) + 1;  // the surfel itself, at 0
+  // includes the surfel itself at the origin
+  const double weight = s.surfel(Weight) + 1;
   if (!(weight > 1.001)) return {};
-  const Vec3d mean = -1.0 * three(s, Mean, false) / weight;  // sums hold surfel - neighbour
+  // The sums hold surfel minus neighbour.
+  const Vec3d mean = -1.0 * three(s, Mean, false) / weight;
   Eigen::Matrix3d m;
   m << s.surfel(Moment), s.surfel(Moment + 3), s.surfel(Moment + 5), s.surfel(Moment + 3),
       s.surfel(Moment + 1), s.surfel(Moment + 4), s.surfel(Moment + 5), s.surfel(Moment + 4),
@@ -63,7 +64,7 @@ Smooth smoothToPlane(const SurfelSums& s, const Vec3d& normal) {
   return out;
 }
 
-/// On the sphere that the neighbours and their normals suggest (co-circularity, ST92).
+/// Smooths to the sphere through the neighbours with their normals (co-circularity, ST92).
 Smooth smoothToSphere(const SurfelSums& s) {
   const double weight = s.surfel(Weight);
   const Vec3d sum = three(s, Normal, false);
@@ -86,8 +87,7 @@ MoveContext moveContext(const World& w, const RelaxTools& tools, const ForceWeig
   c.isoScale = w.scene.surface.isoLevel / 0.5;
   c.leastScale = w.scene.surface.leastLevel / 0.5;
   c.longest = 0.5 * w.scene.spacing;
-  // forces of these weights turn a shift of all into `implicit` of it, and what changes from surfel to surfel
-  // into up to the sum of both
+  // Forces of these weights scale a uniform shift by `implicit`, and short waves by up to the sum of both.
   c.step = 1 / std::max(0.5, weights.implicit + 0.5 * weights.smooth);
   c.plane = w.scene.surface.smoothing == SmoothingForm::Plane;
   return c;
@@ -102,12 +102,13 @@ double raisedOf(const std::vector<RaisedComponent>& raised, std::uint64_t compon
 Pull pullOn(const World& w, const MoveContext& c, const SurfelSums& s, double raised, std::size_t i) {
   Pull p;
   Vec3d normal = w.surface.surfels.normal[i], force{};
-  // the colour field: out of the body is down its gradient
+  // Colour field: its gradient points into the body.
   const double colour = s.particle(Colour), dx = w.scene.spacing;
   const Tightening tight = tighteningOf(raised / dx);
   raised = dx * offsetOf(raised / dx);
   if (colour > 0) {
-    const Vec3d gradient = three(s, Gradient, true);  // of minus the colour field, over c.slope
+    // negative gradient of the colour field, over c.slope
+    const Vec3d gradient = three(s, Gradient, true);
     const double size = length(gradient), slope = c.slope * size;
     p.known = slope * c.support > 1e-2 * colour;
     const double fullness = s.particle(SmoothColour) / colour, flat = c.level->level(fullness),
@@ -121,9 +122,8 @@ Pull pullOn(const World& w, const MoveContext& c, const SurfelSums& s, double ra
       return p;
     }
     if (p.known) {
-      // The surface is where the colour is the level, which changes from place to place, too: on streams and
-      // at rims almost as fast as the colour. So its normal is down the slope of their difference, and the
-      // distance follows from that slope.
+      // The surface is where colour equals level. The level also varies, on streams and at rims almost as
+      // fast as the colour. Normal and distance therefore follow from the slope of their difference.
       const Vec3d down = gradient / size;
       const double byFullness = c.isoScale * level / flat * c.level->slope(fullness) / colour;
       const double byNear = s.particle(Near) < tight.full
@@ -139,13 +139,14 @@ Pull pullOn(const World& w, const MoveContext& c, const SurfelSums& s, double ra
       const Vec3d whole = steep * down + trusted * off;
       p.outward = normalized(whole);
       const double out = (colour - c.isoScale * level) / (slope * length(whole));
-      // what lies on a wall stays there when the component is drawn in
+      // Surfels on a wall stay there when the component is drawn in.
       const bool held = raised < 0 && out > 0 &&
                         inWall(w, w.surface.surfels.position[i] + std::min(out, c.longest) * p.outward);
       const double height = std::clamp(held ? out : out + raised, -c.longest, c.longest);
       force += c.weights.implicit * height * p.outward;
-      if (c.weights.attract > 0) {  // beyond what the kernel's mean particle is from any surface, that the
-                                    // iso-surface may stay
+      // Attraction acts only beyond the depth of the mean particle at any surface, so that the iso-surface is
+      // an equilibrium.
+      if (c.weights.attract > 0) {
         const Vec3d away = (c.unit / colour) * three(s, Attraction, true);
         const double depth = length(away);
         if (depth > 0)
@@ -186,12 +187,13 @@ void moveSurfel(World& w, const MoveContext& c, const SurfelSums& s, double rais
   const Vec3d normal = pull.normal, facing = pull.known ? pull.outward : normal;
   Vec3d tangential{};
   if (c.weights.repel > 0) {
-    // the way to where those around push it no more, as if they stayed: half of it and a bit, since they
-    // move, too
+    // Moves towards the point where static neighbours would not repel the surfel: slightly more than half the
+    // way, since they move as well.
     if (s.surfel(Stiffness) > 0)
       tangential = (c.spread * std::min(1.0, 2 * c.weights.repel) * c.unit / s.surfel(Stiffness)) *
                    three(s, Repulsion, false);
-    if (s.surfel(Coincident) > 1) {  // at the same place as others: a direction by id
+    // Coincident surfels separate in a direction given by their id.
+    if (s.surfel(Coincident) > 1) {
       Vec3d d;
       for (int a = 0; a < 3; a++)
         d[a] = randomUniform(w.scene.seed, Purpose::Separate, f.id[i], static_cast<std::uint64_t>(a)) - 0.5;
@@ -201,7 +203,7 @@ void moveSurfel(World& w, const MoveContext& c, const SurfelSums& s, double rais
     const double far = length(tangential), farthest = 0.25 * f.radius[i];
     if (far > farthest) tangential = (farthest / far) * tangential;
   }
-  // the integration is damped where it goes to and fro: each time that the force turns round the step halves
+  // Damps oscillations: the step halves each time that the force changes sign.
   const double wanted = std::clamp(c.step * pull.along, -c.longest, c.longest),
                last = static_cast<double>(f.pace[i]);
   const double share = last == 0           ? 1
@@ -210,20 +212,22 @@ void moveSurfel(World& w, const MoveContext& c, const SurfelSums& s, double rais
   f.pace[i] = static_cast<float>(wanted < 0 ? -share : share);
   const Vec3d normalMove = w.scene.surface.damping * c.ease * share * wanted * normal;
   Vec3d move = normalMove + w.scene.surface.damping * tangential;
-  if (pull.least > 0) {  // below the least level: onto it
+  // Surfels below the least level are projected onto it.
+  if (pull.least > 0) {
     const double inward = -dot(move, pull.outward);
     if (inward < pull.least) move -= (pull.least - inward) * pull.outward;
   }
   Vec3d x = outOfWalls(w, before + move, facing);
   const Vec3d back = x - (before + move);
   if (const double pushed = length(back); pushed > 0) {
-    // it lies on a wall, which holds the normal force. Its part along the wall, by a few degrees, would have
-    // the surfel creep for ever
+    // A wall carries the normal force of a surfel on it. A component along the wall, at small angles, would
+    // let the surfel creep.
     const Vec3d n = back / pushed, creep = normalMove - dot(normalMove, n) * n;
     const double onto = std::clamp(-2 * dot(normal, n) - 0.8, 0.0, 1.0);
     x = outOfWalls(w, x - onto * creep, facing);
   }
-  const Vec3d gone = x - before;  // what the margin cuts off included
+  // includes the part that the margin cuts off
+  const Vec3d gone = x - before;
   const Vec3d off = x - c.found[i];
   const bool held = dot(off, off) > c.stray * c.stray;
   if (held) x = c.found[i] + (c.stray / length(off)) * off;

@@ -1,4 +1,4 @@
-// From the sums over its neighbours to the move of one surfel (K05 4.2.2, 4.2.3).
+// Motion of one surfel from the sums over its neighbours (K05 4.2.2, 4.2.3).
 #pragma once
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace thaw {
 
-/// The sums of one lane: channel c at [8 c + lane].
+/// Sums of one lane: channel c at [8 c + lane].
 struct SurfelSums {
   const float *surfels, *particles;
   int lane;
@@ -20,43 +20,43 @@ struct MoveCounts {
   std::int64_t flipped = 0, keptNormals = 0;
 };
 
-/// Surfels::moving of one that would go on, but has come to the end of what its lists allow.
+/// Surfels::moving of a surfel that stopped at the margin of its lists.
 inline constexpr std::uint8_t heldAtMargin = 2;
 
-/// What all surfels share.
+/// Parameters common to all surfels.
 struct MoveContext {
   ForceWeights weights;
   const LevelTable* level;
-  double unit;        ///< m, of the sums' lengths
+  double unit;        ///< m, unit of length of the sums
   double support;     ///< m, h_ps
-  double slope;       ///< 1/m, of the gradient's sum
-  double nearSlope;   ///< 1/m, of the sum of near ones
-  double isoScale;    ///< isoLevel / .5
-  double leastScale;  ///< leastLevel / .5
-  double longest;     ///< m, of a move
-  double step;        ///< move over the force across the surface
+  double slope;       ///< 1/m, factor of the gradient sum
+  double nearSlope;   ///< 1/m, factor of the near gradient sum
+  double isoScale;    ///< isoLevel / 0.5
+  double leastScale;  ///< leastLevel / 0.5
+  double longest;     ///< m, longest move
+  double step;        ///< move over force, across the surface
   double spread = 1;  ///< factor of moves along the surface
-  double ease = 1;    ///< and of those across it
-  double stray = 0;   ///< m, that a surfel may be from where the last search found it
+  double ease = 1;    ///< factor of moves across the surface
+  double stray = 0;   ///< m, largest distance from the position at the last search
   const Vec3d* found = nullptr;
   bool plane;
 };
 MoveContext moveContext(const World& world, const RelaxTools& tools, const ForceWeights& weights);
 
-/// m, how far the surface of a component is held off its level; 0 of those that are not listed.
+/// Returns the offset (m) of a component's surface from its level, 0 if not listed.
 double raisedOf(const std::vector<RaisedComponent>& raised, std::uint64_t component);
 
-/// What the forces across the surface ask of a surfel.
+/// Forces on a surfel across the surface.
 struct Pull {
-  Vec3d normal{}, outward{};  ///< its new normal; that of the iso-surface through it, where that is known
-  double along = 0;           ///< m, along the new normal
-  double least = 0;           ///< m, how far into the body at least
+  Vec3d normal{}, outward{};  ///< new normal; normal of the iso-surface, where known
+  double along = 0;           ///< m, force along the new normal
+  double least = 0;           ///< m, least move into the body
   bool known = false, flipped = false, keptNormal = false;
 };
 Pull pullOn(const World& world, const MoveContext& context, const SurfelSums& sums, double raised,
             std::size_t i);
 
-/// Moves surfel i and turns its frame and sets Surfels::moving.
+/// Moves surfel i, rotates its frame, and sets Surfels::moving.
 void moveSurfel(World& world, const MoveContext& context, const SurfelSums& sums, double raised,
                 std::size_t i, MoveCounts& counts);
 

@@ -25,13 +25,13 @@ void placeSurfels(Surface& s, SurfaceHalos halos, SurfaceTools& t) {
   addSurfelGhosts(s, halos);
 }
 
-/// Areas and components of where surfels are; needs ghosts.
+/// Measures areas and components at current positions. Requires: ghosts.
 void measureAll(Surface& s, SurfaceHalos halos, TopologyTools& t, bool again = false) {
   findSurfelAreas(s, halos.all, t.areas, again);
   measureComponents(s, halos.all);
 }
 
-/// Offsets until the volumes are right, four times at most.
+/// Offsets surfels until the volumes agree, at most four times.
 void keepVolume(World& w, SurfaceHalos halos, TopologyTools& t, bool start) {
   Surface& s = w.surface;
   std::vector<VolumeMove> moves;
@@ -43,8 +43,8 @@ void keepVolume(World& w, SurfaceHalos halos, TopologyTools& t, bool start) {
   }
 }
 
-/// What came off a component is as far off its level as that was; what it holds more than its particles by
-/// tightening is its own.
+/// Passes the offset of a component to its separated parts, limited to leastOffset: a further level rise
+/// belongs to the component itself.
 void inheritRaised(Surface& s, double spacing, const std::vector<SurfaceComponent>& before,
                    const ComponentTools& c) {
   const auto find = [&](std::uint64_t label) {
@@ -77,7 +77,8 @@ void labelParticles(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   keepEnclosed(w, halos, t.components);
   splitComponents(w, halos, t.components);
   dropGhosts(s.particles, s.particleCells);
-  tools.relax.particlesReady = false;  // of other components, and without their ghosts
+  // Components have changed, and ghosts are gone.
+  tools.relax.particlesReady = false;
 }
 
 void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
@@ -86,7 +87,8 @@ void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   s.changesBefore = s.counters.splits + s.counters.merges;
   const std::vector<SurfaceComponent> before = s.components;
   labelParticles(w, halos, tools);
-  addSurfelGhosts(s, halos);  // splitting dropped them
+  // The split dropped them.
+  addSurfelGhosts(s, halos);
   if (t.components.several()) {
     addGhosts(halos.particles, s.particles, s.particleCells,
               ColumnList{&s.particles.id, &s.particles.position, &s.particles.component});
@@ -95,8 +97,10 @@ void splitAndMerge(World& w, SurfaceHalos halos, SurfaceTools& tools) {
   }
   mergeComponents(w, halos, t.components, t.merge);
   dropGhosts(s.particles, s.particleCells);
-  placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, tools.sort);  // contact has moved some
-  clearAreas(s.surfels);  // for now components have counts and places alone
+  // Contact has moved some surfels.
+  placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, tools.sort);
+  // Components have only counts and positions for now.
+  clearAreas(s.surfels);
   measureComponents(s, halos.all);
   inheritRaised(s, w.scene.spacing, before, t.components);
 }
@@ -105,7 +109,8 @@ void measureSurface(World& w, SurfaceHalos halos, SurfaceTools& tools, bool star
   Surface& s = w.surface;
   TopologyTools& t = tools.topology;
   placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, tools.sort);
-  keepOutAgain(w);  // across periodic sides
+  // Surfels may have crossed periodic sides.
+  keepOutAgain(w);
   addSurfelGhosts(s, halos);
   placeParticles(w, halos, tools);
   measureAll(s, halos, t);

@@ -1,4 +1,4 @@
-// The topology of the surface at the end of an update: the page to read.
+// Topology of the surface at the end of an update: overview.
 #pragma once
 #include "core/surface/components.hpp"
 #include "core/surface/merge.hpp"
@@ -8,30 +8,29 @@ namespace thaw {
 
 struct SurfaceTools;
 
-/// What updateComponents works with; kept for its memory.
+/// Buffers of updateComponents, kept between updates.
 struct TopologyTools {
   ComponentTools components;
   MergeTools merge;
   AreaLists areas;
 };
 
-/// Components come apart and join; surfels of the wrong place are deleted or moved (splitComponents,
-/// mergeComponents). Surfels and particle copies may be on any rank, unsorted, without ghosts; afterwards
-/// both are placed, without ghosts, and the components measured. To be called before surfels are resampled,
-/// so that seams of merges close and drops without surfels get theirs in the same update. Collective; the
-/// same bits on any number of ranks.
+/// Splits and merges components; deletes or moves surfels inside others (splitComponents, mergeComponents).
+/// Surfels and particle copies may be on any rank, unsorted, without ghosts. Afterwards both are placed,
+/// without ghosts, and components are measured. To be called before resampling, so that seams close and drops
+/// without surfels get some in the same update. The same bits on any number of ranks. Collective.
 void splitAndMerge(World& world, SurfaceHalos halos, SurfaceTools& tools);
 
-/// Surface::components of what there is, and Surfels::area; then volume keeping, where the scene wants it and
-/// the surface is not just being made; start: it has been, just now. Surfels may be on any rank, unsorted;
-/// afterwards both tables are placed, without ghosts. Collective.
+/// Measures Surface::components and Surfels::area, then enforces volumes if the scene requires it and the
+/// surface is complete. start: the surface was just completed. Surfels may be on any rank, unsorted.
+/// Afterwards both tables are placed, without ghosts. Collective.
 void measureSurface(World& world, SurfaceHalos halos, SurfaceTools& tools, bool start = false);
 
-/// Both.
+/// Splits, merges and measures components.
 void updateComponents(World& world, SurfaceHalos halos, SurfaceTools& tools);
 
-/// The first part of splitAndMerge: what hangs together gets its labels. Before there are surfels: components
-/// of particles alone, where those of different bodies are not one. Collective.
+/// Labels connected parts, the first step of splitAndMerge. Without surfels, components consist of particles
+/// only, and different bodies are not joined. Collective.
 void labelParticles(World& world, SurfaceHalos halos, SurfaceTools& tools);
 
 }  // namespace thaw

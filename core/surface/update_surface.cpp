@@ -19,15 +19,15 @@
 namespace thaw {
 namespace {
 
-/// Surfels and copies on the ranks that own their cells, without ghosts.
+/// Migrates surfels and particle copies to the ranks of their cells, without ghosts.
 void placeAll(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, t.sort);
   placeParticles(w, halos, t);
 }
 
-/// The components of the particles, before there are surfels. What hangs together of a body that is too thin
-/// for its particles its surfels say: they are sampled for that alone, and taken away.
+/// Labels the components of particles before there are surfels. Bodies too thin for their particles are
+/// connected by temporary surfels, sampled for this only.
 void labelStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   t.pieces = findStartPieces(w, halos, t);
@@ -40,21 +40,20 @@ void labelStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
   placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, t.sort);
 }
 
-/// Surfels that were sampled are to be in order before anything moves: else the first update would bear and
-/// delete some of a body that is at rest. Their density follows the curvature, where it is to: it goes half
-/// of the way in a call.
+/// Resamples sampled surfels at the start, since otherwise the first update would bear and delete surfels of
+/// a body at rest. With adaptive density, radii approach the curvature's target by half in each call.
 void orderStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
   const SurfaceCounters before = w.surface.counters;
   const bool adapt = w.scene.surface.adapt > 0;
   for (int k = 0; k < (adapt ? 4 : 2); k++) resampleOnParticles(w, halos, t, 10);
   putBirthsOnShapes(w.scene, w.surface, t.load);
-  w.surface.counters = before;  // the start is no change
+  // The initial surface does not count as a change.
+  w.surface.counters = before;
   if (adapt) updateComponents(w, halos, t);
   else measureSurface(w, halos, t);
 }
 
-/// Volume keeping of what is grown from particles. Where that moves rims together, surfels are put in order
-/// once more.
+/// Enforces the volume of grown surfaces. Surfaces whose rims moved together are resampled once more.
 void holdStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
   const bool off = w.scene.surface.keepVolume > 0 && volumesAreOff(w.surface, true);
   measureSurface(w, halos, t, true);
@@ -65,14 +64,14 @@ void holdStart(World& w, SurfaceHalos halos, SurfaceTools& t) {
   measureSurface(w, halos, t, true);
 }
 
-/// What settled beside a seam or a crack has another place than it had at the start.
+/// Removes the reference of surfels that relaxed beside a seam or a crack.
 void letLooseGo(Surfels& f) {
   if (!f.loose.active || !f.follows.active) return;
   for (std::size_t i = 0; i < f.owned; i++)
     if (f.loose[i]) f.follows[i] = 0;
 }
 
-/// From where the particles were at the last update to where they are.
+/// Moves particle copies from the previous to current positions.
 void bringParticlesForward(Surface& s) {
   for (std::size_t i = 0; i < s.particles.owned; i++) s.particles.position[i] += s.particles.displacement[i];
 }
@@ -114,7 +113,8 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   bringParticlesForward(s);
   placeAll(w, halos, t);
   t.times.lap(SurfacePhase::Place);
-  splitAndMerge(w, halos, t);  // before resampling, which closes seams
+  // before resampling, which closes seams
+  splitAndMerge(w, halos, t);
   listRaised(w, t.relax.raised);
   t.times.lap(SurfacePhase::Components);
   readyParticles(w, halos, t);
@@ -122,7 +122,8 @@ void updateSurface(World& w, SurfaceHalos halos, SurfaceTools& t) {
   renewSurfels(w, halos, t);
   const std::int64_t bare = coverBare(w, halos, t);
   t.times.lap(SurfacePhase::Growth);
-  // seams of merges and of new faces close before the iterations; what the motion has opened, after them
+  // Resampling closes seams of merges and new faces before the iterations; holes from motion are closed
+  // afterwards.
   if (s.counters.splits + s.counters.merges > s.changesBefore || bare > 0)
     resampleOnParticles(w, halos, t, 24);
   t.times.lap(SurfacePhase::Resampling);

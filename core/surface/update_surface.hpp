@@ -1,4 +1,4 @@
-// One update of the surface (K05 section 4): the page to read.
+// Update of the surface (K05 section 4): overview.
 #pragma once
 #include "core/geometry/triangle_mesh.hpp"
 #include "core/halo/surface_halos.hpp"
@@ -13,27 +13,26 @@
 
 namespace thaw {
 
-/// What an update works with; made once, reused. Nothing of it is part of the state.
+/// Buffers and lists of an update, reused. They are not part of the state.
 struct SurfaceTools {
   SortBuffers sort;
-  MeshLoader load;        ///< of the bodies' meshes; set before startSurface
-  RowLists surfelsOf;     ///< surfels around the owned ones that resampling looks at
-  OpenRegion openRegion;  ///< where its later rounds look
+  MeshLoader load;        ///< loads the bodies' meshes; set before startSurface
+  RowLists surfelsOf;     ///< neighbours of surfels that resampling inspects
+  OpenRegion openRegion;  ///< active set of later rounds
   TopologyTools topology;
-  RelaxTools relax;                  ///< of displacement and iterations
-  std::vector<std::uint64_t> lumps;  ///< labels, ascending: of liquids that startSurface has grown as one
-                                     ///< lump though they have sheets near each other
-  std::vector<BodyPieces> pieces;    ///< of bodies that are several pieces at the start, though no layer is
-                                     ///< missing between them
-  SurfaceTimes times;                ///< of all updates of this process; the start is not in them
+  RelaxTools relax;  ///< for displacement and iterations
+  /// labels, ascending, of liquids whose close sheets startSurface has merged
+  std::vector<std::uint64_t> lumps;
+  /// bodies with several pieces at the start, although no layer is missing between them
+  std::vector<BodyPieces> pieces;
+  SurfaceTimes times;  ///< all updates of this process, without the start
 };
 
-/// The first surface, of the bodies at their start. Needs Surface without surfels and particles in place.
-/// Collective.
+/// Makes the first surface of the bodies. Requires: Surface without surfels; particles in place. Collective.
 void startSurface(World& world, SurfaceHalos halos, SurfaceTools& tools);
 
-/// Carries the surfels along with the particles and lets them settle on them; splits and merges components.
-/// The same bits on any number of ranks. Collective.
+/// Moves the surfels with the particles, relaxes them, and splits and merges components. The same bits on any
+/// number of ranks. Collective.
 void updateSurface(World& world, SurfaceHalos halos, SurfaceTools& tools);
 
 }  // namespace thaw
