@@ -122,7 +122,7 @@ bool beforeOwnSheet(const World& w, const SurfaceTools& t, const Surfels& f, std
                    2 * dx,
                    std::min({w.surface.grid.edge.x, w.surface.grid.edge.y, w.surface.grid.edge.z}) - r);
   const SurfaceParticles& q = w.surface.particles;
-  // whether a particle lies between p and p + d
+  // true if a particle lies between p and p + d
   const auto between = [&](const Vec3d& d) {
     const double far2 = dot(d, d);
     bool found = false;

@@ -168,7 +168,7 @@ void judgeJoining(const Surface& s, std::uint32_t i, const Bins& joining, Compon
   const Surfels& f = s.surfels;
   int seen = 0;
   double nearest2 = never;
-  // whether it lies behind the nearest surfel
+  // true if it lies behind the nearest surfel
   bool behind = false;
   forRowsWithin(joining, f.position[i], s.particleSupport, [&](std::uint32_t j, double d2) {
     if (t.into[j] != t.into[i] || f.component[j] == f.component[i]) return;

@@ -165,7 +165,7 @@ Settled settle(World& w, SurfaceHalos halos, SurfaceTools& t, const ForceWeights
   Settled done;
   MoveCounts counts;
   // Across the surface, most surfels stop after a few iterations. Along it, long waves of density would move
-  // them on, hence K05's damping. The rims of a splash would do so across it; what remains after easeAfter
+  // them on, hence K05's damping. The rims of a splash would do so across it; their motion after easeAfter
   // continues in the next update.
   double spread = 1, ease = 1;
   bool spreads = false, held = false, running = true;
