@@ -107,7 +107,7 @@ struct Sampler {
     }
   }
 
-  /// Finds the nearest sample of each candidate within `reach`, else nobody.
+  /// Finds the nearest sample of each candidate within `reach`, else the value `nobody`.
   void findNearest(double reach) {
     std::vector<Vec3d> at;
     at.reserve(places.size());

@@ -92,7 +92,7 @@ bool anywhere(Reducer& all, bool here) {
   return value[0] > 0;
 }
 
-/// Lists rows of a block within a radius that are like row i in `near`.
+/// Lists rows of a block within a radius that may be linked to row i in `near`.
 template<class Rows>
 void listNear(const Rows& rows, std::uint32_t i, const RowBlock& block, double r2,
               std::vector<ComponentTools::Near>& near) {
@@ -108,7 +108,7 @@ void listNear(const Rows& rows, std::uint32_t i, const RowBlock& block, double r
 /// Radius that holds ten neighbours of most surfels, in surfel radii.
 constexpr double usualReach = 2.2;
 
-/// Finds Surfels::nearest: the nearest particle that is alike.
+/// Finds Surfels::nearest: the nearest particle that may be linked.
 void findNearestParticles(World& w, ComponentTools& t) {
   Surface& s = w.surface;
   Surfels& f = s.surfels;
@@ -132,8 +132,8 @@ void findNearestParticles(World& w, ComponentTools& t) {
   });
 }
 
-/// Finds Surfels::reach: the squared distance to the k-th nearest surfel that is alike. It is sent to the
-/// other end of a link. 0 if all surfels within h_ss already belong to the part.
+/// Finds Surfels::reach: the squared distance to the k-th nearest surfel that may be linked. It is sent to
+/// the other end of a link. 0 if all surfels within h_ss already belong to the part.
 void findReach(Surface& s, ComponentTools& t, const std::vector<std::uint8_t>& mixed) {
   Surfels& f = s.surfels;
   const auto closer = [](const ComponentTools::Near& a, const ComponentTools::Near& b) {
@@ -164,8 +164,8 @@ void findReach(Surface& s, ComponentTools& t, const std::vector<std::uint8_t>& m
   }
 }
 
-/// Joins surfels of these bins, ghosts included, with surfels within their reach. This covers the links of
-/// both ends.
+/// Joins surfels of these bins, ghosts included, with surfels within their link radius. This covers the links
+/// of both ends.
 void joinSurfels(const World& w, ComponentTools& t, const std::vector<std::uint8_t>& mixed, Sets& sets) {
   const Surface& s = w.surface;
   const Surfels& f = s.surfels;

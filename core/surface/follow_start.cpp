@@ -8,7 +8,7 @@ namespace {
 
 constexpr float wet = 0.02f;
 /// If reference positions lie this close to a plane, relative to the square of their distances, displacement
-/// across it follows from the plane's rotation.
+/// across it results from the plane's rotation.
 constexpr double flat = 0.03;
 
 /// Particle relative to the surfel: reference and current position.

@@ -42,7 +42,7 @@ Hold holdOf(const SurfaceComponent& c, bool start) {
 
 double errorOf(const SurfaceComponent& c) { return std::abs(c.volume - c.wantedVolume) / c.wantedVolume; }
 
-/// Returns the share of its component's offset that surfel i takes.
+/// Returns the fraction of its component's offset that surfel i takes.
 double shareOf(const Surfels& f, std::size_t i, Held what) {
   return what == Held::Drop     ? 1
          : what == Held::Frozen ? frozenShare(f, i)

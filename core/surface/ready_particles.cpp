@@ -43,7 +43,7 @@ Lattice latticeOf(double h, const LevelTable& table) {
 }
 
 /// Returns the volume (m^3) of each particle in the colour field, ghosts included. Particles cut from a
-/// lattice count with the body's share of their cell, so that balls have no steps.
+/// lattice count with the body's fraction of their cell, so that balls have no steps.
 std::vector<double> weightsOf(const SurfaceParticles& p) {
   std::vector<double> weight(p.volume.data(), p.volume.data() + p.size());
   if (p.fill.active)

@@ -26,7 +26,7 @@ struct Surfels : Table {
   Column<std::uint32_t> colour{*this, "colour", "1", Keep::State,
       "surface colour, red | green << 8 | blue << 16"};
   Column<float> detail{*this, "detail", "1", Keep::State,
-      "remaining share of the mesh's detail, 1 at the start, 0 after melting"};
+      "remaining fraction of the mesh's detail, 1 at the start, 0 after melting"};
   Column<float> liquid{*this, "liquid", "1", Keep::State,
       "liquid fraction of the surrounding particles: weight of the surface update (K05 4.5)"};
   Column<float> softened{*this, "softened", "1", Keep::State,
@@ -52,7 +52,7 @@ struct Surfels : Table {
   Column<std::uint8_t> moving{*this, "moving", "1", Keep::State,
       "1: moved in the last iteration; 2: stopped at the margin until the next search"};
   Column<float> pace{*this, "pace", "1", Keep::State,
-      "share of the last step along its normal; negative: into the body; 0: none yet"};
+      "fraction of the last step along its normal; negative: into the body; 0: none yet"};
   Column<float> ceiling{*this, "ceiling", "m", Keep::State,
       "height over its plane above which particles are across a gap (gap_ceilings.hpp); infinity: no gap"};
   Column<std::uint8_t> standing{*this, "standing", "1", Keep::State,
@@ -70,15 +70,15 @@ struct Surfels : Table {
       "squared distance to the farthest of the nearest surfels that it may link to"};
   Column<std::uint64_t> nearest{*this, "nearest", "1", Keep::Transient,
       "id of the nearest particle of its component, ~0 without one within h_ps"};
-  Column<Vec3d> toNearest{*this, "toNearest", "m", Keep::Transient, "vector from the surfel to that particle"};
+  Column<Vec3d> toNearest{*this, "toNearest", "m", Keep::Transient, "from the surfel to that particle"};
   Column<std::uint64_t> part{*this, "part", "1", Keep::Transient,
       "label of its connected part; top bit set: a part without particles"};
   Column<double> area{*this, "area", "m^2", Keep::Transient,
       "area of its cell, at the end of an update"};
   Column<Vec3d> facets{*this, "facets", "m^2", Keep::Transient,
-      "share of the vector areas of the facets between it and its neighbours (facets.hpp)"};
+      "part of the vector areas of the facets between it and its neighbours (facets.hpp)"};
   Column<double> bulge{*this, "bulge", "m^3", Keep::Transient,
-      "share of the volume between these facets and the curved surface"};
+      "part of the volume between these facets and the curved surface"};
   Column<double> rim{*this, "rim", "m", Keep::Transient,
       "length of its cell's border without a neighbour, as beside a hole"};
   Column<std::uint8_t> onWall{*this, "onWall", "1", Keep::Transient,
@@ -101,8 +101,8 @@ inline bool settles(const Surfels& s, std::size_t i) {
   return (s.liquid.active && s.liquid[i] > 0) || (s.loose.active && s.loose[i]);
 }
 
-/// Shares of an offset by which volume enforcement moves a surfel, in liquid and in frozen components. The
-/// frozen share excludes mesh detail.
+/// Fractions of an offset by which volume enforcement moves a surfel, in liquid and in frozen components. The
+/// frozen fraction excludes mesh detail.
 inline double liquidShare(const Surfels& s, std::size_t i) {
   return s.liquid.active ? static_cast<double>(s.liquid[i]) : 0;
 }
@@ -126,7 +126,7 @@ struct SurfaceParticles : Table {
       "component label; noComponent: new since the last update"};
   Column<double> volume{*this, "volume", "m^3", Keep::State, "mass over rest density"};
   Column<float> fill{*this, "fill", "1", Keep::State,
-      "initial share of its cell inside the body, over the mean (Continuum::surfaceFill); 0: the mean"};
+      "initial fraction of its cell inside the body, over the mean (Continuum::surfaceFill); 0: the mean"};
   Column<double> share{*this, "share", "1", Keep::State,
       "target volume inside the surface over its own volume"};
   Column<double> mass{*this, "mass", "kg", Keep::State, "mass of the particle"};
