@@ -41,12 +41,9 @@ class SignedDistance {
   /// return a smaller magnitude. `gradient`, if given, receives the outward unit gradient. It is defined
   /// everywhere; where it is not unique, the choice is deterministic.
   virtual double distance(const Vec3d& x, Vec3d* gradient = nullptr) const = 0;
-  /// Equals distance() where
-  /// distance
-  /// < reach (m). Elsewhere it returns any value with the sign of the distance and a magnitude between reach
-  /// and
-  /// distance
-  /// , and any gradient of length 1 or 0. For meshes it is many times faster.
+  /// Equals distance() where |distance| < reach (m). Elsewhere it returns any value with the sign of the
+  /// distance and a magnitude between reach and |distance|, and any gradient of length 1 or 0. For meshes it
+  /// is many times faster.
   virtual double distanceWithin(const Vec3d& x, double reach, Vec3d* gradient = nullptr) const {
     (void)reach;
     return distance(x, gradient);
@@ -64,9 +61,7 @@ class SignedDistance {
   virtual double outerExtent(const Vec3d& direction) const;
   /// Returns true if the shape is known to be convex: no outside point is near several of its faces.
   virtual bool convex() const { return false; }
-  /// Returns true if inside() may change within
-  /// distance
-  /// of a point: only for open sets of triangles.
+  /// Returns true if inside() may change within |distance| of a point: only for open sets of triangles.
   virtual bool hasGaps() const { return false; }
   /// Surface area (m^2) if known at no cost, as for meshes; else negative.
   virtual double area() const { return -1; }

@@ -38,9 +38,7 @@ struct WendlandC2 : OfSquare<WendlandC2> {
     const T u = max(T(1.0) - q, T(0.0));
     return T(-210 / pi) * (u * u * u);
   }
-  /// Brookshaw's form 2
-  /// w'
-  /// / q: second derivative from first derivatives.
+  /// Brookshaw's form 2 |w'| / q: second derivative from first derivatives.
   template<class T> static THAW_INLINE T laplace(T q, T q2) { return T(-2.0) * slope(q, q2); }
 };
 

@@ -25,9 +25,7 @@ ViscousWeight viscousWeight(const Numerics& numerics);
 /// flow.
 double slidingLatticeSum(const Numerics& numerics);
 
-/// Sum of V
-/// dW/dr
-/// r / 3 over the lattice: 1 for an exact kernel gradient.
+/// Sum of V |dW/dr| r / 3 over the lattice: 1 for an exact kernel gradient.
 double latticeGradient(const Numerics& numerics);
 
 /// Largest stable dt nu / h^2 of an explicit step of the viscous sum: 2 over its largest eigenvalue over all

@@ -21,9 +21,7 @@ inline Quat unitQuat(const Quat& q) {
   const double l = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
   return {q.w / l, q.x / l, q.y / l, q.z / l};
 }
-/// Rotation by the angle
-/// r
-/// (rad) about r.
+/// Rotation by the angle |r| (rad) about r.
 inline Quat rotationBy(const Vec3d& r) {
   const double angle2 = dot(r, r), angle = std::sqrt(angle2);
   const double s = angle > 1e-4 ? std::sin(0.5 * angle) / angle : 0.5 - angle2 / 48;

@@ -112,9 +112,7 @@ struct OrientedBody {
 inline constexpr std::uint32_t orientedColours[] = {0xd6a46e, 0x78be96, 0xbebe78,
                                                     0xc88caa, 0x60aae0, 0x7878ce};
 
-/// Returns the colour of a body: red
-/// green << 8
-/// blue << 16.
+/// Returns the colour of a body: red | green << 8 | blue << 16.
 inline std::uint32_t colourOf(const OrientedBody& b, std::size_t number) {
   return b.colour ? *b.colour : orientedColours[number % std::size(orientedColours)];
 }

@@ -164,14 +164,10 @@ void evaluateElasticEnergy(ElasticWork& work, Solids& solids, const Bonds& bonds
 /// phase 1. For output.
 void computeCauchyStress(const ElasticWork& work, Solids& solids);
 
-/// Bound of the strain-displacement operator of a slot: sum_j
-/// w_j A^-1 X_j
-/// +
-/// sum_j w_j A^-1 X_j
-/// , in 1/m, the strain per metre of neighbour displacement. The largest frequency of a body is below
-/// sqrt(0.45) c_p times it (measured squares: 0.21 on a lattice, 0.25-0.35 in disorder, 0.45 in a crumpled
-/// sheet). Faces and corners of a lattice have up to latticeGrip / spacing for bonds of at least 1.5
-/// spacings.
+/// Bound of the strain-displacement operator of a slot: sum_j |w_j A^-1 X_j| + |sum_j w_j A^-1 X_j|, in 1/m,
+/// the strain per metre of neighbour displacement. The largest frequency of a body is below sqrt(0.45) c_p
+/// times it (measured squares: 0.21 on a lattice, 0.25-0.35 in disorder, 0.45 in a crumpled sheet). Faces and
+/// corners of a lattice have up to latticeGrip / spacing for bonds of at least 1.5 spacings.
 inline constexpr double latticeGrip = 4.75;
 inline constexpr double flatGrip = 1.4;  ///< factor for rows and sheets of particles: the frequency of a pair
                                          ///< is c_p times the bound

@@ -121,9 +121,7 @@ __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
     if (a.plastic) piola = piola + piola * transpose(plasticInverse);
 
     // The Green law weakens where some principal stretch is below sqrt(1/3): 3 E + 1 = 3/2 C - 1/2 then has
-    // an eigenvalue < 0, which its leading minors detect. The test is skipped where
-    // E
-    // < 1/3 rules that out.
+    // an eigenvalue < 0, which its leading minors detect. The test is skipped where |E| < 1/3 rules that out.
     const T three(Real(3));
     const auto squared = [](const Sym3<T>& e) {
       return e.xx * e.xx + e.yy * e.yy + e.zz * e.zz + T(Real(2)) * (e.xy * e.xy + e.yz * e.yz + e.xz * e.xz);

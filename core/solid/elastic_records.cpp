@@ -6,9 +6,7 @@ namespace thaw {
 
 namespace {
 
-// Nearest integer modulo 2^32 for
-// x
-// < 2^51: the low bits of the mantissa after adding 1.5 * 2^52.
+// Nearest integer modulo 2^32 for |x| < 2^51: the low bits of the mantissa after adding 1.5 * 2^52.
 std::uint32_t fixedPoint(double x) {
   return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(x + fixedPointMagic));
 }

@@ -8,12 +8,10 @@ namespace thaw {
 /// Takes the current configuration as reference for slots whose plastic strain since the last reference
 /// exceeds Numerics::plasticRereference: X_ij <- x_ij, Fp^-1 <- Ve of Fe = Ve R. F becomes the identity.
 /// Stress, elastic energy and weights stay; the hourglass energy vanishes. Slots that are inverted or nearly
-/// flat (
-/// F^-1
-/// ^2 > 6), or whose bonds would no longer span space, are postponed. Neighbours renew their copies of the
-/// vectors (Bonds::rx) here, and for remote slots in phase 2 (Boundary), by the exchanged column
-/// Solids::rereferenced. Requires: called after phase 1 of both parts and breakBonds. The jump of elastic
-/// energy is added to phaseJump (J). Returns the number of slots.
+/// flat (|F^-1|^2 > 6), or whose bonds would no longer span space, are postponed. Neighbours renew their
+/// copies of the vectors (Bonds::rx) here, and for remote slots in phase 2 (Boundary), by the exchanged
+/// column Solids::rereferenced. Requires: called after phase 1 of both parts and breakBonds. The jump of
+/// elastic energy is added to phaseJump (J). Returns the number of slots.
 std::int64_t rereference(ElasticWork& work, Solids& solids, Bonds& bonds, const ElasticStep& step,
                          ExactSum& phaseJump);
 

@@ -12,9 +12,7 @@ namespace {
 double plasticStretch(const Mat3d& plasticInverse) {
   const Sym3d m = plasticMetric(plasticInverse);
   const double mean = trace(m) / 3, square = doubleDot(m, m) - 3 * mean * mean;
-  // No eigenvalue exceeds mean + sqrt(2/3)
-  // deviator
-  // .
+  // No eigenvalue exceeds mean + sqrt(2/3) |deviator|.
   return std::sqrt(std::max(1.0, 1 + 2 * (mean + std::sqrt(2.0 / 3 * std::max(0.0, square)))));
 }
 

@@ -25,8 +25,7 @@ inline Periods periodsOf(const CellGrid& grid) {
   return p;
 }
 
-/// Returns the shortest periodic image of d; minimumImage(-d) = -minimumImage(d) bit by bit. Requires:
-/// d
+/// Returns the shortest periodic image of d; minimumImage(-d) = -minimumImage(d) bit by bit. Requires: |d|
 /// less than 3/2 periods.
 inline Vec3d minimumImage(Vec3d d, const Periods& periods) {
   for (int a = 0; a < 3; a++) {

@@ -1,8 +1,6 @@
-// Corotated linear elasticity: mu
-// F - R
-// ^2 + lambda/2 tr(R^T F - 1)^2 with the rotation R nearest to F (Mueller & Gross 2004; invertible form:
-// Irving, Teran, Fedkiw 2004). It is linear in stretch, so it neither softens in compression nor stays
-// inverted: R is a proper rotation also for det F < 0.
+// Corotated linear elasticity: mu |F - R|^2 + lambda/2 tr(R^T F - 1)^2 with the rotation R nearest to F
+// (Mueller & Gross 2004; invertible form: Irving, Teran, Fedkiw 2004). It is linear in stretch, so it neither
+// softens in compression nor stays inverted: R is a proper rotation also for det F < 0.
 #pragma once
 #include "core/solid/laws/neo_hookean.hpp"
 
@@ -18,9 +16,8 @@ template<class T> Mat3<T> towardsRotation(const Mat3<T>& r) {
   const Mat3<T> c = cofactor(r);
   return T(0.5) * (r + (T(1.0) / dot(r.row[0], c.row[0])) * c);
 }
-/// The iteration reaches the wanted rotation where det F exceeds this fraction of (
-/// F
-/// ^2 / 3)^(3/2), its value for a scaled rotation.
+/// The iteration reaches the wanted rotation where det F exceeds this fraction of (|F|^2 / 3)^(3/2), its
+/// value for a scaled rotation.
 inline constexpr double newtonsShare = 0.05;
 inline constexpr int newtonsSteps = 20;
 /// Square of the last change at which the iterate is exact up to rounding: the next change would be its

@@ -22,11 +22,8 @@ template<class T> struct NeoHookeanConstants {
 template<class T> T neoHookeanLogged(const Mat3<T>& f) {
   return T(0.25) * (dot(f.row[0], f.row[0]) + dot(f.row[1], f.row[1]) + dot(f.row[2], f.row[2]) + T(1.0));
 }
-/// psi = mu/2 (
-/// F
-/// ^2 - 3) + lambda/2 (J - 1)^2 - 3/4 mu (J - 1) - mu/2 ln((
-/// F
-/// ^2 + 1)/4), Pa: eq. 14 minus its value at rest. `logarithm` is ln of neoHookeanLogged().
+/// psi = mu/2 (|F|^2 - 3) + lambda/2 (J - 1)^2 - 3/4 mu (J - 1) - mu/2 ln((|F|^2 + 1)/4), Pa: eq. 14 minus
+/// its value at rest. `logarithm` is ln of neoHookeanLogged().
 template<class T>
 T neoHookeanEnergy(const Mat3<T>& f, const T& lameLambda, const T& lameMu, const T& logarithm) {
   const NeoHookeanConstants<T> k(lameLambda, lameMu);
