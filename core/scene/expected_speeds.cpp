@@ -40,12 +40,12 @@ FlowSpeed expectedFlow(const Scene& s) {
   see(e.driven, e.drivenBy);
   const double flow = std::sqrt(given * given + 2 * g * fall), column = std::sqrt(g * e.column);
   if (column > flow)
-    return {column, "as the pressure of a column of " + numberText("%.3g m", e.column) +
-                        " that an emitter can fill needs"};
+    return {column, "from the pressure of a column of " + numberText("%.3g m", e.column) +
+                        " that an emitter can fill"};
   const std::string falls = "a fall through " + numberText("%.3g m", fall);
-  if (!(given > 0)) return {flow, flow > 0 ? "of " + falls : "nothing moves"};
+  if (!(given > 0)) return {flow, flow > 0 ? "from " + falls : "nothing moves"};
   by += numberText(" (%.3g m/s)", given);
-  return {flow, "of " + by + (fall > 0 ? " and " + falls : "")};
+  return {flow, "from " + by + (fall > 0 ? " and " + falls : "")};
 }
 
 }  // namespace thaw

@@ -90,7 +90,7 @@ TEST(FileNormals, ThatSayNothingFollowFromTheTrianglesAndAreTold) {
   EXPECT_EQ(r.normals, 3 * static_cast<std::int64_t>(odd.triangles.size()));
   EXPECT_NE(
       describeRepairs("x", r).find(", 2 of its " + std::to_string(r.normals) +
-                                   " normals are missing, 0 or point to the other side of their triangle"),
+                                   " normals are missing, 0 or oppose their triangle"),
       std::string::npos)
       << describeRepairs("x", r);
   TriangleMesh plain = m;

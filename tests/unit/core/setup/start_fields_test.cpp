@@ -272,7 +272,7 @@ TEST(ExpectedSpeed, TensionCountsWhereItIsFaster) {
   s.materials[0].surfaceTension = 5000;
   Simulation run(s);
   EXPECT_NEAR(run.tools.liquids[0].soundSpeed, 10 * std::sqrt(2 * 5000 / (1000 * 0.1)), 1e-9);
-  EXPECT_NE(whyOf(s).find("of surface tension at one spacing"), std::string::npos) << whyOf(s);
+  EXPECT_NE(whyOf(s).find("from surface tension at one spacing"), std::string::npos) << whyOf(s);
 }
 
 }  // namespace thaw::test
