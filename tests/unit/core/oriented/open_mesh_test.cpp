@@ -87,10 +87,9 @@ TEST(OpenMesh, WhatIsMendedIsTold) {
   TriangleMesh m = quad(0.1);
   m.vertices.push_back({0.05, 0.05, 0.1});
   m.triangles.push_back({2, 0, 4});  // at the diagonal of the quad
-  EXPECT_EQ(
-      pointsOf(m).notes,
-      std::vector<std::string>{
-          "mesh 'm': open (6 edges at its border), kept open, 1 edge has more than two triangles"});
+  EXPECT_EQ(pointsOf(m).notes,
+            std::vector<std::string>{
+                "mesh 'm': open (6 edges at its border), kept open, 1 edge has more than two triangles"});
   m = quad(0.1);
   std::swap(m.triangles[1][0], m.triangles[1][1]);
   EXPECT_EQ(pointsOf(m).notes,
