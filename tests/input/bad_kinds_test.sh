@@ -88,7 +88,7 @@ warns "a narrow emitter" "thin.toml:7:1: emitter 'tap' emits [0-9.]+ kg/s, but o
 name = 'tap'
 material = 'water'
 rectangle = { width = 0.4, depth = 0.01 }"
-warns "a clamp that holds nothing" "loose.toml:8:1: body 'bar': its clamp holds none of its particles" loose "[material.rubber]
+warns "a clamp that holds nothing" "loose.toml:8:1: body 'bar': its clamp contains none of its particles" loose "[material.rubber]
 young = '1 MPa'
 [[body]]
 name = 'bar'
@@ -97,7 +97,7 @@ box = { size = [0.3, 0.1, 0.1] }
 [[body.clamp]]
 box = { size = [0.1, 0.1, 0.1] }
 place = { move = [0.6, 0, 0] }"
-warns "one of two clamps that holds nothing" "half.toml:8:1: body 'bar': its clamp 2 of 2 holds none of its particles$" half "[material.rubber]
+warns "one of two clamps that holds nothing" "half.toml:8:1: body 'bar': its clamp 2 of 2 contains none of its particles$" half "[material.rubber]
 young = '1 MPa'
 [[body]]
 name = 'bar'
