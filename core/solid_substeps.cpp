@@ -66,7 +66,7 @@ void kick(World& w, double span) {
       p.velocity[i] += f * (span / p.mass[i]);
       continue;
     }
-    for (int a = 0; a < 3; a++) w.ledger.wallImpulse[a].add(-f[a] * span);  // of its constraint
+    for (int a = 0; a < 3; a++) w.ledger.wallImpulse[a].add(-f[a] * span);  // impulse of its constraint
     if (p.clamped[i] == driven) w.ledger.wallWork.add(-dot(f, p.velocity[i]) * span);
   }
 }

@@ -44,8 +44,8 @@ struct StepTools {
   StepLimits fixedLimits;  ///< from materials
   WatchBounds watch;
   std::vector<EmitterPlan> emitters;
-  std::vector<std::shared_ptr<const SignedDistance>> shapes;  ///< of the bodies, until they are sampled;
-                                                              ///< those of meshes are slow to make
+  std::vector<std::shared_ptr<const SignedDistance>> shapes;  ///< shapes of the bodies until they are
+                                                              ///< sampled; meshes are slow to make
   WallTables wallTables;
   ViscousWeight viscousWeight;   ///< for pairwise viscosity
   double perLatticeSum = 1;      ///< factor that turns sums over V W into relative densities
@@ -73,7 +73,7 @@ struct StepTools {
   std::vector<BondRequest> requests;
   std::vector<std::uint32_t> rebonded;  ///< rows of particles with new bonds
   std::vector<std::uint32_t> leaving;
-  std::vector<Leaver> leavers;  ///< of all ranks; empty without surface tension
+  std::vector<Leaver> leavers;  ///< from all ranks; empty without surface tension
   PhaseTimes times;
   // Carried from one step to the next; recomputed after a restart.
   bool bondsAtStart = false;  ///< the next evaluation makes the initial bonds
@@ -101,7 +101,7 @@ struct StepOutcome {
   bool finite = true;         ///< false: some value is not finite; `bad` is its row on the rank that has it
   bool badHere = false;
   std::size_t bad = 0;
-  std::optional<LargestRates> largest;  ///< of this rank, if the kick computed them
+  std::optional<LargestRates> largest;  ///< on this rank, if the kick computed them
   double surfaceMove2 = 0;  ///< m^2, squared largest displacement of a particle since the last surface
                             ///< update; 0 without a surface
 };

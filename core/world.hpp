@@ -36,10 +36,10 @@ struct Counters {
   std::int64_t left = 0, emitted = 0;
   std::int64_t leftThrough[3][2] = {};  ///< particles that left, by the open side that each was farthest
                                         ///< beyond, [axis][low, high]
-  std::int64_t viscousIterations = 0;   ///< of implicit viscosity, all steps; on the first rank only
+  std::int64_t viscousIterations = 0;   ///< implicit viscosity, all steps; on the first rank only
   std::int64_t viscousUnfinished = 0;   ///< steps without convergence; on the first rank only
   std::int64_t retries = 0;             ///< failed stretches that were repeated with shorter steps
-  std::int64_t densityIterations = 0, divergenceIterations = 0;  ///< of the incompressible solver; on the
+  std::int64_t densityIterations = 0, divergenceIterations = 0;  ///< incompressible solver; on the
                                                                  ///< first rank only
   std::int64_t orientedBirths = 0, orientedDeaths = 0;
   std::int64_t crowded = 0;    ///< liquid particles whose summed density far exceeds the carried one in the

@@ -34,7 +34,8 @@ class MpiBondHalo : public BondHalo {
   /// Solid particles about to enter the table.
   struct Waiting {
     std::vector<std::byte> records;
-    std::vector<std::int32_t> owners;  // of the other end of each bond, record by record; empty if adopted
+    std::vector<std::int32_t> owners;  // owner of the other end of each bond, record by record; empty if
+                                       // adopted
     bool adopted = false;              // from a checkpoint: not yet in the directory
   };
   struct Found {  // a record in waiting_
@@ -75,7 +76,7 @@ class MpiBondHalo : public BondHalo {
   std::vector<std::uint64_t> strangers_;  // ids of particles that arrived but are no longer solid
   std::vector<std::uint32_t> movedRows_;  // remote rows whose particle has migrated since the last relink
   std::vector<NewSlot> fresh_;
-  std::vector<const Found*> recordOf_;   // of each fresh slot; nullptr: the particle just became solid
+  std::vector<const Found*> recordOf_;   // record of each fresh slot; nullptr: the particle just became solid
   std::vector<std::uint64_t> askedIds_;  // ascending
   std::vector<std::uint64_t> askedOwners_;
   bool moved_ = false;         // solid particles migrated on some rank since the last relink

@@ -69,7 +69,7 @@ class MpiCellHalo : public CellHalo {
   bool newPartition_ = false;  // since the last migration
   int pause_ = 0;
   double imbalance_ = 1;
-  ExchangeMark mark_;  // of the exchange in flight
+  ExchangeMark mark_;  // exchange in flight
 };
 
 }  // namespace thaw

@@ -14,7 +14,7 @@ struct TouchLaw {
   double mass;         ///< kg/m^2, or kg where forces are N
   double restitution;  ///< 1
   double friction;     ///< 1, Coulomb
-  double span;         ///< s, step; friction stops sliding over at least two steps
+  double span;         ///< s, step; friction removes at most half of the sliding velocity in it
   double barrier = 0;  ///< N/m (or N/m^3): adds a force 2 barrier depth^3 / reach^2 to the spring; it stores
                        ///< barrier reach^2 / 2 at full depth and is negligible for light contact
   double reach = 1;    ///< m, depth at which the contact fails
@@ -67,8 +67,7 @@ inline Touch touchOf(const TouchLaw& law, double depth, const Vec3d& n, const Ve
   return t;
 }
 
-/// Safety factor of the predicted motion for possible contacts at the end of the next step, which is at most
-/// a tenth longer.
+/// Look-ahead in steps for possible contacts at the end of the next step, which is at most a tenth longer.
 inline constexpr double comesNear = 1.5;
 
 /// Rate (1/s) that a step has to resolve during an impact. A contact that begins or ends within a step has a

@@ -79,8 +79,8 @@ std::vector<std::vector<double>> cohesionOf(const Scene& s, const Emitter& e, co
   return energy;
 }
 
-/// Surface energy (findSurfaceEnergy) of stacks of layers: the increment due to the last layer, uniform over
-/// its particles; [m]: stack of m + 1 layers minus stack of m.
+/// Second differences of the surface energy E(m) (findSurfaceEnergy) of stacks of m layers, per particle of a
+/// layer; [m]: E(m + 1) - 2 E(m) + E(m - 1).
 std::vector<std::vector<double>> surfaceEnergyOf(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
   const Material& m = s.materials[static_cast<std::size_t>(e.material)];
   std::vector<std::vector<double>> energy;

@@ -24,8 +24,8 @@ struct EmitterPlan {
   double particleMass = 0;                    ///< kg
   std::vector<std::vector<double>> cohesion;  ///< J, [m][k]: surface tension between particle k of a layer
                                               ///< and layer m before it (0: half of its own layer). As
-                                              ///< surface energy: energy that a stack of m + 1 layers has
-                                              ///< beyond one of m
+                                              ///< surface energy: (E(m + 1) - 2 E(m) + E(m - 1)) / particles,
+                                              ///< E(m) of a stack of m layers
 };
 
 /// Throws ShapeError if the rate needs more particles than the opening admits, and if a field of the opening

@@ -49,7 +49,8 @@ struct DistanceOctree::Cube {
   std::atomic<State> state{Unknown};              // written last; the other members are constant from then on
   double distance = 0;                            // m, at the middle; signed if clear
   Vec3d closest{};                                // m, surface point closest to the middle
-  std::unique_ptr<std::array<Cube, 8>> children;  // of a cube that the surface crosses, except the smallest
+  std::unique_ptr<std::array<Cube, 8>> children;  // null for the smallest cubes and those that the surface
+                                                  // does not cross
 };
 
 DistanceOctree::DistanceOctree(const TriangleBvh& near, const TriangleBvh& all)

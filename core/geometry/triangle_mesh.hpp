@@ -14,7 +14,7 @@ struct TriangleMesh {
   std::vector<Vec3d> vertices;                          // m
   std::vector<std::array<std::uint32_t, 3>> triangles;  // indices of vertices, counter-clockwise seen from
                                                         // outside
-  std::vector<std::uint32_t> colours{};  // of vertices, red | green << 8 | blue << 16; empty if the file has
+  std::vector<std::uint32_t> colours{};  // by vertex, red | green << 8 | blue << 16; empty if the file has
                                          // none
   std::vector<std::array<Vec3d, 3>> normals{};  // unit normals of triangle corners, 0 where the file has
                                                 // none; empty without normals

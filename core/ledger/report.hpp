@@ -24,9 +24,9 @@ struct LedgerReport {
                               ///< of the heat that moved
   double heatScale = 0;  ///< J, the larger of the heat that moved and the heat that temperature differences
                          ///< in the scene can move
-  double liquidFraction = 0;  ///< of the continuum's mass; sheets and oriented particles do not count
+  double liquidFraction = 0;  ///< fraction of the continuum's mass, without sheets and oriented particles
   std::int64_t particles = 0;
-  std::int64_t rows[2] = {0, 0};  ///< of the further body types (core/kinds/kinds.hpp)
+  std::int64_t rows[2] = {0, 0};  ///< number by further body type (core/kinds/kinds.hpp)
 };
 
 /// Returns true if the energies are so small that relative residuals are meaningless.

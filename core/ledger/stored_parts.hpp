@@ -9,10 +9,10 @@ struct StepTools;
 
 /// Energies (J) that sum up to Balance::potential.
 struct StoredParts {
-  double gravity = 0;      ///< of all particles
-  double compression = 0;  ///< of liquids
-  double tension = 0;      ///< of liquids: surface tension, and compressed contacts
-  double contact = 0;      ///< of solids: compressed contacts
+  double gravity = 0;      ///< all particles
+  double compression = 0;  ///< liquids
+  double tension = 0;      ///< liquids: surface tension, and compressed contacts
+  double contact = 0;      ///< solids: compressed contacts
 };
 
 /// Requires: forces were evaluated at the current positions, as after a step and at the start, but not right

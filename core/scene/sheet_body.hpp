@@ -47,7 +47,7 @@ struct SheetBrush {
   double radius = 0.1;           // m
   Vec3d pressure{};              // Pa, force per area of sheet at the centre
   FactorInTime inTime;           // 1
-  std::vector<Keyframe> motion;  // of the centre
+  std::vector<Keyframe> motion;  // motion of the centre
 };
 
 /// An edge is warp if the cosine of its angle to the warp direction is at least warpCosine, weft if at most

@@ -20,7 +20,7 @@ struct SamplingReport {
   std::vector<Outside> outside;         ///< extent outside of the domain, by body
   std::int64_t inObstacles = 0;
   std::string firstObstacle;                ///< names, for the message
-  SourcePlace overlapWhere, obstacleWhere;  ///< of the first body concerned
+  SourcePlace overlapWhere, obstacleWhere;  ///< place of the first body with such particles
   std::vector<SceneWarning> warnings;  ///< about narrow bodies, oriented bodies and sheets, and repairs of
                                        ///< meshes
 };

@@ -65,7 +65,7 @@ bool mayBeSkipped(const World& w, std::uint32_t slot) {
       if (!(std::abs(d[a]) < w.grid.edge[a])) return false;
     }
   }
-  constexpr double largest = 0.3;  // of |F^T F - 1|
+  constexpr double largest = 0.3;  // limit of |F^T F - 1|
   const Mat3d& f = s.deformation[slot];
   double size2 = 0;
   for (int a = 0; a < 3; a++)

@@ -40,7 +40,7 @@ namespace {
 template<bool periodic, bool single>
 void packPlacesOf(const ElasticWork& work, Solids& solids, std::size_t first, std::size_t last) {
   const double unit = work.support / fixedUnitsPerSupport, scale = fixedUnitsPerSupport / work.support;
-  std::uint32_t units[3];  // of a period, as in Places
+  std::uint32_t units[3];  // length of a period, as in Places
   for (int a = 0; a < 3; a++)
     units[a] = static_cast<std::uint32_t>(static_cast<std::uint64_t>(work.periods.length[a] / unit + 0.5));
   const auto periodsAway = [&](std::size_t s, int a) {

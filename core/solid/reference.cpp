@@ -100,7 +100,8 @@ std::int64_t refreshReference(ElasticWork& work, Solids& solids, Bonds& bonds, b
     lookAtGroup(work, solids, bonds, g);
   }
   sortGroups(work);
-  packReferences(work, solids, solids.owned, solids.size());  // which remote rows are new is unknown
+  packReferences(work, solids, solids.owned, solids.size());  // all remote rows, since it is unknown which
+                                                              // are new
   return countSingular(work, solids);
 }
 

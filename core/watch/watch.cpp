@@ -33,7 +33,7 @@ WatchBounds watchBounds(const Scene& s, const Modules& modules, const std::vecto
                         const StepLimits& materials) {
   const Numerics& n = s.numerics;
   WatchBounds b;
-  double given = 0, fastest = 0, slowest = never;  // of rotating bodies; of waves
+  double given = 0, fastest = 0, slowest = never;  // speeds of rotating bodies; speeds of waves
   for (const Body& body : s.bodies)
     given = std::max(given, length(body.velocity) + length(body.spin) * length(s.domain.max - s.domain.min));
   const auto wave = [&](double c) {
