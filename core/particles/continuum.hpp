@@ -32,7 +32,8 @@ struct Continuum : Table {
   Column<std::uint64_t> cell{*this, "cell", "1", Keep::Local,
       "key of the cell at the last sort", Rows::Owned};
   GuestColumn<std::uint64_t> nextCell{*this, "nextCell", "1", Keep::Local,
-      "key of the current cell, valid from the drift to the sort; shares the memory of `dissipation`", Rows::Owned};
+      "key of the current cell, valid from the drift to the sort; shares the memory of `dissipation`",
+      Rows::Owned};
   Column<u8> clamped{*this, "clamped", "1", Keep::State,
       "1: fixed in place; 2: driven by its emitter at constant velocity"};
   // Fluid.
@@ -78,16 +79,19 @@ struct Continuum : Table {
       "dissipative part of the force: viscosity, drag of walls"};
   Column<float> trialPressure{*this, "trialPressure", "Pa s", Keep::Transient,
       "pressure of the current iteration times the step"};
-  Column<Vec3d> trialVelocity{*this, "trialVelocity", "m/s", Keep::Transient, "velocity that follows from trialPressure"};
+  Column<Vec3d> trialVelocity{*this, "trialVelocity", "m/s", Keep::Transient,
+      "velocity that follows from trialPressure"};
   Column<float> exposure{*this, "exposure", "1", Keep::Transient,
       "free-surface indicator; 1 for a column of particles below a flat surface"};
   // Surface tension as a surface energy (core/fluid/surface_energy.hpp).
   Column<Vec3d> surfaceGradient{*this, "surfaceGradient", "1", Keep::Transient,
       "colour gradient h sum V grad W: points into the liquid at its surface, 0 inside"};
-  Column<double> surfaceCover{*this, "surfaceCover", "1", Keep::Transient, "colour: sum V W over the neighbours"};
+  Column<double> surfaceCover{*this, "surfaceCover", "1", Keep::Transient,
+      "colour: sum V W over the neighbours"};
   Column<Vec3d> surfacePull{*this, "surfacePull", "Pa", Keep::Transient,
       "derivative of the surface energy per volume with respect to surfaceGradient"};
-  Column<double> surfaceDraw{*this, "surfaceDraw", "Pa", Keep::Transient, "derivative of the surface energy per volume with respect to the colour"};
+  Column<double> surfaceDraw{*this, "surfaceDraw", "Pa", Keep::Transient,
+      "derivative of the surface energy per volume with respect to the colour"};
   Column<Vec3d> viscousAcceleration{*this, "viscousAcceleration", "m/s^2", Keep::State,
       "from implicit viscosity in the last step; initial guess of the next solve"};
   Column<Vec3d> viscousSearch{*this, "viscousSearch", "m/s", Keep::Transient,
@@ -107,8 +111,8 @@ struct Continuum : Table {
   Column<std::uint64_t> component{*this, "component", "1", Keep::State,
       "label: label: 1 + smallest particle id of its component; 0: created after the last update"};
   Column<double> surfaceShare{*this, "surfaceShare", "1", Keep::State,
-      "volume that the surface encloses for it, over its own volume: from the mesh or shape of its body at the "
-      "start; 0: its own volume"};
+      "volume that the surface encloses for it, over its own volume: from the mesh or shape of its "
+      "body at the start; 0: its own volume"};
   Column<float> surfaceFill{*this, "surfaceFill", "1", Keep::State,
       "fraction of its cell that its body filled at the start, over the mean (cell_shares.hpp); 0: the mean"};
   // Contact with sheets by triangles (core/sheet/face_contact.hpp), as the owner of the particle computed it.
@@ -138,7 +142,8 @@ struct Continuum : Table {
   Column<u8> justFrozen{*this, "justFrozen", "1", Keep::State,
       "1: froze in this step; forms its bonds in the next step, also on another rank or after a restart"};
   Column<float> standoff{*this, "standoff", "1", Keep::State,
-      "contact offset: distance from a wall, in spacings, at which a solid rests; below 1/2 if it froze closer"};
+      "contact offset: distance from a wall, in spacings, at which a solid rests; below 1/2 if it "
+      "froze closer"};
   Column<Vec3d> home{*this, "home", "m", Keep::Transient,
       "position without the shift of periodic images; only with periodic sides"};
   // Rates of the current step.

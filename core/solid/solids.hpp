@@ -55,7 +55,8 @@ struct Solids : Table {
   Column<Mat3d> deformation{*this, "deformation", "1", Keep::Transient, "F = I + grad u"};
   Column<BondEnd<float>> end{*this, "end", "", Keep::Transient,
       "data of a bond end, in single precision"};
-  Column<BondEnd<double>> endDouble{*this, "endDouble", "", Keep::Transient, "data of a bond end, in double precision"};
+  Column<BondEnd<double>> endDouble{*this, "endDouble", "", Keep::Transient,
+      "data of a bond end, in double precision"};
   Column<double> drag{*this, "drag", "kg/s", Keep::Transient,
       "bond damping coefficient per weight; only with bond damping"};
   Column<Sym3d> stress{*this, "stress", "Pa", Keep::Transient, "Cauchy stress, for output"};
